@@ -1,0 +1,22 @@
+# durero_layer(NAME DEPENDS <layers above it> LIBRARIES <packages>): one target a layer, made of
+# include/durero/NAME/*.hpp and src/NAME/*.cpp; header-only while src/NAME has no sources.
+function(durero_sources OUT DIR)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${DIR}/*.cpp)
+  set(${OUT} ${sources} PARENT_SCOPE)
+endfunction()
+
+function(durero_layer NAME)
+  cmake_parse_arguments(LAYER "" "" "DEPENDS;LIBRARIES" ${ARGN})
+  list(TRANSFORM LAYER_DEPENDS PREPEND durero::)
+  durero_sources(sources src/${NAME})
+  if(sources)
+    add_library(durero_${NAME} STATIC ${sources})
+    set(scope PUBLIC)
+  else()
+    add_library(durero_${NAME} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  add_library(durero::${NAME} ALIAS durero_${NAME})
+  target_link_libraries(durero_${NAME} ${scope} durero_options ${LAYER_DEPENDS} ${LAYER_LIBRARIES})
+  set_property(GLOBAL APPEND PROPERTY DURERO_LAYERS ${NAME})
+endfunction()
