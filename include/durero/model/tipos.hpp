@@ -1,0 +1,127 @@
+#pragma once
+/// spec/tipos.tex: the types of the specification. A stored number is a binary64 and denotes the rational it is;
+/// a wrong value cannot be built.
+
+#include <compare>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <string>
+#include <string_view>
+
+#include "durero/contract/contract.hpp"
+
+namespace durero::model {
+
+inline constexpr contract::clause Rmas_inv_1{"Rmas.inv.1", "r > 0"};
+inline constexpr contract::clause Rayo_inv_1{"Rayo.inv.1", "¬ (v.x = 0 ∧ v.y = 0 ∧ v.z = 0)"};
+inline constexpr contract::clause Unitario_inv_1{
+    "Unitario.inv.1", "1 − tolerancia_unidad ≤ d.x * d.x + d.y * d.y + d.z * d.z ≤ 1 + tolerancia_unidad"};
+
+/// tolerancia_unidad.def.1: how far the squared length of an axis may be from one, 2⁻⁵⁰.
+inline constexpr double tolerancia_unidad = 0x1p-50;
+
+/// A strictly positive finite binary64 (Rmas). Throws contract_violation Rmas.inv.1 on 0, negatives, ∞ and NaN.
+class Rmas {
+ public:
+  explicit Rmas(double value);
+  double value() const noexcept { return value_; }
+  static bool contains(double value) noexcept;
+  auto operator<=>(const Rmas&) const = default;
+
+ private:
+  double value_;
+};
+
+/// A position: three finite binary64 (Punto). Throws std::domain_error on ∞ and NaN, which are no reals.
+class Punto {
+ public:
+  Punto(double x, double y, double z);
+  explicit Punto(const glm::dvec3& xyz) : Punto(xyz.x, xyz.y, xyz.z) {}
+  double x() const noexcept { return xyz_.x; }
+  double y() const noexcept { return xyz_.y; }
+  double z() const noexcept { return xyz_.z; }
+  const glm::dvec3& xyz() const noexcept { return xyz_; }
+  bool operator==(const Punto& other) const noexcept { return xyz_ == other.xyz_; }
+
+ private:
+  glm::dvec3 xyz_;
+};
+
+/// A direction: three finite binary64 (Vector). Throws std::domain_error on ∞ and NaN.
+class Vector {
+ public:
+  Vector(double x, double y, double z);
+  explicit Vector(const glm::dvec3& xyz) : Vector(xyz.x, xyz.y, xyz.z) {}
+  double x() const noexcept { return xyz_.x; }
+  double y() const noexcept { return xyz_.y; }
+  double z() const noexcept { return xyz_.z; }
+  const glm::dvec3& xyz() const noexcept { return xyz_; }
+  bool operator==(const Vector& other) const noexcept { return xyz_ == other.xyz_; }
+
+ private:
+  glm::dvec3 xyz_;
+};
+
+/// A vector whose exact squared length is within tolerancia_unidad of 1 (Unitario): what an axis must be.
+/// Throws contract_violation Unitario.inv.1 otherwise. The stored components are used as they are.
+class Unitario {
+ public:
+  explicit Unitario(const Vector& d);
+  const Vector& vector() const noexcept { return d_; }
+  static bool contains(const Vector& d);
+  bool operator==(const Unitario&) const noexcept = default;
+
+ private:
+  Vector d_;
+};
+
+/// A ray { p + t·v | t > 0 } (Rayo); v need not be a unit vector. Throws contract_violation Rayo.inv.1 when v = 0.
+class Rayo {
+ public:
+  Rayo(const Punto& p, const Vector& v);
+  const Punto& p() const noexcept { return p_; }
+  const Vector& v() const noexcept { return v_; }
+  bool operator==(const Rayo&) const noexcept = default;
+
+ private:
+  Punto p_;
+  Vector v_;
+};
+
+/// The name of an element (Elemento): 1 to 128 of A–Z a–z 0–9 _ . : -. Throws std::invalid_argument otherwise.
+class Elemento {
+ public:
+  explicit Elemento(std::string name);
+  const std::string& name() const noexcept { return name_; }
+  static bool is_name(std::string_view text) noexcept;
+  auto operator<=>(const Elemento&) const = default;
+
+ private:
+  std::string name_;
+};
+
+enum class Tipo : std::uint8_t { soy_esfera, soy_cilindro, soy_cono };
+
+/// What an operation did, or why it did nothing (Respuesta).
+enum class Respuesta : std::uint8_t {
+  elemento_agregado,
+  elemento_eliminado,
+  esfera_agregada,
+  cilindro_agregado,
+  cono_agregado,
+  esfera_eliminada,
+  cilindro_eliminado,
+  cono_eliminado,
+  elemento_ya_existe,
+  elemento_no_existe,
+  tipo_incorrecto,
+  radio_no_positivo,
+  vector_no_unitario,
+  altura_no_positiva,
+  proporcion_no_positiva
+};
+
+std::string_view name(Tipo tipo) noexcept;
+std::string_view name(Respuesta r) noexcept;
+
+}  // namespace durero::model
