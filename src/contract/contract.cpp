@@ -10,10 +10,14 @@ namespace {
 
 constexpr std::string_view name(kind what) {
   switch (what) {
-    case kind::precondition: return "precondition";
-    case kind::postcondition: return "postcondition";
-    case kind::invariant: return "invariant";
-    case kind::assertion: return "assertion";
+    case kind::precondition:
+      return "precondition";
+    case kind::postcondition:
+      return "postcondition";
+    case kind::invariant:
+      return "invariant";
+    case kind::assertion:
+      return "assertion";
   }
   return "clause";
 }

@@ -104,7 +104,8 @@ template <class Predicate, class Values = decltype(no_values)>
 void check(const clause& what, Predicate&& holds, Values&& values = no_values, cost price = cost::normal,
            std::source_location where = std::source_location::current()) {
   const evaluation_semantic now = semantic(price);
-  if (now == evaluation_semantic::ignore || holds()) [[likely]] return;
+  if (now == evaluation_semantic::ignore || holds()) [[likely]]
+    return;
   report(what, std::forward<Values>(values)(), where, now);
 }
 
