@@ -1,0 +1,29 @@
+#include "durero/number/rational.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "quotient.hpp"
+
+namespace durero::number {
+
+Rational exact(double value) {
+  if (!std::isfinite(value)) throw std::domain_error("an infinity or a NaN denotes no number");
+  Rational result;
+  mpq_set_d(result.backend().data(), value);
+  return result;
+}
+
+std::optional<Rational> rational_sqrt(const Rational& value) {
+  // In lowest terms a fraction is a square exactly where its numerator and its denominator are.
+  const Integer n = numerator(value);
+  const Integer d = denominator(value);
+  if (n.sign() < 0 || !mpz_perfect_square_p(n.backend().data()) || !mpz_perfect_square_p(d.backend().data())) {
+    return std::nullopt;
+  }
+  return Rational(sqrt(n), sqrt(d));
+}
+
+double round_to_binary64(const Rational& value) { return round_quotient(numerator(value), denominator(value)); }
+
+}  // namespace durero::number
