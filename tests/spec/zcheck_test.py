@@ -1,0 +1,138 @@
+#!/usr/bin/env python3
+"""Small right and wrong specifications for zcheck, and CZT's words as czt.sh judges them."""
+import contextlib
+import io
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+import zcheck
+
+HERE = pathlib.Path(__file__).parent
+HEAD = r"""\begin{zsection}
+  \SECTION prueba \parents standard\_toolkit
+\end{zsection}
+\begin{zed} [ Cosa ] \end{zed}
+\begin{schema}{Estado}
+  cosas : \finset Cosa \\
+  peso : Cosa \pfun \num
+\where
+  \dom peso = cosas
+\end{schema}
+"""
+
+
+def checked(text):
+    """The exit status and the lines of zcheck on one file."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder, "prueba.tex")
+        path.write_text(text, encoding="utf-8")
+        with contextlib.redirect_stdout(io.StringIO()) as out:
+            status = zcheck.main([str(path)])
+        return status, out.getvalue().replace(str(path), "prueba.tex").splitlines()
+
+
+def zed(body):
+    return HEAD + "\\begin{zed}\n  " + body + "\n\\end{zed}\n"
+
+
+def schema(declarations, predicates):
+    return HEAD + f"\\begin{{schema}}{{S}}\n  {declarations}\n\\where\n  {predicates}\n\\end{{schema}}\n"
+
+
+RIGHT = [
+    zed(r"A == \{~ n : \num | 0 \leq n < 3 @ (n, n * n) ~\}"),
+    zed(r"A == \lambda Estado; c : Cosa | c \in cosas @ peso(c) + 1"),
+    zed(r"A == \lambda Estado @ \bigcup \{~ c : cosas @ \{ c, c \} ~\}"),
+    zed(r"A == (\lambda Estado @ \theta Estado)"),
+    zed(r"A == [~ Estado | cosas = \emptyset ~] \lor (Estado \hide (peso) \land \lnot Estado)"),
+    zed(r"A ::= uno | dos"),
+    schema(r"\Delta Estado \\ c? : Cosa", "cosas' = \\emptyset % x\n\\also\n" + r"peso' = \{ c? \} \ndres peso"),
+    schema(r"\Xi Estado \\ n! : \num", r"\exists c : cosas @ n! = peso(c) \land peso \limg cosas \rimg = \ran peso"),
+    schema(r"Estado' ", r"\dom (peso' \inv) = \{ 1 \} \implies cosas' \neq \emptyset"),
+    schema(r"x, y : \num", r"x = \IF y > 0 \THEN y \ELSE -y"),
+    schema(r"f : \num \fun \num \fun \num", r"\forall a, b : \num @ f a b = f(a)(b)"),
+    schema(r"s : \power Estado", r"\forall e : s @ e.cosas = \dom e.peso"),
+    schema(r"Estado \\ cosas : \power Cosa", r"\exists_1 c : Cosa @ c \in cosas"),
+]
+
+WRONG = [  # the text, the line, what the message says
+    (zed(r"A == \{~ n : \num | n \in Cosa ~\}"), 12, "membership"),
+    (zed(r"A == \{ 1, Cosa \}"), 12, "member of a set"),
+    (zed(r"A == cosas"), 12, "cosas is not declared"),
+    (zed(r"A ::= \{~ n : \num | n > 0 ~\}"), 12, "introduces a new type"),
+    (zed(r"A == \lambda Estado @ \theta Cosa"), 12, "a schema is expected"),
+    (zed(r"A == Estado \hide (altura)"), 12, "not a component to hide"),
+    (zed(r"A == Estado \land Cosa"), 12, "a schema is expected"),
+    (zed(r"A == (1, 2).x"), 12, "no component x"),
+    (zed(r"A == 1 +"), 13, "expected an expression"),
+    (zed(r"A == ((1)"), 13, "expected ), found end"),
+    (zed(r"A == \{~ n : \num | n > 0 @ ~\}"), 12, "expected an expression"),
+    (schema(r"\Delta Estado", "peso'' = peso"), 14, "peso'' is not declared"),
+    (schema(r"Estado", r"peso(1) = 1"), 14, "argument"),
+    (schema(r"Estado", r"cosas = peso"), 14, "equality"),
+    (schema(r"Estado", r"cosas(1) = 1"), 14, "a function is expected"),
+    (schema(r"Estado", r"cosas \cup \{ 1 \} = cosas"), 14, r"operand of \cup"),
+    (schema(r"Estado", r"\{ 1 \} \ndres peso = peso"), 14, r"operand of \ndres"),
+    (schema(r"Estado", r"cosas \leq cosas"), 14, r"operand of \leq"),
+    (schema(r"Estado", r"cosas = \IF 1 = 1 \THEN cosas \ELSE 1"), 14, "branches of if"),
+    (schema(r"Estado", r"\dom peso \subseteq \{ 1 \}"), 14, "inclusion"),
+    (schema(r"Estado \\ cosas : \num", r"1 = 1"), 12, "declared twice"),
+    (schema(r"x : 1", r"1 = 1"), 12, "a set is expected"),
+    (schema(r"Cosa", r"1 = 1"), 12, "a schema is expected"),
+    (zed(r"Op == [~ \Delta Estado ~]") + "\\begin{schema}{S}\n\\Delta Op\n\\end{schema}\n", 15, "Δ and Ξ"),
+    (HEAD + "\\begin{zed}\n[ Otra ]\n", 11, "never ended"),
+    (HEAD.replace("standard", "otro"), 2, "there is no section"),
+    (r"no section", 1, "does not begin with a section"),
+]
+
+
+class Zcheck(unittest.TestCase):
+    def test_right(self):
+        for text in RIGHT:
+            self.assertEqual((0, []), checked(text), text)
+
+    def test_wrong(self):
+        for text, line, message in WRONG:
+            status, lines = checked(text)
+            self.assertEqual(1, status, text)
+            self.assertTrue(any(f"prueba.tex:{line}:" in out and message in out for out in lines), (text, lines))
+
+    def test_one_defect_hides_no_other(self):
+        lines = checked(zed(r"A == 1 +") + zed("B == nada")[len(HEAD):])[1]
+        self.assertEqual(2, len(lines), lines)
+
+
+class Czt(unittest.TestCase):
+    """czt.sh with a java that says what CZT would."""
+
+    def judged(self, says, status=0, jar="czt.jar"):
+        with tempfile.TemporaryDirectory() as folder:
+            java, spec = pathlib.Path(folder, "java"), pathlib.Path(folder, "prueba.tex")
+            java.write_text(f"#!/bin/sh\ncat <<'END'\n{says}\nEND\nexit {status}\n")
+            java.chmod(0o755)
+            spec.write_text(HEAD, encoding="utf-8")
+            env = dict(os.environ, CZT_JAR=jar, PATH=folder + ":" + os.environ["PATH"])
+            run = subprocess.run([HERE / "czt.sh", spec], env=env, capture_output=True, text=True)
+            return run.returncode, run.stdout.replace(folder + "/", "")
+
+    def test_absent(self):
+        status, out = self.judged("", jar="")
+        self.assertEqual(77, status)
+        self.assertIn("skipped: CZT absent", out)
+
+    def test_accepted(self):
+        self.assertEqual((0, ""), self.judged("Summary information for section prueba"))
+
+    def test_refused(self):
+        said = 'ERROR "prueba.tex", line 7, column 3: Undeclared identifier\n\nSummary information for section prueba'
+        self.assertEqual((1, "prueba.tex:7: Undeclared identifier\n"), self.judged(said, 1))
+
+    def test_syntax_error_leaves_the_section_unchecked(self):
+        self.assertEqual((1, "prueba.tex:1: CZT did not check section prueba\n"), self.judged("it broke", 0))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,178 @@
+"""The typing rules of Z's expressions, one an operator: rule(checker, scope, node) gives the type."""
+from zparse import Node
+from ztype import ARITHMOS, pair, power, relation
+
+
+def number(c, scope, node):
+    return ARITHMOS
+
+
+def name(c, scope, node):
+    return c.lookup(scope, node.kids[0], node.line)
+
+
+def theta(c, scope, node):
+    found = components(c, scope, Node("name", node.kids, node.line))
+    for n, t in found.items():
+        c.same(node.line, c.lookup(scope, n, node.line), t, f"component {n} of θ")
+    return ("schema", tuple(sorted(found.items())))
+
+
+def tuple_(c, scope, node):
+    return pair(*(c.type(scope, kid) for kid in node.kids))
+
+
+def select(c, scope, node):
+    t = c.prune(c.type(scope, node.kids[0]))
+    if t[0] == "schema" and node.kids[1] in dict(t[1]):
+        return dict(t[1])[node.kids[1]]
+    if t[0] != "unknown":
+        c.error(node.line, f"{c.show(t)} has no component {node.kids[1]}")
+    return c.unknown()
+
+
+def apply(c, scope, node):
+    function, argument = (c.type(scope, kid) for kid in node.kids)
+    takes, gives = c.unknown(), c.unknown()
+    c.same(node.line, function, relation(takes, gives), "a function is expected")
+    c.same(node.line, argument, takes, "argument")
+    return gives
+
+
+def arithmetic(c, scope, node):
+    return c.arithmetic(node, *(c.type(scope, kid) for kid in node.kids))
+
+
+def negative(c, scope, node):
+    return c.arithmetic(node, c.type(scope, node.kids[0]))
+
+
+def power_set(c, scope, node):
+    return power(power(c.member(scope, node.kids[0])))
+
+
+def cross(c, scope, node):
+    return power(pair(*(c.member(scope, kid) for kid in node.kids)))
+
+
+def functions(c, scope, node):
+    return power(relation(*(c.member(scope, kid) for kid in node.kids)))
+
+
+def maplet(c, scope, node):
+    return tuple_(c, scope, node)
+
+
+def alike(c, scope, node):
+    """Operands and result are sets of one type: ∪ ∩ \\ and ⊕."""
+    first = c.type(scope, node.kids[0])
+    c.same(node.line, first, power(c.unknown()), f"operand of {node.op}")
+    c.same(node.line, c.type(scope, node.kids[1]), first, f"operand of {node.op}")
+    return first
+
+
+def restrict_domain(c, scope, node):
+    names, r = (c.type(scope, kid) for kid in node.kids)
+    x = c.unknown()
+    c.same(node.line, r, relation(x, c.unknown()), f"operand of {node.op}")
+    c.same(node.line, names, power(x), f"operand of {node.op}")
+    return r
+
+
+def restrict_range(c, scope, node):
+    r, names = (c.type(scope, kid) for kid in node.kids)
+    y = c.unknown()
+    c.same(node.line, r, relation(c.unknown(), y), f"operand of {node.op}")
+    c.same(node.line, names, power(y), f"operand of {node.op}")
+    return r
+
+
+def inverse(c, scope, node):
+    x, y = c.unknown(), c.unknown()
+    c.same(node.line, c.type(scope, node.kids[0]), relation(x, y), "inverse of a relation")
+    return relation(y, x)
+
+
+def image(c, scope, node):
+    x, y = c.unknown(), c.unknown()
+    c.same(node.line, c.type(scope, node.kids[0]), relation(x, y), "relational image")
+    c.same(node.line, c.type(scope, node.kids[1]), power(x), "relational image")
+    return power(y)
+
+
+def choice(c, scope, node):
+    test, yes, no = node.kids
+    c.predicate(scope, test)
+    t = c.type(scope, yes)
+    c.same(node.line, c.type(scope, no), t, "the branches of if")
+    return t
+
+
+def display(c, scope, node):
+    x = c.unknown()
+    for kid in node.kids:
+        c.same(kid.line, c.type(scope, kid), x, "member of a set")
+    return power(x)
+
+
+def characteristic(types):
+    return types[0] if len(types) == 1 else pair(*types)
+
+
+def comprehension(c, scope, node):
+    text, value = node.kids
+    inner, types, _ = c.text(scope, text)
+    return power(characteristic(types) if value is None else c.type(inner, value))
+
+
+def function(c, scope, node):
+    inner, types, _ = c.text(scope, node.kids[0])
+    return relation(characteristic(types), c.type(inner, node.kids[1]))
+
+
+def description(c, scope, node):
+    inner, types, _ = c.text(scope, node.kids[0])
+    return characteristic(types) if node.kids[1] is None else c.type(inner, node.kids[1])
+
+
+def schema(c, scope, node):
+    return power(("schema", tuple(sorted(c.text(scope, node.kids[0])[2].items()))))
+
+
+def components(c, scope, node):
+    t = c.type(scope, node)
+    found = c.components(t)
+    if found is None and c.prune(t)[0] != "unknown":
+        c.error(node.line, f"a schema is expected, not {c.show(t)}")
+    return dict(found or ())
+
+
+def connective(c, scope, node):
+    """∧ ∨ ⇒ ⇔ ¬ of schemas: the signatures joined."""
+    joined = {}
+    for kid in node.kids:
+        for n, t in components(c, scope, kid).items():
+            c.same(node.line, t, joined.setdefault(n, t), f"component {n}")
+    return power(("schema", tuple(sorted(joined.items()))))
+
+
+def hiding(c, scope, node):
+    found = components(c, scope, node.kids[0])
+    for n in node.kids[1]:
+        if found.pop(n, None) is None:
+            c.error(node.line, f"{n} is not a component to hide")
+    return power(("schema", tuple(sorted(found.items()))))
+
+
+RULES = {
+    "number": number, "name": name, "theta": theta, "tuple": tuple_, "select": select, "apply": apply,
+    "+": arithmetic, "-": arithmetic, "*": arithmetic, "prefix-": negative,
+    r"prefix\power": power_set, r"prefix\power_1": power_set,
+    r"prefix\finset": power_set, r"prefix\finset_1": power_set,
+    r"\cross": cross, r"\fun": functions, r"\pfun": functions, r"\rel": functions, r"\mapsto": maplet,
+    r"\cup": alike, r"\cap": alike, r"\setminus": alike, r"\oplus": alike,
+    r"\dres": restrict_domain, r"\ndres": restrict_domain, r"\rres": restrict_range, r"\nrres": restrict_range,
+    "inverse": inverse, "image": image, "if": choice, "display": display, "set": comprehension,
+    r"\lambda": function, r"\mu": description, "schema": schema, "hide": hiding,
+    r"\land": connective, r"\lor": connective, r"\implies": connective, r"\iff": connective, r"\lnot": connective,
+}

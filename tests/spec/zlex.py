@@ -1,0 +1,103 @@
+"""Tokens of the ISO Z LaTeX mark-up: what stands in the Z environments of a file, with its line.
+
+Paragraph     one Z environment: its kind, its head (a schema's name), its tokens, its first line
+Token         kind name | number | symbol | newline, text, line; a command's text keeps its backslash
+"""
+import re
+from dataclasses import dataclass
+
+KINDS = ("zsection", "zed", "axdef", "schema")
+SPACES = (r"\ ", r"\,", r"\;", r"\quad", r"\t1", r"\t2", r"\t3", r"\t4")
+# A newline beside one of these is layout only (ISO Z, 7.5: a newline is soft next to an infix or a separator).
+SOFT_AFTER = set("= < > + - * ( [ , ; : | @ . == ::=".split()) | {r"\{", "where"}
+SOFT_BEFORE = set("= < > + - * ) ] , ; : | @ . == ::=".split()) | {r"\}", "where", "end"}
+INFIX = set(r"""\land \lor \implies \iff \in \notin \subseteq \subset \neq \leq \geq \cup \cap \setminus \mapsto \cross
+  \fun \pfun \rel \dres \ndres \rres \nrres \oplus \hide \THEN \ELSE""".split())
+
+
+class ZError(Exception):
+    """A defect of a text: its line and what is wrong."""
+
+    def __init__(self, line, message):
+        super().__init__(message)
+        self.line = line
+
+
+@dataclass(frozen=True)
+class Token:
+    kind: str
+    text: str
+    line: int
+
+
+@dataclass(frozen=True)
+class Paragraph:
+    kind: str
+    head: str
+    tokens: tuple
+    line: int
+
+
+TOKEN = re.compile(
+    r"(?P<delta>\\(?:Delta|Xi)\s*(?=[A-Za-z]))"
+    r"|(?P<name>[A-Za-z](?:[A-Za-z0-9]|\\_)*(?:_[0-9])?[?!']*)"
+    r"|(?P<number>[0-9]+)"
+    r"|(?P<command>\\[A-Za-z]+(?:_1)?|\\.)"
+    r"|(?P<symbol>::=|==|[=<>+\-*()\[\],;:|@.'])"
+    r"|(?P<space>[\s~{}]+)"
+)
+
+
+def paragraphs(text):
+    """The Z paragraphs of a file, in order. Raises ZError for an environment that never ends or a stray character."""
+    found, lines, i = [], text.split("\n"), 0
+    while i < len(lines):
+        start = re.match(r"\s*\\begin\{(\w+)\}(?:\{([^}]*)\})?", lines[i])
+        if start and start.group(1) in KINDS:
+            kind, first, body = start.group(1), i, []
+            end, rest = f"\\end{{{kind}}}", lines[i][start.end():]
+            while end not in rest:
+                body.append((i + 1, rest))
+                i += 1
+                if i == len(lines):
+                    raise ZError(first + 1, f"\\begin{{{kind}}} is never ended")
+                rest = lines[i]
+            body.append((i + 1, rest[:rest.index(end)]))
+            found.append(Paragraph(kind, (start.group(2) or "").replace(r"\_", "_"), tuple(tokens(body)), first + 1))
+        i += 1
+    return found
+
+
+def tokens(body):
+    """The tokens of numbered lines, soft newlines dropped."""
+    out = []
+    for number, line in body:
+        line = re.sub(r"(?<!\\)%.*", "", line)
+        at, prefix = 0, ""
+        while at < len(line):
+            match = TOKEN.match(line, at)
+            if not match:
+                raise ZError(number, f"unexpected character {line[at]!r}")
+            at, kind, text = match.end(), match.lastgroup, match.group()
+            if kind == "delta":
+                prefix = text.strip()
+            elif kind == "name":
+                out.append(Token("name", prefix + text.replace(r"\_", "_"), number))
+                prefix = ""
+            elif kind == "number":
+                out.append(Token("number", text, number))
+            elif text in ("\\\\", r"\also"):
+                out.append(Token("newline", "", number))
+            elif text == r"\where":
+                out.append(Token("symbol", "where", number))
+            elif kind != "space" and text not in SPACES:
+                out.append(Token("symbol", text, number))
+    out.append(Token("symbol", "end", body[-1][0]))
+    return [t for i, t in enumerate(out) if t.kind != "newline" or not soft(out, i)]
+
+
+def soft(out, i):
+    """Whether the newline at i is layout: beside an infix, an open bracket or another newline."""
+    if i == 0 or out[i - 1].kind == "newline":
+        return True
+    return out[i - 1].text in SOFT_AFTER | INFIX or out[i + 1].text in SOFT_BEFORE | INFIX

@@ -1,0 +1,230 @@
+"""Syntax trees of Z paragraphs: predicates and expressions in one grammar, as ISO Z has them.
+
+A tree is a Node: op names it, kids are its parts, line is where it stands. Schema texts are Node("text",
+[declarations, predicate or None]); a declaration is Node("var", [names, set]) or Node("include", [expression]).
+"""
+from dataclasses import dataclass
+
+from zlex import ZError
+
+QUANTIFIERS = {r"\forall", r"\exists", r"\exists_1", r"\lambda", r"\mu"}
+LOGIC = [{r"\iff"}, {r"\implies"}, {r"\lor"}, {r"\land"}]  # loosest first
+RELATIONS = {"=", "<", ">", r"\in", r"\notin", r"\neq", r"\leq", r"\geq", r"\subseteq", r"\subset"}
+# Infix expression operators: binding power (ISO Z toolkit, annex B) and whether they associate to the right.
+BINARY = {
+    r"\fun": (5, True), r"\pfun": (5, True), r"\rel": (5, True), r"\cross": (8, False), r"\mapsto": (10, False),
+    "+": (30, False), "-": (30, False), r"\cup": (30, False), r"\setminus": (30, False),
+    "*": (40, False), r"\cap": (40, False), r"\oplus": (50, False),
+    r"\rres": (60, False), r"\nrres": (60, False), r"\dres": (65, False), r"\ndres": (65, False),
+}
+PREFIX = {r"\power", r"\power_1", r"\finset", r"\finset_1", "-"}
+CONSTANTS = {r"\emptyset", r"\num", r"\nat", r"\arithmos", r"\real", r"\dom", r"\ran", r"\bigcup", r"\bigcap", r"\#"}
+
+
+@dataclass(frozen=True)
+class Node:
+    op: str
+    kids: tuple
+    line: int
+
+
+class Parser:
+    """Recursive descent over the tokens of one paragraph."""
+
+    def __init__(self, tokens):
+        self.tokens, self.at = tokens, 0
+
+    @property
+    def next(self):
+        return self.tokens[self.at]
+
+    def take(self, text=None):
+        token = self.next
+        if text is not None and (token.text != text or token.kind == "name"):
+            raise ZError(token.line, f"expected {text}, found {token.text or 'a new line'}")
+        self.at += 1
+        return token
+
+    def sees(self, *texts):
+        return self.next.kind != "name" and self.next.text in texts
+
+    def accept(self, *texts):
+        return self.take() if self.sees(*texts) else None
+
+    def newline(self):
+        if self.next.kind == "newline":
+            self.at += 1
+            return True
+        return False
+
+    def name(self):
+        token = self.take()
+        if token.kind != "name" and token.text not in CONSTANTS:
+            raise ZError(token.line, f"expected a name, found {token.text or 'a new line'}")
+        return token.text
+
+    # Schema texts
+
+    def declarations(self):
+        out = [self.declaration()]
+        while not self.sees("where", "end", "|", "@", "]", ")") and (self.newline() or self.accept(";")):
+            out.append(self.declaration())
+        return tuple(out)
+
+    def declaration(self):
+        line, mark = self.next.line, self.at
+        if self.next.kind == "name" or self.next.text in CONSTANTS:
+            names = [self.name()]
+            while self.accept(","):
+                names.append(self.name())
+            if self.accept(":"):
+                return Node("var", (tuple(names), self.expression()), line)
+        self.at = mark
+        return Node("include", (self.expression(),), line)
+
+    def text(self):
+        line = self.next.line
+        decls = self.declarations()
+        return Node("text", (decls, self.predicate() if self.accept("|") else None), line)
+
+    # Predicates (and schema expressions, which share the connectives)
+
+    def predicates(self):
+        """A list of predicates, one a line."""
+        out = [self.predicate()]
+        while self.newline():
+            out.append(self.predicate())
+        return out
+
+    def predicate(self, level=0):
+        if self.next.text in QUANTIFIERS:
+            return self.quantified()
+        if level == len(LOGIC):
+            return self.negation()
+        left = self.predicate(level + 1)
+        while self.next.text in LOGIC[level]:
+            op = self.take()
+            left = Node(op.text, (left, self.predicate(level + 1)), op.line)
+        return left
+
+    def quantified(self):
+        op = self.take()
+        text = self.text()
+        if op.text in (r"\lambda", r"\forall", r"\exists", r"\exists_1"):
+            self.take("@")
+            return Node(op.text, (text, self.predicate()), op.line)
+        return Node(op.text, (text, self.predicate() if self.accept("@") else None), op.line)
+
+    def negation(self):
+        if self.sees(r"\lnot"):
+            op = self.take()
+            return Node(op.text, (self.negation(),), op.line)
+        left = self.binary()
+        while self.sees(r"\hide"):
+            op = self.take()
+            self.take("(")
+            names = [self.name()]
+            while self.accept(","):
+                names.append(self.name())
+            self.take(")")
+            left = Node("hide", (left, tuple(names)), op.line)
+        chain = []
+        while self.next.text in RELATIONS:
+            op = self.take()
+            right = self.binary()
+            chain.append(Node(op.text, (left, right), op.line))
+            left = right
+        return left if not chain else chain[0] if len(chain) == 1 else Node("chain", tuple(chain), chain[0].line)
+
+    # Expressions
+
+    def expression(self):
+        return self.quantified() if self.next.text in QUANTIFIERS else self.predicate()
+
+    def binary(self, power=0):
+        left = self.prefix()
+        while self.next.kind == "symbol" and BINARY.get(self.next.text, (-1,))[0] >= power:
+            op = self.take()
+            bind, right_first = BINARY[op.text]
+            right = self.binary(bind if right_first else bind + 1)
+            flat = left.kids if op.text == left.op == r"\cross" else (left,)
+            left = Node(op.text, flat + (right,), op.line)
+        return left
+
+    def prefix(self):
+        if self.next.text == r"\IF":
+            line = self.take().line
+            test = self.predicate()
+            self.take(r"\THEN")
+            yes = self.binary()
+            self.take(r"\ELSE")
+            return Node("if", (test, yes, self.binary()), line)
+        if self.next.text in PREFIX:
+            op = self.take()
+            return Node("prefix" + op.text, (self.prefix(),), op.line)
+        return self.application()
+
+    def application(self):
+        left = self.postfix()
+        while self.next.kind in ("name", "number") or self.next.text in CONSTANTS or self.sees("(", r"\{", r"\theta"):
+            left = Node("apply", (left, self.postfix()), left.line)
+        return left
+
+    def postfix(self):
+        left = self.atom()
+        while self.sees(".", r"\inv", r"\limg"):
+            op = self.take()
+            if op.text == ".":
+                left = Node("select", (left, self.name()), op.line)
+            elif op.text == r"\inv":
+                left = Node("inverse", (left,), op.line)
+            else:
+                left = Node("image", (left, self.expression()), op.line)
+                self.take(r"\rimg")
+        return left
+
+    def atom(self):
+        token = self.take()
+        if token.kind == "name" or token.text in CONSTANTS:
+            return Node("name", (token.text,), token.line)
+        if token.kind == "number":
+            return Node("number", (token.text,), token.line)
+        if token.text == r"\theta":
+            return Node("theta", (self.name(),), token.line)
+        if token.text == "(":
+            parts = [self.expression()]
+            while self.accept(","):
+                parts.append(self.expression())
+            self.take(")")
+            return parts[0] if len(parts) == 1 else Node("tuple", tuple(parts), token.line)
+        if token.text == "[":
+            text = self.text()
+            self.take("]")
+            return Node("schema", (text,), token.line)
+        if token.text == r"\{":
+            return self.braces(token)
+        raise ZError(token.line, f"expected an expression, found {token.text or 'a new line'}")
+
+    def braces(self, opening):
+        """A set by comprehension if a schema text opens it, else a set of its members."""
+        mark = self.at
+        try:
+            text = self.text()
+            if text.kids[1] is None and not self.sees("@") and all(d.op == "include" for d in text.kids[0]):
+                raise ZError(opening.line, "a display")
+        except ZError as comprehension:
+            reached, self.at = self.at, mark
+            try:
+                return self.display(opening)
+            except ZError as display:  # the reading that went further tells what is wrong
+                raise comprehension if reached > self.at else display
+        value = self.expression() if self.accept("@") else None
+        self.take(r"\}")
+        return Node("set", (text, value), opening.line)
+
+    def display(self, opening):
+        parts = [] if self.sees(r"\}") else [self.expression()]
+        while self.accept(","):
+            parts.append(self.expression())
+        self.take(r"\}")
+        return Node("display", tuple(parts), opening.line)

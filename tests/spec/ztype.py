@@ -1,0 +1,208 @@
+"""Z's types over the trees of zparse: given sets, power sets, products, schema types, and unknowns being inferred.
+
+A type is a tuple: ("given", name), ("power", t), ("product", t, …), ("schema", ((name, t), …)) or ("unknown", id).
+Errors are collected a paragraph at a time, so one defect hides no other.
+"""
+import itertools
+
+from zlex import ZError
+from zparse import RELATIONS
+
+ARITHMOS = ("given", r"\arithmos")
+STROKES = "?!'"
+LINKS = {r"\iff", r"\implies", r"\lor", r"\land", "chain"} | RELATIONS
+
+
+def power(t):
+    return ("power", t)
+
+
+def pair(*ts):
+    return ("product",) + ts
+
+
+def relation(a, b):
+    return power(pair(a, b))
+
+
+class Types:
+    """Unification, and the printing of types. All sections share the unknowns, whose types may cross sections."""
+
+    bound, fresh = {}, itertools.count()
+
+    def unknown(self):
+        return ("unknown", next(self.fresh))
+
+    def prune(self, t):
+        while t[0] == "unknown" and t[1] in self.bound:
+            t = self.bound[t[1]]
+        return t
+
+    def unify(self, a, b):
+        a, b = self.prune(a), self.prune(b)
+        if a == b:
+            return True
+        if a[0] == "unknown" or b[0] == "unknown":
+            variable, other = (a, b) if a[0] == "unknown" else (b, a)
+            if self.occurs(variable, other):
+                return False
+            self.bound[variable[1]] = other
+            return True
+        if a[0] != b[0] or a[0] == "given" or len(a) != len(b):
+            return False
+        if a[0] == "schema":
+            one, two = dict(a[1]), dict(b[1])
+            return one.keys() == two.keys() and all(self.unify(one[n], two[n]) for n in one)
+        return all(self.unify(x, y) for x, y in zip(a[1:], b[1:]))
+
+    def occurs(self, variable, t):
+        t = self.prune(t)
+        if t == variable:
+            return True
+        parts = [c for _, c in t[1]] if t[0] == "schema" else t[1:] if t[0] in ("power", "product") else ()
+        return any(self.occurs(variable, part) for part in parts)
+
+    def show(self, t):
+        t = self.prune(t)
+        if t[0] == "given":
+            return {r"\arithmos": "𝔸", r"\real": "ℝ"}.get(t[1], t[1])
+        if t[0] == "power":
+            inner = self.show(t[1])
+            return f"ℙ({inner})" if "×" in inner else f"ℙ {inner}"
+        if t[0] == "product":
+            return " × ".join(f"({self.show(x)})" if self.prune(x)[0] == "product" else self.show(x) for x in t[1:])
+        if t[0] == "schema":
+            return "[" + "; ".join(f"{n} : {self.show(x)}" for n, x in t[1]) + "]"
+        return "?"
+
+
+class Checker(Types):
+    """The types of one section's paragraphs over the global names that its parents gave."""
+
+    def __init__(self, names):
+        self.names, self.errors = names, []
+
+    def error(self, line, message):
+        self.errors.append((line, message))
+
+    def same(self, line, got, wanted, what):
+        if not self.unify(got, wanted):
+            self.error(line, f"{what}: {self.show(got)} given, {self.show(wanted)} expected")
+
+    # Names
+
+    def toolkit(self, name):
+        x, y = self.unknown(), self.unknown()
+        return {
+            r"\arithmos": power(ARITHMOS), r"\num": power(ARITHMOS), r"\nat": power(ARITHMOS),
+            r"\emptyset": power(x), r"\dom": relation(relation(x, y), power(x)),
+            r"\ran": relation(relation(x, y), power(y)),
+            r"\bigcup": relation(power(power(x)), power(x)), r"\bigcap": relation(power(power(x)), power(x)),
+            r"\#": relation(power(x), ARITHMOS), "min": relation(power(ARITHMOS), ARITHMOS),
+        }.get(name)
+
+    def lookup(self, scope, name, line):
+        for table in (scope, self.names):
+            if name in table:
+                return table[name]
+        if name[0] == "\\" and name[1:].startswith(("Delta", "Xi")):
+            return self.delta(scope, name, line)
+        base = name.rstrip(STROKES)
+        if base != name and base in self.names:
+            components = self.components(self.names[base])
+            if components is not None:
+                return power(("schema", tuple(sorted((n + name[len(base):], t) for n, t in components))))
+        found = self.toolkit(name)
+        if found is None:
+            self.error(line, f"{name} is not declared")
+        return found or self.unknown()
+
+    def delta(self, scope, name, line):
+        base = name.replace(r"\Delta", "").replace(r"\Xi", "")
+        components = self.components(self.lookup(scope, base, line))
+        if components is None:
+            return self.unknown()
+        if any(n[-1] in STROKES for n, _ in components):
+            self.error(line, f"Δ and Ξ double a state, and {base} is an operation")
+        both = dict(components) | {n + "'": t for n, t in components}
+        return power(("schema", tuple(sorted(both.items()))))
+
+    def components(self, t):
+        """The components of a schema (a set of bindings), or None."""
+        t = self.prune(t)
+        inner = self.prune(t[1]) if t[0] == "power" else t
+        return inner[1] if t[0] == "power" and inner[0] == "schema" else None
+
+    # Schema texts
+
+    def text(self, scope, node):
+        """The scope inside a schema text, and the types that its characteristic tuple has."""
+        inner, tuple_types, declared = dict(scope), [], {}
+        for decl in node.kids[0]:
+            if decl.op == "var":
+                member = self.member(scope, decl.kids[1])
+                new = {n: member for n in decl.kids[0]}
+                tuple_types += new.values()
+            else:
+                included = self.type(scope, decl.kids[0])
+                components = self.components(included)
+                if components is None and self.prune(included)[0] != "unknown":
+                    self.error(decl.line, f"a schema is expected, not {self.show(included)}")
+                new = dict(components or ())
+                tuple_types.append(("schema", tuple(sorted(new.items()))))
+            for n, t in new.items():
+                self.same(decl.line, t, declared.get(n, t), f"{n} is declared twice")
+            declared.update(new)
+        inner.update(declared)
+        if node.kids[1] is not None:
+            self.predicate(inner, node.kids[1])
+        return inner, tuple_types, declared
+
+    def member(self, scope, node):
+        """The type of the members of a set."""
+        t, x = self.type(scope, node), self.unknown()
+        self.same(node.line, t, power(x), "a set is expected")
+        return x
+
+    # Predicates
+
+    def predicate(self, scope, node):
+        if node.op in (r"\forall", r"\exists", r"\exists_1"):
+            self.predicate(self.text(scope, node.kids[0])[0], node.kids[1])
+        elif node.op in (r"\iff", r"\implies", r"\lor", r"\land", r"\lnot", "chain"):
+            for kid in node.kids:
+                self.predicate(scope, kid)
+        elif node.op in RELATIONS:
+            self.related(scope, node)
+        else:  # a schema used as a predicate
+            t = self.type(scope, node)
+            for n, component in self.components(t) or ():
+                if n not in scope:
+                    self.error(node.line, f"{n} is not declared")
+                else:
+                    self.same(node.line, scope[n], component, f"{n}")
+
+    def related(self, scope, node):
+        a, b = (self.type(scope, kid) for kid in node.kids)
+        if node.op in (r"\in", r"\notin"):
+            self.same(node.line, b, power(a), "membership")
+        elif node.op in ("=", r"\neq"):
+            self.same(node.line, b, a, "equality")
+        elif node.op in (r"\subseteq", r"\subset"):
+            self.same(node.line, a, power(self.unknown()), "inclusion")
+            self.same(node.line, b, a, "inclusion")
+        else:
+            self.arithmetic(node, a, b)
+
+    def arithmetic(self, node, *types):
+        for t in types:
+            self.same(node.line, t, ARITHMOS, f"operand of {node.op}")
+        return ARITHMOS
+
+    # Expressions
+
+    def type(self, scope, node):
+        from zexpr import RULES  # the rules, an operator each; they call back here
+        if node.op in LINKS | {r"\lnot"} and node.op not in RULES:
+            raise ZError(node.line, "an expression is expected, not a predicate")
+        return RULES[node.op](self, scope, node)
