@@ -100,13 +100,22 @@ inline constexpr auto no_values = [] { return std::string(); };
 
 /// Evaluates a clause: `holds()` is its predicate, without side effect; `values()` prints what it speaks of, and runs
 /// only when it is broken.
-template <class Predicate, class Values = decltype(no_values)>
+template <class Predicate, class Values = decltype(no_values)&>
 void check(const clause& what, Predicate&& holds, Values&& values = no_values, cost price = cost::normal,
            std::source_location where = std::source_location::current()) {
   const evaluation_semantic now = semantic(price);
   if (now == evaluation_semantic::ignore || holds()) [[likely]]
     return;
   report(what, std::forward<Values>(values)(), where, now);
+}
+
+/// Evaluates the invariant of a value type under every semantic, and reports a broken one as under `enforce`: a value
+/// outside its type has no meaning, so it cannot be built, whatever the semantic of the clauses.
+template <class Values = decltype(no_values)&>
+void require(const clause& what, bool holds, Values&& values = no_values,
+             std::source_location where = std::source_location::current()) {
+  if (!holds) [[unlikely]]
+    report(what, std::forward<Values>(values)(), where, evaluation_semantic::enforce);
 }
 
 /// The old value of a state: a copy, made only when audit clauses are evaluated; empty otherwise.

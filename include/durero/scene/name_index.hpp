@@ -1,0 +1,62 @@
+#pragma once
+/// From the name of an element to its place in the tables, in O(1).
+///
+/// A hash table with linear probing whose cells hold only a hash and a place; the names stay in the tables. Why not
+/// a library's: to undo a removal after a broken postcondition the name must go back without asking for memory, which
+/// tsl::robin_map does not promise, and a node container costs two more cache misses an edit.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "durero/scene/element_ref.hpp"
+
+namespace durero::scene {
+
+class NameIndex {
+ public:
+  using hash_type = std::uint32_t;
+
+  static hash_type hash(std::string_view name) noexcept;
+
+  std::size_t size() const noexcept { return size_; }
+
+  /// Makes room for one more name. The only member that asks for memory; the strong guarantee holds.
+  void reserve_one_more();
+
+  /// The place of the name with this hash for which `is_it(place)` holds.
+  template <class IsIt>
+  std::optional<ElementRef> find(hash_type hash, IsIt&& is_it) const noexcept {
+    if (cells_.empty()) return std::nullopt;
+    for (std::size_t i = home(hash); cells_[i].used; i = next(i))
+      if (cells_[i].hash == hash && is_it(cells_[i].place())) return cells_[i].place();
+    return std::nullopt;
+  }
+
+  /// Adds a name that is not in. Precondition: reserve_one_more() since the last insert, or an erase.
+  void insert(hash_type hash, ElementRef place) noexcept;
+  /// Removes the name at this place. Precondition: it is in.
+  void erase(hash_type hash, ElementRef place) noexcept;
+  /// Tells that the name at place `from` now lies at place `to`. Precondition: it is in.
+  void move(hash_type hash, ElementRef from, ElementRef to) noexcept;
+
+ private:
+  struct Cell {
+    hash_type hash = 0;
+    std::uint32_t index = 0;
+    model::Tipo tipo{};
+    bool used = false;
+    ElementRef place() const noexcept { return {tipo, index}; }
+  };
+
+  std::size_t home(hash_type hash) const noexcept { return hash & (cells_.size() - 1); }
+  std::size_t next(std::size_t i) const noexcept { return (i + 1) & (cells_.size() - 1); }
+  std::size_t cell_of(hash_type hash, ElementRef place) const noexcept;
+
+  std::vector<Cell> cells_;  // a power of two of them, at most half of them used
+  std::size_t size_ = 0;
+};
+
+}  // namespace durero::scene

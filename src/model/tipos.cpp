@@ -1,0 +1,84 @@
+#include "durero/model/tipos.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/multiprecision/gmp.hpp>
+#include <cmath>
+#include <stdexcept>
+
+namespace durero::model {
+namespace {
+
+using rational = boost::multiprecision::mpq_rational;
+
+void require_reals(const char* type, const glm::dvec3& xyz) {
+  if (std::isfinite(xyz.x) && std::isfinite(xyz.y) && std::isfinite(xyz.z)) return;
+  throw std::domain_error(fmt::format("{} ({}, {}, {}): a component is no real number", type, xyz.x, xyz.y, xyz.z));
+}
+
+rational squared_length(const Vector& d) {
+  const rational x(d.x()), y(d.y()), z(d.z());
+  return x * x + y * y + z * z;
+}
+
+}  // namespace
+
+Rmas::Rmas(double value) : value_(value) {
+  contract::require(Rmas_inv_1, contains(value), [&] { return fmt::format("r = {}", value); });
+}
+
+bool Rmas::contains(double value) noexcept { return value > 0 && std::isfinite(value); }
+
+Punto::Punto(double x, double y, double z) : xyz_(x, y, z) { require_reals("Punto", xyz_); }
+
+Vector::Vector(double x, double y, double z) : xyz_(x, y, z) { require_reals("Vector", xyz_); }
+
+Unitario::Unitario(const Vector& d) : d_(d) {
+  contract::require(Unitario_inv_1, contains(d), [&] { return fmt::format("d = ({}, {}, {})", d.x(), d.y(), d.z()); });
+}
+
+bool Unitario::contains(const Vector& d) {
+  // Triage. The three squares and two sums each err by a relative u = 2⁻⁵³ at most, so n errs by less than 3.1·u·n,
+  // and 2⁻¹⁰⁷⁰ more where a square underflows. For n near 1 that is less than 4u = 2⁻⁵¹; far above 1 the decision is
+  // as clear as n − 1 is large. The subtraction of 1 is exact wherever 1/2 ≤ n ≤ 2 (Sterbenz).
+  constexpr double error = 0x1p-51;
+  const double n = d.x() * d.x() + d.y() * d.y() + d.z() * d.z();
+  const double off = std::abs(n - 1);
+  if (off <= tolerancia_unidad - error) return true;
+  if (off > tolerancia_unidad + error) return false;
+  // Exact.
+  const rational exact = squared_length(d), tolerance(tolerancia_unidad);
+  return 1 - tolerance <= exact && exact <= 1 + tolerance;
+}
+
+Rayo::Rayo(const Punto& p, const Vector& v) : p_(p), v_(v) {
+  contract::require(Rayo_inv_1, !(v.x() == 0 && v.y() == 0 && v.z() == 0));
+}
+
+Elemento::Elemento(std::string name) : name_(std::move(name)) {
+  if (!is_name(name_)) throw std::invalid_argument("an element's name is 1 to 128 of A-Z a-z 0-9 _ . : -");
+}
+
+bool Elemento::is_name(std::string_view text) noexcept {
+  constexpr auto allowed = [](char c) {
+    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '.' ||
+           c == ':' || c == '-';
+  };
+  return !text.empty() && text.size() <= 128 && std::all_of(text.begin(), text.end(), allowed);
+}
+
+std::string_view name(Tipo tipo) noexcept {
+  constexpr std::string_view names[] = {"soy_esfera", "soy_cilindro", "soy_cono"};
+  return names[static_cast<int>(tipo)];
+}
+
+std::string_view name(Respuesta r) noexcept {
+  constexpr std::string_view names[] = {
+      "elemento_agregado", "elemento_eliminado", "esfera_agregada",    "cilindro_agregado",  "cono_agregado",
+      "esfera_eliminada",  "cilindro_eliminado", "cono_eliminado",     "elemento_ya_existe", "elemento_no_existe",
+      "tipo_incorrecto",   "radio_no_positivo",  "vector_no_unitario", "altura_no_positiva", "proporcion_no_positiva"};
+  return names[static_cast<int>(r)];
+}
+
+}  // namespace durero::model

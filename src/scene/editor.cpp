@@ -1,0 +1,224 @@
+// How an operation edits the tables of a scene. Whatever asks for memory comes first and changes nothing that can be
+// seen; the edit itself cannot fail; where a postcondition is broken the edit is undone, which cannot fail either.
+
+#include "clauses.hpp"
+#include "durero/model/operaciones_predicates.hpp"
+#include "durero/scene/retrieve.hpp"
+#include "durero/scene/scene.hpp"
+
+namespace durero::scene {
+namespace {
+
+using contract::cost;
+
+Sphere shape_of(const model::Agregar_Esfera& in) { return {in.centro.xyz(), in.radio}; }
+Cylinder shape_of(const model::Agregar_Cilindro& in) { return {in.centro.xyz(), in.radio, in.vector.xyz(), in.altura}; }
+Cone shape_of(const model::Agregar_Cono& in) { return {in.centro.xyz(), in.proporcion, in.vector.xyz(), in.altura}; }
+
+template <class Op>
+concept Addition = requires(const Op& in) { shape_of(in); };
+
+/// Checks a clause as a contract, printing the element that the operation is about.
+template <class Op>
+auto checker(const Op& in) {
+  return
+      [&in](const clause& what, auto&& holds) { contract::check(what, holds, [&] { return "e = " + in.e.name(); }); };
+}
+
+}  // namespace
+
+class Editor {
+ public:
+  explicit Editor(Scene& scene) : scene_(scene) {}
+
+  template <class Op>
+  Respuesta apply(const Op& in) {
+    const Key key = find(in.e);
+    const auto check = checker(in);
+    preconditions(in, key.place, [&](const clause& what, const Refusal&, auto&& holds) { check(what, holds); });
+    return edit(in, key);
+  }
+
+  Respuesta apply(const model::Agregar_Elemento& in) {
+    std::visit([&](const auto& addition) { apply(addition); }, specific(in));
+    return Respuesta::elemento_agregado;
+  }
+
+  Respuesta apply(const model::Eliminar_Elemento& in) {
+    const Key key = find(in.e);
+    checker(in)(model::Eliminar_Elemento_pre_1, [&] { return key.place.has_value(); });
+    edit_general(in, key);
+    return Respuesta::elemento_eliminado;
+  }
+
+  template <class Op>
+  model::Answer apply_total(const Op& in) {
+    const Key key = find(in.e);
+    if (const auto refusal = first_refusal(in, key.place)) return *refusal;
+    return {edit(in, key)};
+  }
+
+  model::Answer apply_total(const model::Agregar_Elemento& in) {
+    const model::Answer answer = std::visit([&](const auto& addition) { return apply_total(addition); }, specific(in));
+    return answer.ok() ? model::Answer{Respuesta::elemento_agregado} : answer;
+  }
+
+  model::Answer apply_total(const model::Eliminar_Elemento& in) {
+    const Key key = find(in.e);
+    if (!key.place) return {Respuesta::elemento_no_existe, &model::Eliminar_Elemento_pre_1};
+    edit_general(in, key);
+    return {Respuesta::elemento_eliminado};
+  }
+
+ private:
+  struct Key {
+    NameIndex::hash_type hash;
+    Place place;
+  };
+
+  Key find(const model::Elemento& e) const {
+    const NameIndex::hash_type hash = NameIndex::hash(e.name());
+    return {hash, scene_.find(e.name(), hash)};
+  }
+
+  template <class Op>
+  static std::optional<model::Answer> first_refusal(const Op& in, const Place& place) {
+    std::optional<model::Answer> first;
+    preconditions(in, place, [&](const clause& what, const Refusal& refusal, auto&& holds) {
+      if (!first && refusal && !holds()) first = model::Answer{*refusal, &what};
+    });
+    return first;
+  }
+
+  void edit_general(const model::Eliminar_Elemento& in, const Key& key) {
+    require_row(key.place);
+    switch (key.place->tipo) {
+      case Tipo::soy_esfera:
+        edit(model::Eliminar_Esfera{in.e}, key);
+        break;
+      case Tipo::soy_cilindro:
+        edit(model::Eliminar_Cilindro{in.e}, key);
+        break;
+      case Tipo::soy_cono:
+        edit(model::Eliminar_Cono{in.e}, key);
+        break;
+    }
+  }
+
+  /// The edit, between the old value and the whole Z predicates where audit clauses are evaluated.
+  template <class Op>
+  Respuesta edit(const Op& in, const Key& key) {
+    std::optional<model::Escena> before;
+    if (contract::evaluated(cost::audit)) before = retrieve(scene_);
+    if constexpr (Addition<Op>)
+      return add(in, key.hash, before);
+    else
+      return remove(in, key, before);
+  }
+
+  template <class Op>
+  Respuesta add(const Op& in, NameIndex::hash_type hash, const std::optional<model::Escena>& before) {
+    auto& table = table_for(shape_of(in));
+    const Sizes sizes_before = sizes();
+    const Respuesta r = in.answer;
+    Row row{shape_of(in), in.e};
+    table.reserve_one_more();
+    scene_.index_.reserve_one_more();
+
+    const ElementRef place{type_of(shape_of(in)), table.size()};
+    table.push_back(std::move(row));
+    scene_.index_.insert(hash, place);
+    try {
+      const auto found = contract::evaluated(cost::normal) ? scene_.find(in.e.name(), hash) : place;
+      postconditions(in, Added<decltype(shape_of(in))>{sizes_before, sizes(), place, found, table.shapes.back(), r},
+                     checker(in));
+      audit(before, in, r);
+    } catch (...) {
+      scene_.index_.erase(hash, place);
+      table.pop_back();
+      throw;
+    }
+    return r;
+  }
+
+  /// Removes the row that the name has, whatever its type is: only where preconditions are not enforced can it differ.
+  template <class Op>
+  Respuesta remove(const Op& in, const Key& key, const std::optional<model::Escena>& before) {
+    require_row(key.place);
+    switch (key.place->tipo) {
+      case Tipo::soy_esfera:
+        return remove_from(scene_.spheres_, in, key, before);
+      case Tipo::soy_cilindro:
+        return remove_from(scene_.cylinders_, in, key, before);
+      case Tipo::soy_cono:
+        break;
+    }
+    return remove_from(scene_.cones_, in, key, before);
+  }
+
+  template <class Shape, class Op>
+  Respuesta remove_from(Table<Shape>& table, const Op& in, const Key& key, const std::optional<model::Escena>& before) {
+    const Sizes sizes_before = sizes();
+    const Respuesta r = in.answer;
+    const ElementRef gap = *key.place, last{gap.tipo, table.size() - 1};
+    const NameIndex::hash_type last_hash = NameIndex::hash(table.names[last.index].name());
+
+    scene_.index_.erase(key.hash, gap);
+    if (gap != last) scene_.index_.move(last_hash, last, gap);
+    table.swap_rows(gap.index, last.index);
+    Row<Shape> row = table.pop_back();
+    try {
+      postconditions(in, removed(in, key, gap == last ? Place{} : gap, last_hash, sizes_before, r), checker(in));
+      audit(before, in, r);
+    } catch (...) {
+      table.push_back(std::move(row));
+      table.swap_rows(gap.index, last.index);
+      if (gap != last) scene_.index_.move(last_hash, gap, last);
+      scene_.index_.insert(key.hash, gap);
+      throw;
+    }
+    return r;
+  }
+
+  template <class Op>
+  Removed removed(const Op& in, const Key& key, const Place& moved, NameIndex::hash_type moved_hash,
+                  const Sizes& before, Respuesta r) const {
+    if (!contract::evaluated(cost::normal)) return {before, before, false, true, r};
+    const bool known = scene_.find(in.e.name(), key.hash).has_value();
+    const bool moved_is_known = !moved || scene_.find(scene_.name(*moved).name(), moved_hash) == moved;
+    return {before, sizes(), known, moved_is_known, r};
+  }
+
+  /// The whole Z predicates over the retrieved scenes.
+  template <class Op>
+  void audit(const std::optional<model::Escena>& before, const Op& in, Respuesta r) const {
+    if (!before) return;
+    const model::Escena after = retrieve(scene_);
+    model::check(model::post(*before, in, after, r, cost::audit), cost::audit, "e = " + in.e.name());
+    model::check(model::inv(after), cost::audit, "e = " + in.e.name());
+  }
+
+  /// A name without a row: nothing to remove, whatever the semantic of preconditions is.
+  static void require_row(const Place& place) { contract::require(model::Eliminar_Elemento_pre_1, place.has_value()); }
+
+  Sizes sizes() const { return {scene_.spheres_.size(), scene_.cylinders_.size(), scene_.cones_.size()}; }
+
+  Table<Sphere>& table_for(const Sphere&) { return scene_.spheres_; }
+  Table<Cylinder>& table_for(const Cylinder&) { return scene_.cylinders_; }
+  Table<Cone>& table_for(const Cone&) { return scene_.cones_; }
+  static Tipo type_of(const Sphere&) { return Tipo::soy_esfera; }
+  static Tipo type_of(const Cylinder&) { return Tipo::soy_cilindro; }
+  static Tipo type_of(const Cone&) { return Tipo::soy_cono; }
+
+  Scene& scene_;
+};
+
+Respuesta Scene::apply(const model::Operation& operation) {
+  return std::visit([&](const auto& in) { return Editor(*this).apply(in); }, operation);
+}
+
+model::Answer Scene::apply_total(const model::Operation& operation) {
+  return std::visit([&](const auto& in) { return Editor(*this).apply_total(in); }, operation);
+}
+
+}  // namespace durero::scene
