@@ -47,6 +47,16 @@ std::optional<Candidate> nearest(const Cover& cover, const Line& line) {
   return Candidate{best, {cover.x[which], cover.y[which], cover.z[which]}};
 }
 
+/// True when some sample lies within δ of the point.
+bool near_sample(const Cover& cover, const glm::dvec3& point, double slack) {
+  const double limit = (cover.delta + slack) * (cover.delta + slack);
+  for (std::size_t i = 0; i < cover.size(); ++i) {
+    const double x = cover.x[i] - point.x, y = cover.y[i] - point.y, z = cover.z[i] - point.z;
+    if (x * x + y * y + z * z <= limit) return true;
+  }
+  return false;
+}
+
 /// potencia along the ray, around a point x of it: a·u² + 2b·u + c; and s + u·s_step, the advance along the axis.
 struct Local {
   double a, b, c;
@@ -89,16 +99,13 @@ Verdict explain(const scene::Scene& scene, scene::ElementRef ref, const Cover& c
   return Verdict::unsound;
 }
 
-double distance(const Line& line, const scene::Hit& hit) {
-  switch (hit.resultado) {
-    case model::Resultado::hit:
-      return glm::length(hit.punto - line.p);
-    case model::Resultado::no_minimum:
-      return 0;  // the ray is in the surface from its origin on
-    case model::Resultado::miss:
-      break;
-  }
-  return infinity;
+/// The point that a claim speaks of: of a segment that starts at the origin, the origin.
+glm::dvec3 claimed_point(const Line& line, const scene::Hit& claim) {
+  return claim.resultado == model::Resultado::hit ? claim.punto : line.p;
+}
+
+bool names(const scene::Hit& claim, scene::ElementRef element) {
+  return std::find(claim.elementos.begin(), claim.elementos.end(), element) != claim.elementos.end();
 }
 
 }  // namespace
@@ -133,16 +140,16 @@ scene::Hit Oracle::first_hit(const model::Rayo& ray) const {
 
 Verdict Oracle::judge(const model::Rayo& ray, const scene::Hit& claimed) const {
   const Line line(ray);
-  const double claim = distance(line, claimed);
+  const glm::dvec3 point = claimed_point(line, claimed);
+  const double claim = claimed.resultado == model::Resultado::miss ? infinity : glm::length(point - line.p);
   Verdict verdict = Verdict::agrees;
   for (const Element& element : elements_) {
-    const auto candidate = nearest(element.cover, line);
-    const double slack = 0x1p-40 * (glm::length(line.p - element.cover.center) + element.cover.radius);
-    const bool named =
-        std::find(claimed.elementos.begin(), claimed.elementos.end(), element.ref) != claimed.elementos.end();
-    if (named && !(candidate && candidate->distance <= claim + element.cover.delta + slack)) return Verdict::incomplete;
-    if (!candidate || claim <= candidate->distance + reach_ratio * element.cover.delta + slack) continue;
-    const Verdict reason = explain(scene_, element.ref, element.cover, line, candidate->distance);
+    const Cover& cover = element.cover;
+    const double slack = 0x1p-40 * (glm::length(line.p - cover.center) + cover.radius);
+    if (names(claimed, element.ref) && !near_sample(cover, point, slack)) return Verdict::incomplete;
+    const auto candidate = nearest(cover, line);
+    if (!candidate || claim <= candidate->distance + reach_ratio * cover.delta + slack) continue;
+    const Verdict reason = explain(scene_, element.ref, cover, line, candidate->distance);
     if (reason == Verdict::unsound) return reason;
     verdict = std::max(verdict, reason);
   }

@@ -2,10 +2,12 @@
 /// The oracle of the design card: every surface as a finite set of points, the ray as a set of points, and the first
 /// intersection as the nearest point common to both up to the covering radius δ. It knows no root of any equation.
 ///
+/// It is meant for ordinary rays, whose squares neither overflow nor underflow; its distances carry a slack of 2⁻⁴⁰
+/// of the lengths at hand for their own rounding.
+///
 /// With x = p + u·v/|v| at distance u from the origin, a sample w is a candidate when it is within δ of the ray; the
 /// point of the ray nearest to it is its foot. Two directions hold for each element:
-///   complete: where the ray meets the element at distance u, some candidate has its foot within δ of that point: the
-///     sample next to it is within δ, and a foot is the nearest point of the ray.
+///   complete: where the ray meets the element, some sample is within δ of that point, so it is a candidate.
 ///   sound: where a candidate has its foot at f, the ray meets the element within η = 8δ of f, unless
 ///     grazing: the discriminant of the unit-speed quadratic is below (δ·|∇|/η)², the ray being nearly tangent, or
 ///     rim: that root lies outside the element's stretch of its axis by at most δ + η, or
@@ -43,7 +45,7 @@ enum class Verdict : std::uint8_t {
   grazing,     ///< a candidate without a hit, explained by a nearly tangent ray
   rim,         ///< … by a root just beyond a rim
   origin,      ///< … by a root at or behind the origin
-  incomplete,  ///< a claimed hit without a candidate: the claim is wrong
+  incomplete,  ///< a claimed hit with no sample within δ: the claim is wrong
   unsound      ///< a candidate without a hit and without an explanation: the claim is wrong
 };
 std::string_view name(Verdict verdict) noexcept;
