@@ -60,7 +60,7 @@ bool near_sample(const Cover& cover, const glm::dvec3& point, double slack) {
 /// potencia along the ray, around a point x of it: a·u² + 2b·u + c; and s + u·s_step, the advance along the axis.
 struct Local {
   double a, b, c;
-  double s = 0, s_step = 0, altura = infinity;
+  double s = 0, s_step = 0, altura = infinity;  // a sphere has no rim, so its altura is infinite
 };
 
 Local expand(const scene::Scene& scene, scene::ElementRef ref, const glm::dvec3& x, const glm::dvec3& v) {
@@ -94,7 +94,7 @@ Verdict explain(const scene::Scene& scene, scene::ElementRef ref, const Cover& c
   const double root = at.c / -(at.b + std::copysign(std::sqrt(discriminant), at.b));  // the nearer root
   if (foot + root <= slack) return Verdict::origin;
   const double s = at.s + root * at.s_step;
-  const double beyond = std::max(-s, s - at.altura);
+  const double beyond = std::isinf(at.altura) ? -infinity : std::max(-s, s - at.altura);
   if (beyond >= -slack && beyond <= delta + eta + slack) return Verdict::rim;
   return Verdict::unsound;
 }

@@ -49,7 +49,7 @@ double lambert(const Tracer& tracer, const scene::Hit& hit, const glm::dvec3& n,
   const double intensity = glm::dot(to_light, n) / distance;
   if (!(intensity > 0)) return 0;  // behind the surface, or a light in the very point
   const model::Rayo shadow{model::Punto(hit.punto), model::Vector(to_light)};
-  return tracer.occluded_segment(shadow, hit.elementos) ? 0 : intensity;
+  return tracer.occluded_segment(shadow, {hit.elementos.data(), hit.elementos.size()}) ? 0 : intensity;
 }
 
 /// Counts the rows that are done and tells, without making the threads wait for each other.
