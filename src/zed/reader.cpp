@@ -25,6 +25,20 @@ std::optional<std::string> contents(const std::string& file) {
 
 class Reader {
  public:
+  /// Tells where the sections of a file are, without reading them.
+  void index(const std::string& path) {
+    const auto all = contents(path);
+    if (!all) return;
+    std::vector<Defect> later;
+    for (const Block& block : cut(*all, path, later)) {
+      if (block.environment != "zsection") continue;
+      try {
+        where_.emplace(parse_header(lex_latex(block, {})).name, path);
+      } catch (const ZError&) {  // reported when the file is read
+      }
+    }
+  }
+
   void file(const std::string& path) {
     const std::string canonical = std::filesystem::weakly_canonical(path).string();
     if (!files_.insert(canonical).second) return;
@@ -38,7 +52,8 @@ class Reader {
       try {
         if (block.environment == "zsection") {
           close(open);
-          open = header(block, path);
+          open.emplace();
+          header(block, path, *open);
         } else {
           if (!open) open = anonymous(block, path);
           paragraphs(block, *open);
@@ -58,15 +73,17 @@ class Reader {
   }
 
  private:
-  Section header(const Block& block, const std::string& path) {
+  /// Begins a section; one with a bad header is read all the same, for the defects in it.
+  void header(const Block& block, const std::string& path, Section& made) {
+    made = {path, "a section without a name", {}, {}, block.begin, {}};
     const SectionHeader read = parse_header(lex_latex(block, {}));
-    Section made{path, read.name, read.parents, {}, block.begin, {}};
+    made.name = read.name;
+    made.parents = read.parents;
     if (is_toolkit(made.name) || !started_.insert(made.name).second)
       throw ZError(block.place, "a second section " + made.name, "expected a name of its own");
     Markup& mine = made_.markup[made.name];
-    for (const std::string& parent : made.parents) inherit(mine, parent, path, block.place);
     mine.insert(block.directives.begin(), block.directives.end());
-    return made;
+    for (const std::string& parent : made.parents) inherit(mine, parent, path, block.place);
   }
 
   void inherit(Markup& mine, const std::string& parent, const std::string& path, Place place) {
@@ -78,10 +95,18 @@ class Reader {
     mine.insert(theirs.begin(), theirs.end());
   }
 
+  /// Reads the file that a section stands in: one of those given, or one in the folder of the file that names it.
   void find(const std::string& parent, const std::string& path) {
-    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    for (const auto& candidate : {folder / (parent + ".tex"), folder / ".." / (parent + ".tex")})
-      if (std::filesystem::exists(candidate)) return file(candidate.string());
+    if (!where_.contains(parent)) {
+      std::filesystem::path folder = std::filesystem::path(path).parent_path();
+      if (folder.empty()) folder = ".";
+      std::error_code unreadable;
+      std::set<std::string> beside;  // in order, so that the answer does not depend on the file system
+      for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable))
+        if (entry.path().extension() == ".tex") beside.insert(entry.path().lexically_normal().string());
+      for (const std::string& one : beside) index(one);
+    }
+    if (const auto found = where_.find(parent); found != where_.end()) file(found->second);
   }
 
   Section anonymous(const Block& block, const std::string& path) {
@@ -114,6 +139,7 @@ class Reader {
 
   Specification made_;
   std::set<std::string> files_, started_;
+  std::map<std::string, std::string> where_;  // section to file
 };
 
 }  // namespace
@@ -133,6 +159,7 @@ bool is_toolkit(const std::string& section) {
 
 Specification read_files(const std::vector<std::string>& files) {
   Reader reader;
+  for (const std::string& one : files) reader.index(one);
   for (const std::string& one : files) reader.file(one);
   return reader.take();
 }

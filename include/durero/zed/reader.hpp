@@ -23,8 +23,8 @@ struct Specification {
 /// The sections of the toolkit, which any section may have as parents; they are built in and not read.
 bool is_toolkit(const std::string& section);
 
-/// Reads files, and the parents that they name: section `a` from the file `a.tex` beside the file that names it, or
-/// in the folder above where the parent is not beside it. A file that cannot be opened is a defect.
+/// Reads files, and the parents that they name: from the files given, or from the `.tex` files in the folder of the
+/// file that names the parent. A file that cannot be opened is a defect.
 Specification read_files(const std::vector<std::string>& files);
 
 /// Reads one text as a file of this name. Parents are looked for as by read_files.
