@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "ball.hpp"
+#include "quick_round.hpp"
 #include "quotient.hpp"
 
 namespace durero::number {
@@ -87,6 +88,7 @@ DyadicSurd linear(const Dyadic& m, const Dyadic& n, const DyadicSurd& value) {
 double round_to_binary64(const DyadicSurd& value) {
   require_valid(value);
   if (sign_of_term(value.y, value.delta) == 0) return round_quotient(value.x, value.w);
+  if (const auto rounded = quick_round(value)) return *rounded;
   if (sign(value) == 0) return 0.0;
   // A narrowing interval around the value, which is not 0: in the end it lies on one side of 0 and holds at most one
   // middle of two neighbours, which is then compared exactly. 128 bits are enough unless x and y√delta nearly cancel.
