@@ -1,4 +1,4 @@
-#include "leading.hpp"
+#include "durero/number/binary64.hpp"
 
 #include <algorithm>
 #include <bit>
