@@ -28,7 +28,7 @@ bool is_rounded(const DyadicSurd& value) {
   });
 }
 
-TEST_CASE("The sign of a surd agrees with 2000 bits") {
+TEST_CASE("The sign of a surd agrees with 8000 bits") {
   test::property("over the whole range, and where x and y√delta cancel", [] {
     const SurdParts s = *anySurd();
     const int expected = sign_of(s.real(), s.size());
@@ -39,7 +39,7 @@ TEST_CASE("The sign of a surd agrees with 2000 bits") {
   });
 }
 
-TEST_CASE("The order of surds of different radicands agrees with 2000 bits") {
+TEST_CASE("The order of surds of different radicands agrees with 8000 bits") {
   test::property("over the whole range", [] {
     const SurdParts a = *anySurd();
     const SurdParts b = *anySurd();
@@ -58,7 +58,7 @@ TEST_CASE("The order of surds of different radicands agrees with 2000 bits") {
   });
 }
 
-TEST_CASE("sign_of_sum agrees with 2000 bits") {
+TEST_CASE("sign_of_sum agrees with 8000 bits") {
   test::property("x + y√a + z√b with x next to its opposite", [] {
     const auto number = *rc::gen::element(anyFinite(), test::moderate(), dyadicGrid());
     const double y = *number, a = std::abs(*number), z = *number, b = std::abs(*number);
@@ -106,7 +106,7 @@ TEST_CASE("compare is a strict total order") {
 }
 
 TEST_CASE("linear is m + n·value") {
-  test::property("to 2000 bits", [] {
+  test::property("to 8000 bits", [] {
     const double m = *anyFinite(), n = *anyFinite();
     const SurdParts s = *anySurd();
     RC_ASSERT(sign(linear(m, n, s.surd())) ==

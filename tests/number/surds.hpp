@@ -1,5 +1,5 @@
 #pragma once
-/// Generators of surds, and their values to 2000 bits.
+/// Generators of surds, and their values to 8000 bits.
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include "durero/number/dyadic_surd.hpp"
@@ -8,9 +8,9 @@
 
 namespace durero::test {
 
-/// A binary floating-point number of 2000 bits, which shares no code with the exact arithmetic under test.
+/// A binary floating-point number of 8000 bits, which shares no code with the exact arithmetic under test.
 using Real = boost::multiprecision::number<
-    boost::multiprecision::cpp_bin_float<2000, boost::multiprecision::digit_base_2, void, std::int64_t>,
+    boost::multiprecision::cpp_bin_float<8000, boost::multiprecision::digit_base_2, void, std::int64_t>,
     boost::multiprecision::et_off>;
 
 /// (x + y√delta)/w from four binary64.
@@ -48,9 +48,10 @@ inline rc::Gen<SurdParts> anySurd() {
                         cancellingSurds(moderate()), cancellingSurds(dyadicGrid()));
 }
 
-/// The sign of `value`, of numbers that are added to sizes up to `size`. Each of the few operations errs by 2⁻¹⁹⁹⁹ of
-/// its result; algebraic numbers this simple that differ, differ by far more than 2⁻¹⁹⁰⁰ of their size, so what is
-/// nearer to 0 is 0.
-inline int sign_of(const Real& value, const Real& size) { return abs(value) <= ldexp(size, -1900) ? 0 : value.sign(); }
+/// The sign of `value`, a sum of numbers of up to `size`. Each of the few operations errs by 2⁻⁷⁹⁹⁹ of its result, so a
+/// value beyond 2⁻⁷⁸⁰⁰ of the size has the right sign. What is nearer to 0 is taken for 0: with operands from 2⁻¹⁰⁷⁴ to
+/// 2¹⁰²⁴ sizes reach 2³⁶³² and single terms go down to 2⁻²⁶³⁴, two such terms cancel to 2⁻⁶⁰⁰ of themselves at most,
+/// and 3632 + 2634 + 600 < 7800.
+inline int sign_of(const Real& value, const Real& size) { return abs(value) <= ldexp(size, -7800) ? 0 : value.sign(); }
 
 }  // namespace durero::test
