@@ -1,0 +1,39 @@
+#pragma once
+/// Hit files. As JSON lines, in the order of the rays:
+///
+///   {"ray":0,"outcome":"hit","elementos":["a"],"t":4,"point":[0,0,4]}
+///   {"ray":1,"outcome":"miss","elementos":[]}
+///   {"ray":2,"outcome":"no_minimum","elementos":["c"]}
+///
+/// Only a hit has t and point. `elementos` ascends by the bytes of the names. A value whose rounding is infinite is the
+/// string "inf" or "-inf".
+///
+/// As .npy, one record a ray: dtype [('outcome','S10'),('t','<f8'),('point','<f8',(3,)),('elementos','S…')]; without a
+/// hit t and point are NaN; the names stand in `elementos` separated by commas.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "durero/io/source.hpp"
+#include "durero/scene/hit.hpp"
+#include "durero/scene/scene.hpp"
+
+namespace durero::io {
+
+/// One line of JSON, without line end.
+std::string hit_text(std::size_t ray, const scene::Hit& hit, const scene::Scene& scene);
+
+/// The .npy file of the hits of all rays.
+std::string hits_npy(std::span<const scene::Hit> hits, const scene::Scene& scene);
+
+/// A hit, and the number of its ray in the ray file (from 0).
+struct RayHit {
+  std::size_t ray;
+  scene::Hit hit;
+};
+
+/// Reads JSON lines. Throws InputError, also on an element that the scene has not.
+std::vector<RayHit> read_hits(const Source& source, const scene::Scene& scene);
+
+}  // namespace durero::io

@@ -1,0 +1,129 @@
+#pragma once
+/// JSON with places. RapidJSON parses the text into a flat list of tokens (8 bytes each: kind and offset), and a Reader
+/// walks the list by the schema of the caller, so that an error of meaning has the place of its value or key just as an
+/// error of syntax has. No recursion anywhere: nesting costs memory only.
+///
+/// Why not RapidJSON's document: it forgets the places. Why not its events directly: a schema in an event handler is a
+/// hand-made state machine; walked from a list it reads like the schema.
+///
+/// Numbers are read from the text to the nearest binary64 (number_text.hpp). RapidJSON, which checks their grammar,
+/// takes no exponent above 308 beyond the digits of the fraction, nor an integer part that nears 1.8e308: such a number
+/// is an error even where its value is small (0e999).
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <initializer_list>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "durero/io/source.hpp"
+
+namespace durero::io::json {
+
+enum class Kind : std::uint8_t { null, boolean, number, string, key, object, end_object, array, end_array, end };
+
+/// One JSON text, checked: its tokens in order, then one of kind `end`.
+class Document {
+ public:
+  /// Parses the bytes [begin, end) of the source as one JSON value. Throws InputError.
+  Document(const Source& source, std::size_t begin, std::size_t end);
+  explicit Document(const Source& source) : Document(source, 0, source.text().size()) {}
+
+  struct Token {
+    std::uint64_t offset : 56;
+    Kind kind : 8;
+  };
+
+  const Source& source() const noexcept { return *source_; }
+  const std::vector<Token>& tokens() const noexcept { return tokens_; }
+  /// The text of a number token.
+  std::string_view number_text(Token token) const;
+  /// The value of a string or key token; valid as long as the document and its source.
+  std::string_view string_value(Token token) const;
+
+ private:
+  friend struct Recorder;
+  static Token token(std::size_t offset, Kind kind) { return {offset & ((std::uint64_t{1} << 56U) - 1), kind}; }
+
+  const Source* source_;
+  std::size_t end_;
+  std::vector<Token> tokens_;
+  std::map<std::size_t, std::string> unescaped_;  // by offset: the strings that are written with escapes
+};
+
+/// A key of an object.
+struct Key {
+  std::string_view name;
+  std::size_t offset;
+};
+
+/// Walks a document from its first token to its last. Every member throws InputError at the place of the token.
+class Reader {
+ public:
+  explicit Reader(const Document& document) : document_(&document) {}
+
+  Kind kind() const { return token().kind; }
+  std::size_t offset() const { return token().offset; }
+  /// Where the last key that was read stands.
+  std::size_t key_offset() const { return key_offset_; }
+
+  /// A finite number. `what` names the value in messages.
+  double number(std::string_view what);
+  std::string_view string(std::string_view what);
+  glm::dvec3 vec3(std::string_view what);
+
+  /// Calls item() for each item of an array; it must read exactly one value.
+  template <class Item>
+  void array(std::string_view what, Item&& item) {
+    open(Kind::array, what);
+    while (kind() != Kind::end_array) item();
+    ++next_;
+  }
+
+  /// Calls member(Key) for each member of an object whose keys are free; it must read exactly one value.
+  template <class Member>
+  void members(std::string_view what, Member&& member) {
+    open(Kind::object, what);
+    while (kind() != Kind::end_object) member(take_key());
+    ++next_;
+  }
+
+  /// Calls member(i) for each member of an object with the given keys (64 at most), i the key's place among them. A key
+  /// that is not among them, or stands twice, is an error at the key; a required one (the first `required` are) that is
+  /// missing is an error at the object.
+  template <class Member>
+  void object(std::string_view what, std::span<const std::string_view> keys, std::size_t required, Member&& member) {
+    const std::size_t at = offset();
+    std::uint64_t seen = 0;
+    members(what, [&](const Key& key) { member(known_key(what, keys, key, seen)); });
+    require(what, keys, required, seen, at);
+  }
+
+  [[noreturn]] void fail(std::size_t offset, const std::string& wrong, const std::string& expected) const {
+    document_->source().fail(offset, wrong, expected);
+  }
+
+ private:
+  Document::Token token() const { return document_->tokens()[next_]; }
+  void open(Kind kind, std::string_view what);
+  [[noreturn]] void wrong_kind(std::string_view what, std::string_view expected) const;
+  Key take_key();
+  std::size_t known_key(std::string_view what, std::span<const std::string_view> keys, const Key& key,
+                        std::uint64_t& seen) const;
+  void require(std::string_view what, std::span<const std::string_view> keys, std::size_t required, std::uint64_t seen,
+               std::size_t at) const;
+
+  const Document* document_;
+  std::size_t next_ = 0;
+  std::size_t key_offset_ = 0;
+};
+
+/// Appends a string with its quotes and the escapes it needs.
+void append_string(std::string& out, std::string_view text);
+/// Appends `[x,y,z]`.
+void append_vec3(std::string& out, const glm::dvec3& v);
+
+}  // namespace durero::io::json

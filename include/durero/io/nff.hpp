@@ -1,0 +1,35 @@
+#pragma once
+/// NFF, the Neutral File Format of the Standard Procedural Databases. What one side holds and the other cannot is
+/// counted and named, never dropped silently.
+
+#include <string>
+#include <vector>
+
+#include "durero/io/source.hpp"
+#include "durero/scene/scene.hpp"
+
+namespace durero::io {
+
+/// A scene read from another format, and one line for each kind of thing that it does not keep.
+struct Imported {
+  scene::Scene scene;
+  std::vector<std::string> lost;
+};
+
+/// A text in another format, and one line for each kind of thing of the scene that it does not keep.
+struct Exported {
+  std::string text;
+  std::vector<std::string> lost;
+};
+
+/// Reads NFF: `v` becomes camera and resolution, `b` background, `l` lights, `f` materials (colour · Kd; fills of one
+/// colour are one material), `s` spheres, `c` cylinders, or cones where one of the radii is 0. Polygons (`p`, `pp`) and
+/// truncated cones are left out, and counted. Elements are named s1, c1, k1, … by type, materials f1, ….
+/// A light without colour is white of 1/√n, n the number of lights: the format gives it no value.
+/// Throws InputError.
+Imported read_nff(const Source& source);
+
+/// Writes NFF; elements follow the fill of their material, those without one come before all fills.
+Exported nff_text(const scene::Scene& scene);
+
+}  // namespace durero::io

@@ -1,0 +1,36 @@
+#pragma once
+/// Operations as text, and their answers as JSON lines.
+///
+///   Agregar_Esfera e?=s1 centro?=(0,0,5) radio?=1        one a line; the ? is optional; # starts a comment
+///   {"op":"Agregar_Esfera","e":"s1","centro":[0,0,5],"radio":1}
+///
+/// The additions also take `material`, a name among the scene's materials, which the new element gets. Numbers are
+/// decimal or, as text, C's hexadecimal. What an operation refuses (radius 0, a name that is taken) is no error of the
+/// text: it is answered. An error is what no operation could be made of.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "durero/io/source.hpp"
+#include "durero/scene/scene.hpp"
+
+namespace durero::io {
+
+/// One operation of a script.
+struct Edit {
+  std::size_t line;  ///< from 1
+  model::Operation operation;
+  std::optional<std::uint32_t> material{};  ///< index into the stage's materials
+};
+
+/// Reads a whole script, so that a malformed line stops it before anything is done. Throws InputError.
+std::vector<Edit> read_operations(const Source& source, const scene::Stage& stage);
+
+/// Runs the total operation.
+model::Answer run(scene::Scene& scene, const Edit& edit);
+
+/// `{"line":1,"ok":true,"r":"esfera_agregada"}`, or with what was violated; without line end.
+std::string answer_text(std::size_t line, const model::Answer& answer);
+
+}  // namespace durero::io

@@ -1,0 +1,31 @@
+#include "axis.hpp"
+
+#include <cmath>
+
+#include "durero/model/tipos.hpp"
+
+namespace durero::io {
+
+// With 64 bits of significand (x87; more elsewhere) the difference, the length and the quotient are each within a few
+// 2⁻⁶⁴ of their values, so a component is off by 2⁻⁵³ of itself when it has been rounded to binary64, and a little
+// more; the squared length is then off by 2⁻⁵² and a little more, a quarter of tolerancia_unidad. The exact test
+// decides all the same. The wider exponent keeps the squares from overflow and underflow.
+std::optional<Axis> axis_between(const glm::dvec3& base, const glm::dvec3& end) {
+  using Wide = long double;
+  const Wide x = Wide{end.x} - base.x, y = Wide{end.y} - base.y, z = Wide{end.z} - base.z;
+  const Wide length = std::sqrt(x * x + y * y + z * z);
+  const Axis axis{{static_cast<double>(x / length), static_cast<double>(y / length), static_cast<double>(z / length)},
+                  static_cast<double>(length)};
+  if (!(axis.altura > 0) || !std::isfinite(axis.altura)) return std::nullopt;
+  if (!model::Unitario::contains(model::Vector{axis.vector})) return std::nullopt;
+  return axis;
+}
+
+glm::dvec3 end_of(const glm::dvec3& base, const Axis& axis) {
+  const auto along = [&](double from, double direction) {
+    return static_cast<double>(from + static_cast<long double>(axis.altura) * direction);
+  };
+  return {along(base.x, axis.vector.x), along(base.y, axis.vector.y), along(base.z, axis.vector.z)};
+}
+
+}  // namespace durero::io

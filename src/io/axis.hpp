@@ -1,0 +1,22 @@
+#pragma once
+/// Between two ways to write an element's axis: by its end points, and by base, direction and length.
+
+#include <glm/vec3.hpp>
+#include <optional>
+
+namespace durero::io {
+
+/// A direction whose exact squared length is within tolerancia_unidad of 1, and a length.
+struct Axis {
+  glm::dvec3 vector;
+  double altura;
+  bool operator==(const Axis&) const = default;
+};
+
+/// From base to end; nothing where they are one point, or where the length is no finite binary64.
+std::optional<Axis> axis_between(const glm::dvec3& base, const glm::dvec3& end);
+
+/// base + altura·vector, each coordinate rounded.
+glm::dvec3 end_of(const glm::dvec3& base, const Axis& axis);
+
+}  // namespace durero::io

@@ -1,0 +1,248 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "axis.hpp"
+#include "durero/io/nff.hpp"
+#include "nff_words.hpp"
+#include "stage_rules.hpp"
+
+namespace durero::io {
+namespace {
+
+std::string counted(std::size_t n, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", n, n == 1 ? one : many);
+}
+
+class NffReader {
+ public:
+  explicit NffReader(const Source& source) : in_(source) {}
+
+  Imported read() {
+    while (!in_.done()) read_entity();
+    finish_lights();
+    finish_materials();
+    return {std::move(scene_), losses()};
+  }
+
+ private:
+  struct Counts {
+    std::size_t polygons = 0, truncated = 0, inward = 0, shiny = 0, near_planes = 0;
+  };
+
+  void read_entity() {
+    const std::size_t at = in_.offset();
+    const std::string_view entity = in_.word();
+    if (entity == "v") {
+      read_view(at);
+    } else if (entity == "b") {
+      read_background(at);
+    } else if (entity == "l") {
+      read_light();
+    } else if (entity == "f") {
+      read_fill();
+    } else if (entity == "s") {
+      read_sphere();
+    } else if (entity == "c") {
+      read_cone();
+    } else if (entity == "p" || entity == "pp") {
+      read_polygon(entity == "p" ? 3 : 6);
+    } else {
+      in_.fail(at, fmt::format("unknown entity {}", shown(entity)), "expected one of v, b, l, f, s, c, p, pp");
+    }
+  }
+
+  void read_view(std::size_t at) {
+    if (scene_.stage().camera) in_.fail(at, "a second view", "expected one");
+    scene::Camera camera{};
+    std::set<std::string_view> seen;
+    for (int i = 0; i < 6; ++i) {
+      const std::size_t key_at = in_.offset();
+      const std::string_view key = in_.done() ? "" : in_.word();
+      if (!read_view_part(key, camera) || !seen.insert(key).second) {
+        in_.fail(key_at, fmt::format("{} in a view", shown(key)),
+                 "expected each of from, at, up, angle, hither, resolution once");
+      }
+    }
+    if (camera.eye == camera.look_at) in_.fail(at, "from is at", "expected two points");
+    scene_.stage().camera = camera;
+  }
+
+  // False where the key is unknown.
+  bool read_view_part(std::string_view key, scene::Camera& camera) {
+    const std::size_t at = in_.offset();
+    if (key == "from") {
+      camera.eye = in_.triple(key);
+    } else if (key == "at") {
+      camera.look_at = in_.triple(key);
+    } else if (key == "up") {
+      camera.up = in_.triple(key);
+      if (camera.up == glm::dvec3{}) in_.fail(at, "up is the null vector", "expected a direction");
+    } else if (key == "angle") {
+      camera.fov_y = in_.number(key);
+      if (!is_view_angle(camera.fov_y))
+        in_.fail(at, fmt::format("angle is {}", camera.fov_y), "expected 0 < angle < 180");
+    } else if (key == "hither") {
+      if (in_.number(key) != 0) ++counts_.near_planes;
+    } else if (key == "resolution") {
+      const double width = in_.number(key), height = in_.number(key);
+      if (!is_side(width) || !is_side(height)) {
+        in_.fail(at, fmt::format("resolution is {} {}", width, height), "expected whole numbers of pixels, 1 to 65535");
+      }
+      scene_.stage().resolution = {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  void read_background(std::size_t at) {
+    if (scene_.stage().background) in_.fail(at, "a second background", "expected one");
+    scene_.stage().background = read_color("b");
+  }
+
+  glm::dvec3 read_color(std::string_view what) {
+    const std::size_t at = in_.offset();
+    const glm::dvec3 color = in_.triple(what);
+    if (!is_color(color))
+      in_.fail(at, fmt::format("a negative colour in {}", what), "expected red, green, blue from 0");
+    return color;
+  }
+
+  void read_light() {
+    const glm::dvec3 position = in_.triple("l");
+    const bool colored = in_.same_line();
+    if (!colored) colorless_.push_back(scene_.stage().lights.size());
+    scene_.stage().lights.push_back({position, colored ? read_color("l") : glm::dvec3{}});
+  }
+
+  void read_fill() {
+    const std::size_t at = in_.offset();
+    const glm::dvec3 color = read_color("f");
+    const double kd = in_.number("f"), ks = in_.number("f");
+    in_.number("f");  // how sharp a highlight is, which without Ks there is not
+    const double transmitted = in_.number("f");
+    in_.number("f");  // the index of refraction of what is transmitted
+    const glm::dvec3 sent = color * kd;
+    if (!is_share(sent))
+      in_.fail(at, "a fill that sends back more light than it gets, or less than none", "expected 0 to 1");
+    if (ks != 0 || transmitted != 0) ++counts_.shiny;
+    const auto [known, is_new] = fills_.try_emplace(std::tuple{sent.x, sent.y, sent.z}, fills_.size());
+    if (is_new) scene_.stage().materials.push_back({fmt::format("f{}", fills_.size()), sent});
+    fill_ = known->second;
+  }
+
+  void read_sphere() {
+    const glm::dvec3 center = in_.triple("s");
+    const std::size_t at = in_.offset();
+    const double radius = in_.number("s");
+    if (radius < 0) ++counts_.inward;
+    add(at, model::Agregar_Esfera{name('s', 0), model::Punto{center}, std::abs(radius)});
+  }
+
+  void read_cone() {
+    const std::size_t at = in_.offset();
+    glm::dvec3 base = in_.triple("c");
+    double base_radius = in_.number("c");
+    glm::dvec3 apex = in_.triple("c");
+    double apex_radius = in_.number("c");
+    if (std::min(base_radius, apex_radius) < 0) ++counts_.inward;
+    base_radius = std::abs(base_radius);
+    apex_radius = std::abs(apex_radius);
+    if (base_radius != apex_radius && base_radius != 0 && apex_radius != 0) {
+      ++counts_.truncated;
+      return;
+    }
+    if (base_radius == 0) {  // the sharp end is written first
+      std::swap(base, apex);
+      std::swap(base_radius, apex_radius);
+    }
+    const auto axis = axis_between(base, apex);
+    if (!axis) in_.fail(at, "the ends of c give no axis", "expected two points, a finite distance apart");
+    const model::Punto centro{base};
+    const model::Vector vector{axis->vector};
+    if (base_radius == apex_radius) {
+      add(at, model::Agregar_Cilindro{name('c', 1), centro, base_radius, vector, axis->altura});
+    } else {
+      add(at, model::Agregar_Cono{name('k', 2), centro, base_radius / axis->altura, vector, axis->altura});
+    }
+  }
+
+  void read_polygon(int numbers_in_vertex) {
+    const std::size_t at = in_.offset();
+    const double vertices = in_.number("p");
+    if (!(vertices >= 3) || std::trunc(vertices) != vertices) {
+      in_.fail(at, fmt::format("a polygon of {} vertices", vertices), "expected a whole number from 3");
+    }
+    for (double i = 0; i < vertices * numbers_in_vertex; ++i) in_.number("p");
+    ++counts_.polygons;
+  }
+
+  model::Elemento name(char letter, std::size_t type) {
+    return model::Elemento{fmt::format("{}{}", letter, ++numbered_[type])};
+  }
+
+  void add(std::size_t at, const model::Operation& operation) {
+    const model::Answer answer = scene_.apply_total(operation);
+    if (!answer.ok()) {
+      in_.fail(at, std::string(model::name(answer.r)),
+               fmt::format("expected {} ({})", answer.violated->predicate, answer.violated->label));
+    }
+    if (!fill_) return;
+    const auto& element = std::visit([](const auto& o) -> const model::Elemento& { return o.e; }, operation);
+    filled_.emplace_back(element.name(), *fill_);
+  }
+
+  void finish_lights() {
+    auto& lights = scene_.stage().lights;
+    const double share = 1 / std::sqrt(static_cast<double>(lights.size()));
+    for (const std::size_t i : colorless_) lights[i].color = {share, share, share};
+  }
+
+  // A stage's materials ascend by name; until here they are in the order of the fills.
+  void finish_materials() {
+    auto& materials = scene_.stage().materials;
+    std::vector<std::string> names;
+    for (const auto& material : materials) names.push_back(material.name);
+    std::ranges::sort(materials, {}, &scene::Material::name);
+    std::vector<std::uint32_t> place;
+    for (const auto& fill : names) {
+      const auto found = std::ranges::lower_bound(materials, fill, {}, &scene::Material::name);
+      place.push_back(static_cast<std::uint32_t>(found - materials.begin()));
+    }
+    for (const auto& [element, fill] : filled_) scene_.set_material(scene_.find(element).value(), place[fill]);
+  }
+
+  std::vector<std::string> losses() const {
+    std::vector<std::string> lost;
+    const auto add_loss = [&](std::size_t n, std::string_view one, std::string_view many, std::string_view fate) {
+      if (n > 0) lost.push_back(counted(n, one, many) + std::string(fate));
+    };
+    add_loss(counts_.polygons, "polygon", "polygons", " left out: a scene has none");
+    add_loss(counts_.truncated, "truncated cone", "truncated cones", " left out: a scene's cones have an apex");
+    add_loss(counts_.inward, "surface", "surfaces", " seen from inside only: kept, seen from both sides");
+    add_loss(counts_.shiny, "fill", "fills", " with shine or transparency: only the diffuse colour was kept");
+    add_loss(counts_.near_planes, "near plane", "near planes", " (hither) left out: a scene's camera has none");
+    return lost;
+  }
+
+  NffWords in_;
+  scene::Scene scene_;
+  Counts counts_;
+  std::vector<std::size_t> colorless_;                               // lights
+  std::map<std::tuple<double, double, double>, std::size_t> fills_;  // colours, to their order
+  std::optional<std::size_t> fill_;                                  // of what follows
+  std::vector<std::pair<std::string, std::size_t>> filled_;          // elements and their fills
+  std::array<std::size_t, 3> numbered_{};
+};
+
+}  // namespace
+
+Imported read_nff(const Source& source) { return NffReader(source).read(); }
+
+}  // namespace durero::io

@@ -1,0 +1,106 @@
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "axis.hpp"
+#include "durero/io/nff.hpp"
+#include "scene_elements.hpp"
+
+namespace durero::io {
+namespace {
+
+using model::Tipo;
+using scene::ElementRef;
+
+std::string text(const glm::dvec3& v) { return fmt::format("{} {} {}", v.x, v.y, v.z); }
+
+class NffWriter {
+ public:
+  explicit NffWriter(const scene::Scene& scene) : scene_(scene) {}
+
+  Exported write() {
+    write_stage();
+    const auto& materials = scene_.stage().materials;
+    std::vector<std::vector<ElementRef>> of_material(materials.size());
+    for (const ElementRef element : elements_by_name(scene_)) {
+      if (const auto material = scene_.material(element)) {
+        of_material[*material].push_back(element);
+      } else {
+        write_element(element);
+      }
+    }
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+      out_.text += fmt::format("f {} 1 0 0 0 1\n", text(materials[i].color));
+      for (const ElementRef element : of_material[i]) write_element(element);
+    }
+    name_losses();
+    return std::move(out_);
+  }
+
+ private:
+  void write_stage() {
+    const scene::Stage& stage = scene_.stage();
+    if (stage.background) out_.text += fmt::format("b {}\n", text(*stage.background));
+    if (stage.camera) {
+      const scene::Resolution size = stage.resolution.value_or(scene::Resolution{512, 512});
+      out_.text += fmt::format("v\nfrom {}\nat {}\nup {}\nangle {}\nhither 0\nresolution {} {}\n",
+                               text(stage.camera->eye), text(stage.camera->look_at), text(stage.camera->up),
+                               stage.camera->fov_y, size.width, size.height);
+      if (!stage.resolution) out_.lost.emplace_back("no resolution in the scene: 512 512 was written");
+    } else {
+      out_.lost.emplace_back("no camera in the scene: no view was written");
+      if (stage.resolution) out_.lost.emplace_back("1 resolution left out: it is part of a view");
+    }
+    for (const scene::Light& light : stage.lights) {
+      out_.text += fmt::format("l {} {}\n", text(light.position), text(light.color));
+    }
+  }
+
+  void write_element(ElementRef element) {
+    switch (element.tipo) {
+      case Tipo::soy_esfera: {
+        const scene::Sphere& s = scene_.spheres()[element.index];
+        out_.text += fmt::format("s {} {}\n", text(s.centro), s.radio);
+        break;
+      }
+      case Tipo::soy_cilindro: {
+        const scene::Cylinder& c = scene_.cylinders()[element.index];
+        write_cone(c.centro, {c.vector, c.altura}, c.radio, c.radio);
+        break;
+      }
+      case Tipo::soy_cono: {
+        const scene::Cone& k = scene_.cones()[element.index];
+        const double radius = k.proporcion * k.altura;
+        if (radius / k.altura != k.proporcion) ++rounded_radii_;
+        write_cone(k.centro, {k.vector, k.altura}, radius, 0);
+        break;
+      }
+    }
+  }
+
+  void write_cone(const glm::dvec3& base, const Axis& axis, double base_radius, double apex_radius) {
+    const glm::dvec3 apex = end_of(base, axis);
+    if (axis_between(base, apex) != axis) ++rounded_axes_;
+    out_.text += fmt::format("c {} {} {} {}\n", text(base), base_radius, text(apex), apex_radius);
+  }
+
+  void name_losses() {
+    const auto add = [&](std::size_t n, std::string_view what) {
+      if (n > 0) out_.lost.push_back(fmt::format("{} {}", n, what));
+    };
+    add(scene_.size(), "names of elements left out: NFF has none");
+    add(scene_.stage().materials.size(), "names of materials left out: NFF has none");
+    add(rounded_axes_, "axes rounded: NFF holds end points");
+    add(rounded_radii_, "proportions rounded: NFF holds the radius of the base");
+  }
+
+  const scene::Scene& scene_;
+  Exported out_;
+  std::size_t rounded_axes_ = 0, rounded_radii_ = 0;
+};
+
+}  // namespace
+
+Exported nff_text(const scene::Scene& scene) { return NffWriter(scene).write(); }
+
+}  // namespace durero::io

@@ -1,0 +1,35 @@
+#pragma once
+/// An operation as it is written, in either syntax, before its inputs have a meaning.
+
+#include <glm/vec3.hpp>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "durero/io/source.hpp"
+
+namespace durero::io {
+
+/// A word of the text syntax: whether it is a number or a name, the input says.
+struct Word {
+  std::string text;
+};
+
+struct Input {
+  std::string name;  // without ?
+  std::size_t name_offset;
+  std::size_t value_offset;
+  std::variant<Word, std::string, double, glm::dvec3> value;  // string and double: JSON's
+};
+
+struct Call {
+  std::string schema;
+  std::size_t offset;
+  std::vector<Input> inputs;
+};
+
+/// The bytes [begin, end) hold one operation, with no space at either end. Throws InputError.
+Call read_text_call(const Source& source, std::size_t begin, std::size_t end);
+Call read_json_call(const Source& source, std::size_t begin, std::size_t end);
+
+}  // namespace durero::io

@@ -1,0 +1,15 @@
+#pragma once
+/// The parts of the scene format, read from JSON.
+
+#include "durero/io/json.hpp"
+#include "durero/scene/stage.hpp"
+
+namespace durero::io {
+
+scene::Camera read_camera(json::Reader& in);
+scene::Resolution read_resolution(json::Reader& in);
+glm::dvec3 read_color(json::Reader& in, std::string_view what);
+std::vector<scene::Light> read_lights(json::Reader& in);
+std::vector<scene::Material> read_materials(json::Reader& in);
+
+}  // namespace durero::io

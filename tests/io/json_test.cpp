@@ -1,0 +1,142 @@
+#include "durero/io/json.hpp"
+
+#include <limits>
+
+#include "durero/io/number_text.hpp"
+#include "support/catch.hpp"
+#include "support/doubles.hpp"
+#include "support/property.hpp"
+
+using namespace durero;
+using io::InputError;
+using io::Source;
+using io::json::Document;
+using io::json::Kind;
+using io::json::Reader;
+
+namespace {
+
+std::string error_of(const std::string& text) {
+  const Source source("f", text);
+  try {
+    const Document document(source);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("Each token has its kind and its offset") {
+  const std::string text = R"( {"a":[1,-2.5e3, "s","\"\\",""],"é\n":{"n":null,"t":true,"f":false},"e":[],"o":{}} )";
+  const Source source("f", text);
+  const Document document(source);
+  std::vector<std::pair<Kind, std::string>> seen;
+  for (const auto token : document.tokens()) seen.emplace_back(token.kind, text.substr(token.offset, 1));
+  using K = Kind;
+  const std::vector<std::pair<Kind, std::string>> expected = {
+      {K::object, "{"},    {K::key, "\""},    {K::array, "["},      {K::number, "1"},     {K::number, "-"},
+      {K::string, "\""},   {K::string, "\""}, {K::string, "\""},    {K::end_array, "]"},  {K::key, "\""},
+      {K::object, "{"},    {K::key, "\""},    {K::null, "n"},       {K::key, "\""},       {K::boolean, "t"},
+      {K::key, "\""},      {K::boolean, "f"}, {K::end_object, "}"}, {K::key, "\""},       {K::array, "["},
+      {K::end_array, "]"}, {K::key, "\""},    {K::object, "{"},     {K::end_object, "}"}, {K::end_object, "}"},
+      {K::end, ""}};
+  CHECK(seen == expected);
+  const auto& tokens = document.tokens();
+  CHECK(document.number_text(tokens[4]) == "-2.5e3");
+  CHECK(document.string_value(tokens[5]) == "s");
+  CHECK(document.string_value(tokens[6]) == "\"\\");
+  CHECK(document.string_value(tokens[7]).empty());
+  CHECK(document.string_value(tokens[9]) == "é\n");
+}
+
+TEST_CASE("A string reads back from its text, at its offset") {
+  test::property("any bytes that JSON takes", [] {
+    const auto piece = rc::gen::element<std::string>("a", "\"", "\\", "\n", "\x01", "é", "☃", "𝄞", "n", "u0041", " ");
+    const auto pieces = *rc::gen::container<std::vector<std::string>>(piece);
+    std::string value;
+    for (const auto& p : pieces) value += p;
+    std::string text = "[";
+    io::json::append_string(text, value);
+    const Source source("f", text + "]");
+    const Document document(source);
+    RC_ASSERT(document.tokens().size() == 4U);
+    RC_ASSERT(document.tokens()[1].offset == 1U);
+    RC_ASSERT(document.string_value(document.tokens()[1]) == value);
+  });
+}
+
+TEST_CASE("Numbers read to the nearest binary64") {
+  test::property("as triples", [] {
+    const glm::dvec3 v{*test::anyFinite(), *test::anyFinite(), *test::anyFinite()};
+    std::string text;
+    io::json::append_vec3(text, v);
+    const Source source("f", text);
+    const Document document(source);
+    Reader in(document);
+    RC_ASSERT(in.vec3("v") == v);
+  });
+  const Source source("f", "[2.2250738585072011e-308, 9007199254740993, 1e-400]");
+  const Document document(source);
+  Reader in(document);
+  CHECK(in.vec3("v") == glm::dvec3(0x0.fffffffffffffp-1022, 9007199254740992.0, 0));
+}
+
+TEST_CASE("Errors of syntax have their place") {
+  CHECK(error_of("") == "f:1:1: the text is empty; expected a JSON value");
+  CHECK(error_of(" \n ") == "f:2:2: the text is empty; expected a JSON value");
+  CHECK(error_of("\xEF\xBB\xBF{}") == "f:1:1: a byte order mark; expected UTF-8 without one");
+  CHECK(error_of("{}\n x") == "f:2:2: \"x\" stands here after the value; expected the end of the text");
+  CHECK(error_of("{\"a\":\n  NaN}").starts_with("f:2:3: \"N\" stands here; expected a JSON value"));
+  CHECK(error_of("[1,2").starts_with("f:1:5: the text ends; expected , or ]"));
+  CHECK(error_of("{\"a\"}").starts_with("f:1:5: \"}\" stands here; expected :"));
+  CHECK(error_of("{a:1}").starts_with("f:1:2: \"a\" stands here; expected a key"));
+  CHECK(error_of("[1,]").starts_with("f:1:4: "));
+  CHECK(error_of("[01]").starts_with("f:1:3: "));
+  CHECK(error_of("[\"\xC3\x28\"]").starts_with("f:1:3: \"\\xc3\" stands here inside a string; expected UTF-8"));
+  CHECK(error_of("[\"\xED\xA0\x80\"]").starts_with("f:1:3: "));  // a surrogate
+  CHECK(error_of("[\"\xC0\x80\"]").starts_with("f:1:3: "));      // an overlong NUL
+  CHECK(error_of("[\"a\nb\"]").starts_with("f:1:4: "));
+  CHECK(error_of("[1e999]") == "f:1:2: a number beyond binary64; expected a finite number");
+  CHECK(error_of(std::string("{}\0", 3)).starts_with("f:1:3: a NUL byte"));
+  CHECK(error_of(std::string("[1,\0 2]", 7)).starts_with("f:1:4: "));
+}
+
+TEST_CASE("Nesting a million deep is an error, not a crash") {
+  CHECK(error_of(std::string(1000000, '[')).starts_with("f:1:1000001: the text ends"));
+  const std::string balanced = std::string(1000000, '[') + std::string(1000000, ']');
+  CHECK(error_of(balanced).empty());
+  std::string objects;
+  for (int i = 0; i < 200000; ++i) objects += "{\"a\":";
+  CHECK(error_of(objects).starts_with("f:1:1000001: the text ends"));
+}
+
+TEST_CASE("A reader's errors stand at the value or the key") {
+  const auto error = [](const std::string& text, auto read) {
+    const Source source("f", text);
+    const Document document(source);
+    Reader in(document);
+    try {
+      read(in);
+    } catch (const InputError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  constexpr std::string_view keys[] = {"a", "b"};
+  const auto object = [&](Reader& in) { in.object("o", keys, 1, [&](std::size_t) { in.number("n"); }); };
+  CHECK(error("{\"a\":1}", object).empty());
+  CHECK(error("{\"a\":\"1\"}", object) == "f:1:6: n is a string; expected a number");
+  CHECK(error("{\"a\":1,\n\"c\":2}", object) == "f:2:1: unknown key \"c\" in o; expected one of a, b");
+  CHECK(error("{\"a\":1,\"a\":2}", object) == "f:1:8: key \"a\" stands twice; expected it once");
+  CHECK(error(" {\"b\":1}", object) == "f:1:2: key \"a\" is missing in o; expected it");
+  CHECK(error("[]", object) == "f:1:1: o is an array; expected an object");
+  const auto triple = [](Reader& in) { in.vec3("v"); };
+  CHECK(error("[1,2]", triple) == "f:1:1: v has 2 items; expected three numbers");
+  CHECK(error("[1,2,3,4]", triple) == "f:1:8: v has a fourth item; expected three numbers");
+  CHECK(error("[1,null,3]", triple) == "f:1:4: v is null; expected a number");
+  CHECK(error("[1,{},3]", triple) == "f:1:4: v is an object; expected a number");
+  CHECK(error("1.7976931348623159e308", [](Reader& in) { in.number("n"); }) ==
+        "f:1:1: n is \"1.7976931348623159e308\", beyond binary64; expected a finite number");
+}

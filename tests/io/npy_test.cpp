@@ -1,0 +1,75 @@
+#include "durero/io/npy.hpp"
+
+#include <algorithm>
+
+#include "support/catch.hpp"
+#include "support/doubles.hpp"
+#include "support/property.hpp"
+
+using namespace durero;
+using io::npy_head;
+using io::read_npy;
+using io::Source;
+
+namespace {
+
+// A file of version 1 with this dictionary and these bytes.
+std::string file(const std::string& dictionary, const std::string& data) {
+  std::string out("\x93NUMPY\x01\x00", 8);
+  out.push_back(static_cast<char>(dictionary.size() & 0xFFU));
+  out.push_back(static_cast<char>(dictionary.size() >> 8U));
+  return out + dictionary + data;
+}
+
+std::string bytes(const std::vector<double>& values, bool big = false) {
+  std::string out;
+  for (const double x : values) {
+    io::append_binary64(out, x);
+    if (big) std::reverse(out.end() - 8, out.end());
+  }
+  return out;
+}
+
+std::vector<double> read(const std::string& text, std::size_t columns) {
+  return read_npy(Source("f.npy", text), columns);
+}
+
+}  // namespace
+
+TEST_CASE("A table reads back") {
+  test::property("any shape", [] {
+    const auto columns = *rc::gen::inRange<std::size_t>(1, 7);
+    const auto rows = *rc::gen::inRange<std::size_t>(0, 5);
+    const auto values = *rc::gen::container<std::vector<double>>(rows * columns, test::anyFinite());
+    const std::string text = npy_head("'<f8'", "(" + std::to_string(rows) + ", " + std::to_string(columns) + ")");
+    RC_ASSERT(text.size() % 64 == 0U);
+    RC_ASSERT(read(text + bytes(values), columns) == values);
+  });
+}
+
+TEST_CASE("Either byte order and either order of storage") {
+  const std::vector<double> values = {1, 2, 3, 4, 5, 6};
+  CHECK(read(file("{'descr': '>f8', 'fortran_order': False, 'shape': (2, 3), }", bytes(values, true)), 3) == values);
+  CHECK(read(file("{'shape':(2,3),\"fortran_order\":True,'descr':'<f8'}", bytes({1, 4, 2, 5, 3, 6})), 3) == values);
+}
+
+TEST_CASE("What is no table of float64 of that width is refused") {
+  const std::string data = bytes({1, 2, 3});
+  CHECK_THROWS_WITH(read("NUMPY", 3), Catch::Contains("f.npy:1:1: no NumPy file"));
+  CHECK_THROWS_WITH(read(file("{'descr': '<f4', 'fortran_order': False, 'shape': (1, 3)}", data), 3),
+                    Catch::Contains("dtype \"'<f4'\"; expected float64"));
+  CHECK_THROWS_WITH(read(file("{'descr': '<f8', 'fortran_order': False, 'shape': (3,)}", data), 3),
+                    Catch::Contains("expected (n, 3)"));
+  CHECK_THROWS_WITH(read(file("{'descr': '<f8', 'fortran_order': False, 'shape': (1, 3, 1)}", data), 3),
+                    Catch::Contains("expected (n, 3)"));
+  CHECK_THROWS_WITH(read(file("{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3)}", data), 3),
+                    Catch::Contains("24 bytes of data; expected 2 rows"));
+  CHECK_THROWS_WITH(read(file("{'descr': '<f8', 'shape': (1, 3)}", data), 3), Catch::Contains("no fortran_order"));
+  CHECK_THROWS_AS(read(file("{'descr': '<f8', 'fortran_order': False, 'shape': (768614336404564651, 3)}", data), 3),
+                  io::InputError);  // times 24 it wraps to 8
+}
+
+TEST_CASE("Every prefix of a table is refused") {
+  const std::string text = npy_head("'<f8'", "(2, 3)") + bytes({1, 2, 3, 4, 5, 6});
+  for (std::size_t n = 0; n < text.size(); ++n) CHECK_THROWS_AS(read(text.substr(0, n), 3), io::InputError);
+}

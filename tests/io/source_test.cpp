@@ -1,0 +1,39 @@
+#include "durero/io/source.hpp"
+
+#include "support/catch.hpp"
+
+using namespace durero::io;
+
+TEST_CASE("A place counts lines and characters from 1") {
+  const Source source("f", "ab\ncñd\r\n\nx");
+  CHECK(source.place(0) == Place{1, 1});
+  CHECK(source.place(2) == Place{1, 3});
+  CHECK(source.place(3) == Place{2, 1});
+  CHECK(source.place(6) == Place{2, 3});  // d: ñ takes two bytes and one column
+  CHECK(source.place(9) == Place{3, 1});
+  CHECK(source.place(10) == Place{4, 1});
+  CHECK(source.place(11) == Place{4, 2});  // the end
+}
+
+TEST_CASE("An error is one line: place, what is wrong, what is expected") {
+  const Source source("scene.json", "a\nbc");
+  try {
+    source.fail(3, "radio is 0", "expected r > 0");
+    FAIL("nothing was thrown");
+  } catch (const InputError& error) {
+    CHECK(std::string(error.what()) == "scene.json:2:2: radio is 0; expected r > 0");
+    CHECK(error.place() == Place{2, 2});
+  }
+}
+
+TEST_CASE("A file that cannot be read is named, with the reason") {
+  CHECK_THROWS_WITH(read_source("/nowhere/at/all"),
+                    "/nowhere/at/all: cannot be read: No such file or directory; expected a readable file");
+  CHECK_THROWS_AS(read_source("/"), FileError);
+}
+
+TEST_CASE("Input is shown in one line of ASCII, cut at 40 bytes") {
+  CHECK(shown("a b") == "\"a b\"");
+  CHECK(shown("\n\x80") == "\"\\x0a\\x80\"");
+  CHECK(shown(std::string(41, 'x')) == '"' + std::string(40, 'x') + "…\"");
+}
