@@ -1,4 +1,4 @@
-#include "durero/number/integers.hpp"
+#include "integers.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
-#include "durero/number/quotient.hpp"
+#include "quotient.hpp"
 
-#include "durero/number/binary64.hpp"
-#include "durero/number/integers.hpp"
+#include "integers.hpp"
+#include "leading.hpp"
 
 namespace durero::number {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "durero/number/quotient.hpp"
+#include "quotient.hpp"
 
 namespace durero::number {
 

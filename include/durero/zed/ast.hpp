@@ -193,7 +193,6 @@ struct Section {
   std::vector<std::string> parents;
   std::vector<Paragraph> paragraphs;
   Place place;
-  std::vector<Name> lost;  ///< names that paragraphs which could not be read declare
 };
 
 /// Makes a node; its depth is computed.

@@ -1,4 +1,4 @@
-#include "durero/number/binary64.hpp"
+#include "leading.hpp"
 
 #include <algorithm>
 #include <bit>

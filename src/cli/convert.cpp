@@ -1,0 +1,62 @@
+// durero import FILE -o SCENE, durero export SCENE -o FILE: other scene formats, by file name.
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "durero/io/nff.hpp"
+#include "durero/io/output_file.hpp"
+#include "durero/io/scene_file.hpp"
+
+namespace durero::cli {
+namespace {
+
+struct Options {
+  std::string from, to;
+};
+
+[[noreturn]] void refuse_name(const std::string& path) {
+  throw io::FileError(path, "a format that is not known by this name", "expected one that ends in .nff or .json");
+}
+
+void name_losses(const std::string& path, const std::vector<std::string>& lost) {
+  for (const std::string& line : lost) fmt::print(stderr, "durero: {}: {}\n", path, line);
+}
+
+int import_scene(const Options& options) {
+  const bool nff = options.from.ends_with(".nff");
+  if (!nff && !options.from.ends_with(".json")) refuse_name(options.from);
+  const io::Source source = io::read_source(options.from);
+  const io::Imported imported = nff ? io::read_nff(source) : io::Imported{io::read_scene(source), {}};
+  io::write_file(options.to, io::scene_text(imported.scene));
+  name_losses(options.from, imported.lost);
+  return 0;
+}
+
+int export_scene(const Options& options) {
+  const bool nff = options.to.ends_with(".nff");
+  if (!nff && !options.to.ends_with(".json")) refuse_name(options.to);
+  const scene::Scene scene = io::read_scene(io::read_source(options.from));
+  const io::Exported exported = nff ? io::nff_text(scene) : io::Exported{io::scene_text(scene), {}};
+  io::write_file(options.to, exported.text);
+  name_losses(options.to, exported.lost);
+  return 0;
+}
+
+}  // namespace
+
+void add_import(CLI::App& app, int& status) {
+  auto* command = app.add_subcommand("import", "Read another scene format (.nff)");
+  const auto options = std::make_shared<Options>();
+  command->add_option("FILE", options->from, "File to read; its name tells the format")->required();
+  command->add_option("-o,--output", options->to, "Scene file (JSON) to write")->required();
+  command->callback([options, &status] { status = import_scene(*options); });
+}
+
+void add_export(CLI::App& app, int& status) {
+  auto* command = app.add_subcommand("export", "Write another scene format (.nff)");
+  const auto options = std::make_shared<Options>();
+  command->add_option("SCENE", options->from, "Scene file (JSON)")->required();
+  command->add_option("-o,--output", options->to, "File to write; its name tells the format")->required();
+  command->callback([options, &status] { status = export_scene(*options); });
+}
+
+}  // namespace durero::cli

@@ -1,0 +1,68 @@
+// durero edit SCENE [--script FILE] [--op TEXT]… [-o OUT] [--audit]: runs operations, answers each in one JSON line.
+#include <algorithm>
+
+#include "commands.hpp"
+#include "durero/contract/contract.hpp"
+#include "durero/io/operations_file.hpp"
+#include "durero/io/output_file.hpp"
+#include "durero/io/scene_file.hpp"
+
+namespace durero::cli {
+namespace {
+
+struct Options {
+  std::string scene, script, out;
+  std::vector<std::string> operations;
+  bool audit = false;
+};
+
+// The script's operations, then those of --op, numbered as lines after the script's last.
+std::vector<io::Edit> read_edits(const Options& options, const scene::Stage& stage) {
+  std::vector<io::Edit> edits;
+  std::size_t lines = 0;
+  if (!options.script.empty() || options.operations.empty()) {
+    const io::Source script = io::read_source(options.script.empty() ? "-" : options.script);
+    edits = io::read_operations(script, stage);
+    const std::string_view text = script.text();
+    lines = static_cast<std::size_t>(std::ranges::count(text, '\n')) + (text.empty() || text.ends_with('\n') ? 0U : 1U);
+  }
+  std::string joined;
+  for (const std::string& operation : options.operations) joined.append(operation).append("\n");
+  for (io::Edit& edit : io::read_operations(io::Source("--op", joined), stage)) {
+    edit.line += lines;
+    edits.push_back(std::move(edit));
+  }
+  return edits;
+}
+
+int edit(const Options& options) {
+  if (options.audit) contract::set_semantic(contract::cost::audit, contract::evaluation_semantic::enforce);
+  scene::Scene scene = io::read_scene(io::read_source(options.scene));
+  const std::vector<io::Edit> edits = read_edits(options, scene.stage());
+  int status = 0;
+  std::string answers;
+  for (const io::Edit& edit : edits) {
+    const model::Answer answer = io::run(scene, edit);
+    answers.append(io::answer_text(edit.line, answer)).append("\n");
+    if (!answer.ok()) status = 1;
+  }
+  if (!options.out.empty()) io::write_file(options.out, io::scene_text(scene));
+  io::write_file("-", answers);
+  return status;
+}
+
+}  // namespace
+
+void add_edit(CLI::App& app, int& status) {
+  auto* command = app.add_subcommand("edit", "Run operations on a scene, each checked; one JSON line each");
+  const auto options = std::make_shared<Options>();
+  command->add_option("SCENE", options->scene, "Scene file (JSON)")->required();
+  command->add_option("--script", options->script, "File of operations, one a line; - is the standard input");
+  command->add_option("--op", options->operations, "An operation; may be given again")->allow_extra_args(false);
+  command->add_option("-o,--output", options->out, "Where the edited scene goes; without it nothing is written");
+  command->add_flag("--audit", options->audit, "Check whole predicates, with a copy of the old state");
+  command->footer("Without --script and --op, operations are read from the standard input.");
+  command->callback([options, &status] { status = edit(*options); });
+}
+
+}  // namespace durero::cli

@@ -1,0 +1,72 @@
+// durero trace SCENE RAYS [--engine E] [--threads N] [-o OUT]: the first hit of every ray.
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+
+#include <optional>
+
+#include "commands.hpp"
+#include "durero/io/hits_file.hpp"
+#include "durero/io/output_file.hpp"
+#include "durero/io/rays_file.hpp"
+#include "durero/io/scene_file.hpp"
+#include "engines.hpp"
+
+namespace durero::cli {
+namespace {
+
+struct Options {
+  std::string scene, rays, out = "-";
+  std::string engine{default_engine};
+  std::size_t threads = 0;  // 0: as many as the machine has
+};
+
+std::vector<scene::Hit> trace(const scene::Scene& scene, const std::vector<io::Ray>& rays, FirstHit first_hit) {
+  std::vector<scene::Hit> hits(rays.size());
+  tbb::parallel_for(std::size_t{0}, rays.size(), [&](std::size_t i) {
+    const auto& [rayo, en] = rays[i];
+    hits[i] = first_hit(scene, rayo, {en.data(), en.size()});
+  });
+  return hits;
+}
+
+void write_hits(const std::string& path, const std::vector<scene::Hit>& hits, const scene::Scene& scene) {
+  if (path.ends_with(".npy")) return io::write_file(path, io::hits_npy(hits, scene));
+  constexpr std::size_t block = std::size_t{1} << 20U;
+  io::OutputFile out(path);
+  std::string lines;
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    lines.append(io::hit_text(i, hits[i], scene)).append("\n");
+    if (lines.size() < block) continue;
+    out.write(lines);
+    lines.clear();
+  }
+  out.write(lines);
+  out.commit();
+}
+
+int run(const Options& options) {
+  const Engine* engine = find_engine(options.engine);
+  std::optional<tbb::global_control> limit;
+  if (options.threads != 0) limit.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
+  const scene::Scene scene = io::read_scene(io::read_source(options.scene));
+  const std::vector<io::Ray> rays = io::read_rays(io::read_source(options.rays), scene);
+  write_hits(options.out, trace(scene, rays, engine->first_hit), scene);
+  return 0;
+}
+
+}  // namespace
+
+void add_trace(CLI::App& app, int& status) {
+  auto* command = app.add_subcommand("trace", "First hit of every ray");
+  const auto options = std::make_shared<Options>();
+  command->add_option("SCENE", options->scene, "Scene file (JSON)")->required();
+  command->add_option("RAYS", options->rays, "Ray file: text, or .npy (float64, n by 6)")->required();
+  command->add_option("--engine", options->engine, "One of " + engine_names())->check(is_engine)->capture_default_str();
+  command->add_option("--threads", options->threads, "How many threads; without it, as many as the machine has")
+      ->check(CLI::Range(1, 1024));
+  command->add_option("-o,--output", options->out, "Where the hits go: JSON lines, or .npy by the name");
+  command->callback([options, &status] { status = run(*options); });
+}
+
+}  // namespace durero::cli
