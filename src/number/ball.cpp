@@ -1,9 +1,9 @@
-#include "ball.hpp"
+#include "durero/number/ball.hpp"
 
 #include <cmath>
 #include <utility>
 
-#include "leading.hpp"
+#include "durero/number/binary64.hpp"
 
 // Magnitudes: a ball made from a Dyadic has middle 0 or in [1/2, 1). The formulas built on them are a few operations
 // deep, so middles and radii stay far from overflow, and what is added stays far from underflow (see operator+).

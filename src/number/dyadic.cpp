@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "integers.hpp"
-#include "leading.hpp"
+#include "durero/number/binary64.hpp"
+#include "durero/number/integers.hpp"
 
 namespace durero::number {
 namespace {
@@ -27,11 +27,18 @@ Dyadic aligned(const Dyadic& a, const Dyadic& b, Combine combine) {
 Dyadic::Dyadic(double value) {
   if (!std::isfinite(value)) throw std::domain_error("an infinity or a NaN denotes no number");
   if (value == 0) return;
-  int exponent = 0;
-  auto bits = static_cast<std::int64_t>(std::ldexp(std::frexp(value, &exponent), 53));
-  const int zeros = std::countr_zero(static_cast<std::uint64_t>(bits));
-  significand_ = bits >> zeros;
-  exponent_ = exponent - 53 + zeros;
+  // value = ±fraction · 2^(biased − 1075), the leading bit of the fraction hidden unless it is subnormal.
+  const auto raw = std::bit_cast<std::uint64_t>(value);
+  auto fraction = static_cast<std::int64_t>(raw & ((std::uint64_t{1} << 52) - 1));
+  auto biased = static_cast<std::int64_t>(raw >> 52 & 0x7ff);
+  if (biased == 0) {
+    biased = 1;
+  } else {
+    fraction |= std::int64_t{1} << 52;
+  }
+  const int zeros = std::countr_zero(static_cast<std::uint64_t>(fraction));
+  significand_ = (value < 0 ? -fraction : fraction) >> zeros;
+  exponent_ = biased - 1075 + zeros;
 }
 
 Dyadic::Dyadic(const Integer& significand, std::int64_t exponent) : Dyadic(to_significand(significand), exponent) {}

@@ -5,8 +5,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include "ball.hpp"
-#include "quotient.hpp"
+#include "durero/number/ball.hpp"
+#include "durero/number/quick_round.hpp"
+#include "durero/number/quotient.hpp"
 
 namespace durero::number {
 namespace {
@@ -33,8 +34,6 @@ int sign_of_pair(const Dyadic& x, const Dyadic& y, const Dyadic& a) {
   // Opposite signs: the sum has the sign of the term of the greater square.
   return of_x * sign(square(x) - square(y) * a);
 }
-
-Ball ball(const DyadicSurd& value) { return (Ball(value.x) + Ball(value.y) * sqrt(Ball(value.delta))) / Ball(value.w); }
 
 /// The binary64 as a number, an infinity as the power of two where its binade would begin: so the middle of the
 /// greatest binary64 and the infinity is 2¹⁰²⁴ − 2⁹⁷⁰, from which on IEEE 754 rounds to the infinity.
@@ -71,10 +70,13 @@ int sign(const DyadicSurd& value) {
   return sign(value.w) * sign_of_pair(value.x, value.y, value.delta);
 }
 
+Ball enclosure(const DyadicSurd& value) {
+  require_valid(value);
+  return (Ball(value.x) + Ball(value.y) * sqrt(Ball(value.delta))) / Ball(value.w);
+}
+
 std::strong_ordering compare(const DyadicSurd& a, const DyadicSurd& b) {
-  require_valid(a);
-  require_valid(b);
-  if (const int decided = (ball(a) + -ball(b)).decided_sign()) return decided <=> 0;
+  if (const int decided = (enclosure(a) + -enclosure(b)).decided_sign()) return decided <=> 0;
   // a − b = ((x₁w₂ − x₂w₁) + y₁w₂√δ₁ − y₂w₁√δ₂)/(w₁w₂)
   const int of_numerator = sign_of_sum(a.x * b.w - b.x * a.w, a.y * b.w, a.delta, -(b.y * a.w), b.delta);
   return of_numerator * sign(a.w) * sign(b.w) <=> 0;
@@ -87,6 +89,7 @@ DyadicSurd linear(const Dyadic& m, const Dyadic& n, const DyadicSurd& value) {
 double round_to_binary64(const DyadicSurd& value) {
   require_valid(value);
   if (sign_of_term(value.y, value.delta) == 0) return round_quotient(value.x, value.w);
+  if (const auto rounded = quick_round(value)) return *rounded;
   if (sign(value) == 0) return 0.0;
   // A narrowing interval around the value, which is not 0: in the end it lies on one side of 0 and holds at most one
   // middle of two neighbours, which is then compared exactly. 128 bits are enough unless x and y√delta nearly cancel.

@@ -1,4 +1,4 @@
-#include "integers.hpp"
+#include "durero/number/integers.hpp"
 
 #include <algorithm>
 

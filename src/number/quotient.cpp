@@ -1,7 +1,7 @@
-#include "quotient.hpp"
+#include "durero/number/quotient.hpp"
 
-#include "integers.hpp"
-#include "leading.hpp"
+#include "durero/number/binary64.hpp"
+#include "durero/number/integers.hpp"
 
 namespace durero::number {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "quotient.hpp"
+#include "durero/number/quotient.hpp"
 
 namespace durero::number {
 

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace durero::test {
 
@@ -45,6 +46,11 @@ inline rc::Gen<double> moderate() {
 /// Multiples of 1/8 from −16 to 16: coincidences (tangents, ties, squares) are frequent among them.
 inline rc::Gen<double> dyadicGrid() {
   return rc::gen::resize(100, rc::gen::map(rc::gen::inRange(-128, 129), [](int eighths) { return eighths / 8.0; }));
+}
+
+/// The numbers of a generator but the zeros.
+inline rc::Gen<double> nonZero(rc::Gen<double> numbers) {
+  return rc::gen::suchThat(std::move(numbers), [](double value) { return value != 0; });
 }
 
 }  // namespace durero::test

@@ -3,6 +3,7 @@
 /// linear functions of them. Signs and orders are decided by multiplying across, so nothing is divided.
 #include <compare>
 
+#include "durero/number/ball.hpp"
 #include "durero/number/dyadic.hpp"
 
 namespace durero::number {
@@ -16,6 +17,10 @@ struct DyadicSurd {
 int sign_of_sum(const Dyadic& x, const Dyadic& y, const Dyadic& a, const Dyadic& z, const Dyadic& b);
 
 int sign(const DyadicSurd& value);
+
+/// The value to about 50 bits, the step before the exact one: where its sign, or that of a difference, is decided,
+/// sign() and compare() look no further.
+Ball enclosure(const DyadicSurd& value);
 
 /// Order of the values; the radicands may differ. A strict total order on the numbers denoted.
 std::strong_ordering compare(const DyadicSurd& a, const DyadicSurd& b);

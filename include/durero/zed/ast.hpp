@@ -193,6 +193,7 @@ struct Section {
   std::vector<std::string> parents;
   std::vector<Paragraph> paragraphs;
   Place place;
+  std::vector<Name> lost;  ///< names that paragraphs which could not be read declare
 };
 
 /// Makes a node; its depth is computed.

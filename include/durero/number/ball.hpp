@@ -1,0 +1,30 @@
+#pragma once
+/// Numbers known to about 50 bits, to decide a sign quickly where it is not close. For formulas a few operations deep on
+/// dyadic numbers: middles are not brought back to one size in between.
+#include <cstdint>
+
+#include "durero/number/dyadic.hpp"
+
+namespace durero::number {
+
+/// A number v with |v − middle · 2^exponent| ≤ radius · 2^exponent. The exponent is apart so that nothing overflows.
+struct Ball {
+  double middle = 0, radius = 0;
+  std::int64_t exponent = 0;
+
+  explicit Ball(const Dyadic& value);
+  Ball(double m, double r, std::int64_t e) : middle(m), radius(r), exponent(e) {}
+
+  /// −1 or 1 where every number of the ball has that sign; 0 says "cannot decide".
+  int decided_sign() const { return middle > radius ? 1 : middle < -radius ? -1 : 0; }
+};
+
+Ball operator+(const Ball& a, const Ball& b);
+inline Ball operator-(const Ball& a) { return {-a.middle, a.radius, a.exponent}; }
+Ball operator*(const Ball& a, const Ball& b);
+/// Precondition: b was made from a Dyadic other than 0.
+Ball operator/(const Ball& a, const Ball& b);
+/// Precondition: value was made from a Dyadic, which is not negative.
+Ball sqrt(const Ball& value);
+
+}  // namespace durero::number

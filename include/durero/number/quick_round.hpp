@@ -1,0 +1,14 @@
+#pragma once
+/// Rounding from the leading 128 bits: the step that round_to_binary64 of an irrational DyadicSurd takes first.
+#include <optional>
+
+#include "durero/number/dyadic_surd.hpp"
+
+namespace durero::number {
+
+/// The value rounded, or nothing where 128 bits of each part cannot tell: x and y√delta nearly cancel, or the value is
+/// within about 2⁻⁶⁰ of its size of the middle of two binary64. Precondition: y ≠ 0, delta > 0
+/// and w ≠ 0.
+std::optional<double> quick_round(const DyadicSurd& value);
+
+}  // namespace durero::number

@@ -1,0 +1,159 @@
+#include "durero/oracle/sampled.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+namespace durero::oracle::sampled {
+namespace {
+
+using model::Tipo;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The ray at unit speed.
+struct Line {
+  explicit Line(const model::Rayo& ray)
+      : p(ray.p().xyz()), speed(glm::length(ray.v().xyz())), v(ray.v().xyz() / speed) {}
+  glm::dvec3 p;
+  double speed;
+  glm::dvec3 v;
+};
+
+bool misses_ball(const Cover& cover, const Line& line) {
+  const glm::dvec3 to_center = cover.center - line.p;
+  const double along = std::max(0.0, glm::dot(to_center, line.v));
+  const glm::dvec3 apart = to_center - line.v * along;
+  const double reach = (cover.radius + cover.delta) * (1 + 0x1p-40);
+  return glm::dot(apart, apart) > reach * reach;
+}
+
+/// The sample within δ of the ray whose foot is nearest to the origin.
+std::optional<Candidate> nearest(const Cover& cover, const Line& line) {
+  if (misses_ball(cover, line)) return std::nullopt;
+  const double limit = cover.delta * cover.delta;
+  double best = infinity;
+  std::size_t which = 0;
+  for (std::size_t i = 0; i < cover.size(); ++i) {
+    const double qx = cover.x[i] - line.p.x, qy = cover.y[i] - line.p.y, qz = cover.z[i] - line.p.z;
+    const double foot = std::max(0.0, qx * line.v.x + qy * line.v.y + qz * line.v.z);
+    const double ex = qx - foot * line.v.x, ey = qy - foot * line.v.y, ez = qz - foot * line.v.z;
+    if (ex * ex + ey * ey + ez * ez <= limit && foot < best) {
+      best = foot;
+      which = i;
+    }
+  }
+  if (best == infinity) return std::nullopt;
+  return Candidate{best, {cover.x[which], cover.y[which], cover.z[which]}};
+}
+
+/// True when some sample lies within δ of the point.
+bool near_sample(const Cover& cover, const glm::dvec3& point, double slack) {
+  const double limit = (cover.delta + slack) * (cover.delta + slack);
+  for (std::size_t i = 0; i < cover.size(); ++i) {
+    const double x = cover.x[i] - point.x, y = cover.y[i] - point.y, z = cover.z[i] - point.z;
+    if (x * x + y * y + z * z <= limit) return true;
+  }
+  return false;
+}
+
+/// potencia along the ray, around a point x of it: a·u² + 2b·u + c; and s + u·s_step, the advance along the axis.
+struct Local {
+  double a, b, c;
+  double s = 0, s_step = 0, altura = infinity;  // a sphere has no rim, so its altura is infinite
+};
+
+Local expand(const scene::Scene& scene, scene::ElementRef ref, const glm::dvec3& x, const glm::dvec3& v) {
+  if (ref.tipo == Tipo::soy_esfera) {
+    const scene::Sphere& e = scene.spheres()[ref.index];
+    const glm::dvec3 q = x - e.centro;
+    return {1, glm::dot(q, v), glm::dot(q, q) - e.radio * e.radio, 0, 0, infinity};
+  }
+  const bool cone = ref.tipo == Tipo::soy_cono;
+  const glm::dvec3 center = cone ? scene.cones()[ref.index].centro : scene.cylinders()[ref.index].centro;
+  const glm::dvec3 d = cone ? scene.cones()[ref.index].vector : scene.cylinders()[ref.index].vector;
+  const double h = cone ? scene.cones()[ref.index].altura : scene.cylinders()[ref.index].altura;
+  const glm::dvec3 q = x - center;
+  const double s = glm::dot(q, d), s_step = glm::dot(v, d);
+  const glm::dvec3 away = q - d * s, step = v - d * s_step;  // as the printed text has it: q − s·d
+  Local local{glm::dot(step, step), glm::dot(away, step), glm::dot(away, away), s, s_step, h};
+  const double k = cone ? scene.cones()[ref.index].proporcion : 0;
+  local.a -= k * k * s_step * s_step;
+  local.b += k * k * (h - s) * s_step;
+  local.c -= cone ? k * k * (h - s) * (h - s) : std::pow(scene.cylinders()[ref.index].radio, 2);
+  return local;
+}
+
+/// Why the ray need not meet the element near the candidate's foot; `unsound` where nothing explains it.
+Verdict explain(const scene::Scene& scene, scene::ElementRef ref, const Cover& cover, const Line& line, double foot) {
+  const double delta = cover.delta, eta = reach_ratio * delta;
+  const double slack = 0x1p-40 * (glm::length(line.p - cover.center) + cover.radius);
+  const Local at = expand(scene, ref, line.p + line.v * foot, line.v);
+  const double discriminant = at.b * at.b - at.a * at.c;
+  if (discriminant < std::pow(cover.gradient / reach_ratio, 2)) return Verdict::grazing;
+  const double root = at.c / -(at.b + std::copysign(std::sqrt(discriminant), at.b));  // the nearer root
+  if (foot + root <= slack) return Verdict::origin;
+  const double s = at.s + root * at.s_step;
+  const double beyond = std::isinf(at.altura) ? -infinity : std::max(-s, s - at.altura);
+  if (beyond >= -slack && beyond <= delta + eta + slack) return Verdict::rim;
+  return Verdict::unsound;
+}
+
+/// The point that a claim speaks of: of a segment that starts at the origin, the origin.
+glm::dvec3 claimed_point(const Line& line, const scene::Hit& claim) {
+  return claim.resultado == model::Resultado::hit ? claim.punto : line.p;
+}
+
+bool names(const scene::Hit& claim, scene::ElementRef element) {
+  return std::find(claim.elementos.begin(), claim.elementos.end(), element) != claim.elementos.end();
+}
+
+}  // namespace
+
+std::string_view name(Verdict verdict) noexcept {
+  constexpr std::string_view names[] = {"agrees", "grazing", "rim", "origin", "incomplete", "unsound"};
+  return names[static_cast<int>(verdict)];
+}
+
+Oracle::Oracle(const scene::Scene& scene, double fineness) : scene_(scene) {
+  elements_.reserve(scene.size());
+  const auto add = [&](Tipo tipo, const auto& shapes) {
+    for (std::uint32_t i = 0; i < shapes.size(); ++i) elements_.push_back({{tipo, i}, cover(shapes[i], fineness)});
+  };
+  add(Tipo::soy_esfera, scene.spheres());
+  add(Tipo::soy_cilindro, scene.cylinders());
+  add(Tipo::soy_cono, scene.cones());
+}
+
+scene::Hit Oracle::first_hit(const model::Rayo& ray) const {
+  const Line line(ray);
+  scene::Hit hit;
+  double best = infinity;
+  for (const Element& element : elements_) {
+    const auto candidate = nearest(element.cover, line);
+    if (!candidate || candidate->distance >= best) continue;
+    best = candidate->distance;
+    hit = {model::Resultado::hit, best / line.speed, candidate->sample, {element.ref}};
+  }
+  return hit;
+}
+
+Verdict Oracle::judge(const model::Rayo& ray, const scene::Hit& claimed) const {
+  const Line line(ray);
+  const glm::dvec3 point = claimed_point(line, claimed);
+  const double claim = claimed.resultado == model::Resultado::miss ? infinity : glm::length(point - line.p);
+  Verdict verdict = Verdict::agrees;
+  for (const Element& element : elements_) {
+    const Cover& cover = element.cover;
+    const double slack = 0x1p-40 * (glm::length(line.p - cover.center) + cover.radius);
+    if (names(claimed, element.ref) && !near_sample(cover, point, slack)) return Verdict::incomplete;
+    const auto candidate = nearest(cover, line);
+    if (!candidate || claim <= candidate->distance + reach_ratio * cover.delta + slack) continue;
+    const Verdict reason = explain(scene_, element.ref, cover, line, candidate->distance);
+    if (reason == Verdict::unsound) return reason;
+    verdict = std::max(verdict, reason);
+  }
+  return verdict;
+}
+
+}  // namespace durero::oracle::sampled

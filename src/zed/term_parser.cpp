@@ -1,0 +1,453 @@
+#include "term_parser.hpp"
+
+#include <fmt/core.h>
+
+#include <utility>
+
+namespace durero::zed {
+namespace {
+
+using Type = Token::Type;
+
+/// Counts the depth of the recursion for a scope.
+class Deeper {
+ public:
+  Deeper(unsigned& depth, Place place) : depth_(depth) {
+    if (++depth_ > max_depth) {
+      --depth_;
+      throw ZError(place, fmt::format("the text nests deeper than {} levels", max_depth), "expected less nesting");
+    }
+  }
+  ~Deeper() { --depth_; }
+  Deeper(const Deeper&) = delete;
+  Deeper& operator=(const Deeper&) = delete;
+
+ private:
+  unsigned& depth_;
+};
+
+struct Connective {
+  std::string_view symbol;
+  Kind kind;
+  int strength;
+  bool right;
+};
+
+constexpr Connective connectives[] = {
+    {"⇔", Kind::equivalence, binding::equivalence, false}, {"⇒", Kind::implication, binding::implication, true},
+    {"∨", Kind::disjunction, binding::disjunction, false}, {"∧", Kind::conjunction, binding::conjunction, false},
+    {"⨟", Kind::composition, binding::composition, false}, {"⨠", Kind::piping, binding::piping, false},
+    {"⨡", Kind::projection, binding::projection, false},
+};
+
+const Connective* connective(const Token& token) {
+  for (const Connective& one : connectives)
+    if (token.is(one.symbol)) return &one;
+  return nullptr;
+}
+
+}  // namespace
+
+Term TermParser::checked(Term made) const {
+  if (made->depth > max_depth)
+    throw ZError(made->place, fmt::format("the text nests deeper than {} levels", max_depth), "expected less nesting");
+  return made;
+}
+
+Term TermParser::term(int least) {
+  const Deeper deeper(depth_, in_.peek().place);
+  Term left = leading();
+  for (;;) {
+    const Token& token = in_.peek();
+    if (token.type != Type::symbol && token.type != Type::word) return left;
+    if (const Connective* found = connective(token)) {
+      if (found->strength < least) return left;
+      in_.next();
+      Term right = term(found->right ? found->strength : found->strength + 1);
+      left = checked(node(found->kind, {left, right}, left->place));
+    } else if (token.is("⧹") && least <= binding::hiding) {
+      left = hiding(left);
+    } else if (token.is("×") && least <= binding::infix + product_precedence) {
+      left = product(left);
+    } else if (const Operator* op = find_operator(token.text, Fixity::infix); op && token.strokes.empty()) {
+      const int strength = op->role == Role::relation ? binding::relation : binding::infix + op->precedence;
+      if (strength < least) return left;
+      left = op->role == Role::relation ? relations(left) : infix(left, strength, *op);
+    } else {
+      return left;
+    }
+  }
+}
+
+Term TermParser::infix(Term left, int strength, const Operator& op) {
+  in_.next();
+  Term right = term(op.right ? strength : strength + 1);
+  const Place place = left->place;
+  if (op.role == Role::generic) return checked(reference({op.name(), {}}, {left, right}, place));
+  return checked(operation(op.name(), {left, right}, place));
+}
+
+Term TermParser::relations(Term left) {
+  const Place place = left->place;
+  std::vector<Term> operands = {left};
+  std::vector<Name> names;
+  for (;;) {
+    const Operator* op = find_operator(in_.peek().text, Fixity::infix);
+    if (!op || op->role != Role::relation || !in_.peek().strokes.empty()) break;
+    in_.next();
+    names.push_back({op->name(), {}});
+    operands.push_back(term(binding::relation + 1));
+  }
+  return checked(relation(std::move(names), std::move(operands), place));
+}
+
+Term TermParser::product(Term left) {
+  const Place place = left->place;
+  std::vector<Term> factors = {left};
+  while (in_.accept("×")) factors.push_back(term(binding::infix + product_precedence + 1));
+  return checked(node(Kind::product, std::move(factors), place));
+}
+
+Term TermParser::hiding(Term left) {
+  in_.next();
+  in_.expect("(");
+  Node made{.kind = Kind::hiding, .place = left->place, .name = {}, .children = {left}, .names = names(), .text = {}};
+  in_.expect(")");
+  return checked(make(std::move(made)));
+}
+
+Term TermParser::leading() {
+  const Token& token = in_.peek();
+  const Place place = token.place;
+  if (token.is("∀")) return quantifier(Kind::forall, true);
+  if (token.is("∃")) return quantifier(Kind::exists, true);
+  if (token.is("∃₁")) return quantifier(Kind::exists_one, true);
+  if (token.is("λ")) return quantifier(Kind::lambda, true);
+  if (token.is("μ")) return quantifier(Kind::mu, true);
+  if (token.is("let")) return let();
+  if (token.is("if")) return conditional();
+  if (in_.accept("¬")) return checked(node(Kind::negation, {term(binding::negation)}, place));
+  if (in_.accept("pre")) return checked(node(Kind::precondition, {term(binding::precondition)}, place));
+  if (in_.accept("ℙ")) return checked(node(Kind::power, {term(binding::prefix)}, place));
+  const Operator* op = token.strokes.empty() ? find_operator(token.text, Fixity::prefix) : nullptr;
+  if (!op) return application();
+  if (token.only_infix) in_.fail("expected \\negate for the sign, or a term before -");
+  in_.next();
+  if (op->role == Role::relation) return checked(relation({{op->name(), {}}}, {term(binding::relation + 1)}, place));
+  Term operand = term(binding::prefix);
+  if (op->role == Role::generic) return checked(reference({op->name(), {}}, {operand}, place));
+  return checked(operation(op->name(), {operand}, place));
+}
+
+Term TermParser::quantifier(Kind kind, bool value_needed) {
+  const Place place = in_.next().place;
+  SchemaText text = schema_text();
+  if (kind == Kind::mu && !value_needed && !in_.sees("•")) return checked(quantified(kind, std::move(text), {}, place));
+  in_.expect("•");
+  Term body = term();
+  return checked(quantified(kind, std::move(text), {std::move(body)}, place));
+}
+
+Term TermParser::let() {
+  const Place place = in_.next().place;
+  SchemaText text = schema_text();
+  for (const Declaration& one : text.declarations)
+    if (one.form != Declaration::Form::defined)
+      throw ZError(one.place, "a let that does not define", "expected NAME == value");
+  if (!text.predicates.empty()) in_.fail("expected • after the definitions of a let");
+  in_.expect("•");
+  Term body = term();
+  return checked(quantified(Kind::let, std::move(text), {std::move(body)}, place));
+}
+
+Term TermParser::conditional() {
+  const Place place = in_.next().place;
+  Term condition = term();
+  in_.expect("then");
+  Term yes = term();
+  in_.expect("else");
+  Term no = term(binding::conditional);
+  return checked(node(Kind::conditional, {std::move(condition), std::move(yes), std::move(no)}, place));
+}
+
+bool TermParser::begins_primary() const {
+  const Token& token = in_.peek();
+  if (token.type == Type::numeral || TokenStream::is_name(token)) return true;
+  if (token.type == Type::word) return token.is("true") || token.is("false") || token.is("θ");
+  for (const std::string_view one : {"(", "{", "⟨", "⦉", "[", "θ"})
+    if (token.is(one)) return true;
+  return false;
+}
+
+/// f a b ∼ ⦇ S ⦈: applications associate to the left, then the postfix operators.
+Term TermParser::application() {
+  Term made = primary();
+  while (begins_primary()) {
+    Term argument = primary();
+    const Place place = made->place;
+    made = checked(apply(std::move(made), std::move(argument), place));
+  }
+  for (;;) {
+    const Token& token = in_.peek();
+    const Operator* op = token.type == Type::symbol ? find_operator(token.text, Fixity::postfix) : nullptr;
+    if (op) {
+      in_.next();
+      const Place place = made->place;
+      made = checked(operation(op->name(), {std::move(made)}, place));
+    } else if (token.is("⦇")) {
+      made = image(std::move(made));
+    } else {
+      return made;
+    }
+  }
+}
+
+Term TermParser::image(Term left) {
+  in_.next();
+  Term set = term();
+  in_.expect("⦈");
+  const Place place = left->place;
+  return checked(operation("_⦇_⦈", {std::move(left), std::move(set)}, place));
+}
+
+Term TermParser::primary() {
+  Term made = plain_primary();
+  while (suffix(made)) {
+  }
+  return made;
+}
+
+bool TermParser::suffix(Term& so_far) {
+  const Place place = so_far->place;
+  if (in_.sees(".")) {
+    in_.next();
+    Node made{.kind = Kind::selection, .place = place, .name = {}, .children = {so_far}, .names = {}, .text = {}};
+    if (in_.sees(Type::numeral)) {
+      made.kind = Kind::tuple_selection;
+      made.name.word = in_.next().text;
+    } else {
+      made.name = in_.name();
+    }
+    so_far = checked(make(std::move(made)));
+  } else if (in_.sees(Type::stroke)) {
+    Node made{.kind = Kind::decoration, .place = place, .name = {}, .children = {so_far}, .names = {}, .text = {}};
+    made.name.strokes = in_.next().text;
+    so_far = checked(make(std::move(made)));
+  } else if (in_.sees("[")) {
+    so_far = actuals_or_renaming(so_far);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+Term TermParser::actuals_or_renaming(Term of) {
+  const Place place = of->place;
+  in_.next();
+  if (in_.sees_name() && in_.peek(1).is("/")) {
+    Node made{.kind = Kind::renaming, .place = place, .name = {}, .children = {of}, .names = {}, .text = {}};
+    do {
+      made.names.push_back(in_.name());
+      in_.expect("/");
+      made.names.push_back(in_.name());
+    } while (in_.accept(","));
+    in_.expect("]");
+    return checked(make(std::move(made)));
+  }
+  std::vector<Term> actuals = terms("]");
+  if (of->kind != Kind::reference || !of->children.empty())
+    throw ZError(place, "only a name takes generic actuals", "expected a name before [");
+  return checked(reference(of->name, std::move(actuals), place));
+}
+
+std::vector<Term> TermParser::terms(std::string_view closing) {
+  std::vector<Term> made;
+  do {
+    made.push_back(term());
+  } while (in_.accept(","));
+  in_.expect(closing);
+  return made;
+}
+
+Term TermParser::plain_primary() {
+  const Token& token = in_.peek();
+  if (token.type == Type::numeral) return number(in_.next().text, token.place);
+  if (TokenStream::is_name(token)) return reference(in_.name(), {}, token.place);
+  if (token.is("true") || token.is("false"))
+    return node(in_.next().is("true") ? Kind::truth : Kind::falsity, {}, token.place);
+  if (token.is("θ")) return theta();
+  if (token.is("(")) return parenthesis();
+  if (token.is("{")) return braces();
+  if (token.is("[")) return brackets();
+  if (token.is("⟨")) return sequence();
+  if (token.is("⦉")) return binding_extension();
+  in_.fail("expected an expression or a predicate");
+}
+
+Term TermParser::theta() {
+  const Place place = in_.next().place;
+  Node made{.kind = Kind::theta, .place = place, .name = {}, .children = {}, .names = {}, .text = {}};
+  if (in_.sees_name()) {  // the strokes of θ S' are those of θ: x is taken from x'
+    const Token& token = in_.next();
+    made.name.strokes = token.strokes;
+    Term schema = reference({token.text, {}}, {}, token.place);
+    made.children.push_back(in_.sees("[") ? actuals_or_renaming(schema) : schema);
+  } else if (in_.sees("(")) {
+    made.children.push_back(parenthesis());
+  } else {
+    in_.fail("expected a schema after θ");
+  }
+  while (in_.sees(Type::stroke)) made.name.strokes += in_.next().text;
+  return checked(make(std::move(made)));
+}
+
+Term TermParser::parenthesis() {
+  const Place place = in_.next().place;
+  if (in_.sees("_") || (in_.peek(1).is("_") && find_operator(in_.peek().text, Fixity::prefix)))
+    return word_or_operator();
+  if (in_.sees("μ")) {
+    Term made = quantifier(Kind::mu, false);
+    if (in_.accept(")")) return made;
+    in_.fail("expected )");
+  }
+  std::vector<Term> parts = terms(")");
+  if (parts.size() == 1) return parts[0];
+  return checked(node(Kind::tuple, std::move(parts), place));
+}
+
+/// (_ ∪ _), (# _), (_ ∼), (_ ⦇ _ ⦈): an operator as a name.
+Term TermParser::word_or_operator() {
+  std::string name;
+  const Place place = in_.peek().place;
+  while (!in_.sees(")")) {
+    if (!in_.sees(Type::symbol) && !in_.sees(Type::word)) in_.fail("expected )");
+    name += in_.next().text;
+  }
+  in_.next();
+  if (!operator_of_name(name) && name != "_⦇_⦈")
+    throw ZError(place, "unknown operator " + name, "expected an operator of the standard toolkit");
+  return reference({name, {}}, {}, place);
+}
+
+Term TermParser::braces() {
+  const Place place = in_.next().place;
+  if (in_.accept("}")) return node(Kind::set_extension, {}, place);
+  if (!begins_declaration()) {
+    std::vector<Term> elements = {term()};
+    if (in_.sees(",") || in_.sees("}")) {
+      while (in_.accept(",")) elements.push_back(term());
+      in_.expect("}");
+      return checked(node(Kind::set_extension, std::move(elements), place));
+    }
+    SchemaText text;  // it was the inclusion of a schema
+    const Place first = elements[0]->place;
+    text.declarations.push_back({Declaration::Form::included, {}, {}, elements[0], first});
+    while (in_.accept(";") || in_.accept(Type::newline)) text.declarations.push_back(declaration());
+    if (in_.accept("|")) text.predicates = predicates(false);
+    std::vector<Term> value;
+    if (in_.accept("•")) value.push_back(term());
+    in_.expect("}");
+    return checked(quantified(Kind::comprehension, std::move(text), std::move(value), place));
+  }
+  SchemaText text = schema_text();
+  std::vector<Term> value;
+  if (in_.accept("•")) value.push_back(term());
+  in_.expect("}");
+  return checked(quantified(Kind::comprehension, std::move(text), std::move(value), place));
+}
+
+Term TermParser::brackets() {
+  const Place place = in_.next().place;
+  SchemaText text;
+  if (!in_.sees("]")) text = schema_text();
+  in_.expect("]");
+  return checked(quantified(Kind::schema_text, std::move(text), {}, place));
+}
+
+/// ⟨a, b⟩ is the function ⟨,,⟩ of {(1, a), (2, b)} (ISO/IEC 13568, 12.2).
+Term TermParser::sequence() {
+  const Place place = in_.next().place;
+  std::vector<Term> pairs;
+  if (!in_.accept("⟩")) {
+    std::size_t position = 0;
+    for (Term& one : terms("⟩"))
+      pairs.push_back(node(Kind::tuple, {number(std::to_string(++position), one->place), one}, one->place));
+  }
+  return checked(operation("⟨,,⟩", {node(Kind::set_extension, std::move(pairs), place)}, place));
+}
+
+Term TermParser::binding_extension() {
+  const Place place = in_.next().place;
+  Node made{.kind = Kind::binding_extension, .place = place, .name = {}, .children = {}, .names = {}, .text = {}};
+  while (!in_.sees("⦊")) {
+    if (!made.names.empty()) in_.expect(",");
+    made.names.push_back(in_.name());
+    in_.expect("==");
+    made.children.push_back(term());
+  }
+  in_.next();
+  return checked(make(std::move(made)));
+}
+
+std::vector<Name> TermParser::names() {
+  std::vector<Name> made = {in_.name()};
+  while (in_.accept(",")) made.push_back(in_.name());
+  return made;
+}
+
+/// x : …, x, y : … or x == …
+bool TermParser::begins_declaration() const {
+  std::size_t ahead = 0;
+  for (;; ahead += 2) {
+    if (!TokenStream::is_name(in_.peek(ahead))) return false;
+    const Token& after = in_.peek(ahead + 1);
+    if (after.is(":")) return true;
+    if (after.is("==")) return ahead == 0;
+    if (!after.is(",")) return false;
+  }
+}
+
+Declaration TermParser::declaration() {
+  Declaration made;
+  made.place = in_.peek().place;
+  if (!begins_declaration()) {
+    made.form = Declaration::Form::included;
+    made.term = term();
+    if (in_.sees(",") || in_.sees(":")) in_.fail("expected names before : in a declaration");
+    return made;
+  }
+  do {
+    made.places.push_back(in_.peek().place);
+    made.names.push_back(in_.name());
+  } while (in_.accept(","));
+  made.form = in_.next().is("==") ? Declaration::Form::defined : Declaration::Form::typed;
+  made.term = term();
+  return made;
+}
+
+SchemaText TermParser::schema_text(bool labelled) {
+  const Deeper deeper(depth_, in_.peek().place);
+  SchemaText made;
+  if (!in_.sees("|")) {
+    do {
+      made.declarations.push_back(declaration());
+    } while (in_.accept(";") || in_.accept(Type::newline));
+  }
+  if (in_.accept("|")) made.predicates = predicates(labelled);
+  return made;
+}
+
+std::vector<Predicate> TermParser::predicates(bool labelled) {
+  std::vector<Predicate> made;
+  do {
+    const std::size_t from = in_.position();
+    Predicate one;
+    one.place = in_.peek().place;
+    one.term = term();
+    if (labelled) one.label = in_.label_since(from);
+    made.push_back(std::move(one));
+  } while (in_.accept(";") || in_.accept(Type::newline));
+  return made;
+}
+
+}  // namespace durero::zed

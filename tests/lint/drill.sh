@@ -1,0 +1,60 @@
+#!/bin/sh
+# A rule that cannot fail is no rule: this plants, in a copy of the tree, the fault that each rule should see, and
+# fails where the rule says nothing.
+set -u
+here=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
+copy=$(mktemp -d) && trap 'rm -rf "$copy"' EXIT
+(cd "$here/../.." && git ls-files -z | xargs -0 tar cf - 2>/dev/null) | tar xf - -C "$copy"
+cd "$copy" || exit 2
+git init -q . && git add -A
+drills=0 missed=0
+
+# sees RULE WHAT: runs the rule on the tree with its fault, then undoes the fault.
+sees() {
+  drills=$((drills + 1))
+  git add -A
+  if sh "$here/$1.sh" >/dev/null 2>&1; then
+    echo "drill: $1.sh does not see: $2"
+    missed=$((missed + 1))
+  fi
+  git read-tree -u --reset "$clean"
+  git clean -fdq
+}
+clean=$(git write-tree)  # the tree without any fault
+
+for rule in layers stems house labels; do
+  sh "$here/$rule.sh" >/dev/null 2>&1 || { echo "drill: $rule.sh fails before any fault is planted"; missed=$((missed + 1)); }
+done
+
+echo '#include "durero/io/scene.hpp"' >>include/durero/number/rational.hpp
+sees layers "number including io"
+echo '#include "durero/trace/analytic.hpp"' >>src/oracle/sampled.cpp
+sees layers "oracle including trace"
+git mv tests/model/puntos_test.cpp tests/model/points_test.cpp
+sees stems "a stem of the Z text without its test"
+touch spec/nuevo.tex
+sees stems "a new stem without counterparts"
+echo '// T''ODO' >>src/oracle/sampled.cpp
+sees house "an unfinished place"
+echo '# /w''ork/here' >>README.md
+sees house "a path of one machine"
+echo 'TEST_CASE("x", "[.]") {}' >>tests/oracle/sampled_test.cpp
+sees house "a test that is switched off"
+sed -i '0,/% Escena.inv.1$/s/% Escena.inv.1$/% Escena.inv.99/' spec/escena.tex
+sees labels "a predicate whose label no clause has"
+sed -i 's/ *% Escena.inv.2$//' spec/escena.tex
+sees labels "a predicate without a label"
+grep -rl 'Agregar_Cono\.pre\.4' tests --include=*.cpp | xargs sed -i 's/Agregar_Cono\.pre\.4/Agregar_Cono_pre_4/'
+sees labels "a clause that no test violates"
+grep -rl '"Escena\.inv\.3"' include src | xargs sed -i 's/"Escena\.inv\.3"/"Escena.inv.77"/'
+sees labels "a clause of no predicate"
+if [ -f proofs/Main.v ]; then
+  sed -i 's/Agregar_Esfera\.post\.1//g' proofs/*.v
+  sees labels "a predicate that no theorem uses"
+fi
+if command -v clang-format-16 >/dev/null 2>&1; then
+  printf 'int  f( ){return 0 ;}\n' >>src/oracle/sampled.cpp
+  sees format "another layout"
+fi
+echo "drill: $((drills - missed)) of $drills faults seen"
+[ "$missed" = 0 ]

@@ -1,0 +1,62 @@
+#include "durero/number/ball.hpp"
+
+#include "support/catch.hpp"
+#include "support/doubles.hpp"
+#include "support/property.hpp"
+
+namespace durero::number {
+namespace {
+
+/// |v − middle · 2^exponent| ≤ radius · 2^exponent, in exact arithmetic.
+bool contains(const Ball& ball, const Rational& v) {
+  const Rational unit = shifted(Dyadic(1), ball.exponent).rational();
+  return abs(Rational(v - exact(ball.middle) * unit)) <= exact(ball.radius) * unit;
+}
+
+/// Products of two full-range doubles: more bits than a ball holds.
+rc::Gen<Dyadic> operand() {
+  const auto number = rc::gen::oneOf(test::anyFinite(), test::moderate(), test::dyadicGrid());
+  return rc::gen::apply([](double a, double b) { return Dyadic(a) * Dyadic(b); }, number, number);
+}
+
+TEST_CASE("A ball holds the number that it stands for") {
+  test::property("after each operation, and after several", [] {
+    const Dyadic a = *operand(), b = *operand(), c = *operand();
+    const Rational p = a.rational(), q = b.rational(), r = c.rational();
+    RC_ASSERT(contains(Ball(a), p));
+    RC_ASSERT(contains(-Ball(a), -p));
+    RC_ASSERT(contains(Ball(a) + Ball(b), p + q));
+    RC_ASSERT(contains(Ball(a) * Ball(b), p * q));
+    RC_ASSERT(contains((Ball(a) * Ball(b) + Ball(c)) * Ball(a) + -Ball(b), (p * q + r) * p - q));
+    RC_PRE(sign(c) != 0);
+    RC_ASSERT(contains(Ball(a) / Ball(c), p / r));
+    RC_ASSERT(contains((Ball(a) + Ball(b)) / Ball(c), (p + q) / r));
+  });
+  test::property("and the root: its ends squared enclose the radicand", [] {
+    const Dyadic a = *operand();
+    const Dyadic size = sign(a) < 0 ? -a : a;
+    const Ball root = sqrt(Ball(size));
+    const Rational unit = shifted(Dyadic(1), root.exponent).rational();
+    const Rational low = (exact(root.middle) - exact(root.radius)) * unit;
+    const Rational high = (exact(root.middle) + exact(root.radius)) * unit;
+    RC_ASSERT(low >= 0);
+    RC_ASSERT(low * low <= size.rational());
+    RC_ASSERT(size.rational() <= high * high);
+  });
+}
+
+TEST_CASE("A ball decides a sign only where all of it has that sign, and nearly always where it is not close") {
+  CHECK(Ball(1.0, 0.5, 0).decided_sign() == 1);
+  CHECK(Ball(-1.0, 0.5, 0).decided_sign() == -1);
+  CHECK(Ball(0.5, 0.5, 0).decided_sign() == 0);
+  CHECK(Ball(-0.5, 0.5, 0).decided_sign() == 0);
+  CHECK((Ball(Dyadic(1)) + -Ball(Dyadic(1))).decided_sign() == 0);
+  test::property("a relative difference of 2⁻⁴⁰ is seen", [] {
+    const Dyadic a = *test::nonZero(test::anyFinite());
+    const Dyadic b = a + shifted(a, -40);
+    RC_ASSERT((Ball(b) + -Ball(a)).decided_sign() == sign(a));
+  });
+}
+
+}  // namespace
+}  // namespace durero::number

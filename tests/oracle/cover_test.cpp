@@ -1,0 +1,88 @@
+#include "durero/oracle/cover.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+
+#include "support/catch.hpp"
+#include "support/scenes.hpp"
+
+using namespace durero;
+
+namespace {
+
+double distance_to(const oracle::Cover& cover, const glm::dvec3& point) {
+  double best = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < cover.size(); ++i)
+    best = std::min(best, glm::length(glm::dvec3(cover.x[i], cover.y[i], cover.z[i]) - point));
+  return best;
+}
+
+/// Two directions across the axis.
+std::pair<glm::dvec3, glm::dvec3> across(const glm::dvec3& d) {
+  const glm::dvec3 u = glm::normalize(glm::cross(d, std::abs(d.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
+  return {u, glm::cross(d, u)};
+}
+
+constexpr double fineness = 1.0 / 8;
+constexpr double pi = std::numbers::pi;
+
+}  // namespace
+
+TEST_CASE("every point of a sphere has a sample within delta") {
+  test::Random random(11);
+  for (int round = 0; round < 20; ++round) {
+    const scene::Sphere sphere{random.in_cube(10), random.uniform(0.01, 5)};
+    const oracle::Cover cover = oracle::cover(sphere, fineness);
+    CHECK(cover.delta <= fineness * sphere.radio * 1.001);
+    for (int i = 0; i < 200; ++i)
+      CHECK(distance_to(cover, sphere.centro + random.direction() * sphere.radio) <= cover.delta);
+    CHECK(distance_to(cover, sphere.centro + glm::dvec3(0, 0, sphere.radio)) <= cover.delta);  // a pole
+  }
+}
+
+TEST_CASE("every point of a cylinder has a sample within delta, on the rims too") {
+  test::Random random(12);
+  for (int round = 0; round < 20; ++round) {
+    const glm::dvec3 d = random.axis().xyz();
+    const scene::Cylinder c{random.in_cube(10), random.uniform(0.1, 2), d, random.uniform(0.1, 5)};
+    const oracle::Cover cover = oracle::cover(c, fineness);
+    const auto [u, v] = across(d);
+    for (int i = 0; i < 200; ++i) {
+      const double s = i % 4 == 0 ? 0 : i % 4 == 1 ? c.altura : random.uniform(0, c.altura);
+      const double angle = random.uniform(0, 2 * pi);
+      const glm::dvec3 point = c.centro + d * s + (u * std::cos(angle) + v * std::sin(angle)) * c.radio;
+      CHECK(distance_to(cover, point) <= cover.delta);
+    }
+  }
+}
+
+TEST_CASE("every point of a cone has a sample within delta, apex and rim too") {
+  test::Random random(13);
+  for (int round = 0; round < 20; ++round) {
+    const glm::dvec3 d = random.axis().xyz();
+    const scene::Cone c{random.in_cube(10), random.uniform(0.1, 3), d, random.uniform(0.1, 2)};
+    const oracle::Cover cover = oracle::cover(c, fineness);
+    const auto [u, v] = across(d);
+    for (int i = 0; i < 200; ++i) {
+      const double s = i % 4 == 0 ? 0 : i % 4 == 1 ? c.altura : random.uniform(0, c.altura);
+      const double angle = random.uniform(0, 2 * pi), radius = c.proporcion * (c.altura - s);
+      const glm::dvec3 point = c.centro + d * s + (u * std::cos(angle) + v * std::sin(angle)) * radius;
+      CHECK(distance_to(cover, point) <= cover.delta);
+    }
+  }
+}
+
+TEST_CASE("samples lie on the surface, so a cover proves something") {
+  const scene::Sphere sphere{{1, 2, 3}, 2};
+  const oracle::Cover cover = oracle::cover(sphere, fineness);
+  for (std::size_t i = 0; i < cover.size(); ++i)
+    CHECK(glm::length(glm::dvec3(cover.x[i], cover.y[i], cover.z[i]) - sphere.centro) == Approx(2).epsilon(1e-12));
+}
+
+TEST_CASE("a cover of too many samples is refused, not begun") {
+  CHECK_THROWS_AS(oracle::cover(scene::Cylinder{{0, 0, 0}, 1e-6, {0, 0, 1}, 1e6}, fineness), std::length_error);
+  CHECK_THROWS_AS(oracle::cover(scene::Sphere{{0, 0, 0}, 1}, 1e-9), std::length_error);
+}

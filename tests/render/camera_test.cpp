@@ -1,0 +1,45 @@
+#include "durero/render/camera.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <stdexcept>
+
+#include "support/catch.hpp"
+
+using namespace durero;
+
+namespace {
+const scene::Camera camera{{1, 2, 3}, {1, 2, 13}, {0, 1, 0}, 90};
+}
+
+TEST_CASE("every ray starts at the eye, and the middle one looks where the camera does") {
+  const render::PrimaryRays rays(camera, {101, 51});
+  const model::Rayo middle = rays.ray(50, 25);
+  CHECK(middle.p() == model::Punto(1, 2, 3));
+  CHECK(middle.v().x() == Approx(0).margin(1e-15));
+  CHECK(middle.v().y() == Approx(0).margin(1e-15));
+  CHECK(middle.v().z() == Approx(1));
+}
+
+TEST_CASE("fov_y spans the height from edge to edge; pixels are square; y goes down") {
+  const render::PrimaryRays rays(camera, {40, 20});
+  const glm::dvec3 top = rays.ray(0, 0).v().xyz(), bottom = rays.ray(0, 19).v().xyz(), next = rays.ray(1, 0).v().xyz();
+  const double pixel = 2.0 / 20;  // the window is 2 high at distance 1 for 90 degrees
+  CHECK(top.y == Approx(1 - pixel / 2));
+  CHECK(bottom.y == Approx(-1 + pixel / 2));
+  CHECK(glm::length(next - top) == Approx(pixel));
+  CHECK(top.x > next.x);  // looking along +z with y up, the right hand points to −x
+}
+
+TEST_CASE("a camera that sees nothing is refused in words") {
+  const auto refuses = [](scene::Camera bad, scene::Resolution size = {2, 2}) {
+    CHECK_THROWS_AS(render::PrimaryRays(bad, size), std::domain_error);
+  };
+  refuses({{0, 0, 0}, {0, 0, 0}, {0, 1, 0}, 45});
+  refuses({{0, 0, 0}, {0, 2, 0}, {0, 1, 0}, 45});
+  refuses({{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 0});
+  refuses({{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 180});
+  refuses({{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, std::nan("")});
+  refuses(camera, {0, 5});
+}
