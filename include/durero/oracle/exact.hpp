@@ -1,0 +1,40 @@
+#pragma once
+/// The first intersection by exact arithmetic: what every engine must answer, byte for byte.
+
+#include <span>
+#include <vector>
+
+#include "durero/oracle/exact_element.hpp"
+#include "durero/scene/hit.hpp"
+#include "durero/scene/scene.hpp"
+
+namespace durero::oracle::exact {
+
+/// en?: the elements that the origin of a ray lies on.
+using Origin = std::span<const scene::ElementRef>;
+
+/// alcance of one element. Precondition: the element is in the scene.
+Reach reach(const scene::Scene& scene, scene::ElementRef element, const model::Rayo& rayo, Origin en = {});
+
+/// The hit at a parameter t > 0: t and each coordinate rounded once.
+scene::Hit rounded_hit(const model::Rayo& rayo, const Parameter& t, scene::ElementSet elementos);
+
+/// Primera_Interseccion. Precondition: the elements of en are in the scene.
+scene::Hit first_hit(const scene::Scene& scene, const model::Rayo& rayo, Origin en = {});
+
+/// occluded: alcances ≠ ∅.
+bool occluded(const scene::Scene& scene, const model::Rayo& rayo, Origin en = {});
+
+/// occluded_segment: alcances has a point at some 0 < t < 1.
+bool occluded_segment(const scene::Scene& scene, const model::Rayo& rayo, Origin en = {});
+
+/// One meeting of the ray and an element: a point, at segment.begin = segment.end, or a stretch inside the surface.
+struct Crossing {
+  scene::ElementRef elemento;
+  Segment segment;
+};
+
+/// alcances, whole: every crossing, ascending by begin (t → 0⁺ first), then by element.
+std::vector<Crossing> all_hits(const scene::Scene& scene, const model::Rayo& rayo, Origin en = {});
+
+}  // namespace durero::oracle::exact

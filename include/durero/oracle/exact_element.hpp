@@ -1,0 +1,71 @@
+#pragma once
+/// The points of a ray on one element, exactly: coefficients, roots, and what the clip and t > 0 leave of them.
+/// Every number is a Dyadic or a root of a quadratic over them; every decision is the sign of one. No tolerance.
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "durero/model/tipos.hpp"
+#include "durero/number/dyadic_surd.hpp"
+#include "durero/scene/shapes.hpp"
+
+namespace durero::oracle::exact {
+
+using number::Dyadic;
+
+/// A parameter t of a ray: the number (x + y√delta)/w.
+using Parameter = number::DyadicSurd;
+
+/// potencia at p + t·v, less that at the origin where the ray starts on the element: A·t² + 2B·t + C.
+/// avance at p + t·v: s0 + t·s1, which must lie in 0 … altura where the element is bounded.
+struct Coefficients {
+  Dyadic A, B, C;
+  Dyadic s0, s1;
+  std::optional<Dyadic> altura;
+};
+
+/// on: the origin lies on the element (alcance: puntos_desde), so C is 0.
+Coefficients coefficients(const scene::Sphere& sphere, const model::Rayo& rayo, bool on = false);
+Coefficients coefficients(const scene::Cylinder& cylinder, const model::Rayo& rayo, bool on = false);
+Coefficients coefficients(const scene::Cone& cone, const model::Rayo& rayo, bool on = false);
+
+/// The real t with A·t² + 2B·t + C = 0, ascending and without repetition; `every` when A = B = C = 0.
+struct Roots {
+  bool every = false;
+  std::uint8_t count = 0;
+  std::array<Parameter, 2> t{};
+
+  std::span<const Parameter> values() const { return std::span(t).first(count); }
+};
+Roots roots(const Coefficients& f);
+
+/// Order of two parameters, of whatever elements.
+inline std::strong_ordering order(const Parameter& a, const Parameter& b) { return number::compare(a, b); }
+
+/// 0 ≤ avance ≤ altura at the parameter.
+bool within_clip(const Coefficients& f, const Parameter& t);
+
+/// A stretch of the ray inside a surface, closed: from begin, or from t → 0⁺ where that is absent and no nearest point
+/// exists; to end, or without end.
+struct Segment {
+  std::optional<Parameter> begin, end;
+};
+
+/// alcance, as parameters t > 0: up to two points, ascending, or one segment.
+struct Reach {
+  std::uint8_t count = 0;
+  std::array<Parameter, 2> t{};
+  std::optional<Segment> segment{};
+
+  std::span<const Parameter> points() const { return std::span(t).first(count); }
+  bool empty() const { return count == 0 && !segment; }
+  bool no_minimum() const { return segment && !segment->begin; }
+  /// The nearest point. Precondition: not empty, and not no_minimum.
+  const Parameter& first() const { return segment ? *segment->begin : t[0]; }
+};
+Reach reach(const Coefficients& f);
+
+}  // namespace durero::oracle::exact

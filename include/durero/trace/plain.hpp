@@ -1,0 +1,41 @@
+#pragma once
+/// The same closed forms in binary64 without any certificate: what a tracer usually is. It is the measure of what the
+/// certificates of trace::first_hit cost, and right to a few units in the last place on ordinary rays.
+///
+/// With a = v − s1·vector, b = q0 − s0·vector (s1 = v·vector, s0 = q0·vector, q0 = p − centro) and g = altura − s0, the
+/// quadratic A·t² + 2B·t + C of each element and its discriminant D = B² − AC are, for any vector, unit or not,
+///   sphere    A = v·v            B = q0·v           C = q0·q0 − r²      D = r²A − |q0 × v|²
+///   cylinder  A = a·a            B = b·a            C = b·b − r²        D = r²A − |b × a|²
+///   cone      A = a·a − k²s1²    B = b·a + k²g·s1   C = b·b − k²g²      D = k²|g·a + s1·b|² − |b × a|²
+/// The discriminant is a difference of squared distances (Lagrange's identity), so it keeps its figures where B² and AC
+/// are large and close: far from the element.
+
+#include <cstdint>
+
+#include "durero/scene/shapes.hpp"
+#include "durero/trace/analytic.hpp"
+
+namespace durero::trace::plain {
+
+/// A·t² + 2B·t + C = 0 and its discriminant; the clip 0 ≤ s0 + t·s1 ≤ altura (∞ for a sphere, with s0 = s1 = 0).
+struct Quadratic {
+  double A, B, C, D;
+  double s0, s1, altura;
+};
+
+/// on: the origin of the ray lies on the element, so C is 0.
+Quadratic quadratic(const scene::Sphere& sphere, const model::Rayo& rayo, bool on);
+Quadratic quadratic(const scene::Cylinder& cylinder, const model::Rayo& rayo, bool on);
+Quadratic quadratic(const scene::Cone& cone, const model::Rayo& rayo, bool on);
+
+/// What a ray has of one element: its first point there, none, or points from t → 0⁺ on.
+struct First {
+  model::Resultado resultado;
+  double t;
+};
+First first(const Quadratic& quadratic);
+
+/// As the functions of trace, in binary64 throughout.
+scene::Hit first_hit(const scene::Scene& scene, const model::Rayo& rayo, Origin en = {});
+
+}  // namespace durero::trace::plain

@@ -1,0 +1,59 @@
+#pragma once
+/// RapidCheck generators of elements and rays, over any generator of numbers.
+#include <rapidcheck.h>
+
+#include <array>
+#include <cmath>
+
+#include "durero/model/tipos.hpp"
+#include "durero/scene/shapes.hpp"
+#include "support/doubles.hpp"
+
+namespace durero::test {
+
+using Reals = rc::Gen<double>;
+
+inline rc::Gen<glm::dvec3> vec(const Reals& x) {
+  return rc::gen::map(rc::gen::tuple(x, x, x), [](const std::tuple<double, double, double>& v) {
+    return glm::dvec3(std::get<0>(v), std::get<1>(v), std::get<2>(v));
+  });
+}
+
+/// Strictly positive numbers: the magnitudes of x, without 0.
+inline Reals positive(const Reals& x) {
+  return rc::gen::suchThat(rc::gen::map(x, [](double a) { return std::abs(a); }), [](double a) { return a > 0; });
+}
+
+/// Axes that Unitario takes: the six unit ones, and directions of length 1 up to the tolerance. Only the six have
+/// length 1 exactly: three squares with the sum 4ᵏ are 0, 0 and 4ᵏ.
+inline rc::Gen<glm::dvec3> axis() {
+  const auto normalised = rc::gen::map(vec(moderate()), [](glm::dvec3 v) {
+    // Some scalings of a direction miss the tolerance by a rounding; a slightly different one then succeeds.
+    for (double k = 1; v != glm::dvec3(0); k += 0x1p-53 * 3) {
+      const double length = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z) * k;
+      const glm::dvec3 d = v / length;
+      if (model::Unitario::contains(model::Vector(d))) return d;
+    }
+    return glm::dvec3(0, 0, 1);
+  });
+  const auto unit = rc::gen::element(glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1),
+                                     glm::dvec3(-1, 0, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, -1));
+  return rc::gen::oneOf(normalised, unit);
+}
+
+inline rc::Gen<model::Rayo> rays(const Reals& x) {
+  const auto v = rc::gen::suchThat(vec(x), [](const glm::dvec3& a) { return a != glm::dvec3(0); });
+  return rc::gen::map(rc::gen::pair(vec(x), v), [](const std::pair<glm::dvec3, glm::dvec3>& r) {
+    return model::Rayo(model::Punto(r.first), model::Vector(r.second));
+  });
+}
+
+inline rc::Gen<scene::Sphere> spheres(const Reals& x) { return rc::gen::construct<scene::Sphere>(vec(x), positive(x)); }
+inline rc::Gen<scene::Cylinder> cylinders(const Reals& x) {
+  return rc::gen::construct<scene::Cylinder>(vec(x), positive(x), axis(), positive(x));
+}
+inline rc::Gen<scene::Cone> cones(const Reals& x) {
+  return rc::gen::construct<scene::Cone>(vec(x), positive(x), axis(), positive(x));
+}
+
+}  // namespace durero::test

@@ -1,0 +1,37 @@
+#pragma once
+/// A scene by its shapes: elements named e0, e1, … in the order of their addition.
+
+#include <glm/geometric.hpp>
+#include <string>
+
+#include "durero/scene/scene.hpp"
+
+namespace durero::test {
+
+inline model::Elemento next_name(const scene::Scene& scene) {
+  return model::Elemento("e" + std::to_string(scene.size()));
+}
+
+inline scene::ElementRef added(scene::Scene& scene, const model::Operation& operation) {
+  const std::string name = next_name(scene).name();
+  scene.apply(operation);
+  return *scene.find(name);
+}
+
+inline scene::ElementRef add(scene::Scene& scene, const scene::Sphere& s) {
+  return added(scene, model::Agregar_Esfera{next_name(scene), model::Punto(s.centro), s.radio});
+}
+
+inline scene::ElementRef add(scene::Scene& scene, const scene::Cylinder& c) {
+  return added(scene, model::Agregar_Cilindro{next_name(scene), model::Punto(c.centro), c.radio,
+                                              model::Vector(c.vector), c.altura});
+}
+
+inline scene::ElementRef add(scene::Scene& scene, const scene::Cone& c) {
+  return added(scene, model::Agregar_Cono{next_name(scene), model::Punto(c.centro), c.proporcion,
+                                          model::Vector(c.vector), c.altura});
+}
+
+inline model::Rayo ray(const glm::dvec3& p, const glm::dvec3& v) { return {model::Punto(p), model::Vector(v)}; }
+
+}  // namespace durero::test

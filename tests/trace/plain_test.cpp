@@ -1,0 +1,52 @@
+#include "durero/trace/plain.hpp"
+
+#include "durero/oracle/exact.hpp"
+#include "support/catch.hpp"
+#include "support/elements.hpp"
+#include "support/property.hpp"
+#include "support/shapes.hpp"
+
+using namespace durero;
+using namespace durero::test;
+
+namespace {
+
+scene::Scene random_scene() {
+  scene::Scene scene;
+  for (int i = 0; i < 3; ++i) {
+    add(scene, *spheres(moderate()));
+    add(scene, *cylinders(moderate()));
+    add(scene, *cones(moderate()));
+  }
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("plain closed forms agree with the exact answer on ordinary rays") {
+  int compared = 0, hits = 0;
+  property("outcome, elements and t to 2⁻³⁰", [&] {
+    const scene::Scene scene = random_scene();
+    const model::Rayo ray = *rays(moderate());
+    const scene::Hit exact = oracle::exact::first_hit(scene, ray);
+    const scene::Hit plain = trace::plain::first_hit(scene, ray);
+    RC_ASSERT(plain.resultado == exact.resultado);
+    RC_ASSERT(plain.elementos == exact.elementos);
+    RC_ASSERT(std::abs(plain.t - exact.t) <= 0x1p-30 * exact.t);
+    ++compared;
+    hits += exact.resultado == model::Resultado::hit;
+  });
+  CHECK(hits > compared / 5);
+}
+
+TEST_CASE("plain closed forms name ties and the absence of a minimum") {
+  scene::Scene scene;
+  const auto sphere = add(scene, scene::Sphere{{0, 0, 5}, 1});
+  const auto twin = add(scene, scene::Sphere{{0, 0, 4.5}, 0.5});
+  const auto cylinder = add(scene, scene::Cylinder{{3, 0, 0}, 1, {0, 0, 1}, 2});
+  const scene::Hit tie = trace::plain::first_hit(scene, ray({0, 0, 0}, {0, 0, 1}));
+  CHECK(tie == scene::Hit{model::Resultado::hit, 4, {0, 0, 4}, {sphere, twin}});
+  const scene::Hit inside = trace::plain::first_hit(scene, ray({2, 0, 1}, {0, 0, 1}));
+  CHECK(inside == scene::Hit{.resultado = model::Resultado::no_minimum, .elementos = {cylinder}});
+  CHECK(trace::plain::first_hit(scene, ray({0, 0, 0}, {0, 0, -1})) == scene::Hit{});
+}
