@@ -58,9 +58,12 @@ bool earlier(const Crossing& a, const Crossing& b) {
 Reach reach(const scene::Scene& scene, scene::ElementRef e, const model::Rayo& rayo, Origin en) {
   const bool on = std::find(en.begin(), en.end(), e) != en.end();
   switch (e.tipo) {
-    case Tipo::soy_esfera: return reach(coefficients(scene.spheres()[e.index], rayo, on));
-    case Tipo::soy_cilindro: return reach(coefficients(scene.cylinders()[e.index], rayo, on));
-    case Tipo::soy_cono: return reach(coefficients(scene.cones()[e.index], rayo, on));
+    case Tipo::soy_esfera:
+      return reach(coefficients(scene.spheres()[e.index], rayo, on));
+    case Tipo::soy_cilindro:
+      return reach(coefficients(scene.cylinders()[e.index], rayo, on));
+    case Tipo::soy_cono:
+      return reach(coefficients(scene.cones()[e.index], rayo, on));
   }
   return {};
 }

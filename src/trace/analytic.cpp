@@ -31,7 +31,8 @@ std::vector<scene::Hit> first_hits(const scene::Scene& scene, std::span<const Qu
   };
   const int workers = threads == 0 ? oneapi::tbb::task_arena::automatic : static_cast<int>(threads);
   oneapi::tbb::task_arena arena(workers);
-  arena.execute([&] { oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, queries.size(), 64), answer); });
+  arena.execute(
+      [&] { oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, queries.size(), 64), answer); });
   return hits;
 }
 

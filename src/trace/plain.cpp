@@ -55,9 +55,12 @@ First first_of_roots(const Quadratic& f, double one, double other) {
 
 First first_of_element(const scene::Scene& scene, scene::ElementRef e, const model::Rayo& rayo, bool on) {
   switch (e.tipo) {
-    case model::Tipo::soy_esfera: return first(quadratic(scene.spheres()[e.index], rayo, on));
-    case model::Tipo::soy_cilindro: return first(quadratic(scene.cylinders()[e.index], rayo, on));
-    default: return first(quadratic(scene.cones()[e.index], rayo, on));
+    case model::Tipo::soy_esfera:
+      return first(quadratic(scene.spheres()[e.index], rayo, on));
+    case model::Tipo::soy_cilindro:
+      return first(quadratic(scene.cylinders()[e.index], rayo, on));
+    default:
+      return first(quadratic(scene.cones()[e.index], rayo, on));
   }
 }
 
