@@ -1,0 +1,515 @@
+(** spec/operaciones.tex: every operation has one possible after-state, which keeps the invariant, and its
+    preconditions are the clauses stated in the text.
+
+    scene_with s e t c rs ds hs ks == s and the element e of type t with centre c, and a radius, axis, height and
+                            proportion that are the members of rs, ds, hs, ks: none or one each
+    with_esfera, with_cilindro, with_cono == the same for each type
+    scene_without s e    == s without e in every component
+    same_at x s s'       == the element x has the same type and attributes in s and s' *)
+From Coq Require Import Reals Setoid Classical_Prop.
+From Durero Require Import Toolkit Especificacion Escena.
+Local Open Scope zed_scope.
+
+Section Operaciones.
+Variable Elemento : Type.
+Notation Escena := (Especificacion.Escena Elemento).
+Implicit Types (s : Escena) (e : Elemento) (c : Punto) (d : Vector).
+
+Definition scene_with s e t c (rs : set R) (ds : set Vector) (hs ks : set R) : Escena := {|
+  elementos := elementos s ∪ ⦃e⦄;
+  tipos := ran (de_que_tipo s ∪ ⦃(e, t)⦄);
+  de_que_tipo := de_que_tipo s ∪ ⦃(e, t)⦄;
+  mi_centro := mi_centro s ∪ at_one e ⦃c⦄;
+  mi_radio := mi_radio s ∪ at_one e rs;
+  mi_vector := mi_vector s ∪ at_one e ds;
+  mi_altura := mi_altura s ∪ at_one e hs;
+  mi_proporcion := mi_proporcion s ∪ at_one e ks
+|}.
+Definition with_esfera s e c r : Escena := scene_with s e soy_esfera c ⦃r⦄ ∅ ∅ ∅.
+Definition with_cilindro s e c r d h : Escena := scene_with s e soy_cilindro c ⦃r⦄ ⦃d⦄ ⦃h⦄ ∅.
+Definition with_cono s e c k d h : Escena := scene_with s e soy_cono c ∅ ⦃d⦄ ⦃h⦄ ⦃k⦄.
+
+Definition scene_without s e : Escena := {|
+  elementos := elementos s ∖ ⦃e⦄;
+  tipos := ran (ndres ⦃e⦄ (de_que_tipo s));
+  de_que_tipo := ndres ⦃e⦄ (de_que_tipo s);
+  mi_centro := ndres ⦃e⦄ (mi_centro s);
+  mi_radio := ndres ⦃e⦄ (mi_radio s);
+  mi_vector := ndres ⦃e⦄ (mi_vector s);
+  mi_altura := ndres ⦃e⦄ (mi_altura s);
+  mi_proporcion := ndres ⦃e⦄ (mi_proporcion s)
+|}.
+
+(** ** The after-states satisfy the invariant *)
+
+Lemma single_at_most_one {X} (x : X) : at_most_one ⦃x⦄.
+Proof. now intros v v' -> ->. Qed.
+Lemma empty_at_most_one {X} : at_most_one (∅ : set X).
+Proof. now intros v v' []. Qed.
+Lemma exists_single {X} (x : X) (P : Prop) : P -> (exists v, ⦃x⦄ v) <-> P.
+Proof. intros HP. split; [easy | intros _; now exists x]. Qed.
+Lemma exists_empty {X} (P : Prop) : ~ P -> (exists v, (∅ : set X) v) <-> P.
+Proof. intros HP. split; [now intros [v []] | easy]. Qed.
+
+Lemma scene_with_ok s e t c rs ds hs ks :
+  Escena_ok s -> e ∉ elementos s ->
+  at_most_one rs -> rs ⊆ Rmas -> ((exists r, rs r) <-> (⦃soy_esfera⦄ ∪ ⦃soy_cilindro⦄) t) ->
+  at_most_one ds -> ds ⊆ Unitario -> ((exists d, ds d) <-> (⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄) t) ->
+  at_most_one hs -> hs ⊆ Rmas -> ((exists h, hs h) <-> (⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄) t) ->
+  at_most_one ks -> ks ⊆ Rmas -> ((exists k, ks k) <-> ⦃soy_cono⦄ t) ->
+  Escena_ok (scene_with s e t c rs ds hs ks).
+Proof.
+  intros ok He R1 R2 R3 D1 D2 D3 H1 H2 H3 K1 K2 K3. split; cbn.
+  - apply finset_add, ok.
+  - easy.
+  - rewrite <- at_one_single. apply pfun_union; [apply ok | | apply single_at_most_one | easy].
+    intros [t' Ht]. now apply He, (element_of_type _ _ ok e t').
+  - apply pfun_union; [apply ok | | apply single_at_most_one | easy]. intros H. now apply He, (element_of_centro _ _ ok).
+  - apply pfun_union; auto; [apply ok |]. intros H. now apply He, (element_of_radio _ _ ok).
+  - apply pfun_union; auto; [apply ok | | easy]. intros H. now apply He, (element_of_vector _ _ ok).
+  - apply pfun_union; auto; [apply ok |]. intros H. now apply He, (element_of_altura _ _ ok).
+  - apply pfun_union; auto; [apply ok |]. intros H. now apply He, (element_of_proporcion _ _ ok).
+  - intros x. rewrite dom_union_single, <- (Escena_inv_1 ok x). reflexivity.
+  - intros x. rewrite dom_union_at_one, <- (Escena_inv_2 ok x), (exists_single c True I). unfold union, single. tauto.
+  - intros x. now rewrite dom_union_at_one, image_inverse_union, (Escena_inv_3 ok x), R3.
+  - intros x. now rewrite dom_union_at_one, image_inverse_union, (Escena_inv_4 ok x), D3.
+  - intros x. now rewrite dom_union_at_one, image_inverse_union, (Escena_inv_5 ok x), H3.
+  - intros x. now rewrite dom_union_at_one, image_inverse_union, (Escena_inv_6 ok x), K3.
+  - reflexivity.
+  - intros d [x [H | [_ H]]]; [apply (Escena_inv_8 ok); now exists x | now apply D2].
+Qed.
+
+Lemma with_esfera_ok s e c r : Escena_ok s -> e ∉ elementos s -> r ∈ Rmas -> Escena_ok (with_esfera s e c r).
+Proof.
+  intros ok He Hr. apply scene_with_ok; auto using single_at_most_one, empty_at_most_one; try easy.
+  all: try (now intros x ->). all: try (apply exists_single; cbv; tauto).
+  all: apply exists_empty; cbv; intuition discriminate.
+Qed.
+Lemma with_cilindro_ok s e c r d h : Escena_ok s -> e ∉ elementos s -> r ∈ Rmas -> d ∈ Unitario -> h ∈ Rmas ->
+  Escena_ok (with_cilindro s e c r d h).
+Proof.
+  intros ok He Hr Hd Hh. apply scene_with_ok; auto using single_at_most_one, empty_at_most_one; try easy.
+  all: try (now intros x ->). all: try (apply exists_single; cbv; tauto).
+  all: apply exists_empty; cbv; intuition discriminate.
+Qed.
+Lemma with_cono_ok s e c k d h : Escena_ok s -> e ∉ elementos s -> k ∈ Rmas -> d ∈ Unitario -> h ∈ Rmas ->
+  Escena_ok (with_cono s e c k d h).
+Proof.
+  intros ok He Hk Hd Hh. apply scene_with_ok; auto using single_at_most_one, empty_at_most_one; try easy.
+  all: try (now intros x ->). all: try (apply exists_single; cbv; tauto).
+  all: apply exists_empty; cbv; intuition discriminate.
+Qed.
+
+Lemma scene_without_ok s e : Escena_ok s -> Escena_ok (scene_without s e).
+Proof.
+  intros ok. split; cbn; try (apply pfun_ndres, ok).
+  - apply finset_subset with (elementos s); [apply ok | now intros x []].
+  - intros x. rewrite dom_ndres, <- (Escena_inv_1 ok x). reflexivity.
+  - intros x. rewrite dom_ndres, <- (Escena_inv_2 ok x). reflexivity.
+  - intros x. now rewrite dom_ndres, image_inverse_ndres, (Escena_inv_3 ok x).
+  - intros x. now rewrite dom_ndres, image_inverse_ndres, (Escena_inv_4 ok x).
+  - intros x. now rewrite dom_ndres, image_inverse_ndres, (Escena_inv_5 ok x).
+  - intros x. now rewrite dom_ndres, image_inverse_ndres, (Escena_inv_6 ok x).
+  - reflexivity.
+  - intros d [x [_ H]]. apply (Escena_inv_8 ok). now exists x.
+Qed.
+
+(** ** Each operation, computed: its preconditions, its only after-state and its answer *)
+
+(** Agregar_Esfera happens exactly from a scene without e, with t = soy_esfera and a positive radius; the scene then
+    gains that sphere and nothing else. Discharges Agregar_Elemento.pre.1, Agregar_Elemento.post.1,
+    Agregar_Elemento.post.2, Agregar_Esfera.pre.1, Agregar_Esfera.pre.2, Agregar_Esfera.post.1, Agregar_Esfera.post.2,
+    Agregar_Esfera.post.3, Agregar_Esfera.post.4, Agregar_Esfera.post.5, Agregar_Esfera.post.6. *)
+Theorem Agregar_Esfera_computed s s' e t r_out c r :
+  Agregar_Esfera s s' e t r_out c r <->
+  (Escena_ok s /\ e ∉ elementos s /\ t = soy_esfera /\ r ∈ Rmas)
+  /\ Escena_eq (with_esfera s e c r) s' /\ r_out = esfera_agregada.
+Proof.
+  split.
+  - intros [[[ok ok'] He P1 P2] -> Hr Q1 Q2 Q3 Q4 Q5 ->].
+    split; [auto | split; [| reflexivity]]. split; cbn; rewrite ?at_one_single, ?at_one_empty; auto.
+    now rewrite (Escena_inv_7 ok'), P2.
+  - intros [[ok [He [-> Hr]]] [E ->]]. pose proof (with_esfera_ok s e c r ok He Hr) as okw.
+    pose proof (Escena_ok_eq _ _ _ E okw). destruct E as [E1 E2 E3 E4 E5 E6 E7 E8]. cbn in *.
+    rewrite ?at_one_single, ?at_one_empty in *. split; auto. split; auto. split; auto.
+Qed.
+
+(** Agregar_Cilindro happens exactly when its clauses hold; the scene then gains that cylinder and nothing else.
+    Discharges Agregar_Cilindro.pre.1, Agregar_Cilindro.pre.2, Agregar_Cilindro.pre.3, Agregar_Cilindro.pre.4,
+    Agregar_Cilindro.post.1, Agregar_Cilindro.post.2, Agregar_Cilindro.post.3, Agregar_Cilindro.post.4,
+    Agregar_Cilindro.post.5, Agregar_Cilindro.post.6. *)
+Theorem Agregar_Cilindro_computed s s' e t r_out c r d h :
+  Agregar_Cilindro s s' e t r_out c r d h <->
+  (Escena_ok s /\ e ∉ elementos s /\ t = soy_cilindro /\ r ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas)
+  /\ Escena_eq (with_cilindro s e c r d h) s' /\ r_out = cilindro_agregado.
+Proof.
+  split.
+  - intros [[[ok ok'] He P1 P2] -> Hr Hd Hh Q1 Q2 Q3 Q4 Q5 ->].
+    split; [auto 10 | split; [| reflexivity]]. split; cbn; rewrite ?at_one_single, ?at_one_empty; auto.
+    now rewrite (Escena_inv_7 ok'), P2.
+  - intros [[ok [He [-> [Hr [Hd Hh]]]]] [E ->]]. pose proof (with_cilindro_ok s e c r d h ok He Hr Hd Hh) as okw.
+    pose proof (Escena_ok_eq _ _ _ E okw). destruct E as [E1 E2 E3 E4 E5 E6 E7 E8]. cbn in *.
+    rewrite ?at_one_single, ?at_one_empty in *. split; auto. split; auto. split; auto.
+Qed.
+
+(** Agregar_Cono happens exactly when its clauses hold; the scene then gains that cone and nothing else.
+    Discharges Agregar_Cono.pre.1, Agregar_Cono.pre.2, Agregar_Cono.pre.3, Agregar_Cono.pre.4, Agregar_Cono.post.1,
+    Agregar_Cono.post.2, Agregar_Cono.post.3, Agregar_Cono.post.4, Agregar_Cono.post.5, Agregar_Cono.post.6. *)
+Theorem Agregar_Cono_computed s s' e t r_out c k d h :
+  Agregar_Cono s s' e t r_out c k d h <->
+  (Escena_ok s /\ e ∉ elementos s /\ t = soy_cono /\ k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas)
+  /\ Escena_eq (with_cono s e c k d h) s' /\ r_out = cono_agregado.
+Proof.
+  split.
+  - intros [[[ok ok'] He P1 P2] -> Hk Hd Hh Q1 Q2 Q3 Q4 Q5 ->].
+    split; [auto 10 | split; [| reflexivity]]. split; cbn; rewrite ?at_one_single, ?at_one_empty; auto.
+    now rewrite (Escena_inv_7 ok'), P2.
+  - intros [[ok [He [-> [Hk [Hd Hh]]]]] [E ->]]. pose proof (with_cono_ok s e c k d h ok He Hk Hd Hh) as okw.
+    pose proof (Escena_ok_eq _ _ _ E okw). destruct E as [E1 E2 E3 E4 E5 E6 E7 E8]. cbn in *.
+    rewrite ?at_one_single, ?at_one_empty in *. split; auto. split; auto. split; auto.
+Qed.
+
+(** An attribute that the type of e does not have is untouched by removing e. *)
+Lemma no_attribute {X} (f : rel Elemento X) e (P : Prop) : (dom f e <-> P) -> ~ P -> ndres ⦃e⦄ f ≡ f.
+Proof. intros H HP. apply ndres_outside. now rewrite H. Qed.
+
+(** Eliminar_Esfera happens exactly on a sphere of the scene; the scene then loses it and nothing else.
+    Discharges Eliminar_Elemento.pre.1, Eliminar_Elemento.post.1, Eliminar_Elemento.post.2, Eliminar_Esfera.pre.1,
+    Eliminar_Esfera.post.1, Eliminar_Esfera.post.2, Eliminar_Esfera.post.3, Eliminar_Esfera.post.4,
+    Eliminar_Esfera.post.5, Eliminar_Esfera.post.6. *)
+Theorem Eliminar_Esfera_computed s s' e r_out :
+  Eliminar_Esfera s s' e r_out <->
+  (Escena_ok s /\ (e, soy_esfera) ∈ de_que_tipo s) /\ Escena_eq (scene_without s e) s' /\ r_out = esfera_eliminada.
+Proof.
+  assert (N : forall s, Escena_ok s -> (e, soy_esfera) ∈ de_que_tipo s -> ndres ⦃e⦄ (mi_vector s) ≡ mi_vector s
+    /\ ndres ⦃e⦄ (mi_altura s) ≡ mi_altura s /\ ndres ⦃e⦄ (mi_proporcion s) ≡ mi_proporcion s).
+  { intros s0 ok Ht. pose proof (has_vector _ _ ok e _ Ht). pose proof (has_altura _ _ ok e _ Ht).
+    pose proof (has_proporcion _ _ ok e _ Ht). split; [| split]; eapply no_attribute; eauto; intuition discriminate. }
+  split.
+  - intros [[[ok ok'] He P1 P2] [t [Ht ->]] Q1 Q2 Q3 Q4 Q5 ->]. destruct (N s ok Ht) as [N1 [N2 N3]].
+    split; [auto | split; [| reflexivity]]. split; cbn; rewrite ?N1, ?N2, ?N3; auto. now rewrite (Escena_inv_7 ok'), P2.
+  - intros [[ok Ht] [E ->]]. destruct (N s ok Ht) as [N1 [N2 N3]].
+    pose proof (Escena_ok_eq _ _ _ E (scene_without_ok s e ok)). destruct E as [E1 E2 E3 E4 E5 E6 E7 E8]. cbn in *.
+    rewrite ?N1, ?N2, ?N3 in *. pose proof (element_of_type _ _ ok _ _ Ht). split; eauto. split; auto. split; auto.
+Qed.
+
+(** Eliminar_Cilindro happens exactly on a cylinder of the scene; the scene then loses it and nothing else.
+    Discharges Eliminar_Cilindro.pre.1, Eliminar_Cilindro.post.1, Eliminar_Cilindro.post.2, Eliminar_Cilindro.post.3,
+    Eliminar_Cilindro.post.4, Eliminar_Cilindro.post.5, Eliminar_Cilindro.post.6. *)
+Theorem Eliminar_Cilindro_computed s s' e r_out :
+  Eliminar_Cilindro s s' e r_out <->
+  (Escena_ok s /\ (e, soy_cilindro) ∈ de_que_tipo s) /\ Escena_eq (scene_without s e) s' /\ r_out = cilindro_eliminado.
+Proof.
+  assert (N : forall s, Escena_ok s -> (e, soy_cilindro) ∈ de_que_tipo s ->
+    ndres ⦃e⦄ (mi_proporcion s) ≡ mi_proporcion s).
+  { intros s0 ok Ht. pose proof (has_proporcion _ _ ok e _ Ht). eapply no_attribute; eauto; discriminate. }
+  split.
+  - intros [[[ok ok'] He P1 P2] [t [Ht ->]] Q1 Q2 Q3 Q4 Q5 ->]. pose proof (N s ok Ht) as N1.
+    split; [auto | split; [| reflexivity]]. split; cbn; rewrite ?N1; auto. now rewrite (Escena_inv_7 ok'), P2.
+  - intros [[ok Ht] [E ->]]. pose proof (N s ok Ht) as N1.
+    pose proof (Escena_ok_eq _ _ _ E (scene_without_ok s e ok)). destruct E as [E1 E2 E3 E4 E5 E6 E7 E8]. cbn in *.
+    rewrite ?N1 in *. pose proof (element_of_type _ _ ok _ _ Ht). split; eauto. split; auto. split; auto.
+Qed.
+
+(** Eliminar_Cono happens exactly on a cone of the scene; the scene then loses it and nothing else.
+    Discharges Eliminar_Cono.pre.1, Eliminar_Cono.post.1, Eliminar_Cono.post.2, Eliminar_Cono.post.3,
+    Eliminar_Cono.post.4, Eliminar_Cono.post.5, Eliminar_Cono.post.6. *)
+Theorem Eliminar_Cono_computed s s' e r_out :
+  Eliminar_Cono s s' e r_out <->
+  (Escena_ok s /\ (e, soy_cono) ∈ de_que_tipo s) /\ Escena_eq (scene_without s e) s' /\ r_out = cono_eliminado.
+Proof.
+  assert (N : forall s, Escena_ok s -> (e, soy_cono) ∈ de_que_tipo s -> ndres ⦃e⦄ (mi_radio s) ≡ mi_radio s).
+  { intros s0 ok Ht. pose proof (has_radio _ _ ok e _ Ht). eapply no_attribute; eauto; intuition discriminate. }
+  split.
+  - intros [[[ok ok'] He P1 P2] [t [Ht ->]] Q1 Q2 Q3 Q4 Q5 ->]. pose proof (N s ok Ht) as N1.
+    split; [auto | split; [| reflexivity]]. split; cbn; rewrite ?N1; auto. now rewrite (Escena_inv_7 ok'), P2.
+  - intros [[ok Ht] [E ->]]. pose proof (N s ok Ht) as N1.
+    pose proof (Escena_ok_eq _ _ _ E (scene_without_ok s e ok)). destruct E as [E1 E2 E3 E4 E5 E6 E7 E8]. cbn in *.
+    rewrite ?N1 in *. pose proof (element_of_type _ _ ok _ _ Ht). split; eauto. split; auto. split; auto.
+Qed.
+
+(** ** The preconditions are the stated clauses, and nothing more *)
+
+(** pre Agregar_Esfera is exactly its stated clauses. *)
+Theorem pre_Agregar_Esfera s e t c r :
+  (exists s' r_out, Agregar_Esfera s s' e t r_out c r) <->
+  Escena_ok s /\ e ∉ elementos s /\ t = soy_esfera /\ r ∈ Rmas.
+Proof.
+  split; [intros [s' [r_out H]]; now apply Agregar_Esfera_computed in H |].
+  intros H. exists (with_esfera s e c r), esfera_agregada. apply Agregar_Esfera_computed. auto using Escena_eq_refl.
+Qed.
+(** pre Agregar_Cilindro is exactly its stated clauses. *)
+Theorem pre_Agregar_Cilindro s e t c r d h :
+  (exists s' r_out, Agregar_Cilindro s s' e t r_out c r d h) <->
+  Escena_ok s /\ e ∉ elementos s /\ t = soy_cilindro /\ r ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas.
+Proof.
+  split; [intros [s' [r_out H]]; now apply Agregar_Cilindro_computed in H |]. intros H.
+  exists (with_cilindro s e c r d h), cilindro_agregado. apply Agregar_Cilindro_computed. auto using Escena_eq_refl.
+Qed.
+(** pre Agregar_Cono is exactly its stated clauses. *)
+Theorem pre_Agregar_Cono s e t c k d h :
+  (exists s' r_out, Agregar_Cono s s' e t r_out c k d h) <->
+  Escena_ok s /\ e ∉ elementos s /\ t = soy_cono /\ k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas.
+Proof.
+  split; [intros [s' [r_out H]]; now apply Agregar_Cono_computed in H |].
+  intros H. exists (with_cono s e c k d h), cono_agregado. apply Agregar_Cono_computed. auto using Escena_eq_refl.
+Qed.
+(** pre of each removal is exactly that e is an element of its type. *)
+Theorem pre_Eliminar s e :
+  ((exists s' r_out, Eliminar_Esfera s s' e r_out) <-> Escena_ok s /\ (e, soy_esfera) ∈ de_que_tipo s)
+  /\ ((exists s' r_out, Eliminar_Cilindro s s' e r_out) <-> Escena_ok s /\ (e, soy_cilindro) ∈ de_que_tipo s)
+  /\ ((exists s' r_out, Eliminar_Cono s s' e r_out) <-> Escena_ok s /\ (e, soy_cono) ∈ de_que_tipo s).
+Proof.
+  split; [| split]; (split; [intros [s' [r_out H]] | intros H; exists (scene_without s e)]).
+  - now apply Eliminar_Esfera_computed in H.
+  - exists esfera_eliminada. apply Eliminar_Esfera_computed. auto using Escena_eq_refl.
+  - now apply Eliminar_Cilindro_computed in H.
+  - exists cilindro_eliminado. apply Eliminar_Cilindro_computed. auto using Escena_eq_refl.
+  - now apply Eliminar_Cono_computed in H.
+  - exists cono_eliminado. apply Eliminar_Cono_computed. auto using Escena_eq_refl.
+Qed.
+
+(** ** The promoted operations *)
+
+(** The operation e, t, c, r, d, h, k asks for is possible: the clauses of the type t hold. *)
+Definition addition_possible s e t (r : R) d (h k : R) : Prop :=
+  Escena_ok s /\ e ∉ elementos s /\
+  match t with
+  | soy_esfera => r ∈ Rmas
+  | soy_cilindro => r ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas
+  | soy_cono => k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas
+  end.
+Definition scene_added s e t c r d h k : Escena :=
+  match t with
+  | soy_esfera => with_esfera s e c r
+  | soy_cilindro => with_cilindro s e c r d h
+  | soy_cono => with_cono s e c k d h
+  end.
+
+(** The general addition is that of the type given, with the general answer. Discharges Elemento_Agregado.post.1. *)
+Theorem Elemento_Agregado_computed s s' e t c r d h k r_out :
+  Elemento_Agregado s s' e t c r d h k r_out <->
+  addition_possible s e t r d h k /\ Escena_eq (scene_added s e t c r d h k) s' /\ r_out = elemento_agregado.
+Proof.
+  unfold Elemento_Agregado, addition_possible, scene_added. split.
+  - intros [[r0 [H | [H | H]]] ->].
+    + apply Agregar_Esfera_computed in H as [[? [? [-> ?]]] [? _]]. auto.
+    + apply Agregar_Cilindro_computed in H as [[? [? [-> ?]]] [? _]]. auto.
+    + apply Agregar_Cono_computed in H as [[? [? [-> ?]]] [? _]]. auto.
+  - intros [[ok [He H]] [E ->]]. split; [| reflexivity]. destruct t.
+    + exists esfera_agregada. left. apply Agregar_Esfera_computed. auto.
+    + exists cilindro_agregado. right; left. apply Agregar_Cilindro_computed. auto.
+    + exists cono_agregado. right; right. apply Agregar_Cono_computed. auto.
+Qed.
+
+(** The general removal happens exactly on an element of the scene. Discharges Elemento_Eliminado.post.1. *)
+Theorem Elemento_Eliminado_computed s s' e r_out :
+  Elemento_Eliminado s s' e r_out <->
+  (Escena_ok s /\ e ∈ elementos s) /\ Escena_eq (scene_without s e) s' /\ r_out = elemento_eliminado.
+Proof.
+  unfold Elemento_Eliminado. split.
+  - intros [[r0 [H | [H | H]]] ->].
+    + apply Eliminar_Esfera_computed in H as [[ok H] [? _]]. eauto 6 using (element_of_type _ _ ok).
+    + apply Eliminar_Cilindro_computed in H as [[ok H] [? _]]. eauto 6 using (element_of_type _ _ ok).
+    + apply Eliminar_Cono_computed in H as [[ok H] [? _]]. eauto 6 using (element_of_type _ _ ok).
+  - intros [[ok He] [E ->]]. split; [| reflexivity]. destruct (type_of_element _ _ ok e He) as [[] Ht].
+    + exists esfera_eliminada. left. apply Eliminar_Esfera_computed. auto.
+    + exists cilindro_eliminado. right; left. apply Eliminar_Cilindro_computed. auto.
+    + exists cono_eliminado. right; right. apply Eliminar_Cono_computed. auto.
+Qed.
+
+(** Each operation of one type is an instance of the general one, up to the answer. *)
+Theorem specific_is_general s s' e t r_out c r d h k :
+  (Agregar_Esfera s s' e t r_out c r \/ Agregar_Cilindro s s' e t r_out c r d h
+   \/ Agregar_Cono s s' e t r_out c k d h -> Elemento_Agregado s s' e t c r d h k elemento_agregado)
+  /\ (Eliminar_Esfera s s' e r_out \/ Eliminar_Cilindro s s' e r_out \/ Eliminar_Cono s s' e r_out ->
+      Elemento_Eliminado s s' e elemento_eliminado).
+Proof. split; intros H; (split; [now exists r_out | reflexivity]). Qed.
+
+(** The general operations determine the scene: two after-states are equal. *)
+Theorem operations_deterministic s s1 s2 e t c r d h k r1 r2 :
+  (Elemento_Agregado s s1 e t c r d h k r1 -> Elemento_Agregado s s2 e t c r d h k r2 -> Escena_eq s1 s2)
+  /\ (Elemento_Eliminado s s1 e r1 -> Elemento_Eliminado s s2 e r2 -> Escena_eq s1 s2).
+Proof.
+  split; intros H1 H2.
+  - apply Elemento_Agregado_computed in H1 as [_ [H1 _]], H2 as [_ [H2 _]]. eauto using Escena_eq_trans, Escena_eq_sym.
+  - apply Elemento_Eliminado_computed in H1 as [_ [H1 _]], H2 as [_ [H2 _]]. eauto using Escena_eq_trans, Escena_eq_sym.
+Qed.
+
+(** ** To add and then remove is the identity *)
+
+Lemma scene_without_eq s s' e : Escena_eq s s' -> Escena_eq (scene_without s e) (scene_without s' e).
+Proof. intros [H1 H2 H3 H4 H5 H6 H7 H8]. split; cbn; now rewrite ?H1, ?H3, ?H4, ?H5, ?H6, ?H7, ?H8. Qed.
+
+Lemma scene_with_without s e t c rs ds hs ks : Escena_ok s -> e ∉ elementos s ->
+  Escena_eq (scene_without (scene_with s e t c rs ds hs ks) e) s.
+Proof.
+  intros ok He.
+  assert (T : ndres ⦃e⦄ (de_que_tipo s ∪ ⦃(e, t)⦄) ≡ de_que_tipo s).
+  { rewrite <- at_one_single. apply ndres_union_at_one. now rewrite <- (Escena_inv_1 ok e). }
+  split; cbn; rewrite ?T; symmetry; try (apply ndres_union_at_one); auto.
+  - intros x. unfold diff, union, single. split; [tauto | intros H; split; [auto | congruence]].
+  - symmetry. apply (Escena_inv_7 ok).
+  - reflexivity.
+  - intros H. now apply He, (element_of_centro _ _ ok).
+  - intros H. now apply He, (element_of_radio _ _ ok).
+  - intros H. now apply He, (element_of_vector _ _ ok).
+  - intros H. now apply He, (element_of_altura _ _ ok).
+  - intros H. now apply He, (element_of_proporcion _ _ ok).
+Qed.
+
+(** An element that was added can be removed, and removing it gives the scene before. *)
+Theorem add_then_remove s s1 e t c r d h k r1 : Elemento_Agregado s s1 e t c r d h k r1 ->
+  (exists s2 r2, Elemento_Eliminado s1 s2 e r2)
+  /\ forall s2 r2, Elemento_Eliminado s1 s2 e r2 -> Escena_eq s s2.
+Proof.
+  intros H. apply Elemento_Agregado_computed in H as [[ok [He H]] [E _]].
+  assert (Ew : Escena_eq (scene_without s1 e) s).
+  { apply Escena_eq_trans with (scene_without (scene_added s e t c r d h k) e).
+    - now apply scene_without_eq, Escena_eq_sym.
+    - destruct t; now apply scene_with_without. }
+  split.
+  - exists (scene_without s1 e), elemento_eliminado. apply Elemento_Eliminado_computed.
+    split; [split | auto using Escena_eq_refl].
+    + apply Escena_ok_eq with (1 := E). destruct t; cbn; [apply with_esfera_ok | apply with_cilindro_ok | apply with_cono_ok];
+        tauto.
+    + apply (Escena_eq_elementos E). destruct t; now right.
+  - intros s2 r2 H2. apply Elemento_Eliminado_computed in H2 as [_ [E2 _]].
+    eauto using Escena_eq_trans, Escena_eq_sym.
+Qed.
+
+(** ** An edit of one element leaves every other as it was *)
+
+Definition same_at (x : Elemento) s s' : Prop :=
+  (x ∈ elementos s <-> x ∈ elementos s')
+  /\ (forall v, (x, v) ∈ de_que_tipo s <-> (x, v) ∈ de_que_tipo s')
+  /\ (forall v, (x, v) ∈ mi_centro s <-> (x, v) ∈ mi_centro s')
+  /\ (forall v, (x, v) ∈ mi_radio s <-> (x, v) ∈ mi_radio s')
+  /\ (forall v, (x, v) ∈ mi_vector s <-> (x, v) ∈ mi_vector s')
+  /\ (forall v, (x, v) ∈ mi_altura s <-> (x, v) ∈ mi_altura s')
+  /\ (forall v, (x, v) ∈ mi_proporcion s <-> (x, v) ∈ mi_proporcion s').
+
+Lemma same_at_eq x s s' s'' : same_at x s s' -> Escena_eq s' s'' -> same_at x s s''.
+Proof.
+  intros [H1 [H2 [H3 [H4 [H5 [H6 H7]]]]]] [E1 _ E2 E3 E4 E5 E6 E7].
+  split; [now rewrite H1, (E1 x) |]. split; [intros v; now rewrite H2, (E2 (x, v)) |].
+  split; [intros v; now rewrite H3, (E3 (x, v)) |]. split; [intros v; now rewrite H4, (E4 (x, v)) |].
+  split; [intros v; now rewrite H5, (E5 (x, v)) |]. split; [intros v; now rewrite H6, (E6 (x, v)) |].
+  intros v; now rewrite H7, (E7 (x, v)).
+Qed.
+
+Lemma scene_with_same x s e t c rs ds hs ks : x <> e -> same_at x s (scene_with s e t c rs ds hs ks).
+Proof.
+  intros Hx. unfold same_at; cbn; unfold union, single, at_one; cbn.
+  repeat match goal with |- _ /\ _ => split end; intuition congruence.
+Qed.
+Lemma scene_without_same x s e : x <> e -> same_at x s (scene_without s e).
+Proof.
+  intros Hx. unfold same_at; cbn; unfold diff, ndres, single; cbn.
+  repeat match goal with |- _ /\ _ => split end; intuition congruence.
+Qed.
+
+(** Adding or removing e changes neither the presence, nor the type, nor any attribute of another element x. *)
+Theorem others_untouched x s s' e t c r d h k r_out : x <> e ->
+  Elemento_Agregado s s' e t c r d h k r_out \/ Elemento_Eliminado s s' e r_out -> same_at x s s'.
+Proof.
+  intros Hx [H | H].
+  - apply Elemento_Agregado_computed in H as [_ [E _]]. apply same_at_eq with (2 := E).
+    destruct t; now apply scene_with_same.
+  - apply Elemento_Eliminado_computed in H as [_ [E _]]. apply same_at_eq with (2 := E). now apply scene_without_same.
+Qed.
+
+(** ** The total operations *)
+
+Lemma Xi_refl s : Escena_ok s -> Xi_Escena s s.
+Proof. intros ok. split; [now split | apply Escena_eq_refl]. Qed.
+
+(** Every total operation answers every call on a scene that satisfies the invariant.
+    Discharges Elemento_Ya_Existe.pre.1, Elemento_Ya_Existe.post.1, Elemento_No_Existe.pre.1,
+    Elemento_No_Existe.post.1, Radio_No_Positivo.pre.1, Radio_No_Positivo.post.1, Vector_No_Unitario.pre.1,
+    Vector_No_Unitario.post.1, Altura_No_Positiva.pre.1, Altura_No_Positiva.post.1, Proporcion_No_Positiva.pre.1,
+    Proporcion_No_Positiva.post.1, No_Es_Esfera.pre.1, No_Es_Esfera.pre.2, No_Es_Esfera.post.1, No_Es_Cilindro.pre.1,
+    No_Es_Cilindro.pre.2, No_Es_Cilindro.post.1, No_Es_Cono.pre.1, No_Es_Cono.pre.2, No_Es_Cono.post.1,
+    Es_Esfera.pre.1, Es_Cono.pre.1. *)
+Theorem total_operations_are_total s e t c r d h k : Escena_ok s ->
+  (exists s' r_out, Agregar_Esfera_Total s s' e r_out c r)
+  /\ (exists s' r_out, Agregar_Cilindro_Total s s' e r_out c r d h)
+  /\ (exists s' r_out, Agregar_Cono_Total s s' e r_out c k d h)
+  /\ (exists s' r_out, Eliminar_Esfera_Total s s' e r_out)
+  /\ (exists s' r_out, Eliminar_Cilindro_Total s s' e r_out)
+  /\ (exists s' r_out, Eliminar_Cono_Total s s' e r_out)
+  /\ (exists s' r_out, Agregar_Elemento_Total s s' e t c r d h k r_out)
+  /\ (exists s' r_out, Eliminar_Elemento_Total s s' e r_out).
+Proof.
+  intros ok. pose proof (Xi_refl s ok) as X.
+  assert (pe := pre_Agregar_Esfera s e soy_esfera c r). assert (pl := pre_Agregar_Cilindro s e soy_cilindro c r d h).
+  assert (pk := pre_Agregar_Cono s e soy_cono c k d h). destruct (pre_Eliminar s e) as [qe [ql qk]].
+  assert (Y : e ∈ elementos s -> Elemento_Ya_Existe s s e elemento_ya_existe) by now split.
+  assert (NE : e ∉ elementos s -> Elemento_No_Existe s s e elemento_no_existe) by now split.
+  assert (RN : r ∉ Rmas -> Radio_No_Positivo s s r radio_no_positivo) by now split.
+  assert (VN : d ∉ Unitario -> Vector_No_Unitario s s d vector_no_unitario) by now split.
+  assert (AN : h ∉ Rmas -> Altura_No_Positiva s s h altura_no_positiva) by now split.
+  assert (PN : k ∉ Rmas -> Proporcion_No_Positiva s s k proporcion_no_positiva) by now split.
+  pose proof (classic (e ∈ elementos s)) as Ce. pose proof (classic (r ∈ Rmas)) as Cr.
+  pose proof (classic (d ∈ Unitario)) as Cd. pose proof (classic (h ∈ Rmas)) as Ch.
+  pose proof (classic (k ∈ Rmas)) as Ck.
+  unfold Agregar_Esfera_Total, Agregar_Cilindro_Total, Agregar_Cono_Total, Eliminar_Esfera_Total,
+    Eliminar_Cilindro_Total, Eliminar_Cono_Total, Agregar_Elemento_Total, Eliminar_Elemento_Total.
+  split; [| split; [| split; [| split; [| split; [| split; [| split]]]]]].
+  - destruct Ce; [eauto 10 |]. destruct Cr; [| eauto 10].
+    destruct (proj2 pe) as [s' [r_out H']]; [auto |]. eauto 10.
+  - destruct Ce; [eauto 10 |]. destruct Cr; [| eauto 10]. destruct Cd; [| eauto 10]. destruct Ch; [| eauto 10].
+    destruct (proj2 pl) as [s' [r_out H']]; [auto 8 |]. eauto 10.
+  - destruct Ce; [eauto 10 |]. destruct Ck; [| eauto 10]. destruct Cd; [| eauto 10]. destruct Ch; [| eauto 10].
+    destruct (proj2 pk) as [s' [r_out H']]; [auto 8 |]. eauto 10.
+  - destruct Ce as [He |]; [| eauto 10]. destruct (type_of_element _ _ ok e He) as [[] Ht].
+    + destruct (proj2 qe) as [s' [r_out H']]; eauto.
+    + exists s, tipo_incorrecto. right; right. split; eauto; exists soy_cilindro; now split.
+    + exists s, tipo_incorrecto. right; right. split; eauto; exists soy_cono; now split.
+  - destruct Ce as [He |]; [| eauto 10]. destruct (type_of_element _ _ ok e He) as [[] Ht].
+    + exists s, tipo_incorrecto. right; right. split; eauto; exists soy_esfera; now split.
+    + destruct (proj2 ql) as [s' [r_out H']]; eauto.
+    + exists s, tipo_incorrecto. right; right. split; eauto; exists soy_cono; now split.
+  - destruct Ce as [He |]; [| eauto 10]. destruct (type_of_element _ _ ok e He) as [[] Ht].
+    + exists s, tipo_incorrecto. right; right. split; eauto; exists soy_esfera; now split.
+    + exists s, tipo_incorrecto. right; right. split; eauto; exists soy_cilindro; now split.
+    + destruct (proj2 qk) as [s' [r_out H']]; eauto.
+  - destruct Ce; [eauto 10 |].
+    destruct (classic (addition_possible s e t r d h k)) as [P | P].
+    { exists (scene_added s e t c r d h k), elemento_agregado. left. apply Elemento_Agregado_computed.
+      auto using Escena_eq_refl. }
+    unfold addition_possible, Es_Cono, Es_Esfera in *. destruct t.
+    + destruct Cr; [tauto |]. exists s, radio_no_positivo. right; right; left. split; [auto | discriminate].
+    + destruct Cr; [destruct Cd; [destruct Ch; [tauto |] |] |].
+      * exists s, altura_no_positiva. right; right; right; right. split; [auto | discriminate].
+      * exists s, vector_no_unitario. right; right; right; right. split; [auto | discriminate].
+      * exists s, radio_no_positivo. right; right; left. split; [auto | discriminate].
+    + destruct Ck; [destruct Cd; [destruct Ch; [tauto |] |] |].
+      * exists s, altura_no_positiva. right; right; right; right. split; [auto | discriminate].
+      * exists s, vector_no_unitario. right; right; right; right. split; [auto | discriminate].
+      * exists s, proporcion_no_positiva. right; right; right; left. split; [auto | reflexivity].
+  - destruct Ce as [He | He].
+    + exists (scene_without s e), elemento_eliminado. left. apply Elemento_Eliminado_computed. auto using Escena_eq_refl.
+    + exists s, elemento_no_existe. right. auto.
+Qed.
+
+(** Whatever the total operation answers, the scene after it satisfies the invariant; and it is the scene before it
+    unless the answer is that the element was added. *)
+Theorem total_addition_safe s s' e t c r d h k r_out : Agregar_Elemento_Total s s' e t c r d h k r_out ->
+  Escena_ok s' /\ (r_out <> elemento_agregado -> Escena_eq s s').
+Proof.
+  assert (X : Xi_Escena s s' -> Escena_ok s' /\ (r_out <> elemento_agregado -> Escena_eq s s')).
+  { intros [[_ ok'] E]. auto. }
+  intros [H | [H | [[H _] | [[H _] | [[H | H] _]]]]]; try (now apply X, H).
+  pose proof (proj2 H) as ->. split; [| easy].
+  destruct H as [[r0 [H | [H | H]]] _]; apply H.
+Qed.
+(** The same of the total removal. *)
+Theorem total_removal_safe s s' e r_out : Eliminar_Elemento_Total s s' e r_out ->
+  Escena_ok s' /\ (r_out <> elemento_eliminado -> Escena_eq s s').
+Proof.
+  intros [H | H]; [| destruct H as [[[_ ok'] E] _ _]; auto].
+  pose proof (proj2 H) as ->. split; [| easy]. destruct H as [[r0 [H | [H | H]]] _]; apply H.
+Qed.
+
+End Operaciones.

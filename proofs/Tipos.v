@@ -1,0 +1,63 @@
+(** spec/tipos.tex: the reals of the text are Coq's, and its constants exist.
+
+    Rmas                 == the positive reals
+    Unitario             == the vectors d with |d·d − 1| ≤ tolerancia_unidad
+    dot v w, sq v        == v·w and v·v *)
+From Coq Require Import Reals Lra Lia.
+From Durero Require Import Toolkit Especificacion.
+Local Open Scope R_scope.
+
+Definition dot (v w : Vector) : R :=
+  Vector_x v * Vector_x w + Vector_y v * Vector_y w + Vector_z v * Vector_z w.
+Definition sq (v : Vector) : R := dot v v.
+
+(** The integers are reals, without two becoming one. Discharges real.axiom.1. *)
+Theorem reals_contain_integers : real_axiom_1.
+Proof. exists IZR. intros m n. apply eq_IZR. Qed.
+
+(** Sums, differences and products of reals are reals. Discharges real.axiom.2. *)
+Theorem reals_closed : real_axiom_2.
+Proof. intros a b. repeat split; eauto. Qed.
+
+(** A real other than 0 has exactly one inverse. Discharges real.axiom.3. *)
+Theorem reals_inverse : real_axiom_3.
+Proof.
+  intros a Ha. exists (/ a). split; [now apply Rinv_r | intros b Hb].
+  apply Rmult_eq_reg_l with a; [rewrite Rinv_r; auto | assumption].
+Qed.
+
+(** A non-empty set of reals that is bounded above has exactly one least upper bound. Discharges real.axiom.4. *)
+Theorem reals_complete : real_axiom_4.
+Proof.
+  intros S Hne [c Hc]. destruct (completeness S) as [m [Hm Hleast]]; [now exists c | assumption |].
+  exists m. split; [split; [exact Hm | exact Hleast] |].
+  intros m' [Hm' Hleast']. apply Rle_antisym; [now apply Hleast | now apply Hleast'].
+Qed.
+
+(** The tolerance of the text is the one real that its axiom describes, and it is positive.
+    Discharges tolerancia_unidad.def.1. *)
+Theorem tolerancia_unidad_exists_uniquely :
+  Rmas tolerancia_unidad /\ tolerancia_unidad_def_1 tolerancia_unidad
+  /\ forall t, tolerancia_unidad_def_1 t -> t = tolerancia_unidad.
+Proof. unfold Rmas, tolerancia_unidad_def_1, tolerancia_unidad. repeat split; intros; lra. Qed.
+
+Lemma sq_nonneg v : 0 <= sq v.
+Proof. unfold sq, dot. generalize (Rle_0_sqr (Vector_x v)) (Rle_0_sqr (Vector_y v)) (Rle_0_sqr (Vector_z v)).
+  unfold Rsqr. lra. Qed.
+
+Lemma sq_zero v : sq v = 0 -> Vector_x v = 0 /\ Vector_y v = 0 /\ Vector_z v = 0.
+Proof.
+  generalize (Rle_0_sqr (Vector_x v)) (Rle_0_sqr (Vector_y v)) (Rle_0_sqr (Vector_z v)).
+  unfold sq, dot, Rsqr. intros. repeat split; apply Rsqr_0_uniq; unfold Rsqr; lra.
+Qed.
+
+(** The direction of a ray has a positive square: what Rayo.inv.1 is needed for. *)
+Theorem ray_direction_positive ray : Rayo_ok ray -> 0 < sq (Rayo_v ray).
+Proof.
+  intros [H]. destruct (sq_nonneg (Rayo_v ray)) as [Hlt | Heq]; [exact Hlt |].
+  now destruct H; apply sq_zero.
+Qed.
+
+(** A stored axis has a square between 1/2 and 2, so it is not null. Discharges Unitario.inv.1. *)
+Theorem axis_square_bounds d : Unitario d -> 1 / 2 < sq d < 2.
+Proof. unfold Unitario, tolerancia_unidad, sq, dot. lra. Qed.
