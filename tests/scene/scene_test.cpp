@@ -1,31 +1,282 @@
 #include "durero/scene/scene.hpp"
 
+#include <bit>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+
+#include "durero/model/operaciones_predicates.hpp"
 #include "durero/scene/retrieve.hpp"
 #include "support/catch.hpp"
+#include "support/clauses.hpp"
+#include "support/failing_new.hpp"
+#include "support/model_gen.hpp"
+#include "support/property.hpp"
 
 using namespace durero;
-using model::Elemento;
-using model::Operation;
-using model::Punto;
-using model::Respuesta;
-using model::Vector;
+using namespace durero::model;
+using namespace durero::test;
+using contract::cost;
+using contract::evaluation_semantic;
+using contract::scoped_semantic;
+using scene::ElementRef;
+using scene::Scene;
+
+namespace {
+
+const Punto origin(0, 0, 0);
+const Vector axis(0, 0, 1);
+
+/// Everything that can be seen of a scene, row by row.
+auto picture(const Scene& scene) {
+  std::vector<std::tuple<ElementRef, std::string, std::vector<double>, std::optional<std::uint32_t>>> rows;
+  const auto add = [&](Tipo t, std::size_t i, std::vector<double> numbers) {
+    const ElementRef element{t, static_cast<std::uint32_t>(i)};
+    rows.emplace_back(element, scene.name(element).name(), std::move(numbers), scene.material(element));
+  };
+  for (std::size_t i = 0; i < scene.spheres().size(); ++i) {
+    const auto& s = scene.spheres()[i];
+    add(Tipo::soy_esfera, i, {s.centro.x, s.centro.y, s.centro.z, s.radio});
+  }
+  for (std::size_t i = 0; i < scene.cylinders().size(); ++i) {
+    const auto& c = scene.cylinders()[i];
+    add(Tipo::soy_cilindro, i,
+        {c.centro.x, c.centro.y, c.centro.z, c.radio, c.vector.x, c.vector.y, c.vector.z, c.altura});
+  }
+  for (std::size_t i = 0; i < scene.cones().size(); ++i) {
+    const auto& c = scene.cones()[i];
+    add(Tipo::soy_cono, i,
+        {c.centro.x, c.centro.y, c.centro.z, c.proporcion, c.vector.x, c.vector.y, c.vector.z, c.altura});
+  }
+  return rows;
+}
+
+/// Whether the index finds every row by its name, and no other name.
+bool index_is_sound(const Scene& scene) {
+  const auto rows = picture(scene);
+  for (const auto& [element, name, numbers, material] : rows)
+    if (scene.find(name) != element) return false;
+  return scene.size() == rows.size() && !scene.find("no-such-name") && !scene.find("");
+}
+
+Scene scene_after(const std::vector<Operation>& operations) {
+  Scene scene;
+  for (const Operation& operation : operations) scene.apply_total(operation);
+  return scene;
+}
+
+/// Two elements of each type, the first of each with a material.
+Scene two_of_each() {
+  Scene scene;
+  scene.stage().materials = {{"blue", {0, 0, 1}}, {"red", {1, 0, 0}}};
+  for (const std::string suffix : {"1", "2"}) {
+    scene.apply(Agregar_Esfera{Elemento("esfera" + suffix), origin, 1});
+    scene.apply(Agregar_Cilindro{Elemento("cilindro" + suffix), origin, 1, axis, 3});
+    scene.apply(Agregar_Cono{Elemento("cono-of-a-longer-name" + suffix), origin, 0.5, axis, 3});
+  }
+  for (const Tipo t : {Tipo::soy_esfera, Tipo::soy_cilindro, Tipo::soy_cono}) scene.set_material({t, 0}, 1);
+  return scene;
+}
+
+}  // namespace
 
 TEST_CASE("an element is added, found, and removed") {
-  scene::Scene scene;
-  CHECK(scene.apply(model::Agregar_Esfera{Elemento("a"), Punto(0, 0, 5), 1}) == Respuesta::esfera_agregada);
-  CHECK(scene.apply(model::Agregar_Cilindro{Elemento("b"), Punto(0, 0, 5), 1, Vector(0, 0, 1), 2}) ==
-        Respuesta::cilindro_agregado);
-  CHECK(scene.apply(model::Agregar_Esfera{Elemento("c"), Punto(1, 0, 5), 2}) == Respuesta::esfera_agregada);
+  Scene scene;
+  CHECK(scene.apply(Agregar_Esfera{Elemento("a"), Punto(0, 0, 5), 1}) == Respuesta::esfera_agregada);
+  CHECK(scene.apply(Agregar_Cilindro{Elemento("b"), Punto(0, 0, 5), 1, axis, 2}) == Respuesta::cilindro_agregado);
+  CHECK(scene.apply(Agregar_Esfera{Elemento("c"), Punto(1, 0, 5), 2}) == Respuesta::esfera_agregada);
   CHECK(scene.size() == 3);
   REQUIRE(scene.find("c"));
   CHECK(scene.name(*scene.find("c")) == Elemento("c"));
   CHECK_FALSE(scene.find("d"));
 
-  CHECK(scene.apply_total(model::Eliminar_Elemento{Elemento("a")}).r == Respuesta::elemento_eliminado);
+  CHECK(scene.apply_total(Eliminar_Elemento{Elemento("a")}).r == Respuesta::elemento_eliminado);
   REQUIRE(scene.find("c"));
   CHECK(scene.spheres()[scene.find("c")->index].radio == 2);
-  const auto refused = scene.apply_total(model::Eliminar_Esfera{Elemento("b")});
+  const Answer refused = scene.apply_total(Eliminar_Esfera{Elemento("b")});
   CHECK(refused.r == Respuesta::tipo_incorrecto);
   REQUIRE(refused.violated);
   CHECK(refused.violated->label == "Eliminar_Esfera.pre.1");
+}
+
+TEST_CASE("a material stays with its element") {
+  Scene scene = two_of_each();
+  CHECK(scene.material(*scene.find("esfera1")) == 1);
+  CHECK(scene.material(*scene.find("esfera2")) == std::nullopt);
+  scene.set_material(*scene.find("esfera2"), 0);
+  scene.apply(Eliminar_Esfera{Elemento("esfera1")});
+  CHECK(scene.material(*scene.find("esfera2")) == 0);
+  scene.set_material(*scene.find("esfera2"), std::nullopt);
+  CHECK(scene.material(*scene.find("esfera2")) == std::nullopt);
+  CHECK_THROWS_AS(scene.set_material(*scene.find("esfera2"), 2), std::out_of_range);
+
+  scene.apply(Eliminar_Cono{Elemento("cono-of-a-longer-name1")});
+  scene.apply(Agregar_Cono{Elemento("cono-of-a-longer-name1"), origin, 1, axis, 1});
+  CHECK(scene.material(*scene.find("cono-of-a-longer-name1")) == std::nullopt);
+}
+
+TEST_CASE("retrieve gives every component") {
+  Escena escena = Init();
+  for (const std::string suffix : {"1", "2"}) {
+    model::apply(escena, Agregar_Cono{Elemento("cono-of-a-longer-name" + suffix), origin, 0.5, axis, 3});
+    model::apply(escena, Agregar_Cilindro{Elemento("cilindro" + suffix), origin, 1, axis, 3});
+    model::apply(escena, Agregar_Esfera{Elemento("esfera" + suffix), origin, 1});
+  }
+  CHECK(retrieve(two_of_each()) == escena);
+  CHECK(retrieve(Scene()) == Init());
+}
+
+TEST_CASE("every operation commutes with the model's") {
+  for (const auto audit : {evaluation_semantic::ignore, evaluation_semantic::enforce}) {
+    const scoped_semantic scope(cost::audit, audit);
+    const std::string how = audit == evaluation_semantic::enforce ? ", audited" : "";
+
+    property("total operations: the same answer, the same clause, the same scene" + how, [] {
+      Escena escena = Init();
+      Scene scene;
+      for (const Operation& operation : *any_operations()) {
+        const Answer expected = model::apply_total(escena, operation);
+        const Answer answer = scene.apply_total(operation);
+        RC_ASSERT(answer == expected);
+        RC_ASSERT(retrieve(scene) == escena);
+      }
+      RC_ASSERT(index_is_sound(scene));
+    });
+
+    property("partial operations: the same answer or the same violation, the same scene" + how, [] {
+      Escena escena = Init();
+      Scene scene;
+      for (const Operation& operation : *any_operations()) {
+        std::optional<Respuesta> expected, answer;
+        const std::string label = violated([&] { expected = model::apply(escena, operation); });
+        RC_ASSERT(violated([&] { answer = scene.apply(operation); }) == label);
+        RC_ASSERT(answer == expected);
+        RC_ASSERT(retrieve(scene) == escena);
+      }
+      RC_ASSERT(index_is_sound(scene));
+    });
+  }
+}
+
+TEST_CASE("the type that an addition is given is looked at by the partial operation alone") {
+  const Operation wrong = Agregar_Esfera{Elemento("a"), origin, 1, Tipo::soy_cono};
+  Scene scene;
+  CHECK(violated([&] { scene.apply(wrong); }) == "Agregar_Esfera.pre.1");
+  CHECK(scene.size() == 0);
+  CHECK(scene.apply_total(wrong).ok());
+  CHECK(scene.find("a") == ElementRef{Tipo::soy_esfera, 0});
+}
+
+TEST_CASE("an attribute that the type has and that is absent is no operation") {
+  Scene scene;
+  CHECK_THROWS_AS(scene.apply(Agregar_Elemento{Elemento("a"), Tipo::soy_esfera, origin}), std::invalid_argument);
+  CHECK_THROWS_AS(scene.apply_total(Agregar_Elemento{Elemento("a"), Tipo::soy_cono, origin}), std::invalid_argument);
+  CHECK(scene.size() == 0);
+}
+
+TEST_CASE("a refused operation leaves every row where it was") {
+  property("rows, names, materials", [] {
+    Scene scene = scene_after(*any_operations());
+    const auto before = picture(scene);
+    const Operation operation = *any_operation();
+    RC_PRE(violated([&] { scene.apply(operation); }) != "none");
+    RC_ASSERT(picture(scene) == before);
+    RC_ASSERT(scene.apply_total(operation).ok() == (picture(scene) != before));
+    RC_ASSERT(index_is_sound(scene));
+  });
+}
+
+namespace {
+
+/// Lets a broken precondition pass, so that the operation goes on to break its postcondition.
+void throw_at_postconditions(const contract::contract_violation& violation) {
+  if (violation.kind() == contract::kind::postcondition) throw contract::contract_violation(violation);
+}
+
+}  // namespace
+
+TEST_CASE("a broken postcondition undoes the edit, row by row") {
+  const auto handler = contract::set_violation_handler(throw_at_postconditions);
+  const auto seen = [](cost price, const Operation& operation) {
+    const scoped_semantic pre_observed(cost::normal, evaluation_semantic::observe);
+    const scoped_semantic audit(cost::audit,
+                                price == cost::audit ? evaluation_semantic::observe : evaluation_semantic::ignore);
+    Scene scene = two_of_each();
+    const auto before = picture(scene);
+    const std::string label = violated([&] { scene.apply(operation); });
+    CHECK(picture(scene) == before);
+    CHECK(index_is_sound(scene));
+    return label;
+  };
+  // NaN is stored, and is not equal to what was asked for.
+  CHECK(seen(cost::normal, Agregar_Esfera{Elemento("new"), origin, NAN}) == "Agregar_Esfera.post.2");
+  CHECK(seen(cost::normal, Agregar_Cilindro{Elemento("new"), origin, NAN, axis, 1}) == "Agregar_Cilindro.post.2");
+  CHECK(seen(cost::normal, Agregar_Cono{Elemento("new"), origin, 1, axis, NAN}) == "Agregar_Cono.post.4");
+  // A name that is there already: the index goes on finding the old row.
+  CHECK(seen(cost::normal, Agregar_Esfera{Elemento("cilindro1"), origin, 1}) == "Agregar_Elemento.post.1");
+  // The wrong type: it is the cylinders that lose an element, first of them or last.
+  CHECK(seen(cost::normal, Eliminar_Esfera{Elemento("cilindro1")}) == "Eliminar_Esfera.post.3");
+  CHECK(seen(cost::normal, Eliminar_Esfera{Elemento("cilindro2")}) == "Eliminar_Esfera.post.3");
+  CHECK(seen(cost::normal, Eliminar_Cono{Elemento("esfera1")}) == "Eliminar_Cono.post.2");
+  CHECK(seen(cost::normal, Eliminar_Cilindro{Elemento("cono-of-a-longer-name1")}) == "Eliminar_Cilindro.post.2");
+  contract::set_violation_handler(handler);
+}
+
+TEST_CASE("an audit that fails undoes the edit") {
+  // The whole predicates need a scene: a radius outside Rmas has none, so retrieving the after-state throws.
+  const scoped_semantic ignored(cost::normal, evaluation_semantic::ignore);
+  const scoped_semantic audited(cost::audit, evaluation_semantic::enforce);
+  Scene scene = two_of_each();
+  const auto before = picture(scene);
+  CHECK(violated([&] { scene.apply(Agregar_Esfera{Elemento("new"), origin, -1}); }) == "Rmas.inv.1");
+  CHECK(violated([&] { scene.apply(Agregar_Cono{Elemento("new"), origin, 1, Vector(0, 1, 1), 1}); }) == "Escena.inv.8");
+  CHECK(violated([&] { scene.apply(Eliminar_Esfera{Elemento("cilindro1")}); }) == "Eliminar_Esfera.post.3");
+  CHECK(violated([&] { scene.apply(Eliminar_Esfera{Elemento("nobody")}); }) == "Eliminar_Elemento.pre.1");
+  CHECK(picture(scene) == before);
+  CHECK(index_is_sound(scene));
+}
+
+TEST_CASE("an edit for which memory runs out changes nothing") {
+  Scene full;  // of exactly as many rows as fit, so that the next makes every table and the index grow
+  for (int i = 0; i < 16; ++i) {
+    const std::string number = std::to_string(i);
+    full.apply(Agregar_Esfera{Elemento("s" + number), origin, 1});
+    full.apply(Agregar_Cilindro{Elemento("c" + number), origin, 1, axis, 1});
+    full.apply(Agregar_Cono{Elemento("a-cone-of-a-long-name-" + number), origin, 1, axis, 1});
+  }
+  for (int i = 16; full.size() < 64; ++i) full.apply(Agregar_Esfera{Elemento("s" + std::to_string(i)), origin, 1});
+  const Elemento nuevo("an-element-of-a-long-name");
+  for (const auto semantic : {evaluation_semantic::ignore, evaluation_semantic::enforce}) {
+    const scoped_semantic audited(cost::audit, semantic);
+    for (const Operation& operation :
+         {Operation(Agregar_Esfera{nuevo, origin, 2}), Operation(Agregar_Cilindro{nuevo, origin, 2, axis, 5}),
+          Operation(Agregar_Cono{nuevo, origin, 2, axis, 5}),
+          Operation(Agregar_Elemento{nuevo, Tipo::soy_cilindro, origin, 2, axis, 5}),
+          Operation(Eliminar_Esfera{Elemento("s0")}), Operation(Eliminar_Elemento{Elemento("c15")}),
+          Operation(Eliminar_Cono{Elemento("a-cone-of-a-long-name-3")})}) {
+      Scene scene = full, expected = full;
+      const auto before = picture(scene);
+      const bool removes = operation.index() >= 4;
+      REQUIRE(expected.apply_total(operation).ok());
+      const long allocations = fail_every_allocation([&] { scene.apply(operation); },
+                                                     [&] {
+                                                       REQUIRE(picture(scene) == before);
+                                                       REQUIRE(index_is_sound(scene));
+                                                     });
+      CHECK((allocations > 0) == (!removes || semantic == evaluation_semantic::enforce));
+      CHECK(picture(scene) == picture(expected));
+      CHECK(index_is_sound(scene));
+    }
+  }
+}
+
+TEST_CASE("a copy of a scene is a scene of its own") {
+  Scene scene = two_of_each();
+  Scene copy = scene;
+  copy.apply(Eliminar_Esfera{Elemento("esfera1")});
+  CHECK(scene.find("esfera1"));
+  CHECK_FALSE(copy.find("esfera1"));
+  CHECK(index_is_sound(scene));
+  CHECK(index_is_sound(copy));
 }

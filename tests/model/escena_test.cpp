@@ -1,0 +1,79 @@
+#include "durero/model/escena.hpp"
+
+#include "escenas.hpp"
+#include "support/catch.hpp"
+#include "support/clauses.hpp"
+
+using namespace durero;
+using namespace durero::model;
+using namespace durero::test;
+using Labels = std::set<std::string>;
+
+namespace {
+
+/// The invariants that a scene breaks when it is spoiled, and that the whole predicates and their share of one element
+/// are checked as contracts alike.
+template <class Spoil>
+Labels invariants_broken(const Elemento& e, Spoil&& spoil) {
+  Escena escena = one_of_each();
+  REQUIRE(broken(inv(escena)).empty());
+  REQUIRE(broken(inv_at(escena, e)).empty());
+  spoil(escena);
+  const Labels labels = broken(inv(escena));
+  CHECK(labels == broken(inv_at(escena, e)));
+  CHECK(labels.contains(violated([&] { check(inv(escena), contract::cost::normal); })));
+  CHECK(labels.contains(violated([&] { check(inv_at(escena, e), contract::cost::normal); })));
+  return labels;
+}
+
+}  // namespace
+
+TEST_CASE("Escena.inv.1: the elements are those that have a type") {
+  CHECK(invariants_broken(nuevo, [](Escena& s) {
+          s.elementos.insert(nuevo);
+          s.mi_centro.emplace(nuevo, origin);
+        }) == Labels{"Escena.inv.1"});
+}
+
+TEST_CASE("Escena.inv.2: the elements are those that have a centre") {
+  CHECK(invariants_broken(esfera, [](Escena& s) { s.mi_centro.erase(esfera); }) == Labels{"Escena.inv.2"});
+  CHECK(invariants_broken(nuevo, [](Escena& s) { s.mi_centro.emplace(nuevo, far); }) == Labels{"Escena.inv.2"});
+}
+
+TEST_CASE("Escena.inv.3: spheres and cylinders have a radius, and no others") {
+  CHECK(invariants_broken(esfera, [](Escena& s) { s.mi_radio.erase(esfera); }) == Labels{"Escena.inv.3"});
+  CHECK(invariants_broken(cilindro, [](Escena& s) { s.mi_radio.erase(cilindro); }) == Labels{"Escena.inv.3"});
+  CHECK(invariants_broken(cono, [](Escena& s) { s.mi_radio.emplace(cono, 1); }) == Labels{"Escena.inv.3"});
+}
+
+TEST_CASE("Escena.inv.4: cylinders and cones have an axis, and no others") {
+  CHECK(invariants_broken(cilindro, [](Escena& s) { s.mi_vector.erase(cilindro); }) == Labels{"Escena.inv.4"});
+  CHECK(invariants_broken(esfera, [](Escena& s) { s.mi_vector.emplace(esfera, axis); }) == Labels{"Escena.inv.4"});
+}
+
+TEST_CASE("Escena.inv.5: cylinders and cones have a height, and no others") {
+  CHECK(invariants_broken(cono, [](Escena& s) { s.mi_altura.erase(cono); }) == Labels{"Escena.inv.5"});
+  CHECK(invariants_broken(esfera, [](Escena& s) { s.mi_altura.emplace(esfera, 1); }) == Labels{"Escena.inv.5"});
+}
+
+TEST_CASE("Escena.inv.6: cones have a proportion, and no others") {
+  CHECK(invariants_broken(cono, [](Escena& s) { s.mi_proporcion.erase(cono); }) == Labels{"Escena.inv.6"});
+  CHECK(invariants_broken(nuevo, [](Escena& s) { s.mi_proporcion.emplace(nuevo, 1); }) == Labels{"Escena.inv.6"});
+}
+
+TEST_CASE("Escena.inv.7: the types are those of the elements") {
+  CHECK(invariants_broken(cono, [](Escena& s) { s.tipos.erase(Tipo::soy_cono); }) == Labels{"Escena.inv.7"});
+  Escena empty = Init();
+  empty.tipos.insert(Tipo::soy_cono);
+  CHECK(broken(inv(empty)) == Labels{"Escena.inv.7"});
+}
+
+TEST_CASE("Escena.inv.8: the axes are unit vectors") {
+  CHECK(invariants_broken(cono, [](Escena& s) { s.mi_vector.at(cono) = not_unit; }) == Labels{"Escena.inv.8"});
+}
+
+TEST_CASE("Init.post.1: the first scene is empty") {
+  CHECK(Init() == Escena{});
+  CHECK(all_hold(Init_post(Init())));
+  CHECK(violated([] { check(Init_post(one_of_each()), contract::cost::normal); }) == "Init.post.1");
+}
