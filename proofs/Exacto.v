@@ -1,0 +1,276 @@
+(** * Exacto: the first hit of a scene of rational numbers, decided by integer arithmetic
+
+    Any finite set of rationals has a common denominator, so a scene and a ray are integers over one S > 0. Every
+    decision is then the sign of an integer, of x + y√a, or of x + y√a + z√b, and those are found with products only.
+    oracle/Extract.v extracts [first_hit] to OCaml, where it is an oracle that shares no code with the C++ one.
+
+    vec3, shape           == a triple of integers, and an element: each integer n stands for n/S
+    quadratic             == A t² + 2 B t + C = 0 with the clip 0 <= s0 + t s1 <= h (h = s0 = s1 = 0 for a sphere)
+    quad S sh on p v      == the quadratic of the shape sh and of the ray p + t v; on: the ray starts on it, so C = 0
+    answer, first_hit     == the outcome for a list of (identifier, shape, on)
+    coordinate S p v t    == p + t v
+    meets S sh on p v t   == the point of the ray at t > 0 is a point of the shape (Especificacion's puntos_esfera, …)
+    is_first_hit S p v es a == the answer a is the first hit of the elements es *)
+From Coq Require Import ZArith Reals List Lia Lra Bool.
+From Durero Require Import Especificacion Surd Quadratic.
+Import ListNotations.
+Local Open Scope Z_scope.
+
+(** ** The procedure *)
+
+Record vec3 := Vec { vx : Z; vy : Z; vz : Z }.
+
+Definition dot (a b : vec3) : Z := vx a * vx b + vy a * vy b + vz a * vz b.
+Definition minus (a b : vec3) : vec3 := Vec (vx a - vx b) (vy a - vy b) (vz a - vz b).
+
+Inductive shape :=
+| Sphere (centro : vec3) (radio : Z)
+| Cylinder (centro : vec3) (radio : Z) (vector : vec3) (altura : Z)
+| Cone (centro : vec3) (proporcion : Z) (vector : vec3) (altura : Z).
+
+(** The closed forms, times S² for the sphere and S⁶ for the others; their clips, times S². *)
+Definition quad (S : Z) (sh : shape) (on : bool) (p v : vec3) : quadratic :=
+  let constant C := if on then 0 else C in
+  match sh with
+  | Sphere c r =>
+      let q := minus p c in
+      Quadratic (dot v v) (dot q v) (constant (dot q q - r * r)) 0 0 0
+  | Cylinder c r d l =>
+      let q := minus p c in
+      let s0 := dot q d in
+      let s1 := dot v d in
+      let S2 := S * S in
+      let S4 := S2 * S2 in
+      let m := 2 * S2 - dot d d in
+      Quadratic (S4 * dot v v - m * (s1 * s1)) (S4 * dot q v - m * (s0 * s1))
+        (constant (S4 * (dot q q - r * r) - m * (s0 * s0))) s0 s1 (S * l)
+  | Cone c k d l =>
+      let q := minus p c in
+      let s0 := dot q d in
+      let s1 := dot v d in
+      let S2 := S * S in
+      let S4 := S2 * S2 in
+      let k2 := k * k in
+      let m := 2 * S2 - dot d d in
+      let g := S * l - s0 in
+      Quadratic (S4 * dot v v - (m + k2) * (s1 * s1)) (S4 * dot q v - m * (s0 * s1) + k2 * (g * s1))
+        (constant (S4 * dot q q - m * (s0 * s0) - k2 * (g * g))) s0 s1 (S * l)
+  end.
+
+Inductive answer (I : Type) := Miss | Hit (t : surd) (elements : list I) | NoMin (elements : list I).
+Arguments Miss {I}.
+Arguments Hit {I}.
+Arguments NoMin {I}.
+
+Definition consider {I} (best : answer I) (i : I) (r : reach) : answer I :=
+  match r, best with
+  | Nothing, _ => best
+  | NoMinimum, NoMin l => NoMin (i :: l)
+  | NoMinimum, _ => NoMin [i]
+  | At _, NoMin _ => best
+  | At t, Miss => Hit t [i]
+  | At t, Hit b l =>
+      let c := cmp t b in
+      if c <? 0 then Hit t [i] else if c =? 0 then Hit b (i :: l) else best
+  end.
+
+Fixpoint first_hit {I} (S : Z) (p v : vec3) (es : list (I * shape * bool)) : answer I :=
+  match es with
+  | [] => Miss
+  | (i, sh, on) :: es' => consider (first_hit S p v es') i (first (quad S sh on p v))
+  end.
+
+(** The coordinate p + t v of a hit, for a coordinate p of the origin and v of the direction. *)
+Definition coordinate (S p v : Z) (t : surd) : surd :=
+  Surd (p * den t + v * num t) (v * coef t) (rad t) (S * den t).
+
+(** ** What it means, over R *)
+
+Local Open Scope R_scope.
+
+Definition over (S n : Z) : R := IZR n / IZR S.
+Definition point (S : Z) (a : vec3) : Punto := mk_Punto (over S (vx a)) (over S (vy a)) (over S (vz a)).
+Definition direction (S : Z) (a : vec3) : Vector := mk_Vector (over S (vx a)) (over S (vy a)) (over S (vz a)).
+Definition ray_at (S : Z) (p v : vec3) (t : R) : Punto :=
+  mk_Punto (over S (vx p) + t * over S (vx v)) (over S (vy p) + t * over S (vy v)) (over S (vz p) + t * over S (vz v)).
+
+Definition power (S : Z) (sh : shape) (w : Punto) : R :=
+  match sh with
+  | Sphere c r => potencia_esfera w (point S c) (over S r)
+  | Cylinder c r d _ => potencia_cilindro w (point S c) (over S r) (direction S d)
+  | Cone c k d l => potencia_cono w (point S c) (over S k) (direction S d) (over S l)
+  end.
+
+Definition clip (S : Z) (sh : shape) (w : Punto) : Prop :=
+  match sh with
+  | Sphere _ _ => True
+  | Cylinder c _ d l | Cone c _ d l => 0 <= avance w (point S c) (direction S d) <= over S l
+  end.
+
+(** The points of the shape: of its surface, or (on) of the surface of the same equation through the ray's origin. *)
+Definition points (S : Z) (sh : shape) (on : bool) (p : vec3) (w : Punto) : Prop :=
+  power S sh w = (if on then power S sh (point S p) else 0) /\ clip S sh w.
+
+Definition meets (S : Z) (sh : shape) (on : bool) (p v : vec3) (t : R) : Prop :=
+  0 < t /\ points S sh on p (ray_at S p v t).
+
+(** l names the elements of es that have the property P. *)
+Definition lists {I} (P : shape -> bool -> Prop) (l : list I) (es : list (I * shape * bool)) : Prop :=
+  forall i, In i l <-> exists sh on, In (i, sh, on) es /\ P sh on.
+
+Definition is_first_hit {I} (S : Z) (p v : vec3) (es : list (I * shape * bool)) (a : answer I) : Prop :=
+  match a with
+  | Miss => forall i sh on t, In (i, sh, on) es -> ~ meets S sh on p v t
+  | Hit x l =>
+      valid x /\ l <> [] /\ (forall i sh on t, In (i, sh, on) es -> meets S sh on p v t -> val x <= t) /\
+      lists (fun sh on => meets S sh on p v (val x)) l es
+  | NoMin l => l <> [] /\ lists (fun sh on => from_origin (meets S sh on p v)) l es
+  end.
+
+Theorem coordinate_correct S p v t : (0 < S)%Z -> valid t ->
+  valid (coordinate S p v t) /\ val (coordinate S p v t) = over S p + val t * over S v.
+Proof.
+  intros HS Ht; pose proof (den_pos t Ht); pose proof (IZR_lt _ _ HS); destruct Ht as [H1 H2].
+  split; [split; simpl; lia|]; unfold val, over; simpl; rewrite plus_IZR, !mult_IZR; field; lra.
+Qed.
+
+(** ** One element *)
+
+(** The quadratic is the power of the ray's point, times S² for a sphere and S⁶ for the others. *)
+Definition scale (S : Z) (sh : shape) : R := match sh with Sphere _ _ => IZR S ^ 2 | _ => IZR S ^ 6 end.
+
+Lemma IZR_over S n : (0 < S)%Z -> IZR n = IZR S * over S n.
+Proof. intros HS; apply IZR_lt in HS; unfold over; field; lra. Qed.
+
+Lemma quad_power S sh on p v t : (0 < S)%Z ->
+  let q := quad S sh on p v in
+  IZR (qA q) * t * t + 2 * IZR (qB q) * t + IZR (qC q)
+  = scale S sh * (power S sh (ray_at S p v t) - if on then power S sh (point S p) else 0).
+Proof.
+  intros HS; destruct p as [px py pz], v as [ux uy uz];
+    destruct sh as [[cx cy cz] r|[cx cy cz] r [dx dy dz] l|[cx cy cz] k [dx dy dz] l]; destruct on;
+    cbn [quad qA qB qC scale power];
+    unfold potencia_esfera, potencia_cilindro, potencia_cono, alejamiento, avance, cuadrado, dot, minus;
+    cbn [point direction ray_at Punto_x Punto_y Punto_z Vector_x Vector_y Vector_z vx vy vz];
+    repeat rewrite ?plus_IZR, ?minus_IZR, ?mult_IZR;
+    rewrite ?(IZR_over S px HS), ?(IZR_over S py HS), ?(IZR_over S pz HS), ?(IZR_over S ux HS), ?(IZR_over S uy HS),
+      ?(IZR_over S uz HS), ?(IZR_over S cx HS), ?(IZR_over S cy HS), ?(IZR_over S cz HS);
+    try rewrite ?(IZR_over S r HS); try rewrite ?(IZR_over S k HS); try rewrite ?(IZR_over S l HS);
+    try rewrite ?(IZR_over S dx HS), ?(IZR_over S dy HS), ?(IZR_over S dz HS); ring.
+Qed.
+
+(** The clip, times S². *)
+Lemma advance_over S c d l p v t : (0 < S)%Z ->
+  let q := minus p c in
+  0 <= IZR (dot q d) + t * IZR (dot v d) <= IZR (S * l) <->
+  0 <= avance (ray_at S p v t) (point S c) (direction S d) <= over S l.
+Proof.
+  intros HS q; apply IZR_lt in HS as HR; assert (HS2 : 0 < IZR S ^ 2) by nra.
+  assert (IZR (dot q d) + t * IZR (dot v d) = IZR S ^ 2 * avance (ray_at S p v t) (point S c) (direction S d)) as ->.
+  { unfold q, avance, dot, minus; cbn [point direction ray_at Punto_x Punto_y Punto_z Vector_x Vector_y Vector_z vx vy vz].
+    repeat rewrite ?plus_IZR, ?minus_IZR, ?mult_IZR; unfold over; field; lra. }
+  replace (IZR (S * l)) with (IZR S ^ 2 * over S l) by (rewrite mult_IZR; unfold over; field; lra).
+  split; intros [H1 H2]; split; nra.
+Qed.
+
+Lemma quad_clip S sh on p v t : (0 < S)%Z ->
+  let q := quad S sh on p v in
+  0 <= IZR (s0 q) + t * IZR (s1 q) <= IZR (h q) <-> clip S sh (ray_at S p v t).
+Proof.
+  intros HS; destruct sh as [c r|c r d l|c k d l]; cbn [quad s0 s1 h clip]; [|apply advance_over; assumption..].
+  split; [trivial | lra].
+Qed.
+
+(** The closed form of each shape is sound and complete: its solutions are the parameters of the shape's points. *)
+Theorem quad_meets S sh on p v t : (0 < S)%Z -> meets S sh on p v t <-> solves (quad S sh on p v) t.
+Proof.
+  intros HS; unfold meets, points, solves; rewrite (quad_clip S sh on p v t HS), (quad_power S sh on p v t HS).
+  assert (0 < scale S sh) by (apply IZR_lt in HS; destruct sh; apply pow_lt; assumption).
+  split; (intros (Ht & Hp & Hc); repeat split; try assumption).
+  - rewrite Hp; ring.
+  - apply Rmult_integral in Hp; lra.
+Qed.
+
+(** What a ray has of one element, as a set of points, is what [first] answers. *)
+Corollary first_of_shape S sh on p v : (0 < S)%Z -> reaches (meets S sh on p v) (first (quad S sh on p v)).
+Proof. intros HS; apply (reaches_ext (solves (quad S sh on p v))), first_reaches; intros t; now rewrite quad_meets. Qed.
+
+(** ** The scene *)
+
+Lemma first_hit_positive {I} S p v (es : list (I * shape * bool)) x l :
+  is_first_hit S p v es (Hit x l) -> 0 < val x.
+Proof.
+  intros (_ & Hl & _ & Hin); destruct l as [|i l]; [contradiction|].
+  destruct (proj1 (Hin i) (or_introl eq_refl)) as (sh & on & _ & H & _); exact H.
+Qed.
+
+Section Lists.
+Context {I : Type} (P : shape -> bool -> Prop) (i : I) (sh : shape) (on : bool) (es : list (I * shape * bool)).
+
+Lemma lists_none : (forall i sh on, In (i, sh, on) es -> ~ P sh on) -> lists P [] es.
+Proof. intros H j; split; [intros [] | intros (sh' & on' & Hin & HP); now apply (H j sh' on')]. Qed.
+
+Lemma lists_yes l : P sh on -> lists P l es -> lists P (i :: l) ((i, sh, on) :: es).
+Proof.
+  intros HP Hl j; split.
+  - intros [<-|Hj]; [exists sh, on; split; [now left | assumption]|].
+    apply Hl in Hj as (sh' & on' & Hin & HP'); exists sh', on'; split; [now right | assumption].
+  - intros (sh' & on' & [[= -> -> ->]|Hin] & HP'); [now left | right; apply Hl; now exists sh', on'].
+Qed.
+
+Lemma lists_no l : ~ P sh on -> lists P l es -> lists P l ((i, sh, on) :: es).
+Proof.
+  intros HP Hl j; split.
+  - intros Hj; apply Hl in Hj as (sh' & on' & Hin & HP'); exists sh', on'; split; [now right | assumption].
+  - intros (sh' & on' & [[= -> -> ->]|Hin] & HP'); [contradiction | apply Hl; now exists sh', on'].
+Qed.
+End Lists.
+
+Local Ltac hit_goals := split; [assumption | split; [assumption || discriminate | split]].
+
+(** Algorithm II.2: the least of the elements' first hits, the elements that share it, or those without minimum. *)
+Lemma consider_correct {I} S p v i sh on (es : list (I * shape * bool)) best r :
+  reaches (meets S sh on p v) r -> is_first_hit S p v es best ->
+  is_first_hit S p v ((i, sh, on) :: es) (consider best i r).
+Proof.
+  intros Hr Hbest; assert (Hpos : forall sh on t, meets S sh on p v t -> 0 < t) by (intros ? ? ? [H _]; exact H).
+  pose proof (reaches_from_origin _ r (Hpos sh on) Hr) as Hor.
+  destruct r as [|t|], best as [|b l|l]; cbn [consider reaches is_first_hit] in *.
+  - intros j sh' on' t [[= -> -> ->]|Hj]; [apply Hr | eapply Hbest; eauto].
+  - destruct Hbest as (Hv & Hl & Hmin & Hin); hit_goals; [|now apply lists_no].
+    intros j sh' on' t [[= -> -> ->]|Hj] Ht; [now destruct (Hr t) | eauto].
+  - destruct Hbest as (Hl & Hin); split; [assumption | apply lists_no; [rewrite Hor; discriminate | assumption]].
+  - destruct Hr as (Hv & Ht & Hmin); hit_goals.
+    + intros j sh' on' t' [[= -> -> ->]|Hj] Ht'; [auto | destruct (Hbest _ _ _ _ Hj Ht')].
+    + apply lists_yes; [assumption | apply lists_none; intros; eauto].
+  - destruct Hr as (Hvt & Ht & Hmint), Hbest as (Hvb & Hl & Hminb & Hin).
+    pose proof (cmp_correct t b Hvt Hvb) as Hc.
+    destruct (Z.ltb_spec (cmp t b) 0); [|destruct (Z.eqb_spec (cmp t b) 0)];
+      destruct Hc as [[Ec Hc]|[[Ec Hc]|[Ec Hc]]]; try lia; cbn [is_first_hit].
+    + hit_goals.
+      * intros j sh' on' t' [[= -> -> ->]|Hj] Ht'; [auto | specialize (Hminb _ _ _ _ Hj Ht'); lra].
+      * apply lists_yes; [assumption | apply lists_none; intros j sh' on' Hj Ht'].
+        specialize (Hminb _ _ _ _ Hj Ht'); lra.
+    + replace (val t) with (val b) in * by lra; hit_goals; [|now apply lists_yes].
+      intros j sh' on' t' [[= -> -> ->]|Hj] Ht'; eauto.
+    + hit_goals.
+      * intros j sh' on' t' [[= -> -> ->]|Hj] Ht'; [specialize (Hmint _ Ht'); lra | eauto].
+      * apply lists_no; [intros Hb; specialize (Hmint _ Hb); lra | assumption].
+  - destruct Hbest as (Hl & Hin); split; [assumption | apply lists_no; [rewrite Hor; discriminate | assumption]].
+  - split; [discriminate | apply lists_yes; [assumption|]]; apply lists_none; intros j sh' on' Hj (e & He & HP).
+    apply (Hbest _ _ _ e Hj), HP; lra.
+  - split; [discriminate | apply lists_yes; [assumption|]]; apply lists_none; intros j sh' on' Hj Ho.
+    pose proof (first_hit_positive _ _ _ _ _ _ Hbest) as Hx0.
+    destruct (from_origin_no_least _ _ Ho Hx0) as (t & Ht & Hlt), Hbest as (_ & _ & Hmin & _).
+    specialize (Hmin _ _ _ _ Hj Ht); lra.
+  - destruct Hbest as (Hl & Hin); split; [discriminate | now apply lists_yes].
+Qed.
+
+(** The procedure is right: outcome, parameter and set of elements are those of the sets of points over R. *)
+Theorem first_hit_correct {I} S p v (es : list (I * shape * bool)) : (0 < S)%Z ->
+  is_first_hit S p v es (first_hit S p v es).
+Proof.
+  intros HS; induction es as [|[[i sh] on] es IH]; cbn [first_hit].
+  - intros i sh on t [].
+  - apply consider_correct; [now apply first_of_shape | exact IH].
+Qed.

@@ -1,0 +1,184 @@
+(* The extracted procedure of Exacto.v as a program: reads scenes and rays, and answers or judges.
+
+   Input, one item a line; numbers are read exactly as binary64 (C hexadecimal or decimal), names hold no blank or comma:
+     scene                                     a new, empty scene
+     esfera NAME cx cy cz radio
+     cilindro NAME cx cy cz radio dx dy dz altura
+     cono NAME cx cy cz proporcion dx dy dz altura
+     ray px py pz vx vy vz [@NAME]...          @NAME: the ray starts on that element
+     ray ... = miss
+     ray ... = no_minimum NAME,NAME...
+     ray ... = hit NAME,NAME... t x y z        the names in any order
+   A ray without a claim is answered on stdout, in one line:
+     miss | no_minimum NAME,NAME... | hit NAME,NAME... num coef rad den     with t = (num + coef * sqrt rad) / den
+   A claim is judged: t and the coordinates must be the exact ones rounded once to the nearest binary64, ties to even.
+   A wrong claim is a line on stdout. Exit status: 0, 1 if some claim is wrong, 2 if the input is bad. *)
+
+module E = Exacto
+
+exception Bad of string
+
+let bad text = raise (Bad text)
+
+(* A binary64 is mantissa * 2^exponent. *)
+type dyadic = { mantissa : Z.t; exponent : int }
+
+let dyadic_of_float x =
+  let fraction, exponent = Float.frexp x in
+  { mantissa = Z.of_float (Float.ldexp fraction 53); exponent = exponent - 53 }
+
+let read_float word =
+  match float_of_string_opt word with
+  | Some x when not (Float.is_nan x) -> x
+  | _ -> bad ("not a number: " ^ word)
+
+let read word =
+  let x = read_float word in
+  if Float.is_integer x || Float.abs x < infinity then
+    if x = 0. then { mantissa = Z.zero; exponent = 0 }
+    else
+      let { mantissa; exponent } = dyadic_of_float x in
+      let zeros = Z.trailing_zeros mantissa in
+      { mantissa = Z.shift_right mantissa zeros; exponent = exponent + zeros }
+  else bad ("not finite: " ^ word)
+
+(* How many binary places a number has. *)
+let places x = max 0 (-x.exponent)
+let most_places = Array.fold_left (fun most x -> max most (places x)) 0
+let scaled k x = Z.shift_left x.mantissa (x.exponent + k)
+let vec k xs i : E.vec3 = { vx = scaled k xs.(i); vy = scaled k xs.(i + 1); vz = scaled k xs.(i + 2) }
+
+type kind = Esfera | Cilindro | Cono
+type element = { name : string; kind : kind; numbers : dyadic array }
+
+let shape k { kind; numbers = n; _ } =
+  match kind with
+  | Esfera -> E.Sphere (vec k n 0, scaled k n.(3))
+  | Cilindro -> E.Cylinder (vec k n 0, scaled k n.(3), vec k n 4, scaled k n.(7))
+  | Cono -> E.Cone (vec k n 0, scaled k n.(3), vec k n 4, scaled k n.(7))
+
+type scene = { elements : element list; scene_places : int; shapes : (int, (string * E.shape) list) Hashtbl.t }
+
+let empty = { elements = []; scene_places = 0; shapes = Hashtbl.create 1 }
+
+let add scene element =
+  { elements = element :: scene.elements;
+    scene_places = max scene.scene_places (most_places element.numbers);
+    shapes = Hashtbl.create 8 }
+
+(* The shapes over the common denominator 2^k, kept for the next ray. *)
+let shapes_at scene k =
+  match Hashtbl.find_opt scene.shapes k with
+  | Some shapes -> shapes
+  | None ->
+      let shapes = List.map (fun e -> (e.name, shape k e)) scene.elements in
+      Hashtbl.replace scene.shapes k shapes;
+      shapes
+
+(* Rounding: x lies between the midpoints around f, or on one of them and f is even. *)
+
+let rational num den : E.surd = { num; coef = Z.zero; rad = Z.zero; den }
+
+let surd_of_dyadic { mantissa; exponent } =
+  if exponent >= 0 then rational (Z.shift_left mantissa exponent) Z.one
+  else rational mantissa (Z.shift_left Z.one (-exponent))
+
+(* 2^1024 stands where the next binary64 after the largest would be. *)
+let beyond f = if f = infinity then { mantissa = Z.one; exponent = 1024 }
+  else if f = neg_infinity then { mantissa = Z.minus_one; exponent = 1024 }
+  else dyadic_of_float f
+
+let midpoint f g =
+  let a = beyond f and b = beyond g in
+  let e = min a.exponent b.exponent in
+  let at x = Z.shift_left x.mantissa (x.exponent - e) in
+  surd_of_dyadic { mantissa = Z.add (at a) (at b); exponent = e - 1 }
+
+let is_even f = Float.abs f = infinity || Int64.logand (Int64.bits_of_float f) 1L = 0L
+
+let rounds_to (x : E.surd) f =
+  let against bound = Z.sign (E.cmp x bound) in
+  let above = f = neg_infinity || (let s = against (midpoint (Float.pred f) f) in s > 0 || (s = 0 && is_even f)) in
+  let below = f = infinity || (let s = against (midpoint f (Float.succ f)) in s < 0 || (s = 0 && is_even f)) in
+  above && below
+
+type claim = None_claimed | Miss | No_minimum of string list | Hit of string list * float * float array
+
+let names word = List.sort compare (String.split_on_char ',' word)
+
+let read_claim = function
+  | [] -> None_claimed
+  | [ "="; "miss" ] -> Miss
+  | [ "="; "no_minimum"; elements ] -> No_minimum (names elements)
+  | [ "="; "hit"; elements; t; x; y; z ] -> Hit (names elements, read_float t, Array.map read_float [| x; y; z |])
+  | words -> bad ("not a claim: " ^ String.concat " " words)
+
+let print_surd ({ num; coef; rad; den } : E.surd) = String.concat " " (List.map Z.to_string [ num; coef; rad; den ])
+
+let text = function
+  | E.Miss -> "miss"
+  | E.NoMin elements -> "no_minimum " ^ String.concat "," (List.sort compare elements)
+  | E.Hit (t, elements) -> Printf.sprintf "hit %s %s" (String.concat "," (List.sort compare elements)) (print_surd t)
+
+let holds s (p : E.vec3) (v : E.vec3) claim answer =
+  match (claim, answer) with
+  | Miss, E.Miss -> true
+  | No_minimum claimed, E.NoMin elements -> claimed = List.sort compare elements
+  | Hit (claimed, t, point), E.Hit (exact, elements) ->
+      claimed = List.sort compare elements
+      && rounds_to exact t
+      && rounds_to (E.coordinate s p.vx v.vx exact) point.(0)
+      && rounds_to (E.coordinate s p.vy v.vy exact) point.(1)
+      && rounds_to (E.coordinate s p.vz v.vz exact) point.(2)
+  | _ -> false
+
+let rec split_origin scene on = function
+  | word :: rest when word.[0] = '@' ->
+      let name = String.sub word 1 (String.length word - 1) in
+      if List.exists (fun e -> e.name = name) scene.elements then split_origin scene (name :: on) rest
+      else bad ("no such element: " ^ name)
+  | rest -> (on, rest)
+
+(* Whether the claim, if there is one, holds. *)
+let ray scene line words rest =
+  let numbers = Array.map read (Array.of_list words) in
+  let on, rest = split_origin scene [] rest in
+  let claim = read_claim rest in
+  let k = max scene.scene_places (most_places numbers) in
+  if Array.for_all (fun x -> Z.equal x.mantissa Z.zero) (Array.sub numbers 3 3) then bad "the direction is zero";
+  let s = Z.shift_left Z.one k and p = vec k numbers 0 and v = vec k numbers 3 in
+  let elements = List.map (fun (name, shape) -> ((name, shape), List.mem name on)) (shapes_at scene k) in
+  let answer = E.first_hit s p v elements in
+  match claim with
+  | None_claimed -> print_endline (text answer); true
+  | _ when holds s p v claim answer -> true
+  | _ -> Printf.printf "line %d: wrong: %s; exact: %s\n" line (String.concat " " rest) (text answer); false
+
+let element scene name kind words =
+  if List.exists (fun e -> e.name = name) scene.elements then bad ("name twice: " ^ name);
+  add scene { name; kind; numbers = Array.map read (Array.of_list words) }
+
+let step (scene, judged, wrong) number line =
+  match List.filter (( <> ) "") (String.split_on_char ' ' line) with
+  | [] -> (scene, judged, wrong)
+  | [ "scene" ] -> (empty, judged, wrong)
+  | "esfera" :: name :: ([ _; _; _; _ ] as words) -> (element scene name Esfera words, judged, wrong)
+  | "cilindro" :: name :: ([ _; _; _; _; _; _; _; _ ] as words) -> (element scene name Cilindro words, judged, wrong)
+  | "cono" :: name :: ([ _; _; _; _; _; _; _; _ ] as words) -> (element scene name Cono words, judged, wrong)
+  | "ray" :: px :: py :: pz :: vx :: vy :: vz :: rest ->
+      let right = ray scene number [ px; py; pz; vx; vy; vz ] rest in
+      (scene, judged + 1, if right then wrong else wrong + 1)
+  | _ -> bad ("not an item: " ^ line)
+
+let () =
+  let rec loop state number =
+    match input_line stdin with
+    | exception End_of_file -> state
+    | line ->
+        let state =
+          try step state number line
+          with Bad reason -> Printf.eprintf "oracle: line %d: %s\n" number reason; exit 2 in
+        loop state (number + 1) in
+  let _, rays, wrong = loop (empty, 0, 0) 1 in
+  Printf.eprintf "oracle: %d rays, %d wrong claims\n" rays wrong;
+  exit (if wrong = 0 then 0 else 1)
