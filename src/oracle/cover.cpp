@@ -15,10 +15,16 @@ using std::numbers::pi;
 /// few dozen roundings, and those of sine, cosine and e, each move it by less than 2⁻⁵⁰ of that sum.
 double rounding(const glm::dvec3& center, double size) { return 0x1p-45 * (glm::length(center) + size); }
 
+constexpr std::size_t max_samples = std::size_t{1} << 24;
+
+[[noreturn]] void too_many() {
+  throw std::length_error("a surface needs more than 2^24 samples; expected a coarser cover");
+}
+
 /// How many pieces no longer than `step` a length needs.
 std::size_t pieces(double length, double step) {
   const double count = std::max(1.0, std::ceil(length / step));
-  if (!(count <= 0x1p24)) throw std::length_error("a surface needs more than 2^24 samples; expected a coarser cover");
+  if (!(count <= double(max_samples))) too_many();
   return static_cast<std::size_t>(count);
 }
 
@@ -32,59 +38,96 @@ struct Frame {
   glm::dvec3 e1, e2, e3;
 };
 
-/// Adds the circle of this radius at this height, its samples at most δ apart, so an arc of at most δ/2 reaches one.
-void add_ring(Cover& cover, const glm::dvec3& center, const Frame& frame, double radius, double height, double delta) {
-  const std::size_t count = pieces(2 * pi * radius, delta);
-  if (cover.size() + count > (std::size_t{1} << 24))
-    throw std::length_error("a surface needs more than 2^24 samples; expected a coarser cover");
-  for (std::size_t i = 0; i < count; ++i) {
-    const double angle = 2 * pi * (double(i) + 0.5) / double(count);
-    const glm::dvec3 w =
-        center + frame.e1 * (radius * std::cos(angle)) + frame.e2 * (radius * std::sin(angle)) + frame.e3 * height;
-    cover.x.push_back(w.x);
-    cover.y.push_back(w.y);
-    cover.z.push_back(w.z);
+/// Makes the rings of one cover, then the tree of balls over them.
+class Rings {
+ public:
+  Rings(const glm::dvec3& center, const glm::dvec3& axis, double delta)
+      : center_(center), frame_(axis), delta_(delta) {}
+
+  /// Adds the circle of this radius at this height, its samples at most δ apart, so an arc of at most δ/2 reaches one.
+  void add(double radius, double height) {
+    const std::size_t count = pieces(2 * pi * radius, delta_);
+    if (samples_.size() + count > max_samples) too_many();
+    const std::size_t first = samples_.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const double angle = 2 * pi * (double(i) + 0.5) / double(count);
+      samples_.push_back(center_ + frame_.e1 * (radius * std::cos(angle)) + frame_.e2 * (radius * std::sin(angle)) +
+                         frame_.e3 * height);
+    }
+    rings_.push_back({radius, height, std::uint32_t(first), std::uint32_t(samples_.size())});
   }
-}
+
+  /// size: the largest length of the element; gradient(δ): the bound of |∇potencia| within δ of it.
+  template <class Gradient>
+  Cover cover(double size, Gradient gradient) && {
+    Cover made;
+    made.delta = delta_ + rounding(center_, size);
+    made.gradient = gradient(made.delta);
+    add_balls(made.balls, 0, rings_.size(), rounding(center_, size));
+    made.samples = std::move(samples_);
+    return made;
+  }
+
+ private:
+  struct Ring {
+    double radius, height;
+    std::uint32_t first, last;
+  };
+
+  /// The ball around the rings [first, last): its centre on the axis midway between the outermost of them.
+  void add_balls(std::vector<Ball>& balls, std::size_t first, std::size_t last, double slack) const {
+    const double middle = (rings_[first].height + rings_[last - 1].height) / 2;
+    double radius = 0;
+    for (std::size_t i = first; i < last; ++i)
+      radius = std::max(radius, std::hypot(rings_[i].radius, rings_[i].height - middle));
+    const std::size_t ball = balls.size();
+    balls.push_back({center_ + frame_.e3 * middle, radius + slack, rings_[first].first, rings_[last - 1].last, 0});
+    if (last - first == 1) return;
+    const std::size_t half = (first + last) / 2;
+    add_balls(balls, first, half, slack);
+    balls[ball].right = std::uint32_t(balls.size());
+    add_balls(balls, half, last, slack);
+  }
+
+  glm::dvec3 center_;
+  Frame frame_;
+  double delta_;
+  std::vector<glm::dvec3> samples_;
+  std::vector<Ring> rings_;
+};
 
 }  // namespace
 
 Cover cover(const scene::Sphere& sphere, double fineness) {
   const double r = sphere.radio, delta = fineness * r;
-  Cover made{{}, {}, {}, delta + rounding(sphere.centro, r), 0, sphere.centro, r};
-  made.gradient = 2 * (r + made.delta);  // ∇ = 2q
-  const Frame frame({0, 0, 1});
+  Rings made(sphere.centro, {0, 0, 1}, delta);
   const std::size_t rings = pieces(pi * r, delta);  // meridian arcs of length ≤ δ, each with its ring in the middle
   for (std::size_t i = 0; i < rings; ++i) {
     const double angle = pi * (double(i) + 0.5) / double(rings);
-    add_ring(made, sphere.centro, frame, r * std::sin(angle), r * std::cos(angle), delta);
+    made.add(r * std::sin(angle), r * std::cos(angle));
   }
-  return made;
+  return std::move(made).cover(r, [=](double d) { return 2 * (r + d); });  // ∇ = 2q
 }
 
 Cover cover(const scene::Cylinder& cylinder, double fineness) {
   const double r = cylinder.radio, h = cylinder.altura, delta = fineness * r;
-  const Frame frame(cylinder.vector);
-  Cover made{{}, {}, {}, delta + rounding(cylinder.centro, r + h), 0, cylinder.centro + frame.e3 * (h / 2), r + h / 2};
-  made.gradient = 2 * (r + made.delta);  // ∇ = 2(q − s·d)
+  Rings made(cylinder.centro, cylinder.vector, delta);
   const std::size_t rings = pieces(h, delta);
-  for (std::size_t i = 0; i < rings; ++i)
-    add_ring(made, cylinder.centro, frame, r, h * (double(i) + 0.5) / double(rings), delta);
-  return made;
+  for (std::size_t i = 0; i < rings; ++i) made.add(r, h * (double(i) + 0.5) / double(rings));
+  return std::move(made).cover(r + h, [=](double d) { return 2 * (r + d); });  // ∇ = 2(q − s·d)
 }
 
 Cover cover(const scene::Cone& cone, double fineness) {
   const double k = cone.proporcion, h = cone.altura, base = k * h, slant = std::hypot(base, h);
   const double delta = fineness * std::min(base, slant);
-  const Frame frame(cone.vector);
-  Cover made{{}, {}, {}, delta + rounding(cone.centro, slant), 0, cone.centro + frame.e3 * (h / 2), base + h / 2};
-  made.gradient = 2 * (base + made.delta) + 2 * k * k * (h + made.delta);  // ∇ = 2(q − s·d) + 2k²(h − s)·d
+  Rings made(cone.centro, cone.vector, delta);
   const std::size_t rings = pieces(slant, delta);
   for (std::size_t i = 0; i < rings; ++i) {
     const double s = h * (double(i) + 0.5) / double(rings);
-    add_ring(made, cone.centro, frame, k * (h - s), s, delta);
+    made.add(k * (h - s), s);
   }
-  return made;
+  // ∇ = 2(q − s·d) + 2k²(h − s)·d
+  return std::move(made).cover(slant, [=](double d) { return 2 * (base + d) + 2 * k * k * (h + d); });
 }
 
 }  // namespace durero::oracle

@@ -20,41 +20,63 @@ struct Line {
   glm::dvec3 v;
 };
 
-bool misses_ball(const Cover& cover, const Line& line) {
-  const glm::dvec3 to_center = cover.center - line.p;
-  const double along = std::max(0.0, glm::dot(to_center, line.v));
-  const glm::dvec3 apart = to_center - line.v * along;
-  const double reach = (cover.radius + cover.delta) * (1 + 0x1p-40);
-  return glm::dot(apart, apart) > reach * reach;
-}
-
 /// The sample within δ of the ray whose foot is nearest to the origin.
-std::optional<Candidate> nearest(const Cover& cover, const Line& line) {
-  if (misses_ball(cover, line)) return std::nullopt;
-  const double limit = cover.delta * cover.delta;
-  double best = infinity;
-  std::size_t which = 0;
-  for (std::size_t i = 0; i < cover.size(); ++i) {
-    const double qx = cover.x[i] - line.p.x, qy = cover.y[i] - line.p.y, qz = cover.z[i] - line.p.z;
-    const double foot = std::max(0.0, qx * line.v.x + qy * line.v.y + qz * line.v.z);
-    const double ex = qx - foot * line.v.x, ey = qy - foot * line.v.y, ez = qz - foot * line.v.z;
-    if (ex * ex + ey * ey + ez * ez <= limit && foot < best) {
-      best = foot;
-      which = i;
+class Nearest {
+ public:
+  Nearest(const Cover& cover, const Line& line) : cover_(cover), line_(line) { visit(0); }
+
+  std::optional<Candidate> candidate() const {
+    if (foot_ == infinity) return std::nullopt;
+    return Candidate{foot_, cover_.samples[which_]};
+  }
+
+ private:
+  /// False where no sample of the ball is a candidate nearer than the one found.
+  bool may_improve(const Ball& ball) const {
+    const glm::dvec3 to_center = ball.center - line_.p;
+    const double along = glm::dot(to_center, line_.v);
+    const glm::dvec3 apart = to_center - line_.v * std::max(0.0, along);
+    const double reach = (ball.radius + cover_.delta) * (1 + 0x1p-40) + 0x1p-40 * glm::length(to_center);
+    return glm::dot(apart, apart) <= reach * reach && along - reach < foot_;
+  }
+
+  void visit(std::uint32_t index) {
+    const Ball& ball = cover_.balls[index];
+    if (!may_improve(ball)) return;
+    if (ball.right == 0) return look(ball.first, ball.last);
+    visit(index + 1);
+    visit(ball.right);
+  }
+
+  void look(std::uint32_t first, std::uint32_t last) {
+    const double limit = cover_.delta * cover_.delta;
+    for (std::uint32_t i = first; i < last; ++i) {
+      const glm::dvec3 q = cover_.samples[i] - line_.p;
+      const double foot = std::max(0.0, glm::dot(q, line_.v));
+      const glm::dvec3 apart = q - line_.v * foot;
+      if (foot >= foot_ || glm::dot(apart, apart) > limit) continue;
+      foot_ = foot;
+      which_ = i;
     }
   }
-  if (best == infinity) return std::nullopt;
-  return Candidate{best, {cover.x[which], cover.y[which], cover.z[which]}};
-}
 
-/// True when some sample lies within δ of the point.
-bool near_sample(const Cover& cover, const glm::dvec3& point, double slack) {
-  const double limit = (cover.delta + slack) * (cover.delta + slack);
-  for (std::size_t i = 0; i < cover.size(); ++i) {
-    const double x = cover.x[i] - point.x, y = cover.y[i] - point.y, z = cover.z[i] - point.z;
-    if (x * x + y * y + z * z <= limit) return true;
-  }
-  return false;
+  const Cover& cover_;
+  const Line& line_;
+  double foot_ = infinity;
+  std::uint32_t which_ = 0;
+};
+
+std::optional<Candidate> nearest(const Cover& cover, const Line& line) { return Nearest(cover, line).candidate(); }
+
+/// True when some sample lies within δ of the point. `slack` is for the rounding of the point.
+bool near_sample(const Cover& cover, const glm::dvec3& point, double slack, std::uint32_t index = 0) {
+  const Ball& ball = cover.balls[index];
+  const double limit = cover.delta + slack;
+  if (glm::length(ball.center - point) > ball.radius + limit) return false;
+  if (ball.right != 0)
+    return near_sample(cover, point, slack, index + 1) || near_sample(cover, point, slack, ball.right);
+  return std::any_of(cover.samples.begin() + ball.first, cover.samples.begin() + ball.last,
+                     [&](const glm::dvec3& sample) { return glm::length(sample - point) <= limit; });
 }
 
 /// potencia along the ray, around a point x of it: a·u² + 2b·u + c; and s + u·s_step, the advance along the axis.
@@ -84,10 +106,16 @@ Local expand(const scene::Scene& scene, scene::ElementRef ref, const glm::dvec3&
   return local;
 }
 
+/// The slack for the rounding of distances: 2⁻⁴⁰ of the lengths at hand, which a few dozen roundings do not reach.
+double rounding(const Cover& cover, const Line& line) {
+  const Ball& all = cover.balls.front();
+  return 0x1p-40 * (glm::length(line.p - all.center) + all.radius);
+}
+
 /// Why the ray need not meet the element near the candidate's foot; `unsound` where nothing explains it.
 Verdict explain(const scene::Scene& scene, scene::ElementRef ref, const Cover& cover, const Line& line, double foot) {
+  const double slack = rounding(cover, line);
   const double delta = cover.delta, eta = reach_ratio * delta;
-  const double slack = 0x1p-40 * (glm::length(line.p - cover.center) + cover.radius);
   const Local at = expand(scene, ref, line.p + line.v * foot, line.v);
   const double discriminant = at.b * at.b - at.a * at.c;
   if (discriminant < std::pow(cover.gradient / reach_ratio, 2)) return Verdict::grazing;
@@ -145,7 +173,7 @@ Verdict Oracle::judge(const model::Rayo& ray, const scene::Hit& claimed) const {
   Verdict verdict = Verdict::agrees;
   for (const Element& element : elements_) {
     const Cover& cover = element.cover;
-    const double slack = 0x1p-40 * (glm::length(line.p - cover.center) + cover.radius);
+    const double slack = rounding(cover, line);
     if (names(claimed, element.ref) && !near_sample(cover, point, slack)) return Verdict::incomplete;
     const auto candidate = nearest(cover, line);
     if (!candidate || claim <= candidate->distance + reach_ratio * cover.delta + slack) continue;

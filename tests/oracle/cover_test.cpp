@@ -15,8 +15,7 @@ namespace {
 
 double distance_to(const oracle::Cover& cover, const glm::dvec3& point) {
   double best = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < cover.size(); ++i)
-    best = std::min(best, glm::length(glm::dvec3(cover.x[i], cover.y[i], cover.z[i]) - point));
+  for (const glm::dvec3& sample : cover.samples) best = std::min(best, glm::length(sample - point));
   return best;
 }
 
@@ -78,11 +77,26 @@ TEST_CASE("every point of a cone has a sample within delta, apex and rim too") {
 TEST_CASE("samples lie on the surface, so a cover proves something") {
   const scene::Sphere sphere{{1, 2, 3}, 2};
   const oracle::Cover cover = oracle::cover(sphere, fineness);
-  for (std::size_t i = 0; i < cover.size(); ++i)
-    CHECK(glm::length(glm::dvec3(cover.x[i], cover.y[i], cover.z[i]) - sphere.centro) == Approx(2).epsilon(1e-12));
+  for (const glm::dvec3& sample : cover.samples) CHECK(glm::length(sample - sphere.centro) == Approx(2).epsilon(1e-12));
 }
 
 TEST_CASE("a cover of too many samples is refused, not begun") {
   CHECK_THROWS_AS(oracle::cover(scene::Cylinder{{0, 0, 0}, 1e-6, {0, 0, 1}, 1e6}, fineness), std::length_error);
   CHECK_THROWS_AS(oracle::cover(scene::Sphere{{0, 0, 0}, 1}, 1e-9), std::length_error);
+}
+
+TEST_CASE("each ball holds its samples, and its halves share them out") {
+  const scene::Cone cone{{1, 2, 3}, 0.5, {0, 0.6, 0.8}, 3};
+  const oracle::Cover cover = oracle::cover(cone, fineness);
+  REQUIRE(cover.balls.front().first == 0);
+  REQUIRE(cover.balls.front().last == cover.samples.size());
+  for (std::size_t i = 0; i < cover.balls.size(); ++i) {
+    const oracle::Ball& ball = cover.balls[i];
+    for (std::uint32_t n = ball.first; n < ball.last; ++n)
+      CHECK(glm::length(cover.samples[n] - ball.center) <= ball.radius);
+    if (ball.right == 0) continue;
+    CHECK(cover.balls[i + 1].first == ball.first);
+    CHECK(cover.balls[i + 1].last == cover.balls[ball.right].first);
+    CHECK(cover.balls[ball.right].last == ball.last);
+  }
 }

@@ -11,6 +11,7 @@
 /// 2⁻⁴⁵·(|centro| + size), where size is the largest length of the element; δ includes it.
 
 #include <cstddef>
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -18,14 +19,20 @@
 
 namespace durero::oracle {
 
-struct Cover {
-  std::vector<double> x, y, z;  ///< the samples
-  double delta;                 ///< covering radius δ, a length
-  double gradient;              ///< an upper bound of |∇potencia| within δ of the surface
-  glm::dvec3 center;            ///< centre and radius of a ball that holds the surface
+/// A ball that holds the samples [first, last). Balls stand in preorder: the left half of one is the next ball, its
+/// right half is `right`; a ball of a single ring has none (right = 0).
+struct Ball {
+  glm::dvec3 center;
   double radius;
+  std::uint32_t first, last;
+  std::uint32_t right;
+};
 
-  std::size_t size() const noexcept { return x.size(); }
+struct Cover {
+  std::vector<glm::dvec3> samples;
+  double delta = 0;         ///< covering radius δ, a length
+  double gradient = 0;      ///< an upper bound of |∇potencia| within δ of the surface
+  std::vector<Ball> balls;  ///< a tree over the samples; the first ball holds them all
 };
 
 /// Covers a surface with covering radius at most `fineness` times its radius (a cone's: the smaller of base radius and
