@@ -3,13 +3,35 @@
 /// 0 yes or done, 1 the answer is no, 2 the call or the input is bad (as io::InputError and io::FileError, which main
 /// prints).
 
+#include <tbb/global_control.h>
+
 #include <CLI/CLI.hpp>
+#include <optional>
 
 namespace durero::cli {
+
+/// Holds the program to a number of threads while it lives; 0: as many as the machine has.
+class ThreadLimit {
+ public:
+  explicit ThreadLimit(std::size_t threads) {
+    if (threads != 0) limit_.emplace(tbb::global_control::max_allowed_parallelism, threads);
+  }
+
+ private:
+  std::optional<tbb::global_control> limit_;
+};
+
+/// The option --threads of a command.
+inline void add_threads(CLI::App& command, std::size_t& threads) {
+  command.add_option("--threads", threads, "How many threads; without it, as many as the machine has")
+      ->check(CLI::Range(1, 1024));
+}
 
 void add_check(CLI::App& app, int& status);
 void add_edit(CLI::App& app, int& status);
 void add_trace(CLI::App& app, int& status);
+void add_render(CLI::App& app, int& status);
+void add_agree(CLI::App& app, int& status);
 void add_import(CLI::App& app, int& status);
 void add_export(CLI::App& app, int& status);
 

@@ -6,10 +6,28 @@
 #include <array>
 #include <vector>
 
+#include "durero/oracle/exact.hpp"
+#include "durero/oracle/sampled.hpp"
+#include "durero/trace/analytic.hpp"
+
 namespace durero::cli {
 namespace {
 
-constexpr std::array<Engine, 0> all = {};
+// The sampled engine covers the scene anew for each ray: it is there to be looked at, not to be fast.
+scene::Hit sampled_first_hit(const scene::Scene& scene, const model::Rayo& rayo, std::span<const scene::ElementRef>) {
+  return oracle::sampled::Oracle(scene).first_hit(rayo);
+}
+bool sampled_occluded_segment(const scene::Scene& scene, const model::Rayo& rayo,
+                              std::span<const scene::ElementRef> en) {
+  const scene::Hit hit = sampled_first_hit(scene, rayo, en);
+  return hit.resultado == model::Resultado::hit && hit.t < 1;
+}
+
+constexpr std::array<Engine, 3> all = {{
+    {"sampled", sampled_first_hit, sampled_occluded_segment},
+    {"exact", oracle::exact::first_hit, oracle::exact::occluded_segment},
+    {"analytic", trace::first_hit, trace::occluded_segment},
+}};
 
 }  // namespace
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The engines that `durero trace --engine` and `durero render --engine` know: a name and a first hit.
+/// The engines that `durero trace --engine` and `durero render --engine` know: a name, a first hit and a shadow.
 
 #include <span>
 #include <string>
@@ -15,9 +15,14 @@ namespace durero::cli {
 using FirstHit = scene::Hit (*)(const scene::Scene& scene, const model::Rayo& rayo,
                                 std::span<const scene::ElementRef> en);
 
+/// occluded_segment: the ray meets an element at some 0 < t < 1.
+using OccludedSegment = bool (*)(const scene::Scene& scene, const model::Rayo& rayo,
+                                 std::span<const scene::ElementRef> en);
+
 struct Engine {
   std::string_view name;
   FirstHit first_hit;
+  OccludedSegment occluded_segment;
 };
 
 /// In the order of the ladder.

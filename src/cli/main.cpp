@@ -30,6 +30,8 @@ int main(int argc, char* argv[]) {
   durero::cli::add_check(app, status);
   durero::cli::add_edit(app, status);
   durero::cli::add_trace(app, status);
+  durero::cli::add_render(app, status);
+  durero::cli::add_agree(app, status);
   durero::cli::add_import(app, status);
   durero::cli::add_export(app, status);
   try {

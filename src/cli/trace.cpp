@@ -1,9 +1,6 @@
 // durero trace SCENE RAYS [--engine E] [--threads N] [-o OUT]: the first hit of every ray.
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-
-#include <optional>
 
 #include "commands.hpp"
 #include "durero/io/hits_file.hpp"
@@ -47,8 +44,7 @@ void write_hits(const std::string& path, const std::vector<scene::Hit>& hits, co
 
 int run(const Options& options) {
   const Engine* engine = find_engine(options.engine);
-  std::optional<tbb::global_control> limit;
-  if (options.threads != 0) limit.emplace(tbb::global_control::max_allowed_parallelism, options.threads);
+  const ThreadLimit limit(options.threads);
   const scene::Scene scene = io::read_scene(io::read_source(options.scene));
   const std::vector<io::Ray> rays = io::read_rays(io::read_source(options.rays), scene);
   write_hits(options.out, trace(scene, rays, engine->first_hit), scene);
@@ -63,8 +59,7 @@ void add_trace(CLI::App& app, int& status) {
   command->add_option("SCENE", options->scene, "Scene file (JSON)")->required();
   command->add_option("RAYS", options->rays, "Ray file: text, or .npy (float64, n by 6)")->required();
   command->add_option("--engine", options->engine, "One of " + engine_names())->check(is_engine)->capture_default_str();
-  command->add_option("--threads", options->threads, "How many threads; without it, as many as the machine has")
-      ->check(CLI::Range(1, 1024));
+  add_threads(*command, options->threads);
   command->add_option("-o,--output", options->out, "Where the hits go: JSON lines, or .npy by the name");
   command->callback([options, &status] { status = run(*options); });
 }

@@ -153,6 +153,12 @@ Oracle::Oracle(const scene::Scene& scene, double fineness) : scene_(scene) {
   add(Tipo::soy_cono, scene.cones());
 }
 
+std::vector<Ball> Oracle::bounds() const {
+  std::vector<Ball> balls;
+  for (const Element& element : elements_) balls.push_back(element.cover.balls.front());
+  return balls;
+}
+
 scene::Hit Oracle::first_hit(const model::Rayo& ray) const {
   const Line line(ray);
   scene::Hit hit;

@@ -56,6 +56,9 @@ class Oracle {
  public:
   explicit Oracle(const scene::Scene& scene, double fineness = default_fineness);
 
+  /// A ball around each element.
+  std::vector<Ball> bounds() const;
+
   /// The nearest candidate over all elements, as a hit: t and punto (the sample) are approximate, within δ.
   scene::Hit first_hit(const model::Rayo& ray) const;
 
