@@ -27,6 +27,14 @@ constexpr std::array<std::string_view, 5> opening = {"(", "[", "{", "⟨", "⦉"
 constexpr std::array<std::string_view, 11> leading = {"¬", "∀", "∃", "∃₁", "λ", "μ", "θ", "ℙ", "let", "if", "pre"};
 constexpr std::array<std::string_view, 10> digits = {"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
 
+/// A word that is a name, and no keyword or operator.
+bool bears_strokes(std::string_view word) {
+  const char c = word[0];
+  const bool letters = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+  if (!letters && !among(word, word_symbols)) return false;
+  return !is_reserved(word) && !find_operator(word, Fixity::infix) && !find_operator(word, Fixity::prefix);
+}
+
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
@@ -135,6 +143,13 @@ class Lexer {
     throw ZError(place, what, expected);
   }
 
+  void comment() {
+    const std::string_view line = text_.substr(at_, text_.find('\n', at_) - at_);
+    const std::string label = label_in(line);
+    if (!label.empty() && !tokens_.empty() && tokens_.back().place.line == place_.line) tokens_.back().label = label;
+    take(line.size());
+  }
+
   /// True where what was read last can be the left operand of an infix operator.
   bool continues() const { return !tokens_.empty() && ends(tokens_.back()); }
 
@@ -191,13 +206,6 @@ class Latex : Lexer {
     } else {
       plain();
     }
-  }
-
-  void comment() {
-    const std::string_view line = text_.substr(at_, text_.find('\n', at_) - at_);
-    const std::string label = label_in(line);
-    if (!label.empty() && !tokens_.empty() && tokens_.back().place.line == place_.line) tokens_.back().label = label;
-    take(line.size());
   }
 
   void plain() {
@@ -319,12 +327,9 @@ class Latex : Lexer {
       tokens_.push_back({Type::newline, "\n", {}, *newline_, {}, false});
     }
     std::string text(*found);
-    if (here() == '_') {
+    if (here() == '_' || (is_stroke(here()) && bears_strokes(text))) {
       std::string after = strokes(text);
       if (!after.empty()) return emit(Type::word, std::move(text), place, std::move(after));
-    } else if (is_stroke(here()) && is_letter(text[0]) && own != markup_.end()) {
-      std::string after = strokes(text);
-      return emit(Type::word, std::move(text), place, std::move(after));
     }
     emit(text, place);
   }
@@ -353,6 +358,8 @@ class Unicode : Lexer {
     if (is_space(c)) {
       if (c == '\n') newline(place_);
       take();
+    } else if (c == '%') {
+      comment();
     } else if (is_digit(c)) {
       numeral();
     } else if (is_stroke(c) || stroke_here()) {

@@ -1,5 +1,6 @@
 #include "durero/zed/parser.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "term_parser.hpp"
@@ -30,7 +31,7 @@ class ParagraphParser {
     const Place place = in_.peek().place;
     Schema made;
     made.name = in_.name();
-    made.formals = formals();
+    if (in_.peek().place.line == place.line) made.formals = formals();  // a schema text may begin the next line
     made.text = body();
     return {place, std::move(made)};
   }
@@ -197,6 +198,31 @@ std::vector<Name> names_declared(std::string_view environment, const std::vector
 Term parse_unicode(std::string_view text) {
   const std::vector<Token> tokens = lex_unicode(text);
   return ParagraphParser(tokens).only_term();
+}
+
+Paragraph parse_unicode_paragraph(std::string_view text) {
+  static constexpr std::string_view top = "┌─", side = "│", middle = "├─", bottom = "└─";
+  std::string environment = "zed", plain;
+  while (!text.empty()) {
+    std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    if (line.starts_with(top)) {
+      line.remove_prefix(top.size());
+      const std::size_t title = line.find_first_not_of(' ');
+      environment = title == line.npos ? "axdef" : line[title] == '[' ? "gendef" : "schema";
+    } else if (line.starts_with(side)) {
+      line.remove_prefix(side.size());
+    } else if (line.starts_with(middle) || line.starts_with(bottom)) {
+      line = line.starts_with(middle) ? "|" : "";
+    }
+    plain += std::string(line) + "\n";
+  }
+  const std::vector<Token> tokens = lex_unicode(plain);
+  std::vector<ZError> mended;
+  std::vector<Paragraph> made = parse_block(environment, tokens, mended);
+  if (!mended.empty()) throw mended[0];
+  if (made.size() != 1) throw ZError(made[1].place, "more than one paragraph", "expected one");
+  return std::move(made[0]);
 }
 
 Term parse_latex(std::string_view text, const Markup& markup) {

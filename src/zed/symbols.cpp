@@ -260,6 +260,8 @@ const Operator* operator_of_name(std::string_view name) {
   return found == table.end() ? nullptr : found->second;
 }
 
+bool is_operator_name(std::string_view name) { return name == "_⦇_⦈" || operator_of_name(name) != nullptr; }
+
 bool is_reserved(std::string_view word) {
   static const std::unordered_set<std::string_view> table(std::begin(reserved), std::end(reserved));
   return table.contains(word);

@@ -305,12 +305,11 @@ Term TermParser::parenthesis() {
   const Place place = in_.next().place;
   if (in_.sees("_") || (in_.peek(1).is("_") && find_operator(in_.peek().text, Fixity::prefix)))
     return word_or_operator();
-  if (in_.sees("μ")) {
-    Term made = quantifier(Kind::mu, false);
-    if (in_.accept(")")) return made;
-    in_.fail("expected )");
-  }
-  std::vector<Term> parts = terms(")");
+  const bool mu = in_.sees("μ");
+  std::vector<Term> parts = {mu ? quantifier(Kind::mu, false) : term()};
+  const bool alone = mu && parts[0]->children.empty();
+  while (!alone && in_.accept(",")) parts.push_back(term());
+  in_.expect(")");
   if (parts.size() == 1) return parts[0];
   return checked(node(Kind::tuple, std::move(parts), place));
 }
@@ -324,7 +323,7 @@ Term TermParser::word_or_operator() {
     name += in_.next().text;
   }
   in_.next();
-  if (!operator_of_name(name) && name != "_⦇_⦈")
+  if (!is_operator_name(name))
     throw ZError(place, "unknown operator " + name, "expected an operator of the standard toolkit");
   return reference({name, {}}, {}, place);
 }

@@ -34,6 +34,9 @@ std::vector<Name> names_declared(std::string_view environment, const std::vector
 /// One expression or predicate in Unicode, to the end of the text. Throws ZError.
 Term parse_unicode(std::string_view text);
 
+/// One paragraph in Unicode, in the form that to_unicode() prints. Throws ZError.
+Paragraph parse_unicode_paragraph(std::string_view text);
+
 /// One expression or predicate in LaTeX mark-up, to the end of the text. Throws ZError.
 Term parse_latex(std::string_view text, const Markup& markup = {});
 

@@ -38,6 +38,9 @@ const Operator* find_operator(std::string_view symbol, Fixity fixity);
 /// The operator that a name such as `_∪_` stands for, or null.
 const Operator* operator_of_name(std::string_view name);
 
+/// True for the name of an operator, `_⦇_⦈` included.
+bool is_operator_name(std::string_view name);
+
 /// The precedence of × among the infix operators (ISO/IEC 13568, 8.3).
 inline constexpr int product_precedence = 8;
 
