@@ -6,11 +6,10 @@ durero=$1 folder=$2 out=$3
 tmp=$(mktemp -d)
 trap 'rm -rf "$tmp"' EXIT
 
-echo "Durero: a still life behind Dürer's frame"
-echo
-echo "1. Check: every invariant of the Z schema Escena, on demo/still-life.json"
-"$durero" check "$folder/still-life.json" | sed 's/^/   /'
-echo
+echo "Durero: a still life behind Dürer's frame (demo/still-life.json)"
+"$durero" check "$folder/still-life.json" >"$tmp/check"
+echo "1. Check: $(head -n 1 "$tmp/check" | sed 's/.*: \([0-9]* elementos\)/\1/')"
+echo "   $(grep -c ' ok: ' "$tmp/check") of $(grep -c '^Escena.inv' "$tmp/check") invariants of the Z schema Escena hold"
 echo "2. Edit under contract: demo/edits.txt"
 status=0
 "$durero" edit "$folder/still-life.json" --script "$folder/edits.txt" --audit -o "$tmp/scene.json" >"$tmp/answers" || status=$?
@@ -24,10 +23,8 @@ while IFS= read -r answer; do
        printf '   %-34s refused  %s\n' "$operation" "$why" ;;
   esac
 done <"$tmp/answers"
-echo
 echo "3. The analytic tracer against the set-of-points oracle, on 100000 rays"
 "$durero" agree "$tmp/scene.json" --rays 100000 | sed 's/^/   /'
-echo
 echo "4. Render, 1280 x 720"
 "$durero" render "$tmp/scene.json" -o "$out/durero-demo.png"
 echo "   $out/durero-demo.png"
