@@ -90,9 +90,9 @@ double round_to_binary64(const DyadicSurd& value) {
   require_valid(value);
   if (sign_of_term(value.y, value.delta) == 0) return round_quotient(value.x, value.w);
   if (const auto rounded = quick_round(value)) return *rounded;
-  if (sign(value) == 0) return 0.0;
-  // A narrowing interval around the value, which is not 0: in the end it lies on one side of 0 and holds at most one
-  // middle of two neighbours, which is then compared exactly. 128 bits are enough unless x and y√delta nearly cancel.
+  // A narrowing interval around the value. Where the value is not 0, in the end the interval lies on one side of 0 and
+  // holds at most one middle of two neighbours, which is then compared exactly. Where it is 0, √delta = −x/y is
+  // rational, hence dyadic, and in the end the root is exact. 128 bits are enough unless x and y√delta nearly cancel.
   for (std::int64_t bits = 128;; bits *= 2) {
     const SquareRoot root = square_root(value.delta, bits);
     const Dyadic begin = value.x + value.y * root.value;

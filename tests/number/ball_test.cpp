@@ -45,6 +45,37 @@ TEST_CASE("A ball holds the number that it stands for") {
   });
 }
 
+TEST_CASE("The radius covers every pair of numbers of two balls") {
+  const auto ball = [] {
+    return *rc::gen::apply([](double m, double r, int e) { return Ball(m, std::abs(r), e); }, test::moderate(),
+                           rc::gen::oneOf(test::dyadicGrid(), rc::gen::just(0x1p-53), rc::gen::just(0.0)),
+                           rc::gen::resize(100, rc::gen::element(-1000, -199, -3, 0, 2, 1000)));
+  };
+  const auto end = [](const Ball& b, int side) {
+    const Rational unit = shifted(Dyadic(1), b.exponent).rational();
+    return Rational((exact(b.middle) + side * exact(b.radius)) * unit);
+  };
+  test::property("their ends", [&] {
+    const Ball a = ball(), b = ball();
+    const Dyadic c = *test::nonZero(test::moderate());
+    for (const int i : {-1, 1}) {
+      RC_ASSERT(contains(Ball(a) / Ball(c), end(a, i) / c.rational()));
+      for (const int j : {-1, 1}) {
+        RC_ASSERT(contains(a + b, end(a, i) + end(b, j)));
+        RC_ASSERT(contains(a * b, end(a, i) * end(b, j)));
+        RC_ASSERT(contains(a / Ball(c), end(a, i) / end(Ball(c), j)));
+      }
+    }
+  });
+  test::property("and those of a root's", [&] {
+    const Ball square(std::abs(*test::nonZero(test::moderate())), 0x1p-10, *rc::gen::element(-3, 0, 1, 100));
+    const Ball root = sqrt(square);
+    const Rational low = end(root, -1), high = end(root, 1);
+    RC_ASSERT(low < 0 || low * low <= end(square, -1));
+    RC_ASSERT(high * high >= end(square, 1));
+  });
+}
+
 TEST_CASE("A ball decides a sign only where all of it has that sign, and nearly always where it is not close") {
   CHECK(Ball(1.0, 0.5, 0).decided_sign() == 1);
   CHECK(Ball(-1.0, 0.5, 0).decided_sign() == -1);

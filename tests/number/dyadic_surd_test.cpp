@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "durero/number/quick_round.hpp"
+#include "durero/number/quotient.hpp"
 #include "support/catch.hpp"
 #include "support/nearest.hpp"
 #include "surds.hpp"
@@ -71,6 +72,7 @@ TEST_CASE("sign_of_sum agrees with 8000 bits") {
   CHECK(sign_of_sum(-5, 1, 4, 1, 9) == 0);   // √4 + √9 = 5
   CHECK(sign_of_sum(-3, 1, 2, 1, 3) == 1);   // √2 + √3 = 3.146…
   CHECK(sign_of_sum(0, 1, 0, 0, 7) == 0);
+  CHECK(sign_of_sum(-3, 1, 9, shifted(Dyadic(1), -300), 2) == 1);  // −3 + √9 + 2⁻³⁰⁰√2
   CHECK_THROWS_AS(sign_of_sum(1, 1, -1, 1, 1), std::domain_error);
   CHECK_THROWS_AS(sign_of_sum(1, 1, 1, 1, -1), std::domain_error);
 }
@@ -144,7 +146,8 @@ TEST_CASE("Surds halfway between two binary64, and beside that by next to nothin
     Rational scaled = middle;
     mpq_mul_2exp(scaled.backend().data(), middle.backend().data(), 1100);
     const Dyadic m(numerator(scaled), -1100);
-    const Dyadic q = std::abs(*test::nonZero(anyFinite()));
+    // A q of more than 128 bits is a root that the first interval does not find exactly.
+    const Dyadic q = shifted(Dyadic(std::abs(*test::nonZero(anyFinite()))), *rc::gen::element(0, 300)) + 1;
     const Dyadic w = *test::nonZero(anyFinite());
     const bool low_is_even = std::bit_cast<std::uint64_t>(low) % 2 == 0;
     const double up = sign(w) > 0 ? high : low, down = sign(w) > 0 ? low : high;
@@ -154,6 +157,23 @@ TEST_CASE("Surds halfway between two binary64, and beside that by next to nothin
     RC_ASSERT(is_rounded(beside(m, 0, q, w)) && is_rounded(beside(m, 1, q, w)));
     RC_ASSERT(!quick_round(beside(m, 0, q, w)));
   });
+}
+
+TEST_CASE("A surd that cancels to any number of bits is rounded to the nearest") {
+  test::property("√delta less its own first bits, and less the root itself", [] {
+    const Dyadic delta = std::abs(*test::nonZero(anyFinite()));
+    const auto bits = *rc::gen::resize(100, rc::gen::inRange(60, 1500));
+    const SquareRoot root = square_root(delta, bits);
+    const Dyadic w = *test::nonZero(anyFinite());
+    RC_ASSERT(is_rounded({.x = root.value, .y = -1, .delta = delta, .w = w}));
+    RC_ASSERT(is_rounded({.x = -(root.value + root.unit), .y = 1, .delta = delta, .w = w}));
+    RC_ASSERT(is_rounded({.x = -root.value, .y = 1, .delta = square(root.value), .w = w}));
+  });
+  // 2⁻¹²⁰⁰ − √(2⁻²⁴⁰⁰ + 2⁻³⁰⁰⁰) < 0, which 128 bits do not tell from 0.
+  const DyadicSurd tiny{
+      .x = shifted(Dyadic(1), -1200), .y = -1, .delta = shifted(Dyadic(1), -2400) + shifted(Dyadic(1), -3000)};
+  CHECK(std::signbit(round_to_binary64(tiny)));
+  CHECK(is_rounded(tiny));
 }
 
 TEST_CASE("A surd that is 0 gives +0, a negative one too small for a binary64 gives −0") {
