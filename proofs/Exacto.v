@@ -167,7 +167,8 @@ Lemma advance_over S c d l p v t : (0 < S)%Z ->
 Proof.
   intros HS q; apply IZR_lt in HS as HR; assert (HS2 : 0 < IZR S ^ 2) by nra.
   assert (IZR (dot q d) + t * IZR (dot v d) = IZR S ^ 2 * avance (ray_at S p v t) (point S c) (direction S d)) as ->.
-  { unfold q, avance, dot, minus; cbn [point direction ray_at Punto_x Punto_y Punto_z Vector_x Vector_y Vector_z vx vy vz].
+  { unfold q, avance, dot, minus.
+    cbn [point direction ray_at Punto_x Punto_y Punto_z Vector_x Vector_y Vector_z vx vy vz].
     repeat rewrite ?plus_IZR, ?minus_IZR, ?mult_IZR; unfold over; field; lra. }
   replace (IZR (S * l)) with (IZR S ^ 2 * over S l) by (rewrite mult_IZR; unfold over; field; lra).
   split; intros [H1 H2]; split; nra.

@@ -65,7 +65,8 @@ Lemma within_correct q x : valid x ->
   (within q x = true <-> 0 < val x /\ 0 <= IZR (s0 q) + val x * IZR (s1 q) <= IZR (h q)).
 Proof.
   intros Hx; unfold within; rewrite !andb_true_iff.
-  rewrite (is_sign_pos _ _ (sign_affine_correct 0 1 x Hx)), (is_sign_nonneg _ _ (sign_affine_correct (s0 q) (s1 q) x Hx)),
+  rewrite (is_sign_pos _ _ (sign_affine_correct 0 1 x Hx)),
+    (is_sign_nonneg _ _ (sign_affine_correct (s0 q) (s1 q) x Hx)),
     (is_sign_nonpos _ _ (sign_affine_correct (s0 q - h q) (s1 q) x Hx)), minus_IZR; lra.
 Qed.
 
@@ -152,8 +153,8 @@ Proof.
     + match goal with |- context [pick q [?y]] => set (x := y) end.
       assert (valid x /\ val x = - IZR (qC q) / (2 * IZR (qB q))) as [Hx Hval].
       { apply not_0_IZR in HB as HB'.
-        unfold x; destruct (Z.ltb_spec 0 (qB q)); (split; [split; cbn [rad den]; lia|]); rewrite val_rational, ?opp_IZR, mult_IZR;
-          field; lra. }
+        unfold x; destruct (Z.ltb_spec 0 (qB q)); (split; [split; cbn [rad den]; lia|]);
+          rewrite val_rational, ?opp_IZR, mult_IZR; field; lra. }
       apply not_0_IZR in HB as HB'; apply pick_reaches; [now constructor| |].
       * intros t; rewrite HA; split.
         -- intros H; exists x; split; [now left|]; rewrite Hval; field_simplify_eq; lra.
@@ -200,7 +201,8 @@ Proof.
 Qed.
 
 (** What [reaches] says of a set, told apart: the three answers exclude each other. *)
-Lemma reaches_from_origin (P : R -> Prop) r : (forall t, P t -> 0 < t) -> reaches P r -> (from_origin P <-> r = NoMinimum).
+Lemma reaches_from_origin (P : R -> Prop) r :
+  (forall t, P t -> 0 < t) -> reaches P r -> (from_origin P <-> r = NoMinimum).
 Proof.
   intros Hpos; destruct r as [|x|]; cbn [reaches]; intros H; split; try discriminate; try tauto.
   - intros (e & He & HP); destruct (H e); apply HP; lra.

@@ -263,8 +263,8 @@ Qed.
 
     A walk through cells in the order of the ray may stop early. [stretch] is a cell's stretch of the ray.  An element
     that spans cells is listed in several; its hit may lie in a later cell than the one being looked at, so a hit
-    ends the walk only when it is before the end of the cell ([front_to_back]).  With [<] no tie is lost in any case; with
-    [<=] none is lost when an element is listed in the first cell whose closed stretch holds its hit. *)
+    ends the walk only when it is before the end of the cell ([front_to_back]). With [<] no tie is lost in any case;
+    with [<=] none is lost when an element is listed in the first cell whose closed stretch holds its hit. *)
 
 Record stretch := Stretch { t_in : T; t_out : T; listed : list E }.
 
@@ -298,7 +298,8 @@ Definition listed_early (es : list E) (cs : list stretch) : Prop :=
   exists before c after, cs = before ++ c :: after /\ In e (listed c) /\ t <= t_out c /\
   forall c', In c' before -> t_out c' < t.
 
-Lemma front_to_back_general (strict : bool) es cs : forall best, Forall (fun c => incl (listed c) es) cs -> sound es best ->
+Lemma front_to_back_general (strict : bool) es cs : forall best,
+  Forall (fun c => incl (listed c) es) cs -> sound es best ->
   (forall e t, In e es -> hit_of e = Some t -> counted best e t \/
      exists before c after, cs = before ++ c :: after /\ In e (listed c) /\
      forall c', In c' before -> if strict then t_out c' <= t else t_out c' < t) ->
@@ -336,7 +337,8 @@ Proof.
   intros Hl Ho Hc; apply front_to_back_general; [assumption | discriminate|].
   intros e t He Ht; right; destruct (Hc e t He Ht) as (c & Hin & Hent & _ & Hlis).
   apply in_split in Hin as (before & after & ->); exists before, c, after; repeat split; auto.
-  clear Hl Hc; induction before as [|x before IH]; [contradiction|]; intros c' [<-|Hc']; destruct Ho as (_ & H & Ho); auto.
+  clear Hl Hc; induction before as [|x before IH]; [contradiction|]; intros c' [<-|Hc'];
+    destruct Ho as (_ & H & Ho); auto.
   apply (le_trans _ (t_in c)); [apply H; rewrite in_app_iff; simpl; auto | assumption].
 Qed.
 

@@ -71,7 +71,8 @@ Proof. intros Ha; apply sqrt_sqrt; now apply IZR_le. Qed.
 
 Theorem sign1_correct x y a : (0 <= a)%Z -> is_sign (sign1 x y a) (IZR x + IZR y * sqrt (IZR a)).
 Proof.
-  intros Ha; apply is_sign_plus; [apply is_sign_sgn | apply is_sign_times; [apply is_sign_sgn | now apply is_sign_sqrt] |].
+  intros Ha; apply is_sign_plus;
+    [apply is_sign_sgn | apply is_sign_times; [apply is_sign_sgn | now apply is_sign_sqrt] |].
   replace (IZR x * IZR x - _) with (IZR (x * x - y * y * a)); [apply is_sign_sgn|].
   rewrite minus_IZR, !mult_IZR, <- (sqrt_square a Ha) at 1; ring.
 Qed.

@@ -1,0 +1,202 @@
+/// Scenes and rays of every family with the answers of oracle::exact, as proofs/oracle/main.ml reads them.
+///   oracle_rays RAYS SEED [fault]     fault: one claim in a thousand is wrong by one unit in the last place
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <string>
+
+#include "durero/oracle/exact.hpp"
+#include "support/scenes.hpp"
+
+using namespace durero;
+
+namespace {
+
+/// Where the numbers of a scene and its rays come from.
+struct Family {
+  const char* name;
+  double (*number)(test::Random&);  ///< a coordinate
+  double (*length)(test::Random&);  ///< a radius, height or slope
+  bool unit_axes;                   ///< axes along x, y, z only: tangents, rims, generators and ties are frequent
+};
+
+double halves(test::Random& random) { return static_cast<double>(random.below(9)) / 2 - 2; }
+double half_lengths(test::Random& random) { return static_cast<double>(random.below(4) + 1) / 2; }
+double ordinary(test::Random& random) { return random.uniform(-3, 3); }
+double ordinary_length(test::Random& random) { return random.uniform(0.1, 2); }
+
+/// Every exponent from −1074 to 1023, as the rest of the bits are random.
+double any_positive(test::Random& random) {
+  const double x = std::ldexp(random.uniform(1, 2), static_cast<int>(random.below(2098)) - 1074);
+  return std::isfinite(x) && x > 0 ? x : std::numeric_limits<double>::denorm_min();
+}
+double any(test::Random& random) { return random.below(2) == 0 ? any_positive(random) : -any_positive(random); }
+
+/// Near numbers of very different sizes: what cancels.
+double mixed(test::Random& random) {
+  return halves(random) + std::ldexp(ordinary(random), -static_cast<int>(random.below(60)));
+}
+double mixed_length(test::Random& random) {
+  return half_lengths(random) + std::ldexp(1, -static_cast<int>(random.below(52)));
+}
+
+constexpr Family families[] = {
+    {"ordinary", ordinary, ordinary_length, false}, {"coincident", halves, half_lengths, true},
+    {"near coincident", mixed, mixed_length, true}, {"tilted", halves, half_lengths, false},
+    {"whole range", any, any_positive, false},
+};
+
+glm::dvec3 vec(const Family& family, test::Random& random) {
+  const double x = family.number(random), y = family.number(random), z = family.number(random);
+  return {x, y, z};
+}
+
+model::Vector axis(const Family& family, test::Random& random) {
+  if (!family.unit_axes) return random.axis();
+  glm::dvec3 d(0);
+  d[static_cast<int>(random.below(3))] = random.below(2) == 0 ? 1 : -1;
+  return model::Vector(d);
+}
+
+/// A random element; one in five is the same as one that is there, under another name: ties.
+model::Operation addition(const Family& family, test::Random& random, const scene::Scene& scene) {
+  const model::Elemento e("e" + std::to_string(scene.size()));
+  if (random.below(5) == 0 && !scene.spheres().empty()) {
+    return model::Agregar_Esfera{e, model::Punto(scene.spheres()[0].centro), scene.spheres()[0].radio};
+  }
+  if (random.below(5) == 0 && !scene.cones().empty()) {
+    const scene::Cone& c = scene.cones()[0];
+    return model::Agregar_Cono{e, model::Punto(c.centro), c.proporcion, model::Vector(c.vector), c.altura};
+  }
+  const model::Punto centro(vec(family, random));
+  const double size = family.length(random), altura = family.length(random);
+  switch (random.below(3)) {
+    case 0:
+      return model::Agregar_Esfera{e, centro, size};
+    case 1:
+      return model::Agregar_Cilindro{e, centro, size, axis(family, random), altura};
+    default:
+      return model::Agregar_Cono{e, centro, size, axis(family, random), altura};
+  }
+}
+
+void print(const glm::dvec3& v) { std::printf(" %a %a %a", v.x, v.y, v.z); }
+
+void print(const scene::Scene& scene) {
+  const auto name = [&](model::Tipo tipo, std::size_t i) {
+    return scene.name({tipo, static_cast<std::uint32_t>(i)}).name().c_str();
+  };
+  std::printf("scene\n");
+  for (std::size_t i = 0; i < scene.spheres().size(); ++i) {
+    const scene::Sphere& s = scene.spheres()[i];
+    std::printf("esfera %s", name(model::Tipo::soy_esfera, i));
+    print(s.centro);
+    std::printf(" %a\n", s.radio);
+  }
+  for (std::size_t i = 0; i < scene.cylinders().size(); ++i) {
+    const scene::Cylinder& c = scene.cylinders()[i];
+    std::printf("cilindro %s", name(model::Tipo::soy_cilindro, i));
+    print(c.centro);
+    std::printf(" %a", c.radio);
+    print(c.vector);
+    std::printf(" %a\n", c.altura);
+  }
+  for (std::size_t i = 0; i < scene.cones().size(); ++i) {
+    const scene::Cone& c = scene.cones()[i];
+    std::printf("cono %s", name(model::Tipo::soy_cono, i));
+    print(c.centro);
+    std::printf(" %a", c.proporcion);
+    print(c.vector);
+    std::printf(" %a\n", c.altura);
+  }
+}
+
+std::string names(const scene::Scene& scene, const scene::ElementSet& elements) {
+  std::string text;
+  for (const scene::ElementRef e : elements) text += (text.empty() ? "" : ",") + scene.name(e).name();
+  return text;
+}
+
+void print(const scene::Scene& scene, const model::Rayo& rayo, const scene::ElementSet& en, const scene::Hit& hit) {
+  std::printf("ray");
+  print(rayo.p().xyz());
+  print(rayo.v().xyz());
+  for (const scene::ElementRef e : en) std::printf(" @%s", scene.name(e).name().c_str());
+  switch (hit.resultado) {
+    case model::Resultado::miss:
+      std::printf(" = miss\n");
+      break;
+    case model::Resultado::no_minimum:
+      std::printf(" = no_minimum %s\n", names(scene, hit.elementos).c_str());
+      break;
+    case model::Resultado::hit:
+      std::printf(" = hit %s %a", names(scene, hit.elementos).c_str(), hit.t);
+      print(hit.punto);
+      std::printf("\n");
+  }
+}
+
+/// From a point of an axis's neighbourhood: the unit axis after the one that d is nearest to.
+glm::dvec3 across(const glm::dvec3& d) {
+  const int longest = std::abs(d.x) > 0.6 ? 0 : std::abs(d.y) > 0.6 ? 1 : 2;
+  glm::dvec3 e(0);
+  e[(longest + 1) % 3] = 1;
+  return e;
+}
+
+/// A ray along a generator of the element where its numbers allow it exactly, from before, inside or after its stretch;
+/// towards the centre of a sphere.
+model::Rayo aimed(const scene::Scene& scene, scene::ElementRef e, const glm::dvec3& p, double start) {
+  glm::dvec3 from = p, v(0, 0, 1);
+  if (e.tipo == model::Tipo::soy_esfera) {
+    v = scene.spheres()[e.index].centro - p;
+  } else if (e.tipo == model::Tipo::soy_cilindro) {
+    const scene::Cylinder& c = scene.cylinders()[e.index];
+    v = c.vector;
+    from = c.centro + c.radio * across(c.vector) + start * v;
+  } else {
+    const scene::Cone& c = scene.cones()[e.index];
+    v = c.vector - c.proporcion * across(c.vector);
+    from = c.centro + c.proporcion * c.altura * across(c.vector) + start * v;
+  }
+  if (!std::isfinite(v.x + v.y + v.z) || v == glm::dvec3(0)) v = {0, 0, 1};
+  if (!std::isfinite(from.x + from.y + from.z)) from = p;
+  return {model::Punto(from), model::Vector(v)};
+}
+
+/// A ray of the family; one in three is aimed at an element, and one in four starts on some element.
+void one_ray(const Family& family, test::Random& random, const scene::Scene& scene, bool fault) {
+  const auto some = [&] { return *scene.find("e" + std::to_string(random.below(scene.size()))); };
+  const glm::dvec3 p = vec(family, random);
+  glm::dvec3 v = vec(family, random);
+  if (v == glm::dvec3(0)) v = {0, 0, 1};
+  const model::Rayo rayo = random.below(3) == 0 ? aimed(scene, some(), p, family.number(random))
+                                                : model::Rayo{model::Punto(p), model::Vector(v)};
+  scene::ElementSet en;
+  if (random.below(4) == 0) en.push_back(some());
+  scene::Hit hit = oracle::exact::first_hit(scene, rayo, {en.data(), en.size()});
+  if (fault) hit.t = std::nextafter(hit.t, 0);
+  print(scene, rayo, en, hit);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 3) return std::fprintf(stderr, "oracle_rays: expected RAYS SEED [fault]\n"), 2;
+  const long rays = std::atol(argv[1]);
+  const bool faults = argc > 3 && std::strcmp(argv[3], "fault") == 0;
+  test::Random random(static_cast<std::uint64_t>(std::atol(argv[2])));
+  long done = 0;
+  while (done < rays) {
+    const Family& family = families[random.below(std::size(families))];
+    scene::Scene scene;
+    for (std::size_t i = 0, n = 1 + random.below(6); i < n; ++i) {
+      scene.apply(addition(family, random, scene));
+    }
+    print(scene);
+    for (int i = 0; i < 20; ++i, ++done) one_ray(family, random, scene, faults && done % 1000 == 999);
+  }
+  return 0;
+}
