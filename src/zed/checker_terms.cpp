@@ -1,0 +1,404 @@
+#include "checker.hpp"
+#include "durero/zed/print.hpp"
+#include "durero/zed/symbols.hpp"
+#include "utf8.hpp"
+
+namespace durero::zed {
+namespace {
+
+/// A term as an error names it: short ones in full.
+std::string named(const Term& term) {
+  constexpr std::size_t longest = 60;
+  std::string text = to_unicode(term);
+  return text.size() <= longest && text.find('\n') == text.npos ? text : "this expression";
+}
+
+Type pair(const Type& a, const Type& b) { return Type::product({a, b}); }
+
+}  // namespace
+
+void Checker::error(Place place, std::string what, std::string expected) {
+  into_.defects.push_back({file_, place, std::move(what), std::move(expected), Defect::Severity::error});
+}
+
+Type Checker::wrong(Place place, std::string what, std::string expected) {
+  error(place, std::move(what), std::move(expected));
+  return Type::unknown();
+}
+
+Type Checker::limited(Type type) {
+  if (type.size() <= Type::max_size && type.depth() <= Type::max_depth) return type;
+  return wrong(at_, fmt::format("a type of more than {} parts or {} levels", Type::max_size, Type::max_depth),
+               "expected a smaller type");
+}
+
+Type Checker::expression(const Term& term) {
+  const Place before = at_;
+  at_ = term->place;
+  Type type = limited(infer(*term));
+  into_.types.insert_or_assign(term.get(), type);
+  at_ = before;
+  return type;
+}
+
+Type Checker::infer(const Node& node) {
+  switch (node.kind) {
+    case Kind::reference:
+      return reference(node);
+    case Kind::number:
+      return arithmos();
+    case Kind::set_extension:
+      return set_extension(node);
+    case Kind::tuple: {
+      std::vector<Type> parts;
+      for (const Term& part : node.children) parts.push_back(expression(part));
+      return Type::product(std::move(parts));
+    }
+    case Kind::product: {
+      std::vector<Type> parts;
+      for (const Term& part : node.children) parts.push_back(element(part, "a factor of ×"));
+      return Type::power(Type::product(std::move(parts)));
+    }
+    case Kind::power:
+      return Type::power(Type::power(element(node.children[0], "the operand of ℙ")));
+    case Kind::selection:
+      return selection(node);
+    case Kind::tuple_selection:
+      return tuple_selection(node);
+    case Kind::binding_extension:
+      return binding_extension(node);
+    case Kind::theta:
+      return theta(node);
+    case Kind::application:
+      return application(node);
+    case Kind::comprehension:
+    case Kind::lambda:
+    case Kind::mu:
+      return quantified(node);
+    case Kind::let:
+      return let(node, Mode::value);
+    case Kind::conditional:
+      return conditional(node);
+    case Kind::truth:
+    case Kind::falsity:
+    case Kind::relation:
+      predicate(Term(std::make_shared<const Node>(node)));
+      return wrong(node.place, "a predicate stands where an expression is expected", "expected an expression");
+    default:
+      return schema_expression(node);
+  }
+}
+
+Type Checker::element(const Term& set, const char* role) {
+  const Type type = expression(set);
+  if (type.is(Type::Kind::power)) return type.parts()[0];
+  const Type element = Type::variable();
+  if (unify(type, Type::power(element))) return element;
+  return wrong(set->place, fmt::format("{} has the type {}", named(set), type.text()),
+               fmt::format("expected a set as {}", role));
+}
+
+// Names.
+
+std::vector<Type> Checker::actuals(const Node& node) {
+  std::vector<Type> made;
+  for (const Term& actual : node.children) made.push_back(element(actual, "a generic actual"));
+  return made;
+}
+
+Type Checker::reference(const Node& node) {
+  const std::vector<Type> given = actuals(node);
+  if (const auto found = lookup(node.name, given.empty() ? nullptr : &given, node.place)) return *found;
+  return wrong(node.place, node.name.text() + " is not declared", "expected a declared name");
+}
+
+std::optional<Type> Checker::lookup(const Name& name, const std::vector<Type>* actuals, Place place) {
+  for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope) {
+    const auto found = scope->find(name);
+    if (found == scope->end()) continue;
+    if (actuals) error(place, name.text() + " is a variable", "expected no generic actuals after it");
+    return found->second;
+  }
+  if (const auto found = globals_.find(name); found != globals_.end()) {
+    if (found->second->form == Global::Form::lost) return Type::unknown();
+    return instance(name, found->second->scheme, actuals, place);
+  }
+  const auto& known = sees_toolkit_ ? toolkit() : prelude();
+  if (const auto found = known.find(name); found != known.end()) return instance(name, found->second, actuals, place);
+  return implied_schema(name, actuals, place);
+}
+
+Type Checker::instance(const Name& name, const Scheme& scheme, const std::vector<Type>* actuals, Place place) {
+  if (actuals) {
+    if (actuals->size() == scheme.formals.size()) return scheme.type.substitute(scheme.formals, *actuals);
+    return wrong(place, fmt::format("{} has {} generic actuals", name.text(), actuals->size()),
+                 fmt::format("expected {}", scheme.formals.size()));
+  }
+  std::vector<Type> fresh;
+  for (std::size_t i = 0; i < scheme.formals.size(); ++i) {
+    fresh.push_back(Type::variable());
+    generics_.push_back({name, {place, fresh.back()}});
+  }
+  return scheme.type.substitute(scheme.formals, fresh);
+}
+
+/// S' where only S is declared; ΔS and ΞS.
+std::optional<Type> Checker::implied_schema(const Name& name, const std::vector<Type>* actuals, Place place) {
+  const bool delta = name.word.starts_with("Δ"), xi = name.word.starts_with("Ξ");
+  if ((delta || xi) && name.strokes.empty()) {
+    const Name base{name.word.substr(std::string_view("Δ").size()), {}};
+    const auto schema = base.empty() ? std::nullopt : lookup(base, actuals, place);
+    if (!schema || schema->is(Type::Kind::unknown)) return schema;
+    return schema->is_schema_set() ? std::optional(doubled(*schema, name, place)) : std::nullopt;
+  }
+  if (name.strokes.empty()) return std::nullopt;
+  std::size_t last = name.strokes.size() - 1;
+  while (utf8::continues(name.strokes[last])) --last;
+  const auto schema = lookup({name.word, name.strokes.substr(0, last)}, actuals, place);
+  if (!schema || schema->is(Type::Kind::unknown)) return schema;
+  if (!schema->is_schema_set()) return std::nullopt;
+  return decoration(*schema, name.strokes.substr(last));
+}
+
+void Checker::push(const Fields& fields) {
+  auto& scope = scopes_.emplace_back();
+  for (const auto& [name, type] : fields) scope.insert_or_assign(name, type);
+}
+
+void Checker::finish_paragraph() {
+  if (into_.defects.size() == errors_before_) {
+    for (const auto& [name, instance] : generics_) {
+      if (!instance.second.has_variables()) continue;
+      error(instance.first, fmt::format("the generic actuals of {} are not determined", name.text()),
+            fmt::format("expected {}[…], or a use that gives its type", name.text()));
+      break;  // the others may hang together with this one
+    }
+  }
+  generics_.clear();
+  errors_before_ = into_.defects.size();
+}
+
+// Expressions.
+
+Type Checker::set_extension(const Node& node) {
+  const Type element = Type::variable();
+  for (const Term& one : node.children) {
+    const Type type = expression(one);
+    if (!unify(element, type))
+      error(one->place, fmt::format("{} has the type {} in a set of {}", named(one), type.text(), element.text()),
+            "expected elements of one type");
+  }
+  if (node.children.empty()) generics_.push_back({{"{}", {}}, {node.place, element}});
+  return Type::power(element);
+}
+
+Type Checker::application(const Node& node) {
+  const Type function = expression(node.children[0]), argument = expression(node.children[1]);
+  const Type taken = Type::variable(), given = Type::variable();
+  if (!unify(function, Type::power(pair(taken, given))))
+    return wrong(node.place, fmt::format("{} has the type {}", named(node.children[0]), function.text()),
+                 "expected a function before its argument");
+  if (unify(taken, argument)) return given;
+  const Term& named_function = node.children[0];
+  const Operator* op = named_function->kind == Kind::reference ? operator_of_name(named_function->name.word) : nullptr;
+  error(node.place,
+        op ? fmt::format("{} is applied to {}", op->symbol, argument.text())
+           : fmt::format("{} is applied to an argument of type {}", named(named_function), argument.text()),
+        fmt::format("expected {}", taken.text()));
+  return given;
+}
+
+Type Checker::quantified(const Node& node) {
+  const Fields fields = signature(*node.text);
+  push(fields);
+  predicates(*node.text);
+  const Type tuple = characteristic(*node.text, fields);
+  const Type value = node.children.empty() ? tuple : expression(node.children[0]);
+  pop();
+  if (node.kind == Kind::comprehension) return Type::power(value);
+  if (node.kind == Kind::lambda) return Type::power(pair(tuple, value));
+  return value;
+}
+
+Type Checker::characteristic(const SchemaText& text, const Fields& fields) {
+  std::vector<Type> parts;
+  std::unordered_map<Name, Type> of;
+  for (const auto& [name, type] : fields) of.insert_or_assign(name, type);
+  for (const Declaration& one : text.declarations) {
+    if (one.form == Declaration::Form::included) {
+      const auto type = into_.types.find(one.term.get());
+      const bool schema = type != into_.types.end() && type->second.is_schema_set();
+      parts.push_back(schema ? type->second.parts()[0] : Type::unknown());
+    }
+    for (const Name& name : one.names) parts.push_back(of.at(name));
+  }
+  if (parts.empty()) return wrong(at_, "nothing is declared", "expected a declaration");
+  return parts.size() == 1 ? parts[0] : Type::product(std::move(parts));
+}
+
+Type Checker::let(const Node& node, Mode mode) {
+  const Fields fields = signature(*node.text);
+  push(fields);
+  Type type = Type::unknown();
+  if (mode == Mode::value) {
+    type = expression(node.children[0]);
+  } else {
+    predicate(node.children[0]);
+  }
+  pop();
+  return type;
+}
+
+Type Checker::conditional(const Node& node) {
+  predicate(node.children[0]);
+  const Type yes = expression(node.children[1]), no = expression(node.children[2]);
+  if (unify(yes, no)) return yes;
+  return wrong(node.place, fmt::format("then gives {}, else gives {}", yes.text(), no.text()), "expected one type");
+}
+
+Type Checker::selection(const Node& node) {
+  const Type binding = expression(node.children[0]);
+  if (binding.is(Type::Kind::unknown)) return binding;
+  if (binding.is(Type::Kind::schema)) {
+    if (const Type* found = binding.field(node.name)) return *found;
+    return wrong(node.place, fmt::format("{} has no component {}", binding.text(), node.name.text()),
+                 "expected one of its components");
+  }
+  return wrong(node.place, fmt::format("{} has the type {}", named(node.children[0]), binding.text()),
+               fmt::format("expected a binding before .{}", node.name.text()));
+}
+
+Type Checker::tuple_selection(const Node& node) {
+  const Type tuple = expression(node.children[0]);
+  if (tuple.is(Type::Kind::unknown)) return tuple;
+  const std::string& digits = node.name.word;
+  if (tuple.is(Type::Kind::product)) {
+    const std::size_t position = digits.size() < 9 ? static_cast<std::size_t>(std::stoul(digits)) : 0;
+    if (position >= 1 && position <= tuple.parts().size()) return tuple.parts()[position - 1];
+    return wrong(node.place, fmt::format("{} has no part {}", tuple.text(), digits),
+                 fmt::format("expected 1 to {}", tuple.parts().size()));
+  }
+  return wrong(node.place, fmt::format("{} has the type {}", named(node.children[0]), tuple.text()),
+               fmt::format("expected a tuple before .{}", digits));
+}
+
+Type Checker::binding_extension(const Node& node) {
+  Fields fields;
+  for (std::size_t i = 0; i < node.children.size(); ++i) {
+    const Type type = expression(node.children[i]);
+    for (const auto& [name, other] : fields)
+      if (name == node.names[i]) return wrong(node.place, name.text() + " is bound twice", "expected distinct names");
+    fields.emplace_back(node.names[i], type);
+  }
+  return Type::schema(std::move(fields));
+}
+
+/// θS' takes each component x of S from x' in scope.
+Type Checker::theta(const Node& node) {
+  const auto fields = schema_fields(node.children[0], "behind θ");
+  if (!fields) return Type::unknown();
+  for (const auto& [name, type] : *fields) {
+    const Name wanted{name.word, name.strokes + node.name.strokes};
+    const auto found = lookup(wanted, nullptr, node.place);
+    if (!found) {
+      error(node.place, wanted.text() + " is not declared", "expected the components of the schema behind θ in scope");
+    } else if (!unify(*found, type)) {
+      error(node.place, fmt::format("{} has the type {}", wanted.text(), found->text()),
+            fmt::format("expected {}, as in the schema behind θ", type.text()));
+    }
+  }
+  return Type::schema(*fields);
+}
+
+// Predicates.
+
+void Checker::predicate(const Term& term) {
+  const Node& node = *term;
+  const Place before = at_;
+  at_ = node.place;
+  switch (node.kind) {
+    case Kind::truth:
+    case Kind::falsity:
+      break;
+    case Kind::relation:
+      relation(node);
+      break;
+    case Kind::negation:
+    case Kind::conjunction:
+    case Kind::disjunction:
+    case Kind::implication:
+    case Kind::equivalence:
+      for (const Term& part : node.children) predicate(part);
+      break;
+    case Kind::forall:
+    case Kind::exists:
+    case Kind::exists_one:
+      push(signature(*node.text));
+      predicates(*node.text);
+      predicate(node.children[0]);
+      pop();
+      break;
+    case Kind::let:
+      let(node, Mode::truth);
+      break;
+    default:
+      schema_predicate(node, expression(term));
+  }
+  at_ = before;
+}
+
+void Checker::schema_predicate(const Node& node, const Type& type) {
+  if (type.is(Type::Kind::unknown)) return;
+  if (!type.is_schema_set())
+    return error(node.place, fmt::format("an expression of type {} stands where a predicate is expected", type.text()),
+                 "expected a predicate or a schema");
+  const Type& schema = type.parts()[0];
+  for (std::size_t i = 0; i < schema.fields().size(); ++i) {
+    const Name& name = schema.fields()[i];
+    const auto found = lookup(name, nullptr, node.place);
+    if (!found) {
+      error(node.place, name.text() + " is not declared", "expected the components of a schema predicate in scope");
+    } else if (!unify(*found, schema.parts()[i])) {
+      error(node.place, fmt::format("{} has the type {}", name.text(), found->text()),
+            fmt::format("expected {}, as in the schema", schema.parts()[i].text()));
+    }
+  }
+}
+
+void Checker::relation(const Node& node) {
+  std::vector<Type> types;
+  for (const Term& operand : node.children) types.push_back(expression(operand));
+  if (node.children.size() == 1) {
+    const auto found = lookup(node.names[0], nullptr, node.place);
+    if (!found) return error(node.place, node.names[0].text() + " is not declared", "expected the toolkit's parent");
+    if (!unify(*found, Type::power(types[0])))
+      error(node.place, fmt::format("the operand has the type {}", types[0].text()),
+            fmt::format("expected {}", found->is(Type::Kind::power) ? found->parts()[0].text() : found->text()));
+    return;
+  }
+  for (std::size_t i = 0; i + 1 < types.size(); ++i)
+    relate(node.names[i], *node.children[i], types[i], *node.children[i + 1], types[i + 1]);
+}
+
+void Checker::relate(const Name& relation, const Node& left, const Type& a, const Node& right, const Type& b) {
+  const Operator* op = operator_of_name(relation.word);
+  const std::string symbol = op ? std::string(op->symbol) : relation.text();
+  const auto mismatch = [&](const std::string& expected) {
+    error(left.place, fmt::format("{} between {} and {}", symbol, a.text(), b.text()), expected);
+  };
+  if (relation.word == "_=_") {
+    if (!unify(a, b)) mismatch("expected one type on both sides");
+    return;
+  }
+  if (relation.word == "_∈_") {
+    if (!unify(Type::power(a), b)) mismatch("expected on the right a set of what is on the left");
+    return;
+  }
+  const auto found = lookup(relation, nullptr, right.place);
+  if (!found) return error(left.place, symbol + " is not declared", "expected standard_toolkit among the ancestors");
+  const Type wanted = found->is(Type::Kind::power) ? found->parts()[0] : *found;
+  const std::string both = wanted.text();
+  if (!unify(wanted, pair(a, b))) mismatch(fmt::format("expected {}", both));
+}
+
+}  // namespace durero::zed

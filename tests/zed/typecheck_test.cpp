@@ -1,0 +1,137 @@
+#include "durero/zed/typecheck.hpp"
+
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+
+#include "durero/zed/parser.hpp"
+#include "support/catch.hpp"
+
+using namespace durero::zed;
+
+namespace {
+
+std::vector<std::string> files_in(const std::string& folder) {
+  std::vector<std::string> found;
+  for (const auto& entry : std::filesystem::directory_iterator(fmt::format("{}/{}", DURERO_SOURCE_DIR, folder)))
+    if (entry.path().extension() == ".tex") found.push_back(entry.path().string());
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+using Lines = std::map<std::string, std::map<unsigned, std::vector<std::string>>>;  // file, line, what stands there
+
+/// The numbers that the printed text bears at its lines' ends.
+Lines marks(const std::vector<std::string>& files) {
+  Lines found;
+  const std::regex number(R"(E\d\d)");
+  for (const std::string& file : files) {
+    std::ifstream in(file);
+    std::string line;
+    for (unsigned at = 1; std::getline(in, line); ++at) {
+      const std::size_t comment = line.find('%');
+      if (comment == line.npos || comment == 0) continue;
+      for (auto one = std::sregex_iterator(line.begin() + static_cast<std::ptrdiff_t>(comment), line.end(), number);
+           one != std::sregex_iterator(); ++one)
+        found[file][at].push_back(one->str());
+    }
+  }
+  return found;
+}
+
+Lines reported(const std::vector<std::string>& files) {
+  Lines found;
+  const Specification read = read_files(files);
+  const Typing typing = check(read);
+  for (const auto* defects : {&read.defects, &typing.defects})
+    for (const Defect& one : *defects) found[one.file][one.place.line].push_back(one.text());
+  return found;
+}
+
+Specification text(const std::string& body) { return read_text(body, "here.tex"); }
+
+}  // namespace
+
+TEST_CASE("spec/ has no type error") {
+  for (const auto& [file, lines] : reported(files_in("spec")))
+    for (const auto& [line, all] : lines) FAIL_CHECK(all[0]);
+}
+
+TEST_CASE("the type defects of the printed text are reported at their lines, and nothing else is") {
+  const std::vector<std::string> files = files_in("spec/impresa");
+  const Lines marked = marks(files), seen = reported(files);
+  const std::set<std::string> of_types = {"E01", "E02", "E03", "E04", "E08"};
+  std::set<std::string> found;
+  for (const auto& [file, lines] : marked)
+    for (const auto& [line, numbers] : lines)
+      for (const std::string& number : numbers) {
+        if (!of_types.contains(number)) continue;
+        CAPTURE(file, line, number);
+        const bool at_line = seen.contains(file) && seen.at(file).contains(line);
+        CHECK(at_line);
+        found.insert(number);
+      }
+  CHECK(found == of_types);
+  for (const auto& [file, lines] : seen)
+    for (const auto& [line, what] : lines) {
+      CAPTURE(what);
+      const bool is_marked = marked.contains(file) && marked.at(file).contains(line);
+      CHECK(is_marked);
+    }
+}
+
+TEST_CASE("an error names both types in Z notation, and its place") {
+  const Typing typing =
+      check(text("\\begin{zed} [A] \\end{zed}\n\\begin{axdef}\n  a : A\n\\where\n  a = 1\n\\end{axdef}\n"));
+  REQUIRE(typing.defects.size() == 1);
+  CHECK(typing.defects[0].text() == "here.tex:5:3: = between A and 𝔸; expected one type on both sides");
+}
+
+TEST_CASE("several errors are reported, not only the first") {
+  const Typing typing =
+      check(text("\\begin{zed} [A] \\end{zed}\n\\begin{zed} B == x \\end{zed}\n\\begin{zed} C == A + 1 \\end{zed}\n"));
+  REQUIRE(typing.defects.size() == 2);
+  CHECK(typing.defects[0].place.line == 2);
+  CHECK(typing.defects[1].place.line == 3);
+}
+
+TEST_CASE("every expression of spec/ gets a type without variables") {
+  const Specification spec = read_files(files_in("spec"));
+  const Typing typing = check(spec);
+  CHECK(typing.types.size() > 1000);
+  for (const auto& [node, type] : typing.types) CHECK_FALSE(type.has_variables());
+  const Global* alcance = typing.find("interseccion", {"alcance", ""});
+  REQUIRE(alcance);
+  CHECK(alcance->scheme.type.parts()[0].parts().size() == 2);
+}
+
+TEST_CASE("an expression is checked in the scope of a section") {
+  const Typing known = check(read_files(files_in("spec")));
+  const auto type_in = [&known](const std::string& section, const char* expression) {
+    const Term term = parse_unicode(expression);
+    const Typing typing = check_term(known, section, term);
+    return typing.ok() ? typing.type_of(term)->text() : typing.defects[0].text();
+  };
+  CHECK(type_in("puntos", "cuadrado") == "ℙ (𝔸 × 𝔸)");
+  CHECK(type_in("tipos", "{soy_esfera, soy_cono} ∖ ∅") == "ℙ Tipo");
+  CHECK(type_in("tipos", "cuadrado") == "expression:1:1: cuadrado is not declared; expected a declared name");
+  CHECK(type_in("escena", "λ Escena; e : elementos • e") ==
+        "expression:1:15: elementos is not declared; expected a declared name");
+  CHECK(type_in("tipos", "∅") ==
+        "expression:1:1: the generic actuals of ∅ are not determined; expected ∅[…], or a use that gives its type");
+}
+
+TEST_CASE("types that double at every step are refused, in little time and space") {
+  std::string body = "\\begin{zed}\n  a0 == 1 \\\\\n";
+  for (int i = 1; i < 200; ++i) body += fmt::format("  a{} == (a{}, a{}) \\\\\n", i, i - 1, i - 1);
+  body += "  z == 1\n\\end{zed}\n";
+  const Specification read = text(body);
+  REQUIRE(read.ok());
+  const Typing typing = check(read);
+  REQUIRE_FALSE(typing.ok());
+  CHECK(typing.defects[0].what.find("a type of more than") == 0);
+}
