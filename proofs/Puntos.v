@@ -1,0 +1,110 @@
+(** spec/puntos.tex: the surfaces as sets of points, and their equations along a ray.
+
+    point_at ray t       == p + t·v
+    from c p             == the vector p − c
+    coefficients         == A, B, C of A·t² + 2B·t + C, the advance s0 + t·s1 along the axis, the height that clips it
+    value f t            == A·t² + 2B·t + C
+    within f t           == 0 ≤ s0 + t·s1 ≤ altura, where there is an altura
+    of_esfera, of_cilindro, of_cono == the coefficients of each type, for any axis, unit or not
+    launched f           == f with C = 0: what a ray sees of an element that its origin is said to lie on *)
+From Coq Require Import Reals Lra.
+From Durero Require Import Toolkit Especificacion Tipos.
+Local Open Scope R_scope.
+Local Open Scope zed_scope.
+
+(** The square root of the text is that of Coq's reals, and it is the only one. Discharges raizcuadrada.def.1. *)
+Theorem raizcuadrada_exists_uniquely :
+  raizcuadrada_def_1 raizcuadrada
+  /\ forall f, raizcuadrada_def_1 f -> forall r, r >= 0 -> f r = raizcuadrada r.
+Proof.
+  unfold raizcuadrada_def_1, raizcuadrada. split.
+  - intros r Hr. split; [apply Rle_ge, sqrt_pos | apply sqrt_sqrt; lra].
+  - intros f Hf r Hr. destruct (Hf r Hr) as [H0 H]. rewrite <- H at 2. symmetry. apply sqrt_square. lra.
+Qed.
+
+(** ** Points of a ray *)
+
+Definition point_at (ray : Rayo) (t : R) : Punto :=
+  mk_Punto (Punto_x (Rayo_p ray) + t * Vector_x (Rayo_v ray)) (Punto_y (Rayo_p ray) + t * Vector_y (Rayo_v ray))
+           (Punto_z (Rayo_p ray) + t * Vector_z (Rayo_v ray)).
+
+(** The points of a ray are those at a positive parameter. Discharges puntos_de_rayo.def.1. *)
+Theorem puntos_de_rayo_parameter ray w : w ∈ puntos_de_rayo ray <-> exists t, t > 0 /\ w = point_at ray t.
+Proof.
+  split.
+  - intros [t [Ht [Hx [Hy Hz]]]]. exists t. split; [exact Ht |]. destruct w; cbn in *. now subst.
+  - intros [t [Ht ->]]. exists t. repeat split; assumption.
+Qed.
+
+Lemma point_at_0 ray : point_at ray 0 = Rayo_p ray.
+Proof. destruct ray as [[x y z] v]; unfold point_at; cbn. f_equal; ring. Qed.
+
+(** Two parameters of one ray give two points. *)
+Lemma point_at_injective ray t t' : Rayo_ok ray -> point_at ray t = point_at ray t' -> t = t'.
+Proof.
+  intros [Hv] [= Hx Hy Hz]. destruct (Req_dec t t') as [E | N]; [exact E | destruct Hv].
+  assert (D : forall a b, a + t * b = a + t' * b -> b = 0).
+  { intros a b H. assert (P : (t - t') * b = 0) by lra. apply Rmult_integral in P as [P | P]; lra. }
+  split; [exact (D _ _ Hx) | split; [exact (D _ _ Hy) | exact (D _ _ Hz)]].
+Qed.
+
+(** ** The equation of each surface along a ray *)
+
+Definition from (c p : Punto) : Vector :=
+  mk_Vector (Punto_x p - Punto_x c) (Punto_y p - Punto_y c) (Punto_z p - Punto_z c).
+
+Record coefficients := mk_coefficients { cA : R; cB : R; cC : R; s0 : R; s1 : R; clip : option R }.
+Definition value (f : coefficients) (t : R) : R := cA f * (t * t) + 2 * cB f * t + cC f.
+Definition within (f : coefficients) (t : R) : Prop :=
+  match clip f with None => True | Some h => 0 <= s0 f + t * s1 f <= h end.
+Definition launched (f : coefficients) : coefficients := mk_coefficients (cA f) (cB f) 0 (s0 f) (s1 f) (clip f).
+
+Definition of_esfera ray c r : coefficients :=
+  let v := Rayo_v ray in let q := from c (Rayo_p ray) in
+  mk_coefficients (sq v) (dot q v) (sq q - r * r) 0 0 None.
+Definition of_cilindro ray c r d h : coefficients :=
+  let v := Rayo_v ray in let q := from c (Rayo_p ray) in let n := sq d in let a0 := dot q d in let a1 := dot v d in
+  mk_coefficients (sq v - (2 - n) * (a1 * a1)) (dot q v - (2 - n) * (a0 * a1))
+                  (sq q - (2 - n) * (a0 * a0) - r * r) a0 a1 (Some h).
+Definition of_cono ray c k d h : coefficients :=
+  let v := Rayo_v ray in let q := from c (Rayo_p ray) in let n := sq d in let a0 := dot q d in let a1 := dot v d in
+  mk_coefficients (sq v - (2 - n + k * k) * (a1 * a1)) (dot q v - (2 - n) * (a0 * a1) + k * k * (h - a0) * a1)
+                  (sq q - (2 - n) * (a0 * a0) - k * k * ((h - a0) * (h - a0))) a0 a1 (Some h).
+
+Ltac coordinates := unfold potencia_esfera, potencia_cilindro, potencia_cono, alejamiento, avance, cuadrado, value,
+  of_esfera, of_cilindro, of_cono, from, sq, dot, point_at; cbn.
+
+(** The advance of a point of the ray along an axis is s0 + t·s1. Discharges avance.def.1. *)
+Lemma avance_along ray c d t : avance (point_at ray t) c d = dot (from c (Rayo_p ray)) d + t * dot (Rayo_v ray) d.
+Proof. coordinates. ring. Qed.
+
+(** The power of a point of the ray is A·t² + 2B·t + C, for every type and every axis.
+    Discharges cuadrado.def.1, alejamiento.def.1, potencia_esfera.def.1, potencia_cilindro.def.1,
+    potencia_cono.def.1. *)
+Theorem potencia_along ray c r k d h t :
+  potencia_esfera (point_at ray t) c r = value (of_esfera ray c r) t
+  /\ potencia_cilindro (point_at ray t) c r d = value (of_cilindro ray c r d h) t
+  /\ potencia_cono (point_at ray t) c k d h = value (of_cono ray c k d h) t.
+Proof. split; [| split]; coordinates; ring. Qed.
+
+(** A point of the ray lies on the sphere exactly at a root. Discharges puntos_esfera.def.1. *)
+Theorem esfera_along ray c r t : point_at ray t ∈ puntos_esfera c r <-> value (of_esfera ray c r) t = 0.
+Proof. unfold puntos_esfera. now rewrite (proj1 (potencia_along ray c r 0 (Rayo_v ray) 0 t)). Qed.
+
+(** A point of the ray lies on the cylinder exactly at a root that passes the clip. Discharges puntos_cilindro.def.1. *)
+Theorem cilindro_along ray c r d h t :
+  point_at ray t ∈ puntos_cilindro c r d h <-> value (of_cilindro ray c r d h) t = 0 /\ within (of_cilindro ray c r d h) t.
+Proof.
+  unfold puntos_cilindro, within. rewrite (proj1 (proj2 (potencia_along ray c r 0 d h t))), avance_along. reflexivity.
+Qed.
+
+(** A point of the ray lies on the cone exactly at a root that passes the clip. Discharges puntos_cono.def.1. *)
+Theorem cono_along ray c k d h t :
+  point_at ray t ∈ puntos_cono c k d h <-> value (of_cono ray c k d h) t = 0 /\ within (of_cono ray c k d h) t.
+Proof.
+  unfold puntos_cono, within. rewrite (proj2 (proj2 (potencia_along ray c 0 k d h t))), avance_along. reflexivity.
+Qed.
+
+(** The clip of the cone keeps one nappe and its apex: the radius k·(h − s) is never negative there. *)
+Theorem clip_keeps_one_nappe w c k d h : k > 0 -> w ∈ puntos_cono c k d h -> 0 <= k * (h - avance w c d).
+Proof. intros Hk [_ H]. apply Rmult_le_pos; lra. Qed.
