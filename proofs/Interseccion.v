@@ -1,0 +1,508 @@
+(** spec/interseccion.tex: when the nearest point exists, what the first hit of a scene is, and which elements it names.
+
+    met s ray en e       == the parameters t > 0 of the points of the ray in alcance of e
+    met_scene s ray en   == the same for alcances: those of any element
+    is_infimum T m       == m is the greatest lower bound of T
+    equation s ray e f   == f are the coefficients of the element e along the ray
+    seen en e f          == f, or f with C = 0 where e is in en: what the ray sees of e
+    is_least, is_first, starts_in, reach == as in Trazador.v *)
+From Coq Require Import Reals List Lra Classical_Prop.
+From Durero Require Import Toolkit Especificacion Tipos Escena Puntos Trazador.
+Import ListNotations.
+Local Open Scope R_scope.
+Local Open Scope zed_scope.
+
+(** ** reduccion *)
+
+(** reduccion is the partial function that the text describes: defined where there is exactly one nearest point, which
+    is then its value. Discharges reduccion.def.1, reduccion.def.2. *)
+Theorem reduccion_well_defined :
+  functional reduccion
+  /\ (forall ps ojo, (ps, ojo) ∈ dom reduccion <->
+      exists! temp, temp ∈ ps /\ forall otro, otro ∈ ps -> distancia temp ojo <= distancia otro ojo)
+  /\ (forall ps ojo p, ((ps, ojo), p) ∈ reduccion ->
+      p ∈ ps /\ forall otro, otro ∈ ps -> distancia p ojo <= distancia otro ojo).
+Proof.
+  split; [| split].
+  - intros [ps ojo] p p' [_ [H U]] [_ [H' U']]. now apply U'.
+  - intros ps ojo. split; [now intros [p [H _]] |]. intros H. pose proof H as [p [Hp U]]. exists p.
+    split; [exact H | split; [exact Hp |]]. intros y Hy. symmetry. now apply U.
+  - intros ps ojo p [_ [H _]]. exact H.
+Qed.
+
+(** A point of a ray is at distance t·|v| from the origin. Discharges distancia.def.1. *)
+Lemma distancia_along ray t : 0 <= t -> distancia (point_at ray t) (Rayo_p ray) = t * sqrt (sq (Rayo_v ray)).
+Proof.
+  intros Ht. unfold distancia, raizcuadrada. rewrite <- (sqrt_square t Ht) at 4. rewrite <- sqrt_mult_alt.
+  - f_equal. unfold cuadrado, sq, dot; cbn. ring.
+  - now apply Rmult_le_pos.
+Qed.
+
+Definition is_infimum (T : set R) (m : R) : Prop :=
+  (forall t, T t -> m <= t) /\ forall m', (forall t, T t -> m' <= t) -> m' <= m.
+
+Lemma least_unique T t t' : is_least T t -> is_least T t' -> t = t'.
+Proof. intros [H L] [H' L']. apply Rle_antisym; auto. Qed.
+
+Section Ray.
+Variable ray : Rayo.
+Hypothesis ray_ok : Rayo_ok ray.
+Let p := Rayo_p ray.
+
+Definition parameters (ps : set Punto) : set R := fun t => 0 < t /\ ps (point_at ray t).
+
+Lemma nearest_is_least ps t : ps ⊆ puntos_de_rayo ray -> 0 < t ->
+  ((ps (point_at ray t) /\ forall otro, ps otro -> distancia (point_at ray t) p <= distancia otro p)
+   <-> is_least (parameters ps) t).
+Proof.
+  intros Hps Ht. pose proof (sqrt_lt_R0 _ (ray_direction_positive ray ray_ok)) as Hv. split.
+  - intros [H L]. split; [now split |]. intros t' [Ht' H']. specialize (L _ H'). unfold p in L.
+    rewrite !distancia_along in L by lra. now apply Rmult_le_reg_r in L.
+  - intros [[_ H] L]. split; [exact H |]. intros otro Ho. destruct (proj1 (puntos_de_rayo_parameter _ _) (Hps _ Ho))
+      as [t' [Ht' ->]]. unfold p. rewrite !distancia_along by lra. apply Rmult_le_compat_r; [lra |]. apply L. now split.
+Qed.
+
+(** On a ray, reduccion of a set of its points is the point of the least parameter: two points at one distance are one. *)
+Theorem reduccion_on_ray ps w : ps ⊆ puntos_de_rayo ray ->
+  (((ps, p), w) ∈ reduccion <-> exists t, w = point_at ray t /\ is_least (parameters ps) t).
+Proof.
+  intros Hps. split.
+  - intros [_ [[H L] _]]. destruct (proj1 (puntos_de_rayo_parameter _ _) (Hps _ H)) as [t [Ht ->]].
+    exists t. split; [reflexivity |]. now apply nearest_is_least.
+  - intros [t [-> Hl]]. pose proof Hl as [[Ht _] _]. apply (proj2 (nearest_is_least ps t Hps Ht)) in Hl as Hn.
+    assert (U : forall y, ps y /\ (forall otro, ps otro -> distancia y p <= distancia otro p) -> y = point_at ray t).
+    { intros y [Hy Ly]. destruct (proj1 (puntos_de_rayo_parameter _ _) (Hps _ Hy)) as [t' [Ht' ->]].
+      f_equal. apply least_unique with (parameters ps); [now apply nearest_is_least | exact Hl]. }
+    split; [| now split]. exists (point_at ray t). split; [exact Hn |]. intros y Hy. symmetry. now apply U.
+Qed.
+
+(** On a ray the nearest point exists, and is then unique, exactly when the infimum of the parameters is attained. *)
+Theorem reduccion_exists_iff_infimum_attained ps : ps ⊆ puntos_de_rayo ray ->
+  ((ps, p) ∈ dom reduccion <-> (exists w, w ∈ ps) /\ exists m, is_infimum (parameters ps) m /\ parameters ps m).
+Proof.
+  intros Hps. split.
+  - intros [w H]. apply reduccion_on_ray in H as [t [-> [[Ht H] L]]]; [| exact Hps].
+    split; [now exists (point_at ray t) |]. exists t. split; [| now split]. split; [exact L |].
+    intros m' Hm. apply Hm. now split.
+  - intros [_ [m [[L _] Hm]]]. exists (point_at ray m). apply reduccion_on_ray; [exact Hps |].
+    exists m. split; [reflexivity | now split].
+Qed.
+
+Lemma starts_in_no_least T : starts_in T -> (forall t, T t -> 0 < t) -> ~ exists t, is_least T t.
+Proof.
+  intros [eps [He H]] Hpos [t [Ht L]]. pose proof (Hpos t Ht).
+  assert (Hm : 0 < Rmin t eps / 2 < eps).
+  { pose proof (Rmin_r t eps). pose proof (Rmin_glb_lt t eps 0). lra. }
+  pose proof (L _ (H _ Hm)). pose proof (Rmin_l t eps). lra.
+Qed.
+
+(** ** What the ray meets of one element *)
+Section Scene.
+Variable Elemento : Type.
+Notation Escena := (Especificacion.Escena Elemento).
+Variable s : Escena.
+Hypothesis ok : Escena_ok s.
+Variable en : set Elemento.
+
+Definition met (e : Elemento) : set R := parameters (alcance s ray en e).
+Definition met_scene : set R := parameters (alcances s ray en).
+
+Definition equation (e : Elemento) (f : coefficients) : Prop :=
+  (exists c r, is_esfera _ s e c r /\ f = of_esfera ray c r)
+  \/ (exists c r d h, is_cilindro _ s e c r d h /\ f = of_cilindro ray c r d h)
+  \/ (exists c k d h, is_cono _ s e c k d h /\ f = of_cono ray c k d h).
+Definition seen (e : Elemento) (f g : coefficients) : Prop := (en e /\ g = launched f) \/ (~ en e /\ g = f).
+
+(** The attributes of an element are those found: rewrites every other name for them. *)
+Ltac same_attributes :=
+  repeat match goal with
+  | H : de_que_tipo s (?e, ?t), H' : de_que_tipo s (?e, ?t') |- _ =>
+      pose proof (type_unique _ _ ok _ _ _ H H'); clear H'; try discriminate; subst
+  | H : mi_centro s (?e, ?t), H' : mi_centro s (?e, ?t') |- _ =>
+      pose proof (centro_unique _ _ ok _ _ _ H H'); clear H'; subst
+  | H : mi_radio s (?e, ?t), H' : mi_radio s (?e, ?t') |- _ =>
+      pose proof (radio_unique _ _ ok _ _ _ H H'); clear H'; subst
+  | H : mi_vector s (?e, ?t), H' : mi_vector s (?e, ?t') |- _ =>
+      pose proof (vector_unique _ _ ok _ _ _ H H'); clear H'; subst
+  | H : mi_altura s (?e, ?t), H' : mi_altura s (?e, ?t') |- _ =>
+      pose proof (altura_unique _ _ ok _ _ _ H H'); clear H'; subst
+  | H : mi_proporcion s (?e, ?t), H' : mi_proporcion s (?e, ?t') |- _ =>
+      pose proof (proporcion_unique _ _ ok _ _ _ H H'); clear H'; subst
+  end.
+
+(** The points, the power and the stretch of a sphere of the scene are those of its attributes. *)
+Lemma esfera_of_scene e c r : is_esfera _ s e c r ->
+  (forall w, puntos_de_elemento s e w <-> puntos_esfera c r w)
+  /\ (forall w y, potencia s e w y <-> y = potencia_esfera w c r) /\ (forall w, tramo s e w).
+Proof.
+  intros [Ht [Hc Hr]]. pose proof (element_of_type _ _ ok _ _ Ht) as He. split; [| split].
+  - intros w. split; [| intros H; split; [exact He | exists soy_esfera; eauto 10]].
+    intros [_ [t [Ht' H]]]. same_attributes. destruct H as [[_ [c' [r' [Hc' [Hr' H]]]]] | [N _]]; [| easy].
+    same_attributes. auto.
+  - intros w y. split; [| intros H; split; [exact He | exists soy_esfera; eauto 10]].
+    intros [_ [t [Ht' H]]]. same_attributes. destruct H as [[_ [c' [r' [Hc' [Hr' H]]]]] | [N _]]; [| easy].
+    same_attributes. auto.
+  - intros w. split; [exact He |]. intros H. apply (has_altura _ _ ok e _ Ht) in H as [H | H]; discriminate H.
+Qed.
+(** The same of a cylinder. *)
+Lemma cilindro_of_scene e c r d h : is_cilindro _ s e c r d h ->
+  (forall w, puntos_de_elemento s e w <-> puntos_cilindro c r d h w)
+  /\ (forall w y, potencia s e w y <-> y = potencia_cilindro w c r d)
+  /\ (forall w, tramo s e w <-> 0 <= avance w c d <= h).
+Proof.
+  intros [Ht [Hc [Hr [Hd Hh]]]]. pose proof (element_of_type _ _ ok _ _ Ht) as He.
+  assert (N : soy_cilindro <> soy_esfera) by discriminate. split; [| split].
+  - intros w. split; [| intros H; split; [exact He | exists soy_cilindro; split; [exact Ht |]]; right; split;
+      [exact N | left; eauto 12]].
+    intros [_ [t [Ht' H]]]. same_attributes. destruct H as [[N' _] | [_ [[_ H] | [N' _]]]]; [easy | | easy].
+    destruct H as [c' [r' [d' [h' [Hc' [Hr' [Hd' [Hh' H]]]]]]]]. same_attributes. auto.
+  - intros w y. split; [| intros H; split; [exact He | exists soy_cilindro; split; [exact Ht |]]; right; split;
+      [exact N | left; eauto 12]].
+    intros [_ [t [Ht' H]]]. same_attributes. destruct H as [[N' _] | [_ [[_ H] | [N' _]]]]; [easy | | easy].
+    destruct H as [c' [r' [d' [Hc' [Hr' [Hd' H]]]]]]. same_attributes. auto.
+  - intros w. split; [| intros H; split; [exact He | intros _; eauto 10]].
+    intros [_ H]. destruct H as [c' [d' [h' [Hc' [Hd' [Hh' H]]]]]]; [now exists h |]. same_attributes. auto.
+Qed.
+(** The same of a cone. *)
+Lemma cono_of_scene e c k d h : is_cono _ s e c k d h ->
+  (forall w, puntos_de_elemento s e w <-> puntos_cono c k d h w)
+  /\ (forall w y, potencia s e w y <-> y = potencia_cono w c k d h)
+  /\ (forall w, tramo s e w <-> 0 <= avance w c d <= h).
+Proof.
+  intros [Ht [Hc [Hk [Hd Hh]]]]. pose proof (element_of_type _ _ ok _ _ Ht) as He.
+  assert (N : soy_cono <> soy_esfera) by discriminate. assert (N' : soy_cono <> soy_cilindro) by discriminate.
+  split; [| split].
+  - intros w. split; [| intros H; split; [exact He | exists soy_cono; split; [exact Ht |]]; right; split;
+      [exact N | right; split; [exact N' | eauto 12]]].
+    intros [_ [t [Ht' H]]]. same_attributes. destruct H as [[E _] | [_ [[E _] | [_ H]]]]; [easy | easy |].
+    destruct H as [c' [k' [d' [h' [Hc' [Hk' [Hd' [Hh' H]]]]]]]]. same_attributes. auto.
+  - intros w y. split; [| intros H; split; [exact He | exists soy_cono; split; [exact Ht |]]; right; split;
+      [exact N | right; split; [exact N' | eauto 12]]].
+    intros [_ [t [Ht' H]]]. same_attributes. destruct H as [[E _] | [_ [[E _] | [_ H]]]]; [easy | easy |].
+    destruct H as [c' [k' [d' [h' [Hc' [Hk' [Hd' [Hh' H]]]]]]]]. same_attributes. auto.
+  - intros w. split; [| intros H; split; [exact He | intros _; eauto 10]].
+    intros [_ H]. destruct H as [c' [d' [h' [Hc' [Hd' [Hh' H]]]]]]; [now exists h |]. same_attributes. auto.
+Qed.
+
+Lemma value_launched f t : value (launched f) t = 0 <-> value f t = value f 0.
+Proof. unfold value, launched; cbn. split; intros; lra. Qed.
+
+(** What a ray meets of an element is where its quadratic vanishes within the clip; where the ray is said to start on
+    the element, the constant term is 0. Discharges potencia.def.1, tramo.def.1, puntos_desde.def.1,
+    puntos_de_elemento.def.1, interseccion.def.1, alcance.def.1. *)
+Theorem met_is_reach e : e ∈ elementos s ->
+  exists f g, equation e f /\ seen e f g /\ proper g /\ met e ≡ reach g.
+Proof.
+  intros He.
+  assert (K : exists f, equation e f /\ proper f
+    /\ (forall t, puntos_de_elemento s e (point_at ray t) <-> value f t = 0 /\ within f t)
+    /\ (forall t, puntos_desde s e p (point_at ray t) <-> value f t = value f 0 /\ within f t)).
+  { unfold puntos_desde, p. rewrite <- point_at_0.
+    destruct (element_cases _ _ ok e He) as [[c [r [H _]]] | [[c [r [d [h [H [_ [_ Hh]]]]]]] | [c [k [d [h [H [_ [_ Hh]]]]]]]]].
+    - destruct (esfera_of_scene _ _ _ H) as [Q [P T]]. exists (of_esfera ray c r).
+      split; [left; eauto | split; [exact I | split]]; intros t.
+      + rewrite Q, esfera_along. unfold within; cbn. tauto.
+      + pose proof (fun t => proj1 (potencia_along ray c r 0 (Rayo_v ray) 0 t)) as V. split.
+        * intros [_ [_ [y [y' [H1 [H2 E]]]]]]. apply P in H1, H2. rewrite V in H1, H2. split; [congruence | exact I].
+        * intros [E _]. split; [exact He | split; [apply T |]]. do 2 eexists.
+          split; [now apply P | split; [now apply P |]]. now rewrite !V.
+    - destruct (cilindro_of_scene _ _ _ _ _ H) as [Q [P T]]. exists (of_cilindro ray c r d h).
+      split; [right; left; eauto 6 | split; [exact Hh | split]]; intros t.
+      + rewrite Q. apply cilindro_along.
+      + pose proof (fun t => proj1 (proj2 (potencia_along ray c r 0 d h t))) as V. rewrite T, avance_along. split.
+        * intros [_ [Hw [y [y' [H1 [H2 E]]]]]]. apply P in H1, H2. rewrite V in H1, H2. split; [congruence | exact Hw].
+        * intros [E Hw]. split; [exact He | split; [exact Hw |]]. do 2 eexists.
+          split; [now apply P | split; [now apply P |]]. now rewrite !V.
+    - destruct (cono_of_scene _ _ _ _ _ H) as [Q [P T]]. exists (of_cono ray c k d h).
+      split; [right; right; eauto 6 | split; [exact Hh | split]]; intros t.
+      + rewrite Q. apply cono_along.
+      + pose proof (fun t => proj2 (proj2 (potencia_along ray c 0 k d h t))) as V. rewrite T, avance_along. split.
+        * intros [_ [Hw [y [y' [H1 [H2 E]]]]]]. apply P in H1, H2. rewrite V in H1, H2. split; [congruence | exact Hw].
+        * intros [E Hw]. split; [exact He | split; [exact Hw |]]. do 2 eexists.
+          split; [now apply P | split; [now apply P |]]. now rewrite !V. }
+  destruct K as [f [Heq [Hp [K1 K2]]]].
+  assert (A : forall t, 0 < t -> (alcance s ray en e (point_at ray t) <->
+    (en e /\ puntos_desde s e p (point_at ray t)) \/ (~ en e /\ puntos_de_elemento s e (point_at ray t)))).
+  { intros t Ht. unfold alcance, interseccion, inter. split; [tauto |]. intros H. split; [exact He | split; [| exact H]].
+    apply puntos_de_rayo_parameter. now exists t. }
+  exists f. destruct (classic (en e)) as [Hen | Hen].
+  - exists (launched f). split; [exact Heq | split; [now left | split; [exact Hp |]]]. intros t.
+    unfold met, parameters, reach. rewrite value_launched. unfold within, launched; cbn. fold (within f t).
+    specialize (A t). specialize (K2 t). tauto.
+  - exists f. split; [exact Heq | split; [now right | split; [exact Hp |]]]. intros t.
+    unfold met, parameters, reach. specialize (A t). specialize (K1 t). tauto.
+Qed.
+
+Lemma is_first_equal T T' x : T ≡ T' -> is_first T x -> is_first T' x.
+Proof.
+  intros E. destruct x; cbn.
+  - intros [H L]. split; [now apply E | intros t' H'; now apply L, E].
+  - intros H t' H'. now apply (H t'), E.
+  - intros [eps [He H]]. exists eps. split; [exact He | intros t Ht; now apply E, H].
+Qed.
+
+(** Every element has a first hit, or is missed, or has no nearest point because the ray starts in a segment of it. *)
+Lemma met_first e : e ∈ elementos s -> exists x, is_first (met e) x.
+Proof.
+  intros He. destruct (met_is_reach e He) as [f [g [_ [_ [Hp E]]]]]. exists (first g).
+  apply is_first_equal with (reach g); [now apply seteq_sym | now apply first_correct].
+Qed.
+
+Lemma met_on_ray e : alcance s ray en e ⊆ puntos_de_rayo ray.
+Proof. now intros w [_ [H _]]. Qed.
+Lemma alcances_on_ray : alcances s ray en ⊆ puntos_de_rayo ray.
+Proof. intros w [e [_ H]]. now apply (met_on_ray e). Qed.
+Lemma met_positive e t : met e t -> 0 < t.
+Proof. now intros [H _]. Qed.
+Lemma in_dom_reduccion ps : ps ⊆ puntos_de_rayo ray -> (dom reduccion (ps, p) <-> exists t, is_least (parameters ps) t).
+Proof.
+  intros Hps. split.
+  - intros [w H]. apply reduccion_on_ray in H as [t [_ H]]; [now exists t | exact Hps].
+  - intros [t H]. exists (point_at ray t). apply reduccion_on_ray; [exact Hps | now exists t].
+Qed.
+Lemma nonempty_parameters ps : ps ⊆ puntos_de_rayo ray -> (~ (ps ≡ ∅) <-> exists t, parameters ps t).
+Proof.
+  intros Hps. split.
+  - intros H. apply NNPP. intros N. apply H. intros w. split; [| intros []]. intros Hw. apply N.
+    destruct (proj1 (puntos_de_rayo_parameter _ _) (Hps _ Hw)) as [t [Ht ->]]. exists t. now split.
+  - intros [t [_ H]] E. exact (proj1 (E (point_at ray t)) H).
+Qed.
+
+(** An element that the ray meets has no nearest point exactly when the ray starts in a segment of it. *)
+Theorem no_minimum_iff_starts_in e : e ∈ elementos s ->
+  (~ (alcance s ray en e ≡ ∅) /\ (alcance s ray en e, p) ∉ dom reduccion <-> starts_in (met e)).
+Proof.
+  intros He. rewrite nonempty_parameters, in_dom_reduccion by apply met_on_ray. fold (met e).
+  destruct (met_first e He) as [[t | |] H]; cbn in H.
+  - split; [intros [_ N]; destruct N; now exists t |]. intros S. destruct (starts_in_no_least _ S (met_positive e)).
+    now exists t.
+  - split; [intros [[t Ht] _]; now destruct (H t) |]. intros [eps [Hpos S]]. destruct (H (eps / 2)). apply S. lra.
+  - split; [intros _; exact H |]. intros S. split; [| now apply starts_in_no_least with (2 := met_positive e)].
+    destruct H as [eps [Hpos H]]. exists (eps / 2). apply H. lra.
+Qed.
+
+(** Such an element is never a sphere, and the whole line of the ray lies in its unbounded surface: a generator. *)
+Theorem starts_in_a_generator e : e ∈ elementos s -> starts_in (met e) ->
+  exists f g, equation e f /\ seen e f g /\ (forall t, value g t = 0) /\ ~ exists c r, is_esfera _ s e c r.
+Proof.
+  intros He S. destruct (met_is_reach e He) as [f [g [Hf [Hg [Hp E]]]]]. exists f, g.
+  assert (V : forall t, value g t = 0).
+  { destruct (two_points_or_a_segment g) as [[t1 [t2 H]] | [H _]]; [exfalso | exact H].
+    destruct S as [eps [Hpos S]].
+    assert (M : forall k, 0 < k < 1 -> k * eps = t1 \/ k * eps = t2).
+    { intros k Hk. apply H, E, S. pose proof (Rmult_lt_0_compat k eps). pose proof (Rmult_lt_compat_r eps k 1). lra. }
+    pose proof (M (1 / 2)). pose proof (M (1 / 3)). pose proof (M (1 / 4)). lra. }
+  split; [exact Hf | split; [exact Hg | split; [exact V |]]]. intros [c [r Hs]].
+  assert (Hf' : cA f = sq (Rayo_v ray)).
+  { destruct Hf as [[c' [r' [_ ->]]] | [[c' [r' [d' [h' [Hc _]]]]] | [c' [r' [d' [h' [Hc _]]]]]]]; [reflexivity | |];
+      destruct Hs as [Ht _], Hc as [Ht' _]; discriminate (type_unique _ _ ok _ _ _ Ht Ht'). }
+  assert (Hg' : cA g = sq (Rayo_v ray)) by (destruct Hg as [[_ ->] | [_ ->]]; exact Hf').
+  pose proof (ray_direction_positive ray ray_ok). generalize (V 0) (V 1) (V (-1)). unfold value. rewrite Hg'. lra.
+Qed.
+
+(** ** The first hit of the scene *)
+
+Lemma met_scene_is_union t : met_scene t <-> exists e, e ∈ elementos s /\ met e t.
+Proof.
+  split; [intros [Ht [e [He H]]]; exists e; split; [exact He | now split] |].
+  intros [e [He [Ht H]]]. split; [exact Ht |]. now exists e.
+Qed.
+
+Lemma least_of_finite (l : list Elemento) (T : Elemento -> set R) :
+  (forall e, In e l -> (exists t, is_least (T e) t) \/ forall t, ~ T e t) ->
+  (exists t, is_least (fun t => exists e, In e l /\ T e t) t) \/ forall e t, In e l -> ~ T e t.
+Proof.
+  induction l as [| a l IH]; intros H; [right; intros e t [] |].
+  destruct IH as [[m [[e [Hin He]] Hm]] | N]; [intros e He; apply H; now right | |];
+    (destruct (H a (or_introl eq_refl)) as [[t [Ht Hl]] | Na]).
+  - left. exists (Rmin t m). split.
+    + destruct (Rle_dec t m); [rewrite Rmin_left by lra | rewrite Rmin_right by lra]; [exists a | exists e]; cbn; auto.
+    + intros t' [e' [[<- | Hin'] H']]; [apply Rle_trans with t | apply Rle_trans with m];
+        auto using Rmin_l, Rmin_r. apply Hm. now exists e'.
+  - left. exists m. split; [exists e; cbn; auto |]. intros t' [e' [[<- | Hin'] H']]; [now destruct (Na t') |].
+    apply Hm. now exists e'.
+  - left. exists t. split; [exists a; cbn; auto |]. intros t' [e' [[<- | Hin'] H']]; [auto | now destruct (N e' t')].
+  - right. intros e t [<- | Hin]; auto.
+Qed.
+
+(** The scene as a whole: a least parameter, none at all, or an element in whose segment the ray starts. *)
+Lemma scene_trichotomy :
+  (exists t, is_least met_scene t) \/ (forall t, ~ met_scene t) \/ exists e, e ∈ elementos s /\ starts_in (met e).
+Proof.
+  destruct (classic (exists e, e ∈ elementos s /\ starts_in (met e))) as [H | N]; [auto |].
+  destruct (Escena_decl_elementos ok) as [_ [l Hl]].
+  destruct (least_of_finite l met) as [[t [[e [Hin He]] Hm]] | Hnone].
+  - intros e Hin. apply Hl in Hin. destruct (met_first e Hin) as [[t | |] H]; [left; now exists t | now right |].
+    destruct N. now exists e.
+  - left. exists t. split; [apply met_scene_is_union; exists e; split; [now apply Hl | exact He] |].
+    intros t' H'. apply met_scene_is_union in H' as [e' [Hin' H']]. apply Hm. exists e'. split; [now apply Hl | exact H'].
+  - right; left. intros t H. apply met_scene_is_union in H as [e [Hin He]]. apply (Hnone e t); [now apply Hl | exact He].
+Qed.
+
+Lemma starts_in_scene e : e ∈ elementos s -> starts_in (met e) -> starts_in met_scene.
+Proof.
+  intros He [eps [Hpos H]]. exists eps. split; [exact Hpos |]. intros t Ht. apply met_scene_is_union. exists e. auto.
+Qed.
+Lemma met_scene_positive t : met_scene t -> 0 < t.
+Proof. now intros [H _]. Qed.
+
+(** A scene that the ray meets has no nearest point exactly when the ray starts in a segment of one of its elements. *)
+Theorem scene_no_minimum_iff :
+  ~ (alcances s ray en ≡ ∅) /\ (alcances s ray en, p) ∉ dom reduccion
+  <-> exists e, e ∈ elementos s /\ starts_in (met e).
+Proof.
+  rewrite nonempty_parameters, in_dom_reduccion by apply alcances_on_ray. fold met_scene. split.
+  - intros [[t Ht] N]. destruct scene_trichotomy as [H | [H | H]]; [now destruct N | now destruct (H t) | exact H].
+  - intros [e [He S]]. apply starts_in_scene in S as S'; [| exact He].
+    split; [| now apply starts_in_no_least with (2 := met_scene_positive)].
+    destruct S' as [eps [Hpos H]]. exists (eps / 2). apply H. lra.
+Qed.
+
+(** The first hit of a scene is the least of the first hits of its elements, given that no element lacks one. *)
+Theorem first_hit_is_least_of_first_hits t :
+  is_least met_scene t <->
+  (forall e, e ∈ elementos s -> ~ starts_in (met e))
+  /\ (exists e, e ∈ elementos s /\ is_least (met e) t)
+  /\ forall e' t', e' ∈ elementos s -> is_least (met e') t' -> t <= t'.
+Proof.
+  split.
+  - intros [H L]. split; [| split].
+    + intros e He S. apply (starts_in_no_least met_scene (starts_in_scene e He S) met_scene_positive).
+      exists t. now split.
+    + apply met_scene_is_union in H as [e [He H]]. exists e. split; [exact He | split; [exact H |]].
+      intros t' H'. apply L, met_scene_is_union. now exists e.
+    + intros e' t' He' [H' _]. apply L, met_scene_is_union. now exists e'.
+  - intros [N [[e [He [H L]]] M]]. split; [apply met_scene_is_union; now exists e |].
+    intros t' H'. apply met_scene_is_union in H' as [e' [He' H']]. destruct (met_first e' He') as [[t2 | |] F]; cbn in F.
+    + apply Rle_trans with t2; [now apply (M e') | now apply F].
+    + now destruct (F t').
+    + now destruct (N e').
+Qed.
+
+(** The elements that contain the first hit of the scene are those that have their own first hit there. *)
+Theorem elements_of_first_hit t e : is_least met_scene t -> e ∈ elementos s ->
+  (point_at ray t ∈ alcance s ray en e <-> is_least (met e) t).
+Proof.
+  intros [[Ht _] L] He. split.
+  - intros H. split; [now split |]. intros t' H'. apply L, met_scene_is_union. now exists e.
+  - now intros [[_ H] _].
+Qed.
+
+(** ** The outcomes *)
+Variable s' : Escena.
+Hypothesis same : Xi_Escena s s'.
+Hypothesis known : en ⊆ elementos s.
+
+Lemma question resultado els : Pregunta s s' ray en resultado els.
+Proof. split; auto; easy. Qed.
+
+(** The outcome is hit exactly where the parameters of the scene have a least one; it names that parameter, its point
+    and the elements whose first hit it is. Discharges alcances.def.1, Pregunta.pre.1, Hay_Interseccion.pre.1,
+    Hay_Interseccion.post.1, Hay_Interseccion.post.2, Hay_Interseccion.post.3, Hay_Interseccion.post.4. *)
+Theorem hit_computed resultado els t w :
+  Hay_Interseccion s s' ray en resultado els t w <->
+  is_least met_scene t /\ w = point_at ray t /\ els ≡ (fun e => e ∈ elementos s /\ is_least (met e) t)
+  /\ resultado = hit.
+Proof.
+  assert (A : forall t, is_least met_scene t -> (fun e => e ∈ elementos s /\ point_at ray t ∈ alcance s ray en e)
+    ≡ (fun e => e ∈ elementos s /\ is_least (met e) t)).
+  { intros u L e. split; intros [He H]; (split; [exact He |]); now apply (elements_of_first_hit u e L He). }
+  split.
+  - intros [_ Ht _ [v [Hv ->]] [Hx [Hy Hz]] Hels ->].
+    apply reduccion_on_ray in Hv as [u [-> L]]; [| apply alcances_on_ray].
+    assert (u = t) as -> by (apply (point_at_injective ray); [exact ray_ok | unfold point_at at 2; rewrite <- Hx, <- Hy, <- Hz;
+      now destruct (point_at ray u)]).
+    split; [exact L | split; [reflexivity | split; [| reflexivity]]]. now rewrite <- (A t L).
+  - intros [L [-> [Hels ->]]].
+    assert (R : ((alcances s ray en, p), point_at ray t) ∈ reduccion).
+    { apply reduccion_on_ray; [apply alcances_on_ray | now exists t]. }
+    split; [apply question | apply L | now exists (point_at ray t) | now exists (point_at ray t) | auto | | reflexivity].
+    now rewrite (A t L).
+Qed.
+
+(** The outcome is miss exactly where the ray meets nothing. Discharges No_Hay_Interseccion.pre.1,
+    No_Hay_Interseccion.post.1, No_Hay_Interseccion.post.2. *)
+Theorem miss_computed resultado els :
+  No_Hay_Interseccion s s' ray en resultado els <-> (forall t, ~ met_scene t) /\ els ≡ ∅ /\ resultado = miss.
+Proof.
+  pose proof (nonempty_parameters _ alcances_on_ray) as N. fold met_scene in N. split.
+  - intros [_ E Hels ->]. split; [| now split]. intros t Ht. apply (proj2 N); [now exists t | exact E].
+  - intros [H [Hels ->]]. split; [apply question | | exact Hels | reflexivity].
+    apply NNPP. rewrite N. intros [t Ht]. now apply (H t).
+Qed.
+
+(** The outcome is no_minimum exactly where the ray starts in a segment of some element, and it names those elements.
+    Discharges No_Hay_Minimo.pre.1, No_Hay_Minimo.pre.2, No_Hay_Minimo.post.1, No_Hay_Minimo.post.2. *)
+Theorem no_minimum_computed resultado els :
+  No_Hay_Minimo s s' ray en resultado els <->
+  (exists e, e ∈ elementos s /\ starts_in (met e)) /\ els ≡ (fun e => e ∈ elementos s /\ starts_in (met e))
+  /\ resultado = no_minimum.
+Proof.
+  assert (A : (fun e => e ∈ elementos s /\ ~ (alcance s ray en e ≡ ∅) /\ (alcance s ray en e, p) ∉ dom reduccion)
+    ≡ (fun e => e ∈ elementos s /\ starts_in (met e))).
+  { intros e. split; intros [He H]; (split; [exact He |]); now apply (no_minimum_iff_starts_in e He). }
+  split.
+  - intros [_ N1 N2 Hels ->]. split; [apply scene_no_minimum_iff; now split | split; [| reflexivity]].
+    now rewrite <- A.
+  - intros [H [Hels ->]]. apply scene_no_minimum_iff in H as [N1 N2].
+    split; [apply question | exact N1 | exact N2 | | reflexivity]. now rewrite Hels, <- A.
+Qed.
+
+(** Every question has an answer. *)
+Theorem Primera_Interseccion_total : exists resultado els t w, Primera_Interseccion s s' ray en resultado els t w.
+Proof.
+  destruct scene_trichotomy as [[t H] | [H | H]].
+  - exists hit, (fun e => e ∈ elementos s /\ is_least (met e) t), t, (point_at ray t). left.
+    apply hit_computed. split; [exact H | now split].
+  - exists miss, ∅, 0, p. right; left. now apply miss_computed.
+  - exists no_minimum, (fun e => e ∈ elementos s /\ starts_in (met e)), 0, p. right; right.
+    now apply no_minimum_computed.
+Qed.
+
+(** And only one: the same outcome, the same elements and, where there is a hit, the same parameter and point. *)
+Theorem Primera_Interseccion_deterministic res1 els1 t1 w1 res2 els2 t2 w2 :
+  Primera_Interseccion s s' ray en res1 els1 t1 w1 -> Primera_Interseccion s s' ray en res2 els2 t2 w2 ->
+  res1 = res2 /\ els1 ≡ els2 /\ (res1 = hit -> t1 = t2 /\ w1 = w2).
+Proof.
+  assert (X1 : forall t, is_least met_scene t -> (exists e, e ∈ elementos s /\ starts_in (met e)) -> False).
+  { intros t L [e [He S]]. apply (starts_in_no_least met_scene (starts_in_scene e He S) met_scene_positive). now exists t. }
+  assert (X2 : (forall t, ~ met_scene t) -> (exists e, e ∈ elementos s /\ starts_in (met e)) -> False).
+  { intros N [e [He S]]. destruct (starts_in_scene e He S) as [eps [Hpos H]]. apply (N (eps / 2)), H. lra. }
+  intros [H1 | [H1 | H1]] [H2 | [H2 | H2]];
+    first [apply hit_computed in H1 | apply miss_computed in H1 | apply no_minimum_computed in H1];
+    first [apply hit_computed in H2 | apply miss_computed in H2 | apply no_minimum_computed in H2].
+  - destruct H1 as [L1 [-> [E1 ->]]], H2 as [L2 [-> [E2 ->]]]. pose proof (least_unique _ _ _ L1 L2) as ->.
+    split; [reflexivity | split; [now rewrite E1, E2 | now split]].
+  - destruct H1 as [[H1 _] _], H2 as [N _]. now destruct (N t1).
+  - destruct H1 as [L _], H2 as [S _]. now destruct (X1 t1).
+  - destruct H1 as [N _], H2 as [[H2 _] _]. now destruct (N t2).
+  - destruct H1 as [_ [E1 ->]], H2 as [_ [E2 ->]]. split; [reflexivity | split; [now rewrite E1, E2 | discriminate]].
+  - destruct H1 as [N _], H2 as [S _]. now destruct X2.
+  - destruct H1 as [S _], H2 as [L _]. now destruct (X1 t2).
+  - destruct H1 as [S _], H2 as [N _]. now destruct X2.
+  - destruct H1 as [_ [E1 ->]], H2 as [_ [E2 ->]]. split; [reflexivity | split; [now rewrite E1, E2 | discriminate]].
+Qed.
+
+(** A shadow ray is occluded exactly where it meets something. Discharges occluded.def.1, occluded_segment.def.1. *)
+Theorem occluded_computed :
+  (occluded s ray en <-> exists t, met_scene t) /\ (occluded_segment s ray en <-> exists t, met_scene t /\ t < 1).
+Proof.
+  split; [apply nonempty_parameters, alcances_on_ray |]. split.
+  - intros [t [w [Ht [Hw [H1 [Hx [Hy Hz]]]]]]]. exists t. split; [split; [exact Ht |] | exact H1].
+    replace (point_at ray t) with w; [exact Hw |]. unfold point_at. rewrite <- Hx, <- Hy, <- Hz. now destruct w.
+  - intros [t [[Ht H] H1]]. exists t, (point_at ray t). repeat split; assumption.
+Qed.
+End Scene.
+
+(** For a ray that starts on no known element, the elements of a hit are de_que_elemento of its point.
+    Discharges de_que_elemento.def.1, puntos_de_escena.def.1. *)
+Theorem hit_elements_are_de_que_elemento Elemento (s s' : Escena Elemento) resultado els t w :
+  Hay_Interseccion s s' ray ∅ resultado els t w -> els ≡ de_que_elemento s w /\ w ∈ puntos_de_escena s.
+Proof.
+  intros [_ Ht _ [v [Hv ->]] _ Hels _].
+  assert (A : forall e w, w ∈ alcance s ray ∅ e -> w ∈ puntos_de_elemento s e) by (intros e u [_ [_ [[[] _] | [_ H]]]]; exact H).
+  destruct Hv as [_ [[[e [He Ha]] _] _]]. split; [| exists e; split; [exact He | now apply A]].
+  intros e'. rewrite (Hels e'). split; intros [He' H]; (split; [exact He' |]); [now apply A |].
+  split; [exact He' | split; [apply Ha | right; split; [intros [] | exact H]]].
+Qed.
+End Ray.
