@@ -1,0 +1,105 @@
+#include "durero/io/rays_file.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "durero/io/npy.hpp"
+#include "malformed.hpp"
+#include "random_scene.hpp"
+#include "support/catch.hpp"
+#include "support/property.hpp"
+
+using namespace durero;
+
+namespace {
+
+scene::Scene three_spheres() {
+  scene::Scene scene;
+  for (const char* name : {"a", "b", "c"}) {
+    scene.apply(model::Agregar_Esfera{model::Elemento{name}, model::Punto{0, 0, 0}, 1});
+  }
+  return scene;
+}
+
+std::vector<io::Ray> read(const std::string& text) { return io::read_rays(io::Source("f", text), three_spheres()); }
+std::string error_at(const std::string& with_mark) {
+  return test::error_at_mark(with_mark, [](const io::Source& s) { return io::read_rays(s, three_spheres()); });
+}
+
+io::Ray any_ray(const scene::Scene& scene) {
+  glm::dvec3 v = test::any_triple();
+  if (v == glm::dvec3{}) v.z = 1;
+  io::Ray ray{{model::Punto{test::any_triple()}, model::Vector{v}}};
+  for (const char* name : {"a", "b", "c"}) {
+    if (*rc::gen::arbitrary<bool>()) ray.en.push_back(scene.find(name).value());
+  }
+  std::sort(ray.en.begin(), ray.en.end());
+  return ray;
+}
+
+}  // namespace
+
+TEST_CASE("Rays read back from their text and from .npy") {
+  test::property("any rays", [] {
+    const scene::Scene scene = three_spheres();
+    std::vector<io::Ray> rays;
+    for (int n = *rc::gen::inRange(0, 5); n > 0; --n) rays.push_back(any_ray(scene));
+    RC_ASSERT(io::read_rays(io::Source("f", io::rays_text(rays, scene)), scene) == rays);
+    for (io::Ray& ray : rays) ray.en.clear();
+    RC_ASSERT(io::read_rays(io::Source("f.npy", io::rays_npy(rays)), scene) == rays);
+  });
+}
+
+TEST_CASE("Numbers are decimal or hexadecimal; comments, blank lines and repeated names mean nothing") {
+  const auto rays = read("# rays\n\n 1 -2.5 +3e1\t0x1p-1 -0X1.8P+1 .5 # right\r\n0 0 0 1 0 0 @b @a @b");
+  REQUIRE(rays.size() == 2);
+  CHECK(rays[0].rayo == model::Rayo({1, -2.5, 30}, {0.5, -3, 0.5}));
+  CHECK(rays[0].en.empty());
+  CHECK(rays[1].en == scene::ElementSet{{model::Tipo::soy_esfera, 0}, {model::Tipo::soy_esfera, 1}});
+  CHECK(read("").empty());
+}
+
+TEST_CASE("A malformed ray is an error with its place") {
+  using Case = std::pair<std::string, std::string>;
+  const Case cases[] = {
+      {"0 0 0 ^0 -0 0", "v is (0, 0, 0); expected ¬ (v.x = 0 ∧ v.y = 0 ∧ v.z = 0) (Rayo.inv.1)"},
+      {"0 0 0 0 0 1\n0 ^nan 0 0 0 1", "\"nan\"; expected a finite number"},
+      {"0 0 0 0 0 ^-inf", "\"-inf\"; expected a finite number"},
+      {"0 0 ^1e999 0 0 1", "\"1e999\"; expected a finite number"},
+      {"0 0 0 1 0^", "the ray ends after 5 numbers; expected px py pz vx vy vz"},
+      {"0 0 0 1 0 ^# 0", "the ray ends after 5 numbers; expected px py pz vx vy vz"},
+      {"0 0 0 1 0 ^@a", "\"@a\"; expected a finite number"},
+      {"0 0 0 1 0 0 ^7", "\"7\" after six numbers; expected @name"},
+      {"0 0 0 1 0 0 @a ^@d", "no element \"d\"; expected an element of the scene"},
+      {"0 0 0 1 0 0 ^@", "no element \"\"; expected an element of the scene"},
+  };
+  for (const auto& [text, expected] : cases) {
+    INFO(text);
+    CHECK(error_at(text) == expected);
+  }
+  CHECK(error_at("^0,0,0,1,0,0") == "\"0,0,0,1,0,0\"; expected a finite number");
+}
+
+TEST_CASE("A wrong ray of a .npy file is named by its row and number") {
+  const auto error = [](std::vector<double> values) {
+    std::string text = io::npy_head("'<f8'", fmt::format("({}, 6)", values.size() / 6));
+    for (const double x : values) io::append_binary64(text, x);
+    return test::error_of(text, [](const io::Source& s) { return io::read_rays(s, three_spheres()); });
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK(error({0, 0, 0, 1, 0, 0}).empty());
+  CHECK(error({0, 0, 0, 1, 0, 0, 0, 0, nan, 1, 0, 0}) == "f:2:3: nan; expected a finite number");
+  CHECK(error({0, 0, 0, 0, 0, 0}).starts_with("f:1:4: v is (0, 0, 0); expected "));
+  CHECK_THROWS_WITH(io::read_rays(io::Source("rays.npy", "0 0 0 1 0 0"), three_spheres()),
+                    Catch::Contains("rays.npy:1:1: no NumPy file"));
+}
+
+TEST_CASE("No damage to rays does worse than an error") {
+  const auto reading = [](const io::Source& s) { return io::read_rays(s, three_spheres()); };
+  const std::string text = "# rays\n0 1.5 -2e3 0x1.8p3 0 1 @a @b\n1 2 3 4 5 6\n";
+  CHECK(test::refused_after_damage(text, 20000, reading) > 5000);
+  const scene::Scene scene = three_spheres();
+  const std::string npy = io::rays_npy(read(text));
+  CHECK(test::refused_after_damage(npy, 20000, reading) > 5000);
+}

@@ -1,0 +1,212 @@
+#include "durero/io/scene_file.hpp"
+
+#include <tuple>
+
+#include "malformed.hpp"
+#include "random_scene.hpp"
+#include "support/catch.hpp"
+#include "support/property.hpp"
+
+using namespace durero;
+
+namespace {
+
+const auto reading = [](const io::Source& source) { return io::read_scene(source); };
+std::string error_of(const std::string& text) { return test::error_of(text, reading); }
+
+// What is wrong at the place that ^ marks.
+std::string error_at(const std::string& with_mark) { return test::error_at_mark(with_mark, reading); }
+
+// A scene file around the text of its elements.
+std::string with_elements(const std::string& elements) {
+  return "{\"format\":\"durero-scene\",\"version\":1,\n\"elementos\":[" + elements + "]}";
+}
+std::string sphere(const std::string& tail) { return R"({"id":"a","tipo":"esfera","centro":[0,0,0],)" + tail + "}"; }
+std::string with_part(const std::string& part) {
+  return "{\"format\":\"durero-scene\",\"version\":1,\"elementos\":[],\n" + part + "}";
+}
+
+const std::string sample = R"({"format":"durero-scene","version":1,
+"camera":{"eye":[0,0,-5],"look_at":[0,0,0],"up":[0,1,0],"fov_y":45},
+"resolution":[640,480],
+"background":[0.1,0.2,0.3],
+"lights":[
+{"position":[1,2,3],"color":[1,1,1]},
+{"position":[-1e+300,2,3],"color":[0,0,0.5]}],
+"materials":{
+"red":{"color":[1,0,0]},
+"rojo ñ":{"color":[1,0,0]}},
+"elementos":[
+{"id":"c1","tipo":"cilindro","centro":[0,0,0],"radio":0.5,"vector":[0,1,0],"altura":2},
+{"id":"k1","tipo":"cono","centro":[0,0,0],"proporcion":0.5,"vector":[0,1,0],"altura":2,"material":"rojo ñ"},
+{"id":"s1","tipo":"esfera","centro":[0,-0,5e-324],"radio":1,"material":"red"}
+]}
+)";
+
+}  // namespace
+
+TEST_CASE("A scene reads back from its text") {
+  test::property("any scene", [] {
+    const scene::Scene scene = test::any_scene();
+    const std::string text = io::scene_text(scene);
+    const scene::Scene back = io::read_scene(io::Source("f", text));
+    RC_ASSERT(test::same_scene(scene, back));
+    RC_ASSERT(io::scene_text(back) == text);
+  });
+  test::property("also after removals, which move rows", [] {
+    scene::Scene scene = test::any_scene(12);
+    while (scene.size() > 1 && *rc::gen::arbitrary<bool>()) {
+      scene.apply(model::Eliminar_Elemento{model::Elemento{test::described(scene).begin()->first}});
+    }
+    const std::string text = io::scene_text(scene);
+    RC_ASSERT(io::scene_text(io::read_scene(io::Source("f", text))) == text);
+  });
+}
+
+TEST_CASE("The canonical text is a fixed point, and is what it says") {
+  CHECK(io::scene_text(io::read_scene(io::Source("f", sample))) == sample);
+  CHECK(io::scene_text(scene::Scene()) == "{\"format\":\"durero-scene\",\"version\":1,\n\"elementos\":[]}\n");
+}
+
+TEST_CASE("Order of keys and space mean nothing") {
+  const std::string text =
+      " {\"elementos\" : [ {\"material\":\"m\",\"radio\":2E0,\"centro\":[ 1,2 , 3],\t\"tipo\":"
+      "\"esfera\",\"id\":\"\\u0061\"}\r\n],\"materials\":{\"m\":{\"color\":[0,0,0]}},\"version\":1.0,"
+      "\"format\":\"durero-scene\"}";
+  const scene::Scene scene = io::read_scene(io::Source("f", text));
+  REQUIRE(scene.size() == 1);
+  CHECK(scene.spheres()[0].centro == glm::dvec3(1, 2, 3));
+  CHECK(scene.spheres()[0].radio == 2);
+  CHECK(scene.find("a").has_value());
+  CHECK(scene.material(*scene.find("a")) == 0U);
+}
+
+TEST_CASE("Errors of value stand at the value and name the label that is broken") {
+  const auto error = [](const std::string& element) { return error_at(with_elements(element)); };
+  CHECK(error(sphere(R"("radio":^0)")) == "radio is 0; expected r > 0 (Rmas.inv.1)");
+  CHECK(error(sphere(R"("radio":^-0.0)")) == "radio is -0; expected r > 0 (Rmas.inv.1)");
+  CHECK(error(sphere(R"("radio":^-1)")) == "radio is -1; expected r > 0 (Rmas.inv.1)");
+  CHECK(error(sphere(R"("radio":^1e-999)")) == "radio is 0; expected r > 0 (Rmas.inv.1)");
+  CHECK(error(sphere(R"("radio":^1e999)")) == "a number beyond binary64; expected a finite number");
+  CHECK(error(sphere(R"("radio":^NaN)")).starts_with("\"N\" stands here; expected a JSON value"));
+  CHECK(error(sphere(R"("radio":^Infinity)")).starts_with("\"I\" stands here; expected a JSON value"));
+  const std::string axis = R"({"id":"a","tipo":"cilindro","centro":[0,0,0],"radio":1,"vector":)";
+  CHECK(
+      error(axis + "^[0,1.1,0],\"altura\":1}") ==
+      "vector is (0, 1.1, 0); expected a unit vector, 1 − tolerancia_unidad ≤ d.x * d.x + d.y * d.y + d.z * d.z ≤ 1 + "
+      "tolerancia_unidad (Unitario.inv.1)");
+  CHECK(error(axis + "[0,1,0],\"altura\":^0}") == "altura is 0; expected r > 0 (Rmas.inv.1)");
+  CHECK(error(R"({"id":"a","tipo":"cono","centro":[0,0,0],"proporcion":^-2,"vector":[0,1,0],"altura":1})") ==
+        "proporcion is -2; expected r > 0 (Rmas.inv.1)");
+  CHECK(error(sphere(R"("radio":1)") + ",\n" + R"({"id":^"a","tipo":"esfera","centro":[0,0,1],"radio":1})") ==
+        "id is \"a\": elemento_ya_existe; expected e? ∉ elementos (Agregar_Elemento.pre.1)");
+}
+
+TEST_CASE("Errors of an element stand at its value or key") {
+  using Case = std::pair<std::string, std::string>;
+  const Case cases[] = {
+      {sphere(R"("radio":^"1")"), "radio is a string; expected a number"},
+      {sphere(R"("radio":^[1])"), "radio is an array; expected a number"},
+      {sphere(R"("radio":^null)"), "radio is null; expected a number"},
+      {sphere(R"("radio":1,^"color":2)"),
+       "unknown key \"color\" in an element; expected one of id, tipo, centro, radio, vector, altura, proporcion, "
+       "material"},
+      {sphere(R"("radio":1,^"radio":1)"), "key \"radio\" stands twice; expected it once"},
+      {sphere(R"("radio":1,^"altura":1)"),
+       "unknown key \"altura\" in an element of tipo esfera; expected the attributes of its tipo only"},
+      {'^' + sphere(R"("material":"m")"), "key \"radio\" is missing in an element of tipo esfera; expected it"},
+      {sphere(R"("radio":1,"material":^"m")"), "unknown material \"m\"; expected one of the scene's materials"},
+      {sphere(R"("radio":1,"material":^3)"), "material is a number; expected a string"},
+      {R"(^{"id":"a","centro":[0,0,0],"radio":1})", "key \"tipo\" is missing in an element; expected it"},
+      {R"({"id":^"a b","tipo":"esfera","centro":[0,0,0],"radio":1})",
+       "id is \"a b\"; expected 1 to 128 of A-Z a-z 0-9 _ . : -"},
+      {R"({"id":^"","tipo":"esfera","centro":[0,0,0],"radio":1})",
+       "id is \"\"; expected 1 to 128 of A-Z a-z 0-9 _ . : -"},
+      {R"({"id":"a","tipo":^"cubo","centro":[0,0,0],"radio":1})",
+       "tipo is \"cubo\"; expected \"esfera\", \"cilindro\" or \"cono\""},
+      {R"({"id":"a","tipo":"esfera","centro":^[0,0],"radio":1})", "centro has 2 items; expected three numbers"},
+      {R"({"id":"a","tipo":"esfera","centro":[0,0,0,^0],"radio":1})",
+       "centro has a fourth item; expected three numbers"},
+      {R"({"id":"a","tipo":"esfera","centro":[0,^true,0],"radio":1})", "centro is true or false; expected a number"},
+      {R"({"id":"a","tipo":"esfera","centro":[0,^{"x":1},0],"radio":1})", "centro is an object; expected a number"},
+      {"^3", "an element is a number; expected an object"},
+      {"^[[[[]]]]", "an element is an array; expected an object"},
+  };
+  for (const auto& [element, expected] : cases) {
+    INFO(element);
+    CHECK(error_at(with_elements(element)) == expected);
+  }
+  const auto named = [](std::size_t length) {
+    return with_elements(R"({"id":")" + std::string(length, 'x') + R"(","tipo":"esfera","centro":[0,0,0],"radio":1})");
+  };
+  CHECK_FALSE(error_of(named(129)).empty());
+  CHECK(error_of(named(128)).empty());
+}
+
+TEST_CASE("Errors of the other parts stand at their value or key") {
+  using Case = std::pair<std::string, std::string>;
+  const std::string camera = R"("camera":{"eye":[0,0,0],"look_at":[0,0,1],"up":[0,1,0],"fov_y":)";
+  const Case cases[] = {
+      {"^[]", "a scene is an array; expected an object"},
+      {"^{}", "key \"format\" is missing in a scene; expected it"},
+      {R"(^{"format":"durero-scene","version":1})", "key \"elementos\" is missing in a scene; expected it"},
+      {R"({"format":^"obj"})", "format is \"obj\"; expected \"durero-scene\""},
+      {R"({"format":"durero-scene","version":^2})", "version is 2; expected 1"},
+      {R"({"format":"durero-scene","version":^"1"})", "version is a string; expected a number"},
+      {R"({"format":"durero-scene","version":1,"elementos":^{}})", "elementos is an object; expected an array"},
+      {with_part(R"(^"elements":[])"),
+       "unknown key \"elements\" in a scene; expected one of format, version, elementos, camera, resolution, "
+       "background, lights, materials"},
+      {with_part(camera + "^180}"), "fov_y is 180; expected an angle in degrees, 0 < fov_y < 180"},
+      {with_part(camera + "^0}"), "fov_y is 0; expected an angle in degrees, 0 < fov_y < 180"},
+      {with_part(R"("camera":^{"eye":[0,0,0]})"), "key \"look_at\" is missing in camera; expected it"},
+      {with_part(R"("camera":^{"eye":[0,0,0],"look_at":[0,0,0],"up":[0,1,0],"fov_y":45})"),
+       "the camera looks at its own eye; expected look_at elsewhere"},
+      {with_part(R"("camera":{"up":^[0,0,0]})"), "up is the null vector; expected a direction"},
+      {with_part(R"("resolution":[^0,1])"), "resolution is 0; expected whole numbers of pixels, 1 to 65535"},
+      {with_part(R"("resolution":[1,^1.5])"), "resolution is 1.5; expected whole numbers of pixels, 1 to 65535"},
+      {with_part(R"("resolution":^[1])"), "resolution has 1 items; expected width and height"},
+      {with_part(R"("resolution":[1,2,^3])"), "resolution has a third item; expected width and height"},
+      {with_part(R"("background":^[0,-1,0])"), "background is negative; expected red, green and blue, each from 0"},
+      {with_part(R"("lights":[^{"position":[0,0,0]}])"), "key \"color\" is missing in a light; expected it"},
+      {with_part(R"("materials":{"a":{"color":^[0,2,0]}})"),
+       "the color of a material is above 1; expected the share of light it sends back, 0 to 1"},
+      {with_part(R"("materials":{"a":{"color":[0,0,0]},^"a":{"color":[0,0,0]}})"),
+       "material \"a\" stands twice; expected it once"},
+      {with_part(R"("materials":{^"":{"color":[0,0,0]}})"), "the name of a material is empty; expected a name"},
+  };
+  for (const auto& [text, expected] : cases) {
+    INFO(text);
+    CHECK(error_at(text) == expected);
+  }
+}
+
+TEST_CASE("What is no JSON in UTF-8 has its place too") {
+  CHECK(error_at("^") == "the text is empty; expected a JSON value");
+  CHECK(error_at("^\xEF\xBB\xBF" + sample) == "a byte order mark; expected UTF-8 without one");
+  CHECK(error_at(sample + "^{}") == "\"{\" stands here after the value; expected the end of the text");
+  CHECK(error_at("[[1,2]^}") == "\"}\" stands here; expected , or ] after an item");
+  CHECK(error_at(with_part("\"materials\":{\"ro^\xFFjo\":{}}")) ==
+        "\"\\xff\" stands here inside a string; expected UTF-8 without control characters");
+}
+
+TEST_CASE("Every prefix of a scene is refused, and no damage does worse") {
+  for (std::size_t n = 0; n < sample.find_last_of('}'); ++n) {
+    INFO(n);
+    CHECK_FALSE(error_of(sample.substr(0, n)).empty());
+  }
+  const std::size_t refused = test::refused_after_damage(sample, 20000, reading);
+  CHECK(refused > 10000);  // most damage is seen
+  CHECK(refused < 20000);  // and some text is still a scene
+}
+
+TEST_CASE("Nesting a million deep is an error line") {
+  const std::string deep(1000000, '[');
+  CHECK(error_of(deep) ==
+        "f:1:1000001: the text ends; expected a JSON value: object, array, string, finite number, true, false or null");
+  const std::string closed = deep + std::string(1000000, ']');
+  CHECK(error_of(closed) == "f:1:1: a scene is an array; expected an object");
+  CHECK(error_of(with_elements(closed)) == "f:2:14: an element is an array; expected an object");
+  CHECK(error_of(with_elements(R"({"id":"a","tipo":"esfera","centro":)" + closed + "}")) ==
+        "f:2:50: centro is an array; expected a number");
+}
