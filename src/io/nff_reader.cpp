@@ -9,15 +9,12 @@
 
 #include "axis.hpp"
 #include "durero/io/nff.hpp"
+#include "losses.hpp"
 #include "nff_words.hpp"
 #include "stage_rules.hpp"
 
 namespace durero::io {
 namespace {
-
-std::string counted(std::size_t n, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", n, n == 1 ? one : many);
-}
 
 class NffReader {
  public:
@@ -220,14 +217,11 @@ class NffReader {
 
   std::vector<std::string> losses() const {
     std::vector<std::string> lost;
-    const auto add_loss = [&](std::size_t n, std::string_view one, std::string_view many, std::string_view fate) {
-      if (n > 0) lost.push_back(counted(n, one, many) + std::string(fate));
-    };
-    add_loss(counts_.polygons, "polygon", "polygons", " left out: a scene has none");
-    add_loss(counts_.truncated, "truncated cone", "truncated cones", " left out: a scene's cones have an apex");
-    add_loss(counts_.inward, "surface", "surfaces", " seen from inside only: kept, seen from both sides");
-    add_loss(counts_.shiny, "fill", "fills", " with shine or transparency: only the diffuse colour was kept");
-    add_loss(counts_.near_planes, "near plane", "near planes", " (hither) left out: a scene's camera has none");
+    add_loss(lost, counts_.polygons, "polygon", "polygons", "left out: a scene has none");
+    add_loss(lost, counts_.truncated, "truncated cone", "truncated cones", "left out: a scene's cones have an apex");
+    add_loss(lost, counts_.inward, "surface", "surfaces", "seen from inside only: kept, seen from both sides");
+    add_loss(lost, counts_.shiny, "fill", "fills", "with shine or transparency: only the diffuse colour was kept");
+    add_loss(lost, counts_.near_planes, "near plane", "near planes", "(hither) left out: a scene's camera has none");
     return lost;
   }
 

@@ -4,6 +4,7 @@
 
 #include "axis.hpp"
 #include "durero/io/nff.hpp"
+#include "losses.hpp"
 #include "scene_elements.hpp"
 
 namespace durero::io {
@@ -85,13 +86,11 @@ class NffWriter {
   }
 
   void name_losses() {
-    const auto add = [&](std::size_t n, std::string_view what) {
-      if (n > 0) out_.lost.push_back(fmt::format("{} {}", n, what));
-    };
-    add(scene_.size(), "names of elements left out: NFF has none");
-    add(scene_.stage().materials.size(), "names of materials left out: NFF has none");
-    add(rounded_axes_, "axes rounded: NFF holds end points");
-    add(rounded_radii_, "proportions rounded: NFF holds the radius of the base");
+    add_loss(out_.lost, scene_.size(), "name of an element", "names of elements", "left out: NFF has none");
+    add_loss(out_.lost, scene_.stage().materials.size(), "name of a material", "names of materials",
+             "left out: NFF has none");
+    add_loss(out_.lost, rounded_axes_, "axis", "axes", "rounded: NFF holds end points");
+    add_loss(out_.lost, rounded_radii_, "proportion", "proportions", "rounded: NFF holds the radius of the base");
   }
 
   const scene::Scene& scene_;

@@ -55,7 +55,7 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(resol
     return;
   }
   if (exists && ::access(target_.c_str(), W_OK) != 0) refuse("be written", errno);
-  std::string name = target_ + ".XXXXXX";
+  std::string name = target_ + '.' + std::string(6, 'X');  // mkostemp puts its own six characters there
   file_ = ::mkostemp(name.data(), O_CLOEXEC);
   if (file_ < 0) refuse("be written", errno);
   temporary_ = name;

@@ -19,7 +19,7 @@ namespace {
 class Directory {
  public:
   Directory() {
-    std::string name = (fs::temp_directory_path() / "durero-test-XXXXXX").string();
+    std::string name = (fs::temp_directory_path() / ("durero-test-" + std::string(6, 'X'))).string();
     REQUIRE(::mkdtemp(name.data()) != nullptr);
     path_ = name;
   }

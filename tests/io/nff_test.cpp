@@ -1,0 +1,258 @@
+#include "durero/io/nff.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <glm/geometric.hpp>
+#include <set>
+
+#include "durero/io/scene_file.hpp"
+#include "malformed.hpp"
+#include "random_scene.hpp"
+#include "support/catch.hpp"
+#include "support/property.hpp"
+
+using namespace durero;
+
+namespace {
+
+const auto reading = [](const io::Source& s) { return io::read_nff(s); };
+std::string error_at(const std::string& with_mark) { return test::error_at_mark(with_mark, reading); }
+io::Imported import_text(const std::string& text) { return io::read_nff(io::Source("f", text)); }
+
+constexpr auto sample = R"(# a view
+b 0.1 0.2 0.3
+v
+from 0 0 -5
+at 0 0 0
+up 0 1 0
+angle 45
+hither 0.5
+resolution 640 480
+l 1 2 3
+l 4 5 6 1 0.5 0
+l 1 1 1
+l 2 2 2
+s 9 9 9 1
+f 1 0.5 0 0.5 0 0 0 0
+s 1 2 3 4
+c 0 0 0 2 0 0 3 2
+f 1 1 1 1 0.5 100 0 0
+c
+1 2 3 0.5
+1 6 3 0
+f 1 0.5 0 0.5 0 0 0 0
+c 1 2 3 0 1 -2 3 8
+p 3
+0 0 0
+1 0 0
+0 1 0
+pp 3
+0 0 0 0 0 1 1 0 0 0 0 1 0 1 0 0 0 1
+c 0 0 0 2 0 0 3 1
+s 0 0 0 -2
+)";
+
+std::string data(const std::string& name) {
+  return std::string(DURERO_SOURCE_DIR) + "/../shared/data/spd/" + name + ".nff";
+}
+
+// Elements that the tables name, without regard to how.
+std::size_t count(const io::Imported& i, model::Tipo tipo) {
+  switch (tipo) {
+    case model::Tipo::soy_esfera:
+      return i.scene.spheres().size();
+    case model::Tipo::soy_cilindro:
+      return i.scene.cylinders().size();
+    default:
+      return i.scene.cones().size();
+  }
+}
+
+}  // namespace
+
+TEST_CASE("Every entity of NFF becomes what a scene has for it") {
+  const io::Imported i = import_text(sample);
+  const double half = 0.5;  // four lights: those without colour are 1/√4
+  CHECK(io::scene_text(i.scene) == R"({"format":"durero-scene","version":1,
+"camera":{"eye":[0,0,-5],"look_at":[0,0,0],"up":[0,1,0],"fov_y":45},
+"resolution":[640,480],
+"background":[0.1,0.2,0.3],
+"lights":[
+{"position":[1,2,3],"color":[0.5,0.5,0.5]},
+{"position":[4,5,6],"color":[1,0.5,0]},
+{"position":[1,1,1],"color":[0.5,0.5,0.5]},
+{"position":[2,2,2],"color":[0.5,0.5,0.5]}],
+"materials":{
+"f1":{"color":[0.5,0.25,0]},
+"f2":{"color":[1,1,1]}},
+"elementos":[
+{"id":"c1","tipo":"cilindro","centro":[0,0,0],"radio":2,"vector":[0,0,1],"altura":3,"material":"f1"},
+{"id":"k1","tipo":"cono","centro":[1,2,3],"proporcion":0.125,"vector":[0,1,0],"altura":4,"material":"f2"},
+{"id":"k2","tipo":"cono","centro":[1,-2,3],"proporcion":2,"vector":[0,1,0],"altura":4,"material":"f1"},
+{"id":"s1","tipo":"esfera","centro":[9,9,9],"radio":1},
+{"id":"s2","tipo":"esfera","centro":[1,2,3],"radio":4,"material":"f1"},
+{"id":"s3","tipo":"esfera","centro":[0,0,0],"radio":2,"material":"f1"}
+]}
+)");
+  CHECK(i.scene.stage().lights[0].color.x == half);
+}
+
+TEST_CASE("What a scene cannot hold is counted and named") {
+  CHECK(import_text(sample).lost ==
+        std::vector<std::string>{"2 polygons left out: a scene has none",
+                                 "1 truncated cone left out: a scene's cones have an apex",
+                                 "1 surface seen from inside only: kept, seen from both sides",
+                                 "1 fill with shine or transparency: only the diffuse colour was kept",
+                                 "1 near plane (hither) left out: a scene's camera has none"});
+  CHECK(import_text("s 0 0 0 1\n").lost.empty());
+}
+
+TEST_CASE("More than nine fills keep their elements, whatever the order of the names") {
+  std::string text;
+  for (int n = 0; n < 12; ++n)
+    text += "f 0 0 " + std::to_string(n / 16.0) + " 1 0 0 0 1\ns 0 0 0 " + std::to_string(n + 1) + "\n";
+  const io::Imported i = import_text(text);
+  for (const auto& s : i.scene.spheres()) {
+    const auto index = static_cast<std::uint32_t>(&s - i.scene.spheres().data());
+    const auto material = i.scene.material({model::Tipo::soy_esfera, index});
+    REQUIRE(material.has_value());
+    CHECK(i.scene.stage().materials[*material].color.z == (s.radio - 1) / 16);
+  }
+  CHECK(std::ranges::is_sorted(i.scene.stage().materials, {}, &scene::Material::name));
+}
+
+TEST_CASE("Any two points give an axis in Unitario, and an apex where it was") {
+  test::property("cones and cylinders", [] {
+    const auto moderate_triple = [] { return glm::dvec3{*test::moderate(), *test::moderate(), *test::moderate()}; };
+    const glm::dvec3 base = moderate_triple(), apex = moderate_triple();
+    RC_PRE(base != apex);
+    const auto numbers = [](const glm::dvec3& v) { return fmt::format("{} {} {}", v.x, v.y, v.z); };
+    const io::Imported i =
+        import_text(fmt::format("c {} 2 {} 0\nc {} 0 {} 2\nc {} 1 {} 1\n", numbers(base), numbers(apex), numbers(apex),
+                                numbers(base), numbers(base), numbers(apex)));
+    RC_ASSERT(i.scene.cones().size() == 2U);
+    RC_ASSERT(i.scene.cylinders().size() == 1U);
+    for (const scene::Cone& k : i.scene.cones()) {
+      RC_ASSERT(k.centro == base);
+      RC_ASSERT(model::Unitario::contains(model::Vector{k.vector}));
+      const glm::dvec3 off = k.centro + k.altura * k.vector - apex;
+      RC_ASSERT(std::sqrt(glm::dot(off, off)) <= 0x1p-50 * 1024);  // coordinates are below 2⁹: a few ulps of them
+      RC_ASSERT(std::abs(k.proporcion * k.altura - 2) <= 0x1p-51);  // quotient and product each within 2⁻⁵³ of itself
+    }
+  });
+}
+
+TEST_CASE("What was exported reads back, up to names, where no loss is named for it") {
+  test::property("any scene", [] {
+    const scene::Scene scene = test::any_scene();
+    const io::Exported exported = io::nff_text(scene);
+    const bool kept =
+        std::ranges::none_of(exported.lost, [](const std::string& l) { return l.find("rounded") != l.npos; });
+    RC_PRE(kept);
+    const io::Imported back = import_text(exported.text);
+    const auto values = [](const scene::Scene& s) {
+      std::multiset<std::string> all;
+      scene::Scene bare = s;
+      for (auto [name, text] : test::described(bare)) {
+        for (const auto& m : s.stage().materials) {
+          if (text.ends_with(' ' + m.name)) {
+            text.resize(text.size() - m.name.size());
+            text += fmt::format("{} {} {}", m.color.x, m.color.y, m.color.z);
+            break;
+          }
+        }
+        all.insert(text);
+      }
+      return all;
+    };
+    RC_ASSERT(values(back.scene) == values(scene));
+    RC_ASSERT(back.scene.stage().camera == scene.stage().camera);
+    RC_ASSERT(back.scene.stage().lights == scene.stage().lights);
+    RC_ASSERT(back.scene.stage().background == scene.stage().background);
+    if (scene.stage().camera && scene.stage().resolution) {
+      RC_ASSERT(back.scene.stage().resolution == scene.stage().resolution);
+    }
+    RC_ASSERT(back.lost.empty());
+  });
+}
+
+TEST_CASE("What NFF cannot hold of a scene is counted and named") {
+  scene::Scene scene;
+  scene.stage().materials = {{"red", {1, 0, 0}}};
+  scene.stage().resolution = {4, 3};
+  scene.apply(model::Agregar_Esfera{model::Elemento{"a"}, model::Punto{0, 0, 0}, 1});
+  scene.apply(
+      model::Agregar_Cono{model::Elemento{"k"}, model::Punto{0, 1000, 0}, 0.1, model::Vector{0, 0.6, 0.8}, 0.3});
+  CHECK(io::nff_text(scene).lost == std::vector<std::string>{"no camera in the scene: no view was written",
+                                                             "1 resolution left out: it is part of a view",
+                                                             "2 names of elements left out: NFF has none",
+                                                             "1 name of a material left out: NFF has none",
+                                                             "1 axis rounded: NFF holds end points"});
+}
+
+TEST_CASE("A malformed NFF file is an error with its place") {
+  using Case = std::pair<std::string, std::string>;
+  const Case cases[] = {
+      {"^polygon 3", "unknown entity \"polygon\"; expected one of v, b, l, f, s, c, p, pp"},
+      {"s 0 0 0 1 ^2", "unknown entity \"2\"; expected one of v, b, l, f, s, c, p, pp"},
+      {"s 0 0 0 ^0", "radio_no_positivo; expected radio? ∈ Rmas (Agregar_Esfera.pre.2)"},
+      {"s 0 0 ^x 1", "\"x\" in s; expected a finite number"},
+      {"s 0 0 ^1e999 1", "\"1e999\" in s; expected a finite number"},
+      {"s 0 0 0^", "the text ends in s; expected a number"},
+      {"c ^1 1 1 2 1 1 1 2", "the ends of c give no axis; expected two points, a finite distance apart"},
+      {"c ^0 0 0 0 0 0 1 0", "radio_no_positivo; expected radio? ∈ Rmas (Agregar_Cilindro.pre.2)"},
+      {"c ^-1e308 0 0 1 1e308 0 0 1", "the ends of c give no axis; expected two points, a finite distance apart"},
+      {"p ^2\n0 0 0 1 1 1", "a polygon of 2 vertices; expected a whole number from 3"},
+      {"p ^3.5", "a polygon of 3.5 vertices; expected a whole number from 3"},
+      {"p 1e300 0 0 0^", "the text ends in p; expected a number"},
+      {"f ^1 1 1 2 0 0 0 0", "a fill that sends back more light than it gets, or less than none; expected 0 to 1"},
+      {"b ^-1 0 0", "a negative colour in b; expected red, green, blue from 0"},
+      {"b 0 0 0\n^b 0 0 0", "a second background; expected one"},
+      {"v\nfrom 0 0 0\n^from 0 0 0",
+       "\"from\" in a view; expected each of from, at, up, angle, hither, resolution once"},
+      {"v\nfrom 0 0 0\n^", "\"\" in a view; expected each of from, at, up, angle, hither, resolution once"},
+      {"v\nangle ^180", "angle is 180; expected 0 < angle < 180"},
+      {"v\nup ^0 0 0", "up is the null vector; expected a direction"},
+      {"v\nresolution ^0 5", "resolution is 0 5; expected whole numbers of pixels, 1 to 65535"},
+      {"^v\nfrom 0 0 0\nat 0 0 0\nup 0 1 0\nangle 45\nhither 0\nresolution 4 3", "from is at; expected two points"},
+  };
+  for (const auto& [text, expected] : cases) {
+    INFO(text);
+    CHECK(error_at(text) == expected);
+  }
+}
+
+TEST_CASE("No damage to NFF does worse than an error") {
+  CHECK(test::refused_after_damage(sample, 20000, reading) > 10000);
+}
+
+TEST_CASE("Real scenes: the standard procedural databases") {
+  struct Expected {
+    const char* name;
+    std::size_t spheres, cylinders;
+    const char* lost;  // the line that must be there
+  };
+  const Expected all[] = {
+      {"balls", 7381, 0, "1 polygon left out: a scene has none"},
+      {"rings", 4200, 4200, "1 polygon left out: a scene has none"},
+      {"lattice", 1331, 3630, "1331 fills with shine or transparency: only the diffuse colour was kept"},
+      {"jacks", 3510, 1755, "1 fill with shine or transparency: only the diffuse colour was kept"},
+      {"tree", 4095, 0, "4095 truncated cones left out: a scene's cones have an apex"}};
+  for (const Expected& e : all) {
+    if (!std::filesystem::exists(data(e.name))) {
+      WARN("skipped: " << data(e.name) << " is not there");
+      continue;
+    }
+    INFO(e.name);
+    const io::Imported i = io::read_nff(io::read_source(data(e.name)));
+    CHECK(count(i, model::Tipo::soy_esfera) == e.spheres);
+    CHECK(count(i, model::Tipo::soy_cilindro) == e.cylinders);
+    CHECK(count(i, model::Tipo::soy_cono) == 0);
+    CHECK(std::ranges::find(i.lost, e.lost) != i.lost.end());
+    const std::string text = io::scene_text(i.scene);
+    CHECK(io::scene_text(io::read_scene(io::Source("f", text))) == text);
+  }
+}
