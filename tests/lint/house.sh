@@ -4,7 +4,7 @@ look() {  # look PATTERN WHAT
   git ls-files | grep -vE '^tests/lint/|\.png$' | xargs grep -HnIE -e "$1" 2>/dev/null | sed "s/\$/  <- $2/"
 }
 {
-  look 'TODO|FIXME|XXX|[Nn]ot implemented|#if 0' 'unfinished'
+  look 'TODO|FIXME|\bXXX\b|[Nn]ot implemented|#if 0' 'unfinished'
   look '(^|[^A-Za-z0-9_.])/(work|root|home)/[a-z]' 'a path of one machine'
   look 'https?://[a-z0-9.-]*(debian|npmjs|pypi|maven|crates)' 'a host of a package registry'
   look '\[\.\]|\[!mayfail\]|\[!shouldfail\]' 'a test that is switched off'

@@ -1,6 +1,6 @@
 #pragma once
-/// Numbers known to about 50 bits, to decide a sign quickly where it is not close. For formulas a few operations deep on
-/// dyadic numbers: middles are not brought back to one size in between.
+/// Numbers known to about 50 bits, to decide a sign quickly where it is not close. For formulas a few operations deep
+/// on dyadic numbers: middles are not brought back to one size in between.
 #include <cstdint>
 
 #include "durero/number/dyadic.hpp"
