@@ -1,0 +1,126 @@
+#include "durero/model/interseccion.hpp"
+
+#include <algorithm>
+
+namespace durero::model {
+namespace {
+
+/// w ↦ potencia(θEscena, e, w), as a value that outlives the scene.
+std::function<Surd(const ExactPoint&)> power_of(const Escena& s, const Elemento& e) {
+  const Punto centro = s.mi_centro.at(e);
+  switch (s.de_que_tipo.at(e)) {
+    case Tipo::soy_esfera:
+      return [=, radio = s.mi_radio.at(e)](const ExactPoint& w) { return potencia_esfera(w, centro, radio); };
+    case Tipo::soy_cilindro:
+      return [=, radio = s.mi_radio.at(e), dir = s.mi_vector.at(e)](const ExactPoint& w) {
+        return potencia_cilindro(w, centro, radio, dir);
+      };
+    case Tipo::soy_cono:
+      break;
+  }
+  return [=, prop = s.mi_proporcion.at(e), dir = s.mi_vector.at(e), h = s.mi_altura.at(e)](const ExactPoint& w) {
+    return potencia_cono(w, centro, prop, dir, h);
+  };
+}
+
+/// The parameters of the points of the ray that lie on e, or where `desde` holds of those whose power is the origin's.
+Parameters parameters_on(const Escena& s, const Rayo& rayo, const Elemento& e, bool desde) {
+  const ExactVector v(rayo.v());
+  Quadratic q = restricted(power_of(s, e), rayo.p(), v);
+  if (desde) q.c = 0;  // potencia(w) − potencia(p): the polynomial less its value at 0
+  const auto altura = s.mi_altura.find(e);
+  if (altura == s.mi_altura.end()) return zeros(q, {0, false, std::nullopt});
+  const auto advance = [&](const Surd& t) {
+    return avance(along(rayo.p(), v, t), s.mi_centro.at(e), s.mi_vector.at(e)).x;
+  };
+  const Rational at_zero = advance(0);
+  const auto interval = stretch(at_zero, advance(1) - at_zero, number::exact(altura->second.value()));
+  return interval ? zeros(q, *interval) : Parameters{};
+}
+
+}  // namespace
+
+Puntos interseccion(const Puntos& ps, const Puntos& qs) {
+  return Puntos([=](const ExactPoint& w) { return ps.contains(w) && qs.contains(w); });
+}
+
+Distancia distancia(const ExactPoint& a, const ExactPoint& b) {
+  return {cuadrado(a.x - b.x) + cuadrado(a.y - b.y) + cuadrado(a.z - b.z)};
+}
+
+std::optional<ExactPoint> reduccion(std::span<const ExactPoint> ps, const Punto& ojo) {
+  const ExactPoint* nearest = nullptr;
+  bool unique = true;
+  for (const ExactPoint& temp : ps) {
+    const auto order = nearest ? distancia(temp, ojo) <=> distancia(*nearest, ojo) : std::strong_ordering::less;
+    if (order < 0) {
+      nearest = &temp;
+      unique = true;
+    } else if (order == 0 && !(temp == *nearest)) {
+      unique = false;
+    }
+  }
+  return nearest && unique ? std::optional(*nearest) : std::nullopt;
+}
+
+std::set<Elemento> de_que_elemento(const Escena& escena, const ExactPoint& p) {
+  std::set<Elemento> those;
+  for (const Elemento& e : escena.elementos)
+    if (puntos_de_elemento(escena, e).contains(p)) those.insert(e);
+  return those;
+}
+
+Surd potencia(const Escena& s, const Elemento& e, const ExactPoint& w) { return power_of(s, e)(w); }
+
+Puntos tramo(const Escena& s, const Elemento& e) {
+  const Punto centro = s.mi_centro.at(e);
+  const auto altura = s.mi_altura.find(e);
+  if (altura == s.mi_altura.end()) return Puntos([](const ExactPoint&) { return true; });
+  return Puntos([=, dir = s.mi_vector.at(e), h = altura->second](const ExactPoint& w) {
+    const Surd advance = avance(w, centro, dir);
+    return advance >= 0 && advance <= Surd(h.value());
+  });
+}
+
+Puntos puntos_desde(const Escena& s, const Elemento& e, const ExactPoint& p) {
+  return Puntos([power = power_of(s, e), stretch = tramo(s, e), origin = potencia(s, e, p)](const ExactPoint& w) {
+    return stretch.contains(w) && power(w) == origin;
+  });
+}
+
+Alcance alcance(const Escena& s, const Rayo& rayo, const std::set<Elemento>& en, const Elemento& e) {
+  const bool desde = en.contains(e);
+  return {interseccion(puntos_de_rayo(rayo), desde ? puntos_desde(s, e, rayo.p()) : puntos_de_elemento(s, e)),
+          parameters_on(s, rayo, e, desde)};
+}
+
+std::map<Elemento, Alcance> alcances(const Escena& s, const Rayo& rayo, const std::set<Elemento>& en) {
+  std::map<Elemento, Alcance> all;
+  for (const Elemento& e : s.elementos) all.emplace(e, alcance(s, rayo, en, e));
+  return all;
+}
+
+std::optional<Surd> reduccion(const std::map<Elemento, Alcance>& all) {
+  // Along a ray the distance from its origin is t·|v|, so the nearest point is the one of least parameter, and the
+  // only one at its distance.
+  std::optional<Surd> least;
+  for (const auto& [e, reach] : all) {
+    if (reach.parameters.is_empty()) continue;
+    const auto minimum = reach.parameters.minimum();
+    if (!minimum) return std::nullopt;
+    if (!least || *minimum < *least) least = minimum;
+  }
+  return least;
+}
+
+bool occluded(const Escena& s, const Rayo& rayo, const std::set<Elemento>& en) {
+  return std::any_of(s.elementos.begin(), s.elementos.end(),
+                     [&](const Elemento& e) { return !alcance(s, rayo, en, e).parameters.is_empty(); });
+}
+
+bool occluded_segment(const Escena& s, const Rayo& rayo, const std::set<Elemento>& en) {
+  return std::any_of(s.elementos.begin(), s.elementos.end(),
+                     [&](const Elemento& e) { return alcance(s, rayo, en, e).parameters.any_below(1); });
+}
+
+}  // namespace durero::model
