@@ -2,53 +2,22 @@
 
 #include <fmt/core.h>
 
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <regex>
 #include <set>
 
 #include "durero/zed/parser.hpp"
 #include "support/catch.hpp"
+#include "zed/lines.hpp"
 
 using namespace durero::zed;
+using namespace durero::zed::test;
 
 namespace {
-
-std::vector<std::string> files_in(const std::string& folder) {
-  std::vector<std::string> found;
-  for (const auto& entry : std::filesystem::directory_iterator(fmt::format("{}/{}", DURERO_SOURCE_DIR, folder)))
-    if (entry.path().extension() == ".tex") found.push_back(entry.path().string());
-  std::sort(found.begin(), found.end());
-  return found;
-}
-
-using Lines = std::map<std::string, std::map<unsigned, std::vector<std::string>>>;  // file, line, what stands there
-
-/// The numbers that the printed text bears at its lines' ends.
-Lines marks(const std::vector<std::string>& files) {
-  Lines found;
-  const std::regex number(R"(E\d\d)");
-  for (const std::string& file : files) {
-    std::ifstream in(file);
-    std::string line;
-    for (unsigned at = 1; std::getline(in, line); ++at) {
-      const std::size_t comment = line.find('%');
-      if (comment == line.npos || comment == 0) continue;
-      for (auto one = std::sregex_iterator(line.begin() + static_cast<std::ptrdiff_t>(comment), line.end(), number);
-           one != std::sregex_iterator(); ++one)
-        found[file][at].push_back(one->str());
-    }
-  }
-  return found;
-}
 
 Lines reported(const std::vector<std::string>& files) {
   Lines found;
   const Specification read = read_files(files);
-  const Typing typing = check(read);
-  for (const auto* defects : {&read.defects, &typing.defects})
-    for (const Defect& one : *defects) found[one.file][one.place.line].push_back(one.text());
+  report(read.defects, found);
+  report(check(read).defects, found);
   return found;
 }
 
@@ -63,7 +32,9 @@ TEST_CASE("spec/ has no type error") {
 
 TEST_CASE("the type defects of the printed text are reported at their lines, and nothing else is") {
   const std::vector<std::string> files = files_in("spec/impresa");
-  const Lines marked = marks(files), seen = reported(files);
+  Lines marked;
+  for (const std::string& file : files) marks(file, R"(E\d\d)", marked);
+  const Lines seen = reported(files);
   const std::set<std::string> of_types = {"E01", "E02", "E03", "E04", "E08"};
   std::set<std::string> found;
   for (const auto& [file, lines] : marked)
@@ -71,16 +42,14 @@ TEST_CASE("the type defects of the printed text are reported at their lines, and
       for (const std::string& number : numbers) {
         if (!of_types.contains(number)) continue;
         CAPTURE(file, line, number);
-        const bool at_line = seen.contains(file) && seen.at(file).contains(line);
-        CHECK(at_line);
+        CHECK(has(seen, file, line));
         found.insert(number);
       }
   CHECK(found == of_types);
   for (const auto& [file, lines] : seen)
     for (const auto& [line, what] : lines) {
       CAPTURE(what);
-      const bool is_marked = marked.contains(file) && marked.at(file).contains(line);
-      CHECK(is_marked);
+      CHECK(has(marked, file, line));
     }
 }
 

@@ -1,0 +1,57 @@
+#pragma once
+/// What is reported, and what is marked, line by line.
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "durero/zed/defect.hpp"
+
+namespace durero::zed::test {
+
+using Lines = std::map<std::string, std::map<unsigned, std::vector<std::string>>>;  // file, line, what stands there
+
+/// The `.tex` files of a folder of the source tree, in order.
+inline std::vector<std::string> files_in(const std::string& folder) {
+  std::vector<std::string> found;
+  for (const auto& entry : std::filesystem::directory_iterator(std::string(DURERO_SOURCE_DIR "/") + folder))
+    if (entry.path().extension() == ".tex") found.push_back(entry.path().string());
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+inline std::string contents(const std::string& file) {
+  std::ostringstream all;
+  all << std::ifstream(file).rdbuf();
+  return all.str();
+}
+
+/// What `pattern` finds in the comments that end the lines of a file.
+inline void marks(const std::string& file, const std::string& pattern, Lines& to) {
+  std::istringstream in(contents(file));
+  const std::regex wanted(pattern);
+  std::string line;
+  for (unsigned at = 1; std::getline(in, line); ++at) {
+    const std::size_t comment = line.find('%');
+    if (comment == line.npos || comment == 0) continue;
+    const auto begin = line.begin() + static_cast<std::ptrdiff_t>(comment);
+    for (auto one = std::sregex_iterator(begin, line.end(), wanted); one != std::sregex_iterator(); ++one)
+      to[file][at].push_back(one->str());
+  }
+}
+
+inline void report(const std::vector<Defect>& defects, Lines& to) {
+  for (const Defect& one : defects) to[one.file][one.place.line].push_back(one.text());
+}
+
+inline bool has(const Lines& lines, const std::string& file, unsigned line) {
+  const auto found = lines.find(file);
+  return found != lines.end() && found->second.contains(line);
+}
+
+}  // namespace durero::zed::test
