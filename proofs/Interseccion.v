@@ -449,7 +449,7 @@ Proof.
 Qed.
 
 (** Every question has an answer. *)
-Theorem Primera_Interseccion_total : exists resultado els t w, Primera_Interseccion s s' ray en resultado els t w.
+Theorem Primera_Interseccion_is_total : exists resultado els t w, Primera_Interseccion s s' ray en resultado els t w.
 Proof.
   destruct scene_trichotomy as [[t H] | [H | H]].
   - exists hit, (fun e => e ∈ elementos s /\ is_least (met e) t), t, (point_at ray t). left.
