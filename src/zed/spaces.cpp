@@ -1,0 +1,239 @@
+/// The sets of sets: powers, products, and the toolkit's sets of functions.
+
+#include <algorithm>
+#include <array>
+
+#include "sets.hpp"
+
+namespace durero::zed {
+namespace {
+
+constexpr std::size_t most_members = 1 << 20;
+
+Truth both(Truth a, Truth b) {
+  if (a == Truth::no || b == Truth::no) return Truth::no;
+  return a == Truth::open ? a : b;
+}
+
+class PowerSet : public Set {
+ public:
+  PowerSet(Value base, PowerForm form) : base_(std::move(base)), form_(form) {}
+
+  bool total() const override { return !form_.finite && !form_.nonempty && base_.set()->total(); }
+
+  Truth contains(const Value& value, Context& context) const override {
+    const Set* set = value.set();
+    if (!set) return Truth::open;
+    const auto* members = set->members();
+    if (!members) {
+      if (form_.finite) throw EvaluationError("whether " + set->text() + " is finite cannot be decided");
+      if (form_.nonempty) throw EvaluationError("whether " + set->text() + " is empty cannot be decided");
+      return subset(value, base_, context);
+    }
+    if (form_.nonempty && members->empty()) return Truth::no;
+    return subset(value, base_, context);
+  }
+
+  // The subsets in order of size, as sets are ordered.
+  const std::vector<Value>* members() const override {
+    const auto* base = base_.set()->members();
+    if (!base) return nullptr;
+    if (!made_) {
+      if (base->size() >= 20) throw EvaluationError(text() + " has more members than can be listed");
+      std::vector<Value> subsets;
+      for (std::size_t bits = form_.nonempty ? 1 : 0; bits < (std::size_t{1} << base->size()); ++bits) {
+        std::vector<Value> some;
+        for (std::size_t i = 0; i < base->size(); ++i) {
+          if ((bits >> i) & 1) some.push_back((*base)[i]);
+        }
+        subsets.push_back(finite(std::move(some)));
+      }
+      made_ = Value::set(std::move(subsets));
+    }
+    return made_->set()->members();
+  }
+
+  std::string text() const override {
+    return std::string(form_.finite ? "𝔽" : "ℙ") + (form_.nonempty ? "₁ " : " ") + base_.text();
+  }
+
+ private:
+  Value base_;
+  PowerForm form_;
+  mutable std::optional<Value> made_;
+};
+
+class ProductSet : public Set {
+ public:
+  explicit ProductSet(std::vector<Value> factors) : factors_(std::move(factors)) {}
+
+  bool total() const override {
+    return std::all_of(factors_.begin(), factors_.end(), [](const Value& one) { return one.set()->total(); });
+  }
+
+  Truth contains(const Value& value, Context& context) const override {
+    const auto* tuple = value.tuple();
+    if (!tuple) return Truth::open;
+    Truth all = Truth::yes;
+    for (std::size_t i = 0; i < factors_.size() && all != Truth::no; ++i) {
+      all = both(all, contains_value(factors_[i], tuple->parts[i], context));
+    }
+    return all;
+  }
+
+  Value unknown(Context& context) const override {
+    std::vector<Value> parts;
+    for (const Value& one : factors_) parts.push_back(one.set()->unknown(context));
+    return Value::tuple(std::move(parts));
+  }
+
+  const std::vector<Value>* members() const override {
+    if (made_) return made_->set()->members();
+    std::size_t size = 1;
+    for (const Value& one : factors_) {
+      const auto* members = one.set()->members();
+      if (!members) return nullptr;
+      size *= members->size();
+      if (size > most_members) throw EvaluationError(text() + " has more members than can be listed");
+    }
+    std::vector<std::vector<Value>> rows{{}};
+    for (const Value& one : factors_) {
+      std::vector<std::vector<Value>> longer;
+      for (const auto& row : rows) {
+        for (const Value& member : *one.set()->members()) {
+          longer.push_back(row);
+          longer.back().push_back(member);
+        }
+      }
+      rows = std::move(longer);
+    }
+    std::vector<Value> tuples;
+    for (auto& row : rows) tuples.push_back(Value::tuple(std::move(row)));
+    made_ = Value::set(std::move(tuples));
+    return made_->set()->members();
+  }
+
+  std::string text() const override {
+    std::string made;
+    for (const Value& one : factors_) made += (made.empty() ? "" : " × ") + one.text();
+    return "(" + made + ")";
+  }
+
+ private:
+  std::vector<Value> factors_;
+  mutable std::optional<Value> made_;
+};
+
+/// Pairs are sorted by their first parts, so in a function no two neighbours agree in them.
+bool is_function(const std::vector<Value>& pairs) {
+  return std::adjacent_find(pairs.begin(), pairs.end(), [](const Value& a, const Value& b) {
+           return same(a.tuple()->parts[0], b.tuple()->parts[0]);
+         }) == pairs.end();
+}
+
+std::vector<Value> seconds(const std::vector<Value>& pairs) {
+  std::vector<Value> found;
+  for (const Value& pair : pairs) found.push_back(pair.tuple()->parts[1]);
+  return found;
+}
+
+class FunctionSet : public Set {
+ public:
+  FunctionSet(Value from, Value to, FunctionForm form)
+      : from_(std::move(from)), to_(std::move(to)), form_(std::move(form)) {}
+
+  bool total() const override { return !form_.function && !form_.finite && from_.set()->total() && to_.set()->total(); }
+
+  Truth contains(const Value& value, Context& context) const override {
+    if (!value.set()) return Truth::open;
+    const auto& pairs = enumerated(value, "whether it is a function, for");
+    if (form_.function && !is_function(pairs)) return Truth::no;
+    const Truth inside = both(each_in(pairs, 0, from_, context), each_in(pairs, 1, to_, context));
+    if (inside != Truth::yes) return inside;
+    const Value image = form_.injective || form_.surjective ? Value::set(seconds(pairs)) : Value();
+    if (form_.injective && image.set()->members()->size() != pairs.size()) return Truth::no;
+    if (form_.total && subset(from_, domain(value, context), context) != Truth::yes) return Truth::no;
+    if (form_.surjective && subset(to_, image, context) != Truth::yes) return Truth::no;
+    return Truth::yes;
+  }
+
+  std::string text() const override { return "(" + from_.text() + " " + form_.symbol + " " + to_.text() + ")"; }
+
+ private:
+  static Truth each_in(const std::vector<Value>& pairs, std::size_t part, const Value& set, Context& context) {
+    if (set.set()->total()) return Truth::yes;
+    Truth all = Truth::yes;
+    for (const Value& pair : pairs) {
+      all = both(all, contains_value(set, pair.tuple()->parts[part], context));
+      if (all == Truth::no) return all;
+    }
+    return all;
+  }
+
+  Value from_, to_;
+  FunctionForm form_;
+};
+
+class ConstructorFunction : public Set {
+ public:
+  explicit ConstructorFunction(AtomName name) : name_(std::make_shared<const AtomName>(std::move(name))) {}
+  Value apply(const Value& argument, Context&) const override {
+    if (argument.is_undefined()) return {};
+    return ConstructedPtr(std::make_shared<const Constructed>(Constructed{name_, argument}));
+  }
+  Truth in_domain(const Value&, Context&) const override { return Truth::yes; }
+  Truth contains(const Value& pair, Context& context) const override {
+    if (!pair.tuple()) return Truth::open;
+    return equal(apply(pair.tuple()->parts[0], context), pair.tuple()->parts[1], context);
+  }
+  std::string text() const override { return name_->text; }
+
+ private:
+  Atom name_;
+};
+
+bool not_sets(const Value& a) { return !a.set(); }
+
+}  // namespace
+
+Value constructor_function(std::string type, std::string name, std::uint32_t order) {
+  return SetPtr(std::make_shared<const ConstructorFunction>(AtomName{std::move(type), std::move(name), order}));
+}
+
+Value power_set(Value base, PowerForm form) {
+  if (not_sets(base)) return base;
+  return SetPtr(std::make_shared<const PowerSet>(std::move(base), form));
+}
+
+Value product_set(std::vector<Value> factors) {
+  for (const Value& one : factors) {
+    if (not_sets(one)) return one;
+  }
+  return SetPtr(std::make_shared<const ProductSet>(std::move(factors)));
+}
+
+std::optional<FunctionForm> function_form(const std::string& symbol) {
+  static const std::array<FunctionForm, 10> forms{{
+      {.symbol = "↔", .function = false},
+      {.symbol = "⇸"},
+      {.symbol = "→", .total = true},
+      {.symbol = "⤔", .injective = true},
+      {.symbol = "↣", .total = true, .injective = true},
+      {.symbol = "⤀", .surjective = true},
+      {.symbol = "↠", .total = true, .surjective = true},
+      {.symbol = "⤖", .total = true, .injective = true, .surjective = true},
+      {.symbol = "⇻", .finite = true},
+      {.symbol = "⤕", .injective = true, .finite = true},
+  }};
+  const auto found = std::find_if(forms.begin(), forms.end(), [&](const auto& one) { return one.symbol == symbol; });
+  if (found == forms.end()) return std::nullopt;
+  return *found;
+}
+
+Value function_set(Value from, Value to, const FunctionForm& form) {
+  if (not_sets(from)) return from;
+  if (not_sets(to)) return to;
+  return SetPtr(std::make_shared<const FunctionSet>(std::move(from), std::move(to), form));
+}
+
+}  // namespace durero::zed

@@ -1,0 +1,215 @@
+#include "durero/zed/value.hpp"
+
+#include <algorithm>
+
+#include "context.hpp"
+#include "sets.hpp"
+
+namespace durero::zed {
+
+Signature signature(std::vector<Name> names) {
+  std::sort(names.begin(), names.end());
+  return std::make_shared<const std::vector<Name>>(std::move(names));
+}
+
+Value Value::atom(std::string type, std::string text, std::uint32_t order) {
+  return std::make_shared<const AtomName>(AtomName{std::move(type), std::move(text), order});
+}
+
+Value Value::tuple(std::vector<Value> parts) {
+  for (const Value& part : parts) {
+    if (part.is_undefined()) return {};
+  }
+  return std::make_shared<const TupleValue>(TupleValue{std::move(parts)});
+}
+
+Value Value::pair(Value first, Value second) {
+  if (first.is_undefined() || second.is_undefined()) return {};
+  auto tuple = std::make_shared<TupleValue>();
+  tuple->parts.reserve(2);
+  tuple->parts.push_back(std::move(first));
+  tuple->parts.push_back(std::move(second));
+  return TuplePtr(std::move(tuple));
+}
+
+Value Value::binding(Signature names, std::vector<Value> values) {
+  for (const Value& part : values) {
+    if (part.is_undefined()) return {};
+  }
+  return std::make_shared<const BindingValue>(std::move(names), std::move(values));
+}
+
+Value Value::set(std::vector<Value> members) {
+  for (const Value& member : members) {
+    if (member.is_undefined()) return {};
+  }
+  if (std::any_of(members.begin(), members.end(), has_open)) return Open{};
+  const auto before = [](const Value& a, const Value& b) { return compare(a, b) < 0; };
+  if (!std::is_sorted(members.begin(), members.end(), before)) std::sort(members.begin(), members.end(), before);
+  members.erase(std::unique(members.begin(), members.end(), same), members.end());
+  return finite(std::move(members));
+}
+
+const TupleValue* Value::tuple() const {
+  const auto* found = get<TuplePtr>();
+  return found ? found->get() : nullptr;
+}
+
+const BindingValue* Value::binding() const {
+  const auto* found = get<BindingPtr>();
+  return found ? found->get() : nullptr;
+}
+
+const Set* Value::set() const {
+  const auto* found = get<SetPtr>();
+  return found ? found->get() : nullptr;
+}
+
+const Value* BindingValue::component(const Name& name) const {
+  const auto found = std::lower_bound(names->begin(), names->end(), name);
+  if (found == names->end() || *found != name) return nullptr;
+  return &values[static_cast<std::size_t>(found - names->begin())];
+}
+
+namespace {
+
+std::strong_ordering compare(const std::vector<Value>& a, const std::vector<Value>& b) {
+  if (a.size() != b.size()) return a.size() <=> b.size();
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (const auto order = zed::compare(a[i], b[i]); order != 0) return order;
+  }
+  return std::strong_ordering::equal;
+}
+
+struct Order {
+  std::strong_ordering operator()(const Real& a, const Real& b) const { return a <=> b; }
+  std::strong_ordering operator()(const Atom& a, const Atom& b) const {
+    if (a == b) return std::strong_ordering::equal;
+    if (a->order != b->order) return a->order <=> b->order;
+    if (const int order = a->text.compare(b->text); order != 0) return order <=> 0;
+    return a->type.compare(b->type) <=> 0;
+  }
+  std::strong_ordering operator()(const TuplePtr& a, const TuplePtr& b) const {
+    return a == b ? std::strong_ordering::equal : compare(a->parts, b->parts);
+  }
+  std::strong_ordering operator()(const BindingPtr& a, const BindingPtr& b) const {
+    if (a == b) return std::strong_ordering::equal;
+    if (a->names != b->names && *a->names != *b->names) throw EvaluationError("bindings of two types are compared");
+    return compare(a->values, b->values);
+  }
+  std::strong_ordering operator()(const ConstructedPtr& a, const ConstructedPtr& b) const {
+    const auto order = (*this)(a->constructor, b->constructor);
+    return order != 0 ? order : zed::compare(a->argument, b->argument);
+  }
+  std::strong_ordering operator()(const SetPtr& a, const SetPtr& b) const {
+    if (a == b) return std::strong_ordering::equal;
+    const auto *x = a->members(), *y = b->members();
+    if (x && y) return compare(*x, *y);
+    if (x || y) return x ? std::strong_ordering::less : std::strong_ordering::greater;
+    return std::compare_three_way()(a.get(), b.get());
+  }
+  std::strong_ordering operator()(const Unknown& a, const Unknown& b) const { return a.id <=> b.id; }
+  template <class A, class B>
+  std::strong_ordering operator()(const A&, const B&) const {
+    return std::strong_ordering::equal;
+  }
+};
+
+template <class Test>
+bool any_part(const Value& value, Test&& test) {
+  if (const auto* tuple = value.tuple()) return std::any_of(tuple->parts.begin(), tuple->parts.end(), test);
+  if (const auto* binding = value.binding()) return std::any_of(binding->values.begin(), binding->values.end(), test);
+  if (const auto* made = value.get<ConstructedPtr>()) return test((*made)->argument);
+  return false;
+}
+
+}  // namespace
+
+std::strong_ordering compare(const Value& a, const Value& b) {
+  if (a.form().index() != b.form().index()) return a.form().index() <=> b.form().index();
+  return std::visit(Order(), a.form(), b.form());
+}
+
+bool has_open(const Value& value) {
+  if (value.is_open() || value.get<Unknown>() || value.get<AffinePtr>()) return true;
+  return any_part(value, has_open);
+}
+
+bool has_intensional(const Value& value) {
+  if (const Set* set = value.set()) return !set->members() || set->family();
+  return any_part(value, has_intensional);
+}
+
+namespace {
+
+std::string listed(const std::vector<Value>& values) {
+  std::string made;
+  for (const Value& one : values) made += (made.empty() ? "" : ", ") + one.text();
+  return made;
+}
+
+bool all_pairs(const std::vector<Value>& values) {
+  return std::all_of(values.begin(), values.end(), [](const Value& one) {
+    const auto* tuple = one.tuple();
+    return tuple && tuple->parts.size() == 2;
+  });
+}
+
+std::string set_text(const std::vector<Value>& members) {
+  if (members.empty()) return "∅";
+  if (!all_pairs(members)) return "{" + listed(members) + "}";
+  std::string made;
+  for (const Value& one : members) {
+    const auto& parts = one.tuple()->parts;
+    made += (made.empty() ? "" : ", ") + parts[0].text() + " ↦ " + parts[1].text();
+  }
+  return "{" + made + "}";
+}
+
+struct Text {
+  std::string operator()(const Undefined&) const { return "undefined"; }
+  std::string operator()(const Open&) const { return "open"; }
+  std::string operator()(const Unknown&) const { return "unknown"; }
+  std::string operator()(const AffinePtr&) const { return "unknown"; }
+  std::string operator()(const Real& real) const { return real.text(); }
+  std::string operator()(const Atom& atom) const { return atom->text; }
+  std::string operator()(const TuplePtr& tuple) const { return "(" + listed(tuple->parts) + ")"; }
+  std::string operator()(const BindingPtr& binding) const {
+    std::string made;
+    for (std::size_t i = 0; i < binding->values.size(); ++i) {
+      made += (made.empty() ? "" : ", ") + (*binding->names)[i].text() + " == " + binding->values[i].text();
+    }
+    return "⦉" + made + "⦊";
+  }
+  std::string operator()(const ConstructedPtr& made) const {
+    return made->constructor->text + "(" + made->argument.text() + ")";
+  }
+  std::string operator()(const SetPtr& set) const { return set->members() ? set_text(*set->members()) : set->text(); }
+};
+
+}  // namespace
+
+std::string Value::text() const { return std::visit(Text(), form_); }
+
+Value Set::unknown(Context& context) const { return Unknown{context.fresh()}; }
+
+Value Set::apply(const Value&, Context&) const { throw EvaluationError(text() + " cannot be applied"); }
+
+Truth Set::in_domain(const Value&, Context&) const {
+  throw EvaluationError("the domain of " + text() + " is not known");
+}
+
+Truth Set::some_contains(const Value& value, Context& context) const {
+  const auto* all = members();
+  if (!all) throw EvaluationError(text() + " cannot be enumerated");
+  Truth some = Truth::no;
+  Necessary only(context, all->size() == 1);
+  for (const Value& one : *all) {
+    const Truth in = contains_value(one, value, context);
+    if (in == Truth::yes) return in;
+    if (in == Truth::open) some = in;
+  }
+  return some;
+}
+
+}  // namespace durero::zed
