@@ -1,0 +1,11 @@
+# durero check: a good scene, summed up with every invariant.
+. "$(dirname "$0")/harness.sh"
+sample >scene.json
+run 0 check scene.json
+empty err
+lines out 9
+has out 'scene.json: 3 elementos: 1 esfera, 1 cilindro, 1 cono'
+for n in 1 2 3 4 5 6 7 8; do has out "Escena.inv.$n ok: "; done
+"$durero" check - <scene.json >out || fail "check -"
+has out '<stdin>: 3 elementos'
+finish

@@ -1,0 +1,66 @@
+# durero edit: answers, exit status, and the file that it writes.
+. "$(dirname "$0")/harness.sh"
+sample >scene.json
+sphere='Agregar_Esfera e?=s2 centro?=(0,0,5) radio?=1'
+added='{"line":1,"ok":true,"r":"esfera_agregada"}'
+refusal='"ok":false,"r":"elemento_ya_existe","violated":"Agregar_Elemento.pre.1","predicate":"e? ∉ elementos"}'
+
+# Accepted: status 0; the file holds the element; without -o nothing is written.
+run 0 edit scene.json --op "$sphere" -o out.json
+is out "$added"
+empty err
+has out.json '{"id":"s2","tipo":"esfera","centro":[0,0,5],"radio":1}'
+run 0 edit scene.json --op "$sphere"
+is out "$added"
+[ "$(ls | tr '\n' ' ')" = 'err out out.json scene.json ' ] || fail 'a file too many'
+
+# Without operations the file is the canonical text.
+: >none
+run 0 edit scene.json --script none -o same.json
+same scene.json same.json
+empty out
+
+# Refused: status 1, and what was accepted is kept.
+cat >script <<'TEXT'
+# three operations
+Agregar_Esfera e?=s2 centro?=(0,0,5) radio?=1 material?=red
+
+{"op":"Agregar_Esfera","e":"s1","centro":[0,0,5],"radio":1}
+Eliminar_Cono e=k1
+TEXT
+run 1 edit scene.json --script script -o out.json
+is out '{"line":2,"ok":true,"r":"esfera_agregada"}
+{"line":4,'"$refusal"'
+{"line":5,"ok":true,"r":"cono_eliminado"}'
+has out.json '"radio":1,"material":"red"}'
+run 0 check out.json
+has out '3 elementos: 2 esfera, 1 cilindro, 0 cono'
+
+# The operations of --op follow the script's lines; each may check whole predicates.
+run 1 edit scene.json --audit --script script --op 'Eliminar_Elemento e=c1' --op 'Eliminar_Elemento e=c1'
+has out '{"line":6,"ok":true,"r":"elemento_eliminado"}'
+has out '{"line":7,"ok":false,"r":"elemento_no_existe","violated":"Eliminar_Elemento.pre.1"'
+
+# The standard input, and a scene written over itself.
+"$durero" edit scene.json <script >out
+[ $? = 1 ] || fail 'edit from stdin'
+lines out 3
+cp scene.json own.json
+run 0 edit own.json --op "$sphere" -o own.json
+has own.json s2
+
+# Malformed: one line with the place, no answer, and the file as it was.
+cp own.json before.json
+printf '%s\nAgregar_Esfera e?=s3 centro?=(0,0,5) radio?=uno\n' "$sphere" >bad
+refused 'bad:2:45: radio? is "uno"' edit scene.json --script bad -o own.json
+same own.json before.json
+refused '--op:2:1: unknown operation "Mover"' edit scene.json --op "$sphere" --op 'Mover e=s1' -o new.json
+absent new.json
+refused 'nowhere/out.json: cannot be written: No such file or directory' edit scene.json --op "$sphere" -o nowhere/out.json
+refused '/dev/full: cannot be written: No space left on device' edit scene.json --op "$sphere" -o /dev/full
+
+# Both on the standard output, which may be a file.
+run 0 edit scene.json --op "$sphere" -o /dev/stdout
+has out '"id":"s2"'
+has out "$added"
+finish
