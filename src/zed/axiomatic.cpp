@@ -157,7 +157,7 @@ Value determined(Compiler& compiler, const Name& name, const Axiomatic& form, Co
 
 }  // namespace
 
-Value Compiler::axiomatic(const Global& global, Context& context) {
+Value Compiler::axiomatic(const Meaning& global, Context& context) {
   const auto& form = std::get<Axiomatic>(global.paragraph->form);
   const Name& name = global.name;
   if (name.text() == "ℝ") return everything("ℝ");  // the axioms of the reals are assumed, not evaluated
@@ -180,7 +180,7 @@ Value Compiler::axiomatic(const Global& global, Context& context) {
   return value;
 }
 
-Value Compiler::schema_value(const Global& global, Context& context) {
+Value Compiler::schema_value(const Meaning& global, Context& context) {
   const auto unit = std::make_shared<Unit>();
   const Scope scope{.unit = unit};
   const Code code = schema_set(reference(global.name), scope);
@@ -189,7 +189,7 @@ Value Compiler::schema_value(const Global& global, Context& context) {
 }
 
 // A definition without actuals: those of a generic one are whole types.
-Value Compiler::definition_value(const Global& global, Context& context) {
+Value Compiler::definition_value(const Meaning& global, Context& context) {
   const auto& definition = std::get<Definition>(global.paragraph->form);
   const auto unit = std::make_shared<Unit>();
   const Scope outside{.unit = unit};
@@ -201,7 +201,7 @@ Value Compiler::definition_value(const Global& global, Context& context) {
 
 namespace {
 
-Value free_type(const Global& global) {
+Value free_type(const Meaning& global) {
   std::vector<Value> constants;
   std::uint32_t order = 0;
   for (const Branch& one : std::get<FreeType>(global.paragraph->form).branches) {
@@ -211,12 +211,12 @@ Value free_type(const Global& global) {
   return Value::set(std::move(constants));
 }
 
-const std::string branch_type(const Global& global) { return std::get<FreeType>(global.paragraph->form).name.text(); }
+const std::string branch_type(const Meaning& global) { return std::get<FreeType>(global.paragraph->form).name.text(); }
 
 /// For a scope: a value is being made.
 class Busy {
  public:
-  explicit Busy(Global& global) : global_(global) {
+  explicit Busy(Meaning& global) : global_(global) {
     if (global.busy) throw EvaluationError(global.name.text() + " is defined by itself");
     global.busy = true;
   }
@@ -225,37 +225,37 @@ class Busy {
   Busy& operator=(const Busy&) = delete;
 
  private:
-  Global& global_;
+  Meaning& global_;
 };
 
 }  // namespace
 
-Value Compiler::global(Global& global, Context& context) {
+Value Compiler::global(Meaning& global, Context& context) {
   if (global.value) return *global.value;
   const Busy busy(global);
   Context apart;  // its value depends on nothing that is looked for
   apart.depth = context.depth;
   switch (global.kind) {
-    case Global::Kind::given:
+    case Meaning::Kind::given:
       global.value = everything(global.name.text());
       break;
-    case Global::Kind::free_type:
+    case Meaning::Kind::free_type:
       global.value = free_type(global);
       break;
-    case Global::Kind::constant:
+    case Meaning::Kind::constant:
       global.value = Value::atom(branch_type(global), global.name.text(), global.order);
       break;
-    case Global::Kind::constructor:
+    case Meaning::Kind::constructor:
       global.value = constructor_function(branch_type(global), global.name.text(), global.order);
       break;
-    case Global::Kind::axiomatic:
+    case Meaning::Kind::axiomatic:
       global.value = axiomatic(global, apart);
       break;
-    case Global::Kind::definition:
+    case Meaning::Kind::definition:
       global.value = components(reference(global.name), definitions_) ? schema_value(global, apart)
                                                                       : definition_value(global, apart);
       break;
-    case Global::Kind::schema:
+    case Meaning::Kind::schema:
       global.value = schema_value(global, apart);
       break;
   }

@@ -61,7 +61,7 @@ class Compiler {
   /// The variables of a schema text get slots, named in `inner`. `extra`: further conjuncts, for the search's sake.
   Head head(const SchemaText& text, const Scope& scope, Scope& inner, const Term& extra = {});
 
-  Value global(Global& global, Context& context);
+  Value global(Meaning& global, Context& context);
   Definitions& definitions() { return definitions_; }
 
  private:
@@ -87,7 +87,7 @@ class Compiler {
   Property quantified(const Term& term, const Scope& scope);
   Property exists_one(const Node& node, const Scope& scope);
   Property schema_reference(const Term& term, const Scope& scope);
-  Property schema_definition(const Global& global, const Scope& scope);
+  Property schema_definition(const Meaning& global, const Scope& scope);
   Property change(const Name& of, bool unchanged, const Scope& scope);
   Property mapped(const Term& schema, const Scope& scope, const std::vector<std::pair<Name, Name>>& names);
   Property hidden(const Components& names, const Scope& scope, const std::function<Property(const Scope&)>& inside);
@@ -97,9 +97,9 @@ class Compiler {
   void equations(const Node& relation, const Scope& scope, Property& into);
 
   // Axiomatic definitions (axiomatic.cpp).
-  Value axiomatic(const Global& global, Context& context);
-  Value schema_value(const Global& global, Context& context);
-  Value definition_value(const Global& global, Context& context);
+  Value axiomatic(const Meaning& global, Context& context);
+  Value schema_value(const Meaning& global, Context& context);
+  Value definition_value(const Meaning& global, Context& context);
 
   const Local* find(const Name& name, const Scope& scope) const;
   Local component(const Name& name, const Scope& scope);

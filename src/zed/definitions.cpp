@@ -26,11 +26,11 @@ std::optional<Name> without_stroke(const Name& name, const std::string& stroke) 
 }
 
 std::optional<Components> reference_components(const Node& node, const Definitions& definitions) {
-  if (const Global* global = definitions.find(node.name)) {
-    if (global->kind == Global::Kind::schema) {
+  if (const Meaning* global = definitions.find(node.name)) {
+    if (global->kind == Meaning::Kind::schema) {
       return components(std::get<Schema>(global->paragraph->form).text, definitions);
     }
-    if (global->kind == Global::Kind::definition) {
+    if (global->kind == Meaning::Kind::definition) {
       return components(std::get<Definition>(global->paragraph->form).value, definitions);
     }
     return std::nullopt;
@@ -81,7 +81,7 @@ std::optional<Components> joined_components(const Node& node, const std::string&
 
 }  // namespace
 
-const std::string& Global::label() const {
+const std::string& Meaning::label() const {
   static const std::string none;
   const auto* definition = std::get_if<Definition>(&paragraph->form);
   return definition ? definition->label : none;
@@ -93,16 +93,16 @@ Definitions::Definitions(const std::vector<Section>& sections) {
   }
 }
 
-void Definitions::add(Global global) {
+void Definitions::add(Meaning global) {
   Name name = global.name;
   globals_.emplace(std::move(name), std::move(global));
 }
 
 void Definitions::add(const Section& section, const Paragraph& paragraph) {
-  using Which = Global::Kind;
+  using Which = Meaning::Kind;
   const auto& form = paragraph.form;
   const auto declare = [&](Which kind, const Name& name, std::uint32_t order = 0) {
-    add(Global{.kind = kind, .name = name, .section = &section, .paragraph = &paragraph, .order = order});
+    add(Meaning{.kind = kind, .name = name, .section = &section, .paragraph = &paragraph, .order = order});
   };
   if (const auto* given = std::get_if<GivenTypes>(&form)) {
     for (const Name& one : given->names) declare(Which::given, one);
@@ -121,12 +121,12 @@ void Definitions::add(const Section& section, const Paragraph& paragraph) {
   }
 }
 
-Global* Definitions::find(const Name& name) {
+Meaning* Definitions::find(const Name& name) {
   const auto found = globals_.find(name);
   return found == globals_.end() ? nullptr : &found->second;
 }
 
-const Global* Definitions::find(const Name& name) const {
+const Meaning* Definitions::find(const Name& name) const {
   const auto found = globals_.find(name);
   return found == globals_.end() ? nullptr : &found->second;
 }

@@ -12,7 +12,7 @@
 namespace durero::zed {
 
 /// A name that a paragraph declares. Its value is made when it is first asked for.
-struct Global {
+struct Meaning {
   enum class Kind { given, free_type, constant, constructor, definition, axiomatic, schema };
   Kind kind = Kind::given;
   Name name;
@@ -29,13 +29,13 @@ class Definitions {
  public:
   explicit Definitions(const std::vector<Section>& sections);
   /// Null where the specification declares no such name.
-  Global* find(const Name& name);
-  const Global* find(const Name& name) const;
+  Meaning* find(const Name& name);
+  const Meaning* find(const Name& name) const;
 
  private:
-  void add(Global global);
+  void add(Meaning global);
   void add(const Section& section, const Paragraph& paragraph);
-  std::unordered_map<Name, Global> globals_;
+  std::unordered_map<Name, Meaning> globals_;
 };
 
 /// `S` of `ΔS` and of `ΞS`, where the specification declares no such name itself; else nothing.

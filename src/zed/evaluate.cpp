@@ -4,8 +4,8 @@
 
 #include "compiler.hpp"
 #include "durero/zed/print.hpp"
-#include "sets.hpp"
 #include "functions.hpp"
+#include "sets.hpp"
 
 namespace durero::zed {
 
@@ -122,8 +122,8 @@ std::vector<Finding> SchemaCheck::findings(std::span<const Value> values) const 
 Evaluator::Evaluator(std::vector<Section> sections, const Given& given)
     : state_(std::make_unique<State>(std::move(sections))) {
   for (const auto& [name, value] : given) {
-    Global* global = state_->definitions.find(name);
-    if (!global || global->kind != Global::Kind::axiomatic) {
+    Meaning* global = state_->definitions.find(name);
+    if (!global || global->kind != Meaning::Kind::axiomatic) {
       throw EvaluationError(name.text() + " is given a value, and is no name that the text leaves open");
     }
     global->value = value;

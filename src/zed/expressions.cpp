@@ -5,9 +5,9 @@
 #include "compiler.hpp"
 #include "describe.hpp"
 #include "durero/zed/symbols.hpp"
+#include "functions.hpp"
 #include "intensional.hpp"
 #include "sets.hpp"
-#include "functions.hpp"
 
 namespace durero::zed {
 
@@ -86,7 +86,7 @@ Code Compiler::name(const Node& node, const Scope& scope) {
     reads_.push_back(*local->slot);
     return [slot = *local->slot](Frame& frame) { return frame.slots[slot]; };
   }
-  Global* global = definitions_.find(node.name);
+  Meaning* global = definitions_.find(node.name);
   if (!global) {
     if (components(reference(node.name), definitions_)) return schema_set(reference(node.name, {}, node.place), scope);
     return toolkit(node, scope);

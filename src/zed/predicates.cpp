@@ -279,7 +279,7 @@ Head Compiler::head(const SchemaText& text, const Scope& scope, Scope& inner, co
     whole.push_back(predicate(included[i]->term, inner));
     Property property;
     property.parts = std::move(whole);
-    const Global* schema =
+    const Meaning* schema =
         included[i]->term->kind == Kind::reference ? definitions_.find(included[i]->term->name) : nullptr;
     if (schema && included[i]->term->children.empty()) {
       property.whole = wholes[i];

@@ -115,7 +115,7 @@ Property Compiler::schema_reference(const Term& term, const Scope& scope) {
     default:
       cannot(node, "an expression stands in the place of a predicate");
   }
-  if (const Global* global = definitions_.find(node.name)) {
+  if (const Meaning* global = definitions_.find(node.name)) {
     const auto names = components(term, definitions_);
     if (!names) cannot(node, node.name.text() + " is no schema");
     const auto* schema = std::get_if<Schema>(&global->paragraph->form);
@@ -138,7 +138,7 @@ Property Compiler::schema_reference(const Term& term, const Scope& scope) {
 }
 
 // The label of a definition stands for the predicate that is written in it, not for the schemas that it names.
-Property Compiler::schema_definition(const Global& global, const Scope& scope) {
+Property Compiler::schema_definition(const Meaning& global, const Scope& scope) {
   const Restored<std::string> label(label_, std::string(global.label()));
   if (const auto* schema = std::get_if<Schema>(&global.paragraph->form)) return text(schema->text, scope);
   return predicate(std::get<Definition>(global.paragraph->form).value, scope);
