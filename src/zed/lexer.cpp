@@ -109,6 +109,7 @@ class Lexer {
       tokens_.push_back({Type::newline, "\n", {}, *newline_, {}, false});
     newline_.reset();
     tokens_.push_back(std::move(token));
+    behind_ = place_;
   }
 
   /// A word or symbol by its Unicode text.
@@ -158,13 +159,13 @@ class Lexer {
   }
 
   std::vector<Token> finish() {
-    tokens_.push_back({Type::end, {}, {}, place_, {}, false});
+    tokens_.push_back({Type::end, {}, {}, behind_, {}, false});
     return std::move(tokens_);
   }
 
   std::string_view text_;
   std::size_t at_ = 0;
-  Place place_;
+  Place place_, behind_ = place_;  // behind the last token
   std::vector<Token> tokens_;
   std::optional<Place> newline_;
 };

@@ -1,0 +1,50 @@
+#include <fmt/core.h>
+
+#include <set>
+
+#include "durero/zed/typecheck.hpp"
+#include "support/catch.hpp"
+#include "zed/lines.hpp"
+
+/// The corpus: small Z texts, each with one construct (right/) or one defect (wrong/, on the line that ends in
+/// `% here`). tests/spec/corpus.sh has CZT judge the same files.
+
+using namespace durero::zed;
+using namespace durero::zed::test;
+
+namespace {
+
+std::vector<Defect> judged(const std::string& file) {
+  const Specification read = read_files({file});
+  std::vector<Defect> found = read.defects;
+  for (Defect& one : check(read).defects) found.push_back(std::move(one));
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("every right text of the corpus is accepted") {
+  const std::vector<std::string> files = files_in("tests/zed/corpus/right");
+  CHECK(files.size() >= 80);
+  for (const std::string& file : files)
+    for (const Defect& one : judged(file)) FAIL_CHECK(one.text());
+}
+
+TEST_CASE("every wrong text of the corpus is refused, at its marked line and nowhere else") {
+  const std::vector<std::string> files = files_in("tests/zed/corpus/wrong");
+  CHECK(files.size() >= 80);
+  for (const std::string& file : files) {
+    Lines marked;
+    marks(file, "% here$", marked);
+    std::set<unsigned> wanted, lines;
+    for (const auto& [line, what] : marked[file]) wanted.insert(line);
+    std::string all;
+    for (const Defect& one : judged(file)) {
+      lines.insert(one.place.line);
+      all += one.text() + "\n";
+    }
+    CAPTURE(file, all);
+    CHECK(wanted.size() == 1);
+    CHECK(lines == wanted);
+  }
+}
