@@ -4,36 +4,135 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
-#include "durero/trace/plain.hpp"
+#include <algorithm>
+#include <array>
+#include <mutex>
 
 namespace durero::trace {
+namespace {
 
-scene::Hit first_hit(const scene::Scene& scene, const model::Rayo& rayo, Origin en) {
-  return plain::first_hit(scene, rayo, en);
+using model::Tipo;
+
+/// visit(element) for every element of the scene until it answers true. Whether it did.
+template <class Visit>
+bool any_element(const scene::Scene& scene, Visit visit) {
+  const auto any_of = [&](Tipo tipo, std::size_t size) {
+    for (std::uint32_t i = 0; i < size; ++i) {
+      if (visit(scene::ElementRef{tipo, i})) return true;
+    }
+    return false;
+  };
+  return any_of(Tipo::soy_esfera, scene.spheres().size()) || any_of(Tipo::soy_cilindro, scene.cylinders().size()) ||
+         any_of(Tipo::soy_cono, scene.cones().size());
 }
 
-bool occluded(const scene::Scene& scene, const model::Rayo& rayo, Origin en) {
-  return plain::first_hit(scene, rayo, en).resultado != model::Resultado::miss;
+/// visit(element) for every element that the ray may meet at t ≤ limit(), until it answers true. The filter knows only
+/// the points of the element itself, so the elements that the ray starts on pass by it.
+template <class Limit, class Visit>
+bool any_candidate(const Tables& tables, const Beam& beam, Origin en, Limit limit, Visit visit) {
+  if (!beam.ordinary) return any_element(tables.scene(), visit);
+  if (std::any_of(en.begin(), en.end(), visit)) return true;
+  const auto visit_other = [&](scene::ElementRef e) { return !contains(en, e) && visit(e); };
+  const auto elements = tables.elements();
+  std::array<std::uint32_t, 32 * Balls::block> passed;
+  for (std::size_t begin = 0; begin < elements.size(); begin += passed.size()) {
+    const std::size_t end = std::min(begin + passed.size(), elements.size());
+    const std::size_t count = filter(tables.balls(), beam, limit(), begin, end, passed.data());
+    for (std::size_t i = 0; i < count; ++i) {
+      if (visit_other(elements[passed[i]])) return true;
+    }
+  }
+  const auto rest = tables.extraordinary();
+  return std::any_of(rest.begin(), rest.end(), visit_other);
 }
 
-bool occluded_segment(const scene::Scene& scene, const model::Rayo& rayo, Origin en) {
-  const scene::Hit hit = plain::first_hit(scene, rayo, en);
-  return hit.resultado != model::Resultado::miss && hit.t < 1;
+template <class ForEach>
+scene::Hit nearest(Search& search, ForEach for_each) {
+  for_each([&](scene::ElementRef e) {
+    search.test(e);
+    return false;
+  });
+  return search.finish();
 }
 
-std::vector<scene::Hit> first_hits(const scene::Scene& scene, std::span<const Query> queries, unsigned threads) {
+/// The ray meets the element at some 0 < t < 1. Near 1 the exact parameter decides.
+bool blocks_segment(const Search& search, const scene::Scene& scene, const model::Rayo& rayo, Origin en,
+                    scene::ElementRef e) {
+  const Meeting met = search.meeting(e, 1);
+  if (met.kind != Meeting::Kind::point) return met.kind == Meeting::Kind::no_minimum;
+  if (met.high < 1) return true;
+  if (met.low > 1) return false;
+  const auto reach = oracle::exact::reach(scene, e, rayo, en);
+  return oracle::exact::order(reach.first(), oracle::exact::Parameter{.x = 1}) < 0;
+}
+
+bool blocks(const Search& search, scene::ElementRef e) {
+  return search.meeting(e, no_limit).kind != Meeting::Kind::none;
+}
+
+}  // namespace
+
+scene::Hit first_hit(const Tables& tables, const model::Rayo& rayo, Origin en, Counts* counts) {
+  Counts unseen;
+  Search search(tables.scene(), rayo, en, counts ? *counts : unseen);
+  return nearest(search, [&](auto visit) {
+    any_candidate(
+        tables, search.beam(), en, [&] { return search.limit(); }, visit);
+  });
+}
+
+bool occluded(const Tables& tables, const model::Rayo& rayo, Origin en, Counts* counts) {
+  Counts unseen;
+  const Search search(tables.scene(), rayo, en, counts ? *counts : unseen);
+  return any_candidate(
+      tables, search.beam(), en, [] { return no_limit; }, [&](scene::ElementRef e) { return blocks(search, e); });
+}
+
+bool occluded_segment(const Tables& tables, const model::Rayo& rayo, Origin en, Counts* counts) {
+  Counts unseen;
+  const Search search(tables.scene(), rayo, en, counts ? *counts : unseen);
+  return any_candidate(
+      tables, search.beam(), en, [] { return 1.0; },
+      [&](scene::ElementRef e) { return blocks_segment(search, tables.scene(), rayo, en, e); });
+}
+
+std::vector<scene::Hit> first_hits(const Tables& tables, std::span<const Query> queries, unsigned threads,
+                                   Counts* counts) {
   std::vector<scene::Hit> hits(queries.size());
+  std::mutex adding;
   const auto answer = [&](const oneapi::tbb::blocked_range<std::size_t>& range) {
+    Counts mine;
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       const Query& query = queries[i];
-      hits[i] = first_hit(scene, query.rayo, {query.en.data(), query.en.size()});
+      hits[i] = first_hit(tables, query.rayo, {query.en.data(), query.en.size()}, &mine);
     }
+    if (counts == nullptr) return;
+    const std::scoped_lock lock(adding);
+    *counts += mine;
   };
   const int workers = threads == 0 ? oneapi::tbb::task_arena::automatic : static_cast<int>(threads);
   oneapi::tbb::task_arena arena(workers);
-  arena.execute(
-      [&] { oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, queries.size(), 64), answer); });
+  const oneapi::tbb::blocked_range<std::size_t> all(0, queries.size(), 256);
+  arena.execute([&] { oneapi::tbb::parallel_for(all, answer); });
   return hits;
+}
+
+scene::Hit first_hit(const scene::Scene& scene, const model::Rayo& rayo, Origin en) {
+  Counts unseen;
+  Search search(scene, rayo, en, unseen);
+  return nearest(search, [&](auto visit) { any_element(scene, visit); });
+}
+
+bool occluded(const scene::Scene& scene, const model::Rayo& rayo, Origin en) {
+  Counts unseen;
+  const Search search(scene, rayo, en, unseen);
+  return any_element(scene, [&](scene::ElementRef e) { return blocks(search, e); });
+}
+
+bool occluded_segment(const scene::Scene& scene, const model::Rayo& rayo, Origin en) {
+  Counts unseen;
+  const Search search(scene, rayo, en, unseen);
+  return any_element(scene, [&](scene::ElementRef e) { return blocks_segment(search, scene, rayo, en, e); });
 }
 
 }  // namespace durero::trace

@@ -1,5 +1,6 @@
 #pragma once
-/// The first hit of a ray by closed forms: Algorithm II.2 over all elements. The answer is that of oracle::exact.
+/// The first hit of a ray by closed forms, certified: Algorithm II.2 over all elements, with the answer of
+/// oracle::exact in the same bytes. Decisions go triage → stable → exact (steps.hpp).
 
 #include <span>
 #include <vector>
@@ -7,11 +8,10 @@
 #include "durero/model/tipos.hpp"
 #include "durero/scene/hit.hpp"
 #include "durero/scene/scene.hpp"
+#include "durero/trace/search.hpp"
+#include "durero/trace/tables.hpp"
 
 namespace durero::trace {
-
-/// en?: the elements that the origin of a ray lies on.
-using Origin = std::span<const scene::ElementRef>;
 
 /// One line of a rays file: rayo? and en?.
 struct Query {
@@ -19,16 +19,22 @@ struct Query {
   scene::ElementSet en{};
 };
 
-/// Primera_Interseccion. Precondition: the elements of en are in the scene.
-scene::Hit first_hit(const scene::Scene& scene, const model::Rayo& rayo, Origin en = {});
+/// Primera_Interseccion. Precondition: the elements of en are in the scene. `counts`, where given, is added to.
+scene::Hit first_hit(const Tables& tables, const model::Rayo& rayo, Origin en = {}, Counts* counts = nullptr);
 
 /// occluded: the ray meets some element at some t > 0.
-bool occluded(const scene::Scene& scene, const model::Rayo& rayo, Origin en = {});
+bool occluded(const Tables& tables, const model::Rayo& rayo, Origin en = {}, Counts* counts = nullptr);
 
 /// occluded_segment: the ray meets some element at some 0 < t < 1.
-bool occluded_segment(const scene::Scene& scene, const model::Rayo& rayo, Origin en = {});
+bool occluded_segment(const Tables& tables, const model::Rayo& rayo, Origin en = {}, Counts* counts = nullptr);
 
 /// first_hit of every query, in order. threads = 0 uses every core; the result does not depend on it.
-std::vector<scene::Hit> first_hits(const scene::Scene& scene, std::span<const Query> queries, unsigned threads = 0);
+std::vector<scene::Hit> first_hits(const Tables& tables, std::span<const Query> queries, unsigned threads = 0,
+                                   Counts* counts = nullptr);
+
+/// The same for a few rays, without tables.
+scene::Hit first_hit(const scene::Scene& scene, const model::Rayo& rayo, Origin en = {});
+bool occluded(const scene::Scene& scene, const model::Rayo& rayo, Origin en = {});
+bool occluded_segment(const scene::Scene& scene, const model::Rayo& rayo, Origin en = {});
 
 }  // namespace durero::trace

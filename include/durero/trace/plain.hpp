@@ -13,7 +13,7 @@
 #include <cstdint>
 
 #include "durero/scene/shapes.hpp"
-#include "durero/trace/analytic.hpp"
+#include "durero/trace/search.hpp"
 
 namespace durero::trace::plain {
 

@@ -1,0 +1,111 @@
+/// Numbers of about 106 bits: the unevaluated sum hi + lo of two binary64, with |lo| ≤ ulp(hi)/2. Compiled once for
+/// every instruction set, since an exact product takes two operations where there is a fused multiply-add and
+/// seventeen where there is none; the results are the same bits.
+///
+/// Each operation below errs by at most 2⁻¹⁰² of its result, which is 16u² with u = 2⁻⁵³, as long as nothing overflows
+/// or underflows. In units of u², relative to the result:
+///   sum         3, since both halves are added exactly before anything is rounded (Joldes, Muller and Popescu, 2017);
+///   product     8: the two mixed products and their sum lose 4, the last sum 3, what is left of lo·lo less than 1;
+///   quotient    13: the rest a − b·high is at most 3u·|a| and is known to 3u²·|a|; dividing its leading part by b's
+///               leading part loses three roundings of it, 9; the last sum 1;
+///   square root 6: Newton's step from a root with error 1.5u leaves 1.2, the rest's division 4, the last sum 1.
+
+#if defined(DURERO_TRACE_DOUBLE_DOUBLE_INL_HPP_) == defined(HWY_TARGET_TOGGLE)
+#ifdef DURERO_TRACE_DOUBLE_DOUBLE_INL_HPP_
+#undef DURERO_TRACE_DOUBLE_DOUBLE_INL_HPP_
+#else
+#define DURERO_TRACE_DOUBLE_DOUBLE_INL_HPP_
+#endif
+
+#include <hwy/highway.h>
+
+#include <cmath>
+
+HWY_BEFORE_NAMESPACE();
+namespace durero::trace {
+namespace HWY_NAMESPACE {
+
+struct DoubleDouble {
+  double hi = 0;
+  double lo = 0;
+
+  DoubleDouble() = default;
+  DoubleDouble(double value) : hi(value) {}
+  DoubleDouble(double high, double low) : hi(high), lo(low) {}
+};
+
+/// a + b, exactly.
+HWY_INLINE DoubleDouble two_sum(double a, double b) {
+  const double sum = a + b;
+  const double of_b = sum - a;
+  return {sum, (a - (sum - of_b)) + (b - of_b)};
+}
+
+/// a + b, exactly. Precondition: |a| ≥ |b| or a = 0.
+HWY_INLINE DoubleDouble fast_two_sum(double a, double b) {
+  const double sum = a + b;
+  return {sum, b - (sum - a)};
+}
+
+/// fused_multiply_add: a·b + c rounded once. The one place where it is asked for; only where the hardware has it.
+#if HWY_NATIVE_FMA
+HWY_INLINE double fused_multiply_add(double a, double b, double c) { return __builtin_fma(a, b, c); }
+
+/// a·b, exactly.
+HWY_INLINE DoubleDouble two_prod(double a, double b) {
+  const double product = a * b;
+  return {product, fused_multiply_add(a, b, -product)};
+}
+#else
+/// a as a sum of two numbers of 26 bits (Veltkamp). Precondition: |a| < 2⁹⁹⁵.
+HWY_INLINE DoubleDouble split(double a) {
+  const double shifted = 0x1.0000002p27 * a;
+  const double high = shifted - (shifted - a);
+  return {high, a - high};
+}
+
+/// a·b, exactly (Dekker).
+HWY_INLINE DoubleDouble two_prod(double a, double b) {
+  const double product = a * b;
+  const DoubleDouble x = split(a), y = split(b);
+  return {product, ((x.hi * y.hi - product) + x.hi * y.lo + x.lo * y.hi) + x.lo * y.lo};
+}
+#endif
+
+HWY_INLINE DoubleDouble operator-(const DoubleDouble& a) { return {-a.hi, -a.lo}; }
+
+HWY_INLINE DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
+  const DoubleDouble high = two_sum(a.hi, b.hi), low = two_sum(a.lo, b.lo);
+  const DoubleDouble sum = fast_two_sum(high.hi, high.lo + low.hi);
+  return fast_two_sum(sum.hi, low.lo + sum.lo);
+}
+HWY_INLINE DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) { return a + -b; }
+
+HWY_INLINE DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
+  const DoubleDouble high = two_prod(a.hi, b.hi);
+  return fast_two_sum(high.hi, high.lo + (a.lo * b.lo + (a.hi * b.lo + a.lo * b.hi)));
+}
+HWY_INLINE DoubleDouble operator*(const DoubleDouble& a, double b) {
+  const DoubleDouble high = two_prod(a.hi, b);
+  return fast_two_sum(high.hi, high.lo + a.lo * b);
+}
+
+HWY_INLINE DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
+  const double high = a.hi / b.hi;
+  const DoubleDouble rest = a - b * high;
+  return fast_two_sum(high, rest.hi / b.hi);
+}
+
+/// Precondition: a ≥ 0.
+HWY_INLINE DoubleDouble sqrt(const DoubleDouble& a) {
+  if (a.hi <= 0) return {};
+  const double high = std::sqrt(a.hi);
+  const DoubleDouble rest = a - two_prod(high, high);
+  return fast_two_sum(high, rest.hi / (2 * high));
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace durero::trace
+HWY_AFTER_NAMESPACE();
+
+#endif

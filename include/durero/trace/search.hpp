@@ -1,0 +1,78 @@
+#pragma once
+/// Algorithm II.2 for one ray, element by element, in any order: the answer does not depend on it.
+
+#include <boost/container/small_vector.hpp>
+#include <memory>
+#include <span>
+
+#include "durero/oracle/exact.hpp"
+#include "durero/scene/hit.hpp"
+#include "durero/scene/scene.hpp"
+#include "durero/trace/steps.hpp"
+
+namespace durero::trace {
+
+/// en?: the elements that the origin of a ray lies on.
+using Origin = std::span<const scene::ElementRef>;
+
+inline bool contains(Origin en, scene::ElementRef e) noexcept {
+  for (const scene::ElementRef& on : en) {
+    if (on == e) return true;
+  }
+  return false;
+}
+
+/// Where a ray first meets an element, by the first step that can tell: a parameter t in [low, high].
+struct Meeting {
+  enum class Kind : std::uint8_t { none, point, no_minimum };
+  Kind kind = Kind::none;
+  Step step = Step::triage;
+  double low = 0, high = 0;
+  Finding finding{};                                    ///< by triage or stable
+  std::shared_ptr<const oracle::exact::Parameter> t{};  ///< by exact
+};
+
+/// One ray against one scene, both of which must outlive it.
+class Search {
+ public:
+  /// Adds to `counts` what decided. Precondition: the elements of en are in the scene.
+  Search(const scene::Scene& scene, const model::Rayo& rayo, Origin en, Counts& counts);
+
+  const Beam& beam() const noexcept { return beam_; }
+
+  /// No point beyond this parameter is the first: at least the first parameter among the elements tested so far.
+  double limit() const noexcept { return limit_; }
+
+  /// Takes an element into account. Precondition: no element is taken twice.
+  void test(scene::ElementRef e);
+
+  /// The answer over the elements tested. Elements whose points all lie beyond limit() may be left out.
+  scene::Hit finish();
+
+  /// Where the ray first meets one element; none also where that is beyond the limit.
+  Meeting meeting(scene::ElementRef e, double limit) const;
+
+ private:
+  struct Contender {
+    scene::ElementRef e;
+    Meeting at;
+  };
+
+  void drop_beyond_limit();
+  void refine(Contender& contender) const;
+  const oracle::exact::Parameter& exact(Contender& contender) const;
+  void keep_nearest_by_stable();
+  void keep_nearest_by_exact();
+  scene::Hit hit(const Contender& nearest, scene::ElementSet elementos) const;
+
+  const scene::Scene& scene_;
+  const model::Rayo& rayo_;
+  Origin en_;
+  Counts& counts_;
+  Beam beam_;
+  double limit_ = no_limit;
+  boost::container::small_vector<Contender, 4> contenders_;
+  scene::ElementSet without_minimum_;
+};
+
+}  // namespace durero::trace

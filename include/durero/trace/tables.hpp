@@ -1,0 +1,70 @@
+#pragma once
+/// A scene prepared for many rays: a ball around each element, in columns, and a filter over them that takes a few
+/// operations a ray and element and only ever passes over what the ray certainly misses.
+///
+/// A point p + t·v of a ball of centre m and radius R, with q = p − m, B = q·v: |q × v| ≤ R|v|, and |v|²·t is between
+/// −B − R|v| and −B + R|v|. So a ray misses the ball where |q × v|² > R²|v|², where B > R|v| (it lies behind), and up
+/// to the limit where −B − R|v| > limit·|v|². In binary64, with u = 2⁻⁵³: q × v errs by 3u of the products it is made
+/// of, in length at most 3u·√2·|q||v|; B by 4u|q||v|; so R + 16u·(|q.x| + |q.y| + |q.z|) in place of R pays for both,
+/// and for the rounding of B + R|v|. |v|² and |v| are taken greater by 60u and 30u, which pays for all roundings
+/// relative to their result, fewer than ten. Elements and rays that are not `ordinary` do not come here, so nothing
+/// overflows.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "durero/scene/element_ref.hpp"
+#include "durero/scene/scene.hpp"
+#include "durero/trace/steps.hpp"
+
+namespace durero::trace {
+
+/// Contains every point of the element. Precondition: the element is ordinary.
+struct Ball {
+  glm::dvec3 centre;
+  double radius;
+};
+Ball ball(const scene::Sphere& sphere);
+Ball ball(const scene::Cylinder& cylinder);
+Ball ball(const scene::Cone& cone);
+
+/// Balls in columns; padded to whole blocks with NaN, which no ray meets.
+struct Balls {
+  static constexpr std::size_t block = 8;
+  std::vector<double> x, y, z, radius;
+
+  void push_back(const Ball& ball);
+  void pad();
+};
+
+/// Keeps a reference to the scene, which must outlive it unedited.
+class Tables {
+ public:
+  explicit Tables(const scene::Scene& scene);
+
+  const scene::Scene& scene() const noexcept { return *scene_; }
+  const Balls& balls() const noexcept { return balls_; }
+  /// The element of each ball.
+  std::span<const scene::ElementRef> elements() const noexcept { return elements_; }
+  /// The elements that are not ordinary, and have no ball.
+  std::span<const scene::ElementRef> extraordinary() const noexcept { return extraordinary_; }
+
+ private:
+  const scene::Scene* scene_;
+  Balls balls_;
+  std::vector<scene::ElementRef> elements_;
+  std::vector<scene::ElementRef> extraordinary_;
+};
+
+/// Writes to `passed` the places in begin … end of the balls that the ray may meet at 0 < t ≤ limit, ascending, and
+/// returns their number. Preconditions: the beam is ordinary; begin is a multiple of Balls::block; `passed` has room
+/// for end − begin, rounded up to whole blocks.
+std::size_t filter(const Balls& balls, const Beam& beam, double limit, std::size_t begin, std::size_t end,
+                   std::uint32_t* passed);
+
+/// The same without the allowance for rounding, as an uncertified tracer would do it.
+std::size_t plain_filter(const Balls& balls, const Beam& beam, double limit, std::size_t begin, std::size_t end,
+                         std::uint32_t* passed);
+
+}  // namespace durero::trace

@@ -1,0 +1,98 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "trace/filter.cpp"  // as seen from src/
+#include <hwy/foreach_target.h>
+//
+#include <hwy/highway.h>
+
+#include "durero/trace/tables.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace durero::trace {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Tag = hn::CappedTag<double, Balls::block>;
+using Lanes = hn::Vec<Tag>;
+
+struct Components {
+  Lanes x, y, z;
+};
+
+HWY_INLINE Lanes squared(const Components& a) {
+  return hn::Add(hn::Add(hn::Mul(a.x, a.x), hn::Mul(a.y, a.y)), hn::Mul(a.z, a.z));
+}
+
+/// What is added to a radius for the rounding at distance q from the centre (tables.hpp).
+struct Certified {
+  static HWY_INLINE Lanes allowance(Tag tag, const Components& q) {
+    return hn::Mul(hn::Set(tag, 0x1p-49), hn::Add(hn::Add(hn::Abs(q.x), hn::Abs(q.y)), hn::Abs(q.z)));
+  }
+};
+struct Uncertified {
+  static HWY_INLINE Lanes allowance(Tag tag, const Components&) { return hn::Zero(tag); }
+};
+
+template <class Allowance>
+std::size_t filter_of(const Balls& balls, const Beam& beam, double limit, std::size_t begin, std::size_t end,
+                      std::uint32_t* passed) {
+  const Tag tag;
+  const Components p{hn::Set(tag, beam.p.x), hn::Set(tag, beam.p.y), hn::Set(tag, beam.p.z)};
+  const Components v{hn::Set(tag, beam.v.x), hn::Set(tag, beam.v.y), hn::Set(tag, beam.v.z)};
+  const Lanes length_squared = hn::Set(tag, beam.length_squared), length = hn::Set(tag, beam.length);
+  const Lanes farthest = hn::Set(tag, limit * beam.length_squared);
+  std::size_t count = 0;
+  for (std::size_t i = begin; i < end; i += hn::Lanes(tag)) {
+    const Components q{hn::Sub(p.x, hn::LoadU(tag, &balls.x[i])), hn::Sub(p.y, hn::LoadU(tag, &balls.y[i])),
+                       hn::Sub(p.z, hn::LoadU(tag, &balls.z[i]))};
+    const Lanes radius = hn::Add(hn::LoadU(tag, &balls.radius[i]), Allowance::allowance(tag, q));
+    const Components moment{hn::Sub(hn::Mul(q.y, v.z), hn::Mul(q.z, v.y)),
+                            hn::Sub(hn::Mul(q.z, v.x), hn::Mul(q.x, v.z)),
+                            hn::Sub(hn::Mul(q.x, v.y), hn::Mul(q.y, v.x))};
+    const Lanes B = hn::Add(hn::Add(hn::Mul(q.x, v.x), hn::Mul(q.y, v.y)), hn::Mul(q.z, v.z));
+    const Lanes reach = hn::Mul(radius, length);
+    const auto near = hn::Le(squared(moment), hn::Mul(hn::Mul(radius, radius), length_squared));
+    const auto ahead = hn::Le(B, reach);
+    const auto soon = hn::Ge(hn::Add(hn::Add(B, reach), farthest), hn::Zero(tag));
+    const auto met = hn::And(near, hn::And(ahead, soon));
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(tag, met, bits);
+    for (unsigned mask = bits[0]; mask != 0; mask &= mask - 1) {
+      passed[count++] = static_cast<std::uint32_t>(i) + static_cast<std::uint32_t>(__builtin_ctz(mask));
+    }
+  }
+  return count;
+}
+
+std::size_t certified(const Balls& balls, const Beam& beam, double limit, std::size_t begin, std::size_t end,
+                      std::uint32_t* passed) {
+  return filter_of<Certified>(balls, beam, limit, begin, end, passed);
+}
+std::size_t uncertified(const Balls& balls, const Beam& beam, double limit, std::size_t begin, std::size_t end,
+                        std::uint32_t* passed) {
+  return filter_of<Uncertified>(balls, beam, limit, begin, end, passed);
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace durero::trace
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace durero::trace {
+namespace {
+HWY_EXPORT(certified);
+HWY_EXPORT(uncertified);
+}  // namespace
+
+std::size_t filter(const Balls& balls, const Beam& beam, double limit, std::size_t begin, std::size_t end,
+                   std::uint32_t* passed) {
+  return HWY_DYNAMIC_DISPATCH(certified)(balls, beam, limit, begin, end, passed);
+}
+std::size_t plain_filter(const Balls& balls, const Beam& beam, double limit, std::size_t begin, std::size_t end,
+                         std::uint32_t* passed) {
+  return HWY_DYNAMIC_DISPATCH(uncertified)(balls, beam, limit, begin, end, passed);
+}
+
+}  // namespace durero::trace
+#endif

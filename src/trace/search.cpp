@@ -1,0 +1,174 @@
+#include "durero/trace/search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace durero::trace {
+namespace {
+
+using Kind = Meeting::Kind;
+using oracle::exact::Parameter;
+
+/// visit(shape) with the element's geometry.
+template <class Visit>
+auto with_shape(const scene::Scene& scene, scene::ElementRef e, Visit visit) {
+  switch (e.tipo) {
+    case model::Tipo::soy_esfera:
+      return visit(scene.spheres()[e.index]);
+    case model::Tipo::soy_cilindro:
+      return visit(scene.cylinders()[e.index]);
+    default:
+      return visit(scene.cones()[e.index]);
+  }
+}
+
+/// t is within error of hi + lo. In the triage the error is more than three roundings of t more than needed
+/// (`quotient`), so the ends may be rounded; otherwise |lo| ≤ ulp(hi)/2 and the last term pays.
+Meeting point_of(Step step, const Finding& found) {
+  const double wide = step == Step::triage ? found.error : found.error + 0x1p-51 * std::abs(found.hi);
+  return {Kind::point, step, found.hi - wide, found.hi + wide, found};
+}
+
+Meeting point_of(Parameter t) {
+  const double nearest = number::round_to_binary64(t);
+  return {.kind = Kind::point,
+          .step = Step::exact,
+          .low = std::nextafter(nearest, -no_limit),
+          .high = std::nextafter(nearest, no_limit),
+          .t = std::make_shared<const Parameter>(std::move(t))};
+}
+
+Meeting exact_meeting(oracle::exact::Reach reach) {
+  if (reach.empty()) return {.step = Step::exact};
+  if (reach.no_minimum()) return {.kind = Kind::no_minimum, .step = Step::exact};
+  return point_of(reach.first());
+}
+
+template <class Element>
+Meeting meeting_of(const Element& element, const model::Rayo& rayo, const Beam& beam, bool on, double limit) {
+  if (beam.ordinary && ordinary(element)) {
+    const Finding first = triage(element, beam, on, limit);
+    if (first.verdict == Verdict::miss) return {};
+    if (first.verdict == Verdict::hit) return point_of(Step::triage, first);
+    const Finding second = stable(element, beam, on, limit);
+    if (second.verdict == Verdict::miss) return {.step = Step::stable};
+    if (second.verdict == Verdict::hit) return point_of(Step::stable, second);
+  }
+  return exact_meeting(reach(oracle::exact::coefficients(element, rayo, on)));
+}
+
+/// a is certainly less than b. The leading parts' difference is exact where it matters, where they are close; both
+/// errors are more than a rounding of the lower parts more than needed.
+bool certainly_less(const Finding& a, const Finding& b) {
+  return (b.hi - a.hi) + (b.lo - a.lo) > 1.0000001 * (a.error + b.error);
+}
+
+}  // namespace
+
+Search::Search(const scene::Scene& scene, const model::Rayo& rayo, Origin en, Counts& counts)
+    : scene_(scene), rayo_(rayo), en_(en), counts_(counts), beam_(rayo) {}
+
+Meeting Search::meeting(scene::ElementRef e, double limit) const {
+  const bool on = contains(en_, e);
+  Meeting met =
+      with_shape(scene_, e, [&](const auto& element) { return meeting_of(element, rayo_, beam_, on, limit); });
+  ++counts_.element[static_cast<std::size_t>(met.step)];
+  return met;
+}
+
+void Search::test(scene::ElementRef e) {
+  Meeting met = meeting(e, limit_);
+  if (met.kind == Kind::none || met.low > limit_) return;
+  if (met.kind == Kind::no_minimum) {
+    without_minimum_.push_back(e);
+    return;
+  }
+  limit_ = std::min(limit_, met.high);
+  contenders_.push_back({e, std::move(met)});
+  drop_beyond_limit();
+}
+
+void Search::drop_beyond_limit() {
+  const auto beyond = [&](const Contender& c) { return c.at.low > limit_; };
+  contenders_.erase(std::remove_if(contenders_.begin(), contenders_.end(), beyond), contenders_.end());
+}
+
+void Search::refine(Contender& contender) const {
+  if (contender.at.step != Step::triage) return;
+  const Finding found = with_shape(
+      scene_, contender.e, [&](const auto& e) { return stable(e, beam_, contains(en_, contender.e), no_limit); });
+  if (found.verdict == Verdict::hit) contender.at = point_of(Step::stable, found);
+}
+
+const Parameter& Search::exact(Contender& contender) const {
+  if (!contender.at.t) contender.at = exact_meeting(oracle::exact::reach(scene_, contender.e, rayo_, en_));
+  return *contender.at.t;
+}
+
+void Search::keep_nearest_by_stable() {
+  for (Contender& contender : contenders_) refine(contender);
+  const auto is_stable = [](const Contender& c) { return c.at.step == Step::stable; };
+  if (!std::all_of(contenders_.begin(), contenders_.end(), is_stable)) return;
+  const auto by_hi = [](const Contender& a, const Contender& b) { return a.at.finding.hi < b.at.finding.hi; };
+  const Finding least = std::min_element(contenders_.begin(), contenders_.end(), by_hi)->at.finding;
+  const auto farther = [&](const Contender& c) { return certainly_less(least, c.at.finding); };
+  contenders_.erase(std::remove_if(contenders_.begin(), contenders_.end(), farther), contenders_.end());
+}
+
+void Search::keep_nearest_by_exact() {
+  for (Contender& contender : contenders_) exact(contender);
+  const auto less = [](const Contender& a, const Contender& b) { return oracle::exact::order(*a.at.t, *b.at.t) < 0; };
+  const Contender least = *std::min_element(contenders_.begin(), contenders_.end(), less);
+  const auto farther = [&](const Contender& c) { return less(least, c); };
+  contenders_.erase(std::remove_if(contenders_.begin(), contenders_.end(), farther), contenders_.end());
+}
+
+scene::Hit Search::finish() {
+  if (!without_minimum_.empty()) {
+    std::sort(without_minimum_.begin(), without_minimum_.end());
+    return {.resultado = model::Resultado::no_minimum, .elementos = without_minimum_};
+  }
+  if (contenders_.empty()) return {};
+  Step step = Step::triage;
+  if (contenders_.size() > 1) {
+    step = Step::stable;
+    keep_nearest_by_stable();
+  }
+  if (contenders_.size() > 1) {
+    step = Step::exact;
+    keep_nearest_by_exact();
+  }
+  ++counts_.order[static_cast<std::size_t>(step)];
+  scene::ElementSet elementos;
+  for (const Contender& contender : contenders_) elementos.push_back(contender.e);
+  std::sort(elementos.begin(), elementos.end());
+  return hit(contenders_.front(), std::move(elementos));
+}
+
+scene::Hit Search::hit(const Contender& nearest, scene::ElementSet elementos) const {
+  const bool on = contains(en_, nearest.e);
+  const auto answer = [&](Step step, const Finding& finding) -> std::optional<scene::Hit> {
+    if (finding.verdict != Verdict::hit) return {};
+    const Rounded r = rounded(beam_, finding);
+    if (!r.certain) return {};
+    ++counts_.rounding[static_cast<std::size_t>(step)];
+    return scene::Hit{model::Resultado::hit, r.t, r.punto, elementos};
+  };
+  if (nearest.at.step == Step::triage && !on) {
+    const auto improve = [&](const auto& e) { return improved(e, beam_, nearest.at.finding); };
+    if (auto found = answer(Step::triage, with_shape(scene_, nearest.e, improve))) return *std::move(found);
+  }
+  if (nearest.at.step == Step::triage) {
+    const auto again = [&](const auto& e) { return stable(e, beam_, on, no_limit); };
+    if (auto found = answer(Step::stable, with_shape(scene_, nearest.e, again))) return *std::move(found);
+  }
+  if (nearest.at.step == Step::stable) {
+    if (auto found = answer(Step::stable, nearest.at.finding)) return *std::move(found);
+  }
+  ++counts_.rounding[static_cast<std::size_t>(Step::exact)];
+  const Parameter t = nearest.at.t ? *nearest.at.t : oracle::exact::reach(scene_, nearest.e, rayo_, en_).first();
+  return oracle::exact::rounded_hit(rayo_, t, std::move(elementos));
+}
+
+}  // namespace durero::trace

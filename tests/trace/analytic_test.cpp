@@ -1,0 +1,75 @@
+#include "durero/trace/analytic.hpp"
+
+#include "durero/oracle/exact.hpp"
+#include "support/catch.hpp"
+#include "support/elements.hpp"
+#include "support/property.hpp"
+#include "support/shapes.hpp"
+
+using namespace durero;
+using namespace durero::test;
+using model::Resultado;
+
+namespace {
+
+scene::Scene scene_of(const Reals& numbers) {
+  scene::Scene scene;
+  for (int i = 0; i < 2; ++i) {
+    add(scene, *spheres(numbers));
+    add(scene, *cylinders(numbers));
+    add(scene, *cones(numbers));
+  }
+  return scene;
+}
+
+/// Every entry point against the oracle, with and without tables.
+scene::Hit check_ray(const scene::Scene& scene, const trace::Tables& tables, const model::Rayo& ray, trace::Origin en) {
+  namespace exact = oracle::exact;
+  const scene::Hit truth = exact::first_hit(scene, ray, en);
+  RC_ASSERT(trace::first_hit(tables, ray, en) == truth);
+  RC_ASSERT(trace::first_hit(scene, ray, en) == truth);
+  RC_ASSERT(trace::occluded(tables, ray, en) == exact::occluded(scene, ray, en));
+  RC_ASSERT(trace::occluded(scene, ray, en) == exact::occluded(scene, ray, en));
+  RC_ASSERT(trace::occluded_segment(tables, ray, en) == exact::occluded_segment(scene, ray, en));
+  RC_ASSERT(trace::occluded_segment(scene, ray, en) == exact::occluded_segment(scene, ray, en));
+  return truth;
+}
+
+bool finite(const glm::dvec3& x) { return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z); }
+
+/// A ray, then another from its hit, which starts on the elements hit.
+void check_path(const Reals& numbers) {
+  const scene::Scene scene = scene_of(numbers);
+  const trace::Tables tables(scene);
+  for (int i = 0; i < 10; ++i) {
+    const scene::Hit hit = check_ray(scene, tables, *rays(numbers), {});
+    if (hit.resultado != Resultado::hit || !finite(hit.punto)) continue;
+    const model::Rayo on({model::Punto(hit.punto), (*rays(numbers)).v()});
+    check_ray(scene, tables, on, {hit.elementos.data(), hit.elementos.size()});
+  }
+}
+
+}  // namespace
+
+TEST_CASE("the analytic answer is the exact one, byte for byte") {
+  property("ordinary scenes", [] { check_path(moderate()); });
+  property("grids, where coincidences are frequent", [] { check_path(dyadicGrid()); });
+  property("the whole range of binary64", [] { check_path(anyFinite()); });
+}
+
+TEST_CASE("the answers to many rays do not depend on the number of threads") {
+  property("1, 2 and all threads", [] {
+    const scene::Scene scene = scene_of(moderate());
+    const trace::Tables tables(scene);
+    std::vector<trace::Query> queries;
+    for (int i = 0; i < 1000; ++i) {
+      const trace::Query query{*rays(moderate())};
+      queries.push_back(query);
+    }
+    trace::Counts one, two;
+    const auto hits = trace::first_hits(tables, queries, 1, &one);
+    RC_ASSERT(trace::first_hits(tables, queries, 2, &two) == hits);
+    RC_ASSERT(trace::first_hits(tables, queries) == hits);
+    RC_ASSERT(one == two);
+  });
+}
