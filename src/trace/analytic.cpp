@@ -135,4 +135,8 @@ bool occluded_segment(const scene::Scene& scene, const model::Rayo& rayo, Origin
   return any_element(scene, [&](scene::ElementRef e) { return blocks_segment(search, scene, rayo, en, e); });
 }
 
+std::vector<scene::Hit> first_hits(const scene::Scene& scene, std::span<const Query> queries, unsigned threads) {
+  return first_hits(Tables(scene), queries, threads);
+}
+
 }  // namespace durero::trace

@@ -32,9 +32,10 @@ bool occluded_segment(const Tables& tables, const model::Rayo& rayo, Origin en =
 std::vector<scene::Hit> first_hits(const Tables& tables, std::span<const Query> queries, unsigned threads = 0,
                                    Counts* counts = nullptr);
 
-/// The same for a few rays, without tables.
+/// The same without tables at hand: for a few rays, but the last, which makes them.
 scene::Hit first_hit(const scene::Scene& scene, const model::Rayo& rayo, Origin en = {});
 bool occluded(const scene::Scene& scene, const model::Rayo& rayo, Origin en = {});
 bool occluded_segment(const scene::Scene& scene, const model::Rayo& rayo, Origin en = {});
+std::vector<scene::Hit> first_hits(const scene::Scene& scene, std::span<const Query> queries, unsigned threads = 0);
 
 }  // namespace durero::trace
