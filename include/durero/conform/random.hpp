@@ -1,0 +1,59 @@
+#pragma once
+/// A seeded stream of numbers, the same on every platform: std::mt19937_64 and operations that IEEE 754 fixes. The
+/// order of two draws in one expression is the compiler's, so who draws twice names the first.
+
+#include <cmath>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <random>
+
+namespace durero::conform {
+
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : engine_(seed) {}
+
+  std::uint64_t bits() { return engine_(); }
+  /// In 0 … n − 1. Precondition: n > 0.
+  std::uint64_t below(std::uint64_t n) { return engine_() % n; }
+  /// In least … greatest.
+  int integer(int least, int greatest) {
+    return least + static_cast<int>(below(static_cast<std::uint64_t>(greatest - least) + 1));
+  }
+  /// Yes in n of m cases.
+  bool chance(std::uint64_t n, std::uint64_t m) { return below(m) < n; }
+  double sign() { return chance(1, 2) ? 1 : -1; }
+  /// ±2^k with k in least … greatest.
+  double signed_power(int least, int greatest) {
+    const double one = sign();
+    return std::ldexp(one, integer(least, greatest));
+  }
+  /// Uniform in [low, high).
+  double uniform(double low, double high) {
+    return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
+  }
+  glm::dvec3 in_cube(double half) {
+    const double x = uniform(-half, half), y = uniform(-half, half), z = uniform(-half, half);
+    return {x, y, z};
+  }
+  /// Integer coordinates, not all 0.
+  glm::dvec3 lattice_vector(int half) {
+    for (;;) {
+      const int x = integer(-half, half), y = integer(-half, half), z = integer(-half, half);
+      if (x != 0 || y != 0 || z != 0) return {x, y, z};
+    }
+  }
+  /// Uniform on the sphere, its length 1 up to rounding.
+  glm::dvec3 direction() {
+    for (;;) {
+      const glm::dvec3 v = in_cube(1);
+      const double square = v.x * v.x + v.y * v.y + v.z * v.z;
+      if (square > 0.01 && square <= 1) return v / std::sqrt(square);
+    }
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+}  // namespace durero::conform
