@@ -16,6 +16,11 @@ namespace durero::zed {
 
 using Fields = std::vector<std::pair<Name, Type>>;  // a signature, in the order of declaration
 
+/// Limits of what one section may ask for, so that no text makes the checker hang or run out of stack: the longest
+/// section of spec/ takes 10^4 steps, its largest paragraph 200 variables. Freeing a type recurses once for each
+/// variable in a chain of them.
+inline constexpr std::size_t max_work = 20000000, max_variables = 4000, max_errors = 1000;
+
 class Checker {
  public:
   using Globals = std::unordered_map<Name, std::shared_ptr<const Global>>;
@@ -84,6 +89,11 @@ class Checker {
   /// The type, or unknown and an error where it is too large.
   Type limited(Type type);
 
+  /// A new variable, to be determined.
+  Type fresh();
+  /// Counts work; past the limit the section cannot be checked to its end, and a ZError says so.
+  void spend(std::size_t steps);
+
   std::string file_;
   Globals& globals_;
   bool sees_toolkit_;
@@ -91,7 +101,8 @@ class Checker {
   std::vector<std::unordered_map<Name, Type>> scopes_;
   std::vector<std::pair<Name, std::pair<Place, Type>>> generics_;  // instances to be determined
   Place at_;                                                       // of the node being checked
-  std::size_t errors_before_ = 0;
+  std::size_t errors_before_ = 0, errors_at_start_ = into_.defects.size();
+  std::size_t work_ = 0, variables_ = 0;
 };
 
 }  // namespace durero::zed

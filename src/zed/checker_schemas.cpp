@@ -42,6 +42,7 @@ void Checker::predicates(const SchemaText& text) {
 }
 
 void Checker::merge(Fields& a, const Fields& b, Place place, const std::string& what) {
+  spend(a.size() + b.size());
   std::unordered_map<Name, std::size_t> known;
   for (std::size_t i = 0; i < a.size(); ++i) known.emplace(a[i].first, i);
   for (const auto& [name, type] : b) {
@@ -135,6 +136,7 @@ Type Checker::renaming(const Node& node) {
   for (std::size_t i = 0; i + 1 < node.names.size(); i += 2)
     if (!olds.insert(node.names[i + 1]).second)
       return wrong(node.place, node.names[i + 1].text() + " is renamed twice", "expected one new name for it");
+  spend(fields->size() * node.names.size());
   for (const auto& [name, type] : *fields) {
     Name now = name;
     for (std::size_t i = 0; i + 1 < node.names.size(); i += 2)
@@ -147,6 +149,7 @@ Type Checker::renaming(const Node& node) {
 Type Checker::hiding(const Node& node) {
   auto fields = schema_fields(node.children[0], "before ⧹");
   if (!fields) return Type::unknown();
+  spend(fields->size() * node.names.size());
   for (const Name& name : node.names) {
     if (find(*fields, name) == fields->end())
       error(node.place, name.text() + " is no component of the schema", "expected one of its components to hide");
@@ -161,6 +164,7 @@ Type Checker::joined(const Node& node, const char* what, const std::string& left
   auto left = schema_fields(node.children[0], "as the left operand"),
        right = schema_fields(node.children[1], "as the right operand");
   if (!left || !right) return Type::unknown();
+  spend(left->size() * right->size());
   Fields kept;
   for (const auto& [name, type] : *left) {
     const bool ends = name.strokes.ends_with(left_stroke);
@@ -197,6 +201,7 @@ Type Checker::schema_quantifier(const Node& node) {
   auto fields = schema_fields(node.children[0], "behind the • of a schema quantifier");
   pop();
   if (!fields) return Type::unknown();
+  spend(fields->size() * bound.size());
   for (const auto& [name, type] : bound) {
     const auto found = find(*fields, name);
     if (found == fields->end()) continue;

@@ -18,7 +18,21 @@ Type pair(const Type& a, const Type& b) { return Type::product({a, b}); }
 }  // namespace
 
 void Checker::error(Place place, std::string what, std::string expected) {
+  if (into_.defects.size() - errors_at_start_ >= max_errors)
+    throw ZError(place, "too many errors to go on", fmt::format("expected fewer than {}", max_errors));
   into_.defects.push_back({file_, place, std::move(what), std::move(expected), Defect::Severity::error});
+}
+
+Type Checker::fresh() {
+  if (++variables_ > max_variables)
+    throw ZError(at_, fmt::format("a paragraph with more than {} types to be determined", max_variables),
+                 "expected it in several paragraphs");
+  return Type::variable();
+}
+
+void Checker::spend(std::size_t steps) {
+  work_ += steps;
+  if (work_ > max_work) throw ZError(at_, "the section is too large to be checked", "expected a shorter section");
 }
 
 Type Checker::wrong(Place place, std::string what, std::string expected) {
@@ -35,7 +49,9 @@ Type Checker::limited(Type type) {
 Type Checker::expression(const Term& term) {
   const Place before = at_;
   at_ = term->place;
+  spend(1);
   Type type = limited(infer(*term));
+  spend(type.size() / 8);  // what is done with it later
   into_.types.insert_or_assign(term.get(), type);
   at_ = before;
   return type;
@@ -92,7 +108,7 @@ Type Checker::infer(const Node& node) {
 Type Checker::element(const Term& set, const char* role) {
   const Type type = expression(set);
   if (type.is(Type::Kind::power)) return type.parts()[0];
-  const Type element = Type::variable();
+  const Type element = fresh();
   if (unify(type, Type::power(element))) return element;
   return wrong(set->place, fmt::format("{} has the type {}", named(set), type.text()),
                fmt::format("expected a set as {}", role));
@@ -130,16 +146,17 @@ std::optional<Type> Checker::lookup(const Name& name, const std::vector<Type>* a
 
 Type Checker::instance(const Name& name, const Scheme& scheme, const std::vector<Type>* actuals, Place place) {
   if (actuals) {
+    spend(scheme.type.size());
     if (actuals->size() == scheme.formals.size()) return scheme.type.substitute(scheme.formals, *actuals);
     return wrong(place, fmt::format("{} has {} generic actuals", name.text(), actuals->size()),
                  fmt::format("expected {}", scheme.formals.size()));
   }
-  std::vector<Type> fresh;
+  std::vector<Type> found;
   for (std::size_t i = 0; i < scheme.formals.size(); ++i) {
-    fresh.push_back(Type::variable());
-    generics_.push_back({name, {place, fresh.back()}});
+    found.push_back(fresh());
+    generics_.push_back({name, {place, found.back()}});
   }
-  return scheme.type.substitute(scheme.formals, fresh);
+  return scheme.type.substitute(scheme.formals, found);
 }
 
 /// S' where only S is declared; ΔS and ΞS.
@@ -168,6 +185,7 @@ void Checker::push(const Fields& fields) {
 void Checker::finish_paragraph() {
   if (into_.defects.size() == errors_before_) {
     for (const auto& [name, instance] : generics_) {
+      spend(instance.second.size());
       if (!instance.second.has_variables()) continue;
       error(instance.first, fmt::format("the generic actuals of {} are not determined", name.text()),
             fmt::format("expected {}[…], or a use that gives its type", name.text()));
@@ -175,13 +193,14 @@ void Checker::finish_paragraph() {
     }
   }
   generics_.clear();
+  variables_ = 0;
   errors_before_ = into_.defects.size();
 }
 
 // Expressions.
 
 Type Checker::set_extension(const Node& node) {
-  const Type element = Type::variable();
+  const Type element = fresh();
   for (const Term& one : node.children) {
     const Type type = expression(one);
     if (!unify(element, type))
@@ -194,7 +213,7 @@ Type Checker::set_extension(const Node& node) {
 
 Type Checker::application(const Node& node) {
   const Type function = expression(node.children[0]), argument = expression(node.children[1]);
-  const Type taken = Type::variable(), given = Type::variable();
+  const Type taken = fresh(), given = fresh();
   if (!unify(function, Type::power(pair(taken, given))))
     return wrong(node.place, fmt::format("{} has the type {}", named(node.children[0]), function.text()),
                  "expected a function before its argument");
@@ -297,6 +316,7 @@ Type Checker::binding_extension(const Node& node) {
 Type Checker::theta(const Node& node) {
   const auto fields = schema_fields(node.children[0], "behind θ");
   if (!fields) return Type::unknown();
+  spend(fields->size());
   for (const auto& [name, type] : *fields) {
     const Name wanted{name.word, name.strokes + node.name.strokes};
     const auto found = lookup(wanted, nullptr, node.place);
@@ -348,6 +368,7 @@ void Checker::predicate(const Term& term) {
 }
 
 void Checker::schema_predicate(const Node& node, const Type& type) {
+  spend(type.size());
   if (type.is(Type::Kind::unknown)) return;
   if (!type.is_schema_set())
     return error(node.place, fmt::format("an expression of type {} stands where a predicate is expected", type.text()),

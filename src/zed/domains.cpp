@@ -42,11 +42,13 @@ struct Context {
 /// Decides x ∈ S from the facts, in the few steps that partial_applications() promises.
 class Prover {
  public:
-  Prover(const Expander& expander, const Context& context) : expander_(expander), context_(context) {}
+  Prover(const Expander& expander, const Context& context, Budget& budget)
+      : expander_(expander), context_(context), budget_(budget) {}
 
   bool member(const Term& x, const Term& set) {
     std::vector<Term> sets = {set};
     for (std::size_t i = 0; i < sets.size() && i < max_sets; ++i) {
+      budget_.spend(4 * context_.facts.size());
       if (at_once(x, sets[i])) return true;
       for (const Term& fact : context_.facts) {
         for (const std::size_t side : {0u, 1u}) {
@@ -108,6 +110,7 @@ class Prover {
 
   const Expander& expander_;
   const Context& context_;
+  Budget& budget_;
   unsigned depth_ = 0;
 };
 
@@ -160,6 +163,7 @@ class Walker {
     for (const Declaration& one : text.declarations)
       if (one.form != Declaration::Form::included) term(one.term);
     Context outer = context_;
+    budget_.spend(100 * outer.facts.size());
     const Expansion whole = expander_.text(text);
     std::set<Name> bound;
     for (const auto& [name, set] : whole.declared) bound.insert(name);
@@ -167,6 +171,7 @@ class Walker {
     std::erase_if(context_.facts, [&bound](const Term& fact) { return mentions(fact, bound); });
     for (const Name& name : bound) context_.declared.erase(name);
     join(context_, whole);
+    budget_.spend(100 * whole.facts.size());
     for (const Predicate& one : text.predicates) term(one.term);
     for (const Term& one : behind) term(one);
     context_ = std::move(outer);
@@ -201,7 +206,7 @@ class Walker {
     if (function->kind != Kind::reference) return;
     const auto declared = context_.declared.find(function->name);
     if (declared == context_.declared.end() || !is_partial_arrow(declared->second)) return;
-    if (Prover(expander_, context_).member(argument, domain_of(function))) return;
+    if (Prover(expander_, context_, budget_).member(argument, domain_of(function))) return;
     const std::string f = function->name.text(), x = to_unicode(argument);
     found_.push_back({file_, node.place, fmt::format("{} is applied to {}, where nothing says {} ∈ dom {}", f, x, x, f),
                       "expected an invariant or a guard that gives it", Defect::Severity::error});
@@ -211,6 +216,7 @@ class Walker {
   std::vector<Defect>& found_;
   std::string file_;
   Context context_;
+  Budget budget_;
 };
 
 }  // namespace
@@ -219,7 +225,11 @@ std::vector<Defect> partial_applications(const Specification& specification, con
   std::vector<Defect> found;
   const Expander expander(specification, typing);
   Walker walker(expander, found);
-  for (const Section& section : specification.sections) walker.section(section);
+  try {
+    for (const Section& section : specification.sections) walker.section(section);
+  } catch (const Budget::Spent&) {
+    found.push_back(too_large(specification, "applications outside a domain"));
+  }
   return found;
 }
 

@@ -8,7 +8,7 @@ namespace durero::zed {
 namespace {
 
 // A text is written out at most this far; the longest schema of spec/ has 40 facts. Past it a schema is opaque.
-constexpr std::size_t max_facts = 5000;
+constexpr std::size_t max_facts = 2000;
 constexpr unsigned max_inclusions = 100;  // one inside the other
 
 Name last_stroke_off(const Name& name, std::string& stroke) {
@@ -47,6 +47,15 @@ void for_each_name(const Term& term, const std::function<void(const Name&)>& vis
     for_each_name(one.term, visit);
   }
   for (const Predicate& one : term->text->predicates) for_each_name(one.term, visit);
+}
+
+Defect too_large(const Specification& specification, const std::string& looked_for) {
+  const std::string file = specification.sections.empty() ? "" : specification.sections[0].file;
+  return {file,
+          {1, 1},
+          "the text is too large to look for all its " + looked_for,
+          "expected a shorter text",
+          Defect::Severity::warning};
 }
 
 bool mentions(const Term& term, const std::set<Name>& names) {

@@ -50,12 +50,28 @@ class Expander {
   Expansion axioms_;
 };
 
+/// Counts the work of a check, so that no text makes it hang: spec/ takes 10^6 steps, some comparisons each.
+class Budget {
+ public:
+  void spend(std::size_t steps) {
+    if (steps > left_) throw Spent();
+    left_ -= steps;
+  }
+  struct Spent {};
+
+ private:
+  std::size_t left_ = 50000000;
+};
+
 /// Splits ∧ and chains of relations: a ≤ b ≤ c gives a ≤ b and b ≤ c.
 void conjuncts(const Term& predicate, std::vector<Term>& to);
 
 /// Calls `visit` for every name that a term mentions free or bound, with the components behind θ left out.
 void for_each_name(const Term& term, const std::function<void(const Name&)>& visit);
 bool mentions(const Term& term, const std::set<Name>& names);
+
+/// What is said where the budget is spent: a warning.
+Defect too_large(const Specification& specification, const std::string& looked_for);
 
 /// The term with strokes put to each of these names, where it is free.
 Term decorate(const Term& term, const std::set<Name>& names, const std::string& strokes);

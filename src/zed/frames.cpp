@@ -47,11 +47,12 @@ bool is_equation(const Term& term) {
 }
 
 /// Removes from `open` what the equations determine, until nothing changes.
-void determine(std::set<Name>& open, const std::vector<Term>& facts) {
+void determine(std::set<Name>& open, const std::vector<Term>& facts, Budget& budget) {
   std::vector<Term> equations;
   std::copy_if(facts.begin(), facts.end(), std::back_inserter(equations), is_equation);
   for (bool changed = true; changed;) {
     changed = false;
+    budget.spend(10 * equations.size());
     for (const Term& one : equations)
       for (const std::size_t side : {0u, 1u}) {
         const Term &left = one->children[side], &right = one->children[1 - side];
@@ -75,15 +76,18 @@ bool keeps(const Term& term, const Name& state) {
 
 }  // namespace
 
-std::vector<Defect> open_frames(const Specification& specification, const Typing& typing) {
+namespace {
+
+void look(const Specification& specification, const Typing& typing, std::vector<Defect>& found) {
+  Budget budget;
   const Expander expander(specification, typing);
   const Included included(specification);
-  std::vector<Defect> found;
   for (const Section& section : specification.sections)
     for (const Paragraph& one : section.paragraphs) {
       const auto* box = std::get_if<Schema>(&one.form);
       if (!box || included(box->name)) continue;
       const Expansion whole = expander.text(box->text);
+      budget.spend(100 * whole.facts.size());
       if (whole.opaque) continue;
       std::set<Name> open;
       for (const Name& state : whole.states) {
@@ -91,13 +95,24 @@ std::vector<Defect> open_frames(const Specification& specification, const Typing
           continue;
         for (const Name& name : expander.components(state)) open.insert({name.word, name.strokes + "'"});
       }
-      determine(open, whole.facts);
+      determine(open, whole.facts, budget);
       if (open.empty()) continue;
       std::string names;
       for (const Name& name : open) names += (names.empty() ? "" : ", ") + name.text();
       found.push_back({section.file, one.place, fmt::format("{} leaves {} open", box->name.text(), names),
                        "expected an equation for each component of the after-state", Defect::Severity::error});
     }
+}
+
+}  // namespace
+
+std::vector<Defect> open_frames(const Specification& specification, const Typing& typing) {
+  std::vector<Defect> found;
+  try {
+    look(specification, typing, found);
+  } catch (const Budget::Spent&) {
+    found.push_back(too_large(specification, "open frames"));
+  }
   return found;
 }
 

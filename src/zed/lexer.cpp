@@ -35,6 +35,9 @@ bool bears_strokes(std::string_view word) {
   return !is_reserved(word) && !find_operator(word, Fixity::infix) && !find_operator(word, Fixity::prefix);
 }
 
+/// In bytes. Each stroke may be a decoration of a schema, and is looked up as one: two are many.
+constexpr std::size_t max_strokes = 30;
+
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
@@ -104,6 +107,7 @@ class Lexer {
   }
 
   void emit(Type type, std::string text, Place place, std::string strokes = {}) {
+    if (strokes.size() > max_strokes) refuse(place, "a name with too many strokes", "expected a few");
     Token token{type, std::move(text), std::move(strokes), place, {}, false};
     if (newline_ && !tokens_.empty() && ends(tokens_.back()) && begins(token))
       tokens_.push_back({Type::newline, "\n", {}, *newline_, {}, false});

@@ -18,9 +18,10 @@ namespace {
 std::optional<std::string> contents(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in || std::filesystem::is_directory(file)) return std::nullopt;
-  std::ostringstream all;
-  all << in.rdbuf();
-  return std::move(all).str();
+  std::string all(max_bytes + 1, '\0');
+  in.read(all.data(), static_cast<std::streamsize>(all.size()));
+  all.resize(static_cast<std::size_t>(in.gcount()));
+  return all;
 }
 
 class Reader {
@@ -47,6 +48,10 @@ class Reader {
   }
 
   void text(const std::string& all, const std::string& path) {
+    if (all.size() > max_bytes) {
+      made_.defects.push_back({path, {1, 1}, "the file is too large", "expected at most a MiB of Z text", {}});
+      return;
+    }
     std::optional<Section> open;
     for (const Block& block : cut(all, path, made_.defects)) {
       try {

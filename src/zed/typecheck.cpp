@@ -17,6 +17,15 @@ class SectionChecker {
         terms_(section.file, globals_, into.sees_toolkit[section.name], into) {}
 
   void run() {
+    try {
+      paragraphs();
+    } catch (const ZError& error) {  // a limit
+      into_.defects.push_back(error.in(section_.file));
+    }
+  }
+
+ private:
+  void paragraphs() {
     for (const Name& name : section_.lost) declare(name, {{}, Type::unknown()}, Global::Form::lost, section_.place);
     for (std::size_t i = 0; i < section_.paragraphs.size(); ++i) {
       const Paragraph& one = section_.paragraphs[i];
@@ -29,7 +38,6 @@ class SectionChecker {
     }
   }
 
- private:
   void declare(const Name& name, Scheme scheme, Global::Form form, Place place) {
     if (name.empty()) return;
     const auto found = globals_.find(name);
@@ -41,6 +49,7 @@ class SectionChecker {
       terms_.error(place, fmt::format("{} is declared already, in {}", name.text(), where), "expected a new name");
       return;
     }
+    scheme.type = scheme.type.settled();
     globals_[name] =
         std::make_shared<const Global>(Global{name, std::move(scheme), form, section_.name, section_.file, place});
   }
@@ -149,6 +158,28 @@ void inherit(const Section& section, Typing& into) {
   }
 }
 
+/// Checks a term that stands alone: as a predicate, where its form is that of one.
+void check_at_end(Checker& checker, const Term& term) {
+  switch (term->kind) {
+    case Kind::truth:
+    case Kind::falsity:
+    case Kind::relation:
+    case Kind::forall:
+    case Kind::exists:
+    case Kind::exists_one:
+    case Kind::negation:
+    case Kind::conjunction:
+    case Kind::disjunction:
+    case Kind::implication:
+    case Kind::equivalence:
+      checker.predicate(term);
+      break;
+    default:
+      checker.expression(term);
+  }
+  checker.finish_paragraph();
+}
+
 }  // namespace
 
 std::optional<Type> Typing::type_of(const Term& term) const {
@@ -185,24 +216,11 @@ Typing check_term(const Typing& known, const std::string& section, const Term& t
   Checker::Globals globals = scope == known.scopes.end() ? Checker::Globals() : scope->second;
   Checker checker(file, globals, toolkit == known.sees_toolkit.end() || toolkit->second, made);
   checker.push(locals);
-  switch (term->kind) {
-    case Kind::truth:
-    case Kind::falsity:
-    case Kind::relation:
-    case Kind::forall:
-    case Kind::exists:
-    case Kind::exists_one:
-    case Kind::negation:
-    case Kind::conjunction:
-    case Kind::disjunction:
-    case Kind::implication:
-    case Kind::equivalence:
-      checker.predicate(term);
-      break;
-    default:
-      checker.expression(term);
+  try {
+    check_at_end(checker, term);
+  } catch (const ZError& error) {  // a limit
+    made.defects.push_back(error.in(file));
   }
-  checker.finish_paragraph();
   return made;
 }
 

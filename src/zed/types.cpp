@@ -7,10 +7,10 @@ namespace durero::zed {
 namespace {
 
 // Bounds on the work of one unification. Each type alone is bounded (max_size, max_depth), but variables chain types,
-// so the recursion is bounded again: 4000 frames of at most 1 KiB are half of a default stack, and 10^6 steps are
-// some ten milliseconds.
+// so the recursion is bounded again: 4000 frames of at most 1 KiB are half of a default stack, and 10^5 steps are
+// about a millisecond.
 constexpr unsigned max_unify_depth = 4000;
-constexpr std::uint32_t max_unify_steps = 1000000;
+constexpr std::uint32_t max_unify_steps = 100000;
 constexpr int longest_text = 40;  // parts of a type that an error writes out
 
 }  // namespace
@@ -100,6 +100,10 @@ bool Type::unify_at(const Type& a, const Type& b, unsigned depth, std::uint32_t&
   const Node &left = a.node(), &right = b.node();
   if (&left == &right || left.kind == Kind::unknown || right.kind == Kind::unknown) return true;
   if (depth > max_unify_depth || ++steps > max_unify_steps) return false;
+  if (left.kind == Kind::variable && right.kind == Kind::variable) {
+    join(a, b);
+    return true;
+  }
   if (left.kind == Kind::variable) {
     if (occurs(&left, b)) return false;
     left.same = b.resolved();
@@ -112,6 +116,33 @@ bool Type::unify_at(const Type& a, const Type& b, unsigned depth, std::uint32_t&
   for (std::size_t i = 0; i < left.parts.size(); ++i)
     if (!unify_at(left.parts[i], right.parts[i], depth + 1, steps)) return false;
   return true;
+}
+
+/// Two variables become one: the one of lower rank is found to be the other.
+void Type::join(const Type& a, const Type& b) {
+  const auto left = a.resolved(), right = b.resolved();
+  if (left->rank == right->rank) ++right->rank;
+  if (left->rank <= right->rank) {
+    left->same = right;
+  } else {
+    right->same = left;
+  }
+}
+
+Type Type::settled() const {
+  std::unordered_map<const Node*, Type> done;
+  Type made = settled_at(0, done);
+  return made.size() > max_size ? unknown() : made;
+}
+
+Type Type::settled_at(std::uint32_t depth, std::unordered_map<const Node*, Type>& done) const {
+  const Node& mine = node();
+  if (mine.kind == Kind::variable || depth > max_depth) return unknown();
+  if (mine.parts.empty()) return Type(resolved());
+  if (const auto found = done.find(&mine); found != done.end()) return found->second;
+  Node made{.kind = mine.kind, .name = mine.name, .parts = {}, .fields = mine.fields, .same = {}};
+  for (const Type& part : mine.parts) made.parts.push_back(part.settled_at(depth + 1, done));
+  return done.emplace(&mine, Type(std::move(made))).first->second;
 }
 
 bool unify(const Type& a, const Type& b) {

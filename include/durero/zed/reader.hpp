@@ -20,6 +20,9 @@ struct Specification {
   const Section* find(const std::string& name) const;
 };
 
+/// The largest file that is read: forty times spec/. A byte takes at most 400 of memory, as a token and a node.
+inline constexpr std::size_t max_bytes = 1 << 20;
+
 /// The sections of the toolkit, which any section may have as parents; they are built in and not read.
 bool is_toolkit(const std::string& section);
 

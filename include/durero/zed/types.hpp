@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -47,10 +48,15 @@ class Type {
   /// Z notation: `ℙ (Elemento × 𝔸)`, `[x : 𝔸; y : 𝔸]`; `?` for what is not determined; long ones end in `…`.
   std::string text() const;
 
-  /// How large the type is, written out; saturates. Types larger than the limits are refused by the type-checker.
+  /// How large the type is, written out, when it was made; saturates. The type-checker refuses types larger than the
+  /// limits: the largest of spec/ has some 150 parts, and whoever walks a type recurses at most max_depth levels.
   std::uint32_t size() const { return node().size; }
   std::uint32_t depth() const { return node().depth; }
-  static constexpr std::uint32_t max_size = 20000, max_depth = 1000;
+  static constexpr std::uint32_t max_size = 5000, max_depth = 500;
+
+  /// The same type without the variables that have been found to be something; what has not is unknown. Unknown too is
+  /// a type that is larger than the limits, once written out.
+  Type settled() const;
 
   /// Puts types for formals. `actuals` are in step with `formals`.
   Type substitute(const std::vector<Name>& formals, const std::vector<Type>& actuals) const;
@@ -67,12 +73,16 @@ class Type {
     std::uint32_t size = 1, depth = 1;
     bool generic = false;                      // a formal is in it
     mutable std::shared_ptr<const Node> same;  // what a variable has been found to be
+    mutable std::uint32_t rank = 0;            // of a variable: chains of variables stay logarithmic
   };
   explicit Type(Node node);
+  explicit Type(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
   /// The node, behind what its variables have been found to be.
   const Node& node() const;
   std::shared_ptr<const Node> resolved() const;
   static bool unify_at(const Type& a, const Type& b, unsigned depth, std::uint32_t& steps);
+  static void join(const Type& a, const Type& b);
+  Type settled_at(std::uint32_t depth, std::unordered_map<const Node*, Type>& done) const;
   static bool occurs(const Node* variable, const Type& in);
   void append(std::string& out, bool tight, int& budget) const;
 
