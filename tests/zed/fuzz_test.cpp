@@ -1,6 +1,6 @@
 #include <fmt/core.h>
 
-#include <chrono>
+#include <ctime>
 #include <random>
 
 #include "support/catch.hpp"
@@ -120,10 +120,9 @@ TEST_CASE("texts made to take long or much memory end in time, read or refused")
   texts.emplace_back("a file past the limit", std::string(max_bytes + 1, 'x'));
   for (const auto& [what, text] : texts) {
     CAPTURE(what);
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     CHECK_NOTHROW(survive(text));
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-    CHECK(taken.count() < 20);  // a second or so where nothing else runs
-    if (taken.count() > 1) WARN(what << " took " << taken.count() << " s");
+    const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    CHECK(seconds < 10);  // half a second in a release build; sanitizers take longer
   }
 }
