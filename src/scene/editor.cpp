@@ -130,7 +130,7 @@ class Editor {
     auto& table = table_for(shape_of(in));
     const Sizes sizes_before = sizes();
     const Respuesta r = in.answer;
-    Row row{shape_of(in), in.e};
+    Row<decltype(shape_of(in))> row{shape_of(in), in.e};
     table.reserve_one_more();
     scene_.index_.reserve_one_more();
 
