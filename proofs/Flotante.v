@@ -4,8 +4,9 @@
       A = v·v,  B = q·v,  C = q·q - r²,  F, H = r|v| ∓ |q × v|  (√(v·v) for |v|),  S = √(F·H)
       V = |v.x| + |v.y| + |v.z|,  E = |q.x| + |q.y| + |q.z| + r
       A_error = 2^-47·V·V,  B_error = 2^-47·V·E,  C_error = 2^-47·E·E,  S_error = 3·B_error·H/S + 2^-51·S
-    and decides: F < -B_error: the line misses; F > B_error: it meets the sphere twice, and √(B² - AC) is S up to
-    S_error. Here each bound is proved for numbers that are 0 or at least 2^-100 in magnitude (then nothing underflows);
+    and decides: F < -B_error: the line misses;
+      F > B_error: it meets the sphere twice, √(B² - AC) is S up to S_error, and
+    the roots are q/A and C/q for q = -(B ± S), each up to the bound of its quotient. Here each bound is proved for numbers that are 0 or at least 2^-100 in magnitude (then nothing underflows);
     with the tracer's 2^100 as the greatest, no value exceeds 2^900 and nothing overflows, so [rnd] is the rounding.
     The slab test is in Slab.v.
 
@@ -175,6 +176,93 @@ Proof.
   assert (0 < e * h / S) by (apply Rdiv_lt_0_compat; [nra | assumption]).
   replace (S - sqrt d) with ((S - x) + (x - sqrt d)) by ring.
   apply Rle_trans with (1 := Rabs_triang _ _); assert (Rabs (S - x) <= 3 * u * S) by (apply Rabs_le; nra); lra.
+Qed.
+
+(** A quotient of two numbers known to their errors, as a root is computed: within [quotient_error] of the exact one, if
+    nothing underflows. The factor widen is 1.0000001 in the code. *)
+Definition quotient_error (widen x_error y y_error t : R) : R :=
+  rnd (rnd (rnd (rnd (x_error + rnd (Rabs t * y_error)) / rnd (Rabs y - y_error)) * widen)
+       + rnd (bpow radix2 (-51) * Rabs t)).
+
+Definition quotient_normal (widen x_fl x_error y_fl y_error : R) : Prop :=
+  let t := rnd (x_fl / y_fl) in
+  let top := rnd (x_error + rnd (Rabs t * y_error)) in
+  let bottom := rnd (Rabs y_fl - y_error) in
+  normal (x_fl / y_fl) /\ normal (Rabs t * y_error) /\ normal (top / bottom) /\ normal (rnd (top / bottom) * widen) /\
+  normal (bpow radix2 (-51) * Rabs t).
+
+Theorem quotient_bound widen x x_fl x_error y y_fl y_error :
+  1 + bpow radix2 (-24) <= widen <= 2 -> format x_error -> format y_fl -> format y_error ->
+  Rabs (x_fl - x) <= x_error -> Rabs (y_fl - y) <= y_error -> 2 * y_error < Rabs y_fl ->
+  quotient_normal widen x_fl x_error y_fl y_error ->
+  Rabs (rnd (x_fl / y_fl) - x / y) <= quotient_error widen x_error y_fl y_error (rnd (x_fl / y_fl)).
+Proof.
+  intros Hw Fx Fy Fye Hx Hy Hbig; unfold quotient_normal; set (t := rnd (x_fl / y_fl)).
+  set (top := rnd (x_error + rnd (Rabs t * y_error))); set (bottom := rnd (Rabs y_fl - y_error)).
+  intros (N1 & N2 & N3 & N4 & N5); pose proof u_bounds as Hu.
+  assert (Hx0 : 0 <= x_error) by (apply Rle_trans with (2 := Hx), Rabs_pos).
+  assert (Hy0 : 0 <= y_error) by (apply Rle_trans with (2 := Hy), Rabs_pos).
+  assert (Hw24 : 1 + / 16777216 <= widen) by (replace (/ 16777216) with (bpow radix2 (-24)) by reflexivity; lra).
+  set (T := x_fl / y_fl) in *; set (g := Rabs y_fl - y_error) in *; pose proof (Rabs_pos t); pose proof (Rabs_pos T).
+  assert (Hy_fl : y_fl <> 0) by (intros Z0; rewrite Z0, Rabs_R0 in Hbig; lra).
+  assert (Hgy : g <= Rabs y) by (unfold g; pose proof (Rabs_triang_inv y_fl (y_fl - y)) as Ht;
+    replace (y_fl - (y_fl - y)) with y in Ht by ring; lra).
+  assert (Hg : 0 < g) by (unfold g; lra).
+  assert (Hy1 : y <> 0) by (intros Z0; rewrite Z0, Rabs_R0 in Hgy; lra).
+  pose proof (rnd_rel T N1) as Ht; fold t in Ht; apply Rabs_le_inv in Ht as Ht'.
+  assert (HuT : u * Rabs T <= / 1000000000000 * Rabs T) by (apply Rmult_le_compat_r; lra).
+  assert (HT : Rabs T <= (1 + 2 / 1000000000000) * Rabs t).
+  { replace T with (t - (t - T)) at 1 by ring; pose proof (Rabs_triang t (- (t - T))) as Htr.
+    rewrite Rabs_Ropp in Htr; replace (t + - (t - T)) with T in Htr by ring; replace (t - (t - T)) with T by ring;
+      lra. }
+  (* The exact error of the quotient. *)
+  set (W := (x_error + Rabs t * y_error) / g).
+  assert (HW0 : 0 <= W).
+  { apply Rmult_le_pos; [|now apply Rlt_le, Rinv_0_lt_compat];
+    pose proof (Rmult_le_pos (Rabs t) y_error ltac:(lra) Hy0); lra. }
+  assert (Hexact : Rabs (T - x / y) <= (1 + 2 / 1000000000000) * W).
+  { replace (T - x / y) with (((x_fl - x) + T * (y - y_fl)) / y) by (unfold T; field; auto).
+    unfold Rdiv at 1; rewrite Rabs_mult, Rabs_inv.
+    assert (Hn : Rabs (x_fl - x + T * (y - y_fl)) <= (1 + 2 / 1000000000000) * (x_error + Rabs t * y_error)).
+    { apply Rle_trans with (1 := Rabs_triang _ _); rewrite Rabs_mult, (Rabs_minus_sym y y_fl).
+      assert (Rabs T * Rabs (y_fl - y) <= (1 + 2 / 1000000000000) * Rabs t * y_error)
+        by (apply Rmult_le_compat; auto using Rabs_pos); lra. }
+    apply Rle_trans with ((1 + 2 / 1000000000000) * (x_error + Rabs t * y_error) * / g); [|unfold W; right;
+      unfold Rdiv; ring].
+    apply Rmult_le_compat; auto using Rabs_pos; [apply Rlt_le, Rinv_0_lt_compat; lra | apply Rinv_le; lra]. }
+  (* The computed one is no less. *)
+  assert (Hlow : forall z, 0 <= z -> Rabs (rnd z - z) <= u * Rabs z -> (1 - / 1000000000000) * z <= rnd z).
+  { intros z Hz Hrz; rewrite (Rabs_pos_eq z Hz) in Hrz; apply Rabs_le_inv in Hrz.
+    assert (u * z <= / 1000000000000 * z) by (apply Rmult_le_compat_r; lra); lra. }
+  assert (Hty : 0 <= Rabs t * y_error) by (apply Rmult_le_pos; lra).
+  pose proof (Hlow _ Hty (rnd_rel _ N2)) as E1.
+  pose proof (Hlow (x_error + rnd (Rabs t * y_error)) ltac:(lra) (rnd_plus _ _ Fx (format_rnd _))) as E2;
+    fold top in E2.
+  pose proof (rnd_plus (Rabs y_fl) (- y_error) (generic_format_abs _ _ _ Fy) (generic_format_opp _ _ _ Fye)) as E3.
+  fold g in E3; fold (Rabs y_fl - y_error) in E3; fold g bottom in E3; rewrite (Rabs_pos_eq g) in E3 by lra.
+  apply Rabs_le_inv in E3; assert (Hug : u * g <= / 1000000000000 * g) by (apply Rmult_le_compat_r; lra).
+  assert (Hbottom : 0 < bottom <= (1 + / 1000000000000) * g) by lra.
+  assert (Htop : (1 - 2 / 1000000000000) * (x_error + Rabs t * y_error) <= top) by lra.
+  assert (Hdiv : (1 - 4 / 1000000000000) * W <= top / bottom).
+  { apply Rmult_le_reg_r with bottom; [lra|]; replace (top / bottom * bottom) with top by (field; lra).
+    apply Rle_trans with (2 := Htop).
+    apply Rle_trans with ((1 - 4 / 1000000000000) * W * ((1 + / 1000000000000) * g)); [apply Rmult_le_compat_l; lra|].
+    assert (HWg : W * g = x_error + Rabs t * y_error) by (unfold W; field; lra).
+    replace ((1 - 4 / 1000000000000) * W * ((1 + / 1000000000000) * g))
+      with ((1 - 4 / 1000000000000) * (1 + / 1000000000000) * (W * g)) by ring; rewrite HWg; lra. }
+  pose proof (Hlow (top / bottom) ltac:(lra) (rnd_rel _ N3)) as E4.
+  assert (Hwide : (1 + / 16777216) * ((1 - 6 / 1000000000000) * W) <= rnd (top / bottom) * widen).
+  { rewrite (Rmult_comm (1 + / 16777216)); apply Rmult_le_compat; lra. }
+  pose proof (Hlow (rnd (top / bottom) * widen) ltac:(lra) (rnd_rel _ N4)) as E5.
+  assert (H51 : bpow radix2 (-51) = 4 * u) by (replace 4 with (bpow radix2 2) by reflexivity; now rewrite <- bpow_plus).
+  assert (0 <= u * Rabs t) by (apply Rmult_le_pos; lra).
+  pose proof (Hlow (bpow radix2 (-51) * Rabs t) ltac:(rewrite H51; lra) (rnd_rel _ N5)) as E6; rewrite H51 in E6 at 1.
+  unfold quotient_error; fold top; fold g; fold bottom.
+  pose proof (Hlow (rnd (rnd (top / bottom) * widen) + rnd (bpow radix2 (-51) * Rabs t)) ltac:(lra)
+    (rnd_plus _ _ (format_rnd _) (format_rnd _))) as E7.
+  apply Rle_trans with (2 := E7); replace (t - x / y) with ((t - T) + (T - x / y)) by ring.
+  apply Rle_trans with (1 := Rabs_triang _ _).
+  assert (u * Rabs T <= u * ((1 + 2 / 1000000000000) * Rabs t)) by (apply Rmult_le_compat_l; lra); lra.
 Qed.
 
 Section Sphere.
@@ -452,7 +540,7 @@ Definition S_error : R :=
 
 (** Second decision: the line meets the sphere twice, and S is the root of the discriminant up to S_error. *)
 Theorem triage_meets : B_error < F_fl ->
-  0 < D /\ 0 < S_fl /\ Rabs (S_fl - sqrt D) <= 2 * (B_error * H_fl / S_fl) + 3 * u * S_fl <= S_error.
+  0 < D /\ bpow radix2 (-351) <= S_fl /\ Rabs (S_fl - sqrt D) <= 9 / 10 * S_error /\ 0 <= S_error.
 Proof.
   intros HF; destruct F_H_bound as [HbF HbH], B_error_bound as (He & Hp & Fe & Ge); pose proof H_positive;
     pose proof u_bounds.
@@ -489,7 +577,7 @@ Proof.
   { rewrite <- (sqrt_square (bpow radix2 (-351))) by lra; apply sqrt_le_1_alt; now rewrite <- bpow_plus. }
   pose proof (Hnormal _ (Hmore _ Hroot)) as HS.
   destruct (root_of_product B_error F_fl H_fl D _ _ _ ltac:(lra) ltac:(lra) HF HFH eq_refl HX HP HS) as (HS0 & HSh & Hb).
-  fold S_fl in *; split; [assumption | split; [exact Hb|]].
+  fold S_fl in *.
   assert (Hlow : forall x, bpow radix2 (-702) <= x -> (1 - / 1000000) * x <= rnd x).
   { intros x Hx; pose proof (Hnormal x Hx) as Hr; apply Rabs_le_inv in Hr; pose proof (bpow_gt_0 radix2 (-702)).
     assert (u * x <= / 1000000 * x) by (apply Rmult_le_compat_r; lra); lra. }
@@ -518,7 +606,92 @@ Proof.
   set (y := B_error * H_fl / S_fl) in *.
   assert (0 < u * S_fl) by (apply Rmult_lt_0_compat; lra).
   assert (Hsum : 2.5 * y + 3.9 * (u * S_fl) <= e3 + e4) by lra.
-  pose proof (Hlow (e3 + e4) (Hmore (e3 + e4) ltac:(lra))) as E5; lra.
+  pose proof (Hlow (e3 + e4) (Hmore (e3 + e4) ltac:(lra))) as E5.
+  split; [assumption|]; split; [apply Rle_trans with (1 := Hb)|]; lra.
+Qed.
+
+(** ** The roots *)
+
+Definition q_num : R := - rnd (B_fl + if Rle_dec 0 B_fl then S_fl else - S_fl).
+Definition q_error : R := rnd (rnd (B_error + S_error) + rnd (bpow radix2 (-52) * Rabs q_num)).
+
+(** -(B ± √D), with the sign of the computed B. *)
+Definition q_exact : R := - (B + if Rle_dec 0 B_fl then sqrt D else - sqrt D).
+
+Theorem q_bound : B_error < F_fl -> Rabs (q_num - q_exact) <= q_error.
+Proof.
+  intros HF; destruct (triage_meets HF) as (HD & HS351 & HS & HS0), B_bound as [HB _].
+  destruct B_error_bound as (He & Hp & Fe & Ge); pose proof u_bounds; pose proof (bpow_gt_0 radix2 (-351)).
+  set (s := if Rle_dec 0 B_fl then S_fl else - S_fl) in *.
+  assert (FS : format S_fl) by apply format_rnd.
+  assert (GS : grid (-403) S_fl) by (apply (format_grid (-351)); [lia | assumption | right;
+    now rewrite Rabs_pos_eq by lra]).
+  assert (Fs : format s) by (unfold s; destruct Rle_dec; [assumption | now apply generic_format_opp]).
+  assert (Gs : grid (-403) s) by (unfold s; destruct Rle_dec; [assumption | now apply grid_opp]).
+  destruct (dot_computed 1 0 (-152) (-152) q_fl v q v ltac:(lia) q_close v_close) as (_ & FB & GB).
+  fold B_fl in FB, GB; pose proof (rnd_plus B_fl s FB Fs) as Hr.
+  assert (Gy : grid (-403) (rnd (B_fl + s))).
+  { apply grid_rnd; [lia | apply grid_plus; [now apply (grid_coarser _ (-304)) | assumption]]. }
+  unfold q_error, q_num, q_exact; fold s; rewrite Rabs_Ropp; set (y := B_fl + s) in *.
+  assert (Hs : Rabs (s - if Rle_dec 0 B_fl then sqrt D else - sqrt D) <= 9 / 10 * S_error).
+  { unfold s; destruct Rle_dec; [assumption|]; replace (- S_fl - - sqrt D) with (- (S_fl - sqrt D)) by ring.
+    now rewrite Rabs_Ropp. }
+  set (e := if Rle_dec 0 B_fl then sqrt D else - sqrt D) in *.
+  assert (Hy : u * Rabs y <= 11 / 10 * (u * Rabs (rnd y))).
+  { replace y with (rnd y - (rnd y - y)) at 1 by ring; pose proof (Rabs_triang (rnd y) (- (rnd y - y))) as Ht.
+    rewrite Rabs_Ropp in Ht; assert (u * Rabs y <= / 1000000000000 * Rabs y) by (apply Rmult_le_compat_r;
+      [apply Rabs_pos | lra]).
+    pose proof (Rabs_pos y).
+    replace (11 / 10 * (u * Rabs (rnd y))) with (u * (11 / 10 * Rabs (rnd y))) by ring; apply Rmult_le_compat_l; [lra|].
+    replace (rnd y - (rnd y - y)) with y by ring; replace (rnd y + - (rnd y - y)) with y in Ht by ring; lra. }
+  assert (Hlow : forall x, 0 <= x -> Rabs (rnd x - x) <= u * Rabs x -> 99 / 100 * x <= rnd x).
+  { intros x Hx Hrx; rewrite (Rabs_pos_eq x Hx) in Hrx; apply Rabs_le_inv in Hrx.
+    assert (u * x <= / 1000000000000 * x) by (apply Rmult_le_compat_r; lra); lra. }
+  pose proof (Rabs_pos (rnd y)) as Hy0.
+  assert (H52 : bpow radix2 (-52) = 2 * u) by (replace 2 with (bpow radix2 1) by reflexivity; now rewrite <- bpow_plus).
+  assert (E1 : 99 / 100 * (2 * u * Rabs (rnd y)) <= rnd (bpow radix2 (-52) * Rabs (rnd y))).
+  { rewrite <- H52; apply Hlow; [apply Rmult_le_pos; [apply bpow_ge_0 | assumption]|].
+    apply rnd_rel, (grid_normal (-52 + -403)); [lia | apply grid_mult; [exists 1%Z; ring | now apply grid_abs]]. }
+  assert (FSe : format S_error) by apply format_rnd.
+  pose proof (Hlow (B_error + S_error) ltac:(lra) (rnd_plus _ _ Fe FSe)) as E2.
+  assert (0 <= u * Rabs (rnd y)) by (apply Rmult_le_pos; lra).
+  pose proof (Hlow (rnd (B_error + S_error) + rnd (bpow radix2 (-52) * Rabs (rnd y))) ltac:(lra)
+    (rnd_plus _ _ (format_rnd _) (format_rnd _))) as E3.
+  apply Rabs_le_inv in HB, Hr, Hs; apply Rabs_le; unfold y in *; lra.
+Qed.
+
+(** The exact numerator gives both roots. *)
+Theorem q_exact_roots : 0 <= D -> q_exact <> 0 -> 0 < A ->
+  (forall t, t = q_exact / A \/ t = C / q_exact -> A * t * t + 2 * B * t + C = 0).
+Proof.
+  intros HD Hq HA; assert (Hz : q_exact * q_exact + 2 * B * q_exact + A * C = 0).
+  { pose proof (sqrt_sqrt D HD) as Hs; unfold q_exact; set (r0 := sqrt D) in *.
+    assert (r0 * r0 = B * B - A * C) by (rewrite Hs; reflexivity); destruct Rle_dec; lra. }
+  intros t [->| ->].
+  - apply Rmult_eq_reg_r with A; [|lra]; rewrite Rmult_0_l, <- Hz; field; lra.
+  - apply Rmult_eq_reg_r with (q_exact * q_exact); [|now apply Rmult_integral_contrapositive].
+    rewrite Rmult_0_l, <- (Rmult_0_r C), <- Hz; field; assumption.
+Qed.
+
+Lemma A_positive : 0 < A.
+Proof. unfold A; rewrite <- norm_square; now apply Rmult_lt_0_compat. Qed.
+
+(** Both roots as the triage computes them, each with a bound: from A where A is known not to be small, and from C. *)
+Theorem triage_roots widen : 1 + bpow radix2 (-24) <= widen <= 2 -> B_error < F_fl -> 2 * q_error < Rabs q_num ->
+  (2 * A_error < Rabs A_fl -> quotient_normal widen q_num q_error A_fl A_error ->
+   exists t, A * t * t + 2 * B * t + C = 0 /\
+   Rabs (rnd (q_num / A_fl) - t) <= quotient_error widen q_error A_fl A_error (rnd (q_num / A_fl))) /\
+  (quotient_normal widen C_fl C_error q_num q_error ->
+   exists t, A * t * t + 2 * B * t + C = 0 /\
+   Rabs (rnd (C_fl / q_num) - t) <= quotient_error widen C_error q_num q_error (rnd (C_fl / q_num))).
+Proof.
+  intros Hw HF Hq; pose proof (q_bound HF) as Hqb; destruct (triage_meets HF) as (HD & _).
+  assert (Hq0 : q_exact <> 0).
+  { intros Z0; rewrite Z0, Rminus_0_r in Hqb; pose proof (Rabs_pos q_num); lra. }
+  pose proof (q_exact_roots (Rlt_le _ _ HD) Hq0 A_positive) as Hroots.
+  assert (Fq : format q_num) by apply generic_format_opp, format_rnd.
+  split; [intros HA Hn; exists (q_exact / A) | intros Hn; exists (C / q_exact)]; (split; [apply Hroots; auto|]);
+    apply quotient_bound; first [assumption | apply format_rnd | apply A_bound | apply C_bound].
 Qed.
 
 End Sphere.

@@ -18,7 +18,7 @@ Definition normal (x : R) : Prop := x = 0 \/ bpow radix2 (-1022) <= Rabs x.
 Definition grid (k : Z) (x : R) : Prop := exists n : Z, x = IZR n * bpow radix2 k.
 Definition near (n : nat) (a x m : R) : Prop := Rabs (a - x) <= ((1 + u) ^ n - 1) * m /\ Rabs x <= m.
 
-Lemma u_bounds : 0 < u <= / 1000000.
+Lemma u_bounds : 0 < u <= / 1000000000000.
 Proof. split; [apply bpow_gt_0 | simpl; lra]. Qed.
 
 Local Instance prec53 : Prec_gt_0 53 := eq_refl.
