@@ -28,9 +28,6 @@ void default_handler(const contract_violation& violation) {
 }
 
 std::atomic<violation_handler> handler{&default_handler};
-std::atomic<evaluation_semantic> semantics[2] = {evaluation_semantic::enforce, evaluation_semantic::ignore};
-
-std::atomic<evaluation_semantic>& cell(cost what) { return semantics[static_cast<int>(what)]; }
 
 }  // namespace
 
@@ -44,12 +41,6 @@ contract_violation::contract_violation(const clause& broken, std::string values,
 
 violation_handler set_violation_handler(violation_handler next) noexcept {
   return handler.exchange(next ? next : &default_handler);
-}
-
-evaluation_semantic semantic(cost what) noexcept { return cell(what).load(std::memory_order_relaxed); }
-
-void set_semantic(cost what, evaluation_semantic semantic) noexcept {
-  cell(what).store(semantic, std::memory_order_relaxed);
 }
 
 void report(const clause& broken, std::string values, std::source_location where, evaluation_semantic semantic) {

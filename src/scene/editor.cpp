@@ -10,6 +10,7 @@ namespace durero::scene {
 namespace {
 
 using contract::cost;
+using contract::evaluation_semantic;
 
 Sphere shape_of(const model::Agregar_Esfera& in) { return {in.centro.xyz(), in.radio}; }
 Cylinder shape_of(const model::Agregar_Cilindro& in) { return {in.centro.xyz(), in.radio, in.vector.xyz(), in.altura}; }
@@ -18,11 +19,13 @@ Cone shape_of(const model::Agregar_Cono& in) { return {in.centro.xyz(), in.propo
 template <class Op>
 concept Addition = requires(const Op& in) { shape_of(in); };
 
-/// Checks a clause as a contract, printing the element that the operation is about.
-template <class Op>
-auto checker(const Op& in) {
-  return
-      [&in](const clause& what, auto&& holds) { contract::check(what, holds, [&] { return "e = " + in.e.name(); }); };
+[[gnu::cold, gnu::noinline]] std::string values(const model::Elemento& e) { return "e = " + e.name(); }
+
+/// Checks a clause as a contract, under a semantic that was read once for all clauses of an operation.
+auto checker(evaluation_semantic now, const model::Elemento& e) {
+  return [now, &e](const clause& what, auto&& holds) {
+    contract::check_under(now, what, holds, [&] { return values(e); });
+  };
 }
 
 }  // namespace
@@ -34,8 +37,10 @@ class Editor {
   template <class Op>
   Respuesta apply(const Op& in) {
     const Key key = find(in.e);
-    const auto check = checker(in);
-    preconditions(in, key.place, [&](const clause& what, const Refusal&, auto&& holds) { check(what, holds); });
+    if (const auto now = contract::semantic(cost::normal); now != evaluation_semantic::ignore) {
+      const auto check = checker(now, in.e);
+      preconditions(in, key.place, [&](const clause& what, const Refusal&, auto&& holds) { check(what, holds); });
+    }
     return edit(in, key);
   }
 
@@ -46,7 +51,8 @@ class Editor {
 
   Respuesta apply(const model::Eliminar_Elemento& in) {
     const Key key = find(in.e);
-    checker(in)(model::Eliminar_Elemento_pre_1, [&] { return key.place.has_value(); });
+    checker(contract::semantic(cost::normal), in.e)(model::Eliminar_Elemento_pre_1,
+                                                    [&] { return key.place.has_value(); });
     edit_general(in, key);
     return Respuesta::elemento_eliminado;
   }
@@ -130,7 +136,7 @@ class Editor {
     auto& table = table_for(shape_of(in));
     const Sizes sizes_before = sizes();
     const Respuesta r = in.answer;
-    Row<decltype(shape_of(in))> row{shape_of(in), in.e};
+    Row<decltype(shape_of(in))> row{shape_of(in), {in.e, hash}};
     table.reserve_one_more();
     scene_.index_.reserve_one_more();
 
@@ -138,9 +144,11 @@ class Editor {
     table.push_back(std::move(row));
     scene_.index_.insert(hash, place);
     try {
-      const auto found = contract::evaluated(cost::normal) ? scene_.find(in.e.name(), hash) : place;
-      postconditions(in, Added<decltype(shape_of(in))>{sizes_before, sizes(), place, found, table.shapes.back(), r},
-                     checker(in));
+      if (const auto now = contract::semantic(cost::normal); now != evaluation_semantic::ignore)
+        postconditions(in,
+                       Added<decltype(shape_of(in))>{sizes_before, sizes(), place, scene_.find(in.e.name(), hash),
+                                                     table.shapes.back(), r},
+                       checker(now, in.e));
       audit(before, in, r);
     } catch (...) {
       scene_.index_.erase(hash, place);
@@ -170,32 +178,25 @@ class Editor {
     const Sizes sizes_before = sizes();
     const Respuesta r = in.answer;
     const ElementRef gap = *key.place, last{gap.tipo, table.size() - 1};
-    const NameIndex::hash_type last_hash = NameIndex::hash(table.names[last.index].name());
+    const NameIndex::hash_type last_hash = table.labels[last.index].hash;
 
     scene_.index_.erase(key.hash, gap);
     if (gap != last) scene_.index_.move(last_hash, last, gap);
-    table.swap_rows(gap.index, last.index);
-    Row<Shape> row = table.pop_back();
+    Row<Shape> row = table.take(gap.index);
     try {
-      postconditions(in, removed(in, key, gap == last ? Place{} : gap, last_hash, sizes_before, r), checker(in));
+      if (const auto now = contract::semantic(cost::normal); now != evaluation_semantic::ignore) {
+        const bool known = scene_.find(in.e.name(), key.hash).has_value();
+        const bool moved_is_known = gap == last || scene_.index_.knows(table.labels[gap.index].hash, gap);
+        postconditions(in, Removed{sizes_before, sizes(), known, moved_is_known, r}, checker(now, in.e));
+      }
       audit(before, in, r);
     } catch (...) {
-      table.push_back(std::move(row));
-      table.swap_rows(gap.index, last.index);
+      table.put_back(gap.index, std::move(row));
       if (gap != last) scene_.index_.move(last_hash, gap, last);
       scene_.index_.insert(key.hash, gap);
       throw;
     }
     return r;
-  }
-
-  template <class Op>
-  Removed removed(const Op& in, const Key& key, const Place& moved, NameIndex::hash_type moved_hash,
-                  const Sizes& before, Respuesta r) const {
-    if (!contract::evaluated(cost::normal)) return {before, before, false, true, r};
-    const bool known = scene_.find(in.e.name(), key.hash).has_value();
-    const bool moved_is_known = !moved || scene_.find(scene_.name(*moved).name(), moved_hash) == moved;
-    return {before, sizes(), known, moved_is_known, r};
   }
 
   /// The whole Z predicates over the retrieved scenes.

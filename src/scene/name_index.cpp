@@ -14,21 +14,21 @@ void NameIndex::reserve_one_more() {
   NameIndex larger;
   larger.cells_.resize(cells_.empty() ? 16 : 2 * cells_.size());
   for (const Cell& cell : cells_)
-    if (cell.used) larger.insert(cell.hash, cell.place());
+    if (cell.is_used()) larger.insert(cell.hash, cell.place());
   *this = std::move(larger);
 }
 
 void NameIndex::insert(hash_type hash, ElementRef place) noexcept {
   std::size_t i = home(hash);
-  while (cells_[i].used) i = next(i);
-  cells_[i] = {hash, place.index, place.tipo, true};
+  while (cells_[i].is_used()) i = next(i);
+  cells_[i] = {hash, place};
   ++size_;
 }
 
 void NameIndex::erase(hash_type hash, ElementRef place) noexcept {
   std::size_t hole = cell_of(hash, place);
   // Close the gap: a later cell of the run may move into the hole unless its home lies after the hole.
-  for (std::size_t i = next(hole); cells_[i].used; i = next(i)) {
+  for (std::size_t i = next(hole); cells_[i].is_used(); i = next(i)) {
     const std::size_t mask = cells_.size() - 1;
     if (((i - home(cells_[i].hash)) & mask) < ((i - hole) & mask)) continue;
     cells_[hole] = cells_[i];
@@ -39,14 +39,13 @@ void NameIndex::erase(hash_type hash, ElementRef place) noexcept {
 }
 
 void NameIndex::move(hash_type hash, ElementRef from, ElementRef to) noexcept {
-  Cell& cell = cells_[cell_of(hash, from)];
-  cell.index = to.index;
-  cell.tipo = to.tipo;
+  cells_[cell_of(hash, from)] = {hash, to};
 }
 
 std::size_t NameIndex::cell_of(hash_type hash, ElementRef place) const noexcept {
+  const std::uint32_t packed = Cell(hash, place).packed;
   std::size_t i = home(hash);
-  while (!(cells_[i].used && cells_[i].place() == place)) i = next(i);
+  while (cells_[i].packed != packed) i = next(i);
   return i;
 }
 

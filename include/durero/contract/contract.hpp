@@ -7,6 +7,7 @@
 /// and an editor can follow its names. Why a semantic chosen at run time: the cost of contracts is then measured, and
 /// their effect tested, inside one program; it costs one relaxed load and one predictable branch a clause.
 
+#include <atomic>
 #include <exception>
 #include <memory>
 #include <optional>
@@ -71,9 +72,18 @@ using violation_handler = void (*)(const contract_violation&);
 /// one line on stderr under `observe`. Null restores the default.
 violation_handler set_violation_handler(violation_handler handler) noexcept;
 
+namespace detail {
+inline constinit std::atomic<evaluation_semantic> semantics[2] = {evaluation_semantic::enforce,
+                                                                  evaluation_semantic::ignore};
+}  // namespace detail
+
 /// The semantic under which clauses of this cost are evaluated: `enforce` for normal and `ignore` for audit, until set.
-evaluation_semantic semantic(cost what) noexcept;
-void set_semantic(cost what, evaluation_semantic semantic) noexcept;
+inline evaluation_semantic semantic(cost what) noexcept {
+  return detail::semantics[static_cast<int>(what)].load(std::memory_order_relaxed);
+}
+inline void set_semantic(cost what, evaluation_semantic semantic) noexcept {
+  detail::semantics[static_cast<int>(what)].store(semantic, std::memory_order_relaxed);
+}
 
 /// True when clauses of this cost are evaluated at all.
 inline bool evaluated(cost what) noexcept { return semantic(what) != evaluation_semantic::ignore; }
@@ -94,19 +104,26 @@ class scoped_semantic {
 };
 
 /// Reports a broken clause under the given semantic (never `ignore`). Returns only under `observe`.
-void report(const clause& broken, std::string values, std::source_location where, evaluation_semantic semantic);
+[[gnu::cold]] void report(const clause& broken, std::string values, std::source_location where,
+                          evaluation_semantic semantic);
 
 inline constexpr auto no_values = [] { return std::string(); };
+
+/// Evaluates a clause under a semantic that was read before, for clauses that are evaluated together.
+template <class Predicate, class Values = decltype(no_values)&>
+void check_under(evaluation_semantic now, const clause& what, Predicate&& holds, Values&& values = no_values,
+                 std::source_location where = std::source_location::current()) {
+  if (now == evaluation_semantic::ignore || holds()) [[likely]]
+    return;
+  report(what, std::forward<Values>(values)(), where, now);
+}
 
 /// Evaluates a clause: `holds()` is its predicate, without side effect; `values()` prints what it speaks of, and runs
 /// only when it is broken.
 template <class Predicate, class Values = decltype(no_values)&>
 void check(const clause& what, Predicate&& holds, Values&& values = no_values, cost price = cost::normal,
            std::source_location where = std::source_location::current()) {
-  const evaluation_semantic now = semantic(price);
-  if (now == evaluation_semantic::ignore || holds()) [[likely]]
-    return;
-  report(what, std::forward<Values>(values)(), where, now);
+  check_under(semantic(price), what, std::forward<Predicate>(holds), std::forward<Values>(values), where);
 }
 
 /// Evaluates the invariant of a value type under every semantic, and reports a broken one as under `enforce`: a value

@@ -17,6 +17,9 @@ namespace durero::scene {
 
 class NameIndex {
  public:
+  /// ElementRef::index is at most this.
+  static constexpr std::uint32_t last_index = (std::uint32_t{1} << 30) - 1;
+
   using hash_type = std::uint32_t;
 
   static hash_type hash(std::string_view name) noexcept;
@@ -30,9 +33,14 @@ class NameIndex {
   template <class IsIt>
   std::optional<ElementRef> find(hash_type hash, IsIt&& is_it) const noexcept {
     if (cells_.empty()) return std::nullopt;
-    for (std::size_t i = home(hash); cells_[i].used; i = next(i))
+    for (std::size_t i = home(hash); cells_[i].is_used(); i = next(i))
       if (cells_[i].hash == hash && is_it(cells_[i].place())) return cells_[i].place();
     return std::nullopt;
+  }
+
+  /// Whether some name with this hash lies at this place.
+  bool knows(hash_type hash, ElementRef place) const noexcept {
+    return find(hash, [&](ElementRef other) { return other == place; }).has_value();
   }
 
   /// Adds a name that is not in. Precondition: reserve_one_more() since the last insert, or an erase.
@@ -43,12 +51,17 @@ class NameIndex {
   void move(hash_type hash, ElementRef from, ElementRef to) noexcept;
 
  private:
+  /// Eight bytes, so that a probe seldom leaves a cache line: the type is the last two bits of `packed`.
   struct Cell {
+    static constexpr std::uint32_t unused = ~std::uint32_t{0};
+
     hash_type hash = 0;
-    std::uint32_t index = 0;
-    model::Tipo tipo{};
-    bool used = false;
-    ElementRef place() const noexcept { return {tipo, index}; }
+    std::uint32_t packed = unused;
+
+    Cell() = default;
+    Cell(hash_type h, ElementRef place) : hash(h), packed(place.index << 2 | static_cast<std::uint32_t>(place.tipo)) {}
+    bool is_used() const noexcept { return packed != unused; }
+    ElementRef place() const noexcept { return {static_cast<model::Tipo>(packed & 3), packed >> 2}; }
   };
 
   std::size_t home(hash_type hash) const noexcept { return hash & (cells_.size() - 1); }

@@ -47,6 +47,7 @@ class Scene {
  private:
   friend class Editor;
 
+  const Label& label(ElementRef element) const noexcept;
   std::optional<ElementRef> find(std::string_view name, NameIndex::hash_type hash) const noexcept;
 
   Table<Sphere> spheres_;

@@ -1,5 +1,5 @@
 #pragma once
-/// The dense table of one type of element: row i of each column belongs to one element.
+/// The dense table of one type of element. Row i of each column belongs to one element.
 
 #include <algorithm>
 #include <cstdint>
@@ -9,54 +9,67 @@
 #include <vector>
 
 #include "durero/model/tipos.hpp"
+#include "durero/scene/name_index.hpp"
 
 namespace durero::scene {
 
 inline constexpr std::uint32_t no_material = std::numeric_limits<std::uint32_t>::max();
 
+/// What an element has beside its geometry. One column, since an edit needs all of it.
+struct Label {
+  model::Elemento name;
+  NameIndex::hash_type hash;  ///< of the name
+  std::uint32_t material = no_material;
+};
+
 template <class Shape>
 struct Row {
   Shape shape;
-  model::Elemento name;
-  std::uint32_t material = no_material;
+  Label label;
 };
 
 template <class Shape>
 struct Table {
   std::vector<Shape> shapes;
-  std::vector<model::Elemento> names;
-  std::vector<std::uint32_t> materials;  ///< no_material where the element has none
+  std::vector<Label> labels;
 
   std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(shapes.size()); }
 
   /// Makes room for one more row. The only member that asks for memory; nothing that can be seen changes.
   void reserve_one_more() {
-    if (shapes.size() >= no_material) throw std::length_error("a scene holds at most 2^32 - 1 elements of a type");
+    if (size() > NameIndex::last_index) throw std::length_error("a scene holds at most 2^30 elements of a type");
     grow(shapes);
-    grow(names);
-    grow(materials);
+    grow(labels);
   }
 
   /// Precondition: room for the row.
   void push_back(Row<Shape>&& row) noexcept {
     shapes.push_back(row.shape);
-    names.push_back(std::move(row.name));
-    materials.push_back(row.material);
+    labels.push_back(std::move(row.label));
   }
 
-  Row<Shape> pop_back() noexcept {
-    Row<Shape> row{shapes.back(), std::move(names.back()), materials.back()};
+  void pop_back() noexcept {
     shapes.pop_back();
-    names.pop_back();
-    materials.pop_back();
+    labels.pop_back();
+  }
+
+  /// Takes row i out; the last row moves into the gap.
+  Row<Shape> take(std::uint32_t i) noexcept {
+    Row<Shape> row{shapes[i], std::move(labels[i])};
+    if (i + 1 != size()) {
+      shapes[i] = shapes.back();
+      labels[i] = std::move(labels.back());
+    }
+    pop_back();
     return row;
   }
 
-  void swap_rows(std::uint32_t i, std::uint32_t j) noexcept {
-    using std::swap;
-    swap(shapes[i], shapes[j]);
-    swap(names[i], names[j]);
-    swap(materials[i], materials[j]);
+  /// Undoes take(i).
+  void put_back(std::uint32_t i, Row<Shape>&& row) noexcept {
+    if (i == size()) return push_back(std::move(row));
+    push_back({shapes[i], std::move(labels[i])});
+    shapes[i] = row.shape;
+    labels[i] = std::move(row.label);
   }
 
  private:
