@@ -4,10 +4,10 @@
       A = v·v,  B = q·v,  C = q·q - r²,  F, H = r|v| ∓ |q × v|  (√(v·v) for |v|),  S = √(F·H)
       V = |v.x| + |v.y| + |v.z|,  E = |q.x| + |q.y| + |q.z| + r
       A_error = 2^-47·V·V,  B_error = 2^-47·V·E,  C_error = 2^-47·E·E,  S_error = 3·B_error·H/S + 2^-51·S
-    and decides: F < -B_error: the line misses;
-      F > B_error: it meets the sphere twice, √(B² - AC) is S up to S_error, and
-    the roots are q/A and C/q for q = -(B ± S), each up to the bound of its quotient. Here each bound is proved for numbers that are 0 or at least 2^-100 in magnitude (then nothing underflows);
-    with the tracer's 2^100 as the greatest, no value exceeds 2^900 and nothing overflows, so [rnd] is the rounding.
+    and decides: F < -B_error: the line misses; F > B_error: it meets the sphere twice, √(B² - AC) is S up to S_error,
+    and the roots are q/A and C/q for q = -(B ± S), each up to the bound of its quotient. Here each bound is proved for
+    numbers that are 0 or at least 2^-100 in magnitude: then nothing underflows. The tracer takes none above 2^100, so no
+    value exceeds 2^900, nothing overflows, and [rnd] is the rounding.
     The slab test is in Slab.v.
 
     vec, dot, cross, norm == exact vectors;  dot_fl, cross_fl, norm_fl, extent_fl == the same, computed
