@@ -66,13 +66,13 @@ int report(const std::vector<Verdict>& verdicts, const Options& options) {
 int run(const Options& options) {
   const ThreadLimit limit(options.threads);
   const scene::Scene scene = io::read_scene(io::read_source(options.scene));
-  const Engine& engine = *find_engine(options.engine);
   if (scene.size() == 0) return report({}, options);
   const oracle::sampled::Oracle oracle(scene, options.fineness);
   const std::vector<model::Rayo> rays = random_rays(oracle, options.rays, options.seed);
+  const render::Tracer tracer = prepare(options.engine, scene);
   std::vector<Verdict> verdicts(rays.size());
   tbb::parallel_for(std::size_t{0}, rays.size(),
-                    [&](std::size_t i) { verdicts[i] = oracle.judge(rays[i], engine.first_hit(scene, rays[i], {})); });
+                    [&](std::size_t i) { verdicts[i] = oracle.judge(rays[i], tracer.first_hit(rays[i], {})); });
   return report(verdicts, options);
 }
 

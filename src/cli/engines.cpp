@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "durero/oracle/exact.hpp"
@@ -13,30 +14,41 @@
 namespace durero::cli {
 namespace {
 
-// The sampled engine covers the scene anew for each ray: it is there to be looked at, not to be fast.
-scene::Hit sampled_first_hit(const scene::Scene& scene, const model::Rayo& rayo, std::span<const scene::ElementRef>) {
-  return oracle::sampled::Oracle(scene).first_hit(rayo);
-}
-bool sampled_occluded_segment(const scene::Scene& scene, const model::Rayo& rayo,
-                              std::span<const scene::ElementRef> en) {
-  const scene::Hit hit = sampled_first_hit(scene, rayo, en);
-  return hit.resultado == model::Resultado::hit && hit.t < 1;
+using render::Tracer;
+using Origin = Tracer::Origin;
+
+Tracer sampled(const scene::Scene& scene) {
+  const auto oracle = std::make_shared<const oracle::sampled::Oracle>(scene);
+  return {[oracle](const model::Rayo& ray, Origin) { return oracle->first_hit(ray); },
+          [oracle](const model::Rayo& ray, Origin) {
+            const scene::Hit hit = oracle->first_hit(ray);
+            return hit.resultado == model::Resultado::hit && hit.t < 1;
+          }};
 }
 
-constexpr std::array<Engine, 3> all = {{
-    {"sampled", sampled_first_hit, sampled_occluded_segment},
-    {"exact", oracle::exact::first_hit, oracle::exact::occluded_segment},
-    {"analytic", trace::first_hit, trace::occluded_segment},
-}};
+Tracer exact(const scene::Scene& scene) {
+  return {[&](const model::Rayo& ray, Origin en) { return oracle::exact::first_hit(scene, ray, en); },
+          [&](const model::Rayo& ray, Origin en) { return oracle::exact::occluded_segment(scene, ray, en); }};
+}
+
+Tracer analytic(const scene::Scene& scene) {
+  const auto tables = std::make_shared<const trace::Tables>(scene);
+  return {[tables](const model::Rayo& ray, Origin en) { return trace::first_hit(*tables, ray, en); },
+          [tables](const model::Rayo& ray, Origin en) { return trace::occluded_segment(*tables, ray, en); }};
+}
+
+constexpr std::array<Engine, 3> all = {{{"sampled", sampled}, {"exact", exact}, {"analytic", analytic}}};
+
+const Engine* find(std::string_view name) {
+  const auto found = std::ranges::find(all, name, &Engine::name);
+  return found == all.end() ? nullptr : &*found;
+}
 
 }  // namespace
 
 std::span<const Engine> engines() { return all; }
 
-const Engine* find_engine(std::string_view name) {
-  const auto found = std::ranges::find(all, name, &Engine::name);
-  return found == all.end() ? nullptr : found;
-}
+render::Tracer prepare(std::string_view name, const scene::Scene& scene) { return find(name)->prepare(scene); }
 
 std::string engine_names() {
   std::vector<std::string_view> names;
@@ -45,7 +57,7 @@ std::string engine_names() {
 }
 
 std::string is_engine(const std::string& name) {
-  return find_engine(name) == nullptr ? fmt::format("no engine {}, but {}", name, engine_names()) : "";
+  return find(name) == nullptr ? fmt::format("no engine {}, but {}", name, engine_names()) : "";
 }
 
 }  // namespace durero::cli

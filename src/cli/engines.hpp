@@ -1,35 +1,26 @@
 #pragma once
-/// The engines that `durero trace --engine` and `durero render --engine` know: a name, a first hit and a shadow.
+/// The engines that `durero trace --engine` and `durero render --engine` know: a name and a tracer.
 
 #include <span>
 #include <string>
 #include <string_view>
 
-#include "durero/model/tipos.hpp"
-#include "durero/scene/hit.hpp"
+#include "durero/render/render.hpp"
 #include "durero/scene/scene.hpp"
 
 namespace durero::cli {
 
-/// Primera_Interseccion: the first hit of a ray whose origin lies on the elements `en`.
-using FirstHit = scene::Hit (*)(const scene::Scene& scene, const model::Rayo& rayo,
-                                std::span<const scene::ElementRef> en);
-
-/// occluded_segment: the ray meets an element at some 0 < t < 1.
-using OccludedSegment = bool (*)(const scene::Scene& scene, const model::Rayo& rayo,
-                                 std::span<const scene::ElementRef> en);
-
+/// A name, and what makes it ready to answer the rays of one scene, which must outlive the tracer unedited.
 struct Engine {
   std::string_view name;
-  FirstHit first_hit;
-  OccludedSegment occluded_segment;
+  render::Tracer (*prepare)(const scene::Scene& scene);
 };
 
 /// In the order of the ladder.
 std::span<const Engine> engines();
 
-/// The engine of that name; nothing where there is none.
-const Engine* find_engine(std::string_view name);
+/// The tracer of the engine of that name for this scene. Precondition: is_engine(name) is empty.
+render::Tracer prepare(std::string_view name, const scene::Scene& scene);
 
 /// Their names, separated by commas.
 std::string engine_names();

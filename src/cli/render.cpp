@@ -21,11 +21,6 @@ struct Options {
   std::size_t threads = 0;
 };
 
-render::Tracer tracer(const scene::Scene& scene, const Engine& engine) {
-  return {[&](const model::Rayo& ray, render::Tracer::Origin en) { return engine.first_hit(scene, ray, en); },
-          [&](const model::Rayo& ray, render::Tracer::Origin en) { return engine.occluded_segment(scene, ray, en); }};
-}
-
 /// A line that is written over, on a terminal only.
 void show(double share) {
   fmt::print(stderr, "\r{:3.0f} %{}", 100 * share, share < 1 ? "" : "\r\033[K");
@@ -37,11 +32,10 @@ int run(const Options& options) {
     throw std::invalid_argument(fmt::format("{}: not a picture's name; expected OUT.png", options.out));
   const ThreadLimit limit(options.threads);
   const scene::Scene scene = io::read_scene(io::read_source(options.scene));
-  const Engine& engine = *find_engine(options.engine);
   const auto progress = isatty(STDERR_FILENO) == 1 ? render::Progress(show) : render::Progress();
   const render::Image image = [&] {
     try {
-      return render::render(scene, tracer(scene, engine), progress);
+      return render::render(scene, prepare(options.engine, scene), progress);
     } catch (const std::domain_error& error) {
       throw std::domain_error(fmt::format("{}: {}", options.scene, error.what()));
     }

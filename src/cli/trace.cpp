@@ -18,11 +18,12 @@ struct Options {
   std::size_t threads = 0;  // 0: as many as the machine has
 };
 
-std::vector<scene::Hit> trace(const scene::Scene& scene, const std::vector<io::Ray>& rays, FirstHit first_hit) {
+std::vector<scene::Hit> trace(const scene::Scene& scene, const std::vector<io::Ray>& rays, std::string_view engine) {
+  const render::Tracer tracer = prepare(engine, scene);
   std::vector<scene::Hit> hits(rays.size());
   tbb::parallel_for(std::size_t{0}, rays.size(), [&](std::size_t i) {
     const auto& [rayo, en] = rays[i];
-    hits[i] = first_hit(scene, rayo, {en.data(), en.size()});
+    hits[i] = tracer.first_hit(rayo, {en.data(), en.size()});
   });
   return hits;
 }
@@ -43,11 +44,10 @@ void write_hits(const std::string& path, const std::vector<scene::Hit>& hits, co
 }
 
 int run(const Options& options) {
-  const Engine* engine = find_engine(options.engine);
   const ThreadLimit limit(options.threads);
   const scene::Scene scene = io::read_scene(io::read_source(options.scene));
   const std::vector<io::Ray> rays = io::read_rays(io::read_source(options.rays), scene);
-  write_hits(options.out, trace(scene, rays, engine->first_hit), scene);
+  write_hits(options.out, trace(scene, rays, options.engine), scene);
   return 0;
 }
 
