@@ -1,0 +1,310 @@
+(** What is proved, and nothing else: each statement in full, each proof a reference to where it is done.
+
+    Names and glossaries: Especificacion.v is the Z text; Toolkit.v its sets (∈, ≡, ⇸, ∖, dom, …). For a scene s and a ray:
+    Escena_ok s          == s satisfies the invariant of the text
+    point_at ray t       == the point p + t·v
+    of_esfera, of_cilindro, of_cono == the coefficients of A·t² + 2B·t + C and the clip 0 ≤ s0 + t·s1 ≤ altura
+    roots f              == the computed solutions;  reach f == the parameters t > 0 that solve f within its clip
+    met ray s en e       == the parameters t > 0 at which the ray meets the element e, the ray starting on the elements en
+    met_scene ray s en   == the same for the whole scene
+    is_least T t         == t is the least of T;  starts_in T == T holds every parameter from 0 up to some ε > 0
+    tables_ok, retrieve  == the compact tables' invariant, and the scene they represent *)
+From Coq Require Import Reals List.
+From Durero Require Import Toolkit Especificacion.
+From Durero Require Tipos Escena Operaciones Errata Puntos Trazador Interseccion Retrieve Recorrido Acceleration Surd
+  Quadratic Exacto Slab.
+Import Escena Operaciones Errata Puntos Trazador Interseccion Retrieve.
+Local Open Scope R_scope.
+Local Open Scope zed_scope.
+
+(** * 1. The scene and its operations *)
+Section Scenes.
+Variable Elemento : Type.
+Notation Escena := (Escena Elemento).
+Implicit Types (s : Escena) (e : Elemento).
+
+Theorem the_first_scene_exists : exists s, Init s.
+Proof. exact (Init_exists Elemento). Qed.
+
+(** The precondition of each operation, computed, is exactly its stated clauses. *)
+Theorem preconditions_are_as_stated s e t c r d h k :
+  ((exists s' r_out, Agregar_Esfera s s' e t r_out c r) <->
+     Escena_ok s /\ e ∉ elementos s /\ t = soy_esfera /\ r ∈ Rmas)
+  /\ ((exists s' r_out, Agregar_Cilindro s s' e t r_out c r d h) <->
+     Escena_ok s /\ e ∉ elementos s /\ t = soy_cilindro /\ r ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas)
+  /\ ((exists s' r_out, Agregar_Cono s s' e t r_out c k d h) <->
+     Escena_ok s /\ e ∉ elementos s /\ t = soy_cono /\ k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas)
+  /\ ((exists s' r_out, Eliminar_Esfera s s' e r_out) <-> Escena_ok s /\ (e, soy_esfera) ∈ de_que_tipo s)
+  /\ ((exists s' r_out, Eliminar_Cilindro s s' e r_out) <-> Escena_ok s /\ (e, soy_cilindro) ∈ de_que_tipo s)
+  /\ ((exists s' r_out, Eliminar_Cono s s' e r_out) <-> Escena_ok s /\ (e, soy_cono) ∈ de_que_tipo s).
+Proof.
+  exact (conj (pre_Agregar_Esfera _ s e t c r) (conj (pre_Agregar_Cilindro _ s e t c r d h)
+    (conj (pre_Agregar_Cono _ s e t c k d h) (pre_Eliminar _ s e)))).
+Qed.
+
+(** The clauses that state the after-state already give the invariant: for each operation of one type. *)
+Theorem operations_preserve_the_invariant s e c r d h k : Escena_ok s ->
+  (e ∉ elementos s -> r ∈ Rmas -> Escena_ok (with_esfera _ s e c r))
+  /\ (e ∉ elementos s -> r ∈ Rmas -> d ∈ Unitario -> h ∈ Rmas -> Escena_ok (with_cilindro _ s e c r d h))
+  /\ (e ∉ elementos s -> k ∈ Rmas -> d ∈ Unitario -> h ∈ Rmas -> Escena_ok (with_cono _ s e c k d h))
+  /\ Escena_ok (scene_without _ s e).
+Proof.
+  intros ok. exact (conj (with_esfera_ok _ s e c r ok) (conj (with_cilindro_ok _ s e c r d h ok)
+    (conj (with_cono_ok _ s e c k d h ok) (scene_without_ok _ s e ok)))).
+Qed.
+
+Theorem total_operations_are_total s e t c r d h k : Escena_ok s ->
+  (exists s' r_out, Agregar_Esfera_Total s s' e r_out c r)
+  /\ (exists s' r_out, Agregar_Cilindro_Total s s' e r_out c r d h)
+  /\ (exists s' r_out, Agregar_Cono_Total s s' e r_out c k d h)
+  /\ (exists s' r_out, Eliminar_Esfera_Total s s' e r_out)
+  /\ (exists s' r_out, Eliminar_Cilindro_Total s s' e r_out)
+  /\ (exists s' r_out, Eliminar_Cono_Total s s' e r_out)
+  /\ (exists s' r_out, Agregar_Elemento_Total s s' e t c r d h k r_out)
+  /\ (exists s' r_out, Eliminar_Elemento_Total s s' e r_out).
+Proof. exact (Operaciones.total_operations_are_total _ s e t c r d h k). Qed.
+
+Theorem adding_then_removing_is_the_identity s s1 e t c r d h k r1 : Elemento_Agregado s s1 e t c r d h k r1 ->
+  (exists s2 r2, Elemento_Eliminado s1 s2 e r2)
+  /\ forall s2 r2, Elemento_Eliminado s1 s2 e r2 -> Escena_eq s s2.
+Proof. exact (add_then_remove _ s s1 e t c r d h k r1). Qed.
+
+Theorem an_edit_touches_one_element x s s' e t c r d h k r_out : x <> e ->
+  Elemento_Agregado s s' e t c r d h k r_out \/ Elemento_Eliminado s s' e r_out -> same_at _ x s s'.
+Proof. exact (others_untouched _ x s s' e t c r d h k r_out). Qed.
+End Scenes.
+
+(** * 2. Defects of the printed text (the others by number in Errata.v) *)
+
+Theorem E05_no_after_state Elemento (s s' : Escena Elemento) e t r_out c r d h k :
+  ~ (Printed_Agregar_Esfera _ s s' e t r_out c r /\ r_out = elemento_agregado)
+  /\ ~ (Printed_Agregar_Cilindro _ s s' e t r_out c r d h /\ r_out = elemento_agregado)
+  /\ ~ (Printed_Agregar_Cono _ s s' e t r_out c k d h /\ r_out = elemento_agregado)
+  /\ ~ (Printed_Eliminar_Esfera _ s s' e r_out /\ r_out = elemento_eliminado)
+  /\ ~ (Printed_Eliminar_Cilindro _ s s' e r_out /\ r_out = elemento_eliminado)
+  /\ ~ (Printed_Eliminar_Cono _ s s' e r_out /\ r_out = elemento_eliminado).
+Proof. exact (Errata.E05_no_after_state _ s s' e t r_out c r d h k). Qed.
+
+Theorem E06_another_element_changes Elemento (x e : Elemento) c : x <> e ->
+  exists s s', Escena_ok s /\ Escena_ok s' /\ Printed_Agregar_Esfera _ s s' e soy_esfera esfera_agregada c 1
+    /\ (x, 1) ∈ mi_altura s /\ (x, 2) ∈ mi_altura s'.
+Proof. exact (Errata.E06_another_element_changes _ x e c). Qed.
+
+Theorem E09_wrong_type_leaves_attributes Elemento (s s' : Escena Elemento) e c r d h :
+  Escena_ok s -> is_cilindro _ s e c r d h ->
+  elementos s' ≡ elementos s ∖ ⦃e⦄ -> mi_vector s' ≡ mi_vector s -> mi_altura s' ≡ mi_altura s ->
+  (e, d) ∈ mi_vector s' /\ (e, h) ∈ mi_altura s' /\ ~ Printed_ok _ s' /\ ~ Escena_ok s'.
+Proof. exact (Errata.E09_wrong_type_leaves_attributes _ s s' e c r d h). Qed.
+
+Theorem E10_other_surface c r d h : r > 0 ->
+  printed_puntos_cilindro c r d h ≡ puntos_cilindro c (sqrt r) d h
+  /\ (r <> 1 -> forall w, w ∈ printed_puntos_cilindro c r d h -> w ∉ puntos_cilindro c r d h)
+  /\ (h > 0 -> exists w, w ∈ puntos_cilindro c r axis_z h).
+Proof. exact (Errata.E10_other_surface c r d h). Qed.
+
+Theorem E11_plane c k d h : k > 0 -> h > 0 -> printed_puntos_cono c k d h ≡ (fun w => avance w c d = h).
+Proof. exact (Errata.E11_plane c k d h). Qed.
+
+Theorem E14_no_description (ps : set Punto) ojo a b :
+  a <> b -> ps a -> ps b -> 0 < distancia a ojo -> 0 < distancia b ojo ->
+  ~ exists w, is_mu (fun temp => temp ∈ ps /\ exists t, t ∈ Rmas /\ is_least ⦃distancia temp ojo⦄ t) w.
+Proof. exact (Errata.E14_no_description ps ojo a b). Qed.
+
+(** * 3. The closed forms *)
+
+(** A point of the ray is on the element exactly when its parameter is a computed root that passes the clip, for every
+    axis, unit or not, and in every case of A, B and C. *)
+Theorem closed_forms_are_sound_and_complete ray c r k d h t :
+  (point_at ray t ∈ puntos_esfera c r <-> solves (roots (of_esfera ray c r)) t)
+  /\ (point_at ray t ∈ puntos_cilindro c r d h <->
+      solves (roots (of_cilindro ray c r d h)) t /\ within (of_cilindro ray c r d h) t)
+  /\ (point_at ray t ∈ puntos_cono c k d h <->
+      solves (roots (of_cono ray c k d h)) t /\ within (of_cono ray c k d h) t).
+Proof. rewrite <- !roots_correct. exact (conj (esfera_along _ _ _ _) (conj (cilindro_along _ _ _ _ _ _) (cono_along _ _ _ _ _ _))). Qed.
+
+Theorem stable_roots_are_the_textbook_ones f : cA f <> 0 -> 0 <= discriminant f -> stable_sum f <> 0 ->
+  let plus := (- cB f + sqrt (discriminant f)) / cA f in
+  let minus := (- cB f - sqrt (discriminant f)) / cA f in
+  (stable_sum f / cA f = plus /\ cC f / stable_sum f = minus)
+  \/ (stable_sum f / cA f = minus /\ cC f / stable_sum f = plus).
+Proof. exact (stable_roots_are_textbook f). Qed.
+
+(** With a and b the parts of v and q0 = p − c across the axis, and g = h − q0·d. *)
+Theorem stable_discriminants ray c r k d h :
+  let v := Rayo_v ray in let q := from c (Rayo_p ray) in let a := across d v in let b := across d q in
+  let g := h - Tipos.dot q d in
+  discriminant (of_esfera ray c r) = r * r * Tipos.sq v - Tipos.sq (cross q v)
+  /\ discriminant (of_cilindro ray c r d h) = r * r * Tipos.sq a - Tipos.sq (cross b a)
+  /\ discriminant (of_cono ray c k d h) = k * k * Tipos.sq (combine g a (Tipos.dot v d) b) - Tipos.sq (cross b a).
+Proof. exact (conj (discriminant_esfera _ _ _) (conj (discriminant_cilindro _ _ _ _ _) (discriminant_cono _ _ _ _ _))). Qed.
+
+Theorem at_most_two_points_or_a_segment f :
+  (exists t1 t2, forall t, reach f t -> t = t1 \/ t = t2)
+  \/ ((forall t, value f t = 0) /\ forall a b t, reach f a -> reach f b -> a <= t <= b -> reach f t).
+Proof. exact (two_points_or_a_segment f). Qed.
+
+(** The first hit that the tracer computes of one element is right. *)
+Theorem first_hit_of_an_element f : proper f -> is_first (reach f) (first f).
+Proof. exact (first_correct f). Qed.
+
+(** * 4. The first hit of a scene *)
+Section FirstHit.
+Variable ray : Rayo.
+Hypothesis ray_ok : Rayo_ok ray.
+
+Theorem nearest_point_exists_iff_infimum_attained ps : ps ⊆ puntos_de_rayo ray ->
+  ((ps, Rayo_p ray) ∈ dom reduccion <->
+   (exists w, w ∈ ps) /\ exists m, is_infimum (parameters ray ps) m /\ parameters ray ps m).
+Proof. exact (reduccion_exists_iff_infimum_attained ray ray_ok ps). Qed.
+
+Variable Elemento : Type.
+Variables s s' : Escena Elemento.
+Variable en : set Elemento.
+Hypothesis ok : Escena_ok s.
+Hypothesis same : Xi_Escena s s'.
+Hypothesis known : en ⊆ elementos s.
+Notation met := (met ray Elemento s en).
+Notation met_scene := (met_scene ray Elemento s en).
+
+(** Where the nearest point is missing though the ray meets the scene, the ray starts in a segment of some element. *)
+Theorem no_minimum_iff_the_ray_starts_in_a_segment :
+  ~ (alcances s ray en ≡ ∅) /\ (alcances s ray en, Rayo_p ray) ∉ dom reduccion
+  <-> exists e, e ∈ elementos s /\ starts_in (met e).
+Proof. exact (scene_no_minimum_iff ray ray_ok _ s ok en). Qed.
+
+(** And then the whole line lies in that element's unbounded surface, along a generator; never in a sphere. *)
+Theorem the_segment_is_of_a_generator e : e ∈ elementos s -> starts_in (met e) ->
+  exists f g, equation ray _ s e f /\ seen _ en e f g /\ (forall t, value g t = 0) /\ ~ exists c r, is_esfera _ s e c r.
+Proof. exact (starts_in_a_generator ray ray_ok _ s ok en e). Qed.
+
+Theorem first_hit_is_the_least_of_first_hits t :
+  is_least met_scene t <->
+  (forall e, e ∈ elementos s -> ~ starts_in (met e))
+  /\ (exists e, e ∈ elementos s /\ is_least (met e) t)
+  /\ forall e' t', e' ∈ elementos s -> is_least (met e') t' -> t <= t'.
+Proof. exact (first_hit_is_least_of_first_hits ray _ s ok en t). Qed.
+
+(** A hit names its parameter, its point and the elements that attain it. *)
+Theorem a_hit_names_the_elements_that_attain_it resultado els t w :
+  Hay_Interseccion s s' ray en resultado els t w <->
+  is_least met_scene t /\ w = point_at ray t /\ els ≡ (fun e => e ∈ elementos s /\ is_least (met e) t)
+  /\ resultado = hit.
+Proof. now apply hit_computed. Qed.
+
+Theorem every_question_has_one_answer :
+  (exists resultado els t w, Primera_Interseccion s s' ray en resultado els t w)
+  /\ forall res1 els1 t1 w1 res2 els2 t2 w2,
+     Primera_Interseccion s s' ray en res1 els1 t1 w1 -> Primera_Interseccion s s' ray en res2 els2 t2 w2 ->
+     res1 = res2 /\ els1 ≡ els2 /\ (res1 = hit -> t1 = t2 /\ w1 = w2).
+Proof.
+  exact (conj (Primera_Interseccion_is_total ray ray_ok _ s ok en s' same known)
+    (Primera_Interseccion_deterministic ray ray_ok _ s ok en s' same known)).
+Qed.
+End FirstHit.
+
+Theorem the_elements_of_a_hit_are_de_que_elemento ray Elemento (s s' : Escena Elemento) resultado els t w :
+  Hay_Interseccion s s' ray ∅ resultado els t w -> els ≡ de_que_elemento s w /\ w ∈ puntos_de_escena s.
+Proof. exact (hit_elements_are_de_que_elemento ray Elemento s s' resultado els t w). Qed.
+
+(** * 5. The executable oracle, extracted to OCaml and run in the tests *)
+
+Theorem executable_first_hit_is_right I S p v (es : list (I * Exacto.shape * bool)) :
+  (0 < S)%Z -> Exacto.is_first_hit S p v es (Exacto.first_hit S p v es).
+Proof. exact (Exacto.first_hit_correct S p v es). Qed.
+
+(** * 6. The compact scene refines the model *)
+Section Refinement.
+Variable Elemento : Type.
+Hypothesis Elemento_dec : forall e e' : Elemento, {e = e'} + {e <> e'}.
+Notation add_total := (add_total Elemento Elemento_dec).
+Notation remove_total := (remove_total Elemento Elemento_dec).
+
+Theorem tables_represent_scenes :
+  (tables_ok _ (empty_tables Elemento) /\ Init (retrieve _ (empty_tables Elemento)))
+  /\ forall T, tables_ok Elemento T -> Escena_ok (retrieve _ T).
+Proof. exact (conj (empty_tables_Init Elemento) (retrieve_ok Elemento)). Qed.
+
+Theorem operations_on_tables_commute T e t c r d h k : tables_ok Elemento T ->
+  (let (T', answer) := add_total T e t c r d h k in
+   tables_ok _ T' /\ Agregar_Elemento_Total (retrieve _ T) (retrieve _ T') e t c r d h k answer)
+  /\ (let (T', answer) := remove_total T e in
+   tables_ok _ T' /\ Eliminar_Elemento_Total (retrieve _ T) (retrieve _ T') e answer).
+Proof.
+  intros ok. pose proof (add_total_refines Elemento Elemento_dec T e t c r d h k ok) as A.
+  pose proof (remove_total_refines Elemento Elemento_dec T e ok) as R.
+  destruct (add_total T e t c r d h k), (remove_total T e). exact (conj A R).
+Qed.
+End Refinement.
+
+(** * 7. Acceleration: visiting cells in any order, and skipping those beyond the best, loses nothing *)
+Section Acceleration.
+Variables (T : Type) (le : T -> T -> bool).
+Hypothesis total : forall a b, le a b = true \/ le b a = true.
+Hypothesis trans : forall a b c, le a b = true -> le b c = true -> le a c = true.
+Hypothesis antisym : forall a b, le a b = true -> le b a = true -> a = b.
+Variables (E : Type) (hit_of : E -> option T).
+Notation first_hit := (Recorrido.first_hit T le E hit_of).
+Notation walks := (Recorrido.walks T le E hit_of).
+
+Theorem the_scan_finds_the_first_hit es : first_hit es (Recorrido.scan T le E hit_of es).
+Proof. exact (Recorrido.scan_first_hit T le total trans antisym E hit_of es). Qed.
+
+Theorem every_traversal_finds_the_first_hit es cs best :
+  Forall (Recorrido.lists_from T E es) cs -> Recorrido.reachable T le E hit_of es cs ->
+  walks (cs, None) (nil, best) -> first_hit es best.
+Proof. exact (Recorrido.traversal_first_hit T le total trans antisym E hit_of es cs best). Qed.
+
+Variables (ray : T -> Acceleration.point) (surface : E -> Acceleration.point -> Prop).
+Hypothesis hits_on_surface : forall e t, hit_of e = Some t -> surface e (ray t).
+
+(** Boxes that contain the elements below them, whose test never rejects a ray that meets them. *)
+Theorem bounding_volumes_find_the_first_hit box_entry :
+  (forall b, Acceleration.conservative T le ray (Acceleration.inside b) (box_entry b)) ->
+  forall es a best,
+  Recorrido.lists_from T E es (Acceleration.bvh_cell T E box_entry a) ->
+  (forall e, In e es -> Acceleration.under E surface e a) ->
+  walks (Acceleration.bvh_cell T E box_entry a :: nil, None) (nil, best) -> first_hit es best.
+Proof. exact (Acceleration.bvh_first_hit T le total trans antisym E hit_of ray surface hits_on_surface box_entry). Qed.
+
+(** Cells that overlap elements: each element stands in every leaf that its surface meets. *)
+Theorem octrees_find_the_first_hit box_entry :
+  (forall b, Acceleration.conservative T le ray (Acceleration.inside b) (box_entry b)) ->
+  forall es b a best,
+  Recorrido.lists_from T E es (Acceleration.oct_cell T E box_entry b a) -> Acceleration.oct_listed E surface es b a ->
+  (forall e w, In e es -> surface e w -> Acceleration.inside b w) ->
+  walks (Acceleration.oct_cell T E box_entry b a :: nil, None) (nil, best) -> first_hit es best.
+Proof. exact (Acceleration.octree_first_hit T le total trans antisym E hit_of ray surface hits_on_surface box_entry). Qed.
+
+Theorem bsp_trees_find_the_first_hit region_entry :
+  (forall r, Acceleration.conservative T le ray (Acceleration.in_region r) (region_entry r)) ->
+  forall es a best,
+  Recorrido.lists_from T E es (Acceleration.bsp_cell T E region_entry nil a) ->
+  Acceleration.bsp_listed E surface es nil a ->
+  walks (Acceleration.bsp_cell T E region_entry nil a :: nil, None) (nil, best) -> first_hit es best.
+Proof. exact (Acceleration.bsp_first_hit T le total trans antisym E hit_of ray surface hits_on_surface region_entry). Qed.
+
+(** A grid walked in the order of the ray, stopping only when the best lies strictly before the end of the cell. *)
+Theorem grids_find_the_first_hit es (path : list (Acceleration.box * Recorrido.stretch T E)) :
+  let cs := map snd path in
+  Forall (fun c => incl (Recorrido.listed T E c) es) cs -> Recorrido.in_order T le E cs ->
+  (forall b c, In (b, c) path -> Acceleration.lists_box T E surface es b c) ->
+  (forall e t, In e es -> hit_of e = Some t -> exists b c, In (b, c) path /\ Acceleration.inside b (ray t) /\
+     le (Recorrido.t_in T E c) t = true /\ le t (Recorrido.t_out T E c) = true) ->
+  first_hit es (Recorrido.front_to_back T le E hit_of true cs None).
+Proof. exact (Acceleration.grid_first_hit T le total trans antisym E hit_of ray surface hits_on_surface es path). Qed.
+End Acceleration.
+
+(** * 8. Floating point *)
+
+(** The box test with its widened exit, computed in IEEE 754 arithmetic, never rejects a ray that meets the box. *)
+Theorem the_slab_test_never_rejects_in_binary64 box best t :
+  Forall (Slab.slab_ok 53 1024) box -> 0 <= t -> Forall (fun a => Slab.covers 53 1024 a t) box ->
+  Slab.not_before 53 1024 best t ->
+  Slab.visit 53 1024 Slab.prec64 Slab.less64 Slab.grow64 Slab.tiny64 box best = true.
+Proof. exact (Slab.slab64_never_rejects box best t). Qed.
+
+Theorem the_slab_test_never_rejects_in_binary32 box best t :
+  Forall (Slab.slab_ok 24 128) box -> 0 <= t -> Forall (fun a => Slab.covers 24 128 a t) box ->
+  Slab.not_before 24 128 best t ->
+  Slab.visit 24 128 Slab.prec32 Slab.less32 Slab.grow32 Slab.tiny32 box best = true.
+Proof. exact (Slab.slab32_never_rejects box best t). Qed.
