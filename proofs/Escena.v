@@ -80,6 +80,12 @@ Proof.
   intros [H1 H2 H3 H4 H5 H6 H7 H8] []. split; rewrite ?H1, ?H2, ?H3, ?H4, ?H5, ?H6, ?H7, ?H8; assumption.
 Qed.
 
+(** The set of types follows from the types of the elements, which is why no operation states it.
+    Discharges Escena.inv.7. *)
+Theorem tipos_follow (s s' : Escena) : Escena_ok s -> Escena_ok s' -> de_que_tipo s' ≡ de_que_tipo s ->
+  tipos s' ≡ tipos s.
+Proof. intros ok ok' H. now rewrite (Escena_inv_7 ok), (Escena_inv_7 ok'), H. Qed.
+
 (** ** What the invariant says of one element *)
 Section Invariant.
 Variable s : Escena.

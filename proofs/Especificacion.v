@@ -31,6 +31,14 @@ Definition real_axiom_2 : Prop := forall a b : R,
 Definition real_axiom_3 : Prop := forall a : R, a <> 0 -> exists! b, a * b = 1.                      (* real.axiom.3 *)
 Definition real_axiom_4 : Prop := forall S : set R, (exists x, x ∈ S) -> (exists c, forall a, a ∈ S -> a <= c) ->
   exists! c, (forall a, a ∈ S -> a <= c) /\ (forall d, (forall a, a ∈ S -> a <= d) -> c <= d).        (* real.axiom.4 *)
+Definition real_axiom_5 : Prop := forall a b c : R,                                              (* real.axiom.5 *)
+  a + b = b + a /\ a + (b + c) = (a + b) + c /\ a + 0 = a /\ (a - b) + b = a.
+Definition real_axiom_6 : Prop := forall a b c : R,                                              (* real.axiom.6 *)
+  a * b = b * a /\ a * (b * c) = (a * b) * c /\ a * 1 = a /\ a * (b + c) = a * b + a * c.
+Definition real_axiom_7 : Prop := forall a b c : R,                                              (* real.axiom.7 *)
+  (a <= b \/ b <= a) /\ (a <= b /\ b <= a -> a = b) /\ (a <= b /\ b <= c -> a <= c).
+Definition real_axiom_8 : Prop := forall a b c : R,                                              (* real.axiom.8 *)
+  (a <= b -> a + c <= b + c) /\ (0 <= a /\ 0 <= b -> 0 <= a * b).
 
 Definition Rmas : set R := fun r => r > 0.                                                           (* Rmas.inv.1 *)
 

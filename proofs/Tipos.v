@@ -34,8 +34,14 @@ Proof.
   intros m' [Hm' Hleast']. apply Rle_antisym; [now apply Hleast | now apply Hleast'].
 Qed.
 
+(** The laws of an ordered field. Discharges real.axiom.5, real.axiom.6, real.axiom.7, real.axiom.8. *)
+Theorem reals_ordered_field : real_axiom_5 /\ real_axiom_6 /\ real_axiom_7 /\ real_axiom_8.
+Proof.
+  repeat split; intros; try ring; try lra. now apply Rmult_le_pos.
+Qed.
+
 (** The tolerance of the text is the one real that its axiom describes, and it is positive.
-    Discharges tolerancia_unidad.def.1. *)
+    Discharges Rmas.inv.1, tolerancia_unidad.def.1. *)
 Theorem tolerancia_unidad_exists_uniquely :
   Rmas tolerancia_unidad /\ tolerancia_unidad_def_1 tolerancia_unidad
   /\ forall t, tolerancia_unidad_def_1 t -> t = tolerancia_unidad.
@@ -51,7 +57,7 @@ Proof.
   unfold sq, dot, Rsqr. intros. repeat split; apply Rsqr_0_uniq; unfold Rsqr; lra.
 Qed.
 
-(** The direction of a ray has a positive square: what Rayo.inv.1 is needed for. *)
+(** The direction of a ray has a positive square. Discharges Rayo.inv.1. *)
 Theorem ray_direction_positive ray : Rayo_ok ray -> 0 < sq (Rayo_v ray).
 Proof.
   intros [H]. destruct (sq_nonneg (Rayo_v ray)) as [Hlt | Heq]; [exact Hlt |].

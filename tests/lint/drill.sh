@@ -49,7 +49,7 @@ sees labels "a clause that no test violates"
 grep -rl '"Escena\.inv\.3"' include src | xargs sed -i 's/"Escena\.inv\.3"/"Escena.inv.77"/'
 sees labels "a clause of no predicate"
 if [ -f proofs/Main.v ]; then
-  sed -i 's/Agregar_Esfera\.post\.1//g' proofs/*.v
+  sed -i 's/Agregar_Esfera\.post\.1//g' proofs/Operaciones.v
   sees labels "a predicate that no theorem uses"
 fi
 if command -v clang-format-16 >/dev/null 2>&1; then
