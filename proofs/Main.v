@@ -12,7 +12,7 @@
 From Coq Require Import Reals List.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require Tipos Escena Operaciones Errata Puntos Trazador Interseccion Retrieve Recorrido Acceleration Surd
-  Quadratic Exacto Slab Rounding Flotante.
+  Quadratic Exacto ExactoEscena Slab Rounding Flotante.
 Import Escena Operaciones Errata Puntos Trazador Interseccion Retrieve.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -211,6 +211,18 @@ Proof. exact (hit_elements_are_de_que_elemento ray Elemento s s' resultado els t
 Theorem executable_first_hit_is_right I S p v (es : list (I * Exacto.shape * bool)) :
   (0 < S)%Z -> Exacto.is_first_hit S p v es (Exacto.first_hit S p v es).
 Proof. exact (Exacto.first_hit_correct S p v es). Qed.
+
+(** On a list that describes a scene with integer attributes over S, its answer is the Z text's. *)
+Theorem executable_first_hit_is_Primera_Interseccion Elemento (s s' : Escena Elemento) S en p v es :
+  (0 < S)%Z -> Escena_ok s -> Rayo_ok (ExactoEscena.the_ray S p v) -> ExactoEscena.describes Elemento S s en es ->
+  Xi_Escena s s' -> en ⊆ elementos s ->
+  let ray := ExactoEscena.the_ray S p v in
+  match Exacto.first_hit S p v es with
+  | Exacto.Hit x l => Hay_Interseccion s s' ray en hit (fun e => In e l) (Surd.val x) (point_at ray (Surd.val x))
+  | Exacto.Miss => No_Hay_Interseccion s s' ray en miss ∅
+  | Exacto.NoMin l => No_Hay_Minimo s s' ray en no_minimum (fun e => In e l)
+  end.
+Proof. intros. now apply ExactoEscena.first_hit_is_Primera_Interseccion. Qed.
 
 (** * 6. The compact scene refines the model *)
 Section Refinement.
