@@ -68,15 +68,18 @@ Term decorate(const Term& term, const std::set<Name>& names, const std::string& 
   Node made = *term;
   if (made.kind == Kind::reference && names.contains(made.name)) made.name.strokes += strokes;
   if (made.kind == Kind::theta) made.name.strokes += strokes;
-  std::set<Name> free = names;
+  std::set<Name> unbound;  // a copy only where something is bound
+  const std::set<Name>* free = &names;
   if (made.text) {
     SchemaText text = *made.text;
     for (Declaration& one : text.declarations) one.term = decorate(one.term, names, strokes);
-    for (const Name& name : bound_names(text)) free.erase(name);
-    for (Predicate& one : text.predicates) one.term = decorate(one.term, free, strokes);
+    unbound = names;
+    for (const Name& name : bound_names(text)) unbound.erase(name);
+    free = &unbound;
+    for (Predicate& one : text.predicates) one.term = decorate(one.term, *free, strokes);
     made.text = std::make_shared<const SchemaText>(std::move(text));
   }
-  for (Term& child : made.children) child = decorate(child, free, strokes);
+  for (Term& child : made.children) child = decorate(child, *free, strokes);
   return make(std::move(made));
 }
 

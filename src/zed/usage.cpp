@@ -27,18 +27,18 @@ class Usage {
 
  private:
   struct Variable {
-    Name name;
     Place place;
     bool used = false;
   };
+  using Scope = std::unordered_map<Name, Variable>;
 
   void mention(const Name& name) {
-    for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope)
-      for (Variable& one : *scope)
-        if (one.name == name) {
-          one.used = true;
-          return;
-        }
+    for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope) {
+      const auto found = scope->find(name);
+      if (found == scope->end()) continue;
+      found->second.used = true;
+      return;
+    }
     mentioned_.insert(name);
   }
 
@@ -51,10 +51,10 @@ class Usage {
 
   /// A text that declares components: they are nobody's variables, and hide those of that name outside.
   void components(const SchemaText& text) {
-    std::vector<Variable> own;
+    Scope own;
     for (const Declaration& one : text.declarations) {
       term(one.term);
-      for (const Name& name : one.names) own.push_back({name, {}, true});
+      for (const Name& name : one.names) own[name] = {{}, true};
     }
     scopes_.push_back(std::move(own));
     for (const Predicate& one : text.predicates) term(one.term);
@@ -62,20 +62,24 @@ class Usage {
   }
 
   void quantified(const Node& node) {
-    std::vector<Variable> own;
+    Scope own;
     for (const Declaration& one : node.text->declarations) {
       term(one.term);
       for (std::size_t i = 0; i < one.names.size(); ++i)
-        own.push_back({one.names[i], i < one.places.size() ? one.places[i] : one.place, node.children.empty()});
+        own[one.names[i]] = {i < one.places.size() ? one.places[i] : one.place, node.children.empty()};
     }
     scopes_.push_back(std::move(own));
     for (const Predicate& one : node.text->predicates) term(one.term);
     for (const Term& child : node.children) term(child);
-    for (const Variable& one : scopes_.back())
-      if (!one.used)
-        found_.push_back({file_, one.place, fmt::format("{} is declared and never used", one.name.text()),
-                          "expected a use, or no declaration", Defect::Severity::warning});
+    for (const Declaration& one : node.text->declarations)
+      for (const Name& name : one.names) report(name, scopes_.back().at(name));
     scopes_.pop_back();
+  }
+
+  void report(const Name& name, const Variable& variable) {
+    if (variable.used) return;
+    found_.push_back({file_, variable.place, fmt::format("{} is declared and never used", name.text()),
+                      "expected a use, or no declaration", Defect::Severity::warning});
   }
 
   void term(const Term& term) {
@@ -91,7 +95,7 @@ class Usage {
   const Typing& typing_;
   std::vector<Defect>& found_;
   std::string file_;
-  std::vector<std::vector<Variable>> scopes_;
+  std::vector<Scope> scopes_;
   std::set<Name> mentioned_;
 };
 

@@ -10,9 +10,9 @@
 namespace durero::zed {
 
 /// How deep an expression may nest, and a tree may be: deeper is an error that says so. A chain of n operators makes
-/// a tree n deep, and the longest predicate of spec/ is 20 deep, so 500 is ample. It keeps the stack small: each level
-/// costs the parser, the printers and the type-checker at most 4 frames of 1 KiB (4 under AddressSanitizer), hence
-/// at most 8 MiB × ¼ of a default stack in a release build, and less than 8 MiB under AddressSanitizer.
+/// a tree n deep, and the deepest predicate of spec/ is some 20 deep, so 500 is ample. It keeps the stack small: every
+/// recursion over a tree of this depth, whatever it is made of, fits 3 MB under AddressSanitizer, the costliest build
+/// (measured with the nests of tests/zed/fuzz_test.cpp), of the 8 MB that a thread has.
 inline constexpr unsigned max_depth = 500;
 
 /// The header `\SECTION name \parents a, b`.
