@@ -1,6 +1,6 @@
 #pragma once
-/// The type-checker's workings: terms in checker_terms.cpp, schemas in checker_schemas.cpp, paragraphs and sections in
-/// typecheck.cpp.
+/// The type-checker's workings: expressions in checker_terms.cpp, and predicates, names and schemas in the files of
+/// their names; paragraphs and sections in typecheck.cpp.
 
 #include <fmt/core.h>
 

@@ -1,7 +1,6 @@
 #include "checker.hpp"
 #include "durero/zed/print.hpp"
 #include "durero/zed/symbols.hpp"
-#include "utf8.hpp"
 
 namespace durero::zed {
 namespace {
@@ -16,29 +15,6 @@ std::string named(const Term& term) {
 Type pair(const Type& a, const Type& b) { return Type::product({a, b}); }
 
 }  // namespace
-
-void Checker::error(Place place, std::string what, std::string expected) {
-  if (into_.defects.size() - errors_at_start_ >= max_errors)
-    throw ZError(place, "too many errors to go on", fmt::format("expected fewer than {}", max_errors));
-  into_.defects.push_back({file_, place, std::move(what), std::move(expected), Defect::Severity::error});
-}
-
-Type Checker::fresh() {
-  if (++variables_ > max_variables)
-    throw ZError(at_, fmt::format("a paragraph with more than {} types to be determined", max_variables),
-                 "expected it in several paragraphs");
-  return Type::variable();
-}
-
-void Checker::spend(std::size_t steps) {
-  work_ += steps;
-  if (work_ > max_work) throw ZError(at_, "the section is too large to be checked", "expected a shorter section");
-}
-
-Type Checker::wrong(Place place, std::string what, std::string expected) {
-  error(place, std::move(what), std::move(expected));
-  return Type::unknown();
-}
 
 Type Checker::limited(Type type) {
   if (type.size() <= Type::max_size && type.depth() <= Type::max_depth) return type;
@@ -113,91 +89,6 @@ Type Checker::element(const Term& set, const char* role) {
   return wrong(set->place, fmt::format("{} has the type {}", named(set), type.text()),
                fmt::format("expected a set as {}", role));
 }
-
-// Names.
-
-std::vector<Type> Checker::actuals(const Node& node) {
-  std::vector<Type> made;
-  for (const Term& actual : node.children) made.push_back(element(actual, "a generic actual"));
-  return made;
-}
-
-Type Checker::reference(const Node& node) {
-  const std::vector<Type> given = actuals(node);
-  if (const auto found = lookup(node.name, given.empty() ? nullptr : &given, node.place)) return *found;
-  return wrong(node.place, node.name.text() + " is not declared", "expected a declared name");
-}
-
-std::optional<Type> Checker::lookup(const Name& name, const std::vector<Type>* actuals, Place place) {
-  for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope) {
-    const auto found = scope->find(name);
-    if (found == scope->end()) continue;
-    if (actuals) error(place, name.text() + " is a variable", "expected no generic actuals after it");
-    return found->second;
-  }
-  if (const auto found = globals_.find(name); found != globals_.end()) {
-    if (found->second->form == Global::Form::lost) return Type::unknown();
-    return instance(name, found->second->scheme, actuals, place);
-  }
-  const auto& known = sees_toolkit_ ? toolkit() : prelude();
-  if (const auto found = known.find(name); found != known.end()) return instance(name, found->second, actuals, place);
-  return implied_schema(name, actuals, place);
-}
-
-Type Checker::instance(const Name& name, const Scheme& scheme, const std::vector<Type>* actuals, Place place) {
-  if (actuals) {
-    spend(scheme.type.size());
-    if (actuals->size() == scheme.formals.size()) return scheme.type.substitute(scheme.formals, *actuals);
-    return wrong(place, fmt::format("{} has {} generic actuals", name.text(), actuals->size()),
-                 fmt::format("expected {}", scheme.formals.size()));
-  }
-  std::vector<Type> found;
-  for (std::size_t i = 0; i < scheme.formals.size(); ++i) {
-    found.push_back(fresh());
-    generics_.push_back({name, {place, found.back()}});
-  }
-  return scheme.type.substitute(scheme.formals, found);
-}
-
-/// S' where only S is declared; ΔS and ΞS.
-std::optional<Type> Checker::implied_schema(const Name& name, const std::vector<Type>* actuals, Place place) {
-  const bool delta = name.word.starts_with("Δ"), xi = name.word.starts_with("Ξ");
-  if ((delta || xi) && name.strokes.empty()) {
-    const Name base{name.word.substr(std::string_view("Δ").size()), {}};
-    const auto schema = base.empty() ? std::nullopt : lookup(base, actuals, place);
-    if (!schema || schema->is(Type::Kind::unknown)) return schema;
-    return schema->is_schema_set() ? std::optional(doubled(*schema, name, place)) : std::nullopt;
-  }
-  if (name.strokes.empty()) return std::nullopt;
-  std::size_t last = name.strokes.size() - 1;
-  while (utf8::continues(name.strokes[last])) --last;
-  const auto schema = lookup({name.word, name.strokes.substr(0, last)}, actuals, place);
-  if (!schema || schema->is(Type::Kind::unknown)) return schema;
-  if (!schema->is_schema_set()) return std::nullopt;
-  return decoration(*schema, name.strokes.substr(last));
-}
-
-void Checker::push(const Fields& fields) {
-  auto& scope = scopes_.emplace_back();
-  for (const auto& [name, type] : fields) scope.insert_or_assign(name, type);
-}
-
-void Checker::finish_paragraph() {
-  if (into_.defects.size() == errors_before_) {
-    for (const auto& [name, instance] : generics_) {
-      spend(instance.second.size());
-      if (!instance.second.has_variables()) continue;
-      error(instance.first, fmt::format("the generic actuals of {} are not determined", name.text()),
-            fmt::format("expected {}[…], or a use that gives its type", name.text()));
-      break;  // the others may hang together with this one
-    }
-  }
-  generics_.clear();
-  variables_ = 0;
-  errors_before_ = into_.defects.size();
-}
-
-// Expressions.
 
 Type Checker::set_extension(const Node& node) {
   const Type element = fresh();
@@ -328,98 +219,6 @@ Type Checker::theta(const Node& node) {
     }
   }
   return Type::schema(*fields);
-}
-
-// Predicates.
-
-void Checker::predicate(const Term& term) {
-  const Node& node = *term;
-  const Place before = at_;
-  at_ = node.place;
-  switch (node.kind) {
-    case Kind::truth:
-    case Kind::falsity:
-      break;
-    case Kind::relation:
-      relation(node);
-      break;
-    case Kind::negation:
-    case Kind::conjunction:
-    case Kind::disjunction:
-    case Kind::implication:
-    case Kind::equivalence:
-      for (const Term& part : node.children) predicate(part);
-      break;
-    case Kind::forall:
-    case Kind::exists:
-    case Kind::exists_one:
-      push(signature(*node.text));
-      predicates(*node.text);
-      predicate(node.children[0]);
-      pop();
-      break;
-    case Kind::let:
-      let(node, Mode::truth);
-      break;
-    default:
-      schema_predicate(node, expression(term));
-  }
-  at_ = before;
-}
-
-void Checker::schema_predicate(const Node& node, const Type& type) {
-  spend(type.size());
-  if (type.is(Type::Kind::unknown)) return;
-  if (!type.is_schema_set())
-    return error(node.place, fmt::format("an expression of type {} stands where a predicate is expected", type.text()),
-                 "expected a predicate or a schema");
-  const Type& schema = type.parts()[0];
-  for (std::size_t i = 0; i < schema.fields().size(); ++i) {
-    const Name& name = schema.fields()[i];
-    const auto found = lookup(name, nullptr, node.place);
-    if (!found) {
-      error(node.place, name.text() + " is not declared", "expected the components of a schema predicate in scope");
-    } else if (!unify(*found, schema.parts()[i])) {
-      error(node.place, fmt::format("{} has the type {}", name.text(), found->text()),
-            fmt::format("expected {}, as in the schema", schema.parts()[i].text()));
-    }
-  }
-}
-
-void Checker::relation(const Node& node) {
-  std::vector<Type> types;
-  for (const Term& operand : node.children) types.push_back(expression(operand));
-  if (node.children.size() == 1) {
-    const auto found = lookup(node.names[0], nullptr, node.place);
-    if (!found) return error(node.place, node.names[0].text() + " is not declared", "expected the toolkit's parent");
-    if (!unify(*found, Type::power(types[0])))
-      error(node.place, fmt::format("the operand has the type {}", types[0].text()),
-            fmt::format("expected {}", found->is(Type::Kind::power) ? found->parts()[0].text() : found->text()));
-    return;
-  }
-  for (std::size_t i = 0; i + 1 < types.size(); ++i)
-    relate(node.names[i], *node.children[i], types[i], *node.children[i + 1], types[i + 1]);
-}
-
-void Checker::relate(const Name& relation, const Node& left, const Type& a, const Node& right, const Type& b) {
-  const Operator* op = operator_of_name(relation.word);
-  const std::string symbol = op ? std::string(op->symbol) : relation.text();
-  const auto mismatch = [&](const std::string& expected) {
-    error(left.place, fmt::format("{} between {} and {}", symbol, a.text(), b.text()), expected);
-  };
-  if (relation.word == "_=_") {
-    if (!unify(a, b)) mismatch("expected one type on both sides");
-    return;
-  }
-  if (relation.word == "_∈_") {
-    if (!unify(Type::power(a), b)) mismatch("expected on the right a set of what is on the left");
-    return;
-  }
-  const auto found = lookup(relation, nullptr, right.place);
-  if (!found) return error(left.place, symbol + " is not declared", "expected standard_toolkit among the ancestors");
-  const Type wanted = found->is(Type::Kind::power) ? found->parts()[0] : *found;
-  const std::string both = wanted.text();
-  if (!unify(wanted, pair(a, b))) mismatch(fmt::format("expected {}", both));
 }
 
 }  // namespace durero::zed

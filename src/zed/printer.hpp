@@ -1,5 +1,5 @@
 #pragma once
-/// The printer of terms and schema texts, for print.cpp.
+/// The printer of terms and schema texts, for print.cpp; operators are in print_operations.cpp.
 
 #include <map>
 #include <string>
@@ -48,11 +48,5 @@ class Printer {
   std::map<std::string, std::string, std::less<>> own_;  // character to command
   std::string out_;
 };
-
-/// The sequence that an application of ⟨,,⟩ stands for, or null: the elements are the second parts of the pairs.
-const Node* sequence_of(const Node& application);
-
-/// How tightly a node binds, as it is printed.
-int strength(const Node& node);
 
 }  // namespace durero::zed
