@@ -21,3 +21,14 @@ function(durero_layer NAME)
   target_link_libraries(durero_${NAME} ${scope} durero_options ${LAYER_DEPENDS} ${LAYER_LIBRARIES})
   set_property(GLOBAL APPEND PROPERTY DURERO_LAYERS ${NAME})
 endfunction()
+
+# durero_embed(TARGET FUNCTION GLOB): files as text in the program, through the function durero::embedded::FUNCTION().
+function(durero_embed TARGET FUNCTION GLOB)
+  file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${GLOB})
+  set(out ${CMAKE_CURRENT_BINARY_DIR}/embedded/${FUNCTION}.cpp)
+  add_custom_command(OUTPUT ${out}
+    COMMAND ${CMAKE_COMMAND} -D OUT=${out} -D FUNCTION=${FUNCTION} -D ROOT=${PROJECT_SOURCE_DIR} "-DFILES=${files}"
+      -P ${PROJECT_SOURCE_DIR}/cmake/EmbedText.cmake
+    DEPENDS ${files} ${PROJECT_SOURCE_DIR}/cmake/EmbedText.cmake VERBATIM)
+  target_sources(${TARGET} PRIVATE ${out})
+endfunction()

@@ -30,13 +30,16 @@ class Delta {
     return after_.elementos == expected;
   }
 
-  /// c' = c ∪ { e? ↦ x }, where e? is not in the domain of c; false where x is no value of c's.
+  /// c' = c ∪ { e? ↦ x }; false where x is no value of c's, and where c has another value at e?: the union is then no
+  /// function, as c' is.
   template <class T, class X>
   bool with(std::map<Elemento, T> Escena::*c, const X& x) const {
     if (!whole_) return maps(after_.*c, x) && grown(c);
+    if (!maps(after_.*c, x)) return false;
+    if ((before_.*c).contains(e_)) return after_.*c == before_.*c;
     auto others = after_.*c;
     others.erase(e_);
-    return maps(after_.*c, x) && others == before_.*c;
+    return others == before_.*c;
   }
 
   /// c' = { e? } ⩤ c

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "compiler.hpp"
-#include "durero/zed/print.hpp"
 #include "functions.hpp"
 #include "sets.hpp"
 
@@ -59,12 +58,8 @@ Frame frame_of(const Given& locals, const Unit& unit, Context& context) {
 // Findings.
 
 Finding finding(const Property& property, Truth here) {
-  Finding made{property.label, {}, property.strokes, {}, here};
-  if (property.term) {
-    made.place = property.term->place;
-    made.predicate = to_unicode(property.term);
-  }
-  if (!property.name.empty()) made.predicate = property.name + " ∈ " + made.predicate;
+  Finding made{property.label, property.text, property.strokes, {}, here};
+  if (property.term) made.place = property.term->place;
   return made;
 }
 
@@ -86,7 +81,7 @@ std::vector<Finding> best_side(const Property& property, Frame& frame) {
 }
 
 std::vector<Finding> findings(const Property& property, Frame& frame) {
-  const bool composed = property.label.empty() && property.name.empty();
+  const bool composed = property.text.empty();
   if (composed && property.kind == Property::Kind::any) return best_side(property, frame);
   if (composed && property.kind == Property::Kind::exists && property.search->determined()) {
     property.search->determine(frame);

@@ -15,7 +15,7 @@
 namespace durero::zed {
 namespace {
 
-std::optional<std::string> contents(const std::string& file) {
+std::optional<std::string> on_disk(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in || std::filesystem::is_directory(file)) return std::nullopt;
   std::string all(max_bytes + 1, '\0');
@@ -26,6 +26,9 @@ std::optional<std::string> contents(const std::string& file) {
 
 class Reader {
  public:
+  /// `texts`: by name of file, instead of files on disk.
+  explicit Reader(std::map<std::string, std::string> texts = {}) : texts_(std::move(texts)) {}
+
   /// Tells where the sections of a file are, without reading them.
   void index(const std::string& path) {
     const auto all = contents(path);
@@ -78,6 +81,11 @@ class Reader {
   }
 
  private:
+  std::optional<std::string> contents(const std::string& file) const {
+    if (const auto found = texts_.find(file); found != texts_.end()) return found->second;
+    return on_disk(file);
+  }
+
   /// Begins a section; one with a bad header is read all the same, for the defects in it.
   void header(const Block& block, const std::string& path, Section& made) {
     made = {path, "a section without a name", {}, {}, block.begin, {}};
@@ -142,6 +150,7 @@ class Reader {
     open.reset();
   }
 
+  std::map<std::string, std::string> texts_;  // file to contents
   Specification made_;
   std::set<std::string> files_, started_;
   std::map<std::string, std::string> where_;  // section to file
@@ -166,6 +175,13 @@ Specification read_files(const std::vector<std::string>& files) {
   Reader reader;
   for (const std::string& one : files) reader.index(one);
   for (const std::string& one : files) reader.file(one);
+  return reader.take();
+}
+
+Specification read_texts(const std::map<std::string, std::string>& texts) {
+  Reader reader(texts);
+  for (const auto& one : texts) reader.index(one.first);
+  for (const auto& one : texts) reader.file(one.first);
   return reader.take();
 }
 

@@ -50,7 +50,8 @@ Property Compiler::declaration(const Declaration& declaration, const Scope& scop
       }
     }
     made.term = declaration.term;
-    made.name = decorated(name, strokes_).text();
+    made.text = decorated(name, strokes_).text() + (declaration.form == Declaration::Form::defined ? " = " : " ∈ ") +
+                describe(*declaration.term);
     made.strokes = strokes_;
     parts.push_back(std::move(made));
   }
@@ -69,6 +70,7 @@ Property Compiler::text(const SchemaText& text, const Scope& scope) {
     part.label = one.label.empty() ? label_ : one.label;
     part.term = one.term;
     part.strokes = strokes_;
+    part.text = describe(*one.term);
     made.parts.push_back(std::move(part));
   }
   return made;
@@ -163,6 +165,7 @@ Property Compiler::change(const Name& of, bool unchanged, const Scope& scope) {
       return make(std::move(node));
     };
     parts.push_back(relation(zed::relation({{"_=_", {}}}, {theta(""), theta("'")}), scope));
+    parts.back().text = describe(*parts.back().term);
   }
   return all_of(std::move(parts));
 }

@@ -38,7 +38,7 @@ struct Property {
   std::string label;
   Term term;            ///< null for what is not written as a predicate of its own
   std::string strokes;  ///< of the state that it speaks of: `'` under Escena'
-  std::string name;     ///< of a declaration: the variable
+  std::string text;     ///< of a conjunct of a schema: in Unicode; empty otherwise
 };
 
 Property all_of(std::vector<Property> parts);

@@ -30,6 +30,9 @@ bool is_toolkit(const std::string& section);
 /// file that names the parent. A file that cannot be opened is a defect.
 Specification read_files(const std::vector<std::string>& files);
 
+/// Reads texts in memory, by the names of the files that they stand for.
+Specification read_texts(const std::map<std::string, std::string>& texts);
+
 /// Reads one text as a file of this name. Parents are looked for as by read_files.
 Specification read_text(const std::string& text, const std::string& file);
 

@@ -1,0 +1,85 @@
+#pragma once
+/// oracle::spec: the Z text itself, evaluated. What it says of a state, a transition or a point is what the words in
+/// spec/ say, and nothing of the program's own clauses or functions stands in between.
+
+#include <optional>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "durero/model/escena.hpp"
+#include "durero/model/exact_point.hpp"
+#include "durero/model/operaciones.hpp"
+#include "durero/zed/evaluate.hpp"
+
+namespace durero::oracle::spec {
+
+/// The Z text of spec/ as it was when the program was built. Read once; it has no defect, or std::logic_error.
+const zed::Specification& text();
+
+// The program's values as those of the text.
+zed::Value value(const model::Elemento& e);
+zed::Value value(model::Tipo tipo);
+zed::Value value(model::Respuesta r);
+zed::Value value(const model::ExactPoint& p);
+zed::Value value(const model::Punto& p);
+zed::Value value(const model::Vector& v);
+zed::Value value(const model::Rayo& rayo);
+/// θEscena
+zed::Value value(const model::Escena& escena);
+
+/// Components by name: of a state, of an operation.
+using Named = zed::Given;
+Named components(const model::Escena& escena);
+/// The inputs of an operation, `e?` and the others.
+Named inputs(const model::Operation& operation);
+
+/// The schema of the operation, and of its total one: `Agregar_Esfera`, `Agregar_Esfera_Total`.
+std::string schema_name(const model::Operation& operation);
+std::string total_name(const model::Operation& operation);
+
+/// A transition that an operation made, or declined to make.
+struct Step {
+  const model::Escena& before;
+  const model::Operation& operation;
+  model::Respuesta r;
+  const model::Escena& after;
+};
+
+/// Decides by the text. Not for use by two threads at once.
+class Judge {
+ public:
+  Judge();
+  ~Judge();
+  Judge(const Judge&) = delete;
+  Judge& operator=(const Judge&) = delete;
+
+  /// Whether the values satisfy the partial operation, or the total one.
+  bool holds(const Step& step) const;
+  bool holds_total(const Step& step) const;
+  /// Every conjunct of the partial operation, and its truth.
+  std::vector<zed::Finding> findings(const Step& step) const;
+  /// Every conjunct, where the after-state and r! are not known: what depends on them is open.
+  std::vector<zed::Finding> findings(const model::Escena& before, const model::Operation& operation) const;
+  /// Every conjunct of Escena.
+  std::vector<zed::Finding> findings(const model::Escena& escena) const;
+
+  // Points. Precondition: the coordinates lie in one field.
+  bool in_puntos_de_rayo(const model::ExactPoint& p, const model::Rayo& rayo) const;
+  bool in_puntos_de_elemento(const model::ExactPoint& p, const zed::Value& escena, const model::Elemento& e) const;
+  bool in_puntos_de_escena(const model::ExactPoint& p, const zed::Value& escena) const;
+  /// p ∈ alcance(θEscena, rayo, en, e)
+  bool in_alcance(const model::ExactPoint& p, const zed::Value& escena, const model::Rayo& rayo,
+                  const std::set<model::Elemento>& en, const model::Elemento& e) const;
+  std::set<model::Elemento> de_que_elemento(const zed::Value& escena, const model::ExactPoint& p) const;
+  /// reduccion(ps, ojo) of a finite set of points; nothing outside its domain.
+  std::optional<zed::Value> reduccion(std::span<const model::ExactPoint> ps, const model::Punto& ojo) const;
+
+  const zed::Evaluator& evaluator() const;
+
+ private:
+  struct Schemas;
+  std::unique_ptr<Schemas> schemas_;
+};
+
+}  // namespace durero::oracle::spec

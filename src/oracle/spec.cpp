@@ -1,0 +1,158 @@
+#include "durero/oracle/spec.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <stdexcept>
+
+namespace durero::embedded {
+const std::map<std::string, std::string>& z_text();
+}
+
+namespace durero::oracle::spec {
+namespace {
+
+using zed::Name;
+using zed::Truth;
+using zed::Value;
+
+constexpr std::array schemas{"Agregar_Esfera",  "Agregar_Cilindro",  "Agregar_Cono",  "Elemento_Agregado",
+                             "Eliminar_Esfera", "Eliminar_Cilindro", "Eliminar_Cono", "Elemento_Eliminado"};
+constexpr std::array totals{"Agregar_Esfera_Total",   "Agregar_Cilindro_Total", "Agregar_Cono_Total",
+                            "Agregar_Elemento_Total", "Eliminar_Esfera_Total",  "Eliminar_Cilindro_Total",
+                            "Eliminar_Cono_Total",    "Eliminar_Elemento_Total"};
+static_assert(schemas.size() == std::variant_size_v<model::Operation> && totals.size() == schemas.size());
+
+Named primed(Named named) {
+  for (auto& one : named) one.first.strokes += "'";
+  return named;
+}
+
+/// The values of a schema's components, open where they are not given.
+std::vector<Value> in_order(const std::vector<Name>& components, const Named& named) {
+  std::vector<Value> values(components.size(), zed::Open{});
+  for (const auto& [name, value] : named) {
+    const auto found = std::find(components.begin(), components.end(), name);
+    if (found != components.end()) values[static_cast<std::size_t>(found - components.begin())] = value;
+  }
+  return values;
+}
+
+void append(Named& to, Named from) { std::move(from.begin(), from.end(), std::back_inserter(to)); }
+
+Named named(const Step& step) {
+  Named all = components(step.before);
+  append(all, primed(components(step.after)));
+  append(all, inputs(step.operation));
+  all.emplace_back(Name{"r", "!"}, value(step.r));
+  return all;
+}
+
+bool decided(Truth truth, const std::string& what) {
+  if (truth == Truth::open) throw zed::EvaluationError(what + " cannot be decided");
+  return truth == Truth::yes;
+}
+
+}  // namespace
+
+const zed::Specification& text() {
+  static const zed::Specification read = [] {
+    zed::Specification made = zed::read_texts(embedded::z_text());
+    if (!made.ok()) throw std::logic_error("the program's own Z text: " + made.defects[0].text());
+    return made;
+  }();
+  return read;
+}
+
+std::string schema_name(const model::Operation& operation) { return schemas.at(operation.index()); }
+std::string total_name(const model::Operation& operation) { return totals.at(operation.index()); }
+
+struct Judge::Schemas {
+  zed::Evaluator evaluator{text().sections};
+  std::map<std::string, zed::SchemaCheck> made{};
+
+  const zed::SchemaCheck& operator[](const std::string& name) {
+    const auto found = made.find(name);
+    if (found != made.end()) return found->second;
+    return made.emplace(name, evaluator.schema({name, ""})).first->second;
+  }
+
+  Value function(const char* name) const { return evaluator.value(Name{name, ""}); }
+  bool contains(const Value& set, const Value& value) const {
+    return decided(evaluator.contains(set, value), "whether " + value.text() + " ∈ " + set.text());
+  }
+};
+
+Judge::Judge() : schemas_(std::make_unique<Schemas>()) {}
+Judge::~Judge() = default;
+
+const zed::Evaluator& Judge::evaluator() const { return schemas_->evaluator; }
+
+bool Judge::holds(const Step& step) const {
+  const std::string name = schema_name(step.operation);
+  const zed::SchemaCheck& schema = (*schemas_)[name];
+  return decided(schema.holds(in_order(schema.components(), named(step))), name);
+}
+
+bool Judge::holds_total(const Step& step) const {
+  const std::string name = total_name(step.operation);
+  const zed::SchemaCheck& schema = (*schemas_)[name];
+  return decided(schema.holds(in_order(schema.components(), named(step))), name);
+}
+
+std::vector<zed::Finding> Judge::findings(const Step& step) const {
+  const zed::SchemaCheck& schema = (*schemas_)[schema_name(step.operation)];
+  return schema.findings(in_order(schema.components(), named(step)));
+}
+
+std::vector<zed::Finding> Judge::findings(const model::Escena& before, const model::Operation& operation) const {
+  const zed::SchemaCheck& schema = (*schemas_)[schema_name(operation)];
+  Named all = components(before);
+  append(all, inputs(operation));
+  return schema.findings(in_order(schema.components(), all));
+}
+
+std::vector<zed::Finding> Judge::findings(const model::Escena& escena) const {
+  const zed::SchemaCheck& schema = (*schemas_)["Escena"];
+  return schema.findings(in_order(schema.components(), components(escena)));
+}
+
+bool Judge::in_puntos_de_rayo(const model::ExactPoint& p, const model::Rayo& rayo) const {
+  return schemas_->contains(evaluator().apply(schemas_->function("puntos_de_rayo"), value(rayo)), value(p));
+}
+
+bool Judge::in_puntos_de_elemento(const model::ExactPoint& p, const Value& escena, const model::Elemento& e) const {
+  const Value argument = Value::pair(escena, value(e));
+  return schemas_->contains(evaluator().apply(schemas_->function("puntos_de_elemento"), argument), value(p));
+}
+
+bool Judge::in_puntos_de_escena(const model::ExactPoint& p, const Value& escena) const {
+  return schemas_->contains(evaluator().apply(schemas_->function("puntos_de_escena"), escena), value(p));
+}
+
+bool Judge::in_alcance(const model::ExactPoint& p, const Value& escena, const model::Rayo& rayo,
+                       const std::set<model::Elemento>& en, const model::Elemento& e) const {
+  std::vector<Value> origin;
+  for (const model::Elemento& one : en) origin.push_back(value(one));
+  const Value argument = Value::tuple({escena, value(rayo), Value::set(std::move(origin)), value(e)});
+  return schemas_->contains(evaluator().apply(schemas_->function("alcance"), argument), value(p));
+}
+
+std::set<model::Elemento> Judge::de_que_elemento(const Value& escena, const model::ExactPoint& p) const {
+  const Value found = evaluator().apply(schemas_->function("de_que_elemento"), Value::pair(escena, value(p)));
+  if (!found.set() || !found.set()->members()) throw zed::EvaluationError("de_que_elemento cannot be decided");
+  std::set<model::Elemento> elements;
+  for (const Value& one : *found.set()->members()) elements.emplace((*one.get<zed::Atom>())->text);
+  return elements;
+}
+
+std::optional<Value> Judge::reduccion(std::span<const model::ExactPoint> ps, const model::Punto& ojo) const {
+  std::vector<Value> points;
+  for (const model::ExactPoint& one : ps) points.push_back(value(one));
+  const Value argument = Value::pair(Value::set(std::move(points)), value(ojo));
+  Value found = evaluator().apply(schemas_->function("reduccion"), argument);
+  if (found.is_undefined()) return std::nullopt;
+  return found;
+}
+
+}  // namespace durero::oracle::spec

@@ -1,0 +1,210 @@
+#include "durero/oracle/spec.hpp"
+
+#include <map>
+
+#include "durero/model/interseccion.hpp"
+#include "durero/model/operaciones_errors.hpp"
+#include "durero/model/operaciones_predicates.hpp"
+#include "durero/scene/retrieve.hpp"
+#include "support/catch.hpp"
+#include "support/scenes.hpp"
+
+namespace durero::oracle::spec {
+namespace {
+
+using model::Escena;
+using model::Operation;
+using test::Random;
+using zed::Truth;
+
+model::Elemento element(Random& random, std::uint64_t of) {
+  return model::Elemento("e" + std::to_string(random.below(of)));
+}
+
+double length(Random& random) {
+  const double some[] = {0.0, -1.0, 0x1p-1074, 0.5, 3.0};
+  return random.below(4) == 0 ? some[random.below(5)] : random.uniform(0.1, 2);
+}
+
+model::Vector direction(Random& random) {
+  return random.below(6) == 0 ? model::Vector(random.in_cube(1)) : random.axis();
+}
+
+model::Tipo type(Random& random, model::Tipo usual) {
+  return random.below(8) == 0 ? static_cast<model::Tipo>(random.below(3)) : usual;
+}
+
+/// Any operation, about an element e0 … e11, with inputs that are often outside its precondition.
+Operation any_operation(Random& random) {
+  const model::Elemento e = element(random, 12);
+  const model::Punto centro(random.in_cube(4));
+  switch (random.below(8)) {
+    case 0:
+      return model::Agregar_Esfera{e, centro, length(random), type(random, model::Tipo::soy_esfera)};
+    case 1:
+      return model::Agregar_Cilindro{
+          e, centro, length(random), direction(random), length(random), type(random, model::Tipo::soy_cilindro)};
+    case 2:
+      return model::Agregar_Cono{
+          e, centro, length(random), direction(random), length(random), type(random, model::Tipo::soy_cono)};
+    case 3:
+      return model::Agregar_Elemento{e,
+                                     static_cast<model::Tipo>(random.below(3)),
+                                     centro,
+                                     length(random),
+                                     direction(random),
+                                     length(random),
+                                     length(random)};
+    case 4:
+      return model::Eliminar_Esfera{e};
+    case 5:
+      return model::Eliminar_Cilindro{e};
+    case 6:
+      return model::Eliminar_Cono{e};
+    default:
+      return model::Eliminar_Elemento{e};
+  }
+}
+
+Escena any_scene(Random& random) {
+  Escena escena = model::Init();
+  const auto size = random.below(11);
+  for (std::uint64_t i = 0; i < size; ++i) {
+    model::apply_total(escena, test::random_addition(random, "e" + std::to_string(random.below(12))));
+  }
+  return escena;
+}
+
+template <class Map>
+void change(Random& random, Map& map, const typename Map::mapped_type& other) {
+  const model::Elemento e = element(random, 12);
+  if (random.below(2) == 0) {
+    map.erase(e);
+  } else {
+    map.insert_or_assign(e, other);
+  }
+}
+
+/// Changes one component at one element.
+void spoil(Random& random, Escena& escena) {
+  switch (random.below(8)) {
+    case 0:
+      if (const auto e = element(random, 12); !escena.elementos.erase(e)) escena.elementos.insert(e);
+      break;
+    case 1:
+      if (const auto t = static_cast<model::Tipo>(random.below(3)); !escena.tipos.erase(t)) escena.tipos.insert(t);
+      break;
+    case 2:
+      change(random, escena.de_que_tipo, static_cast<model::Tipo>(random.below(3)));
+      break;
+    case 3:
+      change(random, escena.mi_centro, model::Punto(random.in_cube(1)));
+      break;
+    case 4:
+      change(random, escena.mi_radio, model::Rmas(random.uniform(0.1, 2)));
+      break;
+    case 5:
+      change(random, escena.mi_vector, direction(random));
+      break;
+    case 6:
+      change(random, escena.mi_altura, model::Rmas(random.uniform(0.1, 2)));
+      break;
+    default:
+      change(random, escena.mi_proporcion, model::Rmas(random.uniform(0.1, 2)));
+  }
+}
+
+/// The truth of each labelled conjunct, by label and state.
+std::map<std::string, bool> truths(const std::vector<zed::Finding>& findings) {
+  std::map<std::string, bool> found;
+  for (const zed::Finding& one : findings) {
+    if (one.label.empty()) continue;
+    REQUIRE(one.truth != Truth::open);
+    found[one.label + one.strokes] = one.truth == Truth::yes;
+  }
+  return found;
+}
+
+void add(std::map<std::string, bool>& to, const model::Judgements& judgements, const char* strokes = "") {
+  for (const model::Judgement& one : judgements) to[std::string(one.what->label) + strokes] = one.holds;
+}
+
+bool is_general(const Operation& operation) {
+  return std::holds_alternative<model::Agregar_Elemento>(operation) ||
+         std::holds_alternative<model::Eliminar_Elemento>(operation);
+}
+
+/// What the contracts say of a transition.
+std::map<std::string, bool> contracts(const Step& step) {
+  std::map<std::string, bool> said;
+  add(said, model::inv(step.before));
+  add(said, model::inv(step.after), "'");
+  add(said, model::pre(step.before, step.operation));
+  add(said, model::post(step.before, step.operation, step.after, step.r, contract::cost::audit));
+  return said;
+}
+
+struct Counts {
+  std::map<std::string, std::size_t> broken;
+  std::size_t valid = 0, refused = 0;
+};
+
+/// One transition: what the operation makes of the scene, or the scene as it was where it is refused, one time in two
+/// spoiled in one place; the answer now and then another one.
+void judge_one(Random& random, const Judge& judge, Counts& counts) {
+  const Escena before = any_scene(random);
+  const Operation operation = any_operation(random);
+  Escena after = before;
+  model::Answer answer = model::apply_total(after, operation);
+  counts.refused += answer.ok() ? 0 : 1;
+  const bool honest = random.below(2) == 0;
+  if (!honest && random.below(8) == 0) answer.r = static_cast<model::Respuesta>(random.below(15));
+  if (!honest) spoil(random, after);
+  const Step step{before, operation, answer.r, after};
+  if (honest) CHECK(judge.holds_total(step));
+  const auto findings = judge.findings(step);
+  const auto said = truths(findings);
+  const bool broken = std::any_of(findings.begin(), findings.end(), [](auto& one) { return one.truth == Truth::no; });
+  CHECK(judge.holds(step) == !broken);
+  counts.valid += broken ? 0 : 1;
+  if (is_general(operation)) return;  // its conjuncts are those of the side that explains it best
+  for (const auto& [label, holds] : contracts(step)) {
+    CAPTURE(label, schema_name(operation));
+    REQUIRE(said.count(label) == 1);
+    CHECK(said.at(label) == holds);
+    if (!holds) ++counts.broken[label];
+  }
+}
+
+void judge_many(std::uint64_t seed, std::size_t transitions) {
+  CAPTURE(seed);
+  Random random(seed);
+  const Judge judge;
+  Counts counts;
+  for (std::size_t i = 0; i < transitions; ++i) judge_one(random, judge, counts);
+  CHECK(counts.valid > transitions / 20);
+  CHECK(counts.refused > transitions / 20);
+  // Every predicate was seen broken.
+  const Escena empty = model::Init();
+  for (const char* schema : {"Agregar_Esfera", "Agregar_Cilindro", "Agregar_Cono", "Eliminar_Esfera",
+                             "Eliminar_Cilindro", "Eliminar_Cono", "Escena"}) {
+    const zed::SchemaCheck check = judge.evaluator().schema({schema, ""});
+    const std::vector<zed::Value> open(check.components().size(), zed::Open{});
+    for (const zed::Finding& one : check.findings(open)) {
+      CAPTURE(one.label);
+      // The before-state was always a scene.
+      if (!one.label.empty() && !(one.label.starts_with("Escena.") && one.strokes.empty())) {
+        CHECK(counts.broken[one.label + one.strokes] > 0);
+      }
+    }
+  }
+}
+
+TEST_CASE("the contracts and the Z text agree on every conjunct of random transitions") { judge_many(20260101, 10000); }
+
+TEST_CASE("the contracts and the Z text agree on every conjunct of 100000 transitions", "[long]") {
+  judge_many(20260102, 100000);
+}
+
+}  // namespace
+}  // namespace durero::oracle::spec
