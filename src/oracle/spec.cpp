@@ -28,7 +28,26 @@ Named primed(Named named) {
   return named;
 }
 
-/// The values of a schema's components, open where they are not given.
+void append(Named& to, Named from) { std::move(from.begin(), from.end(), std::back_inserter(to)); }
+
+bool decided(Truth truth, const std::string& what) {
+  if (truth == Truth::open) throw zed::EvaluationError(what + " cannot be decided");
+  return truth == Truth::yes;
+}
+
+}  // namespace
+
+const std::map<std::string, std::string>& files() { return embedded::z_text(); }
+
+const zed::Specification& text() {
+  static const zed::Specification read = [] {
+    zed::Specification made = zed::read_texts(files());
+    if (!made.ok()) throw std::logic_error("the program's own Z text: " + made.defects[0].text());
+    return made;
+  }();
+  return read;
+}
+
 std::vector<Value> in_order(const std::vector<Name>& components, const Named& named) {
   std::vector<Value> values(components.size(), zed::Open{});
   for (const auto& [name, value] : named) {
@@ -38,30 +57,12 @@ std::vector<Value> in_order(const std::vector<Name>& components, const Named& na
   return values;
 }
 
-void append(Named& to, Named from) { std::move(from.begin(), from.end(), std::back_inserter(to)); }
-
 Named named(const Step& step) {
   Named all = components(step.before);
   append(all, primed(components(step.after)));
   append(all, inputs(step.operation));
   all.emplace_back(Name{"r", "!"}, value(step.r));
   return all;
-}
-
-bool decided(Truth truth, const std::string& what) {
-  if (truth == Truth::open) throw zed::EvaluationError(what + " cannot be decided");
-  return truth == Truth::yes;
-}
-
-}  // namespace
-
-const zed::Specification& text() {
-  static const zed::Specification read = [] {
-    zed::Specification made = zed::read_texts(embedded::z_text());
-    if (!made.ok()) throw std::logic_error("the program's own Z text: " + made.defects[0].text());
-    return made;
-  }();
-  return read;
 }
 
 std::string schema_name(const model::Operation& operation) { return schemas.at(operation.index()); }

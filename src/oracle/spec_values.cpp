@@ -16,13 +16,34 @@ const zed::Signature& xyz() {
   return names;
 }
 
-template <class Pairs, class Make>
-Value function(const Pairs& pairs, Make&& make) {
-  std::vector<Value> members;
-  members.reserve(pairs.size());
-  for (const auto& [e, image] : pairs) members.push_back(Value::pair(value(e), make(image)));
-  return Value::set(std::move(members));
-}
+/// The names of a scene's elements, one value each however many components name it.
+class Names {
+ public:
+  explicit Names(const std::set<model::Elemento>& elementos) {
+    for (const model::Elemento& e : elementos) known_.emplace_back(&e, value(e));
+  }
+  std::vector<Value> all() const {
+    std::vector<Value> made;
+    for (const auto& one : known_) made.push_back(one.second);
+    return made;
+  }
+  /// A component as a function. Its keys ascend, as the names do.
+  template <class Image, class Make>
+  Value function(const std::map<model::Elemento, Image>& pairs, Make&& make) const {
+    std::vector<Value> members;
+    members.reserve(pairs.size());
+    auto at = known_.begin();
+    for (const auto& [e, image] : pairs) {
+      while (at != known_.end() && *at->first < e) ++at;
+      const bool found = at != known_.end() && *at->first == e;
+      members.push_back(Value::pair(found ? at->second : value(e), make(image)));
+    }
+    return Value::set(std::move(members));
+  }
+
+ private:
+  std::vector<std::pair<const model::Elemento*, Value>> known_;
+};
 
 Value rmas(const model::Rmas& value) { return Real(value.value()); }
 
@@ -76,11 +97,11 @@ Value value(model::Respuesta r) {
   return Value::atom("Respuesta", std::string(model::name(r)), static_cast<std::uint32_t>(r));
 }
 
-Value value(const model::ExactPoint& p) { return Value::binding(xyz(), {Real(p.x), Real(p.y), Real(p.z)}); }
+Value value(const model::ExactPoint& p) { return Value::point(xyz(), Real(p.x), Real(p.y), Real(p.z)); }
 
-Value value(const model::Punto& p) { return Value::binding(xyz(), {Real(p.x()), Real(p.y()), Real(p.z())}); }
+Value value(const model::Punto& p) { return Value::point(xyz(), Real(p.x()), Real(p.y()), Real(p.z())); }
 
-Value value(const model::Vector& v) { return Value::binding(xyz(), {Real(v.x()), Real(v.y()), Real(v.z())}); }
+Value value(const model::Vector& v) { return Value::point(xyz(), Real(v.x()), Real(v.y()), Real(v.z())); }
 
 Value value(const model::Rayo& rayo) {
   static const zed::Signature names = zed::signature({{"p", ""}, {"v", ""}});
@@ -88,19 +109,22 @@ Value value(const model::Rayo& rayo) {
 }
 
 Named components(const model::Escena& escena) {
-  std::vector<Value> elementos, tipos;
-  for (const model::Elemento& e : escena.elementos) elementos.push_back(value(e));
+  const Names names(escena.elementos);
+  std::vector<Value> tipos;
   for (const model::Tipo tipo : escena.tipos) tipos.push_back(value(tipo));
+  const Value of_tipo[] = {value(model::Tipo::soy_esfera), value(model::Tipo::soy_cilindro),
+                           value(model::Tipo::soy_cono)};
+  const auto tipo_value = [&](model::Tipo tipo) { return of_tipo[static_cast<int>(tipo)]; };
   const auto punto = [](const model::Punto& p) { return value(p); };
   const auto vector = [](const model::Vector& v) { return value(v); };
-  return {{{"elementos", ""}, Value::set(std::move(elementos))},
+  return {{{"elementos", ""}, Value::set(names.all())},
           {{"tipos", ""}, Value::set(std::move(tipos))},
-          {{"de_que_tipo", ""}, function(escena.de_que_tipo, [](model::Tipo tipo) { return value(tipo); })},
-          {{"mi_centro", ""}, function(escena.mi_centro, punto)},
-          {{"mi_radio", ""}, function(escena.mi_radio, rmas)},
-          {{"mi_vector", ""}, function(escena.mi_vector, vector)},
-          {{"mi_altura", ""}, function(escena.mi_altura, rmas)},
-          {{"mi_proporcion", ""}, function(escena.mi_proporcion, rmas)}};
+          {{"de_que_tipo", ""}, names.function(escena.de_que_tipo, tipo_value)},
+          {{"mi_centro", ""}, names.function(escena.mi_centro, punto)},
+          {{"mi_radio", ""}, names.function(escena.mi_radio, rmas)},
+          {{"mi_vector", ""}, names.function(escena.mi_vector, vector)},
+          {{"mi_altura", ""}, names.function(escena.mi_altura, rmas)},
+          {{"mi_proporcion", ""}, names.function(escena.mi_proporcion, rmas)}};
 }
 
 Value value(const model::Escena& escena) {

@@ -66,7 +66,7 @@ class Deeper {
 /// The slots of the local names of one unit of code: a paragraph's predicate, a function's body, a set's.
 struct Frame {
   Frame(std::size_t size, Context& c) : slots(size), context(c) {}
-  std::vector<Value> slots;
+  boost::container::small_vector<Value, 8> slots;
   Context& context;
 };
 

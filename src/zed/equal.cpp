@@ -70,7 +70,8 @@ Truth equal_lines(const Line& a, const Line& b, Context& context) {
   }
 }
 
-Truth equal_parts(const std::vector<Value>& a, const std::vector<Value>& b, Context& context) {
+template <class Parts>
+Truth equal_parts(const Parts& a, const Parts& b, Context& context) {
   if (a.size() != b.size()) return Truth::no;
   Truth all = Truth::yes;
   for (std::size_t i = 0; i < a.size(); ++i) {

@@ -239,6 +239,14 @@ Code Compiler::application(const Node& node, const Scope& scope) {
     return [one = known->one, a = expression(argument, scope)](Frame& frame) { return one(a(frame), frame.context); };
   }
   if (known && argument->kind == Kind::tuple && argument->children.size() == 2) {
+    const Term& through = argument->children[0];
+    if (function->name.word == "_⦇_⦈" && through->kind == Kind::application &&
+        through->children[0]->kind == Kind::reference && through->children[0]->name.word == "_∼") {
+      return [r = expression(through->children[1], scope), s = expression(argument->children[1], scope)](Frame& frame) {
+        const Value relation = r(frame);
+        return inverse_image(relation, s(frame), frame.context);
+      };
+    }
     return [two = known->two, a = expression(argument->children[0], scope),
             b = expression(argument->children[1], scope)](Frame& frame) {
       const Value left = a(frame);

@@ -89,6 +89,23 @@ Value image(const Value& relation, const Value& set, Context& context) {
   });
 }
 
+}  // namespace
+
+// R∼⦇S⦈ = { p : R | second p ∈ S • first p }, without R∼.
+Value inverse_image(const Value& relation, const Value& set, Context& context) {
+  return with(relation, set, [&]() -> Value {
+    std::vector<Value> found;
+    for (const Value& pair : enumerated(relation, "the inverse of")) {
+      const Truth here = contains_value(set, second(pair), context);
+      if (here == Truth::open) return Open{};
+      if (here == Truth::yes) found.push_back(first(pair));
+    }
+    return Value::set(std::move(found));
+  });
+}
+
+namespace {
+
 /// a ⨾ b: first a, then b.
 Value then(const Value& a, const Value& b, Context&) {
   return with(a, b, [&]() -> Value {

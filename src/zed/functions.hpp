@@ -18,6 +18,9 @@ const ToolkitFunction* toolkit_function(const std::string& name);
 /// The function as a value.
 Value toolkit_value(const std::string& name);
 
+/// R∼⦇S⦈
+Value inverse_image(const Value& relation, const Value& set, Context& context);
+
 using ToolkitRelation = Truth (*)(const Value&, const Value&, Context&);
 ToolkitRelation toolkit_relation(const std::string& name);
 

@@ -155,6 +155,16 @@ bool Search::enumerable(Frame& frame) const {
   });
 }
 
+namespace {
+
+bool only_declarations(const Property& property) {
+  if (property.kind == Property::Kind::test) return bool(property.set);
+  return property.kind == Property::Kind::all &&
+         std::all_of(property.parts.begin(), property.parts.end(), only_declarations);
+}
+
+}  // namespace
+
 bool Search::total(Frame& frame) const {
   std::vector<const Equation*> equations;
   std::vector<const Property*> declared;
@@ -163,14 +173,7 @@ bool Search::total(Frame& frame) const {
     const Value set = code(frame);
     return set.set() && set.set()->total();
   };
-  const auto& parts = goal_.parts;
-  const bool only_declarations =
-      goal_.kind == Property::Kind::test
-          ? bool(goal_.set)
-          : goal_.kind == Property::Kind::all && std::all_of(parts.begin(), parts.end(), [](const Property& part) {
-              return part.kind == Property::Kind::test && part.set;
-            });
-  return only_declarations &&
+  return only_declarations(goal_) &&
          std::all_of(declared.begin(), declared.end(), [&](auto* one) { return total(one->set); }) &&
          std::all_of(variables_.begin(), variables_.end(), [&](auto& one) { return one.set && total(one.set); });
 }

@@ -176,7 +176,7 @@ class FunctionSet : public Set {
 
 class ConstructorFunction : public Set {
  public:
-  explicit ConstructorFunction(AtomName name) : name_(std::make_shared<const AtomName>(std::move(name))) {}
+  explicit ConstructorFunction(Atom name) : name_(std::move(name)) {}
   Value apply(const Value& argument, Context&) const override {
     if (argument.is_undefined()) return {};
     return ConstructedPtr(std::make_shared<const Constructed>(Constructed{name_, argument}));
@@ -197,7 +197,8 @@ bool not_sets(const Value& a) { return !a.set(); }
 }  // namespace
 
 Value constructor_function(std::string type, std::string name, std::uint32_t order) {
-  return SetPtr(std::make_shared<const ConstructorFunction>(AtomName{std::move(type), std::move(name), order}));
+  const Value made = Value::atom(std::move(type), std::move(name), order);
+  return SetPtr(std::make_shared<const ConstructorFunction>(*made.get<Atom>()));
 }
 
 Value power_set(Value base, PowerForm form) {

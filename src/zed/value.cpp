@@ -13,20 +13,23 @@ Signature signature(std::vector<Name> names) {
 }
 
 Value Value::atom(std::string type, std::string text, std::uint32_t order) {
-  return std::make_shared<const AtomName>(AtomName{std::move(type), std::move(text), order});
+  std::uint64_t head = 0;
+  for (std::size_t i = 0; i < 8; ++i) head = head << 8 | (i < text.size() ? static_cast<unsigned char>(text[i]) : 0U);
+  return std::make_shared<const AtomName>(AtomName{std::move(type), std::move(text), order, head});
 }
 
 Value Value::tuple(std::vector<Value> parts) {
   for (const Value& part : parts) {
     if (part.is_undefined()) return {};
   }
-  return std::make_shared<const TupleValue>(TupleValue{std::move(parts)});
+  auto tuple = std::make_shared<TupleValue>();
+  tuple->parts.assign(std::make_move_iterator(parts.begin()), std::make_move_iterator(parts.end()));
+  return TuplePtr(std::move(tuple));
 }
 
 Value Value::pair(Value first, Value second) {
   if (first.is_undefined() || second.is_undefined()) return {};
   auto tuple = std::make_shared<TupleValue>();
-  tuple->parts.reserve(2);
   tuple->parts.push_back(std::move(first));
   tuple->parts.push_back(std::move(second));
   return TuplePtr(std::move(tuple));
@@ -36,7 +39,12 @@ Value Value::binding(Signature names, std::vector<Value> values) {
   for (const Value& part : values) {
     if (part.is_undefined()) return {};
   }
-  return std::make_shared<const BindingValue>(std::move(names), std::move(values));
+  return BindingPtr(std::make_shared<const BindingValue>(std::move(names), std::span(values)));
+}
+
+Value Value::point(const Signature& names, Real x, Real y, Real z) {
+  Value values[] = {std::move(x), std::move(y), std::move(z)};
+  return BindingPtr(std::make_shared<const BindingValue>(names, std::span(values)));
 }
 
 Value Value::set(std::vector<Value> members) {
@@ -73,7 +81,8 @@ const Value* BindingValue::component(const Name& name) const {
 
 namespace {
 
-std::strong_ordering compare(const std::vector<Value>& a, const std::vector<Value>& b) {
+template <class Parts>
+std::strong_ordering compare_parts(const Parts& a, const Parts& b) {
   if (a.size() != b.size()) return a.size() <=> b.size();
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (const auto order = zed::compare(a[i], b[i]); order != 0) return order;
@@ -86,16 +95,17 @@ struct Order {
   std::strong_ordering operator()(const Atom& a, const Atom& b) const {
     if (a == b) return std::strong_ordering::equal;
     if (a->order != b->order) return a->order <=> b->order;
-    if (const int order = a->text.compare(b->text); order != 0) return order <=> 0;
-    return a->type.compare(b->type) <=> 0;
+    if (a->head != b->head) return a->head <=> b->head;
+    if (a->text.size() <= 8 && b->text.size() <= 8) return a->text.size() <=> b->text.size();
+    return a->text.compare(b->text) <=> 0;
   }
   std::strong_ordering operator()(const TuplePtr& a, const TuplePtr& b) const {
-    return a == b ? std::strong_ordering::equal : compare(a->parts, b->parts);
+    return a == b ? std::strong_ordering::equal : compare_parts(a->parts, b->parts);
   }
   std::strong_ordering operator()(const BindingPtr& a, const BindingPtr& b) const {
     if (a == b) return std::strong_ordering::equal;
     if (a->names != b->names && *a->names != *b->names) throw EvaluationError("bindings of two types are compared");
-    return compare(a->values, b->values);
+    return compare_parts(a->values, b->values);
   }
   std::strong_ordering operator()(const ConstructedPtr& a, const ConstructedPtr& b) const {
     const auto order = (*this)(a->constructor, b->constructor);
@@ -104,7 +114,7 @@ struct Order {
   std::strong_ordering operator()(const SetPtr& a, const SetPtr& b) const {
     if (a == b) return std::strong_ordering::equal;
     const auto *x = a->members(), *y = b->members();
-    if (x && y) return compare(*x, *y);
+    if (x && y) return compare_parts(*x, *y);
     if (x || y) return x ? std::strong_ordering::less : std::strong_ordering::greater;
     return std::compare_three_way()(a.get(), b.get());
   }
@@ -126,6 +136,8 @@ bool any_part(const Value& value, Test&& test) {
 }  // namespace
 
 std::strong_ordering compare(const Value& a, const Value& b) {
+  if (const auto *x = a.get<Atom>(), *y = b.get<Atom>(); x && y) return Order()(*x, *y);
+  if (const auto *x = a.get<TuplePtr>(), *y = b.get<TuplePtr>(); x && y) return Order()(*x, *y);
   if (a.form().index() != b.form().index()) return a.form().index() <=> b.form().index();
   return std::visit(Order(), a.form(), b.form());
 }
@@ -142,7 +154,8 @@ bool has_intensional(const Value& value) {
 
 namespace {
 
-std::string listed(const std::vector<Value>& values) {
+template <class Parts>
+std::string listed(const Parts& values) {
   std::string made;
   for (const Value& one : values) made += (made.empty() ? "" : ", ") + one.text();
   return made;

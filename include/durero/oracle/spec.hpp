@@ -2,9 +2,12 @@
 /// oracle::spec: the Z text itself, evaluated. What it says of a state, a transition or a point is what the words in
 /// spec/ say, and nothing of the program's own clauses or functions stands in between.
 
+#include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "durero/model/escena.hpp"
@@ -13,6 +16,9 @@
 #include "durero/zed/evaluate.hpp"
 
 namespace durero::oracle::spec {
+
+/// The files of spec/ as they were when the program was built, by name.
+const std::map<std::string, std::string>& files();
 
 /// The Z text of spec/ as it was when the program was built. Read once; it has no defect, or std::logic_error.
 const zed::Specification& text();
@@ -45,6 +51,11 @@ struct Step {
   model::Respuesta r;
   const model::Escena& after;
 };
+
+/// Every name of the operation's schema that a step gives a value.
+Named named(const Step& step);
+/// The values of a schema's components; open where they are not given.
+std::vector<zed::Value> in_order(const std::vector<zed::Name>& components, const Named& named);
 
 /// Decides by the text. Not for use by two threads at once.
 class Judge {

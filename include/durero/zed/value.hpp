@@ -6,9 +6,12 @@
 /// to enumerate it is an error that says so. Values are immutable and share their parts, so copying is cheap.
 
 #include <atomic>
+#include <boost/container/small_vector.hpp>
 #include <compare>
 #include <cstdint>
+#include <iterator>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <variant>
@@ -52,6 +55,7 @@ struct Unknown {
 struct AtomName {
   std::string type, text;
   std::uint32_t order = 0;
+  std::uint64_t head = 0;  ///< the first eight bytes of the text, as a number in the order of texts
 };
 using Atom = std::shared_ptr<const AtomName>;
 
@@ -85,6 +89,7 @@ class Value {
   static Value pair(Value first, Value second);
   /// names sorted, values in step.
   static Value binding(Signature names, std::vector<Value> values);
+  static Value point(const Signature& names, Real x, Real y, Real z);  ///< of three components
   /// Sorted here; repetitions are dropped. A set of open values is open, one of undefined values undefined.
   static Value set(std::vector<Value> members);
 
@@ -108,14 +113,16 @@ class Value {
   Form form_;
 };
 
+// Most tuples are pairs and most bindings are points, so their parts need no heap of their own.
 struct TupleValue {
-  std::vector<Value> parts;
+  boost::container::small_vector<Value, 2> parts;
 };
 
 struct BindingValue {
-  BindingValue(Signature n, std::vector<Value> v) : names(std::move(n)), values(std::move(v)) {}
+  BindingValue(Signature n, std::span<Value> v)
+      : names(std::move(n)), values(std::make_move_iterator(v.begin()), std::make_move_iterator(v.end())) {}
   Signature names;
-  std::vector<Value> values;  ///< in step with names
+  boost::container::small_vector<Value, 3> values;  ///< in step with names
   const Value* component(const Name& name) const;
   /// The closed schema that this binding was last found to satisfy: a binding never changes, nor does a schema.
   mutable std::atomic<const void*> satisfies{nullptr};
