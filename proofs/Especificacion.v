@@ -1,19 +1,31 @@
-(** The Z text of spec/*.tex in Coq. Nothing is proved here: each line is one line of the text, by these rules.
+(** The Z text of spec/*.tex in Coq, written by `durero spec export --coq spec/*.tex`: change the text, not this file.
+    Nothing is proved here. The rules:
 
-    ℝ                     == Coq's R, its axioms (real.axiom.n) stated for proof in Tipos.v
-    a given set           == a Type, the section variable Elemento
+    ℝ, ℤ                  == Coq's R and Z; what the text assumes of them are statements, proved in Tipos.v
+    a given set           == a Type, a section variable
     a free type           == an Inductive
-    a set, ℙ T            == a predicate on the carrier of T (Toolkit.set); "x : S" is the predicate x ∈ S
+    a set, ℙ T            == a predicate on the carrier of T (Toolkit.set); univ where the set is the whole carrier
+    x ∈ T, T a whole type == x has a value: exists c : T, c = x
+    S ⊆ T, whole types    == an injection of S into T
     a partial function    == a set of pairs (Toolkit.rel)
-    f(e) within a predicate P  == exists v, (e, v) ∈ f /\ P: an application outside the domain makes P false
-    a total function with ∀ … f(x) = E    == a Definition; arguments are taken from the carriers
-    a partial function with its domain and value  == the relation "x is in the domain and y is the value"
+    f(e) within a predicate P  == exists v, (e, v) ∈ f /\ P: an application outside the domain makes P false. P is the
+                             relation that f(e) stands in, a chain counting as one; in a condition, all of its IF
+    A = B, sets           == A ≡ B
+    IF P THEN E ELSE F    == y is E or F: P /\ y = E \/ ~ P /\ y = F; of sets, with y ∈
+    a function with ∀ … f(x) = E     == a Definition; arguments are taken from the carriers
+    a partial function with dom f = S and ∀ … | … f(x) = E  == the relation "x ∈ S and y is E"
+    another name of a box == its declaration and predicates as statements f_decl and the labels', about any such f; and
+                             f itself: what solves f * n = m, or Coq's sqrt
+    { x : S | P }         == fun x => x ∈ S /\ P
+    { D | P } of several  == a Definition of the arguments, a Prop
     λ D | P • E, E a set  == a Definition of the arguments; outside P the set is empty
-    λ D | P • E, otherwise == the same with the value as last argument: a relation
-    a schema of data      == a Record S of carriers and a predicate S_ok with one field a declaration and invariant;
-                             components are prefixed by S where S serves as a type (Punto, Vector, Rayo)
-    a schema of operation == a predicate on its components, with one field an inclusion, declaration and predicate
-    x?, x!, s'            == x_in, x_out, s'
+    λ D | P • E, otherwise == the same with the set of E alone as value
+    S                     == a Record S of carriers and a predicate S_ok with one field a declaration that says more than
+                             a type and one a predicate; components are prefixed by S, but for those of the state
+    ΔS, ΞS, θS = θS'      == Delta_S, Xi_S, S_eq, for the state S: the schema that boxes include as ΔS, ΞS or S'
+    other schemas         == predicates on their components: a Record with one field an inclusion, a declaration that says
+                             more than a type, and a predicate; or a Definition where the text combines schemas
+    θS, θS'; x?, x!       == s, s'; x_in, x_out
     a label A.kind.n      == the field or Definition A_kind_n *)
 From Coq Require Import Reals.
 From Durero Require Import Toolkit.
@@ -23,51 +35,69 @@ Set Implicit Arguments.
 
 Section Especificacion.
 
-(** * spec/tipos.tex *)
+(** * tipos.tex *)
 
-Definition real_axiom_1 : Prop := exists f : Z -> R, forall m n, f m = f n -> m = n.                 (* real.axiom.1 *)
-Definition real_axiom_2 : Prop := forall a b : R,
-  (exists c, c = a + b) /\ (exists c, c = a - b) /\ (exists c, c = a * b).                            (* real.axiom.2 *)
-Definition real_axiom_3 : Prop := forall a : R, a <> 0 -> exists! b, a * b = 1.                      (* real.axiom.3 *)
-Definition real_axiom_4 : Prop := forall S : set R, (exists x, x ∈ S) -> (exists c, forall a, a ∈ S -> a <= c) ->
-  exists! c, (forall a, a ∈ S -> a <= c) /\ (forall d, (forall a, a ∈ S -> a <= d) -> c <= d).        (* real.axiom.4 *)
-Definition real_axiom_5 : Prop := forall a b c : R,                                              (* real.axiom.5 *)
-  a + b = b + a /\ a + (b + c) = (a + b) + c /\ a + 0 = a /\ (a - b) + b = a.
-Definition real_axiom_6 : Prop := forall a b c : R,                                              (* real.axiom.6 *)
-  a * b = b * a /\ a * (b * c) = (a * b) * c /\ a * 1 = a /\ a * (b + c) = a * b + a * c.
-Definition real_axiom_7 : Prop := forall a b c : R,                                              (* real.axiom.7 *)
-  (a <= b \/ b <= a) /\ (a <= b /\ b <= a -> a = b) /\ (a <= b /\ b <= c -> a <= c).
-Definition real_axiom_8 : Prop := forall a b c : R,                                              (* real.axiom.8 *)
-  (a <= b -> a + c <= b + c) /\ (0 <= a /\ 0 <= b -> 0 <= a * b).
+Definition real_axiom_1 : Prop := exists f : Z -> R, forall m n, f m = f n -> m = n. (* real.axiom.1 *)
+Definition real_axiom_2 : Prop :=
+  forall a b : R, (exists c1 : R, c1 = a + b) /\ (exists c1 : R, c1 = a - b)
+  /\ exists c1 : R, c1 = a * b. (* real.axiom.2 *)
+Definition real_axiom_3 : Prop := forall a : R, a <> 0 -> exists! b : R, a * b = 1. (* real.axiom.3 *)
+Definition real_axiom_4 : Prop :=
+  forall S : set R, (exists x1, x1 ∈ S) -> (exists c : R, forall a : R, a ∈ S -> a <= c)
+  -> exists! c : R, (forall a : R, a ∈ S -> a <= c) /\ forall d : R, (forall a : R, a ∈ S -> a <= d)
+  -> c <= d. (* real.axiom.4 *)
+Definition real_axiom_5 : Prop :=
+  forall a b c : R, a + b = b + a /\ a + (b + c) = a + b + c /\ a + 0 = a /\ a - b + b = a. (* real.axiom.5 *)
+Definition real_axiom_6 : Prop :=
+  forall a b c : R, a * b = b * a /\ a * (b * c) = a * b * c /\ a * 1 = a
+  /\ a * (b + c) = a * b + a * c. (* real.axiom.6 *)
+Definition real_axiom_7 : Prop :=
+  forall a b c : R, (a <= b \/ b <= a) /\ (a <= b /\ b <= a -> a = b)
+  /\ (a <= b /\ b <= c -> a <= c). (* real.axiom.7 *)
+Definition real_axiom_8 : Prop :=
+  forall a b c : R, (a <= b -> a + c <= b + c) /\ (0 <= a /\ 0 <= b -> 0 <= a * b). (* real.axiom.8 *)
 
-Definition Rmas : set R := fun r => r > 0.                                                           (* Rmas.inv.1 *)
+Definition Rmas : set R := fun r => r > 0. (* Rmas.inv.1 *)
 
-Record Punto := mk_Punto { Punto_x : R; Punto_y : R; Punto_z : R }.
-Record Vector := mk_Vector { Vector_x : R; Vector_y : R; Vector_z : R }.
-Record Rayo := mk_Rayo { Rayo_p : Punto; Rayo_v : Vector }.
-
-Record Rayo_ok (ray : Rayo) : Prop := {
-  Rayo_inv_1 : ~ (Vector_x (Rayo_v ray) = 0 /\ Vector_y (Rayo_v ray) = 0 /\ Vector_z (Rayo_v ray) = 0) (* Rayo.inv.1 *)
+Record Punto := mk_Punto {
+  Punto_x : R;
+  Punto_y : R;
+  Punto_z : R
 }.
 
+Record Vector := mk_Vector {
+  Vector_x : R;
+  Vector_y : R;
+  Vector_z : R
+}.
+
+Record Rayo := mk_Rayo {
+  Rayo_p : Punto;
+  Rayo_v : Vector
+}.
+
+Record Rayo_ok (s : Rayo) : Prop := {
+  Rayo_inv_1 : ~ (Vector_x (Rayo_v s) = 0 /\ Vector_y (Rayo_v s) = 0 /\ Vector_z (Rayo_v s) = 0) (* Rayo.inv.1 *)
+}.
+
+Definition tolerancia_unidad_decl (tolerancia_unidad : R) : Prop := tolerancia_unidad ∈ Rmas.
 Definition tolerancia_unidad_def_1 (tolerancia_unidad : R) : Prop :=
-  tolerancia_unidad * 1125899906842624 = 1.                                          (* tolerancia_unidad.def.1 *)
+  tolerancia_unidad * 1125899906842624 = 1. (* tolerancia_unidad.def.1 *)
 Definition tolerancia_unidad : R := 1 / 1125899906842624.
 
-Definition Unitario : set Vector := fun d =>                                                     (* Unitario.inv.1 *)
-  1 - tolerancia_unidad <= Vector_x d * Vector_x d + Vector_y d * Vector_y d + Vector_z d * Vector_z d
-                        <= 1 + tolerancia_unidad.
+Definition Unitario : set Vector :=
+  fun d => 1 - tolerancia_unidad <= Vector_x d * Vector_x d + Vector_y d * Vector_y d + Vector_z d * Vector_z d <= 1
+  + tolerancia_unidad. (* Unitario.inv.1 *)
 
 Variable Elemento : Type.
 
-Inductive Tipo := soy_esfera | soy_cilindro | soy_cono.
+Inductive Tipo := | soy_esfera | soy_cilindro | soy_cono.
 
-Inductive Respuesta :=
-  | elemento_agregado | elemento_eliminado | esfera_agregada | cilindro_agregado | cono_agregado
-  | esfera_eliminada | cilindro_eliminado | cono_eliminado | elemento_ya_existe | elemento_no_existe
-  | tipo_incorrecto | radio_no_positivo | vector_no_unitario | altura_no_positiva | proporcion_no_positiva.
+Inductive Respuesta := | elemento_agregado | elemento_eliminado | esfera_agregada | cilindro_agregado | cono_agregado
+  | esfera_eliminada | cilindro_eliminado | cono_eliminado | elemento_ya_existe | elemento_no_existe | tipo_incorrecto
+  | radio_no_positivo | vector_no_unitario | altura_no_positiva | proporcion_no_positiva.
 
-(** * spec/escena.tex *)
+(** * escena.tex *)
 
 Record Escena := mk_Escena {
   elementos : set Elemento;
@@ -83,26 +113,23 @@ Record Escena := mk_Escena {
 Record Escena_ok (s : Escena) : Prop := {
   Escena_decl_elementos : elementos s ∈ 𝔽 univ;
   Escena_decl_tipos : tipos s ∈ ℙ univ;
-  Escena_decl_de_que_tipo : de_que_tipo s ∈ (univ ⇸ univ);
-  Escena_decl_mi_centro : mi_centro s ∈ (univ ⇸ univ);
-  Escena_decl_mi_radio : mi_radio s ∈ (univ ⇸ Rmas);
-  Escena_decl_mi_vector : mi_vector s ∈ (univ ⇸ univ);
-  Escena_decl_mi_altura : mi_altura s ∈ (univ ⇸ Rmas);
-  Escena_decl_mi_proporcion : mi_proporcion s ∈ (univ ⇸ Rmas);
-  Escena_inv_1 : elementos s ≡ dom (de_que_tipo s);                                                (* Escena.inv.1 *)
-  Escena_inv_2 : elementos s ≡ dom (mi_centro s);                                                  (* Escena.inv.2 *)
-  Escena_inv_3 : dom (mi_radio s)
-    ≡ image (inverse (de_que_tipo s)) (⦃soy_esfera⦄ ∪ ⦃soy_cilindro⦄);                             (* Escena.inv.3 *)
-  Escena_inv_4 : dom (mi_vector s)
-    ≡ image (inverse (de_que_tipo s)) (⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄);                               (* Escena.inv.4 *)
-  Escena_inv_5 : dom (mi_altura s)
-    ≡ image (inverse (de_que_tipo s)) (⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄);                               (* Escena.inv.5 *)
-  Escena_inv_6 : dom (mi_proporcion s) ≡ image (inverse (de_que_tipo s)) ⦃soy_cono⦄;               (* Escena.inv.6 *)
-  Escena_inv_7 : tipos s ≡ ran (de_que_tipo s);                                                    (* Escena.inv.7 *)
-  Escena_inv_8 : ran (mi_vector s) ⊆ Unitario                                                      (* Escena.inv.8 *)
+  Escena_decl_de_que_tipo : de_que_tipo s ∈ univ ⇸ univ;
+  Escena_decl_mi_centro : mi_centro s ∈ univ ⇸ univ;
+  Escena_decl_mi_radio : mi_radio s ∈ univ ⇸ Rmas;
+  Escena_decl_mi_vector : mi_vector s ∈ univ ⇸ univ;
+  Escena_decl_mi_altura : mi_altura s ∈ univ ⇸ Rmas;
+  Escena_decl_mi_proporcion : mi_proporcion s ∈ univ ⇸ Rmas;
+  Escena_inv_1 : elementos s ≡ dom (de_que_tipo s); (* Escena.inv.1 *)
+  Escena_inv_2 : elementos s ≡ dom (mi_centro s); (* Escena.inv.2 *)
+  Escena_inv_3 : dom (mi_radio s) ≡ image (inverse (de_que_tipo s)) (⦃soy_esfera⦄ ∪ ⦃soy_cilindro⦄);
+    (* Escena.inv.3 *)
+  Escena_inv_4 : dom (mi_vector s) ≡ image (inverse (de_que_tipo s)) (⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄); (* Escena.inv.4 *)
+  Escena_inv_5 : dom (mi_altura s) ≡ image (inverse (de_que_tipo s)) (⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄); (* Escena.inv.5 *)
+  Escena_inv_6 : dom (mi_proporcion s) ≡ image (inverse (de_que_tipo s)) ⦃soy_cono⦄; (* Escena.inv.6 *)
+  Escena_inv_7 : tipos s ≡ ran (de_que_tipo s); (* Escena.inv.7 *)
+  Escena_inv_8 : ran (mi_vector s) ⊆ Unitario (* Escena.inv.8 *)
 }.
 
-(** θEscena = θEscena': equal component by component. *)
 Record Escena_eq (s s' : Escena) : Prop := {
   Escena_eq_elementos : elementos s' ≡ elementos s;
   Escena_eq_tipos : tipos s' ≡ tipos s;
@@ -126,183 +153,335 @@ Record Xi_Escena (s s' : Escena) : Prop := {
 
 Record Init (s' : Escena) : Prop := {
   Init_Escena : Escena_ok s';
-  Init_post_1 : elementos s' ≡ ∅                                                                    (* Init.post.1 *)
+  Init_post_1 : elementos s' ≡ ∅ (* Init.post.1 *)
 }.
 
-(** * spec/operaciones.tex *)
+(** * puntos.tex *)
+
+Definition cuadrado (r : R) : R := r * r. (* cuadrado.def.1 *)
+
+Definition raizcuadrada_decl (raizcuadrada : R -> R) : Prop := forall x1 : R, x1 >= 0 -> raizcuadrada x1 >= 0.
+Definition raizcuadrada_def_1 (raizcuadrada : R -> R) : Prop :=
+  forall r : R, r >= 0 -> raizcuadrada r * raizcuadrada r = r. (* raizcuadrada.def.1 *)
+Definition raizcuadrada : R -> R := sqrt.
+
+Definition avance (w centro : Punto) (dir : Vector) : R :=
+  (Punto_x w - Punto_x centro) * Vector_x dir + (Punto_y w - Punto_y centro) * Vector_y dir
+  + (Punto_z w - Punto_z centro) * Vector_z dir. (* avance.def.1 *)
+Definition alejamiento (w centro : Punto) (dir : Vector) : R :=
+  cuadrado (Punto_x w - (Punto_x centro + avance w centro dir * Vector_x dir))
+  + cuadrado (Punto_y w - (Punto_y centro + avance w centro dir * Vector_y dir))
+  + cuadrado (Punto_z w - (Punto_z centro + avance w centro dir * Vector_z dir)). (* alejamiento.def.1 *)
+
+Definition potencia_esfera (w centro : Punto) (radio : R) : R :=
+  cuadrado (Punto_x w - Punto_x centro) + cuadrado (Punto_y w - Punto_y centro)
+  + cuadrado (Punto_z w - Punto_z centro) - cuadrado radio. (* potencia_esfera.def.1 *)
+Definition potencia_cilindro (w centro : Punto) (radio : R) (dir : Vector) : R :=
+  alejamiento w centro dir - cuadrado radio. (* potencia_cilindro.def.1 *)
+Definition potencia_cono (w centro : Punto) (prop : R) (dir : Vector) (h : R) : R :=
+  alejamiento w centro dir - cuadrado (prop * avance w centro dir - h * prop). (* potencia_cono.def.1 *)
+
+Definition puntos_esfera (centro : Punto) (radio : R) : set Punto :=
+  fun w => potencia_esfera w centro radio = 0. (* puntos_esfera.def.1 *)
+
+Definition puntos_cilindro (centro : Punto) (radio : R) (dir : Vector) (h : R) : set Punto :=
+  fun w => potencia_cilindro w centro radio dir = 0 /\ 0 <= avance w centro dir <= h. (* puntos_cilindro.def.1 *)
+
+Definition puntos_cono (centro : Punto) (prop : R) (dir : Vector) (h : R) : set Punto :=
+  fun w => potencia_cono w centro prop dir h = 0 /\ 0 <= avance w centro dir <= h. (* puntos_cono.def.1 *)
+
+Definition puntos_de_rayo (ray : Rayo) : set Punto :=
+  ⋃[Rmas] (fun t => fun temp => Punto_x temp = Punto_x (Rayo_p ray) + t * Vector_x (Rayo_v ray)
+  /\ Punto_y temp = Punto_y (Rayo_p ray) + t * Vector_y (Rayo_v ray)
+  /\ Punto_z temp = Punto_z (Rayo_p ray) + t * Vector_z (Rayo_v ray)). (* puntos_de_rayo.def.1 *)
+
+Definition puntos_de_elemento (s : Escena) (e : Elemento) : set Punto :=
+  fun x1 => e ∈ elementos s /\ exists v1, (e, v1) ∈ de_que_tipo s
+  /\ ((v1 = soy_esfera /\ exists v2 v3, (e, v2) ∈ mi_centro s /\ (e, v3) ∈ mi_radio s /\ x1 ∈ puntos_esfera v2 v3)
+  \/ (v1 <> soy_esfera /\ ((v1 = soy_cilindro /\ exists v2 v3 v4 v5, (e, v2) ∈ mi_centro s /\ (e, v3) ∈ mi_radio s
+  /\ (e, v4) ∈ mi_vector s /\ (e, v5) ∈ mi_altura s /\ x1 ∈ puntos_cilindro v2 v3 v4 v5)
+  \/ (v1 <> soy_cilindro /\ exists v2 v3 v4 v5, (e, v2) ∈ mi_centro s /\ (e, v3) ∈ mi_proporcion s
+  /\ (e, v4) ∈ mi_vector s /\ (e, v5) ∈ mi_altura s
+  /\ x1 ∈ puntos_cono v2 v3 v4 v5)))). (* puntos_de_elemento.def.1 *)
+
+Definition puntos_de_escena (s : Escena) : set Punto :=
+  ⋃[elementos s] (fun e => puntos_de_elemento s e). (* puntos_de_escena.def.1 *)
+
+(** * interseccion.tex *)
+
+Definition interseccion (ps qs : set Punto) : set Punto := ps ∩ qs. (* interseccion.def.1 *)
+
+Definition distancia (a b : Punto) : R :=
+  raizcuadrada (cuadrado (Punto_x a - Punto_x b) + cuadrado (Punto_y a - Punto_y b)
+  + cuadrado (Punto_z a - Punto_z b)). (* distancia.def.1 *)
+
+Definition reduccion : rel (set Punto * Punto) Punto :=
+  fun '((ps, ojo), y1) => (exists! temp : Punto, temp ∈ ps /\ forall otro : Punto, otro ∈ ps
+  -> distancia temp ojo <= distancia otro ojo)
+  /\ y1 ∈ is_mu (fun temp => temp ∈ ps /\ forall otro : Punto, otro ∈ ps
+  -> distancia temp ojo <= distancia otro ojo). (* reduccion.def.1, reduccion.def.2 *)
+
+Definition de_que_elemento (s : Escena) (p : Punto) : set Elemento :=
+  fun e => e ∈ elementos s /\ p ∈ puntos_de_elemento s e. (* de_que_elemento.def.1 *)
+
+Definition potencia (s : Escena) (e : Elemento) (w : Punto) : set R :=
+  fun y1 => e ∈ elementos s /\ exists v1, (e, v1) ∈ de_que_tipo s
+  /\ ((v1 = soy_esfera /\ exists v2 v3, (e, v2) ∈ mi_centro s /\ (e, v3) ∈ mi_radio s
+  /\ y1 = potencia_esfera w v2 v3) \/ (v1 <> soy_esfera
+  /\ ((v1 = soy_cilindro /\ exists v2 v3 v4, (e, v2) ∈ mi_centro s /\ (e, v3) ∈ mi_radio s /\ (e, v4) ∈ mi_vector s
+  /\ y1 = potencia_cilindro w v2 v3 v4) \/ (v1 <> soy_cilindro /\ exists v2 v3 v4 v5, (e, v2) ∈ mi_centro s
+  /\ (e, v3) ∈ mi_proporcion s /\ (e, v4) ∈ mi_vector s /\ (e, v5) ∈ mi_altura s
+  /\ y1 = potencia_cono w v2 v3 v4 v5)))). (* potencia.def.1 *)
+
+Definition tramo (s : Escena) (e : Elemento) : set Punto :=
+  fun w => e ∈ elementos s /\ (e ∈ dom (mi_altura s)
+  -> (exists v1 v2 v3, (e, v1) ∈ mi_centro s /\ (e, v2) ∈ mi_vector s /\ (e, v3) ∈ mi_altura s
+  /\ 0 <= avance w v1 v2 <= v3)). (* tramo.def.1 *)
+
+Definition puntos_desde (s : Escena) (e : Elemento) (p : Punto) : set Punto :=
+  fun w => e ∈ elementos s /\ w ∈ tramo s e /\ exists v1 v2, v1 ∈ potencia s e w /\ v2 ∈ potencia s e p
+  /\ v1 = v2. (* puntos_desde.def.1 *)
+
+Definition alcance (s : Escena) (rayo : Rayo) (en : set Elemento) (e : Elemento) : set Punto :=
+  fun x1 => e ∈ elementos s /\ x1 ∈ interseccion (puntos_de_rayo rayo) (fun x2 =>
+  (e ∈ en /\ x2 ∈ puntos_desde s e (Rayo_p rayo)) \/ (e ∉ en /\ x2 ∈ puntos_de_elemento s e)). (* alcance.def.1 *)
+
+Definition alcances (s : Escena) (rayo : Rayo) (en : set Elemento) : set Punto :=
+  ⋃[elementos s] (fun e => alcance s rayo en e). (* alcances.def.1 *)
+
+Inductive Resultado := | hit | miss | no_minimum.
+
+Record Pregunta (s s' : Escena) (rayo_in : Rayo) (en_in : set Elemento) (resultado_out : Resultado) (elementos_out :
+  set Elemento) : Prop := {
+  Pregunta_Xi : Xi_Escena s s';
+  Pregunta_decl_rayo : rayo_in ∈ Rayo_ok;
+  Pregunta_decl_en : en_in ∈ ℙ univ;
+  Pregunta_decl_elementos : elementos_out ∈ ℙ univ;
+  Pregunta_pre_1 : en_in ⊆ elementos s (* Pregunta.pre.1 *)
+}.
+
+Record Hay_Interseccion (s s' : Escena) (rayo_in : Rayo) (en_in : set Elemento) (resultado_out : Resultado)
+  (elementos_out : set Elemento) (t_out : R) (punto_out : Punto) : Prop := {
+  Hay_Interseccion_Pregunta : Pregunta s s' rayo_in en_in resultado_out elementos_out;
+  Hay_Interseccion_decl_t : t_out ∈ Rmas;
+  Hay_Interseccion_pre_1 : (alcances s rayo_in en_in, Rayo_p rayo_in) ∈ dom reduccion; (* Hay_Interseccion.pre.1 *)
+  Hay_Interseccion_post_1 : exists v1, ((alcances s rayo_in en_in, Rayo_p rayo_in), v1) ∈ reduccion
+    /\ punto_out = v1; (* Hay_Interseccion.post.1 *)
+  Hay_Interseccion_post_2 : Punto_x punto_out = Punto_x (Rayo_p rayo_in) + t_out * Vector_x (Rayo_v rayo_in)
+    /\ Punto_y punto_out = Punto_y (Rayo_p rayo_in) + t_out * Vector_y (Rayo_v rayo_in)
+    /\ Punto_z punto_out = Punto_z (Rayo_p rayo_in) + t_out * Vector_z (Rayo_v rayo_in); (* Hay_Interseccion.post.2 *)
+  Hay_Interseccion_post_3 : elementos_out
+    ≡ (fun e => e ∈ elementos s /\ punto_out ∈ alcance s rayo_in en_in e); (* Hay_Interseccion.post.3 *)
+  Hay_Interseccion_post_4 : resultado_out = hit (* Hay_Interseccion.post.4 *)
+}.
+
+Record No_Hay_Interseccion (s s' : Escena) (rayo_in : Rayo) (en_in : set Elemento) (resultado_out : Resultado)
+  (elementos_out : set Elemento) : Prop := {
+  No_Hay_Interseccion_Pregunta : Pregunta s s' rayo_in en_in resultado_out elementos_out;
+  No_Hay_Interseccion_pre_1 : alcances s rayo_in en_in ≡ ∅; (* No_Hay_Interseccion.pre.1 *)
+  No_Hay_Interseccion_post_1 : elementos_out ≡ ∅; (* No_Hay_Interseccion.post.1 *)
+  No_Hay_Interseccion_post_2 : resultado_out = miss (* No_Hay_Interseccion.post.2 *)
+}.
+
+Record No_Hay_Minimo (s s' : Escena) (rayo_in : Rayo) (en_in : set Elemento) (resultado_out : Resultado)
+  (elementos_out : set Elemento) : Prop := {
+  No_Hay_Minimo_Pregunta : Pregunta s s' rayo_in en_in resultado_out elementos_out;
+  No_Hay_Minimo_pre_1 : ~ (alcances s rayo_in en_in ≡ ∅); (* No_Hay_Minimo.pre.1 *)
+  No_Hay_Minimo_pre_2 : (alcances s rayo_in en_in, Rayo_p rayo_in) ∉ dom reduccion; (* No_Hay_Minimo.pre.2 *)
+  No_Hay_Minimo_post_1 : elementos_out ≡ (fun e => e ∈ elementos s /\ ~ (alcance s rayo_in en_in e ≡ ∅)
+    /\ (alcance s rayo_in en_in e, Rayo_p rayo_in) ∉ dom reduccion); (* No_Hay_Minimo.post.1 *)
+  No_Hay_Minimo_post_2 : resultado_out = no_minimum (* No_Hay_Minimo.post.2 *)
+}.
+
+Definition Primera_Interseccion (s s' : Escena) (rayo_in : Rayo) (en_in : set Elemento) (resultado_out : Resultado)
+  (elementos_out : set Elemento) (t_out : R) (punto_out : Punto) : Prop :=
+  Hay_Interseccion s s' rayo_in en_in resultado_out elementos_out t_out punto_out
+  \/ No_Hay_Interseccion s s' rayo_in en_in resultado_out elementos_out
+  \/ No_Hay_Minimo s s' rayo_in en_in resultado_out elementos_out.
+
+Definition occluded (s : Escena) (rayo : Rayo) (en : set Elemento) : Prop :=
+  ~ (alcances s rayo en ≡ ∅). (* occluded.def.1 *)
+
+Definition occluded_segment (s : Escena) (rayo : Rayo) (en : set Elemento) : Prop :=
+  exists (t : R) (punto : Punto), t ∈ Rmas /\ punto ∈ alcances s rayo en /\ t < 1
+  /\ Punto_x punto = Punto_x (Rayo_p rayo) + t * Vector_x (Rayo_v rayo)
+  /\ Punto_y punto = Punto_y (Rayo_p rayo) + t * Vector_y (Rayo_v rayo)
+  /\ Punto_z punto = Punto_z (Rayo_p rayo) + t * Vector_z (Rayo_v rayo). (* occluded_segment.def.1 *)
+
+(** * operaciones.tex *)
 
 Record Agregar_Elemento (s s' : Escena) (e_in : Elemento) (t_in : Tipo) (r_out : Respuesta) : Prop := {
   Agregar_Elemento_Delta : Delta_Escena s s';
-  Agregar_Elemento_pre_1 : e_in ∉ elementos s;                                           (* Agregar_Elemento.pre.1 *)
-  Agregar_Elemento_post_1 : elementos s' ≡ elementos s ∪ ⦃e_in⦄;                        (* Agregar_Elemento.post.1 *)
-  Agregar_Elemento_post_2 : de_que_tipo s' ≡ de_que_tipo s ∪ ⦃(e_in, t_in)⦄             (* Agregar_Elemento.post.2 *)
+  Agregar_Elemento_pre_1 : e_in ∉ elementos s; (* Agregar_Elemento.pre.1 *)
+  Agregar_Elemento_post_1 : elementos s' ≡ elementos s ∪ ⦃e_in⦄; (* Agregar_Elemento.post.1 *)
+  Agregar_Elemento_post_2 : de_que_tipo s' ≡ de_que_tipo s ∪ ⦃(e_in, t_in)⦄ (* Agregar_Elemento.post.2 *)
 }.
 
 Record Eliminar_Elemento (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop := {
   Eliminar_Elemento_Delta : Delta_Escena s s';
-  Eliminar_Elemento_pre_1 : e_in ∈ elementos s;                                         (* Eliminar_Elemento.pre.1 *)
-  Eliminar_Elemento_post_1 : elementos s' ≡ elementos s ∖ ⦃e_in⦄;                      (* Eliminar_Elemento.post.1 *)
-  Eliminar_Elemento_post_2 : de_que_tipo s' ≡ ndres ⦃e_in⦄ (de_que_tipo s)             (* Eliminar_Elemento.post.2 *)
+  Eliminar_Elemento_pre_1 : e_in ∈ elementos s; (* Eliminar_Elemento.pre.1 *)
+  Eliminar_Elemento_post_1 : elementos s' ≡ elementos s ∖ ⦃e_in⦄; (* Eliminar_Elemento.post.1 *)
+  Eliminar_Elemento_post_2 : de_que_tipo s' ≡ ndres ⦃e_in⦄ (de_que_tipo s) (* Eliminar_Elemento.post.2 *)
 }.
 
-Record Agregar_Esfera (s s' : Escena) (e_in : Elemento) (t_in : Tipo) (r_out : Respuesta)
-    (centro_in : Punto) (radio_in : R) : Prop := {
+Record Agregar_Esfera (s s' : Escena) (e_in : Elemento) (t_in : Tipo) (r_out : Respuesta) (centro_in : Punto)
+  (radio_in : R) : Prop := {
   Agregar_Esfera_Agregar_Elemento : Agregar_Elemento s s' e_in t_in r_out;
-  Agregar_Esfera_pre_1 : t_in = soy_esfera;                                                (* Agregar_Esfera.pre.1 *)
-  Agregar_Esfera_pre_2 : radio_in ∈ Rmas;                                                  (* Agregar_Esfera.pre.2 *)
-  Agregar_Esfera_post_1 : mi_centro s' ≡ mi_centro s ∪ ⦃(e_in, centro_in)⦄;               (* Agregar_Esfera.post.1 *)
-  Agregar_Esfera_post_2 : mi_radio s' ≡ mi_radio s ∪ ⦃(e_in, radio_in)⦄;                  (* Agregar_Esfera.post.2 *)
-  Agregar_Esfera_post_3 : mi_vector s' ≡ mi_vector s;                                     (* Agregar_Esfera.post.3 *)
-  Agregar_Esfera_post_4 : mi_altura s' ≡ mi_altura s;                                     (* Agregar_Esfera.post.4 *)
-  Agregar_Esfera_post_5 : mi_proporcion s' ≡ mi_proporcion s;                             (* Agregar_Esfera.post.5 *)
-  Agregar_Esfera_post_6 : r_out = esfera_agregada                                         (* Agregar_Esfera.post.6 *)
+  Agregar_Esfera_pre_1 : t_in = soy_esfera; (* Agregar_Esfera.pre.1 *)
+  Agregar_Esfera_pre_2 : radio_in ∈ Rmas; (* Agregar_Esfera.pre.2 *)
+  Agregar_Esfera_post_1 : mi_centro s' ≡ mi_centro s ∪ ⦃(e_in, centro_in)⦄; (* Agregar_Esfera.post.1 *)
+  Agregar_Esfera_post_2 : mi_radio s' ≡ mi_radio s ∪ ⦃(e_in, radio_in)⦄; (* Agregar_Esfera.post.2 *)
+  Agregar_Esfera_post_3 : mi_vector s' ≡ mi_vector s; (* Agregar_Esfera.post.3 *)
+  Agregar_Esfera_post_4 : mi_altura s' ≡ mi_altura s; (* Agregar_Esfera.post.4 *)
+  Agregar_Esfera_post_5 : mi_proporcion s' ≡ mi_proporcion s; (* Agregar_Esfera.post.5 *)
+  Agregar_Esfera_post_6 : r_out = esfera_agregada (* Agregar_Esfera.post.6 *)
 }.
 
-Record Agregar_Cilindro (s s' : Escena) (e_in : Elemento) (t_in : Tipo) (r_out : Respuesta)
-    (centro_in : Punto) (radio_in : R) (vector_in : Vector) (altura_in : R) : Prop := {
+Record Agregar_Cilindro (s s' : Escena) (e_in : Elemento) (t_in : Tipo) (r_out : Respuesta) (centro_in : Punto)
+  (radio_in : R) (vector_in : Vector) (altura_in : R) : Prop := {
   Agregar_Cilindro_Agregar_Elemento : Agregar_Elemento s s' e_in t_in r_out;
-  Agregar_Cilindro_pre_1 : t_in = soy_cilindro;                                          (* Agregar_Cilindro.pre.1 *)
-  Agregar_Cilindro_pre_2 : radio_in ∈ Rmas;                                              (* Agregar_Cilindro.pre.2 *)
-  Agregar_Cilindro_pre_3 : vector_in ∈ Unitario;                                         (* Agregar_Cilindro.pre.3 *)
-  Agregar_Cilindro_pre_4 : altura_in ∈ Rmas;                                             (* Agregar_Cilindro.pre.4 *)
-  Agregar_Cilindro_post_1 : mi_centro s' ≡ mi_centro s ∪ ⦃(e_in, centro_in)⦄;           (* Agregar_Cilindro.post.1 *)
-  Agregar_Cilindro_post_2 : mi_radio s' ≡ mi_radio s ∪ ⦃(e_in, radio_in)⦄;              (* Agregar_Cilindro.post.2 *)
-  Agregar_Cilindro_post_3 : mi_vector s' ≡ mi_vector s ∪ ⦃(e_in, vector_in)⦄;           (* Agregar_Cilindro.post.3 *)
-  Agregar_Cilindro_post_4 : mi_altura s' ≡ mi_altura s ∪ ⦃(e_in, altura_in)⦄;           (* Agregar_Cilindro.post.4 *)
-  Agregar_Cilindro_post_5 : mi_proporcion s' ≡ mi_proporcion s;                         (* Agregar_Cilindro.post.5 *)
-  Agregar_Cilindro_post_6 : r_out = cilindro_agregado                                   (* Agregar_Cilindro.post.6 *)
+  Agregar_Cilindro_pre_1 : t_in = soy_cilindro; (* Agregar_Cilindro.pre.1 *)
+  Agregar_Cilindro_pre_2 : radio_in ∈ Rmas; (* Agregar_Cilindro.pre.2 *)
+  Agregar_Cilindro_pre_3 : vector_in ∈ Unitario; (* Agregar_Cilindro.pre.3 *)
+  Agregar_Cilindro_pre_4 : altura_in ∈ Rmas; (* Agregar_Cilindro.pre.4 *)
+  Agregar_Cilindro_post_1 : mi_centro s' ≡ mi_centro s ∪ ⦃(e_in, centro_in)⦄; (* Agregar_Cilindro.post.1 *)
+  Agregar_Cilindro_post_2 : mi_radio s' ≡ mi_radio s ∪ ⦃(e_in, radio_in)⦄; (* Agregar_Cilindro.post.2 *)
+  Agregar_Cilindro_post_3 : mi_vector s' ≡ mi_vector s ∪ ⦃(e_in, vector_in)⦄; (* Agregar_Cilindro.post.3 *)
+  Agregar_Cilindro_post_4 : mi_altura s' ≡ mi_altura s ∪ ⦃(e_in, altura_in)⦄; (* Agregar_Cilindro.post.4 *)
+  Agregar_Cilindro_post_5 : mi_proporcion s' ≡ mi_proporcion s; (* Agregar_Cilindro.post.5 *)
+  Agregar_Cilindro_post_6 : r_out = cilindro_agregado (* Agregar_Cilindro.post.6 *)
 }.
 
-Record Agregar_Cono (s s' : Escena) (e_in : Elemento) (t_in : Tipo) (r_out : Respuesta)
-    (centro_in : Punto) (proporcion_in : R) (vector_in : Vector) (altura_in : R) : Prop := {
+Record Agregar_Cono (s s' : Escena) (e_in : Elemento) (t_in : Tipo) (r_out : Respuesta) (centro_in : Punto)
+  (proporcion_in : R) (vector_in : Vector) (altura_in : R) : Prop := {
   Agregar_Cono_Agregar_Elemento : Agregar_Elemento s s' e_in t_in r_out;
-  Agregar_Cono_pre_1 : t_in = soy_cono;                                                      (* Agregar_Cono.pre.1 *)
-  Agregar_Cono_pre_2 : proporcion_in ∈ Rmas;                                                 (* Agregar_Cono.pre.2 *)
-  Agregar_Cono_pre_3 : vector_in ∈ Unitario;                                                 (* Agregar_Cono.pre.3 *)
-  Agregar_Cono_pre_4 : altura_in ∈ Rmas;                                                     (* Agregar_Cono.pre.4 *)
-  Agregar_Cono_post_1 : mi_centro s' ≡ mi_centro s ∪ ⦃(e_in, centro_in)⦄;                   (* Agregar_Cono.post.1 *)
-  Agregar_Cono_post_2 : mi_radio s' ≡ mi_radio s;                                           (* Agregar_Cono.post.2 *)
-  Agregar_Cono_post_3 : mi_vector s' ≡ mi_vector s ∪ ⦃(e_in, vector_in)⦄;                   (* Agregar_Cono.post.3 *)
-  Agregar_Cono_post_4 : mi_altura s' ≡ mi_altura s ∪ ⦃(e_in, altura_in)⦄;                   (* Agregar_Cono.post.4 *)
-  Agregar_Cono_post_5 : mi_proporcion s' ≡ mi_proporcion s ∪ ⦃(e_in, proporcion_in)⦄;       (* Agregar_Cono.post.5 *)
-  Agregar_Cono_post_6 : r_out = cono_agregado                                               (* Agregar_Cono.post.6 *)
+  Agregar_Cono_pre_1 : t_in = soy_cono; (* Agregar_Cono.pre.1 *)
+  Agregar_Cono_pre_2 : proporcion_in ∈ Rmas; (* Agregar_Cono.pre.2 *)
+  Agregar_Cono_pre_3 : vector_in ∈ Unitario; (* Agregar_Cono.pre.3 *)
+  Agregar_Cono_pre_4 : altura_in ∈ Rmas; (* Agregar_Cono.pre.4 *)
+  Agregar_Cono_post_1 : mi_centro s' ≡ mi_centro s ∪ ⦃(e_in, centro_in)⦄; (* Agregar_Cono.post.1 *)
+  Agregar_Cono_post_2 : mi_radio s' ≡ mi_radio s; (* Agregar_Cono.post.2 *)
+  Agregar_Cono_post_3 : mi_vector s' ≡ mi_vector s ∪ ⦃(e_in, vector_in)⦄; (* Agregar_Cono.post.3 *)
+  Agregar_Cono_post_4 : mi_altura s' ≡ mi_altura s ∪ ⦃(e_in, altura_in)⦄; (* Agregar_Cono.post.4 *)
+  Agregar_Cono_post_5 : mi_proporcion s' ≡ mi_proporcion s ∪ ⦃(e_in, proporcion_in)⦄; (* Agregar_Cono.post.5 *)
+  Agregar_Cono_post_6 : r_out = cono_agregado (* Agregar_Cono.post.6 *)
 }.
 
 Record Eliminar_Esfera (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop := {
   Eliminar_Esfera_Eliminar_Elemento : Eliminar_Elemento s s' e_in r_out;
-  Eliminar_Esfera_pre_1 : exists v, (e_in, v) ∈ de_que_tipo s /\ v = soy_esfera;          (* Eliminar_Esfera.pre.1 *)
-  Eliminar_Esfera_post_1 : mi_centro s' ≡ ndres ⦃e_in⦄ (mi_centro s);                    (* Eliminar_Esfera.post.1 *)
-  Eliminar_Esfera_post_2 : mi_radio s' ≡ ndres ⦃e_in⦄ (mi_radio s);                      (* Eliminar_Esfera.post.2 *)
-  Eliminar_Esfera_post_3 : mi_vector s' ≡ mi_vector s;                                   (* Eliminar_Esfera.post.3 *)
-  Eliminar_Esfera_post_4 : mi_altura s' ≡ mi_altura s;                                   (* Eliminar_Esfera.post.4 *)
-  Eliminar_Esfera_post_5 : mi_proporcion s' ≡ mi_proporcion s;                           (* Eliminar_Esfera.post.5 *)
-  Eliminar_Esfera_post_6 : r_out = esfera_eliminada                                      (* Eliminar_Esfera.post.6 *)
+  Eliminar_Esfera_pre_1 : exists v1, (e_in, v1) ∈ de_que_tipo s /\ v1 = soy_esfera; (* Eliminar_Esfera.pre.1 *)
+  Eliminar_Esfera_post_1 : mi_centro s' ≡ ndres ⦃e_in⦄ (mi_centro s); (* Eliminar_Esfera.post.1 *)
+  Eliminar_Esfera_post_2 : mi_radio s' ≡ ndres ⦃e_in⦄ (mi_radio s); (* Eliminar_Esfera.post.2 *)
+  Eliminar_Esfera_post_3 : mi_vector s' ≡ mi_vector s; (* Eliminar_Esfera.post.3 *)
+  Eliminar_Esfera_post_4 : mi_altura s' ≡ mi_altura s; (* Eliminar_Esfera.post.4 *)
+  Eliminar_Esfera_post_5 : mi_proporcion s' ≡ mi_proporcion s; (* Eliminar_Esfera.post.5 *)
+  Eliminar_Esfera_post_6 : r_out = esfera_eliminada (* Eliminar_Esfera.post.6 *)
 }.
 
 Record Eliminar_Cilindro (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop := {
   Eliminar_Cilindro_Eliminar_Elemento : Eliminar_Elemento s s' e_in r_out;
-  Eliminar_Cilindro_pre_1 : exists v, (e_in, v) ∈ de_que_tipo s /\ v = soy_cilindro;    (* Eliminar_Cilindro.pre.1 *)
-  Eliminar_Cilindro_post_1 : mi_centro s' ≡ ndres ⦃e_in⦄ (mi_centro s);                (* Eliminar_Cilindro.post.1 *)
-  Eliminar_Cilindro_post_2 : mi_radio s' ≡ ndres ⦃e_in⦄ (mi_radio s);                  (* Eliminar_Cilindro.post.2 *)
-  Eliminar_Cilindro_post_3 : mi_vector s' ≡ ndres ⦃e_in⦄ (mi_vector s);                (* Eliminar_Cilindro.post.3 *)
-  Eliminar_Cilindro_post_4 : mi_altura s' ≡ ndres ⦃e_in⦄ (mi_altura s);                (* Eliminar_Cilindro.post.4 *)
-  Eliminar_Cilindro_post_5 : mi_proporcion s' ≡ mi_proporcion s;                       (* Eliminar_Cilindro.post.5 *)
-  Eliminar_Cilindro_post_6 : r_out = cilindro_eliminado                                (* Eliminar_Cilindro.post.6 *)
+  Eliminar_Cilindro_pre_1 : exists v1, (e_in, v1) ∈ de_que_tipo s /\ v1 = soy_cilindro; (* Eliminar_Cilindro.pre.1 *)
+  Eliminar_Cilindro_post_1 : mi_centro s' ≡ ndres ⦃e_in⦄ (mi_centro s); (* Eliminar_Cilindro.post.1 *)
+  Eliminar_Cilindro_post_2 : mi_radio s' ≡ ndres ⦃e_in⦄ (mi_radio s); (* Eliminar_Cilindro.post.2 *)
+  Eliminar_Cilindro_post_3 : mi_vector s' ≡ ndres ⦃e_in⦄ (mi_vector s); (* Eliminar_Cilindro.post.3 *)
+  Eliminar_Cilindro_post_4 : mi_altura s' ≡ ndres ⦃e_in⦄ (mi_altura s); (* Eliminar_Cilindro.post.4 *)
+  Eliminar_Cilindro_post_5 : mi_proporcion s' ≡ mi_proporcion s; (* Eliminar_Cilindro.post.5 *)
+  Eliminar_Cilindro_post_6 : r_out = cilindro_eliminado (* Eliminar_Cilindro.post.6 *)
 }.
 
 Record Eliminar_Cono (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop := {
   Eliminar_Cono_Eliminar_Elemento : Eliminar_Elemento s s' e_in r_out;
-  Eliminar_Cono_pre_1 : exists v, (e_in, v) ∈ de_que_tipo s /\ v = soy_cono;                (* Eliminar_Cono.pre.1 *)
-  Eliminar_Cono_post_1 : mi_centro s' ≡ ndres ⦃e_in⦄ (mi_centro s);                        (* Eliminar_Cono.post.1 *)
-  Eliminar_Cono_post_2 : mi_radio s' ≡ mi_radio s;                                         (* Eliminar_Cono.post.2 *)
-  Eliminar_Cono_post_3 : mi_vector s' ≡ ndres ⦃e_in⦄ (mi_vector s);                        (* Eliminar_Cono.post.3 *)
-  Eliminar_Cono_post_4 : mi_altura s' ≡ ndres ⦃e_in⦄ (mi_altura s);                        (* Eliminar_Cono.post.4 *)
-  Eliminar_Cono_post_5 : mi_proporcion s' ≡ ndres ⦃e_in⦄ (mi_proporcion s);                (* Eliminar_Cono.post.5 *)
-  Eliminar_Cono_post_6 : r_out = cono_eliminado                                            (* Eliminar_Cono.post.6 *)
+  Eliminar_Cono_pre_1 : exists v1, (e_in, v1) ∈ de_que_tipo s /\ v1 = soy_cono; (* Eliminar_Cono.pre.1 *)
+  Eliminar_Cono_post_1 : mi_centro s' ≡ ndres ⦃e_in⦄ (mi_centro s); (* Eliminar_Cono.post.1 *)
+  Eliminar_Cono_post_2 : mi_radio s' ≡ mi_radio s; (* Eliminar_Cono.post.2 *)
+  Eliminar_Cono_post_3 : mi_vector s' ≡ ndres ⦃e_in⦄ (mi_vector s); (* Eliminar_Cono.post.3 *)
+  Eliminar_Cono_post_4 : mi_altura s' ≡ ndres ⦃e_in⦄ (mi_altura s); (* Eliminar_Cono.post.4 *)
+  Eliminar_Cono_post_5 : mi_proporcion s' ≡ ndres ⦃e_in⦄ (mi_proporcion s); (* Eliminar_Cono.post.5 *)
+  Eliminar_Cono_post_6 : r_out = cono_eliminado (* Eliminar_Cono.post.6 *)
 }.
 
 Definition Elemento_Agregado (s s' : Escena) (e_in : Elemento) (t_in : Tipo) (centro_in : Punto) (radio_in : R)
-    (vector_in : Vector) (altura_in : R) (proporcion_in : R) (r_out : Respuesta) : Prop :=
-  (exists r_out, Agregar_Esfera s s' e_in t_in r_out centro_in radio_in
-                 \/ Agregar_Cilindro s s' e_in t_in r_out centro_in radio_in vector_in altura_in
-                 \/ Agregar_Cono s s' e_in t_in r_out centro_in proporcion_in vector_in altura_in)
-  /\ r_out = elemento_agregado.                                                        (* Elemento_Agregado.post.1 *)
+  (vector_in : Vector) (altura_in proporcion_in : R) (r_out : Respuesta) : Prop :=
+  (exists r_out : Respuesta, Agregar_Esfera s s' e_in t_in r_out centro_in radio_in
+  \/ Agregar_Cilindro s s' e_in t_in r_out centro_in radio_in vector_in altura_in
+  \/ Agregar_Cono s s' e_in t_in r_out centro_in proporcion_in vector_in altura_in)
+  /\ r_out = elemento_agregado. (* Elemento_Agregado.post.1 *)
 
 Definition Elemento_Eliminado (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop :=
-  (exists r_out, Eliminar_Esfera s s' e_in r_out \/ Eliminar_Cilindro s s' e_in r_out \/ Eliminar_Cono s s' e_in r_out)
-  /\ r_out = elemento_eliminado.                                                      (* Elemento_Eliminado.post.1 *)
+  (exists r_out : Respuesta, Eliminar_Esfera s s' e_in r_out \/ Eliminar_Cilindro s s' e_in r_out
+  \/ Eliminar_Cono s s' e_in r_out) /\ r_out = elemento_eliminado. (* Elemento_Eliminado.post.1 *)
 
 Record Elemento_Ya_Existe (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop := {
   Elemento_Ya_Existe_Xi : Xi_Escena s s';
-  Elemento_Ya_Existe_pre_1 : e_in ∈ elementos s;                                       (* Elemento_Ya_Existe.pre.1 *)
-  Elemento_Ya_Existe_post_1 : r_out = elemento_ya_existe                              (* Elemento_Ya_Existe.post.1 *)
+  Elemento_Ya_Existe_pre_1 : e_in ∈ elementos s; (* Elemento_Ya_Existe.pre.1 *)
+  Elemento_Ya_Existe_post_1 : r_out = elemento_ya_existe (* Elemento_Ya_Existe.post.1 *)
 }.
 
 Record Elemento_No_Existe (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop := {
   Elemento_No_Existe_Xi : Xi_Escena s s';
-  Elemento_No_Existe_pre_1 : e_in ∉ elementos s;                                       (* Elemento_No_Existe.pre.1 *)
-  Elemento_No_Existe_post_1 : r_out = elemento_no_existe                              (* Elemento_No_Existe.post.1 *)
+  Elemento_No_Existe_pre_1 : e_in ∉ elementos s; (* Elemento_No_Existe.pre.1 *)
+  Elemento_No_Existe_post_1 : r_out = elemento_no_existe (* Elemento_No_Existe.post.1 *)
 }.
 
 Record Radio_No_Positivo (s s' : Escena) (radio_in : R) (r_out : Respuesta) : Prop := {
   Radio_No_Positivo_Xi : Xi_Escena s s';
-  Radio_No_Positivo_pre_1 : radio_in ∉ Rmas;                                            (* Radio_No_Positivo.pre.1 *)
-  Radio_No_Positivo_post_1 : r_out = radio_no_positivo                                 (* Radio_No_Positivo.post.1 *)
+  Radio_No_Positivo_pre_1 : radio_in ∉ Rmas; (* Radio_No_Positivo.pre.1 *)
+  Radio_No_Positivo_post_1 : r_out = radio_no_positivo (* Radio_No_Positivo.post.1 *)
 }.
 
 Record Vector_No_Unitario (s s' : Escena) (vector_in : Vector) (r_out : Respuesta) : Prop := {
   Vector_No_Unitario_Xi : Xi_Escena s s';
-  Vector_No_Unitario_pre_1 : vector_in ∉ Unitario;                                     (* Vector_No_Unitario.pre.1 *)
-  Vector_No_Unitario_post_1 : r_out = vector_no_unitario                              (* Vector_No_Unitario.post.1 *)
+  Vector_No_Unitario_pre_1 : vector_in ∉ Unitario; (* Vector_No_Unitario.pre.1 *)
+  Vector_No_Unitario_post_1 : r_out = vector_no_unitario (* Vector_No_Unitario.post.1 *)
 }.
 
 Record Altura_No_Positiva (s s' : Escena) (altura_in : R) (r_out : Respuesta) : Prop := {
   Altura_No_Positiva_Xi : Xi_Escena s s';
-  Altura_No_Positiva_pre_1 : altura_in ∉ Rmas;                                         (* Altura_No_Positiva.pre.1 *)
-  Altura_No_Positiva_post_1 : r_out = altura_no_positiva                              (* Altura_No_Positiva.post.1 *)
+  Altura_No_Positiva_pre_1 : altura_in ∉ Rmas; (* Altura_No_Positiva.pre.1 *)
+  Altura_No_Positiva_post_1 : r_out = altura_no_positiva (* Altura_No_Positiva.post.1 *)
 }.
 
 Record Proporcion_No_Positiva (s s' : Escena) (proporcion_in : R) (r_out : Respuesta) : Prop := {
   Proporcion_No_Positiva_Xi : Xi_Escena s s';
-  Proporcion_No_Positiva_pre_1 : proporcion_in ∉ Rmas;                             (* Proporcion_No_Positiva.pre.1 *)
-  Proporcion_No_Positiva_post_1 : r_out = proporcion_no_positiva                  (* Proporcion_No_Positiva.post.1 *)
+  Proporcion_No_Positiva_pre_1 : proporcion_in ∉ Rmas; (* Proporcion_No_Positiva.pre.1 *)
+  Proporcion_No_Positiva_post_1 : r_out = proporcion_no_positiva (* Proporcion_No_Positiva.post.1 *)
 }.
 
 Record No_Es_Esfera (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop := {
   No_Es_Esfera_Xi : Xi_Escena s s';
-  No_Es_Esfera_pre_1 : e_in ∈ elementos s;                                                   (* No_Es_Esfera.pre.1 *)
-  No_Es_Esfera_pre_2 : exists v, (e_in, v) ∈ de_que_tipo s /\ v <> soy_esfera;               (* No_Es_Esfera.pre.2 *)
-  No_Es_Esfera_post_1 : r_out = tipo_incorrecto                                             (* No_Es_Esfera.post.1 *)
+  No_Es_Esfera_pre_1 : e_in ∈ elementos s; (* No_Es_Esfera.pre.1 *)
+  No_Es_Esfera_pre_2 : exists v1, (e_in, v1) ∈ de_que_tipo s /\ v1 <> soy_esfera; (* No_Es_Esfera.pre.2 *)
+  No_Es_Esfera_post_1 : r_out = tipo_incorrecto (* No_Es_Esfera.post.1 *)
 }.
 
 Record No_Es_Cilindro (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop := {
   No_Es_Cilindro_Xi : Xi_Escena s s';
-  No_Es_Cilindro_pre_1 : e_in ∈ elementos s;                                               (* No_Es_Cilindro.pre.1 *)
-  No_Es_Cilindro_pre_2 : exists v, (e_in, v) ∈ de_que_tipo s /\ v <> soy_cilindro;         (* No_Es_Cilindro.pre.2 *)
-  No_Es_Cilindro_post_1 : r_out = tipo_incorrecto                                         (* No_Es_Cilindro.post.1 *)
+  No_Es_Cilindro_pre_1 : e_in ∈ elementos s; (* No_Es_Cilindro.pre.1 *)
+  No_Es_Cilindro_pre_2 : exists v1, (e_in, v1) ∈ de_que_tipo s /\ v1 <> soy_cilindro; (* No_Es_Cilindro.pre.2 *)
+  No_Es_Cilindro_post_1 : r_out = tipo_incorrecto (* No_Es_Cilindro.post.1 *)
 }.
 
 Record No_Es_Cono (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop := {
   No_Es_Cono_Xi : Xi_Escena s s';
-  No_Es_Cono_pre_1 : e_in ∈ elementos s;                                                       (* No_Es_Cono.pre.1 *)
-  No_Es_Cono_pre_2 : exists v, (e_in, v) ∈ de_que_tipo s /\ v <> soy_cono;                     (* No_Es_Cono.pre.2 *)
-  No_Es_Cono_post_1 : r_out = tipo_incorrecto                                                 (* No_Es_Cono.post.1 *)
+  No_Es_Cono_pre_1 : e_in ∈ elementos s; (* No_Es_Cono.pre.1 *)
+  No_Es_Cono_pre_2 : exists v1, (e_in, v1) ∈ de_que_tipo s /\ v1 <> soy_cono; (* No_Es_Cono.pre.2 *)
+  No_Es_Cono_post_1 : r_out = tipo_incorrecto (* No_Es_Cono.post.1 *)
 }.
 
-Definition Agregar_Esfera_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) (centro_in : Punto)
-    (radio_in : R) : Prop :=
-  (exists t_in, Agregar_Esfera s s' e_in t_in r_out centro_in radio_in)
+Definition Agregar_Esfera_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) (centro_in : Punto) (radio_in :
+  R) : Prop :=
+  (exists t_in : Tipo, Agregar_Esfera s s' e_in t_in r_out centro_in radio_in)
   \/ Elemento_Ya_Existe s s' e_in r_out \/ Radio_No_Positivo s s' radio_in r_out.
 
-Definition Agregar_Cilindro_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) (centro_in : Punto)
-    (radio_in : R) (vector_in : Vector) (altura_in : R) : Prop :=
-  (exists t_in, Agregar_Cilindro s s' e_in t_in r_out centro_in radio_in vector_in altura_in)
+Definition Agregar_Cilindro_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) (centro_in : Punto) (radio_in
+  : R) (vector_in : Vector) (altura_in : R) : Prop :=
+  (exists t_in : Tipo, Agregar_Cilindro s s' e_in t_in r_out centro_in radio_in vector_in altura_in)
   \/ Elemento_Ya_Existe s s' e_in r_out \/ Radio_No_Positivo s s' radio_in r_out
   \/ Vector_No_Unitario s s' vector_in r_out \/ Altura_No_Positiva s s' altura_in r_out.
 
-Definition Agregar_Cono_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) (centro_in : Punto)
-    (proporcion_in : R) (vector_in : Vector) (altura_in : R) : Prop :=
-  (exists t_in, Agregar_Cono s s' e_in t_in r_out centro_in proporcion_in vector_in altura_in)
+Definition Agregar_Cono_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) (centro_in : Punto) (proporcion_in
+  : R) (vector_in : Vector) (altura_in : R) : Prop :=
+  (exists t_in : Tipo, Agregar_Cono s s' e_in t_in r_out centro_in proporcion_in vector_in altura_in)
   \/ Elemento_Ya_Existe s s' e_in r_out \/ Proporcion_No_Positiva s s' proporcion_in r_out
   \/ Vector_No_Unitario s s' vector_in r_out \/ Altura_No_Positiva s s' altura_in r_out.
 
@@ -315,166 +494,18 @@ Definition Eliminar_Cilindro_Total (s s' : Escena) (e_in : Elemento) (r_out : Re
 Definition Eliminar_Cono_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop :=
   Eliminar_Cono s s' e_in r_out \/ Elemento_No_Existe s s' e_in r_out \/ No_Es_Cono s s' e_in r_out.
 
-Definition Es_Esfera (t_in : Tipo) : Prop := t_in = soy_esfera.                                (* Es_Esfera.pre.1 *)
-Definition Es_Cono (t_in : Tipo) : Prop := t_in = soy_cono.                                      (* Es_Cono.pre.1 *)
+Definition Es_Esfera (t_in : Tipo) : Prop := t_in = soy_esfera. (* Es_Esfera.pre.1 *)
+
+Definition Es_Cono (t_in : Tipo) : Prop := t_in = soy_cono. (* Es_Cono.pre.1 *)
 
 Definition Agregar_Elemento_Total (s s' : Escena) (e_in : Elemento) (t_in : Tipo) (centro_in : Punto) (radio_in : R)
-    (vector_in : Vector) (altura_in : R) (proporcion_in : R) (r_out : Respuesta) : Prop :=
+  (vector_in : Vector) (altura_in proporcion_in : R) (r_out : Respuesta) : Prop :=
   Elemento_Agregado s s' e_in t_in centro_in radio_in vector_in altura_in proporcion_in r_out
-  \/ Elemento_Ya_Existe s s' e_in r_out
-  \/ (Radio_No_Positivo s s' radio_in r_out /\ ~ Es_Cono t_in)
-  \/ (Proporcion_No_Positiva s s' proporcion_in r_out /\ Es_Cono t_in)
-  \/ ((Vector_No_Unitario s s' vector_in r_out \/ Altura_No_Positiva s s' altura_in r_out) /\ ~ Es_Esfera t_in).
+  \/ Elemento_Ya_Existe s s' e_in r_out \/ Radio_No_Positivo s s' radio_in r_out /\ ~ Es_Cono t_in
+  \/ Proporcion_No_Positiva s s' proporcion_in r_out /\ Es_Cono t_in
+  \/ (Vector_No_Unitario s s' vector_in r_out \/ Altura_No_Positiva s s' altura_in r_out) /\ ~ Es_Esfera t_in.
 
 Definition Eliminar_Elemento_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop :=
   Elemento_Eliminado s s' e_in r_out \/ Elemento_No_Existe s s' e_in r_out.
-
-(** * spec/puntos.tex *)
-
-Definition cuadrado (r : R) : R := r * r.                                                        (* cuadrado.def.1 *)
-
-Definition raizcuadrada_def_1 (raizcuadrada : R -> R) : Prop :=
-  forall r, r >= 0 -> raizcuadrada r >= 0 /\ raizcuadrada r * raizcuadrada r = r.            (* raizcuadrada.def.1 *)
-Definition raizcuadrada : R -> R := sqrt.
-
-Definition avance (w centro : Punto) (dir : Vector) : R :=                                         (* avance.def.1 *)
-  (Punto_x w - Punto_x centro) * Vector_x dir + (Punto_y w - Punto_y centro) * Vector_y dir
-  + (Punto_z w - Punto_z centro) * Vector_z dir.
-Definition alejamiento (w centro : Punto) (dir : Vector) : R :=                               (* alejamiento.def.1 *)
-  cuadrado (Punto_x w - (Punto_x centro + avance w centro dir * Vector_x dir))
-  + cuadrado (Punto_y w - (Punto_y centro + avance w centro dir * Vector_y dir))
-  + cuadrado (Punto_z w - (Punto_z centro + avance w centro dir * Vector_z dir)).
-
-Definition potencia_esfera (w centro : Punto) (radio : R) : R :=                          (* potencia_esfera.def.1 *)
-  cuadrado (Punto_x w - Punto_x centro) + cuadrado (Punto_y w - Punto_y centro)
-  + cuadrado (Punto_z w - Punto_z centro) - cuadrado radio.
-Definition potencia_cilindro (w centro : Punto) (radio : R) (dir : Vector) : R :=       (* potencia_cilindro.def.1 *)
-  alejamiento w centro dir - cuadrado radio.
-Definition potencia_cono (w centro : Punto) (prop : R) (dir : Vector) (h : R) : R :=        (* potencia_cono.def.1 *)
-  alejamiento w centro dir - cuadrado (prop * avance w centro dir - h * prop).
-
-Definition puntos_esfera (centro : Punto) (radio : R) : set Punto := fun w =>               (* puntos_esfera.def.1 *)
-  potencia_esfera w centro radio = 0.
-Definition puntos_cilindro (centro : Punto) (radio : R) (dir : Vector) (h : R) : set Punto := fun w =>
-  potencia_cilindro w centro radio dir = 0 /\ 0 <= avance w centro dir <= h.              (* puntos_cilindro.def.1 *)
-Definition puntos_cono (centro : Punto) (prop : R) (dir : Vector) (h : R) : set Punto := fun w =>
-  potencia_cono w centro prop dir h = 0 /\ 0 <= avance w centro dir <= h.                     (* puntos_cono.def.1 *)
-
-Definition puntos_de_rayo (ray : Rayo) : set Punto := ⋃[Rmas] (fun t temp =>               (* puntos_de_rayo.def.1 *)
-  Punto_x temp = Punto_x (Rayo_p ray) + t * Vector_x (Rayo_v ray)
-  /\ Punto_y temp = Punto_y (Rayo_p ray) + t * Vector_y (Rayo_v ray)
-  /\ Punto_z temp = Punto_z (Rayo_p ray) + t * Vector_z (Rayo_v ray)).
-
-Definition puntos_de_elemento (s : Escena) (e : Elemento) : set Punto := fun w =>      (* puntos_de_elemento.def.1 *)
-  e ∈ elementos s /\ exists ti, (e, ti) ∈ de_que_tipo s /\ (
-    (ti = soy_esfera /\ exists c r, (e, c) ∈ mi_centro s /\ (e, r) ∈ mi_radio s /\ w ∈ puntos_esfera c r)
-    \/ (ti <> soy_esfera /\ (
-      (ti = soy_cilindro /\ exists c r d h, (e, c) ∈ mi_centro s /\ (e, r) ∈ mi_radio s /\ (e, d) ∈ mi_vector s
-         /\ (e, h) ∈ mi_altura s /\ w ∈ puntos_cilindro c r d h)
-      \/ (ti <> soy_cilindro /\ exists c k d h, (e, c) ∈ mi_centro s /\ (e, k) ∈ mi_proporcion s
-         /\ (e, d) ∈ mi_vector s /\ (e, h) ∈ mi_altura s /\ w ∈ puntos_cono c k d h)))).
-
-Definition puntos_de_escena (s : Escena) : set Punto :=                                  (* puntos_de_escena.def.1 *)
-  ⋃[elementos s] (fun e => puntos_de_elemento s e).
-
-(** * spec/interseccion.tex *)
-
-Definition interseccion (ps qs : set Punto) : set Punto := ps ∩ qs.                          (* interseccion.def.1 *)
-
-Definition distancia (a b : Punto) : R :=                                                       (* distancia.def.1 *)
-  raizcuadrada (cuadrado (Punto_x a - Punto_x b) + cuadrado (Punto_y a - Punto_y b)
-                + cuadrado (Punto_z a - Punto_z b)).
-
-Definition reduccion : rel (set Punto * Punto) Punto := fun '((ps, ojo), p) =>
-  (exists! temp, temp ∈ ps /\ forall otro, otro ∈ ps -> distancia temp ojo <= distancia otro ojo) (* reduccion.def.1 *)
-  /\ is_mu (fun temp => temp ∈ ps /\ forall otro, otro ∈ ps -> distancia temp ojo <= distancia otro ojo) p.
-                                                                                                (* reduccion.def.2 *)
-
-Definition de_que_elemento (s : Escena) (p : Punto) : set Elemento := fun e =>            (* de_que_elemento.def.1 *)
-  e ∈ elementos s /\ p ∈ puntos_de_elemento s e.
-
-Definition potencia (s : Escena) (e : Elemento) (w : Punto) : set R := fun y =>                  (* potencia.def.1 *)
-  e ∈ elementos s /\ exists ti, (e, ti) ∈ de_que_tipo s /\ (
-    (ti = soy_esfera /\ exists c r, (e, c) ∈ mi_centro s /\ (e, r) ∈ mi_radio s /\ y = potencia_esfera w c r)
-    \/ (ti <> soy_esfera /\ (
-      (ti = soy_cilindro /\ exists c r d, (e, c) ∈ mi_centro s /\ (e, r) ∈ mi_radio s /\ (e, d) ∈ mi_vector s
-         /\ y = potencia_cilindro w c r d)
-      \/ (ti <> soy_cilindro /\ exists c k d h, (e, c) ∈ mi_centro s /\ (e, k) ∈ mi_proporcion s
-         /\ (e, d) ∈ mi_vector s /\ (e, h) ∈ mi_altura s /\ y = potencia_cono w c k d h)))).
-
-Definition tramo (s : Escena) (e : Elemento) : set Punto := fun w =>                                (* tramo.def.1 *)
-  e ∈ elementos s /\ (e ∈ dom (mi_altura s) ->
-    exists c d h, (e, c) ∈ mi_centro s /\ (e, d) ∈ mi_vector s /\ (e, h) ∈ mi_altura s /\ 0 <= avance w c d <= h).
-
-Definition puntos_desde (s : Escena) (e : Elemento) (p : Punto) : set Punto := fun w =>      (* puntos_desde.def.1 *)
-  e ∈ elementos s /\ w ∈ tramo s e /\ exists y y', y ∈ potencia s e w /\ y' ∈ potencia s e p /\ y = y'.
-
-Definition alcance (s : Escena) (rayo : Rayo) (en : set Elemento) (e : Elemento) : set Punto := fun w =>
-  e ∈ elementos s /\                                                                              (* alcance.def.1 *)
-  w ∈ interseccion (puntos_de_rayo rayo) (fun w =>
-    (e ∈ en /\ w ∈ puntos_desde s e (Rayo_p rayo)) \/ (e ∉ en /\ w ∈ puntos_de_elemento s e)).
-
-Definition alcances (s : Escena) (rayo : Rayo) (en : set Elemento) : set Punto :=                (* alcances.def.1 *)
-  ⋃[elementos s] (fun e => alcance s rayo en e).
-
-Inductive Resultado := hit | miss | no_minimum.
-
-Record Pregunta (s s' : Escena) (rayo_in : Rayo) (en_in : set Elemento) (resultado_out : Resultado)
-    (elementos_out : set Elemento) : Prop := {
-  Pregunta_Xi : Xi_Escena s s';
-  Pregunta_decl_rayo : Rayo_ok rayo_in;
-  Pregunta_decl_en : en_in ∈ ℙ univ;
-  Pregunta_decl_elementos : elementos_out ∈ ℙ univ;
-  Pregunta_pre_1 : en_in ⊆ elementos s                                                           (* Pregunta.pre.1 *)
-}.
-
-Record Hay_Interseccion (s s' : Escena) (rayo_in : Rayo) (en_in : set Elemento) (resultado_out : Resultado)
-    (elementos_out : set Elemento) (t_out : R) (punto_out : Punto) : Prop := {
-  Hay_Interseccion_Pregunta : Pregunta s s' rayo_in en_in resultado_out elementos_out;
-  Hay_Interseccion_decl_t : t_out ∈ Rmas;
-  Hay_Interseccion_pre_1 : (alcances s rayo_in en_in, Rayo_p rayo_in) ∈ dom reduccion;   (* Hay_Interseccion.pre.1 *)
-  Hay_Interseccion_post_1 : exists v, ((alcances s rayo_in en_in, Rayo_p rayo_in), v) ∈ reduccion
-    /\ punto_out = v;                                                                   (* Hay_Interseccion.post.1 *)
-  Hay_Interseccion_post_2 :                                                             (* Hay_Interseccion.post.2 *)
-    Punto_x punto_out = Punto_x (Rayo_p rayo_in) + t_out * Vector_x (Rayo_v rayo_in)
-    /\ Punto_y punto_out = Punto_y (Rayo_p rayo_in) + t_out * Vector_y (Rayo_v rayo_in)
-    /\ Punto_z punto_out = Punto_z (Rayo_p rayo_in) + t_out * Vector_z (Rayo_v rayo_in);
-  Hay_Interseccion_post_3 : elementos_out
-    ≡ (fun e => e ∈ elementos s /\ punto_out ∈ alcance s rayo_in en_in e);              (* Hay_Interseccion.post.3 *)
-  Hay_Interseccion_post_4 : resultado_out = hit                                         (* Hay_Interseccion.post.4 *)
-}.
-
-Record No_Hay_Interseccion (s s' : Escena) (rayo_in : Rayo) (en_in : set Elemento) (resultado_out : Resultado)
-    (elementos_out : set Elemento) : Prop := {
-  No_Hay_Interseccion_Pregunta : Pregunta s s' rayo_in en_in resultado_out elementos_out;
-  No_Hay_Interseccion_pre_1 : alcances s rayo_in en_in ≡ ∅;                           (* No_Hay_Interseccion.pre.1 *)
-  No_Hay_Interseccion_post_1 : elementos_out ≡ ∅;                                    (* No_Hay_Interseccion.post.1 *)
-  No_Hay_Interseccion_post_2 : resultado_out = miss                                  (* No_Hay_Interseccion.post.2 *)
-}.
-
-Record No_Hay_Minimo (s s' : Escena) (rayo_in : Rayo) (en_in : set Elemento) (resultado_out : Resultado)
-    (elementos_out : set Elemento) : Prop := {
-  No_Hay_Minimo_Pregunta : Pregunta s s' rayo_in en_in resultado_out elementos_out;
-  No_Hay_Minimo_pre_1 : ~ (alcances s rayo_in en_in ≡ ∅);                                   (* No_Hay_Minimo.pre.1 *)
-  No_Hay_Minimo_pre_2 : (alcances s rayo_in en_in, Rayo_p rayo_in) ∉ dom reduccion;         (* No_Hay_Minimo.pre.2 *)
-  No_Hay_Minimo_post_1 : elementos_out ≡ (fun e => e ∈ elementos s                         (* No_Hay_Minimo.post.1 *)
-    /\ ~ (alcance s rayo_in en_in e ≡ ∅) /\ (alcance s rayo_in en_in e, Rayo_p rayo_in) ∉ dom reduccion);
-  No_Hay_Minimo_post_2 : resultado_out = no_minimum                                        (* No_Hay_Minimo.post.2 *)
-}.
-
-Definition Primera_Interseccion (s s' : Escena) (rayo_in : Rayo) (en_in : set Elemento) (resultado_out : Resultado)
-    (elementos_out : set Elemento) (t_out : R) (punto_out : Punto) : Prop :=
-  Hay_Interseccion s s' rayo_in en_in resultado_out elementos_out t_out punto_out
-  \/ No_Hay_Interseccion s s' rayo_in en_in resultado_out elementos_out
-  \/ No_Hay_Minimo s s' rayo_in en_in resultado_out elementos_out.
-
-Definition occluded (s : Escena) (rayo : Rayo) (en : set Elemento) : Prop :=                     (* occluded.def.1 *)
-  ~ (alcances s rayo en ≡ ∅).
-
-Definition occluded_segment (s : Escena) (rayo : Rayo) (en : set Elemento) : Prop :=     (* occluded_segment.def.1 *)
-  exists t punto, t ∈ Rmas /\ punto ∈ alcances s rayo en /\ t < 1
-    /\ Punto_x punto = Punto_x (Rayo_p rayo) + t * Vector_x (Rayo_v rayo)
-    /\ Punto_y punto = Punto_y (Rayo_p rayo) + t * Vector_y (Rayo_v rayo)
-    /\ Punto_z punto = Punto_z (Rayo_p rayo) + t * Vector_z (Rayo_v rayo).
 
 End Especificacion.

@@ -14,12 +14,13 @@ Local Open Scope zed_scope.
 
 (** The square root of the text is that of Coq's reals, and it is the only one. Discharges raizcuadrada.def.1. *)
 Theorem raizcuadrada_exists_uniquely :
-  raizcuadrada_def_1 raizcuadrada
-  /\ forall f, raizcuadrada_def_1 f -> forall r, r >= 0 -> f r = raizcuadrada r.
+  raizcuadrada_decl raizcuadrada /\ raizcuadrada_def_1 raizcuadrada
+  /\ forall f, raizcuadrada_decl f -> raizcuadrada_def_1 f -> forall r, r >= 0 -> f r = raizcuadrada r.
 Proof.
-  unfold raizcuadrada_def_1, raizcuadrada. split.
-  - intros r Hr. split; [apply Rle_ge, sqrt_pos | apply sqrt_sqrt; lra].
-  - intros f Hf r Hr. destruct (Hf r Hr) as [H0 H]. rewrite <- H at 2. symmetry. apply sqrt_square. lra.
+  unfold raizcuadrada_decl, raizcuadrada_def_1, raizcuadrada. repeat split.
+  - intros r _. apply Rle_ge, sqrt_pos.
+  - intros r Hr. apply sqrt_sqrt. lra.
+  - intros f H0 H r Hr. specialize (H0 r Hr). rewrite <- (H r Hr) at 2. symmetry. apply sqrt_square. lra.
 Qed.
 
 (** ** Points of a ray *)
