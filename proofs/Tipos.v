@@ -43,9 +43,9 @@ Qed.
 (** The tolerance of the text is the one real that its axiom describes, and it is positive.
     Discharges Rmas.inv.1, tolerancia_unidad.def.1. *)
 Theorem tolerancia_unidad_exists_uniquely :
-  Rmas tolerancia_unidad /\ tolerancia_unidad_def_1 tolerancia_unidad
+  tolerancia_unidad_decl tolerancia_unidad /\ tolerancia_unidad_def_1 tolerancia_unidad
   /\ forall t, tolerancia_unidad_def_1 t -> t = tolerancia_unidad.
-Proof. unfold Rmas, tolerancia_unidad_def_1, tolerancia_unidad. repeat split; intros; lra. Qed.
+Proof. unfold tolerancia_unidad_decl, Rmas, tolerancia_unidad_def_1, tolerancia_unidad. repeat split; intros; lra. Qed.
 
 Lemma sq_nonneg v : 0 <= sq v.
 Proof. unfold sq, dot. generalize (Rle_0_sqr (Vector_x v)) (Rle_0_sqr (Vector_y v)) (Rle_0_sqr (Vector_z v)).

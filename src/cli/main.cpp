@@ -34,6 +34,7 @@ int main(int argc, char* argv[]) {
   durero::cli::add_agree(app, status);
   durero::cli::add_import(app, status);
   durero::cli::add_export(app, status);
+  durero::cli::add_spec(app, status);
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty()) return refuse("no subcommand; expected one that durero --help shows");

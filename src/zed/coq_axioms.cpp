@@ -179,18 +179,20 @@ bool Writer::partial_definition(const Predicate& one, const Declarations& declar
 void Writer::implicit_definition(const Name& name, const Term& set, const std::vector<const Predicate*>& stated) {
   const std::string f = variable(name);
   std::string type, witness, declaration;
+  Scope scope;
+  scope.variables = {f, "x1"};
   if (is_arrow(set, "_→_")) {
     const Carrier from = in_.carrier(set->children[0]), to = in_.carrier(set->children[1]);
     type = from.text(true) + " -> " + to.text();
-    const std::vector<Expr> left = in_.constraint({"x1", atomic, from}, set->children[0], {});
-    const std::vector<Expr> right = in_.constraint({f + " x1", applied, to}, set->children[1], {});
+    const std::vector<Expr> left = in_.constraint({"x1", atomic, from}, set->children[0], scope);
+    const std::vector<Expr> right = in_.constraint({f + " x1", applied, to}, set->children[1], scope);
     if (!right.empty())
       declaration = fmt::format("forall x1 : {}, {}{}", from.text(),
                                 left.empty() ? "" : all_of(left).at(implied - 1) + " -> ", all_of(right).text);
   } else {
     const Carrier of = in_.carrier(set);
     type = of.text();
-    if (!in_.whole(set)) declaration = in_.member({f, atomic, of}, set, {}).text;
+    if (!in_.whole(set)) declaration = in_.member({f, atomic, of}, set, scope).text;
   }
   if (const auto known = witnesses().find(f); known != witnesses().end()) witness = known->second;
   if (!declaration.empty())
@@ -198,7 +200,7 @@ void Writer::implicit_definition(const Name& name, const Term& set, const std::v
   for (const Predicate* one : stated) {
     if (one->label.empty()) uncovered(one->place, "an axiom without a label");
     sentence(fmt::format("Definition {} ({} : {}) : Prop := {}.", identifier(one->label), f, type,
-                         in_.predicate(one->term, {}).text),
+                         in_.predicate(one->term, scope).text),
              one->label);
     if (witness.empty()) witness = solution(name, one->term).value_or("");
   }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 
 #include "coq_terms.hpp"
 #include "durero/zed/defect.hpp"
@@ -30,6 +31,20 @@ void Translator::declare(const Slot& slot, Scope& scope) const {
                                                                             applied, part.type};
 }
 
+// Whether a variable of this name would hide what is written under it: another variable, a component, a word of Coq.
+bool Translator::taken(const std::string& variable, const Scope& scope) const {
+  static const std::set<std::string> words = {
+      "s",     "s'",   "R",     "Z",    "sqrt",  "set",   "rel",  "univ", "dom", "ran",    "inverse", "image",
+      "ndres", "dres", "is_mu", "True", "False", "Prop",  "Type", "Set",  "fun", "exists", "forall",  "in",
+      "as",    "at",   "if",    "then", "else",  "match", "with", "end",  "let", "return", "fix",     "cofix"};
+  if (words.contains(variable) || scope.variables.contains(variable)) return true;
+  for (const auto& [name, symbol] : symbols)
+    if (symbol.form == Symbol::Form::carrier)
+      for (const Slot& part : symbol.signature)
+        if (part.variable == variable) return true;
+  return false;
+}
+
 // The sets are those of the scope around: a schema text binds its names behind its declarations. A name that is in
 // scope already gets another variable.
 Signature Translator::declare(const SchemaText& text, Scope& scope) const {
@@ -43,7 +58,7 @@ Signature Translator::declare(const SchemaText& text, Scope& scope) const {
     }
     for (const Name& name : one.names) {
       std::string v = variable(name);
-      if (scope.variables.contains(v) || v == "s" || v == "s'") v = fresh(v, scope);
+      if (taken(v, scope)) v = fresh(v, scope);
       merge(slots, {{name, v, carrier(one.term, scope), false, one.term}});
     }
   }

@@ -130,6 +130,7 @@ class Translator {
   std::vector<Expr> conditions(const SchemaText& text, const Signature& slots, const Scope& outer,
                                const Scope& inner) const;
   std::string fresh(const std::string& stem, const Scope& scope) const;
+  bool taken(const std::string& variable, const Scope& scope) const;
   Signature signature(const Term& schema) const;
   Expr call(const Name& schema, const Scope& scope, Place place) const;
   Slot state_slot(const Name& name, Place place) const;
