@@ -51,7 +51,8 @@ std::vector<Term> split(const Term& argument, std::size_t arity) {
 }  // namespace
 
 void uncovered(Place place, const std::string& what) {
-  throw ZError(place, what + " has no rule of translation to Coq", "a form that the head of the exported file names");
+  throw ZError(place, what + " has no rule of translation to Coq",
+               "expected one that the head of the exported file names");
 }
 
 std::string Carrier::text(bool argument) const {
