@@ -126,12 +126,12 @@ TEST_CASE("families are found by name; each has a kind, a reason and a range") {
   CHECK(find_family("of_no_such_name") == nullptr);
 }
 
-TEST_CASE("a question that no ray can answer yes to is not asked: each membership also says no somewhere") {
+TEST_CASE("each membership also says no somewhere") {
   const Case generic = generate(*find_family("generic"), 3, 200);
   for (const Family& family : families()) {
-    if (family.is_member == find_family("generic")->is_member) continue;
     INFO(family.name);
     const Count counted = count(family, generic);
     CHECK(counted.members < counted.rays);
+    CHECK(counted.exact < counted.rays / 2);
   }
 }

@@ -8,6 +8,22 @@
 using namespace durero;
 using namespace durero::test;
 
+namespace {
+
+/// all_hits is ascending, and begins with what first_hit answers.
+void check_crossings(const scene::Scene& scene, const trace::Query& ray, const scene::Hit& hit) {
+  const auto crossings = oracle::exact::all_hits(scene, ray.rayo, origin(ray));
+  CHECK(crossings.empty() == (hit.resultado == model::Resultado::miss));
+  for (std::size_t i = 1; i < crossings.size(); ++i) {
+    const auto &before = crossings[i - 1].segment.begin, &begin = crossings[i].segment.begin;
+    if (before) CHECK((begin && *before <= *begin));
+  }
+  for (std::size_t i = 0; i < hit.elementos.size(); ++i) CHECK(crossings[i].elemento == hit.elementos[i]);
+  if (hit.resultado == model::Resultado::hit) CHECK(number::round_to_binary64(*crossings[0].segment.begin) == hit.t);
+}
+
+}  // namespace
+
 TEST_CASE("the exact oracle and a plain second reading of the Z text give the same bytes on every family") {
   std::size_t compared = 0, hits = 0, ties = 0, without_minimum = 0;
   for (const conform::Family& family : conform::families()) {
@@ -18,6 +34,7 @@ TEST_CASE("the exact oracle and a plain second reading of the Z text give the sa
         const trace::Query& ray = made.rays[i];
         const scene::Hit exact = oracle::exact::first_hit(made.scene, ray.rayo, origin(ray));
         const scene::Hit reference = reference_first_hit(made.scene, ray.rayo, ray.en);
+        check_crossings(made.scene, ray, exact);
         ++compared;
         hits += exact.resultado == model::Resultado::hit;
         ties += exact.resultado == model::Resultado::hit && exact.elementos.size() > 1;

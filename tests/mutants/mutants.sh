@@ -1,0 +1,111 @@
+#!/bin/sh
+# Small faults, each of which a named test must see. A copy of the sources gets the fault, what depends on it is compiled
+# again and linked into that test in place of the right object, and the test must fail.
+#   mutants.sh BUILD --all          every mutant of the list
+#   mutants.sh BUILD NUMBER         that many, chosen by MUTANT_SEED (by the time where that is absent)
+#   mutants.sh BUILD NAME...        those
+# It fails on a mutant that survives, that no longer applies or does not compile, and on a test that fails without any
+# fault. BUILD is a build made by Ninja; MUTANTS names another list.
+set -u
+here=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
+root=$(CDPATH='' cd -- "$here/../.." && pwd)
+build=$(CDPATH='' cd -- "$1" && pwd) || exit 2
+list=${MUTANTS:-$here/mutants.txt}
+work=${MUTANTS_WORK:-$build/mutants}
+shift
+
+# field NAME KEY: what stands behind the key in the block of that mutant.
+field() {
+  awk -v name="mutant $1" -v key="$2 " '$0 == name {inside = 1; next} /^mutant / {inside = 0}
+    inside && index($0, key) == 1 {print substr($0, length(key) + 1)}' "$list"
+}
+
+# runs PROGRAM SPEC: the tests of that specification; it must match some.
+runs() { (cd "$build/tests" && timeout 300 "$1" --warn NoTests --filenames-as-tags "$2") >"$3" 2>&1; }
+
+# apply OLD NEW FILE: replaces the one place of the old text; fails where there is none, or more than one.
+apply() {
+  OLD=$1 NEW=$2 awk 'BEGIN {old = ENVIRON["OLD"]; new = ENVIRON["NEW"]}
+    {line = $0; out = ""
+     while ((at = index(line, old)) > 0) {++places; out = out substr(line, 1, at - 1) new; line = substr(line, at + length(old))}
+     print out line}
+    END {exit places == 1 ? 0 : 1}' "$3" >"$3.mutated" && mv "$3.mutated" "$3"
+}
+
+# units FILE LINK: the objects, of the libraries and sources in the link command, that are made from the file.
+units() {
+  awk -v file="/$1" -v link=" $2 " '
+    /^[^ ].*: #deps/ {object = $1; sub(/:$/, "", object); next}
+    substr($1, length($1) - length(file) + 1) == file && !(object in seen) {
+      seen[object] = 1
+      library = object; sub(/^CMakeFiles\//, "lib", library); sub(/\.dir\/.*/, ".a", library)
+      if (index(link, " " object " ") || index(link, " " library " ")) print object}' "$work/deps"
+}
+
+one() {
+  name=$1 file=$(field "$1" file) test=$(field "$1" test) old=$(field "$1" -) new=$(field "$1" +)
+  program=${test%% *} spec=${test#* }
+  copy=$work/$name
+  rm -rf "$copy" && mkdir -p "$copy" && cp -r "$root/include" "$root/src" "$root/tests" "$copy" || return 2
+  if ! [ -f "$copy/$file" ] || ! apply "$old" "$new" "$copy/$file"; then
+    echo "mutants: $name no longer applies: $file has not exactly one place with: $old"
+    return 1
+  fi
+  link=$(ninja -C "$build" -t commands "tests/$program" | tail -n 1)
+  objects=$(units "$file" "$link")
+  [ -n "$objects" ] || { echo "mutants: $name: nothing in $program is made from $file"; return 1; }
+  added=
+  for object in $objects; do
+    mkdir -p "$copy/$(dirname "$object")"
+    command=$(ninja -C "$build" -t commands "$object" | tail -n 1 | sed -E "s#$root/(include|src|tests)#$copy/\1#g")
+    (cd "$copy" && eval "$command") >"$copy/log" 2>&1 || { echo "mutants: $name does not compile:"; cat "$copy/log"; return 1; }
+    case " $link " in
+      *" $object "*) link=$(printf '%s\n' "$link" | sed "s# $object # $copy/$object #") ;;
+      *) added="$added $copy/$object" ;;
+    esac
+  done
+  link=$(printf '%s\n' "$link" | sed "s# -o tests/$program #$added -o $copy/$program #")
+  (cd "$build" && eval "$link") >"$copy/log" 2>&1 || { echo "mutants: $name does not link:"; cat "$copy/log"; return 1; }
+  if runs "$copy/$program" "$spec" "$copy/log"; then
+    echo "mutants: $name SURVIVED $program $spec: $file: $old -> $new"
+    return 1
+  fi
+  echo "caught: $name, by $program $spec"
+  rm -rf "$copy"
+}
+
+case ${1-} in
+  --one) one "$2"; exit ;;
+  --baseline)
+    mkdir -p "$work"
+    log=$(mktemp "$work/log.XXXXXX")
+    if runs "$build/tests/${2%% *}" "${2#* }" "$log"; then rm -f "$log"; exit 0; fi
+    echo "mutants: without any fault $2 fails, or matches no test: $log"
+    exit 1 ;;
+esac
+
+names=$(sed -n 's/^mutant //p' "$list")
+case ${1-} in
+  --all) chosen=$names ;;
+  [0-9]*)
+    seed=${MUTANT_SEED:-$(date +%s)}
+    echo "mutants: $1 of the list; MUTANT_SEED=$seed replays this choice"
+    chosen=$(printf '%s\n' "$names" | awk -v seed="$seed" -v wanted="$1" '{name[NR] = $0}
+      END {x = seed % 2147483647; if (x < 1) x = 1
+        for (left = NR; wanted > 0 && left > 0; --wanted) {
+          for (i = 0; i < 3; ++i) x = (x * 16807) % 2147483647
+          i = 1 + x % left; print name[i]; name[i] = name[left--]}}') ;;
+  *) chosen=$(printf '%s\n' "$@") ;;
+esac
+
+mkdir -p "$work" && ninja -C "$build" -t deps >"$work/deps" || exit 2
+export MUTANTS="$list" MUTANTS_WORK="$work"
+cores=$(nproc 2>/dev/null || echo 1)
+{
+  printf '%s\n' "$chosen" | while read -r name; do field "$name" test; done | sort -u |
+    sed 's/["\\]/\\&/g; s/.*/"&"/' | xargs -P "$cores" -n 1 sh "$0" "$build" --baseline
+  baseline=$?
+  printf '%s\n' "$chosen" | xargs -P "$cores" -n 1 sh "$0" "$build" --one
+  [ $? = 0 ] && [ "$baseline" = 0 ]
+} || { echo "mutants: not every fault is caught"; exit 1; }
+echo "mutants: $(printf '%s\n' "$chosen" | wc -l | tr -d ' ') faults, all caught"
