@@ -20,8 +20,8 @@ field() {
     inside && index($0, key) == 1 {print substr($0, length(key) + 1)}' "$list"
 }
 
-# runs PROGRAM SPEC: the tests of that specification; it must match some.
-runs() { (cd "$build/tests" && timeout 300 "$1" --warn NoTests --filenames-as-tags "$2") >"$3" 2>&1; }
+# runs PROGRAM SPEC LOG SECONDS: the tests of that specification; it must match some. A fault may make a loop endless.
+runs() { (cd "$build/tests" && timeout "$4" "$1" --warn NoTests --filenames-as-tags "$2"; exit $?) >"$3" 2>&1; }
 
 # apply OLD NEW FILE: replaces the one place of the old text; fails where there is none, or more than one.
 apply() {
@@ -66,7 +66,7 @@ one() {
   done
   link=$(printf '%s\n' "$link" | sed "s# -o tests/$program #$added -o $copy/$program #")
   (cd "$build" && eval "$link") >"$copy/log" 2>&1 || { echo "mutants: $name does not link:"; cat "$copy/log"; return 1; }
-  if runs "$copy/$program" "$spec" "$copy/log"; then
+  if runs "$copy/$program" "$spec" "$copy/log" 60; then
     echo "mutants: $name SURVIVED $program $spec: $file: $old -> $new"
     return 1
   fi
@@ -79,7 +79,7 @@ case ${1-} in
   --baseline)
     mkdir -p "$work"
     log=$(mktemp "$work/log.XXXXXX")
-    if runs "$build/tests/${2%% *}" "${2#* }" "$log"; then rm -f "$log"; exit 0; fi
+    if runs "$build/tests/${2%% *}" "${2#* }" "$log" 300; then rm -f "$log"; exit 0; fi
     echo "mutants: without any fault $2 fails, or matches no test: $log"
     exit 1 ;;
 esac
