@@ -22,13 +22,24 @@ function(durero_layer NAME)
   set_property(GLOBAL APPEND PROPERTY DURERO_LAYERS ${NAME})
 endfunction()
 
-# durero_embed(TARGET FUNCTION GLOB): files as text in the program, through the function durero::embedded::FUNCTION().
-function(durero_embed TARGET FUNCTION GLOB)
-  file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${GLOB})
+# durero_embed(TARGET FUNCTION ROOT FILES...): files as text in the program, by their names from ROOT, through the
+# function durero::embedded::FUNCTION().
+function(durero_embed TARGET FUNCTION ROOT)
   set(out ${CMAKE_CURRENT_BINARY_DIR}/embedded/${FUNCTION}.cpp)
   add_custom_command(OUTPUT ${out}
-    COMMAND ${CMAKE_COMMAND} -D OUT=${out} -D FUNCTION=${FUNCTION} -D ROOT=${PROJECT_SOURCE_DIR} "-DFILES=${files}"
+    COMMAND ${CMAKE_COMMAND} -D OUT=${out} -D FUNCTION=${FUNCTION} -D ROOT=${ROOT} "-DFILES=${ARGN}"
       -P ${PROJECT_SOURCE_DIR}/cmake/EmbedText.cmake
-    DEPENDS ${files} ${PROJECT_SOURCE_DIR}/cmake/EmbedText.cmake VERBATIM)
+    DEPENDS ${ARGN} ${PROJECT_SOURCE_DIR}/cmake/EmbedText.cmake VERBATIM)
   target_sources(${TARGET} PRIVATE ${out})
+endfunction()
+
+# The program carries where each label of the Z text stands: cmake/label_index.sh.
+function(durero_embed_labels TARGET)
+  file(GLOB_RECURSE labelled CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/spec/*.tex
+    ${PROJECT_SOURCE_DIR}/include/durero/model/*.hpp ${PROJECT_SOURCE_DIR}/src/model/*.cpp
+    ${PROJECT_SOURCE_DIR}/tests/*.cpp ${PROJECT_SOURCE_DIR}/proofs/*.v)
+  set(index ${CMAKE_CURRENT_BINARY_DIR}/embedded/labels.txt)
+  add_custom_command(OUTPUT ${index} COMMAND sh ${PROJECT_SOURCE_DIR}/cmake/label_index.sh > ${index}
+    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} DEPENDS ${labelled} ${PROJECT_SOURCE_DIR}/cmake/label_index.sh VERBATIM)
+  durero_embed(${TARGET} labels ${CMAKE_CURRENT_BINARY_DIR}/embedded ${index})
 endfunction()

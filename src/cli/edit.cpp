@@ -1,11 +1,17 @@
 // durero edit SCENE [--script FILE] [--op TEXT]… [-o OUT] [--audit]: runs operations, answers each in one JSON line.
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <optional>
+#include <stdexcept>
 
 #include "commands.hpp"
 #include "durero/contract/contract.hpp"
 #include "durero/io/operations_file.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/io/scene_file.hpp"
+#include "durero/oracle/spec.hpp"
+#include "durero/scene/retrieve.hpp"
 
 namespace durero::cli {
 namespace {
@@ -13,7 +19,7 @@ namespace {
 struct Options {
   std::string scene, script, out;
   std::vector<std::string> operations;
-  bool audit = false;
+  bool audit = false, by_spec = false;
 };
 
 // The script's operations, then those of --op, numbered as lines after the script's last.
@@ -35,14 +41,28 @@ std::vector<io::Edit> read_edits(const Options& options, const scene::Stage& sta
   return edits;
 }
 
+// The Z text decides the same step. Where it decides otherwise the program is wrong, and writes nothing.
+void agree_by_text(const oracle::spec::Judge& judge, const model::Escena& before, const io::Edit& edit,
+                   const model::Answer& answer, const model::Escena& after) {
+  const auto difference = judge.difference(before, edit.operation, answer, after);
+  if (!difference) return;
+  throw std::logic_error(fmt::format("a defect of the program: at line {}, {}; expected that contracts and text agree",
+                                     edit.line, *difference));
+}
+
 int edit(const Options& options) {
   if (options.audit) contract::set_semantic(contract::cost::audit, contract::evaluation_semantic::enforce);
   scene::Scene scene = io::read_scene(io::read_source(options.scene));
   const std::vector<io::Edit> edits = read_edits(options, scene.stage());
+  std::optional<oracle::spec::Judge> judge;
+  if (options.by_spec) judge.emplace();
   int status = 0;
   std::string answers;
   for (const io::Edit& edit : edits) {
+    std::optional<model::Escena> before;
+    if (judge) before = scene::retrieve(scene);
     const model::Answer answer = io::run(scene, edit);
+    if (judge) agree_by_text(*judge, *before, edit, answer, scene::retrieve(scene));
     answers.append(io::answer_text(edit.line, answer)).append("\n");
     if (!answer.ok()) status = 1;
   }
@@ -61,6 +81,7 @@ void add_edit(CLI::App& app, int& status) {
   command->add_option("--op", options->operations, "An operation; may be given again")->allow_extra_args(false);
   command->add_option("-o,--output", options->out, "Where the edited scene goes; without it nothing is written");
   command->add_flag("--audit", options->audit, "Check whole predicates, with a copy of the old state");
+  command->add_flag("--by-spec", options->by_spec, "Let the Z text decide each step too; a difference is a defect");
   command->footer("Without --script and --op, operations are read from the standard input.");
   command->callback([options, &status] { status = edit(*options); });
 }

@@ -1,12 +1,81 @@
-// durero spec …: the Z text itself.
+// durero spec …: the Z text read, type-checked, evaluated, shown with all that carries it out, and asked about hits.
+#include "spec.hpp"
+
+#include <fmt/format.h>
+
 #include "commands.hpp"
+#include "durero/io/output_file.hpp"
+#include "durero/io/source.hpp"
+#include "durero/oracle/spec.hpp"
+#include "durero/zed/review.hpp"
 
 namespace durero::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> files;
+  std::string expression, name, scene, rays, hits;
+};
+
+std::string defects_text(const std::vector<zed::Defect>& defects) {
+  std::string said;
+  for (const zed::Defect& one : defects) said += one.text() + "\n";
+  return said;
+}
+
+bool has_error(const std::vector<zed::Defect>& defects) {
+  for (const zed::Defect& one : defects) {
+    if (one.severity == zed::Defect::Severity::error) return true;
+  }
+  return false;
+}
+
+std::string sections_text(const zed::Specification& specification) {
+  std::string said;
+  for (const zed::Section& one : specification.sections) {
+    said += fmt::format("{}: section {} ok, {} paragraphs\n", one.file, one.name, one.paragraphs.size());
+  }
+  return said;
+}
+
+}  // namespace
+
+int spec_check(const std::vector<std::string>& files) {
+  for (const std::string& file : files) io::read_source(file);  // throws where a file cannot be read
+  const zed::Specification read = files.empty() ? oracle::spec::text() : zed::read_files(files);
+  const std::vector<zed::Defect> defects = zed::review(read);
+  const bool wrong = has_error(defects);
+  io::write_file("-", defects_text(defects) + (wrong ? "" : sections_text(read)));
+  return wrong ? 1 : 0;
+}
 
 void add_spec(CLI::App& app, int& status) {
-  auto* command = app.add_subcommand("spec", "Work with the Z text");
-  command->require_subcommand(1);
-  add_spec_export(*command, status);
+  auto* spec = app.add_subcommand("spec", "Read, check, evaluate and show the Z text");
+  spec->require_subcommand(1);
+  add_spec_export(*spec, status);
+  const auto options = std::make_shared<Options>();
+
+  auto* check = spec->add_subcommand("check", "Read and type-check Z text; each defect at its line");
+  check->add_option("FILES", options->files, "Z text in LaTeX mark-up; without it, the program's own text");
+  check->callback([options, &status] { status = spec_check(options->files); });
+
+  auto* eval = spec->add_subcommand("eval", "The value of an expression, or whether a predicate holds");
+  eval->add_option("EXPR", options->expression, "Z, in Unicode or in LaTeX mark-up")->required();
+  eval->add_option("--scene", options->scene, "Scene file: Escena's components and the elements are then names");
+  eval->footer(
+      "θ is a letter, so a space stands behind it: θ Escena. Status 0: a value, or true; 1: undefined, or false; 2: it "
+      "cannot be read, or decided.");
+  eval->callback([options, &status] { status = spec_eval(options->expression, options->scene); });
+
+  auto* show = spec->add_subcommand("show", "A paragraph, and where each of its predicates is carried out");
+  show->add_option("NAME", options->name, "A name that the text declares, or a label")->required();
+  show->callback([options, &status] { status = spec_show(options->name); });
+
+  auto* confirm = spec->add_subcommand("confirm", "Let the Z text decide whether hits are right");
+  confirm->add_option("SCENE", options->scene, "Scene file (JSON)")->required();
+  confirm->add_option("RAYS", options->rays, "Ray file")->required();
+  confirm->add_option("HITS", options->hits, "Hit file (JSON lines)")->required();
+  confirm->callback([options, &status] { status = spec_confirm(options->scene, options->rays, options->hits); });
 }
 
 }  // namespace durero::cli

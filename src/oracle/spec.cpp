@@ -12,6 +12,7 @@ const std::map<std::string, std::string>& z_text();
 namespace durero::oracle::spec {
 namespace {
 
+using model::Operation;
 using zed::Name;
 using zed::Truth;
 using zed::Value;
@@ -21,7 +22,7 @@ constexpr std::array schemas{"Agregar_Esfera",  "Agregar_Cilindro",  "Agregar_Co
 constexpr std::array totals{"Agregar_Esfera_Total",   "Agregar_Cilindro_Total", "Agregar_Cono_Total",
                             "Agregar_Elemento_Total", "Eliminar_Esfera_Total",  "Eliminar_Cilindro_Total",
                             "Eliminar_Cono_Total",    "Eliminar_Elemento_Total"};
-static_assert(schemas.size() == std::variant_size_v<model::Operation> && totals.size() == schemas.size());
+static_assert(schemas.size() == std::variant_size_v<Operation> && totals.size() == schemas.size());
 
 Named primed(Named named) {
   for (auto& one : named) one.first.strokes += "'";
@@ -65,8 +66,8 @@ Named named(const Step& step) {
   return all;
 }
 
-std::string schema_name(const model::Operation& operation) { return schemas.at(operation.index()); }
-std::string total_name(const model::Operation& operation) { return totals.at(operation.index()); }
+std::string schema_name(const Operation& operation) { return schemas.at(operation.index()); }
+std::string total_name(const Operation& operation) { return totals.at(operation.index()); }
 
 struct Judge::Schemas {
   zed::Evaluator evaluator{text().sections};
@@ -106,7 +107,7 @@ std::vector<zed::Finding> Judge::findings(const Step& step) const {
   return schema.findings(in_order(schema.components(), named(step)));
 }
 
-std::vector<zed::Finding> Judge::findings(const model::Escena& before, const model::Operation& operation) const {
+std::vector<zed::Finding> Judge::findings(const model::Escena& before, const Operation& operation) const {
   const zed::SchemaCheck& schema = (*schemas_)[schema_name(operation)];
   Named all = components(before);
   append(all, inputs(operation));
@@ -116,6 +117,66 @@ std::vector<zed::Finding> Judge::findings(const model::Escena& before, const mod
 std::vector<zed::Finding> Judge::findings(const model::Escena& escena) const {
   const zed::SchemaCheck& schema = (*schemas_)["Escena"];
   return schema.findings(in_order(schema.components(), components(escena)));
+}
+
+namespace {
+
+std::string told(const zed::Finding& finding) {
+  return (finding.label.empty() ? std::string() : finding.label + " ") + "(" + finding.predicate + ")";
+}
+
+/// The partial operation that a total one stands for. The total one hides t?, so a specific addition is that of its own
+/// type; the general addition looks at the inputs of its type alone, as the schema of that type does.
+struct Specific {
+  Operation operator()(const model::Agregar_Elemento& in) const {
+    return std::visit([](auto made) { return Operation(std::move(made)); }, model::specific(in));
+  }
+  Operation operator()(const model::Agregar_Esfera& in) const {
+    return model::Agregar_Esfera{in.e, in.centro, in.radio};
+  }
+  Operation operator()(const model::Agregar_Cilindro& in) const {
+    return model::Agregar_Cilindro{in.e, in.centro, in.radio, in.vector, in.altura};
+  }
+  Operation operator()(const model::Agregar_Cono& in) const {
+    return model::Agregar_Cono{in.e, in.centro, in.proporcion, in.vector, in.altura};
+  }
+  template <class Removal>
+  Operation operator()(const Removal& in) const {
+    return in;
+  }
+};
+
+const zed::Finding* first(const std::vector<zed::Finding>& findings, Truth truth) {
+  const auto found =
+      std::find_if(findings.begin(), findings.end(), [&](const auto& one) { return one.truth == truth; });
+  return found == findings.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::optional<std::string> Judge::difference(const model::Escena& before, const Operation& operation,
+                                             const model::Answer& answer, const model::Escena& after) const {
+  const Step step{before, operation, answer.r, after};
+  const Operation partial = std::visit(Specific(), operation);
+  if (answer.ok()) {
+    // The general addition differs from that of its type by its answer alone.
+    const Step done{before, std::holds_alternative<model::Agregar_Elemento>(operation) ? operation : partial, answer.r,
+                    after};
+    if (!holds(done)) {
+      const auto all = findings(done);
+      const zed::Finding* broken = first(all, Truth::no);
+      return "the contracts accept what the text refuses: " + (broken ? told(*broken) : schema_name(operation));
+    }
+  } else {
+    const auto all = findings(before, partial);
+    const auto named =
+        std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.label == answer.violated->label; });
+    if (named == all.end())
+      return "the contracts name no predicate of the text: " + std::string(answer.violated->label);
+    if (named->truth != Truth::no) return "the contracts refuse what the text accepts: " + told(*named);
+  }
+  if (!holds_total(step)) return "the answer does not satisfy " + total_name(operation);
+  return std::nullopt;
 }
 
 bool Judge::in_puntos_de_rayo(const model::ExactPoint& p, const model::Rayo& rayo) const {

@@ -161,7 +161,10 @@ void judge_one(Random& random, const Judge& judge, Counts& counts) {
   if (!honest && random.below(8) == 0) answer.r = static_cast<model::Respuesta>(random.below(15));
   if (!honest) spoil(random, after);
   const Step step{before, operation, answer.r, after};
-  if (honest) CHECK(judge.holds_total(step));
+  if (honest) {
+    CHECK(judge.holds_total(step));
+    CHECK_FALSE(judge.difference(before, operation, answer, after));
+  }
   const auto findings = judge.findings(step);
   const auto said = truths(findings);
   const bool broken = std::any_of(findings.begin(), findings.end(), [](auto& one) { return one.truth == Truth::no; });
@@ -198,6 +201,30 @@ void judge_many(std::uint64_t seed, std::size_t transitions) {
       }
     }
   }
+}
+
+TEST_CASE("a difference between contracts and text is told with the predicate") {
+  const Judge judge;
+  const model::Elemento a("a"), b("b");
+  Escena before = model::Init();
+  model::apply(before, model::Agregar_Esfera{a, model::Punto(0, 0, 0), 1});
+  const Operation addition = model::Agregar_Esfera{b, model::Punto(0, 0, 5), 1};
+  Escena after = before;
+  const model::Answer done = model::apply_total(after, addition);
+  CHECK_FALSE(judge.difference(before, addition, done, after));
+  // A program that forgets the radius.
+  Escena forgetful = after;
+  forgetful.mi_radio.erase(b);
+  CHECK(judge.difference(before, addition, done, forgetful).value().find("Escena.inv.3") != std::string::npos);
+  // That gives the wrong answer; that refuses a right operation; that refuses and changes the scene all the same.
+  const model::Answer wrong{model::Respuesta::cono_agregado};
+  CHECK(judge.difference(before, addition, wrong, after).value().find("Agregar_Esfera.post.6") != std::string::npos);
+  const model::Answer refusal{model::Respuesta::elemento_ya_existe, &model::Agregar_Elemento_pre_1};
+  CHECK(judge.difference(before, addition, refusal, before).value() ==
+        "the contracts refuse what the text accepts: Agregar_Elemento.pre.1 (e? ∉ elementos)");
+  const Operation again = model::Agregar_Esfera{a, model::Punto(0, 0, 5), 1};
+  CHECK_FALSE(judge.difference(before, again, refusal, before));
+  CHECK(judge.difference(before, again, refusal, after).value().find("Agregar_Esfera_Total") != std::string::npos);
 }
 
 TEST_CASE("the contracts and the Z text agree on every conjunct of random transitions") { judge_many(20260101, 10000); }

@@ -75,6 +75,11 @@ class Judge {
   /// Every conjunct of Escena.
   std::vector<zed::Finding> findings(const model::Escena& escena) const;
 
+  /// What the text says otherwise than the contracts, with the predicate: nothing where both agree. The contracts
+  /// answered `answer`, and the scene was `before` and is `after`. A difference is a defect of the program.
+  std::optional<std::string> difference(const model::Escena& before, const model::Operation& operation,
+                                        const model::Answer& answer, const model::Escena& after) const;
+
   // Points. Precondition: the coordinates lie in one field.
   bool in_puntos_de_rayo(const model::ExactPoint& p, const model::Rayo& rayo) const;
   bool in_puntos_de_elemento(const model::ExactPoint& p, const zed::Value& escena, const model::Elemento& e) const;

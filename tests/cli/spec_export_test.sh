@@ -1,0 +1,20 @@
+# durero spec export --coq: the Z text as Coq.
+tree=$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd)
+. "$(dirname "$0")/harness.sh"
+run 0 spec export --coq -o Especificacion.v "$tree"/spec/*.tex
+empty out
+empty err
+same Especificacion.v "$tree/proofs/Especificacion.v"
+
+# Parents are found beside the files; without -o, the text is printed.
+run 0 spec export --coq "$tree/spec/interseccion.tex"
+has out 'Record Escena_ok (s : Escena) : Prop := {'
+has out '(* occluded_segment.def.1 *)'
+
+printf '\\begin{zed} S == \\{~ A : \\power \\num | \\# A = 1 ~\\}\n\\end{zed}\n' >counted.tex
+refused 'counted.tex:1:40: the operation #_ has no rule of translation to Coq; expected ' spec export --coq counted.tex -o counted.v
+absent counted.v
+printf '\\begin{zed} S == \\{~ A : \\power B | A = A ~\\}\n\\end{zed}\n' >untyped.tex
+refused 'untyped.tex:1:' spec export --coq untyped.tex
+refused 'lost.tex' spec export --coq lost.tex
+finish
