@@ -106,7 +106,7 @@ class TwoSets : public Set {
     return a == Truth::open ? a : b;
   }
   Value unknown(Context& context) const override { return a_.set()->unknown(context); }
-  std::string text() const override { return "(" + a_.text() + " " + symbol_ + " " + b_.text() + ")"; }
+  std::string text() const override { return "(" + a_.set()->text() + " " + symbol_ + " " + b_.set()->text() + ")"; }
 
  private:
   Value a_, b_;
@@ -125,7 +125,7 @@ class Difference : public Set {
     return in == Truth::open ? in : out;
   }
   Value unknown(Context& context) const override { return a_.set()->unknown(context); }
-  std::string text() const override { return "(" + a_.text() + " ∖ " + b_.text() + ")"; }
+  std::string text() const override { return "(" + a_.set()->text() + " ∖ " + b_.set()->text() + ")"; }
 
  private:
   Value a_, b_;
@@ -137,7 +137,7 @@ class BigUnion : public Set {
   Truth contains(const Value& value, Context& context) const override {
     return sets_.set()->some_contains(value, context);
   }
-  std::string text() const override { return "⋃ " + sets_.text(); }
+  std::string text() const override { return "⋃ " + sets_.set()->text(); }
 
  private:
   Value sets_;
@@ -149,7 +149,7 @@ class Domain : public Set {
   Truth contains(const Value& value, Context& context) const override {
     return function_.set()->in_domain(value, context);
   }
-  std::string text() const override { return "dom " + function_.text(); }
+  std::string text() const override { return "dom " + function_.set()->text(); }
 
  private:
   Value function_;

@@ -54,7 +54,7 @@ class PowerSet : public Set {
   }
 
   std::string text() const override {
-    return std::string(form_.finite ? "𝔽" : "ℙ") + (form_.nonempty ? "₁ " : " ") + base_.text();
+    return std::string(form_.finite ? "𝔽" : "ℙ") + (form_.nonempty ? "₁ " : " ") + base_.set()->text();
   }
 
  private:
@@ -115,7 +115,7 @@ class ProductSet : public Set {
 
   std::string text() const override {
     std::string made;
-    for (const Value& one : factors_) made += (made.empty() ? "" : " × ") + one.text();
+    for (const Value& one : factors_) made += (made.empty() ? "" : " × ") + one.set()->text();
     return "(" + made + ")";
   }
 
@@ -157,7 +157,9 @@ class FunctionSet : public Set {
     return Truth::yes;
   }
 
-  std::string text() const override { return "(" + from_.text() + " " + form_.symbol + " " + to_.text() + ")"; }
+  std::string text() const override {
+    return "(" + from_.set()->text() + " " + form_.symbol + " " + to_.set()->text() + ")";
+  }
 
  private:
   static Truth each_in(const std::vector<Value>& pairs, std::size_t part, const Value& set, Context& context) {
