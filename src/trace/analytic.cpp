@@ -13,12 +13,14 @@ namespace {
 
 using model::Tipo;
 
-/// visit(element) for every element of the scene until it answers true. Whether it did.
+using Range = Search::Range;
+
+/// visit(element, range) for every element of the scene until it answers true. Whether it did.
 template <class Visit>
 bool any_element(const scene::Scene& scene, Visit visit) {
   const auto any_of = [&](Tipo tipo, std::size_t size) {
     for (std::uint32_t i = 0; i < size; ++i) {
-      if (visit(scene::ElementRef{tipo, i})) return true;
+      if (visit(scene::ElementRef{tipo, i}, Range::unknown)) return true;
     }
     return false;
   };
@@ -26,30 +28,30 @@ bool any_element(const scene::Scene& scene, Visit visit) {
          any_of(Tipo::soy_cono, scene.cones().size());
 }
 
-/// visit(element) for every element that the ray may meet at t ≤ limit(), until it answers true. The filter knows only
-/// the points of the element itself, so the elements that the ray starts on pass by it.
+/// visit(element, range) for every element that the ray may meet at t ≤ limit(), until it answers true. The filter
+/// knows only the points of the element itself, so the elements that the ray starts on pass by it.
 template <class Limit, class Visit>
 bool any_candidate(const Tables& tables, const Beam& beam, Origin en, Limit limit, Visit visit) {
   if (!beam.ordinary) return any_element(tables.scene(), visit);
-  if (std::any_of(en.begin(), en.end(), visit)) return true;
-  const auto visit_other = [&](scene::ElementRef e) { return !contains(en, e) && visit(e); };
+  if (std::any_of(en.begin(), en.end(), [&](scene::ElementRef e) { return visit(e, Range::unknown); })) return true;
+  const auto visit_other = [&](scene::ElementRef e, Range range) { return !contains(en, e) && visit(e, range); };
   const auto elements = tables.elements();
   std::array<std::uint32_t, 32 * Balls::block> passed;
   for (std::size_t begin = 0; begin < elements.size(); begin += passed.size()) {
     const std::size_t end = std::min(begin + passed.size(), elements.size());
     const std::size_t count = filter(tables.balls(), beam, limit(), begin, end, passed.data());
     for (std::size_t i = 0; i < count; ++i) {
-      if (visit_other(elements[passed[i]])) return true;
+      if (visit_other(elements[passed[i]], Range::ordinary)) return true;
     }
   }
   const auto rest = tables.extraordinary();
-  return std::any_of(rest.begin(), rest.end(), visit_other);
+  return std::any_of(rest.begin(), rest.end(), [&](scene::ElementRef e) { return visit_other(e, Range::unknown); });
 }
 
 template <class ForEach>
 scene::Hit nearest(Search& search, ForEach for_each) {
-  for_each([&](scene::ElementRef e) {
-    search.test(e);
+  for_each([&](scene::ElementRef e, Range range) {
+    search.test(e, range);
     return false;
   });
   return search.finish();
@@ -57,8 +59,8 @@ scene::Hit nearest(Search& search, ForEach for_each) {
 
 /// The ray meets the element at some 0 < t < 1. Near 1 the exact parameter decides.
 bool blocks_segment(const Search& search, const scene::Scene& scene, const model::Rayo& rayo, Origin en,
-                    scene::ElementRef e) {
-  const Meeting met = search.meeting(e, 1);
+                    scene::ElementRef e, Range range) {
+  const Meeting met = search.meeting(e, 1, range);
   if (met.kind != Meeting::Kind::point) return met.kind == Meeting::Kind::no_minimum;
   if (met.high < 1) return true;
   if (met.low > 1) return false;
@@ -66,8 +68,8 @@ bool blocks_segment(const Search& search, const scene::Scene& scene, const model
   return oracle::exact::order(reach.first(), oracle::exact::Parameter{.x = 1}) < 0;
 }
 
-bool blocks(const Search& search, scene::ElementRef e) {
-  return search.meeting(e, no_limit).kind != Meeting::Kind::none;
+bool blocks(const Search& search, scene::ElementRef e, Range range) {
+  return search.meeting(e, no_limit, range).kind != Meeting::Kind::none;
 }
 
 }  // namespace
@@ -85,7 +87,8 @@ bool occluded(const Tables& tables, const model::Rayo& rayo, Origin en, Counts* 
   Counts unseen;
   const Search search(tables.scene(), rayo, en, counts ? *counts : unseen);
   return any_candidate(
-      tables, search.beam(), en, [] { return no_limit; }, [&](scene::ElementRef e) { return blocks(search, e); });
+      tables, search.beam(), en, [] { return no_limit; },
+      [&](scene::ElementRef e, Range range) { return blocks(search, e, range); });
 }
 
 bool occluded_segment(const Tables& tables, const model::Rayo& rayo, Origin en, Counts* counts) {
@@ -93,7 +96,7 @@ bool occluded_segment(const Tables& tables, const model::Rayo& rayo, Origin en, 
   const Search search(tables.scene(), rayo, en, counts ? *counts : unseen);
   return any_candidate(
       tables, search.beam(), en, [] { return 1.0; },
-      [&](scene::ElementRef e) { return blocks_segment(search, tables.scene(), rayo, en, e); });
+      [&](scene::ElementRef e, Range range) { return blocks_segment(search, tables.scene(), rayo, en, e, range); });
 }
 
 std::vector<scene::Hit> first_hits(const Tables& tables, std::span<const Query> queries, unsigned threads,
@@ -126,13 +129,14 @@ scene::Hit first_hit(const scene::Scene& scene, const model::Rayo& rayo, Origin 
 bool occluded(const scene::Scene& scene, const model::Rayo& rayo, Origin en) {
   Counts unseen;
   const Search search(scene, rayo, en, unseen);
-  return any_element(scene, [&](scene::ElementRef e) { return blocks(search, e); });
+  return any_element(scene, [&](scene::ElementRef e, Range range) { return blocks(search, e, range); });
 }
 
 bool occluded_segment(const scene::Scene& scene, const model::Rayo& rayo, Origin en) {
   Counts unseen;
   const Search search(scene, rayo, en, unseen);
-  return any_element(scene, [&](scene::ElementRef e) { return blocks_segment(search, scene, rayo, en, e); });
+  return any_element(
+      scene, [&](scene::ElementRef e, Range range) { return blocks_segment(search, scene, rayo, en, e, range); });
 }
 
 std::vector<scene::Hit> first_hits(const scene::Scene& scene, std::span<const Query> queries, unsigned threads) {

@@ -23,29 +23,19 @@ HWY_INLINE Lanes squared(const Components& a) {
   return hn::Add(hn::Add(hn::Mul(a.x, a.x), hn::Mul(a.y, a.y)), hn::Mul(a.z, a.z));
 }
 
-/// What is added to a radius for the rounding at distance q from the centre (tables.hpp).
-struct Certified {
-  static HWY_INLINE Lanes allowance(Tag tag, const Components& q) {
-    return hn::Mul(hn::Set(tag, 0x1p-49), hn::Add(hn::Add(hn::Abs(q.x), hn::Abs(q.y)), hn::Abs(q.z)));
-  }
-};
-struct Uncertified {
-  static HWY_INLINE Lanes allowance(Tag tag, const Components&) { return hn::Zero(tag); }
-};
-
-template <class Allowance>
-std::size_t filter_of(const Balls& balls, const Beam& beam, double limit, std::size_t begin, std::size_t end,
+std::size_t passed_by(const Balls& balls, const Beam& beam, double limit, std::size_t begin, std::size_t end,
                       std::uint32_t* passed) {
   const Tag tag;
   const Components p{hn::Set(tag, beam.p.x), hn::Set(tag, beam.p.y), hn::Set(tag, beam.p.z)};
   const Components v{hn::Set(tag, beam.v.x), hn::Set(tag, beam.v.y), hn::Set(tag, beam.v.z)};
   const Lanes length_squared = hn::Set(tag, beam.length_squared), length = hn::Set(tag, beam.length);
+  const Lanes allowance = hn::Set(tag, beam.allowance);
   const Lanes farthest = hn::Set(tag, limit * beam.length_squared);
   std::size_t count = 0;
   for (std::size_t i = begin; i < end; i += hn::Lanes(tag)) {
     const Components q{hn::Sub(p.x, hn::LoadU(tag, &balls.x[i])), hn::Sub(p.y, hn::LoadU(tag, &balls.y[i])),
                        hn::Sub(p.z, hn::LoadU(tag, &balls.z[i]))};
-    const Lanes radius = hn::Add(hn::LoadU(tag, &balls.radius[i]), Allowance::allowance(tag, q));
+    const Lanes radius = hn::Add(hn::LoadU(tag, &balls.radius[i]), allowance);
     const Components moment{hn::Sub(hn::Mul(q.y, v.z), hn::Mul(q.z, v.y)),
                             hn::Sub(hn::Mul(q.z, v.x), hn::Mul(q.x, v.z)),
                             hn::Sub(hn::Mul(q.x, v.y), hn::Mul(q.y, v.x))};
@@ -64,15 +54,6 @@ std::size_t filter_of(const Balls& balls, const Beam& beam, double limit, std::s
   return count;
 }
 
-std::size_t certified(const Balls& balls, const Beam& beam, double limit, std::size_t begin, std::size_t end,
-                      std::uint32_t* passed) {
-  return filter_of<Certified>(balls, beam, limit, begin, end, passed);
-}
-std::size_t uncertified(const Balls& balls, const Beam& beam, double limit, std::size_t begin, std::size_t end,
-                        std::uint32_t* passed) {
-  return filter_of<Uncertified>(balls, beam, limit, begin, end, passed);
-}
-
 }  // namespace
 }  // namespace HWY_NAMESPACE
 }  // namespace durero::trace
@@ -81,17 +62,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace durero::trace {
 namespace {
-HWY_EXPORT(certified);
-HWY_EXPORT(uncertified);
+HWY_EXPORT(passed_by);
 }  // namespace
 
 std::size_t filter(const Balls& balls, const Beam& beam, double limit, std::size_t begin, std::size_t end,
                    std::uint32_t* passed) {
-  return HWY_DYNAMIC_DISPATCH(certified)(balls, beam, limit, begin, end, passed);
-}
-std::size_t plain_filter(const Balls& balls, const Beam& beam, double limit, std::size_t begin, std::size_t end,
-                         std::uint32_t* passed) {
-  return HWY_DYNAMIC_DISPATCH(uncertified)(balls, beam, limit, begin, end, passed);
+  return HWY_DYNAMIC_DISPATCH(passed_by)(balls, beam, limit, begin, end, passed);
 }
 
 }  // namespace durero::trace

@@ -1,10 +1,10 @@
 #include "durero/trace/plain.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <optional>
 
 namespace durero::trace::plain {
 namespace {
@@ -66,7 +66,7 @@ First first_of_element(const scene::Scene& scene, scene::ElementRef e, const mod
 
 /// Algorithm II.2: the nearest so far, and every element that shares it. No minimum stands before every hit.
 struct Nearest {
-  scene::Hit hit{};
+  scene::Hit& hit;
 
   void take(scene::ElementRef e, const First& found) {
     if (found.resultado == Resultado::miss) return;
@@ -77,6 +77,12 @@ struct Nearest {
     hit.elementos.push_back(e);
     hit.resultado = found.resultado;
     hit.t = found.t;
+  }
+
+  double limit() const { return hit.resultado == Resultado::miss ? infinity : hit.t; }
+
+  void finish(const model::Rayo& rayo) const {
+    if (hit.resultado == Resultado::hit) hit.punto = rayo.p().xyz() + hit.t * rayo.v().xyz();
   }
 };
 
@@ -123,18 +129,36 @@ First first(const Quadratic& f) {
 }
 
 scene::Hit first_hit(const scene::Scene& scene, const model::Rayo& rayo, Origin en) {
-  Nearest nearest;
+  scene::Hit hit;
+  Nearest nearest{hit};
   const auto visit = [&](model::Tipo tipo, std::size_t count) {
     for (std::uint32_t i = 0; i < count; ++i) {
       const scene::ElementRef e{tipo, i};
-      nearest.take(e, first_of_element(scene, e, rayo, std::find(en.begin(), en.end(), e) != en.end()));
+      nearest.take(e, first_of_element(scene, e, rayo, contains(en, e)));
     }
   };
   visit(model::Tipo::soy_esfera, scene.spheres().size());
   visit(model::Tipo::soy_cilindro, scene.cylinders().size());
   visit(model::Tipo::soy_cono, scene.cones().size());
-  scene::Hit& hit = nearest.hit;
-  if (hit.resultado == Resultado::hit) hit.punto = rayo.p().xyz() + hit.t * rayo.v().xyz();
+  nearest.finish(rayo);
+  return hit;
+}
+
+scene::Hit first_hit(const Tables& tables, const model::Rayo& rayo, Origin en) {
+  scene::Hit hit;
+  Nearest nearest{hit};
+  const Beam beam(rayo);
+  const auto elements = tables.elements();
+  std::array<std::uint32_t, 32 * Balls::block> passed;
+  for (std::size_t begin = 0; begin < elements.size(); begin += passed.size()) {
+    const std::size_t end = std::min(begin + passed.size(), elements.size());
+    const std::size_t count = filter(tables.balls(), beam, nearest.limit(), begin, end, passed.data());
+    for (std::size_t i = 0; i < count; ++i) {
+      const scene::ElementRef e = elements[passed[i]];
+      nearest.take(e, first_of_element(tables.scene(), e, rayo, contains(en, e)));
+    }
+  }
+  nearest.finish(rayo);
   return hit;
 }
 

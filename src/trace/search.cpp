@@ -45,9 +45,11 @@ Meeting exact_meeting(oracle::exact::Reach reach) {
   return point_of(reach.first());
 }
 
+/// in_range: element and beam are ordinary.
 template <class Element>
-Meeting meeting_of(const Element& element, const model::Rayo& rayo, const Beam& beam, bool on, double limit) {
-  if (beam.ordinary && ordinary(element)) {
+Meeting meeting_of(const Element& element, const model::Rayo& rayo, const Beam& beam, bool in_range, bool on,
+                   double limit) {
+  if (in_range) {
     const Finding first = triage(element, beam, on, limit);
     if (first.verdict == Verdict::miss) return {};
     if (first.verdict == Verdict::hit) return point_of(Step::triage, first);
@@ -69,16 +71,18 @@ bool certainly_less(const Finding& a, const Finding& b) {
 Search::Search(const scene::Scene& scene, const model::Rayo& rayo, Origin en, Counts& counts)
     : scene_(scene), rayo_(rayo), en_(en), counts_(counts), beam_(rayo) {}
 
-Meeting Search::meeting(scene::ElementRef e, double limit) const {
+Meeting Search::meeting(scene::ElementRef e, double limit, Range range) const {
   const bool on = contains(en_, e);
-  Meeting met =
-      with_shape(scene_, e, [&](const auto& element) { return meeting_of(element, rayo_, beam_, on, limit); });
+  Meeting met = with_shape(scene_, e, [&](const auto& element) {
+    const bool in_range = beam_.ordinary && (range == Range::ordinary || ordinary(element));
+    return meeting_of(element, rayo_, beam_, in_range, on, limit);
+  });
   ++counts_.element[static_cast<std::size_t>(met.step)];
   return met;
 }
 
-void Search::test(scene::ElementRef e) {
-  Meeting met = meeting(e, limit_);
+void Search::test(scene::ElementRef e, Range range) {
+  Meeting met = meeting(e, limit_, range);
   if (met.kind == Kind::none || met.low > limit_) return;
   if (met.kind == Kind::no_minimum) {
     without_minimum_.push_back(e);
@@ -125,11 +129,23 @@ void Search::keep_nearest_by_exact() {
 }
 
 scene::Hit Search::finish() {
+  scene::Hit hit;
   if (!without_minimum_.empty()) {
-    std::sort(without_minimum_.begin(), without_minimum_.end());
-    return {.resultado = model::Resultado::no_minimum, .elementos = without_minimum_};
+    hit.resultado = model::Resultado::no_minimum;
+    hit.elementos = std::move(without_minimum_);
+  } else if (!contenders_.empty()) {
+    keep_nearest();
+    const Rounded r = round(contenders_.front());
+    hit.resultado = model::Resultado::hit;
+    hit.t = r.t;
+    hit.punto = r.punto;
+    for (const Contender& contender : contenders_) hit.elementos.push_back(contender.e);
   }
-  if (contenders_.empty()) return {};
+  std::sort(hit.elementos.begin(), hit.elementos.end());
+  return hit;
+}
+
+void Search::keep_nearest() {
   Step step = Step::triage;
   if (contenders_.size() > 1) {
     step = Step::stable;
@@ -140,35 +156,30 @@ scene::Hit Search::finish() {
     keep_nearest_by_exact();
   }
   ++counts_.order[static_cast<std::size_t>(step)];
-  scene::ElementSet elementos;
-  for (const Contender& contender : contenders_) elementos.push_back(contender.e);
-  std::sort(elementos.begin(), elementos.end());
-  return hit(contenders_.front(), std::move(elementos));
 }
 
-scene::Hit Search::hit(const Contender& nearest, scene::ElementSet elementos) const {
+Rounded Search::round(const Contender& nearest) const {
   const bool on = contains(en_, nearest.e);
-  const auto answer = [&](Step step, const Finding& finding) -> std::optional<scene::Hit> {
-    if (finding.verdict != Verdict::hit) return {};
-    const Rounded r = rounded(beam_, finding);
-    if (!r.certain) return {};
-    ++counts_.rounding[static_cast<std::size_t>(step)];
-    return scene::Hit{model::Resultado::hit, r.t, r.punto, elementos};
+  const auto count = [&](Step step) { ++counts_.rounding[static_cast<std::size_t>(step)]; };
+  const auto attempt = [&](const Finding& finding) {
+    return finding.verdict == Verdict::hit ? rounded(beam_, finding) : Rounded{};
   };
-  if (nearest.at.step == Step::triage && !on) {
-    const auto improve = [&](const auto& e) { return improved(e, beam_, nearest.at.finding); };
-    if (auto found = answer(Step::triage, with_shape(scene_, nearest.e, improve))) return *std::move(found);
-  }
+  Rounded r{};
   if (nearest.at.step == Step::triage) {
-    const auto again = [&](const auto& e) { return stable(e, beam_, on, no_limit); };
-    if (auto found = answer(Step::stable, with_shape(scene_, nearest.e, again))) return *std::move(found);
+    r = attempt(
+        with_shape(scene_, nearest.e, [&](const auto& e) { return improved(e, beam_, on, nearest.at.finding); }));
+    if (r.certain) return count(Step::triage), r;
+    r = attempt(with_shape(scene_, nearest.e, [&](const auto& e) { return stable(e, beam_, on, no_limit); }));
+  } else if (nearest.at.step == Step::stable) {
+    r = attempt(nearest.at.finding);
   }
-  if (nearest.at.step == Step::stable) {
-    if (auto found = answer(Step::stable, nearest.at.finding)) return *std::move(found);
-  }
-  ++counts_.rounding[static_cast<std::size_t>(Step::exact)];
-  const Parameter t = nearest.at.t ? *nearest.at.t : oracle::exact::reach(scene_, nearest.e, rayo_, en_).first();
-  return oracle::exact::rounded_hit(rayo_, t, std::move(elementos));
+  if (r.certain) return count(Step::stable), r;
+  count(Step::exact);
+  const auto exactly = [&](const Parameter& t) {
+    const scene::Hit hit = oracle::exact::rounded_hit(rayo_, t, {});
+    return Rounded{true, hit.t, hit.punto};
+  };
+  return nearest.at.t ? exactly(*nearest.at.t) : exactly(oracle::exact::reach(scene_, nearest.e, rayo_, en_).first());
 }
 
 }  // namespace durero::trace

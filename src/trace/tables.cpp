@@ -35,7 +35,8 @@ void Balls::push_back(const Ball& ball) {
   x.push_back(ball.centre.x);
   y.push_back(ball.centre.y);
   z.push_back(ball.centre.z);
-  radius.push_back(ball.radius);
+  const glm::dvec3& m = ball.centre;
+  radius.push_back(ball.radius + 0x1p-49 * (std::abs(m.x) + std::abs(m.y) + std::abs(m.z)));
 }
 
 void Balls::pad() {

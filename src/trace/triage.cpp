@@ -7,8 +7,17 @@
 namespace durero::trace {
 namespace {
 
-bool in_range(double x) { return x == 0 || (std::abs(x) >= 0x1p-100 && std::abs(x) <= 0x1p100); }
-bool in_range(const glm::dvec3& x) { return in_range(x.x) && in_range(x.y) && in_range(x.z); }
+/// Every number is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰; without branches, as it runs for every ray.
+template <class... Numbers>
+bool in_range(Numbers... numbers) {
+  const auto within = [](double x) {
+    const double size = std::abs(x);
+    return (size >= 0x1p-100 && size <= 0x1p100) | (size == 0);
+  };
+  return (within(numbers) & ...);
+}
+
+double extent(const glm::dvec3& x) { return std::abs(x.x) + std::abs(x.y) + std::abs(x.z); }
 
 }  // namespace
 
@@ -24,17 +33,18 @@ Counts& Counts::operator+=(const Counts& other) {
 Beam::Beam(const model::Rayo& rayo)
     : p(rayo.p().xyz()),
       v(rayo.v().xyz()),
-      speed(std::abs(v.x) + std::abs(v.y) + std::abs(v.z)),
+      speed(extent(v)),
       length_squared((v.x * v.x + v.y * v.y + v.z * v.z) * (1 + 0x1p-47 + 0x1p-50)),
       length(std::sqrt(length_squared)),
-      ordinary(in_range(p) && in_range(v)) {}
+      allowance(0x1p-49 * extent(p)),
+      ordinary(in_range(p.x, p.y, p.z, v.x, v.y, v.z)) {}
 
-bool ordinary(const scene::Sphere& e) noexcept { return in_range(e.centro) && in_range(e.radio); }
+bool ordinary(const scene::Sphere& e) noexcept { return in_range(e.centro.x, e.centro.y, e.centro.z, e.radio); }
 bool ordinary(const scene::Cylinder& e) noexcept {
-  return in_range(e.centro) && in_range(e.vector) && in_range(e.radio) && in_range(e.altura);
+  return in_range(e.centro.x, e.centro.y, e.centro.z, e.radio, e.vector.x, e.vector.y, e.vector.z, e.altura);
 }
 bool ordinary(const scene::Cone& e) noexcept {
-  return in_range(e.centro) && in_range(e.vector) && in_range(e.proporcion) && in_range(e.altura);
+  return in_range(e.centro.x, e.centro.y, e.centro.z, e.proporcion, e.vector.x, e.vector.y, e.vector.z, e.altura);
 }
 
 Finding triage(const scene::Sphere& sphere, const Beam& beam, bool on, double limit) {

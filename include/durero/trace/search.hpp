@@ -43,14 +43,17 @@ class Search {
   /// No point beyond this parameter is the first: at least the first parameter among the elements tested so far.
   double limit() const noexcept { return limit_; }
 
+  /// What the caller knows of the numbers of an element: that they are `ordinary`, or nothing.
+  enum class Range : std::uint8_t { unknown, ordinary };
+
   /// Takes an element into account. Precondition: no element is taken twice.
-  void test(scene::ElementRef e);
+  void test(scene::ElementRef e, Range range = Range::unknown);
 
   /// The answer over the elements tested. Elements whose points all lie beyond limit() may be left out.
   scene::Hit finish();
 
   /// Where the ray first meets one element; none also where that is beyond the limit.
-  Meeting meeting(scene::ElementRef e, double limit) const;
+  Meeting meeting(scene::ElementRef e, double limit, Range range = Range::unknown) const;
 
  private:
   struct Contender {
@@ -63,7 +66,8 @@ class Search {
   const oracle::exact::Parameter& exact(Contender& contender) const;
   void keep_nearest_by_stable();
   void keep_nearest_by_exact();
-  scene::Hit hit(const Contender& nearest, scene::ElementSet elementos) const;
+  void keep_nearest();
+  Rounded round(const Contender& nearest) const;
 
   const scene::Scene& scene_;
   const model::Rayo& rayo_;

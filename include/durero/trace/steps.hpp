@@ -34,6 +34,7 @@ struct Beam {
   double speed;           ///< V ≥ |v|
   double length_squared;  ///< |v|², greater by 60u to 80u
   double length;          ///< |v|, greater by 30u to 40u
+  double allowance;       ///< 16u·(|p.x| + |p.y| + |p.z|), for the filter (tables.hpp)
   bool ordinary;          ///< every component is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰
 };
 
@@ -72,14 +73,14 @@ Finding stable(const scene::Cylinder& cylinder, const Beam& beam, bool on, doubl
 Finding stable(const scene::Cone& cone, const Beam& beam, bool on, double limit = no_limit);
 
 /// A finding of the triage improved by one step of Newton's, the quadratic taken in double-double; undecided where the
-/// slope may be 0. Precondition: the finding is a hit of this element, and the ray does not start on it.
-Finding improved(const scene::Sphere& sphere, const Beam& beam, const Finding& finding);
-Finding improved(const scene::Cylinder& cylinder, const Beam& beam, const Finding& finding);
-Finding improved(const scene::Cone& cone, const Beam& beam, const Finding& finding);
+/// slope may be 0. Precondition: the finding is a hit of this element by triage, for the same `on`.
+Finding improved(const scene::Sphere& sphere, const Beam& beam, bool on, const Finding& finding);
+Finding improved(const scene::Cylinder& cylinder, const Beam& beam, bool on, const Finding& finding);
+Finding improved(const scene::Cone& cone, const Beam& beam, bool on, const Finding& finding);
 
 /// t and each coordinate of p + t·v rounded once; certain only if every number within the error rounds the same.
 struct Rounded {
-  bool certain;
+  bool certain = false;
   double t = 0;
   glm::dvec3 punto{};
 };

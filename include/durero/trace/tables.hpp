@@ -5,10 +5,10 @@
 /// A point p + t·v of a ball of centre m and radius R, with q = p − m, B = q·v: |q × v| ≤ R|v|, and |v|²·t is between
 /// −B − R|v| and −B + R|v|. So a ray misses the ball where |q × v|² > R²|v|², where B > R|v| (it lies behind), and up
 /// to the limit where −B − R|v| > limit·|v|². In binary64, with u = 2⁻⁵³: q × v errs by 3u of the products it is made
-/// of, in length at most 3u·√2·|q||v|; B by 4u|q||v|; so R + 16u·(|q.x| + |q.y| + |q.z|) in place of R pays for both,
-/// and for the rounding of B + R|v|. |v|² and |v| are taken greater by 60u and 30u, which pays for all roundings
-/// relative to their result, fewer than ten. Elements and rays that are not `ordinary` do not come here, so nothing
-/// overflows.
+/// of, in length at most 3u·√2·|q||v|; B by 4u|q||v|. As |q| ≤ |p| + |m|, R + 16u(|p.x| + |p.y| + |p.z|) + 16u(|m.x| +
+/// |m.y| + |m.z|) in place of R pays for both, and for the rounding of B + R|v|; the last term is part of the stored
+/// radius. |v|² and |v| are taken greater by 60u and 30u, which pays for all roundings relative to their result, fewer
+/// than ten. Elements and rays that are not `ordinary` do not come here, so nothing overflows.
 
 #include <cstdint>
 #include <span>
@@ -20,7 +20,7 @@
 
 namespace durero::trace {
 
-/// Contains every point of the element. Precondition: the element is ordinary.
+/// A ball that contains every point of the element. Precondition: the element is ordinary.
 struct Ball {
   glm::dvec3 centre;
   double radius;
@@ -29,7 +29,8 @@ Ball ball(const scene::Sphere& sphere);
 Ball ball(const scene::Cylinder& cylinder);
 Ball ball(const scene::Cone& cone);
 
-/// Balls in columns; padded to whole blocks with NaN, which no ray meets.
+/// Balls in columns, their radii with the part of the allowance that is theirs; padded to whole blocks with NaN, which
+/// no ray meets.
 struct Balls {
   static constexpr std::size_t block = 8;
   std::vector<double> x, y, z, radius;
@@ -62,9 +63,5 @@ class Tables {
 /// for end − begin, rounded up to whole blocks.
 std::size_t filter(const Balls& balls, const Beam& beam, double limit, std::size_t begin, std::size_t end,
                    std::uint32_t* passed);
-
-/// The same without the allowance for rounding, as an uncertified tracer would do it.
-std::size_t plain_filter(const Balls& balls, const Beam& beam, double limit, std::size_t begin, std::size_t end,
-                         std::uint32_t* passed);
 
 }  // namespace durero::trace

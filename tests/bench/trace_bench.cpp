@@ -1,0 +1,137 @@
+// The figures of the tracer: element tests a second, what the certificates cost, the exact oracle and its growth, and
+// which step decided. The scene is that of the design's performance table: n elements in the unit cube, a third of each
+// type, radius 0.25·n^(−1/3)·U(0.5, 1), length 0.25·n^(−1/3)·U(1.5, 3).
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+#include <cmath>
+#include <vector>
+
+#include "durero/oracle/exact.hpp"
+#include "durero/trace/analytic.hpp"
+#include "durero/trace/plain.hpp"
+#include "support/scenes.hpp"
+#include "support/shapes.hpp"
+
+using namespace durero;
+
+namespace {
+
+scene::Scene mixed_scene(std::size_t n) {
+  test::Random random(1);
+  scene::Scene scene;
+  const double unit = 0.25 * std::cbrt(1 / static_cast<double>(n));
+  for (std::size_t i = 0; i < n; ++i) {
+    const glm::dvec3 centro = random.in_cube(0.5) + 0.5;
+    const double radio = unit * random.uniform(0.5, 1), altura = unit * random.uniform(1.5, 3);
+    const glm::dvec3 axis = random.axis().xyz();
+    if (i % 3 == 0) {
+      test::add(scene, scene::Sphere{centro, radio});
+    } else if (i % 3 == 1) {
+      test::add(scene, scene::Cylinder{centro, radio, axis, altura});
+    } else {
+      test::add(scene, scene::Cone{centro, radio / altura, axis, altura});
+    }
+  }
+  return scene;
+}
+
+/// Rays from a pinhole at (0.5, 0.5, −1.2) through random points of the cube.
+std::vector<model::Rayo> primary_rays(std::size_t count) {
+  test::Random random(2);
+  const glm::dvec3 eye(0.5, 0.5, -1.2);
+  std::vector<model::Rayo> rays;
+  for (std::size_t i = 0; i < count; ++i) {
+    rays.push_back(test::ray(eye, random.in_cube(0.5) + 0.5 - eye));
+  }
+  return rays;
+}
+
+std::size_t elements(const benchmark::State& state) { return static_cast<std::size_t>(state.range(0)); }
+
+using Rate = benchmark::Counter;
+
+/// answer(ray) over the rays, over and over; rates of rays and of element tests.
+template <class Answer>
+void trace_all(benchmark::State& state, const std::vector<model::Rayo>& rays, Answer answer) {
+  std::size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(answer(rays[i]));
+    i = i + 1 == rays.size() ? 0 : i + 1;
+  }
+  const auto traced = static_cast<double>(state.iterations());
+  state.counters["rays/s"] = Rate(traced, Rate::kIsRate);
+  state.counters["element tests/s"] = Rate(traced * static_cast<double>(state.range(0)), Rate::kIsRate);
+}
+
+void certified(benchmark::State& state) {
+  const scene::Scene scene = mixed_scene(elements(state));
+  const trace::Tables tables(scene);
+  trace_all(state, primary_rays(4096), [&](const model::Rayo& ray) { return trace::first_hit(tables, ray); });
+}
+
+void certified_without_tables(benchmark::State& state) {
+  const scene::Scene scene = mixed_scene(elements(state));
+  trace_all(state, primary_rays(4096), [&](const model::Rayo& ray) { return trace::first_hit(scene, ray); });
+}
+
+void plain(benchmark::State& state) {
+  const scene::Scene scene = mixed_scene(elements(state));
+  const trace::Tables tables(scene);
+  trace_all(state, primary_rays(4096), [&](const model::Rayo& ray) { return trace::plain::first_hit(tables, ray); });
+}
+
+void exact(benchmark::State& state) {
+  const scene::Scene scene = mixed_scene(elements(state));
+  trace_all(state, primary_rays(4096), [&](const model::Rayo& ray) { return oracle::exact::first_hit(scene, ray); });
+}
+
+/// Certified against plain in one run, ray packet by ray packet, so that both meet the same machine.
+void ratio(benchmark::State& state) {
+  const scene::Scene scene = mixed_scene(elements(state));
+  const trace::Tables tables(scene);
+  const std::vector<model::Rayo> rays = primary_rays(512);
+  using Clock = std::chrono::steady_clock;
+  Clock::duration of_certified{}, of_plain{};
+  for (auto _ : state) {
+    const auto begin = Clock::now();
+    for (const model::Rayo& ray : rays) benchmark::DoNotOptimize(trace::first_hit(tables, ray));
+    const auto middle = Clock::now();
+    for (const model::Rayo& ray : rays) benchmark::DoNotOptimize(trace::plain::first_hit(tables, ray));
+    of_certified += middle - begin;
+    of_plain += Clock::now() - middle;
+  }
+  state.counters["certified/plain"] = std::chrono::duration<double>(of_plain) / of_certified;
+}
+
+/// Which step decided, on rays that are all different: the shares of all decisions of each kind.
+void steps(benchmark::State& state) {
+  const scene::Scene scene = mixed_scene(elements(state));
+  const trace::Tables tables(scene);
+  test::Random random(3);
+  trace::Counts counts;
+  std::uint64_t rays = 0;
+  for (auto _ : state) {
+    const glm::dvec3 p = random.in_cube(1.5), v = random.in_cube(0.5) - p;
+    benchmark::DoNotOptimize(trace::first_hit(tables, test::ray(p, v), {}, &counts));
+    ++rays;
+  }
+  const auto share = [&](std::uint64_t part) { return static_cast<double>(part) / static_cast<double>(rays); };
+  state.counters["rays"] = static_cast<double>(rays);
+  state.counters["element: stable"] = share(counts.element[1]);
+  state.counters["element: exact"] = share(counts.element[2]);
+  state.counters["order: stable"] = share(counts.order[1]);
+  state.counters["order: exact"] = share(counts.order[2]);
+  state.counters["rounding: stable"] = share(counts.rounding[1]);
+  state.counters["rounding: exact"] = share(counts.rounding[2]);
+}
+
+}  // namespace
+
+BENCHMARK(certified)->Arg(3)->Arg(30)->Arg(300)->Arg(3000);
+BENCHMARK(certified_without_tables)->Arg(3)->Arg(300);
+BENCHMARK(plain)->Arg(3)->Arg(30)->Arg(300)->Arg(3000);
+BENCHMARK(ratio)->Arg(3)->Arg(30)->Arg(300)->Arg(3000);
+BENCHMARK(exact)->Arg(3)->Arg(30)->Arg(300);
+BENCHMARK(steps)->Arg(30)->Iterations(4000000);
+BENCHMARK_MAIN();
