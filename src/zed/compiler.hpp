@@ -1,6 +1,7 @@
 #pragma once
 /// Syntax trees to code: each name is resolved once, to a slot of the frame or to what a paragraph declares.
 
+#include <deque>
 #include <map>
 #include <memory>
 #include <unordered_map>
@@ -106,6 +107,7 @@ class Compiler {
   Scope formals(const std::vector<Name>& formals, const std::vector<Term>& actuals, const Scope& scope);
 
   Definitions& definitions_;
+  std::deque<Value> constants_;  // of expressions, each made when it is first asked for
   std::vector<unsigned> reads_;  // the slots read by the code that is being compiled, in order of compilation
   std::string label_;            // of the definition that is being compiled, for the predicate that it stands for
   std::string strokes_;          // of the decorations around what is being compiled

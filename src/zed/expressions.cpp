@@ -24,15 +24,16 @@ const Local* Compiler::find(const Name& name, const Scope& scope) const {
   return nullptr;
 }
 
-// A value that depends on no slot around it is made once.
+// A value that depends on no slot around it is made once. The compiler owns it: the code of a function may stand for
+// a value that holds the function, `dom f` in the definition of f, and neither would ever be freed.
 Code Compiler::expression(const Term& term, const Scope& scope) {
   const std::size_t before = reads_.size();
   const unsigned base = scope.unit->next;
   Code code = compiled(term, scope);
   const bool closed = std::none_of(reads_.begin() + static_cast<std::ptrdiff_t>(before), reads_.end(),
                                    [&](unsigned slot) { return slot < base; });
-  if (!closed) return code;
-  return [code = std::move(code), made = std::make_shared<Value>()](Frame& frame) {
+  if (!closed || (term->kind == Kind::reference && term->children.empty())) return code;
+  return [code = std::move(code), made = &constants_.emplace_back()](Frame& frame) {
     if (made->is_undefined()) *made = code(frame);
     return *made;
   };

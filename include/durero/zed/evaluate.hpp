@@ -9,7 +9,8 @@
 /// that says so, never a guess. Numbers are exact: `Real`. The root of a number is known to be one by its axiom,
 /// `f(r) * f(r) = r`.
 ///
-/// An evaluator compiles each paragraph when it is first used, and is not for use by two threads at once.
+/// An evaluator compiles each paragraph when it is first used, and is not for use by two threads at once. The
+/// intensional sets, functions and schema checks that it gave are not for use after its end.
 
 #include <memory>
 #include <span>
