@@ -70,7 +70,7 @@ glm::dvec3 inwards(const glm::dvec3& v, const Touch& touch);
 
 /// The ray that reaches the point along w from m·w before it; its v is w times a small power of two.
 Shot arriving(Random& random, const glm::dvec3& point, const glm::dvec3& w, double m);
-/// The power of two that makes m·|w| about 2^e times the size.
+/// The power of two that makes m·|w| about 2^e times the size. Precondition: w ≠ 0.
 double steps(const glm::dvec3& w, double size, int e);
 
 /// The next number after, or before, one of the coordinates of p or of v.

@@ -67,9 +67,10 @@ Shot second_nappe(Random& random, int eighths, Given bodies) {
 Shot axis_parallel(Random& random, int log2_distance, Given bodies) {
   const Body& body = any_of(random, bodies);
   const Touch at = random.chance(1, 2) ? rim_touch(random, body) : touch(random, body);
+  const int axis = random.integer(0, 2);
   glm::dvec3 w(0);
-  w[random.integer(0, 2)] = random.sign();
-  if (random.chance(1, 3)) w[random.integer(0, 2)] = random.integer(-4, 4);
+  w[axis] = random.sign();
+  if (random.chance(1, 3)) w[(axis + random.integer(1, 2)) % 3] = random.integer(-4, 4);
   if (random.chance(3, 4)) w = inwards(w, at);
   Shot shot = arriving(random, at.point, w, steps(w, body.radius(), log2_distance));
   for (int i = 0; i < 3; ++i) {
