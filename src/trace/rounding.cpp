@@ -13,20 +13,6 @@
 #include "durero/trace/closed_form-inl.hpp"
 #include "durero/trace/steps.hpp"
 
-#ifndef DURERO_TRACE_ROUNDING_KERNELS
-#define DURERO_TRACE_ROUNDING_KERNELS
-namespace durero::trace {
-
-struct RoundingKernels {
-  Finding (*sphere)(const scene::Sphere&, const Beam&, bool, const Finding&);
-  Finding (*cylinder)(const scene::Cylinder&, const Beam&, bool, const Finding&);
-  Finding (*cone)(const scene::Cone&, const Beam&, bool, const Finding&);
-  Rounded (*rounded)(const Beam&, const Finding&);
-};
-
-}  // namespace durero::trace
-#endif
-
 HWY_BEFORE_NAMESPACE();
 namespace durero::trace {
 namespace HWY_NAMESPACE {
@@ -169,8 +155,14 @@ Rounded rounded_of(const Beam& beam, const Finding& finding) {
   return r;
 }
 
-RoundingKernels table() {
-  return {improved_of<scene::Sphere>, improved_of<scene::Cylinder>, improved_of<scene::Cone>, rounded_of};
+Finding improved_sphere(const scene::Sphere& e, const Beam& b, bool on, const Finding& f) {
+  return improved_of(e, b, on, f);
+}
+Finding improved_cylinder(const scene::Cylinder& e, const Beam& b, bool on, const Finding& f) {
+  return improved_of(e, b, on, f);
+}
+Finding improved_cone(const scene::Cone& e, const Beam& b, bool on, const Finding& f) {
+  return improved_of(e, b, on, f);
 }
 
 }  // namespace
@@ -182,24 +174,23 @@ HWY_AFTER_NAMESPACE();
 namespace durero::trace {
 namespace {
 
-HWY_EXPORT(table);
-
-/// Chosen once, for the machine at hand.
-const RoundingKernels& kernels() {
-  static const RoundingKernels chosen = HWY_DYNAMIC_DISPATCH(table)();
-  return chosen;
-}
+HWY_EXPORT(improved_sphere);
+HWY_EXPORT(improved_cylinder);
+HWY_EXPORT(improved_cone);
+HWY_EXPORT(rounded_of);
 
 }  // namespace
 
 Finding improved(const scene::Sphere& e, const Beam& b, bool on, const Finding& f) {
-  return kernels().sphere(e, b, on, f);
+  return HWY_DYNAMIC_DISPATCH(improved_sphere)(e, b, on, f);
 }
 Finding improved(const scene::Cylinder& e, const Beam& b, bool on, const Finding& f) {
-  return kernels().cylinder(e, b, on, f);
+  return HWY_DYNAMIC_DISPATCH(improved_cylinder)(e, b, on, f);
 }
-Finding improved(const scene::Cone& e, const Beam& b, bool on, const Finding& f) { return kernels().cone(e, b, on, f); }
-Rounded rounded(const Beam& b, const Finding& f) { return kernels().rounded(b, f); }
+Finding improved(const scene::Cone& e, const Beam& b, bool on, const Finding& f) {
+  return HWY_DYNAMIC_DISPATCH(improved_cone)(e, b, on, f);
+}
+Rounded rounded(const Beam& b, const Finding& f) { return HWY_DYNAMIC_DISPATCH(rounded_of)(b, f); }
 
 }  // namespace durero::trace
 #endif

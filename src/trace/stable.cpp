@@ -5,19 +5,6 @@
 #include "durero/trace/closed_form-inl.hpp"
 #include "durero/trace/steps.hpp"
 
-#ifndef DURERO_TRACE_STABLE_KERNELS
-#define DURERO_TRACE_STABLE_KERNELS
-namespace durero::trace {
-
-struct StableKernels {
-  Finding (*sphere)(const scene::Sphere&, const Beam&, bool, double);
-  Finding (*cylinder)(const scene::Cylinder&, const Beam&, bool, double);
-  Finding (*cone)(const scene::Cone&, const Beam&, bool, double);
-};
-
-}  // namespace durero::trace
-#endif
-
 HWY_BEFORE_NAMESPACE();
 namespace durero::trace {
 namespace HWY_NAMESPACE {
@@ -28,7 +15,13 @@ Finding stable_of(const Element& element, const Beam& beam, bool on, double limi
   return published(closed_form<DoubleDouble>(element, beam, on, limit));
 }
 
-StableKernels table() { return {stable_of<scene::Sphere>, stable_of<scene::Cylinder>, stable_of<scene::Cone>}; }
+Finding stable_sphere(const scene::Sphere& e, const Beam& b, bool on, double limit) {
+  return stable_of(e, b, on, limit);
+}
+Finding stable_cylinder(const scene::Cylinder& e, const Beam& b, bool on, double limit) {
+  return stable_of(e, b, on, limit);
+}
+Finding stable_cone(const scene::Cone& e, const Beam& b, bool on, double limit) { return stable_of(e, b, on, limit); }
 
 }  // namespace
 }  // namespace HWY_NAMESPACE
@@ -39,23 +32,21 @@ HWY_AFTER_NAMESPACE();
 namespace durero::trace {
 namespace {
 
-HWY_EXPORT(table);
-
-/// Chosen once, for the machine at hand.
-const StableKernels& kernels() {
-  static const StableKernels chosen = HWY_DYNAMIC_DISPATCH(table)();
-  return chosen;
-}
+HWY_EXPORT(stable_sphere);
+HWY_EXPORT(stable_cylinder);
+HWY_EXPORT(stable_cone);
 
 }  // namespace
 
 Finding stable(const scene::Sphere& e, const Beam& b, bool on, double limit) {
-  return kernels().sphere(e, b, on, limit);
+  return HWY_DYNAMIC_DISPATCH(stable_sphere)(e, b, on, limit);
 }
 Finding stable(const scene::Cylinder& e, const Beam& b, bool on, double limit) {
-  return kernels().cylinder(e, b, on, limit);
+  return HWY_DYNAMIC_DISPATCH(stable_cylinder)(e, b, on, limit);
 }
-Finding stable(const scene::Cone& e, const Beam& b, bool on, double limit) { return kernels().cone(e, b, on, limit); }
+Finding stable(const scene::Cone& e, const Beam& b, bool on, double limit) {
+  return HWY_DYNAMIC_DISPATCH(stable_cone)(e, b, on, limit);
+}
 
 }  // namespace durero::trace
 #endif
