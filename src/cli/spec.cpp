@@ -74,8 +74,10 @@ void add_spec(CLI::App& app, int& status) {
   auto* confirm = spec->add_subcommand("confirm", "Let the Z text decide whether hits are right");
   confirm->footer(
       "The exact oracle enumerates the points of a ray on the scene, as the text knows an infinite set by membership\n"
-      "only; so that a miss is one is the oracle's word. The text decides the rest: each point's membership, the set of\n"
-      "its elements, and which point is the reduction of them all. Of a stretch without a nearest point it decides some.");
+      "only; so that a miss is one is the oracle's word. The text decides the rest: each point's membership, the set "
+      "of\n"
+      "its elements, and which point is the reduction of them all. Of a stretch without a nearest point it decides "
+      "some.");
   confirm->add_option("SCENE", options->scene, "Scene file (JSON)")->required();
   confirm->add_option("RAYS", options->rays, "Ray file")->required();
   confirm->add_option("HITS", options->hits, "Hit file (JSON lines)")->required();
