@@ -90,7 +90,8 @@ Roots roots(const Coefficients& f) {
     const Parameter other{.x = shifted(-f.B, 1), .w = f.A};
     const int of_other = number::sign(other);
     if (of_other == 0) return {.count = 1, .t = {other}};
-    return of_other > 0 ? Roots{.count = 2, .t = {Parameter{}, other}} : Roots{.count = 2, .t = {other, Parameter{}}};
+    if (of_other > 0) return {.count = 2, .t = {Parameter{}, other}};
+    return {.count = 2, .t = {other, Parameter{}}};
   }
   const Dyadic D = square(f.B) - f.A * f.C;
   const int of_D = sign(D);
