@@ -100,3 +100,10 @@ TEST_CASE("each ball holds its samples, and its halves share them out") {
     CHECK(cover.balls[ball.right].last == ball.last);
   }
 }
+
+TEST_CASE("delta and the balls pay for the rounding of the samples, 2^-45 of where they are and of their size") {
+  const double far = 0x1p30, rounding = 0x1p-45 * (far + 1);
+  const oracle::Cover cover = oracle::cover(scene::Sphere{{far, 0, 0}, 1}, fineness);
+  CHECK(cover.delta >= fineness + rounding * (1 - 0x1p-20));
+  CHECK(cover.balls.front().radius >= rounding * (1 - 0x1p-20) + std::cos(pi / 52));  // of 26 rings, the outermost
+}

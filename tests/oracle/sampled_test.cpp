@@ -66,3 +66,19 @@ TEST_CASE("the sampled first hit is within delta of the exact one") {
   CHECK(found.t == Approx(2).margin(1.0 / 16));
   CHECK(oracle.first_hit(towards_z(9, 9)).resultado == model::Resultado::miss);
 }
+
+TEST_CASE("a claimed point has delta and 2^-40 of the lengths at hand, no more and no less") {
+  scene::Scene scene;
+  scene.apply(model::Agregar_Esfera{model::Elemento("s"), {0, 0, 0}, 1});
+  const double fineness = oracle::sampled::default_fineness, far = 0x1p20;
+  const oracle::Cover cover = oracle::cover(scene.spheres()[0], fineness);
+  const double slack = 0x1p-40 * (far + 1);
+  const glm::dvec3 sample = cover.samples.front();
+  const auto judged = [&](double part) {
+    const glm::dvec3 claimed = sample + glm::normalize(sample) * (cover.delta + part * slack);
+    const scene::Hit claim{model::Resultado::hit, far, claimed, {sphere}};
+    return oracle::sampled::Oracle(scene, fineness).judge({{-far, 0, 0}, {1, 0, 0}}, claim);
+  };
+  CHECK(judged(0.9) != Verdict::incomplete);
+  CHECK(judged(1.1) == Verdict::incomplete);
+}
