@@ -1,12 +1,7 @@
 #include "durero/trace/analytic.hpp"
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-
 #include <algorithm>
 #include <array>
-#include <mutex>
 
 namespace durero::trace {
 namespace {
@@ -97,27 +92,6 @@ bool occluded_segment(const Tables& tables, const model::Rayo& rayo, Origin en, 
   return any_candidate(
       tables, search.beam(), en, [] { return 1.0; },
       [&](scene::ElementRef e, Range range) { return blocks_segment(search, tables.scene(), rayo, en, e, range); });
-}
-
-std::vector<scene::Hit> first_hits(const Tables& tables, std::span<const Query> queries, unsigned threads,
-                                   Counts* counts) {
-  std::vector<scene::Hit> hits(queries.size());
-  std::mutex adding;
-  const auto answer = [&](const oneapi::tbb::blocked_range<std::size_t>& range) {
-    Counts mine;
-    for (std::size_t i = range.begin(); i != range.end(); ++i) {
-      const Query& query = queries[i];
-      hits[i] = first_hit(tables, query.rayo, {query.en.data(), query.en.size()}, &mine);
-    }
-    if (counts == nullptr) return;
-    const std::scoped_lock lock(adding);
-    *counts += mine;
-  };
-  const int workers = threads == 0 ? oneapi::tbb::task_arena::automatic : static_cast<int>(threads);
-  oneapi::tbb::task_arena arena(workers);
-  const oneapi::tbb::blocked_range<std::size_t> all(0, queries.size(), 256);
-  arena.execute([&] { oneapi::tbb::parallel_for(all, answer); });
-  return hits;
 }
 
 scene::Hit first_hit(const scene::Scene& scene, const model::Rayo& rayo, Origin en) {

@@ -10,19 +10,6 @@ namespace {
 using Kind = Meeting::Kind;
 using oracle::exact::Parameter;
 
-/// visit(shape) with the element's geometry.
-template <class Visit>
-auto with_shape(const scene::Scene& scene, scene::ElementRef e, Visit visit) {
-  switch (e.tipo) {
-    case model::Tipo::soy_esfera:
-      return visit(scene.spheres()[e.index]);
-    case model::Tipo::soy_cilindro:
-      return visit(scene.cylinders()[e.index]);
-    default:
-      return visit(scene.cones()[e.index]);
-  }
-}
-
 /// t is within error of hi + lo. In the triage the error is more than three roundings of t more than needed
 /// (`quotient`), so the ends may be rounded; otherwise |lo| ≤ ulp(hi)/2 and the last term pays.
 Meeting point_of(Step step, const Finding& found) {

@@ -21,23 +21,29 @@
 
 #include <cmath>
 
+#include "durero/trace/lanes-inl.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace durero::trace {
 namespace HWY_NAMESPACE {
 
-struct DoubleDouble {
-  double hi = 0;
-  double lo = 0;
+/// hi + lo, of binary64 or of lanes of them.
+template <class R>
+struct Twofold {
+  R hi = 0;
+  R lo = 0;
 
-  DoubleDouble() = default;
-  DoubleDouble(double value) : hi(value) {}
-  DoubleDouble(double high, double low) : hi(high), lo(low) {}
+  Twofold() = default;
+  HWY_INLINE Twofold(R value) : hi(value) {}
+  HWY_INLINE Twofold(R high, R low) : hi(high), lo(low) {}
 };
+using DoubleDouble = Twofold<double>;
 
 /// a + b, exactly.
-HWY_INLINE DoubleDouble two_sum(double a, double b) {
-  const double sum = a + b;
-  const double of_b = sum - a;
+template <class R>
+HWY_INLINE Twofold<R> two_sum(R a, R b) {
+  const R sum = a + b;
+  const R of_b = sum - a;
   return {sum, (a - (sum - of_b)) + (b - of_b)};
 }
 
@@ -47,27 +53,31 @@ HWY_INLINE DoubleDouble fast_two_sum(double a, double b) {
   return {sum, b - (sum - a)};
 }
 
-/// fused_multiply_add: a·b + c rounded once. The one place where it is asked for; only where the hardware has it.
+/// fused_multiply_subtract: a·b − c rounded once. The one place where it is asked for; only where the hardware has it.
 #if HWY_NATIVE_FMA
-HWY_INLINE double fused_multiply_add(double a, double b, double c) { return __builtin_fma(a, b, c); }
+HWY_INLINE double fused_multiply_subtract(double a, double b, double c) { return __builtin_fma(a, b, -c); }
+HWY_INLINE Lanes fused_multiply_subtract(Lanes a, Lanes b, Lanes c) { return hn::MulSub(a.v, b.v, c.v); }
 
 /// a·b, exactly.
-HWY_INLINE DoubleDouble two_prod(double a, double b) {
-  const double product = a * b;
-  return {product, fused_multiply_add(a, b, -product)};
+template <class R>
+HWY_INLINE Twofold<R> two_prod(R a, R b) {
+  const R product = a * b;
+  return {product, fused_multiply_subtract(a, b, product)};
 }
 #else
 /// a as a sum of two numbers of 26 bits (Veltkamp). Precondition: |a| < 2⁹⁹⁵.
-HWY_INLINE DoubleDouble split(double a) {
-  const double shifted = 0x1.0000002p27 * a;
-  const double high = shifted - (shifted - a);
+template <class R>
+HWY_INLINE Twofold<R> split(R a) {
+  const R shifted = R(0x1.0000002p27) * a;
+  const R high = shifted - (shifted - a);
   return {high, a - high};
 }
 
 /// a·b, exactly (Dekker).
-HWY_INLINE DoubleDouble two_prod(double a, double b) {
-  const double product = a * b;
-  const DoubleDouble x = split(a), y = split(b);
+template <class R>
+HWY_INLINE Twofold<R> two_prod(R a, R b) {
+  const R product = a * b;
+  const Twofold<R> x = split(a), y = split(b);
   return {product, ((x.hi * y.hi - product) + x.hi * y.lo + x.lo * y.hi) + x.lo * y.lo};
 }
 #endif

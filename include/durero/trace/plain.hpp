@@ -11,8 +11,11 @@
 /// are large and close: far from the element.
 
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "durero/scene/shapes.hpp"
+#include "durero/trace/pack.hpp"
 #include "durero/trace/search.hpp"
 #include "durero/trace/tables.hpp"
 
@@ -36,9 +39,21 @@ struct First {
 };
 First first(const Quadratic& quadratic);
 
+/// By lane, the parameter of a hit. A lane neither hit nor undecided is a miss.
+struct Firsts {
+  alignas(64) Pack::Column t{};
+  unsigned hit = 0, undecided = 0;  ///< a bit for every lane, the first lane's lowest
+};
+
 /// As the functions of trace, in binary64 throughout. Those of tables share the filter, where a certificate costs one
 /// addition in some forty operations. Precondition of that: element and ray are ordinary.
 scene::Hit first_hit(const scene::Scene& scene, const model::Rayo& rayo, Origin en = {});
 scene::Hit first_hit(const Tables& tables, const model::Rayo& rayo, Origin en = {});
+
+/// first_hit of every query, in blocks and lanes as trace::first_hits. Precondition: elements and rays are ordinary.
+std::vector<scene::Hit> first_hits(const Tables& tables, std::span<const Query> queries, unsigned threads = 0);
+
+/// first(quadratic) in every lane, for rays that do not start on the element; undecided where A or both roots are 0.
+void first(const Pack& pack, model::Tipo tipo, Firsts& firsts);
 
 }  // namespace durero::trace::plain

@@ -22,6 +22,25 @@ inline bool contains(Origin en, scene::ElementRef e) noexcept {
   return false;
 }
 
+/// One line of a rays file: rayo? and en?.
+struct Query {
+  model::Rayo rayo;
+  scene::ElementSet en{};
+};
+
+/// visit(shape) with the element's geometry.
+template <class Visit>
+auto with_shape(const scene::Scene& scene, scene::ElementRef e, Visit visit) {
+  switch (e.tipo) {
+    case model::Tipo::soy_esfera:
+      return visit(scene.spheres()[e.index]);
+    case model::Tipo::soy_cilindro:
+      return visit(scene.cylinders()[e.index]);
+    default:
+      return visit(scene.cones()[e.index]);
+  }
+}
+
 /// Where a ray first meets an element, by the first step that can tell: a parameter t in [low, high].
 struct Meeting {
   enum class Kind : std::uint8_t { none, point, no_minimum };

@@ -1,0 +1,115 @@
+/// What an algorithm over a number type T asks of it, and vectors over T, for T = double, Lanes and DoubleDouble: its
+/// unit roundoff, its leading part, and the difference of two binary64.
+
+#if defined(DURERO_TRACE_NUMBERS_INL_HPP_) == defined(HWY_TARGET_TOGGLE)
+#ifdef DURERO_TRACE_NUMBERS_INL_HPP_
+#undef DURERO_TRACE_NUMBERS_INL_HPP_
+#else
+#define DURERO_TRACE_NUMBERS_INL_HPP_
+#endif
+
+#include <cmath>
+
+#include "durero/trace/double_double-inl.hpp"
+#include "durero/trace/lanes-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace durero::trace {
+namespace HWY_NAMESPACE {
+
+template <class T>
+struct Numbers;
+
+template <>
+struct Numbers<double> {
+  using Bound = double;
+  static constexpr double roundoff = 0x1p-53;
+  static HWY_INLINE double leading(double a) { return a; }
+  static HWY_INLINE double difference(double a, double b) { return a - b; }
+};
+
+template <>
+struct Numbers<Lanes> {
+  using Bound = Lanes;
+  static constexpr double roundoff = 0x1p-53;
+  static HWY_INLINE Lanes leading(Lanes a) { return a; }
+  static HWY_INLINE Lanes difference(Lanes a, Lanes b) { return a - b; }
+};
+
+template <>
+struct Numbers<DoubleDouble> {
+  using Bound = double;
+  static constexpr double roundoff = 0x1p-102;
+  static HWY_INLINE double leading(const DoubleDouble& a) { return a.hi; }
+  static HWY_INLINE DoubleDouble difference(double a, double b) { return two_sum(a, -b); }
+};
+
+/// What a bound on a T is, and what T's leading part is: binary64, one or in lanes.
+template <class T>
+using Bound = typename Numbers<T>::Bound;
+
+/// What a condition on a T is.
+template <class T>
+using Truth = decltype(Bound<T>() < Bound<T>());
+
+template <class T>
+HWY_INLINE Bound<T> leading(const T& a) {
+  return Numbers<T>::leading(a);
+}
+template <class T>
+HWY_INLINE Bound<T> magnitude(const T& a) {
+  using std::abs;
+  return abs(leading(a));
+}
+
+template <class T>
+struct Vec {
+  T x, y, z;
+};
+
+template <class T>
+HWY_INLINE T dot(const Vec<T>& a, const Vec<T>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class T>
+HWY_INLINE Vec<T> cross(const Vec<T>& a, const Vec<T>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+/// a·x + b·y
+template <class T>
+HWY_INLINE Vec<T> combination(const T& a, const Vec<T>& x, const T& b, const Vec<T>& y) {
+  return {a * x.x + b * y.x, a * x.y + b * y.y, a * x.z + b * y.z};
+}
+/// x − s·d
+template <class T>
+HWY_INLINE Vec<T> across(const Vec<T>& x, const T& s, const Vec<T>& d) {
+  return {x.x - s * d.x, x.y - s * d.y, x.z - s * d.z};
+}
+template <class T>
+HWY_INLINE T length(const Vec<T>& a) {
+  using std::sqrt;
+  return sqrt(dot(a, a));
+}
+
+/// The sum of the magnitudes: at least the Euclidean length.
+template <class T>
+HWY_INLINE Bound<T> extent(const Vec<T>& a) {
+  return magnitude(a.x) + magnitude(a.y) + magnitude(a.z);
+}
+
+/// a − b and a, of stored vectors, in the numbers of T.
+template <class T, class Stored>
+HWY_INLINE Vec<T> difference(const Stored& a, const Stored& b) {
+  using N = Numbers<T>;
+  return {N::difference(a.x, b.x), N::difference(a.y, b.y), N::difference(a.z, b.z)};
+}
+template <class T, class Stored>
+HWY_INLINE Vec<T> vec(const Stored& a) {
+  return {T(a.x), T(a.y), T(a.z)};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace durero::trace
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,100 @@
+#pragma once
+/// Eight rays side by side, each against one element of the same type: what steps over lanes take and give.
+
+#include <array>
+#include <cstdint>
+
+#include "durero/trace/steps.hpp"
+
+namespace durero::trace {
+
+/// Rays and elements in columns. Every lane must hold ordinary ones or zeros; results of unused lanes mean nothing.
+struct Pack {
+  static constexpr std::size_t size = 8;
+  using Column = std::array<double, size>;
+  using Columns = std::array<Column, 3>;  ///< of x, y and z
+
+  alignas(64) Columns p{};
+  Columns v{};
+  Column speed{};
+  Columns centro{};
+  Column breadth{};  ///< radio, or proporcion of a cone
+  Columns vector{};  ///< of a cylinder or cone
+  Column altura{};
+
+  void set(std::size_t lane, const Beam& beam, const scene::Sphere& e) {
+    set_ray(lane, beam);
+    set_round(lane, e.centro, e.radio);
+  }
+  void set(std::size_t lane, const Beam& beam, const scene::Cylinder& e) {
+    set_ray(lane, beam);
+    set_round(lane, e.centro, e.radio);
+    set_axis(lane, e.vector, e.altura);
+  }
+  void set(std::size_t lane, const Beam& beam, const scene::Cone& e) {
+    set_ray(lane, beam);
+    set_round(lane, e.centro, e.proporcion);
+    set_axis(lane, e.vector, e.altura);
+  }
+
+ private:
+  static void set(Columns& columns, std::size_t lane, const glm::dvec3& x) {
+    columns[0][lane] = x.x;
+    columns[1][lane] = x.y;
+    columns[2][lane] = x.z;
+  }
+  void set_ray(std::size_t lane, const Beam& beam) {
+    set(p, lane, beam.p);
+    set(v, lane, beam.v);
+    speed[lane] = beam.speed;
+  }
+  void set_round(std::size_t lane, const glm::dvec3& of_centro, double of_breadth) {
+    set(centro, lane, of_centro);
+    breadth[lane] = of_breadth;
+  }
+  void set_axis(std::size_t lane, const glm::dvec3& of_vector, double of_altura) {
+    set(vector, lane, of_vector);
+    altura[lane] = of_altura;
+  }
+};
+
+/// By lane, what the triage finds: t within error, and the slope, of a hit. A lane neither hit nor undecided is a miss.
+struct Findings {
+  using Column = Pack::Column;
+  alignas(64) Column t{};
+  Column error{}, at_root{}, at_root_error{}, A{}, A_error{};
+  unsigned hit = 0, undecided = 0;  ///< a bit for every lane, the first lane's lowest
+
+  Finding operator[](std::size_t lane) const {
+    const auto has = [&](unsigned bits) { return (bits >> lane & 1) != 0; };
+    const Verdict verdict = has(hit) ? Verdict::hit : has(undecided) ? Verdict::undecided : Verdict::miss;
+    return {verdict, t[lane], 0, error[lane], {at_root[lane], at_root_error[lane], A[lane], A_error[lane]}};
+  }
+  /// Precondition: a hit by triage.
+  void set(std::size_t lane, const Finding& finding) {
+    t[lane] = finding.hi;
+    error[lane] = finding.error;
+    at_root[lane] = finding.slope.at_root;
+    at_root_error[lane] = finding.slope.at_root_error;
+    A[lane] = finding.slope.A;
+    A_error[lane] = finding.slope.A_error;
+  }
+};
+
+/// triage in every lane, for rays that do not start on the element, without a limit. A lane may be undecided where the
+/// triage of one ray is not.
+void triage(const Pack& pack, model::Tipo tipo, Findings& findings);
+
+/// By lane, t and the point rounded once; only where certain.
+struct RoundedPack {
+  using Column = Pack::Column;
+  alignas(64) Column t{};
+  Column x{}, y{}, z{};
+  unsigned certain = 0;
+};
+
+/// rounded(improved) in every lane. Precondition: the findings are hits by triage, of rays that do not start on the
+/// element.
+void improve_and_round(const Pack& pack, model::Tipo tipo, const Findings& findings, RoundedPack& result);
+
+}  // namespace durero::trace

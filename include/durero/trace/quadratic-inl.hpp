@@ -1,0 +1,170 @@
+/// The quadratic of a ray and an element over a number type T of unit roundoff ε, with a bound on the error of each
+/// coefficient.
+///
+/// Quantities. With q = p − centro, s0 = q·d, s1 = v·d, a = v − s1·d, b = q − s0·d, g = altura − s0 (d = vector):
+///   sphere    A = v·v            B = q·v            C = q·q − r²      F, H = r|v| ∓ |q × v|
+///   cylinder  A = a·a            B = b·a            C = b·b − r²      F, H = r|a| ∓ |b × a|
+///   cone      A = a·a − k²s1²    B = b·a + k²g·s1   C = b·b − k²g²    F, H = k|g·a + s1·b| ∓ |b × a|
+/// for any d, unit or not, and D = B² − AC = F·H (Lagrange's identity): a difference of two distances, not of squares.
+///
+/// Bounds. Let V ≥ |v|; E ≥ |q| + r for sphere and cylinder, E ≥ |q| + altura for a cone; κ = 1, for a cone 1 + k².
+/// As |d|² is within 2⁻⁵⁰ of 1, no part across or along the axis exceeds its whole by more than that. To first order
+/// in ε, adding for each operation its rounding and what its operands bring:
+///   q: ε|q|    s0: 4ε|q|    s1: 3εV    a: 8εV    b: 10ε|q|    g: 5εE
+///   A:  2|a|·8εV + 4εV²                              and for k²s1²:  8εk²V²         in all ≤ 25εκV²
+///   B:  |q|·8εV + V·10ε|q| + 4εV|q|                  and for k²g·s1: 14εk²VE        in all ≤ 25εκVE
+///   C:  2|q|·10ε|q| + 5ε|q|² + 3εr²                  and for k²g²:   16εk²E²        in all ≤ 30εκE²
+///   |b × a|: 8εV|q| + 10εV|q| + 3εV|q| + its own root 4εV|q|                        in all ≤ 25εVE
+///   r|a|: r·8εV + 4εrV ≤ 12εVE;  k|g·a + s1·b|: k(8 + 5 + 10 + 3 + 4 + 4)εVE = 34εkVE + 2εkVE
+///   F, H: the two above and one more rounding                                       in all ≤ (26 + 38k)εVE ≤ 40εκVE
+/// as 38k + 26 ≤ 40(1 + k²) for every k. Every coefficient below is 64 in place of these, which more than pays for the
+/// terms of second order and for the roundings of the bounds themselves (each below 2⁻⁴⁵ of a bound).
+///
+/// Range. Every number of the element and of the ray is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰ (`ordinary`), so no value
+/// exceeds 2⁹⁰⁰ and none overflows. An operation that underflows adds at most 2⁻¹⁰⁷⁴, and later factors make that less
+/// than 2⁻⁵⁰⁰; while V, E ≥ 2⁻¹⁰⁰ make the smallest bound, 64·2⁻¹⁰²·2⁻²⁰⁰, hundreds of binades more than that.
+
+#if defined(DURERO_TRACE_QUADRATIC_INL_HPP_) == defined(HWY_TARGET_TOGGLE)
+#ifdef DURERO_TRACE_QUADRATIC_INL_HPP_
+#undef DURERO_TRACE_QUADRATIC_INL_HPP_
+#else
+#define DURERO_TRACE_QUADRATIC_INL_HPP_
+#endif
+
+#include "durero/trace/numbers-inl.hpp"
+#include "durero/trace/steps.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace durero::trace {
+namespace HWY_NAMESPACE {
+
+/// The quantities of the comment above, each with a bound for its error.
+template <class T>
+struct Quadratic {
+  T A{}, B{}, C{};
+  T F{}, H{};  ///< D = F·H; both err by at most B_error
+  Bound<T> A_error{}, B_error{}, C_error{};
+  T s0{}, s1{};          ///< avance at t is s0 + t·s1
+  bool bounded = false;  ///< false for a sphere: no clip
+  Bound<T> altura{};
+  Bound<T> reach{}, speed{};  ///< |q| + altura and V: the bounds of avance and of its rate
+};
+
+template <class T>
+HWY_INLINE void set_errors(Quadratic<T>& f, Bound<T> kappa, Bound<T> V, Bound<T> E) {
+  const Bound<T> unit = 64 * Numbers<T>::roundoff * kappa;
+  f.A_error = unit * V * V;
+  f.B_error = unit * V * E;
+  f.C_error = unit * E * E;
+}
+
+template <class T>
+HWY_INLINE void set_factors(Quadratic<T>& f, const T& of_surface, const T& of_line) {
+  f.F = of_surface - of_line;
+  f.H = of_surface + of_line;
+}
+
+/// Elements in lanes, with the letters of scene::Sphere, Cylinder and Cone.
+struct LaneBeam {
+  Vec<Lanes> p, v;
+  Lanes speed;
+};
+template <model::Tipo type>
+struct LaneElement {
+  Vec<Lanes> centro;
+  Lanes radio, proporcion;
+  Vec<Lanes> vector;
+  Lanes altura;
+};
+
+template <class Element>
+inline constexpr model::Tipo tipo_of{};
+template <>
+inline constexpr model::Tipo tipo_of<scene::Sphere> = model::Tipo::soy_esfera;
+template <>
+inline constexpr model::Tipo tipo_of<scene::Cylinder> = model::Tipo::soy_cilindro;
+template <>
+inline constexpr model::Tipo tipo_of<scene::Cone> = model::Tipo::soy_cono;
+template <model::Tipo type>
+inline constexpr model::Tipo tipo_of<LaneElement<type>> = type;
+
+template <class T, class Sphere, class Ray>
+HWY_INLINE Quadratic<T> of_sphere(const Sphere& sphere, const Ray& beam) {
+  using std::sqrt;
+  Quadratic<T> f;
+  const Vec<T> q = difference<T>(beam.p, sphere.centro);
+  const Vec<T> v = vec<T>(beam.v);
+  const T r(sphere.radio);
+  set_errors(f, Bound<T>(1), beam.speed, extent(q) + sphere.radio);
+  f.A = dot(v, v);
+  set_factors(f, T(r * sqrt(f.A)), length(cross(q, v)));
+  f.B = dot(q, v);
+  f.C = dot(q, q) - r * r;
+  return f;
+}
+
+/// What cylinder and cone share.
+template <class T>
+struct Axial {
+  Vec<T> q, a, b;
+  Bound<T> Q;
+};
+template <class T, class Element, class Ray>
+HWY_INLINE Axial<T> axial(const Element& element, const Ray& beam, Quadratic<T>& f) {
+  const Vec<T> q = difference<T>(beam.p, element.centro);
+  const Vec<T> v = vec<T>(beam.v), d = vec<T>(element.vector);
+  f.s0 = dot(q, d);
+  f.s1 = dot(v, d);
+  f.bounded = true;
+  f.altura = element.altura;
+  f.speed = beam.speed;
+  const Bound<T> Q = extent(q);
+  f.reach = Q + element.altura;
+  return {q, across(v, f.s1, d), across(q, f.s0, d), Q};
+}
+
+template <class T, class Cylinder, class Ray>
+HWY_INLINE Quadratic<T> of_cylinder(const Cylinder& cylinder, const Ray& beam) {
+  using std::sqrt;
+  Quadratic<T> f;
+  const auto [q, a, b, Q] = axial<T>(cylinder, beam, f);
+  const T r(cylinder.radio);
+  set_errors(f, Bound<T>(1), beam.speed, Q + cylinder.radio);
+  f.A = dot(a, a);
+  set_factors(f, T(r * sqrt(f.A)), length(cross(b, a)));
+  f.B = dot(b, a);
+  f.C = dot(b, b) - r * r;
+  return f;
+}
+
+template <class T, class Cone, class Ray>
+HWY_INLINE Quadratic<T> of_cone(const Cone& cone, const Ray& beam) {
+  Quadratic<T> f;
+  const auto [q, a, b, Q] = axial<T>(cone, beam, f);
+  const T k(cone.proporcion);
+  set_errors(f, 1 + cone.proporcion * cone.proporcion, beam.speed, f.reach);
+  const T g = T(cone.altura) - f.s0;
+  set_factors(f, T(k * length(combination(g, a, f.s1, b))), length(cross(b, a)));
+  const T k2 = k * k;
+  f.A = dot(a, a) - k2 * (f.s1 * f.s1);
+  f.B = dot(b, a) + k2 * (g * f.s1);
+  f.C = dot(b, b) - k2 * (g * g);
+  return f;
+}
+
+template <class T, class Element, class Ray>
+HWY_INLINE Quadratic<T> quadratic(const Element& element, const Ray& beam) {
+  if constexpr (tipo_of<Element> == model::Tipo::soy_esfera) {
+    return of_sphere<T>(element, beam);
+  } else if constexpr (tipo_of<Element> == model::Tipo::soy_cilindro) {
+    return of_cylinder<T>(element, beam);
+  } else {
+    return of_cone<T>(element, beam);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace durero::trace
+HWY_AFTER_NAMESPACE();
+
+#endif
