@@ -1,6 +1,6 @@
 (** * Flotante: the bounds by which the certified tracer decides on a sphere, in binary64
 
-    trace/closed_form-inl.hpp computes, each operation rounded once, with q = p - centro:
+    trace/quadratic-inl.hpp and closed_form-inl.hpp compute, each operation rounded once, with q = p - centro:
       A = v·v,  B = q·v,  C = q·q - r²,  F, H = r|v| ∓ |q × v|  (√(v·v) for |v|),  S = √(F·H)
       V = |v.x| + |v.y| + |v.z|,  E = |q.x| + |q.y| + |q.z| + r
       A_error = 2^-47·V·V,  B_error = 2^-47·V·E,  C_error = 2^-47·E·E,  S_error = 3·B_error·H/S + 2^-51·S

@@ -53,7 +53,8 @@ HWY_INLINE Once<R> round_once(const Pair<R>& x, R error) {
   using std::abs;
   const R wide = 1.0000001 * error + 0x1p-52 * abs(x.lo);
   const R low = x.hi + (x.lo - wide), high = x.hi + (x.lo + wide);
-  const Truth<R> certain = (low == high) & (abs(low) > 0x1p-900) & (abs(low) < 0x1p900);
+  const R size = abs(low);
+  const Truth<R> certain = (low == high) & (size > 0x1p-900) & (size < 0x1p900);
   return {low, certain};
 }
 

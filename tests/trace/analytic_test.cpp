@@ -1,6 +1,7 @@
 #include "durero/trace/analytic.hpp"
 
 #include "durero/oracle/exact.hpp"
+#include "durero/trace/plain.hpp"
 #include "support/catch.hpp"
 #include "support/elements.hpp"
 #include "support/property.hpp"
@@ -49,12 +50,36 @@ void check_path(const Reals& numbers) {
   }
 }
 
+/// Also of the uncertified tracer, where it has tables of all elements.
+void check_many(const Reals& numbers) {
+  const scene::Scene scene = scene_of(numbers);
+  const trace::Tables tables(scene);
+  std::vector<trace::Query> queries;
+  for (int i = 0; i < 100; ++i) {
+    const trace::Query query{*rays(numbers)};
+    queries.push_back(query);
+  }
+  const auto hits = trace::first_hits(tables, queries, 1);
+  for (std::size_t i = 0; i < queries.size(); ++i) RC_ASSERT(hits[i] == trace::first_hit(tables, queries[i].rayo));
+  if (!tables.extraordinary().empty()) return;
+  const auto plain = trace::plain::first_hits(tables, queries, 1);
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    RC_ASSERT(plain[i] == trace::plain::first_hit(tables, queries[i].rayo));
+  }
+}
+
 }  // namespace
 
 TEST_CASE("the analytic answer is the exact one, byte for byte") {
   property("ordinary scenes", [] { check_path(moderate()); });
   property("grids, where coincidences are frequent", [] { check_path(dyadicGrid()); });
   property("the whole range of binary64", [] { check_path(anyFinite()); });
+}
+
+TEST_CASE("many rays at once have the answers of each") {
+  property("ordinary scenes", [] { check_many(moderate()); });
+  property("grids, where coincidences are frequent", [] { check_many(dyadicGrid()); });
+  property("the whole range of binary64", [] { check_many(anyFinite()); });
 }
 
 TEST_CASE("the answers to many rays do not depend on the number of threads") {

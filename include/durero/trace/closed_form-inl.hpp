@@ -59,7 +59,7 @@ template <class T>
 HWY_INLINE Place<T> place(const Quadratic<T>& f, const Root<T>& root) {
   using std::abs;
   const Bound<T> t = leading(root.t);
-  const Place<T> on_ray{t<-root.error, t> root.error};
+  const Place<T> on_ray{(t < -root.error), (t > root.error)};
   if (!f.bounded) return on_ray;
   const T s = f.s0 + root.t * f.s1;
   const Bound<T> error =
@@ -181,7 +181,8 @@ struct LanesFound {
   Lanes slope, slope_error;
 };
 HWY_INLINE LanesFound first_in_lanes(const Quadratic<Lanes>& f) {
-  const LaneMask missed = f.F<-f.B_error, met = f.F> f.B_error;
+  const LaneMask missed = f.F < -f.B_error;
+  const LaneMask met = f.F > f.B_error;
   const Known<Lanes> root_of_D = root_of_discriminant(f);
   const auto [positive, S, q] = stable_sum(f, root_of_D);
   const LaneMask known = met & (abs(q.value) > 2 * q.error) & (abs(f.A) > 2 * f.A_error);

@@ -1,0 +1,184 @@
+// Steps in lanes against the same steps one by one, bit for bit, under every instruction set of the machine.
+#include "durero/trace/pack.hpp"
+
+#include <bit>
+#include <vector>
+
+#include "durero/trace/plain.hpp"
+#include "support/catch.hpp"
+#include "support/elements.hpp"
+#include "support/property.hpp"
+#include "support/shapes.hpp"
+#include "support/targets.hpp"
+
+using namespace durero;
+using namespace durero::test;
+using trace::Finding;
+using trace::Pack;
+using trace::Verdict;
+
+namespace {
+
+/// Every ordinary number: 0, or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰.
+Reals ordinary_range() {
+  return rc::gen::map(rc::gen::pair(moderate(), rc::gen::inRange(-92, 93)),
+                      [](const std::pair<double, int>& x) { return std::ldexp(x.first, x.second); });
+}
+
+struct Tally {
+  int decided = 0, hits = 0, certain = 0, all = 0;
+};
+
+template <class Element>
+struct Lanes {
+  static constexpr model::Tipo tipo = std::is_same_v<Element, scene::Sphere>     ? model::Tipo::soy_esfera
+                                      : std::is_same_v<Element, scene::Cylinder> ? model::Tipo::soy_cilindro
+                                                                                 : model::Tipo::soy_cono;
+  std::vector<Element> elements;
+  std::vector<model::Rayo> rays;
+  std::vector<trace::Beam> beams;
+  Pack pack;
+
+  /// Any ray, or as often one towards a place less than twice radio, or proporcion, away from the centre in each axis.
+  static model::Rayo ray(const Element& element, const Reals& numbers) {
+    const model::Rayo ray = *test::rays(numbers);
+    double breadth = 0;
+    if constexpr (tipo == model::Tipo::soy_cono) {
+      breadth = element.proporcion;
+    } else {
+      breadth = element.radio;
+    }
+    const glm::dvec3 off = *vec(rc::gen::map(rc::gen::inRange(-8, 9), [](int x) { return x / 4.0; }));
+    const glm::dvec3 v = element.centro + breadth * off - ray.p().xyz();
+    if (*rc::gen::arbitrary<bool>() || v == glm::dvec3(0)) return ray;
+    const model::Rayo aimed(ray.p(), model::Vector(v));
+    return trace::Beam(aimed).ordinary ? aimed : ray;
+  }
+
+  Lanes(const rc::Gen<Element>& any, const Reals& numbers) {
+    for (std::size_t lane = 0; lane < Pack::size; ++lane) {
+      elements.push_back(*any);
+      rays.push_back(ray(elements.back(), numbers));
+      beams.emplace_back(rays.back());
+      pack.set(lane, beams[lane], elements[lane]);
+    }
+  }
+};
+
+bool same(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
+
+void same_finding(const Finding& a, const Finding& b) {
+  RC_ASSERT(a.verdict == b.verdict);
+  if (a.verdict != Verdict::hit) return;
+  RC_ASSERT(same(a.hi, b.hi) && a.lo == 0 && same(a.error, b.error));
+  RC_ASSERT(same(a.slope.at_root, b.slope.at_root) && same(a.slope.at_root_error, b.slope.at_root_error));
+  RC_ASSERT(same(a.slope.A, b.slope.A) && same(a.slope.A_error, b.slope.A_error));
+}
+
+/// A lane may be undecided where the triage of one ray decides, not otherwise.
+template <class Element>
+void check_triage(const Lanes<Element>& lanes, trace::Findings& findings, Tally& tally) {
+  trace::triage(lanes.pack, lanes.tipo, findings);
+  for (std::size_t lane = 0; lane < Pack::size; ++lane) {
+    ++tally.all;
+    if (findings[lane].verdict == Verdict::undecided) continue;
+    ++tally.decided;
+    tally.hits += findings[lane].verdict == Verdict::hit;
+    same_finding(findings[lane], trace::triage(lanes.elements[lane], lanes.beams[lane], false));
+  }
+}
+
+template <class Element>
+void check_rounding(const Lanes<Element>& lanes, const trace::Findings& findings, Tally& tally) {
+  trace::RoundedPack rounded;
+  trace::improve_and_round(lanes.pack, lanes.tipo, findings, rounded);
+  for (std::size_t lane = 0; lane < Pack::size; ++lane) {
+    const Finding found = findings[lane];
+    if (found.verdict != Verdict::hit) continue;
+    const Finding better = trace::improved(lanes.elements[lane], lanes.beams[lane], false, found);
+    const trace::Rounded one =
+        better.verdict == Verdict::hit ? trace::rounded(lanes.beams[lane], better) : trace::Rounded{};
+    const bool certain = (rounded.certain >> lane & 1) != 0;
+    RC_ASSERT(certain == one.certain);
+    tally.certain += certain;
+    if (!certain) continue;
+    RC_ASSERT(same(rounded.t[lane], one.t) && same(rounded.x[lane], one.punto.x));
+    RC_ASSERT(same(rounded.y[lane], one.punto.y) && same(rounded.z[lane], one.punto.z));
+  }
+}
+
+template <class Element>
+void check_plain(const Lanes<Element>& lanes) {
+  trace::plain::Firsts firsts;
+  trace::plain::first(lanes.pack, lanes.tipo, firsts);
+  for (std::size_t lane = 0; lane < Pack::size; ++lane) {
+    const auto one = trace::plain::first(trace::plain::quadratic(lanes.elements[lane], lanes.rays[lane], false));
+    if ((firsts.undecided >> lane & 1) != 0) continue;
+    const bool hit = (firsts.hit >> lane & 1) != 0;
+    RC_ASSERT(hit == (one.resultado == model::Resultado::hit));
+    if (hit) RC_ASSERT(firsts.t[lane] == one.t);
+  }
+}
+
+template <class Element>
+void check(const rc::Gen<Element>& elements, const Reals& numbers, Tally& tally) {
+  const Lanes<Element> lanes(elements, numbers);
+  for (const std::int64_t target : machine_targets()) {
+    const Only_Target only(target);
+    trace::Findings findings;
+    check_triage(lanes, findings, tally);
+    check_rounding(lanes, findings, tally);
+    check_plain(lanes);
+  }
+}
+
+Tally check_all(const Reals& numbers) {
+  Tally tally;
+  property("spheres, cylinders and cones", [&] {
+    check(spheres(numbers), numbers, tally);
+    check(cylinders(numbers), numbers, tally);
+    check(cones(numbers), numbers, tally);
+  });
+  return tally;
+}
+
+}  // namespace
+
+TEST_CASE("steps in lanes are the steps one by one, on ordinary scenes") {
+  const Tally tally = check_all(moderate());
+  CHECK(tally.decided > tally.all * 9 / 10);
+  CHECK(tally.hits > tally.all / 10);
+  CHECK(tally.certain > tally.hits * 9 / 10);
+}
+
+TEST_CASE("steps in lanes are the steps one by one, on grids") {
+  const Tally tally = check_all(dyadicGrid());
+  CHECK(tally.hits > tally.all / 10);
+}
+
+TEST_CASE("steps in lanes are the steps one by one, over the whole ordinary range") {
+  const Tally tally = check_all(ordinary_range());
+  CHECK(tally.decided > tally.all / 2);
+  CHECK(tally.hits > tally.all / 50);
+}
+
+TEST_CASE("what touches is undecided in its lane alone") {
+  const trace::Beam tangent(ray({1, 0, 0}, {0, 0, 1})), met(ray({0, 0, 0}, {0, 0, 1})),
+      missed(ray({2, 0, 0}, {0, 0, 1}));
+  for (const std::int64_t target : machine_targets()) {
+    const Only_Target only(target);
+    Pack pack;
+    for (std::size_t lane = 0; lane < Pack::size; ++lane) {
+      pack.set(lane, lane == 5 ? tangent : lane % 2 == 0 ? met : missed, scene::Sphere{{0, 0, 5}, 1});
+    }
+    trace::Findings findings;
+    trace::triage(pack, model::Tipo::soy_esfera, findings);
+    CHECK(findings.undecided == 0b00100000);
+    CHECK(findings.hit == 0b01010101);
+    trace::RoundedPack rounded;
+    trace::improve_and_round(pack, model::Tipo::soy_esfera, findings, rounded);
+    CHECK((rounded.certain & findings.hit) == findings.hit);
+    CHECK(rounded.t[2] == 4);
+    CHECK(rounded.z[2] == 4);
+  }
+}
