@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "commands.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/io/source.hpp"
@@ -38,14 +40,26 @@ std::string sections_text(const zed::Specification& specification) {
   return said;
 }
 
+// A file of which nothing was read was meant to hold something.
+std::string empty_files(const std::vector<std::string>& files, const zed::Specification& read) {
+  std::string said;
+  for (const std::string& file : files) {
+    const auto here = [&](const zed::Section& one) { return one.file == file; };
+    if (std::none_of(read.sections.begin(), read.sections.end(), here))
+      said += fmt::format("{}:1:1: no Z paragraph; expected \\begin{{zed}}, axdef, schema, gendef or zsection\n", file);
+  }
+  return said;
+}
+
 }  // namespace
 
 int spec_check(const std::vector<std::string>& files) {
   for (const std::string& file : files) io::read_source(file);  // throws where a file cannot be read
   const zed::Specification read = files.empty() ? oracle::spec::text() : zed::read_files(files);
   const std::vector<zed::Defect> defects = zed::review(read);
-  const bool wrong = has_error(defects);
-  io::write_file("-", defects_text(defects) + (wrong ? "" : sections_text(read)));
+  const std::string empty = has_error(defects) ? "" : empty_files(files, read);
+  const bool wrong = has_error(defects) || !empty.empty();
+  io::write_file("-", defects_text(defects) + empty + (wrong ? "" : sections_text(read)));
   return wrong ? 1 : 0;
 }
 

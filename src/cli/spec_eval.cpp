@@ -91,10 +91,20 @@ zed::Term parsed(const std::string& text, const zed::Specification& specificatio
 // The term stands for a predicate where no type is known for it.
 bool is_predicate(const zed::Typing& typing, const zed::Term& term) { return !typing.type_of(term); }
 
+// [ S ]: of a connective of schemas, whose components are not in scope, the schema.
+zed::Term schema_of(const zed::Term& term) {
+  zed::SchemaText text;
+  text.declarations.push_back({zed::Declaration::Form::included, {}, {}, term, term->place});
+  return zed::quantified(zed::Kind::schema_text, std::move(text), {}, term->place);
+}
+
 [[noreturn]] void undecided(const std::string& why) {
   throw io::InputError(file_name, {1, 1}, "this is not decided: " + why,
                        "expected finite sets, or equations, for what is quantified");
 }
+
+constexpr const char* open_variable =
+    "a variable ranges over a set that is not finite, and no equation gives its value";
 
 int print(const std::string& text, bool yes) {
   io::write_file("-", text + "\n");
@@ -104,11 +114,11 @@ int print(const std::string& text, bool yes) {
 int evaluated(const zed::Evaluator& evaluator, const zed::Typing& typing, const zed::Term& term) {
   if (!is_predicate(typing, term)) {
     const zed::Value value = evaluator.value(term);
-    if (value.is_open()) undecided("it depends on what is not known");
+    if (value.is_open()) undecided(open_variable);
     return print(value.text(), !value.is_undefined());
   }
   const zed::Truth truth = evaluator.holds(term);
-  if (truth == zed::Truth::open) undecided("it depends on what is not known");
+  if (truth == zed::Truth::open) undecided(open_variable);
   return print(truth == zed::Truth::yes ? "true" : "false", truth == zed::Truth::yes);
 }
 
@@ -116,8 +126,16 @@ int evaluated(const zed::Evaluator& evaluator, const zed::Typing& typing, const 
 
 int spec_eval(const std::string& expression, const std::string& scene) {
   const Call call(scene);
-  const zed::Term term = parsed(expression, call.specification);
-  const zed::Typing typing = zed::check_term(call.typing, section_name, term, {}, file_name);
+  zed::Term term = parsed(expression, call.specification);
+  zed::Typing typing = zed::check_term(call.typing, section_name, term, {}, file_name);
+  if (!typing.ok()) {
+    const zed::Term schema = schema_of(term);
+    zed::Typing as_schema = zed::check_term(call.typing, section_name, schema, {}, file_name);
+    if (as_schema.ok()) {
+      term = schema;
+      typing = std::move(as_schema);
+    }
+  }
   if (!typing.ok()) {
     const zed::Defect& first = typing.defects.front();
     throw io::InputError(file_name, {first.place.line, first.place.column}, first.what, first.expected);

@@ -8,6 +8,7 @@
 #include "durero/io/output_file.hpp"
 #include "durero/io/source.hpp"
 #include "durero/oracle/spec.hpp"
+#include "durero/zed/parser.hpp"
 #include "durero/zed/print.hpp"
 #include "spec.hpp"
 
@@ -99,18 +100,63 @@ std::string shown(const zed::Section& section, const zed::Paragraph& paragraph, 
   return said;
 }
 
+bool has_component(const zed::Paragraph& paragraph, const std::string& name) {
+  const auto* schema = std::get_if<zed::Schema>(&paragraph.form);
+  if (!schema) return false;
+  const auto& declared = schema->text.declarations;
+  return std::any_of(declared.begin(), declared.end(), [&](const zed::Declaration& one) {
+    return std::any_of(one.names.begin(), one.names.end(),
+                       [&](const auto& component) { return component.text() == name; });
+  });
+}
+
+// What declares the name; else the first schema with a component of that name.
+std::string found(const zed::Specification& text, const std::string& name) {
+  for (const auto& declares : {is_named, has_component}) {
+    for (const zed::Section& section : text.sections) {
+      for (const zed::Paragraph& paragraph : section.paragraphs) {
+        if (declares(paragraph, name)) return shown(section, paragraph, name);
+      }
+    }
+  }
+  return {};
+}
+
+// ΔS and ΞS, which no paragraph declares: what they stand for, then S.
+std::string found_change(const zed::Specification& text, const std::string& name) {
+  const std::string_view delta = "Δ", xi = "Ξ";
+  const bool change = name.starts_with(delta), none = name.starts_with(xi);
+  const std::string of = change || none ? name.substr(delta.size()) : "";
+  const std::string said = of.empty() ? "" : found(text, of);
+  if (said.empty()) return {};
+  return fmt::format("{0} == [{1}; {1}'{2}]\n\n{3}", name, of, none ? fmt::format(" | θ {0} = θ {0}'", of) : "", said);
+}
+
+// A name as the mark-up writes it, `mi\_radio` or `\real`, in Unicode; any other text as it is.
+std::string plain(const zed::Specification& text, const std::string& name) {
+  if (name.find('\\') == name.npos) return name;
+  zed::Markup markup;
+  for (const auto& one : text.markup) markup.insert(one.second.begin(), one.second.end());
+  try {
+    const zed::Term term = zed::parse_latex(name, markup);
+    return term->kind == zed::Kind::reference ? term->name.text() : name;
+  } catch (const zed::ZError&) {
+    return name;
+  }
+}
+
 }  // namespace
 
 int spec_show(const std::string& name) {
-  for (const zed::Section& section : oracle::spec::text().sections) {
-    for (const zed::Paragraph& paragraph : section.paragraphs) {
-      if (!is_named(paragraph, name)) continue;
-      io::write_file("-", shown(section, paragraph, name));
-      return 0;
-    }
-  }
-  throw io::InputError("NAME", {1, 1}, "the text declares no " + io::shown(name),
-                       "expected a name of spec/, such as Escena, or a label, such as Escena.inv.1");
+  const zed::Specification text = oracle::spec::text();
+  const std::string in_unicode = plain(text, name);
+  std::string said = found(text, in_unicode);
+  if (said.empty()) said = found_change(text, in_unicode);
+  if (said.empty())
+    throw io::InputError("NAME", {1, 1}, "the text declares no " + in_unicode,
+                         "expected a name of spec/, such as Escena, or a label, such as Escena.inv.1");
+  io::write_file("-", said);
+  return 0;
 }
 
 }  // namespace durero::cli

@@ -213,6 +213,11 @@ Value free_type(const Meaning& global) {
 
 const std::string branch_type(const Meaning& global) { return std::get<FreeType>(global.paragraph->form).name.text(); }
 
+const Branch& branch(const Meaning& global) {
+  const auto& branches = std::get<FreeType>(global.paragraph->form).branches;
+  return *std::find_if(branches.begin(), branches.end(), [&](const Branch& one) { return one.name == global.name; });
+}
+
 /// For a scope: a value is being made.
 class Busy {
  public:
@@ -230,6 +235,13 @@ class Busy {
 
 }  // namespace
 
+Value Compiler::constructor_arguments(const Meaning& global, Context& context) {
+  const auto unit = std::make_shared<Unit>();
+  const Code code = expression(branch(global).argument, Scope{.unit = unit});
+  Frame frame(unit->size, context);
+  return code(frame);
+}
+
 Value Compiler::global(Meaning& global, Context& context) {
   if (global.value) return *global.value;
   const Busy busy(global);
@@ -246,7 +258,8 @@ Value Compiler::global(Meaning& global, Context& context) {
       global.value = Value::atom(branch_type(global), global.name.text(), global.order);
       break;
     case Meaning::Kind::constructor:
-      global.value = constructor_function(branch_type(global), global.name.text(), global.order);
+      global.value = constructor_function(branch_type(global), global.name.text(), global.order,
+                                          constructor_arguments(global, apart));
       break;
     case Meaning::Kind::axiomatic:
       global.value = axiomatic(global, apart);

@@ -101,7 +101,8 @@ void Checker::finish_paragraph() {
       spend(instance.second.size());
       if (!instance.second.has_variables()) continue;
       error(instance.first, fmt::format("the generic actuals of {} are not determined", name.text()),
-            fmt::format("expected {}[…], or a use that gives its type", name.text()));
+            name.word == "{}" ? "expected ∅[…], or a use that gives its type"
+                              : fmt::format("expected {}[…], or a use that gives its type", name.text()));
       break;  // the others may hang together with this one
     }
   }

@@ -100,6 +100,7 @@ class Compiler {
   // Axiomatic definitions (axiomatic.cpp).
   Value axiomatic(const Meaning& global, Context& context);
   Value schema_value(const Meaning& global, Context& context);
+  Value constructor_arguments(const Meaning& global, Context& context);
   Value definition_value(const Meaning& global, Context& context);
 
   const Local* find(const Name& name, const Scope& scope) const;

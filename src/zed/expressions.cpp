@@ -126,6 +126,7 @@ Code Compiler::toolkit(const Node& node, const Scope& scope) {
   if (name == "ℕ₁") return constant(integers(name, 1));
   if (name == "∅") return constant(empty_set());
   if (toolkit_function(name)) return constant(toolkit_value(name));
+  if (toolkit_relation(name)) return constant(relation_value(name));
   if (!node.children.empty()) return set_expression(node, scope);
   cannot(node, "the evaluator knows no " + name);
 }
@@ -145,6 +146,8 @@ Code Compiler::set_expression(const Node& node, const Scope& scope) {
       return finite(std::move(pairs));
     };
   }
+  if (name == "seq_" || name == "seq₁_" || name == "iseq_")
+    return [first, name](Frame& frame) { return *sequence_set(name, first(frame)); };
   const auto* op = operator_of_name(name);
   const auto form = op ? function_form(std::string(op->symbol)) : std::nullopt;
   if (!form || node.children.size() != 2) cannot(node, "the evaluator knows no " + name);

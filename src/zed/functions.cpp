@@ -10,25 +10,6 @@ namespace {
 
 using Values = std::vector<Value>;
 
-const Value& first(const Value& pair) { return pair.tuple()->parts[0]; }
-const Value& second(const Value& pair) { return pair.tuple()->parts[1]; }
-bool waiting(const Value& a) { return a.is_open() || a.get<Unknown>() || a.get<AffinePtr>(); }
-
-/// Runs where the arguments have values; else what they lack is lacking in the result.
-template <class Operation>
-Value with(const Value& a, Operation&& operation) {
-  if (a.is_undefined()) return {};
-  if (waiting(a)) return Open{};
-  return operation();
-}
-
-template <class Operation>
-Value with(const Value& a, const Value& b, Operation&& operation) {
-  if (a.is_undefined() || b.is_undefined()) return {};
-  if (waiting(a) || waiting(b)) return Open{};
-  return operation();
-}
-
 Value of_pair(const Value& pair, std::size_t part) {
   if (pair.is_undefined()) return {};
   if (!pair.tuple()) return Open{};
@@ -53,7 +34,8 @@ Value inverse(const Value& relation, Context&) {
   });
 }
 
-/// The pairs of a relation whose `part` is in the set, or is not: ◁ ▷ ⩤ ⩥.
+}  // namespace
+
 Value restricted(const Value& relation, const Value& set, std::size_t part, bool in, Context& context) {
   return with(relation, set, [&]() -> Value {
     Values kept;
@@ -65,6 +47,8 @@ Value restricted(const Value& relation, const Value& set, std::size_t part, bool
     return finite(std::move(kept));
   });
 }
+
+namespace {
 
 Value overriding(const Value& a, const Value& b, Context& context) {
   return with(a, b, [&] { return set_union(restricted(a, domain(b, context), 0, false, context), b, context); });
@@ -170,14 +154,6 @@ Value divided(const Value& a, const Value& b, Context&) {
   });
 }
 
-template <class Compare>
-Truth ordered(const Value& a, const Value& b, Compare&& holds) {
-  if (a.is_undefined() || b.is_undefined()) return Truth::no;
-  if (waiting(a) || waiting(b)) return Truth::open;
-  if (!a.real() || !b.real()) throw EvaluationError("numbers are compared that are none");
-  return truth(holds(*a.real(), *b.real()));
-}
-
 Value symmetric_difference(const Value& a, const Value& b, Context& c) {
   return set_union(set_difference(a, b, c), set_difference(b, a, c), c);
 }
@@ -220,38 +196,6 @@ const std::unordered_map<std::string, ToolkitFunction>& functions() {
   return table;
 }
 
-const std::unordered_map<std::string, ToolkitRelation>& relations() {
-  static const std::unordered_map<std::string, ToolkitRelation> table{
-      {"_=_", equal},
-      {"_≠_",
-       [](const Value& a, const Value& b, Context& c) {
-         if (a.is_undefined() || b.is_undefined()) return Truth::no;
-         Necessary not_here(c, false);
-         return !equal(a, b, c);
-       }},
-      {"_∈_", [](const Value& a, const Value& b, Context& c) { return contains_value(b, a, c); }},
-      {"_∉_",
-       [](const Value& a, const Value& b, Context& c) {
-         if (a.is_undefined() || b.is_undefined()) return Truth::no;
-         Necessary not_here(c, false);
-         return !contains_value(b, a, c);
-       }},
-      {"_⊆_", subset},
-      {"_⊂_",
-       [](const Value& a, const Value& b, Context& c) {
-         const Truth in = subset(a, b, c);
-         if (in != Truth::yes) return in;
-         Necessary not_here(c, false);
-         return !equal(a, b, c);
-       }},
-      {"_<_", [](const Value& a, const Value& b, Context&) { return ordered(a, b, std::less<>()); }},
-      {"_≤_", [](const Value& a, const Value& b, Context&) { return ordered(a, b, std::less_equal<>()); }},
-      {"_>_", [](const Value& a, const Value& b, Context&) { return ordered(a, b, std::greater<>()); }},
-      {"_≥_", [](const Value& a, const Value& b, Context&) { return ordered(a, b, std::greater_equal<>()); }},
-  };
-  return table;
-}
-
 class FunctionValue : public Set {
  public:
   FunctionValue(std::string name, const ToolkitFunction& function) : name_(std::move(name)), function_(function) {}
@@ -280,16 +224,11 @@ class FunctionValue : public Set {
 
 const ToolkitFunction* toolkit_function(const std::string& name) {
   const auto found = functions().find(name);
-  return found == functions().end() ? nullptr : &found->second;
+  return found == functions().end() ? sequence_function(name) : &found->second;
 }
 
 Value toolkit_value(const std::string& name) {
   return SetPtr(std::make_shared<const FunctionValue>(name, *toolkit_function(name)));
-}
-
-ToolkitRelation toolkit_relation(const std::string& name) {
-  const auto found = relations().find(name);
-  return found == relations().end() ? nullptr : found->second;
 }
 
 Value apply_value(const Value& function, const Value& argument, Context& context) {

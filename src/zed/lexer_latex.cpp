@@ -51,8 +51,9 @@ class Latex : Lexer {
     }
     const std::string_view symbol = ascii_symbol();
     if (symbol.empty()) {
-      refuse(place, "the character " + std::string(utf8::first(text_.substr(at_))) + " means nothing here",
-             "expected LaTeX mark-up of Z");
+      const std::string character(utf8::first(text_.substr(at_)));
+      refuse(place, "the character " + character + " means nothing here",
+             character == "#" ? "expected \\#, as LaTeX writes it" : "expected LaTeX mark-up of Z");
     }
     emit(Type::symbol, std::string(take(symbol.size())), place);
     tokens_.back().only_infix = symbol == "-";

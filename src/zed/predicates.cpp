@@ -178,7 +178,9 @@ Property Compiler::relation(const Term& term, const Scope& scope) {
     relations.push_back(toolkit_relation(one.word));
     if (!relations.back()) cannot(node, "the evaluator knows no relation " + one.word);
   }
-  if (relations.size() + 1 != operands.size()) cannot(node, "a relation of one operand is not evaluated");
+  if (operands.size() == 1)
+    return test_of(
+        [of = operands[0], holds = relations[0]](Frame& frame) { return holds(of(frame), {}, frame.context); }, term);
   if (relations.size() > 1) {
     return test_of(
         [operands, relations](Frame& frame) {

@@ -132,6 +132,8 @@ Term TermParser::theta() {
     made.children.push_back(in_.sees("[") ? actuals_or_renaming(schema) : schema);
   } else if (in_.sees("(")) {
     made.children.push_back(parenthesis());
+  } else if (in_.sees("[")) {
+    made.children.push_back(brackets());
   } else {
     in_.fail("expected a schema after θ");
   }

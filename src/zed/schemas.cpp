@@ -47,6 +47,7 @@ Property Compiler::declaration(const Declaration& declaration, const Scope& scop
       if (local.slot) {
         made.declared = *local.slot;
         made.set = set;
+        made.reads = reads;
       }
     }
     made.term = declaration.term;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sets.hpp"
+
 namespace durero::zed {
 namespace {
 
@@ -130,6 +132,52 @@ Property exists_property(std::vector<Variable> variables, Property property) {
   return made;
 }
 
+namespace {
+
+/// A set that has the slot's value among its members wherever the property holds; null where none is stated. A set
+/// that depends on a slot of `inside`, the variables of an ∃ further in, is none.
+Code set_of(const Property& property, unsigned slot, const std::vector<unsigned>& inside);
+
+Code set_of_any(const Property& property, unsigned slot, const std::vector<unsigned>& inside) {
+  std::vector<Code> sets;
+  for (const Property& part : property.parts) {
+    sets.push_back(set_of(part, slot, inside));
+    if (!sets.back()) return {};
+  }
+  return [sets = std::move(sets)](Frame& frame) {
+    Value all = empty_set();
+    for (const Code& one : sets) all = set_union(all, one(frame), frame.context);
+    return all;
+  };
+}
+
+Code set_of_exists(const Search& search, unsigned slot, std::vector<unsigned> inside) {
+  for (const Variable& one : search.variables()) inside.push_back(one.slot);
+  return contains(inside, slot) ? Code() : set_of(search.goal(), slot, inside);
+}
+
+Code set_of(const Property& property, unsigned slot, const std::vector<unsigned>& inside) {
+  const auto from_inside = [&](unsigned read) { return contains(inside, read); };
+  switch (property.kind) {
+    case Property::Kind::all:
+      for (const Property& part : property.parts) {
+        if (Code found = set_of(part, slot, inside)) return found;
+      }
+      return {};
+    case Property::Kind::any:
+      return set_of_any(property, slot, inside);
+    case Property::Kind::exists:
+      return set_of_exists(*property.search, slot, inside);
+    case Property::Kind::test:
+      break;
+  }
+  const bool stated = property.set && property.declared == slot &&
+                      std::none_of(property.reads.begin(), property.reads.end(), from_inside);
+  return stated ? property.set : Code();
+}
+
+}  // namespace
+
 Search::Search(std::vector<Variable> variables, Property goal, std::vector<unsigned> wholes)
     : variables_(std::move(variables)), goal_(std::move(goal)), wholes_(std::move(wholes)) {
   std::vector<const Equation*> equations;
@@ -137,11 +185,8 @@ Search::Search(std::vector<Variable> variables, Property goal, std::vector<unsig
   collect(goal_, equations, declared);
   for (Variable& variable : variables_) {
     if (variable.set) continue;
-    const auto found = std::find_if(declared.begin(), declared.end(),
-                                    [&](const Property* one) { return one->declared == variable.slot; });
-    if (found == declared.end()) continue;
-    variable.set = (*found)->set;
-    variable.checked = true;
+    variable.set = set_of(goal_, variable.slot, {});
+    variable.checked = bool(variable.set);
   }
   order_ = ordered(variables_, equations);
 }

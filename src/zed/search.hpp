@@ -27,7 +27,8 @@ struct Property {
   Test test;                             ///< of test
   std::vector<Equation> equations;       ///< of a test `x = e`
   unsigned declared = 0;                 ///< of a declaration: the slot …
-  Code set;                              ///< … and its set; empty otherwise
+  Code set;                              ///< … its set, empty otherwise …
+  std::vector<unsigned> reads;           ///< … and the slots that the set depends on
 
   /// Of the property of a whole closed schema: the slot that may hold its binding, and the schema. A binding
   /// remembers the schema that it was found to satisfy.

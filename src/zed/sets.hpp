@@ -33,8 +33,8 @@ struct FunctionForm {
 std::optional<FunctionForm> function_form(const std::string& symbol);
 Value function_set(Value from, Value to, const FunctionForm& form);
 
-/// The function that makes the values of one branch of a free type.
-Value constructor_function(std::string type, std::string name, std::uint32_t order);
+/// The function that makes the values of one branch of a free type, of the branch's arguments.
+Value constructor_function(std::string type, std::string name, std::uint32_t order, Value arguments);
 
 // Below, a finite result where the arguments allow one, and an intensional one otherwise.
 Value set_union(const Value& a, const Value& b, Context& context);

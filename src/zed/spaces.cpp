@@ -1,7 +1,6 @@
-/// The sets of sets: powers, products, and the toolkit's sets of functions.
+/// The sets of sets and of tuples, and the constructors of free types.
 
 #include <algorithm>
-#include <array>
 
 #include "sets.hpp"
 
@@ -124,66 +123,17 @@ class ProductSet : public Set {
   mutable std::optional<Value> made_;
 };
 
-/// Pairs are sorted by their first parts, so in a function no two neighbours agree in them.
-bool is_function(const std::vector<Value>& pairs) {
-  return std::adjacent_find(pairs.begin(), pairs.end(), [](const Value& a, const Value& b) {
-           return same(a.tuple()->parts[0], b.tuple()->parts[0]);
-         }) == pairs.end();
-}
-
-std::vector<Value> seconds(const std::vector<Value>& pairs) {
-  std::vector<Value> found;
-  for (const Value& pair : pairs) found.push_back(pair.tuple()->parts[1]);
-  return found;
-}
-
-class FunctionSet : public Set {
- public:
-  FunctionSet(Value from, Value to, FunctionForm form)
-      : from_(std::move(from)), to_(std::move(to)), form_(std::move(form)) {}
-
-  bool total() const override { return !form_.function && !form_.finite && from_.set()->total() && to_.set()->total(); }
-
-  Truth contains(const Value& value, Context& context) const override {
-    if (!value.set()) return Truth::open;
-    const auto& pairs = enumerated(value, "whether it is a function, for");
-    if (form_.function && !is_function(pairs)) return Truth::no;
-    const Truth inside = both(each_in(pairs, 0, from_, context), each_in(pairs, 1, to_, context));
-    if (inside != Truth::yes) return inside;
-    const Value image = form_.injective || form_.surjective ? Value::set(seconds(pairs)) : Value();
-    if (form_.injective && image.set()->members()->size() != pairs.size()) return Truth::no;
-    if (form_.total && subset(from_, domain(value, context), context) != Truth::yes) return Truth::no;
-    if (form_.surjective && subset(to_, image, context) != Truth::yes) return Truth::no;
-    return Truth::yes;
-  }
-
-  std::string text() const override {
-    return "(" + from_.set()->text() + " " + form_.symbol + " " + to_.set()->text() + ")";
-  }
-
- private:
-  static Truth each_in(const std::vector<Value>& pairs, std::size_t part, const Value& set, Context& context) {
-    if (set.set()->total()) return Truth::yes;
-    Truth all = Truth::yes;
-    for (const Value& pair : pairs) {
-      all = both(all, contains_value(set, pair.tuple()->parts[part], context));
-      if (all == Truth::no) return all;
-    }
-    return all;
-  }
-
-  Value from_, to_;
-  FunctionForm form_;
-};
-
 class ConstructorFunction : public Set {
  public:
-  explicit ConstructorFunction(Atom name) : name_(std::move(name)) {}
-  Value apply(const Value& argument, Context&) const override {
-    if (argument.is_undefined()) return {};
+  ConstructorFunction(Atom name, Value arguments) : name_(std::move(name)), arguments_(std::move(arguments)) {}
+  Value apply(const Value& argument, Context& context) const override {
+    const Truth inside = in_domain(argument, context);
+    if (inside != Truth::yes) return inside == Truth::no ? Value() : Open{};
     return ConstructedPtr(std::make_shared<const Constructed>(Constructed{name_, argument}));
   }
-  Truth in_domain(const Value&, Context&) const override { return Truth::yes; }
+  Truth in_domain(const Value& argument, Context& context) const override {
+    return argument.is_undefined() ? Truth::no : contains_value(arguments_, argument, context);
+  }
   Truth contains(const Value& pair, Context& context) const override {
     if (!pair.tuple()) return Truth::open;
     return equal(apply(pair.tuple()->parts[0], context), pair.tuple()->parts[1], context);
@@ -192,15 +142,16 @@ class ConstructorFunction : public Set {
 
  private:
   Atom name_;
+  Value arguments_;
 };
 
 bool not_sets(const Value& a) { return !a.set(); }
 
 }  // namespace
 
-Value constructor_function(std::string type, std::string name, std::uint32_t order) {
+Value constructor_function(std::string type, std::string name, std::uint32_t order, Value arguments) {
   const Value made = Value::atom(std::move(type), std::move(name), order);
-  return SetPtr(std::make_shared<const ConstructorFunction>(*made.get<Atom>()));
+  return SetPtr(std::make_shared<const ConstructorFunction>(*made.get<Atom>(), std::move(arguments)));
 }
 
 Value power_set(Value base, PowerForm form) {
@@ -213,30 +164,6 @@ Value product_set(std::vector<Value> factors) {
     if (not_sets(one)) return one;
   }
   return SetPtr(std::make_shared<const ProductSet>(std::move(factors)));
-}
-
-std::optional<FunctionForm> function_form(const std::string& symbol) {
-  static const std::array<FunctionForm, 10> forms{{
-      {.symbol = "↔", .function = false},
-      {.symbol = "⇸"},
-      {.symbol = "→", .total = true},
-      {.symbol = "⤔", .injective = true},
-      {.symbol = "↣", .total = true, .injective = true},
-      {.symbol = "⤀", .surjective = true},
-      {.symbol = "↠", .total = true, .surjective = true},
-      {.symbol = "⤖", .total = true, .injective = true, .surjective = true},
-      {.symbol = "⇻", .finite = true},
-      {.symbol = "⤕", .injective = true, .finite = true},
-  }};
-  const auto found = std::find_if(forms.begin(), forms.end(), [&](const auto& one) { return one.symbol == symbol; });
-  if (found == forms.end()) return std::nullopt;
-  return *found;
-}
-
-Value function_set(Value from, Value to, const FunctionForm& form) {
-  if (not_sets(from)) return from;
-  if (not_sets(to)) return to;
-  return SetPtr(std::make_shared<const FunctionSet>(std::move(from), std::move(to), form));
 }
 
 }  // namespace durero::zed

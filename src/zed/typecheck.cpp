@@ -160,7 +160,9 @@ void inherit(const Section& section, Typing& into) {
 
 /// Checks a term that stands alone: as a predicate, where its form is that of one.
 void check_at_end(Checker& checker, const Term& term) {
-  switch (term->kind) {
+  const Node* form = term.get();
+  while (form->kind == Kind::let) form = form->children[0].get();  // a let is what its body is
+  switch (form->kind) {
     case Kind::truth:
     case Kind::falsity:
     case Kind::relation:

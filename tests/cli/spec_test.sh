@@ -22,6 +22,9 @@ sed 's/a \\neq b/a = 1/' good.tex >bad.tex
 run 1 spec check bad.tex
 has out 'bad.tex:7:3: '
 refused 'nowhere.tex: ' spec check nowhere.tex
+echo 'Prose alone.' >prose.tex
+run 1 spec check prose.tex
+has out 'prose.tex:1:1: no Z paragraph; expected '
 
 # eval: values, truth, both mark-ups, the scene, and what is not decided.
 run 0 spec eval '1 + 2 * 3'
@@ -46,6 +49,13 @@ run 0 spec eval 'de_que_elemento(θ Escena, ⦉x == 1, y == 0, z == 0⦊)' --sce
 is out '{s1}'
 run 0 spec eval '⦉x == 2, y == 0, z == 4⦊ ∈ puntos_de_rayo(⦉p == ⦉x == 0, y == 0, z == 0⦊, v == ⦉x == 1, y == 0, z == 2⦊⦊)'
 is out true
+run 0 spec eval '[x : 1‥2] ∨ [x : 3‥3]'
+is out '{⦉x == 1⦊, ⦉x == 2⦊, ⦉x == 3⦊}'
+run 1 spec eval 'let x == 3 • x = 4'
+is out false
+refused 'EXPR:1:1: the character # means nothing here; expected \#' spec eval '#\{1\}'
+refused 'EXPR:1:1: the generic actuals of {} are not determined; expected ∅' spec eval '{}'
+refused 'EXPR:1:1: this is not decided: a variable ranges over a set that is not finite' spec eval '∀ x : ℕ • x ≥ 0'
 refused 'EXPR:1:4: ' spec eval '1 +'
 refused 'EXPR:1:1: ' spec eval '1 ∈ 2'
 refused 'EXPR:1:1: nadie is not declared' spec eval nadie
@@ -61,7 +71,15 @@ has out 'test      tests/model/'
 run 0 spec show reduccion.def.2
 has out 'reduccion.def.2'
 has out 'text      spec/interseccion.tex:'
-refused 'NAME:1:1: the text declares no' spec show nadie
+run 0 spec show 'mi\_radio'
+has out '│ mi_radio : Elemento ⇸ Rmas'
+run 0 spec show '\real'
+has out '│ ℝ : ℙ 𝔸'
+run 0 spec show ΞEscena
+has out "ΞEscena == [Escena; Escena' | θ Escena = θ Escena']"
+has out 'Escena.inv.1'
+refused 'NAME:1:1: the text declares no nadie; expected' spec show nadie
+refused 'NAME:1:1: the text declares no Δnadie; expected' spec show Δnadie
 
 # confirm: right hits, then hits that are wrong in each way.
 cat >rays <<'RAYS'

@@ -155,6 +155,7 @@ TEST_CASE("axiomatic functions and constants, free types") {
   CHECK(value("doble(- 1)") == "undefined");
   CHECK(value("siete") == "7");
   CHECK(value("mezcla(3)") == "mezcla(3)");
+  CHECK(value("mezcla(- 3)") == "undefined");
   CHECK(holds("mezcla(3) = mezcla(1 + 2)") == Truth::yes);
   CHECK(holds("mezcla(3) = rojo") == Truth::no);
 }
