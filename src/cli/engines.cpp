@@ -34,7 +34,10 @@ Tracer exact(const scene::Scene& scene) {
 Tracer analytic(const scene::Scene& scene) {
   const auto tables = std::make_shared<const trace::Tables>(scene);
   return {[tables](const model::Rayo& ray, Origin en) { return trace::first_hit(*tables, ray, en); },
-          [tables](const model::Rayo& ray, Origin en) { return trace::occluded_segment(*tables, ray, en); }};
+          [tables](const model::Rayo& ray, Origin en) { return trace::occluded_segment(*tables, ray, en); },
+          [tables](std::span<const trace::Query> rays, unsigned threads) {
+            return trace::first_hits(*tables, rays, threads);
+          }};
 }
 
 constexpr std::array<Engine, 3> all = {{{"sampled", sampled}, {"exact", exact}, {"analytic", analytic}}};

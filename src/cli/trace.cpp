@@ -20,6 +20,7 @@ struct Options {
 
 std::vector<scene::Hit> trace(const scene::Scene& scene, const std::vector<io::Ray>& rays, std::string_view engine) {
   const render::Tracer tracer = prepare(engine, scene);
+  if (tracer.first_hits) return tracer.first_hits(rays, 0);
   std::vector<scene::Hit> hits(rays.size());
   tbb::parallel_for(std::size_t{0}, rays.size(), [&](std::size_t i) {
     const auto& [rayo, en] = rays[i];

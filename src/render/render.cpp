@@ -52,6 +52,33 @@ double lambert(const Tracer& tracer, const scene::Hit& hit, const glm::dvec3& n,
   return tracer.occluded_segment(shadow, {hit.elementos.data(), hit.elementos.size()}) ? 0 : intensity;
 }
 
+/// color of a ray whose first hit is known.
+glm::dvec3 color_of(const scene::Scene& scene, const Tracer& tracer, const model::Rayo& ray, const scene::Hit& hit) {
+  if (hit.resultado != model::Resultado::hit) return scene.stage().background.value_or(default_background);
+  const scene::ElementRef element = front(scene, hit.elementos);
+  glm::dvec3 n = normal(scene, element, hit.punto);
+  if (glm::dot(n, ray.v().xyz()) > 0) n = -n;  // the side that the ray sees: cylinders and cones are open
+  glm::dvec3 light_sum(0);
+  for (const scene::Light& light : scene.stage().lights)
+    light_sum += light.color * lambert(tracer, hit, n, light.position);
+  return own_color(scene, element) * light_sum;
+}
+
+/// The first hits of a row of pixels, on the calling thread.
+std::vector<scene::Hit> hits_of_row(const Tracer& tracer, const PrimaryRays& rays, std::uint32_t y,
+                                    std::uint32_t width) {
+  std::vector<trace::Query> row;
+  row.reserve(width);
+  for (std::uint32_t x = 0; x < width; ++x) {
+    const trace::Query pixel{rays.ray(x, y)};
+    row.push_back(pixel);
+  }
+  if (tracer.first_hits) return tracer.first_hits(row, 1);
+  std::vector<scene::Hit> hits;
+  for (const trace::Query& pixel : row) hits.push_back(tracer.first_hit(pixel.rayo, {}));
+  return hits;
+}
+
 /// Counts the rows that are done and tells, without making the threads wait for each other.
 class Counter {
  public:
@@ -78,15 +105,7 @@ glm::dvec3 normal(const scene::Scene& scene, scene::ElementRef element, const gl
 }
 
 glm::dvec3 color(const scene::Scene& scene, const Tracer& tracer, const model::Rayo& ray) {
-  const scene::Hit hit = tracer.first_hit(ray, {});
-  if (hit.resultado != model::Resultado::hit) return scene.stage().background.value_or(default_background);
-  const scene::ElementRef element = front(scene, hit.elementos);
-  glm::dvec3 n = normal(scene, element, hit.punto);
-  if (glm::dot(n, ray.v().xyz()) > 0) n = -n;  // the side that the ray sees: cylinders and cones are open
-  glm::dvec3 light_sum(0);
-  for (const scene::Light& light : scene.stage().lights)
-    light_sum += light.color * lambert(tracer, hit, n, light.position);
-  return own_color(scene, element) * light_sum;
+  return color_of(scene, tracer, ray, tracer.first_hit(ray, {}));
 }
 
 Image render(const scene::Scene& scene, const Tracer& tracer, const Progress& progress) {
@@ -97,7 +116,8 @@ Image render(const scene::Scene& scene, const Tracer& tracer, const Progress& pr
   Counter counter(progress, size.height);
   tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, size.height), [&](const auto& rows) {
     for (std::uint32_t y = rows.begin(); y != rows.end(); ++y) {
-      for (std::uint32_t x = 0; x < size.width; ++x) image.set(x, y, color(scene, tracer, rays.ray(x, y)));
+      const std::vector<scene::Hit> hits = hits_of_row(tracer, rays, y, size.width);
+      for (std::uint32_t x = 0; x < size.width; ++x) image.set(x, y, color_of(scene, tracer, rays.ray(x, y), hits[x]));
       counter.row_done();
     }
   });

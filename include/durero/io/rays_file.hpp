@@ -8,14 +8,11 @@
 
 #include "durero/io/source.hpp"
 #include "durero/scene/scene.hpp"
+#include "durero/trace/search.hpp"
 
 namespace durero::io {
 
-struct Ray {
-  model::Rayo rayo;
-  scene::ElementSet en{};  ///< the elements that the origin lies on
-  bool operator==(const Ray&) const = default;
-};
+using Ray = trace::Query;
 
 /// Reads rays of a scene. A file that starts as a .npy does, or is named so, is read as one, the others as text:
 /// numbers decimal or C's hexadecimal, `#` comments, blank lines. Throws InputError on v = 0, on what is no finite

@@ -5,11 +5,13 @@
 #include <functional>
 #include <glm/vec3.hpp>
 #include <span>
+#include <vector>
 
 #include "durero/model/tipos.hpp"
 #include "durero/render/image.hpp"
 #include "durero/scene/hit.hpp"
 #include "durero/scene/scene.hpp"
+#include "durero/trace/search.hpp"
 
 namespace durero::render {
 
@@ -18,6 +20,9 @@ struct Tracer {
   using Origin = std::span<const scene::ElementRef>;
   std::function<scene::Hit(const model::Rayo&, Origin)> first_hit;
   std::function<bool(const model::Rayo&, Origin)> occluded_segment;
+
+  /// first_hit of many rays, in order, on so many threads (0: every core). Empty where an engine has but the first.
+  std::function<std::vector<scene::Hit>(std::span<const trace::Query>, unsigned threads)> first_hits{};
 };
 
 /// Called now and then, from one thread at a time, with the share of rows that are done, 0 to 1.

@@ -3,7 +3,6 @@
 /// lanes. A ray that needs more than that (numbers out of the ordinary, a start on elements, doubt about one element,
 /// or two elements whose points are not told apart) is answered alone, from the beginning.
 
-#include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
@@ -122,18 +121,22 @@ class Batch {
   std::array<std::uint32_t, chunk> passed_;
 };
 
-/// answer_block(queries, hits) for blocks of the queries, on so many threads; 0 is every core.
+/// answer_block(queries, hits) for blocks of the queries, on so many threads: 0 is every core, 1 the calling one.
 template <class AnswerBlock>
 std::vector<scene::Hit> in_blocks(std::span<const Query> queries, unsigned threads, AnswerBlock answer_block) {
+  constexpr std::size_t size = 256;
   std::vector<scene::Hit> hits(queries.size());
-  const int workers = threads == 0 ? oneapi::tbb::task_arena::automatic : static_cast<int>(threads);
-  oneapi::tbb::task_arena arena(workers);
-  const oneapi::tbb::blocked_range<std::size_t> all(0, queries.size(), 256);
-  arena.execute([&] {
-    oneapi::tbb::parallel_for(all, [&](const oneapi::tbb::blocked_range<std::size_t>& block) {
-      answer_block(queries.subspan(block.begin(), block.size()), std::span(hits).subspan(block.begin(), block.size()));
-    });
-  });
+  const auto answer = [&](std::size_t block) {
+    const std::size_t begin = block * size, count = std::min(size, queries.size() - begin);
+    answer_block(queries.subspan(begin, count), std::span(hits).subspan(begin, count));
+  };
+  const std::size_t blocks = (queries.size() + size - 1) / size;
+  if (threads == 1) {
+    for (std::size_t block = 0; block < blocks; ++block) answer(block);
+    return hits;
+  }
+  oneapi::tbb::task_arena arena(threads == 0 ? oneapi::tbb::task_arena::automatic : static_cast<int>(threads));
+  arena.execute([&] { oneapi::tbb::parallel_for(std::size_t{0}, blocks, answer); });
   return hits;
 }
 

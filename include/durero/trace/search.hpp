@@ -25,7 +25,8 @@ inline bool contains(Origin en, scene::ElementRef e) noexcept {
 /// One line of a rays file: rayo? and en?.
 struct Query {
   model::Rayo rayo;
-  scene::ElementSet en{};
+  scene::ElementSet en{};  ///< the elements that the origin lies on
+  bool operator==(const Query&) const = default;
 };
 
 /// visit(shape) with the element's geometry.
