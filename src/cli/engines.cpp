@@ -55,6 +55,7 @@ render::Tracer prepare(std::string_view name, const scene::Scene& scene) { retur
 
 std::string engine_names() {
   std::vector<std::string_view> names;
+  names.reserve(std::size(all));
   for (const Engine& engine : all) names.push_back(engine.name);
   return fmt::format("{}", fmt::join(names, ", "));
 }

@@ -155,6 +155,7 @@ Oracle::Oracle(const scene::Scene& scene, double fineness) : scene_(scene) {
 
 std::vector<Ball> Oracle::bounds() const {
   std::vector<Ball> balls;
+  balls.reserve(elements_.size());
   for (const Element& element : elements_) balls.push_back(element.cover.balls.front());
   return balls;
 }

@@ -26,7 +26,7 @@ Meeting point_of(Parameter t) {
           .t = std::make_shared<const Parameter>(std::move(t))};
 }
 
-Meeting exact_meeting(oracle::exact::Reach reach) {
+Meeting exact_meeting(const oracle::exact::Reach& reach) {
   if (reach.empty()) return {.step = Step::exact};
   if (reach.no_minimum()) return {.kind = Kind::no_minimum, .step = Step::exact};
   return point_of(reach.first());
