@@ -26,6 +26,19 @@ const Node* operands(const Term& term, std::string_view op) {
   return term->children[0]->name.word == op && pair ? &argument : nullptr;
 }
 
+/// f of `dom f`, or null.
+const Term* of_domain(const Term& set) {
+  const bool domain = set->kind == Kind::application && set->children[0]->kind == Kind::reference &&
+                      set->children[0]->name.word == "dom";
+  return domain ? &set->children[1] : nullptr;
+}
+
+/// x of (x, y) and of x ↦ y, or null.
+const Term* first_of_pair(const Term& pair) {
+  if (const Node* both = operands(pair, "_↦_")) return &both->children[0];
+  return pair->kind == Kind::tuple && pair->children.size() == 2 ? &pair->children[0] : nullptr;
+}
+
 bool is_partial_arrow(const Term& set) {
   if (set->kind != Kind::reference) return false;
   for (const std::string_view arrow : {"_⇸_", "_⤔_", "_⤀_", "_⇻_", "_⤕_"})
@@ -45,6 +58,18 @@ class Prover {
   Prover(const Expander& expander, const Context& context, Budget& budget)
       : expander_(expander), context_(context), budget_(budget) {}
 
+  /// x ∈ S, or y ∈ S for a y that is x.
+  bool holds_for(const Term& x, const Term& set) {
+    if (member(x, set)) return true;
+    for (const Term& fact : context_.facts) {
+      if (!is_relation(fact, "_=_")) continue;
+      for (const std::size_t side : {0u, 1u})
+        if (fact->children[side] == x && member(fact->children[1 - side], set)) return true;
+    }
+    return false;
+  }
+
+ private:
   bool member(const Term& x, const Term& set) {
     std::vector<Term> sets = {set};
     for (std::size_t i = 0; i < sets.size() && i < max_sets; ++i) {
@@ -54,13 +79,19 @@ class Prover {
         for (const std::size_t side : {0u, 1u}) {
           const bool tied = is_relation(fact, "_=_") || (side == 1 && is_relation(fact, "_⊆_"));
           if (tied && fact->children[side] == sets[i]) insert(sets, fact->children[1 - side]);
+          const Term* function = of_domain(sets[i]);
+          if (function && is_relation(fact, "_=_") && fact->children[side] == *function &&
+              !about(fact->children[1 - side], *function))
+            insert(sets, domain_of(fact->children[1 - side]));
         }
       }
     }
     return false;
   }
 
- private:
+  /// The term says something of f, whose domain it cannot be known by then: (e, f e) ∈ f.
+  static bool about(const Term& term, const Term& f) { return f->kind == Kind::reference && mentions(term, {f->name}); }
+
   static void insert(std::vector<Term>& sets, const Term& one) {
     if (std::find(sets.begin(), sets.end(), one) == sets.end()) sets.push_back(one);
   }
@@ -71,6 +102,7 @@ class Prover {
 
   bool at_once(const Term& x, const Term& set) {
     if (holds(relation({{"_∈_", {}}}, {x, set}))) return true;
+    if (holds(node(Kind::negation, {relation({{"_∉_", {}}}, {x, set})}))) return true;
     if (set->kind == Kind::set_extension)
       return std::find(set->children.begin(), set->children.end(), x) != set->children.end();
     if (depth_ > 8) return false;  // unions in unions
@@ -79,8 +111,25 @@ class Prover {
     if (const Node* both = operands(set, "_∪_")) found = member(x, both->children[0]) || member(x, both->children[1]);
     if (const Node* both = operands(set, "_∩_")) found = member(x, both->children[0]) && member(x, both->children[1]);
     if (const Node* image = operands(set, "_⦇_⦈")) found = in_image(x, *image);
+    if (const Term* function = of_domain(set)) found = in_domain(x, *function);
     --depth_;
     return found;
+  }
+
+  /// x ∈ dom f, where f is displayed, joined or overridden, or a pair of it is known.
+  bool in_domain(const Term& x, const Term& f) {
+    const auto begins = [&x](const Term& pair) {
+      const Term* first = first_of_pair(pair);
+      return first && *first == x;
+    };
+    if (f->kind == Kind::set_extension) return std::any_of(f->children.begin(), f->children.end(), begins);
+    for (const std::string_view joined : {"_∪_", "_⊕_"})
+      if (const Node* both = operands(f, joined))
+        return member(x, domain_of(both->children[0])) || member(x, domain_of(both->children[1]));
+    return std::any_of(context_.facts.begin(), context_.facts.end(), [&](const Term& fact) {
+      return is_relation(fact, "_∈_") && fact->children[1] == f && begins(fact->children[0]) &&
+             !about(fact->children[0], f);
+    });
   }
 
   /// x ∈ g ∼ ⦇ {a, b} ⦈ where x ∈ dom g and g x is a or b.
@@ -206,7 +255,7 @@ class Walker {
     if (function->kind != Kind::reference) return;
     const auto declared = context_.declared.find(function->name);
     if (declared == context_.declared.end() || !is_partial_arrow(declared->second)) return;
-    if (Prover(expander_, context_, budget_).member(argument, domain_of(function))) return;
+    if (Prover(expander_, context_, budget_).holds_for(argument, domain_of(function))) return;
     const std::string f = function->name.text(), x = to_unicode(argument);
     found_.push_back({file_, node.place, fmt::format("{} is applied to {}, where nothing says {} ∈ dom {}", f, x, x, f),
                       "expected an invariant or a guard that gives it", Defect::Severity::error});

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "durero/zed/review.hpp"
 #include "expand.hpp"
@@ -46,20 +47,59 @@ bool is_equation(const Term& term) {
          term->children.size() == 2;
 }
 
-/// Removes from `open` what the equations determine, until nothing changes.
+void determine(std::set<Name>& open, const std::vector<Term>& facts, Budget& budget);
+
+/// Each equation of a chain a = b = c by itself.
+void by_relation(std::set<Name>& open, const Node& chain) {
+  for (std::size_t i = 0; i + 1 < chain.children.size(); ++i) {
+    if (chain.names[i].word != "_=_") continue;
+    for (const std::size_t side : {i, i + 1}) {
+      const Term &left = chain.children[side], &right = chain.children[2 * i + 1 - side];
+      if (left->kind == Kind::reference && open.contains(left->name) && !mentions(right, open)) open.erase(left->name);
+    }
+  }
+}
+
+/// What each side determines.
+void by_disjunction(std::set<Name>& open, const Node& node, Budget& budget) {
+  std::set<Name> either;
+  for (const Term& side : node.children) {
+    std::set<Name> left_open = open;
+    determine(left_open, {side}, budget);
+    either.merge(left_open);
+  }
+  open = std::move(either);
+}
+
+/// ∃ D | P • Q and let D • Q: the variables are open too, until P, Q or their definition determines them.
+void by_body(std::set<Name>& open, const Node& node, Budget& budget) {
+  std::set<Name> inside = open;
+  std::vector<Term> facts = node.children;
+  for (const Declaration& one : node.text->declarations) {
+    if (one.form == Declaration::Form::included) return;
+    for (const Name& name : one.names) {
+      if (!inside.insert(name).second) return;  // a variable hides the component
+      if (one.form == Declaration::Form::defined) facts.push_back(relation({{"_=_", {}}}, {reference(name), one.term}));
+    }
+  }
+  for (const Predicate& one : node.text->predicates) facts.push_back(one.term);
+  determine(inside, facts, budget);
+  std::erase_if(open, [&inside](const Name& name) { return !inside.contains(name); });
+}
+
+void by_fact(std::set<Name>& open, const Term& fact, Budget& budget) {
+  if (fact->kind == Kind::relation) by_relation(open, *fact);
+  if (fact->kind == Kind::conjunction) determine(open, fact->children, budget);
+  if (fact->kind == Kind::disjunction) by_disjunction(open, *fact, budget);
+  if (fact->kind == Kind::exists || fact->kind == Kind::let) by_body(open, *fact, budget);
+}
+
+/// Removes from `open` what the facts determine, until nothing changes.
 void determine(std::set<Name>& open, const std::vector<Term>& facts, Budget& budget) {
-  std::vector<Term> equations;
-  std::copy_if(facts.begin(), facts.end(), std::back_inserter(equations), is_equation);
-  for (bool changed = true; changed;) {
-    changed = false;
-    budget.spend(10 * equations.size());
-    for (const Term& one : equations)
-      for (const std::size_t side : {0u, 1u}) {
-        const Term &left = one->children[side], &right = one->children[1 - side];
-        if (left->kind != Kind::reference || !open.contains(left->name) || mentions(right, open)) continue;
-        open.erase(left->name);
-        changed = true;
-      }
+  for (std::size_t before = open.size() + 1; open.size() < before;) {
+    before = open.size();
+    budget.spend(10 * facts.size());
+    for (const Term& one : facts) by_fact(open, one, budget);
   }
 }
 
@@ -78,28 +118,47 @@ bool keeps(const Term& term, const Name& state) {
 
 namespace {
 
+struct Judged {
+  Name name;
+  const SchemaText* text;
+};
+
+/// The schema that a paragraph writes out: a box, or a definition by one schema text.
+std::optional<Judged> written_out(const Paragraph& paragraph) {
+  if (const auto* box = std::get_if<Schema>(&paragraph.form)) return Judged{box->name, &box->text};
+  const auto* made = std::get_if<Definition>(&paragraph.form);
+  if (made && made->value->kind == Kind::schema_text) return Judged{made->name, made->value->text.get()};
+  return std::nullopt;
+}
+
+/// The components of the after-state that the schema leaves open.
+std::set<Name> left_open(const SchemaText& text, const Expander& expander, Budget& budget) {
+  const Expansion whole = expander.text(text);
+  budget.spend(100 * whole.facts.size());
+  if (whole.opaque) return {};
+  std::set<Name> open;
+  for (const Name& state : whole.states) {
+    if (std::any_of(whole.facts.begin(), whole.facts.end(), [&](const Term& fact) { return keeps(fact, state); }))
+      continue;
+    for (const Name& name : expander.components(state)) open.insert({name.word, name.strokes + "'"});
+  }
+  determine(open, whole.facts, budget);
+  return open;
+}
+
 void look(const Specification& specification, const Typing& typing, std::vector<Defect>& found) {
   Budget budget;
   const Expander expander(specification, typing);
   const Included included(specification);
   for (const Section& section : specification.sections)
     for (const Paragraph& one : section.paragraphs) {
-      const auto* box = std::get_if<Schema>(&one.form);
-      if (!box || included(box->name)) continue;
-      const Expansion whole = expander.text(box->text);
-      budget.spend(100 * whole.facts.size());
-      if (whole.opaque) continue;
-      std::set<Name> open;
-      for (const Name& state : whole.states) {
-        if (std::any_of(whole.facts.begin(), whole.facts.end(), [&](const Term& fact) { return keeps(fact, state); }))
-          continue;
-        for (const Name& name : expander.components(state)) open.insert({name.word, name.strokes + "'"});
-      }
-      determine(open, whole.facts, budget);
-      if (open.empty()) continue;
+      const auto judged = written_out(one);
+      if (!judged || included(judged->name)) continue;
       std::string names;
-      for (const Name& name : open) names += (names.empty() ? "" : ", ") + name.text();
-      found.push_back({section.file, one.place, fmt::format("{} leaves {} open", box->name.text(), names),
+      for (const Name& name : left_open(*judged->text, expander, budget))
+        names += (names.empty() ? "" : ", ") + name.text();
+      if (names.empty()) continue;
+      found.push_back({section.file, one.place, fmt::format("{} leaves {} open", judged->name.text(), names),
                        "expected an equation for each component of the after-state", Defect::Severity::error});
     }
 }

@@ -66,6 +66,28 @@ TEST_CASE("E06: a component of the after-state that nothing determines is named"
           .said()[0] == "Agregar_Esfera leaves mi_vector' open");
 }
 
+TEST_CASE("E06: disjunctions, quantifiers and chains determine what every way to satisfy them does") {
+  const auto with = [](const std::string& predicate) {
+    const std::string state = "\\begin{schema}{S} a, b : \\num \\end{schema}\n";
+    return said(state + "\\begin{schema}{O} \\Delta S \\where " + predicate + " \\end{schema}");
+  };
+  CHECK(with("(a' = a \\land b' = b) \\lor (b' = 0 \\land a' = b')") == Said{});
+  CHECK(with("(a' = a \\land b' = b) \\lor a' = 0") == Said{"O leaves b' open"});
+  CHECK(with("a' = 0 \\lor (a' = a \\land b' = b)") == Said{"O leaves b' open"});
+  CHECK(with("a' = a \\land (b' = 1 \\lor b' < 0)") == Said{"O leaves b' open"});
+  CHECK(with("\\exists m : \\num | m = a + 1 @ a' = m \\land b' = m") == Said{});
+  CHECK(with("\\exists m : \\num @ a' = m \\land b' = b") == Said{"O leaves a' open"});
+  CHECK(with("\\exists a' : \\num @ a' = 1 \\land b' = b") == Said{"O leaves a', b' open"});
+  CHECK(with("(\\LET k == a + 1 @ a' = k \\land b' = b)") == Said{});
+  CHECK(with("(\\LET k == b' @ a' = k)") == Said{"O leaves a', b' open"});
+  CHECK(with("a = a' = 1 \\land (b' = b = 1 \\lor b = b' = 2)") == Said{});
+  CHECK(with("a' \\leq b' = 1") == Said{"O leaves a' open"});
+  CHECK(with("\\lnot (a' = a \\land b' = b)") == Said{"O leaves a', b' open"});
+  const std::string state = "\\begin{schema}{S} a, b : \\num \\end{schema}\n";
+  CHECK(said(state + "\\begin{zed} O == [ \\Delta S | a' = a ] \\end{zed}") == Said{"O leaves b' open"});
+  CHECK(said(state + "\\begin{zed} O == [ \\Xi S | a = 1 ] \\end{zed}") == Said{});
+}
+
 TEST_CASE("E15: what is declared and never used is named") {
   CHECK(Text().replace("[ Elemento ]", "[ Elemento, Puntos ]").said() == Said{"Puntos is declared and never used"});
   CHECK(Text().replace("| miss |", "| miss | lost |").said() == Said{"lost is declared and never used"});
@@ -101,6 +123,22 @@ TEST_CASE("E07: a partial function is applied where its domain is given, by inva
   CHECK(with("\\{~ x : \\num | x = f(e) \\implies e \\in \\dom f ~\\}") == refused);
   CHECK(with("\\{~ x : \\num | e \\in \\dom f \\lor x = f(e) ~\\}") == refused);
   CHECK(with("\\{~ x : \\num | e \\notin es \\lor x = g(e) \\mapsto 1 ~\\}").size() == 1);  // a type error, once
+  CHECK(with("\\IF e \\notin \\dom f \\THEN 0 \\ELSE f(e)") == Said{});
+  CHECK(with("\\IF e \\notin \\dom f \\THEN f(e) \\ELSE 0") == refused);
+  CHECK(with("\\{~ x : \\num | e \\mapsto 1 \\in f \\land x = f(e) ~\\}") == Said{});
+  CHECK(with("\\{~ x : \\num | x \\mapsto 1 \\in \\{ 1 \\mapsto 1 \\} \\land x = f(e) ~\\}") == refused);
+  CHECK(with("\\{~ d : E | d = e \\land e \\in \\dom f \\land f(d) = 1 ~\\}") == Said{});
+  CHECK(with("\\{~ d : E | d \\neq e \\land e \\in \\dom f \\land f(d) = 1 ~\\}").size() == 1);
+  const auto made = [&with](const std::string& value) {
+    return with("\\{~ m : E \\pfun \\num | m = " + value + " \\land m(e) = 1 ~\\}");
+  };
+  const Said elsewhere = {"m is applied to e, where nothing says e ∈ dom m"};
+  CHECK(made("f \\cup \\{ e \\mapsto 1 \\}") == Said{});
+  CHECK(made("f \\oplus \\{ (e, 1) \\}") == Said{});
+  CHECK(with("\\{~ x : \\num | x = 1 \\land (e, f(e)) \\in f ~\\}") == refused);  // a circle
+  CHECK(made("\\{ e \\mapsto m(e) \\}").size() == 2);
+  CHECK(made("f \\cup \\{ \\} ") == elsewhere);
+  CHECK(made("\\{ e \\} \\ndres \\{ e \\mapsto 1 \\}") == elsewhere);
   // another e is another element
   CHECK(with("\\{~ x : \\num | e \\in \\dom f \\land (\\exists e : E @ x = f(e)) ~\\}") == refused);
 }

@@ -16,12 +16,14 @@ namespace durero::zed {
 /// text is for, and components belong to whoever uses the schema: they are not looked at.
 std::vector<Defect> unused_names(const Specification& specification, const Typing& typing);
 
-/// E06, errors. A `schema` box that includes ΔS, by itself or through what it includes, and that no declaration of the
-/// specification includes, determines each component x' of S: by Ξ, or by an equation `x' = e` (either way round)
-/// among its conjuncts and those of what it includes, the invariant of S' too, where e mentions no component of S'
-/// that is not determined itself. So tipos' is determined by `tipos' = ran de_que_tipo'`. A schema that others include
-/// may leave open what they state, and a combination by the schema calculus is as good as its parts. Where a schema
-/// includes anything but schema texts, references, conjunctions and decorations, it is not judged.
+/// E06, errors. A `schema` box, or a definition by one schema text, that includes ΔS, by itself or through what it
+/// includes, and that no declaration of the specification includes, determines each component x' of S: by Ξ, or by an
+/// equation `x' = e` (either way round) among its conjuncts and those of what it includes, the invariant of S' too,
+/// where e mentions no component of S' that is not determined itself. A disjunction determines what each of its sides
+/// does, an ∃ or a let what its body does without a variable that is open. So tipos' is determined by `tipos' = ran
+/// de_que_tipo'`. A schema that others include may leave open what they state, and a combination by the schema calculus
+/// is as good as its parts. Where a schema includes anything but schema texts, references, conjunctions and
+/// decorations, it is not judged.
 std::vector<Defect> open_frames(const Specification& specification, const Typing& typing);
 
 /// E07, errors. An application f x, where f is declared by one of the arrows ⇸ ⤔ ⤀ ⇻ ⤕, needs x ∈ dom f from what
@@ -30,7 +32,9 @@ std::vector<Defect> open_frames(const Specification& specification, const Typing
 /// if (denied in else). Found are, and nothing else:
 /// x ∈ S where S is dom f, or is tied to it by equations and ⊆ between sets;
 /// x ∈ dom g with `g x = c`, where dom f is tied to `g ∼ ⦇ {…, c, …} ⦈`, or with `g x` denied to be any other constant
-/// of its free type. A member of a displayed set, of either side of ∪ and of both sides of ∩ count.
+/// of its free type. A member of a displayed set, of either side of ∪ and of both sides of ∩ count; so do a first part
+/// of a displayed function's pairs, of either side of f ∪ g and of f ⊕ g, `x ↦ y ∈ f`, and an element that is stated to
+/// be x.
 std::vector<Defect> partial_applications(const Specification& specification, const Typing& typing);
 
 /// Everything: the defects of reading, of types and of the three checks above; partial_applications() only where there
