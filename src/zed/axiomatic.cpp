@@ -84,7 +84,8 @@ Value root(const Value& of) {
 }
 
 /// What the equation in `body` says of f, as a clause under the head of `forall`.
-std::optional<Closure> clause(Compiler& compiler, const Name& function, const Node& forall) {
+std::optional<Closure> clause(Compiler& compiler, const Name& function, const std::vector<Name>& formals,
+                              const Node& forall) {
   const Term& body = forall.children[0];
   if (!is_equation(body)) return std::nullopt;
   const Term &left = body->children[0], &right = body->children[1];
@@ -97,7 +98,7 @@ std::optional<Closure> clause(Compiler& compiler, const Name& function, const No
   const auto names = argument_names(applied->children[1]);
   if (!names) return std::nullopt;
   const auto unit = std::make_shared<Unit>();
-  const Scope outside{.unit = unit};
+  const Scope outside = compiler.formals(formals, {}, Scope{.unit = unit});  // generic: the sets are whole types
   Scope inner{.outer = &outside, .unit = unit};
   Head head = compiler.head(*forall.text, outside, inner);
   const auto groups = in_order(*names, head, inner);
@@ -161,18 +162,18 @@ Value Compiler::axiomatic(const Meaning& global, Context& context) {
   const auto& form = std::get<Axiomatic>(global.paragraph->form);
   const Name& name = global.name;
   if (name.text() == "ℝ") return everything("ℝ");  // the axioms of the reals are assumed, not evaluated
-  if (!form.formals.empty()) throw EvaluationError(name.text() + " is generic: it is not evaluated");
   if (defines_function(name, form)) {
     return axiomatic_function(name.text(), [this, &form, name](Context& inside) {
       Clauses made;
       for (const Predicate& one : form.text.predicates) {
         if (one.term->kind != Kind::forall) continue;
-        if (auto found = clause(*this, name, *one.term)) made.clauses.push_back(std::move(*found));
+        if (auto found = clause(*this, name, form.formals, *one.term)) made.clauses.push_back(std::move(*found));
       }
       made.domain = stated_domain(*this, name, form, inside);
       return made;
     });
   }
+  if (!form.formals.empty()) throw EvaluationError(name.text() + " is generic, and no function: it is not evaluated");
   Value value = determined(*this, name, form, context);
   if (value.is_open() || value.is_undefined()) {
     throw EvaluationError("no equation gives " + name.text() + " a value");

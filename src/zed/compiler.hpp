@@ -62,6 +62,9 @@ class Compiler {
   /// The variables of a schema text get slots, named in `inner`. `extra`: further conjuncts, for the search's sake.
   Head head(const SchemaText& text, const Scope& scope, Scope& inner, const Term& extra = {});
 
+  /// A scope of the formals of a generic paragraph: each stands for its actual, or, without one, for its whole type.
+  Scope formals(const std::vector<Name>& formals, const std::vector<Term>& actuals, const Scope& scope);
+
   Value global(Meaning& global, Context& context);
   Definitions& definitions() { return definitions_; }
 
@@ -105,7 +108,6 @@ class Compiler {
 
   const Local* find(const Name& name, const Scope& scope) const;
   Local component(const Name& name, const Scope& scope);
-  Scope formals(const std::vector<Name>& formals, const std::vector<Term>& actuals, const Scope& scope);
 
   Definitions& definitions_;
   std::deque<Value> constants_;  // of expressions, each made when it is first asked for

@@ -93,6 +93,8 @@ Code Compiler::name(const Node& node, const Scope& scope) {
     return toolkit(node, scope);
   }
   if (!node.children.empty()) {
+    if (std::holds_alternative<Schema>(global->paragraph->form))
+      return schema_set(reference(node.name, node.children, node.place), scope);
     const auto* definition = std::get_if<Definition>(&global->paragraph->form);
     if (!definition || definition->formals.empty()) cannot(node, node.name.text() + " is not evaluated with actuals");
     const Scope inner = formals(definition->formals, node.children, scope);

@@ -46,6 +46,18 @@ constexpr const char* source = R"(
 \begin{schema}{Emite} x! : \nat \where x! = 3 \end{schema}
 \begin{schema}{Recibe} x? : \nat; y : \nat \where y = x? + 1 \end{schema}
 \begin{zed} Tubo == Emite \pipe Recibe \end{zed}
+\begin{zed} Par[X, Y] == X \cross Y \end{zed}
+\begin{gendef}[X, Y]
+  cambiar : X \cross Y \fun Y \cross X
+\where
+  \forall a : X; b : Y @ cambiar(a, b) = (b, a)
+\end{gendef}
+\begin{schema}{Caja}[X]
+  dentro : \power X \\
+  cuantos : \nat
+\where
+  cuantos = \# dentro
+\end{schema}
 \begin{axdef}
   doble : \nat \fun \nat \\
   siete : \nat
@@ -158,6 +170,17 @@ TEST_CASE("axiomatic functions and constants, free types") {
   CHECK(value("mezcla(- 3)") == "undefined");
   CHECK(holds("mezcla(3) = mezcla(1 + 2)") == Truth::yes);
   CHECK(holds("mezcla(3) = rojo") == Truth::no);
+}
+
+TEST_CASE("generic paragraphs, with actuals and without") {
+  CHECK(value("Par[1‥2, {3}]") == "{1 ↦ 3, 2 ↦ 3}");
+  CHECK(value("cambiar(1, rojo)") == "(rojo, 1)");
+  CHECK(value("Caja[1‥1]") == "{⦉cuantos == 0, dentro == ∅⦊, ⦉cuantos == 1, dentro == {1}⦊}");
+  CHECK(holds("⦉dentro == {1}, cuantos == 1⦊ ∈ Caja[1‥2]") == Truth::yes);
+  CHECK(holds("⦉dentro == {3}, cuantos == 1⦊ ∈ Caja[1‥2]") == Truth::no);
+  CHECK(holds("⦉dentro == {3}, cuantos == 1⦊ ∈ Caja[ℕ]") == Truth::yes);
+  CHECK(value("{c : Caja[1‥1] | c.cuantos = 1 • c.dentro}") == "{{1}}");
+  CHECK(holds("∃ dentro : ℙ (1‥1); cuantos : 1‥1 • Caja[1‥1]") == Truth::yes);
 }
 
 TEST_CASE("an undefined application makes the predicate that it stands in false, and its negation true") {
