@@ -1,8 +1,11 @@
 #include "durero/render/render.hpp"
 
+#include <atomic>
 #include <glm/geometric.hpp>
+#include <set>
 #include <stdexcept>
 
+#include "durero/trace/analytic.hpp"
 #include "support/catch.hpp"
 
 using namespace durero;
@@ -115,4 +118,23 @@ TEST_CASE("render fills every pixel, tells its progress up to 1, and refuses a s
   CHECK(last == 1);
   CHECK(image.resolution == scene::Resolution{16, 8});
   CHECK(image.rgb == std::vector<std::uint8_t>(16 * 8 * 3, 255));
+}
+
+TEST_CASE("an engine that answers many rays at once is asked row by row, and draws the same image") {
+  scene::Scene scene = lit_ball();
+  scene.stage().camera = scene::Camera{{0, 2, -5}, {0, 0, 0}, {0, 1, 0}, 45};
+  scene.stage().resolution = scene::Resolution{32, 24};
+  const trace::Tables tables(scene);
+  render::Tracer tracer{
+      [&](const model::Rayo& ray, render::Tracer::Origin en) { return trace::first_hit(tables, ray, en); },
+      [&](const model::Rayo& ray, render::Tracer::Origin en) { return trace::occluded_segment(tables, ray, en); }};
+  const render::Image one_by_one = render::render(scene, tracer);
+  std::atomic<std::size_t> asked = 0;
+  tracer.first_hits = [&](std::span<const trace::Query> rays, unsigned threads) {
+    asked += rays.size();
+    return trace::first_hits(tables, rays, threads);
+  };
+  CHECK(render::render(scene, tracer).rgb == one_by_one.rgb);
+  CHECK(asked == 32 * 24);
+  CHECK(std::set(one_by_one.rgb.begin(), one_by_one.rgb.end()).size() > 10);  // something is to be seen
 }
