@@ -87,11 +87,11 @@ void add_spec(CLI::App& app, int& status) {
 
   auto* confirm = spec->add_subcommand("confirm", "Let the Z text decide whether hits are right");
   confirm->footer(
-      "The exact oracle enumerates the points of a ray on the scene, as the text knows an infinite set by membership\n"
-      "only; so that a miss is one is the oracle's word. The text decides the rest: each point's membership, the set "
-      "of\n"
-      "its elements, and which point is the reduction of them all. Of a stretch without a nearest point it decides "
-      "some.");
+      "The text decides all of it: where on the ray its points lie on an element, and so that a miss is one; the "
+      "elements\n"
+      "of the point; which point is the reduction of them all; and where no point is nearest. The program adds the "
+      "roots\n"
+      "of the polynomials in t that the text compares with 0, and the rounding of the hit's numbers.");
   confirm->add_option("SCENE", options->scene, "Scene file (JSON)")->required();
   confirm->add_option("RAYS", options->rays, "Ray file")->required();
   confirm->add_option("HITS", options->hits, "Hit file (JSON lines)")->required();

@@ -1,14 +1,13 @@
-// durero spec confirm SCENE RAYS HITS: the Z text decides whether hits are right. The text knows the points of a ray by
-// membership, not by enumeration; the exact oracle says which points they are, and the text then decides each of them,
-// the set of elements, and the reduction over all of them.
+// durero spec confirm SCENE RAYS HITS: the Z text decides whether hits are right. It knows the points of a ray by
+// membership, not by enumeration; but where along a ray its predicate can change from true to false it says itself
+// (oracle::spec::alcance). So which points they are, that a miss is one, and that no point is nearest, is its word too.
 #include <fmt/format.h>
 
 #include "durero/io/hits_file.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/io/rays_file.hpp"
 #include "durero/io/scene_file.hpp"
-#include "durero/oracle/exact.hpp"
-#include "durero/oracle/spec.hpp"
+#include "durero/oracle/spec_ray.hpp"
 #include "durero/scene/retrieve.hpp"
 #include "spec.hpp"
 
@@ -16,104 +15,112 @@ namespace durero::cli {
 namespace {
 
 using model::ExactPoint;
-using oracle::exact::Crossing;
+using number::Surd;
+using oracle::spec::Extent;
 
 /// Why a hit is not confirmed: the predicate, or the rounding. Empty where it is.
 using Verdict = std::string;
 
-struct Confirmation {
-  const scene::Scene& scene;
-  const zed::Value theta = oracle::spec::value(scene::retrieve(scene));
-  const oracle::spec::Judge judge{};
+/// What the text finds of the ray on one element.
+struct Met {
+  model::Elemento e;
+  Extent extent;
+};
 
-  std::set<model::Elemento> names(const scene::ElementSet& elements) const {
-    std::set<model::Elemento> made;
-    for (const scene::ElementRef one : elements) made.insert(scene.name(one));
-    return made;
-  }
+class Confirmation {
+ public:
+  explicit Confirmation(const scene::Scene& scene) : scene_(scene) {}
 
   Verdict of(const io::Ray& ray, const scene::Hit& hit) const {
-    const auto crossings = oracle::exact::all_hits(scene, ray.rayo, {ray.en.data(), ray.en.size()});
+    std::vector<Met> all;
+    for (const model::Elemento& e : escena_.elementos) {
+      all.push_back({e, oracle::spec::alcance(judge_, theta_, ray.rayo, names(ray.en), e)});
+    }
     switch (hit.resultado) {
       case model::Resultado::hit:
-        return of_hit(ray, hit, crossings);
+        return of_hit(ray, hit, all);
       case model::Resultado::miss:
-        return crossings.empty() ? "" : "No_Hay_Interseccion.pre.1: " + within(ray, crossings);
+        return of_miss(all);
       case model::Resultado::no_minimum:
-        return of_no_minimum(ray, hit, crossings);
+        return of_no_minimum(hit, all);
     }
     return {};
   }
 
  private:
-  static ExactPoint at(const io::Ray& ray, const number::Surd& t) {
-    return model::along(ray.rayo.p(), ray.rayo.v(), t);
-  }
-  static ExactPoint at(const io::Ray& ray, const oracle::exact::Parameter& t) { return at(ray, number::Surd(t)); }
+  using Names = std::set<model::Elemento>;
 
-  bool on(const ExactPoint& p, const io::Ray& ray, scene::ElementRef element) const {
-    return judge.in_alcance(p, theta, ray.rayo, names(ray.en), scene.name(element));
-  }
-
-  // A crossing's point that is nearest to the origin; where there is none, one near to it.
-  static ExactPoint nearest(const io::Ray& ray, const Crossing& one) {
-    if (one.segment.begin) return at(ray, *one.segment.begin);
-    const number::Surd end = one.segment.end ? number::Surd(*one.segment.end) : number::Surd(1);
-    return at(ray, end * number::Surd(0x1p-60));
+  template <class Elements>
+  Names names(const Elements& elements) const {
+    Names made;
+    for (const scene::ElementRef one : elements) made.insert(scene_.name(one));
+    return made;
   }
 
-  // Where a miss is claimed: a point that the text finds on an element.
-  std::string within(const io::Ray& ray, const std::vector<Crossing>& crossings) const {
-    const Crossing& one = crossings.front();
-    const char* says =
-        on(nearest(ray, one), ray, one.elemento) ? "the text has a point of the ray on " : "the oracle meets ";
-    return says + scene.name(one.elemento).name();
+  static ExactPoint at(const io::Ray& ray, const Surd& t) { return model::along(ray.rayo.p(), ray.rayo.v(), t); }
+
+  // t and the point, each number rounded once, are those of the hit.
+  static bool rounds_to(const Surd& t, const ExactPoint& p, const scene::Hit& hit) {
+    using number::round_to_binary64;
+    return round_to_binary64(t) == hit.t &&
+           glm::dvec3(round_to_binary64(p.x), round_to_binary64(p.y), round_to_binary64(p.z)) == hit.punto;
   }
 
-  Verdict of_hit(const io::Ray& ray, const scene::Hit& hit, const std::vector<Crossing>& crossings) const {
+  static Verdict of_miss(const std::vector<Met>& all) {
+    for (const Met& one : all) {
+      if (!one.extent.empty()) return "No_Hay_Interseccion.pre.1: a point of the ray lies on " + one.e.name();
+    }
+    return {};
+  }
+
+  Verdict of_hit(const io::Ray& ray, const scene::Hit& hit, const std::vector<Met>& all) const {
     std::vector<ExactPoint> points;
     std::optional<ExactPoint> named;
-    for (const Crossing& one : crossings) {
-      if (!one.segment.begin)
-        return "Hay_Interseccion.pre.1: no point is nearest on " + scene.name(one.elemento).name();
-      points.push_back(nearest(ray, one));
-      const scene::Hit rounded = oracle::exact::rounded_hit(ray.rayo, *one.segment.begin, hit.elementos);
-      if (!named && rounded == hit) named = points.back();
+    for (const Met& one : all) {
+      if (one.extent.no_minimum()) return "Hay_Interseccion.pre.1: no point is nearest on " + one.e.name();
+      for (std::size_t i = 0; i < one.extent.at.size(); ++i) {
+        if (!one.extent.on[i]) continue;
+        points.push_back(at(ray, one.extent.at[i]));
+        if (!named && rounds_to(one.extent.at[i], points.back(), hit)) named = points.back();
+      }
     }
+    if (points.empty()) return "Hay_Interseccion.pre.1: no point of the ray lies on an element";
     if (!named) return "no intersection has t and point that round to those of the hit";
-    if (!judge.in_puntos_de_rayo(*named, ray.rayo)) return "punto! ∉ puntos_de_rayo(rayo?)";
-    if (ray.en.empty() && !judge.in_puntos_de_escena(*named, theta)) return "punto! ∉ puntos_de_escena(θEscena)";
+    if (!judge_.in_puntos_de_rayo(*named, ray.rayo)) return "punto! ∉ puntos_de_rayo(rayo?)";
+    if (ray.en.empty() && !judge_.in_puntos_de_escena(*named, theta_)) return "punto! ∉ puntos_de_escena(θEscena)";
     if (elements(*named, ray) != names(hit.elementos)) return "Hay_Interseccion.post.3: elementos! are others";
-    const auto reduced = judge.reduccion(points, ray.rayo.p());
+    // A stretch behind its first point is farther than that point, which is among these.
+    const auto reduced = judge_.reduccion(points, ray.rayo.p());
     if (!reduced || !zed::same(*reduced, oracle::spec::value(*named)))
       return "Hay_Interseccion.post.1: another is nearer";
     return {};
   }
 
-  std::set<model::Elemento> elements(const ExactPoint& p, const io::Ray& ray) const {
-    if (ray.en.empty()) return judge.de_que_elemento(theta, p);
-    std::set<model::Elemento> found;
-    for (const model::Elemento& e : scene::retrieve(scene).elementos) {
-      if (judge.in_alcance(p, theta, ray.rayo, names(ray.en), e)) found.insert(e);
+  Names elements(const ExactPoint& p, const io::Ray& ray) const {
+    if (ray.en.empty()) return judge_.de_que_elemento(theta_, p);
+    Names found;
+    for (const model::Elemento& e : escena_.elementos) {
+      if (judge_.in_alcance(p, theta_, ray.rayo, names(ray.en), e)) found.insert(e);
     }
     return found;
   }
 
-  // The elements named are those that the ray runs in from its origin on: points ever nearer to it lie on them.
-  Verdict of_no_minimum(const io::Ray& ray, const scene::Hit& hit, const std::vector<Crossing>& crossings) const {
-    scene::ElementSet inside;
-    for (const Crossing& one : crossings) {
-      if (one.segment.begin) continue;
-      inside.push_back(one.elemento);
-      const number::Surd end = one.segment.end ? number::Surd(*one.segment.end) : number::Surd(1);
-      for (const double part : {1.0, 0.5, 0x1p-30, 0x1p-60}) {
-        if (!on(at(ray, end * number::Surd(part)), ray, one.elemento)) return "a point is not on the surface";
-      }
+  // What has no nearest point starts at t → 0⁺, so where one element has none, all of them together have none.
+  Verdict of_no_minimum(const scene::Hit& hit, const std::vector<Met>& all) const {
+    Names without, with;
+    for (const Met& one : all) {
+      if (!one.extent.empty()) (one.extent.no_minimum() ? without : with).insert(one.e);
     }
-    if (inside.empty()) return "No_Hay_Minimo.pre.2: the nearest point exists, or none at all";
-    if (names(inside) != names(hit.elementos)) return "No_Hay_Minimo.post.1: elementos! are others";
+    if (without.empty() && with.empty()) return "No_Hay_Minimo.pre.1: no point of the ray lies on an element";
+    if (without.empty()) return "No_Hay_Minimo.pre.2: a nearest point exists";
+    if (without != names(hit.elementos)) return "No_Hay_Minimo.post.1: elementos! are others";
     return {};
   }
+
+  const scene::Scene& scene_;
+  const model::Escena escena_ = scene::retrieve(scene_);
+  const zed::Value theta_ = oracle::spec::value(escena_);
+  const oracle::spec::Judge judge_{};
 };
 
 }  // namespace
@@ -122,7 +129,7 @@ int spec_confirm(const std::string& scene_path, const std::string& rays_path, co
   const scene::Scene scene = io::read_scene(io::read_source(scene_path));
   const std::vector<io::Ray> rays = io::read_rays(io::read_source(rays_path), scene);
   const io::Source source = io::read_source(hits_path);
-  const Confirmation confirmation{scene};
+  const Confirmation confirmation(scene);
   int status = 0;
   std::string lines;
   for (const io::RayHit& one : io::read_hits(source, scene)) {

@@ -11,12 +11,20 @@
 
 namespace durero::zed {
 
+/// The unknown of an evaluation that is to say for every value of it at once what is compared, and what was.
+struct Watch {
+  std::uint32_t unknown = 0;
+  std::vector<Polynomial> compared{};  ///< with 0
+  bool lost = false;                   ///< something depends on the unknown in another way
+};
+
 struct Context {
   /// What each unknown was found to be, by its id.
   std::vector<std::optional<Value>> found;
   /// Equations that are evaluated now must hold for the unknowns of this id or a greater one, and so determine them.
   std::uint32_t necessary = none;
-  int depth = 0;  ///< of applications
+  int depth = 0;           ///< of applications
+  Watch* watch = nullptr;  ///< null but for Evaluator::comparisons()
 
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
@@ -72,6 +80,14 @@ struct Frame {
 
 using Code = std::function<Value(Frame&)>;
 using Test = std::function<Truth(Frame&)>;
+
+/// Open, for what no comparison of numbers says.
+inline Truth lost(Context& context) {
+  if (context.watch) context.watch->lost = true;
+  return Truth::open;
+}
+/// Open, for a comparison of numbers one of which is not known.
+Truth compared(const Value& a, const Value& b, Context& context);
 
 /// a = b. Where it must hold and one side is an unknown, the unknown is found.
 Truth equal(const Value& a, const Value& b, Context& context);

@@ -5,23 +5,24 @@
 namespace durero::zed {
 namespace {
 
-/// A number as constant + slope · unknown; slope 0 where it is known.
+/// A number as constant + slope · unknown + square · unknown²; slope and square 0 where it is known.
 struct Line {
-  Real constant, slope;
+  Real constant, slope, square;
   std::uint32_t unknown = Context::none;
 };
 
 std::optional<Line> line(const Value& value) {
-  if (const auto* real = value.real()) return Line{*real, Real(), Context::none};
-  if (const auto* unknown = value.get<Unknown>()) return Line{Real(), Real(1), unknown->id};
-  if (const auto* affine = value.get<AffinePtr>())
-    return Line{(*affine)->constant, (*affine)->slope, (*affine)->unknown};
+  if (const auto* real = value.real()) return Line{*real, Real(), Real(), Context::none};
+  if (const auto* unknown = value.get<Unknown>()) return Line{Real(), Real(1), Real(), unknown->id};
+  if (const auto* polynomial = value.get<PolynomialPtr>())
+    return Line{(*polynomial)->constant, (*polynomial)->slope, (*polynomial)->square, (*polynomial)->unknown};
   return std::nullopt;
 }
 
 Value value(Line line) {
-  if (sign(line.slope) == 0) return line.constant;
-  return std::make_shared<const Affine>(Affine{std::move(line.constant), std::move(line.slope), line.unknown});
+  if (sign(line.slope) == 0 && sign(line.square) == 0) return line.constant;
+  return std::make_shared<const Polynomial>(
+      Polynomial{std::move(line.constant), std::move(line.slope), std::move(line.square), line.unknown});
 }
 
 bool known(const Line& a) { return a.unknown == Context::none; }
@@ -55,15 +56,25 @@ Truth found(std::uint32_t unknown, Value is, Context& context) {
   return Truth::open;
 }
 
+/// A comparison of a with b, which is one of a − b with 0.
+Truth watched(const Line& a, const Line& b, Context& context) {
+  if (!context.watch) return Truth::open;
+  if (mixed(a, b) || either(a, b) != context.watch->unknown) return lost(context);
+  context.watch->compared.push_back(
+      {a.constant - b.constant, a.slope - b.slope, a.square - b.square, context.watch->unknown});
+  return Truth::open;
+}
+
 Truth equal_lines(const Line& a, const Line& b, Context& context) {
   if (known(a) && known(b)) return truth(a.constant == b.constant);
-  if (mixed(a, b)) {
-    // x = y, both unknown: nothing is found out yet.
-    return Truth::open;
-  }
+  // x = y, both unknown: nothing is found out yet.
+  if (mixed(a, b)) return lost(context);
   try {
+    const Real square = a.square - b.square;
+    if (sign(square) != 0) return watched(b, a, context);
     const Real slope = a.slope - b.slope, constant = b.constant - a.constant;
     if (sign(slope) == 0) return truth(sign(constant) == 0);
+    watched(b, a, context);
     return found(either(a, b), constant / slope, context);
   } catch (const std::domain_error& impossible) {
     throw EvaluationError(impossible.what());
@@ -99,13 +110,23 @@ Truth equal_sets(const Set& a, const Set& b) {
 
 }  // namespace
 
+Truth compared(const Value& a, const Value& b, Context& context) {
+  const auto x = line(a), y = line(b);
+  if (!x || !y) return lost(context);
+  try {
+    return watched(*x, *y, context);
+  } catch (const std::domain_error&) {
+    return lost(context);
+  }
+}
+
 Value sum(const Value& a, const Value& b) {
   const auto *x = a.real(), *y = b.real();
   return exactly([&]() -> Value {
     if (x && y) return *x + *y;
     return linear(a, b, [](const Line& p, const Line& q) -> Value {
       if (mixed(p, q)) return Open{};
-      return value({p.constant + q.constant, p.slope + q.slope, either(p, q)});
+      return value({p.constant + q.constant, p.slope + q.slope, p.square + q.square, either(p, q)});
     });
   });
 }
@@ -116,7 +137,7 @@ Value difference(const Value& a, const Value& b) {
     if (x && y) return *x - *y;
     return linear(a, b, [](const Line& p, const Line& q) -> Value {
       if (mixed(p, q)) return Open{};
-      return value({p.constant - q.constant, p.slope - q.slope, either(p, q)});
+      return value({p.constant - q.constant, p.slope - q.slope, p.square - q.square, either(p, q)});
     });
   });
 }
@@ -126,17 +147,17 @@ Value product(const Value& a, const Value& b) {
   return exactly([&]() -> Value {
     if (x && y) return *x * *y;
     return linear(a, b, [](const Line& p, const Line& q) -> Value {
-      if (!known(p) && !known(q)) return Open{};
-      const Line& moving = known(p) ? q : p;
-      const Real& factor = known(p) ? p.constant : q.constant;
-      return value({moving.constant * factor, moving.slope * factor, moving.unknown});
+      const bool linear = sign(p.square) == 0 && sign(q.square) == 0;
+      if (mixed(p, q) || (!known(p) && !known(q) && !linear)) return Open{};
+      return value({p.constant * q.constant, p.constant * q.slope + p.slope * q.constant,
+                    p.constant * q.square + p.square * q.constant + p.slope * q.slope, either(p, q)});
     });
   });
 }
 
 Truth equal(const Value& a, const Value& b, Context& context) {
   if (a.is_undefined() || b.is_undefined()) return Truth::no;
-  if (a.is_open() || b.is_open()) return Truth::open;
+  if (a.is_open() || b.is_open()) return lost(context);
   if (const auto *x = a.real(), *y = b.real(); x && y) return truth(*x == *y);
   if (const auto* x = a.get<Unknown>(); x && !line(b)) return has_open(b) ? Truth::open : found(x->id, b, context);
   if (const auto* y = b.get<Unknown>(); y && !line(a)) return has_open(a) ? Truth::open : found(y->id, a, context);
@@ -158,10 +179,10 @@ Truth contains_value(const Value& set, const Value& value, Context& context) {
   if (set.is_undefined() || value.is_undefined()) return Truth::no;
   if (const Set* known_set = set.set()) {
     if (known_set->total()) return Truth::yes;
-    if (value.is_open() && !known_set->members()) return Truth::open;
+    if (value.is_open() && !known_set->members()) return lost(context);
     return known_set->contains(value, context);
   }
-  if (set.is_open() || set.get<Unknown>()) return Truth::open;
+  if (set.is_open() || set.get<Unknown>()) return lost(context);
   throw EvaluationError(set.text() + " is no set");
 }
 
@@ -170,9 +191,11 @@ Value resolved(const Value& value, const Context& context) {
     const auto& found = context.found[unknown->id];
     return found ? *found : value;
   }
-  if (const auto* affine = value.get<AffinePtr>()) {
-    const auto& found = context.found[(*affine)->unknown];
-    return found ? sum((*affine)->constant, product((*affine)->slope, *found)) : value;
+  if (const auto* polynomial = value.get<PolynomialPtr>()) {
+    const auto& found = context.found[(*polynomial)->unknown];
+    if (!found) return value;
+    const Value linear = sum((*polynomial)->constant, product((*polynomial)->slope, *found));
+    return sum(linear, product((*polynomial)->square, product(*found, *found)));
   }
   if (!has_open(value)) return value;
   if (const auto* tuple = value.tuple()) {

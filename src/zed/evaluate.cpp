@@ -152,6 +152,16 @@ Truth Evaluator::contains(const Value& set, const Value& value) const {
   return contains_value(set, value, context);
 }
 
+std::vector<Polynomial> Evaluator::comparisons(const Value& set, const std::function<Value(Unknown)>& value) const {
+  Context context;
+  Watch watch{context.fresh()};
+  context.watch = &watch;
+  const Truth here = contains_value(set, value(Unknown{watch.unknown}), context);
+  if (watch.lost || (here == Truth::open && watch.compared.empty()))
+    throw EvaluationError("membership in " + set.text() + " depends on a number in a way that is not followed");
+  return std::move(watch.compared);
+}
+
 Value Evaluator::apply(const Value& function, const Value& argument) const {
   Context context;
   return apply_value(function, argument, context);

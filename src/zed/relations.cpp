@@ -10,9 +10,9 @@ namespace durero::zed {
 namespace {
 
 template <class Compare>
-Truth ordered(const Value& a, const Value& b, Compare&& holds) {
+Truth ordered(const Value& a, const Value& b, Context& context, Compare&& holds) {
   if (a.is_undefined() || b.is_undefined()) return Truth::no;
-  if (waiting(a) || waiting(b)) return Truth::open;
+  if (waiting(a) || waiting(b)) return compared(a, b, context);
   if (!a.real() || !b.real()) throw EvaluationError("numbers are compared that are none");
   return truth(holds(*a.real(), *b.real()));
 }
@@ -65,15 +65,15 @@ const std::unordered_map<std::string, ToolkitRelation>& relations() {
          Necessary not_here(c, false);
          return !equal(a, b, c);
        }},
-      {"_<_", [](const Value& a, const Value& b, Context&) { return ordered(a, b, std::less<>()); }},
-      {"_≤_", [](const Value& a, const Value& b, Context&) { return ordered(a, b, std::less_equal<>()); }},
-      {"_>_", [](const Value& a, const Value& b, Context&) { return ordered(a, b, std::greater<>()); }},
+      {"_<_", [](const Value& a, const Value& b, Context& c) { return ordered(a, b, c, std::less<>()); }},
+      {"_≤_", [](const Value& a, const Value& b, Context& c) { return ordered(a, b, c, std::less_equal<>()); }},
+      {"_>_", [](const Value& a, const Value& b, Context& c) { return ordered(a, b, c, std::greater<>()); }},
       {"_prefix_", is_prefix},
       {"_suffix_", is_suffix},
       {"_infix_", is_infix},
       {"disjoint_", [](const Value& a, const Value&, Context& c) { return pairwise_disjoint(a, c); }},
       {"_partition_", is_partition},
-      {"_≥_", [](const Value& a, const Value& b, Context&) { return ordered(a, b, std::greater_equal<>()); }},
+      {"_≥_", [](const Value& a, const Value& b, Context& c) { return ordered(a, b, c, std::greater_equal<>()); }},
   };
   return table;
 }

@@ -41,8 +41,8 @@ class FiniteSet : public Set {
     return first->tuple()->parts[1];
   }
 
-  Truth in_domain(const Value& argument, Context&) const override {
-    if (has_open(argument)) return Truth::open;
+  Truth in_domain(const Value& argument, Context& context) const override {
+    if (has_open(argument)) return lost(context);
     const auto first = at(argument);
     return truth(first != members_.end() && same(first->tuple()->parts[0], argument));
   }
@@ -80,9 +80,9 @@ class Everything : public Set {
 class Integers : public Set {
  public:
   Integers(std::string name, std::optional<int> least) : name_(std::move(name)), least_(least) {}
-  Truth contains(const Value& value, Context&) const override {
+  Truth contains(const Value& value, Context& context) const override {
     const auto* real = value.real();
-    if (!real) return Truth::open;
+    if (!real) return lost(context);
     return truth(real->is_integer() && (!least_ || *real >= Real(*least_)));
   }
   std::string text() const override { return name_; }
@@ -258,7 +258,7 @@ Value domain(const Value& relation, Context&) {
 
 Truth subset(const Value& a, const Value& b, Context& context) {
   if (missing(a, b)) return Truth::no;
-  if (waiting(a) || waiting(b)) return Truth::open;
+  if (waiting(a) || waiting(b)) return lost(context);
   if (as_set(b).total()) return Truth::yes;
   Truth all = Truth::yes;
   Necessary no(context, false);

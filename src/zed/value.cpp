@@ -47,6 +47,11 @@ Value Value::point(const Signature& names, Real x, Real y, Real z) {
   return BindingPtr(std::make_shared<const BindingValue>(names, std::span(values)));
 }
 
+Value Value::line(Real constant, Real slope, Unknown unknown) {
+  if (sign(slope) == 0) return constant;
+  return std::make_shared<const Polynomial>(Polynomial{std::move(constant), std::move(slope), Real(), unknown.id});
+}
+
 Value Value::set(std::vector<Value> members) {
   for (const Value& member : members) {
     if (member.is_undefined()) return {};
@@ -143,7 +148,7 @@ std::strong_ordering compare(const Value& a, const Value& b) {
 }
 
 bool has_open(const Value& value) {
-  if (value.is_open() || value.get<Unknown>() || value.get<AffinePtr>()) return true;
+  if (value.is_open() || value.get<Unknown>() || value.get<PolynomialPtr>()) return true;
   return any_part(value, has_open);
 }
 
@@ -183,7 +188,7 @@ struct Text {
   std::string operator()(const Undefined&) const { return "undefined"; }
   std::string operator()(const Open&) const { return "open"; }
   std::string operator()(const Unknown&) const { return "unknown"; }
-  std::string operator()(const AffinePtr&) const { return "unknown"; }
+  std::string operator()(const PolynomialPtr&) const { return "unknown"; }
   std::string operator()(const Real& real) const { return real.text(); }
   std::string operator()(const Atom& atom) const { return atom->text; }
   std::string operator()(const TuplePtr& tuple) const { return "(" + listed(tuple->parts) + ")"; }

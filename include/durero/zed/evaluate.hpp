@@ -12,6 +12,7 @@
 /// An evaluator compiles each paragraph when it is first used, and is not for use by two threads at once. The
 /// intensional sets, functions and schema checks that it gave are not for use after its end.
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -66,6 +67,10 @@ class Evaluator {
   Value value(const Name& name) const;
   /// value ∈ set.
   Truth contains(const Value& set, const Value& value) const;
+  /// What `value(t) ∈ set` depends on, for a number t that is not given: polynomials in t of degree two at most, of
+  /// which it asks the sign. Between neighbouring roots of these it is true throughout, or false throughout. Throws
+  /// EvaluationError where it depends on t in any other way.
+  std::vector<Polynomial> comparisons(const Value& set, const std::function<Value(Unknown t)>& value) const;
   /// function(argument); undefined outside the domain.
   Value apply(const Value& function, const Value& argument) const;
 

@@ -35,7 +35,7 @@ constexpr Truth truth(bool value) { return value ? Truth::yes : Truth::no; }
 
 class Value;
 class Set;
-struct Affine;
+struct Polynomial;
 struct TupleValue;
 struct BindingValue;
 struct Constructed;
@@ -63,7 +63,7 @@ using TuplePtr = std::shared_ptr<const TupleValue>;
 using BindingPtr = std::shared_ptr<const BindingValue>;
 using ConstructedPtr = std::shared_ptr<const Constructed>;
 using SetPtr = std::shared_ptr<const Set>;
-using AffinePtr = std::shared_ptr<const Affine>;
+using PolynomialPtr = std::shared_ptr<const Polynomial>;
 
 /// The components' names of a binding, sorted.
 using Signature = std::shared_ptr<const std::vector<Name>>;
@@ -72,13 +72,13 @@ Signature signature(std::vector<Name> names);
 class Value {
  public:
   using Form =
-      std::variant<Undefined, Open, Unknown, AffinePtr, Real, Atom, TuplePtr, BindingPtr, ConstructedPtr, SetPtr>;
+      std::variant<Undefined, Open, Unknown, PolynomialPtr, Real, Atom, TuplePtr, BindingPtr, ConstructedPtr, SetPtr>;
   Value() = default;  ///< undefined
   Value(Open) : form_(Open{}) {}
   Value(Unknown unknown) : form_(unknown) {}
   Value(Real real) : form_(std::move(real)) {}
   Value(Atom atom) : form_(std::move(atom)) {}
-  Value(AffinePtr affine) : form_(std::move(affine)) {}
+  Value(PolynomialPtr polynomial) : form_(std::move(polynomial)) {}
   Value(TuplePtr tuple) : form_(std::move(tuple)) {}
   Value(BindingPtr binding) : form_(std::move(binding)) {}
   Value(ConstructedPtr constructed) : form_(std::move(constructed)) {}
@@ -90,6 +90,8 @@ class Value {
   /// names sorted, values in step.
   static Value binding(Signature names, std::vector<Value> values);
   static Value point(const Signature& names, Real x, Real y, Real z);  ///< of three components
+  /// constant + slope · unknown
+  static Value line(Real constant, Real slope, Unknown unknown);
   /// Sorted here; repetitions are dropped. A set of open values is open, one of undefined values undefined.
   static Value set(std::vector<Value> members);
 
@@ -134,9 +136,9 @@ struct Constructed {
   Value argument;
 };
 
-/// constant + slope · unknown, slope ≠ 0.
-struct Affine {
-  Real constant, slope;
+/// constant + slope · unknown + square · unknown², slope ≠ 0 or square ≠ 0.
+struct Polynomial {
+  Real constant, slope, square;
   std::uint32_t unknown;
 };
 

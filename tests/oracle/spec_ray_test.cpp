@@ -1,0 +1,143 @@
+// What the Z text finds of a ray on an element, against the closed forms of the exact oracle: points, stretches, and
+// the end of nothing. Neither knows the other.
+#include "durero/oracle/spec_ray.hpp"
+
+#include "durero/oracle/exact.hpp"
+#include "durero/scene/retrieve.hpp"
+#include "support/catch.hpp"
+#include "support/sanitized.hpp"
+#include "support/scenes.hpp"
+
+namespace durero::oracle::spec {
+namespace {
+
+using number::Surd;
+using test::Random;
+
+/// Elements and rays on a grid of few points, so that rays touch, run in surfaces, and start on elements.
+scene::Scene grid_scene(Random& random) {
+  const auto small = [&] { return static_cast<double>(random.below(3)) - 1; };
+  const auto length = [&] { return static_cast<double>(1 + random.below(2)); };
+  const model::Vector axes[] = {{1, 0, 0}, {0, -1, 0}, {0, 0, 1}};
+  scene::Scene scene;
+  for (const char* name : {"a", "b", "c"}) {
+    const model::Elemento e(name);
+    const model::Punto centro(small(), small(), small());
+    const model::Vector axis = axes[random.below(3)];
+    switch (random.below(3)) {
+      case 0:
+        scene.apply(model::Agregar_Esfera{e, centro, length()});
+        break;
+      case 1:
+        scene.apply(model::Agregar_Cilindro{e, centro, length(), axis, length()});
+        break;
+      default:
+        scene.apply(model::Agregar_Cono{e, centro, 1, axis, length()});
+    }
+  }
+  return scene;
+}
+
+model::Rayo grid_ray(Random& random) {
+  const auto at = [&] { return static_cast<double>(random.below(7)) - 3; };
+  const auto step = [&] { return static_cast<double>(random.below(3)) - 1; };
+  for (;;) {
+    const double v[] = {step(), step(), step()};
+    if (v[0] != 0 || v[1] != 0 || v[2] != 0) return {model::Punto(at(), at(), at()), model::Vector(v[0], v[1], v[2])};
+  }
+}
+
+struct Counts {
+  std::size_t none = 0, points = 0, stretches = 0, no_minimum = 0, from_element = 0;
+};
+
+/// The t that are on, one for each point, and the two ends of each stretch.
+std::vector<Surd> members(const Extent& extent) {
+  std::vector<Surd> made;
+  for (std::size_t i = 0; i < extent.at.size(); ++i) {
+    if (extent.on[i]) made.push_back(extent.at[i]);
+  }
+  return made;
+}
+
+void judge_element(const Extent& said, const exact::Reach& reach, Counts& counts) {
+  REQUIRE(said.empty() == reach.empty());
+  REQUIRE(said.no_minimum() == reach.no_minimum());
+  ++(reach.empty() ? counts.none : reach.segment ? counts.stretches : counts.points);
+  counts.no_minimum += reach.no_minimum();
+  if (reach.empty()) return;
+  if (!reach.no_minimum()) CHECK(*said.first() == Surd(reach.first()));
+  const auto on = members(said);
+  const auto stretches = std::count(said.between.begin(), said.between.end(), true);
+  if (reach.segment) {
+    CHECK(stretches == 1);
+    CHECK(said.between.back() == !reach.segment->end);
+    if (reach.segment->end) CHECK(on.back() == Surd(*reach.segment->end));
+  } else {
+    CHECK(stretches == 0);
+    REQUIRE(on.size() == reach.points().size());
+    for (std::size_t i = 0; i < on.size(); ++i) CHECK(on[i] == Surd(reach.points()[i]));
+  }
+}
+
+void judge_ray(const Judge& judge, const scene::Scene& scene, const model::Rayo& rayo, Counts& counts) {
+  const model::Escena escena = scene::retrieve(scene);
+  const zed::Value theta = value(escena);
+  std::set<model::Elemento> en = judge.de_que_elemento(theta, rayo.p());
+  if (en.empty()) en.insert(*escena.elementos.begin());  // a rounded origin: alcance takes it for one on the element
+  for (const bool from : {false, true}) {
+    const std::set<model::Elemento> origin = from ? en : std::set<model::Elemento>{};
+    std::vector<scene::ElementRef> refs;
+    for (const model::Elemento& e : origin) refs.push_back(*scene.find(e.name()));
+    bool some = false, near = false;
+    for (const model::Elemento& e : escena.elementos) {
+      CAPTURE(e.name(), from, value(rayo).text(), theta.text());
+      const Extent said = alcance(judge, theta, rayo, origin, e);
+      judge_element(said, exact::reach(scene, *scene.find(e.name()), rayo, refs), counts);
+      some = some || !said.empty();
+      near = near || said.any_below(1);
+      counts.from_element += from && origin.contains(e) && !said.empty();
+    }
+    CHECK(some == exact::occluded(scene, rayo, refs));
+    CHECK(near == exact::occluded_segment(scene, rayo, refs));
+  }
+}
+
+// alcance.def.1, alcances.def.1, puntos_desde.def.1, occluded.def.1, occluded_segment.def.1
+TEST_CASE("the Z text finds on a ray what the exact oracle finds, points and stretches") {
+  const std::uint64_t seed = 20260105;
+  CAPTURE(seed);
+  Random random(seed);
+  const Judge judge;
+  Counts counts;
+  for (std::size_t i = 0; i < test::fewer_when_sanitized(2000); ++i) {
+    const bool grid = i % 4 != 0;
+    judge_ray(judge, grid ? grid_scene(random) : test::random_scene(random, 3),
+              grid ? grid_ray(random) : test::random_ray(random), counts);
+  }
+  CHECK(counts.none > 100);
+  CHECK(counts.points > 100);
+  CHECK(counts.stretches > 20);
+  CHECK(counts.no_minimum > 5);
+  CHECK(counts.from_element > 20);
+}
+
+TEST_CASE("an extent: its least member, if any, and what lies below a limit") {
+  const Extent points{{1, 2}, {true, false}, {false, false, false}};
+  CHECK(*points.first() == Surd(1));
+  CHECK(points.any_below(2));
+  CHECK_FALSE(points.any_below(1));
+  const Extent open{{1, 2}, {false, false}, {false, true, false}};
+  CHECK(open.no_minimum());
+  CHECK(open.any_below(2));
+  CHECK_FALSE(open.any_below(1));
+  const Extent closed{{1, 2}, {true, true}, {false, true, false}};
+  CHECK(*closed.first() == Surd(1));
+  const Extent from_the_start{{1}, {true}, {true, false}};
+  CHECK(from_the_start.no_minimum());
+  CHECK(from_the_start.any_below(0x1p-99));
+  CHECK(Extent{{}, {}, {false}}.empty());
+}
+
+}  // namespace
+}  // namespace durero::oracle::spec
