@@ -171,6 +171,7 @@ Edit read_edit(const Source& source, std::size_t line, const Call& call, const s
   const auto schema = std::ranges::find(schemas, call.schema, &Schema::name);
   if (schema == schemas.end()) {
     std::vector<std::string_view> known;
+    known.reserve(schemas.size());
     for (const Schema& s : schemas) known.push_back(s.name);
     source.fail(call.offset, fmt::format("unknown operation {}", shown(call.schema)),
                 fmt::format("expected one of {}", fmt::join(known, ", ")));

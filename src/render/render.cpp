@@ -75,6 +75,7 @@ std::vector<scene::Hit> hits_of_row(const Tracer& tracer, const PrimaryRays& ray
   }
   if (tracer.first_hits) return tracer.first_hits(row, 1);
   std::vector<scene::Hit> hits;
+  hits.reserve(width);
   for (const trace::Query& pixel : row) hits.push_back(tracer.first_hit(pixel.rayo, {}));
   return hits;
 }
