@@ -18,6 +18,18 @@ Rational coefficient_in(const Rational& delta, const Surd& b) {
 /// The delta of the field that both lie in; where both are rational, 0.
 const Rational& common_delta(const Surd& a, const Surd& b) { return a.y.is_zero() ? b.delta : a.delta; }
 
+/// x + y√delta, where delta is a field's and so no square of a rational.
+Surd in_field(Rational x, Rational y, const Rational& delta) {
+  Surd made(std::move(x));
+  if (!y.is_zero()) {
+    made.y = std::move(y);
+    made.delta = delta;
+  }
+  return made;
+}
+
+bool rational(const Surd& value) { return value.y.is_zero(); }
+
 /// x + y√delta with the square root brought to an integer: √(n/d) = √(n·d)/d.
 DyadicSurd dyadic(const Surd& value) {
   const Integer n = numerator(value.delta);
@@ -56,19 +68,26 @@ Surd Surd::operator-() const {
 }
 
 Surd operator+(const Surd& a, const Surd& b) {
+  if (rational(a) && rational(b)) return Rational(a.x + b.x);
   const Rational& delta = common_delta(a, b);
-  return {a.x + b.x, a.y + coefficient_in(delta, b), delta};
+  return in_field(a.x + b.x, a.y + coefficient_in(delta, b), delta);
 }
 
-Surd operator-(const Surd& a, const Surd& b) { return a + -b; }
+Surd operator-(const Surd& a, const Surd& b) {
+  if (rational(a) && rational(b)) return Rational(a.x - b.x);
+  const Rational& delta = common_delta(a, b);
+  return in_field(a.x - b.x, a.y - coefficient_in(delta, b), delta);
+}
 
 Surd operator*(const Surd& a, const Surd& b) {
-  const Rational& delta = common_delta(a, b);
-  const Rational by = coefficient_in(delta, b);
-  return {a.x * b.x + a.y * by * delta, a.x * by + a.y * b.x, delta};
+  if (rational(b)) return rational(a) ? Surd(Rational(a.x * b.x)) : in_field(a.x * b.x, a.y * b.x, a.delta);
+  if (rational(a)) return in_field(a.x * b.x, a.x * b.y, b.delta);
+  const Rational by = coefficient_in(a.delta, b);
+  return in_field(a.x * b.x + a.y * by * a.delta, a.x * by + a.y * b.x, a.delta);
 }
 
 Surd operator/(const Surd& a, const Surd& b) {
+  if (rational(b) && !b.x.is_zero()) return in_field(a.x / b.x, a.y / b.x, a.delta);
   // 1/(x + y√δ) = (x − y√δ)/(x² − y²δ), and that norm is 0 only where the number is: else √δ would be rational.
   const Rational norm = b.x * b.x - b.y * b.y * b.delta;
   if (norm.is_zero()) throw std::domain_error("a surd divided by 0");
@@ -80,9 +99,13 @@ int sign_of_sum(const Rational& x, const Rational& y, const Rational& a, const R
   return order < 0 ? -1 : order > 0 ? 1 : 0;
 }
 
-int sign(const Surd& value) { return sign(dyadic(value)); }
+int sign(const Surd& value) { return rational(value) ? value.x.sign() : sign(dyadic(value)); }
 
-std::strong_ordering compare(const Surd& a, const Surd& b) { return compare(dyadic(a), dyadic(b)); }
+std::strong_ordering compare(const Surd& a, const Surd& b) {
+  if (rational(a) && rational(b)) return a.x.compare(b.x) <=> 0;
+  if (a.x == b.x && a.y == b.y && a.delta == b.delta) return std::strong_ordering::equal;
+  return compare(dyadic(a), dyadic(b));
+}
 
 double round_to_binary64(const Surd& value) { return round_to_binary64(dyadic(value)); }
 

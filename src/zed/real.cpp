@@ -122,11 +122,11 @@ Real::Real(double value) : form_(Small{}) {
   form_ = *S::small(static_cast<std::int64_t>(std::ldexp(fraction, 53)), exponent - 53);
 }
 
-Real::Real(const number::Surd& value) : form_(Small{}) {
+Real::Real(number::Surd value) : form_(Small{}) {
   if (const auto small = S::of(value)) {
     form_ = *small;
   } else {
-    form_ = std::make_shared<const number::Surd>(value);
+    form_ = std::make_shared<const number::Surd>(std::move(value));
   }
 }
 
@@ -138,10 +138,15 @@ bool Real::is_integer() const {
   return big && (*big)->y.is_zero() && denominator((*big)->x) == 1;
 }
 
-number::Surd Real::surd() const {
-  if (const auto* small = std::get_if<Small>(&form_)) return number::Surd(S::rational(*small));
+const number::Surd& Real::surd(number::Surd& room) const {
   if (const auto* big = std::get_if<Big>(&form_)) return **big;
+  if (const auto* small = std::get_if<Small>(&form_)) return room = number::Surd(S::rational(*small));
   no_form("this number");
+}
+
+number::Surd Real::surd() const {
+  number::Surd room;
+  return surd(room);
 }
 
 Real operator+(const Real& a, const Real& b) {
@@ -152,7 +157,8 @@ Real operator+(const Real& a, const Real& b) {
   if (x && S::sign(*x) == 0) return b;
   if (y && S::sign(*y) == 0) return a;
   if (!a.is_surd() || !b.is_surd()) no_form("a sum");
-  return Real(a.surd() + b.surd());
+  number::Surd room_a, room_b;
+  return Real(a.surd(room_a) + b.surd(room_b));
 }
 
 Real operator-(const Real& a, const Real& b) {
@@ -165,7 +171,8 @@ Real operator-(const Real& a, const Real& b) {
     if (a == b) return Real();
     no_form("a difference");
   }
-  return Real(a.surd() - b.surd());
+  number::Surd room_a, room_b;
+  return Real(a.surd(room_a) - b.surd(room_b));
 }
 
 Real operator*(const Real& a, const Real& b) {
@@ -174,7 +181,10 @@ Real operator*(const Real& a, const Real& b) {
     if (const auto product = S::product(*x, *y)) return Real(*product);
   }
   if ((x && S::sign(*x) == 0) || (y && S::sign(*y) == 0)) return Real();
-  if (a.is_surd() && b.is_surd()) return Real(a.surd() * b.surd());
+  if (a.is_surd() && b.is_surd()) {
+    number::Surd room_a, room_b;
+    return Real(a.surd(room_a) * b.surd(room_b));
+  }
   const auto *r = std::get_if<Real::Rooted>(&a.form_), *q = std::get_if<Real::Rooted>(&b.form_);
   if (r && q) {  // √u · √w = √(u·w), and √u · √u = u
     if ((*r)->radicand == (*q)->radicand) return Real((*r)->radicand);
@@ -186,7 +196,8 @@ Real operator*(const Real& a, const Real& b) {
 Real operator/(const Real& a, const Real& b) {
   if (sign(b) == 0) throw std::domain_error("division by 0");
   if (!a.is_surd() || !b.is_surd()) no_form("a quotient");
-  return Real(a.surd() / b.surd());
+  number::Surd room_a, room_b;
+  return Real(a.surd(room_a) / b.surd(room_b));
 }
 
 std::strong_ordering operator<=>(const Real& a, const Real& b) {
@@ -196,7 +207,8 @@ std::strong_ordering operator<=>(const Real& a, const Real& b) {
   if (r && q) return number::compare((*r)->radicand, (*q)->radicand);
   if (r) return sign(b) < 0 ? std::strong_ordering::greater : number::compare((*r)->radicand, (b * b).surd());
   if (q) return sign(a) < 0 ? std::strong_ordering::less : number::compare((a * a).surd(), (*q)->radicand);
-  return number::compare(a.surd(), b.surd());
+  number::Surd room_a, room_b;
+  return number::compare(a.surd(room_a), b.surd(room_b));
 }
 
 int sign(const Real& value) {

@@ -120,7 +120,7 @@ std::map<std::string, bool> truths(const std::vector<zed::Finding>& findings) {
   std::map<std::string, bool> found;
   for (const zed::Finding& one : findings) {
     if (one.label.empty()) continue;
-    REQUIRE(one.truth != Truth::open);
+    if (one.truth == Truth::open) throw std::logic_error(one.label + " is left open");
     found[one.label + one.strokes] = one.truth == Truth::yes;
   }
   return found;
@@ -170,6 +170,16 @@ std::map<std::string, bool> text_says(const Judge& judge, const Step& step) {
   return said;
 }
 
+/// The labels that the contracts judge, and the text otherwise or not at all.
+std::string different_labels(const std::map<std::string, bool>& said, const std::map<std::string, bool>& contracted) {
+  std::string differ;
+  for (const auto& [label, kept] : contracted) {
+    const auto found = said.find(label);
+    if (found == said.end() || found->second != kept) differ += " " + label;
+  }
+  return differ;
+}
+
 struct Counts {
   std::map<std::string, std::size_t> broken;
   std::size_t valid = 0, refused = 0;
@@ -195,12 +205,9 @@ void judge_one(Random& random, const Judge& judge, Counts& counts) {
   const bool holds = std::all_of(contracted.begin(), contracted.end(), [](auto& one) { return one.second; });
   CHECK(judge.holds(step) == holds);
   counts.valid += holds ? 1 : 0;
-  for (const auto& [label, kept] : contracted) {
-    CAPTURE(label, schema_name(operation));
-    REQUIRE(said.count(label) == 1);
-    CHECK(said.at(label) == kept);
-    if (!kept) ++counts.broken[label];
-  }
+  const std::string differ = different_labels(said, contracted);
+  if (!differ.empty()) FAIL_CHECK(schema_name(operation) + ":" + differ);  // a message for each label would take longer
+  for (const auto& [label, kept] : contracted) counts.broken[label] += kept ? 0 : 1;
 }
 
 void judge_many(std::uint64_t seed, std::size_t transitions) {

@@ -22,7 +22,7 @@ class Real {
   Real(int value);
   /// The number that a binary64 denotes. Throws std::domain_error for an infinity or a NaN.
   Real(double value);
-  Real(const number::Surd& value);
+  Real(number::Surd value);
   /// A natural number from its decimal digits.
   static Real natural(const std::string& digits);
 
@@ -67,6 +67,8 @@ class Real {
   using Rooted = std::shared_ptr<const Root>;
   friend struct SmallArithmetic;
 
+  /// The number as a surd: in place where it is one, else made in `room`. Precondition: is_surd().
+  const number::Surd& surd(number::Surd& room) const;
   explicit Real(Small value) : form_(value) {}
   std::variant<Small, Big, Rooted> form_;
 };
