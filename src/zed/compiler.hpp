@@ -29,6 +29,11 @@ struct Scope {
   std::unordered_map<Name, Local> names{};
   /// Where a binding of a whole schema is at hand: `θ S` by its text, to its slot.
   std::map<std::string, unsigned> thetas{};
+  /// Where the sets of a schema's declarations are resolved, as a text binds its names in its predicates and not in its
+  /// own declarations; null: here.
+  const Scope* declarations = nullptr;
+
+  const Scope& of_declarations() const { return declarations ? *declarations : *this; }
 };
 
 /// A part of the characteristic tuple of a schema text: a variable, or the binding of an included schema.

@@ -101,6 +101,12 @@ Value sum(const Value& a, const Value& b);
 Value difference(const Value& a, const Value& b);
 Value product(const Value& a, const Value& b);
 
+/// The truth of a conjunction.
+inline Truth both(Truth a, Truth b) {
+  if (a == Truth::no || b == Truth::no) return Truth::no;
+  return a == Truth::open ? a : b;
+}
+
 inline Truth operator!(Truth t) { return t == Truth::open ? t : truth(t == Truth::no); }
 
 }  // namespace durero::zed

@@ -11,11 +11,6 @@ namespace {
 
 constexpr std::size_t most_listed = 1 << 16;  // sets of functions with more members are known by membership only
 
-Truth both(Truth a, Truth b) {
-  if (a == Truth::no || b == Truth::no) return Truth::no;
-  return a == Truth::open ? a : b;
-}
-
 bool not_sets(const Value& a) { return !a.set(); }
 
 /// Pairs are sorted by their first parts, so in a function no two neighbours agree in them.

@@ -33,7 +33,7 @@ Local Compiler::component(const Name& name, const Scope& scope) {
 Property Compiler::declaration(const Declaration& declaration, const Scope& scope) {
   std::vector<Property> parts;
   const std::size_t before = reads_.size();
-  const Code set = expression(declaration.term, scope);
+  const Code set = expression(declaration.term, scope.of_declarations());
   const std::vector<unsigned> reads(reads_.begin() + static_cast<std::ptrdiff_t>(before), reads_.end());
   for (const Name& name : declaration.names) {
     const Local local = component(name, scope);
@@ -123,7 +123,8 @@ Property Compiler::schema_reference(const Term& term, const Scope& scope) {
     if (!names) cannot(node, node.name.text() + " is no schema");
     const auto* schema = std::get_if<Schema>(&global->paragraph->form);
     const auto* definition = std::get_if<Definition>(&global->paragraph->form);
-    Scope inner = formals(schema ? schema->formals : definition->formals, node.children, scope);
+    const Scope outer = formals(schema ? schema->formals : definition->formals, node.children, scope);
+    Scope inner{.outer = &outer, .unit = scope.unit, .declarations = &outer};
     for (const Name& one : *names) inner.names[one] = component(one, scope);
     return schema_definition(*global, inner);
   }
@@ -172,7 +173,7 @@ Property Compiler::change(const Name& of, bool unchanged, const Scope& scope) {
 }
 
 Property Compiler::mapped(const Term& schema, const Scope& scope, const std::vector<std::pair<Name, Name>>& names) {
-  Scope inner{.outer = &scope, .unit = scope.unit};
+  Scope inner{.outer = &scope, .unit = scope.unit, .declarations = &scope.of_declarations()};
   for (const auto& [inside, outside] : names) inner.names[inside] = component(outside, scope);
   return predicate(schema, inner);
 }
@@ -180,7 +181,7 @@ Property Compiler::mapped(const Term& schema, const Scope& scope, const std::vec
 Property Compiler::hidden(const Components& names, const Scope& scope,
                           const std::function<Property(const Scope&)>& inside) {
   const Slots slots(*scope.unit);
-  Scope inner{.outer = &scope, .unit = scope.unit};
+  Scope inner{.outer = &scope, .unit = scope.unit, .declarations = &scope.of_declarations()};
   std::vector<Variable> variables;
   for (const Name& one : names) {
     const unsigned slot = Slots::one(*scope.unit);

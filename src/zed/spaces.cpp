@@ -9,11 +9,6 @@ namespace {
 
 constexpr std::size_t most_members = 1 << 20;
 
-Truth both(Truth a, Truth b) {
-  if (a == Truth::no || b == Truth::no) return Truth::no;
-  return a == Truth::open ? a : b;
-}
-
 class PowerSet : public Set {
  public:
   PowerSet(Value base, PowerForm form) : base_(std::move(base)), form_(form) {}

@@ -190,6 +190,17 @@ TEST_CASE("an undefined application makes the predicate that it stands in false,
   CHECK(holds("{1 ↦ 2, 1 ↦ 3}(1) ∈ ℕ") == Truth::no);
 }
 
+TEST_CASE("a declaration does not see the names declared beside it, nor an included schema the variables beside it") {
+  CHECK(value("{y : 1‥2 • # {y : 1‥3; [x : 1‥y] • (x, y)}}") == "{3, 6}");
+  CHECK(value("{y : 2‥2 • # {y : 1‥3; [x : 1‥9 | x < y]}}") == "{3}");
+  CHECK(value("{y : 2‥2 • # [y : 1‥3; x : 1‥y]}") == "{6}");
+  CHECK(value("{y : 2‥2 • # [y : 1‥3; x : 1‥y]'}") == "{6}");
+  CHECK(value("{y : 2‥2 • # ([y : 1‥3; x : 1‥y] ⧹ (y))}") == "{2}");
+  CHECK(value("{y : 2‥2 • # {y : 1‥3; x : 1‥y}}") == "{6}");
+  CHECK(value("{y : 2‥2 • # (λ y : 1‥3; x : 1‥y • 0)}") == "{6}");
+  CHECK(holds("∃ y : 2‥2 • [y : 1‥3; x : 1‥y] = [x : 1‥2; y : 1‥3]") == Truth::yes);
+}
+
 TEST_CASE("what is not decided is an error or open, never a guess") {
   CHECK(holds("∃ x : ℕ • x * x = 2") == Truth::open);
   CHECK(holds("∀ x : ℕ • x < 5") == Truth::open);
