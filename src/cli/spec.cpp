@@ -77,8 +77,8 @@ void add_spec(CLI::App& app, int& status) {
   eval->add_option("EXPR", options->expression, "Z, in Unicode or in LaTeX mark-up")->required();
   eval->add_option("--scene", options->scene, "Scene file: Escena's components and the elements are then names");
   eval->footer(
-      "θ is a letter, so a space stands behind it: θ Escena. Status 0: a value, or true; 1: undefined, or false; 2: it "
-      "cannot be read, or decided.");
+      "θ is a letter, so a space stands behind it: θ Escena.\n"
+      "Status 0: a value, or true; 1: undefined, or false; 2: it cannot be read, or decided.");
   eval->callback([options, &status] { status = spec_eval(options->expression, options->scene); });
 
   auto* show = spec->add_subcommand("show", "A paragraph, and where each of its predicates is carried out");
@@ -87,11 +87,9 @@ void add_spec(CLI::App& app, int& status) {
 
   auto* confirm = spec->add_subcommand("confirm", "Let the Z text decide whether hits are right");
   confirm->footer(
-      "The text decides all of it: where on the ray its points lie on an element, and so that a miss is one; the "
-      "elements\n"
-      "of the point; which point is the reduction of them all; and where no point is nearest. The program adds the "
-      "roots\n"
-      "of the polynomials in t that the text compares with 0, and the rounding of the hit's numbers.");
+      "The text decides all of it: where on the ray its points lie on an element, and so that a miss is one; the\n"
+      "elements of the point; which point is the reduction of them all; and where no point is nearest. The program\n"
+      "adds the roots of the polynomials in t that the text compares with 0, and the rounding of the hit's numbers.");
   confirm->add_option("SCENE", options->scene, "Scene file (JSON)")->required();
   confirm->add_option("RAYS", options->rays, "Ray file")->required();
   confirm->add_option("HITS", options->hits, "Hit file (JSON lines)")->required();
