@@ -78,6 +78,7 @@ void add_spec(CLI::App& app, int& status) {
   eval->add_option("--scene", options->scene, "Scene file: Escena's components and the elements are then names");
   eval->footer(
       "θ is a letter, so a space stands behind it: θ Escena.\n"
+      "What begins with - is taken for an option unless -- stands before it: spec eval -- '-(2)'.\n"
       "Status 0: a value, or true; 1: undefined, or false; 2: it cannot be read, or decided.");
   eval->callback([options, &status] { status = spec_eval(options->expression, options->scene); });
 

@@ -49,26 +49,55 @@ bool is_equation(const Term& term) {
 
 void determine(std::set<Name>& open, const std::vector<Term>& facts, Budget& budget);
 
-/// Each equation of a chain a = b = c by itself.
-void by_relation(std::set<Name>& open, const Node& chain) {
-  for (std::size_t i = 0; i + 1 < chain.children.size(); ++i) {
-    if (chain.names[i].word != "_=_") continue;
-    for (const std::size_t side : {i, i + 1}) {
-      const Term &left = chain.children[side], &right = chain.children[2 * i + 1 - side];
-      if (left->kind == Kind::reference && open.contains(left->name) && !mentions(right, open)) open.erase(left->name);
-    }
+/// x' = e, either way round.
+void by_equation(std::set<Name>& open, const Node& equation) {
+  for (const std::size_t side : {0U, 1U}) {
+    const Term &left = equation.children[side], &right = equation.children[1 - side];
+    if (left->kind == Kind::reference && open.contains(left->name) && !mentions(right, open)) open.erase(left->name);
   }
 }
 
-/// What each side determines.
-void by_disjunction(std::set<Name>& open, const Node& node, Budget& budget) {
+/// What each side determines, where one of them holds.
+void by_sides(std::set<Name>& open, const std::vector<Term>& sides, Budget& budget) {
   std::set<Name> either;
-  for (const Term& side : node.children) {
+  for (const Term& side : sides) {
     std::set<Name> left_open = open;
     determine(left_open, {side}, budget);
     either.merge(left_open);
   }
   open = std::move(either);
+}
+
+/// The relation that holds just where this one does not; empty if it has no name of its own.
+std::string_view opposite(std::string_view relation) {
+  static constexpr std::pair<std::string_view, std::string_view> pairs[] = {
+      {"_=_", "_≠_"}, {"_∈_", "_∉_"}, {"_<_", "_≥_"}, {"_>_", "_≤_"}};
+  for (const auto& [one, other] : pairs) {
+    if (relation == one) return other;
+    if (relation == other) return one;
+  }
+  return {};
+}
+
+/// ¬ p and p, or a = b and a ≠ b: one of the two holds.
+bool are_cases(const Term& p, const Term& q) {
+  const auto denies = [](const Term& a, const Term& b) { return a->kind == Kind::negation && a->children[0] == b; };
+  const auto single = [](const Term& a) { return a->kind == Kind::relation && a->names.size() == 1; };
+  return denies(p, q) || denies(q, p) ||
+         (single(p) && single(q) && p->names[0].word == opposite(q->names[0].word) && p->children == q->children);
+}
+
+/// What p ⇒ P and ¬ p ⇒ Q determine: what P and Q both do.
+void by_cases(std::set<Name>& open, const std::vector<Term>& facts, Budget& budget) {
+  std::vector<const Node*> implications;
+  for (const Term& one : facts)
+    if (one->kind == Kind::implication) implications.push_back(&*one);
+  budget.spend(10 * implications.size() * implications.size());
+  for (std::size_t i = 0; i < implications.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const std::vector<Term>&left = implications[i]->children, &right = implications[j]->children;
+      if (are_cases(left[0], right[0])) by_sides(open, {left[1], right[1]}, budget);
+    }
 }
 
 /// ∃ D | P • Q and let D • Q: the variables are open too, until P, Q or their definition determines them.
@@ -88,18 +117,20 @@ void by_body(std::set<Name>& open, const Node& node, Budget& budget) {
 }
 
 void by_fact(std::set<Name>& open, const Term& fact, Budget& budget) {
-  if (fact->kind == Kind::relation) by_relation(open, *fact);
-  if (fact->kind == Kind::conjunction) determine(open, fact->children, budget);
-  if (fact->kind == Kind::disjunction) by_disjunction(open, *fact, budget);
+  if (is_equation(fact)) by_equation(open, *fact);
+  if (fact->kind == Kind::disjunction) by_sides(open, fact->children, budget);
   if (fact->kind == Kind::exists || fact->kind == Kind::let) by_body(open, *fact, budget);
 }
 
 /// Removes from `open` what the facts determine, until nothing changes.
-void determine(std::set<Name>& open, const std::vector<Term>& facts, Budget& budget) {
+void determine(std::set<Name>& open, const std::vector<Term>& conjunctions, Budget& budget) {
+  std::vector<Term> facts;
+  for (const Term& one : conjunctions) conjuncts(one, facts);
   for (std::size_t before = open.size() + 1; open.size() < before;) {
     before = open.size();
     budget.spend(10 * facts.size());
     for (const Term& one : facts) by_fact(open, one, budget);
+    by_cases(open, facts, budget);
   }
 }
 

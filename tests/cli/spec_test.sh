@@ -29,6 +29,8 @@ has out 'prose.tex:1:1: no Z paragraph; expected '
 # eval: values, truth, both mark-ups, the scene, and what is not decided.
 run 0 spec eval '1 + 2 * 3'
 is out 7
+run 0 spec eval -- '-(2)'
+is out -2
 run 0 spec eval 'raizcuadrada(2)'
 is out '√2'
 run 0 spec eval '\{ 1, 2 \} \cup \{ 3 \}'

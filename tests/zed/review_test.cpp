@@ -82,6 +82,12 @@ TEST_CASE("E06: disjunctions, quantifiers and chains determine what every way to
   CHECK(with("(\\LET k == b' @ a' = k)") == Said{"O leaves a', b' open"});
   CHECK(with("a = a' = 1 \\land (b' = b = 1 \\lor b = b' = 2)") == Said{});
   CHECK(with("a' \\leq b' = 1") == Said{"O leaves a' open"});
+  CHECK(with("(a < 0 \\implies a' = 1) \\land b' = b \\land (a \\geq 0 \\implies a' = a)") == Said{});
+  CHECK(with("(a < 0 \\implies a' = 1 \\land b' = 0) \\land (\\lnot a < 0 \\implies a' = a)") ==
+        Said{"O leaves b' open"});
+  CHECK(with("b' = b \\land (a < 0 \\implies a' = 1) \\land (a > 0 \\implies a' = a)") == Said{"O leaves a' open"});
+  CHECK(with("b' = b \\land (a < 0 \\implies a' = 1)") == Said{"O leaves a' open"});
+  CHECK(with("b' = b \\land (a < 0 \\implies a' = 1) \\land (b \\geq 0 \\implies a' = a)") == Said{"O leaves a' open"});
   CHECK(with("\\lnot (a' = a \\land b' = b)") == Said{"O leaves a', b' open"});
   const std::string state = "\\begin{schema}{S} a, b : \\num \\end{schema}\n";
   CHECK(said(state + "\\begin{zed} O == [ \\Delta S | a' = a ] \\end{zed}") == Said{"O leaves b' open"});

@@ -20,10 +20,11 @@ std::vector<Defect> unused_names(const Specification& specification, const Typin
 /// includes, and that no declaration of the specification includes, determines each component x' of S: by Ξ, or by an
 /// equation `x' = e` (either way round) among its conjuncts and those of what it includes, the invariant of S' too,
 /// where e mentions no component of S' that is not determined itself. A disjunction determines what each of its sides
-/// does, an ∃ or a let what its body does without a variable that is open. So tipos' is determined by `tipos' = ran
-/// de_que_tipo'`. A schema that others include may leave open what they state, and a combination by the schema calculus
-/// is as good as its parts. Where a schema includes anything but schema texts, references, conjunctions and
-/// decorations, it is not judged.
+/// does, p ⇒ P with ¬ p ⇒ Q what P and Q both do (a relation and its opposite, such as = and ≠, are cases too), an ∃ or
+/// a let what its body does without a variable that is open. So tipos' is determined by `tipos' = ran de_que_tipo'`. A
+/// schema that others include may leave open what they state, and a combination by the schema calculus is as good as
+/// its parts. Where a schema includes anything but schema texts, references, conjunctions and decorations, it is not
+/// judged.
 std::vector<Defect> open_frames(const Specification& specification, const Typing& typing);
 
 /// E07, errors. An application f x, where f is declared by one of the arrows ⇸ ⤔ ⤀ ⇻ ⤕, needs x ∈ dom f from what
