@@ -33,6 +33,7 @@ class Confirmation {
 
   Verdict of(const io::Ray& ray, const scene::Hit& hit) const {
     std::vector<Met> all;
+    all.reserve(escena_.elementos.size());
     for (const model::Elemento& e : escena_.elementos) {
       all.push_back({e, oracle::spec::alcance(judge_, theta_, ray.rayo, names(ray.en), e)});
     }

@@ -148,7 +148,7 @@ std::string plain(const zed::Specification& text, const std::string& name) {
 }  // namespace
 
 int spec_show(const std::string& name) {
-  const zed::Specification text = oracle::spec::text();
+  const zed::Specification& text = oracle::spec::text();
   const std::string in_unicode = plain(text, name);
   std::string said = found(text, in_unicode);
   if (said.empty()) said = found_change(text, in_unicode);

@@ -31,7 +31,7 @@ Code Compiler::comprehension(const Node& node, const Scope& scope) {
   return [head, term, base, unit = scope.unit, text = describe(node)](Frame& frame) -> Value {
     if (!head.search->enumerable(frame)) return intensional_set({unit, captured(frame, base), head, term, text});
     std::vector<Value> found;
-    Necessary no(frame.context, false);
+    const Necessary no(frame.context, false);
     const Truth some = head.search->each(frame, [&](Frame& inside) {
       found.push_back(term ? term(inside) : characteristic(inside, head.groups));
       return true;
@@ -69,7 +69,7 @@ Code Compiler::mu(const Node& node, const Scope& scope) {
   return [head, term = std::move(term)](Frame& frame) -> Value {
     std::optional<Value> only;
     bool several = false;
-    Necessary no(frame.context, false);
+    const Necessary no(frame.context, false);
     const Truth some = head.search->each(frame, [&](Frame& inside) {
       Value here = term ? term(inside) : characteristic(inside, head.groups);
       several = only && !same(*only, here);

@@ -1,6 +1,8 @@
 /// The type-checker on names: scopes, instances of generics, and the schemas that a decoration, Δ or Ξ implies; with
 /// its errors and limits.
 
+#include <ranges>
+
 #include "checker.hpp"
 #include "utf8.hpp"
 
@@ -31,6 +33,7 @@ Type Checker::wrong(Place place, std::string what, std::string expected) {
 
 std::vector<Type> Checker::actuals(const Node& node) {
   std::vector<Type> made;
+  made.reserve(node.children.size());
   for (const Term& actual : node.children) made.push_back(element(actual, "a generic actual"));
   return made;
 }
@@ -42,9 +45,9 @@ Type Checker::reference(const Node& node) {
 }
 
 std::optional<Type> Checker::lookup(const Name& name, const std::vector<Type>* actuals, Place place) {
-  for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope) {
-    const auto found = scope->find(name);
-    if (found == scope->end()) continue;
+  for (const auto& scope : std::views::reverse(scopes_)) {
+    const auto found = scope.find(name);
+    if (found == scope.end()) continue;
     if (actuals) error(place, name.text() + " is a variable", "expected no generic actuals after it");
     return found->second;
   }

@@ -61,6 +61,7 @@ void Checker::schema_predicate(const Node& node, const Type& type) {
 
 void Checker::relation(const Node& node) {
   std::vector<Type> types;
+  types.reserve(node.children.size());
   for (const Term& operand : node.children) types.push_back(expression(operand));
   if (node.children.size() == 1) {
     const auto found = lookup(node.names[0], nullptr, node.place);

@@ -8,7 +8,7 @@ namespace {
 /// A term as an error names it: short ones in full.
 std::string named(const Term& term) {
   constexpr std::size_t longest = 60;
-  std::string text = to_unicode(term);
+  const std::string text = to_unicode(term);
   return text.size() <= longest && text.find('\n') == text.npos ? text : "this expression";
 }
 
@@ -43,11 +43,13 @@ Type Checker::infer(const Node& node) {
       return set_extension(node);
     case Kind::tuple: {
       std::vector<Type> parts;
+      parts.reserve(node.children.size());
       for (const Term& part : node.children) parts.push_back(expression(part));
       return Type::product(std::move(parts));
     }
     case Kind::product: {
       std::vector<Type> parts;
+      parts.reserve(node.children.size());
       for (const Term& part : node.children) parts.push_back(element(part, "a factor of ×"));
       return Type::power(Type::product(std::move(parts)));
     }

@@ -48,7 +48,7 @@ std::optional<Equation> equation(const Term& term) {
   const Node* left = application(body->children[0]);
   if (!left) return {};
   const Term& argument = left->children[1];
-  std::vector<Term> parts = argument->kind == Kind::tuple ? argument->children : std::vector<Term>{argument};
+  const std::vector<Term> parts = argument->kind == Kind::tuple ? argument->children : std::vector<Term>{argument};
   std::vector<Name> given;
   for (const Term& part : parts)
     if (part->kind == Kind::reference) given.push_back(part->name);

@@ -99,6 +99,7 @@ Expr Translator::predicate(const Term& term, const Scope& scope) const {
       std::vector<Term> terms;
       flatten(node.kind, term, terms);
       std::vector<Expr> parts;
+      parts.reserve(terms.size());
       for (const Term& one : terms) parts.push_back(predicate(one, scope));
       return node.kind == Kind::conjunction ? all_of(parts) : any_of(parts);
     }
@@ -121,7 +122,7 @@ Expr Translator::predicate(const Term& term, const Scope& scope) const {
     case Kind::hiding:
       return hiding(node, scope);
     case Kind::schema_text: {
-      Signature slots = signature(term);
+      const Signature slots = signature(term);
       return all_of(conditions(*node.text, slots, scope, scope));
     }
     default:

@@ -130,7 +130,7 @@ Expr Translator::term(const Term& term, Scope& scope, Frame& frame) const {
       Expr out{"∅", atomic, Carrier::set({})};
       for (std::size_t i = 0; i < node.children.size(); ++i) {
         const Expr one = part(i);
-        std::string single = "⦃" + one.text + "⦄";
+        const std::string single = "⦃" + one.text + "⦄";
         out = {i == 0 ? single : out.text + " ∪ " + single, i == 0 ? atomic : plus, Carrier::set(one.type)};
       }
       return out;
@@ -147,10 +147,8 @@ Expr Translator::term(const Term& term, Scope& scope, Frame& frame) const {
       const Carrier type = this->term(node.children[1], branch, unused).type;
       return {"fun " + x + " => " + member({x, atomic, type.element()}, term, inside).text, binder, type};
     }
-    case Kind::mu: {
-      const Expr found = apply_partial(node, nullptr, scope, frame);
-      return found;
-    }
+    case Kind::mu:
+      return apply_partial(node, nullptr, scope, frame);
     default:
       uncovered(node.place, "this expression");
   }
@@ -162,6 +160,7 @@ Expr Translator::reference(const Node& node, Scope& scope, Frame& frame) const {
   const bool infix = node.children.size() == 2;
   if (node.name.word == "𝔽_" || node.name.word == "_⇸_") {
     std::vector<Expr> of;
+    of.reserve(node.children.size());
     for (const Term& child : node.children) of.push_back(term(child, scope, frame));
     if (!infix) return {"𝔽 " + of[0].at(applied), applied + 20, Carrier::set(of[0].type)};
     return {of[0].at(plus) + " ⇸ " + of[1].at(plus), plus + 5,
@@ -198,6 +197,7 @@ Expr Translator::operation(const std::string& word, const std::vector<Term>& arg
                            const Node& node) const {
   if (word == "⋃") return generalized_union(arguments[0], scope, frame);
   std::vector<Expr> of;
+  of.reserve(arguments.size());
   for (const Term& one : arguments) of.push_back(term(one, scope, frame));
   if (word == "_↦_")
     return {"(" + of[0].at(both - 1) + ", " + of[1].at(both - 1) + ")", atomic,

@@ -61,7 +61,8 @@ std::string state_of(const Specification& specification) {
         const bool sign = word.starts_with("Δ") || word.starts_with("Ξ");
         if (sign) word.erase(0, 2);
         if (!sign && one.term->name.strokes != "'") continue;
-        if (!found.empty() && found != word) uncovered(one.place, "a second state, " + word + " beside " + found + ",");
+        if (!found.empty() && found != word)
+          uncovered(one.place, fmt::format("a second state, {} beside {},", word, found));
         found = word;
       }
     }

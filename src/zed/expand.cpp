@@ -151,7 +151,9 @@ void Expander::add(const SchemaText& text, Expansion& to, unsigned depth) const 
 void Expander::add(const Term& schema, Expansion& to, unsigned depth) const {
   if (depth > max_inclusions || to.facts.size() > max_facts) {
     to.opaque = true;
-  } else if (schema->kind == Kind::schema_text) {
+    return;
+  }
+  if (schema->kind == Kind::schema_text) {
     add(*schema->text, to, depth + 1);
   } else if (schema->kind == Kind::conjunction) {
     for (const Term& part : schema->children) add(part, to, depth + 1);

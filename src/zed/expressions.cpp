@@ -135,7 +135,7 @@ Code Compiler::toolkit(const Node& node, const Scope& scope) {
 
 Code Compiler::set_expression(const Node& node, const Scope& scope) {
   const std::string& name = node.name.word;
-  Code first = expression(node.children[0], scope);
+  const Code first = expression(node.children[0], scope);
   if (name == "ℙ₁_") return [first](Frame& frame) { return power_set(first(frame), {.nonempty = true}); };
   if (name == "𝔽_") return [first](Frame& frame) { return power_set(first(frame), {.finite = true}); };
   if (name == "𝔽₁_") {
@@ -160,6 +160,7 @@ Code Compiler::set_expression(const Node& node, const Scope& scope) {
 
 Code Compiler::parts(const Node& node, const Scope& scope, Value (*make)(std::vector<Value>)) {
   std::vector<Code> codes;
+  codes.reserve(node.children.size());
   for (const Term& child : node.children) codes.push_back(expression(child, scope));
   return [codes = std::move(codes), make](Frame& frame) {
     std::vector<Value> values;
@@ -183,7 +184,7 @@ Code Compiler::binding_extension(const Node& node, const Scope& scope) {
 }
 
 Code Compiler::selection(const Node& node, const Scope& scope) {
-  Code whole = expression(node.children[0], scope);
+  const Code whole = expression(node.children[0], scope);
   if (node.kind == Kind::tuple_selection) {
     return [whole, position = std::stoul(node.name.word) - 1](Frame& frame) -> Value {
       const Value value = whole(frame);
@@ -269,7 +270,7 @@ Code Compiler::conditional(const Node& node, const Scope& scope) {
   return [condition = predicate(node.children[0], scope), yes = expression(node.children[1], scope),
           no = expression(node.children[2], scope)](Frame& frame) -> Value {
     const Truth here = [&] {
-      Necessary not_here(frame.context, false);
+      const Necessary not_here(frame.context, false);
       return evaluate(condition, frame);
     }();
     if (here == Truth::open) return Open{};

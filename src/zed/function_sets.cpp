@@ -22,6 +22,7 @@ bool is_function(const std::vector<Value>& pairs) {
 
 std::vector<Value> seconds(const std::vector<Value>& pairs) {
   std::vector<Value> found;
+  found.reserve(pairs.size());
   for (const Value& pair : pairs) found.push_back(pair.tuple()->parts[1]);
   return found;
 }

@@ -37,6 +37,7 @@ Value gathered(const std::vector<Group>& groups, Part&& part) {
       continue;
     }
     std::vector<Value> components;
+    components.reserve(group.components.size());
     for (const unsigned slot : group.components) components.push_back(part(slot));
     values.push_back(Value::binding(group.names, std::move(components)));
   }

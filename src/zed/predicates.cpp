@@ -10,13 +10,13 @@ namespace durero::zed {
 namespace {
 
 Truth negated(const Property& property, Frame& frame) {
-  Necessary not_here(frame.context, false);
+  const Necessary not_here(frame.context, false);
   return !evaluate(property, frame);
 }
 
 /// Not every way to satisfy the head satisfies the body: it is looked for one that does not.
 Truth for_all(const Search& search, const Property& body, Frame& frame) {
-  Necessary not_here(frame.context, false);
+  const Necessary not_here(frame.context, false);
   Truth result = Truth::yes;
   const Truth some = search.each(frame, [&](Frame& inside) {
     const Truth here = evaluate(body, inside);
@@ -27,7 +27,7 @@ Truth for_all(const Search& search, const Property& body, Frame& frame) {
 }
 
 Truth just_one(const Head& head, Frame& frame) {
-  Necessary not_here(frame.context, false);
+  const Necessary not_here(frame.context, false);
   std::optional<Value> only;
   bool several = false;
   const Truth some = head.search->each(frame, [&](Frame& inside) {
@@ -71,7 +71,7 @@ Property Compiler::predicate(const Term& term, const Scope& scope) {
           [left = part(0), right = part(1)](Frame& frame) {
             const Truth not_left = negated(left, frame);
             if (not_left == Truth::yes) return not_left;
-            Necessary only(frame.context, not_left == Truth::no);
+            const Necessary only(frame.context, not_left == Truth::no);
             const Truth here = evaluate(right, frame);
             return here == Truth::yes ? here : not_left == Truth::open ? not_left : here;
           },
@@ -79,7 +79,7 @@ Property Compiler::predicate(const Term& term, const Scope& scope) {
     case Kind::equivalence:
       return test_of(
           [left = part(0), right = part(1)](Frame& frame) {
-            Necessary not_here(frame.context, false);
+            const Necessary not_here(frame.context, false);
             const Truth a = evaluate(left, frame), b = evaluate(right, frame);
             return a == Truth::open || b == Truth::open ? Truth::open : truth(a == b);
           },

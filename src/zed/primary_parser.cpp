@@ -128,7 +128,7 @@ Term TermParser::theta() {
   if (in_.sees_name()) {  // the strokes of θ S' are those of θ: x is taken from x'
     const Token& token = in_.next();
     made.name.strokes = token.strokes;
-    Term schema = reference({token.text, {}}, {}, token.place);
+    const Term schema = reference({token.text, {}}, {}, token.place);
     made.children.push_back(in_.sees("[") ? actuals_or_renaming(schema) : schema);
   } else if (in_.sees("(")) {
     made.children.push_back(parenthesis());
@@ -209,7 +209,7 @@ Term TermParser::sequence() {
   std::vector<Term> pairs;
   if (!in_.accept("⟩")) {
     std::size_t position = 0;
-    for (Term& one : terms("⟩"))
+    for (const Term& one : terms("⟩"))
       pairs.push_back(node(Kind::tuple, {number(std::to_string(++position), one->place), one}, one->place));
   }
   return checked(operation("⟨,,⟩", {node(Kind::set_extension, std::move(pairs), place)}, place));

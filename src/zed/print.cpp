@@ -13,7 +13,7 @@ std::string labelled(const std::string& label) { return label.empty() ? "" : "  
 std::string line(const Markup* markup, const std::function<void(Printer&)>& print) {
   Printer printer(markup);
   print(printer);
-  std::string made = printer.take();
+  const std::string made = printer.take();
   return made.starts_with(markup ? "\\negate" : "-") ? "(" + made + ")" : made;
 }
 

@@ -6,7 +6,7 @@ namespace durero::zed {
 namespace {
 
 Truth evaluate_any(const Property& property, Frame& frame) {
-  Necessary keep(frame.context, property.parts.size() == 1);
+  const Necessary keep(frame.context, property.parts.size() == 1);
   Truth some = Truth::no;
   for (const Property& part : property.parts) {
     const Truth here = evaluate(part, frame);

@@ -11,7 +11,7 @@ namespace {
 __extension__ typedef __int128 Wide;
 __extension__ typedef unsigned __int128 Unsigned;
 
-constexpr int room = 126;  // bits of a significand; one more for the carry of a sum, one for the sign
+constexpr int max_bits = 126;  // of a significand; one more for the carry of a sum, one for the sign
 
 int bit_width(Wide value) {
   const Unsigned magnitude = value < 0 ? -static_cast<Unsigned>(value) : static_cast<Unsigned>(value);
@@ -44,7 +44,7 @@ struct SmallArithmetic {
     const int zeros = trailing_zeros(significand);
     significand >>= zeros;
     exponent += zeros;
-    if (bit_width(significand) > room || exponent < -(1 << 24) || exponent > (1 << 24)) return std::nullopt;
+    if (bit_width(significand) > max_bits || exponent < -(1 << 24) || exponent > (1 << 24)) return std::nullopt;
     return Small{static_cast<std::int64_t>(significand >> 64), static_cast<std::uint64_t>(significand),
                  static_cast<std::int32_t>(exponent)};
   }
@@ -59,13 +59,13 @@ struct SmallArithmetic {
 
   // x·2^shift + y, both times 2^exponent.
   static std::optional<Small> aligned_sum(Wide x, std::int32_t shift, Wide y, std::int32_t exponent) {
-    if (bit_width(x) + shift > room) return std::nullopt;
+    if (bit_width(x) + shift > max_bits) return std::nullopt;
     return small(x * (Wide{1} << shift) + y, exponent);
   }
 
   static std::optional<Small> product(const Small& a, const Small& b) {
     const Wide x = wide(a), y = wide(b);
-    if (bit_width(x) + bit_width(y) > room) return std::nullopt;
+    if (bit_width(x) + bit_width(y) > max_bits) return std::nullopt;
     return small(x * y, std::int64_t{a.exponent} + b.exponent);
   }
 
@@ -91,7 +91,7 @@ struct SmallArithmetic {
     return number::Rational(n, number::Integer(1) << static_cast<unsigned>(-a.exponent));
   }
 
-  // Small where the number is a dyadic with room.
+  // Small where the number is a dyadic of so few bits.
   static std::optional<Small> of(const number::Surd& value) {
     if (!value.y.is_zero()) return std::nullopt;
     number::Integer n = numerator(value.x);
@@ -102,7 +102,7 @@ struct SmallArithmetic {
     const bool negative = n.sign() < 0;
     if (negative) n = -n;
     const auto zeros = static_cast<std::int64_t>(lsb(n));
-    if (static_cast<std::int64_t>(msb(n)) - zeros >= room) return std::nullopt;
+    if (static_cast<std::int64_t>(msb(n)) - zeros >= max_bits) return std::nullopt;
     n >>= static_cast<unsigned>(zeros);
     const Wide high = static_cast<std::uint64_t>(number::Integer(n >> 64));
     const Wide low = static_cast<std::uint64_t>(number::Integer(n & number::Integer(~std::uint64_t{0})));

@@ -47,14 +47,14 @@ const std::unordered_map<std::string, ToolkitRelation>& relations() {
       {"_≠_",
        [](const Value& a, const Value& b, Context& c) {
          if (a.is_undefined() || b.is_undefined()) return Truth::no;
-         Necessary not_here(c, false);
+         const Necessary not_here(c, false);
          return !equal(a, b, c);
        }},
       {"_∈_", [](const Value& a, const Value& b, Context& c) { return contains_value(b, a, c); }},
       {"_∉_",
        [](const Value& a, const Value& b, Context& c) {
          if (a.is_undefined() || b.is_undefined()) return Truth::no;
-         Necessary not_here(c, false);
+         const Necessary not_here(c, false);
          return !contains_value(b, a, c);
        }},
       {"_⊆_", subset},
@@ -62,7 +62,7 @@ const std::unordered_map<std::string, ToolkitRelation>& relations() {
        [](const Value& a, const Value& b, Context& c) {
          const Truth in = subset(a, b, c);
          if (in != Truth::yes) return in;
-         Necessary not_here(c, false);
+         const Necessary not_here(c, false);
          return !equal(a, b, c);
        }},
       {"_<_", [](const Value& a, const Value& b, Context& c) { return ordered(a, b, c, std::less<>()); }},
@@ -84,7 +84,7 @@ class RelationValue : public Set {
   Truth contains(const Value& value, Context& context) const override {
     if (name_ == "disjoint_") return holds_(value, {}, context);
     if (!value.tuple()) return Truth::open;
-    Necessary not_here(context, false);
+    const Necessary not_here(context, false);
     return holds_(first(value), second(value), context);
   }
   std::string text() const override { return "(" + name_ + ")"; }

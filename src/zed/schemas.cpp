@@ -1,6 +1,7 @@
 /// Schemas in the place of predicates: their components are the names of the scope around them.
 
 #include <algorithm>
+#include <utility>
 
 #include "compiler.hpp"
 #include "describe.hpp"
@@ -11,7 +12,7 @@ namespace {
 template <class T>
 class Restored {
  public:
-  Restored(T& place, T now) : place_(place), before_(std::move(place)) { place_ = std::move(now); }
+  Restored(T& place, T now) : place_(place), before_(std::exchange(place, std::move(now))) {}
   ~Restored() { place_ = std::move(before_); }
   Restored(const Restored&) = delete;
   Restored& operator=(const Restored&) = delete;
@@ -122,8 +123,8 @@ Property Compiler::schema_reference(const Term& term, const Scope& scope) {
     const auto names = components(term, definitions_);
     if (!names) cannot(node, node.name.text() + " is no schema");
     const auto* schema = std::get_if<Schema>(&global->paragraph->form);
-    const auto* definition = std::get_if<Definition>(&global->paragraph->form);
-    const Scope outer = formals(schema ? schema->formals : definition->formals, node.children, scope);
+    const auto& parameters = schema ? schema->formals : std::get<Definition>(global->paragraph->form).formals;
+    const Scope outer = formals(parameters, node.children, scope);
     Scope inner{.outer = &outer, .unit = scope.unit, .declarations = &outer};
     for (const Name& one : *names) inner.names[one] = component(one, scope);
     return schema_definition(*global, inner);

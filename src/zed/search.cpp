@@ -194,7 +194,7 @@ struct Search::Run {
   void settle() {
     Context& context = frame.context;
     const std::uint32_t outer = enumerated ? Context::none : context.necessary;
-    Necessary must(context, std::min(outer, unknowns ? first_unknown : Context::none));
+    const Necessary must(context, std::min(outer, unknowns ? first_unknown : Context::none));
     for (;;) {
       search.determine(frame);
       Truth here = search.holds(frame);

@@ -21,7 +21,7 @@ class FiniteSet : public Set {
     if (members_.empty()) return Truth::no;
     if (!family_ && !has_open(value)) return truth(std::binary_search(members_.begin(), members_.end(), value, before));
     Truth some = Truth::no;
-    Necessary only(context, members_.size() == 1);
+    const Necessary only(context, members_.size() == 1);
     for (const Value& member : members_) {
       const Truth here = equal(member, value, context);
       if (here == Truth::yes) return here;
@@ -97,7 +97,7 @@ class TwoSets : public Set {
  public:
   TwoSets(Value a, Value b, std::string symbol) : a_(std::move(a)), b_(std::move(b)), symbol_(std::move(symbol)) {}
   Truth contains(const Value& value, Context& context) const override {
-    Necessary keep(context, conjunctive);
+    const Necessary keep(context, conjunctive);
     const Truth a = contains_value(a_, value, context);
     constexpr Truth settled = conjunctive ? Truth::no : Truth::yes;
     if (a == settled) return a;
@@ -119,7 +119,7 @@ class Difference : public Set {
   Truth contains(const Value& value, Context& context) const override {
     const Truth in = contains_value(a_, value, context);
     if (in == Truth::no) return in;
-    Necessary not_here(context, false);
+    const Necessary not_here(context, false);
     const Truth out = !contains_value(b_, value, context);
     if (out == Truth::no) return out;
     return in == Truth::open ? in : out;
@@ -261,7 +261,7 @@ Truth subset(const Value& a, const Value& b, Context& context) {
   if (waiting(a) || waiting(b)) return lost(context);
   if (as_set(b).total()) return Truth::yes;
   Truth all = Truth::yes;
-  Necessary no(context, false);
+  const Necessary no(context, false);
   for (const Value& one : enumerated(a, "whether every member is in another set, for the set")) {
     const Truth here = contains_value(b, one, context);
     if (here == Truth::no) return here;

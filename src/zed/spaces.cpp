@@ -77,6 +77,7 @@ class ProductSet : public Set {
 
   Value unknown(Context& context) const override {
     std::vector<Value> parts;
+    parts.reserve(factors_.size());
     for (const Value& one : factors_) parts.push_back(one.set()->unknown(context));
     return Value::tuple(std::move(parts));
   }
@@ -102,6 +103,7 @@ class ProductSet : public Set {
       rows = std::move(longer);
     }
     std::vector<Value> tuples;
+    tuples.reserve(rows.size());
     for (auto& row : rows) tuples.push_back(Value::tuple(std::move(row)));
     made_ = Value::set(std::move(tuples));
     return made_->set()->members();

@@ -63,7 +63,7 @@ Term TermParser::term(int least) {
     if (const Connective* found = connective(token)) {
       if (found->strength < least) return left;
       in_.next();
-      Term right = term(found->right ? found->strength : found->strength + 1);
+      const Term right = term(found->right ? found->strength : found->strength + 1);
       left = checked(node(found->kind, {left, right}, left->place));
     } else if (token.is("⧹") && least <= binding::hiding) {
       left = hiding(left);
@@ -79,15 +79,15 @@ Term TermParser::term(int least) {
   }
 }
 
-Term TermParser::infix(Term left, int strength, const Operator& op) {
+Term TermParser::infix(const Term& left, int strength, const Operator& op) {
   in_.next();
-  Term right = term(op.right ? strength : strength + 1);
+  const Term right = term(op.right ? strength : strength + 1);
   const Place place = left->place;
   if (op.role == Role::generic) return checked(reference({op.name(), {}}, {left, right}, place));
   return checked(operation(op.name(), {left, right}, place));
 }
 
-Term TermParser::relations(Term left) {
+Term TermParser::relations(const Term& left) {
   const Place place = left->place;
   std::vector<Term> operands = {left};
   std::vector<Name> names;
@@ -101,7 +101,7 @@ Term TermParser::relations(Term left) {
   return checked(relation(std::move(names), std::move(operands), place));
 }
 
-Term TermParser::product(Term left) {
+Term TermParser::product(const Term& left) {
   const Place place = left->place;
   std::vector<Term> factors = {left};
   while (in_.accept("×")) factors.push_back(term(binding::infix + product_precedence + 1));
@@ -134,7 +134,7 @@ Term TermParser::leading() {
   if (token.only_infix) in_.fail("expected \\negate for the sign, or a term before -");
   in_.next();
   if (op->role == Role::relation) return checked(relation({{op->name(), {}}}, {term(binding::relation + 1)}, place));
-  Term operand = term(binding::prefix);
+  const Term operand = term(binding::prefix);
   if (op->role == Role::generic) return checked(reference({op->name(), {}}, {operand}, place));
   return checked(operation(op->name(), {operand}, place));
 }

@@ -42,10 +42,10 @@ class TermParser {
   Term brackets();
   Term sequence();
   Term binding_extension();
-  Term infix(Term left, int strength, const Operator& op);
-  Term relations(Term left);
+  Term infix(const Term& left, int strength, const Operator& op);
+  Term relations(const Term& left);
   Term schema_operation(Term left, Kind kind, int strength);
-  Term product(Term left);
+  Term product(const Term& left);
   Term hiding(Term left);
   Term image(Term left);
   bool suffix(Term& so_far);  // one selection, decoration, renaming or list of actuals

@@ -131,7 +131,7 @@ void Type::join(const Type& a, const Type& b) {
 
 Type Type::settled() const {
   std::unordered_map<const Node*, Type> done;
-  Type made = settled_at(0, done);
+  const Type made = settled_at(0, done);
   return made.size() > max_size ? unknown() : made;
 }
 

@@ -1,5 +1,7 @@
 #include <fmt/core.h>
 
+#include <ranges>
+
 #include "durero/zed/review.hpp"
 #include "expand.hpp"
 
@@ -33,9 +35,9 @@ class Usage {
   using Scope = std::unordered_map<Name, Variable>;
 
   void mention(const Name& name) {
-    for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope) {
-      const auto found = scope->find(name);
-      if (found == scope->end()) continue;
+    for (Scope& scope : std::views::reverse(scopes_)) {
+      const auto found = scope.find(name);
+      if (found == scope.end()) continue;
       found->second.used = true;
       return;
     }

@@ -221,7 +221,7 @@ Truth Set::some_contains(const Value& value, Context& context) const {
   const auto* all = members();
   if (!all) throw EvaluationError(text() + " cannot be enumerated");
   Truth some = Truth::no;
-  Necessary only(context, all->size() == 1);
+  const Necessary only(context, all->size() == 1);
   for (const Value& one : *all) {
     const Truth in = contains_value(one, value, context);
     if (in == Truth::yes) return in;
