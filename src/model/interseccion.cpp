@@ -53,7 +53,7 @@ std::optional<ExactPoint> reduccion(std::span<const ExactPoint> ps, const Punto&
   bool unique = true;
   for (const ExactPoint& temp : ps) {
     const auto order = nearest ? distancia(temp, ojo) <=> distancia(*nearest, ojo) : std::strong_ordering::less;
-    if (order < 0) {
+    if (!nearest || order < 0) {
       nearest = &temp;
       unique = true;
     } else if (order == 0 && !(temp == *nearest)) {

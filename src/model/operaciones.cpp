@@ -128,9 +128,9 @@ template <class Op>
 Op hide_t(Op in) {
   return in;
 }
-Agregar_Esfera hide_t(Agregar_Esfera in) { return {in.e, in.centro, in.radio}; }
-Agregar_Cilindro hide_t(Agregar_Cilindro in) { return {in.e, in.centro, in.radio, in.vector, in.altura}; }
-Agregar_Cono hide_t(Agregar_Cono in) { return {in.e, in.centro, in.proporcion, in.vector, in.altura}; }
+Agregar_Esfera hide_t(const Agregar_Esfera& in) { return {in.e, in.centro, in.radio}; }
+Agregar_Cilindro hide_t(const Agregar_Cilindro& in) { return {in.e, in.centro, in.radio, in.vector, in.altura}; }
+Agregar_Cono hide_t(const Agregar_Cono& in) { return {in.e, in.centro, in.proporcion, in.vector, in.altura}; }
 
 template <class Op>
 Answer perform_total(Escena& escena, const Op& in) {

@@ -120,6 +120,7 @@ Puntos puntos_de_elemento(const Escena& s, const Elemento& e) {
 
 Puntos puntos_de_escena(const Escena& escena) {
   std::vector<Puntos> sets;
+  sets.reserve(escena.elementos.size());
   for (const Elemento& e : escena.elementos) sets.push_back(puntos_de_elemento(escena, e));
   return big_union(std::move(sets));
 }

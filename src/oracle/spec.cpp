@@ -195,6 +195,7 @@ bool Judge::in_puntos_de_escena(const model::ExactPoint& p, const Value& escena)
 bool Judge::in_alcance(const model::ExactPoint& p, const Value& escena, const model::Rayo& rayo,
                        const std::set<model::Elemento>& en, const model::Elemento& e) const {
   std::vector<Value> origin;
+  origin.reserve(en.size());
   for (const model::Elemento& one : en) origin.push_back(value(one));
   const Value argument = Value::tuple({escena, value(rayo), Value::set(std::move(origin)), value(e)});
   return schemas_->contains(evaluator().apply(schemas_->function("alcance"), argument), value(p));

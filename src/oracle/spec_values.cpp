@@ -20,10 +20,12 @@ const zed::Signature& xyz() {
 class Names {
  public:
   explicit Names(const std::set<model::Elemento>& elementos) {
+    known_.reserve(elementos.size());
     for (const model::Elemento& e : elementos) known_.emplace_back(&e, value(e));
   }
   std::vector<Value> all() const {
     std::vector<Value> made;
+    made.reserve(known_.size());
     for (const auto& one : known_) made.push_back(one.second);
     return made;
   }
@@ -111,6 +113,7 @@ Value value(const model::Rayo& rayo) {
 Named components(const model::Escena& escena) {
   const Names names(escena.elementos);
   std::vector<Value> tipos;
+  tipos.reserve(escena.tipos.size());
   for (const model::Tipo tipo : escena.tipos) tipos.push_back(value(tipo));
   const Value of_tipo[] = {value(model::Tipo::soy_esfera), value(model::Tipo::soy_cilindro),
                            value(model::Tipo::soy_cono)};

@@ -50,7 +50,7 @@ struct SmallArithmetic {
   }
 
   static std::optional<Small> sum(const Small& a, const Small& b, int sign_of_b) {
-    Wide x = wide(a), y = sign_of_b * wide(b);
+    const Wide x = wide(a), y = sign_of_b * wide(b);
     if (x == 0) return small(y, b.exponent);
     if (y == 0) return a;
     if (a.exponent >= b.exponent) return aligned_sum(x, a.exponent - b.exponent, y, b.exponent);
