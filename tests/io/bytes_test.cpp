@@ -21,6 +21,7 @@
 #include "durero/oracle/exact.hpp"
 #include "support/catch.hpp"
 #include "support/targets.hpp"
+#include "support/tree.hpp"
 
 using namespace durero;
 using namespace durero::test;
@@ -92,7 +93,7 @@ Printed print(const Family& family) {
 
 /// bytes.txt, by the families' names.
 std::map<std::string, std::string, std::less<>> committed() {
-  std::ifstream in(DURERO_SOURCE_DIR "/tests/io/bytes.txt");
+  std::ifstream in(durero::test::source_dir() + "/tests/io/bytes.txt");
   REQUIRE(in);
   std::map<std::string, std::string, std::less<>> lines;
   for (std::string line; std::getline(in, line);) {

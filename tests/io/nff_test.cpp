@@ -13,6 +13,7 @@
 #include "random_scene.hpp"
 #include "support/catch.hpp"
 #include "support/property.hpp"
+#include "support/tree.hpp"
 
 using namespace durero;
 
@@ -56,7 +57,7 @@ s 0 0 0 -2
 )";
 
 std::string data(const std::string& name) {
-  return std::string(DURERO_SOURCE_DIR) + "/../shared/data/spd/" + name + ".nff";
+  return durero::test::source_dir() + "/../shared/data/spd/" + name + ".nff";
 }
 
 // Elements that the tables name, without regard to how.

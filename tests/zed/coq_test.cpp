@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "support/catch.hpp"
+#include "support/tree.hpp"
 #include "zed/lines.hpp"
 
 using namespace durero::zed;
@@ -47,14 +48,14 @@ std::string definition(const std::string& of) { return more("\\begin{zed} " + of
 TEST_CASE(
     "proofs/Especificacion.v is what the Z text is in Coq: where it is stale, durero spec export --coq writes it") {
   const std::string now = exported(read_files(files_in("spec")));
-  const std::string committed = contents(DURERO_SOURCE_DIR "/proofs/Especificacion.v");
+  const std::string committed = contents(durero::test::source_dir() + "/proofs/Especificacion.v");
   CHECK(now == committed);
 }
 
 TEST_CASE("every change of the text's mathematics changes the export") {
   std::string all;
   for (const char* stem : {"tipos", "escena", "operaciones", "puntos", "interseccion"})
-    all += contents(fmt::format("{}/spec/{}.tex", DURERO_SOURCE_DIR, stem));
+    all += contents(fmt::format("{}/spec/{}.tex", durero::test::source_dir(), stem));
   const std::string before = exported(read_text(all, "spec"));
   const auto with = [&](const std::string& old, const std::string& now) {
     std::string changed = all;

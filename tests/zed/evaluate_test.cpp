@@ -2,12 +2,13 @@
 
 #include "durero/zed/parser.hpp"
 #include "support/catch.hpp"
+#include "support/tree.hpp"
 
 namespace durero::zed {
 namespace {
 
 std::vector<Section> specification() {
-  const std::string folder = DURERO_SOURCE_DIR "/spec/";
+  const std::string folder = durero::test::source_dir() + "/spec/";
   const auto read = read_files({folder + "tipos.tex", folder + "escena.tex", folder + "operaciones.tex",
                                 folder + "puntos.tex", folder + "interseccion.tex"});
   REQUIRE(read.ok());

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "durero/zed/defect.hpp"
+#include "support/tree.hpp"
 
 namespace durero::zed::test {
 
@@ -19,7 +20,7 @@ using Lines = std::map<std::string, std::map<unsigned, std::vector<std::string>>
 /// The `.tex` files of a folder of the source tree, in order.
 inline std::vector<std::string> files_in(const std::string& folder) {
   std::vector<std::string> found;
-  for (const auto& entry : std::filesystem::directory_iterator(std::string(DURERO_SOURCE_DIR "/") + folder))
+  for (const auto& entry : std::filesystem::directory_iterator(durero::test::source_dir() + "/" + folder))
     if (entry.path().extension() == ".tex") found.push_back(entry.path().string());
   std::sort(found.begin(), found.end());
   return found;

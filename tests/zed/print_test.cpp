@@ -5,6 +5,7 @@
 #include "durero/zed/parser.hpp"
 #include "durero/zed/reader.hpp"
 #include "support/property.hpp"
+#include "support/tree.hpp"
 #include "zed/generate.hpp"
 
 using namespace durero::zed;
@@ -45,8 +46,8 @@ Paragraph read_back(const std::string& latex, const Markup& markup) {
 }  // namespace
 
 TEST_CASE("every paragraph of spec/ is read back as it was from what is printed, in both mark-ups") {
-  const Specification spec = read_files({fmt::format("{}/spec/interseccion.tex", DURERO_SOURCE_DIR),
-                                         fmt::format("{}/spec/operaciones.tex", DURERO_SOURCE_DIR)});
+  const Specification spec = read_files({fmt::format("{}/spec/interseccion.tex", durero::test::source_dir()),
+                                         fmt::format("{}/spec/operaciones.tex", durero::test::source_dir())});
   std::size_t count = 0;
   for (const Section& section : spec.sections) {
     const Markup& markup = spec.markup.at(section.name);

@@ -7,6 +7,7 @@
 #include <regex>
 
 #include "support/catch.hpp"
+#include "support/tree.hpp"
 
 using namespace durero::zed;
 
@@ -32,7 +33,7 @@ std::vector<std::pair<std::string, Place>> labels_of(const Section& section) {
 TEST_CASE("the Z text of spec/ is read without a defect") {
   std::vector<std::string> files;
   for (const char* stem : {"tipos", "escena", "operaciones", "puntos", "interseccion"})
-    files.push_back(fmt::format("{}/spec/{}.tex", DURERO_SOURCE_DIR, stem));
+    files.push_back(fmt::format("{}/spec/{}.tex", durero::test::source_dir(), stem));
   const Specification spec = read_files(files);
   for (const Defect& one : spec.defects) UNSCOPED_INFO(one.text());
   CHECK(spec.ok());
@@ -42,7 +43,7 @@ TEST_CASE("the Z text of spec/ is read without a defect") {
 TEST_CASE("each labelled line of spec/ gives its label to one conjunct or definition, at its line") {
   std::size_t labels = 0, lines = 0;
   for (const char* stem : {"tipos", "escena", "operaciones", "puntos", "interseccion"}) {
-    const std::string file = fmt::format("{}/spec/{}.tex", DURERO_SOURCE_DIR, stem);
+    const std::string file = fmt::format("{}/spec/{}.tex", durero::test::source_dir(), stem);
     std::ifstream in(file);
     std::map<std::string, unsigned> where;
     const std::regex pattern(R"(% (\w+\.(pre|post|inv|def|axiom)\.\d+)$)");

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "support/catch.hpp"
+#include "support/tree.hpp"
 #include "zed/lines.hpp"
 
 using namespace durero::zed;
@@ -18,7 +19,7 @@ struct Text {
 
   Text() {
     for (const char* stem : {"tipos", "escena", "operaciones", "puntos", "interseccion"})
-      all += contents(fmt::format("{}/spec/{}.tex", DURERO_SOURCE_DIR, stem));
+      all += contents(fmt::format("{}/spec/{}.tex", durero::test::source_dir(), stem));
   }
   Text& replace(const std::string& old, const std::string& now) {
     const std::size_t at = all.find(old);
