@@ -90,7 +90,9 @@ void add_spec(CLI::App& app, int& status) {
   confirm->footer(
       "The text decides all of it: where on the ray its points lie on an element, and so that a miss is one; the\n"
       "elements of the point; which point is the reduction of them all; and where no point is nearest. The program\n"
-      "adds the roots of the polynomials in t that the text compares with 0, and the rounding of the hit's numbers.");
+      "adds the roots of the polynomials in t that the text compares with 0, and the rounding of the hit's numbers.\n"
+      "Each ray has one line in HITS, in any order. A JSON line for each ray and one with the counts go to stdout.\n"
+      "Status 0: every ray is answered, and rightly; 1: some ray is not; 2: a file cannot be read.");
   confirm->add_option("SCENE", options->scene, "Scene file (JSON)")->required();
   confirm->add_option("RAYS", options->rays, "Ray file")->required();
   confirm->add_option("HITS", options->hits, "Hit file (JSON lines)")->required();

@@ -104,6 +104,7 @@ void read_hit(const json::Document& document, std::size_t at, const scene::Scene
   in.object("a hit", keys, 3, [&](std::size_t key) {
     switch (key) {
       case 0:
+        read.offset = in.offset();
         read.ray = read_index(in);
         break;
       case 1:
@@ -185,6 +186,20 @@ std::vector<RayHit> read_hits(const Source& source, const scene::Scene& scene) {
       read_hit(document, begin, scene, hits.emplace_back());
     }
     begin = end + 1;
+  }
+  return hits;
+}
+
+std::vector<std::optional<scene::Hit>> read_hits_of_rays(const Source& source, const scene::Scene& scene,
+                                                         std::size_t rays) {
+  std::vector<std::optional<scene::Hit>> hits(rays);
+  for (RayHit& read : read_hits(source, scene)) {
+    if (read.ray >= rays) {
+      source.fail(read.offset, fmt::format("ray {} of {}", read.ray, rays), "expected a ray of the ray file, from 0");
+    }
+    if (hits[read.ray])
+      source.fail(read.offset, fmt::format("ray {} has a hit already", read.ray), "expected one a ray");
+    hits[read.ray] = std::move(read.hit);
   }
   return hits;
 }

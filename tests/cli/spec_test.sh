@@ -1,4 +1,4 @@
-# durero spec: check, eval, show, confirm; durero edit --by-spec.
+# durero spec: check, eval, show; durero edit --by-spec. (spec_confirm_test.sh has spec confirm.)
 . "$(dirname "$0")/harness.sh"
 sample >scene.json
 
@@ -82,64 +82,6 @@ has out "ΞEscena == [Escena; Escena' | θ Escena = θ Escena']"
 has out 'Escena.inv.1'
 refused 'NAME:1:1: the text declares no nadie; expected' spec show nadie
 refused 'NAME:1:1: the text declares no Δnadie; expected' spec show Δnadie
-
-# confirm: right hits, then hits that are wrong in each way.
-cat >rays <<'RAYS'
-0 0 -5 0 0 1
-0 0.25 -5 0.125 0.0625 1
-4 1 0 0 1 0
-9 9 9 1 0 0
-1 0 0 -1 0 0 @s1
-4 -1 0 0 1 0
-RAYS
-run 0 trace scene.json rays -o hits
-run 0 spec confirm scene.json rays hits
-lines out 6
-[ "$(grep -c '"confirmed":true' out)" = 6 ] || fail 'a right hit is not confirmed'
-wrong() { # wrong RAY FROM TO WHY
-  sed "$(($1 + 1))s/$2/$3/" hits >wrong
-  cmp -s hits wrong && fail "nothing is wrong in ray $1"
-  run 1 spec confirm scene.json rays wrong
-  has out "{\"ray\":$1,\"confirmed\":false,\"predicate\":\"$4"
-}
-wrong 0 '"t":4' '"t":4.000000000000001' 'no intersection has t and point'
-wrong 0 '"t":4,"point":\[0,0,-1\]' '"t":6,"point":[0,0,1]' 'Hay_Interseccion.post.1'
-wrong 0 's1' 'c1' 'Hay_Interseccion.post.3'
-wrong 1 '"s1"' '"k1","s1"' 'Hay_Interseccion.post.3'
-wrong 2 'c1' 'k1' 'No_Hay_Minimo.post.1'
-wrong 3 'miss","elementos":\[\]' 'no_minimum","elementos":["c1"]' 'No_Hay_Minimo.pre.1'
-wrong 3 'miss","elementos":\[\]' 'hit","elementos":["s1"],"t":1,"point":[10,9,9]' 'Hay_Interseccion.pre.1'
-wrong 0 'hit","elementos":\["s1"\],"t":4,"point":\[0,0,-1\]' 'no_minimum","elementos":["s1"]' 'No_Hay_Minimo.pre.2'
-sed '1s/.*/{"ray":0,"outcome":"miss","elementos":[]}/' hits >wrong
-run 1 spec confirm scene.json rays wrong
-has out '{"ray":0,"confirmed":false,"predicate":"No_Hay_Interseccion.pre.1: a point of the ray lies on s1"}'
-sed '3s/.*/{"ray":2,"outcome":"miss","elementos":[]}/' hits >wrong  # a stretch without a nearest point
-run 1 spec confirm scene.json rays wrong
-has out '{"ray":2,"confirmed":false,"predicate":"No_Hay_Interseccion.pre.1: a point of the ray lies on c1"}'
-sed '3s/.*/{"ray":2,"outcome":"hit","elementos":["c1"],"t":1,"point":[4,2,0]}/' hits >wrong
-run 1 spec confirm scene.json rays wrong
-has out '{"ray":2,"confirmed":false,"predicate":"Hay_Interseccion.pre.1'
-
-# confirm: a tie names both elements; t and each coordinate to the last bit.
-cat >tie.json <<'SCENE'
-{"format":"durero-scene","version":1,"elementos":[{"id":"a","tipo":"esfera","centro":[0,0,0],"radio":1},
-{"id":"b","tipo":"esfera","centro":[0,0,1],"radio":2}]}
-SCENE
-echo '0.25 0.125 -5 0 0 1
-0 0 -5 0 0 3' >tie
-run 0 trace tie.json tie -o hits
-run 0 spec confirm tie.json tie hits
-wrong_tie() { # wrong_tie RAY FROM TO WHY
-  sed "$(($1 + 1))s/$2/$3/" hits >wrong
-  cmp -s hits wrong && fail "nothing is wrong in ray $1"
-  run 1 spec confirm tie.json tie wrong
-  has out "{\"ray\":$1,\"confirmed\":false,\"predicate\":\"$4"
-}
-wrong_tie 1 '"a","b"' '"a"' 'Hay_Interseccion.post.3'
-wrong_tie 1 '"a","b"' '"b"' 'Hay_Interseccion.post.3'
-wrong_tie 1 '"t":1.3333333333333333' '"t":1.3333333333333335' 'no intersection has t and point'
-wrong_tie 0 '4.019627560280642' '4.019627560280643' 'no intersection has t and point'
-wrong_tie 1 '-1\]' '-0.9999999999999999]' 'no intersection has t and point'
 
 # edit --by-spec: the text decides the same.
 cat >operations <<'OPERATIONS'

@@ -125,6 +125,22 @@ TEST_CASE("A malformed hit is an error with its place") {
   }
 }
 
+TEST_CASE("The hits of rays: one for each ray, in any order, none where the file has none") {
+  const scene::Scene scene = three_elements();
+  const std::string first = R"({"ray":0,"outcome":"no_minimum","elementos":["c"]})",
+                    last = R"({"ray":2,"outcome":"miss","elementos":[]})";
+  const auto hits = io::read_hits_of_rays(io::Source("f", last + "\n" + first), scene, 3);
+  REQUIRE(hits.size() == 3);
+  CHECK(hits[0] == scene::Hit{Resultado::no_minimum, 0, {}, elements(scene, {"c"})});
+  CHECK_FALSE(hits[1]);
+  CHECK(hits[2] == scene::Hit{});
+  const auto of_two = [&](const io::Source& s) { return io::read_hits_of_rays(s, scene, 2); };
+  CHECK(test::error_at_mark(first + "\n" + R"({"ray":^2,"outcome":"miss","elementos":[]})", of_two) ==
+        "ray 2 of 2; expected a ray of the ray file, from 0");
+  CHECK(test::error_at_mark(first + "\n" + R"({"ray":^0,"outcome":"miss","elementos":[]})", of_two) ==
+        "ray 0 has a hit already; expected one a ray");
+}
+
 TEST_CASE("No damage to hits does worse than an error") {
   const std::string text = R"({"ray":0,"outcome":"hit","elementos":["a","c"],"t":"inf","point":[0,-1.5e3,"-inf"]})"
                            "\n"

@@ -11,6 +11,7 @@
 /// As .npy, one record a ray: dtype [('outcome','S10'),('t','<f8'),('point','<f8',(3,)),('elementos','S…')]; without a
 /// hit t and point are NaN; the names stand in `elementos` separated by commas.
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,10 +31,16 @@ std::string hits_npy(std::span<const scene::Hit> hits, const scene::Scene& scene
 /// A hit, and the number of its ray in the ray file (from 0).
 struct RayHit {
   std::size_t ray;
+  std::size_t offset;  ///< where that number stands in the source
   scene::Hit hit;
 };
 
 /// Reads JSON lines. Throws InputError, also on an element that the scene has not.
 std::vector<RayHit> read_hits(const Source& source, const scene::Scene& scene);
+
+/// Reads JSON lines, in any order, as the hits of that many rays: one for each ray, nothing for a ray without a line.
+/// Throws InputError, also at the number of a ray that is none of them or has a hit already.
+std::vector<std::optional<scene::Hit>> read_hits_of_rays(const Source& source, const scene::Scene& scene,
+                                                         std::size_t rays);
 
 }  // namespace durero::io
