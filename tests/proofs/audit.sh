@@ -1,24 +1,29 @@
 #!/bin/sh
 # The audit of the proofs: what could make a theorem of proofs/Main.v mean less than it says.
 #   audit.sh CHECK PROOFS [BUILD_DIRECTORY]
-#     text         no proof is left open, and nothing is assumed outside a module type
+#     text         no proof is left open, nothing is assumed outside a section or a module type, no check of Coq's is
+#                  switched off, and Main.v holds statements and nothing that they could be bent with
 #     reachable    Main.v depends on every file, so that none is proved beside the point
 #     assumptions  each theorem of Main.v rests on the axioms that assumptions.txt says, and those are of classical reals
+#     statements   each theorem of Main.v says what statements.txt says, and so does each definition that it reaches
 #     kernel       coqchk, which shares no code with the tactics, accepts Main.v and all below it
 #     all          each of these
-# Except for `text` the build directory holds the proofs, built.
+# Except for `text` the build directory holds the proofs, built. `update` writes assumptions.txt and statements.txt anew:
+# their difference is then for a reader to judge.
 set -eu
 export LC_ALL=C
 check=$1 proofs=$2 build=${3-}
 tmp=$(mktemp -d) && trap 'rm -rf "$tmp"' EXIT
 
-# The axioms of Coq's classical real numbers, and no others.
-allowed='ClassicalDedekindReals.sig_forall_dec
-ClassicalDedekindReals.sig_not_dec
-FunctionalExtensionality.functional_extensionality_dep
-Classical_Prop.classic
-functional_extensionality_dep
-classic'
+# The axioms of Coq's classical real numbers, and no others, by their full names.
+allowed='Coq.Reals.ClassicalDedekindReals.sig_forall_dec
+Coq.Reals.ClassicalDedekindReals.sig_not_dec
+Coq.Logic.FunctionalExtensionality.functional_extensionality_dep
+Coq.Logic.Classical_Prop.classic'
+
+# The options that every file is compiled with, and no others: some of Coq's make it prove anything.
+options='-Q . Durero
+-arg -w -arg -notation-overridden'
 
 # The files without comments and strings, each line as FILE:LINE:TEXT.
 without_comments() {
@@ -28,22 +33,64 @@ without_comments() {
         two = substr(text, 1, 2); one = substr(text, 1, 1); step = 1
         if (string) { if (one == "\"") string = 0 }
         else if (two == "(*") { depth++; step = 2 }
-        else if (depth && two == "*)") { depth--; step = 2 }
-        else if (one == "\"") string = 1
+        else if (depth && two == "*)") { depth--; step = 2; out = out " " }
+        else if (one == "\"") { string = 1; if (!depth) out = out "\"\"" }
         else if (!depth) out = out one
         text = substr(text, step + 1)
       }
       print FILENAME ":" FNR ":" out }' "$@"
 }
 
+# The sentences of the files, each in one line as FILE:LINE:SENTENCE, its words one blank apart.
+sentences() {
+  without_comments "$@" | awk '
+    function told() { if (sentence != "") print file ":" begin ":" sentence; sentence = "" }
+    { line = $0; sub(/:.*/, "", line)
+      if (line != file) { told(); file = line }
+      line = text = substr($0, length(file) + 2); sub(/:.*/, "", line); sub(/^[0-9]*:/, "", text)
+      n = split(text, words, /[ \t\r\f]+/)
+      for (i = 1; i <= n; i++) if (words[i] != "") {
+        if (sentence == "") begin = line
+        sentence = sentence (sentence == "" ? "" : " ") words[i]
+        if (words[i] ~ /(^|[^.])(\.|\.\.\.)$/) told()
+      } }
+    END { told() }'
+}
+
+# What may begin a sentence of any file, and of Main.v: all else could assume, or switch a check off, or say in Main.v
+# what a word of a statement means. What begins with a small letter is a tactic. Whoever needs another kind of sentence
+# adds it here, if it can do neither.
+common='Theorem Variable Variables Hypothesis Hypotheses Let Notation Section End Import From Proof Qed'
+in_main="$common Implicit"
+in_any="$common Implicit Lemma Corollary Definition Fixpoint Inductive Record Instance Context Module Parameter Ltac Opaque
+  Transparent Arguments Defined Unshelve"
+
 audit_text() {
-  words='Admitted|admit|give_up|Abort|Admit|Axioms?|Conjectures?|Parameters?|bypass_check|Unset +(Guard|Positivity|Universe) +Checking'
-  without_comments $(find "$proofs" -name '*.v' | sort) | awk -v words="(^|[^A-Za-z0-9_'.])($words)([^A-Za-z0-9_']|\$)" '
-    { file = $0; sub(/:.*/, "", file); if (file != last) { module_type = 0; last = file } }
-    /:[ \t]*Module +Type[ \t]/ { module_type = 1 }
-    { line = $0; sub(/^[^:]*:[0-9]*:/, "", line) }
-    line ~ words && !(module_type && line ~ /Parameter/) { print $0 "  <- left open, or assumed"; bad = 1 }
-    /:[ \t]*End[ \t]/ { module_type = 0 }
+  printf '%s\n' "$options" | diff - "$proofs/_CoqProject" || { echo '_CoqProject has other options than it should'; return 1; }
+  sentences "$proofs"/*.v | awk -v any="$in_any" -v main="$in_main" '
+    BEGIN { n = split(any, list); for (i = 1; i <= n; i++) in_any[list[i]] = 1
+      n = split(main, list); for (i = 1; i <= n; i++) in_main[list[i]] = 1 }
+    function wrong(why) { print $0 "  <- " why; bad = 1 }
+    { file = $0; sub(/:.*/, "", file); if (file != last) { depth = 0; last = file }
+      sentence = substr($0, length(file) + 2); sub(/^[0-9]*:/, "", sentence)
+      gsub(/[^A-Za-z0-9_.\047]/, " & ", sentence); words = split(sentence, word)
+      for (i = 1; i <= words; i++) if (word[i] ~ /^(Admitted|admit|give_up|Abort|Admit)\.?$/) wrong("left open")
+      first = 1
+      while (word[first] ~ /^([-+*{}:,!]|\[|\]|[0-9]+)$/) first++  # bullets, braces, and which goals
+      if (word[first] ~ /^([a-z(]|[A-Z][A-Za-z_]*\.[a-z])/) next  # a tactic
+      if (file !~ /\/Main\.v$/ && (word[first] == "Local" || word[first] == "Global")) first++
+      if (word[first] == "Local" && word[first + 1] ~ /^(Open|Notation)$/) first++
+      kind = word[first]; sub(/\.$/, "", kind)
+      two = kind " " word[first + 1]
+      if (two == "Open Scope" || two == "Declare Scope" || two == "Delimit Scope" || two == "Set Implicit") next
+      if (file ~ /\/Main\.v$/ && !(kind in in_main)) wrong("no sentence for Main.v, which states and refers only")
+      else if (!(kind in in_any)) wrong("a kind of sentence that the audit does not know: it may assume anything")
+      else if (kind ~ /^(Variable|Hypothes|Context)/ && room[depth] != "Section") wrong("assumed outside a section")
+      else if (kind == "Parameter" && room[depth] != "Module Type") wrong("assumed outside a module type")
+      if (kind == "Section") room[++depth] = kind
+      else if (two == "Module Type" && sentence !~ / : = /) room[++depth] = two
+      else if (kind == "Module" && sentence !~ / : = /) room[++depth] = kind
+      else if (kind == "End") depth-- }
     END { exit bad }'
 }
 
@@ -64,14 +111,24 @@ audit_reachable() {
       exit bad }'
 }
 
+# The theorems of Main.v, in its order.
+theorems() { sentences "$proofs/Main.v" | sed -n 's/^[^:]*:[0-9]*:Theorem \([A-Za-z0-9_]*\).*/\1/p'; }
+
+# ask FILE: Coq's answers to the commands of that file, with Main.v loaded and nothing imported: then a name is printed
+# with its file, whatever notations and coercions say.
+ask() {
+  { echo 'From Durero Require Main.'
+    echo 'Unset Printing Notations. Set Printing Coercions. Set Printing Width 120. Set Printing Depth 1000000.'
+    cat "$1"
+  } >"$tmp/asked.v"
+  (cd "$build" && coqc -q -Q . Durero "$tmp/asked.v")
+}
+
 # One line a theorem of Main.v: its name and the axioms that it rests on, sorted.
 assumptions() {
-  theorems=$(without_comments "$proofs/Main.v" | sed -n 's/^[^:]*:[0-9]*:Theorem \([A-Za-z0-9_]*\).*/\1/p')
-  { echo 'From Durero Require Main.'
-    for theorem in $theorems; do echo "Redirect \"$tmp/$theorem\" Print Assumptions Main.$theorem."; done
-  } >"$tmp/audit.v"
-  (cd "$build" && coqc -q -Q . Durero "$tmp/audit.v") >&2
-  for theorem in $theorems; do  # an axiom begins its line; its type is indented, or follows a colon
+  theorems | sed "s|.*|Redirect \"$tmp/&\" Print Assumptions Main.&.|" >"$tmp/questions"
+  ask "$tmp/questions" >&2 || return 1
+  for theorem in $(theorems); do  # an axiom begins its line; its type is indented, or follows a colon
     found=$(sed -n 's/^Closed under the global context$/none/; /^Axioms:$/d; s/ *:.*//; /^[^ ]/p' \
       "$tmp/$theorem.out" | sort -u | tr '\n' ' ')
     [ -n "$found" ] || { echo "Main.v: no assumptions found of $theorem" >&2; return 1; }
@@ -83,20 +140,61 @@ audit_assumptions() {
   assumptions >"$tmp/now"
   [ -s "$tmp/now" ] || { echo "Main.v states no theorem"; return 1; }
   cut -d: -f2- "$tmp/now" | tr ' ' '\n' | grep -v '^$' | sort -u | grep -vxF 'none' >"$tmp/axioms" || true
-  if printf '%s\n' "$allowed" | grep -vxFf - "$tmp/axioms"; then echo 'these are not axioms of the classical reals'; return 1; fi
+  printf '%s\n' "$allowed" | sed 's/.*\.\([^.]*\.[^.]*\)$/\1/' >"$tmp/allowed"  # as Coq prints them; `kernel` has the full ones
+  if grep -vxFf "$tmp/allowed" "$tmp/axioms"; then echo 'these are not axioms of the classical reals'; return 1; fi
   diff -u "$proofs/assumptions.txt" "$tmp/now" || { echo 'assumptions.txt does not say what Main.v rests on'; return 1; }
+}
+
+# What each theorem of Main.v says, and then, round by round, the definitions of what was named in the round before:
+# sections are closed, so that their hypotheses show. A block begins with the full name; the last one has the full names
+# of what Coq's libraries define.
+statements() {
+  own=$(cd "$proofs" && printf '%s\n' ./*.v | sed 's|^\./||; s|\.v$||' | tr '\n' '|')
+  theorems | sed 's/^/Main./' >"$tmp/new"
+  : >"$tmp/known"
+  round=0
+  while [ -s "$tmp/new" ]; do
+    round=$((round + 1))
+    awk -v out="$tmp/$round" '{ say = $0 ~ /^(Durero\.)?Main\./ ? "Check @" : "Print "
+      printf "Redirect \"%s.%04d.is\" About %s.\nRedirect \"%s.%04d.says\" %s%s.\n", out, NR, $0, out, NR, say, $0 }' \
+      "$tmp/new" >"$tmp/questions"
+    ask "$tmp/questions" >&2 || return 1
+    cat "$tmp/new" >>"$tmp/known"
+    cat "$tmp/$round".*.says.out | awk '/^Arguments / { skip = 1 } /^$/ { skip = 0 } !skip' >"$tmp/said"
+    grep -oE "[A-Za-z_][A-Za-z0-9_']*(\.[A-Za-z_][A-Za-z0-9_']*)+" "$tmp/said" | sort -u >"$tmp/names.$round"
+    grep -E "^(Durero\.)?(${own%|})\." "$tmp/names.$round" | grep -vxFf "$tmp/known" >"$tmp/new" || true
+  done
+  cat "$tmp"/names.* | sort -u | grep -vxFf "$tmp/known" | sed "s|.*|About &.|" >"$tmp/questions" || true
+  ask "$tmp/questions" >"$tmp/libraries" || return 1
+  awk '
+    FILENAME ~ /\.is\.out$/ { if (sub(/^Expands to: /, "")) full = $0; next }
+    FNR == 1 { if (full ~ /^Constructor /) skip = 2; else { skip = 0; print "[" full "]" } }  # its type is printed
+    /^Arguments / { if (!skip) skip = 1 } /^$/ { if (skip == 1) skip = 0; next }
+    !skip' $(printf '%s\n' "$tmp"/*.out | grep -E '/[0-9]+\.[0-9]+\.(is|says)\.out$')
+  echo '[the libraries]'
+  sed -n 's/^Expands to: //p' "$tmp/libraries" | sort -u
+}
+
+audit_statements() {
+  statements >"$tmp/now"
+  diff -u "$proofs/statements.txt" "$tmp/now" || {
+    echo 'statements.txt does not say what Main.v states; if it should, sh tests/proofs/run.sh build/proofs update'
+    return 1
+  }
 }
 
 audit_kernel() {
   coqchk -silent -o -Q "$build" Durero Durero.Main >"$tmp/chk" 2>&1 || { cat "$tmp/chk"; return 1; }
-  sed -n '/^\* Axioms:/,/^\* Constants/p' "$tmp/chk" | sed -n 's/^    *//p' | sed 's/.*\.\([^.]*\.[^.]*\)$/\1/' >"$tmp/axioms"
+  sed -n '/^\* Axioms:/,/^\* Constants/p' "$tmp/chk" | sed -n 's/^    *//p' >"$tmp/axioms"
   if printf '%s\n' "$allowed" | grep -vxFf - "$tmp/axioms"; then echo 'coqchk finds these other axioms'; return 1; fi
-  [ "$(grep -c ': <none>$' "$tmp/chk")" = 3 ] || { cat "$tmp/chk"; return 1; }
+  [ "$(grep -v '^\* Axioms:' "$tmp/chk" | grep -c ': <none>$')" = 3 ] || { cat "$tmp/chk"; return 1; }
 }
 
 case $check in
-  text | reachable | assumptions | kernel) "audit_$check" ;;
-  print) assumptions ;;  # what assumptions.txt should hold
-  all) audit_text && audit_reachable && audit_assumptions && audit_kernel ;;
+  text | reachable | assumptions | statements | kernel) "audit_$check" ;;
+  update)
+    assumptions >"$tmp/assumptions" && statements >"$tmp/statements"
+    cp "$tmp/assumptions" "$proofs/assumptions.txt" && cp "$tmp/statements" "$proofs/statements.txt" ;;
+  all) audit_text && audit_reachable && audit_assumptions && audit_statements && audit_kernel ;;
   *) echo "audit.sh does not know $check"; exit 2 ;;
 esac

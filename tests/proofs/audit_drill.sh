@@ -1,7 +1,9 @@
 #!/bin/sh
-# An audit that cannot fail is no audit: this plants, in a copy of the proofs, the faults that it should see, and fails
-# where it says nothing, or says it of another check.
+# An audit that cannot fail is no audit: this plants the faults that it should see, and fails where it says nothing, or
+# says it of another check.
 #   audit_drill.sh PROOFS BUILD_DIRECTORY      the build directory holds the proofs, built
+# What the text shows and what Main.v states is planted in a copy of the proofs; what needs every file compiled again,
+# or all of them checked by coqchk, in small proofs of the same form.
 set -u
 here=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
 original=$1 built=$2
@@ -9,47 +11,177 @@ tmp=$(mktemp -d) && trap 'rm -rf "$tmp"' EXIT
 proofs=$tmp/proofs build=$tmp/build
 drills=0 missed=0
 
-fresh() {  # times are kept, so that only what depends on the fault is compiled again
+miss() { echo "drill: $1"; missed=$((missed + 1)); }
+
+# saw CHECK WHAT WORDS: the check fails, and says WORDS.
+saw() {
+  drills=$((drills + 1))
+  if sh "$here/audit.sh" "$1" "$proofs" "$build" >"$tmp/log" 2>&1; then miss "audit.sh $1 does not see: $2"
+  elif ! grep -q -e "$3" "$tmp/log"; then miss "audit.sh $1 fails, but not for: $2"; tail -n 20 "$tmp/log"
+  fi
+}
+
+builds() {
+  "$proofs/build.sh" "$build" >"$tmp/log" 2>&1 || { miss "the proofs do not build with the fault: $1"; tail -n 5 "$tmp/log"; }
+}
+
+# The copy; times are kept, so that only what depends on a fault is compiled again.
+copy() {
   rm -rf "$proofs" "$build"
   cp -a "$original" "$proofs" && cp -a "$built" "$build"
 }
 
-# sees CHECK WHAT WORDS: the check fails, and says WORDS.
-sees() {
-  drills=$((drills + 1))
-  if [ "$1" != text ] && ! "$proofs/build.sh" "$build" >"$tmp/log" 2>&1; then
-    echo "drill: the copy does not build with its fault: $2"; tail -n 5 "$tmp/log"; missed=$((missed + 1))
-  elif sh "$here/audit.sh" "$1" "$proofs" "$build" >"$tmp/log" 2>&1; then
-    echo "drill: audit.sh $1 does not see: $2"; missed=$((missed + 1))
-  elif ! grep -q -e "$3" "$tmp/log"; then
-    echo "drill: audit.sh $1 fails, but not for: $2"; cat "$tmp/log"; missed=$((missed + 1))
-  fi
-  fresh
+# text FILE WHAT WORDS: what stands on standard input, at the end of a file of the copy, is seen by reading it.
+text() {
+  cat >>"$proofs/$1"
+  saw text "$2" "$3"
+  cp "$original/$1" "$proofs/$1" 2>/dev/null || rm "$proofs/$1"
 }
 
-fresh
-sh "$here/audit.sh" text "$proofs" || { echo "drill: the audit fails before any fault is planted"; missed=1; }
+copy
+sh "$here/audit.sh" text "$proofs" || miss "the audit fails before any fault is planted"
 
-printf 'Lemma open_end : 0 = 1.\nProof. Admitted.\n' >>"$proofs/Escena.v"
-sees text "an Admitted" 'Admitted.*left open'
-sed -i '0,/^Proof\. /s/^Proof\. .*/Proof. admit. (* Qed. *)/' "$proofs/Operaciones.v"
-sees text "an admit" 'admit.*left open'
-printf 'Axiom choice : False.\n' >>"$proofs/Puntos.v"
-sees text "an Axiom" 'Axiom.*assumed'
-printf '(* Module Type T. *)\nParameter choice : False.\n' >>"$proofs/Puntos.v"
-sees text "a Parameter outside a module type" 'Parameter.*assumed'
-printf '(* An Axiom in a comment, and Admitted. *)\nModule Type Given.\n  Parameter t : Type.\nEnd Given.\n' >>"$proofs/Puntos.v"
-if ! sh "$here/audit.sh" text "$proofs" >/dev/null; then
-  echo "drill: the audit refuses a comment, or a Parameter of a module type"; missed=$((missed + 1))
-fi
-fresh
+text Escena.v "an Admitted" 'Admitted.*left open' <<'V'
+Lemma open_end : 0 = 1.
+Proof. Admitted.
+V
+text Escena.v "an admit" 'admit.*left open' <<'V'
+Lemma open_end : 0 = 1.
+Proof. intros; admit. (* Qed. *)
+V
+text Puntos.v "an Axiom" 'Axiom choice.*does not know' <<'V'
+Axiom choice : False.
+V
+text Puntos.v "a Parameter outside a module type" 'Parameter choice.*outside a module type' <<'V'
+(* Module Type T. *)
+Parameter choice : False.
+V
+text Puntos.v "a Parameter after a module type" 'Parameter choice.*outside a module type' <<'V'
+Module Type Given. Parameter t : Type. End Given. Module M. Parameter choice : False. End M.
+V
+text Puntos.v "a Declare Module" 'Declare Module Gift.*does not know' <<'V'
+Module Type Given. Parameter choice : False. End Given.
+Declare Module Gift : Given.
+V
+text Puntos.v "a module type included in a module" 'Include Given.*does not know' <<'V'
+Module Type Given. Parameter choice : False. End Given.
+Module Gift. Include Given. End Gift.
+V
+text Puntos.v "a Load" 'Load.*does not know' <<'V'
+Load "/tmp/elsewhere".
+V
+for sentence in 'Variable choice : False.' 'Hypothesis choice : False.' 'Context (choice : False).' \
+  'Global Hypotheses (choice : False).' 'Section A. End A. Variables (choice : False).'; do
+  text Puntos.v "outside a section: $sentence" 'choice.*outside a section' <<V
+$sentence
+V
+done
+text Classical_Prop.v "a file with the name of one of Coq's, and a Variable" 'classic.*outside a section' <<'V'
+Variable classic : forall P : Prop, P.
+V
+for sentence in 'Unset Guard Checking.' 'Local Unset Guard Checking.' '#[local] Unset Universe Checking.' \
+  '#[bypass_check(guard)] Fixpoint f (n : nat) : False := f n.' 'Time Unset Positivity Checking.'; do
+  text Puntos.v "a check of Coq's switched off: $sentence" 'Checking\|bypass_check.*does not know' <<V
+$sentence
+V
+done
+text Puntos.v "a check of Coq's switched off, in two lines" 'Unset Guard Checking.*does not know' <<'V'
+Unset
+  Guard Checking.
+V
+for sentence in 'Module Classical_Prop. Variable classic : forall P : Prop, P. End Classical_Prop.' \
+  'Lemma planted : 0 = 1. Proof. apply Classical_Prop.classic. Qed.' \
+  'Definition is_first (reach : R -> Prop) (x : R) := x = x.' '  #[local] Theorem planted : True. Proof. exact I. Qed.' \
+  'Theorem planted : True. Proof. Definition sneaked := I. exact I. Qed.' 'Local Definition sneaked := I.'; do
+  text Main.v "in Main.v: $sentence" 'no sentence for Main.v' <<V
+$sentence
+V
+done
+cat >>"$proofs/Puntos.v" <<'V'
+(* An Axiom in a comment, and Admitted. *)
+Module Type Given.
+  Parameter t : Type.
+End Given.
+Section Admitted_here. Context (t : Type). Local Definition admitted (x : t) := "Admitted. Axiom "%string. End Admitted_here.
+V
+sh "$here/audit.sh" text "$proofs" || miss "the audit refuses a comment, a string, or what a module type or a section assumes"
+cp "$original/Puntos.v" "$proofs"
+for option in '-arg -type-in-type' '-arg -impredicative-set'; do
+  echo "$option" >>"$proofs/_CoqProject"
+  saw text "in _CoqProject: $option" "$option"
+  cp "$original/_CoqProject" "$proofs"
+done
 
-printf 'Variable choice : False.\nTheorem planted : 0 = 1.\nProof. destruct choice. Qed.\n' >>"$proofs/Main.v"
-sees assumptions "a Variable outside a section" 'choice'
-printf 'Theorem planted : True.\nProof. exact I. Qed.\n' >>"$proofs/Main.v"
-sees assumptions "a theorem that assumptions.txt does not know" 'planted'
+# Main.v with another meaning under the same names: a premise that is false, a hypothesis that no scene satisfies, and a
+# definition.
+sed -i 's/^\(Theorem a_certified_miss_is_a_miss t :\) F_fl/\1 False -> F_fl/
+  /^Theorem a_certified_miss_is_a_miss/,/^Qed/ s/^  intros H\. /  intros _ H. /
+  s/^Hypothesis ray_ok : .*/& Hypothesis ray_still : Rayo_v ray = mk_Vector 0 0 0./
+  /^Theorem the_segment_is_of_a_generator/,/^Proof/ s/^Proof\./& pose proof ray_still./
+  s/^Theorem first_hit_of_an_element/Let proper f : Prop := or (Trazador.proper f) False.\n&/
+  s/^Proof\. exact (first_correct f)\. Qed\./Proof. intros [H | []]. now apply first_correct. Qed./' "$proofs/Main.v"
 printf 'Lemma alone : True.\nProof. exact I. Qed.\n' >"$proofs/Alone.v"
-sees reachable "a file that Main.v does not depend on" 'Alone.v'
+builds "three statements with another meaning, and a file beside the point"
+saw statements "a premise that is false" '^+ .*_ : False'
+saw statements "a hypothesis that nothing satisfies" '^+ .*eq (Especificacion.Rayo_v ray)'
+saw statements "another notion under a name of a statement" '^+.Constant Durero.Main.proper'
+saw reachable "a file that Main.v does not depend on" 'Alone.v'
+
+# small: proofs of two files that pass the audit.
+small() {
+  rm -rf "$proofs" "$build"
+  mkdir -p "$proofs"
+  cp "$original/build.sh" "$original/_CoqProject" "$proofs"
+  echo 'Definition double (n : nat) := n + n.' >"$proofs/Base.v"
+  cat >"$proofs/Main.v" <<'V'
+From Durero Require Import Base.
+Section Numbers.
+Variable n : nat.
+Hypothesis zero : n = 0.
+Theorem doubled : double n = 0.
+Proof. now rewrite zero. Qed.
+End Numbers.
+V
+  builds "none"
+  sh "$here/audit.sh" update "$proofs" "$build" || miss "the small proofs are not read"
+}
+
+# rebuilt CHECK WHAT WORDS: the small proofs are built with their fault, and the check sees it.
+rebuilt() {
+  builds "$2"
+  saw "$1" "$2" "$3"
+}
+
+small
+sh "$here/audit.sh" all "$proofs" "$build" || miss "the audit fails on the small proofs before any fault is planted"
+printf 'Theorem planted : True.\nProof. exact I. Qed.\n' >>"$proofs/Main.v"
+rebuilt assumptions "a theorem that assumptions.txt does not know" '^+planted: none'
+small
+printf 'Variable choice : False.\nTheorem planted : 0 = 1.\nProof. destruct choice. Qed.\n' >>"$proofs/Main.v"
+rebuilt assumptions "a Variable outside a section" 'choice'
+small
+cat >>"$proofs/Main.v" <<'V'
+Module Classical_Prop. Variable classic : forall P : Prop, P. End Classical_Prop.
+Lemma planted : 0 = 1. Proof. apply Classical_Prop.classic. Qed.
+V
+rebuilt kernel "an axiom with the last names of one of Coq's" 'Durero.Main.Classical_Prop.classic'
+small
+echo 'Variable classic : forall P : Prop, P.' >"$proofs/Classical_Prop.v"
+sed -i 's/^From Durero Require/& Classical_Prop. &/; s/now rewrite zero/apply Classical_Prop.classic/' "$proofs/Main.v"
+rebuilt kernel "an axiom in a file with the name of one of Coq's" 'Durero.Classical_Prop.classic'
+small
+printf 'Module Type Given. Parameter choice : False. End Given.\nDeclare Module Gift : Given.\n' >>"$proofs/Base.v"
+rebuilt kernel "a module declared, and used by no theorem" 'Durero.Base.Gift.choice'
+small
+printf 'Unset\n Guard Checking.\nFixpoint loop (n : nat) : False := loop n.\n' >>"$proofs/Base.v"
+rebuilt kernel "a function that does not end" 'loop'
+small
+echo 'Definition double (n : nat) := n + n + 0.' >"$proofs/Base.v"
+sed -i 's/now rewrite zero/unfold double; now rewrite zero/' "$proofs/Main.v"
+rebuilt statements "another definition" '^+Base.double = fun n : nat => Nat.add (Nat.add n n) 0'
+small
+echo '-arg -type-in-type' >>"$proofs/_CoqProject"
+rebuilt kernel "every file compiled with -type-in-type, by a change of _CoqProject alone" 'type-in-type: *[^<]*$'
 
 echo "drill: $((drills - missed)) of $drills faults seen"
 [ "$missed" = 0 ]

@@ -1,6 +1,7 @@
 #!/bin/sh
 # Builds the proofs and runs a check on them; 77, which CTest reports as skipped, where Coq is absent.
 #   run.sh BUILD_DIRECTORY build | audit | drill
+#   run.sh BUILD_DIRECTORY update     writes proofs/assumptions.txt and proofs/statements.txt; read their difference
 set -eu
 here=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
 proofs=$here/../../proofs build=$1 check=$2
@@ -12,6 +13,7 @@ command -v coqc >/dev/null 2>&1 || {
 case $check in
   build) ;;
   audit) exec sh "$here/audit.sh" all "$proofs" "$build" ;;
+  update) exec sh "$here/audit.sh" update "$proofs" "$build" ;;
   drill) exec sh "$here/audit_drill.sh" "$proofs" "$build" ;;
   *) echo "run.sh does not know $check"; exit 2 ;;
 esac
