@@ -1,13 +1,18 @@
-/// Scenes and rays of every family with the answers of oracle::exact, as proofs/oracle/main.ml reads them.
-///   oracle_rays RAYS SEED [fault]     fault: one claim in a thousand is wrong by one unit in the last place
+/// Scenes and rays of every family with what answers them, as proofs/oracle/main.ml reads them.
+///   oracle_rays RAYS SEED exact | trace [fault]
+/// exact: oracle::exact. trace: the certified tracer, each ray twice: in a batch by lanes, and alone.
+/// fault: one claim in fifty is wrong, in each way in turn; all other lines are those without it.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "durero/oracle/exact.hpp"
+#include "durero/trace/analytic.hpp"
 #include "support/scenes.hpp"
 
 using namespace durero;
@@ -167,36 +172,126 @@ model::Rayo aimed(const scene::Scene& scene, scene::ElementRef e, const glm::dve
 }
 
 /// A ray of the family; one in three is aimed at an element, and one in four starts on some element.
-void one_ray(const Family& family, test::Random& random, const scene::Scene& scene, bool fault) {
+trace::Query ray_of(const Family& family, test::Random& random, const scene::Scene& scene) {
   const auto some = [&] { return *scene.find("e" + std::to_string(random.below(scene.size()))); };
   const glm::dvec3 p = vec(family, random);
   glm::dvec3 v = vec(family, random);
   if (v == glm::dvec3(0)) v = {0, 0, 1};
-  const model::Rayo rayo = random.below(3) == 0 ? aimed(scene, some(), p, family.number(random))
-                                                : model::Rayo{model::Punto(p), model::Vector(v)};
-  scene::ElementSet en;
-  if (random.below(4) == 0) en.push_back(some());
-  scene::Hit hit = oracle::exact::first_hit(scene, rayo, {en.data(), en.size()});
-  if (fault) hit.t = std::nextafter(hit.t, 0);
-  print(scene, rayo, en, hit);
+  const bool at_element = random.below(3) == 0;
+  trace::Query query{at_element ? aimed(scene, some(), p, family.number(random))
+                                : model::Rayo{model::Punto(p), model::Vector(v)}};
+  if (random.below(4) == 0) query.en.push_back(some());
+  return query;
 }
+
+/// The ways of being wrong. A claim that cannot be wrong in one way is so in the next that it can.
+enum class Fault { parameter, x, y, z, element_more, element_less, another_outcome };
+constexpr int faults = 7;
+
+/// A neighbour of x, which is rounded correctly and so has no right neighbour.
+void nudge(double& x) { x = std::nextafter(x, x == 0 ? 1 : 0); }
+
+/// Whether there was an element to add.
+bool add_element(scene::Hit& hit, const scene::Scene& scene) {
+  for (std::size_t i = 0; i < scene.size(); ++i) {
+    const scene::ElementRef e = *scene.find("e" + std::to_string(i));
+    if (std::find(hit.elementos.begin(), hit.elementos.end(), e) == hit.elementos.end()) {
+      hit.elementos.push_back(e);
+      return true;
+    }
+  }
+  return false;
+}
+
+/// A miss becomes a hit, a hit that no_minimum is said of, and what has no minimum a miss.
+void exchange_outcome(scene::Hit& hit, const scene::Scene& scene) {
+  switch (hit.resultado) {
+    case model::Resultado::miss:
+      hit = {model::Resultado::hit, 1, glm::dvec3(1), {*scene.find("e0")}};
+      return;
+    case model::Resultado::hit:
+      hit.resultado = hit.t < 1 ? model::Resultado::miss : model::Resultado::no_minimum;
+      return;
+    case model::Resultado::no_minimum:
+      hit.resultado = model::Resultado::miss;
+      return;
+  }
+}
+
+/// Whether the claim could be made wrong in this way.
+bool spoil(scene::Hit& hit, const scene::Scene& scene, Fault fault) {
+  const bool point = hit.resultado == model::Resultado::hit;
+  switch (fault) {
+    case Fault::parameter:
+      return point && (nudge(hit.t), true);
+    case Fault::x:
+      return point && (nudge(hit.punto.x), true);
+    case Fault::y:
+      return point && (nudge(hit.punto.y), true);
+    case Fault::z:
+      return point && (nudge(hit.punto.z), true);
+    case Fault::element_more:
+      return !hit.elementos.empty() && add_element(hit, scene);
+    case Fault::element_less:
+      return hit.elementos.size() > 1 && (hit.elementos.pop_back(), true);
+    case Fault::another_outcome:
+      exchange_outcome(hit, scene);
+      return true;
+  }
+  return false;
+}
+
+/// What the command line asks for, and how many claims were made.
+struct Session {
+  bool tracer = false, with_faults = false;
+  long claims = 0;
+
+  /// Prints the claim, right or spoilt.
+  void claim(const scene::Scene& scene, const trace::Query& query, scene::Hit hit) {
+    if (with_faults && claims++ % 50 == 49) {
+      for (long fault = claims / 50; !spoil(hit, scene, static_cast<Fault>(fault % faults));) ++fault;
+    }
+    print(scene, query.rayo, query.en, hit);
+  }
+
+  void claims_of(const scene::Scene& scene, const std::vector<trace::Query>& queries) {
+    if (!tracer) {
+      for (const trace::Query& query : queries) {
+        claim(scene, query, oracle::exact::first_hit(scene, query.rayo, {query.en.data(), query.en.size()}));
+      }
+      return;
+    }
+    const std::vector<scene::Hit> hits = trace::first_hits(scene, queries, 1);
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      const trace::Query& query = queries[i];
+      claim(scene, query, hits[i]);
+      claim(scene, query, trace::first_hit(scene, query.rayo, {query.en.data(), query.en.size()}));
+    }
+  }
+};
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 3) return std::fprintf(stderr, "oracle_rays: expected RAYS SEED [fault]\n"), 2;
+  const auto is = [&](int i, const char* word) { return argc > i && std::strcmp(argv[i], word) == 0; };
+  if (!is(3, "exact") && !is(3, "trace")) {
+    std::fprintf(stderr, "oracle_rays: expected RAYS SEED exact | trace [fault]\n");
+    return 2;
+  }
   const long rays = std::atol(argv[1]);
-  const bool faults = argc > 3 && std::strcmp(argv[3], "fault") == 0;
+  Session session{is(3, "trace"), is(4, "fault")};
+  const std::size_t most = session.tracer ? 20 : 6;  // elements of a scene; 24 rays fill the lanes of a batch
   test::Random random(static_cast<std::uint64_t>(std::atol(argv[2])));
-  long done = 0;
-  while (done < rays) {
+  for (long done = 0; done < rays; done += 24) {
     const Family& family = families[random.below(std::size(families))];
     scene::Scene scene;
-    for (std::size_t i = 0, n = 1 + random.below(6); i < n; ++i) {
+    for (std::size_t i = 0, n = 1 + random.below(most); i < n; ++i) {
       scene.apply(addition(family, random, scene));
     }
+    std::vector<trace::Query> queries;
+    for (int i = 0; i < 24; ++i) queries.push_back(ray_of(family, random, scene));
     print(scene);
-    for (int i = 0; i < 20; ++i, ++done) one_ray(family, random, scene, faults && done % 1000 == 999);
+    session.claims_of(scene, queries);
   }
   return 0;
 }
