@@ -1,7 +1,7 @@
 # durero_layer(NAME DEPENDS <layers above it> LIBRARIES <packages>): one target a layer, made of
-# include/durero/NAME/*.hpp and src/NAME/*.cpp; header-only while src/NAME has no sources.
+# include/durero/NAME/ and the sources in src/NAME/ and its folders; header-only while there are none.
 function(durero_sources OUT DIR)
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${DIR}/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${DIR}/*.cpp)
   set(${OUT} ${sources} PARENT_SCOPE)
 endfunction()
 

@@ -9,7 +9,7 @@
 #include "durero/io/output_file.hpp"
 #include "durero/io/source.hpp"
 #include "durero/oracle/spec.hpp"
-#include "durero/zed/review.hpp"
+#include "durero/zed/review/review.hpp"
 
 namespace durero::cli {
 namespace {

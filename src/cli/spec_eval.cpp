@@ -8,10 +8,10 @@
 #include "durero/io/scene_file.hpp"
 #include "durero/oracle/spec.hpp"
 #include "durero/scene/retrieve.hpp"
-#include "durero/zed/parser.hpp"
-#include "durero/zed/symbols.hpp"
-#include "durero/zed/toolkit.hpp"
-#include "durero/zed/typecheck.hpp"
+#include "durero/zed/syntax/parser.hpp"
+#include "durero/zed/syntax/symbols.hpp"
+#include "durero/zed/types/toolkit.hpp"
+#include "durero/zed/types/typecheck.hpp"
 #include "spec.hpp"
 
 namespace durero::cli {

@@ -1,7 +1,7 @@
 // durero spec export --coq FILE…: the Z text in another language.
 #include "commands.hpp"
 #include "durero/io/output_file.hpp"
-#include "durero/zed/coq.hpp"
+#include "durero/zed/coq/coq.hpp"
 
 namespace durero::cli {
 namespace {

@@ -8,8 +8,8 @@
 #include "durero/io/output_file.hpp"
 #include "durero/io/source.hpp"
 #include "durero/oracle/spec.hpp"
-#include "durero/zed/parser.hpp"
-#include "durero/zed/print.hpp"
+#include "durero/zed/print/print.hpp"
+#include "durero/zed/syntax/parser.hpp"
 #include "spec.hpp"
 
 namespace durero::embedded {

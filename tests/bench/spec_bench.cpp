@@ -4,7 +4,7 @@
 
 #include "durero/oracle/spec.hpp"
 #include "durero/scene/retrieve.hpp"
-#include "durero/zed/typecheck.hpp"
+#include "durero/zed/types/typecheck.hpp"
 #include "support/scenes.hpp"
 
 using namespace durero;

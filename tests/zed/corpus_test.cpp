@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "durero/zed/typecheck.hpp"
+#include "durero/zed/types/typecheck.hpp"
 #include "support/catch.hpp"
 #include "zed/lines.hpp"
 

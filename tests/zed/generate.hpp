@@ -3,7 +3,7 @@
 
 #include <rapidcheck.h>
 
-#include "durero/zed/ast.hpp"
+#include "durero/zed/syntax/ast.hpp"
 
 namespace durero::zed::test {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "durero/zed/defect.hpp"
+#include "durero/zed/syntax/defect.hpp"
 #include "support/tree.hpp"
 
 namespace durero::zed::test {

@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "durero/zed/parser.hpp"
-#include "durero/zed/print.hpp"
-#include "durero/zed/review.hpp"
+#include "durero/zed/print/print.hpp"
+#include "durero/zed/review/review.hpp"
+#include "durero/zed/syntax/parser.hpp"
 
 namespace durero::zed::test {
 

@@ -13,7 +13,7 @@
 #include "durero/model/escena.hpp"
 #include "durero/model/exact_point.hpp"
 #include "durero/model/operaciones.hpp"
-#include "durero/zed/evaluate.hpp"
+#include "durero/zed/evaluate/evaluate.hpp"
 
 namespace durero::oracle::spec {
 

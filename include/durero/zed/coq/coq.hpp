@@ -1,0 +1,23 @@
+#pragma once
+/// Writes a Z text as Coq: one source for the program and for the proofs. The rules of the translation stand at the
+/// head of what is written.
+
+#include <stdexcept>
+#include <string>
+
+#include "durero/zed/syntax/reader.hpp"
+#include "durero/zed/types/typecheck.hpp"
+
+namespace durero::zed {
+
+/// The text as a file of Coq, ending in a line end. `typing` is check(specification), and both are without defects.
+/// Throws ExportError where a paragraph has a form that no rule covers.
+std::string to_coq(const Specification& specification, const Typing& typing);
+
+/// `what()` is `FILE:LINE:COLUMN: what is wrong; what is expected`.
+class ExportError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace durero::zed

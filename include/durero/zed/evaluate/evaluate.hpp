@@ -1,0 +1,85 @@
+#pragma once
+/// Evaluates Z on given values: expressions, predicates, and whether values satisfy a schema and which of its
+/// conjuncts they break.
+///
+/// Conventions. An application of a function outside its domain, or of a relation that is no function there, has no
+/// value, and the predicate that it stands in directly (a relation) is false. Quantified variables range over finite
+/// sets, or are determined by the one-point rule: `x = e` determines x, and so does an equation that is linear in x, a
+/// number; the rule sees through definitions, so `p ∈ ⋃ { t : Rmas • E }` finds t. What neither gives is an error
+/// that says so, never a guess. Numbers are exact: `Real`. The root of a number is known to be one by its axiom,
+/// `f(r) * f(r) = r`.
+///
+/// An evaluator compiles each paragraph when it is first used, and is not for use by two threads at once. The
+/// intensional sets, functions and schema checks that it gave are not for use after its end.
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "durero/zed/syntax/reader.hpp"
+#include "durero/zed/value/value.hpp"
+
+namespace durero::zed {
+
+using Given = std::vector<std::pair<Name, Value>>;
+
+/// A conjunct of a schema: a predicate, or a declaration `x ∈ S`, and its truth.
+struct Finding {
+  std::string label;      ///< of the predicate; empty for a declaration
+  std::string predicate;  ///< in Unicode
+  std::string strokes;    ///< of the state that it speaks of: `'` for Escena' in an operation
+  Place place;
+  Truth truth = Truth::yes;
+};
+
+/// A schema compiled for values in the order of its components.
+class SchemaCheck {
+ public:
+  /// The names of the components, in the order of their declaration.
+  const std::vector<Name>& components() const;
+  /// Whether the values, one for each component, satisfy the schema. A component that is not known is `Open`.
+  Truth holds(std::span<const Value> values) const;
+  /// Every conjunct and its truth. Of a disjunction: where a side holds, that side's; else those of the side with the
+  /// fewest false conjuncts.
+  std::vector<Finding> findings(std::span<const Value> values) const;
+
+ private:
+  friend class Evaluator;
+  struct State;
+  std::shared_ptr<const State> state_;
+};
+
+class Evaluator {
+ public:
+  /// `given`: values of names that the specification declares and does not define.
+  explicit Evaluator(std::vector<Section> sections, const Given& given = {});
+  ~Evaluator();
+  Evaluator(Evaluator&&) noexcept;
+  Evaluator& operator=(Evaluator&&) noexcept;
+
+  /// The value of an expression, with these local names. All throw EvaluationError.
+  Value value(const Term& expression, const Given& locals = {}) const;
+  Truth holds(const Term& predicate, const Given& locals = {}) const;
+  /// The value of a declared name.
+  Value value(const Name& name) const;
+  /// value ∈ set.
+  Truth contains(const Value& set, const Value& value) const;
+  /// What `value(t) ∈ set` depends on, for a number t that is not given: polynomials in t of degree two at most, of
+  /// which it asks the sign. Between neighbouring roots of these it is true throughout, or false throughout. Throws
+  /// EvaluationError where it depends on t in any other way.
+  std::vector<Polynomial> comparisons(const Value& set, const std::function<Value(Unknown t)>& value) const;
+  /// function(argument); undefined outside the domain.
+  Value apply(const Value& function, const Value& argument) const;
+
+  /// Throws EvaluationError where the name is no schema's.
+  SchemaCheck schema(const Name& name) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace durero::zed

@@ -1,0 +1,35 @@
+#pragma once
+/// What is wrong with a Z text, and where.
+
+#include <stdexcept>
+#include <string>
+
+#include "durero/zed/syntax/ast.hpp"
+
+namespace durero::zed {
+
+/// One finding. An error means that the text is refused; a warning that it is read, and is suspect.
+struct Defect {
+  enum class Severity { error, warning };
+  std::string file;
+  Place place;
+  std::string what;      ///< what is wrong
+  std::string expected;  ///< what is expected instead
+  Severity severity = Severity::error;
+
+  /// `FILE:LINE:COLUMN: what is wrong; what is expected`, with `warning: ` after the place of a warning.
+  std::string text() const;
+};
+
+/// Thrown by a step that cannot go on, and caught where the next paragraph begins.
+class ZError : public std::runtime_error {
+ public:
+  ZError(Place where, const std::string& wrong, const std::string& wanted)
+      : std::runtime_error(wrong + "; " + wanted), place(where), what_is_wrong(wrong), expected(wanted) {}
+  Place place;
+  std::string what_is_wrong, expected;
+
+  Defect in(const std::string& file) const { return {file, place, what_is_wrong, expected, Defect::Severity::error}; }
+};
+
+}  // namespace durero::zed

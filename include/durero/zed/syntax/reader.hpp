@@ -1,0 +1,39 @@
+#pragma once
+/// Files of Z text to a specification: sections in an order in which each comes behind its parents.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "durero/zed/syntax/ast.hpp"
+#include "durero/zed/syntax/defect.hpp"
+#include "durero/zed/syntax/markup.hpp"
+
+namespace durero::zed {
+
+struct Specification {
+  std::vector<Section> sections;         ///< parents first
+  std::map<std::string, Markup> markup;  ///< by section: the directives in force in it, its parents' included
+  std::vector<Defect> defects;           ///< of reading; a paragraph that cannot be read is left out
+
+  bool ok() const { return defects.empty(); }
+  const Section* find(const std::string& name) const;
+};
+
+/// The largest file that is read: forty times spec/. A byte takes at most 400 of memory, as a token and a node.
+inline constexpr std::size_t max_bytes = 1 << 20;
+
+/// The sections of the toolkit, which any section may have as parents; they are built in and not read.
+bool is_toolkit(const std::string& section);
+
+/// Reads files, and the parents that they name: from the files given, or from the `.tex` files in the folder of the
+/// file that names the parent. A file that cannot be opened is a defect.
+Specification read_files(const std::vector<std::string>& files);
+
+/// Reads texts in memory, by the names of the files that they stand for.
+Specification read_texts(const std::map<std::string, std::string>& texts);
+
+/// Reads one text as a file of this name. Parents are looked for as by read_files.
+Specification read_text(const std::string& text, const std::string& file);
+
+}  // namespace durero::zed

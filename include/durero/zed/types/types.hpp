@@ -1,0 +1,98 @@
+#pragma once
+/// The types of Z (ISO/IEC 13568, clause 10): given types, power sets, products and schema types, and how two of them
+/// are made equal. Punto and Vector have one type: a schema type is its components, whatever its name.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "durero/zed/syntax/ast.hpp"
+
+namespace durero::zed {
+
+class Type {
+ public:
+  enum class Kind : std::uint8_t {
+    given,     ///< name: a given set, a free type, or 𝔸
+    formal,    ///< name: a generic formal, in its own paragraph
+    power,     ///< parts: one
+    product,   ///< parts: two or more
+    schema,    ///< fields, in the order of names, and parts: the type of each
+    variable,  ///< not determined (yet)
+    unknown,   ///< of what is in error already; agrees with every type
+  };
+
+  static Type given(Name name);
+  static Type formal(Name name);
+  static Type power(Type element);
+  static Type product(std::vector<Type> parts);
+  static Type schema(std::vector<std::pair<Name, Type>> fields);  ///< of distinct names, in any order
+  static Type variable();
+  static Type unknown();
+
+  Kind kind() const { return node().kind; }
+  bool is(Kind what) const { return kind() == what; }
+  const Name& name() const { return node().name; }
+  const std::vector<Type>& parts() const { return node().parts; }
+  const std::vector<Name>& fields() const { return node().fields; }
+  /// The type of a component of a schema type, or null.
+  const Type* field(const Name& name) const;
+
+  /// True for the type of a set of bindings: that of a schema.
+  bool is_schema_set() const { return is(Kind::power) && parts()[0].is(Kind::schema); }
+  /// True while something in it is not determined. What is unknown counts as determined.
+  bool has_variables() const;
+  /// Z notation: `ℙ (Elemento × 𝔸)`, `[x : 𝔸; y : 𝔸]`; `?` for what is not determined; long ones end in `…`.
+  std::string text() const;
+
+  /// How large the type is, written out, when it was made; saturates. The type-checker refuses types larger than the
+  /// limits: the largest of spec/ has some 150 parts, and whoever walks a type recurses at most max_depth levels.
+  std::uint32_t size() const { return node().size; }
+  std::uint32_t depth() const { return node().depth; }
+  static constexpr std::uint32_t max_size = 5000, max_depth = 500;
+
+  /// The same type without the variables that have been found to be something; what has not is unknown. Unknown too is
+  /// a type that is larger than the limits, once written out.
+  Type settled() const;
+
+  /// Puts types for formals. `actuals` are in step with `formals`.
+  Type substitute(const std::vector<Name>& formals, const std::vector<Type>& actuals) const;
+
+  /// Makes two types equal by determining variables in them; false, with some determined, where none can.
+  friend bool unify(const Type& a, const Type& b);
+
+ private:
+  struct Node {
+    Kind kind = Kind::unknown;
+    Name name;
+    std::vector<Type> parts;
+    std::vector<Name> fields;
+    std::uint32_t size = 1, depth = 1;
+    bool generic = false;                      // a formal is in it
+    mutable std::shared_ptr<const Node> same;  // what a variable has been found to be
+    mutable std::uint32_t rank = 0;            // of a variable: chains of variables stay logarithmic
+  };
+  explicit Type(Node node);
+  explicit Type(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
+  /// The node, behind what its variables have been found to be.
+  const Node& node() const;
+  std::shared_ptr<const Node> resolved() const;
+  static bool unify_at(const Type& a, const Type& b, unsigned depth, std::uint32_t& steps);
+  static void join(const Type& a, const Type& b);
+  Type settled_at(std::uint32_t depth, std::unordered_map<const Node*, Type>& done) const;
+  static bool occurs(const Node* variable, const Type& in);
+  void append(std::string& out, bool tight, int& budget) const;
+
+  std::shared_ptr<const Node> node_;
+};
+
+/// The type of a name, for every choice of its generic formals.
+struct Scheme {
+  std::vector<Name> formals;
+  Type type;
+};
+
+}  // namespace durero::zed

@@ -1,0 +1,179 @@
+#pragma once
+/// The values of Z that the evaluator computes with: exact reals, names of given sets and of free types, tuples,
+/// bindings and sets. A function is its set of pairs.
+///
+/// A set is *finite*, its members at hand and sorted, or *intensional*: it answers whether a value is a member, and
+/// to enumerate it is an error that says so. Values are immutable and share their parts, so copying is cheap.
+
+#include <atomic>
+#include <boost/container/small_vector.hpp>
+#include <compare>
+#include <cstdint>
+#include <iterator>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "durero/zed/syntax/ast.hpp"
+#include "durero/zed/value/real.hpp"
+
+namespace durero::zed {
+
+/// What the evaluator cannot do, or must not: `what()` says what, in Z notation.
+class EvaluationError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The truth of a predicate. `open`: it depends on a value that is not given.
+enum class Truth : std::uint8_t { no, yes, open };
+
+constexpr Truth truth(bool value) { return value ? Truth::yes : Truth::no; }
+
+class Value;
+class Set;
+struct Polynomial;
+struct TupleValue;
+struct BindingValue;
+struct Constructed;
+
+/// The value of an expression that has none: an application of a function outside its domain, and what is made of
+/// one. The predicate that it stands in directly is false.
+struct Undefined {};
+/// A value that depends on one not given.
+struct Open {};
+/// A variable that is looked for.
+struct Unknown {
+  std::uint32_t id;
+};
+
+/// A member of a given set, or a constant of a free type: known by its type and its name. `order` is the place among
+/// the constants of a free type, and 0 in a given set, whose members are in the order of their names.
+struct AtomName {
+  std::string type, text;
+  std::uint32_t order = 0;
+  std::uint64_t head = 0;  ///< the first eight bytes of the text, as a number in the order of texts
+};
+using Atom = std::shared_ptr<const AtomName>;
+
+using TuplePtr = std::shared_ptr<const TupleValue>;
+using BindingPtr = std::shared_ptr<const BindingValue>;
+using ConstructedPtr = std::shared_ptr<const Constructed>;
+using SetPtr = std::shared_ptr<const Set>;
+using PolynomialPtr = std::shared_ptr<const Polynomial>;
+
+/// The components' names of a binding, sorted.
+using Signature = std::shared_ptr<const std::vector<Name>>;
+Signature signature(std::vector<Name> names);
+
+class Value {
+ public:
+  using Form =
+      std::variant<Undefined, Open, Unknown, PolynomialPtr, Real, Atom, TuplePtr, BindingPtr, ConstructedPtr, SetPtr>;
+  Value() = default;  ///< undefined
+  Value(Open) : form_(Open{}) {}
+  Value(Unknown unknown) : form_(unknown) {}
+  Value(Real real) : form_(std::move(real)) {}
+  Value(Atom atom) : form_(std::move(atom)) {}
+  Value(PolynomialPtr polynomial) : form_(std::move(polynomial)) {}
+  Value(TuplePtr tuple) : form_(std::move(tuple)) {}
+  Value(BindingPtr binding) : form_(std::move(binding)) {}
+  Value(ConstructedPtr constructed) : form_(std::move(constructed)) {}
+  Value(SetPtr set) : form_(std::move(set)) {}
+
+  static Value atom(std::string type, std::string text, std::uint32_t order = 0);
+  static Value tuple(std::vector<Value> parts);
+  static Value pair(Value first, Value second);
+  /// names sorted, values in step.
+  static Value binding(Signature names, std::vector<Value> values);
+  static Value point(const Signature& names, Real x, Real y, Real z);  ///< of three components
+  /// constant + slope · unknown
+  static Value line(Real constant, Real slope, Unknown unknown);
+  /// Sorted here; repetitions are dropped. A set of open values is open, one of undefined values undefined.
+  static Value set(std::vector<Value> members);
+
+  const Form& form() const { return form_; }
+  bool is_undefined() const { return form_.index() == 0; }
+  bool is_open() const { return form_.index() == 1; }
+  /// The part of this kind, or null.
+  template <class T>
+  const T* get() const {
+    return std::get_if<T>(&form_);
+  }
+  const Real* real() const { return get<Real>(); }
+  const TupleValue* tuple() const;
+  const BindingValue* binding() const;
+  const Set* set() const;
+
+  /// In Z notation, in Unicode.
+  std::string text() const;
+
+ private:
+  Form form_;
+};
+
+// Most tuples are pairs and most bindings are points, so their parts need no heap of their own.
+struct TupleValue {
+  boost::container::small_vector<Value, 2> parts;
+};
+
+struct BindingValue {
+  BindingValue(Signature n, std::span<Value> v)
+      : names(std::move(n)), values(std::make_move_iterator(v.begin()), std::make_move_iterator(v.end())) {}
+  Signature names;
+  boost::container::small_vector<Value, 3> values;  ///< in step with names
+  const Value* component(const Name& name) const;
+  /// The closed schema that this binding was last found to satisfy: a binding never changes, nor does a schema.
+  mutable std::atomic<const void*> satisfies{nullptr};
+};
+
+/// A value of a free type made by a constructor.
+struct Constructed {
+  Atom constructor;
+  Value argument;
+};
+
+/// constant + slope · unknown + square · unknown², slope ≠ 0 or square ≠ 0.
+struct Polynomial {
+  Real constant, slope, square;
+  std::uint32_t unknown;
+};
+
+/// What is found out while a predicate is evaluated: see Search.
+struct Context;
+
+class Set {
+ public:
+  virtual ~Set() = default;
+  virtual Truth contains(const Value& value, Context& context) const = 0;
+  /// The members where the set is finite, sorted, each once; null where it is intensional.
+  virtual const std::vector<Value>* members() const { return nullptr; }
+  /// True where every value of the type is known to be a member.
+  virtual bool total() const { return false; }
+  /// True for a finite set of intensional sets: members may repeat, as nobody can compare them.
+  virtual bool family() const { return false; }
+  /// A member with every part unknown.
+  virtual Value unknown(Context& context) const;
+  /// The set as a function.
+  virtual Value apply(const Value& argument, Context& context) const;
+  /// Whether the set as a function is defined there.
+  virtual Truth in_domain(const Value& argument, Context& context) const;
+  /// Whether some member of this set of sets contains the value.
+  virtual Truth some_contains(const Value& value, Context& context) const;
+  /// What it is, for messages and printing.
+  virtual std::string text() const = 0;
+};
+
+/// Structural order of values of one type; total on those without unknown parts. Intensional sets are in an arbitrary
+/// order, by identity.
+std::strong_ordering compare(const Value& a, const Value& b);
+inline bool same(const Value& a, const Value& b) { return compare(a, b) == 0; }
+
+/// True where the value has a part that is open or unknown, or has an intensional part.
+bool has_open(const Value& value);
+bool has_intensional(const Value& value);
+
+}  // namespace durero::zed

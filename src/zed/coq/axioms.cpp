@@ -1,0 +1,211 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "durero/zed/syntax/defect.hpp"
+#include "zed/coq/writer.hpp"
+
+namespace durero::zed::coq {
+namespace {
+
+/// What the text describes by what it does, and Coq has by a name of its own. The description is exported as a
+/// statement about any such function, to be proved of this one.
+const std::unordered_map<std::string, std::string>& witnesses() {
+  static const std::unordered_map<std::string, std::string> known = {{"raizcuadrada", "sqrt"}};
+  return known;
+}
+
+bool is_arrow(const Term& set, std::string_view arrow) {
+  return set->kind == Kind::reference && set->name.word == arrow && set->children.size() == 2;
+}
+
+/// f(x, y) = E under ∀ x : S; y : T | P, x and y being all the variables in their order.
+struct Equation {
+  Name function;
+  const SchemaText* text = nullptr;
+  Term argument, value;
+};
+
+std::vector<Name> variables(const SchemaText& text) {
+  std::vector<Name> all;
+  for (const Declaration& one : text.declarations) all.insert(all.end(), one.names.begin(), one.names.end());
+  return all;
+}
+
+bool is_equation(const Term& term) {
+  return term->kind == Kind::relation && term->names.size() == 1 && term->names[0].word == "_=_";
+}
+
+/// The application of a name, or null.
+const Node* application(const Term& term) {
+  return term->kind == Kind::application && term->children[0]->kind == Kind::reference ? term.get() : nullptr;
+}
+
+std::optional<Equation> equation(const Term& term) {
+  if (term->kind != Kind::forall || !is_equation(term->children[0])) return {};
+  const Term& body = term->children[0];
+  const Node* left = application(body->children[0]);
+  if (!left) return {};
+  const Term& argument = left->children[1];
+  const std::vector<Term> parts = argument->kind == Kind::tuple ? argument->children : std::vector<Term>{argument};
+  std::vector<Name> given;
+  for (const Term& part : parts)
+    if (part->kind == Kind::reference) given.push_back(part->name);
+  if (given.size() != parts.size() || given != variables(*term->text)) return {};
+  return Equation{left->children[0]->name, term->text.get(), argument, body->children[1]};
+}
+
+/// dom f = S: f.
+std::optional<Name> stated_domain(const Term& term) {
+  if (!is_equation(term)) return {};
+  const Node* left = application(term->children[0]);
+  if (!left || left->children[0]->name.word != "dom" || left->children[1]->kind != Kind::reference) return {};
+  return left->children[1]->name;
+}
+
+/// c * n = m: m / n.
+std::optional<std::string> solution(const Name& c, const Term& term) {
+  if (!is_equation(term) || term->children[1]->kind != Kind::number) return {};
+  const Node* left = application(term->children[0]);
+  if (!left || left->children[0]->name.word != "_*_") return {};
+  const std::vector<Term>& factors = left->children[1]->children;
+  if (factors.size() != 2 || factors[0]->name != c || factors[1]->kind != Kind::number) return {};
+  return term->children[1]->name.word + " / " + factors[1]->name.word;
+}
+
+}  // namespace
+
+void Writer::declare_axiom(const Declaration& one) {
+  for (const Name& name : one.names) {
+    Symbol symbol;
+    symbol.text = variable(name);
+    if (is_arrow(one.term, "_→_")) {
+      symbol.form = Symbol::Form::function;
+      symbol.type = in_.carrier(one.term->children[1]);
+      const Term& from = one.term->children[0];
+      symbol.arity = from->kind == Kind::product ? from->children.size() : 1;
+    } else {
+      symbol.type = in_.carrier(one.term);
+    }
+    in_.symbols[name] = symbol;
+  }
+}
+
+// Each name is defined by an equation, by its domain and an equation on it, or by what is stated of it.
+void Writer::axiomatic(const Axiomatic& form, Place place) {
+  if (!form.formals.empty()) uncovered(place, "a generic box");
+  Declarations declared;
+  std::map<Name, const Predicate*> domains;
+  std::vector<const Predicate*> rest;
+  for (const Declaration& one : form.text.declarations) {
+    if (one.form != Declaration::Form::typed) uncovered(one.place, "this declaration");
+    const bool known =
+        std::any_of(one.names.begin(), one.names.end(), [&](const Name& name) { return in_.find(name); });
+    if (known) continue;
+    declare_axiom(one);
+    for (const Name& name : one.names) declared.emplace(name, one.term);
+  }
+  for (const Predicate& one : form.text.predicates) {
+    const auto of = stated_domain(one.term);
+    if (of && declared.contains(*of)) domains[*of] = &one;
+  }
+  for (const Predicate& one : form.text.predicates) {
+    const auto of = stated_domain(one.term);
+    if (of && domains.contains(*of)) continue;
+    const auto what = equation(one.term);
+    if (what && domains.contains(what->function)) {
+      if (!partial_definition(one, declared, *domains[what->function])) uncovered(one.place, "this partial function");
+      declared.erase(what->function);
+    } else if (what && what->text->predicates.empty() && explicit_definition(one, declared)) {
+      declared.erase(what->function);
+    } else {
+      rest.push_back(&one);
+    }
+  }
+  if (declared.size() > 1) uncovered(place, "a box with several names that no equation defines");
+  for (const auto& [name, set] : declared) implicit_definition(name, set, rest);
+  if (!declared.empty()) return;
+  for (const Predicate* one : rest) {
+    if (one->label.empty()) uncovered(one->place, "an axiom without a label");
+    sentence(fmt::format("Definition {} : Prop := {}.", identifier(one->label), in_.predicate(one->term, {}).text),
+             one->label);
+  }
+}
+
+bool Writer::explicit_definition(const Predicate& one, const Declarations& declared) {
+  const Equation what = *equation(one.term);
+  const auto found = declared.find(what.function);
+  if (found == declared.end() || !is_arrow(found->second, "_→_")) return false;
+  Scope inside;
+  const Signature slots = in_.declare(*what.text, inside);
+  std::string value;
+  if (in_.is_set(what.value)) {
+    value = in_.set(what.value, inside).text;
+  } else {
+    Frame frame;
+    value = in_.term(what.value, inside, frame).text;
+    if (!frame.empty()) uncovered(one.place, "a total function that applies a partial one");
+  }
+  sentence(fmt::format("Definition {} {} : {} := {}.", variable(what.function), binders(slots, false),
+                       in_.symbols.at(what.function).type.text(), value),
+           one.label);
+  return true;
+}
+
+bool Writer::partial_definition(const Predicate& one, const Declarations& declared, const Predicate& domain) {
+  const Equation what = *equation(one.term);
+  const Term& set = domain.term->children[1];
+  const auto found = declared.find(what.function);
+  if (found == declared.end() || !is_arrow(found->second, "_⇸_") || set->kind != Kind::comprehension ||
+      !set->children.empty() || variables(*set->text) != variables(*what.text))
+    return false;
+  Scope inside;
+  const Signature slots = in_.declare(*set->text, inside);
+  std::vector<Expr> all = in_.conditions(*set->text, slots, {}, inside);
+  const std::string y = in_.fresh("y", inside);
+  inside.variables.insert(y);
+  const Symbol& symbol = in_.symbols.at(what.function);
+  all.push_back(in_.is_value({y, atomic, symbol.type.element().parts.at(1)}, what.value, inside));
+  std::string arguments;
+  for (const Slot& slot : slots) arguments += (arguments.empty() ? "" : ", ") + slot.variable;
+  if (slots.size() > 1) arguments = "(" + arguments + ")";
+  sentence(fmt::format("Definition {} : {} := fun '({}, {}) => {}.", symbol.text, symbol.type.text(), arguments, y,
+                       all_of(all).text),
+           domain.label + ", " + one.label);
+  return true;
+}
+
+void Writer::implicit_definition(const Name& name, const Term& set, const std::vector<const Predicate*>& stated) {
+  const std::string f = variable(name);
+  std::string type, witness, declaration;
+  Scope scope;
+  scope.variables = {f, "x1"};
+  if (is_arrow(set, "_→_")) {
+    const Carrier from = in_.carrier(set->children[0]), to = in_.carrier(set->children[1]);
+    type = from.text(true) + " -> " + to.text();
+    const std::vector<Expr> left = in_.constraint({"x1", atomic, from}, set->children[0], scope);
+    const std::vector<Expr> right = in_.constraint({f + " x1", applied, to}, set->children[1], scope);
+    if (!right.empty())
+      declaration = fmt::format("forall x1 : {}, {}{}", from.text(),
+                                left.empty() ? "" : all_of(left).at(implied - 1) + " -> ", all_of(right).text);
+  } else {
+    const Carrier of = in_.carrier(set);
+    type = of.text();
+    if (!in_.whole(set)) declaration = in_.member({f, atomic, of}, set, scope).text;
+  }
+  if (const auto known = witnesses().find(f); known != witnesses().end()) witness = known->second;
+  if (!declaration.empty())
+    sentence(fmt::format("Definition {0}_decl ({0} : {1}) : Prop := {2}.", f, type, declaration));
+  for (const Predicate* one : stated) {
+    if (one->label.empty()) uncovered(one->place, "an axiom without a label");
+    sentence(fmt::format("Definition {} ({} : {}) : Prop := {}.", identifier(one->label), f, type,
+                         in_.predicate(one->term, scope).text),
+             one->label);
+    if (witness.empty()) witness = solution(name, one->term).value_or("");
+  }
+  if (witness.empty()) uncovered(set->place, "the implicit definition of " + f);
+  sentence(fmt::format("Definition {} : {} := {}.", f, type, witness));
+}
+
+}  // namespace durero::zed::coq

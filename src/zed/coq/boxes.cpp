@@ -1,0 +1,115 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "durero/zed/syntax/defect.hpp"
+#include "zed/coq/writer.hpp"
+
+namespace durero::zed::coq {
+namespace {
+
+bool is_plain(const Schema& form) {
+  return std::all_of(form.text.declarations.begin(), form.text.declarations.end(), [](const Declaration& one) {
+    return one.form == Declaration::Form::typed &&
+           std::all_of(one.names.begin(), one.names.end(), [](const Name& name) { return name.strokes.empty(); });
+  });
+}
+
+/// x : T says nothing beyond the type of x where T is the name of a whole type.
+bool says_nothing(const Term& set, const Translator& in) { return set->kind == Kind::reference && in.whole(set); }
+
+}  // namespace
+
+void Writer::record(const std::string& head, const Fields& fields) {
+  sentence("Record " + head + " {");
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    sentence(fields[i].first + (i + 1 == fields.size() ? "" : ";"), fields[i].second, "  ");
+  out_ += "}.\n";
+}
+
+void Writer::schema(const Schema& form) {
+  if (!form.formals.empty()) uncovered(form.text.declarations.at(0).place, "a generic schema");
+  is_plain(form) ? data(form) : operation(form);
+}
+
+/// A field for each declaration x : S that says more than the type of x, and one for each predicate.
+void Writer::conditions(const std::string& name, const SchemaText& text, const Scope& scope, Fields& to) {
+  for (const Declaration& one : text.declarations) {
+    if (one.form != Declaration::Form::typed || says_nothing(one.term, in_)) continue;
+    for (const Name& declared : one.names) {
+      Expr member = in_.member(scope.names.at(declared), one.term, scope);
+      to.emplace_back(fmt::format("{}_decl_{} : {}", name, declared.word, member.text), "");
+    }
+  }
+  std::size_t unlabelled = 0;
+  for (const Predicate& one : text.predicates) {
+    const std::string field = one.label.empty() ? fmt::format("{}_pred_{}", name, ++unlabelled) : identifier(one.label);
+    to.emplace_back(field + " : " + in_.predicate(one.term, scope).text, one.label);
+  }
+}
+
+void Writer::data(const Schema& form) {
+  const std::string name = variable(form.name);
+  const bool is_state = name == in_.state;
+  Scope unused;
+  Symbol symbol;
+  symbol.form = Symbol::Form::carrier;
+  symbol.type = Carrier::named(name);
+  symbol.signature = in_.declare(form.text, unused);
+  Fields parts;
+  for (Slot& slot : symbol.signature) {
+    slot.variable = (is_state ? "" : name + "_") + slot.name.word;
+    parts.emplace_back(slot.variable + " : " + slot.type.text(), "");
+  }
+  record(fmt::format("{0} := mk_{0}", name), parts);
+  in_.symbols[form.name] = symbol;
+  Scope scope;
+  in_.declare(Slot{form.name, "s", symbol.type, true, {}}, scope);
+  Fields asked;
+  conditions(name, form.text, scope, asked);
+  if (!asked.empty()) {
+    out_ += "\n";
+    record(fmt::format("{0}_ok (s : {0}) : Prop :=", name), asked);
+    in_.symbols[form.name].ok = name + "_ok";
+  }
+  if (is_state) state_relations(name, form);
+}
+
+void Writer::state_relations(const std::string& name, const Schema& form) {
+  Fields equal;
+  for (const Declaration& one : form.text.declarations)
+    for (const Name& part : one.names) {
+      const bool sets = in_.carrier(one.term).form == Carrier::Form::set;
+      equal.emplace_back(fmt::format("{0}_eq_{1} : {1} s' {2} {1} s", name, part.word, sets ? "≡" : "="), "");
+    }
+  out_ += "\n";
+  record(fmt::format("{0}_eq (s s' : {0}) : Prop :=", name), equal);
+  out_ += "\n";
+  record(
+      fmt::format("Delta_{0} (s s' : {0}) : Prop :=", name),
+      {{fmt::format("Delta_{0}_before : {0}_ok s", name), ""}, {fmt::format("Delta_{0}_after : {0}_ok s'", name), ""}});
+  out_ += "\n";
+  record(fmt::format("Xi_{0} (s s' : {0}) : Prop :=", name), {{fmt::format("Xi_{0}_Delta : Delta_{0} s s'", name), ""},
+                                                              {fmt::format("Xi_{0}_eq : {0}_eq s s'", name), ""}});
+}
+
+void Writer::operation(const Schema& form) {
+  const std::string name = variable(form.name);
+  Scope scope;
+  Symbol symbol;
+  symbol.form = Symbol::Form::operation;
+  symbol.text = name;
+  symbol.signature = in_.declare(form.text, scope);
+  Fields fields;
+  for (const Declaration& one : form.text.declarations) {
+    if (one.form != Declaration::Form::included) continue;
+    const Name& what = one.term->name;
+    const std::string field = what.word == "Δ" + in_.state ? "Delta" : what.word == "Ξ" + in_.state ? "Xi" : what.word;
+    fields.emplace_back(fmt::format("{}_{} : {}", name, field, in_.call(what, scope, one.place).text), "");
+  }
+  conditions(name, form.text, scope, fields);
+  record(fmt::format("{} {} : Prop :=", name, binders(symbol.signature, false)), fields);
+  in_.symbols[form.name] = symbol;
+}
+
+}  // namespace durero::zed::coq

@@ -1,0 +1,274 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "durero/zed/syntax/defect.hpp"
+#include "zed/coq/terms.hpp"
+
+namespace durero::zed::coq {
+namespace {
+
+Expr joined(const std::vector<Expr>& parts, std::string_view by, int level, const char* none) {
+  if (parts.empty()) return {none, atomic, {}};
+  if (parts.size() == 1) return parts[0];
+  Expr out{"", level, {}};
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const bool last = i + 1 == parts.size();
+    // a quantifier at the end takes in nothing that it should not
+    const bool open = last && parts[i].level == binder;
+    out.text +=
+        (i == 0 ? "" : fmt::format(" {} ", by)) + (open ? parts[i].text : parts[i].at(last ? level : level - 1));
+    if (open) out.level = binder;
+  }
+  return out;
+}
+
+}  // namespace
+
+void flatten(Kind kind, const Term& term, std::vector<Term>& to) {
+  if (term->kind != kind) return to.push_back(term);
+  for (const Term& child : term->children) flatten(kind, child, to);
+}
+
+namespace {
+
+std::string_view symbol_of(const std::string& relation) {
+  if (relation == "_≤_") return "<=";
+  if (relation == "_<_") return "<";
+  if (relation == "_≥_") return ">=";
+  if (relation == "_>_") return ">";
+  return {};
+}
+
+}  // namespace
+
+Expr all_of(const std::vector<Expr>& conjuncts) { return joined(conjuncts, "/\\", both, "True"); }
+Expr any_of(const std::vector<Expr>& disjuncts) { return joined(disjuncts, "\\/", either, "False"); }
+
+Expr framed(const Frame& frame, const Expr& body) {
+  if (frame.empty()) return body;
+  std::string variables;
+  std::vector<Expr> all;
+  for (const auto& [v, asked] : frame) {
+    variables += " " + v;
+    all.push_back({asked, related, {}});
+  }
+  all.push_back(body);
+  return {fmt::format("exists{}, {}", variables, all_of(all).text), binder, {}};
+}
+
+std::string variable(const Name& name) {
+  std::string out = name.word;
+  for (const char stroke : name.strokes) out += stroke == '?' ? "_in" : stroke == '!' ? "_out" : std::string(1, stroke);
+  return out;
+}
+
+std::string identifier(std::string label) {
+  std::replace(label.begin(), label.end(), '.', '_');
+  return label;
+}
+
+std::string binders(const Signature& slots, bool bare) {
+  std::string out;
+  std::size_t groups = 0;
+  for (std::size_t i = 0; i < slots.size();) {
+    const std::string type = slots[i].type.text();
+    std::string group;
+    for (; i < slots.size() && slots[i].type.text() == type; ++i)
+      group += (group.empty() ? "" : " ") + slots[i].variable;
+    group += " : " + type;
+    if (bare && groups == 0 && i == slots.size()) return group;
+    out += (out.empty() ? "(" : " (") + group + ")";
+    ++groups;
+  }
+  return out;
+}
+
+Expr Translator::predicate(const Term& term, const Scope& scope) const {
+  const Node& node = *term;
+  const auto part = [&](std::size_t i) { return predicate(node.children[i], scope); };
+  switch (node.kind) {
+    case Kind::truth:
+      return {"True", atomic, {}};
+    case Kind::falsity:
+      return {"False", atomic, {}};
+    case Kind::negation:
+      return {"~ " + part(0).at(applied), negated, {}};
+    case Kind::conjunction:
+    case Kind::disjunction: {
+      std::vector<Term> terms;
+      flatten(node.kind, term, terms);
+      std::vector<Expr> parts;
+      parts.reserve(terms.size());
+      for (const Term& one : terms) parts.push_back(predicate(one, scope));
+      return node.kind == Kind::conjunction ? all_of(parts) : any_of(parts);
+    }
+    case Kind::implication:
+      return {part(0).at(implied - 1) + " -> " + part(1).at(implied), implied, {}};
+    case Kind::equivalence:
+      return {part(0).at(implied - 5) + " <-> " + part(1).at(implied - 5), implied - 4, {}};
+    case Kind::forall:
+    case Kind::exists:
+    case Kind::exists_one:
+      return quantified(node, scope);
+    case Kind::relation: {
+      Scope inside = scope;
+      Frame frame;
+      const Expr body = relation(node, inside, frame, false);
+      return framed(frame, body);
+    }
+    case Kind::reference:
+      return call(node.name, scope, node.place);
+    case Kind::hiding:
+      return hiding(node, scope);
+    case Kind::schema_text: {
+      const Signature slots = signature(term);
+      return all_of(conditions(*node.text, slots, scope, scope));
+    }
+    default:
+      uncovered(node.place, "this predicate");
+  }
+}
+
+Expr Translator::quantified(const Node& node, const Scope& scope) const {
+  Scope inside = scope;
+  const Signature slots = declare(*node.text, inside);
+  std::vector<Expr> what = conditions(*node.text, slots, scope, inside);
+  const Expr body = predicate(node.children[0], inside);
+  if (node.kind == Kind::forall) {
+    std::string out = fmt::format("forall {}, ", binders(slots, true));
+    for (const Expr& one : what) out += one.at(implied - 1) + " -> ";
+    return {out + body.text, binder, {}};
+  }
+  what.push_back(body);
+  if (node.kind == Kind::exists_one && slots.size() != 1) uncovered(node.place, "∃₁ over several variables");
+  return {fmt::format("{} {}, {}", node.kind == Kind::exists ? "exists" : "exists!", binders(slots, true),
+                      all_of(what).text),
+          binder,
+          {}};
+}
+
+// a ≤ b < c is one predicate: the values of partial applications are those of all of it. `denied`: a = b as a ≠ b.
+Expr Translator::relation(const Node& node, Scope& scope, Frame& frame, bool denied) const {
+  std::vector<Expr> operands, parts;
+  for (std::size_t i = 0; i + 1 < node.children.size(); ++i) operands.push_back(term(node.children[i], scope, frame));
+  if (node.names.size() == 2 && !denied) {
+    const std::string_view first = symbol_of(node.names[0].word), second = symbol_of(node.names[1].word);
+    const auto rising = [](std::string_view by) { return by == "<=" || by == "<"; };
+    if (rising(first) && rising(second)) {
+      const Expr last = term(node.children[2], scope, frame);
+      return {fmt::format("{} {} {} {} {}", operands[0].at(plus), first, operands[1].at(plus), second, last.at(plus)),
+              related,
+              {}};
+    }
+  }
+  for (std::size_t i = 0; i < node.names.size(); ++i) {
+    Name by = node.names[i];
+    if (denied && node.names.size() == 1) {
+      if (by.word == "_=_")
+        by.word = "_≠_";
+      else if (by.word == "_∈_")
+        by.word = "_∉_";
+      else
+        return {"~ " + one_relation(by, node.children[i], node.children[i + 1], operands[i], scope, frame).at(applied),
+                negated,
+                {}};
+    }
+    parts.push_back(one_relation(by, node.children[i], node.children[i + 1], operands[i], scope, frame));
+  }
+  const Expr all = all_of(parts);
+  return denied && node.names.size() > 1 ? Expr{"~ " + all.at(applied), negated, {}} : all;
+}
+
+Expr Translator::one_relation(const Name& by, const Term& left, const Term& right, const Expr& a, Scope& scope,
+                              Frame& frame) const {
+  const std::string& word = by.word;
+  const auto against = [&](std::string_view symbol) {
+    return Expr{
+        fmt::format("{} {} {}", a.at(related - 1), symbol, term(right, scope, frame).at(related - 1)), related, {}};
+  };
+  const bool sets = is_set(left);
+  if (word == "_=_") return against(sets ? "≡" : "=");
+  if (word == "_≠_") return sets ? Expr{"~ " + against("≡").at(applied), negated, {}} : against("<>");
+  if (word == "_∈_" && whole(right)) {
+    // to be in a whole type is to have a value
+    const std::string c = fresh("c", scope);
+    return {fmt::format("exists {} : {}, {} = {}", c, carrier(right).text(), c, a.at(related - 1)), binder, {}};
+  }
+  if (word == "_∈_") return against("∈");
+  if (word == "_∉_") return against("∉");
+  if (word == "_⊆_" && whole(left) && whole(right) && carrier(left).text() != carrier(right).text()) {
+    const std::string from = carrier(left).text(), to = carrier(right).text();
+    return {fmt::format("exists f : {} -> {}, forall m n, f m = f n -> m = n", from, to), binder, {}};
+  }
+  if (word == "_⊆_") return against("⊆");
+  const std::string_view symbol = symbol_of(word);
+  if (symbol.empty()) uncovered(left->place, "the relation " + word);
+  return against(symbol);
+}
+
+std::vector<Expr> Translator::constraint(const Expr& x, const Term& set, const Scope& scope) const {
+  if (whole(set)) return {};
+  return {member(x, set, scope)};
+}
+
+Expr Translator::member(const Expr& x, const Term& set, const Scope& scope) const {
+  if (set->kind == Kind::conditional)
+    return conditional(*set, scope, [&](const Term& branch, const Scope& inside) { return member(x, branch, inside); });
+  if (set->kind == Kind::comprehension && set->children.empty()) {
+    Scope inside = scope;
+    Signature slots = declare(*set->text, inside);
+    if (slots.size() == 1) {
+      inside.names[slots[0].name] = {x.text, x.level, slots[0].type};
+      slots[0].variable = x.text;
+      return all_of(conditions(*set->text, slots, scope, inside));
+    }
+  }
+  if (set->kind == Kind::reference && set->name.word == "ℙ₁_") {
+    if (!whole(set->children[0])) uncovered(set->place, "ℙ₁ of a part of a type");
+    const std::string c = fresh("x", scope);
+    return {fmt::format("exists {}, {} ∈ {}", c, c, x.at(related - 1)), binder, {}};
+  }
+  Scope inside = scope;
+  Frame frame;
+  const Expr in = term(set, inside, frame);
+  return framed(frame, {fmt::format("{} ∈ {}", x.at(related - 1), in.at(related - 1)), related, {}});
+}
+
+Expr Translator::is_value(const Expr& y, const Term& value, const Scope& scope) const {
+  if (value->kind == Kind::conditional)
+    return conditional(*value, scope,
+                       [&](const Term& branch, const Scope& inside) { return is_value(y, branch, inside); });
+  Scope inside = scope;
+  Frame frame;
+  if (is_partial(*value, scope)) {
+    const Expr is = apply_partial(*value, &y, inside, frame);
+    return framed(frame, is);
+  }
+  const Expr right = term(value, inside, frame);
+  return framed(frame,
+                {fmt::format("{} {} {}", y.text, is_set(value) ? "≡" : "=", right.at(related - 1)), related, {}});
+}
+
+// The condition holds and the first is meant, or it does not and the second is. The values of partial applications in
+// the condition are known in both.
+Expr Translator::conditional(const Node& node, const Scope& scope,
+                             const std::function<Expr(const Term&, const Scope&)>& leaf) const {
+  Scope inside = scope;
+  Frame frame;
+  const Term& condition = node.children[0];
+  Expr yes, no;
+  if (condition->kind == Kind::relation) {
+    yes = relation(*condition, inside, frame, false);
+    no = relation(*condition, inside, frame, true);
+  } else {
+    yes = predicate(condition, scope);
+    no = {"~ " + yes.at(applied), negated, {}};
+  }
+  const Expr first = all_of({yes, leaf(node.children[1], inside)});
+  const Expr second = all_of({no, leaf(node.children[2], inside)});
+  const Expr both_ways{"(" + first.text + ") \\/ (" + second.text + ")", either, {}};
+  return framed(frame, both_ways);
+}
+
+}  // namespace durero::zed::coq

@@ -1,0 +1,153 @@
+#include <algorithm>
+#include <set>
+
+#include "durero/zed/syntax/defect.hpp"
+#include "zed/coq/terms.hpp"
+
+namespace durero::zed::coq {
+
+void merge(Signature& to, const Signature& from) {
+  for (const Slot& one : from)
+    if (std::none_of(to.begin(), to.end(), [&](const Slot& there) { return there.name == one.name; }))
+      to.push_back(one);
+  std::stable_partition(to.begin(), to.end(), [](const Slot& one) { return one.state; });
+}
+
+Slot Translator::state_slot(const Name& name, Place place) const {
+  if (name.word != state || (!name.strokes.empty() && name.strokes != "'"))
+    uncovered(place, "the inclusion of " + name.text());
+  return {name, "s" + name.strokes, Carrier::named(state), true, {}};
+}
+
+void Translator::declare(const Slot& slot, Scope& scope) const {
+  scope.variables.insert(slot.variable);
+  if (!slot.state) {
+    scope.names[slot.name] = {slot.variable, atomic, slot.type};
+    return;
+  }
+  scope.states[slot.name] = {slot.variable, atomic, slot.type};
+  for (const Slot& part : symbols.at({slot.name.word, {}}).signature)
+    scope.names[{part.name.word, part.name.strokes + slot.name.strokes}] = {part.variable + " " + slot.variable,
+                                                                            applied, part.type};
+}
+
+// Whether a variable of this name would hide what is written under it: another variable, a component, a word of Coq.
+bool Translator::taken(const std::string& variable, const Scope& scope) const {
+  static const std::set<std::string> words = {
+      "s",     "s'",   "R",     "Z",    "sqrt",  "set",   "rel",  "univ", "dom", "ran",    "inverse", "image",
+      "ndres", "dres", "is_mu", "True", "False", "Prop",  "Type", "Set",  "fun", "exists", "forall",  "in",
+      "as",    "at",   "if",    "then", "else",  "match", "with", "end",  "let", "return", "fix",     "cofix"};
+  if (words.contains(variable) || scope.variables.contains(variable)) return true;
+  for (const auto& [name, symbol] : symbols)
+    if (symbol.form == Symbol::Form::carrier)
+      for (const Slot& part : symbol.signature)
+        if (part.variable == variable) return true;
+  return false;
+}
+
+// The sets are those of the scope around: a schema text binds its names behind its declarations. A name that is in
+// scope already gets another variable.
+Signature Translator::declare(const SchemaText& text, Scope& scope) const {
+  Signature slots;
+  for (const Declaration& one : text.declarations) {
+    if (one.form == Declaration::Form::defined) uncovered(one.place, "a declaration by ==");
+    if (one.form == Declaration::Form::included) {
+      if (one.term->kind != Kind::reference) uncovered(one.place, "this inclusion");
+      merge(slots, signature(one.term));
+      continue;
+    }
+    for (const Name& name : one.names) {
+      std::string v = variable(name);
+      if (taken(v, scope)) v = fresh(v, scope);
+      merge(slots, {{name, v, carrier(one.term, scope), false, one.term}});
+    }
+  }
+  for (const Slot& slot : slots) declare(slot, scope);
+  return slots;
+}
+
+std::vector<Expr> Translator::conditions(const SchemaText& text, const Signature& slots, const Scope& outer,
+                                         const Scope& inner) const {
+  std::vector<Expr> all;
+  for (const Slot& slot : slots) {
+    if (slot.state) continue;
+    Scope around = outer;
+    around.variables = inner.variables;
+    for (Expr& one : constraint({slot.variable, atomic, slot.type}, slot.set, around)) all.push_back(std::move(one));
+  }
+  for (const Predicate& one : text.predicates) {
+    std::vector<Term> parts;
+    flatten(Kind::conjunction, one.term, parts);
+    for (const Term& part : parts) all.push_back(predicate(part, inner));
+  }
+  return all;
+}
+
+Signature Translator::signature(const Term& schema) const {
+  Signature out;
+  switch (schema->kind) {
+    case Kind::reference: {
+      const std::string& word = schema->name.word;
+      for (const std::string sign : {"Δ", "Ξ"})
+        if (word == sign + state)
+          return {state_slot({state, {}}, schema->place), state_slot({state, "'"}, schema->place)};
+      const Symbol* symbol = find(schema->name);
+      if (symbol && symbol->form == Symbol::Form::operation) return symbol->signature;
+      return {state_slot(schema->name, schema->place)};
+    }
+    case Kind::schema_text: {
+      Scope scope;
+      return declare(*schema->text, scope);
+    }
+    case Kind::hiding:
+      for (const Slot& slot : signature(schema->children[0]))
+        if (std::find(schema->names.begin(), schema->names.end(), slot.name) == schema->names.end())
+          out.push_back(slot);
+      return out;
+    case Kind::negation:
+    case Kind::conjunction:
+    case Kind::disjunction:
+    case Kind::implication:
+    case Kind::equivalence:
+      for (const Term& child : schema->children) merge(out, signature(child));
+      return out;
+    default:
+      uncovered(schema->place, "this schema expression");
+  }
+}
+
+Expr Translator::call(const Name& schema, const Scope& scope, Place place) const {
+  const Symbol* symbol = find(schema);
+  std::string text;
+  Signature slots;
+  if (symbol && symbol->form == Symbol::Form::operation) {
+    text = symbol->text;
+    slots = symbol->signature;
+  } else {
+    const bool change = schema.word == "Δ" + state, same = schema.word == "Ξ" + state;
+    text = change ? "Delta_" + state : same ? "Xi_" + state : state + "_ok";
+    if (change || same)
+      slots = {state_slot({state, {}}, place), state_slot({state, "'"}, place)};
+    else
+      slots = {state_slot(schema, place)};
+  }
+  for (const Slot& slot : slots) {
+    const auto& from = slot.state ? scope.states : scope.names;
+    const auto found = from.find(slot.name);
+    if (found == from.end()) uncovered(place, "the component " + slot.name.text() + " out of scope");
+    text += " " + found->second.at(applied - 1);
+  }
+  return {text, slots.empty() ? atomic : applied, {}};
+}
+
+Expr Translator::hiding(const Node& node, const Scope& scope) const {
+  Scope inside = scope;
+  Signature hidden;
+  for (const Slot& slot : signature(node.children[0]))
+    if (std::find(node.names.begin(), node.names.end(), slot.name) != node.names.end()) hidden.push_back(slot);
+  for (const Slot& slot : hidden) declare(slot, inside);
+  const Expr body = predicate(node.children[0], inside);
+  return {"exists " + binders(hidden, true) + ", " + body.text, binder, {}};
+}
+
+}  // namespace durero::zed::coq

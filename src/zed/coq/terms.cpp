@@ -1,0 +1,273 @@
+#include "zed/coq/terms.hpp"
+
+#include <fmt/format.h>
+
+#include <unordered_map>
+
+#include "durero/zed/syntax/defect.hpp"
+
+namespace durero::zed::coq {
+namespace {
+
+/// The toolkit's operations that are notations of Coq's, by their levels: the operands' and the result's.
+struct Infix {
+  std::string_view symbol;
+  int level, left, right;
+};
+
+const std::unordered_map<std::string, Infix>& infixes() {
+  static const std::unordered_map<std::string, Infix> known = {
+      {"_+_", {"+", plus, plus, plus - 1}},    {"_-_", {"-", plus, plus, plus - 1}},
+      {"_*_", {"*", times, times, times - 1}}, {"_∪_", {"∪", plus, plus, plus - 1}},
+      {"_∖_", {"∖", plus, plus, plus - 1}},    {"_∩_", {"∩", times, times, times - 1}},
+  };
+  return known;
+}
+
+/// Those that are functions of Toolkit.v.
+const std::unordered_map<std::string, std::string>& prefixes() {
+  static const std::unordered_map<std::string, std::string> known = {
+      {"dom", "dom"}, {"ran", "ran"}, {"_∼", "inverse"}, {"_⦇_⦈", "image"}, {"_⩤_", "ndres"}, {"_◁_", "dres"}};
+  return known;
+}
+
+Carrier type_of_operation(const std::string& word, const std::vector<Expr>& of) {
+  const auto part = [&](std::size_t i) {
+    const Carrier& pair = of[0].type.element();
+    return pair.parts.size() == 2 ? pair.parts[i] : Carrier();
+  };
+  if (word == "dom") return Carrier::set(part(0));
+  if (word == "ran" || word == "_⦇_⦈") return Carrier::set(part(1));
+  if (word == "_∼") return Carrier::set(Carrier::product({part(1), part(0)}));
+  if (word == "_⩤_" || word == "_◁_") return of[1].type;
+  return of[0].type;
+}
+
+std::vector<Term> split(const Term& argument, std::size_t arity) {
+  if (arity > 1 && argument->kind == Kind::tuple) return argument->children;
+  return {argument};
+}
+
+}  // namespace
+
+void uncovered(Place place, const std::string& what) {
+  throw ZError(place, what + " has no rule of translation to Coq",
+               "expected one that the head of the exported file names");
+}
+
+std::string Carrier::text(bool argument) const {
+  std::string out = name;
+  if (form == Form::set) {
+    const Carrier& of = parts[0];
+    out = of.form == Form::product && of.parts.size() == 2
+              ? "rel " + of.parts[0].text(true) + " " + of.parts[1].text(true)
+              : "set " + of.text(true);
+  } else if (form == Form::product) {
+    out.clear();
+    for (const Carrier& part : parts) out += (out.empty() ? "" : " * ") + part.text(part.form == Form::product);
+  }
+  return argument && form != Form::named ? "(" + out + ")" : out;
+}
+
+const Carrier& Carrier::element() const {
+  static const Carrier none;
+  return form == Form::set ? parts[0] : none;
+}
+
+std::string Translator::fresh(const std::string& stem, const Scope& scope) const {
+  for (int i = 1;; ++i) {
+    std::string name = stem + std::to_string(i);
+    if (!scope.variables.contains(name) && !symbols.contains(Name{name, {}})) return name;
+  }
+}
+
+const Symbol* Translator::find(const Name& name) const {
+  const auto found = symbols.find(name);
+  return found == symbols.end() ? nullptr : &found->second;
+}
+
+bool Translator::is_set(const Term& term) const {
+  const auto type = typing_.type_of(term);
+  return type && type->is(Type::Kind::power);
+}
+
+Expr Translator::term(const Term& term, Scope& scope, Frame& frame) const {
+  const Node& node = *term;
+  const auto part = [&](std::size_t i) { return this->term(node.children[i], scope, frame); };
+  switch (node.kind) {
+    case Kind::reference:
+      return reference(node, scope, frame);
+    case Kind::number:
+      return {node.name.word, atomic, Carrier::named("R")};
+    case Kind::application:
+      return application(node, scope, frame);
+    case Kind::power:
+      return {"ℙ " + part(0).at(applied), applied + 20, Carrier::set(Carrier::set(carrier(node.children[0], scope)))};
+    case Kind::theta: {
+      const auto found = scope.states.find({node.children[0]->name.word, node.name.strokes});
+      if (node.children[0]->kind != Kind::reference || found == scope.states.end()) uncovered(node.place, "this θ");
+      return found->second;
+    }
+    case Kind::selection: {
+      const Expr of = part(0);
+      const Symbol* schema = find({of.type.name, {}});
+      if (schema)
+        for (const Slot& slot : schema->signature)
+          if (slot.name == node.name) return {slot.variable + " " + of.at(applied - 1), applied, slot.type};
+      uncovered(node.place, "this selection");
+    }
+    case Kind::tuple: {
+      Expr out{"(", atomic, Carrier::product({})};
+      for (std::size_t i = 0; i < node.children.size(); ++i) {
+        const Expr one = part(i);
+        out.text += (i == 0 ? "" : ", ") + one.at(both - 1);
+        out.type.parts.push_back(one.type);
+      }
+      out.text += ")";
+      return out;
+    }
+    case Kind::set_extension: {
+      Expr out{"∅", atomic, Carrier::set({})};
+      for (std::size_t i = 0; i < node.children.size(); ++i) {
+        const Expr one = part(i);
+        const std::string single = "⦃" + one.text + "⦄";
+        out = {i == 0 ? single : out.text + " ∪ " + single, i == 0 ? atomic : plus, Carrier::set(one.type)};
+      }
+      return out;
+    }
+    case Kind::comprehension:
+      return comprehension(node, scope);
+    case Kind::conditional: {
+      if (!is_set(term)) uncovered(node.place, "a conditional that is no set, inside a term,");
+      const std::string x = fresh("x", scope);
+      Scope inside = scope;
+      inside.variables.insert(x);
+      Frame unused;
+      Scope branch = scope;
+      const Carrier type = this->term(node.children[1], branch, unused).type;
+      return {"fun " + x + " => " + member({x, atomic, type.element()}, term, inside).text, binder, type};
+    }
+    case Kind::mu:
+      return apply_partial(node, nullptr, scope, frame);
+    default:
+      uncovered(node.place, "this expression");
+  }
+}
+
+Expr Translator::reference(const Node& node, Scope& scope, Frame& frame) const {
+  if (const auto found = scope.names.find(node.name); found != scope.names.end()) return found->second;
+  if (node.name.word == "∅") return {"∅", atomic, Carrier::set({})};
+  const bool infix = node.children.size() == 2;
+  if (node.name.word == "𝔽_" || node.name.word == "_⇸_") {
+    std::vector<Expr> of;
+    of.reserve(node.children.size());
+    for (const Term& child : node.children) of.push_back(term(child, scope, frame));
+    if (!infix) return {"𝔽 " + of[0].at(applied), applied + 20, Carrier::set(of[0].type)};
+    return {of[0].at(plus) + " ⇸ " + of[1].at(plus), plus + 5,
+            Carrier::set(Carrier::set(Carrier::product({of[0].type.element(), of[1].type.element()})))};
+  }
+  const Symbol* symbol = find(node.name);
+  if (!symbol) uncovered(node.place, "the name " + node.name.text());
+  if (symbol->form == Symbol::Form::carrier)
+    return {symbol->ok.empty() ? "univ" : symbol->ok, atomic, Carrier::set(symbol->type)};
+  if (symbol->form != Symbol::Form::value) uncovered(node.place, "the function " + node.name.text() + " as a value");
+  return {symbol->text, atomic, symbol->type};
+}
+
+Expr Translator::application(const Node& node, Scope& scope, Frame& frame) const {
+  const Node& function = *node.children[0];
+  const Name& name = function.name;
+  if (function.kind == Kind::reference && !scope.names.contains(name)) {
+    const Symbol* symbol = find(name);
+    if (symbol && symbol->form == Symbol::Form::function) {
+      Expr out{symbol->text, applied, symbol->type};
+      for (const Term& one : split(node.children[1], symbol->arity))
+        out.text += " " + term(one, scope, frame).at(applied - 1);
+      return out;
+    }
+    if (!symbol) {
+      const std::size_t operands = infixes().contains(name.word) || name.word.starts_with("_") ? 2 : 1;
+      return operation(name.word, split(node.children[1], operands), scope, frame, node);
+    }
+  }
+  return apply_partial(node, nullptr, scope, frame);
+}
+
+Expr Translator::operation(const std::string& word, const std::vector<Term>& arguments, Scope& scope, Frame& frame,
+                           const Node& node) const {
+  if (word == "⋃") return generalized_union(arguments[0], scope, frame);
+  std::vector<Expr> of;
+  of.reserve(arguments.size());
+  for (const Term& one : arguments) of.push_back(term(one, scope, frame));
+  if (word == "_↦_")
+    return {"(" + of[0].at(both - 1) + ", " + of[1].at(both - 1) + ")", atomic,
+            Carrier::product({of[0].type, of[1].type})};
+  if (const auto found = infixes().find(word); found != infixes().end()) {
+    const Infix& by = found->second;
+    return {fmt::format("{} {} {}", of[0].at(by.left), by.symbol, of[1].at(by.right)), by.level,
+            type_of_operation(word, of)};
+  }
+  const auto found = prefixes().find(word);
+  if (found == prefixes().end()) uncovered(node.place, "the operation " + word);
+  if (word == "_⦇_⦈" || arguments.size() == 1 || word == "_⩤_" || word == "_◁_") {
+    Expr out{found->second, applied, type_of_operation(word, of)};
+    for (const Expr& one : of) out.text += " " + one.at(applied - 1);
+    return out;
+  }
+  uncovered(node.place, "the operation " + word);
+}
+
+Expr Translator::partial(const std::string& in, const std::string& before, const Carrier& type, Scope& scope,
+                         Frame& frame) const {
+  const std::string key = before + " ∈ " + in;
+  auto known = scope.known.find(key);
+  if (known == scope.known.end()) {
+    const std::string v = fresh("v", scope);
+    scope.variables.insert(v);
+    known = scope.known.emplace(key, v).first;
+    frame.emplace_back(v, (before.empty() ? v : "(" + before + ", " + v + ")") + " ∈ " + in);
+  }
+  return {known->second, atomic, type};
+}
+
+bool Translator::is_partial(const Node& node, const Scope& scope) const {
+  if (node.kind == Kind::mu) return true;
+  if (node.kind != Kind::application) return false;
+  const Node& function = *node.children[0];
+  if (function.kind != Kind::reference || scope.names.contains(function.name)) return true;
+  const Symbol* symbol = find(function.name);
+  return symbol && symbol->form != Symbol::Form::function;
+}
+
+// The value of a partial application or of a μ: a variable of the frame, or, where y is given, that it is y.
+Expr Translator::apply_partial(const Node& node, const Expr* y, Scope& scope, Frame& frame) const {
+  std::string in, before;
+  Carrier type;
+  if (node.kind == Kind::mu) {
+    if (!node.children.empty()) uncovered(node.place, "a μ with a value");
+    const Expr among = comprehension(node, scope);
+    in = "is_mu " + among.at(applied - 1);
+    type = among.type.element();
+  } else {
+    const Node& function = *node.children[0];
+    const Symbol* symbol = scope.names.contains(function.name) ? nullptr : find(function.name);
+    if (symbol && symbol->form == Symbol::Form::partial) {
+      in = symbol->text;
+      for (const Term& one : split(node.children[1], symbol->arity))
+        in += " " + term(one, scope, frame).at(applied - 1);
+      type = symbol->type;
+    } else {
+      const Expr argument = term(node.children[1], scope, frame);
+      const Expr relation = term(node.children[0], scope, frame);
+      const Carrier& pair = relation.type.element();
+      if (pair.parts.size() != 2) uncovered(node.place, "this application");
+      before = argument.at(both - 1);
+      in = relation.at(related - 1);
+      type = pair.parts[1];
+    }
+  }
+  if (!y) return partial(in, before, type, scope, frame);
+  return {(before.empty() ? y->text : "(" + before + ", " + y->text + ")") + " ∈ " + in, related, {}};
+}
+
+}  // namespace durero::zed::coq

@@ -1,0 +1,162 @@
+#pragma once
+/// Terms and predicates of Z as Coq text, for coq/coq.cpp.
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "durero/zed/syntax/ast.hpp"
+#include "durero/zed/types/typecheck.hpp"
+
+namespace durero::zed::coq {
+
+/// A type of Coq that carries a Z set: a name, `set T`, or a product.
+struct Carrier {
+  enum class Form { named, set, product };
+  Form form = Form::named;
+  std::string name;  ///< empty where it is not known, as that of ∅
+  std::vector<Carrier> parts;
+
+  static Carrier named(std::string name) { return {Form::named, std::move(name), {}}; }
+  static Carrier set(Carrier of) { return {Form::set, {}, {std::move(of)}}; }
+  static Carrier product(std::vector<Carrier> of) { return {Form::product, {}, std::move(of)}; }
+  std::string text(bool argument = false) const;  ///< `argument`: in parentheses where it is not one word
+  const Carrier& element() const;                 ///< of a set
+};
+
+/// Coq text with the level of its notation: what stands at a level below it must be in parentheses.
+struct Expr {
+  std::string text;
+  int level = 0;
+  Carrier type;
+  std::string at(int most) const { return level <= most ? text : "(" + text + ")"; }
+};
+
+/// The levels of Coq's notations.
+enum Level {
+  atomic = 0,
+  applied = 10,
+  times = 40,
+  plus = 50,
+  related = 70,
+  negated = 75,
+  both = 80,
+  either = 85,
+  implied = 99,
+  binder = 200
+};
+
+/// A component or an argument: a variable of Coq. One for each state of a schema, `s` for S and `s'` for S'.
+struct Slot {
+  Name name;  ///< of a state: the schema's name, with its strokes
+  std::string variable;
+  Carrier type;
+  bool state = false;
+  Term set;  ///< null of a state
+};
+using Signature = std::vector<Slot>;
+
+/// What a name that a paragraph declares is in Coq.
+struct Symbol {
+  enum class Form {
+    carrier,    ///< the whole of a type: `univ`, or the predicate `ok` of a schema with an invariant
+    value,      ///< a Definition
+    function,   ///< a Definition of arguments
+    partial,    ///< a Definition of arguments whose value is the set of its one value, or of none
+    operation,  ///< a predicate on its components
+  };
+  Form form = Form::value;
+  std::string text;
+  Carrier type;  ///< of a carrier: its elements'; of a function: its value's
+  std::size_t arity = 0;
+  std::string ok;       ///< of a carrier: its invariant, or empty
+  Signature signature;  ///< of an operation; of a schema of data: its components
+  bool prefixed = false;
+};
+
+/// What stands for the names in scope.
+struct Scope {
+  std::map<Name, Expr> names;
+  std::map<Name, Expr> states;               ///< for θ
+  std::map<std::string, std::string> known;  ///< "… ∈ f" to the variable that stands for the value of f there
+  std::set<std::string> variables;
+};
+
+/// The values of partial applications that a predicate speaks of: variables, and what is asked of each.
+using Frame = std::vector<std::pair<std::string, std::string>>;
+
+/// `a /\ b`, flat; True of none.
+Expr all_of(const std::vector<Expr>& conjuncts);
+Expr any_of(const std::vector<Expr>& disjuncts);
+/// exists v …, … /\ body.
+Expr framed(const Frame& frame, const Expr& body);
+/// `(a b : R) (S : set R)`; without parentheses where one type is all.
+std::string binders(const Signature& slots, bool bare);
+std::string variable(const Name& name);
+/// A.kind.n as A_kind_n.
+std::string identifier(std::string label);
+
+/// Splits a chain of ∧ or of ∨.
+void flatten(Kind kind, const Term& term, std::vector<Term>& to);
+/// Adds what is not there yet, by name; states stand before the rest.
+void merge(Signature& to, const Signature& from);
+
+class Translator {
+ public:
+  explicit Translator(const Typing& typing) : typing_(typing) {}
+
+  std::map<Name, Symbol> symbols;
+  std::string state;  ///< the schema that is the state; its variable is `s`
+
+  Expr term(const Term& term, Scope& scope, Frame& frame) const;
+  Expr predicate(const Term& term, const Scope& scope) const;
+  /// A set in a place of its own: `fun x => …`, where it is not a name or an operation on sets.
+  Expr set(const Term& set, const Scope& scope) const;
+  /// x ∈ set, x being a variable of Coq; nothing where the set is a whole type.
+  std::vector<Expr> constraint(const Expr& x, const Term& set, const Scope& scope) const;
+  Expr member(const Expr& x, const Term& set, const Scope& scope) const;
+  /// y is the value of the term.
+  Expr is_value(const Expr& y, const Term& term, const Scope& scope) const;
+
+  Carrier carrier(const Term& set, const Scope& scope = {}) const;  ///< of its elements
+  bool whole(const Term& set) const;                                ///< whether the set is all of its carrier
+  bool is_set(const Term& term) const;                              ///< by its Z type
+  Signature declare(const SchemaText& text, Scope& scope) const;
+  void declare(const Slot& slot, Scope& scope) const;
+  /// x ∈ S for each x : S of the text, S seen from `outer`, then its predicates, seen from `inner`.
+  std::vector<Expr> conditions(const SchemaText& text, const Signature& slots, const Scope& outer,
+                               const Scope& inner) const;
+  std::string fresh(const std::string& stem, const Scope& scope) const;
+  bool taken(const std::string& variable, const Scope& scope) const;
+  Signature signature(const Term& schema) const;
+  Expr call(const Name& schema, const Scope& scope, Place place) const;
+  Slot state_slot(const Name& name, Place place) const;
+  const Symbol* find(const Name& name) const;
+
+ private:
+  Expr reference(const Node& node, Scope& scope, Frame& frame) const;
+  Expr application(const Node& node, Scope& scope, Frame& frame) const;
+  Expr operation(const std::string& word, const std::vector<Term>& arguments, Scope& scope, Frame& frame,
+                 const Node& node) const;
+  Expr generalized_union(const Term& family, Scope& scope, Frame& frame) const;
+  Expr partial(const std::string& in, const std::string& before, const Carrier& type, Scope& scope, Frame& frame) const;
+  Expr apply_partial(const Node& node, const Expr* y, Scope& scope, Frame& frame) const;
+  Expr comprehension(const Node& node, const Scope& scope) const;
+  Expr conditional(const Node& node, const Scope& scope,
+                   const std::function<Expr(const Term&, const Scope&)>& leaf) const;
+  Expr relation(const Node& node, Scope& scope, Frame& frame, bool denied) const;
+  Expr one_relation(const Name& by, const Term& left, const Term& right, const Expr& a, Scope& scope,
+                    Frame& frame) const;
+  Expr quantified(const Node& node, const Scope& scope) const;
+  Expr hiding(const Node& node, const Scope& scope) const;
+  bool is_partial(const Node& application, const Scope& scope) const;
+
+  const Typing& typing_;
+};
+
+[[noreturn]] void uncovered(Place place, const std::string& what);
+
+}  // namespace durero::zed::coq

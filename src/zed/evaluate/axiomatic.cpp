@@ -1,0 +1,279 @@
+/// Paragraphs to values. An axiomatic description gives a name a value where one of its predicates is an equation for
+/// it: `f(x) = e` under ∀ and its guard, `dom f = S`, `c = e`, a linear equation, or `f(x) * f(x) = x` for the root.
+
+#include <algorithm>
+
+#include "zed/evaluate/compiler.hpp"
+#include "zed/evaluate/describe.hpp"
+#include "zed/evaluate/intensional.hpp"
+#include "zed/value/sets.hpp"
+
+namespace durero::zed {
+namespace {
+
+bool mentions(const Term& term, const Name& name);
+
+bool mentions(const SchemaText& text, const Name& name) {
+  return std::any_of(text.declarations.begin(), text.declarations.end(),
+                     [&](const Declaration& one) { return mentions(one.term, name); }) ||
+         std::any_of(text.predicates.begin(), text.predicates.end(),
+                     [&](const Predicate& one) { return mentions(one.term, name); });
+}
+
+bool mentions(const Term& term, const Name& name) {
+  if (term->kind == Kind::reference && term->name == name) return true;
+  if (term->text && mentions(*term->text, name)) return true;
+  return std::any_of(term->children.begin(), term->children.end(),
+                     [&](const Term& child) { return mentions(child, name); });
+}
+
+bool is_reference(const Term& term, const Name& name) { return term->kind == Kind::reference && term->name == name; }
+bool is_application(const Term& term, const Name& function) {
+  return term->kind == Kind::application && is_reference(term->children[0], function);
+}
+bool is_equation(const Term& term) {
+  return term->kind == Kind::relation && term->names.size() == 1 && term->names[0].word == "_=_";
+}
+
+/// The names that an argument consists of: `x`, `(x, y)`, with `θS` for the schema text's inclusion of S; or nothing.
+std::optional<std::vector<Name>> argument_names(const Term& argument) {
+  std::vector<Name> names;
+  const auto one = [&](const Term& part) {
+    if (part->kind == Kind::reference && part->children.empty()) {
+      names.push_back(part->name);
+    } else if (part->kind == Kind::theta && part->name.strokes.empty()) {
+      names.push_back({"θ" + part->children[0]->name.word, part->children[0]->name.strokes});
+    } else {
+      return false;
+    }
+    return true;
+  };
+  if (argument->kind != Kind::tuple) return one(argument) ? std::optional(names) : std::nullopt;
+  for (const Term& part : argument->children) {
+    if (!one(part)) return std::nullopt;
+  }
+  return names;
+}
+
+/// The groups of the head in the order in which the argument names them, each once; nothing where it does not.
+std::optional<std::vector<Group>> in_order(const std::vector<Name>& names, const Head& head, const Scope& scope) {
+  std::vector<Group> groups;
+  for (const Name& name : names) {
+    std::optional<unsigned> slot;
+    if (const auto found = scope.names.find(name); found != scope.names.end()) slot = found->second.slot;
+    if (name.word.starts_with("θ")) {
+      const auto found = scope.thetas.find(name.text().substr(std::string("θ").size()));
+      if (found != scope.thetas.end()) slot = found->second;
+    }
+    const auto group = std::find_if(head.groups.begin(), head.groups.end(),
+                                    [&](const Group& one) { return slot && one.slot == *slot; });
+    if (group == head.groups.end()) return std::nullopt;
+    groups.push_back(*group);
+  }
+  return groups.size() == head.groups.size() ? std::optional(groups) : std::nullopt;
+}
+
+Value root(const Value& of) {
+  if (of.is_undefined()) return {};
+  if (!of.real()) return Open{};
+  try {
+    return square_root(*of.real());
+  } catch (const std::domain_error& none) {
+    throw EvaluationError(none.what());
+  }
+}
+
+/// What the equation in `body` says of f, as a clause under the head of `forall`.
+std::optional<Closure> clause(Compiler& compiler, const Name& function, const std::vector<Name>& formals,
+                              const Node& forall) {
+  const Term& body = forall.children[0];
+  if (!is_equation(body)) return std::nullopt;
+  const Term &left = body->children[0], &right = body->children[1];
+  const bool squared = left->kind == Kind::application && is_reference(left->children[0], {"_*_", {}}) &&
+                       left->children[1]->kind == Kind::tuple && left->children[1]->children.size() == 2 &&
+                       left->children[1]->children[0] == left->children[1]->children[1];
+  const Term& applied = squared ? left->children[1]->children[0] : left;
+  if (!is_application(applied, function)) return std::nullopt;
+  if (squared && applied->children[1] != right) return std::nullopt;
+  const auto names = argument_names(applied->children[1]);
+  if (!names) return std::nullopt;
+  const auto unit = std::make_shared<Unit>();
+  const Scope outside = compiler.formals(formals, {}, Scope{.unit = unit});  // generic: the sets are whole types
+  Scope inner{.outer = &outside, .unit = unit};
+  Head head = compiler.head(*forall.text, outside, inner);
+  const auto groups = in_order(*names, head, inner);
+  if (!groups) return std::nullopt;
+  head.groups = *groups;
+  Code value = compiler.expression(right, inner);
+  if (squared) value = [of = std::move(value)](Frame& frame) { return root(of(frame)); };
+  return Closure{unit, {}, std::move(head), std::move(value), describe(forall)};
+}
+
+Value evaluated(Compiler& compiler, const Term& term, Context& context) {
+  const auto unit = std::make_shared<Unit>();
+  const Scope scope{.unit = unit};
+  const Code code = compiler.expression(term, scope);
+  Frame frame(unit->size, context);
+  return code(frame);
+}
+
+std::optional<Value> stated_domain(Compiler& compiler, const Name& function, const Axiomatic& form, Context& context) {
+  for (const Predicate& one : form.text.predicates) {
+    if (!is_equation(one.term)) continue;
+    const Term& left = one.term->children[0];
+    if (is_application(left, {"dom", {}}) && is_reference(left->children[1], function)) {
+      return evaluated(compiler, one.term->children[1], context);
+    }
+  }
+  return std::nullopt;
+}
+
+bool defines_function(const Name& name, const Axiomatic& form) {
+  return std::any_of(form.text.predicates.begin(), form.text.predicates.end(), [&](const Predicate& one) {
+    if (one.term->kind != Kind::forall || !is_equation(one.term->children[0])) return false;
+    const Term& left = one.term->children[0]->children[0];
+    return left->kind == Kind::application && mentions(left, name);
+  });
+}
+
+const Term* declared_set(const Name& name, const Axiomatic& form) {
+  for (const Declaration& one : form.text.declarations) {
+    if (std::find(one.names.begin(), one.names.end(), name) != one.names.end()) return &one.term;
+  }
+  return nullptr;
+}
+
+/// The value that the predicates determine, by the search for it: as μ would.
+Value determined(Compiler& compiler, const Name& name, const Axiomatic& form, Context& context) {
+  SchemaText text;
+  if (const Term* set = declared_set(name, form)) {
+    text.declarations.push_back({Declaration::Form::typed, {name}, {Place{}}, *set, {}});
+  }
+  for (const Predicate& one : form.text.predicates) {
+    if (mentions(one.term, name)) text.predicates.push_back(one);
+  }
+  if (text.declarations.empty() || text.predicates.empty()) return Open{};
+  return evaluated(compiler, quantified(Kind::mu, std::move(text), {}), context);
+}
+
+}  // namespace
+
+Value Compiler::axiomatic(const Meaning& global, Context& context) {
+  const auto& form = std::get<Axiomatic>(global.paragraph->form);
+  const Name& name = global.name;
+  if (name.text() == "ℝ") return everything("ℝ");  // the axioms of the reals are assumed, not evaluated
+  if (defines_function(name, form)) {
+    return axiomatic_function(name.text(), [this, &form, name](Context& inside) {
+      Clauses made;
+      for (const Predicate& one : form.text.predicates) {
+        if (one.term->kind != Kind::forall) continue;
+        if (auto found = clause(*this, name, form.formals, *one.term)) made.clauses.push_back(std::move(*found));
+      }
+      made.domain = stated_domain(*this, name, form, inside);
+      return made;
+    });
+  }
+  if (!form.formals.empty()) throw EvaluationError(name.text() + " is generic, and no function: it is not evaluated");
+  Value value = determined(*this, name, form, context);
+  if (value.is_open() || value.is_undefined()) {
+    throw EvaluationError("no equation gives " + name.text() + " a value");
+  }
+  return value;
+}
+
+Value Compiler::schema_value(const Meaning& global, Context& context) {
+  const auto unit = std::make_shared<Unit>();
+  const Scope scope{.unit = unit};
+  const Code code = schema_set(reference(global.name), scope);
+  Frame frame(unit->size, context);
+  return code(frame);
+}
+
+// A definition without actuals: those of a generic one are whole types.
+Value Compiler::definition_value(const Meaning& global, Context& context) {
+  const auto& definition = std::get<Definition>(global.paragraph->form);
+  const auto unit = std::make_shared<Unit>();
+  const Scope outside{.unit = unit};
+  const Scope scope = formals(definition.formals, {}, outside);
+  const Code code = expression(definition.value, scope);
+  Frame frame(unit->size, context);
+  return code(frame);
+}
+
+namespace {
+
+Value free_type(const Meaning& global) {
+  std::vector<Value> constants;
+  std::uint32_t order = 0;
+  for (const Branch& one : std::get<FreeType>(global.paragraph->form).branches) {
+    if (one.argument) return everything(global.name.text());
+    constants.push_back(Value::atom(global.name.text(), one.name.text(), order++));
+  }
+  return Value::set(std::move(constants));
+}
+
+const std::string branch_type(const Meaning& global) { return std::get<FreeType>(global.paragraph->form).name.text(); }
+
+const Branch& branch(const Meaning& global) {
+  const auto& branches = std::get<FreeType>(global.paragraph->form).branches;
+  return *std::find_if(branches.begin(), branches.end(), [&](const Branch& one) { return one.name == global.name; });
+}
+
+/// For a scope: a value is being made.
+class Busy {
+ public:
+  explicit Busy(Meaning& global) : global_(global) {
+    if (global.busy) throw EvaluationError(global.name.text() + " is defined by itself");
+    global.busy = true;
+  }
+  ~Busy() { global_.busy = false; }
+  Busy(const Busy&) = delete;
+  Busy& operator=(const Busy&) = delete;
+
+ private:
+  Meaning& global_;
+};
+
+}  // namespace
+
+Value Compiler::constructor_arguments(const Meaning& global, Context& context) {
+  const auto unit = std::make_shared<Unit>();
+  const Code code = expression(branch(global).argument, Scope{.unit = unit});
+  Frame frame(unit->size, context);
+  return code(frame);
+}
+
+Value Compiler::global(Meaning& global, Context& context) {
+  if (global.value) return *global.value;
+  const Busy busy(global);
+  Context apart;  // its value depends on nothing that is looked for
+  apart.depth = context.depth;
+  switch (global.kind) {
+    case Meaning::Kind::given:
+      global.value = everything(global.name.text());
+      break;
+    case Meaning::Kind::free_type:
+      global.value = free_type(global);
+      break;
+    case Meaning::Kind::constant:
+      global.value = Value::atom(branch_type(global), global.name.text(), global.order);
+      break;
+    case Meaning::Kind::constructor:
+      global.value = constructor_function(branch_type(global), global.name.text(), global.order,
+                                          constructor_arguments(global, apart));
+      break;
+    case Meaning::Kind::axiomatic:
+      global.value = axiomatic(global, apart);
+      break;
+    case Meaning::Kind::definition:
+      global.value = components(reference(global.name), definitions_) ? schema_value(global, apart)
+                                                                      : definition_value(global, apart);
+      break;
+    case Meaning::Kind::schema:
+      global.value = schema_value(global, apart);
+      break;
+  }
+  return *global.value;
+}
+
+}  // namespace durero::zed

@@ -1,0 +1,85 @@
+/// Expressions that bind variables, to code: let, { }, λ, μ, and a schema as the set that it is.
+
+#include "zed/evaluate/compiler.hpp"
+#include "zed/evaluate/describe.hpp"
+#include "zed/evaluate/intensional.hpp"
+
+namespace durero::zed {
+
+Code Compiler::let(const Node& node, const Scope& scope) {
+  const Slots slots(*scope.unit);
+  Scope inner{.outer = &scope, .unit = scope.unit};
+  std::vector<std::pair<unsigned, Code>> defined;
+  for (const Declaration& one : node.text->declarations) {
+    defined.emplace_back(Slots::one(*scope.unit), Code());
+    defined.back().second = expression(one.term, scope);
+    inner.names[one.names[0]] = {defined.back().first, {}};
+  }
+  return [defined = std::move(defined), value = expression(node.children[0], inner)](Frame& frame) {
+    for (const auto& one : defined) frame.slots[one.first] = one.second(frame);
+    return value(frame);
+  };
+}
+
+Code Compiler::comprehension(const Node& node, const Scope& scope) {
+  const unsigned base = scope.unit->next;
+  const Slots slots(*scope.unit);
+  Scope inner{.outer = &scope, .unit = scope.unit};
+  const Head head = this->head(*node.text, scope, inner);
+  Code term;
+  if (!node.children.empty()) term = expression(node.children[0], inner);
+  return [head, term, base, unit = scope.unit, text = describe(node)](Frame& frame) -> Value {
+    if (!head.search->enumerable(frame)) return intensional_set({unit, captured(frame, base), head, term, text});
+    std::vector<Value> found;
+    const Necessary no(frame.context, false);
+    const Truth some = head.search->each(frame, [&](Frame& inside) {
+      found.push_back(term ? term(inside) : characteristic(inside, head.groups));
+      return true;
+    });
+    return some == Truth::open ? Value(Open{}) : Value::set(std::move(found));
+  };
+}
+
+Code Compiler::schema_set(const Term& term, const Scope& scope) {
+  if (!components(term, definitions_)) cannot(*term, "a predicate stands in the place of an expression");
+  SchemaText text;
+  text.declarations.push_back({Declaration::Form::included, {}, {}, term, term->place});
+  Node node{.kind = Kind::comprehension, .place = term->place, .name = {}, .children = {}, .names = {}, .text = {}};
+  node.text = std::make_shared<const SchemaText>(std::move(text));
+  return comprehension(node, scope);
+}
+
+Code Compiler::lambda(const Node& node, const Scope& scope) {
+  const unsigned base = scope.unit->next;
+  const Slots slots(*scope.unit);
+  Scope inner{.outer = &scope, .unit = scope.unit};
+  const Head head = this->head(*node.text, scope, inner);
+  Code term = expression(node.children[0], inner);
+  return [head, term = std::move(term), base, unit = scope.unit, text = describe(node)](Frame& frame) {
+    return lambda_function({unit, captured(frame, base), head, term, text});
+  };
+}
+
+Code Compiler::mu(const Node& node, const Scope& scope) {
+  const Slots slots(*scope.unit);
+  Scope inner{.outer = &scope, .unit = scope.unit};
+  const Head head = this->head(*node.text, scope, inner);
+  Code term;
+  if (!node.children.empty()) term = expression(node.children[0], inner);
+  return [head, term = std::move(term)](Frame& frame) -> Value {
+    std::optional<Value> only;
+    bool several = false;
+    const Necessary no(frame.context, false);
+    const Truth some = head.search->each(frame, [&](Frame& inside) {
+      Value here = term ? term(inside) : characteristic(inside, head.groups);
+      several = only && !same(*only, here);
+      only = std::move(here);
+      return !several;
+    });
+    if (several || some == Truth::no) return {};
+    if (some == Truth::open) return Open{};
+    return *only;
+  };
+}
+
+}  // namespace durero::zed

@@ -1,0 +1,145 @@
+#pragma once
+/// Syntax trees to code: each name is resolved once, to a slot of the frame or to what a paragraph declares.
+
+#include <deque>
+#include <map>
+#include <memory>
+#include <unordered_map>
+
+#include "zed/evaluate/definitions.hpp"
+#include "zed/evaluate/search.hpp"
+
+namespace durero::zed {
+
+/// The layout of one frame. It grows while code is compiled for it.
+struct Unit {
+  unsigned next = 0, size = 0;
+};
+
+/// What a local name stands for: a slot, or (a generic formal, a component that a paragraph declares) code.
+struct Local {
+  std::optional<unsigned> slot;
+  Code code;
+  std::vector<unsigned> reads{};  ///< of the code
+};
+
+struct Scope {
+  const Scope* outer = nullptr;
+  std::shared_ptr<Unit> unit;
+  std::unordered_map<Name, Local> names{};
+  /// Where a binding of a whole schema is at hand: `θ S` by its text, to its slot.
+  std::map<std::string, unsigned> thetas{};
+  /// Where the sets of a schema's declarations are resolved, as a text binds its names in its predicates and not in its
+  /// own declarations; null: here.
+  const Scope* declarations = nullptr;
+
+  const Scope& of_declarations() const { return declarations ? *declarations : *this; }
+};
+
+/// A part of the characteristic tuple of a schema text: a variable, or the binding of an included schema.
+struct Group {
+  unsigned slot = 0;
+  Signature names;                   ///< of a binding; else null
+  std::vector<unsigned> components;  ///< in step with names
+};
+
+/// A schema text compiled as the head of a comprehension, a λ, a μ or a quantifier.
+struct Head {
+  std::shared_ptr<const Search> search;
+  std::vector<Group> groups;
+};
+
+/// Takes a value apart into its groups' slots.
+void assign(Frame& frame, const std::vector<Group>& groups, const Value& value);
+/// The characteristic tuple of what is in the slots.
+Value characteristic(const Frame& frame, const std::vector<Group>& groups);
+/// The characteristic tuple with every part unknown.
+Value unknown_characteristic(Frame& frame, const Head& head);
+
+class Compiler {
+ public:
+  explicit Compiler(Definitions& definitions) : definitions_(definitions) {}
+
+  Code expression(const Term& term, const Scope& scope);
+  Property predicate(const Term& term, const Scope& scope);
+  /// The declarations, then the predicates with their labels.
+  Property text(const SchemaText& text, const Scope& scope);
+  /// The variables of a schema text get slots, named in `inner`. `extra`: further conjuncts, for the search's sake.
+  Head head(const SchemaText& text, const Scope& scope, Scope& inner, const Term& extra = {});
+
+  /// A scope of the formals of a generic paragraph: each stands for its actual, or, without one, for its whole type.
+  Scope formals(const std::vector<Name>& formals, const std::vector<Term>& actuals, const Scope& scope);
+
+  Value global(Meaning& global, Context& context);
+  Definitions& definitions() { return definitions_; }
+
+ private:
+  // Expressions (expressions.cpp).
+  Code name(const Node& node, const Scope& scope);
+  Code toolkit(const Node& node, const Scope& scope);
+  Code set_expression(const Node& node, const Scope& scope);
+  Code application(const Node& node, const Scope& scope);
+  Code selection(const Node& node, const Scope& scope);
+  Code theta(const Node& node, const Scope& scope);
+  Code conditional(const Node& node, const Scope& scope);
+  Code let(const Node& node, const Scope& scope);
+  Code parts(const Node& node, const Scope& scope, Value (*make)(std::vector<Value>));
+  Code binding_extension(const Node& node, const Scope& scope);
+  Code comprehension(const Node& node, const Scope& scope);
+  Code lambda(const Node& node, const Scope& scope);
+  Code mu(const Node& node, const Scope& scope);
+  Code schema_set(const Term& term, const Scope& scope);
+  Code compiled(const Term& term, const Scope& scope);
+
+  // Predicates and schemas (predicates.cpp, schemas.cpp).
+  Property relation(const Term& term, const Scope& scope);
+  Property quantified(const Term& term, const Scope& scope);
+  Property exists_one(const Node& node, const Scope& scope);
+  Property schema_reference(const Term& term, const Scope& scope);
+  Property schema_definition(const Meaning& global, const Scope& scope);
+  Property change(const Name& of, bool unchanged, const Scope& scope);
+  Property mapped(const Term& schema, const Scope& scope, const std::vector<std::pair<Name, Name>>& names);
+  Property hidden(const Components& names, const Scope& scope, const std::function<Property(const Scope&)>& inside);
+  Property joined_schemas(const Node& node, const std::string& stroke, const std::string& to_stroke,
+                          const Scope& scope);
+  Property declaration(const Declaration& declaration, const Scope& scope);
+  void equations(const Node& relation, const Scope& scope, Property& into);
+
+  // Axiomatic definitions (axiomatic.cpp).
+  Value axiomatic(const Meaning& global, Context& context);
+  Value schema_value(const Meaning& global, Context& context);
+  Value constructor_arguments(const Meaning& global, Context& context);
+  Value definition_value(const Meaning& global, Context& context);
+
+  const Local* find(const Name& name, const Scope& scope) const;
+  Local component(const Name& name, const Scope& scope);
+
+  Definitions& definitions_;
+  std::deque<Value> constants_;  // of expressions, each made when it is first asked for
+  std::vector<unsigned> reads_;  // the slots read by the code that is being compiled, in order of compilation
+  std::string label_;            // of the definition that is being compiled, for the predicate that it stands for
+  std::string strokes_;          // of the decorations around what is being compiled
+};
+
+/// Slots for a scope, given back at its end.
+class Slots {
+ public:
+  explicit Slots(Unit& unit) : unit_(unit), before_(unit.next) {}
+  ~Slots() { unit_.next = before_; }
+  Slots(const Slots&) = delete;
+  Slots& operator=(const Slots&) = delete;
+  static unsigned one(Unit& unit) {
+    const unsigned slot = unit.next++;
+    if (unit.size < unit.next) unit.size = unit.next;
+    return slot;
+  }
+
+ private:
+  Unit& unit_;
+  unsigned before_;
+};
+
+/// An error at a place of the text.
+[[noreturn]] void cannot(const Node& node, const std::string& what);
+
+}  // namespace durero::zed

@@ -1,0 +1,58 @@
+#pragma once
+/// What the names of a specification stand for.
+
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "durero/zed/syntax/ast.hpp"
+#include "zed/value/context.hpp"
+
+namespace durero::zed {
+
+/// A name that a paragraph declares. Its value is made when it is first asked for.
+struct Meaning {
+  enum class Kind { given, free_type, constant, constructor, definition, axiomatic, schema };
+  Kind kind = Kind::given;
+  Name name;
+  const Section* section = nullptr;
+  const Paragraph* paragraph = nullptr;
+  std::uint32_t order = 0;  ///< of a branch of a free type
+  std::optional<Value> value{};
+  bool busy = false;  ///< its value is being made
+
+  const std::string& label() const;  ///< of a definition; else empty
+};
+
+class Definitions {
+ public:
+  explicit Definitions(const std::vector<Section>& sections);
+  /// Null where the specification declares no such name.
+  Meaning* find(const Name& name);
+  const Meaning* find(const Name& name) const;
+
+ private:
+  void add(Meaning global);
+  void add(const Section& section, const Paragraph& paragraph);
+  std::unordered_map<Name, Meaning> globals_;
+};
+
+/// `S` of `ΔS` and of `ΞS`, where the specification declares no such name itself; else nothing.
+std::optional<Name> implicit(const Name& name, std::string_view prefix, const Definitions& definitions);
+
+/// The names of a schema's components in the order of their declaration; nothing for a term that is no schema.
+using Components = std::vector<Name>;
+std::optional<Components> components(const Term& term, const Definitions& definitions);
+Components components(const SchemaText& text, const Definitions& definitions);
+Components components(const Declaration& declaration, const Definitions& definitions);
+
+Name decorated(Name name, const std::string& strokes);
+/// The components of S that S ⨟ T joins to those of T without their last `'`; of S ≫ T, to `?` from `!`: names without
+/// that stroke.
+std::vector<Name> joined(const Term& left, const std::string& stroke, const Term& right, const std::string& to_stroke,
+                         const Definitions& definitions);
+/// The after-state and the outputs: what `pre S` hides.
+Components hidden_by_pre(const Term& schema, const Definitions& definitions);
+
+}  // namespace durero::zed

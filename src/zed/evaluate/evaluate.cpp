@@ -1,0 +1,183 @@
+#include "durero/zed/evaluate/evaluate.hpp"
+
+#include <algorithm>
+
+#include "zed/evaluate/compiler.hpp"
+#include "zed/value/functions.hpp"
+#include "zed/value/sets.hpp"
+
+namespace durero::zed {
+
+struct Evaluator::State {
+  explicit State(std::vector<Section> given_sections)
+      : sections(std::move(given_sections)), definitions(sections), compiler(definitions) {}
+  std::vector<Section> sections;
+  Definitions definitions;
+  Compiler compiler;
+};
+
+struct SchemaCheck::State {
+  std::vector<Name> names;
+  std::shared_ptr<Unit> unit;
+  Property property;
+
+  Frame frame(std::span<const Value> values, Context& context) const {
+    if (values.size() != names.size()) {
+      throw EvaluationError("a schema of " + std::to_string(names.size()) + " components is given " +
+                            std::to_string(values.size()));
+    }
+    Frame made(unit->size, context);
+    std::copy(values.begin(), values.end(), made.slots.begin());
+    return made;
+  }
+};
+
+namespace {
+
+struct Locals {
+  std::shared_ptr<Unit> unit = std::make_shared<Unit>();
+  Scope scope{.unit = unit};
+
+  explicit Locals(const std::vector<Name>& names) {
+    for (const Name& one : names) scope.names[one] = {Slots::one(*unit), {}};
+  }
+};
+
+std::vector<Name> names_of(const Given& locals) {
+  std::vector<Name> names;
+  for (const auto& one : locals) names.push_back(one.first);
+  return names;
+}
+
+Frame frame_of(const Given& locals, const Unit& unit, Context& context) {
+  Frame frame(unit.size, context);
+  for (std::size_t i = 0; i < locals.size(); ++i) frame.slots[i] = locals[i].second;
+  return frame;
+}
+
+// Findings.
+
+Finding finding(const Property& property, Truth here) {
+  Finding made{property.label, property.text, property.strokes, {}, here};
+  if (property.term) made.place = property.term->place;
+  return made;
+}
+
+std::vector<Finding> findings(const Property& property, Frame& frame);
+
+long count(const std::vector<Finding>& all, Truth truth) {
+  return std::count_if(all.begin(), all.end(), [&](const Finding& one) { return one.truth == truth; });
+}
+
+/// Of the sides of a disjunction the one that explains it best: the fewest false conjuncts, then the fewest open.
+std::vector<Finding> best_side(const Property& property, Frame& frame) {
+  std::vector<Finding> best;
+  for (std::size_t i = 0; i < property.parts.size(); ++i) {
+    auto here = findings(property.parts[i], frame);
+    const auto rank = [](const auto& all) { return std::pair(count(all, Truth::no), count(all, Truth::open)); };
+    if (i == 0 || rank(here) < rank(best)) best = std::move(here);
+  }
+  return best;
+}
+
+std::vector<Finding> findings(const Property& property, Frame& frame) {
+  const bool composed = property.text.empty();
+  if (composed && property.kind == Property::Kind::any) return best_side(property, frame);
+  if (composed && property.kind == Property::Kind::exists && property.search->determined()) {
+    property.search->determine(frame);
+    return findings(property.search->goal(), frame);
+  }
+  if (composed && property.kind == Property::Kind::all) {
+    std::vector<Finding> all;
+    for (const Property& part : property.parts) {
+      auto here = findings(part, frame);
+      std::move(here.begin(), here.end(), std::back_inserter(all));
+    }
+    return all;
+  }
+  return {finding(property, evaluate(property, frame))};
+}
+
+}  // namespace
+
+const std::vector<Name>& SchemaCheck::components() const { return state_->names; }
+
+Truth SchemaCheck::holds(std::span<const Value> values) const {
+  Context context;
+  Frame frame = state_->frame(values, context);
+  return evaluate(state_->property, frame);
+}
+
+std::vector<Finding> SchemaCheck::findings(std::span<const Value> values) const {
+  Context context;
+  Frame frame = state_->frame(values, context);
+  return zed::findings(state_->property, frame);
+}
+
+Evaluator::Evaluator(std::vector<Section> sections, const Given& given)
+    : state_(std::make_unique<State>(std::move(sections))) {
+  for (const auto& [name, value] : given) {
+    Meaning* global = state_->definitions.find(name);
+    if (!global || global->kind != Meaning::Kind::axiomatic) {
+      throw EvaluationError(name.text() + " is given a value, and is no name that the text leaves open");
+    }
+    global->value = value;
+  }
+}
+
+Evaluator::~Evaluator() = default;
+Evaluator::Evaluator(Evaluator&&) noexcept = default;
+Evaluator& Evaluator::operator=(Evaluator&&) noexcept = default;
+
+Value Evaluator::value(const Term& expression, const Given& locals) const {
+  const Locals names(names_of(locals));
+  const Code code = state_->compiler.expression(expression, names.scope);
+  Context context;
+  Frame frame = frame_of(locals, *names.unit, context);
+  return code(frame);
+}
+
+Truth Evaluator::holds(const Term& predicate, const Given& locals) const {
+  const Locals names(names_of(locals));
+  const Property property = state_->compiler.predicate(predicate, names.scope);
+  Context context;
+  Frame frame = frame_of(locals, *names.unit, context);
+  return evaluate(property, frame);
+}
+
+Value Evaluator::value(const Name& name) const { return value(reference(name)); }
+
+Truth Evaluator::contains(const Value& set, const Value& value) const {
+  Context context;
+  return contains_value(set, value, context);
+}
+
+std::vector<Polynomial> Evaluator::comparisons(const Value& set, const std::function<Value(Unknown)>& value) const {
+  Context context;
+  Watch watch{context.fresh()};
+  context.watch = &watch;
+  const Truth here = contains_value(set, value(Unknown{watch.unknown}), context);
+  if (watch.lost || (here == Truth::open && watch.compared.empty()))
+    throw EvaluationError("membership in " + set.text() + " depends on a number in a way that is not followed");
+  return std::move(watch.compared);
+}
+
+Value Evaluator::apply(const Value& function, const Value& argument) const {
+  Context context;
+  return apply_value(function, argument, context);
+}
+
+SchemaCheck Evaluator::schema(const Name& name) const {
+  const auto names = components(reference(name), state_->definitions);
+  if (!names) throw EvaluationError(name.text() + " is no schema");
+  const Locals locals(*names);
+  auto made = std::make_shared<SchemaCheck::State>();
+  made->names = *names;
+  made->property = state_->compiler.predicate(reference(name), locals.scope);
+  made->unit = locals.unit;
+  SchemaCheck check;
+  check.state_ = std::move(made);
+  return check;
+}
+
+}  // namespace durero::zed

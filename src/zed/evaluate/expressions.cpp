@@ -1,0 +1,281 @@
+/// Expressions to code.
+
+#include <algorithm>
+
+#include "durero/zed/syntax/symbols.hpp"
+#include "zed/evaluate/compiler.hpp"
+#include "zed/evaluate/describe.hpp"
+#include "zed/evaluate/intensional.hpp"
+#include "zed/value/functions.hpp"
+#include "zed/value/sets.hpp"
+
+namespace durero::zed {
+
+void cannot(const Node& node, const std::string& what) {
+  throw EvaluationError(what + ", at line " + std::to_string(node.place.line) + ", column " +
+                        std::to_string(node.place.column));
+}
+
+const Local* Compiler::find(const Name& name, const Scope& scope) const {
+  for (const Scope* here = &scope; here; here = here->outer) {
+    const auto found = here->names.find(name);
+    if (found != here->names.end()) return &found->second;
+  }
+  return nullptr;
+}
+
+// A value that depends on no slot around it is made once. The compiler owns it: the code of a function may stand for
+// a value that holds the function, `dom f` in the definition of f, and neither would ever be freed.
+Code Compiler::expression(const Term& term, const Scope& scope) {
+  const std::size_t before = reads_.size();
+  const unsigned base = scope.unit->next;
+  Code code = compiled(term, scope);
+  const bool closed = std::none_of(reads_.begin() + static_cast<std::ptrdiff_t>(before), reads_.end(),
+                                   [&](unsigned slot) { return slot < base; });
+  if (!closed || (term->kind == Kind::reference && term->children.empty())) return code;
+  return [code = std::move(code), made = &constants_.emplace_back()](Frame& frame) {
+    if (made->is_undefined()) *made = code(frame);
+    return *made;
+  };
+}
+
+Code Compiler::compiled(const Term& term, const Scope& scope) {
+  const Node& node = *term;
+  switch (node.kind) {
+    case Kind::reference:
+      return name(node, scope);
+    case Kind::number:
+      return [value = Value(Real::natural(node.name.word))](Frame&) { return value; };
+    case Kind::set_extension:
+      return parts(node, scope, Value::set);
+    case Kind::tuple:
+      return parts(node, scope, Value::tuple);
+    case Kind::product:
+      return parts(node, scope, product_set);
+    case Kind::power:
+      return [base = expression(node.children[0], scope)](Frame& frame) { return power_set(base(frame), {}); };
+    case Kind::binding_extension:
+      return binding_extension(node, scope);
+    case Kind::selection:
+    case Kind::tuple_selection:
+      return selection(node, scope);
+    case Kind::theta:
+      return theta(node, scope);
+    case Kind::application:
+      return application(node, scope);
+    case Kind::comprehension:
+      return comprehension(node, scope);
+    case Kind::lambda:
+      return lambda(node, scope);
+    case Kind::mu:
+      return mu(node, scope);
+    case Kind::let:
+      return let(node, scope);
+    case Kind::conditional:
+      return conditional(node, scope);
+    default:
+      return schema_set(term, scope);
+  }
+}
+
+Code Compiler::name(const Node& node, const Scope& scope) {
+  if (const Local* local = find(node.name, scope)) {
+    if (!local->slot) {
+      reads_.insert(reads_.end(), local->reads.begin(), local->reads.end());
+      return local->code;
+    }
+    reads_.push_back(*local->slot);
+    return [slot = *local->slot](Frame& frame) { return frame.slots[slot]; };
+  }
+  Meaning* global = definitions_.find(node.name);
+  if (!global) {
+    if (components(reference(node.name), definitions_)) return schema_set(reference(node.name, {}, node.place), scope);
+    return toolkit(node, scope);
+  }
+  if (!node.children.empty()) {
+    if (std::holds_alternative<Schema>(global->paragraph->form))
+      return schema_set(reference(node.name, node.children, node.place), scope);
+    const auto* definition = std::get_if<Definition>(&global->paragraph->form);
+    if (!definition || definition->formals.empty()) cannot(node, node.name.text() + " is not evaluated with actuals");
+    const Scope inner = formals(definition->formals, node.children, scope);
+    return expression(definition->value, inner);
+  }
+  return [this, global](Frame& frame) { return global->value ? *global->value : this->global(*global, frame.context); };
+}
+
+Scope Compiler::formals(const std::vector<Name>& formals, const std::vector<Term>& actuals, const Scope& scope) {
+  Scope inner{.unit = scope.unit};
+  for (std::size_t i = 0; i < formals.size(); ++i) {
+    Local local;
+    if (i < actuals.size()) {
+      const std::size_t before = reads_.size();
+      local.code = expression(actuals[i], scope);
+      local.reads.assign(reads_.begin() + static_cast<std::ptrdiff_t>(before), reads_.end());
+    } else {  // actuals that are left out are inferred; their set is the whole type
+      local.code = [all = everything(formals[i].text())](Frame&) { return all; };
+    }
+    inner.names.emplace(formals[i], std::move(local));
+  }
+  return inner;
+}
+
+Code Compiler::toolkit(const Node& node, const Scope& scope) {
+  const std::string name = node.name.text();
+  const auto constant = [](Value value) { return [value = std::move(value)](Frame&) { return value; }; };
+  if (name == "𝔸") return constant(everything(name));
+  if (name == "ℤ") return constant(integers(name, std::nullopt));
+  if (name == "ℕ") return constant(integers(name, 0));
+  if (name == "ℕ₁") return constant(integers(name, 1));
+  if (name == "∅") return constant(empty_set());
+  if (toolkit_function(name)) return constant(toolkit_value(name));
+  if (toolkit_relation(name)) return constant(relation_value(name));
+  if (!node.children.empty()) return set_expression(node, scope);
+  cannot(node, "the evaluator knows no " + name);
+}
+
+Code Compiler::set_expression(const Node& node, const Scope& scope) {
+  const std::string& name = node.name.word;
+  const Code first = expression(node.children[0], scope);
+  if (name == "ℙ₁_") return [first](Frame& frame) { return power_set(first(frame), {.nonempty = true}); };
+  if (name == "𝔽_") return [first](Frame& frame) { return power_set(first(frame), {.finite = true}); };
+  if (name == "𝔽₁_") {
+    return [first](Frame& frame) { return power_set(first(frame), {.finite = true, .nonempty = true}); };
+  }
+  if (name == "id_") {
+    return [first](Frame& frame) {
+      std::vector<Value> pairs;
+      for (const Value& one : enumerated(first(frame), "the identity on")) pairs.push_back(Value::pair(one, one));
+      return finite(std::move(pairs));
+    };
+  }
+  if (name == "seq_" || name == "seq₁_" || name == "iseq_")
+    return [first, name](Frame& frame) { return *sequence_set(name, first(frame)); };
+  const auto* op = operator_of_name(name);
+  const auto form = op ? function_form(std::string(op->symbol)) : std::nullopt;
+  if (!form || node.children.size() != 2) cannot(node, "the evaluator knows no " + name);
+  return [first, second = expression(node.children[1], scope), form](Frame& frame) {
+    return function_set(first(frame), second(frame), *form);
+  };
+}
+
+Code Compiler::parts(const Node& node, const Scope& scope, Value (*make)(std::vector<Value>)) {
+  std::vector<Code> codes;
+  codes.reserve(node.children.size());
+  for (const Term& child : node.children) codes.push_back(expression(child, scope));
+  return [codes = std::move(codes), make](Frame& frame) {
+    std::vector<Value> values;
+    values.reserve(codes.size());
+    for (const Code& one : codes) values.push_back(one(frame));
+    return make(std::move(values));
+  };
+}
+
+Code Compiler::binding_extension(const Node& node, const Scope& scope) {
+  std::vector<std::pair<Name, Code>> sorted;
+  for (std::size_t i = 0; i < node.names.size(); ++i) {
+    sorted.emplace_back(node.names[i], expression(node.children[i], scope));
+  }
+  std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  return [names = signature(node.names), sorted = std::move(sorted)](Frame& frame) {
+    std::vector<Value> values;
+    for (const auto& one : sorted) values.push_back(one.second(frame));
+    return Value::binding(names, std::move(values));
+  };
+}
+
+Code Compiler::selection(const Node& node, const Scope& scope) {
+  const Code whole = expression(node.children[0], scope);
+  if (node.kind == Kind::tuple_selection) {
+    return [whole, position = std::stoul(node.name.word) - 1](Frame& frame) -> Value {
+      const Value value = whole(frame);
+      if (value.is_undefined()) return {};
+      if (!value.tuple()) return Open{};
+      return value.tuple()->parts.at(position);
+    };
+  }
+  struct Last {
+    Signature names;
+    std::size_t position = 0;
+  };
+  return [whole, name = node.name, last = std::make_shared<Last>()](Frame& frame) -> Value {
+    const Value value = whole(frame);
+    if (value.is_undefined()) return {};
+    const BindingValue* binding = value.binding();
+    if (!binding) return Open{};
+    if (last->names == binding->names) return binding->values[last->position];
+    const Value* found = binding->component(name);
+    if (!found) throw EvaluationError(value.text() + " has no component " + name.text());
+    *last = {binding->names, static_cast<std::size_t>(found - binding->values.data())};
+    return *found;
+  };
+}
+
+Code Compiler::theta(const Node& node, const Scope& scope) {
+  const Term& schema = node.children[0];
+  auto names = components(schema, definitions_);
+  if (!names) cannot(node, "θ of what is no schema");
+  std::sort(names->begin(), names->end());
+  std::vector<Code> codes;
+  for (const Name& one : *names) {
+    codes.push_back(this->name(*reference(decorated(one, node.name.strokes), {}, node.place), scope));
+  }
+  std::optional<unsigned> whole;
+  if (schema->kind == Kind::reference && schema->children.empty() && node.name.strokes.empty()) {
+    for (const Scope* here = &scope; here && !whole; here = here->outer) {
+      const auto found = here->thetas.find(schema->name.text());
+      if (found != here->thetas.end()) whole = found->second;
+      // A scope that names a component anew has another θ.
+      if (std::any_of(names->begin(), names->end(), [&](const Name& one) { return here->names.contains(one); })) break;
+    }
+  }
+  return [names = signature(*names), codes = std::move(codes), whole](Frame& frame) {
+    if (whole && !frame.slots[*whole].is_undefined()) return frame.slots[*whole];
+    std::vector<Value> values;
+    values.reserve(codes.size());
+    for (const Code& one : codes) values.push_back(one(frame));
+    return Value::binding(names, std::move(values));
+  };
+}
+
+Code Compiler::application(const Node& node, const Scope& scope) {
+  const Term &function = node.children[0], &argument = node.children[1];
+  const bool named =
+      function->kind == Kind::reference && !find(function->name, scope) && !definitions_.find(function->name);
+  const ToolkitFunction* known = named ? toolkit_function(function->name.text()) : nullptr;
+  if (known && known->one) {
+    return [one = known->one, a = expression(argument, scope)](Frame& frame) { return one(a(frame), frame.context); };
+  }
+  if (known && argument->kind == Kind::tuple && argument->children.size() == 2) {
+    const Term& through = argument->children[0];
+    if (function->name.word == "_⦇_⦈" && through->kind == Kind::application &&
+        through->children[0]->kind == Kind::reference && through->children[0]->name.word == "_∼") {
+      return [r = expression(through->children[1], scope), s = expression(argument->children[1], scope)](Frame& frame) {
+        const Value relation = r(frame);
+        return inverse_image(relation, s(frame), frame.context);
+      };
+    }
+    return [two = known->two, a = expression(argument->children[0], scope),
+            b = expression(argument->children[1], scope)](Frame& frame) {
+      const Value left = a(frame);
+      return two(left, b(frame), frame.context);
+    };
+  }
+  return [f = expression(function, scope), a = expression(argument, scope)](Frame& frame) {
+    const Value left = f(frame);
+    return apply_value(left, a(frame), frame.context);
+  };
+}
+
+Code Compiler::conditional(const Node& node, const Scope& scope) {
+  return [condition = predicate(node.children[0], scope), yes = expression(node.children[1], scope),
+          no = expression(node.children[2], scope)](Frame& frame) -> Value {
+    const Truth here = [&] {
+      const Necessary not_here(frame.context, false);
+      return evaluate(condition, frame);
+    }();
+    if (here == Truth::open) return Open{};
+    return here == Truth::yes ? yes(frame) : no(frame);
+  };
+}
+
+}  // namespace durero::zed

@@ -1,0 +1,125 @@
+/// Heads of comprehensions and quantifiers: the variables of a schema text, and the tuple that they make.
+
+#include <algorithm>
+
+#include "zed/evaluate/compiler.hpp"
+
+namespace durero::zed {
+
+void assign(Frame& frame, const std::vector<Group>& groups, const Value& value) {
+  const auto give = [&](const Group& group, const Value& part) {
+    frame.slots[group.slot] = part;
+    if (!group.names) return;
+    const BindingValue* binding = part.binding();
+    for (std::size_t i = 0; i < group.components.size(); ++i) {
+      const Value* component = nullptr;
+      if (binding) {
+        component = binding->names == group.names ? &binding->values[i] : binding->component((*group.names)[i]);
+      }
+      if (binding && !component) throw EvaluationError(part.text() + " has another type than its place");
+      frame.slots[group.components[i]] = component ? *component : Value(Open{});
+    }
+  };
+  if (groups.size() == 1) return give(groups[0], value);
+  const auto* tuple = value.tuple();
+  if (tuple && tuple->parts.size() != groups.size()) throw EvaluationError(value.text() + " has too many parts");
+  for (std::size_t i = 0; i < groups.size(); ++i) give(groups[i], tuple ? tuple->parts[i] : Value(Open{}));
+}
+
+namespace {
+
+template <class Part>
+Value gathered(const std::vector<Group>& groups, Part&& part) {
+  std::vector<Value> values;
+  for (const Group& group : groups) {
+    if (!group.names) {
+      values.push_back(part(group.slot));
+      continue;
+    }
+    std::vector<Value> components;
+    components.reserve(group.components.size());
+    for (const unsigned slot : group.components) components.push_back(part(slot));
+    values.push_back(Value::binding(group.names, std::move(components)));
+  }
+  return values.size() == 1 ? std::move(values[0]) : Value::tuple(std::move(values));
+}
+
+}  // namespace
+
+Value characteristic(const Frame& frame, const std::vector<Group>& groups) {
+  return gathered(groups, [&](unsigned slot) { return frame.slots[slot]; });
+}
+
+Value unknown_characteristic(Frame& frame, const Head& head) {
+  return gathered(head.groups, [&](unsigned slot) -> Value {
+    for (const Variable& one : head.search->variables()) {
+      if (one.slot != slot || !one.set) continue;
+      const Value set = one.set(frame);
+      if (set.set()) return set.set()->unknown(frame.context);
+    }
+    return Unknown{frame.context.fresh()};
+  });
+}
+
+Head Compiler::head(const SchemaText& text, const Scope& scope, Scope& inner, const Term& extra) {
+  Head made;
+  std::vector<Variable> variables;
+  std::vector<Property> goal;
+  std::vector<unsigned> wholes;
+  const auto declare = [&](const Name& name, Code set) {
+    const auto found = inner.names.find(name);
+    if (found != inner.names.end()) return *found->second.slot;
+    const unsigned slot = Slots::one(*scope.unit);
+    inner.names[name] = {slot, {}};
+    Variable variable{.name = name.text(), .slot = slot, .set = std::move(set), .value = {}};
+    variables.push_back(std::move(variable));
+    return slot;
+  };
+  std::vector<const Declaration*> included;
+  for (const Declaration& one : text.declarations) {
+    if (one.form == Declaration::Form::typed) {
+      const Code set = expression(one.term, scope);
+      for (const Name& name : one.names) made.groups.push_back({declare(name, set), nullptr, {}});
+    } else if (one.form == Declaration::Form::defined) {
+      const std::size_t before = reads_.size();
+      const Code value = expression(one.term, scope);
+      const unsigned slot = declare(one.names[0], {});
+      made.groups.push_back({slot, nullptr, {}});
+      Property equation =
+          test_of([slot, value](Frame& frame) { return equal(frame.slots[slot], value(frame), frame.context); });
+      equation.equations.push_back({slot, value, {reads_.begin() + static_cast<std::ptrdiff_t>(before), reads_.end()}});
+      goal.push_back(std::move(equation));
+    } else {
+      auto names = zed::components(one, definitions_);
+      std::sort(names.begin(), names.end());
+      Group group{Slots::one(*scope.unit), signature(names), {}};
+      for (const Name& name : names) group.components.push_back(declare(name, {}));
+      wholes.push_back(group.slot);
+      if (one.term->kind == Kind::reference) inner.thetas[one.term->name.text()] = group.slot;
+      made.groups.push_back(std::move(group));
+      included.push_back(&one);
+    }
+  }
+  for (std::size_t i = 0; i < included.size(); ++i) {
+    // An included schema knows its own components, and none of the variables beside it.
+    Scope own{.outer = &scope, .unit = scope.unit, .thetas = inner.thetas, .declarations = &scope};
+    for (const Name& name : zed::components(*included[i], definitions_)) own.names[name] = inner.names.at(name);
+    std::vector<Property> whole;
+    whole.push_back(predicate(included[i]->term, own));
+    Property property;
+    property.parts = std::move(whole);
+    const Meaning* schema =
+        included[i]->term->kind == Kind::reference ? definitions_.find(included[i]->term->name) : nullptr;
+    if (schema && included[i]->term->children.empty()) {
+      property.whole = wholes[i];
+      property.schema = schema;
+    }
+    goal.push_back(std::move(property));
+  }
+  for (const Predicate& one : text.predicates) goal.push_back(predicate(one.term, inner));
+  if (extra) goal.push_back(predicate(extra, inner));
+  made.search = std::make_shared<const Search>(std::move(variables), all_of(std::move(goal)), std::move(wholes));
+  return made;
+}
+
+}  // namespace durero::zed

@@ -1,0 +1,192 @@
+#include "zed/evaluate/intensional.hpp"
+
+#include "zed/value/functions.hpp"
+
+namespace durero::zed {
+namespace {
+
+class Comprehension : public Set {
+ public:
+  explicit Comprehension(Closure closure) : closure_(std::move(closure)) {}
+
+  Truth contains(const Value& value, Context& context) const override {
+    const Deeper deeper(context);
+    Frame frame = closure_.frame(context);
+    if (!closure_.term) {
+      if (value.get<Unknown>() && closure_.head.groups.size() + closure_.head.groups[0].components.size() > 1) {
+        return Truth::open;
+      }
+      assign(frame, closure_.head.groups, value);
+      return closure_.head.search->holds(frame);
+    }
+    return closure_.head.search->exists(frame,
+                                        [&](Frame& inside) { return equal(closure_.term(inside), value, context); });
+  }
+
+  // value ∈ ⋃ { D | P • E } is ∃ D | P • value ∈ E.
+  Truth some_contains(const Value& value, Context& context) const override {
+    const Deeper deeper(context);
+    Frame frame = closure_.frame(context);
+    return closure_.head.search->exists(frame, [&](Frame& inside) {
+      return contains_value(closure_.term ? closure_.term(inside) : characteristic(inside, closure_.head.groups), value,
+                            context);
+    });
+  }
+
+  Value unknown(Context& context) const override {
+    if (closure_.term) return Set::unknown(context);
+    Frame frame = closure_.frame(context);
+    return unknown_characteristic(frame, closure_.head);
+  }
+
+  bool total() const override {
+    if (!total_) {
+      Context context;
+      Frame frame = closure_.frame(context);
+      total_ = !closure_.term && closure_.head.search->total(frame);
+    }
+    return *total_;
+  }
+
+  std::string text() const override { return closure_.text; }
+
+ private:
+  Closure closure_;
+  mutable std::optional<bool> total_;
+};
+
+/// The value at an argument that the head admits; undefined at others.
+Value applied(const Closure& closure, const Value& argument, Context& context, Truth* admitted) {
+  Frame frame = closure.frame(context);
+  assign(frame, closure.head.groups, argument);
+  *admitted = closure.head.search->holds(frame);
+  if (*admitted == Truth::no) return {};
+  if (*admitted == Truth::open) return Open{};
+  return closure.term ? closure.term(frame) : characteristic(frame, closure.head.groups);
+}
+
+Truth admits(const Closure& closure, const Value& argument, Context& context) {
+  Frame frame = closure.frame(context);
+  assign(frame, closure.head.groups, argument);
+  return closure.head.search->holds(frame);
+}
+
+bool whole_unknown(const Value& argument, const std::vector<Group>& groups) {
+  return (argument.is_open() || argument.get<Unknown>()) && (groups.size() > 1 || groups[0].names);
+}
+
+class Lambda : public Set {
+ public:
+  explicit Lambda(Closure closure) : closure_(std::move(closure)) {}
+
+  Value apply(const Value& argument, Context& context) const override {
+    if (whole_unknown(argument, closure_.head.groups)) return Open{};
+    const Deeper deeper(context);
+    Truth admitted = Truth::no;
+    return applied(closure_, argument, context, &admitted);
+  }
+
+  Truth in_domain(const Value& argument, Context& context) const override {
+    if (whole_unknown(argument, closure_.head.groups)) return Truth::open;
+    return admits(closure_, argument, context);
+  }
+
+  Truth contains(const Value& pair, Context& context) const override {
+    if (!pair.tuple()) return Truth::open;
+    return equal(apply(pair.tuple()->parts[0], context), pair.tuple()->parts[1], context);
+  }
+
+  // Over finite sets a λ is a finite function.
+  const std::vector<Value>* members() const override {
+    if (!enumerated_) {
+      enumerated_ = true;
+      Context context;
+      Frame frame = closure_.frame(context);
+      if (closure_.head.search->enumerable(frame)) enumerate(frame);
+    }
+    return pairs_ ? pairs_->set()->members() : nullptr;
+  }
+
+  std::string text() const override { return closure_.text; }
+
+ private:
+  void enumerate(Frame& frame) const {
+    std::vector<Value> pairs;
+    const Truth some = closure_.head.search->each(frame, [&](Frame& inside) {
+      pairs.push_back(Value::pair(characteristic(inside, closure_.head.groups), closure_.term(inside)));
+      return true;
+    });
+    Value all = Value::set(std::move(pairs));
+    if (some != Truth::open && all.set()) pairs_ = std::move(all);
+  }
+
+  Closure closure_;
+  mutable bool enumerated_ = false;
+  mutable std::optional<Value> pairs_;
+};
+
+class AxiomaticFunction : public Set {
+ public:
+  AxiomaticFunction(std::string name, std::function<Clauses(Context&)> compile)
+      : name_(std::move(name)), compile_(std::move(compile)) {}
+
+  Value apply(const Value& argument, Context& context) const override {
+    const Deeper deeper(context);
+    for (const Closure& clause : clauses(context).clauses) {
+      if (whole_unknown(argument, clause.head.groups)) return Open{};
+      Truth admitted = Truth::no;
+      Value value = applied(clause, argument, context, &admitted);
+      if (admitted != Truth::no) return value;
+    }
+    return {};
+  }
+
+  Truth in_domain(const Value& argument, Context& context) const override {
+    const Clauses& all = clauses(context);
+    if (all.domain) return contains_value(*all.domain, argument, context);
+    for (const Closure& clause : all.clauses) {
+      if (whole_unknown(argument, clause.head.groups)) return Truth::open;
+      const Truth here = admits(clause, argument, context);
+      if (here != Truth::no) return here;
+    }
+    return Truth::no;
+  }
+
+  Truth contains(const Value& pair, Context& context) const override {
+    if (!pair.tuple()) return Truth::open;
+    return equal(apply(pair.tuple()->parts[0], context), pair.tuple()->parts[1], context);
+  }
+
+  std::string text() const override { return name_; }
+
+ private:
+  const Clauses& clauses(Context& context) const {
+    if (!made_) made_ = compile_(context);
+    return *made_;
+  }
+  std::string name_;
+  std::function<Clauses(Context&)> compile_;
+  mutable std::optional<Clauses> made_;
+};
+
+}  // namespace
+
+Frame Closure::frame(Context& context) const {
+  Frame made(unit->size, context);
+  std::copy(captured.begin(), captured.end(), made.slots.begin());
+  return made;
+}
+
+std::vector<Value> captured(const Frame& frame, unsigned count) {
+  return {frame.slots.begin(), frame.slots.begin() + static_cast<std::ptrdiff_t>(count)};
+}
+
+Value intensional_set(Closure closure) { return SetPtr(std::make_shared<const Comprehension>(std::move(closure))); }
+
+Value lambda_function(Closure closure) { return SetPtr(std::make_shared<const Lambda>(std::move(closure))); }
+
+Value axiomatic_function(std::string name, std::function<Clauses(Context&)> compile) {
+  return SetPtr(std::make_shared<const AxiomaticFunction>(std::move(name), std::move(compile)));
+}
+
+}  // namespace durero::zed

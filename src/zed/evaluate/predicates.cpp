@@ -1,0 +1,186 @@
+/// Predicates to properties.
+
+#include <algorithm>
+
+#include "zed/evaluate/compiler.hpp"
+#include "zed/evaluate/describe.hpp"
+#include "zed/value/functions.hpp"
+
+namespace durero::zed {
+namespace {
+
+Truth negated(const Property& property, Frame& frame) {
+  const Necessary not_here(frame.context, false);
+  return !evaluate(property, frame);
+}
+
+/// Not every way to satisfy the head satisfies the body: it is looked for one that does not.
+Truth for_all(const Search& search, const Property& body, Frame& frame) {
+  const Necessary not_here(frame.context, false);
+  Truth result = Truth::yes;
+  const Truth some = search.each(frame, [&](Frame& inside) {
+    const Truth here = evaluate(body, inside);
+    if (here != Truth::yes) result = here;
+    return here != Truth::no;
+  });
+  return result == Truth::yes && some == Truth::open ? some : result;
+}
+
+Truth just_one(const Head& head, Frame& frame) {
+  const Necessary not_here(frame.context, false);
+  std::optional<Value> only;
+  bool several = false;
+  const Truth some = head.search->each(frame, [&](Frame& inside) {
+    Value here = characteristic(inside, head.groups);
+    several = only && !same(*only, here);
+    only = std::move(here);
+    return !several;
+  });
+  return several ? Truth::no : some;
+}
+
+}  // namespace
+
+Property Compiler::predicate(const Term& term, const Scope& scope) {
+  const Node& node = *term;
+  const auto part = [&](std::size_t i) { return predicate(node.children[i], scope); };
+  switch (node.kind) {
+    case Kind::truth:
+      return all_of({});
+    case Kind::falsity:
+      return test_of([](Frame&) { return Truth::no; }, term);
+    case Kind::relation:
+      return relation(term, scope);
+    case Kind::conjunction: {
+      std::vector<Property> parts;
+      parts.push_back(part(0));
+      parts.push_back(part(1));
+      return all_of(std::move(parts));
+    }
+    case Kind::disjunction: {
+      Property made;
+      made.kind = Property::Kind::any;
+      made.parts.push_back(part(0));
+      made.parts.push_back(part(1));
+      return made;
+    }
+    case Kind::negation:
+      return test_of([inner = part(0)](Frame& frame) { return negated(inner, frame); }, term);
+    case Kind::implication:
+      return test_of(
+          [left = part(0), right = part(1)](Frame& frame) {
+            const Truth not_left = negated(left, frame);
+            if (not_left == Truth::yes) return not_left;
+            const Necessary only(frame.context, not_left == Truth::no);
+            const Truth here = evaluate(right, frame);
+            return here == Truth::yes ? here : not_left == Truth::open ? not_left : here;
+          },
+          term);
+    case Kind::equivalence:
+      return test_of(
+          [left = part(0), right = part(1)](Frame& frame) {
+            const Necessary not_here(frame.context, false);
+            const Truth a = evaluate(left, frame), b = evaluate(right, frame);
+            return a == Truth::open || b == Truth::open ? Truth::open : truth(a == b);
+          },
+          term);
+    case Kind::forall:
+    case Kind::exists:
+      return quantified(term, scope);
+    case Kind::exists_one:
+      return exists_one(node, scope);
+    case Kind::let: {
+      const Slots slots(*scope.unit);
+      Scope inner{.outer = &scope, .unit = scope.unit};
+      std::vector<std::pair<unsigned, Code>> defined;
+      for (const Declaration& one : node.text->declarations) {
+        const unsigned slot = Slots::one(*scope.unit);
+        defined.emplace_back(slot, expression(one.term, scope));
+        inner.names[one.names[0]] = {slot, {}};
+      }
+      return test_of(
+          [defined, body = predicate(node.children[0], inner)](Frame& frame) {
+            for (const auto& one : defined) frame.slots[one.first] = one.second(frame);
+            return evaluate(body, frame);
+          },
+          term);
+    }
+    default:
+      return schema_reference(term, scope);
+  }
+}
+
+Property Compiler::relation(const Term& term, const Scope& scope) {
+  const Node& node = *term;
+  std::vector<Code> operands;
+  std::vector<std::vector<unsigned>> reads;
+  for (const Term& child : node.children) {
+    const std::size_t before = reads_.size();
+    operands.push_back(expression(child, scope));
+    reads.emplace_back(reads_.begin() + static_cast<std::ptrdiff_t>(before), reads_.end());
+  }
+  std::vector<ToolkitRelation> relations;
+  for (const Name& one : node.names) {
+    relations.push_back(toolkit_relation(one.word));
+    if (!relations.back()) cannot(node, "the evaluator knows no relation " + one.word);
+  }
+  if (operands.size() == 1)
+    return test_of(
+        [of = operands[0], holds = relations[0]](Frame& frame) { return holds(of(frame), {}, frame.context); }, term);
+  if (relations.size() > 1) {
+    return test_of(
+        [operands, relations](Frame& frame) {
+          Truth all = Truth::yes;
+          Value left = operands[0](frame);
+          for (std::size_t i = 0; i < relations.size(); ++i) {
+            Value right = operands[i + 1](frame);
+            const Truth here = relations[i](left, right, frame.context);
+            if (here == Truth::no) return here;
+            if (here == Truth::open) all = here;
+            left = std::move(right);
+          }
+          return all;
+        },
+        term);
+  }
+  Property made = test_of(
+      [left = operands[0], right = operands[1], holds = relations[0]](Frame& frame) {
+        const Value a = left(frame);
+        return holds(a, right(frame), frame.context);
+      },
+      term);
+  if (node.names[0].word != "_=_") return made;
+  for (const std::size_t side : {0U, 1U}) {
+    const Node& variable = *node.children[side];
+    const Local* local = variable.kind == Kind::reference ? find(variable.name, scope) : nullptr;
+    if (local && local->slot) made.equations.push_back({*local->slot, operands[1 - side], reads[1 - side]});
+  }
+  return made;
+}
+
+Property Compiler::quantified(const Term& term, const Scope& scope) {
+  const Node& node = *term;
+  const Slots slots(*scope.unit);
+  Scope inner{.outer = &scope, .unit = scope.unit};
+  if (node.kind == Kind::exists) {
+    const Head head = this->head(*node.text, scope, inner, node.children[0]);
+    Property made;
+    made.kind = Property::Kind::exists;
+    made.search = head.search;
+    made.term = term;
+    return made;
+  }
+  const Head head = this->head(*node.text, scope, inner);
+  return test_of([search = head.search,
+                  body = predicate(node.children[0], inner)](Frame& frame) { return for_all(*search, body, frame); },
+                 term);
+}
+
+Property Compiler::exists_one(const Node& node, const Scope& scope) {
+  const Slots slots(*scope.unit);
+  Scope inner{.outer = &scope, .unit = scope.unit};
+  const Head head = this->head(*node.text, scope, inner, node.children[0]);
+  return test_of([head](Frame& frame) { return just_one(head, frame); }, Term(std::make_shared<const Node>(node)));
+}
+
+}  // namespace durero::zed

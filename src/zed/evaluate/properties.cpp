@@ -1,0 +1,89 @@
+/// Predicates, compiled: their truth, and what their conjuncts state.
+
+#include "zed/evaluate/search.hpp"
+
+namespace durero::zed {
+namespace {
+
+Truth evaluate_any(const Property& property, Frame& frame) {
+  const Necessary keep(frame.context, property.parts.size() == 1);
+  Truth some = Truth::no;
+  for (const Property& part : property.parts) {
+    const Truth here = evaluate(part, frame);
+    if (here == Truth::yes) return here;
+    if (here == Truth::open) some = here;
+  }
+  return some;
+}
+
+Truth evaluate_all(const Property& property, Frame& frame) {
+  Truth all = Truth::yes;
+  for (const Property& part : property.parts) {
+    all = both(all, evaluate(part, frame));
+    if (all == Truth::no) return all;
+  }
+  return all;
+}
+
+Truth evaluate_whole(const Property& property, Frame& frame) {
+  const BindingValue* binding = frame.slots[*property.whole].binding();
+  if (!binding) return evaluate_all(property, frame);
+  if (binding->satisfies == property.schema) return Truth::yes;
+  const Truth here = evaluate_all(property, frame);
+  if (here == Truth::yes) binding->satisfies = property.schema;
+  return here;
+}
+
+}  // namespace
+
+Property all_of(std::vector<Property> parts) {
+  if (parts.size() == 1) return std::move(parts[0]);
+  Property made;
+  made.parts = std::move(parts);
+  return made;
+}
+
+Property test_of(Test test, Term term) {
+  Property made;
+  made.kind = Property::Kind::test;
+  made.test = std::move(test);
+  made.term = std::move(term);
+  return made;
+}
+
+Truth evaluate(const Property& property, Frame& frame) {
+  switch (property.kind) {
+    case Property::Kind::test:
+      return property.test(frame);
+    case Property::Kind::any:
+      return evaluate_any(property, frame);
+    case Property::Kind::exists:
+      return property.search->exists(frame);
+    case Property::Kind::all:
+      break;
+  }
+  return property.whole ? evaluate_whole(property, frame) : evaluate_all(property, frame);
+}
+
+void collect(const Property& property, std::vector<const Equation*>& equations,
+             std::vector<const Property*>& declared) {
+  if (property.kind == Property::Kind::all) {
+    for (const Property& part : property.parts) collect(part, equations, declared);
+  } else if (property.kind == Property::Kind::test) {
+    for (const Equation& one : property.equations) equations.push_back(&one);
+    if (property.set) declared.push_back(&property);
+  }
+}
+
+Property exists_property(std::vector<Variable> variables, Property property) {
+  if (property.kind == Property::Kind::any) {
+    for (Property& part : property.parts) part = exists_property(variables, std::move(part));
+    return property;
+  }
+  Property made;
+  made.kind = Property::Kind::exists;
+  made.search = std::make_shared<const Search>(std::move(variables), std::move(property));
+  return made;
+}
+
+}  // namespace durero::zed

@@ -1,0 +1,248 @@
+#include "zed/evaluate/search.hpp"
+
+#include <algorithm>
+
+#include "zed/value/sets.hpp"
+
+namespace durero::zed {
+namespace {
+
+bool contains(const std::vector<unsigned>& slots, unsigned slot) {
+  return std::find(slots.begin(), slots.end(), slot) != slots.end();
+}
+
+/// Gives each variable the equation that determines it, where there is one, and says in what order to do so. An
+/// equation may depend on variables determined before it, and (`loose`) on those that their sets give; these are then
+/// determined by no equation themselves.
+std::vector<std::size_t> ordered(std::vector<Variable>& variables, const std::vector<const Equation*>& equations) {
+  std::vector<std::size_t> order;
+  std::vector<unsigned> open, sources;
+  for (const Variable& one : variables) open.push_back(one.slot);
+  const auto determine = [&](std::size_t i, bool loose) {
+    Variable& variable = variables[i];
+    if (variable.value || contains(sources, variable.slot)) return false;
+    for (const Equation* equation : equations) {
+      if (equation->slot != variable.slot || contains(equation->reads, variable.slot)) continue;
+      std::vector<unsigned> needs;
+      std::copy_if(equation->reads.begin(), equation->reads.end(), std::back_inserter(needs),
+                   [&](unsigned read) { return contains(open, read); });
+      if (!loose && !needs.empty()) continue;
+      variable.value = equation->value;
+      sources.insert(sources.end(), needs.begin(), needs.end());
+      std::erase(open, variable.slot);
+      order.push_back(i);
+      return true;
+    }
+    return false;
+  };
+  const auto any = [&](bool loose) {
+    for (std::size_t i = 0; i < variables.size(); ++i) {
+      if (determine(i, loose)) return true;
+    }
+    return false;
+  };
+  while (any(false) || any(true)) {
+  }
+  return order;
+}
+
+/// A set that has the slot's value among its members wherever the property holds; null where none is stated. A set
+/// that depends on a slot of `inside`, the variables of an ∃ further in, is none.
+Code set_of(const Property& property, unsigned slot, const std::vector<unsigned>& inside);
+
+Code set_of_any(const Property& property, unsigned slot, const std::vector<unsigned>& inside) {
+  std::vector<Code> sets;
+  for (const Property& part : property.parts) {
+    sets.push_back(set_of(part, slot, inside));
+    if (!sets.back()) return {};
+  }
+  return [sets = std::move(sets)](Frame& frame) {
+    Value all = empty_set();
+    for (const Code& one : sets) all = set_union(all, one(frame), frame.context);
+    return all;
+  };
+}
+
+Code set_of_exists(const Search& search, unsigned slot, std::vector<unsigned> inside) {
+  for (const Variable& one : search.variables()) inside.push_back(one.slot);
+  return contains(inside, slot) ? Code() : set_of(search.goal(), slot, inside);
+}
+
+Code set_of(const Property& property, unsigned slot, const std::vector<unsigned>& inside) {
+  const auto from_inside = [&](unsigned read) { return contains(inside, read); };
+  switch (property.kind) {
+    case Property::Kind::all:
+      for (const Property& part : property.parts) {
+        if (Code found = set_of(part, slot, inside)) return found;
+      }
+      return {};
+    case Property::Kind::any:
+      return set_of_any(property, slot, inside);
+    case Property::Kind::exists:
+      return set_of_exists(*property.search, slot, inside);
+    case Property::Kind::test:
+      break;
+  }
+  const bool stated = property.set && property.declared == slot &&
+                      std::none_of(property.reads.begin(), property.reads.end(), from_inside);
+  return stated ? property.set : Code();
+}
+
+}  // namespace
+
+Search::Search(std::vector<Variable> variables, Property goal, std::vector<unsigned> wholes)
+    : variables_(std::move(variables)), goal_(std::move(goal)), wholes_(std::move(wholes)) {
+  std::vector<const Equation*> equations;
+  std::vector<const Property*> declared;
+  collect(goal_, equations, declared);
+  for (Variable& variable : variables_) {
+    if (variable.set) continue;
+    variable.set = set_of(goal_, variable.slot, {});
+    variable.checked = bool(variable.set);
+  }
+  order_ = ordered(variables_, equations);
+}
+
+bool Search::enumerable(Frame& frame) const {
+  return std::all_of(variables_.begin(), variables_.end(), [&](const Variable& one) {
+    if (one.value) return true;
+    if (!one.set) return false;
+    const Value set = one.set(frame);
+    return set.is_undefined() || (set.set() && set.set()->members());
+  });
+}
+
+namespace {
+
+bool only_declarations(const Property& property) {
+  if (property.kind == Property::Kind::test) return bool(property.set);
+  return property.kind == Property::Kind::all &&
+         std::all_of(property.parts.begin(), property.parts.end(), only_declarations);
+}
+
+}  // namespace
+
+bool Search::total(Frame& frame) const {
+  std::vector<const Equation*> equations;
+  std::vector<const Property*> declared;
+  collect(goal_, equations, declared);
+  const auto total = [&](const Code& code) {
+    const Value set = code(frame);
+    return set.set() && set.set()->total();
+  };
+  return only_declarations(goal_) &&
+         std::all_of(declared.begin(), declared.end(), [&](auto* one) { return total(one->set); }) &&
+         std::all_of(variables_.begin(), variables_.end(), [&](auto& one) { return one.set && total(one.set); });
+}
+
+Truth Search::holds(Frame& frame) const {
+  Truth all = Truth::yes;
+  for (const Variable& one : variables_) {
+    if (one.checked || !one.set) continue;
+    all = both(all, contains_value(one.set(frame), frame.slots[one.slot], frame.context));
+    if (all == Truth::no) return all;
+  }
+  return both(all, evaluate(goal_, frame));
+}
+
+void Search::determine(Frame& frame) const {
+  for (const std::size_t i : order_) frame.slots[variables_[i].slot] = variables_[i].value(frame);
+}
+
+/// One call of each(): where it is in the nest of finite sets.
+struct Search::Run {
+  const Search& search;
+  Frame& frame;
+  const Visit& visit;
+  const Test& extra;
+  std::vector<Value> sets{};
+  std::uint32_t first_unknown = 0;
+  bool unknowns = false, enumerated = false, stopped = false;
+  Truth result = Truth::no;
+
+  void from(std::size_t i) {
+    if (stopped) return;
+    if (i == search.variables_.size()) return complete();
+    const Variable& variable = search.variables_[i];
+    if (variable.value) return from(i + 1);
+    Value& slot = frame.slots[variable.slot];
+    const Set* set = sets[i].set();
+    const auto* members = set ? set->members() : nullptr;
+    if (!members) {
+      unknowns = true;
+      slot = set ? set->unknown(frame.context) : Value(Unknown{frame.context.fresh()});
+      return from(i + 1);
+    }
+    enumerated = enumerated || members->size() > 1;
+    for (const Value& member : *members) {
+      slot = member;
+      from(i + 1);
+      if (stopped) return;
+    }
+  }
+
+  // Every variable that is not determined has a value, or is unknown.
+  void complete() {
+    std::vector<Value> start;
+    if (unknowns) {
+      for (const Variable& one : search.variables_) start.push_back(frame.slots[one.slot]);
+    }
+    settle();
+    for (std::size_t i = 0; i < start.size(); ++i) frame.slots[search.variables_[i].slot] = start[i];
+  }
+
+  void settle() {
+    Context& context = frame.context;
+    const std::uint32_t outer = enumerated ? Context::none : context.necessary;
+    const Necessary must(context, std::min(outer, unknowns ? first_unknown : Context::none));
+    for (;;) {
+      search.determine(frame);
+      Truth here = search.holds(frame);
+      if (here != Truth::no && extra) here = both(here, extra(frame));
+      if (here == Truth::no) return;
+      if (!unknowns || known()) return judge(here);
+      if (!found_more()) return judge(visit ? Truth::open : here);
+    }
+  }
+
+  bool known() const {
+    return std::none_of(search.variables_.begin(), search.variables_.end(),
+                        [&](const Variable& one) { return has_open(frame.slots[one.slot]); });
+  }
+
+  bool found_more() {
+    bool more = false;
+    for (const Variable& one : search.variables_) {
+      Value& slot = frame.slots[one.slot];
+      if (!has_open(slot)) continue;
+      Value now = resolved(slot, frame.context);
+      more = more || !same(now, slot);
+      slot = std::move(now);
+    }
+    return more;
+  }
+
+  void judge(Truth here) {
+    if (here == Truth::open) {
+      if (visit || result == Truth::no) result = here;
+      return;
+    }
+    if (!visit || result != Truth::open) result = Truth::yes;
+    stopped = !visit || !visit(frame);
+  }
+};
+
+Truth Search::each(Frame& frame, const Visit& visit, const Test& extra) const {
+  Run run{*this, frame, visit, extra};
+  for (const unsigned slot : wholes_) frame.slots[slot] = Value();
+  run.first_unknown = static_cast<std::uint32_t>(frame.context.found.size());
+  for (const Variable& one : variables_) {
+    run.sets.push_back(one.set && !one.value ? one.set(frame) : Value());
+    if (one.set && !one.value && run.sets.back().is_undefined()) return Truth::no;
+  }
+  run.from(0);
+  frame.context.found.resize(run.first_unknown);
+  return run.result;
+}
+
+}  // namespace durero::zed

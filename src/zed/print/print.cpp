@@ -1,0 +1,135 @@
+#include "durero/zed/print/print.hpp"
+
+#include <functional>
+
+#include "zed/print/printer.hpp"
+
+namespace durero::zed {
+namespace {
+
+std::string labelled(const std::string& label) { return label.empty() ? "" : "  % " + label; }
+
+/// A line of a box. A line that began with the sign would be read as going on from the line before.
+std::string line(const Markup* markup, const std::function<void(Printer&)>& print) {
+  Printer printer(markup);
+  print(printer);
+  const std::string made = printer.take();
+  return made.starts_with(markup ? "\\negate" : "-") ? "(" + made + ")" : made;
+}
+
+std::string header(const Name& name, const std::vector<Name>& formals, const Markup* markup) {
+  Printer printer(markup);
+  if (!name.empty() && markup) printer.raw("{");
+  if (!name.empty()) printer.name(name);
+  if (!name.empty() && markup) printer.raw("}");
+  if (!formals.empty()) {
+    printer.raw("[");
+    printer.names(formals);
+    printer.raw("]");
+  }
+  return printer.take();
+}
+
+/// How the lines of a box are joined.
+struct Frame {
+  std::string open, decl_end, where, pred_end, close, margin;
+};
+
+std::string box(const SchemaText& text, const Markup* markup, const Frame& frame) {
+  std::string made = frame.open;
+  const std::size_t declarations = text.declarations.size(), predicates = text.predicates.size();
+  for (std::size_t i = 0; i < declarations; ++i) {
+    made += frame.margin + line(markup, [&](Printer& to) { to.declaration(text.declarations[i]); });
+    made += i + 1 < declarations ? frame.decl_end : "\n";
+  }
+  for (std::size_t i = 0; i < predicates; ++i) {
+    made += i == 0 ? frame.where : frame.pred_end;
+    made += frame.margin + line(markup, [&](Printer& to) { to.term(text.predicates[i].term, 0); });
+    made += labelled(text.predicates[i].label) + "\n";
+  }
+  return made + frame.close;
+}
+
+class ParagraphPrinter {
+ public:
+  explicit ParagraphPrinter(const Markup* markup) : markup_(markup) {}
+
+  std::string operator()(const GivenTypes& given) const {
+    Printer printer(markup_);
+    printer.raw("[");
+    printer.names(given.names);
+    printer.raw("]");
+    return zed(printer.take());
+  }
+  std::string operator()(const FreeType& type) const {
+    Printer printer(markup_);
+    printer.name(type.name);
+    std::string_view between = "::=";
+    for (const Branch& branch : type.branches) {
+      printer.symbol(between);
+      between = "|";
+      printer.name(branch.name);
+      if (!branch.argument) continue;
+      printer.symbol("⟪");
+      printer.term(branch.argument, 0);
+      printer.symbol("⟫");
+    }
+    return zed(printer.take());
+  }
+  std::string operator()(const Definition& made) const {
+    Printer printer(markup_);
+    printer.name(made.name);
+    printer.raw(header({}, made.formals, markup_));
+    printer.symbol("==");
+    printer.term(made.value, 0);
+    return zed(printer.take() + labelled(made.label));
+  }
+  std::string operator()(const Axiomatic& made) const {
+    return boxed(made.formals.empty() ? "axdef" : "gendef", {}, made.formals, made.text);
+  }
+  std::string operator()(const Schema& made) const { return boxed("schema", made.name, made.formals, made.text); }
+  std::string operator()(const Conjecture& made) const {
+    Printer printer(markup_);
+    printer.symbol("⊢?");
+    printer.term(made.claim.term, 0);
+    return zed(printer.take() + labelled(made.claim.label));
+  }
+
+ private:
+  std::string zed(const std::string& text) const {
+    return markup_ ? "\\begin{zed}\n  " + text + "\n\\end{zed}\n" : text + "\n";
+  }
+  std::string boxed(const std::string& environment, const Name& name, const std::vector<Name>& formals,
+                    const SchemaText& text) const {
+    const std::string title = header(name, formals, markup_);
+    if (markup_)
+      return box(text, markup_,
+                 {"\\begin{" + environment + "}" + title + "\n", " \\\\\n", "\\where\n", "\\also\n",
+                  "\\end{" + environment + "}\n", "  "});
+    return box(text, markup_, {"┌─ " + title + "\n", "\n", "├─\n", "", "└─\n", "│ "});
+  }
+
+  const Markup* markup_;
+};
+
+}  // namespace
+
+std::string to_unicode(const Term& term) {
+  Printer printer(nullptr);
+  printer.term(term, 0);
+  return printer.take();
+}
+
+std::string to_latex(const Term& term, const Markup& markup) {
+  Printer printer(&markup);
+  printer.term(term, 0);
+  return printer.take();
+}
+
+std::string to_unicode(const Paragraph& paragraph) { return std::visit(ParagraphPrinter(nullptr), paragraph.form); }
+
+std::string to_latex(const Paragraph& paragraph, const Markup& markup) {
+  return std::visit(ParagraphPrinter(&markup), paragraph.form);
+}
+
+}  // namespace durero::zed

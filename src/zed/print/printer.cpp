@@ -1,0 +1,278 @@
+#include "zed/print/printer.hpp"
+
+#include "durero/zed/syntax/symbols.hpp"
+#include "zed/print/strength.hpp"
+#include "zed/syntax/term_parser.hpp"
+#include "zed/syntax/utf8.hpp"
+
+namespace durero::zed {
+Printer::Printer(const Markup* markup) : latex_(markup != nullptr) {
+  if (!markup) return;
+  for (const auto& [command, meaning] : *markup) own_.emplace(meaning, "\\" + command);
+}
+
+void Printer::space() {
+  if (out_.empty() || out_.back() == ' ' || out_.back() == '\n') return;
+  for (const std::string_view open : {"(", "[", "{", "⟨"})
+    if (out_.ends_with(open)) return;
+  out_ += ' ';
+}
+
+std::string Printer::letters(std::string_view word) const {
+  std::string made;
+  while (!word.empty()) {
+    const std::string_view one = utf8::first(word);
+    word.remove_prefix(one.size());
+    if (one == "_") {
+      made += "\\_";
+    } else if (const auto own = own_.find(one); own != own_.end()) {
+      made += own->second + " ";
+    } else if (is_letter_symbol(one)) {
+      made += std::string(*latex_of(one)) + " ";
+    } else {
+      made += one;
+    }
+  }
+  while (made.ends_with(' ')) made.pop_back();
+  return made;
+}
+
+std::string Printer::spelled(std::string_view unicode) const {
+  if (!latex_) return std::string(unicode);
+  std::string_view base = unicode;
+  std::string index;
+  if (unicode.size() > 3 && unicode.ends_with("₁")) {
+    base.remove_suffix(std::string_view("₁").size());
+    index = "_1";
+  }
+  if (const auto own = own_.find(base); own != own_.end()) return own->second + index;
+  if (unicode == "+" || unicode == "-" || unicode == "*") return std::string(unicode);
+  if (const auto known = latex_of(base)) return std::string(*known) + index;
+  return letters(base) + index;
+}
+
+void Printer::symbol(std::string_view unicode) {
+  space();
+  tight(unicode);
+}
+
+void Printer::tight(std::string_view unicode) { out_ += spelled(unicode); }
+
+void Printer::name(const Name& name) {
+  if (is_operator_name(name.word)) {
+    space();
+    out_ += '(';
+    std::string_view rest = name.word;
+    while (!rest.empty()) {
+      const bool hole = rest[0] == '_';
+      const std::string_view part = hole ? rest.substr(0, 1) : rest.substr(0, rest.find('_'));
+      symbol(part);
+      rest.remove_prefix(part.size());
+    }
+    out_ += ')';
+    return;
+  }
+  symbol(name.word);
+  std::string_view rest = name.strokes;
+  while (!rest.empty()) {
+    const std::string_view one = utf8::first(rest);
+    rest.remove_prefix(one.size());
+    if (latex_ && one.size() > 1) {
+      out_ += "_";
+      out_ += static_cast<char>('0' + (static_cast<unsigned char>(one.back()) & 0x0F));  // ₀ is U+2080
+    } else {
+      out_ += one;
+    }
+  }
+}
+
+void Printer::names(const std::vector<Name>& all) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (i > 0) out_ += ',';
+    name(all[i]);
+  }
+}
+
+void Printer::term(const Term& term, int least, bool last) {
+  const Node& node = *term;
+  bool parentheses = strength(node) < least;
+  if (is_quantifier(node.kind)) {
+    const bool logical = node.kind == Kind::forall || node.kind == Kind::exists || node.kind == Kind::exists_one;
+    parentheses = !last || least > (logical ? binding::negation : binding::weakest);
+  }
+  if (node.kind == Kind::mu && node.children.empty()) parentheses = true;
+  if (!parentheses) return bare(node, last);
+  space();
+  out_ += '(';
+  bare(node, true);
+  out_ += ')';
+}
+
+void Printer::bare(const Node& node, bool last) {
+  if (is_quantifier(node.kind)) return quantified(node, last);
+  if (const Sign* sign = sign_of(node.kind)) {
+    if (node.children.size() == 2) return infix(node, sign->symbol, sign->left, sign->right, last);
+    symbol(sign->symbol);
+    return term(node.children[0], sign->right, last);
+  }
+  switch (node.kind) {
+    case Kind::reference:
+      return reference(node, last);
+    case Kind::number:
+      return symbol(node.name.word);
+    case Kind::set_extension:
+      return list("{", node.children, "}");
+    case Kind::comprehension:
+      return braces(node);
+    case Kind::tuple:
+      return list("(", node.children, ")");
+    case Kind::product:
+      for (std::size_t i = 0; i < node.children.size(); ++i) {
+        if (i > 0) symbol("×");
+        term(node.children[i], binding::infix + product_precedence + 1, last && i + 1 == node.children.size());
+      }
+      return;
+    case Kind::theta:
+      return theta(node);
+    case Kind::application:
+      return application(node, last);
+    case Kind::conditional:
+      return conditional(node, last);
+    case Kind::schema_text:
+      symbol("[");
+      schema_text(*node.text);
+      return tight("]");
+    case Kind::truth:
+      return symbol("true");
+    case Kind::falsity:
+      return symbol("false");
+    case Kind::relation:
+      return relation(node, last);
+    case Kind::binding_extension:
+      symbol("⦉");
+      for (std::size_t i = 0; i < node.children.size(); ++i) {
+        if (i > 0) out_ += ',';
+        name(node.names[i]);
+        symbol("==");
+        term(node.children[i], binding::weakest);
+      }
+      return symbol("⦊");
+    default:
+      return suffixed(node);
+  }
+}
+
+void Printer::list(std::string_view open, const std::vector<Term>& terms, std::string_view close) {
+  symbol(open);
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    if (i > 0) out_ += ',';
+    term(terms[i], binding::weakest);
+  }
+  tight(close);
+}
+
+void Printer::quantified(const Node& node, bool last) {
+  static constexpr std::pair<Kind, std::string_view> leads[] = {{Kind::forall, "∀"},      {Kind::exists, "∃"},
+                                                                {Kind::exists_one, "∃₁"}, {Kind::lambda, "λ"},
+                                                                {Kind::mu, "μ"},          {Kind::let, "let"}};
+  for (const auto& [kind, lead] : leads)
+    if (node.kind == kind) symbol(lead);
+  schema_text(*node.text);
+  if (node.children.empty()) return;
+  symbol("•");
+  term(node.children[0], binding::weakest, last);
+}
+
+void Printer::conditional(const Node& node, bool last) {
+  symbol("if");
+  term(node.children[0], binding::weakest);
+  symbol("then");
+  term(node.children[1], binding::weakest);
+  symbol("else");
+  term(node.children[2], binding::conditional, last);
+}
+
+void Printer::theta(const Node& node) {
+  symbol("θ");
+  const Node& schema = *node.children[0];
+  if (schema.kind == Kind::reference && schema.name.strokes.empty() && !is_operator_name(schema.name.word)) {
+    if (schema.children.empty()) return name({schema.name.word, node.name.strokes});
+    bare(schema, false);
+  } else {
+    space();
+    out_ += '(';
+    bare(schema, true);
+    out_ += ')';
+  }
+  if (!node.name.strokes.empty()) name({"", node.name.strokes});
+}
+
+/// What stands behind a primary: selections, decoration, renaming, hiding.
+void Printer::suffixed(const Node& node) {
+  const Term& of = node.children[0];
+  if (node.kind == Kind::hiding) {
+    term(of, binding::hiding, false);
+    symbol("⧹");
+    symbol("(");
+    names(node.names);
+    return tight(")");
+  }
+  const bool would_take = of->kind == Kind::theta && node.kind != Kind::selection && node.kind != Kind::tuple_selection;
+  term(of, would_take ? binding::primary + 1 : binding::primary, false);
+  if (node.kind == Kind::decoration) {
+    out_ += ' ';
+    return name({"", node.name.strokes});
+  }
+  if (node.kind == Kind::renaming) {
+    out_ += '[';
+    for (std::size_t i = 0; i + 1 < node.names.size(); i += 2) {
+      if (i > 0) out_ += ',';
+      name(node.names[i]);
+      symbol("/");
+      name(node.names[i + 1]);
+    }
+    out_ += ']';
+    return;
+  }
+  out_ += '.';
+  const std::string before = std::move(out_);
+  out_.clear();
+  name(node.name);
+  out_ = before + out_;
+}
+
+void Printer::braces(const Node& node) {
+  symbol("{");
+  out_ += ' ';
+  schema_text(*node.text);
+  if (!node.children.empty()) {
+    symbol("•");
+    term(node.children[0], binding::weakest);
+  }
+  symbol("}");
+}
+
+void Printer::declaration(const Declaration& one) {
+  if (one.form != Declaration::Form::included) {
+    names(one.names);
+    symbol(one.form == Declaration::Form::defined ? "==" : ":");
+  }
+  term(one.term, binding::weakest);
+}
+
+void Printer::schema_text(const SchemaText& text) {
+  for (std::size_t i = 0; i < text.declarations.size(); ++i) {
+    if (i > 0) out_ += ';';
+    declaration(text.declarations[i]);
+  }
+  for (std::size_t i = 0; i < text.predicates.size(); ++i) {
+    if (i == 0) {
+      symbol("|");
+    } else {
+      out_ += ';';
+    }
+    term(text.predicates[i].term, binding::weakest);
+  }
+}
+
+}  // namespace durero::zed

@@ -1,0 +1,52 @@
+#pragma once
+/// The printer of terms and schema texts, for print.cpp; operators are in print_operations.cpp.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "durero/zed/syntax/ast.hpp"
+#include "durero/zed/syntax/markup.hpp"
+
+namespace durero::zed {
+
+class Printer {
+ public:
+  /// Unicode where `markup` is null.
+  explicit Printer(const Markup* markup);
+
+  /// `least`: how tightly the term must bind to stand here without parentheses (term_parser.hpp: binding).
+  /// `last`: nothing follows that a quantifier, whose body reaches as far as it can, would take in.
+  void term(const Term& term, int least, bool last = true);
+  void schema_text(const SchemaText& text);  ///< on one line
+  void declaration(const Declaration& one);
+  void name(const Name& name);
+  void names(const std::vector<Name>& names);
+  void symbol(std::string_view unicode);  ///< with a space before it, where it needs one
+  void tight(std::string_view unicode);   ///< without
+  void raw(std::string_view text) { out_ += text; }
+
+  std::string take() { return std::move(out_); }
+
+ private:
+  void bare(const Node& node, bool last);
+  void quantified(const Node& node, bool last);
+  void infix(const Node& node, std::string_view symbol, int left, int right, bool last);
+  void application(const Node& node, bool last);
+  void reference(const Node& node, bool last);
+  void relation(const Node& node, bool last);
+  void conditional(const Node& node, bool last);
+  void theta(const Node& node);
+  void suffixed(const Node& node);
+  void list(std::string_view open, const std::vector<Term>& terms, std::string_view close);
+  void braces(const Node& node);
+  std::string spelled(std::string_view unicode) const;
+  std::string letters(std::string_view word) const;
+  void space();
+
+  bool latex_;
+  std::map<std::string, std::string, std::less<>> own_;  // character to command
+  std::string out_;
+};
+
+}  // namespace durero::zed

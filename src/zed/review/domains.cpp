@@ -1,0 +1,150 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "durero/zed/print/print.hpp"
+#include "durero/zed/review/review.hpp"
+#include "zed/review/expand.hpp"
+#include "zed/review/prover.hpp"
+
+namespace durero::zed {
+namespace {
+
+bool is_partial_arrow(const Term& set) {
+  if (set->kind != Kind::reference) return false;
+  for (const std::string_view arrow : {"_⇸_", "_⤔_", "_⤀_", "_⇻_", "_⤕_"})
+    if (set->name.word == arrow) return true;
+  return false;
+}
+
+class Walker {
+ public:
+  Walker(const Expander& expander, std::vector<Defect>& found) : expander_(expander), found_(found) {
+    join(context_, expander.axioms());
+  }
+
+  void section(const Section& section) {
+    file_ = section.file;
+    for (const Paragraph& one : section.paragraphs) {
+      if (const auto* box = std::get_if<Schema>(&one.form)) text(box->text, {});
+      if (const auto* box = std::get_if<Axiomatic>(&one.form)) text(box->text, {});
+      if (const auto* made = std::get_if<Definition>(&one.form)) term(made->value);
+      if (const auto* claim = std::get_if<Conjecture>(&one.form)) term(claim->claim.term);
+    }
+  }
+
+ private:
+  static void join(Facts& context, const Expansion& more) {
+    context.facts.insert(context.facts.end(), more.facts.begin(), more.facts.end());
+    for (const auto& [name, set] : more.declared) context.declared.insert_or_assign(name, set);
+  }
+
+  /// Walks a term where more holds.
+  void with(const std::vector<Term>& more, const Term& then) {
+    const std::size_t before = context_.facts.size();
+    context_.facts.insert(context_.facts.end(), more.begin(), more.end());
+    term(then);
+    context_.facts.resize(before);
+  }
+  static std::vector<Term> facts(const Term& predicate) {
+    std::vector<Term> made;
+    conjuncts(predicate, made);
+    return made;
+  }
+  static std::vector<Term> denied(const Term& predicate) {
+    if (predicate->kind == Kind::negation) return facts(predicate->children[0]);
+    std::vector<Term> made = {node(Kind::negation, {predicate})};
+    if (predicate->kind == Kind::disjunction) {
+      made = denied(predicate->children[0]);
+      for (const Term& more : denied(predicate->children[1])) made.push_back(more);
+    }
+    return made;
+  }
+
+  /// Walks a schema text, each predicate with the others, and then the terms behind it.
+  void text(const SchemaText& text, const std::vector<Term>& behind) {
+    for (const Declaration& one : text.declarations)
+      if (one.form != Declaration::Form::included) term(one.term);
+    Facts outer = context_;
+    budget_.spend(100 * outer.facts.size());
+    const Expansion whole = expander_.text(text);
+    std::set<Name> bound;
+    for (const auto& [name, set] : whole.declared) bound.insert(name);
+    for (const Declaration& one : text.declarations) bound.insert(one.names.begin(), one.names.end());
+    std::erase_if(context_.facts, [&bound](const Term& fact) { return mentions(fact, bound); });
+    for (const Name& name : bound) context_.declared.erase(name);
+    join(context_, whole);
+    budget_.spend(100 * whole.facts.size());
+    for (const Predicate& one : text.predicates) term(one.term);
+    for (const Term& one : behind) term(one);
+    context_ = std::move(outer);
+  }
+
+  void term(const Term& term) {
+    const Node& node = *term;
+    if (node.text) return text(*node.text, node.children);
+    const auto& parts = node.children;
+    switch (node.kind) {
+      case Kind::conjunction:
+        with(facts(parts[1]), parts[0]);
+        return with(facts(parts[0]), parts[1]);
+      case Kind::disjunction:
+        with(denied(parts[1]), parts[0]);
+        return with(denied(parts[0]), parts[1]);
+      case Kind::implication:
+        this->term(parts[0]);
+        return with(facts(parts[0]), parts[1]);
+      case Kind::conditional:
+        this->term(parts[0]);
+        with(facts(parts[0]), parts[1]);
+        return with(denied(parts[0]), parts[2]);
+      default:
+        for (const Term& part : parts) this->term(part);
+    }
+    if (node.kind == Kind::application) application(node);
+  }
+
+  void application(const Node& node) {
+    const Term &function = node.children[0], &argument = node.children[1];
+    if (function->kind != Kind::reference) return;
+    const auto declared = context_.declared.find(function->name);
+    if (declared == context_.declared.end() || !is_partial_arrow(declared->second)) return;
+    if (proves_member(argument, domain_of(function), expander_, context_, budget_)) return;
+    const std::string f = function->name.text(), x = to_unicode(argument);
+    found_.push_back({file_, node.place, fmt::format("{} is applied to {}, where nothing says {} ∈ dom {}", f, x, x, f),
+                      "expected an invariant or a guard that gives it", Defect::Severity::error});
+  }
+
+  const Expander& expander_;
+  std::vector<Defect>& found_;
+  std::string file_;
+  Facts context_;
+  Budget budget_;
+};
+
+}  // namespace
+
+std::vector<Defect> partial_applications(const Specification& specification, const Typing& typing) {
+  std::vector<Defect> found;
+  const Expander expander(specification, typing);
+  Walker walker(expander, found);
+  try {
+    for (const Section& section : specification.sections) walker.section(section);
+  } catch (const Budget::Spent&) {
+    found.push_back(too_large(specification, "applications outside a domain"));
+  }
+  return found;
+}
+
+std::vector<Defect> review(const Specification& specification) {
+  std::vector<Defect> found = specification.defects;
+  const Typing typing = check(specification);
+  found.insert(found.end(), typing.defects.begin(), typing.defects.end());
+  const bool right = found.empty();
+  for (const auto& check : {open_frames, unused_names, partial_applications})
+    if (right || check != partial_applications)
+      for (Defect& one : check(specification, typing)) found.push_back(std::move(one));
+  return found;
+}
+
+}  // namespace durero::zed

@@ -1,0 +1,79 @@
+#pragma once
+/// What a schema says when what it includes is written out, for the checks beyond types.
+
+#include <functional>
+#include <map>
+#include <set>
+#include <unordered_map>
+#include <vector>
+
+#include "durero/zed/syntax/ast.hpp"
+#include "durero/zed/syntax/reader.hpp"
+#include "durero/zed/types/typecheck.hpp"
+
+namespace durero::zed {
+
+/// A schema written out.
+struct Expansion {
+  std::vector<std::pair<Name, Term>> declared;  ///< its components and their sets, where it declares them by `:`
+  std::vector<Term> facts;                      ///< its predicates, conjunctions split
+  std::set<Name> states;                        ///< the S of each ΔS and ΞS in it, but where S is an operation
+  bool opaque = false;                          ///< something in it could not be written out
+};
+
+class Expander {
+ public:
+  Expander(const Specification& specification, const Typing& typing);
+
+  Expansion schema(const Term& term) const;
+  Expansion text(const SchemaText& text) const;
+
+  /// The components of a schema, by its name.
+  std::set<Name> components(const Name& schema) const;
+
+  /// The constants of the free type that this one belongs to; none if it is not a constant, or its type has
+  /// constructors.
+  std::set<Name> siblings(const Name& constant) const;
+
+  /// What the axiomatic boxes declare and state.
+  const Expansion& axioms() const { return axioms_; }
+
+ private:
+  void add(const Term& schema, Expansion& to, unsigned depth) const;
+  void add(const SchemaText& text, Expansion& to, unsigned depth) const;
+  void add_named(const Name& name, Expansion& to, unsigned depth) const;
+
+  const Typing& typing_;
+  std::unordered_map<Name, const SchemaText*> boxes_;
+  std::unordered_map<Name, Term> definitions_;
+  std::map<Name, std::set<Name>> siblings_;
+  Expansion axioms_;
+};
+
+/// Counts the work of a check, so that no text makes it hang: spec/ takes 10^6 steps, some comparisons each.
+class Budget {
+ public:
+  void spend(std::size_t steps) {
+    if (steps > left_) throw Spent();
+    left_ -= steps;
+  }
+  struct Spent {};
+
+ private:
+  std::size_t left_ = 50000000;
+};
+
+/// Splits ∧ and chains of relations: a ≤ b ≤ c gives a ≤ b and b ≤ c.
+void conjuncts(const Term& predicate, std::vector<Term>& to);
+
+/// Calls `visit` for every name that a term mentions free or bound, with the components behind θ left out.
+void for_each_name(const Term& term, const std::function<void(const Name&)>& visit);
+bool mentions(const Term& term, const std::set<Name>& names);
+
+/// What is said where the budget is spent: a warning.
+Defect too_large(const Specification& specification, const std::string& looked_for);
+
+/// The term with strokes put to each of these names, where it is free.
+Term decorate(const Term& term, const std::set<Name>& names, const std::string& strokes);
+
+}  // namespace durero::zed

@@ -1,0 +1,209 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "durero/zed/review/review.hpp"
+#include "zed/review/expand.hpp"
+
+namespace durero::zed {
+namespace {
+
+/// The schemas that some declaration includes, by name, without Δ, Ξ and strokes.
+class Included {
+ public:
+  explicit Included(const Specification& specification) {
+    for (const Section& section : specification.sections)
+      for (const Paragraph& one : section.paragraphs) {
+        if (const auto* box = std::get_if<Schema>(&one.form)) look(box->text);
+        if (const auto* box = std::get_if<Axiomatic>(&one.form)) look(box->text);
+        if (const auto* made = std::get_if<Definition>(&one.form)) look(made->value);
+      }
+  }
+  bool operator()(const Name& name) const { return names_.contains(name.word); }
+
+ private:
+  void look(const SchemaText& text) {
+    for (const Declaration& one : text.declarations) {
+      if (one.form == Declaration::Form::included) for_each_name(one.term, [this](const Name& name) { insert(name); });
+      look(one.term);
+    }
+    for (const Predicate& one : text.predicates) look(one.term);
+  }
+  void look(const Term& term) {
+    if (term->text) look(*term->text);
+    for (const Term& child : term->children) look(child);
+  }
+  void insert(const Name& name) {
+    const bool doubled = name.word.starts_with("Δ") || name.word.starts_with("Ξ");
+    names_.insert(doubled ? name.word.substr(std::string_view("Δ").size()) : name.word);
+  }
+
+  std::set<std::string> names_;
+};
+
+bool is_equation(const Term& term) {
+  return term->kind == Kind::relation && term->names.size() == 1 && term->names[0].word == "_=_" &&
+         term->children.size() == 2;
+}
+
+void determine(std::set<Name>& open, const std::vector<Term>& facts, Budget& budget);
+
+/// x' = e, either way round.
+void by_equation(std::set<Name>& open, const Node& equation) {
+  for (const std::size_t side : {0U, 1U}) {
+    const Term &left = equation.children[side], &right = equation.children[1 - side];
+    if (left->kind == Kind::reference && open.contains(left->name) && !mentions(right, open)) open.erase(left->name);
+  }
+}
+
+/// What each side determines, where one of them holds.
+void by_sides(std::set<Name>& open, const std::vector<Term>& sides, Budget& budget) {
+  std::set<Name> either;
+  for (const Term& side : sides) {
+    std::set<Name> left_open = open;
+    determine(left_open, {side}, budget);
+    either.merge(left_open);
+  }
+  open = std::move(either);
+}
+
+/// The relation that holds just where this one does not; empty if it has no name of its own.
+std::string_view opposite(std::string_view relation) {
+  static constexpr std::pair<std::string_view, std::string_view> pairs[] = {
+      {"_=_", "_≠_"}, {"_∈_", "_∉_"}, {"_<_", "_≥_"}, {"_>_", "_≤_"}};
+  for (const auto& [one, other] : pairs) {
+    if (relation == one) return other;
+    if (relation == other) return one;
+  }
+  return {};
+}
+
+/// ¬ p and p, or a = b and a ≠ b: one of the two holds.
+bool are_cases(const Term& p, const Term& q) {
+  const auto denies = [](const Term& a, const Term& b) { return a->kind == Kind::negation && a->children[0] == b; };
+  const auto single = [](const Term& a) { return a->kind == Kind::relation && a->names.size() == 1; };
+  return denies(p, q) || denies(q, p) ||
+         (single(p) && single(q) && p->names[0].word == opposite(q->names[0].word) && p->children == q->children);
+}
+
+/// What p ⇒ P and ¬ p ⇒ Q determine: what P and Q both do.
+void by_cases(std::set<Name>& open, const std::vector<Term>& facts, Budget& budget) {
+  std::vector<const Node*> implications;
+  for (const Term& one : facts)
+    if (one->kind == Kind::implication) implications.push_back(&*one);
+  budget.spend(10 * implications.size() * implications.size());
+  for (std::size_t i = 0; i < implications.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const std::vector<Term>&left = implications[i]->children, &right = implications[j]->children;
+      if (are_cases(left[0], right[0])) by_sides(open, {left[1], right[1]}, budget);
+    }
+}
+
+/// ∃ D | P • Q and let D • Q: the variables are open too, until P, Q or their definition determines them.
+void by_body(std::set<Name>& open, const Node& node, Budget& budget) {
+  std::set<Name> inside = open;
+  std::vector<Term> facts = node.children;
+  for (const Declaration& one : node.text->declarations) {
+    if (one.form == Declaration::Form::included) return;
+    for (const Name& name : one.names) {
+      if (!inside.insert(name).second) return;  // a variable hides the component
+      if (one.form == Declaration::Form::defined) facts.push_back(relation({{"_=_", {}}}, {reference(name), one.term}));
+    }
+  }
+  for (const Predicate& one : node.text->predicates) facts.push_back(one.term);
+  determine(inside, facts, budget);
+  std::erase_if(open, [&inside](const Name& name) { return !inside.contains(name); });
+}
+
+void by_fact(std::set<Name>& open, const Term& fact, Budget& budget) {
+  if (is_equation(fact)) by_equation(open, *fact);
+  if (fact->kind == Kind::disjunction) by_sides(open, fact->children, budget);
+  if (fact->kind == Kind::exists || fact->kind == Kind::let) by_body(open, *fact, budget);
+}
+
+/// Removes from `open` what the facts determine, until nothing changes.
+void determine(std::set<Name>& open, const std::vector<Term>& conjunctions, Budget& budget) {
+  std::vector<Term> facts;
+  for (const Term& one : conjunctions) conjuncts(one, facts);
+  for (std::size_t before = open.size() + 1; open.size() < before;) {
+    before = open.size();
+    budget.spend(10 * facts.size());
+    for (const Term& one : facts) by_fact(open, one, budget);
+    by_cases(open, facts, budget);
+  }
+}
+
+/// θS' = θS, where both are written out.
+bool keeps(const Term& term, const Name& state) {
+  if (!is_equation(term)) return false;
+  const auto is_theta = [&state](const Term& side, const char* strokes) {
+    return side->kind == Kind::theta && side->name.strokes == strokes && side->children[0]->kind == Kind::reference &&
+           side->children[0]->name == state;
+  };
+  return (is_theta(term->children[0], "'") && is_theta(term->children[1], "")) ||
+         (is_theta(term->children[0], "") && is_theta(term->children[1], "'"));
+}
+
+}  // namespace
+
+namespace {
+
+struct Judged {
+  Name name;
+  const SchemaText* text;
+};
+
+/// The schema that a paragraph writes out: a box, or a definition by one schema text.
+std::optional<Judged> written_out(const Paragraph& paragraph) {
+  if (const auto* box = std::get_if<Schema>(&paragraph.form)) return Judged{box->name, &box->text};
+  const auto* made = std::get_if<Definition>(&paragraph.form);
+  if (made && made->value->kind == Kind::schema_text) return Judged{made->name, made->value->text.get()};
+  return std::nullopt;
+}
+
+/// The components of the after-state that the schema leaves open.
+std::set<Name> left_open(const SchemaText& text, const Expander& expander, Budget& budget) {
+  const Expansion whole = expander.text(text);
+  budget.spend(100 * whole.facts.size());
+  if (whole.opaque) return {};
+  std::set<Name> open;
+  for (const Name& state : whole.states) {
+    if (std::any_of(whole.facts.begin(), whole.facts.end(), [&](const Term& fact) { return keeps(fact, state); }))
+      continue;
+    for (const Name& name : expander.components(state)) open.insert({name.word, name.strokes + "'"});
+  }
+  determine(open, whole.facts, budget);
+  return open;
+}
+
+void look(const Specification& specification, const Typing& typing, std::vector<Defect>& found) {
+  Budget budget;
+  const Expander expander(specification, typing);
+  const Included included(specification);
+  for (const Section& section : specification.sections)
+    for (const Paragraph& one : section.paragraphs) {
+      const auto judged = written_out(one);
+      if (!judged || included(judged->name)) continue;
+      std::string names;
+      for (const Name& name : left_open(*judged->text, expander, budget))
+        names += (names.empty() ? "" : ", ") + name.text();
+      if (names.empty()) continue;
+      found.push_back({section.file, one.place, fmt::format("{} leaves {} open", judged->name.text(), names),
+                       "expected an equation for each component of the after-state", Defect::Severity::error});
+    }
+}
+
+}  // namespace
+
+std::vector<Defect> open_frames(const Specification& specification, const Typing& typing) {
+  std::vector<Defect> found;
+  try {
+    look(specification, typing, found);
+  } catch (const Budget::Spent&) {
+    found.push_back(too_large(specification, "open frames"));
+  }
+  return found;
+}
+
+}  // namespace durero::zed

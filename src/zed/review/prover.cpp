@@ -1,0 +1,156 @@
+#include "zed/review/prover.hpp"
+
+#include <algorithm>
+
+namespace durero::zed {
+namespace {
+
+constexpr std::size_t max_sets = 64;  // sets tied to a domain that are looked at
+
+Term equation(const Term& a, const Term& b) { return relation({{"_=_", {}}}, {a, b}); }
+
+bool is_relation(const Term& fact, std::string_view word) {
+  return fact->kind == Kind::relation && fact->children.size() == 2 && fact->names[0].word == word;
+}
+
+/// The operands of `a op b`, or null.
+const Node* operands(const Term& term, std::string_view op) {
+  if (term->kind != Kind::application || term->children[0]->kind != Kind::reference) return nullptr;
+  const Node& argument = *term->children[1];
+  const bool pair = argument.kind == Kind::tuple && argument.children.size() == 2;
+  return term->children[0]->name.word == op && pair ? &argument : nullptr;
+}
+
+/// f of `dom f`, or null.
+const Term* of_domain(const Term& set) {
+  const bool domain = set->kind == Kind::application && set->children[0]->kind == Kind::reference &&
+                      set->children[0]->name.word == "dom";
+  return domain ? &set->children[1] : nullptr;
+}
+
+/// x of (x, y) and of x ↦ y, or null.
+const Term* first_of_pair(const Term& pair) {
+  if (const Node* both = operands(pair, "_↦_")) return &both->children[0];
+  return pair->kind == Kind::tuple && pair->children.size() == 2 ? &pair->children[0] : nullptr;
+}
+
+/// Decides x ∈ S from the facts, in the few steps that partial_applications() promises.
+class Prover {
+ public:
+  Prover(const Expander& expander, const Facts& facts, Budget& budget)
+      : expander_(expander), facts_(facts), budget_(budget) {}
+
+  /// x ∈ S, or y ∈ S for a y that is x.
+  bool holds_for(const Term& x, const Term& set) {
+    if (member(x, set)) return true;
+    for (const Term& fact : facts_.facts) {
+      if (!is_relation(fact, "_=_")) continue;
+      for (const std::size_t side : {0u, 1u})
+        if (fact->children[side] == x && member(fact->children[1 - side], set)) return true;
+    }
+    return false;
+  }
+
+ private:
+  bool member(const Term& x, const Term& set) {
+    std::vector<Term> sets = {set};
+    for (std::size_t i = 0; i < sets.size() && i < max_sets; ++i) {
+      budget_.spend(4 * facts_.facts.size());
+      if (at_once(x, sets[i])) return true;
+      for (const Term& fact : facts_.facts) {
+        for (const std::size_t side : {0u, 1u}) {
+          const bool tied = is_relation(fact, "_=_") || (side == 1 && is_relation(fact, "_⊆_"));
+          if (tied && fact->children[side] == sets[i]) insert(sets, fact->children[1 - side]);
+          const Term* function = of_domain(sets[i]);
+          if (function && is_relation(fact, "_=_") && fact->children[side] == *function &&
+              !about(fact->children[1 - side], *function))
+            insert(sets, domain_of(fact->children[1 - side]));
+        }
+      }
+    }
+    return false;
+  }
+
+  /// The term says something of f, whose domain it cannot be known by then: (e, f e) ∈ f.
+  static bool about(const Term& term, const Term& f) { return f->kind == Kind::reference && mentions(term, {f->name}); }
+
+  static void insert(std::vector<Term>& sets, const Term& one) {
+    if (std::find(sets.begin(), sets.end(), one) == sets.end()) sets.push_back(one);
+  }
+
+  bool holds(const Term& fact) const {
+    return std::find(facts_.facts.begin(), facts_.facts.end(), fact) != facts_.facts.end();
+  }
+
+  bool at_once(const Term& x, const Term& set) {
+    if (holds(relation({{"_∈_", {}}}, {x, set}))) return true;
+    if (holds(node(Kind::negation, {relation({{"_∉_", {}}}, {x, set})}))) return true;
+    if (set->kind == Kind::set_extension)
+      return std::find(set->children.begin(), set->children.end(), x) != set->children.end();
+    if (depth_ > 8) return false;  // unions in unions
+    ++depth_;
+    bool found = false;
+    if (const Node* both = operands(set, "_∪_")) found = member(x, both->children[0]) || member(x, both->children[1]);
+    if (const Node* both = operands(set, "_∩_")) found = member(x, both->children[0]) && member(x, both->children[1]);
+    if (const Node* image = operands(set, "_⦇_⦈")) found = in_image(x, *image);
+    if (const Term* function = of_domain(set)) found = in_domain(x, *function);
+    --depth_;
+    return found;
+  }
+
+  /// x ∈ dom f, where f is displayed, joined or overridden, or a pair of it is known.
+  bool in_domain(const Term& x, const Term& f) {
+    const auto begins = [&x](const Term& pair) {
+      const Term* first = first_of_pair(pair);
+      return first && *first == x;
+    };
+    if (f->kind == Kind::set_extension) return std::any_of(f->children.begin(), f->children.end(), begins);
+    for (const std::string_view joined : {"_∪_", "_⊕_"})
+      if (const Node* both = operands(f, joined))
+        return member(x, domain_of(both->children[0])) || member(x, domain_of(both->children[1]));
+    return std::any_of(facts_.facts.begin(), facts_.facts.end(), [&](const Term& fact) {
+      return is_relation(fact, "_∈_") && fact->children[1] == f && begins(fact->children[0]) &&
+             !about(fact->children[0], f);
+    });
+  }
+
+  /// x ∈ g ∼ ⦇ {a, b} ⦈ where x ∈ dom g and g x is a or b.
+  bool in_image(const Term& x, const Node& image) {
+    const Term &inverse = image.children[0], &values = image.children[1];
+    const bool inverted = inverse->kind == Kind::application && inverse->children[0]->kind == Kind::reference &&
+                          inverse->children[0]->name.word == "_∼";
+    if (!inverted || values->kind != Kind::set_extension || values->children.empty()) return false;
+    const Term& g = inverse->children[1];
+    if (!member(x, domain_of(g))) return false;
+    const Term value = apply(g, x);
+    std::set<Name> others;
+    for (const Term& one : values->children) {
+      if (equals(value, one)) return true;
+      if (one->kind == Kind::reference && others.empty()) others = expander_.siblings(one->name);
+    }
+    if (others.empty()) return false;
+    for (const Term& one : values->children) others.erase(one->name);
+    return std::all_of(others.begin(), others.end(), [&](const Name& one) { return differs(value, reference(one)); });
+  }
+
+  bool equals(const Term& a, const Term& b) const { return holds(equation(a, b)) || holds(equation(b, a)); }
+  bool differs(const Term& a, const Term& b) const {
+    return holds(node(Kind::negation, {equation(a, b)})) || holds(node(Kind::negation, {equation(b, a)})) ||
+           holds(relation({{"_≠_", {}}}, {a, b})) || holds(relation({{"_≠_", {}}}, {b, a}));
+  }
+
+  const Expander& expander_;
+  const Facts& facts_;
+  Budget& budget_;
+  unsigned depth_ = 0;
+};
+
+}  // namespace
+
+Term domain_of(const Term& function) { return apply(reference({"dom", {}}), function); }
+
+bool proves_member(const Term& x, const Term& set, const Expander& expander, const Facts& facts, Budget& budget) {
+  return Prover(expander, facts, budget).holds_for(x, set);
+}
+
+}  // namespace durero::zed

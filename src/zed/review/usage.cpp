@@ -1,0 +1,127 @@
+#include <fmt/core.h>
+
+#include <ranges>
+
+#include "durero/zed/review/review.hpp"
+#include "zed/review/expand.hpp"
+
+namespace durero::zed {
+namespace {
+
+/// What a specification mentions, and which bound variables it does not.
+class Usage {
+ public:
+  Usage(const Typing& typing, std::vector<Defect>& found) : typing_(typing), found_(found) {}
+
+  void section(const Section& section) {
+    file_ = section.file;
+    for (const Paragraph& one : section.paragraphs) {
+      if (const auto* box = std::get_if<Schema>(&one.form)) components(box->text);
+      if (const auto* box = std::get_if<Axiomatic>(&one.form)) components(box->text);
+      if (const auto* made = std::get_if<Definition>(&one.form)) term(made->value);
+      if (const auto* claim = std::get_if<Conjecture>(&one.form)) term(claim->claim.term);
+      if (const auto* type = std::get_if<FreeType>(&one.form))
+        for (const Branch& branch : type->branches)
+          if (branch.argument) term(branch.argument);
+    }
+  }
+  bool mentioned(const Name& name) const { return mentioned_.contains(name); }
+
+ private:
+  struct Variable {
+    Place place;
+    bool used = false;
+  };
+  using Scope = std::unordered_map<Name, Variable>;
+
+  void mention(const Name& name) {
+    for (Scope& scope : std::views::reverse(scopes_)) {
+      const auto found = scope.find(name);
+      if (found == scope.end()) continue;
+      found->second.used = true;
+      return;
+    }
+    mentioned_.insert(name);
+  }
+
+  /// A schema as a predicate, as the body of a schema quantifier or behind θ mentions its components.
+  void mention_components(const Term& schema, const std::string& strokes = {}) {
+    const auto type = typing_.type_of(schema);
+    if (!type || !type->is_schema_set()) return;
+    for (const Name& name : type->parts()[0].fields()) mention({name.word, name.strokes + strokes});
+  }
+
+  /// A text that declares components: they are nobody's variables, and hide those of that name outside.
+  void components(const SchemaText& text) {
+    Scope own;
+    for (const Declaration& one : text.declarations) {
+      term(one.term);
+      for (const Name& name : one.names) own[name] = {{}, true};
+    }
+    scopes_.push_back(std::move(own));
+    for (const Predicate& one : text.predicates) term(one.term);
+    scopes_.pop_back();
+  }
+
+  void quantified(const Node& node) {
+    Scope own;
+    for (const Declaration& one : node.text->declarations) {
+      term(one.term);
+      for (std::size_t i = 0; i < one.names.size(); ++i)
+        own[one.names[i]] = {i < one.places.size() ? one.places[i] : one.place, node.children.empty()};
+    }
+    scopes_.push_back(std::move(own));
+    for (const Predicate& one : node.text->predicates) term(one.term);
+    for (const Term& child : node.children) term(child);
+    for (const Declaration& one : node.text->declarations)
+      for (const Name& name : one.names) report(name, scopes_.back().at(name));
+    scopes_.pop_back();
+  }
+
+  void report(const Name& name, const Variable& variable) {
+    if (variable.used) return;
+    found_.push_back({file_, variable.place, fmt::format("{} is declared and never used", name.text()),
+                      "expected a use, or no declaration", Defect::Severity::warning});
+  }
+
+  void term(const Term& term) {
+    const Node& node = *term;
+    if (node.kind == Kind::reference) mention(node.name);
+    if (node.kind == Kind::theta) mention_components(node.children[0], node.name.strokes);
+    if (node.kind == Kind::schema_text) return components(*node.text);
+    if (node.kind == Kind::reference) mention_components(term);
+    if (node.text) return quantified(node);
+    for (const Term& child : node.children) this->term(child);
+  }
+
+  const Typing& typing_;
+  std::vector<Defect>& found_;
+  std::string file_;
+  std::vector<Scope> scopes_;
+  std::set<Name> mentioned_;
+};
+
+}  // namespace
+
+std::vector<Defect> unused_names(const Specification& specification, const Typing& typing) {
+  std::vector<Defect> found;
+  Usage usage(typing, found);
+  for (const Section& section : specification.sections) usage.section(section);
+  for (const Section& section : specification.sections) {
+    const auto scope = typing.scopes.find(section.name);
+    if (scope == typing.scopes.end()) continue;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, const Global*> unused;  // in the order of the text
+    for (const auto& [name, global] : scope->second) {
+      const bool looked_at = global->form == Global::Form::given || global->form == Global::Form::free_type ||
+                             global->form == Global::Form::branch;
+      if (global->section == section.name && looked_at && !usage.mentioned(name))
+        unused[{global->place.line, global->place.column}] = global.get();
+    }
+    for (const auto& [place, global] : unused)
+      found.push_back({global->file, global->place, fmt::format("{} is declared and never used", global->name.text()),
+                       "expected a use, or no declaration", Defect::Severity::warning});
+  }
+  return found;
+}
+
+}  // namespace durero::zed

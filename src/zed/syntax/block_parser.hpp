@@ -1,0 +1,30 @@
+#pragma once
+/// The tokens of a block to its paragraphs; the terms in them are parsed by term_parser.hpp.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "durero/zed/syntax/ast.hpp"
+#include "durero/zed/syntax/defect.hpp"
+#include "zed/syntax/token.hpp"
+
+namespace durero::zed {
+
+/// The header `\SECTION name \parents a, b`.
+struct SectionHeader {
+  std::string name;
+  std::vector<std::string> parents;
+};
+
+SectionHeader parse_header(const std::vector<Token>& tokens);  ///< throws ZError
+
+/// The paragraphs of one block (several, in `zed`). Throws ZError where it cannot go on; an error behind which it can
+/// is added to `mended`: a set behind `::=` is read as if behind `==`.
+std::vector<Paragraph> parse_block(std::string_view environment, const std::vector<Token>& tokens,
+                                   std::vector<ZError>& mended);
+
+/// The names that a block which cannot be parsed would declare, as far as its tokens tell.
+std::vector<Name> names_declared(std::string_view environment, const std::vector<Token>& tokens);
+
+}  // namespace durero::zed

@@ -1,0 +1,47 @@
+/// What the lexers of the two mark-ups share: which tokens a line break separates, and labels.
+
+#include "zed/syntax/lexer_base.hpp"
+
+namespace durero::zed::lexing {
+
+bool bears_strokes(std::string_view word) {
+  const char c = word[0];
+  const bool letters = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+  if (!letters && !among(word, word_symbols)) return false;
+  return !is_reserved(word) && !find_operator(word, Fixity::infix) && !find_operator(word, Fixity::prefix);
+}
+
+bool ends(const Token& token) {
+  if (token.type == Type::numeral || token.type == Type::stroke) return true;
+  if (token.type == Type::newline || token.type == Type::end) return false;
+  if (find_operator(token.text, Fixity::postfix) || token.text == "⦈") return true;
+  if (token.type == Type::symbol) return among(token.text, closing);
+  if (!token.strokes.empty() || token.text == "true" || token.text == "false") return true;
+  return !is_reserved(token.text) && !find_operator(token.text, Fixity::infix) &&
+         !find_operator(token.text, Fixity::prefix);
+}
+
+bool begins(const Token& token) {
+  if (token.type == Type::numeral) return true;
+  if (token.type != Type::word && token.type != Type::symbol) return false;
+  if (find_operator(token.text, Fixity::infix) && token.strokes.empty()) return false;
+  if (among(token.text, opening) || among(token.text, leading) || token.text == "⊢?") return true;
+  if (find_operator(token.text, Fixity::prefix)) return true;
+  return token.type == Type::word && token.text != "then" && token.text != "else";
+}
+
+std::string label_in(std::string_view comment) {
+  const auto is_blank = [](char c) { return is_space(c) || c == '%'; };
+  while (!comment.empty() && is_blank(comment.front())) comment.remove_prefix(1);
+  while (!comment.empty() && is_space(comment.back())) comment.remove_suffix(1);
+  const std::size_t first = comment.find('.'), second = comment.rfind('.');
+  if (first == 0 || first == comment.npos || first == second) return {};
+  const std::string_view schema = comment.substr(0, first), number = comment.substr(second + 1);
+  static constexpr std::array<std::string_view, 5> kinds = {"pre", "post", "inv", "def", "axiom"};
+  if (!among(comment.substr(first + 1, second - first - 1), kinds) || number.empty()) return {};
+  const bool named =
+      std::all_of(schema.begin(), schema.end(), [](char c) { return is_letter(c) || is_digit(c) || c == '_'; });
+  return named && std::all_of(number.begin(), number.end(), is_digit) ? std::string(comment) : std::string();
+}
+
+}  // namespace durero::zed::lexing

@@ -1,0 +1,148 @@
+#pragma once
+/// What the lexers of the two mark-ups share.
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "durero/zed/syntax/symbols.hpp"
+#include "zed/syntax/lexer.hpp"
+#include "zed/syntax/utf8.hpp"
+
+namespace durero::zed::lexing {
+
+using Type = Token::Type;
+
+template <std::size_t N>
+bool among(std::string_view what, const std::array<std::string_view, N>& set) {
+  return std::find(set.begin(), set.end(), what) != set.end();
+}
+
+/// Symbols that are names by themselves.
+inline constexpr std::array<std::string_view, 8> word_symbols = {"𝔸", "ℕ", "ℕ₁", "ℤ", "∅", "⋃", "⋂", "⁀/"};
+/// Names of the toolkit that end in a subscript 1; there it is no stroke.
+inline constexpr std::array<std::string_view, 5> indexed = {"ℙ", "𝔽", "ℕ", "∃", "seq"};
+inline constexpr std::array<std::string_view, 6> closing = {")", "]", "}", "⟩", "⦊", "⟫"};
+inline constexpr std::array<std::string_view, 5> opening = {"(", "[", "{", "⟨", "⦉"};
+inline constexpr std::array<std::string_view, 11> leading = {"¬", "∀", "∃",   "∃₁", "λ",  "μ",
+                                                             "θ", "ℙ", "let", "if", "pre"};
+inline constexpr std::array<std::string_view, 10> digits = {"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
+
+/// A word that is a name, and no keyword or operator.
+bool bears_strokes(std::string_view word);
+
+/// In bytes. Each stroke may be a decoration of a schema, and is looked up as one: two are many.
+inline constexpr std::size_t max_strokes = 30;
+
+inline bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
+inline bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
+inline bool is_stroke(char c) { return c == '\'' || c == '!' || c == '?'; }
+
+/// Can a predicate, expression or declaration end with this token?
+bool ends(const Token& token);
+
+/// Can one begin with it? An infix `-` is taken to go on with the line before.
+bool begins(const Token& token);
+
+/// `SCHEMA.KIND.NUMBER` and nothing else, but spaces around; or nothing.
+std::string label_in(std::string_view comment);
+
+/// What the two mark-ups share: a walk that knows its place, and tokens with the newlines that count.
+class Lexer {
+ protected:
+  Lexer(std::string_view text, Place place) : text_(text), place_(place) {}
+
+  bool done() const { return at_ >= text_.size(); }
+  char here(std::size_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
+  bool sees(std::string_view what) const { return text_.substr(at_, what.size()) == what; }
+
+  /// Takes one character, and returns it.
+  std::string_view take() {
+    const std::string_view one = utf8::first(text_.substr(at_));
+    at_ += one.size();
+    ++place_.column;
+    if (one == "\n") place_ = {place_.line + 1, 1};
+    return one;
+  }
+  std::string_view take(std::size_t bytes) {
+    const std::size_t start = at_;
+    while (at_ < start + bytes) take();
+    return text_.substr(start, bytes);
+  }
+
+  void spaces() {
+    while (!done() && is_space(here())) take();
+  }
+
+  void emit(Type type, std::string text, Place place, std::string strokes = {}) {
+    if (strokes.size() > max_strokes) refuse(place, "a name with too many strokes", "expected a few");
+    Token token{type, std::move(text), std::move(strokes), place, {}, false};
+    if (newline_ && !tokens_.empty() && ends(tokens_.back()) && begins(token))
+      tokens_.push_back({Type::newline, "\n", {}, *newline_, {}, false});
+    newline_.reset();
+    tokens_.push_back(std::move(token));
+    behind_ = place_;
+  }
+
+  /// A word or symbol by its Unicode text.
+  void emit(std::string_view text, Place place) {
+    const bool word = among(text, word_symbols) || is_reserved(text) || is_letter(text[0]) || is_letter_symbol(text);
+    emit(word ? Type::word : Type::symbol, std::string(text), place);
+  }
+
+  void newline(Place place) {
+    if (!newline_) newline_ = place;
+  }
+
+  void numeral() {
+    const Place place = place_;
+    std::string number;
+    while (is_digit(here())) number += take();
+    emit(Type::numeral, std::move(number), place);
+  }
+
+  /// True where a digit below the line belongs to the name before it, and not to its strokes.
+  static bool is_indexed(std::string_view word, std::string_view digit) { return digit == "₁" && among(word, indexed); }
+
+  /// `::=`, `==` or one ASCII character; none where it means nothing in Z.
+  std::string_view ascii_symbol() const {
+    for (const std::string_view longer : {"::=", "=="})
+      if (sees(longer)) return longer;
+    static constexpr std::string_view singles = ":;,.()[]|=<>+-*/&";
+    return singles.find(here()) != singles.npos && here() != '\0' ? text_.substr(at_, 1) : std::string_view();
+  }
+
+  [[noreturn]] void refuse(Place place, const std::string& what, const std::string& expected) const {
+    throw ZError(place, what, expected);
+  }
+
+  void comment() {
+    const std::string_view line = text_.substr(at_, text_.find('\n', at_) - at_);
+    const std::string label = label_in(line);
+    if (!label.empty() && !tokens_.empty() && tokens_.back().place.line == place_.line) tokens_.back().label = label;
+    take(line.size());
+  }
+
+  /// True where what was read last can be the left operand of an infix operator.
+  bool continues() const { return !tokens_.empty() && ends(tokens_.back()); }
+
+  void unreadable(const ZError& error) {
+    tokens_.push_back({Type::error, error.what_is_wrong, {}, error.place, error.expected, false});
+  }
+
+  std::vector<Token> finish() {
+    tokens_.push_back({Type::end, {}, {}, behind_, {}, false});
+    return std::move(tokens_);
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  Place place_, behind_ = place_;  // behind the last token
+  std::vector<Token> tokens_;
+  std::optional<Place> newline_;
+};
+
+}  // namespace durero::zed::lexing

@@ -1,0 +1,182 @@
+#include "zed/syntax/lexer_base.hpp"
+
+namespace durero::zed {
+namespace lexing {
+namespace {
+
+class Latex : Lexer {
+ public:
+  Latex(const Block& block, const Markup& markup) : Lexer(block.body, block.place), markup_(markup) {
+    spaces();
+    named_ = block.environment != "schema" || here() == '{';
+  }
+
+  std::vector<Token> run() {
+    try {
+      if (!named_) refuse(place_, "a schema without a name", "expected {NAME}");
+      while (!done()) one();
+    } catch (const ZError& error) {
+      unreadable(error);
+      return std::move(tokens_);
+    }
+    return finish();
+  }
+
+ private:
+  void one() {
+    const char c = here();
+    if (is_space(c) || c == '~' || c == '{' || c == '}') {  // braces only group, in TeX
+      take();
+    } else if (c == '%') {
+      comment();
+    } else if (is_letter(c)) {
+      word({}, place_);
+    } else if (is_digit(c)) {
+      numeral();
+    } else if (is_stroke(c) || c == '_') {
+      const Place place = place_;
+      emit(Type::stroke, stroke(), place);
+    } else if (c == '\\') {
+      command();
+    } else {
+      plain();
+    }
+  }
+
+  void plain() {
+    const Place place = place_;
+    if (here() == '@') {
+      take();
+      return emit("•", place);
+    }
+    const std::string_view symbol = ascii_symbol();
+    if (symbol.empty()) {
+      const std::string character(utf8::first(text_.substr(at_)));
+      refuse(place, "the character " + character + " means nothing here",
+             character == "#" ? "expected \\#, as LaTeX writes it" : "expected LaTeX mark-up of Z");
+    }
+    emit(Type::symbol, std::string(take(symbol.size())), place);
+    tokens_.back().only_infix = symbol == "-";
+  }
+
+  /// One stroke, of which the first character is here.
+  std::string stroke() {
+    const Place place = place_;
+    if (is_stroke(here())) return std::string(take());
+    take();  // _
+    const bool braced = here() == '{';
+    if (braced) take();
+    if (!is_digit(here())) refuse(place, "this subscript is not read", "expected one digit after _");
+    const std::string_view digit = digits[static_cast<std::size_t>(here() - '0')];
+    take();
+    if (is_digit(here()) || (braced && here() != '}'))
+      refuse(place, "this subscript is not read", "expected one digit after _");
+    if (braced) take();
+    return std::string(digit);
+  }
+
+  std::string strokes(std::string& word) {
+    std::string found;
+    while (is_stroke(here()) || here() == '_') {
+      const std::string one = stroke();
+      if (found.empty() && is_indexed(word, one)) {
+        word += one;
+      } else {
+        found += one;
+      }
+    }
+    return found;
+  }
+
+  /// The letters of a word, `begun` with those already taken.
+  void word(std::string begun, Place place) {
+    for (;;) {
+      if (is_letter(here()) || (is_digit(here()) && !begun.empty())) {
+        begun += take();
+      } else if (sees("\\_")) {
+        take(2);
+        begun += '_';
+      } else if (const auto letter = letter_command()) {
+        begun += *letter;
+      } else {
+        break;
+      }
+    }
+    std::string found = strokes(begun);
+    emit(Type::word, std::move(begun), place, std::move(found));
+  }
+
+  std::string_view command_name() const {
+    if (here() != '\\') return {};
+    std::size_t length = 1;
+    while (is_letter(here(length))) ++length;
+    if (length == 1) length = 1 + utf8::first(text_.substr(std::min(at_ + 1, text_.size()))).size();
+    const std::string_view name = text_.substr(at_ + 1, length - 1);
+    return name == "vdash" && here(length) == '?' ? text_.substr(at_ + 1, length) : name;
+  }
+
+  /// Takes a command for a letter that joins with others, and the spaces that TeX drops behind it.
+  std::optional<std::string> letter_command() {
+    const std::string_view name = command_name();
+    std::string letter;
+    if (const auto own = markup_.find(name); own != markup_.end()) {
+      if (static_cast<unsigned char>(own->second[0]) < 0x80 || utf8::first(own->second) != own->second) return {};
+      letter = own->second;
+    } else if (const auto known = unicode_of_command(name); known && is_letter_symbol(*known)) {
+      letter = *known;
+    } else {
+      return {};
+    }
+    take(1 + name.size());
+    spaces();
+    return letter;
+  }
+
+  void command() {
+    const Place place = place_;
+    if (auto letter = letter_command()) return word(std::move(*letter), place);
+    const std::string_view name = command_name();
+    take(1 + name.size());
+    static constexpr std::array<std::string_view, 7> blanks = {",", ";", ":", "!", " ", "quad", "qquad"};
+    static constexpr std::array<std::string_view, 4> breaks = {"\\", "also", "znewpage", "zbreak"};
+    if (among(name, blanks) || name == "\n") {
+    } else if (among(name, breaks)) {
+      newline(place);
+    } else if (name == "t" && is_digit(here())) {
+      while (is_digit(here())) take();
+    } else if (name == "where") {
+      emit("|", place);
+    } else if (name == "&") {
+      emit("&", place);
+    } else {
+      known(name, place);
+    }
+  }
+
+  void known(std::string_view name, Place place) {
+    const auto own = markup_.find(name);
+    const auto found = own != markup_.end() ? std::optional<std::string_view>(own->second) : unicode_of_command(name);
+    if (!found)
+      refuse(place, "unknown command \\" + std::string(name), "expected a command of ISO Z or of a %%Z directive");
+    if (name == "negate" && continues()) {
+      if (!newline_) refuse(place, "\\negate takes no left operand", "expected - for the difference");
+      tokens_.push_back({Type::newline, "\n", {}, *newline_, {}, false});
+    }
+    std::string text(*found);
+    if (here() == '_' || (is_stroke(here()) && bears_strokes(text))) {
+      std::string after = strokes(text);
+      if (!after.empty()) return emit(Type::word, std::move(text), place, std::move(after));
+    }
+    emit(text, place);
+  }
+
+  const Markup& markup_;
+  bool named_ = true;
+};
+
+}  // namespace
+}  // namespace lexing
+
+std::vector<Token> lex_latex(const Block& block, const Markup& markup) { return lexing::Latex(block, markup).run(); }
+
+}  // namespace durero::zed

@@ -1,0 +1,107 @@
+#include "zed/syntax/lexer_base.hpp"
+
+namespace durero::zed {
+namespace lexing {
+namespace {
+
+class Unicode : Lexer {
+ public:
+  explicit Unicode(std::string_view text) : Lexer(text, {1, 1}) {}
+
+  std::vector<Token> run() {
+    try {
+      while (!done()) one();
+    } catch (const ZError& error) {
+      unreadable(error);
+      return std::move(tokens_);
+    }
+    return finish();
+  }
+
+ private:
+  void one() {
+    const char c = here();
+    if (is_space(c)) {
+      if (c == '\n') newline(place_);
+      take();
+    } else if (c == '%') {
+      comment();
+    } else if (is_digit(c)) {
+      numeral();
+    } else if (is_stroke(c) || stroke_here()) {
+      const Place place = place_;
+      emit(Type::stroke, stroke(), place);
+    } else if (is_letter(c) || is_word_character()) {
+      word();
+    } else {
+      symbol();
+    }
+  }
+
+  std::string_view character() const { return utf8::first(text_.substr(std::min(at_, text_.size()))); }
+
+  bool stroke_here() const {
+    const std::string_view c = character();
+    return c == "′" || among(c, digits);
+  }
+
+  std::string stroke() { return character() == "′" ? (take(), "'") : std::string(take()); }
+
+  /// A letter of no symbol: outside ASCII, whatever this reader does not know as a symbol.
+  bool is_word_character() const {
+    const std::string_view c = character();
+    if (c.empty() || static_cast<unsigned char>(c[0]) < 0x80 || stroke_here()) return false;
+    static constexpr std::array<std::string_view, 10> others = {"•", "⦁", "−", "⊢", "λ", "μ", "θ", "…", "⁀", "‥"};
+    if (among(c, others)) return c == "λ" || c == "μ" || c == "θ";
+    if (among(c, word_symbols)) return false;
+    return is_letter_symbol(c) || !latex_of(c);
+  }
+
+  void word() {
+    const Place place = place_;
+    std::string letters;
+    while (is_letter(here()) || is_digit(here()) || here() == '_' || is_word_character()) letters += take();
+    emit_with_strokes(std::move(letters), place);
+  }
+
+  void emit_with_strokes(std::string text, Place place) {
+    std::string found;
+    while (is_stroke(here()) || stroke_here()) {
+      const std::string one = stroke();
+      if (found.empty() && is_indexed(text, one)) {
+        text += one;
+      } else {
+        found += one;
+      }
+    }
+    if (!found.empty()) return emit(Type::word, std::move(text), place, std::move(found));
+    if (is_letter(text[0]) || !latex_of(text)) return emit(Type::word, std::move(text), place);
+    emit(text, place);
+  }
+
+  void symbol() {
+    const Place place = place_;
+    static constexpr std::string_view read_as[][2] = {{"⊢?", "⊢?"}, {"⁀/", "⁀/"}, {"..", "‥"}, {"⦁", "•"}, {"•", "•"},
+                                                      {"@", "•"},   {"−", "-"},   {"\\", "∖"}, {"{", "{"}, {"}", "}"},
+                                                      {"#", "#"},   {"_", "_"},   {"∗", "∗"}};
+    for (const auto& [seen, meant] : read_as) {
+      if (!sees(seen)) continue;
+      take(seen.size());
+      return emit(meant, place);
+    }
+    if (const std::string_view ascii = ascii_symbol(); !ascii.empty())
+      return emit(Type::symbol, std::string(take(ascii.size())), place);
+    if (!latex_of(character()) || static_cast<unsigned char>(here()) < 0x80)
+      refuse(place, "the character " + std::string(character()) + " means nothing here", "expected Z in Unicode");
+    std::string text(take());
+    if (among(text, indexed) || among(text, word_symbols)) return emit_with_strokes(std::move(text), place);
+    emit(text, place);
+  }
+};
+
+}  // namespace
+}  // namespace lexing
+
+std::vector<Token> lex_unicode(std::string_view text) { return lexing::Unicode(text).run(); }
+
+}  // namespace durero::zed

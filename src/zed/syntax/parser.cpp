@@ -1,0 +1,239 @@
+#include "durero/zed/syntax/parser.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "zed/syntax/block_parser.hpp"
+#include "zed/syntax/lexer.hpp"
+#include "zed/syntax/term_parser.hpp"
+
+namespace durero::zed {
+namespace {
+
+using Type = Token::Type;
+
+class ParagraphParser {
+ public:
+  explicit ParagraphParser(const std::vector<Token>& tokens) : in_(tokens), terms_(in_) {}
+
+  std::vector<ZError> mended;
+
+  /// The paragraphs of a `zed` environment, one a line.
+  std::vector<Paragraph> lines() {
+    std::vector<Paragraph> made;
+    do {
+      const Place place = in_.peek().place;
+      line(made, place);
+    } while (in_.accept(Type::newline));
+    finish();
+    return made;
+  }
+
+  Paragraph schema() {
+    const Place place = in_.peek().place;
+    Schema made;
+    made.name = in_.name();
+    if (in_.peek().place.line == place.line) made.formals = formals();  // a schema text may begin the next line
+    made.text = body();
+    return {place, std::move(made)};
+  }
+
+  Paragraph axiomatic(bool generic) {
+    const Place place = in_.peek().place;
+    Axiomatic made;
+    if (generic) made.formals = formals();
+    if (generic && made.formals.empty()) in_.fail("expected generic formals in [ ]");
+    made.text = body();
+    return {place, std::move(made)};
+  }
+
+  SectionHeader header() {
+    SectionHeader made;
+    in_.expect("section");
+    made.name = in_.name().text();
+    if (in_.accept("parents") && in_.sees_name())
+      for (const Name& parent : terms_.names()) made.parents.push_back(parent.text());
+    finish();
+    return made;
+  }
+
+  Term only_term() {
+    Term made = terms_.term();
+    finish();
+    return made;
+  }
+
+ private:
+  void line(std::vector<Paragraph>& made, Place place) {
+    for (const std::string_view keyword : {"function", "generic", "relation"})
+      if (in_.sees(keyword))
+        in_.fail("expected no operator template: those of the standard toolkit are built in, and no others are read");
+    if (in_.accept("[")) {
+      made.push_back({place, given()});
+    } else if (in_.accept("⊢?")) {
+      const std::size_t from = in_.position();
+      Conjecture claim{{terms_.term(), {}, place}};
+      claim.claim.label = in_.label_since(from);
+      made.push_back({place, std::move(claim)});
+    } else {
+      named(made, place);
+    }
+  }
+
+  GivenTypes given() {
+    GivenTypes made;
+    do {
+      made.places.push_back(in_.peek().place);
+      made.names.push_back(in_.name());
+    } while (in_.accept(","));
+    in_.expect("]");
+    return made;
+  }
+
+  void named(std::vector<Paragraph>& made, Place place) {
+    const std::size_t from = in_.position();
+    Name name = in_.name();
+    const bool set = in_.sees("::=") && in_.peek(1).is("{");
+    if (in_.sees("::=") && !set) return free_types(made, std::move(name), place);
+    Definition definition{std::move(name), formals(), {}, {}};
+    if (set) {
+      mended.emplace_back(in_.peek(1).place, "a set stands where a free type has its constants and constructors",
+                          "expected == before a set, or a name after ::=");
+      in_.next();
+    } else {
+      in_.expect("==");
+    }
+    definition.value = terms_.term();
+    definition.label = in_.label_since(from);
+    made.push_back({place, std::move(definition)});
+  }
+
+  void free_types(std::vector<Paragraph>& made, Name name, Place place) {
+    for (bool joined = false;; joined = true) {
+      made.push_back({place, free_type(std::move(name), joined)});
+      if (!in_.accept("&")) return;
+      place = in_.peek().place;
+      name = in_.name();
+    }
+  }
+
+  FreeType free_type(Name name, bool joined) {
+    in_.expect("::=");
+    FreeType made{std::move(name), {}, joined};
+    do {
+      Branch branch;
+      branch.place = in_.peek().place;
+      if (!in_.sees_name()) in_.fail("expected the name of a constant or constructor");
+      branch.name = in_.name();
+      if (in_.accept("⟪")) {
+        branch.argument = terms_.term();
+        in_.expect("⟫");
+      }
+      made.branches.push_back(std::move(branch));
+    } while (in_.accept("|"));
+    return made;
+  }
+
+  /// [X, Y], if it stands here.
+  std::vector<Name> formals() {
+    if (!in_.sees("[") || !TokenStream::is_name(in_.peek(1)) || !(in_.peek(2).is(",") || in_.peek(2).is("]")))
+      return {};
+    in_.next();
+    std::vector<Name> made = terms_.names();
+    in_.expect("]");
+    return made;
+  }
+
+  SchemaText body() {
+    in_.accept(Type::newline);
+    if (in_.at_end()) return {};
+    SchemaText made = terms_.schema_text(true);
+    finish();
+    return made;
+  }
+
+  void finish() {
+    if (!in_.at_end()) in_.fail("expected the end of the paragraph, or an operator");
+  }
+
+  TokenStream in_;
+  TermParser terms_;
+};
+
+}  // namespace
+
+SectionHeader parse_header(const std::vector<Token>& tokens) { return ParagraphParser(tokens).header(); }
+
+std::vector<Paragraph> parse_block(std::string_view environment, const std::vector<Token>& tokens,
+                                   std::vector<ZError>& mended) {
+  ParagraphParser parser(tokens);
+  std::vector<Paragraph> made;
+  if (environment == "zed") {
+    made = parser.lines();
+  } else if (environment == "schema") {
+    made.push_back(parser.schema());
+  } else {
+    made.push_back(parser.axiomatic(environment == "gendef"));
+  }
+  mended = std::move(parser.mended);
+  return made;
+}
+
+std::vector<Name> names_declared(std::string_view environment, const std::vector<Token>& tokens) {
+  std::vector<Name> made;
+  if (environment == "schema") {
+    if (!tokens.empty() && TokenStream::is_name(tokens[0])) made.push_back({tokens[0].text, tokens[0].strokes});
+    return made;
+  }
+  bool branches = false;
+  for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+    const Token& after = tokens[i + 1];
+    if (environment == "axdef" && tokens[i].is("|")) break;  // \where
+    if (tokens[i].is("::=")) branches = true;
+    if (tokens[i].type == Type::newline) branches = false;
+    const bool declares = after.is(":") || after.is("==") || after.is("::=") || after.is(",");
+    if (TokenStream::is_name(tokens[i]) && (branches || declares)) made.push_back({tokens[i].text, tokens[i].strokes});
+  }
+  return made;
+}
+
+Term parse_unicode(std::string_view text) {
+  const std::vector<Token> tokens = lex_unicode(text);
+  return ParagraphParser(tokens).only_term();
+}
+
+Paragraph parse_unicode_paragraph(std::string_view text) {
+  static constexpr std::string_view top = "┌─", side = "│", middle = "├─", bottom = "└─";
+  std::string environment = "zed", plain;
+  while (!text.empty()) {
+    std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    if (line.starts_with(top)) {
+      line.remove_prefix(top.size());
+      const std::size_t title = line.find_first_not_of(' ');
+      environment = title == line.npos ? "axdef" : line[title] == '[' ? "gendef" : "schema";
+    } else if (line.starts_with(side)) {
+      line.remove_prefix(side.size());
+    } else if (line.starts_with(middle) || line.starts_with(bottom)) {
+      line = line.starts_with(middle) ? "|" : "";
+    }
+    plain += std::string(line) + "\n";
+  }
+  const std::vector<Token> tokens = lex_unicode(plain);
+  std::vector<ZError> mended;
+  std::vector<Paragraph> made = parse_block(environment, tokens, mended);
+  if (!mended.empty()) throw mended[0];
+  if (made.size() != 1) throw ZError(made[1].place, "more than one paragraph", "expected one");
+  return std::move(made[0]);
+}
+
+Term parse_latex(std::string_view text, const Markup& markup) {
+  Block block;
+  block.environment = "zed";
+  block.body = text;
+  block.place = {1, 1};
+  const std::vector<Token> tokens = lex_latex(block, markup);
+  return ParagraphParser(tokens).only_term();
+}
+
+}  // namespace durero::zed

@@ -1,0 +1,231 @@
+/// The parser of what binds tightest: applications, and the terms between brackets.
+
+#include <utility>
+
+#include "zed/syntax/term_parser.hpp"
+
+namespace durero::zed {
+
+using Type = Token::Type;
+
+bool TermParser::begins_primary() const {
+  const Token& token = in_.peek();
+  if (token.type == Type::numeral || TokenStream::is_name(token)) return true;
+  if (token.type == Type::word) return token.is("true") || token.is("false") || token.is("θ");
+  for (const std::string_view one : {"(", "{", "⟨", "⦉", "[", "θ"})
+    if (token.is(one)) return true;
+  return false;
+}
+
+/// f a b ∼ ⦇ S ⦈: applications associate to the left, then the postfix operators.
+Term TermParser::application() {
+  Term made = primary();
+  while (begins_primary()) {
+    Term argument = primary();
+    const Place place = made->place;
+    made = checked(apply(std::move(made), std::move(argument), place));
+  }
+  for (;;) {
+    const Token& token = in_.peek();
+    const Operator* op = token.type == Type::symbol ? find_operator(token.text, Fixity::postfix) : nullptr;
+    if (op) {
+      in_.next();
+      const Place place = made->place;
+      made = checked(operation(op->name(), {std::move(made)}, place));
+    } else if (token.is("⦇")) {
+      made = image(std::move(made));
+    } else {
+      return made;
+    }
+  }
+}
+
+Term TermParser::image(Term left) {
+  in_.next();
+  Term set = term();
+  in_.expect("⦈");
+  const Place place = left->place;
+  return checked(operation("_⦇_⦈", {std::move(left), std::move(set)}, place));
+}
+
+Term TermParser::primary() {
+  Term made = plain_primary();
+  while (suffix(made)) {
+  }
+  return made;
+}
+
+bool TermParser::suffix(Term& so_far) {
+  const Place place = so_far->place;
+  if (in_.sees(".")) {
+    in_.next();
+    Node made{.kind = Kind::selection, .place = place, .name = {}, .children = {so_far}, .names = {}, .text = {}};
+    if (in_.sees(Type::numeral)) {
+      made.kind = Kind::tuple_selection;
+      made.name.word = in_.next().text;
+    } else {
+      made.name = in_.name();
+    }
+    so_far = checked(make(std::move(made)));
+  } else if (in_.sees(Type::stroke)) {
+    Node made{.kind = Kind::decoration, .place = place, .name = {}, .children = {so_far}, .names = {}, .text = {}};
+    made.name.strokes = in_.next().text;
+    so_far = checked(make(std::move(made)));
+  } else if (in_.sees("[")) {
+    so_far = actuals_or_renaming(so_far);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+Term TermParser::actuals_or_renaming(Term of) {
+  const Place place = of->place;
+  in_.next();
+  if (in_.sees_name() && in_.peek(1).is("/")) {
+    Node made{.kind = Kind::renaming, .place = place, .name = {}, .children = {of}, .names = {}, .text = {}};
+    do {
+      made.names.push_back(in_.name());
+      in_.expect("/");
+      made.names.push_back(in_.name());
+    } while (in_.accept(","));
+    in_.expect("]");
+    return checked(make(std::move(made)));
+  }
+  std::vector<Term> actuals = terms("]");
+  if (of->kind != Kind::reference || !of->children.empty())
+    throw ZError(place, "only a name takes generic actuals", "expected a name before [");
+  return checked(reference(of->name, std::move(actuals), place));
+}
+
+std::vector<Term> TermParser::terms(std::string_view closing) {
+  std::vector<Term> made;
+  do {
+    made.push_back(term());
+  } while (in_.accept(","));
+  in_.expect(closing);
+  return made;
+}
+
+Term TermParser::plain_primary() {
+  const Token& token = in_.peek();
+  if (token.type == Type::numeral) return number(in_.next().text, token.place);
+  if (TokenStream::is_name(token)) return reference(in_.name(), {}, token.place);
+  if (token.is("true") || token.is("false"))
+    return node(in_.next().is("true") ? Kind::truth : Kind::falsity, {}, token.place);
+  if (token.is("θ")) return theta();
+  if (token.is("(")) return parenthesis();
+  if (token.is("{")) return braces();
+  if (token.is("[")) return brackets();
+  if (token.is("⟨")) return sequence();
+  if (token.is("⦉")) return binding_extension();
+  in_.fail("expected an expression or a predicate");
+}
+
+Term TermParser::theta() {
+  const Place place = in_.next().place;
+  Node made{.kind = Kind::theta, .place = place, .name = {}, .children = {}, .names = {}, .text = {}};
+  if (in_.sees_name()) {  // the strokes of θ S' are those of θ: x is taken from x'
+    const Token& token = in_.next();
+    made.name.strokes = token.strokes;
+    const Term schema = reference({token.text, {}}, {}, token.place);
+    made.children.push_back(in_.sees("[") ? actuals_or_renaming(schema) : schema);
+  } else if (in_.sees("(")) {
+    made.children.push_back(parenthesis());
+  } else if (in_.sees("[")) {
+    made.children.push_back(brackets());
+  } else {
+    in_.fail("expected a schema after θ");
+  }
+  while (in_.sees(Type::stroke)) made.name.strokes += in_.next().text;
+  return checked(make(std::move(made)));
+}
+
+Term TermParser::parenthesis() {
+  const Place place = in_.next().place;
+  if (in_.sees("_") || (in_.peek(1).is("_") && find_operator(in_.peek().text, Fixity::prefix)))
+    return word_or_operator();
+  const bool mu = in_.sees("μ");
+  std::vector<Term> parts = {mu ? quantifier(Kind::mu, false) : term()};
+  const bool alone = mu && parts[0]->children.empty();
+  while (!alone && in_.accept(",")) parts.push_back(term());
+  in_.expect(")");
+  if (parts.size() == 1) return parts[0];
+  return checked(node(Kind::tuple, std::move(parts), place));
+}
+
+/// (_ ∪ _), (# _), (_ ∼), (_ ⦇ _ ⦈): an operator as a name.
+Term TermParser::word_or_operator() {
+  std::string name;
+  const Place place = in_.peek().place;
+  while (!in_.sees(")")) {
+    if (!in_.sees(Type::symbol) && !in_.sees(Type::word)) in_.fail("expected )");
+    name += in_.next().text;
+  }
+  in_.next();
+  if (!is_operator_name(name))
+    throw ZError(place, "unknown operator " + name, "expected an operator of the standard toolkit");
+  return reference({name, {}}, {}, place);
+}
+
+Term TermParser::braces() {
+  const Place place = in_.next().place;
+  if (in_.accept("}")) return node(Kind::set_extension, {}, place);
+  if (!begins_declaration()) {
+    std::vector<Term> elements = {term()};
+    if (in_.sees(",") || in_.sees("}")) {
+      while (in_.accept(",")) elements.push_back(term());
+      in_.expect("}");
+      return checked(node(Kind::set_extension, std::move(elements), place));
+    }
+    SchemaText text;  // it was the inclusion of a schema
+    const Place first = elements[0]->place;
+    text.declarations.push_back({Declaration::Form::included, {}, {}, elements[0], first});
+    while (in_.accept(";") || in_.accept(Type::newline)) text.declarations.push_back(declaration());
+    if (in_.accept("|")) text.predicates = predicates(false);
+    std::vector<Term> value;
+    if (in_.accept("•")) value.push_back(term());
+    in_.expect("}");
+    return checked(quantified(Kind::comprehension, std::move(text), std::move(value), place));
+  }
+  SchemaText text = schema_text();
+  std::vector<Term> value;
+  if (in_.accept("•")) value.push_back(term());
+  in_.expect("}");
+  return checked(quantified(Kind::comprehension, std::move(text), std::move(value), place));
+}
+
+Term TermParser::brackets() {
+  const Place place = in_.next().place;
+  SchemaText text;
+  if (!in_.sees("]")) text = schema_text();
+  in_.expect("]");
+  return checked(quantified(Kind::schema_text, std::move(text), {}, place));
+}
+
+/// ⟨a, b⟩ is the function ⟨,,⟩ of {(1, a), (2, b)} (ISO/IEC 13568, 12.2).
+Term TermParser::sequence() {
+  const Place place = in_.next().place;
+  std::vector<Term> pairs;
+  if (!in_.accept("⟩")) {
+    std::size_t position = 0;
+    for (const Term& one : terms("⟩"))
+      pairs.push_back(node(Kind::tuple, {number(std::to_string(++position), one->place), one}, one->place));
+  }
+  return checked(operation("⟨,,⟩", {node(Kind::set_extension, std::move(pairs), place)}, place));
+}
+
+Term TermParser::binding_extension() {
+  const Place place = in_.next().place;
+  Node made{.kind = Kind::binding_extension, .place = place, .name = {}, .children = {}, .names = {}, .text = {}};
+  while (!in_.sees("⦊")) {
+    if (!made.names.empty()) in_.expect(",");
+    made.names.push_back(in_.name());
+    in_.expect("==");
+    made.children.push_back(term());
+  }
+  in_.next();
+  return checked(make(std::move(made)));
+}
+
+}  // namespace durero::zed

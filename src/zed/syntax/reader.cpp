@@ -1,0 +1,194 @@
+#include "durero/zed/syntax/reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include "zed/syntax/block_parser.hpp"
+#include "zed/syntax/lexer.hpp"
+
+namespace durero::zed {
+namespace {
+
+std::optional<std::string> on_disk(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in || std::filesystem::is_directory(file)) return std::nullopt;
+  std::string all(max_bytes + 1, '\0');
+  in.read(all.data(), static_cast<std::streamsize>(all.size()));
+  all.resize(static_cast<std::size_t>(in.gcount()));
+  return all;
+}
+
+class Reader {
+ public:
+  /// `texts`: by name of file, instead of files on disk.
+  explicit Reader(std::map<std::string, std::string> texts = {}) : texts_(std::move(texts)) {}
+
+  /// Tells where the sections of a file are, without reading them.
+  void index(const std::string& path) {
+    const auto all = contents(path);
+    if (!all) return;
+    std::vector<Defect> later;
+    for (const Block& block : cut(*all, path, later)) {
+      if (block.environment != "zsection") continue;
+      try {
+        where_.emplace(parse_header(lex_latex(block, {})).name, path);
+      } catch (const ZError&) {  // reported when the file is read
+      }
+    }
+  }
+
+  void file(const std::string& path) {
+    const std::string canonical = std::filesystem::weakly_canonical(path).string();
+    if (!files_.insert(canonical).second) return;
+    if (const auto read = contents(path)) return text(*read, path);
+    made_.defects.push_back({path, {1, 1}, "the file cannot be read", "expected a file of Z text", {}});
+  }
+
+  void text(const std::string& all, const std::string& path) {
+    if (all.size() > max_bytes) {
+      made_.defects.push_back({path, {1, 1}, "the file is too large", "expected at most a MiB of Z text", {}});
+      return;
+    }
+    std::optional<Section> open;
+    for (const Block& block : cut(all, path, made_.defects)) {
+      try {
+        if (block.environment == "zsection") {
+          close(open);
+          open.emplace();
+          header(block, path, *open);
+        } else {
+          if (!open) open = anonymous(block, path);
+          paragraphs(block, *open);
+        }
+      } catch (const ZError& error) {
+        made_.defects.push_back(error.in(path));
+      }
+    }
+    close(open);
+  }
+
+  Specification take() {
+    std::stable_sort(made_.defects.begin(), made_.defects.end(), [](const Defect& a, const Defect& b) {
+      return std::tuple(a.file, a.place.line, a.place.column) < std::tuple(b.file, b.place.line, b.place.column);
+    });
+    return std::move(made_);
+  }
+
+ private:
+  std::optional<std::string> contents(const std::string& file) const {
+    if (const auto found = texts_.find(file); found != texts_.end()) return found->second;
+    return on_disk(file);
+  }
+
+  /// Begins a section; one with a bad header is read all the same, for the defects in it.
+  void header(const Block& block, const std::string& path, Section& made) {
+    made = {path, "a section without a name", {}, {}, block.begin, {}};
+    const SectionHeader read = parse_header(lex_latex(block, {}));
+    made.name = read.name;
+    made.parents = read.parents;
+    if (is_toolkit(made.name) || !started_.insert(made.name).second)
+      throw ZError(block.place, "a second section " + made.name, "expected a name of its own");
+    Markup& mine = made_.markup[made.name];
+    mine.insert(block.directives.begin(), block.directives.end());
+    for (const std::string& parent : made.parents) inherit(mine, parent, path, block.place);
+  }
+
+  void inherit(Markup& mine, const std::string& parent, const std::string& path, Place place) {
+    if (is_toolkit(parent)) return;
+    if (!started_.contains(parent)) find(parent, path);
+    if (!made_.find(parent))
+      throw ZError(place, "unknown parent " + parent, "expected a section, or a file " + parent + ".tex");
+    const Markup& theirs = made_.markup[parent];
+    mine.insert(theirs.begin(), theirs.end());
+  }
+
+  /// Reads the file that a section stands in: one of those given, or one in the folder of the file that names it.
+  void find(const std::string& parent, const std::string& path) {
+    if (!where_.contains(parent)) {
+      std::filesystem::path folder = std::filesystem::path(path).parent_path();
+      if (folder.empty()) folder = ".";
+      std::error_code unreadable;
+      std::set<std::string> beside;  // in order, so that the answer does not depend on the file system
+      for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable))
+        if (entry.path().extension() == ".tex") beside.insert(entry.path().lexically_normal().string());
+      for (const std::string& one : beside) index(one);
+    }
+    if (const auto found = where_.find(parent); found != where_.end()) file(found->second);
+  }
+
+  Section anonymous(const Block& block, const std::string& path) {
+    Section made{path, "Specification", {"standard_toolkit"}, {}, block.begin, {}};
+    if (!started_.insert(made.name).second)
+      throw ZError(block.begin, "a second file without a section header", "expected \\begin{zsection}");
+    return made;
+  }
+
+  void paragraphs(const Block& block, Section& into) {
+    Markup& markup = made_.markup[into.name];
+    for (const auto& [command, meaning] : block.directives) markup[command] = meaning;
+    const std::vector<Token> tokens = lex_latex(block, markup);
+    std::vector<ZError> mended;
+    try {
+      std::vector<Paragraph> read = parse_block(block.environment, tokens, mended);
+      std::move(read.begin(), read.end(), std::back_inserter(into.paragraphs));
+    } catch (const ZError& error) {
+      const std::vector<Name> lost = names_declared(block.environment, tokens);
+      into.lost.insert(into.lost.end(), lost.begin(), lost.end());
+      mended.push_back(error);
+    }
+    for (const ZError& error : mended) made_.defects.push_back(error.in(into.file));
+  }
+
+  void close(std::optional<Section>& open) {
+    if (open) made_.sections.push_back(std::move(*open));
+    open.reset();
+  }
+
+  std::map<std::string, std::string> texts_;  // file to contents
+  Specification made_;
+  std::set<std::string> files_, started_;
+  std::map<std::string, std::string> where_;  // section to file
+};
+
+}  // namespace
+
+const Section* Specification::find(const std::string& name) const {
+  for (const Section& one : sections)
+    if (one.name == name) return &one;
+  return nullptr;
+}
+
+bool is_toolkit(const std::string& section) {
+  static constexpr std::array<std::string_view, 7> names = {"prelude",          "set_toolkit",    "relation_toolkit",
+                                                            "function_toolkit", "number_toolkit", "sequence_toolkit",
+                                                            "standard_toolkit"};
+  return std::find(names.begin(), names.end(), section) != names.end();
+}
+
+Specification read_files(const std::vector<std::string>& files) {
+  Reader reader;
+  for (const std::string& one : files) reader.index(one);
+  for (const std::string& one : files) reader.file(one);
+  return reader.take();
+}
+
+Specification read_texts(const std::map<std::string, std::string>& texts) {
+  Reader reader(texts);
+  for (const auto& one : texts) reader.index(one.first);
+  for (const auto& one : texts) reader.file(one.first);
+  return reader.take();
+}
+
+Specification read_text(const std::string& text, const std::string& file) {
+  Reader reader;
+  reader.text(text, file);
+  return reader.take();
+}
+
+}  // namespace durero::zed

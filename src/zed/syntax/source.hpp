@@ -1,0 +1,28 @@
+#pragma once
+/// A Z text in LaTeX mark-up, cut into its formal paragraphs; the prose between them is skipped.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "durero/zed/syntax/ast.hpp"
+#include "durero/zed/syntax/defect.hpp"
+#include "durero/zed/syntax/markup.hpp"
+
+namespace durero::zed {
+
+/// A formal paragraph, as text: what stands between `\begin{environment}` and `\end{environment}`.
+struct Block {
+  std::string environment;  ///< zsection, zed, axdef, gendef or schema
+  std::string_view body;    ///< into the text given to cut()
+  Place begin;              ///< of the `\begin`
+  Place place;              ///< of the first character of the body
+  Place end;                ///< of the `\end`
+  Markup directives;        ///< those that stand before this block and after the one before it
+};
+
+/// Cuts a text into blocks. `text` must outlive them. A defect, such as an environment that does not end, is added
+/// to `defects`, and what can be cut is.
+std::vector<Block> cut(std::string_view text, const std::string& file, std::vector<Defect>& defects);
+
+}  // namespace durero::zed

@@ -1,0 +1,234 @@
+#include "zed/syntax/term_parser.hpp"
+
+#include <fmt/core.h>
+
+#include <utility>
+
+namespace durero::zed {
+namespace {
+
+using Type = Token::Type;
+
+/// Counts the depth of the recursion for a scope.
+class Deeper {
+ public:
+  Deeper(unsigned& depth, Place place) : depth_(depth) {
+    if (++depth_ > max_depth) {
+      --depth_;
+      throw ZError(place, fmt::format("the text nests deeper than {} levels", max_depth), "expected less nesting");
+    }
+  }
+  ~Deeper() { --depth_; }
+  Deeper(const Deeper&) = delete;
+  Deeper& operator=(const Deeper&) = delete;
+
+ private:
+  unsigned& depth_;
+};
+
+struct Connective {
+  std::string_view symbol;
+  Kind kind;
+  int strength;
+  bool right;
+};
+
+constexpr Connective connectives[] = {
+    {"⇔", Kind::equivalence, binding::equivalence, false}, {"⇒", Kind::implication, binding::implication, true},
+    {"∨", Kind::disjunction, binding::disjunction, false}, {"∧", Kind::conjunction, binding::conjunction, false},
+    {"⨟", Kind::composition, binding::composition, false}, {"⨠", Kind::piping, binding::piping, false},
+    {"⨡", Kind::projection, binding::projection, false},
+};
+
+const Connective* connective(const Token& token) {
+  for (const Connective& one : connectives)
+    if (token.is(one.symbol)) return &one;
+  return nullptr;
+}
+
+}  // namespace
+
+Term TermParser::checked(Term made) const {
+  if (made->depth > max_depth)
+    throw ZError(made->place, fmt::format("the text nests deeper than {} levels", max_depth), "expected less nesting");
+  return made;
+}
+
+Term TermParser::term(int least) {
+  const Deeper deeper(depth_, in_.peek().place);
+  Term left = leading();
+  for (;;) {
+    const Token& token = in_.peek();
+    if (token.type != Type::symbol && token.type != Type::word) return left;
+    if (const Connective* found = connective(token)) {
+      if (found->strength < least) return left;
+      in_.next();
+      const Term right = term(found->right ? found->strength : found->strength + 1);
+      left = checked(node(found->kind, {left, right}, left->place));
+    } else if (token.is("⧹") && least <= binding::hiding) {
+      left = hiding(left);
+    } else if (token.is("×") && least <= binding::infix + product_precedence) {
+      left = product(left);
+    } else if (const Operator* op = find_operator(token.text, Fixity::infix); op && token.strokes.empty()) {
+      const int strength = op->role == Role::relation ? binding::relation : binding::infix + op->precedence;
+      if (strength < least) return left;
+      left = op->role == Role::relation ? relations(left) : infix(left, strength, *op);
+    } else {
+      return left;
+    }
+  }
+}
+
+Term TermParser::infix(const Term& left, int strength, const Operator& op) {
+  in_.next();
+  const Term right = term(op.right ? strength : strength + 1);
+  const Place place = left->place;
+  if (op.role == Role::generic) return checked(reference({op.name(), {}}, {left, right}, place));
+  return checked(operation(op.name(), {left, right}, place));
+}
+
+Term TermParser::relations(const Term& left) {
+  const Place place = left->place;
+  std::vector<Term> operands = {left};
+  std::vector<Name> names;
+  for (;;) {
+    const Operator* op = find_operator(in_.peek().text, Fixity::infix);
+    if (!op || op->role != Role::relation || !in_.peek().strokes.empty()) break;
+    in_.next();
+    names.push_back({op->name(), {}});
+    operands.push_back(term(binding::relation + 1));
+  }
+  return checked(relation(std::move(names), std::move(operands), place));
+}
+
+Term TermParser::product(const Term& left) {
+  const Place place = left->place;
+  std::vector<Term> factors = {left};
+  while (in_.accept("×")) factors.push_back(term(binding::infix + product_precedence + 1));
+  return checked(node(Kind::product, std::move(factors), place));
+}
+
+Term TermParser::hiding(Term left) {
+  in_.next();
+  in_.expect("(");
+  Node made{.kind = Kind::hiding, .place = left->place, .name = {}, .children = {left}, .names = names(), .text = {}};
+  in_.expect(")");
+  return checked(make(std::move(made)));
+}
+
+Term TermParser::leading() {
+  const Token& token = in_.peek();
+  const Place place = token.place;
+  if (token.is("∀")) return quantifier(Kind::forall, true);
+  if (token.is("∃")) return quantifier(Kind::exists, true);
+  if (token.is("∃₁")) return quantifier(Kind::exists_one, true);
+  if (token.is("λ")) return quantifier(Kind::lambda, true);
+  if (token.is("μ")) return quantifier(Kind::mu, true);
+  if (token.is("let")) return let();
+  if (token.is("if")) return conditional();
+  if (in_.accept("¬")) return checked(node(Kind::negation, {term(binding::negation)}, place));
+  if (in_.accept("pre")) return checked(node(Kind::precondition, {term(binding::precondition)}, place));
+  if (in_.accept("ℙ")) return checked(node(Kind::power, {term(binding::prefix)}, place));
+  const Operator* op = token.strokes.empty() ? find_operator(token.text, Fixity::prefix) : nullptr;
+  if (!op) return application();
+  if (token.only_infix) in_.fail("expected \\negate for the sign, or a term before -");
+  in_.next();
+  if (op->role == Role::relation) return checked(relation({{op->name(), {}}}, {term(binding::relation + 1)}, place));
+  const Term operand = term(binding::prefix);
+  if (op->role == Role::generic) return checked(reference({op->name(), {}}, {operand}, place));
+  return checked(operation(op->name(), {operand}, place));
+}
+
+Term TermParser::quantifier(Kind kind, bool value_needed) {
+  const Place place = in_.next().place;
+  SchemaText text = schema_text();
+  if (kind == Kind::mu && !value_needed && !in_.sees("•")) return checked(quantified(kind, std::move(text), {}, place));
+  in_.expect("•");
+  Term body = term();
+  return checked(quantified(kind, std::move(text), {std::move(body)}, place));
+}
+
+Term TermParser::let() {
+  const Place place = in_.next().place;
+  SchemaText text = schema_text();
+  for (const Declaration& one : text.declarations)
+    if (one.form != Declaration::Form::defined)
+      throw ZError(one.place, "a let that does not define", "expected NAME == value");
+  if (!text.predicates.empty()) in_.fail("expected • after the definitions of a let");
+  in_.expect("•");
+  Term body = term();
+  return checked(quantified(Kind::let, std::move(text), {std::move(body)}, place));
+}
+
+Term TermParser::conditional() {
+  const Place place = in_.next().place;
+  Term condition = term();
+  in_.expect("then");
+  Term yes = term();
+  in_.expect("else");
+  Term no = term(binding::conditional);
+  return checked(node(Kind::conditional, {std::move(condition), std::move(yes), std::move(no)}, place));
+}
+
+std::vector<Name> TermParser::names() {
+  std::vector<Name> made = {in_.name()};
+  while (in_.accept(",")) made.push_back(in_.name());
+  return made;
+}
+
+/// x : …, x, y : … or x == …
+bool TermParser::begins_declaration() const {
+  std::size_t ahead = 0;
+  for (;; ahead += 2) {
+    if (!TokenStream::is_name(in_.peek(ahead))) return false;
+    const Token& after = in_.peek(ahead + 1);
+    if (after.is(":")) return true;
+    if (after.is("==")) return ahead == 0;
+    if (!after.is(",")) return false;
+  }
+}
+
+Declaration TermParser::declaration() {
+  Declaration made;
+  made.place = in_.peek().place;
+  if (!begins_declaration()) {
+    made.form = Declaration::Form::included;
+    made.term = term();
+    if (in_.sees(",") || in_.sees(":")) in_.fail("expected names before : in a declaration");
+    return made;
+  }
+  do {
+    made.places.push_back(in_.peek().place);
+    made.names.push_back(in_.name());
+  } while (in_.accept(","));
+  made.form = in_.next().is("==") ? Declaration::Form::defined : Declaration::Form::typed;
+  made.term = term();
+  return made;
+}
+
+SchemaText TermParser::schema_text(bool labelled) {
+  const Deeper deeper(depth_, in_.peek().place);
+  SchemaText made;
+  if (!in_.sees("|")) {
+    do {
+      made.declarations.push_back(declaration());
+    } while (in_.accept(";") || in_.accept(Type::newline));
+  }
+  if (in_.accept("|")) made.predicates = predicates(labelled);
+  return made;
+}
+
+std::vector<Predicate> TermParser::predicates(bool labelled) {
+  std::vector<Predicate> made;
+  do {
+    const std::size_t from = in_.position();
+    Predicate one;
+    one.place = in_.peek().place;
+    one.term = term();
+    if (labelled) one.label = in_.label_since(from);
+    made.push_back(std::move(one));
+  } while (in_.accept(";") || in_.accept(Type::newline));
+  return made;
+}
+
+}  // namespace durero::zed

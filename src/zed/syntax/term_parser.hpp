@@ -1,0 +1,63 @@
+#pragma once
+/// The parser of expressions, schema expressions, predicates and schema texts.
+
+#include "durero/zed/syntax/parser.hpp"
+#include "zed/syntax/token_stream.hpp"
+
+namespace durero::zed {
+
+/// Binding strengths, weakest first (ISO/IEC 13568, 8.3). An infix operator of precedence p binds with infix + p.
+namespace binding {
+inline constexpr int weakest = 0, equivalence = 10, implication = 20, disjunction = 30, conjunction = 40, negation = 50,
+                     relation = 60, conditional = 65, composition = 70, piping = 80, hiding = 90, projection = 100,
+                     precondition = 110, infix = 200, prefix = 400, postfix = 410, application = 420, primary = 430;
+}
+
+class TermParser {
+ public:
+  explicit TermParser(TokenStream& in) : in_(in) {}
+
+  /// A term in which every operator binds at least as tightly as `least`.
+  Term term(int least = binding::weakest);
+
+  /// Declarations, then predicates behind a `|`, if any; stops before what cannot belong to it.
+  /// `labelled`: each predicate keeps its label (in a box).
+  SchemaText schema_text(bool labelled = false);
+
+  std::vector<Predicate> predicates(bool labelled);
+  std::vector<Name> names();  ///< a, b, …
+
+ private:
+  Term leading();  // what can stand first in a term: a quantifier, a prefix operator, an application
+  Term application();
+  Term primary();
+  Term plain_primary();
+  Term word_or_operator();
+  Term quantifier(Kind kind, bool value_needed);
+  Term let();
+  Term conditional();
+  Term theta();
+  Term parenthesis();
+  Term braces();
+  Term brackets();
+  Term sequence();
+  Term binding_extension();
+  Term infix(const Term& left, int strength, const Operator& op);
+  Term relations(const Term& left);
+  Term schema_operation(Term left, Kind kind, int strength);
+  Term product(const Term& left);
+  Term hiding(Term left);
+  Term image(Term left);
+  bool suffix(Term& so_far);  // one selection, decoration, renaming or list of actuals
+  Term actuals_or_renaming(Term of);
+  bool begins_primary() const;
+  bool begins_declaration() const;
+  Declaration declaration();
+  Term checked(Term made) const;  // refuses a tree that is too deep
+  std::vector<Term> terms(std::string_view closing);
+
+  TokenStream& in_;
+  unsigned depth_ = 0;
+};
+
+}  // namespace durero::zed

@@ -1,0 +1,32 @@
+#pragma once
+/// The tokens of Z, the same from either mark-up.
+
+#include <string>
+
+#include "durero/zed/syntax/ast.hpp"
+
+namespace durero::zed {
+
+struct Token {
+  enum class Type : unsigned char {
+    word,     ///< a name, or an operator or keyword made of letters: `dom`, `div`, `if`
+    numeral,  ///< decimal digits
+    symbol,   ///< anything else, by its Unicode text: `∪`, `::=`, `(`
+    stroke,   ///< a stroke that stands by itself, as in `(S)'`
+    newline,  ///< a line break that separates
+    end,      ///< behind the last token
+    error,    ///< what cannot be read, as the last token: text says what is wrong, label what is expected
+  };
+  Type type = Type::end;
+  std::string text;     ///< in Unicode
+  std::string strokes;  ///< of a word
+  Place place;
+  std::string label;        ///< the label in the comment that ends the line, on the last token of the line
+  bool only_infix = false;  ///< a `-` that LaTeX mark-up reserves for the difference; the sign is \negate
+
+  bool is(std::string_view symbol) const {
+    return (type == Type::symbol || (type == Type::word && strokes.empty())) && text == symbol;
+  }
+};
+
+}  // namespace durero::zed

@@ -1,0 +1,88 @@
+#pragma once
+/// What the parsers of terms and of paragraphs share: a position in the tokens, and errors that say where.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "durero/zed/syntax/defect.hpp"
+#include "durero/zed/syntax/symbols.hpp"
+#include "zed/syntax/token.hpp"
+
+namespace durero::zed {
+
+class TokenStream {
+ public:
+  explicit TokenStream(const std::vector<Token>& tokens) : tokens_(tokens) {}
+
+  /// The token `ahead` places on; at the end, the last one.
+  const Token& peek(std::size_t ahead = 0) const {
+    const std::size_t at = at_ + ahead;
+    return at < tokens_.size() ? tokens_[at] : tokens_.back();
+  }
+  const Token& next() {
+    const Token& token = peek();
+    if (at_ + 1 < tokens_.size()) ++at_;
+    return token;
+  }
+  bool at_end() const { return peek().type == Token::Type::end; }
+  bool sees(std::string_view symbol) const { return peek().is(symbol); }
+  bool sees(Token::Type type) const { return peek().type == type; }
+  bool accept(std::string_view symbol) {
+    if (!sees(symbol)) return false;
+    next();
+    return true;
+  }
+  bool accept(Token::Type type) {
+    if (!sees(type)) return false;
+    next();
+    return true;
+  }
+  void expect(std::string_view symbol) {
+    if (!accept(symbol)) fail("expected " + std::string(symbol));
+  }
+
+  std::size_t position() const { return at_; }
+
+  /// A token that a name can be: a word, but no keyword and no operator.
+  static bool is_name(const Token& token) {
+    if (token.type != Token::Type::word) return false;
+    if (!token.strokes.empty()) return true;
+    return !is_reserved(token.text) && !find_operator(token.text, Fixity::infix) &&
+           !find_operator(token.text, Fixity::prefix);
+  }
+  bool sees_name() const { return is_name(peek()); }
+  Name name() {
+    if (!sees_name()) fail("expected a name");
+    const Token& token = next();
+    return {token.text, token.strokes};
+  }
+
+  /// The labels on the tokens from `from` to here; two of them are an error.
+  std::string label_since(std::size_t from) const {
+    std::string found;
+    for (std::size_t i = from; i < at_; ++i) {
+      if (tokens_[i].label.empty()) continue;
+      if (!found.empty())
+        throw ZError(tokens_[i].place, "the labels " + found + " and " + tokens_[i].label + " stand on one predicate",
+                     "expected one label a predicate");
+      found = tokens_[i].label;
+    }
+    return found;
+  }
+
+  [[noreturn]] void fail(const std::string& expected) const {
+    const Token& token = peek();
+    if (token.type == Token::Type::error) throw ZError(token.place, token.text, token.label);
+    std::string seen = "unexpected " + token.text + token.strokes;
+    if (token.type == Token::Type::end) seen = "the text ends too early";
+    if (token.type == Token::Type::newline) seen = "unexpected new line";
+    throw ZError(token.place, seen, expected);
+  }
+
+ private:
+  const std::vector<Token>& tokens_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace durero::zed

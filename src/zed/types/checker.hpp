@@ -1,0 +1,108 @@
+#pragma once
+/// The type-checker's workings: expressions in checker_terms.cpp, and predicates, names and schemas in the files of
+/// their names; paragraphs and sections in typecheck.cpp.
+
+#include <fmt/core.h>
+
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "durero/zed/types/toolkit.hpp"
+#include "durero/zed/types/typecheck.hpp"
+
+namespace durero::zed {
+
+using Fields = std::vector<std::pair<Name, Type>>;  // a signature, in the order of declaration
+
+/// Limits of what one section may ask for, so that no text makes the checker hang or run out of stack: the longest
+/// section of spec/ takes 10^4 steps, its largest paragraph 200 variables. Freeing a type recurses once for each
+/// variable in a chain of them.
+inline constexpr std::size_t max_work = 20000000, max_variables = 4000, max_errors = 1000;
+
+class Checker {
+ public:
+  using Globals = std::unordered_map<Name, std::shared_ptr<const Global>>;
+
+  Checker(std::string file, Globals& globals, bool sees_toolkit, Typing& into)
+      : file_(std::move(file)), globals_(globals), sees_toolkit_(sees_toolkit), into_(into) {}
+
+  // Terms.
+  Type expression(const Term& term);
+  void predicate(const Term& term);
+
+  // Scopes.
+  void push(const Fields& fields);
+  void pop() { scopes_.pop_back(); }
+
+  /// What the declarations of a schema text declare; the predicates are left to predicates().
+  Fields signature(const SchemaText& text);
+  void predicates(const SchemaText& text);
+
+  void error(Place place, std::string what, std::string expected);
+  Type wrong(Place place, std::string what, std::string expected);
+
+  /// Refuses what the paragraph has left undetermined, unless it has errors already.
+  void finish_paragraph();
+
+ private:
+  enum class Mode { value, truth };
+
+  Type infer(const Node& node);
+  Type reference(const Node& node);
+  std::optional<Type> lookup(const Name& name, const std::vector<Type>* actuals, Place place);
+  Type instance(const Name& name, const Scheme& scheme, const std::vector<Type>* actuals, Place place);
+  std::optional<Type> implied_schema(const Name& name, const std::vector<Type>* actuals, Place place);
+  std::vector<Type> actuals(const Node& node);
+  Type set_extension(const Node& node);
+  Type application(const Node& node);
+  Type applied_operator(const Node& node, const Type& function, const Type& argument);
+  Type quantified(const Node& node);
+  Type conditional(const Node& node);
+  Type selection(const Node& node);
+  Type tuple_selection(const Node& node);
+  Type binding_extension(const Node& node);
+  Type theta(const Node& node);
+  Type let(const Node& node, Mode mode);
+  void relation(const Node& node);
+  void relate(const Name& relation, const Node& left, const Type& a, const Node& right, const Type& b);
+  void schema_predicate(const Node& node, const Type& type);
+
+  Type schema_expression(const Node& node);
+  Type schema_quantifier(const Node& node);
+  Type decoration(const Type& schema, const std::string& strokes);
+  Type renaming(const Node& node);
+  Type hiding(const Node& node);
+  Type joined(const Node& node, const char* what, const std::string& left_stroke, const std::string& right_stroke);
+  Type precondition(const Node& node);
+  Type doubled(const Type& schema, const Name& name, Place place);
+  std::optional<Fields> schema_fields(const Term& term, const char* role);
+  /// Puts b's fields to a's; a name in both must have one type.
+  void merge(Fields& a, const Fields& b, Place place, const std::string& what);
+  Type schema_set(Fields fields) { return limited(Type::power(Type::schema(std::move(fields)))); }
+
+  /// The type of the elements of a set expression.
+  Type element(const Term& set, const char* role);
+  /// The type of the characteristic tuple of a schema text (ISO/IEC 13568, 9.2).
+  Type characteristic(const SchemaText& text, const Fields& fields);
+  /// The type, or unknown and an error where it is too large.
+  Type limited(Type type);
+
+  /// A new variable, to be determined.
+  Type fresh();
+  /// Counts work; past the limit the section cannot be checked to its end, and a ZError says so.
+  void spend(std::size_t steps);
+
+  std::string file_;
+  Globals& globals_;
+  bool sees_toolkit_;
+  Typing& into_;
+  std::vector<std::unordered_map<Name, Type>> scopes_;
+  std::vector<std::pair<Name, std::pair<Place, Type>>> generics_;  // instances to be determined
+  Place at_;                                                       // of the node being checked
+  std::size_t errors_before_ = 0, errors_at_start_ = into_.defects.size();
+  std::size_t work_ = 0, variables_ = 0;
+};
+
+}  // namespace durero::zed

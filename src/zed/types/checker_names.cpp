@@ -1,0 +1,117 @@
+/// The type-checker on names: scopes, instances of generics, and the schemas that a decoration, Δ or Ξ implies; with
+/// its errors and limits.
+
+#include <ranges>
+
+#include "zed/syntax/utf8.hpp"
+#include "zed/types/checker.hpp"
+
+namespace durero::zed {
+
+void Checker::error(Place place, std::string what, std::string expected) {
+  if (into_.defects.size() - errors_at_start_ >= max_errors)
+    throw ZError(place, "too many errors to go on", fmt::format("expected fewer than {}", max_errors));
+  into_.defects.push_back({file_, place, std::move(what), std::move(expected), Defect::Severity::error});
+}
+
+Type Checker::fresh() {
+  if (++variables_ > max_variables)
+    throw ZError(at_, fmt::format("a paragraph with more than {} types to be determined", max_variables),
+                 "expected it in several paragraphs");
+  return Type::variable();
+}
+
+void Checker::spend(std::size_t steps) {
+  work_ += steps;
+  if (work_ > max_work) throw ZError(at_, "the section is too large to be checked", "expected a shorter section");
+}
+
+Type Checker::wrong(Place place, std::string what, std::string expected) {
+  error(place, std::move(what), std::move(expected));
+  return Type::unknown();
+}
+
+std::vector<Type> Checker::actuals(const Node& node) {
+  std::vector<Type> made;
+  made.reserve(node.children.size());
+  for (const Term& actual : node.children) made.push_back(element(actual, "a generic actual"));
+  return made;
+}
+
+Type Checker::reference(const Node& node) {
+  const std::vector<Type> given = actuals(node);
+  if (const auto found = lookup(node.name, given.empty() ? nullptr : &given, node.place)) return *found;
+  return wrong(node.place, node.name.text() + " is not declared", "expected a declared name");
+}
+
+std::optional<Type> Checker::lookup(const Name& name, const std::vector<Type>* actuals, Place place) {
+  for (const auto& scope : std::views::reverse(scopes_)) {
+    const auto found = scope.find(name);
+    if (found == scope.end()) continue;
+    if (actuals) error(place, name.text() + " is a variable", "expected no generic actuals after it");
+    return found->second;
+  }
+  if (const auto found = globals_.find(name); found != globals_.end()) {
+    if (found->second->form == Global::Form::lost) return Type::unknown();
+    return instance(name, found->second->scheme, actuals, place);
+  }
+  const auto& known = sees_toolkit_ ? toolkit() : prelude();
+  if (const auto found = known.find(name); found != known.end()) return instance(name, found->second, actuals, place);
+  return implied_schema(name, actuals, place);
+}
+
+Type Checker::instance(const Name& name, const Scheme& scheme, const std::vector<Type>* actuals, Place place) {
+  if (actuals) {
+    spend(scheme.type.size());
+    if (actuals->size() == scheme.formals.size()) return scheme.type.substitute(scheme.formals, *actuals);
+    return wrong(place, fmt::format("{} has {} generic actuals", name.text(), actuals->size()),
+                 fmt::format("expected {}", scheme.formals.size()));
+  }
+  std::vector<Type> found;
+  for (std::size_t i = 0; i < scheme.formals.size(); ++i) {
+    found.push_back(fresh());
+    generics_.push_back({name, {place, found.back()}});
+  }
+  return scheme.type.substitute(scheme.formals, found);
+}
+
+/// S' where only S is declared; ΔS and ΞS.
+std::optional<Type> Checker::implied_schema(const Name& name, const std::vector<Type>* actuals, Place place) {
+  const bool delta = name.word.starts_with("Δ"), xi = name.word.starts_with("Ξ");
+  if ((delta || xi) && name.strokes.empty()) {
+    const Name base{name.word.substr(std::string_view("Δ").size()), {}};
+    const auto schema = base.empty() ? std::nullopt : lookup(base, actuals, place);
+    if (!schema || schema->is(Type::Kind::unknown)) return schema;
+    return schema->is_schema_set() ? std::optional(doubled(*schema, name, place)) : std::nullopt;
+  }
+  if (name.strokes.empty()) return std::nullopt;
+  std::size_t last = name.strokes.size() - 1;
+  while (utf8::continues(name.strokes[last])) --last;
+  const auto schema = lookup({name.word, name.strokes.substr(0, last)}, actuals, place);
+  if (!schema || schema->is(Type::Kind::unknown)) return schema;
+  if (!schema->is_schema_set()) return std::nullopt;
+  return decoration(*schema, name.strokes.substr(last));
+}
+
+void Checker::push(const Fields& fields) {
+  auto& scope = scopes_.emplace_back();
+  for (const auto& [name, type] : fields) scope.insert_or_assign(name, type);
+}
+
+void Checker::finish_paragraph() {
+  if (into_.defects.size() == errors_before_) {
+    for (const auto& [name, instance] : generics_) {
+      spend(instance.second.size());
+      if (!instance.second.has_variables()) continue;
+      error(instance.first, fmt::format("the generic actuals of {} are not determined", name.text()),
+            name.word == "{}" ? "expected ∅[…], or a use that gives its type"
+                              : fmt::format("expected {}[…], or a use that gives its type", name.text()));
+      break;  // the others may hang together with this one
+    }
+  }
+  generics_.clear();
+  variables_ = 0;
+  errors_before_ = into_.defects.size();
+}
+
+}  // namespace durero::zed

@@ -1,0 +1,99 @@
+/// The type-checker on predicates.
+
+#include "durero/zed/syntax/symbols.hpp"
+#include "zed/types/checker.hpp"
+
+namespace durero::zed {
+
+void Checker::predicate(const Term& term) {
+  const Node& node = *term;
+  const Place before = at_;
+  at_ = node.place;
+  switch (node.kind) {
+    case Kind::truth:
+    case Kind::falsity:
+      break;
+    case Kind::relation:
+      relation(node);
+      break;
+    case Kind::negation:
+    case Kind::conjunction:
+    case Kind::disjunction:
+    case Kind::implication:
+    case Kind::equivalence:
+      for (const Term& part : node.children) predicate(part);
+      break;
+    case Kind::forall:
+    case Kind::exists:
+    case Kind::exists_one:
+      push(signature(*node.text));
+      predicates(*node.text);
+      predicate(node.children[0]);
+      pop();
+      break;
+    case Kind::let:
+      let(node, Mode::truth);
+      break;
+    default:
+      schema_predicate(node, expression(term));
+  }
+  at_ = before;
+}
+
+void Checker::schema_predicate(const Node& node, const Type& type) {
+  spend(type.size());
+  if (type.is(Type::Kind::unknown)) return;
+  if (!type.is_schema_set())
+    return error(node.place, fmt::format("an expression of type {} stands where a predicate is expected", type.text()),
+                 "expected a predicate or a schema");
+  const Type& schema = type.parts()[0];
+  for (std::size_t i = 0; i < schema.fields().size(); ++i) {
+    const Name& name = schema.fields()[i];
+    const auto found = lookup(name, nullptr, node.place);
+    if (!found) {
+      error(node.place, name.text() + " is not declared", "expected the components of a schema predicate in scope");
+    } else if (!unify(*found, schema.parts()[i])) {
+      error(node.place, fmt::format("{} has the type {}", name.text(), found->text()),
+            fmt::format("expected {}, as in the schema", schema.parts()[i].text()));
+    }
+  }
+}
+
+void Checker::relation(const Node& node) {
+  std::vector<Type> types;
+  types.reserve(node.children.size());
+  for (const Term& operand : node.children) types.push_back(expression(operand));
+  if (node.children.size() == 1) {
+    const auto found = lookup(node.names[0], nullptr, node.place);
+    if (!found) return error(node.place, node.names[0].text() + " is not declared", "expected the toolkit's parent");
+    if (!unify(*found, Type::power(types[0])))
+      error(node.place, fmt::format("the operand has the type {}", types[0].text()),
+            fmt::format("expected {}", found->is(Type::Kind::power) ? found->parts()[0].text() : found->text()));
+    return;
+  }
+  for (std::size_t i = 0; i + 1 < types.size(); ++i)
+    relate(node.names[i], *node.children[i], types[i], *node.children[i + 1], types[i + 1]);
+}
+
+void Checker::relate(const Name& relation, const Node& left, const Type& a, const Node& right, const Type& b) {
+  const Operator* op = operator_of_name(relation.word);
+  const std::string symbol = op ? std::string(op->symbol) : relation.text();
+  const auto mismatch = [&](const std::string& expected) {
+    error(left.place, fmt::format("{} between {} and {}", symbol, a.text(), b.text()), expected);
+  };
+  if (relation.word == "_=_") {
+    if (!unify(a, b)) mismatch("expected one type on both sides");
+    return;
+  }
+  if (relation.word == "_∈_") {
+    if (!unify(Type::power(a), b)) mismatch("expected on the right a set of what is on the left");
+    return;
+  }
+  const auto found = lookup(relation, nullptr, right.place);
+  if (!found) return error(left.place, symbol + " is not declared", "expected standard_toolkit among the ancestors");
+  const Type wanted = found->is(Type::Kind::power) ? found->parts()[0] : *found;
+  const std::string both = wanted.text();
+  if (!unify(wanted, Type::product({a, b}))) mismatch(fmt::format("expected {}", both));
+}
+
+}  // namespace durero::zed

@@ -1,0 +1,218 @@
+#include <algorithm>
+#include <set>
+
+#include "zed/types/checker.hpp"
+
+namespace durero::zed {
+namespace {
+
+Fields fields_of(const Type& schema) {
+  Fields made;
+  for (std::size_t i = 0; i < schema.fields().size(); ++i) made.emplace_back(schema.fields()[i], schema.parts()[i]);
+  return made;
+}
+
+auto find(Fields& fields, const Name& name) {
+  return std::find_if(fields.begin(), fields.end(), [&name](const auto& one) { return one.first == name; });
+}
+
+void remove(Fields& fields, const Name& name) {
+  std::erase_if(fields, [&name](const auto& one) { return one.first == name; });
+}
+
+}  // namespace
+
+Fields Checker::signature(const SchemaText& text) {
+  Fields made;
+  for (const Declaration& one : text.declarations) {
+    if (one.form == Declaration::Form::included) {
+      if (const auto fields = schema_fields(one.term, "as a declaration")) merge(made, *fields, one.place, "included");
+      continue;
+    }
+    const Type type =
+        one.form == Declaration::Form::typed ? element(one.term, "the range of a variable") : expression(one.term);
+    for (std::size_t i = 0; i < one.names.size(); ++i)
+      merge(made, {{one.names[i], type}}, i < one.places.size() ? one.places[i] : one.place, "declared");
+  }
+  return made;
+}
+
+void Checker::predicates(const SchemaText& text) {
+  for (const Predicate& one : text.predicates) predicate(one.term);
+}
+
+void Checker::merge(Fields& a, const Fields& b, Place place, const std::string& what) {
+  spend(a.size() + b.size());
+  std::unordered_map<Name, std::size_t> known;
+  for (std::size_t i = 0; i < a.size(); ++i) known.emplace(a[i].first, i);
+  for (const auto& [name, type] : b) {
+    const auto found = known.find(name);
+    if (found == known.end()) {
+      a.emplace_back(name, type);
+    } else if (!unify(a[found->second].second, type)) {
+      error(place,
+            fmt::format("{} is {} with the type {}, and is {} already", name.text(), what, type.text(),
+                        a[found->second].second.text()),
+            "expected one type for one name");
+    }
+  }
+}
+
+std::optional<Fields> Checker::schema_fields(const Term& term, const char* role) {
+  const Type type = expression(term);
+  if (type.is_schema_set()) return fields_of(type.parts()[0]);
+  if (!type.is(Type::Kind::unknown))
+    error(term->place, fmt::format("an expression of type {} stands {}", type.text(), role), "expected a schema");
+  return std::nullopt;
+}
+
+Type Checker::schema_expression(const Node& node) {
+  switch (node.kind) {
+    case Kind::schema_text: {
+      const Fields fields = signature(*node.text);
+      push(fields);
+      predicates(*node.text);
+      pop();
+      return schema_set(fields);
+    }
+    case Kind::decoration: {
+      const auto fields = schema_fields(node.children[0], "before a stroke");
+      return fields ? decoration(schema_set(*fields), node.name.strokes) : Type::unknown();
+    }
+    case Kind::renaming:
+      return renaming(node);
+    case Kind::hiding:
+      return hiding(node);
+    case Kind::composition:
+      return joined(node, "⨟", "'", "");
+    case Kind::piping:
+      return joined(node, "⨠", "!", "?");
+    case Kind::precondition:
+      return precondition(node);
+    case Kind::forall:
+    case Kind::exists:
+    case Kind::exists_one:
+      return schema_quantifier(node);
+    case Kind::negation: {
+      const auto fields = schema_fields(node.children[0], "behind ¬");
+      return fields ? schema_set(*fields) : Type::unknown();
+    }
+    default:
+      break;
+  }
+  const auto left = schema_fields(node.children[0], "as an operand of the schema calculus");
+  const auto right = schema_fields(node.children[1], "as an operand of the schema calculus");
+  if (!left || !right) return Type::unknown();
+  Fields both = *left;
+  merge(both, *right, node.children[1]->place, "declared");
+  return schema_set(node.kind == Kind::projection ? *right : both);
+}
+
+Type Checker::decoration(const Type& schema, const std::string& strokes) {
+  Fields fields = fields_of(schema.parts()[0]);
+  for (auto& [name, type] : fields) name.strokes += strokes;
+  return schema_set(std::move(fields));
+}
+
+/// ΔS and ΞS double a state, so S has no decorated component: an operation cannot be the state of another (E04). ISO Z
+/// takes x, x' and x'' for what they then declare; so does what follows, that one mistake is reported once.
+Type Checker::doubled(const Type& schema, const Name& name, Place place) {
+  Fields fields = fields_of(schema.parts()[0]);
+  const auto decorated =
+      std::find_if(fields.begin(), fields.end(), [](const auto& one) { return !one.first.strokes.empty(); });
+  if (decorated != fields.end())
+    error(place, fmt::format("{} doubles a schema with the component {}", name.text(), decorated->first.text()),
+          "expected a state behind Δ or Ξ, and an operation to be included as it is");
+  const Type after = decoration(schema, "'");
+  merge(fields, fields_of(after.parts()[0]), place, "declared");
+  return schema_set(std::move(fields));
+}
+
+Type Checker::renaming(const Node& node) {
+  auto fields = schema_fields(node.children[0], "before a renaming");
+  if (!fields) return Type::unknown();
+  std::set<Name> olds;
+  Fields made;
+  for (std::size_t i = 0; i + 1 < node.names.size(); i += 2)
+    if (!olds.insert(node.names[i + 1]).second)
+      return wrong(node.place, node.names[i + 1].text() + " is renamed twice", "expected one new name for it");
+  spend(fields->size() * node.names.size());
+  for (const auto& [name, type] : *fields) {
+    Name now = name;
+    for (std::size_t i = 0; i + 1 < node.names.size(); i += 2)
+      if (node.names[i + 1] == name) now = node.names[i];
+    merge(made, {{now, type}}, node.place, "declared");
+  }
+  return schema_set(std::move(made));
+}
+
+Type Checker::hiding(const Node& node) {
+  auto fields = schema_fields(node.children[0], "before ⧹");
+  if (!fields) return Type::unknown();
+  spend(fields->size() * node.names.size());
+  for (const Name& name : node.names) {
+    if (find(*fields, name) == fields->end())
+      error(node.place, name.text() + " is no component of the schema", "expected one of its components to hide");
+    remove(*fields, name);
+  }
+  return schema_set(std::move(*fields));
+}
+
+/// S ⨟ T hides the x' of S that meet an x of T; S ⨠ T the x! of S that meet an x? of T.
+Type Checker::joined(const Node& node, const char* what, const std::string& left_stroke,
+                     const std::string& right_stroke) {
+  auto left = schema_fields(node.children[0], "as the left operand"),
+       right = schema_fields(node.children[1], "as the right operand");
+  if (!left || !right) return Type::unknown();
+  spend(left->size() * right->size());
+  Fields kept;
+  for (const auto& [name, type] : *left) {
+    const bool ends = name.strokes.ends_with(left_stroke);
+    const std::string base = ends ? name.strokes.substr(0, name.strokes.size() - left_stroke.size()) : name.strokes;
+    const auto match = ends ? find(*right, {name.word, base + right_stroke}) : right->end();
+    if (match == right->end()) {
+      kept.emplace_back(name, type);
+      continue;
+    }
+    if (!unify(type, match->second))
+      error(node.place,
+            fmt::format("{} joins {} of type {} with {} of type {}", what, name.text(), type.text(),
+                        match->first.text(), match->second.text()),
+            "expected one type");
+    right->erase(match);
+  }
+  merge(kept, *right, node.place, "declared");
+  return schema_set(std::move(kept));
+}
+
+/// pre S hides the after-state and the outputs.
+Type Checker::precondition(const Node& node) {
+  auto fields = schema_fields(node.children[0], "behind pre");
+  if (!fields) return Type::unknown();
+  std::erase_if(*fields,
+                [](const auto& one) { return one.first.strokes.ends_with("'") || one.first.strokes.ends_with("!"); });
+  return schema_set(std::move(*fields));
+}
+
+Type Checker::schema_quantifier(const Node& node) {
+  const Fields bound = signature(*node.text);
+  push(bound);
+  predicates(*node.text);
+  auto fields = schema_fields(node.children[0], "behind the • of a schema quantifier");
+  pop();
+  if (!fields) return Type::unknown();
+  spend(fields->size() * bound.size());
+  for (const auto& [name, type] : bound) {
+    const auto found = find(*fields, name);
+    if (found == fields->end()) continue;
+    if (!unify(found->second, type))
+      error(node.place,
+            fmt::format("{} is bound with the type {}, and is {} in the schema", name.text(), type.text(),
+                        found->second.text()),
+            "expected one type");
+    fields->erase(found);
+  }
+  return schema_set(std::move(*fields));
+}
+
+}  // namespace durero::zed

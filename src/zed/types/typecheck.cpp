@@ -1,0 +1,229 @@
+#include "durero/zed/types/typecheck.hpp"
+
+#include <algorithm>
+
+#include "zed/types/checker.hpp"
+
+namespace durero::zed {
+namespace {
+
+/// The paragraphs of one section.
+class SectionChecker {
+ public:
+  SectionChecker(const Section& section, Typing& into)
+      : section_(section),
+        into_(into),
+        globals_(into.scopes[section.name]),
+        terms_(section.file, globals_, into.sees_toolkit[section.name], into) {}
+
+  void run() {
+    try {
+      paragraphs();
+    } catch (const ZError& error) {  // a limit
+      into_.defects.push_back(error.in(section_.file));
+    }
+  }
+
+ private:
+  void paragraphs() {
+    for (const Name& name : section_.lost) declare(name, {{}, Type::unknown()}, Global::Form::lost, section_.place);
+    for (std::size_t i = 0; i < section_.paragraphs.size(); ++i) {
+      const Paragraph& one = section_.paragraphs[i];
+      if (std::holds_alternative<FreeType>(one.form)) {
+        i = free_types(i);
+      } else {
+        std::visit([this, &one](const auto& form) { paragraph(form, one.place); }, one.form);
+      }
+      terms_.finish_paragraph();
+    }
+  }
+
+  void declare(const Name& name, Scheme scheme, Global::Form form, Place place) {
+    if (name.empty()) return;
+    const auto found = globals_.find(name);
+    const bool known = found != globals_.end() && found->second->form != Global::Form::lost;
+    const auto& toolkit_names = into_.sees_toolkit[section_.name] ? toolkit() : prelude();
+    if (known || toolkit_names.contains(name)) {
+      const std::string where =
+          known ? fmt::format("{}:{}", found->second->file, found->second->place.line) : "the toolkit";
+      terms_.error(place, fmt::format("{} is declared already, in {}", name.text(), where), "expected a new name");
+      return;
+    }
+    scheme.type = scheme.type.settled();
+    globals_[name] =
+        std::make_shared<const Global>(Global{name, std::move(scheme), form, section_.name, section_.file, place});
+  }
+
+  void paragraph(const GivenTypes& given, Place place) {
+    for (std::size_t i = 0; i < given.names.size(); ++i)
+      declare(given.names[i], {{}, Type::power(Type::given(given.names[i]))}, Global::Form::given,
+              i < given.places.size() ? given.places[i] : place);
+  }
+
+  void paragraph(const FreeType&, Place) {}  // by free_types()
+
+  /// The free types from paragraph `first` on that are joined by &; the last of them.
+  std::size_t free_types(std::size_t first) {
+    std::size_t last = first;
+    const auto type_at = [this](std::size_t i) { return std::get_if<FreeType>(&section_.paragraphs[i].form); };
+    while (last + 1 < section_.paragraphs.size() && type_at(last + 1) && type_at(last + 1)->joined) ++last;
+    for (std::size_t i = first; i <= last; ++i)
+      declare(type_at(i)->name, {{}, Type::power(Type::given(type_at(i)->name))}, Global::Form::free_type,
+              section_.paragraphs[i].place);
+    for (std::size_t i = first; i <= last; ++i)
+      for (const Branch& branch : type_at(i)->branches) constructor(*type_at(i), branch);
+    return last;
+  }
+
+  void constructor(const FreeType& of, const Branch& branch) {
+    Type made = Type::given(of.name);
+    if (branch.argument) {
+      const Type set = terms_.expression(branch.argument);
+      if (!set.is(Type::Kind::power) && !set.is(Type::Kind::unknown))
+        terms_.error(branch.argument->place,
+                     fmt::format("an expression of type {} stands as the argument of a constructor", set.text()),
+                     "expected a set");
+      const Type argument = set.is(Type::Kind::power) ? set.parts()[0] : Type::unknown();
+      made = Type::power(Type::product({argument, made}));
+    }
+    declare(branch.name, {{}, std::move(made)}, Global::Form::branch, branch.place);
+  }
+
+  void formals(const std::vector<Name>& names) {
+    Fields fields;
+    for (const Name& name : names) fields.emplace_back(name, Type::power(Type::formal(name)));
+    terms_.push(fields);
+  }
+
+  void paragraph(const Definition& definition, Place place) {
+    formals(definition.formals);
+    Type type = terms_.expression(definition.value);
+    terms_.pop();
+    declare(definition.name, {definition.formals, std::move(type)}, Global::Form::definition, place);
+  }
+
+  void paragraph(const Axiomatic& box, Place) {
+    formals(box.formals);
+    const Fields fields = terms_.signature(box.text);
+    terms_.push(fields);
+    terms_.predicates(box.text);
+    terms_.pop();
+    terms_.pop();
+    for (const auto& [name, type] : fields)
+      declare(name, {box.formals, type}, Global::Form::axiom, place_of(name, box.text));
+  }
+
+  static Place place_of(const Name& name, const SchemaText& text) {
+    for (const Declaration& one : text.declarations)
+      for (std::size_t i = 0; i < one.names.size() && i < one.places.size(); ++i)
+        if (one.names[i] == name) return one.places[i];
+    return text.declarations.empty() ? Place() : text.declarations[0].place;
+  }
+
+  void paragraph(const Schema& box, Place place) {
+    formals(box.formals);
+    const Fields fields = terms_.signature(box.text);
+    terms_.push(fields);
+    terms_.predicates(box.text);
+    terms_.pop();
+    terms_.pop();
+    declare(box.name, {box.formals, Type::power(Type::schema(fields))}, Global::Form::schema, place);
+  }
+
+  void paragraph(const Conjecture& conjecture, Place) { terms_.predicate(conjecture.claim.term); }
+
+  const Section& section_;
+  Typing& into_;
+  Checker::Globals& globals_;
+  Checker terms_;
+};
+
+/// What a section sees when it begins: all that its parents see at their end.
+void inherit(const Section& section, Typing& into) {
+  auto& mine = into.scopes[section.name];
+  bool& sees_toolkit = into.sees_toolkit[section.name];
+  for (const std::string& parent : section.parents) {
+    if (is_toolkit(parent)) sees_toolkit = sees_toolkit || parent != "prelude";
+    const auto theirs = into.scopes.find(parent);
+    if (theirs == into.scopes.end() || parent == section.name) continue;
+    sees_toolkit = sees_toolkit || into.sees_toolkit[parent];
+    for (const auto& [name, global] : theirs->second) {
+      const auto [at, added] = mine.emplace(name, global);
+      if (!added && at->second != global)
+        into.defects.push_back({section.file, section.place,
+                                fmt::format("the parents declare {} twice, in {} and {}", name.text(),
+                                            at->second->section, global->section),
+                                "expected one declaration of it", Defect::Severity::error});
+    }
+  }
+}
+
+/// Checks a term that stands alone: as a predicate, where its form is that of one.
+void check_at_end(Checker& checker, const Term& term) {
+  const Node* form = term.get();
+  while (form->kind == Kind::let) form = form->children[0].get();  // a let is what its body is
+  switch (form->kind) {
+    case Kind::truth:
+    case Kind::falsity:
+    case Kind::relation:
+    case Kind::forall:
+    case Kind::exists:
+    case Kind::exists_one:
+    case Kind::negation:
+    case Kind::conjunction:
+    case Kind::disjunction:
+    case Kind::implication:
+    case Kind::equivalence:
+      checker.predicate(term);
+      break;
+    default:
+      checker.expression(term);
+  }
+  checker.finish_paragraph();
+}
+
+}  // namespace
+
+std::optional<Type> Typing::type_of(const Term& term) const {
+  const auto found = types.find(term.get());
+  if (found == types.end()) return std::nullopt;
+  return found->second;
+}
+
+const Global* Typing::find(const std::string& section, const Name& name) const {
+  const auto scope = scopes.find(section);
+  if (scope == scopes.end()) return nullptr;
+  const auto found = scope->second.find(name);
+  return found == scope->second.end() ? nullptr : found->second.get();
+}
+
+Typing check(const Specification& specification) {
+  Typing made;
+  for (const Section& section : specification.sections) {
+    const auto first = static_cast<std::ptrdiff_t>(made.defects.size());
+    inherit(section, made);
+    SectionChecker(section, made).run();
+    std::stable_sort(made.defects.begin() + first, made.defects.end(), [](const Defect& a, const Defect& b) {
+      return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
+    });
+  }
+  return made;
+}
+
+Typing check_term(const Typing& known, const std::string& section, const Term& term,
+                  const std::vector<std::pair<Name, Type>>& locals, const std::string& file) {
+  Typing made;
+  const auto scope = known.scopes.find(section);
+  const auto toolkit = known.sees_toolkit.find(section);
+  Checker::Globals globals = scope == known.scopes.end() ? Checker::Globals() : scope->second;
+  Checker checker(file, globals, toolkit == known.sees_toolkit.end() || toolkit->second, made);
+  checker.push(locals);
+  try {
+    check_at_end(checker, term);
+  } catch (const ZError& error) {  // a limit
+    made.defects.push_back(error.in(file));
+  }
+  return made;
+}
+
+}  // namespace durero::zed

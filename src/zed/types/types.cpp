@@ -1,0 +1,202 @@
+#include "durero/zed/types/types.hpp"
+
+#include <algorithm>
+#include <unordered_set>
+
+namespace durero::zed {
+namespace {
+
+// Bounds on the work of one unification. Each type alone is bounded (max_size, max_depth), but variables chain types,
+// so the recursion is bounded again: 4000 frames of at most 1 KiB are half of a default stack, and 10^5 steps are
+// about a millisecond.
+constexpr unsigned max_unify_depth = 4000;
+constexpr std::uint32_t max_unify_steps = 100000;
+constexpr int longest_text = 40;  // parts of a type that an error writes out
+
+}  // namespace
+
+Type::Type(Node node) {
+  std::uint64_t size = 1;
+  for (const Type& part : node.parts) {
+    size += part.size();
+    node.depth = std::max(node.depth, part.depth() + 1);
+    node.generic = node.generic || part.node().generic;
+  }
+  node.size = static_cast<std::uint32_t>(std::min<std::uint64_t>(size, max_size + 1));
+  node.generic = node.generic || node.kind == Kind::formal;
+  node_ = std::make_shared<const Node>(std::move(node));
+}
+
+Type Type::given(Name name) {
+  return Type({.kind = Kind::given, .name = std::move(name), .parts = {}, .fields = {}, .same = {}});
+}
+Type Type::formal(Name name) {
+  return Type({.kind = Kind::formal, .name = std::move(name), .parts = {}, .fields = {}, .same = {}});
+}
+Type Type::power(Type element) {
+  return Type({.kind = Kind::power, .name = {}, .parts = {std::move(element)}, .fields = {}, .same = {}});
+}
+Type Type::product(std::vector<Type> parts) {
+  return Type({.kind = Kind::product, .name = {}, .parts = std::move(parts), .fields = {}, .same = {}});
+}
+Type Type::schema(std::vector<std::pair<Name, Type>> fields) {
+  std::sort(fields.begin(), fields.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  Node made{.kind = Kind::schema, .name = {}, .parts = {}, .fields = {}, .same = {}};
+  for (auto& [name, type] : fields) {
+    made.fields.push_back(std::move(name));
+    made.parts.push_back(std::move(type));
+  }
+  return Type(std::move(made));
+}
+Type Type::variable() { return Type({.kind = Kind::variable, .name = {}, .parts = {}, .fields = {}, .same = {}}); }
+Type Type::unknown() { return Type({.kind = Kind::unknown, .name = {}, .parts = {}, .fields = {}, .same = {}}); }
+
+const Type::Node& Type::node() const {
+  const Node* at = node_.get();
+  while (at->same) at = at->same.get();
+  return *at;
+}
+
+std::shared_ptr<const Type::Node> Type::resolved() const {
+  std::shared_ptr<const Node> at = node_;
+  while (at->same) at = at->same;
+  return at;
+}
+
+const Type* Type::field(const Name& wanted) const {
+  const Node& mine = node();
+  const auto found = std::lower_bound(mine.fields.begin(), mine.fields.end(), wanted);
+  if (found == mine.fields.end() || *found != wanted) return nullptr;
+  return &mine.parts[static_cast<std::size_t>(found - mine.fields.begin())];
+}
+
+bool Type::has_variables() const {
+  std::unordered_set<const Node*> seen;
+  std::vector<const Node*> left = {&node()};
+  while (!left.empty()) {
+    const Node* one = left.back();
+    left.pop_back();
+    if (!seen.insert(one).second) continue;
+    if (one->kind == Kind::variable) return true;
+    for (const Type& part : one->parts) left.push_back(&part.node());
+  }
+  return false;
+}
+
+bool Type::occurs(const Node* variable, const Type& in) {
+  std::unordered_set<const Node*> seen;
+  std::vector<const Node*> left = {&in.node()};
+  while (!left.empty()) {
+    const Node* one = left.back();
+    left.pop_back();
+    if (one == variable) return true;
+    if (!seen.insert(one).second) continue;
+    for (const Type& part : one->parts) left.push_back(&part.node());
+  }
+  return false;
+}
+
+bool Type::unify_at(const Type& a, const Type& b, unsigned depth, std::uint32_t& steps) {
+  const Node &left = a.node(), &right = b.node();
+  if (&left == &right || left.kind == Kind::unknown || right.kind == Kind::unknown) return true;
+  if (depth > max_unify_depth || ++steps > max_unify_steps) return false;
+  if (left.kind == Kind::variable && right.kind == Kind::variable) {
+    join(a, b);
+    return true;
+  }
+  if (left.kind == Kind::variable) {
+    if (occurs(&left, b)) return false;
+    left.same = b.resolved();
+    return true;
+  }
+  if (right.kind == Kind::variable) return unify_at(b, a, depth + 1, steps);
+  if (left.kind != right.kind || left.name != right.name || left.fields != right.fields ||
+      left.parts.size() != right.parts.size())
+    return false;
+  for (std::size_t i = 0; i < left.parts.size(); ++i)
+    if (!unify_at(left.parts[i], right.parts[i], depth + 1, steps)) return false;
+  return true;
+}
+
+/// Two variables become one: the one of lower rank is found to be the other.
+void Type::join(const Type& a, const Type& b) {
+  const auto left = a.resolved(), right = b.resolved();
+  if (left->rank == right->rank) ++right->rank;
+  if (left->rank <= right->rank) {
+    left->same = right;
+  } else {
+    right->same = left;
+  }
+}
+
+Type Type::settled() const {
+  std::unordered_map<const Node*, Type> done;
+  const Type made = settled_at(0, done);
+  return made.size() > max_size ? unknown() : made;
+}
+
+Type Type::settled_at(std::uint32_t depth, std::unordered_map<const Node*, Type>& done) const {
+  const Node& mine = node();
+  if (mine.kind == Kind::variable || depth > max_depth) return unknown();
+  if (mine.parts.empty()) return Type(resolved());
+  if (const auto found = done.find(&mine); found != done.end()) return found->second;
+  Node made{.kind = mine.kind, .name = mine.name, .parts = {}, .fields = mine.fields, .same = {}};
+  for (const Type& part : mine.parts) made.parts.push_back(part.settled_at(depth + 1, done));
+  return done.emplace(&mine, Type(std::move(made))).first->second;
+}
+
+bool unify(const Type& a, const Type& b) {
+  std::uint32_t steps = 0;
+  return Type::unify_at(a, b, 0, steps);
+}
+
+Type Type::substitute(const std::vector<Name>& formals, const std::vector<Type>& actuals) const {
+  const Node& mine = node();
+  if (!mine.generic) return *this;
+  if (mine.kind == Kind::formal) {
+    const auto found = std::find(formals.begin(), formals.end(), mine.name);
+    return found == formals.end() ? *this : actuals[static_cast<std::size_t>(found - formals.begin())];
+  }
+  Node made{.kind = mine.kind, .name = mine.name, .parts = {}, .fields = mine.fields, .same = {}};
+  for (const Type& part : mine.parts) made.parts.push_back(part.substitute(formals, actuals));
+  return Type(std::move(made));
+}
+
+std::string Type::text() const {
+  std::string out;
+  int budget = longest_text;
+  append(out, false, budget);
+  return out;
+}
+
+void Type::append(std::string& out, bool tight, int& budget) const {
+  if (--budget < 0) {
+    if (!out.ends_with("…")) out += "…";
+    return;
+  }
+  const Node& mine = node();
+  if (mine.kind == Kind::given || mine.kind == Kind::formal) {
+    out += mine.name.text();
+  } else if (mine.kind == Kind::power) {
+    out += "ℙ ";
+    mine.parts[0].append(out, true, budget);
+  } else if (mine.kind == Kind::product) {
+    if (tight) out += "(";
+    for (std::size_t i = 0; i < mine.parts.size(); ++i) {
+      if (i > 0) out += " × ";
+      mine.parts[i].append(out, true, budget);
+    }
+    if (tight) out += ")";
+  } else if (mine.kind == Kind::schema) {
+    out += "[";
+    for (std::size_t i = 0; i < mine.parts.size() && budget > 0; ++i) {
+      out += (i > 0 ? "; " : "") + mine.fields[i].text() + " : ";
+      mine.parts[i].append(out, false, budget);
+    }
+    out += "]";
+  } else {
+    out += "?";
+  }
+}
+
+}  // namespace durero::zed

@@ -1,0 +1,112 @@
+#pragma once
+/// What is threaded through an evaluation: the unknowns that are looked for, and whether what is evaluated must hold.
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "durero/zed/value/value.hpp"
+
+namespace durero::zed {
+
+/// The unknown of an evaluation that is to say for every value of it at once what is compared, and what was.
+struct Watch {
+  std::uint32_t unknown = 0;
+  std::vector<Polynomial> compared{};  ///< with 0
+  bool lost = false;                   ///< something depends on the unknown in another way
+};
+
+struct Context {
+  /// What each unknown was found to be, by its id.
+  std::vector<std::optional<Value>> found;
+  /// Equations that are evaluated now must hold for the unknowns of this id or a greater one, and so determine them.
+  std::uint32_t necessary = none;
+  int depth = 0;           ///< of applications
+  Watch* watch = nullptr;  ///< null but for Evaluator::comparisons()
+
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  std::uint32_t fresh() {
+    found.emplace_back();
+    return static_cast<std::uint32_t>(found.size() - 1);
+  }
+};
+
+/// For a scope: what is evaluated need not hold (`keep` false), as under ¬, ∨ and ∀.
+class Necessary {
+ public:
+  Necessary(Context& context, bool keep) : context_(context), before_(context.necessary) {
+    if (!keep) context_.necessary = Context::none;
+  }
+  /// The unknowns from this id on are determined by what is evaluated.
+  Necessary(Context& context, std::uint32_t from) : context_(context), before_(context.necessary) {
+    context_.necessary = from;
+  }
+  ~Necessary() { context_.necessary = before_; }
+  Necessary(const Necessary&) = delete;
+  Necessary& operator=(const Necessary&) = delete;
+
+ private:
+  Context& context_;
+  std::uint32_t before_;
+};
+
+/// Bounds the depth of applications, for definitions that use themselves without end.
+class Deeper {
+ public:
+  explicit Deeper(Context& context) : context_(context) {
+    if (++context_.depth > limit) {
+      --context_.depth;
+      throw EvaluationError("applications are nested deeper than " + std::to_string(limit));
+    }
+  }
+  ~Deeper() { --context_.depth; }
+  Deeper(const Deeper&) = delete;
+  Deeper& operator=(const Deeper&) = delete;
+  static constexpr int limit = 500;
+
+ private:
+  Context& context_;
+};
+
+/// The slots of the local names of one unit of code: a paragraph's predicate, a function's body, a set's.
+struct Frame {
+  Frame(std::size_t size, Context& c) : slots(size), context(c) {}
+  boost::container::small_vector<Value, 8> slots;
+  Context& context;
+};
+
+using Code = std::function<Value(Frame&)>;
+using Test = std::function<Truth(Frame&)>;
+
+/// Open, for what no comparison of numbers says.
+inline Truth lost(Context& context) {
+  if (context.watch) context.watch->lost = true;
+  return Truth::open;
+}
+/// Open, for a comparison of numbers one of which is not known.
+Truth compared(const Value& a, const Value& b, Context& context);
+
+/// a = b. Where it must hold and one side is an unknown, the unknown is found.
+Truth equal(const Value& a, const Value& b, Context& context);
+/// value ∈ set.
+Truth contains_value(const Value& set, const Value& value, Context& context);
+/// The value with every unknown that has been found in its place.
+Value resolved(const Value& value, const Context& context);
+
+/// a + b, a − b, a * b of numbers, with one unknown in them at most; undefined, open values as they come.
+Value sum(const Value& a, const Value& b);
+Value difference(const Value& a, const Value& b);
+Value product(const Value& a, const Value& b);
+
+/// The truth of a conjunction.
+inline Truth both(Truth a, Truth b) {
+  if (a == Truth::no || b == Truth::no) return Truth::no;
+  return a == Truth::open ? a : b;
+}
+
+inline Truth operator!(Truth t) { return t == Truth::open ? t : truth(t == Truth::no); }
+
+}  // namespace durero::zed

@@ -1,0 +1,217 @@
+/// Equality, which is also how an unknown is found: x = e determines x, and a + t * b = e with b ≠ 0 determines t.
+
+#include "zed/value/context.hpp"
+
+namespace durero::zed {
+namespace {
+
+/// A number as constant + slope · unknown + square · unknown²; slope and square 0 where it is known.
+struct Line {
+  Real constant, slope, square;
+  std::uint32_t unknown = Context::none;
+};
+
+std::optional<Line> line(const Value& value) {
+  if (const auto* real = value.real()) return Line{*real, Real(), Real(), Context::none};
+  if (const auto* unknown = value.get<Unknown>()) return Line{Real(), Real(1), Real(), unknown->id};
+  if (const auto* polynomial = value.get<PolynomialPtr>())
+    return Line{(*polynomial)->constant, (*polynomial)->slope, (*polynomial)->square, (*polynomial)->unknown};
+  return std::nullopt;
+}
+
+Value value(Line line) {
+  if (sign(line.slope) == 0 && sign(line.square) == 0) return line.constant;
+  return std::make_shared<const Polynomial>(
+      Polynomial{std::move(line.constant), std::move(line.slope), std::move(line.square), line.unknown});
+}
+
+bool known(const Line& a) { return a.unknown == Context::none; }
+
+template <class Operation>
+Value linear(const Value& a, const Value& b, Operation&& operation) {
+  if (a.is_undefined() || b.is_undefined()) return {};
+  const auto x = line(a), y = line(b);
+  if (!x || !y) {
+    if (a.is_open() || b.is_open()) return Open{};
+    throw EvaluationError("arithmetic on " + (x ? b : a).text() + ", which is no number");
+  }
+  return operation(*x, *y);
+}
+
+std::uint32_t either(const Line& a, const Line& b) { return known(a) ? b.unknown : a.unknown; }
+bool mixed(const Line& a, const Line& b) { return !known(a) && !known(b) && a.unknown != b.unknown; }
+
+/// From here on the arithmetic of reals may be impossible: see Real.
+template <class Operation>
+Value exactly(Operation&& operation) {
+  try {
+    return operation();
+  } catch (const std::domain_error& impossible) {
+    throw EvaluationError(impossible.what());
+  }
+}
+
+Truth found(std::uint32_t unknown, Value is, Context& context) {
+  if (unknown >= context.necessary && !context.found[unknown]) context.found[unknown] = std::move(is);
+  return Truth::open;
+}
+
+/// A comparison of a with b, which is one of a − b with 0.
+Truth watched(const Line& a, const Line& b, Context& context) {
+  if (!context.watch) return Truth::open;
+  if (mixed(a, b) || either(a, b) != context.watch->unknown) return lost(context);
+  context.watch->compared.push_back(
+      {a.constant - b.constant, a.slope - b.slope, a.square - b.square, context.watch->unknown});
+  return Truth::open;
+}
+
+Truth equal_lines(const Line& a, const Line& b, Context& context) {
+  if (known(a) && known(b)) return truth(a.constant == b.constant);
+  // x = y, both unknown: nothing is found out yet.
+  if (mixed(a, b)) return lost(context);
+  try {
+    const Real square = a.square - b.square;
+    if (sign(square) != 0) return watched(b, a, context);
+    const Real slope = a.slope - b.slope, constant = b.constant - a.constant;
+    if (sign(slope) == 0) return truth(sign(constant) == 0);
+    watched(b, a, context);
+    return found(either(a, b), constant / slope, context);
+  } catch (const std::domain_error& impossible) {
+    throw EvaluationError(impossible.what());
+  }
+}
+
+template <class Parts>
+Truth equal_parts(const Parts& a, const Parts& b, Context& context) {
+  if (a.size() != b.size()) return Truth::no;
+  Truth all = Truth::yes;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Truth part = equal(a[i], b[i], context);
+    if (part == Truth::no) return part;
+    if (part == Truth::open) all = part;
+  }
+  return all;
+}
+
+Truth equal_sets(const Set& a, const Set& b) {
+  if (&a == &b) return Truth::yes;
+  const auto *x = a.members(), *y = b.members();
+  if (x && y && x->empty() != y->empty()) return Truth::no;
+  if (!x || !y || a.family() || b.family()) {
+    throw EvaluationError("whether " + a.text() + " = " + b.text() + " cannot be decided: the members of " +
+                          (x && !a.family() ? b : a).text() + " cannot be enumerated");
+  }
+  if (x->size() != y->size()) return Truth::no;
+  for (std::size_t i = 0; i < x->size(); ++i) {
+    if (!same((*x)[i], (*y)[i])) return Truth::no;
+  }
+  return Truth::yes;
+}
+
+}  // namespace
+
+Truth compared(const Value& a, const Value& b, Context& context) {
+  const auto x = line(a), y = line(b);
+  if (!x || !y) return lost(context);
+  try {
+    return watched(*x, *y, context);
+  } catch (const std::domain_error&) {
+    return lost(context);
+  }
+}
+
+Value sum(const Value& a, const Value& b) {
+  const auto *x = a.real(), *y = b.real();
+  return exactly([&]() -> Value {
+    if (x && y) return *x + *y;
+    return linear(a, b, [](const Line& p, const Line& q) -> Value {
+      if (mixed(p, q)) return Open{};
+      return value({p.constant + q.constant, p.slope + q.slope, p.square + q.square, either(p, q)});
+    });
+  });
+}
+
+Value difference(const Value& a, const Value& b) {
+  const auto *x = a.real(), *y = b.real();
+  return exactly([&]() -> Value {
+    if (x && y) return *x - *y;
+    return linear(a, b, [](const Line& p, const Line& q) -> Value {
+      if (mixed(p, q)) return Open{};
+      return value({p.constant - q.constant, p.slope - q.slope, p.square - q.square, either(p, q)});
+    });
+  });
+}
+
+Value product(const Value& a, const Value& b) {
+  const auto *x = a.real(), *y = b.real();
+  return exactly([&]() -> Value {
+    if (x && y) return *x * *y;
+    return linear(a, b, [](const Line& p, const Line& q) -> Value {
+      const bool linear = sign(p.square) == 0 && sign(q.square) == 0;
+      if (mixed(p, q) || (!known(p) && !known(q) && !linear)) return Open{};
+      return value({p.constant * q.constant, p.constant * q.slope + p.slope * q.constant,
+                    p.constant * q.square + p.square * q.constant + p.slope * q.slope, either(p, q)});
+    });
+  });
+}
+
+Truth equal(const Value& a, const Value& b, Context& context) {
+  if (a.is_undefined() || b.is_undefined()) return Truth::no;
+  if (a.is_open() || b.is_open()) return lost(context);
+  if (const auto *x = a.real(), *y = b.real(); x && y) return truth(*x == *y);
+  if (const auto* x = a.get<Unknown>(); x && !line(b)) return has_open(b) ? Truth::open : found(x->id, b, context);
+  if (const auto* y = b.get<Unknown>(); y && !line(a)) return has_open(a) ? Truth::open : found(y->id, a, context);
+  const auto x = line(a), y = line(b);
+  if (x && y) return equal_lines(*x, *y, context);
+  if (const auto *s = a.tuple(), *t = b.tuple(); s && t) return equal_parts(s->parts, t->parts, context);
+  if (const auto *s = a.binding(), *t = b.binding(); s && t && *s->names == *t->names) {
+    return s == t ? Truth::yes : equal_parts(s->values, t->values, context);
+  }
+  if (const auto *s = a.set(), *t = b.set(); s && t) return equal_sets(*s, *t);
+  if (const auto *s = a.get<ConstructedPtr>(), *t = b.get<ConstructedPtr>(); s && t) {
+    if (compare((*s)->constructor, (*t)->constructor) != 0) return Truth::no;
+    return equal((*s)->argument, (*t)->argument, context);
+  }
+  return truth(same(a, b));
+}
+
+Truth contains_value(const Value& set, const Value& value, Context& context) {
+  if (set.is_undefined() || value.is_undefined()) return Truth::no;
+  if (const Set* known_set = set.set()) {
+    if (known_set->total()) return Truth::yes;
+    if (value.is_open() && !known_set->members()) return lost(context);
+    return known_set->contains(value, context);
+  }
+  if (set.is_open() || set.get<Unknown>()) return lost(context);
+  throw EvaluationError(set.text() + " is no set");
+}
+
+Value resolved(const Value& value, const Context& context) {
+  if (const auto* unknown = value.get<Unknown>()) {
+    const auto& found = context.found[unknown->id];
+    return found ? *found : value;
+  }
+  if (const auto* polynomial = value.get<PolynomialPtr>()) {
+    const auto& found = context.found[(*polynomial)->unknown];
+    if (!found) return value;
+    const Value linear = sum((*polynomial)->constant, product((*polynomial)->slope, *found));
+    return sum(linear, product((*polynomial)->square, product(*found, *found)));
+  }
+  if (!has_open(value)) return value;
+  if (const auto* tuple = value.tuple()) {
+    std::vector<Value> parts;
+    for (const Value& part : tuple->parts) parts.push_back(resolved(part, context));
+    return Value::tuple(std::move(parts));
+  }
+  if (const auto* binding = value.binding()) {
+    std::vector<Value> parts;
+    for (const Value& part : binding->values) parts.push_back(resolved(part, context));
+    return Value::binding(binding->names, std::move(parts));
+  }
+  if (const auto* made = value.get<ConstructedPtr>()) {
+    return std::make_shared<const Constructed>(Constructed{(*made)->constructor, resolved((*made)->argument, context)});
+  }
+  return value;
+}
+
+}  // namespace durero::zed

@@ -1,0 +1,151 @@
+/// The toolkit's sets of relations and of functions.
+
+#include <algorithm>
+#include <array>
+
+#include "zed/value/functions.hpp"
+#include "zed/value/sets.hpp"
+
+namespace durero::zed {
+namespace {
+
+constexpr std::size_t most_listed = 1 << 16;  // sets of functions with more members are known by membership only
+
+bool not_sets(const Value& a) { return !a.set(); }
+
+/// Pairs are sorted by their first parts, so in a function no two neighbours agree in them.
+bool is_function(const std::vector<Value>& pairs) {
+  return std::adjacent_find(pairs.begin(), pairs.end(), [](const Value& a, const Value& b) {
+           return same(a.tuple()->parts[0], b.tuple()->parts[0]);
+         }) == pairs.end();
+}
+
+std::vector<Value> seconds(const std::vector<Value>& pairs) {
+  std::vector<Value> found;
+  found.reserve(pairs.size());
+  for (const Value& pair : pairs) found.push_back(pair.tuple()->parts[1]);
+  return found;
+}
+
+class FunctionSet : public Set {
+ public:
+  FunctionSet(Value from, Value to, FunctionForm form)
+      : from_(std::move(from)), to_(std::move(to)), form_(std::move(form)) {}
+
+  bool total() const override { return !form_.function && !form_.finite && from_.set()->total() && to_.set()->total(); }
+
+  Truth contains(const Value& value, Context& context) const override {
+    if (!value.set()) return Truth::open;
+    const auto& pairs = enumerated(value, "whether it is a function, for");
+    if (form_.function && !is_function(pairs)) return Truth::no;
+    const Truth inside = both(each_in(pairs, 0, from_, context), each_in(pairs, 1, to_, context));
+    if (inside != Truth::yes) return inside;
+    const Value image = form_.injective || form_.surjective ? Value::set(seconds(pairs)) : Value();
+    if (form_.injective && image.set()->members()->size() != pairs.size()) return Truth::no;
+    Truth all = Truth::yes;
+    if (form_.total) all = subset(from_, domain(value, context), context);
+    if (form_.surjective) all = both(all, subset(to_, image, context));
+    return all;
+  }
+
+  const std::vector<Value>* members() const override {
+    const auto *from = from_.set()->members(), *to = to_.set()->members();
+    if (!from || !to || !listable(from->size(), to->size())) return nullptr;
+    if (!made_) made_ = Value::set(listed(*from, *to));
+    return made_->set()->members();
+  }
+
+  std::string text() const override {
+    return "(" + from_.set()->text() + " " + form_.symbol + " " + to_.set()->text() + ")";
+  }
+
+ private:
+  static Truth each_in(const std::vector<Value>& pairs, std::size_t part, const Value& set, Context& context) {
+    if (set.set()->total()) return Truth::yes;
+    Truth all = Truth::yes;
+    for (const Value& pair : pairs) {
+      all = both(all, contains_value(set, pair.tuple()->parts[part], context));
+      if (all == Truth::no) return all;
+    }
+    return all;
+  }
+
+  /// For every member of the domain's set, in a relation some of the members of the other; in a function one, or none.
+  bool listable(std::size_t from, std::size_t to) const {
+    std::size_t ways = 1;
+    const std::size_t each = form_.function ? to + 1 : to < 20 ? std::size_t{1} << to : most_listed + 1;
+    for (std::size_t i = 0; i < from && ways <= most_listed; ++i) ways *= each;
+    return ways <= most_listed;
+  }
+
+  std::vector<Value> listed(const std::vector<Value>& from, const std::vector<Value>& to) const {
+    std::vector<std::vector<Value>> made{{}};
+    for (const Value& one : from) {
+      std::vector<std::vector<Value>> longer;
+      for (const auto& pairs : made) extend(pairs, one, to, longer);
+      made = std::move(longer);
+    }
+    std::vector<Value> found;
+    for (auto& pairs : made) {
+      if (admitted(pairs, to.size())) found.push_back(finite(std::move(pairs)));
+    }
+    return found;
+  }
+
+  void extend(const std::vector<Value>& pairs, const Value& from, const std::vector<Value>& to,
+              std::vector<std::vector<Value>>& into) const {
+    const std::size_t first = into.size();
+    if (!form_.total) into.push_back(pairs);
+    if (!form_.function) {  // with each member of `to`, every set so far again
+      for (const Value& one : to) {
+        for (std::size_t i = first, end = into.size(); i < end; ++i) {
+          into.push_back(into[i]);
+          into.back().push_back(Value::pair(from, one));
+        }
+      }
+      return;
+    }
+    for (const Value& one : to) {
+      into.push_back(pairs);
+      into.back().push_back(Value::pair(from, one));
+    }
+  }
+
+  bool admitted(const std::vector<Value>& pairs, std::size_t to) const {
+    if (!form_.injective && !form_.surjective) return true;
+    const std::size_t reached = Value::set(seconds(pairs)).set()->members()->size();
+    return (!form_.injective || reached == pairs.size()) && (!form_.surjective || reached == to);
+  }
+
+  Value from_, to_;
+  FunctionForm form_;
+  mutable std::optional<Value> made_;
+};
+
+}  // namespace
+
+std::optional<FunctionForm> function_form(const std::string& symbol) {
+  static const std::array<FunctionForm, 10> forms{{
+      {.symbol = "↔", .function = false},
+      {.symbol = "⇸"},
+      {.symbol = "→", .total = true},
+      {.symbol = "⤔", .injective = true},
+      {.symbol = "↣", .total = true, .injective = true},
+      {.symbol = "⤀", .surjective = true},
+      {.symbol = "↠", .total = true, .surjective = true},
+      {.symbol = "⤖", .total = true, .injective = true, .surjective = true},
+      {.symbol = "⇻", .finite = true},
+      {.symbol = "⤕", .injective = true, .finite = true},
+  }};
+  const auto found = std::find_if(forms.begin(), forms.end(), [&](const auto& one) { return one.symbol == symbol; });
+  if (found == forms.end()) return std::nullopt;
+  return *found;
+}
+
+Value function_set(Value from, Value to, const FunctionForm& form) {
+  if (not_sets(from)) return from;
+  if (not_sets(to)) return to;
+  return SetPtr(std::make_shared<const FunctionSet>(std::move(from), std::move(to), form));
+}
+
+}  // namespace durero::zed

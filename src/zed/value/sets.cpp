@@ -1,0 +1,273 @@
+#include "zed/value/sets.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace durero::zed {
+namespace {
+
+bool before(const Value& a, const Value& b) { return compare(a, b) < 0; }
+
+class FiniteSet : public Set {
+ public:
+  explicit FiniteSet(std::vector<Value> sorted)
+      : members_(std::move(sorted)), family_(std::any_of(members_.begin(), members_.end(), has_intensional)) {}
+
+  const std::vector<Value>* members() const override { return &members_; }
+  bool family() const override { return family_; }
+  std::string text() const override { return members_.size() > 8 ? "this finite set" : listed(); }
+
+  Truth contains(const Value& value, Context& context) const override {
+    if (members_.empty()) return Truth::no;
+    if (!family_ && !has_open(value)) return truth(std::binary_search(members_.begin(), members_.end(), value, before));
+    Truth some = Truth::no;
+    const Necessary only(context, members_.size() == 1);
+    for (const Value& member : members_) {
+      const Truth here = equal(member, value, context);
+      if (here == Truth::yes) return here;
+      if (here == Truth::open) some = here;
+    }
+    return some;
+  }
+
+  // A function's pairs are sorted by their first parts. Where two pairs agree in it, the relation is no function
+  // there, and its application has no value.
+  Value apply(const Value& argument, Context&) const override {
+    if (has_open(argument)) return Open{};
+    const auto first = at(argument);
+    if (first == members_.end() || !same(first->tuple()->parts[0], argument)) return {};
+    const auto next = first + 1;
+    if (next != members_.end() && same(next->tuple()->parts[0], argument)) return {};
+    return first->tuple()->parts[1];
+  }
+
+  Truth in_domain(const Value& argument, Context& context) const override {
+    if (has_open(argument)) return lost(context);
+    const auto first = at(argument);
+    return truth(first != members_.end() && same(first->tuple()->parts[0], argument));
+  }
+
+ private:
+  std::vector<Value>::const_iterator at(const Value& argument) const {
+    if (!members_.empty() && (!members_[0].tuple() || members_[0].tuple()->parts.size() != 2)) {
+      throw EvaluationError(text() + " is no function");
+    }
+    return std::lower_bound(members_.begin(), members_.end(), argument, [](const Value& pair, const Value& sought) {
+      return compare(pair.tuple()->parts[0], sought) < 0;
+    });
+  }
+  std::string listed() const {
+    std::string made;
+    for (const Value& one : members_) made += (made.empty() ? "" : ", ") + one.text();
+    return "{" + made + "}";
+  }
+
+  std::vector<Value> members_;
+  bool family_;
+};
+
+class Everything : public Set {
+ public:
+  explicit Everything(std::string name) : name_(std::move(name)) {}
+  Truth contains(const Value&, Context&) const override { return Truth::yes; }
+  bool total() const override { return true; }
+  std::string text() const override { return name_; }
+
+ private:
+  std::string name_;
+};
+
+class Integers : public Set {
+ public:
+  Integers(std::string name, std::optional<int> least) : name_(std::move(name)), least_(least) {}
+  Truth contains(const Value& value, Context& context) const override {
+    const auto* real = value.real();
+    if (!real) return lost(context);
+    return truth(real->is_integer() && (!least_ || *real >= Real(*least_)));
+  }
+  std::string text() const override { return name_; }
+
+ private:
+  std::string name_;
+  std::optional<int> least_;
+};
+
+template <bool conjunctive>
+class TwoSets : public Set {
+ public:
+  TwoSets(Value a, Value b, std::string symbol) : a_(std::move(a)), b_(std::move(b)), symbol_(std::move(symbol)) {}
+  Truth contains(const Value& value, Context& context) const override {
+    const Necessary keep(context, conjunctive);
+    const Truth a = contains_value(a_, value, context);
+    constexpr Truth settled = conjunctive ? Truth::no : Truth::yes;
+    if (a == settled) return a;
+    const Truth b = contains_value(b_, value, context);
+    if (b == settled) return b;
+    return a == Truth::open ? a : b;
+  }
+  Value unknown(Context& context) const override { return a_.set()->unknown(context); }
+  std::string text() const override { return "(" + a_.set()->text() + " " + symbol_ + " " + b_.set()->text() + ")"; }
+
+ private:
+  Value a_, b_;
+  std::string symbol_;
+};
+
+class Difference : public Set {
+ public:
+  Difference(Value a, Value b) : a_(std::move(a)), b_(std::move(b)) {}
+  Truth contains(const Value& value, Context& context) const override {
+    const Truth in = contains_value(a_, value, context);
+    if (in == Truth::no) return in;
+    const Necessary not_here(context, false);
+    const Truth out = !contains_value(b_, value, context);
+    if (out == Truth::no) return out;
+    return in == Truth::open ? in : out;
+  }
+  Value unknown(Context& context) const override { return a_.set()->unknown(context); }
+  std::string text() const override { return "(" + a_.set()->text() + " ∖ " + b_.set()->text() + ")"; }
+
+ private:
+  Value a_, b_;
+};
+
+class BigUnion : public Set {
+ public:
+  explicit BigUnion(Value sets) : sets_(std::move(sets)) {}
+  Truth contains(const Value& value, Context& context) const override {
+    return sets_.set()->some_contains(value, context);
+  }
+  std::string text() const override { return "⋃ " + sets_.set()->text(); }
+
+ private:
+  Value sets_;
+};
+
+class Domain : public Set {
+ public:
+  explicit Domain(Value function) : function_(std::move(function)) {}
+  Truth contains(const Value& value, Context& context) const override {
+    return function_.set()->in_domain(value, context);
+  }
+  std::string text() const override { return "dom " + function_.set()->text(); }
+
+ private:
+  Value function_;
+};
+
+const Set& as_set(const Value& value) {
+  if (const Set* set = value.set()) return *set;
+  throw EvaluationError(value.text() + " is no set");
+}
+
+bool missing(const Value& a, const Value& b) { return a.is_undefined() || b.is_undefined(); }
+bool waiting(const Value& a) { return a.is_open() || a.get<Unknown>(); }
+
+/// The members of a finite set that are in another, or that are not.
+Value filtered(const std::vector<Value>& members, const Value& other, bool in, Context& context) {
+  std::vector<Value> kept;
+  kept.reserve(members.size());
+  for (const Value& one : members) {
+    const Truth here = contains_value(other, one, context);
+    if (here == Truth::open) return Open{};
+    if ((here == Truth::yes) == in) kept.push_back(one);
+  }
+  return finite(std::move(kept));
+}
+
+}  // namespace
+
+Value finite(std::vector<Value> sorted) { return SetPtr(std::make_shared<const FiniteSet>(std::move(sorted))); }
+
+const Value& empty_set() {
+  static const Value empty = finite({});
+  return empty;
+}
+
+Value everything(std::string name) { return SetPtr(std::make_shared<const Everything>(std::move(name))); }
+
+Value integers(std::string name, std::optional<int> least) {
+  return SetPtr(std::make_shared<const Integers>(std::move(name), least));
+}
+
+const std::vector<Value>& enumerated(const Value& value, const char* what) {
+  const Set& set = as_set(value);
+  if (const auto* members = set.members()) return *members;
+  throw EvaluationError(std::string(what) + " " + set.text() + ": its members cannot be enumerated");
+}
+
+Value set_union(const Value& a, const Value& b, Context&) {
+  if (missing(a, b)) return {};
+  if (waiting(a) || waiting(b)) return Open{};
+  const auto *x = as_set(a).members(), *y = as_set(b).members();
+  if (!x || !y) return SetPtr(std::make_shared<const TwoSets<false>>(a, b, "∪"));
+  std::vector<Value> merged;
+  merged.reserve(x->size() + y->size());
+  std::set_union(x->begin(), x->end(), y->begin(), y->end(), std::back_inserter(merged), before);
+  return finite(std::move(merged));
+}
+
+Value intersection(const Value& a, const Value& b, Context& context) {
+  if (missing(a, b)) return {};
+  if (waiting(a) || waiting(b)) return Open{};
+  if (const auto* x = as_set(a).members()) return filtered(*x, b, true, context);
+  if (const auto* y = as_set(b).members()) return filtered(*y, a, true, context);
+  return SetPtr(std::make_shared<const TwoSets<true>>(a, b, "∩"));
+}
+
+Value set_difference(const Value& a, const Value& b, Context& context) {
+  if (missing(a, b)) return {};
+  if (waiting(a) || waiting(b)) return Open{};
+  if (const auto* x = as_set(a).members()) return filtered(*x, b, false, context);
+  return SetPtr(std::make_shared<const Difference>(a, b));
+}
+
+Value big_union(const Value& a, Context& context) {
+  if (a.is_undefined()) return {};
+  if (waiting(a)) return Open{};
+  const auto* sets = as_set(a).members();
+  if (!sets || as_set(a).family()) return SetPtr(std::make_shared<const BigUnion>(a));
+  Value all = empty_set();
+  for (const Value& one : *sets) all = set_union(all, one, context);
+  return all;
+}
+
+Value big_intersection(const Value& a, Context& context) {
+  if (a.is_undefined()) return {};
+  if (waiting(a)) return Open{};
+  const auto& sets = enumerated(a, "the intersection of");
+  if (sets.empty()) throw EvaluationError("⋂ ∅ is every value of its type, which nobody can enumerate");
+  Value all = sets[0];
+  for (std::size_t i = 1; i < sets.size(); ++i) all = intersection(all, sets[i], context);
+  return all;
+}
+
+Value domain(const Value& relation, Context&) {
+  if (relation.is_undefined()) return {};
+  if (waiting(relation)) return Open{};
+  const auto* pairs = as_set(relation).members();
+  if (!pairs) return SetPtr(std::make_shared<const Domain>(relation));
+  std::vector<Value> firsts;
+  firsts.reserve(pairs->size());
+  for (const Value& pair : *pairs) {
+    const auto& first = pair.tuple()->parts[0];
+    if (firsts.empty() || !same(firsts.back(), first)) firsts.push_back(first);
+  }
+  return finite(std::move(firsts));
+}
+
+Truth subset(const Value& a, const Value& b, Context& context) {
+  if (missing(a, b)) return Truth::no;
+  if (waiting(a) || waiting(b)) return lost(context);
+  if (as_set(b).total()) return Truth::yes;
+  Truth all = Truth::yes;
+  const Necessary no(context, false);
+  for (const Value& one : enumerated(a, "whether every member is in another set, for the set")) {
+    const Truth here = contains_value(b, one, context);
+    if (here == Truth::no) return here;
+    if (here == Truth::open) all = here;
+  }
+  return all;
+}
+
+}  // namespace durero::zed

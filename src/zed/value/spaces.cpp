@@ -1,0 +1,166 @@
+/// The sets of sets and of tuples, and the constructors of free types.
+
+#include <algorithm>
+
+#include "zed/value/sets.hpp"
+
+namespace durero::zed {
+namespace {
+
+constexpr std::size_t most_members = 1 << 20;
+
+class PowerSet : public Set {
+ public:
+  PowerSet(Value base, PowerForm form) : base_(std::move(base)), form_(form) {}
+
+  bool total() const override { return !form_.finite && !form_.nonempty && base_.set()->total(); }
+
+  Truth contains(const Value& value, Context& context) const override {
+    const Set* set = value.set();
+    if (!set) return Truth::open;
+    const auto* members = set->members();
+    if (!members) {
+      if (form_.finite) throw EvaluationError("whether " + set->text() + " is finite cannot be decided");
+      if (form_.nonempty) throw EvaluationError("whether " + set->text() + " is empty cannot be decided");
+      return subset(value, base_, context);
+    }
+    if (form_.nonempty && members->empty()) return Truth::no;
+    return subset(value, base_, context);
+  }
+
+  // The subsets in order of size, as sets are ordered.
+  const std::vector<Value>* members() const override {
+    const auto* base = base_.set()->members();
+    if (!base) return nullptr;
+    if (!made_) {
+      if (base->size() >= 20) throw EvaluationError(text() + " has more members than can be listed");
+      std::vector<Value> subsets;
+      for (std::size_t bits = form_.nonempty ? 1 : 0; bits < (std::size_t{1} << base->size()); ++bits) {
+        std::vector<Value> some;
+        for (std::size_t i = 0; i < base->size(); ++i) {
+          if ((bits >> i) & 1) some.push_back((*base)[i]);
+        }
+        subsets.push_back(finite(std::move(some)));
+      }
+      made_ = Value::set(std::move(subsets));
+    }
+    return made_->set()->members();
+  }
+
+  std::string text() const override {
+    return std::string(form_.finite ? "𝔽" : "ℙ") + (form_.nonempty ? "₁ " : " ") + base_.set()->text();
+  }
+
+ private:
+  Value base_;
+  PowerForm form_;
+  mutable std::optional<Value> made_;
+};
+
+class ProductSet : public Set {
+ public:
+  explicit ProductSet(std::vector<Value> factors) : factors_(std::move(factors)) {}
+
+  bool total() const override {
+    return std::all_of(factors_.begin(), factors_.end(), [](const Value& one) { return one.set()->total(); });
+  }
+
+  Truth contains(const Value& value, Context& context) const override {
+    const auto* tuple = value.tuple();
+    if (!tuple) return Truth::open;
+    Truth all = Truth::yes;
+    for (std::size_t i = 0; i < factors_.size() && all != Truth::no; ++i) {
+      all = both(all, contains_value(factors_[i], tuple->parts[i], context));
+    }
+    return all;
+  }
+
+  Value unknown(Context& context) const override {
+    std::vector<Value> parts;
+    parts.reserve(factors_.size());
+    for (const Value& one : factors_) parts.push_back(one.set()->unknown(context));
+    return Value::tuple(std::move(parts));
+  }
+
+  const std::vector<Value>* members() const override {
+    if (made_) return made_->set()->members();
+    std::size_t size = 1;
+    for (const Value& one : factors_) {
+      const auto* members = one.set()->members();
+      if (!members) return nullptr;
+      size *= members->size();
+      if (size > most_members) throw EvaluationError(text() + " has more members than can be listed");
+    }
+    std::vector<std::vector<Value>> rows{{}};
+    for (const Value& one : factors_) {
+      std::vector<std::vector<Value>> longer;
+      for (const auto& row : rows) {
+        for (const Value& member : *one.set()->members()) {
+          longer.push_back(row);
+          longer.back().push_back(member);
+        }
+      }
+      rows = std::move(longer);
+    }
+    std::vector<Value> tuples;
+    tuples.reserve(rows.size());
+    for (auto& row : rows) tuples.push_back(Value::tuple(std::move(row)));
+    made_ = Value::set(std::move(tuples));
+    return made_->set()->members();
+  }
+
+  std::string text() const override {
+    std::string made;
+    for (const Value& one : factors_) made += (made.empty() ? "" : " × ") + one.set()->text();
+    return "(" + made + ")";
+  }
+
+ private:
+  std::vector<Value> factors_;
+  mutable std::optional<Value> made_;
+};
+
+class ConstructorFunction : public Set {
+ public:
+  ConstructorFunction(Atom name, Value arguments) : name_(std::move(name)), arguments_(std::move(arguments)) {}
+  Value apply(const Value& argument, Context& context) const override {
+    const Truth inside = in_domain(argument, context);
+    if (inside != Truth::yes) return inside == Truth::no ? Value() : Open{};
+    return ConstructedPtr(std::make_shared<const Constructed>(Constructed{name_, argument}));
+  }
+  Truth in_domain(const Value& argument, Context& context) const override {
+    return argument.is_undefined() ? Truth::no : contains_value(arguments_, argument, context);
+  }
+  Truth contains(const Value& pair, Context& context) const override {
+    if (!pair.tuple()) return Truth::open;
+    return equal(apply(pair.tuple()->parts[0], context), pair.tuple()->parts[1], context);
+  }
+  std::string text() const override { return name_->text; }
+
+ private:
+  Atom name_;
+  Value arguments_;
+};
+
+bool not_sets(const Value& a) { return !a.set(); }
+
+}  // namespace
+
+Value constructor_function(std::string type, std::string name, std::uint32_t order, Value arguments) {
+  const Value made = Value::atom(std::move(type), std::move(name), order);
+  return SetPtr(std::make_shared<const ConstructorFunction>(*made.get<Atom>(), std::move(arguments)));
+}
+
+Value power_set(Value base, PowerForm form) {
+  if (not_sets(base)) return base;
+  return SetPtr(std::make_shared<const PowerSet>(std::move(base), form));
+}
+
+Value product_set(std::vector<Value> factors) {
+  for (const Value& one : factors) {
+    if (not_sets(one)) return one;
+  }
+  return SetPtr(std::make_shared<const ProductSet>(std::move(factors)));
+}
+
+}  // namespace durero::zed

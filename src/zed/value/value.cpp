@@ -1,0 +1,233 @@
+#include "durero/zed/value/value.hpp"
+
+#include <algorithm>
+
+#include "zed/value/context.hpp"
+#include "zed/value/sets.hpp"
+
+namespace durero::zed {
+
+Signature signature(std::vector<Name> names) {
+  std::sort(names.begin(), names.end());
+  return std::make_shared<const std::vector<Name>>(std::move(names));
+}
+
+Value Value::atom(std::string type, std::string text, std::uint32_t order) {
+  std::uint64_t head = 0;
+  for (std::size_t i = 0; i < 8; ++i) head = head << 8 | (i < text.size() ? static_cast<unsigned char>(text[i]) : 0U);
+  return std::make_shared<const AtomName>(AtomName{std::move(type), std::move(text), order, head});
+}
+
+Value Value::tuple(std::vector<Value> parts) {
+  for (const Value& part : parts) {
+    if (part.is_undefined()) return {};
+  }
+  auto tuple = std::make_shared<TupleValue>();
+  tuple->parts.assign(std::make_move_iterator(parts.begin()), std::make_move_iterator(parts.end()));
+  return TuplePtr(std::move(tuple));
+}
+
+Value Value::pair(Value first, Value second) {
+  if (first.is_undefined() || second.is_undefined()) return {};
+  auto tuple = std::make_shared<TupleValue>();
+  tuple->parts.push_back(std::move(first));
+  tuple->parts.push_back(std::move(second));
+  return TuplePtr(std::move(tuple));
+}
+
+Value Value::binding(Signature names, std::vector<Value> values) {
+  for (const Value& part : values) {
+    if (part.is_undefined()) return {};
+  }
+  return BindingPtr(std::make_shared<const BindingValue>(std::move(names), std::span(values)));
+}
+
+Value Value::point(const Signature& names, Real x, Real y, Real z) {
+  Value values[] = {std::move(x), std::move(y), std::move(z)};
+  return BindingPtr(std::make_shared<const BindingValue>(names, std::span(values)));
+}
+
+Value Value::line(Real constant, Real slope, Unknown unknown) {
+  if (sign(slope) == 0) return constant;
+  return std::make_shared<const Polynomial>(Polynomial{std::move(constant), std::move(slope), Real(), unknown.id});
+}
+
+Value Value::set(std::vector<Value> members) {
+  for (const Value& member : members) {
+    if (member.is_undefined()) return {};
+  }
+  if (std::any_of(members.begin(), members.end(), has_open)) return Open{};
+  const auto before = [](const Value& a, const Value& b) { return compare(a, b) < 0; };
+  if (!std::is_sorted(members.begin(), members.end(), before)) std::sort(members.begin(), members.end(), before);
+  members.erase(std::unique(members.begin(), members.end(), same), members.end());
+  return finite(std::move(members));
+}
+
+const TupleValue* Value::tuple() const {
+  const auto* found = get<TuplePtr>();
+  return found ? found->get() : nullptr;
+}
+
+const BindingValue* Value::binding() const {
+  const auto* found = get<BindingPtr>();
+  return found ? found->get() : nullptr;
+}
+
+const Set* Value::set() const {
+  const auto* found = get<SetPtr>();
+  return found ? found->get() : nullptr;
+}
+
+const Value* BindingValue::component(const Name& name) const {
+  const auto found = std::lower_bound(names->begin(), names->end(), name);
+  if (found == names->end() || *found != name) return nullptr;
+  return &values[static_cast<std::size_t>(found - names->begin())];
+}
+
+namespace {
+
+template <class Parts>
+std::strong_ordering compare_parts(const Parts& a, const Parts& b) {
+  if (a.size() != b.size()) return a.size() <=> b.size();
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (const auto order = zed::compare(a[i], b[i]); order != 0) return order;
+  }
+  return std::strong_ordering::equal;
+}
+
+struct Order {
+  std::strong_ordering operator()(const Real& a, const Real& b) const { return a <=> b; }
+  std::strong_ordering operator()(const Atom& a, const Atom& b) const {
+    if (a == b) return std::strong_ordering::equal;
+    if (a->order != b->order) return a->order <=> b->order;
+    if (a->head != b->head) return a->head <=> b->head;
+    if (a->text.size() <= 8 && b->text.size() <= 8) return a->text.size() <=> b->text.size();
+    return a->text.compare(b->text) <=> 0;
+  }
+  std::strong_ordering operator()(const TuplePtr& a, const TuplePtr& b) const {
+    return a == b ? std::strong_ordering::equal : compare_parts(a->parts, b->parts);
+  }
+  std::strong_ordering operator()(const BindingPtr& a, const BindingPtr& b) const {
+    if (a == b) return std::strong_ordering::equal;
+    if (a->names != b->names && *a->names != *b->names) throw EvaluationError("bindings of two types are compared");
+    return compare_parts(a->values, b->values);
+  }
+  std::strong_ordering operator()(const ConstructedPtr& a, const ConstructedPtr& b) const {
+    const auto order = (*this)(a->constructor, b->constructor);
+    return order != 0 ? order : zed::compare(a->argument, b->argument);
+  }
+  std::strong_ordering operator()(const SetPtr& a, const SetPtr& b) const {
+    if (a == b) return std::strong_ordering::equal;
+    const auto *x = a->members(), *y = b->members();
+    if (x && y) return compare_parts(*x, *y);
+    if (x || y) return x ? std::strong_ordering::less : std::strong_ordering::greater;
+    return std::compare_three_way()(a.get(), b.get());
+  }
+  std::strong_ordering operator()(const Unknown& a, const Unknown& b) const { return a.id <=> b.id; }
+  template <class A, class B>
+  std::strong_ordering operator()(const A&, const B&) const {
+    return std::strong_ordering::equal;
+  }
+};
+
+template <class Test>
+bool any_part(const Value& value, Test&& test) {
+  if (const auto* tuple = value.tuple()) return std::any_of(tuple->parts.begin(), tuple->parts.end(), test);
+  if (const auto* binding = value.binding()) return std::any_of(binding->values.begin(), binding->values.end(), test);
+  if (const auto* made = value.get<ConstructedPtr>()) return test((*made)->argument);
+  return false;
+}
+
+}  // namespace
+
+std::strong_ordering compare(const Value& a, const Value& b) {
+  if (const auto *x = a.get<Atom>(), *y = b.get<Atom>(); x && y) return Order()(*x, *y);
+  if (const auto *x = a.get<TuplePtr>(), *y = b.get<TuplePtr>(); x && y) return Order()(*x, *y);
+  if (a.form().index() != b.form().index()) return a.form().index() <=> b.form().index();
+  return std::visit(Order(), a.form(), b.form());
+}
+
+bool has_open(const Value& value) {
+  if (value.is_open() || value.get<Unknown>() || value.get<PolynomialPtr>()) return true;
+  return any_part(value, has_open);
+}
+
+bool has_intensional(const Value& value) {
+  if (const Set* set = value.set()) return !set->members() || set->family();
+  return any_part(value, has_intensional);
+}
+
+namespace {
+
+template <class Parts>
+std::string listed(const Parts& values) {
+  std::string made;
+  for (const Value& one : values) made += (made.empty() ? "" : ", ") + one.text();
+  return made;
+}
+
+bool all_pairs(const std::vector<Value>& values) {
+  return std::all_of(values.begin(), values.end(), [](const Value& one) {
+    const auto* tuple = one.tuple();
+    return tuple && tuple->parts.size() == 2;
+  });
+}
+
+std::string set_text(const std::vector<Value>& members) {
+  if (members.empty()) return "∅";
+  if (!all_pairs(members)) return "{" + listed(members) + "}";
+  std::string made;
+  for (const Value& one : members) {
+    const auto& parts = one.tuple()->parts;
+    made += (made.empty() ? "" : ", ") + parts[0].text() + " ↦ " + parts[1].text();
+  }
+  return "{" + made + "}";
+}
+
+struct Text {
+  std::string operator()(const Undefined&) const { return "undefined"; }
+  std::string operator()(const Open&) const { return "open"; }
+  std::string operator()(const Unknown&) const { return "unknown"; }
+  std::string operator()(const PolynomialPtr&) const { return "unknown"; }
+  std::string operator()(const Real& real) const { return real.text(); }
+  std::string operator()(const Atom& atom) const { return atom->text; }
+  std::string operator()(const TuplePtr& tuple) const { return "(" + listed(tuple->parts) + ")"; }
+  std::string operator()(const BindingPtr& binding) const {
+    std::string made;
+    for (std::size_t i = 0; i < binding->values.size(); ++i) {
+      made += (made.empty() ? "" : ", ") + (*binding->names)[i].text() + " == " + binding->values[i].text();
+    }
+    return "⦉" + made + "⦊";
+  }
+  std::string operator()(const ConstructedPtr& made) const {
+    return made->constructor->text + "(" + made->argument.text() + ")";
+  }
+  std::string operator()(const SetPtr& set) const { return set->members() ? set_text(*set->members()) : set->text(); }
+};
+
+}  // namespace
+
+std::string Value::text() const { return std::visit(Text(), form_); }
+
+Value Set::unknown(Context& context) const { return Unknown{context.fresh()}; }
+
+Value Set::apply(const Value&, Context&) const { throw EvaluationError(text() + " cannot be applied"); }
+
+Truth Set::in_domain(const Value&, Context&) const {
+  throw EvaluationError("the domain of " + text() + " is not known");
+}
+
+Truth Set::some_contains(const Value& value, Context& context) const {
+  const auto* all = members();
+  if (!all) throw EvaluationError(text() + " cannot be enumerated");
+  Truth some = Truth::no;
+  const Necessary only(context, all->size() == 1);
+  for (const Value& one : *all) {
+    const Truth in = contains_value(one, value, context);
+    if (in == Truth::yes) return in;
+    if (in == Truth::open) some = in;
+  }
+  return some;
+}
+
+}  // namespace durero::zed

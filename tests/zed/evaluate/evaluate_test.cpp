@@ -1,0 +1,98 @@
+#include "durero/zed/evaluate/evaluate.hpp"
+
+#include "durero/zed/syntax/parser.hpp"
+#include "support/catch.hpp"
+#include "support/tree.hpp"
+
+namespace durero::zed {
+namespace {
+
+std::vector<Section> specification() {
+  const std::string folder = durero::test::source_dir() + "/spec/";
+  const auto read = read_files({folder + "tipos.tex", folder + "escena.tex", folder + "operaciones.tex",
+                                folder + "puntos.tex", folder + "interseccion.tex"});
+  REQUIRE(read.ok());
+  return read.sections;
+}
+
+const Evaluator& evaluator() {
+  static const Evaluator made(specification());
+  return made;
+}
+
+std::string value(const std::string& expression) { return evaluator().value(parse_unicode(expression)).text(); }
+bool holds(const std::string& predicate) {
+  const Truth truth = evaluator().holds(parse_unicode(predicate));
+  REQUIRE(truth != Truth::open);
+  return truth == Truth::yes;
+}
+
+TEST_CASE("numbers, tuples and bindings") {
+  CHECK(value("1 + 2 * 3") == "7");
+  CHECK(value("(μ r : ℝ | r * 2 = 1)") == "1/2");
+  CHECK(value("(1, 2).2") == "2");
+  CHECK(value("⦉x == 1, y == 2, z == 3⦊.y") == "2");
+  CHECK(value("7 div 2") == "3");
+  CHECK(value("(- 7) mod 2") == "1");
+  CHECK(value("if 1 < 2 ≤ 2 then 5 else 6") == "5");
+  CHECK(value("let x == 2; y == 3 • x * y") == "6");
+  CHECK(value("tolerancia_unidad * 1125899906842624") == "1");
+  CHECK(value("raizcuadrada(4)") == "2");
+  CHECK(value("raizcuadrada(8)") == "√8");
+  CHECK(value("raizcuadrada(raizcuadrada(2)) * raizcuadrada(raizcuadrada(2))") == "√2");
+  CHECK(value("cuadrado(raizcuadrada(2))") == "2");
+  CHECK(holds("raizcuadrada(1 + raizcuadrada(2)) < raizcuadrada(3)"));
+}
+
+TEST_CASE("sets and functions") {
+  CHECK(value("{1, 2, 3} ∪ {3, 4}") == "{1, 2, 3, 4}");
+  CHECK(value("{x : 1‥5 | x * x > 5 • x + 1}") == "{4, 5, 6}");
+  CHECK(value("dom {1 ↦ 2, 3 ↦ 4}") == "{1, 3}");
+  CHECK(value("{1 ↦ 2, 3 ↦ 4} ∼") == "{2 ↦ 1, 4 ↦ 3}");
+  CHECK(value("{1 ↦ 2, 3 ↦ 4}⦇{3}⦈") == "{4}");
+  CHECK(value("{1} ⩤ {1 ↦ 2, 3 ↦ 4}") == "{3 ↦ 4}");
+  CHECK(value("{1 ↦ 2} ⊕ {1 ↦ 5, 3 ↦ 4}") == "{1 ↦ 5, 3 ↦ 4}");
+  CHECK(value("{1 ↦ 2, 3 ↦ 4}(3)") == "4");
+  CHECK(value("{1 ↦ 2, 3 ↦ 4}(2)") == "undefined");
+  CHECK(value("# (ℙ (1‥4))") == "16");
+  CHECK(value("⋃ {{1}, {2, 3}}") == "{1, 2, 3}");
+  CHECK(value("min {3, 1, 2}") == "1");
+  CHECK(value("Tipo") == "{soy_esfera, soy_cilindro, soy_cono}");
+  CHECK(value("(λ x : 1‥3 • x * x)(2)") == "4");
+  CHECK(value("dom (λ x : 1‥3 • x * x)") == "{1, 2, 3}");
+}
+
+TEST_CASE("predicates") {
+  CHECK(holds("∀ x : 1‥4 • x < 5"));
+  CHECK(holds("∃ x : ℝ • x * 3 = 1"));
+  CHECK_FALSE(holds("∃ x : ℝ | x < 0 • x * 3 = 1"));
+  CHECK(holds("∃₁ x : 1‥4 • x * x = 9"));
+  CHECK_FALSE(holds("∃₁ x : 1‥4 • x > 2"));
+  CHECK(holds("1 ∈ Rmas"));
+  CHECK_FALSE(holds("0 ∈ Rmas"));
+  CHECK(holds("⦉x == 1, y == 0, z == 0⦊ ∈ Unitario"));
+  CHECK_FALSE(holds("⦉x == 1, y == 1, z == 0⦊ ∈ Unitario"));
+  CHECK(holds("{1 ↦ 2, 2 ↦ 2} ∈ ℕ ⇸ ℕ"));
+  CHECK_FALSE(holds("{1 ↦ 2, 1 ↦ 3} ∈ ℕ ⇸ ℕ"));
+  CHECK_FALSE(holds("{1 ↦ 2, 2 ↦ 2} ∈ ℕ ⤔ ℕ"));
+}
+
+TEST_CASE("points by the one-point rule") {
+  const std::string ray = "⦉p == ⦉x == 0, y == 0, z == 0⦊, v == ⦉x == 1, y == 2, z == 0⦊⦊";
+  CHECK(holds("⦉x == 3, y == 6, z == 0⦊ ∈ puntos_de_rayo(" + ray + ")"));
+  CHECK_FALSE(holds("⦉x == 3, y == 7, z == 0⦊ ∈ puntos_de_rayo(" + ray + ")"));
+  CHECK_FALSE(holds("⦉x == 0, y == 0, z == 0⦊ ∈ puntos_de_rayo(" + ray + ")"));
+  CHECK_FALSE(holds("⦉x == - 3, y == - 6, z == 0⦊ ∈ puntos_de_rayo(" + ray + ")"));
+  CHECK(holds("⦉x == raizcuadrada(2), y == 2 * raizcuadrada(2), z == 0⦊ ∈ puntos_de_rayo(" + ray + ")"));
+  const std::string center = "⦉x == 0, y == 0, z == 0⦊";
+  CHECK(holds("⦉x == 0, y == raizcuadrada(2), z == 0⦊ ∈ puntos_esfera(" + center + ", raizcuadrada(2))"));
+  CHECK(holds("⦉x == 1, y == 0, z == 2⦊ ∈ puntos_cilindro(" + center + ", 1, ⦉x == 0, y == 0, z == 1⦊, 2)"));
+  CHECK_FALSE(holds("⦉x == 1, y == 0, z == 3⦊ ∈ puntos_cilindro(" + center + ", 1, ⦉x == 0, y == 0, z == 1⦊, 2)"));
+  CHECK(holds("⦉x == 0, y == 0, z == 2⦊ ∈ puntos_cono(" + center + ", 1, ⦉x == 0, y == 0, z == 1⦊, 2)"));
+  CHECK(value("reduccion({⦉x == 0, y == 0, z == 2⦊, ⦉x == 0, y == 1, z == 1⦊}, " + center + ")") ==
+        "⦉x == 0, y == 1, z == 1⦊");
+  CHECK(value("reduccion(∅, " + center + ")") == "undefined");
+}
+
+}  // namespace
+}  // namespace durero::zed

@@ -1,0 +1,122 @@
+#include "durero/zed/types/typecheck.hpp"
+
+#include <fmt/core.h>
+
+#include <ctime>
+#include <set>
+
+#include "durero/zed/review/review.hpp"
+#include "durero/zed/syntax/parser.hpp"
+#include "support/catch.hpp"
+#include "zed/lines.hpp"
+
+using namespace durero::zed;
+using namespace durero::zed::test;
+
+namespace {
+
+Lines reported(const std::vector<std::string>& files) {
+  Lines found;
+  const Specification read = read_files(files);
+  report(read.defects, found);
+  report(check(read).defects, found);
+  return found;
+}
+
+Specification text(const std::string& body) { return read_text(body, "here.tex"); }
+
+}  // namespace
+
+TEST_CASE("spec/ has no type error") {
+  for (const auto& [file, lines] : reported(files_in("spec")))
+    for (const auto& [line, all] : lines) FAIL_CHECK(all[0]);
+}
+
+TEST_CASE("the type defects of the printed text are reported at their lines, and nothing else is") {
+  const std::vector<std::string> files = files_in("spec/impresa");
+  Lines marked;
+  for (const std::string& file : files) marks(file, R"(E\d\d)", marked);
+  const Lines seen = reported(files);
+  const std::set<std::string> of_types = {"E01", "E02", "E03", "E04", "E08"};
+  std::set<std::string> found;
+  for (const auto& [file, lines] : marked)
+    for (const auto& [line, numbers] : lines)
+      for (const std::string& number : numbers) {
+        if (!of_types.contains(number)) continue;
+        CAPTURE(file, line, number);
+        CHECK(has(seen, file, line));
+        found.insert(number);
+      }
+  CHECK(found == of_types);
+  for (const auto& [file, lines] : seen)
+    for (const auto& [line, what] : lines) {
+      CAPTURE(what);
+      CHECK(has(marked, file, line));
+    }
+}
+
+TEST_CASE("an error names both types in Z notation, and its place") {
+  const Typing typing =
+      check(text("\\begin{zed} [A] \\end{zed}\n\\begin{axdef}\n  a : A\n\\where\n  a = 1\n\\end{axdef}\n"));
+  REQUIRE(typing.defects.size() == 1);
+  CHECK(typing.defects[0].text() == "here.tex:5:3: = between A and 𝔸; expected one type on both sides");
+}
+
+TEST_CASE("several errors are reported, not only the first") {
+  const Typing typing =
+      check(text("\\begin{zed} [A] \\end{zed}\n\\begin{zed} B == x \\end{zed}\n\\begin{zed} C == A + 1 \\end{zed}\n"));
+  REQUIRE(typing.defects.size() == 2);
+  CHECK(typing.defects[0].place.line == 2);
+  CHECK(typing.defects[1].place.line == 3);
+}
+
+TEST_CASE("every expression of spec/ gets a type without variables") {
+  const Specification spec = read_files(files_in("spec"));
+  const Typing typing = check(spec);
+  CHECK(typing.types.size() > 1000);
+  for (const auto& [node, type] : typing.types) CHECK_FALSE(type.has_variables());
+  const Global* alcance = typing.find("interseccion", {"alcance", ""});
+  REQUIRE(alcance);
+  CHECK(alcance->scheme.type.parts()[0].parts().size() == 2);
+}
+
+TEST_CASE("an expression is checked in the scope of a section") {
+  const Typing known = check(read_files(files_in("spec")));
+  const auto type_in = [&known](const std::string& section, const char* expression) {
+    const Term term = parse_unicode(expression);
+    const Typing typing = check_term(known, section, term);
+    return typing.ok() ? typing.type_of(term)->text() : typing.defects[0].text();
+  };
+  CHECK(type_in("puntos", "cuadrado") == "ℙ (𝔸 × 𝔸)");
+  CHECK(type_in("tipos", "{soy_esfera, soy_cono} ∖ ∅") == "ℙ Tipo");
+  CHECK(type_in("tipos", "cuadrado") == "expression:1:1: cuadrado is not declared; expected a declared name");
+  CHECK(type_in("escena", "λ Escena; e : elementos • e") ==
+        "expression:1:15: elementos is not declared; expected a declared name");
+  CHECK(type_in("tipos", "∅") ==
+        "expression:1:1: the generic actuals of ∅ are not determined; expected ∅[…], or a use that gives its type");
+}
+
+TEST_CASE("a generic definition is generic in what was inferred, too") {
+  const std::string given = "\\begin{zed} [A, B] \\\\ P[X] == \\emptyset \\cup \\{ x : X | x = x \\} \\end{zed}\n";
+  CHECK(check(text(given + "\\begin{axdef} a : P[A]; b : P[B] \\where a \\in A \\land b \\in B \\end{axdef}")).ok());
+  CHECK_FALSE(check(text(given + "\\begin{axdef} a : P[A]; b : P[B] \\where a = b \\end{axdef}")).ok());
+}
+
+TEST_CASE("the whole of spec/ is read and checked in less than a fifth of a second") {
+  const std::vector<std::string> files = files_in("spec");
+  const std::clock_t start = std::clock();
+  CHECK(review(read_files(files)).empty());
+  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  CHECK(seconds < 0.2);
+}
+
+TEST_CASE("types that double at every step are refused, in little time and space") {
+  std::string body = "\\begin{zed}\n  a0 == 1 \\\\\n";
+  for (int i = 1; i < 200; ++i) body += fmt::format("  a{} == (a{}, a{}) \\\\\n", i, i - 1, i - 1);
+  body += "  z == 1\n\\end{zed}\n";
+  const Specification read = text(body);
+  REQUIRE(read.ok());
+  const Typing typing = check(read);
+  REQUIRE_FALSE(typing.ok());
+  CHECK(typing.defects[0].what.find("a type of more than") == 0);
+}
