@@ -13,7 +13,8 @@ int check(const std::string& path) {
   const io::Source source = io::read_source(path);
   const scene::Scene scene = io::read_scene(source);
   std::string report = fmt::format("{}: {} elementos: {} esfera, {} cilindro, {} cono\n", source.name(), scene.size(),
-                                   scene.spheres().size(), scene.cylinders().size(), scene.cones().size());
+                                   scene.shapes<scene::Sphere>().size(), scene.shapes<scene::Cylinder>().size(),
+                                   scene.shapes<scene::Cone>().size());
   const model::Judgements judgements = model::inv(scene::retrieve(scene));
   for (const model::Judgement& judgement : judgements) {
     report +=

@@ -35,7 +35,7 @@ Tracer analytic(const scene::Scene& scene) {
   const auto tables = std::make_shared<const trace::Tables>(scene);
   return {[tables](const model::Rayo& ray, Origin en) { return trace::first_hit(*tables, ray, en); },
           [tables](const model::Rayo& ray, Origin en) { return trace::occluded_segment(*tables, ray, en); },
-          [tables](std::span<const trace::Query> rays, unsigned threads) {
+          [tables](std::span<const scene::Query> rays, unsigned threads) {
             return trace::first_hits(*tables, rays, threads);
           }};
 }

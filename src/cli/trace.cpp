@@ -24,7 +24,7 @@ std::vector<scene::Hit> trace(const scene::Scene& scene, const std::vector<io::R
   std::vector<scene::Hit> hits(rays.size());
   tbb::parallel_for(std::size_t{0}, rays.size(), [&](std::size_t i) {
     const auto& [rayo, en] = rays[i];
-    hits[i] = tracer.first_hit(rayo, {en.data(), en.size()});
+    hits[i] = tracer.first_hit(rayo, en);
   });
   return hits;
 }

@@ -273,8 +273,8 @@ bool is_ray(const Shot& shot) {
 
 std::string name_of(std::size_t place) { return "e" + std::to_string(place); }
 
-trace::Query query(const scene::Scene& scene, const Shot& shot) {
-  trace::Query ray{{model::Punto(shot.p), model::Vector(shot.v)}, {}};
+scene::Query query(const scene::Scene& scene, const Shot& shot) {
+  scene::Query ray{{model::Punto(shot.p), model::Vector(shot.v)}, {}};
   for (const std::size_t place : shot.on) ray.en.push_back(*scene.find(name_of(place)));
   std::sort(ray.en.begin(), ray.en.end());
   return ray;
@@ -302,8 +302,8 @@ Case generate(const Family& family, std::uint64_t seed, std::size_t rays) {
   return made;
 }
 
-Membership membership(const Family& family, const Case& the_case, const trace::Query& ray) {
-  const scene::Hit hit = oracle::exact::first_hit(the_case.scene, ray.rayo, {ray.en.data(), ray.en.size()});
+Membership membership(const Family& family, const Case& the_case, const scene::Query& ray) {
+  const scene::Hit hit = oracle::exact::first_hit(the_case.scene, ray.rayo, ray.en);
   const Ray_And_Hit seen{the_case.scene, ray, hit};
   const bool exact = family.is_exact(seen);
   return {family.is_member(seen), exact};
@@ -318,7 +318,7 @@ Count& Count::operator+=(const Count& other) {
 
 Count count(const Family& family, const Case& the_case) {
   Count counted{.rays = the_case.rays.size()};
-  for (const trace::Query& ray : the_case.rays) {
+  for (const scene::Query& ray : the_case.rays) {
     const Membership is = membership(family, the_case, ray);
     counted.members += is.member;
     counted.exact += is.member && is.exact;

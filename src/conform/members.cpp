@@ -52,15 +52,15 @@ struct Seen {
 Seen seen(const Ray_And_Hit& r, ElementRef e, bool on) {
   switch (e.tipo) {
     case Tipo::soy_esfera: {
-      const scene::Sphere& s = r.scene.spheres()[e.index];
+      const scene::Sphere& s = r.scene.shapes<scene::Sphere>()[e.index];
       return {e, s.centro, s.radio, {}, 0, oracle::exact::coefficients(s, r.ray.rayo, on)};
     }
     case Tipo::soy_cilindro: {
-      const scene::Cylinder& c = r.scene.cylinders()[e.index];
+      const scene::Cylinder& c = r.scene.shapes<scene::Cylinder>()[e.index];
       return {e, c.centro, c.radio, c.vector, c.altura, oracle::exact::coefficients(c, r.ray.rayo, on)};
     }
     default: {
-      const scene::Cone& c = r.scene.cones()[e.index];
+      const scene::Cone& c = r.scene.shapes<scene::Cone>()[e.index];
       return {e, c.centro, c.proporcion, c.vector, c.altura, oracle::exact::coefficients(c, r.ray.rayo, on)};
     }
   }
@@ -78,8 +78,9 @@ bool any_element(const Ray_And_Hit& r, Holds holds) {
     }
     return false;
   };
-  return in(Tipo::soy_esfera, r.scene.spheres().size()) || in(Tipo::soy_cilindro, r.scene.cylinders().size()) ||
-         in(Tipo::soy_cono, r.scene.cones().size());
+  return in(Tipo::soy_esfera, r.scene.shapes<scene::Sphere>().size()) ||
+         in(Tipo::soy_cilindro, r.scene.shapes<scene::Cylinder>().size()) ||
+         in(Tipo::soy_cono, r.scene.shapes<scene::Cone>().size());
 }
 
 template <class Holds>

@@ -8,7 +8,7 @@ namespace durero::conform {
 
 struct Ray_And_Hit {
   const scene::Scene& scene;
-  const trace::Query& ray;
+  const scene::Query& ray;
   scene::Hit hit;  ///< of oracle::exact
 };
 

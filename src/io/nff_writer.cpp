@@ -60,17 +60,17 @@ class NffWriter {
   void write_element(ElementRef element) {
     switch (element.tipo) {
       case Tipo::soy_esfera: {
-        const scene::Sphere& s = scene_.spheres()[element.index];
+        const scene::Sphere& s = scene_.shapes<scene::Sphere>()[element.index];
         out_.text += fmt::format("s {} {}\n", text(s.centro), s.radio);
         break;
       }
       case Tipo::soy_cilindro: {
-        const scene::Cylinder& c = scene_.cylinders()[element.index];
+        const scene::Cylinder& c = scene_.shapes<scene::Cylinder>()[element.index];
         write_cone(c.centro, {c.vector, c.altura}, c.radio, c.radio);
         break;
       }
       case Tipo::soy_cono: {
-        const scene::Cone& k = scene_.cones()[element.index];
+        const scene::Cone& k = scene_.shapes<scene::Cone>()[element.index];
         const double radius = k.proporcion * k.altura;
         if (radius / k.altura != k.proporcion) ++rounded_radii_;
         write_cone(k.centro, {k.vector, k.altura}, radius, 0);

@@ -13,12 +13,7 @@ namespace durero::io {
 inline std::vector<scene::ElementRef> elements_by_name(const scene::Scene& scene) {
   std::vector<scene::ElementRef> all;
   all.reserve(scene.size());
-  const auto add = [&](model::Tipo tipo, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) all.push_back({tipo, static_cast<std::uint32_t>(i)});
-  };
-  add(model::Tipo::soy_esfera, scene.spheres().size());
-  add(model::Tipo::soy_cilindro, scene.cylinders().size());
-  add(model::Tipo::soy_cono, scene.cones().size());
+  scene.for_each([&](scene::ElementRef element, const auto&) { all.push_back(element); });
   const auto name = [&](scene::ElementRef element) -> std::string_view { return scene.name(element).name(); };
   std::ranges::sort(all, {}, name);
   return all;

@@ -90,13 +90,13 @@ void append_element(std::string& out, const scene::Scene& scene, ElementRef elem
   out.append("{\"id\":\"").append(scene.name(element).name()).append("\",\"tipo\":");
   switch (element.tipo) {
     case Tipo::soy_esfera:
-      append_shape(out, scene.spheres()[element.index]);
+      append_shape(out, scene.shapes<scene::Sphere>()[element.index]);
       break;
     case Tipo::soy_cilindro:
-      append_shape(out, scene.cylinders()[element.index]);
+      append_shape(out, scene.shapes<scene::Cylinder>()[element.index]);
       break;
     case Tipo::soy_cono:
-      append_shape(out, scene.cones()[element.index]);
+      append_shape(out, scene.shapes<scene::Cone>()[element.index]);
       break;
   }
   if (const auto material = scene.material(element)) {

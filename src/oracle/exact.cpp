@@ -7,31 +7,16 @@ namespace durero::oracle::exact {
 namespace {
 
 using model::Resultado;
-using model::Tipo;
-
-/// visit(element) for every element of the scene, ascending, until it answers true. Whether it did.
-template <class Visit>
-bool any_element(const scene::Scene& scene, Visit visit) {
-  const std::pair<Tipo, std::size_t> tables[] = {{Tipo::soy_esfera, scene.spheres().size()},
-                                                 {Tipo::soy_cilindro, scene.cylinders().size()},
-                                                 {Tipo::soy_cono, scene.cones().size()}};
-  for (const auto& [tipo, size] : tables) {
-    for (std::uint32_t i = 0; i < size; ++i) {
-      if (visit(scene::ElementRef{tipo, i})) return true;
-    }
-  }
-  return false;
-}
 
 /// The nearest point so far and the elements it lies on; the elements that have no nearest point.
 struct Nearest {
   std::optional<Parameter> t;
-  scene::ElementSet elementos, sin_minimo;
+  scene::ElementSet elementos, without_minimum;
 
   void take(scene::ElementRef e, const Reach& found) {
     if (found.empty()) return;
     if (found.no_minimum()) {
-      sin_minimo.push_back(e);
+      without_minimum.push_back(e);
       return;
     }
     const auto against = t ? order(found.first(), *t) : std::strong_ordering::less;
@@ -56,16 +41,7 @@ bool earlier(const Crossing& a, const Crossing& b) {
 }  // namespace
 
 Reach reach(const scene::Scene& scene, scene::ElementRef e, const model::Rayo& rayo, Origin en) {
-  const bool on = std::find(en.begin(), en.end(), e) != en.end();
-  switch (e.tipo) {
-    case Tipo::soy_esfera:
-      return reach(coefficients(scene.spheres()[e.index], rayo, on));
-    case Tipo::soy_cilindro:
-      return reach(coefficients(scene.cylinders()[e.index], rayo, on));
-    case Tipo::soy_cono:
-      return reach(coefficients(scene.cones()[e.index], rayo, on));
-  }
-  return {};
+  return scene.visit(e, [&](const auto& shape) { return reach(coefficients(shape, rayo, en.contains(e))); });
 }
 
 scene::Hit rounded_hit(const model::Rayo& rayo, const Parameter& t, scene::ElementSet elementos) {
@@ -80,22 +56,20 @@ scene::Hit rounded_hit(const model::Rayo& rayo, const Parameter& t, scene::Eleme
 
 scene::Hit first_hit(const scene::Scene& scene, const model::Rayo& rayo, Origin en) {
   Nearest nearest;
-  any_element(scene, [&](scene::ElementRef e) {
-    nearest.take(e, reach(scene, e, rayo, en));
-    return false;
-  });
-  if (!nearest.sin_minimo.empty()) return {.resultado = Resultado::no_minimum, .elementos = nearest.sin_minimo};
+  scene.for_each([&](scene::ElementRef e, const auto&) { nearest.take(e, reach(scene, e, rayo, en)); });
+  if (!nearest.without_minimum.empty())
+    return {.resultado = Resultado::no_minimum, .elementos = nearest.without_minimum};
   if (!nearest.t) return {};
   return rounded_hit(rayo, *nearest.t, std::move(nearest.elementos));
 }
 
 bool occluded(const scene::Scene& scene, const model::Rayo& rayo, Origin en) {
-  return any_element(scene, [&](scene::ElementRef e) { return !reach(scene, e, rayo, en).empty(); });
+  return scene.any_of([&](scene::ElementRef e, const auto&) { return !reach(scene, e, rayo, en).empty(); });
 }
 
 bool occluded_segment(const scene::Scene& scene, const model::Rayo& rayo, Origin en) {
   const Parameter one{.x = 1};
-  return any_element(scene, [&](scene::ElementRef e) {
+  return scene.any_of([&](scene::ElementRef e, const auto&) {
     const Reach found = reach(scene, e, rayo, en);
     return found.no_minimum() || (!found.empty() && order(found.first(), one) < 0);
   });
@@ -103,11 +77,10 @@ bool occluded_segment(const scene::Scene& scene, const model::Rayo& rayo, Origin
 
 std::vector<Crossing> all_hits(const scene::Scene& scene, const model::Rayo& rayo, Origin en) {
   std::vector<Crossing> crossings;
-  any_element(scene, [&](scene::ElementRef e) {
+  scene.for_each([&](scene::ElementRef e, const auto&) {
     const Reach found = reach(scene, e, rayo, en);
     for (const Parameter& t : found.points()) crossings.push_back({e, {t, t}});
     if (found.segment) crossings.push_back({e, *found.segment});
-    return false;
   });
   std::stable_sort(crossings.begin(), crossings.end(), earlier);
   return crossings;

@@ -85,24 +85,32 @@ struct Local {
   double s = 0, s_step = 0, altura = infinity;  // a sphere has no rim, so its altura is infinite
 };
 
-Local expand(const scene::Scene& scene, scene::ElementRef ref, const glm::dvec3& x, const glm::dvec3& v) {
-  if (ref.tipo == Tipo::soy_esfera) {
-    const scene::Sphere& e = scene.spheres()[ref.index];
-    const glm::dvec3 q = x - e.centro;
-    return {1, glm::dot(q, v), glm::dot(q, q) - e.radio * e.radio, 0, 0, infinity};
-  }
-  const bool cone = ref.tipo == Tipo::soy_cono;
-  const glm::dvec3 center = cone ? scene.cones()[ref.index].centro : scene.cylinders()[ref.index].centro;
-  const glm::dvec3 d = cone ? scene.cones()[ref.index].vector : scene.cylinders()[ref.index].vector;
-  const double h = cone ? scene.cones()[ref.index].altura : scene.cylinders()[ref.index].altura;
-  const glm::dvec3 q = x - center;
-  const double s = glm::dot(q, d), s_step = glm::dot(v, d);
-  const glm::dvec3 away = q - d * s, step = v - d * s_step;  // as the printed text has it: q − s·d
-  Local local{glm::dot(step, step), glm::dot(away, step), glm::dot(away, away), s, s_step, h};
-  const double k = cone ? scene.cones()[ref.index].proporcion : 0;
-  local.a -= k * k * s_step * s_step;
-  local.b += k * k * (h - s) * s_step;
-  local.c -= cone ? k * k * (h - s) * (h - s) : std::pow(scene.cylinders()[ref.index].radio, 2);
+Local expand(const scene::Sphere& e, const glm::dvec3& x, const glm::dvec3& v) {
+  const glm::dvec3 q = x - e.centro;
+  return {1, glm::dot(q, v), glm::dot(q, q) - e.radio * e.radio};
+}
+
+/// Of the square of the distance from the axis, as the printed text has it: |q − s·d|².
+template <class Axial>
+Local expand_distance(const Axial& e, const glm::dvec3& x, const glm::dvec3& v) {
+  const glm::dvec3 q = x - e.centro;
+  const double s = glm::dot(q, e.vector), s_step = glm::dot(v, e.vector);
+  const glm::dvec3 away = q - e.vector * s, step = v - e.vector * s_step;
+  return {glm::dot(step, step), glm::dot(away, step), glm::dot(away, away), s, s_step, e.altura};
+}
+
+Local expand(const scene::Cylinder& e, const glm::dvec3& x, const glm::dvec3& v) {
+  Local local = expand_distance(e, x, v);
+  local.c -= e.radio * e.radio;
+  return local;
+}
+
+Local expand(const scene::Cone& e, const glm::dvec3& x, const glm::dvec3& v) {
+  Local local = expand_distance(e, x, v);
+  const double k = e.proporcion, left = e.altura - local.s;
+  local.a -= k * k * local.s_step * local.s_step;
+  local.b += k * k * left * local.s_step;
+  local.c -= k * k * left * left;
   return local;
 }
 
@@ -116,7 +124,7 @@ double rounding(const Cover& cover, const Line& line) {
 Verdict explain(const scene::Scene& scene, scene::ElementRef ref, const Cover& cover, const Line& line, double foot) {
   const double slack = rounding(cover, line);
   const double delta = cover.delta, eta = reach_ratio * delta;
-  const Local at = expand(scene, ref, line.p + line.v * foot, line.v);
+  const Local at = scene.visit(ref, [&](const auto& shape) { return expand(shape, line.p + line.v * foot, line.v); });
   const double discriminant = at.b * at.b - at.a * at.c;
   if (discriminant < std::pow(cover.gradient / reach_ratio, 2)) return Verdict::grazing;
   const double root = at.c / -(at.b + std::copysign(std::sqrt(discriminant), at.b));  // the nearer root
@@ -145,12 +153,7 @@ std::string_view name(Verdict verdict) noexcept {
 
 Oracle::Oracle(const scene::Scene& scene, double fineness) : scene_(scene) {
   elements_.reserve(scene.size());
-  const auto add = [&](Tipo tipo, const auto& shapes) {
-    for (std::uint32_t i = 0; i < shapes.size(); ++i) elements_.push_back({{tipo, i}, cover(shapes[i], fineness)});
-  };
-  add(Tipo::soy_esfera, scene.spheres());
-  add(Tipo::soy_cilindro, scene.cylinders());
-  add(Tipo::soy_cono, scene.cones());
+  scene.for_each([&](scene::ElementRef ref, const auto& shape) { elements_.push_back({ref, cover(shape, fineness)}); });
 }
 
 std::vector<Ball> Oracle::bounds() const {

@@ -18,13 +18,13 @@ using model::Tipo;
 /// Half the gradient of potencia at w: with q = w − centro and s = q·d, of |q|² − (2 − d·d)s² and, for a cone, of
 /// −(proporcion·(altura − s))² too.
 glm::dvec3 gradient(const scene::Scene& scene, scene::ElementRef element, const glm::dvec3& w) {
-  if (element.tipo == Tipo::soy_esfera) return w - scene.spheres()[element.index].centro;
+  if (element.tipo == Tipo::soy_esfera) return w - scene.shapes<scene::Sphere>()[element.index].centro;
   if (element.tipo == Tipo::soy_cilindro) {
-    const scene::Cylinder& c = scene.cylinders()[element.index];
+    const scene::Cylinder& c = scene.shapes<scene::Cylinder>()[element.index];
     const glm::dvec3 q = w - c.centro;
     return q - c.vector * ((2 - glm::dot(c.vector, c.vector)) * glm::dot(q, c.vector));
   }
-  const scene::Cone& c = scene.cones()[element.index];
+  const scene::Cone& c = scene.shapes<scene::Cone>()[element.index];
   const glm::dvec3 q = w - c.centro;
   const double s = glm::dot(q, c.vector);
   const double slope = c.proporcion * c.proporcion * (c.altura - s);
@@ -49,7 +49,7 @@ double lambert(const Tracer& tracer, const scene::Hit& hit, const glm::dvec3& n,
   const double intensity = glm::dot(to_light, n) / distance;
   if (!(intensity > 0)) return 0;  // behind the surface, or a light in the very point
   const model::Rayo shadow{model::Punto(hit.punto), model::Vector(to_light)};
-  return tracer.occluded_segment(shadow, {hit.elementos.data(), hit.elementos.size()}) ? 0 : intensity;
+  return tracer.occluded_segment(shadow, hit.elementos) ? 0 : intensity;
 }
 
 /// color of a ray whose first hit is known.
@@ -67,16 +67,16 @@ glm::dvec3 color_of(const scene::Scene& scene, const Tracer& tracer, const model
 /// The first hits of a row of pixels, on the calling thread.
 std::vector<scene::Hit> hits_of_row(const Tracer& tracer, const PrimaryRays& rays, std::uint32_t y,
                                     std::uint32_t width) {
-  std::vector<trace::Query> row;
+  std::vector<scene::Query> row;
   row.reserve(width);
   for (std::uint32_t x = 0; x < width; ++x) {
-    const trace::Query pixel{rays.ray(x, y)};
+    const scene::Query pixel{rays.ray(x, y)};
     row.push_back(pixel);
   }
   if (tracer.first_hits) return tracer.first_hits(row, 1);
   std::vector<scene::Hit> hits;
   hits.reserve(width);
-  for (const trace::Query& pixel : row) hits.push_back(tracer.first_hit(pixel.rayo, {}));
+  for (const scene::Query& pixel : row) hits.push_back(tracer.first_hit(pixel.rayo, {}));
   return hits;
 }
 
@@ -102,7 +102,7 @@ glm::dvec3 normal(const scene::Scene& scene, scene::ElementRef element, const gl
   const glm::dvec3 g = gradient(scene, element, point);
   const double length = glm::length(g);
   if (length > 0) return g / length;
-  return element.tipo == Tipo::soy_cono ? scene.cones()[element.index].vector : glm::dvec3(0, 0, 0);
+  return element.tipo == Tipo::soy_cono ? scene.shapes<scene::Cone>()[element.index].vector : glm::dvec3(0, 0, 0);
 }
 
 glm::dvec3 color(const scene::Scene& scene, const Tracer& tracer, const model::Rayo& ray) {

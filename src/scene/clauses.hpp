@@ -4,6 +4,8 @@
 /// Each function hands its clauses to `visit(clause, refusal, holds)`, in the order of the text: the partial operation
 /// checks them as contracts, the total one stops at the first that does not hold and gives that answer.
 
+#include <array>
+#include <numeric>
 #include <optional>
 
 #include "durero/model/operaciones.hpp"
@@ -72,14 +74,31 @@ void preconditions(const model::Eliminar_Cono&, const Place& place, Visit&& visi
   preconditions_of_removal(model::Eliminar_Cono_pre_1, Tipo::soy_cono, place, visit);
 }
 
-/// How many elements have each attribute.
-struct Sizes {
-  std::size_t esferas, cilindros, conos;
-  std::size_t elementos() const { return esferas + cilindros + conos; }
-  std::size_t mi_radio() const { return esferas + cilindros; }
-  std::size_t mi_vector() const { return cilindros + conos; }
-  std::size_t mi_altura() const { return cilindros + conos; }
-  std::size_t mi_proporcion() const { return conos; }
+/// How many elements there are of each shape, and so how many have each attribute.
+class Sizes {
+ public:
+  template <class SizeOf>
+  explicit Sizes(SizeOf size_of) {
+    for_each_shape([&]<class Shape>(std::type_identity<Shape> shape) { of_[place_of<Shape>] = size_of(shape); });
+  }
+
+  std::size_t elementos() const { return std::accumulate(of_.begin(), of_.end(), std::size_t{0}); }
+  std::size_t mi_radio() const { return with<&model::Escena::mi_radio>(); }
+  std::size_t mi_vector() const { return with<&model::Escena::mi_vector>(); }
+  std::size_t mi_altura() const { return with<&model::Escena::mi_altura>(); }
+  std::size_t mi_proporcion() const { return with<&model::Escena::mi_proporcion>(); }
+
+ private:
+  template <auto component>
+  std::size_t with() const {
+    std::size_t sum = 0;
+    for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
+      if constexpr (has_attribute<Shape, component>()) sum += of_[place_of<Shape>];
+    });
+    return sum;
+  }
+
+  std::array<std::size_t, shape_count> of_{};
 };
 
 /// An addition, done: the sizes of before and after, the place that e? was given and the one the index now tells, and

@@ -12,12 +12,8 @@ namespace {
 using contract::cost;
 using contract::evaluation_semantic;
 
-Sphere shape_of(const model::Agregar_Esfera& in) { return {in.centro.xyz(), in.radio}; }
-Cylinder shape_of(const model::Agregar_Cilindro& in) { return {in.centro.xyz(), in.radio, in.vector.xyz(), in.altura}; }
-Cone shape_of(const model::Agregar_Cono& in) { return {in.centro.xyz(), in.proporcion, in.vector.xyz(), in.altura}; }
-
 template <class Op>
-concept Addition = requires(const Op& in) { shape_of(in); };
+concept Addition = !std::is_void_v<ShapeAddedBy<Op>>;
 
 [[gnu::cold, gnu::noinline]] std::string values(const model::Elemento& e) { return "e = " + e.name(); }
 
@@ -60,7 +56,7 @@ class Editor {
   template <class Op>
   model::Answer apply_total(const Op& in) {
     if constexpr (Addition<Op>)
-      if (in.t != type_of(shape_of(in))) return apply_total(hide_t(in));
+      if (in.t != ShapeAddedBy<Op>::tipo) return apply_total(hide_t(in));
     const Key key = find(in.e);
     if (const auto refusal = first_refusal(in, key.place)) return *refusal;
     return {edit(in, key)};
@@ -92,7 +88,7 @@ class Editor {
   /// \hide (t?): the name of a specific addition says the type.
   template <class Op>
   static Op hide_t(Op in) {
-    in.t = type_of(shape_of(in));
+    in.t = ShapeAddedBy<Op>::tipo;
     return in;
   }
 
@@ -107,17 +103,8 @@ class Editor {
 
   void edit_general(const model::Eliminar_Elemento& in, const Key& key) {
     require_row(key.place);
-    switch (key.place->tipo) {
-      case Tipo::soy_esfera:
-        edit(model::Eliminar_Esfera{in.e}, key);
-        break;
-      case Tipo::soy_cilindro:
-        edit(model::Eliminar_Cilindro{in.e}, key);
-        break;
-      case Tipo::soy_cono:
-        edit(model::Eliminar_Cono{in.e}, key);
-        break;
-    }
+    with_shape(key.place->tipo,
+               [&]<class Shape>(std::type_identity<Shape>) { edit(typename Shape::Removal{in.e}, key); });
   }
 
   /// The edit, between the old value and the whole Z predicates where audit clauses are evaluated.
@@ -133,22 +120,22 @@ class Editor {
 
   template <class Op>
   Respuesta add(const Op& in, NameIndex::hash_type hash, const std::optional<model::Escena>& before) {
-    auto& table = table_for(shape_of(in));
+    using Shape = ShapeAddedBy<Op>;
+    Table<Shape>& table = scene_.table<Shape>();
     const Sizes sizes_before = sizes();
     const Respuesta r = in.answer;
-    Row<decltype(shape_of(in))> row{shape_of(in), {in.e, hash}};
+    Row<Shape> row{shape_of<Shape>(in), {in.e, hash}};
     table.reserve_one_more();
     scene_.index_.reserve_one_more();
 
-    const ElementRef place{type_of(shape_of(in)), table.size()};
+    const ElementRef place{Shape::tipo, table.size()};
     table.push_back(std::move(row));
     scene_.index_.insert(hash, place);
     try {
       if (const auto now = contract::semantic(cost::normal); now != evaluation_semantic::ignore)
-        postconditions(in,
-                       Added<decltype(shape_of(in))>{sizes_before, sizes(), place, scene_.find(in.e.name(), hash),
-                                                     table.shapes.back(), r},
-                       checker(now, in.e));
+        postconditions(
+            in, Added<Shape>{sizes_before, sizes(), place, scene_.find(in.e.name(), hash), table.shapes.back(), r},
+            checker(now, in.e));
       audit(before, in, r);
     } catch (...) {
       scene_.index_.erase(hash, place);
@@ -162,15 +149,9 @@ class Editor {
   template <class Op>
   Respuesta remove(const Op& in, const Key& key, const std::optional<model::Escena>& before) {
     require_row(key.place);
-    switch (key.place->tipo) {
-      case Tipo::soy_esfera:
-        return remove_from(scene_.spheres_, in, key, before);
-      case Tipo::soy_cilindro:
-        return remove_from(scene_.cylinders_, in, key, before);
-      case Tipo::soy_cono:
-        break;
-    }
-    return remove_from(scene_.cones_, in, key, before);
+    return with_shape(key.place->tipo, [&]<class Shape>(std::type_identity<Shape>) {
+      return remove_from(scene_.table<Shape>(), in, key, before);
+    });
   }
 
   template <class Shape, class Op>
@@ -211,14 +192,9 @@ class Editor {
   /// A name without a row: nothing to remove, whatever the semantic of preconditions is.
   static void require_row(const Place& place) { contract::require(model::Eliminar_Elemento_pre_1, place.has_value()); }
 
-  Sizes sizes() const { return {scene_.spheres_.size(), scene_.cylinders_.size(), scene_.cones_.size()}; }
-
-  Table<Sphere>& table_for(const Sphere&) { return scene_.spheres_; }
-  Table<Cylinder>& table_for(const Cylinder&) { return scene_.cylinders_; }
-  Table<Cone>& table_for(const Cone&) { return scene_.cones_; }
-  static Tipo type_of(const Sphere&) { return Tipo::soy_esfera; }
-  static Tipo type_of(const Cylinder&) { return Tipo::soy_cilindro; }
-  static Tipo type_of(const Cone&) { return Tipo::soy_cono; }
+  Sizes sizes() const {
+    return Sizes([&]<class Shape>(std::type_identity<Shape>) -> std::size_t { return scene_.table<Shape>().size(); });
+  }
 
   Scene& scene_;
 };

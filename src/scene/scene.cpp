@@ -1,20 +1,17 @@
 #include "durero/scene/scene.hpp"
 
 #include <stdexcept>
+#include <utility>
 
 namespace durero::scene {
 
 const Label& Scene::label(ElementRef element) const noexcept {
-  switch (element.tipo) {
-    case model::Tipo::soy_esfera:
-      return spheres_.labels[element.index];
-    case model::Tipo::soy_cilindro:
-      return cylinders_.labels[element.index];
-    case model::Tipo::soy_cono:
-      break;
-  }
-  return cones_.labels[element.index];
+  return with_shape(element.tipo, [&]<class Shape>(std::type_identity<Shape>) -> const Label& {
+    return table<Shape>().labels[element.index];
+  });
 }
+
+Label& Scene::label(ElementRef element) noexcept { return const_cast<Label&>(std::as_const(*this).label(element)); }
 
 const model::Elemento& Scene::name(ElementRef element) const noexcept { return label(element).name; }
 
@@ -34,7 +31,14 @@ std::optional<std::uint32_t> Scene::material(ElementRef element) const noexcept 
 
 void Scene::set_material(ElementRef element, std::optional<std::uint32_t> material) {
   if (material && *material >= stage_.materials.size()) throw std::out_of_range("no such material");
-  const_cast<Label&>(label(element)).material = material.value_or(no_material);  // this scene is not a constant
+  label(element).material = material.value_or(no_material);
+}
+
+model::Answer Scene::apply_total(const Edit& edit) {
+  if (edit.material && *edit.material >= stage_.materials.size()) throw std::out_of_range("no such material");
+  const model::Answer answer = apply_total(edit.operation);
+  if (answer.ok() && edit.material) set_material(find(name_of(edit.operation).name()).value(), edit.material);
+  return answer;
 }
 
 }  // namespace durero::scene

@@ -6,21 +6,12 @@
 namespace durero::trace {
 namespace {
 
-using model::Tipo;
-
 using Range = Search::Range;
 
 /// visit(element, range) for every element of the scene until it answers true. Whether it did.
 template <class Visit>
 bool any_element(const scene::Scene& scene, Visit visit) {
-  const auto any_of = [&](Tipo tipo, std::size_t size) {
-    for (std::uint32_t i = 0; i < size; ++i) {
-      if (visit(scene::ElementRef{tipo, i}, Range::unknown)) return true;
-    }
-    return false;
-  };
-  return any_of(Tipo::soy_esfera, scene.spheres().size()) || any_of(Tipo::soy_cilindro, scene.cylinders().size()) ||
-         any_of(Tipo::soy_cono, scene.cones().size());
+  return scene.any_of([&](scene::ElementRef e, const auto&) { return visit(e, Range::unknown); });
 }
 
 /// visit(element, range) for every element that the ray may meet at t ≤ limit(), until it answers true. The filter
@@ -29,7 +20,7 @@ template <class Limit, class Visit>
 bool any_candidate(const Tables& tables, const Beam& beam, Origin en, Limit limit, Visit visit) {
   if (!beam.ordinary) return any_element(tables.scene(), visit);
   if (std::any_of(en.begin(), en.end(), [&](scene::ElementRef e) { return visit(e, Range::unknown); })) return true;
-  const auto visit_other = [&](scene::ElementRef e, Range range) { return !contains(en, e) && visit(e, range); };
+  const auto visit_other = [&](scene::ElementRef e, Range range) { return !en.contains(e) && visit(e, range); };
   const auto elements = tables.elements();
   std::array<std::uint32_t, 32 * Balls::block> passed;
   for (std::size_t begin = 0; begin < elements.size(); begin += passed.size()) {
@@ -113,7 +104,7 @@ bool occluded_segment(const scene::Scene& scene, const model::Rayo& rayo, Origin
       scene, [&](scene::ElementRef e, Range range) { return blocks_segment(search, scene, rayo, en, e, range); });
 }
 
-std::vector<scene::Hit> first_hits(const scene::Scene& scene, std::span<const Query> queries, unsigned threads) {
+std::vector<scene::Hit> first_hits(const scene::Scene& scene, std::span<const scene::Query> queries, unsigned threads) {
   return first_hits(Tables(scene), queries, threads);
 }
 

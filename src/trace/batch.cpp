@@ -18,7 +18,7 @@ class Certified {
     double high() const { return found.hi + found.error; }
   };
 
-  Certified(const Tables& tables, std::span<const Query> queries, std::span<scene::Hit> hits, Counts& counts)
+  Certified(const Tables& tables, std::span<const scene::Query> queries, std::span<scene::Hit> hits, Counts& counts)
       : tables_(tables), queries_(queries), hits_(hits), counts_(counts) {}
 
   static void triage(const Pack& pack, model::Tipo tipo, Findings& findings) { trace::triage(pack, tipo, findings); }
@@ -26,7 +26,7 @@ class Certified {
 
   void hit(std::uint32_t ray, const Beam& beam, scene::ElementRef e, const Point& point) {
     Pile& pile = piles_[static_cast<std::size_t>(e.tipo)];
-    with_shape(tables_.scene(), e, [&](const auto& shape) { pile.pack.set(pile.count, beam, shape); });
+    tables_.scene().visit(e, [&](const auto& shape) { pile.pack.set(pile.count, beam, shape); });
     pile.findings.set(pile.count, point.found);
     pile.rays[pile.count] = ray;
     pile.elements[pile.count] = e;
@@ -51,8 +51,8 @@ class Certified {
 
   Counts answer(std::uint32_t ray) {
     Counts counts;
-    const Query& query = queries_[ray];
-    hits_[ray] = first_hit(tables_, query.rayo, {query.en.data(), query.en.size()}, &counts);
+    const scene::Query& query = queries_[ray];
+    hits_[ray] = first_hit(tables_, query.rayo, query.en, &counts);
     return counts;
   }
 
@@ -78,7 +78,7 @@ class Certified {
   }
 
   const Tables& tables_;
-  std::span<const Query> queries_;
+  std::span<const scene::Query> queries_;
   std::span<scene::Hit> hits_;
   Counts& counts_;
   std::array<Pile, 3> piles_{};
@@ -87,10 +87,10 @@ class Certified {
 
 }  // namespace
 
-std::vector<scene::Hit> first_hits(const Tables& tables, std::span<const Query> queries, unsigned threads,
+std::vector<scene::Hit> first_hits(const Tables& tables, std::span<const scene::Query> queries, unsigned threads,
                                    Counts* counts) {
   std::mutex adding;
-  return in_blocks(queries, threads, [&](std::span<const Query> block, std::span<scene::Hit> hits) {
+  return in_blocks(queries, threads, [&](std::span<const scene::Query> block, std::span<scene::Hit> hits) {
     Counts mine;
     Certified engine(tables, block, hits, mine);
     Batch batch(tables, block, engine);

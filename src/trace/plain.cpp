@@ -54,14 +54,7 @@ First first_of_roots(const Quadratic& f, double one, double other) {
 }
 
 First first_of_element(const scene::Scene& scene, scene::ElementRef e, const model::Rayo& rayo, bool on) {
-  switch (e.tipo) {
-    case model::Tipo::soy_esfera:
-      return first(quadratic(scene.spheres()[e.index], rayo, on));
-    case model::Tipo::soy_cilindro:
-      return first(quadratic(scene.cylinders()[e.index], rayo, on));
-    default:
-      return first(quadratic(scene.cones()[e.index], rayo, on));
-  }
+  return scene.visit(e, [&](const auto& shape) { return first(quadratic(shape, rayo, on)); });
 }
 
 /// Algorithm II.2: the nearest so far, and every element that shares it. No minimum stands before every hit.
@@ -131,15 +124,8 @@ First first(const Quadratic& f) {
 scene::Hit first_hit(const scene::Scene& scene, const model::Rayo& rayo, Origin en) {
   scene::Hit hit;
   Nearest nearest{hit};
-  const auto visit = [&](model::Tipo tipo, std::size_t count) {
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const scene::ElementRef e{tipo, i};
-      nearest.take(e, first_of_element(scene, e, rayo, contains(en, e)));
-    }
-  };
-  visit(model::Tipo::soy_esfera, scene.spheres().size());
-  visit(model::Tipo::soy_cilindro, scene.cylinders().size());
-  visit(model::Tipo::soy_cono, scene.cones().size());
+  scene.for_each(
+      [&](scene::ElementRef e, const auto& shape) { nearest.take(e, first(quadratic(shape, rayo, en.contains(e)))); });
   nearest.finish(rayo);
   return hit;
 }
@@ -155,7 +141,7 @@ scene::Hit first_hit(const Tables& tables, const model::Rayo& rayo, Origin en) {
     const std::size_t count = filter(tables.balls(), beam, nearest.limit(), begin, end, passed.data());
     for (std::size_t i = 0; i < count; ++i) {
       const scene::ElementRef e = elements[passed[i]];
-      nearest.take(e, first_of_element(tables.scene(), e, rayo, contains(en, e)));
+      nearest.take(e, first_of_element(tables.scene(), e, rayo, en.contains(e)));
     }
   }
   nearest.finish(rayo);

@@ -115,12 +115,12 @@ struct Plain {
   }
 
   void alone(std::uint32_t ray) {
-    const Query& query = queries[ray];
-    hits[ray] = first_hit(tables, query.rayo, {query.en.data(), query.en.size()});
+    const scene::Query& query = queries[ray];
+    hits[ray] = first_hit(tables, query.rayo, query.en);
   }
 
   const Tables& tables;
-  std::span<const Query> queries;
+  std::span<const scene::Query> queries;
   std::span<scene::Hit> hits;
 };
 
@@ -128,8 +128,8 @@ struct Plain {
 
 void first(const Pack& pack, model::Tipo tipo, Firsts& firsts) { HWY_DYNAMIC_DISPATCH(first_pack)(pack, tipo, firsts); }
 
-std::vector<scene::Hit> first_hits(const Tables& tables, std::span<const Query> queries, unsigned threads) {
-  return in_blocks(queries, threads, [&](std::span<const Query> block, std::span<scene::Hit> hits) {
+std::vector<scene::Hit> first_hits(const Tables& tables, std::span<const scene::Query> queries, unsigned threads) {
+  return in_blocks(queries, threads, [&](std::span<const scene::Query> block, std::span<scene::Hit> hits) {
     Plain engine{tables, block, hits};
     Batch(tables, block, engine).answer();
   });

@@ -59,8 +59,8 @@ Search::Search(const scene::Scene& scene, const model::Rayo& rayo, Origin en, Co
     : scene_(scene), rayo_(rayo), en_(en), counts_(counts), beam_(rayo) {}
 
 Meeting Search::meeting(scene::ElementRef e, double limit, Range range) const {
-  const bool on = contains(en_, e);
-  Meeting met = with_shape(scene_, e, [&](const auto& element) {
+  const bool on = en_.contains(e);
+  Meeting met = scene_.visit(e, [&](const auto& element) {
     const bool in_range = beam_.ordinary && (range == Range::ordinary || ordinary(element));
     return meeting_of(element, rayo_, beam_, in_range, on, limit);
   });
@@ -87,8 +87,8 @@ void Search::drop_beyond_limit() {
 
 void Search::refine(Contender& contender) const {
   if (contender.at.step != Step::triage) return;
-  const Finding found = with_shape(
-      scene_, contender.e, [&](const auto& e) { return stable(e, beam_, contains(en_, contender.e), no_limit); });
+  const Finding found =
+      scene_.visit(contender.e, [&](const auto& e) { return stable(e, beam_, en_.contains(contender.e), no_limit); });
   if (found.verdict == Verdict::hit) contender.at = point_of(Step::stable, found);
 }
 
@@ -146,17 +146,16 @@ void Search::keep_nearest() {
 }
 
 Rounded Search::round(const Contender& nearest) const {
-  const bool on = contains(en_, nearest.e);
+  const bool on = en_.contains(nearest.e);
   const auto count = [&](Step step) { ++counts_.rounding[static_cast<std::size_t>(step)]; };
   const auto attempt = [&](const Finding& finding) {
     return finding.verdict == Verdict::hit ? rounded(beam_, finding) : Rounded{};
   };
   Rounded r{};
   if (nearest.at.step == Step::triage) {
-    r = attempt(
-        with_shape(scene_, nearest.e, [&](const auto& e) { return improved(e, beam_, on, nearest.at.finding); }));
+    r = attempt(scene_.visit(nearest.e, [&](const auto& e) { return improved(e, beam_, on, nearest.at.finding); }));
     if (r.certain) return count(Step::triage), r;
-    r = attempt(with_shape(scene_, nearest.e, [&](const auto& e) { return stable(e, beam_, on, no_limit); }));
+    r = attempt(scene_.visit(nearest.e, [&](const auto& e) { return stable(e, beam_, on, no_limit); }));
   } else if (nearest.at.step == Step::stable) {
     r = attempt(nearest.at.finding);
   }

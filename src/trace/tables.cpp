@@ -45,19 +45,14 @@ void Balls::pad() {
 }
 
 Tables::Tables(const scene::Scene& scene) : scene_(&scene) {
-  const auto take = [&](model::Tipo tipo, const auto& shapes) {
-    for (std::uint32_t i = 0; i < shapes.size(); ++i) {
-      if (!ordinary(shapes[i])) {
-        extraordinary_.push_back({tipo, i});
-        continue;
-      }
-      balls_.push_back(ball(shapes[i]));
-      elements_.push_back({tipo, i});
+  scene.for_each([&](scene::ElementRef e, const auto& shape) {
+    if (!ordinary(shape)) {
+      extraordinary_.push_back(e);
+      return;
     }
-  };
-  take(model::Tipo::soy_esfera, scene.spheres());
-  take(model::Tipo::soy_cilindro, scene.cylinders());
-  take(model::Tipo::soy_cono, scene.cones());
+    balls_.push_back(ball(shape));
+    elements_.push_back(e);
+  });
   balls_.pad();
 }
 

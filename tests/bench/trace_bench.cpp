@@ -47,8 +47,8 @@ std::vector<model::Rayo> primary_rays(std::size_t count) {
   return rays;
 }
 
-std::vector<trace::Query> queries_of(const std::vector<model::Rayo>& rays) {
-  std::vector<trace::Query> queries;
+std::vector<scene::Query> queries_of(const std::vector<model::Rayo>& rays) {
+  std::vector<scene::Query> queries;
   for (const model::Rayo& ray : rays) queries.push_back({ray, {}});
   return queries;
 }
@@ -106,7 +106,7 @@ void ratio(benchmark::State& state) {
   const scene::Scene scene = mixed_scene(elements(state));
   const trace::Tables tables(scene);
   const std::vector<model::Rayo> rays = primary_rays(4096);
-  const std::vector<trace::Query> queries = queries_of(rays);
+  const std::vector<scene::Query> queries = queries_of(rays);
   double certified_single = 0, plain_single = 0, certified_many = 0, plain_many = 0;
   for (auto _ : state) {
     certified_single += seconds([&] {

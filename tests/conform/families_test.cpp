@@ -37,12 +37,12 @@ std::uint64_t fingerprint(const Case& of) {
   const auto add_all = [&](const glm::dvec3& v) {
     for (const double x : {v.x, v.y, v.z}) add(hash, x);
   };
-  for (const scene::Sphere& s : of.scene.spheres()) add_all(s.centro), add(hash, s.radio);
-  for (const scene::Cylinder& c : of.scene.cylinders())
+  for (const scene::Sphere& s : of.scene.shapes<scene::Sphere>()) add_all(s.centro), add(hash, s.radio);
+  for (const scene::Cylinder& c : of.scene.shapes<scene::Cylinder>())
     add_all(c.centro), add(hash, c.radio), add_all(c.vector), add(hash, c.altura);
-  for (const scene::Cone& c : of.scene.cones())
+  for (const scene::Cone& c : of.scene.shapes<scene::Cone>())
     add_all(c.centro), add(hash, c.proporcion), add_all(c.vector), add(hash, c.altura);
-  for (const trace::Query& ray : of.rays) {
+  for (const scene::Query& ray : of.rays) {
     add_all(ray.rayo.p().xyz());
     add_all(ray.rayo.v().xyz());
     for (const scene::ElementRef e : ray.en) add(hash, static_cast<double>(e.index) + 1);
@@ -53,8 +53,8 @@ std::uint64_t fingerprint(const Case& of) {
 /// Its axis is none of ±x, ±y, ±z, the only ones of length exactly 1.
 bool is_tilted(const scene::Scene& scene, scene::ElementRef e) {
   if (e.tipo == model::Tipo::soy_esfera) return false;
-  const glm::dvec3 d =
-      e.tipo == model::Tipo::soy_cilindro ? scene.cylinders()[e.index].vector : scene.cones()[e.index].vector;
+  const glm::dvec3 d = e.tipo == model::Tipo::soy_cilindro ? scene.shapes<scene::Cylinder>()[e.index].vector
+                                                           : scene.shapes<scene::Cone>()[e.index].vector;
   return (d.x != 0) + (d.y != 0) + (d.z != 0) > 1;
 }
 
@@ -99,9 +99,9 @@ TEST_CASE("also axes that are no exact unit vectors have exactly degenerate rays
     std::size_t exact = 0;
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
       const Case some = generate(family, seed, 50);
-      for (const trace::Query& ray : some.rays) {
+      for (const scene::Query& ray : some.rays) {
         if (!membership(family, some, ray).exact) continue;
-        const scene::Hit hit = oracle::exact::first_hit(some.scene, ray.rayo, {ray.en.data(), ray.en.size()});
+        const scene::Hit hit = oracle::exact::first_hit(some.scene, ray.rayo, ray.en);
         for (const scene::ElementRef e : hit.elementos) exact += is_tilted(some.scene, e);
         if (hit.resultado == model::Resultado::miss) exact += is_tilted(some.scene, {model::Tipo::soy_cilindro, 0});
       }

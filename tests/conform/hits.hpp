@@ -11,7 +11,7 @@
 
 namespace durero::test {
 
-inline trace::Origin origin(const trace::Query& ray) { return {ray.en.data(), ray.en.size()}; }
+inline scene::Origin origin(const scene::Query& ray) { return ray.en; }
 
 /// Every byte, so that +0 and −0 differ.
 inline bool identical(const scene::Hit& a, const scene::Hit& b) {
@@ -29,7 +29,7 @@ inline std::string text(const scene::Hit& hit) {
   return said;
 }
 
-inline std::string text(const trace::Query& ray) {
+inline std::string text(const scene::Query& ray) {
   const model::Punto& p = ray.rayo.p();
   const model::Vector& v = ray.rayo.v();
   std::string said = fmt::format("{:a} {:a} {:a} {:a} {:a} {:a}", p.x(), p.y(), p.z(), v.x(), v.y(), v.z());

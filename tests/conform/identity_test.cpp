@@ -39,7 +39,7 @@ void compare(const Family& family, std::uint64_t seed, Differences& differences)
   trace::Counts& counts = differences.decided.local();
   const std::vector<scene::Hit> many = first_hits(tables, made.rays, 1);
   for (std::size_t i = 0; i < made.rays.size(); ++i) {
-    const trace::Query& ray = made.rays[i];
+    const scene::Query& ray = made.rays[i];
     const scene::Hit exact = oracle::exact::first_hit(made.scene, ray.rayo, origin(ray));
     const scene::Hit analytic = first_hit(tables, ray.rayo, origin(ray), &counts);
     const bool hidden = exact.resultado != model::Resultado::miss;
@@ -87,7 +87,7 @@ TEST_CASE("any number of threads, and any order of the rays, gives the same byte
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
       const conform::Case made = generate(family, seed, 500);
       const trace::Tables tables(made.scene);
-      const std::vector<trace::Query> reversed(made.rays.rbegin(), made.rays.rend());
+      const std::vector<scene::Query> reversed(made.rays.rbegin(), made.rays.rend());
       const auto backwards = first_hits(tables, reversed, 1);
       for (const unsigned threads : {1u, 2u, 3u}) {
         const auto hits = first_hits(tables, made.rays, threads);

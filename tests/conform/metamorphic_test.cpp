@@ -45,10 +45,11 @@ glm::dvec3 unchanged(const glm::dvec3& v) { return v; }
 /// Elements are added in the order of their places, so they keep them.
 scene::Scene changed(const scene::Scene& of, const Change& by) {
   scene::Scene made;
-  for (const scene::Sphere& s : of.spheres()) add(made, scene::Sphere{by.point(s.centro), by.length(s.radio)});
-  for (const scene::Cylinder& c : of.cylinders())
+  for (const scene::Sphere& s : of.shapes<scene::Sphere>())
+    add(made, scene::Sphere{by.point(s.centro), by.length(s.radio)});
+  for (const scene::Cylinder& c : of.shapes<scene::Cylinder>())
     add(made, scene::Cylinder{by.point(c.centro), by.length(c.radio), by.axis(c.vector), by.length(c.altura)});
-  for (const scene::Cone& c : of.cones())
+  for (const scene::Cone& c : of.shapes<scene::Cone>())
     add(made, scene::Cone{by.point(c.centro), c.proporcion, by.axis(c.vector), by.length(c.altura)});
   return made;
 }
@@ -109,13 +110,13 @@ std::pair<scene::Scene, scene::ElementRef> alone_in_scene(const scene::Scene& sc
   scene::Scene alone;
   switch (e.tipo) {
     case model::Tipo::soy_esfera:
-      add(alone, scene.spheres()[e.index]);
+      add(alone, scene.shapes<scene::Sphere>()[e.index]);
       break;
     case model::Tipo::soy_cilindro:
-      add(alone, scene.cylinders()[e.index]);
+      add(alone, scene.shapes<scene::Cylinder>()[e.index]);
       break;
     case model::Tipo::soy_cono:
-      add(alone, scene.cones()[e.index]);
+      add(alone, scene.shapes<scene::Cone>()[e.index]);
   }
   return {alone, {e.tipo, 0}};
 }
@@ -123,9 +124,9 @@ std::pair<scene::Scene, scene::ElementRef> alone_in_scene(const scene::Scene& sc
 /// Of the ray that starts on the element.
 oracle::exact::Coefficients coefficients_of(const scene::Scene& scene, scene::ElementRef e, const model::Rayo& rayo) {
   using oracle::exact::coefficients;
-  if (e.tipo == model::Tipo::soy_esfera) return coefficients(scene.spheres()[e.index], rayo, true);
-  if (e.tipo == model::Tipo::soy_cilindro) return coefficients(scene.cylinders()[e.index], rayo, true);
-  return coefficients(scene.cones()[e.index], rayo, true);
+  if (e.tipo == model::Tipo::soy_esfera) return coefficients(scene.shapes<scene::Sphere>()[e.index], rayo, true);
+  if (e.tipo == model::Tipo::soy_cilindro) return coefficients(scene.shapes<scene::Cylinder>()[e.index], rayo, true);
+  return coefficients(scene.shapes<scene::Cone>()[e.index], rayo, true);
 }
 
 using Order = std::array<int, 3>;
@@ -171,7 +172,7 @@ TEST_CASE("the opposite ray from beyond meets the same points in the opposite or
   std::size_t compared = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Case made = generate(*conform::find_family("grid_snapped"), seed, 100);
-    for (const trace::Query& ray : made.rays) {
+    for (const scene::Query& ray : made.rays) {
       const auto there = oracle::exact::all_hits(made.scene, ray.rayo);
       const model::Rayo opposite = test::ray(ray.rayo.p().xyz() + 128.0 * ray.rayo.v().xyz(), -ray.rayo.v().xyz());
       const auto back = oracle::exact::all_hits(made.scene, opposite);
@@ -196,7 +197,7 @@ TEST_CASE("what leaves a convex element outwards never meets it again, at any sc
   std::size_t tried = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const Case made = generate(*conform::find_family("on_surface"), seed, 60);
-    for (const trace::Query& ray : made.rays) {
+    for (const scene::Query& ray : made.rays) {
       for (const scene::ElementRef e : ray.en) {
         const auto [alone, only] = alone_in_scene(made.scene, e);
         for (const double way : {1.0, -1.0}) {
@@ -206,9 +207,9 @@ TEST_CASE("what leaves a convex element outwards never meets it again, at any sc
           if (slope < 0 || (slope == 0 && number::sign(f.A) <= 0)) continue;
           ++tried;
           INFO("seed " << seed << ": " << text(ray) << ", v times " << way);
-          CHECK(trace::first_hit(alone, rayo, {&only, 1}) == scene::Hit{});
-          CHECK_FALSE(trace::occluded(alone, rayo, {&only, 1}));
-          CHECK(oracle::exact::reach(alone, only, rayo, {&only, 1}).empty());
+          CHECK(trace::first_hit(alone, rayo, only) == scene::Hit{});
+          CHECK_FALSE(trace::occluded(alone, rayo, only));
+          CHECK(oracle::exact::reach(alone, only, rayo, only).empty());
         }
       }
     }

@@ -48,17 +48,17 @@ inline std::vector<Surface> surfaces(const scene::Scene& scene) {
   };
   using model::Tipo;
   using number::exact;
-  for (std::size_t i = 0; i < scene.spheres().size(); ++i) {
-    const scene::Sphere& s = scene.spheres()[i];
+  for (std::size_t i = 0; i < scene.shapes<scene::Sphere>().size(); ++i) {
+    const scene::Sphere& s = scene.shapes<scene::Sphere>()[i];
     all.push_back({e(Tipo::soy_esfera, i), Surface::exact(s.centro), {}, exact(s.radio), 0});
   }
-  for (std::size_t i = 0; i < scene.cylinders().size(); ++i) {
-    const scene::Cylinder& c = scene.cylinders()[i];
+  for (std::size_t i = 0; i < scene.shapes<scene::Cylinder>().size(); ++i) {
+    const scene::Cylinder& c = scene.shapes<scene::Cylinder>()[i];
     all.push_back({e(Tipo::soy_cilindro, i), Surface::exact(c.centro), Surface::exact(c.vector), exact(c.radio),
                    exact(c.altura)});
   }
-  for (std::size_t i = 0; i < scene.cones().size(); ++i) {
-    const scene::Cone& c = scene.cones()[i];
+  for (std::size_t i = 0; i < scene.shapes<scene::Cone>().size(); ++i) {
+    const scene::Cone& c = scene.shapes<scene::Cone>()[i];
     all.push_back({e(Tipo::soy_cono, i), Surface::exact(c.centro), Surface::exact(c.vector), exact(c.proporcion),
                    exact(c.altura)});
   }

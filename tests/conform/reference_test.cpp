@@ -11,7 +11,7 @@ using namespace durero::test;
 namespace {
 
 /// all_hits is ascending, and begins with what first_hit answers.
-void check_crossings(const scene::Scene& scene, const trace::Query& ray, const scene::Hit& hit) {
+void check_crossings(const scene::Scene& scene, const scene::Query& ray, const scene::Hit& hit) {
   const auto crossings = oracle::exact::all_hits(scene, ray.rayo, origin(ray));
   CHECK(crossings.empty() == (hit.resultado == model::Resultado::miss));
   for (std::size_t i = 1; i < crossings.size(); ++i) {
@@ -31,7 +31,7 @@ TEST_CASE("the exact oracle and a plain second reading of the Z text give the sa
     for (std::uint64_t seed = 100; seed < 100 + scenes; ++seed) {
       const conform::Case made = generate(family, seed, 25);
       for (std::size_t i = 0; i < made.rays.size(); ++i) {
-        const trace::Query& ray = made.rays[i];
+        const scene::Query& ray = made.rays[i];
         const scene::Hit exact = oracle::exact::first_hit(made.scene, ray.rayo, origin(ray));
         const scene::Hit reference = reference_first_hit(made.scene, ray.rayo, ray.en);
         check_crossings(made.scene, ray, exact);

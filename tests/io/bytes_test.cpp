@@ -51,7 +51,7 @@ std::string line(const Family& family, const Printed& printed) {
 
 std::string rays_text(const conform::Case& made) {
   std::vector<io::Ray> rays;
-  for (const trace::Query& ray : made.rays) {
+  for (const scene::Query& ray : made.rays) {
     const io::Ray copy{ray.rayo, ray.en};
     rays.push_back(copy);
   }

@@ -64,11 +64,11 @@ std::string data(const std::string& name) {
 std::size_t count(const io::Imported& i, model::Tipo tipo) {
   switch (tipo) {
     case model::Tipo::soy_esfera:
-      return i.scene.spheres().size();
+      return i.scene.shapes<scene::Sphere>().size();
     case model::Tipo::soy_cilindro:
-      return i.scene.cylinders().size();
+      return i.scene.shapes<scene::Cylinder>().size();
     default:
-      return i.scene.cones().size();
+      return i.scene.shapes<scene::Cone>().size();
   }
 }
 
@@ -116,8 +116,8 @@ TEST_CASE("More than nine fills keep their elements, whatever the order of the n
   for (int n = 0; n < 12; ++n)
     text += "f 0 0 " + std::to_string(n / 16.0) + " 1 0 0 0 1\ns 0 0 0 " + std::to_string(n + 1) + "\n";
   const io::Imported i = import_text(text);
-  for (const auto& s : i.scene.spheres()) {
-    const auto index = static_cast<std::uint32_t>(&s - i.scene.spheres().data());
+  for (const auto& s : i.scene.shapes<scene::Sphere>()) {
+    const auto index = static_cast<std::uint32_t>(&s - i.scene.shapes<scene::Sphere>().data());
     const auto material = i.scene.material({model::Tipo::soy_esfera, index});
     REQUIRE(material.has_value());
     CHECK(i.scene.stage().materials[*material].color.z == (s.radio - 1) / 16);
@@ -134,9 +134,9 @@ TEST_CASE("Any two points give an axis in Unitario, and an apex where it was") {
     const io::Imported i =
         import_text(fmt::format("c {} 2 {} 0\nc {} 0 {} 2\nc {} 1 {} 1\n", numbers(base), numbers(apex), numbers(apex),
                                 numbers(base), numbers(base), numbers(apex)));
-    RC_ASSERT(i.scene.cones().size() == 2U);
-    RC_ASSERT(i.scene.cylinders().size() == 1U);
-    for (const scene::Cone& k : i.scene.cones()) {
+    RC_ASSERT(i.scene.shapes<scene::Cone>().size() == 2U);
+    RC_ASSERT(i.scene.shapes<scene::Cylinder>().size() == 1U);
+    for (const scene::Cone& k : i.scene.shapes<scene::Cone>()) {
       RC_ASSERT(k.centro == base);
       RC_ASSERT(model::Unitario::contains(model::Vector{k.vector}));
       const glm::dvec3 off = k.centro + k.altura * k.vector - apex;

@@ -85,17 +85,17 @@ inline std::map<std::string, std::string> described(const scene::Scene& scene) {
     if (const auto m = scene.material(element)) text += ' ' + scene.stage().materials[*m].name;
     all.emplace(scene.name(element).name(), text);
   };
-  for (std::size_t i = 0; i < scene.spheres().size(); ++i) {
-    const auto& s = scene.spheres()[i];
+  for (std::size_t i = 0; i < scene.shapes<scene::Sphere>().size(); ++i) {
+    const auto& s = scene.shapes<scene::Sphere>()[i];
     add(model::Tipo::soy_esfera, i, {s.centro.x, s.centro.y, s.centro.z, s.radio});
   }
-  for (std::size_t i = 0; i < scene.cylinders().size(); ++i) {
-    const auto& c = scene.cylinders()[i];
+  for (std::size_t i = 0; i < scene.shapes<scene::Cylinder>().size(); ++i) {
+    const auto& c = scene.shapes<scene::Cylinder>()[i];
     add(model::Tipo::soy_cilindro, i,
         {c.centro.x, c.centro.y, c.centro.z, c.radio, c.vector.x, c.vector.y, c.vector.z, c.altura});
   }
-  for (std::size_t i = 0; i < scene.cones().size(); ++i) {
-    const auto& k = scene.cones()[i];
+  for (std::size_t i = 0; i < scene.shapes<scene::Cone>().size(); ++i) {
+    const auto& k = scene.shapes<scene::Cone>()[i];
     add(model::Tipo::soy_cono, i,
         {k.centro.x, k.centro.y, k.centro.z, k.proporcion, k.vector.x, k.vector.y, k.vector.z, k.altura});
   }

@@ -75,8 +75,8 @@ TEST_CASE("Order of keys and space mean nothing") {
       "\"format\":\"durero-scene\"}";
   const scene::Scene scene = io::read_scene(io::Source("f", text));
   REQUIRE(scene.size() == 1);
-  CHECK(scene.spheres()[0].centro == glm::dvec3(1, 2, 3));
-  CHECK(scene.spheres()[0].radio == 2);
+  CHECK(scene.shapes<scene::Sphere>()[0].centro == glm::dvec3(1, 2, 3));
+  CHECK(scene.shapes<scene::Sphere>()[0].radio == 2);
   CHECK(scene.find("a").has_value());
   CHECK(scene.material(*scene.find("a")) == 0U);
 }

@@ -33,16 +33,16 @@ scene::ElementSet random_origin(const scene::Scene& scene) {
     for (std::uint32_t i = 0; i < count; ++i)
       if (*rc::gen::element(0, 0, 0, 1)) en.push_back({t, i});
   };
-  maybe(model::Tipo::soy_esfera, scene.spheres().size());
-  maybe(model::Tipo::soy_cilindro, scene.cylinders().size());
-  maybe(model::Tipo::soy_cono, scene.cones().size());
+  maybe(model::Tipo::soy_esfera, scene.shapes<scene::Sphere>().size());
+  maybe(model::Tipo::soy_cilindro, scene.shapes<scene::Cylinder>().size());
+  maybe(model::Tipo::soy_cono, scene.shapes<scene::Cone>().size());
   return en;
 }
 
 void same_answer(const scene::Scene& scene, const model::Rayo& rayo, const scene::ElementSet& en) {
   const model::Escena escena = retrieve(scene);
   const auto expected = model::Primera_Interseccion(escena, {rayo, names(scene, en)});
-  const oracle::exact::Origin origin(en.data(), en.size());
+  const oracle::exact::Origin origin(en);
   const scene::Hit hit = oracle::exact::first_hit(scene, rayo, origin);
   RC_CLASSIFY(hit.resultado == model::Resultado::hit, "hit");
   RC_CLASSIFY(hit.resultado == model::Resultado::no_minimum, "no_minimum");

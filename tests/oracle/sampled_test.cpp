@@ -71,7 +71,7 @@ TEST_CASE("a claimed point has delta and 2^-40 of the lengths at hand, no more a
   scene::Scene scene;
   scene.apply(model::Agregar_Esfera{model::Elemento("s"), {0, 0, 0}, 1});
   const double fineness = oracle::sampled::default_fineness, far = 0x1p20;
-  const oracle::Cover cover = oracle::cover(scene.spheres()[0], fineness);
+  const oracle::Cover cover = oracle::cover(scene.shapes<scene::Sphere>()[0], fineness);
   const double slack = 0x1p-40 * (far + 1);
   const glm::dvec3 sample = cover.samples.front();
   const auto judged = [&](double part) {

@@ -54,12 +54,12 @@ model::Rayo generator_ray(Random& random, const scene::Scene& scene) {
   const auto across = [&](const glm::dvec3& axis) {
     return random.below(2) == 0 ? glm::dvec3(axis.y, axis.z, axis.x) : -glm::dvec3(axis.z, axis.x, axis.y);
   };
-  if (!scene.cylinders().empty()) {
-    const scene::Cylinder& c = scene.cylinders().front();
+  if (!scene.shapes<scene::Cylinder>().empty()) {
+    const scene::Cylinder& c = scene.shapes<scene::Cylinder>().front();
     foot = c.centro + c.radio * across(c.vector);
     to_top = c.altura * c.vector;
-  } else if (!scene.cones().empty()) {
-    const scene::Cone& c = scene.cones().front();
+  } else if (!scene.shapes<scene::Cone>().empty()) {
+    const scene::Cone& c = scene.shapes<scene::Cone>().front();
     const glm::dvec3 arm = c.proporcion * c.altura * across(c.vector);
     foot = c.centro + arm;
     to_top = c.altura * c.vector - arm;

@@ -68,11 +68,12 @@ model::Vector axis(const Family& family, test::Random& random) {
 /// A random element; one in five is the same as one that is there, under another name: ties.
 model::Operation addition(const Family& family, test::Random& random, const scene::Scene& scene) {
   const model::Elemento e("e" + std::to_string(scene.size()));
-  if (random.below(5) == 0 && !scene.spheres().empty()) {
-    return model::Agregar_Esfera{e, model::Punto(scene.spheres()[0].centro), scene.spheres()[0].radio};
+  if (random.below(5) == 0 && !scene.shapes<scene::Sphere>().empty()) {
+    return model::Agregar_Esfera{e, model::Punto(scene.shapes<scene::Sphere>()[0].centro),
+                                 scene.shapes<scene::Sphere>()[0].radio};
   }
-  if (random.below(5) == 0 && !scene.cones().empty()) {
-    const scene::Cone& c = scene.cones()[0];
+  if (random.below(5) == 0 && !scene.shapes<scene::Cone>().empty()) {
+    const scene::Cone& c = scene.shapes<scene::Cone>()[0];
     return model::Agregar_Cono{e, model::Punto(c.centro), c.proporcion, model::Vector(c.vector), c.altura};
   }
   const model::Punto centro(vec(family, random));
@@ -94,22 +95,22 @@ void print(const scene::Scene& scene) {
     return scene.name({tipo, static_cast<std::uint32_t>(i)}).name().c_str();
   };
   std::printf("scene\n");
-  for (std::size_t i = 0; i < scene.spheres().size(); ++i) {
-    const scene::Sphere& s = scene.spheres()[i];
+  for (std::size_t i = 0; i < scene.shapes<scene::Sphere>().size(); ++i) {
+    const scene::Sphere& s = scene.shapes<scene::Sphere>()[i];
     std::printf("esfera %s", name(model::Tipo::soy_esfera, i));
     print(s.centro);
     std::printf(" %a\n", s.radio);
   }
-  for (std::size_t i = 0; i < scene.cylinders().size(); ++i) {
-    const scene::Cylinder& c = scene.cylinders()[i];
+  for (std::size_t i = 0; i < scene.shapes<scene::Cylinder>().size(); ++i) {
+    const scene::Cylinder& c = scene.shapes<scene::Cylinder>()[i];
     std::printf("cilindro %s", name(model::Tipo::soy_cilindro, i));
     print(c.centro);
     std::printf(" %a", c.radio);
     print(c.vector);
     std::printf(" %a\n", c.altura);
   }
-  for (std::size_t i = 0; i < scene.cones().size(); ++i) {
-    const scene::Cone& c = scene.cones()[i];
+  for (std::size_t i = 0; i < scene.shapes<scene::Cone>().size(); ++i) {
+    const scene::Cone& c = scene.shapes<scene::Cone>()[i];
     std::printf("cono %s", name(model::Tipo::soy_cono, i));
     print(c.centro);
     std::printf(" %a", c.proporcion);
@@ -156,13 +157,13 @@ glm::dvec3 across(const glm::dvec3& d) {
 model::Rayo aimed(const scene::Scene& scene, scene::ElementRef e, const glm::dvec3& p, double start) {
   glm::dvec3 from = p, v(0, 0, 1);
   if (e.tipo == model::Tipo::soy_esfera) {
-    v = scene.spheres()[e.index].centro - p;
+    v = scene.shapes<scene::Sphere>()[e.index].centro - p;
   } else if (e.tipo == model::Tipo::soy_cilindro) {
-    const scene::Cylinder& c = scene.cylinders()[e.index];
+    const scene::Cylinder& c = scene.shapes<scene::Cylinder>()[e.index];
     v = c.vector;
     from = c.centro + c.radio * across(c.vector) + start * v;
   } else {
-    const scene::Cone& c = scene.cones()[e.index];
+    const scene::Cone& c = scene.shapes<scene::Cone>()[e.index];
     v = c.vector - c.proporcion * across(c.vector);
     from = c.centro + c.proporcion * c.altura * across(c.vector) + start * v;
   }
@@ -172,13 +173,13 @@ model::Rayo aimed(const scene::Scene& scene, scene::ElementRef e, const glm::dve
 }
 
 /// A ray of the family; one in three is aimed at an element, and one in four starts on some element.
-trace::Query ray_of(const Family& family, test::Random& random, const scene::Scene& scene) {
+scene::Query ray_of(const Family& family, test::Random& random, const scene::Scene& scene) {
   const auto some = [&] { return *scene.find("e" + std::to_string(random.below(scene.size()))); };
   const glm::dvec3 p = vec(family, random);
   glm::dvec3 v = vec(family, random);
   if (v == glm::dvec3(0)) v = {0, 0, 1};
   const bool at_element = random.below(3) == 0;
-  trace::Query query{at_element ? aimed(scene, some(), p, family.number(random))
+  scene::Query query{at_element ? aimed(scene, some(), p, family.number(random))
                                 : model::Rayo{model::Punto(p), model::Vector(v)}};
   if (random.below(4) == 0) query.en.push_back(some());
   return query;
@@ -247,25 +248,25 @@ struct Session {
   long claims = 0;
 
   /// Prints the claim, right or spoilt.
-  void claim(const scene::Scene& scene, const trace::Query& query, scene::Hit hit) {
+  void claim(const scene::Scene& scene, const scene::Query& query, scene::Hit hit) {
     if (with_faults && claims++ % 50 == 49) {
       for (long fault = claims / 50; !spoil(hit, scene, static_cast<Fault>(fault % faults));) ++fault;
     }
     print(scene, query.rayo, query.en, hit);
   }
 
-  void claims_of(const scene::Scene& scene, const std::vector<trace::Query>& queries) {
+  void claims_of(const scene::Scene& scene, const std::vector<scene::Query>& queries) {
     if (!tracer) {
-      for (const trace::Query& query : queries) {
-        claim(scene, query, oracle::exact::first_hit(scene, query.rayo, {query.en.data(), query.en.size()}));
+      for (const scene::Query& query : queries) {
+        claim(scene, query, oracle::exact::first_hit(scene, query.rayo, query.en));
       }
       return;
     }
     const std::vector<scene::Hit> hits = trace::first_hits(scene, queries, 1);
     for (std::size_t i = 0; i < queries.size(); ++i) {
-      const trace::Query& query = queries[i];
+      const scene::Query& query = queries[i];
       claim(scene, query, hits[i]);
-      claim(scene, query, trace::first_hit(scene, query.rayo, {query.en.data(), query.en.size()}));
+      claim(scene, query, trace::first_hit(scene, query.rayo, query.en));
     }
   }
 };
@@ -288,7 +289,7 @@ int main(int argc, char** argv) {
     for (std::size_t i = 0, n = 1 + random.below(most); i < n; ++i) {
       scene.apply(addition(family, random, scene));
     }
-    std::vector<trace::Query> queries;
+    std::vector<scene::Query> queries;
     for (int i = 0; i < 24; ++i) queries.push_back(ray_of(family, random, scene));
     print(scene);
     session.claims_of(scene, queries);

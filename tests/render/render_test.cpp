@@ -130,7 +130,7 @@ TEST_CASE("an engine that answers many rays at once is asked row by row, and dra
       [&](const model::Rayo& ray, render::Tracer::Origin en) { return trace::occluded_segment(tables, ray, en); }};
   const render::Image one_by_one = render::render(scene, tracer);
   std::atomic<std::size_t> asked = 0;
-  tracer.first_hits = [&](std::span<const trace::Query> rays, unsigned threads) {
+  tracer.first_hits = [&](std::span<const scene::Query> rays, unsigned threads) {
     asked += rays.size();
     return trace::first_hits(tables, rays, threads);
   };

@@ -35,17 +35,17 @@ auto picture(const Scene& scene) {
     const ElementRef element{t, static_cast<std::uint32_t>(i)};
     rows.emplace_back(element, scene.name(element).name(), std::move(numbers), scene.material(element));
   };
-  for (std::size_t i = 0; i < scene.spheres().size(); ++i) {
-    const auto& s = scene.spheres()[i];
+  for (std::size_t i = 0; i < scene.shapes<scene::Sphere>().size(); ++i) {
+    const auto& s = scene.shapes<scene::Sphere>()[i];
     add(Tipo::soy_esfera, i, {s.centro.x, s.centro.y, s.centro.z, s.radio});
   }
-  for (std::size_t i = 0; i < scene.cylinders().size(); ++i) {
-    const auto& c = scene.cylinders()[i];
+  for (std::size_t i = 0; i < scene.shapes<scene::Cylinder>().size(); ++i) {
+    const auto& c = scene.shapes<scene::Cylinder>()[i];
     add(Tipo::soy_cilindro, i,
         {c.centro.x, c.centro.y, c.centro.z, c.radio, c.vector.x, c.vector.y, c.vector.z, c.altura});
   }
-  for (std::size_t i = 0; i < scene.cones().size(); ++i) {
-    const auto& c = scene.cones()[i];
+  for (std::size_t i = 0; i < scene.shapes<scene::Cone>().size(); ++i) {
+    const auto& c = scene.shapes<scene::Cone>()[i];
     add(Tipo::soy_cono, i,
         {c.centro.x, c.centro.y, c.centro.z, c.proporcion, c.vector.x, c.vector.y, c.vector.z, c.altura});
   }
@@ -93,7 +93,7 @@ TEST_CASE("an element is added, found, and removed") {
 
   CHECK(scene.apply_total(Eliminar_Elemento{Elemento("a")}).r == Respuesta::elemento_eliminado);
   REQUIRE(scene.find("c"));
-  CHECK(scene.spheres()[scene.find("c")->index].radio == 2);
+  CHECK(scene.shapes<scene::Sphere>()[scene.find("c")->index].radio == 2);
   const Answer refused = scene.apply_total(Eliminar_Esfera{Elemento("b")});
   CHECK(refused.r == Respuesta::tipo_incorrecto);
   REQUIRE(refused.violated);

@@ -24,7 +24,7 @@ scene::Scene scene_of(const Reals& numbers) {
 }
 
 /// Every entry point against the oracle, with and without tables.
-scene::Hit check_ray(const scene::Scene& scene, const trace::Tables& tables, const model::Rayo& ray, trace::Origin en) {
+scene::Hit check_ray(const scene::Scene& scene, const trace::Tables& tables, const model::Rayo& ray, scene::Origin en) {
   namespace exact = oracle::exact;
   const scene::Hit truth = exact::first_hit(scene, ray, en);
   RC_ASSERT(trace::first_hit(tables, ray, en) == truth);
@@ -46,7 +46,7 @@ void check_path(const Reals& numbers) {
     const scene::Hit hit = check_ray(scene, tables, *rays(numbers), {});
     if (hit.resultado != Resultado::hit || !finite(hit.punto)) continue;
     const model::Rayo on({model::Punto(hit.punto), (*rays(numbers)).v()});
-    check_ray(scene, tables, on, {hit.elementos.data(), hit.elementos.size()});
+    check_ray(scene, tables, on, hit.elementos);
   }
 }
 
@@ -54,9 +54,9 @@ void check_path(const Reals& numbers) {
 void check_many(const Reals& numbers) {
   const scene::Scene scene = scene_of(numbers);
   const trace::Tables tables(scene);
-  std::vector<trace::Query> queries;
+  std::vector<scene::Query> queries;
   for (int i = 0; i < 100; ++i) {
-    const trace::Query query{*rays(numbers)};
+    const scene::Query query{*rays(numbers)};
     queries.push_back(query);
   }
   const auto hits = trace::first_hits(tables, queries, 1);
@@ -86,9 +86,9 @@ TEST_CASE("the answers to many rays do not depend on the number of threads") {
   property("1, 2 and all threads", [] {
     const scene::Scene scene = scene_of(moderate());
     const trace::Tables tables(scene);
-    std::vector<trace::Query> queries;
+    std::vector<scene::Query> queries;
     for (int i = 0; i < 1000; ++i) {
-      const trace::Query query{*rays(moderate())};
+      const scene::Query query{*rays(moderate())};
       queries.push_back(query);
     }
     trace::Counts one, two;

@@ -23,7 +23,7 @@ struct Range {
 /// A scene and rays for it, with the elements that each starts on.
 struct Case {
   scene::Scene scene;
-  std::vector<trace::Query> rays;
+  std::vector<scene::Query> rays;
 };
 
 /// What a case has to do with its family.
@@ -61,7 +61,7 @@ const Family* find_family(std::string_view name);
 Case generate(const Family& family, std::uint64_t seed, std::size_t rays);
 
 /// By oracle::exact. Precondition: the case is the family's, and the ray is its own.
-Membership membership(const Family& family, const Case& the_case, const trace::Query& ray);
+Membership membership(const Family& family, const Case& the_case, const scene::Query& ray);
 
 /// How many rays of a case are truly of its family.
 struct Count {

@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "durero/io/source.hpp"
+#include "durero/scene/query.hpp"
 #include "durero/scene/scene.hpp"
-#include "durero/trace/search.hpp"
 
 namespace durero::io {
 
-using Ray = trace::Query;
+using Ray = scene::Query;
 
 /// Reads rays of a scene. A file that starts as a .npy does, or is named so, is read as one, the others as text:
 /// numbers decimal or C's hexadecimal, `#` comments, blank lines. Throws InputError on v = 0, on what is no finite

@@ -1,17 +1,16 @@
 #pragma once
 /// The first intersection by exact arithmetic: what every engine must answer, byte for byte.
 
-#include <span>
 #include <vector>
 
 #include "durero/oracle/exact_element.hpp"
 #include "durero/scene/hit.hpp"
+#include "durero/scene/query.hpp"
 #include "durero/scene/scene.hpp"
 
 namespace durero::oracle::exact {
 
-/// en?: the elements that the origin of a ray lies on.
-using Origin = std::span<const scene::ElementRef>;
+using scene::Origin;
 
 /// alcance of one element. Precondition: the element is in the scene.
 Reach reach(const scene::Scene& scene, scene::ElementRef element, const model::Rayo& rayo, Origin en = {});

@@ -17,12 +17,12 @@ namespace durero::render {
 
 /// What answers the rays: any engine, since all of them give the same answer.
 struct Tracer {
-  using Origin = std::span<const scene::ElementRef>;
+  using Origin = scene::Origin;
   std::function<scene::Hit(const model::Rayo&, Origin)> first_hit;
   std::function<bool(const model::Rayo&, Origin)> occluded_segment;
 
   /// first_hit of many rays, in order, on so many threads (0: every core). Empty where an engine has but the first.
-  std::function<std::vector<scene::Hit>(std::span<const trace::Query>, unsigned threads)> first_hits{};
+  std::function<std::vector<scene::Hit>(std::span<const scene::Query>, unsigned threads)> first_hits{};
 };
 
 /// Called now and then, from one thread at a time, with the share of rows that are done, 0 to 1.

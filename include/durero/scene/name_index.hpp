@@ -5,6 +5,7 @@
 /// a library's: to undo a removal after a broken postcondition the name must go back without asking for memory, which
 /// tsl::robin_map does not promise, and a node container costs two more cache misses an edit.
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -12,13 +13,17 @@
 #include <vector>
 
 #include "durero/scene/element_ref.hpp"
+#include "durero/scene/shapes.hpp"
 
 namespace durero::scene {
 
 class NameIndex {
  public:
-  /// ElementRef::index is at most this.
-  static constexpr std::uint32_t last_index = (std::uint32_t{1} << 30) - 1;
+  /// So many bits of a cell hold the type of an element, and the others its index.
+  static constexpr unsigned type_bits = std::bit_width(shape_count - 1);
+  static_assert(type_bits <= 3, "a table of more than 2^29 elements, or more than eight types, needs larger cells");
+  /// ElementRef::index is at most this: a cell with all bits set is unused.
+  static constexpr std::uint32_t last_index = (~std::uint32_t{0} >> type_bits) - 1;
 
   using hash_type = std::uint32_t;
 
@@ -51,7 +56,7 @@ class NameIndex {
   void move(hash_type hash, ElementRef from, ElementRef to) noexcept;
 
  private:
-  /// Eight bytes, so that a probe seldom leaves a cache line: the type is the last two bits of `packed`.
+  /// Eight bytes, so that a probe seldom leaves a cache line: the type is the lowest bits of `packed`.
   struct Cell {
     static constexpr std::uint32_t unused = ~std::uint32_t{0};
 
@@ -59,9 +64,12 @@ class NameIndex {
     std::uint32_t packed = unused;
 
     Cell() = default;
-    Cell(hash_type h, ElementRef place) : hash(h), packed(place.index << 2 | static_cast<std::uint32_t>(place.tipo)) {}
+    Cell(hash_type h, ElementRef place)
+        : hash(h), packed(place.index << type_bits | static_cast<std::uint32_t>(place.tipo)) {}
     bool is_used() const noexcept { return packed != unused; }
-    ElementRef place() const noexcept { return {static_cast<model::Tipo>(packed & 3), packed >> 2}; }
+    ElementRef place() const noexcept {
+      return {static_cast<model::Tipo>(packed & ((1u << type_bits) - 1)), packed >> type_bits};
+    }
   };
 
   std::size_t home(hash_type hash) const noexcept { return hash & (cells_.size() - 1); }

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "durero/model/operaciones.hpp"
+#include "durero/scene/edit.hpp"
 #include "durero/scene/element_ref.hpp"
 #include "durero/scene/name_index.hpp"
 #include "durero/scene/shapes.hpp"
@@ -19,9 +20,40 @@ namespace durero::scene {
 
 class Scene {
  public:
-  std::span<const Sphere> spheres() const noexcept { return spheres_.shapes; }
-  std::span<const Cylinder> cylinders() const noexcept { return cylinders_.shapes; }
-  std::span<const Cone> cones() const noexcept { return cones_.shapes; }
+  /// The dense table of one shape: the element {Shape::tipo, i} is its row i.
+  template <class Shape>
+  std::span<const Shape> shapes() const noexcept {
+    return table<Shape>().shapes;
+  }
+
+  /// visit(shape) with the geometry of an element.
+  template <class Visit>
+  decltype(auto) visit(ElementRef element, Visit&& visit) const {
+    return with_shape(element.tipo, [&]<class Shape>(std::type_identity<Shape>) -> decltype(auto) {
+      return visit(shapes<Shape>()[element.index]);
+    });
+  }
+
+  /// visit(element, shape) for every element, ascending, until it answers true. Whether it did.
+  template <class Visit>
+  bool any_of(Visit&& visit) const {
+    bool answered = false;
+    for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
+      const std::span<const Shape> rows = shapes<Shape>();
+      for (std::uint32_t i = 0; i < rows.size() && !answered; ++i)
+        answered = visit(ElementRef{Shape::tipo, i}, rows[i]);
+    });
+    return answered;
+  }
+
+  /// visit(element, shape) for every element, ascending.
+  template <class Visit>
+  void for_each(Visit&& visit) const {
+    any_of([&](ElementRef element, const auto& shape) {
+      visit(element, shape);
+      return false;
+    });
+  }
 
   /// #elementos
   std::size_t size() const noexcept { return index_.size(); }
@@ -35,6 +67,9 @@ class Scene {
   model::Respuesta apply(const model::Operation& operation);
   /// The total operation: where a precondition does not hold it changes nothing and answers the error.
   model::Answer apply_total(const model::Operation& operation);
+  /// The same of an edit: a new element gets the edit's material. Throws std::out_of_range, and changes nothing, where
+  /// the edit's material is none of the stage's.
+  model::Answer apply_total(const Edit& edit);
 
   Stage& stage() noexcept { return stage_; }
   const Stage& stage() const noexcept { return stage_; }
@@ -48,11 +83,19 @@ class Scene {
   friend class Editor;
 
   const Label& label(ElementRef element) const noexcept;
+  Label& label(ElementRef element) noexcept;
   std::optional<ElementRef> find(std::string_view name, NameIndex::hash_type hash) const noexcept;
 
-  Table<Sphere> spheres_;
-  Table<Cylinder> cylinders_;
-  Table<Cone> cones_;
+  template <class Shape>
+  const Table<Shape>& table() const noexcept {
+    return std::get<Table<Shape>>(tables_);
+  }
+  template <class Shape>
+  Table<Shape>& table() noexcept {
+    return std::get<Table<Shape>>(tables_);
+  }
+
+  Tables<Shapes> tables_;
   NameIndex index_;
   Stage stage_;
 };

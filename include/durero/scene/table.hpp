@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -37,7 +38,7 @@ struct Table {
 
   /// Makes room for one more row. The only member that asks for memory; nothing that can be seen changes.
   void reserve_one_more() {
-    if (size() > NameIndex::last_index) throw std::length_error("a scene holds at most 2^30 elements of a type");
+    if (size() > NameIndex::last_index) throw std::length_error("a table holds no more elements of this type");
     grow(shapes);
     grow(labels);
   }
@@ -78,5 +79,15 @@ struct Table {
     if (column.size() == column.capacity()) column.reserve(std::max<std::size_t>(16, 2 * column.size()));
   }
 };
+
+/// A table for each shape of a list.
+template <class List>
+struct TablesOf;
+template <class... Shape>
+struct TablesOf<std::tuple<Shape...>> {
+  using type = std::tuple<Table<Shape>...>;
+};
+template <class List>
+using Tables = typename TablesOf<List>::type;
 
 }  // namespace durero::scene

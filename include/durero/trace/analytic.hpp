@@ -24,13 +24,14 @@ bool occluded_segment(const Tables& tables, const model::Rayo& rayo, Origin en =
 
 /// first_hit of every query, in order, by eight in lanes (batch.hpp): for more than a few rays the fastest way to the
 /// same bytes. threads = 0 uses every core; the result does not depend on it.
-std::vector<scene::Hit> first_hits(const Tables& tables, std::span<const Query> queries, unsigned threads = 0,
+std::vector<scene::Hit> first_hits(const Tables& tables, std::span<const scene::Query> queries, unsigned threads = 0,
                                    Counts* counts = nullptr);
 
 /// The same without tables at hand: for a few rays, but the last, which makes them.
 scene::Hit first_hit(const scene::Scene& scene, const model::Rayo& rayo, Origin en = {});
 bool occluded(const scene::Scene& scene, const model::Rayo& rayo, Origin en = {});
 bool occluded_segment(const scene::Scene& scene, const model::Rayo& rayo, Origin en = {});
-std::vector<scene::Hit> first_hits(const scene::Scene& scene, std::span<const Query> queries, unsigned threads = 0);
+std::vector<scene::Hit> first_hits(const scene::Scene& scene, std::span<const scene::Query> queries,
+                                   unsigned threads = 0);
 
 }  // namespace durero::trace

@@ -25,9 +25,10 @@ namespace durero::trace {
 template <class Engine>
 class Batch {
  public:
-  Batch(const Tables& tables, std::span<const Query> queries, Engine& engine) : tables_(tables), engine_(engine) {
+  Batch(const Tables& tables, std::span<const scene::Query> queries, Engine& engine)
+      : tables_(tables), engine_(engine) {
     beams_.reserve(queries.size());
-    for (const Query& query : queries) beams_.emplace_back(query.rayo);
+    for (const scene::Query& query : queries) beams_.emplace_back(query.rayo);
     nearest_.resize(queries.size());
     for (std::size_t ray = 0; ray < queries.size(); ++ray) {
       nearest_[ray].alone = !beams_[ray].ordinary || !queries[ray].en.empty() || !tables.extraordinary().empty();
@@ -83,7 +84,7 @@ class Batch {
 
   void take(std::uint32_t ray, scene::ElementRef e) {
     Pile& pile = piles_[static_cast<std::size_t>(e.tipo)];
-    with_shape(tables_.scene(), e, [&](const auto& shape) { pile.pack.set(pile.count, beams_[ray], shape); });
+    tables_.scene().visit(e, [&](const auto& shape) { pile.pack.set(pile.count, beams_[ray], shape); });
     pile.rays[pile.count] = ray;
     pile.elements[pile.count] = e;
     if (++pile.count == Pack::size) test(pile);
@@ -123,7 +124,7 @@ class Batch {
 
 /// answer_block(queries, hits) for blocks of the queries, on so many threads: 0 is every core, 1 the calling one.
 template <class AnswerBlock>
-std::vector<scene::Hit> in_blocks(std::span<const Query> queries, unsigned threads, AnswerBlock answer_block) {
+std::vector<scene::Hit> in_blocks(std::span<const scene::Query> queries, unsigned threads, AnswerBlock answer_block) {
   constexpr std::size_t size = 256;
   std::vector<scene::Hit> hits(queries.size());
   const auto answer = [&](std::size_t block) {

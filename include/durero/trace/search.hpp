@@ -3,44 +3,16 @@
 
 #include <boost/container/small_vector.hpp>
 #include <memory>
-#include <span>
 
 #include "durero/oracle/exact.hpp"
 #include "durero/scene/hit.hpp"
+#include "durero/scene/query.hpp"
 #include "durero/scene/scene.hpp"
 #include "durero/trace/steps.hpp"
 
 namespace durero::trace {
 
-/// en?: the elements that the origin of a ray lies on.
-using Origin = std::span<const scene::ElementRef>;
-
-inline bool contains(Origin en, scene::ElementRef e) noexcept {
-  for (const scene::ElementRef& on : en) {
-    if (on == e) return true;
-  }
-  return false;
-}
-
-/// One line of a rays file: rayo? and en?.
-struct Query {
-  model::Rayo rayo;
-  scene::ElementSet en{};  ///< the elements that the origin lies on
-  bool operator==(const Query&) const = default;
-};
-
-/// visit(shape) with the element's geometry.
-template <class Visit>
-auto with_shape(const scene::Scene& scene, scene::ElementRef e, Visit visit) {
-  switch (e.tipo) {
-    case model::Tipo::soy_esfera:
-      return visit(scene.spheres()[e.index]);
-    case model::Tipo::soy_cilindro:
-      return visit(scene.cylinders()[e.index]);
-    default:
-      return visit(scene.cones()[e.index]);
-  }
-}
+using scene::Origin;
 
 /// Where a ray first meets an element, by the first step that can tell: a parameter t in [low, high].
 struct Meeting {

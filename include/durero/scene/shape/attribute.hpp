@@ -1,0 +1,68 @@
+#pragma once
+/// An attribute of a shape: one row that holds all that its letters name. Whoever needs the attributes of a shape
+/// (files, scripts, messages, the retrieve function, the values of the Z text) walks the shape's table of them.
+
+#include <glm/vec3.hpp>
+#include <map>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+
+#include "durero/model/escena.hpp"
+#include "durero/model/operaciones.hpp"
+
+namespace durero::scene {
+
+template <class ShapeType, class StoredType, class Addition, class InputType, class ValueType>
+struct Attribute {
+  using Stored = StoredType;  ///< of the compact table: double or glm::dvec3
+  using Input = InputType;    ///< of the addition: double, Punto or Vector
+  using Value = ValueType;    ///< of the specification: Rmas, Punto or Vector
+
+  std::string_view word;                                       ///< in files, scripts and messages
+  Stored ShapeType::*field;                                    ///< in the compact table
+  Input Addition::*input;                                      ///< radio? and the like
+  std::map<model::Elemento, Value> model::Escena::*component;  ///< mi_radio and the like
+};
+
+/// What a table stores of an input.
+inline double stored(double x) { return x; }
+inline const glm::dvec3& stored(const model::Punto& p) { return p.xyz(); }
+inline const glm::dvec3& stored(const model::Vector& v) { return v.xyz(); }
+
+/// visit(attribute) for each attribute of the shape, in the order of the text.
+template <class Shape, class Visit>
+constexpr void for_each_attribute(Visit&& visit) {
+  std::apply([&](const auto&... attribute) { (visit(attribute), ...); }, Shape::attributes);
+}
+
+/// The geometry that an addition describes.
+template <class Shape>
+Shape shape_of(const typename Shape::Addition& in) {
+  return std::apply([&](const auto&... attribute) { return Shape{stored(in.*attribute.input)...}; }, Shape::attributes);
+}
+
+/// The addition that puts this geometry under a name.
+template <class Shape>
+typename Shape::Addition addition(const model::Elemento& e, const Shape& shape) {
+  const auto input = [&]<class Row>(const Row& attribute) { return typename Row::Input(shape.*attribute.field); };
+  return std::apply(
+      [&](const auto&... attribute) {
+        return typename Shape::Addition{e, input(attribute)...};
+      },
+      Shape::attributes);
+}
+
+/// Whether the shape has the attribute that this component of the specification holds, such as &Escena::mi_radio.
+template <class Shape, auto component>
+constexpr bool has_attribute() {
+  const auto is_it = []<class Row>(const Row& attribute) {
+    if constexpr (std::is_same_v<decltype(attribute.component), std::remove_const_t<decltype(component)>>)
+      return attribute.component == component;
+    else
+      return false;
+  };
+  return std::apply([&](const auto&... attribute) { return (is_it(attribute) || ...); }, Shape::attributes);
+}
+
+}  // namespace durero::scene

@@ -1,0 +1,22 @@
+#pragma once
+/// A sphere, as the compact tables hold it.
+
+#include "durero/scene/shape/attribute.hpp"
+
+namespace durero::scene {
+
+/// |q|² − radio² = 0, with q = w − centro (puntos_esfera).
+struct Sphere {
+  glm::dvec3 centro;
+  double radio;
+
+  using Addition = model::Agregar_Esfera;
+  using Removal = model::Eliminar_Esfera;
+  static constexpr model::Tipo tipo = model::Tipo::soy_esfera;
+  static constexpr std::string_view word = "esfera";
+  static constexpr auto attributes =
+      std::tuple{Attribute{"centro", &Sphere::centro, &Addition::centro, &model::Escena::mi_centro},
+                 Attribute{"radio", &Sphere::radio, &Addition::radio, &model::Escena::mi_radio}};
+};
+
+}  // namespace durero::scene
