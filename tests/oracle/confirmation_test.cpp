@@ -151,7 +151,7 @@ TEST_CASE("a ray that starts on elements is judged by what it reaches of them") 
   const scene::Scene scene = alike();
   const ElementRef b = find(scene, "b");
   const model::Rayo inwards{{0, 0, 4}, {0, 0, 1}};
-  const Hit far = exact::first_hit(scene, inwards, {&b, 1});
+  const Hit far = exact::first_hit(scene, inwards, b);
   CHECK(objection(scene, inwards, far, {b}) == "");
   CHECK(objection(scene, inwards, {}, {b}) == "No_Hay_Interseccion.pre.1: a point of the ray lies on a");
 }
