@@ -2,15 +2,50 @@
 
 #include <png.h>
 
+#include <cmath>
+#include <limits>
+
 #include "support/catch.hpp"
 
 using namespace durero;
 
-TEST_CASE("colours are cut to [0, 1] and rounded to 255 steps") {
+TEST_CASE("a linear component goes through the sRGB curve and is rounded to 255 steps") {
+  using render::srgb_byte;
+  CHECK(srgb_byte(0) == 0);
+  CHECK(srgb_byte(0.001) == 3);       // 12.92 · 0.001 · 255 = 3.29
+  CHECK(srgb_byte(0.0031308) == 10);  // 10.31, where the curve leaves the straight line
+  CHECK(srgb_byte(0.0033) == 11);     // 1.055 · 0.0033^(1/2.4) − 0.055 = 0.04208; the line would say 10.87
+  CHECK(srgb_byte(0.02) == 39);       // 0.15170; the line would say 66
+  CHECK(srgb_byte(0.18) == 118);      // the grey card, 0.46136
+  CHECK(srgb_byte(0.5) == 188);       // 0.73536
+  CHECK(srgb_byte(0.999) == 255);     // 0.99956
+  CHECK(srgb_byte(1) == 255);
+  const double half = 0.5 / 255 / 12.92;  // halfway between the bytes 0 and 1, but for rounding
+  CHECK(srgb_byte(half * (1 - 0x1p-50)) == 0);
+  CHECK(srgb_byte(half * (1 + 0x1p-50)) == 1);
+}
+
+TEST_CASE("every byte comes from the colour that its value on the curve stands for") {
+  for (int byte = 0; byte < 256; ++byte) {
+    const double value = byte / 255.0;  // the inverse of the curve, as the standard gives it
+    CHECK(render::srgb_byte(value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4)) == byte);
+  }
+}
+
+TEST_CASE("a component out of range is cut, and no number is black") {
+  const double infinity = std::numeric_limits<double>::infinity();
   render::Image image({2, 1});
-  image.set(0, 0, {0, 0.5, 1});
-  image.set(1, 0, {-3, 7, 0.2});
-  CHECK(image.rgb == std::vector<std::uint8_t>{0, 128, 255, 0, 255, 51});
+  image.set(0, 0, {-3, 7, 0.2});
+  image.set(1, 0, {infinity, -infinity, std::numeric_limits<double>::quiet_NaN()});
+  CHECK(image.rgb == std::vector<std::uint8_t>{0, 255, 124, 255, 0, 0});
+}
+
+TEST_CASE("a PNG says that its pixels are sRGB") {
+  const std::string bytes = render::encode_png(render::Image({1, 1}));
+  const std::size_t chunk = bytes.find("sRGB");
+  REQUIRE(chunk != bytes.npos);
+  CHECK(bytes.substr(chunk - 4, 9) == std::string("\0\0\0\1sRGB\0", 9));  // one byte: the perceptual intent
+  CHECK(chunk < bytes.find("IDAT"));
 }
 
 TEST_CASE("a PNG reads back to the same pixels, and the same image gives the same bytes") {

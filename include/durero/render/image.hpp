@@ -1,5 +1,5 @@
 #pragma once
-/// A picture of 8-bit RGB pixels, and its PNG file.
+/// A picture of 8-bit sRGB pixels, and its PNG file.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -10,17 +10,23 @@
 
 namespace durero::render {
 
+/// The byte of a component of a linear colour: its value on the sRGB curve (IEC 61966-2-1), which is 12.92·c up to
+/// 0.0031308 and 1.055·c^(1/2.4) − 0.055 above, scaled to 0 … 255 and rounded to the nearest, halves up. What is below
+/// 0 and what is no number (the product of a black material and an infinite light) is 0; what is above 1 is 255.
+std::uint8_t srgb_byte(double linear) noexcept;
+
 struct Image {
   explicit Image(scene::Resolution size) : resolution(size), rgb(std::size_t(size.width) * size.height * 3) {}
 
-  /// Sets pixel (x, y), (0, 0) upper left. Each component is cut to [0, 1] and scaled to 0 … 255, halves up.
+  /// Sets pixel (x, y), (0, 0) upper left, to a linear colour: each component becomes its srgb_byte.
   void set(std::uint32_t x, std::uint32_t y, const glm::dvec3& color);
 
   scene::Resolution resolution;
   std::vector<std::uint8_t> rgb;  ///< rows from the top, three bytes a pixel
 };
 
-/// The bytes of a PNG file. Same image, same bytes. Throws std::runtime_error when libpng refuses.
+/// The bytes of a PNG file, which declares its pixels to be sRGB. Same image, same bytes. Throws std::runtime_error
+/// when libpng refuses.
 std::string encode_png(const Image& image);
 
 }  // namespace durero::render

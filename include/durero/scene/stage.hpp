@@ -19,7 +19,7 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
-/// A point light. Colours are linear RGB; 1 is the brightest that a picture shows.
+/// A point light. Colours are linear RGB, with the primaries of sRGB; 1 is the brightest that a picture shows.
 struct Light {
   glm::dvec3 position;
   glm::dvec3 color;
