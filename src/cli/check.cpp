@@ -5,16 +5,24 @@
 #include "durero/io/output_file.hpp"
 #include "durero/io/scene_file.hpp"
 #include "durero/scene/retrieve.hpp"
+#include "durero/text/shown.hpp"
 
 namespace durero::cli {
 namespace {
 
+std::string count_of_each_shape(const scene::Scene& scene) {
+  std::string counts;
+  scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
+    counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", scene.shapes<Shape>().size(), Shape::word);
+  });
+  return counts;
+}
+
 int check(const std::string& path) {
   const io::Source source = io::read_source(path);
   const scene::Scene scene = io::read_scene(source);
-  std::string report = fmt::format("{}: {} elementos: {} esfera, {} cilindro, {} cono\n", source.name(), scene.size(),
-                                   scene.shapes<scene::Sphere>().size(), scene.shapes<scene::Cylinder>().size(),
-                                   scene.shapes<scene::Cone>().size());
+  std::string report =
+      fmt::format("{}: {} elementos: {}\n", text::escaped(source.name()), scene.size(), count_of_each_shape(scene));
   const model::Judgements judgements = model::inv(scene::retrieve(scene));
   for (const model::Judgement& judgement : judgements) {
     report +=

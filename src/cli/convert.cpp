@@ -5,6 +5,7 @@
 #include "durero/io/nff.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/io/scene_file.hpp"
+#include "durero/text/shown.hpp"
 
 namespace durero::cli {
 namespace {
@@ -18,7 +19,7 @@ struct Options {
 }
 
 void name_losses(const std::string& path, const std::vector<std::string>& lost) {
-  for (const std::string& line : lost) fmt::print(stderr, "durero: {}: {}\n", path, line);
+  for (const std::string& line : lost) fmt::print(stderr, "durero: {}: {}\n", text::escaped(path), line);
 }
 
 int import_scene(const Options& options) {

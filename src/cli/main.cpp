@@ -1,23 +1,21 @@
 // The `durero` command: one subcommand, one exit status, and at most one line of error.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
 
 #include "commands.hpp"
+#include "durero/text/shown.hpp"
 
 namespace {
 
 constexpr int bad_input = 2;
 
-// An error is one line, whatever it quotes.
-int refuse(std::string what) {
-  std::ranges::replace_if(
-      what, [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
-  fmt::print(stderr, "durero: {}\n", what);
+// An error is one line that a terminal prints and does not obey, whatever it quotes.
+int refuse(const std::string& what) {
+  fmt::print(stderr, "durero: {}\n", durero::text::escaped(what));
   return bad_input;
 }
 

@@ -6,6 +6,8 @@
 #include <array>
 #include <span>
 
+#include "durero/text/shown.hpp"
+
 namespace durero::io {
 namespace {
 
@@ -44,7 +46,7 @@ Tipo read_tipo(json::Reader& in) {
   const std::string_view name = in.string("tipo");
   const auto found = std::ranges::find(tipo_names, name);
   if (found == tipo_names.end()) {
-    in.fail(at, fmt::format("tipo is {}", shown(name)), "expected \"esfera\", \"cilindro\" or \"cono\"");
+    in.fail(at, fmt::format("tipo is {}", text::shown(name)), "expected \"esfera\", \"cilindro\" or \"cono\"");
   }
   return static_cast<Tipo>(found - tipo_names.begin());
 }
@@ -57,7 +59,7 @@ void read_field(json::Reader& in, Field field, Fields& f) {
     case id:
       f.id = in.string(what);
       if (!model::Elemento::is_name(f.id)) {
-        in.fail(f.offset[id], fmt::format("id is {}", shown(f.id)), "expected 1 to 128 of A-Z a-z 0-9 _ . : -");
+        in.fail(f.offset[id], fmt::format("id is {}", text::shown(f.id)), "expected 1 to 128 of A-Z a-z 0-9 _ . : -");
       }
       break;
     case tipo:
@@ -140,7 +142,7 @@ model::Operation addition(const Fields& f) {
     default:
       break;
   }
-  in.fail(f.offset[id], fmt::format("id is {}: {}", shown(f.id), model::name(answer.r)),
+  in.fail(f.offset[id], fmt::format("id is {}: {}", text::shown(f.id), model::name(answer.r)),
           fmt::format("expected {} ({})", answer.violated->predicate, answer.violated->label));
 }
 

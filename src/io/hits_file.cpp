@@ -9,6 +9,7 @@
 #include "durero/io/json.hpp"
 #include "durero/io/npy.hpp"
 #include "durero/io/number_text.hpp"
+#include "durero/text/shown.hpp"
 
 namespace durero::io {
 namespace {
@@ -48,7 +49,7 @@ double read_value(json::Reader& in, std::string_view what) {
   const std::size_t at = in.offset();
   const std::string_view text = in.string(what);
   if (text != "inf" && text != "-inf")
-    in.fail(at, fmt::format("{} is {}", what, shown(text)), "expected a number, \"inf\" or \"-inf\"");
+    in.fail(at, fmt::format("{} is {}", what, text::shown(text)), "expected a number, \"inf\" or \"-inf\"");
   return text == "inf" ? std::numeric_limits<double>::infinity() : -std::numeric_limits<double>::infinity();
 }
 
@@ -68,7 +69,7 @@ Resultado read_outcome(json::Reader& in) {
   for (const Resultado outcome : {Resultado::hit, Resultado::miss, Resultado::no_minimum}) {
     if (text == model::name(outcome)) return outcome;
   }
-  in.fail(at, fmt::format("outcome is {}", shown(text)), "expected hit, miss or no_minimum");
+  in.fail(at, fmt::format("outcome is {}", text::shown(text)), "expected hit, miss or no_minimum");
 }
 
 void read_elements(json::Reader& in, const scene::Scene& scene, scene::ElementSet& all) {
@@ -76,9 +77,9 @@ void read_elements(json::Reader& in, const scene::Scene& scene, scene::ElementSe
     const std::size_t at = in.offset();
     const std::string_view name = in.string("an element");
     const auto element = scene.find(name);
-    if (!element) in.fail(at, fmt::format("no element {}", shown(name)), "expected an element of the scene");
+    if (!element) in.fail(at, fmt::format("no element {}", text::shown(name)), "expected an element of the scene");
     if (std::ranges::find(all, *element) != all.end()) {
-      in.fail(at, fmt::format("element {} stands twice", shown(name)), "expected it once");
+      in.fail(at, fmt::format("element {} stands twice", text::shown(name)), "expected it once");
     }
     all.push_back(*element);
   });

@@ -9,6 +9,8 @@
 #include <cmath>
 
 #include "durero/io/number_text.hpp"
+#include "durero/text/shown.hpp"
+#include "durero/text/utf8.hpp"
 
 namespace durero::io::json {
 namespace {
@@ -31,7 +33,7 @@ struct Stream {
 
 // What is wrong, and what is expected, in the words of this program.
 std::pair<std::string, std::string> explain(rapidjson::ParseErrorCode code, std::string_view rest) {
-  const std::string here = rest.empty() ? "the text ends" : shown(rest.substr(0, 1)) + " stands here";
+  const std::string here = rest.empty() ? "the text ends" : text::shown(text::first(rest)) + " stands here";
   switch (code) {
     case rapidjson::kParseErrorDocumentEmpty:
       return {"the text is empty", "expected a JSON value"};
@@ -49,6 +51,10 @@ std::pair<std::string, std::string> explain(rapidjson::ParseErrorCode code, std:
       return {here, "expected , or ] after an item"};
     case rapidjson::kParseErrorStringMissQuotationMark:
       return {here + " inside a string", "expected its closing quote"};
+    case rapidjson::kParseErrorStringEscapeInvalid:
+    case rapidjson::kParseErrorStringUnicodeEscapeInvalidHex:
+    case rapidjson::kParseErrorStringUnicodeSurrogateInvalid:
+      return {here + " inside a string", "expected no control character, and escapes that JSON has"};
     case rapidjson::kParseErrorStringInvalidEncoding:
       return {here + " inside a string", "expected UTF-8 without control characters"};
     case rapidjson::kParseErrorNumberTooBig:
@@ -158,7 +164,7 @@ double Reader::number(std::string_view what) {
   const std::string_view text = document_->number_text(token());
   const double value = read_number(text).value();  // its grammar has been checked
   if (!std::isfinite(value))
-    fail(offset(), fmt::format("{} is {}, beyond binary64", what, shown(text)), "expected a finite number");
+    fail(offset(), fmt::format("{} is {}, beyond binary64", what, text::shown(text)), "expected a finite number");
   ++next_;
   return value;
 }
@@ -202,10 +208,11 @@ std::size_t Reader::known_key(std::string_view what, std::span<const std::string
   std::size_t i = 0;
   while (i < keys.size() && keys[i] != key.name) ++i;
   if (i == keys.size()) {
-    fail(key.offset, fmt::format("unknown key {} in {}", shown(key.name), what),
+    fail(key.offset, fmt::format("unknown key {} in {}", text::shown(key.name), what),
          fmt::format("expected one of {}", fmt::join(keys, ", ")));
   }
-  if ((seen >> i & 1U) != 0) fail(key.offset, fmt::format("key {} stands twice", shown(key.name)), "expected it once");
+  if ((seen >> i & 1U) != 0)
+    fail(key.offset, fmt::format("key {} stands twice", text::shown(key.name)), "expected it once");
   seen |= std::uint64_t{1} << i;
   return i;
 }

@@ -9,6 +9,7 @@
 
 #include "axis.hpp"
 #include "durero/io/nff.hpp"
+#include "durero/text/shown.hpp"
 #include "losses.hpp"
 #include "nff_words.hpp"
 #include "stage_rules.hpp"
@@ -50,7 +51,7 @@ class NffReader {
     } else if (entity == "p" || entity == "pp") {
       read_polygon(entity == "p" ? 3 : 6);
     } else {
-      in_.fail(at, fmt::format("unknown entity {}", shown(entity)), "expected one of v, b, l, f, s, c, p, pp");
+      in_.fail(at, fmt::format("unknown entity {}", text::shown(entity)), "expected one of v, b, l, f, s, c, p, pp");
     }
   }
 
@@ -62,7 +63,7 @@ class NffReader {
       const std::size_t key_at = in_.offset();
       const std::string_view key = in_.done() ? "" : in_.word();
       if (!read_view_part(key, camera) || !seen.insert(key).second) {
-        in_.fail(key_at, fmt::format("{} in a view", shown(key)),
+        in_.fail(key_at, fmt::format("{} in a view", text::shown(key)),
                  "expected each of from, at, up, angle, hither, resolution once");
       }
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "durero/io/number_text.hpp"
+#include "durero/text/shown.hpp"
 
 namespace durero::io {
 
@@ -24,7 +25,7 @@ double NffWords::number(std::string_view what) {
   const std::string_view text = word();
   const auto value = read_number(text);
   if (!value || !std::isfinite(*value))
-    fail(at, fmt::format("{} in {}", shown(text), what), "expected a finite number");
+    fail(at, fmt::format("{} in {}", text::shown(text), what), "expected a finite number");
   return *value;
 }
 

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "durero/text/shown.hpp"
+
 namespace durero::io {
 namespace {
 
@@ -85,7 +87,7 @@ std::vector<double> read_npy(const Source& source, std::size_t columns) {
   const std::string_view descr = value_of(source, head.dictionary, "descr");
   const bool big = descr.starts_with("'>f8'") || descr.starts_with("\">f8\"");
   if (!big && !descr.starts_with("'<f8'") && !descr.starts_with("\"<f8\"")) {
-    refuse(source, fmt::format("dtype {}", shown(descr.substr(0, descr.find(',')))),
+    refuse(source, fmt::format("dtype {}", text::shown(descr.substr(0, descr.find(',')))),
            "expected float64 ('<f8' or '>f8')");
   }
   const bool fortran = value_of(source, head.dictionary, "fortran_order").starts_with("True");

@@ -6,6 +6,8 @@
 
 #include "durero/io/json.hpp"
 #include "durero/io/number_text.hpp"
+#include "durero/text/shown.hpp"
+#include "durero/text/utf8.hpp"
 
 namespace durero::io {
 namespace {
@@ -36,7 +38,7 @@ class Scanner {
     return text_.substr(from, at_ - from);
   }
   std::string here() const {
-    return at_ == text_.size() ? "the operation ends" : shown(text_.substr(at_, 1)) + " stands here";
+    return at_ == text_.size() ? "the operation ends" : text::shown(text::first(text_.substr(at_))) + " stands here";
   }
   [[noreturn]] void fail(std::size_t offset, const std::string& wrong, const std::string& expected) const {
     source_.fail(offset, wrong, expected);
@@ -54,7 +56,7 @@ double read_component(Scanner& in) {
   const std::string_view text = in.take_until(",()");
   const auto value = read_number(text);
   if (!value || !std::isfinite(*value))
-    in.fail(at, fmt::format("{} in a triple", shown(text)), "expected a finite number");
+    in.fail(at, fmt::format("{} in a triple", text::shown(text)), "expected a finite number");
   in.skip_blanks();
   return *value;
 }

@@ -10,6 +10,7 @@
 
 #include "durero/io/json.hpp"
 #include "durero/io/number_text.hpp"
+#include "durero/text/shown.hpp"
 #include "operation_call.hpp"
 
 namespace durero::io {
@@ -63,7 +64,7 @@ class Inputs {
   model::Elemento element() const {
     const std::string& text = word(e);
     if (!model::Elemento::is_name(text)) {
-      fail(e, fmt::format("e? is {}", shown(text)), "expected a name, 1 to 128 of A-Z a-z 0-9 _ . : -");
+      fail(e, fmt::format("e? is {}", text::shown(text)), "expected a name, 1 to 128 of A-Z a-z 0-9 _ . : -");
     }
     return model::Elemento{text};
   }
@@ -72,7 +73,7 @@ class Inputs {
     for (const Tipo tipo : {Tipo::soy_esfera, Tipo::soy_cilindro, Tipo::soy_cono}) {
       if (word(t) == model::name(tipo)) return tipo;
     }
-    fail(t, fmt::format("t? is {}", shown(word(t))), "expected soy_esfera, soy_cilindro or soy_cono");
+    fail(t, fmt::format("t? is {}", text::shown(word(t))), "expected soy_esfera, soy_cilindro or soy_cono");
   }
 
   double real(Name name) const {
@@ -81,7 +82,7 @@ class Inputs {
     if (const auto* text = std::get_if<Word>(&value)) {
       const auto number = read_number(text->text);
       if (number && std::isfinite(*number)) return *number;
-      fail(name, fmt::format("{}? is {}", names[name], shown(text->text)), "expected a finite number");
+      fail(name, fmt::format("{}? is {}", names[name], text::shown(text->text)), "expected a finite number");
     }
     fail(name, fmt::format("{}? is no number", names[name]), "expected a finite number");
   }
@@ -111,7 +112,7 @@ class Inputs {
       std::vector<std::string_view> known;
       for (const Name n : schema.required) known.push_back(names[n]);
       for (const Name n : schema.optional) known.push_back(names[n]);
-      source_.fail(input.name_offset, fmt::format("unknown input {} of {}", shown(input.name), schema.name),
+      source_.fail(input.name_offset, fmt::format("unknown input {} of {}", text::shown(input.name), schema.name),
                    fmt::format("expected one of {}", fmt::join(known, ", ")));
     }
     if (has(name)) source_.fail(input.name_offset, fmt::format("{}? stands twice", input.name), "expected it once");
@@ -161,7 +162,7 @@ std::optional<std::uint32_t> read_material(const Inputs& in, const scene::Stage&
   if (!in.has(material)) return std::nullopt;
   const auto found = std::ranges::find(stage.materials, in.word(material), &scene::Material::name);
   if (found == stage.materials.end()) {
-    in.fail(material, fmt::format("unknown material {}", shown(in.word(material))),
+    in.fail(material, fmt::format("unknown material {}", text::shown(in.word(material))),
             "expected one of the scene's materials");
   }
   return static_cast<std::uint32_t>(found - stage.materials.begin());
@@ -173,7 +174,7 @@ Edit read_edit(const Source& source, std::size_t line, const Call& call, const s
     std::vector<std::string_view> known;
     known.reserve(schemas.size());
     for (const Schema& s : schemas) known.push_back(s.name);
-    source.fail(call.offset, fmt::format("unknown operation {}", shown(call.schema)),
+    source.fail(call.offset, fmt::format("unknown operation {}", text::shown(call.schema)),
                 fmt::format("expected one of {}", fmt::join(known, ", ")));
   }
   const Inputs in(source, call, *schema);

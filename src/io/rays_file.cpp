@@ -7,6 +7,7 @@
 
 #include "durero/io/npy.hpp"
 #include "durero/io/number_text.hpp"
+#include "durero/text/shown.hpp"
 
 namespace durero::io {
 namespace {
@@ -47,17 +48,17 @@ double read_value(const Source& source, Line& line, std::size_t count) {
   const std::size_t at = line.offset();
   const std::string_view word = line.word();
   const auto value = read_number(word);
-  if (!value || !std::isfinite(*value)) source.fail(at, shown(word), "expected a finite number");
+  if (!value || !std::isfinite(*value)) source.fail(at, text::shown(word), "expected a finite number");
   return *value;
 }
 
 scene::ElementRef read_element(const Source& source, Line& line, const scene::Scene& scene) {
   const std::size_t at = line.offset();
   const std::string_view word = line.word();
-  if (!word.starts_with('@')) source.fail(at, fmt::format("{} after six numbers", shown(word)), "expected @name");
+  if (!word.starts_with('@')) source.fail(at, fmt::format("{} after six numbers", text::shown(word)), "expected @name");
   const auto element = scene.find(word.substr(1));
   if (!element)
-    source.fail(at, fmt::format("no element {}", shown(word.substr(1))), "expected an element of the scene");
+    source.fail(at, fmt::format("no element {}", text::shown(word.substr(1))), "expected an element of the scene");
   return *element;
 }
 

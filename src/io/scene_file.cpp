@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "durero/io/json.hpp"
+#include "durero/text/shown.hpp"
 #include "element_reader.hpp"
 #include "stage_reader.hpp"
 
@@ -21,7 +22,7 @@ constexpr std::size_t required = 3;
 void read_format(json::Reader& in) {
   const std::size_t at = in.offset();
   const std::string_view name = in.string("format");
-  if (name != format_name) in.fail(at, fmt::format("format is {}", shown(name)), "expected \"durero-scene\"");
+  if (name != format_name) in.fail(at, fmt::format("format is {}", text::shown(name)), "expected \"durero-scene\"");
 }
 
 void read_version(json::Reader& in) {
@@ -61,7 +62,7 @@ void set_materials(const json::Reader& in, const std::vector<MaterialUse>& uses,
   for (const MaterialUse& use : uses) {
     const auto found = std::ranges::lower_bound(all, use.material.value, {}, &scene::Material::name);
     if (found == all.end() || found->name != use.material.value) {
-      in.fail(use.material.offset, fmt::format("unknown material {}", shown(use.material.value)),
+      in.fail(use.material.offset, fmt::format("unknown material {}", text::shown(use.material.value)),
               "expected one of the scene's materials");
     }
     scene.set_material(scene.find(use.element).value(), static_cast<std::uint32_t>(found - all.begin()));

@@ -9,20 +9,24 @@
 #include <cstring>
 #include <memory>
 
+#include "durero/text/shown.hpp"
+#include "durero/text/utf8.hpp"
+
 namespace durero::io {
 
 InputError::InputError(const std::string& file, Place place, const std::string& wrong, const std::string& expected)
-    : std::runtime_error(fmt::format("{}:{}:{}: {}; {}", file, place.line, place.column, wrong, expected)),
+    : std::runtime_error(
+          text::escaped(fmt::format("{}:{}:{}: {}; {}", file, place.line, place.column, wrong, expected))),
       place_(place) {}
 
 FileError::FileError(const std::string& file, const std::string& wrong, const std::string& expected)
-    : std::runtime_error(fmt::format("{}: {}; {}", file, wrong, expected)) {}
+    : std::runtime_error(text::escaped(fmt::format("{}: {}; {}", file, wrong, expected))) {}
 
 Place Source::place(std::size_t offset) const noexcept {
   const std::string_view before = text().substr(0, offset);
   const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 = 0
   const auto characters = std::count_if(before.begin() + static_cast<std::ptrdiff_t>(line_start), before.end(),
-                                        [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
+                                        [](char byte) { return !text::continues(byte); });
   const auto lines = std::count(before.begin(), before.end(), '\n');
   return {static_cast<std::size_t>(lines) + 1, static_cast<std::size_t>(characters) + 1};
 }
@@ -46,21 +50,6 @@ Source read_source(const std::string& path) {
   while (const std::size_t n = std::fread(block.data(), 1, block.size(), file.get())) text.append(block.data(), n);
   if (std::ferror(file.get()) != 0) throw refuse(errno);
   return {name, std::move(text)};
-}
-
-std::string shown(std::string_view text) {
-  constexpr std::size_t longest = 40;
-  const std::string_view kept = text.substr(0, longest);
-  std::string out = "\"";
-  for (const char c : kept) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte >= 0x7F) {
-      out += fmt::format("\\x{:02x}", byte);
-    } else {
-      out += c;
-    }
-  }
-  return out + (kept.size() < text.size() ? "…\"" : "\"");
 }
 
 }  // namespace durero::io

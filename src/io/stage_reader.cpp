@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "durero/text/shown.hpp"
 #include "stage_reader.hpp"
 #include "stage_rules.hpp"
 
@@ -94,7 +95,7 @@ std::vector<scene::Material> read_materials(json::Reader& in) {
   in.members("materials", [&](const json::Key& key) {
     if (key.name.empty()) in.fail(key.offset, "the name of a material is empty", "expected a name");
     if (!names.insert(key.name).second) {
-      in.fail(key.offset, fmt::format("material {} stands twice", shown(key.name)), "expected it once");
+      in.fail(key.offset, fmt::format("material {} stands twice", text::shown(key.name)), "expected it once");
     }
     glm::dvec3 color{};
     in.object("a material", keys, std::size(keys), [&](std::size_t) {

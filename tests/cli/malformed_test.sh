@@ -41,7 +41,7 @@ malformed '2:79: vector is (0, 1, 1); expected a unit vector, 1 − tolerancia_u
 printf '%s\n"elementos":[{"id":"a","tipo":"esfera","centro":[0,0,0],"radio":0}]}' "$head" >bad.json
 malformed '2:65: radio is 0; expected r > 0 (Rmas.inv.1)'
 printf '%s\n"elementos":[{"id":"ñ","tipo":"esfera","centro":[0,0,0],"radio":-1}]}' "$head" >bad.json
-malformed '2:20: id is "\xc3\xb1"; expected 1 to 128 of A-Z a-z 0-9 _ . : -'
+malformed '2:20: id is "ñ"; expected 1 to 128 of A-Z a-z 0-9 _ . : -'
 printf '%s\n"materials":{"ñ\377":{"color":[0,0,0]}},"elementos":[]}' "$head" >bad.json
 malformed '2:16: "\xff" stands here inside a string; expected UTF-8'
 printf '\357\273\277%s\n"elementos":[]}' "$head" >bad.json

@@ -32,8 +32,10 @@ TEST_CASE("A file that cannot be read is named, with the reason") {
   CHECK_THROWS_AS(read_source("/"), FileError);
 }
 
-TEST_CASE("Input is shown in one line of ASCII, cut at 40 bytes") {
-  CHECK(shown("a b") == "\"a b\"");
-  CHECK(shown("\n\x80") == "\"\\x0a\\x80\"");
-  CHECK(shown(std::string(41, 'x')) == '"' + std::string(40, 'x') + "…\"");
+TEST_CASE("Whatever a name or a text holds, an error is one line that a terminal does not obey") {
+  const Source source("a\x1B[2J\n\xFF.json", "");
+  CHECK_THROWS_WITH(source.fail(0, "\x07 stands here", "expected ∉"),
+                    "a\\x1b[2J\\x0a\\xff.json:1:1: \\x07 stands here; expected ∉");
+  CHECK_THROWS_WITH(read_source("/nowhere/\x1B[2J"),
+                    "/nowhere/\\x1b[2J: cannot be read: No such file or directory; expected a readable file");
 }

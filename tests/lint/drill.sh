@@ -22,7 +22,7 @@ sees() {
 }
 clean=$(git write-tree)  # the tree without any fault
 
-for rule in layers stems house labels specified; do
+for rule in layers edges stems house labels specified; do
   sh "$here/$rule.sh" >/dev/null 2>&1 || { echo "drill: $rule.sh fails before any fault is planted"; missed=$((missed + 1)); }
 done
 
@@ -30,6 +30,14 @@ echo '#include "durero/io/scene.hpp"' >>include/durero/number/rational.hpp
 sees layers "number including io"
 echo '#include "durero/trace/analytic.hpp"' >>src/oracle/sampled.cpp
 sees layers "oracle including trace"
+echo '#include "durero/render/image.hpp"' >>src/io/json.cpp
+sees layers "io including render"
+sed -i 's/^durero_layer(zed DEPENDS number/durero_layer(zed DEPENDS number contract/' CMakeLists.txt
+sees edges "an edge that no include needs"
+sed -i 's/^durero_layer(render DEPENDS model/durero_layer(render DEPENDS/' CMakeLists.txt
+sees edges "an include that no edge names"
+sed -i 's/PRIVATE durero::text /PRIVATE /' CMakeLists.txt
+sees edges "a layer that the program includes and does not link"
 git mv tests/model/puntos_test.cpp tests/model/points_test.cpp
 sees stems "a stem of the Z text without its test"
 touch spec/nuevo.tex

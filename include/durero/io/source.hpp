@@ -16,7 +16,8 @@ struct Place {
   bool operator==(const Place&) const = default;
 };
 
-/// Malformed input. what() is one line: `FILE:LINE:COLUMN: what is wrong; what is expected`.
+/// Malformed input. what() is one line, escaped as text::escaped does: `FILE:LINE:COLUMN: what is wrong; what is
+/// expected`.
 class InputError : public std::runtime_error {
  public:
   InputError(const std::string& file, Place place, const std::string& wrong, const std::string& expected);
@@ -26,7 +27,7 @@ class InputError : public std::runtime_error {
   Place place_;
 };
 
-/// A file that cannot be read or written. what() is one line: `FILE: what is wrong; what is expected`.
+/// A file that cannot be read or written. what() is one line, escaped: `FILE: what is wrong; what is expected`.
 class FileError : public std::runtime_error {
  public:
   FileError(const std::string& file, const std::string& wrong, const std::string& expected);
@@ -51,8 +52,5 @@ class Source {
 
 /// Reads a whole file; "-" is the standard input. Throws FileError.
 Source read_source(const std::string& path);
-
-/// A piece of input as a message shows it: quoted, control characters and bytes that are no UTF-8 escaped, cut at 40.
-std::string shown(std::string_view text);
 
 }  // namespace durero::io

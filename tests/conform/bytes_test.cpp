@@ -2,8 +2,8 @@
 // holds, for each family, digests of what the program prints; every build on every machine must print the same.
 //
 // Where the meaning of the bytes changes (a family, a format), write them anew, from the exact engine:
-//   BYTES_DIR=DIR io_tests --filenames-as-tags '[#bytes_test]'
-// writes DIR/bytes.txt, which then replaces tests/io/bytes.txt, and, to compare two builds line by line, what is
+//   BYTES_DIR=DIR conform_tests --filenames-as-tags '[#bytes_test]'
+// writes DIR/bytes.txt, which then replaces tests/conform/bytes.txt, and, to compare two builds line by line, what is
 // digested: DIR/FAMILY.rays and DIR/FAMILY.hits.
 #include <fmt/format.h>
 
@@ -14,11 +14,11 @@
 #include <map>
 #include <sstream>
 
-#include "conform/hits.hpp"
 #include "durero/io/hits_file.hpp"
 #include "durero/io/rays_file.hpp"
 #include "durero/io/scene_file.hpp"
 #include "durero/oracle/exact.hpp"
+#include "hits.hpp"
 #include "support/catch.hpp"
 #include "support/targets.hpp"
 #include "support/tree.hpp"
@@ -93,7 +93,7 @@ Printed print(const Family& family) {
 
 /// bytes.txt, by the families' names.
 std::map<std::string, std::string, std::less<>> committed() {
-  std::ifstream in(durero::test::source_dir() + "/tests/io/bytes.txt");
+  std::ifstream in(durero::test::source_dir() + "/tests/conform/bytes.txt");
   REQUIRE(in);
   std::map<std::string, std::string, std::less<>> lines;
   for (std::string line; std::getline(in, line);) {
