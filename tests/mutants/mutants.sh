@@ -2,10 +2,12 @@
 # Small faults, each of which a named test must see. A copy of the sources gets the fault, what depends on it is compiled
 # again and linked into that test in place of the right object, and the test must fail.
 #   mutants.sh BUILD --all          every mutant of the list
-#   mutants.sh BUILD NUMBER         that many, chosen by MUTANT_SEED (by the time where that is absent)
-#   mutants.sh BUILD NAME...        those
+#   mutants.sh BUILD NUMBER         that many, chosen by MUTANT_SEED: by the commit, where that is absent, so that the same
+#                                   commit is tried with the same faults everywhere
+#   mutants.sh BUILD PATTERN...     those whose name, file or test program matches a pattern of the shell: 'ball-*',
+#                                   'src/zed/*', zed_tests; only the programs that they need are built first
 # It fails on a mutant that survives, that no longer applies or does not compile, and on a test that fails without any
-# fault. BUILD is a build made by Ninja; MUTANTS names another list.
+# fault. BUILD is a build made by Ninja; MUTANTS names another list, MUTANT_JOBS how many are tried at a time.
 set -u
 here=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
 root=$(CDPATH='' cd -- "$here/../.." && pwd)
@@ -46,7 +48,10 @@ one() {
   name=$1 file=$(field "$1" file) test=$(field "$1" test) old=$(field "$1" -) new=$(field "$1" +)
   program=${test%% *} spec=${test#* }
   copy=$work/$name
-  rm -rf "$copy" && mkdir -p "$copy" && cp -r "$root/include" "$root/src" "$root/tests" "$copy" || return 2
+  rm -rf "$copy" && mkdir -p "$copy" || return 2
+  # Links are enough, since the fault is put in a new file that takes the place of the old.
+  cp -rl "$root/include" "$root/src" "$root/tests" "$copy" 2>/dev/null ||
+    cp -r "$root/include" "$root/src" "$root/tests" "$copy" || return 2
   if ! [ -f "$copy/$file" ] || ! apply "$old" "$new" "$copy/$file"; then
     echo "mutants: $name no longer applies: $file has not exactly one place with: $old"
     return 1
@@ -84,28 +89,60 @@ case ${1-} in
     exit 1 ;;
 esac
 
-names=$(sed -n 's/^mutant //p' "$list")
+# The commit as a number; without Git, the list itself.
+commit() {
+  hash=$(git -C "$root" rev-parse HEAD 2>/dev/null) || hash=$(cksum <"$list" | awk '{printf "%08x", $1}')
+  printf '%d\n' "0x$(printf '%.7s' "$hash")"
+}
+
+# matching PATTERN...: the names of the mutants that match one of them; each must match some.
+matching() {
+  for pattern in "$@"; do
+    before=$found
+    while read -r key value rest; do
+      # shellcheck disable=SC2254  # it is meant as a pattern
+      case $key in
+        mutant) name=$value taken=false ;;
+        file | test) : ;;
+        *) continue ;;
+      esac
+      # shellcheck disable=SC2254
+      case $value in
+        $pattern) "$taken" || found="$found$name
+" taken=true ;;
+      esac
+    done <"$list"
+    [ "$found" != "$before" ] || { echo "mutants: no name, file or test matches $pattern" >&2; return 1; }
+  done
+}
+
 case ${1-} in
-  --all) chosen=$names ;;
+  --all) chosen=$(sed -n 's/^mutant //p' "$list") ;;
   [0-9]*)
-    seed=${MUTANT_SEED:-$(date +%s)}
-    echo "mutants: $1 of the list; MUTANT_SEED=$seed replays this choice"
-    chosen=$(printf '%s\n' "$names" | awk -v seed="$seed" -v wanted="$1" '{name[NR] = $0}
+    seed=${MUTANT_SEED:-$(commit)}
+    echo "mutants: $1 of the list; replay with MUTANT_SEED=$seed sh tests/mutants/mutants.sh $build $1"
+    chosen=$(sed -n 's/^mutant //p' "$list" | awk -v seed="$seed" -v wanted="$1" '{name[NR] = $0}
       END {x = seed % 2147483647; if (x < 1) x = 1
         for (left = NR; wanted > 0 && left > 0; --wanted) {
           for (i = 0; i < 3; ++i) x = (x * 16807) % 2147483647
           i = 1 + x % left; print name[i]; name[i] = name[left--]}}') ;;
-  *) chosen=$(printf '%s\n' "$@") ;;
+  *)
+    found=
+    matching "$@" || exit 2
+    chosen=$(printf '%s' "$found" | sort -u)
+    # shellcheck disable=SC2046  # each program is a word
+    ninja -C "$build" $(for name in $chosen; do field "$name" test; done | sed 's|^|tests/|; s| .*||' | sort -u) >"$build/mutants.log" ||
+      { tail -n 40 "$build/mutants.log"; exit 2; } ;;
 esac
 
 mkdir -p "$work" && ninja -C "$build" -t deps >"$work/deps" || exit 2
 export MUTANTS="$list" MUTANTS_WORK="$work"
-cores=$(nproc 2>/dev/null || echo 1)
+jobs=${MUTANT_JOBS:-$(nproc 2>/dev/null || echo 1)}
 {
   printf '%s\n' "$chosen" | while read -r name; do field "$name" test; done | sort -u |
-    sed 's/["\\]/\\&/g; s/.*/"&"/' | xargs -P "$cores" -n 1 sh "$0" "$build" --baseline
+    sed 's/["\\]/\\&/g; s/.*/"&"/' | xargs -P "$jobs" -n 1 sh "$0" "$build" --baseline
   baseline=$?
-  printf '%s\n' "$chosen" | xargs -P "$cores" -n 1 sh "$0" "$build" --one
+  printf '%s\n' "$chosen" | xargs -P "$jobs" -n 1 sh "$0" "$build" --one
   [ $? = 0 ] && [ "$baseline" = 0 ]
 } || { echo "mutants: not every fault is caught"; exit 1; }
 echo "mutants: $(printf '%s\n' "$chosen" | wc -l | tr -d ' ') faults, all caught"
