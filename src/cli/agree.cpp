@@ -20,7 +20,7 @@ using oracle::sampled::Verdict;
 
 struct Options {
   std::string scene;
-  std::string engine{default_engine};
+  std::string engine{engine::default_engine};
   std::uint64_t rays = 100'000, seed = 1;
   double fineness = oracle::sampled::default_fineness;
   std::size_t threads = 0;
@@ -69,10 +69,12 @@ int run(const Options& options) {
   if (scene.size() == 0) return report({}, options);
   const oracle::sampled::Oracle oracle(scene, options.fineness);
   const std::vector<model::Rayo> rays = random_rays(oracle, options.rays, options.seed);
-  const render::Tracer tracer = prepare(options.engine, scene);
+  std::vector<scene::Query> queries;
+  queries.reserve(rays.size());
+  for (const model::Rayo& ray : rays) queries.push_back({ray});
+  const std::vector<scene::Hit> hits = engine::first_hits(*engine::find(options.engine)->prepare(scene), queries);
   std::vector<Verdict> verdicts(rays.size());
-  tbb::parallel_for(std::size_t{0}, rays.size(),
-                    [&](std::size_t i) { verdicts[i] = oracle.judge(rays[i], tracer.first_hit(rays[i], {})); });
+  tbb::parallel_for(std::size_t{0}, rays.size(), [&](std::size_t i) { verdicts[i] = oracle.judge(rays[i], hits[i]); });
   return report(verdicts, options);
 }
 
@@ -86,7 +88,7 @@ void add_agree(CLI::App& app, int& status) {
       ->check(CLI::Range(1, 100'000'000))
       ->capture_default_str();
   command->add_option("--seed", options->seed, "Which rays")->capture_default_str();
-  command->add_option("--engine", options->engine, "One of " + engine_names())->check(is_engine)->capture_default_str();
+  add_engine(*command, options->engine);
   command
       ->add_option("--fineness", options->fineness, "Covering radius of the samples, as a share of an element's radius")
       ->check(CLI::Range(0x1p-10, 1.0))

@@ -1,67 +1,53 @@
+// durero engines, and the option --engine.
 #include "engines.hpp"
 
+#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
-#include <memory>
 #include <vector>
 
-#include "durero/oracle/exact.hpp"
-#include "durero/oracle/sampled.hpp"
-#include "durero/trace/analytic.hpp"
+#include "commands.hpp"
 
 namespace durero::cli {
 namespace {
 
-using render::Tracer;
-using Origin = Tracer::Origin;
-
-Tracer sampled(const scene::Scene& scene) {
-  const auto oracle = std::make_shared<const oracle::sampled::Oracle>(scene);
-  return {[oracle](const model::Rayo& ray, Origin) { return oracle->first_hit(ray); },
-          [oracle](const model::Rayo& ray, Origin) {
-            const scene::Hit hit = oracle->first_hit(ray);
-            return hit.resultado == model::Resultado::hit && hit.t < 1;
-          }};
+std::vector<std::string_view> names(bool with_origins_only = false) {
+  std::vector<std::string_view> names;
+  for (const engine::Row& row : engine::engines())
+    if (row.honours_origins || !with_origins_only) names.push_back(row.name);
+  return names;
 }
 
-Tracer exact(const scene::Scene& scene) {
-  return {[&](const model::Rayo& ray, Origin en) { return oracle::exact::first_hit(scene, ray, en); },
-          [&](const model::Rayo& ray, Origin en) { return oracle::exact::occluded_segment(scene, ray, en); }};
-}
-
-Tracer analytic(const scene::Scene& scene) {
-  const auto tables = std::make_shared<const trace::Tables>(scene);
-  return {[tables](const model::Rayo& ray, Origin en) { return trace::first_hit(*tables, ray, en); },
-          [tables](const model::Rayo& ray, Origin en) { return trace::occluded_segment(*tables, ray, en); },
-          [tables](std::span<const scene::Query> rays, unsigned threads) {
-            return trace::first_hits(*tables, rays, threads);
-          }};
-}
-
-constexpr std::array<Engine, 3> all = {{{"sampled", sampled}, {"exact", exact}, {"analytic", analytic}}};
-
-const Engine* find(std::string_view name) {
-  const auto found = std::ranges::find(all, name, &Engine::name);
-  return found == all.end() ? nullptr : &*found;
+int run() {
+  for (const engine::Row& row : engine::engines())
+    fmt::print("{:10} {}\n{:10} {}; {}\n", row.name, row.what, "",
+               row.exact_bytes ? "the same bytes as exact" : "not the bytes of exact",
+               row.honours_origins ? "honours the elements that a ray starts on"
+                                   : "knows nothing of the elements that a ray starts on");
+  return 0;
 }
 
 }  // namespace
 
-std::span<const Engine> engines() { return all; }
-
-render::Tracer prepare(std::string_view name, const scene::Scene& scene) { return find(name)->prepare(scene); }
-
-std::string engine_names() {
-  std::vector<std::string_view> names;
-  names.reserve(std::size(all));
-  for (const Engine& engine : all) names.push_back(engine.name);
-  return fmt::format("{}", fmt::join(names, ", "));
+void add_engine(CLI::App& command, std::string& name) {
+  const auto is_engine = [](const std::string& given) {
+    return engine::find(given) == nullptr
+               ? fmt::format("no engine {}; expected one of {}", given, fmt::join(names(), ", "))
+               : "";
+  };
+  command.add_option("--engine", name, fmt::format("One of {} (durero engines)", fmt::join(names(), ", ")))
+      ->check(is_engine)
+      ->capture_default_str();
 }
 
-std::string is_engine(const std::string& name) {
-  return find(name) == nullptr ? fmt::format("no engine {}, but {}", name, engine_names()) : "";
+std::string without_origins(const engine::Row& engine, std::string_view why) {
+  return fmt::format("--engine {}: it knows nothing of the elements that a ray starts on, and {}; expected one of {}",
+                     engine.name, why, fmt::join(names(true), ", "));
+}
+
+void add_engines(CLI::App& app, int& status) {
+  auto* command = app.add_subcommand("engines", "List the engines, and what each promises");
+  command->callback([&status] { status = run(); });
 }
 
 }  // namespace durero::cli

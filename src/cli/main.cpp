@@ -29,6 +29,7 @@ int main(int argc, char* argv[]) {
   durero::cli::add_edit(app, status);
   durero::cli::add_trace(app, status);
   durero::cli::add_render(app, status);
+  durero::cli::add_engines(app, status);
   durero::cli::add_agree(app, status);
   durero::cli::add_import(app, status);
   durero::cli::add_export(app, status);

@@ -17,7 +17,7 @@ namespace {
 
 struct Options {
   std::string scene, out;
-  std::string engine{default_engine};
+  std::string engine{engine::default_engine};
   std::size_t threads = 0;
 };
 
@@ -32,10 +32,12 @@ int run(const Options& options) {
     throw std::invalid_argument(fmt::format("{}: not a picture's name; expected OUT.png", options.out));
   const ThreadLimit limit(options.threads);
   const scene::Scene scene = io::read_scene(io::read_source(options.scene));
+  const engine::Row& engine = *engine::find(options.engine);
+  if (!engine.honours_origins) throw std::invalid_argument(without_origins(engine, "shadow rays start on elements"));
   const auto progress = isatty(STDERR_FILENO) == 1 ? render::Progress(show) : render::Progress();
   const render::Image image = [&] {
     try {
-      return render::render(scene, prepare(options.engine, scene), progress);
+      return render::render(scene, *engine.prepare(scene), progress);
     } catch (const std::domain_error& error) {
       throw std::domain_error(fmt::format("{}: {}", options.scene, error.what()));
     }
@@ -51,7 +53,7 @@ void add_render(CLI::App& app, int& status) {
   const auto options = std::make_shared<Options>();
   command->add_option("SCENE", options->scene, "Scene file (JSON), with a camera")->required();
   command->add_option("-o,--output", options->out, "The picture, OUT.png")->required();
-  command->add_option("--engine", options->engine, "One of " + engine_names())->check(is_engine)->capture_default_str();
+  add_engine(*command, options->engine);
   add_threads(*command, options->threads);
   command->callback([options, &status] { status = run(*options); });
 }

@@ -1,6 +1,7 @@
 // durero trace SCENE RAYS [--engine E] [--threads N] [-o OUT]: the first hit of every ray.
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
+
+#include <algorithm>
 
 #include "commands.hpp"
 #include "durero/io/hits_file.hpp"
@@ -14,20 +15,9 @@ namespace {
 
 struct Options {
   std::string scene, rays, out = "-";
-  std::string engine{default_engine};
+  std::string engine{engine::default_engine};
   std::size_t threads = 0;  // 0: as many as the machine has
 };
-
-std::vector<scene::Hit> trace(const scene::Scene& scene, const std::vector<io::Ray>& rays, std::string_view engine) {
-  const render::Tracer tracer = prepare(engine, scene);
-  if (tracer.first_hits) return tracer.first_hits(rays, 0);
-  std::vector<scene::Hit> hits(rays.size());
-  tbb::parallel_for(std::size_t{0}, rays.size(), [&](std::size_t i) {
-    const auto& [rayo, en] = rays[i];
-    hits[i] = tracer.first_hit(rayo, en);
-  });
-  return hits;
-}
 
 void write_hits(const std::string& path, const std::vector<scene::Hit>& hits, const scene::Scene& scene) {
   if (path.ends_with(".npy")) return io::write_file(path, io::hits_npy(hits, scene));
@@ -48,7 +38,10 @@ int run(const Options& options) {
   const ThreadLimit limit(options.threads);
   const scene::Scene scene = io::read_scene(io::read_source(options.scene));
   const std::vector<io::Ray> rays = io::read_rays(io::read_source(options.rays), scene);
-  write_hits(options.out, trace(scene, rays, options.engine), scene);
+  const engine::Row& engine = *engine::find(options.engine);
+  if (!engine.honours_origins && std::ranges::any_of(rays, [](const scene::Query& ray) { return !ray.en.empty(); }))
+    throw std::invalid_argument(without_origins(engine, options.rays + " has rays that start on elements"));
+  write_hits(options.out, engine::first_hits(*engine.prepare(scene), rays), scene);
   return 0;
 }
 
@@ -59,7 +52,7 @@ void add_trace(CLI::App& app, int& status) {
   const auto options = std::make_shared<Options>();
   command->add_option("SCENE", options->scene, "Scene file (JSON)")->required();
   command->add_option("RAYS", options->rays, "Ray file: text, or .npy (float64, n by 6)")->required();
-  command->add_option("--engine", options->engine, "One of " + engine_names())->check(is_engine)->capture_default_str();
+  add_engine(*command, options->engine);
   add_threads(*command, options->threads);
   command->add_option("-o,--output", options->out, "Where the hits go: JSON lines, or .npy by the name");
   command->callback([options, &status] { status = run(*options); });

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "durero/oracle/exact.hpp"
+#include "durero/surface/exact.hpp"
 #include "members.hpp"
 #include "recipes.hpp"
 
@@ -303,7 +303,7 @@ Case generate(const Family& family, std::uint64_t seed, std::size_t rays) {
 }
 
 Membership membership(const Family& family, const Case& the_case, const scene::Query& ray) {
-  const scene::Hit hit = oracle::exact::first_hit(the_case.scene, ray.rayo, ray.en);
+  const scene::Hit hit = surface::exact::first_hit(the_case.scene, ray.rayo, ray.en);
   const Ray_And_Hit seen{the_case.scene, ray, hit};
   const bool exact = family.is_exact(seen);
   return {family.is_member(seen), exact};

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "durero/oracle/exact.hpp"
+#include "durero/surface/exact.hpp"
 
 namespace durero::conform {
 namespace {
@@ -14,9 +14,9 @@ using model::Tipo;
 using number::Dyadic;
 using number::sign;
 using number::square;
-using oracle::exact::Coefficients;
-using oracle::exact::Parameter;
 using scene::ElementRef;
+using surface::exact::Coefficients;
+using surface::exact::Parameter;
 
 struct Vec {
   Dyadic x, y, z;
@@ -53,15 +53,15 @@ Seen seen(const Ray_And_Hit& r, ElementRef e, bool on) {
   switch (e.tipo) {
     case Tipo::soy_esfera: {
       const scene::Sphere& s = r.scene.shapes<scene::Sphere>()[e.index];
-      return {e, s.centro, s.radio, {}, 0, oracle::exact::coefficients(s, r.ray.rayo, on)};
+      return {e, s.centro, s.radio, {}, 0, surface::exact::coefficients(s, r.ray.rayo, on)};
     }
     case Tipo::soy_cilindro: {
       const scene::Cylinder& c = r.scene.shapes<scene::Cylinder>()[e.index];
-      return {e, c.centro, c.radio, c.vector, c.altura, oracle::exact::coefficients(c, r.ray.rayo, on)};
+      return {e, c.centro, c.radio, c.vector, c.altura, surface::exact::coefficients(c, r.ray.rayo, on)};
     }
     default: {
       const scene::Cone& c = r.scene.shapes<scene::Cone>()[e.index];
-      return {e, c.centro, c.proporcion, c.vector, c.altura, oracle::exact::coefficients(c, r.ray.rayo, on)};
+      return {e, c.centro, c.proporcion, c.vector, c.altura, surface::exact::coefficients(c, r.ray.rayo, on)};
     }
   }
 }
@@ -112,7 +112,7 @@ bool at_end(const Seen& s, const Parameter& t) {
 
 template <class Holds>
 bool any_root_ahead(const Seen& s, Holds holds) {
-  const oracle::exact::Roots found = roots(s.f);
+  const surface::exact::Roots found = roots(s.f);
   const auto values = found.values();
   return std::any_of(values.begin(), values.end(), [&](const Parameter& t) { return number::sign(t) > 0 && holds(t); });
 }
@@ -222,7 +222,7 @@ bool mirrored_first(const Ray_And_Hit& r) {
   return any_element(r, [&](const Seen& s) {
     return s.e.tipo == Tipo::soy_cono && any_root_ahead(s, [&](const Parameter& t) {
              const bool beyond = number::sign(number::linear(s.f.s0 - *s.f.altura, s.f.s1, t)) > 0;
-             return beyond && (!hits(r) || oracle::exact::order(t, first(seen(r, r.hit.elementos[0]))) < 0);
+             return beyond && (!hits(r) || surface::exact::order(t, first(seen(r, r.hit.elementos[0]))) < 0);
            });
   });
 }
@@ -305,7 +305,7 @@ bool nearly_tie(const Ray_And_Hit& r) {
   if (!hits(r)) return false;
   return any_element(r, [&](const Seen& s) {
     if (s.e == r.hit.elementos[0]) return false;
-    const oracle::exact::Reach found = reach(s.f);
+    const surface::exact::Reach found = reach(s.f);
     return !found.empty() && !found.no_minimum() && number::round_to_binary64(found.first()) <= r.hit.t * (1 + 0x1p-20);
   });
 }

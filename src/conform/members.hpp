@@ -9,7 +9,7 @@ namespace durero::conform {
 struct Ray_And_Hit {
   const scene::Scene& scene;
   const scene::Query& ray;
-  scene::Hit hit;  ///< of oracle::exact
+  scene::Hit hit;  ///< of surface::exact
 };
 
 bool hits(const Ray_And_Hit& r);

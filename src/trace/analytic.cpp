@@ -50,8 +50,8 @@ bool blocks_segment(const Search& search, const scene::Scene& scene, const model
   if (met.kind != Meeting::Kind::point) return met.kind == Meeting::Kind::no_minimum;
   if (met.high < 1) return true;
   if (met.low > 1) return false;
-  const auto reach = oracle::exact::reach(scene, e, rayo, en);
-  return oracle::exact::order(reach.first(), oracle::exact::Parameter{.x = 1}) < 0;
+  const auto reach = surface::exact::reach(scene, e, rayo, en);
+  return surface::exact::order(reach.first(), surface::exact::Parameter{.x = 1}) < 0;
 }
 
 bool blocks(const Search& search, scene::ElementRef e, Range range) {
@@ -102,10 +102,6 @@ bool occluded_segment(const scene::Scene& scene, const model::Rayo& rayo, Origin
   const Search search(scene, rayo, en, unseen);
   return any_element(
       scene, [&](scene::ElementRef e, Range range) { return blocks_segment(search, scene, rayo, en, e, range); });
-}
-
-std::vector<scene::Hit> first_hits(const scene::Scene& scene, std::span<const scene::Query> queries, unsigned threads) {
-  return first_hits(Tables(scene), queries, threads);
 }
 
 }  // namespace durero::trace

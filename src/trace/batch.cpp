@@ -28,12 +28,16 @@ class Certified {
     Pile& pile = piles_[static_cast<std::size_t>(e.tipo)];
     tables_.scene().visit(e, [&](const auto& shape) { pile.pack.set(pile.count, beam, shape); });
     pile.findings.set(pile.count, point.found);
+    pile.found[pile.count] = point.found;
     pile.rays[pile.count] = ray;
     pile.elements[pile.count] = e;
     if (++pile.count == Pack::size) round(pile);
   }
 
-  void alone(std::uint32_t ray) { counts_ += answer(ray); }
+  void alone(std::uint32_t ray) {
+    const scene::Query& query = queries_[ray];
+    hits_[ray] = first_hit(tables_, query.rayo, query.en, &counts_);
+  }
 
   void finish() {
     for (Pile& pile : piles_) round(pile);
@@ -44,37 +48,35 @@ class Certified {
   struct Pile {
     Pack pack;
     Findings findings;
+    std::array<Finding, Pack::size> found;  // the same, of one lane
     std::array<std::uint32_t, Pack::size> rays{};
     std::array<scene::ElementRef, Pack::size> elements{};
     std::size_t count = 0;
   };
 
-  Counts answer(std::uint32_t ray) {
-    Counts counts;
-    const scene::Query& query = queries_[ray];
-    hits_[ray] = first_hit(tables_, query.rayo, query.en, &counts);
-    return counts;
-  }
-
   void round(Pile& pile) {
     if (pile.count == 0) return;
     improve_and_round(pile.pack, pile.elements[0].tipo, pile.findings, rounded_);
     for (std::size_t lane = 0; lane < pile.count; ++lane) {
-      const std::uint32_t ray = pile.rays[lane];
       ++counts_.order[0];
-      if ((rounded_.certain >> lane & 1) == 0) {
-        const Counts counts = answer(ray);  // element and order are counted
-        for (std::size_t step = 0; step < 3; ++step) counts_.rounding[step] += counts.rounding[step];
-        continue;
-      }
-      ++counts_.rounding[0];
-      scene::Hit& hit = hits_[ray];
+      const Rounded r = round_lane(pile, lane);
+      scene::Hit& hit = hits_[pile.rays[lane]];
       hit.resultado = model::Resultado::hit;
-      hit.t = rounded_.t[lane];
-      hit.punto = {rounded_.x[lane], rounded_.y[lane], rounded_.z[lane]};
+      hit.t = r.t;
+      hit.punto = r.punto;
       hit.elementos.push_back(pile.elements[lane]);
     }
     pile.count = 0;
+  }
+
+  /// What the lanes found; where they are not certain, the steps after them for this ray and element alone.
+  Rounded round_lane(const Pile& pile, std::size_t lane) {
+    if ((rounded_.certain >> lane & 1) != 0) {
+      ++counts_.rounding[0];
+      return {true, rounded_.t[lane], {rounded_.x[lane], rounded_.y[lane], rounded_.z[lane]}};
+    }
+    const scene::Query& query = queries_[pile.rays[lane]];
+    return Search(tables_.scene(), query.rayo, query.en, counts_).rounded_hit(pile.elements[lane], pile.found[lane]);
   }
 
   const Tables& tables_;
@@ -87,12 +89,13 @@ class Certified {
 
 }  // namespace
 
-std::vector<scene::Hit> first_hits(const Tables& tables, std::span<const scene::Query> queries, unsigned threads,
-                                   Counts* counts) {
+void first_hits(const Tables& tables, std::span<const scene::Query> queries, std::span<scene::Hit> hits,
+                Counts* counts) {
   std::mutex adding;
-  return in_blocks(queries, threads, [&](std::span<const scene::Query> block, std::span<scene::Hit> hits) {
+  for_each_block(queries.size(), [&](std::size_t begin, std::size_t count) {
     Counts mine;
-    Certified engine(tables, block, hits, mine);
+    const auto block = queries.subspan(begin, count);
+    Certified engine(tables, block, hits.subspan(begin, count), mine);
     Batch batch(tables, block, engine);
     batch.answer();
     engine.finish();
@@ -100,6 +103,19 @@ std::vector<scene::Hit> first_hits(const Tables& tables, std::span<const scene::
     if (counts == nullptr) return;
     const std::scoped_lock lock(adding);
     *counts += mine;
+  });
+}
+
+std::vector<scene::Hit> first_hits(const Tables& tables, std::span<const scene::Query> queries, Counts* counts) {
+  std::vector<scene::Hit> hits(queries.size());
+  first_hits(tables, queries, hits, counts);
+  return hits;
+}
+
+void occluded_segments(const Tables& tables, std::span<const scene::Query> queries, std::span<bool> occluded) {
+  for_each_block(queries.size(), [&](std::size_t begin, std::size_t count) {
+    for (std::size_t i = begin; i < begin + count; ++i)
+      occluded[i] = occluded_segment(tables, queries[i].rayo, queries[i].en);
   });
 }
 

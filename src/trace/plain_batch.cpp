@@ -128,11 +128,14 @@ struct Plain {
 
 void first(const Pack& pack, model::Tipo tipo, Firsts& firsts) { HWY_DYNAMIC_DISPATCH(first_pack)(pack, tipo, firsts); }
 
-std::vector<scene::Hit> first_hits(const Tables& tables, std::span<const scene::Query> queries, unsigned threads) {
-  return in_blocks(queries, threads, [&](std::span<const scene::Query> block, std::span<scene::Hit> hits) {
-    Plain engine{tables, block, hits};
+std::vector<scene::Hit> first_hits(const Tables& tables, std::span<const scene::Query> queries) {
+  std::vector<scene::Hit> hits(queries.size());
+  for_each_block(queries.size(), [&](std::size_t begin, std::size_t count) {
+    const auto block = queries.subspan(begin, count);
+    Plain engine{tables, block, std::span(hits).subspan(begin, count)};
     Batch(tables, block, engine).answer();
   });
+  return hits;
 }
 
 }  // namespace durero::trace::plain

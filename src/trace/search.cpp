@@ -8,7 +8,7 @@ namespace durero::trace {
 namespace {
 
 using Kind = Meeting::Kind;
-using oracle::exact::Parameter;
+using surface::exact::Parameter;
 
 /// t is within error of hi + lo. In the triage the error is more than three roundings of t more than needed
 /// (`quotient`), so the ends may be rounded; otherwise |lo| ≤ ulp(hi)/2 and the last term pays.
@@ -26,7 +26,7 @@ Meeting point_of(Parameter t) {
           .t = std::make_shared<const Parameter>(std::move(t))};
 }
 
-Meeting exact_meeting(const oracle::exact::Reach& reach) {
+Meeting exact_meeting(const surface::exact::Reach& reach) {
   if (reach.empty()) return {.step = Step::exact};
   if (reach.no_minimum()) return {.kind = Kind::no_minimum, .step = Step::exact};
   return point_of(reach.first());
@@ -44,7 +44,7 @@ Meeting meeting_of(const Element& element, const model::Rayo& rayo, const Beam& 
     if (second.verdict == Verdict::miss) return {.step = Step::stable};
     if (second.verdict == Verdict::hit) return point_of(Step::stable, second);
   }
-  return exact_meeting(reach(oracle::exact::coefficients(element, rayo, on)));
+  return exact_meeting(reach(surface::exact::coefficients(element, rayo, on)));
 }
 
 /// a is certainly less than b. The leading parts' difference is exact where it matters, where they are close; both
@@ -93,7 +93,7 @@ void Search::refine(Contender& contender) const {
 }
 
 const Parameter& Search::exact(Contender& contender) const {
-  if (!contender.at.t) contender.at = exact_meeting(oracle::exact::reach(scene_, contender.e, rayo_, en_));
+  if (!contender.at.t) contender.at = exact_meeting(surface::exact::reach(scene_, contender.e, rayo_, en_));
   return *contender.at.t;
 }
 
@@ -109,7 +109,7 @@ void Search::keep_nearest_by_stable() {
 
 void Search::keep_nearest_by_exact() {
   for (Contender& contender : contenders_) exact(contender);
-  const auto less = [](const Contender& a, const Contender& b) { return oracle::exact::order(*a.at.t, *b.at.t) < 0; };
+  const auto less = [](const Contender& a, const Contender& b) { return surface::exact::order(*a.at.t, *b.at.t) < 0; };
   const Contender least = *std::min_element(contenders_.begin(), contenders_.end(), less);
   const auto farther = [&](const Contender& c) { return less(least, c); };
   contenders_.erase(std::remove_if(contenders_.begin(), contenders_.end(), farther), contenders_.end());
@@ -145,6 +145,10 @@ void Search::keep_nearest() {
   ++counts_.order[static_cast<std::size_t>(step)];
 }
 
+Rounded Search::rounded_hit(scene::ElementRef e, const Finding& by_triage) const {
+  return round({e, point_of(Step::triage, by_triage)});
+}
+
 Rounded Search::round(const Contender& nearest) const {
   const bool on = en_.contains(nearest.e);
   const auto count = [&](Step step) { ++counts_.rounding[static_cast<std::size_t>(step)]; };
@@ -162,10 +166,10 @@ Rounded Search::round(const Contender& nearest) const {
   if (r.certain) return count(Step::stable), r;
   count(Step::exact);
   const auto exactly = [&](const Parameter& t) {
-    const scene::Hit hit = oracle::exact::rounded_hit(rayo_, t, {});
+    const scene::Hit hit = surface::exact::rounded_hit(rayo_, t, {});
     return Rounded{true, hit.t, hit.punto};
   };
-  return nearest.at.t ? exactly(*nearest.at.t) : exactly(oracle::exact::reach(scene_, nearest.e, rayo_, en_).first());
+  return nearest.at.t ? exactly(*nearest.at.t) : exactly(surface::exact::reach(scene_, nearest.e, rayo_, en_).first());
 }
 
 }  // namespace durero::trace

@@ -7,11 +7,12 @@
 #include <ctime>
 #include <vector>
 
-#include "durero/oracle/exact.hpp"
+#include "durero/surface/exact.hpp"
 #include "durero/trace/analytic.hpp"
 #include "durero/trace/plain.hpp"
 #include "support/scenes.hpp"
 #include "support/shapes.hpp"
+#include "support/threads.hpp"
 
 using namespace durero;
 
@@ -89,7 +90,7 @@ void plain(benchmark::State& state) {
 
 void exact(benchmark::State& state) {
   const scene::Scene scene = mixed_scene(elements(state));
-  trace_all(state, primary_rays(4096), [&](const model::Rayo& ray) { return oracle::exact::first_hit(scene, ray); });
+  trace_all(state, primary_rays(4096), [&](const model::Rayo& ray) { return surface::exact::first_hit(scene, ray); });
 }
 
 /// The processor time of work(), in seconds.
@@ -115,8 +116,11 @@ void ratio(benchmark::State& state) {
     plain_single += seconds([&] {
       for (const model::Rayo& ray : rays) benchmark::DoNotOptimize(trace::plain::first_hit(tables, ray));
     });
-    certified_many += seconds([&] { benchmark::DoNotOptimize(trace::first_hits(tables, queries, 1)); });
-    plain_many += seconds([&] { benchmark::DoNotOptimize(trace::plain::first_hits(tables, queries, 1)); });
+    certified_many += seconds(
+        [&] { benchmark::DoNotOptimize(test::on_threads(1, [&] { return trace::first_hits(tables, queries); })); });
+    plain_many += seconds([&] {
+      benchmark::DoNotOptimize(test::on_threads(1, [&] { return trace::plain::first_hits(tables, queries); }));
+    });
   }
   const double traced = static_cast<double>(state.iterations()) * static_cast<double>(rays.size());
   state.counters["single"] = plain_single / certified_single;

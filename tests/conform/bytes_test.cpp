@@ -17,7 +17,7 @@
 #include "durero/io/hits_file.hpp"
 #include "durero/io/rays_file.hpp"
 #include "durero/io/scene_file.hpp"
-#include "durero/oracle/exact.hpp"
+#include "durero/surface/exact.hpp"
 #include "hits.hpp"
 #include "support/catch.hpp"
 #include "support/targets.hpp"
@@ -65,7 +65,7 @@ void compare_targets(const Family& family, std::uint64_t seed, const conform::Ca
   const trace::Tables tables(made.scene);
   for (const std::int64_t target : machine_targets()) {
     const Only_Target only(target);
-    const std::vector<scene::Hit> analytic = first_hits(tables, made.rays, 1);
+    const std::vector<scene::Hit> analytic = first_hits(tables, made.rays);
     for (std::size_t i = 0; i < exact.size(); ++i) {
       const scene::Hit single = first_hit(tables, made.rays[i].rayo, origin(made.rays[i]));
       if (identical(analytic[i], exact[i]) && identical(single, exact[i])) continue;
@@ -83,7 +83,7 @@ Printed print(const Family& family) {
     printed.rays += io::scene_text(made.scene) + rays_text(made);
     std::vector<scene::Hit> hits(made.rays.size());
     for (std::size_t i = 0; i < hits.size(); ++i) {
-      hits[i] = oracle::exact::first_hit(made.scene, made.rays[i].rayo, origin(made.rays[i]));
+      hits[i] = surface::exact::first_hit(made.scene, made.rays[i].rayo, origin(made.rays[i]));
       printed.hits += io::hit_text(i, hits[i], made.scene) + '\n';
     }
     compare_targets(family, seed, made, hits);

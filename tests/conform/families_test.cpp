@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "durero/oracle/exact.hpp"
+#include "durero/surface/exact.hpp"
 #include "support/catch.hpp"
 
 using namespace durero;
@@ -101,7 +101,7 @@ TEST_CASE("also axes that are no exact unit vectors have exactly degenerate rays
       const Case some = generate(family, seed, 50);
       for (const scene::Query& ray : some.rays) {
         if (!membership(family, some, ray).exact) continue;
-        const scene::Hit hit = oracle::exact::first_hit(some.scene, ray.rayo, ray.en);
+        const scene::Hit hit = surface::exact::first_hit(some.scene, ray.rayo, ray.en);
         for (const scene::ElementRef e : hit.elementos) exact += is_tilted(some.scene, e);
         if (hit.resultado == model::Resultado::miss) exact += is_tilted(some.scene, {model::Tipo::soy_cilindro, 0});
       }

@@ -8,9 +8,10 @@
 #include <mutex>
 #include <random>
 
-#include "durero/oracle/exact.hpp"
+#include "durero/surface/exact.hpp"
 #include "hits.hpp"
 #include "support/catch.hpp"
+#include "support/threads.hpp"
 
 using namespace durero;
 using namespace durero::test;
@@ -37,13 +38,13 @@ void compare(const Family& family, std::uint64_t seed, Differences& differences)
   const conform::Case made = generate(family, seed, rays_a_scene);
   const trace::Tables tables(made.scene);
   trace::Counts& counts = differences.decided.local();
-  const std::vector<scene::Hit> many = first_hits(tables, made.rays, 1);
+  const std::vector<scene::Hit> many = first_hits(tables, made.rays);
   for (std::size_t i = 0; i < made.rays.size(); ++i) {
     const scene::Query& ray = made.rays[i];
-    const scene::Hit exact = oracle::exact::first_hit(made.scene, ray.rayo, origin(ray));
+    const scene::Hit exact = surface::exact::first_hit(made.scene, ray.rayo, origin(ray));
     const scene::Hit analytic = first_hit(tables, ray.rayo, origin(ray), &counts);
     const bool hidden = exact.resultado != model::Resultado::miss;
-    const bool segment = oracle::exact::occluded_segment(made.scene, ray.rayo, origin(ray));
+    const bool segment = surface::exact::occluded_segment(made.scene, ray.rayo, origin(ray));
     if (identical(analytic, exact) && identical(many[i], exact) && occluded(tables, ray.rayo, origin(ray)) == hidden &&
         occluded_segment(tables, ray.rayo, origin(ray)) == segment)
       continue;
@@ -88,9 +89,9 @@ TEST_CASE("any number of threads, and any order of the rays, gives the same byte
       const conform::Case made = generate(family, seed, 500);
       const trace::Tables tables(made.scene);
       const std::vector<scene::Query> reversed(made.rays.rbegin(), made.rays.rend());
-      const auto backwards = first_hits(tables, reversed, 1);
-      for (const unsigned threads : {1u, 2u, 3u}) {
-        const auto hits = first_hits(tables, made.rays, threads);
+      const auto backwards = first_hits(tables, reversed);
+      for (const int threads : {1, 2, 3}) {
+        const auto hits = on_threads(threads, [&] { return first_hits(tables, made.rays); });
         REQUIRE(hits.size() == made.rays.size());
         for (std::size_t i = 0; i < hits.size(); ++i) {
           if (identical(hits[i], backwards[hits.size() - 1 - i]) &&

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "durero/oracle/exact.hpp"
+#include "durero/surface/exact.hpp"
 #include "hits.hpp"
 #include "support/catch.hpp"
 #include "support/shapes.hpp"
@@ -76,11 +76,11 @@ std::size_t compare(const Family& family, std::uint64_t seed, const Case& of, co
   std::size_t compared = 0;
   for (std::size_t i = 0; i < of.rays.size(); ++i) {
     scaling.exact = true;
-    const scene::Hit before = oracle::exact::first_hit(of.scene, of.rays[i].rayo, origin(of.rays[i]));
+    const scene::Hit before = surface::exact::first_hit(of.scene, of.rays[i].rayo, origin(of.rays[i]));
     const scene::Hit expected = changed(before, by);
     const model::Rayo rayo = test::ray(by.point(of.rays[i].rayo.p().xyz()), by.direction(of.rays[i].rayo.v().xyz()));
     if (!scaling.exact || !of_normal_numbers(before)) continue;
-    const scene::Hit exact = oracle::exact::first_hit(other, rayo, origin(of.rays[i]));
+    const scene::Hit exact = surface::exact::first_hit(other, rayo, origin(of.rays[i]));
     const scene::Hit analytic = trace::first_hit(other, rayo, origin(of.rays[i]));
     ++compared;
     if (exact == expected && analytic == expected) continue;
@@ -122,8 +122,8 @@ std::pair<scene::Scene, scene::ElementRef> alone_in_scene(const scene::Scene& sc
 }
 
 /// Of the ray that starts on the element.
-oracle::exact::Coefficients coefficients_of(const scene::Scene& scene, scene::ElementRef e, const model::Rayo& rayo) {
-  using oracle::exact::coefficients;
+surface::exact::Coefficients coefficients_of(const scene::Scene& scene, scene::ElementRef e, const model::Rayo& rayo) {
+  using surface::exact::coefficients;
   if (e.tipo == model::Tipo::soy_esfera) return coefficients(scene.shapes<scene::Sphere>()[e.index], rayo, true);
   if (e.tipo == model::Tipo::soy_cilindro) return coefficients(scene.shapes<scene::Cylinder>()[e.index], rayo, true);
   return coefficients(scene.shapes<scene::Cone>()[e.index], rayo, true);
@@ -173,9 +173,9 @@ TEST_CASE("the opposite ray from beyond meets the same points in the opposite or
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Case made = generate(*conform::find_family("grid_snapped"), seed, 100);
     for (const scene::Query& ray : made.rays) {
-      const auto there = oracle::exact::all_hits(made.scene, ray.rayo);
+      const auto there = surface::exact::all_hits(made.scene, ray.rayo);
       const model::Rayo opposite = test::ray(ray.rayo.p().xyz() + 128.0 * ray.rayo.v().xyz(), -ray.rayo.v().xyz());
-      const auto back = oracle::exact::all_hits(made.scene, opposite);
+      const auto back = surface::exact::all_hits(made.scene, opposite);
       // Grid scenes lie within 128 steps of every ray's origin, so t there is 128 − t here.
       for (const auto& crossing : there) {
         if (!crossing.segment.begin || !crossing.segment.end) continue;
@@ -209,7 +209,7 @@ TEST_CASE("what leaves a convex element outwards never meets it again, at any sc
           INFO("seed " << seed << ": " << text(ray) << ", v times " << way);
           CHECK(trace::first_hit(alone, rayo, only) == scene::Hit{});
           CHECK_FALSE(trace::occluded(alone, rayo, only));
-          CHECK(oracle::exact::reach(alone, only, rayo, only).empty());
+          CHECK(surface::exact::reach(alone, only, rayo, only).empty());
         }
       }
     }

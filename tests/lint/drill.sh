@@ -38,6 +38,10 @@ sed -i 's/^durero_layer(render DEPENDS model/durero_layer(render DEPENDS/' CMake
 sees edges "an include that no edge names"
 sed -i 's/PRIVATE durero::text /PRIVATE /' CMakeLists.txt
 sees edges "a layer that the program includes and does not link"
+echo '#include "durero/surface/equation.hpp"' >>src/oracle/sampled.cpp
+sees independence "an oracle that knows the equation of a surface"
+echo '#include "durero/surface/exact.hpp"' >>tests/conform/reference.hpp
+sees independence "the tests' reference asking what it is held against"
 git mv tests/model/puntos_test.cpp tests/model/points_test.cpp
 sees stems "a stem of the Z text without its test"
 touch spec/nuevo.tex
@@ -64,6 +68,10 @@ if [ -f proofs/Main.v ]; then
   sed -i 's/Agregar_Esfera\.post\.1//g' proofs/Operaciones.v
   sees labels "a predicate that no theorem uses"
 fi
+sed -i '0,/^file src\/trace/s/^file src\/trace/file src\/elsewhere/' tests/mutants/mutants.txt
+sees mutants "a mutant of a file that is gone"
+sed -i 's/^- if (of_D < 0) return {};/- if (of_D < 1) return {};/' tests/mutants/mutants.txt
+sees mutants "a mutant whose text is gone"
 if command -v clang-format-16 >/dev/null 2>&1; then
   printf 'int  f( ){return 0 ;}\n' >>src/oracle/sampled.cpp
   sees format "another layout"

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Dependencies point one way: a layer includes only itself and the layers before it in this list.
-order="text contract number zed model scene oracle trace accel io render conform cli"
+order="text contract number zed model scene surface oracle trace accel engine io render conform cli"
 git ls-files 'include/durero/*.hpp' 'src/*.cpp' 'src/*.hpp' | while read -r file; do
   layer=$(printf '%s\n' "$file" | sed -E 's#^(include/durero|src)/([a-z]+)/.*#\2#')
   allowed=$(printf '%s\n' "$order" | sed -E "s/\b$layer\b.*/$layer/")

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "durero/oracle/exact.hpp"
+#include "durero/surface/exact.hpp"
 #include "support/catch.hpp"
 #include "support/sanitized.hpp"
 #include "support/scenes.hpp"
@@ -73,7 +73,7 @@ TEST_CASE("the text confirms the exact oracle's hits of random rays, and objects
     const Confirmation confirmation(scene);
     for (int n = 0; n < 8; ++n) {
       const model::Rayo rayo = test::random_ray(random);
-      const Hit hit = exact::first_hit(scene, rayo, {});
+      const Hit hit = surface::exact::first_hit(scene, rayo, {});
       hits += hit.resultado == Resultado::hit;
       CHECK(confirmation.objection(rayo, {}, hit).value_or("") == "");
       const Hit other = changed(random, scene, hit);
@@ -117,7 +117,7 @@ TEST_CASE("a coordinate that is negative and too small for a binary64 rounds to 
   scene.apply(model::Agregar_Esfera{model::Elemento("s"), {0, 0, 5}, 1});
   // t = 2 and a little: the point's x is −t·2⁻¹⁰⁷⁴/… below half of the least binary64.
   const model::Rayo rayo{{0, 0, 3.75}, {-0x1p-1074, 0, 1}};
-  const Hit hit = exact::first_hit(scene, rayo, {});
+  const Hit hit = surface::exact::first_hit(scene, rayo, {});
   REQUIRE(hit.t == 0.25);
   REQUIRE((hit.punto.x == 0 && std::signbit(hit.punto.x)));
   CHECK(objection(scene, rayo, hit) == "");
@@ -151,7 +151,7 @@ TEST_CASE("a ray that starts on elements is judged by what it reaches of them") 
   const scene::Scene scene = alike();
   const ElementRef b = find(scene, "b");
   const model::Rayo inwards{{0, 0, 4}, {0, 0, 1}};
-  const Hit far = exact::first_hit(scene, inwards, b);
+  const Hit far = surface::exact::first_hit(scene, inwards, b);
   CHECK(objection(scene, inwards, far, {b}) == "");
   CHECK(objection(scene, inwards, {}, {b}) == "No_Hay_Interseccion.pre.1: a point of the ray lies on a");
 }

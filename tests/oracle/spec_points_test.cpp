@@ -2,9 +2,9 @@
 #include <optional>
 
 #include "durero/model/interseccion.hpp"
-#include "durero/oracle/exact.hpp"
 #include "durero/oracle/spec.hpp"
 #include "durero/scene/retrieve.hpp"
+#include "durero/surface/exact.hpp"
 #include "support/catch.hpp"
 #include "support/sanitized.hpp"
 #include "support/scenes.hpp"
@@ -65,8 +65,9 @@ void judge_point(const Judge& judge, const ExactPoint& p, const model::Rayo& ray
 /// The points where a ray meets a scene; nothing where it runs inside a surface.
 std::optional<std::vector<ExactPoint>> meetings(const scene::Scene& scene, const model::Rayo& rayo) {
   std::vector<ExactPoint> points;
-  for (const exact::Crossing& one : exact::all_hits(scene, rayo)) {
-    if (!one.segment.begin || !one.segment.end || exact::order(*one.segment.begin, *one.segment.end) != 0) return {};
+  for (const surface::exact::Crossing& one : surface::exact::all_hits(scene, rayo)) {
+    if (!one.segment.begin || !one.segment.end || surface::exact::order(*one.segment.begin, *one.segment.end) != 0)
+      return {};
     points.push_back(model::along(rayo.p(), rayo.v(), number::Surd(*one.segment.begin)));
   }
   return points;

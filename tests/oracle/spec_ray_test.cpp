@@ -2,8 +2,8 @@
 // the end of nothing. Neither knows the other.
 #include "durero/oracle/spec_ray.hpp"
 
-#include "durero/oracle/exact.hpp"
 #include "durero/scene/retrieve.hpp"
+#include "durero/surface/exact.hpp"
 #include "support/catch.hpp"
 #include "support/sanitized.hpp"
 #include "support/scenes.hpp"
@@ -84,7 +84,7 @@ std::vector<Surd> members(const Extent& extent) {
   return made;
 }
 
-void judge_element(const Extent& said, const exact::Reach& reach, Counts& counts) {
+void judge_element(const Extent& said, const surface::exact::Reach& reach, Counts& counts) {
   REQUIRE(said.empty() == reach.empty());
   REQUIRE(said.no_minimum() == reach.no_minimum());
   ++(reach.empty() ? counts.none : reach.segment ? counts.stretches : counts.points);
@@ -117,13 +117,13 @@ void judge_ray(const Judge& judge, const scene::Scene& scene, const model::Rayo&
     for (const model::Elemento& e : escena.elementos) {
       CAPTURE(e.name(), from, value(rayo).text(), theta.text());
       const Extent said = alcance(judge, theta, rayo, origin, e);
-      judge_element(said, exact::reach(scene, *scene.find(e.name()), rayo, refs), counts);
+      judge_element(said, surface::exact::reach(scene, *scene.find(e.name()), rayo, refs), counts);
       some = some || !said.empty();
       near = near || said.any_below(1);
       counts.from_element += from && origin.contains(e) && !said.empty();
     }
-    CHECK(some == exact::occluded(scene, rayo, refs));
-    CHECK(near == exact::occluded_segment(scene, rayo, refs));
+    CHECK(some == surface::exact::occluded(scene, rayo, refs));
+    CHECK(near == surface::exact::occluded_segment(scene, rayo, refs));
   }
 }
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The answers of oracle::exact and of the certified tracer, judged by the extracted procedure; then claims among which
+# The answers of surface::exact and of the certified tracer, judged by the extracted procedure; then claims among which
 # faults are planted, of which it must see each and nothing else.
 #   oracle.sh ORACLE_RAYS BUILD_DIRECTORY
 set -eu

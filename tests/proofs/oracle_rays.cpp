@@ -1,6 +1,6 @@
 /// Scenes and rays of every family with what answers them, as proofs/oracle/main.ml reads them.
 ///   oracle_rays RAYS SEED exact | trace [fault]
-/// exact: oracle::exact. trace: the certified tracer, each ray twice: in a batch by lanes, and alone.
+/// exact: surface::exact. trace: the certified tracer, each ray twice: in a batch by lanes, and alone.
 /// fault: one claim in fifty is wrong, in each way in turn; all other lines are those without it.
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "durero/oracle/exact.hpp"
+#include "durero/surface/exact.hpp"
 #include "durero/trace/analytic.hpp"
 #include "support/scenes.hpp"
 
@@ -258,11 +258,11 @@ struct Session {
   void claims_of(const scene::Scene& scene, const std::vector<scene::Query>& queries) {
     if (!tracer) {
       for (const scene::Query& query : queries) {
-        claim(scene, query, oracle::exact::first_hit(scene, query.rayo, query.en));
+        claim(scene, query, surface::exact::first_hit(scene, query.rayo, query.en));
       }
       return;
     }
-    const std::vector<scene::Hit> hits = trace::first_hits(scene, queries, 1);
+    const std::vector<scene::Hit> hits = trace::first_hits(trace::Tables(scene), queries);
     for (std::size_t i = 0; i < queries.size(); ++i) {
       const scene::Query& query = queries[i];
       claim(scene, query, hits[i]);

@@ -48,3 +48,13 @@ TEST_CASE("an empty index knows nothing") {
   CHECK(index.size() == 0);
   CHECK_FALSE(index.find(NameIndex::hash("a"), [](ElementRef) { return true; }));
 }
+
+TEST_CASE("the last place of the last type is a place, and no unused cell") {
+  const ElementRef last{static_cast<Tipo>(durero::scene::shape_count - 1), NameIndex::last_index};
+  NameIndex index;
+  index.reserve_one_more();
+  index.insert(7, last);
+  CHECK(index.knows(7, last));
+  index.erase(7, last);
+  CHECK_FALSE(index.knows(7, last));
+}

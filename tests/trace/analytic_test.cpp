@@ -1,11 +1,12 @@
 #include "durero/trace/analytic.hpp"
 
-#include "durero/oracle/exact.hpp"
+#include "durero/surface/exact.hpp"
 #include "durero/trace/plain.hpp"
 #include "support/catch.hpp"
 #include "support/elements.hpp"
 #include "support/property.hpp"
 #include "support/shapes.hpp"
+#include "support/threads.hpp"
 
 using namespace durero;
 using namespace durero::test;
@@ -25,7 +26,7 @@ scene::Scene scene_of(const Reals& numbers) {
 
 /// Every entry point against the oracle, with and without tables.
 scene::Hit check_ray(const scene::Scene& scene, const trace::Tables& tables, const model::Rayo& ray, scene::Origin en) {
-  namespace exact = oracle::exact;
+  namespace exact = surface::exact;
   const scene::Hit truth = exact::first_hit(scene, ray, en);
   RC_ASSERT(trace::first_hit(tables, ray, en) == truth);
   RC_ASSERT(trace::first_hit(scene, ray, en) == truth);
@@ -59,10 +60,10 @@ void check_many(const Reals& numbers) {
     const scene::Query query{*rays(numbers)};
     queries.push_back(query);
   }
-  const auto hits = trace::first_hits(tables, queries, 1);
+  const auto hits = trace::first_hits(tables, queries);
   for (std::size_t i = 0; i < queries.size(); ++i) RC_ASSERT(hits[i] == trace::first_hit(tables, queries[i].rayo));
   if (!tables.extraordinary().empty()) return;
-  const auto plain = trace::plain::first_hits(tables, queries, 1);
+  const auto plain = trace::plain::first_hits(tables, queries);
   for (std::size_t i = 0; i < queries.size(); ++i) {
     RC_ASSERT(plain[i] == trace::plain::first_hit(tables, queries[i].rayo));
   }
@@ -92,8 +93,8 @@ TEST_CASE("the answers to many rays do not depend on the number of threads") {
       queries.push_back(query);
     }
     trace::Counts one, two;
-    const auto hits = trace::first_hits(tables, queries, 1, &one);
-    RC_ASSERT(trace::first_hits(tables, queries, 2, &two) == hits);
+    const auto hits = on_threads(1, [&] { return trace::first_hits(tables, queries, &one); });
+    RC_ASSERT(on_threads(2, [&] { return trace::first_hits(tables, queries, &two); }) == hits);
     RC_ASSERT(trace::first_hits(tables, queries) == hits);
     RC_ASSERT(one == two);
   });

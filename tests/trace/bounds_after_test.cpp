@@ -3,6 +3,7 @@
 // (rounding.cpp).
 #include <cmath>
 
+#include "durero/surface/surfaces.hpp"
 #include "durero/trace/analytic.hpp"
 #include "support/catch.hpp"
 #include "support/shapes.hpp"
@@ -146,8 +147,8 @@ TEST_CASE("the filter's allowances are the derived ones") {
 
 TEST_CASE("the balls' allowances are the derived ones") {
   // 2⁻⁴⁰ of the radius; and 4u(|centro| + height) in each component, for the rounded centre, with as much again.
-  const double r = trace::ball(scene::Cylinder{{0, 0, 0}, 3, up, 8}).radius;
+  const double r = surface::ball(scene::Cylinder{{0, 0, 0}, 3, up, 8}).radius;
   CHECK(r - 5 >= 5 * 0x1p-40 * 0.999);
-  CHECK(reaches(trace::ball(scene::Cylinder{{0x1p60, 0, 0}, 3, up, 8}).radius, 0x1p12 + 5));
-  CHECK(reaches(trace::ball(scene::Cone{{0, 0x1p60, 0}, 0.5, up, 8}).radius, 0x1p12 + 5));
+  CHECK(reaches(surface::ball(scene::Cylinder{{0x1p60, 0, 0}, 3, up, 8}).radius, 0x1p12 + 5));
+  CHECK(reaches(surface::ball(scene::Cone{{0, 0x1p60, 0}, 0.5, up, 8}).radius, 0x1p12 + 5));
 }

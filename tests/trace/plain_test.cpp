@@ -1,6 +1,6 @@
 #include "durero/trace/plain.hpp"
 
-#include "durero/oracle/exact.hpp"
+#include "durero/surface/exact.hpp"
 #include "support/catch.hpp"
 #include "support/elements.hpp"
 #include "support/property.hpp"
@@ -28,7 +28,7 @@ TEST_CASE("plain closed forms agree with the exact answer on ordinary rays") {
   property("outcome, elements and t to 2⁻³⁰", [&] {
     const scene::Scene scene = random_scene();
     const model::Rayo ray = *rays(moderate());
-    const scene::Hit exact = oracle::exact::first_hit(scene, ray);
+    const scene::Hit exact = surface::exact::first_hit(scene, ray);
     const scene::Hit plain = trace::plain::first_hit(scene, ray);
     RC_ASSERT(plain.resultado == exact.resultado);
     RC_ASSERT(plain.elementos == exact.elementos);

@@ -60,7 +60,7 @@ const Family* find_family(std::string_view name);
 /// A scene of the family and that many rays. The same for the same arguments.
 Case generate(const Family& family, std::uint64_t seed, std::size_t rays);
 
-/// By oracle::exact. Precondition: the case is the family's, and the ray is its own.
+/// By surface::exact. Precondition: the case is the family's, and the ray is its own.
 Membership membership(const Family& family, const Case& the_case, const scene::Query& ray);
 
 /// How many rays of a case are truly of its family.

@@ -1,6 +1,6 @@
 #pragma once
 /// The first hit of a ray by closed forms, certified: Algorithm II.2 over all elements, with the answer of
-/// oracle::exact in the same bytes. Decisions go triage → stable → exact (steps.hpp).
+/// surface::exact in the same bytes. Decisions go triage → stable → exact (steps.hpp).
 
 #include <span>
 #include <vector>
@@ -23,15 +23,19 @@ bool occluded(const Tables& tables, const model::Rayo& rayo, Origin en = {}, Cou
 bool occluded_segment(const Tables& tables, const model::Rayo& rayo, Origin en = {}, Counts* counts = nullptr);
 
 /// first_hit of every query, in order, by eight in lanes (batch.hpp): for more than a few rays the fastest way to the
-/// same bytes. threads = 0 uses every core; the result does not depend on it.
-std::vector<scene::Hit> first_hits(const Tables& tables, std::span<const scene::Query> queries, unsigned threads = 0,
+/// same bytes. On as many threads as the calling one may use; the result does not depend on them. Precondition: a place
+/// in `hits` for each query.
+void first_hits(const Tables& tables, std::span<const scene::Query> queries, std::span<scene::Hit> hits,
+                Counts* counts = nullptr);
+std::vector<scene::Hit> first_hits(const Tables& tables, std::span<const scene::Query> queries,
                                    Counts* counts = nullptr);
 
-/// The same without tables at hand: for a few rays, but the last, which makes them.
+/// occluded_segment of every query, in order. Threads and precondition as above.
+void occluded_segments(const Tables& tables, std::span<const scene::Query> queries, std::span<bool> occluded);
+
+/// The same without tables at hand, for a few rays.
 scene::Hit first_hit(const scene::Scene& scene, const model::Rayo& rayo, Origin en = {});
 bool occluded(const scene::Scene& scene, const model::Rayo& rayo, Origin en = {});
 bool occluded_segment(const scene::Scene& scene, const model::Rayo& rayo, Origin en = {});
-std::vector<scene::Hit> first_hits(const scene::Scene& scene, std::span<const scene::Query> queries,
-                                   unsigned threads = 0);
 
 }  // namespace durero::trace

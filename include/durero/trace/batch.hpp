@@ -4,7 +4,6 @@
 /// or two elements whose points are not told apart) is answered alone, from the beginning.
 
 #include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
@@ -122,23 +121,17 @@ class Batch {
   std::array<std::uint32_t, chunk> passed_;
 };
 
-/// answer_block(queries, hits) for blocks of the queries, on so many threads: 0 is every core, 1 the calling one.
-template <class AnswerBlock>
-std::vector<scene::Hit> in_blocks(std::span<const scene::Query> queries, unsigned threads, AnswerBlock answer_block) {
-  constexpr std::size_t size = 256;
-  std::vector<scene::Hit> hits(queries.size());
-  const auto answer = [&](std::size_t block) {
-    const std::size_t begin = block * size, count = std::min(size, queries.size() - begin);
-    answer_block(queries.subspan(begin, count), std::span(hits).subspan(begin, count));
+/// answer(begin, count) for blocks that make up `size` queries, on as many threads as the calling one may use.
+template <class Answer>
+void for_each_block(std::size_t size, Answer answer) {
+  constexpr std::size_t block_size = 256;
+  const std::size_t blocks = (size + block_size - 1) / block_size;
+  const auto answer_block = [&](std::size_t block) {
+    const std::size_t begin = block * block_size;
+    answer(begin, std::min(block_size, size - begin));
   };
-  const std::size_t blocks = (queries.size() + size - 1) / size;
-  if (threads == 1) {
-    for (std::size_t block = 0; block < blocks; ++block) answer(block);
-    return hits;
-  }
-  oneapi::tbb::task_arena arena(threads == 0 ? oneapi::tbb::task_arena::automatic : static_cast<int>(threads));
-  arena.execute([&] { oneapi::tbb::parallel_for(std::size_t{0}, blocks, answer); });
-  return hits;
+  if (blocks == 1) return answer_block(0);
+  oneapi::tbb::parallel_for(std::size_t{0}, blocks, answer_block);
 }
 
 }  // namespace durero::trace

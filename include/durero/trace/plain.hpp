@@ -51,7 +51,7 @@ scene::Hit first_hit(const scene::Scene& scene, const model::Rayo& rayo, Origin 
 scene::Hit first_hit(const Tables& tables, const model::Rayo& rayo, Origin en = {});
 
 /// first_hit of every query, in blocks and lanes as trace::first_hits. Precondition: elements and rays are ordinary.
-std::vector<scene::Hit> first_hits(const Tables& tables, std::span<const scene::Query> queries, unsigned threads = 0);
+std::vector<scene::Hit> first_hits(const Tables& tables, std::span<const scene::Query> queries);
 
 /// first(quadratic) in every lane, for rays that do not start on the element; undecided where A or both roots are 0.
 void first(const Pack& pack, model::Tipo tipo, Firsts& firsts);

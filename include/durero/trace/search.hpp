@@ -4,10 +4,10 @@
 #include <boost/container/small_vector.hpp>
 #include <memory>
 
-#include "durero/oracle/exact.hpp"
 #include "durero/scene/hit.hpp"
 #include "durero/scene/query.hpp"
 #include "durero/scene/scene.hpp"
+#include "durero/surface/exact.hpp"
 #include "durero/trace/steps.hpp"
 
 namespace durero::trace {
@@ -20,8 +20,8 @@ struct Meeting {
   Kind kind = Kind::none;
   Step step = Step::triage;
   double low = 0, high = 0;
-  Finding finding{};                                    ///< by triage or stable
-  std::shared_ptr<const oracle::exact::Parameter> t{};  ///< by exact
+  Finding finding{};                                     ///< by triage or stable
+  std::shared_ptr<const surface::exact::Parameter> t{};  ///< by exact
 };
 
 /// One ray against one scene, both of which must outlive it.
@@ -44,6 +44,9 @@ class Search {
   /// The answer over the elements tested. Elements whose points all lie beyond limit() may be left out.
   scene::Hit finish();
 
+  /// t and the point of an element that the triage found to be the nearest, rounded once.
+  Rounded rounded_hit(scene::ElementRef e, const Finding& by_triage) const;
+
   /// Where the ray first meets one element; none also where that is beyond the limit.
   Meeting meeting(scene::ElementRef e, double limit, Range range = Range::unknown) const;
 
@@ -55,7 +58,7 @@ class Search {
 
   void drop_beyond_limit();
   void refine(Contender& contender) const;
-  const oracle::exact::Parameter& exact(Contender& contender) const;
+  const surface::exact::Parameter& exact(Contender& contender) const;
   void keep_nearest_by_stable();
   void keep_nearest_by_exact();
   void keep_nearest();

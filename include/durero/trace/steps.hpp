@@ -1,7 +1,7 @@
 #pragma once
 /// The steps by which the tracer decides: triage (binary64 with a bound), stable (double-double with a bound), exact
-/// (oracle::exact). Each says hit or miss of one element only where it has proved it; what a step leaves undecided goes
-/// to the next, and the last leaves nothing. quadratic-inl.hpp holds the forms and their bounds.
+/// (surface::exact). Each says hit or miss of one element only where it has proved it; what a step leaves undecided
+/// goes to the next, and the last leaves nothing. quadratic-inl.hpp holds the forms and their bounds.
 
 #include <array>
 #include <cstdint>

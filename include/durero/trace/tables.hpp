@@ -16,18 +16,12 @@
 
 #include "durero/scene/element_ref.hpp"
 #include "durero/scene/scene.hpp"
+#include "durero/surface/bounds.hpp"
 #include "durero/trace/steps.hpp"
 
 namespace durero::trace {
 
-/// A ball that contains every point of the element. Precondition: the element is ordinary.
-struct Ball {
-  glm::dvec3 centre;
-  double radius;
-};
-Ball ball(const scene::Sphere& sphere);
-Ball ball(const scene::Cylinder& cylinder);
-Ball ball(const scene::Cone& cone);
+using surface::Ball;
 
 /// Balls in columns, their radii with the part of the allowance that is theirs; padded to whole blocks with NaN, which
 /// no ray meets.

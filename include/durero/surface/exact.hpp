@@ -3,12 +3,12 @@
 
 #include <vector>
 
-#include "durero/oracle/exact_element.hpp"
 #include "durero/scene/hit.hpp"
 #include "durero/scene/query.hpp"
 #include "durero/scene/scene.hpp"
+#include "durero/surface/exact_element.hpp"
 
-namespace durero::oracle::exact {
+namespace durero::surface::exact {
 
 using scene::Origin;
 
@@ -36,4 +36,4 @@ struct Crossing {
 /// alcances, whole: every crossing, ascending by begin (t → 0⁺ first), then by element.
 std::vector<Crossing> all_hits(const scene::Scene& scene, const model::Rayo& rayo, Origin en = {});
 
-}  // namespace durero::oracle::exact
+}  // namespace durero::surface::exact

@@ -1,9 +1,9 @@
-#include "durero/oracle/exact.hpp"
+#include "durero/surface/exact.hpp"
 
 #include <algorithm>
 #include <utility>
 
-namespace durero::oracle::exact {
+namespace durero::surface::exact {
 namespace {
 
 using model::Resultado;
@@ -86,4 +86,4 @@ std::vector<Crossing> all_hits(const scene::Scene& scene, const model::Rayo& ray
   return crossings;
 }
 
-}  // namespace durero::oracle::exact
+}  // namespace durero::surface::exact

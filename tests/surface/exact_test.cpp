@@ -1,8 +1,9 @@
-// oracle::exact refines model::Primera_Interseccion: over the retrieved scene the model gives the same outcome, the
+// surface::exact refines model::Primera_Interseccion: over the retrieved scene the model gives the same outcome, the
 // same elements, and numbers that round to the same binary64.
 
+#include "durero/surface/exact.hpp"
+
 #include "durero/model/interseccion.hpp"
-#include "durero/oracle/exact.hpp"
 #include "durero/scene/retrieve.hpp"
 #include "support/catch.hpp"
 #include "support/points_gen.hpp"
@@ -42,8 +43,8 @@ scene::ElementSet random_origin(const scene::Scene& scene) {
 void same_answer(const scene::Scene& scene, const model::Rayo& rayo, const scene::ElementSet& en) {
   const model::Escena escena = retrieve(scene);
   const auto expected = model::Primera_Interseccion(escena, {rayo, names(scene, en)});
-  const oracle::exact::Origin origin(en);
-  const scene::Hit hit = oracle::exact::first_hit(scene, rayo, origin);
+  const surface::exact::Origin origin(en);
+  const scene::Hit hit = surface::exact::first_hit(scene, rayo, origin);
   RC_CLASSIFY(hit.resultado == model::Resultado::hit, "hit");
   RC_CLASSIFY(hit.resultado == model::Resultado::no_minimum, "no_minimum");
   std::visit(
@@ -58,8 +59,8 @@ void same_answer(const scene::Scene& scene, const model::Rayo& rayo, const scene
     RC_ASSERT(hit.punto.y == number::round_to_binary64(out->punto.y));
     RC_ASSERT(hit.punto.z == number::round_to_binary64(out->punto.z));
   }
-  RC_ASSERT(oracle::exact::occluded(scene, rayo, origin) == model::occluded(escena, rayo, names(scene, en)));
-  RC_ASSERT(oracle::exact::occluded_segment(scene, rayo, origin) ==
+  RC_ASSERT(surface::exact::occluded(scene, rayo, origin) == model::occluded(escena, rayo, names(scene, en)));
+  RC_ASSERT(surface::exact::occluded_segment(scene, rayo, origin) ==
             model::occluded_segment(escena, rayo, names(scene, en)));
 }
 

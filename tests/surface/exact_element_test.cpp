@@ -1,4 +1,4 @@
-#include "durero/oracle/exact_element.hpp"
+#include "durero/surface/exact_element.hpp"
 
 #include <boost/multiprecision/cpp_dec_float.hpp>
 
@@ -9,7 +9,7 @@
 #include "support/shapes.hpp"
 
 using namespace durero;
-using namespace durero::oracle::exact;
+using namespace durero::surface::exact;
 using namespace durero::test;
 using number::Rational;
 using number::Surd;

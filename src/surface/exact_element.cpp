@@ -1,40 +1,15 @@
-#include "durero/oracle/exact_element.hpp"
+#include "durero/surface/exact_element.hpp"
 
 #include <utility>
 
-namespace durero::oracle::exact {
+#include "durero/surface/surfaces.hpp"
+
+namespace durero::surface::exact {
 namespace {
 
 using number::shifted;
 using number::sign;
 using number::square;
-
-struct Vec {
-  Dyadic x, y, z;
-};
-
-Vec vec(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
-Dyadic dot(const Vec& a, const Vec& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
-Vec difference(const glm::dvec3& a, const glm::dvec3& b) {
-  return {Dyadic(a.x) - Dyadic(b.x), Dyadic(a.y) - Dyadic(b.y), Dyadic(a.z) - Dyadic(b.z)};
-}
-
-/// The quadratic of alejamiento: |q − s·d|² = q·q − (2 − n)·s² with s = q·d and n = d·d.
-struct Axial {
-  Dyadic A, B, C, s0, s1;
-};
-
-Axial axial(const glm::dvec3& centro, const glm::dvec3& vector, const model::Rayo& rayo, bool on) {
-  const Vec q0 = difference(rayo.p().xyz(), centro);
-  const Vec v = vec(rayo.v().xyz());
-  const Vec d = vec(vector);
-  const Dyadic s0 = dot(q0, d);
-  const Dyadic s1 = dot(v, d);
-  const Dyadic m = Dyadic(2) - dot(d, d);
-  const Dyadic m_s1 = m * s1;
-  return {dot(v, v) - m_s1 * s1, dot(q0, v) - m_s1 * s0, on ? Dyadic() : dot(q0, q0) - m * square(s0), s0, s1};
-}
 
 /// Where avance is the given height. Precondition: s1 ≠ 0.
 Parameter at_height(const Coefficients& f, const Dyadic& height) { return {.x = height - f.s0, .w = f.s1}; }
@@ -56,29 +31,22 @@ Reach reach_of_line(const Coefficients& f) {
 
 }  // namespace
 
-Coefficients coefficients(const scene::Sphere& sphere, const model::Rayo& rayo, bool on) {
-  const Vec q0 = difference(rayo.p().xyz(), sphere.centro);
-  const Vec v = vec(rayo.v().xyz());
-  const Dyadic C = on ? Dyadic() : dot(q0, q0) - square(Dyadic(sphere.radio));
-  return {dot(v, v), dot(q0, v), C, 0, 0, std::nullopt};
+template <class Shape>
+Coefficients coefficients(const Shape& shape, const model::Rayo& rayo, bool on) {
+  const auto w = along<Dyadic>(rayo);
+  auto [A, B, C] = potencia(shape, w);
+  if (on) C = Dyadic();
+  if constexpr (Axial<Shape>) {
+    const auto s = avance(shape, w);
+    return {std::move(A), std::move(B), std::move(C), s.at_zero, s.slope, shape.altura};
+  } else {
+    return {std::move(A), std::move(B), std::move(C), 0, 0, std::nullopt};
+  }
 }
 
-Coefficients coefficients(const scene::Cylinder& cylinder, const model::Rayo& rayo, bool on) {
-  auto [A, B, C, s0, s1] = axial(cylinder.centro, cylinder.vector, rayo, on);
-  if (!on) C -= square(Dyadic(cylinder.radio));
-  return {A, B, C, s0, s1, cylinder.altura};
-}
-
-Coefficients coefficients(const scene::Cone& cone, const model::Rayo& rayo, bool on) {
-  auto [A, B, C, s0, s1] = axial(cone.centro, cone.vector, rayo, on);
-  const Dyadic k2 = square(Dyadic(cone.proporcion));
-  const Dyadic g = Dyadic(cone.altura) - s0;
-  const Dyadic k2_s1 = k2 * s1;
-  A -= k2_s1 * s1;
-  B += k2_s1 * g;
-  if (!on) C -= k2 * square(g);
-  return {A, B, C, s0, s1, cone.altura};
-}
+template Coefficients coefficients(const scene::Sphere&, const model::Rayo&, bool);
+template Coefficients coefficients(const scene::Cylinder&, const model::Rayo&, bool);
+template Coefficients coefficients(const scene::Cone&, const model::Rayo&, bool);
 
 Roots roots(const Coefficients& f) {
   const int of_A = sign(f.A);
@@ -116,4 +84,4 @@ Reach reach(const Coefficients& f) {
   return result;
 }
 
-}  // namespace durero::oracle::exact
+}  // namespace durero::surface::exact

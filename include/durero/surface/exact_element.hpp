@@ -10,9 +10,8 @@
 
 #include "durero/model/tipos.hpp"
 #include "durero/number/dyadic_surd.hpp"
-#include "durero/scene/shapes.hpp"
 
-namespace durero::oracle::exact {
+namespace durero::surface::exact {
 
 using number::Dyadic;
 
@@ -27,10 +26,9 @@ struct Coefficients {
   std::optional<Dyadic> altura;
 };
 
-/// on: the origin lies on the element (alcance: puntos_desde), so C is 0.
-Coefficients coefficients(const scene::Sphere& sphere, const model::Rayo& rayo, bool on = false);
-Coefficients coefficients(const scene::Cylinder& cylinder, const model::Rayo& rayo, bool on = false);
-Coefficients coefficients(const scene::Cone& cone, const model::Rayo& rayo, bool on = false);
+/// on: the origin lies on the element (alcance: puntos_desde), so C is 0. Defined for every shape.
+template <class Shape>
+Coefficients coefficients(const Shape& shape, const model::Rayo& rayo, bool on = false);
 
 /// The real t with A·t² + 2B·t + C = 0, ascending and without repetition; `every` when A = B = C = 0.
 struct Roots {
@@ -68,4 +66,4 @@ struct Reach {
 };
 Reach reach(const Coefficients& f);
 
-}  // namespace durero::oracle::exact
+}  // namespace durero::surface::exact

@@ -1,0 +1,55 @@
+#pragma once
+/// Whatever answers rays: one interface, which `durero trace`, `agree` and `render` ask and nothing else.
+///
+/// An engine answers on as many threads as the calling thread may use (tbb::global_control, tbb::task_arena); no answer
+/// depends on their number, nor on what else is asked with it.
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "durero/scene/hit.hpp"
+#include "durero/scene/query.hpp"
+#include "durero/scene/scene.hpp"
+
+namespace durero::engine {
+
+class Engine {
+ public:
+  virtual ~Engine() = default;
+
+  /// Primera_Interseccion of every query, in order. Preconditions: a place in `hits` for each query; the elements of
+  /// every en are in the scene.
+  virtual void first_hits(std::span<const scene::Query> queries, std::span<scene::Hit> hits) const = 0;
+
+  /// occluded_segment of every query, in order: some element is met at some 0 < t < 1. Preconditions as above.
+  virtual void occluded_segments(std::span<const scene::Query> queries, std::span<bool> occluded) const = 0;
+
+ protected:
+  Engine() = default;
+  Engine(const Engine&) = default;
+  Engine& operator=(const Engine&) = default;
+};
+
+std::vector<scene::Hit> first_hits(const Engine& engine, std::span<const scene::Query> queries);
+scene::Hit first_hit(const Engine& engine, const scene::Query& query);
+bool occluded_segment(const Engine& engine, const scene::Query& query);
+
+/// What an engine is called, what it promises, and what makes it ready for a scene, which must outlive it unedited.
+struct Row {
+  std::string_view name;
+  std::string_view what;  ///< in a few words
+  bool exact_bytes;       ///< its answers are those of `exact`, byte for byte
+  bool honours_origins;   ///< it knows of the elements that a ray starts on; otherwise it answers as if there were none
+  std::unique_ptr<const Engine> (*prepare)(const scene::Scene& scene);
+};
+
+/// Every engine, in the order of the ladder.
+std::span<const Row> engines();
+/// Null where no engine has the name.
+const Row* find(std::string_view name);
+
+inline constexpr std::string_view default_engine = "analytic";
+
+}  // namespace durero::engine

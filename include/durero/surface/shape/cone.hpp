@@ -1,0 +1,20 @@
+#pragma once
+/// The surface of a cone: its equation, and what contains it.
+
+#include "durero/surface/bounds.hpp"
+#include "durero/surface/equation.hpp"
+
+namespace durero::surface {
+
+/// |q − s·d|² − (proporcion·(altura − s))² (potencia_cono.def.1)
+template <class T>
+auto potencia(const scene::Cone& cone, const Point<T>& w) {
+  using C = Constant<T>;
+  return alejamiento(cone, w) - square((C(cone.altura) - avance(cone, w)) * C(cone.proporcion));
+}
+
+/// Precondition of both: every number of the shape is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰.
+Ball ball(const scene::Cone& shape);
+Box box(const scene::Cone& shape);
+
+}  // namespace durero::surface

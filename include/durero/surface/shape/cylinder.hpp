@@ -1,0 +1,19 @@
+#pragma once
+/// The surface of a cylinder: its equation, and what contains it.
+
+#include "durero/surface/bounds.hpp"
+#include "durero/surface/equation.hpp"
+
+namespace durero::surface {
+
+/// |q − s·d|² − radio² (potencia_cilindro.def.1)
+template <class T>
+auto potencia(const scene::Cylinder& cylinder, const Point<T>& w) {
+  return alejamiento(cylinder, w) - square(Constant<T>(cylinder.radio));
+}
+
+/// Precondition of both: every number of the shape is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰.
+Ball ball(const scene::Cylinder& shape);
+Box box(const scene::Cylinder& shape);
+
+}  // namespace durero::surface

@@ -1,0 +1,84 @@
+#include "durero/engine/engine.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "durero/oracle/sampled.hpp"
+#include "durero/surface/exact.hpp"
+#include "durero/trace/analytic.hpp"
+#include "one_by_one.hpp"
+
+namespace durero::engine {
+namespace {
+
+using scene::Query;
+using scene::Scene;
+
+/// A sample stands for all points within its covering radius, so it cannot tell a ray's start on an element from a hit
+/// of that element nearby: it does not know origins.
+std::unique_ptr<const Engine> sampled(const Scene& scene) {
+  const auto oracle = std::make_shared<const oracle::sampled::Oracle>(scene);
+  return one_by_one([oracle](const Query& query) { return oracle->first_hit(query.rayo); },
+                    [oracle](const Query& query) {
+                      const scene::Hit hit = oracle->first_hit(query.rayo);
+                      return hit.resultado == model::Resultado::hit && hit.t < 1;
+                    });
+}
+
+std::unique_ptr<const Engine> exact(const Scene& scene) {
+  return one_by_one(
+      [&scene](const Query& query) { return surface::exact::first_hit(scene, query.rayo, query.en); },
+      [&scene](const Query& query) { return surface::exact::occluded_segment(scene, query.rayo, query.en); });
+}
+
+class Analytic final : public Engine {
+ public:
+  explicit Analytic(const Scene& scene) : tables_(scene) {}
+
+  void first_hits(std::span<const Query> queries, std::span<scene::Hit> hits) const override {
+    trace::first_hits(tables_, queries, hits);
+  }
+  void occluded_segments(std::span<const Query> queries, std::span<bool> occluded) const override {
+    trace::occluded_segments(tables_, queries, occluded);
+  }
+
+ private:
+  trace::Tables tables_;
+};
+
+std::unique_ptr<const Engine> analytic(const Scene& scene) { return std::make_unique<const Analytic>(scene); }
+
+constexpr std::array rows = {
+    Row{"sampled", "points on the surfaces: coarse, and independent of every formula", false, false, sampled},
+    Row{"exact", "exact arithmetic throughout: slow, and what all others are held against", true, true, exact},
+    Row{"analytic", "closed forms in binary64, certified, exact where they cannot tell", true, true, analytic},
+};
+
+}  // namespace
+
+std::span<const Row> engines() { return rows; }
+
+const Row* find(std::string_view name) {
+  const auto* const found = std::ranges::find(rows, name, &Row::name);
+  return found == rows.end() ? nullptr : found;
+}
+
+std::vector<scene::Hit> first_hits(const Engine& engine, std::span<const Query> queries) {
+  std::vector<scene::Hit> hits(queries.size());
+  engine.first_hits(queries, hits);
+  return hits;
+}
+
+scene::Hit first_hit(const Engine& engine, const Query& query) {
+  scene::Hit hit;
+  engine.first_hits({&query, 1}, {&hit, 1});
+  return hit;
+}
+
+bool occluded_segment(const Engine& engine, const Query& query) {
+  bool occluded = false;
+  engine.occluded_segments({&query, 1}, {&occluded, 1});
+  return occluded;
+}
+
+}  // namespace durero::engine

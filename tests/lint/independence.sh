@@ -1,0 +1,13 @@
+#!/bin/sh
+# What is held against something else does not share its code with it, or a fault in one would not be seen by the other.
+# apart FOLDERS USED WHY: no file of the folders includes a header that matches.
+apart() {
+  # shellcheck disable=SC2086
+  git ls-files $1 | xargs grep -nE "^#include \"$2" 2>/dev/null | sed "s/\$/  <- $3/"
+}
+{
+  apart 'include/durero/model src/model' 'durero/(scene|surface|trace|oracle|zed)/' 'the model is the text, and nothing else'
+  apart 'include/durero/zed src/zed' 'durero/(model|scene|surface|trace|oracle)/' 'the evaluated text knows no model of itself'
+  apart 'include/durero/oracle src/oracle' 'durero/(surface|trace)/' 'an oracle does not know what it judges'
+  apart 'tests/conform/reference.hpp' 'durero/(model/(puntos|interseccion)|surface|trace|oracle)' "the tests' reference stands alone"
+} | { ! grep .; }
