@@ -25,6 +25,12 @@ struct Attribute {
   std::map<model::Elemento, Value> model::Escena::*component;  ///< mi_radio and the like
 };
 
+/// As the standard deduces them of an aggregate; Clang 16 does not.
+template <class ShapeType, class StoredType, class Addition, class InputType, class ValueType>
+Attribute(std::string_view, StoredType ShapeType::*, InputType Addition::*,
+          std::map<model::Elemento, ValueType> model::Escena::*)
+    -> Attribute<ShapeType, StoredType, Addition, InputType, ValueType>;
+
 /// What a table stores of an input.
 inline double stored(double x) { return x; }
 inline const glm::dvec3& stored(const model::Punto& p) { return p.xyz(); }
