@@ -32,7 +32,7 @@ int spec_confirm(const std::string& scene_path, const std::string& rays_path, co
   std::size_t confirmed = 0, missing = 0;
   std::string lines;
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    const auto objection = hits[i] ? confirmation.objection(rays[i].rayo, rays[i].en, *hits[i])
+    const auto objection = hits[i] ? confirmation.objection(rays[i], *hits[i])
                                    : std::optional<std::string>("the ray has no hit in the file");
     confirmed += objection ? 0 : 1;
     missing += hits[i] ? 0 : 1;

@@ -74,10 +74,10 @@ Elements Confirmation::names(const scene::ElementSet& elements) const {
   return names;
 }
 
-Objection Confirmation::objection(const model::Rayo& rayo, const scene::ElementSet& en, const scene::Hit& hit) const {
-  Question question{rayo, names(en), {}};
+Objection Confirmation::objection(const scene::Query& query, const scene::Hit& hit) const {
+  Question question{query.rayo, names(query.en), {}};
   for (const model::Elemento& e : escena_.elementos) {
-    question.on_elements.push_back({e, alcance(judge_, theta_, rayo, question.en, e)});
+    question.on_elements.push_back({e, alcance(judge_, theta_, query.rayo, question.en, e)});
   }
   switch (hit.resultado) {
     case model::Resultado::hit:

@@ -1,23 +1,26 @@
 #include "durero/oracle/sampled.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "crossing.hpp"
 
 namespace durero::oracle::sampled {
 namespace {
 
-using model::Tipo;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The ray at unit speed.
-struct Line {
-  explicit Line(const model::Rayo& ray)
-      : p(ray.p().xyz()), speed(glm::length(ray.v().xyz())), v(ray.v().xyz() / speed) {}
-  glm::dvec3 p;
-  double speed;
-  glm::dvec3 v;
+/// The first candidate of one element: distance of its foot from the origin, and the sample.
+struct Candidate {
+  double distance;
+  glm::dvec3 sample;
 };
 
 /// The sample within δ of the ray whose foot is nearest to the origin.
@@ -34,8 +37,8 @@ class Nearest {
   /// False where no sample of the ball is a candidate nearer than the one found.
   bool may_improve(const Ball& ball) const {
     const glm::dvec3 to_center = ball.center - line_.p;
-    const double along = glm::dot(to_center, line_.v);
-    const glm::dvec3 apart = to_center - line_.v * std::max(0.0, along);
+    const double along = glm::dot(to_center, line_.direction);
+    const glm::dvec3 apart = to_center - line_.direction * std::max(0.0, along);
     const double reach = (ball.radius + cover_.delta) * (1 + 0x1p-40) + 0x1p-40 * glm::length(to_center);
     return glm::dot(apart, apart) <= reach * reach && along - reach < foot_;
   }
@@ -52,8 +55,8 @@ class Nearest {
     const double limit = cover_.delta * cover_.delta;
     for (std::uint32_t i = first; i < last; ++i) {
       const glm::dvec3 q = cover_.samples[i] - line_.p;
-      const double foot = std::max(0.0, glm::dot(q, line_.v));
-      const glm::dvec3 apart = q - line_.v * foot;
+      const double foot = std::max(0.0, glm::dot(q, line_.direction));
+      const glm::dvec3 apart = q - line_.direction * foot;
       if (foot >= foot_ || glm::dot(apart, apart) > limit) continue;
       foot_ = foot;
       which_ = i;
@@ -79,65 +82,44 @@ bool near_sample(const Cover& cover, const glm::dvec3& point, double slack, std:
                      [&](const glm::dvec3& sample) { return glm::length(sample - point) <= limit; });
 }
 
-/// potencia along the ray, around a point x of it: a·u² + 2b·u + c; and s + u·s_step, the advance along the axis.
-struct Local {
-  double a, b, c;
-  double s = 0, s_step = 0, altura = infinity;  // a sphere has no rim, so its altura is infinite
-};
-
-Local expand(const scene::Sphere& e, const glm::dvec3& x, const glm::dvec3& v) {
-  const glm::dvec3 q = x - e.centro;
-  return {1, glm::dot(q, v), glm::dot(q, q) - e.radio * e.radio};
-}
-
-/// Of the square of the distance from the axis, as the printed text has it: |q − s·d|².
-template <class Axial>
-Local expand_distance(const Axial& e, const glm::dvec3& x, const glm::dvec3& v) {
-  const glm::dvec3 q = x - e.centro;
-  const double s = glm::dot(q, e.vector), s_step = glm::dot(v, e.vector);
-  const glm::dvec3 away = q - e.vector * s, step = v - e.vector * s_step;
-  return {glm::dot(step, step), glm::dot(away, step), glm::dot(away, away), s, s_step, e.altura};
-}
-
-Local expand(const scene::Cylinder& e, const glm::dvec3& x, const glm::dvec3& v) {
-  Local local = expand_distance(e, x, v);
-  local.c -= e.radio * e.radio;
-  return local;
-}
-
-Local expand(const scene::Cone& e, const glm::dvec3& x, const glm::dvec3& v) {
-  Local local = expand_distance(e, x, v);
-  const double k = e.proporcion, left = e.altura - local.s;
-  local.a -= k * k * local.s_step * local.s_step;
-  local.b += k * k * left * local.s_step;
-  local.c -= k * k * left * left;
-  return local;
-}
-
 /// The slack for the rounding of distances: 2⁻⁴⁰ of the lengths at hand, which a few dozen roundings do not reach.
 double rounding(const Cover& cover, const Line& line) {
   const Ball& all = cover.balls.front();
   return 0x1p-40 * (glm::length(line.p - all.center) + all.radius);
 }
 
-/// Why the ray need not meet the element near the candidate's foot; `unsound` where nothing explains it.
-Verdict explain(const scene::Scene& scene, scene::ElementRef ref, const Cover& cover, const Line& line, double foot) {
-  const double slack = rounding(cover, line);
-  const double delta = cover.delta, eta = reach_ratio * delta;
-  const Local at = scene.visit(ref, [&](const auto& shape) { return expand(shape, line.p + line.v * foot, line.v); });
-  const double discriminant = at.b * at.b - at.a * at.c;
-  if (discriminant < std::pow(cover.gradient / reach_ratio, 2)) return Verdict::grazing;
-  const double root = at.c / -(at.b + std::copysign(std::sqrt(discriminant), at.b));  // the nearer root
-  if (foot + root <= slack) return Verdict::origin;
-  const double s = at.s + root * at.s_step;
-  const double beyond = std::isinf(at.altura) ? -infinity : std::max(-s, s - at.altura);
-  if (beyond >= -slack && beyond <= delta + eta + slack) return Verdict::rim;
-  return Verdict::unsound;
-}
-
 /// The point that a claim speaks of: of a segment that starts at the origin, the origin.
 glm::dvec3 claimed_point(const Line& line, const scene::Hit& claim) {
   return claim.resultado == model::Resultado::hit ? claim.punto : line.p;
+}
+
+[[noreturn]] void out_of_range(const std::string& what, double value, const std::string& expected) {
+  throw std::domain_error(fmt::format("{} {}; expected {} (the sampled oracle's range)", what, value, expected));
+}
+
+void require_range(const Parametrisation& surface, const model::Elemento& e) {
+  for (const double length : {surface.widest(), surface.length()}) {
+    if (!(length >= least_length && length <= greatest_length)) {
+      out_of_range(fmt::format("element {} has a length of", e.name()), length,
+                   fmt::format("lengths from {} to {}", least_length, greatest_length));
+    }
+  }
+  const glm::dvec3 center = surface.on_axis(0);
+  for (const double x : {center.x, center.y, center.z}) {
+    if (std::abs(x) > greatest_length) {
+      out_of_range(fmt::format("element {} has a coordinate of", e.name()), x,
+                   fmt::format("coordinates up to {}", greatest_length));
+    }
+  }
+}
+
+Line checked_line(const model::Rayo& ray) {
+  for (const double x : {ray.p().x(), ray.p().y(), ray.p().z()}) {
+    if (std::abs(x) > greatest_origin) {
+      out_of_range("a ray's origin has a coordinate of", x, fmt::format("coordinates up to {}", greatest_origin));
+    }
+  }
+  return Line(ray);
 }
 
 bool names(const scene::Hit& claim, scene::ElementRef element) {
@@ -151,9 +133,12 @@ std::string_view name(Verdict verdict) noexcept {
   return names[static_cast<int>(verdict)];
 }
 
-Oracle::Oracle(const scene::Scene& scene, double fineness) : scene_(scene) {
+Oracle::Oracle(const scene::Scene& scene, double fineness) {
   elements_.reserve(scene.size());
-  scene.for_each([&](scene::ElementRef ref, const auto& shape) { elements_.push_back({ref, cover(shape, fineness)}); });
+  scene.for_each([&](scene::ElementRef e, const auto& shape) {
+    require_range(shape, scene.name(e));
+    elements_.push_back({e, shape, cover(shape, fineness)});
+  });
 }
 
 std::vector<Ball> Oracle::bounds() const {
@@ -164,20 +149,20 @@ std::vector<Ball> Oracle::bounds() const {
 }
 
 scene::Hit Oracle::first_hit(const model::Rayo& ray) const {
-  const Line line(ray);
+  const Line line = checked_line(ray);
   scene::Hit hit;
   double best = infinity;
   for (const Element& element : elements_) {
     const auto candidate = nearest(element.cover, line);
     if (!candidate || candidate->distance >= best) continue;
     best = candidate->distance;
-    hit = {model::Resultado::hit, best / line.speed, candidate->sample, {element.ref}};
+    hit = {model::Resultado::hit, line.parameter(best), candidate->sample, {element.ref}};
   }
   return hit;
 }
 
 Verdict Oracle::judge(const model::Rayo& ray, const scene::Hit& claimed) const {
-  const Line line(ray);
+  const Line line = checked_line(ray);
   const glm::dvec3 point = claimed_point(line, claimed);
   const double claim = claimed.resultado == model::Resultado::miss ? infinity : glm::length(point - line.p);
   Verdict verdict = Verdict::agrees;
@@ -186,8 +171,8 @@ Verdict Oracle::judge(const model::Rayo& ray, const scene::Hit& claimed) const {
     const double slack = rounding(cover, line);
     if (names(claimed, element.ref) && !near_sample(cover, point, slack)) return Verdict::incomplete;
     const auto candidate = nearest(cover, line);
-    if (!candidate || claim <= candidate->distance + reach_ratio * cover.delta + slack) continue;
-    const Verdict reason = explain(scene_, element.ref, cover, line, candidate->distance);
+    if (!candidate || claim <= candidate->distance + 8 * cover.delta + slack) continue;
+    const Verdict reason = crossing(element.surface, line, claim, cover.delta / 1024, slack);
     if (reason == Verdict::unsound) return reason;
     verdict = std::max(verdict, reason);
   }

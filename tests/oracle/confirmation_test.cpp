@@ -20,7 +20,7 @@ model::Rayo along_z(double x, double y) { return {{x, y, 0}, {0, 0, 1}}; }
 
 std::string objection(const scene::Scene& scene, const model::Rayo& rayo, const Hit& hit,
                       const scene::ElementSet& en = {}) {
-  return Confirmation(scene).objection(rayo, en, hit).value_or("");
+  return Confirmation(scene).objection({rayo, en}, hit).value_or("");
 }
 
 ElementRef find(const scene::Scene& scene, const char* name) { return *scene.find(name); }
@@ -75,11 +75,11 @@ TEST_CASE("the text confirms the exact oracle's hits of random rays, and objects
       const model::Rayo rayo = test::random_ray(random);
       const Hit hit = surface::exact::first_hit(scene, rayo, {});
       hits += hit.resultado == Resultado::hit;
-      CHECK(confirmation.objection(rayo, {}, hit).value_or("") == "");
+      CHECK(confirmation.objection({rayo}, hit).value_or("") == "");
       const Hit other = changed(random, scene, hit);
       if (other == hit) continue;
       ++changes;
-      CHECK(confirmation.objection(rayo, {}, other));
+      CHECK(confirmation.objection({rayo}, other));
     }
   }
   CHECK(hits > test::fewer_when_sanitized(150));
@@ -150,10 +150,14 @@ TEST_CASE("misses and rays without a nearest point") {
 TEST_CASE("a ray that starts on elements is judged by what it reaches of them") {
   const scene::Scene scene = alike();
   const ElementRef b = find(scene, "b");
-  const model::Rayo inwards{{0, 0, 4}, {0, 0, 1}};
-  const Hit far = surface::exact::first_hit(scene, inwards, b);
-  CHECK(objection(scene, inwards, far, {b}) == "");
-  CHECK(objection(scene, inwards, {}, {b}) == "No_Hay_Interseccion.pre.1: a point of the ray lies on a");
+  // The stored origin is beside the point of b that it stands for, so without the name the near side of b is first.
+  const model::Rayo inwards{{0, 0, 3.9999}, {0, 0, 1}};
+  const Hit of_name = surface::exact::first_hit(scene, inwards, b), without = surface::exact::first_hit(scene, inwards, {});
+  REQUIRE(of_name.elementos != without.elementos);
+  CHECK(objection(scene, inwards, of_name, {b}) == "");
+  CHECK(objection(scene, inwards, without, {}) == "");
+  CHECK(objection(scene, inwards, without, {b}) != "");
+  CHECK(objection(scene, inwards, of_name, {}) != "");
 }
 
 }  // namespace durero::oracle::spec

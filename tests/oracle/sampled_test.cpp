@@ -1,7 +1,10 @@
 #include "durero/oracle/sampled.hpp"
 
 #include <glm/geometric.hpp>
+#include <stdexcept>
+#include <string>
 
+#include "durero/surface/exact.hpp"
 #include "support/catch.hpp"
 #include "support/scenes.hpp"
 
@@ -53,8 +56,93 @@ TEST_CASE("a near miss is explained, each by its reason") {
   const scene::Scene scene = one_of_each();
   const oracle::sampled::Oracle oracle(scene);
   CHECK(oracle.judge(towards_z(1.01, 0), {}) == Verdict::grazing);
-  CHECK(oracle.judge(towards_z(5, 2.01), {}) == Verdict::rim);
-  CHECK(oracle.judge({{0, 0, 6.01}, {0, 0, 1}}, {}) == Verdict::origin);
+  CHECK(oracle.judge(towards_z(5, 2.00001), {}) == Verdict::rim);
+  CHECK(oracle.judge(towards_z(-5, 2.00001), {}) == Verdict::rim);  // the apex
+  CHECK(oracle.judge({{0, 0, 6.00001}, {0, 0, 1}}, {}) == Verdict::origin);
+}
+
+TEST_CASE("a miss that finer points tell from a near miss agrees") {
+  const scene::Scene scene = one_of_each();
+  const oracle::sampled::Oracle oracle(scene);
+  CHECK(oracle.judge(towards_z(5, 2.001), {}) == Verdict::agrees);
+  CHECK(oracle.judge({{0, 0, 6.001}, {0, 0, 1}}, {}) == Verdict::agrees);
+}
+
+TEST_CASE("a hit that is taken away is missed, just inside a rim, before the apex and at 60 degrees from the normal") {
+  const scene::Scene scene = one_of_each();
+  const oracle::sampled::Oracle oracle(scene);
+  CHECK(oracle.judge(towards_z(0.98, 0), {}) == Verdict::unsound);
+  CHECK(oracle.judge(towards_z(5.98, 1), {}) == Verdict::unsound);
+  CHECK(oracle.judge(towards_z(5, 1.99), {}) == Verdict::unsound);
+  CHECK(oracle.judge(towards_z(-5, 1.99), {}) == Verdict::unsound);
+  CHECK(oracle.judge({{0, 0, 5.99}, {0, 0, 1}}, {}) == Verdict::unsound);
+}
+
+TEST_CASE("the exact hits of random rays stand, and nearly all are missed once they are taken away") {
+  const std::uint64_t seed = 20261121;
+  CAPTURE(seed);
+  test::Random random(seed);
+  std::size_t taken = 0, missed = 0;
+  for (int round = 0; round < 20; ++round) {
+    const scene::Scene scene = test::random_scene(random, 4);
+    const oracle::sampled::Oracle oracle(scene);
+    for (int i = 0; i < 200; ++i) {
+      const model::Rayo ray = test::random_ray(random);
+      const scene::Hit hit = surface::exact::first_hit(scene, ray, {});
+      CHECK(agrees(oracle.judge(ray, hit)));
+      if (hit.resultado != model::Resultado::hit) continue;
+      ++taken;
+      missed += oracle.judge(ray, {}) == Verdict::unsound;
+    }
+  }
+  CAPTURE(taken, missed);
+  CHECK(taken > 1000);
+  CHECK(missed > taken * 9 / 10);
+}
+
+TEST_CASE("the verdict is the same at every scale in range, and however long the ray's direction") {
+  for (const double scale : {1e-139, 1e-70, 1.0, 1e70, 1e139}) {
+    for (const double speed : {0x1p-1074, 1e-200, 1.0, 1e200, 1e308}) {
+      CAPTURE(scale, speed);
+      scene::Scene scene;
+      scene.apply(model::Agregar_Esfera{model::Elemento("s"), {0, 0, 5 * scale}, scale});
+      const oracle::sampled::Oracle oracle(scene);
+      const model::Rayo ray{{0, 0, 0}, {0, 0, speed}};
+      CHECK(oracle.judge(ray, {model::Resultado::hit, 4, {0, 0, 4 * scale}, {sphere}}) == Verdict::agrees);
+      CHECK(oracle.judge(ray, {}) == Verdict::unsound);
+      CHECK(oracle.judge(ray, {model::Resultado::hit, 4, {0, 0, 3 * scale}, {sphere}}) == Verdict::incomplete);
+      const scene::Hit found = oracle.first_hit(ray);
+      CHECK(found.punto.z / scale == Approx(4).margin(1.0 / 16));
+      if (scale == 1 && speed >= 1e-200) CHECK(found.t * speed == Approx(4).margin(1.0 / 16));
+    }
+  }
+}
+
+TEST_CASE("lengths and places out of range are refused by name") {
+  using model::Elemento;
+  const auto refusal = [](const model::Operation& addition) -> std::string {
+    scene::Scene scene;
+    scene.apply(addition);
+    try {
+      const oracle::sampled::Oracle oracle(scene);
+    } catch (const std::domain_error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK(refusal(model::Agregar_Esfera{Elemento("s"), {0, 0, 0}, 1e160}) ==
+        "element s has a length of 1e+160; expected lengths from 1e-140 to 1e+140 (the sampled oracle's range)");
+  CHECK(refusal(model::Agregar_Esfera{Elemento("s"), {0, 0, 0}, 1e-160}) != "");
+  CHECK(refusal(model::Agregar_Esfera{Elemento("s"), {0, -1e160, 0}, 1}) ==
+        "element s has a coordinate of -1e+160; expected coordinates up to 1e+140 (the sampled oracle's range)");
+  CHECK(refusal(model::Agregar_Cilindro{Elemento("c"), {0, 0, 0}, 1, {0, 0, 1}, 1e-141}) != "");
+  CHECK(refusal(model::Agregar_Cono{Elemento("k"), {0, 0, 0}, 1e-100, {0, 0, 1}, 1e-100}) != "");
+  CHECK(refusal(model::Agregar_Esfera{Elemento("s"), {1e140, 0, 0}, 1e-140}) == "");
+  const scene::Scene scene = one_of_each();
+  const oracle::sampled::Oracle oracle(scene);
+  const model::Rayo far{{0, 1e146, 0}, {0, 0, 1}};
+  CHECK_THROWS_AS(oracle.judge(far, {}), std::domain_error);
+  CHECK_THROWS_AS(oracle.first_hit(far), std::domain_error);
 }
 
 TEST_CASE("the sampled first hit is within delta of the exact one") {

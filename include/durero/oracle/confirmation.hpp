@@ -9,6 +9,7 @@
 
 #include "durero/oracle/spec_ray.hpp"
 #include "durero/scene/hit.hpp"
+#include "durero/scene/query.hpp"
 #include "durero/scene/scene.hpp"
 
 namespace durero::oracle::spec {
@@ -18,10 +19,9 @@ class Confirmation {
  public:
   explicit Confirmation(const scene::Scene& scene);
 
-  /// Why the hit is not the answer to the ray that starts on the elements `en`: the label of the predicate that is
-  /// false, and what it says of the ray. Nothing where the hit is right, every bit of t and of the point included.
-  std::optional<std::string> objection(const model::Rayo& rayo, const scene::ElementSet& en,
-                                       const scene::Hit& hit) const;
+  /// Why the hit is not the answer to the query: the label of the predicate that is false, and what it says of the ray.
+  /// Nothing where the hit is right, every bit of t and of the point included.
+  std::optional<std::string> objection(const scene::Query& query, const scene::Hit& hit) const;
 
  private:
   struct Question;  // a ray, and what the text finds of it on each element

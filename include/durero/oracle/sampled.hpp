@@ -1,19 +1,25 @@
 #pragma once
-/// The oracle of the design card: every surface as a finite set of points, the ray as a set of points, and the first
-/// intersection as the nearest point common to both up to the covering radius δ. It knows no root of any equation.
+/// The sampled oracle: every surface as points that follow from two parameters, the ray as a set of points, and the
+/// first intersection as the nearest point common to both up to the covering radius δ of the points at hand. It knows
+/// no equation, and so no root of one: what it sees, it sees otherwise than every engine that it judges.
 ///
-/// It is meant for ordinary rays, whose squares neither overflow nor underflow; its distances carry a slack of 2⁻⁴⁰
-/// of the lengths at hand for their own rounding.
+/// It is coarse: its own first hit is a sample, within δ of the ray. And it takes no origin: of the elements that a ray
+/// starts on, samples stay within δ of the ray for as long as it takes the ray to rise from the surface, which is no
+/// fixed length, but the whole of a generator where the ray leaves along it. No distance tells a surface that the ray
+/// leaves from one that it meets; only the equation through the origin does.
 ///
 /// With x = p + u·v/|v| at distance u from the origin, a sample w is a candidate when it is within δ of the ray; the
 /// point of the ray nearest to it is its foot. Two directions hold for each element:
 ///   complete: where the ray meets the element, some sample is within δ of that point, so it is a candidate.
-///   sound: where a candidate has its foot at f, the ray meets the element within η = 8δ of f, unless
-///     grazing: the discriminant of the unit-speed quadratic is below (δ·|∇|/η)², the ray being nearly tangent, or
-///     rim: that root lies outside the element's stretch of its axis by at most δ + η, or
-///     origin: that root lies at or behind the origin.
-///     For potencia is 0 at the sample, so at most δ·|∇| at f; a quadratic a(u − u₁)(u − u₂) that is so small has a
-///     root within δ·|∇|/√D, because the farther of its roots is at least √D/|a| away.
+///   sound: where a candidate has its foot more than 8δ before the claimed hit, finer points of the surface near the
+///     ray, down to δ/1024, either are not there, or prove that the ray crosses the surface before that hit
+///     (crossing.hpp), unless
+///     grazing: the ray is nearly tangent to the surface where they are,
+///     rim: they are at a rim or an apex, or
+///     origin: they are at the origin of the ray.
+///
+/// Its lengths are limited so that their squares neither overflow nor underflow; its distances carry a slack of 2⁻⁴⁰ of
+/// the lengths at hand for their own rounding.
 
 #include <cstdint>
 #include <optional>
@@ -30,34 +36,34 @@ namespace durero::oracle::sampled {
 
 inline constexpr double default_fineness = 1.0 / 16;
 
-/// η/δ: how far from a candidate's foot the root may be. A smaller ratio calls more rays grazing.
-inline constexpr double reach_ratio = 8;
-
-/// The first candidate of one element: distance of its foot from the origin, and the sample.
-struct Candidate {
-  double distance;
-  glm::dvec3 sample;
-};
+/// The lengths of elements that it takes: radius, altura, and the length of a cone's generator. Coordinates of centres
+/// may have any smaller magnitude, too.
+inline constexpr double least_length = 1e-140, greatest_length = 1e140;
+/// The greatest coordinate of a ray's origin.
+inline constexpr double greatest_origin = 1e145;
 
 /// How a claimed first hit stands to the samples.
 enum class Verdict : std::uint8_t {
   agrees,      ///< both directions hold for every element
   grazing,     ///< a candidate without a hit, explained by a nearly tangent ray
-  rim,         ///< … by a root just beyond a rim
-  origin,      ///< … by a root at or behind the origin
+  rim,         ///< a candidate without a hit, explained by a rim or an apex
+  origin,      ///< a candidate without a hit, explained by its place at the origin
   incomplete,  ///< a claimed hit with no sample within δ: the claim is wrong
   unsound      ///< a candidate without a hit and without an explanation: the claim is wrong
 };
 std::string_view name(Verdict verdict) noexcept;
 constexpr bool agrees(Verdict verdict) noexcept { return verdict < Verdict::incomplete; }
 
-/// The samples of every element of a scene. Keeps a reference to the scene, which must outlive it unedited.
+/// The samples of every element of a scene. They are copies: the scene may be edited or end.
 class Oracle {
  public:
+  /// Throws std::domain_error where a length or coordinate of an element is not one that it takes.
   explicit Oracle(const scene::Scene& scene, double fineness = default_fineness);
 
   /// A ball around each element.
   std::vector<Ball> bounds() const;
+
+  // Both throw std::domain_error where the ray starts beyond greatest_origin.
 
   /// The nearest candidate over all elements, as a hit: t and punto (the sample) are approximate, within δ.
   scene::Hit first_hit(const model::Rayo& ray) const;
@@ -68,9 +74,9 @@ class Oracle {
  private:
   struct Element {
     scene::ElementRef ref;
+    Parametrisation surface;
     Cover cover;
   };
-  const scene::Scene& scene_;
   std::vector<Element> elements_;
 };
 

@@ -1,0 +1,83 @@
+#include "crossing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+namespace durero::oracle::sampled {
+namespace {
+
+/// The points with parameters (u ± half_u, v ± half_v).
+struct Cell {
+  double u, v, half_u, half_v;
+};
+
+class Search {
+ public:
+  Search(const Parametrisation& surface, const Line& line, double before, double finest, double slack)
+      : surface_(surface), line_(line), before_(before), finest_(std::max(finest, slack)), slack_(slack) {}
+
+  Verdict verdict() {
+    visit({0.5, 0.5, 0.5, 0.5});
+    return verdict_;
+  }
+
+ private:
+  void visit(const Cell& cell) {
+    if (verdict_ == Verdict::unsound) return;
+    // A path along the profile and then around the axis leads from the middle to any point of the cell. The radius
+    // changes along the profile by no more than the length of the path.
+    const double along = surface_.length() * cell.half_u;
+    const double radius = std::min(surface_.widest(), surface_.circle(cell.u).radius + along);
+    const double around = 2 * std::numbers::pi * radius * cell.half_v;
+    const double reach = along + around + slack_;
+    const SurfacePoint middle = surface_.at(cell.u, cell.v);
+    const double foot = line_.foot(middle.point);
+    if (glm::length(middle.point - line_.at(foot)) > reach || foot - reach > before_) return;
+    const double slope = std::abs(glm::dot(line_.direction, middle.normal));
+    const double flattest = slope + middle.curvature * reach;  // of the points of the cell, if no edge is near
+    const bool whole = 20 * reach <= middle.edge;
+    if (whole && crosses(slope, middle.curvature * reach) && foot - 8 * reach > 0 && foot + 8 * reach < before_) {
+      verdict_ = Verdict::unsound;
+    } else if (whole && flattest <= 1.0 / 8) {
+      excuse(Verdict::grazing);
+    } else if (along + around <= finest_) {
+      excuse(reason(foot, reach, whole));
+    } else {
+      visit_halves(cell, along > around);
+    }
+  }
+
+  void visit_halves(const Cell& cell, bool of_u) {
+    const double by_u = of_u ? cell.half_u / 2 : 0, by_v = of_u ? 0 : cell.half_v / 2;
+    for (const double side : {-1.0, 1.0}) {
+      visit({cell.u + side * by_u, cell.v + side * by_v, cell.half_u - by_u, cell.half_v - by_v});
+    }
+  }
+
+  /// The condition of the proof on |d·n| and κD.
+  static bool crosses(double slope, double bend) { return bend <= 1.0 / 36 && slope > 1.0 / 8 + 82.0 / 8 * bend; }
+
+  /// Why the finest points near this foot prove nothing.
+  Verdict reason(double foot, double reach, bool whole) const {
+    if (foot - 8 * reach <= 0) return Verdict::origin;
+    if (foot + 8 * reach >= before_) return Verdict::agrees;  // the claimed hit may be the one that is near
+    return whole ? Verdict::grazing : Verdict::rim;
+  }
+
+  void excuse(Verdict reason) { verdict_ = std::max(verdict_, reason); }
+
+  const Parametrisation& surface_;
+  const Line& line_;
+  double before_, finest_, slack_;
+  Verdict verdict_ = Verdict::agrees;
+};
+
+}  // namespace
+
+Verdict crossing(const Parametrisation& surface, const Line& line, double before, double finest, double slack) {
+  return Search(surface, line, before, finest, slack).verdict();
+}
+
+}  // namespace durero::oracle::sampled

@@ -1,0 +1,95 @@
+#include "durero/oracle/parametrisation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+
+namespace durero::oracle {
+namespace {
+
+using std::numbers::pi;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+template <class... Cases>
+struct Overloaded : Cases... {
+  using Cases::operator()...;
+};
+
+}  // namespace
+
+Parametrisation::Parametrisation(const scene::Sphere& sphere)
+    : Parametrisation(sphere.centro, {0, 0, 1}, Arc{sphere.radio}) {}
+
+Parametrisation::Parametrisation(const scene::Cylinder& cylinder)
+    : Parametrisation(cylinder.centro, cylinder.vector, Segment{cylinder.radio, cylinder.radio, cylinder.altura}) {}
+
+Parametrisation::Parametrisation(const scene::Cone& cone)
+    : Parametrisation(cone.centro, cone.vector, Segment{cone.proporcion * cone.altura, 0, cone.altura}) {}
+
+Parametrisation::Parametrisation(const glm::dvec3& center, const glm::dvec3& axis, Arc arc)
+    : center_(center), profile_(arc), length_(pi * arc.radius), widest_(arc.radius), size_(2 * arc.radius) {
+  set_frame(axis);
+}
+
+Parametrisation::Parametrisation(const glm::dvec3& center, const glm::dvec3& axis, Segment segment)
+    : center_(center),
+      profile_(segment),
+      length_(std::hypot(segment.last_radius - segment.first_radius, segment.height)),
+      widest_(std::max(segment.first_radius, segment.last_radius)),
+      size_(widest_ + segment.height) {
+  set_frame(axis);
+}
+
+void Parametrisation::set_frame(const glm::dvec3& axis) {
+  axis_ = glm::normalize(axis);
+  const glm::dvec3 other = std::abs(axis_.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  across_ = glm::normalize(glm::cross(axis_, other));
+  sideways_ = glm::cross(axis_, across_);
+}
+
+// A point is centro and three products with vectors of length 1: its few dozen roundings, and those of sine, cosine and
+// the frame, each move it by less than 2⁻⁵⁰ of |centro| + size.
+double Parametrisation::rounding() const noexcept { return 0x1p-45 * (glm::length(center_) + size_); }
+
+Circle Parametrisation::circle(double u) const {
+  return std::visit(Overloaded{[u](const Arc& arc) {
+                                 return Circle{arc.radius * std::sin(pi * u), arc.radius * std::cos(pi * u)};
+                               },
+                               [u](const Segment& s) {
+                                 return Circle{(1 - u) * s.first_radius + u * s.last_radius, u * s.height};
+                               }},
+                    profile_);
+}
+
+glm::dvec3 Parametrisation::outwards(double v) const {
+  return across_ * std::cos(2 * pi * v) + sideways_ * std::sin(2 * pi * v);
+}
+
+glm::dvec3 Parametrisation::on(const Circle& circle, double v) const {
+  return on_axis(circle.height) + outwards(v) * circle.radius;
+}
+
+SurfacePoint Parametrisation::at(double u, double v) const {
+  const Circle here = circle(u);
+  const glm::dvec3 outwards = this->outwards(v), point = on(here, v);
+  return std::visit(
+      Overloaded{
+          [&](const Arc& arc) {
+            return SurfacePoint{point, (outwards * here.radius + axis_ * here.height) / arc.radius, infinity,
+                                1 / arc.radius};
+          },
+          [&](const Segment& s) {
+            // The slope of the profile: how much of its length is height, and how much is radius.
+            const double rise = s.height / length_, narrowing = (s.first_radius - s.last_radius) / length_;
+            const double edge = std::min(u, 1 - u) * length_;
+            // The generators are straight; around the axis the curvature is rise/radius, most where the circle
+            // is least.
+            const double least = here.radius - std::abs(narrowing) * edge / 2;
+            return SurfacePoint{point, outwards * rise + axis_ * narrowing, edge, least > 0 ? rise / least : infinity};
+          }},
+      profile_);
+}
+
+}  // namespace durero::oracle

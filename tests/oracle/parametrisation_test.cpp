@@ -1,0 +1,104 @@
+// The parameters of each surface: its points by their distances from centre and axis, which the parametrisation does
+// not compute; normals, curvature and edges by neighbouring points.
+#include "durero/oracle/parametrisation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+
+#include "support/catch.hpp"
+#include "support/scenes.hpp"
+
+using namespace durero;
+using oracle::Parametrisation;
+using oracle::SurfacePoint;
+
+namespace {
+
+/// Distances of a point from the centre, along the axis and across it.
+struct Place {
+  double along, across;
+};
+
+Place place(const glm::dvec3& point, const glm::dvec3& centro, const glm::dvec3& axis) {
+  const glm::dvec3 q = point - centro;
+  const double along = glm::dot(q, axis);
+  return {along, glm::length(q - axis * along)};
+}
+
+/// Whether normals stand across both parameters, and turn by no more than the curvature allows.
+void check_shape(const Parametrisation& surface, test::Random& random) {
+  for (int i = 0; i < 200; ++i) {
+    const double u = random.uniform(0.02, 0.98), v = random.uniform(0.02, 0.98), step = 0x1p-20;
+    const SurfacePoint here = surface.at(u, v);
+    const glm::dvec3 by_u = surface.point(u + step, v) - surface.point(u - step, v);
+    const glm::dvec3 by_v = surface.point(u, v + step) - surface.point(u, v - step);
+    CHECK(glm::length(here.normal) == Approx(1));
+    CHECK(std::abs(glm::dot(here.normal, glm::normalize(by_u))) < 1e-6);
+    CHECK(std::abs(glm::dot(here.normal, glm::normalize(by_v))) < 1e-6);
+    CHECK(glm::length(by_u) == Approx(2 * step * surface.length()).epsilon(1e-6));
+    CHECK(here.point == surface.point(u, v));
+    // From here to a point within edge/2, by a path along the profile and then around.
+    const double reach = std::min(here.edge / 2, surface.widest()) * random.uniform(0, 1);
+    const double part = random.uniform(-1, 1), along = part * reach;
+    const double other_u = std::clamp(u + along / surface.length(), 0.01, 0.99);
+    const double walked = std::abs(other_u - u) * surface.length();
+    const double around = (reach - walked) / (2 * std::numbers::pi * surface.circle(other_u).radius);
+    const SurfacePoint other = surface.at(other_u, v + around);
+    CHECK(glm::length(other.normal - here.normal) <= here.curvature * reach * (1 + 1e-9) + 1e-12);
+    // And there the surface bends no more than the bound, around the axis, where it bends most.
+    const double arc = 2 * std::numbers::pi * surface.circle(other_u).radius * step;
+    const glm::dvec3 turned = surface.at(other_u, v + around + step).normal;
+    CHECK(glm::length(turned - other.normal) <= here.curvature * arc * (1 + 1e-6));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a sphere is a half circle turned around") {
+  test::Random random(21);
+  const scene::Sphere sphere{{1, -2, 3}, 2.5};
+  const Parametrisation surface(sphere);
+  for (int i = 0; i < 200; ++i) {
+    const double u = random.uniform(0, 1), v = random.uniform(0, 1);
+    CHECK(glm::length(surface.point(u, v) - sphere.centro) == Approx(2.5));
+    CHECK(surface.at(u, v).edge == std::numeric_limits<double>::infinity());
+    CHECK(surface.at(u, v).curvature == Approx(1 / 2.5));
+  }
+  CHECK(surface.length() == Approx(2.5 * std::numbers::pi));
+  check_shape(surface, random);
+}
+
+TEST_CASE("a cylinder is a segment turned around, with a rim at either end") {
+  test::Random random(22);
+  const scene::Cylinder c{{1, -2, 3}, 0.5, random.axis().xyz(), 4};
+  const Parametrisation surface(c);
+  for (int i = 0; i < 200; ++i) {
+    const double u = random.uniform(0, 1), v = random.uniform(0, 1);
+    const Place at = place(surface.point(u, v), c.centro, c.vector);
+    CHECK(at.along == Approx(4 * u).margin(1e-12));
+    CHECK(at.across == Approx(0.5));
+    CHECK(surface.at(u, v).edge == Approx(4 * std::min(u, 1 - u)));
+    CHECK(surface.at(u, v).curvature == Approx(2));
+  }
+  check_shape(surface, random);
+}
+
+TEST_CASE("a cone is a segment that ends at the apex, with a rim at its base") {
+  test::Random random(23);
+  const scene::Cone k{{1, -2, 3}, 0.75, random.axis().xyz(), 4};
+  const Parametrisation surface(k);
+  for (int i = 0; i < 200; ++i) {
+    const double u = random.uniform(0, 1), v = random.uniform(0, 1);
+    const Place at = place(surface.point(u, v), k.centro, k.vector);
+    CHECK(at.along == Approx(4 * u).margin(1e-12));
+    CHECK(at.across == Approx(0.75 * (4 - at.along)).margin(1e-12));
+    CHECK(surface.at(u, v).edge == Approx(5 * std::min(u, 1 - u)));
+  }
+  CHECK(surface.length() == Approx(5));
+  CHECK(surface.widest() == Approx(3));
+  CHECK(surface.at(1, 0).curvature == std::numeric_limits<double>::infinity());
+  check_shape(surface, random);
+}
