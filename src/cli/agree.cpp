@@ -1,21 +1,23 @@
-// durero agree SCENE [--rays N] [--seed S] [--engine E]: an engine against the set-of-points oracle on random rays.
+// durero agree SCENE [--rays N] [--seed S] [--engine E]: an engine against the sampled oracle on random rays.
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
-#include <array>
-#include <atomic>
+#include <limits>
 #include <memory>
-#include <random>
-#include <vector>
+#include <span>
+#include <stdexcept>
 
 #include "commands.hpp"
+#include "durero/conform/agreement.hpp"
+#include "durero/io/rays_file.hpp"
 #include "durero/io/scene_file.hpp"
 #include "durero/oracle/sampled.hpp"
 #include "engines.hpp"
+#include "numbers.hpp"
 
 namespace durero::cli {
 namespace {
 
+using conform::Agreement;
 using oracle::sampled::Verdict;
 
 struct Options {
@@ -26,73 +28,56 @@ struct Options {
   std::size_t threads = 0;
 };
 
-/// Random rays that have something to say of the scene: towards the surroundings of an element chosen at random, from
-/// a place up to eight times its size away. Drawn in order from one stream, so a seed and a number name a ray.
-std::vector<model::Rayo> random_rays(const oracle::sampled::Oracle& oracle, std::uint64_t count, std::uint64_t seed) {
-  std::mt19937_64 engine(seed);
-  const auto uniform = [&](double low, double high) {
-    return low + (high - low) * (double(engine() >> 11U) * 0x1p-53);
-  };
-  const auto in_cube = [&] { return glm::dvec3(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)); };
-  std::vector<model::Rayo> rays;
-  rays.reserve(count);
-  const auto balls = oracle.bounds();
-  while (rays.size() < count) {
-    const oracle::Ball& ball = balls[engine() % balls.size()];
-    const glm::dvec3 to = ball.center + in_cube() * ball.radius;
-    const glm::dvec3 from = to + in_cube() * (ball.radius * uniform(1, 8));
-    if (from != to) rays.emplace_back(model::Punto(from), model::Vector(to - from));
-  }
-  return rays;
-}
-
-int report(const std::vector<Verdict>& verdicts, const Options& options) {
-  std::array<std::size_t, 6> counts{};
-  std::size_t first_wrong = verdicts.size();
-  for (std::size_t i = 0; i < verdicts.size(); ++i) {
-    ++counts[static_cast<std::size_t>(verdicts[i])];
-    if (!agrees(verdicts[i])) first_wrong = std::min(first_wrong, i);
-  }
-  const auto of = [&](Verdict v) { return counts[static_cast<std::size_t>(v)]; };
-  fmt::print("{} rays: {} agree in both directions\n", verdicts.size(), of(Verdict::agrees));
+int report(const Agreement& agreement, const Options& options, const scene::Scene& scene) {
+  const auto of = [&](Verdict verdict) { return agreement.of(verdict); };
+  fmt::print("{} rays: {} agree in both directions\n", agreement.rays(), of(Verdict::agrees));
   fmt::print("explained: {} grazing, {} at a rim, {} at the origin\n", of(Verdict::grazing), of(Verdict::rim),
              of(Verdict::origin));
   fmt::print("unexplained: {}\n", of(Verdict::incomplete) + of(Verdict::unsound));
-  if (first_wrong == verdicts.size()) return 0;
-  fmt::print("the first is ray {} of --seed {}: {}\n", first_wrong, options.seed, name(verdicts[first_wrong]));
+  if (!agreement.first) return 0;
+  fmt::print("the first is ray {} of --seed {}: {}\n", agreement.first->ray, options.seed,
+             name(agreement.first->verdict));
+  fmt::print("{}", io::rays_text({&agreement.first->query, 1}, scene));
   return 1;
 }
 
 int run(const Options& options) {
   const ThreadLimit limit(options.threads);
   const scene::Scene scene = io::read_scene(io::read_source(options.scene));
-  if (scene.size() == 0) return report({}, options);
-  const oracle::sampled::Oracle oracle(scene, options.fineness);
-  const std::vector<model::Rayo> rays = random_rays(oracle, options.rays, options.seed);
-  std::vector<scene::Query> queries;
-  queries.reserve(rays.size());
-  for (const model::Rayo& ray : rays) queries.push_back({ray});
-  const std::vector<scene::Hit> hits = engine::first_hits(*engine::find(options.engine)->prepare(scene), queries);
-  std::vector<Verdict> verdicts(rays.size());
-  tbb::parallel_for(std::size_t{0}, rays.size(), [&](std::size_t i) { verdicts[i] = oracle.judge(rays[i], hits[i]); });
-  return report(verdicts, options);
+  try {
+    const oracle::sampled::Oracle oracle(scene, options.fineness);
+    const auto engine = engine::find(options.engine)->prepare(scene);
+    const auto first_hits = [&](std::span<const scene::Query> queries) { return engine::first_hits(*engine, queries); };
+    return report(conform::agreement(oracle, first_hits, options.rays, options.seed), options, scene);
+  } catch (const std::domain_error& error) {  // the range of the oracle
+    throw std::domain_error(fmt::format("{}: {}", options.scene, error.what()));
+  } catch (const std::length_error& error) {
+    throw std::length_error(fmt::format("{}: {}", options.scene, error.what()));
+  }
 }
 
 }  // namespace
 
 void add_agree(CLI::App& app, int& status) {
-  auto* command = app.add_subcommand("agree", "Hold an engine against the set-of-points oracle on random rays");
+  auto* command = app.add_subcommand("agree", "Hold an engine against the sampled oracle on random rays");
   const auto options = std::make_shared<Options>();
   command->add_option("SCENE", options->scene, "Scene file (JSON)")->required();
   command->add_option("--rays", options->rays, "How many rays")
-      ->check(CLI::Range(1, 100'000'000))
+      ->check(whole_number(1, 100'000'000))
       ->capture_default_str();
-  command->add_option("--seed", options->seed, "Which rays")->capture_default_str();
+  command->add_option("--seed", options->seed, "Which rays")
+      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+      ->capture_default_str();
   add_engine(*command, options->engine);
   command
       ->add_option("--fineness", options->fineness, "Covering radius of the samples, as a share of an element's radius")
-      ->check(CLI::Range(0x1p-10, 1.0))
+      ->check(number(0x1p-10, 1.0))
       ->capture_default_str();
+  command->footer(fmt::format(
+      "The oracle knows each surface as points. It takes elements with lengths from {} to {}, and centres\n"
+      "with coordinates up to {}; other scenes are refused.\n"
+      "Status 0: no hit is wrong; 1: some hit is, and the first such ray is printed; 2: a bad call or scene.",
+      oracle::sampled::least_length, oracle::sampled::greatest_length, oracle::sampled::greatest_length));
   add_threads(*command, options->threads);
   command->callback([options, &status] { status = run(*options); });
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -129,8 +130,9 @@ bool names(const scene::Hit& claim, scene::ElementRef element) {
 }  // namespace
 
 std::string_view name(Verdict verdict) noexcept {
-  constexpr std::string_view names[] = {"agrees", "grazing", "rim", "origin", "incomplete", "unsound"};
-  return names[static_cast<int>(verdict)];
+  constexpr std::array<std::string_view, verdict_count> names{"agrees", "grazing",    "rim",
+                                                              "origin", "incomplete", "unsound"};
+  return names[static_cast<std::size_t>(verdict)];
 }
 
 Oracle::Oracle(const scene::Scene& scene, double fineness) {

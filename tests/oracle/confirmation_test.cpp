@@ -152,7 +152,8 @@ TEST_CASE("a ray that starts on elements is judged by what it reaches of them") 
   const ElementRef b = find(scene, "b");
   // The stored origin is beside the point of b that it stands for, so without the name the near side of b is first.
   const model::Rayo inwards{{0, 0, 3.9999}, {0, 0, 1}};
-  const Hit of_name = surface::exact::first_hit(scene, inwards, b), without = surface::exact::first_hit(scene, inwards, {});
+  const Hit of_name = surface::exact::first_hit(scene, inwards, b),
+            without = surface::exact::first_hit(scene, inwards, {});
   REQUIRE(of_name.elementos != without.elementos);
   CHECK(objection(scene, inwards, of_name, {b}) == "");
   CHECK(objection(scene, inwards, without, {}) == "");

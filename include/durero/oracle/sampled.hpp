@@ -21,6 +21,7 @@
 /// Its lengths are limited so that their squares neither overflow nor underflow; its distances carry a slack of 2⁻⁴⁰ of
 /// the lengths at hand for their own rounding.
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -36,8 +37,8 @@ namespace durero::oracle::sampled {
 
 inline constexpr double default_fineness = 1.0 / 16;
 
-/// The lengths of elements that it takes: radius, altura, and the length of a cone's generator. Coordinates of centres
-/// may have any smaller magnitude, too.
+/// The lengths of elements that it takes: radius, altura, a cone's generator, half the circumference of a sphere. A
+/// coordinate of a centre may also be nearer to 0.
 inline constexpr double least_length = 1e-140, greatest_length = 1e140;
 /// The greatest coordinate of a ray's origin.
 inline constexpr double greatest_origin = 1e145;
@@ -51,6 +52,7 @@ enum class Verdict : std::uint8_t {
   incomplete,  ///< a claimed hit with no sample within δ: the claim is wrong
   unsound      ///< a candidate without a hit and without an explanation: the claim is wrong
 };
+inline constexpr std::size_t verdict_count = static_cast<std::size_t>(Verdict::unsound) + 1;
 std::string_view name(Verdict verdict) noexcept;
 constexpr bool agrees(Verdict verdict) noexcept { return verdict < Verdict::incomplete; }
 

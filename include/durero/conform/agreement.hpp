@@ -1,0 +1,55 @@
+#pragma once
+/// First hits held against the sampled oracle on random rays.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "durero/conform/random.hpp"
+#include "durero/oracle/sampled.hpp"
+#include "durero/scene/query.hpp"
+
+namespace durero::conform {
+
+/// Random rays that have something to say of a scene: towards the surroundings of an element chosen at random, from a
+/// place up to eight times its size away. They are drawn in order from one stream, so a seed and a number name a ray.
+class RaysTowards {
+ public:
+  /// Towards these balls, at least one.
+  RaysTowards(std::vector<oracle::Ball> balls, std::uint64_t seed) : balls_(std::move(balls)), random_(seed) {}
+  model::Rayo next();
+
+ private:
+  std::vector<oracle::Ball> balls_;
+  Random random_;
+};
+
+/// How the hits of many rays stand to the samples.
+struct Agreement {
+  struct Disagreement {
+    std::uint64_t ray;  ///< its number in the stream, from 0
+    scene::Query query;
+    oracle::sampled::Verdict verdict;
+  };
+
+  std::array<std::uint64_t, oracle::sampled::verdict_count> counts{};
+  std::optional<Disagreement> first;  ///< the first ray whose hit is wrong
+
+  std::uint64_t of(oracle::sampled::Verdict verdict) const { return counts[static_cast<std::size_t>(verdict)]; }
+  std::uint64_t rays() const;
+  void add(const scene::Query& query, oracle::sampled::Verdict verdict);
+};
+
+/// What answers the rays: the first hit of each.
+using FirstHits = std::function<std::vector<scene::Hit>(std::span<const scene::Query>)>;
+
+/// Asks for the first hits of the first `rays` rays of a seed, many at once, and judges them. A scene without elements
+/// has no rays.
+Agreement agreement(const oracle::sampled::Oracle& oracle, const FirstHits& first_hits, std::uint64_t rays,
+                    std::uint64_t seed);
+
+}  // namespace durero::conform

@@ -1,0 +1,51 @@
+#include "durero/conform/agreement.hpp"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace durero::conform {
+
+using oracle::sampled::Verdict;
+
+model::Rayo RaysTowards::next() {
+  for (;;) {
+    const oracle::Ball& ball = balls_[random_.below(balls_.size())];
+    const glm::dvec3 to = ball.center + random_.in_cube(1) * ball.radius;
+    const glm::dvec3 away = random_.in_cube(1);
+    const glm::dvec3 from = to + away * (ball.radius * random_.uniform(1, 8));
+    if (from != to) return {model::Punto(from), model::Vector(to - from)};
+  }
+}
+
+std::uint64_t Agreement::rays() const { return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}); }
+
+void Agreement::add(const scene::Query& query, Verdict verdict) {
+  if (!agrees(verdict) && !first) first = {rays(), query, verdict};
+  ++counts[static_cast<std::size_t>(verdict)];
+}
+
+Agreement agreement(const oracle::sampled::Oracle& oracle, const FirstHits& first_hits, std::uint64_t rays,
+                    std::uint64_t seed) {
+  constexpr std::uint64_t block = std::uint64_t{1} << 16U;  // so that memory does not grow with the number of rays
+  Agreement agreement;
+  const std::vector<oracle::Ball> balls = oracle.bounds();
+  if (balls.empty()) return agreement;
+  RaysTowards stream(balls, seed);
+  for (std::uint64_t done = 0; done < rays; done += block) {
+    std::vector<scene::Query> queries;
+    while (queries.size() < std::min(block, rays - done)) {
+      const scene::Query query{stream.next(), {}};
+      queries.push_back(query);
+    }
+    const std::vector<scene::Hit> hits = first_hits(queries);
+    std::vector<Verdict> verdicts(queries.size());
+    oneapi::tbb::parallel_for(std::size_t{0}, queries.size(),
+                              [&](std::size_t i) { verdicts[i] = oracle.judge(queries[i].rayo, hits[i]); });
+    for (std::size_t i = 0; i < queries.size(); ++i) agreement.add(queries[i], verdicts[i]);
+  }
+  return agreement;
+}
+
+}  // namespace durero::conform

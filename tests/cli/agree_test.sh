@@ -1,0 +1,62 @@
+# durero agree: engines against the sampled oracle; its range, and calls that it refuses.
+. "$(dirname "$0")/harness.sh"
+sample >scene.json
+
+# Every engine agrees, and a seed names the same rays whatever the engine, the compiler and the number of threads.
+run 0 agree scene.json --rays 3000 --seed 7
+cp out said
+has said '3000 rays: '
+has said 'unexplained: 0'
+lines said 3
+for engine in exact analytic; do
+  for threads in 1 3; do
+    run 0 agree scene.json --rays 3000 --seed 7 --engine $engine --threads $threads
+    same out said
+    empty err
+  done
+done
+run 0 agree scene.json --rays 3000 --seed 7 --engine sampled
+has out 'unexplained: 0'
+run 0 agree scene.json --rays 3000 --seed 18446744073709551615
+has out 'unexplained: 0'
+
+# Beyond the oracle's range nothing is said of the engine: not that it agrees, and not that it is wrong.
+beyond() { # beyond RADIUS TEXT
+  printf '{"format":"durero-scene","version":1,"elementos":[\n{"id":"s","tipo":"esfera","centro":[0,0,0],"radio":%s}]}' \
+    "$1" >beyond.json
+  for engine in sampled exact analytic; do
+    refused "beyond.json: element s has a length of $2; expected lengths from 1e-140 to 1e+140" \
+      agree beyond.json --rays 2000 --engine $engine
+  done
+}
+beyond 1e160 1e+160
+beyond 1e-160 1e-160
+beyond 1e308 1e+308
+beyond 5e-324 5e-324
+printf '{"format":"durero-scene","version":1,"elementos":[\n{"id":"s","tipo":"esfera","centro":[0,-1e200,0],"radio":1}]}' >beyond.json
+refused 'beyond.json: element s has a coordinate of -1e+200; expected coordinates up to 1e+140' agree beyond.json
+for radius in 1e-140 3e139; do
+  printf '{"format":"durero-scene","version":1,"elementos":[\n{"id":"s","tipo":"esfera","centro":[0,0,0],"radio":%s}]}' \
+    $radius >within.json
+  run 0 agree within.json --rays 2000
+  has out '2000 rays: '
+  has out 'unexplained: 0'
+done
+
+# No rays where there is nothing to see.
+echo '{"format":"durero-scene","version":1,"elementos":[]}' >empty.json
+run 0 agree empty.json
+has out '0 rays: 0 agree'
+
+# Numbers that are none of those that the call takes.
+refused '--seed: -1 is no whole number from 0 to 18446744073709551615' agree scene.json --seed -1
+refused '--seed: 18446744073709551616 is no whole number' agree scene.json --seed 18446744073709551616
+refused '--seed: 1.5 is no whole number' agree scene.json --seed 1.5
+refused '--rays: 0 is no whole number from 1 to 100000000' agree scene.json --rays 0
+refused '--rays: -1 is no whole number' agree scene.json --rays -1
+refused '--fineness: nan is no number from 0.0009765625 to 1' agree scene.json --fineness nan
+refused '--fineness: 2 is no number' agree scene.json --fineness 2
+refused '--fineness: inf is no number' agree scene.json --fineness inf
+refused '--fineness: x is no number' agree scene.json --fineness x
+refused '--engine: ' agree scene.json --engine nobody
+finish

@@ -1,0 +1,113 @@
+// Right hits agree with the samples; an engine that errs on one ray in many is found out, by number and ray.
+#include "durero/conform/agreement.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "durero/oracle/exact.hpp"
+#include "durero/trace/analytic.hpp"
+#include "support/catch.hpp"
+#include "support/scenes.hpp"
+
+using namespace durero;
+using conform::Agreement;
+using oracle::sampled::Verdict;
+
+namespace {
+
+scene::Scene some_scene() {
+  test::Random random(31);
+  return test::random_scene(random, 5);
+}
+
+Agreement agreement(const scene::Scene& scene, const conform::FirstHits& first_hits, std::uint64_t rays,
+                    std::uint64_t seed) {
+  return conform::agreement(oracle::sampled::Oracle(scene), first_hits, rays, seed);
+}
+
+conform::FirstHits analytic(const scene::Scene& scene) {
+  return [&scene](std::span<const scene::Query> queries) { return trace::first_hits(scene, queries); };
+}
+
+}  // namespace
+
+TEST_CASE("the tracer's hits of many rays agree, in more than one block of rays") {
+  const scene::Scene scene = some_scene();
+  std::size_t blocks = 0;
+  const Agreement all = agreement(
+      scene,
+      [&](std::span<const scene::Query> queries) {
+        ++blocks;
+        return trace::first_hits(scene, queries);
+      },
+      70'000, 1);
+  CHECK(all.rays() == 70'000);
+  CHECK(blocks == 2);
+  CHECK_FALSE(all.first);
+  CHECK(all.of(Verdict::incomplete) + all.of(Verdict::unsound) == 0);
+  CHECK(all.of(Verdict::agrees) > 65'000);
+}
+
+TEST_CASE("one wrong hit is found: its number, its ray and why") {
+  const scene::Scene scene = some_scene();
+  const std::size_t wrong = 66'000;  // beyond the first block
+  std::size_t before = 0;
+  scene::Query spoiled{{{0, 0, 0}, {1, 0, 0}}, {}};
+  const Agreement all = agreement(
+      scene,
+      [&](std::span<const scene::Query> queries) {
+        std::vector<scene::Hit> hits = trace::first_hits(scene, queries);
+        for (std::size_t i = 0; i < hits.size(); ++i) {
+          if (before + i < wrong || hits[i].resultado != model::Resultado::hit || spoiled.rayo.v().x() != 1) continue;
+          hits[i].punto += glm::dvec3(100, 0, 0);
+          spoiled = queries[i];
+        }
+        before += hits.size();
+        return hits;
+      },
+      70'000, 1);
+  REQUIRE(all.first);
+  CHECK(all.first->ray >= wrong);
+  CHECK(all.first->query == spoiled);
+  CHECK(all.first->verdict == Verdict::incomplete);
+  CHECK(all.of(Verdict::incomplete) == 1);
+}
+
+TEST_CASE("an engine that misses everything is wrong on most of its rays") {
+  const scene::Scene scene = some_scene();
+  const Agreement all = agreement(
+      scene, [](std::span<const scene::Query> queries) { return std::vector<scene::Hit>(queries.size()); }, 1000, 1);
+  REQUIRE(all.first);
+  CHECK(all.of(Verdict::unsound) > 400);
+}
+
+TEST_CASE("a seed and a number name a ray, on every platform") {
+  const std::vector<oracle::Ball> balls{{{1, 2, 3}, 2, 0, 0, 0}, {{-4, 0, 0}, 1, 0, 0, 0}};
+  conform::RaysTowards stream(balls, 7);
+  std::vector<model::Rayo> rays;
+  for (int i = 0; i < 1000; ++i) rays.push_back(stream.next());
+  // The draws in their order: which ball, the three coordinates of the place, those of the way there, how far.
+  conform::Random random(7);
+  for (const model::Rayo& ray : rays) {
+    const oracle::Ball& ball = balls[random.bits() % 2];
+    double draws[7];
+    for (double& x : draws) x = static_cast<double>(random.bits() >> 11) * 0x1p-53;
+    const auto in_cube = [&](int first) {
+      return glm::dvec3(-1 + 2 * draws[first], -1 + 2 * draws[first + 1], -1 + 2 * draws[first + 2]);
+    };
+    const glm::dvec3 to = ball.center + in_cube(0) * ball.radius;
+    const glm::dvec3 from = to + in_cube(3) * (ball.radius * (1 + 7 * draws[6]));
+    CHECK(ray.p().xyz() == from);
+    CHECK(ray.v().xyz() == to - from);
+  }
+  conform::RaysTowards again(balls, 7), other(balls, 8);
+  CHECK(again.next() == rays[0]);
+  CHECK_FALSE(other.next() == rays[0]);
+}
+
+TEST_CASE("a scene without elements has no rays") {
+  const scene::Scene scene;
+  const Agreement all = agreement(scene, analytic(scene), 1000, 1);
+  CHECK(all.rays() == 0);
+  CHECK_FALSE(all.first);
+}
