@@ -16,7 +16,7 @@ refused 'The following argument was not expected: frobnicate' frobnicate
 refused 'The following argument was not expected: --frobnicate' check scene.json --frobnicate
 refused 'SCENE is required' check
 refused 'RAYS is required' trace scene.json
-refused '--engine: no engine magic, but sampled, exact, analytic' trace scene.json rays --engine magic
+refused '--engine: no engine magic; expected one of sampled, exact, analytic' trace scene.json rays --engine magic
 refused '--threads: ' trace scene.json rays --threads 0
 refused '--threads: ' trace scene.json rays --threads many
 refused '--output is required' export scene.json

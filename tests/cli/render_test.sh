@@ -18,7 +18,14 @@ run 0 render empty.json -o empty.png
 checks=$((checks + 1))
 cmp -s analytic.png empty.png && fail 'the elements are not in the picture'
 
+# Shadows start on elements, and the sampled oracle cannot tell a surface that a ray leaves from one that it meets.
 echo kept >old.png
+for out in new.png old.png; do
+  refused '--engine sampled: ' render scene.json -o $out --engine sampled
+done
+absent new.png
+is old.png kept
+
 refused 'picture.jpg: not a picture' render scene.json -o picture.jpg
 sed '/"camera"/d' scene.json >blind.json
 for out in new.png old.png; do

@@ -30,6 +30,9 @@ is out '{"ray":0,"outcome":"no_minimum","elementos":["c1"]}'
 head -n 2 rays >first
 run 0 trace scene.json first --engine sampled
 has out '"outcome":"hit","elementos":["s1"]'
+# It cannot tell the surface that a ray starts on from one that the ray meets.
+refused '--engine sampled: ' trace scene.json rays --engine sampled -o hits
+absent hits
 
 # Threads change nothing.
 seed=1

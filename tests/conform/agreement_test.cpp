@@ -1,10 +1,6 @@
 // Right hits agree with the samples; an engine that errs on one ray in many is found out, by number and ray.
 #include "durero/conform/agreement.hpp"
 
-#include <cmath>
-#include <utility>
-
-#include "durero/oracle/exact.hpp"
 #include "durero/trace/analytic.hpp"
 #include "support/catch.hpp"
 #include "support/scenes.hpp"
@@ -26,7 +22,7 @@ Agreement agreement(const scene::Scene& scene, const conform::FirstHits& first_h
 }
 
 conform::FirstHits analytic(const scene::Scene& scene) {
-  return [&scene](std::span<const scene::Query> queries) { return trace::first_hits(scene, queries); };
+  return [&scene](std::span<const scene::Query> queries) { return trace::first_hits(trace::Tables(scene), queries); };
 }
 
 }  // namespace
@@ -38,7 +34,7 @@ TEST_CASE("the tracer's hits of many rays agree, in more than one block of rays"
       scene,
       [&](std::span<const scene::Query> queries) {
         ++blocks;
-        return trace::first_hits(scene, queries);
+        return trace::first_hits(trace::Tables(scene), queries);
       },
       70'000, 1);
   CHECK(all.rays() == 70'000);
@@ -56,7 +52,7 @@ TEST_CASE("one wrong hit is found: its number, its ray and why") {
   const Agreement all = agreement(
       scene,
       [&](std::span<const scene::Query> queries) {
-        std::vector<scene::Hit> hits = trace::first_hits(scene, queries);
+        std::vector<scene::Hit> hits = trace::first_hits(trace::Tables(scene), queries);
         for (std::size_t i = 0; i < hits.size(); ++i) {
           if (before + i < wrong || hits[i].resultado != model::Resultado::hit || spoiled.rayo.v().x() != 1) continue;
           hits[i].punto += glm::dvec3(100, 0, 0);
