@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "durero/io/nff.hpp"
+#include "durero/io/formats.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/io/scene_file.hpp"
 #include "durero/text/shown.hpp"
@@ -14,29 +14,20 @@ struct Options {
   std::string from, to;
 };
 
-[[noreturn]] void refuse_name(const std::string& path) {
-  throw io::FileError(path, "a format that is not known by this name", "expected one that ends in .nff or .json");
-}
-
 void name_losses(const std::string& path, const std::vector<std::string>& lost) {
   for (const std::string& line : lost) fmt::print(stderr, "durero: {}: {}\n", text::escaped(path), line);
 }
 
 int import_scene(const Options& options) {
-  const bool nff = options.from.ends_with(".nff");
-  if (!nff && !options.from.ends_with(".json")) refuse_name(options.from);
-  const io::Source source = io::read_source(options.from);
-  const io::Imported imported = nff ? io::read_nff(source) : io::Imported{io::read_scene(source), {}};
+  const io::Imported imported = io::format_of(options.from).read(io::read_source(options.from));
   io::write_file(options.to, io::scene_text(imported.scene));
   name_losses(options.from, imported.lost);
   return 0;
 }
 
 int export_scene(const Options& options) {
-  const bool nff = options.to.ends_with(".nff");
-  if (!nff && !options.to.ends_with(".json")) refuse_name(options.to);
-  const scene::Scene scene = io::read_scene(io::read_source(options.from));
-  const io::Exported exported = nff ? io::nff_text(scene) : io::Exported{io::scene_text(scene), {}};
+  const io::Format& format = io::format_of(options.to);
+  const io::Exported exported = format.write(io::read_scene(io::read_source(options.from)));
   io::write_file(options.to, exported.text);
   name_losses(options.to, exported.lost);
   return 0;
@@ -45,7 +36,7 @@ int export_scene(const Options& options) {
 }  // namespace
 
 void add_import(CLI::App& app, int& status) {
-  auto* command = app.add_subcommand("import", "Read another scene format (.nff)");
+  auto* command = app.add_subcommand("import", fmt::format("Read a scene in any format ({})", io::format_endings()));
   const auto options = std::make_shared<Options>();
   command->add_option("FILE", options->from, "File to read; its name tells the format")->required();
   command->add_option("-o,--output", options->to, "Scene file (JSON) to write")->required();
@@ -53,7 +44,7 @@ void add_import(CLI::App& app, int& status) {
 }
 
 void add_export(CLI::App& app, int& status) {
-  auto* command = app.add_subcommand("export", "Write another scene format (.nff)");
+  auto* command = app.add_subcommand("export", fmt::format("Write a scene in any format ({})", io::format_endings()));
   const auto options = std::make_shared<Options>();
   command->add_option("SCENE", options->from, "Scene file (JSON)")->required();
   command->add_option("-o,--output", options->to, "File to write; its name tells the format")->required();

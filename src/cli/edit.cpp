@@ -1,12 +1,12 @@
 // durero edit SCENE [--script FILE] [--op TEXT]… [-o OUT] [--audit]: runs operations, answers each in one JSON line.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <optional>
 #include <stdexcept>
 
 #include "commands.hpp"
 #include "durero/contract/contract.hpp"
+#include "durero/io/lines.hpp"
 #include "durero/io/operations_file.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/io/scene_file.hpp"
@@ -29,8 +29,7 @@ std::vector<io::Edit> read_edits(const Options& options, const scene::Stage& sta
   if (!options.script.empty() || options.operations.empty()) {
     const io::Source script = io::read_source(options.script.empty() ? "-" : options.script);
     edits = io::read_operations(script, stage);
-    const std::string_view text = script.text();
-    lines = static_cast<std::size_t>(std::ranges::count(text, '\n')) + (text.empty() || text.ends_with('\n') ? 0U : 1U);
+    lines = io::count_lines(script.text());
   }
   std::string joined;
   for (const std::string& operation : options.operations) joined.append(operation).append("\n");

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "durero/io/hits_file.hpp"
-#include "durero/io/json.hpp"
+#include "durero/io/json_writer.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/io/rays_file.hpp"
 #include "durero/io/scene_file.hpp"
@@ -14,12 +14,12 @@ namespace {
 
 /// The line of one ray. Without an objection the hit is confirmed.
 std::string line(std::size_t ray, const std::optional<std::string>& objection) {
-  std::string line = fmt::format(R"({{"ray":{},"confirmed":{})", ray, !objection);
-  if (objection) {
-    line += R"(,"predicate":)";
-    io::json::append_string(line, *objection);
-  }
-  return line + "}\n";
+  std::string line;
+  io::json::Writer out(line);
+  out.begin_object().member("ray", ray).member("confirmed", !objection);
+  if (objection) out.member("predicate", *objection);
+  out.end_object();
+  return line + "\n";
 }
 
 }  // namespace

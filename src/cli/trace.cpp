@@ -5,7 +5,6 @@
 
 #include "commands.hpp"
 #include "durero/io/hits_file.hpp"
-#include "durero/io/output_file.hpp"
 #include "durero/io/rays_file.hpp"
 #include "durero/io/scene_file.hpp"
 #include "engines.hpp"
@@ -19,21 +18,6 @@ struct Options {
   std::size_t threads = 0;  // 0: as many as the machine has
 };
 
-void write_hits(const std::string& path, const std::vector<scene::Hit>& hits, const scene::Scene& scene) {
-  if (path.ends_with(".npy")) return io::write_file(path, io::hits_npy(hits, scene));
-  constexpr std::size_t block = std::size_t{1} << 20U;
-  io::OutputFile out(path);
-  std::string lines;
-  for (std::size_t i = 0; i < hits.size(); ++i) {
-    lines.append(io::hit_text(i, hits[i], scene)).append("\n");
-    if (lines.size() < block) continue;
-    out.write(lines);
-    lines.clear();
-  }
-  out.write(lines);
-  out.commit();
-}
-
 int run(const Options& options) {
   const ThreadLimit limit(options.threads);
   const scene::Scene scene = io::read_scene(io::read_source(options.scene));
@@ -41,7 +25,7 @@ int run(const Options& options) {
   const engine::Row& engine = *engine::find(options.engine);
   if (!engine.honours_origins && std::ranges::any_of(rays, [](const scene::Query& ray) { return !ray.en.empty(); }))
     throw std::invalid_argument(without_origins(engine, options.rays + " has rays that start on elements"));
-  write_hits(options.out, engine::first_hits(*engine.prepare(scene), rays), scene);
+  io::write_hits(options.out, engine::first_hits(*engine.prepare(scene), rays), scene);
   return 0;
 }
 

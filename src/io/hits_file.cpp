@@ -7,8 +7,10 @@
 #include <limits>
 
 #include "durero/io/json.hpp"
+#include "durero/io/json_writer.hpp"
+#include "durero/io/lines.hpp"
 #include "durero/io/npy.hpp"
-#include "durero/io/number_text.hpp"
+#include "durero/io/output_file.hpp"
 #include "durero/text/shown.hpp"
 
 namespace durero::io {
@@ -24,13 +26,6 @@ std::vector<std::string_view> names(const scene::Hit& hit, const scene::Scene& s
   for (const scene::ElementRef element : hit.elementos) all.push_back(scene.name(element).name());
   std::ranges::sort(all);
   return all;
-}
-
-void append_value(std::string& out, double value) {
-  const bool finite = std::isfinite(value);  // JSON has no infinity
-  if (!finite) out += '"';
-  append_number(out, value);
-  if (!finite) out += '"';
 }
 
 std::string joined_names(const scene::Hit& hit, const scene::Scene& scene) {
@@ -86,45 +81,41 @@ void read_elements(json::Reader& in, const scene::Scene& scene, scene::ElementSe
   std::ranges::sort(all);
 }
 
-glm::dvec3 read_point(json::Reader& in) {
-  const std::size_t at = in.offset();
-  glm::dvec3 point{};
-  glm::dvec3::length_type count = 0;
-  in.array("point", [&] {
-    if (count == 3) in.fail(in.offset(), "point has a fourth item", "expected three numbers");
-    point[count++] = read_value(in, "point");
-  });
-  if (count != 3) in.fail(at, fmt::format("point has {} items", count), "expected three numbers");
-  return point;
+enum Key : std::size_t { ray, outcome, elementos, t, point };
+constexpr std::string_view keys[] = {"ray", "outcome", "elementos", "t", "point"};
+constexpr std::size_t required = 3;
+
+struct Seen {
+  bool t = false, point = false;
+};
+
+void read_part(json::Reader& in, Key key, const scene::Scene& scene, RayHit& read, Seen& seen) {
+  switch (key) {
+    case ray:
+      read.offset = in.offset();
+      read.ray = read_index(in);
+      return;
+    case outcome:
+      read.hit.resultado = read_outcome(in);
+      return;
+    case elementos:
+      return read_elements(in, scene, read.hit.elementos);
+    case t:
+      seen.t = true;
+      read.hit.t = read_value(in, "t");
+      return;
+    case point:
+      seen.point = true;
+      read.hit.punto = in.triple("point", [&] { return read_value(in, "point"); });
+  }
 }
 
 void read_hit(const json::Document& document, std::size_t at, const scene::Scene& scene, RayHit& read) {
-  constexpr std::string_view keys[] = {"ray", "outcome", "elementos", "t", "point"};
   json::Reader in(document);
-  bool has_t = false, has_point = false;
-  in.object("a hit", keys, 3, [&](std::size_t key) {
-    switch (key) {
-      case 0:
-        read.offset = in.offset();
-        read.ray = read_index(in);
-        break;
-      case 1:
-        read.hit.resultado = read_outcome(in);
-        break;
-      case 2:
-        read_elements(in, scene, read.hit.elementos);
-        break;
-      case 3:
-        read.hit.t = read_value(in, "t");
-        has_t = true;
-        break;
-      default:
-        read.hit.punto = read_point(in);
-        has_point = true;
-    }
-  });
+  Seen seen;
+  in.object("a hit", keys, required, [&](std::size_t key) { read_part(in, static_cast<Key>(key), scene, read, seen); });
   const bool is_hit = read.hit.resultado == Resultado::hit;
-  if (has_t != is_hit || has_point != is_hit) {
+  if (seen.t != is_hit || seen.point != is_hit) {
     in.fail(at, fmt::format("outcome {} {} t and point", model::name(read.hit.resultado), is_hit ? "without" : "with"),
             "expected both where it is hit, and neither otherwise");
   }
@@ -137,25 +128,14 @@ void read_hit(const json::Document& document, std::size_t at, const scene::Scene
 }  // namespace
 
 std::string hit_text(std::size_t ray, const scene::Hit& hit, const scene::Scene& scene) {
-  std::string out = fmt::format("{{\"ray\":{},\"outcome\":\"{}\",\"elementos\":[", ray, model::name(hit.resultado));
-  std::string_view separator;
-  for (const std::string_view name : names(hit, scene)) {
-    out.append(separator).append("\"").append(name).append("\"");
-    separator = ",";
-  }
-  out += ']';
-  if (hit.resultado == Resultado::hit) {
-    out += ",\"t\":";
-    append_value(out, hit.t);
-    separator = ",\"point\":[";
-    for (const double x : {hit.punto.x, hit.punto.y, hit.punto.z}) {
-      out += separator;
-      append_value(out, x);
-      separator = ",";
-    }
-    out += ']';
-  }
-  return out + "}";
+  std::string text;
+  json::Writer out(text);
+  out.begin_object().member("ray", ray).member("outcome", model::name(hit.resultado)).key("elementos").begin_array();
+  for (const std::string_view name : names(hit, scene)) out.value(name);
+  out.end_array();
+  if (hit.resultado == Resultado::hit) out.member("t", hit.t).member("point", hit.punto);
+  out.end_object();
+  return text;
 }
 
 std::string hits_npy(std::span<const scene::Hit> hits, const scene::Scene& scene) {
@@ -177,18 +157,31 @@ std::string hits_npy(std::span<const scene::Hit> hits, const scene::Scene& scene
 }
 
 std::vector<RayHit> read_hits(const Source& source, const scene::Scene& scene) {
-  const std::string_view text = source.text();
   std::vector<RayHit> hits;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string_view line = text.substr(begin, end - begin);
-    if (line.find_first_not_of(" \t\r") != line.npos) {
-      const json::Document document(source, begin, end);
-      read_hit(document, begin, scene, hits.emplace_back());
+  Lines lines(source.text());
+  while (const auto line = lines.next()) {
+    if (source.text().substr(line->begin, line->end - line->begin).find_first_not_of(" \t") == std::string_view::npos) {
+      continue;
     }
-    begin = end + 1;
+    const json::Document document(source, line->begin, line->end);
+    read_hit(document, line->begin, scene, hits.emplace_back());
   }
   return hits;
+}
+
+void write_hits(const std::string& path, std::span<const scene::Hit> hits, const scene::Scene& scene) {
+  if (path.ends_with(".npy")) return write_file(path, hits_npy(hits, scene));
+  constexpr std::size_t block = std::size_t{1} << 20U;
+  OutputFile out(path);
+  std::string lines;
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    lines.append(hit_text(i, hits[i], scene)).append("\n");
+    if (lines.size() < block) continue;
+    out.write(lines);
+    lines.clear();
+  }
+  out.write(lines);
+  out.commit();
 }
 
 std::vector<std::optional<scene::Hit>> read_hits_of_rays(const Source& source, const scene::Scene& scene,

@@ -5,8 +5,7 @@
 #include <rapidjson/error/en.h>
 #include <rapidjson/reader.h>
 
-#include <bit>
-#include <cmath>
+#include <algorithm>
 
 #include "durero/io/number_text.hpp"
 #include "durero/text/shown.hpp"
@@ -15,20 +14,84 @@
 namespace durero::io::json {
 namespace {
 
-// RapidJSON's stream over a part of a text: '\0' stands for its end, so a NUL inside it is looked for afterwards.
+// A byte of a number's text, in JSON.
+bool is_number_byte(char c) {
+  return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || c == 'e' || c == 'E';
+}
+
+// Passes one digit or more; false where there is none.
+bool take_digits(std::string_view& rest) {
+  const std::size_t count = std::min(rest.find_first_not_of("0123456789"), rest.size());
+  rest.remove_prefix(count);
+  return count > 0;
+}
+
+bool take_any(std::string_view& rest, std::string_view bytes) {
+  if (rest.empty() || bytes.find(rest.front()) == bytes.npos) return false;
+  rest.remove_prefix(1);
+  return true;
+}
+
+// JSON's grammar of a number (RFC 8259, section 6).
+bool is_number(std::string_view text) {
+  take_any(text, "-");
+  if (!take_any(text, "0") && !take_digits(text)) return false;
+  if (take_any(text, ".") && !take_digits(text)) return false;
+  if (take_any(text, "eE")) {
+    take_any(text, "+-");
+    if (!take_digits(text)) return false;
+  }
+  return text.empty();
+}
+
+// RapidJSON's stream over a part of a text: '\0' stands for its end, so a NUL inside it is looked for afterwards. In
+// the place of each number, whose grammar is checked here, the parser sees one 0. What is no number by that grammar it
+// sees as it is, and refuses.
 struct Stream {
   using Ch = char;
   const char* begin;
   const char* next;
   const char* end;
+  bool in_string = false;
+  bool escaped = false;              // the last byte of the string was a backslash that escapes the next
+  mutable const char* looked = end;  // the last place at which a number was looked for,
+  mutable const char* behind = end;  // and what stands behind it; `looked` itself where there is none
 
-  Ch Peek() const { return next == end ? '\0' : *next; }
-  Ch Take() { return next == end ? '\0' : *next++; }
+  Ch Peek() const {
+    if (next == end) return '\0';
+    return number_end() == next ? *next : '0';
+  }
+  Ch Take() {
+    if (next == end) return '\0';
+    if (const char* const after = number_end(); after != next) {
+      next = after;
+      return '0';
+    }
+    follow_string(*next);
+    return *next++;
+  }
   std::size_t Tell() const { return static_cast<std::size_t>(next - begin); }
   // Only parsing in place writes.
   Ch* PutBegin() { return nullptr; }
   void Put(Ch) {}
   std::size_t PutEnd(Ch*) { return 0; }
+
+ private:
+  // Behind the number that starts here; `next` where none does. A number is the whole of a run of its bytes.
+  const char* number_end() const {
+    if (in_string || !is_number_byte(*next) || (next != begin && is_number_byte(next[-1]))) return next;
+    if (looked != next) {
+      looked = next;
+      const char* const run_end = std::find_if_not(next, end, is_number_byte);
+      behind = is_number(std::string_view(next, run_end)) ? run_end : next;
+    }
+    return behind;
+  }
+
+  void follow_string(char c) {
+    if (c == '"' && !escaped) in_string = !in_string;
+    escaped = in_string && c == '\\' && !escaped;
+  }
 };
 
 // What is wrong, and what is expected, in the words of this program.
@@ -57,8 +120,9 @@ std::pair<std::string, std::string> explain(rapidjson::ParseErrorCode code, std:
       return {here + " inside a string", "expected no control character, and escapes that JSON has"};
     case rapidjson::kParseErrorStringInvalidEncoding:
       return {here + " inside a string", "expected UTF-8 without control characters"};
-    case rapidjson::kParseErrorNumberTooBig:
-      return {"a number beyond binary64", "expected a finite number"};
+    case rapidjson::kParseErrorNumberMissFraction:
+    case rapidjson::kParseErrorNumberMissExponent:
+      return {here + " in a number", "expected a digit"};
     default:
       return {rapidjson::GetParseError_En(code), "expected JSON"};
   }
@@ -77,7 +141,7 @@ struct Recorder {
   bool RawNumber(const char*, rapidjson::SizeType, bool) {
     std::size_t start = tell();
     const std::string_view text = document.source_->text();
-    while (start > base() && is_number(text[start - 1])) --start;
+    while (start > base() && is_number_byte(text[start - 1])) --start;
     return add(Kind::number, start);
   }
   bool String(const char* value, rapidjson::SizeType length, bool) { return text_token(Kind::string, {value, length}); }
@@ -92,10 +156,6 @@ struct Recorder {
   bool Int64(std::int64_t) { return false; }
   bool Uint64(std::uint64_t) { return false; }
   bool Double(double) { return false; }
-
-  static bool is_number(char c) {
-    return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || c == 'e' || c == 'E';
-  }
 
  private:
   std::size_t base() const { return static_cast<std::size_t>(stream.begin - document.source_->text().data()); }
@@ -147,7 +207,7 @@ Document::Document(const Source& source, std::size_t begin, std::size_t end) : s
 std::string_view Document::number_text(Token token) const {
   const std::string_view rest = source_->text().substr(token.offset, end_ - token.offset);
   std::size_t length = 0;
-  while (length < rest.size() && Recorder::is_number(rest[length])) ++length;
+  while (length < rest.size() && is_number_byte(rest[length])) ++length;
   return rest.substr(0, length);
 }
 
@@ -162,11 +222,12 @@ std::string_view Document::string_value(Token token) const {
 double Reader::number(std::string_view what) {
   if (kind() != Kind::number) wrong_kind(what, "a number");
   const std::string_view text = document_->number_text(token());
-  const double value = read_number(text).value();  // its grammar has been checked
-  if (!std::isfinite(value))
+  const auto value = read_finite(text);
+  if (!value) {
     fail(offset(), fmt::format("{} is {}, beyond binary64", what, text::shown(text)), "expected a finite number");
+  }
   ++next_;
-  return value;
+  return *value;
 }
 
 std::string_view Reader::string(std::string_view what) {
@@ -174,16 +235,12 @@ std::string_view Reader::string(std::string_view what) {
   return document_->string_value(document_->tokens()[next_++]);
 }
 
-glm::dvec3 Reader::vec3(std::string_view what) {
-  const std::size_t at = offset();
-  glm::dvec3 v{};
-  glm::dvec3::length_type count = 0;
-  array(what, [&] {
-    if (count == 3) fail(offset(), fmt::format("{} has a fourth item", what), "expected three numbers");
-    v[count++] = number(what);
-  });
+void Reader::require_less_than_three(std::string_view what, int count) const {
+  if (count == 3) fail(offset(), fmt::format("{} has a fourth item", what), "expected three numbers");
+}
+
+void Reader::require_three(std::string_view what, int count, std::size_t at) const {
   if (count != 3) fail(at, fmt::format("{} has {} items", what, count), "expected three numbers");
-  return v;
 }
 
 void Reader::open(Kind wanted, std::string_view what) {
@@ -222,24 +279,6 @@ void Reader::require(std::string_view what, std::span<const std::string_view> ke
   for (std::size_t i = 0; i < required; ++i) {
     if ((seen >> i & 1U) == 0) fail(at, fmt::format("key \"{}\" is missing in {}", keys[i], what), "expected it");
   }
-}
-
-void append_string(std::string& out, std::string_view text) {
-  out += '"';
-  for (const char c : text) {
-    if (c == '"' || c == '\\') {
-      out += {'\\', c};
-    } else if (static_cast<unsigned char>(c) < 0x20) {
-      fmt::format_to(std::back_inserter(out), "\\u{:04x}", static_cast<unsigned>(c));
-    } else {
-      out += c;
-    }
-  }
-  out += '"';
-}
-
-void append_vec3(std::string& out, const glm::dvec3& v) {
-  fmt::format_to(std::back_inserter(out), "[{},{},{}]", v.x, v.y, v.z);
 }
 
 }  // namespace durero::io::json

@@ -12,7 +12,7 @@
 #include "durero/text/shown.hpp"
 #include "losses.hpp"
 #include "nff_words.hpp"
-#include "stage_rules.hpp"
+#include "stage_fields.hpp"
 
 namespace durero::io {
 namespace {
@@ -73,30 +73,37 @@ class NffReader {
 
   // False where the key is unknown.
   bool read_view_part(std::string_view key, scene::Camera& camera) {
-    const std::size_t at = in_.offset();
-    if (key == "from") {
-      camera.eye = in_.triple(key);
-    } else if (key == "at") {
-      camera.look_at = in_.triple(key);
-    } else if (key == "up") {
-      camera.up = in_.triple(key);
-      if (camera.up == glm::dvec3{}) in_.fail(at, "up is the null vector", "expected a direction");
-    } else if (key == "angle") {
-      camera.fov_y = in_.number(key);
-      if (!is_view_angle(camera.fov_y))
-        in_.fail(at, fmt::format("angle is {}", camera.fov_y), "expected 0 < angle < 180");
-    } else if (key == "hither") {
+    if (key == "hither") {
       if (in_.number(key) != 0) ++counts_.near_planes;
-    } else if (key == "resolution") {
-      const double width = in_.number(key), height = in_.number(key);
-      if (!is_side(width) || !is_side(height)) {
-        in_.fail(at, fmt::format("resolution is {} {}", width, height), "expected whole numbers of pixels, 1 to 65535");
-      }
-      scene_.stage().resolution = {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
-    } else {
-      return false;
+      return true;
     }
-    return true;
+    if (key == "resolution") {
+      read_resolution();
+      return true;
+    }
+    const auto read = [&](const auto& field) { return field.key == key && (read_field(field, camera), true); };
+    return std::apply([&](const auto&... field) { return (read(field) || ...); }, view_fields);
+  }
+
+  template <class Part, class Value>
+  void read_field(const Field<Part, Value>& field, Part& part) {
+    const std::size_t at = in_.offset();
+    Value& value = part.*field.member;
+    if constexpr (std::is_same_v<Value, double>) {
+      value = in_.number(field.key);
+    } else {
+      value = in_.triple(field.key);
+    }
+    check_rule(in_, at, field.key, field.rule, value);
+  }
+
+  void read_resolution() {
+    const std::size_t at = in_.offset();
+    const double width = in_.number("resolution"), height = in_.number("resolution");
+    if (!is_side(width) || !is_side(height)) {
+      in_.fail(at, fmt::format("resolution is {} {}", width, height), "expected whole numbers of pixels, 1 to 65535");
+    }
+    scene_.stage().resolution = {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
   }
 
   void read_background(std::size_t at) {
@@ -107,8 +114,7 @@ class NffReader {
   glm::dvec3 read_color(std::string_view what) {
     const std::size_t at = in_.offset();
     const glm::dvec3 color = in_.triple(what);
-    if (!is_color(color))
-      in_.fail(at, fmt::format("a negative colour in {}", what), "expected red, green, blue from 0");
+    check_rule(in_, at, fmt::format("the colour of {}", what), light_color, color);
     return color;
   }
 
@@ -127,8 +133,7 @@ class NffReader {
     const double transmitted = in_.number("f");
     in_.number("f");  // the index of refraction of what is transmitted
     const glm::dvec3 sent = color * kd;
-    if (!is_share(sent))
-      in_.fail(at, "a fill that sends back more light than it gets, or less than none", "expected 0 to 1");
+    check_rule(in_, at, "the colour of f, times Kd,", share, sent);
     if (ks != 0 || transmitted != 0) ++counts_.shiny;
     const auto [known, is_new] = fills_.try_emplace(std::tuple{sent.x, sent.y, sent.z}, fills_.size());
     if (is_new) scene_.stage().materials.push_back({fmt::format("f{}", fills_.size()), sent});

@@ -2,31 +2,19 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
-#include "durero/io/number_text.hpp"
-#include "durero/text/shown.hpp"
-
 namespace durero::io {
 
 std::string_view NffWords::word() {
-  const std::string_view text = source_.text();
-  const std::size_t end = std::min(text.find_first_of(" \t\r\n\v\f#", next_), text.size());
-  const std::string_view word = text.substr(next_, end - next_);
-  next_ = end;
+  const std::string_view word = line_->word("#");
   skip();
   return word;
 }
 
 double NffWords::number(std::string_view what) {
-  if (done()) fail(next_, fmt::format("the text ends in {}", what), "expected a number");
-  const std::size_t at = next_;
-  const std::string_view text = word();
-  const auto value = read_number(text);
-  if (!value || !std::isfinite(*value))
-    fail(at, fmt::format("{} in {}", text::shown(text), what), "expected a finite number");
-  return *value;
+  if (done()) fail(offset(), fmt::format("the text ends in {}", what), "expected a number");
+  const double number = line_->number("#", what);
+  skip();
+  return number;
 }
 
 glm::dvec3 NffWords::triple(std::string_view what) {
@@ -35,20 +23,16 @@ glm::dvec3 NffWords::triple(std::string_view what) {
 }
 
 void NffWords::skip() {
-  const std::string_view text = source_.text();
   crossed_ = false;
-  while (next_ < text.size()) {
-    const char c = text[next_];
-    if (c == '#') {
-      next_ = std::min(text.find('\n', next_), text.size());
-    } else if (c == '\n') {
-      crossed_ = true;
-      ++next_;
-    } else if (c == ' ' || (c >= '\t' && c <= '\r')) {
-      ++next_;
-    } else {
+  if (line_) line_->skip_blanks();
+  while (!line_ || line_->done()) {
+    const auto next = lines_.next();
+    if (!next) {
+      line_.reset();
       return;
     }
+    crossed_ = line_.has_value();
+    line_.emplace(source_, *next);
   }
 }
 

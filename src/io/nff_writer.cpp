@@ -4,8 +4,10 @@
 
 #include "axis.hpp"
 #include "durero/io/nff.hpp"
+#include "durero/io/number_text.hpp"
 #include "losses.hpp"
 #include "scene_elements.hpp"
+#include "stage_fields.hpp"
 
 namespace durero::io {
 namespace {
@@ -13,6 +15,7 @@ namespace {
 using model::Tipo;
 using scene::ElementRef;
 
+std::string text(double x) { return number_text(x); }
 std::string text(const glm::dvec3& v) { return fmt::format("{} {} {}", v.x, v.y, v.z); }
 
 class NffWriter {
@@ -44,9 +47,12 @@ class NffWriter {
     if (stage.background) out_.text += fmt::format("b {}\n", text(*stage.background));
     if (stage.camera) {
       const scene::Resolution size = stage.resolution.value_or(scene::Resolution{512, 512});
-      out_.text += fmt::format("v\nfrom {}\nat {}\nup {}\nangle {}\nhither 0\nresolution {} {}\n",
-                               text(stage.camera->eye), text(stage.camera->look_at), text(stage.camera->up),
-                               stage.camera->fov_y, size.width, size.height);
+      out_.text += "v\n";
+      const auto write = [&](const auto& field) {
+        out_.text += fmt::format("{} {}\n", field.key, text(*stage.camera.*field.member));
+      };
+      std::apply([&](const auto&... field) { (write(field), ...); }, view_fields);
+      out_.text += fmt::format("hither 0\nresolution {} {}\n", size.width, size.height);
       if (!stage.resolution) out_.lost.emplace_back("no resolution in the scene: 512 512 was written");
     } else {
       out_.lost.emplace_back("no camera in the scene: no view was written");

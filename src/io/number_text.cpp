@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 
 namespace durero::io {
@@ -22,6 +23,11 @@ std::optional<double> read_number(std::string_view text) {
   // from_chars leaves the value alone both above the range and below it; strtod rounds, to ∞ or towards 0.
   if (error == std::errc::result_out_of_range) return std::strtod(std::string(text).c_str(), nullptr);
   return negative ? -value : value;
+}
+
+std::optional<double> read_finite(std::string_view text) {
+  const auto value = read_number(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 void append_number(std::string& out, double value) { fmt::format_to(std::back_inserter(out), "{}", value); }

@@ -2,10 +2,12 @@
 /// An operation as it is written, in either syntax, before its inputs have a meaning.
 
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "durero/io/lines.hpp"
 #include "durero/io/source.hpp"
 
 namespace durero::io {
@@ -28,8 +30,8 @@ struct Call {
   std::vector<Input> inputs;
 };
 
-/// The bytes [begin, end) hold one operation, with no space at either end. Throws InputError.
-Call read_text_call(const Source& source, std::size_t begin, std::size_t end);
-Call read_json_call(const Source& source, std::size_t begin, std::size_t end);
+/// The operation of a line, as text or, where it starts with {, as JSON; nothing of a line that is blank or a comment.
+/// Throws InputError.
+std::optional<Call> read_call(const Source& source, const Line& line);
 
 }  // namespace durero::io

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <span>
 
-#include "durero/io/json.hpp"
+#include "durero/io/json_writer.hpp"
+#include "durero/io/lines.hpp"
 #include "durero/io/number_text.hpp"
 #include "durero/text/shown.hpp"
 #include "operation_call.hpp"
@@ -80,8 +80,7 @@ class Inputs {
     const auto& value = by_name_[name]->value;
     if (const auto* number = std::get_if<double>(&value)) return *number;
     if (const auto* text = std::get_if<Word>(&value)) {
-      const auto number = read_number(text->text);
-      if (number && std::isfinite(*number)) return *number;
+      if (const auto number = read_finite(text->text)) return *number;
       fail(name, fmt::format("{}? is {}", names[name], text::shown(text->text)), "expected a finite number");
     }
     fail(name, fmt::format("{}? is no number", names[name]), "expected a finite number");
@@ -184,22 +183,10 @@ Edit read_edit(const Source& source, std::size_t line, const Call& call, const s
 }  // namespace
 
 std::vector<Edit> read_operations(const Source& source, const scene::Stage& stage) {
-  constexpr std::string_view blanks = " \t\r\v\f";
-  const std::string_view text = source.text();
   std::vector<Edit> edits;
-  std::size_t line = 0;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t line_end = std::min(text.find('\n', begin), text.size());
-    ++line;
-    const std::size_t first = std::min(text.find_first_not_of(blanks, begin), line_end);
-    std::size_t last = line_end;
-    while (last > first && blanks.find(text[last - 1]) != blanks.npos) --last;
-    if (first < last && text[first] != '#') {
-      const bool is_json = text[first] == '{';
-      const Call call = is_json ? read_json_call(source, first, last) : read_text_call(source, first, last);
-      edits.push_back(read_edit(source, line, call, stage));
-    }
-    begin = line_end + 1;
+  Lines lines(source.text());
+  while (const auto line = lines.next()) {
+    if (const auto call = read_call(source, *line)) edits.push_back(read_edit(source, line->number, *call, stage));
   }
   return edits;
 }
@@ -214,14 +201,12 @@ model::Answer run(scene::Scene& scene, const Edit& edit) {
 }
 
 std::string answer_text(std::size_t line, const model::Answer& answer) {
-  std::string out = fmt::format("{{\"line\":{},\"ok\":{},\"r\":\"{}\"", line, answer.ok(), model::name(answer.r));
-  if (!answer.ok()) {
-    out += ",\"violated\":";
-    json::append_string(out, answer.violated->label);
-    out += ",\"predicate\":";
-    json::append_string(out, answer.violated->predicate);
-  }
-  return out + "}";
+  std::string text;
+  json::Writer out(text);
+  out.begin_object().member("line", line).member("ok", answer.ok()).member("r", model::name(answer.r));
+  if (!answer.ok()) out.member("violated", answer.violated->label).member("predicate", answer.violated->predicate);
+  out.end_object();
+  return text;
 }
 
 }  // namespace durero::io

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cursor.hpp"
 #include "durero/io/npy.hpp"
 #include "durero/io/number_text.hpp"
 #include "durero/text/shown.hpp"
@@ -12,7 +13,6 @@
 namespace durero::io {
 namespace {
 
-constexpr std::string_view blanks = " \t\r\v\f";
 constexpr std::size_t numbers_in_ray = 6;
 
 model::Rayo make_ray(const double* n) { return {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}}; }
@@ -21,57 +21,35 @@ bool is_null(const double* v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; }
 
 const std::string null_expected = fmt::format("expected {} ({})", model::Rayo_inv_1.predicate, model::Rayo_inv_1.label);
 
-// The words of one line, up to a comment.
-class Line {
- public:
-  Line(std::string_view text, std::size_t begin, std::size_t end) : text_(text.substr(0, end)), next_(begin) { skip(); }
-  bool done() const { return next_ == text_.size() || text_[next_] == '#'; }
-  std::size_t offset() const { return next_; }
-  std::string_view word() {
-    const std::size_t from = next_;
-    const std::size_t end = std::min(text_.find_first_of(" \t\r\v\f#", from), text_.size());
-    next_ = end;
-    skip();
-    return text_.substr(from, end - from);
-  }
-
- private:
-  void skip() { next_ = std::min(text_.find_first_not_of(blanks, next_), text_.size()); }
-  std::string_view text_;
-  std::size_t next_;
-};
-
-double read_value(const Source& source, Line& line, std::size_t count) {
-  if (line.done()) {
-    source.fail(line.offset(), fmt::format("the ray ends after {} numbers", count), "expected px py pz vx vy vz");
-  }
-  const std::size_t at = line.offset();
-  const std::string_view word = line.word();
-  const auto value = read_number(word);
-  if (!value || !std::isfinite(*value)) source.fail(at, text::shown(word), "expected a finite number");
-  return *value;
+double read_value(Cursor& in, std::size_t count) {
+  if (in.done())
+    in.fail(in.offset(), fmt::format("the ray ends after {} numbers", count), "expected px py pz vx vy vz");
+  const double value = in.number("#", "a ray");
+  in.skip_blanks();
+  return value;
 }
 
-scene::ElementRef read_element(const Source& source, Line& line, const scene::Scene& scene) {
-  const std::size_t at = line.offset();
-  const std::string_view word = line.word();
-  if (!word.starts_with('@')) source.fail(at, fmt::format("{} after six numbers", text::shown(word)), "expected @name");
-  const auto element = scene.find(word.substr(1));
-  if (!element)
-    source.fail(at, fmt::format("no element {}", text::shown(word.substr(1))), "expected an element of the scene");
+scene::ElementRef read_element(Cursor& in, const scene::Scene& scene) {
+  const std::size_t at = in.offset();
+  const std::string_view word = in.word("#");
+  if (!word.starts_with('@')) in.fail(at, fmt::format("{} after six numbers", text::shown(word)), "expected @name");
+  const std::string_view name = word.substr(1);
+  const auto element = scene.find(name);
+  if (!element) in.fail(at, fmt::format("no element {}", text::shown(name)), "expected an element of the scene");
+  in.skip_blanks();
   return *element;
 }
 
-Ray read_ray(const Source& source, Line& line, const scene::Scene& scene) {
+Ray read_ray(Cursor& in, const scene::Scene& scene) {
   double n[numbers_in_ray];
   std::size_t v_offset = 0;
   for (std::size_t i = 0; i < numbers_in_ray; ++i) {
-    if (i == 3) v_offset = line.offset();
-    n[i] = read_value(source, line, i);
+    if (i == 3) v_offset = in.offset();
+    n[i] = read_value(in, i);
   }
-  if (is_null(n + 3)) source.fail(v_offset, "v is (0, 0, 0)", null_expected);
+  if (is_null(n + 3)) in.fail(v_offset, "v is (0, 0, 0)", null_expected);
   Ray ray{make_ray(n)};
-  while (!line.done()) ray.en.push_back(read_element(source, line, scene));
+  while (!in.done()) ray.en.push_back(read_element(in, scene));
   std::ranges::sort(ray.en);
   const auto repeated = std::ranges::unique(ray.en);
   ray.en.erase(repeated.begin(), repeated.end());
@@ -100,13 +78,11 @@ std::vector<Ray> read_rays_npy(const Source& source) {
 
 std::vector<Ray> read_rays(const Source& source, const scene::Scene& scene) {
   if (is_npy(source.text()) || source.name().ends_with(".npy")) return read_rays_npy(source);
-  const std::string_view text = source.text();
   std::vector<Ray> rays;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    Line line(text, begin, end);
-    if (!line.done()) rays.push_back(read_ray(source, line, scene));
-    begin = end + 1;
+  Lines lines(source.text());
+  while (const auto line = lines.next()) {
+    Cursor in(source, *line);
+    if (!in.done()) rays.push_back(read_ray(in, scene));
   }
   return rays;
 }

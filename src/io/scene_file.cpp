@@ -47,7 +47,7 @@ void read_part(json::Reader& in, Key key, scene::Scene& scene, std::vector<Mater
       stage.resolution = read_resolution(in);
       return;
     case background:
-      stage.background = read_color(in, "background");
+      stage.background = read_background(in);
       return;
     case lights:
       stage.lights = read_lights(in);

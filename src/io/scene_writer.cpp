@@ -1,124 +1,59 @@
-#include <fmt/format.h>
-
-#include "durero/io/json.hpp"
-#include "durero/io/number_text.hpp"
+#include "durero/io/json_writer.hpp"
 #include "durero/io/scene_file.hpp"
 #include "scene_elements.hpp"
+#include "stage_fields.hpp"
 
 namespace durero::io {
 namespace {
 
-using json::append_string;
-using json::append_vec3;
-using model::Tipo;
 using scene::ElementRef;
 
-void append_field(std::string& out, std::string_view key, double value) {
-  out.append(",\"").append(key).append("\":");
-  append_number(out, value);
-}
-
-void append_field(std::string& out, std::string_view key, const glm::dvec3& value) {
-  out.append(",\"").append(key).append("\":");
-  append_vec3(out, value);
-}
-
-void append_stage(std::string& out, const scene::Stage& stage) {
-  if (stage.camera) {
-    out += ",\n\"camera\":{\"eye\":";
-    append_vec3(out, stage.camera->eye);
-    append_field(out, "look_at", stage.camera->look_at);
-    append_field(out, "up", stage.camera->up);
-    append_field(out, "fov_y", stage.camera->fov_y);
-    out += '}';
-  }
+void write_stage(json::Writer& out, const scene::Stage& stage) {
+  if (stage.camera) write_fields(out.new_line().key("camera"), camera_fields, *stage.camera);
   if (stage.resolution) {
-    out += fmt::format(",\n\"resolution\":[{},{}]", stage.resolution->width, stage.resolution->height);
+    const auto [width, height] = *stage.resolution;
+    out.new_line().key("resolution").begin_array().value(std::uint64_t{width}).value(std::uint64_t{height}).end_array();
   }
-  if (stage.background) {
-    out += ",\n\"background\":";
-    append_vec3(out, *stage.background);
-  }
+  if (stage.background) out.new_line().member("background", *stage.background);
   if (!stage.lights.empty()) {
-    std::string_view separator = ",\n\"lights\":[";
-    for (const scene::Light& light : stage.lights) {
-      out.append(separator).append("\n{\"position\":");
-      append_vec3(out, light.position);
-      append_field(out, "color", light.color);
-      out += '}';
-      separator = ",";
-    }
-    out += ']';
+    out.new_line().key("lights").begin_array();
+    for (const scene::Light& light : stage.lights) write_fields(out.new_line(), light_fields, light);
+    out.end_array();
   }
   if (!stage.materials.empty()) {
-    std::string_view separator = ",\n\"materials\":{";
+    out.new_line().key("materials").begin_object();
     for (const scene::Material& material : stage.materials) {
-      out.append(separator).append("\n");
-      append_string(out, material.name);
-      out += ":{\"color\":";
-      append_vec3(out, material.color);
-      out += '}';
-      separator = ",";
+      write_fields(out.new_line().key(material.name), material_fields, material);
     }
-    out += '}';
+    out.end_object();
   }
 }
 
-void append_shape(std::string& out, const scene::Sphere& s) {
-  out += "\"esfera\"";
-  append_field(out, "centro", s.centro);
-  append_field(out, "radio", s.radio);
-}
-
-void append_shape(std::string& out, const scene::Cylinder& c) {
-  out += "\"cilindro\"";
-  append_field(out, "centro", c.centro);
-  append_field(out, "radio", c.radio);
-  append_field(out, "vector", c.vector);
-  append_field(out, "altura", c.altura);
-}
-
-void append_shape(std::string& out, const scene::Cone& k) {
-  out += "\"cono\"";
-  append_field(out, "centro", k.centro);
-  append_field(out, "proporcion", k.proporcion);
-  append_field(out, "vector", k.vector);
-  append_field(out, "altura", k.altura);
-}
-
-void append_element(std::string& out, const scene::Scene& scene, ElementRef element) {
-  out.append("{\"id\":\"").append(scene.name(element).name()).append("\",\"tipo\":");
-  switch (element.tipo) {
-    case Tipo::soy_esfera:
-      append_shape(out, scene.shapes<scene::Sphere>()[element.index]);
-      break;
-    case Tipo::soy_cilindro:
-      append_shape(out, scene.shapes<scene::Cylinder>()[element.index]);
-      break;
-    case Tipo::soy_cono:
-      append_shape(out, scene.shapes<scene::Cone>()[element.index]);
-      break;
-  }
+void write_element(json::Writer& out, const scene::Scene& scene, ElementRef element) {
+  out.begin_object().member("id", scene.name(element).name());
+  scene.visit(element, [&]<class Shape>(const Shape& shape) {
+    out.member("tipo", Shape::word);
+    scene::for_each_attribute<Shape>(
+        [&](const auto& attribute) { out.member(attribute.word, shape.*attribute.field); });
+  });
   if (const auto material = scene.material(element)) {
-    out += ",\"material\":";
-    append_string(out, scene.stage().materials[*material].name);
+    out.member("material", scene.stage().materials[*material].name);
   }
-  out += '}';
+  out.end_object();
 }
 
 }  // namespace
 
 std::string scene_text(const scene::Scene& scene) {
-  std::string out = "{\"format\":\"durero-scene\",\"version\":1";
-  append_stage(out, scene.stage());
-  out += ",\n\"elementos\":[";
-  std::string_view separator = "\n";
-  for (const ElementRef element : elements_by_name(scene)) {
-    out += separator;
-    append_element(out, scene, element);
-    separator = ",\n";
-  }
-  return out + (scene.size() == 0 ? "]}\n" : "\n]}\n");
+  std::string text;
+  json::Writer out(text);
+  out.begin_object().member("format", "durero-scene").member("version", std::uint64_t{1});
+  write_stage(out, scene.stage());
+  out.new_line().key("elementos").begin_array();
+  for (const ElementRef element : elements_by_name(scene)) write_element(out.new_line(), scene, element);
+  if (scene.size() > 0) out.new_line();
+  out.end_array().end_object();
+  return text + "\n";
 }
 
 }  // namespace durero::io

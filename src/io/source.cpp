@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <memory>
 
+#include "durero/io/lines.hpp"
 #include "durero/text/shown.hpp"
 #include "durero/text/utf8.hpp"
 
@@ -23,12 +23,16 @@ FileError::FileError(const std::string& file, const std::string& wrong, const st
     : std::runtime_error(text::escaped(fmt::format("{}: {}; {}", file, wrong, expected))) {}
 
 Place Source::place(std::size_t offset) const noexcept {
-  const std::string_view before = text().substr(0, offset);
-  const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 = 0
-  const auto characters = std::count_if(before.begin() + static_cast<std::ptrdiff_t>(line_start), before.end(),
-                                        [](char byte) { return !text::continues(byte); });
-  const auto lines = std::count(before.begin(), before.end(), '\n');
-  return {static_cast<std::size_t>(lines) + 1, static_cast<std::size_t>(characters) + 1};
+  Place place{1, 1};
+  for (std::size_t i = 0; i < offset; ++i) {
+    if (ends_line(text_, i)) {
+      ++place.line;
+      place.column = 1;
+    } else if (!text::continues(text_[i])) {
+      ++place.column;
+    }
+  }
+  return place;
 }
 
 void Source::fail(std::size_t offset, const std::string& wrong, const std::string& expected) const {

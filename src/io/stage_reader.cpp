@@ -6,8 +6,7 @@
 #include <set>
 
 #include "durero/text/shown.hpp"
-#include "stage_reader.hpp"
-#include "stage_rules.hpp"
+#include "stage_fields.hpp"
 
 namespace durero::io {
 namespace {
@@ -24,29 +23,9 @@ std::uint32_t read_pixels(json::Reader& in) {
 }  // namespace
 
 scene::Camera read_camera(json::Reader& in) {
-  constexpr std::string_view keys[] = {"eye", "look_at", "up", "fov_y"};
   scene::Camera camera{};
   const std::size_t at = in.offset();
-  in.object("camera", keys, std::size(keys), [&](std::size_t key) {
-    const std::size_t value_at = in.offset();
-    switch (key) {
-      case 0:
-        camera.eye = in.vec3("eye");
-        break;
-      case 1:
-        camera.look_at = in.vec3("look_at");
-        break;
-      case 2:
-        camera.up = in.vec3("up");
-        if (camera.up == glm::dvec3{}) in.fail(value_at, "up is the null vector", "expected a direction");
-        break;
-      default:
-        camera.fov_y = in.number("fov_y");
-        if (!is_view_angle(camera.fov_y)) {
-          in.fail(value_at, fmt::format("fov_y is {}", camera.fov_y), "expected an angle in degrees, 0 < fov_y < 180");
-        }
-    }
-  });
+  read_fields(in, "camera", camera_fields, camera);
   if (camera.eye == camera.look_at) in.fail(at, "the camera looks at its own eye", "expected look_at elsewhere");
   return camera;
 }
@@ -63,33 +42,20 @@ scene::Resolution read_resolution(json::Reader& in) {
   return {size[0], size[1]};
 }
 
-glm::dvec3 read_color(json::Reader& in, std::string_view what) {
+glm::dvec3 read_background(json::Reader& in) {
   const std::size_t at = in.offset();
-  const glm::dvec3 color = in.vec3(what);
-  if (!is_color(color)) {
-    in.fail(at, fmt::format("{} is negative", what), "expected red, green and blue, each from 0");
-  }
+  const glm::dvec3 color = in.vec3("background");
+  check_rule(in, at, "background", light_color, color);
   return color;
 }
 
 std::vector<scene::Light> read_lights(json::Reader& in) {
-  constexpr std::string_view keys[] = {"position", "color"};
   std::vector<scene::Light> lights;
-  in.array("lights", [&] {
-    scene::Light& light = lights.emplace_back();
-    in.object("a light", keys, std::size(keys), [&](std::size_t key) {
-      if (key == 0) {
-        light.position = in.vec3("position");
-      } else {
-        light.color = read_color(in, "color");
-      }
-    });
-  });
+  in.array("lights", [&] { read_fields(in, "a light", light_fields, lights.emplace_back()); });
   return lights;
 }
 
 std::vector<scene::Material> read_materials(json::Reader& in) {
-  constexpr std::string_view keys[] = {"color"};
   std::vector<scene::Material> materials;
   std::set<std::string_view> names;
   in.members("materials", [&](const json::Key& key) {
@@ -97,15 +63,9 @@ std::vector<scene::Material> read_materials(json::Reader& in) {
     if (!names.insert(key.name).second) {
       in.fail(key.offset, fmt::format("material {} stands twice", text::shown(key.name)), "expected it once");
     }
-    glm::dvec3 color{};
-    in.object("a material", keys, std::size(keys), [&](std::size_t) {
-      const std::size_t at = in.offset();
-      color = read_color(in, "color");
-      if (!is_share(color)) {
-        in.fail(at, "the color of a material is above 1", "expected the share of light it sends back, 0 to 1");
-      }
-    });
-    materials.push_back({std::string(key.name), color});
+    scene::Material& material = materials.emplace_back();
+    material.name = key.name;
+    read_fields(in, "a material", material_fields, material);
   });
   std::ranges::sort(materials, {}, &scene::Material::name);
   return materials;

@@ -8,7 +8,7 @@ namespace durero::io {
 
 scene::Camera read_camera(json::Reader& in);
 scene::Resolution read_resolution(json::Reader& in);
-glm::dvec3 read_color(json::Reader& in, std::string_view what);
+glm::dvec3 read_background(json::Reader& in);
 std::vector<scene::Light> read_lights(json::Reader& in);
 std::vector<scene::Material> read_materials(json::Reader& in);
 

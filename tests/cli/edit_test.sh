@@ -41,6 +41,11 @@ run 1 edit scene.json --audit --script script --op 'Eliminar_Elemento e=c1' --op
 has out '{"line":6,"ok":true,"r":"elemento_eliminado"}'
 has out '{"line":7,"ok":false,"r":"elemento_no_existe","violated":"Eliminar_Elemento.pre.1"'
 
+tr '\n' '\r' <script >carriage
+run 1 edit scene.json --script carriage --op 'Eliminar_Elemento e=c1'
+has out '{"line":5,"ok":true,"r":"cono_eliminado"}'
+has out '{"line":6,"ok":true,"r":"elemento_eliminado"}'
+
 # The standard input, and a scene written over itself.
 "$durero" edit scene.json <script >out
 [ $? = 1 ] || fail 'edit from stdin'

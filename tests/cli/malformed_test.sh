@@ -35,7 +35,7 @@ malformed '4:7: id is "a": elemento_ya_existe; expected e? ∉ elementos (Agrega
 printf '%s\n"elementos":[{"id":"a","tipo":"esfera","centro":[0,NaN,0],"radio":1}]}' "$head" >bad.json
 malformed '2:52: "N" stands here; expected a JSON value'
 printf '%s\n"elementos":[{"id":"a","tipo":"esfera","centro":[0,1e999,0],"radio":1}]}' "$head" >bad.json
-malformed '2:52: a number beyond binary64; expected a finite number'
+malformed '2:52: centro is "1e999", beyond binary64; expected a finite number'
 printf '%s\n"elementos":[{"id":"a","tipo":"cono","centro":[0,0,0],"proporcion":1,"vector":[0,1,1],"altura":1}]}' "$head" >bad.json
 malformed '2:79: vector is (0, 1, 1); expected a unit vector, 1 − tolerancia_unidad ≤ '
 printf '%s\n"elementos":[{"id":"a","tipo":"esfera","centro":[0,0,0],"radio":0}]}' "$head" >bad.json

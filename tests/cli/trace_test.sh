@@ -62,6 +62,11 @@ has hits.npy "('outcome', 'S10'), ('t', '<f8'), ('point', '<f8', (3,)), ('elemen
 run 0 trace scene.json rays.npy
 has out '{"ray":0,"outcome":"hit","elementos":["s1"],"t":2,"point":[0,0,-1]}'
 
+# Lines may end as on any system.
+head -n 3 rays | tr '\n' '\r' >carriage
+run 0 trace scene.json carriage
+is out "$(printf '%s\n' "$expected" | head -n 2)"
+
 # Malformed rays.
 bad() {
   printf '%b\n' "$1" >bad

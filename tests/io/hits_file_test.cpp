@@ -1,8 +1,11 @@
 #include "durero/io/hits_file.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 
 #include "malformed.hpp"
@@ -95,6 +98,32 @@ TEST_CASE("Hits as .npy are one record a ray") {
   CHECK(data.substr(record, 4) == "miss");
   CHECK(std::isnan(number(record + 10)));
   CHECK(data.substr(record + 42, 3) == std::string(3, '\0'));
+}
+
+TEST_CASE("Hits stand one a line, however the lines end") {
+  const scene::Scene scene = three_elements();
+  const std::string miss = R"({"ray":0,"outcome":"miss","elementos":[]})";
+  const std::string other = R"({"ray":1,"outcome":"miss","elementos":[]})";
+  for (const char* end : {"\n", "\r\n", "\r"}) {
+    const auto hits = io::read_hits(io::Source("f", miss + end + " \t" + end + other + end), scene);
+    REQUIRE(hits.size() == 2);
+    CHECK(hits[1].ray == 1);
+  }
+  CHECK(error_at(miss + "\r" + R"({"ray":^-1,"outcome":"miss","elementos":[]})") ==
+        "ray is -1; expected the number of a ray, from 0");
+}
+
+TEST_CASE("Hits are written in the format that the file's name tells") {
+  const scene::Scene scene = three_elements();
+  const scene::Hit hits[] = {{Resultado::hit, 4, {1, 2, 3}, elements(scene, {"a", "B"})}, {}};
+  const auto folder = std::filesystem::temp_directory_path() / ("durero_hits_" + std::to_string(::getpid()));
+  std::filesystem::create_directory(folder);
+  io::write_hits(folder / "hits.npy", hits, scene);
+  io::write_hits(folder / "hits.jsonl", hits, scene);
+  CHECK(io::read_source(folder / "hits.npy").text() == io::hits_npy(hits, scene));
+  CHECK(io::read_source(folder / "hits.jsonl").text() ==
+        io::hit_text(0, hits[0], scene) + "\n" + io::hit_text(1, hits[1], scene) + "\n");
+  std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("A malformed hit is an error with its place") {

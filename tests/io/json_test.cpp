@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "durero/io/json_writer.hpp"
 #include "durero/io/number_text.hpp"
 #include "support/catch.hpp"
 #include "support/doubles.hpp"
@@ -13,6 +14,7 @@ using io::Source;
 using io::json::Document;
 using io::json::Kind;
 using io::json::Reader;
+using io::json::Writer;
 
 namespace {
 
@@ -57,9 +59,9 @@ TEST_CASE("A string reads back from its text, at its offset") {
     const auto pieces = *rc::gen::container<std::vector<std::string>>(piece);
     std::string value;
     for (const auto& p : pieces) value += p;
-    std::string text = "[";
-    io::json::append_string(text, value);
-    const Source source("f", text + "]");
+    std::string text;
+    Writer(text).begin_array().value(value).end_array();
+    const Source source("f", text);
     const Document document(source);
     RC_ASSERT(document.tokens().size() == 4U);
     RC_ASSERT(document.tokens()[1].offset == 1U);
@@ -71,7 +73,7 @@ TEST_CASE("Numbers read to the nearest binary64") {
   test::property("as triples", [] {
     const glm::dvec3 v{*test::anyFinite(), *test::anyFinite(), *test::anyFinite()};
     std::string text;
-    io::json::append_vec3(text, v);
+    Writer(text).value(v);
     const Source source("f", text);
     const Document document(source);
     Reader in(document);
@@ -81,6 +83,46 @@ TEST_CASE("Numbers read to the nearest binary64") {
   const Document document(source);
   Reader in(document);
   CHECK(in.vec3("v") == glm::dvec3(0x0.fffffffffffffp-1022, 9007199254740992.0, 0));
+}
+
+TEST_CASE("A number may have any number of digits and any exponent: its value decides") {
+  const auto number = [](const std::string& text) {
+    const Source source("f", text);
+    const Document document(source);
+    return Reader(document).number("n");
+  };
+  const std::string zeros(400, '0');
+  CHECK(number("1" + zeros + "e-400") == 1);
+  CHECK(number("-0." + zeros + "1e401") == -1);
+  CHECK(number("0e999") == 0);
+  CHECK(number("1e-999999999999") == 0);
+  CHECK(number("17976931348623157" + std::string(292, '9')) == std::numeric_limits<double>::max());
+  CHECK(number("9007199254740993." + zeros + "1") == 9007199254740994);  // just above the tie
+  CHECK_THROWS_WITH(number("1" + zeros), Catch::Contains("f:1:1: n is \"1000") && Catch::Contains("beyond binary64"));
+  CHECK_THROWS_WITH(number("-1e999"), "f:1:1: n is \"-1e999\", beyond binary64; expected a finite number");
+  test::property("read as every other reader reads it", [&] {
+    const auto digits = [](int most) {
+      std::string text;
+      for (int n = *rc::gen::inRange(1, most); n > 0; --n) text += static_cast<char>('0' + *rc::gen::inRange(0, 10));
+      return text;
+    };
+    const std::string text = *rc::gen::element<std::string>("", "-") + std::to_string(*rc::gen::inRange(1, 10)) +
+                             digits(400) + "." + digits(400) + "e-" + digits(4);
+    const auto value = io::read_finite(text);
+    if (value) RC_ASSERT(number(text) == *value);
+  });
+}
+
+TEST_CASE("A quote or a number inside a string is no token") {
+  const std::string text = R"(["1\"2\\",3,"\\\"-4e5","5"])";
+  const Source source("f", text);
+  const Document document(source);
+  Reader in(document);
+  std::vector<std::string> items;
+  in.array("a", [&] {
+    items.push_back(in.kind() == Kind::number ? io::number_text(in.number("n")) : std::string(in.string("s")));
+  });
+  CHECK(items == std::vector<std::string>{"1\"2\\", "3", "\\\"-4e5", "5"});
 }
 
 TEST_CASE("Errors of syntax have their place") {
@@ -98,7 +140,16 @@ TEST_CASE("Errors of syntax have their place") {
   CHECK(error_of("[\"\xED\xA0\x80\"]").starts_with("f:1:3: "));  // a surrogate
   CHECK(error_of("[\"\xC0\x80\"]").starts_with("f:1:3: "));      // an overlong NUL
   CHECK(error_of("[\"a\nb\"]").starts_with("f:1:4: "));
-  CHECK(error_of("[1e999]") == "f:1:2: a number beyond binary64; expected a finite number");
+  CHECK(error_of("[1.]") == "f:1:4: \"]\" stands here in a number; expected a digit");
+  CHECK(error_of("[1e+]") == "f:1:5: \"]\" stands here in a number; expected a digit");
+  CHECK(error_of("[1.5.5]") == "f:1:5: \".\" stands here; expected , or ] after an item");
+  CHECK(error_of("[1e--5]") == "f:1:5: \"-\" stands here in a number; expected a digit");
+  CHECK(error_of("[1e5e5]") == "f:1:5: \"e\" stands here; expected , or ] after an item");
+  CHECK(error_of("[-]").starts_with("f:1:3: \"]\" stands here; expected a JSON value"));
+  CHECK(error_of("[+1]").starts_with("f:1:2: \"+\" stands here; expected a JSON value"));
+  CHECK(error_of("[-01]") == "f:1:4: \"1\" stands here; expected , or ] after an item");
+  CHECK(error_of("[true1]") == "f:1:6: \"1\" stands here; expected , or ] after an item");
+  CHECK(error_of("[\"\\\"1]") == "f:1:7: the text ends inside a string; expected its closing quote");
   CHECK(error_of(std::string("{}\0", 3)).starts_with("f:1:3: a NUL byte"));
   CHECK(error_of(std::string("[1,\0 2]", 7)).starts_with("f:1:4: "));
 }

@@ -24,9 +24,9 @@ struct Marked {
     if (at == text.npos) throw std::logic_error("no mark in " + text);
     text.erase(at, 1);
     std::size_t line = 1, column = 1;
-    for (const char c : text.substr(0, at)) {
+    for (std::size_t i = 0; i < at; ++i) {
       ++column;
-      if (c != '\n') continue;
+      if (text[i] != '\n' && (text[i] != '\r' || text[i + 1] == '\n')) continue;
       ++line;
       column = 1;
     }

@@ -101,6 +101,17 @@ TEST_CASE("Every entity of NFF becomes what a scene has for it") {
   CHECK(i.scene.stage().lights[0].color.x == half);
 }
 
+TEST_CASE("NFF is read alike however its lines end") {
+  std::string cr = sample, crlf;
+  for (char& c : cr) {
+    crlf += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    if (c == '\n') c = '\r';
+  }
+  CHECK(io::scene_text(import_text(cr).scene) == io::scene_text(import_text(sample).scene));
+  CHECK(io::scene_text(import_text(crlf).scene) == io::scene_text(import_text(sample).scene));
+  CHECK(error_at("# a sphere\rs 0 0\r\n0 ^x") == "\"x\" in s; expected a finite number");
+}
+
 TEST_CASE("What a scene cannot hold is counted and named") {
   CHECK(import_text(sample).lost ==
         std::vector<std::string>{"2 polygons left out: a scene has none",
@@ -209,13 +220,14 @@ TEST_CASE("A malformed NFF file is an error with its place") {
       {"p ^2\n0 0 0 1 1 1", "a polygon of 2 vertices; expected a whole number from 3"},
       {"p ^3.5", "a polygon of 3.5 vertices; expected a whole number from 3"},
       {"p 1e300 0 0 0^", "the text ends in p; expected a number"},
-      {"f ^1 1 1 2 0 0 0 0", "a fill that sends back more light than it gets, or less than none; expected 0 to 1"},
-      {"b ^-1 0 0", "a negative colour in b; expected red, green, blue from 0"},
+      {"f ^1 1 1 2 0 0 0 0",
+       "the colour of f, times Kd, is no share of light; expected red, green and blue, each from 0 to 1"},
+      {"b ^-1 0 0", "the colour of b is negative; expected red, green and blue, each from 0"},
       {"b 0 0 0\n^b 0 0 0", "a second background; expected one"},
       {"v\nfrom 0 0 0\n^from 0 0 0",
        "\"from\" in a view; expected each of from, at, up, angle, hither, resolution once"},
       {"v\nfrom 0 0 0\n^", "\"\" in a view; expected each of from, at, up, angle, hither, resolution once"},
-      {"v\nangle ^180", "angle is 180; expected 0 < angle < 180"},
+      {"v\nangle ^180", "angle is 180; expected an angle in degrees, above 0 and below 180"},
       {"v\nup ^0 0 0", "up is the null vector; expected a direction"},
       {"v\nresolution ^0 5", "resolution is 0 5; expected whole numbers of pixels, 1 to 65535"},
       {"^v\nfrom 0 0 0\nat 0 0 0\nup 0 1 0\nangle 45\nhither 0\nresolution 4 3", "from is at; expected two points"},

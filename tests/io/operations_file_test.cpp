@@ -75,6 +75,19 @@ Eliminar_Elemento e?=s3
   CHECK(scene.size() == 1);
 }
 
+TEST_CASE("Operations stand one a line, however the lines end") {
+  const std::string script =
+      "# a script|Agregar_Esfera e=a centro=(0,0,0) radio=1 # a||{\"op\":\"Eliminar_Esfera\",\"e\":\"a\"}|";
+  for (const char* end : {"\n", "\r\n", "\r"}) {
+    std::string text;
+    for (const char c : script) text += c == '|' ? end : std::string(1, c);
+    scene::Scene scene;
+    CHECK(answers(scene, text) ==
+          "{\"line\":2,\"ok\":true,\"r\":\"esfera_agregada\"}\n{\"line\":4,\"ok\":true,\"r\":\"esfera_eliminada\"}\n");
+  }
+  CHECK(error_at("# a\r^Mover e=a").starts_with("unknown operation \"Mover\""));
+}
+
 TEST_CASE("An addition takes a material of the scene") {
   scene::Scene scene;
   scene.stage() = stage_with_red();
@@ -126,7 +139,7 @@ TEST_CASE("A malformed operation is an error with its place") {
       {"Agregar_Esfera e?=a centro?=(0,^nan,0) radio?=1", "\"nan\" in a triple; expected a finite number"},
       {"Agregar_Esfera e?=a centro?=(0,0,^1e999) radio?=1", "\"1e999\" in a triple; expected a finite number"},
       {"Agregar_Esfera e?=a centro?=(0,0,0)^radio?=1", "\"r\" stands here; expected a space after an input"},
-      {"Agregar_Esfera e?=a centro?=(0,0,0^", "the operation ends; expected ) after (x,y,z"},
+      {"Agregar_Esfera e?=a centro?=(0,0,0^", "the line ends; expected ) after (x,y,z"},
       {"Agregar_Esfera e?=a centro?=(0,0,0) radio?=^uno", "radio? is \"uno\"; expected a finite number"},
       {"Agregar_Esfera e?=a centro?=(0,0,0) radio?=^inf", "radio? is \"inf\"; expected a finite number"},
       {"Agregar_Esfera e?=a centro?=(0,0,0) radio?=^(1,1,1)", "radio? is no number; expected a finite number"},

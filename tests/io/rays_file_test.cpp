@@ -60,16 +60,24 @@ TEST_CASE("Numbers are decimal or hexadecimal; comments, blank lines and repeate
   CHECK(read("").empty());
 }
 
+TEST_CASE("Rays stand one a line, however the lines end") {
+  const auto rays = read("# rays\n0 0 0 1 0 0\n\n0 0 0 0 1 0 # up\n0 0 0 0 0 1\n");
+  CHECK(rays.size() == 3);
+  CHECK(read("# rays\r0 0 0 1 0 0\r\r0 0 0 0 1 0 # up\r0 0 0 0 0 1\r") == rays);
+  CHECK(read("# rays\r\n0 0 0 1 0 0\r\n\r\n0 0 0 0 1 0 # up\r\n0 0 0 0 0 1") == rays);
+  CHECK(error_at("# a\r0 0 0 1 0 0\r\n0 0 ^x 1 0 0") == "\"x\" in a ray; expected a finite number");
+}
+
 TEST_CASE("A malformed ray is an error with its place") {
   using Case = std::pair<std::string, std::string>;
   const Case cases[] = {
       {"0 0 0 ^0 -0 0", "v is (0, 0, 0); expected ¬ (v.x = 0 ∧ v.y = 0 ∧ v.z = 0) (Rayo.inv.1)"},
-      {"0 0 0 0 0 1\n0 ^nan 0 0 0 1", "\"nan\"; expected a finite number"},
-      {"0 0 0 0 0 ^-inf", "\"-inf\"; expected a finite number"},
-      {"0 0 ^1e999 0 0 1", "\"1e999\"; expected a finite number"},
+      {"0 0 0 0 0 1\n0 ^nan 0 0 0 1", "\"nan\" in a ray; expected a finite number"},
+      {"0 0 0 0 0 ^-inf", "\"-inf\" in a ray; expected a finite number"},
+      {"0 0 ^1e999 0 0 1", "\"1e999\" in a ray; expected a finite number"},
       {"0 0 0 1 0^", "the ray ends after 5 numbers; expected px py pz vx vy vz"},
       {"0 0 0 1 0 ^# 0", "the ray ends after 5 numbers; expected px py pz vx vy vz"},
-      {"0 0 0 1 0 ^@a", "\"@a\"; expected a finite number"},
+      {"0 0 0 1 0 ^@a", "\"@a\" in a ray; expected a finite number"},
       {"0 0 0 1 0 0 ^7", "\"7\" after six numbers; expected @name"},
       {"0 0 0 1 0 0 @a ^@d", "no element \"d\"; expected an element of the scene"},
       {"0 0 0 1 0 0 ^@", "no element \"\"; expected an element of the scene"},
@@ -78,7 +86,7 @@ TEST_CASE("A malformed ray is an error with its place") {
     INFO(text);
     CHECK(error_at(text) == expected);
   }
-  CHECK(error_at("^0,0,0,1,0,0") == "\"0,0,0,1,0,0\"; expected a finite number");
+  CHECK(error_at("^0,0,0,1,0,0") == "\"0,0,0,1,0,0\" in a ray; expected a finite number");
 }
 
 TEST_CASE("A wrong ray of a .npy file is named by its row and number") {

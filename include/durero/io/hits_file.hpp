@@ -28,6 +28,9 @@ std::string hit_text(std::size_t ray, const scene::Hit& hit, const scene::Scene&
 /// The .npy file of the hits of all rays.
 std::string hits_npy(std::span<const scene::Hit> hits, const scene::Scene& scene);
 
+/// Writes the hits of all rays: .npy where the name of the file ends so, else JSON lines. Throws FileError.
+void write_hits(const std::string& path, std::span<const scene::Hit> hits, const scene::Scene& scene);
+
 /// A hit, and the number of its ray in the ray file (from 0).
 struct RayHit {
   std::size_t ray;

@@ -6,9 +6,8 @@
 /// Why not RapidJSON's document: it forgets the places. Why not its events directly: a schema in an event handler is a
 /// hand-made state machine; walked from a list it reads like the schema.
 ///
-/// Numbers are read from the text to the nearest binary64 (number_text.hpp). RapidJSON, which checks their grammar,
-/// takes no exponent above 308 beyond the digits of the fraction, nor an integer part that nears 1.8e308: such a number
-/// is an error even where its value is small (0e999).
+/// Numbers are read from the text to the nearest binary64 (number_text.hpp), as every reader here does, however many
+/// digits they have. RapidJSON has an arithmetic of its own and refuses what that cannot hold; so it never sees them.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -73,7 +72,23 @@ class Reader {
   /// A finite number. `what` names the value in messages.
   double number(std::string_view what);
   std::string_view string(std::string_view what);
-  glm::dvec3 vec3(std::string_view what);
+  glm::dvec3 vec3(std::string_view what) {
+    return triple(what, [&] { return number(what); });
+  }
+
+  /// An array of three items, each what item() reads.
+  template <class Item>
+  glm::dvec3 triple(std::string_view what, Item&& item) {
+    const std::size_t at = offset();
+    glm::dvec3 v{};
+    glm::dvec3::length_type count = 0;
+    array(what, [&] {
+      require_less_than_three(what, count);
+      v[count++] = item();
+    });
+    require_three(what, count, at);
+    return v;
+  }
 
   /// Calls item() for each item of an array; it must read exactly one value.
   template <class Item>
@@ -109,6 +124,8 @@ class Reader {
  private:
   Document::Token token() const { return document_->tokens()[next_]; }
   void open(Kind kind, std::string_view what);
+  void require_less_than_three(std::string_view what, int count) const;
+  void require_three(std::string_view what, int count, std::size_t at) const;
   [[noreturn]] void wrong_kind(std::string_view what, std::string_view expected) const;
   Key take_key();
   std::size_t known_key(std::string_view what, std::span<const std::string_view> keys, const Key& key,
@@ -120,10 +137,5 @@ class Reader {
   std::size_t next_ = 0;
   std::size_t key_offset_ = 0;
 };
-
-/// Appends a string with its quotes and the escapes it needs.
-void append_string(std::string& out, std::string_view text);
-/// Appends `[x,y,z]`.
-void append_vec3(std::string& out, const glm::dvec3& v);
 
 }  // namespace durero::io::json

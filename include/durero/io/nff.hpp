@@ -2,25 +2,9 @@
 /// NFF, the Neutral File Format of the Standard Procedural Databases. What one side holds and the other cannot is
 /// counted and named, never dropped silently.
 
-#include <string>
-#include <vector>
-
-#include "durero/io/source.hpp"
-#include "durero/scene/scene.hpp"
+#include "durero/io/formats.hpp"
 
 namespace durero::io {
-
-/// A scene read from another format, and one line for each kind of thing that it does not keep.
-struct Imported {
-  scene::Scene scene;
-  std::vector<std::string> lost;
-};
-
-/// A text in another format, and one line for each kind of thing of the scene that it does not keep.
-struct Exported {
-  std::string text;
-  std::vector<std::string> lost;
-};
 
 /// Reads NFF: `v` becomes camera and resolution, `b` background, `l` lights, `f` materials (colour · Kd; fills of one
 /// colour are one material), `s` spheres, `c` cylinders, or cones where one of the radii is 0. Polygons (`p`, `pp`) and

@@ -8,8 +8,9 @@
 
 namespace durero::io {
 
-/// A place in a text: line and column count from 1. A column is a character: bytes that continue a UTF-8 character
-/// do not count. In a `.npy` file the line is the row and the column the value's number in it.
+/// A place in a text: line and column count from 1. Lines end as lines.hpp says. A column is a character: bytes that
+/// continue a UTF-8 character do not count. In a `.npy` file the line is the row and the column the value's number in
+/// it.
 struct Place {
   std::size_t line;
   std::size_t column;

@@ -1,0 +1,40 @@
+#pragma once
+/// The scene formats, each a row of one table, told apart by how a file's name ends.
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "durero/io/source.hpp"
+#include "durero/scene/scene.hpp"
+
+namespace durero::io {
+
+/// A scene read from a format, and one line for each kind of thing that it does not keep.
+struct Imported {
+  scene::Scene scene;
+  std::vector<std::string> lost;
+};
+
+/// A text in a format, and one line for each kind of thing of the scene that it does not keep.
+struct Exported {
+  std::string text;
+  std::vector<std::string> lost;
+};
+
+struct Format {
+  std::string_view ending;                 ///< of the file's name: ".nff"
+  Imported (*read)(const Source& source);  ///< throws InputError
+  Exported (*write)(const scene::Scene& scene);
+};
+
+std::span<const Format> formats();
+
+/// The format of a file by its name. Throws FileError where none has that ending.
+const Format& format_of(const std::string& path);
+
+/// The endings of all formats, as a sentence lists them.
+std::string format_endings();
+
+}  // namespace durero::io

@@ -1,0 +1,73 @@
+#pragma once
+/// A field of a value that files hold: its key, where it is and what it must be. A table of fields is read and written
+/// by the same few functions, so a key stands in one place.
+
+#include <fmt/format.h>
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+
+#include "durero/io/json.hpp"
+#include "durero/io/json_writer.hpp"
+
+namespace durero::io {
+
+/// What a value must be. A message says `KEY is WRONG; expected EXPECTED`; of a number, its value and not `wrong`.
+template <class Value>
+struct Rule {
+  bool (*holds)(const Value&);
+  std::string_view wrong, expected;
+};
+
+inline bool always(const glm::dvec3&) { return true; }
+inline constexpr Rule<glm::dvec3> any_triple{always, "", ""};
+
+template <class Part, class Value>
+struct Field {
+  std::string_view key;
+  Value Part::*member;
+  Rule<Value> rule;
+};
+
+/// Fails at that byte where the value of a key breaks the rule. `In` is what reads: it has fail().
+template <class In, class Value>
+void check_rule(const In& in, std::size_t at, std::string_view key, const Rule<Value>& rule, const Value& value) {
+  if (rule.holds(value)) return;
+  const std::string expected = fmt::format("expected {}", rule.expected);
+  if constexpr (std::is_same_v<Value, double>) {
+    in.fail(at, fmt::format("{} is {}", key, value), expected);
+  } else {
+    in.fail(at, fmt::format("{} is {}", key, rule.wrong), expected);
+  }
+}
+
+inline void read_json(json::Reader& in, std::string_view what, double& value) { value = in.number(what); }
+inline void read_json(json::Reader& in, std::string_view what, glm::dvec3& value) { value = in.vec3(what); }
+
+/// Reads an object that has each field of the table and no others. `what` names it in messages.
+template <class Part, class... Value>
+void read_fields(json::Reader& in, std::string_view what, const std::tuple<Field<Part, Value>...>& fields, Part& part) {
+  const auto keys = std::apply([](const auto&... field) { return std::array{field.key...}; }, fields);
+  in.object(what, keys, keys.size(), [&](std::size_t known) {
+    const auto read = [&](const auto& field) {
+      if (field.key != keys[known]) return;
+      const std::size_t at = in.offset();
+      read_json(in, field.key, part.*field.member);
+      check_rule(in, at, field.key, field.rule, part.*field.member);
+    };
+    std::apply([&](const auto&... field) { (read(field), ...); }, fields);
+  });
+}
+
+/// Writes an object of the fields of the table.
+template <class Part, class... Value>
+void write_fields(json::Writer& out, const std::tuple<Field<Part, Value>...>& fields, const Part& part) {
+  out.begin_object();
+  std::apply([&](const auto&... field) { (out.member(field.key, part.*field.member), ...); }, fields);
+  out.end_object();
+}
+
+}  // namespace durero::io

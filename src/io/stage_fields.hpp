@@ -1,0 +1,47 @@
+#pragma once
+/// Camera, light and material as tables of fields: what a scene file holds of them, read and written, and what the
+/// numbers must be, whatever file they come from.
+
+#include <cmath>
+
+#include "durero/scene/stage.hpp"
+#include "field.hpp"
+
+namespace durero::io {
+
+inline bool is_direction(const glm::dvec3& v) { return v != glm::dvec3{}; }
+inline bool is_view_angle(const double& angle) { return angle > 0 && angle < 180; }
+inline bool is_color(const glm::dvec3& c) { return c.x >= 0 && c.y >= 0 && c.z >= 0; }
+inline bool is_share(const glm::dvec3& c) { return is_color(c) && c.x <= 1 && c.y <= 1 && c.z <= 1; }
+
+/// A side of a picture. 65535² pixels are past every picture that fits in memory.
+inline bool is_side(double pixels) { return pixels >= 1 && pixels <= 65535 && std::trunc(pixels) == pixels; }
+
+inline constexpr Rule<glm::dvec3> direction{is_direction, "the null vector", "a direction"};
+inline constexpr Rule<double> view_angle{is_view_angle, "", "an angle in degrees, above 0 and below 180"};
+inline constexpr Rule<glm::dvec3> light_color{is_color, "negative", "red, green and blue, each from 0"};
+inline constexpr Rule<glm::dvec3> share{is_share, "no share of light", "red, green and blue, each from 0 to 1"};
+
+using scene::Camera;
+using scene::Light;
+using scene::Material;
+using scene::Stage;
+
+inline constexpr std::tuple camera_fields = {Field<Camera, glm::dvec3>{"eye", &Camera::eye, any_triple},
+                                             Field<Camera, glm::dvec3>{"look_at", &Camera::look_at, any_triple},
+                                             Field<Camera, glm::dvec3>{"up", &Camera::up, direction},
+                                             Field<Camera, double>{"fov_y", &Camera::fov_y, view_angle}};
+
+inline constexpr std::tuple light_fields = {Field<Light, glm::dvec3>{"position", &Light::position, any_triple},
+                                            Field<Light, glm::dvec3>{"color", &Light::color, light_color}};
+
+/// Of a material but for its name, which is the key that it stands under.
+inline constexpr std::tuple material_fields = {Field<Material, glm::dvec3>{"color", &Material::color, share}};
+
+/// NFF's view, but for what is no part of a camera.
+inline constexpr std::tuple view_fields = {Field<Camera, glm::dvec3>{"from", &Camera::eye, any_triple},
+                                           Field<Camera, glm::dvec3>{"at", &Camera::look_at, any_triple},
+                                           Field<Camera, glm::dvec3>{"up", &Camera::up, direction},
+                                           Field<Camera, double>{"angle", &Camera::fov_y, view_angle}};
+
+}  // namespace durero::io
