@@ -23,46 +23,46 @@ struct Options {
 };
 
 // The script's operations, then those of --op, numbered as lines after the script's last.
-std::vector<io::Edit> read_edits(const Options& options, const scene::Stage& stage) {
-  std::vector<io::Edit> edits;
+std::vector<io::Instruction> read_script(const Options& options, const scene::Stage& stage) {
+  std::vector<io::Instruction> instructions;
   std::size_t lines = 0;
   if (!options.script.empty() || options.operations.empty()) {
     const io::Source script = io::read_source(options.script.empty() ? "-" : options.script);
-    edits = io::read_operations(script, stage);
+    instructions = io::read_operations(script, stage);
     lines = io::count_lines(script.text());
   }
   std::string joined;
   for (const std::string& operation : options.operations) joined.append(operation).append("\n");
-  for (io::Edit& edit : io::read_operations(io::Source("--op", joined), stage)) {
-    edit.line += lines;
-    edits.push_back(std::move(edit));
+  for (io::Instruction& instruction : io::read_operations(io::Source("--op", joined), stage)) {
+    instruction.line += lines;
+    instructions.push_back(std::move(instruction));
   }
-  return edits;
+  return instructions;
 }
 
 // The Z text decides the same step. Where it decides otherwise the program is wrong, and writes nothing.
-void agree_by_text(const oracle::spec::Judge& judge, const model::Escena& before, const io::Edit& edit,
+void agree_by_text(const oracle::spec::Judge& judge, const model::Escena& before, const io::Instruction& instruction,
                    const model::Answer& answer, const model::Escena& after) {
-  const auto difference = judge.difference(before, edit.operation, answer, after);
+  const auto difference = judge.difference(before, instruction.edit.operation, answer, after);
   if (!difference) return;
   throw std::logic_error(fmt::format("a defect of the program: at line {}, {}; expected that contracts and text agree",
-                                     edit.line, *difference));
+                                     instruction.line, *difference));
 }
 
 int edit(const Options& options) {
   if (options.audit) contract::set_semantic(contract::cost::audit, contract::evaluation_semantic::enforce);
   scene::Scene scene = io::read_scene(io::read_source(options.scene));
-  const std::vector<io::Edit> edits = read_edits(options, scene.stage());
+  const std::vector<io::Instruction> script = read_script(options, scene.stage());
   std::optional<oracle::spec::Judge> judge;
   if (options.by_spec) judge.emplace();
   int status = 0;
   std::string answers;
-  for (const io::Edit& edit : edits) {
+  for (const io::Instruction& instruction : script) {
     std::optional<model::Escena> before;
     if (judge) before = scene::retrieve(scene);
-    const model::Answer answer = io::run(scene, edit);
-    if (judge) agree_by_text(*judge, *before, edit, answer, scene::retrieve(scene));
-    answers.append(io::answer_text(edit.line, answer)).append("\n");
+    const model::Answer answer = scene.apply_total(instruction.edit);
+    if (judge) agree_by_text(*judge, *before, instruction, answer, scene::retrieve(scene));
+    answers.append(io::answer_text(instruction.line, answer)).append("\n");
     if (!answer.ok()) status = 1;
   }
   if (!options.out.empty()) io::write_file(options.out, io::scene_text(scene));

@@ -1,148 +1,158 @@
 #include "element_reader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
-#include <span>
+#include <optional>
+#include <variant>
+#include <vector>
 
+#include "attribute_words.hpp"
 #include "durero/text/shown.hpp"
+#include "field.hpp"
 
 namespace durero::io {
 namespace {
 
-using model::Respuesta;
 using model::Tipo;
 
-enum Field : std::size_t { id, tipo, centro, radio, vector, altura, proporcion, material };
-constexpr std::array<std::string_view, 8> field_names = {"id",     "tipo",   "centro",     "radio",
-                                                         "vector", "altura", "proporcion", "material"};
-constexpr std::size_t always_required = 3;  // id, tipo, centro
+// The keys of an element: id, tipo, the attributes of all shapes, material.
+constexpr std::size_t id = 0, tipo = 1, first_attribute = 2, material = first_attribute + attribute_words.size();
+constexpr auto keys = [] {
+  std::array<std::string_view, material + 1> all{};
+  all[id] = "id";
+  all[tipo] = "tipo";
+  std::ranges::copy(attribute_words, all.begin() + first_attribute);
+  all[material] = "material";
+  return all;
+}();
+constexpr std::size_t required = 2;  // id and tipo; which attributes there must be, the tipo says
 
-constexpr std::array<std::string_view, 3> tipo_names = {"esfera", "cilindro", "cono"};  // in the order of Tipo
+// The value of an attribute, and where its key and the value itself stand.
+struct Read {
+  std::size_t key_offset, offset;
+  std::variant<double, glm::dvec3> value;
+};
 
-// The attributes of each type, and no others (Escena.inv.3 to Escena.inv.6).
-std::span<const Field> attributes(Tipo t) {
-  static constexpr Field esfera[] = {radio};
-  static constexpr Field cilindro[] = {radio, vector, altura};
-  static constexpr Field cono[] = {proporcion, vector, altura};
-  static constexpr std::span<const Field> all[] = {esfera, cilindro, cono};
-  return all[static_cast<std::size_t>(t)];
-}
-
-// What the object of an element holds, and where.
 struct Fields {
-  std::size_t at = 0;                       // the object
-  std::array<std::size_t, 8> key_offset{};  // 0 where the key is not there: no key stands at the start of a text
-  std::array<std::size_t, 8> offset{};      // the values
-  std::string_view id{}, material{};
+  std::size_t at = 0;  // where the object stands
+  Placed<std::string_view> id{};
   Tipo tipo{};
-  glm::dvec3 centro{}, vector{};
-  double radio = 0, altura = 0, proporcion = 0;
+  std::array<std::optional<Read>, attribute_words.size()> attributes{};
+  std::optional<Placed<std::string_view>> material{};
+
+  const std::optional<Read>& attribute(std::string_view word) const {
+    return attributes[static_cast<std::size_t>(std::ranges::find(attribute_words, word) - attribute_words.begin())];
+  }
 };
 
 Tipo read_tipo(json::Reader& in) {
   const std::size_t at = in.offset();
   const std::string_view name = in.string("tipo");
-  const auto found = std::ranges::find(tipo_names, name);
-  if (found == tipo_names.end()) {
-    in.fail(at, fmt::format("tipo is {}", text::shown(name)), "expected \"esfera\", \"cilindro\" or \"cono\"");
+  std::optional<Tipo> known;
+  std::vector<std::string_view> words;
+  scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
+    words.push_back(Shape::word);
+    if (name == Shape::word) known = Shape::tipo;
+  });
+  if (!known) {
+    in.fail(at, fmt::format("tipo is {}", text::shown(name)),
+            fmt::format("expected one of {}", fmt::join(words, ", ")));
   }
-  return static_cast<Tipo>(found - tipo_names.begin());
+  return *known;
 }
 
-void read_field(json::Reader& in, Field field, Fields& f) {
-  f.key_offset[field] = in.key_offset();
-  f.offset[field] = in.offset();
-  const std::string_view what = field_names[field];
-  switch (field) {
-    case id:
-      f.id = in.string(what);
-      if (!model::Elemento::is_name(f.id)) {
-        in.fail(f.offset[id], fmt::format("id is {}", text::shown(f.id)), "expected 1 to 128 of A-Z a-z 0-9 _ . : -");
-      }
-      break;
-    case tipo:
-      f.tipo = read_tipo(in);
-      break;
-    case centro:
-      f.centro = in.vec3(what);
-      break;
-    case radio:
-      f.radio = in.number(what);
-      break;
-    case vector:
-      f.vector = in.vec3(what);
-      break;
-    case altura:
-      f.altura = in.number(what);
-      break;
-    case proporcion:
-      f.proporcion = in.number(what);
-      break;
-    case material:
-      f.material = in.string(what);
-      break;
+std::string_view read_id(json::Reader& in) {
+  const std::size_t at = in.offset();
+  const std::string_view name = in.string("id");
+  if (!model::Elemento::is_name(name)) {
+    in.fail(at, fmt::format("id is {}", text::shown(name)), "expected 1 to 128 of A-Z a-z 0-9 _ . : -");
+  }
+  return name;
+}
+
+Read read_attribute(json::Reader& in, std::string_view word) {
+  Read read{in.key_offset(), in.offset(), {}};
+  with_attribute(word, [&]<class Attribute>(const Attribute&) {
+    typename Attribute::Stored value{};
+    read_json(in, word, value);
+    read.value = value;
+  });
+  return read;
+}
+
+void read_field(json::Reader& in, std::size_t key, Fields& f) {
+  const std::size_t at = in.offset();
+  if (key == id) {
+    f.id = {read_id(in), at};
+  } else if (key == tipo) {
+    f.tipo = read_tipo(in);
+  } else if (key == material) {
+    f.material = {in.string("material"), at};
+  } else {
+    f.attributes[key - first_attribute] = read_attribute(in, keys[key]);
   }
 }
 
-// Each attribute is there if and only if the type has it.
+// Each attribute is there if and only if the shape has it (Escena.inv.3 to Escena.inv.6).
+template <class Shape>
 void check_attributes(const json::Reader& in, const Fields& f) {
-  const auto own = attributes(f.tipo);
-  const std::string_view tipo_name = tipo_names[static_cast<std::size_t>(f.tipo)];
-  for (const Field field : {radio, vector, altura, proporcion}) {
-    const bool there = f.key_offset[field] != 0;
-    const bool wanted = std::ranges::find(own, field) != own.end();
-    if (there && !wanted) {
-      in.fail(f.key_offset[field],
-              fmt::format("unknown key \"{}\" in an element of tipo {}", field_names[field], tipo_name),
+  for (std::size_t i = 0; i < attribute_words.size(); ++i) {
+    const auto& attribute = f.attributes[i];
+    if (attribute && !has_attribute<Shape>(attribute_words[i])) {
+      in.fail(attribute->key_offset,
+              fmt::format("unknown key \"{}\" in an element of tipo {}", attribute_words[i], Shape::word),
               "expected the attributes of its tipo only");
     }
-    if (!there && wanted) {
-      in.fail(f.at, fmt::format("key \"{}\" is missing in an element of tipo {}", field_names[field], tipo_name),
+    if (!attribute && has_attribute<Shape>(attribute_words[i])) {
+      in.fail(f.at, fmt::format("key \"{}\" is missing in an element of tipo {}", attribute_words[i], Shape::word),
               "expected it");
     }
   }
 }
 
-model::Operation addition(const Fields& f) {
-  model::Elemento e{std::string(f.id)};
-  const model::Punto c{f.centro};
-  switch (f.tipo) {
-    case Tipo::soy_esfera:
-      return model::Agregar_Esfera{std::move(e), c, f.radio};
-    case Tipo::soy_cilindro:
-      return model::Agregar_Cilindro{std::move(e), c, f.radio, model::Vector{f.vector}, f.altura};
-    case Tipo::soy_cono:
-      break;
-  }
-  return model::Agregar_Cono{std::move(e), c, f.proporcion, model::Vector{f.vector}, f.altura};
+template <class Shape>
+Shape shape_of(const Fields& f) {
+  Shape shape{};
+  scene::for_each_attribute<Shape>([&]<class Attribute>(const Attribute& attribute) {
+    shape.*attribute.field = std::get<typename Attribute::Stored>(f.attribute(attribute.word)->value);
+  });
+  return shape;
 }
 
-// The operation says which clause does not hold; the file's error stands at the value that breaks it.
-[[noreturn]] void refuse(const json::Reader& in, const Fields& f, const model::Answer& answer) {
-  const auto at_value = [&](Field field, double value) {
-    in.fail(f.offset[field], fmt::format("{} is {}", field_names[field], value),
-            fmt::format("expected {} ({})", model::Rmas_inv_1.predicate, model::Rmas_inv_1.label));
-  };
-  switch (answer.r) {
-    case Respuesta::radio_no_positivo:
-      at_value(radio, f.radio);
-      break;
-    case Respuesta::altura_no_positiva:
-      at_value(altura, f.altura);
-      break;
-    case Respuesta::proporcion_no_positiva:
-      at_value(proporcion, f.proporcion);
-      break;
-    case Respuesta::vector_no_unitario:
-      in.fail(
-          f.offset[vector], fmt::format("vector is ({}, {}, {})", f.vector.x, f.vector.y, f.vector.z),
-          fmt::format("expected a unit vector, {} ({})", model::Unitario_inv_1.predicate, model::Unitario_inv_1.label));
-    default:
-      break;
+// Fails at the value of an attribute that is not in the set that the text gives it: Rmas, Unitario.
+struct Check {
+  const json::Reader& in;
+  std::size_t at;
+  std::string_view word;
+
+  void operator()(std::type_identity<model::Rmas>, double x) const {
+    if (!model::Rmas::contains(x)) fail(fmt::format("{}", x), "", model::Rmas_inv_1);
   }
-  in.fail(f.offset[id], fmt::format("id is {}: {}", text::shown(f.id), model::name(answer.r)),
+  void operator()(std::type_identity<model::Vector>, const glm::dvec3& v) const {
+    if (!model::Unitario::contains(model::Vector{v}))
+      fail(fmt::format("({}, {}, {})", v.x, v.y, v.z), "a unit vector, ", model::Unitario_inv_1);
+  }
+  void operator()(std::type_identity<model::Punto>, const glm::dvec3&) const {}  // every triple is a Punto
+
+ private:
+  void fail(const std::string& value, std::string_view kind, const auto& clause) const {
+    in.fail(at, fmt::format("{} is {}", word, value),
+            fmt::format("expected {}{} ({})", kind, clause.predicate, clause.label));
+  }
+};
+
+// The operation says which clause does not hold; the file's error stands at the value that breaks it.
+template <class Shape>
+[[noreturn]] void refuse(const json::Reader& in, const Fields& f, const model::Answer& answer) {
+  if (answer.r != model::Respuesta::elemento_ya_existe) {
+    scene::for_each_attribute<Shape>([&]<class Attribute>(const Attribute& attribute) {
+      const Read& read = *f.attribute(attribute.word);
+      Check{in, read.offset, attribute.word}(std::type_identity<typename Attribute::Value>(),
+                                             std::get<typename Attribute::Stored>(read.value));
+    });
+  }
+  in.fail(f.id.offset, fmt::format("id is {}: {}", text::shown(f.id.value), model::name(answer.r)),
           fmt::format("expected {} ({})", answer.violated->predicate, answer.violated->label));
 }
 
@@ -151,12 +161,14 @@ model::Operation addition(const Fields& f) {
 void read_element(json::Reader& in, scene::Scene& scene, std::vector<MaterialUse>& uses) {
   Fields f;
   f.at = in.offset();
-  in.object("an element", field_names, always_required,
-            [&](std::size_t field) { read_field(in, static_cast<Field>(field), f); });
-  check_attributes(in, f);
-  const model::Answer answer = scene.apply_total(addition(f));
-  if (!answer.ok()) refuse(in, f, answer);
-  if (f.key_offset[material] != 0) uses.push_back({f.id, {f.material, f.offset[material]}});
+  in.object("an element", keys, required, [&](std::size_t key) { read_field(in, key, f); });
+  scene::with_shape(f.tipo, [&]<class Shape>(std::type_identity<Shape>) {
+    check_attributes<Shape>(in, f);
+    const model::Answer answer = scene.apply_total(
+        model::Operation(scene::addition(model::Elemento{std::string(f.id.value)}, shape_of<Shape>(f))));
+    if (!answer.ok()) refuse<Shape>(in, f, answer);
+  });
+  if (f.material) uses.push_back({f.id.value, *f.material});
 }
 
 }  // namespace durero::io

@@ -13,7 +13,8 @@ struct Placed {
   std::size_t offset = 0;
 };
 
-/// The material that an element names, to be looked up when all of the file has been read.
+/// The material that an element names. Keys may stand in any order, so it is looked up when all of the file has been
+/// read.
 struct MaterialUse {
   std::string_view element;
   Placed<std::string_view> material;

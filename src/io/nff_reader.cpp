@@ -12,6 +12,7 @@
 #include "durero/text/shown.hpp"
 #include "losses.hpp"
 #include "nff_words.hpp"
+#include "scene_elements.hpp"
 #include "stage_fields.hpp"
 
 namespace durero::io {
@@ -135,7 +136,8 @@ class NffReader {
     const glm::dvec3 sent = color * kd;
     check_rule(in_, at, "the colour of f, times Kd,", share, sent);
     if (ks != 0 || transmitted != 0) ++counts_.shiny;
-    const auto [known, is_new] = fills_.try_emplace(std::tuple{sent.x, sent.y, sent.z}, fills_.size());
+    const auto [known, is_new] =
+        fills_.try_emplace(std::tuple{sent.x, sent.y, sent.z}, static_cast<std::uint32_t>(fills_.size()));
     if (is_new) scene_.stage().materials.push_back({fmt::format("f{}", fills_.size()), sent});
     fill_ = known->second;
   }
@@ -191,15 +193,12 @@ class NffReader {
     return model::Elemento{fmt::format("{}{}", letter, ++numbered_[type])};
   }
 
-  void add(std::size_t at, const model::Operation& operation) {
-    const model::Answer answer = scene_.apply_total(operation);
+  void add(std::size_t at, model::Operation operation) {
+    const model::Answer answer = scene_.apply_total(scene::Edit{std::move(operation), fill_});
     if (!answer.ok()) {
       in_.fail(at, std::string(model::name(answer.r)),
                fmt::format("expected {} ({})", answer.violated->predicate, answer.violated->label));
     }
-    if (!fill_) return;
-    const auto& element = std::visit([](const auto& o) -> const model::Elemento& { return o.e; }, operation);
-    filled_.emplace_back(element.name(), *fill_);
   }
 
   void finish_lights() {
@@ -211,16 +210,15 @@ class NffReader {
   // A stage's materials ascend by name; until here they are in the order of the fills.
   void finish_materials() {
     auto& materials = scene_.stage().materials;
-    std::vector<std::string> names;
-    names.reserve(materials.size());
-    for (const auto& material : materials) names.push_back(material.name);
+    const auto by_fill = materials;
     std::ranges::sort(materials, {}, &scene::Material::name);
-    std::vector<std::uint32_t> place;
-    for (const auto& fill : names) {
-      const auto found = std::ranges::lower_bound(materials, fill, {}, &scene::Material::name);
-      place.push_back(static_cast<std::uint32_t>(found - materials.begin()));
+    const auto place = [&](std::uint32_t fill) {
+      const auto found = std::ranges::lower_bound(materials, by_fill[fill].name, {}, &scene::Material::name);
+      return static_cast<std::uint32_t>(found - materials.begin());
+    };
+    for (const scene::ElementRef element : elements_by_name(scene_)) {
+      if (const auto fill = scene_.material(element)) scene_.set_material(element, place(*fill));
     }
-    for (const auto& [element, fill] : filled_) scene_.set_material(scene_.find(element).value(), place[fill]);
   }
 
   std::vector<std::string> losses() const {
@@ -236,10 +234,9 @@ class NffReader {
   NffWords in_;
   scene::Scene scene_;
   Counts counts_;
-  std::vector<std::size_t> colorless_;                               // lights
-  std::map<std::tuple<double, double, double>, std::size_t> fills_;  // colours, to their order
-  std::optional<std::size_t> fill_;                                  // of what follows
-  std::vector<std::pair<std::string, std::size_t>> filled_;          // elements and their fills
+  std::vector<std::size_t> colorless_;                                 // lights
+  std::map<std::tuple<double, double, double>, std::uint32_t> fills_;  // colours, to their order
+  std::optional<std::uint32_t> fill_;                                  // of what follows
   std::array<std::size_t, 3> numbered_{};
 };
 

@@ -10,11 +10,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   return test::fuzz([&] {
     scene::Scene scene;
     scene.stage().materials = {{"red", {1, 0, 0}}};
-    for (const io::Edit& edit : io::read_operations(test::as_source(data, size), scene.stage())) {
+    for (const auto& [line, edit] : io::read_operations(test::as_source(data, size), scene.stage())) {
       const std::size_t before = scene.size();
-      const model::Answer answer = io::run(scene, edit);
+      const model::Answer answer = scene.apply_total(edit);
       test::must(answer.ok() || scene.size() == before);
-      test::must(!io::answer_text(edit.line, answer).empty());
+      test::must(!io::answer_text(line, answer).empty());
     }
   });
 }

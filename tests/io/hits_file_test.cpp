@@ -147,6 +147,11 @@ TEST_CASE("A malformed hit is an error with its place") {
       {R"({"ray":0,"outcome":"hit","elementos":["a"],"t":1,"point":[1,2,3,^4]})",
        "point has a fourth item; expected three numbers"},
       {"\n\n^[]", "a hit is an array; expected an object"},
+      {"{\"ray\":0,\"outcome\":\"miss\",\"elementos\":[]}\n^{\"ray\":1,\"outcome\":\"no_minimum\",\"elementos\":[]}",
+       "outcome no_minimum with 0 elements; expected none where it is miss, and some otherwise"},
+      {R"({"ray":^1e17,"outcome":"miss","elementos":[]})", "ray is 1e+17; expected the number of a ray, from 0"},
+      {R"({"ray":0,"outcome":"hit","elementos":["a"],"t":1,"point":[1,^"x",3]})",
+       "point is \"x\"; expected a number, \"inf\" or \"-inf\""},
   };
   for (const auto& [text, expected] : cases) {
     INFO(text);

@@ -23,8 +23,8 @@ std::string error_at(const std::string& with_mark) { return test::error_at_mark(
 // The answers of a script, one a line.
 std::string answers(scene::Scene& scene, const std::string& script) {
   std::string all;
-  for (const io::Edit& edit : io::read_operations(io::Source("f", script), scene.stage())) {
-    all += io::answer_text(edit.line, io::run(scene, edit)) + "\n";
+  for (const auto& [line, edit] : io::read_operations(io::Source("f", script), scene.stage())) {
+    all += io::answer_text(line, scene.apply_total(edit)) + "\n";
   }
   return all;
 }
@@ -110,7 +110,7 @@ TEST_CASE("An addition as text reads back with the same numbers") {
           fmt::format(R"({{"op":"Agregar_Esfera","e":"a","centro":[{},{},{}],"radio":{}}})", c.x, c.y, c.z, r)}) {
       const auto edits = io::read_operations(io::Source("f", text), {});
       RC_ASSERT(edits.size() == 1U);
-      const auto& read = std::get<model::Agregar_Esfera>(edits[0].operation);
+      const auto& read = std::get<model::Agregar_Esfera>(edits[0].edit.operation);
       RC_ASSERT(read.centro.xyz() == c);
       RC_ASSERT(read.radio == r);
     }
@@ -148,7 +148,7 @@ TEST_CASE("A malformed operation is an error with its place") {
       {"^Agregar_Elemento e?=a t?=soy_cono centro?=(0,0,0) radio?=1",
        "Agregar_Elemento lacks proporcion?; expected it"},
       {"Agregar_Elemento e?=a t?=^cono centro?=(0,0,0) radio?=1",
-       "t? is \"cono\"; expected soy_esfera, soy_cilindro or soy_cono"},
+       "t? is \"cono\"; expected one of soy_esfera, soy_cilindro, soy_cono"},
       {"^{\"e\":\"a\"}", "key \"op\" is missing; expected the name of an operation"},
       {"{\"op\":^3}", "op is a number; expected a string"},
       {"{\"op\":\"Eliminar_Esfera\",^\"op\":\"Eliminar_Esfera\"}", "key \"op\" stands twice; expected it once"},

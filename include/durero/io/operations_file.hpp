@@ -8,7 +8,6 @@
 /// decimal or, as text, C's hexadecimal. What an operation refuses (radius 0, a name that is taken) is no error of the
 /// text: it is answered. An error is what no operation could be made of.
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,18 +16,14 @@
 
 namespace durero::io {
 
-/// One operation of a script.
-struct Edit {
+/// One line of a script: the edit that it asks for.
+struct Instruction {
   std::size_t line;  ///< from 1
-  model::Operation operation;
-  std::optional<std::uint32_t> material{};  ///< index into the stage's materials
+  scene::Edit edit;
 };
 
 /// Reads a whole script, so that a malformed line stops it before anything is done. Throws InputError.
-std::vector<Edit> read_operations(const Source& source, const scene::Stage& stage);
-
-/// Runs the total operation.
-model::Answer run(scene::Scene& scene, const Edit& edit);
+std::vector<Instruction> read_operations(const Source& source, const scene::Stage& stage);
 
 /// `{"line":1,"ok":true,"r":"esfera_agregada"}`, or with what was violated; without line end.
 std::string answer_text(std::size_t line, const model::Answer& answer);

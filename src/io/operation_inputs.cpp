@@ -1,0 +1,93 @@
+#include "operation_inputs.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "durero/io/number_text.hpp"
+#include "durero/scene/shapes.hpp"
+#include "durero/text/shown.hpp"
+
+namespace durero::io {
+
+Inputs::Inputs(const Source& source, const Call& call, const Signature& signature) : source_(source), call_(call) {
+  for (const Input& input : call.inputs) check_known(input, signature);
+  for (const std::string_view name : signature.required) require(name);
+}
+
+void Inputs::check_known(const Input& input, const Signature& signature) const {
+  std::vector<std::string_view> known = signature.required;
+  known.insert(known.end(), signature.optional.begin(), signature.optional.end());
+  if (std::ranges::find(known, input.name) == known.end()) {
+    source_.fail(input.name_offset, fmt::format("unknown input {} of {}", text::shown(input.name), signature.name),
+                 fmt::format("expected one of {}", fmt::join(known, ", ")));
+  }
+  if (find(input.name) != &input) {
+    source_.fail(input.name_offset, fmt::format("{}? stands twice", input.name), "expected it once");
+  }
+}
+
+// The first of that name: of two, the second is refused.
+const Input* Inputs::find(std::string_view name) const {
+  const auto found = std::ranges::find(call_.inputs, name, &Input::name);
+  return found == call_.inputs.end() ? nullptr : &*found;
+}
+
+void Inputs::require(std::string_view name) const {
+  if (!has(name)) source_.fail(call_.offset, fmt::format("{} lacks {}?", call_.schema, name), "expected it");
+}
+
+model::Elemento Inputs::element() const {
+  const std::string& name = word("e");
+  if (!model::Elemento::is_name(name)) {
+    fail("e", fmt::format("e? is {}", text::shown(name)), "expected a name, 1 to 128 of A-Z a-z 0-9 _ . : -");
+  }
+  return model::Elemento{name};
+}
+
+model::Tipo Inputs::tipo() const {
+  std::optional<model::Tipo> known;
+  std::vector<std::string_view> names;
+  scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
+    names.push_back(model::name(Shape::tipo));
+    if (word("t") == names.back()) known = Shape::tipo;
+  });
+  if (!known) {
+    fail("t", fmt::format("t? is {}", text::shown(word("t"))),
+         fmt::format("expected one of {}", fmt::join(names, ", ")));
+  }
+  return *known;
+}
+
+void Inputs::read(std::string_view name, double& value) const {
+  const auto& written = find(name)->value;
+  if (const auto* number = std::get_if<double>(&written)) {
+    value = *number;
+    return;
+  }
+  const auto* digits = std::get_if<Word>(&written);
+  if (digits == nullptr) fail(name, fmt::format("{}? is no number", name), "expected a finite number");
+  const auto number = read_finite(digits->text);
+  if (!number) fail(name, fmt::format("{}? is {}", name, text::shown(digits->text)), "expected a finite number");
+  value = *number;
+}
+
+void Inputs::read(std::string_view name, glm::dvec3& value) const {
+  const auto* triple = std::get_if<glm::dvec3>(&find(name)->value);
+  if (triple == nullptr) fail(name, fmt::format("{}? is no triple", name), "expected (x,y,z), or [x,y,z] in JSON");
+  value = *triple;
+}
+
+const std::string& Inputs::word(std::string_view name) const {
+  const auto& written = find(name)->value;
+  if (const auto* text = std::get_if<std::string>(&written)) return *text;
+  if (const auto* text = std::get_if<Word>(&written)) return text->text;
+  fail(name, fmt::format("{}? is no name", name), "expected a name");
+}
+
+void Inputs::fail(std::string_view name, const std::string& wrong, const std::string& expected) const {
+  source_.fail(find(name)->value_offset, wrong, expected);
+}
+
+}  // namespace durero::io
