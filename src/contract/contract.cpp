@@ -19,7 +19,7 @@ constexpr std::string_view name(kind what) {
     case kind::assertion:
       return "assertion";
   }
-  return "clause";
+  unreachable();
 }
 
 void default_handler(const contract_violation& violation) {

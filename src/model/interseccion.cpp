@@ -16,11 +16,11 @@ std::function<Surd(const ExactPoint&)> power_of(const Escena& s, const Elemento&
         return potencia_cilindro(w, centro, radio, dir);
       };
     case Tipo::soy_cono:
-      break;
+      return [=, prop = s.mi_proporcion.at(e), dir = s.mi_vector.at(e), h = s.mi_altura.at(e)](const ExactPoint& w) {
+        return potencia_cono(w, centro, prop, dir, h);
+      };
   }
-  return [=, prop = s.mi_proporcion.at(e), dir = s.mi_vector.at(e), h = s.mi_altura.at(e)](const ExactPoint& w) {
-    return potencia_cono(w, centro, prop, dir, h);
-  };
+  contract::unreachable();
 }
 
 /// The parameters of the points of the ray that lie on e, or where `desde` holds of those whose power is the origin's.

@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "durero/model/operaciones_errors.hpp"
+#include "durero/model/operaciones_clauses.hpp"
 
 namespace durero::model {
 namespace {
@@ -15,64 +15,63 @@ using contract::cost;
 
 static_assert(std::is_nothrow_move_assignable_v<Escena>);
 
+/// Whether an operation has the input of this attribute.
+template <class Attribute, class Op>
+concept InputOf = std::is_invocable_v<decltype(Attribute::input), const Op&>;
+
+/// The inputs of each addition are the attributes that Escena.inv.3 to Escena.inv.6 give its type, and the general
+/// addition has them all.
+template <class... A>
+consteval bool inputs_are_attributes(std::type_identity<std::variant<A...>>) {
+  bool agree = true;
+  for_each_attribute([&]<class Attribute>(const Attribute& attribute) {
+    agree = agree && InputOf<Attribute, Agregar_Elemento> &&
+            ((InputOf<Attribute, A> == attribute.types.contains(A::tipo)) && ...);
+  });
+  return agree;
+}
+static_assert(inputs_are_attributes(std::type_identity<Addition>()));
+
 // The values that a violation is printed with.
 
-std::string text(const Punto& p) { return fmt::format("({}, {}, {})", p.x(), p.y(), p.z()); }
-std::string text(const Vector& v) { return fmt::format("({}, {}, {})", v.x(), v.y(), v.z()); }
-
-std::string values(const Agregar_Esfera& in) {
-  return fmt::format("e? = {}, t? = {}, centro? = {}, radio? = {}", in.e.name(), name(in.t), text(in.centro), in.radio);
+double text(double x) { return x; }
+template <class Triple>
+std::string text(const Triple& p) {
+  return fmt::format("({}, {}, {})", p.x(), p.y(), p.z());
 }
 
-std::string values(const Agregar_Cilindro& in) {
-  return fmt::format("e? = {}, t? = {}, centro? = {}, radio? = {}, vector? = {}, altura? = {}", in.e.name(), name(in.t),
-                     text(in.centro), in.radio, text(in.vector), in.altura);
-}
-
-std::string values(const Agregar_Cono& in) {
-  return fmt::format("e? = {}, t? = {}, centro? = {}, proporcion? = {}, vector? = {}, altura? = {}", in.e.name(),
-                     name(in.t), text(in.centro), in.proporcion, text(in.vector), in.altura);
+template <class Op>
+std::string values(const Op& in) {
+  std::string all = fmt::format("e? = {}, t? = {}, centro? = {}", in.e.name(), name(in.t), text(in.centro));
+  for_each_attribute([&]<class Attribute>(const Attribute& attribute) {
+    if constexpr (InputOf<Attribute, Op>)
+      all += fmt::format(", {} = {}", attribute.input_name, text(attribute.input(in)));
+  });
+  return all;
 }
 
 std::string values(const Agregar_Elemento& in) {
   return std::visit([](const auto& addition) { return values(addition); }, specific(in));
 }
 
-template <class Removal>
-std::string values(const Removal& in) {
+template <class Op>
+  requires(!requires(const Op& in) { in.t; })
+std::string values(const Op& in) {
   return fmt::format("e? = {}", in.e.name());
 }
 
 // The after-state of an operation.
 
 template <class Op>
-Escena with_element(Escena s, const Op& in) {
+Escena after_of(const Escena& before, const Op& in) {
+  Escena s = before;
   s.elementos.insert(in.e);
   s.tipos.insert(in.t);
   s.de_que_tipo.emplace(in.e, in.t);
   s.mi_centro.emplace(in.e, in.centro);
-  return s;
-}
-
-Escena after_of(const Escena& before, const Agregar_Esfera& in) {
-  Escena s = with_element(before, in);
-  s.mi_radio.emplace(in.e, in.radio);
-  return s;
-}
-
-Escena after_of(const Escena& before, const Agregar_Cilindro& in) {
-  Escena s = with_element(before, in);
-  s.mi_radio.emplace(in.e, in.radio);
-  s.mi_vector.emplace(in.e, in.vector);
-  s.mi_altura.emplace(in.e, in.altura);
-  return s;
-}
-
-Escena after_of(const Escena& before, const Agregar_Cono& in) {
-  Escena s = with_element(before, in);
-  s.mi_vector.emplace(in.e, in.vector);
-  s.mi_altura.emplace(in.e, in.altura);
-  s.mi_proporcion.emplace(in.e, in.proporcion);
+  for_each_attribute([&]<class Attribute>(const Attribute& attribute) {
+    if constexpr (InputOf<Attribute, Op>) (s.*attribute.component).emplace(in.e, attribute.input(in));
+  });
   return s;
 }
 
@@ -81,16 +80,14 @@ Escena after_of(const Escena& before, const Agregar_Elemento& in) {
 }
 
 /// Every removal forgets the name in every component; the types are those that are left.
-template <class Removal>
-Escena after_of(const Escena& before, const Removal& in) {
+template <class Op>
+  requires(!requires(const Op& in) { in.t; })
+Escena after_of(const Escena& before, const Op& in) {
   Escena s = before;
   s.elementos.erase(in.e);
   s.de_que_tipo.erase(in.e);
   s.mi_centro.erase(in.e);
-  s.mi_radio.erase(in.e);
-  s.mi_vector.erase(in.e);
-  s.mi_altura.erase(in.e);
-  s.mi_proporcion.erase(in.e);
+  for_each_attribute([&](const auto& attribute) { (s.*attribute.component).erase(in.e); });
   s.tipos.clear();
   for (const auto& [e, t] : s.de_que_tipo) s.tipos.insert(t);
   return s;
@@ -98,19 +95,21 @@ Escena after_of(const Escena& before, const Removal& in) {
 
 template <class Op>
 void check_before(const Escena& before, const Op& in) {
-  if (contract::evaluated(cost::audit)) check(inv(before), cost::audit, values(in));
-  if (contract::evaluated(cost::normal)) check(pre(before, in), cost::normal, values(in));
+  const auto about = [&] { return values(in); };
+  if (contract::evaluated(cost::audit)) check(inv(before), cost::audit, about);
+  if (contract::evaluated(cost::normal)) check(pre(before, in), cost::normal, about);
 }
 
 template <class Op>
 void check_after(const Escena& before, const Op& in, const Escena& after, Respuesta r) {
+  const auto about = [&] { return values(in); };
   if (contract::evaluated(cost::normal)) {
-    check(post(before, in, after, r, cost::normal), cost::normal, values(in));
-    check(inv_at(after, in.e), cost::normal, values(in));
+    check(post(before, in, after, r, cost::normal), cost::normal, about);
+    check(inv_at(after, in.e), cost::normal, about);
   }
   if (contract::evaluated(cost::audit)) {
-    check(post(before, in, after, r, cost::audit), cost::audit, values(in));
-    check(inv(after), cost::audit, values(in));
+    check(post(before, in, after, r, cost::audit), cost::audit, about);
+    check(inv(after), cost::audit, about);
   }
 }
 
@@ -126,24 +125,35 @@ Respuesta perform(Escena& escena, const Op& in) {
 /// \hide (t?): the name of a specific addition says the type, so some t? will do, and its own does.
 template <class Op>
 Op hide_t(Op in) {
+  if constexpr (requires { in.t = Op::tipo; }) in.t = Op::tipo;
   return in;
 }
-Agregar_Esfera hide_t(const Agregar_Esfera& in) { return {in.e, in.centro, in.radio}; }
-Agregar_Cilindro hide_t(const Agregar_Cilindro& in) { return {in.e, in.centro, in.radio, in.vector, in.altura}; }
-Agregar_Cono hide_t(const Agregar_Cono& in) { return {in.e, in.centro, in.proporcion, in.vector, in.altura}; }
+
+/// The first error of the total operation, in the order of the text, and the precondition that it denies.
+struct FirstError {
+  Error error;
+  const clause* violated;
+};
+
+template <class Op>
+std::optional<FirstError> first_error(const Escena& escena, const Op& in) {
+  std::optional<FirstError> first;
+  preconditions(in, escena, [&](const clause& what, const Refusal& refusal, auto&& holds) {
+    if (!first && refusal && !holds()) first = {*refusal, &what};
+  });
+  return first;
+}
 
 template <class Op>
 Answer perform_total(Escena& escena, const Op& in) {
-  if (all_hold(pre(escena, in))) return {perform(escena, in)};
-  for (const Refusal& refusal : refusals(in))
-    if (std::visit([&](const auto& error) { return all_hold(pre(escena, error)); }, refusal.error))
-      return {model::apply(std::as_const(escena), refusal.error), refusal.violated};
-  throw std::logic_error("a precondition is broken that no error denies");
+  const auto first = first_error(escena, in);
+  if (!first) return {perform(escena, in)};
+  return {model::apply(std::as_const(escena), first->error), first->violated};
 }
 
 }  // namespace
 
-std::variant<Agregar_Esfera, Agregar_Cilindro, Agregar_Cono> specific(const Agregar_Elemento& in) {
+Addition specific(const Agregar_Elemento& in) {
   const auto required = [](const auto& attribute, const char* what) {
     if (!attribute) throw std::invalid_argument(fmt::format("Agregar_Elemento: {} is absent", what));
     return *attribute;
@@ -155,13 +165,13 @@ std::variant<Agregar_Esfera, Agregar_Cilindro, Agregar_Cono> specific(const Agre
       return Agregar_Cilindro{in.e, in.centro, required(in.radio, "radio?"), required(in.vector, "vector?"),
                               required(in.altura, "altura?")};
     case Tipo::soy_cono:
-      break;
+      return Agregar_Cono{in.e, in.centro, required(in.proporcion, "proporcion?"), required(in.vector, "vector?"),
+                          required(in.altura, "altura?")};
   }
-  return Agregar_Cono{in.e, in.centro, required(in.proporcion, "proporcion?"), required(in.vector, "vector?"),
-                      required(in.altura, "altura?")};
+  contract::unreachable();
 }
 
-std::variant<Eliminar_Esfera, Eliminar_Cilindro, Eliminar_Cono> specific(const Escena& s, const Eliminar_Elemento& in) {
+Removal specific(const Escena& s, const Eliminar_Elemento& in) {
   contract::require(Eliminar_Elemento_pre_1, s.elementos.contains(in.e));
   switch (s.de_que_tipo.at(in.e)) {
     case Tipo::soy_esfera:
@@ -169,9 +179,9 @@ std::variant<Eliminar_Esfera, Eliminar_Cilindro, Eliminar_Cono> specific(const E
     case Tipo::soy_cilindro:
       return Eliminar_Cilindro{in.e};
     case Tipo::soy_cono:
-      break;
+      return Eliminar_Cono{in.e};
   }
-  return Eliminar_Cono{in.e};
+  contract::unreachable();
 }
 
 Respuesta apply(Escena& escena, const Operation& operation) {

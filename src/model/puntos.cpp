@@ -113,9 +113,9 @@ Puntos puntos_de_elemento(const Escena& s, const Elemento& e) {
     case Tipo::soy_cilindro:
       return puntos_cilindro(s.mi_centro.at(e), s.mi_radio.at(e), s.mi_vector.at(e), s.mi_altura.at(e));
     case Tipo::soy_cono:
-      break;
+      return puntos_cono(s.mi_centro.at(e), s.mi_proporcion.at(e), s.mi_vector.at(e), s.mi_altura.at(e));
   }
-  return puntos_cono(s.mi_centro.at(e), s.mi_proporcion.at(e), s.mi_vector.at(e), s.mi_altura.at(e));
+  contract::unreachable();
 }
 
 Puntos puntos_de_escena(const Escena& escena) {

@@ -3,22 +3,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/multiprecision/gmp.hpp>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
+
+#include "durero/number/rational.hpp"
 
 namespace durero::model {
 namespace {
 
-using rational = boost::multiprecision::mpq_rational;
+using number::exact;
+using number::Rational;
 
 void require_reals(const char* type, const glm::dvec3& xyz) {
   if (std::isfinite(xyz.x) && std::isfinite(xyz.y) && std::isfinite(xyz.z)) return;
   throw std::domain_error(fmt::format("{} ({}, {}, {}): a component is no real number", type, xyz.x, xyz.y, xyz.z));
 }
 
-rational squared_length(const Vector& d) {
-  const rational x(d.x()), y(d.y()), z(d.z());
+Rational squared_length(const Vector& d) {
+  const Rational x = exact(d.x()), y = exact(d.y()), z = exact(d.z());
   return x * x + y * y + z * z;
 }
 
@@ -48,8 +51,8 @@ bool Unitario::contains(const Vector& d) {
   if (off <= tolerancia_unidad - error) return true;
   if (off > tolerancia_unidad + error) return false;
   // Exact.
-  const rational exact = squared_length(d), tolerance(tolerancia_unidad);
-  return 1 - tolerance <= exact && exact <= 1 + tolerance;
+  const Rational squared = squared_length(d), tolerance = exact(tolerancia_unidad);
+  return 1 - tolerance <= squared && squared <= 1 + tolerance;
 }
 
 Rayo::Rayo(const Punto& p, const Vector& v) : p_(p), v_(v) {
@@ -69,16 +72,51 @@ bool Elemento::is_name(std::string_view text) noexcept {
 }
 
 std::string_view name(Tipo tipo) noexcept {
-  constexpr std::string_view names[] = {"soy_esfera", "soy_cilindro", "soy_cono"};
-  return names[static_cast<int>(tipo)];
+  switch (tipo) {
+    case Tipo::soy_esfera:
+      return "soy_esfera";
+    case Tipo::soy_cilindro:
+      return "soy_cilindro";
+    case Tipo::soy_cono:
+      return "soy_cono";
+  }
+  contract::unreachable();
 }
 
 std::string_view name(Respuesta r) noexcept {
-  constexpr std::string_view names[] = {
-      "elemento_agregado", "elemento_eliminado", "esfera_agregada",    "cilindro_agregado",  "cono_agregado",
-      "esfera_eliminada",  "cilindro_eliminado", "cono_eliminado",     "elemento_ya_existe", "elemento_no_existe",
-      "tipo_incorrecto",   "radio_no_positivo",  "vector_no_unitario", "altura_no_positiva", "proporcion_no_positiva"};
-  return names[static_cast<int>(r)];
+  switch (r) {
+    case Respuesta::elemento_agregado:
+      return "elemento_agregado";
+    case Respuesta::elemento_eliminado:
+      return "elemento_eliminado";
+    case Respuesta::esfera_agregada:
+      return "esfera_agregada";
+    case Respuesta::cilindro_agregado:
+      return "cilindro_agregado";
+    case Respuesta::cono_agregado:
+      return "cono_agregado";
+    case Respuesta::esfera_eliminada:
+      return "esfera_eliminada";
+    case Respuesta::cilindro_eliminado:
+      return "cilindro_eliminado";
+    case Respuesta::cono_eliminado:
+      return "cono_eliminado";
+    case Respuesta::elemento_ya_existe:
+      return "elemento_ya_existe";
+    case Respuesta::elemento_no_existe:
+      return "elemento_no_existe";
+    case Respuesta::tipo_incorrecto:
+      return "tipo_incorrecto";
+    case Respuesta::radio_no_positivo:
+      return "radio_no_positivo";
+    case Respuesta::vector_no_unitario:
+      return "vector_no_unitario";
+    case Respuesta::altura_no_positiva:
+      return "altura_no_positiva";
+    case Respuesta::proporcion_no_positiva:
+      return "proporcion_no_positiva";
+  }
+  contract::unreachable();
 }
 
 }  // namespace durero::model

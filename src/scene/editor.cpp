@@ -2,7 +2,7 @@
 // seen; the edit itself cannot fail; where a postcondition is broken the edit is undone, which cannot fail either.
 
 #include "clauses.hpp"
-#include "durero/model/operaciones_predicates.hpp"
+#include "durero/model/operaciones_clauses.hpp"
 #include "durero/scene/retrieve.hpp"
 #include "durero/scene/scene.hpp"
 
@@ -185,8 +185,9 @@ class Editor {
   void audit(const std::optional<model::Escena>& before, const Op& in, Respuesta r) const {
     if (!before) return;
     const model::Escena after = retrieve(scene_);
-    model::check(model::post(*before, in, after, r, cost::audit), cost::audit, "e = " + in.e.name());
-    model::check(model::inv(after), cost::audit, "e = " + in.e.name());
+    const auto about = [&] { return values(in.e); };
+    model::check(model::post(*before, in, after, r, cost::audit), cost::audit, about);
+    model::check(model::inv(after), cost::audit, about);
   }
 
   /// A name without a row: nothing to remove, whatever the semantic of preconditions is.

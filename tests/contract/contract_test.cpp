@@ -106,12 +106,12 @@ TEST_CASE("audit clauses are ignored until they are asked for") {
   const auto look = [&] { return evaluated = true, false; };
   contract::check(inv, look, contract::no_values, cost::audit);
   CHECK_FALSE(evaluated);
-  CHECK_FALSE(contract::old_value(1));
+  CHECK_FALSE(contract::old_value([] { return 1; }));
 
   const scoped_semantic audited(cost::audit, evaluation_semantic::enforce);
   CHECK_THROWS_AS(contract::check(inv, look, contract::no_values, cost::audit), contract::contract_violation);
   CHECK(evaluated);
-  CHECK(contract::old_value(1) == 1);
+  CHECK(contract::old_value([] { return 1; }) == 1);
 }
 
 TEST_CASE("a scope puts the semantic before back") {

@@ -60,6 +60,14 @@ grep -rl 'Agregar_Cono\.pre\.4' tests --include=*.cpp | xargs sed -i 's/Agregar_
 sees labels "a clause that no test violates"
 grep -rl '"Escena\.inv\.3"' include src | xargs sed -i 's/"Escena\.inv\.3"/"Escena.inv.77"/'
 sees labels "a clause of no predicate"
+sed -i '/visit(Agregar_Cono_post_4,/d' include/durero/model/operaciones_clauses.hpp
+sees labels "a clause of model that nothing evaluates"
+sed -i 's/visit(model::Eliminar_Cilindro_post_3,/visit(model::Eliminar_Cilindro_post_4,/' src/scene/clauses.hpp
+sees labels "a predicate of an operation that the tables do not check"
+sed -i 's/model::Agregar_Esfera_post_6/model::Elemento_Agregado_post_1/' src/scene/clauses.hpp
+sees labels "a clause of the tables that is no predicate of an operation"
+sed -i 's/clause Es_Cono_pre_1/clause Es_Cono_pre_2/' include/durero/model/operaciones_errors.hpp
+sees labels "a clause whose name and label differ"
 sed -i 's/^| `Escena` | 8 /| `Escena` | 9 /' README.md
 sees specified "a table that says what is not so"
 sed -i 's/"Escena\.inv\.8"/"Escena.inv.88"/' include/durero/model/escena.hpp

@@ -1,5 +1,6 @@
 #include "durero/model/operaciones_errors.hpp"
 
+#include "durero/model/operaciones.hpp"
 #include "escenas.hpp"
 #include "support/catch.hpp"
 #include "support/clauses.hpp"
@@ -19,11 +20,11 @@ std::string out_of_place(const Error& error) {
   return violated([&] { model::apply(escena, error); });
 }
 
-/// The label that sees an answer that is not the error's.
+/// The label that sees an answer that is not the error's, on one_of_each(), where it applies.
 template <class Schema>
 std::string wrong_answer(const Schema& in) {
-  CHECK(all_hold(post(in, in.answer)));
-  return violated([&] { check(post(in, Respuesta::elemento_agregado), cost::normal); });
+  CHECK(all_hold(judgements(one_of_each(), in, in.answer)));
+  return violated([&] { check(judgements(one_of_each(), in, Respuesta::elemento_agregado), cost::normal); });
 }
 
 /// What the total operation answers on one_of_each(), which must stay as it was where the answer is an error.

@@ -2,7 +2,7 @@
 
 #include <new>
 
-#include "durero/model/operaciones_predicates.hpp"
+#include "durero/model/operaciones_clauses.hpp"
 #include "escenas.hpp"
 #include "support/catch.hpp"
 #include "support/clauses.hpp"

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "durero/model/operaciones_errors.hpp"
+#include "durero/model/operaciones_clauses.hpp"
 #include "escenas.hpp"
 #include "support/catch.hpp"
 #include "support/clauses.hpp"

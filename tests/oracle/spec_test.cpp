@@ -3,8 +3,8 @@
 #include <map>
 
 #include "durero/model/interseccion.hpp"
+#include "durero/model/operaciones_clauses.hpp"
 #include "durero/model/operaciones_errors.hpp"
-#include "durero/model/operaciones_predicates.hpp"
 #include "durero/scene/retrieve.hpp"
 #include "support/catch.hpp"
 #include "support/sanitized.hpp"

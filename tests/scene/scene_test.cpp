@@ -6,7 +6,7 @@
 #include <string>
 #include <tuple>
 
-#include "durero/model/operaciones_predicates.hpp"
+#include "durero/model/operaciones_clauses.hpp"
 #include "durero/scene/retrieve.hpp"
 #include "support/catch.hpp"
 #include "support/clauses.hpp"

@@ -14,6 +14,7 @@
 #include <source_location>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 namespace durero::contract {
@@ -135,11 +136,14 @@ void require(const clause& what, bool holds, Values&& values = no_values,
     report(what, std::forward<Values>(values)(), where, evaluation_semantic::enforce);
 }
 
-/// The old value of a state: a copy, made only when audit clauses are evaluated; empty otherwise.
+/// The old value of a state, `state()`: taken only when audit clauses are evaluated; empty otherwise.
 template <class State>
-std::optional<State> old_value(const State& state) {
+std::optional<std::invoke_result_t<State>> old_value(State&& state) {
   if (!evaluated(cost::audit)) return std::nullopt;
-  return state;
+  return std::forward<State>(state)();
 }
+
+/// Stands after a switch that names every value of a closed set: there is no other value.
+[[noreturn]] constexpr void unreachable() noexcept { __builtin_unreachable(); }
 
 }  // namespace durero::contract

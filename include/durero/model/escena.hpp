@@ -1,10 +1,12 @@
 #pragma once
 /// spec/escena.tex: a scene is a finite set of elements, each of one type, with the attributes of its type.
 
+#include <initializer_list>
 #include <map>
 #include <set>
-#include <vector>
+#include <tuple>
 
+#include "durero/model/judgement.hpp"
 #include "durero/model/tipos.hpp"
 
 namespace durero::model {
@@ -36,28 +38,59 @@ struct Escena {
   bool operator==(const Escena&) const = default;
 };
 
-/// A clause and whether it holds.
-struct Judgement {
-  const contract::clause* what;
-  bool holds;
+/// A set of types that is known at compile time, such as { soy_cilindro, soy_cono }.
+class Tipos {
+ public:
+  constexpr Tipos(std::initializer_list<Tipo> types) {
+    for (const Tipo t : types) bits_ |= bit(t);
+  }
+  constexpr bool contains(Tipo t) const { return (bits_ & bit(t)) != 0; }
+
+ private:
+  static constexpr unsigned bit(Tipo t) { return 1U << static_cast<unsigned>(t); }
+  unsigned bits_ = 0;
 };
-using Judgements = std::vector<Judgement>;
+
+/// An attribute that some types have and others lack: what the text says of it, once for all who walk the attributes.
+template <class Value, class Input>
+struct Attribute {
+  const contract::clause* domain;  ///< the invariant that says which elements have it
+  Tipos types;                     ///< the types that the invariant names
+  std::map<Elemento, Value> Escena::*component;
+  std::string_view input_name;
+  Input input;  ///< input(in) is that input of an addition; no call for one without it
+};
+
+/// The attributes of Escena.inv.3 to Escena.inv.6, in that order.
+inline constexpr std::tuple attributes{
+    Attribute{&Escena_inv_3, Tipos{Tipo::soy_esfera, Tipo::soy_cilindro}, &Escena::mi_radio, "radio?",
+              [](auto& in) -> decltype((in.radio)) { return in.radio; }},
+    Attribute{&Escena_inv_4, Tipos{Tipo::soy_cilindro, Tipo::soy_cono}, &Escena::mi_vector, "vector?",
+              [](auto& in) -> decltype((in.vector)) { return in.vector; }},
+    Attribute{&Escena_inv_5, Tipos{Tipo::soy_cilindro, Tipo::soy_cono}, &Escena::mi_altura, "altura?",
+              [](auto& in) -> decltype((in.altura)) { return in.altura; }},
+    Attribute{&Escena_inv_6, Tipos{Tipo::soy_cono}, &Escena::mi_proporcion, "proporcion?",
+              [](auto& in) -> decltype((in.proporcion)) { return in.proporcion; }}};
+
+/// visit(attribute) for each of them.
+template <class Visit>
+constexpr void for_each_attribute(Visit&& visit) {
+  std::apply([&](const auto&... attribute) { (visit(attribute), ...); }, attributes);
+}
 
 /// The empty scene (Init). Its postcondition is checked.
 Escena Init();
 /// The clauses of Init over its after-state.
 Judgements Init_post(const Escena& after);
 
-/// Escena.inv.1 to Escena.inv.8, in that order: the whole predicates. O(n log n).
+/// de_que_tipo(e) = t; false where e ∉ dom de_que_tipo. O(log n).
+bool is_of_type(const Escena& escena, const Elemento& e, Tipo t);
+
+/// Escena.inv.1 to Escena.inv.8, in that order: the whole predicates. O(n) for n elements, and no copy of them.
 Judgements inv(const Escena& escena);
 /// What Escena.inv.1 to Escena.inv.8 say of one element: e lies on both sides of each equation or on neither, its type
 /// is among the types, its vector is an axis. Where e is the only element that changed since the invariant held, and
 /// no type was lost, this is the invariant. O(log n).
 Judgements inv_at(const Escena& escena, const Elemento& e);
-
-/// Checks every judgement as a contract at this price; `about` says on what values.
-void check(const Judgements& judgements, contract::cost price, const std::string& about = {});
-/// True when every judgement holds.
-bool all_hold(const Judgements& judgements) noexcept;
 
 }  // namespace durero::model

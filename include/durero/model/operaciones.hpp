@@ -6,6 +6,7 @@
 /// leaves the scene as it was. The price is O(n) an operation; scene::Scene is the refinement in O(1).
 
 #include <optional>
+#include <string_view>
 #include <variant>
 
 #include "durero/model/tipos.hpp"
@@ -14,15 +15,19 @@ namespace durero::model {
 
 struct Escena;
 
-// The operations. A length arrives as a real, so that what is not in Rmas can be refused by name. `answer` is the r!
-// of the operation when it is done.
+// The operations. A length arrives as a real, so that what is not in Rmas can be refused by name. Of each, `schema` and
+// `total` are the names of the partial and of the total operation in the text, and `answer` is the r! of the operation
+// when it is done.
 
 struct Agregar_Esfera {
   Elemento e;
   Punto centro;
   double radio;
-  Tipo t = Tipo::soy_esfera;
+  Tipo t = tipo;
+
+  static constexpr Tipo tipo = Tipo::soy_esfera;
   static constexpr Respuesta answer = Respuesta::esfera_agregada;
+  static constexpr std::string_view schema = "Agregar_Esfera", total = "Agregar_Esfera_Total";
 };
 
 struct Agregar_Cilindro {
@@ -31,8 +36,11 @@ struct Agregar_Cilindro {
   double radio;
   Vector vector;
   double altura;
-  Tipo t = Tipo::soy_cilindro;
+  Tipo t = tipo;
+
+  static constexpr Tipo tipo = Tipo::soy_cilindro;
   static constexpr Respuesta answer = Respuesta::cilindro_agregado;
+  static constexpr std::string_view schema = "Agregar_Cilindro", total = "Agregar_Cilindro_Total";
 };
 
 struct Agregar_Cono {
@@ -41,23 +49,35 @@ struct Agregar_Cono {
   double proporcion;
   Vector vector;
   double altura;
-  Tipo t = Tipo::soy_cono;
+  Tipo t = tipo;
+
+  static constexpr Tipo tipo = Tipo::soy_cono;
   static constexpr Respuesta answer = Respuesta::cono_agregado;
+  static constexpr std::string_view schema = "Agregar_Cono", total = "Agregar_Cono_Total";
 };
 
 struct Eliminar_Esfera {
   Elemento e;
+
+  static constexpr Tipo tipo = Tipo::soy_esfera;
   static constexpr Respuesta answer = Respuesta::esfera_eliminada;
+  static constexpr std::string_view schema = "Eliminar_Esfera", total = "Eliminar_Esfera_Total";
 };
 
 struct Eliminar_Cilindro {
   Elemento e;
+
+  static constexpr Tipo tipo = Tipo::soy_cilindro;
   static constexpr Respuesta answer = Respuesta::cilindro_eliminado;
+  static constexpr std::string_view schema = "Eliminar_Cilindro", total = "Eliminar_Cilindro_Total";
 };
 
 struct Eliminar_Cono {
   Elemento e;
+
+  static constexpr Tipo tipo = Tipo::soy_cono;
   static constexpr Respuesta answer = Respuesta::cono_eliminado;
+  static constexpr std::string_view schema = "Eliminar_Cono", total = "Eliminar_Cono_Total";
 };
 
 /// The general addition (Elemento_Agregado): the addition of the type t, with the general answer. It looks only at
@@ -70,25 +90,40 @@ struct Agregar_Elemento {
   std::optional<Vector> vector{};
   std::optional<double> altura{};
   std::optional<double> proporcion{};
+
   static constexpr Respuesta answer = Respuesta::elemento_agregado;
+  static constexpr std::string_view schema = "Elemento_Agregado", total = "Agregar_Elemento_Total";
 };
 
 /// The general removal (Elemento_Eliminado): the removal of the element's type, with the general answer.
 struct Eliminar_Elemento {
   Elemento e;
+
   static constexpr Respuesta answer = Respuesta::elemento_eliminado;
+  static constexpr std::string_view schema = "Elemento_Eliminado", total = "Eliminar_Elemento_Total";
 };
 
-using Operation = std::variant<Agregar_Esfera, Agregar_Cilindro, Agregar_Cono, Agregar_Elemento, Eliminar_Esfera,
-                               Eliminar_Cilindro, Eliminar_Cono, Eliminar_Elemento>;
+/// The additions and the removals of one type, in the order of Tipo. Every other list of operations follows from these.
+using Addition = std::variant<Agregar_Esfera, Agregar_Cilindro, Agregar_Cono>;
+using Removal = std::variant<Eliminar_Esfera, Eliminar_Cilindro, Eliminar_Cono>;
+
+template <class Additions, class Removals>
+struct Operations;
+template <class... A, class... R>
+struct Operations<std::variant<A...>, std::variant<R...>> {
+  static_assert(sizeof...(A) == tipo_count && sizeof...(R) == tipo_count, "each type has an addition and a removal");
+  using type = std::variant<A..., Agregar_Elemento, R..., Eliminar_Elemento>;
+};
+
+/// Any operation.
+using Operation = Operations<Addition, Removal>::type;
 
 /// The addition of its type that a general addition stands for. Throws std::invalid_argument where an attribute of
 /// the type is absent.
-std::variant<Agregar_Esfera, Agregar_Cilindro, Agregar_Cono> specific(const Agregar_Elemento& general);
+Addition specific(const Agregar_Elemento& general);
 
 /// The removal of its type that a general removal stands for. Precondition: Eliminar_Elemento.pre.1.
-std::variant<Eliminar_Esfera, Eliminar_Cilindro, Eliminar_Cono> specific(const Escena& escena,
-                                                                         const Eliminar_Elemento& general);
+Removal specific(const Escena& escena, const Eliminar_Elemento& general);
 
 /// What a total operation answers: r!, and where it is an error, the precondition of the partial operation that
 /// does not hold.

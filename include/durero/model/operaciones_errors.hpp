@@ -1,80 +1,156 @@
 #pragma once
-/// What can go wrong (spec/operaciones.tex): one schema for each error, with its answer. The scene stays as it is, so
-/// each takes it as a constant.
+/// What can go wrong (spec/operaciones.tex): one schema for each error, with its answer. The scene stays as it is
+/// (Ξ Escena). clauses(in, escena, r, visit) hands `visit(clause, holds)` what the text says of an error, in its order.
 
+#include <optional>
 #include <variant>
 
-#include "durero/model/operaciones_predicates.hpp"
+#include "durero/model/escena.hpp"
 
 namespace durero::model {
+
+using contract::clause;
 
 struct Elemento_Ya_Existe {
   Elemento e;
   static constexpr Respuesta answer = Respuesta::elemento_ya_existe;
 };
 
+inline constexpr clause Elemento_Ya_Existe_pre_1{"Elemento_Ya_Existe.pre.1", "e? ∈ elementos"};
+inline constexpr clause Elemento_Ya_Existe_post_1{"Elemento_Ya_Existe.post.1", "r! = elemento_ya_existe"};
+
+template <class Visit>
+void clauses(const Elemento_Ya_Existe& in, const Escena& s, Respuesta r, Visit&& visit) {
+  visit(Elemento_Ya_Existe_pre_1, [&] { return s.elementos.contains(in.e); });
+  visit(Elemento_Ya_Existe_post_1, [&] { return r == Respuesta::elemento_ya_existe; });
+}
+
 struct Elemento_No_Existe {
   Elemento e;
   static constexpr Respuesta answer = Respuesta::elemento_no_existe;
 };
+
+inline constexpr clause Elemento_No_Existe_pre_1{"Elemento_No_Existe.pre.1", "e? ∉ elementos"};
+inline constexpr clause Elemento_No_Existe_post_1{"Elemento_No_Existe.post.1", "r! = elemento_no_existe"};
+
+template <class Visit>
+void clauses(const Elemento_No_Existe& in, const Escena& s, Respuesta r, Visit&& visit) {
+  visit(Elemento_No_Existe_pre_1, [&] { return !s.elementos.contains(in.e); });
+  visit(Elemento_No_Existe_post_1, [&] { return r == Respuesta::elemento_no_existe; });
+}
 
 struct Radio_No_Positivo {
   double radio;
   static constexpr Respuesta answer = Respuesta::radio_no_positivo;
 };
 
+inline constexpr clause Radio_No_Positivo_pre_1{"Radio_No_Positivo.pre.1", "radio? ∉ Rmas"};
+inline constexpr clause Radio_No_Positivo_post_1{"Radio_No_Positivo.post.1", "r! = radio_no_positivo"};
+
+template <class Visit>
+void clauses(const Radio_No_Positivo& in, const Escena&, Respuesta r, Visit&& visit) {
+  visit(Radio_No_Positivo_pre_1, [&] { return !Rmas::contains(in.radio); });
+  visit(Radio_No_Positivo_post_1, [&] { return r == Respuesta::radio_no_positivo; });
+}
+
 struct Vector_No_Unitario {
   Vector vector;
   static constexpr Respuesta answer = Respuesta::vector_no_unitario;
 };
+
+inline constexpr clause Vector_No_Unitario_pre_1{"Vector_No_Unitario.pre.1", "vector? ∉ Unitario"};
+inline constexpr clause Vector_No_Unitario_post_1{"Vector_No_Unitario.post.1", "r! = vector_no_unitario"};
+
+template <class Visit>
+void clauses(const Vector_No_Unitario& in, const Escena&, Respuesta r, Visit&& visit) {
+  visit(Vector_No_Unitario_pre_1, [&] { return !Unitario::contains(in.vector); });
+  visit(Vector_No_Unitario_post_1, [&] { return r == Respuesta::vector_no_unitario; });
+}
 
 struct Altura_No_Positiva {
   double altura;
   static constexpr Respuesta answer = Respuesta::altura_no_positiva;
 };
 
+inline constexpr clause Altura_No_Positiva_pre_1{"Altura_No_Positiva.pre.1", "altura? ∉ Rmas"};
+inline constexpr clause Altura_No_Positiva_post_1{"Altura_No_Positiva.post.1", "r! = altura_no_positiva"};
+
+template <class Visit>
+void clauses(const Altura_No_Positiva& in, const Escena&, Respuesta r, Visit&& visit) {
+  visit(Altura_No_Positiva_pre_1, [&] { return !Rmas::contains(in.altura); });
+  visit(Altura_No_Positiva_post_1, [&] { return r == Respuesta::altura_no_positiva; });
+}
+
 struct Proporcion_No_Positiva {
   double proporcion;
   static constexpr Respuesta answer = Respuesta::proporcion_no_positiva;
 };
+
+inline constexpr clause Proporcion_No_Positiva_pre_1{"Proporcion_No_Positiva.pre.1", "proporcion? ∉ Rmas"};
+inline constexpr clause Proporcion_No_Positiva_post_1{"Proporcion_No_Positiva.post.1", "r! = proporcion_no_positiva"};
+
+template <class Visit>
+void clauses(const Proporcion_No_Positiva& in, const Escena&, Respuesta r, Visit&& visit) {
+  visit(Proporcion_No_Positiva_pre_1, [&] { return !Rmas::contains(in.proporcion); });
+  visit(Proporcion_No_Positiva_post_1, [&] { return r == Respuesta::proporcion_no_positiva; });
+}
 
 struct No_Es_Esfera {
   Elemento e;
   static constexpr Respuesta answer = Respuesta::tipo_incorrecto;
 };
 
+inline constexpr clause No_Es_Esfera_pre_1{"No_Es_Esfera.pre.1", "e? ∈ elementos"};
+inline constexpr clause No_Es_Esfera_pre_2{"No_Es_Esfera.pre.2", "de_que_tipo(e?) ≠ soy_esfera"};
+inline constexpr clause No_Es_Esfera_post_1{"No_Es_Esfera.post.1", "r! = tipo_incorrecto"};
+
+template <class Visit>
+void clauses(const No_Es_Esfera& in, const Escena& s, Respuesta r, Visit&& visit) {
+  visit(No_Es_Esfera_pre_1, [&] { return s.elementos.contains(in.e); });
+  visit(No_Es_Esfera_pre_2, [&] { return !is_of_type(s, in.e, Tipo::soy_esfera); });
+  visit(No_Es_Esfera_post_1, [&] { return r == Respuesta::tipo_incorrecto; });
+}
+
 struct No_Es_Cilindro {
   Elemento e;
   static constexpr Respuesta answer = Respuesta::tipo_incorrecto;
 };
+
+inline constexpr clause No_Es_Cilindro_pre_1{"No_Es_Cilindro.pre.1", "e? ∈ elementos"};
+inline constexpr clause No_Es_Cilindro_pre_2{"No_Es_Cilindro.pre.2", "de_que_tipo(e?) ≠ soy_cilindro"};
+inline constexpr clause No_Es_Cilindro_post_1{"No_Es_Cilindro.post.1", "r! = tipo_incorrecto"};
+
+template <class Visit>
+void clauses(const No_Es_Cilindro& in, const Escena& s, Respuesta r, Visit&& visit) {
+  visit(No_Es_Cilindro_pre_1, [&] { return s.elementos.contains(in.e); });
+  visit(No_Es_Cilindro_pre_2, [&] { return !is_of_type(s, in.e, Tipo::soy_cilindro); });
+  visit(No_Es_Cilindro_post_1, [&] { return r == Respuesta::tipo_incorrecto; });
+}
 
 struct No_Es_Cono {
   Elemento e;
   static constexpr Respuesta answer = Respuesta::tipo_incorrecto;
 };
 
+inline constexpr clause No_Es_Cono_pre_1{"No_Es_Cono.pre.1", "e? ∈ elementos"};
+inline constexpr clause No_Es_Cono_pre_2{"No_Es_Cono.pre.2", "de_que_tipo(e?) ≠ soy_cono"};
+inline constexpr clause No_Es_Cono_post_1{"No_Es_Cono.post.1", "r! = tipo_incorrecto"};
+
+template <class Visit>
+void clauses(const No_Es_Cono& in, const Escena& s, Respuesta r, Visit&& visit) {
+  visit(No_Es_Cono_pre_1, [&] { return s.elementos.contains(in.e); });
+  visit(No_Es_Cono_pre_2, [&] { return !is_of_type(s, in.e, Tipo::soy_cono); });
+  visit(No_Es_Cono_post_1, [&] { return r == Respuesta::tipo_incorrecto; });
+}
+
 using Error = std::variant<Elemento_Ya_Existe, Elemento_No_Existe, Radio_No_Positivo, Vector_No_Unitario,
                            Altura_No_Positiva, Proporcion_No_Positiva, No_Es_Esfera, No_Es_Cilindro, No_Es_Cono>;
 
-Judgements pre(const Escena& before, const Elemento_Ya_Existe& in);
-Judgements pre(const Escena& before, const Elemento_No_Existe& in);
-Judgements pre(const Escena& before, const Radio_No_Positivo& in);
-Judgements pre(const Escena& before, const Vector_No_Unitario& in);
-Judgements pre(const Escena& before, const Altura_No_Positiva& in);
-Judgements pre(const Escena& before, const Proporcion_No_Positiva& in);
-Judgements pre(const Escena& before, const No_Es_Esfera& in);
-Judgements pre(const Escena& before, const No_Es_Cilindro& in);
-Judgements pre(const Escena& before, const No_Es_Cono& in);
+/// What is said of an error when it answers r.
+Judgements judgements(const Escena& escena, const Error& error, Respuesta r);
 
-Judgements post(const Elemento_Ya_Existe& in, Respuesta r);
-Judgements post(const Elemento_No_Existe& in, Respuesta r);
-Judgements post(const Radio_No_Positivo& in, Respuesta r);
-Judgements post(const Vector_No_Unitario& in, Respuesta r);
-Judgements post(const Altura_No_Positiva& in, Respuesta r);
-Judgements post(const Proporcion_No_Positiva& in, Respuesta r);
-Judgements post(const No_Es_Esfera& in, Respuesta r);
-Judgements post(const No_Es_Cilindro& in, Respuesta r);
-Judgements post(const No_Es_Cono& in, Respuesta r);
+/// The error, as an operation that changes nothing: checks its clauses and answers.
+Respuesta apply(const Escena& escena, const Error& error);
 
 // The types at which the general addition looks.
 
@@ -82,30 +158,22 @@ struct Es_Esfera {
   Tipo t;
 };
 
+inline constexpr clause Es_Esfera_pre_1{"Es_Esfera.pre.1", "t? = soy_esfera"};
+
 struct Es_Cono {
   Tipo t;
 };
 
+inline constexpr clause Es_Cono_pre_1{"Es_Cono.pre.1", "t? = soy_cono"};
+
 Judgements pre(const Es_Esfera& in);
 Judgements pre(const Es_Cono& in);
 
-/// The error, as an operation that changes nothing: checks its clauses and answers.
-Respuesta apply(const Escena& escena, const Error& error);
+/// The error by which a total operation denies a precondition; none where it hides what the precondition speaks of.
+using Refusal = std::optional<Error>;
+inline constexpr std::nullopt_t hidden = std::nullopt;
 
-/// An error of a total operation, and the precondition of the partial one that it denies.
-struct Refusal {
-  Error error;
-  const clause* violated;
-};
-
-/// The errors of the total operation, in the order of the text.
-std::vector<Refusal> refusals(const Agregar_Esfera& in);
-std::vector<Refusal> refusals(const Agregar_Cilindro& in);
-std::vector<Refusal> refusals(const Agregar_Cono& in);
-std::vector<Refusal> refusals(const Agregar_Elemento& in);
-std::vector<Refusal> refusals(const Eliminar_Esfera& in);
-std::vector<Refusal> refusals(const Eliminar_Cilindro& in);
-std::vector<Refusal> refusals(const Eliminar_Cono& in);
-std::vector<Refusal> refusals(const Eliminar_Elemento& in);
+/// The refusals at which Agregar_Elemento_Total looks: those of the attributes that the type t? has.
+Refusal refusal_for(const Refusal& refusal, Tipo t);
 
 }  // namespace durero::model

@@ -3,6 +3,7 @@
 /// a wrong value cannot be built.
 
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <string>
@@ -100,7 +101,11 @@ class Elemento {
   std::string name_;
 };
 
+/// What an element is (Tipo).
 enum class Tipo : std::uint8_t { soy_esfera, soy_cilindro, soy_cono };
+
+/// How many types there are: the last one is named here.
+inline constexpr std::size_t tipo_count = static_cast<std::size_t>(Tipo::soy_cono) + 1;
 
 /// What an operation did, or why it did nothing (Respuesta).
 enum class Respuesta : std::uint8_t {

@@ -3,7 +3,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "durero/model/interseccion.hpp"
+#include "durero/model/resultado.hpp"
 #include "durero/scene/element_ref.hpp"
 
 namespace durero::scene {
