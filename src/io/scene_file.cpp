@@ -75,9 +75,11 @@ scene::Scene read_scene(const Source& source) {
   const json::Document document(source);
   json::Reader in(document);
   scene::Scene scene;
+  scene.put_off_audits();
   std::vector<MaterialUse> uses;
   in.object("a scene", keys, required, [&](std::size_t key) { read_part(in, static_cast<Key>(key), scene, uses); });
   set_materials(in, uses, scene);
+  scene.audit();
   return scene;
 }
 

@@ -1,6 +1,9 @@
 // How an operation edits the tables of a scene. Whatever asks for memory comes first and changes nothing that can be
 // seen; the edit itself cannot fail; where a postcondition is broken the edit is undone, which cannot fail either.
 
+#include <memory>
+#include <optional>
+
 #include "clauses.hpp"
 #include "durero/model/operaciones_clauses.hpp"
 #include "durero/scene/retrieve.hpp"
@@ -107,11 +110,19 @@ class Editor {
                [&]<class Shape>(std::type_identity<Shape>) { edit(typename Shape::Removal{in.e}, key); });
   }
 
-  /// The edit, between the old value and the whole Z predicates where audit clauses are evaluated.
+  /// What a scene stands for, where its edit is audited.
+  using State = std::shared_ptr<const model::Escena>;
+  using OldState = std::optional<State>;
+
+  State state() const { return std::make_shared<const model::Escena>(retrieve(scene_)); }
+
+  /// The edit, between the old value and the whole Z predicates where audit clauses are evaluated. What the audit of
+  /// the edit before saw is the old value of this one.
   template <class Op>
   Respuesta edit(const Op& in, const Key& key) {
-    std::optional<model::Escena> before;
-    if (contract::evaluated(cost::audit)) before = retrieve(scene_);
+    OldState before;
+    if (!scene_.audits_are_put_off_)
+      before = contract::old_value([&] { return scene_.audited_ ? scene_.audited_ : state(); });
     if constexpr (Addition<Op>)
       return add(in, key.hash, before);
     else
@@ -119,7 +130,7 @@ class Editor {
   }
 
   template <class Op>
-  Respuesta add(const Op& in, NameIndex::hash_type hash, const std::optional<model::Escena>& before) {
+  Respuesta add(const Op& in, NameIndex::hash_type hash, const OldState& before) {
     using Shape = ShapeAddedBy<Op>;
     Table<Shape>& table = scene_.table<Shape>();
     const Sizes sizes_before = sizes();
@@ -147,7 +158,7 @@ class Editor {
 
   /// Removes the row that the name has, whatever its type is: only where preconditions are not enforced can it differ.
   template <class Op>
-  Respuesta remove(const Op& in, const Key& key, const std::optional<model::Escena>& before) {
+  Respuesta remove(const Op& in, const Key& key, const OldState& before) {
     require_row(key.place);
     return with_shape(key.place->tipo, [&]<class Shape>(std::type_identity<Shape>) {
       return remove_from(scene_.table<Shape>(), in, key, before);
@@ -155,7 +166,7 @@ class Editor {
   }
 
   template <class Shape, class Op>
-  Respuesta remove_from(Table<Shape>& table, const Op& in, const Key& key, const std::optional<model::Escena>& before) {
+  Respuesta remove_from(Table<Shape>& table, const Op& in, const Key& key, const OldState& before) {
     const Sizes sizes_before = sizes();
     const Respuesta r = in.answer;
     const ElementRef gap = *key.place, last{gap.tipo, table.size() - 1};
@@ -180,14 +191,15 @@ class Editor {
     return r;
   }
 
-  /// The whole Z predicates over the retrieved scenes.
+  /// The whole Z predicates over the retrieved scenes. Keeps what it saw, for the audit of the next edit.
   template <class Op>
-  void audit(const std::optional<model::Escena>& before, const Op& in, Respuesta r) const {
-    if (!before) return;
-    const model::Escena after = retrieve(scene_);
+  void audit(const OldState& before, const Op& in, Respuesta r) const {
+    if (!before) return scene_.audited_.reset();
+    State after = state();
     const auto about = [&] { return values(in.e); };
-    model::check(model::post(*before, in, after, r, cost::audit), cost::audit, about);
-    model::check(model::inv(after), cost::audit, about);
+    model::check(model::post(**before, in, *after, r, cost::audit), cost::audit, about);
+    model::check(model::inv(*after), cost::audit, about);
+    scene_.audited_ = std::move(after);
   }
 
   /// A name without a row: nothing to remove, whatever the semantic of preconditions is.

@@ -1,17 +1,31 @@
 #include "durero/scene/retrieve.hpp"
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 namespace durero::scene {
 
 model::Escena retrieve(const Scene& scene) {
+  // In the order of the names, each component grows at its end, which takes no search.
+  std::vector<std::pair<const model::Elemento*, ElementRef>> rows;
+  rows.reserve(scene.size());
+  scene.for_each([&](ElementRef element, const auto&) { rows.emplace_back(&scene.name(element), element); });
+  std::ranges::sort(rows, [](const auto& a, const auto& b) { return *a.first < *b.first; });
+
   model::Escena escena;
-  scene.for_each([&]<class Shape>(ElementRef element, const Shape& shape) {
-    const model::Elemento& e = scene.name(element);
-    escena.elementos.insert(e);
-    escena.tipos.insert(Shape::tipo);
-    escena.de_que_tipo.emplace(e, Shape::tipo);
-    for_each_attribute<Shape>(
-        [&](const auto& attribute) { (escena.*attribute.component).emplace(e, shape.*attribute.field); });
-  });
+  for (const auto& row : rows) {
+    const model::Elemento& e = *row.first;
+    scene.visit(row.second, [&]<class Shape>(const Shape& shape) {
+      escena.elementos.insert(escena.elementos.end(), e);
+      escena.tipos.insert(Shape::tipo);
+      escena.de_que_tipo.emplace_hint(escena.de_que_tipo.end(), e, Shape::tipo);
+      for_each_attribute<Shape>([&](const auto& attribute) {
+        auto& component = escena.*attribute.component;
+        component.emplace_hint(component.end(), e, shape.*attribute.field);
+      });
+    });
+  }
   return escena;
 }
 

@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "durero/scene/retrieve.hpp"
+
 namespace durero::scene {
 
 const Label& Scene::label(ElementRef element) const noexcept {
@@ -32,6 +34,14 @@ std::optional<std::uint32_t> Scene::material(ElementRef element) const noexcept 
 void Scene::set_material(ElementRef element, std::optional<std::uint32_t> material) {
   if (material && *material >= stage_.materials.size()) throw std::out_of_range("no such material");
   label(element).material = material.value_or(no_material);
+}
+
+void Scene::audit() {
+  audits_are_put_off_ = false;
+  if (!contract::evaluated(contract::cost::audit)) return;
+  auto state = std::make_shared<const model::Escena>(retrieve(*this));
+  model::check(model::inv(*state), contract::cost::audit);
+  audited_ = std::move(state);
 }
 
 model::Answer Scene::apply_total(const Edit& edit) {

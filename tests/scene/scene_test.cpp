@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "durero/model/operaciones_clauses.hpp"
 #include "durero/scene/retrieve.hpp"
@@ -292,4 +293,74 @@ TEST_CASE("a copy of a scene is a scene of its own") {
   CHECK_FALSE(copy.find("esfera1"));
   CHECK(index_is_sound(scene));
   CHECK(index_is_sound(copy));
+}
+
+namespace {
+
+/// How many allocations an action makes.
+template <class Action>
+long allocations_of(Action&& action) {
+  allocations_left = plenty - 1;
+  action();
+  return plenty - 1 - std::exchange(allocations_left, plenty);
+}
+
+/// Adds so many spheres of long names, one after the other.
+void add_spheres(Scene& scene, int count) {
+  for (int i = 0; i < count; ++i)
+    scene.apply(Agregar_Esfera{Elemento("a-sphere-of-a-long-name-" + std::to_string(i)), origin, 1});
+}
+
+}  // namespace
+
+// What an audit costs is counted in allocations: retrieving a scene of n elements makes some multiple of n of them, and
+// the whole predicates make none.
+
+TEST_CASE("an audited edit retrieves one state: the state before is what the audit before saw") {
+  Scene scene;
+  add_spheres(scene, 500);
+  const long retrieval = allocations_of([&] { (void)retrieve(scene); });
+  REQUIRE(retrieval > 500);
+  const scoped_semantic audited(cost::audit, evaluation_semantic::enforce);
+  const auto edit = [&] {
+    scene.apply(Agregar_Cono{Elemento("new"), origin, 1, axis, 1});
+    scene.apply(Eliminar_Cono{Elemento("new")});
+  };
+  edit();
+  CHECK(allocations_of(edit) < 2 * retrieval + retrieval / 2);
+  {
+    const scoped_semantic ignored(cost::audit, evaluation_semantic::ignore);
+    scene.apply(Agregar_Esfera{Elemento("unseen"), origin, 1});
+  }
+  // The state that the last audit saw is not the one before this edit, which is retrieved.
+  CHECK(violated([&] { edit(); }) == "none");
+  CHECK(violated([&] { scene.apply(Eliminar_Esfera{Elemento("unseen")}); }) == "none");
+}
+
+TEST_CASE("audits that are put off are one audit") {
+  const auto read = [](Scene& scene) {
+    scene.put_off_audits();
+    add_spheres(scene, 500);
+    scene.audit();
+  };
+  Scene plain, scene;
+  const long additions = allocations_of([&] { read(plain); });
+  const long retrieval = allocations_of([&] { (void)retrieve(plain); });
+  const scoped_semantic audited(cost::audit, evaluation_semantic::enforce);
+  CHECK(allocations_of([&] { read(scene); }) < additions + 2 * retrieval);
+  CHECK(retrieve(scene) == retrieve(plain));
+}
+
+TEST_CASE("the audit at the end sees what the additions let pass, and edits after it are audited") {
+  const scoped_semantic ignored(cost::normal, evaluation_semantic::ignore);
+  const scoped_semantic audited(cost::audit, evaluation_semantic::enforce);
+  const Operation wrong = Agregar_Cono{Elemento("new"), origin, 1, Vector(0, 1, 1), 1};
+  Scene scene;
+  scene.put_off_audits();
+  CHECK(violated([&] { scene.apply(wrong); }) == "none");
+  CHECK(violated([&] { scene.audit(); }) == "Escena.inv.8");
+  Scene other = two_of_each();
+  other.put_off_audits();
+  other.audit();
+  CHECK(violated([&] { other.apply(wrong); }) == "Escena.inv.8");
 }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -71,6 +72,12 @@ class Scene {
   /// the edit's material is none of the stage's.
   model::Answer apply_total(const Edit& edit);
 
+  /// Puts the audits of edits off until audit(): for a reader, whose additions are audited together.
+  void put_off_audits() noexcept { audits_are_put_off_ = true; }
+  /// Evaluates the whole invariant over what the scene stands for, where audit clauses are evaluated. From now on each
+  /// edit is audited. O(n log n). Throws contract_violation.
+  void audit();
+
   Stage& stage() noexcept { return stage_; }
   const Stage& stage() const noexcept { return stage_; }
 
@@ -98,6 +105,8 @@ class Scene {
   Tables<Shapes> tables_;
   NameIndex index_;
   Stage stage_;
+  std::shared_ptr<const model::Escena> audited_;  // what the scene stands for, where its last edit was audited
+  bool audits_are_put_off_ = false;
 };
 
 }  // namespace durero::scene
