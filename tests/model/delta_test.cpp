@@ -70,6 +70,9 @@ TEST_CASE("c' = c ∪ { e? ↦ x }") {
     s.mi_radio.at(cilindro) = Rmas(7);
   };
   CHECK(after(nuevo, other_too, with_radius(2)) == seen_by_the_whole);
+  // The other may stand before e? or after it.
+  CHECK(after(
+            cilindro, [](Escena& e) { e.mi_radio.at(esfera) = Rmas(7); }, with_radius(1)) == seen_by_the_whole);
   // Another value at e?: the union is no function, and the size alone does not tell.
   CHECK(after(
             esfera, [](Escena& s) { s.mi_radio.at(esfera) = Rmas(2); }, with_radius(2)) == seen_by_the_whole);
