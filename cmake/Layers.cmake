@@ -1,3 +1,40 @@
+# The headers of other projects that most sources include, compiled once for all layers, with DURERO_PCH: to read them
+# takes most of the time of a short source. Nothing of this project is among them, so that a change here compiles only
+# what depends on it. What a source includes without need of it is then not seen missing, which the builds for the
+# sanitizers, Clang and clang-tidy see: their presets have it off.
+set(durero_foreign_headers <algorithm> <array> <charconv> <cmath> <cstdint> <functional> <limits> <map> <memory>
+  <numeric> <optional> <set> <span> <stdexcept> <string> <string_view> <tuple> <unordered_map> <utility> <variant>
+  <vector> <boost/container/small_vector.hpp> <boost/multiprecision/cpp_int.hpp> <boost/multiprecision/gmp.hpp>
+  <fmt/format.h> <glm/geometric.hpp> <glm/vec3.hpp>)
+
+# durero_precompile(TARGET HEADERS...): compiles them for TARGET and for each target that durero_precompiled gives them.
+# The definitions that they depend on are those of every target, or a compiler would not take them.
+function(durero_precompile TARGET)
+  if(DURERO_PCH)
+    target_precompile_headers(${TARGET} PRIVATE ${ARGN})
+  endif()
+endfunction()
+
+function(durero_precompiled TARGET FROM)
+  if(DURERO_PCH)
+    target_precompile_headers(${TARGET} REUSE_FROM ${FROM})
+  endif()
+endfunction()
+
+# After the packages are found.
+function(durero_foreign)
+  if(NOT DURERO_PCH)
+    return()
+  endif()
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/foreign.cpp CONTENT "")
+  add_library(durero_foreign OBJECT ${PROJECT_BINARY_DIR}/foreign.cpp)
+  foreach(package fmt::fmt Boost::headers)
+    target_compile_definitions(durero_options INTERFACE $<TARGET_PROPERTY:${package},INTERFACE_COMPILE_DEFINITIONS>)
+  endforeach()
+  target_link_libraries(durero_foreign PRIVATE durero_options fmt::fmt Boost::headers glm::glm PkgConfig::gmp)
+  durero_precompile(durero_foreign ${durero_foreign_headers})
+endfunction()
+
 # durero_layer(NAME DEPENDS <layers above it> LIBRARIES <packages>): one target a layer, made of
 # include/durero/NAME/ and the sources in src/NAME/ and its folders; header-only while there are none.
 function(durero_sources OUT DIR)
@@ -12,6 +49,7 @@ function(durero_layer NAME)
   if(sources)
     add_library(durero_${NAME} STATIC ${sources})
     target_include_directories(durero_${NAME} PRIVATE ${PROJECT_SOURCE_DIR}/src)
+    durero_precompiled(durero_${NAME} durero_foreign)
     set(scope PUBLIC)
   else()
     add_library(durero_${NAME} INTERFACE)

@@ -8,15 +8,26 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
 endif()
 
+# A compilation takes one precompiled header, so flags that include a file of their own go before.
+if(CMAKE_CXX_FLAGS MATCHES "-include ")
+  set(DURERO_PCH OFF)
+endif()
+
 find_program(CCACHE ccache)
 if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+  if(DURERO_PCH)  # what ccache asks for, to keep what includes a precompiled header
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE})
+  endif()
 endif()
 
 add_library(durero_options INTERFACE)
 target_compile_options(durero_options INTERFACE
   -ffp-contract=off -fno-fast-math
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND DURERO_PCH)
+  target_compile_options(durero_options INTERFACE -fpch-preprocess)  # ccache asks for it too
+endif()
 # Under the sanitizers GCC warns of std::regex's own code, of what is never read (GCC bug 105562).
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   target_compile_options(durero_options INTERFACE -Wno-maybe-uninitialized)
