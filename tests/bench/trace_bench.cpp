@@ -102,7 +102,14 @@ double seconds(Work work) {
 }
 
 /// Certified against plain on one core and in one run, 4096 rays by 4096 rays, so that both meet the same machine: ray
-/// by ray, and by the calls for many rays. The figure, 0.8, is for the latter, which answer a rays file.
+/// by ray, and by the calls for many rays. The figure, 0.8, is for the latter, which answer a rays file.
+///
+/// A single ray reaches about 0.6 with up to 30 elements, where nothing else hides what a certificate takes in time. By
+/// the profiler's shares, at 30 elements, where plain takes 100 units: filter and ray take 60 in both. Of the other 40
+/// the steps make 115: triage 37, as its two distances are roots of their own, each some 20 cycles of waiting; the
+/// improved root and the rounding 23, a chain of one double-double operation after the other; the choice of the
+/// nearest and its record of bounds 30; the walk itself 13; the rest 12. Even a rounding for nothing would give 0.65,
+/// and with half of the choice 0.72. In lanes the same chains wait for each other eight at a time.
 void ratio(benchmark::State& state) {
   const scene::Scene scene = mixed_scene(elements(state));
   const trace::Tables tables(scene);

@@ -28,6 +28,11 @@ class Random {
     const double one = sign();
     return std::ldexp(one, integer(least, greatest));
   }
+  /// ±m·2^k with m in [1, 2) and k in least … greatest.
+  double number(int least, int greatest) {
+    const double power = signed_power(least, greatest);
+    return power * uniform(1, 2);
+  }
   /// Uniform in [low, high).
   double uniform(double low, double high) {
     return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);

@@ -1,6 +1,10 @@
 /// The first point of a ray on one element, by closed forms in a number type T of unit roundoff ε, with a certificate:
 /// binary64 (triage) or double-double (stable). It says hit or miss only where a bound on its error proves it. The
 /// quadratic and the bounds of its coefficients are those of quadratic-inl.hpp.
+///
+/// The bounds here pass those on. Where operands err by the whole of theirs an error takes all of its bound, of the
+/// root of D a third (tests/trace/closed_form_test.cpp); on generic rays it takes far less, as the coefficients err by
+/// far less than theirs.
 
 #if defined(DURERO_TRACE_CLOSED_FORM_INL_HPP_) == defined(HWY_TARGET_TOGGLE)
 #ifdef DURERO_TRACE_CLOSED_FORM_INL_HPP_
@@ -53,20 +57,26 @@ struct Place {
   Truth<T> outside, inside;
 };
 
-/// t > 0 and 0 ≤ avance ≤ altura. avance at t errs by what s0 and s1 bring, 4ε|q| + 3ε|t|V, by |s1|·error, and by the
-/// roundings of t·s1, of the sum and of altura − avance: in all less than 16ε(|q| + altura + |t|V) + |s1|·error.
+/// avance at the root. It errs by what s0 and s1 bring, 4ε|q| + 3ε|t|V, by |s1|·error, and by the roundings of t·s1, of
+/// the sum and, where the caller takes it, of altura − avance, which make that 6ε|q| + 6ε|t|V + ε·altura: in all less
+/// than 16ε(|q| + altura + |t|V) + |s1|·error.
+constexpr double advance_units = 16;
+template <class T>
+HWY_INLINE Known<T> advance(const Quadratic<T>& f, const Root<T>& root) {
+  return {f.s0 + root.t * f.s1, advance_units * Numbers<T>::roundoff * (f.reach + magnitude(root.t) * f.speed) +
+                                    (magnitude(f.s1) * 1.0000001) * root.error};
+}
+
+/// t > 0 and 0 ≤ avance ≤ altura.
 template <class T>
 HWY_INLINE Place<T> place(const Quadratic<T>& f, const Root<T>& root) {
-  using std::abs;
   const Bound<T> t = leading(root.t);
   const Place<T> on_ray{(t < -root.error), (t > root.error)};
   if (!f.bounded) return on_ray;
-  const T s = f.s0 + root.t * f.s1;
-  const Bound<T> error =
-      16 * Numbers<T>::roundoff * (f.reach + abs(t) * f.speed) + (magnitude(f.s1) * 1.0000001) * root.error;
-  const Bound<T> below = leading(s), above = leading(T(T(f.altura) - s));
-  const Truth<T> outside = on_ray.outside | (below < -error) | (above < -error);
-  const Truth<T> inside = on_ray.inside & (below > error) & (above > error);
+  const Known<T> s = advance(f, root);
+  const Bound<T> below = leading(s.value), above = leading(T(T(f.altura) - s.value));
+  const Truth<T> outside = on_ray.outside | (below < -s.error) | (above < -s.error);
+  const Truth<T> inside = on_ray.inside & (below > s.error) & (above > s.error);
   return {outside, inside};
 }
 
@@ -85,13 +95,15 @@ HWY_INLINE Found<T> found_at(const Quadratic<T>& f, const Root<T>& root, const T
 }
 
 /// x/y where each is known to its error: |x/y − x̂/ŷ| ≤ (x_error + |x̂/ŷ|·y_error)/(|ŷ| − y_error), and a rounding.
+/// Three roundings more are for who adds such errors to the result and rounds that (search.cpp).
 /// Precondition: |ŷ| > 2·y_error.
+constexpr double quotient_units = 4;
 template <class T>
 HWY_INLINE Root<T> quotient(const T& x, Bound<T> x_error, const T& y, Bound<T> y_error) {
   const T t = x / y;
   const Bound<T> size = magnitude(t);
   const Bound<T> error = (x_error + size * y_error) / (magnitude(y) - y_error);
-  return {t, error * 1.0000001 + 4 * Numbers<T>::roundoff * size};
+  return {t, error * 1.0000001 + quotient_units * Numbers<T>::roundoff * size};
 }
 
 /// q = −(B + σS) with the sign σ of the computed B: for either sign the roots are q/A and C/q, and A·t + B there −σS
@@ -164,10 +176,12 @@ HWY_INLINE Found<T> closed_form(const Element& element, const Beam& beam, bool o
   return first_of(f, limit);
 }
 
+/// The slope is of use to the triage's root alone; cut to its leading part it would be far from its error of the
+/// stable.
 template <class T>
 HWY_INLINE Finding published(const Found<T>& found) {
   if constexpr (requires { found.t.lo; }) {
-    return {found.verdict, found.t.hi, found.t.lo, found.error, found.slope};
+    return {found.verdict, found.t.hi, found.t.lo, found.error};
   } else {
     return {found.verdict, found.t, 0, found.error, found.slope};
   }

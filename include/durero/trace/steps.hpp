@@ -56,7 +56,7 @@ struct Finding {
   Verdict verdict;
   double hi = 0, lo = 0;
   double error = 0;
-  Slope slope{};
+  Slope slope{};  ///< by the triage
 };
 
 inline constexpr double no_limit = std::numeric_limits<double>::infinity();

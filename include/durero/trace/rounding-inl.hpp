@@ -1,0 +1,87 @@
+/// A root improved by one step of Newton's, and numbers rounded once where that is certain: one ray or several in
+/// lanes.
+
+#if defined(DURERO_TRACE_ROUNDING_INL_HPP_) == defined(HWY_TARGET_TOGGLE)
+#ifdef DURERO_TRACE_ROUNDING_INL_HPP_
+#undef DURERO_TRACE_ROUNDING_INL_HPP_
+#else
+#define DURERO_TRACE_ROUNDING_INL_HPP_
+#endif
+
+#include <cmath>
+
+#include "durero/trace/closed_form-inl.hpp"
+#include "durero/trace/power-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace durero::trace {
+namespace HWY_NAMESPACE {
+
+/// t = hi + lo within the error, where the slope is known not to be 0.
+template <class R>
+struct Improved {
+  Truth<R> known;
+  Pair<R> t;
+  R error;
+};
+
+/// With δ = t* − t the way to the root t*, σ = A·t* + B and f the quadratic at t, f = −2σδ + Aδ². So δ = −f/(2σ − Aδ),
+/// and |δ| ≤ t.error bounds the last term.
+template <class R>
+HWY_INLINE Improved<R> newton(const Root<R>& t, const Known<R>& slope, const Known<R>& A, const Power<R>& f) {
+  using std::abs;
+  const R denominator = 2 * slope.value;
+  const R denominator_error = 1.0000001 * (2 * slope.error + (abs(A.value) + A.error) * t.error);
+  const R value = f.value.hi + f.value.lo;
+  const Root<R> delta = quotient(R(-value), f.error + 0x1p-52 * abs(value), denominator, denominator_error);
+  return {abs(denominator) > 2 * denominator_error, two_sum(t.t, delta.t), delta.error};
+}
+
+/// A number rounded once, where it is known that it rounds so.
+template <class R>
+struct Once {
+  R value;
+  Truth<R> certain;
+};
+
+/// Rounds x where every number within the error of it rounds the same: rounding is monotone, and hi + (lo ± error) is
+/// one rounded sum. The last term pays for the rounding of lo ± error. Numbers near the ends of the range are left to
+/// the exact step.
+template <class R>
+HWY_INLINE Once<R> round_once(const Pair<R>& x, R error) {
+  using std::abs;
+  const R wide = 1.0000001 * error + 0x1p-52 * abs(x.lo);
+  const R low = x.hi + (x.lo - wide), high = x.hi + (x.lo + wide);
+  const R size = abs(low);
+  const Truth<R> certain = (low == high) & (size > 0x1p-900) & (size < 0x1p900);
+  return {low, certain};
+}
+
+/// p + t·v, not rounded, and a bound on its error. The lower part is of two remainders and t.lo·v, together at most
+/// 3u(|p| + |t·v|), and passes through three roundings; beside that the error of t, mostly the greater.
+template <class R>
+struct Coordinate {
+  Pair<R> value;
+  R error;
+};
+template <class R>
+HWY_INLINE Coordinate<R> coordinate(R p, R v, const Pair<R>& t, R t_error) {
+  using std::abs;
+  const Pair<R> way = product(t, v);
+  return {sum(way, Pair<R>(p)), R(abs(v) * t_error + 0x1p-102 * (abs(way.hi) + abs(p)))};
+}
+
+/// The coordinate rounded once. Where v is 0 it is exactly p; 0 for −0.
+template <class R>
+HWY_INLINE Once<R> round_coordinate(R p, R v, const Pair<R>& t, R t_error) {
+  const Coordinate<R> at = coordinate(p, v, t, t_error);
+  const Once<R> x = round_once(at.value, at.error);
+  const Truth<R> still = v == 0, certain = still | x.certain;
+  return {choose(still, R(p + 0.0), x.value), certain};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace durero::trace
+HWY_AFTER_NAMESPACE();
+
+#endif

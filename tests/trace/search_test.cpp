@@ -1,0 +1,29 @@
+// The search orders elements by the errors that the steps state, and leaves what lies within them to the next step.
+#include "durero/trace/search.hpp"
+
+#include <cmath>
+
+#include "durero/trace/analytic.hpp"
+#include "support/catch.hpp"
+#include "support/shapes.hpp"
+
+using namespace durero;
+using namespace durero::test;
+
+TEST_CASE("parameters closer than the sum of their errors are ordered exactly") {
+  // Two unit spheres, the second off the ray by y, so that it is met y²/2 later.
+  const model::Rayo along_x = ray({0, 0, 0}, {1, 0, 0});
+  const scene::Sphere first{{2, 0, 0}, 1};
+  const double error = stable(first, trace::Beam(along_x), false).error;
+  const auto ordered_by = [&](double apart) {
+    scene::Scene scene;
+    add(scene, first);
+    add(scene, scene::Sphere{{2, std::sqrt(2 * apart), 0}, 1});
+    trace::Counts counts;
+    first_hit(trace::Tables(scene), along_x, {}, &counts);
+    return counts.order;
+  };
+  CHECK(ordered_by(2 * error * 0.99)[2] == 1);
+  CHECK(ordered_by(2 * error * 0.6)[2] == 1);
+  CHECK(ordered_by(2 * error * 4)[2] == 0);
+}
