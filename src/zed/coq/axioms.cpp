@@ -5,6 +5,7 @@
 
 #include "durero/zed/syntax/defect.hpp"
 #include "zed/coq/writer.hpp"
+#include "zed/syntax/match.hpp"
 
 namespace durero::zed::coq {
 namespace {
@@ -33,19 +34,13 @@ std::vector<Name> variables(const SchemaText& text) {
   return all;
 }
 
-bool is_equation(const Term& term) {
-  return term->kind == Kind::relation && term->names.size() == 1 && term->names[0].word == "_=_";
-}
-
-/// The application of a name, or null.
-const Node* application(const Term& term) {
-  return term->kind == Kind::application && term->children[0]->kind == Kind::reference ? term.get() : nullptr;
-}
+using match::application_of_name;
+using match::is_equation;
 
 std::optional<Equation> equation(const Term& term) {
   if (term->kind != Kind::forall || !is_equation(term->children[0])) return {};
   const Term& body = term->children[0];
-  const Node* left = application(body->children[0]);
+  const Node* left = application_of_name(body->children[0]);
   if (!left) return {};
   const Term& argument = left->children[1];
   const std::vector<Term> parts = argument->kind == Kind::tuple ? argument->children : std::vector<Term>{argument};
@@ -59,19 +54,17 @@ std::optional<Equation> equation(const Term& term) {
 /// dom f = S: f.
 std::optional<Name> stated_domain(const Term& term) {
   if (!is_equation(term)) return {};
-  const Node* left = application(term->children[0]);
-  if (!left || left->children[0]->name.word != "dom" || left->children[1]->kind != Kind::reference) return {};
-  return left->children[1]->name;
+  const Term* of = match::argument_of(term->children[0], "dom");
+  if (!of || (*of)->kind != Kind::reference) return {};
+  return (*of)->name;
 }
 
 /// c * n = m: m / n.
 std::optional<std::string> solution(const Name& c, const Term& term) {
   if (!is_equation(term) || term->children[1]->kind != Kind::number) return {};
-  const Node* left = application(term->children[0]);
-  if (!left || left->children[0]->name.word != "_*_") return {};
-  const std::vector<Term>& factors = left->children[1]->children;
-  if (factors.size() != 2 || factors[0]->name != c || factors[1]->kind != Kind::number) return {};
-  return term->children[1]->name.word + " / " + factors[1]->name.word;
+  const Node* factors = match::operands(term->children[0], "_*_");
+  if (!factors || factors->children[0]->name != c || factors->children[1]->kind != Kind::number) return {};
+  return term->children[1]->name.word + " / " + factors->children[1]->name.word;
 }
 
 }  // namespace

@@ -2,34 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <unordered_map>
-
 #include "durero/zed/syntax/defect.hpp"
+#include "zed/operators.hpp"
 
 namespace durero::zed::coq {
 namespace {
-
-/// The toolkit's operations that are notations of Coq's, by their levels: the operands' and the result's.
-struct Infix {
-  std::string_view symbol;
-  int level, left, right;
-};
-
-const std::unordered_map<std::string, Infix>& infixes() {
-  static const std::unordered_map<std::string, Infix> known = {
-      {"_+_", {"+", plus, plus, plus - 1}},    {"_-_", {"-", plus, plus, plus - 1}},
-      {"_*_", {"*", times, times, times - 1}}, {"_∪_", {"∪", plus, plus, plus - 1}},
-      {"_∖_", {"∖", plus, plus, plus - 1}},    {"_∩_", {"∩", times, times, times - 1}},
-  };
-  return known;
-}
-
-/// Those that are functions of Toolkit.v.
-const std::unordered_map<std::string, std::string>& prefixes() {
-  static const std::unordered_map<std::string, std::string> known = {
-      {"dom", "dom"}, {"ran", "ran"}, {"_∼", "inverse"}, {"_⦇_⦈", "image"}, {"_⩤_", "ndres"}, {"_◁_", "dres"}};
-  return known;
-}
 
 Carrier type_of_operation(const std::string& word, const std::vector<Expr>& of) {
   const auto part = [&](std::size_t i) {
@@ -157,13 +134,14 @@ Expr Translator::term(const Term& term, Scope& scope, Frame& frame) const {
 Expr Translator::reference(const Node& node, Scope& scope, Frame& frame) const {
   if (const auto found = scope.names.find(node.name); found != scope.names.end()) return found->second;
   if (node.name.word == "∅") return {"∅", atomic, Carrier::set({})};
-  const bool infix = node.children.size() == 2;
-  if (node.name.word == "𝔽_" || node.name.word == "_⇸_") {
+  const OperatorRow* row = operator_row(node.name.word);
+  if (row && row->binding.role == Role::generic && row->coq.level > 0) {
     std::vector<Expr> of;
     of.reserve(node.children.size());
     for (const Term& child : node.children) of.push_back(term(child, scope, frame));
-    if (!infix) return {"𝔽 " + of[0].at(applied), applied + 20, Carrier::set(of[0].type)};
-    return {of[0].at(plus) + " ⇸ " + of[1].at(plus), plus + 5,
+    const CoqNotation& by = row->coq;
+    if (of.size() == 1) return {fmt::format("{} {}", by.text, of[0].at(applied)), by.level, Carrier::set(of[0].type)};
+    return {fmt::format("{} {} {}", of[0].at(plus), by.text, of[1].at(plus)), by.level,
             Carrier::set(Carrier::set(Carrier::product({of[0].type.element(), of[1].type.element()})))};
   }
   const Symbol* symbol = find(node.name);
@@ -186,7 +164,7 @@ Expr Translator::application(const Node& node, Scope& scope, Frame& frame) const
       return out;
     }
     if (!symbol) {
-      const std::size_t operands = infixes().contains(name.word) || name.word.starts_with("_") ? 2 : 1;
+      const std::size_t operands = name.word.starts_with("_") ? 2 : 1;
       return operation(name.word, split(node.children[1], operands), scope, frame, node);
     }
   }
@@ -202,19 +180,16 @@ Expr Translator::operation(const std::string& word, const std::vector<Term>& arg
   if (word == "_↦_")
     return {"(" + of[0].at(both - 1) + ", " + of[1].at(both - 1) + ")", atomic,
             Carrier::product({of[0].type, of[1].type})};
-  if (const auto found = infixes().find(word); found != infixes().end()) {
-    const Infix& by = found->second;
-    return {fmt::format("{} {} {}", of[0].at(by.left), by.symbol, of[1].at(by.right)), by.level,
+  const OperatorRow* row = operator_row(word);
+  if (!row || row->coq.text.empty()) uncovered(node.place, "the operation " + word);
+  const CoqNotation& by = row->coq;
+  if (by.level > 0 && of.size() != 2) uncovered(node.place, "this " + word);
+  if (by.level > 0)
+    return {fmt::format("{} {} {}", of[0].at(by.level), by.text, of[1].at(by.level - 1)), by.level,
             type_of_operation(word, of)};
-  }
-  const auto found = prefixes().find(word);
-  if (found == prefixes().end()) uncovered(node.place, "the operation " + word);
-  if (word == "_⦇_⦈" || arguments.size() == 1 || word == "_⩤_" || word == "_◁_") {
-    Expr out{found->second, applied, type_of_operation(word, of)};
-    for (const Expr& one : of) out.text += " " + one.at(applied - 1);
-    return out;
-  }
-  uncovered(node.place, "the operation " + word);
+  Expr out{std::string(by.text), applied, type_of_operation(word, of)};
+  for (const Expr& argument : of) out.text += " " + argument.at(applied - 1);
+  return out;
 }
 
 Expr Translator::partial(const std::string& in, const std::string& before, const Carrier& type, Scope& scope,

@@ -6,34 +6,19 @@
 #include "zed/evaluate/compiler.hpp"
 #include "zed/evaluate/describe.hpp"
 #include "zed/evaluate/intensional.hpp"
+#include "zed/syntax/match.hpp"
 #include "zed/value/sets.hpp"
 
 namespace durero::zed {
 namespace {
 
-bool mentions(const Term& term, const Name& name);
+using match::is_equation;
 
-bool mentions(const SchemaText& text, const Name& name) {
-  return std::any_of(text.declarations.begin(), text.declarations.end(),
-                     [&](const Declaration& one) { return mentions(one.term, name); }) ||
-         std::any_of(text.predicates.begin(), text.predicates.end(),
-                     [&](const Predicate& one) { return mentions(one.term, name); });
-}
-
-bool mentions(const Term& term, const Name& name) {
-  if (term->kind == Kind::reference && term->name == name) return true;
-  if (term->text && mentions(*term->text, name)) return true;
-  return std::any_of(term->children.begin(), term->children.end(),
-                     [&](const Term& child) { return mentions(child, name); });
-}
-
-bool is_reference(const Term& term, const Name& name) { return term->kind == Kind::reference && term->name == name; }
 bool is_application(const Term& term, const Name& function) {
-  return term->kind == Kind::application && is_reference(term->children[0], function);
+  return term->kind == Kind::application && match::is_reference(term->children[0], function);
 }
-bool is_equation(const Term& term) {
-  return term->kind == Kind::relation && term->names.size() == 1 && term->names[0].word == "_=_";
-}
+
+bool mentions(const Term& term, const Name& name) { return match::mentions(term, {name}); }
 
 /// The names that an argument consists of: `x`, `(x, y)`, with `θS` for the schema text's inclusion of S; or nothing.
 std::optional<std::vector<Name>> argument_names(const Term& argument) {
@@ -89,10 +74,9 @@ std::optional<Closure> clause(Compiler& compiler, const Name& function, const st
   const Term& body = forall.children[0];
   if (!is_equation(body)) return std::nullopt;
   const Term &left = body->children[0], &right = body->children[1];
-  const bool squared = left->kind == Kind::application && is_reference(left->children[0], {"_*_", {}}) &&
-                       left->children[1]->kind == Kind::tuple && left->children[1]->children.size() == 2 &&
-                       left->children[1]->children[0] == left->children[1]->children[1];
-  const Term& applied = squared ? left->children[1]->children[0] : left;
+  const Node* factors = match::operands(left, "_*_");
+  const bool squared = factors && factors->children[0] == factors->children[1];
+  const Term& applied = squared ? factors->children[0] : left;
   if (!is_application(applied, function)) return std::nullopt;
   if (squared && applied->children[1] != right) return std::nullopt;
   const auto names = argument_names(applied->children[1]);
@@ -120,8 +104,8 @@ Value evaluated(Compiler& compiler, const Term& term, Context& context) {
 std::optional<Value> stated_domain(Compiler& compiler, const Name& function, const Axiomatic& form, Context& context) {
   for (const Predicate& one : form.text.predicates) {
     if (!is_equation(one.term)) continue;
-    const Term& left = one.term->children[0];
-    if (is_application(left, {"dom", {}}) && is_reference(left->children[1], function)) {
+    const Term* of = match::argument_of(one.term->children[0], "dom");
+    if (of && match::is_reference(*of, function)) {
       return evaluated(compiler, one.term->children[1], context);
     }
   }

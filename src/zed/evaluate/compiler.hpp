@@ -11,6 +11,8 @@
 
 namespace durero::zed {
 
+struct OperatorRow;
+
 /// The layout of one frame. It grows while code is compiled for it.
 struct Unit {
   unsigned next = 0, size = 0;
@@ -77,7 +79,7 @@ class Compiler {
   // Expressions (expressions.cpp).
   Code name(const Node& node, const Scope& scope);
   Code toolkit(const Node& node, const Scope& scope);
-  Code set_expression(const Node& node, const Scope& scope);
+  Code set_expression(const Node& node, const OperatorRow& row, const Scope& scope);
   Code application(const Node& node, const Scope& scope);
   Code selection(const Node& node, const Scope& scope);
   Code theta(const Node& node, const Scope& scope);

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 
-#include "durero/zed/syntax/symbols.hpp"
 #include "zed/evaluate/compiler.hpp"
 #include "zed/evaluate/describe.hpp"
 #include "zed/evaluate/intensional.hpp"
+#include "zed/operators.hpp"
+#include "zed/syntax/match.hpp"
 #include "zed/value/functions.hpp"
 #include "zed/value/sets.hpp"
 
@@ -120,41 +121,27 @@ Scope Compiler::formals(const std::vector<Name>& formals, const std::vector<Term
 }
 
 Code Compiler::toolkit(const Node& node, const Scope& scope) {
-  const std::string name = node.name.text();
+  const OperatorRow* row = operator_row(node.name.text());
+  if (!row) cannot(node, "the evaluator knows no " + node.name.text());
+  const Evaluation& by = row->evaluation;
   const auto constant = [](Value value) { return [value = std::move(value)](Frame&) { return value; }; };
-  if (name == "𝔸") return constant(everything(name));
-  if (name == "ℤ") return constant(integers(name, std::nullopt));
-  if (name == "ℕ") return constant(integers(name, 0));
-  if (name == "ℕ₁") return constant(integers(name, 1));
-  if (name == "∅") return constant(empty_set());
-  if (toolkit_function(name)) return constant(toolkit_value(name));
-  if (toolkit_relation(name)) return constant(relation_value(name));
-  if (!node.children.empty()) return set_expression(node, scope);
-  cannot(node, "the evaluator knows no " + name);
+  if (row->binding.role == Role::generic) return set_expression(node, *row, scope);
+  if (by.constant) return constant(by.constant());
+  if (by.is_function()) return constant(toolkit_function(*row));
+  if (by.property || by.relation) return constant(toolkit_relation(*row));
+  cannot(node, "the evaluator knows no " + node.name.text());
 }
 
-Code Compiler::set_expression(const Node& node, const Scope& scope) {
-  const std::string& name = node.name.word;
-  const Code first = expression(node.children[0], scope);
-  if (name == "ℙ₁_") return [first](Frame& frame) { return power_set(first(frame), {.nonempty = true}); };
-  if (name == "𝔽_") return [first](Frame& frame) { return power_set(first(frame), {.finite = true}); };
-  if (name == "𝔽₁_") {
-    return [first](Frame& frame) { return power_set(first(frame), {.finite = true, .nonempty = true}); };
-  }
-  if (name == "id_") {
-    return [first](Frame& frame) {
-      std::vector<Value> pairs;
-      for (const Value& one : enumerated(first(frame), "the identity on")) pairs.push_back(Value::pair(one, one));
-      return finite(std::move(pairs));
+/// A generic operator with its actuals: `𝔽 S`, `A ⇸ B`.
+Code Compiler::set_expression(const Node& node, const OperatorRow& row, const Scope& scope) {
+  if (row.arrow && node.children.size() == 2)
+    return [from = expression(node.children[0], scope), to = expression(node.children[1], scope), &row](Frame& frame) {
+      const Value left = from(frame);
+      return function_set(left, to(frame), *row.arrow, row.symbol());
     };
-  }
-  if (name == "seq_" || name == "seq₁_" || name == "iseq_")
-    return [first, name](Frame& frame) { return *sequence_set(name, first(frame)); };
-  const auto* op = operator_of_name(name);
-  const auto form = op ? function_form(std::string(op->symbol)) : std::nullopt;
-  if (!form || node.children.size() != 2) cannot(node, "the evaluator knows no " + name);
-  return [first, second = expression(node.children[1], scope), form](Frame& frame) {
-    return function_set(first(frame), second(frame), *form);
+  if (!row.evaluation.unary || node.children.size() != 1) cannot(node, "the evaluator knows no " + node.name.text());
+  return [set = expression(node.children[0], scope), make = row.evaluation.unary](Frame& frame) {
+    return make(set(frame), frame.context);
   };
 }
 
@@ -241,23 +228,25 @@ Code Compiler::application(const Node& node, const Scope& scope) {
   const Term &function = node.children[0], &argument = node.children[1];
   const bool named =
       function->kind == Kind::reference && !find(function->name, scope) && !definitions_.find(function->name);
-  const ToolkitFunction* known = named ? toolkit_function(function->name.text()) : nullptr;
-  if (known && known->one) {
-    return [one = known->one, a = expression(argument, scope)](Frame& frame) { return one(a(frame), frame.context); };
+  const OperatorRow* row = named ? operator_row(function->name.text()) : nullptr;
+  const bool generic = row && row->binding.role == Role::generic;
+  if (row && !generic && row->evaluation.unary) {
+    return [compute = row->evaluation.unary, a = expression(argument, scope)](Frame& frame) {
+      return compute(a(frame), frame.context);
+    };
   }
-  if (known && argument->kind == Kind::tuple && argument->children.size() == 2) {
+  if (row && row->evaluation.binary && argument->kind == Kind::tuple && argument->children.size() == 2) {
     const Term& through = argument->children[0];
-    if (function->name.word == "_⦇_⦈" && through->kind == Kind::application &&
-        through->children[0]->kind == Kind::reference && through->children[0]->name.word == "_∼") {
-      return [r = expression(through->children[1], scope), s = expression(argument->children[1], scope)](Frame& frame) {
-        const Value relation = r(frame);
-        return inverse_image(relation, s(frame), frame.context);
+    if (const Term* relation = match::argument_of(through, "_∼"); relation && function->name.word == "_⦇_⦈") {
+      return [r = expression(*relation, scope), s = expression(argument->children[1], scope)](Frame& frame) {
+        const Value inverted = r(frame);
+        return inverse_image(inverted, s(frame), frame.context);
       };
     }
-    return [two = known->two, a = expression(argument->children[0], scope),
+    return [compute = row->evaluation.binary, a = expression(argument->children[0], scope),
             b = expression(argument->children[1], scope)](Frame& frame) {
       const Value left = a(frame);
-      return two(left, b(frame), frame.context);
+      return compute(left, b(frame), frame.context);
     };
   }
   return [f = expression(function, scope), a = expression(argument, scope)](Frame& frame) {

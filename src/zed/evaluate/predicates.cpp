@@ -4,10 +4,13 @@
 
 #include "zed/evaluate/compiler.hpp"
 #include "zed/evaluate/describe.hpp"
-#include "zed/value/functions.hpp"
+#include "zed/operators.hpp"
+#include "zed/syntax/match.hpp"
 
 namespace durero::zed {
 namespace {
+
+using ToolkitRelation = decltype(Evaluation::relation);
 
 Truth negated(const Property& property, Frame& frame) {
   const Necessary not_here(frame.context, false);
@@ -120,13 +123,16 @@ Property Compiler::relation(const Term& term, const Scope& scope) {
     reads.emplace_back(reads_.begin() + static_cast<std::ptrdiff_t>(before), reads_.end());
   }
   std::vector<ToolkitRelation> relations;
-  for (const Name& one : node.names) {
-    relations.push_back(toolkit_relation(one.word));
-    if (!relations.back()) cannot(node, "the evaluator knows no relation " + one.word);
+  for (const Name& name : node.names) {
+    const OperatorRow* row = operator_row(name.word);
+    if (row && row->evaluation.property && operands.size() == 1)
+      return test_of([of = operands[0],
+                      holds = row->evaluation.property](Frame& frame) { return holds(of(frame), frame.context); },
+                     term);
+    if (!row || !row->evaluation.relation || operands.size() == 1)
+      cannot(node, "the evaluator knows no relation " + name.word);
+    relations.push_back(row->evaluation.relation);
   }
-  if (operands.size() == 1)
-    return test_of(
-        [of = operands[0], holds = relations[0]](Frame& frame) { return holds(of(frame), {}, frame.context); }, term);
   if (relations.size() > 1) {
     return test_of(
         [operands, relations](Frame& frame) {
@@ -149,7 +155,7 @@ Property Compiler::relation(const Term& term, const Scope& scope) {
         return holds(a, right(frame), frame.context);
       },
       term);
-  if (node.names[0].word != "_=_") return made;
+  if (!match::is_equation(term)) return made;
   for (const std::size_t side : {0U, 1U}) {
     const Node& variable = *node.children[side];
     const Local* local = variable.kind == Kind::reference ? find(variable.name, scope) : nullptr;

@@ -2,7 +2,7 @@
 
 #include "durero/zed/syntax/symbols.hpp"
 #include "zed/print/strength.hpp"
-#include "zed/syntax/term_parser.hpp"
+#include "zed/syntax/connectives.hpp"
 #include "zed/syntax/utf8.hpp"
 
 namespace durero::zed {
@@ -96,9 +96,8 @@ void Printer::names(const std::vector<Name>& all) {
 void Printer::term(const Term& term, int least, bool last) {
   const Node& node = *term;
   bool parentheses = strength(node) < least;
-  if (is_quantifier(node.kind)) {
-    const bool logical = node.kind == Kind::forall || node.kind == Kind::exists || node.kind == Kind::exists_one;
-    parentheses = !last || least > (logical ? binding::negation : binding::weakest);
+  if (const Quantifier* sign = quantifier_of(node.kind)) {
+    parentheses = !last || least > (sign->logical ? binding::negation : binding::weakest);
   }
   if (node.kind == Kind::mu && node.children.empty()) parentheses = true;
   if (!parentheses) return bare(node, last);
@@ -109,11 +108,11 @@ void Printer::term(const Term& term, int least, bool last) {
 }
 
 void Printer::bare(const Node& node, bool last) {
-  if (is_quantifier(node.kind)) return quantified(node, last);
-  if (const Sign* sign = sign_of(node.kind)) {
-    if (node.children.size() == 2) return infix(node, sign->symbol, sign->left, sign->right, last);
+  if (const Quantifier* sign = quantifier_of(node.kind)) return quantified(node, sign->symbol, last);
+  if (const Connective* sign = connective_of(node.kind)) {
+    if (!sign->prefix) return infix(node, sign->symbol, sign->left_strength(), sign->right_strength(), last);
     symbol(sign->symbol);
-    return term(node.children[0], sign->right, last);
+    return term(node.children[0], sign->right_strength(), last);
   }
   switch (node.kind) {
     case Kind::reference:
@@ -171,12 +170,8 @@ void Printer::list(std::string_view open, const std::vector<Term>& terms, std::s
   tight(close);
 }
 
-void Printer::quantified(const Node& node, bool last) {
-  static constexpr std::pair<Kind, std::string_view> leads[] = {{Kind::forall, "∀"},      {Kind::exists, "∃"},
-                                                                {Kind::exists_one, "∃₁"}, {Kind::lambda, "λ"},
-                                                                {Kind::mu, "μ"},          {Kind::let, "let"}};
-  for (const auto& [kind, lead] : leads)
-    if (node.kind == kind) symbol(lead);
+void Printer::quantified(const Node& node, std::string_view sign, bool last) {
+  symbol(sign);
   schema_text(*node.text);
   if (node.children.empty()) return;
   symbol("•");

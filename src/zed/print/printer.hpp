@@ -15,7 +15,7 @@ class Printer {
   /// Unicode where `markup` is null.
   explicit Printer(const Markup* markup);
 
-  /// `least`: how tightly the term must bind to stand here without parentheses (term_parser.hpp: binding).
+  /// `least`: how tightly the term must bind to stand here without parentheses (connectives.hpp).
   /// `last`: nothing follows that a quantifier, whose body reaches as far as it can, would take in.
   void term(const Term& term, int least, bool last = true);
   void schema_text(const SchemaText& text);  ///< on one line
@@ -30,7 +30,7 @@ class Printer {
 
  private:
   void bare(const Node& node, bool last);
-  void quantified(const Node& node, bool last);
+  void quantified(const Node& node, std::string_view sign, bool last);
   void infix(const Node& node, std::string_view symbol, int left, int right, bool last);
   void application(const Node& node, bool last);
   void reference(const Node& node, bool last);

@@ -4,17 +4,18 @@
 
 #include "durero/zed/print/print.hpp"
 #include "durero/zed/review/review.hpp"
+#include "zed/operators.hpp"
 #include "zed/review/expand.hpp"
 #include "zed/review/prover.hpp"
+#include "zed/syntax/match.hpp"
 
 namespace durero::zed {
 namespace {
 
 bool is_partial_arrow(const Term& set) {
   if (set->kind != Kind::reference) return false;
-  for (const std::string_view arrow : {"_⇸_", "_⤔_", "_⤀_", "_⇻_", "_⤕_"})
-    if (set->name.word == arrow) return true;
-  return false;
+  const OperatorRow* row = operator_row(set->name.word);
+  return row && row->arrow && row->arrow->function && !row->arrow->total;
 }
 
 class Walker {
@@ -71,7 +72,7 @@ class Walker {
     std::set<Name> bound;
     for (const auto& [name, set] : whole.declared) bound.insert(name);
     for (const Declaration& one : text.declarations) bound.insert(one.names.begin(), one.names.end());
-    std::erase_if(context_.facts, [&bound](const Term& fact) { return mentions(fact, bound); });
+    std::erase_if(context_.facts, [&bound](const Term& fact) { return match::mentions(fact, bound); });
     for (const Name& name : bound) context_.declared.erase(name);
     join(context_, whole);
     budget_.spend(100 * whole.facts.size());

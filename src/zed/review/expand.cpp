@@ -38,17 +38,6 @@ void conjuncts(const Term& predicate, std::vector<Term>& to) {
   }
 }
 
-void for_each_name(const Term& term, const std::function<void(const Name&)>& visit) {
-  if (term->kind == Kind::reference) visit(term->name);
-  for (const Term& child : term->children) for_each_name(child, visit);
-  if (!term->text) return;
-  for (const Declaration& one : term->text->declarations) {
-    for (const Name& name : one.names) visit(name);
-    for_each_name(one.term, visit);
-  }
-  for (const Predicate& one : term->text->predicates) for_each_name(one.term, visit);
-}
-
 Defect too_large(const Specification& specification, const std::string& looked_for) {
   const std::string file = specification.sections.empty() ? "" : specification.sections[0].file;
   return {file,
@@ -56,12 +45,6 @@ Defect too_large(const Specification& specification, const std::string& looked_f
           "the text is too large to look for all its " + looked_for,
           "expected a shorter text",
           Defect::Severity::warning};
-}
-
-bool mentions(const Term& term, const std::set<Name>& names) {
-  bool found = false;
-  for_each_name(term, [&](const Name& name) { found = found || names.contains(name); });
-  return found;
 }
 
 Term decorate(const Term& term, const std::set<Name>& names, const std::string& strokes) {

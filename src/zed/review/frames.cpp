@@ -4,10 +4,15 @@
 #include <optional>
 
 #include "durero/zed/review/review.hpp"
+#include "zed/operators.hpp"
 #include "zed/review/expand.hpp"
+#include "zed/syntax/match.hpp"
 
 namespace durero::zed {
 namespace {
+
+using match::is_equation;
+using match::mentions;
 
 /// The schemas that some declaration includes, by name, without Δ, Ξ and strokes.
 class Included {
@@ -25,7 +30,8 @@ class Included {
  private:
   void look(const SchemaText& text) {
     for (const Declaration& one : text.declarations) {
-      if (one.form == Declaration::Form::included) for_each_name(one.term, [this](const Name& name) { insert(name); });
+      if (one.form == Declaration::Form::included)
+        match::each_name(one.term, [this](const Name& name) { insert(name); });
       look(one.term);
     }
     for (const Predicate& one : text.predicates) look(one.term);
@@ -41,11 +47,6 @@ class Included {
 
   std::set<std::string> names_;
 };
-
-bool is_equation(const Term& term) {
-  return term->kind == Kind::relation && term->names.size() == 1 && term->names[0].word == "_=_" &&
-         term->children.size() == 2;
-}
 
 void determine(std::set<Name>& open, const std::vector<Term>& facts, Budget& budget);
 
@@ -69,14 +70,9 @@ void by_sides(std::set<Name>& open, const std::vector<Term>& sides, Budget& budg
 }
 
 /// The relation that holds just where this one does not; empty if it has no name of its own.
-std::string_view opposite(std::string_view relation) {
-  static constexpr std::pair<std::string_view, std::string_view> pairs[] = {
-      {"_=_", "_≠_"}, {"_∈_", "_∉_"}, {"_<_", "_≥_"}, {"_>_", "_≤_"}};
-  for (const auto& [one, other] : pairs) {
-    if (relation == one) return other;
-    if (relation == other) return one;
-  }
-  return {};
+std::string_view opposite(const Name& relation) {
+  const OperatorRow* row = operator_row(relation.word);
+  return row ? row->opposite : std::string_view();
 }
 
 /// ¬ p and p, or a = b and a ≠ b: one of the two holds.
@@ -84,7 +80,7 @@ bool are_cases(const Term& p, const Term& q) {
   const auto denies = [](const Term& a, const Term& b) { return a->kind == Kind::negation && a->children[0] == b; };
   const auto single = [](const Term& a) { return a->kind == Kind::relation && a->names.size() == 1; };
   return denies(p, q) || denies(q, p) ||
-         (single(p) && single(q) && p->names[0].word == opposite(q->names[0].word) && p->children == q->children);
+         (single(p) && single(q) && p->names[0].word == opposite(q->names[0]) && p->children == q->children);
 }
 
 /// What p ⇒ P and ¬ p ⇒ Q determine: what P and Q both do.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "zed/syntax/match.hpp"
+
 namespace durero::zed {
 namespace {
 
@@ -9,24 +11,12 @@ constexpr std::size_t max_sets = 64;  // sets tied to a domain that are looked a
 
 Term equation(const Term& a, const Term& b) { return relation({{"_=_", {}}}, {a, b}); }
 
-bool is_relation(const Term& fact, std::string_view word) {
-  return fact->kind == Kind::relation && fact->children.size() == 2 && fact->names[0].word == word;
-}
-
-/// The operands of `a op b`, or null.
-const Node* operands(const Term& term, std::string_view op) {
-  if (term->kind != Kind::application || term->children[0]->kind != Kind::reference) return nullptr;
-  const Node& argument = *term->children[1];
-  const bool pair = argument.kind == Kind::tuple && argument.children.size() == 2;
-  return term->children[0]->name.word == op && pair ? &argument : nullptr;
-}
+using match::is_relation;
+using match::mentions;
+using match::operands;
 
 /// f of `dom f`, or null.
-const Term* of_domain(const Term& set) {
-  const bool domain = set->kind == Kind::application && set->children[0]->kind == Kind::reference &&
-                      set->children[0]->name.word == "dom";
-  return domain ? &set->children[1] : nullptr;
-}
+const Term* of_domain(const Term& set) { return match::argument_of(set, "dom"); }
 
 /// x of (x, y) and of x ↦ y, or null.
 const Term* first_of_pair(const Term& pair) {
@@ -116,11 +106,10 @@ class Prover {
 
   /// x ∈ g ∼ ⦇ {a, b} ⦈ where x ∈ dom g and g x is a or b.
   bool in_image(const Term& x, const Node& image) {
-    const Term &inverse = image.children[0], &values = image.children[1];
-    const bool inverted = inverse->kind == Kind::application && inverse->children[0]->kind == Kind::reference &&
-                          inverse->children[0]->name.word == "_∼";
+    const Term* inverted = match::argument_of(image.children[0], "_∼");
+    const Term& values = image.children[1];
     if (!inverted || values->kind != Kind::set_extension || values->children.empty()) return false;
-    const Term& g = inverse->children[1];
+    const Term& g = *inverted;
     if (!member(x, domain_of(g))) return false;
     const Term value = apply(g, x);
     std::set<Name> others;

@@ -53,7 +53,7 @@ class Unicode : Lexer {
     if (c.empty() || static_cast<unsigned char>(c[0]) < 0x80 || stroke_here()) return false;
     static constexpr std::array<std::string_view, 10> others = {"•", "⦁", "−", "⊢", "λ", "μ", "θ", "…", "⁀", "‥"};
     if (among(c, others)) return c == "λ" || c == "μ" || c == "θ";
-    if (among(c, word_symbols)) return false;
+    if (is_symbol_name(c)) return false;
     return is_letter_symbol(c) || !latex_of(c);
   }
 
@@ -94,7 +94,7 @@ class Unicode : Lexer {
     if (!latex_of(character()) || static_cast<unsigned char>(here()) < 0x80)
       refuse(place, "the character " + std::string(character()) + " means nothing here", "expected Z in Unicode");
     std::string text(take());
-    if (among(text, indexed) || among(text, word_symbols)) return emit_with_strokes(std::move(text), place);
+    if (has_indexed(text) || is_symbol_name(text)) return emit_with_strokes(std::move(text), place);
     emit(text, place);
   }
 };

@@ -26,23 +26,9 @@ class Deeper {
   unsigned& depth_;
 };
 
-struct Connective {
-  std::string_view symbol;
-  Kind kind;
-  int strength;
-  bool right;
-};
-
-constexpr Connective connectives[] = {
-    {"⇔", Kind::equivalence, binding::equivalence, false}, {"⇒", Kind::implication, binding::implication, true},
-    {"∨", Kind::disjunction, binding::disjunction, false}, {"∧", Kind::conjunction, binding::conjunction, false},
-    {"⨟", Kind::composition, binding::composition, false}, {"⨠", Kind::piping, binding::piping, false},
-    {"⨡", Kind::projection, binding::projection, false},
-};
-
-const Connective* connective(const Token& token) {
-  for (const Connective& one : connectives)
-    if (token.is(one.symbol)) return &one;
+const Connective* infix_connective(const Token& token) {
+  for (const Connective& connective : connectives)
+    if (!connective.prefix && token.is(connective.symbol)) return &connective;
   return nullptr;
 }
 
@@ -60,11 +46,11 @@ Term TermParser::term(int least) {
   for (;;) {
     const Token& token = in_.peek();
     if (token.type != Type::symbol && token.type != Type::word) return left;
-    if (const Connective* found = connective(token)) {
-      if (found->strength < least) return left;
+    if (const Connective* connective = infix_connective(token)) {
+      if (connective->strength < least) return left;
       in_.next();
-      const Term right = term(found->right ? found->strength : found->strength + 1);
-      left = checked(node(found->kind, {left, right}, left->place));
+      const Term right = term(connective->right_strength());
+      left = checked(node(connective->kind, {left, right}, left->place));
     } else if (token.is("⧹") && least <= binding::hiding) {
       left = hiding(left);
     } else if (token.is("×") && least <= binding::infix + product_precedence) {
@@ -119,16 +105,11 @@ Term TermParser::hiding(Term left) {
 Term TermParser::leading() {
   const Token& token = in_.peek();
   const Place place = token.place;
-  if (token.is("∀")) return quantifier(Kind::forall, true);
-  if (token.is("∃")) return quantifier(Kind::exists, true);
-  if (token.is("∃₁")) return quantifier(Kind::exists_one, true);
-  if (token.is("λ")) return quantifier(Kind::lambda, true);
-  if (token.is("μ")) return quantifier(Kind::mu, true);
-  if (token.is("let")) return let();
+  for (const Quantifier& sign : quantifiers)
+    if (token.is(sign.symbol)) return sign.kind == Kind::let ? let() : quantifier(sign.kind, true);
   if (token.is("if")) return conditional();
-  if (in_.accept("¬")) return checked(node(Kind::negation, {term(binding::negation)}, place));
-  if (in_.accept("pre")) return checked(node(Kind::precondition, {term(binding::precondition)}, place));
-  if (in_.accept("ℙ")) return checked(node(Kind::power, {term(binding::prefix)}, place));
+  for (const Connective& sign : connectives)
+    if (sign.prefix && in_.accept(sign.symbol)) return checked(node(sign.kind, {term(sign.strength)}, place));
   const Operator* op = token.strokes.empty() ? find_operator(token.text, Fixity::prefix) : nullptr;
   if (!op) return application();
   if (token.only_infix) in_.fail("expected \\negate for the sign, or a term before -");

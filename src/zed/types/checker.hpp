@@ -57,7 +57,6 @@ class Checker {
   std::vector<Type> actuals(const Node& node);
   Type set_extension(const Node& node);
   Type application(const Node& node);
-  Type applied_operator(const Node& node, const Type& function, const Type& argument);
   Type quantified(const Node& node);
   Type conditional(const Node& node);
   Type selection(const Node& node);

@@ -1,7 +1,6 @@
 /// The toolkit's sets of relations and of functions.
 
 #include <algorithm>
-#include <array>
 
 #include "zed/value/functions.hpp"
 #include "zed/value/sets.hpp"
@@ -29,8 +28,8 @@ std::vector<Value> seconds(const std::vector<Value>& pairs) {
 
 class FunctionSet : public Set {
  public:
-  FunctionSet(Value from, Value to, FunctionForm form)
-      : from_(std::move(from)), to_(std::move(to)), form_(std::move(form)) {}
+  FunctionSet(Value from, Value to, const Arrow& form, std::string_view symbol)
+      : from_(std::move(from)), to_(std::move(to)), form_(form), symbol_(symbol) {}
 
   bool total() const override { return !form_.function && !form_.finite && from_.set()->total() && to_.set()->total(); }
 
@@ -56,7 +55,7 @@ class FunctionSet : public Set {
   }
 
   std::string text() const override {
-    return "(" + from_.set()->text() + " " + form_.symbol + " " + to_.set()->text() + ")";
+    return "(" + from_.set()->text() + " " + symbol_ + " " + to_.set()->text() + ")";
   }
 
  private:
@@ -118,34 +117,17 @@ class FunctionSet : public Set {
   }
 
   Value from_, to_;
-  FunctionForm form_;
+  Arrow form_;
+  std::string symbol_;
   mutable std::optional<Value> made_;
 };
 
 }  // namespace
 
-std::optional<FunctionForm> function_form(const std::string& symbol) {
-  static const std::array<FunctionForm, 10> forms{{
-      {.symbol = "↔", .function = false},
-      {.symbol = "⇸"},
-      {.symbol = "→", .total = true},
-      {.symbol = "⤔", .injective = true},
-      {.symbol = "↣", .total = true, .injective = true},
-      {.symbol = "⤀", .surjective = true},
-      {.symbol = "↠", .total = true, .surjective = true},
-      {.symbol = "⤖", .total = true, .injective = true, .surjective = true},
-      {.symbol = "⇻", .finite = true},
-      {.symbol = "⤕", .injective = true, .finite = true},
-  }};
-  const auto found = std::find_if(forms.begin(), forms.end(), [&](const auto& one) { return one.symbol == symbol; });
-  if (found == forms.end()) return std::nullopt;
-  return *found;
-}
-
-Value function_set(Value from, Value to, const FunctionForm& form) {
+Value function_set(Value from, Value to, const Arrow& arrow, std::string_view symbol) {
   if (not_sets(from)) return from;
   if (not_sets(to)) return to;
-  return SetPtr(std::make_shared<const FunctionSet>(std::move(from), std::move(to), form));
+  return SetPtr(std::make_shared<const FunctionSet>(std::move(from), std::move(to), arrow, symbol));
 }
 
 }  // namespace durero::zed

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "zed/operators.hpp"
 #include "zed/value/context.hpp"
 
 namespace durero::zed {
@@ -24,14 +25,8 @@ struct PowerForm {
 Value power_set(Value base, PowerForm form);
 Value product_set(std::vector<Value> factors);
 
-/// The sets of functions and relations of the toolkit.
-struct FunctionForm {
-  std::string symbol;
-  bool function = true, total = false, injective = false, surjective = false, finite = false;
-};
-/// The form that a symbol such as `⇸` stands for, or nothing.
-std::optional<FunctionForm> function_form(const std::string& symbol);
-Value function_set(Value from, Value to, const FunctionForm& form);
+/// The set of the relations or functions that an arrow makes: `from ⇸ to`. `symbol` is what it is printed with.
+Value function_set(Value from, Value to, const Arrow& arrow, std::string_view symbol);
 
 /// The function that makes the values of one branch of a free type, of the branch's arguments.
 Value constructor_function(std::string type, std::string name, std::uint32_t order, Value arguments);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "zed/value/sets.hpp"
+#include "zed/value/toolkit_functions.hpp"
 
 namespace durero::zed {
 namespace {
@@ -154,6 +155,12 @@ Value constructor_function(std::string type, std::string name, std::uint32_t ord
 Value power_set(Value base, PowerForm form) {
   if (not_sets(base)) return base;
   return SetPtr(std::make_shared<const PowerSet>(std::move(base), form));
+}
+
+Value functions::nonempty_subsets(const Value& set, Context&) { return power_set(set, {.nonempty = true}); }
+Value functions::finite_subsets(const Value& set, Context&) { return power_set(set, {.finite = true}); }
+Value functions::nonempty_finite_subsets(const Value& set, Context&) {
+  return power_set(set, {.finite = true, .nonempty = true});
 }
 
 Value product_set(std::vector<Value> factors) {
