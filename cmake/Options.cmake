@@ -17,10 +17,6 @@ add_library(durero_options INTERFACE)
 target_compile_options(durero_options INTERFACE
   -ffp-contract=off -fno-fast-math
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
-# Under the sanitizers GCC warns of std::regex's own code, of what is never read (GCC bug 105562).
-if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_FLAGS MATCHES "-fsanitize")
-  target_compile_options(durero_options INTERFACE -Wno-maybe-uninitialized)
-endif()
 target_include_directories(durero_options INTERFACE ${PROJECT_SOURCE_DIR}/include)
 
 if(DURERO_TIDY)

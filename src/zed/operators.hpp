@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-#include "durero/zed/syntax/symbols.hpp"
+#include "zed/syntax/symbols.hpp"
 
 namespace durero::zed {
 

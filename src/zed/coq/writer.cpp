@@ -8,6 +8,7 @@
 
 #include "durero/zed/coq/coq.hpp"
 #include "durero/zed/syntax/defect.hpp"
+#include "zed/syntax/utf8.hpp"
 
 namespace durero::zed::coq {
 namespace {
@@ -15,8 +16,7 @@ namespace {
 constexpr std::size_t width = 118;
 
 std::size_t characters(std::string_view text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return !utf8::continues(c); }));
 }
 
 int depth_change(const std::string& word) {

@@ -8,6 +8,7 @@
 #include "zed/evaluate/intensional.hpp"
 #include "zed/syntax/match.hpp"
 #include "zed/value/sets.hpp"
+#include "zed/value/toolkit_functions.hpp"
 
 namespace durero::zed {
 namespace {
@@ -58,16 +59,6 @@ std::optional<std::vector<Group>> in_order(const std::vector<Name>& names, const
   return groups.size() == head.groups.size() ? std::optional(groups) : std::nullopt;
 }
 
-Value root(const Value& of) {
-  if (of.is_undefined()) return {};
-  if (!of.real()) return Open{};
-  try {
-    return square_root(*of.real());
-  } catch (const std::domain_error& none) {
-    throw EvaluationError(none.what());
-  }
-}
-
 /// What the equation in `body` says of f, as a clause under the head of `forall`.
 std::optional<Closure> clause(Compiler& compiler, const Name& function, const std::vector<Name>& formals,
                               const Node& forall) {
@@ -89,7 +80,7 @@ std::optional<Closure> clause(Compiler& compiler, const Name& function, const st
   if (!groups) return std::nullopt;
   head.groups = *groups;
   Code value = compiler.expression(right, inner);
-  if (squared) value = [of = std::move(value)](Frame& frame) { return root(of(frame)); };
+  if (squared) value = [of = std::move(value)](Frame& frame) { return functions::root(of(frame), frame.context); };
   return Closure{unit, {}, std::move(head), std::move(value), describe(forall)};
 }
 

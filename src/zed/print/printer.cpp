@@ -1,8 +1,8 @@
 #include "zed/print/printer.hpp"
 
-#include "durero/zed/syntax/symbols.hpp"
 #include "zed/print/strength.hpp"
 #include "zed/syntax/connectives.hpp"
+#include "zed/syntax/symbols.hpp"
 #include "zed/syntax/utf8.hpp"
 
 namespace durero::zed {

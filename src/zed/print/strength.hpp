@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "durero/zed/syntax/ast.hpp"
-#include "durero/zed/syntax/symbols.hpp"
+#include "zed/syntax/symbols.hpp"
 
 namespace durero::zed {
 

@@ -27,7 +27,9 @@ class Unicode : Lexer {
     } else if (c == '%') {
       comment();
     } else if (is_digit(c)) {
-      numeral();
+      number();
+    } else if (c == '"') {
+      quoted();
     } else if (is_stroke(c) || stroke_here()) {
       const Place place = place_;
       emit(Type::stroke, stroke(), place);
@@ -36,6 +38,30 @@ class Unicode : Lexer {
     } else {
       symbol();
     }
+  }
+
+  /// `12`, or `0.25`; in `t.1.2` the second point selects.
+  void number() {
+    const bool selects = !tokens_.empty() && tokens_.back().is(".");
+    numeral();
+    if (selects || here() != '.' || !is_digit(here(1))) return;
+    tokens_.back().text += take();
+    while (is_digit(here())) tokens_.back().text += take();
+    behind_ = place_;
+  }
+
+  /// `"a-b"`: a name of letters, digits and `_ . : -`; its word keeps the quotation marks.
+  void quoted() {
+    const Place place = place_;
+    std::string name(take());
+    const auto spells = [](char c) {
+      return is_letter(c) || is_digit(c) || c == '_' || c == '.' || c == ':' || c == '-';
+    };
+    while (spells(here())) name += take();
+    if (here() != '"' || name.size() == 1)
+      refuse(place_, "a quoted name ends here", "expected letters, digits and _ . : - between two quotation marks");
+    name += take();
+    emit(Type::word, std::move(name), place);
   }
 
   std::string_view character() const { return utf8::first(text_.substr(std::min(at_, text_.size()))); }

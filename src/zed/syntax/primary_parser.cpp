@@ -1,5 +1,6 @@
 /// The parser of what binds tightest: applications, and the terms between brackets.
 
+#include <algorithm>
 #include <utility>
 
 #include "zed/syntax/term_parser.hpp"
@@ -109,7 +110,7 @@ std::vector<Term> TermParser::terms(std::string_view closing) {
 
 Term TermParser::plain_primary() {
   const Token& token = in_.peek();
-  if (token.type == Type::numeral) return number(in_.next().text, token.place);
+  if (token.type == Type::numeral) return numeral();
   if (TokenStream::is_name(token)) return reference(in_.name(), {}, token.place);
   if (token.is("true") || token.is("false"))
     return node(in_.next().is("true") ? Kind::truth : Kind::falsity, {}, token.place);
@@ -120,6 +121,19 @@ Term TermParser::plain_primary() {
   if (token.is("⟨")) return sequence();
   if (token.is("⦉")) return binding_extension();
   in_.fail("expected an expression or a predicate");
+}
+
+/// A natural number; 0.25 is read as 25 / 100.
+Term TermParser::numeral() {
+  const Token& token = in_.next();
+  std::string digits = token.text;
+  const std::size_t point = digits.find('.');
+  if (point == digits.npos) return number(std::move(digits), token.place);
+  std::string power = "1" + std::string(digits.size() - point - 1, '0');
+  digits.erase(point, 1);
+  digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1));
+  return checked(
+      operation("_/_", {number(std::move(digits), token.place), number(std::move(power), token.place)}, token.place));
 }
 
 Term TermParser::theta() {

@@ -27,11 +27,11 @@ std::optional<std::string> on_disk(const std::string& file) {
 class Reader {
  public:
   /// `texts`: by name of file, instead of files on disk.
-  explicit Reader(std::map<std::string, std::string> texts = {}) : texts_(std::move(texts)) {}
+  explicit Reader(std::map<std::string, std::optional<std::string>> texts = {}) : texts_(std::move(texts)) {}
 
   /// Tells where the sections of a file are, without reading them.
   void index(const std::string& path) {
-    const auto all = contents(path);
+    const auto& all = contents(path);
     if (!all) return;
     std::vector<Defect> later;
     for (const Block& block : cut(*all, path, later)) {
@@ -46,7 +46,7 @@ class Reader {
   void file(const std::string& path) {
     const std::string canonical = std::filesystem::weakly_canonical(path).string();
     if (!files_.insert(canonical).second) return;
-    if (const auto read = contents(path)) return text(*read, path);
+    if (const auto& all = contents(path)) return text(*all, path);
     made_.defects.push_back({path, {1, 1}, "the file cannot be read", "expected a file of Z text", {}});
   }
 
@@ -81,9 +81,10 @@ class Reader {
   }
 
  private:
-  std::optional<std::string> contents(const std::string& file) const {
-    if (const auto found = texts_.find(file); found != texts_.end()) return found->second;
-    return on_disk(file);
+  /// The text of a file, which is read once; nothing where it cannot be read.
+  const std::optional<std::string>& contents(const std::string& file) {
+    if (const auto known = texts_.find(file); known != texts_.end()) return known->second;
+    return texts_.emplace(file, on_disk(file)).first->second;
   }
 
   /// Begins a section; one with a bad header is read all the same, for the defects in it.
@@ -102,10 +103,21 @@ class Reader {
   void inherit(Markup& mine, const std::string& parent, const std::string& path, Place place) {
     if (is_toolkit(parent)) return;
     if (!started_.contains(parent)) find(parent, path);
-    if (!made_.find(parent))
-      throw ZError(place, "unknown parent " + parent, "expected a section, or a file " + parent + ".tex");
+    if (!made_.find(parent)) no_parent(parent, place);
     const Markup& theirs = made_.markup[parent];
     mine.insert(theirs.begin(), theirs.end());
+  }
+
+  /// A section that was begun and has not ended is an ancestor of itself; one whose file was begun stands behind its
+  /// child there.
+  [[noreturn]] void no_parent(const std::string& parent, Place place) const {
+    if (started_.contains(parent))
+      throw ZError(place, "the parents go in a cycle, back to " + parent,
+                   "expected no section among its own ancestors");
+    if (where_.contains(parent))
+      throw ZError(place, "the parent " + parent + " stands behind its child",
+                   "expected it before, or in another file");
+    throw ZError(place, "unknown parent " + parent, "expected a section, or a file " + parent + ".tex");
   }
 
   /// Reads the file that a section stands in: one of those given, or one in the folder of the file that names it.
@@ -150,7 +162,7 @@ class Reader {
     open.reset();
   }
 
-  std::map<std::string, std::string> texts_;  // file to contents
+  std::map<std::string, std::optional<std::string>> texts_;  // file to contents; none where it cannot be read
   Specification made_;
   std::set<std::string> files_, started_;
   std::map<std::string, std::string> where_;  // section to file
@@ -178,11 +190,15 @@ Specification read_files(const std::vector<std::string>& files) {
   return reader.take();
 }
 
-Specification read_texts(const std::map<std::string, std::string>& texts) {
-  Reader reader(texts);
-  for (const auto& one : texts) reader.index(one.first);
-  for (const auto& one : texts) reader.file(one.first);
+Specification read_sources(const std::vector<std::pair<std::string, std::string>>& sources) {
+  Reader reader({sources.begin(), sources.end()});
+  for (const auto& [file, text] : sources) reader.index(file);
+  for (const auto& [file, text] : sources) reader.file(file);
   return reader.take();
+}
+
+Specification read_texts(const std::map<std::string, std::string>& texts) {
+  return read_sources({texts.begin(), texts.end()});
 }
 
 Specification read_text(const std::string& text, const std::string& file) {

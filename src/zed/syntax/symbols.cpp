@@ -1,4 +1,4 @@
-#include "durero/zed/syntax/symbols.hpp"
+#include "zed/syntax/symbols.hpp"
 
 #include <algorithm>
 #include <array>

@@ -30,6 +30,7 @@ class TermParser {
   Term quantifier(Kind kind, bool value_needed);
   Term let();
   Term conditional();
+  Term numeral();
   Term theta();
   Term parenthesis();
   Term braces();

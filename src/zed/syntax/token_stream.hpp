@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "durero/zed/syntax/defect.hpp"
-#include "durero/zed/syntax/symbols.hpp"
+#include "zed/syntax/symbols.hpp"
 #include "zed/syntax/token.hpp"
 
 namespace durero::zed {

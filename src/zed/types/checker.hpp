@@ -9,12 +9,18 @@
 #include <utility>
 #include <vector>
 
-#include "durero/zed/types/toolkit.hpp"
 #include "durero/zed/types/typecheck.hpp"
+#include "zed/types/toolkit.hpp"
 
 namespace durero::zed {
 
 using Fields = std::vector<std::pair<Name, Type>>;  // a signature, in the order of declaration
+
+/// A signature that grows, and where each name stands in it.
+struct FieldTable {
+  Fields fields;
+  std::unordered_map<Name, std::size_t> positions{};
+};
 
 /// Limits of what one section may ask for, so that no text makes the checker hang or run out of stack: the longest
 /// section of spec/ takes 10^4 steps, its largest paragraph 200 variables. Freeing a type recurses once for each
@@ -77,8 +83,10 @@ class Checker {
   Type precondition(const Node& node);
   Type doubled(const Type& schema, const Name& name, Place place);
   std::optional<Fields> schema_fields(const Term& term, const char* role);
-  /// Puts b's fields to a's; a name in both must have one type.
-  void merge(Fields& a, const Fields& b, Place place, const std::string& what);
+  /// Puts more fields to those of the table; a name in both must have one type.
+  void merge(FieldTable& table, const Fields& more, Place place, const std::string& what);
+  /// Both signatures in one.
+  Fields merged(Fields left, const Fields& right, Place place);
   Type schema_set(Fields fields) { return limited(Type::power(Type::schema(std::move(fields)))); }
 
   /// The type of the elements of a set expression.

@@ -1,6 +1,6 @@
 /// The type-checker on predicates.
 
-#include "durero/zed/syntax/symbols.hpp"
+#include "zed/syntax/symbols.hpp"
 #include "zed/types/checker.hpp"
 
 namespace durero::zed {

@@ -23,39 +23,48 @@ void remove(Fields& fields, const Name& name) {
 }  // namespace
 
 Fields Checker::signature(const SchemaText& text) {
-  Fields made;
-  for (const Declaration& one : text.declarations) {
-    if (one.form == Declaration::Form::included) {
-      if (const auto fields = schema_fields(one.term, "as a declaration")) merge(made, *fields, one.place, "included");
+  FieldTable table;
+  for (const Declaration& declaration : text.declarations) {
+    if (declaration.form == Declaration::Form::included) {
+      if (const auto fields = schema_fields(declaration.term, "as a declaration"))
+        merge(table, *fields, declaration.place, "included");
       continue;
     }
-    const Type type =
-        one.form == Declaration::Form::typed ? element(one.term, "the range of a variable") : expression(one.term);
-    for (std::size_t i = 0; i < one.names.size(); ++i)
-      merge(made, {{one.names[i], type}}, i < one.places.size() ? one.places[i] : one.place, "declared");
+    const Type type = declaration.form == Declaration::Form::typed
+                          ? element(declaration.term, "the range of a variable")
+                          : expression(declaration.term);
+    for (std::size_t i = 0; i < declaration.names.size(); ++i)
+      merge(table, {{declaration.names[i], type}},
+            i < declaration.places.size() ? declaration.places[i] : declaration.place, "declared");
   }
-  return made;
+  return std::move(table.fields);
 }
 
 void Checker::predicates(const SchemaText& text) {
   for (const Predicate& one : text.predicates) predicate(one.term);
 }
 
-void Checker::merge(Fields& a, const Fields& b, Place place, const std::string& what) {
-  spend(a.size() + b.size());
-  std::unordered_map<Name, std::size_t> known;
-  for (std::size_t i = 0; i < a.size(); ++i) known.emplace(a[i].first, i);
-  for (const auto& [name, type] : b) {
-    const auto found = known.find(name);
-    if (found == known.end()) {
-      a.emplace_back(name, type);
-    } else if (!unify(a[found->second].second, type)) {
-      error(place,
-            fmt::format("{} is {} with the type {}, and is {} already", name.text(), what, type.text(),
-                        a[found->second].second.text()),
-            "expected one type for one name");
+void Checker::merge(FieldTable& table, const Fields& more, Place place, const std::string& what) {
+  spend(more.size());
+  for (const auto& [name, type] : more) {
+    const auto [known, is_new] = table.positions.emplace(name, table.fields.size());
+    if (is_new) {
+      table.fields.emplace_back(name, type);
+      continue;
     }
+    const Type& before = table.fields[known->second].second;
+    if (!unify(before, type))
+      error(place,
+            fmt::format("{} is {} with the type {}, and is {} already", name.text(), what, type.text(), before.text()),
+            "expected one type for one name");
   }
+}
+
+Fields Checker::merged(Fields left, const Fields& right, Place place) {
+  FieldTable table;
+  merge(table, left, place, "declared");
+  merge(table, right, place, "declared");
+  return std::move(table.fields);
 }
 
 std::optional<Fields> Checker::schema_fields(const Term& term, const char* role) {
@@ -103,8 +112,7 @@ Type Checker::schema_expression(const Node& node) {
   const auto left = schema_fields(node.children[0], "as an operand of the schema calculus");
   const auto right = schema_fields(node.children[1], "as an operand of the schema calculus");
   if (!left || !right) return Type::unknown();
-  Fields both = *left;
-  merge(both, *right, node.children[1]->place, "declared");
+  const Fields both = merged(*left, *right, node.children[1]->place);
   return schema_set(node.kind == Kind::projection ? *right : both);
 }
 
@@ -124,15 +132,14 @@ Type Checker::doubled(const Type& schema, const Name& name, Place place) {
     error(place, fmt::format("{} doubles a schema with the component {}", name.text(), decorated->first.text()),
           "expected a state behind Δ or Ξ, and an operation to be included as it is");
   const Type after = decoration(schema, "'");
-  merge(fields, fields_of(after.parts()[0]), place, "declared");
-  return schema_set(std::move(fields));
+  return schema_set(merged(std::move(fields), fields_of(after.parts()[0]), place));
 }
 
 Type Checker::renaming(const Node& node) {
   auto fields = schema_fields(node.children[0], "before a renaming");
   if (!fields) return Type::unknown();
   std::set<Name> olds;
-  Fields made;
+  FieldTable renamed;
   for (std::size_t i = 0; i + 1 < node.names.size(); i += 2)
     if (!olds.insert(node.names[i + 1]).second)
       return wrong(node.place, node.names[i + 1].text() + " is renamed twice", "expected one new name for it");
@@ -141,9 +148,9 @@ Type Checker::renaming(const Node& node) {
     Name now = name;
     for (std::size_t i = 0; i + 1 < node.names.size(); i += 2)
       if (node.names[i + 1] == name) now = node.names[i];
-    merge(made, {{now, type}}, node.place, "declared");
+    merge(renamed, {{now, type}}, node.place, "declared");
   }
-  return schema_set(std::move(made));
+  return schema_set(std::move(renamed.fields));
 }
 
 Type Checker::hiding(const Node& node) {
@@ -181,8 +188,7 @@ Type Checker::joined(const Node& node, const char* what, const std::string& left
             "expected one type");
     right->erase(match);
   }
-  merge(kept, *right, node.place, "declared");
-  return schema_set(std::move(kept));
+  return schema_set(merged(std::move(kept), *right, node.place));
 }
 
 /// pre S hides the after-state and the outputs.

@@ -1,5 +1,5 @@
 #include "durero/zed/print/print.hpp"
-#include "durero/zed/syntax/symbols.hpp"
+#include "zed/syntax/symbols.hpp"
 #include "zed/types/checker.hpp"
 
 namespace durero::zed {

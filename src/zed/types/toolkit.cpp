@@ -1,6 +1,8 @@
-#include "durero/zed/types/toolkit.hpp"
+#include "zed/types/toolkit.hpp"
 
 #include <stdexcept>
+#include <string_view>
+#include <vector>
 
 #include "durero/zed/syntax/parser.hpp"
 #include "zed/operators.hpp"
@@ -26,6 +28,16 @@ Scheme scheme(std::string_view formals, std::string_view set) {
   return {std::move(names), element_type(parse_unicode(set))};
 }
 
+/// The names with the types of their rows.
+std::unordered_map<Name, Scheme> schemes(const std::vector<std::string_view>& names) {
+  std::unordered_map<Name, Scheme> typed;
+  for (const std::string_view name : names) {
+    const OperatorRow& row = *operator_row(name);
+    typed.emplace(Name{std::string(name), {}}, scheme(row.formals, row.type));
+  }
+  return typed;
+}
+
 }  // namespace
 
 const Type& arithmos() {
@@ -34,23 +46,21 @@ const Type& arithmos() {
 }
 
 const std::unordered_map<Name, Scheme>& prelude() {
-  static const auto table = [] {
-    std::unordered_map<Name, Scheme> schemes;
-    for (const char* name : {"𝔸", "ℕ", "_+_"}) {
-      const OperatorRow& row = *operator_row(name);
-      schemes.emplace(Name{name, {}}, scheme(row.formals, row.type));
-    }
-    return schemes;
-  }();
+  static const auto table = schemes({"𝔸", "ℕ", "_+_"});
+  return table;
+}
+
+const std::unordered_map<Name, Scheme>& calculator() {
+  static const auto table = schemes({"_/_", "√_"});
   return table;
 }
 
 const std::unordered_map<Name, Scheme>& toolkit() {
   static const auto table = [] {
-    std::unordered_map<Name, Scheme> schemes;
+    std::vector<std::string_view> names;
     for (const OperatorRow& row : operator_rows())
-      if (!row.type.empty()) schemes.emplace(Name{std::string(row.name), {}}, scheme(row.formals, row.type));
-    return schemes;
+      if (!row.type.empty() && !calculator().contains(Name{std::string(row.name), {}})) names.push_back(row.name);
+    return schemes(names);
   }();
   return table;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "zed/syntax/symbols.hpp"
 #include "zed/types/checker.hpp"
 
 namespace durero::zed {
@@ -208,6 +209,20 @@ Typing check(const Specification& specification) {
     });
   }
   return made;
+}
+
+std::vector<std::pair<Name, Type>> calculator_names() {
+  std::vector<std::pair<Name, Type>> names;
+  for (const auto& [name, scheme] : calculator()) names.emplace_back(name, scheme.type);
+  return names;
+}
+
+bool is_free_word(const std::string& word) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const auto continues = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; };
+  return !word.empty() && is_letter(word[0]) && std::all_of(word.begin(), word.end(), continues) &&
+         !is_reserved(word) && !find_operator(word, Fixity::infix) && !find_operator(word, Fixity::prefix) &&
+         !toolkit().contains({word, {}});
 }
 
 Typing check_term(const Typing& known, const std::string& section, const Term& term,

@@ -20,6 +20,16 @@ Value part_of(const Value& pair, std::size_t part) {
   return pair.tuple()->parts[part];
 }
 
+/// Runs where the arithmetic of reals may be impossible: see Real.
+template <class Operation>
+Value computed(Operation&& operation) {
+  try {
+    return operation();
+  } catch (const std::domain_error& impossible) {
+    throw EvaluationError(impossible.what());
+  }
+}
+
 /// The least or the greatest member of a set of numbers; none of the empty set.
 Value extreme(const Value& set, bool greatest) {
   return with(set, [&]() -> Value {
@@ -85,6 +95,21 @@ Value quotient(const Value& a, const Value& b, Context&) {
 
 Value remainder(const Value& a, const Value& b, Context&) {
   return divided(a, b, [](const Real& n, const Real& d, const Real& q) { return n - q * d; });
+}
+
+Value fraction(const Value& a, const Value& b, Context&) {
+  return with(a, b, [&]() -> Value {
+    if (!a.real() || !b.real()) throw EvaluationError("division of what is no number");
+    if (sign(*b.real()) == 0) return {};
+    return computed([&] { return *a.real() / *b.real(); });
+  });
+}
+
+Value root(const Value& a, Context&) {
+  return with(a, [&]() -> Value {
+    if (!a.real()) throw EvaluationError("the root of what is no number");
+    return computed([&] { return square_root(*a.real()); });
+  });
 }
 
 Value interval(const Value& a, const Value& b, Context&) {

@@ -20,6 +20,8 @@ Value multiplication(const Value& a, const Value& b, Context& context);
 Value negation(const Value& a, Context& context);
 Value quotient(const Value& a, const Value& b, Context& context);
 Value remainder(const Value& a, const Value& b, Context& context);
+Value fraction(const Value& a, const Value& b, Context& context);
+Value root(const Value& a, Context& context);
 Value successor(const Value& number, Context& context);
 Value interval(const Value& from, const Value& to, Context& context);
 Value minimum(const Value& set, Context& context);

@@ -159,55 +159,64 @@ bool has_intensional(const Value& value) {
 
 namespace {
 
-template <class Parts>
-std::string listed(const Parts& values) {
-  std::string made;
-  for (const Value& one : values) made += (made.empty() ? "" : ", ") + one.text();
-  return made;
-}
-
 bool all_pairs(const std::vector<Value>& values) {
-  return std::all_of(values.begin(), values.end(), [](const Value& one) {
-    const auto* tuple = one.tuple();
+  return std::all_of(values.begin(), values.end(), [](const Value& value) {
+    const auto* tuple = value.tuple();
     return tuple && tuple->parts.size() == 2;
   });
 }
 
-std::string set_text(const std::vector<Value>& members) {
-  if (members.empty()) return "∅";
-  if (!all_pairs(members)) return "{" + listed(members) + "}";
-  std::string made;
-  for (const Value& one : members) {
-    const auto& parts = one.tuple()->parts;
-    made += (made.empty() ? "" : ", ") + parts[0].text() + " ↦ " + parts[1].text();
-  }
-  return "{" + made + "}";
-}
+/// Writes a value; a set of pairs as a function.
+struct Writer {
+  const Value::Spelling& spelling;
 
-struct Text {
   std::string operator()(const Undefined&) const { return "undefined"; }
   std::string operator()(const Open&) const { return "open"; }
   std::string operator()(const Unknown&) const { return "unknown"; }
   std::string operator()(const PolynomialPtr&) const { return "unknown"; }
   std::string operator()(const Real& real) const { return real.text(); }
-  std::string operator()(const Atom& atom) const { return atom->text; }
+  std::string operator()(const Atom& atom) const { return spelling(*atom); }
   std::string operator()(const TuplePtr& tuple) const { return "(" + listed(tuple->parts) + ")"; }
   std::string operator()(const BindingPtr& binding) const {
-    std::string made;
-    for (std::size_t i = 0; i < binding->values.size(); ++i) {
-      made += (made.empty() ? "" : ", ") + (*binding->names)[i].text() + " == " + binding->values[i].text();
-    }
-    return "⦉" + made + "⦊";
+    std::string parts;
+    for (std::size_t i = 0; i < binding->values.size(); ++i)
+      parts += (i > 0 ? ", " : "") + (*binding->names)[i].text() + " == " + write(binding->values[i]);
+    return "⦉" + parts + "⦊";
   }
-  std::string operator()(const ConstructedPtr& made) const {
-    return made->constructor->text + "(" + made->argument.text() + ")";
+  std::string operator()(const ConstructedPtr& value) const {
+    return spelling(*value->constructor) + "(" + write(value->argument) + ")";
   }
-  std::string operator()(const SetPtr& set) const { return set->members() ? set_text(*set->members()) : set->text(); }
+  std::string operator()(const SetPtr& set) const {
+    const std::vector<Value>* members = set->members();
+    if (!members) return set->text();
+    if (members->empty()) return "∅";
+    return "{" + (all_pairs(*members) ? maplets(*members) : listed(*members)) + "}";
+  }
+
+  std::string write(const Value& value) const { return value.text(spelling); }
+
+  template <class Parts>
+  std::string listed(const Parts& values) const {
+    std::string list;
+    for (const Value& value : values) list += (list.empty() ? "" : ", ") + write(value);
+    return list;
+  }
+
+  std::string maplets(const std::vector<Value>& pairs) const {
+    std::string list;
+    for (const Value& pair : pairs)
+      list += (list.empty() ? "" : ", ") + write(pair.tuple()->parts[0]) + " ↦ " + write(pair.tuple()->parts[1]);
+    return list;
+  }
 };
 
 }  // namespace
 
-std::string Value::text() const { return std::visit(Text(), form_); }
+std::string Value::text() const {
+  return text([](const AtomName& atom) { return atom.text; });
+}
+
+std::string Value::text(const Spelling& spelling) const { return std::visit(Writer{spelling}, form_); }
 
 Value Set::unknown(Context& context) const { return Unknown{context.fresh()}; }
 

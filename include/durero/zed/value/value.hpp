@@ -9,6 +9,7 @@
 #include <boost/container/small_vector.hpp>
 #include <compare>
 #include <cstdint>
+#include <functional>
 #include <iterator>
 #include <memory>
 #include <span>
@@ -108,8 +109,11 @@ class Value {
   const BindingValue* binding() const;
   const Set* set() const;
 
-  /// In Z notation, in Unicode.
+  /// In Z notation, in Unicode. `spelling`: how a member of a given set, or a constant, is written; by default by its
+  /// own text. A set that is known by membership only is written as a message would name it.
+  using Spelling = std::function<std::string(const AtomName&)>;
   std::string text() const;
+  std::string text(const Spelling& spelling) const;
 
  private:
   Form form_;
