@@ -30,7 +30,8 @@ struct Equation {
 
 std::vector<Name> variables(const SchemaText& text) {
   std::vector<Name> all;
-  for (const Declaration& one : text.declarations) all.insert(all.end(), one.names.begin(), one.names.end());
+  for (const Declaration& declaration : text.declarations)
+    all.insert(all.end(), declaration.names.begin(), declaration.names.end());
   return all;
 }
 
@@ -69,17 +70,17 @@ std::optional<std::string> solution(const Name& c, const Term& term) {
 
 }  // namespace
 
-void Writer::declare_axiom(const Declaration& one) {
-  for (const Name& name : one.names) {
+void Writer::declare_axiom(const Declaration& declaration) {
+  for (const Name& name : declaration.names) {
     Symbol symbol;
     symbol.text = variable(name);
-    if (is_arrow(one.term, "_→_")) {
+    if (is_arrow(declaration.term, "_→_")) {
       symbol.form = Symbol::Form::function;
-      symbol.type = in_.carrier(one.term->children[1]);
-      const Term& from = one.term->children[0];
+      symbol.type = in_.carrier(declaration.term->children[1]);
+      const Term& from = declaration.term->children[0];
       symbol.arity = from->kind == Kind::product ? from->children.size() : 1;
     } else {
-      symbol.type = in_.carrier(one.term);
+      symbol.type = in_.carrier(declaration.term);
     }
     in_.symbols[name] = symbol;
   }
@@ -91,45 +92,47 @@ void Writer::axiomatic(const Axiomatic& form, Place place) {
   Declarations declared;
   std::map<Name, const Predicate*> domains;
   std::vector<const Predicate*> rest;
-  for (const Declaration& one : form.text.declarations) {
-    if (one.form != Declaration::Form::typed) uncovered(one.place, "this declaration");
-    const bool known =
-        std::any_of(one.names.begin(), one.names.end(), [&](const Name& name) { return in_.find(name); });
+  for (const Declaration& declaration : form.text.declarations) {
+    if (declaration.form != Declaration::Form::typed) uncovered(declaration.place, "this declaration");
+    const bool known = std::any_of(declaration.names.begin(), declaration.names.end(),
+                                   [&](const Name& name) { return in_.find(name); });
     if (known) continue;
-    declare_axiom(one);
-    for (const Name& name : one.names) declared.emplace(name, one.term);
+    declare_axiom(declaration);
+    for (const Name& name : declaration.names) declared.emplace(name, declaration.term);
   }
-  for (const Predicate& one : form.text.predicates) {
-    const auto of = stated_domain(one.term);
-    if (of && declared.contains(*of)) domains[*of] = &one;
+  for (const Predicate& predicate : form.text.predicates) {
+    const auto of = stated_domain(predicate.term);
+    if (of && declared.contains(*of)) domains[*of] = &predicate;
   }
-  for (const Predicate& one : form.text.predicates) {
-    const auto of = stated_domain(one.term);
+  for (const Predicate& conjunct : form.text.predicates) {
+    const auto of = stated_domain(conjunct.term);
     if (of && domains.contains(*of)) continue;
-    const auto what = equation(one.term);
+    const auto what = equation(conjunct.term);
     if (what && domains.contains(what->function)) {
-      if (!partial_definition(one, declared, *domains[what->function])) uncovered(one.place, "this partial function");
+      if (!partial_definition(conjunct, declared, *domains[what->function]))
+        uncovered(conjunct.place, "this partial function");
       declared.erase(what->function);
-    } else if (what && what->text->predicates.empty() && explicit_definition(one, declared)) {
+    } else if (what && what->text->predicates.empty() && explicit_definition(conjunct, declared)) {
       declared.erase(what->function);
     } else {
-      rest.push_back(&one);
+      rest.push_back(&conjunct);
     }
   }
   if (declared.size() > 1) uncovered(place, "a box with several names that no equation defines");
   for (const auto& [name, set] : declared) implicit_definition(name, set, rest);
   if (!declared.empty()) return;
-  for (const Predicate* one : rest) {
-    if (one->label.empty()) uncovered(one->place, "an axiom without a label");
-    sentence(fmt::format("Definition {} : Prop := {}.", identifier(one->label), in_.predicate(one->term, {}).text),
-             one->label);
+  for (const Predicate* predicate : rest) {
+    if (predicate->label.empty()) uncovered(predicate->place, "an axiom without a label");
+    sentence(fmt::format("Definition {} : Prop := {}.", identifier(predicate->label),
+                         in_.predicate(predicate->term, {}).text),
+             predicate->label);
   }
 }
 
-bool Writer::explicit_definition(const Predicate& one, const Declarations& declared) {
-  const Equation what = *equation(one.term);
-  const auto found = declared.find(what.function);
-  if (found == declared.end() || !is_arrow(found->second, "_→_")) return false;
+bool Writer::explicit_definition(const Predicate& predicate, const Declarations& declared) {
+  const Equation what = *equation(predicate.term);
+  const auto entry = declared.find(what.function);
+  if (entry == declared.end() || !is_arrow(entry->second, "_→_")) return false;
   Scope inside;
   const Signature slots = in_.declare(*what.text, inside);
   std::string value;
@@ -138,19 +141,19 @@ bool Writer::explicit_definition(const Predicate& one, const Declarations& decla
   } else {
     Frame frame;
     value = in_.term(what.value, inside, frame).text;
-    if (!frame.empty()) uncovered(one.place, "a total function that applies a partial one");
+    if (!frame.empty()) uncovered(predicate.place, "a total function that applies a partial one");
   }
   sentence(fmt::format("Definition {} {} : {} := {}.", variable(what.function), binders(slots, false),
                        in_.symbols.at(what.function).type.text(), value),
-           one.label);
+           predicate.label);
   return true;
 }
 
-bool Writer::partial_definition(const Predicate& one, const Declarations& declared, const Predicate& domain) {
-  const Equation what = *equation(one.term);
+bool Writer::partial_definition(const Predicate& conjunct, const Declarations& declared, const Predicate& domain) {
+  const Equation what = *equation(conjunct.term);
   const Term& set = domain.term->children[1];
-  const auto found = declared.find(what.function);
-  if (found == declared.end() || !is_arrow(found->second, "_⇸_") || set->kind != Kind::comprehension ||
+  const auto entry = declared.find(what.function);
+  if (entry == declared.end() || !is_arrow(entry->second, "_⇸_") || set->kind != Kind::comprehension ||
       !set->children.empty() || variables(*set->text) != variables(*what.text))
     return false;
   Scope inside;
@@ -165,7 +168,7 @@ bool Writer::partial_definition(const Predicate& one, const Declarations& declar
   if (slots.size() > 1) arguments = "(" + arguments + ")";
   sentence(fmt::format("Definition {} : {} := fun '({}, {}) => {}.", symbol.text, symbol.type.text(), arguments, y,
                        all_of(all).text),
-           domain.label + ", " + one.label);
+           domain.label + ", " + conjunct.label);
   return true;
 }
 
@@ -190,12 +193,12 @@ void Writer::implicit_definition(const Name& name, const Term& set, const std::v
   if (const auto known = witnesses().find(f); known != witnesses().end()) witness = known->second;
   if (!declaration.empty())
     sentence(fmt::format("Definition {0}_decl ({0} : {1}) : Prop := {2}.", f, type, declaration));
-  for (const Predicate* one : stated) {
-    if (one->label.empty()) uncovered(one->place, "an axiom without a label");
-    sentence(fmt::format("Definition {} ({} : {}) : Prop := {}.", identifier(one->label), f, type,
-                         in_.predicate(one->term, scope).text),
-             one->label);
-    if (witness.empty()) witness = solution(name, one->term).value_or("");
+  for (const Predicate* predicate : stated) {
+    if (predicate->label.empty()) uncovered(predicate->place, "an axiom without a label");
+    sentence(fmt::format("Definition {} ({} : {}) : Prop := {}.", identifier(predicate->label), f, type,
+                         in_.predicate(predicate->term, scope).text),
+             predicate->label);
+    if (witness.empty()) witness = solution(name, predicate->term).value_or("");
   }
   if (witness.empty()) uncovered(set->place, "the implicit definition of " + f);
   sentence(fmt::format("Definition {} : {} := {}.", f, type, witness));

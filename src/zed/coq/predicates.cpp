@@ -99,7 +99,7 @@ Expr Translator::predicate(const Term& term, const Scope& scope) const {
       flatten(node.kind, term, terms);
       std::vector<Expr> parts;
       parts.reserve(terms.size());
-      for (const Term& one : terms) parts.push_back(predicate(one, scope));
+      for (const Term& child : terms) parts.push_back(predicate(child, scope));
       return node.kind == Kind::conjunction ? all_of(parts) : any_of(parts);
     }
     case Kind::implication:
@@ -136,7 +136,7 @@ Expr Translator::quantified(const Node& node, const Scope& scope) const {
   const Expr body = predicate(node.children[0], inside);
   if (node.kind == Kind::forall) {
     std::string out = fmt::format("forall {}, ", binders(slots, true));
-    for (const Expr& one : what) out += one.at(implied - 1) + " -> ";
+    for (const Expr& expr : what) out += expr.at(implied - 1) + " -> ";
     return {out + body.text, binder, {}};
   }
   what.push_back(body);

@@ -59,8 +59,8 @@ std::string Translator::fresh(const std::string& stem, const Scope& scope) const
 }
 
 const Symbol* Translator::find(const Name& name) const {
-  const auto found = symbols.find(name);
-  return found == symbols.end() ? nullptr : &found->second;
+  const auto entry = symbols.find(name);
+  return entry == symbols.end() ? nullptr : &entry->second;
 }
 
 bool Translator::is_set(const Term& term) const {
@@ -81,9 +81,9 @@ Expr Translator::term(const Term& term, Scope& scope, Frame& frame) const {
     case Kind::power:
       return {"ℙ " + part(0).at(applied), applied + 20, Carrier::set(Carrier::set(carrier(node.children[0], scope)))};
     case Kind::theta: {
-      const auto found = scope.states.find({node.children[0]->name.word, node.name.strokes});
-      if (node.children[0]->kind != Kind::reference || found == scope.states.end()) uncovered(node.place, "this θ");
-      return found->second;
+      const auto entry = scope.states.find({node.children[0]->name.word, node.name.strokes});
+      if (node.children[0]->kind != Kind::reference || entry == scope.states.end()) uncovered(node.place, "this θ");
+      return entry->second;
     }
     case Kind::selection: {
       const Expr of = part(0);
@@ -96,9 +96,9 @@ Expr Translator::term(const Term& term, Scope& scope, Frame& frame) const {
     case Kind::tuple: {
       Expr out{"(", atomic, Carrier::product({})};
       for (std::size_t i = 0; i < node.children.size(); ++i) {
-        const Expr one = part(i);
-        out.text += (i == 0 ? "" : ", ") + one.at(both - 1);
-        out.type.parts.push_back(one.type);
+        const Expr expr = part(i);
+        out.text += (i == 0 ? "" : ", ") + expr.at(both - 1);
+        out.type.parts.push_back(expr.type);
       }
       out.text += ")";
       return out;
@@ -106,9 +106,9 @@ Expr Translator::term(const Term& term, Scope& scope, Frame& frame) const {
     case Kind::set_extension: {
       Expr out{"∅", atomic, Carrier::set({})};
       for (std::size_t i = 0; i < node.children.size(); ++i) {
-        const Expr one = part(i);
-        const std::string single = "⦃" + one.text + "⦄";
-        out = {i == 0 ? single : out.text + " ∪ " + single, i == 0 ? atomic : plus, Carrier::set(one.type)};
+        const Expr operand = part(i);
+        const std::string single = "⦃" + operand.text + "⦄";
+        out = {i == 0 ? single : out.text + " ∪ " + single, i == 0 ? atomic : plus, Carrier::set(operand.type)};
       }
       return out;
     }
@@ -132,7 +132,7 @@ Expr Translator::term(const Term& term, Scope& scope, Frame& frame) const {
 }
 
 Expr Translator::reference(const Node& node, Scope& scope, Frame& frame) const {
-  if (const auto found = scope.names.find(node.name); found != scope.names.end()) return found->second;
+  if (const auto entry = scope.names.find(node.name); entry != scope.names.end()) return entry->second;
   if (node.name.word == "∅") return {"∅", atomic, Carrier::set({})};
   const OperatorRow* row = operator_row(node.name.word);
   if (row && row->binding.role == Role::generic && row->coq.level > 0) {
@@ -159,8 +159,8 @@ Expr Translator::application(const Node& node, Scope& scope, Frame& frame) const
     const Symbol* symbol = find(name);
     if (symbol && symbol->form == Symbol::Form::function) {
       Expr out{symbol->text, applied, symbol->type};
-      for (const Term& one : split(node.children[1], symbol->arity))
-        out.text += " " + term(one, scope, frame).at(applied - 1);
+      for (const Term& part : split(node.children[1], symbol->arity))
+        out.text += " " + term(part, scope, frame).at(applied - 1);
       return out;
     }
     if (!symbol) {
@@ -176,7 +176,7 @@ Expr Translator::operation(const std::string& word, const std::vector<Term>& arg
   if (word == "⋃") return generalized_union(arguments[0], scope, frame);
   std::vector<Expr> of;
   of.reserve(arguments.size());
-  for (const Term& one : arguments) of.push_back(term(one, scope, frame));
+  for (const Term& part : arguments) of.push_back(term(part, scope, frame));
   if (word == "_↦_")
     return {"(" + of[0].at(both - 1) + ", " + of[1].at(both - 1) + ")", atomic,
             Carrier::product({of[0].type, of[1].type})};
@@ -228,8 +228,8 @@ Expr Translator::apply_partial(const Node& node, const Expr* y, Scope& scope, Fr
     const Symbol* symbol = scope.names.contains(function.name) ? nullptr : find(function.name);
     if (symbol && symbol->form == Symbol::Form::partial) {
       in = symbol->text;
-      for (const Term& one : split(node.children[1], symbol->arity))
-        in += " " + term(one, scope, frame).at(applied - 1);
+      for (const Term& part : split(node.children[1], symbol->arity))
+        in += " " + term(part, scope, frame).at(applied - 1);
       type = symbol->type;
     } else {
       const Expr argument = term(node.children[1], scope, frame);

@@ -24,7 +24,7 @@ bool mentions(const Term& term, const Name& name) { return match::mentions(term,
 /// The names that an argument consists of: `x`, `(x, y)`, with `θS` for the schema text's inclusion of S; or nothing.
 std::optional<std::vector<Name>> argument_names(const Term& argument) {
   std::vector<Name> names;
-  const auto one = [&](const Term& part) {
+  const auto add = [&](const Term& part) {
     if (part->kind == Kind::reference && part->children.empty()) {
       names.push_back(part->name);
     } else if (part->kind == Kind::theta && part->name.strokes.empty()) {
@@ -34,9 +34,9 @@ std::optional<std::vector<Name>> argument_names(const Term& argument) {
     }
     return true;
   };
-  if (argument->kind != Kind::tuple) return one(argument) ? std::optional(names) : std::nullopt;
+  if (argument->kind != Kind::tuple) return add(argument) ? std::optional(names) : std::nullopt;
   for (const Term& part : argument->children) {
-    if (!one(part)) return std::nullopt;
+    if (!add(part)) return std::nullopt;
   }
   return names;
 }
@@ -46,13 +46,13 @@ std::optional<std::vector<Group>> in_order(const std::vector<Name>& names, const
   std::vector<Group> groups;
   for (const Name& name : names) {
     std::optional<unsigned> slot;
-    if (const auto found = scope.names.find(name); found != scope.names.end()) slot = found->second.slot;
+    if (const auto entry = scope.names.find(name); entry != scope.names.end()) slot = entry->second.slot;
     if (name.word.starts_with("θ")) {
-      const auto found = scope.thetas.find(name.text().substr(std::string("θ").size()));
-      if (found != scope.thetas.end()) slot = found->second;
+      const auto at = scope.thetas.find(name.text().substr(std::string("θ").size()));
+      if (at != scope.thetas.end()) slot = at->second;
     }
     const auto group = std::find_if(head.groups.begin(), head.groups.end(),
-                                    [&](const Group& one) { return slot && one.slot == *slot; });
+                                    [&](const Group& candidate) { return slot && candidate.slot == *slot; });
     if (group == head.groups.end()) return std::nullopt;
     groups.push_back(*group);
   }
@@ -93,27 +93,28 @@ Value evaluated(Compiler& compiler, const Term& term, Context& context) {
 }
 
 std::optional<Value> stated_domain(Compiler& compiler, const Name& function, const Axiomatic& form, Context& context) {
-  for (const Predicate& one : form.text.predicates) {
-    if (!is_equation(one.term)) continue;
-    const Term* of = match::argument_of(one.term->children[0], "dom");
+  for (const Predicate& predicate : form.text.predicates) {
+    if (!is_equation(predicate.term)) continue;
+    const Term* of = match::argument_of(predicate.term->children[0], "dom");
     if (of && match::is_reference(*of, function)) {
-      return evaluated(compiler, one.term->children[1], context);
+      return evaluated(compiler, predicate.term->children[1], context);
     }
   }
   return std::nullopt;
 }
 
 bool defines_function(const Name& name, const Axiomatic& form) {
-  return std::any_of(form.text.predicates.begin(), form.text.predicates.end(), [&](const Predicate& one) {
-    if (one.term->kind != Kind::forall || !is_equation(one.term->children[0])) return false;
-    const Term& left = one.term->children[0]->children[0];
+  return std::any_of(form.text.predicates.begin(), form.text.predicates.end(), [&](const Predicate& predicate) {
+    if (predicate.term->kind != Kind::forall || !is_equation(predicate.term->children[0])) return false;
+    const Term& left = predicate.term->children[0]->children[0];
     return left->kind == Kind::application && mentions(left, name);
   });
 }
 
 const Term* declared_set(const Name& name, const Axiomatic& form) {
-  for (const Declaration& one : form.text.declarations) {
-    if (std::find(one.names.begin(), one.names.end(), name) != one.names.end()) return &one.term;
+  for (const Declaration& declaration : form.text.declarations) {
+    if (std::find(declaration.names.begin(), declaration.names.end(), name) != declaration.names.end())
+      return &declaration.term;
   }
   return nullptr;
 }
@@ -124,8 +125,8 @@ Value determined(Compiler& compiler, const Name& name, const Axiomatic& form, Co
   if (const Term* set = declared_set(name, form)) {
     text.declarations.push_back({Declaration::Form::typed, {name}, {Place{}}, *set, {}});
   }
-  for (const Predicate& one : form.text.predicates) {
-    if (mentions(one.term, name)) text.predicates.push_back(one);
+  for (const Predicate& predicate : form.text.predicates) {
+    if (mentions(predicate.term, name)) text.predicates.push_back(predicate);
   }
   if (text.declarations.empty() || text.predicates.empty()) return Open{};
   return evaluated(compiler, quantified(Kind::mu, std::move(text), {}), context);
@@ -139,13 +140,14 @@ Value Compiler::axiomatic(const Meaning& global, Context& context) {
   if (name.text() == "ℝ") return everything("ℝ");  // the axioms of the reals are assumed, not evaluated
   if (defines_function(name, form)) {
     return axiomatic_function(name.text(), [this, &form, name](Context& inside) {
-      Clauses made;
-      for (const Predicate& one : form.text.predicates) {
-        if (one.term->kind != Kind::forall) continue;
-        if (auto found = clause(*this, name, form.formals, *one.term)) made.clauses.push_back(std::move(*found));
+      Clauses clauses;
+      for (const Predicate& predicate : form.text.predicates) {
+        if (predicate.term->kind != Kind::forall) continue;
+        if (auto equation = clause(*this, name, form.formals, *predicate.term))
+          clauses.clauses.push_back(std::move(*equation));
       }
-      made.domain = stated_domain(*this, name, form, inside);
-      return made;
+      clauses.domain = stated_domain(*this, name, form, inside);
+      return clauses;
     });
   }
   if (!form.formals.empty()) throw EvaluationError(name.text() + " is generic, and no function: it is not evaluated");
@@ -180,9 +182,9 @@ namespace {
 Value free_type(const Meaning& global) {
   std::vector<Value> constants;
   std::uint32_t order = 0;
-  for (const Branch& one : std::get<FreeType>(global.paragraph->form).branches) {
-    if (one.argument) return everything(global.name.text());
-    constants.push_back(Value::atom(global.name.text(), one.name.text(), order++));
+  for (const Branch& branch : std::get<FreeType>(global.paragraph->form).branches) {
+    if (branch.argument) return everything(global.name.text());
+    constants.push_back(Value::atom(global.name.text(), branch.name.text(), order++));
   }
   return Value::set(std::move(constants));
 }
@@ -191,7 +193,8 @@ const std::string branch_type(const Meaning& global) { return std::get<FreeType>
 
 const Branch& branch(const Meaning& global) {
   const auto& branches = std::get<FreeType>(global.paragraph->form).branches;
-  return *std::find_if(branches.begin(), branches.end(), [&](const Branch& one) { return one.name == global.name; });
+  return *std::find_if(branches.begin(), branches.end(),
+                       [&](const Branch& branch) { return branch.name == global.name; });
 }
 
 /// For a scope: a value is being made.

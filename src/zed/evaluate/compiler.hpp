@@ -130,7 +130,7 @@ class Slots {
   ~Slots() { unit_.next = before_; }
   Slots(const Slots&) = delete;
   Slots& operator=(const Slots&) = delete;
-  static unsigned one(Unit& unit) {
+  static unsigned take(Unit& unit) {
     const unsigned slot = unit.next++;
     if (unit.size < unit.next) unit.size = unit.next;
     return slot;

@@ -19,8 +19,8 @@ void cannot(const Node& node, const std::string& what) {
 
 const Local* Compiler::find(const Name& name, const Scope& scope) const {
   for (const Scope* here = &scope; here; here = here->outer) {
-    const auto found = here->names.find(name);
-    if (found != here->names.end()) return &found->second;
+    const auto entry = here->names.find(name);
+    if (entry != here->names.end()) return &entry->second;
   }
   return nullptr;
 }
@@ -34,9 +34,9 @@ Code Compiler::expression(const Term& term, const Scope& scope) {
   const bool closed = std::none_of(reads_.begin() + static_cast<std::ptrdiff_t>(before), reads_.end(),
                                    [&](unsigned slot) { return slot < base; });
   if (!closed || (term->kind == Kind::reference && term->children.empty())) return code;
-  return [code = std::move(code), made = &constants_.emplace_back()](Frame& frame) {
-    if (made->is_undefined()) *made = code(frame);
-    return *made;
+  return [code = std::move(code), constant = &constants_.emplace_back()](Frame& frame) {
+    if (constant->is_undefined()) *constant = code(frame);
+    return *constant;
   };
 }
 
@@ -152,7 +152,7 @@ Code Compiler::parts(const Node& node, const Scope& scope, Value (*make)(std::ve
   return [codes = std::move(codes), make](Frame& frame) {
     std::vector<Value> values;
     values.reserve(codes.size());
-    for (const Code& one : codes) values.push_back(one(frame));
+    for (const Code& code : codes) values.push_back(code(frame));
     return make(std::move(values));
   };
 }
@@ -165,7 +165,7 @@ Code Compiler::binding_extension(const Node& node, const Scope& scope) {
   std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   return [names = signature(node.names), sorted = std::move(sorted)](Frame& frame) {
     std::vector<Value> values;
-    for (const auto& one : sorted) values.push_back(one.second(frame));
+    for (const auto& [name, code] : sorted) values.push_back(code(frame));
     return Value::binding(names, std::move(values));
   };
 }
@@ -190,10 +190,10 @@ Code Compiler::selection(const Node& node, const Scope& scope) {
     const BindingValue* binding = value.binding();
     if (!binding) return Open{};
     if (last->names == binding->names) return binding->values[last->position];
-    const Value* found = binding->component(name);
-    if (!found) throw EvaluationError(value.text() + " has no component " + name.text());
-    *last = {binding->names, static_cast<std::size_t>(found - binding->values.data())};
-    return *found;
+    const Value* member = binding->component(name);
+    if (!member) throw EvaluationError(value.text() + " has no component " + name.text());
+    *last = {binding->names, static_cast<std::size_t>(member - binding->values.data())};
+    return *member;
   };
 }
 
@@ -203,23 +203,24 @@ Code Compiler::theta(const Node& node, const Scope& scope) {
   if (!names) cannot(node, "θ of what is no schema");
   std::sort(names->begin(), names->end());
   std::vector<Code> codes;
-  for (const Name& one : *names) {
-    codes.push_back(this->name(*reference(decorated(one, node.name.strokes), {}, node.place), scope));
+  for (const Name& name : *names) {
+    codes.push_back(this->name(*reference(decorated(name, node.name.strokes), {}, node.place), scope));
   }
   std::optional<unsigned> whole;
   if (schema->kind == Kind::reference && schema->children.empty() && node.name.strokes.empty()) {
     for (const Scope* here = &scope; here && !whole; here = here->outer) {
-      const auto found = here->thetas.find(schema->name.text());
-      if (found != here->thetas.end()) whole = found->second;
+      const auto entry = here->thetas.find(schema->name.text());
+      if (entry != here->thetas.end()) whole = entry->second;
       // A scope that names a component anew has another θ.
-      if (std::any_of(names->begin(), names->end(), [&](const Name& one) { return here->names.contains(one); })) break;
+      if (std::any_of(names->begin(), names->end(), [&](const Name& each) { return here->names.contains(each); }))
+        break;
     }
   }
   return [names = signature(*names), codes = std::move(codes), whole](Frame& frame) {
     if (whole && !frame.slots[*whole].is_undefined()) return frame.slots[*whole];
     std::vector<Value> values;
     values.reserve(codes.size());
-    for (const Code& one : codes) values.push_back(one(frame));
+    for (const Code& code : codes) values.push_back(code(frame));
     return Value::binding(names, std::move(values));
   };
 }

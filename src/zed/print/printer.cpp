@@ -19,22 +19,22 @@ void Printer::space() {
 }
 
 std::string Printer::letters(std::string_view word) const {
-  std::string made;
+  std::string text;
   while (!word.empty()) {
-    const std::string_view one = utf8::first(word);
-    word.remove_prefix(one.size());
-    if (one == "_") {
-      made += "\\_";
-    } else if (const auto own = own_.find(one); own != own_.end()) {
-      made += own->second + " ";
-    } else if (is_letter_symbol(one)) {
-      made += std::string(*latex_of(one)) + " ";
+    const std::string_view character = utf8::first(word);
+    word.remove_prefix(character.size());
+    if (character == "_") {
+      text += "\\_";
+    } else if (const auto own = own_.find(character); own != own_.end()) {
+      text += own->second + " ";
+    } else if (is_letter_symbol(character)) {
+      text += std::string(*latex_of(character)) + " ";
     } else {
-      made += one;
+      text += character;
     }
   }
-  while (made.ends_with(' ')) made.pop_back();
-  return made;
+  while (text.ends_with(' ')) text.pop_back();
+  return text;
 }
 
 std::string Printer::spelled(std::string_view unicode) const {
@@ -75,13 +75,13 @@ void Printer::name(const Name& name) {
   symbol(name.word);
   std::string_view rest = name.strokes;
   while (!rest.empty()) {
-    const std::string_view one = utf8::first(rest);
-    rest.remove_prefix(one.size());
-    if (latex_ && one.size() > 1) {
+    const std::string_view character = utf8::first(rest);
+    rest.remove_prefix(character.size());
+    if (latex_ && character.size() > 1) {
       out_ += "_";
-      out_ += static_cast<char>('0' + (static_cast<unsigned char>(one.back()) & 0x0F));  // ₀ is U+2080
+      out_ += static_cast<char>('0' + (static_cast<unsigned char>(character.back()) & 0x0F));  // ₀ is U+2080
     } else {
-      out_ += one;
+      out_ += character;
     }
   }
 }
@@ -247,12 +247,12 @@ void Printer::braces(const Node& node) {
   symbol("}");
 }
 
-void Printer::declaration(const Declaration& one) {
-  if (one.form != Declaration::Form::included) {
-    names(one.names);
-    symbol(one.form == Declaration::Form::defined ? "==" : ":");
+void Printer::declaration(const Declaration& declaration) {
+  if (declaration.form != Declaration::Form::included) {
+    names(declaration.names);
+    symbol(declaration.form == Declaration::Form::defined ? "==" : ":");
   }
-  term(one.term, binding::weakest);
+  term(declaration.term, binding::weakest);
 }
 
 void Printer::schema_text(const SchemaText& text) {

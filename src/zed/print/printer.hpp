@@ -19,7 +19,7 @@ class Printer {
   /// `last`: nothing follows that a quantifier, whose body reaches as far as it can, would take in.
   void term(const Term& term, int least, bool last = true);
   void schema_text(const SchemaText& text);  ///< on one line
-  void declaration(const Declaration& one);
+  void declaration(const Declaration& declaration);
   void name(const Name& name);
   void names(const std::vector<Name>& names);
   void symbol(std::string_view unicode);  ///< with a space before it, where it needs one

@@ -64,8 +64,8 @@ class Prover {
   /// The term says something of f, whose domain it cannot be known by then: (e, f e) ∈ f.
   static bool about(const Term& term, const Term& f) { return f->kind == Kind::reference && mentions(term, {f->name}); }
 
-  static void insert(std::vector<Term>& sets, const Term& one) {
-    if (std::find(sets.begin(), sets.end(), one) == sets.end()) sets.push_back(one);
+  static void insert(std::vector<Term>& sets, const Term& set) {
+    if (std::find(sets.begin(), sets.end(), set) == sets.end()) sets.push_back(set);
   }
 
   bool holds(const Term& fact) const {
@@ -79,13 +79,13 @@ class Prover {
       return std::find(set->children.begin(), set->children.end(), x) != set->children.end();
     if (depth_ > 8) return false;  // unions in unions
     ++depth_;
-    bool found = false;
-    if (const Node* both = operands(set, "_∪_")) found = member(x, both->children[0]) || member(x, both->children[1]);
-    if (const Node* both = operands(set, "_∩_")) found = member(x, both->children[0]) && member(x, both->children[1]);
-    if (const Node* image = operands(set, "_⦇_⦈")) found = in_image(x, *image);
-    if (const Term* function = of_domain(set)) found = in_domain(x, *function);
+    bool proved = false;
+    if (const Node* both = operands(set, "_∪_")) proved = member(x, both->children[0]) || member(x, both->children[1]);
+    if (const Node* both = operands(set, "_∩_")) proved = member(x, both->children[0]) && member(x, both->children[1]);
+    if (const Node* image = operands(set, "_⦇_⦈")) proved = in_image(x, *image);
+    if (const Term* function = of_domain(set)) proved = in_domain(x, *function);
     --depth_;
-    return found;
+    return proved;
   }
 
   /// x ∈ dom f, where f is displayed, joined or overridden, or a pair of it is known.
@@ -113,13 +113,13 @@ class Prover {
     if (!member(x, domain_of(g))) return false;
     const Term value = apply(g, x);
     std::set<Name> others;
-    for (const Term& one : values->children) {
-      if (equals(value, one)) return true;
-      if (one->kind == Kind::reference && others.empty()) others = expander_.siblings(one->name);
+    for (const Term& term : values->children) {
+      if (equals(value, term)) return true;
+      if (term->kind == Kind::reference && others.empty()) others = expander_.siblings(term->name);
     }
     if (others.empty()) return false;
-    for (const Term& one : values->children) others.erase(one->name);
-    return std::all_of(others.begin(), others.end(), [&](const Name& one) { return differs(value, reference(one)); });
+    for (const Term& part : values->children) others.erase(part->name);
+    return std::all_of(others.begin(), others.end(), [&](const Name& name) { return differs(value, reference(name)); });
   }
 
   bool equals(const Term& a, const Term& b) const { return holds(equation(a, b)) || holds(equation(b, a)); }

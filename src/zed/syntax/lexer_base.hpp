@@ -55,11 +55,11 @@ class Lexer {
 
   /// Takes one character, and returns it.
   std::string_view take() {
-    const std::string_view one = utf8::first(text_.substr(at_));
-    at_ += one.size();
+    const std::string_view character = utf8::first(text_.substr(at_));
+    at_ += character.size();
     ++place_.column;
-    if (one == "\n") place_ = {place_.line + 1, 1};
-    return one;
+    if (character == "\n") place_ = {place_.line + 1, 1};
+    return character;
   }
   std::string_view take(std::size_t bytes) {
     const std::size_t start = at_;

@@ -10,7 +10,7 @@ class Unicode : Lexer {
 
   std::vector<Token> run() {
     try {
-      while (!done()) one();
+      while (!done()) token();
     } catch (const ZError& error) {
       unreadable(error);
       return std::move(tokens_);
@@ -19,7 +19,7 @@ class Unicode : Lexer {
   }
 
  private:
-  void one() {
+  void token() {
     const char c = here();
     if (is_space(c)) {
       if (c == '\n') newline(place_);
@@ -91,16 +91,16 @@ class Unicode : Lexer {
   }
 
   void emit_with_strokes(std::string text, Place place) {
-    std::string found;
+    std::string strokes;
     while (is_stroke(here()) || stroke_here()) {
-      const std::string one = stroke();
-      if (found.empty() && is_indexed(text, one)) {
-        text += one;
+      const std::string mark = stroke();
+      if (strokes.empty() && is_indexed(text, mark)) {
+        text += mark;
       } else {
-        found += one;
+        strokes += mark;
       }
     }
-    if (!found.empty()) return emit(Type::word, std::move(text), place, std::move(found));
+    if (!strokes.empty()) return emit(Type::word, std::move(text), place, std::move(strokes));
     if (is_letter(text[0]) || !latex_of(text)) return emit(Type::word, std::move(text), place);
     emit(text, place);
   }

@@ -88,16 +88,16 @@ class Reader {
   }
 
   /// Begins a section; one with a bad header is read all the same, for the defects in it.
-  void header(const Block& block, const std::string& path, Section& made) {
-    made = {path, "a section without a name", {}, {}, block.begin, {}};
+  void header(const Block& block, const std::string& path, Section& section) {
+    section = {path, "a section without a name", {}, {}, block.begin, {}};
     const SectionHeader read = parse_header(lex_latex(block, {}));
-    made.name = read.name;
-    made.parents = read.parents;
-    if (is_toolkit(made.name) || !started_.insert(made.name).second)
-      throw ZError(block.place, "a second section " + made.name, "expected a name of its own");
-    Markup& mine = made_.markup[made.name];
+    section.name = read.name;
+    section.parents = read.parents;
+    if (is_toolkit(section.name) || !started_.insert(section.name).second)
+      throw ZError(block.place, "a second section " + section.name, "expected a name of its own");
+    Markup& mine = made_.markup[section.name];
     mine.insert(block.directives.begin(), block.directives.end());
-    for (const std::string& parent : made.parents) inherit(mine, parent, path, block.place);
+    for (const std::string& parent : section.parents) inherit(mine, parent, path, block.place);
   }
 
   void inherit(Markup& mine, const std::string& parent, const std::string& path, Place place) {
@@ -129,16 +129,16 @@ class Reader {
       std::set<std::string> beside;  // in order, so that the answer does not depend on the file system
       for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable))
         if (entry.path().extension() == ".tex") beside.insert(entry.path().lexically_normal().string());
-      for (const std::string& one : beside) index(one);
+      for (const std::string& file : beside) index(file);
     }
-    if (const auto found = where_.find(parent); found != where_.end()) file(found->second);
+    if (const auto at = where_.find(parent); at != where_.end()) file(at->second);
   }
 
   Section anonymous(const Block& block, const std::string& path) {
-    Section made{path, "Specification", {"standard_toolkit"}, {}, block.begin, {}};
-    if (!started_.insert(made.name).second)
+    Section section{path, "Specification", {"standard_toolkit"}, {}, block.begin, {}};
+    if (!started_.insert(section.name).second)
       throw ZError(block.begin, "a second file without a section header", "expected \\begin{zsection}");
-    return made;
+    return section;
   }
 
   void paragraphs(const Block& block, Section& into) {
@@ -171,8 +171,8 @@ class Reader {
 }  // namespace
 
 const Section* Specification::find(const std::string& name) const {
-  for (const Section& one : sections)
-    if (one.name == name) return &one;
+  for (const Section& section : sections)
+    if (section.name == name) return &section;
   return nullptr;
 }
 
@@ -185,8 +185,8 @@ bool is_toolkit(const std::string& section) {
 
 Specification read_files(const std::vector<std::string>& files) {
   Reader reader;
-  for (const std::string& one : files) reader.index(one);
-  for (const std::string& one : files) reader.file(one);
+  for (const std::string& path : files) reader.index(path);
+  for (const std::string& path : files) reader.file(path);
   return reader.take();
 }
 

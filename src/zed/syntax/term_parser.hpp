@@ -47,7 +47,7 @@ class TermParser {
   bool begins_primary() const;
   bool begins_declaration() const;
   Declaration declaration();
-  Term checked(Term made) const;  // refuses a tree that is too deep
+  Term checked(Term term) const;  // refuses a tree that is too deep
   std::vector<Term> terms(std::string_view closing);
 
   TokenStream& in_;

@@ -7,17 +7,18 @@ namespace durero::zed {
 namespace {
 
 Fields fields_of(const Type& schema) {
-  Fields made;
-  for (std::size_t i = 0; i < schema.fields().size(); ++i) made.emplace_back(schema.fields()[i], schema.parts()[i]);
-  return made;
+  Fields signature;
+  for (std::size_t i = 0; i < schema.fields().size(); ++i)
+    signature.emplace_back(schema.fields()[i], schema.parts()[i]);
+  return signature;
 }
 
 auto find(Fields& fields, const Name& name) {
-  return std::find_if(fields.begin(), fields.end(), [&name](const auto& one) { return one.first == name; });
+  return std::find_if(fields.begin(), fields.end(), [&name](const auto& field) { return field.first == name; });
 }
 
 void remove(Fields& fields, const Name& name) {
-  std::erase_if(fields, [&name](const auto& one) { return one.first == name; });
+  std::erase_if(fields, [&name](const auto& field) { return field.first == name; });
 }
 
 }  // namespace
@@ -41,7 +42,7 @@ Fields Checker::signature(const SchemaText& text) {
 }
 
 void Checker::predicates(const SchemaText& text) {
-  for (const Predicate& one : text.predicates) predicate(one.term);
+  for (const Predicate& conjunct : text.predicates) predicate(conjunct.term);
 }
 
 void Checker::merge(FieldTable& table, const Fields& more, Place place, const std::string& what) {
@@ -127,7 +128,7 @@ Type Checker::decoration(const Type& schema, const std::string& strokes) {
 Type Checker::doubled(const Type& schema, const Name& name, Place place) {
   Fields fields = fields_of(schema.parts()[0]);
   const auto decorated =
-      std::find_if(fields.begin(), fields.end(), [](const auto& one) { return !one.first.strokes.empty(); });
+      std::find_if(fields.begin(), fields.end(), [](const auto& field) { return !field.first.strokes.empty(); });
   if (decorated != fields.end())
     error(place, fmt::format("{} doubles a schema with the component {}", name.text(), decorated->first.text()),
           "expected a state behind Δ or Ξ, and an operation to be included as it is");
@@ -195,8 +196,9 @@ Type Checker::joined(const Node& node, const char* what, const std::string& left
 Type Checker::precondition(const Node& node) {
   auto fields = schema_fields(node.children[0], "behind pre");
   if (!fields) return Type::unknown();
-  std::erase_if(*fields,
-                [](const auto& one) { return one.first.strokes.ends_with("'") || one.first.strokes.ends_with("!"); });
+  std::erase_if(*fields, [](const auto& field) {
+    return field.first.strokes.ends_with("'") || field.first.strokes.ends_with("!");
+  });
   return schema_set(std::move(*fields));
 }
 
@@ -209,14 +211,14 @@ Type Checker::schema_quantifier(const Node& node) {
   if (!fields) return Type::unknown();
   spend(fields->size() * bound.size());
   for (const auto& [name, type] : bound) {
-    const auto found = find(*fields, name);
-    if (found == fields->end()) continue;
-    if (!unify(found->second, type))
+    const auto entry = find(*fields, name);
+    if (entry == fields->end()) continue;
+    if (!unify(entry->second, type))
       error(node.place,
             fmt::format("{} is bound with the type {}, and is {} in the schema", name.text(), type.text(),
-                        found->second.text()),
+                        entry->second.text()),
             "expected one type");
-    fields->erase(found);
+    fields->erase(entry);
   }
   return schema_set(std::move(*fields));
 }

@@ -20,7 +20,7 @@ struct Watch {
 
 struct Context {
   /// What each unknown was found to be, by its id.
-  std::vector<std::optional<Value>> found;
+  std::vector<std::optional<Value>> values_found;
   /// Equations that are evaluated now must hold for the unknowns of this id or a greater one, and so determine them.
   std::uint32_t necessary = none;
   int depth = 0;           ///< of applications
@@ -29,8 +29,8 @@ struct Context {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
   std::uint32_t fresh() {
-    found.emplace_back();
-    return static_cast<std::uint32_t>(found.size() - 1);
+    values_found.emplace_back();
+    return static_cast<std::uint32_t>(values_found.size() - 1);
   }
 };
 

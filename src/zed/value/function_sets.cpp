@@ -20,10 +20,10 @@ bool is_function(const std::vector<Value>& pairs) {
 }
 
 std::vector<Value> seconds(const std::vector<Value>& pairs) {
-  std::vector<Value> found;
-  found.reserve(pairs.size());
-  for (const Value& pair : pairs) found.push_back(pair.tuple()->parts[1]);
-  return found;
+  std::vector<Value> values;
+  values.reserve(pairs.size());
+  for (const Value& pair : pairs) values.push_back(pair.tuple()->parts[1]);
+  return values;
 }
 
 class FunctionSet : public Set {
@@ -78,17 +78,17 @@ class FunctionSet : public Set {
   }
 
   std::vector<Value> listed(const std::vector<Value>& from, const std::vector<Value>& to) const {
-    std::vector<std::vector<Value>> made{{}};
-    for (const Value& one : from) {
+    std::vector<std::vector<Value>> relations{{}};
+    for (const Value& member : from) {
       std::vector<std::vector<Value>> longer;
-      for (const auto& pairs : made) extend(pairs, one, to, longer);
-      made = std::move(longer);
+      for (const auto& pairs : relations) extend(pairs, member, to, longer);
+      relations = std::move(longer);
     }
-    std::vector<Value> found;
-    for (auto& pairs : made) {
-      if (admitted(pairs, to.size())) found.push_back(finite(std::move(pairs)));
+    std::vector<Value> kept;
+    for (auto& pairs : relations) {
+      if (admitted(pairs, to.size())) kept.push_back(finite(std::move(pairs)));
     }
-    return found;
+    return kept;
   }
 
   void extend(const std::vector<Value>& pairs, const Value& from, const std::vector<Value>& to,
@@ -96,17 +96,17 @@ class FunctionSet : public Set {
     const std::size_t first = into.size();
     if (!form_.total) into.push_back(pairs);
     if (!form_.function) {  // with each member of `to`, every set so far again
-      for (const Value& one : to) {
+      for (const Value& member : to) {
         for (std::size_t i = first, end = into.size(); i < end; ++i) {
           into.push_back(into[i]);
-          into.back().push_back(Value::pair(from, one));
+          into.back().push_back(Value::pair(from, member));
         }
       }
       return;
     }
-    for (const Value& one : to) {
+    for (const Value& value : to) {
       into.push_back(pairs);
-      into.back().push_back(Value::pair(from, one));
+      into.back().push_back(Value::pair(from, value));
     }
   }
 

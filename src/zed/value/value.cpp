@@ -64,24 +64,24 @@ Value Value::set(std::vector<Value> members) {
 }
 
 const TupleValue* Value::tuple() const {
-  const auto* found = get<TuplePtr>();
-  return found ? found->get() : nullptr;
+  const auto* shared = get<TuplePtr>();
+  return shared ? shared->get() : nullptr;
 }
 
 const BindingValue* Value::binding() const {
-  const auto* found = get<BindingPtr>();
-  return found ? found->get() : nullptr;
+  const auto* shared = get<BindingPtr>();
+  return shared ? shared->get() : nullptr;
 }
 
 const Set* Value::set() const {
-  const auto* found = get<SetPtr>();
-  return found ? found->get() : nullptr;
+  const auto* shared = get<SetPtr>();
+  return shared ? shared->get() : nullptr;
 }
 
 const Value* BindingValue::component(const Name& name) const {
-  const auto found = std::lower_bound(names->begin(), names->end(), name);
-  if (found == names->end() || *found != name) return nullptr;
-  return &values[static_cast<std::size_t>(found - names->begin())];
+  const auto at = std::lower_bound(names->begin(), names->end(), name);
+  if (at == names->end() || *at != name) return nullptr;
+  return &values[static_cast<std::size_t>(at - names->begin())];
 }
 
 namespace {
@@ -134,7 +134,7 @@ template <class Test>
 bool any_part(const Value& value, Test&& test) {
   if (const auto* tuple = value.tuple()) return std::any_of(tuple->parts.begin(), tuple->parts.end(), test);
   if (const auto* binding = value.binding()) return std::any_of(binding->values.begin(), binding->values.end(), test);
-  if (const auto* made = value.get<ConstructedPtr>()) return test((*made)->argument);
+  if (const auto* constructed = value.get<ConstructedPtr>()) return test((*constructed)->argument);
   return false;
 }
 
@@ -231,8 +231,8 @@ Truth Set::some_contains(const Value& value, Context& context) const {
   if (!all) throw EvaluationError(text() + " cannot be enumerated");
   Truth some = Truth::no;
   const Necessary only(context, all->size() == 1);
-  for (const Value& one : *all) {
-    const Truth in = contains_value(one, value, context);
+  for (const Value& member : *all) {
+    const Truth in = contains_value(member, value, context);
     if (in == Truth::yes) return in;
     if (in == Truth::open) some = in;
   }
