@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "zed/syntax/utf8.hpp"
 #include "zed/syntax/lexer.hpp"
 #include "zed/syntax/symbols.hpp"
+#include "zed/syntax/utf8.hpp"
 
 namespace durero::zed::lexing {
 
