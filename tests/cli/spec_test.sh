@@ -69,14 +69,14 @@ run 0 spec eval '1/3 + 0.25'
 is out 7/12
 run 0 spec eval '0.1 + 0.2 = 0.3'
 is out true
-run 0 spec eval '√(1/2) * √ 2'
-is out 1
+run 0 spec eval '√(1/2) * √(1/2)'
+is out 1/2
 sed 's/"c1"/"c-1.a:b"/' scene.json >hyphen.json
 run 0 spec eval 'elementos' --scene hyphen.json
 is out '{"c-1.a:b", k1, s1}'
 run 0 spec eval 'mi_radio("c-1.a:b")' --scene hyphen.json
 is out 1
-refused 'EXPR:1:1: c is not declared' spec eval 'c-1.a:b' --scene hyphen.json
+refused 'EXPR:1:1: c is not declared' spec eval 'c-1' --scene hyphen.json
 {
   printf '{"format":"durero-scene","version":1,"elementos":['
   seq 1 7000 | sed 's/.*/{"id":"s-&","tipo":"esfera","centro":[&,0,0],"radio":1},/'

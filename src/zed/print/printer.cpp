@@ -212,7 +212,10 @@ void Printer::suffixed(const Node& node) {
     names(node.names);
     return tight(")");
   }
-  const bool would_take = of->kind == Kind::theta && node.kind != Kind::selection && node.kind != Kind::tuple_selection;
+  const bool selects = node.kind == Kind::selection || node.kind == Kind::tuple_selection;
+  // A stroke or bracket would belong to θ; a point behind a number, before another, would make it decimal.
+  const bool would_take =
+      (of->kind == Kind::theta && !selects) || (of->kind == Kind::number && node.kind == Kind::tuple_selection);
   term(of, would_take ? binding::primary + 1 : binding::primary, false);
   if (node.kind == Kind::decoration) {
     out_ += ' ';
