@@ -12,13 +12,13 @@ namespace durero::zed {
 
 class Printer {
  public:
-  /// Unicode where `markup` is null.
+  /// Prints Unicode where `markup` is null, else LaTeX.
   explicit Printer(const Markup* markup);
 
-  /// `least`: how tightly the term must bind to stand here without parentheses (connectives.hpp).
-  /// `last`: nothing follows that a quantifier, whose body reaches as far as it can, would take in.
+  /// A term that binds less tightly than `least` (connectives.hpp) gets parentheses. `last` says that nothing follows
+  /// that a quantifier, whose body reaches as far as it can, would take in.
   void term(const Term& term, int least, bool last = true);
-  void schema_text(const SchemaText& text);  ///< on one line
+  void schema_text(const SchemaText& text);  ///< prints it on one line
   void declaration(const Declaration& declaration);
   void name(const Name& name);
   void names(const std::vector<Name>& names);

@@ -1,6 +1,6 @@
 #pragma once
-/// The type-checker's workings: expressions in checker_terms.cpp, and predicates, names and schemas in the files of
-/// their names; paragraphs and sections in typecheck.cpp.
+/// The workings of the type-checker. Expressions are checked in checker_terms.cpp, predicates, names and schemas in
+/// the files of these names, paragraphs and sections in typecheck.cpp.
 
 #include <fmt/core.h>
 
@@ -42,7 +42,7 @@ class Checker {
   void push(const Fields& fields);
   void pop() { scopes_.pop_back(); }
 
-  /// What the declarations of a schema text declare; the predicates are left to predicates().
+  /// Returns what the declarations of a schema text declare; its predicates are left to predicates().
   Fields signature(const SchemaText& text);
   void predicates(const SchemaText& text);
 
@@ -85,7 +85,7 @@ class Checker {
   std::optional<Fields> schema_fields(const Term& term, const char* role);
   /// Puts more fields to those of the table; a name in both must have one type.
   void merge(FieldTable& table, const Fields& more, Place place, const std::string& what);
-  /// Both signatures in one.
+  /// Puts both signatures in one.
   Fields merged(Fields left, const Fields& right, Place place);
   Type schema_set(Fields fields) { return limited(Type::power(Type::schema(std::move(fields)))); }
 
@@ -93,10 +93,10 @@ class Checker {
   Type element(const Term& set, const char* role);
   /// The type of the characteristic tuple of a schema text (ISO/IEC 13568, 9.2).
   Type characteristic(const SchemaText& text, const Fields& fields);
-  /// The type, or unknown and an error where it is too large.
+  /// Returns the type; where it is too large it reports an error and returns unknown.
   Type limited(Type type);
 
-  /// A new variable, to be determined.
+  /// Makes a new variable that unification is to determine.
   Type fresh();
   /// Counts work; past the limit the section cannot be checked to its end, and a ZError says so.
   void spend(std::size_t steps);
