@@ -24,13 +24,10 @@ endif()
 add_library(durero_options INTERFACE)
 target_compile_options(durero_options INTERFACE
   -ffp-contract=off -fno-fast-math
-  -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+  -Werror=switch -Werror=return-type)  # a closed set is known everywhere, or it does not compile
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND DURERO_PCH)
   target_compile_options(durero_options INTERFACE -fpch-preprocess)  # ccache asks for it too
-endif()
-# Under the sanitizers GCC warns of std::regex's own code, of what is never read (GCC bug 105562).
-if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_FLAGS MATCHES "-fsanitize")
-  target_compile_options(durero_options INTERFACE -Wno-maybe-uninitialized)
 endif()
 target_include_directories(durero_options INTERFACE ${PROJECT_SOURCE_DIR}/include)
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "commands.hpp"
+#include "durero/number/memory.hpp"
 #include "durero/text/shown.hpp"
 
 namespace {
@@ -34,6 +35,7 @@ int main(int argc, char* argv[]) {
   durero::cli::add_import(app, status);
   durero::cli::add_export(app, status);
   durero::cli::add_spec(app, status);
+  durero::number::throw_when_numbers_outgrow_memory();
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty()) return refuse("no subcommand; expected one that durero --help shows");

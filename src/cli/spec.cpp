@@ -53,9 +53,19 @@ std::string empty_files(const std::vector<std::string>& files, const zed::Specif
 
 }  // namespace
 
+namespace {
+
+// Throws where a file cannot be read.
+std::vector<std::pair<std::string, std::string>> sources(const std::vector<std::string>& files) {
+  std::vector<std::pair<std::string, std::string>> texts;
+  for (const std::string& file : files) texts.emplace_back(file, io::read_source(file).text());
+  return texts;
+}
+
+}  // namespace
+
 int spec_check(const std::vector<std::string>& files) {
-  for (const std::string& file : files) io::read_source(file);  // throws where a file cannot be read
-  const zed::Specification read = files.empty() ? oracle::spec::text() : zed::read_files(files);
+  const zed::Specification read = files.empty() ? oracle::spec::text() : zed::read_sources(sources(files));
   const std::vector<zed::Defect> defects = zed::review(read);
   const std::string empty = has_error(defects) ? "" : empty_files(files, read);
   const bool wrong = has_error(defects) || !empty.empty();
@@ -78,6 +88,8 @@ void add_spec(CLI::App& app, int& status) {
   eval->add_option("--scene", options->scene, "Scene file: Escena's components and the elements are then names");
   eval->footer(
       "θ is a letter, so a space stands behind it: θ Escena.\n"
+      "An element's name may stand between quotation marks, and does where it is no word: mi_radio(\"a-b\").\n"
+      "Numbers may be decimal; / and √ are known: 0.25 + 1/3 * √2.\n"
       "What begins with - is taken for an option unless -- stands before it: spec eval -- '-(2)'.\n"
       "Status 0: a value, or true; 1: undefined, or false; 2: it cannot be read, or decided.");
   eval->callback([options, &status] { status = spec_eval(options->expression, options->scene); });

@@ -64,6 +64,46 @@ refused 'EXPR:1:1: nadie is not declared' spec eval nadie
 refused 'EXPR:1:1: this is not decided' spec eval '∃ x : ℝ • x * x = 2'
 refused 'EXPR:1:1: this is not decided' spec eval 'puntos_esfera(⦉x == 1, y == 0, z == 0⦊, 1) = ∅'
 
+# eval: what is printed can be typed; decimals are exact; any element has a spelling; many elements, large numbers.
+run 0 spec eval '1/3 + 0.25'
+is out 7/12
+run 0 spec eval '0.1 + 0.2 = 0.3'
+is out true
+run 0 spec eval '√(1/2) * √(1/2)'
+is out 1/2
+sed 's/"c1"/"c-1.a:b"/' scene.json >hyphen.json
+run 0 spec eval 'elementos' --scene hyphen.json
+is out '{"c-1.a:b", k1, s1}'
+run 0 spec eval 'mi_radio("c-1.a:b")' --scene hyphen.json
+is out 1
+refused 'EXPR:1:1: c is not declared' spec eval 'c-1' --scene hyphen.json
+{
+  printf '{"format":"durero-scene","version":1,"elementos":['
+  seq 1 7000 | sed 's/.*/{"id":"s-&","tipo":"esfera","centro":[&,0,0],"radio":1},/'
+  printf '{"id":"t","tipo":"esfera","centro":[0,0,0],"radio":1}]}\n'
+} >many.json
+run 0 spec eval '# elementos' --scene many.json
+is out 7001
+squares=$(seq 1 40 | sed 's/.*/let a == a * a •/' | tr '\n' ' ')
+refused 'memory ran out; expected a smaller input' spec eval "let a == 3 • $squares a"
+run 0 spec eval --help
+has out '"a-b"'
+
+# No message shows a byte that a terminal would obey.
+refused 'EXPR:1:1: the character \x1b means nothing here' spec eval "$(printf '\033[2J')"
+refused 'EXPR:1:5: the character \xff means nothing here' spec eval "$(printf '1 + \377')"
+printf '\\begin{zed}\n  x == \033\377\n\\end{zed}\n' >raw.tex
+run 1 spec check raw.tex
+has out 'raw.tex:2:8: the character \x1b means nothing here'
+cat >a.tex <<'TEX'
+\begin{zsection}
+  \SECTION a \parents b
+\end{zsection}
+TEX
+sed 's/SECTION a/SECTION b/; s/parents b/parents a/' a.tex >b.tex
+run 1 spec check a.tex b.tex
+has out 'the parents go in a cycle, back to a; expected '
+
 # show: the paragraph, its labels and their places.
 run 0 spec show Escena
 has out '│ elementos = dom de_que_tipo  % Escena.inv.1'

@@ -2,10 +2,11 @@
 /// What is reported, and what is marked, line by line.
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
-#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -32,17 +33,19 @@ inline std::string contents(const std::string& file) {
   return all.str();
 }
 
-/// What `pattern` finds in the comments that end the lines of a file.
-inline void marks(const std::string& file, const std::string& pattern, Lines& to) {
+/// The marks, such as E06, that stand as words in the comments that end the lines of a file; of each line in order.
+inline void marks(const std::string& file, const std::function<bool(const std::string&)>& wanted, Lines& to) {
   std::istringstream in(contents(file));
-  const std::regex wanted(pattern);
   std::string line;
   for (unsigned at = 1; std::getline(in, line); ++at) {
     const std::size_t comment = line.find('%');
     if (comment == line.npos || comment == 0) continue;
-    const auto begin = line.begin() + static_cast<std::ptrdiff_t>(comment);
-    for (auto one = std::sregex_iterator(begin, line.end(), wanted); one != std::sregex_iterator(); ++one)
-      to[file][at].push_back(one->str());
+    std::string words = line.substr(comment);
+    for (char& c : words)
+      if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = ' ';
+    std::istringstream split(words);
+    for (std::string word; split >> word;)
+      if (wanted(word)) to[file][at].push_back(word);
   }
 }
 

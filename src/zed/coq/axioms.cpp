@@ -5,6 +5,7 @@
 
 #include "durero/zed/syntax/defect.hpp"
 #include "zed/coq/writer.hpp"
+#include "zed/syntax/match.hpp"
 
 namespace durero::zed::coq {
 namespace {
@@ -29,23 +30,18 @@ struct Equation {
 
 std::vector<Name> variables(const SchemaText& text) {
   std::vector<Name> all;
-  for (const Declaration& one : text.declarations) all.insert(all.end(), one.names.begin(), one.names.end());
+  for (const Declaration& declaration : text.declarations)
+    all.insert(all.end(), declaration.names.begin(), declaration.names.end());
   return all;
 }
 
-bool is_equation(const Term& term) {
-  return term->kind == Kind::relation && term->names.size() == 1 && term->names[0].word == "_=_";
-}
-
-/// The application of a name, or null.
-const Node* application(const Term& term) {
-  return term->kind == Kind::application && term->children[0]->kind == Kind::reference ? term.get() : nullptr;
-}
+using match::application_of_name;
+using match::is_equation;
 
 std::optional<Equation> equation(const Term& term) {
   if (term->kind != Kind::forall || !is_equation(term->children[0])) return {};
   const Term& body = term->children[0];
-  const Node* left = application(body->children[0]);
+  const Node* left = application_of_name(body->children[0]);
   if (!left) return {};
   const Term& argument = left->children[1];
   const std::vector<Term> parts = argument->kind == Kind::tuple ? argument->children : std::vector<Term>{argument};
@@ -59,34 +55,32 @@ std::optional<Equation> equation(const Term& term) {
 /// dom f = S: f.
 std::optional<Name> stated_domain(const Term& term) {
   if (!is_equation(term)) return {};
-  const Node* left = application(term->children[0]);
-  if (!left || left->children[0]->name.word != "dom" || left->children[1]->kind != Kind::reference) return {};
-  return left->children[1]->name;
+  const Term* of = match::argument_of(term->children[0], "dom");
+  if (!of || (*of)->kind != Kind::reference) return {};
+  return (*of)->name;
 }
 
 /// c * n = m: m / n.
 std::optional<std::string> solution(const Name& c, const Term& term) {
   if (!is_equation(term) || term->children[1]->kind != Kind::number) return {};
-  const Node* left = application(term->children[0]);
-  if (!left || left->children[0]->name.word != "_*_") return {};
-  const std::vector<Term>& factors = left->children[1]->children;
-  if (factors.size() != 2 || factors[0]->name != c || factors[1]->kind != Kind::number) return {};
-  return term->children[1]->name.word + " / " + factors[1]->name.word;
+  const Node* factors = match::operands(term->children[0], "_*_");
+  if (!factors || factors->children[0]->name != c || factors->children[1]->kind != Kind::number) return {};
+  return term->children[1]->name.word + " / " + factors->children[1]->name.word;
 }
 
 }  // namespace
 
-void Writer::declare_axiom(const Declaration& one) {
-  for (const Name& name : one.names) {
+void Writer::declare_axiom(const Declaration& declaration) {
+  for (const Name& name : declaration.names) {
     Symbol symbol;
     symbol.text = variable(name);
-    if (is_arrow(one.term, "_→_")) {
+    if (is_arrow(declaration.term, "_→_")) {
       symbol.form = Symbol::Form::function;
-      symbol.type = in_.carrier(one.term->children[1]);
-      const Term& from = one.term->children[0];
+      symbol.type = in_.carrier(declaration.term->children[1]);
+      const Term& from = declaration.term->children[0];
       symbol.arity = from->kind == Kind::product ? from->children.size() : 1;
     } else {
-      symbol.type = in_.carrier(one.term);
+      symbol.type = in_.carrier(declaration.term);
     }
     in_.symbols[name] = symbol;
   }
@@ -98,45 +92,47 @@ void Writer::axiomatic(const Axiomatic& form, Place place) {
   Declarations declared;
   std::map<Name, const Predicate*> domains;
   std::vector<const Predicate*> rest;
-  for (const Declaration& one : form.text.declarations) {
-    if (one.form != Declaration::Form::typed) uncovered(one.place, "this declaration");
-    const bool known =
-        std::any_of(one.names.begin(), one.names.end(), [&](const Name& name) { return in_.find(name); });
+  for (const Declaration& declaration : form.text.declarations) {
+    if (declaration.form != Declaration::Form::typed) uncovered(declaration.place, "this declaration");
+    const bool known = std::any_of(declaration.names.begin(), declaration.names.end(),
+                                   [&](const Name& name) { return in_.find(name); });
     if (known) continue;
-    declare_axiom(one);
-    for (const Name& name : one.names) declared.emplace(name, one.term);
+    declare_axiom(declaration);
+    for (const Name& name : declaration.names) declared.emplace(name, declaration.term);
   }
-  for (const Predicate& one : form.text.predicates) {
-    const auto of = stated_domain(one.term);
-    if (of && declared.contains(*of)) domains[*of] = &one;
+  for (const Predicate& predicate : form.text.predicates) {
+    const auto of = stated_domain(predicate.term);
+    if (of && declared.contains(*of)) domains[*of] = &predicate;
   }
-  for (const Predicate& one : form.text.predicates) {
-    const auto of = stated_domain(one.term);
+  for (const Predicate& conjunct : form.text.predicates) {
+    const auto of = stated_domain(conjunct.term);
     if (of && domains.contains(*of)) continue;
-    const auto what = equation(one.term);
+    const auto what = equation(conjunct.term);
     if (what && domains.contains(what->function)) {
-      if (!partial_definition(one, declared, *domains[what->function])) uncovered(one.place, "this partial function");
+      if (!partial_definition(conjunct, declared, *domains[what->function]))
+        uncovered(conjunct.place, "this partial function");
       declared.erase(what->function);
-    } else if (what && what->text->predicates.empty() && explicit_definition(one, declared)) {
+    } else if (what && what->text->predicates.empty() && explicit_definition(conjunct, declared)) {
       declared.erase(what->function);
     } else {
-      rest.push_back(&one);
+      rest.push_back(&conjunct);
     }
   }
   if (declared.size() > 1) uncovered(place, "a box with several names that no equation defines");
   for (const auto& [name, set] : declared) implicit_definition(name, set, rest);
   if (!declared.empty()) return;
-  for (const Predicate* one : rest) {
-    if (one->label.empty()) uncovered(one->place, "an axiom without a label");
-    sentence(fmt::format("Definition {} : Prop := {}.", identifier(one->label), in_.predicate(one->term, {}).text),
-             one->label);
+  for (const Predicate* predicate : rest) {
+    if (predicate->label.empty()) uncovered(predicate->place, "an axiom without a label");
+    sentence(fmt::format("Definition {} : Prop := {}.", identifier(predicate->label),
+                         in_.predicate(predicate->term, {}).text),
+             predicate->label);
   }
 }
 
-bool Writer::explicit_definition(const Predicate& one, const Declarations& declared) {
-  const Equation what = *equation(one.term);
-  const auto found = declared.find(what.function);
-  if (found == declared.end() || !is_arrow(found->second, "_→_")) return false;
+bool Writer::explicit_definition(const Predicate& predicate, const Declarations& declared) {
+  const Equation what = *equation(predicate.term);
+  const auto entry = declared.find(what.function);
+  if (entry == declared.end() || !is_arrow(entry->second, "_→_")) return false;
   Scope inside;
   const Signature slots = in_.declare(*what.text, inside);
   std::string value;
@@ -145,19 +141,19 @@ bool Writer::explicit_definition(const Predicate& one, const Declarations& decla
   } else {
     Frame frame;
     value = in_.term(what.value, inside, frame).text;
-    if (!frame.empty()) uncovered(one.place, "a total function that applies a partial one");
+    if (!frame.empty()) uncovered(predicate.place, "a total function that applies a partial one");
   }
   sentence(fmt::format("Definition {} {} : {} := {}.", variable(what.function), binders(slots, false),
                        in_.symbols.at(what.function).type.text(), value),
-           one.label);
+           predicate.label);
   return true;
 }
 
-bool Writer::partial_definition(const Predicate& one, const Declarations& declared, const Predicate& domain) {
-  const Equation what = *equation(one.term);
+bool Writer::partial_definition(const Predicate& conjunct, const Declarations& declared, const Predicate& domain) {
+  const Equation what = *equation(conjunct.term);
   const Term& set = domain.term->children[1];
-  const auto found = declared.find(what.function);
-  if (found == declared.end() || !is_arrow(found->second, "_⇸_") || set->kind != Kind::comprehension ||
+  const auto entry = declared.find(what.function);
+  if (entry == declared.end() || !is_arrow(entry->second, "_⇸_") || set->kind != Kind::comprehension ||
       !set->children.empty() || variables(*set->text) != variables(*what.text))
     return false;
   Scope inside;
@@ -172,7 +168,7 @@ bool Writer::partial_definition(const Predicate& one, const Declarations& declar
   if (slots.size() > 1) arguments = "(" + arguments + ")";
   sentence(fmt::format("Definition {} : {} := fun '({}, {}) => {}.", symbol.text, symbol.type.text(), arguments, y,
                        all_of(all).text),
-           domain.label + ", " + one.label);
+           domain.label + ", " + conjunct.label);
   return true;
 }
 
@@ -197,12 +193,12 @@ void Writer::implicit_definition(const Name& name, const Term& set, const std::v
   if (const auto known = witnesses().find(f); known != witnesses().end()) witness = known->second;
   if (!declaration.empty())
     sentence(fmt::format("Definition {0}_decl ({0} : {1}) : Prop := {2}.", f, type, declaration));
-  for (const Predicate* one : stated) {
-    if (one->label.empty()) uncovered(one->place, "an axiom without a label");
-    sentence(fmt::format("Definition {} ({} : {}) : Prop := {}.", identifier(one->label), f, type,
-                         in_.predicate(one->term, scope).text),
-             one->label);
-    if (witness.empty()) witness = solution(name, one->term).value_or("");
+  for (const Predicate* predicate : stated) {
+    if (predicate->label.empty()) uncovered(predicate->place, "an axiom without a label");
+    sentence(fmt::format("Definition {} ({} : {}) : Prop := {}.", identifier(predicate->label), f, type,
+                         in_.predicate(predicate->term, scope).text),
+             predicate->label);
+    if (witness.empty()) witness = solution(name, predicate->term).value_or("");
   }
   if (witness.empty()) uncovered(set->place, "the implicit definition of " + f);
   sentence(fmt::format("Definition {} : {} := {}.", f, type, witness));

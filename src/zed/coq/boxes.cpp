@@ -9,9 +9,10 @@ namespace durero::zed::coq {
 namespace {
 
 bool is_plain(const Schema& form) {
-  return std::all_of(form.text.declarations.begin(), form.text.declarations.end(), [](const Declaration& one) {
-    return one.form == Declaration::Form::typed &&
-           std::all_of(one.names.begin(), one.names.end(), [](const Name& name) { return name.strokes.empty(); });
+  return std::all_of(form.text.declarations.begin(), form.text.declarations.end(), [](const Declaration& declaration) {
+    return declaration.form == Declaration::Form::typed &&
+           std::all_of(declaration.names.begin(), declaration.names.end(),
+                       [](const Name& name) { return name.strokes.empty(); });
   });
 }
 
@@ -34,17 +35,18 @@ void Writer::schema(const Schema& form) {
 
 /// A field for each declaration x : S that says more than the type of x, and one for each predicate.
 void Writer::conditions(const std::string& name, const SchemaText& text, const Scope& scope, Fields& to) {
-  for (const Declaration& one : text.declarations) {
-    if (one.form != Declaration::Form::typed || says_nothing(one.term, in_)) continue;
-    for (const Name& declared : one.names) {
-      Expr member = in_.member(scope.names.at(declared), one.term, scope);
+  for (const Declaration& declaration : text.declarations) {
+    if (declaration.form != Declaration::Form::typed || says_nothing(declaration.term, in_)) continue;
+    for (const Name& declared : declaration.names) {
+      Expr member = in_.member(scope.names.at(declared), declaration.term, scope);
       to.emplace_back(fmt::format("{}_decl_{} : {}", name, declared.word, member.text), "");
     }
   }
   std::size_t unlabelled = 0;
-  for (const Predicate& one : text.predicates) {
-    const std::string field = one.label.empty() ? fmt::format("{}_pred_{}", name, ++unlabelled) : identifier(one.label);
-    to.emplace_back(field + " : " + in_.predicate(one.term, scope).text, one.label);
+  for (const Predicate& predicate : text.predicates) {
+    const std::string field =
+        predicate.label.empty() ? fmt::format("{}_pred_{}", name, ++unlabelled) : identifier(predicate.label);
+    to.emplace_back(field + " : " + in_.predicate(predicate.term, scope).text, predicate.label);
   }
 }
 
@@ -77,9 +79,9 @@ void Writer::data(const Schema& form) {
 
 void Writer::state_relations(const std::string& name, const Schema& form) {
   Fields equal;
-  for (const Declaration& one : form.text.declarations)
-    for (const Name& part : one.names) {
-      const bool sets = in_.carrier(one.term).form == Carrier::Form::set;
+  for (const Declaration& declaration : form.text.declarations)
+    for (const Name& part : declaration.names) {
+      const bool sets = in_.carrier(declaration.term).form == Carrier::Form::set;
       equal.emplace_back(fmt::format("{0}_eq_{1} : {1} s' {2} {1} s", name, part.word, sets ? "≡" : "="), "");
     }
   out_ += "\n";
@@ -101,11 +103,11 @@ void Writer::operation(const Schema& form) {
   symbol.text = name;
   symbol.signature = in_.declare(form.text, scope);
   Fields fields;
-  for (const Declaration& one : form.text.declarations) {
-    if (one.form != Declaration::Form::included) continue;
-    const Name& what = one.term->name;
+  for (const Declaration& declaration : form.text.declarations) {
+    if (declaration.form != Declaration::Form::included) continue;
+    const Name& what = declaration.term->name;
     const std::string field = what.word == "Δ" + in_.state ? "Delta" : what.word == "Ξ" + in_.state ? "Xi" : what.word;
-    fields.emplace_back(fmt::format("{}_{} : {}", name, field, in_.call(what, scope, one.place).text), "");
+    fields.emplace_back(fmt::format("{}_{} : {}", name, field, in_.call(what, scope, declaration.place).text), "");
   }
   conditions(name, form.text, scope, fields);
   record(fmt::format("{} {} : Prop :=", name, binders(symbol.signature, false)), fields);

@@ -4,6 +4,7 @@
 
 #include "durero/zed/syntax/defect.hpp"
 #include "zed/coq/terms.hpp"
+#include "zed/operators.hpp"
 
 namespace durero::zed::coq {
 namespace {
@@ -32,12 +33,10 @@ void flatten(Kind kind, const Term& term, std::vector<Term>& to) {
 
 namespace {
 
+/// The relation in Coq: `<=`; empty where no rule covers it.
 std::string_view symbol_of(const std::string& relation) {
-  if (relation == "_≤_") return "<=";
-  if (relation == "_<_") return "<";
-  if (relation == "_≥_") return ">=";
-  if (relation == "_>_") return ">";
-  return {};
+  const OperatorRow* row = operator_row(relation);
+  return row ? row->coq.text : std::string_view();
 }
 
 }  // namespace
@@ -100,7 +99,7 @@ Expr Translator::predicate(const Term& term, const Scope& scope) const {
       flatten(node.kind, term, terms);
       std::vector<Expr> parts;
       parts.reserve(terms.size());
-      for (const Term& one : terms) parts.push_back(predicate(one, scope));
+      for (const Term& child : terms) parts.push_back(predicate(child, scope));
       return node.kind == Kind::conjunction ? all_of(parts) : any_of(parts);
     }
     case Kind::implication:
@@ -137,7 +136,7 @@ Expr Translator::quantified(const Node& node, const Scope& scope) const {
   const Expr body = predicate(node.children[0], inside);
   if (node.kind == Kind::forall) {
     std::string out = fmt::format("forall {}, ", binders(slots, true));
-    for (const Expr& one : what) out += one.at(implied - 1) + " -> ";
+    for (const Expr& expr : what) out += expr.at(implied - 1) + " -> ";
     return {out + body.text, binder, {}};
   }
   what.push_back(body);
@@ -165,10 +164,8 @@ Expr Translator::relation(const Node& node, Scope& scope, Frame& frame, bool den
   for (std::size_t i = 0; i < node.names.size(); ++i) {
     Name by = node.names[i];
     if (denied && node.names.size() == 1) {
-      if (by.word == "_=_")
-        by.word = "_≠_";
-      else if (by.word == "_∈_")
-        by.word = "_∉_";
+      if (by.word == "_=_" || by.word == "_∈_")
+        by.word = operator_row(by.word)->opposite;
       else
         return {"~ " + one_relation(by, node.children[i], node.children[i + 1], operands[i], scope, frame).at(applied),
                 negated,
@@ -188,23 +185,19 @@ Expr Translator::one_relation(const Name& by, const Term& left, const Term& righ
         fmt::format("{} {} {}", a.at(related - 1), symbol, term(right, scope, frame).at(related - 1)), related, {}};
   };
   const bool sets = is_set(left);
-  if (word == "_=_") return against(sets ? "≡" : "=");
-  if (word == "_≠_") return sets ? Expr{"~ " + against("≡").at(applied), negated, {}} : against("<>");
+  if (word == "_≠_" && sets) return {"~ " + against(operator_row("_=_")->coq.of_sets).at(applied), negated, {}};
   if (word == "_∈_" && whole(right)) {
     // to be in a whole type is to have a value
     const std::string c = fresh("c", scope);
     return {fmt::format("exists {} : {}, {} = {}", c, carrier(right).text(), c, a.at(related - 1)), binder, {}};
   }
-  if (word == "_∈_") return against("∈");
-  if (word == "_∉_") return against("∉");
   if (word == "_⊆_" && whole(left) && whole(right) && carrier(left).text() != carrier(right).text()) {
     const std::string from = carrier(left).text(), to = carrier(right).text();
     return {fmt::format("exists f : {} -> {}, forall m n, f m = f n -> m = n", from, to), binder, {}};
   }
-  if (word == "_⊆_") return against("⊆");
-  const std::string_view symbol = symbol_of(word);
-  if (symbol.empty()) uncovered(left->place, "the relation " + word);
-  return against(symbol);
+  const OperatorRow* row = operator_row(word);
+  if (!row || row->coq.text.empty()) uncovered(left->place, "the relation " + word);
+  return against(sets && !row->coq.of_sets.empty() ? row->coq.of_sets : row->coq.text);
 }
 
 std::vector<Expr> Translator::constraint(const Expr& x, const Term& set, const Scope& scope) const {

@@ -7,10 +7,10 @@
 namespace durero::zed::coq {
 
 void merge(Signature& to, const Signature& from) {
-  for (const Slot& one : from)
-    if (std::none_of(to.begin(), to.end(), [&](const Slot& there) { return there.name == one.name; }))
-      to.push_back(one);
-  std::stable_partition(to.begin(), to.end(), [](const Slot& one) { return one.state; });
+  for (const Slot& slot : from)
+    if (std::none_of(to.begin(), to.end(), [&](const Slot& there) { return there.name == slot.name; }))
+      to.push_back(slot);
+  std::stable_partition(to.begin(), to.end(), [](const Slot& each) { return each.state; });
 }
 
 Slot Translator::state_slot(const Name& name, Place place) const {
@@ -49,17 +49,17 @@ bool Translator::taken(const std::string& variable, const Scope& scope) const {
 // scope already gets another variable.
 Signature Translator::declare(const SchemaText& text, Scope& scope) const {
   Signature slots;
-  for (const Declaration& one : text.declarations) {
-    if (one.form == Declaration::Form::defined) uncovered(one.place, "a declaration by ==");
-    if (one.form == Declaration::Form::included) {
-      if (one.term->kind != Kind::reference) uncovered(one.place, "this inclusion");
-      merge(slots, signature(one.term));
+  for (const Declaration& declaration : text.declarations) {
+    if (declaration.form == Declaration::Form::defined) uncovered(declaration.place, "a declaration by ==");
+    if (declaration.form == Declaration::Form::included) {
+      if (declaration.term->kind != Kind::reference) uncovered(declaration.place, "this inclusion");
+      merge(slots, signature(declaration.term));
       continue;
     }
-    for (const Name& name : one.names) {
+    for (const Name& name : declaration.names) {
       std::string v = variable(name);
       if (taken(v, scope)) v = fresh(v, scope);
-      merge(slots, {{name, v, carrier(one.term, scope), false, one.term}});
+      merge(slots, {{name, v, carrier(declaration.term, scope), false, declaration.term}});
     }
   }
   for (const Slot& slot : slots) declare(slot, scope);
@@ -73,11 +73,11 @@ std::vector<Expr> Translator::conditions(const SchemaText& text, const Signature
     if (slot.state) continue;
     Scope around = outer;
     around.variables = inner.variables;
-    for (Expr& one : constraint({slot.variable, atomic, slot.type}, slot.set, around)) all.push_back(std::move(one));
+    for (Expr& expr : constraint({slot.variable, atomic, slot.type}, slot.set, around)) all.push_back(std::move(expr));
   }
-  for (const Predicate& one : text.predicates) {
+  for (const Predicate& conjunct : text.predicates) {
     std::vector<Term> parts;
-    flatten(Kind::conjunction, one.term, parts);
+    flatten(Kind::conjunction, conjunct.term, parts);
     for (const Term& part : parts) all.push_back(predicate(part, inner));
   }
   return all;
@@ -133,9 +133,9 @@ Expr Translator::call(const Name& schema, const Scope& scope, Place place) const
   }
   for (const Slot& slot : slots) {
     const auto& from = slot.state ? scope.states : scope.names;
-    const auto found = from.find(slot.name);
-    if (found == from.end()) uncovered(place, "the component " + slot.name.text() + " out of scope");
-    text += " " + found->second.at(applied - 1);
+    const auto entry = from.find(slot.name);
+    if (entry == from.end()) uncovered(place, "the component " + slot.name.text() + " out of scope");
+    text += " " + entry->second.at(applied - 1);
   }
   return {text, slots.empty() ? atomic : applied, {}};
 }

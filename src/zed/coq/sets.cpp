@@ -59,7 +59,7 @@ Carrier Translator::carrier(const Term& set, const Scope& outer) const {
   Frame frame;
   if (set->kind == Kind::product) {
     Carrier out = Carrier::product({});
-    for (const Term& one : set->children) out.parts.push_back(carrier(one, outer));
+    for (const Term& term : set->children) out.parts.push_back(carrier(term, outer));
     return out;
   }
   if (set->kind == Kind::reference && set->name.word == "_⇸_")
@@ -70,8 +70,8 @@ Carrier Translator::carrier(const Term& set, const Scope& outer) const {
 
 bool Translator::whole(const Term& set) const {
   if (set->kind == Kind::power || set->kind == Kind::product) {
-    for (const Term& one : set->children)
-      if (!whole(one)) return false;
+    for (const Term& term : set->children)
+      if (!whole(term)) return false;
     return true;
   }
   if (set->kind != Kind::reference) return false;

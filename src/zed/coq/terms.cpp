@@ -2,34 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <unordered_map>
-
 #include "durero/zed/syntax/defect.hpp"
+#include "zed/operators.hpp"
 
 namespace durero::zed::coq {
 namespace {
-
-/// The toolkit's operations that are notations of Coq's, by their levels: the operands' and the result's.
-struct Infix {
-  std::string_view symbol;
-  int level, left, right;
-};
-
-const std::unordered_map<std::string, Infix>& infixes() {
-  static const std::unordered_map<std::string, Infix> known = {
-      {"_+_", {"+", plus, plus, plus - 1}},    {"_-_", {"-", plus, plus, plus - 1}},
-      {"_*_", {"*", times, times, times - 1}}, {"_∪_", {"∪", plus, plus, plus - 1}},
-      {"_∖_", {"∖", plus, plus, plus - 1}},    {"_∩_", {"∩", times, times, times - 1}},
-  };
-  return known;
-}
-
-/// Those that are functions of Toolkit.v.
-const std::unordered_map<std::string, std::string>& prefixes() {
-  static const std::unordered_map<std::string, std::string> known = {
-      {"dom", "dom"}, {"ran", "ran"}, {"_∼", "inverse"}, {"_⦇_⦈", "image"}, {"_⩤_", "ndres"}, {"_◁_", "dres"}};
-  return known;
-}
 
 Carrier type_of_operation(const std::string& word, const std::vector<Expr>& of) {
   const auto part = [&](std::size_t i) {
@@ -82,8 +59,8 @@ std::string Translator::fresh(const std::string& stem, const Scope& scope) const
 }
 
 const Symbol* Translator::find(const Name& name) const {
-  const auto found = symbols.find(name);
-  return found == symbols.end() ? nullptr : &found->second;
+  const auto entry = symbols.find(name);
+  return entry == symbols.end() ? nullptr : &entry->second;
 }
 
 bool Translator::is_set(const Term& term) const {
@@ -104,9 +81,9 @@ Expr Translator::term(const Term& term, Scope& scope, Frame& frame) const {
     case Kind::power:
       return {"ℙ " + part(0).at(applied), applied + 20, Carrier::set(Carrier::set(carrier(node.children[0], scope)))};
     case Kind::theta: {
-      const auto found = scope.states.find({node.children[0]->name.word, node.name.strokes});
-      if (node.children[0]->kind != Kind::reference || found == scope.states.end()) uncovered(node.place, "this θ");
-      return found->second;
+      const auto entry = scope.states.find({node.children[0]->name.word, node.name.strokes});
+      if (node.children[0]->kind != Kind::reference || entry == scope.states.end()) uncovered(node.place, "this θ");
+      return entry->second;
     }
     case Kind::selection: {
       const Expr of = part(0);
@@ -119,9 +96,9 @@ Expr Translator::term(const Term& term, Scope& scope, Frame& frame) const {
     case Kind::tuple: {
       Expr out{"(", atomic, Carrier::product({})};
       for (std::size_t i = 0; i < node.children.size(); ++i) {
-        const Expr one = part(i);
-        out.text += (i == 0 ? "" : ", ") + one.at(both - 1);
-        out.type.parts.push_back(one.type);
+        const Expr expr = part(i);
+        out.text += (i == 0 ? "" : ", ") + expr.at(both - 1);
+        out.type.parts.push_back(expr.type);
       }
       out.text += ")";
       return out;
@@ -129,9 +106,9 @@ Expr Translator::term(const Term& term, Scope& scope, Frame& frame) const {
     case Kind::set_extension: {
       Expr out{"∅", atomic, Carrier::set({})};
       for (std::size_t i = 0; i < node.children.size(); ++i) {
-        const Expr one = part(i);
-        const std::string single = "⦃" + one.text + "⦄";
-        out = {i == 0 ? single : out.text + " ∪ " + single, i == 0 ? atomic : plus, Carrier::set(one.type)};
+        const Expr operand = part(i);
+        const std::string single = "⦃" + operand.text + "⦄";
+        out = {i == 0 ? single : out.text + " ∪ " + single, i == 0 ? atomic : plus, Carrier::set(operand.type)};
       }
       return out;
     }
@@ -155,15 +132,16 @@ Expr Translator::term(const Term& term, Scope& scope, Frame& frame) const {
 }
 
 Expr Translator::reference(const Node& node, Scope& scope, Frame& frame) const {
-  if (const auto found = scope.names.find(node.name); found != scope.names.end()) return found->second;
+  if (const auto entry = scope.names.find(node.name); entry != scope.names.end()) return entry->second;
   if (node.name.word == "∅") return {"∅", atomic, Carrier::set({})};
-  const bool infix = node.children.size() == 2;
-  if (node.name.word == "𝔽_" || node.name.word == "_⇸_") {
+  const OperatorRow* row = operator_row(node.name.word);
+  if (row && row->binding.role == Role::generic && row->coq.level > 0) {
     std::vector<Expr> of;
     of.reserve(node.children.size());
     for (const Term& child : node.children) of.push_back(term(child, scope, frame));
-    if (!infix) return {"𝔽 " + of[0].at(applied), applied + 20, Carrier::set(of[0].type)};
-    return {of[0].at(plus) + " ⇸ " + of[1].at(plus), plus + 5,
+    const CoqNotation& by = row->coq;
+    if (of.size() == 1) return {fmt::format("{} {}", by.text, of[0].at(applied)), by.level, Carrier::set(of[0].type)};
+    return {fmt::format("{} {} {}", of[0].at(plus), by.text, of[1].at(plus)), by.level,
             Carrier::set(Carrier::set(Carrier::product({of[0].type.element(), of[1].type.element()})))};
   }
   const Symbol* symbol = find(node.name);
@@ -181,12 +159,12 @@ Expr Translator::application(const Node& node, Scope& scope, Frame& frame) const
     const Symbol* symbol = find(name);
     if (symbol && symbol->form == Symbol::Form::function) {
       Expr out{symbol->text, applied, symbol->type};
-      for (const Term& one : split(node.children[1], symbol->arity))
-        out.text += " " + term(one, scope, frame).at(applied - 1);
+      for (const Term& part : split(node.children[1], symbol->arity))
+        out.text += " " + term(part, scope, frame).at(applied - 1);
       return out;
     }
     if (!symbol) {
-      const std::size_t operands = infixes().contains(name.word) || name.word.starts_with("_") ? 2 : 1;
+      const std::size_t operands = name.word.starts_with("_") ? 2 : 1;
       return operation(name.word, split(node.children[1], operands), scope, frame, node);
     }
   }
@@ -198,23 +176,20 @@ Expr Translator::operation(const std::string& word, const std::vector<Term>& arg
   if (word == "⋃") return generalized_union(arguments[0], scope, frame);
   std::vector<Expr> of;
   of.reserve(arguments.size());
-  for (const Term& one : arguments) of.push_back(term(one, scope, frame));
+  for (const Term& part : arguments) of.push_back(term(part, scope, frame));
   if (word == "_↦_")
     return {"(" + of[0].at(both - 1) + ", " + of[1].at(both - 1) + ")", atomic,
             Carrier::product({of[0].type, of[1].type})};
-  if (const auto found = infixes().find(word); found != infixes().end()) {
-    const Infix& by = found->second;
-    return {fmt::format("{} {} {}", of[0].at(by.left), by.symbol, of[1].at(by.right)), by.level,
+  const OperatorRow* row = operator_row(word);
+  if (!row || row->coq.text.empty()) uncovered(node.place, "the operation " + word);
+  const CoqNotation& by = row->coq;
+  if (by.level > 0 && of.size() != 2) uncovered(node.place, "this " + word);
+  if (by.level > 0)
+    return {fmt::format("{} {} {}", of[0].at(by.level), by.text, of[1].at(by.level - 1)), by.level,
             type_of_operation(word, of)};
-  }
-  const auto found = prefixes().find(word);
-  if (found == prefixes().end()) uncovered(node.place, "the operation " + word);
-  if (word == "_⦇_⦈" || arguments.size() == 1 || word == "_⩤_" || word == "_◁_") {
-    Expr out{found->second, applied, type_of_operation(word, of)};
-    for (const Expr& one : of) out.text += " " + one.at(applied - 1);
-    return out;
-  }
-  uncovered(node.place, "the operation " + word);
+  Expr out{std::string(by.text), applied, type_of_operation(word, of)};
+  for (const Expr& argument : of) out.text += " " + argument.at(applied - 1);
+  return out;
 }
 
 Expr Translator::partial(const std::string& in, const std::string& before, const Carrier& type, Scope& scope,
@@ -253,8 +228,8 @@ Expr Translator::apply_partial(const Node& node, const Expr* y, Scope& scope, Fr
     const Symbol* symbol = scope.names.contains(function.name) ? nullptr : find(function.name);
     if (symbol && symbol->form == Symbol::Form::partial) {
       in = symbol->text;
-      for (const Term& one : split(node.children[1], symbol->arity))
-        in += " " + term(one, scope, frame).at(applied - 1);
+      for (const Term& part : split(node.children[1], symbol->arity))
+        in += " " + term(part, scope, frame).at(applied - 1);
       type = symbol->type;
     } else {
       const Expr argument = term(node.children[1], scope, frame);

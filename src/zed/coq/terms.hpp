@@ -10,6 +10,7 @@
 
 #include "durero/zed/syntax/ast.hpp"
 #include "durero/zed/types/typecheck.hpp"
+#include "zed/coq/level.hpp"
 
 namespace durero::zed::coq {
 
@@ -33,20 +34,6 @@ struct Expr {
   int level = 0;
   Carrier type;
   std::string at(int most) const { return level <= most ? text : "(" + text + ")"; }
-};
-
-/// The levels of Coq's notations.
-enum Level {
-  atomic = 0,
-  applied = 10,
-  times = 40,
-  plus = 50,
-  related = 70,
-  negated = 75,
-  both = 80,
-  either = 85,
-  implied = 99,
-  binder = 200
 };
 
 /// A component or an argument: a variable of Coq. One for each state of a schema, `s` for S and `s'` for S'.

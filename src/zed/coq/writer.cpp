@@ -8,6 +8,7 @@
 
 #include "durero/zed/coq/coq.hpp"
 #include "durero/zed/syntax/defect.hpp"
+#include "zed/syntax/utf8.hpp"
 
 namespace durero::zed::coq {
 namespace {
@@ -15,8 +16,7 @@ namespace {
 constexpr std::size_t width = 118;
 
 std::size_t characters(std::string_view text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return !utf8::continues(c); }));
 }
 
 int depth_change(const std::string& word) {
@@ -50,23 +50,23 @@ std::size_t end_of_line(const std::vector<std::string>& words, std::size_t from,
 
 /// The schema that is the state of the text: that of which some box includes Δ, Ξ or the decorated schema.
 std::string state_of(const Specification& specification) {
-  std::string found;
+  std::string state;
   for (const Section& section : specification.sections)
     for (const Paragraph& paragraph : section.paragraphs) {
       const Schema* form = std::get_if<Schema>(&paragraph.form);
       if (!form) continue;
-      for (const Declaration& one : form->text.declarations) {
-        if (one.form != Declaration::Form::included || one.term->kind != Kind::reference) continue;
-        std::string word = one.term->name.word;
+      for (const Declaration& declaration : form->text.declarations) {
+        if (declaration.form != Declaration::Form::included || declaration.term->kind != Kind::reference) continue;
+        std::string word = declaration.term->name.word;
         const bool sign = word.starts_with("Δ") || word.starts_with("Ξ");
         if (sign) word.erase(0, 2);
-        if (!sign && one.term->name.strokes != "'") continue;
-        if (!found.empty() && found != word)
-          uncovered(one.place, fmt::format("a second state, {} beside {},", word, found));
-        found = word;
+        if (!sign && declaration.term->name.strokes != "'") continue;
+        if (!state.empty() && state != word)
+          uncovered(declaration.place, fmt::format("a second state, {} beside {},", word, state));
+        state = word;
       }
     }
-  return found;
+  return state;
 }
 
 }  // namespace
@@ -80,16 +80,16 @@ Writer::Writer(const Specification& specification, const Typing& typing) : in_(t
     symbol.type = Carrier::named(coq);
     in_.symbols[{z, {}}] = symbol;
   }
-  for (const Section& one : specification.sections) section(one);
+  for (const Section& each : specification.sections) section(each);
 }
 
 void Writer::section(const Section& section) {
   if (section.paragraphs.empty()) return;
   out_ += fmt::format("(** * {} *)\n", std::filesystem::path(section.file).filename().string());
-  for (const Paragraph& one : section.paragraphs) {
+  for (const Paragraph& each : section.paragraphs) {
     try {
       out_ += "\n";
-      paragraph(one);
+      paragraph(each);
     } catch (const ZError& error) {
       throw ExportError(error.in(section.file).text());
     }
@@ -97,13 +97,13 @@ void Writer::section(const Section& section) {
   out_ += "\n";
 }
 
-void Writer::paragraph(const Paragraph& one) {
-  if (const auto* form = std::get_if<GivenTypes>(&one.form)) return given(*form);
-  if (const auto* form = std::get_if<FreeType>(&one.form)) return free_type(*form);
-  if (const auto* form = std::get_if<Definition>(&one.form)) return definition(*form);
-  if (const auto* form = std::get_if<Axiomatic>(&one.form)) return axiomatic(*form, one.place);
-  if (const auto* form = std::get_if<Schema>(&one.form)) return schema(*form);
-  uncovered(one.place, "a conjecture");
+void Writer::paragraph(const Paragraph& paragraph) {
+  if (const auto* form = std::get_if<GivenTypes>(&paragraph.form)) return given(*form);
+  if (const auto* form = std::get_if<FreeType>(&paragraph.form)) return free_type(*form);
+  if (const auto* form = std::get_if<Definition>(&paragraph.form)) return definition(*form);
+  if (const auto* form = std::get_if<Axiomatic>(&paragraph.form)) return axiomatic(*form, paragraph.place);
+  if (const auto* form = std::get_if<Schema>(&paragraph.form)) return schema(*form);
+  uncovered(paragraph.place, "a conjecture");
 }
 
 void Writer::sentence(const std::string& text, const std::string& label, const std::string& indent) {

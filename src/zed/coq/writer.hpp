@@ -18,7 +18,7 @@ class Writer {
 
  private:
   void section(const Section& section);
-  void paragraph(const Paragraph& one);
+  void paragraph(const Paragraph& paragraph);
   void given(const GivenTypes& form);
   void free_type(const FreeType& form);
   void definition(const Definition& form);
@@ -37,9 +37,9 @@ class Writer {
   void conditions(const std::string& name, const SchemaText& text, const Scope& scope, Fields& to);
   void record(const std::string& head, const Fields& fields);
 
-  void declare_axiom(const Declaration& one);
-  bool explicit_definition(const Predicate& one, const Declarations& declared);
-  bool partial_definition(const Predicate& one, const Declarations& declared, const Predicate& domain);
+  void declare_axiom(const Declaration& declaration);
+  bool explicit_definition(const Predicate& predicate, const Declarations& declared);
+  bool partial_definition(const Predicate& conjunct, const Declarations& declared, const Predicate& domain);
   void implicit_definition(const Name& name, const Term& set, const std::vector<const Predicate*>& stated);
 
   /// A sentence, broken into lines; the label in a comment behind it.

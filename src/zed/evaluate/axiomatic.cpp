@@ -6,39 +6,25 @@
 #include "zed/evaluate/compiler.hpp"
 #include "zed/evaluate/describe.hpp"
 #include "zed/evaluate/intensional.hpp"
+#include "zed/syntax/match.hpp"
 #include "zed/value/sets.hpp"
+#include "zed/value/toolkit_functions.hpp"
 
 namespace durero::zed {
 namespace {
 
-bool mentions(const Term& term, const Name& name);
+using match::is_equation;
 
-bool mentions(const SchemaText& text, const Name& name) {
-  return std::any_of(text.declarations.begin(), text.declarations.end(),
-                     [&](const Declaration& one) { return mentions(one.term, name); }) ||
-         std::any_of(text.predicates.begin(), text.predicates.end(),
-                     [&](const Predicate& one) { return mentions(one.term, name); });
-}
-
-bool mentions(const Term& term, const Name& name) {
-  if (term->kind == Kind::reference && term->name == name) return true;
-  if (term->text && mentions(*term->text, name)) return true;
-  return std::any_of(term->children.begin(), term->children.end(),
-                     [&](const Term& child) { return mentions(child, name); });
-}
-
-bool is_reference(const Term& term, const Name& name) { return term->kind == Kind::reference && term->name == name; }
 bool is_application(const Term& term, const Name& function) {
-  return term->kind == Kind::application && is_reference(term->children[0], function);
+  return term->kind == Kind::application && match::is_reference(term->children[0], function);
 }
-bool is_equation(const Term& term) {
-  return term->kind == Kind::relation && term->names.size() == 1 && term->names[0].word == "_=_";
-}
+
+bool mentions(const Term& term, const Name& name) { return match::mentions(term, {name}); }
 
 /// The names that an argument consists of: `x`, `(x, y)`, with `θS` for the schema text's inclusion of S; or nothing.
 std::optional<std::vector<Name>> argument_names(const Term& argument) {
   std::vector<Name> names;
-  const auto one = [&](const Term& part) {
+  const auto add = [&](const Term& part) {
     if (part->kind == Kind::reference && part->children.empty()) {
       names.push_back(part->name);
     } else if (part->kind == Kind::theta && part->name.strokes.empty()) {
@@ -48,9 +34,9 @@ std::optional<std::vector<Name>> argument_names(const Term& argument) {
     }
     return true;
   };
-  if (argument->kind != Kind::tuple) return one(argument) ? std::optional(names) : std::nullopt;
+  if (argument->kind != Kind::tuple) return add(argument) ? std::optional(names) : std::nullopt;
   for (const Term& part : argument->children) {
-    if (!one(part)) return std::nullopt;
+    if (!add(part)) return std::nullopt;
   }
   return names;
 }
@@ -60,27 +46,17 @@ std::optional<std::vector<Group>> in_order(const std::vector<Name>& names, const
   std::vector<Group> groups;
   for (const Name& name : names) {
     std::optional<unsigned> slot;
-    if (const auto found = scope.names.find(name); found != scope.names.end()) slot = found->second.slot;
+    if (const auto entry = scope.names.find(name); entry != scope.names.end()) slot = entry->second.slot;
     if (name.word.starts_with("θ")) {
-      const auto found = scope.thetas.find(name.text().substr(std::string("θ").size()));
-      if (found != scope.thetas.end()) slot = found->second;
+      const auto at = scope.thetas.find(name.text().substr(std::string("θ").size()));
+      if (at != scope.thetas.end()) slot = at->second;
     }
     const auto group = std::find_if(head.groups.begin(), head.groups.end(),
-                                    [&](const Group& one) { return slot && one.slot == *slot; });
+                                    [&](const Group& candidate) { return slot && candidate.slot == *slot; });
     if (group == head.groups.end()) return std::nullopt;
     groups.push_back(*group);
   }
   return groups.size() == head.groups.size() ? std::optional(groups) : std::nullopt;
-}
-
-Value root(const Value& of) {
-  if (of.is_undefined()) return {};
-  if (!of.real()) return Open{};
-  try {
-    return square_root(*of.real());
-  } catch (const std::domain_error& none) {
-    throw EvaluationError(none.what());
-  }
 }
 
 /// What the equation in `body` says of f, as a clause under the head of `forall`.
@@ -89,10 +65,9 @@ std::optional<Closure> clause(Compiler& compiler, const Name& function, const st
   const Term& body = forall.children[0];
   if (!is_equation(body)) return std::nullopt;
   const Term &left = body->children[0], &right = body->children[1];
-  const bool squared = left->kind == Kind::application && is_reference(left->children[0], {"_*_", {}}) &&
-                       left->children[1]->kind == Kind::tuple && left->children[1]->children.size() == 2 &&
-                       left->children[1]->children[0] == left->children[1]->children[1];
-  const Term& applied = squared ? left->children[1]->children[0] : left;
+  const Node* factors = match::operands(left, "_*_");
+  const bool squared = factors && factors->children[0] == factors->children[1];
+  const Term& applied = squared ? factors->children[0] : left;
   if (!is_application(applied, function)) return std::nullopt;
   if (squared && applied->children[1] != right) return std::nullopt;
   const auto names = argument_names(applied->children[1]);
@@ -105,7 +80,7 @@ std::optional<Closure> clause(Compiler& compiler, const Name& function, const st
   if (!groups) return std::nullopt;
   head.groups = *groups;
   Code value = compiler.expression(right, inner);
-  if (squared) value = [of = std::move(value)](Frame& frame) { return root(of(frame)); };
+  if (squared) value = [of = std::move(value)](Frame& frame) { return functions::root(of(frame), frame.context); };
   return Closure{unit, {}, std::move(head), std::move(value), describe(forall)};
 }
 
@@ -118,27 +93,28 @@ Value evaluated(Compiler& compiler, const Term& term, Context& context) {
 }
 
 std::optional<Value> stated_domain(Compiler& compiler, const Name& function, const Axiomatic& form, Context& context) {
-  for (const Predicate& one : form.text.predicates) {
-    if (!is_equation(one.term)) continue;
-    const Term& left = one.term->children[0];
-    if (is_application(left, {"dom", {}}) && is_reference(left->children[1], function)) {
-      return evaluated(compiler, one.term->children[1], context);
+  for (const Predicate& predicate : form.text.predicates) {
+    if (!is_equation(predicate.term)) continue;
+    const Term* of = match::argument_of(predicate.term->children[0], "dom");
+    if (of && match::is_reference(*of, function)) {
+      return evaluated(compiler, predicate.term->children[1], context);
     }
   }
   return std::nullopt;
 }
 
 bool defines_function(const Name& name, const Axiomatic& form) {
-  return std::any_of(form.text.predicates.begin(), form.text.predicates.end(), [&](const Predicate& one) {
-    if (one.term->kind != Kind::forall || !is_equation(one.term->children[0])) return false;
-    const Term& left = one.term->children[0]->children[0];
+  return std::any_of(form.text.predicates.begin(), form.text.predicates.end(), [&](const Predicate& predicate) {
+    if (predicate.term->kind != Kind::forall || !is_equation(predicate.term->children[0])) return false;
+    const Term& left = predicate.term->children[0]->children[0];
     return left->kind == Kind::application && mentions(left, name);
   });
 }
 
 const Term* declared_set(const Name& name, const Axiomatic& form) {
-  for (const Declaration& one : form.text.declarations) {
-    if (std::find(one.names.begin(), one.names.end(), name) != one.names.end()) return &one.term;
+  for (const Declaration& declaration : form.text.declarations) {
+    if (std::find(declaration.names.begin(), declaration.names.end(), name) != declaration.names.end())
+      return &declaration.term;
   }
   return nullptr;
 }
@@ -149,8 +125,8 @@ Value determined(Compiler& compiler, const Name& name, const Axiomatic& form, Co
   if (const Term* set = declared_set(name, form)) {
     text.declarations.push_back({Declaration::Form::typed, {name}, {Place{}}, *set, {}});
   }
-  for (const Predicate& one : form.text.predicates) {
-    if (mentions(one.term, name)) text.predicates.push_back(one);
+  for (const Predicate& predicate : form.text.predicates) {
+    if (mentions(predicate.term, name)) text.predicates.push_back(predicate);
   }
   if (text.declarations.empty() || text.predicates.empty()) return Open{};
   return evaluated(compiler, quantified(Kind::mu, std::move(text), {}), context);
@@ -164,13 +140,14 @@ Value Compiler::axiomatic(const Meaning& global, Context& context) {
   if (name.text() == "ℝ") return everything("ℝ");  // the axioms of the reals are assumed, not evaluated
   if (defines_function(name, form)) {
     return axiomatic_function(name.text(), [this, &form, name](Context& inside) {
-      Clauses made;
-      for (const Predicate& one : form.text.predicates) {
-        if (one.term->kind != Kind::forall) continue;
-        if (auto found = clause(*this, name, form.formals, *one.term)) made.clauses.push_back(std::move(*found));
+      Clauses clauses;
+      for (const Predicate& predicate : form.text.predicates) {
+        if (predicate.term->kind != Kind::forall) continue;
+        if (auto equation = clause(*this, name, form.formals, *predicate.term))
+          clauses.clauses.push_back(std::move(*equation));
       }
-      made.domain = stated_domain(*this, name, form, inside);
-      return made;
+      clauses.domain = stated_domain(*this, name, form, inside);
+      return clauses;
     });
   }
   if (!form.formals.empty()) throw EvaluationError(name.text() + " is generic, and no function: it is not evaluated");
@@ -205,9 +182,9 @@ namespace {
 Value free_type(const Meaning& global) {
   std::vector<Value> constants;
   std::uint32_t order = 0;
-  for (const Branch& one : std::get<FreeType>(global.paragraph->form).branches) {
-    if (one.argument) return everything(global.name.text());
-    constants.push_back(Value::atom(global.name.text(), one.name.text(), order++));
+  for (const Branch& branch : std::get<FreeType>(global.paragraph->form).branches) {
+    if (branch.argument) return everything(global.name.text());
+    constants.push_back(Value::atom(global.name.text(), branch.name.text(), order++));
   }
   return Value::set(std::move(constants));
 }
@@ -216,7 +193,8 @@ const std::string branch_type(const Meaning& global) { return std::get<FreeType>
 
 const Branch& branch(const Meaning& global) {
   const auto& branches = std::get<FreeType>(global.paragraph->form).branches;
-  return *std::find_if(branches.begin(), branches.end(), [&](const Branch& one) { return one.name == global.name; });
+  return *std::find_if(branches.begin(), branches.end(),
+                       [&](const Branch& branch) { return branch.name == global.name; });
 }
 
 /// For a scope: a value is being made.

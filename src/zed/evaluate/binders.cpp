@@ -10,13 +10,13 @@ Code Compiler::let(const Node& node, const Scope& scope) {
   const Slots slots(*scope.unit);
   Scope inner{.outer = &scope, .unit = scope.unit};
   std::vector<std::pair<unsigned, Code>> defined;
-  for (const Declaration& one : node.text->declarations) {
-    defined.emplace_back(Slots::one(*scope.unit), Code());
-    defined.back().second = expression(one.term, scope);
-    inner.names[one.names[0]] = {defined.back().first, {}};
+  for (const Declaration& declaration : node.text->declarations) {
+    defined.emplace_back(Slots::take(*scope.unit), Code());
+    defined.back().second = expression(declaration.term, scope);
+    inner.names[declaration.names[0]] = {defined.back().first, {}};
   }
   return [defined = std::move(defined), value = expression(node.children[0], inner)](Frame& frame) {
-    for (const auto& one : defined) frame.slots[one.first] = one.second(frame);
+    for (const auto& [slot, definition] : defined) frame.slots[slot] = definition(frame);
     return value(frame);
   };
 }
@@ -30,13 +30,13 @@ Code Compiler::comprehension(const Node& node, const Scope& scope) {
   if (!node.children.empty()) term = expression(node.children[0], inner);
   return [head, term, base, unit = scope.unit, text = describe(node)](Frame& frame) -> Value {
     if (!head.search->enumerable(frame)) return intensional_set({unit, captured(frame, base), head, term, text});
-    std::vector<Value> found;
+    std::vector<Value> values;
     const Necessary no(frame.context, false);
     const Truth some = head.search->each(frame, [&](Frame& inside) {
-      found.push_back(term ? term(inside) : characteristic(inside, head.groups));
+      values.push_back(term ? term(inside) : characteristic(inside, head.groups));
       return true;
     });
-    return some == Truth::open ? Value(Open{}) : Value::set(std::move(found));
+    return some == Truth::open ? Value(Open{}) : Value::set(std::move(values));
   };
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Syntax trees to code: each name is resolved once, to a slot of the frame or to what a paragraph declares.
+/// Compiles syntax trees to code: a name is resolved once, to a slot of the frame or to what a paragraph declares.
 
 #include <deque>
 #include <map>
@@ -11,26 +11,28 @@
 
 namespace durero::zed {
 
+struct OperatorRow;
+
 /// The layout of one frame. It grows while code is compiled for it.
 struct Unit {
   unsigned next = 0, size = 0;
 };
 
-/// What a local name stands for: a slot, or (a generic formal, a component that a paragraph declares) code.
+/// A local name stands for a slot, or for code: a generic formal and a component that a paragraph declares do.
 struct Local {
   std::optional<unsigned> slot;
   Code code;
-  std::vector<unsigned> reads{};  ///< of the code
+  std::vector<unsigned> reads{};  ///< the slots that the code reads
 };
 
 struct Scope {
   const Scope* outer = nullptr;
   std::shared_ptr<Unit> unit;
   std::unordered_map<Name, Local> names{};
-  /// Where a binding of a whole schema is at hand: `θ S` by its text, to its slot.
+  /// A binding of a whole schema that is at hand has a slot: the text of S, for `θ S`, leads to it.
   std::map<std::string, unsigned> thetas{};
-  /// Where the sets of a schema's declarations are resolved, as a text binds its names in its predicates and not in its
-  /// own declarations; null: here.
+  /// The scope in which the sets of a schema's declarations are resolved, as a text binds its names in its predicates
+  /// and not in its own declarations. Null means this one.
   const Scope* declarations = nullptr;
 
   const Scope& of_declarations() const { return declarations ? *declarations : *this; }
@@ -39,8 +41,8 @@ struct Scope {
 /// A part of the characteristic tuple of a schema text: a variable, or the binding of an included schema.
 struct Group {
   unsigned slot = 0;
-  Signature names;                   ///< of a binding; else null
-  std::vector<unsigned> components;  ///< in step with names
+  Signature names;                   ///< the names of a binding; null for a variable
+  std::vector<unsigned> components;  ///< the slot of each of these names
 };
 
 /// A schema text compiled as the head of a comprehension, a λ, a μ or a quantifier.
@@ -51,9 +53,9 @@ struct Head {
 
 /// Takes a value apart into its groups' slots.
 void assign(Frame& frame, const std::vector<Group>& groups, const Value& value);
-/// The characteristic tuple of what is in the slots.
+/// Makes the characteristic tuple of what is in the slots.
 Value characteristic(const Frame& frame, const std::vector<Group>& groups);
-/// The characteristic tuple with every part unknown.
+/// Makes the characteristic tuple with every part unknown.
 Value unknown_characteristic(Frame& frame, const Head& head);
 
 class Compiler {
@@ -62,12 +64,12 @@ class Compiler {
 
   Code expression(const Term& term, const Scope& scope);
   Property predicate(const Term& term, const Scope& scope);
-  /// The declarations, then the predicates with their labels.
+  /// Compiles the declarations, then the predicates with their labels.
   Property text(const SchemaText& text, const Scope& scope);
-  /// The variables of a schema text get slots, named in `inner`. `extra`: further conjuncts, for the search's sake.
+  /// Gives the variables of a schema text slots, named in `inner`. The search sees the conjuncts of `extra` too.
   Head head(const SchemaText& text, const Scope& scope, Scope& inner, const Term& extra = {});
 
-  /// A scope of the formals of a generic paragraph: each stands for its actual, or, without one, for its whole type.
+  /// Makes a scope of the formals of a generic paragraph: each stands for its actual, or else for its whole type.
   Scope formals(const std::vector<Name>& formals, const std::vector<Term>& actuals, const Scope& scope);
 
   Value global(Meaning& global, Context& context);
@@ -77,7 +79,7 @@ class Compiler {
   // Expressions (expressions.cpp).
   Code name(const Node& node, const Scope& scope);
   Code toolkit(const Node& node, const Scope& scope);
-  Code set_expression(const Node& node, const Scope& scope);
+  Code set_expression(const Node& node, const OperatorRow& row, const Scope& scope);
   Code application(const Node& node, const Scope& scope);
   Code selection(const Node& node, const Scope& scope);
   Code theta(const Node& node, const Scope& scope);
@@ -115,10 +117,10 @@ class Compiler {
   Local component(const Name& name, const Scope& scope);
 
   Definitions& definitions_;
-  std::deque<Value> constants_;  // of expressions, each made when it is first asked for
+  std::deque<Value> constants_;  // the values of closed expressions, each computed when it is first asked for
   std::vector<unsigned> reads_;  // the slots read by the code that is being compiled, in order of compilation
-  std::string label_;            // of the definition that is being compiled, for the predicate that it stands for
-  std::string strokes_;          // of the decorations around what is being compiled
+  std::string label_;            // the label of the definition that is being compiled
+  std::string strokes_;          // the strokes of the decorations around what is being compiled
 };
 
 /// Slots for a scope, given back at its end.
@@ -128,7 +130,7 @@ class Slots {
   ~Slots() { unit_.next = before_; }
   Slots(const Slots&) = delete;
   Slots& operator=(const Slots&) = delete;
-  static unsigned one(Unit& unit) {
+  static unsigned take(Unit& unit) {
     const unsigned slot = unit.next++;
     if (unit.size < unit.next) unit.size = unit.next;
     return slot;

@@ -10,13 +10,13 @@ bool contains(const Components& names, const Name& name) {
 }
 
 void join(Components& names, const Components& more) {
-  for (const Name& one : more) {
-    if (!contains(names, one)) names.push_back(one);
+  for (const Name& name : more) {
+    if (!contains(names, name)) names.push_back(name);
   }
 }
 
 Components without(Components names, const Components& hidden) {
-  std::erase_if(names, [&](const Name& one) { return contains(hidden, one); });
+  std::erase_if(names, [&](const Name& name) { return contains(hidden, name); });
   return names;
 }
 
@@ -41,23 +41,23 @@ std::optional<Components> reference_components(const Node& node, const Definitio
     auto names = components(reference(*of), definitions);
     if (!names) return std::nullopt;
     Components after;
-    for (const Name& one : *names) after.push_back(decorated(one, "'"));
+    for (const Name& name : *names) after.push_back(decorated(name, "'"));
     join(*names, after);
     return names;
   }
   if (node.name.strokes.empty()) return std::nullopt;
   auto names = components(reference({node.name.word, {}}, node.children), definitions);
   if (names) {
-    for (Name& one : *names) one.strokes += node.name.strokes;
+    for (Name& each : *names) each.strokes += node.name.strokes;
   }
   return names;
 }
 
 Components renamed(Components names, const std::vector<Name>& pairs) {
-  for (Name& one : names) {
+  for (Name& name : names) {
     for (std::size_t i = 0; i + 1 < pairs.size(); i += 2) {
-      if (one == pairs[i + 1]) {
-        one = pairs[i];
+      if (name == pairs[i + 1]) {
+        name = pairs[i];
         break;
       }
     }
@@ -70,9 +70,9 @@ std::optional<Components> joined_components(const Node& node, const std::string&
   auto left = components(node.children[0], definitions), right = components(node.children[1], definitions);
   if (!left || !right) return std::nullopt;
   Components from, to;
-  for (const Name& one : joined(node.children[0], stroke, node.children[1], to_stroke, definitions)) {
-    from.push_back(decorated(one, stroke));
-    to.push_back(decorated(one, to_stroke));
+  for (const Name& name : joined(node.children[0], stroke, node.children[1], to_stroke, definitions)) {
+    from.push_back(decorated(name, stroke));
+    to.push_back(decorated(name, to_stroke));
   }
   *left = without(std::move(*left), from);
   join(*left, without(std::move(*right), to));
@@ -105,30 +105,30 @@ void Definitions::add(const Section& section, const Paragraph& paragraph) {
     add(Meaning{.kind = kind, .name = name, .section = &section, .paragraph = &paragraph, .order = order});
   };
   if (const auto* given = std::get_if<GivenTypes>(&form)) {
-    for (const Name& one : given->names) declare(Which::given, one);
+    for (const Name& each : given->names) declare(Which::given, each);
   } else if (const auto* free = std::get_if<FreeType>(&form)) {
     declare(Which::free_type, free->name);
     std::uint32_t order = 0;
-    for (const Branch& one : free->branches) {
-      declare(one.argument ? Which::constructor : Which::constant, one.name, order++);
+    for (const Branch& branch : free->branches) {
+      declare(branch.argument ? Which::constructor : Which::constant, branch.name, order++);
     }
   } else if (const auto* definition = std::get_if<Definition>(&form)) {
     declare(Which::definition, definition->name);
   } else if (const auto* schema = std::get_if<Schema>(&form)) {
     declare(Which::schema, schema->name);
   } else if (const auto* axiomatic = std::get_if<Axiomatic>(&form)) {
-    for (const Name& one : components(axiomatic->text, *this)) declare(Which::axiomatic, one);
+    for (const Name& component : components(axiomatic->text, *this)) declare(Which::axiomatic, component);
   }
 }
 
 Meaning* Definitions::find(const Name& name) {
-  const auto found = globals_.find(name);
-  return found == globals_.end() ? nullptr : &found->second;
+  const auto entry = globals_.find(name);
+  return entry == globals_.end() ? nullptr : &entry->second;
 }
 
 const Meaning* Definitions::find(const Name& name) const {
-  const auto found = globals_.find(name);
-  return found == globals_.end() ? nullptr : &found->second;
+  const auto entry = globals_.find(name);
+  return entry == globals_.end() ? nullptr : &entry->second;
 }
 
 std::optional<Name> implicit(const Name& name, std::string_view prefix, const Definitions& definitions) {
@@ -152,7 +152,7 @@ Components components(const Declaration& declaration, const Definitions& definit
 
 Components components(const SchemaText& text, const Definitions& definitions) {
   Components names;
-  for (const Declaration& one : text.declarations) join(names, components(one, definitions));
+  for (const Declaration& declaration : text.declarations) join(names, components(declaration, definitions));
   return names;
 }
 
@@ -161,8 +161,8 @@ std::vector<Name> joined(const Term& left, const std::string& stroke, const Term
   const auto from = components(left, definitions), to = components(right, definitions);
   std::vector<Name> names;
   if (!from || !to) return names;
-  for (const Name& one : *from) {
-    const auto base = without_stroke(one, stroke);
+  for (const Name& name : *from) {
+    const auto base = without_stroke(name, stroke);
     if (base && contains(*to, decorated(*base, to_stroke))) names.push_back(*base);
   }
   return names;
@@ -170,7 +170,7 @@ std::vector<Name> joined(const Term& left, const std::string& stroke, const Term
 
 Components hidden_by_pre(const Term& schema, const Definitions& definitions) {
   Components names = components(schema, definitions).value_or(Components{});
-  std::erase_if(names, [](const Name& one) { return !one.strokes.ends_with("'") && !one.strokes.ends_with("!"); });
+  std::erase_if(names, [](const Name& name) { return !name.strokes.ends_with("'") && !name.strokes.ends_with("!"); });
   return names;
 }
 
@@ -185,7 +185,7 @@ std::optional<Components> components(const Term& term, const Definitions& defini
     case Kind::decoration: {
       auto names = of(0);
       if (names) {
-        for (Name& one : *names) one.strokes += node.name.strokes;
+        for (Name& name : *names) name.strokes += node.name.strokes;
       }
       return names;
     }

@@ -11,24 +11,24 @@
 
 namespace durero::zed {
 
-/// A name that a paragraph declares. Its value is made when it is first asked for.
+/// A name that a paragraph declares. Its value is computed when it is first asked for.
 struct Meaning {
   enum class Kind { given, free_type, constant, constructor, definition, axiomatic, schema };
   Kind kind = Kind::given;
   Name name;
   const Section* section = nullptr;
   const Paragraph* paragraph = nullptr;
-  std::uint32_t order = 0;  ///< of a branch of a free type
+  std::uint32_t order = 0;  ///< the place of a branch in its free type
   std::optional<Value> value{};
-  bool busy = false;  ///< its value is being made
+  bool busy = false;  ///< its value is being computed
 
-  const std::string& label() const;  ///< of a definition; else empty
+  const std::string& label() const;  ///< the label of a definition; empty for any other meaning
 };
 
 class Definitions {
  public:
   explicit Definitions(const std::vector<Section>& sections);
-  /// Null where the specification declares no such name.
+  /// Returns null where the specification declares no such name.
   Meaning* find(const Name& name);
   const Meaning* find(const Name& name) const;
 
@@ -38,21 +38,21 @@ class Definitions {
   std::unordered_map<Name, Meaning> globals_;
 };
 
-/// `S` of `ΔS` and of `ΞS`, where the specification declares no such name itself; else nothing.
+/// Returns `S` for `ΔS` and for `ΞS`, unless the specification declares that name itself; else nothing.
 std::optional<Name> implicit(const Name& name, std::string_view prefix, const Definitions& definitions);
 
-/// The names of a schema's components in the order of their declaration; nothing for a term that is no schema.
+/// Returns the names of a schema's components in the order of their declaration; nothing where it is no schema.
 using Components = std::vector<Name>;
 std::optional<Components> components(const Term& term, const Definitions& definitions);
 Components components(const SchemaText& text, const Definitions& definitions);
 Components components(const Declaration& declaration, const Definitions& definitions);
 
 Name decorated(Name name, const std::string& strokes);
-/// The components of S that S ⨟ T joins to those of T without their last `'`; of S ≫ T, to `?` from `!`: names without
-/// that stroke.
+/// Returns the names, without the stroke, of the components that S ⨟ T joins (x' of S with x of T), and of those that
+/// S ⨠ T joins (x! of S with x? of T).
 std::vector<Name> joined(const Term& left, const std::string& stroke, const Term& right, const std::string& to_stroke,
                          const Definitions& definitions);
-/// The after-state and the outputs: what `pre S` hides.
+/// Returns what `pre S` hides: the after-state and the outputs.
 Components hidden_by_pre(const Term& schema, const Definitions& definitions);
 
 }  // namespace durero::zed

@@ -26,9 +26,9 @@ struct SchemaCheck::State {
       throw EvaluationError("a schema of " + std::to_string(names.size()) + " components is given " +
                             std::to_string(values.size()));
     }
-    Frame made(unit->size, context);
-    std::copy(values.begin(), values.end(), made.slots.begin());
-    return made;
+    Frame frame(unit->size, context);
+    std::copy(values.begin(), values.end(), frame.slots.begin());
+    return frame;
   }
 };
 
@@ -39,13 +39,13 @@ struct Locals {
   Scope scope{.unit = unit};
 
   explicit Locals(const std::vector<Name>& names) {
-    for (const Name& one : names) scope.names[one] = {Slots::one(*unit), {}};
+    for (const Name& name : names) scope.names[name] = {Slots::take(*unit), {}};
   }
 };
 
 std::vector<Name> names_of(const Given& locals) {
   std::vector<Name> names;
-  for (const auto& one : locals) names.push_back(one.first);
+  for (const auto& [name, value] : locals) names.push_back(name);
   return names;
 }
 
@@ -58,15 +58,15 @@ Frame frame_of(const Given& locals, const Unit& unit, Context& context) {
 // Findings.
 
 Finding finding(const Property& property, Truth here) {
-  Finding made{property.label, property.text, property.strokes, {}, here};
-  if (property.term) made.place = property.term->place;
-  return made;
+  Finding finding{property.label, property.text, property.strokes, {}, here};
+  if (property.term) finding.place = property.term->place;
+  return finding;
 }
 
 std::vector<Finding> findings(const Property& property, Frame& frame);
 
 long count(const std::vector<Finding>& all, Truth truth) {
-  return std::count_if(all.begin(), all.end(), [&](const Finding& one) { return one.truth == truth; });
+  return std::count_if(all.begin(), all.end(), [&](const Finding& finding) { return finding.truth == truth; });
 }
 
 /// Of the sides of a disjunction the one that explains it best: the fewest false conjuncts, then the fewest open.
@@ -171,12 +171,12 @@ SchemaCheck Evaluator::schema(const Name& name) const {
   const auto names = components(reference(name), state_->definitions);
   if (!names) throw EvaluationError(name.text() + " is no schema");
   const Locals locals(*names);
-  auto made = std::make_shared<SchemaCheck::State>();
-  made->names = *names;
-  made->property = state_->compiler.predicate(reference(name), locals.scope);
-  made->unit = locals.unit;
+  auto state = std::make_shared<SchemaCheck::State>();
+  state->names = *names;
+  state->property = state_->compiler.predicate(reference(name), locals.scope);
+  state->unit = locals.unit;
   SchemaCheck check;
-  check.state_ = std::move(made);
+  check.state_ = std::move(state);
   return check;
 }
 

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 
-#include "durero/zed/syntax/symbols.hpp"
 #include "zed/evaluate/compiler.hpp"
 #include "zed/evaluate/describe.hpp"
 #include "zed/evaluate/intensional.hpp"
+#include "zed/operators.hpp"
+#include "zed/syntax/match.hpp"
 #include "zed/value/functions.hpp"
 #include "zed/value/sets.hpp"
 
@@ -18,8 +19,8 @@ void cannot(const Node& node, const std::string& what) {
 
 const Local* Compiler::find(const Name& name, const Scope& scope) const {
   for (const Scope* here = &scope; here; here = here->outer) {
-    const auto found = here->names.find(name);
-    if (found != here->names.end()) return &found->second;
+    const auto entry = here->names.find(name);
+    if (entry != here->names.end()) return &entry->second;
   }
   return nullptr;
 }
@@ -33,9 +34,9 @@ Code Compiler::expression(const Term& term, const Scope& scope) {
   const bool closed = std::none_of(reads_.begin() + static_cast<std::ptrdiff_t>(before), reads_.end(),
                                    [&](unsigned slot) { return slot < base; });
   if (!closed || (term->kind == Kind::reference && term->children.empty())) return code;
-  return [code = std::move(code), made = &constants_.emplace_back()](Frame& frame) {
-    if (made->is_undefined()) *made = code(frame);
-    return *made;
+  return [code = std::move(code), constant = &constants_.emplace_back()](Frame& frame) {
+    if (constant->is_undefined()) *constant = code(frame);
+    return *constant;
   };
 }
 
@@ -120,41 +121,27 @@ Scope Compiler::formals(const std::vector<Name>& formals, const std::vector<Term
 }
 
 Code Compiler::toolkit(const Node& node, const Scope& scope) {
-  const std::string name = node.name.text();
+  const OperatorRow* row = operator_row(node.name.text());
+  if (!row) cannot(node, "the evaluator knows no " + node.name.text());
+  const Evaluation& by = row->evaluation;
   const auto constant = [](Value value) { return [value = std::move(value)](Frame&) { return value; }; };
-  if (name == "𝔸") return constant(everything(name));
-  if (name == "ℤ") return constant(integers(name, std::nullopt));
-  if (name == "ℕ") return constant(integers(name, 0));
-  if (name == "ℕ₁") return constant(integers(name, 1));
-  if (name == "∅") return constant(empty_set());
-  if (toolkit_function(name)) return constant(toolkit_value(name));
-  if (toolkit_relation(name)) return constant(relation_value(name));
-  if (!node.children.empty()) return set_expression(node, scope);
-  cannot(node, "the evaluator knows no " + name);
+  if (row->binding.role == Role::generic) return set_expression(node, *row, scope);
+  if (by.constant) return constant(by.constant());
+  if (by.is_function()) return constant(toolkit_function(*row));
+  if (by.property || by.relation) return constant(toolkit_relation(*row));
+  cannot(node, "the evaluator knows no " + node.name.text());
 }
 
-Code Compiler::set_expression(const Node& node, const Scope& scope) {
-  const std::string& name = node.name.word;
-  const Code first = expression(node.children[0], scope);
-  if (name == "ℙ₁_") return [first](Frame& frame) { return power_set(first(frame), {.nonempty = true}); };
-  if (name == "𝔽_") return [first](Frame& frame) { return power_set(first(frame), {.finite = true}); };
-  if (name == "𝔽₁_") {
-    return [first](Frame& frame) { return power_set(first(frame), {.finite = true, .nonempty = true}); };
-  }
-  if (name == "id_") {
-    return [first](Frame& frame) {
-      std::vector<Value> pairs;
-      for (const Value& one : enumerated(first(frame), "the identity on")) pairs.push_back(Value::pair(one, one));
-      return finite(std::move(pairs));
+/// A generic operator with its actuals: `𝔽 S`, `A ⇸ B`.
+Code Compiler::set_expression(const Node& node, const OperatorRow& row, const Scope& scope) {
+  if (row.arrow && node.children.size() == 2)
+    return [from = expression(node.children[0], scope), to = expression(node.children[1], scope), &row](Frame& frame) {
+      const Value left = from(frame);
+      return function_set(left, to(frame), *row.arrow, row.symbol());
     };
-  }
-  if (name == "seq_" || name == "seq₁_" || name == "iseq_")
-    return [first, name](Frame& frame) { return *sequence_set(name, first(frame)); };
-  const auto* op = operator_of_name(name);
-  const auto form = op ? function_form(std::string(op->symbol)) : std::nullopt;
-  if (!form || node.children.size() != 2) cannot(node, "the evaluator knows no " + name);
-  return [first, second = expression(node.children[1], scope), form](Frame& frame) {
-    return function_set(first(frame), second(frame), *form);
+  if (!row.evaluation.unary || node.children.size() != 1) cannot(node, "the evaluator knows no " + node.name.text());
+  return [set = expression(node.children[0], scope), make = row.evaluation.unary](Frame& frame) {
+    return make(set(frame), frame.context);
   };
 }
 
@@ -165,7 +152,7 @@ Code Compiler::parts(const Node& node, const Scope& scope, Value (*make)(std::ve
   return [codes = std::move(codes), make](Frame& frame) {
     std::vector<Value> values;
     values.reserve(codes.size());
-    for (const Code& one : codes) values.push_back(one(frame));
+    for (const Code& code : codes) values.push_back(code(frame));
     return make(std::move(values));
   };
 }
@@ -178,7 +165,7 @@ Code Compiler::binding_extension(const Node& node, const Scope& scope) {
   std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   return [names = signature(node.names), sorted = std::move(sorted)](Frame& frame) {
     std::vector<Value> values;
-    for (const auto& one : sorted) values.push_back(one.second(frame));
+    for (const auto& [name, code] : sorted) values.push_back(code(frame));
     return Value::binding(names, std::move(values));
   };
 }
@@ -203,10 +190,10 @@ Code Compiler::selection(const Node& node, const Scope& scope) {
     const BindingValue* binding = value.binding();
     if (!binding) return Open{};
     if (last->names == binding->names) return binding->values[last->position];
-    const Value* found = binding->component(name);
-    if (!found) throw EvaluationError(value.text() + " has no component " + name.text());
-    *last = {binding->names, static_cast<std::size_t>(found - binding->values.data())};
-    return *found;
+    const Value* member = binding->component(name);
+    if (!member) throw EvaluationError(value.text() + " has no component " + name.text());
+    *last = {binding->names, static_cast<std::size_t>(member - binding->values.data())};
+    return *member;
   };
 }
 
@@ -216,23 +203,24 @@ Code Compiler::theta(const Node& node, const Scope& scope) {
   if (!names) cannot(node, "θ of what is no schema");
   std::sort(names->begin(), names->end());
   std::vector<Code> codes;
-  for (const Name& one : *names) {
-    codes.push_back(this->name(*reference(decorated(one, node.name.strokes), {}, node.place), scope));
+  for (const Name& name : *names) {
+    codes.push_back(this->name(*reference(decorated(name, node.name.strokes), {}, node.place), scope));
   }
   std::optional<unsigned> whole;
   if (schema->kind == Kind::reference && schema->children.empty() && node.name.strokes.empty()) {
     for (const Scope* here = &scope; here && !whole; here = here->outer) {
-      const auto found = here->thetas.find(schema->name.text());
-      if (found != here->thetas.end()) whole = found->second;
+      const auto entry = here->thetas.find(schema->name.text());
+      if (entry != here->thetas.end()) whole = entry->second;
       // A scope that names a component anew has another θ.
-      if (std::any_of(names->begin(), names->end(), [&](const Name& one) { return here->names.contains(one); })) break;
+      if (std::any_of(names->begin(), names->end(), [&](const Name& each) { return here->names.contains(each); }))
+        break;
     }
   }
   return [names = signature(*names), codes = std::move(codes), whole](Frame& frame) {
     if (whole && !frame.slots[*whole].is_undefined()) return frame.slots[*whole];
     std::vector<Value> values;
     values.reserve(codes.size());
-    for (const Code& one : codes) values.push_back(one(frame));
+    for (const Code& code : codes) values.push_back(code(frame));
     return Value::binding(names, std::move(values));
   };
 }
@@ -241,23 +229,25 @@ Code Compiler::application(const Node& node, const Scope& scope) {
   const Term &function = node.children[0], &argument = node.children[1];
   const bool named =
       function->kind == Kind::reference && !find(function->name, scope) && !definitions_.find(function->name);
-  const ToolkitFunction* known = named ? toolkit_function(function->name.text()) : nullptr;
-  if (known && known->one) {
-    return [one = known->one, a = expression(argument, scope)](Frame& frame) { return one(a(frame), frame.context); };
+  const OperatorRow* row = named ? operator_row(function->name.text()) : nullptr;
+  const bool generic = row && row->binding.role == Role::generic;
+  if (row && !generic && row->evaluation.unary) {
+    return [compute = row->evaluation.unary, a = expression(argument, scope)](Frame& frame) {
+      return compute(a(frame), frame.context);
+    };
   }
-  if (known && argument->kind == Kind::tuple && argument->children.size() == 2) {
+  if (row && row->evaluation.binary && argument->kind == Kind::tuple && argument->children.size() == 2) {
     const Term& through = argument->children[0];
-    if (function->name.word == "_⦇_⦈" && through->kind == Kind::application &&
-        through->children[0]->kind == Kind::reference && through->children[0]->name.word == "_∼") {
-      return [r = expression(through->children[1], scope), s = expression(argument->children[1], scope)](Frame& frame) {
-        const Value relation = r(frame);
-        return inverse_image(relation, s(frame), frame.context);
+    if (const Term* relation = match::argument_of(through, "_∼"); relation && function->name.word == "_⦇_⦈") {
+      return [r = expression(*relation, scope), s = expression(argument->children[1], scope)](Frame& frame) {
+        const Value inverted = r(frame);
+        return inverse_image(inverted, s(frame), frame.context);
       };
     }
-    return [two = known->two, a = expression(argument->children[0], scope),
+    return [compute = row->evaluation.binary, a = expression(argument->children[0], scope),
             b = expression(argument->children[1], scope)](Frame& frame) {
       const Value left = a(frame);
-      return two(left, b(frame), frame.context);
+      return compute(left, b(frame), frame.context);
     };
   }
   return [f = expression(function, scope), a = expression(argument, scope)](Frame& frame) {

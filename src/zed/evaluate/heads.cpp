@@ -52,9 +52,9 @@ Value characteristic(const Frame& frame, const std::vector<Group>& groups) {
 
 Value unknown_characteristic(Frame& frame, const Head& head) {
   return gathered(head.groups, [&](unsigned slot) -> Value {
-    for (const Variable& one : head.search->variables()) {
-      if (one.slot != slot || !one.set) continue;
-      const Value set = one.set(frame);
+    for (const Variable& variable : head.search->variables()) {
+      if (variable.slot != slot || !variable.set) continue;
+      const Value set = variable.set(frame);
       if (set.set()) return set.set()->unknown(frame.context);
     }
     return Unknown{frame.context.fresh()};
@@ -62,42 +62,42 @@ Value unknown_characteristic(Frame& frame, const Head& head) {
 }
 
 Head Compiler::head(const SchemaText& text, const Scope& scope, Scope& inner, const Term& extra) {
-  Head made;
+  Head head;
   std::vector<Variable> variables;
   std::vector<Property> goal;
   std::vector<unsigned> wholes;
   const auto declare = [&](const Name& name, Code set) {
-    const auto found = inner.names.find(name);
-    if (found != inner.names.end()) return *found->second.slot;
-    const unsigned slot = Slots::one(*scope.unit);
+    const auto entry = inner.names.find(name);
+    if (entry != inner.names.end()) return *entry->second.slot;
+    const unsigned slot = Slots::take(*scope.unit);
     inner.names[name] = {slot, {}};
     Variable variable{.name = name.text(), .slot = slot, .set = std::move(set), .value = {}};
     variables.push_back(std::move(variable));
     return slot;
   };
   std::vector<const Declaration*> included;
-  for (const Declaration& one : text.declarations) {
-    if (one.form == Declaration::Form::typed) {
-      const Code set = expression(one.term, scope);
-      for (const Name& name : one.names) made.groups.push_back({declare(name, set), nullptr, {}});
-    } else if (one.form == Declaration::Form::defined) {
+  for (const Declaration& declaration : text.declarations) {
+    if (declaration.form == Declaration::Form::typed) {
+      const Code set = expression(declaration.term, scope);
+      for (const Name& name : declaration.names) head.groups.push_back({declare(name, set), nullptr, {}});
+    } else if (declaration.form == Declaration::Form::defined) {
       const std::size_t before = reads_.size();
-      const Code value = expression(one.term, scope);
-      const unsigned slot = declare(one.names[0], {});
-      made.groups.push_back({slot, nullptr, {}});
+      const Code value = expression(declaration.term, scope);
+      const unsigned slot = declare(declaration.names[0], {});
+      head.groups.push_back({slot, nullptr, {}});
       Property equation =
           test_of([slot, value](Frame& frame) { return equal(frame.slots[slot], value(frame), frame.context); });
       equation.equations.push_back({slot, value, {reads_.begin() + static_cast<std::ptrdiff_t>(before), reads_.end()}});
       goal.push_back(std::move(equation));
     } else {
-      auto names = zed::components(one, definitions_);
+      auto names = zed::components(declaration, definitions_);
       std::sort(names.begin(), names.end());
-      Group group{Slots::one(*scope.unit), signature(names), {}};
+      Group group{Slots::take(*scope.unit), signature(names), {}};
       for (const Name& name : names) group.components.push_back(declare(name, {}));
       wholes.push_back(group.slot);
-      if (one.term->kind == Kind::reference) inner.thetas[one.term->name.text()] = group.slot;
-      made.groups.push_back(std::move(group));
-      included.push_back(&one);
+      if (declaration.term->kind == Kind::reference) inner.thetas[declaration.term->name.text()] = group.slot;
+      head.groups.push_back(std::move(group));
+      included.push_back(&declaration);
     }
   }
   for (std::size_t i = 0; i < included.size(); ++i) {
@@ -116,10 +116,10 @@ Head Compiler::head(const SchemaText& text, const Scope& scope, Scope& inner, co
     }
     goal.push_back(std::move(property));
   }
-  for (const Predicate& one : text.predicates) goal.push_back(predicate(one.term, inner));
+  for (const Predicate& conjunct : text.predicates) goal.push_back(predicate(conjunct.term, inner));
   if (extra) goal.push_back(predicate(extra, inner));
-  made.search = std::make_shared<const Search>(std::move(variables), all_of(std::move(goal)), std::move(wholes));
-  return made;
+  head.search = std::make_shared<const Search>(std::move(variables), all_of(std::move(goal)), std::move(wholes));
+  return head;
 }
 
 }  // namespace durero::zed

@@ -172,9 +172,9 @@ class AxiomaticFunction : public Set {
 }  // namespace
 
 Frame Closure::frame(Context& context) const {
-  Frame made(unit->size, context);
-  std::copy(captured.begin(), captured.end(), made.slots.begin());
-  return made;
+  Frame frame(unit->size, context);
+  std::copy(captured.begin(), captured.end(), frame.slots.begin());
+  return frame;
 }
 
 std::vector<Value> captured(const Frame& frame, unsigned count) {

@@ -1,35 +1,35 @@
 #pragma once
-/// Sets and functions known by what their members satisfy: comprehensions and λ with their environment.
+/// Sets and functions that are known by what their members satisfy: comprehensions and λ with their environment.
 
 #include "zed/evaluate/compiler.hpp"
 
 namespace durero::zed {
 
-/// A compiled head and term, and the values of the slots around it.
+/// A compiled head and term, with the values that the slots around them had.
 struct Closure {
   std::shared_ptr<const Unit> unit;
   std::vector<Value> captured;
   Head head;
-  Code term;  ///< null for the characteristic tuple
+  Code term;  ///< null where the characteristic tuple is the value
   std::string text;
 
   Frame frame(Context& context) const;
 };
 
-/// The first `count` slots.
+/// Copies the first `count` slots.
 std::vector<Value> captured(const Frame& frame, unsigned count);
 
-/// { D | P • E }
+/// Makes the set { D | P • E }.
 Value intensional_set(Closure closure);
-/// λ D | P • E
+/// Makes the function λ D | P • E.
 Value lambda_function(Closure closure);
 
-/// A function of an axiomatic description: the first clause whose head its argument satisfies gives the value.
+/// A function that an axiomatic box describes: the first clause whose head the argument satisfies gives its value.
 struct Clauses {
   std::vector<Closure> clauses;
-  std::optional<Value> domain;  ///< where it is stated
+  std::optional<Value> domain;  ///< the domain, where the box states it
 };
-/// Compiled when it is first applied, as its clauses may name it.
+/// Makes a function that is compiled when it is first applied, as its clauses may name it.
 Value axiomatic_function(std::string name, std::function<Clauses(Context&)> compile);
 
 }  // namespace durero::zed

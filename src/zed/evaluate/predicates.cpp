@@ -4,10 +4,13 @@
 
 #include "zed/evaluate/compiler.hpp"
 #include "zed/evaluate/describe.hpp"
-#include "zed/value/functions.hpp"
+#include "zed/operators.hpp"
+#include "zed/syntax/match.hpp"
 
 namespace durero::zed {
 namespace {
+
+using ToolkitRelation = decltype(Evaluation::relation);
 
 Truth negated(const Property& property, Frame& frame) {
   const Necessary not_here(frame.context, false);
@@ -58,11 +61,11 @@ Property Compiler::predicate(const Term& term, const Scope& scope) {
       return all_of(std::move(parts));
     }
     case Kind::disjunction: {
-      Property made;
-      made.kind = Property::Kind::any;
-      made.parts.push_back(part(0));
-      made.parts.push_back(part(1));
-      return made;
+      Property property;
+      property.kind = Property::Kind::any;
+      property.parts.push_back(part(0));
+      property.parts.push_back(part(1));
+      return property;
     }
     case Kind::negation:
       return test_of([inner = part(0)](Frame& frame) { return negated(inner, frame); }, term);
@@ -93,14 +96,14 @@ Property Compiler::predicate(const Term& term, const Scope& scope) {
       const Slots slots(*scope.unit);
       Scope inner{.outer = &scope, .unit = scope.unit};
       std::vector<std::pair<unsigned, Code>> defined;
-      for (const Declaration& one : node.text->declarations) {
-        const unsigned slot = Slots::one(*scope.unit);
-        defined.emplace_back(slot, expression(one.term, scope));
-        inner.names[one.names[0]] = {slot, {}};
+      for (const Declaration& declaration : node.text->declarations) {
+        const unsigned slot = Slots::take(*scope.unit);
+        defined.emplace_back(slot, expression(declaration.term, scope));
+        inner.names[declaration.names[0]] = {slot, {}};
       }
       return test_of(
           [defined, body = predicate(node.children[0], inner)](Frame& frame) {
-            for (const auto& one : defined) frame.slots[one.first] = one.second(frame);
+            for (const auto& [slot, value] : defined) frame.slots[slot] = value(frame);
             return evaluate(body, frame);
           },
           term);
@@ -120,13 +123,16 @@ Property Compiler::relation(const Term& term, const Scope& scope) {
     reads.emplace_back(reads_.begin() + static_cast<std::ptrdiff_t>(before), reads_.end());
   }
   std::vector<ToolkitRelation> relations;
-  for (const Name& one : node.names) {
-    relations.push_back(toolkit_relation(one.word));
-    if (!relations.back()) cannot(node, "the evaluator knows no relation " + one.word);
+  for (const Name& name : node.names) {
+    const OperatorRow* row = operator_row(name.word);
+    if (row && row->evaluation.property && operands.size() == 1)
+      return test_of([of = operands[0],
+                      holds = row->evaluation.property](Frame& frame) { return holds(of(frame), frame.context); },
+                     term);
+    if (!row || !row->evaluation.relation || operands.size() == 1)
+      cannot(node, "the evaluator knows no relation " + name.word);
+    relations.push_back(row->evaluation.relation);
   }
-  if (operands.size() == 1)
-    return test_of(
-        [of = operands[0], holds = relations[0]](Frame& frame) { return holds(of(frame), {}, frame.context); }, term);
   if (relations.size() > 1) {
     return test_of(
         [operands, relations](Frame& frame) {
@@ -143,19 +149,19 @@ Property Compiler::relation(const Term& term, const Scope& scope) {
         },
         term);
   }
-  Property made = test_of(
+  Property property = test_of(
       [left = operands[0], right = operands[1], holds = relations[0]](Frame& frame) {
         const Value a = left(frame);
         return holds(a, right(frame), frame.context);
       },
       term);
-  if (node.names[0].word != "_=_") return made;
+  if (!match::is_equation(term)) return property;
   for (const std::size_t side : {0U, 1U}) {
     const Node& variable = *node.children[side];
     const Local* local = variable.kind == Kind::reference ? find(variable.name, scope) : nullptr;
-    if (local && local->slot) made.equations.push_back({*local->slot, operands[1 - side], reads[1 - side]});
+    if (local && local->slot) property.equations.push_back({*local->slot, operands[1 - side], reads[1 - side]});
   }
-  return made;
+  return property;
 }
 
 Property Compiler::quantified(const Term& term, const Scope& scope) {
@@ -164,11 +170,11 @@ Property Compiler::quantified(const Term& term, const Scope& scope) {
   Scope inner{.outer = &scope, .unit = scope.unit};
   if (node.kind == Kind::exists) {
     const Head head = this->head(*node.text, scope, inner, node.children[0]);
-    Property made;
-    made.kind = Property::Kind::exists;
-    made.search = head.search;
-    made.term = term;
-    return made;
+    Property property;
+    property.kind = Property::Kind::exists;
+    property.search = head.search;
+    property.term = term;
+    return property;
   }
   const Head head = this->head(*node.text, scope, inner);
   return test_of([search = head.search,

@@ -38,17 +38,17 @@ Truth evaluate_whole(const Property& property, Frame& frame) {
 
 Property all_of(std::vector<Property> parts) {
   if (parts.size() == 1) return std::move(parts[0]);
-  Property made;
-  made.parts = std::move(parts);
-  return made;
+  Property property;
+  property.parts = std::move(parts);
+  return property;
 }
 
 Property test_of(Test test, Term term) {
-  Property made;
-  made.kind = Property::Kind::test;
-  made.test = std::move(test);
-  made.term = std::move(term);
-  return made;
+  Property property;
+  property.kind = Property::Kind::test;
+  property.test = std::move(test);
+  property.term = std::move(term);
+  return property;
 }
 
 Truth evaluate(const Property& property, Frame& frame) {
@@ -70,7 +70,7 @@ void collect(const Property& property, std::vector<const Equation*>& equations,
   if (property.kind == Property::Kind::all) {
     for (const Property& part : property.parts) collect(part, equations, declared);
   } else if (property.kind == Property::Kind::test) {
-    for (const Equation& one : property.equations) equations.push_back(&one);
+    for (const Equation& equation : property.equations) equations.push_back(&equation);
     if (property.set) declared.push_back(&property);
   }
 }
@@ -80,10 +80,10 @@ Property exists_property(std::vector<Variable> variables, Property property) {
     for (Property& part : property.parts) part = exists_property(variables, std::move(part));
     return property;
   }
-  Property made;
-  made.kind = Property::Kind::exists;
-  made.search = std::make_shared<const Search>(std::move(variables), std::move(property));
-  return made;
+  Property conjunct;
+  conjunct.kind = Property::Kind::exists;
+  conjunct.search = std::make_shared<const Search>(std::move(variables), std::move(property));
+  return conjunct;
 }
 
 }  // namespace durero::zed

@@ -26,9 +26,9 @@ class Restored {
 
 Local Compiler::component(const Name& name, const Scope& scope) {
   if (const Local* local = find(name, scope)) return *local;
-  Local made;
-  made.code = this->name(*reference(name), scope);
-  return made;
+  Local local;
+  local.code = this->name(*reference(name), scope);
+  return local;
 }
 
 Property Compiler::declaration(const Declaration& declaration, const Scope& scope) {
@@ -39,43 +39,44 @@ Property Compiler::declaration(const Declaration& declaration, const Scope& scop
   for (const Name& name : declaration.names) {
     const Local local = component(name, scope);
     const Code value = local.slot ? Code([slot = *local.slot](Frame& frame) { return frame.slots[slot]; }) : local.code;
-    Property made;
+    Property property;
     if (declaration.form == Declaration::Form::defined) {
-      made = test_of([value, set](Frame& frame) { return equal(value(frame), set(frame), frame.context); });
-      if (local.slot) made.equations.push_back({*local.slot, set, reads});
+      property = test_of([value, set](Frame& frame) { return equal(value(frame), set(frame), frame.context); });
+      if (local.slot) property.equations.push_back({*local.slot, set, reads});
     } else {
-      made = test_of([value, set](Frame& frame) { return contains_value(set(frame), value(frame), frame.context); });
+      property =
+          test_of([value, set](Frame& frame) { return contains_value(set(frame), value(frame), frame.context); });
       if (local.slot) {
-        made.declared = *local.slot;
-        made.set = set;
-        made.reads = reads;
+        property.declared = *local.slot;
+        property.set = set;
+        property.reads = reads;
       }
     }
-    made.term = declaration.term;
-    made.text = decorated(name, strokes_).text() + (declaration.form == Declaration::Form::defined ? " = " : " ∈ ") +
-                describe(*declaration.term);
-    made.strokes = strokes_;
-    parts.push_back(std::move(made));
+    property.term = declaration.term;
+    property.text = decorated(name, strokes_).text() +
+                    (declaration.form == Declaration::Form::defined ? " = " : " ∈ ") + describe(*declaration.term);
+    property.strokes = strokes_;
+    parts.push_back(std::move(property));
   }
   return all_of(std::move(parts));
 }
 
 Property Compiler::text(const SchemaText& text, const Scope& scope) {
-  Property made;
-  for (const Declaration& one : text.declarations) {
-    const Restored<std::string> none(label_, one.form == Declaration::Form::included ? std::string() : label_);
-    made.parts.push_back(one.form == Declaration::Form::included ? predicate(one.term, scope)
-                                                                 : declaration(one, scope));
+  Property property;
+  for (const Declaration& declared : text.declarations) {
+    const Restored<std::string> none(label_, declared.form == Declaration::Form::included ? std::string() : label_);
+    property.parts.push_back(declared.form == Declaration::Form::included ? predicate(declared.term, scope)
+                                                                          : declaration(declared, scope));
   }
-  for (const Predicate& one : text.predicates) {
-    Property part = predicate(one.term, scope);
-    part.label = one.label.empty() ? label_ : one.label;
-    part.term = one.term;
+  for (const Predicate& conjunct : text.predicates) {
+    Property part = predicate(conjunct.term, scope);
+    part.label = conjunct.label.empty() ? label_ : conjunct.label;
+    part.term = conjunct.term;
     part.strokes = strokes_;
-    part.text = describe(*one.term);
-    made.parts.push_back(std::move(part));
+    part.text = describe(*conjunct.term);
+    property.parts.push_back(std::move(part));
   }
-  return made;
+  return property;
 }
 
 Property Compiler::schema_reference(const Term& term, const Scope& scope) {
@@ -88,12 +89,12 @@ Property Compiler::schema_reference(const Term& term, const Scope& scope) {
     case Kind::decoration:
     case Kind::renaming: {
       std::vector<std::pair<Name, Name>> names;
-      for (const Name& one : components(node.children[0], definitions_).value_or(Components{})) {
-        Name outside = decorated(one, node.kind == Kind::decoration ? node.name.strokes : "");
+      for (const Name& name : components(node.children[0], definitions_).value_or(Components{})) {
+        Name outside = decorated(name, node.kind == Kind::decoration ? node.name.strokes : "");
         for (std::size_t i = 0; i + 1 < node.names.size(); i += 2) {
-          if (one == node.names[i + 1]) outside = node.names[i];
+          if (name == node.names[i + 1]) outside = node.names[i];
         }
-        names.emplace_back(one, outside);
+        names.emplace_back(name, outside);
       }
       const Restored<std::string> strokes(strokes_, strokes_ + node.name.strokes);
       return mapped(node.children[0], scope, names);
@@ -110,7 +111,7 @@ Property Compiler::schema_reference(const Term& term, const Scope& scope) {
     case Kind::projection: {
       const auto kept = components(node.children[1], definitions_).value_or(Components{});
       auto gone = components(node.children[0], definitions_).value_or(Components{});
-      std::erase_if(gone, [&](const Name& one) { return std::find(kept.begin(), kept.end(), one) != kept.end(); });
+      std::erase_if(gone, [&](const Name& each) { return std::find(kept.begin(), kept.end(), each) != kept.end(); });
       std::vector<Property> parts;
       parts.push_back(hidden(gone, scope, [&](const Scope& inner) { return predicate(node.children[0], inner); }));
       parts.push_back(predicate(node.children[1], scope));
@@ -126,7 +127,7 @@ Property Compiler::schema_reference(const Term& term, const Scope& scope) {
     const auto& parameters = schema ? schema->formals : std::get<Definition>(global->paragraph->form).formals;
     const Scope outer = formals(parameters, node.children, scope);
     Scope inner{.outer = &outer, .unit = scope.unit, .declarations = &outer};
-    for (const Name& one : *names) inner.names[one] = component(one, scope);
+    for (const Name& variable : *names) inner.names[variable] = component(variable, scope);
     return schema_definition(*global, inner);
   }
   for (const bool unchanged : {false, true}) {
@@ -153,8 +154,8 @@ Property Compiler::schema_definition(const Meaning& global, const Scope& scope) 
 Property Compiler::change(const Name& of, bool unchanged, const Scope& scope) {
   const Term schema = reference(of);
   std::vector<std::pair<Name, Name>> after;
-  for (const Name& one : components(schema, definitions_).value_or(Components{})) {
-    after.emplace_back(one, decorated(one, "'"));
+  for (const Name& name : components(schema, definitions_).value_or(Components{})) {
+    after.emplace_back(name, decorated(name, "'"));
   }
   std::vector<Property> parts;
   parts.push_back(predicate(schema, scope));
@@ -184,10 +185,10 @@ Property Compiler::hidden(const Components& names, const Scope& scope,
   const Slots slots(*scope.unit);
   Scope inner{.outer = &scope, .unit = scope.unit, .declarations = &scope.of_declarations()};
   std::vector<Variable> variables;
-  for (const Name& one : names) {
-    const unsigned slot = Slots::one(*scope.unit);
-    inner.names[one] = {slot, {}};
-    variables.push_back({.name = one.text(), .slot = slot, .set = {}, .value = {}});
+  for (const Name& name : names) {
+    const unsigned slot = Slots::take(*scope.unit);
+    inner.names[name] = {slot, {}};
+    variables.push_back({.name = name.text(), .slot = slot, .set = {}, .value = {}});
   }
   return exists_property(std::move(variables), inside(inner));
 }
@@ -199,10 +200,10 @@ Property Compiler::joined_schemas(const Node& node, const std::string& stroke, c
   const auto between = joined(left, stroke, right, to_stroke, definitions_);
   Components fresh;  // a name that no text can write
   std::vector<std::pair<Name, Name>> of_left, of_right;
-  for (const Name& one : between) {
-    fresh.push_back(Name{"between " + one.word, one.strokes});
-    of_left.emplace_back(decorated(one, stroke), fresh.back());
-    of_right.emplace_back(decorated(one, to_stroke), fresh.back());
+  for (const Name& name : between) {
+    fresh.push_back(Name{"between " + name.word, name.strokes});
+    of_left.emplace_back(decorated(name, stroke), fresh.back());
+    of_right.emplace_back(decorated(name, to_stroke), fresh.back());
   }
   return hidden(fresh, scope, [&](const Scope& inner) {
     std::vector<Property> parts;

@@ -17,7 +17,7 @@ bool contains(const std::vector<unsigned>& slots, unsigned slot) {
 std::vector<std::size_t> ordered(std::vector<Variable>& variables, const std::vector<const Equation*>& equations) {
   std::vector<std::size_t> order;
   std::vector<unsigned> open, sources;
-  for (const Variable& one : variables) open.push_back(one.slot);
+  for (const Variable& each : variables) open.push_back(each.slot);
   const auto determine = [&](std::size_t i, bool loose) {
     Variable& variable = variables[i];
     if (variable.value || contains(sources, variable.slot)) return false;
@@ -58,13 +58,13 @@ Code set_of_any(const Property& property, unsigned slot, const std::vector<unsig
   }
   return [sets = std::move(sets)](Frame& frame) {
     Value all = empty_set();
-    for (const Code& one : sets) all = set_union(all, one(frame), frame.context);
+    for (const Code& code : sets) all = set_union(all, code(frame), frame.context);
     return all;
   };
 }
 
 Code set_of_exists(const Search& search, unsigned slot, std::vector<unsigned> inside) {
-  for (const Variable& one : search.variables()) inside.push_back(one.slot);
+  for (const Variable& variable : search.variables()) inside.push_back(variable.slot);
   return contains(inside, slot) ? Code() : set_of(search.goal(), slot, inside);
 }
 
@@ -73,7 +73,7 @@ Code set_of(const Property& property, unsigned slot, const std::vector<unsigned>
   switch (property.kind) {
     case Property::Kind::all:
       for (const Property& part : property.parts) {
-        if (Code found = set_of(part, slot, inside)) return found;
+        if (Code code = set_of(part, slot, inside)) return code;
       }
       return {};
     case Property::Kind::any:
@@ -104,10 +104,10 @@ Search::Search(std::vector<Variable> variables, Property goal, std::vector<unsig
 }
 
 bool Search::enumerable(Frame& frame) const {
-  return std::all_of(variables_.begin(), variables_.end(), [&](const Variable& one) {
-    if (one.value) return true;
-    if (!one.set) return false;
-    const Value set = one.set(frame);
+  return std::all_of(variables_.begin(), variables_.end(), [&](const Variable& variable) {
+    if (variable.value) return true;
+    if (!variable.set) return false;
+    const Value set = variable.set(frame);
     return set.is_undefined() || (set.set() && set.set()->members());
   });
 }
@@ -131,15 +131,16 @@ bool Search::total(Frame& frame) const {
     return set.set() && set.set()->total();
   };
   return only_declarations(goal_) &&
-         std::all_of(declared.begin(), declared.end(), [&](auto* one) { return total(one->set); }) &&
-         std::all_of(variables_.begin(), variables_.end(), [&](auto& one) { return one.set && total(one.set); });
+         std::all_of(declared.begin(), declared.end(), [&](auto* variable) { return total(variable->set); }) &&
+         std::all_of(variables_.begin(), variables_.end(),
+                     [&](auto& variable) { return variable.set && total(variable.set); });
 }
 
 Truth Search::holds(Frame& frame) const {
   Truth all = Truth::yes;
-  for (const Variable& one : variables_) {
-    if (one.checked || !one.set) continue;
-    all = both(all, contains_value(one.set(frame), frame.slots[one.slot], frame.context));
+  for (const Variable& variable : variables_) {
+    if (variable.checked || !variable.set) continue;
+    all = both(all, contains_value(variable.set(frame), frame.slots[variable.slot], frame.context));
     if (all == Truth::no) return all;
   }
   return both(all, evaluate(goal_, frame));
@@ -185,7 +186,7 @@ struct Search::Run {
   void complete() {
     std::vector<Value> start;
     if (unknowns) {
-      for (const Variable& one : search.variables_) start.push_back(frame.slots[one.slot]);
+      for (const Variable& variable : search.variables_) start.push_back(frame.slots[variable.slot]);
     }
     settle();
     for (std::size_t i = 0; i < start.size(); ++i) frame.slots[search.variables_[i].slot] = start[i];
@@ -207,13 +208,13 @@ struct Search::Run {
 
   bool known() const {
     return std::none_of(search.variables_.begin(), search.variables_.end(),
-                        [&](const Variable& one) { return has_open(frame.slots[one.slot]); });
+                        [&](const Variable& variable) { return has_open(frame.slots[variable.slot]); });
   }
 
   bool found_more() {
     bool more = false;
-    for (const Variable& one : search.variables_) {
-      Value& slot = frame.slots[one.slot];
+    for (const Variable& variable : search.variables_) {
+      Value& slot = frame.slots[variable.slot];
       if (!has_open(slot)) continue;
       Value now = resolved(slot, frame.context);
       more = more || !same(now, slot);
@@ -235,13 +236,13 @@ struct Search::Run {
 Truth Search::each(Frame& frame, const Visit& visit, const Test& extra) const {
   Run run{*this, frame, visit, extra};
   for (const unsigned slot : wholes_) frame.slots[slot] = Value();
-  run.first_unknown = static_cast<std::uint32_t>(frame.context.found.size());
-  for (const Variable& one : variables_) {
-    run.sets.push_back(one.set && !one.value ? one.set(frame) : Value());
-    if (one.set && !one.value && run.sets.back().is_undefined()) return Truth::no;
+  run.first_unknown = static_cast<std::uint32_t>(frame.context.values_found.size());
+  for (const Variable& variable : variables_) {
+    run.sets.push_back(variable.set && !variable.value ? variable.set(frame) : Value());
+    if (variable.set && !variable.value && run.sets.back().is_undefined()) return Truth::no;
   }
   run.from(0);
-  frame.context.found.resize(run.first_unknown);
+  frame.context.values_found.resize(run.first_unknown);
   return run.result;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Predicates, compiled, and the search for values of quantified variables.
+/// What predicates are compiled to, and the search for values of quantified variables.
 
 #include <memory>
 #include <string>
@@ -18,28 +18,28 @@ struct Equation {
   std::vector<unsigned> reads;  ///< the slots that the value depends on
 };
 
-/// A predicate. A declaration is one too: `x ∈ S`.
+/// A compiled predicate. A declaration `x : S` is one too: `x ∈ S`.
 struct Property {
   enum class Kind { all, any, exists, test };
   Kind kind = Kind::all;
-  std::vector<Property> parts;           ///< of all and any; of exists the one that it is about
-  std::shared_ptr<const Search> search;  ///< of exists
-  Test test;                             ///< of test
-  std::vector<Equation> equations;       ///< of a test `x = e`
-  unsigned declared = 0;                 ///< of a declaration: the slot …
-  Code set;                              ///< … its set, empty otherwise …
-  std::vector<unsigned> reads;           ///< … and the slots that the set depends on
+  std::vector<Property> parts;           ///< the operands of all and any; the one body of exists
+  std::shared_ptr<const Search> search;  ///< how exists looks for its variables
+  Test test;                             ///< what test asks
+  std::vector<Equation> equations;       ///< what a test `x = e` determines
+  unsigned declared = 0;                 ///< the slot of the variable that a declaration declares
+  Code set;                              ///< the set of a declaration; null for any other property
+  std::vector<unsigned> reads;           ///< the slots that this set depends on
 
-  /// Of the property of a whole closed schema: the slot that may hold its binding, and the schema. A binding
+  /// The property of a whole closed schema names the slot that may hold its binding, and the schema. A binding
   /// remembers the schema that it was found to satisfy.
   std::optional<unsigned> whole{};
   const void* schema = nullptr;
 
-  // Where it comes from.
+  // Where the property comes from, for findings.
   std::string label;
   Term term;            ///< null for what is not written as a predicate of its own
-  std::string strokes;  ///< of the state that it speaks of: `'` under Escena'
-  std::string text;     ///< of a conjunct of a schema: in Unicode; empty otherwise
+  std::string strokes;  ///< those of the state that it speaks of: `'` under Escena'
+  std::string text;     ///< a conjunct of a schema in Unicode; empty for any other property
 };
 
 Property all_of(std::vector<Property> parts);
@@ -47,32 +47,32 @@ Property test_of(Test test, Term term = {});
 
 Truth evaluate(const Property& property, Frame& frame);
 
-/// A variable that is looked for, and where.
+/// A variable that a search looks for.
 struct Variable {
   std::string name;
   unsigned slot = 0;
-  Code set;              ///< null where only the goal says
-  bool checked = false;  ///< membership stands in the goal already
-  Code value;            ///< of the equation that determines it, if any
+  Code set;              ///< the set that it is declared from; null where only the goal says what it may be
+  bool checked = false;  ///< the goal states its membership in the set already
+  Code value;            ///< the other side of the equation that determines it; null where none does
 };
 
-/// `∃ variables • goal`, and the enumeration of every way to make it hold. Three ways give a variable its values:
-/// an equation, where one stands among the conjuncts of the goal; its set, where that is finite; else it is unknown
-/// while the goal is evaluated, and the equations that the evaluation meets determine it (`equal`).
+/// Decides `∃ variables • goal` and enumerates every way to make it hold. A variable gets its values in one of three
+/// ways: an equation among the conjuncts of the goal gives it; its set, where finite, is gone through; else it stays
+/// unknown while the goal is evaluated, and the equations that the evaluation meets determine it (`equal`).
 class Search {
  public:
-  /// Sees the equations in the goal.
-  /// `wholes`: the slots of bindings of whole schemas, which are empty while their components are looked for.
+  /// Finds the equations in the goal.
+  /// `wholes` are the slots of bindings of whole schemas, which are empty while their components are looked for.
   Search(std::vector<Variable> variables, Property goal, std::vector<unsigned> wholes = {});
 
   using Visit = std::function<bool(Frame&)>;  ///< false to stop
 
-  /// Calls `visit` for each way to make the goal, and `extra`, hold. No: there was none. Yes: there was one, or more.
-  /// Open: that cannot be said; `visit` may have been called.
+  /// Calls `visit` for each way to make the goal, and `extra`, hold. The answer is no where there was none, yes where
+  /// there was one or more, and open where that cannot be said; `visit` may have been called then.
   Truth each(Frame& frame, const Visit& visit, const Test& extra = {}) const;
   Truth exists(Frame& frame, const Test& extra = {}) const { return each(frame, {}, extra); }
 
-  /// With the variables' values in their slots: every variable is in its set, and the goal holds.
+  /// Whether, with the values in the variables' slots, every variable is in its set and the goal holds.
   Truth holds(Frame& frame) const;
   /// True where every variable is determined or in a finite set, so that each() enumerates.
   bool enumerable(Frame& frame) const;

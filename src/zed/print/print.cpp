@@ -13,8 +13,8 @@ std::string labelled(const std::string& label) { return label.empty() ? "" : "  
 std::string line(const Markup* markup, const std::function<void(Printer&)>& print) {
   Printer printer(markup);
   print(printer);
-  const std::string made = printer.take();
-  return made.starts_with(markup ? "\\negate" : "-") ? "(" + made + ")" : made;
+  const std::string text = printer.take();
+  return text.starts_with(markup ? "\\negate" : "-") ? "(" + text + ")" : text;
 }
 
 std::string header(const Name& name, const std::vector<Name>& formals, const Markup* markup) {
@@ -36,18 +36,18 @@ struct Frame {
 };
 
 std::string box(const SchemaText& text, const Markup* markup, const Frame& frame) {
-  std::string made = frame.open;
+  std::string lines = frame.open;
   const std::size_t declarations = text.declarations.size(), predicates = text.predicates.size();
   for (std::size_t i = 0; i < declarations; ++i) {
-    made += frame.margin + line(markup, [&](Printer& to) { to.declaration(text.declarations[i]); });
-    made += i + 1 < declarations ? frame.decl_end : "\n";
+    lines += frame.margin + line(markup, [&](Printer& to) { to.declaration(text.declarations[i]); });
+    lines += i + 1 < declarations ? frame.decl_end : "\n";
   }
   for (std::size_t i = 0; i < predicates; ++i) {
-    made += i == 0 ? frame.where : frame.pred_end;
-    made += frame.margin + line(markup, [&](Printer& to) { to.term(text.predicates[i].term, 0); });
-    made += labelled(text.predicates[i].label) + "\n";
+    lines += i == 0 ? frame.where : frame.pred_end;
+    lines += frame.margin + line(markup, [&](Printer& to) { to.term(text.predicates[i].term, 0); });
+    lines += labelled(text.predicates[i].label) + "\n";
   }
-  return made + frame.close;
+  return lines + frame.close;
 }
 
 class ParagraphPrinter {
@@ -76,23 +76,25 @@ class ParagraphPrinter {
     }
     return zed(printer.take());
   }
-  std::string operator()(const Definition& made) const {
+  std::string operator()(const Definition& definition) const {
     Printer printer(markup_);
-    printer.name(made.name);
-    printer.raw(header({}, made.formals, markup_));
+    printer.name(definition.name);
+    printer.raw(header({}, definition.formals, markup_));
     printer.symbol("==");
-    printer.term(made.value, 0);
-    return zed(printer.take() + labelled(made.label));
+    printer.term(definition.value, 0);
+    return zed(printer.take() + labelled(definition.label));
   }
-  std::string operator()(const Axiomatic& made) const {
-    return boxed(made.formals.empty() ? "axdef" : "gendef", {}, made.formals, made.text);
+  std::string operator()(const Axiomatic& box) const {
+    return boxed(box.formals.empty() ? "axdef" : "gendef", {}, box.formals, box.text);
   }
-  std::string operator()(const Schema& made) const { return boxed("schema", made.name, made.formals, made.text); }
-  std::string operator()(const Conjecture& made) const {
+  std::string operator()(const Schema& schema) const {
+    return boxed("schema", schema.name, schema.formals, schema.text);
+  }
+  std::string operator()(const Conjecture& conjecture) const {
     Printer printer(markup_);
     printer.symbol("⊢?");
-    printer.term(made.claim.term, 0);
-    return zed(printer.take() + labelled(made.claim.label));
+    printer.term(conjecture.claim.term, 0);
+    return zed(printer.take() + labelled(conjecture.claim.label));
   }
 
  private:

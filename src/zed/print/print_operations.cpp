@@ -2,7 +2,7 @@
 
 #include "zed/print/printer.hpp"
 #include "zed/print/strength.hpp"
-#include "zed/syntax/term_parser.hpp"
+#include "zed/syntax/connectives.hpp"
 
 namespace durero::zed {
 

@@ -1,8 +1,8 @@
 #include "zed/print/printer.hpp"
 
-#include "durero/zed/syntax/symbols.hpp"
 #include "zed/print/strength.hpp"
-#include "zed/syntax/term_parser.hpp"
+#include "zed/syntax/connectives.hpp"
+#include "zed/syntax/symbols.hpp"
 #include "zed/syntax/utf8.hpp"
 
 namespace durero::zed {
@@ -19,22 +19,22 @@ void Printer::space() {
 }
 
 std::string Printer::letters(std::string_view word) const {
-  std::string made;
+  std::string text;
   while (!word.empty()) {
-    const std::string_view one = utf8::first(word);
-    word.remove_prefix(one.size());
-    if (one == "_") {
-      made += "\\_";
-    } else if (const auto own = own_.find(one); own != own_.end()) {
-      made += own->second + " ";
-    } else if (is_letter_symbol(one)) {
-      made += std::string(*latex_of(one)) + " ";
+    const std::string_view character = utf8::first(word);
+    word.remove_prefix(character.size());
+    if (character == "_") {
+      text += "\\_";
+    } else if (const auto own = own_.find(character); own != own_.end()) {
+      text += own->second + " ";
+    } else if (is_letter_symbol(character)) {
+      text += std::string(*latex_of(character)) + " ";
     } else {
-      made += one;
+      text += character;
     }
   }
-  while (made.ends_with(' ')) made.pop_back();
-  return made;
+  while (text.ends_with(' ')) text.pop_back();
+  return text;
 }
 
 std::string Printer::spelled(std::string_view unicode) const {
@@ -75,13 +75,13 @@ void Printer::name(const Name& name) {
   symbol(name.word);
   std::string_view rest = name.strokes;
   while (!rest.empty()) {
-    const std::string_view one = utf8::first(rest);
-    rest.remove_prefix(one.size());
-    if (latex_ && one.size() > 1) {
+    const std::string_view character = utf8::first(rest);
+    rest.remove_prefix(character.size());
+    if (latex_ && character.size() > 1) {
       out_ += "_";
-      out_ += static_cast<char>('0' + (static_cast<unsigned char>(one.back()) & 0x0F));  // ₀ is U+2080
+      out_ += static_cast<char>('0' + (static_cast<unsigned char>(character.back()) & 0x0F));  // ₀ is U+2080
     } else {
-      out_ += one;
+      out_ += character;
     }
   }
 }
@@ -96,9 +96,8 @@ void Printer::names(const std::vector<Name>& all) {
 void Printer::term(const Term& term, int least, bool last) {
   const Node& node = *term;
   bool parentheses = strength(node) < least;
-  if (is_quantifier(node.kind)) {
-    const bool logical = node.kind == Kind::forall || node.kind == Kind::exists || node.kind == Kind::exists_one;
-    parentheses = !last || least > (logical ? binding::negation : binding::weakest);
+  if (const Quantifier* sign = quantifier_of(node.kind)) {
+    parentheses = !last || least > (sign->logical ? binding::negation : binding::weakest);
   }
   if (node.kind == Kind::mu && node.children.empty()) parentheses = true;
   if (!parentheses) return bare(node, last);
@@ -109,11 +108,11 @@ void Printer::term(const Term& term, int least, bool last) {
 }
 
 void Printer::bare(const Node& node, bool last) {
-  if (is_quantifier(node.kind)) return quantified(node, last);
-  if (const Sign* sign = sign_of(node.kind)) {
-    if (node.children.size() == 2) return infix(node, sign->symbol, sign->left, sign->right, last);
+  if (const Quantifier* sign = quantifier_of(node.kind)) return quantified(node, sign->symbol, last);
+  if (const Connective* sign = connective_of(node.kind)) {
+    if (!sign->prefix) return infix(node, sign->symbol, sign->left_strength(), sign->right_strength(), last);
     symbol(sign->symbol);
-    return term(node.children[0], sign->right, last);
+    return term(node.children[0], sign->right_strength(), last);
   }
   switch (node.kind) {
     case Kind::reference:
@@ -171,12 +170,8 @@ void Printer::list(std::string_view open, const std::vector<Term>& terms, std::s
   tight(close);
 }
 
-void Printer::quantified(const Node& node, bool last) {
-  static constexpr std::pair<Kind, std::string_view> leads[] = {{Kind::forall, "∀"},      {Kind::exists, "∃"},
-                                                                {Kind::exists_one, "∃₁"}, {Kind::lambda, "λ"},
-                                                                {Kind::mu, "μ"},          {Kind::let, "let"}};
-  for (const auto& [kind, lead] : leads)
-    if (node.kind == kind) symbol(lead);
+void Printer::quantified(const Node& node, std::string_view sign, bool last) {
+  symbol(sign);
   schema_text(*node.text);
   if (node.children.empty()) return;
   symbol("•");
@@ -217,7 +212,10 @@ void Printer::suffixed(const Node& node) {
     names(node.names);
     return tight(")");
   }
-  const bool would_take = of->kind == Kind::theta && node.kind != Kind::selection && node.kind != Kind::tuple_selection;
+  const bool selects = node.kind == Kind::selection || node.kind == Kind::tuple_selection;
+  // A stroke or bracket would belong to θ; a point behind a number, before another, would make it decimal.
+  const bool would_take =
+      (of->kind == Kind::theta && !selects) || (of->kind == Kind::number && node.kind == Kind::tuple_selection);
   term(of, would_take ? binding::primary + 1 : binding::primary, false);
   if (node.kind == Kind::decoration) {
     out_ += ' ';
@@ -252,12 +250,12 @@ void Printer::braces(const Node& node) {
   symbol("}");
 }
 
-void Printer::declaration(const Declaration& one) {
-  if (one.form != Declaration::Form::included) {
-    names(one.names);
-    symbol(one.form == Declaration::Form::defined ? "==" : ":");
+void Printer::declaration(const Declaration& declaration) {
+  if (declaration.form != Declaration::Form::included) {
+    names(declaration.names);
+    symbol(declaration.form == Declaration::Form::defined ? "==" : ":");
   }
-  term(one.term, binding::weakest);
+  term(declaration.term, binding::weakest);
 }
 
 void Printer::schema_text(const SchemaText& text) {

@@ -12,14 +12,14 @@ namespace durero::zed {
 
 class Printer {
  public:
-  /// Unicode where `markup` is null.
+  /// Prints Unicode where `markup` is null, else LaTeX.
   explicit Printer(const Markup* markup);
 
-  /// `least`: how tightly the term must bind to stand here without parentheses (term_parser.hpp: binding).
-  /// `last`: nothing follows that a quantifier, whose body reaches as far as it can, would take in.
+  /// A term that binds less tightly than `least` (connectives.hpp) gets parentheses. `last` says that nothing follows
+  /// that a quantifier, whose body reaches as far as it can, would take in.
   void term(const Term& term, int least, bool last = true);
-  void schema_text(const SchemaText& text);  ///< on one line
-  void declaration(const Declaration& one);
+  void schema_text(const SchemaText& text);  ///< prints it on one line
+  void declaration(const Declaration& declaration);
   void name(const Name& name);
   void names(const std::vector<Name>& names);
   void symbol(std::string_view unicode);  ///< with a space before it, where it needs one
@@ -30,7 +30,7 @@ class Printer {
 
  private:
   void bare(const Node& node, bool last);
-  void quantified(const Node& node, bool last);
+  void quantified(const Node& node, std::string_view sign, bool last);
   void infix(const Node& node, std::string_view symbol, int left, int right, bool last);
   void application(const Node& node, bool last);
   void reference(const Node& node, bool last);

@@ -1,8 +1,7 @@
 #include "zed/print/strength.hpp"
 
-#include <algorithm>
-
-#include "zed/syntax/term_parser.hpp"
+#include "zed/syntax/connectives.hpp"
+#include "zed/syntax/match.hpp"
 
 namespace durero::zed {
 
@@ -21,33 +20,9 @@ const Operator* operator_of(const Node& node) {
 }
 
 bool is_image(const Node& node) {
-  return node.kind == Kind::application && node.children[0]->kind == Kind::reference &&
-         node.children[0]->name == Name{"_⦇_⦈", {}} && node.children[0]->children.empty() &&
-         node.children[1]->kind == Kind::tuple && node.children[1]->children.size() == 2;
-}
-
-static constexpr Sign signs[] = {
-    {Kind::equivalence, "⇔", binding::equivalence, binding::equivalence, binding::equivalence + 1},
-    {Kind::implication, "⇒", binding::implication, binding::implication + 1, binding::implication},
-    {Kind::disjunction, "∨", binding::disjunction, binding::disjunction, binding::disjunction + 1},
-    {Kind::conjunction, "∧", binding::conjunction, binding::conjunction, binding::conjunction + 1},
-    {Kind::composition, "⨟", binding::composition, binding::composition, binding::composition + 1},
-    {Kind::piping, "⨠", binding::piping, binding::piping, binding::piping + 1},
-    {Kind::projection, "⨡", binding::projection, binding::projection, binding::projection + 1},
-    {Kind::negation, "¬", binding::negation, 0, binding::negation},
-    {Kind::precondition, "pre", binding::precondition, 0, binding::precondition},
-    {Kind::power, "ℙ", binding::prefix, 0, binding::prefix},
-};
-
-const Sign* sign_of(Kind kind) {
-  const auto* found =
-      std::find_if(std::begin(signs), std::end(signs), [kind](const Sign& s) { return s.kind == kind; });
-  return found == std::end(signs) ? nullptr : found;
-}
-
-bool is_quantifier(Kind kind) {
-  return kind == Kind::forall || kind == Kind::exists || kind == Kind::exists_one || kind == Kind::lambda ||
-         kind == Kind::mu || kind == Kind::let;
+  return node.kind == Kind::application && match::is_reference(node.children[0], {"_⦇_⦈", {}}) &&
+         node.children[0]->children.empty() && node.children[1]->kind == Kind::tuple &&
+         node.children[1]->children.size() == 2;
 }
 
 int operator_strength(const Operator& op) {
@@ -64,8 +39,8 @@ const Node* sequence_of(const Node& application) {
 }
 
 int strength(const Node& node) {
-  if (const Sign* sign = sign_of(node.kind)) return sign->strength;
-  if (is_quantifier(node.kind)) return binding::weakest;
+  if (const Connective* sign = connective_of(node.kind)) return sign->strength;
+  if (quantifier_of(node.kind)) return binding::weakest;
   if (const Operator* op = operator_of(node)) return operator_strength(*op);
   switch (node.kind) {
     case Kind::relation:

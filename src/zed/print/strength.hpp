@@ -4,19 +4,9 @@
 #include <string_view>
 
 #include "durero/zed/syntax/ast.hpp"
-#include "durero/zed/syntax/symbols.hpp"
+#include "zed/syntax/symbols.hpp"
 
 namespace durero::zed {
-
-/// A sign before or between the children of a node, and how tightly the node and at least its operands bind.
-struct Sign {
-  Kind kind;
-  std::string_view symbol;
-  int strength, left, right;
-};
-
-/// The sign of a kind of node, or null.
-const Sign* sign_of(Kind kind);
 
 /// The operator that an application or a reference is printed with, or null where it is printed as such.
 const Operator* operator_of(const Node& node);
@@ -24,9 +14,6 @@ int operator_strength(const Operator& op);
 
 /// f ⦇ S ⦈
 bool is_image(const Node& node);
-
-/// ∀ ∃ ∃₁ λ μ let
-bool is_quantifier(Kind kind);
 
 /// The sequence that an application of ⟨,,⟩ stands for, or null: the elements are the second parts of the pairs.
 const Node* sequence_of(const Node& application);

@@ -4,32 +4,33 @@
 
 #include "durero/zed/print/print.hpp"
 #include "durero/zed/review/review.hpp"
+#include "zed/operators.hpp"
 #include "zed/review/expand.hpp"
 #include "zed/review/prover.hpp"
+#include "zed/syntax/match.hpp"
 
 namespace durero::zed {
 namespace {
 
 bool is_partial_arrow(const Term& set) {
   if (set->kind != Kind::reference) return false;
-  for (const std::string_view arrow : {"_⇸_", "_⤔_", "_⤀_", "_⇻_", "_⤕_"})
-    if (set->name.word == arrow) return true;
-  return false;
+  const OperatorRow* row = operator_row(set->name.word);
+  return row && row->arrow && row->arrow->function && !row->arrow->total;
 }
 
 class Walker {
  public:
-  Walker(const Expander& expander, std::vector<Defect>& found) : expander_(expander), found_(found) {
+  Walker(const Expander& expander, std::vector<Defect>& defects) : expander_(expander), defects_(defects) {
     join(context_, expander.axioms());
   }
 
   void section(const Section& section) {
     file_ = section.file;
-    for (const Paragraph& one : section.paragraphs) {
-      if (const auto* box = std::get_if<Schema>(&one.form)) text(box->text, {});
-      if (const auto* box = std::get_if<Axiomatic>(&one.form)) text(box->text, {});
-      if (const auto* made = std::get_if<Definition>(&one.form)) term(made->value);
-      if (const auto* claim = std::get_if<Conjecture>(&one.form)) term(claim->claim.term);
+    for (const Paragraph& paragraph : section.paragraphs) {
+      if (const auto* box = std::get_if<Schema>(&paragraph.form)) text(box->text, {});
+      if (const auto* box = std::get_if<Axiomatic>(&paragraph.form)) text(box->text, {});
+      if (const auto* definition = std::get_if<Definition>(&paragraph.form)) term(definition->value);
+      if (const auto* claim = std::get_if<Conjecture>(&paragraph.form)) term(claim->claim.term);
     }
   }
 
@@ -47,36 +48,36 @@ class Walker {
     context_.facts.resize(before);
   }
   static std::vector<Term> facts(const Term& predicate) {
-    std::vector<Term> made;
-    conjuncts(predicate, made);
-    return made;
+    std::vector<Term> terms;
+    conjuncts(predicate, terms);
+    return terms;
   }
   static std::vector<Term> denied(const Term& predicate) {
     if (predicate->kind == Kind::negation) return facts(predicate->children[0]);
-    std::vector<Term> made = {node(Kind::negation, {predicate})};
+    std::vector<Term> parts = {node(Kind::negation, {predicate})};
     if (predicate->kind == Kind::disjunction) {
-      made = denied(predicate->children[0]);
-      for (const Term& more : denied(predicate->children[1])) made.push_back(more);
+      parts = denied(predicate->children[0]);
+      for (const Term& more : denied(predicate->children[1])) parts.push_back(more);
     }
-    return made;
+    return parts;
   }
 
   /// Walks a schema text, each predicate with the others, and then the terms behind it.
   void text(const SchemaText& text, const std::vector<Term>& behind) {
-    for (const Declaration& one : text.declarations)
-      if (one.form != Declaration::Form::included) term(one.term);
+    for (const Declaration& declaration : text.declarations)
+      if (declaration.form != Declaration::Form::included) term(declaration.term);
     Facts outer = context_;
     budget_.spend(100 * outer.facts.size());
     const Expansion whole = expander_.text(text);
     std::set<Name> bound;
     for (const auto& [name, set] : whole.declared) bound.insert(name);
-    for (const Declaration& one : text.declarations) bound.insert(one.names.begin(), one.names.end());
-    std::erase_if(context_.facts, [&bound](const Term& fact) { return mentions(fact, bound); });
+    for (const Declaration& declared : text.declarations) bound.insert(declared.names.begin(), declared.names.end());
+    std::erase_if(context_.facts, [&bound](const Term& fact) { return match::mentions(fact, bound); });
     for (const Name& name : bound) context_.declared.erase(name);
     join(context_, whole);
     budget_.spend(100 * whole.facts.size());
-    for (const Predicate& one : text.predicates) term(one.term);
-    for (const Term& one : behind) term(one);
+    for (const Predicate& predicate : text.predicates) term(predicate.term);
+    for (const Term& part : behind) term(part);
     context_ = std::move(outer);
   }
 
@@ -111,12 +112,13 @@ class Walker {
     if (declared == context_.declared.end() || !is_partial_arrow(declared->second)) return;
     if (proves_member(argument, domain_of(function), expander_, context_, budget_)) return;
     const std::string f = function->name.text(), x = to_unicode(argument);
-    found_.push_back({file_, node.place, fmt::format("{} is applied to {}, where nothing says {} ∈ dom {}", f, x, x, f),
-                      "expected an invariant or a guard that gives it", Defect::Severity::error});
+    defects_.push_back({file_, node.place,
+                        fmt::format("{} is applied to {}, where nothing says {} ∈ dom {}", f, x, x, f),
+                        "expected an invariant or a guard that gives it", Defect::Severity::error});
   }
 
   const Expander& expander_;
-  std::vector<Defect>& found_;
+  std::vector<Defect>& defects_;
   std::string file_;
   Facts context_;
   Budget budget_;
@@ -125,26 +127,26 @@ class Walker {
 }  // namespace
 
 std::vector<Defect> partial_applications(const Specification& specification, const Typing& typing) {
-  std::vector<Defect> found;
+  std::vector<Defect> defects;
   const Expander expander(specification, typing);
-  Walker walker(expander, found);
+  Walker walker(expander, defects);
   try {
     for (const Section& section : specification.sections) walker.section(section);
   } catch (const Budget::Spent&) {
-    found.push_back(too_large(specification, "applications outside a domain"));
+    defects.push_back(too_large(specification, "applications outside a domain"));
   }
-  return found;
+  return defects;
 }
 
 std::vector<Defect> review(const Specification& specification) {
-  std::vector<Defect> found = specification.defects;
+  std::vector<Defect> defects = specification.defects;
   const Typing typing = check(specification);
-  found.insert(found.end(), typing.defects.begin(), typing.defects.end());
-  const bool right = found.empty();
+  defects.insert(defects.end(), typing.defects.begin(), typing.defects.end());
+  const bool right = defects.empty();
   for (const auto& check : {open_frames, unused_names, partial_applications})
     if (right || check != partial_applications)
-      for (Defect& one : check(specification, typing)) found.push_back(std::move(one));
-  return found;
+      for (Defect& defect : check(specification, typing)) defects.push_back(std::move(defect));
+  return defects;
 }
 
 }  // namespace durero::zed

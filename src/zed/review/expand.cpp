@@ -20,7 +20,8 @@ Name last_stroke_off(const Name& name, std::string& stroke) {
 
 std::set<Name> bound_names(const SchemaText& text) {
   std::set<Name> bound;
-  for (const Declaration& one : text.declarations) bound.insert(one.names.begin(), one.names.end());
+  for (const Declaration& declaration : text.declarations)
+    bound.insert(declaration.names.begin(), declaration.names.end());
   return bound;
 }
 
@@ -38,17 +39,6 @@ void conjuncts(const Term& predicate, std::vector<Term>& to) {
   }
 }
 
-void for_each_name(const Term& term, const std::function<void(const Name&)>& visit) {
-  if (term->kind == Kind::reference) visit(term->name);
-  for (const Term& child : term->children) for_each_name(child, visit);
-  if (!term->text) return;
-  for (const Declaration& one : term->text->declarations) {
-    for (const Name& name : one.names) visit(name);
-    for_each_name(one.term, visit);
-  }
-  for (const Predicate& one : term->text->predicates) for_each_name(one.term, visit);
-}
-
 Defect too_large(const Specification& specification, const std::string& looked_for) {
   const std::string file = specification.sections.empty() ? "" : specification.sections[0].file;
   return {file,
@@ -58,37 +48,32 @@ Defect too_large(const Specification& specification, const std::string& looked_f
           Defect::Severity::warning};
 }
 
-bool mentions(const Term& term, const std::set<Name>& names) {
-  bool found = false;
-  for_each_name(term, [&](const Name& name) { found = found || names.contains(name); });
-  return found;
-}
-
 Term decorate(const Term& term, const std::set<Name>& names, const std::string& strokes) {
-  Node made = *term;
-  if (made.kind == Kind::reference && names.contains(made.name)) made.name.strokes += strokes;
-  if (made.kind == Kind::theta) made.name.strokes += strokes;
+  Node node = *term;
+  if (node.kind == Kind::reference && names.contains(node.name)) node.name.strokes += strokes;
+  if (node.kind == Kind::theta) node.name.strokes += strokes;
   std::set<Name> unbound;  // a copy only where something is bound
   const std::set<Name>* free = &names;
-  if (made.text) {
-    SchemaText text = *made.text;
-    for (Declaration& one : text.declarations) one.term = decorate(one.term, names, strokes);
+  if (node.text) {
+    SchemaText text = *node.text;
+    for (Declaration& declaration : text.declarations) declaration.term = decorate(declaration.term, names, strokes);
     unbound = names;
     for (const Name& name : bound_names(text)) unbound.erase(name);
     free = &unbound;
-    for (Predicate& one : text.predicates) one.term = decorate(one.term, *free, strokes);
-    made.text = std::make_shared<const SchemaText>(std::move(text));
+    for (Predicate& predicate : text.predicates) predicate.term = decorate(predicate.term, *free, strokes);
+    node.text = std::make_shared<const SchemaText>(std::move(text));
   }
-  for (Term& child : made.children) child = decorate(child, *free, strokes);
-  return make(std::move(made));
+  for (Term& child : node.children) child = decorate(child, *free, strokes);
+  return make(std::move(node));
 }
 
 Expander::Expander(const Specification& specification, const Typing& typing) : typing_(typing) {
   for (const Section& section : specification.sections)
-    for (const Paragraph& one : section.paragraphs) {
-      if (const auto* box = std::get_if<Schema>(&one.form)) boxes_.emplace(box->name, &box->text);
-      if (const auto* made = std::get_if<Definition>(&one.form)) definitions_.emplace(made->name, made->value);
-      if (const auto* type = std::get_if<FreeType>(&one.form)) {
+    for (const Paragraph& paragraph : section.paragraphs) {
+      if (const auto* box = std::get_if<Schema>(&paragraph.form)) boxes_.emplace(box->name, &box->text);
+      if (const auto* definition = std::get_if<Definition>(&paragraph.form))
+        definitions_.emplace(definition->name, definition->value);
+      if (const auto* type = std::get_if<FreeType>(&paragraph.form)) {
         std::set<Name> constants;
         bool only_constants = true;
         for (const Branch& branch : type->branches) {
@@ -100,52 +85,53 @@ Expander::Expander(const Specification& specification, const Typing& typing) : t
       }
     }
   for (const Section& section : specification.sections)
-    for (const Paragraph& one : section.paragraphs)
-      if (const auto* box = std::get_if<Axiomatic>(&one.form)) add(box->text, axioms_, 0);
+    for (const Paragraph& paragraph : section.paragraphs)
+      if (const auto* box = std::get_if<Axiomatic>(&paragraph.form)) add(box->text, axioms_, 0);
 }
 
 std::set<Name> Expander::components(const Name& schema) const {
-  std::set<Name> found;
+  std::set<Name> names;
   for (const auto& [section, scope] : typing_.scopes) {
     const auto at = scope.find(schema);
     if (at == scope.end() || !at->second->scheme.type.is_schema_set()) continue;
     const Type& type = at->second->scheme.type.parts()[0];
-    found.insert(type.fields().begin(), type.fields().end());
+    names.insert(type.fields().begin(), type.fields().end());
     break;
   }
-  return found;
+  return names;
 }
 
 std::set<Name> Expander::siblings(const Name& constant) const {
-  const auto found = siblings_.find(constant);
-  return found == siblings_.end() ? std::set<Name>() : found->second;
+  const auto entry = siblings_.find(constant);
+  return entry == siblings_.end() ? std::set<Name>() : entry->second;
 }
 
 Expansion Expander::schema(const Term& term) const {
-  Expansion made;
-  add(term, made, 0);
-  return made;
+  Expansion expansion;
+  add(term, expansion, 0);
+  return expansion;
 }
 
 Expansion Expander::text(const SchemaText& text) const {
-  Expansion made;
-  add(text, made, 0);
-  return made;
+  Expansion expansion;
+  add(text, expansion, 0);
+  return expansion;
 }
 
 void Expander::add(const SchemaText& text, Expansion& to, unsigned depth) const {
-  for (const Declaration& one : text.declarations) {
-    if (one.form == Declaration::Form::included) {
-      add(one.term, to, depth + 1);
+  for (const Declaration& declaration : text.declarations) {
+    if (declaration.form == Declaration::Form::included) {
+      add(declaration.term, to, depth + 1);
       continue;
     }
-    const bool typed = one.form == Declaration::Form::typed;
-    for (const Name& name : one.names) {
-      to.facts.push_back(relation({{typed ? "_∈_" : "_=_", {}}}, {reference(name), one.term}, one.place));
-      if (typed) to.declared.emplace_back(name, one.term);
+    const bool typed = declaration.form == Declaration::Form::typed;
+    for (const Name& name : declaration.names) {
+      to.facts.push_back(
+          relation({{typed ? "_∈_" : "_=_", {}}}, {reference(name), declaration.term}, declaration.place));
+      if (typed) to.declared.emplace_back(name, declaration.term);
     }
   }
-  for (const Predicate& one : text.predicates) conjuncts(one.term, to.facts);
+  for (const Predicate& predicate : text.predicates) conjuncts(predicate.term, to.facts);
 }
 
 void Expander::add(const Term& schema, Expansion& to, unsigned depth) const {
@@ -166,18 +152,20 @@ void Expander::add(const Term& schema, Expansion& to, unsigned depth) const {
 
 void Expander::add_named(const Name& name, Expansion& to, unsigned depth) const {
   if (const auto box = boxes_.find(name); box != boxes_.end()) return add(*box->second, to, depth);
-  if (const auto made = definitions_.find(name); made != definitions_.end()) return add(made->second, to, depth);
+  if (const auto entry = definitions_.find(name); entry != definitions_.end()) return add(entry->second, to, depth);
   const bool delta = name.word.starts_with("Δ"), xi = name.word.starts_with("Ξ");
   if ((delta || xi) && name.strokes.empty()) {
     const Name base{name.word.substr(std::string_view("Δ").size()), {}};
     add_named(base, to, depth + 1);
     add_named({base.word, "'"}, to, depth + 1);
     const std::set<Name> names = components(base);
-    const bool is_state = std::all_of(names.begin(), names.end(), [](const Name& one) { return one.strokes.empty(); });
+    const bool is_state =
+        std::all_of(names.begin(), names.end(), [](const Name& each) { return each.strokes.empty(); });
     if (is_state) to.states.insert(base);
     if (!xi) return;
-    for (const Name& one : names)
-      to.facts.push_back(relation({{"_=_", {}}}, {reference({one.word, one.strokes + "'"}), reference(one)}));
+    for (const Name& variable : names)
+      to.facts.push_back(
+          relation({{"_=_", {}}}, {reference({variable.word, variable.strokes + "'"}), reference(variable)}));
   } else if (!name.strokes.empty() && depth <= max_inclusions) {
     std::string stroke;
     const Name base = last_stroke_off(name, stroke);

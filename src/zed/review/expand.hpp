@@ -1,7 +1,6 @@
 #pragma once
-/// What a schema says when what it includes is written out, for the checks beyond types.
+/// Writes out what a schema says with all that it includes, for the checks beyond types.
 
-#include <functional>
 #include <map>
 #include <set>
 #include <unordered_map>
@@ -66,14 +65,10 @@ class Budget {
 /// Splits ∧ and chains of relations: a ≤ b ≤ c gives a ≤ b and b ≤ c.
 void conjuncts(const Term& predicate, std::vector<Term>& to);
 
-/// Calls `visit` for every name that a term mentions free or bound, with the components behind θ left out.
-void for_each_name(const Term& term, const std::function<void(const Name&)>& visit);
-bool mentions(const Term& term, const std::set<Name>& names);
-
-/// What is said where the budget is spent: a warning.
+/// Makes the warning that is given where the budget is spent.
 Defect too_large(const Specification& specification, const std::string& looked_for);
 
-/// The term with strokes put to each of these names, where it is free.
+/// Puts strokes to each of these names, where it is free in the term.
 Term decorate(const Term& term, const std::set<Name>& names, const std::string& strokes);
 
 }  // namespace durero::zed

@@ -4,31 +4,37 @@
 #include <optional>
 
 #include "durero/zed/review/review.hpp"
+#include "zed/operators.hpp"
 #include "zed/review/expand.hpp"
+#include "zed/syntax/match.hpp"
 
 namespace durero::zed {
 namespace {
+
+using match::is_equation;
+using match::mentions;
 
 /// The schemas that some declaration includes, by name, without Δ, Ξ and strokes.
 class Included {
  public:
   explicit Included(const Specification& specification) {
     for (const Section& section : specification.sections)
-      for (const Paragraph& one : section.paragraphs) {
-        if (const auto* box = std::get_if<Schema>(&one.form)) look(box->text);
-        if (const auto* box = std::get_if<Axiomatic>(&one.form)) look(box->text);
-        if (const auto* made = std::get_if<Definition>(&one.form)) look(made->value);
+      for (const Paragraph& paragraph : section.paragraphs) {
+        if (const auto* box = std::get_if<Schema>(&paragraph.form)) look(box->text);
+        if (const auto* box = std::get_if<Axiomatic>(&paragraph.form)) look(box->text);
+        if (const auto* definition = std::get_if<Definition>(&paragraph.form)) look(definition->value);
       }
   }
   bool operator()(const Name& name) const { return names_.contains(name.word); }
 
  private:
   void look(const SchemaText& text) {
-    for (const Declaration& one : text.declarations) {
-      if (one.form == Declaration::Form::included) for_each_name(one.term, [this](const Name& name) { insert(name); });
-      look(one.term);
+    for (const Declaration& declaration : text.declarations) {
+      if (declaration.form == Declaration::Form::included)
+        match::each_name(declaration.term, [this](const Name& name) { insert(name); });
+      look(declaration.term);
     }
-    for (const Predicate& one : text.predicates) look(one.term);
+    for (const Predicate& predicate : text.predicates) look(predicate.term);
   }
   void look(const Term& term) {
     if (term->text) look(*term->text);
@@ -41,11 +47,6 @@ class Included {
 
   std::set<std::string> names_;
 };
-
-bool is_equation(const Term& term) {
-  return term->kind == Kind::relation && term->names.size() == 1 && term->names[0].word == "_=_" &&
-         term->children.size() == 2;
-}
 
 void determine(std::set<Name>& open, const std::vector<Term>& facts, Budget& budget);
 
@@ -69,14 +70,9 @@ void by_sides(std::set<Name>& open, const std::vector<Term>& sides, Budget& budg
 }
 
 /// The relation that holds just where this one does not; empty if it has no name of its own.
-std::string_view opposite(std::string_view relation) {
-  static constexpr std::pair<std::string_view, std::string_view> pairs[] = {
-      {"_=_", "_≠_"}, {"_∈_", "_∉_"}, {"_<_", "_≥_"}, {"_>_", "_≤_"}};
-  for (const auto& [one, other] : pairs) {
-    if (relation == one) return other;
-    if (relation == other) return one;
-  }
-  return {};
+std::string_view opposite(const Name& relation) {
+  const OperatorRow* row = operator_row(relation.word);
+  return row ? row->opposite : std::string_view();
 }
 
 /// ¬ p and p, or a = b and a ≠ b: one of the two holds.
@@ -84,14 +80,14 @@ bool are_cases(const Term& p, const Term& q) {
   const auto denies = [](const Term& a, const Term& b) { return a->kind == Kind::negation && a->children[0] == b; };
   const auto single = [](const Term& a) { return a->kind == Kind::relation && a->names.size() == 1; };
   return denies(p, q) || denies(q, p) ||
-         (single(p) && single(q) && p->names[0].word == opposite(q->names[0].word) && p->children == q->children);
+         (single(p) && single(q) && p->names[0].word == opposite(q->names[0]) && p->children == q->children);
 }
 
 /// What p ⇒ P and ¬ p ⇒ Q determine: what P and Q both do.
 void by_cases(std::set<Name>& open, const std::vector<Term>& facts, Budget& budget) {
   std::vector<const Node*> implications;
-  for (const Term& one : facts)
-    if (one->kind == Kind::implication) implications.push_back(&*one);
+  for (const Term& term : facts)
+    if (term->kind == Kind::implication) implications.push_back(&*term);
   budget.spend(10 * implications.size() * implications.size());
   for (std::size_t i = 0; i < implications.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
@@ -104,14 +100,15 @@ void by_cases(std::set<Name>& open, const std::vector<Term>& facts, Budget& budg
 void by_body(std::set<Name>& open, const Node& node, Budget& budget) {
   std::set<Name> inside = open;
   std::vector<Term> facts = node.children;
-  for (const Declaration& one : node.text->declarations) {
-    if (one.form == Declaration::Form::included) return;
-    for (const Name& name : one.names) {
+  for (const Declaration& declaration : node.text->declarations) {
+    if (declaration.form == Declaration::Form::included) return;
+    for (const Name& name : declaration.names) {
       if (!inside.insert(name).second) return;  // a variable hides the component
-      if (one.form == Declaration::Form::defined) facts.push_back(relation({{"_=_", {}}}, {reference(name), one.term}));
+      if (declaration.form == Declaration::Form::defined)
+        facts.push_back(relation({{"_=_", {}}}, {reference(name), declaration.term}));
     }
   }
-  for (const Predicate& one : node.text->predicates) facts.push_back(one.term);
+  for (const Predicate& predicate : node.text->predicates) facts.push_back(predicate.term);
   determine(inside, facts, budget);
   std::erase_if(open, [&inside](const Name& name) { return !inside.contains(name); });
 }
@@ -125,11 +122,11 @@ void by_fact(std::set<Name>& open, const Term& fact, Budget& budget) {
 /// Removes from `open` what the facts determine, until nothing changes.
 void determine(std::set<Name>& open, const std::vector<Term>& conjunctions, Budget& budget) {
   std::vector<Term> facts;
-  for (const Term& one : conjunctions) conjuncts(one, facts);
+  for (const Term& term : conjunctions) conjuncts(term, facts);
   for (std::size_t before = open.size() + 1; open.size() < before;) {
     before = open.size();
     budget.spend(10 * facts.size());
-    for (const Term& one : facts) by_fact(open, one, budget);
+    for (const Term& part : facts) by_fact(open, part, budget);
     by_cases(open, facts, budget);
   }
 }
@@ -157,8 +154,9 @@ struct Judged {
 /// The schema that a paragraph writes out: a box, or a definition by one schema text.
 std::optional<Judged> written_out(const Paragraph& paragraph) {
   if (const auto* box = std::get_if<Schema>(&paragraph.form)) return Judged{box->name, &box->text};
-  const auto* made = std::get_if<Definition>(&paragraph.form);
-  if (made && made->value->kind == Kind::schema_text) return Judged{made->name, made->value->text.get()};
+  const auto* definition = std::get_if<Definition>(&paragraph.form);
+  if (definition && definition->value->kind == Kind::schema_text)
+    return Judged{definition->name, definition->value->text.get()};
   return std::nullopt;
 }
 
@@ -177,33 +175,33 @@ std::set<Name> left_open(const SchemaText& text, const Expander& expander, Budge
   return open;
 }
 
-void look(const Specification& specification, const Typing& typing, std::vector<Defect>& found) {
+void look(const Specification& specification, const Typing& typing, std::vector<Defect>& defects) {
   Budget budget;
   const Expander expander(specification, typing);
   const Included included(specification);
   for (const Section& section : specification.sections)
-    for (const Paragraph& one : section.paragraphs) {
-      const auto judged = written_out(one);
+    for (const Paragraph& paragraph : section.paragraphs) {
+      const auto judged = written_out(paragraph);
       if (!judged || included(judged->name)) continue;
       std::string names;
       for (const Name& name : left_open(*judged->text, expander, budget))
         names += (names.empty() ? "" : ", ") + name.text();
       if (names.empty()) continue;
-      found.push_back({section.file, one.place, fmt::format("{} leaves {} open", judged->name.text(), names),
-                       "expected an equation for each component of the after-state", Defect::Severity::error});
+      defects.push_back({section.file, paragraph.place, fmt::format("{} leaves {} open", judged->name.text(), names),
+                         "expected an equation for each component of the after-state", Defect::Severity::error});
     }
 }
 
 }  // namespace
 
 std::vector<Defect> open_frames(const Specification& specification, const Typing& typing) {
-  std::vector<Defect> found;
+  std::vector<Defect> defects;
   try {
-    look(specification, typing, found);
+    look(specification, typing, defects);
   } catch (const Budget::Spent&) {
-    found.push_back(too_large(specification, "open frames"));
+    defects.push_back(too_large(specification, "open frames"));
   }
-  return found;
+  return defects;
 }
 
 }  // namespace durero::zed

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "zed/syntax/match.hpp"
+
 namespace durero::zed {
 namespace {
 
@@ -9,24 +11,12 @@ constexpr std::size_t max_sets = 64;  // sets tied to a domain that are looked a
 
 Term equation(const Term& a, const Term& b) { return relation({{"_=_", {}}}, {a, b}); }
 
-bool is_relation(const Term& fact, std::string_view word) {
-  return fact->kind == Kind::relation && fact->children.size() == 2 && fact->names[0].word == word;
-}
-
-/// The operands of `a op b`, or null.
-const Node* operands(const Term& term, std::string_view op) {
-  if (term->kind != Kind::application || term->children[0]->kind != Kind::reference) return nullptr;
-  const Node& argument = *term->children[1];
-  const bool pair = argument.kind == Kind::tuple && argument.children.size() == 2;
-  return term->children[0]->name.word == op && pair ? &argument : nullptr;
-}
+using match::is_relation;
+using match::mentions;
+using match::operands;
 
 /// f of `dom f`, or null.
-const Term* of_domain(const Term& set) {
-  const bool domain = set->kind == Kind::application && set->children[0]->kind == Kind::reference &&
-                      set->children[0]->name.word == "dom";
-  return domain ? &set->children[1] : nullptr;
-}
+const Term* of_domain(const Term& set) { return match::argument_of(set, "dom"); }
 
 /// x of (x, y) and of x ↦ y, or null.
 const Term* first_of_pair(const Term& pair) {
@@ -74,8 +64,8 @@ class Prover {
   /// The term says something of f, whose domain it cannot be known by then: (e, f e) ∈ f.
   static bool about(const Term& term, const Term& f) { return f->kind == Kind::reference && mentions(term, {f->name}); }
 
-  static void insert(std::vector<Term>& sets, const Term& one) {
-    if (std::find(sets.begin(), sets.end(), one) == sets.end()) sets.push_back(one);
+  static void insert(std::vector<Term>& sets, const Term& set) {
+    if (std::find(sets.begin(), sets.end(), set) == sets.end()) sets.push_back(set);
   }
 
   bool holds(const Term& fact) const {
@@ -89,13 +79,13 @@ class Prover {
       return std::find(set->children.begin(), set->children.end(), x) != set->children.end();
     if (depth_ > 8) return false;  // unions in unions
     ++depth_;
-    bool found = false;
-    if (const Node* both = operands(set, "_∪_")) found = member(x, both->children[0]) || member(x, both->children[1]);
-    if (const Node* both = operands(set, "_∩_")) found = member(x, both->children[0]) && member(x, both->children[1]);
-    if (const Node* image = operands(set, "_⦇_⦈")) found = in_image(x, *image);
-    if (const Term* function = of_domain(set)) found = in_domain(x, *function);
+    bool proved = false;
+    if (const Node* both = operands(set, "_∪_")) proved = member(x, both->children[0]) || member(x, both->children[1]);
+    if (const Node* both = operands(set, "_∩_")) proved = member(x, both->children[0]) && member(x, both->children[1]);
+    if (const Node* image = operands(set, "_⦇_⦈")) proved = in_image(x, *image);
+    if (const Term* function = of_domain(set)) proved = in_domain(x, *function);
     --depth_;
-    return found;
+    return proved;
   }
 
   /// x ∈ dom f, where f is displayed, joined or overridden, or a pair of it is known.
@@ -116,21 +106,20 @@ class Prover {
 
   /// x ∈ g ∼ ⦇ {a, b} ⦈ where x ∈ dom g and g x is a or b.
   bool in_image(const Term& x, const Node& image) {
-    const Term &inverse = image.children[0], &values = image.children[1];
-    const bool inverted = inverse->kind == Kind::application && inverse->children[0]->kind == Kind::reference &&
-                          inverse->children[0]->name.word == "_∼";
+    const Term* inverted = match::argument_of(image.children[0], "_∼");
+    const Term& values = image.children[1];
     if (!inverted || values->kind != Kind::set_extension || values->children.empty()) return false;
-    const Term& g = inverse->children[1];
+    const Term& g = *inverted;
     if (!member(x, domain_of(g))) return false;
     const Term value = apply(g, x);
     std::set<Name> others;
-    for (const Term& one : values->children) {
-      if (equals(value, one)) return true;
-      if (one->kind == Kind::reference && others.empty()) others = expander_.siblings(one->name);
+    for (const Term& term : values->children) {
+      if (equals(value, term)) return true;
+      if (term->kind == Kind::reference && others.empty()) others = expander_.siblings(term->name);
     }
     if (others.empty()) return false;
-    for (const Term& one : values->children) others.erase(one->name);
-    return std::all_of(others.begin(), others.end(), [&](const Name& one) { return differs(value, reference(one)); });
+    for (const Term& part : values->children) others.erase(part->name);
+    return std::all_of(others.begin(), others.end(), [&](const Name& name) { return differs(value, reference(name)); });
   }
 
   bool equals(const Term& a, const Term& b) const { return holds(equation(a, b)) || holds(equation(b, a)); }

@@ -1,20 +1,20 @@
 #pragma once
-/// Whether facts at hand say that something is a member of a set, for the checks beyond types.
+/// Proves from the facts at hand that something is a member of a set, for the checks beyond types.
 
 #include "zed/review/expand.hpp"
 
 namespace durero::zed {
 
-/// What holds at a place.
+/// What holds at a place of the text.
 struct Facts {
   std::vector<Term> facts;
   std::map<Name, Term> declared;  // a name and the set it is declared from
 };
 
-/// dom f
+/// Makes the term dom f.
 Term domain_of(const Term& function);
 
-/// x ∈ S from the facts, in the few steps that partial_applications() promises.
+/// True where the facts give x ∈ S in the few steps that partial_applications() promises.
 bool proves_member(const Term& x, const Term& set, const Expander& expander, const Facts& facts, Budget& budget);
 
 }  // namespace durero::zed

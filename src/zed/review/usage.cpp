@@ -11,16 +11,16 @@ namespace {
 /// What a specification mentions, and which bound variables it does not.
 class Usage {
  public:
-  Usage(const Typing& typing, std::vector<Defect>& found) : typing_(typing), found_(found) {}
+  Usage(const Typing& typing, std::vector<Defect>& defects) : typing_(typing), defects_(defects) {}
 
   void section(const Section& section) {
     file_ = section.file;
-    for (const Paragraph& one : section.paragraphs) {
-      if (const auto* box = std::get_if<Schema>(&one.form)) components(box->text);
-      if (const auto* box = std::get_if<Axiomatic>(&one.form)) components(box->text);
-      if (const auto* made = std::get_if<Definition>(&one.form)) term(made->value);
-      if (const auto* claim = std::get_if<Conjecture>(&one.form)) term(claim->claim.term);
-      if (const auto* type = std::get_if<FreeType>(&one.form))
+    for (const Paragraph& paragraph : section.paragraphs) {
+      if (const auto* box = std::get_if<Schema>(&paragraph.form)) components(box->text);
+      if (const auto* box = std::get_if<Axiomatic>(&paragraph.form)) components(box->text);
+      if (const auto* definition = std::get_if<Definition>(&paragraph.form)) term(definition->value);
+      if (const auto* claim = std::get_if<Conjecture>(&paragraph.form)) term(claim->claim.term);
+      if (const auto* type = std::get_if<FreeType>(&paragraph.form))
         for (const Branch& branch : type->branches)
           if (branch.argument) term(branch.argument);
     }
@@ -36,9 +36,9 @@ class Usage {
 
   void mention(const Name& name) {
     for (Scope& scope : std::views::reverse(scopes_)) {
-      const auto found = scope.find(name);
-      if (found == scope.end()) continue;
-      found->second.used = true;
+      const auto entry = scope.find(name);
+      if (entry == scope.end()) continue;
+      entry->second.used = true;
       return;
     }
     mentioned_.insert(name);
@@ -54,34 +54,35 @@ class Usage {
   /// A text that declares components: they are nobody's variables, and hide those of that name outside.
   void components(const SchemaText& text) {
     Scope own;
-    for (const Declaration& one : text.declarations) {
-      term(one.term);
-      for (const Name& name : one.names) own[name] = {{}, true};
+    for (const Declaration& declaration : text.declarations) {
+      term(declaration.term);
+      for (const Name& name : declaration.names) own[name] = {{}, true};
     }
     scopes_.push_back(std::move(own));
-    for (const Predicate& one : text.predicates) term(one.term);
+    for (const Predicate& predicate : text.predicates) term(predicate.term);
     scopes_.pop_back();
   }
 
   void quantified(const Node& node) {
     Scope own;
-    for (const Declaration& one : node.text->declarations) {
-      term(one.term);
-      for (std::size_t i = 0; i < one.names.size(); ++i)
-        own[one.names[i]] = {i < one.places.size() ? one.places[i] : one.place, node.children.empty()};
+    for (const Declaration& declaration : node.text->declarations) {
+      term(declaration.term);
+      for (std::size_t i = 0; i < declaration.names.size(); ++i)
+        own[declaration.names[i]] = {i < declaration.places.size() ? declaration.places[i] : declaration.place,
+                                     node.children.empty()};
     }
     scopes_.push_back(std::move(own));
-    for (const Predicate& one : node.text->predicates) term(one.term);
+    for (const Predicate& predicate : node.text->predicates) term(predicate.term);
     for (const Term& child : node.children) term(child);
-    for (const Declaration& one : node.text->declarations)
-      for (const Name& name : one.names) report(name, scopes_.back().at(name));
+    for (const Declaration& declared : node.text->declarations)
+      for (const Name& name : declared.names) report(name, scopes_.back().at(name));
     scopes_.pop_back();
   }
 
   void report(const Name& name, const Variable& variable) {
     if (variable.used) return;
-    found_.push_back({file_, variable.place, fmt::format("{} is declared and never used", name.text()),
-                      "expected a use, or no declaration", Defect::Severity::warning});
+    defects_.push_back({file_, variable.place, fmt::format("{} is declared and never used", name.text()),
+                        "expected a use, or no declaration", Defect::Severity::warning});
   }
 
   void term(const Term& term) {
@@ -95,7 +96,7 @@ class Usage {
   }
 
   const Typing& typing_;
-  std::vector<Defect>& found_;
+  std::vector<Defect>& defects_;
   std::string file_;
   std::vector<Scope> scopes_;
   std::set<Name> mentioned_;
@@ -104,8 +105,8 @@ class Usage {
 }  // namespace
 
 std::vector<Defect> unused_names(const Specification& specification, const Typing& typing) {
-  std::vector<Defect> found;
-  Usage usage(typing, found);
+  std::vector<Defect> defects;
+  Usage usage(typing, defects);
   for (const Section& section : specification.sections) usage.section(section);
   for (const Section& section : specification.sections) {
     const auto scope = typing.scopes.find(section.name);
@@ -118,10 +119,10 @@ std::vector<Defect> unused_names(const Specification& specification, const Typin
         unused[{global->place.line, global->place.column}] = global.get();
     }
     for (const auto& [place, global] : unused)
-      found.push_back({global->file, global->place, fmt::format("{} is declared and never used", global->name.text()),
-                       "expected a use, or no declaration", Defect::Severity::warning});
+      defects.push_back({global->file, global->place, fmt::format("{} is declared and never used", global->name.text()),
+                         "expected a use, or no declaration", Defect::Severity::warning});
   }
-  return found;
+  return defects;
 }
 
 }  // namespace durero::zed

@@ -60,8 +60,8 @@ bool operator==(const Paragraph& a, const Paragraph& b) { return std::visit(Same
 
 std::uint32_t depth(const SchemaText& text) {
   std::uint32_t deepest = 0;
-  for (const Declaration& one : text.declarations) deepest = std::max(deepest, one.term->depth);
-  for (const Predicate& one : text.predicates) deepest = std::max(deepest, one.term->depth);
+  for (const Declaration& declaration : text.declarations) deepest = std::max(deepest, declaration.term->depth);
+  for (const Predicate& predicate : text.predicates) deepest = std::max(deepest, predicate.term->depth);
   return deepest;
 }
 

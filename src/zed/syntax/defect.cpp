@@ -2,11 +2,13 @@
 
 #include <fmt/core.h>
 
+#include "durero/text/shown.hpp"
+
 namespace durero::zed {
 
 std::string Defect::text() const {
-  return fmt::format("{}:{}:{}: {}{}; {}", file, place.line, place.column,
-                     severity == Severity::warning ? "warning: " : "", what, expected);
+  return text::escaped(fmt::format("{}:{}:{}: {}{}; {}", file, place.line, place.column,
+                                   severity == Severity::warning ? "warning: " : "", what, expected));
 }
 
 }  // namespace durero::zed

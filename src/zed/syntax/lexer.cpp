@@ -1,5 +1,6 @@
 /// What the lexers of the two mark-ups share: which tokens a line break separates, and labels.
 
+#include "zed/syntax/connectives.hpp"
 #include "zed/syntax/lexer_base.hpp"
 
 namespace durero::zed::lexing {
@@ -7,7 +8,7 @@ namespace durero::zed::lexing {
 bool bears_strokes(std::string_view word) {
   const char c = word[0];
   const bool letters = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-  if (!letters && !among(word, word_symbols)) return false;
+  if (!letters && !is_symbol_name(word)) return false;
   return !is_reserved(word) && !find_operator(word, Fixity::infix) && !find_operator(word, Fixity::prefix);
 }
 
@@ -21,11 +22,24 @@ bool ends(const Token& token) {
          !find_operator(token.text, Fixity::prefix);
 }
 
+namespace {
+
+/// A sign that stands before all of its operands.
+bool leads(std::string_view sign) {
+  const auto is_sign = [sign](const auto& row) { return row.symbol == sign; };
+  return sign == "θ" || sign == "if" || sign == "⊢?" ||
+         std::any_of(std::begin(quantifiers), std::end(quantifiers), is_sign) ||
+         std::any_of(std::begin(connectives), std::end(connectives),
+                     [&](const Connective& row) { return row.prefix && is_sign(row); });
+}
+
+}  // namespace
+
 bool begins(const Token& token) {
   if (token.type == Type::numeral) return true;
   if (token.type != Type::word && token.type != Type::symbol) return false;
   if (find_operator(token.text, Fixity::infix) && token.strokes.empty()) return false;
-  if (among(token.text, opening) || among(token.text, leading) || token.text == "⊢?") return true;
+  if (among(token.text, opening) || leads(token.text)) return true;
   if (find_operator(token.text, Fixity::prefix)) return true;
   return token.type == Type::word && token.text != "then" && token.text != "else";
 }

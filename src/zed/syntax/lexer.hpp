@@ -16,8 +16,8 @@ namespace durero::zed {
 std::vector<Token> lex_latex(const Block& block, const Markup& markup);
 
 /// The tokens of an expression in Unicode, as one types it on a command line. A line end gives `newline` by the same
-/// rule. `.. `, `−`, `⦁`, `′` and `\` are read as `‥`, `-`, `•`, `'` and `∖`. What cannot be read gives a
-/// last token of type `error`.
+/// rule. `0.25` is one numeral, and a name between quotation marks is a word that keeps them. `.. `, `−`, `⦁`, `′` and
+/// `\` are read as `‥`, `-`, `•`, `'` and `∖`. What cannot be read gives a last token of type `error`.
 std::vector<Token> lex_unicode(std::string_view text);
 
 }  // namespace durero::zed

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "durero/zed/syntax/symbols.hpp"
 #include "zed/syntax/lexer.hpp"
+#include "zed/syntax/symbols.hpp"
 #include "zed/syntax/utf8.hpp"
 
 namespace durero::zed::lexing {
@@ -20,14 +20,8 @@ bool among(std::string_view what, const std::array<std::string_view, N>& set) {
   return std::find(set.begin(), set.end(), what) != set.end();
 }
 
-/// Symbols that are names by themselves.
-inline constexpr std::array<std::string_view, 8> word_symbols = {"𝔸", "ℕ", "ℕ₁", "ℤ", "∅", "⋃", "⋂", "⁀/"};
-/// Names of the toolkit that end in a subscript 1; there it is no stroke.
-inline constexpr std::array<std::string_view, 5> indexed = {"ℙ", "𝔽", "ℕ", "∃", "seq"};
 inline constexpr std::array<std::string_view, 6> closing = {")", "]", "}", "⟩", "⦊", "⟫"};
 inline constexpr std::array<std::string_view, 5> opening = {"(", "[", "{", "⟨", "⦉"};
-inline constexpr std::array<std::string_view, 11> leading = {"¬", "∀", "∃",   "∃₁", "λ",  "μ",
-                                                             "θ", "ℙ", "let", "if", "pre"};
 inline constexpr std::array<std::string_view, 10> digits = {"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
 
 /// A word that is a name, and no keyword or operator.
@@ -61,11 +55,11 @@ class Lexer {
 
   /// Takes one character, and returns it.
   std::string_view take() {
-    const std::string_view one = utf8::first(text_.substr(at_));
-    at_ += one.size();
+    const std::string_view character = utf8::first(text_.substr(at_));
+    at_ += character.size();
     ++place_.column;
-    if (one == "\n") place_ = {place_.line + 1, 1};
-    return one;
+    if (character == "\n") place_ = {place_.line + 1, 1};
+    return character;
   }
   std::string_view take(std::size_t bytes) {
     const std::size_t start = at_;
@@ -89,7 +83,7 @@ class Lexer {
 
   /// A word or symbol by its Unicode text.
   void emit(std::string_view text, Place place) {
-    const bool word = among(text, word_symbols) || is_reserved(text) || is_letter(text[0]) || is_letter_symbol(text);
+    const bool word = is_symbol_name(text) || is_reserved(text) || is_letter(text[0]) || is_letter_symbol(text);
     emit(word ? Type::word : Type::symbol, std::string(text), place);
   }
 
@@ -105,7 +99,7 @@ class Lexer {
   }
 
   /// True where a digit below the line belongs to the name before it, and not to its strokes.
-  static bool is_indexed(std::string_view word, std::string_view digit) { return digit == "₁" && among(word, indexed); }
+  static bool is_indexed(std::string_view word, std::string_view digit) { return digit == "₁" && has_indexed(word); }
 
   /// `::=`, `==` or one ASCII character; none where it means nothing in Z.
   std::string_view ascii_symbol() const {

@@ -14,7 +14,7 @@ class Latex : Lexer {
   std::vector<Token> run() {
     try {
       if (!named_) refuse(place_, "a schema without a name", "expected {NAME}");
-      while (!done()) one();
+      while (!done()) token();
     } catch (const ZError& error) {
       unreadable(error);
       return std::move(tokens_);
@@ -23,7 +23,7 @@ class Latex : Lexer {
   }
 
  private:
-  void one() {
+  void token() {
     const char c = here();
     if (is_space(c) || c == '~' || c == '{' || c == '}') {  // braces only group, in TeX
       take();
@@ -76,16 +76,16 @@ class Latex : Lexer {
   }
 
   std::string strokes(std::string& word) {
-    std::string found;
+    std::string all;
     while (is_stroke(here()) || here() == '_') {
-      const std::string one = stroke();
-      if (found.empty() && is_indexed(word, one)) {
-        word += one;
+      const std::string mark = stroke();
+      if (all.empty() && is_indexed(word, mark)) {
+        word += mark;
       } else {
-        found += one;
+        all += mark;
       }
     }
-    return found;
+    return all;
   }
 
   /// The letters of a word, `begun` with those already taken.
@@ -102,8 +102,8 @@ class Latex : Lexer {
         break;
       }
     }
-    std::string found = strokes(begun);
-    emit(Type::word, std::move(begun), place, std::move(found));
+    std::string behind = strokes(begun);
+    emit(Type::word, std::move(begun), place, std::move(behind));
   }
 
   std::string_view command_name() const {
@@ -155,14 +155,14 @@ class Latex : Lexer {
 
   void known(std::string_view name, Place place) {
     const auto own = markup_.find(name);
-    const auto found = own != markup_.end() ? std::optional<std::string_view>(own->second) : unicode_of_command(name);
-    if (!found)
+    const auto unicode = own != markup_.end() ? std::optional<std::string_view>(own->second) : unicode_of_command(name);
+    if (!unicode)
       refuse(place, "unknown command \\" + std::string(name), "expected a command of ISO Z or of a %%Z directive");
     if (name == "negate" && continues()) {
       if (!newline_) refuse(place, "\\negate takes no left operand", "expected - for the difference");
       tokens_.push_back({Type::newline, "\n", {}, *newline_, {}, false});
     }
-    std::string text(*found);
+    std::string text(*unicode);
     if (here() == '_' || (is_stroke(here()) && bears_strokes(text))) {
       std::string after = strokes(text);
       if (!after.empty()) return emit(Type::word, std::move(text), place, std::move(after));

@@ -10,7 +10,7 @@ class Unicode : Lexer {
 
   std::vector<Token> run() {
     try {
-      while (!done()) one();
+      while (!done()) token();
     } catch (const ZError& error) {
       unreadable(error);
       return std::move(tokens_);
@@ -19,7 +19,7 @@ class Unicode : Lexer {
   }
 
  private:
-  void one() {
+  void token() {
     const char c = here();
     if (is_space(c)) {
       if (c == '\n') newline(place_);
@@ -27,7 +27,9 @@ class Unicode : Lexer {
     } else if (c == '%') {
       comment();
     } else if (is_digit(c)) {
-      numeral();
+      number();
+    } else if (c == '"') {
+      quoted();
     } else if (is_stroke(c) || stroke_here()) {
       const Place place = place_;
       emit(Type::stroke, stroke(), place);
@@ -36,6 +38,30 @@ class Unicode : Lexer {
     } else {
       symbol();
     }
+  }
+
+  /// `12`, or `0.25`; in `t.1.2` the second point selects.
+  void number() {
+    const bool selects = !tokens_.empty() && tokens_.back().is(".");
+    numeral();
+    if (selects || here() != '.' || !is_digit(here(1))) return;
+    tokens_.back().text += take();
+    while (is_digit(here())) tokens_.back().text += take();
+    behind_ = place_;
+  }
+
+  /// `"a-b"`: a name of letters, digits and `_ . : -`; its word keeps the quotation marks.
+  void quoted() {
+    const Place place = place_;
+    std::string name(take());
+    const auto spells = [](char c) {
+      return is_letter(c) || is_digit(c) || c == '_' || c == '.' || c == ':' || c == '-';
+    };
+    while (spells(here())) name += take();
+    if (here() != '"' || name.size() == 1)
+      refuse(place_, "a quoted name ends here", "expected letters, digits and _ . : - between two quotation marks");
+    name += take();
+    emit(Type::word, std::move(name), place);
   }
 
   std::string_view character() const { return utf8::first(text_.substr(std::min(at_, text_.size()))); }
@@ -53,7 +79,7 @@ class Unicode : Lexer {
     if (c.empty() || static_cast<unsigned char>(c[0]) < 0x80 || stroke_here()) return false;
     static constexpr std::array<std::string_view, 10> others = {"•", "⦁", "−", "⊢", "λ", "μ", "θ", "…", "⁀", "‥"};
     if (among(c, others)) return c == "λ" || c == "μ" || c == "θ";
-    if (among(c, word_symbols)) return false;
+    if (is_symbol_name(c)) return false;
     return is_letter_symbol(c) || !latex_of(c);
   }
 
@@ -65,16 +91,16 @@ class Unicode : Lexer {
   }
 
   void emit_with_strokes(std::string text, Place place) {
-    std::string found;
+    std::string strokes;
     while (is_stroke(here()) || stroke_here()) {
-      const std::string one = stroke();
-      if (found.empty() && is_indexed(text, one)) {
-        text += one;
+      const std::string mark = stroke();
+      if (strokes.empty() && is_indexed(text, mark)) {
+        text += mark;
       } else {
-        found += one;
+        strokes += mark;
       }
     }
-    if (!found.empty()) return emit(Type::word, std::move(text), place, std::move(found));
+    if (!strokes.empty()) return emit(Type::word, std::move(text), place, std::move(strokes));
     if (is_letter(text[0]) || !latex_of(text)) return emit(Type::word, std::move(text), place);
     emit(text, place);
   }
@@ -94,7 +120,7 @@ class Unicode : Lexer {
     if (!latex_of(character()) || static_cast<unsigned char>(here()) < 0x80)
       refuse(place, "the character " + std::string(character()) + " means nothing here", "expected Z in Unicode");
     std::string text(take());
-    if (among(text, indexed) || among(text, word_symbols)) return emit_with_strokes(std::move(text), place);
+    if (has_indexed(text) || is_symbol_name(text)) return emit_with_strokes(std::move(text), place);
     emit(text, place);
   }
 };

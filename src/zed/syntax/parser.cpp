@@ -20,81 +20,81 @@ class ParagraphParser {
 
   /// The paragraphs of a `zed` environment, one a line.
   std::vector<Paragraph> lines() {
-    std::vector<Paragraph> made;
+    std::vector<Paragraph> paragraphs;
     do {
       const Place place = in_.peek().place;
-      line(made, place);
+      line(paragraphs, place);
     } while (in_.accept(Type::newline));
     finish();
-    return made;
+    return paragraphs;
   }
 
   Paragraph schema() {
     const Place place = in_.peek().place;
-    Schema made;
-    made.name = in_.name();
-    if (in_.peek().place.line == place.line) made.formals = formals();  // a schema text may begin the next line
-    made.text = body();
-    return {place, std::move(made)};
+    Schema schema;
+    schema.name = in_.name();
+    if (in_.peek().place.line == place.line) schema.formals = formals();  // a schema text may begin the next line
+    schema.text = body();
+    return {place, std::move(schema)};
   }
 
   Paragraph axiomatic(bool generic) {
     const Place place = in_.peek().place;
-    Axiomatic made;
-    if (generic) made.formals = formals();
-    if (generic && made.formals.empty()) in_.fail("expected generic formals in [ ]");
-    made.text = body();
-    return {place, std::move(made)};
+    Axiomatic box;
+    if (generic) box.formals = formals();
+    if (generic && box.formals.empty()) in_.fail("expected generic formals in [ ]");
+    box.text = body();
+    return {place, std::move(box)};
   }
 
   SectionHeader header() {
-    SectionHeader made;
+    SectionHeader header;
     in_.expect("section");
-    made.name = in_.name().text();
+    header.name = in_.name().text();
     if (in_.accept("parents") && in_.sees_name())
-      for (const Name& parent : terms_.names()) made.parents.push_back(parent.text());
+      for (const Name& parent : terms_.names()) header.parents.push_back(parent.text());
     finish();
-    return made;
+    return header;
   }
 
   Term only_term() {
-    Term made = terms_.term();
+    Term term = terms_.term();
     finish();
-    return made;
+    return term;
   }
 
  private:
-  void line(std::vector<Paragraph>& made, Place place) {
+  void line(std::vector<Paragraph>& paragraphs, Place place) {
     for (const std::string_view keyword : {"function", "generic", "relation"})
       if (in_.sees(keyword))
         in_.fail("expected no operator template: those of the standard toolkit are built in, and no others are read");
     if (in_.accept("[")) {
-      made.push_back({place, given()});
+      paragraphs.push_back({place, given()});
     } else if (in_.accept("⊢?")) {
       const std::size_t from = in_.position();
       Conjecture claim{{terms_.term(), {}, place}};
       claim.claim.label = in_.label_since(from);
-      made.push_back({place, std::move(claim)});
+      paragraphs.push_back({place, std::move(claim)});
     } else {
-      named(made, place);
+      named(paragraphs, place);
     }
   }
 
   GivenTypes given() {
-    GivenTypes made;
+    GivenTypes given;
     do {
-      made.places.push_back(in_.peek().place);
-      made.names.push_back(in_.name());
+      given.places.push_back(in_.peek().place);
+      given.names.push_back(in_.name());
     } while (in_.accept(","));
     in_.expect("]");
-    return made;
+    return given;
   }
 
-  void named(std::vector<Paragraph>& made, Place place) {
+  void named(std::vector<Paragraph>& paragraphs, Place place) {
     const std::size_t from = in_.position();
     Name name = in_.name();
     const bool set = in_.sees("::=") && in_.peek(1).is("{");
-    if (in_.sees("::=") && !set) return free_types(made, std::move(name), place);
+    if (in_.sees("::=") && !set) return free_types(paragraphs, std::move(name), place);
     Definition definition{std::move(name), formals(), {}, {}};
     if (set) {
       mended.emplace_back(in_.peek(1).place, "a set stands where a free type has its constants and constructors",
@@ -105,12 +105,12 @@ class ParagraphParser {
     }
     definition.value = terms_.term();
     definition.label = in_.label_since(from);
-    made.push_back({place, std::move(definition)});
+    paragraphs.push_back({place, std::move(definition)});
   }
 
-  void free_types(std::vector<Paragraph>& made, Name name, Place place) {
+  void free_types(std::vector<Paragraph>& paragraphs, Name name, Place place) {
     for (bool joined = false;; joined = true) {
-      made.push_back({place, free_type(std::move(name), joined)});
+      paragraphs.push_back({place, free_type(std::move(name), joined)});
       if (!in_.accept("&")) return;
       place = in_.peek().place;
       name = in_.name();
@@ -119,7 +119,7 @@ class ParagraphParser {
 
   FreeType free_type(Name name, bool joined) {
     in_.expect("::=");
-    FreeType made{std::move(name), {}, joined};
+    FreeType type{std::move(name), {}, joined};
     do {
       Branch branch;
       branch.place = in_.peek().place;
@@ -129,9 +129,9 @@ class ParagraphParser {
         branch.argument = terms_.term();
         in_.expect("⟫");
       }
-      made.branches.push_back(std::move(branch));
+      type.branches.push_back(std::move(branch));
     } while (in_.accept("|"));
-    return made;
+    return type;
   }
 
   /// [X, Y], if it stands here.
@@ -139,17 +139,17 @@ class ParagraphParser {
     if (!in_.sees("[") || !TokenStream::is_name(in_.peek(1)) || !(in_.peek(2).is(",") || in_.peek(2).is("]")))
       return {};
     in_.next();
-    std::vector<Name> made = terms_.names();
+    std::vector<Name> names = terms_.names();
     in_.expect("]");
-    return made;
+    return names;
   }
 
   SchemaText body() {
     in_.accept(Type::newline);
     if (in_.at_end()) return {};
-    SchemaText made = terms_.schema_text(true);
+    SchemaText text = terms_.schema_text(true);
     finish();
-    return made;
+    return text;
   }
 
   void finish() {
@@ -167,23 +167,23 @@ SectionHeader parse_header(const std::vector<Token>& tokens) { return ParagraphP
 std::vector<Paragraph> parse_block(std::string_view environment, const std::vector<Token>& tokens,
                                    std::vector<ZError>& mended) {
   ParagraphParser parser(tokens);
-  std::vector<Paragraph> made;
+  std::vector<Paragraph> paragraphs;
   if (environment == "zed") {
-    made = parser.lines();
+    paragraphs = parser.lines();
   } else if (environment == "schema") {
-    made.push_back(parser.schema());
+    paragraphs.push_back(parser.schema());
   } else {
-    made.push_back(parser.axiomatic(environment == "gendef"));
+    paragraphs.push_back(parser.axiomatic(environment == "gendef"));
   }
   mended = std::move(parser.mended);
-  return made;
+  return paragraphs;
 }
 
 std::vector<Name> names_declared(std::string_view environment, const std::vector<Token>& tokens) {
-  std::vector<Name> made;
+  std::vector<Name> names;
   if (environment == "schema") {
-    if (!tokens.empty() && TokenStream::is_name(tokens[0])) made.push_back({tokens[0].text, tokens[0].strokes});
-    return made;
+    if (!tokens.empty() && TokenStream::is_name(tokens[0])) names.push_back({tokens[0].text, tokens[0].strokes});
+    return names;
   }
   bool branches = false;
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
@@ -192,9 +192,9 @@ std::vector<Name> names_declared(std::string_view environment, const std::vector
     if (tokens[i].is("::=")) branches = true;
     if (tokens[i].type == Type::newline) branches = false;
     const bool declares = after.is(":") || after.is("==") || after.is("::=") || after.is(",");
-    if (TokenStream::is_name(tokens[i]) && (branches || declares)) made.push_back({tokens[i].text, tokens[i].strokes});
+    if (TokenStream::is_name(tokens[i]) && (branches || declares)) names.push_back({tokens[i].text, tokens[i].strokes});
   }
-  return made;
+  return names;
 }
 
 Term parse_unicode(std::string_view text) {
@@ -221,10 +221,10 @@ Paragraph parse_unicode_paragraph(std::string_view text) {
   }
   const std::vector<Token> tokens = lex_unicode(plain);
   std::vector<ZError> mended;
-  std::vector<Paragraph> made = parse_block(environment, tokens, mended);
+  std::vector<Paragraph> paragraphs = parse_block(environment, tokens, mended);
   if (!mended.empty()) throw mended[0];
-  if (made.size() != 1) throw ZError(made[1].place, "more than one paragraph", "expected one");
-  return std::move(made[0]);
+  if (paragraphs.size() != 1) throw ZError(paragraphs[1].place, "more than one paragraph", "expected one");
+  return std::move(paragraphs[0]);
 }
 
 Term parse_latex(std::string_view text, const Markup& markup) {

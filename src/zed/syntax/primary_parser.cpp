@@ -1,5 +1,6 @@
 /// The parser of what binds tightest: applications, and the terms between brackets.
 
+#include <algorithm>
 #include <utility>
 
 #include "zed/syntax/term_parser.hpp"
@@ -12,30 +13,30 @@ bool TermParser::begins_primary() const {
   const Token& token = in_.peek();
   if (token.type == Type::numeral || TokenStream::is_name(token)) return true;
   if (token.type == Type::word) return token.is("true") || token.is("false") || token.is("θ");
-  for (const std::string_view one : {"(", "{", "⟨", "⦉", "[", "θ"})
-    if (token.is(one)) return true;
+  for (const std::string_view sign : {"(", "{", "⟨", "⦉", "[", "θ"})
+    if (token.is(sign)) return true;
   return false;
 }
 
 /// f a b ∼ ⦇ S ⦈: applications associate to the left, then the postfix operators.
 Term TermParser::application() {
-  Term made = primary();
+  Term term = primary();
   while (begins_primary()) {
     Term argument = primary();
-    const Place place = made->place;
-    made = checked(apply(std::move(made), std::move(argument), place));
+    const Place place = term->place;
+    term = checked(apply(std::move(term), std::move(argument), place));
   }
   for (;;) {
     const Token& token = in_.peek();
     const Operator* op = token.type == Type::symbol ? find_operator(token.text, Fixity::postfix) : nullptr;
     if (op) {
       in_.next();
-      const Place place = made->place;
-      made = checked(operation(op->name(), {std::move(made)}, place));
+      const Place place = term->place;
+      term = checked(operation(op->name(), {std::move(term)}, place));
     } else if (token.is("⦇")) {
-      made = image(std::move(made));
+      term = image(std::move(term));
     } else {
-      return made;
+      return term;
     }
   }
 }
@@ -49,28 +50,28 @@ Term TermParser::image(Term left) {
 }
 
 Term TermParser::primary() {
-  Term made = plain_primary();
-  while (suffix(made)) {
+  Term term = plain_primary();
+  while (suffix(term)) {
   }
-  return made;
+  return term;
 }
 
 bool TermParser::suffix(Term& so_far) {
   const Place place = so_far->place;
   if (in_.sees(".")) {
     in_.next();
-    Node made{.kind = Kind::selection, .place = place, .name = {}, .children = {so_far}, .names = {}, .text = {}};
+    Node node{.kind = Kind::selection, .place = place, .name = {}, .children = {so_far}, .names = {}, .text = {}};
     if (in_.sees(Type::numeral)) {
-      made.kind = Kind::tuple_selection;
-      made.name.word = in_.next().text;
+      node.kind = Kind::tuple_selection;
+      node.name.word = in_.next().text;
     } else {
-      made.name = in_.name();
+      node.name = in_.name();
     }
-    so_far = checked(make(std::move(made)));
+    so_far = checked(make(std::move(node)));
   } else if (in_.sees(Type::stroke)) {
-    Node made{.kind = Kind::decoration, .place = place, .name = {}, .children = {so_far}, .names = {}, .text = {}};
-    made.name.strokes = in_.next().text;
-    so_far = checked(make(std::move(made)));
+    Node tree{.kind = Kind::decoration, .place = place, .name = {}, .children = {so_far}, .names = {}, .text = {}};
+    tree.name.strokes = in_.next().text;
+    so_far = checked(make(std::move(tree)));
   } else if (in_.sees("[")) {
     so_far = actuals_or_renaming(so_far);
   } else {
@@ -83,14 +84,14 @@ Term TermParser::actuals_or_renaming(Term of) {
   const Place place = of->place;
   in_.next();
   if (in_.sees_name() && in_.peek(1).is("/")) {
-    Node made{.kind = Kind::renaming, .place = place, .name = {}, .children = {of}, .names = {}, .text = {}};
+    Node node{.kind = Kind::renaming, .place = place, .name = {}, .children = {of}, .names = {}, .text = {}};
     do {
-      made.names.push_back(in_.name());
+      node.names.push_back(in_.name());
       in_.expect("/");
-      made.names.push_back(in_.name());
+      node.names.push_back(in_.name());
     } while (in_.accept(","));
     in_.expect("]");
-    return checked(make(std::move(made)));
+    return checked(make(std::move(node)));
   }
   std::vector<Term> actuals = terms("]");
   if (of->kind != Kind::reference || !of->children.empty())
@@ -99,17 +100,17 @@ Term TermParser::actuals_or_renaming(Term of) {
 }
 
 std::vector<Term> TermParser::terms(std::string_view closing) {
-  std::vector<Term> made;
+  std::vector<Term> terms;
   do {
-    made.push_back(term());
+    terms.push_back(term());
   } while (in_.accept(","));
   in_.expect(closing);
-  return made;
+  return terms;
 }
 
 Term TermParser::plain_primary() {
   const Token& token = in_.peek();
-  if (token.type == Type::numeral) return number(in_.next().text, token.place);
+  if (token.type == Type::numeral) return numeral();
   if (TokenStream::is_name(token)) return reference(in_.name(), {}, token.place);
   if (token.is("true") || token.is("false"))
     return node(in_.next().is("true") ? Kind::truth : Kind::falsity, {}, token.place);
@@ -122,23 +123,36 @@ Term TermParser::plain_primary() {
   in_.fail("expected an expression or a predicate");
 }
 
+/// A natural number; 0.25 is read as 25 / 100.
+Term TermParser::numeral() {
+  const Token& token = in_.next();
+  std::string digits = token.text;
+  const std::size_t point = digits.find('.');
+  if (point == digits.npos) return number(std::move(digits), token.place);
+  std::string power = "1" + std::string(digits.size() - point - 1, '0');
+  digits.erase(point, 1);
+  digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1));
+  return checked(
+      operation("_/_", {number(std::move(digits), token.place), number(std::move(power), token.place)}, token.place));
+}
+
 Term TermParser::theta() {
   const Place place = in_.next().place;
-  Node made{.kind = Kind::theta, .place = place, .name = {}, .children = {}, .names = {}, .text = {}};
+  Node node{.kind = Kind::theta, .place = place, .name = {}, .children = {}, .names = {}, .text = {}};
   if (in_.sees_name()) {  // the strokes of θ S' are those of θ: x is taken from x'
     const Token& token = in_.next();
-    made.name.strokes = token.strokes;
+    node.name.strokes = token.strokes;
     const Term schema = reference({token.text, {}}, {}, token.place);
-    made.children.push_back(in_.sees("[") ? actuals_or_renaming(schema) : schema);
+    node.children.push_back(in_.sees("[") ? actuals_or_renaming(schema) : schema);
   } else if (in_.sees("(")) {
-    made.children.push_back(parenthesis());
+    node.children.push_back(parenthesis());
   } else if (in_.sees("[")) {
-    made.children.push_back(brackets());
+    node.children.push_back(brackets());
   } else {
     in_.fail("expected a schema after θ");
   }
-  while (in_.sees(Type::stroke)) made.name.strokes += in_.next().text;
-  return checked(make(std::move(made)));
+  while (in_.sees(Type::stroke)) node.name.strokes += in_.next().text;
+  return checked(make(std::move(node)));
 }
 
 Term TermParser::parenthesis() {
@@ -209,23 +223,23 @@ Term TermParser::sequence() {
   std::vector<Term> pairs;
   if (!in_.accept("⟩")) {
     std::size_t position = 0;
-    for (const Term& one : terms("⟩"))
-      pairs.push_back(node(Kind::tuple, {number(std::to_string(++position), one->place), one}, one->place));
+    for (const Term& term : terms("⟩"))
+      pairs.push_back(node(Kind::tuple, {number(std::to_string(++position), term->place), term}, term->place));
   }
   return checked(operation("⟨,,⟩", {node(Kind::set_extension, std::move(pairs), place)}, place));
 }
 
 Term TermParser::binding_extension() {
   const Place place = in_.next().place;
-  Node made{.kind = Kind::binding_extension, .place = place, .name = {}, .children = {}, .names = {}, .text = {}};
+  Node node{.kind = Kind::binding_extension, .place = place, .name = {}, .children = {}, .names = {}, .text = {}};
   while (!in_.sees("⦊")) {
-    if (!made.names.empty()) in_.expect(",");
-    made.names.push_back(in_.name());
+    if (!node.names.empty()) in_.expect(",");
+    node.names.push_back(in_.name());
     in_.expect("==");
-    made.children.push_back(term());
+    node.children.push_back(term());
   }
   in_.next();
-  return checked(make(std::move(made)));
+  return checked(make(std::move(node)));
 }
 
 }  // namespace durero::zed

@@ -27,11 +27,11 @@ std::optional<std::string> on_disk(const std::string& file) {
 class Reader {
  public:
   /// `texts`: by name of file, instead of files on disk.
-  explicit Reader(std::map<std::string, std::string> texts = {}) : texts_(std::move(texts)) {}
+  explicit Reader(std::map<std::string, std::optional<std::string>> texts = {}) : texts_(std::move(texts)) {}
 
   /// Tells where the sections of a file are, without reading them.
   void index(const std::string& path) {
-    const auto all = contents(path);
+    const auto& all = contents(path);
     if (!all) return;
     std::vector<Defect> later;
     for (const Block& block : cut(*all, path, later)) {
@@ -46,7 +46,7 @@ class Reader {
   void file(const std::string& path) {
     const std::string canonical = std::filesystem::weakly_canonical(path).string();
     if (!files_.insert(canonical).second) return;
-    if (const auto read = contents(path)) return text(*read, path);
+    if (const auto& all = contents(path)) return text(*all, path);
     made_.defects.push_back({path, {1, 1}, "the file cannot be read", "expected a file of Z text", {}});
   }
 
@@ -81,31 +81,43 @@ class Reader {
   }
 
  private:
-  std::optional<std::string> contents(const std::string& file) const {
-    if (const auto found = texts_.find(file); found != texts_.end()) return found->second;
-    return on_disk(file);
+  /// The text of a file, which is read once; nothing where it cannot be read.
+  const std::optional<std::string>& contents(const std::string& file) {
+    if (const auto known = texts_.find(file); known != texts_.end()) return known->second;
+    return texts_.emplace(file, on_disk(file)).first->second;
   }
 
   /// Begins a section; one with a bad header is read all the same, for the defects in it.
-  void header(const Block& block, const std::string& path, Section& made) {
-    made = {path, "a section without a name", {}, {}, block.begin, {}};
+  void header(const Block& block, const std::string& path, Section& section) {
+    section = {path, "a section without a name", {}, {}, block.begin, {}};
     const SectionHeader read = parse_header(lex_latex(block, {}));
-    made.name = read.name;
-    made.parents = read.parents;
-    if (is_toolkit(made.name) || !started_.insert(made.name).second)
-      throw ZError(block.place, "a second section " + made.name, "expected a name of its own");
-    Markup& mine = made_.markup[made.name];
+    section.name = read.name;
+    section.parents = read.parents;
+    if (is_toolkit(section.name) || !started_.insert(section.name).second)
+      throw ZError(block.place, "a second section " + section.name, "expected a name of its own");
+    Markup& mine = made_.markup[section.name];
     mine.insert(block.directives.begin(), block.directives.end());
-    for (const std::string& parent : made.parents) inherit(mine, parent, path, block.place);
+    for (const std::string& parent : section.parents) inherit(mine, parent, path, block.place);
   }
 
   void inherit(Markup& mine, const std::string& parent, const std::string& path, Place place) {
     if (is_toolkit(parent)) return;
     if (!started_.contains(parent)) find(parent, path);
-    if (!made_.find(parent))
-      throw ZError(place, "unknown parent " + parent, "expected a section, or a file " + parent + ".tex");
+    if (!made_.find(parent)) no_parent(parent, place);
     const Markup& theirs = made_.markup[parent];
     mine.insert(theirs.begin(), theirs.end());
+  }
+
+  /// A section that was begun and has not ended is an ancestor of itself; one whose file was begun stands behind its
+  /// child there.
+  [[noreturn]] void no_parent(const std::string& parent, Place place) const {
+    if (started_.contains(parent))
+      throw ZError(place, "the parents go in a cycle, back to " + parent,
+                   "expected no section among its own ancestors");
+    if (where_.contains(parent))
+      throw ZError(place, "the parent " + parent + " stands behind its child",
+                   "expected it before, or in another file");
+    throw ZError(place, "unknown parent " + parent, "expected a section, or a file " + parent + ".tex");
   }
 
   /// Reads the file that a section stands in: one of those given, or one in the folder of the file that names it.
@@ -117,16 +129,16 @@ class Reader {
       std::set<std::string> beside;  // in order, so that the answer does not depend on the file system
       for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable))
         if (entry.path().extension() == ".tex") beside.insert(entry.path().lexically_normal().string());
-      for (const std::string& one : beside) index(one);
+      for (const std::string& file : beside) index(file);
     }
-    if (const auto found = where_.find(parent); found != where_.end()) file(found->second);
+    if (const auto at = where_.find(parent); at != where_.end()) file(at->second);
   }
 
   Section anonymous(const Block& block, const std::string& path) {
-    Section made{path, "Specification", {"standard_toolkit"}, {}, block.begin, {}};
-    if (!started_.insert(made.name).second)
+    Section section{path, "Specification", {"standard_toolkit"}, {}, block.begin, {}};
+    if (!started_.insert(section.name).second)
       throw ZError(block.begin, "a second file without a section header", "expected \\begin{zsection}");
-    return made;
+    return section;
   }
 
   void paragraphs(const Block& block, Section& into) {
@@ -150,7 +162,7 @@ class Reader {
     open.reset();
   }
 
-  std::map<std::string, std::string> texts_;  // file to contents
+  std::map<std::string, std::optional<std::string>> texts_;  // file to contents; none where it cannot be read
   Specification made_;
   std::set<std::string> files_, started_;
   std::map<std::string, std::string> where_;  // section to file
@@ -159,8 +171,8 @@ class Reader {
 }  // namespace
 
 const Section* Specification::find(const std::string& name) const {
-  for (const Section& one : sections)
-    if (one.name == name) return &one;
+  for (const Section& section : sections)
+    if (section.name == name) return &section;
   return nullptr;
 }
 
@@ -173,16 +185,20 @@ bool is_toolkit(const std::string& section) {
 
 Specification read_files(const std::vector<std::string>& files) {
   Reader reader;
-  for (const std::string& one : files) reader.index(one);
-  for (const std::string& one : files) reader.file(one);
+  for (const std::string& path : files) reader.index(path);
+  for (const std::string& path : files) reader.file(path);
+  return reader.take();
+}
+
+Specification read_sources(const std::vector<std::pair<std::string, std::string>>& sources) {
+  Reader reader({sources.begin(), sources.end()});
+  for (const auto& [file, text] : sources) reader.index(file);
+  for (const auto& [file, text] : sources) reader.file(file);
   return reader.take();
 }
 
 Specification read_texts(const std::map<std::string, std::string>& texts) {
-  Reader reader(texts);
-  for (const auto& one : texts) reader.index(one.first);
-  for (const auto& one : texts) reader.file(one.first);
-  return reader.take();
+  return read_sources({texts.begin(), texts.end()});
 }
 
 Specification read_text(const std::string& text, const std::string& file) {

@@ -1,9 +1,12 @@
-#include "durero/zed/syntax/symbols.hpp"
+#include "zed/syntax/symbols.hpp"
 
 #include <algorithm>
 #include <array>
 #include <unordered_map>
 #include <unordered_set>
+#include <vector>
+
+#include "zed/operators.hpp"
 
 namespace durero::zed {
 namespace {
@@ -12,13 +15,10 @@ struct Spelling {
   std::string_view command, unicode;
 };
 
-// The commands of ISO/IEC 13568, A.2, that this reader knows. Of two commands for one symbol the first is printed.
+// The commands of ISO/IEC 13568, A.2, for what is no operator: letters, brackets, connectives and keywords. The
+// commands of operators stand in their rows (operators.hpp).
 constexpr Spelling spellings[] = {
-    {"arithmos", "𝔸"},
-    {"nat", "ℕ"},
-    {"num", "ℤ"},
     {"power", "ℙ"},
-    {"finset", "𝔽"},
     {"Delta", "Δ"},
     {"Xi", "Ξ"},
     {"theta", "θ"},
@@ -42,8 +42,6 @@ constexpr Spelling spellings[] = {
     {"forall", "∀"},
     {"exists", "∃"},
     {"cross", "×"},
-    {"in", "∈"},
-    {"notin", "∉"},
     {"hide", "⧹"},
     {"project", "⨡"},
     {"semi", "⨟"},
@@ -57,65 +55,11 @@ constexpr Spelling spellings[] = {
     {"rblot", "⦊"},
     {"ldata", "⟪"},
     {"rdata", "⟫"},
-    {"rel", "↔"},
-    {"fun", "→"},
-    {"pfun", "⇸"},
-    {"pinj", "⤔"},
-    {"inj", "↣"},
-    {"psurj", "⤀"},
-    {"surj", "↠"},
-    {"bij", "⤖"},
-    {"ffun", "⇻"},
-    {"finj", "⤕"},
-    {"neq", "≠"},
-    {"emptyset", "∅"},
-    {"subseteq", "⊆"},
-    {"subset", "⊂"},
-    {"cup", "∪"},
-    {"cap", "∩"},
-    {"setminus", "∖"},
-    {"symdiff", "⊖"},
-    {"bigcup", "⋃"},
-    {"bigcap", "⋂"},
-    {"mapsto", "↦"},
-    {"dom", "dom"},
-    {"ran", "ran"},
-    {"id", "id"},
-    {"comp", "⨾"},
-    {"circ", "∘"},
-    {"dres", "◁"},
-    {"rres", "▷"},
-    {"ndres", "⩤"},
-    {"nrres", "⩥"},
-    {"inv", "∼"},
     {"limg", "⦇"},
     {"rimg", "⦈"},
-    {"oplus", "⊕"},
-    {"plus", "⁺"},
-    {"star", "∗"},
-    {"disjoint", "disjoint"},
-    {"partition", "partition"},
-    {"negate", "-"},
-    {"leq", "≤"},
-    {"geq", "≥"},
-    {"div", "div"},
-    {"mod", "mod"},
-    {"upto", "‥"},
-    {"#", "#"},
-    {"seq", "seq"},
-    {"iseq", "iseq"},
     {"langle", "⟨"},
     {"rangle", "⟩"},
-    {"cat", "⁀"},
-    {"extract", "↿"},
-    {"filter", "↾"},
-    {"prefix", "prefix"},
-    {"suffix", "suffix"},
-    {"infix", "infix"},
-    {"dcat", "⁀/"},
     {"vdash?", "⊢?"},
-    {"min", "min"},
-    {"max", "max"},
     {"mid", "|"},
     {"{", "{"},
     {"}", "}"},
@@ -127,80 +71,27 @@ constexpr Spelling spellings[] = {
     {"relation", "relation"},
 };
 
-constexpr auto prefix = Fixity::prefix, infix = Fixity::infix, postfix = Fixity::postfix;
-constexpr auto function = Role::function, generic = Role::generic, rel = Role::relation;
-
-// The operator templates of the standard toolkit (ISO/IEC 13568, annex B), with ∈ and = of the language itself.
-constexpr Operator operators[] = {
-    {"↔", infix, generic, 5, true},
-    {"→", infix, generic, 5, true},
-    {"⇸", infix, generic, 5, true},
-    {"⤔", infix, generic, 5, true},
-    {"↣", infix, generic, 5, true},
-    {"⤀", infix, generic, 5, true},
-    {"↠", infix, generic, 5, true},
-    {"⤖", infix, generic, 5, true},
-    {"⇻", infix, generic, 5, true},
-    {"⤕", infix, generic, 5, true},
-    {"ℙ₁", prefix, generic},
-    {"𝔽", prefix, generic},
-    {"𝔽₁", prefix, generic},
-    {"id", prefix, generic},
-    {"seq", prefix, generic},
-    {"seq₁", prefix, generic},
-    {"iseq", prefix, generic},
-    {"↦", infix, function, 10},
-    {"‥", infix, function, 20},
-    {"⊖", infix, function, 25},
-    {"∪", infix, function, 30},
-    {"∖", infix, function, 30},
-    {"+", infix, function, 30},
-    {"-", infix, function, 30},
-    {"⁀", infix, function, 30},
-    {"∩", infix, function, 40},
-    {"*", infix, function, 40},
-    {"div", infix, function, 40},
-    {"mod", infix, function, 40},
-    {"⨾", infix, function, 40},
-    {"∘", infix, function, 40},
-    {"↾", infix, function, 40},
-    {"↿", infix, function, 45, true},
-    {"⊕", infix, function, 50},
-    {"▷", infix, function, 60},
-    {"⩥", infix, function, 60},
-    {"◁", infix, function, 65, true},
-    {"⩤", infix, function, 65, true},
-    {"-", prefix, function},
-    {"#", prefix, function},
-    {"∼", postfix, function},
-    {"⁺", postfix, function},
-    {"∗", postfix, function},
-    {"=", infix, rel},
-    {"∈", infix, rel},
-    {"≠", infix, rel},
-    {"∉", infix, rel},
-    {"⊆", infix, rel},
-    {"⊂", infix, rel},
-    {"<", infix, rel},
-    {"≤", infix, rel},
-    {"≥", infix, rel},
-    {">", infix, rel},
-    {"partition", infix, rel},
-    {"prefix", infix, rel},
-    {"suffix", infix, rel},
-    {"infix", infix, rel},
-    {"disjoint", prefix, rel},
-};
-
 constexpr std::string_view reserved[] = {"if",        "then",       "else",    "let",      "pre",     "true",
                                          "false",     "section",    "parents", "function", "generic", "relation",
                                          "leftassoc", "rightassoc", "ℙ",       "θ",        "λ",       "μ"};
 
-const auto& by_command() {
+/// Calls `visit` with each command and the Unicode text that it stands for.
+template <class Visit>
+void each_spelling(Visit&& visit) {
+  for (const OperatorRow& row : operator_rows())
+    if (!row.command.empty()) visit(row.command, row.symbol());
+  for (const Spelling& spelling : spellings) visit(spelling.command, spelling.unicode);
+}
+
+/// The operators, from their rows.
+const std::vector<Operator>& operators() {
   static const auto table = [] {
-    std::unordered_map<std::string_view, std::string_view> made;
-    for (const Spelling& one : spellings) made.emplace(one.command, one.unicode);
-    return made;
+    std::vector<Operator> all;
+    for (const OperatorRow& row : operator_rows()) {
+      const Binding& binding = row.binding;
+      if (binding.role) all.push_back({row.symbol(), *row.fixity(), *binding.role, binding.precedence, binding.right});
+    }
+    return all;
   }();
   return table;
 }
@@ -208,22 +99,28 @@ const auto& by_command() {
 }  // namespace
 
 std::optional<std::string_view> unicode_of_command(std::string_view command) {
-  const auto found = by_command().find(command);
-  if (found == by_command().end()) return std::nullopt;
-  return found->second;
+  static const auto table = [] {
+    std::unordered_map<std::string_view, std::string_view> by_command;
+    each_spelling([&](std::string_view word, std::string_view unicode) { by_command.emplace(word, unicode); });
+    return by_command;
+  }();
+  const auto at = table.find(command);
+  if (at == table.end()) return std::nullopt;
+  return at->second;
 }
 
 std::optional<std::string_view> latex_of(std::string_view unicode) {
   static const auto table = [] {
-    std::unordered_map<std::string_view, std::string> made;
-    for (const Spelling& one : spellings) made.emplace(one.unicode, "\\" + std::string(one.command));
-    made["|"] = "|";
-    made["•"] = "@";
-    return made;
+    std::unordered_map<std::string_view, std::string> by_symbol;
+    each_spelling(
+        [&](std::string_view word, std::string_view symbol) { by_symbol.emplace(symbol, "\\" + std::string(word)); });
+    by_symbol["|"] = "|";
+    by_symbol["•"] = "@";
+    return by_symbol;
   }();
-  const auto found = table.find(unicode);
-  if (found == table.end()) return std::nullopt;
-  return found->second;
+  const auto at = table.find(unicode);
+  if (at == table.end()) return std::nullopt;
+  return at->second;
 }
 
 bool is_letter_symbol(std::string_view unicode) {
@@ -232,32 +129,53 @@ bool is_letter_symbol(std::string_view unicode) {
 }
 
 std::string Operator::name() const {
-  std::string made(fixity == Fixity::prefix ? "" : "_");
-  made += symbol;
-  if (fixity != Fixity::postfix) made += "_";
-  return made;
+  std::string text(fixity == Fixity::prefix ? "" : "_");
+  text += symbol;
+  if (fixity != Fixity::postfix) text += "_";
+  return text;
 }
 
 const Operator* find_operator(std::string_view symbol, Fixity fixity) {
   static const auto table = [] {
-    std::array<std::unordered_map<std::string_view, const Operator*>, 3> made;
-    for (const Operator& one : operators) made[static_cast<std::size_t>(one.fixity)].emplace(one.symbol, &one);
-    return made;
+    std::array<std::unordered_map<std::string_view, const Operator*>, 3> by_fixity;
+    for (const Operator& op : operators()) by_fixity[static_cast<std::size_t>(op.fixity)].emplace(op.symbol, &op);
+    return by_fixity;
   }();
-  const auto& these = table[static_cast<std::size_t>(fixity)];
-  const auto found = these.find(symbol);
-  return found == these.end() ? nullptr : found->second;
+  const auto& by_symbol = table[static_cast<std::size_t>(fixity)];
+  const auto at = by_symbol.find(symbol);
+  return at == by_symbol.end() ? nullptr : at->second;
 }
 
 const Operator* operator_of_name(std::string_view name) {
   if (name.find('_') == name.npos) return nullptr;
   static const auto table = [] {
-    std::unordered_map<std::string, const Operator*> made;
-    for (const Operator& one : operators) made.emplace(one.name(), &one);
-    return made;
+    std::unordered_map<std::string, const Operator*> by_name;
+    for (const Operator& op : operators()) by_name.emplace(op.name(), &op);
+    return by_name;
   }();
-  const auto found = table.find(std::string(name));
-  return found == table.end() ? nullptr : found->second;
+  const auto at = table.find(std::string(name));
+  return at == table.end() ? nullptr : at->second;
+}
+
+bool is_symbol_name(std::string_view symbol) {
+  static const auto table = [] {
+    std::unordered_set<std::string_view> names;
+    for (const OperatorRow& row : operator_rows())
+      if (!row.binding.role && static_cast<unsigned char>(row.name[0]) >= 0x80) names.insert(row.name);
+    return names;
+  }();
+  return table.contains(symbol);
+}
+
+bool has_indexed(std::string_view word) {
+  static const auto table = [] {
+    static constexpr std::string_view index = "₁";
+    std::unordered_set<std::string_view> words = {"∃"};  // ∃₁
+    for (const OperatorRow& row : operator_rows())
+      if (row.symbol().ends_with(index)) words.insert(row.symbol().substr(0, row.symbol().size() - index.size()));
+    return words;
+  }();
+  return table.contains(word);
 }
 
 bool is_operator_name(std::string_view name) { return name == "_⦇_⦈" || operator_of_name(name) != nullptr; }

@@ -26,32 +26,18 @@ class Deeper {
   unsigned& depth_;
 };
 
-struct Connective {
-  std::string_view symbol;
-  Kind kind;
-  int strength;
-  bool right;
-};
-
-constexpr Connective connectives[] = {
-    {"⇔", Kind::equivalence, binding::equivalence, false}, {"⇒", Kind::implication, binding::implication, true},
-    {"∨", Kind::disjunction, binding::disjunction, false}, {"∧", Kind::conjunction, binding::conjunction, false},
-    {"⨟", Kind::composition, binding::composition, false}, {"⨠", Kind::piping, binding::piping, false},
-    {"⨡", Kind::projection, binding::projection, false},
-};
-
-const Connective* connective(const Token& token) {
-  for (const Connective& one : connectives)
-    if (token.is(one.symbol)) return &one;
+const Connective* infix_connective(const Token& token) {
+  for (const Connective& connective : connectives)
+    if (!connective.prefix && token.is(connective.symbol)) return &connective;
   return nullptr;
 }
 
 }  // namespace
 
-Term TermParser::checked(Term made) const {
-  if (made->depth > max_depth)
-    throw ZError(made->place, fmt::format("the text nests deeper than {} levels", max_depth), "expected less nesting");
-  return made;
+Term TermParser::checked(Term term) const {
+  if (term->depth > max_depth)
+    throw ZError(term->place, fmt::format("the text nests deeper than {} levels", max_depth), "expected less nesting");
+  return term;
 }
 
 Term TermParser::term(int least) {
@@ -60,11 +46,11 @@ Term TermParser::term(int least) {
   for (;;) {
     const Token& token = in_.peek();
     if (token.type != Type::symbol && token.type != Type::word) return left;
-    if (const Connective* found = connective(token)) {
-      if (found->strength < least) return left;
+    if (const Connective* connective = infix_connective(token)) {
+      if (connective->strength < least) return left;
       in_.next();
-      const Term right = term(found->right ? found->strength : found->strength + 1);
-      left = checked(node(found->kind, {left, right}, left->place));
+      const Term right = term(connective->right_strength());
+      left = checked(node(connective->kind, {left, right}, left->place));
     } else if (token.is("⧹") && least <= binding::hiding) {
       left = hiding(left);
     } else if (token.is("×") && least <= binding::infix + product_precedence) {
@@ -111,24 +97,19 @@ Term TermParser::product(const Term& left) {
 Term TermParser::hiding(Term left) {
   in_.next();
   in_.expect("(");
-  Node made{.kind = Kind::hiding, .place = left->place, .name = {}, .children = {left}, .names = names(), .text = {}};
+  Node node{.kind = Kind::hiding, .place = left->place, .name = {}, .children = {left}, .names = names(), .text = {}};
   in_.expect(")");
-  return checked(make(std::move(made)));
+  return checked(make(std::move(node)));
 }
 
 Term TermParser::leading() {
   const Token& token = in_.peek();
   const Place place = token.place;
-  if (token.is("∀")) return quantifier(Kind::forall, true);
-  if (token.is("∃")) return quantifier(Kind::exists, true);
-  if (token.is("∃₁")) return quantifier(Kind::exists_one, true);
-  if (token.is("λ")) return quantifier(Kind::lambda, true);
-  if (token.is("μ")) return quantifier(Kind::mu, true);
-  if (token.is("let")) return let();
+  for (const Quantifier& sign : quantifiers)
+    if (token.is(sign.symbol)) return sign.kind == Kind::let ? let() : quantifier(sign.kind, true);
   if (token.is("if")) return conditional();
-  if (in_.accept("¬")) return checked(node(Kind::negation, {term(binding::negation)}, place));
-  if (in_.accept("pre")) return checked(node(Kind::precondition, {term(binding::precondition)}, place));
-  if (in_.accept("ℙ")) return checked(node(Kind::power, {term(binding::prefix)}, place));
+  for (const Connective& sign : connectives)
+    if (sign.prefix && in_.accept(sign.symbol)) return checked(node(sign.kind, {term(sign.strength)}, place));
   const Operator* op = token.strokes.empty() ? find_operator(token.text, Fixity::prefix) : nullptr;
   if (!op) return application();
   if (token.only_infix) in_.fail("expected \\negate for the sign, or a term before -");
@@ -151,9 +132,9 @@ Term TermParser::quantifier(Kind kind, bool value_needed) {
 Term TermParser::let() {
   const Place place = in_.next().place;
   SchemaText text = schema_text();
-  for (const Declaration& one : text.declarations)
-    if (one.form != Declaration::Form::defined)
-      throw ZError(one.place, "a let that does not define", "expected NAME == value");
+  for (const Declaration& declaration : text.declarations)
+    if (declaration.form != Declaration::Form::defined)
+      throw ZError(declaration.place, "a let that does not define", "expected NAME == value");
   if (!text.predicates.empty()) in_.fail("expected • after the definitions of a let");
   in_.expect("•");
   Term body = term();
@@ -171,9 +152,9 @@ Term TermParser::conditional() {
 }
 
 std::vector<Name> TermParser::names() {
-  std::vector<Name> made = {in_.name()};
-  while (in_.accept(",")) made.push_back(in_.name());
-  return made;
+  std::vector<Name> names = {in_.name()};
+  while (in_.accept(",")) names.push_back(in_.name());
+  return names;
 }
 
 /// x : …, x, y : … or x == …
@@ -189,46 +170,46 @@ bool TermParser::begins_declaration() const {
 }
 
 Declaration TermParser::declaration() {
-  Declaration made;
-  made.place = in_.peek().place;
+  Declaration declaration;
+  declaration.place = in_.peek().place;
   if (!begins_declaration()) {
-    made.form = Declaration::Form::included;
-    made.term = term();
+    declaration.form = Declaration::Form::included;
+    declaration.term = term();
     if (in_.sees(",") || in_.sees(":")) in_.fail("expected names before : in a declaration");
-    return made;
+    return declaration;
   }
   do {
-    made.places.push_back(in_.peek().place);
-    made.names.push_back(in_.name());
+    declaration.places.push_back(in_.peek().place);
+    declaration.names.push_back(in_.name());
   } while (in_.accept(","));
-  made.form = in_.next().is("==") ? Declaration::Form::defined : Declaration::Form::typed;
-  made.term = term();
-  return made;
+  declaration.form = in_.next().is("==") ? Declaration::Form::defined : Declaration::Form::typed;
+  declaration.term = term();
+  return declaration;
 }
 
 SchemaText TermParser::schema_text(bool labelled) {
   const Deeper deeper(depth_, in_.peek().place);
-  SchemaText made;
+  SchemaText text;
   if (!in_.sees("|")) {
     do {
-      made.declarations.push_back(declaration());
+      text.declarations.push_back(declaration());
     } while (in_.accept(";") || in_.accept(Type::newline));
   }
-  if (in_.accept("|")) made.predicates = predicates(labelled);
-  return made;
+  if (in_.accept("|")) text.predicates = predicates(labelled);
+  return text;
 }
 
 std::vector<Predicate> TermParser::predicates(bool labelled) {
-  std::vector<Predicate> made;
+  std::vector<Predicate> predicates;
   do {
     const std::size_t from = in_.position();
-    Predicate one;
-    one.place = in_.peek().place;
-    one.term = term();
-    if (labelled) one.label = in_.label_since(from);
-    made.push_back(std::move(one));
+    Predicate predicate;
+    predicate.place = in_.peek().place;
+    predicate.term = term();
+    if (labelled) predicate.label = in_.label_since(from);
+    predicates.push_back(std::move(predicate));
   } while (in_.accept(";") || in_.accept(Type::newline));
-  return made;
+  return predicates;
 }
 
 }  // namespace durero::zed

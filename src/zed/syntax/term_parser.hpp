@@ -2,16 +2,10 @@
 /// The parser of expressions, schema expressions, predicates and schema texts.
 
 #include "durero/zed/syntax/parser.hpp"
+#include "zed/syntax/connectives.hpp"
 #include "zed/syntax/token_stream.hpp"
 
 namespace durero::zed {
-
-/// Binding strengths, weakest first (ISO/IEC 13568, 8.3). An infix operator of precedence p binds with infix + p.
-namespace binding {
-inline constexpr int weakest = 0, equivalence = 10, implication = 20, disjunction = 30, conjunction = 40, negation = 50,
-                     relation = 60, conditional = 65, composition = 70, piping = 80, hiding = 90, projection = 100,
-                     precondition = 110, infix = 200, prefix = 400, postfix = 410, application = 420, primary = 430;
-}
 
 class TermParser {
  public:
@@ -36,6 +30,7 @@ class TermParser {
   Term quantifier(Kind kind, bool value_needed);
   Term let();
   Term conditional();
+  Term numeral();
   Term theta();
   Term parenthesis();
   Term braces();
@@ -44,7 +39,6 @@ class TermParser {
   Term binding_extension();
   Term infix(const Term& left, int strength, const Operator& op);
   Term relations(const Term& left);
-  Term schema_operation(Term left, Kind kind, int strength);
   Term product(const Term& left);
   Term hiding(Term left);
   Term image(Term left);
@@ -53,7 +47,7 @@ class TermParser {
   bool begins_primary() const;
   bool begins_declaration() const;
   Declaration declaration();
-  Term checked(Term made) const;  // refuses a tree that is too deep
+  Term checked(Term term) const;  // refuses a tree that is too deep
   std::vector<Term> terms(std::string_view closing);
 
   TokenStream& in_;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "durero/zed/syntax/defect.hpp"
-#include "durero/zed/syntax/symbols.hpp"
+#include "zed/syntax/symbols.hpp"
 #include "zed/syntax/token.hpp"
 
 namespace durero::zed {
@@ -60,15 +60,15 @@ class TokenStream {
 
   /// The labels on the tokens from `from` to here; two of them are an error.
   std::string label_since(std::size_t from) const {
-    std::string found;
+    std::string label;
     for (std::size_t i = from; i < at_; ++i) {
       if (tokens_[i].label.empty()) continue;
-      if (!found.empty())
-        throw ZError(tokens_[i].place, "the labels " + found + " and " + tokens_[i].label + " stand on one predicate",
+      if (!label.empty())
+        throw ZError(tokens_[i].place, "the labels " + label + " and " + tokens_[i].label + " stand on one predicate",
                      "expected one label a predicate");
-      found = tokens_[i].label;
+      label = tokens_[i].label;
     }
-    return found;
+    return label;
   }
 
   [[noreturn]] void fail(const std::string& expected) const {

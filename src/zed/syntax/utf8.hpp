@@ -1,22 +1,19 @@
 #pragma once
-/// The little of UTF-8 that reading Z needs.
+/// The UTF-8 that reading Z needs beyond what places and messages need.
 
 #include <string>
-#include <string_view>
+
+#include "durero/text/utf8.hpp"
 
 namespace durero::zed::utf8 {
 
-inline bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u; }
+using text::continues;
+using text::first;
 
+/// A number that is a character: no surrogate, and at most U+10FFFF.
 inline bool is_scalar(unsigned code) { return code <= 0x10FFFF && !(code >= 0xD800 && code <= 0xDFFF); }
 
-/// The first character of `text` (not empty), whole: a lead byte and the bytes that continue it, at most 4 together.
-inline std::string_view first(std::string_view text) {
-  std::size_t length = 1;
-  while (length < text.size() && length < 4 && continues(text[length])) ++length;
-  return text.substr(0, length);
-}
-
+/// The bytes of a character.
 inline std::string encode(unsigned code) {
   const auto byte = [](unsigned value) { return static_cast<char>(static_cast<unsigned char>(value)); };
   if (code < 0x80) return {byte(code)};

@@ -1,6 +1,6 @@
 #pragma once
-/// The type-checker's workings: expressions in checker_terms.cpp, and predicates, names and schemas in the files of
-/// their names; paragraphs and sections in typecheck.cpp.
+/// The workings of the type-checker. Expressions are checked in checker_terms.cpp, predicates, names and schemas in
+/// the files of these names, paragraphs and sections in typecheck.cpp.
 
 #include <fmt/core.h>
 
@@ -9,12 +9,18 @@
 #include <utility>
 #include <vector>
 
-#include "durero/zed/types/toolkit.hpp"
 #include "durero/zed/types/typecheck.hpp"
+#include "zed/types/toolkit.hpp"
 
 namespace durero::zed {
 
 using Fields = std::vector<std::pair<Name, Type>>;  // a signature, in the order of declaration
+
+/// A signature that grows, and where each name stands in it.
+struct FieldTable {
+  Fields fields;
+  std::unordered_map<Name, std::size_t> positions{};
+};
 
 /// Limits of what one section may ask for, so that no text makes the checker hang or run out of stack: the longest
 /// section of spec/ takes 10^4 steps, its largest paragraph 200 variables. Freeing a type recurses once for each
@@ -36,7 +42,7 @@ class Checker {
   void push(const Fields& fields);
   void pop() { scopes_.pop_back(); }
 
-  /// What the declarations of a schema text declare; the predicates are left to predicates().
+  /// Returns what the declarations of a schema text declare; its predicates are left to predicates().
   Fields signature(const SchemaText& text);
   void predicates(const SchemaText& text);
 
@@ -57,7 +63,6 @@ class Checker {
   std::vector<Type> actuals(const Node& node);
   Type set_extension(const Node& node);
   Type application(const Node& node);
-  Type applied_operator(const Node& node, const Type& function, const Type& argument);
   Type quantified(const Node& node);
   Type conditional(const Node& node);
   Type selection(const Node& node);
@@ -78,18 +83,20 @@ class Checker {
   Type precondition(const Node& node);
   Type doubled(const Type& schema, const Name& name, Place place);
   std::optional<Fields> schema_fields(const Term& term, const char* role);
-  /// Puts b's fields to a's; a name in both must have one type.
-  void merge(Fields& a, const Fields& b, Place place, const std::string& what);
+  /// Puts more fields to those of the table; a name in both must have one type.
+  void merge(FieldTable& table, const Fields& more, Place place, const std::string& what);
+  /// Puts both signatures in one.
+  Fields merged(Fields left, const Fields& right, Place place);
   Type schema_set(Fields fields) { return limited(Type::power(Type::schema(std::move(fields)))); }
 
   /// The type of the elements of a set expression.
   Type element(const Term& set, const char* role);
   /// The type of the characteristic tuple of a schema text (ISO/IEC 13568, 9.2).
   Type characteristic(const SchemaText& text, const Fields& fields);
-  /// The type, or unknown and an error where it is too large.
+  /// Returns the type; where it is too large it reports an error and returns unknown.
   Type limited(Type type);
 
-  /// A new variable, to be determined.
+  /// Makes a new variable that unification is to determine.
   Type fresh();
   /// Counts work; past the limit the section cannot be checked to its end, and a ZError says so.
   void spend(std::size_t steps);

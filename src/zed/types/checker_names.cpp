@@ -32,31 +32,31 @@ Type Checker::wrong(Place place, std::string what, std::string expected) {
 }
 
 std::vector<Type> Checker::actuals(const Node& node) {
-  std::vector<Type> made;
-  made.reserve(node.children.size());
-  for (const Term& actual : node.children) made.push_back(element(actual, "a generic actual"));
-  return made;
+  std::vector<Type> types;
+  types.reserve(node.children.size());
+  for (const Term& actual : node.children) types.push_back(element(actual, "a generic actual"));
+  return types;
 }
 
 Type Checker::reference(const Node& node) {
   const std::vector<Type> given = actuals(node);
-  if (const auto found = lookup(node.name, given.empty() ? nullptr : &given, node.place)) return *found;
+  if (const auto type = lookup(node.name, given.empty() ? nullptr : &given, node.place)) return *type;
   return wrong(node.place, node.name.text() + " is not declared", "expected a declared name");
 }
 
 std::optional<Type> Checker::lookup(const Name& name, const std::vector<Type>* actuals, Place place) {
   for (const auto& scope : std::views::reverse(scopes_)) {
-    const auto found = scope.find(name);
-    if (found == scope.end()) continue;
+    const auto entry = scope.find(name);
+    if (entry == scope.end()) continue;
     if (actuals) error(place, name.text() + " is a variable", "expected no generic actuals after it");
-    return found->second;
+    return entry->second;
   }
-  if (const auto found = globals_.find(name); found != globals_.end()) {
-    if (found->second->form == Global::Form::lost) return Type::unknown();
-    return instance(name, found->second->scheme, actuals, place);
+  if (const auto at = globals_.find(name); at != globals_.end()) {
+    if (at->second->form == Global::Form::lost) return Type::unknown();
+    return instance(name, at->second->scheme, actuals, place);
   }
   const auto& known = sees_toolkit_ ? toolkit() : prelude();
-  if (const auto found = known.find(name); found != known.end()) return instance(name, found->second, actuals, place);
+  if (const auto entry = known.find(name); entry != known.end()) return instance(name, entry->second, actuals, place);
   return implied_schema(name, actuals, place);
 }
 
@@ -67,12 +67,12 @@ Type Checker::instance(const Name& name, const Scheme& scheme, const std::vector
     return wrong(place, fmt::format("{} has {} generic actuals", name.text(), actuals->size()),
                  fmt::format("expected {}", scheme.formals.size()));
   }
-  std::vector<Type> found;
+  std::vector<Type> types;
   for (std::size_t i = 0; i < scheme.formals.size(); ++i) {
-    found.push_back(fresh());
-    generics_.push_back({name, {place, found.back()}});
+    types.push_back(fresh());
+    generics_.push_back({name, {place, types.back()}});
   }
-  return scheme.type.substitute(scheme.formals, found);
+  return scheme.type.substitute(scheme.formals, types);
 }
 
 /// S' where only S is declared; ΔS and ΞS.

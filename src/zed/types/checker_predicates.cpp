@@ -1,6 +1,6 @@
 /// The type-checker on predicates.
 
-#include "durero/zed/syntax/symbols.hpp"
+#include "zed/syntax/symbols.hpp"
 #include "zed/types/checker.hpp"
 
 namespace durero::zed {
@@ -49,11 +49,11 @@ void Checker::schema_predicate(const Node& node, const Type& type) {
   const Type& schema = type.parts()[0];
   for (std::size_t i = 0; i < schema.fields().size(); ++i) {
     const Name& name = schema.fields()[i];
-    const auto found = lookup(name, nullptr, node.place);
-    if (!found) {
+    const auto declared = lookup(name, nullptr, node.place);
+    if (!declared) {
       error(node.place, name.text() + " is not declared", "expected the components of a schema predicate in scope");
-    } else if (!unify(*found, schema.parts()[i])) {
-      error(node.place, fmt::format("{} has the type {}", name.text(), found->text()),
+    } else if (!unify(*declared, schema.parts()[i])) {
+      error(node.place, fmt::format("{} has the type {}", name.text(), declared->text()),
             fmt::format("expected {}, as in the schema", schema.parts()[i].text()));
     }
   }
@@ -64,11 +64,12 @@ void Checker::relation(const Node& node) {
   types.reserve(node.children.size());
   for (const Term& operand : node.children) types.push_back(expression(operand));
   if (node.children.size() == 1) {
-    const auto found = lookup(node.names[0], nullptr, node.place);
-    if (!found) return error(node.place, node.names[0].text() + " is not declared", "expected the toolkit's parent");
-    if (!unify(*found, Type::power(types[0])))
-      error(node.place, fmt::format("the operand has the type {}", types[0].text()),
-            fmt::format("expected {}", found->is(Type::Kind::power) ? found->parts()[0].text() : found->text()));
+    const auto declared = lookup(node.names[0], nullptr, node.place);
+    if (!declared) return error(node.place, node.names[0].text() + " is not declared", "expected the toolkit's parent");
+    if (!unify(*declared, Type::power(types[0])))
+      error(
+          node.place, fmt::format("the operand has the type {}", types[0].text()),
+          fmt::format("expected {}", declared->is(Type::Kind::power) ? declared->parts()[0].text() : declared->text()));
     return;
   }
   for (std::size_t i = 0; i + 1 < types.size(); ++i)
@@ -89,9 +90,9 @@ void Checker::relate(const Name& relation, const Node& left, const Type& a, cons
     if (!unify(Type::power(a), b)) mismatch("expected on the right a set of what is on the left");
     return;
   }
-  const auto found = lookup(relation, nullptr, right.place);
-  if (!found) return error(left.place, symbol + " is not declared", "expected standard_toolkit among the ancestors");
-  const Type wanted = found->is(Type::Kind::power) ? found->parts()[0] : *found;
+  const auto declared = lookup(relation, nullptr, right.place);
+  if (!declared) return error(left.place, symbol + " is not declared", "expected standard_toolkit among the ancestors");
+  const Type wanted = declared->is(Type::Kind::power) ? declared->parts()[0] : *declared;
   const std::string both = wanted.text();
   if (!unify(wanted, Type::product({a, b}))) mismatch(fmt::format("expected {}", both));
 }

@@ -7,55 +7,65 @@ namespace durero::zed {
 namespace {
 
 Fields fields_of(const Type& schema) {
-  Fields made;
-  for (std::size_t i = 0; i < schema.fields().size(); ++i) made.emplace_back(schema.fields()[i], schema.parts()[i]);
-  return made;
+  Fields signature;
+  for (std::size_t i = 0; i < schema.fields().size(); ++i)
+    signature.emplace_back(schema.fields()[i], schema.parts()[i]);
+  return signature;
 }
 
 auto find(Fields& fields, const Name& name) {
-  return std::find_if(fields.begin(), fields.end(), [&name](const auto& one) { return one.first == name; });
+  return std::find_if(fields.begin(), fields.end(), [&name](const auto& field) { return field.first == name; });
 }
 
 void remove(Fields& fields, const Name& name) {
-  std::erase_if(fields, [&name](const auto& one) { return one.first == name; });
+  std::erase_if(fields, [&name](const auto& field) { return field.first == name; });
 }
 
 }  // namespace
 
 Fields Checker::signature(const SchemaText& text) {
-  Fields made;
-  for (const Declaration& one : text.declarations) {
-    if (one.form == Declaration::Form::included) {
-      if (const auto fields = schema_fields(one.term, "as a declaration")) merge(made, *fields, one.place, "included");
+  FieldTable table;
+  for (const Declaration& declaration : text.declarations) {
+    if (declaration.form == Declaration::Form::included) {
+      if (const auto fields = schema_fields(declaration.term, "as a declaration"))
+        merge(table, *fields, declaration.place, "included");
       continue;
     }
-    const Type type =
-        one.form == Declaration::Form::typed ? element(one.term, "the range of a variable") : expression(one.term);
-    for (std::size_t i = 0; i < one.names.size(); ++i)
-      merge(made, {{one.names[i], type}}, i < one.places.size() ? one.places[i] : one.place, "declared");
+    const Type type = declaration.form == Declaration::Form::typed
+                          ? element(declaration.term, "the range of a variable")
+                          : expression(declaration.term);
+    for (std::size_t i = 0; i < declaration.names.size(); ++i)
+      merge(table, {{declaration.names[i], type}},
+            i < declaration.places.size() ? declaration.places[i] : declaration.place, "declared");
   }
-  return made;
+  return std::move(table.fields);
 }
 
 void Checker::predicates(const SchemaText& text) {
-  for (const Predicate& one : text.predicates) predicate(one.term);
+  for (const Predicate& conjunct : text.predicates) predicate(conjunct.term);
 }
 
-void Checker::merge(Fields& a, const Fields& b, Place place, const std::string& what) {
-  spend(a.size() + b.size());
-  std::unordered_map<Name, std::size_t> known;
-  for (std::size_t i = 0; i < a.size(); ++i) known.emplace(a[i].first, i);
-  for (const auto& [name, type] : b) {
-    const auto found = known.find(name);
-    if (found == known.end()) {
-      a.emplace_back(name, type);
-    } else if (!unify(a[found->second].second, type)) {
-      error(place,
-            fmt::format("{} is {} with the type {}, and is {} already", name.text(), what, type.text(),
-                        a[found->second].second.text()),
-            "expected one type for one name");
+void Checker::merge(FieldTable& table, const Fields& more, Place place, const std::string& what) {
+  spend(more.size());
+  for (const auto& [name, type] : more) {
+    const auto [known, is_new] = table.positions.emplace(name, table.fields.size());
+    if (is_new) {
+      table.fields.emplace_back(name, type);
+      continue;
     }
+    const Type& before = table.fields[known->second].second;
+    if (!unify(before, type))
+      error(place,
+            fmt::format("{} is {} with the type {}, and is {} already", name.text(), what, type.text(), before.text()),
+            "expected one type for one name");
   }
+}
+
+Fields Checker::merged(Fields left, const Fields& right, Place place) {
+  FieldTable table;
+  merge(table, left, place, "declared");
+  merge(table, right, place, "declared");
+  return std::move(table.fields);
 }
 
 std::optional<Fields> Checker::schema_fields(const Term& term, const char* role) {
@@ -103,8 +113,7 @@ Type Checker::schema_expression(const Node& node) {
   const auto left = schema_fields(node.children[0], "as an operand of the schema calculus");
   const auto right = schema_fields(node.children[1], "as an operand of the schema calculus");
   if (!left || !right) return Type::unknown();
-  Fields both = *left;
-  merge(both, *right, node.children[1]->place, "declared");
+  const Fields both = merged(*left, *right, node.children[1]->place);
   return schema_set(node.kind == Kind::projection ? *right : both);
 }
 
@@ -119,20 +128,19 @@ Type Checker::decoration(const Type& schema, const std::string& strokes) {
 Type Checker::doubled(const Type& schema, const Name& name, Place place) {
   Fields fields = fields_of(schema.parts()[0]);
   const auto decorated =
-      std::find_if(fields.begin(), fields.end(), [](const auto& one) { return !one.first.strokes.empty(); });
+      std::find_if(fields.begin(), fields.end(), [](const auto& field) { return !field.first.strokes.empty(); });
   if (decorated != fields.end())
     error(place, fmt::format("{} doubles a schema with the component {}", name.text(), decorated->first.text()),
           "expected a state behind Δ or Ξ, and an operation to be included as it is");
   const Type after = decoration(schema, "'");
-  merge(fields, fields_of(after.parts()[0]), place, "declared");
-  return schema_set(std::move(fields));
+  return schema_set(merged(std::move(fields), fields_of(after.parts()[0]), place));
 }
 
 Type Checker::renaming(const Node& node) {
   auto fields = schema_fields(node.children[0], "before a renaming");
   if (!fields) return Type::unknown();
   std::set<Name> olds;
-  Fields made;
+  FieldTable renamed;
   for (std::size_t i = 0; i + 1 < node.names.size(); i += 2)
     if (!olds.insert(node.names[i + 1]).second)
       return wrong(node.place, node.names[i + 1].text() + " is renamed twice", "expected one new name for it");
@@ -141,9 +149,9 @@ Type Checker::renaming(const Node& node) {
     Name now = name;
     for (std::size_t i = 0; i + 1 < node.names.size(); i += 2)
       if (node.names[i + 1] == name) now = node.names[i];
-    merge(made, {{now, type}}, node.place, "declared");
+    merge(renamed, {{now, type}}, node.place, "declared");
   }
-  return schema_set(std::move(made));
+  return schema_set(std::move(renamed.fields));
 }
 
 Type Checker::hiding(const Node& node) {
@@ -181,16 +189,16 @@ Type Checker::joined(const Node& node, const char* what, const std::string& left
             "expected one type");
     right->erase(match);
   }
-  merge(kept, *right, node.place, "declared");
-  return schema_set(std::move(kept));
+  return schema_set(merged(std::move(kept), *right, node.place));
 }
 
 /// pre S hides the after-state and the outputs.
 Type Checker::precondition(const Node& node) {
   auto fields = schema_fields(node.children[0], "behind pre");
   if (!fields) return Type::unknown();
-  std::erase_if(*fields,
-                [](const auto& one) { return one.first.strokes.ends_with("'") || one.first.strokes.ends_with("!"); });
+  std::erase_if(*fields, [](const auto& field) {
+    return field.first.strokes.ends_with("'") || field.first.strokes.ends_with("!");
+  });
   return schema_set(std::move(*fields));
 }
 
@@ -203,14 +211,14 @@ Type Checker::schema_quantifier(const Node& node) {
   if (!fields) return Type::unknown();
   spend(fields->size() * bound.size());
   for (const auto& [name, type] : bound) {
-    const auto found = find(*fields, name);
-    if (found == fields->end()) continue;
-    if (!unify(found->second, type))
+    const auto entry = find(*fields, name);
+    if (entry == fields->end()) continue;
+    if (!unify(entry->second, type))
       error(node.place,
             fmt::format("{} is bound with the type {}, and is {} in the schema", name.text(), type.text(),
-                        found->second.text()),
+                        entry->second.text()),
             "expected one type");
-    fields->erase(found);
+    fields->erase(entry);
   }
   return schema_set(std::move(*fields));
 }

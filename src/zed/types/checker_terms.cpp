@@ -1,5 +1,5 @@
 #include "durero/zed/print/print.hpp"
-#include "durero/zed/syntax/symbols.hpp"
+#include "zed/syntax/symbols.hpp"
 #include "zed/types/checker.hpp"
 
 namespace durero::zed {
@@ -94,10 +94,10 @@ Type Checker::element(const Term& set, const char* role) {
 
 Type Checker::set_extension(const Node& node) {
   const Type element = fresh();
-  for (const Term& one : node.children) {
-    const Type type = expression(one);
+  for (const Term& term : node.children) {
+    const Type type = expression(term);
     if (!unify(element, type))
-      error(one->place, fmt::format("{} has the type {} in a set of {}", named(one), type.text(), element.text()),
+      error(term->place, fmt::format("{} has the type {} in a set of {}", named(term), type.text(), element.text()),
             "expected elements of one type");
   }
   if (node.children.empty()) generics_.push_back({{"{}", {}}, {node.place, element}});
@@ -136,13 +136,13 @@ Type Checker::characteristic(const SchemaText& text, const Fields& fields) {
   std::vector<Type> parts;
   std::unordered_map<Name, Type> of;
   for (const auto& [name, type] : fields) of.insert_or_assign(name, type);
-  for (const Declaration& one : text.declarations) {
-    if (one.form == Declaration::Form::included) {
-      const auto type = into_.types.find(one.term.get());
+  for (const Declaration& declaration : text.declarations) {
+    if (declaration.form == Declaration::Form::included) {
+      const auto type = into_.types.find(declaration.term.get());
       const bool schema = type != into_.types.end() && type->second.is_schema_set();
       parts.push_back(schema ? type->second.parts()[0] : Type::unknown());
     }
-    for (const Name& name : one.names) parts.push_back(of.at(name));
+    for (const Name& name : declaration.names) parts.push_back(of.at(name));
   }
   if (parts.empty()) return wrong(at_, "nothing is declared", "expected a declaration");
   return parts.size() == 1 ? parts[0] : Type::product(std::move(parts));
@@ -172,7 +172,7 @@ Type Checker::selection(const Node& node) {
   const Type binding = expression(node.children[0]);
   if (binding.is(Type::Kind::unknown)) return binding;
   if (binding.is(Type::Kind::schema)) {
-    if (const Type* found = binding.field(node.name)) return *found;
+    if (const Type* type = binding.field(node.name)) return *type;
     return wrong(node.place, fmt::format("{} has no component {}", binding.text(), node.name.text()),
                  "expected one of its components");
   }
@@ -212,11 +212,11 @@ Type Checker::theta(const Node& node) {
   spend(fields->size());
   for (const auto& [name, type] : *fields) {
     const Name wanted{name.word, name.strokes + node.name.strokes};
-    const auto found = lookup(wanted, nullptr, node.place);
-    if (!found) {
+    const auto declared = lookup(wanted, nullptr, node.place);
+    if (!declared) {
       error(node.place, wanted.text() + " is not declared", "expected the components of the schema behind θ in scope");
-    } else if (!unify(*found, type)) {
-      error(node.place, fmt::format("{} has the type {}", wanted.text(), found->text()),
+    } else if (!unify(*declared, type)) {
+      error(node.place, fmt::format("{} has the type {}", wanted.text(), declared->text()),
             fmt::format("expected {}, as in the schema behind θ", type.text()));
     }
   }

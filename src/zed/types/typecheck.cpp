@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "zed/syntax/symbols.hpp"
 #include "zed/types/checker.hpp"
 
 namespace durero::zed {
@@ -28,11 +29,11 @@ class SectionChecker {
   void paragraphs() {
     for (const Name& name : section_.lost) declare(name, {{}, Type::unknown()}, Global::Form::lost, section_.place);
     for (std::size_t i = 0; i < section_.paragraphs.size(); ++i) {
-      const Paragraph& one = section_.paragraphs[i];
-      if (std::holds_alternative<FreeType>(one.form)) {
+      const Paragraph& here = section_.paragraphs[i];
+      if (std::holds_alternative<FreeType>(here.form)) {
         i = free_types(i);
       } else {
-        std::visit([this, &one](const auto& form) { paragraph(form, one.place); }, one.form);
+        std::visit([this, &here](const auto& form) { paragraph(form, here.place); }, here.form);
       }
       terms_.finish_paragraph();
     }
@@ -40,12 +41,12 @@ class SectionChecker {
 
   void declare(const Name& name, Scheme scheme, Global::Form form, Place place) {
     if (name.empty()) return;
-    const auto found = globals_.find(name);
-    const bool known = found != globals_.end() && found->second->form != Global::Form::lost;
+    const auto entry = globals_.find(name);
+    const bool known = entry != globals_.end() && entry->second->form != Global::Form::lost;
     const auto& toolkit_names = into_.sees_toolkit[section_.name] ? toolkit() : prelude();
     if (known || toolkit_names.contains(name)) {
       const std::string where =
-          known ? fmt::format("{}:{}", found->second->file, found->second->place.line) : "the toolkit";
+          known ? fmt::format("{}:{}", entry->second->file, entry->second->place.line) : "the toolkit";
       terms_.error(place, fmt::format("{} is declared already, in {}", name.text(), where), "expected a new name");
       return;
     }
@@ -76,7 +77,7 @@ class SectionChecker {
   }
 
   void constructor(const FreeType& of, const Branch& branch) {
-    Type made = Type::given(of.name);
+    Type type = Type::given(of.name);
     if (branch.argument) {
       const Type set = terms_.expression(branch.argument);
       if (!set.is(Type::Kind::power) && !set.is(Type::Kind::unknown))
@@ -84,9 +85,9 @@ class SectionChecker {
                      fmt::format("an expression of type {} stands as the argument of a constructor", set.text()),
                      "expected a set");
       const Type argument = set.is(Type::Kind::power) ? set.parts()[0] : Type::unknown();
-      made = Type::power(Type::product({argument, made}));
+      type = Type::power(Type::product({argument, type}));
     }
-    declare(branch.name, {{}, std::move(made)}, Global::Form::branch, branch.place);
+    declare(branch.name, {{}, std::move(type)}, Global::Form::branch, branch.place);
   }
 
   void formals(const std::vector<Name>& names) {
@@ -114,9 +115,9 @@ class SectionChecker {
   }
 
   static Place place_of(const Name& name, const SchemaText& text) {
-    for (const Declaration& one : text.declarations)
-      for (std::size_t i = 0; i < one.names.size() && i < one.places.size(); ++i)
-        if (one.names[i] == name) return one.places[i];
+    for (const Declaration& declaration : text.declarations)
+      for (std::size_t i = 0; i < declaration.names.size() && i < declaration.places.size(); ++i)
+        if (declaration.names[i] == name) return declaration.places[i];
     return text.declarations.empty() ? Place() : text.declarations[0].place;
   }
 
@@ -185,45 +186,59 @@ void check_at_end(Checker& checker, const Term& term) {
 }  // namespace
 
 std::optional<Type> Typing::type_of(const Term& term) const {
-  const auto found = types.find(term.get());
-  if (found == types.end()) return std::nullopt;
-  return found->second;
+  const auto entry = types.find(term.get());
+  if (entry == types.end()) return std::nullopt;
+  return entry->second;
 }
 
 const Global* Typing::find(const std::string& section, const Name& name) const {
   const auto scope = scopes.find(section);
   if (scope == scopes.end()) return nullptr;
-  const auto found = scope->second.find(name);
-  return found == scope->second.end() ? nullptr : found->second.get();
+  const auto entry = scope->second.find(name);
+  return entry == scope->second.end() ? nullptr : entry->second.get();
 }
 
 Typing check(const Specification& specification) {
-  Typing made;
+  Typing typing;
   for (const Section& section : specification.sections) {
-    const auto first = static_cast<std::ptrdiff_t>(made.defects.size());
-    inherit(section, made);
-    SectionChecker(section, made).run();
-    std::stable_sort(made.defects.begin() + first, made.defects.end(), [](const Defect& a, const Defect& b) {
+    const auto first = static_cast<std::ptrdiff_t>(typing.defects.size());
+    inherit(section, typing);
+    SectionChecker(section, typing).run();
+    std::stable_sort(typing.defects.begin() + first, typing.defects.end(), [](const Defect& a, const Defect& b) {
       return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
     });
   }
-  return made;
+  return typing;
+}
+
+std::vector<std::pair<Name, Type>> calculator_names() {
+  std::vector<std::pair<Name, Type>> names;
+  for (const auto& [name, scheme] : calculator()) names.emplace_back(name, scheme.type);
+  return names;
+}
+
+bool is_free_word(const std::string& word) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const auto continues = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; };
+  return !word.empty() && is_letter(word[0]) && std::all_of(word.begin(), word.end(), continues) &&
+         !is_reserved(word) && !find_operator(word, Fixity::infix) && !find_operator(word, Fixity::prefix) &&
+         !toolkit().contains({word, {}});
 }
 
 Typing check_term(const Typing& known, const std::string& section, const Term& term,
                   const std::vector<std::pair<Name, Type>>& locals, const std::string& file) {
-  Typing made;
+  Typing typing;
   const auto scope = known.scopes.find(section);
   const auto toolkit = known.sees_toolkit.find(section);
   Checker::Globals globals = scope == known.scopes.end() ? Checker::Globals() : scope->second;
-  Checker checker(file, globals, toolkit == known.sees_toolkit.end() || toolkit->second, made);
+  Checker checker(file, globals, toolkit == known.sees_toolkit.end() || toolkit->second, typing);
   checker.push(locals);
   try {
     check_at_end(checker, term);
   } catch (const ZError& error) {  // a limit
-    made.defects.push_back(error.in(file));
+    typing.defects.push_back(error.in(file));
   }
-  return made;
+  return typing;
 }
 
 }  // namespace durero::zed

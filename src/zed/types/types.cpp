@@ -41,12 +41,12 @@ Type Type::product(std::vector<Type> parts) {
 }
 Type Type::schema(std::vector<std::pair<Name, Type>> fields) {
   std::sort(fields.begin(), fields.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  Node made{.kind = Kind::schema, .name = {}, .parts = {}, .fields = {}, .same = {}};
+  Node node{.kind = Kind::schema, .name = {}, .parts = {}, .fields = {}, .same = {}};
   for (auto& [name, type] : fields) {
-    made.fields.push_back(std::move(name));
-    made.parts.push_back(std::move(type));
+    node.fields.push_back(std::move(name));
+    node.parts.push_back(std::move(type));
   }
-  return Type(std::move(made));
+  return Type(std::move(node));
 }
 Type Type::variable() { return Type({.kind = Kind::variable, .name = {}, .parts = {}, .fields = {}, .same = {}}); }
 Type Type::unknown() { return Type({.kind = Kind::unknown, .name = {}, .parts = {}, .fields = {}, .same = {}}); }
@@ -65,20 +65,20 @@ std::shared_ptr<const Type::Node> Type::resolved() const {
 
 const Type* Type::field(const Name& wanted) const {
   const Node& mine = node();
-  const auto found = std::lower_bound(mine.fields.begin(), mine.fields.end(), wanted);
-  if (found == mine.fields.end() || *found != wanted) return nullptr;
-  return &mine.parts[static_cast<std::size_t>(found - mine.fields.begin())];
+  const auto at = std::lower_bound(mine.fields.begin(), mine.fields.end(), wanted);
+  if (at == mine.fields.end() || *at != wanted) return nullptr;
+  return &mine.parts[static_cast<std::size_t>(at - mine.fields.begin())];
 }
 
 bool Type::has_variables() const {
   std::unordered_set<const Node*> seen;
   std::vector<const Node*> left = {&node()};
   while (!left.empty()) {
-    const Node* one = left.back();
+    const Node* node = left.back();
     left.pop_back();
-    if (!seen.insert(one).second) continue;
-    if (one->kind == Kind::variable) return true;
-    for (const Type& part : one->parts) left.push_back(&part.node());
+    if (!seen.insert(node).second) continue;
+    if (node->kind == Kind::variable) return true;
+    for (const Type& part : node->parts) left.push_back(&part.node());
   }
   return false;
 }
@@ -87,11 +87,11 @@ bool Type::occurs(const Node* variable, const Type& in) {
   std::unordered_set<const Node*> seen;
   std::vector<const Node*> left = {&in.node()};
   while (!left.empty()) {
-    const Node* one = left.back();
+    const Node* node = left.back();
     left.pop_back();
-    if (one == variable) return true;
-    if (!seen.insert(one).second) continue;
-    for (const Type& part : one->parts) left.push_back(&part.node());
+    if (node == variable) return true;
+    if (!seen.insert(node).second) continue;
+    for (const Type& part : node->parts) left.push_back(&part.node());
   }
   return false;
 }
@@ -131,18 +131,18 @@ void Type::join(const Type& a, const Type& b) {
 
 Type Type::settled() const {
   std::unordered_map<const Node*, Type> done;
-  const Type made = settled_at(0, done);
-  return made.size() > max_size ? unknown() : made;
+  const Type type = settled_at(0, done);
+  return type.size() > max_size ? unknown() : type;
 }
 
 Type Type::settled_at(std::uint32_t depth, std::unordered_map<const Node*, Type>& done) const {
   const Node& mine = node();
   if (mine.kind == Kind::variable || depth > max_depth) return unknown();
   if (mine.parts.empty()) return Type(resolved());
-  if (const auto found = done.find(&mine); found != done.end()) return found->second;
-  Node made{.kind = mine.kind, .name = mine.name, .parts = {}, .fields = mine.fields, .same = {}};
-  for (const Type& part : mine.parts) made.parts.push_back(part.settled_at(depth + 1, done));
-  return done.emplace(&mine, Type(std::move(made))).first->second;
+  if (const auto entry = done.find(&mine); entry != done.end()) return entry->second;
+  Node node{.kind = mine.kind, .name = mine.name, .parts = {}, .fields = mine.fields, .same = {}};
+  for (const Type& part : mine.parts) node.parts.push_back(part.settled_at(depth + 1, done));
+  return done.emplace(&mine, Type(std::move(node))).first->second;
 }
 
 bool unify(const Type& a, const Type& b) {
@@ -154,12 +154,12 @@ Type Type::substitute(const std::vector<Name>& formals, const std::vector<Type>&
   const Node& mine = node();
   if (!mine.generic) return *this;
   if (mine.kind == Kind::formal) {
-    const auto found = std::find(formals.begin(), formals.end(), mine.name);
-    return found == formals.end() ? *this : actuals[static_cast<std::size_t>(found - formals.begin())];
+    const auto entry = std::find(formals.begin(), formals.end(), mine.name);
+    return entry == formals.end() ? *this : actuals[static_cast<std::size_t>(entry - formals.begin())];
   }
-  Node made{.kind = mine.kind, .name = mine.name, .parts = {}, .fields = mine.fields, .same = {}};
-  for (const Type& part : mine.parts) made.parts.push_back(part.substitute(formals, actuals));
-  return Type(std::move(made));
+  Node node{.kind = mine.kind, .name = mine.name, .parts = {}, .fields = mine.fields, .same = {}};
+  for (const Type& part : mine.parts) node.parts.push_back(part.substitute(formals, actuals));
+  return Type(std::move(node));
 }
 
 std::string Type::text() const {

@@ -1,5 +1,5 @@
 #pragma once
-/// What is threaded through an evaluation: the unknowns that are looked for, and whether what is evaluated must hold.
+/// What goes through an evaluation: the unknowns that are looked for, and whether what is evaluated must hold.
 
 #include <cstdint>
 #include <functional>
@@ -11,16 +11,16 @@
 
 namespace durero::zed {
 
-/// The unknown of an evaluation that is to say for every value of it at once what is compared, and what was.
+/// Collects what an evaluation compares with 0 as polynomials in one unknown, for every value of it at once.
 struct Watch {
   std::uint32_t unknown = 0;
-  std::vector<Polynomial> compared{};  ///< with 0
+  std::vector<Polynomial> compared{};  ///< those that the evaluation has compared with 0
   bool lost = false;                   ///< something depends on the unknown in another way
 };
 
 struct Context {
-  /// What each unknown was found to be, by its id.
-  std::vector<std::optional<Value>> found;
+  /// The value that each unknown was found to have, by the unknown's id.
+  std::vector<std::optional<Value>> values_found;
   /// Equations that are evaluated now must hold for the unknowns of this id or a greater one, and so determine them.
   std::uint32_t necessary = none;
   int depth = 0;           ///< of applications
@@ -29,8 +29,8 @@ struct Context {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
   std::uint32_t fresh() {
-    found.emplace_back();
-    return static_cast<std::uint32_t>(found.size() - 1);
+    values_found.emplace_back();
+    return static_cast<std::uint32_t>(values_found.size() - 1);
   }
 };
 
@@ -81,12 +81,12 @@ struct Frame {
 using Code = std::function<Value(Frame&)>;
 using Test = std::function<Truth(Frame&)>;
 
-/// Open, for what no comparison of numbers says.
+/// The truth is open, and no comparison of numbers says on what it depends.
 inline Truth lost(Context& context) {
   if (context.watch) context.watch->lost = true;
   return Truth::open;
 }
-/// Open, for a comparison of numbers one of which is not known.
+/// The truth of a comparison is open, since one of the numbers is not known; the watch learns what was compared.
 Truth compared(const Value& a, const Value& b, Context& context);
 
 /// a = b. Where it must hold and one side is an unknown, the unknown is found.

@@ -51,8 +51,8 @@ Value exactly(Operation&& operation) {
   }
 }
 
-Truth found(std::uint32_t unknown, Value is, Context& context) {
-  if (unknown >= context.necessary && !context.found[unknown]) context.found[unknown] = std::move(is);
+Truth determine(std::uint32_t unknown, Value is, Context& context) {
+  if (unknown >= context.necessary && !context.values_found[unknown]) context.values_found[unknown] = std::move(is);
   return Truth::open;
 }
 
@@ -75,7 +75,7 @@ Truth equal_lines(const Line& a, const Line& b, Context& context) {
     const Real slope = a.slope - b.slope, constant = b.constant - a.constant;
     if (sign(slope) == 0) return truth(sign(constant) == 0);
     watched(b, a, context);
-    return found(either(a, b), constant / slope, context);
+    return determine(either(a, b), constant / slope, context);
   } catch (const std::domain_error& impossible) {
     throw EvaluationError(impossible.what());
   }
@@ -159,8 +159,8 @@ Truth equal(const Value& a, const Value& b, Context& context) {
   if (a.is_undefined() || b.is_undefined()) return Truth::no;
   if (a.is_open() || b.is_open()) return lost(context);
   if (const auto *x = a.real(), *y = b.real(); x && y) return truth(*x == *y);
-  if (const auto* x = a.get<Unknown>(); x && !line(b)) return has_open(b) ? Truth::open : found(x->id, b, context);
-  if (const auto* y = b.get<Unknown>(); y && !line(a)) return has_open(a) ? Truth::open : found(y->id, a, context);
+  if (const auto* x = a.get<Unknown>(); x && !line(b)) return has_open(b) ? Truth::open : determine(x->id, b, context);
+  if (const auto* y = b.get<Unknown>(); y && !line(a)) return has_open(a) ? Truth::open : determine(y->id, a, context);
   const auto x = line(a), y = line(b);
   if (x && y) return equal_lines(*x, *y, context);
   if (const auto *s = a.tuple(), *t = b.tuple(); s && t) return equal_parts(s->parts, t->parts, context);
@@ -188,14 +188,14 @@ Truth contains_value(const Value& set, const Value& value, Context& context) {
 
 Value resolved(const Value& value, const Context& context) {
   if (const auto* unknown = value.get<Unknown>()) {
-    const auto& found = context.found[unknown->id];
-    return found ? *found : value;
+    const auto& known = context.values_found[unknown->id];
+    return known ? *known : value;
   }
   if (const auto* polynomial = value.get<PolynomialPtr>()) {
-    const auto& found = context.found[(*polynomial)->unknown];
-    if (!found) return value;
-    const Value linear = sum((*polynomial)->constant, product((*polynomial)->slope, *found));
-    return sum(linear, product((*polynomial)->square, product(*found, *found)));
+    const auto& known = context.values_found[(*polynomial)->unknown];
+    if (!known) return value;
+    const Value linear = sum((*polynomial)->constant, product((*polynomial)->slope, *known));
+    return sum(linear, product((*polynomial)->square, product(*known, *known)));
   }
   if (!has_open(value)) return value;
   if (const auto* tuple = value.tuple()) {
@@ -208,8 +208,9 @@ Value resolved(const Value& value, const Context& context) {
     for (const Value& part : binding->values) parts.push_back(resolved(part, context));
     return Value::binding(binding->names, std::move(parts));
   }
-  if (const auto* made = value.get<ConstructedPtr>()) {
-    return std::make_shared<const Constructed>(Constructed{(*made)->constructor, resolved((*made)->argument, context)});
+  if (const auto* constructed = value.get<ConstructedPtr>()) {
+    return std::make_shared<const Constructed>(
+        Constructed{(*constructed)->constructor, resolved((*constructed)->argument, context)});
   }
   return value;
 }

@@ -1,7 +1,6 @@
 /// The toolkit's sets of relations and of functions.
 
 #include <algorithm>
-#include <array>
 
 #include "zed/value/functions.hpp"
 #include "zed/value/sets.hpp"
@@ -21,16 +20,16 @@ bool is_function(const std::vector<Value>& pairs) {
 }
 
 std::vector<Value> seconds(const std::vector<Value>& pairs) {
-  std::vector<Value> found;
-  found.reserve(pairs.size());
-  for (const Value& pair : pairs) found.push_back(pair.tuple()->parts[1]);
-  return found;
+  std::vector<Value> values;
+  values.reserve(pairs.size());
+  for (const Value& pair : pairs) values.push_back(pair.tuple()->parts[1]);
+  return values;
 }
 
 class FunctionSet : public Set {
  public:
-  FunctionSet(Value from, Value to, FunctionForm form)
-      : from_(std::move(from)), to_(std::move(to)), form_(std::move(form)) {}
+  FunctionSet(Value from, Value to, const Arrow& form, std::string_view symbol)
+      : from_(std::move(from)), to_(std::move(to)), form_(form), symbol_(symbol) {}
 
   bool total() const override { return !form_.function && !form_.finite && from_.set()->total() && to_.set()->total(); }
 
@@ -56,7 +55,7 @@ class FunctionSet : public Set {
   }
 
   std::string text() const override {
-    return "(" + from_.set()->text() + " " + form_.symbol + " " + to_.set()->text() + ")";
+    return "(" + from_.set()->text() + " " + symbol_ + " " + to_.set()->text() + ")";
   }
 
  private:
@@ -79,17 +78,17 @@ class FunctionSet : public Set {
   }
 
   std::vector<Value> listed(const std::vector<Value>& from, const std::vector<Value>& to) const {
-    std::vector<std::vector<Value>> made{{}};
-    for (const Value& one : from) {
+    std::vector<std::vector<Value>> relations{{}};
+    for (const Value& member : from) {
       std::vector<std::vector<Value>> longer;
-      for (const auto& pairs : made) extend(pairs, one, to, longer);
-      made = std::move(longer);
+      for (const auto& pairs : relations) extend(pairs, member, to, longer);
+      relations = std::move(longer);
     }
-    std::vector<Value> found;
-    for (auto& pairs : made) {
-      if (admitted(pairs, to.size())) found.push_back(finite(std::move(pairs)));
+    std::vector<Value> kept;
+    for (auto& pairs : relations) {
+      if (admitted(pairs, to.size())) kept.push_back(finite(std::move(pairs)));
     }
-    return found;
+    return kept;
   }
 
   void extend(const std::vector<Value>& pairs, const Value& from, const std::vector<Value>& to,
@@ -97,17 +96,17 @@ class FunctionSet : public Set {
     const std::size_t first = into.size();
     if (!form_.total) into.push_back(pairs);
     if (!form_.function) {  // with each member of `to`, every set so far again
-      for (const Value& one : to) {
+      for (const Value& member : to) {
         for (std::size_t i = first, end = into.size(); i < end; ++i) {
           into.push_back(into[i]);
-          into.back().push_back(Value::pair(from, one));
+          into.back().push_back(Value::pair(from, member));
         }
       }
       return;
     }
-    for (const Value& one : to) {
+    for (const Value& value : to) {
       into.push_back(pairs);
-      into.back().push_back(Value::pair(from, one));
+      into.back().push_back(Value::pair(from, value));
     }
   }
 
@@ -118,34 +117,17 @@ class FunctionSet : public Set {
   }
 
   Value from_, to_;
-  FunctionForm form_;
+  Arrow form_;
+  std::string symbol_;
   mutable std::optional<Value> made_;
 };
 
 }  // namespace
 
-std::optional<FunctionForm> function_form(const std::string& symbol) {
-  static const std::array<FunctionForm, 10> forms{{
-      {.symbol = "↔", .function = false},
-      {.symbol = "⇸"},
-      {.symbol = "→", .total = true},
-      {.symbol = "⤔", .injective = true},
-      {.symbol = "↣", .total = true, .injective = true},
-      {.symbol = "⤀", .surjective = true},
-      {.symbol = "↠", .total = true, .surjective = true},
-      {.symbol = "⤖", .total = true, .injective = true, .surjective = true},
-      {.symbol = "⇻", .finite = true},
-      {.symbol = "⤕", .injective = true, .finite = true},
-  }};
-  const auto found = std::find_if(forms.begin(), forms.end(), [&](const auto& one) { return one.symbol == symbol; });
-  if (found == forms.end()) return std::nullopt;
-  return *found;
-}
-
-Value function_set(Value from, Value to, const FunctionForm& form) {
+Value function_set(Value from, Value to, const Arrow& arrow, std::string_view symbol) {
   if (not_sets(from)) return from;
   if (not_sets(to)) return to;
-  return SetPtr(std::make_shared<const FunctionSet>(std::move(from), std::move(to), form));
+  return SetPtr(std::make_shared<const FunctionSet>(std::move(from), std::move(to), arrow, symbol));
 }
 
 }  // namespace durero::zed

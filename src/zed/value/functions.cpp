@@ -1,36 +1,51 @@
+/// The functions of the toolkit on numbers, sets and relations.
+
 #include "zed/value/functions.hpp"
 
 #include <algorithm>
-#include <unordered_map>
 
 #include "zed/value/sets.hpp"
+#include "zed/value/toolkit_functions.hpp"
 
 namespace durero::zed {
 namespace {
 
 using Values = std::vector<Value>;
 
-Value of_pair(const Value& pair, std::size_t part) {
+constexpr int most_listed = 1 << 20;  // an interval with more members is not listed
+
+Value part_of(const Value& pair, std::size_t part) {
   if (pair.is_undefined()) return {};
   if (!pair.tuple()) return Open{};
   return pair.tuple()->parts[part];
 }
 
-Value range(const Value& relation, Context&) {
-  return with(relation, [&]() -> Value {
-    Values found;
-    for (const Value& pair : enumerated(relation, "the range of")) found.push_back(second(pair));
-    return Value::set(std::move(found));
+/// Runs where the arithmetic of reals may be impossible: see Real.
+template <class Operation>
+Value computed(Operation&& operation) {
+  try {
+    return operation();
+  } catch (const std::domain_error& impossible) {
+    throw EvaluationError(impossible.what());
+  }
+}
+
+/// The least or the greatest member of a set of numbers; none of the empty set.
+Value extreme(const Value& set, bool greatest) {
+  return with(set, [&]() -> Value {
+    const auto& members = enumerated(set, "the least member of");
+    if (members.empty()) return {};
+    return greatest ? members.back() : members.front();
   });
 }
 
-Value inverse(const Value& relation, Context&) {
-  return with(relation, [&]() -> Value {
-    Values found;
-    for (const Value& pair : enumerated(relation, "the inverse of")) {
-      found.push_back(Value::pair(second(pair), first(pair)));
-    }
-    return Value::set(std::move(found));
+/// div and mod: n = q * d + r with 0 ≤ r < d or d < r ≤ 0. Undefined for d = 0 and for numbers that are no integers.
+template <class Result>
+Value divided(const Value& a, const Value& b, Result&& result) {
+  return with(a, b, [&]() -> Value {
+    const Real &n = *a.real(), &d = *b.real();
+    if (sign(d) == 0 || !n.is_integer() || !d.is_integer()) return {};
+    return result(n, d, integer_quotient(n, d));
   });
 }
 
@@ -40,78 +55,80 @@ Value restricted(const Value& relation, const Value& set, std::size_t part, bool
   return with(relation, set, [&]() -> Value {
     Values kept;
     for (const Value& pair : enumerated(relation, "the restriction of")) {
-      const Truth here = contains_value(set, pair.tuple()->parts[part], context);
-      if (here == Truth::open) return Open{};
-      if ((here == Truth::yes) == in) kept.push_back(pair);
+      const Truth inside = contains_value(set, pair.tuple()->parts[part], context);
+      if (inside == Truth::open) return Open{};
+      if ((inside == Truth::yes) == in) kept.push_back(pair);
     }
     return finite(std::move(kept));
   });
 }
 
-namespace {
-
-Value overriding(const Value& a, const Value& b, Context& context) {
-  return with(a, b, [&] { return set_union(restricted(a, domain(b, context), 0, false, context), b, context); });
-}
-
-Value image(const Value& relation, const Value& set, Context& context) {
-  return with(relation, set, [&]() -> Value {
-    Values found;
-    if (relation.set() && !relation.set()->members()) {  // a function known by its values
-      for (const Value& one : enumerated(set, "the image of")) {
-        Value here = relation.set()->apply(one, context);
-        if (!here.is_undefined()) found.push_back(std::move(here));
-      }
-      return Value::set(std::move(found));
-    }
-    for (const Value& pair : enumerated(relation, "the image through")) {
-      const Truth here = contains_value(set, first(pair), context);
-      if (here == Truth::open) return Open{};
-      if (here == Truth::yes) found.push_back(second(pair));
-    }
-    return Value::set(std::move(found));
-  });
-}
-
-}  // namespace
-
 // R∼⦇S⦈ = { p : R | second p ∈ S • first p }, without R∼.
 Value inverse_image(const Value& relation, const Value& set, Context& context) {
   return with(relation, set, [&]() -> Value {
-    std::vector<Value> found;
+    Values firsts;
     for (const Value& pair : enumerated(relation, "the inverse of")) {
-      const Truth here = contains_value(set, second(pair), context);
-      if (here == Truth::open) return Open{};
-      if (here == Truth::yes) found.push_back(first(pair));
+      const Truth inside = contains_value(set, second(pair), context);
+      if (inside == Truth::open) return Open{};
+      if (inside == Truth::yes) firsts.push_back(first(pair));
     }
-    return Value::set(std::move(found));
+    return Value::set(std::move(firsts));
   });
 }
 
-namespace {
+namespace functions {
 
-/// a ⨾ b: first a, then b.
-Value then(const Value& a, const Value& b, Context&) {
+Value all_numbers() { return everything("𝔸"); }
+Value all_integers() { return integers("ℤ", std::nullopt); }
+Value naturals() { return integers("ℕ", 0); }
+Value positive_naturals() { return integers("ℕ₁", 1); }
+Value nothing() { return empty_set(); }
+
+Value addition(const Value& a, const Value& b, Context&) { return sum(a, b); }
+Value subtraction(const Value& a, const Value& b, Context&) { return difference(a, b); }
+Value multiplication(const Value& a, const Value& b, Context&) { return product(a, b); }
+Value negation(const Value& a, Context&) { return difference(Real(), a); }
+
+Value quotient(const Value& a, const Value& b, Context&) {
+  return divided(a, b, [](const Real&, const Real&, const Real& q) { return q; });
+}
+
+Value remainder(const Value& a, const Value& b, Context&) {
+  return divided(a, b, [](const Real& n, const Real& d, const Real& q) { return n - q * d; });
+}
+
+Value fraction(const Value& a, const Value& b, Context&) {
   return with(a, b, [&]() -> Value {
-    Values found;
-    for (const Value& one : enumerated(a, "the composition of")) {
-      for (const Value& other : enumerated(b, "the composition with")) {
-        if (same(second(one), first(other))) found.push_back(Value::pair(first(one), second(other)));
-      }
-    }
-    return Value::set(std::move(found));
+    if (!a.real() || !b.real()) throw EvaluationError("division of what is no number");
+    if (sign(*b.real()) == 0) return {};
+    return computed([&] { return *a.real() / *b.real(); });
   });
 }
 
-Value closure(const Value& relation, Context& context) {
-  return with(relation, [&]() -> Value {
-    Value all = relation;
-    for (;;) {
-      Value more = set_union(all, then(all, relation, context), context);
-      if (same(more, all)) return all;
-      all = std::move(more);
-    }
+Value root(const Value& a, Context&) {
+  return with(a, [&]() -> Value {
+    if (!a.real()) throw EvaluationError("the root of what is no number");
+    return computed([&] { return square_root(*a.real()); });
   });
+}
+
+Value interval(const Value& a, const Value& b, Context&) {
+  return with(a, b, [&]() -> Value {
+    const Real &from = *a.real(), &to = *b.real();
+    if (!from.is_integer() || !to.is_integer()) throw EvaluationError("‥ between numbers that are not integers");
+    if (to - from > Real(most_listed))
+      throw EvaluationError(a.text() + "‥" + b.text() + " has more members than can be listed");
+    Values members;
+    for (Real number = from; number <= to; number = number + Real(1)) members.emplace_back(number);
+    return finite(std::move(members));
+  });
+}
+
+Value minimum(const Value& set, Context&) { return extreme(set, false); }
+Value maximum(const Value& set, Context&) { return extreme(set, true); }
+
+Value symmetric_difference(const Value& a, const Value& b, Context& context) {
+  return set_union(set_difference(a, b, context), set_difference(b, a, context), context);
 }
 
 Value cardinality(const Value& set, Context&) {
@@ -124,86 +141,109 @@ Value cardinality(const Value& set, Context&) {
   });
 }
 
-Value least(const Value& set, bool greatest) {
-  return with(set, [&]() -> Value {
-    const auto& members = enumerated(set, "the least member of");
-    if (members.empty()) return {};
-    return greatest ? members.back() : members.front();
+Value maplet(const Value& a, const Value& b, Context&) { return Value::pair(a, b); }
+Value first_of(const Value& pair, Context&) { return part_of(pair, 0); }
+Value second_of(const Value& pair, Context&) { return part_of(pair, 1); }
+
+Value identity(const Value& set, Context&) {
+  Values pairs;
+  for (const Value& member : enumerated(set, "the identity on")) pairs.push_back(Value::pair(member, member));
+  return finite(std::move(pairs));
+}
+
+Value range(const Value& relation, Context&) {
+  return with(relation, [&]() -> Value {
+    Values seconds;
+    for (const Value& pair : enumerated(relation, "the range of")) seconds.push_back(second(pair));
+    return Value::set(std::move(seconds));
   });
 }
 
-Value upto(const Value& a, const Value& b, Context&) {
+Value inverse(const Value& relation, Context&) {
+  return with(relation, [&]() -> Value {
+    Values pairs;
+    for (const Value& pair : enumerated(relation, "the inverse of")) {
+      pairs.push_back(Value::pair(second(pair), first(pair)));
+    }
+    return Value::set(std::move(pairs));
+  });
+}
+
+Value overriding(const Value& a, const Value& b, Context& context) {
+  return with(a, b, [&] { return set_union(domain_subtraction(domain(b, context), a, context), b, context); });
+}
+
+Value image(const Value& relation, const Value& set, Context& context) {
+  return with(relation, set, [&]() -> Value {
+    Values reached;
+    if (relation.set() && !relation.set()->members()) {  // a function known by its values
+      for (const Value& argument : enumerated(set, "the image of")) {
+        Value result = relation.set()->apply(argument, context);
+        if (!result.is_undefined()) reached.push_back(std::move(result));
+      }
+      return Value::set(std::move(reached));
+    }
+    for (const Value& pair : enumerated(relation, "the image through")) {
+      const Truth inside = contains_value(set, first(pair), context);
+      if (inside == Truth::open) return Open{};
+      if (inside == Truth::yes) reached.push_back(second(pair));
+    }
+    return Value::set(std::move(reached));
+  });
+}
+
+Value forward_composition(const Value& a, const Value& b, Context&) {
   return with(a, b, [&]() -> Value {
-    const Real &from = *a.real(), &to = *b.real();
-    if (!from.is_integer() || !to.is_integer()) throw EvaluationError("‥ between numbers that are not integers");
-    if (to - from > Real(1 << 20))
-      throw EvaluationError(a.text() + "‥" + b.text() + " has more members than can be listed");
-    Values members;
-    for (Real one = from; one <= to; one = one + Real(1)) members.emplace_back(one);
-    return finite(std::move(members));
+    Values pairs;
+    for (const Value& from : enumerated(a, "the composition of")) {
+      for (const Value& to : enumerated(b, "the composition with")) {
+        if (same(second(from), first(to))) pairs.push_back(Value::pair(first(from), second(to)));
+      }
+    }
+    return Value::set(std::move(pairs));
   });
 }
 
-template <bool quotient>
-Value divided(const Value& a, const Value& b, Context&) {
-  return with(a, b, [&]() -> Value {
-    const Real &n = *a.real(), &d = *b.real();
-    if (sign(d) == 0 || !n.is_integer() || !d.is_integer()) return {};
-    const Real q = integer_quotient(n, d);
-    return quotient ? q : n - q * d;
+Value backward_composition(const Value& a, const Value& b, Context& context) {
+  return forward_composition(b, a, context);
+}
+
+Value closure(const Value& relation, Context& context) {
+  return with(relation, [&]() -> Value {
+    Value all = relation;
+    for (;;) {
+      Value more = set_union(all, forward_composition(all, relation, context), context);
+      if (same(more, all)) return all;
+      all = std::move(more);
+    }
   });
 }
 
-Value symmetric_difference(const Value& a, const Value& b, Context& c) {
-  return set_union(set_difference(a, b, c), set_difference(b, a, c), c);
+Value domain_restriction(const Value& set, const Value& relation, Context& context) {
+  return restricted(relation, set, 0, true, context);
+}
+Value domain_subtraction(const Value& set, const Value& relation, Context& context) {
+  return restricted(relation, set, 0, false, context);
+}
+Value range_restriction(const Value& relation, const Value& set, Context& context) {
+  return restricted(relation, set, 1, true, context);
+}
+Value range_subtraction(const Value& relation, const Value& set, Context& context) {
+  return restricted(relation, set, 1, false, context);
 }
 
-const std::unordered_map<std::string, ToolkitFunction>& functions() {
-  static const std::unordered_map<std::string, ToolkitFunction> table{
-      {"_+_", {.two = [](const Value& a, const Value& b, Context&) { return sum(a, b); }}},
-      {"_-_", {.two = [](const Value& a, const Value& b, Context&) { return difference(a, b); }}},
-      {"_*_", {.two = [](const Value& a, const Value& b, Context&) { return product(a, b); }}},
-      {"-_", {.one = [](const Value& a, Context&) { return difference(Real(), a); }}},
-      {"_div_", {.two = divided<true>}},
-      {"_mod_", {.two = divided<false>}},
-      {"_∪_", {.two = set_union}},
-      {"_∩_", {.two = intersection}},
-      {"_∖_", {.two = set_difference}},
-      {"_⊖_", {.two = symmetric_difference}},
-      {"⋃", {.one = big_union}},
-      {"⋂", {.one = big_intersection}},
-      {"#_", {.one = cardinality}},
-      {"dom", {.one = domain}},
-      {"ran", {.one = range}},
-      {"_∼", {.one = inverse}},
-      {"_⁺", {.one = closure}},
-      {"_⦇_⦈", {.two = image}},
-      {"_⊕_", {.two = overriding}},
-      {"_⨾_", {.two = then}},
-      {"_∘_", {.two = [](const Value& a, const Value& b, Context& c) { return then(b, a, c); }}},
-      {"_◁_", {.two = [](const Value& s, const Value& r, Context& c) { return restricted(r, s, 0, true, c); }}},
-      {"_⩤_", {.two = [](const Value& s, const Value& r, Context& c) { return restricted(r, s, 0, false, c); }}},
-      {"_▷_", {.two = [](const Value& r, const Value& s, Context& c) { return restricted(r, s, 1, true, c); }}},
-      {"_⩥_", {.two = [](const Value& r, const Value& s, Context& c) { return restricted(r, s, 1, false, c); }}},
-      {"_↦_", {.two = [](const Value& a, const Value& b, Context&) { return Value::pair(a, b); }}},
-      {"first", {.one = [](const Value& pair, Context&) { return of_pair(pair, 0); }}},
-      {"second", {.one = [](const Value& pair, Context&) { return of_pair(pair, 1); }}},
-      {"min", {.one = [](const Value& set, Context&) { return least(set, false); }}},
-      {"max", {.one = [](const Value& set, Context&) { return least(set, true); }}},
-      {"_‥_", {.two = upto}},
-      {"⟨,,⟩", {.one = [](const Value& pairs, Context&) { return pairs; }}},
-  };
-  return table;
-}
+}  // namespace functions
+
+namespace {
 
 class FunctionValue : public Set {
  public:
-  FunctionValue(std::string name, const ToolkitFunction& function) : name_(std::move(name)), function_(function) {}
+  explicit FunctionValue(const OperatorRow& row) : row_(row) {}
   Value apply(const Value& argument, Context& context) const override {
     if (argument.is_undefined()) return {};
-    if (function_.one) return function_.one(argument, context);
+    if (row_.evaluation.unary) return row_.evaluation.unary(argument, context);
     if (!argument.tuple()) return Open{};
-    return function_.two(first(argument), second(argument), context);
+    return row_.evaluation.binary(first(argument), second(argument), context);
   }
   Truth in_domain(const Value& argument, Context& context) const override {
     const Value result = apply(argument, context);
@@ -213,23 +253,15 @@ class FunctionValue : public Set {
     if (!pair.tuple()) return Truth::open;
     return equal(apply(first(pair), context), second(pair), context);
   }
-  std::string text() const override { return "(" + name_ + ")"; }
+  std::string text() const override { return "(" + std::string(row_.name) + ")"; }
 
  private:
-  std::string name_;
-  const ToolkitFunction& function_;
+  const OperatorRow& row_;
 };
 
 }  // namespace
 
-const ToolkitFunction* toolkit_function(const std::string& name) {
-  const auto found = functions().find(name);
-  return found == functions().end() ? sequence_function(name) : &found->second;
-}
-
-Value toolkit_value(const std::string& name) {
-  return SetPtr(std::make_shared<const FunctionValue>(name, *toolkit_function(name)));
-}
+Value toolkit_function(const OperatorRow& row) { return SetPtr(std::make_shared<const FunctionValue>(row)); }
 
 Value apply_value(const Value& function, const Value& argument, Context& context) {
   if (function.is_undefined() || argument.is_undefined()) return {};

@@ -1,10 +1,11 @@
 /// The relations of the toolkit.
 
 #include <algorithm>
-#include <unordered_map>
+#include <functional>
 
 #include "zed/value/functions.hpp"
 #include "zed/value/sets.hpp"
+#include "zed/value/toolkit_functions.hpp"
 
 namespace durero::zed {
 namespace {
@@ -17,8 +18,40 @@ Truth ordered(const Value& a, const Value& b, Context& context, Compare&& holds)
   return truth(holds(*a.real(), *b.real()));
 }
 
+}  // namespace
+
+namespace relations {
+
+Truth unequal(const Value& a, const Value& b, Context& context) {
+  if (a.is_undefined() || b.is_undefined()) return Truth::no;
+  const Necessary nothing_here(context, false);
+  return !equal(a, b, context);
+}
+
+Truth element_of(const Value& a, const Value& set, Context& context) { return contains_value(set, a, context); }
+
+Truth no_element_of(const Value& a, const Value& set, Context& context) {
+  if (a.is_undefined() || set.is_undefined()) return Truth::no;
+  const Necessary nothing_here(context, false);
+  return !contains_value(set, a, context);
+}
+
+Truth proper_subset(const Value& a, const Value& b, Context& context) {
+  const Truth inside = subset(a, b, context);
+  if (inside != Truth::yes) return inside;
+  const Necessary nothing_here(context, false);
+  return !equal(a, b, context);
+}
+
+Truth less(const Value& a, const Value& b, Context& context) { return ordered(a, b, context, std::less<>()); }
+Truth at_most(const Value& a, const Value& b, Context& context) { return ordered(a, b, context, std::less_equal<>()); }
+Truth greater(const Value& a, const Value& b, Context& context) { return ordered(a, b, context, std::greater<>()); }
+Truth at_least(const Value& a, const Value& b, Context& context) {
+  return ordered(a, b, context, std::greater_equal<>());
+}
+
 /// disjoint E: no two sets of the family E share a member.
-Truth pairwise_disjoint(const Value& family, Context& context) {
+Truth is_disjoint(const Value& family, Context& context) {
   if (family.is_undefined()) return Truth::no;
   if (waiting(family)) return Truth::open;
   const auto& indexed = enumerated(family, "whether this family is disjoint:");
@@ -34,75 +67,34 @@ Truth pairwise_disjoint(const Value& family, Context& context) {
 
 /// E partition S: E is disjoint, and S is the union of its sets.
 Truth is_partition(const Value& family, const Value& whole, Context& context) {
-  const Truth apart = pairwise_disjoint(family, context);
+  const Truth apart = is_disjoint(family, context);
   if (apart != Truth::yes) return apart;
   std::vector<Value> sets;
-  for (const Value& one : enumerated(family, "the union of")) sets.push_back(second(one));
+  for (const Value& pair : enumerated(family, "the union of")) sets.push_back(second(pair));
   return equal(big_union(Value::set(std::move(sets)), context), whole, context);
 }
 
-const std::unordered_map<std::string, ToolkitRelation>& relations() {
-  static const std::unordered_map<std::string, ToolkitRelation> table{
-      {"_=_", equal},
-      {"_≠_",
-       [](const Value& a, const Value& b, Context& c) {
-         if (a.is_undefined() || b.is_undefined()) return Truth::no;
-         const Necessary not_here(c, false);
-         return !equal(a, b, c);
-       }},
-      {"_∈_", [](const Value& a, const Value& b, Context& c) { return contains_value(b, a, c); }},
-      {"_∉_",
-       [](const Value& a, const Value& b, Context& c) {
-         if (a.is_undefined() || b.is_undefined()) return Truth::no;
-         const Necessary not_here(c, false);
-         return !contains_value(b, a, c);
-       }},
-      {"_⊆_", subset},
-      {"_⊂_",
-       [](const Value& a, const Value& b, Context& c) {
-         const Truth in = subset(a, b, c);
-         if (in != Truth::yes) return in;
-         const Necessary not_here(c, false);
-         return !equal(a, b, c);
-       }},
-      {"_<_", [](const Value& a, const Value& b, Context& c) { return ordered(a, b, c, std::less<>()); }},
-      {"_≤_", [](const Value& a, const Value& b, Context& c) { return ordered(a, b, c, std::less_equal<>()); }},
-      {"_>_", [](const Value& a, const Value& b, Context& c) { return ordered(a, b, c, std::greater<>()); }},
-      {"_prefix_", is_prefix},
-      {"_suffix_", is_suffix},
-      {"_infix_", is_infix},
-      {"disjoint_", [](const Value& a, const Value&, Context& c) { return pairwise_disjoint(a, c); }},
-      {"_partition_", is_partition},
-      {"_≥_", [](const Value& a, const Value& b, Context& c) { return ordered(a, b, c, std::greater_equal<>()); }},
-  };
-  return table;
-}
+}  // namespace relations
+
+namespace {
 
 class RelationValue : public Set {
  public:
-  RelationValue(std::string name, ToolkitRelation holds) : name_(std::move(name)), holds_(holds) {}
+  explicit RelationValue(const OperatorRow& row) : row_(row) {}
   Truth contains(const Value& value, Context& context) const override {
-    if (name_ == "disjoint_") return holds_(value, {}, context);
+    if (row_.evaluation.property) return row_.evaluation.property(value, context);
     if (!value.tuple()) return Truth::open;
-    const Necessary not_here(context, false);
-    return holds_(first(value), second(value), context);
+    const Necessary nothing_here(context, false);
+    return row_.evaluation.relation(first(value), second(value), context);
   }
-  std::string text() const override { return "(" + name_ + ")"; }
+  std::string text() const override { return "(" + std::string(row_.name) + ")"; }
 
  private:
-  std::string name_;
-  ToolkitRelation holds_;
+  const OperatorRow& row_;
 };
 
 }  // namespace
 
-ToolkitRelation toolkit_relation(const std::string& name) {
-  const auto found = relations().find(name);
-  return found == relations().end() ? nullptr : found->second;
-}
-
-Value relation_value(const std::string& name) {
-  return SetPtr(std::make_shared<const RelationValue>(name, toolkit_relation(name)));
-}
+Value toolkit_relation(const OperatorRow& row) { return SetPtr(std::make_shared<const RelationValue>(row)); }
 
 }  // namespace durero::zed

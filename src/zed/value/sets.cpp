@@ -57,9 +57,9 @@ class FiniteSet : public Set {
     });
   }
   std::string listed() const {
-    std::string made;
-    for (const Value& one : members_) made += (made.empty() ? "" : ", ") + one.text();
-    return "{" + made + "}";
+    std::string text;
+    for (const Value& member : members_) text += (text.empty() ? "" : ", ") + member.text();
+    return "{" + text + "}";
   }
 
   std::vector<Value> members_;
@@ -167,10 +167,10 @@ bool waiting(const Value& a) { return a.is_open() || a.get<Unknown>(); }
 Value filtered(const std::vector<Value>& members, const Value& other, bool in, Context& context) {
   std::vector<Value> kept;
   kept.reserve(members.size());
-  for (const Value& one : members) {
-    const Truth here = contains_value(other, one, context);
+  for (const Value& member : members) {
+    const Truth here = contains_value(other, member, context);
     if (here == Truth::open) return Open{};
-    if ((here == Truth::yes) == in) kept.push_back(one);
+    if ((here == Truth::yes) == in) kept.push_back(member);
   }
   return finite(std::move(kept));
 }
@@ -228,7 +228,7 @@ Value big_union(const Value& a, Context& context) {
   const auto* sets = as_set(a).members();
   if (!sets || as_set(a).family()) return SetPtr(std::make_shared<const BigUnion>(a));
   Value all = empty_set();
-  for (const Value& one : *sets) all = set_union(all, one, context);
+  for (const Value& member : *sets) all = set_union(all, member, context);
   return all;
 }
 
@@ -262,8 +262,8 @@ Truth subset(const Value& a, const Value& b, Context& context) {
   if (as_set(b).total()) return Truth::yes;
   Truth all = Truth::yes;
   const Necessary no(context, false);
-  for (const Value& one : enumerated(a, "whether every member is in another set, for the set")) {
-    const Truth here = contains_value(b, one, context);
+  for (const Value& member : enumerated(a, "whether every member is in another set, for the set")) {
+    const Truth here = contains_value(b, member, context);
     if (here == Truth::no) return here;
     if (here == Truth::open) all = here;
   }

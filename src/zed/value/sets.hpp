@@ -4,15 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "zed/operators.hpp"
 #include "zed/value/context.hpp"
 
 namespace durero::zed {
 
-/// A finite set of sorted members, each once.
+/// Makes a finite set of members that are sorted, each once.
 Value finite(std::vector<Value> sorted);
 const Value& empty_set();
 
-/// 𝔸 and ℝ, and the given sets: whatever stands there is a member.
+/// Makes a set of which every value of its type is a member: 𝔸, ℝ, a given set.
 Value everything(std::string name);
 /// ℤ, ℕ, ℕ₁.
 Value integers(std::string name, std::optional<int> least);
@@ -24,19 +25,13 @@ struct PowerForm {
 Value power_set(Value base, PowerForm form);
 Value product_set(std::vector<Value> factors);
 
-/// The sets of functions and relations of the toolkit.
-struct FunctionForm {
-  std::string symbol;
-  bool function = true, total = false, injective = false, surjective = false, finite = false;
-};
-/// The form that a symbol such as `⇸` stands for, or nothing.
-std::optional<FunctionForm> function_form(const std::string& symbol);
-Value function_set(Value from, Value to, const FunctionForm& form);
+/// Makes the set of relations or functions that an arrow stands for: `from ⇸ to`. It is printed with `symbol`.
+Value function_set(Value from, Value to, const Arrow& arrow, std::string_view symbol);
 
-/// The function that makes the values of one branch of a free type, of the branch's arguments.
+/// Makes the function from the arguments of a free type's branch to the values of that type.
 Value constructor_function(std::string type, std::string name, std::uint32_t order, Value arguments);
 
-// Below, a finite result where the arguments allow one, and an intensional one otherwise.
+// The result below is finite where the arguments allow it, and intensional otherwise.
 Value set_union(const Value& a, const Value& b, Context& context);
 Value intersection(const Value& a, const Value& b, Context& context);
 Value set_difference(const Value& a, const Value& b, Context& context);
@@ -48,7 +43,7 @@ Value domain(const Value& relation, Context& context);
 /// S ⊆ T.
 Truth subset(const Value& a, const Value& b, Context& context);
 
-/// The members of a finite set. Throws EvaluationError where it is not one, which names what is done to it.
+/// Returns the members of a finite set. Throws EvaluationError, which names what is done to it, where it is none.
 const std::vector<Value>& enumerated(const Value& value, const char* what);
 
 }  // namespace durero::zed

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "zed/value/sets.hpp"
+#include "zed/value/toolkit_functions.hpp"
 
 namespace durero::zed {
 namespace {
@@ -62,7 +63,7 @@ class ProductSet : public Set {
   explicit ProductSet(std::vector<Value> factors) : factors_(std::move(factors)) {}
 
   bool total() const override {
-    return std::all_of(factors_.begin(), factors_.end(), [](const Value& one) { return one.set()->total(); });
+    return std::all_of(factors_.begin(), factors_.end(), [](const Value& factor) { return factor.set()->total(); });
   }
 
   Truth contains(const Value& value, Context& context) const override {
@@ -78,24 +79,24 @@ class ProductSet : public Set {
   Value unknown(Context& context) const override {
     std::vector<Value> parts;
     parts.reserve(factors_.size());
-    for (const Value& one : factors_) parts.push_back(one.set()->unknown(context));
+    for (const Value& factor : factors_) parts.push_back(factor.set()->unknown(context));
     return Value::tuple(std::move(parts));
   }
 
   const std::vector<Value>* members() const override {
     if (made_) return made_->set()->members();
     std::size_t size = 1;
-    for (const Value& one : factors_) {
-      const auto* members = one.set()->members();
+    for (const Value& factor : factors_) {
+      const auto* members = factor.set()->members();
       if (!members) return nullptr;
       size *= members->size();
       if (size > most_members) throw EvaluationError(text() + " has more members than can be listed");
     }
     std::vector<std::vector<Value>> rows{{}};
-    for (const Value& one : factors_) {
+    for (const Value& factor : factors_) {
       std::vector<std::vector<Value>> longer;
       for (const auto& row : rows) {
-        for (const Value& member : *one.set()->members()) {
+        for (const Value& member : *factor.set()->members()) {
           longer.push_back(row);
           longer.back().push_back(member);
         }
@@ -110,9 +111,9 @@ class ProductSet : public Set {
   }
 
   std::string text() const override {
-    std::string made;
-    for (const Value& one : factors_) made += (made.empty() ? "" : " × ") + one.set()->text();
-    return "(" + made + ")";
+    std::string text;
+    for (const Value& factor : factors_) text += (text.empty() ? "" : " × ") + factor.set()->text();
+    return "(" + text + ")";
   }
 
  private:
@@ -147,8 +148,8 @@ bool not_sets(const Value& a) { return !a.set(); }
 }  // namespace
 
 Value constructor_function(std::string type, std::string name, std::uint32_t order, Value arguments) {
-  const Value made = Value::atom(std::move(type), std::move(name), order);
-  return SetPtr(std::make_shared<const ConstructorFunction>(*made.get<Atom>(), std::move(arguments)));
+  const Value atom = Value::atom(std::move(type), std::move(name), order);
+  return SetPtr(std::make_shared<const ConstructorFunction>(*atom.get<Atom>(), std::move(arguments)));
 }
 
 Value power_set(Value base, PowerForm form) {
@@ -156,9 +157,15 @@ Value power_set(Value base, PowerForm form) {
   return SetPtr(std::make_shared<const PowerSet>(std::move(base), form));
 }
 
+Value functions::nonempty_subsets(const Value& set, Context&) { return power_set(set, {.nonempty = true}); }
+Value functions::finite_subsets(const Value& set, Context&) { return power_set(set, {.finite = true}); }
+Value functions::nonempty_finite_subsets(const Value& set, Context&) {
+  return power_set(set, {.finite = true, .nonempty = true});
+}
+
 Value product_set(std::vector<Value> factors) {
-  for (const Value& one : factors) {
-    if (not_sets(one)) return one;
+  for (const Value& factor : factors) {
+    if (not_sets(factor)) return factor;
   }
   return SetPtr(std::make_shared<const ProductSet>(std::move(factors)));
 }

@@ -64,24 +64,24 @@ Value Value::set(std::vector<Value> members) {
 }
 
 const TupleValue* Value::tuple() const {
-  const auto* found = get<TuplePtr>();
-  return found ? found->get() : nullptr;
+  const auto* shared = get<TuplePtr>();
+  return shared ? shared->get() : nullptr;
 }
 
 const BindingValue* Value::binding() const {
-  const auto* found = get<BindingPtr>();
-  return found ? found->get() : nullptr;
+  const auto* shared = get<BindingPtr>();
+  return shared ? shared->get() : nullptr;
 }
 
 const Set* Value::set() const {
-  const auto* found = get<SetPtr>();
-  return found ? found->get() : nullptr;
+  const auto* shared = get<SetPtr>();
+  return shared ? shared->get() : nullptr;
 }
 
 const Value* BindingValue::component(const Name& name) const {
-  const auto found = std::lower_bound(names->begin(), names->end(), name);
-  if (found == names->end() || *found != name) return nullptr;
-  return &values[static_cast<std::size_t>(found - names->begin())];
+  const auto at = std::lower_bound(names->begin(), names->end(), name);
+  if (at == names->end() || *at != name) return nullptr;
+  return &values[static_cast<std::size_t>(at - names->begin())];
 }
 
 namespace {
@@ -134,7 +134,7 @@ template <class Test>
 bool any_part(const Value& value, Test&& test) {
   if (const auto* tuple = value.tuple()) return std::any_of(tuple->parts.begin(), tuple->parts.end(), test);
   if (const auto* binding = value.binding()) return std::any_of(binding->values.begin(), binding->values.end(), test);
-  if (const auto* made = value.get<ConstructedPtr>()) return test((*made)->argument);
+  if (const auto* constructed = value.get<ConstructedPtr>()) return test((*constructed)->argument);
   return false;
 }
 
@@ -159,55 +159,64 @@ bool has_intensional(const Value& value) {
 
 namespace {
 
-template <class Parts>
-std::string listed(const Parts& values) {
-  std::string made;
-  for (const Value& one : values) made += (made.empty() ? "" : ", ") + one.text();
-  return made;
-}
-
 bool all_pairs(const std::vector<Value>& values) {
-  return std::all_of(values.begin(), values.end(), [](const Value& one) {
-    const auto* tuple = one.tuple();
+  return std::all_of(values.begin(), values.end(), [](const Value& value) {
+    const auto* tuple = value.tuple();
     return tuple && tuple->parts.size() == 2;
   });
 }
 
-std::string set_text(const std::vector<Value>& members) {
-  if (members.empty()) return "∅";
-  if (!all_pairs(members)) return "{" + listed(members) + "}";
-  std::string made;
-  for (const Value& one : members) {
-    const auto& parts = one.tuple()->parts;
-    made += (made.empty() ? "" : ", ") + parts[0].text() + " ↦ " + parts[1].text();
-  }
-  return "{" + made + "}";
-}
+/// Writes a value; a set of pairs as a function.
+struct Writer {
+  const Value::Spelling& spelling;
 
-struct Text {
   std::string operator()(const Undefined&) const { return "undefined"; }
   std::string operator()(const Open&) const { return "open"; }
   std::string operator()(const Unknown&) const { return "unknown"; }
   std::string operator()(const PolynomialPtr&) const { return "unknown"; }
   std::string operator()(const Real& real) const { return real.text(); }
-  std::string operator()(const Atom& atom) const { return atom->text; }
+  std::string operator()(const Atom& atom) const { return spelling(*atom); }
   std::string operator()(const TuplePtr& tuple) const { return "(" + listed(tuple->parts) + ")"; }
   std::string operator()(const BindingPtr& binding) const {
-    std::string made;
-    for (std::size_t i = 0; i < binding->values.size(); ++i) {
-      made += (made.empty() ? "" : ", ") + (*binding->names)[i].text() + " == " + binding->values[i].text();
-    }
-    return "⦉" + made + "⦊";
+    std::string parts;
+    for (std::size_t i = 0; i < binding->values.size(); ++i)
+      parts += (i > 0 ? ", " : "") + (*binding->names)[i].text() + " == " + write(binding->values[i]);
+    return "⦉" + parts + "⦊";
   }
-  std::string operator()(const ConstructedPtr& made) const {
-    return made->constructor->text + "(" + made->argument.text() + ")";
+  std::string operator()(const ConstructedPtr& value) const {
+    return spelling(*value->constructor) + "(" + write(value->argument) + ")";
   }
-  std::string operator()(const SetPtr& set) const { return set->members() ? set_text(*set->members()) : set->text(); }
+  std::string operator()(const SetPtr& set) const {
+    const std::vector<Value>* members = set->members();
+    if (!members) return set->text();
+    if (members->empty()) return "∅";
+    return "{" + (all_pairs(*members) ? maplets(*members) : listed(*members)) + "}";
+  }
+
+  std::string write(const Value& value) const { return value.text(spelling); }
+
+  template <class Parts>
+  std::string listed(const Parts& values) const {
+    std::string list;
+    for (const Value& value : values) list += (list.empty() ? "" : ", ") + write(value);
+    return list;
+  }
+
+  std::string maplets(const std::vector<Value>& pairs) const {
+    std::string list;
+    for (const Value& pair : pairs)
+      list += (list.empty() ? "" : ", ") + write(pair.tuple()->parts[0]) + " ↦ " + write(pair.tuple()->parts[1]);
+    return list;
+  }
 };
 
 }  // namespace
 
-std::string Value::text() const { return std::visit(Text(), form_); }
+std::string Value::text() const {
+  return text([](const AtomName& atom) { return atom.text; });
+}
+
+std::string Value::text(const Spelling& spelling) const { return std::visit(Writer{spelling}, form_); }
 
 Value Set::unknown(Context& context) const { return Unknown{context.fresh()}; }
 
@@ -222,8 +231,8 @@ Truth Set::some_contains(const Value& value, Context& context) const {
   if (!all) throw EvaluationError(text() + " cannot be enumerated");
   Truth some = Truth::no;
   const Necessary only(context, all->size() == 1);
-  for (const Value& one : *all) {
-    const Truth in = contains_value(one, value, context);
+  for (const Value& member : *all) {
+    const Truth in = contains_value(member, value, context);
     if (in == Truth::yes) return in;
     if (in == Truth::open) some = in;
   }

@@ -99,3 +99,15 @@ TEST_CASE("parentheses are printed where reading back needs them, and nowhere el
                            "f ⦇ {a, b} ⦈"})
     CHECK(to_unicode(parse_unicode(text)) == text);
 }
+
+TEST_CASE("a point behind a number is printed as no decimal's") {
+  const Term selection = make({.kind = Kind::tuple_selection,
+                               .place = {},
+                               .name = {"1", ""},
+                               .children = {number("0")},
+                               .names = {},
+                               .text = {}});
+  CHECK(to_unicode(selection) == "(0).1");
+  CHECK(parse_unicode(to_unicode(selection)) == selection);
+  CHECK(to_unicode(parse_unicode("0.25")) == "25 / 100");
+}

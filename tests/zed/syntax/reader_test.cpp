@@ -4,7 +4,6 @@
 
 #include <fstream>
 #include <map>
-#include <regex>
 
 #include "support/catch.hpp"
 #include "support/tree.hpp"
@@ -46,10 +45,14 @@ TEST_CASE("each labelled line of spec/ gives its label to one conjunct or defini
     const std::string file = fmt::format("{}/spec/{}.tex", durero::test::source_dir(), stem);
     std::ifstream in(file);
     std::map<std::string, unsigned> where;
-    const std::regex pattern(R"(% (\w+\.(pre|post|inv|def|axiom)\.\d+)$)");
     std::string text;
-    for (unsigned line = 1; std::getline(in, text); ++line)
-      if (std::smatch found; std::regex_search(text, found, pattern)) where[found[1]] = line;
+    for (unsigned line = 1; std::getline(in, text); ++line) {
+      const std::size_t comment = text.rfind("% ");
+      if (comment == text.npos) continue;
+      const std::string label = text.substr(comment + 2);
+      for (const char* kind : {".pre.", ".post.", ".inv.", ".def.", ".axiom."})
+        if (label.find(kind) != label.npos && label.find(' ') == label.npos) where[label] = line;
+    }
     lines += where.size();
     const Specification spec = read_files({file});
     for (const auto& [label, place] : labels_of(*spec.find(stem))) {
@@ -60,4 +63,40 @@ TEST_CASE("each labelled line of spec/ gives its label to one conjunct or defini
   }
   CHECK(labels == lines);
   CHECK(labels > 100);
+}
+
+TEST_CASE("a cycle of parents is said to be one, and what is unknown or comes too late is told apart") {
+  const auto section = [](const std::string& name, const std::string& parents) {
+    return "\\begin{zsection}\n\\SECTION " + name + " \\parents " + parents + "\n\\end{zsection}\n";
+  };
+  const auto said = [](const std::map<std::string, std::string>& texts) {
+    const Specification spec = read_texts(texts);
+    return spec.defects.empty() ? std::string() : spec.defects[0].text();
+  };
+  using Catch::Matchers::Contains;
+  CHECK_THAT(said({{"a.tex", section("a", "b")}, {"b.tex", section("b", "a")}}),
+             Contains("the parents go in a cycle, back to a"));
+  CHECK_THAT(said({{"a.tex", section("a", "a")}}), Contains("the parents go in a cycle, back to a"));
+  CHECK_THAT(said({{"a.tex", section("a", "b") + section("b", "prelude")}}),
+             Contains("the parent b stands behind its child"));
+  CHECK_THAT(said({{"a.tex", section("a", "nowhere")}}), Contains("unknown parent nowhere"));
+  CHECK(said({{"a.tex", section("a", "b, c")}, {"b.tex", section("b", "c")}, {"c.tex", section("c", "prelude")}}) ==
+        "");
+}
+
+TEST_CASE("sources are read in their order, each from what is given") {
+  const auto text = [](const std::string& name) {
+    return "\\begin{zsection}\n\\SECTION " + name + "\n\\end{zsection}\n\\begin{zed}[" + name + "x]\\end{zed}\n";
+  };
+  const Specification spec = read_sources({{"nowhere/b.tex", text("b")}, {"nowhere/a.tex", text("a")}});
+  CHECK(spec.ok());
+  REQUIRE(spec.sections.size() == 2);
+  CHECK(spec.sections[0].name == "b");
+}
+
+TEST_CASE("a defect shows no byte that a terminal would obey") {
+  const Specification spec = read_text("\\begin{zed}\n  x == \x1b\xff\n\\end{zed}\n", "a\x07.tex");
+  REQUIRE(spec.defects.size() == 1);
+  CHECK_THAT(spec.defects[0].text(), Catch::Matchers::StartsWith("a\\x07.tex:2:8: ") &&
+                                         Catch::Matchers::Contains("\\x1b") && !Catch::Matchers::Contains("\x1b"));
 }

@@ -28,9 +28,9 @@ using Given = std::vector<std::pair<Name, Value>>;
 
 /// A conjunct of a schema: a predicate, or a declaration `x ∈ S`, and its truth.
 struct Finding {
-  std::string label;      ///< of the predicate; empty for a declaration
+  std::string label;      ///< the predicate's label; empty for a declaration
   std::string predicate;  ///< in Unicode
-  std::string strokes;    ///< of the state that it speaks of: `'` for Escena' in an operation
+  std::string strokes;    ///< those of the state that it speaks of: `'` for Escena' in an operation
   Place place;
   Truth truth = Truth::yes;
 };
@@ -42,8 +42,8 @@ class SchemaCheck {
   const std::vector<Name>& components() const;
   /// Whether the values, one for each component, satisfy the schema. A component that is not known is `Open`.
   Truth holds(std::span<const Value> values) const;
-  /// Every conjunct and its truth. Of a disjunction: where a side holds, that side's; else those of the side with the
-  /// fewest false conjuncts.
+  /// Returns every conjunct with its truth. A disjunction gives those of a side that holds; else those of the side
+  /// with the fewest false conjuncts.
   std::vector<Finding> findings(std::span<const Value> values) const;
 
  private:
@@ -54,7 +54,7 @@ class SchemaCheck {
 
 class Evaluator {
  public:
-  /// `given`: values of names that the specification declares and does not define.
+  /// `given` has values of names that the specification declares and does not define.
   explicit Evaluator(std::vector<Section> sections, const Given& given = {});
   ~Evaluator();
   Evaluator(Evaluator&&) noexcept;

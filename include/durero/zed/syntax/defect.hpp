@@ -17,7 +17,8 @@ struct Defect {
   std::string expected;  ///< what is expected instead
   Severity severity = Severity::error;
 
-  /// `FILE:LINE:COLUMN: what is wrong; what is expected`, with `warning: ` after the place of a warning.
+  /// `FILE:LINE:COLUMN: what is wrong; what is expected`, with `warning: ` after the place of a warning. One line of
+  /// visible characters, whatever the text holds.
   std::string text() const;
 };
 

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "durero/zed/syntax/ast.hpp"
@@ -29,6 +30,9 @@ bool is_toolkit(const std::string& section);
 /// Reads files, and the parents that they name: from the files given, or from the `.tex` files in the folder of the
 /// file that names the parent. A file that cannot be opened is a defect.
 Specification read_files(const std::vector<std::string>& files);
+
+/// Reads texts that were files, each with its name, in this order. Parents are looked for as by read_files.
+Specification read_sources(const std::vector<std::pair<std::string, std::string>>& sources);
 
 /// Reads texts in memory, by the names of the files that they stand for.
 Specification read_texts(const std::map<std::string, std::string>& texts);

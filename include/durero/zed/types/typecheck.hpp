@@ -48,6 +48,13 @@ struct Typing {
 /// be read would declare is taken to have any type.
 Typing check(const Specification& specification);
 
+/// Names for an expression that is typed by hand and that no section sees: / and √ of numbers, with which values are
+/// printed. To be given to check_term among its locals.
+std::vector<std::pair<Name, Type>> calculator_names();
+
+/// True for a word that the language and its toolkit leave free for a name: `s1`, and not `dom`, `a-b` or `if`.
+bool is_free_word(const std::string& word);
+
 /// Checks one expression or predicate as if it stood at the end of a section of what was checked, with `locals` in
 /// scope. `file` is what its defects name.
 Typing check_term(const Typing& known, const std::string& section, const Term& term,

@@ -9,6 +9,7 @@
 #include <boost/container/small_vector.hpp>
 #include <compare>
 #include <cstdint>
+#include <functional>
 #include <iterator>
 #include <memory>
 #include <span>
@@ -43,9 +44,9 @@ struct Constructed;
 /// The value of an expression that has none: an application of a function outside its domain, and what is made of
 /// one. The predicate that it stands in directly is false.
 struct Undefined {};
-/// A value that depends on one not given.
+/// A value that depends on a value which is not given.
 struct Open {};
-/// A variable that is looked for.
+/// A variable whose value is looked for.
 struct Unknown {
   std::uint32_t id;
 };
@@ -65,7 +66,7 @@ using ConstructedPtr = std::shared_ptr<const Constructed>;
 using SetPtr = std::shared_ptr<const Set>;
 using PolynomialPtr = std::shared_ptr<const Polynomial>;
 
-/// The components' names of a binding, sorted.
+/// The names of a binding's components, sorted.
 using Signature = std::shared_ptr<const std::vector<Name>>;
 Signature signature(std::vector<Name> names);
 
@@ -87,18 +88,18 @@ class Value {
   static Value atom(std::string type, std::string text, std::uint32_t order = 0);
   static Value tuple(std::vector<Value> parts);
   static Value pair(Value first, Value second);
-  /// names sorted, values in step.
+  /// The names are sorted, and the values stand in their order.
   static Value binding(Signature names, std::vector<Value> values);
   static Value point(const Signature& names, Real x, Real y, Real z);  ///< of three components
-  /// constant + slope · unknown
+  /// Makes the number constant + slope · unknown.
   static Value line(Real constant, Real slope, Unknown unknown);
-  /// Sorted here; repetitions are dropped. A set of open values is open, one of undefined values undefined.
+  /// Sorts the members and drops repetitions. A set of open values is open, one of undefined values undefined.
   static Value set(std::vector<Value> members);
 
   const Form& form() const { return form_; }
   bool is_undefined() const { return form_.index() == 0; }
   bool is_open() const { return form_.index() == 1; }
-  /// The part of this kind, or null.
+  /// Returns the value as one of this form, or null where it has another.
   template <class T>
   const T* get() const {
     return std::get_if<T>(&form_);
@@ -108,8 +109,11 @@ class Value {
   const BindingValue* binding() const;
   const Set* set() const;
 
-  /// In Z notation, in Unicode.
+  /// In Z notation, in Unicode. `spelling`: how a member of a given set, or a constant, is written; by default by its
+  /// own text. A set that is known by membership only is written as a message would name it.
+  using Spelling = std::function<std::string(const AtomName&)>;
   std::string text() const;
+  std::string text(const Spelling& spelling) const;
 
  private:
   Form form_;
@@ -149,21 +153,21 @@ class Set {
  public:
   virtual ~Set() = default;
   virtual Truth contains(const Value& value, Context& context) const = 0;
-  /// The members where the set is finite, sorted, each once; null where it is intensional.
+  /// Returns the members of a finite set, sorted, each once; null where the set is intensional.
   virtual const std::vector<Value>* members() const { return nullptr; }
   /// True where every value of the type is known to be a member.
   virtual bool total() const { return false; }
   /// True for a finite set of intensional sets: members may repeat, as nobody can compare them.
   virtual bool family() const { return false; }
-  /// A member with every part unknown.
+  /// Makes a member with every part unknown.
   virtual Value unknown(Context& context) const;
-  /// The set as a function.
+  /// Applies the set as a function.
   virtual Value apply(const Value& argument, Context& context) const;
   /// Whether the set as a function is defined there.
   virtual Truth in_domain(const Value& argument, Context& context) const;
   /// Whether some member of this set of sets contains the value.
   virtual Truth some_contains(const Value& value, Context& context) const;
-  /// What it is, for messages and printing.
+  /// Names the set, for messages and printing.
   virtual std::string text() const = 0;
 };
 

@@ -1,8 +1,9 @@
 #pragma once
 /// The two mark-ups of ISO Z, and the operators of its standard toolkit.
 ///
-/// Every symbol is known by its Unicode text. Operator templates of the toolkit are built in; a text that writes its
-/// own is refused by the parser, which keeps reading independent of what has been read.
+/// Every symbol is known by its Unicode text. What is known of an operator is a row of one table. Operator templates of
+/// the toolkit are built in; a text that writes its own is refused by the parser, which keeps reading independent of
+/// what has been read.
 
 #include <optional>
 #include <string>
@@ -40,6 +41,13 @@ const Operator* operator_of_name(std::string_view name);
 
 /// True for the name of an operator, `_⦇_⦈` included.
 bool is_operator_name(std::string_view name);
+
+/// True for a symbol that is a name by itself: `∅`, `ℕ₁`, `⋃`.
+bool is_symbol_name(std::string_view symbol);
+
+/// True for a word or symbol that with a subscript 1 is another word of the language: `seq`, `ℙ`, `∃`. There the
+/// subscript is no stroke.
+bool has_indexed(std::string_view word);
 
 /// The precedence of × among the infix operators (ISO/IEC 13568, 8.3).
 inline constexpr int product_precedence = 8;

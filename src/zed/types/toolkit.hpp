@@ -14,6 +14,9 @@ const Type& arithmos();
 /// What a section sees with the toolkit among its ancestors.
 const std::unordered_map<Name, Scheme>& toolkit();
 
+/// What an expression sees that is typed by hand, and no section: / and √, with which its value is printed.
+const std::unordered_map<Name, Scheme>& calculator();
+
 /// What every section sees: 𝔸, ℕ and + (the prelude).
 const std::unordered_map<Name, Scheme>& prelude();
 

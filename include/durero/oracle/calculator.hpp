@@ -1,0 +1,47 @@
+#pragma once
+/// Expressions and predicates that one types, evaluated by the Z text.
+
+#include <optional>
+#include <string>
+#include <unordered_set>
+
+#include "durero/model/escena.hpp"
+#include "durero/oracle/spec.hpp"
+#include "durero/zed/syntax/defect.hpp"
+#include "durero/zed/types/typecheck.hpp"
+
+namespace durero::oracle::spec {
+
+/// A term as one types it: in LaTeX where a command of LaTeX is in it, with the commands that the text names; else in
+/// Unicode. Throws zed::ZError.
+zed::Term parsed(const std::string& typed);
+
+/// Sees the whole text, and Escena's components and the elements of a scene where there is one. An element's name is
+/// written between quotation marks, `"a-b"`, or plainly where it is a word that the text leaves free. Numbers may be
+/// decimal, `0.25`, and / and √ are known: what is printed can be typed again, but for the empty set without its type
+/// and for sets that are known by membership only.
+class Calculator {
+ public:
+  Calculator();
+  explicit Calculator(const model::Escena& escena);
+
+  struct Result {
+    std::string text;  ///< the value, `undefined`, `true` or `false`
+    bool yes = false;  ///< there is a value, or the predicate holds
+  };
+  /// Throws zed::ZError where the term cannot be read or has no type, zed::EvaluationError where it is not decided.
+  Result evaluate(const std::string& typed) const;
+
+ private:
+  void declare(const model::Escena& escena);
+  /// The term, or, of a connective of schemas whose components are not in scope, the schema; with its typing.
+  zed::Typing check(zed::Term& term) const;
+  std::string spelled(const zed::AtomName& atom) const;
+
+  zed::Specification specification_;
+  zed::Typing typing_;
+  zed::Given given_;
+  std::unordered_set<std::string> plain_;  // the elements that have a plain name
+};
+
+}  // namespace durero::oracle::spec

@@ -1,0 +1,127 @@
+#include "durero/oracle/calculator.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "durero/zed/syntax/parser.hpp"
+
+namespace durero::oracle::spec {
+namespace {
+
+using zed::Name;
+
+constexpr const char* section_name = "call";
+constexpr const char* file_name = "EXPR";
+constexpr const char* elements = "Elemento";  // the given set of the text
+
+/// A section that sees the whole text.
+zed::Section calling_section(const zed::Specification& specification) {
+  zed::Section section;
+  section.file = file_name;
+  section.name = section_name;
+  for (const zed::Section& parent : specification.sections) section.parents.push_back(parent.name);
+  return section;
+}
+
+std::string quoted(const std::string& name) { return "\"" + name + "\""; }
+
+/// A backslash before a letter or before a character that only LaTeX writes with one; `A \ B` alone is a difference.
+bool is_latex(std::string_view typed) {
+  const auto begins_command = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || std::string_view("_{}#&%").find(c) != std::string::npos;
+  };
+  for (std::size_t at = typed.find('\\'); at != typed.npos; at = typed.find('\\', at + 1))
+    if (at + 1 < typed.size() && begins_command(typed[at + 1])) return true;
+  return false;
+}
+
+/// [ S ]
+zed::Term schema_of(const zed::Term& term) {
+  zed::SchemaText text;
+  text.declarations.push_back({zed::Declaration::Form::included, {}, {}, term, term->place});
+  return zed::quantified(zed::Kind::schema_text, std::move(text), {}, term->place);
+}
+
+constexpr const char* open_variable =
+    "a variable ranges over a set that is not finite, and no equation gives its value";
+
+}  // namespace
+
+zed::Term parsed(const std::string& typed) {
+  if (!is_latex(typed)) return zed::parse_unicode(typed);
+  zed::Markup markup;
+  for (const auto& [section, commands] : text().markup) markup.insert(commands.begin(), commands.end());
+  return zed::parse_latex(typed, markup);
+}
+
+Calculator::Calculator() : specification_(text()) {
+  specification_.sections.push_back(calling_section(specification_));
+  typing_ = zed::check(specification_);
+}
+
+Calculator::Calculator(const model::Escena& escena) : Calculator() {
+  given_ = components(escena);
+  declare(escena);
+  typing_ = zed::check(specification_);
+}
+
+void Calculator::declare(const model::Escena& escena) {
+  using Form = zed::Declaration::Form;
+  zed::Axiomatic box;
+  box.text.declarations.push_back({Form::included, {}, {}, zed::reference({"Escena", ""}), {}});
+  zed::Declaration names{Form::typed, {}, {}, zed::reference({elements, ""}), {}};
+  const auto add = [&](const Name& name, const model::Elemento& e) {
+    names.names.push_back(name);
+    names.places.push_back({});
+    given_.emplace_back(name, value(e));
+  };
+  const std::size_t of_escena = given_.size();
+  const auto is_component = [&](const Name& name) {
+    return std::any_of(given_.begin(), given_.begin() + static_cast<std::ptrdiff_t>(of_escena),
+                       [&](const auto& component) { return component.first == name; });
+  };
+  for (const model::Elemento& e : escena.elementos) {
+    const Name plain{e.name(), ""};
+    add({quoted(e.name()), ""}, e);
+    if (!zed::is_free_word(e.name()) || typing_.find(section_name, plain) || is_component(plain)) continue;
+    add(plain, e);
+    plain_.insert(e.name());
+  }
+  if (!names.names.empty()) box.text.declarations.push_back(std::move(names));
+  specification_.sections.back().paragraphs.push_back({{}, std::move(box)});
+}
+
+zed::Typing Calculator::check(zed::Term& term) const {
+  zed::Typing typing = zed::check_term(typing_, section_name, term, zed::calculator_names(), file_name);
+  if (typing.ok()) return typing;
+  const zed::Term schema = schema_of(term);
+  zed::Typing as_schema = zed::check_term(typing_, section_name, schema, zed::calculator_names(), file_name);
+  if (!as_schema.ok()) {
+    const zed::Defect& first = typing.defects.front();
+    throw zed::ZError(first.place, first.what, first.expected);
+  }
+  term = schema;
+  return as_schema;
+}
+
+std::string Calculator::spelled(const zed::AtomName& atom) const {
+  return atom.type == elements && !plain_.contains(atom.text) ? quoted(atom.text) : atom.text;
+}
+
+Calculator::Result Calculator::evaluate(const std::string& typed) const {
+  zed::Term term = parsed(typed);
+  const zed::Typing typing = check(term);
+  const zed::Evaluator evaluator(specification_.sections, given_);
+  const bool is_predicate = !typing.type_of(term);
+  if (is_predicate) {
+    const zed::Truth truth = evaluator.holds(term);
+    if (truth == zed::Truth::open) throw zed::EvaluationError(open_variable);
+    return truth == zed::Truth::yes ? Result{"true", true} : Result{"false", false};
+  }
+  const zed::Value result = evaluator.value(term);
+  if (result.is_open()) throw zed::EvaluationError(open_variable);
+  return {result.text([this](const zed::AtomName& atom) { return spelled(atom); }), !result.is_undefined()};
+}
+
+}  // namespace durero::oracle::spec

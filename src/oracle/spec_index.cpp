@@ -1,0 +1,98 @@
+#include "durero/oracle/spec_index.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+#include <string_view>
+
+#include "durero/oracle/calculator.hpp"
+#include "durero/oracle/spec.hpp"
+#include "durero/zed/print/print.hpp"
+#include "durero/zed/syntax/paragraphs.hpp"
+
+namespace durero::oracle::spec {
+namespace {
+
+std::string paragraph_text(const zed::Section& section, const zed::Paragraph& paragraph, const std::string& name,
+                           const LabelIndex& index) {
+  std::string said = fmt::format("{}:{}\n{}", section.file, paragraph.place.line, zed::to_unicode(paragraph));
+  const std::vector<std::string> labels = zed::labels_of(paragraph);
+  const bool is_label = std::find(labels.begin(), labels.end(), name) != labels.end();
+  for (const std::string& label : labels) {
+    if (!is_label || label == name) said += "\n" + index.places(label);
+  }
+  return said;
+}
+
+/// What declares the name; else the first schema with a component of that name; else nothing.
+std::string declaration_text(const std::string& name, const LabelIndex& index) {
+  for (const auto& declares : {zed::is_named, zed::has_component}) {
+    for (const zed::Section& section : text().sections) {
+      for (const zed::Paragraph& paragraph : section.paragraphs) {
+        if (declares(paragraph, name)) return paragraph_text(section, paragraph, name, index);
+      }
+    }
+  }
+  return {};
+}
+
+/// ΔS and ΞS, which no paragraph declares: what they stand for, then S.
+std::string change_text(const std::string& name, const LabelIndex& index) {
+  constexpr std::string_view delta = "Δ", xi = "Ξ";
+  static_assert(delta.size() == xi.size());
+  const bool nothing_changes = name.starts_with(xi);
+  if (!name.starts_with(delta) && !nothing_changes) return {};
+  const std::string state = name.substr(delta.size());
+  const std::string said = state.empty() ? "" : declaration_text(state, index);
+  if (said.empty()) return {};
+  return fmt::format("{0} == [{1}; {1}'{2}]\n\n{3}", name, state,
+                     nothing_changes ? fmt::format(" | θ {0} = θ {0}'", state) : "", said);
+}
+
+}  // namespace
+
+LabelIndex::LabelIndex(const std::string& table) {
+  std::istringstream lines(table);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream cells(line);
+    std::string label;
+    Entry entry;
+    std::getline(cells, label, '\t');
+    std::getline(cells, entry.kind, '\t');
+    std::getline(cells, entry.place, '\t');
+    std::getline(cells, entry.name, '\t');
+    entries_.emplace(label, entry);
+  }
+}
+
+std::string LabelIndex::places(const std::string& label) const {
+  std::string said = label + "\n";
+  const auto [first, last] = entries_.equal_range(label);
+  for (const char* kind : {"text", "clause", "function", "test", "theorem"}) {
+    for (auto at = first; at != last; ++at) {
+      const Entry& entry = at->second;
+      if (entry.kind != kind) continue;
+      said += fmt::format("  {:<8}  {}{}\n", kind, entry.place, entry.name.empty() ? "" : "  " + entry.name);
+    }
+  }
+  return said;
+}
+
+std::string shown(const std::string& name, const LabelIndex& index) {
+  const std::string unicode = in_unicode(name);
+  const std::string said = declaration_text(unicode, index);
+  return said.empty() ? change_text(unicode, index) : said;
+}
+
+std::string in_unicode(const std::string& name) {
+  if (name.find('\\') == name.npos) return name;
+  try {
+    const zed::Term term = parsed(name);
+    return term->kind == zed::Kind::reference ? term->name.text() : name;
+  } catch (const zed::ZError&) {
+    return name;
+  }
+}
+
+}  // namespace durero::oracle::spec

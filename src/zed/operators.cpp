@@ -1,0 +1,137 @@
+#include "zed/operators.hpp"
+
+#include <unordered_map>
+
+#include "zed/coq/level.hpp"
+#include "zed/value/sets.hpp"
+#include "zed/value/toolkit_functions.hpp"
+
+namespace durero::zed {
+namespace {
+
+constexpr auto function = Role::function, generic = Role::generic, relation = Role::relation;
+
+// X ↔ Y stands for ℙ (X × Y) in the types, and so does every arrow: for types they are one. The relations = and ∈
+// belong to the language itself, and have no type here.
+constexpr OperatorRow rows[] = {
+    {"_↔_", "rel", {generic, 5, true}, "XY", "ℙ (X ↔ Y)", {}, {}, {}, Arrow{.function = false}},
+    {"_→_", "fun", {generic, 5, true}, "XY", "ℙ (X ↔ Y)", {}, {}, {}, Arrow{.total = true}},
+    {"_⇸_", "pfun", {generic, 5, true}, "XY", "ℙ (X ↔ Y)", {}, {"⇸", coq::plus + 5}, {}, Arrow{}},
+    {"_⤔_", "pinj", {generic, 5, true}, "XY", "ℙ (X ↔ Y)", {}, {}, {}, Arrow{.injective = true}},
+    {"_↣_", "inj", {generic, 5, true}, "XY", "ℙ (X ↔ Y)", {}, {}, {}, Arrow{.total = true, .injective = true}},
+    {"_⤀_", "psurj", {generic, 5, true}, "XY", "ℙ (X ↔ Y)", {}, {}, {}, Arrow{.surjective = true}},
+    {"_↠_", "surj", {generic, 5, true}, "XY", "ℙ (X ↔ Y)", {}, {}, {}, Arrow{.total = true, .surjective = true}},
+    {"_⤖_",
+     "bij",
+     {generic, 5, true},
+     "XY",
+     "ℙ (X ↔ Y)",
+     {},
+     {},
+     {},
+     Arrow{.total = true, .injective = true, .surjective = true}},
+    {"_⇻_", "ffun", {generic, 5, true}, "XY", "ℙ (X ↔ Y)", {}, {}, {}, Arrow{.finite = true}},
+    {"_⤕_", "finj", {generic, 5, true}, "XY", "ℙ (X ↔ Y)", {}, {}, {}, Arrow{.injective = true, .finite = true}},
+    {"ℙ₁_", "", {generic}, "X", "ℙ ℙ X", functions::nonempty_subsets},
+    {"𝔽_", "finset", {generic}, "X", "ℙ ℙ X", functions::finite_subsets, {"𝔽", coq::applied + 20}},
+    {"𝔽₁_", "", {generic}, "X", "ℙ ℙ X", functions::nonempty_finite_subsets},
+    {"id_", "id", {generic}, "X", "X ↔ X", functions::identity},
+    {"seq_", "seq", {generic}, "X", "ℙ (𝔸 ↔ X)", functions::sequences},
+    {"seq₁_", "", {generic}, "X", "ℙ (𝔸 ↔ X)", functions::nonempty_sequences},
+    {"iseq_", "iseq", {generic}, "X", "ℙ (𝔸 ↔ X)", functions::injective_sequences},
+    {"_↦_", "mapsto", {function, 10}, "XY", "X × Y ↔ X × Y", functions::maplet},
+    {"_‥_", "upto", {function, 20}, "", "𝔸 × 𝔸 ↔ ℙ 𝔸", functions::interval},
+    {"_⊖_", "symdiff", {function, 25}, "X", "ℙ X × ℙ X ↔ ℙ X", functions::symmetric_difference},
+    {"_∪_", "cup", {function, 30}, "X", "ℙ X × ℙ X ↔ ℙ X", set_union, {"∪", coq::plus}},
+    {"_∖_", "setminus", {function, 30}, "X", "ℙ X × ℙ X ↔ ℙ X", set_difference, {"∖", coq::plus}},
+    {"_+_", "", {function, 30}, "", "𝔸 × 𝔸 ↔ 𝔸", functions::addition, {"+", coq::plus}},
+    {"_-_", "", {function, 30}, "", "𝔸 × 𝔸 ↔ 𝔸", functions::subtraction, {"-", coq::plus}},
+    {"_⁀_", "cat", {function, 30}, "X", "(𝔸 ↔ X) × (𝔸 ↔ X) ↔ (𝔸 ↔ X)", functions::concatenation},
+    {"_∩_", "cap", {function, 40}, "X", "ℙ X × ℙ X ↔ ℙ X", intersection, {"∩", coq::times}},
+    {"_*_", "", {function, 40}, "", "𝔸 × 𝔸 ↔ 𝔸", functions::multiplication, {"*", coq::times}},
+    {"_/_", "", {function, 40}, "", "𝔸 × 𝔸 ↔ 𝔸", functions::fraction},
+    {"_div_", "div", {function, 40}, "", "𝔸 × 𝔸 ↔ 𝔸", functions::quotient},
+    {"_mod_", "mod", {function, 40}, "", "𝔸 × 𝔸 ↔ 𝔸", functions::remainder},
+    {"_⨾_", "comp", {function, 40}, "XYZ", "(X ↔ Y) × (Y ↔ Z) ↔ (X ↔ Z)", functions::forward_composition},
+    {"_∘_", "circ", {function, 40}, "XYZ", "(Y ↔ Z) × (X ↔ Y) ↔ (X ↔ Z)", functions::backward_composition},
+    {"_↾_", "filter", {function, 40}, "X", "(𝔸 ↔ X) × ℙ X ↔ (𝔸 ↔ X)", functions::filtering},
+    {"_↿_", "extract", {function, 45, true}, "X", "ℙ 𝔸 × (𝔸 ↔ X) ↔ (𝔸 ↔ X)", functions::extraction},
+    {"_⊕_", "oplus", {function, 50}, "XY", "(X ↔ Y) × (X ↔ Y) ↔ (X ↔ Y)", functions::overriding},
+    {"_▷_", "rres", {function, 60}, "XY", "(X ↔ Y) × ℙ Y ↔ (X ↔ Y)", functions::range_restriction},
+    {"_⩥_", "nrres", {function, 60}, "XY", "(X ↔ Y) × ℙ Y ↔ (X ↔ Y)", functions::range_subtraction},
+    {"_◁_", "dres", {function, 65, true}, "XY", "ℙ X × (X ↔ Y) ↔ (X ↔ Y)", functions::domain_restriction, {"dres"}},
+    {"_⩤_", "ndres", {function, 65, true}, "XY", "ℙ X × (X ↔ Y) ↔ (X ↔ Y)", functions::domain_subtraction, {"ndres"}},
+    {"-_", "negate", {function}, "", "𝔸 ↔ 𝔸", functions::negation},
+    {"√_", "sqrt", {function}, "", "𝔸 ↔ 𝔸", functions::root},
+    {"#_", "#", {function}, "X", "ℙ X ↔ 𝔸", functions::cardinality},
+    {"_∼", "inv", {function}, "XY", "(X ↔ Y) ↔ (Y ↔ X)", functions::inverse, {"inverse"}},
+    {"_⁺", "plus", {function}, "X", "(X ↔ X) ↔ (X ↔ X)", functions::closure},
+    {"_∗", "star", {function}, "X", "(X ↔ X) ↔ (X ↔ X)"},
+    {"_=_", "", {relation}, "", "", equal, {"=", coq::related, "≡"}, "_≠_"},
+    {"_∈_", "in", {relation}, "", "", relations::element_of, {"∈", coq::related}, "_∉_"},
+    {"_≠_", "neq", {relation}, "X", "X ↔ X", relations::unequal, {"<>", coq::related}, "_=_"},
+    {"_∉_", "notin", {relation}, "X", "X ↔ ℙ X", relations::no_element_of, {"∉", coq::related}, "_∈_"},
+    {"_⊆_", "subseteq", {relation}, "X", "ℙ X ↔ ℙ X", subset, {"⊆", coq::related}},
+    {"_⊂_", "subset", {relation}, "X", "ℙ X ↔ ℙ X", relations::proper_subset},
+    {"_<_", "", {relation}, "", "𝔸 ↔ 𝔸", relations::less, {"<", coq::related}, "_≥_"},
+    {"_≤_", "leq", {relation}, "", "𝔸 ↔ 𝔸", relations::at_most, {"<=", coq::related}, "_>_"},
+    {"_≥_", "geq", {relation}, "", "𝔸 ↔ 𝔸", relations::at_least, {">=", coq::related}, "_<_"},
+    {"_>_", "", {relation}, "", "𝔸 ↔ 𝔸", relations::greater, {">", coq::related}, "_≤_"},
+    {"_partition_", "partition", {relation}, "LX", "(L ↔ ℙ X) ↔ ℙ X", relations::is_partition},
+    {"_prefix_", "prefix", {relation}, "X", "(𝔸 ↔ X) ↔ (𝔸 ↔ X)", relations::is_prefix},
+    {"_suffix_", "suffix", {relation}, "X", "(𝔸 ↔ X) ↔ (𝔸 ↔ X)", relations::is_suffix},
+    {"_infix_", "infix", {relation}, "X", "(𝔸 ↔ X) ↔ (𝔸 ↔ X)", relations::is_infix},
+    {"disjoint_", "disjoint", {relation}, "LX", "ℙ (L ↔ ℙ X)", relations::is_disjoint},
+    {"ℤ", "num", {}, "", "ℙ 𝔸", functions::all_integers},
+    {"ℕ₁", "", {}, "", "ℙ 𝔸", functions::positive_naturals},
+    {"succ", "", {}, "", "𝔸 ↔ 𝔸", functions::successor},
+    {"min", "min", {}, "", "ℙ 𝔸 ↔ 𝔸", functions::minimum},
+    {"max", "max", {}, "", "ℙ 𝔸 ↔ 𝔸", functions::maximum},
+    {"∅", "emptyset", {}, "X", "ℙ X", functions::nothing},
+    {"⋃", "bigcup", {}, "X", "ℙ ℙ X ↔ ℙ X", big_union},
+    {"⋂", "bigcap", {}, "X", "ℙ ℙ X ↔ ℙ X", big_intersection},
+    {"first", "", {}, "XY", "X × Y ↔ X", functions::first_of},
+    {"second", "", {}, "XY", "X × Y ↔ Y", functions::second_of},
+    {"dom", "dom", {}, "XY", "(X ↔ Y) ↔ ℙ X", domain, {"dom"}},
+    {"ran", "ran", {}, "XY", "(X ↔ Y) ↔ ℙ Y", functions::range, {"ran"}},
+    {"_⦇_⦈", "", {}, "XY", "(X ↔ Y) × ℙ X ↔ ℙ Y", functions::image, {"image"}},
+    {"⟨,,⟩", "", {}, "X", "(𝔸 ↔ X) ↔ (𝔸 ↔ X)", functions::sequence_of_pairs},
+    {"⁀/", "dcat", {}, "X", "(𝔸 ↔ (𝔸 ↔ X)) ↔ (𝔸 ↔ X)", functions::distributed_concatenation},
+    {"rev", "", {}, "X", "(𝔸 ↔ X) ↔ (𝔸 ↔ X)", functions::reversed},
+    {"head", "", {}, "X", "(𝔸 ↔ X) ↔ X", functions::head},
+    {"last", "", {}, "X", "(𝔸 ↔ X) ↔ X", functions::last},
+    {"tail", "", {}, "X", "(𝔸 ↔ X) ↔ (𝔸 ↔ X)", functions::tail},
+    {"front", "", {}, "X", "(𝔸 ↔ X) ↔ (𝔸 ↔ X)", functions::front},
+    {"squash", "", {}, "X", "(𝔸 ↔ X) ↔ (𝔸 ↔ X)", functions::squashed},
+    {"𝔸", "arithmos", {}, "", "ℙ 𝔸", functions::all_numbers},
+    {"ℕ", "nat", {}, "", "ℙ 𝔸", functions::naturals},
+};
+
+}  // namespace
+
+std::string_view OperatorRow::symbol() const {
+  std::string_view text = name;
+  if (text.starts_with('_')) text.remove_prefix(1);
+  if (text.ends_with('_')) text.remove_suffix(1);
+  return text;
+}
+
+std::optional<Fixity> OperatorRow::fixity() const {
+  if (!binding.role) return std::nullopt;
+  if (!name.starts_with('_')) return Fixity::prefix;
+  return name.ends_with('_') ? Fixity::infix : Fixity::postfix;
+}
+
+std::span<const OperatorRow> operator_rows() { return rows; }
+
+const OperatorRow* operator_row(std::string_view name) {
+  static const auto by_name = [] {
+    std::unordered_map<std::string_view, const OperatorRow*> table;
+    for (const OperatorRow& row : rows) table.emplace(row.name, &row);
+    return table;
+  }();
+  const auto at = by_name.find(name);
+  return at == by_name.end() ? nullptr : at->second;
+}
+
+}  // namespace durero::zed

@@ -1,0 +1,35 @@
+#include "durero/oracle/spec_index.hpp"
+
+#include "support/catch.hpp"
+
+namespace durero::oracle::spec {
+namespace {
+
+using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
+
+const LabelIndex index(
+    "Escena.inv.1\ttest\ttests/a.cpp:7\tname\nEscena.inv.1\ttext\tspec/"
+    "escena.tex:9\t\nEscena.inv.2\tclause\tx.hpp:1\tf\n");
+
+TEST_CASE("the places of a label stand in the order text, clause, function, test, theorem") {
+  CHECK(index.places("Escena.inv.1") ==
+        "Escena.inv.1\n  text      spec/escena.tex:9\n  test      tests/a.cpp:7  name\n");
+  CHECK(index.places("nothing") == "nothing\n");
+}
+
+TEST_CASE("a name is shown by what declares it, a label by its own places, ΔS by what it stands for") {
+  CHECK_THAT(shown("Escena", index),
+             StartsWith("spec/escena.tex:") && Contains("tests/a.cpp:7") && Contains("x.hpp:1"));
+  CHECK_THAT(shown("Escena.inv.1", index), Contains("tests/a.cpp:7") && !Contains("x.hpp:1"));
+  CHECK_THAT(shown("mi\\_radio", index), Contains("│ mi_radio : Elemento ⇸ Rmas"));
+  CHECK_THAT(shown("ΞEscena", index), StartsWith("ΞEscena == [Escena; Escena' | θ Escena = θ Escena']\n"));
+  CHECK_THAT(shown("ΔEscena", index), StartsWith("ΔEscena == [Escena; Escena']\n"));
+  CHECK(shown("nadie", index).empty());
+  CHECK(shown("Δ", index).empty());
+  CHECK(in_unicode("\\real") == "ℝ");
+  CHECK(in_unicode("\\nadie") == "\\nadie");
+}
+
+}  // namespace
+}  // namespace durero::oracle::spec
