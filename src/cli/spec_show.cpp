@@ -129,7 +129,8 @@ std::string found_change(const zed::Specification& text, const std::string& name
   const std::string of = change || none ? name.substr(delta.size()) : "";
   const std::string said = of.empty() ? "" : found(text, of);
   if (said.empty()) return {};
-  return fmt::format("{0} == [{1}; {1}'{2}]\n\n{3}", name, of, none ? fmt::format(" | θ {0} = θ {0}'", of) : "", said);
+  return fmt::format("{0} == [{1}; {1} '{2}]\n\n{3}", name, of, none ? fmt::format(" | θ {0} = θ {0} '", of) : "",
+                     said);
 }
 
 // A name as the mark-up writes it, `mi\_radio` or `\real`, in Unicode; any other text as it is.

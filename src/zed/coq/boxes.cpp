@@ -103,7 +103,7 @@ void Writer::operation(const Schema& form) {
   Fields fields;
   for (const Declaration& one : form.text.declarations) {
     if (one.form != Declaration::Form::included) continue;
-    const Name& what = one.term->name;
+    const Name what = schema_name(one.term).value();
     const std::string field = what.word == "Δ" + in_.state ? "Delta" : what.word == "Ξ" + in_.state ? "Xi" : what.word;
     fields.emplace_back(fmt::format("{}_{} : {}", name, field, in_.call(what, scope, one.place).text), "");
   }

@@ -24,6 +24,14 @@ const std::unordered_map<std::string, Infix>& infixes() {
   return known;
 }
 
+/// The function of Coq that an arithmetic operator is; nothing for another.
+std::string_view graph_of(const std::string& operation) {
+  if (operation == "_+_") return "Rplus";
+  if (operation == "_-_") return "Rminus";
+  if (operation == "_*_") return "Rmult";
+  return {};
+}
+
 /// Those that are functions of Toolkit.v.
 const std::unordered_map<std::string, std::string>& prefixes() {
   static const std::unordered_map<std::string, std::string> known = {
@@ -103,6 +111,10 @@ Expr Translator::term(const Term& term, Scope& scope, Frame& frame) const {
       return application(node, scope, frame);
     case Kind::power:
       return {"ℙ " + part(0).at(applied), applied + 20, Carrier::set(Carrier::set(carrier(node.children[0], scope)))};
+    case Kind::product: {  // of whole types only
+      if (!whole(term)) uncovered(node.place, "a product of parts of types");
+      return {"univ", atomic, Carrier::set(carrier(term, scope))};
+    }
     case Kind::theta: {
       const auto found = scope.states.find({node.children[0]->name.word, node.name.strokes});
       if (node.children[0]->kind != Kind::reference || found == scope.states.end()) uncovered(node.place, "this θ");
@@ -158,12 +170,17 @@ Expr Translator::reference(const Node& node, Scope& scope, Frame& frame) const {
   if (const auto found = scope.names.find(node.name); found != scope.names.end()) return found->second;
   if (node.name.word == "∅") return {"∅", atomic, Carrier::set({})};
   const bool infix = node.children.size() == 2;
-  if (node.name.word == "𝔽_" || node.name.word == "_⇸_") {
+  if (const auto graph = graph_of(node.name.word); !graph.empty()) {
+    const Carrier real = Carrier::named("R");
+    return {fmt::format("graph {}", graph), applied,
+            Carrier::set(Carrier::product({Carrier::product({real, real}), real}))};
+  }
+  if (node.name.word == "𝔽_" || node.name.word == "_⇸_" || node.name.word == "_→_") {
     std::vector<Expr> of;
     of.reserve(node.children.size());
     for (const Term& child : node.children) of.push_back(term(child, scope, frame));
     if (!infix) return {"𝔽 " + of[0].at(applied), applied + 20, Carrier::set(of[0].type)};
-    return {of[0].at(plus) + " ⇸ " + of[1].at(plus), plus + 5,
+    return {of[0].at(plus) + (node.name.word == "_→_" ? " ⟶ " : " ⇸ ") + of[1].at(plus), plus + 5,
             Carrier::set(Carrier::set(Carrier::product({of[0].type.element(), of[1].type.element()})))};
   }
   const Symbol* symbol = find(node.name);

@@ -56,11 +56,12 @@ std::string state_of(const Specification& specification) {
       const Schema* form = std::get_if<Schema>(&paragraph.form);
       if (!form) continue;
       for (const Declaration& one : form->text.declarations) {
-        if (one.form != Declaration::Form::included || one.term->kind != Kind::reference) continue;
-        std::string word = one.term->name.word;
+        const auto name = one.form == Declaration::Form::included ? schema_name(one.term) : std::nullopt;
+        if (!name) continue;
+        std::string word = name->word;
         const bool sign = word.starts_with("Δ") || word.starts_with("Ξ");
         if (sign) word.erase(0, 2);
-        if (!sign && one.term->name.strokes != "'") continue;
+        if (!sign && name->strokes != "'") continue;
         if (!found.empty() && found != word)
           uncovered(one.place, fmt::format("a second state, {} beside {},", word, found));
         found = word;

@@ -38,7 +38,7 @@ struct Property {
   // Where it comes from.
   std::string label;
   Term term;            ///< null for what is not written as a predicate of its own
-  std::string strokes;  ///< of the state that it speaks of: `'` under Escena'
+  std::string strokes;  ///< of the state that it speaks of: `'` under Escena '
   std::string text;     ///< of a conjunct of a schema: in Unicode; empty otherwise
 };
 

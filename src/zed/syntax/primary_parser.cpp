@@ -125,10 +125,9 @@ Term TermParser::plain_primary() {
 Term TermParser::theta() {
   const Place place = in_.next().place;
   Node made{.kind = Kind::theta, .place = place, .name = {}, .children = {}, .names = {}, .text = {}};
-  if (in_.sees_name()) {  // the strokes of θ S' are those of θ: x is taken from x'
+  if (in_.sees_name()) {
     const Token& token = in_.next();
-    made.name.strokes = token.strokes;
-    const Term schema = reference({token.text, {}}, {}, token.place);
+    const Term schema = reference({token.text, token.strokes}, {}, token.place);
     made.children.push_back(in_.sees("[") ? actuals_or_renaming(schema) : schema);
   } else if (in_.sees("(")) {
     made.children.push_back(parenthesis());
@@ -137,7 +136,7 @@ Term TermParser::theta() {
   } else {
     in_.fail("expected a schema after θ");
   }
-  while (in_.sees(Type::stroke)) made.name.strokes += in_.next().text;
+  while (in_.sees(Type::stroke)) made.name.strokes += in_.next().text;  // those of θ: x is taken from x'
   return checked(make(std::move(made)));
 }
 
