@@ -481,22 +481,27 @@ Definition Agregar_Cilindro_Total (s s' : Escena) (e_in : Elemento) (r_out : Res
   : R) (vector_in : Vector) (altura_in : R) : Prop :=
   (exists t_in : Tipo, Agregar_Cilindro s s' e_in t_in r_out centro_in radio_in vector_in altura_in)
   \/ Elemento_Ya_Existe s s' e_in r_out \/ Radio_No_Positivo s s' radio_in r_out
-  \/ Vector_No_Unitario s s' vector_in r_out \/ Altura_No_Positiva s s' altura_in r_out. (* Agregar_Cilindro_Total.def.1 *)
+  \/ Vector_No_Unitario s s' vector_in r_out
+  \/ Altura_No_Positiva s s' altura_in r_out. (* Agregar_Cilindro_Total.def.1 *)
 
 Definition Agregar_Cono_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) (centro_in : Punto) (proporcion_in
   : R) (vector_in : Vector) (altura_in : R) : Prop :=
   (exists t_in : Tipo, Agregar_Cono s s' e_in t_in r_out centro_in proporcion_in vector_in altura_in)
   \/ Elemento_Ya_Existe s s' e_in r_out \/ Proporcion_No_Positiva s s' proporcion_in r_out
-  \/ Vector_No_Unitario s s' vector_in r_out \/ Altura_No_Positiva s s' altura_in r_out. (* Agregar_Cono_Total.def.1 *)
+  \/ Vector_No_Unitario s s' vector_in r_out
+  \/ Altura_No_Positiva s s' altura_in r_out. (* Agregar_Cono_Total.def.1 *)
 
 Definition Eliminar_Esfera_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop :=
-  Eliminar_Esfera s s' e_in r_out \/ Elemento_No_Existe s s' e_in r_out \/ No_Es_Esfera s s' e_in r_out. (* Eliminar_Esfera_Total.def.1 *)
+  Eliminar_Esfera s s' e_in r_out \/ Elemento_No_Existe s s' e_in r_out
+  \/ No_Es_Esfera s s' e_in r_out. (* Eliminar_Esfera_Total.def.1 *)
 
 Definition Eliminar_Cilindro_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop :=
-  Eliminar_Cilindro s s' e_in r_out \/ Elemento_No_Existe s s' e_in r_out \/ No_Es_Cilindro s s' e_in r_out. (* Eliminar_Cilindro_Total.def.1 *)
+  Eliminar_Cilindro s s' e_in r_out \/ Elemento_No_Existe s s' e_in r_out
+  \/ No_Es_Cilindro s s' e_in r_out. (* Eliminar_Cilindro_Total.def.1 *)
 
 Definition Eliminar_Cono_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop :=
-  Eliminar_Cono s s' e_in r_out \/ Elemento_No_Existe s s' e_in r_out \/ No_Es_Cono s s' e_in r_out. (* Eliminar_Cono_Total.def.1 *)
+  Eliminar_Cono s s' e_in r_out \/ Elemento_No_Existe s s' e_in r_out
+  \/ No_Es_Cono s s' e_in r_out. (* Eliminar_Cono_Total.def.1 *)
 
 Definition Es_Cono (t_in : Tipo) : Prop := t_in = soy_cono. (* Es_Cono.pre.1 *)
 
@@ -507,7 +512,8 @@ Definition Agregar_Elemento_Total (s s' : Escena) (e_in : Elemento) (t_in : Tipo
   Elemento_Agregado s s' e_in t_in centro_in radio_in vector_in altura_in proporcion_in r_out
   \/ Elemento_Ya_Existe s s' e_in r_out \/ Radio_No_Positivo s s' radio_in r_out /\ ~ Es_Cono t_in
   \/ Proporcion_No_Positiva s s' proporcion_in r_out /\ Es_Cono t_in
-  \/ (Vector_No_Unitario s s' vector_in r_out \/ Altura_No_Positiva s s' altura_in r_out) /\ ~ Es_Esfera t_in. (* Agregar_Elemento_Total.def.1 *)
+  \/ (Vector_No_Unitario s s' vector_in r_out \/ Altura_No_Positiva s s' altura_in r_out)
+  /\ ~ Es_Esfera t_in. (* Agregar_Elemento_Total.def.1 *)
 
 Definition Eliminar_Elemento_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop :=
   Elemento_Eliminado s s' e_in r_out \/ Elemento_No_Existe s s' e_in r_out. (* Eliminar_Elemento_Total.def.1 *)

@@ -81,8 +81,6 @@ run 0 spec show ΞEscena
 has out "ΞEscena == [Escena; Escena ' | θ Escena = θ Escena ']"
 run 0 spec show Init
 has out "│ Escena '"
-run 0 spec eval "⦉x' == 1, y' == 2, z' == 3⦊ ∈ Punto '"
-is out true
 refused "EXPR:1:1: Punto' is not declared; expected Punto ' (Punto~' in LaTeX) for the decoration of the schema Punto" spec eval "Punto'"
 has out 'Escena.inv.1'
 refused 'NAME:1:1: the text declares no nadie; expected' spec show nadie
