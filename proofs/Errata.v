@@ -247,6 +247,37 @@ Proof.
   - intros E. unfold printed_puntos_cono. rewrite E. split; lra.
 Qed.
 
+(** E34: a > that means the order on the integers only, as in Z's toolkit, agrees with > there, satisfies all that the
+    text says of <=, and leaves the positive reals without 1/2. Every choice between is as right. *)
+Definition integers_only (a b : R) : Prop := (exists m, a = IZR m) /\ (exists n, b = IZR n) /\ a > b.
+Theorem E34_strict_order_on_integers_only :
+  (forall m n : Z, integers_only (IZR m) (IZR n) <-> (m > n)%Z) /\ ~ integers_only (1 / 2) 0 /\ 1 / 2 > 0.
+Proof.
+  split; [| split; [| lra]].
+  - intros m n. unfold integers_only. split.
+    + intros [_ [_ H]]. apply Z.lt_gt, lt_IZR. lra.
+    + intros H. repeat split; eauto. apply IZR_lt. lia.
+  - intros [[m H] _]. assert (E : IZR (2 * m) = 1) by (rewrite mult_IZR; lra). apply eq_IZR in E. lia.
+Qed.
+
+(** E35: an addition that is the integers' own there, and elsewhere holds of every third number, is no function; one that
+    holds elsewhere of no number is none of the reals. *)
+Definition sum_if (other : Prop) (a b c : R) : Prop :=
+  (exists m n, a = IZR m /\ b = IZR n /\ c = a + b) \/ (~ (exists m n, a = IZR m /\ b = IZR n) /\ other).
+Theorem E35_sums_of_integers_only (other : Prop) :
+  (forall m n c, sum_if other (IZR m) (IZR n) c <-> c = IZR (m + n))
+  /\ (other -> forall c, sum_if other (1 / 2) (1 / 2) c) /\ (~ other -> forall c, ~ sum_if other (1 / 2) (1 / 2) c).
+Proof.
+  assert (half : ~ exists m n, 1 / 2 = IZR m /\ 1 / 2 = IZR n).
+  { intros [m [_ [H _]]]. assert (E : IZR (2 * m) = 1) by (rewrite mult_IZR; lra). apply eq_IZR in E. lia. }
+  unfold sum_if. split; [| split].
+  - intros m n c. rewrite plus_IZR. split.
+    + intros [[p [q [Hp [Hq ->]]]] | [H _]]; [reflexivity |]. destruct H. now exists m, n.
+    + intros ->. left. now exists m, n.
+  - intros H c. now right.
+  - intros N c [[m [n [Hm [Hn _]]]] | [_ H]]; [apply half; now exists m, n | exact (N H)].
+Qed.
+
 (** E12: a ray whose direction is null is the point it starts at. *)
 Theorem E12_null_ray_is_a_point q : puntos_de_rayo (mk_Rayo q (mk_Vector 0 0 0)) ≡ ⦃q⦄.
 Proof.

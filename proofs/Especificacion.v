@@ -8,6 +8,8 @@
     x ∈ T, T a whole type == x has a value: exists c : T, c = x
     S ⊆ T, whole types    == an injection of S into T
     a partial function    == a set of pairs (Toolkit.rel)
+    (_ + _), and − and *  == the set of pairs of Coq's operation (Toolkit.graph)
+    S × T, whole types    == univ;  S → T == the set of total functions, S ⟶ T
     f(e) within a predicate P  == exists v, (e, v) ∈ f /\ P: an application outside the domain makes P false. P is the
                              relation that f(e) stands in, a chain counting as one; in a condition, all of its IF
     A = B, sets           == A ≡ B
@@ -22,10 +24,10 @@
     λ D | P • E, otherwise == the same with the set of E alone as value
     S                     == a Record S of carriers and a predicate S_ok with one field a declaration that says more than
                              a type and one a predicate; components are prefixed by S, but for those of the state
-    ΔS, ΞS, θS = θS'      == Delta_S, Xi_S, S_eq, for the state S: the schema that boxes include as ΔS, ΞS or S'
+    ΔS, ΞS, θS = θS '     == Delta_S, Xi_S, S_eq, for the state S: the schema that boxes include as ΔS, ΞS or S '
     other schemas         == predicates on their components: a Record with one field an inclusion, a declaration that says
                              more than a type, and a predicate; or a Definition where the text combines schemas
-    θS, θS'; x?, x!       == s, s'; x_in, x_out
+    θS, θS '; x?, x!      == s, s'; x_in, x_out
     a label A.kind.n      == the field or Definition A_kind_n *)
 From Coq Require Import Reals.
 From Durero Require Import Toolkit.
@@ -39,8 +41,8 @@ Section Especificacion.
 
 Definition real_axiom_1 : Prop := exists f : Z -> R, forall m n, f m = f n -> m = n. (* real.axiom.1 *)
 Definition real_axiom_2 : Prop :=
-  forall a b : R, (exists c1 : R, c1 = a + b) /\ (exists c1 : R, c1 = a - b)
-  /\ exists c1 : R, c1 = a * b. (* real.axiom.2 *)
+  dres univ (graph Rplus) ∈ univ ⟶ univ /\ dres univ (graph Rminus) ∈ univ ⟶ univ
+  /\ dres univ (graph Rmult) ∈ univ ⟶ univ. (* real.axiom.2 *)
 Definition real_axiom_3 : Prop := forall a : R, a <> 0 -> exists! b : R, a * b = 1. (* real.axiom.3 *)
 Definition real_axiom_4 : Prop :=
   forall S : set R, (exists x1, x1 ∈ S) -> (exists c : R, forall a : R, a ∈ S -> a <= c)
@@ -56,6 +58,8 @@ Definition real_axiom_7 : Prop :=
   /\ (a <= b /\ b <= c -> a <= c). (* real.axiom.7 *)
 Definition real_axiom_8 : Prop :=
   forall a b c : R, (a <= b -> a + c <= b + c) /\ (0 <= a /\ 0 <= b -> 0 <= a * b). (* real.axiom.8 *)
+Definition real_axiom_9 : Prop :=
+  forall a b : R, (a < b <-> a <= b /\ a <> b) /\ (a > b <-> b < a) /\ (a >= b <-> b <= a). (* real.axiom.9 *)
 
 Definition Rmas : set R := fun r => r > 0. (* Rmas.inv.1 *)
 
@@ -297,7 +301,7 @@ Definition Primera_Interseccion (s s' : Escena) (rayo_in : Rayo) (en_in : set El
   (elementos_out : set Elemento) (t_out : R) (punto_out : Punto) : Prop :=
   Hay_Interseccion s s' rayo_in en_in resultado_out elementos_out t_out punto_out
   \/ No_Hay_Interseccion s s' rayo_in en_in resultado_out elementos_out
-  \/ No_Hay_Minimo s s' rayo_in en_in resultado_out elementos_out.
+  \/ No_Hay_Minimo s s' rayo_in en_in resultado_out elementos_out. (* Primera_Interseccion.def.1 *)
 
 Definition occluded (s : Escena) (rayo : Rayo) (en : set Elemento) : Prop :=
   ~ (alcances s rayo en ≡ ∅). (* occluded.def.1 *)
@@ -471,41 +475,47 @@ Record No_Es_Cono (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop :
 Definition Agregar_Esfera_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) (centro_in : Punto) (radio_in :
   R) : Prop :=
   (exists t_in : Tipo, Agregar_Esfera s s' e_in t_in r_out centro_in radio_in)
-  \/ Elemento_Ya_Existe s s' e_in r_out \/ Radio_No_Positivo s s' radio_in r_out.
+  \/ Elemento_Ya_Existe s s' e_in r_out \/ Radio_No_Positivo s s' radio_in r_out. (* Agregar_Esfera_Total.def.1 *)
 
 Definition Agregar_Cilindro_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) (centro_in : Punto) (radio_in
   : R) (vector_in : Vector) (altura_in : R) : Prop :=
   (exists t_in : Tipo, Agregar_Cilindro s s' e_in t_in r_out centro_in radio_in vector_in altura_in)
   \/ Elemento_Ya_Existe s s' e_in r_out \/ Radio_No_Positivo s s' radio_in r_out
-  \/ Vector_No_Unitario s s' vector_in r_out \/ Altura_No_Positiva s s' altura_in r_out.
+  \/ Vector_No_Unitario s s' vector_in r_out
+  \/ Altura_No_Positiva s s' altura_in r_out. (* Agregar_Cilindro_Total.def.1 *)
 
 Definition Agregar_Cono_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) (centro_in : Punto) (proporcion_in
   : R) (vector_in : Vector) (altura_in : R) : Prop :=
   (exists t_in : Tipo, Agregar_Cono s s' e_in t_in r_out centro_in proporcion_in vector_in altura_in)
   \/ Elemento_Ya_Existe s s' e_in r_out \/ Proporcion_No_Positiva s s' proporcion_in r_out
-  \/ Vector_No_Unitario s s' vector_in r_out \/ Altura_No_Positiva s s' altura_in r_out.
+  \/ Vector_No_Unitario s s' vector_in r_out
+  \/ Altura_No_Positiva s s' altura_in r_out. (* Agregar_Cono_Total.def.1 *)
 
 Definition Eliminar_Esfera_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop :=
-  Eliminar_Esfera s s' e_in r_out \/ Elemento_No_Existe s s' e_in r_out \/ No_Es_Esfera s s' e_in r_out.
+  Eliminar_Esfera s s' e_in r_out \/ Elemento_No_Existe s s' e_in r_out
+  \/ No_Es_Esfera s s' e_in r_out. (* Eliminar_Esfera_Total.def.1 *)
 
 Definition Eliminar_Cilindro_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop :=
-  Eliminar_Cilindro s s' e_in r_out \/ Elemento_No_Existe s s' e_in r_out \/ No_Es_Cilindro s s' e_in r_out.
+  Eliminar_Cilindro s s' e_in r_out \/ Elemento_No_Existe s s' e_in r_out
+  \/ No_Es_Cilindro s s' e_in r_out. (* Eliminar_Cilindro_Total.def.1 *)
 
 Definition Eliminar_Cono_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop :=
-  Eliminar_Cono s s' e_in r_out \/ Elemento_No_Existe s s' e_in r_out \/ No_Es_Cono s s' e_in r_out.
-
-Definition Es_Esfera (t_in : Tipo) : Prop := t_in = soy_esfera. (* Es_Esfera.pre.1 *)
+  Eliminar_Cono s s' e_in r_out \/ Elemento_No_Existe s s' e_in r_out
+  \/ No_Es_Cono s s' e_in r_out. (* Eliminar_Cono_Total.def.1 *)
 
 Definition Es_Cono (t_in : Tipo) : Prop := t_in = soy_cono. (* Es_Cono.pre.1 *)
+
+Definition Es_Esfera (t_in : Tipo) : Prop := t_in = soy_esfera. (* Es_Esfera.pre.1 *)
 
 Definition Agregar_Elemento_Total (s s' : Escena) (e_in : Elemento) (t_in : Tipo) (centro_in : Punto) (radio_in : R)
   (vector_in : Vector) (altura_in proporcion_in : R) (r_out : Respuesta) : Prop :=
   Elemento_Agregado s s' e_in t_in centro_in radio_in vector_in altura_in proporcion_in r_out
   \/ Elemento_Ya_Existe s s' e_in r_out \/ Radio_No_Positivo s s' radio_in r_out /\ ~ Es_Cono t_in
   \/ Proporcion_No_Positiva s s' proporcion_in r_out /\ Es_Cono t_in
-  \/ (Vector_No_Unitario s s' vector_in r_out \/ Altura_No_Positiva s s' altura_in r_out) /\ ~ Es_Esfera t_in.
+  \/ (Vector_No_Unitario s s' vector_in r_out \/ Altura_No_Positiva s s' altura_in r_out)
+  /\ ~ Es_Esfera t_in. (* Agregar_Elemento_Total.def.1 *)
 
 Definition Eliminar_Elemento_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop :=
-  Elemento_Eliminado s s' e_in r_out \/ Elemento_No_Existe s s' e_in r_out.
+  Elemento_Eliminado s s' e_in r_out \/ Elemento_No_Existe s s' e_in r_out. (* Eliminar_Elemento_Total.def.1 *)
 
 End Especificacion.

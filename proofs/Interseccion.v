@@ -448,7 +448,7 @@ Proof.
     split; [apply question | exact N1 | exact N2 | | reflexivity]. now rewrite Hels, <- A.
 Qed.
 
-(** Every question has an answer. *)
+(** Every question has an answer. Discharges Primera_Interseccion.def.1. *)
 Theorem Primera_Interseccion_is_total : exists resultado els t w, Primera_Interseccion s s' ray en resultado els t w.
 Proof.
   destruct scene_trichotomy as [[t H] | [H | H]].

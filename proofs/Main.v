@@ -17,6 +17,13 @@ Import Escena Operaciones Errata Puntos Trazador Interseccion Retrieve.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
 
+(** * 0. What the text assumes of the reals is so of Coq's, with Coq's own order and operations *)
+
+Theorem the_reals_are_those_of_the_text :
+  real_axiom_1 /\ real_axiom_2 /\ real_axiom_3 /\ real_axiom_4 /\ real_axiom_5 /\ real_axiom_6 /\ real_axiom_7
+  /\ real_axiom_8 /\ real_axiom_9.
+Proof. exact Tipos.reals_of_the_text. Qed.
+
 (** * 1. The scene and its operations *)
 Section Scenes.
 Variable Elemento : Type.

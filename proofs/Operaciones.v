@@ -494,20 +494,28 @@ Proof.
 Qed.
 
 (** The same of each by name. *)
+(** Discharges Agregar_Esfera_Total.def.1. *)
 Theorem Agregar_Esfera_Total_is_total s e c r : Escena_ok s -> exists s' r_out, Agregar_Esfera_Total s s' e r_out c r.
 Proof. intros ok. apply (total_operations_are_total s e soy_esfera c r (mk_Vector 0 0 0) 0%R 0%R ok). Qed.
+(** Discharges Agregar_Cilindro_Total.def.1. *)
 Theorem Agregar_Cilindro_Total_is_total s e c r d h : Escena_ok s -> exists s' r_out, Agregar_Cilindro_Total s s' e r_out c r d h.
 Proof. intros ok. apply (total_operations_are_total s e soy_cilindro c r d h 0%R ok). Qed.
+(** Discharges Agregar_Cono_Total.def.1. *)
 Theorem Agregar_Cono_Total_is_total s e c k d h : Escena_ok s -> exists s' r_out, Agregar_Cono_Total s s' e r_out c k d h.
 Proof. intros ok. apply (total_operations_are_total s e soy_cono c 0%R d h k ok). Qed.
+(** Discharges Eliminar_Esfera_Total.def.1. *)
 Theorem Eliminar_Esfera_Total_is_total s e : Escena_ok s -> exists s' r_out, Eliminar_Esfera_Total s s' e r_out.
 Proof. intros ok. apply (total_operations_are_total s e soy_esfera (mk_Punto 0 0 0) 0%R (mk_Vector 0 0 0) 0%R 0%R ok). Qed.
+(** Discharges Eliminar_Cilindro_Total.def.1. *)
 Theorem Eliminar_Cilindro_Total_is_total s e : Escena_ok s -> exists s' r_out, Eliminar_Cilindro_Total s s' e r_out.
 Proof. intros ok. apply (total_operations_are_total s e soy_esfera (mk_Punto 0 0 0) 0%R (mk_Vector 0 0 0) 0%R 0%R ok). Qed.
+(** Discharges Eliminar_Cono_Total.def.1. *)
 Theorem Eliminar_Cono_Total_is_total s e : Escena_ok s -> exists s' r_out, Eliminar_Cono_Total s s' e r_out.
 Proof. intros ok. apply (total_operations_are_total s e soy_esfera (mk_Punto 0 0 0) 0%R (mk_Vector 0 0 0) 0%R 0%R ok). Qed.
+(** Discharges Agregar_Elemento_Total.def.1. *)
 Theorem Agregar_Elemento_Total_is_total s e t c r d h k : Escena_ok s -> exists s' r_out, Agregar_Elemento_Total s s' e t c r d h k r_out.
 Proof. intros ok. apply (total_operations_are_total s e t c r d h k ok). Qed.
+(** Discharges Eliminar_Elemento_Total.def.1. *)
 Theorem Eliminar_Elemento_Total_is_total s e : Escena_ok s -> exists s' r_out, Eliminar_Elemento_Total s s' e r_out.
 Proof. intros ok. apply (total_operations_are_total s e soy_esfera (mk_Punto 0 0 0) 0%R (mk_Vector 0 0 0) 0%R 0%R ok). Qed.
 

@@ -15,9 +15,15 @@ Definition sq (v : Vector) : R := dot v v.
 Theorem reals_contain_integers : real_axiom_1.
 Proof. exists IZR. intros m n. apply eq_IZR. Qed.
 
-(** Sums, differences and products of reals are reals. Discharges real.axiom.2. *)
+(** A sum, a difference and a product of reals exist, are one and are real. Discharges real.axiom.2. *)
 Theorem reals_closed : real_axiom_2.
-Proof. intros a b. repeat split; eauto. Qed.
+Proof.
+  assert (total : forall f : R -> R -> R, (dres univ (graph f) ∈ univ ⟶ univ)%zed).
+  { intros f. split; [| split; [| easy]].
+    - intros x y y' [_ H] [_ H']. unfold graph in *. cbn in *. congruence.
+    - intros [a b]. split; [easy |]. intros _. now exists (f a b). }
+  exact (conj (total Rplus) (conj (total Rminus) (total Rmult))).
+Qed.
 
 (** A real other than 0 has exactly one inverse. Discharges real.axiom.3. *)
 Theorem reals_inverse : real_axiom_3.
@@ -38,6 +44,29 @@ Qed.
 Theorem reals_ordered_field : real_axiom_5 /\ real_axiom_6 /\ real_axiom_7 /\ real_axiom_8.
 Proof.
   repeat split; intros; try ring; try lra. now apply Rmult_le_pos.
+Qed.
+
+(** Coq's own <, > and >= on the reals are what the text says of them by <=. Discharges real.axiom.9. *)
+Theorem reals_strict_order : real_axiom_9.
+Proof. intros a b. repeat split; intros; lra. Qed.
+
+(** All that the text assumes of the reals. *)
+Theorem reals_of_the_text :
+  real_axiom_1 /\ real_axiom_2 /\ real_axiom_3 /\ real_axiom_4 /\ real_axiom_5 /\ real_axiom_6 /\ real_axiom_7
+  /\ real_axiom_8 /\ real_axiom_9.
+Proof.
+  destruct reals_ordered_field as [H5 [H6 [H7 H8]]].
+  exact (conj reals_contain_integers (conj reals_closed (conj reals_inverse (conj reals_complete
+    (conj H5 (conj H6 (conj H7 (conj H8 reals_strict_order)))))))).
+Qed.
+
+(** The text's axioms leave no choice: any <, > and ≥ that satisfy real.axiom.9 are Coq's. *)
+Theorem strict_order_is_determined (lt gt ge : R -> R -> Prop) :
+  (forall a b, (lt a b <-> a <= b /\ a <> b) /\ (gt a b <-> lt b a) /\ (ge a b <-> b <= a)) ->
+  forall a b, (lt a b <-> a < b) /\ (gt a b <-> a > b) /\ (ge a b <-> a >= b).
+Proof.
+  intros H a b. destruct (H a b) as [L [G E]]. destruct (H b a) as [L' _]. rewrite G, L, L', E.
+  repeat split; intros; lra.
 Qed.
 
 (** The tolerance of the text is the one real that its axiom describes, and it is positive.

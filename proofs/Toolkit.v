@@ -3,7 +3,9 @@
     set X          == sets of X: X -> Prop
     x ∈ S, A ≡ B   == membership; extensional equality, which is Z's equality of sets
     rel X Y        == sets of pairs; a partial function of Z is a rel that is functional
-    X ⇸ Y, 𝔽 X, ℙ X == the sets of partial functions, of finite subsets, of subsets
+    X ⇸ Y, X ⟶ Y    == the sets of partial and of total functions from X to Y
+    𝔽 X, ℙ X        == the sets of finite subsets, of subsets
+    graph f         == the pairs ((x, y), f x y) of a function of two arguments
     ndres S f      == S ⩤ f, domain subtraction;  dres S f == S ◁ f
     ⋃[S] F         == the union of F i over i ∈ S
     is_mu S x      == x = μ S: x is the only element of S *)
@@ -49,9 +51,13 @@ Definition power {X} (A : set X) : set (set X) := fun S => subset S A.
 Definition finset {X} (A : set X) : set (set X) := fun S => subset S A /\ exists l, forall x, S x <-> In x l.
 Definition pfun {X Y} (A : set X) (B : set Y) : set (rel X Y) :=
   fun f => functional f /\ subset (dom f) A /\ subset (ran f) B.
+Definition tfun {X Y} (A : set X) (B : set Y) : set (rel X Y) :=
+  fun f => functional f /\ seteq (dom f) A /\ subset (ran f) B.
+Definition graph {X Y Z} (f : X -> Y -> Z) : rel (X * Y) Z := fun p => snd p = f (fst (fst p)) (snd (fst p)).
 Notation "'𝔽' A" := (finset A) (at level 30) : zed_scope.
 Notation "'ℙ' A" := (power A) (at level 30) : zed_scope.
 Notation "A ⇸ B" := (pfun A B) (at level 55) : zed_scope.
+Notation "A ⟶ B" := (tfun A B) (at level 55) : zed_scope.
 
 Definition is_mu {X} (S : set X) : set X := fun x => S x /\ forall y, S y -> y = x.
 

@@ -46,8 +46,8 @@ std::string change_text(const std::string& name, const LabelIndex& index) {
   const std::string state = name.substr(delta.size());
   const std::string said = state.empty() ? "" : declaration_text(state, index);
   if (said.empty()) return {};
-  return fmt::format("{0} == [{1}; {1}'{2}]\n\n{3}", name, state,
-                     nothing_changes ? fmt::format(" | θ {0} = θ {0}'", state) : "", said);
+  return fmt::format("{0} == [{1}; {1} '{2}]\n\n{3}", name, state,
+                     nothing_changes ? fmt::format(" | θ {0} = θ {0} '", state) : "", said);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ constexpr auto function = Role::function, generic = Role::generic, relation = Ro
 // belong to the language itself, and have no type here.
 constexpr OperatorRow rows[] = {
     {"_↔_", "rel", {generic, 5, true}, "XY", "ℙ (X ↔ Y)", {}, {}, {}, Arrow{.function = false}},
-    {"_→_", "fun", {generic, 5, true}, "XY", "ℙ (X ↔ Y)", {}, {}, {}, Arrow{.total = true}},
+    {"_→_", "fun", {generic, 5, true}, "XY", "ℙ (X ↔ Y)", {}, {"⟶", coq::plus + 5}, {}, Arrow{.total = true}},
     {"_⇸_", "pfun", {generic, 5, true}, "XY", "ℙ (X ↔ Y)", {}, {"⇸", coq::plus + 5}, {}, Arrow{}},
     {"_⤔_", "pinj", {generic, 5, true}, "XY", "ℙ (X ↔ Y)", {}, {}, {}, Arrow{.injective = true}},
     {"_↣_", "inj", {generic, 5, true}, "XY", "ℙ (X ↔ Y)", {}, {}, {}, Arrow{.total = true, .injective = true}},
@@ -44,11 +44,11 @@ constexpr OperatorRow rows[] = {
     {"_⊖_", "symdiff", {function, 25}, "X", "ℙ X × ℙ X ↔ ℙ X", functions::symmetric_difference},
     {"_∪_", "cup", {function, 30}, "X", "ℙ X × ℙ X ↔ ℙ X", set_union, {"∪", coq::plus}},
     {"_∖_", "setminus", {function, 30}, "X", "ℙ X × ℙ X ↔ ℙ X", set_difference, {"∖", coq::plus}},
-    {"_+_", "", {function, 30}, "", "𝔸 × 𝔸 ↔ 𝔸", functions::addition, {"+", coq::plus}},
-    {"_-_", "", {function, 30}, "", "𝔸 × 𝔸 ↔ 𝔸", functions::subtraction, {"-", coq::plus}},
+    {"_+_", "", {function, 30}, "", "𝔸 × 𝔸 ↔ 𝔸", functions::addition, {"+", coq::plus, {}, "Rplus"}},
+    {"_-_", "", {function, 30}, "", "𝔸 × 𝔸 ↔ 𝔸", functions::subtraction, {"-", coq::plus, {}, "Rminus"}},
     {"_⁀_", "cat", {function, 30}, "X", "(𝔸 ↔ X) × (𝔸 ↔ X) ↔ (𝔸 ↔ X)", functions::concatenation},
     {"_∩_", "cap", {function, 40}, "X", "ℙ X × ℙ X ↔ ℙ X", intersection, {"∩", coq::times}},
-    {"_*_", "", {function, 40}, "", "𝔸 × 𝔸 ↔ 𝔸", functions::multiplication, {"*", coq::times}},
+    {"_*_", "", {function, 40}, "", "𝔸 × 𝔸 ↔ 𝔸", functions::multiplication, {"*", coq::times, {}, "Rmult"}},
     {"_/_", "", {function, 40}, "", "𝔸 × 𝔸 ↔ 𝔸", functions::fraction},
     {"_div_", "div", {function, 40}, "", "𝔸 × 𝔸 ↔ 𝔸", functions::quotient},
     {"_mod_", "mod", {function, 40}, "", "𝔸 × 𝔸 ↔ 𝔸", functions::remainder},

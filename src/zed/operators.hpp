@@ -42,6 +42,7 @@ struct CoqNotation {
   std::string_view text;       ///< empty where no rule of translation covers the name
   int level = 0;               ///< 0 of a function
   std::string_view of_sets{};  ///< instead of the text, where the operands are sets
+  std::string_view graph{};    ///< Coq's function of two numbers whose graph the name alone is
 };
 
 /// The role of a name and how tightly it binds; a plain name has no role.

@@ -22,7 +22,7 @@ sees() {
 }
 clean=$(git write-tree)  # the tree without any fault
 
-for rule in layers edges stems house labels specified; do
+for rule in layers edges stems house labels z_text specified; do
   sh "$here/$rule.sh" >/dev/null 2>&1 || { echo "drill: $rule.sh fails before any fault is planted"; missed=$((missed + 1)); }
 done
 
@@ -56,6 +56,12 @@ sed -i '0,/% Escena.inv.1$/s/% Escena.inv.1$/% Escena.inv.99/' spec/escena.tex
 sees labels "a predicate whose label no clause has"
 sed -i 's/ *% Escena.inv.2$//' spec/escena.tex
 sees labels "a predicate without a label"
+sed -i 's/ *% Hay_Interseccion.post.2$//' spec/interseccion.tex
+sees labels "a predicate of several lines without a label"
+sed -i 's/ *% Eliminar_Cono_Total.def.1$//' spec/operaciones.tex
+sees labels "a definition without a label"
+sed -i 's/Primera_Interseccion\.def\.1//' include/durero/model/interseccion.hpp
+sees labels "a total operation that no function carries out"
 grep -rl 'Agregar_Cono\.pre\.4' tests --include=*.cpp | xargs sed -i 's/Agregar_Cono\.pre\.4/Agregar_Cono_pre_4/'
 sees labels "a clause that no test violates"
 grep -rl '"Escena\.inv\.3"' include src | xargs sed -i 's/"Escena\.inv\.3"/"Escena.inv.77"/'
@@ -68,6 +74,10 @@ sed -i 's/model::Agregar_Esfera_post_6/model::Elemento_Agregado_post_1/' src/sce
 sees labels "a clause of the tables that is no predicate of an operation"
 sed -i 's/clause Es_Cono_pre_1/clause Es_Cono_pre_2/' include/durero/model/operaciones_errors.hpp
 sees labels "a clause whose name and label differ"
+printf '%s\n' '% A comment that goes on and on, well beyond the measure of a hundred columns that the text is laid out in.' >>spec/puntos.tex
+sees z_text "a line beyond the measure"
+printf '%s\n' '\begin{zed}' '  [ Nada ]' '\end{zed}' >>spec/tipos.tex
+sees z_text "a box without prose"
 sed -i 's/^| `Escena` | 8 /| `Escena` | 9 /' README.md
 sees specified "a table that says what is not so"
 sed -i 's/"Escena\.inv\.8"/"Escena.inv.88"/' include/durero/model/escena.hpp
@@ -75,6 +85,10 @@ sees specified "a table from before a clause went"
 if [ -f proofs/Main.v ]; then
   sed -i 's/Agregar_Esfera\.post\.1//g' proofs/Operaciones.v
   sees labels "a predicate that no theorem uses"
+  sed -i 's/real\.axiom\.9//g' proofs/Tipos.v
+  sees labels "an axiom that no theorem shows"
+  sed -i 's/Agregar_Cono_Total\.def\.1//g' proofs/Operaciones.v
+  sees labels "a total operation that no theorem is about"
 fi
 sed -i '0,/^file src\/trace/s/^file src\/trace/file src\/elsewhere/' tests/mutants/mutants.txt
 sees mutants "a mutant of a file that is gone"

@@ -1,7 +1,8 @@
 #!/bin/sh
 # Labels are the index of everything. Each predicate of spec/ has a label; the clause that evaluates it (or, for a
 # definition, the function that carries it out), the test that names it and the theorem that uses it are found by it.
-# A label on one side that the others lack fails, both ways.
+# A label on one side that the others lack fails, both ways. An axiom is evaluated by nobody; that it is true of the numbers
+# of the proofs is a theorem.
 kinds='pre|post|inv|def'
 label="[A-Za-z_]+\.($kinds)\.[0-9]+"
 tmp=$(mktemp -d) && trap 'rm -rf "$tmp"' EXIT
@@ -46,8 +47,24 @@ missing() { comm -23 "$1" "$2" | sed "s|\$|: $3|"; }
     comm -23 "$tmp/spec" "$tmp/proofs" | comm -23 - "$tmp/unproved" | sed 's/$/: is named by no theorem/'
     comm -12 "$tmp/unproved" "$tmp/proofs" | sed 's/$/: has a theorem, so its line in labels-without-theorem.txt must go/'
     missing "$tmp/proofs" "$tmp/spec" 'is named in proofs, but not in spec'
+    grep -ohE '% [A-Za-z_]+\.axiom\.[0-9]+$' spec/*.tex | cut -c3- | sort >"$tmp/axioms"
+    uniq -d "$tmp/axioms" | sed 's/$/: stands twice in spec/'
+    find proofs -name "*.v" ! -name Especificacion.v -exec grep -ohE '\b[A-Za-z_]+\.axiom\.[0-9]+' {} + | sort -u >"$tmp/axioms.proved"
+    missing "$tmp/axioms" "$tmp/axioms.proved" 'is an axiom that no theorem shows of the numbers of the proofs'
+    missing "$tmp/axioms.proved" "$tmp/axioms" 'is named in proofs, but is no axiom of spec'
   fi
-  # every line of a paragraph that states a predicate carries a label
-  awk '/^\\begin\{schema\}|^\\begin\{axdef\}/{in_box=1; where=0; next} /^\\end\{/{in_box=0} /^\\where/{where=1; next}
-       in_box && where && !/^\\also/ && NF && !/% [A-Za-z_]+\.(pre|post|inv|def|axiom)\.[0-9]+$/ {print FILENAME ":" FNR ": a predicate without a label"}' spec/*.tex
+  # every predicate of a box, and every definition by ==, ends in a label, and has no other
+  awk 'function end_of(what) {
+         if (last && !labelled) print FILENAME ":" last ": a " what " without a label"
+         last = labelled = 0
+       }
+       /^\\begin\{(schema|axdef|zed)\}/ { zed = /zed/; stated = last = labelled = 0; next }
+       /^\\where/ { stated = 1; next }
+       /^\\also/ { end_of("predicate"); next }
+       /^\\end\{/ { end_of(zed ? "definition" : "predicate"); zed = stated = 0; next }
+       zed && / == / { stated = 1 }
+       stated && NF {
+         if (labelled) print FILENAME ":" FNR ": a label in the middle of a predicate, or a predicate without a label"
+         last = FNR
+         labelled = /% [A-Za-z_]+\.(pre|post|inv|def|axiom)\.[0-9]+$/ }' spec/*.tex
 } | { ! grep .; }

@@ -294,7 +294,7 @@ TEST_CASE("No_Hay_Minimo") {
   CHECK(seen([](No_Hay_Minimo& out) { out.resultado = Resultado::miss; }) == "No_Hay_Minimo.post.2");
 }
 
-TEST_CASE("exactly one outcome, and its clauses hold") {
+TEST_CASE("Primera_Interseccion.def.1: exactly one outcome, and its clauses hold") {
   property("of a random ray in a random scene", [] {
     const Escena s = any_scene();
     const Rayo rayo = *any_ray();

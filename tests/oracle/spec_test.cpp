@@ -259,6 +259,46 @@ TEST_CASE("a difference between contracts and text is told with the predicate") 
   CHECK(judge.difference(before, again, refusal, after).value().find("Agregar_Esfera_Total") != std::string::npos);
 }
 
+TEST_CASE("each total operation of the text takes what the model answers, done or refused, and nothing else") {
+  struct Row {
+    const char* definition;
+    Operation done, refused;
+  };
+  const model::Elemento s("s"), c("c"), k("k"), nuevo("nuevo");
+  const model::Punto o(0, 0, 0);
+  const model::Vector z(0, 0, 1), wrong(0, 0, 2);
+  const Row rows[] = {
+      {"Agregar_Esfera_Total.def.1", model::Agregar_Esfera{nuevo, o, 1}, model::Agregar_Esfera{nuevo, o, 0}},
+      {"Agregar_Cilindro_Total.def.1", model::Agregar_Cilindro{nuevo, o, 1, z, 1},
+       model::Agregar_Cilindro{nuevo, o, 1, wrong, 1}},
+      {"Agregar_Cono_Total.def.1", model::Agregar_Cono{nuevo, o, 1, z, 1}, model::Agregar_Cono{nuevo, o, 1, z, -1}},
+      {"Agregar_Elemento_Total.def.1", model::Agregar_Elemento{nuevo, model::Tipo::soy_cono, o, 0, z, 1, 1},
+       model::Agregar_Elemento{s, model::Tipo::soy_esfera, o, 1, z, 1, 1}},
+      {"Eliminar_Esfera_Total.def.1", model::Eliminar_Esfera{s}, model::Eliminar_Esfera{c}},
+      {"Eliminar_Cilindro_Total.def.1", model::Eliminar_Cilindro{c}, model::Eliminar_Cilindro{nuevo}},
+      {"Eliminar_Cono_Total.def.1", model::Eliminar_Cono{k}, model::Eliminar_Cono{s}},
+      {"Eliminar_Elemento_Total.def.1", model::Eliminar_Elemento{c}, model::Eliminar_Elemento{nuevo}},
+  };
+  const Judge judge;
+  Escena before = model::Init();
+  model::apply(before, model::Agregar_Esfera{s, o, 1});
+  model::apply(before, model::Agregar_Cilindro{c, o, 1, z, 1});
+  model::apply(before, model::Agregar_Cono{k, o, 1, z, 1});
+  for (const Row& row : rows) {
+    CAPTURE(row.definition);
+    Escena after = before, same = before;
+    const model::Answer done = model::apply_total(after, row.done), refused = model::apply_total(same, row.refused);
+    CHECK(done.ok());
+    CHECK_FALSE(refused.ok());
+    CHECK(same == before);
+    CHECK_FALSE(judge.difference(before, row.done, done, after));
+    CHECK_FALSE(judge.difference(before, row.refused, refused, before));
+    CHECK(judge.difference(before, row.done, done, before));       // the answer without the edit
+    CHECK(judge.difference(before, row.refused, refused, after));  // the error and an edit
+    CHECK(judge.difference(before, row.refused, done, before));    // the error not told
+  }
+}
+
 TEST_CASE("the contracts and the Z text agree on every conjunct of 100000 random transitions") {
   judge_many(20260101, test::fewer_when_sanitized(100000));
 }

@@ -173,6 +173,22 @@ class Errata(unittest.TestCase):
     def test_E32_a_surface_turned_away_has_negative_brightness(self):
         self.assertEqual(-1, dot(Z, P(0, 0, -1)))
 
+    def test_E34_an_order_of_the_integers_leaves_one_half_out(self):
+        def above(a, b):  # > as the toolkit has it, and nothing more
+            return a.denominator == b.denominator == 1 and a > b
+        integers, half = [Fraction(n) for n in range(-9, 10)], Fraction(1, 2)
+        self.assertTrue(all(above(a, b) == (b < a) for a in integers for b in integers))
+        self.assertTrue(0 <= half and half != 0)
+        self.assertFalse(above(half, Fraction(0)))
+
+    def test_E35_an_addition_of_integers_may_have_two_sums_elsewhere_or_none(self):
+        def sums(a, b, elsewhere):
+            return {a + b} if a.denominator == b.denominator == 1 else elsewhere
+        integers, half = [Fraction(n) for n in range(-9, 10)], Fraction(1, 2)
+        for elsewhere in (set(), {Fraction(0), Fraction(1)}):
+            self.assertTrue(all(sums(a, b, elsewhere) == {a + b} for a in integers for b in integers))
+            self.assertNotEqual(1, len(sums(half, half, elsewhere)))
+
     def test_E33_a_forgotten_height_makes_a_name_unusable(self):
         before = scene(altura={"c": 2})  # what removing a cone or cylinder by the wrong schema leaves (E09)
         self.assertTrue(printed_invariant(before) and "c" not in before["tipo"])

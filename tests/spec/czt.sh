@@ -30,12 +30,13 @@ for name in $order; do
   done
 done
 
-# CZT's exit status counts type errors only, not syntax errors; so its words are read: each error names its line, and
-# each section that was checked to its end has a summary.
+# CZT's exit status counts type errors only, not syntax errors; so its words are read: each error names its line, which
+# CZT counts from 0, and each section that was checked to its end has a summary.
 # shellcheck disable=SC2086  # the paths of a checkout have no spaces where CZT is to read them
 output=$(java -cp "$CZT_JAR" net.sourceforge.czt.typecheck.z.TypeCheckUtils $sorted 2>&1) && failed=0 || failed=1
 errors=$(printf '%s\n' "$output" |
-  sed -n '/^WARNING/d; s/^\(ERROR \)\{0,1\}"\{0,1\}\([^"]*\)"\{0,1\}, line \([0-9]*\)[^:]*: /\2:\3: /p')
+  sed -n '/^WARNING/d; s/^\(ERROR \)\{0,1\}"\{0,1\}\([^"]*\)"\{0,1\}, line \([0-9]*\)[^:]*: /\2\t\3\t/p' |
+  awk -F '\t' '{ print $1 ":" $2 + 1 ": " $3 }')
 [ -z "$errors" ] || { printf '%s\n' "$errors"; failed=1; }
 for file; do
   name=$(header "$file" | cut -d' ' -f1)

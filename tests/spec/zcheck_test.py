@@ -51,9 +51,12 @@ RIGHT = [
     zed(r"A ::= uno | dos"),
     schema(r"\Delta Estado \\ c? : Cosa", "cosas' = \\emptyset % x\n\\also\n" + r"peso' = \{ c? \} \ndres peso"),
     schema(r"\Xi Estado \\ n! : \num", r"\exists c : cosas @ n! = peso(c) \land peso \limg cosas \rimg = \ran peso"),
-    schema(r"Estado' ", r"\dom (peso' \inv) = \{ 1 \} \implies cosas' \neq \emptyset"),
+    schema(r"Estado~' ", r"\theta Estado~' = \theta Estado~' \land \dom (peso' \inv) = \{ 1 \} \implies cosas' \neq \emptyset"),
     schema(r"x, y : \num", r"x = \IF y > 0 \THEN y \ELSE -y"),
-    schema(r"f : \num \fun \num \fun \num", r"\forall a, b : \num @ f a b = f(a)(b)"),
+    schema(r"f : \num \fun \num \fun \num", r"\forall a, b : \num @ f~a~b = f(a)(b)"),
+    schema(r"f : \num \fun \num; fa, x1 : \num", "f\na = x 1"),
+    zed(r"A == (\num \cross \num) \dres (\_ + \_)"),
+    zed("A == \\{~ n : \\num | \\\\\n\\t1 n > 0 ~\\}"),
     schema(r"s : \power Estado", r"\forall e : s @ e.cosas = \dom e.peso"),
     schema(r"Estado \\ cosas : \power Cosa", r"\exists_1 c : Cosa @ c \in cosas"),
 ]
@@ -71,6 +74,11 @@ WRONG = [  # the text, the line, what the message says
     (zed(r"A == ((1)"), 13, "expected ), found end"),
     (zed(r"A == \{~ n : \num | n > 0 @ ~\}"), 12, "expected an expression"),
     (schema(r"\Delta Estado", "peso'' = peso"), 14, "peso'' is not declared"),
+    (schema(r"Estado'", r"1 = 1"), 12, "Estado' is not declared; the schema Estado is decorated as Estado~'"),
+    (schema(r"\Delta Estado", r"\theta Estado' = \theta Estado"), 14, "Estado' is not declared"),
+    (schema(r"Cosa~'", r"1 = 1"), 12, "a schema is expected"),
+    (schema(r"f : \num \fun \num; a : \num", r"f a = f~a"), 14, "fa is not declared"),
+    (zed(r"A == (\_ \cup \_)"), 12, "as an operator"),
     (schema(r"Estado", r"peso(1) = 1"), 14, "argument"),
     (schema(r"Estado", r"cosas = peso"), 14, "equality"),
     (schema(r"Estado", r"cosas(1) = 1"), 14, "a function is expected"),
@@ -128,7 +136,7 @@ class Czt(unittest.TestCase):
 
     def test_refused(self):
         said = 'ERROR "prueba.tex", line 7, column 3: Undeclared identifier\n\nSummary information for section prueba'
-        self.assertEqual((1, "prueba.tex:7: Undeclared identifier\n"), self.judged(said, 1))
+        self.assertEqual((1, "prueba.tex:8: Undeclared identifier\n"), self.judged(said, 1))  # CZT counts from 0
 
     def test_syntax_error_leaves_the_section_unchecked(self):
         self.assertEqual((1, "prueba.tex:1: CZT did not check section prueba\n"), self.judged("it broke", 0))

@@ -11,10 +11,15 @@ def name(c, scope, node):
     return c.lookup(scope, node.kids[0], node.line)
 
 
+def operator(c, scope, node):
+    return relation(pair(ARITHMOS, ARITHMOS), ARITHMOS)
+
+
 def theta(c, scope, node):
-    found = components(c, scope, Node("name", node.kids, node.line))
+    schema, strokes = node.kids
+    found = components(c, scope, Node("name", (schema,), node.line))
     for n, t in found.items():
-        c.same(node.line, c.lookup(scope, n, node.line), t, f"component {n} of θ")
+        c.same(node.line, c.lookup(scope, n + strokes, node.line), t, f"component {n} of θ")
     return ("schema", tuple(sorted(found.items())))
 
 
@@ -147,6 +152,10 @@ def components(c, scope, node):
     return dict(found or ())
 
 
+def decorate(c, scope, node):
+    return power(("schema", tuple(sorted((n + "'", t) for n, t in components(c, scope, node.kids[0]).items()))))
+
+
 def connective(c, scope, node):
     """∧ ∨ ⇒ ⇔ ¬ of schemas: the signatures joined."""
     joined = {}
@@ -166,6 +175,7 @@ def hiding(c, scope, node):
 
 RULES = {
     "number": number, "name": name, "theta": theta, "tuple": tuple_, "select": select, "apply": apply,
+    "operator": operator, "decorate": decorate,
     "+": arithmetic, "-": arithmetic, "*": arithmetic, "prefix-": negative,
     r"prefix\power": power_set, r"prefix\power_1": power_set,
     r"prefix\finset": power_set, r"prefix\finset_1": power_set,

@@ -2,12 +2,15 @@
 
 Paragraph     one Z environment: its kind, its head (a schema's name), its tokens, its first line
 Token         kind name | number | symbol | newline, text, line; a command's text keeps its backslash
+
+A blank is no space in this mark-up: `f a` is the name fa, and `S '` the name S'. What separates is `~`, `\\ ` or a command:
+`f~a` applies f to a, and `S~'` is the schema S decorated.
 """
 import re
 from dataclasses import dataclass
 
 KINDS = ("zsection", "zed", "axdef", "schema")
-SPACES = (r"\ ", r"\,", r"\;", r"\quad", r"\t1", r"\t2", r"\t3", r"\t4")
+SPACES = (r"\ ", r"\,", r"\;", r"\quad") + tuple(rf"\t{n}" for n in range(10))
 # A newline beside one of these is layout only (ISO Z, 7.5: a newline is soft next to an infix or a separator).
 SOFT_AFTER = set("= < > + - * ( [ , ; : | @ . == ::=".split()) | {r"\{", "where"}
 SOFT_BEFORE = set("= < > + - * ) ] , ; : | @ . == ::=".split()) | {r"\}", "where", "end"}
@@ -40,9 +43,9 @@ class Paragraph:
 
 TOKEN = re.compile(
     r"(?P<delta>\\(?:Delta|Xi)\s*(?=[A-Za-z]))"
-    r"|(?P<name>[A-Za-z](?:[A-Za-z0-9]|\\_)*(?:_[0-9])?[?!']*)"
-    r"|(?P<number>[0-9]+)"
-    r"|(?P<command>\\[A-Za-z]+(?:_1)?|\\.)"
+    r"|(?P<name>[A-Za-z](?:\s*(?:[A-Za-z0-9]|\\_))*(?:\s*_[0-9])?(?:\s*[?!'])*)"
+    r"|(?P<number>[0-9](?:\s*[0-9])*)"
+    r"|(?P<command>\\t[0-9]|\\[A-Za-z]+(?:_1)?|\\.)"
     r"|(?P<symbol>::=|==|[=<>+\-*()\[\],;:|@.'])"
     r"|(?P<space>[\s~{}]+)"
 )
@@ -69,29 +72,28 @@ def paragraphs(text):
 
 
 def tokens(body):
-    """The tokens of numbered lines, soft newlines dropped."""
-    out = []
-    for number, line in body:
-        line = re.sub(r"(?<!\\)%.*", "", line)
-        at, prefix = 0, ""
-        while at < len(line):
-            match = TOKEN.match(line, at)
-            if not match:
-                raise ZError(number, f"unexpected character {line[at]!r}")
-            at, kind, text = match.end(), match.lastgroup, match.group()
-            if kind == "delta":
-                prefix = text.strip()
-            elif kind == "name":
-                out.append(Token("name", prefix + text.replace(r"\_", "_"), number))
-                prefix = ""
-            elif kind == "number":
-                out.append(Token("number", text, number))
-            elif text in ("\\\\", r"\also"):
-                out.append(Token("newline", "", number))
-            elif text == r"\where":
-                out.append(Token("symbol", "where", number))
-            elif kind != "space" and text not in SPACES:
-                out.append(Token("symbol", text, number))
+    """The tokens of numbered lines that follow one another, soft newlines dropped."""
+    whole = "\n".join(re.sub(r"(?<!\\)%.*", "", line) for _, line in body)
+    out, at, prefix, number = [], 0, "", body[0][0]
+    while at < len(whole):
+        match = TOKEN.match(whole, at)
+        if not match:
+            raise ZError(number, f"unexpected character {whole[at]!r}")
+        at, kind, text = match.end(), match.lastgroup, match.group()
+        if kind == "delta":
+            prefix = text.strip()
+        elif kind == "name":
+            out.append(Token("name", prefix + re.sub(r"\s", "", text).replace(r"\_", "_"), number))
+            prefix = ""
+        elif kind == "number":
+            out.append(Token("number", re.sub(r"\s", "", text), number))
+        elif text in ("\\\\", r"\also"):
+            out.append(Token("newline", "", number))
+        elif text == r"\where":
+            out.append(Token("symbol", "where", number))
+        elif kind != "space" and text not in SPACES:
+            out.append(Token("symbol", text, number))
+        number += text.count("\n")
     out.append(Token("symbol", "end", body[-1][0]))
     return [t for i, t in enumerate(out) if t.kind != "newline" or not soft(out, i)]
 

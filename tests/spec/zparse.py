@@ -17,6 +17,7 @@ BINARY = {
     "*": (40, False), r"\cap": (40, False), r"\oplus": (50, False),
     r"\rres": (60, False), r"\nrres": (60, False), r"\dres": (65, False), r"\ndres": (65, False),
 }
+ARITHMETIC = {"+", "-", "*"}
 PREFIX = {r"\power", r"\power_1", r"\finset", r"\finset_1", "-"}
 CONSTANTS = {r"\emptyset", r"\num", r"\nat", r"\arithmos", r"\real", r"\dom", r"\ran", r"\bigcup", r"\bigcap", r"\#"}
 
@@ -172,9 +173,11 @@ class Parser:
 
     def postfix(self):
         left = self.atom()
-        while self.sees(".", r"\inv", r"\limg"):
+        while self.sees(".", r"\inv", r"\limg", "'"):
             op = self.take()
-            if op.text == ".":
+            if op.text == "'":
+                left = Node("decorate", (left,), op.line)
+            elif op.text == ".":
                 left = Node("select", (left, self.name()), op.line)
             elif op.text == r"\inv":
                 left = Node("inverse", (left,), op.line)
@@ -190,7 +193,12 @@ class Parser:
         if token.kind == "number":
             return Node("number", (token.text,), token.line)
         if token.text == r"\theta":
-            return Node("theta", (self.name(),), token.line)
+            name, strokes = self.name(), ""
+            while self.accept("'"):
+                strokes += "'"
+            return Node("theta", (name, strokes), token.line)
+        if token.text == "(" and self.sees(r"\_"):
+            return self.operator(token)
         if token.text == "(":
             parts = [self.expression()]
             while self.accept(","):
@@ -204,6 +212,16 @@ class Parser:
         if token.text == r"\{":
             return self.braces(token)
         raise ZError(token.line, f"expected an expression, found {token.text or 'a new line'}")
+
+    def operator(self, opening):
+        """(\_ + \_): the function that an infix operator is."""
+        self.take(r"\_")
+        op = self.take()
+        if op.text not in ARITHMETIC:
+            raise ZError(op.line, f"expected one of {' '.join(sorted(ARITHMETIC))} as an operator, found {op.text}")
+        self.take(r"\_")
+        self.take(")")
+        return Node("operator", (op.text,), opening.line)
 
     def braces(self, opening):
         """A set by comprehension if a schema text opens it, else a set of its members."""

@@ -107,14 +107,11 @@ class Checker(Types):
                 return table[name]
         if name[0] == "\\" and name[1:].startswith(("Delta", "Xi")):
             return self.delta(scope, name, line)
-        base = name.rstrip(STROKES)
-        if base != name and base in self.names:
-            components = self.components(self.names[base])
-            if components is not None:
-                return power(("schema", tuple(sorted((n + name[len(base):], t) for n, t in components))))
         found = self.toolkit(name)
         if found is None:
-            self.error(line, f"{name} is not declared")
+            base = name.rstrip(STROKES)
+            schema = base != name and base in self.names and self.components(self.names[base]) is not None
+            self.error(line, f"{name} is not declared" + (f"; the schema {base} is decorated as {base}~'" if schema else ""))
         return found or self.unknown()
 
     def delta(self, scope, name, line):

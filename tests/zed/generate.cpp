@@ -149,7 +149,7 @@ Term any_leaf() {
   }
 }
 
-/// The strokes of θ S' are those of θ.
+/// The strokes of θ S ' are those of θ; in θ S' they are of the name.
 Term any_theta(int size) {
   Term schema = any(size - 1);
   return with(Kind::theta, {schema}, {"", *elementOf(strokes)});

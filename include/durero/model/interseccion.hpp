@@ -124,7 +124,8 @@ Judgements post(const Escena& escena, const Pregunta& in, const Hay_Interseccion
 Judgements post(const Escena& escena, const Pregunta& in, const No_Hay_Interseccion& out);
 Judgements post(const Escena& escena, const Pregunta& in, const No_Hay_Minimo& out);
 
-/// The closest intersection: the outcome whose preconditions hold, which is always exactly one. Its postconditions
+/// The closest intersection (Primera_Interseccion.def.1): the outcome whose preconditions hold, which is always exactly
+/// one. Its postconditions
 /// are checked. Throws contract_violation Pregunta.pre.1 where en? ⊈ elementos.
 std::variant<Hay_Interseccion, No_Hay_Interseccion, No_Hay_Minimo> Primera_Interseccion(const Escena& escena,
                                                                                         const Pregunta& in);

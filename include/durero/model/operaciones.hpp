@@ -138,7 +138,10 @@ struct Answer {
 Respuesta apply(Escena& escena, const Operation& operation);
 
 /// The total operation (…_Total): where a precondition does not hold it changes nothing and answers the error, the
-/// first in the order of the text. t? is hidden: a specific addition looks at no t.
+/// first in the order of the text. t? is hidden: a specific addition looks at no t. It carries out
+/// Agregar_Esfera_Total.def.1, Agregar_Cilindro_Total.def.1, Agregar_Cono_Total.def.1, Agregar_Elemento_Total.def.1,
+/// Eliminar_Esfera_Total.def.1, Eliminar_Cilindro_Total.def.1, Eliminar_Cono_Total.def.1,
+/// Eliminar_Elemento_Total.def.1.
 Answer apply_total(Escena& escena, const Operation& operation);
 
 }  // namespace durero::model

@@ -105,7 +105,7 @@ void Writer::operation(const Schema& form) {
   Fields fields;
   for (const Declaration& declaration : form.text.declarations) {
     if (declaration.form != Declaration::Form::included) continue;
-    const Name& what = declaration.term->name;
+    const Name what = schema_name(declaration.term).value();
     const std::string field = what.word == "Δ" + in_.state ? "Delta" : what.word == "Ξ" + in_.state ? "Xi" : what.word;
     fields.emplace_back(fmt::format("{}_{} : {}", name, field, in_.call(what, scope, declaration.place).text), "");
   }

@@ -16,6 +16,8 @@ constexpr const char* head =
     x ∈ T, T a whole type == x has a value: exists c : T, c = x
     S ⊆ T, whole types    == an injection of S into T
     a partial function    == a set of pairs (Toolkit.rel)
+    (_ + _), and − and *  == the set of pairs of Coq's operation (Toolkit.graph)
+    S × T, whole types    == univ;  S → T == the set of total functions, S ⟶ T
     f(e) within a predicate P  == exists v, (e, v) ∈ f /\ P: an application outside the domain makes P false. P is the
                              relation that f(e) stands in, a chain counting as one; in a condition, all of its IF
     A = B, sets           == A ≡ B
@@ -30,10 +32,10 @@ constexpr const char* head =
     λ D | P • E, otherwise == the same with the set of E alone as value
     S                     == a Record S of carriers and a predicate S_ok with one field a declaration that says more than
                              a type and one a predicate; components are prefixed by S, but for those of the state
-    ΔS, ΞS, θS = θS'      == Delta_S, Xi_S, S_eq, for the state S: the schema that boxes include as ΔS, ΞS or S'
+    ΔS, ΞS, θS = θS '     == Delta_S, Xi_S, S_eq, for the state S: the schema that boxes include as ΔS, ΞS or S '
     other schemas         == predicates on their components: a Record with one field an inclusion, a declaration that says
                              more than a type, and a predicate; or a Definition where the text combines schemas
-    θS, θS'; x?, x!       == s, s'; x_in, x_out
+    θS, θS '; x?, x!      == s, s'; x_in, x_out
     a label A.kind.n      == the field or Definition A_kind_n *)
 From Coq Require Import Reals.
 From Durero Require Import Toolkit.

@@ -118,6 +118,11 @@ Expr Translator::predicate(const Term& term, const Scope& scope) const {
     }
     case Kind::reference:
       return call(node.name, scope, node.place);
+    case Kind::decoration: {
+      const auto name = schema_name(term);
+      if (!name) uncovered(node.place, "this decoration");
+      return call(*name, scope, node.place);
+    }
     case Kind::hiding:
       return hiding(node, scope);
     case Kind::schema_text: {

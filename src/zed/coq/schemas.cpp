@@ -6,6 +6,13 @@
 
 namespace durero::zed::coq {
 
+std::optional<Name> schema_name(const Term& schema) {
+  if (schema->kind == Kind::reference) return schema->name;
+  if (schema->kind != Kind::decoration || schema->children[0]->kind != Kind::reference) return {};
+  const Name& base = schema->children[0]->name;
+  return Name{base.word, base.strokes + schema->name.strokes};
+}
+
 void merge(Signature& to, const Signature& from) {
   for (const Slot& slot : from)
     if (std::none_of(to.begin(), to.end(), [&](const Slot& there) { return there.name == slot.name; }))
@@ -33,10 +40,11 @@ void Translator::declare(const Slot& slot, Scope& scope) const {
 
 // Whether a variable of this name would hide what is written under it: another variable, a component, a word of Coq.
 bool Translator::taken(const std::string& variable, const Scope& scope) const {
-  static const std::set<std::string> words = {
-      "s",     "s'",   "R",     "Z",    "sqrt",  "set",   "rel",  "univ", "dom", "ran",    "inverse", "image",
-      "ndres", "dres", "is_mu", "True", "False", "Prop",  "Type", "Set",  "fun", "exists", "forall",  "in",
-      "as",    "at",   "if",    "then", "else",  "match", "with", "end",  "let", "return", "fix",     "cofix"};
+  static const std::set<std::string> words = {"s",    "s'",    "R",       "Z",     "sqrt",  "set",  "rel",    "univ",
+                                              "dom",  "ran",   "inverse", "image", "ndres", "dres", "graph",  "is_mu",
+                                              "True", "False", "Prop",    "Type",  "Set",   "fun",  "exists", "forall",
+                                              "in",   "as",    "at",      "if",    "then",  "else", "match",  "with",
+                                              "end",  "let",   "return",  "fix",   "cofix"};
   if (words.contains(variable) || scope.variables.contains(variable)) return true;
   for (const auto& [name, symbol] : symbols)
     if (symbol.form == Symbol::Form::carrier)
@@ -52,7 +60,7 @@ Signature Translator::declare(const SchemaText& text, Scope& scope) const {
   for (const Declaration& declaration : text.declarations) {
     if (declaration.form == Declaration::Form::defined) uncovered(declaration.place, "a declaration by ==");
     if (declaration.form == Declaration::Form::included) {
-      if (declaration.term->kind != Kind::reference) uncovered(declaration.place, "this inclusion");
+      if (!schema_name(declaration.term)) uncovered(declaration.place, "this inclusion");
       merge(slots, signature(declaration.term));
       continue;
     }
@@ -94,6 +102,11 @@ Signature Translator::signature(const Term& schema) const {
       const Symbol* symbol = find(schema->name);
       if (symbol && symbol->form == Symbol::Form::operation) return symbol->signature;
       return {state_slot(schema->name, schema->place)};
+    }
+    case Kind::decoration: {
+      const auto name = schema_name(schema);
+      if (!name) uncovered(schema->place, "this decoration");
+      return {state_slot(*name, schema->place)};
     }
     case Kind::schema_text: {
       Scope scope;

@@ -80,6 +80,10 @@ Expr Translator::term(const Term& term, Scope& scope, Frame& frame) const {
       return application(node, scope, frame);
     case Kind::power:
       return {"ℙ " + part(0).at(applied), applied + 20, Carrier::set(Carrier::set(carrier(node.children[0], scope)))};
+    case Kind::product: {  // of whole types only
+      if (!whole(term)) uncovered(node.place, "a product of parts of types");
+      return {"univ", atomic, Carrier::set(carrier(term, scope))};
+    }
     case Kind::theta: {
       const auto entry = scope.states.find({node.children[0]->name.word, node.name.strokes});
       if (node.children[0]->kind != Kind::reference || entry == scope.states.end()) uncovered(node.place, "this θ");
@@ -135,6 +139,11 @@ Expr Translator::reference(const Node& node, Scope& scope, Frame& frame) const {
   if (const auto entry = scope.names.find(node.name); entry != scope.names.end()) return entry->second;
   if (node.name.word == "∅") return {"∅", atomic, Carrier::set({})};
   const OperatorRow* row = operator_row(node.name.word);
+  if (row && !row->coq.graph.empty()) {
+    const Carrier real = Carrier::named("R");
+    return {fmt::format("graph {}", row->coq.graph), applied,
+            Carrier::set(Carrier::product({Carrier::product({real, real}), real}))};
+  }
   if (row && row->binding.role == Role::generic && row->coq.level > 0) {
     std::vector<Expr> of;
     of.reserve(node.children.size());

@@ -86,6 +86,9 @@ std::string variable(const Name& name);
 /// A.kind.n as A_kind_n.
 std::string identifier(std::string label);
 
+/// The name of S, and for S ' the name S'. Nothing for another schema.
+std::optional<Name> schema_name(const Term& schema);
+
 /// Splits a chain of ∧ or of ∨.
 void flatten(Kind kind, const Term& term, std::vector<Term>& to);
 /// Adds what is not there yet, by name; states stand before the rest.

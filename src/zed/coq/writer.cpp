@@ -56,11 +56,13 @@ std::string state_of(const Specification& specification) {
       const Schema* form = std::get_if<Schema>(&paragraph.form);
       if (!form) continue;
       for (const Declaration& declaration : form->text.declarations) {
-        if (declaration.form != Declaration::Form::included || declaration.term->kind != Kind::reference) continue;
-        std::string word = declaration.term->name.word;
+        const auto name =
+            declaration.form == Declaration::Form::included ? schema_name(declaration.term) : std::nullopt;
+        if (!name) continue;
+        std::string word = name->word;
         const bool sign = word.starts_with("Δ") || word.starts_with("Ξ");
         if (sign) word.erase(0, 2);
-        if (!sign && declaration.term->name.strokes != "'") continue;
+        if (!sign && name->strokes != "'") continue;
         if (!state.empty() && state != word)
           uncovered(declaration.place, fmt::format("a second state, {} beside {},", word, state));
         state = word;

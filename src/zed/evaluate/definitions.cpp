@@ -45,12 +45,7 @@ std::optional<Components> reference_components(const Node& node, const Definitio
     join(*names, after);
     return names;
   }
-  if (node.name.strokes.empty()) return std::nullopt;
-  auto names = components(reference({node.name.word, {}}, node.children), definitions);
-  if (names) {
-    for (Name& each : *names) each.strokes += node.name.strokes;
-  }
-  return names;
+  return std::nullopt;
 }
 
 Components renamed(Components names, const std::vector<Name>& pairs) {

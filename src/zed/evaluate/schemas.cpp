@@ -133,13 +133,6 @@ Property Compiler::schema_reference(const Term& term, const Scope& scope) {
   for (const bool unchanged : {false, true}) {
     if (const auto of = implicit(node.name, unchanged ? "Ξ" : "Δ", definitions_)) return change(*of, unchanged, scope);
   }
-  const auto stroke = node.name.strokes;
-  if (!stroke.empty() && definitions_.find(Name{node.name.word, {}})) {
-    Node decoration{
-        .kind = Kind::decoration, .place = node.place, .name = {{}, stroke}, .children = {}, .names = {}, .text = {}};
-    decoration.children.push_back(reference({node.name.word, {}}, node.children, node.place));
-    return predicate(make(std::move(decoration)), scope);
-  }
   cannot(node, node.name.text() + " is not declared");
 }
 

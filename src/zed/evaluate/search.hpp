@@ -38,7 +38,7 @@ struct Property {
   // Where the property comes from, for findings.
   std::string label;
   Term term;            ///< null for what is not written as a predicate of its own
-  std::string strokes;  ///< those of the state that it speaks of: `'` under Escena'
+  std::string strokes;  ///< those of the state that it speaks of: `'` under Escena '
   std::string text;     ///< a conjunct of a schema in Unicode; empty for any other property
 };
 

@@ -46,7 +46,10 @@ void Printer::application(const Node& node, bool last) {
     return symbol("⦈");
   }
   term(node.children[0], binding::application, false);
+  const std::size_t behind = out_.size();
   term(node.children[1], binding::primary, false);
+  // A blank is no space in LaTeX: f a would be one name.
+  if (latex_ && out_[behind] == ' ' && out_[behind + 1] != '(') out_[behind] = '~';
 }
 
 void Printer::reference(const Node& node, bool last) {

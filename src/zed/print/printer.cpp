@@ -12,7 +12,7 @@ Printer::Printer(const Markup* markup) : latex_(markup != nullptr) {
 }
 
 void Printer::space() {
-  if (out_.empty() || out_.back() == ' ' || out_.back() == '\n') return;
+  if (out_.empty() || out_.back() == ' ' || out_.back() == '~' || out_.back() == '\n') return;
   for (const std::string_view open : {"(", "[", "{", "⟨"})
     if (out_.ends_with(open)) return;
   out_ += ' ';
@@ -190,8 +190,7 @@ void Printer::conditional(const Node& node, bool last) {
 void Printer::theta(const Node& node) {
   symbol("θ");
   const Node& schema = *node.children[0];
-  if (schema.kind == Kind::reference && schema.name.strokes.empty() && !is_operator_name(schema.name.word)) {
-    if (schema.children.empty()) return name({schema.name.word, node.name.strokes});
+  if (schema.kind == Kind::reference && !is_operator_name(schema.name.word)) {
     bare(schema, false);
   } else {
     space();
@@ -199,7 +198,13 @@ void Printer::theta(const Node& node) {
     bare(schema, true);
     out_ += ')';
   }
-  if (!node.name.strokes.empty()) name({"", node.name.strokes});
+  if (!node.name.strokes.empty()) decoration(node.name.strokes);
+}
+
+/// Strokes of a schema: without the space before them they would be part of its name.
+void Printer::decoration(const std::string& strokes) {
+  out_ += latex_ ? '~' : ' ';
+  name({"", strokes});
 }
 
 /// What stands behind a primary: selections, decoration, renaming, hiding.
@@ -217,10 +222,7 @@ void Printer::suffixed(const Node& node) {
   const bool would_take =
       (of->kind == Kind::theta && !selects) || (of->kind == Kind::number && node.kind == Kind::tuple_selection);
   term(of, would_take ? binding::primary + 1 : binding::primary, false);
-  if (node.kind == Kind::decoration) {
-    out_ += ' ';
-    return name({"", node.name.strokes});
-  }
+  if (node.kind == Kind::decoration) return decoration(node.name.strokes);
   if (node.kind == Kind::renaming) {
     out_ += '[';
     for (std::size_t i = 0; i + 1 < node.names.size(); i += 2) {

@@ -37,6 +37,7 @@ class Printer {
   void relation(const Node& node, bool last);
   void conditional(const Node& node, bool last);
   void theta(const Node& node);
+  void decoration(const std::string& strokes);
   void suffixed(const Node& node);
   void list(std::string_view open, const std::vector<Term>& terms, std::string_view close);
   void braces(const Node& node);

@@ -11,13 +11,6 @@ namespace {
 constexpr std::size_t max_facts = 2000;
 constexpr unsigned max_inclusions = 100;  // one inside the other
 
-Name last_stroke_off(const Name& name, std::string& stroke) {
-  std::size_t last = name.strokes.size() - 1;
-  while (utf8::continues(name.strokes[last])) --last;
-  stroke = name.strokes.substr(last);
-  return {name.word, name.strokes.substr(0, last)};
-}
-
 std::set<Name> bound_names(const SchemaText& text) {
   std::set<Name> bound;
   for (const Declaration& declaration : text.declarations)
@@ -145,9 +138,25 @@ void Expander::add(const Term& schema, Expansion& to, unsigned depth) const {
     for (const Term& part : schema->children) add(part, to, depth + 1);
   } else if (schema->kind == Kind::reference && schema->children.empty()) {
     add_named(schema->name, to, depth + 1);
+  } else if (schema->kind == Kind::decoration && schema->children[0]->kind == Kind::reference) {
+    add_decorated(schema->children[0]->name, schema->name.strokes, to, depth + 1);
   } else {
     to.opaque = true;
   }
+}
+
+void Expander::add_decorated(const Name& base, const std::string& stroke, Expansion& to, unsigned depth) const {
+  if (depth > max_inclusions) {
+    to.opaque = true;
+    return;
+  }
+  Expansion inner;
+  add_named(base, inner, depth + 1);
+  const std::set<Name> names = components(base);
+  for (const Term& fact : inner.facts) to.facts.push_back(decorate(fact, names, stroke));
+  for (const auto& [component, set] : inner.declared)
+    to.declared.emplace_back(Name{component.word, component.strokes + stroke}, set);
+  to.opaque = to.opaque || inner.opaque;
 }
 
 void Expander::add_named(const Name& name, Expansion& to, unsigned depth) const {
@@ -157,7 +166,7 @@ void Expander::add_named(const Name& name, Expansion& to, unsigned depth) const 
   if ((delta || xi) && name.strokes.empty()) {
     const Name base{name.word.substr(std::string_view("Δ").size()), {}};
     add_named(base, to, depth + 1);
-    add_named({base.word, "'"}, to, depth + 1);
+    add_decorated(base, "'", to, depth + 1);
     const std::set<Name> names = components(base);
     const bool is_state =
         std::all_of(names.begin(), names.end(), [](const Name& each) { return each.strokes.empty(); });
@@ -166,16 +175,6 @@ void Expander::add_named(const Name& name, Expansion& to, unsigned depth) const 
     for (const Name& variable : names)
       to.facts.push_back(
           relation({{"_=_", {}}}, {reference({variable.word, variable.strokes + "'"}), reference(variable)}));
-  } else if (!name.strokes.empty() && depth <= max_inclusions) {
-    std::string stroke;
-    const Name base = last_stroke_off(name, stroke);
-    Expansion inner;
-    add_named(base, inner, depth + 1);
-    const std::set<Name> names = components(base);
-    for (const Term& fact : inner.facts) to.facts.push_back(decorate(fact, names, stroke));
-    for (const auto& [component, set] : inner.declared)
-      to.declared.emplace_back(Name{component.word, component.strokes + stroke}, set);
-    to.opaque = to.opaque || inner.opaque;
   } else {
     to.opaque = true;
   }

@@ -41,6 +41,7 @@ class Expander {
   void add(const Term& schema, Expansion& to, unsigned depth) const;
   void add(const SchemaText& text, Expansion& to, unsigned depth) const;
   void add_named(const Name& name, Expansion& to, unsigned depth) const;
+  void add_decorated(const Name& base, const std::string& stroke, Expansion& to, unsigned depth) const;
 
   const Typing& typing_;
   std::unordered_map<Name, const SchemaText*> boxes_;

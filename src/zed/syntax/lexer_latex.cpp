@@ -32,7 +32,7 @@ class Latex : Lexer {
     } else if (is_letter(c)) {
       word({}, place_);
     } else if (is_digit(c)) {
-      numeral();
+      number();
     } else if (is_stroke(c) || c == '_') {
       const Place place = place_;
       emit(Type::stroke, stroke(), place);
@@ -75,9 +75,29 @@ class Latex : Lexer {
     return std::string(digit);
   }
 
+  /// Takes the blanks here where what stands behind them goes on the word or numeral before them: in this mark-up a
+  /// blank is no space (ISO/IEC 13568, A.2), so that `f a` is the name fa. What separates is `~`, or a command.
+  template <class GoesOn>
+  bool over_blanks(GoesOn goes_on) {
+    const std::size_t at = at_;
+    const Place place = place_;
+    spaces();
+    if (goes_on()) return true;
+    at_ = at;
+    place_ = place;
+    return false;
+  }
+
+  void number() {
+    const Place place = place_;
+    std::string digits(take());
+    while (over_blanks([this] { return is_digit(here()); })) digits += take();
+    emit(Type::numeral, std::move(digits), place);
+  }
+
   std::string strokes(std::string& word) {
     std::string all;
-    while (is_stroke(here()) || here() == '_') {
+    while (over_blanks([this] { return is_stroke(here()) || here() == '_'; })) {
       const std::string mark = stroke();
       if (all.empty() && is_indexed(word, mark)) {
         word += mark;
@@ -90,20 +110,25 @@ class Latex : Lexer {
 
   /// The letters of a word, `begun` with those already taken.
   void word(std::string begun, Place place) {
-    for (;;) {
-      if (is_letter(here()) || (is_digit(here()) && !begun.empty())) {
-        begun += take();
-      } else if (sees("\\_")) {
-        take(2);
-        begun += '_';
-      } else if (const auto letter = letter_command()) {
-        begun += *letter;
-      } else {
-        break;
-      }
+    while (over_blanks([&] { return more_of_word(begun); })) {
     }
     std::string behind = strokes(begun);
     emit(Type::word, std::move(begun), place, std::move(behind));
+  }
+
+  /// Takes one more letter of the word, if one is here.
+  bool more_of_word(std::string& begun) {
+    if (is_letter(here()) || (is_digit(here()) && !begun.empty())) {
+      begun += take();
+    } else if (sees("\\_")) {
+      take(2);
+      begun += '_';
+    } else if (const auto letter = letter_command()) {
+      begun += *letter;
+    } else {
+      return false;
+    }
+    return true;
   }
 
   std::string_view command_name() const {

@@ -139,10 +139,9 @@ Term TermParser::numeral() {
 Term TermParser::theta() {
   const Place place = in_.next().place;
   Node node{.kind = Kind::theta, .place = place, .name = {}, .children = {}, .names = {}, .text = {}};
-  if (in_.sees_name()) {  // the strokes of θ S' are those of θ: x is taken from x'
+  if (in_.sees_name()) {
     const Token& token = in_.next();
-    node.name.strokes = token.strokes;
-    const Term schema = reference({token.text, {}}, {}, token.place);
+    const Term schema = reference({token.text, token.strokes}, {}, token.place);
     node.children.push_back(in_.sees("[") ? actuals_or_renaming(schema) : schema);
   } else if (in_.sees("(")) {
     node.children.push_back(parenthesis());
@@ -151,7 +150,7 @@ Term TermParser::theta() {
   } else {
     in_.fail("expected a schema after θ");
   }
-  while (in_.sees(Type::stroke)) node.name.strokes += in_.next().text;
+  while (in_.sees(Type::stroke)) node.name.strokes += in_.next().text;  // those of θ: x is taken from x'
   return checked(make(std::move(node)));
 }
 

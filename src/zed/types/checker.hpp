@@ -57,6 +57,7 @@ class Checker {
 
   Type infer(const Node& node);
   Type reference(const Node& node);
+  std::string expected_name(const Name& name) const;
   std::optional<Type> lookup(const Name& name, const std::vector<Type>* actuals, Place place);
   Type instance(const Name& name, const Scheme& scheme, const std::vector<Type>* actuals, Place place);
   std::optional<Type> implied_schema(const Name& name, const std::vector<Type>* actuals, Place place);

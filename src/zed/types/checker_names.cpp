@@ -41,7 +41,19 @@ std::vector<Type> Checker::actuals(const Node& node) {
 Type Checker::reference(const Node& node) {
   const std::vector<Type> given = actuals(node);
   if (const auto type = lookup(node.name, given.empty() ? nullptr : &given, node.place)) return *type;
-  return wrong(node.place, node.name.text() + " is not declared", "expected a declared name");
+  return wrong(node.place, node.name.text() + " is not declared", expected_name(node.name));
+}
+
+/// In ISO Z a name with strokes is a name like others. The decoration of a schema has a space before its stroke.
+std::string Checker::expected_name(const Name& name) const {
+  Name base = name;
+  while (!base.strokes.empty() && utf8::continues(base.strokes.back())) base.strokes.pop_back();
+  if (base.strokes.empty()) return "expected a declared name";
+  const std::string stroke = name.strokes.substr(base.strokes.size() - 1);
+  base.strokes.pop_back();
+  const auto entry = globals_.find(base);
+  if (entry == globals_.end() || !entry->second->scheme.type.is_schema_set()) return "expected a declared name";
+  return fmt::format("expected {0} {1} ({0}~{1} in LaTeX) for the decoration of the schema {0}", base.text(), stroke);
 }
 
 std::optional<Type> Checker::lookup(const Name& name, const std::vector<Type>* actuals, Place place) {
@@ -75,22 +87,14 @@ Type Checker::instance(const Name& name, const Scheme& scheme, const std::vector
   return scheme.type.substitute(scheme.formals, types);
 }
 
-/// S' where only S is declared; ΔS and ΞS.
+/// ΔS and ΞS where only S is declared.
 std::optional<Type> Checker::implied_schema(const Name& name, const std::vector<Type>* actuals, Place place) {
   const bool delta = name.word.starts_with("Δ"), xi = name.word.starts_with("Ξ");
-  if ((delta || xi) && name.strokes.empty()) {
-    const Name base{name.word.substr(std::string_view("Δ").size()), {}};
-    const auto schema = base.empty() ? std::nullopt : lookup(base, actuals, place);
-    if (!schema || schema->is(Type::Kind::unknown)) return schema;
-    return schema->is_schema_set() ? std::optional(doubled(*schema, name, place)) : std::nullopt;
-  }
-  if (name.strokes.empty()) return std::nullopt;
-  std::size_t last = name.strokes.size() - 1;
-  while (utf8::continues(name.strokes[last])) --last;
-  const auto schema = lookup({name.word, name.strokes.substr(0, last)}, actuals, place);
+  if ((!delta && !xi) || !name.strokes.empty()) return std::nullopt;
+  const Name base{name.word.substr(std::string_view("Δ").size()), {}};
+  const auto schema = base.empty() ? std::nullopt : lookup(base, actuals, place);
   if (!schema || schema->is(Type::Kind::unknown)) return schema;
-  if (!schema->is_schema_set()) return std::nullopt;
-  return decoration(*schema, name.strokes.substr(last));
+  return schema->is_schema_set() ? std::optional(doubled(*schema, name, place)) : std::nullopt;
 }
 
 void Checker::push(const Fields& fields) {

@@ -33,7 +33,7 @@ const std::string state =
     "\\begin{schema}{S} es : \\power E \\\\ f : E \\pfun \\real \\\\ g : E \\pfun \\real \\where es = \\dom f % "
     "S.inv.1\n"
     "\\end{schema}\n"
-    "\\begin{schema}{I} S' \\where es' = \\emptyset % I.post.1\n\\end{schema}\n";
+    "\\begin{schema}{I} S~' \\where es' = \\emptyset % I.post.1\n\\end{schema}\n";
 
 /// What is written of one more paragraph.
 std::string more(const std::string& paragraph) {
@@ -70,7 +70,9 @@ TEST_CASE("every change of the text's mathematics changes the export") {
   CHECK(with("e? \\notin elementos", "e? \\in elementos") != before);
   CHECK(with("exists_1 temp", "exists temp") != before);
   CHECK(with("mi\\_radio : Elemento \\pfun Rmas", "mi\\_radio : Elemento \\pfun \\real") != before);
-  CHECK(with("\\lor Radio\\_No\\_Positivo", "") != before);
+  CHECK(with("Elemento\\_Ya\\_Existe \\lor \\\\\n", "") != before);
+  CHECK(with("(\\_ + \\_)", "(\\_ - \\_)") != before);
+  CHECK(with("(a < b \\iff", "(a > b \\iff") != before);
   CHECK(with("The real numbers are", "Real numbers are") == before);
 }
 
@@ -102,6 +104,15 @@ TEST_CASE("operations: components in their order, what is hidden behind exists")
         "Record O (s s' : S) (e_in : E) (r_out : R) : Prop := {\n  O_Delta : Delta_S s s';\n"
         "  O_pre_1 : exists v1, (e_in, v1) ∈ f s /\\ v1 = r_out (* O.pre.1 *)\n}.\n\n"
         "Definition H (s s' : S) (e_in : E) : Prop := (exists r_out : R, O s s' e_in r_out) \\/ e_in = e_in.\n");
+}
+
+TEST_CASE("an operator as a set is its graph, and a product of whole types is all") {
+  CHECK(definition("P == (\\real \\cross \\real) \\dres (\\_ * \\_)") ==
+        "Definition P : rel (R * R) R := dres univ (graph Rmult).\n");
+  CHECK(definition("P == \\{~ e : E | (\\real \\cross \\real) \\dres (\\_ + \\_) \\in \\real \\cross \\real \\fun "
+                   "\\real ~\\}") == "Definition P : set E := fun e => dres univ (graph Rplus) ∈ univ ⟶ univ.\n");
+  CHECK_THROWS_WITH(definition("P == \\lambda S @ \\{~ e : E | es \\cross es = es \\cross es ~\\}"),
+                    Contains("a product of parts of types"));
 }
 
 TEST_CASE("a form without a rule is refused at its place") {

@@ -93,6 +93,8 @@ TEST_CASE("parentheses are printed where reading back needs them, and nowhere el
                            "(A ∨ B) ⧹ (r!) ∧ [r! : T | r! = x]",
                            "(μ x : T | p)",
                            "θ Escena'",
+                           "θ Escena '",
+                           "Escena '",
                            "# (a ∪ b)",
                            "- x + y",
                            "rayo?.p.x",

@@ -30,7 +30,7 @@ using Given = std::vector<std::pair<Name, Value>>;
 struct Finding {
   std::string label;      ///< the predicate's label; empty for a declaration
   std::string predicate;  ///< in Unicode
-  std::string strokes;    ///< those of the state that it speaks of: `'` for Escena' in an operation
+  std::string strokes;    ///< those of the state that it speaks of: `'` for Escena ' in an operation
   Place place;
   Truth truth = Truth::yes;
 };

@@ -2,8 +2,8 @@
 /// Z's type system (ISO/IEC 13568, clause 13): every name resolved, every expression given its type.
 ///
 /// A schema text binds its names in its predicates and behind its •, not in its own declarations. A name with strokes
-/// that is declared nowhere is the decoration of the schema of that name without them; ΔS and ΞS, declared nowhere,
-/// are S with S'. A schema in the place of a predicate needs its components in scope, with their types.
+/// is a name of its own, and no decoration: that of the schema S is `S '`. ΔS and ΞS, declared nowhere, are S with S '.
+/// A schema in the place of a predicate needs its components in scope, with their types.
 
 #include <map>
 #include <memory>
