@@ -17,7 +17,7 @@ cat include/durero/model/*.hpp src/model/*.cpp | grep -v '^inline constexpr ' |
   grep -ohE "\b[A-Za-z_]+_(pre|post|inv)_[0-9]+\b" | constants >"$tmp/evaluated"
 # The tables have clauses of their own for what an operation requires and does.
 grep -ohE "\bmodel::[A-Za-z_]+_(pre|post)_[0-9]+\b" src/scene/clauses.hpp | cut -d: -f3 | constants >"$tmp/tables"
-grep -E '^(Agregar|Eliminar)_' "$tmp/spec" >"$tmp/operations"
+grep -E '^(Agregar|Eliminar)_.*\.(pre|post)\.' "$tmp/spec" >"$tmp/operations"
 grep -ohE "\b[A-Za-z_]+\.def\.[0-9]+" include/durero/model/*.hpp | sort -u >"$tmp/defs"
 grep -ohE "\b$label" -r tests --include=*.cpp | sort -u >"$tmp/tests"
 grep -vE '^(#|$)' tests/lint/labels-without-clause.txt | cut -d' ' -f1 | sort >"$tmp/excluded"
