@@ -22,8 +22,17 @@ field() {
     inside && index($0, key) == 1 {print substr($0, length(key) + 1)}' "$list"
 }
 
-# runs PROGRAM SPEC LOG SECONDS: the tests of that specification; it must match some. A fault may make a loop endless.
-runs() { (cd "$build/tests" && timeout "$4" "$1" --warn NoTests --filenames-as-tags "$2"; exit $?) >"$3" 2>&1; }
+# target PROGRAM: how the build names it.
+target() { case $1 in durero) echo durero ;; *) echo "tests/$1" ;; esac; }
+
+# runs PROGRAM SPEC LOG SECONDS: the tests of that specification, which must match some; of durero itself, that script of
+# tests/cli. A fault may make a loop endless.
+runs() {
+  case ${1##*/} in
+    durero) set -- sh "$root/tests/cli/$2.sh" "$1" "$3" "$4" && (timeout "$5" "$1" "$2" "$3"; exit $?) >"$4" 2>&1 ;;
+    *) (cd "$build/tests" && timeout "$4" "$1" --warn NoTests --filenames-as-tags "$2"; exit $?) >"$3" 2>&1 ;;
+  esac
+}
 
 # apply OLD NEW FILE: replaces the one place of the old text; fails where there is none, or more than one.
 apply() {
@@ -56,7 +65,7 @@ one() {
     echo "mutants: $name no longer applies: $file has not exactly one place with: $old"
     return 1
   fi
-  link=$(ninja -C "$build" -t commands "tests/$program" | tail -n 1)
+  link=$(ninja -C "$build" -t commands "$(target "$program")" | tail -n 1)
   objects=$(units "$file" "$link")
   [ -n "$objects" ] || { echo "mutants: $name: nothing in $program is made from $file"; return 1; }
   added=
@@ -69,7 +78,7 @@ one() {
       *) added="$added $copy/$object" ;;
     esac
   done
-  link=$(printf '%s\n' "$link" | sed "s# -o tests/$program #$added -o $copy/$program #")
+  link=$(printf '%s\n' "$link" | sed "s# -o $(target "$program") #$added -o $copy/$program #")
   (cd "$build" && eval "$link") >"$copy/log" 2>&1 || { echo "mutants: $name does not link:"; cat "$copy/log"; return 1; }
   if runs "$copy/$program" "$spec" "$copy/log" 60; then
     echo "mutants: $name SURVIVED $program $spec: $file: $old -> $new"
@@ -84,7 +93,7 @@ case ${1-} in
   --baseline)
     mkdir -p "$work"
     log=$(mktemp "$work/log.XXXXXX")
-    if runs "$build/tests/${2%% *}" "${2#* }" "$log" 300; then rm -f "$log"; exit 0; fi
+    if runs "$build/$(target "${2%% *}")" "${2#* }" "$log" 300; then rm -f "$log"; exit 0; fi
     echo "mutants: without any fault $2 fails, or matches no test: $log"
     exit 1 ;;
 esac
@@ -131,7 +140,7 @@ case ${1-} in
     matching "$@" || exit 2
     chosen=$(printf '%s' "$found" | sort -u)
     # shellcheck disable=SC2046  # each program is a word
-    ninja -C "$build" $(for name in $chosen; do field "$name" test; done | sed 's|^|tests/|; s| .*||' | sort -u) >"$build/mutants.log" ||
+    ninja -C "$build" $(for name in $chosen; do field "$name" test; done | sed 's| .*||' | sort -u | while read -r program; do target "$program"; done) >"$build/mutants.log" ||
       { tail -n 40 "$build/mutants.log"; exit 2; } ;;
 esac
 
