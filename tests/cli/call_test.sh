@@ -32,7 +32,7 @@ escape=${escape%.}
 refused 'The following argument was not expected: \x1b[2J\x9b' "$escape"
 refused '\x1b[2J\x9b: cannot be read: No such file or directory' check "${escape%?}"
 refused '\x1b[2J\x9b\x0a: cannot be read: No such file or directory' check "$escape"
-refused '--engine: no engine \x1b[2J\x9b\x0a, but ' trace scene.json rays --engine "$escape"
+refused '--engine: no engine \x1b[2J\x9b\x0a; expected ' trace scene.json rays --engine "$escape"
 refused 'scene\x1b[2J\x9b\x0a: a format that is not known' export scene.json -o "scene$escape"
 cp scene.json "$(printf 'a\033b')"
 run 0 check "$(printf 'a\033b')"

@@ -22,7 +22,7 @@ sees() {
 }
 clean=$(git write-tree)  # the tree without any fault
 
-for rule in layers edges stems house labels z_text specified; do
+for rule in layers edges independence stems house labels mutants z_text specified draws; do
   sh "$here/$rule.sh" >/dev/null 2>&1 || { echo "drill: $rule.sh fails before any fault is planted"; missed=$((missed + 1)); }
 done
 
@@ -94,6 +94,10 @@ sed -i '0,/^file src\/trace/s/^file src\/trace/file src\/elsewhere/' tests/mutan
 sees mutants "a mutant of a file that is gone"
 sed -i 's/^- if (of_D < 0) return {};/- if (of_D < 1) return {};/' tests/mutants/mutants.txt
 sees mutants "a mutant whose text is gone"
+echo 'model::Punto f(test::Random& random) { return model::Punto(random.sign(), random.sign(), 0); }' >>tests/oracle/sampled_test.cpp
+sees draws "two draws in the arguments of a call"
+echo 'double f(test::Random& random) { return random.sign() - half(random); }' >>tests/oracle/sampled_test.cpp
+sees draws "two draws on the sides of an operator"
 if command -v clang-format-16 >/dev/null 2>&1; then
   printf 'int  f( ){return 0 ;}\n' >>src/oracle/sampled.cpp
   sees format "another layout"

@@ -22,7 +22,8 @@ scene::Scene coarse_scene(Random& random) {
   scene::Scene scene;
   for (const char* name : {"a", "b", "c"}) {
     const model::Elemento e(name);
-    const model::Punto centro(eighth(-1, 1), eighth(-1, 1), eighth(-1, 1));
+    const double z = eighth(-1, 1), y = eighth(-1, 1), x = eighth(-1, 1);
+    const model::Punto centro(x, y, z);
     const model::Vector axis = axes[random.below(3)];
     if (random.below(3) == 0) {
       scene.apply(model::Agregar_Esfera{e, centro, eighth(0.25, 1)});
@@ -39,8 +40,9 @@ model::Rayo coarse_ray(Random& random) {
   const auto one = [&] { return std::round(random.uniform(-16, 16)) / 8; };
   for (;;) {
     const double v[] = {one(), one(), one()};
-    if (v[0] != 0 || v[1] != 0 || v[2] != 0)
-      return {model::Punto(one(), one(), one()), model::Vector(v[0], v[1], v[2])};
+    if (v[0] == 0 && v[1] == 0 && v[2] == 0) continue;
+    const double z = one(), y = one(), x = one();
+    return {model::Punto(x, y, z), model::Vector(v[0], v[1], v[2])};
   }
 }
 

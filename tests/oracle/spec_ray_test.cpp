@@ -22,7 +22,8 @@ scene::Scene grid_scene(Random& random) {
   scene::Scene scene;
   for (const char* name : {"a", "b", "c"}) {
     const model::Elemento e(name);
-    const model::Punto centro(small(), small(), small());
+    const double z = small(), y = small(), x = small();
+    const model::Punto centro(x, y, z);
     const model::Vector axis = axes[random.below(3)];
     switch (random.below(3)) {
       case 0:
@@ -43,7 +44,9 @@ model::Rayo grid_ray(Random& random) {
   const auto step = [&] { return static_cast<double>(random.below(3)) - 1; };
   for (;;) {
     const double v[] = {step(), step(), step()};
-    if (v[0] != 0 || v[1] != 0 || v[2] != 0) return {model::Punto(at(), at(), at()), model::Vector(v[0], v[1], v[2])};
+    if (v[0] == 0 && v[1] == 0 && v[2] == 0) continue;
+    const double z = at(), y = at(), x = at();
+    return {model::Punto(x, y, z), model::Vector(v[0], v[1], v[2])};
   }
 }
 

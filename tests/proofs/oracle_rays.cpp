@@ -34,17 +34,21 @@ double ordinary_length(test::Random& random) { return random.uniform(0.1, 2); }
 
 /// Every exponent from −1074 to 1023, as the rest of the bits are random.
 double any_positive(test::Random& random) {
-  const double x = std::ldexp(random.uniform(1, 2), static_cast<int>(random.below(2098)) - 1074);
+  const int exponent = static_cast<int>(random.below(2098)) - 1074;
+  const double x = std::ldexp(random.uniform(1, 2), exponent);
   return std::isfinite(x) && x > 0 ? x : std::numeric_limits<double>::denorm_min();
 }
 double any(test::Random& random) { return random.below(2) == 0 ? any_positive(random) : -any_positive(random); }
 
 /// Near numbers of very different sizes: what cancels.
 double mixed(test::Random& random) {
-  return halves(random) + std::ldexp(ordinary(random), -static_cast<int>(random.below(60)));
+  const double near = halves(random);
+  const int places = static_cast<int>(random.below(60));
+  return near + std::ldexp(ordinary(random), -places);
 }
 double mixed_length(test::Random& random) {
-  return half_lengths(random) + std::ldexp(1, -static_cast<int>(random.below(52)));
+  const double near = half_lengths(random);
+  return near + std::ldexp(1, -static_cast<int>(random.below(52)));
 }
 
 constexpr Family families[] = {
@@ -179,8 +183,11 @@ scene::Query ray_of(const Family& family, test::Random& random, const scene::Sce
   glm::dvec3 v = vec(family, random);
   if (v == glm::dvec3(0)) v = {0, 0, 1};
   const bool at_element = random.below(3) == 0;
-  scene::Query query{at_element ? aimed(scene, some(), p, family.number(random))
-                                : model::Rayo{model::Punto(p), model::Vector(v)}};
+  const auto at_some = [&] {
+    const double start = family.number(random);
+    return aimed(scene, some(), p, start);
+  };
+  scene::Query query{at_element ? at_some() : model::Rayo{model::Punto(p), model::Vector(v)}};
   if (random.below(4) == 0) query.en.push_back(some());
   return query;
 }

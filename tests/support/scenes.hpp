@@ -1,31 +1,19 @@
 #pragma once
 /// Random scenes of moderate size for tests: a seeded stream in, a scene under contract out. Not of any degenerate
 /// family: those are in the families of the conformance cases.
-#include <cmath>
-#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <random>
 #include <string>
 
+#include "durero/conform/random.hpp"
 #include "durero/model/operaciones.hpp"
 #include "durero/scene/scene.hpp"
 
 namespace durero::test {
 
-class Random {
+/// The stream of the families, and axes.
+class Random : public conform::Random {
  public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
-  /// Uniform in [low, high): 53 random bits, the same on every platform.
-  double uniform(double low, double high) { return low + (high - low) * (double(engine_() >> 11) * 0x1p-53); }
-  std::uint64_t below(std::uint64_t n) { return engine_() % n; }
-  glm::dvec3 in_cube(double half) { return {uniform(-half, half), uniform(-half, half), uniform(-half, half)}; }
-  glm::dvec3 direction() {
-    for (;;) {
-      const glm::dvec3 v = in_cube(1);
-      const double length = glm::length(v);
-      if (length > 0.1 && length <= 1) return v / length;
-    }
-  }
+  using conform::Random::Random;
   /// A direction whose stored components are within tolerancia_unidad of unit length.
   model::Vector axis() {
     for (;;) {
@@ -33,9 +21,6 @@ class Random {
       if (model::Unitario::contains(d)) return d;
     }
   }
-
- private:
-  std::mt19937_64 engine_;
 };
 
 /// A random element named `name`, of a random type, its centre in [−1, 1]³ and its lengths between 0.1 and 0.8.
