@@ -2,6 +2,7 @@
 
 #include <gmp.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <new>
 
@@ -9,23 +10,30 @@ namespace durero::number {
 namespace {
 
 // GMP is C, but an exception passes through it: its frames have unwind tables, as all code has on the machines that
-// this is for. What GMP held at that moment is lost, which a program that ends or gives up can afford.
-void* checked(void* memory) {
-  if (!memory) throw std::bad_alloc();
-  return memory;
+// this is for. The number that GMP was about to enlarge may then call memory its own that it does not have, and is
+// released all the same. So nothing is freed from there on, which a program that ends or gives up can afford.
+std::atomic<bool> outgrown = false;
+
+[[noreturn]] void give_up() {
+  outgrown = true;
+  throw std::bad_alloc();
 }
 
 void* allocate(std::size_t size) {
-  if (size > largest_number) throw std::bad_alloc();
-  return checked(std::malloc(size));
+  void* const memory = size > largest_number ? nullptr : std::malloc(size);
+  if (!memory) give_up();
+  return memory;
 }
 
 void* reallocate(void* memory, std::size_t, std::size_t size) {
-  if (size > largest_number) throw std::bad_alloc();
-  return checked(std::realloc(memory, size));
+  void* const enlarged = size > largest_number ? nullptr : std::realloc(memory, size);
+  if (!enlarged) give_up();
+  return enlarged;
 }
 
-void release(void* memory, std::size_t) { std::free(memory); }
+void release(void* memory, std::size_t) {
+  if (!outgrown) std::free(memory);
+}
 
 }  // namespace
 

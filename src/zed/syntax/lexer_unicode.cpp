@@ -76,7 +76,7 @@ class Unicode : Lexer {
   /// A letter of no symbol: outside ASCII, whatever this reader does not know as a symbol.
   bool is_word_character() const {
     const std::string_view c = character();
-    if (c.empty() || static_cast<unsigned char>(c[0]) < 0x80 || stroke_here()) return false;
+    if (c.size() < 2 || stroke_here()) return false;  // ASCII, or a byte that is no character
     static constexpr std::array<std::string_view, 10> others = {"•", "⦁", "−", "⊢", "λ", "μ", "θ", "…", "⁀", "‥"};
     if (among(c, others)) return c == "λ" || c == "μ" || c == "θ";
     if (is_symbol_name(c)) return false;
