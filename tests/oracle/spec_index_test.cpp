@@ -23,8 +23,8 @@ TEST_CASE("a name is shown by what declares it, a label by its own places, ΔS b
              StartsWith("spec/escena.tex:") && Contains("tests/a.cpp:7") && Contains("x.hpp:1"));
   CHECK_THAT(shown("Escena.inv.1", index), Contains("tests/a.cpp:7") && !Contains("x.hpp:1"));
   CHECK_THAT(shown("mi\\_radio", index), Contains("│ mi_radio : Elemento ⇸ Rmas"));
-  CHECK_THAT(shown("ΞEscena", index), StartsWith("ΞEscena == [Escena; Escena' | θ Escena = θ Escena']\n"));
-  CHECK_THAT(shown("ΔEscena", index), StartsWith("ΔEscena == [Escena; Escena']\n"));
+  CHECK_THAT(shown("ΞEscena", index), StartsWith("ΞEscena == [Escena; Escena ' | θ Escena = θ Escena ']\n"));
+  CHECK_THAT(shown("ΔEscena", index), StartsWith("ΔEscena == [Escena; Escena ']\n"));
   CHECK(shown("nadie", index).empty());
   CHECK(shown("Δ", index).empty());
   CHECK(in_unicode("\\real") == "ℝ");
