@@ -32,7 +32,7 @@ echo '#include "durero/trace/analytic.hpp"' >>src/oracle/sampled.cpp
 sees layers "oracle including trace"
 echo '#include "durero/render/image.hpp"' >>src/io/json.cpp
 sees layers "io including render"
-sed -i 's/^durero_layer(zed DEPENDS number/durero_layer(zed DEPENDS number contract/' CMakeLists.txt
+sed -i 's/^durero_layer(zed DEPENDS /&contract /' CMakeLists.txt
 sees edges "an edge that no include needs"
 sed -i 's/^durero_layer(render DEPENDS model/durero_layer(render DEPENDS/' CMakeLists.txt
 sees edges "an include that no edge names"
