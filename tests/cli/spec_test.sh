@@ -121,10 +121,10 @@ run 0 spec show '\real'
 has out '│ ℝ : ℙ 𝔸'
 run 0 spec show ΞEscena
 has out "ΞEscena == [Escena; Escena ' | θ Escena = θ Escena ']"
+has out 'Escena.inv.1'
 run 0 spec show Init
 has out "│ Escena '"
 refused "EXPR:1:1: Punto' is not declared; expected Punto ' (Punto~' in LaTeX) for the decoration of the schema Punto" spec eval "Punto'"
-has out 'Escena.inv.1'
 refused 'NAME:1:1: the text declares no nadie; expected' spec show nadie
 refused 'NAME:1:1: the text declares no Δnadie; expected' spec show Δnadie
 
