@@ -4,7 +4,10 @@
 //
 #include <hwy/highway.h>
 
-#include "durero/trace/tables.hpp"
+#include <cmath>
+#include <limits>
+
+#include "durero/trace/filter.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace durero::trace {
@@ -23,14 +26,14 @@ HWY_INLINE Lanes squared(const Components& a) {
   return hn::Add(hn::Add(hn::Mul(a.x, a.x), hn::Mul(a.y, a.y)), hn::Mul(a.z, a.z));
 }
 
-std::size_t passed_by(const Balls& balls, const Beam& beam, double limit, std::size_t begin, std::size_t end,
+std::size_t passed_by(const Balls& balls, const Ray& ray, double limit, std::size_t begin, std::size_t end,
                       std::uint32_t* passed) {
   const Tag tag;
-  const Components p{hn::Set(tag, beam.p.x), hn::Set(tag, beam.p.y), hn::Set(tag, beam.p.z)};
-  const Components v{hn::Set(tag, beam.v.x), hn::Set(tag, beam.v.y), hn::Set(tag, beam.v.z)};
-  const Lanes length_squared = hn::Set(tag, beam.length_squared), length = hn::Set(tag, beam.length);
-  const Lanes allowance = hn::Set(tag, beam.allowance);
-  const Lanes farthest = hn::Set(tag, limit * beam.length_squared);
+  const Components p{hn::Set(tag, ray.p.x), hn::Set(tag, ray.p.y), hn::Set(tag, ray.p.z)};
+  const Components v{hn::Set(tag, ray.v.x), hn::Set(tag, ray.v.y), hn::Set(tag, ray.v.z)};
+  const Lanes length_squared = hn::Set(tag, ray.length_squared), length = hn::Set(tag, ray.length);
+  const Lanes allowance = hn::Set(tag, ray.allowance);
+  const Lanes farthest = hn::Set(tag, limit * ray.length_squared);
   std::size_t count = 0;
   for (std::size_t i = begin; i < end; i += hn::Lanes(tag)) {
     const Components q{hn::Sub(p.x, hn::LoadU(tag, &balls.x[i])), hn::Sub(p.y, hn::LoadU(tag, &balls.y[i])),
@@ -65,9 +68,22 @@ namespace {
 HWY_EXPORT(passed_by);
 }  // namespace
 
-std::size_t filter(const Balls& balls, const Beam& beam, double limit, std::size_t begin, std::size_t end,
+void Balls::push_back(const surface::Ball& ball) {
+  x.push_back(ball.centre.x);
+  y.push_back(ball.centre.y);
+  z.push_back(ball.centre.z);
+  const glm::dvec3& m = ball.centre;
+  radius.push_back(ball.radius + 0x1p-49 * (std::abs(m.x) + std::abs(m.y) + std::abs(m.z)));
+}
+
+void Balls::pad() {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  while (x.size() % block != 0) push_back({{nan, nan, nan}, nan});
+}
+
+std::size_t filter(const Balls& balls, const Ray& ray, double limit, std::size_t begin, std::size_t end,
                    std::uint32_t* passed) {
-  return HWY_DYNAMIC_DISPATCH(passed_by)(balls, beam, limit, begin, end, passed);
+  return HWY_DYNAMIC_DISPATCH(passed_by)(balls, ray, limit, begin, end, passed);
 }
 
 }  // namespace durero::trace

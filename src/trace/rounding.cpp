@@ -4,10 +4,10 @@
 #define HWY_TARGET_INCLUDE "trace/rounding.cpp"  // as seen from src/
 #include <hwy/foreach_target.h>
 //
-#include "durero/trace/pack_lanes-inl.hpp"
-#include "durero/trace/power-inl.hpp"
-#include "durero/trace/rounding-inl.hpp"
-#include "durero/trace/steps.hpp"
+#include "trace/packet_lanes-inl.hpp"
+#include "trace/power-inl.hpp"
+#include "trace/rounding-inl.hpp"
+#include "trace/steps.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace durero::trace {
@@ -16,41 +16,32 @@ namespace {
 
 using model::Tipo;
 
-Rounded rounded_of(const Beam& beam, const Finding& finding) {
+Rounded rounded_of(const Ray& ray, const Finding& finding) {
   const Pair<double> t(finding.hi, finding.lo);
   const Once<double> of_t = round_once(t, finding.error);
-  const Once<double> x = round_coordinate(beam.p.x, beam.v.x, t, finding.error);
-  const Once<double> y = round_coordinate(beam.p.y, beam.v.y, t, finding.error);
-  const Once<double> z = round_coordinate(beam.p.z, beam.v.z, t, finding.error);
+  const Once<double> x = round_coordinate(ray.p.x, ray.v.x, t, finding.error);
+  const Once<double> y = round_coordinate(ray.p.y, ray.v.y, t, finding.error);
+  const Once<double> z = round_coordinate(ray.p.z, ray.v.z, t, finding.error);
   return {of_t.certain && x.certain && y.certain && z.certain, of_t.value, {x.value, y.value, z.value}};
 }
 
-template <class Element>
-Finding improved_of(const Element& element, const Beam& beam, bool on, const Finding& finding) {
+Finding improved_of(scene::ShapeView element, const Ray& ray, bool on, const Finding& finding) {
   const Slope& slope = finding.slope;
-  const Improved<double> better = newton<double>({finding.hi, finding.error}, {slope.at_root, slope.at_root_error},
-                                                 {slope.A, slope.A_error}, quadratic_at(finding.hi, element, beam, on));
+  const Power<double> at =
+      element.visit([&](const auto& shape) HWY_ATTR { return quadratic_at(finding.hi, shape, ray, on); });
+  const Improved<double> better =
+      newton<double>({finding.hi, finding.error}, {slope.at_root, slope.at_root_error}, {slope.A, slope.A_error}, at);
   if (!better.known) return {Verdict::undecided};
   return {Verdict::hit, better.t.hi, better.t.lo, better.error, slope};
 }
 
-Finding improved_sphere(const scene::Sphere& e, const Beam& b, bool on, const Finding& f) {
-  return improved_of(e, b, on, f);
-}
-Finding improved_cylinder(const scene::Cylinder& e, const Beam& b, bool on, const Finding& f) {
-  return improved_of(e, b, on, f);
-}
-Finding improved_cone(const scene::Cone& e, const Beam& b, bool on, const Finding& f) {
-  return improved_of(e, b, on, f);
-}
-
 template <Tipo tipo>
-void round_lanes(const Pack& pack, const Findings& findings, RoundedPack& result) {
-  using Column = Pack::Column;
+void round_lanes(const Packet& packet, const Findings& findings, RoundedPacket& result) {
+  using Column = Packet::Column;
   result.certain = 0;
-  for (std::size_t at = 0; at < Pack::size; at += lanes()) {
-    const LaneBeam ray = beam(pack, at);
-    const LaneElement<tipo> e = element<tipo>(pack, at);
+  for (std::size_t at = 0; at < Packet::size; at += lanes()) {
+    const LaneRay ray = rays(packet, at);
+    const LaneElement<tipo> e = element<tipo>(packet, at);
     const auto load = [at](const Column& column) HWY_ATTR { return Lanes::load(&column[at]); };
     const Lanes t = load(findings.t);
     const Improved<Lanes> better =
@@ -68,15 +59,9 @@ void round_lanes(const Pack& pack, const Findings& findings, RoundedPack& result
   }
 }
 
-void round_pack(const Pack& pack, Tipo tipo, const Findings& findings, RoundedPack& result) {
-  switch (tipo) {
-    case Tipo::soy_esfera:
-      return round_lanes<Tipo::soy_esfera>(pack, findings, result);
-    case Tipo::soy_cilindro:
-      return round_lanes<Tipo::soy_cilindro>(pack, findings, result);
-    default:
-      return round_lanes<Tipo::soy_cono>(pack, findings, result);
-  }
+void round_packet(const Packet& packet, Tipo tipo, const Findings& findings, RoundedPacket& result) {
+  scene::with_shape(tipo, [&]<class Shape>(std::type_identity<Shape>)
+                              HWY_ATTR { round_lanes<Shape::tipo>(packet, findings, result); });
 }
 
 }  // namespace
@@ -88,27 +73,19 @@ HWY_AFTER_NAMESPACE();
 namespace durero::trace {
 namespace {
 
-HWY_EXPORT(improved_sphere);
-HWY_EXPORT(improved_cylinder);
-HWY_EXPORT(improved_cone);
+HWY_EXPORT(improved_of);
 HWY_EXPORT(rounded_of);
-HWY_EXPORT(round_pack);
+HWY_EXPORT(round_packet);
 
 }  // namespace
 
-Finding improved(const scene::Sphere& e, const Beam& b, bool on, const Finding& f) {
-  return HWY_DYNAMIC_DISPATCH(improved_sphere)(e, b, on, f);
+Finding improved(scene::ShapeView element, const Ray& ray, bool on, const Finding& finding) {
+  return HWY_DYNAMIC_DISPATCH(improved_of)(element, ray, on, finding);
 }
-Finding improved(const scene::Cylinder& e, const Beam& b, bool on, const Finding& f) {
-  return HWY_DYNAMIC_DISPATCH(improved_cylinder)(e, b, on, f);
-}
-Finding improved(const scene::Cone& e, const Beam& b, bool on, const Finding& f) {
-  return HWY_DYNAMIC_DISPATCH(improved_cone)(e, b, on, f);
-}
-Rounded rounded(const Beam& b, const Finding& f) { return HWY_DYNAMIC_DISPATCH(rounded_of)(b, f); }
+Rounded rounded(const Ray& ray, const Finding& finding) { return HWY_DYNAMIC_DISPATCH(rounded_of)(ray, finding); }
 
-void improve_and_round(const Pack& pack, model::Tipo tipo, const Findings& findings, RoundedPack& result) {
-  HWY_DYNAMIC_DISPATCH(round_pack)(pack, tipo, findings, result);
+void improve_and_round(const Packet& packet, model::Tipo tipo, const Findings& findings, RoundedPacket& result) {
+  HWY_DYNAMIC_DISPATCH(round_packet)(packet, tipo, findings, result);
 }
 
 }  // namespace durero::trace

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "trace/closed_form-inl.hpp"
+#include "trace/steps.hpp"
+
 namespace durero::trace {
 namespace {
 
@@ -32,15 +35,15 @@ Meeting exact_meeting(const surface::exact::Reach& reach) {
   return point_of(reach.first());
 }
 
-/// in_range: element and beam are ordinary.
+/// in_range: element and ray are ordinary.
 template <class Element>
-Meeting meeting_of(const Element& element, const model::Rayo& rayo, const Beam& beam, bool in_range, bool on,
+Meeting meeting_of(const Element& element, const model::Rayo& rayo, const Ray& ray, bool in_range, bool on,
                    double limit) {
   if (in_range) {
-    const Finding first = triage(element, beam, on, limit);
+    const Finding first = HWY_NAMESPACE::published(HWY_NAMESPACE::closed_form<double>(element, ray, on, limit));
     if (first.verdict == Verdict::miss) return {};
     if (first.verdict == Verdict::hit) return point_of(Step::triage, first);
-    const Finding second = stable(element, beam, on, limit);
+    const Finding second = stable(element, ray, on, limit);
     if (second.verdict == Verdict::miss) return {.step = Step::stable};
     if (second.verdict == Verdict::hit) return point_of(Step::stable, second);
   }
@@ -56,16 +59,28 @@ bool certainly_less(const Finding& a, const Finding& b) {
 }  // namespace
 
 Search::Search(const scene::Scene& scene, const model::Rayo& rayo, Origin en, Counts& counts)
-    : scene_(scene), rayo_(rayo), en_(en), counts_(counts), beam_(rayo) {}
+    : scene_(scene), rayo_(rayo), en_(en), counts_(counts), ray_(rayo) {}
 
 Meeting Search::meeting(scene::ElementRef e, double limit, Range range) const {
   const bool on = en_.contains(e);
   Meeting met = scene_.visit(e, [&](const auto& element) {
-    const bool in_range = beam_.ordinary && (range == Range::ordinary || ordinary(element));
-    return meeting_of(element, rayo_, beam_, in_range, on, limit);
+    const bool in_range = ray_.ordinary && (range == Range::ordinary || ordinary(element));
+    return meeting_of(element, rayo_, ray_, in_range, on, limit);
   });
   ++counts_.element[static_cast<std::size_t>(met.step)];
   return met;
+}
+
+bool Search::blocks(scene::ElementRef e, Range range) const { return meeting(e, no_limit, range).kind != Kind::none; }
+
+/// Near 1 the exact parameter decides.
+bool Search::blocks_segment(scene::ElementRef e, Range range) const {
+  const Meeting met = meeting(e, 1, range);
+  if (met.kind != Kind::point) return met.kind == Kind::no_minimum;
+  if (met.high < 1) return true;
+  if (met.low > 1) return false;
+  const auto reach = surface::exact::reach(scene_, e, rayo_, en_);
+  return surface::exact::order(reach.first(), Parameter{.x = 1}) < 0;
 }
 
 void Search::test(scene::ElementRef e, Range range) {
@@ -76,43 +91,43 @@ void Search::test(scene::ElementRef e, Range range) {
     return;
   }
   limit_ = std::min(limit_, met.high);
-  contenders_.push_back({e, std::move(met)});
+  candidates_.push_back({e, std::move(met)});
   drop_beyond_limit();
 }
 
 void Search::drop_beyond_limit() {
-  const auto beyond = [&](const Contender& c) { return c.at.low > limit_; };
-  contenders_.erase(std::remove_if(contenders_.begin(), contenders_.end(), beyond), contenders_.end());
+  const auto beyond = [&](const Candidate& c) { return c.at.low > limit_; };
+  candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(), beyond), candidates_.end());
 }
 
-void Search::refine(Contender& contender) const {
-  if (contender.at.step != Step::triage) return;
+void Search::refine(Candidate& candidate) const {
+  if (candidate.at.step != Step::triage) return;
   const Finding found =
-      scene_.visit(contender.e, [&](const auto& e) { return stable(e, beam_, en_.contains(contender.e), no_limit); });
-  if (found.verdict == Verdict::hit) contender.at = point_of(Step::stable, found);
+      scene_.visit(candidate.e, [&](const auto& e) { return stable(e, ray_, en_.contains(candidate.e)); });
+  if (found.verdict == Verdict::hit) candidate.at = point_of(Step::stable, found);
 }
 
-const Parameter& Search::exact(Contender& contender) const {
-  if (!contender.at.t) contender.at = exact_meeting(surface::exact::reach(scene_, contender.e, rayo_, en_));
-  return *contender.at.t;
+const Parameter& Search::exact(Candidate& candidate) const {
+  if (!candidate.at.t) candidate.at = exact_meeting(surface::exact::reach(scene_, candidate.e, rayo_, en_));
+  return *candidate.at.t;
 }
 
 void Search::keep_nearest_by_stable() {
-  for (Contender& contender : contenders_) refine(contender);
-  const auto is_stable = [](const Contender& c) { return c.at.step == Step::stable; };
-  if (!std::all_of(contenders_.begin(), contenders_.end(), is_stable)) return;
-  const auto by_hi = [](const Contender& a, const Contender& b) { return a.at.finding.hi < b.at.finding.hi; };
-  const Finding least = std::min_element(contenders_.begin(), contenders_.end(), by_hi)->at.finding;
-  const auto farther = [&](const Contender& c) { return certainly_less(least, c.at.finding); };
-  contenders_.erase(std::remove_if(contenders_.begin(), contenders_.end(), farther), contenders_.end());
+  for (Candidate& candidate : candidates_) refine(candidate);
+  const auto is_stable = [](const Candidate& c) { return c.at.step == Step::stable; };
+  if (!std::all_of(candidates_.begin(), candidates_.end(), is_stable)) return;
+  const auto by_hi = [](const Candidate& a, const Candidate& b) { return a.at.finding.hi < b.at.finding.hi; };
+  const Finding least = std::min_element(candidates_.begin(), candidates_.end(), by_hi)->at.finding;
+  const auto farther = [&](const Candidate& c) { return certainly_less(least, c.at.finding); };
+  candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(), farther), candidates_.end());
 }
 
 void Search::keep_nearest_by_exact() {
-  for (Contender& contender : contenders_) exact(contender);
-  const auto less = [](const Contender& a, const Contender& b) { return surface::exact::order(*a.at.t, *b.at.t) < 0; };
-  const Contender least = *std::min_element(contenders_.begin(), contenders_.end(), less);
-  const auto farther = [&](const Contender& c) { return less(least, c); };
-  contenders_.erase(std::remove_if(contenders_.begin(), contenders_.end(), farther), contenders_.end());
+  for (Candidate& candidate : candidates_) exact(candidate);
+  const auto less = [](const Candidate& a, const Candidate& b) { return surface::exact::order(*a.at.t, *b.at.t) < 0; };
+  const Candidate least = *std::min_element(candidates_.begin(), candidates_.end(), less);
+  const auto farther = [&](const Candidate& c) { return less(least, c); };
+  candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(), farther), candidates_.end());
 }
 
 scene::Hit Search::finish() {
@@ -120,13 +135,13 @@ scene::Hit Search::finish() {
   if (!without_minimum_.empty()) {
     hit.resultado = model::Resultado::no_minimum;
     hit.elementos = std::move(without_minimum_);
-  } else if (!contenders_.empty()) {
+  } else if (!candidates_.empty()) {
     keep_nearest();
-    const Rounded r = round(contenders_.front());
+    const Rounded r = round(candidates_.front());
     hit.resultado = model::Resultado::hit;
     hit.t = r.t;
     hit.punto = r.punto;
-    for (const Contender& contender : contenders_) hit.elementos.push_back(contender.e);
+    for (const Candidate& candidate : candidates_) hit.elementos.push_back(candidate.e);
   }
   std::sort(hit.elementos.begin(), hit.elementos.end());
   return hit;
@@ -134,11 +149,11 @@ scene::Hit Search::finish() {
 
 void Search::keep_nearest() {
   Step step = Step::triage;
-  if (contenders_.size() > 1) {
+  if (candidates_.size() > 1) {
     step = Step::stable;
     keep_nearest_by_stable();
   }
-  if (contenders_.size() > 1) {
+  if (candidates_.size() > 1) {
     step = Step::exact;
     keep_nearest_by_exact();
   }
@@ -149,17 +164,17 @@ Rounded Search::rounded_hit(scene::ElementRef e, const Finding& by_triage) const
   return round({e, point_of(Step::triage, by_triage)});
 }
 
-Rounded Search::round(const Contender& nearest) const {
+Rounded Search::round(const Candidate& nearest) const {
   const bool on = en_.contains(nearest.e);
   const auto count = [&](Step step) { ++counts_.rounding[static_cast<std::size_t>(step)]; };
   const auto attempt = [&](const Finding& finding) {
-    return finding.verdict == Verdict::hit ? rounded(beam_, finding) : Rounded{};
+    return finding.verdict == Verdict::hit ? rounded(ray_, finding) : Rounded{};
   };
   Rounded r{};
   if (nearest.at.step == Step::triage) {
-    r = attempt(scene_.visit(nearest.e, [&](const auto& e) { return improved(e, beam_, on, nearest.at.finding); }));
+    r = attempt(scene_.visit(nearest.e, [&](const auto& e) { return improved(e, ray_, on, nearest.at.finding); }));
     if (r.certain) return count(Step::triage), r;
-    r = attempt(scene_.visit(nearest.e, [&](const auto& e) { return stable(e, beam_, on, no_limit); }));
+    r = attempt(scene_.visit(nearest.e, [&](const auto& e) { return stable(e, ray_, on, no_limit); }));
   } else if (nearest.at.step == Step::stable) {
     r = attempt(nearest.at.finding);
   }

@@ -2,26 +2,18 @@
 #define HWY_TARGET_INCLUDE "trace/stable.cpp"  // as seen from src/
 #include <hwy/foreach_target.h>
 //
-#include "durero/trace/closed_form-inl.hpp"
-#include "durero/trace/steps.hpp"
+#include "trace/closed_form-inl.hpp"
+#include "trace/steps.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace durero::trace {
 namespace HWY_NAMESPACE {
 namespace {
 
-template <class Element>
-Finding stable_of(const Element& element, const Beam& beam, bool on, double limit) {
-  return published(closed_form<DoubleDouble>(element, beam, on, limit));
+Finding stable_of(scene::ShapeView element, const Ray& ray, bool on, double limit) {
+  return element.visit([&](const auto& shape)
+                           HWY_ATTR { return published(closed_form<DoubleDouble>(shape, ray, on, limit)); });
 }
-
-Finding stable_sphere(const scene::Sphere& e, const Beam& b, bool on, double limit) {
-  return stable_of(e, b, on, limit);
-}
-Finding stable_cylinder(const scene::Cylinder& e, const Beam& b, bool on, double limit) {
-  return stable_of(e, b, on, limit);
-}
-Finding stable_cone(const scene::Cone& e, const Beam& b, bool on, double limit) { return stable_of(e, b, on, limit); }
 
 }  // namespace
 }  // namespace HWY_NAMESPACE
@@ -31,21 +23,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace durero::trace {
 namespace {
-
-HWY_EXPORT(stable_sphere);
-HWY_EXPORT(stable_cylinder);
-HWY_EXPORT(stable_cone);
-
+HWY_EXPORT(stable_of);
 }  // namespace
 
-Finding stable(const scene::Sphere& e, const Beam& b, bool on, double limit) {
-  return HWY_DYNAMIC_DISPATCH(stable_sphere)(e, b, on, limit);
-}
-Finding stable(const scene::Cylinder& e, const Beam& b, bool on, double limit) {
-  return HWY_DYNAMIC_DISPATCH(stable_cylinder)(e, b, on, limit);
-}
-Finding stable(const scene::Cone& e, const Beam& b, bool on, double limit) {
-  return HWY_DYNAMIC_DISPATCH(stable_cone)(e, b, on, limit);
+Finding stable(scene::ShapeView element, const Ray& ray, bool on, double limit) {
+  return HWY_DYNAMIC_DISPATCH(stable_of)(element, ray, on, limit);
 }
 
 }  // namespace durero::trace

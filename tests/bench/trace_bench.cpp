@@ -9,7 +9,7 @@
 
 #include "durero/surface/exact.hpp"
 #include "durero/trace/analytic.hpp"
-#include "durero/trace/plain.hpp"
+#include "plain/plain.hpp"
 #include "support/scenes.hpp"
 #include "support/shapes.hpp"
 #include "support/threads.hpp"

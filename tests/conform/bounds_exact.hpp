@@ -6,8 +6,8 @@
 #include <variant>
 
 #include "durero/surface/exact_element.hpp"
-#include "durero/trace/steps.hpp"
 #include "support/exact_vector.hpp"
+#include "trace/steps.hpp"
 
 namespace durero::test {
 

@@ -3,16 +3,17 @@
 
 #include "bounds_table.hpp"
 #include "durero/surface/exact.hpp"
-#include "durero/trace/pack.hpp"
-#include "durero/trace/rounding-inl.hpp"
+#include "durero/trace/packet.hpp"
 #include "durero/trace/search.hpp"
 #include "support/shapes.hpp"
+#include "trace/rounding-inl.hpp"
+#include "trace/steps.hpp"
 
 namespace durero::test {
 
 namespace steps = trace::HWY_NAMESPACE;
-using trace::Beam;
 using trace::Finding;
+using trace::Ray;
 using trace::Verdict;
 
 inline Dyadic exact(double x) { return x; }
@@ -26,7 +27,7 @@ class Measurement {
   Measurement(const Shape& shape, const Specimen& specimen)
       : shape_(shape),
         rayo_(specimen.rayo()),
-        beam_(rayo_),
+        traced_(rayo_),
         on_(specimen.on),
         exact_(shape, rayo_, false),
         reach_(reach(surface::exact::coefficients(shape, rayo_, on_))) {}
@@ -34,7 +35,7 @@ class Measurement {
   Ratios ratios() && {
     closed_form<double>("triage");
     closed_form<steps::DoubleDouble>("stable");
-    const Finding first = triage(shape_, beam_, on_), second = stable(shape_, beam_, on_);
+    const Finding first = triage(shape_, traced_, on_), second = stable(shape_, traced_, on_);
     if (is_right_hit("triage", first)) improvement(first);
     if (is_right_hit("stable", second)) rounding("stable", second);
     if (!on_) in_lanes();
@@ -48,7 +49,7 @@ class Measurement {
   /// The quantities of the closed form over T.
   template <class T>
   void closed_form(std::string_view step) {
-    const auto f = steps::quadratic<T>(shape_, beam_);
+    const auto f = steps::quadratic<T>(shape_, traced_);
     note(step, "A", ratio(exact(f.A) - exact_.A, f.A_error));
     note(step, "B", ratio(exact(f.B) - exact_.B, f.B_error));
     note(step, "C", ratio(exact(f.C) - exact_.C, f.C_error));
@@ -110,15 +111,15 @@ class Measurement {
   }
 
   void in_lanes() {
-    trace::Pack pack;
-    for (std::size_t lane = 0; lane < trace::Pack::size; ++lane) pack.set(lane, beam_, shape_);
+    trace::Packet packet;
+    for (std::size_t lane = 0; lane < trace::Packet::size; ++lane) packet.set(lane, traced_, shape_);
     trace::Findings findings;
-    triage(pack, tipo, findings);
-    const Finding finding = findings[trace::Pack::size - 1];
+    triage(packet, tipo, findings);
+    const Finding finding = findings[trace::Packet::size - 1];
     if (!is_right_hit("lanes", finding)) return;
-    trace::RoundedPack rounded;
-    improve_and_round(pack, tipo, findings, rounded);
-    constexpr std::size_t last = trace::Pack::size - 1;
+    trace::RoundedPacket rounded;
+    improve_and_round(packet, tipo, findings, rounded);
+    constexpr std::size_t last = trace::Packet::size - 1;
     if ((rounded.certain >> last & 1) == 0) return;
     rounded_right("lanes", rounded.t[last], {rounded.x[last], rounded.y[last], rounded.z[last]});
   }
@@ -139,11 +140,11 @@ class Measurement {
   }
 
   void improvement(const Finding& first) {
-    const auto f = steps::quadratic_at(first.hi, shape_, beam_, on_);
+    const auto f = steps::quadratic_at(first.hi, shape_, traced_, on_);
     Exact from = exact_;
     if (on_) from.C = Dyadic();
     note("improved", "potencia", ratio(exact(f.value) - from.quadratic(first.hi), f.error));
-    const Finding better = improved(shape_, beam_, on_, first);
+    const Finding better = improved(shape_, traced_, on_, first);
     if (better.verdict != Verdict::hit) return;
     note("improved", "t", of_t(better));
     rounding("improved", better);
@@ -153,10 +154,11 @@ class Measurement {
   void rounding(std::string_view step, const Finding& finding) {
     const Fraction t = fraction(reach_.first());
     for (int axis = 0; axis < 3; ++axis) {
-      const auto at = steps::coordinate<double>(beam_.p[axis], beam_.v[axis], {finding.hi, finding.lo}, finding.error);
-      note(step, "point", t.linear(beam_.p[axis], beam_.v[axis]).ratio(exact(at.value), at.error));
+      const auto at =
+          steps::coordinate<double>(traced_.p[axis], traced_.v[axis], {finding.hi, finding.lo}, finding.error);
+      note(step, "point", t.linear(traced_.p[axis], traced_.v[axis]).ratio(exact(at.value), at.error));
     }
-    const trace::Rounded once = rounded(beam_, finding);
+    const trace::Rounded once = rounded(traced_, finding);
     if (once.certain) rounded_right(step, once.t, once.punto);
   }
 
@@ -168,7 +170,7 @@ class Measurement {
   static constexpr model::Tipo tipo = Shape::tipo;
   const Shape& shape_;
   model::Rayo rayo_;
-  Beam beam_;
+  Ray traced_;
   bool on_;
   Exact exact_;  ///< of the ray as if it did not start on the element
   surface::exact::Reach reach_;

@@ -1,14 +1,23 @@
 #!/bin/sh
-# Dependencies point one way: a layer includes only itself and the layers before it in this list.
+# Dependencies point one way: a layer includes only itself and the layers before it in this list. What is in src/ belongs
+# to its layer alone: no public header includes it, nor any other layer.
 order="text contract number zed model scene surface oracle trace accel engine io render conform cli"
-git ls-files 'include/durero/*.hpp' 'src/*.cpp' 'src/*.hpp' | while read -r file; do
-  layer=$(printf '%s\n' "$file" | sed -E 's#^(include/durero|src)/([a-z]+)/.*#\2#')
-  allowed=$(printf '%s\n' "$order" | sed -E "s/\b$layer\b.*/$layer/")
-  grep -nE '^#include "durero/' "$file" | while IFS= read -r line; do
-    used=$(printf '%s\n' "$line" | sed -E 's#.*"durero/([a-z]+)/.*#\1#')
-    case " $allowed " in
-      *" $used "*) ;;
-      *) echo "$file:${line%%:*}: layer $layer includes $used; expected one of: $allowed" ;;
-    esac
-  done
-done | { ! grep .; }
+git grep -nE '^#include "' -- 'include/durero/*.hpp' 'src/*.cpp' 'src/*.hpp' | awk -F: -v order="$order" '
+  BEGIN { count = split(order, name, " "); for (i = 1; i <= count; ++i) rank[name[i]] = i }
+  function complain(what) { print $1 ":" $2 ": " what }
+  {
+    path = $1
+    public = sub(/^include\/durero\//, "", path)
+    if (!public) sub(/^src\//, "", path)
+    layer = path; sub(/\/.*/, "", layer)
+    used = $3; sub(/^#include "/, "", used); sub(/".*/, "", used)
+    if (sub(/^durero\//, "", used)) {
+      sub(/\/.*/, "", used)
+      if (!(used in rank) || rank[used] > rank[layer])
+        complain("layer " layer " includes " used "; expected a layer before it in: " order)
+    } else if (public) {
+      complain("a public header includes an internal one")
+    } else if (sub(/\/.*/, "", used) && used in rank && used != layer) {
+      complain("layer " layer " includes an internal header of " used "; expected a public one")
+    }
+  }' | { ! grep .; }

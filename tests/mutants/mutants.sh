@@ -49,7 +49,7 @@ units() {
     /^[^ ].*: #deps/ {object = $1; sub(/:$/, "", object); next}
     substr($1, length($1) - length(file) + 1) == file && !(object in seen) {
       seen[object] = 1
-      library = object; sub(/^CMakeFiles\//, "lib", library); sub(/\.dir\/.*/, ".a", library)
+      library = object; sub(/CMakeFiles\//, "lib", library); sub(/\.dir\/.*/, ".a", library)
       if (index(link, " " object " ") || index(link, " " library " ")) print object}' "$work/deps"
 }
 

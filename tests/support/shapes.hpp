@@ -18,18 +18,9 @@ inline scene::ElementRef added(scene::Scene& scene, const model::Operation& oper
   return *scene.find(name);
 }
 
-inline scene::ElementRef add(scene::Scene& scene, const scene::Sphere& s) {
-  return added(scene, model::Agregar_Esfera{next_name(scene), model::Punto(s.centro), s.radio});
-}
-
-inline scene::ElementRef add(scene::Scene& scene, const scene::Cylinder& c) {
-  return added(scene, model::Agregar_Cilindro{next_name(scene), model::Punto(c.centro), c.radio,
-                                              model::Vector(c.vector), c.altura});
-}
-
-inline scene::ElementRef add(scene::Scene& scene, const scene::Cone& c) {
-  return added(scene, model::Agregar_Cono{next_name(scene), model::Punto(c.centro), c.proporcion,
-                                          model::Vector(c.vector), c.altura});
+template <class Shape>
+scene::ElementRef add(scene::Scene& scene, const Shape& shape) {
+  return added(scene, scene::addition(next_name(scene), shape));
 }
 
 inline model::Rayo ray(const glm::dvec3& p, const glm::dvec3& v) { return {model::Punto(p), model::Vector(v)}; }

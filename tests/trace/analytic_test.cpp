@@ -1,7 +1,7 @@
 #include "durero/trace/analytic.hpp"
 
 #include "durero/surface/exact.hpp"
-#include "durero/trace/plain.hpp"
+#include "plain/plain.hpp"
 #include "support/catch.hpp"
 #include "support/elements.hpp"
 #include "support/property.hpp"

@@ -9,10 +9,10 @@
 #include <string>
 
 #include "durero/conform/random.hpp"
-#include "durero/trace/closed_form-inl.hpp"
-#include "durero/trace/rounding-inl.hpp"
 #include "support/catch.hpp"
 #include "support/exact_ratio.hpp"
+#include "trace/closed_form-inl.hpp"
+#include "trace/rounding-inl.hpp"
 
 using namespace durero;
 using namespace durero::test;

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "durero/conform/random.hpp"
-#include "durero/trace/double_double-inl.hpp"
-#include "durero/trace/numbers-inl.hpp"
 #include "support/catch.hpp"
 #include "support/exact_ratio.hpp"
+#include "trace/double_double-inl.hpp"
+#include "trace/numbers-inl.hpp"
 
 using namespace durero;
 using namespace durero::test;

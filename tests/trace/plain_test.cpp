@@ -1,4 +1,4 @@
-#include "durero/trace/plain.hpp"
+#include "plain/plain.hpp"
 
 #include "durero/surface/exact.hpp"
 #include "support/catch.hpp"

@@ -6,6 +6,7 @@
 #include "durero/trace/analytic.hpp"
 #include "support/catch.hpp"
 #include "support/shapes.hpp"
+#include "trace/steps.hpp"
 
 using namespace durero;
 using namespace durero::test;
@@ -14,7 +15,7 @@ TEST_CASE("parameters closer than the sum of their errors are ordered exactly") 
   // Two unit spheres, the second off the ray by y, so that it is met y²/2 later.
   const model::Rayo along_x = ray({0, 0, 0}, {1, 0, 0});
   const scene::Sphere first{{2, 0, 0}, 1};
-  const double error = stable(first, trace::Beam(along_x), false).error;
+  const double error = stable(first, trace::Ray(along_x), false).error;
   const auto ordered_by = [&](double apart) {
     scene::Scene scene;
     add(scene, first);

@@ -2,9 +2,9 @@
 // laid so that a quantity is the given part of its bound.
 #include <cmath>
 
-#include "durero/trace/closed_form-inl.hpp"
 #include "support/catch.hpp"
 #include "support/shapes.hpp"
+#include "trace/closed_form-inl.hpp"
 
 using namespace durero;
 using namespace durero::test;
@@ -20,10 +20,10 @@ const scene::Cylinder upright{{0, 0, 0}, 1, {0, 0, 1}, 1};
 template <class T, class Shape>
 struct Answer {
   Answer(const Shape& shape, const glm::dvec3& p, const glm::dvec3& v, bool on = false)
-      : beam(ray(p, v)),
-        f(steps::quadratic<T>(shape, beam)),
-        verdict(steps::closed_form<T>(shape, beam, on, trace::no_limit).verdict) {}
-  trace::Beam beam;
+      : traced(ray(p, v)),
+        f(steps::quadratic<T>(shape, traced)),
+        verdict(steps::closed_form<T>(shape, traced, on, trace::no_limit).verdict) {}
+  trace::Ray traced;
   steps::Quadratic<T> f;
   Verdict verdict;
 };
@@ -88,11 +88,11 @@ TEST_CASE("an advance within its bound of the other rim is neither inside nor ou
 
 TEST_CASE("a root within its bound of the limit is not beyond it") {
   const scene::Sphere unit{{0, 0, 0}, 1};
-  const trace::Beam beam(ray({-3, 0, 0}, {1, 0, 0}));
-  const double bound = triage(unit, beam, false).error;
+  const trace::Ray traced(ray({-3, 0, 0}, {1, 0, 0}));
+  const double bound = triage(unit, traced, false).error;
   for (const double part : parts) {
     INFO(part);
-    const Verdict verdict = triage(unit, beam, false, 2 + part * bound).verdict;
+    const Verdict verdict = triage(unit, traced, false, 2 + part * bound).verdict;
     CHECK(verdict == (part < -1 ? Verdict::miss : Verdict::hit));
   }
 }
@@ -125,9 +125,9 @@ TEMPLATE_TEST_CASE("nothing is divided by a number that may be 0", "", double, D
 
 TEST_CASE("a slope that may be 0 improves nothing") {
   const scene::Sphere unit{{0, 0, 0}, 1};
-  const trace::Beam beam(ray({-3, 0, 0}, {1, 0, 0}));
+  const trace::Ray traced(ray({-3, 0, 0}, {1, 0, 0}));
   const auto improves = [&](double error, double slope_error, double A_error) {
-    return improved(unit, beam, false, {Verdict::hit, 2, 0, error, {-1, slope_error, 1, A_error}}).verdict ==
+    return improved(unit, traced, false, {Verdict::hit, 2, 0, error, {-1, slope_error, 1, A_error}}).verdict ==
            Verdict::hit;
   };
   CHECK(improves(0x1p-20, 0x1p-20, 0));

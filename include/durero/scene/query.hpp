@@ -22,7 +22,7 @@ class Origin {
   auto begin() const noexcept { return elements_.begin(); }
   auto end() const noexcept { return elements_.end(); }
   bool empty() const noexcept { return elements_.empty(); }
-  bool contains(ElementRef element) const noexcept { return std::find(begin(), end(), element) != end(); }
+  bool contains(ElementRef element) const noexcept { return !empty() && std::find(begin(), end(), element) != end(); }
 
  private:
   std::span<const ElementRef> elements_;

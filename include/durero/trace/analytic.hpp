@@ -1,6 +1,6 @@
 #pragma once
 /// The first hit of a ray by closed forms, certified: Algorithm II.2 over all elements, with the answer of
-/// surface::exact in the same bytes. Decisions go triage → stable → exact (steps.hpp).
+/// surface::exact in the same bytes. Decisions go triage → stable → exact (counts.hpp).
 
 #include <span>
 #include <vector>
@@ -22,9 +22,9 @@ bool occluded(const Tables& tables, const model::Rayo& rayo, Origin en = {}, Cou
 /// occluded_segment: the ray meets some element at some 0 < t < 1.
 bool occluded_segment(const Tables& tables, const model::Rayo& rayo, Origin en = {}, Counts* counts = nullptr);
 
-/// first_hit of every query, in order, by eight in lanes (batch.hpp): for more than a few rays the fastest way to the
-/// same bytes. On as many threads as the calling one may use; the result does not depend on them. Precondition: a place
-/// in `hits` for each query.
+/// first_hit of every query, in order, by eight in lanes (candidates.hpp): for more than a few rays the fastest way to
+/// the same bytes. On as many threads as the calling one may use; the result does not depend on them. Precondition: a
+/// place in `hits` for each query.
 void first_hits(const Tables& tables, std::span<const scene::Query> queries, std::span<scene::Hit> hits,
                 Counts* counts = nullptr);
 std::vector<scene::Hit> first_hits(const Tables& tables, std::span<const scene::Query> queries,

@@ -8,7 +8,9 @@
 #include "durero/scene/query.hpp"
 #include "durero/scene/scene.hpp"
 #include "durero/surface/exact.hpp"
-#include "durero/trace/steps.hpp"
+#include "durero/trace/counts.hpp"
+#include "durero/trace/finding.hpp"
+#include "durero/trace/ray.hpp"
 
 namespace durero::trace {
 
@@ -30,7 +32,7 @@ class Search {
   /// Adds to `counts` what decided. Precondition: the elements of en are in the scene.
   Search(const scene::Scene& scene, const model::Rayo& rayo, Origin en, Counts& counts);
 
-  const Beam& beam() const noexcept { return beam_; }
+  const Ray& ray() const noexcept { return ray_; }
 
   /// No point beyond this parameter is the first: at least the first parameter among the elements tested so far.
   double limit() const noexcept { return limit_; }
@@ -47,30 +49,35 @@ class Search {
   /// t and the point of an element that the triage found to be the nearest, rounded once.
   Rounded rounded_hit(scene::ElementRef e, const Finding& by_triage) const;
 
+  /// The ray meets the element at some t > 0.
+  bool blocks(scene::ElementRef e, Range range = Range::unknown) const;
+  /// The ray meets the element at some 0 < t < 1.
+  bool blocks_segment(scene::ElementRef e, Range range = Range::unknown) const;
+
   /// Where the ray first meets one element; none also where that is beyond the limit.
   Meeting meeting(scene::ElementRef e, double limit, Range range = Range::unknown) const;
 
  private:
-  struct Contender {
+  struct Candidate {
     scene::ElementRef e;
     Meeting at;
   };
 
   void drop_beyond_limit();
-  void refine(Contender& contender) const;
-  const surface::exact::Parameter& exact(Contender& contender) const;
+  void refine(Candidate& candidate) const;
+  const surface::exact::Parameter& exact(Candidate& candidate) const;
   void keep_nearest_by_stable();
   void keep_nearest_by_exact();
   void keep_nearest();
-  Rounded round(const Contender& nearest) const;
+  Rounded round(const Candidate& nearest) const;
 
   const scene::Scene& scene_;
   const model::Rayo& rayo_;
   Origin en_;
   Counts& counts_;
-  Beam beam_;
+  Ray ray_;
   double limit_ = no_limit;
-  boost::container::small_vector<Contender, 4> contenders_;
+  boost::container::small_vector<Candidate, 4> candidates_;
   scene::ElementSet without_minimum_;
 };
 

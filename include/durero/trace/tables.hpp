@@ -1,37 +1,19 @@
 #pragma once
-/// A scene prepared for many rays: a ball around each element, in columns, and a filter over them that takes a few
-/// operations a ray and element and only ever passes over what the ray certainly misses.
-///
-/// A point p + t·v of a ball of centre m and radius R, with q = p − m, B = q·v: |q × v| ≤ R|v|, and |v|²·t is between
-/// −B − R|v| and −B + R|v|. So a ray misses the ball where |q × v|² > R²|v|², where B > R|v| (it lies behind), and up
-/// to the limit where −B − R|v| > limit·|v|². In binary64, with u = 2⁻⁵³: q × v errs by 3u of the products it is made
-/// of, in length at most 3u·√2·|q||v|; B by 4u|q||v|. As |q| ≤ |p| + |m|, R + 16u(|p.x| + |p.y| + |p.z|) + 16u(|m.x| +
-/// |m.y| + |m.z|) in place of R pays for both, and for the rounding of B + R|v|; the last term is part of the stored
-/// radius. |v|² and |v| are taken greater by 60u and 30u, which pays for all roundings relative to their result, fewer
-/// than ten. Elements and rays that are not `ordinary` do not come here, so nothing overflows.
+/// A scene prepared for many rays: a ball around each element, all of them tried by the filter, in the order of the
+/// scene. The simplest source of candidates (trace/candidates.hpp).
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "durero/scene/element_ref.hpp"
 #include "durero/scene/scene.hpp"
-#include "durero/surface/bounds.hpp"
-#include "durero/trace/steps.hpp"
+#include "durero/trace/filter.hpp"
+#include "durero/trace/ray.hpp"
 
 namespace durero::trace {
-
-using surface::Ball;
-
-/// Balls in columns, their radii with the part of the allowance that is theirs; padded to whole blocks with NaN, which
-/// no ray meets.
-struct Balls {
-  static constexpr std::size_t block = 8;
-  std::vector<double> x, y, z, radius;
-
-  void push_back(const Ball& ball);
-  void pad();
-};
 
 /// Keeps a reference to the scene, which must outlive it unedited.
 class Tables {
@@ -39,23 +21,50 @@ class Tables {
   explicit Tables(const scene::Scene& scene);
 
   const scene::Scene& scene() const noexcept { return *scene_; }
-  const Balls& balls() const noexcept { return balls_; }
-  /// The element of each ball.
-  std::span<const scene::ElementRef> elements() const noexcept { return elements_; }
   /// The elements that are not ordinary, and have no ball.
   std::span<const scene::ElementRef> extraordinary() const noexcept { return extraordinary_; }
 
+  // Both walks belong into their caller, which hands them its own next steps: a call more a ray and element is slower
+  // by some percent.
+  template <class Limit, class Visit>
+  [[gnu::always_inline]] bool any(const Ray& ray, Limit limit, Visit visit) const {
+    Passed passed;
+    for (std::size_t begin = 0; begin < elements_.size(); begin += chunk) {
+      const std::size_t count = filter_chunk(ray, limit(), begin, passed);
+      for (std::size_t i = 0; i < count; ++i) {
+        if (visit(elements_[passed[i]])) return true;
+      }
+    }
+    return false;
+  }
+
+  /// Chunk by chunk, each against every ray before the next, so that its balls stay in the cache.
+  template <class Limit, class Take, class Flush>
+  [[gnu::always_inline]] void pairs(std::span<const Ray> rays, Limit limit, Take take, Flush flush) const {
+    Passed passed;
+    for (std::size_t begin = 0; begin < elements_.size(); begin += chunk) {
+      for (std::uint32_t number = 0; number < rays.size(); ++number) {
+        const double farthest = limit(number);
+        if (!(farthest > 0)) continue;
+        const std::size_t count = filter_chunk(rays[number], farthest, begin, passed);
+        for (std::size_t i = 0; i < count; ++i) take(number, elements_[passed[i]]);
+      }
+      flush();
+    }
+  }
+
  private:
+  static constexpr std::size_t chunk = 32 * Balls::block;
+  using Passed = std::array<std::uint32_t, chunk>;
+
+  std::size_t filter_chunk(const Ray& ray, double limit, std::size_t begin, Passed& passed) const {
+    return filter(balls_, ray, limit, begin, std::min(begin + chunk, elements_.size()), passed.data());
+  }
+
   const scene::Scene* scene_;
   Balls balls_;
-  std::vector<scene::ElementRef> elements_;
+  std::vector<scene::ElementRef> elements_;  // of each ball
   std::vector<scene::ElementRef> extraordinary_;
 };
-
-/// Writes to `passed` the places in begin … end of the balls that the ray may meet at 0 < t ≤ limit, ascending, and
-/// returns their number. Preconditions: the beam is ordinary; begin is a multiple of Balls::block; `passed` has room
-/// for end − begin, rounded up to whole blocks.
-std::size_t filter(const Balls& balls, const Beam& beam, double limit, std::size_t begin, std::size_t end,
-                   std::uint32_t* passed);
 
 }  // namespace durero::trace

@@ -21,7 +21,7 @@
 
 #include <cmath>
 
-#include "durero/trace/lanes-inl.hpp"
+#include "trace/lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace durero::trace {

@@ -1,7 +1,6 @@
-#include "durero/trace/plain.hpp"
+#include "plain/plain.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -47,8 +46,8 @@ First first_of_line(const Quadratic& f) {
   return end > 0 ? First{Resultado::no_minimum, 0} : miss;
 }
 
-First first_of_roots(const Quadratic& f, double one, double other) {
-  const auto [near, far] = std::minmax(one, other);
+First first_of_roots(const Quadratic& f, double t, double other) {
+  const auto [near, far] = std::minmax(t, other);
   if (within(f, near)) return {Resultado::hit, near};
   return within(f, far) ? First{Resultado::hit, far} : miss;
 }
@@ -133,17 +132,13 @@ scene::Hit first_hit(const scene::Scene& scene, const model::Rayo& rayo, Origin 
 scene::Hit first_hit(const Tables& tables, const model::Rayo& rayo, Origin en) {
   scene::Hit hit;
   Nearest nearest{hit};
-  const Beam beam(rayo);
-  const auto elements = tables.elements();
-  std::array<std::uint32_t, 32 * Balls::block> passed;
-  for (std::size_t begin = 0; begin < elements.size(); begin += passed.size()) {
-    const std::size_t end = std::min(begin + passed.size(), elements.size());
-    const std::size_t count = filter(tables.balls(), beam, nearest.limit(), begin, end, passed.data());
-    for (std::size_t i = 0; i < count; ++i) {
-      const scene::ElementRef e = elements[passed[i]];
-      nearest.take(e, first_of_element(tables.scene(), e, rayo, en.contains(e)));
-    }
-  }
+  const Ray ray(rayo);
+  tables.any(
+      ray, [&] { return nearest.limit(); },
+      [&](scene::ElementRef e) {
+        nearest.take(e, first_of_element(tables.scene(), e, rayo, en.contains(e)));
+        return false;
+      });
   nearest.finish(rayo);
   return hit;
 }

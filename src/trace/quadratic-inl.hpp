@@ -38,8 +38,8 @@
 #define DURERO_TRACE_QUADRATIC_INL_HPP_
 #endif
 
-#include "durero/trace/numbers-inl.hpp"
-#include "durero/trace/steps.hpp"
+#include "trace/numbers-inl.hpp"
+#include "trace/steps.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace durero::trace {
@@ -73,38 +73,28 @@ HWY_INLINE void set_factors(Quadratic<T>& f, const T& of_surface, const T& of_li
   f.H = of_surface + of_line;
 }
 
-/// Elements in lanes, with the letters of scene::Sphere, Cylinder and Cone.
-struct LaneBeam {
+/// Rays and elements of one type in lanes, with the letters of scene::Sphere, Cylinder and Cone.
+struct LaneRay {
   Vec<Lanes> p, v;
   Lanes speed;
 };
-template <model::Tipo type>
+template <model::Tipo of_all>
 struct LaneElement {
+  static constexpr model::Tipo tipo = of_all;
   Vec<Lanes> centro;
   Lanes radio, proporcion;
   Vec<Lanes> vector;
   Lanes altura;
 };
 
-template <class Element>
-inline constexpr model::Tipo tipo_of{};
-template <>
-inline constexpr model::Tipo tipo_of<scene::Sphere> = model::Tipo::soy_esfera;
-template <>
-inline constexpr model::Tipo tipo_of<scene::Cylinder> = model::Tipo::soy_cilindro;
-template <>
-inline constexpr model::Tipo tipo_of<scene::Cone> = model::Tipo::soy_cono;
-template <model::Tipo type>
-inline constexpr model::Tipo tipo_of<LaneElement<type>> = type;
-
 template <class T, class Sphere, class Ray>
-HWY_INLINE Quadratic<T> of_sphere(const Sphere& sphere, const Ray& beam) {
+HWY_INLINE Quadratic<T> of_sphere(const Sphere& sphere, const Ray& ray) {
   using std::sqrt;
   Quadratic<T> f;
-  const Vec<T> q = difference<T>(beam.p, sphere.centro);
-  const Vec<T> v = vec<T>(beam.v);
+  const Vec<T> q = difference<T>(ray.p, sphere.centro);
+  const Vec<T> v = vec<T>(ray.v);
   const T r(sphere.radio);
-  set_errors(f, Bound<T>(1), beam.speed, extent(q) + sphere.radio);
+  set_errors(f, Bound<T>(1), ray.speed, extent(q) + sphere.radio);
   f.A = dot(v, v);
   set_factors(f, T(r * sqrt(f.A)), length(cross(q, v)));
   f.B = dot(q, v);
@@ -119,26 +109,26 @@ struct Axial {
   Bound<T> Q;
 };
 template <class T, class Element, class Ray>
-HWY_INLINE Axial<T> axial(const Element& element, const Ray& beam, Quadratic<T>& f) {
-  const Vec<T> q = difference<T>(beam.p, element.centro);
-  const Vec<T> v = vec<T>(beam.v), d = vec<T>(element.vector);
+HWY_INLINE Axial<T> axial(const Element& element, const Ray& ray, Quadratic<T>& f) {
+  const Vec<T> q = difference<T>(ray.p, element.centro);
+  const Vec<T> v = vec<T>(ray.v), d = vec<T>(element.vector);
   f.s0 = dot(q, d);
   f.s1 = dot(v, d);
   f.bounded = true;
   f.altura = element.altura;
-  f.speed = beam.speed;
+  f.speed = ray.speed;
   const Bound<T> Q = extent(q);
   f.reach = Q + element.altura;
   return {q, across(v, f.s1, d), across(q, f.s0, d), Q};
 }
 
 template <class T, class Cylinder, class Ray>
-HWY_INLINE Quadratic<T> of_cylinder(const Cylinder& cylinder, const Ray& beam) {
+HWY_INLINE Quadratic<T> of_cylinder(const Cylinder& cylinder, const Ray& ray) {
   using std::sqrt;
   Quadratic<T> f;
-  const auto [q, a, b, Q] = axial<T>(cylinder, beam, f);
+  const auto [q, a, b, Q] = axial<T>(cylinder, ray, f);
   const T r(cylinder.radio);
-  set_errors(f, Bound<T>(1), beam.speed, Q + cylinder.radio);
+  set_errors(f, Bound<T>(1), ray.speed, Q + cylinder.radio);
   f.A = dot(a, a);
   set_factors(f, T(r * sqrt(f.A)), length(cross(b, a)));
   f.B = dot(b, a);
@@ -147,11 +137,11 @@ HWY_INLINE Quadratic<T> of_cylinder(const Cylinder& cylinder, const Ray& beam) {
 }
 
 template <class T, class Cone, class Ray>
-HWY_INLINE Quadratic<T> of_cone(const Cone& cone, const Ray& beam) {
+HWY_INLINE Quadratic<T> of_cone(const Cone& cone, const Ray& ray) {
   Quadratic<T> f;
-  const auto [q, a, b, Q] = axial<T>(cone, beam, f);
+  const auto [q, a, b, Q] = axial<T>(cone, ray, f);
   const T k(cone.proporcion);
-  set_errors(f, 1 + cone.proporcion * cone.proporcion, beam.speed, f.reach);
+  set_errors(f, 1 + cone.proporcion * cone.proporcion, ray.speed, f.reach);
   const T g = T(cone.altura) - f.s0;
   set_factors(f, T(k * length(combination(g, a, f.s1, b))), length(cross(b, a)));
   const T k2 = k * k;
@@ -162,13 +152,14 @@ HWY_INLINE Quadratic<T> of_cone(const Cone& cone, const Ray& beam) {
 }
 
 template <class T, class Element, class Ray>
-HWY_INLINE Quadratic<T> quadratic(const Element& element, const Ray& beam) {
-  if constexpr (tipo_of<Element> == model::Tipo::soy_esfera) {
-    return of_sphere<T>(element, beam);
-  } else if constexpr (tipo_of<Element> == model::Tipo::soy_cilindro) {
-    return of_cylinder<T>(element, beam);
+HWY_INLINE Quadratic<T> quadratic(const Element& element, const Ray& ray) {
+  if constexpr (Element::tipo == model::Tipo::soy_esfera) {
+    return of_sphere<T>(element, ray);
+  } else if constexpr (Element::tipo == model::Tipo::soy_cilindro) {
+    return of_cylinder<T>(element, ray);
   } else {
-    return of_cone<T>(element, beam);
+    static_assert(Element::tipo == model::Tipo::soy_cono);
+    return of_cone<T>(element, ray);
   }
 }
 

@@ -13,8 +13,8 @@
 
 #include <cmath>
 
-#include "durero/trace/double_double-inl.hpp"
-#include "durero/trace/quadratic-inl.hpp"
+#include "trace/double_double-inl.hpp"
+#include "trace/quadratic-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace durero::trace {
@@ -55,12 +55,12 @@ struct Place3 {
 };
 
 template <class R, class Ray, class Point>
-HWY_INLINE Place3<R> place_at(R t, const Ray& beam, const Point& centro) {
+HWY_INLINE Place3<R> place_at(R t, const Ray& ray, const Point& centro) {
   using std::abs;
-  const Pair<R> a = two_sum<R>(beam.p.x, -centro.x), b = two_sum<R>(beam.p.y, -centro.y),
-                c = two_sum<R>(beam.p.z, -centro.z);
-  const R W = abs(a.hi) + abs(b.hi) + abs(c.hi) + abs(t) * beam.speed;
-  return {sum(a, two_prod<R>(t, beam.v.x)), sum(b, two_prod<R>(t, beam.v.y)), sum(c, two_prod<R>(t, beam.v.z)), W};
+  const Pair<R> a = two_sum<R>(ray.p.x, -centro.x), b = two_sum<R>(ray.p.y, -centro.y),
+                c = two_sum<R>(ray.p.z, -centro.z);
+  const R W = abs(a.hi) + abs(b.hi) + abs(c.hi) + abs(t) * ray.speed;
+  return {sum(a, two_prod<R>(t, ray.v.x)), sum(b, two_prod<R>(t, ray.v.y)), sum(c, two_prod<R>(t, ray.v.z)), W};
 }
 
 template <class R>
@@ -104,14 +104,15 @@ constexpr double power_error = 0x1p-95;
 
 template <class R, class Element>
 HWY_INLINE Power<R> power(const Element& element, const Place3<R>& q) {
-  if constexpr (tipo_of<Element> == model::Tipo::soy_esfera) {
+  if constexpr (Element::tipo == model::Tipo::soy_esfera) {
     const R M = q.W + element.radio;
     return {difference(squared_length(q), two_prod<R>(element.radio, element.radio)), power_error * M * M};
-  } else if constexpr (tipo_of<Element> == model::Tipo::soy_cilindro) {
+  } else if constexpr (Element::tipo == model::Tipo::soy_cilindro) {
     const R M = q.W + element.radio;
     const Pair<R> away = alejamiento(q, avance(q, element.vector), element.vector);
     return {difference(away, two_prod<R>(element.radio, element.radio)), power_error * M * M};
   } else {
+    static_assert(Element::tipo == model::Tipo::soy_cono);
     const R M = q.W + element.altura, k = element.proporcion;
     const Pair<R> s = avance(q, element.vector);
     const Pair<R> radius = product(difference(Pair<R>(element.altura), s), k);
@@ -121,10 +122,10 @@ HWY_INLINE Power<R> power(const Element& element, const Place3<R>& q) {
 
 /// The quadratic at t: potencia, less that at the origin where the ray starts on the element.
 template <class Element>
-HWY_INLINE Power<double> quadratic_at(double t, const Element& element, const Beam& beam, bool on) {
-  const Power<double> there = power(element, place_at(t, beam, element.centro));
+HWY_INLINE Power<double> quadratic_at(double t, const Element& element, const Ray& ray, bool on) {
+  const Power<double> there = power(element, place_at(t, ray, element.centro));
   if (!on) return there;
-  const Power<double> here = power(element, place_at(0.0, beam, element.centro));
+  const Power<double> here = power(element, place_at(0.0, ray, element.centro));
   return {difference(there.value, here.value), there.error + 2 * here.error};
 }
 

@@ -15,8 +15,8 @@
 
 #include <cmath>
 
-#include "durero/trace/quadratic-inl.hpp"
-#include "durero/trace/steps.hpp"
+#include "trace/quadratic-inl.hpp"
+#include "trace/steps.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace durero::trace {
@@ -166,10 +166,10 @@ HWY_INLINE Found<T> first_from_surface(const Quadratic<T>& f, double limit) {
 }
 
 /// The first point of the ray on the element, or none (none up to the limit), or that this T cannot tell.
-/// on: the ray starts on the element. Precondition: element and beam are ordinary.
+/// on: the ray starts on the element. Precondition: element and ray are ordinary.
 template <class T, class Element>
-HWY_INLINE Found<T> closed_form(const Element& element, const Beam& beam, bool on, double limit) {
-  const Quadratic<T> f = quadratic<T>(element, beam);
+HWY_INLINE Found<T> closed_form(const Element& element, const Ray& ray, bool on, double limit) {
+  const Quadratic<T> f = quadratic<T>(element, ray);
   if (on) return first_from_surface(f, limit);
   if (leading(f.F) < -f.B_error) return {Verdict::miss};
   if (!(leading(f.F) > f.B_error)) return {Verdict::undecided};

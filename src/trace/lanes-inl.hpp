@@ -13,14 +13,14 @@
 #include <cmath>
 #include <cstdint>
 
-#include "durero/trace/pack.hpp"
+#include "durero/trace/packet.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace durero::trace {
 namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using LaneTag = hn::CappedTag<double, Pack::size>;
+using LaneTag = hn::CappedTag<double, Packet::size>;
 
 /// What a comparison of lanes gives. Of single numbers it gives a bool.
 struct LaneMask {
@@ -70,7 +70,7 @@ HWY_INLINE unsigned bits(LaneMask mask) {
   return stored[0];
 }
 
-/// Half the numbers of a pack, or all, or one: where to begin the next part of it.
+/// Half the numbers of a packet, or all, or one: where to begin the next part of it.
 HWY_INLINE std::size_t lanes() { return hn::Lanes(LaneTag()); }
 
 }  // namespace HWY_NAMESPACE

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "durero/scene/shapes.hpp"
-#include "durero/trace/pack.hpp"
+#include "durero/trace/packet.hpp"
 #include "durero/trace/search.hpp"
 #include "durero/trace/tables.hpp"
 
@@ -41,7 +41,7 @@ First first(const Quadratic& quadratic);
 
 /// By lane, the parameter of a hit. A lane neither hit nor undecided is a miss.
 struct Firsts {
-  alignas(64) Pack::Column t{};
+  alignas(64) Packet::Column t{};
   unsigned hit = 0, undecided = 0;  ///< a bit for every lane, the first lane's lowest
 };
 
@@ -54,6 +54,6 @@ scene::Hit first_hit(const Tables& tables, const model::Rayo& rayo, Origin en = 
 std::vector<scene::Hit> first_hits(const Tables& tables, std::span<const scene::Query> queries);
 
 /// first(quadratic) in every lane, for rays that do not start on the element; undecided where A or both roots are 0.
-void first(const Pack& pack, model::Tipo tipo, Firsts& firsts);
+void first(const Packet& packet, model::Tipo tipo, Firsts& firsts);
 
 }  // namespace durero::trace::plain

@@ -10,8 +10,8 @@
 
 #include <cmath>
 
-#include "durero/trace/closed_form-inl.hpp"
-#include "durero/trace/power-inl.hpp"
+#include "trace/closed_form-inl.hpp"
+#include "trace/power-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace durero::trace {

@@ -2,14 +2,17 @@
 /// Eight rays side by side, each against one element of the same type: what steps over lanes take and give.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
-#include "durero/trace/steps.hpp"
+#include "durero/scene/scene.hpp"
+#include "durero/trace/finding.hpp"
+#include "durero/trace/ray.hpp"
 
 namespace durero::trace {
 
 /// Rays and elements in columns. Every lane must hold ordinary ones or zeros; results of unused lanes mean nothing.
-struct Pack {
+struct Packet {
   static constexpr std::size_t size = 8;
   using Column = std::array<double, size>;
   using Columns = std::array<Column, 3>;  ///< of x, y and z
@@ -22,17 +25,17 @@ struct Pack {
   Columns vector{};  ///< of a cylinder or cone
   Column altura{};
 
-  void set(std::size_t lane, const Beam& beam, const scene::Sphere& e) {
-    set_ray(lane, beam);
+  void set(std::size_t lane, const Ray& ray, const scene::Sphere& e) {
+    set_ray(lane, ray);
     set_round(lane, e.centro, e.radio);
   }
-  void set(std::size_t lane, const Beam& beam, const scene::Cylinder& e) {
-    set_ray(lane, beam);
+  void set(std::size_t lane, const Ray& ray, const scene::Cylinder& e) {
+    set_ray(lane, ray);
     set_round(lane, e.centro, e.radio);
     set_axis(lane, e.vector, e.altura);
   }
-  void set(std::size_t lane, const Beam& beam, const scene::Cone& e) {
-    set_ray(lane, beam);
+  void set(std::size_t lane, const Ray& ray, const scene::Cone& e) {
+    set_ray(lane, ray);
     set_round(lane, e.centro, e.proporcion);
     set_axis(lane, e.vector, e.altura);
   }
@@ -43,10 +46,10 @@ struct Pack {
     columns[1][lane] = x.y;
     columns[2][lane] = x.z;
   }
-  void set_ray(std::size_t lane, const Beam& beam) {
-    set(p, lane, beam.p);
-    set(v, lane, beam.v);
-    speed[lane] = beam.speed;
+  void set_ray(std::size_t lane, const Ray& ray) {
+    set(p, lane, ray.p);
+    set(v, lane, ray.v);
+    speed[lane] = ray.speed;
   }
   void set_round(std::size_t lane, const glm::dvec3& of_centro, double of_breadth) {
     set(centro, lane, of_centro);
@@ -58,9 +61,28 @@ struct Pack {
   }
 };
 
+/// Pairs of a ray and an element of one type, which wait until there are enough for a packet.
+struct Queue {
+  Packet packet;
+  std::array<std::uint32_t, Packet::size> numbers{};  ///< of the rays
+  std::array<scene::ElementRef, Packet::size> elements{};
+  std::size_t count = 0;
+
+  void push(const scene::Scene& scene, std::uint32_t number, const Ray& ray, scene::ElementRef e) {
+    scene.visit(e, [&](const auto& shape) { packet.set(count, ray, shape); });
+    numbers[count] = number;
+    elements[count] = e;
+    ++count;
+  }
+  bool full() const { return count == Packet::size; }
+};
+
+/// A queue for each type.
+using Queues = std::array<Queue, scene::shape_count>;
+
 /// By lane, what the triage finds: t within error, and the slope, of a hit. A lane neither hit nor undecided is a miss.
 struct Findings {
-  using Column = Pack::Column;
+  using Column = Packet::Column;
   alignas(64) Column t{};
   Column error{}, at_root{}, at_root_error{}, A{}, A_error{};
   unsigned hit = 0, undecided = 0;  ///< a bit for every lane, the first lane's lowest
@@ -72,6 +94,7 @@ struct Findings {
   }
   /// Precondition: a hit by triage.
   void set(std::size_t lane, const Finding& finding) {
+    hit |= 1u << lane;
     t[lane] = finding.hi;
     error[lane] = finding.error;
     at_root[lane] = finding.slope.at_root;
@@ -83,11 +106,11 @@ struct Findings {
 
 /// triage in every lane, for rays that do not start on the element, without a limit. A lane may be undecided where the
 /// triage of one ray is not.
-void triage(const Pack& pack, model::Tipo tipo, Findings& findings);
+void triage(const Packet& packet, model::Tipo tipo, Findings& findings);
 
 /// By lane, t and the point rounded once; only where certain.
-struct RoundedPack {
-  using Column = Pack::Column;
+struct RoundedPacket {
+  using Column = Packet::Column;
   alignas(64) Column t{};
   Column x{}, y{}, z{};
   unsigned certain = 0;
@@ -95,6 +118,6 @@ struct RoundedPack {
 
 /// rounded(improved) in every lane. Precondition: the findings are hits by triage, of rays that do not start on the
 /// element.
-void improve_and_round(const Pack& pack, model::Tipo tipo, const Findings& findings, RoundedPack& result);
+void improve_and_round(const Packet& packet, model::Tipo tipo, const Findings& findings, RoundedPacket& result);
 
 }  // namespace durero::trace

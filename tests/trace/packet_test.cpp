@@ -1,20 +1,21 @@
 // Steps in lanes against the same steps one by one, bit for bit, under every instruction set of the machine.
-#include "durero/trace/pack.hpp"
+#include "durero/trace/packet.hpp"
 
 #include <bit>
 #include <vector>
 
-#include "durero/trace/plain.hpp"
+#include "plain/plain.hpp"
 #include "support/catch.hpp"
 #include "support/elements.hpp"
 #include "support/property.hpp"
 #include "support/shapes.hpp"
 #include "support/targets.hpp"
+#include "trace/steps.hpp"
 
 using namespace durero;
 using namespace durero::test;
 using trace::Finding;
-using trace::Pack;
+using trace::Packet;
 using trace::Verdict;
 
 namespace {
@@ -36,8 +37,8 @@ struct Lanes {
                                                                                  : model::Tipo::soy_cono;
   std::vector<Element> elements;
   std::vector<model::Rayo> rays;
-  std::vector<trace::Beam> beams;
-  Pack pack;
+  std::vector<trace::Ray> traced;
+  Packet packet;
 
   /// Any ray, or as often one towards a place less than twice radio, or proporcion, away from the centre in each axis.
   static model::Rayo ray(const Element& element, const Reals& numbers) {
@@ -52,15 +53,15 @@ struct Lanes {
     const glm::dvec3 v = element.centro + breadth * off - ray.p().xyz();
     if (*rc::gen::arbitrary<bool>() || v == glm::dvec3(0)) return ray;
     const model::Rayo aimed(ray.p(), model::Vector(v));
-    return trace::Beam(aimed).ordinary ? aimed : ray;
+    return trace::Ray(aimed).ordinary ? aimed : ray;
   }
 
   Lanes(const rc::Gen<Element>& any, const Reals& numbers) {
-    for (std::size_t lane = 0; lane < Pack::size; ++lane) {
+    for (std::size_t lane = 0; lane < Packet::size; ++lane) {
       elements.push_back(*any);
       rays.push_back(ray(elements.back(), numbers));
-      beams.emplace_back(rays.back());
-      pack.set(lane, beams[lane], elements[lane]);
+      traced.emplace_back(rays.back());
+      packet.set(lane, traced[lane], elements[lane]);
     }
   }
 };
@@ -78,26 +79,26 @@ void same_finding(const Finding& a, const Finding& b) {
 /// A lane may be undecided where the triage of one ray decides, not otherwise.
 template <class Element>
 void check_triage(const Lanes<Element>& lanes, trace::Findings& findings, Tally& tally) {
-  trace::triage(lanes.pack, lanes.tipo, findings);
-  for (std::size_t lane = 0; lane < Pack::size; ++lane) {
+  trace::triage(lanes.packet, lanes.tipo, findings);
+  for (std::size_t lane = 0; lane < Packet::size; ++lane) {
     ++tally.all;
     if (findings[lane].verdict == Verdict::undecided) continue;
     ++tally.decided;
     tally.hits += findings[lane].verdict == Verdict::hit;
-    same_finding(findings[lane], trace::triage(lanes.elements[lane], lanes.beams[lane], false));
+    same_finding(findings[lane], trace::triage(lanes.elements[lane], lanes.traced[lane], false));
   }
 }
 
 template <class Element>
 void check_rounding(const Lanes<Element>& lanes, const trace::Findings& findings, Tally& tally) {
-  trace::RoundedPack rounded;
-  trace::improve_and_round(lanes.pack, lanes.tipo, findings, rounded);
-  for (std::size_t lane = 0; lane < Pack::size; ++lane) {
+  trace::RoundedPacket rounded;
+  trace::improve_and_round(lanes.packet, lanes.tipo, findings, rounded);
+  for (std::size_t lane = 0; lane < Packet::size; ++lane) {
     const Finding found = findings[lane];
     if (found.verdict != Verdict::hit) continue;
-    const Finding better = trace::improved(lanes.elements[lane], lanes.beams[lane], false, found);
+    const Finding better = trace::improved(lanes.elements[lane], lanes.traced[lane], false, found);
     const trace::Rounded one =
-        better.verdict == Verdict::hit ? trace::rounded(lanes.beams[lane], better) : trace::Rounded{};
+        better.verdict == Verdict::hit ? trace::rounded(lanes.traced[lane], better) : trace::Rounded{};
     const bool certain = (rounded.certain >> lane & 1) != 0;
     RC_ASSERT(certain == one.certain);
     tally.certain += certain;
@@ -110,8 +111,8 @@ void check_rounding(const Lanes<Element>& lanes, const trace::Findings& findings
 template <class Element>
 void check_plain(const Lanes<Element>& lanes) {
   trace::plain::Firsts firsts;
-  trace::plain::first(lanes.pack, lanes.tipo, firsts);
-  for (std::size_t lane = 0; lane < Pack::size; ++lane) {
+  trace::plain::first(lanes.packet, lanes.tipo, firsts);
+  for (std::size_t lane = 0; lane < Packet::size; ++lane) {
     const auto one = trace::plain::first(trace::plain::quadratic(lanes.elements[lane], lanes.rays[lane], false));
     if ((firsts.undecided >> lane & 1) != 0) continue;
     const bool hit = (firsts.hit >> lane & 1) != 0;
@@ -163,20 +164,20 @@ TEST_CASE("steps in lanes are the steps one by one, over the whole ordinary rang
 }
 
 TEST_CASE("what touches is undecided in its lane alone") {
-  const trace::Beam tangent(ray({1, 0, 0}, {0, 0, 1})), met(ray({0, 0, 0}, {0, 0, 1})),
+  const trace::Ray tangent(ray({1, 0, 0}, {0, 0, 1})), met(ray({0, 0, 0}, {0, 0, 1})),
       missed(ray({2, 0, 0}, {0, 0, 1}));
   for (const std::int64_t target : machine_targets()) {
     const Only_Target only(target);
-    Pack pack;
-    for (std::size_t lane = 0; lane < Pack::size; ++lane) {
-      pack.set(lane, lane == 5 ? tangent : lane % 2 == 0 ? met : missed, scene::Sphere{{0, 0, 5}, 1});
+    Packet packet;
+    for (std::size_t lane = 0; lane < Packet::size; ++lane) {
+      packet.set(lane, lane == 5 ? tangent : lane % 2 == 0 ? met : missed, scene::Sphere{{0, 0, 5}, 1});
     }
     trace::Findings findings;
-    trace::triage(pack, model::Tipo::soy_esfera, findings);
+    trace::triage(packet, model::Tipo::soy_esfera, findings);
     CHECK(findings.undecided == 0b00100000);
     CHECK(findings.hit == 0b01010101);
-    trace::RoundedPack rounded;
-    trace::improve_and_round(pack, model::Tipo::soy_esfera, findings, rounded);
+    trace::RoundedPacket rounded;
+    trace::improve_and_round(packet, model::Tipo::soy_esfera, findings, rounded);
     CHECK((rounded.certain & findings.hit) == findings.hit);
     CHECK(rounded.t[2] == 4);
     CHECK(rounded.z[2] == 4);

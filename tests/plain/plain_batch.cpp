@@ -1,11 +1,11 @@
 // The uncertified closed forms in lanes, and the batch over them.
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "trace/plain_batch.cpp"  // as seen from src/
+#define HWY_TARGET_INCLUDE "plain/plain_batch.cpp"  // as seen from tests/
 #include <hwy/foreach_target.h>
 //
-#include "durero/trace/batch.hpp"
-#include "durero/trace/pack_lanes-inl.hpp"
-#include "durero/trace/plain.hpp"
+#include "durero/trace/candidates.hpp"
+#include "plain/plain.hpp"
+#include "trace/packet_lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace durero::trace::plain {
@@ -13,9 +13,9 @@ namespace HWY_NAMESPACE {
 namespace {
 
 namespace base = durero::trace::HWY_NAMESPACE;
-using base::LaneBeam;
 using base::LaneElement;
 using base::LaneMask;
+using base::LaneRay;
 using base::Lanes;
 using LaneVec = base::Vec<Lanes>;
 using model::Tipo;
@@ -28,7 +28,7 @@ HWY_INLINE Lanes square(Lanes x) { return x * x; }
 HWY_INLINE Lanes square(const LaneVec& x) { return dot(x, x); }
 
 template <Tipo tipo>
-HWY_INLINE LaneQuadratic quadratic_of(const LaneElement<tipo>& e, const LaneBeam& ray) {
+HWY_INLINE LaneQuadratic quadratic_of(const LaneElement<tipo>& e, const LaneRay& ray) {
   const LaneVec q0 = base::difference<Lanes>(ray.p, e.centro);
   const LaneVec& v = ray.v;
   if constexpr (tipo == Tipo::soy_esfera) {
@@ -41,6 +41,7 @@ HWY_INLINE LaneQuadratic quadratic_of(const LaneElement<tipo>& e, const LaneBeam
       const Lanes A = square(a), r2 = square(e.radio);
       return {A, dot(b, a), square(b) - r2, r2 * A - square(cross(b, a)), s0, s1};
     } else {
+      static_assert(tipo == Tipo::soy_cono);
       const Lanes k2 = square(e.proporcion), g = e.altura - s0;
       const Lanes D = k2 * square(combination(g, a, s1, b)) - square(cross(b, a));
       return {square(a) - k2 * square(s1), dot(b, a) + k2 * g * s1, square(b) - k2 * square(g), D, s0, s1};
@@ -56,32 +57,26 @@ HWY_INLINE LaneMask within(const LaneQuadratic& f, Lanes altura, Lanes t) {
 }
 
 template <Tipo tipo>
-HWY_INLINE void first_of(const Pack& pack, Firsts& firsts) {
+HWY_INLINE void first_of(const Packet& packet, Firsts& firsts) {
   firsts.hit = firsts.undecided = 0;
-  for (std::size_t at = 0; at < Pack::size; at += base::lanes()) {
-    const LaneElement<tipo> e = base::element<tipo>(pack, at);
-    const LaneQuadratic f = quadratic_of(e, base::beam(pack, at));
+  for (std::size_t at = 0; at < Packet::size; at += base::lanes()) {
+    const LaneElement<tipo> e = base::element<tipo>(packet, at);
+    const LaneQuadratic f = quadratic_of(e, base::rays(packet, at));
     const Lanes S = sqrt(f.D);
     const Lanes q = -(f.B + choose(f.B < 0, -S, S));
-    const Lanes one = q / f.A, other = f.C / q;
-    const Lanes near = choose(one < other, one, other), far = choose(one < other, other, one);
-    const LaneMask near_one = within<tipo>(f, e.altura, near), far_one = within<tipo>(f, e.altura, far);
-    choose(near_one, near, far).store(&firsts.t[at]);
+    const Lanes of_A = q / f.A, of_C = f.C / q;
+    const Lanes near = choose(of_A < of_C, of_A, of_C), far = choose(of_A < of_C, of_C, of_A);
+    const LaneMask at_near = within<tipo>(f, e.altura, near), at_far = within<tipo>(f, e.altura, far);
+    choose(at_near, near, far).store(&firsts.t[at]);
     const LaneMask special = (f.D >= 0) & ((f.A == 0) | (q == 0));
     firsts.undecided |= base::bits(special) << at;
-    firsts.hit |= base::bits((f.D >= 0) & !special & (near_one | far_one)) << at;
+    firsts.hit |= base::bits((f.D >= 0) & !special & (at_near | at_far)) << at;
   }
 }
 
-void first_pack(const Pack& pack, Tipo tipo, Firsts& firsts) {
-  switch (tipo) {
-    case Tipo::soy_esfera:
-      return first_of<Tipo::soy_esfera>(pack, firsts);
-    case Tipo::soy_cilindro:
-      return first_of<Tipo::soy_cilindro>(pack, firsts);
-    default:
-      return first_of<Tipo::soy_cono>(pack, firsts);
-  }
+void first_packet(const Packet& packet, Tipo tipo, Firsts& firsts) {
+  scene::with_shape(tipo,
+                    [&]<class Shape>(std::type_identity<Shape>) HWY_ATTR { first_of<Shape::tipo>(packet, firsts); });
 }
 
 }  // namespace
@@ -93,7 +88,7 @@ HWY_AFTER_NAMESPACE();
 namespace durero::trace::plain {
 namespace {
 
-HWY_EXPORT(first_pack);
+HWY_EXPORT(first_packet);
 
 struct Plain {
   using Findings = Firsts;
@@ -103,37 +98,36 @@ struct Plain {
     double high() const { return t; }
   };
 
-  static void triage(const Pack& pack, model::Tipo tipo, Firsts& firsts) { first(pack, tipo, firsts); }
+  static void triage(const Packet& packet, model::Tipo tipo, Firsts& firsts) { first(packet, tipo, firsts); }
   static Point point(const Firsts& firsts, std::size_t lane) { return {firsts.t[lane]}; }
 
-  void hit(std::uint32_t ray, const Beam& beam, scene::ElementRef e, const Point& point) {
-    scene::Hit& hit = hits[ray];
+  void miss(std::uint32_t number) const { hits[number] = {}; }
+  void hit(std::uint32_t number, const Ray& ray, scene::ElementRef e, const Point& point) const {
+    scene::Hit& hit = hits[number];
     hit.resultado = model::Resultado::hit;
     hit.t = point.t;
-    hit.punto = beam.p + point.t * beam.v;
+    hit.punto = ray.p + point.t * ray.v;
     hit.elementos.push_back(e);
   }
 
-  void alone(std::uint32_t ray) {
-    const scene::Query& query = queries[ray];
-    hits[ray] = first_hit(tables, query.rayo, query.en);
-  }
-
-  const Tables& tables;
-  std::span<const scene::Query> queries;
   std::span<scene::Hit> hits;
 };
 
 }  // namespace
 
-void first(const Pack& pack, model::Tipo tipo, Firsts& firsts) { HWY_DYNAMIC_DISPATCH(first_pack)(pack, tipo, firsts); }
+void first(const Packet& packet, model::Tipo tipo, Firsts& firsts) {
+  HWY_DYNAMIC_DISPATCH(first_packet)(packet, tipo, firsts);
+}
 
 std::vector<scene::Hit> first_hits(const Tables& tables, std::span<const scene::Query> queries) {
   std::vector<scene::Hit> hits(queries.size());
   for_each_block(queries.size(), [&](std::size_t begin, std::size_t count) {
     const auto block = queries.subspan(begin, count);
-    Plain engine{tables, block, std::span(hits).subspan(begin, count)};
-    Batch(tables, block, engine).answer();
+    Plain kernel{std::span(hits).subspan(begin, count)};
+    Batch batch(tables, block, kernel);
+    batch.answer();
+    batch.for_each_alone(
+        [&](std::uint32_t number) { hits[begin + number] = first_hit(tables, block[number].rayo, block[number].en); });
   });
   return hits;
 }

@@ -10,8 +10,8 @@
 
 #include <cmath>
 
-#include "durero/trace/double_double-inl.hpp"
-#include "durero/trace/lanes-inl.hpp"
+#include "trace/double_double-inl.hpp"
+#include "trace/lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace durero::trace {

@@ -1,0 +1,146 @@
+#pragma once
+/// The certified answers over a source of candidates. An acceleration structure is such a source: it says which
+/// elements a ray may meet, and the search decides. So the answers are those of surface::exact, byte for byte, whatever
+/// the source, as long as it passes over nothing that the ray meets.
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <concepts>
+#include <cstddef>
+#include <mutex>
+#include <span>
+
+#include "durero/scene/hit.hpp"
+#include "durero/scene/query.hpp"
+#include "durero/scene/scene.hpp"
+#include "durero/trace/batch.hpp"
+#include "durero/trace/certified.hpp"
+#include "durero/trace/search.hpp"
+
+namespace durero::trace {
+
+/// What a source of candidates offers. It knows each element of its scene either as one of the extraordinary, which
+/// every ray may meet, or as one that it passes over where the ray has no point of it.
+///   scene()           the scene, unedited since the source was made.
+///   extraordinary()   the elements that are not `ordinary`, perhaps with others.
+///   any(ray, limit, visit)
+///                     visit(e) for each of the other elements that the ray may meet at 0 < t ≤ limit(), at most once
+///                     each, until it answers true; whether it did. The limit may fall from one visit to the next.
+///   pairs(rays, limit, take, flush)
+///                     the same for many rays: take(number, e), with the number of a ray in `rays`. A ray whose
+///                     limit(number) is 0 is passed over. After flush() the limits take account of all that was taken.
+/// Precondition of both: rays whose limit is not 0 are ordinary.
+template <class Source>
+concept Candidates = requires(const Source& source, const Ray& ray, std::span<const Ray> rays, double (&limit)(),
+                              bool (&visit)(scene::ElementRef), double (&limit_of)(std::uint32_t),
+                              void (&take)(std::uint32_t, scene::ElementRef), void (&flush)()) {
+  { source.scene() } -> std::convertible_to<const scene::Scene&>;
+  { source.extraordinary() } -> std::convertible_to<std::span<const scene::ElementRef>>;
+  { source.any(ray, limit, visit) } -> std::same_as<bool>;
+  source.pairs(rays, limit_of, take, flush);
+};
+
+/// visit(e, range) for every element of the scene, until it answers true. Whether it did.
+template <class Visit>
+bool any_element(const scene::Scene& scene, Visit visit) {
+  return scene.any_of([&](scene::ElementRef e, const auto&) { return visit(e, Search::Range::unknown); });
+}
+
+/// visit(e, range) for every element that the ray may meet at t ≤ limit(), until it answers true. Whether it did. A
+/// source knows only the points of the element itself, so the elements that the ray starts on pass by it.
+template <Candidates Source, class Limit, class Visit>
+bool any_candidate(const Source& source, const Ray& ray, Origin en, Limit limit, Visit visit) {
+  using Range = Search::Range;
+  if (!ray.ordinary) return any_element(source.scene(), visit);
+  for (const scene::ElementRef e : en) {
+    if (visit(e, Range::unknown)) return true;
+  }
+  const auto visit_other = [&](scene::ElementRef e, Range range) { return !en.contains(e) && visit(e, range); };
+  if (source.any(ray, limit, [&](scene::ElementRef e) { return visit_other(e, Range::ordinary); })) return true;
+  for (const scene::ElementRef e : source.extraordinary()) {
+    if (visit_other(e, Range::unknown)) return true;
+  }
+  return false;
+}
+
+/// Primera_Interseccion. Precondition of this and the others: the elements of en are in the scene.
+template <Candidates Source>
+scene::Hit first_hit_among(const Source& source, const model::Rayo& rayo, Origin en, Counts& counts) {
+  Search search(source.scene(), rayo, en, counts);
+  const auto limit = [&] { return search.limit(); };
+  any_candidate(source, search.ray(), en, limit, [&](scene::ElementRef e, Search::Range range) {
+    search.test(e, range);
+    return false;
+  });
+  return search.finish();
+}
+
+/// The ray meets some element at some t > 0.
+template <Candidates Source>
+bool occluded_among(const Source& source, const model::Rayo& rayo, Origin en, Counts& counts) {
+  const Search search(source.scene(), rayo, en, counts);
+  const auto limit = [] { return no_limit; };
+  return any_candidate(source, search.ray(), en, limit,
+                       [&](scene::ElementRef e, Search::Range range) { return search.blocks(e, range); });
+}
+
+/// The ray meets some element at some 0 < t < 1.
+template <Candidates Source>
+bool occluded_segment_among(const Source& source, const model::Rayo& rayo, Origin en, Counts& counts) {
+  const Search search(source.scene(), rayo, en, counts);
+  const auto limit = [] { return 1.0; };
+  return any_candidate(source, search.ray(), en, limit,
+                       [&](scene::ElementRef e, Search::Range range) { return search.blocks_segment(e, range); });
+}
+
+/// answer(begin, count) for blocks that make up `size` queries, on as many threads as the calling one may use.
+template <class Answer>
+void for_each_block(std::size_t size, Answer answer) {
+  constexpr std::size_t block_size = 256;
+  const std::size_t blocks = (size + block_size - 1) / block_size;
+  const auto answer_block = [&](std::size_t block) {
+    const std::size_t begin = block * block_size;
+    answer(begin, std::min(block_size, size - begin));
+  };
+  if (blocks == 1) return answer_block(0);
+  oneapi::tbb::parallel_for(std::size_t{0}, blocks, answer_block);
+}
+
+/// first_hit_among of every query, in order, by eight in lanes: for more than a few rays the fastest way to the same
+/// bytes. The result does not depend on the number of threads. `counts`, where given, is added to. Precondition: a
+/// place in `hits` for each query.
+template <Candidates Source>
+void first_hits_among(const Source& source, std::span<const scene::Query> queries, std::span<scene::Hit> hits,
+                      Counts* counts) {
+  std::mutex adding;
+  for_each_block(queries.size(), [&](std::size_t begin, std::size_t count) {
+    Counts of_block;
+    const auto block = queries.subspan(begin, count);
+    const auto answers = hits.subspan(begin, count);
+    Certified certified(source.scene(), block, answers, of_block);
+    Batch batch(source, block, certified);
+    batch.answer();
+    certified.finish();
+    batch.for_each_alone([&](std::uint32_t number) {
+      answers[number] = first_hit_among(source, block[number].rayo, block[number].en, of_block);
+    });
+    of_block.element[0] += batch.decided();
+    if (counts == nullptr) return;
+    const std::scoped_lock lock(adding);
+    *counts += of_block;
+  });
+}
+
+/// occluded_segment_among of every query, in order. Threads and precondition as above.
+template <Candidates Source>
+void occluded_segments_among(const Source& source, std::span<const scene::Query> queries, std::span<bool> occluded) {
+  for_each_block(queries.size(), [&](std::size_t begin, std::size_t count) {
+    Counts unseen;
+    for (std::size_t i = begin; i < begin + count; ++i) {
+      occluded[i] = occluded_segment_among(source, queries[i].rayo, queries[i].en, unseen);
+    }
+  });
+}
+
+}  // namespace durero::trace

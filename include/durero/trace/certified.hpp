@@ -1,0 +1,62 @@
+#pragma once
+/// The certified steps of a batch: triage in lanes, then the nearest points improved and rounded in lanes.
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "durero/scene/hit.hpp"
+#include "durero/scene/query.hpp"
+#include "durero/scene/scene.hpp"
+#include "durero/trace/counts.hpp"
+#include "durero/trace/packet.hpp"
+
+namespace durero::trace {
+
+/// A kernel of Batch. It writes the hits that the batch finds, each in its place, and counts what decided.
+class Certified {
+ public:
+  using Findings = trace::Findings;
+  struct Point {
+    Finding finding{Verdict::miss, no_limit};
+    // As the triage's error is more than three roundings of t more than needed (`quotient`), the ends may be rounded.
+    double low() const { return finding.hi - finding.error; }
+    double high() const { return finding.hi + finding.error; }
+  };
+
+  /// All of these must outlive it. Precondition: a place in `hits` for each query.
+  Certified(const scene::Scene& scene, std::span<const scene::Query> queries, std::span<scene::Hit> hits,
+            Counts& counts)
+      : scene_(scene), queries_(queries), hits_(hits), counts_(counts) {}
+
+  static void triage(const Packet& packet, model::Tipo tipo, Findings& findings) {
+    trace::triage(packet, tipo, findings);
+  }
+  static Point point(const Findings& findings, std::size_t lane) { return {findings[lane]}; }
+
+  void miss(std::uint32_t number) { hits_[number] = {}; }
+  void hit(std::uint32_t number, const Ray& ray, scene::ElementRef e, const Point& point);
+
+  /// To be called last: the hits that still wait for a packet to fill are written.
+  void finish();
+
+ private:
+  /// Hits of one type that wait to be rounded.
+  struct Hits {
+    Queue queue;
+    Findings findings;
+  };
+
+  void round(Hits& hits);
+  void write(const Hits& hits, std::size_t lane);
+  Rounded rounded(const Hits& hits, std::size_t lane);
+
+  const scene::Scene& scene_;
+  std::span<const scene::Query> queries_;
+  std::span<scene::Hit> hits_;
+  Counts& counts_;
+  std::array<Hits, scene::shape_count> waiting_{};
+  RoundedPacket rounded_;
+};
+
+}  // namespace durero::trace

@@ -1,0 +1,35 @@
+#pragma once
+/// What a step finds of one ray and one element.
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <limits>
+
+namespace durero::trace {
+
+enum class Verdict : std::uint8_t { miss, hit, undecided };
+
+/// A·t + B at the root and A, each with its error: half the slope and curvature of the quadratic, to improve t with.
+struct Slope {
+  double at_root = 0, at_root_error = 0;
+  double A = 0, A_error = 0;
+};
+
+/// The first point of the ray on the element is within `error` of the parameter t = hi + lo (lo = 0 from the triage).
+struct Finding {
+  Verdict verdict;
+  double hi = 0, lo = 0;
+  double error = 0;
+  Slope slope{};  ///< by the triage
+};
+
+/// t and each coordinate of p + t·v rounded once; certain only if every number within the error rounds the same.
+struct Rounded {
+  bool certain = false;
+  double t = 0;
+  glm::dvec3 punto{};
+};
+
+inline constexpr double no_limit = std::numeric_limits<double>::infinity();
+
+}  // namespace durero::trace

@@ -1,0 +1,25 @@
+#pragma once
+/// A ray in the numbers that the steps of the tracer use, and the range of numbers within which their bounds hold.
+
+#include <glm/vec3.hpp>
+
+#include "durero/model/tipos.hpp"
+#include "durero/scene/shape_view.hpp"
+
+namespace durero::trace {
+
+struct Ray {
+  explicit Ray(const model::Rayo& rayo);
+
+  glm::dvec3 p, v;
+  double speed;           ///< V ≥ |v|
+  double length_squared;  ///< |v|², greater by 60u to 80u
+  double length;          ///< |v|, greater by 30u to 40u
+  double allowance;       ///< 16u·(|p.x| + |p.y| + |p.z|), for the filter (trace/filter.hpp)
+  bool ordinary;          ///< every component is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰
+};
+
+/// Every number of the element is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰: the bounds hold, and nothing over- or underflows.
+bool ordinary(scene::ShapeView element);
+
+}  // namespace durero::trace

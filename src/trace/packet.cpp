@@ -1,0 +1,54 @@
+// The triage in lanes, and its columns.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "trace/packet.cpp"  // as seen from src/
+#include <hwy/foreach_target.h>
+//
+#include "trace/closed_form-inl.hpp"
+#include "trace/packet_lanes-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace durero::trace {
+namespace HWY_NAMESPACE {
+namespace {
+
+template <model::Tipo tipo>
+HWY_INLINE void triage_of(const Packet& packet, Findings& findings) {
+  findings.hit = findings.undecided = 0;
+  for (std::size_t at = 0; at < Packet::size; at += lanes()) {
+    const Quadratic<Lanes> f = quadratic<Lanes>(element<tipo>(packet, at), rays(packet, at));
+    const LanesFound found = first_in_lanes(f);
+    found.root.t.store(&findings.t[at]);
+    found.root.error.store(&findings.error[at]);
+    found.slope.store(&findings.at_root[at]);
+    found.slope_error.store(&findings.at_root_error[at]);
+    f.A.store(&findings.A[at]);
+    f.A_error.store(&findings.A_error[at]);
+    findings.hit |= bits(found.hit) << at;
+    findings.undecided |= bits(found.undecided) << at;
+  }
+}
+
+void triage_packet(const Packet& packet, model::Tipo tipo, Findings& findings) {
+  scene::with_shape(tipo,
+                    [&]<class Shape>(std::type_identity<Shape>) HWY_ATTR { triage_of<Shape::tipo>(packet, findings); });
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace durero::trace
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace durero::trace {
+namespace {
+
+HWY_EXPORT(triage_packet);
+
+}  // namespace
+
+void triage(const Packet& packet, model::Tipo tipo, Findings& findings) {
+  HWY_DYNAMIC_DISPATCH(triage_packet)(packet, tipo, findings);
+}
+
+}  // namespace durero::trace
+#endif

@@ -1,0 +1,36 @@
+#include "durero/trace/ray.hpp"
+
+#include <cmath>
+
+namespace durero::trace {
+namespace {
+
+/// 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰; without branches, as it is asked for every ray.
+inline bool in_range(double x) {
+  const double size = std::abs(x);
+  return ((size >= 0x1p-100) & (size <= 0x1p100)) | (size == 0);
+}
+inline bool in_range(const glm::dvec3& x) { return in_range(x.x) & in_range(x.y) & in_range(x.z); }
+
+double extent(const glm::dvec3& x) { return std::abs(x.x) + std::abs(x.y) + std::abs(x.z); }
+
+}  // namespace
+
+Ray::Ray(const model::Rayo& rayo)
+    : p(rayo.p().xyz()),
+      v(rayo.v().xyz()),
+      speed(extent(v)),
+      length_squared((v.x * v.x + v.y * v.y + v.z * v.z) * (1 + 0x1p-47 + 0x1p-50)),
+      length(std::sqrt(length_squared)),
+      allowance(0x1p-49 * extent(p)),
+      ordinary(in_range(p) & in_range(v)) {}
+
+bool ordinary(scene::ShapeView element) {
+  return element.visit([]<class Shape>(const Shape& shape) {
+    bool all = true;
+    scene::for_each_attribute<Shape>([&](const auto& attribute) { all = all && in_range(shape.*attribute.field); });
+    return all;
+  });
+}
+
+}  // namespace durero::trace
