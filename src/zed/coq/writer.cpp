@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <set>
 
+#include "durero/text/utf8.hpp"
 #include "durero/zed/coq/coq.hpp"
 #include "durero/zed/syntax/defect.hpp"
-#include "zed/syntax/utf8.hpp"
 
 namespace durero::zed::coq {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t width = 118;
 
 std::size_t characters(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return !utf8::continues(c); }));
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return !text::continues(c); }));
 }
 
 int depth_change(const std::string& word) {

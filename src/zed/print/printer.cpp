@@ -1,9 +1,9 @@
 #include "zed/print/printer.hpp"
 
+#include "durero/text/utf8.hpp"
 #include "zed/print/strength.hpp"
 #include "zed/syntax/connectives.hpp"
 #include "zed/syntax/symbols.hpp"
-#include "zed/syntax/utf8.hpp"
 
 namespace durero::zed {
 Printer::Printer(const Markup* markup) : latex_(markup != nullptr) {
@@ -21,7 +21,7 @@ void Printer::space() {
 std::string Printer::letters(std::string_view word) const {
   std::string text;
   while (!word.empty()) {
-    const std::string_view character = utf8::first(word);
+    const std::string_view character = text::first(word);
     word.remove_prefix(character.size());
     if (character == "_") {
       text += "\\_";
@@ -75,7 +75,7 @@ void Printer::name(const Name& name) {
   symbol(name.word);
   std::string_view rest = name.strokes;
   while (!rest.empty()) {
-    const std::string_view character = utf8::first(rest);
+    const std::string_view character = text::first(rest);
     rest.remove_prefix(character.size());
     if (latex_ && character.size() > 1) {
       out_ += "_";

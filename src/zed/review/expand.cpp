@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "zed/syntax/utf8.hpp"
-
 namespace durero::zed {
 namespace {
 

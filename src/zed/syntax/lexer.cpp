@@ -5,12 +5,7 @@
 
 namespace durero::zed::lexing {
 
-bool bears_strokes(std::string_view word) {
-  const char c = word[0];
-  const bool letters = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-  if (!letters && !is_symbol_name(word)) return false;
-  return !is_reserved(word) && !find_operator(word, Fixity::infix) && !find_operator(word, Fixity::prefix);
-}
+bool bears_strokes(std::string_view word) { return (is_letter(word[0]) || is_symbol_name(word)) && may_be_name(word); }
 
 bool ends(const Token& token) {
   if (token.type == Type::numeral || token.type == Type::stroke) return true;
@@ -18,8 +13,7 @@ bool ends(const Token& token) {
   if (find_operator(token.text, Fixity::postfix) || token.text == "⦈") return true;
   if (token.type == Type::symbol) return among(token.text, closing);
   if (!token.strokes.empty() || token.text == "true" || token.text == "false") return true;
-  return !is_reserved(token.text) && !find_operator(token.text, Fixity::infix) &&
-         !find_operator(token.text, Fixity::prefix);
+  return may_be_name(token.text);
 }
 
 namespace {

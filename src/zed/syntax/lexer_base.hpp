@@ -7,9 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "durero/text/utf8.hpp"
+#include "zed/syntax/characters.hpp"
 #include "zed/syntax/lexer.hpp"
 #include "zed/syntax/symbols.hpp"
-#include "zed/syntax/utf8.hpp"
 
 namespace durero::zed::lexing {
 
@@ -29,11 +30,6 @@ bool bears_strokes(std::string_view word);
 
 /// In bytes. Each stroke may be a decoration of a schema, and is looked up as one: two are many.
 inline constexpr std::size_t max_strokes = 30;
-
-inline bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
-inline bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
-inline bool is_stroke(char c) { return c == '\'' || c == '!' || c == '?'; }
 
 /// Can a predicate, expression or declaration end with this token?
 bool ends(const Token& token);
@@ -55,7 +51,7 @@ class Lexer {
 
   /// Takes one character, and returns it.
   std::string_view take() {
-    const std::string_view character = utf8::first(text_.substr(at_));
+    const std::string_view character = text::first(text_.substr(at_));
     at_ += character.size();
     ++place_.column;
     if (character == "\n") place_ = {place_.line + 1, 1};
@@ -98,9 +94,6 @@ class Lexer {
     emit(Type::numeral, std::move(number), place);
   }
 
-  /// True where a digit below the line belongs to the name before it, and not to its strokes.
-  static bool is_indexed(std::string_view word, std::string_view digit) { return digit == "₁" && has_indexed(word); }
-
   /// `::=`, `==` or one ASCII character; none where it means nothing in Z.
   std::string_view ascii_symbol() const {
     for (const std::string_view longer : {"::=", "=="})
@@ -123,13 +116,34 @@ class Lexer {
   /// True where what was read last can be the left operand of an infix operator.
   bool continues() const { return !tokens_.empty() && ends(tokens_.back()); }
 
-  void unreadable(const ZError& error) {
-    tokens_.push_back({Type::error, error.what_is_wrong, {}, error.place, error.expected, false});
+  /// Calls `token`, which takes what the next token is made of, to the end of the text, and gives the tokens.
+  template <class TakeToken>
+  std::vector<Token> tokens(TakeToken&& token) {
+    try {
+      while (!done()) token();
+      tokens_.push_back({Type::end, {}, {}, behind_, {}, false});
+      return std::move(tokens_);
+    } catch (const ZError& error) {
+      return unreadable(error);
+    }
   }
 
-  std::vector<Token> finish() {
-    tokens_.push_back({Type::end, {}, {}, behind_, {}, false});
+  /// Gives the tokens so far, and what is wrong behind them as the last one.
+  std::vector<Token> unreadable(const ZError& error) {
+    tokens_.push_back({Type::error, error.what_is_wrong, {}, error.place, error.expected, false});
     return std::move(tokens_);
+  }
+
+  /// Takes the strokes behind a word: `stroke` takes the next one while `sees_stroke`. A ₁ that makes another word of
+  /// the language, as in ℕ₁, is no stroke and goes to the word.
+  template <class SeesStroke, class TakeStroke>
+  static std::string strokes_behind(std::string& word, SeesStroke&& sees_stroke, TakeStroke&& stroke) {
+    std::string strokes;
+    while (sees_stroke()) {
+      const std::string mark = stroke();
+      (strokes.empty() && mark == "₁" && has_indexed(word) ? word : strokes) += mark;
+    }
+    return strokes;
   }
 
   std::string_view text_;

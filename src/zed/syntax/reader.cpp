@@ -3,25 +3,26 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <set>
-#include <sstream>
+#include <system_error>
+#include <tuple>
 #include <utility>
 
+#include "durero/text/file.hpp"
 #include "zed/syntax/block_parser.hpp"
 #include "zed/syntax/lexer.hpp"
 
 namespace durero::zed {
 namespace {
 
+/// The text of a file, or nothing where it cannot be read. A byte more than the limit tells that it is too large.
 std::optional<std::string> on_disk(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in || std::filesystem::is_directory(file)) return std::nullopt;
-  std::string all(max_bytes + 1, '\0');
-  in.read(all.data(), static_cast<std::streamsize>(all.size()));
-  all.resize(static_cast<std::size_t>(in.gcount()));
-  return all;
+  try {
+    return text::read_file(file, max_bytes + 1);
+  } catch (const std::system_error&) {
+    return std::nullopt;
+  }
 }
 
 class Reader {
@@ -31,10 +32,10 @@ class Reader {
 
   /// Tells where the sections of a file are, without reading them.
   void index(const std::string& path) {
-    const auto& all = contents(path);
-    if (!all) return;
+    const auto& read = contents(path);
+    if (!read) return;
     std::vector<Defect> later;
-    for (const Block& block : cut(*all, path, later)) {
+    for (const Block& block : cut(*read, path, later)) {
       if (block.environment != "zsection") continue;
       try {
         where_.emplace(parse_header(lex_latex(block, {})).name, path);
@@ -46,17 +47,17 @@ class Reader {
   void file(const std::string& path) {
     const std::string canonical = std::filesystem::weakly_canonical(path).string();
     if (!files_.insert(canonical).second) return;
-    if (const auto& all = contents(path)) return text(*all, path);
-    made_.defects.push_back({path, {1, 1}, "the file cannot be read", "expected a file of Z text", {}});
+    if (const auto& read = contents(path)) return text(*read, path);
+    specification_.defects.push_back({path, {1, 1}, "the file cannot be read", "expected a file of Z text", {}});
   }
 
-  void text(const std::string& all, const std::string& path) {
-    if (all.size() > max_bytes) {
-      made_.defects.push_back({path, {1, 1}, "the file is too large", "expected at most a MiB of Z text", {}});
+  void text(const std::string& source, const std::string& path) {
+    if (source.size() > max_bytes) {
+      specification_.defects.push_back({path, {1, 1}, "the file is too large", "expected at most a MiB of Z text", {}});
       return;
     }
     std::optional<Section> open;
-    for (const Block& block : cut(all, path, made_.defects)) {
+    for (const Block& block : cut(source, path, specification_.defects)) {
       try {
         if (block.environment == "zsection") {
           close(open);
@@ -67,17 +68,18 @@ class Reader {
           paragraphs(block, *open);
         }
       } catch (const ZError& error) {
-        made_.defects.push_back(error.in(path));
+        specification_.defects.push_back(error.in(path));
       }
     }
     close(open);
   }
 
   Specification take() {
-    std::stable_sort(made_.defects.begin(), made_.defects.end(), [](const Defect& a, const Defect& b) {
-      return std::tuple(a.file, a.place.line, a.place.column) < std::tuple(b.file, b.place.line, b.place.column);
-    });
-    return std::move(made_);
+    std::stable_sort(
+        specification_.defects.begin(), specification_.defects.end(), [](const Defect& a, const Defect& b) {
+          return std::tuple(a.file, a.place.line, a.place.column) < std::tuple(b.file, b.place.line, b.place.column);
+        });
+    return std::move(specification_);
   }
 
  private:
@@ -95,7 +97,7 @@ class Reader {
     section.parents = read.parents;
     if (is_toolkit(section.name) || !started_.insert(section.name).second)
       throw ZError(block.place, "a second section " + section.name, "expected a name of its own");
-    Markup& mine = made_.markup[section.name];
+    Markup& mine = specification_.markup[section.name];
     mine.insert(block.directives.begin(), block.directives.end());
     for (const std::string& parent : section.parents) inherit(mine, parent, path, block.place);
   }
@@ -103,8 +105,8 @@ class Reader {
   void inherit(Markup& mine, const std::string& parent, const std::string& path, Place place) {
     if (is_toolkit(parent)) return;
     if (!started_.contains(parent)) find(parent, path);
-    if (!made_.find(parent)) no_parent(parent, place);
-    const Markup& theirs = made_.markup[parent];
+    if (!specification_.find(parent)) no_parent(parent, place);
+    const Markup& theirs = specification_.markup[parent];
     mine.insert(theirs.begin(), theirs.end());
   }
 
@@ -142,7 +144,7 @@ class Reader {
   }
 
   void paragraphs(const Block& block, Section& into) {
-    Markup& markup = made_.markup[into.name];
+    Markup& markup = specification_.markup[into.name];
     for (const auto& [command, meaning] : block.directives) markup[command] = meaning;
     const std::vector<Token> tokens = lex_latex(block, markup);
     std::vector<ZError> mended;
@@ -154,16 +156,16 @@ class Reader {
       into.lost.insert(into.lost.end(), lost.begin(), lost.end());
       mended.push_back(error);
     }
-    for (const ZError& error : mended) made_.defects.push_back(error.in(into.file));
+    for (const ZError& error : mended) specification_.defects.push_back(error.in(into.file));
   }
 
   void close(std::optional<Section>& open) {
-    if (open) made_.sections.push_back(std::move(*open));
+    if (open) specification_.sections.push_back(std::move(*open));
     open.reset();
   }
 
   std::map<std::string, std::optional<std::string>> texts_;  // file to contents; none where it cannot be read
-  Specification made_;
+  Specification specification_;
   std::set<std::string> files_, started_;
   std::map<std::string, std::string> where_;  // section to file
 };

@@ -86,12 +86,13 @@ void each_spelling(Visit&& visit) {
 /// The operators, from their rows.
 const std::vector<Operator>& operators() {
   static const auto table = [] {
-    std::vector<Operator> all;
+    std::vector<Operator> with_role;
     for (const OperatorRow& row : operator_rows()) {
       const Binding& binding = row.binding;
-      if (binding.role) all.push_back({row.symbol(), *row.fixity(), *binding.role, binding.precedence, binding.right});
+      if (!binding.role) continue;
+      with_role.push_back({row.symbol(), *row.fixity(), *binding.role, binding.precedence, binding.right});
     }
-    return all;
+    return with_role;
   }();
   return table;
 }
@@ -183,6 +184,10 @@ bool is_operator_name(std::string_view name) { return name == "_⦇_⦈" || oper
 bool is_reserved(std::string_view word) {
   static const std::unordered_set<std::string_view> table(std::begin(reserved), std::end(reserved));
   return table.contains(word);
+}
+
+bool may_be_name(std::string_view word) {
+  return !is_reserved(word) && !find_operator(word, Fixity::infix) && !find_operator(word, Fixity::prefix);
 }
 
 }  // namespace durero::zed

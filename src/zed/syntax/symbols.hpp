@@ -52,7 +52,10 @@ bool has_indexed(std::string_view word);
 /// The precedence of × among the infix operators (ISO/IEC 13568, 8.3).
 inline constexpr int product_precedence = 8;
 
-/// Reserved words and symbols: they are never names.
+/// Says whether a word or symbol is reserved by the language, and so is never a name.
 bool is_reserved(std::string_view word);
+
+/// Says whether a word may be a name: it is neither reserved nor an infix or prefix operator.
+bool may_be_name(std::string_view word);
 
 }  // namespace durero::zed

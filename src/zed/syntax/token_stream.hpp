@@ -46,10 +46,7 @@ class TokenStream {
 
   /// A token that a name can be: a word, but no keyword and no operator.
   static bool is_name(const Token& token) {
-    if (token.type != Token::Type::word) return false;
-    if (!token.strokes.empty()) return true;
-    return !is_reserved(token.text) && !find_operator(token.text, Fixity::infix) &&
-           !find_operator(token.text, Fixity::prefix);
+    return token.type == Token::Type::word && (!token.strokes.empty() || may_be_name(token.text));
   }
   bool sees_name() const { return is_name(peek()); }
   Name name() {

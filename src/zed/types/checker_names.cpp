@@ -3,7 +3,7 @@
 
 #include <ranges>
 
-#include "zed/syntax/utf8.hpp"
+#include "durero/text/utf8.hpp"
 #include "zed/types/checker.hpp"
 
 namespace durero::zed {
@@ -47,7 +47,7 @@ Type Checker::reference(const Node& node) {
 /// In ISO Z a name with strokes is a name like others. The decoration of a schema has a space before its stroke.
 std::string Checker::expected_name(const Name& name) const {
   Name base = name;
-  while (!base.strokes.empty() && utf8::continues(base.strokes.back())) base.strokes.pop_back();
+  while (!base.strokes.empty() && text::continues(base.strokes.back())) base.strokes.pop_back();
   if (base.strokes.empty()) return "expected a declared name";
   const std::string stroke = name.strokes.substr(base.strokes.size() - 1);
   base.strokes.pop_back();

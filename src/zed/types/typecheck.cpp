@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "zed/syntax/characters.hpp"
 #include "zed/syntax/symbols.hpp"
 #include "zed/types/checker.hpp"
 
@@ -103,14 +104,19 @@ class SectionChecker {
     declare(definition.name, {definition.formals, std::move(type)}, Global::Form::definition, place);
   }
 
-  void paragraph(const Axiomatic& box, Place) {
-    formals(box.formals);
-    const Fields fields = terms_.signature(box.text);
+  /// Checks the declarations and predicates of a box with its formals in scope, and returns what it declares.
+  Fields signature_of_box(const std::vector<Name>& generic_formals, const SchemaText& text) {
+    formals(generic_formals);
+    const Fields fields = terms_.signature(text);
     terms_.push(fields);
-    terms_.predicates(box.text);
+    terms_.predicates(text);
     terms_.pop();
     terms_.pop();
-    for (const auto& [name, type] : fields)
+    return fields;
+  }
+
+  void paragraph(const Axiomatic& box, Place) {
+    for (const auto& [name, type] : signature_of_box(box.formals, box.text))
       declare(name, {box.formals, type}, Global::Form::axiom, place_of(name, box.text));
   }
 
@@ -122,13 +128,8 @@ class SectionChecker {
   }
 
   void paragraph(const Schema& box, Place place) {
-    formals(box.formals);
-    const Fields fields = terms_.signature(box.text);
-    terms_.push(fields);
-    terms_.predicates(box.text);
-    terms_.pop();
-    terms_.pop();
-    declare(box.name, {box.formals, Type::power(Type::schema(fields))}, Global::Form::schema, place);
+    declare(box.name, {box.formals, Type::power(Type::schema(signature_of_box(box.formals, box.text)))},
+            Global::Form::schema, place);
   }
 
   void paragraph(const Conjecture& conjecture, Place) { terms_.predicate(conjecture.claim.term); }
@@ -218,10 +219,8 @@ std::vector<std::pair<Name, Type>> calculator_names() {
 }
 
 bool is_free_word(const std::string& word) {
-  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-  const auto continues = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; };
-  return !word.empty() && is_letter(word[0]) && std::all_of(word.begin(), word.end(), continues) &&
-         !is_reserved(word) && !find_operator(word, Fixity::infix) && !find_operator(word, Fixity::prefix) &&
+  const auto continues = [](char c) { return is_letter(c) || is_digit(c) || c == '_'; };
+  return !word.empty() && is_letter(word[0]) && std::all_of(word.begin(), word.end(), continues) && may_be_name(word) &&
          !toolkit().contains({word, {}});
 }
 
