@@ -43,10 +43,13 @@ class Type {
 
   /// True for the type of a set of bindings: that of a schema.
   bool is_schema_set() const { return is(Kind::power) && parts()[0].is(Kind::schema); }
-  /// True while something in it is not determined. What is unknown counts as determined.
+  /// Says whether something in the type is not determined. What is unknown counts as determined.
   bool has_variables() const;
-  /// Z notation: `ℙ (Elemento × 𝔸)`, `[x : 𝔸; y : 𝔸]`; `?` for what is not determined; long ones end in `…`.
-  std::string text() const;
+  /// Says whether all of the type is known, so that its text can be read back as the set of all its values.
+  bool is_known() const;
+  /// Writes the type in Z notation: `ℙ (Elemento × 𝔸)`, `[x : 𝔸; y : 𝔸]`. What is not known is written `?`, and what
+  /// comes behind the first `parts` parts is written `…`.
+  std::string text(int parts = 40) const;
 
   /// How large the type is, written out, when it was made; saturates. The type-checker refuses types larger than the
   /// limits: the largest of spec/ has some 150 parts, and whoever walks a type recurses at most max_depth levels.
@@ -83,6 +86,8 @@ class Type {
   static bool unify_at(const Type& a, const Type& b, unsigned depth, std::uint32_t& steps);
   static void join(const Type& a, const Type& b);
   Type settled_at(std::uint32_t depth, std::unordered_map<const Node*, Type>& done) const;
+  template <class Test>
+  static bool any_node(const Type& in, Test&& test);
   static bool occurs(const Node* variable, const Type& in);
   void append(std::string& out, bool tight, int& budget) const;
 

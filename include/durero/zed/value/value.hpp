@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "durero/zed/syntax/ast.hpp"
+#include "durero/zed/types/types.hpp"
 #include "durero/zed/value/real.hpp"
 
 namespace durero::zed {
@@ -113,7 +114,9 @@ class Value {
   /// own text. A set that is known by membership only is written as a message would name it.
   using Spelling = std::function<std::string(const AtomName&)>;
   std::string text() const;
-  std::string text(const Spelling& spelling) const;
+  /// Writes each empty set with the type of its members where that is known, `∅[𝔸]`, so that it can be read back alone.
+  /// Precondition: the value is of this type, which is settled.
+  std::string text(const Type& type, const Spelling& spelling) const;
 
  private:
   Form form_;
