@@ -89,6 +89,9 @@ std::string identifier(std::string label);
 /// The name of S, and for S ' the name S'. Nothing for another schema.
 std::optional<Name> schema_name(const Term& schema);
 
+/// The arguments of a function of this arity, which stand in a tuple where they are several.
+std::vector<Term> split(const Term& argument, std::size_t arity);
+
 /// Splits a chain of ∧ or of ∨.
 void flatten(Kind kind, const Term& term, std::vector<Term>& to);
 /// Adds what is not there yet, by name; states stand before the rest.
@@ -131,6 +134,10 @@ class Translator {
   Expr application(const Node& node, Scope& scope, Frame& frame) const;
   Expr operation(const std::string& word, const std::vector<Term>& arguments, Scope& scope, Frame& frame,
                  const Node& node) const;
+  Expr selection(const Node& node, Scope& scope, Frame& frame) const;
+  Expr tuple(const Node& node, Scope& scope, Frame& frame) const;
+  Expr set_extension(const Node& node, Scope& scope, Frame& frame) const;
+  Expr conditional_set(const Term& conditional, const Scope& scope) const;
   Expr generalized_union(const Term& family, Scope& scope, Frame& frame) const;
   Expr partial(const std::string& in, const std::string& before, const Carrier& type, Scope& scope, Frame& frame) const;
   Expr apply_partial(const Node& node, const Expr* y, Scope& scope, Frame& frame) const;

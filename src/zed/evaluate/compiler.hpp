@@ -58,6 +58,12 @@ Value characteristic(const Frame& frame, const std::vector<Group>& groups);
 /// Makes the characteristic tuple with every part unknown.
 Value unknown_characteristic(Frame& frame, const Head& head);
 
+/// The values that a let gives its names, each with the slot of its name.
+struct LetValues {
+  std::vector<std::pair<unsigned, Code>> slots_and_values;
+  void give(Frame& frame) const;
+};
+
 class Compiler {
  public:
   explicit Compiler(Definitions& definitions) : definitions_(definitions) {}
@@ -84,6 +90,7 @@ class Compiler {
   Code selection(const Node& node, const Scope& scope);
   Code theta(const Node& node, const Scope& scope);
   Code conditional(const Node& node, const Scope& scope);
+  LetValues let_values(const SchemaText& text, const Scope& scope, Scope& inner);
   Code let(const Node& node, const Scope& scope);
   Code parts(const Node& node, const Scope& scope, Value (*make)(std::vector<Value>));
   Code binding_extension(const Node& node, const Scope& scope);
@@ -95,9 +102,13 @@ class Compiler {
 
   // Predicates and schemas (predicates.cpp, schemas.cpp).
   Property relation(const Term& term, const Scope& scope);
+  Property let_predicate(const Term& term, const Scope& scope);
   Property quantified(const Term& term, const Scope& scope);
   Property exists_one(const Node& node, const Scope& scope);
+  Property schema(const Term& term, const Scope& scope);
   Property schema_reference(const Term& term, const Scope& scope);
+  Property renamed(const Node& node, const Scope& scope);
+  Property projection(const Node& node, const Scope& scope);
   Property schema_definition(const Meaning& global, const Scope& scope);
   Property change(const Name& of, bool unchanged, const Scope& scope);
   Property mapped(const Term& schema, const Scope& scope, const std::vector<std::pair<Name, Name>>& names);
@@ -105,6 +116,7 @@ class Compiler {
   Property joined_schemas(const Node& node, const std::string& stroke, const std::string& to_stroke,
                           const Scope& scope);
   Property declaration(const Declaration& declaration, const Scope& scope);
+  Property inclusion(const Declaration& included, unsigned whole, const Scope& scope, const Scope& inner);
   void equations(const Node& relation, const Scope& scope, Property& into);
 
   // Axiomatic definitions (axiomatic.cpp).

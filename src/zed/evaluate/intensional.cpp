@@ -161,12 +161,12 @@ class AxiomaticFunction : public Set {
 
  private:
   const Clauses& clauses(Context& context) const {
-    if (!made_) made_ = compile_(context);
-    return *made_;
+    if (!clauses_) clauses_ = compile_(context);
+    return *clauses_;
   }
   std::string name_;
   std::function<Clauses(Context&)> compile_;
-  mutable std::optional<Clauses> made_;
+  mutable std::optional<Clauses> clauses_;
 };
 
 }  // namespace

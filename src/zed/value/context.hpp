@@ -101,6 +101,19 @@ Value sum(const Value& a, const Value& b);
 Value difference(const Value& a, const Value& b);
 Value product(const Value& a, const Value& b);
 
+/// Says whether a number, or a value of another type as a whole, is not known.
+inline bool waiting(const Value& a) { return a.is_open() || a.get<Unknown>() || a.get<PolynomialPtr>(); }
+
+/// Runs an operation on reals. Where its result has no exact form (Real), an EvaluationError says so.
+template <class Operation>
+auto exactly(Operation&& operation) -> decltype(operation()) {
+  try {
+    return operation();
+  } catch (const std::domain_error& impossible) {
+    throw EvaluationError(impossible.what());
+  }
+}
+
 /// The truth of a conjunction.
 inline Truth both(Truth a, Truth b) {
   if (a == Truth::no || b == Truth::no) return Truth::no;

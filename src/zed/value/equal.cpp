@@ -41,16 +41,7 @@ Value linear(const Value& a, const Value& b, Operation&& operation) {
 std::uint32_t either(const Line& a, const Line& b) { return known(a) ? b.unknown : a.unknown; }
 bool mixed(const Line& a, const Line& b) { return !known(a) && !known(b) && a.unknown != b.unknown; }
 
-/// From here on the arithmetic of reals may be impossible: see Real.
-template <class Operation>
-Value exactly(Operation&& operation) {
-  try {
-    return operation();
-  } catch (const std::domain_error& impossible) {
-    throw EvaluationError(impossible.what());
-  }
-}
-
+/// The unknown has this value, where what is evaluated must hold and nothing has said its value before.
 Truth determine(std::uint32_t unknown, Value is, Context& context) {
   if (unknown >= context.necessary && !context.values_found[unknown]) context.values_found[unknown] = std::move(is);
   return Truth::open;
@@ -69,16 +60,14 @@ Truth equal_lines(const Line& a, const Line& b, Context& context) {
   if (known(a) && known(b)) return truth(a.constant == b.constant);
   // x = y, both unknown: nothing is found out yet.
   if (mixed(a, b)) return lost(context);
-  try {
+  return exactly([&] {
     const Real square = a.square - b.square;
     if (sign(square) != 0) return watched(b, a, context);
     const Real slope = a.slope - b.slope, constant = b.constant - a.constant;
     if (sign(slope) == 0) return truth(sign(constant) == 0);
     watched(b, a, context);
     return determine(either(a, b), constant / slope, context);
-  } catch (const std::domain_error& impossible) {
-    throw EvaluationError(impossible.what());
-  }
+  });
 }
 
 template <class Parts>

@@ -10,8 +10,6 @@ namespace {
 
 constexpr std::size_t most_listed = 1 << 16;  // sets of functions with more members are known by membership only
 
-bool not_sets(const Value& a) { return !a.set(); }
-
 /// Pairs are sorted by their first parts, so in a function no two neighbours agree in them.
 bool is_function(const std::vector<Value>& pairs) {
   return std::adjacent_find(pairs.begin(), pairs.end(), [](const Value& a, const Value& b) {
@@ -50,8 +48,8 @@ class FunctionSet : public Set {
   const std::vector<Value>* members() const override {
     const auto *from = from_.set()->members(), *to = to_.set()->members();
     if (!from || !to || !listable(from->size(), to->size())) return nullptr;
-    if (!made_) made_ = Value::set(listed(*from, *to));
-    return made_->set()->members();
+    if (!listed_) listed_ = Value::set(listed(*from, *to));
+    return listed_->set()->members();
   }
 
   std::string text() const override {
@@ -119,14 +117,14 @@ class FunctionSet : public Set {
   Value from_, to_;
   Arrow form_;
   std::string symbol_;
-  mutable std::optional<Value> made_;
+  mutable std::optional<Value> listed_;
 };
 
 }  // namespace
 
 Value function_set(Value from, Value to, const Arrow& arrow, std::string_view symbol) {
-  if (not_sets(from)) return from;
-  if (not_sets(to)) return to;
+  if (!from.set()) return from;
+  if (!to.set()) return to;
   return SetPtr(std::make_shared<const FunctionSet>(std::move(from), std::move(to), arrow, symbol));
 }
 

@@ -25,9 +25,6 @@ Value inverse_image(const Value& relation, const Value& set, Context& context);
 
 inline const Value& first(const Value& pair) { return pair.tuple()->parts[0]; }
 inline const Value& second(const Value& pair) { return pair.tuple()->parts[1]; }
-/// It depends on what is not known.
-inline bool waiting(const Value& a) { return a.is_open() || a.get<Unknown>() || a.get<PolynomialPtr>(); }
-
 /// Runs where the arguments have values; else what they lack is lacking in the result.
 template <class Operation>
 Value with(const Value& a, Operation&& operation) {

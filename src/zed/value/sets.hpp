@@ -9,6 +9,9 @@
 
 namespace durero::zed {
 
+/// The order in which the members of a finite set stand.
+inline bool precedes(const Value& a, const Value& b) { return compare(a, b) < 0; }
+
 /// Makes a finite set of members that are sorted, each once.
 Value finite(std::vector<Value> sorted);
 const Value& empty_set();

@@ -57,8 +57,7 @@ Value Value::set(std::vector<Value> members) {
     if (member.is_undefined()) return {};
   }
   if (std::any_of(members.begin(), members.end(), has_open)) return Open{};
-  const auto before = [](const Value& a, const Value& b) { return compare(a, b) < 0; };
-  if (!std::is_sorted(members.begin(), members.end(), before)) std::sort(members.begin(), members.end(), before);
+  if (!std::is_sorted(members.begin(), members.end(), precedes)) std::sort(members.begin(), members.end(), precedes);
   members.erase(std::unique(members.begin(), members.end(), same), members.end());
   return finite(std::move(members));
 }
