@@ -1,5 +1,5 @@
 #pragma once
-/// The one table of the operators and names of the standard toolkit (ISO/IEC 13568, annex B): a row has all that the
+/// One table has the operators and names of the standard toolkit (ISO/IEC 13568, annex B): a row has all that the
 /// program knows of a name, from its spelling to its Coq. Whoever needs a column asks for the row by the name.
 
 #include <cstdint>
@@ -15,7 +15,7 @@ class Value;
 struct Context;
 enum class Truth : std::uint8_t;
 
-/// How the evaluator computes what a name stands for: at most one of these is not null.
+/// Says how the evaluator computes what a name stands for: at most one of these is not null.
 struct Evaluation {
   Value (*constant)() = nullptr;
   Value (*unary)(const Value&, Context&) = nullptr;
@@ -32,12 +32,12 @@ struct Evaluation {
   constexpr bool is_function() const { return unary || binary; }
 };
 
-/// Which relations between two sets are in the set that an arrow such as `⇸` makes.
+/// Says which relations between two sets are in the set that an arrow such as `⇸` makes.
 struct Arrow {
   bool function = true, total = false, injective = false, surjective = false, finite = false;
 };
 
-/// The name in Coq: a function of Toolkit.v, or, with a level, a notation between operands.
+/// The name in Coq is a function of Toolkit.v, or, with a level, a notation between operands.
 struct CoqNotation {
   std::string_view text;       ///< empty where no rule of translation covers the name
   int level = 0;               ///< 0 of a function
@@ -45,7 +45,7 @@ struct CoqNotation {
   std::string_view graph{};    ///< Coq's function of two numbers whose graph the name alone is
 };
 
-/// The role of a name and how tightly it binds; a plain name has no role.
+/// A name has a role and binds more or less tightly; a plain name has no role.
 struct Binding {
   std::optional<Role> role{};
   int precedence = 0;  ///< of infix functions and generics: a greater one binds tighter
@@ -62,15 +62,15 @@ struct OperatorRow {
   std::string_view opposite{};     ///< the relation that holds exactly where this one does not
   std::optional<Arrow> arrow{};    ///< of the sets of relations and functions
 
-  /// The name without its underscores.
+  /// Returns the name without its underscores.
   std::string_view symbol() const;
   std::optional<Fixity> fixity() const;  ///< none of a plain name, nor of `_⦇_⦈`
 };
 
-/// Every row. The order says nothing.
+/// Returns every row. The order says nothing.
 std::span<const OperatorRow> operator_rows();
 
-/// The row of a name, or null.
+/// Returns the row of a name, or null.
 const OperatorRow* operator_row(std::string_view name);
 
 }  // namespace durero::zed

@@ -10,8 +10,8 @@
 namespace durero::zed::coq {
 namespace {
 
-/// What the text describes by what it does, and Coq has by a name of its own. The description is exported as a
-/// statement about any such function, to be proved of this one.
+/// Some functions the text describes by what they do, and Coq has by a name of its own. The description is exported as
+/// a statement about any such function, to be proved of this one.
 const std::unordered_map<std::string, std::string>& witnesses() {
   static const std::unordered_map<std::string, std::string> known = {{"raizcuadrada", "sqrt"}};
   return known;
@@ -21,7 +21,7 @@ bool is_arrow(const Term& set, std::string_view arrow) {
   return set->kind == Kind::reference && set->name.word == arrow && set->children.size() == 2;
 }
 
-/// f(x, y) = E under ∀ x : S; y : T | P, x and y being all the variables in their order.
+/// The equation f(x, y) = E stands under ∀ x : S; y : T | P, where x and y are all the variables in their order.
 struct Equation {
   Name function;
   const SchemaText* text = nullptr;
@@ -52,7 +52,7 @@ std::optional<Equation> equation(const Term& term) {
   return Equation{left->children[0]->name, term->text.get(), argument, body->children[1]};
 }
 
-/// dom f = S: f.
+/// Returns f where the term is dom f = S.
 std::optional<Name> stated_domain(const Term& term) {
   if (!is_equation(term)) return {};
   const Term* of = match::argument_of(term->children[0], "dom");
@@ -60,7 +60,7 @@ std::optional<Name> stated_domain(const Term& term) {
   return (*of)->name;
 }
 
-/// c * n = m: m / n.
+/// Returns m / n where the term is c * n = m.
 std::optional<std::string> solution(const Name& c, const Term& term) {
   if (!is_equation(term) || term->children[1]->kind != Kind::number) return {};
   const Node* factors = match::operands(term->children[0], "_*_");

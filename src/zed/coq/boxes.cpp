@@ -33,7 +33,7 @@ void Writer::schema(const Schema& form) {
   is_plain(form) ? data(form) : operation(form);
 }
 
-/// A field for each declaration x : S that says more than the type of x, and one for each predicate.
+/// Adds a field for each declaration x : S that says more than the type of x, and one for each predicate.
 void Writer::conditions(const std::string& name, const SchemaText& text, const Scope& scope, Fields& to) {
   for (const Declaration& declaration : text.declarations) {
     if (declaration.form != Declaration::Form::typed || says_nothing(declaration.term, in_)) continue;

@@ -1,4 +1,4 @@
-/// Partial applications, and μ, as Coq text: a value that is asked for by the pairs of its function.
+/// Writes partial applications, and μ, as Coq text: a value is asked for by the pairs of its function.
 #include <fmt/format.h>
 
 #include "zed/coq/terms.hpp"
@@ -27,7 +27,8 @@ bool Translator::is_partial(const Node& node, const Scope& scope) const {
   return symbol && symbol->form != Symbol::Form::function;
 }
 
-// The value of a partial application or of a μ: a variable of the frame, or, where y is given, that it is y.
+// The value of a partial application or of a μ is a variable of the frame. Where y is given, the text says that it is
+// y.
 Expr Translator::apply_partial(const Node& node, const Expr* y, Scope& scope, Frame& frame) const {
   std::string in, before;
   Carrier type;

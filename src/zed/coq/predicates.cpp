@@ -9,7 +9,7 @@
 namespace durero::zed::coq {
 namespace {
 
-/// The relation in Coq: `<=`; empty where no rule covers it.
+/// Returns the relation as Coq writes it, `<=`, or nothing where no rule covers it.
 std::string_view symbol_of(const std::string& relation) {
   const OperatorRow* row = operator_row(relation);
   return row ? row->coq.text : std::string_view();
@@ -86,7 +86,8 @@ Expr Translator::quantified(const Node& node, const Scope& scope) const {
           {}};
 }
 
-// a ≤ b < c is one predicate: the values of partial applications are those of all of it. `denied`: a = b as a ≠ b.
+// a ≤ b < c is one predicate: the values of partial applications are those of all of it. Where it is `denied`, a = b is
+// written as a ≠ b.
 Expr Translator::relation(const Node& node, Scope& scope, Frame& frame, bool denied) const {
   std::vector<Expr> operands, parts;
   for (std::size_t i = 0; i + 1 < node.children.size(); ++i) operands.push_back(term(node.children[i], scope, frame));
@@ -126,7 +127,7 @@ Expr Translator::one_relation(const Name& by, const Term& left, const Term& righ
   const bool sets = is_set(left);
   if (word == "_≠_" && sets) return {"~ " + against(operator_row("_=_")->coq.of_sets).at(applied), negated, {}};
   if (word == "_∈_" && whole(right)) {
-    // to be in a whole type is to have a value
+    // To be in a whole type is to have a value.
     const std::string c = fresh("c", scope);
     return {fmt::format("exists {} : {}, {} = {}", c, carrier(right).text(), c, a.at(related - 1)), binder, {}};
   }
@@ -182,8 +183,8 @@ Expr Translator::is_value(const Expr& y, const Term& value, const Scope& scope) 
                 {fmt::format("{} {} {}", y.text, is_set(value) ? "≡" : "=", right.at(related - 1)), related, {}});
 }
 
-// The condition holds and the first is meant, or it does not and the second is. The values of partial applications in
-// the condition are known in both.
+// Either the condition holds and the first is meant, or it does not and the second is. The values of partial
+// applications in the condition are known in both.
 Expr Translator::conditional(const Node& node, const Scope& scope,
                              const std::function<Expr(const Term&, const Scope&)>& leaf) const {
   Scope inside = scope;

@@ -38,7 +38,8 @@ void Translator::declare(const Slot& slot, Scope& scope) const {
                                                                             applied, part.type};
 }
 
-// Whether a variable of this name would hide what is written under it: another variable, a component, a word of Coq.
+// Says whether a variable of this name would hide what is written under it: another variable, a component, a word of
+// Coq.
 bool Translator::taken(const std::string& variable, const Scope& scope) const {
   static const std::set<std::string> words = {"s",    "s'",    "R",       "Z",     "sqrt",  "set",  "rel",    "univ",
                                               "dom",  "ran",   "inverse", "image", "ndres", "dres", "graph",  "is_mu",

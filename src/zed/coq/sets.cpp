@@ -1,4 +1,4 @@
-// Sets as predicates: comprehensions, unions, and the types that carry them.
+// Writes sets as predicates: comprehensions, unions, and the types that carry them.
 #include <fmt/format.h>
 
 #include "durero/zed/syntax/defect.hpp"
@@ -6,7 +6,7 @@
 
 namespace durero::zed::coq {
 
-// ⋃ { i : I | P • S }: the union of S over those i.
+// ⋃ { i : I | P • S } is the union of S over those i.
 Expr Translator::generalized_union(const Term& family, Scope& scope, Frame&) const {
   if (family->kind != Kind::comprehension || family->children.empty()) uncovered(family->place, "this ⋃");
   Scope inside = scope;
@@ -23,7 +23,7 @@ Expr Translator::generalized_union(const Term& family, Scope& scope, Frame&) con
   return {fmt::format("⋃[{}] (fun {} => {})", over.text, index, value.text), plus, value.type};
 }
 
-// { x : S | P } == fun x => x ∈ S /\ P;   { D | P • E } == fun y => exists D, P /\ y = E
+// { x : S | P } is written fun x => x ∈ S /\ P, and { D | P • E } is written fun y => exists D, P /\ y = E.
 Expr Translator::comprehension(const Node& node, const Scope& scope) const {
   Scope inside = scope;
   const Signature slots = declare(*node.text, inside);

@@ -1,4 +1,4 @@
-/// Coq text put together: connectives, binders and identifiers.
+/// Puts Coq text together: connectives, binders and identifiers.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ Expr joined(const std::vector<Expr>& parts, std::string_view by, int level, cons
   Expr out{"", level, {}};
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const bool last = i + 1 == parts.size();
-    // a quantifier at the end takes in nothing that it should not
+    // A quantifier at the end takes in nothing that it should not.
     const bool open = last && parts[i].level == binder;
     out.text +=
         (i == 0 ? "" : fmt::format(" {} ", by)) + (open ? parts[i].text : parts[i].at(last ? level : level - 1));

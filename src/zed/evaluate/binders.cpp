@@ -1,4 +1,4 @@
-/// Expressions that bind variables, to code: let, { }, λ, μ, and a schema as the set that it is.
+/// Compiles expressions that bind variables: let, { }, λ, μ, and a schema as the set that it is.
 
 #include "zed/evaluate/compiler.hpp"
 #include "zed/evaluate/describe.hpp"

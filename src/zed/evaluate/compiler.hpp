@@ -13,7 +13,7 @@ namespace durero::zed {
 
 struct OperatorRow;
 
-/// The layout of one frame. It grows while code is compiled for it.
+/// A unit is the layout of one frame. It grows while code is compiled for it.
 struct Unit {
   unsigned next = 0, size = 0;
 };
@@ -31,21 +31,21 @@ struct Scope {
   std::unordered_map<Name, Local> names{};
   /// A binding of a whole schema that is at hand has a slot: the text of S, for `θ S`, leads to it.
   std::map<std::string, unsigned> thetas{};
-  /// The scope in which the sets of a schema's declarations are resolved, as a text binds its names in its predicates
-  /// and not in its own declarations. Null means this one.
+  /// This is the scope in which the sets of a schema's declarations are resolved, as a text binds its names in its
+  /// predicates and not in its own declarations. Null means the scope itself.
   const Scope* declarations = nullptr;
 
   const Scope& of_declarations() const { return declarations ? *declarations : *this; }
 };
 
-/// A part of the characteristic tuple of a schema text: a variable, or the binding of an included schema.
+/// A group is a part of the characteristic tuple of a schema text: a variable, or the binding of an included schema.
 struct Group {
   unsigned slot = 0;
   Signature names;                   ///< the names of a binding; null for a variable
   std::vector<unsigned> components;  ///< the slot of each of these names
 };
 
-/// A schema text compiled as the head of a comprehension, a λ, a μ or a quantifier.
+/// A head is a schema text compiled for a comprehension, a λ, a μ or a quantifier.
 struct Head {
   std::shared_ptr<const Search> search;
   std::vector<Group> groups;
@@ -58,7 +58,7 @@ Value characteristic(const Frame& frame, const std::vector<Group>& groups);
 /// Makes the characteristic tuple with every part unknown.
 Value unknown_characteristic(Frame& frame, const Head& head);
 
-/// The values that a let gives its names, each with the slot of its name.
+/// These are the values that a let gives its names, each with the slot of its name.
 struct LetValues {
   std::vector<std::pair<unsigned, Code>> slots_and_values;
   void give(Frame& frame) const;
@@ -82,7 +82,7 @@ class Compiler {
   Definitions& definitions() { return definitions_; }
 
  private:
-  // Expressions (expressions.cpp).
+  // Expressions are compiled in expressions.cpp, names.cpp and binders.cpp.
   Code name(const Node& node, const Scope& scope);
   Code toolkit(const Node& node, const Scope& scope);
   Code set_expression(const Node& node, const OperatorRow& row, const Scope& scope);
@@ -100,7 +100,7 @@ class Compiler {
   Code schema_set(const Term& term, const Scope& scope);
   Code compiled(const Term& term, const Scope& scope);
 
-  // Predicates and schemas (predicates.cpp, schemas.cpp).
+  // Predicates and schemas are compiled in predicates.cpp, schemas.cpp and heads.cpp.
   Property relation(const Term& term, const Scope& scope);
   Property let_predicate(const Term& term, const Scope& scope);
   Property quantified(const Term& term, const Scope& scope);
@@ -119,7 +119,7 @@ class Compiler {
   Property inclusion(const Declaration& included, unsigned whole, const Scope& scope, const Scope& inner);
   void equations(const Node& relation, const Scope& scope, Property& into);
 
-  // Axiomatic definitions (axiomatic.cpp).
+  // Paragraphs are compiled in axiomatic.cpp.
   Value axiomatic(const Meaning& global, Context& context);
   Value schema_value(const Meaning& global, Context& context);
   Value constructor_arguments(const Meaning& global, Context& context);
@@ -135,7 +135,7 @@ class Compiler {
   std::string strokes_;          // the strokes of the decorations around what is being compiled
 };
 
-/// Slots for a scope, given back at its end.
+/// Takes slots for a scope, and gives them back at its end.
 class Slots {
  public:
   explicit Slots(Unit& unit) : unit_(unit), before_(unit.next) {}
@@ -153,7 +153,7 @@ class Slots {
   unsigned before_;
 };
 
-/// An error at a place of the text.
+/// Throws an EvaluationError that names the place in the text.
 [[noreturn]] void cannot(const Node& node, const std::string& what);
 
 }  // namespace durero::zed

@@ -1,5 +1,5 @@
 #pragma once
-/// What the names of a specification stand for.
+/// The definitions say what the names of a specification stand for.
 
 #include <optional>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace durero::zed {
 
-/// A name that a paragraph declares. Its value is computed when it is first asked for.
+/// A meaning is that of a name that a paragraph declares. Its value is computed when it is first asked for.
 struct Meaning {
   enum class Kind { given, free_type, constant, constructor, definition, axiomatic, schema };
   Kind kind = Kind::given;

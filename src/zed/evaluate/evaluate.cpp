@@ -55,8 +55,6 @@ Frame frame_of(const Given& locals, const Unit& unit, Context& context) {
   return frame;
 }
 
-// Findings.
-
 Finding finding(const Property& property, Truth here) {
   Finding finding{property.label, property.text, property.strokes, {}, here};
   if (property.term) finding.place = property.term->place;
@@ -69,7 +67,8 @@ long count(const std::vector<Finding>& all, Truth truth) {
   return std::count_if(all.begin(), all.end(), [&](const Finding& finding) { return finding.truth == truth; });
 }
 
-/// Of the sides of a disjunction the one that explains it best: the fewest false conjuncts, then the fewest open.
+/// Returns the findings of the side of a disjunction that explains it best: it has the fewest false conjuncts, then the
+/// fewest open.
 std::vector<Finding> best_side(const Property& property, Frame& frame) {
   std::vector<Finding> best;
   for (std::size_t i = 0; i < property.parts.size(); ++i) {

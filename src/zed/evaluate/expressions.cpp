@@ -1,4 +1,4 @@
-/// Expressions to code.
+/// Compiles expressions.
 
 #include <algorithm>
 
@@ -17,8 +17,8 @@ void cannot(const Node& node, const std::string& what) {
                         std::to_string(node.place.column));
 }
 
-// A value that depends on no slot around it is made once. The compiler owns it: the code of a function may stand for
-// a value that holds the function, `dom f` in the definition of f, and neither would ever be freed.
+// A value that depends on no slot around it is computed once. The compiler owns it: the code of a function may stand
+// for a value that holds the function, `dom f` in the definition of f, and neither would ever be freed.
 Code Compiler::expression(const Term& term, const Scope& scope) {
   const std::size_t before = reads_.size();
   const unsigned base = scope.unit->next;

@@ -1,4 +1,4 @@
-/// Heads of comprehensions and quantifiers: the variables of a schema text, and the tuple that they make.
+/// Compiles heads of comprehensions and quantifiers: the variables of a schema text, and the tuple that they make.
 
 #include <algorithm>
 
@@ -61,8 +61,8 @@ Value unknown_characteristic(Frame& frame, const Head& head) {
   });
 }
 
-/// The property of an included schema, whose binding is in the slot `whole`. It knows its own components, and none of
-/// the variables beside it.
+/// Compiles an included schema, whose binding is in the slot `whole`. It knows its own components, and none of the
+/// variables beside it.
 Property Compiler::inclusion(const Declaration& included, unsigned whole, const Scope& scope, const Scope& inner) {
   Scope own{.outer = &scope, .unit = scope.unit, .thetas = inner.thetas, .declarations = &scope};
   for (const Name& name : zed::components(included, definitions_)) own.names[name] = inner.names.at(name);

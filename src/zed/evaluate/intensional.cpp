@@ -55,7 +55,7 @@ class Comprehension : public Set {
   mutable std::optional<bool> total_;
 };
 
-/// The value at an argument that the head admits; undefined at others.
+/// Returns the value at an argument that the head admits; undefined at others.
 Value applied(const Closure& closure, const Value& argument, Context& context, Truth* admitted) {
   Frame frame = closure.frame(context);
   assign(frame, closure.head.groups, argument);

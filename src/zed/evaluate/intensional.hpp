@@ -1,11 +1,11 @@
 #pragma once
-/// Sets and functions that are known by what their members satisfy: comprehensions and λ with their environment.
+/// Sets and functions may be known by what their members satisfy: comprehensions and λ with their environment.
 
 #include "zed/evaluate/compiler.hpp"
 
 namespace durero::zed {
 
-/// A compiled head and term, with the values that the slots around them had.
+/// A closure is a compiled head and term, with the values that the slots around them had.
 struct Closure {
   std::shared_ptr<const Unit> unit;
   std::vector<Value> captured;
@@ -24,7 +24,8 @@ Value intensional_set(Closure closure);
 /// Makes the function λ D | P • E.
 Value lambda_function(Closure closure);
 
-/// A function that an axiomatic box describes: the first clause whose head the argument satisfies gives its value.
+/// These clauses are what an axiomatic box says of a function: the first one whose head the argument satisfies gives
+/// its value.
 struct Clauses {
   std::vector<Closure> clauses;
   std::optional<Value> domain;  ///< the domain, where the box states it

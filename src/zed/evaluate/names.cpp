@@ -1,4 +1,4 @@
-/// Names to code: the names in scope, what paragraphs declare, and the toolkit.
+/// Compiles names: those in scope, what paragraphs declare, and the toolkit's.
 
 #include "zed/evaluate/compiler.hpp"
 #include "zed/operators.hpp"
@@ -68,7 +68,7 @@ Code Compiler::toolkit(const Node& node, const Scope& scope) {
   cannot(node, "the evaluator knows no " + node.name.text());
 }
 
-/// A generic operator with its actuals: `𝔽 S`, `A ⇸ B`.
+/// Compiles a generic operator with its actuals: `𝔽 S`, `A ⇸ B`.
 Code Compiler::set_expression(const Node& node, const OperatorRow& row, const Scope& scope) {
   if (row.arrow && node.children.size() == 2)
     return [from = expression(node.children[0], scope), to = expression(node.children[1], scope), &row](Frame& frame) {

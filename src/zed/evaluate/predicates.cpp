@@ -1,4 +1,4 @@
-/// Predicates to properties.
+/// Compiles predicates to properties.
 
 #include <algorithm>
 
@@ -17,7 +17,7 @@ Truth negated(const Property& property, Frame& frame) {
   return !evaluate(property, frame);
 }
 
-/// p ⇒ q, which is ¬ p ∨ q. What q says must hold only where p does.
+/// p ⇒ q is ¬ p ∨ q. What q says must hold only where p does.
 Truth implied(const Property& left, const Property& right, Frame& frame) {
   const Truth not_left = negated(left, frame);
   if (not_left == Truth::yes) return not_left;
@@ -32,7 +32,7 @@ Truth equivalent(const Property& left, const Property& right, Frame& frame) {
   return a == Truth::open || b == Truth::open ? Truth::open : truth(a == b);
 }
 
-/// a ≤ b < c: each relation holds between the operands beside it.
+/// In a ≤ b < c each relation holds between the operands beside it.
 Truth chained(const std::vector<Code>& operands, const std::vector<ToolkitRelation>& relations, Frame& frame) {
   Truth result = Truth::yes;
   Value left = operands[0](frame);
@@ -45,7 +45,7 @@ Truth chained(const std::vector<Code>& operands, const std::vector<ToolkitRelati
   return result;
 }
 
-/// Not every way to satisfy the head satisfies the body: it is looked for one that does not.
+/// A ∀ is false where some way to satisfy the head does not satisfy the body: such a way is looked for.
 Truth for_all(const Search& search, const Property& body, Frame& frame) {
   const Necessary not_here(frame.context, false);
   Truth result = Truth::yes;

@@ -1,4 +1,4 @@
-/// Predicates, compiled: their truth, and what their conjuncts state.
+/// Evaluates compiled predicates, and tells what their conjuncts state.
 
 #include "zed/evaluate/search.hpp"
 

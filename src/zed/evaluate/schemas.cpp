@@ -1,4 +1,4 @@
-/// Schemas in the place of predicates: their components are the names of the scope around them.
+/// Compiles schemas in the place of predicates: their components are the names of the scope around them.
 
 #include <algorithm>
 #include <utility>
@@ -105,7 +105,7 @@ Property Compiler::schema(const Term& term, const Scope& scope) {
   }
 }
 
-/// S ' and S[new/old]: a component of S is the name outside that the stroke or the renaming gives it.
+/// In S ' and S[new/old] a component of S is the name outside that the stroke or the renaming gives it.
 Property Compiler::renamed(const Node& node, const Scope& scope) {
   std::vector<std::pair<Name, Name>> names;
   for (const Name& name : components(node.children[0], definitions_).value_or(Components{})) {
@@ -119,7 +119,7 @@ Property Compiler::renamed(const Node& node, const Scope& scope) {
   return mapped(node.children[0], scope, names);
 }
 
-/// S ↾ T is S and T without the components that only S has.
+/// S ⨡ T is S and T without the components that only S has.
 Property Compiler::projection(const Node& node, const Scope& scope) {
   const auto kept = components(node.children[1], definitions_).value_or(Components{});
   auto gone = components(node.children[0], definitions_).value_or(Components{});
@@ -198,7 +198,7 @@ Property Compiler::hidden(const Components& names, const Scope& scope,
   return exists_property(std::move(variables), inside(inner));
 }
 
-// What S leaves under a stroke is what T takes: S ⨟ T and S ≫ T.
+// In S ⨟ T and S ⨠ T, what S leaves under a stroke is what T takes.
 Property Compiler::joined_schemas(const Node& node, const std::string& stroke, const std::string& to_stroke,
                                   const Scope& scope) {
   const Term &left = node.children[0], &right = node.children[1];

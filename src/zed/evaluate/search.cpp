@@ -46,8 +46,8 @@ std::vector<std::size_t> ordered(std::vector<Variable>& variables, const std::ve
   return order;
 }
 
-/// A set that has the slot's value among its members wherever the property holds; null where none is stated. A set
-/// that depends on a slot of `inside`, the variables of an ∃ further in, is none.
+/// Returns a set that has the slot's value among its members wherever the property holds; null where none is stated. A
+/// set that depends on a slot of `inside`, the variables of an ∃ further in, does not count.
 Code set_of(const Property& property, unsigned slot, const std::vector<unsigned>& inside);
 
 Code set_of_any(const Property& property, unsigned slot, const std::vector<unsigned>& inside) {
@@ -150,7 +150,7 @@ void Search::determine(Frame& frame) const {
   for (const std::size_t i : order_) frame.slots[variables_[i].slot] = variables_[i].value(frame);
 }
 
-/// One call of each(): where it is in the nest of finite sets.
+/// A run is one call of each(), and knows where it is in the nest of finite sets.
 struct Search::Run {
   const Search& search;
   Frame& frame;

@@ -1,5 +1,5 @@
 #pragma once
-/// What predicates are compiled to, and the search for values of quantified variables.
+/// Predicates are compiled to properties, and a search finds values of quantified variables.
 
 #include <memory>
 #include <string>
@@ -11,14 +11,15 @@ namespace durero::zed {
 
 class Search;
 
-/// `x = e` among the conjuncts of a predicate: it determines x wherever it must hold and e does not depend on x.
+/// An equation is `x = e` among the conjuncts of a predicate: it determines x wherever it must hold and e does not
+/// depend on x.
 struct Equation {
   unsigned slot = 0;
   Code value;
   std::vector<unsigned> reads;  ///< the slots that the value depends on
 };
 
-/// A compiled predicate. A declaration `x : S` is one too: `x ∈ S`.
+/// A property is a compiled predicate. A declaration `x : S` is one too: `x ∈ S`.
 struct Property {
   enum class Kind { all, any, exists, test };
   Kind kind = Kind::all;
@@ -35,7 +36,7 @@ struct Property {
   std::optional<unsigned> whole{};
   const void* schema = nullptr;
 
-  // Where the property comes from, for findings.
+  // These say where the property comes from, for findings.
   std::string label;
   Term term;            ///< null for what is not written as a predicate of its own
   std::string strokes;  ///< those of the state that it speaks of: `'` under Escena '
@@ -47,7 +48,7 @@ Property test_of(Test test, Term term = {});
 
 Truth evaluate(const Property& property, Frame& frame);
 
-/// A variable that a search looks for.
+/// A search looks for the values of variables.
 struct Variable {
   std::string name;
   unsigned slot = 0;
@@ -61,8 +62,8 @@ struct Variable {
 /// unknown while the goal is evaluated, and the equations that the evaluation meets determine it (`equal`).
 class Search {
  public:
-  /// Finds the equations in the goal.
-  /// `wholes` are the slots of bindings of whole schemas, which are empty while their components are looked for.
+  /// Finds the equations in the goal. `wholes` are the slots of bindings of whole schemas, which are empty while their
+  /// components are looked for.
   Search(std::vector<Variable> variables, Property goal, std::vector<unsigned> wholes = {});
 
   using Visit = std::function<bool(Frame&)>;  ///< false to stop
@@ -72,13 +73,13 @@ class Search {
   Truth each(Frame& frame, const Visit& visit, const Test& extra = {}) const;
   Truth exists(Frame& frame, const Test& extra = {}) const { return each(frame, {}, extra); }
 
-  /// Whether, with the values in the variables' slots, every variable is in its set and the goal holds.
+  /// Says whether, with the values in the variables' slots, every variable is in its set and the goal holds.
   Truth holds(Frame& frame) const;
-  /// True where every variable is determined or in a finite set, so that each() enumerates.
+  /// Says whether every variable is determined or in a finite set, so that each() enumerates.
   bool enumerable(Frame& frame) const;
-  /// True where every value of the variables' types makes the goal hold.
+  /// Says whether every value of the variables' types makes the goal hold.
   bool total(Frame& frame) const;
-  /// Sets the determined variables, where their equations give them a value.
+  /// Says whether equations give every variable its value, so that determine() sets them all.
   bool determined() const { return order_.size() == variables_.size(); }
   void determine(Frame& frame) const;
 
@@ -93,10 +94,10 @@ class Search {
   std::vector<unsigned> wholes_;
 };
 
-/// Every equation, and every declared set, among the conjuncts of a property.
+/// Adds every equation, and every declared set, among the conjuncts of a property.
 void collect(const Property& property, std::vector<const Equation*>& equations, std::vector<const Property*>& declared);
 
-/// ∃ variables • property, distributed over ∨, so that each side may determine them by its own equations.
+/// Makes ∃ variables • property, distributed over ∨, so that each side may determine them by its own equations.
 Property exists_property(std::vector<Variable> variables, Property property);
 
 }  // namespace durero::zed

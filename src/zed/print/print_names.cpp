@@ -1,4 +1,4 @@
-/// The printer of names and symbols, and how each is spelled in the mark-up.
+/// Prints names and symbols, each as it is spelled in the mark-up.
 
 #include "durero/text/utf8.hpp"
 #include "zed/print/printer.hpp"

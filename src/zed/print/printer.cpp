@@ -119,13 +119,13 @@ void Printer::theta(const Node& node) {
   if (!node.name.strokes.empty()) decoration(node.name.strokes);
 }
 
-/// Strokes of a schema: without the space before them they would be part of its name.
+/// The strokes of a schema have a space before them, without which they would be part of its name.
 void Printer::decoration(const std::string& strokes) {
   out_ += latex_ ? '~' : ' ';
   name({"", strokes});
 }
 
-/// What stands behind a primary: selections, decoration, renaming, hiding.
+/// Prints what stands behind a primary: selections, decoration, renaming, hiding.
 void Printer::suffixed(const Node& node) {
   const Term& of = node.children[0];
   if (node.kind == Kind::hiding) {

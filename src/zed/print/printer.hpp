@@ -1,6 +1,6 @@
 #pragma once
-/// The printer of terms and schema texts, for print.cpp. What operators make is printed in print_operations.cpp, and
-/// names and symbols are in print_names.cpp.
+/// The printer prints terms and schema texts, for print.cpp. What operators make is printed in print_operations.cpp,
+/// and names and symbols are in print_names.cpp.
 
 #include <map>
 #include <string>

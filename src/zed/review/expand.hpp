@@ -12,7 +12,7 @@
 
 namespace durero::zed {
 
-/// A schema written out.
+/// An expansion is a schema written out.
 struct Expansion {
   std::vector<std::pair<Name, Term>> declared;  ///< its components and their sets, where it declares them by `:`
   std::vector<Term> facts;                      ///< its predicates, conjunctions split
@@ -27,14 +27,14 @@ class Expander {
   Expansion schema(const Term& term) const;
   Expansion text(const SchemaText& text) const;
 
-  /// The components of a schema, by its name.
+  /// Returns the components of a schema, by its name.
   std::set<Name> components(const Name& schema) const;
 
-  /// The constants of the free type that this one belongs to; none if it is not a constant, or its type has
+  /// Returns the constants of the free type that this one belongs to; none if it is not a constant, or its type has
   /// constructors.
   std::set<Name> siblings(const Name& constant) const;
 
-  /// What the axiomatic boxes declare and state.
+  /// Returns what the axiomatic boxes declare and state.
   const Expansion& axioms() const { return axioms_; }
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// The classes of ASCII characters that words and their strokes are made of.
+/// Words and their strokes are made of these classes of ASCII characters.
 
 namespace durero::zed {
 

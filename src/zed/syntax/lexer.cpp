@@ -1,4 +1,4 @@
-/// What the lexers of the two mark-ups share: which tokens a line break separates, and labels.
+/// The lexers of the two mark-ups share what is here: which tokens a line break separates, and labels.
 
 #include "zed/syntax/connectives.hpp"
 #include "zed/syntax/lexer_base.hpp"
@@ -18,7 +18,7 @@ bool ends(const Token& token) {
 
 namespace {
 
-/// A sign that stands before all of its operands.
+/// Says whether a sign stands before all of its operands.
 bool leads(std::string_view sign) {
   const auto is_sign = [sign](const auto& row) { return row.symbol == sign; };
   return sign == "θ" || sign == "if" || sign == "⊢?" ||

@@ -1,5 +1,5 @@
 #pragma once
-/// What the lexers of the two mark-ups share.
+/// The lexers of the two mark-ups share what is here.
 
 #include <algorithm>
 #include <array>
@@ -25,22 +25,23 @@ inline constexpr std::array<std::string_view, 6> closing = {")", "]", "}", "⟩"
 inline constexpr std::array<std::string_view, 5> opening = {"(", "[", "{", "⟨", "⦉"};
 inline constexpr std::array<std::string_view, 10> digits = {"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
 
-/// A word that is a name, and no keyword or operator.
+/// Says whether a word is a name, and no keyword or operator, so that strokes behind it are its own.
 bool bears_strokes(std::string_view word);
 
-/// In bytes. Each stroke may be a decoration of a schema, and is looked up as one: two are many.
+/// A name has no more bytes of strokes than these. Each stroke may be a decoration of a schema, and is looked up as
+/// one: two are many.
 inline constexpr std::size_t max_strokes = 30;
 
-/// Can a predicate, expression or declaration end with this token?
+/// Says whether a predicate, expression or declaration can end with this token.
 bool ends(const Token& token);
 
-/// Can one begin with it? An infix `-` is taken to go on with the line before.
+/// Says whether one can begin with it. An infix `-` is taken to go on with the line before.
 bool begins(const Token& token);
 
-/// `SCHEMA.KIND.NUMBER` and nothing else, but spaces around; or nothing.
+/// Returns the label of a comment that is `SCHEMA.KIND.NUMBER` and nothing else, but for spaces around; or nothing.
 std::string label_in(std::string_view comment);
 
-/// What the two mark-ups share: a walk that knows its place, and tokens with the newlines that count.
+/// A lexer walks over a text and knows its place, and keeps the tokens with the newlines that count.
 class Lexer {
  protected:
   Lexer(std::string_view text, Place place) : text_(text), place_(place) {}
@@ -77,7 +78,7 @@ class Lexer {
     behind_ = place_;
   }
 
-  /// A word or symbol by its Unicode text.
+  /// Emits a word or symbol by its Unicode text.
   void emit(std::string_view text, Place place) {
     const bool word = is_symbol_name(text) || is_reserved(text) || is_letter(text[0]) || is_letter_symbol(text);
     emit(word ? Type::word : Type::symbol, std::string(text), place);
@@ -94,7 +95,7 @@ class Lexer {
     emit(Type::numeral, std::move(number), place);
   }
 
-  /// `::=`, `==` or one ASCII character; none where it means nothing in Z.
+  /// Returns `::=`, `==` or one ASCII character, whichever is here; nothing where it means nothing in Z.
   std::string_view ascii_symbol() const {
     for (const std::string_view longer : {"::=", "=="})
       if (sees(longer)) return longer;
@@ -113,7 +114,7 @@ class Lexer {
     take(line.size());
   }
 
-  /// True where what was read last can be the left operand of an infix operator.
+  /// Says whether what was read last can be the left operand of an infix operator.
   bool continues() const { return !tokens_.empty() && ends(tokens_.back()); }
 
   /// Calls `token`, which takes what the next token is made of, to the end of the text, and gives the tokens.

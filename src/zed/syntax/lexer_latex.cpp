@@ -53,7 +53,7 @@ class Latex : Lexer {
     tokens_.back().only_infix = symbol == "-";
   }
 
-  /// One stroke, of which the first character is here.
+  /// Takes one stroke, of which the first character is here.
   std::string stroke() {
     const Place place = place_;
     if (is_stroke(here())) return std::string(take());
@@ -69,8 +69,8 @@ class Latex : Lexer {
     return std::string(digit);
   }
 
-  /// Takes the blanks here where what stands behind them goes on the word or numeral before them: in this mark-up a
-  /// blank is no space (ISO/IEC 13568, A.2), so that `f a` is the name fa. What separates is `~`, or a command.
+  /// Takes the blanks here where what stands behind them goes on the word or numeral before them. In this mark-up a
+  /// blank is no space (ISO/IEC 13568, A.2), so that `f a` is the name fa; `~` or a command separates.
   template <class GoesOn>
   bool over_blanks(GoesOn goes_on) {
     const std::size_t at = at_;
@@ -94,7 +94,7 @@ class Latex : Lexer {
     return strokes_behind(word, sees_stroke, [this] { return stroke(); });
   }
 
-  /// The letters of a word, `begun` with those already taken.
+  /// Takes the letters of a word; `begun` has those that are taken already.
   void word(std::string begun, Place place) {
     while (over_blanks([&] { return more_of_word(begun); })) {
     }

@@ -34,7 +34,7 @@ class Unicode : Lexer {
     }
   }
 
-  /// `12`, or `0.25`; in `t.1.2` the second point selects.
+  /// Takes `12`, or `0.25`; in `t.1.2` the second point selects.
   void number() {
     const bool selects = !tokens_.empty() && tokens_.back().is(".");
     numeral();
@@ -44,7 +44,7 @@ class Unicode : Lexer {
     behind_ = place_;
   }
 
-  /// `"a-b"`: a name of letters, digits and `_ . : -`; its word keeps the quotation marks.
+  /// Takes `"a-b"`, a name of letters, digits and `_ . : -`; its word keeps the quotation marks.
   void quoted() {
     const Place place = place_;
     std::string name(take());
@@ -67,7 +67,8 @@ class Unicode : Lexer {
 
   std::string stroke() { return character() == "′" ? (take(), "'") : std::string(take()); }
 
-  /// A letter of no symbol: outside ASCII, whatever this reader does not know as a symbol.
+  /// Says whether a letter is here that is no symbol: outside ASCII, that is whatever this reader does not know as a
+  /// symbol.
   bool is_word_character() const {
     const std::string_view c = character();
     if (c.size() < 2 || sees_stroke()) return false;  // ASCII, or a byte that is no character

@@ -18,7 +18,7 @@ class ParagraphParser {
 
   std::vector<ZError> mended;
 
-  /// The paragraphs of a `zed` environment, one a line.
+  /// Parses the paragraphs of a `zed` environment, which are one a line.
   std::vector<Paragraph> lines() {
     std::vector<Paragraph> paragraphs;
     do {
@@ -134,7 +134,7 @@ class ParagraphParser {
     return type;
   }
 
-  /// [X, Y], if it stands here.
+  /// Takes the formals [X, Y], if they stand here.
   std::vector<Name> formals() {
     if (!in_.sees("[") || !TokenStream::is_name(in_.peek(1)) || !(in_.peek(2).is(",") || in_.peek(2).is("]")))
       return {};

@@ -16,7 +16,8 @@
 namespace durero::zed {
 namespace {
 
-/// The text of a file, or nothing where it cannot be read. A byte more than the limit tells that it is too large.
+/// Returns the text of a file, or nothing where it cannot be read. A byte more than the limit tells that it is too
+/// large.
 std::optional<std::string> on_disk(const std::string& file) {
   try {
     return text::read_file(file, max_bytes + 1);
@@ -27,7 +28,7 @@ std::optional<std::string> on_disk(const std::string& file) {
 
 class Reader {
  public:
-  /// `texts`: by name of file, instead of files on disk.
+  /// Reads `texts`, by name of file, instead of files on disk.
   explicit Reader(std::map<std::string, std::optional<std::string>> texts = {}) : texts_(std::move(texts)) {}
 
   /// Tells where the sections of a file are, without reading them.
@@ -83,7 +84,7 @@ class Reader {
   }
 
  private:
-  /// The text of a file, which is read once; nothing where it cannot be read.
+  /// Returns the text of a file, which is read once; nothing where it cannot be read.
   const std::optional<std::string>& contents(const std::string& file) {
     if (const auto known = texts_.find(file); known != texts_.end()) return known->second;
     return texts_.emplace(file, on_disk(file)).first->second;
@@ -110,8 +111,8 @@ class Reader {
     mine.insert(theirs.begin(), theirs.end());
   }
 
-  /// A section that was begun and has not ended is an ancestor of itself; one whose file was begun stands behind its
-  /// child there.
+  /// Says why a parent is missing: a section that was begun and has not ended is an ancestor of itself, and one whose
+  /// file was begun stands behind its child there.
   [[noreturn]] void no_parent(const std::string& parent, Place place) const {
     if (started_.contains(parent))
       throw ZError(place, "the parents go in a cycle, back to " + parent,

@@ -35,7 +35,8 @@ struct Cursor {
   std::string_view rest_of_line() const { return text.substr(at, text.find('\n', at) - at); }
 };
 
-/// `%%Zchar \real U+211D`, `%%Zword \foo foo` and their kin for the spacing around (which the lexer does not need).
+/// Reads `%%Zchar \real U+211D`, `%%Zword \foo foo` and their kin for the spacing around (which the lexer does not
+/// need).
 void directive(std::string_view line, Place place, Markup& into) {
   std::istringstream words{std::string(line.substr(3))};
   std::string kind, command, meaning, more;

@@ -1,5 +1,5 @@
 #pragma once
-/// A Z text in LaTeX mark-up, cut into its formal paragraphs; the prose between them is skipped.
+/// A Z text in LaTeX mark-up is cut into its formal paragraphs; the prose between them is skipped.
 
 #include <string>
 #include <string_view>
@@ -11,7 +11,7 @@
 
 namespace durero::zed {
 
-/// A formal paragraph, as text: what stands between `\begin{environment}` and `\end{environment}`.
+/// A block is a formal paragraph, as text: what stands between `\begin{environment}` and `\end{environment}`.
 struct Block {
   std::string environment;  ///< zsection, zed, axdef, gendef or schema
   std::string_view body;    ///< into the text given to cut()

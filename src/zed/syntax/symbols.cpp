@@ -15,8 +15,8 @@ struct Spelling {
   std::string_view command, unicode;
 };
 
-// The commands of ISO/IEC 13568, A.2, for what is no operator: letters, brackets, connectives and keywords. The
-// commands of operators stand in their rows (operators.hpp).
+// These are the commands of ISO/IEC 13568, A.2, for what is no operator: letters, brackets, connectives and keywords.
+// The commands of operators stand in their rows (operators.hpp).
 constexpr Spelling spellings[] = {
     {"power", "ℙ"},
     {"Delta", "Δ"},
@@ -83,7 +83,7 @@ void each_spelling(Visit&& visit) {
   for (const Spelling& spelling : spellings) visit(spelling.command, spelling.unicode);
 }
 
-/// The operators, from their rows.
+/// Returns the operators, from their rows.
 const std::vector<Operator>& operators() {
   static const auto table = [] {
     std::vector<Operator> with_role;

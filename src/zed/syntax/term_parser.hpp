@@ -1,5 +1,5 @@
 #pragma once
-/// The parser of expressions, schema expressions, predicates and schema texts.
+/// Parses expressions, schema expressions, predicates and schema texts.
 
 #include "durero/zed/syntax/parser.hpp"
 #include "zed/syntax/connectives.hpp"
@@ -11,11 +11,11 @@ class TermParser {
  public:
   explicit TermParser(TokenStream& in) : in_(in) {}
 
-  /// A term in which every operator binds at least as tightly as `least`.
+  /// Parses a term in which every operator binds at least as tightly as `least`.
   Term term(int least = binding::weakest);
 
-  /// Declarations, then predicates behind a `|`, if any; stops before what cannot belong to it.
-  /// `labelled`: each predicate keeps its label (in a box).
+  /// Parses declarations, then predicates behind a `|`, if any, and stops before what cannot belong to it. Where it is
+  /// `labelled`, in a box, each predicate keeps its label.
   SchemaText schema_text(bool labelled = false);
 
   std::vector<Predicate> predicates(bool labelled);

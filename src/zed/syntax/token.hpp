@@ -1,5 +1,5 @@
 #pragma once
-/// The tokens of Z, the same from either mark-up.
+/// The tokens of Z are the same from either mark-up.
 
 #include <string>
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What the parsers of terms and of paragraphs share: a position in the tokens, and errors that say where.
+/// The parsers of terms and of paragraphs share a position in the tokens, and errors that say where.
 
 #include <string>
 #include <string_view>
@@ -15,7 +15,7 @@ class TokenStream {
  public:
   explicit TokenStream(const std::vector<Token>& tokens) : tokens_(tokens) {}
 
-  /// The token `ahead` places on; at the end, the last one.
+  /// Returns the token `ahead` places on; at the end, the last one.
   const Token& peek(std::size_t ahead = 0) const {
     const std::size_t at = at_ + ahead;
     return at < tokens_.size() ? tokens_[at] : tokens_.back();
@@ -44,7 +44,7 @@ class TokenStream {
 
   std::size_t position() const { return at_; }
 
-  /// A token that a name can be: a word, but no keyword and no operator.
+  /// Says whether a token can be a name: it is a word, but no keyword and no operator.
   static bool is_name(const Token& token) {
     return token.type == Token::Type::word && (!token.strokes.empty() || may_be_name(token.text));
   }
@@ -55,7 +55,7 @@ class TokenStream {
     return {token.text, token.strokes};
   }
 
-  /// The labels on the tokens from `from` to here; two of them are an error.
+  /// Returns the label on the tokens from `from` to here; two of them are an error.
   std::string label_since(std::size_t from) const {
     std::string label;
     for (std::size_t i = from; i < at_; ++i) {

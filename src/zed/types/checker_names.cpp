@@ -1,5 +1,5 @@
-/// The type-checker on names: scopes, instances of generics, and the schemas that a decoration, Δ or Ξ implies; with
-/// its errors and limits.
+/// Checks names: scopes, instances of generics, and the schemas that a decoration, Δ or Ξ implies; with the errors and
+/// limits of the type-checker.
 
 #include <ranges>
 
@@ -87,7 +87,7 @@ Type Checker::instance(const Name& name, const Scheme& scheme, const std::vector
   return scheme.type.substitute(scheme.formals, types);
 }
 
-/// ΔS and ΞS where only S is declared.
+/// Returns the type of ΔS and ΞS where only S is declared.
 std::optional<Type> Checker::implied_schema(const Name& name, const std::vector<Type>* actuals, Place place) {
   const bool delta = name.word.starts_with("Δ"), xi = name.word.starts_with("Ξ");
   if ((!delta && !xi) || !name.strokes.empty()) return std::nullopt;

@@ -5,7 +5,7 @@
 namespace durero::zed {
 namespace {
 
-/// A term as an error names it: short ones in full.
+/// Names a term in an error, in full where it is short.
 std::string named(const Term& term) {
   constexpr std::size_t longest = 60;
   const std::string text = to_unicode(term);

@@ -9,7 +9,7 @@
 namespace durero::zed {
 namespace {
 
-/// The paragraphs of one section.
+/// Checks the paragraphs of one section.
 class SectionChecker {
  public:
   SectionChecker(const Section& section, Typing& into)
@@ -64,7 +64,7 @@ class SectionChecker {
 
   void paragraph(const FreeType&, Place) {}  // by free_types()
 
-  /// The free types from paragraph `first` on that are joined by &; the last of them.
+  /// Checks the free types from paragraph `first` on that are joined by &, and returns the last of them.
   std::size_t free_types(std::size_t first) {
     std::size_t last = first;
     const auto type_at = [this](std::size_t i) { return std::get_if<FreeType>(&section_.paragraphs[i].form); };
@@ -140,7 +140,7 @@ class SectionChecker {
   Checker terms_;
 };
 
-/// What a section sees when it begins: all that its parents see at their end.
+/// A section sees, when it begins, all that its parents see at their end.
 void inherit(const Section& section, Typing& into) {
   auto& mine = into.scopes[section.name];
   bool& sees_toolkit = into.sees_toolkit[section.name];

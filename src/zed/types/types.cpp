@@ -6,9 +6,9 @@
 namespace durero::zed {
 namespace {
 
-// Bounds on the work of one unification. Each type alone is bounded (max_size, max_depth), but variables chain types,
-// so the recursion is bounded again: 4000 frames of at most 1 KiB are half of a default stack, and 10^5 steps are
-// about a millisecond.
+// These bound the work of one unification. Each type alone is bounded (max_size, max_depth), but variables chain types,
+// so the recursion is bounded again: 4000 frames of at most 1 KiB are half of a default stack, and 10^5 steps are about
+// a millisecond.
 constexpr unsigned max_unify_depth = 4000;
 constexpr std::uint32_t max_unify_steps = 100000;
 

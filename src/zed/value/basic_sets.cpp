@@ -1,4 +1,4 @@
-/// The sets that others are made of: finite sets, whole types and the integers.
+/// Other sets are made of these: finite sets, whole types and the integers.
 
 #include <algorithm>
 

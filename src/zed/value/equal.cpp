@@ -1,11 +1,11 @@
-/// Equality, which is also how an unknown is found: x = e determines x, and a + t * b = e with b ≠ 0 determines t.
+/// Equality is also how an unknown is found: x = e determines x, and a + t * b = e with b ≠ 0 determines t.
 
 #include "zed/value/context.hpp"
 
 namespace durero::zed {
 namespace {
 
-/// A number as constant + slope · unknown + square · unknown²; slope and square 0 where it is known.
+/// A number is constant + slope · unknown + square · unknown², where slope and square are 0 where it is known.
 struct Line {
   Real constant, slope, square;
   std::uint32_t unknown = Context::none;
@@ -41,13 +41,13 @@ Value linear(const Value& a, const Value& b, Operation&& operation) {
 std::uint32_t either(const Line& a, const Line& b) { return known(a) ? b.unknown : a.unknown; }
 bool mixed(const Line& a, const Line& b) { return !known(a) && !known(b) && a.unknown != b.unknown; }
 
-/// The unknown has this value, where what is evaluated must hold and nothing has said its value before.
+/// Notes that the unknown has this value, where what is evaluated must hold and nothing has said its value before.
 Truth determine(std::uint32_t unknown, Value is, Context& context) {
   if (unknown >= context.necessary && !context.values_found[unknown]) context.values_found[unknown] = std::move(is);
   return Truth::open;
 }
 
-/// A comparison of a with b, which is one of a − b with 0.
+/// A comparison of a with b is one of a − b with 0.
 Truth watched(const Line& a, const Line& b, Context& context) {
   if (!context.watch) return Truth::open;
   if (mixed(a, b) || either(a, b) != context.watch->unknown) return lost(context);
@@ -58,7 +58,7 @@ Truth watched(const Line& a, const Line& b, Context& context) {
 
 Truth equal_lines(const Line& a, const Line& b, Context& context) {
   if (known(a) && known(b)) return truth(a.constant == b.constant);
-  // x = y, both unknown: nothing is found out yet.
+  // Where both of x = y are unknown, nothing is found out yet.
   if (mixed(a, b)) return lost(context);
   return exactly([&] {
     const Real square = a.square - b.square;

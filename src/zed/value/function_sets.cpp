@@ -1,4 +1,4 @@
-/// The toolkit's sets of relations and of functions.
+/// The toolkit has sets of relations and of functions.
 
 #include <algorithm>
 
@@ -67,7 +67,8 @@ class FunctionSet : public Set {
     return all;
   }
 
-  /// For every member of the domain's set, in a relation some of the members of the other; in a function one, or none.
+  /// For every member of the domain's set, a relation has some of the members of the other, and a function has one or
+  /// none.
   bool listable(std::size_t from, std::size_t to) const {
     std::size_t ways = 1;
     const std::size_t each = form_.function ? to + 1 : to < 20 ? std::size_t{1} << to : most_listed + 1;

@@ -1,4 +1,4 @@
-/// The functions of the toolkit on sets and relations; those on numbers are in numbers.cpp.
+/// The functions of the toolkit on sets and relations are here; those on numbers are in numbers.cpp.
 
 #include "zed/value/functions.hpp"
 
@@ -32,7 +32,7 @@ Value restricted(const Value& relation, const Value& set, std::size_t part, bool
   });
 }
 
-// R∼⦇S⦈ = { p : R | second p ∈ S • first p }, without R∼.
+// R∼⦇S⦈ is { p : R | second p ∈ S • first p }, so R∼ need not be made.
 Value inverse_image(const Value& relation, const Value& set, Context& context) {
   return with(relation, set, [&]() -> Value {
     Values firsts;

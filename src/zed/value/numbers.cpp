@@ -1,4 +1,4 @@
-/// The numbers of the toolkit: their sets, arithmetic and order.
+/// The toolkit has sets of numbers, and their arithmetic and order.
 
 #include "zed/value/functions.hpp"
 #include "zed/value/sets.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 constexpr int most_listed = 1 << 20;  // an interval with more members is not listed
 
-/// The least or the greatest member of a set of numbers; none of the empty set.
+/// Returns the least or the greatest member of a set of numbers; undefined for the empty set.
 Value extreme(const Value& set, bool greatest) {
   return with(set, [&]() -> Value {
     const auto& members = enumerated(set, "the least member of");
@@ -18,7 +18,8 @@ Value extreme(const Value& set, bool greatest) {
   });
 }
 
-/// div and mod: n = q * d + r with 0 ≤ r < d or d < r ≤ 0. Undefined for d = 0 and for numbers that are no integers.
+/// In div and mod, n = q * d + r with 0 ≤ r < d or d < r ≤ 0. They are undefined for d = 0 and for numbers that are no
+/// integers.
 template <class Result>
 Value divided(const Value& a, const Value& b, Result&& result) {
   return with(a, b, [&]() -> Value {

@@ -1,4 +1,4 @@
-/// Sequences: functions from 1‥n, and what the toolkit makes of them (ISO/IEC 13568, B.8).
+/// Sequences are functions from 1‥n; the toolkit makes what follows of them (ISO/IEC 13568, B.8).
 
 #include <algorithm>
 
@@ -17,8 +17,8 @@ Value sequence(const Values& items) {
   return finite(std::move(pairs));
 }
 
-/// The items in order; nothing for a relation that is no sequence. Its pairs are sorted by their first parts, so the
-/// positions 1‥n, each once, stand in this order.
+/// Returns the items in order; nothing for a relation that is no sequence. Its pairs are sorted by their first parts,
+/// so the positions 1‥n, each once, stand in this order.
 std::optional<Values> items(const Value& value) {
   Values in_order;
   for (const Value& pair : enumerated(value, "the items of")) {
@@ -29,7 +29,8 @@ std::optional<Values> items(const Value& value) {
   return in_order;
 }
 
-/// A function of the items; undefined where its argument is no sequence, or (`nonempty`) an empty one.
+/// Computes a function of the items, which is undefined where its argument is no sequence, or, with `nonempty`, an
+/// empty one.
 template <class Operation>
 Value of_items(const Value& value, bool nonempty, Operation&& operation) {
   return with(value, [&]() -> Value {
@@ -41,7 +42,7 @@ Value of_items(const Value& value, bool nonempty, Operation&& operation) {
 
 class SequenceSet : public Set {
  public:
-  /// `nonempty`: seq₁; `distinct`: iseq.
+  /// A set of non-empty sequences is seq₁, one of sequences with distinct items is iseq.
   SequenceSet(Value of, bool nonempty, bool distinct) : of_(std::move(of)), nonempty_(nonempty), distinct_(distinct) {}
 
   Truth contains(const Value& value, Context& context) const override {
@@ -73,7 +74,7 @@ Value sequence_set(const Value& of, bool nonempty, bool distinct) {
   return SetPtr(std::make_shared<const SequenceSet>(of, nonempty, distinct));
 }
 
-/// Where in b the items of a stand in a row: at its start, at its end, or anywhere.
+/// Says where in b the items of a stand in a row: at its start, at its end, or anywhere.
 enum class Part { start, end, anywhere };
 
 Truth is_part(const Value& a, const Value& b, Part part) {
@@ -146,7 +147,7 @@ Value distributed_concatenation(const Value& sequences, Context& context) {
   });
 }
 
-/// A finite function of integers, its pairs renumbered from 1 in the order of their first parts.
+/// Renumbers the pairs of a finite function of integers from 1 in the order of their first parts.
 Value squashed(const Value& function, Context&) {
   return with(function, [&]() -> Value {
     Values in_order;

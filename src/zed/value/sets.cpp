@@ -76,7 +76,7 @@ const Set& as_set(const Value& value) {
 
 bool missing(const Value& a, const Value& b) { return a.is_undefined() || b.is_undefined(); }
 
-/// The members of a finite set that are in another, or that are not.
+/// Returns the members of a finite set that are in another, or that are not.
 Value filtered(const std::vector<Value>& members, const Value& other, bool in, Context& context) {
   std::vector<Value> kept;
   kept.reserve(members.size());

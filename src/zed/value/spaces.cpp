@@ -1,4 +1,4 @@
-/// The sets of sets and of tuples, and the constructors of free types.
+/// Sets of sets and of tuples are made here, and the constructors of free types.
 
 #include <algorithm>
 
@@ -29,7 +29,7 @@ class PowerSet : public Set {
     return subset(value, base_, context);
   }
 
-  // The subsets in order of size, as sets are ordered.
+  // The subsets stand in order of size, as sets are ordered.
   const std::vector<Value>* members() const override {
     const auto* base = base_.set()->members();
     if (!base) return nullptr;

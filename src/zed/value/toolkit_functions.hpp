@@ -1,6 +1,6 @@
 #pragma once
-/// The functions, sets and relations that the rows of the table of operators (operators.hpp) name. Each takes the
-/// values of its arguments; an undefined argument makes an undefined result, an open one an open result.
+/// The rows of the table of operators (operators.hpp) name these functions, sets and relations. Each takes the values
+/// of its arguments; an undefined argument makes an undefined result, an open one an open result.
 
 #include "zed/value/context.hpp"
 

@@ -197,7 +197,8 @@ struct Writer {
 
   std::string write(const Value& value, const Type* of) const { return std::visit(Writer{spelling, of}, value.form()); }
 
-  /// Part i of a type of this kind, in step with the part i of a value of it; null where the type is not known.
+  /// Returns part i of a type of this kind, which is in step with part i of a value of it; null where the type is not
+  /// known.
   static const Type* part(const Type* whole, Type::Kind kind, std::size_t i) {
     return whole && whole->is(kind) ? &whole->parts()[i] : nullptr;
   }

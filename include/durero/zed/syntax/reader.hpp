@@ -1,5 +1,5 @@
 #pragma once
-/// Files of Z text to a specification: sections in an order in which each comes behind its parents.
+/// Reads files of Z text as a specification, whose sections stand in an order in which each comes behind its parents.
 
 #include <map>
 #include <string>
@@ -21,10 +21,11 @@ struct Specification {
   const Section* find(const std::string& name) const;
 };
 
-/// The largest file that is read: forty times spec/. A byte takes at most 400 of memory, as a token and a node.
+/// No larger file is read; this is forty times spec/. A byte takes at most 400 of memory, as a token and a node.
 inline constexpr std::size_t max_bytes = 1 << 20;
 
-/// The sections of the toolkit, which any section may have as parents; they are built in and not read.
+/// Says whether a section is one of the toolkit's, which any section may have as parents; they are built in and not
+/// read.
 bool is_toolkit(const std::string& section);
 
 /// Reads files, and the parents that they name: from the files given, or from the `.tex` files in the folder of the
