@@ -71,17 +71,17 @@ Expr Translator::predicate(const Term& term, const Scope& scope) const {
 Expr Translator::quantified(const Node& node, const Scope& scope) const {
   Scope inside = scope;
   const Signature slots = declare(*node.text, inside);
-  std::vector<Expr> what = conditions(*node.text, slots, scope, inside);
+  std::vector<Expr> conjuncts = conditions(*node.text, slots, scope, inside);
   const Expr body = predicate(node.children[0], inside);
   if (node.kind == Kind::forall) {
     std::string out = fmt::format("forall {}, ", binders(slots, true));
-    for (const Expr& expr : what) out += expr.at(implied - 1) + " -> ";
+    for (const Expr& expr : conjuncts) out += expr.at(implied - 1) + " -> ";
     return {out + body.text, binder, {}};
   }
-  what.push_back(body);
+  conjuncts.push_back(body);
   if (node.kind == Kind::exists_one && slots.size() != 1) uncovered(node.place, "∃₁ over several variables");
   return {fmt::format("{} {}, {}", node.kind == Kind::exists ? "exists" : "exists!", binders(slots, true),
-                      all_of(what).text),
+                      all_of(conjuncts).text),
           binder,
           {}};
 }
@@ -113,8 +113,8 @@ Expr Translator::relation(const Node& node, Scope& scope, Frame& frame, bool den
     }
     parts.push_back(one_relation(by, node.children[i], node.children[i + 1], operands[i], scope, frame));
   }
-  const Expr all = all_of(parts);
-  return denied && node.names.size() > 1 ? Expr{"~ " + all.at(applied), negated, {}} : all;
+  const Expr conjunction = all_of(parts);
+  return denied && node.names.size() > 1 ? Expr{"~ " + conjunction.at(applied), negated, {}} : conjunction;
 }
 
 Expr Translator::one_relation(const Name& by, const Term& left, const Term& right, const Expr& a, Scope& scope,

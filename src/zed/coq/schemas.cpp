@@ -77,19 +77,20 @@ Signature Translator::declare(const SchemaText& text, Scope& scope) const {
 
 std::vector<Expr> Translator::conditions(const SchemaText& text, const Signature& slots, const Scope& outer,
                                          const Scope& inner) const {
-  std::vector<Expr> all;
+  std::vector<Expr> conjuncts;
   for (const Slot& slot : slots) {
     if (slot.state) continue;
     Scope around = outer;
     around.variables = inner.variables;
-    for (Expr& expr : constraint({slot.variable, atomic, slot.type}, slot.set, around)) all.push_back(std::move(expr));
+    for (Expr& expr : constraint({slot.variable, atomic, slot.type}, slot.set, around))
+      conjuncts.push_back(std::move(expr));
   }
   for (const Predicate& conjunct : text.predicates) {
     std::vector<Term> parts;
     flatten(Kind::conjunction, conjunct.term, parts);
-    for (const Term& part : parts) all.push_back(predicate(part, inner));
+    for (const Term& part : parts) conjuncts.push_back(predicate(part, inner));
   }
-  return all;
+  return conjuncts;
 }
 
 Signature Translator::signature(const Term& schema) const {

@@ -27,19 +27,19 @@ Expr Translator::generalized_union(const Term& family, Scope& scope, Frame&) con
 Expr Translator::comprehension(const Node& node, const Scope& scope) const {
   Scope inside = scope;
   const Signature slots = declare(*node.text, inside);
-  std::vector<Expr> what = conditions(*node.text, slots, scope, inside);
+  std::vector<Expr> conjuncts = conditions(*node.text, slots, scope, inside);
   const bool has_value = node.kind == Kind::comprehension && !node.children.empty();
   if (!has_value) {
     if (slots.size() != 1) uncovered(node.place, "a set of tuples, inside a term,");
-    return {"fun " + slots[0].variable + " => " + all_of(what).text, binder, Carrier::set(slots[0].type)};
+    return {"fun " + slots[0].variable + " => " + all_of(conjuncts).text, binder, Carrier::set(slots[0].type)};
   }
   Frame unused;
   Scope copy = inside;
   const Carrier type = term(node.children[0], copy, unused).type;
   const std::string y = fresh("y", inside);
   inside.variables.insert(y);
-  what.push_back(is_value({y, atomic, type}, node.children[0], inside));
-  return {fmt::format("fun {} => exists {}, {}", y, binders(slots, true), all_of(what).text), binder,
+  conjuncts.push_back(is_value({y, atomic, type}, node.children[0], inside));
+  return {fmt::format("fun {} => exists {}, {}", y, binders(slots, true), all_of(conjuncts).text), binder,
           Carrier::set(type)};
 }
 

@@ -75,7 +75,7 @@ Expr Translator::term(const Term& term, Scope& scope, Frame& frame) const {
     case Kind::power:
       return {"ℙ " + this->term(node.children[0], scope, frame).at(applied), applied + 20,
               Carrier::set(Carrier::set(carrier(node.children[0], scope)))};
-    case Kind::product: {  // of whole types only
+    case Kind::product: {  // only a product of whole types has a carrier
       if (!whole(term)) uncovered(node.place, "a product of parts of types");
       return {"univ", atomic, Carrier::set(carrier(term, scope))};
     }

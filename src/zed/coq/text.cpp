@@ -41,13 +41,13 @@ Expr any_of(const std::vector<Expr>& disjuncts) { return joined(disjuncts, "\\/"
 Expr framed(const Frame& frame, const Expr& body) {
   if (frame.empty()) return body;
   std::string variables;
-  std::vector<Expr> all;
+  std::vector<Expr> conjuncts;
   for (const auto& [v, asked] : frame) {
     variables += " " + v;
-    all.push_back({asked, related, {}});
+    conjuncts.push_back({asked, related, {}});
   }
-  all.push_back(body);
-  return {fmt::format("exists{}, {}", variables, all_of(all).text), binder, {}};
+  conjuncts.push_back(body);
+  return {fmt::format("exists{}, {}", variables, all_of(conjuncts).text), binder, {}};
 }
 
 std::string variable(const Name& name) {

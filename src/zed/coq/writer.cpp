@@ -203,7 +203,7 @@ void Writer::lambda_definition(const Definition& form) {
   symbol.text = variable(form.name);
   symbol.arity = slots.size();
   const std::string head = fmt::format("Definition {} {} : ", symbol.text, binders(slots, false));
-  std::vector<Expr> what = in_.conditions({{}, text.predicates}, {}, {}, inside);
+  std::vector<Expr> conjuncts = in_.conditions({{}, text.predicates}, {}, {}, inside);
   Scope branch = inside;
   Frame frame;
   const bool set = in_.is_set(value);
@@ -211,7 +211,7 @@ void Writer::lambda_definition(const Definition& form) {
   Term leaf = value;
   while (leaf->kind == Kind::conditional) leaf = leaf->children[1];
   symbol.type = in_.term(leaf, branch, frame).type;
-  if (set && what.empty()) {
+  if (set && conjuncts.empty()) {
     sentence(fmt::format("{}{} := {}.", head, symbol.type.text(), in_.set(value, inside).text), form.label);
   } else {
     const bool named = value->kind == Kind::comprehension && value->children.empty();
@@ -219,8 +219,8 @@ void Writer::lambda_definition(const Definition& form) {
     inside.variables.insert(x);
     const Carrier type = set ? symbol.type : Carrier::set(symbol.type);
     const Expr variable{x, atomic, type.element()};
-    what.push_back(set ? in_.member(variable, value, inside) : in_.is_value(variable, value, inside));
-    sentence(fmt::format("{}{} := fun {} => {}.", head, type.text(), x, all_of(what).text), form.label);
+    conjuncts.push_back(set ? in_.member(variable, value, inside) : in_.is_value(variable, value, inside));
+    sentence(fmt::format("{}{} := fun {} => {}.", head, type.text(), x, all_of(conjuncts).text), form.label);
   }
   in_.symbols[form.name] = symbol;
 }

@@ -30,7 +30,7 @@ class Writer {
   void operation_definition(const Definition& form);
   void value_definition(const Definition& form);
 
-  using Fields = std::vector<std::pair<std::string, std::string>>;  // with the label of each
+  using Fields = std::vector<std::pair<std::string, std::string>>;  // each has its label
   void data(const Schema& form);
   void state_relations(const std::string& name, const Schema& form);
   void operation(const Schema& form);

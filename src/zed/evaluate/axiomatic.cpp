@@ -75,7 +75,8 @@ std::optional<Closure> clause(Compiler& compiler, const Name& function, const st
   const auto names = argument_names(applied->children[1]);
   if (!names) return std::nullopt;
   const auto unit = std::make_shared<Unit>();
-  const Scope outside = compiler.formals(formals, {}, Scope{.unit = unit});  // generic: the sets are whole types
+  const Scope outside =
+      compiler.formals(formals, {}, Scope{.unit = unit});  // where f is generic, its sets are whole types
   Scope inner{.outer = &outside, .unit = unit};
   Head head = compiler.head(*forall.text, outside, inner);
   const auto groups = in_order(*names, head, inner);

@@ -129,10 +129,10 @@ class Compiler {
   Local component(const Name& name, const Scope& scope);
 
   Definitions& definitions_;
-  std::deque<Value> constants_;  // the values of closed expressions, each computed when it is first asked for
-  std::vector<unsigned> reads_;  // the slots read by the code that is being compiled, in order of compilation
-  std::string label_;            // the label of the definition that is being compiled
-  std::string strokes_;          // the strokes of the decorations around what is being compiled
+  std::deque<Value> constants_;  // closed expressions have these values, each computed when first asked for
+  std::vector<unsigned> reads_;  // the code that is being compiled reads these slots, in order of compilation
+  std::string label_;            // the definition that is being compiled has this label
+  std::string strokes_;          // the decorations around what is being compiled have these strokes
 };
 
 /// Takes slots for a scope, and gives them back at its end.

@@ -116,8 +116,8 @@ class Lambda : public Set {
       pairs.push_back(Value::pair(characteristic(inside, closure_.head.groups), closure_.term(inside)));
       return true;
     });
-    Value all = Value::set(std::move(pairs));
-    if (some != Truth::open && all.set()) pairs_ = std::move(all);
+    Value function = Value::set(std::move(pairs));
+    if (some != Truth::open && function.set()) pairs_ = std::move(function);
   }
 
   Closure closure_;
@@ -142,9 +142,9 @@ class AxiomaticFunction : public Set {
   }
 
   Truth in_domain(const Value& argument, Context& context) const override {
-    const Clauses& all = clauses(context);
-    if (all.domain) return contains_value(*all.domain, argument, context);
-    for (const Closure& clause : all.clauses) {
+    const Clauses& known = clauses(context);
+    if (known.domain) return contains_value(*known.domain, argument, context);
+    for (const Closure& clause : known.clauses) {
       if (whole_unknown(argument, clause.head.groups)) return Truth::open;
       const Truth here = admits(clause, argument, context);
       if (here != Truth::no) return here;

@@ -203,7 +203,7 @@ Property Compiler::joined_schemas(const Node& node, const std::string& stroke, c
                                   const Scope& scope) {
   const Term &left = node.children[0], &right = node.children[1];
   const auto between = joined(left, stroke, right, to_stroke, definitions_);
-  Components fresh;  // a name that no text can write
+  Components fresh;  // no text can write such a name
   std::vector<std::pair<Name, Name>> of_left, of_right;
   for (const Name& name : between) {
     fresh.push_back(Name{"between " + name.word, name.strokes});

@@ -57,9 +57,9 @@ Code set_of_any(const Property& property, unsigned slot, const std::vector<unsig
     if (!sets.back()) return {};
   }
   return [sets = std::move(sets)](Frame& frame) {
-    Value all = empty_set();
-    for (const Code& code : sets) all = set_union(all, code(frame), frame.context);
-    return all;
+    Value whole = empty_set();
+    for (const Code& code : sets) whole = set_union(whole, code(frame), frame.context);
+    return whole;
   };
 }
 
@@ -137,13 +137,13 @@ bool Search::total(Frame& frame) const {
 }
 
 Truth Search::holds(Frame& frame) const {
-  Truth all = Truth::yes;
+  Truth result = Truth::yes;
   for (const Variable& variable : variables_) {
     if (variable.checked || !variable.set) continue;
-    all = both(all, contains_value(variable.set(frame), frame.slots[variable.slot], frame.context));
-    if (all == Truth::no) return all;
+    result = both(result, contains_value(variable.set(frame), frame.slots[variable.slot], frame.context));
+    if (result == Truth::no) return result;
   }
-  return both(all, evaluate(goal_, frame));
+  return both(result, evaluate(goal_, frame));
 }
 
 void Search::determine(Frame& frame) const {

@@ -89,7 +89,7 @@ class Search {
  private:
   struct Run;
   std::vector<Variable> variables_;
-  std::vector<std::size_t> order_;  // of the determined variables, each behind what it depends on
+  std::vector<std::size_t> order_;  // each determined variable stands behind what it depends on
   Property goal_;
   std::vector<unsigned> wholes_;
 };

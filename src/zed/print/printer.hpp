@@ -47,7 +47,7 @@ class Printer {
   void space();
 
   bool latex_;
-  std::map<std::string, std::string, std::less<>> own_;  // character to command
+  std::map<std::string, std::string, std::less<>> own_;  // a character leads to its command
   std::string out_;
 };
 

@@ -7,7 +7,7 @@
 namespace durero::zed {
 namespace {
 
-constexpr std::size_t max_sets = 64;  // sets tied to a domain that are looked at
+constexpr std::size_t max_sets = 64;  // no more sets tied to a domain are looked at
 
 Term equation(const Term& a, const Term& b) { return relation({{"_=_", {}}}, {a, b}); }
 
@@ -77,7 +77,7 @@ class Prover {
     if (holds(node(Kind::negation, {relation({{"_∉_", {}}}, {x, set})}))) return true;
     if (set->kind == Kind::set_extension)
       return std::find(set->children.begin(), set->children.end(), x) != set->children.end();
-    if (depth_ > 8) return false;  // unions in unions
+    if (depth_ > 8) return false;  // unions may stand in unions
     ++depth_;
     bool proved = false;
     if (const Node* both = operands(set, "_∪_")) proved = member(x, both->children[0]) || member(x, both->children[1]);

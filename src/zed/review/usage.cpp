@@ -112,7 +112,7 @@ std::vector<Defect> unused_names(const Specification& specification, const Typin
   for (const Section& section : specification.sections) {
     const auto scope = typing.scopes.find(section.name);
     if (scope == typing.scopes.end()) continue;
-    std::map<std::pair<std::uint32_t, std::uint32_t>, const Global*> unused;  // in the order of the text
+    std::map<std::pair<std::uint32_t, std::uint32_t>, const Global*> unused;  // they stand in the order of the text
     for (const auto& [name, global] : scope->second) {
       const bool looked_at = global->form == Global::Form::given || global->form == Global::Form::free_type ||
                              global->form == Global::Form::branch;

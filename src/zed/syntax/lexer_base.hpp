@@ -149,7 +149,7 @@ class Lexer {
 
   std::string_view text_;
   std::size_t at_ = 0;
-  Place place_, behind_ = place_;  // behind the last token
+  Place place_, behind_ = place_;  // behind_ is where the last token ends
   std::vector<Token> tokens_;
   std::optional<Place> newline_;
 };

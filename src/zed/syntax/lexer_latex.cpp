@@ -57,7 +57,7 @@ class Latex : Lexer {
   std::string stroke() {
     const Place place = place_;
     if (is_stroke(here())) return std::string(take());
-    take();  // _
+    take();
     const bool braced = here() == '{';
     if (braced) take();
     if (!is_digit(here())) refuse(place, "this subscript is not read", "expected one digit after _");

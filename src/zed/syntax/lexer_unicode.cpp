@@ -71,7 +71,7 @@ class Unicode : Lexer {
   /// symbol.
   bool is_word_character() const {
     const std::string_view c = character();
-    if (c.size() < 2 || sees_stroke()) return false;  // ASCII, or a byte that is no character
+    if (c.size() < 2 || sees_stroke()) return false;  // it is ASCII, or a byte that is no character
     static constexpr std::array<std::string_view, 10> others = {"•", "⦁", "−", "⊢", "λ", "μ", "θ", "…", "⁀", "‥"};
     if (among(c, others)) return c == "λ" || c == "μ" || c == "θ";
     if (is_symbol_name(c)) return false;

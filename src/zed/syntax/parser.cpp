@@ -188,7 +188,7 @@ std::vector<Name> names_declared(std::string_view environment, const std::vector
   bool branches = false;
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
     const Token& after = tokens[i + 1];
-    if (environment == "axdef" && tokens[i].is("|")) break;  // \where
+    if (environment == "axdef" && tokens[i].is("|")) break;  // this is \where
     if (tokens[i].is("::=")) branches = true;
     if (tokens[i].type == Type::newline) branches = false;
     const bool declares = after.is(":") || after.is("==") || after.is("::=") || after.is(",");

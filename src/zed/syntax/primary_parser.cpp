@@ -150,7 +150,7 @@ Term TermParser::theta() {
   } else {
     in_.fail("expected a schema after θ");
   }
-  while (in_.sees(Type::stroke)) node.name.strokes += in_.next().text;  // those of θ: x is taken from x'
+  while (in_.sees(Type::stroke)) node.name.strokes += in_.next().text;  // they are those of θ: x is taken from x'
   return checked(make(std::move(node)));
 }
 

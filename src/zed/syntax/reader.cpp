@@ -40,7 +40,7 @@ class Reader {
       if (block.environment != "zsection") continue;
       try {
         where_.emplace(parse_header(lex_latex(block, {})).name, path);
-      } catch (const ZError&) {  // reported when the file is read
+      } catch (const ZError&) {  // it is reported when the file is read
       }
     }
   }
@@ -129,7 +129,7 @@ class Reader {
       std::filesystem::path folder = std::filesystem::path(path).parent_path();
       if (folder.empty()) folder = ".";
       std::error_code unreadable;
-      std::set<std::string> beside;  // in order, so that the answer does not depend on the file system
+      std::set<std::string> beside;  // their order makes the answer independent of the file system
       for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable))
         if (entry.path().extension() == ".tex") beside.insert(entry.path().lexically_normal().string());
       for (const std::string& file : beside) index(file);
@@ -165,10 +165,10 @@ class Reader {
     open.reset();
   }
 
-  std::map<std::string, std::optional<std::string>> texts_;  // file to contents; none where it cannot be read
+  std::map<std::string, std::optional<std::string>> texts_;  // a file that cannot be read has no contents
   Specification specification_;
   std::set<std::string> files_, started_;
-  std::map<std::string, std::string> where_;  // section to file
+  std::map<std::string, std::string> where_;  // a section leads to its file
 };
 
 }  // namespace

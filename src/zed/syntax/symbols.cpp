@@ -171,7 +171,7 @@ bool is_symbol_name(std::string_view symbol) {
 bool has_indexed(std::string_view word) {
   static const auto table = [] {
     static constexpr std::string_view index = "₁";
-    std::unordered_set<std::string_view> words = {"∃"};  // ∃₁
+    std::unordered_set<std::string_view> words = {"∃"};  // ∃₁ is no operator
     for (const OperatorRow& row : operator_rows())
       if (row.symbol().ends_with(index)) words.insert(row.symbol().substr(0, row.symbol().size() - index.size()));
     return words;

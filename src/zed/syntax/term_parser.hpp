@@ -22,7 +22,7 @@ class TermParser {
   std::vector<Name> names();  ///< a, b, …
 
  private:
-  Term leading();  // what can stand first in a term: a quantifier, a prefix operator, an application
+  Term leading();  // takes what can stand first in a term: a quantifier, a prefix operator, an application
   Term application();
   Term primary();
   Term plain_primary();
@@ -42,7 +42,7 @@ class TermParser {
   Term product(const Term& left);
   Term hiding(Term left);
   Term image(Term left);
-  bool suffix(Term& so_far);  // one selection, decoration, renaming or list of actuals
+  bool suffix(Term& so_far);  // takes one selection, decoration, renaming or list of actuals
   Term actuals_or_renaming(Term of);
   bool begins_primary() const;
   bool begins_declaration() const;

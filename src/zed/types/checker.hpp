@@ -14,7 +14,8 @@
 
 namespace durero::zed {
 
-using Fields = std::vector<std::pair<Name, Type>>;  // a signature, in the order of declaration
+/// The fields of a signature stand in the order of declaration.
+using Fields = std::vector<std::pair<Name, Type>>;
 
 /// The table holds a signature that grows, and where each name stands in it.
 struct FieldTable {
@@ -107,8 +108,8 @@ class Checker {
   bool sees_toolkit_;
   Typing& into_;
   std::vector<std::unordered_map<Name, Type>> scopes_;
-  std::vector<std::pair<Name, std::pair<Place, Type>>> generics_;  // instances to be determined
-  Place at_;                                                       // of the node being checked
+  std::vector<std::pair<Name, std::pair<Place, Type>>> generics_;  // these instances are to be determined
+  Place at_;                                                       // the node being checked stands here
   std::size_t errors_before_ = 0, errors_at_start_ = into_.defects.size();
   std::size_t work_ = 0, variables_ = 0;
 };

@@ -21,7 +21,7 @@ class SectionChecker {
   void run() {
     try {
       paragraphs();
-    } catch (const ZError& error) {  // a limit
+    } catch (const ZError& error) {  // a limit is reached
       into_.defects.push_back(error.in(section_.file));
     }
   }
@@ -62,7 +62,7 @@ class SectionChecker {
               i < given.places.size() ? given.places[i] : place);
   }
 
-  void paragraph(const FreeType&, Place) {}  // by free_types()
+  void paragraph(const FreeType&, Place) {}  // free_types() checks these
 
   /// Checks the free types from paragraph `first` on that are joined by &, and returns the last of them.
   std::size_t free_types(std::size_t first) {
@@ -234,7 +234,7 @@ Typing check_term(const Typing& known, const std::string& section, const Term& t
   checker.push(locals);
   try {
     check_at_end(checker, term);
-  } catch (const ZError& error) {  // a limit
+  } catch (const ZError& error) {  // a limit is reached
     typing.defects.push_back(error.in(file));
   }
   return typing;

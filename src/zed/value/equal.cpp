@@ -73,13 +73,13 @@ Truth equal_lines(const Line& a, const Line& b, Context& context) {
 template <class Parts>
 Truth equal_parts(const Parts& a, const Parts& b, Context& context) {
   if (a.size() != b.size()) return Truth::no;
-  Truth all = Truth::yes;
+  Truth result = Truth::yes;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Truth part = equal(a[i], b[i], context);
     if (part == Truth::no) return part;
-    if (part == Truth::open) all = part;
+    if (part == Truth::open) result = part;
   }
-  return all;
+  return result;
 }
 
 Truth equal_sets(const Set& a, const Set& b) {

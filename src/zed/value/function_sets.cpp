@@ -39,10 +39,10 @@ class FunctionSet : public Set {
     if (inside != Truth::yes) return inside;
     const Value image = form_.injective || form_.surjective ? Value::set(seconds(pairs)) : Value();
     if (form_.injective && image.set()->members()->size() != pairs.size()) return Truth::no;
-    Truth all = Truth::yes;
-    if (form_.total) all = subset(from_, domain(value, context), context);
-    if (form_.surjective) all = both(all, subset(to_, image, context));
-    return all;
+    Truth result = Truth::yes;
+    if (form_.total) result = subset(from_, domain(value, context), context);
+    if (form_.surjective) result = both(result, subset(to_, image, context));
+    return result;
   }
 
   const std::vector<Value>* members() const override {
@@ -59,12 +59,12 @@ class FunctionSet : public Set {
  private:
   static Truth each_in(const std::vector<Value>& pairs, std::size_t part, const Value& set, Context& context) {
     if (set.set()->total()) return Truth::yes;
-    Truth all = Truth::yes;
+    Truth result = Truth::yes;
     for (const Value& pair : pairs) {
-      all = both(all, contains_value(set, pair.tuple()->parts[part], context));
-      if (all == Truth::no) return all;
+      result = both(result, contains_value(set, pair.tuple()->parts[part], context));
+      if (result == Truth::no) return result;
     }
-    return all;
+    return result;
   }
 
   /// For every member of the domain's set, a relation has some of the members of the other, and a function has one or
@@ -94,7 +94,7 @@ class FunctionSet : public Set {
               std::vector<std::vector<Value>>& into) const {
     const std::size_t first = into.size();
     if (!form_.total) into.push_back(pairs);
-    if (!form_.function) {  // with each member of `to`, every set so far again
+    if (!form_.function) {  // each member of `to` extends every set so far
       for (const Value& member : to) {
         for (std::size_t i = first, end = into.size(); i < end; ++i) {
           into.push_back(into[i]);

@@ -98,7 +98,7 @@ Value overriding(const Value& a, const Value& b, Context& context) {
 Value image(const Value& relation, const Value& set, Context& context) {
   return with(relation, set, [&]() -> Value {
     Values reached;
-    if (relation.set() && !relation.set()->members()) {  // a function known by its values
+    if (relation.set() && !relation.set()->members()) {  // the function is known by its values
       for (const Value& argument : enumerated(set, "the image of")) {
         Value result = relation.set()->apply(argument, context);
         if (!result.is_undefined()) reached.push_back(std::move(result));
@@ -132,11 +132,11 @@ Value backward_composition(const Value& a, const Value& b, Context& context) {
 
 Value closure(const Value& relation, Context& context) {
   return with(relation, [&]() -> Value {
-    Value all = relation;
+    Value closed = relation;
     for (;;) {
-      Value more = set_union(all, forward_composition(all, relation, context), context);
-      if (same(more, all)) return all;
-      all = std::move(more);
+      Value more = set_union(closed, forward_composition(closed, relation, context), context);
+      if (same(more, closed)) return closed;
+      closed = std::move(more);
     }
   });
 }

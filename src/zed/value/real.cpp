@@ -11,7 +11,7 @@ namespace {
 __extension__ typedef __int128 Wide;
 __extension__ typedef unsigned __int128 Unsigned;
 
-constexpr int max_bits = 126;  // of a significand; one more for the carry of a sum, one for the sign
+constexpr int max_bits = 126;  // a significand has as many; one more is for the carry of a sum, one for the sign
 
 int bit_width(Wide value) {
   const Unsigned magnitude = value < 0 ? -static_cast<Unsigned>(value) : static_cast<Unsigned>(value);

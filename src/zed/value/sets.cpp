@@ -127,9 +127,9 @@ Value big_union(const Value& a, Context& context) {
   if (waiting(a)) return Open{};
   const auto* sets = as_set(a).members();
   if (!sets || as_set(a).family()) return SetPtr(std::make_shared<const BigUnion>(a));
-  Value all = empty_set();
-  for (const Value& member : *sets) all = set_union(all, member, context);
-  return all;
+  Value whole = empty_set();
+  for (const Value& member : *sets) whole = set_union(whole, member, context);
+  return whole;
 }
 
 Value big_intersection(const Value& a, Context& context) {
@@ -137,9 +137,9 @@ Value big_intersection(const Value& a, Context& context) {
   if (waiting(a)) return Open{};
   const auto& sets = enumerated(a, "the intersection of");
   if (sets.empty()) throw EvaluationError("⋂ ∅ is every value of its type, which nobody can enumerate");
-  Value all = sets[0];
-  for (std::size_t i = 1; i < sets.size(); ++i) all = intersection(all, sets[i], context);
-  return all;
+  Value common = sets[0];
+  for (std::size_t i = 1; i < sets.size(); ++i) common = intersection(common, sets[i], context);
+  return common;
 }
 
 Value domain(const Value& relation, Context&) {
@@ -160,14 +160,14 @@ Truth subset(const Value& a, const Value& b, Context& context) {
   if (missing(a, b)) return Truth::no;
   if (waiting(a) || waiting(b)) return lost(context);
   if (as_set(b).total()) return Truth::yes;
-  Truth all = Truth::yes;
+  Truth result = Truth::yes;
   const Necessary no(context, false);
   for (const Value& member : enumerated(a, "whether every member is in another set, for the set")) {
     const Truth here = contains_value(b, member, context);
     if (here == Truth::no) return here;
-    if (here == Truth::open) all = here;
+    if (here == Truth::open) result = here;
   }
-  return all;
+  return result;
 }
 
 }  // namespace durero::zed

@@ -69,11 +69,11 @@ class ProductSet : public Set {
   Truth contains(const Value& value, Context& context) const override {
     const auto* tuple = value.tuple();
     if (!tuple) return Truth::open;
-    Truth all = Truth::yes;
-    for (std::size_t i = 0; i < factors_.size() && all != Truth::no; ++i) {
-      all = both(all, contains_value(factors_[i], tuple->parts[i], context));
+    Truth result = Truth::yes;
+    for (std::size_t i = 0; i < factors_.size() && result != Truth::no; ++i) {
+      result = both(result, contains_value(factors_[i], tuple->parts[i], context));
     }
-    return all;
+    return result;
   }
 
   Value unknown(Context& context) const override {

@@ -248,11 +248,11 @@ Truth Set::in_domain(const Value&, Context&) const {
 }
 
 Truth Set::some_contains(const Value& value, Context& context) const {
-  const auto* all = members();
-  if (!all) throw EvaluationError(text() + " cannot be enumerated");
+  const auto* sets = members();
+  if (!sets) throw EvaluationError(text() + " cannot be enumerated");
   Truth some = Truth::no;
-  const Necessary only(context, all->size() == 1);
-  for (const Value& member : *all) {
+  const Necessary only(context, sets->size() == 1);
+  for (const Value& member : *sets) {
     const Truth in = contains_value(member, value, context);
     if (in == Truth::yes) return in;
     if (in == Truth::open) some = in;

@@ -75,9 +75,9 @@ class Type {
     std::vector<Type> parts;
     std::vector<Name> fields;
     std::uint32_t size = 1, depth = 1;
-    bool generic = false;                      // a formal is in it
-    mutable std::shared_ptr<const Node> same;  // what a variable has been found to be
-    mutable std::uint32_t rank = 0;            // of a variable: chains of variables stay logarithmic
+    bool generic = false;                      // says whether a formal is in it
+    mutable std::shared_ptr<const Node> same;  // the variable has been found to be this
+    mutable std::uint32_t rank = 0;            // the rank of a variable keeps chains of them logarithmic
   };
   explicit Type(Node node);
   explicit Type(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
