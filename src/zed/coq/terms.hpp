@@ -18,14 +18,14 @@ namespace durero::zed::coq {
 struct Carrier {
   enum class Form { named, set, product };
   Form form = Form::named;
-  std::string name;  ///< empty where it is not known, as that of ∅
+  std::string name;  ///< it is empty where it is not known, as that of ∅
   std::vector<Carrier> parts;
 
   static Carrier named(std::string name) { return {Form::named, std::move(name), {}}; }
   static Carrier set(Carrier of) { return {Form::set, {}, {std::move(of)}}; }
   static Carrier product(std::vector<Carrier> of) { return {Form::product, {}, std::move(of)}; }
-  std::string text(bool argument = false) const;  ///< `argument`: in parentheses where it is not one word
-  const Carrier& element() const;                 ///< of a set
+  std::string text(bool argument = false) const;  ///< an `argument` stands in parentheses where it is not one word
+  const Carrier& element() const;                 ///< a set's elements have this carrier
 };
 
 /// An expression is Coq text with the level of its notation: what stands at a level below it must be in parentheses.
@@ -39,11 +39,11 @@ struct Expr {
 /// A slot is a component or an argument, and has a variable of Coq. Each state of a schema has one: `s` for S and `s'`
 /// for S'.
 struct Slot {
-  Name name;  ///< of a state: the schema's name, with its strokes
+  Name name;  ///< a state has the schema's name, with its strokes
   std::string variable;
   Carrier type;
   bool state = false;
-  Term set;  ///< null of a state
+  Term set;  ///< a state has none
 };
 using Signature = std::vector<Slot>;
 
@@ -58,18 +58,18 @@ struct Symbol {
   };
   Form form = Form::value;
   std::string text;
-  Carrier type;  ///< of a carrier: its elements'; of a function: its value's
+  Carrier type;  ///< a carrier's is that of its elements, a function's that of its value
   std::size_t arity = 0;
-  std::string ok;       ///< of a carrier: its invariant, or empty
-  Signature signature;  ///< of an operation; of a schema of data: its components
+  std::string ok;       ///< a carrier has an invariant, or none
+  Signature signature;  ///< an operation has one; for a schema of data it is its components
   bool prefixed = false;
 };
 
 /// A scope says what stands for the names in it.
 struct Scope {
   std::map<Name, Expr> names;
-  std::map<Name, Expr> states;               ///< for θ
-  std::map<std::string, std::string> known;  ///< "… ∈ f" to the variable that stands for the value of f there
+  std::map<Name, Expr> states;               ///< θ asks for these
+  std::map<std::string, std::string> known;  ///< "… ∈ f" leads to the variable that stands for the value of f there
   std::set<std::string> variables;
 };
 
@@ -103,7 +103,7 @@ class Translator {
   explicit Translator(const Typing& typing) : typing_(typing) {}
 
   std::map<Name, Symbol> symbols;
-  std::string state;  ///< the schema that is the state; its variable is `s`
+  std::string state;  ///< this schema is the state; its variable is `s`
 
   Expr term(const Term& term, Scope& scope, Frame& frame) const;
   Expr predicate(const Term& term, const Scope& scope) const;
@@ -115,9 +115,9 @@ class Translator {
   /// Writes that y is the value of the term.
   Expr is_value(const Expr& y, const Term& term, const Scope& scope) const;
 
-  Carrier carrier(const Term& set, const Scope& scope = {}) const;  ///< of its elements
-  bool whole(const Term& set) const;                                ///< whether the set is all of its carrier
-  bool is_set(const Term& term) const;                              ///< by its Z type
+  Carrier carrier(const Term& set, const Scope& scope = {}) const;  ///< its elements have this carrier
+  bool whole(const Term& set) const;                                ///< says whether the set is all of its carrier
+  bool is_set(const Term& term) const;                              ///< its Z type says so
   Signature declare(const SchemaText& text, Scope& scope) const;
   void declare(const Slot& slot, Scope& scope) const;
   /// Writes x ∈ S for each x : S of the text, where S is seen from `outer`, then its predicates, which are seen from

@@ -22,7 +22,7 @@ struct Unit {
 struct Local {
   std::optional<unsigned> slot;
   Code code;
-  std::vector<unsigned> reads{};  ///< the slots that the code reads
+  std::vector<unsigned> reads{};  ///< the code reads these slots
 };
 
 struct Scope {
@@ -41,8 +41,8 @@ struct Scope {
 /// A group is a part of the characteristic tuple of a schema text: a variable, or the binding of an included schema.
 struct Group {
   unsigned slot = 0;
-  Signature names;                   ///< the names of a binding; null for a variable
-  std::vector<unsigned> components;  ///< the slot of each of these names
+  Signature names;                   ///< a binding has names; a variable has none
+  std::vector<unsigned> components;  ///< each of these names has its slot
 };
 
 /// A head is a schema text compiled for a comprehension, a λ, a μ or a quantifier.

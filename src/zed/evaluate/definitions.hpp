@@ -18,11 +18,11 @@ struct Meaning {
   Name name;
   const Section* section = nullptr;
   const Paragraph* paragraph = nullptr;
-  std::uint32_t order = 0;  ///< the place of a branch in its free type
+  std::uint32_t order = 0;  ///< a branch has a place in its free type
   std::optional<Value> value{};
   bool busy = false;  ///< its value is being computed
 
-  const std::string& label() const;  ///< the label of a definition; empty for any other meaning
+  const std::string& label() const;  ///< returns that of a definition, and nothing for any other meaning
 };
 
 class Definitions {

@@ -10,7 +10,7 @@ struct Closure {
   std::shared_ptr<const Unit> unit;
   std::vector<Value> captured;
   Head head;
-  Code term;  ///< null where the characteristic tuple is the value
+  Code term;  ///< it is null where the characteristic tuple is the value
   std::string text;
 
   Frame frame(Context& context) const;
@@ -28,7 +28,7 @@ Value lambda_function(Closure closure);
 /// its value.
 struct Clauses {
   std::vector<Closure> clauses;
-  std::optional<Value> domain;  ///< the domain, where the box states it
+  std::optional<Value> domain;  ///< the box may state it
 };
 /// Makes a function that is compiled when it is first applied, as its clauses may name it.
 Value axiomatic_function(std::string name, std::function<Clauses(Context&)> compile);

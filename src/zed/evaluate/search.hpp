@@ -16,20 +16,20 @@ class Search;
 struct Equation {
   unsigned slot = 0;
   Code value;
-  std::vector<unsigned> reads;  ///< the slots that the value depends on
+  std::vector<unsigned> reads;  ///< the value depends on these slots
 };
 
 /// A property is a compiled predicate. A declaration `x : S` is one too: `x ∈ S`.
 struct Property {
   enum class Kind { all, any, exists, test };
   Kind kind = Kind::all;
-  std::vector<Property> parts;           ///< the operands of all and any; the one body of exists
-  std::shared_ptr<const Search> search;  ///< how exists looks for its variables
-  Test test;                             ///< what test asks
-  std::vector<Equation> equations;       ///< what a test `x = e` determines
-  unsigned declared = 0;                 ///< the slot of the variable that a declaration declares
-  Code set;                              ///< the set of a declaration; null for any other property
-  std::vector<unsigned> reads;           ///< the slots that this set depends on
+  std::vector<Property> parts;           ///< all and any have operands, exists one body
+  std::shared_ptr<const Search> search;  ///< exists looks for its variables so
+  Test test;                             ///< a test asks this
+  std::vector<Equation> equations;       ///< a test `x = e` determines these
+  unsigned declared = 0;                 ///< a declaration declares the variable in this slot
+  Code set;                              ///< a declaration has a set, and no other property has
+  std::vector<unsigned> reads;           ///< this set depends on these slots
 
   /// The property of a whole closed schema names the slot that may hold its binding, and the schema. A binding
   /// remembers the schema that it was found to satisfy.
@@ -38,9 +38,9 @@ struct Property {
 
   // These say where the property comes from, for findings.
   std::string label;
-  Term term;            ///< null for what is not written as a predicate of its own
-  std::string strokes;  ///< those of the state that it speaks of: `'` under Escena '
-  std::string text;     ///< a conjunct of a schema in Unicode; empty for any other property
+  Term term;            ///< it is null for what is not written as a predicate of its own
+  std::string strokes;  ///< the state that it speaks of has them: `'` under Escena '
+  std::string text;     ///< a conjunct of a schema is written in Unicode, other properties are not
 };
 
 Property all_of(std::vector<Property> parts);
@@ -52,9 +52,9 @@ Truth evaluate(const Property& property, Frame& frame);
 struct Variable {
   std::string name;
   unsigned slot = 0;
-  Code set;              ///< the set that it is declared from; null where only the goal says what it may be
+  Code set;              ///< it is declared from this; null where only the goal says what it may be
   bool checked = false;  ///< the goal states its membership in the set already
-  Code value;            ///< the other side of the equation that determines it; null where none does
+  Code value;            ///< an equation that determines it has this other side; null where none does
 };
 
 /// Decides `∃ variables • goal` and enumerates every way to make it hold. A variable gets its values in one of three
@@ -66,7 +66,7 @@ class Search {
   /// components are looked for.
   Search(std::vector<Variable> variables, Property goal, std::vector<unsigned> wholes = {});
 
-  using Visit = std::function<bool(Frame&)>;  ///< false to stop
+  using Visit = std::function<bool(Frame&)>;  ///< it returns false to stop
 
   /// Calls `visit` for each way to make the goal, and `extra`, hold. The answer is no where there was none, yes where
   /// there was one or more, and open where that cannot be said; `visit` may have been called then.

@@ -23,8 +23,8 @@ class Printer {
   void declaration(const Declaration& declaration);
   void name(const Name& name);
   void names(const std::vector<Name>& names);
-  void symbol(std::string_view unicode);  ///< with a space before it, where it needs one
-  void tight(std::string_view unicode);   ///< without
+  void symbol(std::string_view unicode);  ///< prints a space before it, where it needs one
+  void tight(std::string_view unicode);   ///< prints no space before it
   void raw(std::string_view text) { out_ += text; }
 
   std::string take() { return std::move(out_); }

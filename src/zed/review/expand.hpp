@@ -14,9 +14,9 @@ namespace durero::zed {
 
 /// An expansion is a schema written out.
 struct Expansion {
-  std::vector<std::pair<Name, Term>> declared;  ///< its components and their sets, where it declares them by `:`
-  std::vector<Term> facts;                      ///< its predicates, conjunctions split
-  std::set<Name> states;                        ///< the S of each ΔS and ΞS in it, but where S is an operation
+  std::vector<std::pair<Name, Term>> declared;  ///< it declares these components by `:`, from these sets
+  std::vector<Term> facts;                      ///< its predicates are here, conjunctions split
+  std::set<Name> states;                        ///< each ΔS and ΞS in it has its S here, but where S is an operation
   bool opaque = false;                          ///< something in it could not be written out
 };
 

@@ -48,7 +48,7 @@ inline constexpr Connective connectives[] = {
 struct Quantifier {
   Kind kind;
   std::string_view symbol;
-  bool logical = false;  ///< of predicates and schemas, and not of expressions
+  bool logical = false;  ///< it is of predicates and schemas, and not of expressions
 };
 
 inline constexpr Quantifier quantifiers[] = {

@@ -30,9 +30,9 @@ struct Operator {
   std::string_view symbol;
   Fixity fixity;
   Role role;
-  int precedence = 0;        ///< of infix functions and generics: a greater one binds tighter
-  bool right = false;        ///< associates to the right
-  std::string name() const;  ///< the name it is known by: `_∪_`, `#_`, `_∼`
+  int precedence = 0;        ///< infix functions and generics have one: a greater one binds tighter
+  bool right = false;        ///< it associates to the right
+  std::string name() const;  ///< it is known by this: `_∪_`, `#_`, `_∼`
 };
 
 /// Returns the operator of this symbol and fixity, or null.

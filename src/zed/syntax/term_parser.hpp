@@ -19,7 +19,7 @@ class TermParser {
   SchemaText schema_text(bool labelled = false);
 
   std::vector<Predicate> predicates(bool labelled);
-  std::vector<Name> names();  ///< a, b, …
+  std::vector<Name> names();  ///< takes a, b, …
 
  private:
   Term leading();  // takes what can stand first in a term: a quantifier, a prefix operator, an application

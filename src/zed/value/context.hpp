@@ -15,7 +15,7 @@ namespace durero::zed {
 /// Collects what an evaluation compares with 0 as polynomials in one unknown, for every value of it at once.
 struct Watch {
   std::uint32_t unknown = 0;
-  std::vector<Polynomial> compared{};  ///< those that the evaluation has compared with 0
+  std::vector<Polynomial> compared{};  ///< the evaluation has compared these with 0
   bool lost = false;                   ///< something depends on the unknown in another way
 };
 
@@ -24,8 +24,8 @@ struct Context {
   std::vector<std::optional<Value>> values_found;
   /// Equations that are evaluated now must hold for the unknowns of this id or a greater one, and so determine them.
   std::uint32_t necessary = none;
-  int depth = 0;           ///< of applications
-  Watch* watch = nullptr;  ///< null but for Evaluator::comparisons()
+  int depth = 0;           ///< applications nest so deep
+  Watch* watch = nullptr;  ///< it is null but for Evaluator::comparisons()
 
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 

@@ -28,9 +28,9 @@ using Given = std::vector<std::pair<Name, Value>>;
 
 /// A finding is a conjunct of a schema, which is a predicate or a declaration `x ∈ S`, with its truth.
 struct Finding {
-  std::string label;      ///< the predicate's label; empty for a declaration
-  std::string predicate;  ///< in Unicode
-  std::string strokes;    ///< those of the state that it speaks of: `'` for Escena ' in an operation
+  std::string label;      ///< a declaration has none
+  std::string predicate;  ///< it is written in Unicode
+  std::string strokes;    ///< the state that it speaks of has them: `'` for Escena ' in an operation
   Place place;
   Truth truth = Truth::yes;
 };

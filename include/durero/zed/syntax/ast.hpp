@@ -59,8 +59,8 @@ enum class Kind : std::uint8_t {
   renaming,      ///< children: the schema; names: new, old, new, old, …
   hiding,        ///< children: the schema; names: the hidden
   composition,   ///< children: two schemas, ⨟
-  piping,        ///< children: two schemas, ≫
-  projection,    ///< children: two schemas, ↾
+  piping,        ///< children: two schemas, ⨠
+  projection,    ///< children: two schemas, ⨡
   precondition,  ///< children: the schema, `pre S`
   // These are schema expressions and predicates.
   negation,     ///< children: one
@@ -113,9 +113,9 @@ struct Node {
 struct Declaration {
   enum class Form : std::uint8_t { typed, defined, included };
   Form form = Form::typed;
-  std::vector<Name> names;    ///< one or more; one where defined; none where included
-  std::vector<Place> places;  ///< of the names, in step
-  Term term;                  ///< the set, the value, or the schema
+  std::vector<Name> names;    ///< a definition has one, an inclusion none
+  std::vector<Place> places;  ///< the names stand here, in step
+  Term term;                  ///< this is the set, the value, or the schema
   Place place;
 };
 
@@ -123,7 +123,7 @@ struct Declaration {
 /// any.
 struct Predicate {
   Term term;
-  std::string label;  ///< SCHEMA.KIND.NUMBER, or empty
+  std::string label;  ///< it is SCHEMA.KIND.NUMBER, or empty
   Place place;
 };
 
@@ -133,7 +133,7 @@ struct SchemaText {
 };
 
 bool operator==(const Declaration& a, const Declaration& b);
-bool operator==(const Predicate& a, const Predicate& b);  ///< labels too
+bool operator==(const Predicate& a, const Predicate& b);  ///< labels count
 bool operator==(const SchemaText& a, const SchemaText& b);
 
 /// A paragraph of given types is written [ A, B ].
@@ -145,7 +145,7 @@ struct GivenTypes {
 /// A branch of a free type is a constant, or a constructor with the set of its arguments.
 struct Branch {
   Name name;
-  Term argument;  ///< null for a constant
+  Term argument;  ///< a constant has none
   Place place;
 };
 
@@ -154,7 +154,7 @@ struct Branch {
 struct FreeType {
   Name name;
   std::vector<Branch> branches;
-  bool joined = false;  ///< by `&` to the paragraph before it
+  bool joined = false;  ///< `&` joins it to the paragraph before it
 };
 
 /// A definition is written N[X, Y] == E, where E is an expression or a schema expression.
@@ -162,7 +162,7 @@ struct Definition {
   Name name;
   std::vector<Name> formals;
   Term value;
-  std::string label;  ///< in the comment that ends its line, or empty
+  std::string label;  ///< the comment that ends its line says it, if any
 };
 
 /// An axiomatic paragraph is the box `axdef`, without formals, or `gendef`.
@@ -193,12 +193,12 @@ bool operator==(const Paragraph& a, const Paragraph& b);
 
 /// A section has a name. A file without section headers is the one section `Specification` on `standard_toolkit`.
 struct Section {
-  std::string file;  ///< as it was given
+  std::string file;  ///< it is named as it was given
   std::string name;
   std::vector<std::string> parents;
   std::vector<Paragraph> paragraphs;
   Place place;
-  std::vector<Name> lost;  ///< names that paragraphs which could not be read declare
+  std::vector<Name> lost;  ///< paragraphs which could not be read declare these
 };
 
 /// Makes a node, and computes its depth.

@@ -13,8 +13,8 @@ struct Defect {
   enum class Severity { error, warning };
   std::string file;
   Place place;
-  std::string what;      ///< what is wrong
-  std::string expected;  ///< what is expected instead
+  std::string what;      ///< this is wrong
+  std::string expected;  ///< this is expected instead
   Severity severity = Severity::error;
 
   /// Returns `FILE:LINE:COLUMN: what is wrong; what is expected`, with `warning: ` after the place of a warning. It is

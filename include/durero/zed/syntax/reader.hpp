@@ -13,9 +13,9 @@
 namespace durero::zed {
 
 struct Specification {
-  std::vector<Section> sections;         ///< parents first
-  std::map<std::string, Markup> markup;  ///< by section: the directives in force in it, its parents' included
-  std::vector<Defect> defects;           ///< of reading; a paragraph that cannot be read is left out
+  std::vector<Section> sections;         ///< parents come first
+  std::map<std::string, Markup> markup;  ///< each section has the directives in force in it, its parents' too
+  std::vector<Defect> defects;           ///< reading found these; a paragraph that cannot be read is left out
 
   bool ok() const { return defects.empty(); }
   const Section* find(const std::string& name) const;

@@ -29,7 +29,7 @@ class Type {
   static Type formal(Name name);
   static Type power(Type element);
   static Type product(std::vector<Type> parts);
-  static Type schema(std::vector<std::pair<Name, Type>> fields);  ///< of distinct names, in any order
+  static Type schema(std::vector<std::pair<Name, Type>> fields);  ///< the names are distinct, in any order
   static Type variable();
   static Type unknown();
 

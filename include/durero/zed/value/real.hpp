@@ -18,7 +18,7 @@ namespace durero::zed {
 
 class Real {
  public:
-  Real() : form_(Small{}) {}  ///< 0
+  Real() : form_(Small{}) {}  ///< it is 0
   Real(int value);
   /// Makes the number that a binary64 denotes. Throws std::domain_error for an infinity or a NaN.
   Real(double value);
@@ -62,7 +62,7 @@ class Real {
     bool operator==(const Small&) const = default;
   };
   struct Root {
-    number::Surd radicand;  ///< irrational and positive
+    number::Surd radicand;  ///< it is irrational and positive
   };
   using Big = std::shared_ptr<const number::Surd>;
   using Rooted = std::shared_ptr<const Root>;

@@ -57,7 +57,7 @@ struct Unknown {
 struct AtomName {
   std::string type, text;
   std::uint32_t order = 0;
-  std::uint64_t head = 0;  ///< the first eight bytes of the text, as a number in the order of texts
+  std::uint64_t head = 0;  ///< it is the first eight bytes of the text, as a number in the order of texts
 };
 using Atom = std::shared_ptr<const AtomName>;
 
@@ -75,7 +75,7 @@ class Value {
  public:
   using Form =
       std::variant<Undefined, Open, Unknown, PolynomialPtr, Real, Atom, TuplePtr, BindingPtr, ConstructedPtr, SetPtr>;
-  Value() = default;  ///< undefined
+  Value() = default;  ///< it is undefined
   Value(Open) : form_(Open{}) {}
   Value(Unknown unknown) : form_(unknown) {}
   Value(Real real) : form_(std::move(real)) {}
@@ -91,7 +91,7 @@ class Value {
   static Value pair(Value first, Value second);
   /// Makes a binding. The names are sorted, and the values stand in their order.
   static Value binding(Signature names, std::vector<Value> values);
-  static Value point(const Signature& names, Real x, Real y, Real z);  ///< of three components
+  static Value point(const Signature& names, Real x, Real y, Real z);  ///< it has three components
   /// Makes the number constant + slope · unknown.
   static Value line(Real constant, Real slope, Unknown unknown);
   /// Makes a finite set: sorts the members and drops repetitions. A set of open values is open, and one of undefined
@@ -133,7 +133,7 @@ struct BindingValue {
   BindingValue(Signature n, std::span<Value> v)
       : names(std::move(n)), values(std::make_move_iterator(v.begin()), std::make_move_iterator(v.end())) {}
   Signature names;
-  boost::container::small_vector<Value, 3> values;  ///< in step with names
+  boost::container::small_vector<Value, 3> values;  ///< they are in step with names
   const Value* component(const Name& name) const;
   /// This is the closed schema that the binding was last found to satisfy: a binding never changes, nor does a schema.
   mutable std::atomic<const void*> satisfies{nullptr};
