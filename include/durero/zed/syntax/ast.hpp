@@ -188,7 +188,7 @@ struct Paragraph {
   std::variant<GivenTypes, FreeType, Definition, Axiomatic, Schema, Conjecture> form;
 };
 
-/// Two paragraphs are equal where they are, but for their places.
+/// Compares paragraphs, whatever their places.
 bool operator==(const Paragraph& a, const Paragraph& b);
 
 /// A section has a name. A file without section headers is the one section `Specification` on `standard_toolkit`.
