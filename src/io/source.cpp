@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <memory>
+#include <system_error>
 
 #include "durero/io/lines.hpp"
+#include "durero/text/file.hpp"
 #include "durero/text/shown.hpp"
 #include "durero/text/utf8.hpp"
 
@@ -42,18 +41,12 @@ void Source::fail(std::size_t offset, const std::string& wrong, const std::strin
 Source read_source(const std::string& path) {
   const bool standard = path == "-";
   const std::string name = standard ? "<stdin>" : path;
-  const auto refuse = [&](int error) -> FileError {
-    return {name, fmt::format("cannot be read: {}", std::strerror(error)), "expected a readable file"};
-  };
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(standard ? stdin : std::fopen(path.c_str(), "rb"),
-                                                             [](std::FILE* f) { return f == stdin ? 0 : fclose(f); });
-  if (!file) throw refuse(errno);
-  std::string text;
-  std::array<char, 1U << 16U> block;
-  errno = 0;
-  while (const std::size_t n = std::fread(block.data(), 1, block.size(), file.get())) text.append(block.data(), n);
-  if (std::ferror(file.get()) != 0) throw refuse(errno);
-  return {name, std::move(text)};
+  try {
+    return {name, standard ? text::read_rest(*stdin) : text::read_file(path)};
+  } catch (const std::system_error& error) {
+    throw FileError(name, fmt::format("cannot be read: {}", std::strerror(error.code().value())),
+                    "expected a readable file");
+  }
 }
 
 }  // namespace durero::io

@@ -113,15 +113,16 @@ Calculator::Result Calculator::evaluate(const std::string& typed) const {
   zed::Term term = parsed(typed);
   const zed::Typing typing = check(term);
   const zed::Evaluator evaluator(specification_.sections, given_);
-  const bool is_predicate = !typing.type_of(term);
-  if (is_predicate) {
+  const std::optional<zed::Type> type = typing.type_of(term);
+  if (!type) {  // it is a predicate
     const zed::Truth truth = evaluator.holds(term);
     if (truth == zed::Truth::open) throw zed::EvaluationError(open_variable);
     return truth == zed::Truth::yes ? Result{"true", true} : Result{"false", false};
   }
   const zed::Value result = evaluator.value(term);
   if (result.is_open()) throw zed::EvaluationError(open_variable);
-  return {result.text([this](const zed::AtomName& atom) { return spelled(atom); }), !result.is_undefined()};
+  const auto spelling = [this](const zed::AtomName& atom) { return spelled(atom); };
+  return {result.text(type->settled(), spelling), !result.is_undefined()};
 }
 
 }  // namespace durero::oracle::spec

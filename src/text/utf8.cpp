@@ -21,8 +21,6 @@ std::optional<Lead> lead(unsigned char byte) noexcept {
   return std::nullopt;
 }
 
-bool is_scalar(char32_t code) noexcept { return code <= 0x10FFFF && !(code >= 0xD800 && code <= 0xDFFF); }
-
 }  // namespace
 
 std::optional<Character> decode(std::string_view text) noexcept {
@@ -40,6 +38,15 @@ std::optional<Character> decode(std::string_view text) noexcept {
 std::string_view first(std::string_view text) noexcept {
   const auto character = decode(text);
   return text.substr(0, character ? character->length : 1);
+}
+
+std::string encode(char32_t code) {
+  const auto byte = [](char32_t value) { return static_cast<char>(static_cast<unsigned char>(value)); };
+  const auto continuation = [&](unsigned shift) { return byte(0x80U | ((code >> shift) & 0x3FU)); };
+  if (code < 0x80) return {byte(code)};
+  if (code < 0x800) return {byte(0xC0U | (code >> 6U)), continuation(0)};
+  if (code < 0x10000) return {byte(0xE0U | (code >> 12U)), continuation(6), continuation(0)};
+  return {byte(0xF0U | (code >> 18U)), continuation(12), continuation(6), continuation(0)};
 }
 
 }  // namespace durero::text

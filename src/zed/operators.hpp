@@ -1,5 +1,5 @@
 #pragma once
-/// The one table of the operators and names of the standard toolkit (ISO/IEC 13568, annex B): a row has all that the
+/// One table has the operators and names of the standard toolkit (ISO/IEC 13568, annex B): a row has all that the
 /// program knows of a name, from its spelling to its Coq. Whoever needs a column asks for the row by the name.
 
 #include <cstdint>
@@ -15,12 +15,12 @@ class Value;
 struct Context;
 enum class Truth : std::uint8_t;
 
-/// How the evaluator computes what a name stands for: at most one of these is not null.
+/// Says how the evaluator computes what a name stands for: at most one of these is not null.
 struct Evaluation {
   Value (*constant)() = nullptr;
   Value (*unary)(const Value&, Context&) = nullptr;
   Value (*binary)(const Value&, const Value&, Context&) = nullptr;
-  Truth (*property)(const Value&, Context&) = nullptr;  ///< a relation of one operand
+  Truth (*property)(const Value&, Context&) = nullptr;  ///< this is a relation of one operand
   Truth (*relation)(const Value&, const Value&, Context&) = nullptr;
 
   constexpr Evaluation() = default;
@@ -32,45 +32,45 @@ struct Evaluation {
   constexpr bool is_function() const { return unary || binary; }
 };
 
-/// Which relations between two sets are in the set that an arrow such as `⇸` makes.
+/// Says which relations between two sets are in the set that an arrow such as `⇸` makes.
 struct Arrow {
   bool function = true, total = false, injective = false, surjective = false, finite = false;
 };
 
-/// The name in Coq: a function of Toolkit.v, or, with a level, a notation between operands.
+/// The name in Coq is a function of Toolkit.v, or, with a level, a notation between operands.
 struct CoqNotation {
-  std::string_view text;       ///< empty where no rule of translation covers the name
-  int level = 0;               ///< 0 of a function
-  std::string_view of_sets{};  ///< instead of the text, where the operands are sets
-  std::string_view graph{};    ///< Coq's function of two numbers whose graph the name alone is
+  std::string_view text;       ///< it is empty where no rule of translation covers the name
+  int level = 0;               ///< a function has 0
+  std::string_view of_sets{};  ///< it stands for the text where the operands are sets
+  std::string_view graph{};    ///< the name alone is the graph of this function of Coq
 };
 
-/// The role of a name and how tightly it binds; a plain name has no role.
+/// A name has a role and binds more or less tightly; a plain name has no role.
 struct Binding {
   std::optional<Role> role{};
-  int precedence = 0;  ///< of infix functions and generics: a greater one binds tighter
+  int precedence = 0;  ///< infix functions and generics have one: a greater one binds tighter
   bool right = false;  ///< it associates to the right
 };
 
 struct OperatorRow {
-  std::string_view name;     ///< `_∪_`, `#_`, `_∼`, `dom`: an underscore for each operand
-  std::string_view command;  ///< of LaTeX, without its backslash; empty where the symbol is written as it is
+  std::string_view name;     ///< `_∪_`, `#_`, `_∼`, `dom` have an underscore for each operand
+  std::string_view command;  ///< it has no backslash, and is empty where LaTeX writes the symbol as it is
   Binding binding;
-  std::string_view formals, type;  ///< the set that it is declared from, and one letter for each generic formal
-  Evaluation evaluation{};         ///< none of an arrow, nor of what is not evaluated
-  CoqNotation coq{};               ///< none where no rule of translation covers it
-  std::string_view opposite{};     ///< the relation that holds exactly where this one does not
-  std::optional<Arrow> arrow{};    ///< of the sets of relations and functions
+  std::string_view formals, type;  ///< it is declared from this set; each generic formal is one letter
+  Evaluation evaluation{};         ///< arrows have none, nor has what is not evaluated
+  CoqNotation coq{};               ///< it has none where no rule of translation covers it
+  std::string_view opposite{};     ///< this relation holds exactly where the row's does not
+  std::optional<Arrow> arrow{};    ///< sets of relations and functions have one
 
-  /// The name without its underscores.
+  /// Returns the name without its underscores.
   std::string_view symbol() const;
-  std::optional<Fixity> fixity() const;  ///< none of a plain name, nor of `_⦇_⦈`
+  std::optional<Fixity> fixity() const;  ///< a plain name has none, nor has `_⦇_⦈`
 };
 
-/// Every row. The order says nothing.
+/// Returns every row. The order says nothing.
 std::span<const OperatorRow> operator_rows();
 
-/// The row of a name, or null.
+/// Returns the row of a name, or null.
 const OperatorRow* operator_row(std::string_view name);
 
 }  // namespace durero::zed

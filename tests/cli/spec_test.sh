@@ -71,6 +71,12 @@ run 0 spec eval '0.1 + 0.2 = 0.3'
 is out true
 run 0 spec eval '√(1/2) * √(1/2)'
 is out 1/2
+run 0 spec eval 'mi_radio ▷ {1/2}' --scene scene.json
+is out '∅[Elemento × 𝔸]'
+run 0 spec eval '∅[Elemento × 𝔸] = mi_radio ▷ {1/2}' --scene scene.json
+is out true
+run 0 spec eval '\emptyset[\real]'
+is out '∅[𝔸]'
 sed 's/"c1"/"c-1.a:b"/' scene.json >hyphen.json
 run 0 spec eval 'elementos' --scene hyphen.json
 is out '{"c-1.a:b", k1, s1}'

@@ -36,6 +36,19 @@ TEST_CASE("what is printed is typed again and gives the same") {
            {"⦉x == 0.5, y == -1/3, z == 2⦊", "⦉x == 1/2, y == -1/3, z == 2⦊"},
            {"{ 0.5 ↦ soy_cono }", "{1/2 ↦ soy_cono}"},
            {"((1, 2), 3).1.2", "2"},
+           {"{1} ∖ {1}", "∅[𝔸]"},
+           {"∅[ℝ]", "∅[𝔸]"},
+           {"\\emptyset[\\nat]", "∅[𝔸]"},
+           {"{ t : Tipo | t ≠ t }", "∅[Tipo]"},
+           {"ℙ {soy_cono}", "{∅[Tipo], {soy_cono}}"},
+           {"({1}, ∅[ℙ ℕ], 2)", "({1}, ∅[ℙ 𝔸], 2)"},
+           {"{ 1 ↦ {2} ∖ {2} }", "{1 ↦ ∅[𝔸]}"},
+           {"{ ({2} ∖ {2}) ↦ 1 }", "{∅[𝔸] ↦ 1}"},
+           {"{ (1, 2, ∅[Tipo]) }", "{(1, 2, ∅[Tipo])}"},
+           {"⦉x == {1 ↦ 2} ∖ {1 ↦ 2}, y == 1⦊", "⦉x == ∅[𝔸 × 𝔸], y == 1⦊"},
+           {"∅[Punto]", "∅[[x : 𝔸; y : 𝔸; z : 𝔸]]"},
+           {"∅[ℙ (Elemento × (ℕ × Tipo))]", "∅[ℙ (Elemento × (𝔸 × Tipo))]"},
+           {"⟨⟩ ⁀ ({1 ↦ soy_cono} ∖ {1 ↦ soy_cono})", "∅[𝔸 × Tipo]"},
        }) {
     CAPTURE(typed);
     CHECK(value(calculator, typed) == printed);
@@ -73,6 +86,18 @@ TEST_CASE("an element of any name has a spelling") {
   CHECK_THROWS_AS(calculator.evaluate("\"a"), zed::ZError);
   CHECK_THROWS_AS(calculator.evaluate("\"\""), zed::ZError);
   CHECK_THROWS_AS(calculator.evaluate("\"a b\""), zed::ZError);
+}
+
+TEST_CASE("the components of a scene without elements are printed with their types") {
+  const Calculator calculator{model::Escena()};
+  CHECK(value(calculator, "elementos") == "∅[Elemento]");
+  CHECK(value(calculator, "mi_radio") == "∅[Elemento × 𝔸]");
+  CHECK(calculator.evaluate("∅[Elemento] = elementos ∧ ∅[Elemento × 𝔸] = mi_radio").yes);
+  CHECK_THROWS_AS(calculator.evaluate("∅[𝔸] = elementos"), zed::ZError);
+  const std::string state = value(calculator, "θ Escena");
+  CHECK(state.find("elementos == ∅[Elemento]") != std::string::npos);
+  CHECK(value(calculator, state) == state);
+  CHECK(calculator.evaluate(state + " = θ Escena").yes);
 }
 
 TEST_CASE("a scene of ten thousand elements is a scene like another") {

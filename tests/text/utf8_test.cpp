@@ -1,12 +1,16 @@
 #include "durero/text/utf8.hpp"
 
+#include <cstdint>
+#include <ios>
 #include <string>
 
 #include "support/catch.hpp"
 
 using durero::text::Character;
 using durero::text::decode;
+using durero::text::encode;
 using durero::text::first;
+using durero::text::is_scalar;
 
 TEST_CASE("A character is read with its length, at both ends of every length") {
   CHECK(decode("a") == Character{'a', 1});
@@ -30,6 +34,21 @@ TEST_CASE("Bytes that are no UTF-8 are no character") {
     INFO(bytes);
     CHECK(decode(bytes) == std::nullopt);
   }
+}
+
+TEST_CASE("Every character is written as the bytes that it is read from") {
+  CHECK(encode(0x24) == "$");
+  CHECK(encode(0xE9) == "\u00E9");
+  CHECK(encode(0x211D) == "ℝ");
+  CHECK(encode(0x1D538) == "𝔸");
+  char32_t characters = 0;
+  for (char32_t code = 0; code <= 0x110000; ++code) {
+    if (!is_scalar(code)) continue;
+    ++characters;
+    const std::string bytes = encode(code);
+    if (decode(bytes) != Character{code, bytes.size()}) FAIL_CHECK("U+" << std::hex << std::uint32_t{code});
+  }
+  CHECK(characters == 0x110000 - 0x800);
 }
 
 TEST_CASE("The first of a text is a whole character, or one byte") {

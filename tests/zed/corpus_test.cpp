@@ -16,9 +16,9 @@ namespace {
 
 std::vector<Defect> judged(const std::string& file) {
   const Specification read = read_files({file});
-  std::vector<Defect> found = read.defects;
-  for (Defect& one : check(read).defects) found.push_back(std::move(one));
-  return found;
+  std::vector<Defect> defects = read.defects;
+  for (Defect& defect : check(read).defects) defects.push_back(std::move(defect));
+  return defects;
 }
 
 }  // namespace
@@ -27,7 +27,7 @@ TEST_CASE("every right text of the corpus is accepted") {
   const std::vector<std::string> files = files_in("tests/zed/corpus/right");
   CHECK(files.size() >= 80);
   for (const std::string& file : files)
-    for (const Defect& one : judged(file)) FAIL_CHECK(one.text());
+    for (const Defect& defect : judged(file)) FAIL_CHECK(defect.text());
 }
 
 TEST_CASE("every wrong text of the corpus is refused, at its marked line and nowhere else") {
@@ -40,9 +40,9 @@ TEST_CASE("every wrong text of the corpus is refused, at its marked line and now
     std::set<unsigned> wanted, lines;
     for (const auto& [line, what] : marked[file]) wanted.insert(line);
     std::string all;
-    for (const Defect& one : judged(file)) {
-      lines.insert(one.place.line);
-      all += one.text() + "\n";
+    for (const Defect& defect : judged(file)) {
+      lines.insert(defect.place.line);
+      all += defect.text() + "\n";
     }
     CAPTURE(file, all);
     CHECK(wanted.size() == 1);

@@ -16,9 +16,9 @@ using namespace durero::zed::test;
 namespace {
 
 std::string repeated(const std::string& part, std::size_t times) {
-  std::string made;
-  for (std::size_t i = 0; i < times; ++i) made += part;
-  return made;
+  std::string text;
+  for (std::size_t i = 0; i < times; ++i) text += part;
+  return text;
 }
 
 std::string zed(const std::string& body) { return "\\begin{zed}\n" + body + "\n\\end{zed}\n"; }

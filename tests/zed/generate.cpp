@@ -31,9 +31,9 @@ T one_of(std::initializer_list<T> all) {
 Name any_name() { return {*elementOf(words), *elementOf(strokes)}; }
 
 std::vector<Name> any_names() {
-  std::vector<Name> made;
-  for (int n = *inRange(1, 4); n > 0; --n) made.push_back(any_name());
-  return made;
+  std::vector<Name> names;
+  for (int n = *inRange(1, 4); n > 0; --n) names.push_back(any_name());
+  return names;
 }
 
 Term with(Kind kind, std::vector<Term> children, Name name, std::vector<Name> names = {}) {
@@ -48,10 +48,10 @@ Term with(Kind kind, std::vector<Term> children, Name name, std::vector<Name> na
 Term any(int size);
 
 std::vector<Term> several(int least, int most, int size) {
-  std::vector<Term> made;
+  std::vector<Term> terms;
   const int count = *inRange(least, most + 1);
-  for (int i = 0; i < count; ++i) made.push_back(any((size - 1) / std::max(count, 1)));
-  return made;
+  for (int i = 0; i < count; ++i) terms.push_back(any((size - 1) / std::max(count, 1)));
+  return terms;
 }
 
 Declaration any_declaration(int size, bool defining) {
@@ -62,13 +62,13 @@ Declaration any_declaration(int size, bool defining) {
 }
 
 SchemaText any_text(int size, int least, bool labelled = false) {
-  SchemaText made;
-  for (int n = *inRange(least, 3); n > 0; --n) made.declarations.push_back(any_declaration(size / 4, false));
+  SchemaText text;
+  for (int n = *inRange(least, 3); n > 0; --n) text.declarations.push_back(any_declaration(size / 4, false));
   for (int n = *inRange(0, 3); n > 0; --n) {
     const std::string label = labelled && *inRange(0, 2) == 0 ? "S.inv." + std::to_string(n) : "";
-    made.predicates.push_back({any(size / 4), label, {}});
+    text.predicates.push_back({any(size / 4), label, {}});
   }
-  return made;
+  return text;
 }
 
 Term any_quantified(int size) {
@@ -108,8 +108,8 @@ Term any_operation(int size) {
 
 Term any_sequence(int size) {
   std::vector<Term> pairs;
-  for (Term& one : several(0, 3, size))
-    pairs.push_back(node(Kind::tuple, {number(std::to_string(pairs.size() + 1)), std::move(one)}));
+  for (Term& item : several(0, 3, size))
+    pairs.push_back(node(Kind::tuple, {number(std::to_string(pairs.size() + 1)), std::move(item)}));
   return operation("⟨,,⟩", {node(Kind::set_extension, std::move(pairs))});
 }
 
@@ -210,8 +210,8 @@ Paragraph any_paragraph(int size) {
     case 2:
       return {{}, Definition{any_name(), formals, any(size), *inRange(0, 2) ? "N.def.1" : ""}};
     case 3: {
-      Axiomatic made{formals, any_text(size, 1, true)};
-      return {{}, std::move(made)};
+      Axiomatic box{formals, any_text(size, 1, true)};
+      return {{}, std::move(box)};
     }
     case 4:
       return {{}, Schema{any_name(), formals, any_text(size, 0, true)}};

@@ -20,11 +20,11 @@ using Lines = std::map<std::string, std::map<unsigned, std::vector<std::string>>
 
 /// The `.tex` files of a folder of the source tree, in order.
 inline std::vector<std::string> files_in(const std::string& folder) {
-  std::vector<std::string> found;
+  std::vector<std::string> files;
   for (const auto& entry : std::filesystem::directory_iterator(durero::test::source_dir() + "/" + folder))
-    if (entry.path().extension() == ".tex") found.push_back(entry.path().string());
-  std::sort(found.begin(), found.end());
-  return found;
+    if (entry.path().extension() == ".tex") files.push_back(entry.path().string());
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
 inline std::string contents(const std::string& file) {
@@ -50,12 +50,12 @@ inline void marks(const std::string& file, const std::function<bool(const std::s
 }
 
 inline void report(const std::vector<Defect>& defects, Lines& to) {
-  for (const Defect& one : defects) to[one.file][one.place.line].push_back(one.text());
+  for (const Defect& defect : defects) to[defect.file][defect.place.line].push_back(defect.text());
 }
 
 inline bool has(const Lines& lines, const std::string& file, unsigned line) {
-  const auto found = lines.find(file);
-  return found != lines.end() && found->second.contains(line);
+  const auto entry = lines.find(file);
+  return entry != lines.end() && entry->second.contains(line);
 }
 
 }  // namespace durero::zed::test

@@ -35,9 +35,9 @@ inline void survive(const std::string& text) {
   survive_term(text);
   const Specification read = read_text(text, "no-such-folder/input.tex");
   for (const Section& section : read.sections)
-    for (const Paragraph& one : section.paragraphs) survive_paragraph(one);
-  for (const Defect& one : review(read))
-    if (one.text().empty()) throw std::logic_error("a defect without a text");
+    for (const Paragraph& paragraph : section.paragraphs) survive_paragraph(paragraph);
+  for (const Defect& defect : review(read))
+    if (defect.text().empty()) throw std::logic_error("a defect without a text");
 }
 
 }  // namespace durero::zed::test

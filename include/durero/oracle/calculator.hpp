@@ -18,8 +18,8 @@ zed::Term parsed(const std::string& typed);
 
 /// Sees the whole text, and Escena's components and the elements of a scene where there is one. An element's name is
 /// written between quotation marks, `"a-b"`, or plainly where it is a word that the text leaves free. Numbers may be
-/// decimal, `0.25`, and / and √ are known: what is printed can be typed again, but for the empty set without its type
-/// and for sets that are known by membership only.
+/// decimal, `0.25`, and / and √ are known. What is printed can be typed again, as an empty set bears its type, `∅[𝔸]`;
+/// only sets that are known by membership cannot.
 class Calculator {
  public:
   Calculator();

@@ -10,8 +10,8 @@
 namespace durero::zed::coq {
 namespace {
 
-/// What the text describes by what it does, and Coq has by a name of its own. The description is exported as a
-/// statement about any such function, to be proved of this one.
+/// Some functions the text describes by what they do, and Coq has by a name of its own. The description is exported as
+/// a statement about any such function, to be proved of this one.
 const std::unordered_map<std::string, std::string>& witnesses() {
   static const std::unordered_map<std::string, std::string> known = {{"raizcuadrada", "sqrt"}};
   return known;
@@ -21,7 +21,7 @@ bool is_arrow(const Term& set, std::string_view arrow) {
   return set->kind == Kind::reference && set->name.word == arrow && set->children.size() == 2;
 }
 
-/// f(x, y) = E under ∀ x : S; y : T | P, x and y being all the variables in their order.
+/// The equation f(x, y) = E stands under ∀ x : S; y : T | P, where x and y are all the variables in their order.
 struct Equation {
   Name function;
   const SchemaText* text = nullptr;
@@ -29,10 +29,10 @@ struct Equation {
 };
 
 std::vector<Name> variables(const SchemaText& text) {
-  std::vector<Name> all;
+  std::vector<Name> names;
   for (const Declaration& declaration : text.declarations)
-    all.insert(all.end(), declaration.names.begin(), declaration.names.end());
-  return all;
+    names.insert(names.end(), declaration.names.begin(), declaration.names.end());
+  return names;
 }
 
 using match::application_of_name;
@@ -52,7 +52,7 @@ std::optional<Equation> equation(const Term& term) {
   return Equation{left->children[0]->name, term->text.get(), argument, body->children[1]};
 }
 
-/// dom f = S: f.
+/// Returns f where the term is dom f = S.
 std::optional<Name> stated_domain(const Term& term) {
   if (!is_equation(term)) return {};
   const Term* of = match::argument_of(term->children[0], "dom");
@@ -60,7 +60,7 @@ std::optional<Name> stated_domain(const Term& term) {
   return (*of)->name;
 }
 
-/// c * n = m: m / n.
+/// Returns m / n where the term is c * n = m.
 std::optional<std::string> solution(const Name& c, const Term& term) {
   if (!is_equation(term) || term->children[1]->kind != Kind::number) return {};
   const Node* factors = match::operands(term->children[0], "_*_");
@@ -107,13 +107,13 @@ void Writer::axiomatic(const Axiomatic& form, Place place) {
   for (const Predicate& conjunct : form.text.predicates) {
     const auto of = stated_domain(conjunct.term);
     if (of && domains.contains(*of)) continue;
-    const auto what = equation(conjunct.term);
-    if (what && domains.contains(what->function)) {
-      if (!partial_definition(conjunct, declared, *domains[what->function]))
+    const auto defining = equation(conjunct.term);
+    if (defining && domains.contains(defining->function)) {
+      if (!partial_definition(conjunct, declared, *domains[defining->function]))
         uncovered(conjunct.place, "this partial function");
-      declared.erase(what->function);
-    } else if (what && what->text->predicates.empty() && explicit_definition(conjunct, declared)) {
-      declared.erase(what->function);
+      declared.erase(defining->function);
+    } else if (defining && defining->text->predicates.empty() && explicit_definition(conjunct, declared)) {
+      declared.erase(defining->function);
     } else {
       rest.push_back(&conjunct);
     }
@@ -130,44 +130,44 @@ void Writer::axiomatic(const Axiomatic& form, Place place) {
 }
 
 bool Writer::explicit_definition(const Predicate& predicate, const Declarations& declared) {
-  const Equation what = *equation(predicate.term);
-  const auto entry = declared.find(what.function);
+  const Equation defining = *equation(predicate.term);
+  const auto entry = declared.find(defining.function);
   if (entry == declared.end() || !is_arrow(entry->second, "_→_")) return false;
   Scope inside;
-  const Signature slots = in_.declare(*what.text, inside);
+  const Signature slots = in_.declare(*defining.text, inside);
   std::string value;
-  if (in_.is_set(what.value)) {
-    value = in_.set(what.value, inside).text;
+  if (in_.is_set(defining.value)) {
+    value = in_.set(defining.value, inside).text;
   } else {
     Frame frame;
-    value = in_.term(what.value, inside, frame).text;
+    value = in_.term(defining.value, inside, frame).text;
     if (!frame.empty()) uncovered(predicate.place, "a total function that applies a partial one");
   }
-  sentence(fmt::format("Definition {} {} : {} := {}.", variable(what.function), binders(slots, false),
-                       in_.symbols.at(what.function).type.text(), value),
+  sentence(fmt::format("Definition {} {} : {} := {}.", variable(defining.function), binders(slots, false),
+                       in_.symbols.at(defining.function).type.text(), value),
            predicate.label);
   return true;
 }
 
 bool Writer::partial_definition(const Predicate& conjunct, const Declarations& declared, const Predicate& domain) {
-  const Equation what = *equation(conjunct.term);
+  const Equation defining = *equation(conjunct.term);
   const Term& set = domain.term->children[1];
-  const auto entry = declared.find(what.function);
+  const auto entry = declared.find(defining.function);
   if (entry == declared.end() || !is_arrow(entry->second, "_⇸_") || set->kind != Kind::comprehension ||
-      !set->children.empty() || variables(*set->text) != variables(*what.text))
+      !set->children.empty() || variables(*set->text) != variables(*defining.text))
     return false;
   Scope inside;
   const Signature slots = in_.declare(*set->text, inside);
-  std::vector<Expr> all = in_.conditions(*set->text, slots, {}, inside);
+  std::vector<Expr> conjuncts = in_.conditions(*set->text, slots, {}, inside);
   const std::string y = in_.fresh("y", inside);
   inside.variables.insert(y);
-  const Symbol& symbol = in_.symbols.at(what.function);
-  all.push_back(in_.is_value({y, atomic, symbol.type.element().parts.at(1)}, what.value, inside));
+  const Symbol& symbol = in_.symbols.at(defining.function);
+  conjuncts.push_back(in_.is_value({y, atomic, symbol.type.element().parts.at(1)}, defining.value, inside));
   std::string arguments;
   for (const Slot& slot : slots) arguments += (arguments.empty() ? "" : ", ") + slot.variable;
   if (slots.size() > 1) arguments = "(" + arguments + ")";
   sentence(fmt::format("Definition {} : {} := fun '({}, {}) => {}.", symbol.text, symbol.type.text(), arguments, y,
-                       all_of(all).text),
+                       all_of(conjuncts).text),
            domain.label + ", " + conjunct.label);
   return true;
 }

@@ -33,7 +33,7 @@ void Writer::schema(const Schema& form) {
   is_plain(form) ? data(form) : operation(form);
 }
 
-/// A field for each declaration x : S that says more than the type of x, and one for each predicate.
+/// Adds a field for each declaration x : S that says more than the type of x, and one for each predicate.
 void Writer::conditions(const std::string& name, const SchemaText& text, const Scope& scope, Fields& to) {
   for (const Declaration& declaration : text.declarations) {
     if (declaration.form != Declaration::Form::typed || says_nothing(declaration.term, in_)) continue;
@@ -105,9 +105,11 @@ void Writer::operation(const Schema& form) {
   Fields fields;
   for (const Declaration& declaration : form.text.declarations) {
     if (declaration.form != Declaration::Form::included) continue;
-    const Name what = schema_name(declaration.term).value();
-    const std::string field = what.word == "Δ" + in_.state ? "Delta" : what.word == "Ξ" + in_.state ? "Xi" : what.word;
-    fields.emplace_back(fmt::format("{}_{} : {}", name, field, in_.call(what, scope, declaration.place).text), "");
+    const Name included = schema_name(declaration.term).value();
+    const std::string field = included.word == "Δ" + in_.state   ? "Delta"
+                              : included.word == "Ξ" + in_.state ? "Xi"
+                                                                 : included.word;
+    fields.emplace_back(fmt::format("{}_{} : {}", name, field, in_.call(included, scope, declaration.place).text), "");
   }
   conditions(name, form.text, scope, fields);
   record(fmt::format("{} {} : Prop :=", name, binders(symbol.signature, false)), fields);

@@ -2,7 +2,7 @@
 
 namespace durero::zed::coq {
 
-/// The levels of Coq's notations: a greater one binds less tightly.
+/// The notations of Coq have levels: a greater one binds less tightly.
 enum Level {
   atomic = 0,
   applied = 10,

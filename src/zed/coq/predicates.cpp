@@ -9,79 +9,13 @@
 namespace durero::zed::coq {
 namespace {
 
-Expr joined(const std::vector<Expr>& parts, std::string_view by, int level, const char* none) {
-  if (parts.empty()) return {none, atomic, {}};
-  if (parts.size() == 1) return parts[0];
-  Expr out{"", level, {}};
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const bool last = i + 1 == parts.size();
-    // a quantifier at the end takes in nothing that it should not
-    const bool open = last && parts[i].level == binder;
-    out.text +=
-        (i == 0 ? "" : fmt::format(" {} ", by)) + (open ? parts[i].text : parts[i].at(last ? level : level - 1));
-    if (open) out.level = binder;
-  }
-  return out;
-}
-
-}  // namespace
-
-void flatten(Kind kind, const Term& term, std::vector<Term>& to) {
-  if (term->kind != kind) return to.push_back(term);
-  for (const Term& child : term->children) flatten(kind, child, to);
-}
-
-namespace {
-
-/// The relation in Coq: `<=`; empty where no rule covers it.
+/// Returns the relation as Coq writes it, `<=`, or nothing where no rule covers it.
 std::string_view symbol_of(const std::string& relation) {
   const OperatorRow* row = operator_row(relation);
   return row ? row->coq.text : std::string_view();
 }
 
 }  // namespace
-
-Expr all_of(const std::vector<Expr>& conjuncts) { return joined(conjuncts, "/\\", both, "True"); }
-Expr any_of(const std::vector<Expr>& disjuncts) { return joined(disjuncts, "\\/", either, "False"); }
-
-Expr framed(const Frame& frame, const Expr& body) {
-  if (frame.empty()) return body;
-  std::string variables;
-  std::vector<Expr> all;
-  for (const auto& [v, asked] : frame) {
-    variables += " " + v;
-    all.push_back({asked, related, {}});
-  }
-  all.push_back(body);
-  return {fmt::format("exists{}, {}", variables, all_of(all).text), binder, {}};
-}
-
-std::string variable(const Name& name) {
-  std::string out = name.word;
-  for (const char stroke : name.strokes) out += stroke == '?' ? "_in" : stroke == '!' ? "_out" : std::string(1, stroke);
-  return out;
-}
-
-std::string identifier(std::string label) {
-  std::replace(label.begin(), label.end(), '.', '_');
-  return label;
-}
-
-std::string binders(const Signature& slots, bool bare) {
-  std::string out;
-  std::size_t groups = 0;
-  for (std::size_t i = 0; i < slots.size();) {
-    const std::string type = slots[i].type.text();
-    std::string group;
-    for (; i < slots.size() && slots[i].type.text() == type; ++i)
-      group += (group.empty() ? "" : " ") + slots[i].variable;
-    group += " : " + type;
-    if (bare && groups == 0 && i == slots.size()) return group;
-    out += (out.empty() ? "(" : " (") + group + ")";
-    ++groups;
-  }
-  return out;
-}
 
 Expr Translator::predicate(const Term& term, const Scope& scope) const {
   const Node& node = *term;
@@ -137,22 +71,23 @@ Expr Translator::predicate(const Term& term, const Scope& scope) const {
 Expr Translator::quantified(const Node& node, const Scope& scope) const {
   Scope inside = scope;
   const Signature slots = declare(*node.text, inside);
-  std::vector<Expr> what = conditions(*node.text, slots, scope, inside);
+  std::vector<Expr> conjuncts = conditions(*node.text, slots, scope, inside);
   const Expr body = predicate(node.children[0], inside);
   if (node.kind == Kind::forall) {
     std::string out = fmt::format("forall {}, ", binders(slots, true));
-    for (const Expr& expr : what) out += expr.at(implied - 1) + " -> ";
+    for (const Expr& expr : conjuncts) out += expr.at(implied - 1) + " -> ";
     return {out + body.text, binder, {}};
   }
-  what.push_back(body);
+  conjuncts.push_back(body);
   if (node.kind == Kind::exists_one && slots.size() != 1) uncovered(node.place, "∃₁ over several variables");
   return {fmt::format("{} {}, {}", node.kind == Kind::exists ? "exists" : "exists!", binders(slots, true),
-                      all_of(what).text),
+                      all_of(conjuncts).text),
           binder,
           {}};
 }
 
-// a ≤ b < c is one predicate: the values of partial applications are those of all of it. `denied`: a = b as a ≠ b.
+// a ≤ b < c is one predicate: the values of partial applications are those of all of it. Where it is `denied`, a = b is
+// written as a ≠ b.
 Expr Translator::relation(const Node& node, Scope& scope, Frame& frame, bool denied) const {
   std::vector<Expr> operands, parts;
   for (std::size_t i = 0; i + 1 < node.children.size(); ++i) operands.push_back(term(node.children[i], scope, frame));
@@ -178,8 +113,8 @@ Expr Translator::relation(const Node& node, Scope& scope, Frame& frame, bool den
     }
     parts.push_back(one_relation(by, node.children[i], node.children[i + 1], operands[i], scope, frame));
   }
-  const Expr all = all_of(parts);
-  return denied && node.names.size() > 1 ? Expr{"~ " + all.at(applied), negated, {}} : all;
+  const Expr conjunction = all_of(parts);
+  return denied && node.names.size() > 1 ? Expr{"~ " + conjunction.at(applied), negated, {}} : conjunction;
 }
 
 Expr Translator::one_relation(const Name& by, const Term& left, const Term& right, const Expr& a, Scope& scope,
@@ -192,7 +127,7 @@ Expr Translator::one_relation(const Name& by, const Term& left, const Term& righ
   const bool sets = is_set(left);
   if (word == "_≠_" && sets) return {"~ " + against(operator_row("_=_")->coq.of_sets).at(applied), negated, {}};
   if (word == "_∈_" && whole(right)) {
-    // to be in a whole type is to have a value
+    // To be in a whole type is to have a value.
     const std::string c = fresh("c", scope);
     return {fmt::format("exists {} : {}, {} = {}", c, carrier(right).text(), c, a.at(related - 1)), binder, {}};
   }
@@ -248,8 +183,8 @@ Expr Translator::is_value(const Expr& y, const Term& value, const Scope& scope) 
                 {fmt::format("{} {} {}", y.text, is_set(value) ? "≡" : "=", right.at(related - 1)), related, {}});
 }
 
-// The condition holds and the first is meant, or it does not and the second is. The values of partial applications in
-// the condition are known in both.
+// Either the condition holds and the first is meant, or it does not and the second is. The values of partial
+// applications in the condition are known in both.
 Expr Translator::conditional(const Node& node, const Scope& scope,
                              const std::function<Expr(const Term&, const Scope&)>& leaf) const {
   Scope inside = scope;

@@ -38,7 +38,8 @@ void Translator::declare(const Slot& slot, Scope& scope) const {
                                                                             applied, part.type};
 }
 
-// Whether a variable of this name would hide what is written under it: another variable, a component, a word of Coq.
+// Says whether a variable of this name would hide what is written under it: another variable, a component, a word of
+// Coq.
 bool Translator::taken(const std::string& variable, const Scope& scope) const {
   static const std::set<std::string> words = {"s",    "s'",    "R",       "Z",     "sqrt",  "set",  "rel",    "univ",
                                               "dom",  "ran",   "inverse", "image", "ndres", "dres", "graph",  "is_mu",
@@ -76,19 +77,20 @@ Signature Translator::declare(const SchemaText& text, Scope& scope) const {
 
 std::vector<Expr> Translator::conditions(const SchemaText& text, const Signature& slots, const Scope& outer,
                                          const Scope& inner) const {
-  std::vector<Expr> all;
+  std::vector<Expr> conjuncts;
   for (const Slot& slot : slots) {
     if (slot.state) continue;
     Scope around = outer;
     around.variables = inner.variables;
-    for (Expr& expr : constraint({slot.variable, atomic, slot.type}, slot.set, around)) all.push_back(std::move(expr));
+    for (Expr& expr : constraint({slot.variable, atomic, slot.type}, slot.set, around))
+      conjuncts.push_back(std::move(expr));
   }
   for (const Predicate& conjunct : text.predicates) {
     std::vector<Term> parts;
     flatten(Kind::conjunction, conjunct.term, parts);
-    for (const Term& part : parts) all.push_back(predicate(part, inner));
+    for (const Term& part : parts) conjuncts.push_back(predicate(part, inner));
   }
-  return all;
+  return conjuncts;
 }
 
 Signature Translator::signature(const Term& schema) const {

@@ -1,4 +1,4 @@
-// Sets as predicates: comprehensions, unions, and the types that carry them.
+// Writes sets as predicates: comprehensions, unions, and the types that carry them.
 #include <fmt/format.h>
 
 #include "durero/zed/syntax/defect.hpp"
@@ -6,7 +6,7 @@
 
 namespace durero::zed::coq {
 
-// ⋃ { i : I | P • S }: the union of S over those i.
+// ⋃ { i : I | P • S } is the union of S over those i.
 Expr Translator::generalized_union(const Term& family, Scope& scope, Frame&) const {
   if (family->kind != Kind::comprehension || family->children.empty()) uncovered(family->place, "this ⋃");
   Scope inside = scope;
@@ -23,23 +23,23 @@ Expr Translator::generalized_union(const Term& family, Scope& scope, Frame&) con
   return {fmt::format("⋃[{}] (fun {} => {})", over.text, index, value.text), plus, value.type};
 }
 
-// { x : S | P } == fun x => x ∈ S /\ P;   { D | P • E } == fun y => exists D, P /\ y = E
+// { x : S | P } is written fun x => x ∈ S /\ P, and { D | P • E } is written fun y => exists D, P /\ y = E.
 Expr Translator::comprehension(const Node& node, const Scope& scope) const {
   Scope inside = scope;
   const Signature slots = declare(*node.text, inside);
-  std::vector<Expr> what = conditions(*node.text, slots, scope, inside);
+  std::vector<Expr> conjuncts = conditions(*node.text, slots, scope, inside);
   const bool has_value = node.kind == Kind::comprehension && !node.children.empty();
   if (!has_value) {
     if (slots.size() != 1) uncovered(node.place, "a set of tuples, inside a term,");
-    return {"fun " + slots[0].variable + " => " + all_of(what).text, binder, Carrier::set(slots[0].type)};
+    return {"fun " + slots[0].variable + " => " + all_of(conjuncts).text, binder, Carrier::set(slots[0].type)};
   }
   Frame unused;
   Scope copy = inside;
   const Carrier type = term(node.children[0], copy, unused).type;
   const std::string y = fresh("y", inside);
   inside.variables.insert(y);
-  what.push_back(is_value({y, atomic, type}, node.children[0], inside));
-  return {fmt::format("fun {} => exists {}, {}", y, binders(slots, true), all_of(what).text), binder,
+  conjuncts.push_back(is_value({y, atomic, type}, node.children[0], inside));
+  return {fmt::format("fun {} => exists {}, {}", y, binders(slots, true), all_of(conjuncts).text), binder,
           Carrier::set(type)};
 }
 

@@ -20,11 +20,6 @@ Carrier type_of_operation(const std::string& word, const std::vector<Expr>& of) 
   return of[0].type;
 }
 
-std::vector<Term> split(const Term& argument, std::size_t arity) {
-  if (arity > 1 && argument->kind == Kind::tuple) return argument->children;
-  return {argument};
-}
-
 }  // namespace
 
 void uncovered(Place place, const std::string& what) {
@@ -70,7 +65,6 @@ bool Translator::is_set(const Term& term) const {
 
 Expr Translator::term(const Term& term, Scope& scope, Frame& frame) const {
   const Node& node = *term;
-  const auto part = [&](std::size_t i) { return this->term(node.children[i], scope, frame); };
   switch (node.kind) {
     case Kind::reference:
       return reference(node, scope, frame);
@@ -79,8 +73,9 @@ Expr Translator::term(const Term& term, Scope& scope, Frame& frame) const {
     case Kind::application:
       return application(node, scope, frame);
     case Kind::power:
-      return {"ℙ " + part(0).at(applied), applied + 20, Carrier::set(Carrier::set(carrier(node.children[0], scope)))};
-    case Kind::product: {  // of whole types only
+      return {"ℙ " + this->term(node.children[0], scope, frame).at(applied), applied + 20,
+              Carrier::set(Carrier::set(carrier(node.children[0], scope)))};
+    case Kind::product: {  // only a product of whole types has a carrier
       if (!whole(term)) uncovered(node.place, "a product of parts of types");
       return {"univ", atomic, Carrier::set(carrier(term, scope))};
     }
@@ -89,50 +84,62 @@ Expr Translator::term(const Term& term, Scope& scope, Frame& frame) const {
       if (node.children[0]->kind != Kind::reference || entry == scope.states.end()) uncovered(node.place, "this θ");
       return entry->second;
     }
-    case Kind::selection: {
-      const Expr of = part(0);
-      const Symbol* schema = find({of.type.name, {}});
-      if (schema)
-        for (const Slot& slot : schema->signature)
-          if (slot.name == node.name) return {slot.variable + " " + of.at(applied - 1), applied, slot.type};
-      uncovered(node.place, "this selection");
-    }
-    case Kind::tuple: {
-      Expr out{"(", atomic, Carrier::product({})};
-      for (std::size_t i = 0; i < node.children.size(); ++i) {
-        const Expr expr = part(i);
-        out.text += (i == 0 ? "" : ", ") + expr.at(both - 1);
-        out.type.parts.push_back(expr.type);
-      }
-      out.text += ")";
-      return out;
-    }
-    case Kind::set_extension: {
-      Expr out{"∅", atomic, Carrier::set({})};
-      for (std::size_t i = 0; i < node.children.size(); ++i) {
-        const Expr operand = part(i);
-        const std::string single = "⦃" + operand.text + "⦄";
-        out = {i == 0 ? single : out.text + " ∪ " + single, i == 0 ? atomic : plus, Carrier::set(operand.type)};
-      }
-      return out;
-    }
+    case Kind::selection:
+      return selection(node, scope, frame);
+    case Kind::tuple:
+      return tuple(node, scope, frame);
+    case Kind::set_extension:
+      return set_extension(node, scope, frame);
     case Kind::comprehension:
       return comprehension(node, scope);
-    case Kind::conditional: {
-      if (!is_set(term)) uncovered(node.place, "a conditional that is no set, inside a term,");
-      const std::string x = fresh("x", scope);
-      Scope inside = scope;
-      inside.variables.insert(x);
-      Frame unused;
-      Scope branch = scope;
-      const Carrier type = this->term(node.children[1], branch, unused).type;
-      return {"fun " + x + " => " + member({x, atomic, type.element()}, term, inside).text, binder, type};
-    }
+    case Kind::conditional:
+      return conditional_set(term, scope);
     case Kind::mu:
       return apply_partial(node, nullptr, scope, frame);
     default:
       uncovered(node.place, "this expression");
   }
+}
+
+Expr Translator::selection(const Node& node, Scope& scope, Frame& frame) const {
+  const Expr of = term(node.children[0], scope, frame);
+  if (const Symbol* schema = find({of.type.name, {}}))
+    for (const Slot& slot : schema->signature)
+      if (slot.name == node.name) return {slot.variable + " " + of.at(applied - 1), applied, slot.type};
+  uncovered(node.place, "this selection");
+}
+
+Expr Translator::tuple(const Node& node, Scope& scope, Frame& frame) const {
+  Expr out{"(", atomic, Carrier::product({})};
+  for (std::size_t i = 0; i < node.children.size(); ++i) {
+    const Expr part = term(node.children[i], scope, frame);
+    out.text += (i == 0 ? "" : ", ") + part.at(both - 1);
+    out.type.parts.push_back(part.type);
+  }
+  out.text += ")";
+  return out;
+}
+
+Expr Translator::set_extension(const Node& node, Scope& scope, Frame& frame) const {
+  Expr out{"∅", atomic, Carrier::set({})};
+  for (std::size_t i = 0; i < node.children.size(); ++i) {
+    const Expr operand = term(node.children[i], scope, frame);
+    const std::string single = "⦃" + operand.text + "⦄";
+    out = {i == 0 ? single : out.text + " ∪ " + single, i == 0 ? atomic : plus, Carrier::set(operand.type)};
+  }
+  return out;
+}
+
+/// A conditional whose branches are sets is the set of what is in the branch that is meant.
+Expr Translator::conditional_set(const Term& conditional, const Scope& scope) const {
+  if (!is_set(conditional)) uncovered(conditional->place, "a conditional that is no set, inside a term,");
+  const std::string x = fresh("x", scope);
+  Scope inside = scope;
+  inside.variables.insert(x);
+  Frame unused;
+  Scope branch = scope;
+  const Carrier type = term(conditional->children[1], branch, unused).type;
+  return {"fun " + x + " => " + member({x, atomic, type.element()}, conditional, inside).text, binder, type};
 }
 
 Expr Translator::reference(const Node& node, Scope& scope, Frame& frame) const {
@@ -199,59 +206,6 @@ Expr Translator::operation(const std::string& word, const std::vector<Term>& arg
   Expr out{std::string(by.text), applied, type_of_operation(word, of)};
   for (const Expr& argument : of) out.text += " " + argument.at(applied - 1);
   return out;
-}
-
-Expr Translator::partial(const std::string& in, const std::string& before, const Carrier& type, Scope& scope,
-                         Frame& frame) const {
-  const std::string key = before + " ∈ " + in;
-  auto known = scope.known.find(key);
-  if (known == scope.known.end()) {
-    const std::string v = fresh("v", scope);
-    scope.variables.insert(v);
-    known = scope.known.emplace(key, v).first;
-    frame.emplace_back(v, (before.empty() ? v : "(" + before + ", " + v + ")") + " ∈ " + in);
-  }
-  return {known->second, atomic, type};
-}
-
-bool Translator::is_partial(const Node& node, const Scope& scope) const {
-  if (node.kind == Kind::mu) return true;
-  if (node.kind != Kind::application) return false;
-  const Node& function = *node.children[0];
-  if (function.kind != Kind::reference || scope.names.contains(function.name)) return true;
-  const Symbol* symbol = find(function.name);
-  return symbol && symbol->form != Symbol::Form::function;
-}
-
-// The value of a partial application or of a μ: a variable of the frame, or, where y is given, that it is y.
-Expr Translator::apply_partial(const Node& node, const Expr* y, Scope& scope, Frame& frame) const {
-  std::string in, before;
-  Carrier type;
-  if (node.kind == Kind::mu) {
-    if (!node.children.empty()) uncovered(node.place, "a μ with a value");
-    const Expr among = comprehension(node, scope);
-    in = "is_mu " + among.at(applied - 1);
-    type = among.type.element();
-  } else {
-    const Node& function = *node.children[0];
-    const Symbol* symbol = scope.names.contains(function.name) ? nullptr : find(function.name);
-    if (symbol && symbol->form == Symbol::Form::partial) {
-      in = symbol->text;
-      for (const Term& part : split(node.children[1], symbol->arity))
-        in += " " + term(part, scope, frame).at(applied - 1);
-      type = symbol->type;
-    } else {
-      const Expr argument = term(node.children[1], scope, frame);
-      const Expr relation = term(node.children[0], scope, frame);
-      const Carrier& pair = relation.type.element();
-      if (pair.parts.size() != 2) uncovered(node.place, "this application");
-      before = argument.at(both - 1);
-      in = relation.at(related - 1);
-      type = pair.parts[1];
-    }
-  }
-  if (!y) return partial(in, before, type, scope, frame);
-  return {(before.empty() ? y->text : "(" + before + ", " + y->text + ")") + " ∈ " + in, related, {}};
 }
 
 }  // namespace durero::zed::coq

@@ -1,5 +1,5 @@
 #pragma once
-/// Terms and predicates of Z as Coq text, for coq/coq.cpp.
+/// The translator writes terms and predicates of Z as Coq text, for coq/coq.cpp.
 
 #include <functional>
 #include <map>
@@ -14,21 +14,21 @@
 
 namespace durero::zed::coq {
 
-/// A type of Coq that carries a Z set: a name, `set T`, or a product.
+/// A carrier is a type of Coq that carries a Z set: a name, `set T`, or a product.
 struct Carrier {
   enum class Form { named, set, product };
   Form form = Form::named;
-  std::string name;  ///< empty where it is not known, as that of ∅
+  std::string name;  ///< it is empty where it is not known, as that of ∅
   std::vector<Carrier> parts;
 
   static Carrier named(std::string name) { return {Form::named, std::move(name), {}}; }
   static Carrier set(Carrier of) { return {Form::set, {}, {std::move(of)}}; }
   static Carrier product(std::vector<Carrier> of) { return {Form::product, {}, std::move(of)}; }
-  std::string text(bool argument = false) const;  ///< `argument`: in parentheses where it is not one word
-  const Carrier& element() const;                 ///< of a set
+  std::string text(bool argument = false) const;  ///< an `argument` stands in parentheses where it is not one word
+  const Carrier& element() const;                 ///< a set's elements have this carrier
 };
 
-/// Coq text with the level of its notation: what stands at a level below it must be in parentheses.
+/// An expression is Coq text with the level of its notation: what stands at a level below it must be in parentheses.
 struct Expr {
   std::string text;
   int level = 0;
@@ -36,17 +36,18 @@ struct Expr {
   std::string at(int most) const { return level <= most ? text : "(" + text + ")"; }
 };
 
-/// A component or an argument: a variable of Coq. One for each state of a schema, `s` for S and `s'` for S'.
+/// A slot is a component or an argument, and has a variable of Coq. Each state of a schema has one: `s` for S and `s'`
+/// for S'.
 struct Slot {
-  Name name;  ///< of a state: the schema's name, with its strokes
+  Name name;  ///< a state has the schema's name, with its strokes
   std::string variable;
   Carrier type;
   bool state = false;
-  Term set;  ///< null of a state
+  Term set;  ///< a state has none
 };
 using Signature = std::vector<Slot>;
 
-/// What a name that a paragraph declares is in Coq.
+/// A symbol is what a name that a paragraph declares is in Coq.
 struct Symbol {
   enum class Form {
     carrier,    ///< the whole of a type: `univ`, or the predicate `ok` of a schema with an invariant
@@ -57,41 +58,44 @@ struct Symbol {
   };
   Form form = Form::value;
   std::string text;
-  Carrier type;  ///< of a carrier: its elements'; of a function: its value's
+  Carrier type;  ///< a carrier's is that of its elements, a function's that of its value
   std::size_t arity = 0;
-  std::string ok;       ///< of a carrier: its invariant, or empty
-  Signature signature;  ///< of an operation; of a schema of data: its components
+  std::string ok;       ///< a carrier has an invariant, or none
+  Signature signature;  ///< an operation has one; for a schema of data it is its components
   bool prefixed = false;
 };
 
-/// What stands for the names in scope.
+/// A scope says what stands for the names in it.
 struct Scope {
   std::map<Name, Expr> names;
-  std::map<Name, Expr> states;               ///< for θ
-  std::map<std::string, std::string> known;  ///< "… ∈ f" to the variable that stands for the value of f there
+  std::map<Name, Expr> states;               ///< θ asks for these
+  std::map<std::string, std::string> known;  ///< "… ∈ f" leads to the variable that stands for the value of f there
   std::set<std::string> variables;
 };
 
-/// The values of partial applications that a predicate speaks of: variables, and what is asked of each.
+/// A frame has the values of partial applications that a predicate speaks of: variables, and what is asked of each.
 using Frame = std::vector<std::pair<std::string, std::string>>;
 
-/// `a /\ b`, flat; True of none.
+/// Joins conjuncts by /\, and writes True for none; disjuncts by \/, and False for none.
 Expr all_of(const std::vector<Expr>& conjuncts);
 Expr any_of(const std::vector<Expr>& disjuncts);
-/// exists v …, … /\ body.
+/// Writes exists v …, … /\ body, or the body alone where the frame is empty.
 Expr framed(const Frame& frame, const Expr& body);
-/// `(a b : R) (S : set R)`; without parentheses where one type is all.
+/// Writes binders as `(a b : R) (S : set R)`, where `bare` without parentheses where one type is all.
 std::string binders(const Signature& slots, bool bare);
 std::string variable(const Name& name);
-/// A.kind.n as A_kind_n.
+/// Writes the label A.kind.n as the identifier A_kind_n.
 std::string identifier(std::string label);
 
-/// The name of S, and for S ' the name S'. Nothing for another schema.
+/// Returns the name of S, and for S ' the name S'; nothing for another schema.
 std::optional<Name> schema_name(const Term& schema);
+
+/// Returns the arguments of a function of this arity, which stand in a tuple where they are several.
+std::vector<Term> split(const Term& argument, std::size_t arity);
 
 /// Splits a chain of ∧ or of ∨.
 void flatten(Kind kind, const Term& term, std::vector<Term>& to);
-/// Adds what is not there yet, by name; states stand before the rest.
+/// Adds what is not there yet, by name. States stand before the rest.
 void merge(Signature& to, const Signature& from);
 
 class Translator {
@@ -99,24 +103,25 @@ class Translator {
   explicit Translator(const Typing& typing) : typing_(typing) {}
 
   std::map<Name, Symbol> symbols;
-  std::string state;  ///< the schema that is the state; its variable is `s`
+  std::string state;  ///< this schema is the state; its variable is `s`
 
   Expr term(const Term& term, Scope& scope, Frame& frame) const;
   Expr predicate(const Term& term, const Scope& scope) const;
-  /// A set in a place of its own: `fun x => …`, where it is not a name or an operation on sets.
+  /// Writes a set in a place of its own, as `fun x => …` where it is no name and no operation on sets.
   Expr set(const Term& set, const Scope& scope) const;
-  /// x ∈ set, x being a variable of Coq; nothing where the set is a whole type.
+  /// Writes x ∈ set, where x is a variable of Coq, or nothing where the set is a whole type.
   std::vector<Expr> constraint(const Expr& x, const Term& set, const Scope& scope) const;
   Expr member(const Expr& x, const Term& set, const Scope& scope) const;
-  /// y is the value of the term.
+  /// Writes that y is the value of the term.
   Expr is_value(const Expr& y, const Term& term, const Scope& scope) const;
 
-  Carrier carrier(const Term& set, const Scope& scope = {}) const;  ///< of its elements
-  bool whole(const Term& set) const;                                ///< whether the set is all of its carrier
-  bool is_set(const Term& term) const;                              ///< by its Z type
+  Carrier carrier(const Term& set, const Scope& scope = {}) const;  ///< its elements have this carrier
+  bool whole(const Term& set) const;                                ///< says whether the set is all of its carrier
+  bool is_set(const Term& term) const;                              ///< its Z type says so
   Signature declare(const SchemaText& text, Scope& scope) const;
   void declare(const Slot& slot, Scope& scope) const;
-  /// x ∈ S for each x : S of the text, S seen from `outer`, then its predicates, seen from `inner`.
+  /// Writes x ∈ S for each x : S of the text, where S is seen from `outer`, then its predicates, which are seen from
+  /// `inner`.
   std::vector<Expr> conditions(const SchemaText& text, const Signature& slots, const Scope& outer,
                                const Scope& inner) const;
   std::string fresh(const std::string& stem, const Scope& scope) const;
@@ -131,6 +136,10 @@ class Translator {
   Expr application(const Node& node, Scope& scope, Frame& frame) const;
   Expr operation(const std::string& word, const std::vector<Term>& arguments, Scope& scope, Frame& frame,
                  const Node& node) const;
+  Expr selection(const Node& node, Scope& scope, Frame& frame) const;
+  Expr tuple(const Node& node, Scope& scope, Frame& frame) const;
+  Expr set_extension(const Node& node, Scope& scope, Frame& frame) const;
+  Expr conditional_set(const Term& conditional, const Scope& scope) const;
   Expr generalized_union(const Term& family, Scope& scope, Frame& frame) const;
   Expr partial(const std::string& in, const std::string& before, const Carrier& type, Scope& scope, Frame& frame) const;
   Expr apply_partial(const Node& node, const Expr* y, Scope& scope, Frame& frame) const;

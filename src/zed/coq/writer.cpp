@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <set>
 
+#include "durero/text/utf8.hpp"
 #include "durero/zed/coq/coq.hpp"
 #include "durero/zed/syntax/defect.hpp"
-#include "zed/syntax/utf8.hpp"
 
 namespace durero::zed::coq {
 namespace {
@@ -16,16 +16,16 @@ namespace {
 constexpr std::size_t width = 118;
 
 std::size_t characters(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return !utf8::continues(c); }));
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return !text::continues(c); }));
 }
 
 int depth_change(const std::string& word) {
   return static_cast<int>(std::count(word.begin(), word.end(), '(') - std::count(word.begin(), word.end(), ')'));
 }
 
-/// Where the line that begins with this word ends: where the text does; else behind a `:=`; else where it is least deep
-/// in parentheses, the last such place behind a third of the line, and of those rather before a connective than before
-/// a relation or a sum; else where the line is full.
+/// Says where the line that begins with this word ends. It ends where the text does; else behind a `:=`; else where it
+/// is least deep in parentheses, at the last such place behind a third of the line, and of those rather before a
+/// connective than before a relation or a sum; else where the line is full.
 std::size_t end_of_line(const std::vector<std::string>& words, std::size_t from, std::size_t room) {
   static const std::set<std::string> connectives = {"/\\", "\\/", "->"}, others = {"<=", "=", "≡", "+", "-", "∈"};
   std::size_t to = from, length = 0, good = from;
@@ -48,7 +48,7 @@ std::size_t end_of_line(const std::vector<std::string>& words, std::size_t from,
   return good > from ? good : to;
 }
 
-/// The schema that is the state of the text: that of which some box includes Δ, Ξ or the decorated schema.
+/// Returns the schema that is the state of the text: some box includes Δ or Ξ of it, or the decorated schema.
 std::string state_of(const Specification& specification) {
   std::string state;
   for (const Section& section : specification.sections)
@@ -75,7 +75,7 @@ std::string state_of(const Specification& specification) {
 
 Writer::Writer(const Specification& specification, const Typing& typing) : in_(typing) {
   in_.state = state_of(specification);
-  // The sets that Coq has already. The text's axioms for them are exported as statements, to be proved.
+  // Coq has these sets already. The text's axioms for them are exported as statements, to be proved.
   for (const auto& [z, coq] : {std::pair{"ℝ", "R"}, std::pair{"ℤ", "Z"}}) {
     Symbol symbol;
     symbol.form = Symbol::Form::carrier;
@@ -174,7 +174,7 @@ void Writer::definition(const Definition& form) {
   }
 }
 
-// { x : S | P } is a set; { S; x : T | P } a predicate on its arguments.
+// { x : S | P } is a set, and { S; x : T | P } is a predicate on its arguments.
 void Writer::set_definition(const Definition& form) {
   Scope inside;
   const Signature slots = in_.declare(*form.value->text, inside);
@@ -203,7 +203,7 @@ void Writer::lambda_definition(const Definition& form) {
   symbol.text = variable(form.name);
   symbol.arity = slots.size();
   const std::string head = fmt::format("Definition {} {} : ", symbol.text, binders(slots, false));
-  std::vector<Expr> what = in_.conditions({{}, text.predicates}, {}, {}, inside);
+  std::vector<Expr> conjuncts = in_.conditions({{}, text.predicates}, {}, {}, inside);
   Scope branch = inside;
   Frame frame;
   const bool set = in_.is_set(value);
@@ -211,7 +211,7 @@ void Writer::lambda_definition(const Definition& form) {
   Term leaf = value;
   while (leaf->kind == Kind::conditional) leaf = leaf->children[1];
   symbol.type = in_.term(leaf, branch, frame).type;
-  if (set && what.empty()) {
+  if (set && conjuncts.empty()) {
     sentence(fmt::format("{}{} := {}.", head, symbol.type.text(), in_.set(value, inside).text), form.label);
   } else {
     const bool named = value->kind == Kind::comprehension && value->children.empty();
@@ -219,8 +219,8 @@ void Writer::lambda_definition(const Definition& form) {
     inside.variables.insert(x);
     const Carrier type = set ? symbol.type : Carrier::set(symbol.type);
     const Expr variable{x, atomic, type.element()};
-    what.push_back(set ? in_.member(variable, value, inside) : in_.is_value(variable, value, inside));
-    sentence(fmt::format("{}{} := fun {} => {}.", head, type.text(), x, all_of(what).text), form.label);
+    conjuncts.push_back(set ? in_.member(variable, value, inside) : in_.is_value(variable, value, inside));
+    sentence(fmt::format("{}{} := fun {} => {}.", head, type.text(), x, all_of(conjuncts).text), form.label);
   }
   in_.symbols[form.name] = symbol;
 }

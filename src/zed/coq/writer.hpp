@@ -1,5 +1,5 @@
 #pragma once
-/// The paragraphs of a Z text as Coq, for coq/coq.cpp.
+/// The writer puts the paragraphs of a Z text as Coq, for coq/coq.cpp.
 
 #include <string>
 
@@ -8,7 +8,7 @@
 
 namespace durero::zed::coq {
 
-/// The names that an axiomatic box declares, and their sets.
+/// These are the names that an axiomatic box declares, and their sets.
 using Declarations = std::map<Name, Term>;
 
 class Writer {
@@ -30,7 +30,7 @@ class Writer {
   void operation_definition(const Definition& form);
   void value_definition(const Definition& form);
 
-  using Fields = std::vector<std::pair<std::string, std::string>>;  // with the label of each
+  using Fields = std::vector<std::pair<std::string, std::string>>;  // each has its label
   void data(const Schema& form);
   void state_relations(const std::string& name, const Schema& form);
   void operation(const Schema& form);
@@ -42,7 +42,7 @@ class Writer {
   bool partial_definition(const Predicate& conjunct, const Declarations& declared, const Predicate& domain);
   void implicit_definition(const Name& name, const Term& set, const std::vector<const Predicate*>& stated);
 
-  /// A sentence, broken into lines; the label in a comment behind it.
+  /// Writes a sentence, broken into lines, with the label in a comment behind it.
   void sentence(const std::string& text, const std::string& label = {}, const std::string& indent = "");
 
   Translator in_;

@@ -1,5 +1,6 @@
-/// Paragraphs to values. An axiomatic description gives a name a value where one of its predicates is an equation for
-/// it: `f(x) = e` under ∀ and its guard, `dom f = S`, `c = e`, a linear equation, or `f(x) * f(x) = x` for the root.
+/// Compiles paragraphs to values. An axiomatic description gives a name a value where one of its predicates is an
+/// equation for it: `f(x) = e` under ∀ and its guard, `dom f = S`, `c = e`, a linear equation, or `f(x) * f(x) = x` for
+/// the root.
 
 #include <algorithm>
 
@@ -21,7 +22,8 @@ bool is_application(const Term& term, const Name& function) {
 
 bool mentions(const Term& term, const Name& name) { return match::mentions(term, {name}); }
 
-/// The names that an argument consists of: `x`, `(x, y)`, with `θS` for the schema text's inclusion of S; or nothing.
+/// Returns the names that an argument consists of: `x`, `(x, y)`, with `θS` for the schema text's inclusion of S; or
+/// nothing.
 std::optional<std::vector<Name>> argument_names(const Term& argument) {
   std::vector<Name> names;
   const auto add = [&](const Term& part) {
@@ -41,7 +43,7 @@ std::optional<std::vector<Name>> argument_names(const Term& argument) {
   return names;
 }
 
-/// The groups of the head in the order in which the argument names them, each once; nothing where it does not.
+/// Returns the groups of the head in the order in which the argument names them, each once; nothing where it does not.
 std::optional<std::vector<Group>> in_order(const std::vector<Name>& names, const Head& head, const Scope& scope) {
   std::vector<Group> groups;
   for (const Name& name : names) {
@@ -59,7 +61,7 @@ std::optional<std::vector<Group>> in_order(const std::vector<Name>& names, const
   return groups.size() == head.groups.size() ? std::optional(groups) : std::nullopt;
 }
 
-/// What the equation in `body` says of f, as a clause under the head of `forall`.
+/// Returns what the equation in `body` says of f, as a clause under the head of `forall`.
 std::optional<Closure> clause(Compiler& compiler, const Name& function, const std::vector<Name>& formals,
                               const Node& forall) {
   const Term& body = forall.children[0];
@@ -73,7 +75,8 @@ std::optional<Closure> clause(Compiler& compiler, const Name& function, const st
   const auto names = argument_names(applied->children[1]);
   if (!names) return std::nullopt;
   const auto unit = std::make_shared<Unit>();
-  const Scope outside = compiler.formals(formals, {}, Scope{.unit = unit});  // generic: the sets are whole types
+  const Scope outside =
+      compiler.formals(formals, {}, Scope{.unit = unit});  // where f is generic, its sets are whole types
   Scope inner{.outer = &outside, .unit = unit};
   Head head = compiler.head(*forall.text, outside, inner);
   const auto groups = in_order(*names, head, inner);
@@ -119,7 +122,7 @@ const Term* declared_set(const Name& name, const Axiomatic& form) {
   return nullptr;
 }
 
-/// The value that the predicates determine, by the search for it: as μ would.
+/// Returns the value that the predicates determine, by the search for it, as μ would.
 Value determined(Compiler& compiler, const Name& name, const Axiomatic& form, Context& context) {
   SchemaText text;
   if (const Term* set = declared_set(name, form)) {
@@ -166,7 +169,7 @@ Value Compiler::schema_value(const Meaning& global, Context& context) {
   return code(frame);
 }
 
-// A definition without actuals: those of a generic one are whole types.
+// The definition is taken without actuals: those of a generic one are whole types.
 Value Compiler::definition_value(const Meaning& global, Context& context) {
   const auto& definition = std::get<Definition>(global.paragraph->form);
   const auto unit = std::make_shared<Unit>();
@@ -197,7 +200,7 @@ const Branch& branch(const Meaning& global) {
                        [&](const Branch& branch) { return branch.name == global.name; });
 }
 
-/// For a scope: a value is being made.
+/// Marks for a scope that the value of a name is being computed.
 class Busy {
  public:
   explicit Busy(Meaning& global) : global_(global) {

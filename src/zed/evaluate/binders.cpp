@@ -1,4 +1,4 @@
-/// Expressions that bind variables, to code: let, { }, λ, μ, and a schema as the set that it is.
+/// Compiles expressions that bind variables: let, { }, λ, μ, and a schema as the set that it is.
 
 #include "zed/evaluate/compiler.hpp"
 #include "zed/evaluate/describe.hpp"
@@ -6,19 +6,40 @@
 
 namespace durero::zed {
 
+void LetValues::give(Frame& frame) const {
+  for (const auto& [slot, value] : slots_and_values) frame.slots[slot] = value(frame);
+}
+
+LetValues Compiler::let_values(const SchemaText& text, const Scope& scope, Scope& inner) {
+  LetValues values;
+  for (const Declaration& declaration : text.declarations) {
+    const unsigned slot = Slots::take(*scope.unit);
+    values.slots_and_values.emplace_back(slot, expression(declaration.term, scope));
+    inner.names[declaration.names[0]] = {slot, {}};
+  }
+  return values;
+}
+
 Code Compiler::let(const Node& node, const Scope& scope) {
   const Slots slots(*scope.unit);
   Scope inner{.outer = &scope, .unit = scope.unit};
-  std::vector<std::pair<unsigned, Code>> defined;
-  for (const Declaration& declaration : node.text->declarations) {
-    defined.emplace_back(Slots::take(*scope.unit), Code());
-    defined.back().second = expression(declaration.term, scope);
-    inner.names[declaration.names[0]] = {defined.back().first, {}};
-  }
-  return [defined = std::move(defined), value = expression(node.children[0], inner)](Frame& frame) {
-    for (const auto& [slot, definition] : defined) frame.slots[slot] = definition(frame);
-    return value(frame);
+  const LetValues values = let_values(*node.text, scope, inner);
+  return [values, body = expression(node.children[0], inner)](Frame& frame) {
+    values.give(frame);
+    return body(frame);
   };
+}
+
+Property Compiler::let_predicate(const Term& term, const Scope& scope) {
+  const Slots slots(*scope.unit);
+  Scope inner{.outer = &scope, .unit = scope.unit};
+  const LetValues values = let_values(*term->text, scope, inner);
+  return test_of(
+      [values, body = predicate(term->children[0], inner)](Frame& frame) {
+        values.give(frame);
+        return evaluate(body, frame);
+      },
+      term);
 }
 
 Code Compiler::comprehension(const Node& node, const Scope& scope) {

@@ -13,7 +13,7 @@ namespace durero::zed {
 
 struct OperatorRow;
 
-/// The layout of one frame. It grows while code is compiled for it.
+/// A unit is the layout of one frame. It grows while code is compiled for it.
 struct Unit {
   unsigned next = 0, size = 0;
 };
@@ -22,7 +22,7 @@ struct Unit {
 struct Local {
   std::optional<unsigned> slot;
   Code code;
-  std::vector<unsigned> reads{};  ///< the slots that the code reads
+  std::vector<unsigned> reads{};  ///< the code reads these slots
 };
 
 struct Scope {
@@ -31,21 +31,21 @@ struct Scope {
   std::unordered_map<Name, Local> names{};
   /// A binding of a whole schema that is at hand has a slot: the text of S, for `θ S`, leads to it.
   std::map<std::string, unsigned> thetas{};
-  /// The scope in which the sets of a schema's declarations are resolved, as a text binds its names in its predicates
-  /// and not in its own declarations. Null means this one.
+  /// This is the scope in which the sets of a schema's declarations are resolved, as a text binds its names in its
+  /// predicates and not in its own declarations. Null means the scope itself.
   const Scope* declarations = nullptr;
 
   const Scope& of_declarations() const { return declarations ? *declarations : *this; }
 };
 
-/// A part of the characteristic tuple of a schema text: a variable, or the binding of an included schema.
+/// A group is a part of the characteristic tuple of a schema text: a variable, or the binding of an included schema.
 struct Group {
   unsigned slot = 0;
-  Signature names;                   ///< the names of a binding; null for a variable
-  std::vector<unsigned> components;  ///< the slot of each of these names
+  Signature names;                   ///< a binding has names; a variable has none
+  std::vector<unsigned> components;  ///< each of these names has its slot
 };
 
-/// A schema text compiled as the head of a comprehension, a λ, a μ or a quantifier.
+/// A head is a schema text compiled for a comprehension, a λ, a μ or a quantifier.
 struct Head {
   std::shared_ptr<const Search> search;
   std::vector<Group> groups;
@@ -57,6 +57,12 @@ void assign(Frame& frame, const std::vector<Group>& groups, const Value& value);
 Value characteristic(const Frame& frame, const std::vector<Group>& groups);
 /// Makes the characteristic tuple with every part unknown.
 Value unknown_characteristic(Frame& frame, const Head& head);
+
+/// These are the values that a let gives its names, each with the slot of its name.
+struct LetValues {
+  std::vector<std::pair<unsigned, Code>> slots_and_values;
+  void give(Frame& frame) const;
+};
 
 class Compiler {
  public:
@@ -76,7 +82,7 @@ class Compiler {
   Definitions& definitions() { return definitions_; }
 
  private:
-  // Expressions (expressions.cpp).
+  // Expressions are compiled in expressions.cpp, names.cpp and binders.cpp.
   Code name(const Node& node, const Scope& scope);
   Code toolkit(const Node& node, const Scope& scope);
   Code set_expression(const Node& node, const OperatorRow& row, const Scope& scope);
@@ -84,6 +90,7 @@ class Compiler {
   Code selection(const Node& node, const Scope& scope);
   Code theta(const Node& node, const Scope& scope);
   Code conditional(const Node& node, const Scope& scope);
+  LetValues let_values(const SchemaText& text, const Scope& scope, Scope& inner);
   Code let(const Node& node, const Scope& scope);
   Code parts(const Node& node, const Scope& scope, Value (*make)(std::vector<Value>));
   Code binding_extension(const Node& node, const Scope& scope);
@@ -93,11 +100,15 @@ class Compiler {
   Code schema_set(const Term& term, const Scope& scope);
   Code compiled(const Term& term, const Scope& scope);
 
-  // Predicates and schemas (predicates.cpp, schemas.cpp).
+  // Predicates and schemas are compiled in predicates.cpp, schemas.cpp and heads.cpp.
   Property relation(const Term& term, const Scope& scope);
+  Property let_predicate(const Term& term, const Scope& scope);
   Property quantified(const Term& term, const Scope& scope);
   Property exists_one(const Node& node, const Scope& scope);
+  Property schema(const Term& term, const Scope& scope);
   Property schema_reference(const Term& term, const Scope& scope);
+  Property renamed(const Node& node, const Scope& scope);
+  Property projection(const Node& node, const Scope& scope);
   Property schema_definition(const Meaning& global, const Scope& scope);
   Property change(const Name& of, bool unchanged, const Scope& scope);
   Property mapped(const Term& schema, const Scope& scope, const std::vector<std::pair<Name, Name>>& names);
@@ -105,9 +116,10 @@ class Compiler {
   Property joined_schemas(const Node& node, const std::string& stroke, const std::string& to_stroke,
                           const Scope& scope);
   Property declaration(const Declaration& declaration, const Scope& scope);
+  Property inclusion(const Declaration& included, unsigned whole, const Scope& scope, const Scope& inner);
   void equations(const Node& relation, const Scope& scope, Property& into);
 
-  // Axiomatic definitions (axiomatic.cpp).
+  // Paragraphs are compiled in axiomatic.cpp.
   Value axiomatic(const Meaning& global, Context& context);
   Value schema_value(const Meaning& global, Context& context);
   Value constructor_arguments(const Meaning& global, Context& context);
@@ -117,13 +129,13 @@ class Compiler {
   Local component(const Name& name, const Scope& scope);
 
   Definitions& definitions_;
-  std::deque<Value> constants_;  // the values of closed expressions, each computed when it is first asked for
-  std::vector<unsigned> reads_;  // the slots read by the code that is being compiled, in order of compilation
-  std::string label_;            // the label of the definition that is being compiled
-  std::string strokes_;          // the strokes of the decorations around what is being compiled
+  std::deque<Value> constants_;  // closed expressions have these values, each computed when first asked for
+  std::vector<unsigned> reads_;  // the code that is being compiled reads these slots, in order of compilation
+  std::string label_;            // the definition that is being compiled has this label
+  std::string strokes_;          // the decorations around what is being compiled have these strokes
 };
 
-/// Slots for a scope, given back at its end.
+/// Takes slots for a scope, and gives them back at its end.
 class Slots {
  public:
   explicit Slots(Unit& unit) : unit_(unit), before_(unit.next) {}
@@ -141,7 +153,7 @@ class Slots {
   unsigned before_;
 };
 
-/// An error at a place of the text.
+/// Throws an EvaluationError that names the place in the text.
 [[noreturn]] void cannot(const Node& node, const std::string& what);
 
 }  // namespace durero::zed

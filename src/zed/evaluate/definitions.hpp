@@ -1,5 +1,5 @@
 #pragma once
-/// What the names of a specification stand for.
+/// The definitions say what the names of a specification stand for.
 
 #include <optional>
 #include <string>
@@ -11,18 +11,18 @@
 
 namespace durero::zed {
 
-/// A name that a paragraph declares. Its value is computed when it is first asked for.
+/// A meaning is that of a name that a paragraph declares. Its value is computed when it is first asked for.
 struct Meaning {
   enum class Kind { given, free_type, constant, constructor, definition, axiomatic, schema };
   Kind kind = Kind::given;
   Name name;
   const Section* section = nullptr;
   const Paragraph* paragraph = nullptr;
-  std::uint32_t order = 0;  ///< the place of a branch in its free type
+  std::uint32_t order = 0;  ///< a branch has a place in its free type
   std::optional<Value> value{};
   bool busy = false;  ///< its value is being computed
 
-  const std::string& label() const;  ///< the label of a definition; empty for any other meaning
+  const std::string& label() const;  ///< returns that of a definition, and nothing for any other meaning
 };
 
 class Definitions {

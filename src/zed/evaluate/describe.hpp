@@ -1,5 +1,5 @@
 #pragma once
-/// Terms in messages.
+/// Names terms in messages.
 
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace durero::zed {
 
-/// The term in Unicode.
+/// Writes the term in Unicode; the set of one schema's bindings is named by the schema.
 std::string describe(const Node& node);
 
 }  // namespace durero::zed

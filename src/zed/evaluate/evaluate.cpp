@@ -55,8 +55,6 @@ Frame frame_of(const Given& locals, const Unit& unit, Context& context) {
   return frame;
 }
 
-// Findings.
-
 Finding finding(const Property& property, Truth here) {
   Finding finding{property.label, property.text, property.strokes, {}, here};
   if (property.term) finding.place = property.term->place;
@@ -65,17 +63,19 @@ Finding finding(const Property& property, Truth here) {
 
 std::vector<Finding> findings(const Property& property, Frame& frame);
 
-long count(const std::vector<Finding>& all, Truth truth) {
-  return std::count_if(all.begin(), all.end(), [&](const Finding& finding) { return finding.truth == truth; });
+long count(const std::vector<Finding>& findings, Truth truth) {
+  return std::count_if(findings.begin(), findings.end(),
+                       [&](const Finding& finding) { return finding.truth == truth; });
 }
 
-/// Of the sides of a disjunction the one that explains it best: the fewest false conjuncts, then the fewest open.
+/// Returns the findings of the side of a disjunction that explains it best: it has the fewest false conjuncts, then the
+/// fewest open.
 std::vector<Finding> best_side(const Property& property, Frame& frame) {
   std::vector<Finding> best;
   for (std::size_t i = 0; i < property.parts.size(); ++i) {
-    auto here = findings(property.parts[i], frame);
-    const auto rank = [](const auto& all) { return std::pair(count(all, Truth::no), count(all, Truth::open)); };
-    if (i == 0 || rank(here) < rank(best)) best = std::move(here);
+    auto side = findings(property.parts[i], frame);
+    const auto rank = [](const auto& of) { return std::pair(count(of, Truth::no), count(of, Truth::open)); };
+    if (i == 0 || rank(side) < rank(best)) best = std::move(side);
   }
   return best;
 }
@@ -88,12 +88,12 @@ std::vector<Finding> findings(const Property& property, Frame& frame) {
     return findings(property.search->goal(), frame);
   }
   if (composed && property.kind == Property::Kind::all) {
-    std::vector<Finding> all;
+    std::vector<Finding> conjuncts;
     for (const Property& part : property.parts) {
-      auto here = findings(part, frame);
-      std::move(here.begin(), here.end(), std::back_inserter(all));
+      auto of_part = findings(part, frame);
+      std::move(of_part.begin(), of_part.end(), std::back_inserter(conjuncts));
     }
-    return all;
+    return conjuncts;
   }
   return {finding(property, evaluate(property, frame))};
 }

@@ -1,4 +1,4 @@
-/// Heads of comprehensions and quantifiers: the variables of a schema text, and the tuple that they make.
+/// Compiles heads of comprehensions and quantifiers: the variables of a schema text, and the tuple that they make.
 
 #include <algorithm>
 
@@ -61,6 +61,21 @@ Value unknown_characteristic(Frame& frame, const Head& head) {
   });
 }
 
+/// Compiles an included schema, whose binding is in the slot `whole`. It knows its own components, and none of the
+/// variables beside it.
+Property Compiler::inclusion(const Declaration& included, unsigned whole, const Scope& scope, const Scope& inner) {
+  Scope own{.outer = &scope, .unit = scope.unit, .thetas = inner.thetas, .declarations = &scope};
+  for (const Name& name : zed::components(included, definitions_)) own.names[name] = inner.names.at(name);
+  Property property;
+  property.parts.push_back(predicate(included.term, own));
+  const bool named = included.term->kind == Kind::reference && included.term->children.empty();
+  if (const Meaning* schema = named ? definitions_.find(included.term->name) : nullptr) {
+    property.whole = whole;
+    property.schema = schema;
+  }
+  return property;
+}
+
 Head Compiler::head(const SchemaText& text, const Scope& scope, Scope& inner, const Term& extra) {
   Head head;
   std::vector<Variable> variables;
@@ -100,22 +115,7 @@ Head Compiler::head(const SchemaText& text, const Scope& scope, Scope& inner, co
       included.push_back(&declaration);
     }
   }
-  for (std::size_t i = 0; i < included.size(); ++i) {
-    // An included schema knows its own components, and none of the variables beside it.
-    Scope own{.outer = &scope, .unit = scope.unit, .thetas = inner.thetas, .declarations = &scope};
-    for (const Name& name : zed::components(*included[i], definitions_)) own.names[name] = inner.names.at(name);
-    std::vector<Property> whole;
-    whole.push_back(predicate(included[i]->term, own));
-    Property property;
-    property.parts = std::move(whole);
-    const Meaning* schema =
-        included[i]->term->kind == Kind::reference ? definitions_.find(included[i]->term->name) : nullptr;
-    if (schema && included[i]->term->children.empty()) {
-      property.whole = wholes[i];
-      property.schema = schema;
-    }
-    goal.push_back(std::move(property));
-  }
+  for (std::size_t i = 0; i < included.size(); ++i) goal.push_back(inclusion(*included[i], wholes[i], scope, inner));
   for (const Predicate& conjunct : text.predicates) goal.push_back(predicate(conjunct.term, inner));
   if (extra) goal.push_back(predicate(extra, inner));
   head.search = std::make_shared<const Search>(std::move(variables), all_of(std::move(goal)), std::move(wholes));

@@ -55,7 +55,7 @@ class Comprehension : public Set {
   mutable std::optional<bool> total_;
 };
 
-/// The value at an argument that the head admits; undefined at others.
+/// Returns the value at an argument that the head admits; undefined at others.
 Value applied(const Closure& closure, const Value& argument, Context& context, Truth* admitted) {
   Frame frame = closure.frame(context);
   assign(frame, closure.head.groups, argument);
@@ -116,8 +116,8 @@ class Lambda : public Set {
       pairs.push_back(Value::pair(characteristic(inside, closure_.head.groups), closure_.term(inside)));
       return true;
     });
-    Value all = Value::set(std::move(pairs));
-    if (some != Truth::open && all.set()) pairs_ = std::move(all);
+    Value function = Value::set(std::move(pairs));
+    if (some != Truth::open && function.set()) pairs_ = std::move(function);
   }
 
   Closure closure_;
@@ -142,9 +142,9 @@ class AxiomaticFunction : public Set {
   }
 
   Truth in_domain(const Value& argument, Context& context) const override {
-    const Clauses& all = clauses(context);
-    if (all.domain) return contains_value(*all.domain, argument, context);
-    for (const Closure& clause : all.clauses) {
+    const Clauses& known = clauses(context);
+    if (known.domain) return contains_value(*known.domain, argument, context);
+    for (const Closure& clause : known.clauses) {
       if (whole_unknown(argument, clause.head.groups)) return Truth::open;
       const Truth here = admits(clause, argument, context);
       if (here != Truth::no) return here;
@@ -161,12 +161,12 @@ class AxiomaticFunction : public Set {
 
  private:
   const Clauses& clauses(Context& context) const {
-    if (!made_) made_ = compile_(context);
-    return *made_;
+    if (!clauses_) clauses_ = compile_(context);
+    return *clauses_;
   }
   std::string name_;
   std::function<Clauses(Context&)> compile_;
-  mutable std::optional<Clauses> made_;
+  mutable std::optional<Clauses> clauses_;
 };
 
 }  // namespace

@@ -1,16 +1,16 @@
 #pragma once
-/// Sets and functions that are known by what their members satisfy: comprehensions and λ with their environment.
+/// Sets and functions may be known by what their members satisfy: comprehensions and λ with their environment.
 
 #include "zed/evaluate/compiler.hpp"
 
 namespace durero::zed {
 
-/// A compiled head and term, with the values that the slots around them had.
+/// A closure is a compiled head and term, with the values that the slots around them had.
 struct Closure {
   std::shared_ptr<const Unit> unit;
   std::vector<Value> captured;
   Head head;
-  Code term;  ///< null where the characteristic tuple is the value
+  Code term;  ///< it is null where the characteristic tuple is the value
   std::string text;
 
   Frame frame(Context& context) const;
@@ -24,10 +24,11 @@ Value intensional_set(Closure closure);
 /// Makes the function λ D | P • E.
 Value lambda_function(Closure closure);
 
-/// A function that an axiomatic box describes: the first clause whose head the argument satisfies gives its value.
+/// These clauses are what an axiomatic box says of a function: the first one whose head the argument satisfies gives
+/// its value.
 struct Clauses {
   std::vector<Closure> clauses;
-  std::optional<Value> domain;  ///< the domain, where the box states it
+  std::optional<Value> domain;  ///< the box may state it
 };
 /// Makes a function that is compiled when it is first applied, as its clauses may name it.
 Value axiomatic_function(std::string name, std::function<Clauses(Context&)> compile);

@@ -1,4 +1,4 @@
-/// Predicates to properties.
+/// Compiles predicates to properties.
 
 #include <algorithm>
 
@@ -17,7 +17,35 @@ Truth negated(const Property& property, Frame& frame) {
   return !evaluate(property, frame);
 }
 
-/// Not every way to satisfy the head satisfies the body: it is looked for one that does not.
+/// p ⇒ q is ¬ p ∨ q. What q says must hold only where p does.
+Truth implied(const Property& left, const Property& right, Frame& frame) {
+  const Truth not_left = negated(left, frame);
+  if (not_left == Truth::yes) return not_left;
+  const Necessary only(frame.context, not_left == Truth::no);
+  const Truth right_truth = evaluate(right, frame);
+  return right_truth != Truth::yes && not_left == Truth::open ? not_left : right_truth;
+}
+
+Truth equivalent(const Property& left, const Property& right, Frame& frame) {
+  const Necessary not_here(frame.context, false);
+  const Truth a = evaluate(left, frame), b = evaluate(right, frame);
+  return a == Truth::open || b == Truth::open ? Truth::open : truth(a == b);
+}
+
+/// In a ≤ b < c each relation holds between the operands beside it.
+Truth chained(const std::vector<Code>& operands, const std::vector<ToolkitRelation>& relations, Frame& frame) {
+  Truth result = Truth::yes;
+  Value left = operands[0](frame);
+  for (std::size_t i = 0; i < relations.size(); ++i) {
+    Value right = operands[i + 1](frame);
+    result = both(result, relations[i](left, right, frame.context));
+    if (result == Truth::no) return result;
+    left = std::move(right);
+  }
+  return result;
+}
+
+/// A ∀ is false where some way to satisfy the head does not satisfy the body: such a way is looked for.
 Truth for_all(const Search& search, const Property& body, Frame& frame) {
   const Necessary not_here(frame.context, false);
   Truth result = Truth::yes;
@@ -70,46 +98,18 @@ Property Compiler::predicate(const Term& term, const Scope& scope) {
     case Kind::negation:
       return test_of([inner = part(0)](Frame& frame) { return negated(inner, frame); }, term);
     case Kind::implication:
-      return test_of(
-          [left = part(0), right = part(1)](Frame& frame) {
-            const Truth not_left = negated(left, frame);
-            if (not_left == Truth::yes) return not_left;
-            const Necessary only(frame.context, not_left == Truth::no);
-            const Truth here = evaluate(right, frame);
-            return here == Truth::yes ? here : not_left == Truth::open ? not_left : here;
-          },
-          term);
+      return test_of([left = part(0), right = part(1)](Frame& frame) { return implied(left, right, frame); }, term);
     case Kind::equivalence:
-      return test_of(
-          [left = part(0), right = part(1)](Frame& frame) {
-            const Necessary not_here(frame.context, false);
-            const Truth a = evaluate(left, frame), b = evaluate(right, frame);
-            return a == Truth::open || b == Truth::open ? Truth::open : truth(a == b);
-          },
-          term);
+      return test_of([left = part(0), right = part(1)](Frame& frame) { return equivalent(left, right, frame); }, term);
     case Kind::forall:
     case Kind::exists:
       return quantified(term, scope);
     case Kind::exists_one:
       return exists_one(node, scope);
-    case Kind::let: {
-      const Slots slots(*scope.unit);
-      Scope inner{.outer = &scope, .unit = scope.unit};
-      std::vector<std::pair<unsigned, Code>> defined;
-      for (const Declaration& declaration : node.text->declarations) {
-        const unsigned slot = Slots::take(*scope.unit);
-        defined.emplace_back(slot, expression(declaration.term, scope));
-        inner.names[declaration.names[0]] = {slot, {}};
-      }
-      return test_of(
-          [defined, body = predicate(node.children[0], inner)](Frame& frame) {
-            for (const auto& [slot, value] : defined) frame.slots[slot] = value(frame);
-            return evaluate(body, frame);
-          },
-          term);
-    }
+    case Kind::let:
+      return let_predicate(term, scope);
     default:
-      return schema_reference(term, scope);
+      return schema(term, scope);
   }
 }
 
@@ -133,22 +133,8 @@ Property Compiler::relation(const Term& term, const Scope& scope) {
       cannot(node, "the evaluator knows no relation " + name.word);
     relations.push_back(row->evaluation.relation);
   }
-  if (relations.size() > 1) {
-    return test_of(
-        [operands, relations](Frame& frame) {
-          Truth all = Truth::yes;
-          Value left = operands[0](frame);
-          for (std::size_t i = 0; i < relations.size(); ++i) {
-            Value right = operands[i + 1](frame);
-            const Truth here = relations[i](left, right, frame.context);
-            if (here == Truth::no) return here;
-            if (here == Truth::open) all = here;
-            left = std::move(right);
-          }
-          return all;
-        },
-        term);
-  }
+  if (relations.size() > 1)
+    return test_of([operands, relations](Frame& frame) { return chained(operands, relations, frame); }, term);
   Property property = test_of(
       [left = operands[0], right = operands[1], holds = relations[0]](Frame& frame) {
         const Value a = left(frame);

@@ -1,4 +1,4 @@
-/// Predicates, compiled: their truth, and what their conjuncts state.
+/// Evaluates compiled predicates, and tells what their conjuncts state.
 
 #include "zed/evaluate/search.hpp"
 
@@ -17,12 +17,12 @@ Truth evaluate_any(const Property& property, Frame& frame) {
 }
 
 Truth evaluate_all(const Property& property, Frame& frame) {
-  Truth all = Truth::yes;
+  Truth result = Truth::yes;
   for (const Property& part : property.parts) {
-    all = both(all, evaluate(part, frame));
-    if (all == Truth::no) return all;
+    result = both(result, evaluate(part, frame));
+    if (result == Truth::no) return result;
   }
-  return all;
+  return result;
 }
 
 Truth evaluate_whole(const Property& property, Frame& frame) {

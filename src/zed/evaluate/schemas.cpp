@@ -1,4 +1,4 @@
-/// Schemas in the place of predicates: their components are the names of the scope around them.
+/// Compiles schemas in the place of predicates: their components are the names of the scope around them.
 
 #include <algorithm>
 #include <utility>
@@ -79,26 +79,16 @@ Property Compiler::text(const SchemaText& text, const Scope& scope) {
   return property;
 }
 
-Property Compiler::schema_reference(const Term& term, const Scope& scope) {
+Property Compiler::schema(const Term& term, const Scope& scope) {
   const Node& node = *term;
   switch (node.kind) {
     case Kind::reference:
-      break;
+      return schema_reference(term, scope);
     case Kind::schema_text:
       return text(*node.text, scope);
     case Kind::decoration:
-    case Kind::renaming: {
-      std::vector<std::pair<Name, Name>> names;
-      for (const Name& name : components(node.children[0], definitions_).value_or(Components{})) {
-        Name outside = decorated(name, node.kind == Kind::decoration ? node.name.strokes : "");
-        for (std::size_t i = 0; i + 1 < node.names.size(); i += 2) {
-          if (name == node.names[i + 1]) outside = node.names[i];
-        }
-        names.emplace_back(name, outside);
-      }
-      const Restored<std::string> strokes(strokes_, strokes_ + node.name.strokes);
-      return mapped(node.children[0], scope, names);
-    }
+    case Kind::renaming:
+      return renamed(node, scope);
     case Kind::hiding:
       return hidden(node.names, scope, [&](const Scope& inner) { return predicate(node.children[0], inner); });
     case Kind::precondition:
@@ -108,18 +98,40 @@ Property Compiler::schema_reference(const Term& term, const Scope& scope) {
       return joined_schemas(node, "'", "", scope);
     case Kind::piping:
       return joined_schemas(node, "!", "?", scope);
-    case Kind::projection: {
-      const auto kept = components(node.children[1], definitions_).value_or(Components{});
-      auto gone = components(node.children[0], definitions_).value_or(Components{});
-      std::erase_if(gone, [&](const Name& each) { return std::find(kept.begin(), kept.end(), each) != kept.end(); });
-      std::vector<Property> parts;
-      parts.push_back(hidden(gone, scope, [&](const Scope& inner) { return predicate(node.children[0], inner); }));
-      parts.push_back(predicate(node.children[1], scope));
-      return all_of(std::move(parts));
-    }
+    case Kind::projection:
+      return projection(node, scope);
     default:
       cannot(node, "an expression stands in the place of a predicate");
   }
+}
+
+/// In S ' and S[new/old] a component of S is the name outside that the stroke or the renaming gives it.
+Property Compiler::renamed(const Node& node, const Scope& scope) {
+  std::vector<std::pair<Name, Name>> names;
+  for (const Name& name : components(node.children[0], definitions_).value_or(Components{})) {
+    Name outside = decorated(name, node.kind == Kind::decoration ? node.name.strokes : "");
+    for (std::size_t i = 0; i + 1 < node.names.size(); i += 2) {
+      if (name == node.names[i + 1]) outside = node.names[i];
+    }
+    names.emplace_back(name, outside);
+  }
+  const Restored<std::string> strokes(strokes_, strokes_ + node.name.strokes);
+  return mapped(node.children[0], scope, names);
+}
+
+/// S ⨡ T is S and T without the components that only S has.
+Property Compiler::projection(const Node& node, const Scope& scope) {
+  const auto kept = components(node.children[1], definitions_).value_or(Components{});
+  auto gone = components(node.children[0], definitions_).value_or(Components{});
+  std::erase_if(gone, [&](const Name& name) { return std::find(kept.begin(), kept.end(), name) != kept.end(); });
+  std::vector<Property> parts;
+  parts.push_back(hidden(gone, scope, [&](const Scope& inner) { return predicate(node.children[0], inner); }));
+  parts.push_back(predicate(node.children[1], scope));
+  return all_of(std::move(parts));
+}
+
+Property Compiler::schema_reference(const Term& term, const Scope& scope) {
+  const Node& node = *term;
   if (const Meaning* global = definitions_.find(node.name)) {
     const auto names = components(term, definitions_);
     if (!names) cannot(node, node.name.text() + " is no schema");
@@ -186,12 +198,12 @@ Property Compiler::hidden(const Components& names, const Scope& scope,
   return exists_property(std::move(variables), inside(inner));
 }
 
-// What S leaves under a stroke is what T takes: S ⨟ T and S ≫ T.
+// In S ⨟ T and S ⨠ T, what S leaves under a stroke is what T takes.
 Property Compiler::joined_schemas(const Node& node, const std::string& stroke, const std::string& to_stroke,
                                   const Scope& scope) {
   const Term &left = node.children[0], &right = node.children[1];
   const auto between = joined(left, stroke, right, to_stroke, definitions_);
-  Components fresh;  // a name that no text can write
+  Components fresh;  // no text can write such a name
   std::vector<std::pair<Name, Name>> of_left, of_right;
   for (const Name& name : between) {
     fresh.push_back(Name{"between " + name.word, name.strokes});

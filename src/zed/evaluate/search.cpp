@@ -46,8 +46,8 @@ std::vector<std::size_t> ordered(std::vector<Variable>& variables, const std::ve
   return order;
 }
 
-/// A set that has the slot's value among its members wherever the property holds; null where none is stated. A set
-/// that depends on a slot of `inside`, the variables of an ∃ further in, is none.
+/// Returns a set that has the slot's value among its members wherever the property holds; null where none is stated. A
+/// set that depends on a slot of `inside`, the variables of an ∃ further in, does not count.
 Code set_of(const Property& property, unsigned slot, const std::vector<unsigned>& inside);
 
 Code set_of_any(const Property& property, unsigned slot, const std::vector<unsigned>& inside) {
@@ -57,9 +57,9 @@ Code set_of_any(const Property& property, unsigned slot, const std::vector<unsig
     if (!sets.back()) return {};
   }
   return [sets = std::move(sets)](Frame& frame) {
-    Value all = empty_set();
-    for (const Code& code : sets) all = set_union(all, code(frame), frame.context);
-    return all;
+    Value whole = empty_set();
+    for (const Code& code : sets) whole = set_union(whole, code(frame), frame.context);
+    return whole;
   };
 }
 
@@ -137,20 +137,20 @@ bool Search::total(Frame& frame) const {
 }
 
 Truth Search::holds(Frame& frame) const {
-  Truth all = Truth::yes;
+  Truth result = Truth::yes;
   for (const Variable& variable : variables_) {
     if (variable.checked || !variable.set) continue;
-    all = both(all, contains_value(variable.set(frame), frame.slots[variable.slot], frame.context));
-    if (all == Truth::no) return all;
+    result = both(result, contains_value(variable.set(frame), frame.slots[variable.slot], frame.context));
+    if (result == Truth::no) return result;
   }
-  return both(all, evaluate(goal_, frame));
+  return both(result, evaluate(goal_, frame));
 }
 
 void Search::determine(Frame& frame) const {
   for (const std::size_t i : order_) frame.slots[variables_[i].slot] = variables_[i].value(frame);
 }
 
-/// One call of each(): where it is in the nest of finite sets.
+/// A run is one call of each(), and knows where it is in the nest of finite sets.
 struct Search::Run {
   const Search& search;
   Frame& frame;

@@ -1,5 +1,5 @@
 #pragma once
-/// What predicates are compiled to, and the search for values of quantified variables.
+/// Predicates are compiled to properties, and a search finds values of quantified variables.
 
 #include <memory>
 #include <string>
@@ -11,35 +11,36 @@ namespace durero::zed {
 
 class Search;
 
-/// `x = e` among the conjuncts of a predicate: it determines x wherever it must hold and e does not depend on x.
+/// An equation is `x = e` among the conjuncts of a predicate: it determines x wherever it must hold and e does not
+/// depend on x.
 struct Equation {
   unsigned slot = 0;
   Code value;
-  std::vector<unsigned> reads;  ///< the slots that the value depends on
+  std::vector<unsigned> reads;  ///< the value depends on these slots
 };
 
-/// A compiled predicate. A declaration `x : S` is one too: `x ∈ S`.
+/// A property is a compiled predicate. A declaration `x : S` is one too: `x ∈ S`.
 struct Property {
   enum class Kind { all, any, exists, test };
   Kind kind = Kind::all;
-  std::vector<Property> parts;           ///< the operands of all and any; the one body of exists
-  std::shared_ptr<const Search> search;  ///< how exists looks for its variables
-  Test test;                             ///< what test asks
-  std::vector<Equation> equations;       ///< what a test `x = e` determines
-  unsigned declared = 0;                 ///< the slot of the variable that a declaration declares
-  Code set;                              ///< the set of a declaration; null for any other property
-  std::vector<unsigned> reads;           ///< the slots that this set depends on
+  std::vector<Property> parts;           ///< all and any have operands, exists one body
+  std::shared_ptr<const Search> search;  ///< exists looks for its variables so
+  Test test;                             ///< a test asks this
+  std::vector<Equation> equations;       ///< a test `x = e` determines these
+  unsigned declared = 0;                 ///< a declaration declares the variable in this slot
+  Code set;                              ///< a declaration has a set, and no other property has
+  std::vector<unsigned> reads;           ///< this set depends on these slots
 
   /// The property of a whole closed schema names the slot that may hold its binding, and the schema. A binding
   /// remembers the schema that it was found to satisfy.
   std::optional<unsigned> whole{};
   const void* schema = nullptr;
 
-  // Where the property comes from, for findings.
+  // These say where the property comes from, for findings.
   std::string label;
-  Term term;            ///< null for what is not written as a predicate of its own
-  std::string strokes;  ///< those of the state that it speaks of: `'` under Escena '
-  std::string text;     ///< a conjunct of a schema in Unicode; empty for any other property
+  Term term;            ///< it is null for what is not written as a predicate of its own
+  std::string strokes;  ///< the state that it speaks of has them: `'` under Escena '
+  std::string text;     ///< a conjunct of a schema is written in Unicode, other properties are not
 };
 
 Property all_of(std::vector<Property> parts);
@@ -47,13 +48,13 @@ Property test_of(Test test, Term term = {});
 
 Truth evaluate(const Property& property, Frame& frame);
 
-/// A variable that a search looks for.
+/// A search looks for the values of variables.
 struct Variable {
   std::string name;
   unsigned slot = 0;
-  Code set;              ///< the set that it is declared from; null where only the goal says what it may be
+  Code set;              ///< it is declared from this; null where only the goal says what it may be
   bool checked = false;  ///< the goal states its membership in the set already
-  Code value;            ///< the other side of the equation that determines it; null where none does
+  Code value;            ///< an equation that determines it has this other side; null where none does
 };
 
 /// Decides `∃ variables • goal` and enumerates every way to make it hold. A variable gets its values in one of three
@@ -61,24 +62,24 @@ struct Variable {
 /// unknown while the goal is evaluated, and the equations that the evaluation meets determine it (`equal`).
 class Search {
  public:
-  /// Finds the equations in the goal.
-  /// `wholes` are the slots of bindings of whole schemas, which are empty while their components are looked for.
+  /// Finds the equations in the goal. `wholes` are the slots of bindings of whole schemas, which are empty while their
+  /// components are looked for.
   Search(std::vector<Variable> variables, Property goal, std::vector<unsigned> wholes = {});
 
-  using Visit = std::function<bool(Frame&)>;  ///< false to stop
+  using Visit = std::function<bool(Frame&)>;  ///< it returns false to stop
 
   /// Calls `visit` for each way to make the goal, and `extra`, hold. The answer is no where there was none, yes where
   /// there was one or more, and open where that cannot be said; `visit` may have been called then.
   Truth each(Frame& frame, const Visit& visit, const Test& extra = {}) const;
   Truth exists(Frame& frame, const Test& extra = {}) const { return each(frame, {}, extra); }
 
-  /// Whether, with the values in the variables' slots, every variable is in its set and the goal holds.
+  /// Says whether, with the values in the variables' slots, every variable is in its set and the goal holds.
   Truth holds(Frame& frame) const;
-  /// True where every variable is determined or in a finite set, so that each() enumerates.
+  /// Says whether every variable is determined or in a finite set, so that each() enumerates.
   bool enumerable(Frame& frame) const;
-  /// True where every value of the variables' types makes the goal hold.
+  /// Says whether every value of the variables' types makes the goal hold.
   bool total(Frame& frame) const;
-  /// Sets the determined variables, where their equations give them a value.
+  /// Says whether equations give every variable its value, so that determine() sets them all.
   bool determined() const { return order_.size() == variables_.size(); }
   void determine(Frame& frame) const;
 
@@ -88,15 +89,15 @@ class Search {
  private:
   struct Run;
   std::vector<Variable> variables_;
-  std::vector<std::size_t> order_;  // of the determined variables, each behind what it depends on
+  std::vector<std::size_t> order_;  // each determined variable stands behind what it depends on
   Property goal_;
   std::vector<unsigned> wholes_;
 };
 
-/// Every equation, and every declared set, among the conjuncts of a property.
+/// Adds every equation, and every declared set, among the conjuncts of a property.
 void collect(const Property& property, std::vector<const Equation*>& equations, std::vector<const Property*>& declared);
 
-/// ∃ variables • property, distributed over ∨, so that each side may determine them by its own equations.
+/// Makes ∃ variables • property, distributed over ∨, so that each side may determine them by its own equations.
 Property exists_property(std::vector<Variable> variables, Property property);
 
 }  // namespace durero::zed

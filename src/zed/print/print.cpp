@@ -9,7 +9,8 @@ namespace {
 
 std::string labelled(const std::string& label) { return label.empty() ? "" : "  % " + label; }
 
-/// A line of a box. A line that began with the sign would be read as going on from the line before.
+/// Prints a line of a box. Parentheses keep a line that begins with the sign from being read as going on from the line
+/// before.
 std::string line(const Markup* markup, const std::function<void(Printer&)>& print) {
   Printer printer(markup);
   print(printer);
@@ -30,7 +31,7 @@ std::string header(const Name& name, const std::vector<Name>& formals, const Mar
   return printer.take();
 }
 
-/// How the lines of a box are joined.
+/// A frame says how the lines of a box are joined.
 struct Frame {
   std::string open, decl_end, where, pred_end, close, margin;
 };

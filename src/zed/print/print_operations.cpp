@@ -1,4 +1,4 @@
-/// The printer of what operators make: applications, references and relations.
+/// Prints what operators make: applications, references and relations.
 
 #include "zed/print/printer.hpp"
 #include "zed/print/strength.hpp"

@@ -3,94 +3,12 @@
 #include "zed/print/strength.hpp"
 #include "zed/syntax/connectives.hpp"
 #include "zed/syntax/symbols.hpp"
-#include "zed/syntax/utf8.hpp"
 
 namespace durero::zed {
+
 Printer::Printer(const Markup* markup) : latex_(markup != nullptr) {
   if (!markup) return;
   for (const auto& [command, meaning] : *markup) own_.emplace(meaning, "\\" + command);
-}
-
-void Printer::space() {
-  if (out_.empty() || out_.back() == ' ' || out_.back() == '~' || out_.back() == '\n') return;
-  for (const std::string_view open : {"(", "[", "{", "⟨"})
-    if (out_.ends_with(open)) return;
-  out_ += ' ';
-}
-
-std::string Printer::letters(std::string_view word) const {
-  std::string text;
-  while (!word.empty()) {
-    const std::string_view character = utf8::first(word);
-    word.remove_prefix(character.size());
-    if (character == "_") {
-      text += "\\_";
-    } else if (const auto own = own_.find(character); own != own_.end()) {
-      text += own->second + " ";
-    } else if (is_letter_symbol(character)) {
-      text += std::string(*latex_of(character)) + " ";
-    } else {
-      text += character;
-    }
-  }
-  while (text.ends_with(' ')) text.pop_back();
-  return text;
-}
-
-std::string Printer::spelled(std::string_view unicode) const {
-  if (!latex_) return std::string(unicode);
-  std::string_view base = unicode;
-  std::string index;
-  if (unicode.size() > 3 && unicode.ends_with("₁")) {
-    base.remove_suffix(std::string_view("₁").size());
-    index = "_1";
-  }
-  if (const auto own = own_.find(base); own != own_.end()) return own->second + index;
-  if (unicode == "+" || unicode == "-" || unicode == "*") return std::string(unicode);
-  if (const auto known = latex_of(base)) return std::string(*known) + index;
-  return letters(base) + index;
-}
-
-void Printer::symbol(std::string_view unicode) {
-  space();
-  tight(unicode);
-}
-
-void Printer::tight(std::string_view unicode) { out_ += spelled(unicode); }
-
-void Printer::name(const Name& name) {
-  if (is_operator_name(name.word)) {
-    space();
-    out_ += '(';
-    std::string_view rest = name.word;
-    while (!rest.empty()) {
-      const bool hole = rest[0] == '_';
-      const std::string_view part = hole ? rest.substr(0, 1) : rest.substr(0, rest.find('_'));
-      symbol(part);
-      rest.remove_prefix(part.size());
-    }
-    out_ += ')';
-    return;
-  }
-  symbol(name.word);
-  std::string_view rest = name.strokes;
-  while (!rest.empty()) {
-    const std::string_view character = utf8::first(rest);
-    rest.remove_prefix(character.size());
-    if (latex_ && character.size() > 1) {
-      out_ += "_";
-      out_ += static_cast<char>('0' + (static_cast<unsigned char>(character.back()) & 0x0F));  // ₀ is U+2080
-    } else {
-      out_ += character;
-    }
-  }
-}
-
-void Printer::names(const std::vector<Name>& all) {
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (i > 0) out_ += ',';
-    name(all[i]);
-  }
 }
 
 void Printer::term(const Term& term, int least, bool last) {
@@ -201,13 +119,13 @@ void Printer::theta(const Node& node) {
   if (!node.name.strokes.empty()) decoration(node.name.strokes);
 }
 
-/// Strokes of a schema: without the space before them they would be part of its name.
+/// The strokes of a schema have a space before them, without which they would be part of its name.
 void Printer::decoration(const std::string& strokes) {
   out_ += latex_ ? '~' : ' ';
   name({"", strokes});
 }
 
-/// What stands behind a primary: selections, decoration, renaming, hiding.
+/// Prints what stands behind a primary: selections, decoration, renaming, hiding.
 void Printer::suffixed(const Node& node) {
   const Term& of = node.children[0];
   if (node.kind == Kind::hiding) {

@@ -1,5 +1,6 @@
 #pragma once
-/// The printer of terms and schema texts, for print.cpp; operators are in print_operations.cpp.
+/// The printer prints terms and schema texts, for print.cpp. What operators make is printed in print_operations.cpp,
+/// and names and symbols are in print_names.cpp.
 
 #include <map>
 #include <string>
@@ -22,8 +23,8 @@ class Printer {
   void declaration(const Declaration& declaration);
   void name(const Name& name);
   void names(const std::vector<Name>& names);
-  void symbol(std::string_view unicode);  ///< with a space before it, where it needs one
-  void tight(std::string_view unicode);   ///< without
+  void symbol(std::string_view unicode);  ///< prints a space before it, where it needs one
+  void tight(std::string_view unicode);   ///< prints no space before it
   void raw(std::string_view text) { out_ += text; }
 
   std::string take() { return std::move(out_); }
@@ -46,7 +47,7 @@ class Printer {
   void space();
 
   bool latex_;
-  std::map<std::string, std::string, std::less<>> own_;  // character to command
+  std::map<std::string, std::string, std::less<>> own_;  // a character leads to its command
   std::string out_;
 };
 

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 
-#include "zed/syntax/utf8.hpp"
-
 namespace durero::zed {
 namespace {
 
 // A text is written out at most this far; the longest schema of spec/ has 40 facts. Past it a schema is opaque.
 constexpr std::size_t max_facts = 2000;
-constexpr unsigned max_inclusions = 100;  // one inside the other
+constexpr unsigned max_inclusions = 100;  // no more stand one inside the other
 
 std::set<Name> bound_names(const SchemaText& text) {
   std::set<Name> bound;
@@ -45,7 +43,7 @@ Term decorate(const Term& term, const std::set<Name>& names, const std::string& 
   Node node = *term;
   if (node.kind == Kind::reference && names.contains(node.name)) node.name.strokes += strokes;
   if (node.kind == Kind::theta) node.name.strokes += strokes;
-  std::set<Name> unbound;  // a copy only where something is bound
+  std::set<Name> unbound;  // the names are copied only where something is bound
   const std::set<Name>* free = &names;
   if (node.text) {
     SchemaText text = *node.text;

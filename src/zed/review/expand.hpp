@@ -12,11 +12,11 @@
 
 namespace durero::zed {
 
-/// A schema written out.
+/// An expansion is a schema written out.
 struct Expansion {
-  std::vector<std::pair<Name, Term>> declared;  ///< its components and their sets, where it declares them by `:`
-  std::vector<Term> facts;                      ///< its predicates, conjunctions split
-  std::set<Name> states;                        ///< the S of each ΔS and ΞS in it, but where S is an operation
+  std::vector<std::pair<Name, Term>> declared;  ///< it declares these components by `:`, from these sets
+  std::vector<Term> facts;                      ///< its predicates are here, conjunctions split
+  std::set<Name> states;                        ///< each ΔS and ΞS in it has its S here, but where S is an operation
   bool opaque = false;                          ///< something in it could not be written out
 };
 
@@ -27,14 +27,14 @@ class Expander {
   Expansion schema(const Term& term) const;
   Expansion text(const SchemaText& text) const;
 
-  /// The components of a schema, by its name.
+  /// Returns the components of a schema, by its name.
   std::set<Name> components(const Name& schema) const;
 
-  /// The constants of the free type that this one belongs to; none if it is not a constant, or its type has
+  /// Returns the constants of the free type that this one belongs to; none if it is not a constant, or its type has
   /// constructors.
   std::set<Name> siblings(const Name& constant) const;
 
-  /// What the axiomatic boxes declare and state.
+  /// Returns what the axiomatic boxes declare and state.
   const Expansion& axioms() const { return axioms_; }
 
  private:

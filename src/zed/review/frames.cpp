@@ -14,7 +14,7 @@ namespace {
 using match::is_equation;
 using match::mentions;
 
-/// The schemas that some declaration includes, by name, without Δ, Ξ and strokes.
+/// Knows the schemas that some declaration includes, by name, without Δ, Ξ and strokes.
 class Included {
  public:
   explicit Included(const Specification& specification) {
@@ -50,7 +50,7 @@ class Included {
 
 void determine(std::set<Name>& open, const std::vector<Term>& facts, Budget& budget);
 
-/// x' = e, either way round.
+/// x' = e determines x', either way round.
 void by_equation(std::set<Name>& open, const Node& equation) {
   for (const std::size_t side : {0U, 1U}) {
     const Term &left = equation.children[side], &right = equation.children[1 - side];
@@ -58,7 +58,7 @@ void by_equation(std::set<Name>& open, const Node& equation) {
   }
 }
 
-/// What each side determines, where one of them holds.
+/// A disjunction determines what each of its sides does, as one of them holds.
 void by_sides(std::set<Name>& open, const std::vector<Term>& sides, Budget& budget) {
   std::set<Name> either;
   for (const Term& side : sides) {
@@ -69,13 +69,13 @@ void by_sides(std::set<Name>& open, const std::vector<Term>& sides, Budget& budg
   open = std::move(either);
 }
 
-/// The relation that holds just where this one does not; empty if it has no name of its own.
+/// Returns the relation that holds just where this one does not, or nothing if that has no name of its own.
 std::string_view opposite(const Name& relation) {
   const OperatorRow* row = operator_row(relation.word);
   return row ? row->opposite : std::string_view();
 }
 
-/// ¬ p and p, or a = b and a ≠ b: one of the two holds.
+/// One of ¬ p and p holds, and one of a = b and a ≠ b.
 bool are_cases(const Term& p, const Term& q) {
   const auto denies = [](const Term& a, const Term& b) { return a->kind == Kind::negation && a->children[0] == b; };
   const auto single = [](const Term& a) { return a->kind == Kind::relation && a->names.size() == 1; };
@@ -83,7 +83,7 @@ bool are_cases(const Term& p, const Term& q) {
          (single(p) && single(q) && p->names[0].word == opposite(q->names[0]) && p->children == q->children);
 }
 
-/// What p ⇒ P and ¬ p ⇒ Q determine: what P and Q both do.
+/// p ⇒ P and ¬ p ⇒ Q determine what P and Q both do.
 void by_cases(std::set<Name>& open, const std::vector<Term>& facts, Budget& budget) {
   std::vector<const Node*> implications;
   for (const Term& term : facts)
@@ -96,7 +96,7 @@ void by_cases(std::set<Name>& open, const std::vector<Term>& facts, Budget& budg
     }
 }
 
-/// ∃ D | P • Q and let D • Q: the variables are open too, until P, Q or their definition determines them.
+/// In ∃ D | P • Q and let D • Q the variables are open too, until P, Q or their definition determines them.
 void by_body(std::set<Name>& open, const Node& node, Budget& budget) {
   std::set<Name> inside = open;
   std::vector<Term> facts = node.children;
@@ -131,7 +131,7 @@ void determine(std::set<Name>& open, const std::vector<Term>& conjunctions, Budg
   }
 }
 
-/// θS' = θS, where both are written out.
+/// Says whether the term is θS' = θS, with both written out.
 bool keeps(const Term& term, const Name& state) {
   if (!is_equation(term)) return false;
   const auto is_theta = [&state](const Term& side, const char* strokes) {
@@ -151,7 +151,7 @@ struct Judged {
   const SchemaText* text;
 };
 
-/// The schema that a paragraph writes out: a box, or a definition by one schema text.
+/// Returns the schema that a paragraph writes out, as a box or as a definition by one schema text.
 std::optional<Judged> written_out(const Paragraph& paragraph) {
   if (const auto* box = std::get_if<Schema>(&paragraph.form)) return Judged{box->name, &box->text};
   const auto* definition = std::get_if<Definition>(&paragraph.form);
@@ -160,7 +160,7 @@ std::optional<Judged> written_out(const Paragraph& paragraph) {
   return std::nullopt;
 }
 
-/// The components of the after-state that the schema leaves open.
+/// Returns the components of the after-state that the schema leaves open.
 std::set<Name> left_open(const SchemaText& text, const Expander& expander, Budget& budget) {
   const Expansion whole = expander.text(text);
   budget.spend(100 * whole.facts.size());

@@ -7,7 +7,7 @@
 namespace durero::zed {
 namespace {
 
-constexpr std::size_t max_sets = 64;  // sets tied to a domain that are looked at
+constexpr std::size_t max_sets = 64;  // no more sets tied to a domain are looked at
 
 Term equation(const Term& a, const Term& b) { return relation({{"_=_", {}}}, {a, b}); }
 
@@ -15,10 +15,10 @@ using match::is_relation;
 using match::mentions;
 using match::operands;
 
-/// f of `dom f`, or null.
+/// Returns f of `dom f`, or null.
 const Term* of_domain(const Term& set) { return match::argument_of(set, "dom"); }
 
-/// x of (x, y) and of x ↦ y, or null.
+/// Returns x of (x, y) and of x ↦ y, or null.
 const Term* first_of_pair(const Term& pair) {
   if (const Node* both = operands(pair, "_↦_")) return &both->children[0];
   return pair->kind == Kind::tuple && pair->children.size() == 2 ? &pair->children[0] : nullptr;
@@ -30,7 +30,7 @@ class Prover {
   Prover(const Expander& expander, const Facts& facts, Budget& budget)
       : expander_(expander), facts_(facts), budget_(budget) {}
 
-  /// x ∈ S, or y ∈ S for a y that is x.
+  /// Says whether x ∈ S, or y ∈ S for a y that is x.
   bool holds_for(const Term& x, const Term& set) {
     if (member(x, set)) return true;
     for (const Term& fact : facts_.facts) {
@@ -61,7 +61,7 @@ class Prover {
     return false;
   }
 
-  /// The term says something of f, whose domain it cannot be known by then: (e, f e) ∈ f.
+  /// Says whether the term speaks of f, as (e, f e) ∈ f does: the domain of f cannot be known by it.
   static bool about(const Term& term, const Term& f) { return f->kind == Kind::reference && mentions(term, {f->name}); }
 
   static void insert(std::vector<Term>& sets, const Term& set) {
@@ -77,7 +77,7 @@ class Prover {
     if (holds(node(Kind::negation, {relation({{"_∉_", {}}}, {x, set})}))) return true;
     if (set->kind == Kind::set_extension)
       return std::find(set->children.begin(), set->children.end(), x) != set->children.end();
-    if (depth_ > 8) return false;  // unions in unions
+    if (depth_ > 8) return false;  // unions may stand in unions
     ++depth_;
     bool proved = false;
     if (const Node* both = operands(set, "_∪_")) proved = member(x, both->children[0]) || member(x, both->children[1]);
@@ -88,7 +88,7 @@ class Prover {
     return proved;
   }
 
-  /// x ∈ dom f, where f is displayed, joined or overridden, or a pair of it is known.
+  /// x ∈ dom f holds where f is displayed, joined or overridden, or a pair of it is known.
   bool in_domain(const Term& x, const Term& f) {
     const auto begins = [&x](const Term& pair) {
       const Term* first = first_of_pair(pair);
@@ -104,7 +104,7 @@ class Prover {
     });
   }
 
-  /// x ∈ g ∼ ⦇ {a, b} ⦈ where x ∈ dom g and g x is a or b.
+  /// x ∈ g ∼ ⦇ {a, b} ⦈ holds where x ∈ dom g and g x is a or b.
   bool in_image(const Term& x, const Node& image) {
     const Term* inverted = match::argument_of(image.children[0], "_∼");
     const Term& values = image.children[1];

@@ -5,16 +5,16 @@
 
 namespace durero::zed {
 
-/// What holds at a place of the text.
+/// The facts are what holds at a place of the text.
 struct Facts {
   std::vector<Term> facts;
-  std::map<Name, Term> declared;  // a name and the set it is declared from
+  std::map<Name, Term> declared;  // each name has the set that it is declared from
 };
 
 /// Makes the term dom f.
 Term domain_of(const Term& function);
 
-/// True where the facts give x ∈ S in the few steps that partial_applications() promises.
+/// Says whether the facts give x ∈ S in the few steps that partial_applications() promises.
 bool proves_member(const Term& x, const Term& set, const Expander& expander, const Facts& facts, Budget& budget);
 
 }  // namespace durero::zed

@@ -8,7 +8,7 @@
 namespace durero::zed {
 namespace {
 
-/// What a specification mentions, and which bound variables it does not.
+/// Knows what a specification mentions, and which bound variables it does not.
 class Usage {
  public:
   Usage(const Typing& typing, std::vector<Defect>& defects) : typing_(typing), defects_(defects) {}
@@ -44,14 +44,15 @@ class Usage {
     mentioned_.insert(name);
   }
 
-  /// A schema as a predicate, as the body of a schema quantifier or behind θ mentions its components.
+  /// A schema mentions its components where it is a predicate, the body of a schema quantifier, or behind θ.
   void mention_components(const Term& schema, const std::string& strokes = {}) {
     const auto type = typing_.type_of(schema);
     if (!type || !type->is_schema_set()) return;
     for (const Name& name : type->parts()[0].fields()) mention({name.word, name.strokes + strokes});
   }
 
-  /// A text that declares components: they are nobody's variables, and hide those of that name outside.
+  /// A text that declares components has no variables to report: they are for others, and hide those of that name
+  /// outside.
   void components(const SchemaText& text) {
     Scope own;
     for (const Declaration& declaration : text.declarations) {
@@ -111,7 +112,7 @@ std::vector<Defect> unused_names(const Specification& specification, const Typin
   for (const Section& section : specification.sections) {
     const auto scope = typing.scopes.find(section.name);
     if (scope == typing.scopes.end()) continue;
-    std::map<std::pair<std::uint32_t, std::uint32_t>, const Global*> unused;  // in the order of the text
+    std::map<std::pair<std::uint32_t, std::uint32_t>, const Global*> unused;  // they stand in the order of the text
     for (const auto& [name, global] : scope->second) {
       const bool looked_at = global->form == Global::Form::given || global->form == Global::Form::free_type ||
                              global->form == Global::Form::branch;

@@ -1,5 +1,5 @@
 #pragma once
-/// The tokens of a block to its paragraphs; the terms in them are parsed by term_parser.hpp.
+/// Parses the tokens of a block to its paragraphs; the terms in them are parsed by term_parser.hpp.
 
 #include <string>
 #include <string_view>
@@ -11,7 +11,7 @@
 
 namespace durero::zed {
 
-/// The header `\SECTION name \parents a, b`.
+/// The header of a section is `\SECTION name \parents a, b`.
 struct SectionHeader {
   std::string name;
   std::vector<std::string> parents;
@@ -19,12 +19,12 @@ struct SectionHeader {
 
 SectionHeader parse_header(const std::vector<Token>& tokens);  ///< throws ZError
 
-/// The paragraphs of one block (several, in `zed`). Throws ZError where it cannot go on; an error behind which it can
-/// is added to `mended`: a set behind `::=` is read as if behind `==`.
+/// Parses the paragraphs of one block (several, in `zed`). Throws ZError where it cannot go on; an error behind which
+/// it can is added to `mended`: a set behind `::=` is read as if behind `==`.
 std::vector<Paragraph> parse_block(std::string_view environment, const std::vector<Token>& tokens,
                                    std::vector<ZError>& mended);
 
-/// The names that a block which cannot be parsed would declare, as far as its tokens tell.
+/// Returns the names that a block which cannot be parsed would declare, as far as its tokens tell.
 std::vector<Name> names_declared(std::string_view environment, const std::vector<Token>& tokens);
 
 }  // namespace durero::zed

@@ -1,6 +1,6 @@
 #pragma once
-/// The signs of the language itself, for the parser and the printer: connectives, schema operations and quantifiers,
-/// by the kind of the node that they make.
+/// The parser and the printer know the signs of the language itself from here: connectives, schema operations and
+/// quantifiers, by the kind of the node that they make.
 
 #include <algorithm>
 #include <iterator>
@@ -10,14 +10,15 @@
 
 namespace durero::zed {
 
-/// Binding strengths, weakest first (ISO/IEC 13568, 8.3). An infix operator of precedence p binds with infix + p.
+/// The binding strengths rise from the weakest (ISO/IEC 13568, 8.3). An infix operator of precedence p binds with infix
+/// + p.
 namespace binding {
 inline constexpr int weakest = 0, equivalence = 10, implication = 20, disjunction = 30, conjunction = 40, negation = 50,
                      relation = 60, conditional = 65, composition = 70, piping = 80, hiding = 90, projection = 100,
                      precondition = 110, infix = 200, prefix = 400, postfix = 410, application = 420, primary = 430;
 }
 
-/// A sign before the one child of a node, or between the two.
+/// A connective stands before the one child of a node, or between the two.
 struct Connective {
   Kind kind;
   std::string_view symbol;
@@ -25,7 +26,7 @@ struct Connective {
   bool prefix = false;
   bool right = false;  ///< it associates to the right
 
-  /// How tightly the operands bind at least.
+  /// Says how tightly the operands bind at least.
   constexpr int left_strength() const { return right ? strength + 1 : strength; }
   constexpr int right_strength() const { return prefix || right ? strength : strength + 1; }
 };
@@ -43,11 +44,11 @@ inline constexpr Connective connectives[] = {
     {Kind::power, "ℙ", binding::prefix, true},
 };
 
-/// A sign with a schema text behind it, then • and a body.
+/// A quantifier has a schema text behind it, then • and a body.
 struct Quantifier {
   Kind kind;
   std::string_view symbol;
-  bool logical = false;  ///< of predicates and schemas, and not of expressions
+  bool logical = false;  ///< it is of predicates and schemas, and not of expressions
 };
 
 inline constexpr Quantifier quantifiers[] = {
@@ -55,7 +56,7 @@ inline constexpr Quantifier quantifiers[] = {
     {Kind::lambda, "λ"},       {Kind::mu, "μ"},           {Kind::let, "let"},
 };
 
-/// The row of a kind of node, or null.
+/// Returns the row of a kind of node, or null.
 constexpr const Connective* connective_of(Kind kind) {
   const auto* row = std::find_if(std::begin(connectives), std::end(connectives),
                                  [kind](const Connective& connective) { return connective.kind == kind; });

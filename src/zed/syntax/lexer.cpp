@@ -1,16 +1,11 @@
-/// What the lexers of the two mark-ups share: which tokens a line break separates, and labels.
+/// The lexers of the two mark-ups share what is here: which tokens a line break separates, and labels.
 
 #include "zed/syntax/connectives.hpp"
 #include "zed/syntax/lexer_base.hpp"
 
 namespace durero::zed::lexing {
 
-bool bears_strokes(std::string_view word) {
-  const char c = word[0];
-  const bool letters = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-  if (!letters && !is_symbol_name(word)) return false;
-  return !is_reserved(word) && !find_operator(word, Fixity::infix) && !find_operator(word, Fixity::prefix);
-}
+bool bears_strokes(std::string_view word) { return (is_letter(word[0]) || is_symbol_name(word)) && may_be_name(word); }
 
 bool ends(const Token& token) {
   if (token.type == Type::numeral || token.type == Type::stroke) return true;
@@ -18,13 +13,12 @@ bool ends(const Token& token) {
   if (find_operator(token.text, Fixity::postfix) || token.text == "⦈") return true;
   if (token.type == Type::symbol) return among(token.text, closing);
   if (!token.strokes.empty() || token.text == "true" || token.text == "false") return true;
-  return !is_reserved(token.text) && !find_operator(token.text, Fixity::infix) &&
-         !find_operator(token.text, Fixity::prefix);
+  return may_be_name(token.text);
 }
 
 namespace {
 
-/// A sign that stands before all of its operands.
+/// Says whether a sign stands before all of its operands.
 bool leads(std::string_view sign) {
   const auto is_sign = [sign](const auto& row) { return row.symbol == sign; };
   return sign == "θ" || sign == "if" || sign == "⊢?" ||

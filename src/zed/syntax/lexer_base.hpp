@@ -1,5 +1,5 @@
 #pragma once
-/// What the lexers of the two mark-ups share.
+/// The lexers of the two mark-ups share what is here.
 
 #include <algorithm>
 #include <array>
@@ -7,9 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "durero/text/utf8.hpp"
+#include "zed/syntax/characters.hpp"
 #include "zed/syntax/lexer.hpp"
 #include "zed/syntax/symbols.hpp"
-#include "zed/syntax/utf8.hpp"
 
 namespace durero::zed::lexing {
 
@@ -24,27 +25,23 @@ inline constexpr std::array<std::string_view, 6> closing = {")", "]", "}", "⟩"
 inline constexpr std::array<std::string_view, 5> opening = {"(", "[", "{", "⟨", "⦉"};
 inline constexpr std::array<std::string_view, 10> digits = {"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
 
-/// A word that is a name, and no keyword or operator.
+/// Says whether a word is a name, and no keyword or operator, so that strokes behind it are its own.
 bool bears_strokes(std::string_view word);
 
-/// In bytes. Each stroke may be a decoration of a schema, and is looked up as one: two are many.
+/// A name has no more bytes of strokes than these. Each stroke may be a decoration of a schema, and is looked up as
+/// one: two are many.
 inline constexpr std::size_t max_strokes = 30;
 
-inline bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
-inline bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
-inline bool is_stroke(char c) { return c == '\'' || c == '!' || c == '?'; }
-
-/// Can a predicate, expression or declaration end with this token?
+/// Says whether a predicate, expression or declaration can end with this token.
 bool ends(const Token& token);
 
-/// Can one begin with it? An infix `-` is taken to go on with the line before.
+/// Says whether one can begin with it. An infix `-` is taken to go on with the line before.
 bool begins(const Token& token);
 
-/// `SCHEMA.KIND.NUMBER` and nothing else, but spaces around; or nothing.
+/// Returns the label of a comment that is `SCHEMA.KIND.NUMBER` and nothing else, but for spaces around; or nothing.
 std::string label_in(std::string_view comment);
 
-/// What the two mark-ups share: a walk that knows its place, and tokens with the newlines that count.
+/// A lexer walks over a text and knows its place, and keeps the tokens with the newlines that count.
 class Lexer {
  protected:
   Lexer(std::string_view text, Place place) : text_(text), place_(place) {}
@@ -55,7 +52,7 @@ class Lexer {
 
   /// Takes one character, and returns it.
   std::string_view take() {
-    const std::string_view character = utf8::first(text_.substr(at_));
+    const std::string_view character = text::first(text_.substr(at_));
     at_ += character.size();
     ++place_.column;
     if (character == "\n") place_ = {place_.line + 1, 1};
@@ -81,7 +78,7 @@ class Lexer {
     behind_ = place_;
   }
 
-  /// A word or symbol by its Unicode text.
+  /// Emits a word or symbol by its Unicode text.
   void emit(std::string_view text, Place place) {
     const bool word = is_symbol_name(text) || is_reserved(text) || is_letter(text[0]) || is_letter_symbol(text);
     emit(word ? Type::word : Type::symbol, std::string(text), place);
@@ -98,10 +95,7 @@ class Lexer {
     emit(Type::numeral, std::move(number), place);
   }
 
-  /// True where a digit below the line belongs to the name before it, and not to its strokes.
-  static bool is_indexed(std::string_view word, std::string_view digit) { return digit == "₁" && has_indexed(word); }
-
-  /// `::=`, `==` or one ASCII character; none where it means nothing in Z.
+  /// Returns `::=`, `==` or one ASCII character, whichever is here; nothing where it means nothing in Z.
   std::string_view ascii_symbol() const {
     for (const std::string_view longer : {"::=", "=="})
       if (sees(longer)) return longer;
@@ -120,21 +114,42 @@ class Lexer {
     take(line.size());
   }
 
-  /// True where what was read last can be the left operand of an infix operator.
+  /// Says whether what was read last can be the left operand of an infix operator.
   bool continues() const { return !tokens_.empty() && ends(tokens_.back()); }
 
-  void unreadable(const ZError& error) {
-    tokens_.push_back({Type::error, error.what_is_wrong, {}, error.place, error.expected, false});
+  /// Calls `token`, which takes what the next token is made of, to the end of the text, and gives the tokens.
+  template <class TakeToken>
+  std::vector<Token> tokens(TakeToken&& token) {
+    try {
+      while (!done()) token();
+      tokens_.push_back({Type::end, {}, {}, behind_, {}, false});
+      return std::move(tokens_);
+    } catch (const ZError& error) {
+      return unreadable(error);
+    }
   }
 
-  std::vector<Token> finish() {
-    tokens_.push_back({Type::end, {}, {}, behind_, {}, false});
+  /// Gives the tokens so far, and what is wrong behind them as the last one.
+  std::vector<Token> unreadable(const ZError& error) {
+    tokens_.push_back({Type::error, error.what_is_wrong, {}, error.place, error.expected, false});
     return std::move(tokens_);
+  }
+
+  /// Takes the strokes behind a word: `stroke` takes the next one while `sees_stroke`. A ₁ that makes another word of
+  /// the language, as in ℕ₁, is no stroke and goes to the word.
+  template <class SeesStroke, class TakeStroke>
+  static std::string strokes_behind(std::string& word, SeesStroke&& sees_stroke, TakeStroke&& stroke) {
+    std::string strokes;
+    while (sees_stroke()) {
+      const std::string mark = stroke();
+      (strokes.empty() && mark == "₁" && has_indexed(word) ? word : strokes) += mark;
+    }
+    return strokes;
   }
 
   std::string_view text_;
   std::size_t at_ = 0;
-  Place place_, behind_ = place_;  // behind the last token
+  Place place_, behind_ = place_;  // behind_ is where the last token ends
   std::vector<Token> tokens_;
   std::optional<Place> newline_;
 };

@@ -12,14 +12,8 @@ class Latex : Lexer {
   }
 
   std::vector<Token> run() {
-    try {
-      if (!named_) refuse(place_, "a schema without a name", "expected {NAME}");
-      while (!done()) token();
-    } catch (const ZError& error) {
-      unreadable(error);
-      return std::move(tokens_);
-    }
-    return finish();
+    if (!named_) return unreadable({place_, "a schema without a name", "expected {NAME}"});
+    return tokens([this] { token(); });
   }
 
  private:
@@ -51,7 +45,7 @@ class Latex : Lexer {
     }
     const std::string_view symbol = ascii_symbol();
     if (symbol.empty()) {
-      const std::string character(utf8::first(text_.substr(at_)));
+      const std::string character(text::first(text_.substr(at_)));
       refuse(place, "the character " + character + " means nothing here",
              character == "#" ? "expected \\#, as LaTeX writes it" : "expected LaTeX mark-up of Z");
     }
@@ -59,11 +53,11 @@ class Latex : Lexer {
     tokens_.back().only_infix = symbol == "-";
   }
 
-  /// One stroke, of which the first character is here.
+  /// Takes one stroke, of which the first character is here.
   std::string stroke() {
     const Place place = place_;
     if (is_stroke(here())) return std::string(take());
-    take();  // _
+    take();
     const bool braced = here() == '{';
     if (braced) take();
     if (!is_digit(here())) refuse(place, "this subscript is not read", "expected one digit after _");
@@ -75,8 +69,8 @@ class Latex : Lexer {
     return std::string(digit);
   }
 
-  /// Takes the blanks here where what stands behind them goes on the word or numeral before them: in this mark-up a
-  /// blank is no space (ISO/IEC 13568, A.2), so that `f a` is the name fa. What separates is `~`, or a command.
+  /// Takes the blanks here where what stands behind them goes on the word or numeral before them. In this mark-up a
+  /// blank is no space (ISO/IEC 13568, A.2), so that `f a` is the name fa; `~` or a command separates.
   template <class GoesOn>
   bool over_blanks(GoesOn goes_on) {
     const std::size_t at = at_;
@@ -96,19 +90,11 @@ class Latex : Lexer {
   }
 
   std::string strokes(std::string& word) {
-    std::string all;
-    while (over_blanks([this] { return is_stroke(here()) || here() == '_'; })) {
-      const std::string mark = stroke();
-      if (all.empty() && is_indexed(word, mark)) {
-        word += mark;
-      } else {
-        all += mark;
-      }
-    }
-    return all;
+    const auto sees_stroke = [this] { return over_blanks([this] { return is_stroke(here()) || here() == '_'; }); };
+    return strokes_behind(word, sees_stroke, [this] { return stroke(); });
   }
 
-  /// The letters of a word, `begun` with those already taken.
+  /// Takes the letters of a word; `begun` has those that are taken already.
   void word(std::string begun, Place place) {
     while (over_blanks([&] { return more_of_word(begun); })) {
     }
@@ -135,7 +121,7 @@ class Latex : Lexer {
     if (here() != '\\') return {};
     std::size_t length = 1;
     while (is_letter(here(length))) ++length;
-    if (length == 1) length = 1 + utf8::first(text_.substr(std::min(at_ + 1, text_.size()))).size();
+    if (length == 1) length = 1 + text::first(text_.substr(std::min(at_ + 1, text_.size()))).size();
     const std::string_view name = text_.substr(at_ + 1, length - 1);
     return name == "vdash" && here(length) == '?' ? text_.substr(at_ + 1, length) : name;
   }
@@ -145,7 +131,7 @@ class Latex : Lexer {
     const std::string_view name = command_name();
     std::string letter;
     if (const auto own = markup_.find(name); own != markup_.end()) {
-      if (static_cast<unsigned char>(own->second[0]) < 0x80 || utf8::first(own->second) != own->second) return {};
+      if (static_cast<unsigned char>(own->second[0]) < 0x80 || text::first(own->second) != own->second) return {};
       letter = own->second;
     } else if (const auto known = unicode_of_command(name); known && is_letter_symbol(*known)) {
       letter = *known;

@@ -9,13 +9,7 @@ class Unicode : Lexer {
   explicit Unicode(std::string_view text) : Lexer(text, {1, 1}) {}
 
   std::vector<Token> run() {
-    try {
-      while (!done()) token();
-    } catch (const ZError& error) {
-      unreadable(error);
-      return std::move(tokens_);
-    }
-    return finish();
+    return tokens([this] { token(); });
   }
 
  private:
@@ -30,7 +24,7 @@ class Unicode : Lexer {
       number();
     } else if (c == '"') {
       quoted();
-    } else if (is_stroke(c) || stroke_here()) {
+    } else if (sees_stroke()) {
       const Place place = place_;
       emit(Type::stroke, stroke(), place);
     } else if (is_letter(c) || is_word_character()) {
@@ -40,7 +34,7 @@ class Unicode : Lexer {
     }
   }
 
-  /// `12`, or `0.25`; in `t.1.2` the second point selects.
+  /// Takes `12`, or `0.25`; in `t.1.2` the second point selects.
   void number() {
     const bool selects = !tokens_.empty() && tokens_.back().is(".");
     numeral();
@@ -50,7 +44,7 @@ class Unicode : Lexer {
     behind_ = place_;
   }
 
-  /// `"a-b"`: a name of letters, digits and `_ . : -`; its word keeps the quotation marks.
+  /// Takes `"a-b"`, a name of letters, digits and `_ . : -`; its word keeps the quotation marks.
   void quoted() {
     const Place place = place_;
     std::string name(take());
@@ -64,19 +58,20 @@ class Unicode : Lexer {
     emit(Type::word, std::move(name), place);
   }
 
-  std::string_view character() const { return utf8::first(text_.substr(std::min(at_, text_.size()))); }
+  std::string_view character() const { return text::first(text_.substr(std::min(at_, text_.size()))); }
 
-  bool stroke_here() const {
+  bool sees_stroke() const {
     const std::string_view c = character();
-    return c == "′" || among(c, digits);
+    return is_stroke(here()) || c == "′" || among(c, digits);
   }
 
   std::string stroke() { return character() == "′" ? (take(), "'") : std::string(take()); }
 
-  /// A letter of no symbol: outside ASCII, whatever this reader does not know as a symbol.
+  /// Says whether a letter is here that is no symbol: outside ASCII, that is whatever this reader does not know as a
+  /// symbol.
   bool is_word_character() const {
     const std::string_view c = character();
-    if (c.size() < 2 || stroke_here()) return false;  // ASCII, or a byte that is no character
+    if (c.size() < 2 || sees_stroke()) return false;  // it is ASCII, or a byte that is no character
     static constexpr std::array<std::string_view, 10> others = {"•", "⦁", "−", "⊢", "λ", "μ", "θ", "…", "⁀", "‥"};
     if (among(c, others)) return c == "λ" || c == "μ" || c == "θ";
     if (is_symbol_name(c)) return false;
@@ -91,15 +86,8 @@ class Unicode : Lexer {
   }
 
   void emit_with_strokes(std::string text, Place place) {
-    std::string strokes;
-    while (is_stroke(here()) || stroke_here()) {
-      const std::string mark = stroke();
-      if (strokes.empty() && is_indexed(text, mark)) {
-        text += mark;
-      } else {
-        strokes += mark;
-      }
-    }
+    std::string strokes = strokes_behind(
+        text, [this] { return sees_stroke(); }, [this] { return stroke(); });
     if (!strokes.empty()) return emit(Type::word, std::move(text), place, std::move(strokes));
     if (is_letter(text[0]) || !latex_of(text)) return emit(Type::word, std::move(text), place);
     emit(text, place);

@@ -1,5 +1,6 @@
 #pragma once
-/// Patterns of the syntax tree, each in one place: what a term is of, and its parts where it is of that form.
+/// Each pattern of the syntax tree has one place here: it says what a term is, or gives its parts where it is of that
+/// form.
 
 #include <functional>
 #include <set>
@@ -9,31 +10,31 @@
 
 namespace durero::zed::match {
 
-/// A name, with or without actuals.
+/// Says whether a term is this name, with or without actuals.
 inline bool is_reference(const Term& term, const Name& name) {
   return term->kind == Kind::reference && term->name == name;
 }
 
-/// `a op b`, one relation between two operands.
+/// Says whether a term is `a op b`, one relation between two operands.
 inline bool is_relation(const Term& term, std::string_view word) {
   return term->kind == Kind::relation && term->children.size() == 2 && term->names[0].word == word;
 }
 
-/// a = b.
+/// Says whether a term is a = b.
 inline bool is_equation(const Term& term) { return is_relation(term, "_=_"); }
 
-/// `f x` for a name f: the application, or null.
+/// Returns the application where a term is `f x` for a name f, or null.
 inline const Node* application_of_name(const Term& term) {
   return term->kind == Kind::application && term->children[0]->kind == Kind::reference ? term.get() : nullptr;
 }
 
-/// x of `f x` where f is this word, such as `dom`; else null.
+/// Returns x of `f x` where f is this word, such as `dom`, or null.
 inline const Term* argument_of(const Term& term, std::string_view word) {
   const Node* application = application_of_name(term);
   return application && application->children[0]->name.word == word ? &application->children[1] : nullptr;
 }
 
-/// The pair (a, b) of `a op b` where op is this word, such as `_∪_`; else null.
+/// Returns the pair (a, b) of `a op b` where op is this word, such as `_∪_`, or null.
 inline const Node* operands(const Term& term, std::string_view word) {
   const Term* argument = argument_of(term, word);
   return argument && (*argument)->kind == Kind::tuple && (*argument)->children.size() == 2 ? argument->get() : nullptr;
@@ -42,7 +43,7 @@ inline const Node* operands(const Term& term, std::string_view word) {
 /// Calls `visit` for every name that a term mentions, free or bound; the components behind a θ are left out.
 void each_name(const Term& term, const std::function<void(const Name&)>& visit);
 
-/// True where a term refers to one of the names, free or bound.
+/// Says whether a term refers to one of the names, free or bound.
 bool mentions(const Term& term, const std::set<Name>& names);
 
 }  // namespace durero::zed::match

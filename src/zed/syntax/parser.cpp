@@ -18,7 +18,7 @@ class ParagraphParser {
 
   std::vector<ZError> mended;
 
-  /// The paragraphs of a `zed` environment, one a line.
+  /// Parses the paragraphs of a `zed` environment, which are one a line.
   std::vector<Paragraph> lines() {
     std::vector<Paragraph> paragraphs;
     do {
@@ -134,7 +134,7 @@ class ParagraphParser {
     return type;
   }
 
-  /// [X, Y], if it stands here.
+  /// Takes the formals [X, Y], if they stand here.
   std::vector<Name> formals() {
     if (!in_.sees("[") || !TokenStream::is_name(in_.peek(1)) || !(in_.peek(2).is(",") || in_.peek(2).is("]")))
       return {};
@@ -188,7 +188,7 @@ std::vector<Name> names_declared(std::string_view environment, const std::vector
   bool branches = false;
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
     const Token& after = tokens[i + 1];
-    if (environment == "axdef" && tokens[i].is("|")) break;  // \where
+    if (environment == "axdef" && tokens[i].is("|")) break;  // this is \where
     if (tokens[i].is("::=")) branches = true;
     if (tokens[i].type == Type::newline) branches = false;
     const bool declares = after.is(":") || after.is("==") || after.is("::=") || after.is(",");

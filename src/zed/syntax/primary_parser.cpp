@@ -1,4 +1,4 @@
-/// The parser of what binds tightest: applications, and the terms between brackets.
+/// Parses what binds tightest: applications, and the terms between brackets.
 
 #include <algorithm>
 #include <utility>
@@ -18,7 +18,7 @@ bool TermParser::begins_primary() const {
   return false;
 }
 
-/// f a b ∼ ⦇ S ⦈: applications associate to the left, then the postfix operators.
+/// In f a b ∼ ⦇ S ⦈ the applications associate to the left, then come the postfix operators.
 Term TermParser::application() {
   Term term = primary();
   while (begins_primary()) {
@@ -123,7 +123,7 @@ Term TermParser::plain_primary() {
   in_.fail("expected an expression or a predicate");
 }
 
-/// A natural number; 0.25 is read as 25 / 100.
+/// Reads a natural number; 0.25 is read as 25 / 100.
 Term TermParser::numeral() {
   const Token& token = in_.next();
   std::string digits = token.text;
@@ -150,7 +150,7 @@ Term TermParser::theta() {
   } else {
     in_.fail("expected a schema after θ");
   }
-  while (in_.sees(Type::stroke)) node.name.strokes += in_.next().text;  // those of θ: x is taken from x'
+  while (in_.sees(Type::stroke)) node.name.strokes += in_.next().text;  // they are those of θ: x is taken from x'
   return checked(make(std::move(node)));
 }
 
@@ -167,7 +167,7 @@ Term TermParser::parenthesis() {
   return checked(node(Kind::tuple, std::move(parts), place));
 }
 
-/// (_ ∪ _), (# _), (_ ∼), (_ ⦇ _ ⦈): an operator as a name.
+/// Reads an operator as a name: (_ ∪ _), (# _), (_ ∼), (_ ⦇ _ ⦈).
 Term TermParser::word_or_operator() {
   std::string name;
   const Place place = in_.peek().place;

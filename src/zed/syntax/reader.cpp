@@ -3,42 +3,44 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <set>
-#include <sstream>
+#include <system_error>
+#include <tuple>
 #include <utility>
 
+#include "durero/text/file.hpp"
 #include "zed/syntax/block_parser.hpp"
 #include "zed/syntax/lexer.hpp"
 
 namespace durero::zed {
 namespace {
 
+/// Returns the text of a file, or nothing where it cannot be read. A byte more than the limit tells that it is too
+/// large.
 std::optional<std::string> on_disk(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in || std::filesystem::is_directory(file)) return std::nullopt;
-  std::string all(max_bytes + 1, '\0');
-  in.read(all.data(), static_cast<std::streamsize>(all.size()));
-  all.resize(static_cast<std::size_t>(in.gcount()));
-  return all;
+  try {
+    return text::read_file(file, max_bytes + 1);
+  } catch (const std::system_error&) {
+    return std::nullopt;
+  }
 }
 
 class Reader {
  public:
-  /// `texts`: by name of file, instead of files on disk.
+  /// Reads `texts`, by name of file, instead of files on disk.
   explicit Reader(std::map<std::string, std::optional<std::string>> texts = {}) : texts_(std::move(texts)) {}
 
   /// Tells where the sections of a file are, without reading them.
   void index(const std::string& path) {
-    const auto& all = contents(path);
-    if (!all) return;
+    const auto& read = contents(path);
+    if (!read) return;
     std::vector<Defect> later;
-    for (const Block& block : cut(*all, path, later)) {
+    for (const Block& block : cut(*read, path, later)) {
       if (block.environment != "zsection") continue;
       try {
         where_.emplace(parse_header(lex_latex(block, {})).name, path);
-      } catch (const ZError&) {  // reported when the file is read
+      } catch (const ZError&) {  // it is reported when the file is read
       }
     }
   }
@@ -46,17 +48,17 @@ class Reader {
   void file(const std::string& path) {
     const std::string canonical = std::filesystem::weakly_canonical(path).string();
     if (!files_.insert(canonical).second) return;
-    if (const auto& all = contents(path)) return text(*all, path);
-    made_.defects.push_back({path, {1, 1}, "the file cannot be read", "expected a file of Z text", {}});
+    if (const auto& read = contents(path)) return text(*read, path);
+    specification_.defects.push_back({path, {1, 1}, "the file cannot be read", "expected a file of Z text", {}});
   }
 
-  void text(const std::string& all, const std::string& path) {
-    if (all.size() > max_bytes) {
-      made_.defects.push_back({path, {1, 1}, "the file is too large", "expected at most a MiB of Z text", {}});
+  void text(const std::string& source, const std::string& path) {
+    if (source.size() > max_bytes) {
+      specification_.defects.push_back({path, {1, 1}, "the file is too large", "expected at most a MiB of Z text", {}});
       return;
     }
     std::optional<Section> open;
-    for (const Block& block : cut(all, path, made_.defects)) {
+    for (const Block& block : cut(source, path, specification_.defects)) {
       try {
         if (block.environment == "zsection") {
           close(open);
@@ -67,21 +69,22 @@ class Reader {
           paragraphs(block, *open);
         }
       } catch (const ZError& error) {
-        made_.defects.push_back(error.in(path));
+        specification_.defects.push_back(error.in(path));
       }
     }
     close(open);
   }
 
   Specification take() {
-    std::stable_sort(made_.defects.begin(), made_.defects.end(), [](const Defect& a, const Defect& b) {
-      return std::tuple(a.file, a.place.line, a.place.column) < std::tuple(b.file, b.place.line, b.place.column);
-    });
-    return std::move(made_);
+    std::stable_sort(
+        specification_.defects.begin(), specification_.defects.end(), [](const Defect& a, const Defect& b) {
+          return std::tuple(a.file, a.place.line, a.place.column) < std::tuple(b.file, b.place.line, b.place.column);
+        });
+    return std::move(specification_);
   }
 
  private:
-  /// The text of a file, which is read once; nothing where it cannot be read.
+  /// Returns the text of a file, which is read once; nothing where it cannot be read.
   const std::optional<std::string>& contents(const std::string& file) {
     if (const auto known = texts_.find(file); known != texts_.end()) return known->second;
     return texts_.emplace(file, on_disk(file)).first->second;
@@ -95,7 +98,7 @@ class Reader {
     section.parents = read.parents;
     if (is_toolkit(section.name) || !started_.insert(section.name).second)
       throw ZError(block.place, "a second section " + section.name, "expected a name of its own");
-    Markup& mine = made_.markup[section.name];
+    Markup& mine = specification_.markup[section.name];
     mine.insert(block.directives.begin(), block.directives.end());
     for (const std::string& parent : section.parents) inherit(mine, parent, path, block.place);
   }
@@ -103,13 +106,13 @@ class Reader {
   void inherit(Markup& mine, const std::string& parent, const std::string& path, Place place) {
     if (is_toolkit(parent)) return;
     if (!started_.contains(parent)) find(parent, path);
-    if (!made_.find(parent)) no_parent(parent, place);
-    const Markup& theirs = made_.markup[parent];
+    if (!specification_.find(parent)) no_parent(parent, place);
+    const Markup& theirs = specification_.markup[parent];
     mine.insert(theirs.begin(), theirs.end());
   }
 
-  /// A section that was begun and has not ended is an ancestor of itself; one whose file was begun stands behind its
-  /// child there.
+  /// Says why a parent is missing: a section that was begun and has not ended is an ancestor of itself, and one whose
+  /// file was begun stands behind its child there.
   [[noreturn]] void no_parent(const std::string& parent, Place place) const {
     if (started_.contains(parent))
       throw ZError(place, "the parents go in a cycle, back to " + parent,
@@ -126,7 +129,7 @@ class Reader {
       std::filesystem::path folder = std::filesystem::path(path).parent_path();
       if (folder.empty()) folder = ".";
       std::error_code unreadable;
-      std::set<std::string> beside;  // in order, so that the answer does not depend on the file system
+      std::set<std::string> beside;  // their order makes the answer independent of the file system
       for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable))
         if (entry.path().extension() == ".tex") beside.insert(entry.path().lexically_normal().string());
       for (const std::string& file : beside) index(file);
@@ -142,7 +145,7 @@ class Reader {
   }
 
   void paragraphs(const Block& block, Section& into) {
-    Markup& markup = made_.markup[into.name];
+    Markup& markup = specification_.markup[into.name];
     for (const auto& [command, meaning] : block.directives) markup[command] = meaning;
     const std::vector<Token> tokens = lex_latex(block, markup);
     std::vector<ZError> mended;
@@ -154,18 +157,18 @@ class Reader {
       into.lost.insert(into.lost.end(), lost.begin(), lost.end());
       mended.push_back(error);
     }
-    for (const ZError& error : mended) made_.defects.push_back(error.in(into.file));
+    for (const ZError& error : mended) specification_.defects.push_back(error.in(into.file));
   }
 
   void close(std::optional<Section>& open) {
-    if (open) made_.sections.push_back(std::move(*open));
+    if (open) specification_.sections.push_back(std::move(*open));
     open.reset();
   }
 
-  std::map<std::string, std::optional<std::string>> texts_;  // file to contents; none where it cannot be read
-  Specification made_;
+  std::map<std::string, std::optional<std::string>> texts_;  // a file that cannot be read has no contents
+  Specification specification_;
   std::set<std::string> files_, started_;
-  std::map<std::string, std::string> where_;  // section to file
+  std::map<std::string, std::string> where_;  // a section leads to its file
 };
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <sstream>
 
-#include "zed/syntax/utf8.hpp"
+#include "durero/text/utf8.hpp"
 
 namespace durero::zed {
 namespace {
@@ -26,7 +26,7 @@ struct Cursor {
       place.column = 0;
     }
     ++at;
-    while (!done() && utf8::continues(text[at])) ++at;
+    while (!done() && text::continues(text[at])) ++at;
     ++place.column;
   }
   void skip(std::size_t bytes) {
@@ -35,7 +35,8 @@ struct Cursor {
   std::string_view rest_of_line() const { return text.substr(at, text.find('\n', at) - at); }
 };
 
-/// `%%Zchar \real U+211D`, `%%Zword \foo foo` and their kin for the spacing around (which the lexer does not need).
+/// Reads `%%Zchar \real U+211D`, `%%Zword \foo foo` and their kin for the spacing around (which the lexer does not
+/// need).
 void directive(std::string_view line, Place place, Markup& into) {
   std::istringstream words{std::string(line.substr(3))};
   std::string kind, command, meaning, more;
@@ -50,9 +51,9 @@ void directive(std::string_view line, Place place, Markup& into) {
     const std::string digits = meaning.substr(std::min<std::size_t>(2, meaning.size()));
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
     if (!(meaning.starts_with("U+") || meaning.starts_with("U-")) || error != std::errc() ||
-        end != digits.data() + digits.size() || !utf8::is_scalar(code) || code < 0x80)
+        end != digits.data() + digits.size() || !text::is_scalar(code) || code < 0x80)
       throw ZError(place, "malformed character " + meaning, "expected U+ and hexadecimal digits, beyond ASCII");
-    meaning = utf8::encode(code);
+    meaning = text::encode(code);
   }
   into[command.substr(1)] = meaning;
 }

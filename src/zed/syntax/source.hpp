@@ -1,5 +1,5 @@
 #pragma once
-/// A Z text in LaTeX mark-up, cut into its formal paragraphs; the prose between them is skipped.
+/// A Z text in LaTeX mark-up is cut into its formal paragraphs; the prose between them is skipped.
 
 #include <string>
 #include <string_view>
@@ -11,14 +11,14 @@
 
 namespace durero::zed {
 
-/// A formal paragraph, as text: what stands between `\begin{environment}` and `\end{environment}`.
+/// A block is a formal paragraph, as text: what stands between `\begin{environment}` and `\end{environment}`.
 struct Block {
-  std::string environment;  ///< zsection, zed, axdef, gendef or schema
-  std::string_view body;    ///< into the text given to cut()
-  Place begin;              ///< of the `\begin`
-  Place place;              ///< of the first character of the body
-  Place end;                ///< of the `\end`
-  Markup directives;        ///< those that stand before this block and after the one before it
+  std::string environment;  ///< it is zsection, zed, axdef, gendef or schema
+  std::string_view body;    ///< it points into the text given to cut()
+  Place begin;              ///< the `\begin` stands here
+  Place place;              ///< the body begins here
+  Place end;                ///< the `\end` stands here
+  Markup directives;        ///< they stand before this block and after the one before it
 };
 
 /// Cuts a text into blocks. `text` must outlive them. A defect, such as an environment that does not end, is added

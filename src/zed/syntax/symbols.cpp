@@ -15,8 +15,8 @@ struct Spelling {
   std::string_view command, unicode;
 };
 
-// The commands of ISO/IEC 13568, A.2, for what is no operator: letters, brackets, connectives and keywords. The
-// commands of operators stand in their rows (operators.hpp).
+// These are the commands of ISO/IEC 13568, A.2, for what is no operator: letters, brackets, connectives and keywords.
+// The commands of operators stand in their rows (operators.hpp).
 constexpr Spelling spellings[] = {
     {"power", "ℙ"},
     {"Delta", "Δ"},
@@ -83,15 +83,16 @@ void each_spelling(Visit&& visit) {
   for (const Spelling& spelling : spellings) visit(spelling.command, spelling.unicode);
 }
 
-/// The operators, from their rows.
+/// Returns the operators, from their rows.
 const std::vector<Operator>& operators() {
   static const auto table = [] {
-    std::vector<Operator> all;
+    std::vector<Operator> with_role;
     for (const OperatorRow& row : operator_rows()) {
       const Binding& binding = row.binding;
-      if (binding.role) all.push_back({row.symbol(), *row.fixity(), *binding.role, binding.precedence, binding.right});
+      if (!binding.role) continue;
+      with_role.push_back({row.symbol(), *row.fixity(), *binding.role, binding.precedence, binding.right});
     }
-    return all;
+    return with_role;
   }();
   return table;
 }
@@ -170,7 +171,7 @@ bool is_symbol_name(std::string_view symbol) {
 bool has_indexed(std::string_view word) {
   static const auto table = [] {
     static constexpr std::string_view index = "₁";
-    std::unordered_set<std::string_view> words = {"∃"};  // ∃₁
+    std::unordered_set<std::string_view> words = {"∃"};  // ∃₁ is no operator
     for (const OperatorRow& row : operator_rows())
       if (row.symbol().ends_with(index)) words.insert(row.symbol().substr(0, row.symbol().size() - index.size()));
     return words;
@@ -183,6 +184,10 @@ bool is_operator_name(std::string_view name) { return name == "_⦇_⦈" || oper
 bool is_reserved(std::string_view word) {
   static const std::unordered_set<std::string_view> table(std::begin(reserved), std::end(reserved));
   return table.contains(word);
+}
+
+bool may_be_name(std::string_view word) {
+  return !is_reserved(word) && !find_operator(word, Fixity::infix) && !find_operator(word, Fixity::prefix);
 }
 
 }  // namespace durero::zed

@@ -157,7 +157,7 @@ std::vector<Name> TermParser::names() {
   return names;
 }
 
-/// x : …, x, y : … or x == …
+/// A declaration begins with x : …, with x, y : … or with x == …
 bool TermParser::begins_declaration() const {
   std::size_t ahead = 0;
   for (;; ahead += 2) {

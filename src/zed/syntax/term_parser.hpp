@@ -1,5 +1,5 @@
 #pragma once
-/// The parser of expressions, schema expressions, predicates and schema texts.
+/// Parses expressions, schema expressions, predicates and schema texts.
 
 #include "durero/zed/syntax/parser.hpp"
 #include "zed/syntax/connectives.hpp"
@@ -11,18 +11,18 @@ class TermParser {
  public:
   explicit TermParser(TokenStream& in) : in_(in) {}
 
-  /// A term in which every operator binds at least as tightly as `least`.
+  /// Parses a term in which every operator binds at least as tightly as `least`.
   Term term(int least = binding::weakest);
 
-  /// Declarations, then predicates behind a `|`, if any; stops before what cannot belong to it.
-  /// `labelled`: each predicate keeps its label (in a box).
+  /// Parses declarations, then predicates behind a `|`, if any, and stops before what cannot belong to it. Where it is
+  /// `labelled`, in a box, each predicate keeps its label.
   SchemaText schema_text(bool labelled = false);
 
   std::vector<Predicate> predicates(bool labelled);
-  std::vector<Name> names();  ///< a, b, …
+  std::vector<Name> names();  ///< takes a, b, …
 
  private:
-  Term leading();  // what can stand first in a term: a quantifier, a prefix operator, an application
+  Term leading();  // takes what can stand first in a term: a quantifier, a prefix operator, an application
   Term application();
   Term primary();
   Term plain_primary();
@@ -42,7 +42,7 @@ class TermParser {
   Term product(const Term& left);
   Term hiding(Term left);
   Term image(Term left);
-  bool suffix(Term& so_far);  // one selection, decoration, renaming or list of actuals
+  bool suffix(Term& so_far);  // takes one selection, decoration, renaming or list of actuals
   Term actuals_or_renaming(Term of);
   bool begins_primary() const;
   bool begins_declaration() const;

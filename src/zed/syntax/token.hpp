@@ -1,5 +1,5 @@
 #pragma once
-/// The tokens of Z, the same from either mark-up.
+/// The tokens of Z are the same from either mark-up.
 
 #include <string>
 
@@ -18,11 +18,11 @@ struct Token {
     error,    ///< what cannot be read, as the last token: text says what is wrong, label what is expected
   };
   Type type = Type::end;
-  std::string text;     ///< in Unicode
-  std::string strokes;  ///< of a word
+  std::string text;     ///< it is written in Unicode
+  std::string strokes;  ///< a word has them
   Place place;
-  std::string label;        ///< the label in the comment that ends the line, on the last token of the line
-  bool only_infix = false;  ///< a `-` that LaTeX mark-up reserves for the difference; the sign is \negate
+  std::string label;        ///< the last token of a line has the label in the comment that ends it
+  bool only_infix = false;  ///< LaTeX mark-up reserves such a `-` for the difference; the sign is \negate
 
   bool is(std::string_view symbol) const {
     return (type == Type::symbol || (type == Type::word && strokes.empty())) && text == symbol;

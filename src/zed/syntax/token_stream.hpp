@@ -1,5 +1,5 @@
 #pragma once
-/// What the parsers of terms and of paragraphs share: a position in the tokens, and errors that say where.
+/// The parsers of terms and of paragraphs share a position in the tokens, and errors that say where.
 
 #include <string>
 #include <string_view>
@@ -15,7 +15,7 @@ class TokenStream {
  public:
   explicit TokenStream(const std::vector<Token>& tokens) : tokens_(tokens) {}
 
-  /// The token `ahead` places on; at the end, the last one.
+  /// Returns the token `ahead` places on; at the end, the last one.
   const Token& peek(std::size_t ahead = 0) const {
     const std::size_t at = at_ + ahead;
     return at < tokens_.size() ? tokens_[at] : tokens_.back();
@@ -44,12 +44,9 @@ class TokenStream {
 
   std::size_t position() const { return at_; }
 
-  /// A token that a name can be: a word, but no keyword and no operator.
+  /// Says whether a token can be a name: it is a word, but no keyword and no operator.
   static bool is_name(const Token& token) {
-    if (token.type != Token::Type::word) return false;
-    if (!token.strokes.empty()) return true;
-    return !is_reserved(token.text) && !find_operator(token.text, Fixity::infix) &&
-           !find_operator(token.text, Fixity::prefix);
+    return token.type == Token::Type::word && (!token.strokes.empty() || may_be_name(token.text));
   }
   bool sees_name() const { return is_name(peek()); }
   Name name() {
@@ -58,7 +55,7 @@ class TokenStream {
     return {token.text, token.strokes};
   }
 
-  /// The labels on the tokens from `from` to here; two of them are an error.
+  /// Returns the label on the tokens from `from` to here; two of them are an error.
   std::string label_since(std::size_t from) const {
     std::string label;
     for (std::size_t i = from; i < at_; ++i) {

@@ -1,6 +1,6 @@
 #pragma once
-/// The workings of the type-checker. Expressions are checked in checker_terms.cpp, predicates, names and schemas in
-/// the files of these names, paragraphs and sections in typecheck.cpp.
+/// The type-checker checks expressions in checker_terms.cpp, predicates, names and schemas in the files of these names,
+/// and paragraphs and sections in typecheck.cpp.
 
 #include <fmt/core.h>
 
@@ -14,15 +14,16 @@
 
 namespace durero::zed {
 
-using Fields = std::vector<std::pair<Name, Type>>;  // a signature, in the order of declaration
+/// The fields of a signature stand in the order of declaration.
+using Fields = std::vector<std::pair<Name, Type>>;
 
-/// A signature that grows, and where each name stands in it.
+/// The table holds a signature that grows, and where each name stands in it.
 struct FieldTable {
   Fields fields;
   std::unordered_map<Name, std::size_t> positions{};
 };
 
-/// Limits of what one section may ask for, so that no text makes the checker hang or run out of stack: the longest
+/// These limit what one section may ask for, so that no text makes the checker hang or run out of stack: the longest
 /// section of spec/ takes 10^4 steps, its largest paragraph 200 variables. Freeing a type recurses once for each
 /// variable in a chain of them.
 inline constexpr std::size_t max_work = 20000000, max_variables = 4000, max_errors = 1000;
@@ -34,11 +35,11 @@ class Checker {
   Checker(std::string file, Globals& globals, bool sees_toolkit, Typing& into)
       : file_(std::move(file)), globals_(globals), sees_toolkit_(sees_toolkit), into_(into) {}
 
-  // Terms.
+  // Checks a term as an expression, and returns its type, or as a predicate.
   Type expression(const Term& term);
   void predicate(const Term& term);
 
-  // Scopes.
+  // Opens a scope with these names, or closes the innermost one.
   void push(const Fields& fields);
   void pop() { scopes_.pop_back(); }
 
@@ -84,15 +85,15 @@ class Checker {
   Type precondition(const Node& node);
   Type doubled(const Type& schema, const Name& name, Place place);
   std::optional<Fields> schema_fields(const Term& term, const char* role);
-  /// Puts more fields to those of the table; a name in both must have one type.
+  /// Adds more fields to those of the table; a name in both must have one type.
   void merge(FieldTable& table, const Fields& more, Place place, const std::string& what);
-  /// Puts both signatures in one.
+  /// Returns both signatures as one.
   Fields merged(Fields left, const Fields& right, Place place);
   Type schema_set(Fields fields) { return limited(Type::power(Type::schema(std::move(fields)))); }
 
-  /// The type of the elements of a set expression.
+  /// Returns the type of the elements of a set expression.
   Type element(const Term& set, const char* role);
-  /// The type of the characteristic tuple of a schema text (ISO/IEC 13568, 9.2).
+  /// Returns the type of the characteristic tuple of a schema text (ISO/IEC 13568, 9.2).
   Type characteristic(const SchemaText& text, const Fields& fields);
   /// Returns the type; where it is too large it reports an error and returns unknown.
   Type limited(Type type);
@@ -107,8 +108,8 @@ class Checker {
   bool sees_toolkit_;
   Typing& into_;
   std::vector<std::unordered_map<Name, Type>> scopes_;
-  std::vector<std::pair<Name, std::pair<Place, Type>>> generics_;  // instances to be determined
-  Place at_;                                                       // of the node being checked
+  std::vector<std::pair<Name, std::pair<Place, Type>>> generics_;  // these instances are to be determined
+  Place at_;                                                       // the node being checked stands here
   std::size_t errors_before_ = 0, errors_at_start_ = into_.defects.size();
   std::size_t work_ = 0, variables_ = 0;
 };

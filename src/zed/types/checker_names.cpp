@@ -1,9 +1,9 @@
-/// The type-checker on names: scopes, instances of generics, and the schemas that a decoration, Δ or Ξ implies; with
-/// its errors and limits.
+/// Checks names: scopes, instances of generics, and the schemas that a decoration, Δ or Ξ implies; with the errors and
+/// limits of the type-checker.
 
 #include <ranges>
 
-#include "zed/syntax/utf8.hpp"
+#include "durero/text/utf8.hpp"
 #include "zed/types/checker.hpp"
 
 namespace durero::zed {
@@ -47,7 +47,7 @@ Type Checker::reference(const Node& node) {
 /// In ISO Z a name with strokes is a name like others. The decoration of a schema has a space before its stroke.
 std::string Checker::expected_name(const Name& name) const {
   Name base = name;
-  while (!base.strokes.empty() && utf8::continues(base.strokes.back())) base.strokes.pop_back();
+  while (!base.strokes.empty() && text::continues(base.strokes.back())) base.strokes.pop_back();
   if (base.strokes.empty()) return "expected a declared name";
   const std::string stroke = name.strokes.substr(base.strokes.size() - 1);
   base.strokes.pop_back();
@@ -87,7 +87,7 @@ Type Checker::instance(const Name& name, const Scheme& scheme, const std::vector
   return scheme.type.substitute(scheme.formals, types);
 }
 
-/// ΔS and ΞS where only S is declared.
+/// Returns the type of ΔS and ΞS where only S is declared.
 std::optional<Type> Checker::implied_schema(const Name& name, const std::vector<Type>* actuals, Place place) {
   const bool delta = name.word.starts_with("Δ"), xi = name.word.starts_with("Ξ");
   if ((!delta && !xi) || !name.strokes.empty()) return std::nullopt;

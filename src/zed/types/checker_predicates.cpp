@@ -1,4 +1,4 @@
-/// The type-checker on predicates.
+/// Checks predicates.
 
 #include "zed/syntax/symbols.hpp"
 #include "zed/types/checker.hpp"

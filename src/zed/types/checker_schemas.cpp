@@ -166,7 +166,7 @@ Type Checker::hiding(const Node& node) {
   return schema_set(std::move(*fields));
 }
 
-/// S ⨟ T hides the x' of S that meet an x of T; S ⨠ T the x! of S that meet an x? of T.
+/// S ⨟ T hides the x' of S that meet an x of T; S ⨠ T hides the x! of S that meet an x? of T.
 Type Checker::joined(const Node& node, const char* what, const std::string& left_stroke,
                      const std::string& right_stroke) {
   auto left = schema_fields(node.children[0], "as the left operand"),

@@ -5,7 +5,7 @@
 namespace durero::zed {
 namespace {
 
-/// A term as an error names it: short ones in full.
+/// Names a term in an error, in full where it is short.
 std::string named(const Term& term) {
   constexpr std::size_t longest = 60;
   const std::string text = to_unicode(term);
@@ -27,7 +27,7 @@ Type Checker::expression(const Term& term) {
   at_ = term->place;
   spend(1);
   Type type = limited(infer(*term));
-  spend(type.size() / 8);  // what is done with it later
+  spend(type.size() / 8);  // something is done with it later
   into_.types.insert_or_assign(term.get(), type);
   at_ = before;
   return type;

@@ -10,7 +10,7 @@
 namespace durero::zed {
 namespace {
 
-/// The type of the elements of a set that is written with 𝔸, formals, ℙ, × and ↔ only.
+/// Returns the type of the elements of a set that is written with 𝔸, formals, ℙ, × and ↔ only.
 Type element_type(const Term& set) {
   std::vector<Type> parts;
   for (const Term& child : set->children) parts.push_back(element_type(child));
@@ -28,7 +28,7 @@ Scheme scheme(std::string_view formals, std::string_view set) {
   return {std::move(names), element_type(parse_unicode(set))};
 }
 
-/// The names with the types of their rows.
+/// Returns the names with the types of their rows.
 std::unordered_map<Name, Scheme> schemes(const std::vector<std::string_view>& names) {
   std::unordered_map<Name, Scheme> typed;
   for (const std::string_view name : names) {

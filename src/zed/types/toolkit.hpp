@@ -1,5 +1,5 @@
 #pragma once
-/// The names of the standard toolkit (ISO/IEC 13568, annex B) and their types.
+/// The names of the standard toolkit (ISO/IEC 13568, annex B) have types.
 
 #include <unordered_map>
 
@@ -8,16 +8,16 @@
 
 namespace durero::zed {
 
-/// 𝔸, the given type of all numbers.
+/// 𝔸 is the given type of all numbers.
 const Type& arithmos();
 
-/// What a section sees with the toolkit among its ancestors.
+/// A section sees these with the toolkit among its ancestors.
 const std::unordered_map<Name, Scheme>& toolkit();
 
-/// What an expression sees that is typed by hand, and no section: / and √, with which its value is printed.
+/// An expression that is typed by hand sees these, and no section does: / and √, with which its value is printed.
 const std::unordered_map<Name, Scheme>& calculator();
 
-/// What every section sees: 𝔸, ℕ and + (the prelude).
+/// Every section sees the prelude: 𝔸, ℕ and +.
 const std::unordered_map<Name, Scheme>& prelude();
 
 }  // namespace durero::zed

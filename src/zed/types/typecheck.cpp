@@ -2,13 +2,14 @@
 
 #include <algorithm>
 
+#include "zed/syntax/characters.hpp"
 #include "zed/syntax/symbols.hpp"
 #include "zed/types/checker.hpp"
 
 namespace durero::zed {
 namespace {
 
-/// The paragraphs of one section.
+/// Checks the paragraphs of one section.
 class SectionChecker {
  public:
   SectionChecker(const Section& section, Typing& into)
@@ -20,7 +21,7 @@ class SectionChecker {
   void run() {
     try {
       paragraphs();
-    } catch (const ZError& error) {  // a limit
+    } catch (const ZError& error) {  // a limit is reached
       into_.defects.push_back(error.in(section_.file));
     }
   }
@@ -61,9 +62,9 @@ class SectionChecker {
               i < given.places.size() ? given.places[i] : place);
   }
 
-  void paragraph(const FreeType&, Place) {}  // by free_types()
+  void paragraph(const FreeType&, Place) {}  // free_types() checks these
 
-  /// The free types from paragraph `first` on that are joined by &; the last of them.
+  /// Checks the free types from paragraph `first` on that are joined by &, and returns the last of them.
   std::size_t free_types(std::size_t first) {
     std::size_t last = first;
     const auto type_at = [this](std::size_t i) { return std::get_if<FreeType>(&section_.paragraphs[i].form); };
@@ -103,14 +104,19 @@ class SectionChecker {
     declare(definition.name, {definition.formals, std::move(type)}, Global::Form::definition, place);
   }
 
-  void paragraph(const Axiomatic& box, Place) {
-    formals(box.formals);
-    const Fields fields = terms_.signature(box.text);
+  /// Checks the declarations and predicates of a box with its formals in scope, and returns what it declares.
+  Fields signature_of_box(const std::vector<Name>& generic_formals, const SchemaText& text) {
+    formals(generic_formals);
+    const Fields fields = terms_.signature(text);
     terms_.push(fields);
-    terms_.predicates(box.text);
+    terms_.predicates(text);
     terms_.pop();
     terms_.pop();
-    for (const auto& [name, type] : fields)
+    return fields;
+  }
+
+  void paragraph(const Axiomatic& box, Place) {
+    for (const auto& [name, type] : signature_of_box(box.formals, box.text))
       declare(name, {box.formals, type}, Global::Form::axiom, place_of(name, box.text));
   }
 
@@ -122,13 +128,8 @@ class SectionChecker {
   }
 
   void paragraph(const Schema& box, Place place) {
-    formals(box.formals);
-    const Fields fields = terms_.signature(box.text);
-    terms_.push(fields);
-    terms_.predicates(box.text);
-    terms_.pop();
-    terms_.pop();
-    declare(box.name, {box.formals, Type::power(Type::schema(fields))}, Global::Form::schema, place);
+    declare(box.name, {box.formals, Type::power(Type::schema(signature_of_box(box.formals, box.text)))},
+            Global::Form::schema, place);
   }
 
   void paragraph(const Conjecture& conjecture, Place) { terms_.predicate(conjecture.claim.term); }
@@ -139,7 +140,7 @@ class SectionChecker {
   Checker terms_;
 };
 
-/// What a section sees when it begins: all that its parents see at their end.
+/// A section sees, when it begins, all that its parents see at their end.
 void inherit(const Section& section, Typing& into) {
   auto& mine = into.scopes[section.name];
   bool& sees_toolkit = into.sees_toolkit[section.name];
@@ -218,10 +219,8 @@ std::vector<std::pair<Name, Type>> calculator_names() {
 }
 
 bool is_free_word(const std::string& word) {
-  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-  const auto continues = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; };
-  return !word.empty() && is_letter(word[0]) && std::all_of(word.begin(), word.end(), continues) &&
-         !is_reserved(word) && !find_operator(word, Fixity::infix) && !find_operator(word, Fixity::prefix) &&
+  const auto continues = [](char c) { return is_letter(c) || is_digit(c) || c == '_'; };
+  return !word.empty() && is_letter(word[0]) && std::all_of(word.begin(), word.end(), continues) && may_be_name(word) &&
          !toolkit().contains({word, {}});
 }
 
@@ -235,7 +234,7 @@ Typing check_term(const Typing& known, const std::string& section, const Term& t
   checker.push(locals);
   try {
     check_at_end(checker, term);
-  } catch (const ZError& error) {  // a limit
+  } catch (const ZError& error) {  // a limit is reached
     typing.defects.push_back(error.in(file));
   }
   return typing;

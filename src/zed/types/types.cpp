@@ -6,12 +6,11 @@
 namespace durero::zed {
 namespace {
 
-// Bounds on the work of one unification. Each type alone is bounded (max_size, max_depth), but variables chain types,
-// so the recursion is bounded again: 4000 frames of at most 1 KiB are half of a default stack, and 10^5 steps are
-// about a millisecond.
+// These bound the work of one unification. Each type alone is bounded (max_size, max_depth), but variables chain types,
+// so the recursion is bounded again: 4000 frames of at most 1 KiB are half of a default stack, and 10^5 steps are about
+// a millisecond.
 constexpr unsigned max_unify_depth = 4000;
 constexpr std::uint32_t max_unify_steps = 100000;
-constexpr int longest_text = 40;  // parts of a type that an error writes out
 
 }  // namespace
 
@@ -70,30 +69,33 @@ const Type* Type::field(const Name& wanted) const {
   return &mine.parts[static_cast<std::size_t>(at - mine.fields.begin())];
 }
 
-bool Type::has_variables() const {
-  std::unordered_set<const Node*> seen;
-  std::vector<const Node*> left = {&node()};
-  while (!left.empty()) {
-    const Node* node = left.back();
-    left.pop_back();
-    if (!seen.insert(node).second) continue;
-    if (node->kind == Kind::variable) return true;
-    for (const Type& part : node->parts) left.push_back(&part.node());
-  }
-  return false;
-}
-
-bool Type::occurs(const Node* variable, const Type& in) {
+/// Says whether some node of the type passes the test; a node that stands in it twice is tested once.
+template <class Test>
+bool Type::any_node(const Type& in, Test&& test) {
   std::unordered_set<const Node*> seen;
   std::vector<const Node*> left = {&in.node()};
   while (!left.empty()) {
     const Node* node = left.back();
     left.pop_back();
-    if (node == variable) return true;
     if (!seen.insert(node).second) continue;
+    if (test(*node)) return true;
     for (const Type& part : node->parts) left.push_back(&part.node());
   }
   return false;
+}
+
+bool Type::has_variables() const {
+  return any_node(*this, [](const Node& node) { return node.kind == Kind::variable; });
+}
+
+bool Type::is_known() const {
+  return !any_node(*this, [](const Node& node) {
+    return node.kind == Kind::variable || node.kind == Kind::unknown || node.kind == Kind::formal;
+  });
+}
+
+bool Type::occurs(const Node* variable, const Type& in) {
+  return any_node(in, [variable](const Node& node) { return &node == variable; });
 }
 
 bool Type::unify_at(const Type& a, const Type& b, unsigned depth, std::uint32_t& steps) {
@@ -162,10 +164,9 @@ Type Type::substitute(const std::vector<Name>& formals, const std::vector<Type>&
   return Type(std::move(node));
 }
 
-std::string Type::text() const {
+std::string Type::text(int parts) const {
   std::string out;
-  int budget = longest_text;
-  append(out, false, budget);
+  append(out, false, parts);
   return out;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-/// What goes through an evaluation: the unknowns that are looked for, and whether what is evaluated must hold.
+/// A context goes through an evaluation: it has the unknowns that are looked for, and whether what is evaluated must
+/// hold.
 
 #include <cstdint>
 #include <functional>
@@ -14,17 +15,17 @@ namespace durero::zed {
 /// Collects what an evaluation compares with 0 as polynomials in one unknown, for every value of it at once.
 struct Watch {
   std::uint32_t unknown = 0;
-  std::vector<Polynomial> compared{};  ///< those that the evaluation has compared with 0
+  std::vector<Polynomial> compared{};  ///< the evaluation has compared these with 0
   bool lost = false;                   ///< something depends on the unknown in another way
 };
 
 struct Context {
-  /// The value that each unknown was found to have, by the unknown's id.
+  /// Each unknown has the value that it was found to have, by the unknown's id.
   std::vector<std::optional<Value>> values_found;
   /// Equations that are evaluated now must hold for the unknowns of this id or a greater one, and so determine them.
   std::uint32_t necessary = none;
-  int depth = 0;           ///< of applications
-  Watch* watch = nullptr;  ///< null but for Evaluator::comparisons()
+  int depth = 0;           ///< applications nest so deep
+  Watch* watch = nullptr;  ///< it is null but for Evaluator::comparisons()
 
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
@@ -34,7 +35,7 @@ struct Context {
   }
 };
 
-/// For a scope: what is evaluated need not hold (`keep` false), as under ¬, ∨ and ∀.
+/// Says for a scope whether what is evaluated must hold. Where `keep` is false it need not, as under ¬, ∨ and ∀.
 class Necessary {
  public:
   Necessary(Context& context, bool keep) : context_(context), before_(context.necessary) {
@@ -71,7 +72,7 @@ class Deeper {
   Context& context_;
 };
 
-/// The slots of the local names of one unit of code: a paragraph's predicate, a function's body, a set's.
+/// A frame has the slots of the local names of one unit of code: a paragraph's predicate, a function's body, a set's.
 struct Frame {
   Frame(std::size_t size, Context& c) : slots(size), context(c) {}
   boost::container::small_vector<Value, 8> slots;
@@ -81,27 +82,42 @@ struct Frame {
 using Code = std::function<Value(Frame&)>;
 using Test = std::function<Truth(Frame&)>;
 
-/// The truth is open, and no comparison of numbers says on what it depends.
+/// Returns that the truth is open, where no comparison of numbers says on what it depends.
 inline Truth lost(Context& context) {
   if (context.watch) context.watch->lost = true;
   return Truth::open;
 }
-/// The truth of a comparison is open, since one of the numbers is not known; the watch learns what was compared.
+/// Returns that the truth of a comparison is open, since one of the numbers is not known; the watch learns what was
+/// compared.
 Truth compared(const Value& a, const Value& b, Context& context);
 
-/// a = b. Where it must hold and one side is an unknown, the unknown is found.
+/// Says whether a = b. Where it must hold and one side is an unknown, the unknown is found.
 Truth equal(const Value& a, const Value& b, Context& context);
-/// value ∈ set.
+/// Says whether value ∈ set.
 Truth contains_value(const Value& set, const Value& value, Context& context);
-/// The value with every unknown that has been found in its place.
+/// Returns the value with every unknown that has been found in its place.
 Value resolved(const Value& value, const Context& context);
 
-/// a + b, a − b, a * b of numbers, with one unknown in them at most; undefined, open values as they come.
+/// Computes a + b, a − b, a * b of numbers, with one unknown in them at most; undefined and open values come out as
+/// such.
 Value sum(const Value& a, const Value& b);
 Value difference(const Value& a, const Value& b);
 Value product(const Value& a, const Value& b);
 
-/// The truth of a conjunction.
+/// Says whether a number, or a value of another type as a whole, is not known.
+inline bool waiting(const Value& a) { return a.is_open() || a.get<Unknown>() || a.get<PolynomialPtr>(); }
+
+/// Runs an operation on reals. Where its result has no exact form (Real), an EvaluationError says so.
+template <class Operation>
+auto exactly(Operation&& operation) -> decltype(operation()) {
+  try {
+    return operation();
+  } catch (const std::domain_error& impossible) {
+    throw EvaluationError(impossible.what());
+  }
+}
+
+/// Returns the truth of a conjunction.
 inline Truth both(Truth a, Truth b) {
   if (a == Truth::no || b == Truth::no) return Truth::no;
   return a == Truth::open ? a : b;

@@ -1,11 +1,11 @@
-/// Equality, which is also how an unknown is found: x = e determines x, and a + t * b = e with b ≠ 0 determines t.
+/// Equality is also how an unknown is found: x = e determines x, and a + t * b = e with b ≠ 0 determines t.
 
 #include "zed/value/context.hpp"
 
 namespace durero::zed {
 namespace {
 
-/// A number as constant + slope · unknown + square · unknown²; slope and square 0 where it is known.
+/// A number is constant + slope · unknown + square · unknown², where slope and square are 0 where it is known.
 struct Line {
   Real constant, slope, square;
   std::uint32_t unknown = Context::none;
@@ -41,22 +41,13 @@ Value linear(const Value& a, const Value& b, Operation&& operation) {
 std::uint32_t either(const Line& a, const Line& b) { return known(a) ? b.unknown : a.unknown; }
 bool mixed(const Line& a, const Line& b) { return !known(a) && !known(b) && a.unknown != b.unknown; }
 
-/// From here on the arithmetic of reals may be impossible: see Real.
-template <class Operation>
-Value exactly(Operation&& operation) {
-  try {
-    return operation();
-  } catch (const std::domain_error& impossible) {
-    throw EvaluationError(impossible.what());
-  }
-}
-
+/// Notes that the unknown has this value, where what is evaluated must hold and nothing has said its value before.
 Truth determine(std::uint32_t unknown, Value is, Context& context) {
   if (unknown >= context.necessary && !context.values_found[unknown]) context.values_found[unknown] = std::move(is);
   return Truth::open;
 }
 
-/// A comparison of a with b, which is one of a − b with 0.
+/// A comparison of a with b is one of a − b with 0.
 Truth watched(const Line& a, const Line& b, Context& context) {
   if (!context.watch) return Truth::open;
   if (mixed(a, b) || either(a, b) != context.watch->unknown) return lost(context);
@@ -67,30 +58,28 @@ Truth watched(const Line& a, const Line& b, Context& context) {
 
 Truth equal_lines(const Line& a, const Line& b, Context& context) {
   if (known(a) && known(b)) return truth(a.constant == b.constant);
-  // x = y, both unknown: nothing is found out yet.
+  // Where both of x = y are unknown, nothing is found out yet.
   if (mixed(a, b)) return lost(context);
-  try {
+  return exactly([&] {
     const Real square = a.square - b.square;
     if (sign(square) != 0) return watched(b, a, context);
     const Real slope = a.slope - b.slope, constant = b.constant - a.constant;
     if (sign(slope) == 0) return truth(sign(constant) == 0);
     watched(b, a, context);
     return determine(either(a, b), constant / slope, context);
-  } catch (const std::domain_error& impossible) {
-    throw EvaluationError(impossible.what());
-  }
+  });
 }
 
 template <class Parts>
 Truth equal_parts(const Parts& a, const Parts& b, Context& context) {
   if (a.size() != b.size()) return Truth::no;
-  Truth all = Truth::yes;
+  Truth result = Truth::yes;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Truth part = equal(a[i], b[i], context);
     if (part == Truth::no) return part;
-    if (part == Truth::open) all = part;
+    if (part == Truth::open) result = part;
   }
-  return all;
+  return result;
 }
 
 Truth equal_sets(const Set& a, const Set& b) {

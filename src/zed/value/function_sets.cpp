@@ -1,4 +1,4 @@
-/// The toolkit's sets of relations and of functions.
+/// The toolkit has sets of relations and of functions.
 
 #include <algorithm>
 
@@ -9,8 +9,6 @@ namespace durero::zed {
 namespace {
 
 constexpr std::size_t most_listed = 1 << 16;  // sets of functions with more members are known by membership only
-
-bool not_sets(const Value& a) { return !a.set(); }
 
 /// Pairs are sorted by their first parts, so in a function no two neighbours agree in them.
 bool is_function(const std::vector<Value>& pairs) {
@@ -41,17 +39,17 @@ class FunctionSet : public Set {
     if (inside != Truth::yes) return inside;
     const Value image = form_.injective || form_.surjective ? Value::set(seconds(pairs)) : Value();
     if (form_.injective && image.set()->members()->size() != pairs.size()) return Truth::no;
-    Truth all = Truth::yes;
-    if (form_.total) all = subset(from_, domain(value, context), context);
-    if (form_.surjective) all = both(all, subset(to_, image, context));
-    return all;
+    Truth result = Truth::yes;
+    if (form_.total) result = subset(from_, domain(value, context), context);
+    if (form_.surjective) result = both(result, subset(to_, image, context));
+    return result;
   }
 
   const std::vector<Value>* members() const override {
     const auto *from = from_.set()->members(), *to = to_.set()->members();
     if (!from || !to || !listable(from->size(), to->size())) return nullptr;
-    if (!made_) made_ = Value::set(listed(*from, *to));
-    return made_->set()->members();
+    if (!listed_) listed_ = Value::set(listed(*from, *to));
+    return listed_->set()->members();
   }
 
   std::string text() const override {
@@ -61,15 +59,16 @@ class FunctionSet : public Set {
  private:
   static Truth each_in(const std::vector<Value>& pairs, std::size_t part, const Value& set, Context& context) {
     if (set.set()->total()) return Truth::yes;
-    Truth all = Truth::yes;
+    Truth result = Truth::yes;
     for (const Value& pair : pairs) {
-      all = both(all, contains_value(set, pair.tuple()->parts[part], context));
-      if (all == Truth::no) return all;
+      result = both(result, contains_value(set, pair.tuple()->parts[part], context));
+      if (result == Truth::no) return result;
     }
-    return all;
+    return result;
   }
 
-  /// For every member of the domain's set, in a relation some of the members of the other; in a function one, or none.
+  /// For every member of the domain's set, a relation has some of the members of the other, and a function has one or
+  /// none.
   bool listable(std::size_t from, std::size_t to) const {
     std::size_t ways = 1;
     const std::size_t each = form_.function ? to + 1 : to < 20 ? std::size_t{1} << to : most_listed + 1;
@@ -95,7 +94,7 @@ class FunctionSet : public Set {
               std::vector<std::vector<Value>>& into) const {
     const std::size_t first = into.size();
     if (!form_.total) into.push_back(pairs);
-    if (!form_.function) {  // with each member of `to`, every set so far again
+    if (!form_.function) {  // each member of `to` extends every set so far
       for (const Value& member : to) {
         for (std::size_t i = first, end = into.size(); i < end; ++i) {
           into.push_back(into[i]);
@@ -119,14 +118,14 @@ class FunctionSet : public Set {
   Value from_, to_;
   Arrow form_;
   std::string symbol_;
-  mutable std::optional<Value> made_;
+  mutable std::optional<Value> listed_;
 };
 
 }  // namespace
 
 Value function_set(Value from, Value to, const Arrow& arrow, std::string_view symbol) {
-  if (not_sets(from)) return from;
-  if (not_sets(to)) return to;
+  if (!from.set()) return from;
+  if (!to.set()) return to;
   return SetPtr(std::make_shared<const FunctionSet>(std::move(from), std::move(to), arrow, symbol));
 }
 

@@ -1,4 +1,4 @@
-/// The functions of the toolkit on numbers, sets and relations.
+/// The functions of the toolkit on sets and relations are here; those on numbers are in numbers.cpp.
 
 #include "zed/value/functions.hpp"
 
@@ -12,41 +12,10 @@ namespace {
 
 using Values = std::vector<Value>;
 
-constexpr int most_listed = 1 << 20;  // an interval with more members is not listed
-
 Value part_of(const Value& pair, std::size_t part) {
   if (pair.is_undefined()) return {};
   if (!pair.tuple()) return Open{};
   return pair.tuple()->parts[part];
-}
-
-/// Runs where the arithmetic of reals may be impossible: see Real.
-template <class Operation>
-Value computed(Operation&& operation) {
-  try {
-    return operation();
-  } catch (const std::domain_error& impossible) {
-    throw EvaluationError(impossible.what());
-  }
-}
-
-/// The least or the greatest member of a set of numbers; none of the empty set.
-Value extreme(const Value& set, bool greatest) {
-  return with(set, [&]() -> Value {
-    const auto& members = enumerated(set, "the least member of");
-    if (members.empty()) return {};
-    return greatest ? members.back() : members.front();
-  });
-}
-
-/// div and mod: n = q * d + r with 0 ≤ r < d or d < r ≤ 0. Undefined for d = 0 and for numbers that are no integers.
-template <class Result>
-Value divided(const Value& a, const Value& b, Result&& result) {
-  return with(a, b, [&]() -> Value {
-    const Real &n = *a.real(), &d = *b.real();
-    if (sign(d) == 0 || !n.is_integer() || !d.is_integer()) return {};
-    return result(n, d, integer_quotient(n, d));
-  });
 }
 
 }  // namespace
@@ -63,7 +32,7 @@ Value restricted(const Value& relation, const Value& set, std::size_t part, bool
   });
 }
 
-// R∼⦇S⦈ = { p : R | second p ∈ S • first p }, without R∼.
+// R∼⦇S⦈ is { p : R | second p ∈ S • first p }, so R∼ need not be made.
 Value inverse_image(const Value& relation, const Value& set, Context& context) {
   return with(relation, set, [&]() -> Value {
     Values firsts;
@@ -78,54 +47,7 @@ Value inverse_image(const Value& relation, const Value& set, Context& context) {
 
 namespace functions {
 
-Value all_numbers() { return everything("𝔸"); }
-Value all_integers() { return integers("ℤ", std::nullopt); }
-Value naturals() { return integers("ℕ", 0); }
-Value positive_naturals() { return integers("ℕ₁", 1); }
 Value nothing() { return empty_set(); }
-
-Value addition(const Value& a, const Value& b, Context&) { return sum(a, b); }
-Value subtraction(const Value& a, const Value& b, Context&) { return difference(a, b); }
-Value multiplication(const Value& a, const Value& b, Context&) { return product(a, b); }
-Value negation(const Value& a, Context&) { return difference(Real(), a); }
-
-Value quotient(const Value& a, const Value& b, Context&) {
-  return divided(a, b, [](const Real&, const Real&, const Real& q) { return q; });
-}
-
-Value remainder(const Value& a, const Value& b, Context&) {
-  return divided(a, b, [](const Real& n, const Real& d, const Real& q) { return n - q * d; });
-}
-
-Value fraction(const Value& a, const Value& b, Context&) {
-  return with(a, b, [&]() -> Value {
-    if (!a.real() || !b.real()) throw EvaluationError("division of what is no number");
-    if (sign(*b.real()) == 0) return {};
-    return computed([&] { return *a.real() / *b.real(); });
-  });
-}
-
-Value root(const Value& a, Context&) {
-  return with(a, [&]() -> Value {
-    if (!a.real()) throw EvaluationError("the root of what is no number");
-    return computed([&] { return square_root(*a.real()); });
-  });
-}
-
-Value interval(const Value& a, const Value& b, Context&) {
-  return with(a, b, [&]() -> Value {
-    const Real &from = *a.real(), &to = *b.real();
-    if (!from.is_integer() || !to.is_integer()) throw EvaluationError("‥ between numbers that are not integers");
-    if (to - from > Real(most_listed))
-      throw EvaluationError(a.text() + "‥" + b.text() + " has more members than can be listed");
-    Values members;
-    for (Real number = from; number <= to; number = number + Real(1)) members.emplace_back(number);
-    return finite(std::move(members));
-  });
-}
-
-Value minimum(const Value& set, Context&) { return extreme(set, false); }
-Value maximum(const Value& set, Context&) { return extreme(set, true); }
 
 Value symmetric_difference(const Value& a, const Value& b, Context& context) {
   return set_union(set_difference(a, b, context), set_difference(b, a, context), context);
@@ -176,7 +98,7 @@ Value overriding(const Value& a, const Value& b, Context& context) {
 Value image(const Value& relation, const Value& set, Context& context) {
   return with(relation, set, [&]() -> Value {
     Values reached;
-    if (relation.set() && !relation.set()->members()) {  // a function known by its values
+    if (relation.set() && !relation.set()->members()) {  // the function is known by its values
       for (const Value& argument : enumerated(set, "the image of")) {
         Value result = relation.set()->apply(argument, context);
         if (!result.is_undefined()) reached.push_back(std::move(result));
@@ -210,11 +132,11 @@ Value backward_composition(const Value& a, const Value& b, Context& context) {
 
 Value closure(const Value& relation, Context& context) {
   return with(relation, [&]() -> Value {
-    Value all = relation;
+    Value closed = relation;
     for (;;) {
-      Value more = set_union(all, forward_composition(all, relation, context), context);
-      if (same(more, all)) return all;
-      all = std::move(more);
+      Value more = set_union(closed, forward_composition(closed, relation, context), context);
+      if (same(more, closed)) return closed;
+      closed = std::move(more);
     }
   });
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// Functions and relations as values, their application, and what the toolkit's functions are made with.
+/// Functions and relations are values, which are applied. The toolkit's functions are made with what is here.
 
 #include <string>
 #include <vector>
@@ -9,25 +9,22 @@
 
 namespace durero::zed {
 
-/// A function of the toolkit as a value. Precondition: the row is one of a function.
+/// Returns a function of the toolkit as a value. Precondition: the row is one of a function.
 Value toolkit_function(const OperatorRow& row);
-/// A relation of the toolkit as a value: a set of pairs, or of what has the property. Precondition: the row is one of
-/// a relation.
+/// Returns a relation of the toolkit as a value: a set of pairs, or of what has the property. Precondition: the row is
+/// one of a relation.
 Value toolkit_relation(const OperatorRow& row);
 
-/// f(x).
+/// Returns f(x).
 Value apply_value(const Value& function, const Value& argument, Context& context);
 
-/// The pairs of a relation whose `part`, 0 or 1, is in the set, or is not: ◁ ▷ ⩤ ⩥.
+/// Returns the pairs of a relation whose `part`, 0 or 1, is in the set, or is not: ◁ ▷ ⩤ ⩥.
 Value restricted(const Value& relation, const Value& set, std::size_t part, bool in, Context& context);
-/// R∼⦇S⦈
+/// Returns R∼⦇S⦈.
 Value inverse_image(const Value& relation, const Value& set, Context& context);
 
 inline const Value& first(const Value& pair) { return pair.tuple()->parts[0]; }
 inline const Value& second(const Value& pair) { return pair.tuple()->parts[1]; }
-/// It depends on what is not known.
-inline bool waiting(const Value& a) { return a.is_open() || a.get<Unknown>() || a.get<PolynomialPtr>(); }
-
 /// Runs where the arguments have values; else what they lack is lacking in the result.
 template <class Operation>
 Value with(const Value& a, Operation&& operation) {

@@ -11,7 +11,7 @@ namespace {
 __extension__ typedef __int128 Wide;
 __extension__ typedef unsigned __int128 Unsigned;
 
-constexpr int max_bits = 126;  // of a significand; one more for the carry of a sum, one for the sign
+constexpr int max_bits = 126;  // a significand has as many; one more is for the carry of a sum, one for the sign
 
 int bit_width(Wide value) {
   const Unsigned magnitude = value < 0 ? -static_cast<Unsigned>(value) : static_cast<Unsigned>(value);
@@ -57,7 +57,7 @@ struct SmallArithmetic {
     return aligned_sum(y, b.exponent - a.exponent, x, a.exponent);
   }
 
-  // x·2^shift + y, both times 2^exponent.
+  // Returns x·2^shift + y, both times 2^exponent.
   static std::optional<Small> aligned_sum(Wide x, std::int32_t shift, Wide y, std::int32_t exponent) {
     if (bit_width(x) + shift > max_bits) return std::nullopt;
     return small(x * (Wide{1} << shift) + y, exponent);
@@ -76,7 +76,8 @@ struct SmallArithmetic {
     Wide x = wide(a), y = wide(b);
     const int of_x = bit_width(x) + a.exponent, of_y = bit_width(y) + b.exponent;
     if (of_x != of_y) return sign(a) > 0 ? of_x <=> of_y : of_y <=> of_x;
-    // The same leading bit: the one with the greater exponent has the fewer bits, so it has room to be aligned.
+    // The leading bits are the same: the one with the greater exponent has the fewer bits, so it has room to be
+    // aligned.
     if (a.exponent > b.exponent) x *= Wide{1} << (a.exponent - b.exponent);
     if (b.exponent > a.exponent) y *= Wide{1} << (b.exponent - a.exponent);
     return x <=> y;
@@ -91,7 +92,7 @@ struct SmallArithmetic {
     return number::Rational(n, number::Integer(1) << static_cast<unsigned>(-a.exponent));
   }
 
-  // Small where the number is a dyadic of so few bits.
+  // Returns the small form where the number is a dyadic of so few bits.
   static std::optional<Small> of(const number::Surd& value) {
     if (!value.y.is_zero()) return std::nullopt;
     number::Integer n = numerator(value.x);

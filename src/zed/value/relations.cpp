@@ -1,4 +1,4 @@
-/// The relations of the toolkit.
+/// These are the relations of the toolkit.
 
 #include <algorithm>
 #include <functional>
@@ -50,7 +50,7 @@ Truth at_least(const Value& a, const Value& b, Context& context) {
   return ordered(a, b, context, std::greater_equal<>());
 }
 
-/// disjoint E: no two sets of the family E share a member.
+/// disjoint E says that no two sets of the family E share a member.
 Truth is_disjoint(const Value& family, Context& context) {
   if (family.is_undefined()) return Truth::no;
   if (waiting(family)) return Truth::open;
@@ -65,7 +65,7 @@ Truth is_disjoint(const Value& family, Context& context) {
   return Truth::yes;
 }
 
-/// E partition S: E is disjoint, and S is the union of its sets.
+/// E partition S says that E is disjoint, and S is the union of its sets.
 Truth is_partition(const Value& family, const Value& whole, Context& context) {
   const Truth apart = is_disjoint(family, context);
   if (apart != Truth::yes) return apart;

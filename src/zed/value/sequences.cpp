@@ -1,4 +1,4 @@
-/// Sequences: functions from 1‥n, and what the toolkit makes of them (ISO/IEC 13568, B.8).
+/// Sequences are functions from 1‥n; the toolkit makes what follows of them (ISO/IEC 13568, B.8).
 
 #include <algorithm>
 
@@ -17,8 +17,8 @@ Value sequence(const Values& items) {
   return finite(std::move(pairs));
 }
 
-/// The items in order; nothing for a relation that is no sequence. Its pairs are sorted by their first parts, so the
-/// positions 1‥n, each once, stand in this order.
+/// Returns the items in order; nothing for a relation that is no sequence. Its pairs are sorted by their first parts,
+/// so the positions 1‥n, each once, stand in this order.
 std::optional<Values> items(const Value& value) {
   Values in_order;
   for (const Value& pair : enumerated(value, "the items of")) {
@@ -29,29 +29,30 @@ std::optional<Values> items(const Value& value) {
   return in_order;
 }
 
-/// A function of the items; undefined where its argument is no sequence, or (`nonempty`) an empty one.
+/// Computes a function of the items, which is undefined where its argument is no sequence, or, with `nonempty`, an
+/// empty one.
 template <class Operation>
 Value of_items(const Value& value, bool nonempty, Operation&& operation) {
   return with(value, [&]() -> Value {
-    const auto all = items(value);
-    if (!all || (nonempty && all->empty())) return {};
-    return operation(*all);
+    const auto in_order = items(value);
+    if (!in_order || (nonempty && in_order->empty())) return {};
+    return operation(*in_order);
   });
 }
 
 class SequenceSet : public Set {
  public:
-  /// `nonempty`: seq₁; `distinct`: iseq.
+  /// A set of non-empty sequences is seq₁, one of sequences with distinct items is iseq.
   SequenceSet(Value of, bool nonempty, bool distinct) : of_(std::move(of)), nonempty_(nonempty), distinct_(distinct) {}
 
   Truth contains(const Value& value, Context& context) const override {
     if (!value.set()) return Truth::open;
-    const auto all = items(value);
-    if (!all || (nonempty_ && all->empty())) return Truth::no;
+    const auto in_order = items(value);
+    if (!in_order || (nonempty_ && in_order->empty())) return Truth::no;
     if (distinct_ && has_intensional(value)) throw EvaluationError("whether the items differ cannot be decided");
-    if (distinct_ && Value::set(*all).set()->members()->size() != all->size()) return Truth::no;
+    if (distinct_ && Value::set(*in_order).set()->members()->size() != in_order->size()) return Truth::no;
     Truth each = Truth::yes;
-    for (const Value& item : *all) {
+    for (const Value& item : *in_order) {
       const Truth inside = contains_value(of_, item, context);
       if (inside == Truth::no) return inside;
       if (inside == Truth::open) each = inside;
@@ -73,20 +74,20 @@ Value sequence_set(const Value& of, bool nonempty, bool distinct) {
   return SetPtr(std::make_shared<const SequenceSet>(of, nonempty, distinct));
 }
 
-/// Where in b the items of a stand in a row: at its start, at its end, or anywhere.
+/// Says where in b the items of a stand in a row: at its start, at its end, or anywhere.
 enum class Part { start, end, anywhere };
 
 Truth is_part(const Value& a, const Value& b, Part part) {
   if (a.is_undefined() || b.is_undefined()) return Truth::no;
   if (waiting(a) || waiting(b)) return Truth::open;
   if (has_intensional(a) || has_intensional(b)) throw EvaluationError("sequences of sets that nobody can compare");
-  const auto piece = items(a), all = items(b);
-  if (!piece || !all || piece->size() > all->size()) return Truth::no;
+  const auto piece = items(a), whole = items(b);
+  if (!piece || !whole || piece->size() > whole->size()) return Truth::no;
   const auto equal_items = [](const Value& x, const Value& y) { return same(x, y); };
   if (part == Part::anywhere)
     return truth(piece->empty() ||
-                 std::search(all->begin(), all->end(), piece->begin(), piece->end(), equal_items) != all->end());
-  const auto from = part == Part::start ? all->begin() : all->end() - static_cast<std::ptrdiff_t>(piece->size());
+                 std::search(whole->begin(), whole->end(), piece->begin(), piece->end(), equal_items) != whole->end());
+  const auto from = part == Part::start ? whole->begin() : whole->end() - static_cast<std::ptrdiff_t>(piece->size());
   return truth(std::equal(piece->begin(), piece->end(), from, equal_items));
 }
 
@@ -109,23 +110,23 @@ Value nonempty_sequences(const Value& set, Context&) { return sequence_set(set, 
 Value injective_sequences(const Value& set, Context&) { return sequence_set(set, false, true); }
 
 Value head(const Value& s, Context&) {
-  return of_items(s, true, [](const Values& all) { return all.front(); });
+  return of_items(s, true, [](const Values& items) { return items.front(); });
 }
 
 Value last(const Value& s, Context&) {
-  return of_items(s, true, [](const Values& all) { return all.back(); });
+  return of_items(s, true, [](const Values& items) { return items.back(); });
 }
 
 Value tail(const Value& s, Context&) {
-  return of_items(s, true, [](const Values& all) { return sequence({all.begin() + 1, all.end()}); });
+  return of_items(s, true, [](const Values& items) { return sequence({items.begin() + 1, items.end()}); });
 }
 
 Value front(const Value& s, Context&) {
-  return of_items(s, true, [](const Values& all) { return sequence({all.begin(), all.end() - 1}); });
+  return of_items(s, true, [](const Values& items) { return sequence({items.begin(), items.end() - 1}); });
 }
 
 Value reversed(const Value& s, Context&) {
-  return of_items(s, false, [](const Values& all) { return sequence({all.rbegin(), all.rend()}); });
+  return of_items(s, false, [](const Values& items) { return sequence({items.rbegin(), items.rend()}); });
 }
 
 Value concatenation(const Value& a, const Value& b, Context&) {
@@ -139,14 +140,14 @@ Value concatenation(const Value& a, const Value& b, Context&) {
 }
 
 Value distributed_concatenation(const Value& sequences, Context& context) {
-  return of_items(sequences, false, [&](const Values& all) {
+  return of_items(sequences, false, [&](const Values& items) {
     Value whole = empty_set();
-    for (const Value& piece : all) whole = concatenation(whole, piece, context);
+    for (const Value& piece : items) whole = concatenation(whole, piece, context);
     return whole;
   });
 }
 
-/// A finite function of integers, its pairs renumbered from 1 in the order of their first parts.
+/// Renumbers the pairs of a finite function of integers from 1 in the order of their first parts.
 Value squashed(const Value& function, Context&) {
   return with(function, [&]() -> Value {
     Values in_order;

@@ -6,92 +6,6 @@
 namespace durero::zed {
 namespace {
 
-bool before(const Value& a, const Value& b) { return compare(a, b) < 0; }
-
-class FiniteSet : public Set {
- public:
-  explicit FiniteSet(std::vector<Value> sorted)
-      : members_(std::move(sorted)), family_(std::any_of(members_.begin(), members_.end(), has_intensional)) {}
-
-  const std::vector<Value>* members() const override { return &members_; }
-  bool family() const override { return family_; }
-  std::string text() const override { return members_.size() > 8 ? "this finite set" : listed(); }
-
-  Truth contains(const Value& value, Context& context) const override {
-    if (members_.empty()) return Truth::no;
-    if (!family_ && !has_open(value)) return truth(std::binary_search(members_.begin(), members_.end(), value, before));
-    Truth some = Truth::no;
-    const Necessary only(context, members_.size() == 1);
-    for (const Value& member : members_) {
-      const Truth here = equal(member, value, context);
-      if (here == Truth::yes) return here;
-      if (here == Truth::open) some = here;
-    }
-    return some;
-  }
-
-  // A function's pairs are sorted by their first parts. Where two pairs agree in it, the relation is no function
-  // there, and its application has no value.
-  Value apply(const Value& argument, Context&) const override {
-    if (has_open(argument)) return Open{};
-    const auto first = at(argument);
-    if (first == members_.end() || !same(first->tuple()->parts[0], argument)) return {};
-    const auto next = first + 1;
-    if (next != members_.end() && same(next->tuple()->parts[0], argument)) return {};
-    return first->tuple()->parts[1];
-  }
-
-  Truth in_domain(const Value& argument, Context& context) const override {
-    if (has_open(argument)) return lost(context);
-    const auto first = at(argument);
-    return truth(first != members_.end() && same(first->tuple()->parts[0], argument));
-  }
-
- private:
-  std::vector<Value>::const_iterator at(const Value& argument) const {
-    if (!members_.empty() && (!members_[0].tuple() || members_[0].tuple()->parts.size() != 2)) {
-      throw EvaluationError(text() + " is no function");
-    }
-    return std::lower_bound(members_.begin(), members_.end(), argument, [](const Value& pair, const Value& sought) {
-      return compare(pair.tuple()->parts[0], sought) < 0;
-    });
-  }
-  std::string listed() const {
-    std::string text;
-    for (const Value& member : members_) text += (text.empty() ? "" : ", ") + member.text();
-    return "{" + text + "}";
-  }
-
-  std::vector<Value> members_;
-  bool family_;
-};
-
-class Everything : public Set {
- public:
-  explicit Everything(std::string name) : name_(std::move(name)) {}
-  Truth contains(const Value&, Context&) const override { return Truth::yes; }
-  bool total() const override { return true; }
-  std::string text() const override { return name_; }
-
- private:
-  std::string name_;
-};
-
-class Integers : public Set {
- public:
-  Integers(std::string name, std::optional<int> least) : name_(std::move(name)), least_(least) {}
-  Truth contains(const Value& value, Context& context) const override {
-    const auto* real = value.real();
-    if (!real) return lost(context);
-    return truth(real->is_integer() && (!least_ || *real >= Real(*least_)));
-  }
-  std::string text() const override { return name_; }
-
- private:
-  std::string name_;
-  std::optional<int> least_;
-};
-
 template <bool conjunctive>
 class TwoSets : public Set {
  public:
@@ -161,9 +75,8 @@ const Set& as_set(const Value& value) {
 }
 
 bool missing(const Value& a, const Value& b) { return a.is_undefined() || b.is_undefined(); }
-bool waiting(const Value& a) { return a.is_open() || a.get<Unknown>(); }
 
-/// The members of a finite set that are in another, or that are not.
+/// Returns the members of a finite set that are in another, or that are not.
 Value filtered(const std::vector<Value>& members, const Value& other, bool in, Context& context) {
   std::vector<Value> kept;
   kept.reserve(members.size());
@@ -176,19 +89,6 @@ Value filtered(const std::vector<Value>& members, const Value& other, bool in, C
 }
 
 }  // namespace
-
-Value finite(std::vector<Value> sorted) { return SetPtr(std::make_shared<const FiniteSet>(std::move(sorted))); }
-
-const Value& empty_set() {
-  static const Value empty = finite({});
-  return empty;
-}
-
-Value everything(std::string name) { return SetPtr(std::make_shared<const Everything>(std::move(name))); }
-
-Value integers(std::string name, std::optional<int> least) {
-  return SetPtr(std::make_shared<const Integers>(std::move(name), least));
-}
 
 const std::vector<Value>& enumerated(const Value& value, const char* what) {
   const Set& set = as_set(value);
@@ -203,7 +103,7 @@ Value set_union(const Value& a, const Value& b, Context&) {
   if (!x || !y) return SetPtr(std::make_shared<const TwoSets<false>>(a, b, "∪"));
   std::vector<Value> merged;
   merged.reserve(x->size() + y->size());
-  std::set_union(x->begin(), x->end(), y->begin(), y->end(), std::back_inserter(merged), before);
+  std::set_union(x->begin(), x->end(), y->begin(), y->end(), std::back_inserter(merged), precedes);
   return finite(std::move(merged));
 }
 
@@ -227,9 +127,9 @@ Value big_union(const Value& a, Context& context) {
   if (waiting(a)) return Open{};
   const auto* sets = as_set(a).members();
   if (!sets || as_set(a).family()) return SetPtr(std::make_shared<const BigUnion>(a));
-  Value all = empty_set();
-  for (const Value& member : *sets) all = set_union(all, member, context);
-  return all;
+  Value whole = empty_set();
+  for (const Value& member : *sets) whole = set_union(whole, member, context);
+  return whole;
 }
 
 Value big_intersection(const Value& a, Context& context) {
@@ -237,9 +137,9 @@ Value big_intersection(const Value& a, Context& context) {
   if (waiting(a)) return Open{};
   const auto& sets = enumerated(a, "the intersection of");
   if (sets.empty()) throw EvaluationError("⋂ ∅ is every value of its type, which nobody can enumerate");
-  Value all = sets[0];
-  for (std::size_t i = 1; i < sets.size(); ++i) all = intersection(all, sets[i], context);
-  return all;
+  Value common = sets[0];
+  for (std::size_t i = 1; i < sets.size(); ++i) common = intersection(common, sets[i], context);
+  return common;
 }
 
 Value domain(const Value& relation, Context&) {
@@ -260,14 +160,14 @@ Truth subset(const Value& a, const Value& b, Context& context) {
   if (missing(a, b)) return Truth::no;
   if (waiting(a) || waiting(b)) return lost(context);
   if (as_set(b).total()) return Truth::yes;
-  Truth all = Truth::yes;
+  Truth result = Truth::yes;
   const Necessary no(context, false);
   for (const Value& member : enumerated(a, "whether every member is in another set, for the set")) {
     const Truth here = contains_value(b, member, context);
     if (here == Truth::no) return here;
-    if (here == Truth::open) all = here;
+    if (here == Truth::open) result = here;
   }
-  return all;
+  return result;
 }
 
 }  // namespace durero::zed

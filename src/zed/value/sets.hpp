@@ -1,5 +1,5 @@
 #pragma once
-/// The kinds of set of the toolkit.
+/// The toolkit has these kinds of set.
 
 #include <string>
 #include <vector>
@@ -9,16 +9,19 @@
 
 namespace durero::zed {
 
+/// Says whether a stands before b among the members of a finite set.
+inline bool precedes(const Value& a, const Value& b) { return compare(a, b) < 0; }
+
 /// Makes a finite set of members that are sorted, each once.
 Value finite(std::vector<Value> sorted);
 const Value& empty_set();
 
 /// Makes a set of which every value of its type is a member: 𝔸, ℝ, a given set.
 Value everything(std::string name);
-/// ℤ, ℕ, ℕ₁.
+/// Makes ℤ, ℕ or ℕ₁: the integers from the least one, if any.
 Value integers(std::string name, std::optional<int> least);
 
-/// ℙ S, ℙ₁ S, 𝔽 S, 𝔽₁ S.
+/// The forms of a power set are ℙ S, ℙ₁ S, 𝔽 S and 𝔽₁ S.
 struct PowerForm {
   bool finite = false, nonempty = false;
 };
@@ -31,16 +34,16 @@ Value function_set(Value from, Value to, const Arrow& arrow, std::string_view sy
 /// Makes the function from the arguments of a free type's branch to the values of that type.
 Value constructor_function(std::string type, std::string name, std::uint32_t order, Value arguments);
 
-// The result below is finite where the arguments allow it, and intensional otherwise.
+// The results below are finite where the arguments allow it, and intensional otherwise.
 Value set_union(const Value& a, const Value& b, Context& context);
 Value intersection(const Value& a, const Value& b, Context& context);
 Value set_difference(const Value& a, const Value& b, Context& context);
 Value big_union(const Value& a, Context& context);
 Value big_intersection(const Value& a, Context& context);
-/// The set of first parts of a relation's pairs, or the domain of a function known by its values.
+/// Returns the set of first parts of a relation's pairs, or the domain of a function known by its values.
 Value domain(const Value& relation, Context& context);
 
-/// S ⊆ T.
+/// Says whether S ⊆ T.
 Truth subset(const Value& a, const Value& b, Context& context);
 
 /// Returns the members of a finite set. Throws EvaluationError, which names what is done to it, where it is none.

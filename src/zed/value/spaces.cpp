@@ -1,4 +1,4 @@
-/// The sets of sets and of tuples, and the constructors of free types.
+/// Sets of sets and of tuples are made here, and the constructors of free types.
 
 #include <algorithm>
 
@@ -29,11 +29,11 @@ class PowerSet : public Set {
     return subset(value, base_, context);
   }
 
-  // The subsets in order of size, as sets are ordered.
+  // The subsets stand in order of size, as sets are ordered.
   const std::vector<Value>* members() const override {
     const auto* base = base_.set()->members();
     if (!base) return nullptr;
-    if (!made_) {
+    if (!members_) {
       if (base->size() >= 20) throw EvaluationError(text() + " has more members than can be listed");
       std::vector<Value> subsets;
       for (std::size_t bits = form_.nonempty ? 1 : 0; bits < (std::size_t{1} << base->size()); ++bits) {
@@ -43,9 +43,9 @@ class PowerSet : public Set {
         }
         subsets.push_back(finite(std::move(some)));
       }
-      made_ = Value::set(std::move(subsets));
+      members_ = Value::set(std::move(subsets));
     }
-    return made_->set()->members();
+    return members_->set()->members();
   }
 
   std::string text() const override {
@@ -55,7 +55,7 @@ class PowerSet : public Set {
  private:
   Value base_;
   PowerForm form_;
-  mutable std::optional<Value> made_;
+  mutable std::optional<Value> members_;
 };
 
 class ProductSet : public Set {
@@ -69,11 +69,11 @@ class ProductSet : public Set {
   Truth contains(const Value& value, Context& context) const override {
     const auto* tuple = value.tuple();
     if (!tuple) return Truth::open;
-    Truth all = Truth::yes;
-    for (std::size_t i = 0; i < factors_.size() && all != Truth::no; ++i) {
-      all = both(all, contains_value(factors_[i], tuple->parts[i], context));
+    Truth result = Truth::yes;
+    for (std::size_t i = 0; i < factors_.size() && result != Truth::no; ++i) {
+      result = both(result, contains_value(factors_[i], tuple->parts[i], context));
     }
-    return all;
+    return result;
   }
 
   Value unknown(Context& context) const override {
@@ -84,7 +84,7 @@ class ProductSet : public Set {
   }
 
   const std::vector<Value>* members() const override {
-    if (made_) return made_->set()->members();
+    if (members_) return members_->set()->members();
     std::size_t size = 1;
     for (const Value& factor : factors_) {
       const auto* members = factor.set()->members();
@@ -106,8 +106,8 @@ class ProductSet : public Set {
     std::vector<Value> tuples;
     tuples.reserve(rows.size());
     for (auto& row : rows) tuples.push_back(Value::tuple(std::move(row)));
-    made_ = Value::set(std::move(tuples));
-    return made_->set()->members();
+    members_ = Value::set(std::move(tuples));
+    return members_->set()->members();
   }
 
   std::string text() const override {
@@ -118,7 +118,7 @@ class ProductSet : public Set {
 
  private:
   std::vector<Value> factors_;
-  mutable std::optional<Value> made_;
+  mutable std::optional<Value> members_;
 };
 
 class ConstructorFunction : public Set {
@@ -143,8 +143,6 @@ class ConstructorFunction : public Set {
   Value arguments_;
 };
 
-bool not_sets(const Value& a) { return !a.set(); }
-
 }  // namespace
 
 Value constructor_function(std::string type, std::string name, std::uint32_t order, Value arguments) {
@@ -153,7 +151,7 @@ Value constructor_function(std::string type, std::string name, std::uint32_t ord
 }
 
 Value power_set(Value base, PowerForm form) {
-  if (not_sets(base)) return base;
+  if (!base.set()) return base;
   return SetPtr(std::make_shared<const PowerSet>(std::move(base), form));
 }
 
@@ -165,7 +163,7 @@ Value functions::nonempty_finite_subsets(const Value& set, Context&) {
 
 Value product_set(std::vector<Value> factors) {
   for (const Value& factor : factors) {
-    if (not_sets(factor)) return factor;
+    if (!factor.set()) return factor;
   }
   return SetPtr(std::make_shared<const ProductSet>(std::move(factors)));
 }

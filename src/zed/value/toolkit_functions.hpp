@@ -1,19 +1,16 @@
 #pragma once
-/// The functions, sets and relations that the rows of the table of operators (operators.hpp) name. Each takes the
-/// values of its arguments; an undefined argument makes an undefined result, an open one an open result.
+/// The rows of the table of operators (operators.hpp) name these functions, sets and relations. Each takes the values
+/// of its arguments; an undefined argument makes an undefined result, an open one an open result.
 
 #include "zed/value/context.hpp"
 
 namespace durero::zed::functions {
 
-// Sets of numbers, and the empty set.
+// Numbers are in numbers.cpp, but for the successor, which is in sequences.cpp.
 Value all_numbers();
 Value all_integers();
 Value naturals();
 Value positive_naturals();
-Value nothing();
-
-// Numbers (functions.cpp).
 Value addition(const Value& a, const Value& b, Context& context);
 Value subtraction(const Value& a, const Value& b, Context& context);
 Value multiplication(const Value& a, const Value& b, Context& context);
@@ -27,14 +24,15 @@ Value interval(const Value& from, const Value& to, Context& context);
 Value minimum(const Value& set, Context& context);
 Value maximum(const Value& set, Context& context);
 
-// Sets (functions.cpp, spaces.cpp); the rest are in sets.hpp.
+// Sets are in functions.cpp and spaces.cpp; sets.hpp has the rest.
+Value nothing();
 Value symmetric_difference(const Value& a, const Value& b, Context& context);
 Value cardinality(const Value& set, Context& context);
 Value nonempty_subsets(const Value& set, Context& context);
 Value finite_subsets(const Value& set, Context& context);
 Value nonempty_finite_subsets(const Value& set, Context& context);
 
-// Pairs and relations (functions.cpp).
+// Pairs and relations are in functions.cpp.
 Value maplet(const Value& a, const Value& b, Context& context);
 Value first_of(const Value& pair, Context& context);
 Value second_of(const Value& pair, Context& context);
@@ -51,7 +49,7 @@ Value domain_subtraction(const Value& set, const Value& relation, Context& conte
 Value range_restriction(const Value& relation, const Value& set, Context& context);
 Value range_subtraction(const Value& relation, const Value& set, Context& context);
 
-// Sequences (sequences.cpp).
+// Sequences are in sequences.cpp.
 Value sequence_of_pairs(const Value& pairs, Context& context);
 Value sequences(const Value& set, Context& context);
 Value nonempty_sequences(const Value& set, Context& context);

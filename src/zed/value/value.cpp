@@ -57,8 +57,7 @@ Value Value::set(std::vector<Value> members) {
     if (member.is_undefined()) return {};
   }
   if (std::any_of(members.begin(), members.end(), has_open)) return Open{};
-  const auto before = [](const Value& a, const Value& b) { return compare(a, b) < 0; };
-  if (!std::is_sorted(members.begin(), members.end(), before)) std::sort(members.begin(), members.end(), before);
+  if (!std::is_sorted(members.begin(), members.end(), precedes)) std::sort(members.begin(), members.end(), precedes);
   members.erase(std::unique(members.begin(), members.end(), same), members.end());
   return finite(std::move(members));
 }
@@ -157,67 +156,6 @@ bool has_intensional(const Value& value) {
   return any_part(value, has_intensional);
 }
 
-namespace {
-
-bool all_pairs(const std::vector<Value>& values) {
-  return std::all_of(values.begin(), values.end(), [](const Value& value) {
-    const auto* tuple = value.tuple();
-    return tuple && tuple->parts.size() == 2;
-  });
-}
-
-/// Writes a value; a set of pairs as a function.
-struct Writer {
-  const Value::Spelling& spelling;
-
-  std::string operator()(const Undefined&) const { return "undefined"; }
-  std::string operator()(const Open&) const { return "open"; }
-  std::string operator()(const Unknown&) const { return "unknown"; }
-  std::string operator()(const PolynomialPtr&) const { return "unknown"; }
-  std::string operator()(const Real& real) const { return real.text(); }
-  std::string operator()(const Atom& atom) const { return spelling(*atom); }
-  std::string operator()(const TuplePtr& tuple) const { return "(" + listed(tuple->parts) + ")"; }
-  std::string operator()(const BindingPtr& binding) const {
-    std::string parts;
-    for (std::size_t i = 0; i < binding->values.size(); ++i)
-      parts += (i > 0 ? ", " : "") + (*binding->names)[i].text() + " == " + write(binding->values[i]);
-    return "⦉" + parts + "⦊";
-  }
-  std::string operator()(const ConstructedPtr& value) const {
-    return spelling(*value->constructor) + "(" + write(value->argument) + ")";
-  }
-  std::string operator()(const SetPtr& set) const {
-    const std::vector<Value>* members = set->members();
-    if (!members) return set->text();
-    if (members->empty()) return "∅";
-    return "{" + (all_pairs(*members) ? maplets(*members) : listed(*members)) + "}";
-  }
-
-  std::string write(const Value& value) const { return value.text(spelling); }
-
-  template <class Parts>
-  std::string listed(const Parts& values) const {
-    std::string list;
-    for (const Value& value : values) list += (list.empty() ? "" : ", ") + write(value);
-    return list;
-  }
-
-  std::string maplets(const std::vector<Value>& pairs) const {
-    std::string list;
-    for (const Value& pair : pairs)
-      list += (list.empty() ? "" : ", ") + write(pair.tuple()->parts[0]) + " ↦ " + write(pair.tuple()->parts[1]);
-    return list;
-  }
-};
-
-}  // namespace
-
-std::string Value::text() const {
-  return text([](const AtomName& atom) { return atom.text; });
-}
-
-std::string Value::text(const Spelling& spelling) const { return std::visit(Writer{spelling}, form_); }
-
 Value Set::unknown(Context& context) const { return Unknown{context.fresh()}; }
 
 Value Set::apply(const Value&, Context&) const { throw EvaluationError(text() + " cannot be applied"); }
@@ -227,11 +165,11 @@ Truth Set::in_domain(const Value&, Context&) const {
 }
 
 Truth Set::some_contains(const Value& value, Context& context) const {
-  const auto* all = members();
-  if (!all) throw EvaluationError(text() + " cannot be enumerated");
+  const auto* sets = members();
+  if (!sets) throw EvaluationError(text() + " cannot be enumerated");
   Truth some = Truth::no;
-  const Necessary only(context, all->size() == 1);
-  for (const Value& member : *all) {
+  const Necessary only(context, sets->size() == 1);
+  for (const Value& member : *sets) {
     const Truth in = contains_value(member, value, context);
     if (in == Truth::yes) return in;
     if (in == Truth::open) some = in;

@@ -194,7 +194,7 @@ void holds(const Row (&rows)[size]) {
     CHECK(parse_unicode(to_unicode(term)) == term);
     CHECK(parse_latex(to_latex(term)) == term);
     const Typing typing = check_term(toolkit_alone(), "none", term);
-    for (const Defect& one : typing.defects) FAIL_CHECK(one.text());
+    for (const Defect& defect : typing.defects) FAIL_CHECK(defect.text());
     CHECK(value_of(term, typing.type_of(term).has_value()) == row.value);
   }
 }

@@ -16,8 +16,8 @@ std::vector<Section> specification() {
 }
 
 const Evaluator& evaluator() {
-  static const Evaluator made(specification());
-  return made;
+  static const Evaluator evaluator(specification());
+  return evaluator;
 }
 
 std::string value(const std::string& expression) { return evaluator().value(parse_unicode(expression)).text(); }

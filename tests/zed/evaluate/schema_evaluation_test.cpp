@@ -69,26 +69,26 @@ constexpr const char* source = R"(
 )";
 
 const Evaluator& evaluator() {
-  static const Evaluator made = [] {
+  static const Evaluator evaluator = [] {
     const Specification read = read_text(source, "source");
-    for (const Defect& one : read.defects) UNSCOPED_INFO(one.text());
+    for (const Defect& defect : read.defects) UNSCOPED_INFO(defect.text());
     REQUIRE(read.ok());
     return Evaluator(read.sections);
   }();
-  return made;
+  return evaluator;
 }
 
 std::string value(const std::string& expression) { return evaluator().value(parse_unicode(expression)).text(); }
 Truth holds(const std::string& predicate) { return evaluator().holds(parse_unicode(predicate)); }
 
 std::vector<Value> values(const SchemaCheck& check, const std::vector<std::pair<std::string, int>>& given) {
-  std::vector<Value> made(check.components().size(), Open{});
-  for (std::size_t i = 0; i < made.size(); ++i) {
+  std::vector<Value> in_order(check.components().size(), Open{});
+  for (std::size_t i = 0; i < in_order.size(); ++i) {
     for (const auto& [name, number] : given) {
-      if (check.components()[i].text() == name) made[i] = Real(number);
+      if (check.components()[i].text() == name) in_order[i] = Real(number);
     }
   }
-  return made;
+  return in_order;
 }
 
 Truth satisfies(const char* schema, const std::vector<std::pair<std::string, int>>& given) {
@@ -99,8 +99,9 @@ Truth satisfies(const char* schema, const std::vector<std::pair<std::string, int
 std::vector<std::string> broken(const char* schema, const std::vector<std::pair<std::string, int>>& given) {
   const SchemaCheck check = evaluator().schema({schema, ""});
   std::vector<std::string> labels;
-  for (const Finding& one : check.findings(values(check, given))) {
-    if (one.truth == Truth::no) labels.push_back((one.label.empty() ? one.predicate : one.label) + one.strokes);
+  for (const Finding& finding : check.findings(values(check, given))) {
+    if (finding.truth == Truth::no)
+      labels.push_back((finding.label.empty() ? finding.predicate : finding.label) + finding.strokes);
   }
   return labels;
 }
@@ -124,7 +125,8 @@ TEST_CASE("what is not given leaves open what depends on it, and no more") {
   const SchemaCheck check = evaluator().schema({"Sumar", ""});
   const auto all = check.findings(values(check, {{"n", 1}, {"limite", 0}, {"k?", 0}}));
   const auto truth_of = [&](const std::string& label) {
-    return std::find_if(all.begin(), all.end(), [&](auto& one) { return one.label + one.strokes == label; })->truth;
+    return std::find_if(all.begin(), all.end(), [&](auto& finding) { return finding.label + finding.strokes == label; })
+        ->truth;
   };
   CHECK(truth_of("Contador.inv.1") == Truth::no);
   CHECK(truth_of("Sumar.pre.1") == Truth::no);

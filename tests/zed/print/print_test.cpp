@@ -53,10 +53,10 @@ TEST_CASE("every paragraph of spec/ is read back as it was from what is printed,
   std::size_t count = 0;
   for (const Section& section : spec.sections) {
     const Markup& markup = spec.markup.at(section.name);
-    for (const Paragraph& one : section.paragraphs) {
-      CAPTURE(to_unicode(one), to_latex(one, markup));
-      CHECK(read_back(to_latex(one, markup), markup) == one);
-      CHECK(parse_unicode_paragraph(to_unicode(one)) == one);
+    for (const Paragraph& paragraph : section.paragraphs) {
+      CAPTURE(to_unicode(paragraph), to_latex(paragraph, markup));
+      CHECK(read_back(to_latex(paragraph, markup), markup) == paragraph);
+      CHECK(parse_unicode_paragraph(to_unicode(paragraph)) == paragraph);
       ++count;
     }
   }
@@ -67,8 +67,9 @@ TEST_CASE("a generated tree is read back as it was from what is printed, in both
   property("Unicode", [](const Term& term) { RC_ASSERT(parse_unicode(to_unicode(term)) == term); });
   property("LaTeX", [](const Term& term) { RC_ASSERT(parse_latex(to_latex(term)) == term); });
   property("paragraphs in Unicode",
-           [](const Paragraph& one) { RC_ASSERT(parse_unicode_paragraph(to_unicode(one)) == one); });
-  property("paragraphs in LaTeX", [](const Paragraph& one) { RC_ASSERT(read_back(to_latex(one), {}) == one); });
+           [](const Paragraph& paragraph) { RC_ASSERT(parse_unicode_paragraph(to_unicode(paragraph)) == paragraph); });
+  property("paragraphs in LaTeX",
+           [](const Paragraph& paragraph) { RC_ASSERT(read_back(to_latex(paragraph), {}) == paragraph); });
 }
 
 TEST_CASE("parentheses are printed where reading back needs them, and nowhere else") {

@@ -29,16 +29,16 @@ struct Text {
     return *this;
   }
   std::vector<std::string> said() const {
-    std::vector<std::string> found;
-    for (const Defect& one : review(read_text(all, "spec"))) found.push_back(one.what);
-    return found;
+    std::vector<std::string> messages;
+    for (const Defect& defect : review(read_text(all, "spec"))) messages.push_back(defect.what);
+    return messages;
   }
 };
 
 std::vector<std::string> said(const std::string& paragraphs) {
-  std::vector<std::string> found;
-  for (const Defect& one : review(read_text(paragraphs, "here"))) found.push_back(one.what);
-  return found;
+  std::vector<std::string> messages;
+  for (const Defect& defect : review(read_text(paragraphs, "here"))) messages.push_back(defect.what);
+  return messages;
 }
 
 using Said = std::vector<std::string>;
@@ -47,7 +47,7 @@ using Said = std::vector<std::string>;
 
 TEST_CASE("spec/ has no defect of any kind") {
   CHECK(Text().said() == Said{});
-  for (const Defect& one : review(read_files(files_in("spec")))) FAIL_CHECK(one.text());
+  for (const Defect& defect : review(read_files(files_in("spec")))) FAIL_CHECK(defect.text());
 }
 
 TEST_CASE("E06: a component of the after-state that nothing determines is named") {
@@ -136,16 +136,16 @@ TEST_CASE("E07: a partial function is applied where its domain is given, by inva
   CHECK(with("\\{~ x : \\num | x \\mapsto 1 \\in \\{ 1 \\mapsto 1 \\} \\land x = f(e) ~\\}") == refused);
   CHECK(with("\\{~ d : E | d = e \\land e \\in \\dom f \\land f(d) = 1 ~\\}") == Said{});
   CHECK(with("\\{~ d : E | d \\neq e \\land e \\in \\dom f \\land f(d) = 1 ~\\}").size() == 1);
-  const auto made = [&with](const std::string& value) {
+  const auto of_value = [&with](const std::string& value) {
     return with("\\{~ m : E \\pfun \\num | m = " + value + " \\land m(e) = 1 ~\\}");
   };
   const Said elsewhere = {"m is applied to e, where nothing says e ∈ dom m"};
-  CHECK(made("f \\cup \\{ e \\mapsto 1 \\}") == Said{});
-  CHECK(made("f \\oplus \\{ (e, 1) \\}") == Said{});
+  CHECK(of_value("f \\cup \\{ e \\mapsto 1 \\}") == Said{});
+  CHECK(of_value("f \\oplus \\{ (e, 1) \\}") == Said{});
   CHECK(with("\\{~ x : \\num | x = 1 \\land (e, f(e)) \\in f ~\\}") == refused);  // a circle
-  CHECK(made("\\{ e \\mapsto m(e) \\}").size() == 2);
-  CHECK(made("f \\cup \\{ \\} ") == elsewhere);
-  CHECK(made("\\{ e \\} \\ndres \\{ e \\mapsto 1 \\}") == elsewhere);
+  CHECK(of_value("\\{ e \\mapsto m(e) \\}").size() == 2);
+  CHECK(of_value("f \\cup \\{ \\} ") == elsewhere);
+  CHECK(of_value("\\{ e \\} \\ndres \\{ e \\mapsto 1 \\}") == elsewhere);
   // another e is another element
   CHECK(with("\\{~ x : \\num | e \\in \\dom f \\land (\\exists e : E @ x = f(e)) ~\\}") == refused);
 }
@@ -153,7 +153,8 @@ TEST_CASE("E07: a partial function is applied where its domain is given, by inva
 TEST_CASE("E07 in spec/: the tie between types and attributes is what makes the text safe") {
   const Said said = Text().replace("\\dom mi\\_radio = de", "\\dom mi\\_radio \\subseteq de").said();
   REQUIRE(said.size() == 4);  // sphere and cylinder, in puntos_de_elemento and in potencia
-  for (const std::string& one : said) CHECK(one == "mi_radio is applied to e, where nothing says e ∈ dom mi_radio");
+  for (const std::string& message : said)
+    CHECK(message == "mi_radio is applied to e, where nothing says e ∈ dom mi_radio");
 }
 
 TEST_CASE("the printed text's open frames and unused names are reported at their lines") {
@@ -210,7 +211,7 @@ TEST_CASE("the printed text's applications outside a domain are reported at thei
   for (const auto& [file, lines] : seen)
     for (const auto& [line, what] : lines) {
       CAPTURE(file, line);
-      for (const std::string& one : what) UNSCOPED_INFO(one);
+      for (const std::string& message : what) UNSCOPED_INFO(message);
       CHECK(has(marked, file, line));
     }
 }

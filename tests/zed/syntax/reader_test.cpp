@@ -13,18 +13,18 @@ using namespace durero::zed;
 namespace {
 
 std::vector<std::pair<std::string, Place>> labels_of(const Section& section) {
-  std::vector<std::pair<std::string, Place>> found;
-  const auto all = [&found](const SchemaText& text) {
-    for (const Predicate& one : text.predicates)
-      if (!one.label.empty()) found.emplace_back(one.label, one.place);
+  std::vector<std::pair<std::string, Place>> labels;
+  const auto add = [&labels](const SchemaText& text) {
+    for (const Predicate& predicate : text.predicates)
+      if (!predicate.label.empty()) labels.emplace_back(predicate.label, predicate.place);
   };
-  for (const Paragraph& one : section.paragraphs) {
-    if (const auto* box = std::get_if<Schema>(&one.form)) all(box->text);
-    if (const auto* box = std::get_if<Axiomatic>(&one.form)) all(box->text);
-    const auto* made = std::get_if<Definition>(&one.form);
-    if (made && !made->label.empty()) found.emplace_back(made->label, one.place);
+  for (const Paragraph& paragraph : section.paragraphs) {
+    if (const auto* box = std::get_if<Schema>(&paragraph.form)) add(box->text);
+    if (const auto* box = std::get_if<Axiomatic>(&paragraph.form)) add(box->text);
+    const auto* definition = std::get_if<Definition>(&paragraph.form);
+    if (definition && !definition->label.empty()) labels.emplace_back(definition->label, paragraph.place);
   }
-  return found;
+  return labels;
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ TEST_CASE("the Z text of spec/ is read without a defect") {
   for (const char* stem : {"tipos", "escena", "operaciones", "puntos", "interseccion"})
     files.push_back(fmt::format("{}/spec/{}.tex", durero::test::source_dir(), stem));
   const Specification spec = read_files(files);
-  for (const Defect& one : spec.defects) UNSCOPED_INFO(one.text());
+  for (const Defect& defect : spec.defects) UNSCOPED_INFO(defect.text());
   CHECK(spec.ok());
   CHECK(spec.sections.size() == 5);
 }

@@ -16,11 +16,11 @@ using namespace durero::zed::test;
 namespace {
 
 Lines reported(const std::vector<std::string>& files) {
-  Lines found;
+  Lines defects_by_line;
   const Specification read = read_files(files);
-  report(read.defects, found);
-  report(check(read).defects, found);
-  return found;
+  report(read.defects, defects_by_line);
+  report(check(read).defects, defects_by_line);
+  return defects_by_line;
 }
 
 Specification text(const std::string& body) { return read_text(body, "here.tex"); }
@@ -41,16 +41,16 @@ TEST_CASE("the type defects of the printed text are reported at their lines, and
         marked);
   const Lines seen = reported(files);
   const std::set<std::string> of_types = {"E01", "E02", "E03", "E04", "E08"};
-  std::set<std::string> found;
+  std::set<std::string> numbers_seen;
   for (const auto& [file, lines] : marked)
     for (const auto& [line, numbers] : lines)
       for (const std::string& number : numbers) {
         if (!of_types.contains(number)) continue;
         CAPTURE(file, line, number);
         CHECK(has(seen, file, line));
-        found.insert(number);
+        numbers_seen.insert(number);
       }
-  CHECK(found == of_types);
+  CHECK(numbers_seen == of_types);
   for (const auto& [file, lines] : seen)
     for (const auto& [line, what] : lines) {
       CAPTURE(what);

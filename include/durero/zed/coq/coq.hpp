@@ -10,11 +10,11 @@
 
 namespace durero::zed {
 
-/// The text as a file of Coq, ending in a line end. `typing` is check(specification), and both are without defects.
-/// Throws ExportError where a paragraph has a form that no rule covers.
+/// Returns the text as a file of Coq, which ends in a line end. Throws ExportError where a paragraph has a form that no
+/// rule covers. Precondition: `typing` is check(specification), and both are without defects.
 std::string to_coq(const Specification& specification, const Typing& typing);
 
-/// `what()` is `FILE:LINE:COLUMN: what is wrong; what is expected`.
+/// Says which paragraph no rule covers: `what()` is `FILE:LINE:COLUMN: what is wrong; what is expected`.
 class ExportError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

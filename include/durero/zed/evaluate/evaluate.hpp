@@ -26,21 +26,22 @@ namespace durero::zed {
 
 using Given = std::vector<std::pair<Name, Value>>;
 
-/// A conjunct of a schema: a predicate, or a declaration `x ∈ S`, and its truth.
+/// A finding is a conjunct of a schema, which is a predicate or a declaration `x ∈ S`, with its truth.
 struct Finding {
-  std::string label;      ///< the predicate's label; empty for a declaration
-  std::string predicate;  ///< in Unicode
-  std::string strokes;    ///< those of the state that it speaks of: `'` for Escena ' in an operation
+  std::string label;      ///< a declaration has none
+  std::string predicate;  ///< it is written in Unicode
+  std::string strokes;    ///< the state that it speaks of has them: `'` for Escena ' in an operation
   Place place;
   Truth truth = Truth::yes;
 };
 
-/// A schema compiled for values in the order of its components.
+/// Compiles a schema once, and asks it of values in the order of its components.
 class SchemaCheck {
  public:
-  /// The names of the components, in the order of their declaration.
+  /// Returns the names of the components, in the order of their declaration.
   const std::vector<Name>& components() const;
-  /// Whether the values, one for each component, satisfy the schema. A component that is not known is `Open`.
+  /// Says whether the values, one for each component, satisfy the schema. A component that is not known is `Open`.
+  /// Throws EvaluationError where the values are not as many as the components.
   Truth holds(std::span<const Value> values) const;
   /// Returns every conjunct with its truth. A disjunction gives those of a side that holds; else those of the side
   /// with the fewest false conjuncts.
@@ -54,27 +55,29 @@ class SchemaCheck {
 
 class Evaluator {
  public:
-  /// `given` has values of names that the specification declares and does not define.
+  /// Evaluates on these sections. `given` has values of names that they declare and do not define; throws
+  /// EvaluationError for any other name.
   explicit Evaluator(std::vector<Section> sections, const Given& given = {});
   ~Evaluator();
   Evaluator(Evaluator&&) noexcept;
   Evaluator& operator=(Evaluator&&) noexcept;
 
-  /// The value of an expression, with these local names. All throw EvaluationError.
+  /// Returns the value of an expression, or the truth of a predicate, with these local names. All that follow throw
+  /// EvaluationError for what cannot be decided.
   Value value(const Term& expression, const Given& locals = {}) const;
   Truth holds(const Term& predicate, const Given& locals = {}) const;
-  /// The value of a declared name.
+  /// Returns the value of a declared name.
   Value value(const Name& name) const;
-  /// value ∈ set.
+  /// Says whether value ∈ set.
   Truth contains(const Value& set, const Value& value) const;
-  /// What `value(t) ∈ set` depends on, for a number t that is not given: polynomials in t of degree two at most, of
-  /// which it asks the sign. Between neighbouring roots of these it is true throughout, or false throughout. Throws
-  /// EvaluationError where it depends on t in any other way.
+  /// Returns what `value(t) ∈ set` depends on, for a number t that is not given: polynomials in t of degree two at
+  /// most, of which it asks the sign. Between neighbouring roots of these it is true throughout, or false throughout.
+  /// Throws EvaluationError where it depends on t in any other way.
   std::vector<Polynomial> comparisons(const Value& set, const std::function<Value(Unknown t)>& value) const;
-  /// function(argument); undefined outside the domain.
+  /// Returns function(argument), which is undefined outside the domain.
   Value apply(const Value& function, const Value& argument) const;
 
-  /// Throws EvaluationError where the name is no schema's.
+  /// Compiles the schema of this name. Throws EvaluationError where the name is no schema's.
   SchemaCheck schema(const Name& name) const;
 
  private:

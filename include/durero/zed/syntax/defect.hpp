@@ -1,5 +1,5 @@
 #pragma once
-/// What is wrong with a Z text, and where.
+/// A defect says what is wrong with a Z text, and where.
 
 #include <stdexcept>
 #include <string>
@@ -8,21 +8,21 @@
 
 namespace durero::zed {
 
-/// One finding. An error means that the text is refused; a warning that it is read, and is suspect.
+/// An error means that the text is refused; a warning means that it is read, and is suspect.
 struct Defect {
   enum class Severity { error, warning };
   std::string file;
   Place place;
-  std::string what;      ///< what is wrong
-  std::string expected;  ///< what is expected instead
+  std::string what;      ///< this is wrong
+  std::string expected;  ///< this is expected instead
   Severity severity = Severity::error;
 
-  /// `FILE:LINE:COLUMN: what is wrong; what is expected`, with `warning: ` after the place of a warning. One line of
-  /// visible characters, whatever the text holds.
+  /// Returns `FILE:LINE:COLUMN: what is wrong; what is expected`, with `warning: ` after the place of a warning. It is
+  /// one line of visible characters, whatever the text holds.
   std::string text() const;
 };
 
-/// Thrown by a step that cannot go on, and caught where the next paragraph begins.
+/// A ZError is thrown by a step that cannot go on, and caught where the next paragraph begins.
 class ZError : public std::runtime_error {
  public:
   ZError(Place where, const std::string& wrong, const std::string& wanted)

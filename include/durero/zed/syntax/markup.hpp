@@ -1,5 +1,5 @@
 #pragma once
-/// The commands that a Z text itself names.
+/// A Z text may itself name commands, for characters and words beyond the toolkit's.
 
 #include <functional>
 #include <map>
@@ -7,7 +7,8 @@
 
 namespace durero::zed {
 
-/// What the `%%Zchar` and `%%Zword` directives in scope say: a command, without its backslash, and its Unicode text.
+/// The mark-up is what the `%%Zchar` and `%%Zword` directives in scope say: it leads from a command, without its
+/// backslash, to its Unicode text.
 using Markup = std::map<std::string, std::string, std::less<>>;
 
 }  // namespace durero::zed

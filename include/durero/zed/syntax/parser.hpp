@@ -1,5 +1,5 @@
 #pragma once
-/// Texts to syntax trees (ISO/IEC 13568, clause 8).
+/// Reads texts as syntax trees (ISO/IEC 13568, clause 8).
 
 #include <string_view>
 
@@ -8,19 +8,19 @@
 
 namespace durero::zed {
 
-/// How deep an expression may nest, and a tree may be: deeper is an error that says so. A chain of n operators makes
-/// a tree n deep, and the deepest predicate of spec/ is some 20 deep, so 500 is ample. It keeps the stack small: every
-/// recursion over a tree of this depth, whatever it is made of, fits 3 MB under AddressSanitizer, the costliest build
-/// (measured with the nests of tests/zed/fuzz_test.cpp), of the 8 MB that a thread has.
+/// This is how deep an expression may nest, and a tree may be: deeper is an error that says so. A chain of n operators
+/// makes a tree n deep, and the deepest predicate of spec/ is some 20 deep, so 500 is ample. It keeps the stack small:
+/// every recursion over a tree of this depth, whatever it is made of, fits 3 MB under AddressSanitizer, the costliest
+/// build (measured with the nests of tests/zed/fuzz_test.cpp), of the 8 MB that a thread has.
 inline constexpr unsigned max_depth = 500;
 
-/// One expression or predicate in Unicode, to the end of the text. Throws ZError.
+/// Reads one expression or predicate in Unicode, to the end of the text. Throws ZError.
 Term parse_unicode(std::string_view text);
 
-/// One paragraph in Unicode, in the form that to_unicode() prints. Throws ZError.
+/// Reads one paragraph in Unicode, in the form that to_unicode() prints. Throws ZError.
 Paragraph parse_unicode_paragraph(std::string_view text);
 
-/// One expression or predicate in LaTeX mark-up, to the end of the text. Throws ZError.
+/// Reads one expression or predicate in LaTeX mark-up, to the end of the text. Throws ZError.
 Term parse_latex(std::string_view text, const Markup& markup = {});
 
 }  // namespace durero::zed

@@ -1,5 +1,5 @@
 #pragma once
-/// Files of Z text to a specification: sections in an order in which each comes behind its parents.
+/// Reads files of Z text as a specification, whose sections stand in an order in which each comes behind its parents.
 
 #include <map>
 #include <string>
@@ -13,18 +13,19 @@
 namespace durero::zed {
 
 struct Specification {
-  std::vector<Section> sections;         ///< parents first
-  std::map<std::string, Markup> markup;  ///< by section: the directives in force in it, its parents' included
-  std::vector<Defect> defects;           ///< of reading; a paragraph that cannot be read is left out
+  std::vector<Section> sections;         ///< parents come first
+  std::map<std::string, Markup> markup;  ///< each section has the directives in force in it, its parents' too
+  std::vector<Defect> defects;           ///< reading found these; a paragraph that cannot be read is left out
 
   bool ok() const { return defects.empty(); }
   const Section* find(const std::string& name) const;
 };
 
-/// The largest file that is read: forty times spec/. A byte takes at most 400 of memory, as a token and a node.
+/// No larger file is read; this is forty times spec/. A byte takes at most 400 of memory, as a token and a node.
 inline constexpr std::size_t max_bytes = 1 << 20;
 
-/// The sections of the toolkit, which any section may have as parents; they are built in and not read.
+/// Says whether a section is one of the toolkit's, which any section may have as parents; they are built in and not
+/// read.
 bool is_toolkit(const std::string& section);
 
 /// Reads files, and the parents that they name: from the files given, or from the `.tex` files in the folder of the

@@ -1,5 +1,5 @@
 #pragma once
-/// Z's type system (ISO/IEC 13568, clause 13): every name resolved, every expression given its type.
+/// Z's type system (ISO/IEC 13568, clause 13) resolves every name and gives every expression its type.
 ///
 /// A schema text binds its names in its predicates and behind its •, not in its own declarations. A name with strokes
 /// is a name of its own, and no decoration: that of the schema S is `S '`. ΔS and ΞS, declared nowhere, are S with S '.
@@ -19,7 +19,7 @@
 
 namespace durero::zed {
 
-/// A name that a paragraph declares for the sections that see it.
+/// A global is a name that a paragraph declares for the sections that see it.
 struct Global {
   enum class Form { given, free_type, branch, definition, axiom, schema, lost };
   Name name;
@@ -29,13 +29,13 @@ struct Global {
   Place place;
 };
 
-/// What type-checking found. It keeps no syntax tree alive: type_of() is for the trees that were checked.
+/// A typing is what type-checking found. It keeps no syntax tree alive: type_of() is for the trees that were checked.
 struct Typing {
   std::vector<Defect> defects;
-  /// The type of each expression, and of each schema expression that stands as a predicate. Relations, the
-  /// connectives and quantifiers between predicates, true and false have none.
+  /// Each expression has a type, and each schema expression that stands as a predicate. Relations, the connectives and
+  /// quantifiers between predicates, true and false have none.
   std::unordered_map<const Node*, Type> types;
-  /// Names visible in each section, ancestors' included, the toolkit's not.
+  /// Each section sees these names, among them those of its ancestors and not those of the toolkit.
   std::map<std::string, std::unordered_map<Name, std::shared_ptr<const Global>>> scopes;
   std::map<std::string, bool> sees_toolkit;
 
@@ -48,11 +48,12 @@ struct Typing {
 /// be read would declare is taken to have any type.
 Typing check(const Specification& specification);
 
-/// Names for an expression that is typed by hand and that no section sees: / and √ of numbers, with which values are
-/// printed. To be given to check_term among its locals.
+/// Returns the names for an expression that is typed by hand and that no section sees: / and √ of numbers, with which
+/// values are printed. They are to be given to check_term among its locals.
 std::vector<std::pair<Name, Type>> calculator_names();
 
-/// True for a word that the language and its toolkit leave free for a name: `s1`, and not `dom`, `a-b` or `if`.
+/// Says whether the language and its toolkit leave a word free for a name: `s1` is free, and `dom`, `a-b` and `if` are
+/// not.
 bool is_free_word(const std::string& word);
 
 /// Checks one expression or predicate as if it stood at the end of a section of what was checked, with `locals` in

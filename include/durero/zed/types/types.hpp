@@ -1,6 +1,6 @@
 #pragma once
-/// The types of Z (ISO/IEC 13568, clause 10): given types, power sets, products and schema types, and how two of them
-/// are made equal. Punto and Vector have one type: a schema type is its components, whatever its name.
+/// The types of Z (ISO/IEC 13568, clause 10) are given types, power sets, products and schema types; unify() makes two
+/// of them equal. Punto and Vector have one type: a schema type is its components, whatever its name.
 
 #include <cstdint>
 #include <memory>
@@ -29,7 +29,7 @@ class Type {
   static Type formal(Name name);
   static Type power(Type element);
   static Type product(std::vector<Type> parts);
-  static Type schema(std::vector<std::pair<Name, Type>> fields);  ///< of distinct names, in any order
+  static Type schema(std::vector<std::pair<Name, Type>> fields);  ///< the names are distinct, in any order
   static Type variable();
   static Type unknown();
 
@@ -38,30 +38,34 @@ class Type {
   const Name& name() const { return node().name; }
   const std::vector<Type>& parts() const { return node().parts; }
   const std::vector<Name>& fields() const { return node().fields; }
-  /// The type of a component of a schema type, or null.
+  /// Returns the type of a component of a schema type, or null.
   const Type* field(const Name& name) const;
 
-  /// True for the type of a set of bindings: that of a schema.
+  /// Says whether this is the type of a set of bindings, which is that of a schema.
   bool is_schema_set() const { return is(Kind::power) && parts()[0].is(Kind::schema); }
-  /// True while something in it is not determined. What is unknown counts as determined.
+  /// Says whether something in the type is not determined. What is unknown counts as determined.
   bool has_variables() const;
-  /// Z notation: `ℙ (Elemento × 𝔸)`, `[x : 𝔸; y : 𝔸]`; `?` for what is not determined; long ones end in `…`.
-  std::string text() const;
+  /// Says whether all of the type is known, so that its text can be read back as the set of all its values.
+  bool is_known() const;
+  /// Writes the type in Z notation: `ℙ (Elemento × 𝔸)`, `[x : 𝔸; y : 𝔸]`. What is not known is written `?`, and what
+  /// comes behind the first `parts` parts is written `…`.
+  std::string text(int parts = 40) const;
 
-  /// How large the type is, written out, when it was made; saturates. The type-checker refuses types larger than the
-  /// limits: the largest of spec/ has some 150 parts, and whoever walks a type recurses at most max_depth levels.
+  /// Says how large the type was, written out, when it was made; the count saturates. The type-checker refuses types
+  /// larger than the limits: the largest of spec/ has some 150 parts, and whoever walks a type recurses at most
+  /// max_depth levels.
   std::uint32_t size() const { return node().size; }
   std::uint32_t depth() const { return node().depth; }
   static constexpr std::uint32_t max_size = 5000, max_depth = 500;
 
-  /// The same type without the variables that have been found to be something; what has not is unknown. Unknown too is
-  /// a type that is larger than the limits, once written out.
+  /// Returns the same type without the variables that have been found to be something; what has not is unknown. Unknown
+  /// too is a type that is larger than the limits, once written out.
   Type settled() const;
 
-  /// Puts types for formals. `actuals` are in step with `formals`.
+  /// Puts types for formals, which `actuals` are in step with.
   Type substitute(const std::vector<Name>& formals, const std::vector<Type>& actuals) const;
 
-  /// Makes two types equal by determining variables in them; false, with some determined, where none can.
+  /// Makes two types equal by determining variables in them. Where nothing can, it returns false, with some determined.
   friend bool unify(const Type& a, const Type& b);
 
  private:
@@ -71,25 +75,27 @@ class Type {
     std::vector<Type> parts;
     std::vector<Name> fields;
     std::uint32_t size = 1, depth = 1;
-    bool generic = false;                      // a formal is in it
-    mutable std::shared_ptr<const Node> same;  // what a variable has been found to be
-    mutable std::uint32_t rank = 0;            // of a variable: chains of variables stay logarithmic
+    bool generic = false;                      // says whether a formal is in it
+    mutable std::shared_ptr<const Node> same;  // the variable has been found to be this
+    mutable std::uint32_t rank = 0;            // the rank of a variable keeps chains of them logarithmic
   };
   explicit Type(Node node);
   explicit Type(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
-  /// The node, behind what its variables have been found to be.
+  /// Returns the node, behind what its variables have been found to be.
   const Node& node() const;
   std::shared_ptr<const Node> resolved() const;
   static bool unify_at(const Type& a, const Type& b, unsigned depth, std::uint32_t& steps);
   static void join(const Type& a, const Type& b);
   Type settled_at(std::uint32_t depth, std::unordered_map<const Node*, Type>& done) const;
+  template <class Test>
+  static bool any_node(const Type& in, Test&& test);
   static bool occurs(const Node* variable, const Type& in);
   void append(std::string& out, bool tight, int& budget) const;
 
   std::shared_ptr<const Node> node_;
 };
 
-/// The type of a name, for every choice of its generic formals.
+/// A scheme is the type of a name, for every choice of its generic formals.
 struct Scheme {
   std::vector<Name> formals;
   Type type;

@@ -1,9 +1,9 @@
 #pragma once
-/// The exact reals that the evaluator of Z computes with: dyadics in a machine word's reach, numbers x + y√Δ over the
-/// rationals, and square roots of those.
+/// The evaluator of Z computes with exact reals: dyadics in a machine word's reach, numbers x + y√Δ over the rationals,
+/// and square roots of those.
 ///
-/// Why three forms: a stored number and the sums and products of a few of them fit in 127 bits, and a check of an
-/// operation then needs no heap; a coordinate of an intersection is x + y√Δ; a distance between such points is the
+/// There are three forms, as a stored number and the sums and products of a few of them fit in 127 bits, and a check of
+/// an operation then needs no heap; a coordinate of an intersection is x + y√Δ; a distance between such points is the
 /// root of one, which lies in a further field, but is only ever compared with another, and then the radicands are.
 
 #include <compare>
@@ -18,18 +18,18 @@ namespace durero::zed {
 
 class Real {
  public:
-  Real() : form_(Small{}) {}  ///< 0
+  Real() : form_(Small{}) {}  ///< it is 0
   Real(int value);
-  /// The number that a binary64 denotes. Throws std::domain_error for an infinity or a NaN.
+  /// Makes the number that a binary64 denotes. Throws std::domain_error for an infinity or a NaN.
   Real(double value);
   Real(number::Surd value);
-  /// A natural number from its decimal digits.
+  /// Makes a natural number from its decimal digits.
   static Real natural(const std::string& digits);
 
   bool is_integer() const;
-  /// True unless it is the root of an irrational number.
+  /// Says whether it is anything but the root of an irrational number.
   bool is_surd() const { return form_.index() != 2; }
-  /// Precondition: is_surd().
+  /// Returns the number as x + y√Δ. Precondition: is_surd().
   number::Surd surd() const;
 
   friend Real operator+(const Real& a, const Real& b);
@@ -44,16 +44,17 @@ class Real {
   friend std::strong_ordering operator<=>(const Real& a, const Real& b);
   friend bool operator==(const Real& a, const Real& b) { return (a <=> b) == 0; }
   friend int sign(const Real& value);
-  /// The non-negative root. Throws std::domain_error where value < 0.
+  /// Returns the non-negative root. Throws std::domain_error where value < 0.
   friend Real square_root(const Real& value);
-  /// ⌊a / b⌋ (div) of integers. Throws std::domain_error unless both are integers and b ≠ 0.
+  /// Returns ⌊a / b⌋ (div) of integers. Throws std::domain_error unless both are integers and b ≠ 0.
   friend Real integer_quotient(const Real& a, const Real& b);
 
-  /// `-7`, `5/2`, `1/2+3/4*√5`, `√(1+2*√3)`.
+  /// Writes the number as `-7`, `5/2`, `1/2+3/4*√5` or `√(1+2*√3)`.
   std::string text() const;
 
  private:
-  /// (high, low)·2^exponent, the significand odd, or zero with exponent 0; |significand| < 2^126.
+  /// A small number is (high, low)·2^exponent, where the significand is odd, or is zero with exponent 0, and
+  /// |significand| < 2^126.
   struct Small {
     std::int64_t high = 0;
     std::uint64_t low = 0;
@@ -61,13 +62,13 @@ class Real {
     bool operator==(const Small&) const = default;
   };
   struct Root {
-    number::Surd radicand;  ///< irrational and positive
+    number::Surd radicand;  ///< it is irrational and positive
   };
   using Big = std::shared_ptr<const number::Surd>;
   using Rooted = std::shared_ptr<const Root>;
   friend struct SmallArithmetic;
 
-  /// The number as a surd: in place where it is one, else made in `room`. Precondition: is_surd().
+  /// Returns the number as a surd: in place where it is one, else made in `room`. Precondition: is_surd().
   const number::Surd& surd(number::Surd& room) const;
   explicit Real(Small value) : form_(value) {}
   std::variant<Small, Big, Rooted> form_;

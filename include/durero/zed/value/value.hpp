@@ -1,9 +1,9 @@
 #pragma once
-/// The values of Z that the evaluator computes with: exact reals, names of given sets and of free types, tuples,
-/// bindings and sets. A function is its set of pairs.
+/// The evaluator computes with the values of Z: exact reals, names of given sets and of free types, tuples, bindings
+/// and sets. A function is its set of pairs.
 ///
-/// A set is *finite*, its members at hand and sorted, or *intensional*: it answers whether a value is a member, and
-/// to enumerate it is an error that says so. Values are immutable and share their parts, so copying is cheap.
+/// A set is *finite*, its members at hand and sorted, or *intensional*: it answers whether a value is a member, and to
+/// enumerate it is an error that says so. Values are immutable and share their parts, so copying is cheap.
 
 #include <atomic>
 #include <boost/container/small_vector.hpp>
@@ -19,17 +19,18 @@
 #include <vector>
 
 #include "durero/zed/syntax/ast.hpp"
+#include "durero/zed/types/types.hpp"
 #include "durero/zed/value/real.hpp"
 
 namespace durero::zed {
 
-/// What the evaluator cannot do, or must not: `what()` says what, in Z notation.
+/// Says, in Z notation, what the evaluator cannot do, or must not.
 class EvaluationError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The truth of a predicate. `open`: it depends on a value that is not given.
+/// The truth of a predicate is `open` where it depends on a value that is not given.
 enum class Truth : std::uint8_t { no, yes, open };
 
 constexpr Truth truth(bool value) { return value ? Truth::yes : Truth::no; }
@@ -41,22 +42,22 @@ struct TupleValue;
 struct BindingValue;
 struct Constructed;
 
-/// The value of an expression that has none: an application of a function outside its domain, and what is made of
+/// An expression that has no value is undefined: an application of a function outside its domain, and what is made of
 /// one. The predicate that it stands in directly is false.
 struct Undefined {};
-/// A value that depends on a value which is not given.
+/// A value is open where it depends on a value that is not given.
 struct Open {};
-/// A variable whose value is looked for.
+/// An unknown is a variable whose value is looked for.
 struct Unknown {
   std::uint32_t id;
 };
 
-/// A member of a given set, or a constant of a free type: known by its type and its name. `order` is the place among
+/// A member of a given set, or a constant of a free type, is known by its type and its name. `order` is the place among
 /// the constants of a free type, and 0 in a given set, whose members are in the order of their names.
 struct AtomName {
   std::string type, text;
   std::uint32_t order = 0;
-  std::uint64_t head = 0;  ///< the first eight bytes of the text, as a number in the order of texts
+  std::uint64_t head = 0;  ///< it is the first eight bytes of the text, as a number in the order of texts
 };
 using Atom = std::shared_ptr<const AtomName>;
 
@@ -66,7 +67,7 @@ using ConstructedPtr = std::shared_ptr<const Constructed>;
 using SetPtr = std::shared_ptr<const Set>;
 using PolynomialPtr = std::shared_ptr<const Polynomial>;
 
-/// The names of a binding's components, sorted.
+/// A signature has the names of a binding's components, sorted.
 using Signature = std::shared_ptr<const std::vector<Name>>;
 Signature signature(std::vector<Name> names);
 
@@ -74,7 +75,7 @@ class Value {
  public:
   using Form =
       std::variant<Undefined, Open, Unknown, PolynomialPtr, Real, Atom, TuplePtr, BindingPtr, ConstructedPtr, SetPtr>;
-  Value() = default;  ///< undefined
+  Value() = default;  ///< it is undefined
   Value(Open) : form_(Open{}) {}
   Value(Unknown unknown) : form_(unknown) {}
   Value(Real real) : form_(std::move(real)) {}
@@ -88,12 +89,13 @@ class Value {
   static Value atom(std::string type, std::string text, std::uint32_t order = 0);
   static Value tuple(std::vector<Value> parts);
   static Value pair(Value first, Value second);
-  /// The names are sorted, and the values stand in their order.
+  /// Makes a binding. The names are sorted, and the values stand in their order.
   static Value binding(Signature names, std::vector<Value> values);
-  static Value point(const Signature& names, Real x, Real y, Real z);  ///< of three components
+  static Value point(const Signature& names, Real x, Real y, Real z);  ///< it has three components
   /// Makes the number constant + slope · unknown.
   static Value line(Real constant, Real slope, Unknown unknown);
-  /// Sorts the members and drops repetitions. A set of open values is open, one of undefined values undefined.
+  /// Makes a finite set: sorts the members and drops repetitions. A set of open values is open, and one of undefined
+  /// values undefined.
   static Value set(std::vector<Value> members);
 
   const Form& form() const { return form_; }
@@ -109,11 +111,14 @@ class Value {
   const BindingValue* binding() const;
   const Set* set() const;
 
-  /// In Z notation, in Unicode. `spelling`: how a member of a given set, or a constant, is written; by default by its
-  /// own text. A set that is known by membership only is written as a message would name it.
+  /// Writes the value in Z notation, in Unicode. `spelling` says how a member of a given set, or a constant, is
+  /// written; without it that is its own text. A set that is known by membership only is written as a message would
+  /// name it.
   using Spelling = std::function<std::string(const AtomName&)>;
   std::string text() const;
-  std::string text(const Spelling& spelling) const;
+  /// Writes each empty set with the type of its members where that is known, `∅[𝔸]`, so that it can be read back alone.
+  /// Precondition: the value is of this type, which is settled.
+  std::string text(const Type& type, const Spelling& spelling) const;
 
  private:
   Form form_;
@@ -128,55 +133,55 @@ struct BindingValue {
   BindingValue(Signature n, std::span<Value> v)
       : names(std::move(n)), values(std::make_move_iterator(v.begin()), std::make_move_iterator(v.end())) {}
   Signature names;
-  boost::container::small_vector<Value, 3> values;  ///< in step with names
+  boost::container::small_vector<Value, 3> values;  ///< they are in step with names
   const Value* component(const Name& name) const;
-  /// The closed schema that this binding was last found to satisfy: a binding never changes, nor does a schema.
+  /// This is the closed schema that the binding was last found to satisfy: a binding never changes, nor does a schema.
   mutable std::atomic<const void*> satisfies{nullptr};
 };
 
-/// A value of a free type made by a constructor.
+/// A constructor of a free type makes such a value.
 struct Constructed {
   Atom constructor;
   Value argument;
 };
 
-/// constant + slope · unknown + square · unknown², slope ≠ 0 or square ≠ 0.
+/// A polynomial is constant + slope · unknown + square · unknown², with slope ≠ 0 or square ≠ 0.
 struct Polynomial {
   Real constant, slope, square;
   std::uint32_t unknown;
 };
 
-/// What is found out while a predicate is evaluated: see Search.
+/// The context has what is found out while a predicate is evaluated (Search).
 struct Context;
 
 class Set {
  public:
   virtual ~Set() = default;
   virtual Truth contains(const Value& value, Context& context) const = 0;
-  /// Returns the members of a finite set, sorted, each once; null where the set is intensional.
+  /// Returns the members of a finite set, sorted, each once. It is null where the set is intensional.
   virtual const std::vector<Value>* members() const { return nullptr; }
-  /// True where every value of the type is known to be a member.
+  /// Says whether every value of the type is known to be a member.
   virtual bool total() const { return false; }
-  /// True for a finite set of intensional sets: members may repeat, as nobody can compare them.
+  /// Says whether this is a finite set of intensional sets: members may then repeat, as nobody can compare them.
   virtual bool family() const { return false; }
   /// Makes a member with every part unknown.
   virtual Value unknown(Context& context) const;
   /// Applies the set as a function.
   virtual Value apply(const Value& argument, Context& context) const;
-  /// Whether the set as a function is defined there.
+  /// Says whether the set as a function is defined there.
   virtual Truth in_domain(const Value& argument, Context& context) const;
-  /// Whether some member of this set of sets contains the value.
+  /// Says whether some member of this set of sets contains the value.
   virtual Truth some_contains(const Value& value, Context& context) const;
   /// Names the set, for messages and printing.
   virtual std::string text() const = 0;
 };
 
-/// Structural order of values of one type; total on those without unknown parts. Intensional sets are in an arbitrary
-/// order, by identity.
+/// Orders values of one type by their structure, totally on those without unknown parts. Intensional sets are in an
+/// arbitrary order, by identity.
 std::strong_ordering compare(const Value& a, const Value& b);
 inline bool same(const Value& a, const Value& b) { return compare(a, b) == 0; }
 
-/// True where the value has a part that is open or unknown, or has an intensional part.
+/// Says whether the value has a part that is open or unknown, or that is intensional.
 bool has_open(const Value& value);
 bool has_intensional(const Value& value);
 

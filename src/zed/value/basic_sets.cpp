@@ -1,0 +1,110 @@
+/// Other sets are made of these: finite sets, whole types and the integers.
+
+#include <algorithm>
+
+#include "zed/value/sets.hpp"
+
+namespace durero::zed {
+namespace {
+
+class FiniteSet : public Set {
+ public:
+  explicit FiniteSet(std::vector<Value> sorted)
+      : members_(std::move(sorted)), family_(std::any_of(members_.begin(), members_.end(), has_intensional)) {}
+
+  const std::vector<Value>* members() const override { return &members_; }
+  bool family() const override { return family_; }
+  std::string text() const override { return members_.size() > 8 ? "this finite set" : listed(); }
+
+  Truth contains(const Value& value, Context& context) const override {
+    if (members_.empty()) return Truth::no;
+    if (!family_ && !has_open(value))
+      return truth(std::binary_search(members_.begin(), members_.end(), value, precedes));
+    Truth some = Truth::no;
+    const Necessary only(context, members_.size() == 1);
+    for (const Value& member : members_) {
+      const Truth here = equal(member, value, context);
+      if (here == Truth::yes) return here;
+      if (here == Truth::open) some = here;
+    }
+    return some;
+  }
+
+  // A function's pairs are sorted by their first parts. Where two pairs agree in it, the relation is no function
+  // there, and its application has no value.
+  Value apply(const Value& argument, Context&) const override {
+    if (has_open(argument)) return Open{};
+    const auto first = at(argument);
+    if (first == members_.end() || !same(first->tuple()->parts[0], argument)) return {};
+    const auto next = first + 1;
+    if (next != members_.end() && same(next->tuple()->parts[0], argument)) return {};
+    return first->tuple()->parts[1];
+  }
+
+  Truth in_domain(const Value& argument, Context& context) const override {
+    if (has_open(argument)) return lost(context);
+    const auto first = at(argument);
+    return truth(first != members_.end() && same(first->tuple()->parts[0], argument));
+  }
+
+ private:
+  std::vector<Value>::const_iterator at(const Value& argument) const {
+    if (!members_.empty() && (!members_[0].tuple() || members_[0].tuple()->parts.size() != 2)) {
+      throw EvaluationError(text() + " is no function");
+    }
+    return std::lower_bound(members_.begin(), members_.end(), argument, [](const Value& pair, const Value& sought) {
+      return compare(pair.tuple()->parts[0], sought) < 0;
+    });
+  }
+  std::string listed() const {
+    std::string text;
+    for (const Value& member : members_) text += (text.empty() ? "" : ", ") + member.text();
+    return "{" + text + "}";
+  }
+
+  std::vector<Value> members_;
+  bool family_;
+};
+
+class Everything : public Set {
+ public:
+  explicit Everything(std::string name) : name_(std::move(name)) {}
+  Truth contains(const Value&, Context&) const override { return Truth::yes; }
+  bool total() const override { return true; }
+  std::string text() const override { return name_; }
+
+ private:
+  std::string name_;
+};
+
+class Integers : public Set {
+ public:
+  Integers(std::string name, std::optional<int> least) : name_(std::move(name)), least_(least) {}
+  Truth contains(const Value& value, Context& context) const override {
+    const auto* real = value.real();
+    if (!real) return lost(context);
+    return truth(real->is_integer() && (!least_ || *real >= Real(*least_)));
+  }
+  std::string text() const override { return name_; }
+
+ private:
+  std::string name_;
+  std::optional<int> least_;
+};
+
+}  // namespace
+
+Value finite(std::vector<Value> sorted) { return SetPtr(std::make_shared<const FiniteSet>(std::move(sorted))); }
+
+const Value& empty_set() {
+  static const Value empty = finite({});
+  return empty;
+}
+
+Value everything(std::string name) { return SetPtr(std::make_shared<const Everything>(std::move(name))); }
+
+Value integers(std::string name, std::optional<int> least) {
+  return SetPtr(std::make_shared<const Integers>(std::move(name), least));
+}
+
+}  // namespace durero::zed
