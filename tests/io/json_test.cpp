@@ -125,6 +125,14 @@ TEST_CASE("A quote or a number inside a string is no token") {
   CHECK(items == std::vector<std::string>{"1\"2\\", "3", "\\\"-4e5", "5"});
 }
 
+TEST_CASE("A string that ends with a backslash ends there: the number behind it is a token of any length") {
+  const std::string text = R"(["\\",1)" + std::string(400, '0') + "e-400]";
+  const Source source("f", text);
+  const Document document(source);
+  Reader in(document);
+  in.array("a", [&] { CHECK(in.kind() == Kind::number ? in.number("n") == 1 : in.string("s") == "\\"); });
+}
+
 TEST_CASE("Errors of syntax have their place") {
   CHECK(error_of("") == "f:1:1: the text is empty; expected a JSON value");
   CHECK(error_of(" \n ") == "f:2:2: the text is empty; expected a JSON value");

@@ -18,11 +18,11 @@ TEST_CASE("A place counts lines and characters from 1") {
 TEST_CASE("An error is one line: place, what is wrong, what is expected") {
   const Source source("scene.json", "a\nbc");
   try {
-    source.fail(3, "radio is 0", "expected r > 0");
+    source.fail(4, "radio is 0", "expected r > 0");
     FAIL("nothing was thrown");
   } catch (const InputError& error) {
-    CHECK(std::string(error.what()) == "scene.json:2:2: radio is 0; expected r > 0");
-    CHECK(error.place() == Place{2, 2});
+    CHECK(std::string(error.what()) == "scene.json:2:3: radio is 0; expected r > 0");
+    CHECK(error.place() == Place{2, 3});
   }
 }
 
