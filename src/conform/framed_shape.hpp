@@ -13,8 +13,8 @@
 
 namespace durero::conform {
 
-/// A point of a surface. radial: from the axis (or the centre of a sphere) to it; around and along span the plane that
-/// touches there, along is the direction of the generator.
+/// A point of a surface. radial: from the axis (or the centre of a sphere) to it; around and along are in the plane
+/// that touches there, and span it but where a sphere drew them parallel; along is the direction of the generator.
 struct SurfacePoint {
   glm::dvec3 position, radial, around, along;
 };

@@ -40,21 +40,21 @@ TEST_CASE("a set of what is not given is itself not given") {
 }
 
 TEST_CASE("constants are in the order of their places, members of a given set in that of their names") {
-  CHECK(compare(atom("b", 0), atom("a", 1)) < 0);
-  CHECK(compare(atom("a"), atom("b")) < 0);
-  CHECK(compare(atom("a"), atom("ab")) < 0);
-  CHECK(compare(atom("abcdefgh"), atom("abcdefghi")) < 0);
-  CHECK(compare(atom("abcdefghj"), atom("abcdefghi")) > 0);
+  CHECK((compare(atom("b", 0), atom("a", 1)) < 0));
+  CHECK((compare(atom("a"), atom("b")) < 0));
+  CHECK((compare(atom("a"), atom("ab")) < 0));
+  CHECK((compare(atom("abcdefgh"), atom("abcdefghi")) < 0));
+  CHECK((compare(atom("abcdefghj"), atom("abcdefghi")) > 0));
   CHECK(same(atom("abcdefghi"), atom("abcdefghi")));
 }
 
 TEST_CASE("numbers, tuples and bindings are compared part by part") {
-  CHECK(compare(Real(1), Real(2)) < 0);
-  CHECK(compare(Value::pair(Real(1), Real(9)), Value::pair(Real(2), Real(0))) < 0);
-  CHECK(compare(Value::pair(Real(2), Real(1)), Value::pair(Real(2), Real(0))) > 0);
+  CHECK((compare(Real(1), Real(2)) < 0));
+  CHECK((compare(Value::pair(Real(1), Real(9)), Value::pair(Real(2), Real(0))) < 0));
+  CHECK((compare(Value::pair(Real(2), Real(1)), Value::pair(Real(2), Real(0))) > 0));
   const Signature names = signature({x, y});
   const auto binding = [&](int a, int b) { return Value::binding(names, {Real(a), Real(b)}); };
-  CHECK(compare(binding(1, 9), binding(2, 0)) < 0);
+  CHECK((compare(binding(1, 9), binding(2, 0)) < 0));
   CHECK(same(binding(1, 9), Value::binding(signature({x, y}), {Real(1), Real(9)})));
   CHECK_THROWS_AS(compare(binding(1, 9), Value::binding(signature({x, z}), {Real(1), Real(9)})), EvaluationError);
 }
