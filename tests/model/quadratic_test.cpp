@@ -59,5 +59,6 @@ TEST_CASE("the roots are where it is 0: all of them, ascending, each once") {
   CHECK(roots({0, 2, -3}) == std::vector<Surd>{Surd(1.5)});
   CHECK(roots({0, 0, 5}).empty());
   CHECK(roots({1, 0, 1}).empty());
+  CHECK(roots({4, -12, 9}) == std::vector<Surd>{Surd(1.5)});
   CHECK(roots({-1, 0, 2}) == std::vector<Surd>{Surd(0, -1, 2), Surd(0, 1, 2)});
 }

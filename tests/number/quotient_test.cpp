@@ -33,6 +33,13 @@ TEST_CASE("a quotient is rounded once") {
   });
 }
 
+TEST_CASE("a quotient beside the middle of two binary64 is rounded to its side, however near it is") {
+  const Integer middle = (Integer(1) << 53) + 1, d = Integer(1) << 5000;
+  CHECK(round_quotient(Integer(middle * d), d) == 0x1p53);
+  CHECK(round_quotient(Integer(middle * d + 1), d) == 0x1p53 + 2);
+  CHECK(round_quotient(Integer(middle * d - 1), d) == 0x1p53);
+}
+
 TEST_CASE("a quotient that is 0 is +0; one that is too small or too great has its sign") {
   CHECK_FALSE(std::signbit(round_quotient(Dyadic(0), Dyadic(-3))));
   CHECK_FALSE(std::signbit(round_quotient(Integer(0), Integer(-3))));
