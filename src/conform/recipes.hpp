@@ -1,58 +1,58 @@
 #pragma once
-/// How the scenes and the rays of each family are made; the table in families.cpp names them.
+/// How the scenes and the rays of each family are made; family_table.cpp names them.
 
-#include "bodies.hpp"
+#include <span>
+
+#include "conform/drawn_ray.hpp"
 
 namespace durero::conform::recipes {
 
-using Bodies = std::vector<Body>;
-using Given = std::span<const Body>;
-
-const Body& any_of(Random& random, Given bodies);
+using FramedShapes = std::vector<FramedShape>;
+using Given = std::span<const FramedShape>;
 
 // Scenes of one to three elements.
-Bodies some(Random& random, int);
-Bodies some_axial(Random& random, int);
-Bodies some_cylinders(Random& random, int);
-Bodies some_cones(Random& random, int);
+FramedShapes some(Random& random, int);
+FramedShapes some_axial(Random& random, int);
+FramedShapes some_cylinders(Random& random, int);
+FramedShapes some_cones(Random& random, int);
 
 // Of scale (recipes_scale.cpp).
-Bodies as_many(Random& random, int count);
-Shot generic(Random& random, int, Given bodies);
-Shot far_origin(Random& random, int log2_distance, Given bodies);
-Bodies large_offset(Random& random, int log2_offset);
-Bodies scaled_up(Random& random, int log2_scale);
-Bodies huge_ratio(Random& random, int log2_ratio);
-Shot near_small(Random& random, int, Given bodies);
-Shot direction_scale(Random& random, int log2_scale, Given bodies);
-Bodies degenerate_numbers(Random& random, int log2_scale);
-Shot degenerate_numbers(Random& random, int log2_scale, Given bodies);
-Bodies long_thin(Random& random, int log2_ratio);
-Shot long_thin(Random& random, int log2_ratio, Given bodies);
-Shot near_origin(Random& random, int minus_log2_distance, Given bodies);
-Bodies grid(Random& random, int count);
-Shot grid(Random& random, int, Given bodies);
+FramedShapes as_many(Random& random, int count);
+DrawnRay generic(Random& random, int, Given shapes);
+DrawnRay far_origin(Random& random, int log2_distance, Given shapes);
+FramedShapes large_offset(Random& random, int log2_offset);
+FramedShapes scaled_up(Random& random, int log2_scale);
+FramedShapes huge_ratio(Random& random, int log2_ratio);
+DrawnRay near_small(Random& random, int, Given shapes);
+DrawnRay direction_scale(Random& random, int log2_scale, Given shapes);
+FramedShapes degenerate_numbers(Random& random, int log2_scale);
+DrawnRay degenerate_numbers(Random& random, int log2_scale, Given shapes);
+FramedShapes long_thin(Random& random, int log2_ratio);
+DrawnRay long_thin(Random& random, int log2_ratio, Given shapes);
+DrawnRay near_origin(Random& random, int minus_log2_distance, Given shapes);
+FramedShapes grid(Random& random, int count);
+DrawnRay grid(Random& random, int, Given shapes);
 
 // Of direction (recipes_direction.cpp).
-Bodies near_axial(Random& random, int);
-Shot near_axial(Random& random, int minus_log2_slope, Given bodies);
-Shot perpendicular(Random& random, int log2_distance, Given bodies);
-Shot near_generator(Random& random, int minus_log2_angle, Given bodies);
-Shot second_nappe(Random& random, int eighths, Given bodies);
-Shot axis_parallel(Random& random, int log2_distance, Given bodies);
-Shot in_surface(Random& random, int eighths, Given bodies);
+FramedShapes near_axial(Random& random, int);
+DrawnRay near_axial(Random& random, int minus_log2_slope, Given shapes);
+DrawnRay perpendicular(Random& random, int log2_distance, Given shapes);
+DrawnRay near_generator(Random& random, int minus_log2_angle, Given shapes);
+DrawnRay second_nappe(Random& random, int eighths, Given shapes);
+DrawnRay axis_parallel(Random& random, int log2_distance, Given shapes);
+DrawnRay in_surface(Random& random, int eighths, Given shapes);
 
 // Of the place of the point (recipes_place.cpp).
-Shot apex(Random& random, int log2_distance, Given bodies);
-Bodies rim(Random& random, int);
-Shot rim(Random& random, int log2_distance, Given bodies);
-Shot inside(Random& random, int quarters, Given bodies);
-Bodies with_twin(Random& random, int);
-Shot on_surface(Random& random, int percent, Given bodies);
-Bodies tangent(Random& random, int);
-Shot tangent(Random& random, int log2_distance, Given bodies);
-Shot zero_b(Random& random, int percent, Given bodies);
-Bodies tie(Random& random, int);
-Shot tie(Random& random, int log2_distance, Given bodies);
+DrawnRay apex(Random& random, int log2_distance, Given shapes);
+FramedShapes rim(Random& random, int);
+DrawnRay rim(Random& random, int log2_distance, Given shapes);
+DrawnRay inside(Random& random, int quarters, Given shapes);
+FramedShapes with_twin(Random& random, int);
+DrawnRay on_surface(Random& random, int percent, Given shapes);
+FramedShapes tangent(Random& random, int);
+DrawnRay tangent(Random& random, int log2_distance, Given shapes);
+DrawnRay zero_b(Random& random, int percent, Given shapes);
+FramedShapes tie(Random& random, int);
+DrawnRay tie(Random& random, int log2_distance, Given shapes);
 
 }  // namespace durero::conform::recipes

@@ -1,16 +1,18 @@
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
 
-#include "recipes.hpp"
+#include "conform/recipes.hpp"
+#include "durero/contract/contract.hpp"
 
 namespace durero::conform::recipes {
 namespace {
 
 using model::Tipo;
 
-Shot one_in_three_nudged(Random& random, Shot shot) {
-  return random.chance(1, 3) ? nudged(random, std::move(shot)) : shot;
+DrawnRay one_in_three_nudged(Random& random, DrawnRay ray) {
+  return random.chance(1, 3) ? nudged(random, std::move(ray)) : ray;
 }
 
 /// The place of the coordinate of d with the greatest magnitude.
@@ -29,205 +31,216 @@ glm::dvec3 across(const glm::dvec3& d, int i) {
 
 /// A tilted cylinder at 0 whose altura is avance of the point 2^k on a coordinate axis: rays across the axis through
 /// that point stay in the plane of the rim, though the axis is no exact unit vector.
-Body tilted_with_exact_rims(Random& random) {
-  Body body = tilted_body(random, Tipo::soy_cilindro);
+FramedShape tilted_with_exact_rims(Random& random) {
+  FramedShape shape = tilted_shape(random, Tipo::soy_cilindro);
   const int k = random.integer(2, 6);
-  body.centro = glm::dvec3(0);
-  body.altura = std::ldexp(std::abs(body.d[longest(body.d)]), k);
-  body.size = std::ldexp(random.uniform(0.9, 1.5), k);
-  return body;
+  shape.centro = glm::dvec3(0);
+  shape.altura = std::ldexp(std::abs(shape.d[longest(shape.d)]), k);
+  shape.radio = std::ldexp(random.uniform(0.9, 1.5), k);
+  return shape;
 }
 
 /// A ray in the plane of a rim of such a cylinder. Precondition: centro = 0.
-Shot in_plane_of_rim(Random& random, const Body& body) {
-  const int i = longest(body.d);
+DrawnRay in_plane_of_rim(Random& random, const FramedShape& shape) {
+  const int i = longest(shape.d);
   glm::dvec3 p(0);
-  if (body.tipo == Tipo::soy_cilindro && random.chance(1, 2)) p[i] = body.altura / body.d[i];
-  const glm::dvec3 u = random.sign() * across(body.d, i);
+  if (random.chance(1, 2)) p[i] = shape.altura / shape.d[i];
+  const glm::dvec3 u = random.sign() * across(shape.d, i);
   if (u == glm::dvec3(0)) return {p, {1, 0, 0}};
-  return {p + steps(u, body.radius(), 3) * u, std::ldexp(-1, random.integer(-3, 3)) * u};
+  return {p + steps(u, shape.radius(), 3) * u, std::ldexp(-1, random.integer(-3, 3)) * u};
 }
 
 /// A tangent at the base of a tilted element at 0 whose axis has a coordinate 0: across the axis, in the plane of the
 /// base, at the point `radius` along that coordinate's axis.
-std::optional<Shot> tangent_to_tilted(Random& random, const Body& body) {
-  if (body.lattice || body.centro != glm::dvec3(0) || body.tipo == Tipo::soy_esfera) return std::nullopt;
-  const double radius = body.radius();
-  if (body.tipo == Tipo::soy_cono && std::fma(body.size, body.altura, -radius) != 0) return std::nullopt;
+std::optional<DrawnRay> tangent_to_tilted(Random& random, const FramedShape& shape) {
+  if (shape.lattice || shape.centro != glm::dvec3(0) || !is_axial(shape.tipo)) return std::nullopt;
+  const double radius = shape.radius();
+  if (!shape.has_exact_radius()) return std::nullopt;
   for (int i = 0; i < 3; ++i) {
-    if (body.d[i] != 0) continue;
+    if (shape.d[i] != 0) continue;
     glm::dvec3 point(0);
     point[i] = random.sign() * radius;
-    const glm::dvec3 u = random.sign() * across(body.d, i);
+    const glm::dvec3 u = random.sign() * across(shape.d, i);
     return arriving(random, point, u, steps(u, radius, random.integer(0, 8)));
   }
   return std::nullopt;
 }
 
-glm::dvec3 entering_both(Random& random, const Body& body, const Touch& one, const Touch& other) {
+glm::dvec3 entering_both(Random& random, const FramedShape& shape, const SurfacePoint& one, const SurfacePoint& other) {
   glm::dvec3 w;
   for (int i = 0; i < 16; ++i) {
-    w = inwards(any_vector(random, body), one);
+    w = inwards(any_vector(random, shape), one);
     if (inwards(w, other) == w) break;
   }
   return w;
 }
 
-/// A sphere through a point of the first element, from any side; or one that fits in a cylinder and touches it around.
-void add_crossing_sphere(Random& random, Bodies& bodies) {
-  const Body first = bodies[0];
-  Body sphere = lattice_body(random, Tipo::soy_esfera);
+/// How two shapes come to have points in common.
+enum class Tie : std::uint8_t {
+  twins,         ///< the same surface twice, one of them longer where it is a cylinder
+  cone_on_base,  ///< a cone on the base of a cylinder
+  crossing_sphere,
+};
+constexpr std::array ties{Tie::twins, Tie::cone_on_base, Tie::crossing_sphere,
+                          Tie::crossing_sphere};  // half are spheres
+
+/// A sphere through a point of the first shape, from any side; or one that fits in a cylinder and touches it around.
+void add_crossing_sphere(Random& random, FramedShapes& shapes) {
+  const FramedShape first = shapes[0];
+  FramedShape sphere = lattice_shape(random, Tipo::soy_esfera);
   const bool fits = first.tipo == Tipo::soy_cilindro && random.chance(1, 2);
-  const Touch shared = touch(random, first);
+  const SurfacePoint shared = surface_point(random, first);
   if (fits) {
-    sphere.size = first.size;
+    sphere.radio = first.radio;
     sphere.centro = first.centro + std::floor(first.altura / 2) * first.d;
     for (int i = 0; i < 8; ++i) {
-      const Touch at = touch_at(random, first, std::floor(first.altura / 2) / first.altura);
-      bodies[0].marks.push_back(at);
-      sphere.marks.push_back(at);
+      const SurfacePoint at = surface_point_at(random, first, std::floor(first.altura / 2) / first.altura);
+      shapes[0].shared.push_back(at);
+      sphere.shared.push_back(at);
     }
   } else {
     sphere.centro = glm::dvec3(0);
-    Touch at = touch(random, sphere);
-    sphere.centro = shared.point - at.radial;
-    at.point = shared.point;
-    bodies[0].marks.push_back(shared);
-    sphere.marks.push_back(at);
+    SurfacePoint at = surface_point(random, sphere);
+    sphere.centro = shared.position - at.radial;
+    at.position = shared.position;
+    shapes[0].shared.push_back(shared);
+    sphere.shared.push_back(at);
   }
-  bodies.push_back(sphere);
+  shapes.push_back(sphere);
 }
 
 /// A cone on the base of the first cylinder.
-void add_cone_on_base(Random& random, Bodies& bodies) {
-  Body cone = bodies[0];
+void add_cone_on_base(Random& random, FramedShapes& shapes) {
+  FramedShape cone = shapes[0];
   cone.tipo = Tipo::soy_cono;
-  cone.size = std::ldexp(1, random.integer(-2, 2));
-  cone.altura = bodies[0].size / cone.size;
+  cone.proporcion = std::ldexp(1, random.integer(-2, 2));
+  cone.altura = shapes[0].radio / cone.proporcion;
   for (int i = 0; i < 8; ++i) {
-    const Touch of_cone = touch_at(random, cone, 0);
-    Touch of_cylinder = of_cone;
+    const SurfacePoint of_cone = surface_point_at(random, cone, 0);
+    SurfacePoint of_cylinder = of_cone;
     of_cylinder.along = cone.d;
-    bodies[0].marks.push_back(of_cylinder);
-    cone.marks.push_back(of_cone);
+    shapes[0].shared.push_back(of_cylinder);
+    cone.shared.push_back(of_cone);
   }
-  bodies.push_back(cone);
+  shapes.push_back(cone);
 }
 
 }  // namespace
 
-Shot apex(Random& random, int log2_distance, Given bodies) {
-  const Body& body = any_of(random, bodies);
-  const glm::dvec3 w = any_vector(random, body);
-  return one_in_three_nudged(random, arriving(random, body.apex(), w, steps(w, body.radius(), log2_distance)));
+DrawnRay apex(Random& random, int log2_distance, Given shapes) {
+  const FramedShape& shape = random.any_of(shapes);
+  const glm::dvec3 w = any_vector(random, shape);
+  return one_in_three_nudged(random, arriving(random, shape.apex(), w, steps(w, shape.radius(), log2_distance)));
 }
 
-Bodies rim(Random& random, int) {
-  Bodies bodies = some_axial(random, 0);
-  if (random.chance(1, 3)) bodies = {tilted_with_exact_rims(random)};
-  return bodies;
+FramedShapes rim(Random& random, int) {
+  FramedShapes shapes = some_axial(random, 0);
+  if (random.chance(1, 3)) shapes = {tilted_with_exact_rims(random)};
+  return shapes;
 }
 
-Shot rim(Random& random, int log2_distance, Given bodies) {
-  const Body& body = any_of(random, bodies);
-  if (!body.lattice && body.centro == glm::dvec3(0)) return one_in_three_nudged(random, in_plane_of_rim(random, body));
-  const Touch at = rim_touch(random, body);
-  glm::dvec3 w = any_vector(random, body);
+DrawnRay rim(Random& random, int log2_distance, Given shapes) {
+  const FramedShape& shape = random.any_of(shapes);
+  if (!shape.lattice && shape.centro == glm::dvec3(0))
+    return one_in_three_nudged(random, in_plane_of_rim(random, shape));
+  const SurfacePoint at = rim_point(random, shape);
+  glm::dvec3 w = any_vector(random, shape);
   if (random.chance(3, 4)) w = inwards(w, at);
-  return one_in_three_nudged(random, arriving(random, at.point, w, steps(w, body.radius(), log2_distance)));
+  return one_in_three_nudged(random, arriving(random, at.position, w, steps(w, shape.radius(), log2_distance)));
 }
 
-Shot inside(Random& random, int quarters, Given bodies) {
-  const Body& body = any_of(random, bodies);
-  const Touch side = touch(random, body);
-  const glm::dvec3 p = side.point - (quarters / 4.0) * side.radial;
-  const Touch exit = random.chance(1, 3) ? rim_touch(random, body) : touch(random, body);
-  return {p, std::ldexp(1, random.integer(-3, 3)) * (exit.point - p)};
+DrawnRay inside(Random& random, int quarters, Given shapes) {
+  const FramedShape& shape = random.any_of(shapes);
+  const SurfacePoint side = surface_point(random, shape);
+  const glm::dvec3 p = side.position - (quarters / 4.0) * side.radial;
+  const SurfacePoint exit = random.chance(1, 3) ? rim_point(random, shape) : surface_point(random, shape);
+  return {p, std::ldexp(1, random.integer(-3, 3)) * (exit.position - p)};
 }
 
-Bodies with_twin(Random& random, int) {
-  Bodies bodies = some(random, 0);
-  if (random.chance(1, 3)) bodies.push_back(bodies[0]);
-  return bodies;
+FramedShapes with_twin(Random& random, int) {
+  FramedShapes shapes = some(random, 0);
+  if (random.chance(1, 3)) shapes.push_back(shapes[0]);
+  return shapes;
 }
 
-Shot on_surface(Random& random, int percent_named, Given bodies) {
-  const std::size_t place = random.below(bodies.size());
-  const Body& body = bodies[place];
-  const Touch at = random.chance(1, 4) ? rim_touch(random, body) : touch(random, body);
-  const glm::dvec3 w = random.chance(1, 4) ? tangent_vector(random, body, at) : any_vector(random, body);
-  Shot shot{at.point, random.signed_power(-3, 3) * w};
-  if (!body.lattice && random.chance(1, 2)) shot = nudged(random, shot);
-  if (random.integer(0, 99) >= percent_named) return shot;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const bool twin = bodies[i].centro == body.centro && bodies[i].tipo == body.tipo;
-    if (i == place || twin) shot.on.push_back(i);
+DrawnRay on_surface(Random& random, int percent_named, Given shapes) {
+  const std::size_t place = random.below(shapes.size());
+  const FramedShape& shape = shapes[place];
+  const SurfacePoint at = random.chance(1, 4) ? rim_point(random, shape) : surface_point(random, shape);
+  const glm::dvec3 w = random.chance(1, 4) ? tangent_vector(random, at) : any_vector(random, shape);
+  DrawnRay ray{at.position, random.signed_power(-3, 3) * w};
+  if (!shape.lattice && random.chance(1, 2)) ray = nudged(random, ray);
+  if (random.integer(0, 99) >= percent_named) return ray;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const bool twin = shapes[i].centro == shape.centro && shapes[i].tipo == shape.tipo;
+    if (i == place || twin) ray.on.push_back(i);
   }
-  return shot;
+  return ray;
 }
 
-Bodies tangent(Random& random, int) {
-  Bodies bodies = some(random, 0);
-  if (!random.chance(1, 4)) return bodies;
-  Body body;
-  do body = tilted_body(random, any_axial_type(random));
-  while (body.d.x != 0 && body.d.y != 0 && body.d.z != 0);
-  body.centro = glm::dvec3(0);
-  bodies[0] = body;
-  return bodies;
+FramedShapes tangent(Random& random, int) {
+  FramedShapes shapes = some(random, 0);
+  if (!random.chance(1, 4)) return shapes;
+  FramedShape shape;
+  do shape = tilted_shape(random, any_axial_type(random));
+  while (shape.d.x != 0 && shape.d.y != 0 && shape.d.z != 0);
+  shape.centro = glm::dvec3(0);
+  shapes[0] = shape;
+  return shapes;
 }
 
-Shot tangent(Random& random, int log2_distance, Given bodies) {
-  const Body& body = any_of(random, bodies);
-  if (const auto shot = tangent_to_tilted(random, body)) return one_in_three_nudged(random, *shot);
-  const Touch at = touch(random, body);
-  const glm::dvec3 u = tangent_vector(random, body, at);
-  return one_in_three_nudged(random, arriving(random, at.point, u, steps(u, body.radius(), log2_distance)));
+DrawnRay tangent(Random& random, int log2_distance, Given shapes) {
+  const FramedShape& shape = random.any_of(shapes);
+  if (const auto ray = tangent_to_tilted(random, shape)) return one_in_three_nudged(random, *ray);
+  const SurfacePoint at = surface_point(random, shape);
+  const glm::dvec3 u = tangent_vector(random, at);
+  return one_in_three_nudged(random, arriving(random, at.position, u, steps(u, shape.radius(), log2_distance)));
 }
 
-Shot zero_b(Random& random, int percent_from_centre, Given bodies) {
-  const Body& body = any_of(random, bodies);
+DrawnRay zero_b(Random& random, int percent_from_centre, Given shapes) {
+  const FramedShape& shape = random.any_of(shapes);
   // From the centre of a sphere or of a cylinder's base B = 0 whatever the axis.
-  if (body.tipo != Tipo::soy_cono && random.integer(0, 99) < percent_from_centre) {
-    glm::dvec3 w = any_vector(random, body);
-    if (glm::dot(w, body.d) < 0) w = -w;
-    return {body.centro, w};
+  if (has_constant_radius(shape.tipo) && random.integer(0, 99) < percent_from_centre) {
+    glm::dvec3 w = any_vector(random, shape);
+    if (glm::dot(w, shape.d) < 0) w = -w;
+    return {shape.centro, w};
   }
   // From the middle of a chord the roots are opposite.
-  const Touch one = touch(random, body), other = touch(random, body);
-  const Shot shot{0.5 * (one.point + other.point), std::ldexp(1, random.integer(-3, 3)) * (other.point - one.point)};
-  return random.chance(1, 4) ? nudged(random, shot) : shot;
+  const SurfacePoint one = surface_point(random, shape), other = surface_point(random, shape);
+  const DrawnRay ray{0.5 * (one.position + other.position),
+                     std::ldexp(1, random.integer(-3, 3)) * (other.position - one.position)};
+  return random.chance(1, 4) ? nudged(random, ray) : ray;
 }
 
-Bodies tie(Random& random, int) {
-  switch (random.integer(0, 3)) {
-    case 0: {
-      // The same surface twice, one of them longer where it is a cylinder.
-      Bodies bodies{any_body(random, any_type(random))};
-      bodies.push_back(bodies[0]);
-      if (bodies[0].tipo == Tipo::soy_cilindro) bodies[1].altura *= random.integer(1, 3);
-      return bodies;
+FramedShapes tie(Random& random, int) {
+  switch (random.any_of(ties)) {
+    case Tie::twins: {
+      FramedShapes shapes{any_shape(random, any_type(random))};
+      shapes.push_back(shapes[0]);
+      if (shapes[0].tipo == Tipo::soy_cilindro) shapes[1].altura *= random.integer(1, 3);
+      return shapes;
     }
-    case 1: {
-      Bodies bodies{lattice_body(random, Tipo::soy_cilindro)};
-      add_cone_on_base(random, bodies);
-      return bodies;
+    case Tie::cone_on_base: {
+      FramedShapes shapes{lattice_shape(random, Tipo::soy_cilindro)};
+      add_cone_on_base(random, shapes);
+      return shapes;
     }
-    default: {
-      Bodies bodies{lattice_body(random, any_type(random))};
-      add_crossing_sphere(random, bodies);
-      return bodies;
+    case Tie::crossing_sphere: {
+      FramedShapes shapes{lattice_shape(random, any_type(random))};
+      add_crossing_sphere(random, shapes);
+      return shapes;
     }
   }
+  contract::unreachable();
 }
 
-Shot tie(Random& random, int log2_distance, Given bodies) {
-  const Body& body = bodies[0];
-  if (body.marks.empty()) return ordinary(random, body, log2_distance);
-  const std::size_t i = random.below(body.marks.size());
-  const glm::dvec3 w = entering_both(random, body, body.marks[i], bodies[1].marks[i]);
-  const Shot shot = arriving(random, body.marks[i].point, w, steps(w, body.radius(), log2_distance));
-  return random.chance(1, 4) ? nudged(random, shot) : shot;
+DrawnRay tie(Random& random, int log2_distance, Given shapes) {
+  const FramedShape& shape = shapes[0];
+  if (shape.shared.empty()) return ordinary(random, shape, log2_distance);
+  const std::size_t i = random.below(shape.shared.size());
+  const glm::dvec3 w = entering_both(random, shape, shape.shared[i], shapes[1].shared[i]);
+  const DrawnRay ray = arriving(random, shape.shared[i].position, w, steps(w, shape.radius(), log2_distance));
+  return random.chance(1, 4) ? nudged(random, ray) : ray;
 }
 
 }  // namespace durero::conform::recipes

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "recipes.hpp"
+#include "conform/recipes.hpp"
 
 namespace durero::conform::recipes {
 namespace {
@@ -8,127 +8,125 @@ namespace {
 using model::Tipo;
 
 template <class Type>
-Bodies one_to_three(Random& random, Type type) {
-  Bodies bodies(random.below(3) + 1);
-  for (Body& body : bodies) body = any_body(random, type(random));
-  return bodies;
+FramedShapes one_to_three(Random& random, Type type) {
+  FramedShapes shapes(random.below(3) + 1);
+  for (FramedShape& shape : shapes) shape = any_shape(random, type(random));
+  return shapes;
 }
 
 /// Elements and rays are made at a moderate scale, where no product overflows, and then scaled.
-Shot ordinary_scaled(Random& random, const Body& body, int k, int e) {
-  return scaled(ordinary(random, scaled(body, -k), e), k);
+DrawnRay ordinary_scaled(Random& random, const FramedShape& shape, int k, int e) {
+  return scaled(ordinary(random, scaled(shape, -k), e), k);
 }
 
 double quarters(Random& random, int half) { return random.integer(-4 * half, 4 * half) / 4.0; }
 
 }  // namespace
 
-const Body& any_of(Random& random, Given bodies) { return bodies[random.below(bodies.size())]; }
-
-Bodies some(Random& random, int) { return one_to_three(random, any_type); }
-Bodies some_axial(Random& random, int) { return one_to_three(random, any_axial_type); }
-Bodies some_cylinders(Random& random, int) {
+FramedShapes some(Random& random, int) { return one_to_three(random, any_type); }
+FramedShapes some_axial(Random& random, int) { return one_to_three(random, any_axial_type); }
+FramedShapes some_cylinders(Random& random, int) {
   return one_to_three(random, [](Random&) { return Tipo::soy_cilindro; });
 }
-Bodies some_cones(Random& random, int) {
+FramedShapes some_cones(Random& random, int) {
   return one_to_three(random, [](Random&) { return Tipo::soy_cono; });
 }
 
-Bodies as_many(Random& random, int count) {
-  Bodies bodies(static_cast<std::size_t>(count));
-  for (Body& body : bodies) body = any_body(random, any_type(random));
-  return bodies;
+FramedShapes as_many(Random& random, int count) {
+  FramedShapes shapes(static_cast<std::size_t>(count));
+  for (FramedShape& shape : shapes) shape = any_shape(random, any_type(random));
+  return shapes;
 }
 
-Shot generic(Random& random, int, Given bodies) {
-  const Body& body = any_of(random, bodies);
-  return ordinary(random, body, random.integer(0, 4));
+DrawnRay generic(Random& random, int, Given shapes) {
+  const FramedShape& shape = random.any_of(shapes);
+  return ordinary(random, shape, random.integer(0, 4));
 }
 
-Shot far_origin(Random& random, int log2_distance, Given bodies) {
-  return ordinary(random, any_of(random, bodies), log2_distance);
+DrawnRay far_origin(Random& random, int log2_distance, Given shapes) {
+  return ordinary(random, random.any_of(shapes), log2_distance);
 }
 
-Bodies large_offset(Random& random, int log2_offset) {
-  Bodies bodies = some(random, 0);
+FramedShapes large_offset(Random& random, int log2_offset) {
+  FramedShapes shapes = some(random, 0);
   // The farthest coordinate of each centre is at least 2^(log2_offset + 8) less the 300 of its place in the scene.
   const glm::dvec3 offset = std::ldexp(1, log2_offset + 8) * random.lattice_vector(4);
-  for (Body& body : bodies) body.centro += offset;
-  return bodies;
+  for (FramedShape& shape : shapes) shape.centro += offset;
+  return shapes;
 }
 
-Bodies scaled_up(Random& random, int log2_scale) {
-  Bodies bodies = some(random, 0);
-  for (Body& body : bodies) body = scaled(body, log2_scale);
-  return bodies;
+FramedShapes scaled_up(Random& random, int log2_scale) {
+  FramedShapes shapes = some(random, 0);
+  for (FramedShape& shape : shapes) shape = scaled(shape, log2_scale);
+  return shapes;
 }
 
-Bodies huge_ratio(Random& random, int log2_ratio) {
-  Bodies bodies = some(random, 0);
+FramedShapes huge_ratio(Random& random, int log2_ratio) {
+  FramedShapes shapes = some(random, 0);
   // A great element that passes by the small ones: a point of its surface is near their place.
-  Body great = scaled(any_body(random, any_type(random)), log2_ratio);
+  FramedShape great = scaled(any_shape(random, any_type(random)), log2_ratio);
   great.centro = glm::dvec3(0);
-  const Touch near = touch(random, great);
-  great.centro = 32.0 * random.lattice_vector(16) - near.point;
-  bodies.push_back(great);
-  return bodies;
+  const SurfacePoint near = surface_point(random, great);
+  great.centro = 32.0 * random.lattice_vector(16) - near.position;
+  shapes.push_back(great);
+  return shapes;
 }
 
-Shot near_small(Random& random, int, Given bodies) {
-  const Body& body = any_of(random, bodies.first(bodies.size() - 1));
-  return ordinary(random, body, random.integer(0, 3));
+DrawnRay near_small(Random& random, int, Given shapes) {
+  const FramedShape& shape = random.any_of(shapes.first(shapes.size() - 1));
+  return ordinary(random, shape, random.integer(0, 3));
 }
 
-Shot direction_scale(Random& random, int log2_scale, Given bodies) {
-  Shot shot = generic(random, 0, bodies);
-  shot.v *= std::ldexp(1, log2_scale);
-  return shot;
+DrawnRay direction_scale(Random& random, int log2_scale, Given shapes) {
+  DrawnRay ray = generic(random, 0, shapes);
+  ray.v *= std::ldexp(1, log2_scale);
+  return ray;
 }
 
-Bodies degenerate_numbers(Random& random, int log2_scale) { return scaled_up(random, log2_scale); }
+FramedShapes degenerate_numbers(Random& random, int log2_scale) { return scaled_up(random, log2_scale); }
 
-Shot degenerate_numbers(Random& random, int log2_scale, Given bodies) {
-  const Body& body = any_of(random, bodies);
-  Shot shot = ordinary_scaled(random, body, log2_scale, random.integer(0, 4));
-  if (random.chance(1, 2)) return shot;
+DrawnRay degenerate_numbers(Random& random, int log2_scale, Given shapes) {
+  const FramedShape& shape = random.any_of(shapes);
+  DrawnRay ray = ordinary_scaled(random, shape, log2_scale, random.integer(0, 4));
+  if (random.chance(1, 2)) return ray;
   // A direction of another scale: t itself may be subnormal or overflow.
   const int k = random.integer(-1074, 1010) - log2_scale;
-  for (int i = 0; i < 3; ++i) shot.v[i] = std::ldexp(shot.v[i], k);
-  return shot;
+  for (int i = 0; i < 3; ++i) ray.v[i] = std::ldexp(ray.v[i], k);
+  return ray;
 }
 
-Bodies long_thin(Random& random, int log2_ratio) {
-  Bodies bodies = some_axial(random, 0);
-  for (Body& body : bodies) {
-    const double radius = body.radius();
-    body.altura = std::ldexp(body.lattice ? radius : std::ldexp(1, std::ilogb(radius) + 1), log2_ratio);
-    if (body.tipo == Tipo::soy_cono) body.size = std::ldexp(1, -log2_ratio);
+FramedShapes long_thin(Random& random, int log2_ratio) {
+  FramedShapes shapes = some_axial(random, 0);
+  for (FramedShape& shape : shapes) {
+    const double radius = shape.radius();
+    shape.altura = std::ldexp(shape.lattice ? radius : std::ldexp(1, std::ilogb(radius) + 1), log2_ratio);
+    shape.proporcion = std::ldexp(1, -log2_ratio);
   }
-  return bodies;
+  return shapes;
 }
 
-Shot long_thin(Random& random, int log2_ratio, Given bodies) {
-  const Body& body = any_of(random, bodies);
-  return ordinary(random, body, random.integer(0, log2_ratio));
+DrawnRay long_thin(Random& random, int log2_ratio, Given shapes) {
+  const FramedShape& shape = random.any_of(shapes);
+  return ordinary(random, shape, random.integer(0, log2_ratio));
 }
 
-Shot near_origin(Random& random, int minus_log2_distance, Given bodies) {
-  return ordinary(random, any_of(random, bodies), -minus_log2_distance);
+DrawnRay near_origin(Random& random, int minus_log2_distance, Given shapes) {
+  return ordinary(random, random.any_of(shapes), -minus_log2_distance);
 }
 
-Bodies grid(Random& random, int count) {
-  Bodies bodies(static_cast<std::size_t>(count));
-  for (Body& body : bodies) {
-    body = lattice_body(random, any_type(random));
+FramedShapes grid(Random& random, int count) {
+  FramedShapes shapes(static_cast<std::size_t>(count));
+  for (FramedShape& shape : shapes) {
+    shape = lattice_shape(random, any_type(random));
     const double x = quarters(random, 3), y = quarters(random, 3), z = quarters(random, 3);
-    body.centro = {x, y, z};
-    body.size = random.integer(1, 8) / 4.0;
-    body.altura = random.integer(1, 16) / 4.0;
+    shape.centro = {x, y, z};
+    shape.radio = shape.proporcion = random.integer(1, 8) / 4.0;
+    shape.altura = random.integer(1, 16) / 4.0;
   }
-  return bodies;
+  return shapes;
 }
 
-Shot grid(Random& random, int, Given) {
+DrawnRay grid(Random& random, int, Given) {
   const double x = quarters(random, 5), y = quarters(random, 5), z = quarters(random, 5);
   const double power = random.signed_power(-2, 1);
   return {{x, y, z}, power * random.lattice_vector(4)};

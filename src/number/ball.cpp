@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "durero/number/binary64.hpp"
+#include "number/binary64.hpp"
 
 // Magnitudes: a ball made from a Dyadic has middle 0 or in [1/2, 1). The formulas built on them are a few operations
 // deep, so middles and radii stay far from overflow, and what is added stays far from underflow (see operator+).

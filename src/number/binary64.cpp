@@ -1,4 +1,4 @@
-#include "durero/number/binary64.hpp"
+#include "number/binary64.hpp"
 
 #include <algorithm>
 #include <bit>

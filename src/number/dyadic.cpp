@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "durero/number/binary64.hpp"
-#include "durero/number/integers.hpp"
+#include "number/binary64.hpp"
+#include "number/integers.hpp"
 
 namespace durero::number {
 namespace {

@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "durero/number/ball.hpp"
-#include "durero/number/quick_round.hpp"
 #include "durero/number/quotient.hpp"
+#include "number/quick_round.hpp"
 
 namespace durero::number {
 namespace {

@@ -1,4 +1,4 @@
-#include "durero/number/integers.hpp"
+#include "number/integers.hpp"
 
 #include <algorithm>
 

@@ -1,10 +1,10 @@
-#include "durero/number/quick_round.hpp"
+#include "number/quick_round.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cstdint>
 
-#include "durero/number/binary64.hpp"
+#include "number/binary64.hpp"
 
 // Integers of 128 bits, each step with a bound in units of its last place. A magnitude is its bits times 2^exponent.
 namespace durero::number {

@@ -1,7 +1,7 @@
 #include "durero/number/quotient.hpp"
 
-#include "durero/number/binary64.hpp"
-#include "durero/number/integers.hpp"
+#include "number/binary64.hpp"
+#include "number/integers.hpp"
 
 namespace durero::number {
 namespace {

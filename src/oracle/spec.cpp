@@ -183,11 +183,6 @@ bool Judge::in_puntos_de_rayo(const model::ExactPoint& p, const model::Rayo& ray
   return schemas_->contains(evaluator().apply(schemas_->function("puntos_de_rayo"), value(rayo)), value(p));
 }
 
-bool Judge::in_puntos_de_elemento(const model::ExactPoint& p, const Value& escena, const model::Elemento& e) const {
-  const Value argument = Value::pair(escena, value(e));
-  return schemas_->contains(evaluator().apply(schemas_->function("puntos_de_elemento"), argument), value(p));
-}
-
 bool Judge::in_puntos_de_escena(const model::ExactPoint& p, const Value& escena) const {
   return schemas_->contains(evaluator().apply(schemas_->function("puntos_de_escena"), escena), value(p));
 }

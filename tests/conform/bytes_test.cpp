@@ -18,6 +18,7 @@
 #include "durero/io/rays_file.hpp"
 #include "durero/io/scene_file.hpp"
 #include "durero/surface/exact.hpp"
+#include "durero/trace/analytic.hpp"
 #include "hits.hpp"
 #include "support/catch.hpp"
 #include "support/targets.hpp"
@@ -67,7 +68,7 @@ void compare_targets(const Family& family, std::uint64_t seed, const conform::Ca
     const Only_Target only(target);
     const std::vector<scene::Hit> analytic = first_hits(tables, made.rays);
     for (std::size_t i = 0; i < exact.size(); ++i) {
-      const scene::Hit single = first_hit(tables, made.rays[i].rayo, origin(made.rays[i]));
+      const scene::Hit single = first_hit(tables, made.rays[i].rayo, made.rays[i].en);
       if (identical(analytic[i], exact[i]) && identical(single, exact[i])) continue;
       FAIL(hwy::TargetName(target) << ": " << replay(family, seed, rays_a_scene, i) << "\n  ray      "
                                    << text(made.rays[i]) << "\n  exact    " << text(exact[i]) << "\n  analytic "
@@ -83,7 +84,7 @@ Printed print(const Family& family) {
     printed.rays += io::scene_text(made.scene) + rays_text(made);
     std::vector<scene::Hit> hits(made.rays.size());
     for (std::size_t i = 0; i < hits.size(); ++i) {
-      hits[i] = surface::exact::first_hit(made.scene, made.rays[i].rayo, origin(made.rays[i]));
+      hits[i] = surface::exact::first_hit(made.scene, made.rays[i].rayo, made.rays[i].en);
       printed.hits += io::hit_text(i, hits[i], made.scene) + '\n';
     }
     compare_targets(family, seed, made, hits);

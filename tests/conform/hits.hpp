@@ -11,8 +11,6 @@
 
 namespace durero::test {
 
-inline scene::Origin origin(const scene::Query& ray) { return ray.en; }
-
 /// Every byte, so that +0 and −0 differ.
 inline bool identical(const scene::Hit& a, const scene::Hit& b) {
   const auto same = [](double x, double y) {

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "durero/surface/exact.hpp"
+#include "durero/trace/analytic.hpp"
 #include "hits.hpp"
 #include "support/catch.hpp"
 #include "support/threads.hpp"
@@ -41,12 +42,12 @@ void compare(const Family& family, std::uint64_t seed, Differences& differences)
   const std::vector<scene::Hit> many = first_hits(tables, made.rays);
   for (std::size_t i = 0; i < made.rays.size(); ++i) {
     const scene::Query& ray = made.rays[i];
-    const scene::Hit exact = surface::exact::first_hit(made.scene, ray.rayo, origin(ray));
-    const scene::Hit analytic = first_hit(tables, ray.rayo, origin(ray), &counts);
+    const scene::Hit exact = surface::exact::first_hit(made.scene, ray.rayo, ray.en);
+    const scene::Hit analytic = first_hit(tables, ray.rayo, ray.en, &counts);
     const bool hidden = exact.resultado != model::Resultado::miss;
-    const bool segment = surface::exact::occluded_segment(made.scene, ray.rayo, origin(ray));
-    if (identical(analytic, exact) && identical(many[i], exact) && occluded(tables, ray.rayo, origin(ray)) == hidden &&
-        occluded_segment(tables, ray.rayo, origin(ray)) == segment)
+    const bool segment = surface::exact::occluded_segment(made.scene, ray.rayo, ray.en);
+    if (identical(analytic, exact) && identical(many[i], exact) && occluded(tables, ray.rayo, ray.en) == hidden &&
+        occluded_segment(tables, ray.rayo, ray.en) == segment)
       continue;
     differences.add(replay(family, seed, rays_a_scene, i) + "\n  ray      " + text(ray) + "\n  exact    " +
                     text(exact) + "\n  analytic " + text(analytic) + "\n  in lanes " + text(many[i]));
@@ -95,7 +96,7 @@ TEST_CASE("any number of threads, and any order of the rays, gives the same byte
         REQUIRE(hits.size() == made.rays.size());
         for (std::size_t i = 0; i < hits.size(); ++i) {
           if (identical(hits[i], backwards[hits.size() - 1 - i]) &&
-              identical(hits[i], first_hit(tables, made.rays[i].rayo, origin(made.rays[i]))))
+              identical(hits[i], first_hit(tables, made.rays[i].rayo, made.rays[i].en)))
             continue;
           INFO(replay(family, seed, 500, i) << ", " << threads << " threads: " << text(hits[i]));
           CHECK(false);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "durero/surface/exact.hpp"
+#include "durero/trace/analytic.hpp"
 #include "hits.hpp"
 #include "support/catch.hpp"
 #include "support/shapes.hpp"
@@ -76,12 +77,12 @@ std::size_t compare(const Family& family, std::uint64_t seed, const Case& of, co
   std::size_t compared = 0;
   for (std::size_t i = 0; i < of.rays.size(); ++i) {
     scaling.exact = true;
-    const scene::Hit before = surface::exact::first_hit(of.scene, of.rays[i].rayo, origin(of.rays[i]));
+    const scene::Hit before = surface::exact::first_hit(of.scene, of.rays[i].rayo, of.rays[i].en);
     const scene::Hit expected = changed(before, by);
     const model::Rayo rayo = test::ray(by.point(of.rays[i].rayo.p().xyz()), by.direction(of.rays[i].rayo.v().xyz()));
     if (!scaling.exact || !of_normal_numbers(before)) continue;
-    const scene::Hit exact = surface::exact::first_hit(other, rayo, origin(of.rays[i]));
-    const scene::Hit analytic = trace::first_hit(other, rayo, origin(of.rays[i]));
+    const scene::Hit exact = surface::exact::first_hit(other, rayo, of.rays[i].en);
+    const scene::Hit analytic = trace::first_hit(other, rayo, of.rays[i].en);
     ++compared;
     if (exact == expected && analytic == expected) continue;
     INFO(replay(family, seed, of.rays.size(), i));
@@ -108,25 +109,13 @@ std::size_t on_every_family(const std::function<Change(Random&, Scaling&)>& some
 
 std::pair<scene::Scene, scene::ElementRef> alone_in_scene(const scene::Scene& scene, scene::ElementRef e) {
   scene::Scene alone;
-  switch (e.tipo) {
-    case model::Tipo::soy_esfera:
-      add(alone, scene.shapes<scene::Sphere>()[e.index]);
-      break;
-    case model::Tipo::soy_cilindro:
-      add(alone, scene.shapes<scene::Cylinder>()[e.index]);
-      break;
-    case model::Tipo::soy_cono:
-      add(alone, scene.shapes<scene::Cone>()[e.index]);
-  }
-  return {alone, {e.tipo, 0}};
+  const scene::ElementRef only = scene.visit(e, [&](const auto& shape) { return add(alone, shape); });
+  return {alone, only};
 }
 
 /// Of the ray that starts on the element.
 surface::exact::Coefficients coefficients_of(const scene::Scene& scene, scene::ElementRef e, const model::Rayo& rayo) {
-  using surface::exact::coefficients;
-  if (e.tipo == model::Tipo::soy_esfera) return coefficients(scene.shapes<scene::Sphere>()[e.index], rayo, true);
-  if (e.tipo == model::Tipo::soy_cilindro) return coefficients(scene.shapes<scene::Cylinder>()[e.index], rayo, true);
-  return coefficients(scene.shapes<scene::Cone>()[e.index], rayo, true);
+  return scene.visit(e, [&](const auto& shape) { return surface::exact::coefficients(shape, rayo, true); });
 }
 
 using Order = std::array<int, 3>;

@@ -12,7 +12,7 @@ namespace {
 
 /// all_hits is ascending, and begins with what first_hit answers.
 void check_crossings(const scene::Scene& scene, const scene::Query& ray, const scene::Hit& hit) {
-  const auto crossings = surface::exact::all_hits(scene, ray.rayo, origin(ray));
+  const auto crossings = surface::exact::all_hits(scene, ray.rayo, ray.en);
   CHECK(crossings.empty() == (hit.resultado == model::Resultado::miss));
   for (std::size_t i = 1; i < crossings.size(); ++i) {
     const auto &before = crossings[i - 1].segment.begin, &begin = crossings[i].segment.begin;
@@ -32,7 +32,7 @@ TEST_CASE("the exact oracle and a plain second reading of the Z text give the sa
       const conform::Case made = generate(family, seed, 25);
       for (std::size_t i = 0; i < made.rays.size(); ++i) {
         const scene::Query& ray = made.rays[i];
-        const scene::Hit exact = surface::exact::first_hit(made.scene, ray.rayo, origin(ray));
+        const scene::Hit exact = surface::exact::first_hit(made.scene, ray.rayo, ray.en);
         const scene::Hit reference = reference_first_hit(made.scene, ray.rayo, ray.en);
         check_crossings(made.scene, ray, exact);
         ++compared;

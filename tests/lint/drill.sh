@@ -50,6 +50,10 @@ git mv tests/model/puntos_test.cpp tests/model/points_test.cpp
 sees stems "a stem of the Z text without its test"
 touch spec/nuevo.tex
 sees stems "a new stem without counterparts"
+git mv tests/scene/hit_test.cpp tests/scene/hits_test.cpp
+sees stems "a public header whose test has another name"
+echo '#pragma once' >include/durero/surface/shape/torus.hpp
+sees stems "a new public header without a test"
 echo '// T''ODO' >>src/oracle/sampled.cpp
 sees house "an unfinished place"
 echo '# /w''ork/here' >>README.md

@@ -1,10 +1,20 @@
 #!/bin/sh
-# Five folders, one stem: what spec/STEM.tex says is carried out, tested and proved under the same name.
+# Five folders, one stem: what spec/STEM.tex says is carried out, tested and proved under the same name. And each public
+# header, include/durero/LAYER/STEM.hpp of any layer, has one test, tests/LAYER/STEM_test.cpp, and one source,
+# src/LAYER/STEM.cpp. The test is asked for always; the source where the header declares what one must define, which the
+# linker tells: a header of templates, inline functions and values has none.
 capital() { printf '%s' "$1" | cut -c1 | tr '[:lower:]' '[:upper:]' | tr -d '\n'; printf '%s' "$1" | cut -c2-; }
-for text in spec/*.tex; do
-  stem=$(basename "$text" .tex)
-  for file in "spec/impresa/$stem.tex" "include/durero/model/$stem.hpp" "src/model/$stem.cpp" \
-    "tests/model/${stem}_test.cpp" "proofs/$(capital "$stem").v"; do
-    [ -f "$file" ] || echo "$text:1: its counterpart $file is missing"
+{
+  for text in spec/*.tex; do
+    stem=$(basename "$text" .tex)
+    for file in "spec/impresa/$stem.tex" "include/durero/model/$stem.hpp" "src/model/$stem.cpp" \
+      "tests/model/${stem}_test.cpp" "proofs/$(capital "$stem").v"; do
+      [ -f "$file" ] || echo "$text:1: its counterpart $file is missing"
+    done
   done
-done | { ! grep .; }
+  git ls-files 'include/durero/*.hpp' | while read -r header; do
+    stem=${header#include/durero/}
+    test="tests/${stem%.hpp}_test.cpp"
+    [ -f "$test" ] || echo "$header:1: its test $test is missing"
+  done
+} | { ! grep .; }

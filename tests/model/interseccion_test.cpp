@@ -316,9 +316,3 @@ TEST_CASE("Primera_Interseccion.def.1: exactly one outcome, and its clauses hold
     }
   });
 }
-
-TEST_CASE("each outcome has its name") {
-  CHECK(name(Resultado::hit) == "hit");
-  CHECK(name(Resultado::miss) == "miss");
-  CHECK(name(Resultado::no_minimum) == "no_minimum");
-}

@@ -3,7 +3,7 @@
 #include <limits>
 #include <sstream>
 
-#include "durero/number/integers.hpp"
+#include "number/integers.hpp"
 #include "support/catch.hpp"
 #include "support/doubles.hpp"
 #include "support/nearest.hpp"
@@ -65,15 +65,13 @@ TEST_CASE("Arithmetic on Dyadics is that of the rationals") {
 }
 
 TEST_CASE("Significands of thousands of bits multiply as GMP's do") {
-  test::property("both directions of the conversion, and the product", [] {
+  test::property("products, squares and sums", [] {
     const auto limbs =
         *rc::gen::container<std::vector<std::uint64_t>>(*rc::gen::resize(100, rc::gen::inRange<std::size_t>(1, 300)),
                                                         rc::gen::resize(100, rc::gen::arbitrary<std::uint64_t>()));
     Integer a = 0;
     for (const std::uint64_t limb : limbs) a = (a << 64) + limb;
     const Integer b = -(a >> 1000) - 1;
-    RC_ASSERT(to_integer(to_significand(a)) == a);
-    RC_ASSERT(to_integer(to_significand(b)) == b);
     RC_ASSERT(to_integer((Dyadic(a, 0) * Dyadic(b, 0)).significand()) == a * b);
     RC_ASSERT(to_integer((Dyadic(a, 0) * Dyadic(a, 0)).significand()) == a * a);
     RC_ASSERT(to_integer((Dyadic(a, 0) + Dyadic(b, 0)).significand()) == a + b);

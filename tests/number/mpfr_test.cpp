@@ -10,9 +10,9 @@
 
 #include "durero/number/ball.hpp"
 #include "durero/number/dyadic_surd.hpp"
-#include "durero/number/quick_round.hpp"
 #include "durero/number/quotient.hpp"
 #include "durero/number/surd.hpp"
+#include "number/quick_round.hpp"
 #include "support/catch.hpp"
 #include "support/exact_ratio.hpp"
 

@@ -117,29 +117,6 @@ TEST_CASE("a material stays with its element") {
   CHECK(scene.material(*scene.find("cono-of-a-longer-name1")) == std::nullopt);
 }
 
-TEST_CASE("an edit gives the new element its material; one that is refused, or names no material, changes nothing") {
-  Scene scene;
-  scene.stage().materials = {{"blue", {0, 0, 1}}, {"red", {1, 0, 0}}};
-  const Agregar_Esfera ball{Elemento("ball"), origin, 1};
-  CHECK(scene.apply_total(scene::Edit{ball, 1}).ok());
-  CHECK(scene.material(*scene.find("ball")) == 1);
-  CHECK_FALSE(scene.apply_total(scene::Edit{ball, 0}).ok());
-  CHECK(scene.material(*scene.find("ball")) == 1);
-  CHECK_THROWS_AS(scene.apply_total(scene::Edit{Agregar_Esfera{Elemento("other"), origin, 1}, 2}), std::out_of_range);
-  CHECK(scene.size() == 1);
-}
-
-TEST_CASE("retrieve gives every component") {
-  Escena escena = Init();
-  for (const std::string suffix : {"1", "2"}) {
-    model::apply(escena, Agregar_Cono{Elemento("cono-of-a-longer-name" + suffix), origin, 0.5, axis, 3});
-    model::apply(escena, Agregar_Cilindro{Elemento("cilindro" + suffix), origin, 1, axis, 3});
-    model::apply(escena, Agregar_Esfera{Elemento("esfera" + suffix), origin, 1});
-  }
-  CHECK(retrieve(two_of_each()) == escena);
-  CHECK(retrieve(Scene()) == Init());
-}
-
 TEST_CASE("every operation commutes with the model's") {
   for (const auto audit : {evaluation_semantic::ignore, evaluation_semantic::enforce}) {
     const scoped_semantic scope(cost::audit, audit);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "durero/conform/random.hpp"
+#include "durero/contract/contract.hpp"
 #include "durero/model/operaciones.hpp"
 #include "durero/scene/scene.hpp"
 
@@ -27,14 +28,15 @@ class Random : public conform::Random {
 inline model::Operation random_addition(Random& random, const std::string& name) {
   const model::Elemento e(name);
   const model::Punto centro(random.in_cube(1));
-  switch (random.below(3)) {
-    case 0:
+  switch (static_cast<model::Tipo>(random.below(scene::shape_count))) {
+    case model::Tipo::soy_esfera:
       return model::Agregar_Esfera{e, centro, random.uniform(0.1, 0.8)};
-    case 1:
+    case model::Tipo::soy_cilindro:
       return model::Agregar_Cilindro{e, centro, random.uniform(0.1, 0.5), random.axis(), random.uniform(0.3, 1.2)};
-    default:
+    case model::Tipo::soy_cono:
       return model::Agregar_Cono{e, centro, random.uniform(0.2, 1.5), random.axis(), random.uniform(0.3, 0.8)};
   }
+  contract::unreachable();
 }
 
 inline scene::Scene random_scene(Random& random, std::size_t elements) {

@@ -61,9 +61,3 @@ TEST_CASE("over dual numbers the equation gives the gradient: of a quadratic, th
     RC_ASSERT(Rational(2 * h * power.dz) == Rational(at_step(0, 0, 1) - at_step(0, 0, -1)));
   });
 }
-
-TEST_CASE("over binary64 the equation has the value at a point") {
-  CHECK(potencia(scene::Sphere{{1, 2, 3}, 2}, Point<double>{3, 2, 4}) == 1);
-  CHECK(potencia(scene::Cylinder{{0, 0, 0}, 1, {0, 1, 0}, 2}, Point<double>{2, 7, 0}) == 3);
-  CHECK(potencia(scene::Cone{{0, 0, 0}, 1, {0, 1, 0}, 2}, Point<double>{2, 1, 0}) == 3);
-}

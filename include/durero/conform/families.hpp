@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "durero/conform/random.hpp"
+#include "durero/scene/query.hpp"
 #include "durero/scene/scene.hpp"
-#include "durero/trace/analytic.hpp"
 
 namespace durero::conform {
 
-/// A number that a generator draws afresh for each ray or scene, from least … greatest.
+/// A number that a generator draws, from least … greatest.
 struct Range {
   std::string_view name;
   int least, greatest;
@@ -32,35 +32,25 @@ struct Membership {
   bool exact = false;   ///< and a coincidence holds in it exactly: the family's own, or where that is none, any
 };
 
-struct Body;         // an element under construction (src/conform/bodies.hpp)
-struct Shot;         // a ray under construction
-struct Ray_And_Hit;  // a ray and its exact answer (src/conform/members.hpp)
-
-/// One line of the table of families.
+/// What there is to know of a family of cases.
 struct Family {
   std::string_view name;
   std::string_view kind;    ///< what its rays are
   std::string_view reason;  ///< where such rays were seen to go wrong, or what they are for
-  Range parameter;
-  double member_floor;  ///< at least this part of its rays are members
-  double exact_floor;   ///< and at least this part exact ones; both hold for each seed of 20 scenes of 100 rays
-
-  std::vector<Body> (*bodies)(Random&, int parameter);
-  Shot (*shot)(Random&, int parameter, std::span<const Body>);
-  bool (*is_member)(const Ray_And_Hit&);
-  bool (*is_exact)(const Ray_And_Hit&);
+  Range parameter;          ///< drawn once for each scene
 };
 
-/// Every family, in the order of the table of the design.
+/// Every family, the generic one first.
 std::span<const Family> families();
 
 /// The family of that name; null where there is none.
 const Family* find_family(std::string_view name);
 
-/// A scene of the family and that many rays. The same for the same arguments.
+/// A scene of the family and that many rays. The same for the same arguments. Throws std::invalid_argument where the
+/// family is none of families().
 Case generate(const Family& family, std::uint64_t seed, std::size_t rays);
 
-/// By surface::exact. Precondition: the case is the family's, and the ray is its own.
+/// By surface::exact. Precondition: the case is of the family, and the ray is of the case.
 Membership membership(const Family& family, const Case& the_case, const scene::Query& ray);
 
 /// How many rays of a case are truly of its family.

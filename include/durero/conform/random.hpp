@@ -22,6 +22,11 @@ class Random {
   }
   /// Yes in n of m cases.
   bool chance(std::uint64_t n, std::uint64_t m) { return below(m) < n; }
+  /// One of a list, each as often. Precondition: the list is not empty.
+  template <class List>
+  const auto& any_of(const List& list) {
+    return list[below(list.size())];
+  }
   double sign() { return chance(1, 2) ? 1 : -1; }
   /// ±2^k with k in least … greatest.
   double signed_power(int least, int greatest) {

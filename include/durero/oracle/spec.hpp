@@ -82,7 +82,6 @@ class Judge {
 
   // Points. Precondition: the coordinates lie in one field.
   bool in_puntos_de_rayo(const model::ExactPoint& p, const model::Rayo& rayo) const;
-  bool in_puntos_de_elemento(const model::ExactPoint& p, const zed::Value& escena, const model::Elemento& e) const;
   bool in_puntos_de_escena(const model::ExactPoint& p, const zed::Value& escena) const;
   /// p ∈ alcance(θEscena, rayo, en, e)
   bool in_alcance(const model::ExactPoint& p, const zed::Value& escena, const model::Rayo& rayo,

@@ -1,0 +1,82 @@
+#pragma once
+/// Shapes under construction. A shape is built with points of its surface, and the plane that touches it there, so that
+/// a ray of any kind can be laid through such a point (drawn_ray.hpp).
+///
+/// Lattice shapes have a unit axis ±x, ±y or ±z and integer coordinates: their surface points come from Pythagorean
+/// triples and quadruples (lattice.hpp) and their rays are integer combinations, so every coincidence is exact. Tilted
+/// shapes have any axis, and their coincidences are off by roundings.
+
+#include <vector>
+
+#include "durero/conform/random.hpp"
+#include "durero/scene/shapes.hpp"
+
+namespace durero::conform {
+
+/// A point of a surface. radial: from the axis (or the centre of a sphere) to it; around and along are in the plane
+/// that touches there, and span it but where a sphere drew them parallel; along is the direction of the generator.
+struct SurfacePoint {
+  glm::dvec3 position, radial, around, along;
+};
+
+/// A shape of any type and an orthonormal frame e1, e2, d of it, exact for lattice shapes; d is vector. An attribute
+/// that the type does not have has no meaning.
+struct FramedShape {
+  model::Tipo tipo{};
+  bool lattice = true;
+  glm::dvec3 centro{};
+  double radio = 0;
+  double proporcion = 0;
+  double altura = 0;
+  glm::dvec3 e1{}, e2{}, d{};
+  std::vector<SurfacePoint> shared{};  ///< points of the surface that lie on another shape too
+
+  /// The radius, of a cone at its base.
+  double radius() const;
+  /// Whether radius() was not rounded.
+  bool has_exact_radius() const;
+  /// The end of the axis, which is the apex of a cone.
+  glm::dvec3 apex() const { return centro + altura * d; }
+  /// The operation that adds the shape to a scene.
+  model::Operation addition(const model::Elemento& e) const;
+};
+
+/// Whether shapes of the type have an axis.
+bool is_axial(model::Tipo tipo);
+/// Whether shapes of the type have the same radius everywhere.
+bool has_constant_radius(model::Tipo tipo);
+/// Whether shapes of the type narrow to a point.
+bool has_apex(model::Tipo tipo);
+
+model::Tipo any_type(Random& random);
+/// Of those with an axis.
+model::Tipo any_axial_type(Random& random);
+
+FramedShape lattice_shape(Random& random, model::Tipo tipo);
+FramedShape tilted_shape(Random& random, model::Tipo tipo);
+/// Of either sort.
+FramedShape any_shape(Random& random, model::Tipo tipo);
+
+/// All lengths times 2^k; the shared points go.
+FramedShape scaled(FramedShape shape, int k);
+
+/// A point at the given height of an axial shape: part of altura, a multiple of 1/8 (0 the base, 1 the other end). On a
+/// sphere, anywhere.
+SurfacePoint surface_point_at(Random& random, const FramedShape& shape, double part);
+/// Anywhere on it, but at no end of an axial shape.
+SurfacePoint surface_point(Random& random, const FramedShape& shape);
+/// At a rim where it has one, and not at an apex; on a sphere, anywhere.
+SurfacePoint rim_point(Random& random, const FramedShape& shape);
+/// From one end to the other of the generator through the point; 0 where the shape has none.
+glm::dvec3 whole_generator(const FramedShape& shape, const SurfacePoint& at);
+
+/// A vector with small integer coordinates for a lattice shape, any direction of that length for a tilted one.
+glm::dvec3 any_vector(Random& random, const FramedShape& shape);
+/// In the plane that touches there, and not along the generator.
+glm::dvec3 tangent_vector(Random& random, const SurfacePoint& at);
+/// Across the axis.
+glm::dvec3 perpendicular_vector(Random& random, const FramedShape& shape);
+/// The vector or its opposite: into the shape at that point.
+glm::dvec3 inwards(const glm::dvec3& v, const SurfacePoint& at);
+
+}  // namespace durero::conform

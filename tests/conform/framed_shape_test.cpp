@@ -1,0 +1,114 @@
+#include "conform/framed_shape.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <set>
+
+#include "durero/scene/scene.hpp"
+#include "durero/surface/surfaces.hpp"
+#include "support/catch.hpp"
+
+using namespace durero;
+using namespace durero::conform;
+using model::Tipo;
+
+namespace {
+
+/// visit(shape) for many shapes of each type, some of them tilted.
+template <class Visit>
+void for_shapes(Visit visit) {
+  Random random(2026);
+  for (std::size_t type = 0; type < scene::shape_count; ++type) {
+    for (int i = 0; i < 100; ++i) visit(random, any_shape(random, static_cast<Tipo>(type)));
+  }
+}
+
+/// potencia at a point of space, and avance where the shape has an axis.
+struct Place {
+  double potencia, avance = 0;
+};
+
+Place place(const FramedShape& framed, const glm::dvec3& w) {
+  scene::Scene scene;
+  scene.apply(framed.addition(model::Elemento("e")));
+  return scene.visit(*scene.find("e"), [&]<class Shape>(const Shape& shape) -> Place {
+    const surface::Point<double> point{w.x, w.y, w.z};
+    if constexpr (surface::Axial<Shape>)
+      return {potencia(shape, point), avance(shape, point)};
+    else
+      return {potencia(shape, point)};
+  });
+}
+
+}  // namespace
+
+TEST_CASE("the points of a lattice shape lie on it exactly, those of a tilted one nearly") {
+  for_shapes([](Random& random, const FramedShape& shape) {
+    const double size = glm::length(shape.centro) + shape.radius() + shape.altura;
+    for (const SurfacePoint& at : {surface_point(random, shape), rim_point(random, shape)}) {
+      const double power = place(shape, at.position).potencia;
+      if (shape.lattice) CHECK(power == 0);
+      CHECK(std::abs(power) <= 0x1p-40 * size * size);
+    }
+  });
+}
+
+TEST_CASE("a rim point is at an end of the axis, and a surface point between the ends") {
+  for_shapes([](Random& random, const FramedShape& shape) {
+    if (!is_axial(shape.tipo) || !shape.lattice) return;
+    const double at_rim = place(shape, rim_point(random, shape).position).avance;
+    CHECK((at_rim == 0 || (at_rim == shape.altura && !has_apex(shape.tipo))));
+    const SurfacePoint at = surface_point(random, shape);
+    const double between = place(shape, at.position).avance;
+    CHECK((between > 0 && between < shape.altura));
+    const glm::dvec3 along = whole_generator(shape, at);
+    CHECK(place(shape, at.position + along).avance == between + shape.altura);
+    CHECK(place(shape, at.position + along).potencia == 0);
+  });
+}
+
+TEST_CASE("a tangent touches to first order: the power does not change its sign there") {
+  for_shapes([](Random& random, const FramedShape& shape) {
+    if (!shape.lattice) return;
+    const SurfacePoint at = surface_point(random, shape);
+    const glm::dvec3 u = tangent_vector(random, at);
+    const double before = place(shape, at.position - u).potencia, after = place(shape, at.position + u).potencia;
+    CHECK(before == after);  // A·t², the same at t = −1 and 1
+    CHECK(after != 0);
+  });
+}
+
+TEST_CASE("inwards leads into the shape, from every point where the two tangents span a plane") {
+  std::size_t compared = 0;
+  for_shapes([&](Random& random, const FramedShape& shape) {
+    if (!shape.lattice) return;
+    const SurfacePoint at = surface_point(random, shape);
+    const glm::dvec3 w = inwards(any_vector(random, shape), at);
+    if (glm::dot(w, glm::cross(at.around, at.along)) == 0) return;  // w is tangent, or there is no plane
+    CHECK(inwards(-w, at) == w);
+    const double step = 0x1p-12;
+    CHECK(place(shape, at.position + step * w).potencia < place(shape, at.position - step * w).potencia);
+    ++compared;
+  });
+  CHECK(compared > 100);
+}
+
+TEST_CASE("any type is drawn, and any that has an axis") {
+  Random random(1);
+  std::set<Tipo> types, axial;
+  for (int i = 0; i < 100; ++i) types.insert(any_type(random)), axial.insert(any_axial_type(random));
+  CHECK(types == std::set{Tipo::soy_esfera, Tipo::soy_cilindro, Tipo::soy_cono});
+  CHECK(axial == std::set{Tipo::soy_cilindro, Tipo::soy_cono});
+  CHECK_FALSE(is_axial(Tipo::soy_esfera));
+}
+
+TEST_CASE("a scaled shape is the same one at another scale") {
+  for_shapes([](Random&, const FramedShape& shape) {
+    const FramedShape large = scaled(shape, 40), again = scaled(large, -40);
+    CHECK(large.radius() == std::ldexp(shape.radius(), 40));
+    CHECK(large.has_exact_radius() == shape.has_exact_radius());
+    CHECK(again.centro == shape.centro);
+    CHECK(again.radius() == shape.radius());
+    CHECK(again.altura == shape.altura);
+  });
+}

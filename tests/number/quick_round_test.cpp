@@ -1,0 +1,46 @@
+#include "number/quick_round.hpp"
+
+#include "support/catch.hpp"
+#include "surds.hpp"
+
+namespace durero::number {
+namespace {
+
+using test::SurdParts;
+
+TEST_CASE("128 bits round what is not close, and decline the rest") {
+  test::property("ordinary roots are rounded", [] {
+    const SurdParts s = *test::surdsOf(test::moderate());
+    RC_PRE(s.y != 0 && s.delta != 0);
+    const auto rounded = quick_round(s.surd());
+    RC_ASSERT(rounded.has_value());
+    RC_ASSERT(*rounded == round_to_binary64(s.surd()));
+  });
+  // 1 + 2⁻⁵³ + 2⁻²⁰⁰ and (1 − √(1 + 2⁻²⁰⁰))
+  const Dyadic nudge = shifted(Dyadic(1), -200);
+  CHECK_FALSE(quick_round({.x = Dyadic(0x1p-53), .y = 1, .delta = 1 + nudge}));
+  CHECK_FALSE(quick_round({.x = 1, .y = -1, .delta = 1 + nudge}));
+}
+
+TEST_CASE("what is rounded from 128 bits is the number that all bits give") {
+  test::property("over the whole range, and where x and y√delta cancel", [] {
+    const SurdParts s = *test::anySurd();
+    RC_PRE(s.y != 0 && s.delta != 0);
+    const auto rounded = quick_round(s.surd());
+    RC_CLASSIFY(rounded.has_value(), "rounded");
+    if (rounded) RC_ASSERT(*rounded == round_to_binary64(s.surd()));
+  });
+}
+
+TEST_CASE("overflow, and the sign of what vanishes") {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  CHECK(quick_round({.y = 1, .delta = shifted(Dyadic(2), 5000)}) == infinity);
+  CHECK(quick_round({.y = 1, .delta = shifted(Dyadic(2), 5000), .w = -1}) == -infinity);
+  const auto tiny = quick_round({.y = -1, .delta = shifted(Dyadic(2), -5000)});
+  REQUIRE(tiny);
+  CHECK(*tiny == 0);
+  CHECK(std::signbit(*tiny));
+}
+
+}  // namespace
+}  // namespace durero::number
