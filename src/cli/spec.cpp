@@ -21,21 +21,21 @@ struct Options {
 
 std::string defects_text(const std::vector<zed::Defect>& defects) {
   std::string said;
-  for (const zed::Defect& one : defects) said += one.text() + "\n";
+  for (const zed::Defect& defect : defects) said += defect.text() + "\n";
   return said;
 }
 
 bool has_error(const std::vector<zed::Defect>& defects) {
-  for (const zed::Defect& one : defects) {
-    if (one.severity == zed::Defect::Severity::error) return true;
+  for (const zed::Defect& defect : defects) {
+    if (defect.severity == zed::Defect::Severity::error) return true;
   }
   return false;
 }
 
 std::string sections_text(const zed::Specification& specification) {
   std::string said;
-  for (const zed::Section& one : specification.sections) {
-    said += fmt::format("{}: section {} ok, {} paragraphs\n", one.file, one.name, one.paragraphs.size());
+  for (const zed::Section& section : specification.sections) {
+    said += fmt::format("{}: section {} ok, {} paragraphs\n", section.file, section.name, section.paragraphs.size());
   }
   return said;
 }
@@ -44,7 +44,7 @@ std::string sections_text(const zed::Specification& specification) {
 std::string empty_files(const std::vector<std::string>& files, const zed::Specification& read) {
   std::string said;
   for (const std::string& file : files) {
-    const auto here = [&](const zed::Section& one) { return one.file == file; };
+    const auto here = [&](const zed::Section& section) { return section.file == file; };
     if (std::none_of(read.sections.begin(), read.sections.end(), here))
       said += fmt::format("{}:1:1: no Z paragraph; expected \\begin{{zed}}, axdef, schema, gendef or zsection\n", file);
   }

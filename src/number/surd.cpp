@@ -20,12 +20,12 @@ const Rational& common_delta(const Surd& a, const Surd& b) { return a.y.is_zero(
 
 /// x + y√delta, where delta is a field's and so no square of a rational.
 Surd in_field(Rational x, Rational y, const Rational& delta) {
-  Surd made(std::move(x));
+  Surd number(std::move(x));
   if (!y.is_zero()) {
-    made.y = std::move(y);
-    made.delta = delta;
+    number.y = std::move(y);
+    number.delta = delta;
   }
-  return made;
+  return number;
 }
 
 bool rational(const Surd& value) { return value.y.is_zero(); }

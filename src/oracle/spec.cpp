@@ -25,7 +25,7 @@ constexpr std::array totals{"Agregar_Esfera_Total",   "Agregar_Cilindro_Total", 
 static_assert(schemas.size() == std::variant_size_v<Operation> && totals.size() == schemas.size());
 
 Named primed(Named named) {
-  for (auto& one : named) one.first.strokes += "'";
+  for (auto& component : named) component.first.strokes += "'";
   return named;
 }
 
@@ -42,9 +42,9 @@ const std::map<std::string, std::string>& files() { return embedded::z_text(); }
 
 const zed::Specification& text() {
   static const zed::Specification read = [] {
-    zed::Specification made = zed::read_texts(files());
-    if (!made.ok()) throw std::logic_error("the program's own Z text: " + made.defects[0].text());
-    return made;
+    zed::Specification own = zed::read_texts(files());
+    if (!own.ok()) throw std::logic_error("the program's own Z text: " + own.defects[0].text());
+    return own;
   }();
   return read;
 }
@@ -71,12 +71,12 @@ std::string total_name(const Operation& operation) { return totals.at(operation.
 
 struct Judge::Schemas {
   zed::Evaluator evaluator{text().sections};
-  std::map<std::string, zed::SchemaCheck> made{};
+  std::map<std::string, zed::SchemaCheck> checks{};
 
   const zed::SchemaCheck& operator[](const std::string& name) {
-    const auto found = made.find(name);
-    if (found != made.end()) return found->second;
-    return made.emplace(name, evaluator.schema({name, ""})).first->second;
+    const auto found = checks.find(name);
+    if (found != checks.end()) return found->second;
+    return checks.emplace(name, evaluator.schema({name, ""})).first->second;
   }
 
   Value function(const char* name) const { return evaluator.value(Name{name, ""}); }
@@ -129,7 +129,7 @@ std::string told(const zed::Finding& finding) {
 /// type; the general addition looks at the inputs of its type alone, as the schema of that type does.
 struct Specific {
   Operation operator()(const model::Agregar_Elemento& in) const {
-    return std::visit([](auto made) { return Operation(std::move(made)); }, model::specific(in));
+    return std::visit([](auto addition) { return Operation(std::move(addition)); }, model::specific(in));
   }
   Operation operator()(const model::Agregar_Esfera& in) const {
     return model::Agregar_Esfera{in.e, in.centro, in.radio};
@@ -148,7 +148,7 @@ struct Specific {
 
 const zed::Finding* first(const std::vector<zed::Finding>& findings, Truth truth) {
   const auto found =
-      std::find_if(findings.begin(), findings.end(), [&](const auto& one) { return one.truth == truth; });
+      std::find_if(findings.begin(), findings.end(), [&](const auto& finding) { return finding.truth == truth; });
   return found == findings.end() ? nullptr : &*found;
 }
 
@@ -169,8 +169,8 @@ std::optional<std::string> Judge::difference(const model::Escena& before, const 
     }
   } else {
     const auto all = findings(before, partial);
-    const auto named =
-        std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.label == answer.violated->label; });
+    const auto named = std::find_if(all.begin(), all.end(),
+                                    [&](const auto& finding) { return finding.label == answer.violated->label; });
     if (named == all.end())
       return "the contracts name no predicate of the text: " + std::string(answer.violated->label);
     if (named->truth != Truth::no) return "the contracts refuse what the text accepts: " + told(*named);
@@ -191,7 +191,7 @@ bool Judge::in_alcance(const model::ExactPoint& p, const Value& escena, const mo
                        const std::set<model::Elemento>& en, const model::Elemento& e) const {
   std::vector<Value> origin;
   origin.reserve(en.size());
-  for (const model::Elemento& one : en) origin.push_back(value(one));
+  for (const model::Elemento& start : en) origin.push_back(value(start));
   const Value argument = Value::tuple({escena, value(rayo), Value::set(std::move(origin)), value(e)});
   return schemas_->contains(evaluator().apply(schemas_->function("alcance"), argument), value(p));
 }
@@ -200,13 +200,13 @@ std::set<model::Elemento> Judge::de_que_elemento(const Value& escena, const mode
   const Value found = evaluator().apply(schemas_->function("de_que_elemento"), Value::pair(escena, value(p)));
   if (!found.set() || !found.set()->members()) throw zed::EvaluationError("de_que_elemento cannot be decided");
   std::set<model::Elemento> elements;
-  for (const Value& one : *found.set()->members()) elements.emplace((*one.get<zed::Atom>())->text);
+  for (const Value& element : *found.set()->members()) elements.emplace((*element.get<zed::Atom>())->text);
   return elements;
 }
 
 std::optional<Value> Judge::reduccion(std::span<const model::ExactPoint> ps, const model::Punto& ojo) const {
   std::vector<Value> points;
-  for (const model::ExactPoint& one : ps) points.push_back(value(one));
+  for (const model::ExactPoint& p : ps) points.push_back(value(p));
   const Value argument = Value::pair(Value::set(std::move(points)), value(ojo));
   Value found = evaluator().apply(schemas_->function("reduccion"), argument);
   if (found.is_undefined()) return std::nullopt;

@@ -66,8 +66,8 @@ std::vector<Surd> ends(const Judge& judge, const Value& escena, const model::Ray
   const Value seen = en.contains(e) ? apply("puntos_desde", {escena, value(e), value(rayo.p())})
                                     : apply("puntos_de_elemento", {escena, value(e)});
   std::vector<Surd> found;
-  for (const auto& one : evaluator.comparisons(seen, [&](zed::Unknown t) { return along(rayo, t); })) {
-    append_roots(one, found);
+  for (const auto& comparison : evaluator.comparisons(seen, [&](zed::Unknown t) { return along(rayo, t); })) {
+    append_roots(comparison, found);
   }
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -98,16 +98,16 @@ bool Extent::any_below(const Surd& limit) const {
 
 Extent alcance(const Judge& judge, const Value& escena, const model::Rayo& rayo, const std::set<model::Elemento>& en,
                const model::Elemento& e) {
-  Extent made{ends(judge, escena, rayo, en, e), {}, {}};
+  Extent extent{ends(judge, escena, rayo, en, e), {}, {}};
   const auto holds = [&](const Surd& t) {
     return judge.in_alcance(model::along(rayo.p(), rayo.v(), t), escena, rayo, en, e);
   };
-  for (std::size_t i = 0; i < made.at.size(); ++i) {
-    made.between.push_back(holds(between(i == 0 ? Surd() : made.at[i - 1], made.at[i])));
-    made.on.push_back(holds(made.at[i]));
+  for (std::size_t i = 0; i < extent.at.size(); ++i) {
+    extent.between.push_back(holds(between(i == 0 ? Surd() : extent.at[i - 1], extent.at[i])));
+    extent.on.push_back(holds(extent.at[i]));
   }
-  made.between.push_back(holds(made.at.empty() ? Surd(1) : above(made.at.back())));
-  return made;
+  extent.between.push_back(holds(extent.at.empty() ? Surd(1) : above(extent.at.back())));
+  return extent;
 }
 
 }  // namespace durero::oracle::spec

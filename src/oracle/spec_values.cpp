@@ -24,10 +24,10 @@ class Names {
     for (const model::Elemento& e : elementos) known_.emplace_back(&e, value(e));
   }
   std::vector<Value> all() const {
-    std::vector<Value> made;
-    made.reserve(known_.size());
-    for (const auto& one : known_) made.push_back(one.second);
-    return made;
+    std::vector<Value> names;
+    names.reserve(known_.size());
+    for (const auto& [e, name] : known_) names.push_back(name);
+    return names;
   }
   /// A component as a function. Its keys ascend, as the names do.
   template <class Image, class Make>
@@ -52,14 +52,14 @@ Value rmas(const model::Rmas& value) { return Real(value.value()); }
 Name input(const char* word) { return {word, "?"}; }
 
 struct Inputs {
-  Named made;
+  Named named;
   template <class T>
   Inputs& add(const char* word, const T& part) {
-    made.emplace_back(input(word), value(part));
+    named.emplace_back(input(word), value(part));
     return *this;
   }
   Inputs& number(const char* word, double part) {
-    made.emplace_back(input(word), Real(part));
+    named.emplace_back(input(word), Real(part));
     return *this;
   }
 
@@ -134,19 +134,19 @@ Value value(const model::Escena& escena) {
   Named parts = components(escena);
   std::sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   static const zed::Signature names = [&] {
-    std::vector<Name> found;
-    for (const auto& one : parts) found.push_back(one.first);
-    return zed::signature(std::move(found));
+    std::vector<Name> names_of_parts;
+    for (const auto& [name, part] : parts) names_of_parts.push_back(name);
+    return zed::signature(std::move(names_of_parts));
   }();
   std::vector<Value> values;
-  for (auto& one : parts) values.push_back(std::move(one.second));
+  for (auto& [name, part] : parts) values.push_back(std::move(part));
   return Value::binding(names, std::move(values));
 }
 
 Named inputs(const model::Operation& operation) {
-  Inputs made;
-  std::visit(made, operation);
-  return std::move(made.made);
+  Inputs inputs;
+  std::visit(inputs, operation);
+  return std::move(inputs.named);
 }
 
 }  // namespace durero::oracle::spec

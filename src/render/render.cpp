@@ -7,6 +7,7 @@
 #include <boost/container/vector.hpp>
 #include <glm/geometric.hpp>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 
 #include "durero/render/camera.hpp"
@@ -37,8 +38,7 @@ class Shading {
  public:
   explicit Shading(const scene::Scene& scene) : scene_(scene) {}
 
-  void add(std::size_t ray, const glm::dvec3& v, const scene::Hit& hit) {
-    const scene::ElementRef element = front(scene_, hit.elementos);
+  void add(std::size_t ray, const glm::dvec3& v, const scene::Hit& hit, scene::ElementRef element) {
     glm::dvec3 n = surface::normal(scene_, element, hit.punto);
     if (glm::dot(n, v) > 0) n = -n;  // the side that the ray sees: cylinders and cones are open
     for (const scene::Light& light : scene_.stage().lights) {
@@ -94,14 +94,18 @@ std::vector<glm::dvec3> colors(const scene::Scene& scene, const engine::Engine& 
                                std::span<const scene::Query> rays) {
   const std::vector<scene::Hit> hits = engine::first_hits(engine, rays);
   Shading shading(scene);
-  for (std::size_t i = 0; i < rays.size(); ++i)
-    if (hits[i].resultado == model::Resultado::hit) shading.add(i, rays[i].rayo.v().xyz(), hits[i]);
+  std::vector<std::optional<scene::ElementRef>> fronts(rays.size());
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (hits[i].resultado != model::Resultado::hit) continue;
+    fronts[i] = front(scene, hits[i].elementos);
+    shading.add(i, rays[i].rayo.v().xyz(), hits[i], *fronts[i]);
+  }
   std::vector<glm::dvec3> colors(rays.size(), glm::dvec3(0));
   shading.add_light(engine, colors);
-  for (std::size_t i = 0; i < rays.size(); ++i)
-    colors[i] = hits[i].resultado == model::Resultado::hit
-                    ? own_color(scene, front(scene, hits[i].elementos)) * colors[i]
-                    : scene.stage().background.value_or(default_background);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    colors[i] =
+        fronts[i] ? own_color(scene, *fronts[i]) * colors[i] : scene.stage().background.value_or(default_background);
+  }
   return colors;
 }
 

@@ -130,7 +130,10 @@ TEST_CASE("A string that ends with a backslash ends there: the number behind it 
   const Source source("f", text);
   const Document document(source);
   Reader in(document);
-  in.array("a", [&] { CHECK(in.kind() == Kind::number ? in.number("n") == 1 : in.string("s") == "\\"); });
+  in.array("a", [&] {
+    const bool right = in.kind() == Kind::number ? in.number("n") == 1 : in.string("s") == "\\";
+    CHECK(right);
+  });
 }
 
 TEST_CASE("Errors of syntax have their place") {
