@@ -22,15 +22,6 @@ struct Schema {
 
 constexpr std::string_view material = "material";
 
-// The name of a shape's operation: Agregar_Esfera of Agregar_ and esfera.
-std::string name_of(std::string_view verb, std::string_view word) {
-  std::string name(verb);
-  name.append(word);
-  char& first = name[verb.size()];
-  if (first >= 'a' && first <= 'z') first = static_cast<char>(first - 'a' + 'A');
-  return name;
-}
-
 template <class Shape>
 model::Operation read_addition(const Inputs& in) {
   const model::Elemento e = in.element();
@@ -63,13 +54,10 @@ model::Operation read_general_addition(const Inputs& in) {
   glm::dvec3 centro{};
   in.read("centro", centro);
   model::Agregar_Elemento added{e, tipo, model::Punto{centro}};
-  const auto read = [&](std::string_view name, auto& value) {
-    if (in.has(name)) read_optional(in, name, value);
-  };
-  read("radio", added.radio);
-  read("vector", added.vector);
-  read("altura", added.altura);
-  read("proporcion", added.proporcion);
+  model::for_each_attribute([&](const auto& attribute) {
+    const std::string_view word = attribute.input_name.substr(0, attribute.input_name.size() - 1);  // radio of radio?
+    if (in.has(word)) read_optional(in, word, attribute.input(added));
+  });
   return added;
 }
 
@@ -78,7 +66,7 @@ std::vector<Schema> all_schemas() {
   std::vector<Schema> all;
   Signature general{"Agregar_Elemento", {"e", "t", "centro"}, {}};
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
-    Signature signature{name_of("Agregar_", Shape::word), {"e"}, {material}};
+    Signature signature{Shape::Addition::schema, {"e"}, {material}};
     scene::for_each_attribute<Shape>([&](const auto& attribute) { signature.required.push_back(attribute.word); });
     all.push_back({std::move(signature), read_addition<Shape>});
   });
@@ -87,7 +75,7 @@ std::vector<Schema> all_schemas() {
   general.optional.push_back(material);
   all.push_back({std::move(general), read_general_addition});
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
-    all.push_back({{name_of("Eliminar_", Shape::word), {"e"}, {}}, read_removal<typename Shape::Removal>});
+    all.push_back({{Shape::Removal::schema, {"e"}, {}}, read_removal<typename Shape::Removal>});
   });
   all.push_back({{"Eliminar_Elemento", {"e"}, {}}, read_removal<model::Eliminar_Elemento>});
   return all;

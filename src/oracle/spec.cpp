@@ -1,7 +1,6 @@
 #include "durero/oracle/spec.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <stdexcept>
 
@@ -16,13 +15,6 @@ using model::Operation;
 using zed::Name;
 using zed::Truth;
 using zed::Value;
-
-constexpr std::array schemas{"Agregar_Esfera",  "Agregar_Cilindro",  "Agregar_Cono",  "Elemento_Agregado",
-                             "Eliminar_Esfera", "Eliminar_Cilindro", "Eliminar_Cono", "Elemento_Eliminado"};
-constexpr std::array totals{"Agregar_Esfera_Total",   "Agregar_Cilindro_Total", "Agregar_Cono_Total",
-                            "Agregar_Elemento_Total", "Eliminar_Esfera_Total",  "Eliminar_Cilindro_Total",
-                            "Eliminar_Cono_Total",    "Eliminar_Elemento_Total"};
-static_assert(schemas.size() == std::variant_size_v<Operation> && totals.size() == schemas.size());
 
 Named primed(Named named) {
   for (auto& component : named) component.first.strokes += "'";
@@ -66,8 +58,12 @@ Named named(const Step& step) {
   return all;
 }
 
-std::string schema_name(const Operation& operation) { return schemas.at(operation.index()); }
-std::string total_name(const Operation& operation) { return totals.at(operation.index()); }
+std::string schema_name(const Operation& operation) {
+  return std::string(std::visit([](const auto& in) { return in.schema; }, operation));
+}
+std::string total_name(const Operation& operation) {
+  return std::string(std::visit([](const auto& in) { return in.total; }, operation));
+}
 
 struct Judge::Schemas {
   zed::Evaluator evaluator{text().sections};
@@ -127,24 +123,14 @@ std::string told(const zed::Finding& finding) {
 
 /// The partial operation that a total one stands for. The total one hides t?, so a specific addition is that of its own
 /// type; the general addition looks at the inputs of its type alone, as the schema of that type does.
-struct Specific {
-  Operation operator()(const model::Agregar_Elemento& in) const {
-    return std::visit([](auto addition) { return Operation(std::move(addition)); }, model::specific(in));
-  }
-  Operation operator()(const model::Agregar_Esfera& in) const {
-    return model::Agregar_Esfera{in.e, in.centro, in.radio};
-  }
-  Operation operator()(const model::Agregar_Cilindro& in) const {
-    return model::Agregar_Cilindro{in.e, in.centro, in.radio, in.vector, in.altura};
-  }
-  Operation operator()(const model::Agregar_Cono& in) const {
-    return model::Agregar_Cono{in.e, in.centro, in.proporcion, in.vector, in.altura};
-  }
-  template <class Removal>
-  Operation operator()(const Removal& in) const {
-    return in;
-  }
-};
+Operation partial_of(const model::Agregar_Elemento& in) {
+  return std::visit([](auto addition) { return Operation(std::move(addition)); }, model::specific(in));
+}
+template <class Op>
+Operation partial_of(Op in) {
+  if constexpr (requires { in.t; }) in.t = Op::tipo;
+  return in;
+}
 
 const zed::Finding* first(const std::vector<zed::Finding>& findings, Truth truth) {
   const auto found =
@@ -157,7 +143,7 @@ const zed::Finding* first(const std::vector<zed::Finding>& findings, Truth truth
 std::optional<std::string> Judge::difference(const model::Escena& before, const Operation& operation,
                                              const model::Answer& answer, const model::Escena& after) const {
   const Step step{before, operation, answer.r, after};
-  const Operation partial = std::visit(Specific(), operation);
+  const Operation partial = std::visit([](const auto& in) { return partial_of(in); }, operation);
   if (answer.ok()) {
     // The general addition differs from that of its type by its answer alone.
     const Step done{before, std::holds_alternative<model::Agregar_Elemento>(operation) ? operation : partial, answer.r,

@@ -1,6 +1,8 @@
 /// The program's values as those of the text.
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 #include "durero/oracle/spec.hpp"
 
@@ -47,45 +49,34 @@ class Names {
   std::vector<std::pair<const model::Elemento*, Value>> known_;
 };
 
-Value rmas(const model::Rmas& value) { return Real(value.value()); }
+Name input(std::string word) { return {std::move(word), "?"}; }
 
-Name input(const char* word) { return {word, "?"}; }
+Value image(const model::Rmas& x) { return Real(x.value()); }
+Value image(const model::Vector& v) { return value(v); }
 
-struct Inputs {
-  Named named;
-  template <class T>
-  Inputs& add(const char* word, const T& part) {
-    named.emplace_back(input(word), value(part));
-    return *this;
-  }
-  Inputs& number(const char* word, double part) {
-    named.emplace_back(input(word), Real(part));
-    return *this;
-  }
+Value attribute_value(double x) { return Real(x); }
+Value attribute_value(const model::Vector& v) { return value(v); }
+/// The schema of each type declares the inputs of its own type; the sides of the disjunction for other types are false
+/// by t?, so what an absent attribute would be is of no account.
+Value attribute_value(const std::optional<double>& x) { return Real(x.value_or(1)); }
+Value attribute_value(const std::optional<model::Vector>& v) { return value(v.value_or(model::Vector(1, 0, 0))); }
 
-  void operator()(const model::Agregar_Esfera& in) {
-    add("e", in.e).add("t", in.t).add("centro", in.centro).number("radio", in.radio);
+/// radio of radio?.
+std::string word_of(std::string_view input_name) { return std::string(input_name.substr(0, input_name.size() - 1)); }
+
+template <class Op>
+Named inputs_of(const Op& in) {
+  Named named{{input("e"), value(in.e)}};
+  if constexpr (requires { in.t; }) {
+    named.emplace_back(input("t"), value(in.t));
+    named.emplace_back(input("centro"), value(in.centro));
+    model::for_each_attribute([&](const auto& attribute) {
+      if constexpr (requires { attribute.input(in); })
+        named.emplace_back(input(word_of(attribute.input_name)), attribute_value(attribute.input(in)));
+    });
   }
-  void operator()(const model::Agregar_Cilindro& in) {
-    add("e", in.e).add("t", in.t).add("centro", in.centro).number("radio", in.radio);
-    add("vector", in.vector).number("altura", in.altura);
-  }
-  void operator()(const model::Agregar_Cono& in) {
-    add("e", in.e).add("t", in.t).add("centro", in.centro).number("proporcion", in.proporcion);
-    add("vector", in.vector).number("altura", in.altura);
-  }
-  void operator()(const model::Agregar_Elemento& in) {
-    add("e", in.e).add("t", in.t).add("centro", in.centro);
-    // The schema of each type declares the inputs of its own type; the sides of the disjunction for other types are
-    // false by t?, so what an absent attribute would be is of no account.
-    number("radio", in.radio.value_or(1)).number("proporcion", in.proporcion.value_or(1));
-    add("vector", in.vector.value_or(model::Vector(1, 0, 0))).number("altura", in.altura.value_or(1));
-  }
-  template <class Removal>
-  void operator()(const Removal& in) {
-    add("e", in.e);
-  }
-};
+  return named;
+}
 
 }  // namespace
 
@@ -115,19 +106,20 @@ Named components(const model::Escena& escena) {
   std::vector<Value> tipos;
   tipos.reserve(escena.tipos.size());
   for (const model::Tipo tipo : escena.tipos) tipos.push_back(value(tipo));
-  const Value of_tipo[] = {value(model::Tipo::soy_esfera), value(model::Tipo::soy_cilindro),
-                           value(model::Tipo::soy_cono)};
-  const auto tipo_value = [&](model::Tipo tipo) { return of_tipo[static_cast<int>(tipo)]; };
+  std::array<Value, model::tipo_count> of_tipo;  // one value each, however many elements are of the type
+  for (std::size_t i = 0; i < of_tipo.size(); ++i) of_tipo[i] = value(static_cast<model::Tipo>(i));
+  const auto tipo_value = [&](model::Tipo tipo) { return of_tipo[static_cast<std::size_t>(tipo)]; };
   const auto punto = [](const model::Punto& p) { return value(p); };
-  const auto vector = [](const model::Vector& v) { return value(v); };
-  return {{{"elementos", ""}, Value::set(names.all())},
-          {{"tipos", ""}, Value::set(std::move(tipos))},
-          {{"de_que_tipo", ""}, names.function(escena.de_que_tipo, tipo_value)},
-          {{"mi_centro", ""}, names.function(escena.mi_centro, punto)},
-          {{"mi_radio", ""}, names.function(escena.mi_radio, rmas)},
-          {{"mi_vector", ""}, names.function(escena.mi_vector, vector)},
-          {{"mi_altura", ""}, names.function(escena.mi_altura, rmas)},
-          {{"mi_proporcion", ""}, names.function(escena.mi_proporcion, rmas)}};
+  Named named{{{"elementos", ""}, Value::set(names.all())},
+              {{"tipos", ""}, Value::set(std::move(tipos))},
+              {{"de_que_tipo", ""}, names.function(escena.de_que_tipo, tipo_value)},
+              {{"mi_centro", ""}, names.function(escena.mi_centro, punto)}};
+  model::for_each_attribute([&](const auto& attribute) {
+    const auto of_each = [](const auto& x) { return image(x); };
+    named.emplace_back(Name{"mi_" + word_of(attribute.input_name), ""},
+                       names.function(escena.*attribute.component, of_each));
+  });
+  return named;
 }
 
 Value value(const model::Escena& escena) {
@@ -144,9 +136,7 @@ Value value(const model::Escena& escena) {
 }
 
 Named inputs(const model::Operation& operation) {
-  Inputs inputs;
-  std::visit(inputs, operation);
-  return std::move(inputs.named);
+  return std::visit([](const auto& in) { return inputs_of(in); }, operation);
 }
 
 }  // namespace durero::oracle::spec
