@@ -8,9 +8,13 @@ namespace {
 /// 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰; without branches, as it is asked for every ray.
 inline bool in_range(double x) {
   const double size = std::abs(x);
-  return ((size >= 0x1p-100) & (size <= 0x1p100)) | (size == 0);
+  const bool above = size >= 0x1p-100, below = size <= 0x1p100, zero = size == 0;
+  return (above & below) | zero;
 }
-inline bool in_range(const glm::dvec3& x) { return in_range(x.x) & in_range(x.y) & in_range(x.z); }
+inline bool in_range(const glm::dvec3& a) {
+  const bool x = in_range(a.x), y = in_range(a.y), z = in_range(a.z);
+  return x & y & z;
+}
 
 double extent(const glm::dvec3& x) { return std::abs(x.x) + std::abs(x.y) + std::abs(x.z); }
 
@@ -23,7 +27,7 @@ Ray::Ray(const model::Rayo& rayo)
       length_squared((v.x * v.x + v.y * v.y + v.z * v.z) * (1 + 0x1p-47 + 0x1p-50)),
       length(std::sqrt(length_squared)),
       allowance(0x1p-49 * extent(p)),
-      ordinary(in_range(p) & in_range(v)) {}
+      ordinary(in_range(p) && in_range(v)) {}
 
 bool ordinary(scene::ShapeView element) {
   return element.visit([]<class Shape>(const Shape& shape) {

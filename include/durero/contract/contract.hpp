@@ -144,6 +144,6 @@ std::optional<std::invoke_result_t<State>> old_value(State&& state) {
 }
 
 /// Stands after a switch that names every value of a closed set: there is no other value.
-[[noreturn]] constexpr void unreachable() noexcept { __builtin_unreachable(); }
+[[noreturn]] inline void unreachable() noexcept { __builtin_unreachable(); }
 
 }  // namespace durero::contract

@@ -61,6 +61,11 @@ struct Attribute {
   Input input;  ///< input(in) is that input of an addition; no call for one without it
 };
 
+/// As the standard deduces them of an aggregate; Clang 16 does not.
+template <class Value, class Input>
+Attribute(const contract::clause*, Tipos, std::map<Elemento, Value> Escena::*, std::string_view, Input)
+    -> Attribute<Value, Input>;
+
 /// The attributes of Escena.inv.3 to Escena.inv.6, in that order.
 inline constexpr std::tuple attributes{
     Attribute{&Escena_inv_3, Tipos{Tipo::soy_esfera, Tipo::soy_cilindro}, &Escena::mi_radio, "radio?",
