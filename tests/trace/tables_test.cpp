@@ -83,7 +83,11 @@ TEST_CASE("the pairs of many rays are those of each, and a ray without a limit h
   const scene::Scene scene = many_elements();
   const trace::Tables tables(scene);
   std::vector<trace::Ray> rays;
-  for (int i = 0; i < 20; ++i) rays.emplace_back(ray({i * 1.3, i * 9.1, -9}, {0.1, 0.2, 1}));
+  for (int i = 0; i < 20; ++i) {
+    // Those that will have no limit start inside a sphere, whose ball would pass at a limit of 0 too.
+    const glm::dvec3 p = i % 3 == 0 ? glm::dvec3(0, i * 3.0, 0) : glm::dvec3(i * 1.3, i * 9.1, -9);
+    rays.emplace_back(ray(p, {0.1, 0.2, 1}));
+  }
   std::vector<std::set<ElementRef>> taken(rays.size());
   int flushes = 0;
   tables.pairs(
