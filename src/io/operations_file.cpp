@@ -55,8 +55,7 @@ model::Operation read_general_addition(const Inputs& in) {
   in.read("centro", centro);
   model::Agregar_Elemento added{e, tipo, model::Punto{centro}};
   model::for_each_attribute([&](const auto& attribute) {
-    const std::string_view word = attribute.input_name.substr(0, attribute.input_name.size() - 1);  // radio of radio?
-    if (in.has(word)) read_optional(in, word, attribute.input(added));
+    if (in.has(attribute.word)) read_optional(in, attribute.word, attribute.input(added));
   });
   return added;
 }

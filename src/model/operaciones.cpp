@@ -44,8 +44,7 @@ template <class Op>
 std::string values(const Op& in) {
   std::string all = fmt::format("e? = {}, t? = {}, centro? = {}", in.e.name(), name(in.t), text(in.centro));
   for_each_attribute([&]<class Attribute>(const Attribute& attribute) {
-    if constexpr (InputOf<Attribute, Op>)
-      all += fmt::format(", {} = {}", attribute.input_name, text(attribute.input(in)));
+    if constexpr (InputOf<Attribute, Op>) all += fmt::format(", {}? = {}", attribute.word, text(attribute.input(in)));
   });
   return all;
 }

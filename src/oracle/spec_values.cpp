@@ -49,7 +49,7 @@ class Names {
   std::vector<std::pair<const model::Elemento*, Value>> known_;
 };
 
-Name input(std::string word) { return {std::move(word), "?"}; }
+Name input(std::string_view word) { return {std::string(word), "?"}; }
 
 Value image(const model::Rmas& x) { return Real(x.value()); }
 Value image(const model::Vector& v) { return value(v); }
@@ -61,9 +61,6 @@ Value attribute_value(const model::Vector& v) { return value(v); }
 Value attribute_value(const std::optional<double>& x) { return Real(x.value_or(1)); }
 Value attribute_value(const std::optional<model::Vector>& v) { return value(v.value_or(model::Vector(1, 0, 0))); }
 
-/// radio of radio?.
-std::string word_of(std::string_view input_name) { return std::string(input_name.substr(0, input_name.size() - 1)); }
-
 template <class Op>
 Named inputs_of(const Op& in) {
   Named named{{input("e"), value(in.e)}};
@@ -72,7 +69,7 @@ Named inputs_of(const Op& in) {
     named.emplace_back(input("centro"), value(in.centro));
     model::for_each_attribute([&](const auto& attribute) {
       if constexpr (requires { attribute.input(in); })
-        named.emplace_back(input(word_of(attribute.input_name)), attribute_value(attribute.input(in)));
+        named.emplace_back(input(attribute.word), attribute_value(attribute.input(in)));
     });
   }
   return named;
@@ -116,7 +113,7 @@ Named components(const model::Escena& escena) {
               {{"mi_centro", ""}, names.function(escena.mi_centro, punto)}};
   model::for_each_attribute([&](const auto& attribute) {
     const auto of_each = [](const auto& x) { return image(x); };
-    named.emplace_back(Name{"mi_" + word_of(attribute.input_name), ""},
+    named.emplace_back(Name{"mi_" + std::string(attribute.word), ""},
                        names.function(escena.*attribute.component, of_each));
   });
   return named;

@@ -37,11 +37,7 @@ void occluded_segments(const Tables& tables, std::span<const scene::Query> queri
 scene::Hit first_hit(const scene::Scene& scene, const model::Rayo& rayo, Origin en) {
   Counts unseen;
   Search search(scene, rayo, en, unseen);
-  any_element(scene, [&](scene::ElementRef e, Search::Range range) {
-    search.test(e, range);
-    return false;
-  });
-  return search.finish();
+  return first_hit_of(search, [&](auto visit) { any_element(scene, visit); });
 }
 
 bool occluded(const scene::Scene& scene, const model::Rayo& rayo, Origin en) {

@@ -20,21 +20,20 @@ namespace HWY_NAMESPACE {
 template <class T>
 struct Numbers;
 
-template <>
-struct Numbers<double> {
-  using Bound = double;
+/// binary64, one or in lanes.
+template <class R>
+struct Binary64 {
+  using Bound = R;
   static constexpr double roundoff = 0x1p-53;
-  static HWY_INLINE double leading(double a) { return a; }
-  static HWY_INLINE double difference(double a, double b) { return a - b; }
+  static HWY_INLINE R leading(R a) { return a; }
+  static HWY_INLINE R difference(R a, R b) { return a - b; }
 };
 
 template <>
-struct Numbers<Lanes> {
-  using Bound = Lanes;
-  static constexpr double roundoff = 0x1p-53;
-  static HWY_INLINE Lanes leading(Lanes a) { return a; }
-  static HWY_INLINE Lanes difference(Lanes a, Lanes b) { return a - b; }
-};
+struct Numbers<double> : Binary64<double> {};
+
+template <>
+struct Numbers<Lanes> : Binary64<Lanes> {};
 
 template <>
 struct Numbers<DoubleDouble> {

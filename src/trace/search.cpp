@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "trace/closed_form-inl.hpp"
 #include "trace/steps.hpp"
+#include "trace/triage.hpp"
 
 namespace durero::trace {
 namespace {
@@ -40,7 +40,7 @@ template <class Element>
 Meeting meeting_of(const Element& element, const model::Rayo& rayo, const Ray& ray, bool in_range, bool on,
                    double limit) {
   if (in_range) {
-    const Finding first = HWY_NAMESPACE::published(HWY_NAMESPACE::closed_form<double>(element, ray, on, limit));
+    const Finding first = triage(element, ray, on, limit);
     if (first.verdict == Verdict::miss) return {};
     if (first.verdict == Verdict::hit) return point_of(Step::triage, first);
     const Finding second = stable(element, ray, on, limit);

@@ -8,6 +8,7 @@
 #include "support/shapes.hpp"
 #include "trace/rounding-inl.hpp"
 #include "trace/steps.hpp"
+#include "trace/triage.hpp"
 
 namespace durero::test {
 

@@ -5,7 +5,7 @@
 #include "support/elements.hpp"
 #include "support/property.hpp"
 #include "support/shapes.hpp"
-#include "trace/steps.hpp"
+#include "trace/triage.hpp"
 
 using namespace durero;
 using namespace durero::test;

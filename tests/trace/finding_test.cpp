@@ -8,6 +8,7 @@
 #include "support/property.hpp"
 #include "support/shapes.hpp"
 #include "trace/steps.hpp"
+#include "trace/triage.hpp"
 
 using namespace durero;
 using namespace durero::test;

@@ -11,6 +11,7 @@
 #include "support/shapes.hpp"
 #include "support/targets.hpp"
 #include "trace/steps.hpp"
+#include "trace/triage.hpp"
 
 using namespace durero;
 using namespace durero::test;

@@ -5,6 +5,8 @@
 #include "support/catch.hpp"
 #include "support/shapes.hpp"
 #include "trace/closed_form-inl.hpp"
+#include "trace/steps.hpp"
+#include "trace/triage.hpp"
 
 using namespace durero;
 using namespace durero::test;

@@ -57,8 +57,8 @@ struct Attribute {
   const contract::clause* domain;  ///< the invariant that says which elements have it
   Tipos types;                     ///< the types that the invariant names
   std::map<Elemento, Value> Escena::*component;
-  std::string_view input_name;
-  Input input;  ///< input(in) is that input of an addition; no call for one without it
+  std::string_view word;  ///< radio of mi_radio and of radio?
+  Input input;            ///< input(in) is that input of an addition; no call for one without it
 };
 
 /// As the standard deduces them of an aggregate; Clang 16 does not.
@@ -68,13 +68,13 @@ Attribute(const contract::clause*, Tipos, std::map<Elemento, Value> Escena::*, s
 
 /// The attributes of Escena.inv.3 to Escena.inv.6, in that order.
 inline constexpr std::tuple attributes{
-    Attribute{&Escena_inv_3, Tipos{Tipo::soy_esfera, Tipo::soy_cilindro}, &Escena::mi_radio, "radio?",
+    Attribute{&Escena_inv_3, Tipos{Tipo::soy_esfera, Tipo::soy_cilindro}, &Escena::mi_radio, "radio",
               [](auto& in) -> decltype((in.radio)) { return in.radio; }},
-    Attribute{&Escena_inv_4, Tipos{Tipo::soy_cilindro, Tipo::soy_cono}, &Escena::mi_vector, "vector?",
+    Attribute{&Escena_inv_4, Tipos{Tipo::soy_cilindro, Tipo::soy_cono}, &Escena::mi_vector, "vector",
               [](auto& in) -> decltype((in.vector)) { return in.vector; }},
-    Attribute{&Escena_inv_5, Tipos{Tipo::soy_cilindro, Tipo::soy_cono}, &Escena::mi_altura, "altura?",
+    Attribute{&Escena_inv_5, Tipos{Tipo::soy_cilindro, Tipo::soy_cono}, &Escena::mi_altura, "altura",
               [](auto& in) -> decltype((in.altura)) { return in.altura; }},
-    Attribute{&Escena_inv_6, Tipos{Tipo::soy_cono}, &Escena::mi_proporcion, "proporcion?",
+    Attribute{&Escena_inv_6, Tipos{Tipo::soy_cono}, &Escena::mi_proporcion, "proporcion",
               [](auto& in) -> decltype((in.proporcion)) { return in.proporcion; }}};
 
 /// visit(attribute) for each of them.

@@ -64,16 +64,22 @@ bool any_candidate(const Source& source, const Ray& ray, Origin en, Limit limit,
   return false;
 }
 
+/// The first hit among the elements that walk(visit) visits.
+template <class Walk>
+scene::Hit first_hit_of(Search& search, Walk walk) {
+  walk([&](scene::ElementRef e, Search::Range range) {
+    search.test(e, range);
+    return false;
+  });
+  return search.finish();
+}
+
 /// Primera_Interseccion. Precondition of this and the others: the elements of en are in the scene.
 template <Candidates Source>
 scene::Hit first_hit_among(const Source& source, const model::Rayo& rayo, Origin en, Counts& counts) {
   Search search(source.scene(), rayo, en, counts);
   const auto limit = [&] { return search.limit(); };
-  any_candidate(source, search.ray(), en, limit, [&](scene::ElementRef e, Search::Range range) {
-    search.test(e, range);
-    return false;
-  });
-  return search.finish();
+  return first_hit_of(search, [&](auto visit) { any_candidate(source, search.ray(), en, limit, visit); });
 }
 
 /// The ray meets some element at some t > 0.
