@@ -11,8 +11,8 @@ places() { # places KIND: `FILE:LINE:LABEL` to index lines
 }
 {
   grep -onHE "% $label$" spec/*.tex | places text
-  grep -onHE "\"$label\"" include/durero/model/*.hpp src/model/*.cpp | places clause
-  grep -onHE "\b[A-Za-z_]+\.def\.[0-9]+" include/durero/model/*.hpp | places function
+  grep -onHE "\"$label\"" -r include/durero/model src/model | places clause
+  grep -onHE "\b[A-Za-z_]+\.def\.[0-9]+" -r include/durero/model | places function
   find tests -name '*.cpp' -exec grep -onHE "\b$label\b" {} + | places test
   find proofs -name '*.v' ! -name Especificacion.v | sort | while read -r file; do
     awk -v file="$file" '

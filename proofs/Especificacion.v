@@ -503,17 +503,21 @@ Definition Eliminar_Cono_Total (s s' : Escena) (e_in : Elemento) (r_out : Respue
   Eliminar_Cono s s' e_in r_out \/ Elemento_No_Existe s s' e_in r_out
   \/ No_Es_Cono s s' e_in r_out. (* Eliminar_Cono_Total.def.1 *)
 
-Definition Es_Cono (t_in : Tipo) : Prop := t_in = soy_cono. (* Es_Cono.pre.1 *)
+Definition Con_Radio (t_in : Tipo) : Prop := t_in ∈ ⦃soy_esfera⦄ ∪ ⦃soy_cilindro⦄. (* Con_Radio.pre.1 *)
 
-Definition Es_Esfera (t_in : Tipo) : Prop := t_in = soy_esfera. (* Es_Esfera.pre.1 *)
+Definition Con_Vector (t_in : Tipo) : Prop := t_in ∈ ⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄. (* Con_Vector.pre.1 *)
+
+Definition Con_Altura (t_in : Tipo) : Prop := t_in ∈ ⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄. (* Con_Altura.pre.1 *)
+
+Definition Con_Proporcion (t_in : Tipo) : Prop := t_in ∈ ⦃soy_cono⦄. (* Con_Proporcion.pre.1 *)
 
 Definition Agregar_Elemento_Total (s s' : Escena) (e_in : Elemento) (t_in : Tipo) (centro_in : Punto) (radio_in : R)
   (vector_in : Vector) (altura_in proporcion_in : R) (r_out : Respuesta) : Prop :=
   Elemento_Agregado s s' e_in t_in centro_in radio_in vector_in altura_in proporcion_in r_out
-  \/ Elemento_Ya_Existe s s' e_in r_out \/ Radio_No_Positivo s s' radio_in r_out /\ ~ Es_Cono t_in
-  \/ Proporcion_No_Positiva s s' proporcion_in r_out /\ Es_Cono t_in
-  \/ (Vector_No_Unitario s s' vector_in r_out \/ Altura_No_Positiva s s' altura_in r_out)
-  /\ ~ Es_Esfera t_in. (* Agregar_Elemento_Total.def.1 *)
+  \/ Elemento_Ya_Existe s s' e_in r_out \/ Radio_No_Positivo s s' radio_in r_out /\ Con_Radio t_in
+  \/ Proporcion_No_Positiva s s' proporcion_in r_out /\ Con_Proporcion t_in
+  \/ Vector_No_Unitario s s' vector_in r_out /\ Con_Vector t_in \/ Altura_No_Positiva s s' altura_in r_out
+  /\ Con_Altura t_in. (* Agregar_Elemento_Total.def.1 *)
 
 Definition Eliminar_Elemento_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop :=
   Elemento_Eliminado s s' e_in r_out \/ Elemento_No_Existe s s' e_in r_out. (* Eliminar_Elemento_Total.def.1 *)

@@ -430,7 +430,7 @@ Proof. intros ok. split; [now split | apply Escena_eq_refl]. Qed.
     Vector_No_Unitario.post.1, Altura_No_Positiva.pre.1, Altura_No_Positiva.post.1, Proporcion_No_Positiva.pre.1,
     Proporcion_No_Positiva.post.1, No_Es_Esfera.pre.1, No_Es_Esfera.pre.2, No_Es_Esfera.post.1, No_Es_Cilindro.pre.1,
     No_Es_Cilindro.pre.2, No_Es_Cilindro.post.1, No_Es_Cono.pre.1, No_Es_Cono.pre.2, No_Es_Cono.post.1,
-    Es_Esfera.pre.1, Es_Cono.pre.1. *)
+    Con_Radio.pre.1, Con_Vector.pre.1, Con_Altura.pre.1, Con_Proporcion.pre.1. *)
 Theorem total_operations_are_total s e t c r d h k : Escena_ok s ->
   (exists s' r_out, Agregar_Esfera_Total s s' e r_out c r)
   /\ (exists s' r_out, Agregar_Cilindro_Total s s' e r_out c r d h)
@@ -478,16 +478,18 @@ Proof.
     destruct (classic (addition_possible s e t r d h k)) as [P | P].
     { exists (scene_added s e t c r d h k), elemento_agregado. left. apply Elemento_Agregado_computed.
       auto using Escena_eq_refl. }
-    unfold addition_possible, Es_Cono, Es_Esfera in *. destruct t.
-    + destruct Cr; [tauto |]. exists s, radio_no_positivo. right; right; left. split; [auto | discriminate].
-    + destruct Cr; [destruct Cd; [destruct Ch; [tauto |] |] |].
-      * exists s, altura_no_positiva. right; right; right; right. split; [auto | discriminate].
-      * exists s, vector_no_unitario. right; right; right; right. split; [auto | discriminate].
-      * exists s, radio_no_positivo. right; right; left. split; [auto | discriminate].
-    + destruct Ck; [destruct Cd; [destruct Ch; [tauto |] |] |].
-      * exists s, altura_no_positiva. right; right; right; right. split; [auto | discriminate].
-      * exists s, vector_no_unitario. right; right; right; right. split; [auto | discriminate].
-      * exists s, proporcion_no_positiva. right; right; right; left. split; [auto | reflexivity].
+    (* Some attribute that the type has is wrong, and its error is the answer. *)
+    assert (Wrong : (Con_Radio t /\ r ∉ Rmas) \/ (Con_Proporcion t /\ k ∉ Rmas) \/ (Con_Vector t /\ d ∉ Unitario)
+      \/ (Con_Altura t /\ h ∉ Rmas)).
+    { unfold addition_possible, Con_Radio, Con_Vector, Con_Altura, Con_Proporcion, union, single in *.
+      destruct Cr, Ck, Cd, Ch, t; first [left; split; [now auto | assumption] | right; left; split; [now auto | assumption]
+        | right; right; left; split; [now auto | assumption] | right; right; right; split; [now auto | assumption]
+        | destruct P; auto 8]. }
+    destruct Wrong as [[C W] | [[C W] | [[C W] | [C W]]]].
+    + exists s, radio_no_positivo. right; right; left. auto.
+    + exists s, proporcion_no_positiva. right; right; right; left. auto.
+    + exists s, vector_no_unitario. right; right; right; right; left. auto.
+    + exists s, altura_no_positiva. right; right; right; right; right. auto.
   - destruct Ce as [He | He].
     + exists (scene_without s e), elemento_eliminado. left. apply Elemento_Eliminado_computed. auto using Escena_eq_refl.
     + exists s, elemento_no_existe. right. auto.
@@ -526,7 +528,7 @@ Theorem total_addition_safe s s' e t c r d h k r_out : Agregar_Elemento_Total s 
 Proof.
   assert (X : Xi_Escena s s' -> Escena_ok s' /\ (r_out <> elemento_agregado -> Escena_eq s s')).
   { intros [[_ ok'] E]. auto. }
-  intros [H | [H | [[H _] | [[H _] | [[H | H] _]]]]]; try (now apply X, H).
+  intros [H | [H | [[H _] | [[H _] | [[H _] | [H _]]]]]]; try (now apply X, H).
   pose proof (proj2 H) as ->. split; [| easy].
   destruct H as [[r0 [H | [H | H]]] _]; apply H.
 Qed.

@@ -466,17 +466,16 @@ Proof.
       Elemento_Agregado (retrieve T) (retrieve (add T e (shape_of t c r d h k))) e t c r d h k elemento_agregado).
     { intros V. pose proof (add_commutes T e _ ok E V) as [ok' H]. split; [exact ok' |]. split; [| reflexivity].
       destruct t; eexists; [left | right; left | right; right]; exact H. }
-    unfold Es_Cono, Es_Esfera.
+    unfold Con_Radio, Con_Vector, Con_Altura, Con_Proporcion, union, single.
     destruct t; [destruct (Rmas_dec r) | destruct (Rmas_dec r); [destruct (Unitario_dec d); [destruct (Rmas_dec h) |] |] |
       destruct (Rmas_dec k); [destruct (Unitario_dec d); [destruct (Rmas_dec h) |] |]]; cbn in *;
-      try (destruct A as [ok' A]; [tauto |]; split; [exact ok' | left; exact A]); (split; [exact ok |]).
-    + right; right; left. split; [now split | discriminate].
-    + right; right; right; right. split; [right; now split | discriminate].
-    + right; right; right; right. split; [left; now split | discriminate].
-    + right; right; left. split; [now split | discriminate].
-    + right; right; right; right. split; [right; now split | discriminate].
-    + right; right; right; right. split; [left; now split | discriminate].
-    + right; right; right; left. split; [now split | reflexivity].
+      try (destruct A as [ok' A]; [tauto |]; split; [exact ok' | left; exact A]); (split; [exact ok |]);
+      right; right;
+      first
+        [ solve [left; split; [now split | auto]]
+        | solve [right; left; split; [now split | auto]]
+        | solve [right; right; left; split; [now split | auto]]
+        | solve [right; right; right; split; [now split | auto]] ].
 Qed.
 
 (** The program's total removal on tables is a total removal of the Z text. *)

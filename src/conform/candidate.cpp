@@ -7,9 +7,13 @@
 namespace durero::conform {
 namespace {
 
-Dyadic size(const scene::Sphere& s) { return s.radio; }
-Dyadic size(const scene::Cylinder& c) { return c.radio; }
-Dyadic size(const scene::Cone& c) { return Dyadic(c.proporcion) * Dyadic(c.altura); }
+template <class Shape>
+Dyadic size(const Shape& shape) {
+  Dyadic radius;
+  if constexpr (requires { shape.radio; }) radius = shape.radio;
+  if constexpr (requires { shape.proporcion; }) radius = radius + Dyadic(shape.proporcion) * Dyadic(shape.altura);
+  return radius;
+}
 
 }  // namespace
 

@@ -30,7 +30,7 @@ struct Candidate {
   scene::ElementRef e;
   surface::exact::Coefficients f;
   glm::dvec3 centro;
-  Dyadic size;          ///< the radius, of a cone at its base
+  Dyadic size;          ///< the radius, at the base where it is not the same everywhere
   glm::dvec3 vector{};  ///< of a shape with an axis
   double altura = 0;    ///< the same
 

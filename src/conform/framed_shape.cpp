@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "conform/lattice.hpp"
-#include "durero/contract/contract.hpp"
+#include "durero/number/dyadic.hpp"
 #include "durero/surface/equation.hpp"
 
 namespace durero::conform {
@@ -57,6 +57,14 @@ void set_tilted_frame(Random& random, FramedShape& shape) {
   shape.e2 = glm::cross(shape.d, shape.e1);
 }
 
+template <class Shape>
+constexpr bool has_radio = scene::has_attribute<Shape, &model::Escena::mi_radio>();
+template <class Shape>
+constexpr bool has_proporcion = scene::has_attribute<Shape, &model::Escena::mi_proporcion>();
+
+/// The radius of the far end, as a part of that of the base. Precondition: the type has a proportion.
+double share_of_far_end(const FramedShape& shape) { return has_apex(shape.tipo) ? 0 : shape.radio / shape.radius(); }
+
 /// The types that have an axis, in their order.
 std::vector<Tipo> axial_types() {
   std::vector<Tipo> types;
@@ -69,37 +77,27 @@ std::vector<Tipo> axial_types() {
 }  // namespace
 
 double FramedShape::radius() const {
-  switch (tipo) {
-    case Tipo::soy_esfera:
-    case Tipo::soy_cilindro:
-      return radio;
-    case Tipo::soy_cono:
-      return proporcion * altura;
-  }
-  contract::unreachable();
+  return has_constant_radius(tipo) ? radio : (has_apex(tipo) ? 0 : radio) + proporcion * altura;
 }
 
 bool FramedShape::has_exact_radius() const {
-  switch (tipo) {
-    case Tipo::soy_esfera:
-    case Tipo::soy_cilindro:
-      return true;
-    case Tipo::soy_cono:
-      return std::fma(proporcion, altura, -radius()) == 0;
-  }
-  contract::unreachable();
+  using number::Dyadic;
+  if (has_constant_radius(tipo)) return true;
+  return Dyadic(has_apex(tipo) ? 0 : radio) + Dyadic(proporcion) * Dyadic(altura) == Dyadic(radius());
 }
 
 model::Operation FramedShape::addition(const model::Elemento& e) const {
-  switch (tipo) {
-    case Tipo::soy_esfera:
-      return scene::addition(e, scene::Sphere{centro, radio});
-    case Tipo::soy_cilindro:
-      return scene::addition(e, scene::Cylinder{centro, radio, d, altura});
-    case Tipo::soy_cono:
-      return scene::addition(e, scene::Cone{centro, proporcion, d, altura});
-  }
-  contract::unreachable();
+  return scene::with_shape(tipo, [&]<class Shape>(std::type_identity<Shape>) -> model::Operation {
+    Shape shape{};
+    shape.centro = centro;
+    if constexpr (has_radio<Shape>) shape.radio = radio;
+    if constexpr (has_proporcion<Shape>) shape.proporcion = proporcion;
+    if constexpr (surface::Axial<Shape>) {
+      shape.vector = d;
+      shape.altura = altura;
+    }
+    return scene::addition(e, shape);
+  });
 }
 
 bool is_axial(Tipo tipo) {
@@ -107,25 +105,12 @@ bool is_axial(Tipo tipo) {
 }
 
 bool has_constant_radius(Tipo tipo) {
-  switch (tipo) {
-    case Tipo::soy_esfera:
-    case Tipo::soy_cilindro:
-      return true;
-    case Tipo::soy_cono:
-      return false;
-  }
-  contract::unreachable();
+  return scene::with_shape(tipo, []<class Shape>(std::type_identity<Shape>) { return !has_proporcion<Shape>; });
 }
 
 bool has_apex(Tipo tipo) {
-  switch (tipo) {
-    case Tipo::soy_esfera:
-    case Tipo::soy_cilindro:
-      return false;
-    case Tipo::soy_cono:
-      return true;
-  }
-  contract::unreachable();
+  return scene::with_shape(
+      tipo, []<class Shape>(std::type_identity<Shape>) { return has_proporcion<Shape> && !has_radio<Shape>; });
 }
 
 Tipo any_type(Random& random) { return static_cast<Tipo>(random.below(scene::shape_count)); }
@@ -139,20 +124,19 @@ FramedShape lattice_shape(Random& random, Tipo tipo) {
   FramedShape shape{.tipo = tipo};
   set_lattice_frame(random, shape);
   for (int i = 0; i < 3; ++i) shape.centro[i] = random.integer(-300, 300);
-  switch (tipo) {
-    case Tipo::soy_esfera:
-      shape.radio = random.any_of(sphere_radii);
-      break;
-    case Tipo::soy_cilindro:
-      shape.radio = random.any_of(circle_radii);
-      shape.altura = 8 * random.integer(1, 40);
-      break;
-    case Tipo::soy_cono: {
-      const double radius = random.any_of(circle_radii);
-      shape.proporcion = std::ldexp(1, random.integer(-2, 2));
-      shape.altura = radius / shape.proporcion;
-    }
+  if (!is_axial(tipo)) {
+    shape.radio = random.any_of(sphere_radii);
+    return shape;
   }
+  const double radius = random.any_of(circle_radii);
+  if (has_constant_radius(tipo)) {
+    shape.radio = radius;
+    shape.altura = 8 * random.integer(1, 40);
+    return shape;
+  }
+  shape.proporcion = std::ldexp(1, random.integer(-2, 2));
+  if (!has_apex(tipo)) shape.radio = radius / 2;
+  shape.altura = (radius - shape.radio) / shape.proporcion;
   return shape;
 }
 
@@ -160,19 +144,17 @@ FramedShape tilted_shape(Random& random, Tipo tipo) {
   FramedShape shape{.tipo = tipo, .lattice = false};
   set_tilted_frame(random, shape);
   shape.centro = random.in_cube(300);
-  switch (tipo) {
-    case Tipo::soy_esfera:  // its altura is drawn and has no meaning
-    case Tipo::soy_cilindro:
-      shape.radio = random.uniform(5, 100);
-      shape.altura = random.uniform(10, 300);
-      break;
-    case Tipo::soy_cono:
-      shape.proporcion = random.uniform(0.2, 4);
-      if (random.chance(1, 2))
-        shape.altura = std::ldexp(1, random.integer(2, 6));  // the radius of the base is then exact
-      else
-        shape.altura = random.uniform(5, 100) / shape.proporcion;
+  if (has_constant_radius(tipo)) {
+    shape.radio = random.uniform(5, 100);
+    shape.altura = random.uniform(10, 300);  // of a sphere it has no meaning
+    return shape;
   }
+  shape.proporcion = random.uniform(0.2, 4);
+  if (random.chance(1, 2))
+    shape.altura = std::ldexp(1, random.integer(2, 6));  // the radius of a cone's base is then exact
+  else
+    shape.altura = random.uniform(5, 100) / shape.proporcion;
+  if (!has_apex(tipo)) shape.radio = random.uniform(5, 100);
   return shape;
 }
 
@@ -189,21 +171,13 @@ FramedShape scaled(FramedShape shape, int k) {
 }
 
 SurfacePoint surface_point_at(Random& random, const FramedShape& shape, double part) {
-  switch (shape.tipo) {
-    case Tipo::soy_esfera:
-      return sphere_point(random, shape);
-    case Tipo::soy_cilindro: {
-      const glm::dvec3 base = across_axis(random, shape, shape.radius());
-      const glm::dvec3 position = shape.centro + base + part * shape.altura * shape.d;
-      return {position, base, glm::cross(shape.d, base), shape.d};
-    }
-    case Tipo::soy_cono: {
-      const glm::dvec3 base = across_axis(random, shape, shape.radius());
-      const glm::dvec3 along = shape.altura * shape.d - base;
-      return {shape.centro + base + part * along, (1 - part) * base, glm::cross(shape.d, base), along};
-    }
-  }
-  contract::unreachable();
+  if (!is_axial(shape.tipo)) return sphere_point(random, shape);
+  const glm::dvec3 base = across_axis(random, shape, shape.radius()), around = glm::cross(shape.d, base);
+  if (has_constant_radius(shape.tipo))
+    return {shape.centro + base + part * shape.altura * shape.d, base, around, shape.d};
+  const double narrowing = 1 - share_of_far_end(shape);
+  const glm::dvec3 along = shape.altura * shape.d - narrowing * base;
+  return {shape.centro + base + part * along, (1 - part * narrowing) * base, around, along};
 }
 
 SurfacePoint surface_point(Random& random, const FramedShape& shape) {
@@ -212,26 +186,13 @@ SurfacePoint surface_point(Random& random, const FramedShape& shape) {
 }
 
 SurfacePoint rim_point(Random& random, const FramedShape& shape) {
-  switch (shape.tipo) {
-    case Tipo::soy_esfera:
-    case Tipo::soy_cono:
-      return surface_point_at(random, shape, 0);
-    case Tipo::soy_cilindro:
-      return surface_point_at(random, shape, random.integer(0, 1));
-  }
-  contract::unreachable();
+  const bool has_two_rims = is_axial(shape.tipo) && !has_apex(shape.tipo);
+  return surface_point_at(random, shape, has_two_rims ? random.integer(0, 1) : 0);
 }
 
 glm::dvec3 whole_generator(const FramedShape& shape, const SurfacePoint& at) {
-  switch (shape.tipo) {
-    case Tipo::soy_esfera:
-      return glm::dvec3(0);
-    case Tipo::soy_cilindro:
-      return shape.altura * at.along;
-    case Tipo::soy_cono:
-      return at.along;
-  }
-  contract::unreachable();
+  if (!is_axial(shape.tipo)) return glm::dvec3(0);
+  return has_constant_radius(shape.tipo) ? shape.altura * at.along : at.along;
 }
 
 glm::dvec3 any_vector(Random& random, const FramedShape& shape) {

@@ -20,7 +20,8 @@ struct SurfacePoint {
 };
 
 /// A shape of any type and an orthonormal frame e1, e2, d of it, exact for lattice shapes; d is vector. An attribute
-/// that the type does not have has no meaning.
+/// that the type does not have has no meaning. Where it has a proportion, the radius at the advance s is
+/// radio + proporcion·(altura − s), and without radio proporcion·(altura − s).
 struct FramedShape {
   model::Tipo tipo{};
   bool lattice = true;
@@ -31,11 +32,11 @@ struct FramedShape {
   glm::dvec3 e1{}, e2{}, d{};
   std::vector<SurfacePoint> shared{};  ///< points of the surface that lie on another shape too
 
-  /// The radius, of a cone at its base.
+  /// The radius, at the base where it is not the same everywhere.
   double radius() const;
   /// Whether radius() was not rounded.
   bool has_exact_radius() const;
-  /// The end of the axis, which is the apex of a cone.
+  /// The far end of the axis, which is the apex of a cone.
   glm::dvec3 apex() const { return centro + altura * d; }
   /// The operation that adds the shape to a scene.
   model::Operation addition(const model::Elemento& e) const;

@@ -2,25 +2,14 @@
 
 #include <algorithm>
 
+#include "durero/model/type_list.hpp"
+
 namespace durero::model {
 namespace {
 
 /// w ↦ potencia(θEscena, e, w), as a value that outlives the scene.
-std::function<Surd(const ExactPoint&)> power_of(const Escena& s, const Elemento& e) {
-  const Punto centro = s.mi_centro.at(e);
-  switch (s.de_que_tipo.at(e)) {
-    case Tipo::soy_esfera:
-      return [=, radio = s.mi_radio.at(e)](const ExactPoint& w) { return potencia_esfera(w, centro, radio); };
-    case Tipo::soy_cilindro:
-      return [=, radio = s.mi_radio.at(e), dir = s.mi_vector.at(e)](const ExactPoint& w) {
-        return potencia_cilindro(w, centro, radio, dir);
-      };
-    case Tipo::soy_cono:
-      return [=, prop = s.mi_proporcion.at(e), dir = s.mi_vector.at(e), h = s.mi_altura.at(e)](const ExactPoint& w) {
-        return potencia_cono(w, centro, prop, dir, h);
-      };
-  }
-  contract::unreachable();
+Potencia power_of(const Escena& s, const Elemento& e) {
+  return with_type(s.de_que_tipo.at(e), [&]<class Type>(std::type_identity<Type>) { return Type::potencia(s, e); });
 }
 
 /// The parameters of the points of the ray that lie on e, or where `desde` holds of those whose power is the origin's.

@@ -153,34 +153,26 @@ Answer perform_total(Escena& escena, const Op& in) {
 }  // namespace
 
 Addition specific(const Agregar_Elemento& in) {
-  const auto required = [](const auto& attribute, const char* what) {
-    if (!attribute) throw std::invalid_argument(fmt::format("Agregar_Elemento: {} is absent", what));
-    return *attribute;
+  const auto given = [&]<class Entry>(const Entry& required) -> const auto& {
+    const auto& input = required.input(in);
+    if (input) return *input;
+    throw std::invalid_argument(
+        fmt::format("Agregar_Elemento: {}? is absent", attribute_of<Entry::Denial::component>().word));
   };
-  switch (in.t) {
-    case Tipo::soy_esfera:
-      return Agregar_Esfera{in.e, in.centro, required(in.radio, "radio?")};
-    case Tipo::soy_cilindro:
-      return Agregar_Cilindro{in.e, in.centro, required(in.radio, "radio?"), required(in.vector, "vector?"),
-                              required(in.altura, "altura?")};
-    case Tipo::soy_cono:
-      return Agregar_Cono{in.e, in.centro, required(in.proporcion, "proporcion?"), required(in.vector, "vector?"),
-                          required(in.altura, "altura?")};
-  }
-  contract::unreachable();
+  return with_type(in.t, [&]<class Type>(std::type_identity<Type>) -> Addition {
+    // A type requires something of each input, in the order in which its schema declares them.
+    return std::apply(
+        [&](const auto&... required) {
+          return typename Type::Addition{in.e, in.centro, given(required)...};
+        },
+        Type::Addition::requirements);
+  });
 }
 
 Removal specific(const Escena& s, const Eliminar_Elemento& in) {
   contract::require(Eliminar_Elemento_pre_1, s.elementos.contains(in.e));
-  switch (s.de_que_tipo.at(in.e)) {
-    case Tipo::soy_esfera:
-      return Eliminar_Esfera{in.e};
-    case Tipo::soy_cilindro:
-      return Eliminar_Cilindro{in.e};
-    case Tipo::soy_cono:
-      return Eliminar_Cono{in.e};
-  }
-  contract::unreachable();
+  return with_type(s.de_que_tipo.at(in.e),
+                   [&]<class Type>(std::type_identity<Type>) -> Removal { return typename Type::Removal{in.e}; });
 }
 
 Respuesta apply(Escena& escena, const Operation& operation) {

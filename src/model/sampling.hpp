@@ -6,6 +6,7 @@
 
 #include "durero/model/puntos.hpp"
 #include "durero/model/quadratic.hpp"
+#include "durero/model/schema.hpp"
 
 namespace durero::model {
 
@@ -33,5 +34,9 @@ std::optional<ExactPoint> any_crossing(Power&& power, const Puntos::Membership& 
   if (members.empty()) return std::nullopt;
   return members[random() % members.size()];
 }
+
+/// { w | power(w) = 0 ∧ 0 ≤ avance(w, centro, dir) ≤ h }. Precondition: the power of a point of the axis is negative
+/// near centro.
+Puntos axial_points(const Potencia& power, const Punto& centro, const Vector& dir, const Rmas& h);
 
 }  // namespace durero::model

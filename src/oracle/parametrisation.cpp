@@ -22,27 +22,40 @@ Overloaded(Cases...) -> Overloaded<Cases...>;
 
 }  // namespace
 
-Parametrisation::Parametrisation(const scene::Sphere& sphere)
-    : Parametrisation(sphere.centro, {0, 0, 1}, Arc{sphere.radio}) {}
+/// A profile and the axis that it is turned around.
+struct Parametrisation::Profile {
+  glm::dvec3 center, axis;
+  std::variant<Arc, Segment> curve;
+};
 
-Parametrisation::Parametrisation(const scene::Cylinder& cylinder)
-    : Parametrisation(cylinder.centro, cylinder.vector, Segment{cylinder.radio, cylinder.radio, cylinder.altura}) {}
+/// The profile of each shape.
+struct Parametrisation::ProfileOf {
+  Profile operator()(const scene::Sphere& e) const { return {e.centro, {0, 0, 1}, Arc{e.radio}}; }
+  Profile operator()(const scene::Cylinder& e) const {
+    return {e.centro, e.vector, Segment{e.radio, e.radio, e.altura}};
+  }
+  Profile operator()(const scene::Cone& e) const {
+    return {e.centro, e.vector, Segment{e.proporcion * e.altura, 0, e.altura}};
+  }
+};
 
-Parametrisation::Parametrisation(const scene::Cone& cone)
-    : Parametrisation(cone.centro, cone.vector, Segment{cone.proporcion * cone.altura, 0, cone.altura}) {}
+Parametrisation::Parametrisation(scene::ShapeView shape) : Parametrisation(shape.visit(ProfileOf())) {}
 
-Parametrisation::Parametrisation(const glm::dvec3& center, const glm::dvec3& axis, Arc arc)
-    : center_(center), profile_(arc), length_(pi * arc.radius), widest_(arc.radius), size_(2 * arc.radius) {
-  set_frame(axis);
+Parametrisation::Parametrisation(const Profile& profile) : center_(profile.center), profile_(profile.curve) {
+  std::visit([&](const auto& curve) { measure(curve); }, profile_);
+  set_frame(profile.axis);
 }
 
-Parametrisation::Parametrisation(const glm::dvec3& center, const glm::dvec3& axis, Segment segment)
-    : center_(center),
-      profile_(segment),
-      length_(std::hypot(segment.last_radius - segment.first_radius, segment.height)),
-      widest_(std::max(segment.first_radius, segment.last_radius)),
-      size_(widest_ + segment.height) {
-  set_frame(axis);
+void Parametrisation::measure(const Arc& arc) {
+  length_ = pi * arc.radius;
+  widest_ = arc.radius;
+  size_ = 2 * arc.radius;
+}
+
+void Parametrisation::measure(const Segment& segment) {
+  length_ = std::hypot(segment.last_radius - segment.first_radius, segment.height);
+  widest_ = std::max(segment.first_radius, segment.last_radius);
+  size_ = widest_ + segment.height;
 }
 
 void Parametrisation::set_frame(const glm::dvec3& axis) {

@@ -138,8 +138,9 @@ std::string_view name(Verdict verdict) noexcept {
 Oracle::Oracle(const scene::Scene& scene, double fineness) {
   elements_.reserve(scene.size());
   scene.for_each([&](scene::ElementRef e, const auto& shape) {
-    require_range(shape, scene.name(e));
-    elements_.push_back({e, shape, cover(shape, fineness)});
+    const Parametrisation surface = shape;
+    require_range(surface, scene.name(e));
+    elements_.push_back({e, surface, cover(surface, fineness)});
   });
 }
 

@@ -29,13 +29,10 @@ Reach reach_of_line(const Coefficients& f) {
   return {.segment = Segment{std::move(begin), std::move(end)}};
 }
 
-}  // namespace
-
 template <class Shape>
-Coefficients coefficients(const Shape& shape, const model::Rayo& rayo, bool on) {
+Coefficients coefficients_of(const Shape& shape, const model::Rayo& rayo) {
   const auto w = along<Dyadic>(rayo);
   auto [A, B, C] = potencia(shape, w);
-  if (on) C = Dyadic();
   if constexpr (Axial<Shape>) {
     const auto s = avance(shape, w);
     return {std::move(A), std::move(B), std::move(C), s.at_zero, s.slope, shape.altura};
@@ -44,9 +41,13 @@ Coefficients coefficients(const Shape& shape, const model::Rayo& rayo, bool on) 
   }
 }
 
-template Coefficients coefficients(const scene::Sphere&, const model::Rayo&, bool);
-template Coefficients coefficients(const scene::Cylinder&, const model::Rayo&, bool);
-template Coefficients coefficients(const scene::Cone&, const model::Rayo&, bool);
+}  // namespace
+
+Coefficients coefficients(scene::ShapeView view, const model::Rayo& rayo, bool on) {
+  Coefficients f = view.visit([&](const auto& shape) { return coefficients_of(shape, rayo); });
+  if (on) f.C = Dyadic();
+  return f;
+}
 
 Roots roots(const Coefficients& f) {
   const int of_A = sign(f.A);

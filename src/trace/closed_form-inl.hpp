@@ -15,7 +15,7 @@
 
 #include <cmath>
 
-#include "trace/quadratic-inl.hpp"
+#include "trace/shapes-inl.hpp"
 #include "trace/steps.hpp"
 
 HWY_BEFORE_NAMESPACE();

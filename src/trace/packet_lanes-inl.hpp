@@ -27,8 +27,8 @@ HWY_INLINE LaneRay rays(const Packet& packet, std::size_t at) {
 /// Their elements.
 template <model::Tipo tipo>
 HWY_INLINE LaneElement<tipo> element(const Packet& packet, std::size_t at) {
-  const Lanes breadth = Lanes::load(&packet.breadth[at]);
-  return {load(packet.centro, at), breadth, breadth, load(packet.vector, at), Lanes::load(&packet.altura[at])};
+  return {load(packet.centro, at), Lanes::load(&packet.radio[at]), Lanes::load(&packet.proporcion[at]),
+          load(packet.vector, at), Lanes::load(&packet.altura[at])};
 }
 
 }  // namespace HWY_NAMESPACE

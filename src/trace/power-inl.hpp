@@ -1,4 +1,5 @@
-/// potencia at a point of a ray, in some hundred bits, of one element or of several in lanes.
+/// potencia at a point of a ray, in some hundred bits, of one element or of several in lanes: what the shapes share.
+/// That of each is in shape/.
 ///
 /// Numbers here are sums hi + lo of two binary64 that need not be normalised: sums and products of the leading parts
 /// are split exactly into hi and a remainder, remainders are added up in binary64. With u = 2⁻⁵³ a remainder is a few u
@@ -101,33 +102,6 @@ struct Power {
   R error;
 };
 constexpr double power_error = 0x1p-95;
-
-template <class R, class Element>
-HWY_INLINE Power<R> power(const Element& element, const Place3<R>& q) {
-  if constexpr (Element::tipo == model::Tipo::soy_esfera) {
-    const R M = q.W + element.radio;
-    return {difference(squared_length(q), two_prod<R>(element.radio, element.radio)), power_error * M * M};
-  } else if constexpr (Element::tipo == model::Tipo::soy_cilindro) {
-    const R M = q.W + element.radio;
-    const Pair<R> away = alejamiento(q, avance(q, element.vector), element.vector);
-    return {difference(away, two_prod<R>(element.radio, element.radio)), power_error * M * M};
-  } else {
-    static_assert(Element::tipo == model::Tipo::soy_cono);
-    const R M = q.W + element.altura, k = element.proporcion;
-    const Pair<R> s = avance(q, element.vector);
-    const Pair<R> radius = product(difference(Pair<R>(element.altura), s), k);
-    return {difference(alejamiento(q, s, element.vector), square(radius)), power_error * (1 + k * k) * M * M};
-  }
-}
-
-/// The quadratic at t: potencia, less that at the origin where the ray starts on the element.
-template <class Element>
-HWY_INLINE Power<double> quadratic_at(double t, const Element& element, const Ray& ray, bool on) {
-  const Power<double> there = power(element, place_at(t, ray, element.centro));
-  if (!on) return there;
-  const Power<double> here = power(element, place_at(0.0, ray, element.centro));
-  return {difference(there.value, here.value), there.error + 2 * here.error};
-}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace durero::trace

@@ -1,5 +1,5 @@
 /// The quadratic of a ray and an element over a number type T of unit roundoff ε, with a bound on the error of each
-/// coefficient.
+/// coefficient: what the shapes share. The quadratic of each is in shape/.
 ///
 /// Quantities. With q = p − centro, s0 = q·d, s1 = v·d, a = v − s1·d, b = q − s0·d, g = altura − s0 (d = vector):
 ///   sphere    A = v·v            B = q·v            C = q·q − r²      F, H = r|v| ∓ |q × v|
@@ -73,7 +73,11 @@ HWY_INLINE void set_factors(Quadratic<T>& f, const T& of_surface, const T& of_li
   f.H = of_surface + of_line;
 }
 
-/// Rays and elements of one type in lanes, with the letters of scene::Sphere, Cylinder and Cone.
+/// Which of the shapes in shape/ is meant.
+template <model::Tipo tipo>
+using Of = std::integral_constant<model::Tipo, tipo>;
+
+/// Rays and elements of one type in lanes, with the letters of the shapes of scene. What the type has not is 0.
 struct LaneRay {
   Vec<Lanes> p, v;
   Lanes speed;
@@ -87,22 +91,7 @@ struct LaneElement {
   Lanes altura;
 };
 
-template <class T, class Sphere, class Ray>
-HWY_INLINE Quadratic<T> of_sphere(const Sphere& sphere, const Ray& ray) {
-  using std::sqrt;
-  Quadratic<T> f;
-  const Vec<T> q = difference<T>(ray.p, sphere.centro);
-  const Vec<T> v = vec<T>(ray.v);
-  const T r(sphere.radio);
-  set_errors(f, Bound<T>(1), ray.speed, extent(q) + sphere.radio);
-  f.A = dot(v, v);
-  set_factors(f, T(r * sqrt(f.A)), length(cross(q, v)));
-  f.B = dot(q, v);
-  f.C = dot(q, q) - r * r;
-  return f;
-}
-
-/// What cylinder and cone share.
+/// What the shapes along an axis share.
 template <class T>
 struct Axial {
   Vec<T> q, a, b;
@@ -120,47 +109,6 @@ HWY_INLINE Axial<T> axial(const Element& element, const Ray& ray, Quadratic<T>& 
   const Bound<T> Q = extent(q);
   f.reach = Q + element.altura;
   return {q, across(v, f.s1, d), across(q, f.s0, d), Q};
-}
-
-template <class T, class Cylinder, class Ray>
-HWY_INLINE Quadratic<T> of_cylinder(const Cylinder& cylinder, const Ray& ray) {
-  using std::sqrt;
-  Quadratic<T> f;
-  const auto [q, a, b, Q] = axial<T>(cylinder, ray, f);
-  const T r(cylinder.radio);
-  set_errors(f, Bound<T>(1), ray.speed, Q + cylinder.radio);
-  f.A = dot(a, a);
-  set_factors(f, T(r * sqrt(f.A)), length(cross(b, a)));
-  f.B = dot(b, a);
-  f.C = dot(b, b) - r * r;
-  return f;
-}
-
-template <class T, class Cone, class Ray>
-HWY_INLINE Quadratic<T> of_cone(const Cone& cone, const Ray& ray) {
-  Quadratic<T> f;
-  const auto [q, a, b, Q] = axial<T>(cone, ray, f);
-  const T k(cone.proporcion);
-  set_errors(f, 1 + cone.proporcion * cone.proporcion, ray.speed, f.reach);
-  const T g = T(cone.altura) - f.s0;
-  set_factors(f, T(k * length(combination(g, a, f.s1, b))), length(cross(b, a)));
-  const T k2 = k * k;
-  f.A = dot(a, a) - k2 * (f.s1 * f.s1);
-  f.B = dot(b, a) + k2 * (g * f.s1);
-  f.C = dot(b, b) - k2 * (g * g);
-  return f;
-}
-
-template <class T, class Element, class Ray>
-HWY_INLINE Quadratic<T> quadratic(const Element& element, const Ray& ray) {
-  if constexpr (Element::tipo == model::Tipo::soy_esfera) {
-    return of_sphere<T>(element, ray);
-  } else if constexpr (Element::tipo == model::Tipo::soy_cilindro) {
-    return of_cylinder<T>(element, ray);
-  } else {
-    static_assert(Element::tipo == model::Tipo::soy_cono);
-    return of_cone<T>(element, ray);
-  }
 }
 
 }  // namespace HWY_NAMESPACE

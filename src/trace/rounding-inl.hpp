@@ -11,7 +11,7 @@
 #include <cmath>
 
 #include "trace/closed_form-inl.hpp"
-#include "trace/power-inl.hpp"
+#include "trace/shapes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace durero::trace {

@@ -5,8 +5,8 @@
 #include <hwy/foreach_target.h>
 //
 #include "trace/packet_lanes-inl.hpp"
-#include "trace/power-inl.hpp"
 #include "trace/rounding-inl.hpp"
+#include "trace/shapes-inl.hpp"
 #include "trace/steps.hpp"
 
 HWY_BEFORE_NAMESPACE();

@@ -74,13 +74,9 @@ grep -rl 'Agregar_Cono\.pre\.4' tests --include=*.cpp | xargs sed -i 's/Agregar_
 sees labels "a clause that no test violates"
 grep -rl '"Escena\.inv\.3"' include src | xargs sed -i 's/"Escena\.inv\.3"/"Escena.inv.77"/'
 sees labels "a clause of no predicate"
-sed -i '/visit(Agregar_Cono_post_4,/d' include/durero/model/operaciones_clauses.hpp
+sed -i '/>{&Agregar_Cono_post_4}/d' include/durero/model/tipo/cono.hpp
 sees labels "a clause of model that nothing evaluates"
-sed -i 's/visit(model::Eliminar_Cilindro_post_3,/visit(model::Eliminar_Cilindro_post_4,/' src/scene/clauses.hpp
-sees labels "a predicate of an operation that the tables do not check"
-sed -i 's/model::Agregar_Esfera_post_6/model::Elemento_Agregado_post_1/' src/scene/clauses.hpp
-sees labels "a clause of the tables that is no predicate of an operation"
-sed -i 's/clause Es_Cono_pre_1/clause Es_Cono_pre_2/' include/durero/model/operaciones_errors.hpp
+sed -i 's/clause Con_Radio_pre_1/clause Con_Radio_pre_2/' include/durero/model/escena.hpp
 sees labels "a clause whose name and label differ"
 printf '%s\n' '% A comment that goes on and on, well beyond the measure of a hundred columns that the text is laid out in.' >>spec/puntos.tex
 sees z_text "a line beyond the measure"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "durero/model/type_list.hpp"
 #include "escenas.hpp"
 #include "support/catch.hpp"
 #include "support/clauses.hpp"

@@ -1,6 +1,6 @@
 #include "durero/model/operaciones_errors.hpp"
 
-#include "durero/model/operaciones.hpp"
+#include "durero/model/operaciones_clauses.hpp"
 #include "escenas.hpp"
 #include "support/catch.hpp"
 #include "support/clauses.hpp"
@@ -70,10 +70,15 @@ TEST_CASE("the type that is wrong") {
 }
 
 TEST_CASE("the types at which the general addition looks") {
-  CHECK(violated([] { check(pre(Es_Esfera{Tipo::soy_cono}), cost::normal); }) == "Es_Esfera.pre.1");
-  CHECK(violated([] { check(pre(Es_Cono{Tipo::soy_esfera}), cost::normal); }) == "Es_Cono.pre.1");
-  CHECK(all_hold(pre(Es_Esfera{Tipo::soy_esfera})));
-  CHECK(all_hold(pre(Es_Cono{Tipo::soy_cono})));
+  const auto seen = [](const Judgements& judgements) { return violated([&] { check(judgements, cost::normal); }); };
+  CHECK(seen(given<&Escena::mi_radio>(Tipo::soy_cono)) == "Con_Radio.pre.1");
+  CHECK(seen(given<&Escena::mi_vector>(Tipo::soy_esfera)) == "Con_Vector.pre.1");
+  CHECK(seen(given<&Escena::mi_altura>(Tipo::soy_esfera)) == "Con_Altura.pre.1");
+  CHECK(seen(given<&Escena::mi_proporcion>(Tipo::soy_cilindro)) == "Con_Proporcion.pre.1");
+  CHECK(all_hold(given<&Escena::mi_radio>(Tipo::soy_esfera)));
+  CHECK(all_hold(given<&Escena::mi_vector>(Tipo::soy_cono)));
+  CHECK(all_hold(given<&Escena::mi_altura>(Tipo::soy_cilindro)));
+  CHECK(all_hold(given<&Escena::mi_proporcion>(Tipo::soy_cono)));
 }
 
 TEST_CASE("an error that applies answers and changes nothing") {

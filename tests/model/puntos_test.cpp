@@ -21,21 +21,6 @@ rc::Gen<Rational> any_rational() {
   return rc::gen::apply(ratio, rc::gen::inRange<std::int64_t>(-1000, 1001), rc::gen::inRange<std::int64_t>(1, 1000));
 }
 
-/// w moved away from its foot on the axis through centro by 2⁻²⁰⁰ of its distance, at the same advance where dir is a
-/// unit vector.
-ExactPoint off(const ExactPoint& w, const ExactPoint& foot) {
-  const Surd stretch(Rational(1 + number::exact(0x1p-200)));
-  return {foot.x + stretch * (w.x - foot.x), foot.y + stretch * (w.y - foot.y), foot.z + stretch * (w.z - foot.z)};
-}
-
-/// The foot of w on the line through centro.
-ExactPoint foot_of(const ExactPoint& w, const Punto& centro, const Vector& dir) {
-  return along(centro, dir, avance(w, centro, dir));
-}
-
-/// The point of the line through centro with this advance, where dir is exactly a unit vector.
-ExactPoint on_axis(const Punto& centro, const Vector& dir, const Surd& s) { return along(centro, dir, s); }
-
 }  // namespace
 
 TEST_CASE("cuadrado.def.1 and raizcuadrada.def.1") {
@@ -64,96 +49,6 @@ TEST_CASE("avance.def.1 and alejamiento.def.1") {
     const Vector dir = *rc::gen::element(Vector(1, 0, 0), Vector(0, -1, 0), Vector(0, 0, 1));
     const Surd squared = cuadrado(Surd(w.x()) - c.x()) + cuadrado(Surd(w.y()) - c.y()) + cuadrado(Surd(w.z()) - c.z());
     RC_ASSERT(alejamiento(w, c, dir) + cuadrado(avance(w, c, dir)) == squared);
-  });
-}
-
-TEST_CASE("potencia_esfera.def.1, potencia_cilindro.def.1, potencia_cono.def.1") {
-  CHECK(potencia_esfera(Punto(3, 4, 0), origin, Rmas(2)) == 21);
-  CHECK(potencia_esfera(origin, origin, Rmas(2)) == -4);
-  CHECK(potencia_cilindro(Punto(3, 4, 9), origin, Rmas(2), axis) == 21);
-  // The cone's base, of radius prop·h, is at the centre; its apex at s = h.
-  CHECK(potencia_cono(Punto(2, 0, 0), origin, Rmas(0.5), axis, Rmas(4)) == 0);
-  CHECK(potencia_cono(Punto(0, 0, 4), origin, Rmas(0.5), axis, Rmas(4)) == 0);
-  CHECK(potencia_cono(Punto(0, 0, 0), origin, Rmas(0.5), axis, Rmas(4)) == -4);
-  CHECK(potencia_cono(Punto(0, 1, 6), origin, Rmas(0.5), axis, Rmas(4)) == 0);  // the other half of the double cone
-}
-
-TEST_CASE("puntos_esfera.def.1") {
-  const Puntos sphere = puntos_esfera(Punto(1, 0, 0), Rmas(2));
-  CHECK(sphere.contains(Punto(3, 0, 0)));
-  CHECK(sphere.contains({Surd(1) + root2, root2, Surd(0)}));
-  CHECK_FALSE(sphere.contains(Punto(1, 0, 0)));
-  CHECK_FALSE(sphere.contains(Punto(3, 0x1p-537, 0)));
-  property("sampled points are members, and perturbed ones are not", [] {
-    const Punto centro = *any_point();
-    const Puntos points = puntos_esfera(centro, *any_rmas());
-    Random random = *any_random();
-    const auto w = points.sample(random);
-    RC_ASSERT(w.has_value());
-    RC_ASSERT(points.contains(*w));
-    RC_ASSERT(!points.contains(off(*w, centro)));
-  });
-}
-
-TEST_CASE("puntos_cilindro.def.1: closed at both rims, and without caps") {
-  const Puntos cylinder = puntos_cilindro(origin, Rmas(1), axis, Rmas(2));
-  CHECK(cylinder.contains(Punto(1, 0, 1)));
-  CHECK(cylinder.contains(Punto(0.6, 0.8, 0)) == false);  // 0.6 and 0.8 are not 3/5 and 4/5
-  CHECK(cylinder.contains({Rational(3, 5), Rational(4, 5), Surd(0)}));
-  CHECK(cylinder.contains(Punto(1, 0, 0)));
-  CHECK(cylinder.contains(Punto(1, 0, 2)));
-  CHECK_FALSE(cylinder.contains(Punto(1, 0, -5e-324)));
-  CHECK_FALSE(cylinder.contains(Punto(1, 0, 2 + 0x1p-51)));
-  CHECK_FALSE(cylinder.contains(Punto(0, 0, 0)));
-  property("sampled points are members; farther from the axis, or beyond a rim, they are not", [] {
-    const Punto centro = *any_point();
-    const Vector dir = *any_axis();
-    const Rmas h = *any_rmas();
-    const Puntos points = puntos_cilindro(centro, *any_rmas(), dir, h);
-    Random random = *any_random();
-    const auto w = points.sample(random);
-    RC_ASSERT(w.has_value());
-    RC_ASSERT(points.contains(*w));
-    RC_ASSERT(!points.contains(off(*w, foot_of(*w, centro, dir))));
-    const Surd s = avance(*w, centro, dir), height(h.value());
-    RC_ASSERT(!points.contains(along(*w, dir, (height - s) * Surd(1.5) + Surd(1))));
-    RC_ASSERT(!points.contains(along(*w, dir, -s * Surd(1.5) - Surd(1))));
-  });
-}
-
-TEST_CASE("puntos_cono.def.1: base at the centre, apex at the height, closed at both") {
-  const Puntos cone = puntos_cono(origin, Rmas(0.5), axis, Rmas(4));
-  CHECK(cone.contains(Punto(2, 0, 0)));
-  CHECK(cone.contains(Punto(0, 1, 2)));
-  CHECK(cone.contains(Punto(0, 0, 4)));
-  CHECK_FALSE(cone.contains(Punto(0, 0.5, 5)));
-  CHECK_FALSE(cone.contains(Punto(2.5, 0, -1)));
-  CHECK_FALSE(cone.contains(Punto(0, 0, 0)));
-  property("sampled points are members; farther from the axis, or beyond the base, they are not", [] {
-    const Punto centro = *any_point();
-    const Vector dir = *rc::gen::element(Vector(1, 0, 0), Vector(0, -1, 0), Vector(0, 0, 1));
-    const Rmas prop = *any_rmas(), h = *any_rmas();
-    const Puntos points = puntos_cono(centro, prop, dir, h);
-    Random random = *any_random();
-    const auto w = points.sample(random);
-    RC_ASSERT(w.has_value());
-    RC_ASSERT(points.contains(*w));
-    const ExactPoint foot = foot_of(*w, centro, dir), apex = on_axis(centro, dir, Surd(h.value()));
-    if (!(*w == apex)) RC_ASSERT(!points.contains(off(*w, foot)));
-    // On the generator through w: twice the distance of the apex from the base is beyond one end or the other.
-    const auto on_generator = [&](int k) {
-      return ExactPoint{apex.x + (w->x - apex.x) * k, apex.y + (w->y - apex.y) * k, apex.z + (w->z - apex.z) * k};
-    };
-    if (!(*w == apex)) RC_ASSERT(!points.contains(on_generator(-1)));
-    const Surd s = avance(*w, centro, dir), height(h.value());
-    RC_ASSERT(points.contains(on_generator(2)) == (Surd(2) * s >= height));
-  });
-  property("an axis that is not quite a unit vector: sampled points are members", [] {
-    const Puntos points = puntos_cono(*any_point(), *any_rmas(), *any_axis(), *any_rmas());
-    Random random = *any_random();
-    const auto w = points.sample(random);
-    RC_ASSERT(w.has_value());
-    RC_ASSERT(points.contains(*w));
   });
 }
 

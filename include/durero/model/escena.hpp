@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 #include <tuple>
+#include <type_traits>
 
 #include "durero/model/judgement.hpp"
 #include "durero/model/tipos.hpp"
@@ -22,6 +23,10 @@ inline constexpr contract::clause Escena_inv_5{"Escena.inv.5",
 inline constexpr contract::clause Escena_inv_6{"Escena.inv.6", "dom mi_proporcion = de_que_tipo ∼ ⦇ { soy_cono } ⦈"};
 inline constexpr contract::clause Escena_inv_7{"Escena.inv.7", "tipos = ran de_que_tipo"};
 inline constexpr contract::clause Escena_inv_8{"Escena.inv.8", "ran mi_vector ⊆ Unitario"};
+inline constexpr contract::clause Con_Radio_pre_1{"Con_Radio.pre.1", "t? ∈ { soy_esfera, soy_cilindro }"};
+inline constexpr contract::clause Con_Vector_pre_1{"Con_Vector.pre.1", "t? ∈ { soy_cilindro, soy_cono }"};
+inline constexpr contract::clause Con_Altura_pre_1{"Con_Altura.pre.1", "t? ∈ { soy_cilindro, soy_cono }"};
+inline constexpr contract::clause Con_Proporcion_pre_1{"Con_Proporcion.pre.1", "t? ∈ { soy_cono }"};
 inline constexpr contract::clause Init_post_1{"Init.post.1", "elementos' = ∅"};
 
 /// Escena, component for component. A plain value: its invariants are evaluated by what is declared below.
@@ -55,7 +60,8 @@ class Tipos {
 template <class Value, class Input>
 struct Attribute {
   const contract::clause* domain;  ///< the invariant that says which elements have it
-  Tipos types;                     ///< the types that the invariant names
+  const contract::clause* given;   ///< Con_…: what the general addition asks of the type before it looks at it
+  Tipos types;                     ///< the types that both name
   std::map<Elemento, Value> Escena::*component;
   std::string_view word;  ///< radio of mi_radio and of radio?
   Input input;            ///< input(in) is that input of an addition; no call for one without it
@@ -63,24 +69,46 @@ struct Attribute {
 
 /// As the standard deduces them of an aggregate; Clang 16 does not.
 template <class Value, class Input>
-Attribute(const contract::clause*, Tipos, std::map<Elemento, Value> Escena::*, std::string_view, Input)
-    -> Attribute<Value, Input>;
+Attribute(const contract::clause*, const contract::clause*, Tipos, std::map<Elemento, Value> Escena::*,
+          std::string_view, Input) -> Attribute<Value, Input>;
 
 /// The attributes of Escena.inv.3 to Escena.inv.6, in that order.
 inline constexpr std::tuple attributes{
-    Attribute{&Escena_inv_3, Tipos{Tipo::soy_esfera, Tipo::soy_cilindro}, &Escena::mi_radio, "radio",
+    Attribute{&Escena_inv_3, &Con_Radio_pre_1, Tipos{Tipo::soy_esfera, Tipo::soy_cilindro}, &Escena::mi_radio, "radio",
               [](auto& in) -> decltype((in.radio)) { return in.radio; }},
-    Attribute{&Escena_inv_4, Tipos{Tipo::soy_cilindro, Tipo::soy_cono}, &Escena::mi_vector, "vector",
+    Attribute{&Escena_inv_4, &Con_Vector_pre_1, Tipos{Tipo::soy_cilindro, Tipo::soy_cono}, &Escena::mi_vector, "vector",
               [](auto& in) -> decltype((in.vector)) { return in.vector; }},
-    Attribute{&Escena_inv_5, Tipos{Tipo::soy_cilindro, Tipo::soy_cono}, &Escena::mi_altura, "altura",
+    Attribute{&Escena_inv_5, &Con_Altura_pre_1, Tipos{Tipo::soy_cilindro, Tipo::soy_cono}, &Escena::mi_altura, "altura",
               [](auto& in) -> decltype((in.altura)) { return in.altura; }},
-    Attribute{&Escena_inv_6, Tipos{Tipo::soy_cono}, &Escena::mi_proporcion, "proporcion",
+    Attribute{&Escena_inv_6, &Con_Proporcion_pre_1, Tipos{Tipo::soy_cono}, &Escena::mi_proporcion, "proporcion",
               [](auto& in) -> decltype((in.proporcion)) { return in.proporcion; }}};
 
 /// visit(attribute) for each of them.
 template <class Visit>
 constexpr void for_each_attribute(Visit&& visit) {
   std::apply([&](const auto&... attribute) { (visit(attribute), ...); }, attributes);
+}
+
+/// The attribute that a component holds, such as &Escena::mi_radio.
+template <auto component>
+constexpr const auto& attribute_of() {
+  constexpr std::size_t place = [] {
+    std::size_t at = 0, found = std::tuple_size_v<decltype(attributes)>;
+    for_each_attribute([&](const auto& attribute) {
+      if constexpr (std::is_same_v<decltype(attribute.component), std::remove_const_t<decltype(component)>>)
+        if (attribute.component == component) found = at;
+      ++at;
+    });
+    return found;
+  }();
+  return std::get<place>(attributes);
+}
+
+/// Con_Radio and its like: whether the type has the attribute of a component.
+template <auto component>
+Judgements given(Tipo t) {
+  const auto& attribute = attribute_of<component>();
+  return {{attribute.given, attribute.types.contains(t)}};
 }
 
 /// The empty scene (Init). Its postcondition is checked.

@@ -9,76 +9,13 @@
 #include <string_view>
 #include <variant>
 
-#include "durero/model/tipos.hpp"
+#include "durero/model/type_list.hpp"
 
 namespace durero::model {
 
-struct Escena;
-
-// The operations. A length arrives as a real, so that what is not in Rmas can be refused by name. Of each, `schema` and
-// `total` are the names of the partial and of the total operation in the text, and `answer` is the r! of the operation
-// when it is done.
-
-struct Agregar_Esfera {
-  Elemento e;
-  Punto centro;
-  double radio;
-  Tipo t = tipo;
-
-  static constexpr Tipo tipo = Tipo::soy_esfera;
-  static constexpr Respuesta answer = Respuesta::esfera_agregada;
-  static constexpr std::string_view schema = "Agregar_Esfera", total = "Agregar_Esfera_Total";
-};
-
-struct Agregar_Cilindro {
-  Elemento e;
-  Punto centro;
-  double radio;
-  Vector vector;
-  double altura;
-  Tipo t = tipo;
-
-  static constexpr Tipo tipo = Tipo::soy_cilindro;
-  static constexpr Respuesta answer = Respuesta::cilindro_agregado;
-  static constexpr std::string_view schema = "Agregar_Cilindro", total = "Agregar_Cilindro_Total";
-};
-
-struct Agregar_Cono {
-  Elemento e;
-  Punto centro;
-  double proporcion;
-  Vector vector;
-  double altura;
-  Tipo t = tipo;
-
-  static constexpr Tipo tipo = Tipo::soy_cono;
-  static constexpr Respuesta answer = Respuesta::cono_agregado;
-  static constexpr std::string_view schema = "Agregar_Cono", total = "Agregar_Cono_Total";
-};
-
-struct Eliminar_Esfera {
-  Elemento e;
-
-  static constexpr Tipo tipo = Tipo::soy_esfera;
-  static constexpr Respuesta answer = Respuesta::esfera_eliminada;
-  static constexpr std::string_view schema = "Eliminar_Esfera", total = "Eliminar_Esfera_Total";
-};
-
-struct Eliminar_Cilindro {
-  Elemento e;
-
-  static constexpr Tipo tipo = Tipo::soy_cilindro;
-  static constexpr Respuesta answer = Respuesta::cilindro_eliminado;
-  static constexpr std::string_view schema = "Eliminar_Cilindro", total = "Eliminar_Cilindro_Total";
-};
-
-struct Eliminar_Cono {
-  Elemento e;
-
-  static constexpr Tipo tipo = Tipo::soy_cono;
-  static constexpr Respuesta answer = Respuesta::cono_eliminado;
-  static constexpr std::string_view schema = "Eliminar_Cono", total = "Eliminar_Cono_Total";
-};
+// The operations of each type stand in model/tipo/. A length arrives as a real, so that what is not in Rmas can be
+// refused by name. Of each, `schema` and `total` are the names of the partial and of the total operation in the text,
+// and `answer` is the r! of the operation when it is done.
 
 /// The general addition (Elemento_Agregado): the addition of the type t, with the general answer. It looks only at
 /// the attributes that t has; the others may be absent. One that t has and that is absent: std::invalid_argument.
@@ -103,20 +40,21 @@ struct Eliminar_Elemento {
   static constexpr std::string_view schema = "Elemento_Eliminado", total = "Eliminar_Elemento_Total";
 };
 
-/// The additions and the removals of one type, in the order of Tipo. Every other list of operations follows from these.
-using Addition = std::variant<Agregar_Esfera, Agregar_Cilindro, Agregar_Cono>;
-using Removal = std::variant<Eliminar_Esfera, Eliminar_Cilindro, Eliminar_Cono>;
-
-template <class Additions, class Removals>
+template <class List>
 struct Operations;
-template <class... A, class... R>
-struct Operations<std::variant<A...>, std::variant<R...>> {
-  static_assert(sizeof...(A) == tipo_count && sizeof...(R) == tipo_count, "each type has an addition and a removal");
-  using type = std::variant<A..., Agregar_Elemento, R..., Eliminar_Elemento>;
+template <class... Type>
+struct Operations<std::tuple<Type...>> {
+  using Addition = std::variant<typename Type::Addition...>;
+  using Removal = std::variant<typename Type::Removal...>;
+  using Any = std::variant<typename Type::Addition..., Agregar_Elemento, typename Type::Removal..., Eliminar_Elemento>;
 };
 
+/// The additions and the removals of one type, in the order of Tipo.
+using Addition = Operations<Types>::Addition;
+using Removal = Operations<Types>::Removal;
+
 /// Any operation.
-using Operation = Operations<Addition, Removal>::type;
+using Operation = Operations<Types>::Any;
 
 /// The addition of its type that a general addition stands for. Throws std::invalid_argument where an attribute of
 /// the type is absent.
@@ -138,10 +76,8 @@ struct Answer {
 Respuesta apply(Escena& escena, const Operation& operation);
 
 /// The total operation (…_Total): where a precondition does not hold it changes nothing and answers the error, the
-/// first in the order of the text. t? is hidden: a specific addition looks at no t. It carries out
-/// Agregar_Esfera_Total.def.1, Agregar_Cilindro_Total.def.1, Agregar_Cono_Total.def.1, Agregar_Elemento_Total.def.1,
-/// Eliminar_Esfera_Total.def.1, Eliminar_Cilindro_Total.def.1, Eliminar_Cono_Total.def.1,
-/// Eliminar_Elemento_Total.def.1.
+/// first in the order of the text. t? is hidden: a specific addition looks at no t. It carries out the …_Total of each
+/// type, Agregar_Elemento_Total.def.1 and Eliminar_Elemento_Total.def.1.
 Answer apply_total(Escena& escena, const Operation& operation);
 
 }  // namespace durero::model

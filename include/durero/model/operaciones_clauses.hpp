@@ -1,9 +1,12 @@
 #pragma once
-/// What spec/operaciones.tex says of each operation: a block for each schema, in the order of the text.
+/// What spec/operaciones.tex says of each operation and of each error, evaluated over the states of the model. What it
+/// says of one type stands in model/tipo/, as tables; what it says of all stands here.
 ///
 /// preconditions(in, before, visit) hands each precondition to `visit(clause, refusal, holds)`: the partial operation
 /// checks it as a contract, the total one answers the refusal of the first that does not hold.
 /// postconditions(in, delta, r, visit) hands each postcondition to `visit(clause, holds)`.
+
+#include <optional>
 
 #include "durero/model/delta.hpp"
 #include "durero/model/operaciones.hpp"
@@ -11,218 +14,113 @@
 
 namespace durero::model {
 
-// Agregar_Elemento: every addition includes it.
+// The errors.
+
+template <class List>
+struct Errors;
+template <class... Type>
+struct Errors<std::tuple<Type...>> {
+  using Any = std::variant<Elemento_Ya_Existe, Elemento_No_Existe, Radio_No_Positivo, Vector_No_Unitario,
+                           Altura_No_Positiva, Proporcion_No_Positiva, typename Type::Removal::Denial...>;
+};
+using Error = Errors<Types>::Any;
+
+/// No_Es_…, of every type.
+template <class Denial, class Visit>
+  requires requires { Denial::is_of_another_type; }
+void clauses(const Denial& in, const Escena& s, Respuesta r, Visit&& visit) {
+  visit(*Denial::exists, [&] { return s.elementos.contains(in.e); });
+  visit(*Denial::is_of_another_type, [&] { return !is_of_type(s, in.e, Denial::tipo); });
+  visit(*Denial::answers, [&] { return r == Respuesta::tipo_incorrecto; });
+}
+
+/// What is said of an error when it answers r.
+Judgements judgements(const Escena& escena, const Error& error, Respuesta r);
+
+/// The error, as an operation that changes nothing: checks its clauses and answers.
+Respuesta apply(const Escena& escena, const Error& error);
+
+/// The error by which a total operation denies a precondition; none where it hides what the precondition speaks of.
+using Refusal = std::optional<Error>;
+inline constexpr std::nullopt_t hidden = std::nullopt;
+
+/// The refusals at which Agregar_Elemento_Total looks: those of the attributes that the type t? has.
+Refusal refusal_for(const Refusal& refusal, Tipo t);
+
+// The additions. Every one includes Agregar_Elemento.
 
 inline constexpr clause Agregar_Elemento_pre_1{"Agregar_Elemento.pre.1", "e? ∉ elementos"};
 inline constexpr clause Agregar_Elemento_post_1{"Agregar_Elemento.post.1", "elementos' = elementos ∪ { e? }"};
 inline constexpr clause Agregar_Elemento_post_2{"Agregar_Elemento.post.2", "de_que_tipo' = de_que_tipo ∪ { e? ↦ t? }"};
 
-template <class Visit>
-void preconditions_of_addition(const auto& in, const Escena& s, Visit&& visit) {
+template <class Op>
+concept AdditionOfType = requires { Op::requirements; };
+
+template <AdditionOfType Op, class Visit>
+void preconditions(const Op& in, const Escena& s, Visit&& visit) {
   visit(Agregar_Elemento_pre_1, Elemento_Ya_Existe{in.e}, [&] { return !s.elementos.contains(in.e); });
+  visit(*Op::is_of_type, hidden, [&] { return in.t == Op::tipo; });
+  for_each_entry(Op::requirements, [&]<class Entry>(const Entry& required) {
+    visit(*required.what, typename Entry::Denial{required.input(in)}, [&] { return required.holds(in); });
+  });
 }
 
-template <class Visit>
-void postconditions_of_addition(const auto& in, const Delta& d, Visit&& visit) {
+template <auto component, auto input>
+bool has_effect(const Joined<component, input>&, const auto& in, const Delta& d) {
+  return d.with(component, in.*input);
+}
+template <auto component>
+bool has_effect(const Kept<component>&, const auto&, const Delta& d) {
+  return d.same(component);
+}
+template <auto component>
+bool has_effect(const Dropped<component>&, const auto&, const Delta& d) {
+  return d.without(component);
+}
+
+/// The part of both that stands in model/tipo/.
+template <class Op, class Visit>
+void postconditions_of_type(const Op& in, const Delta& d, Respuesta r, Visit&& visit) {
+  for_each_entry(Op::effects,
+                 [&](const auto& effect) { visit(*effect.what, [&] { return has_effect(effect, in, d); }); });
+  visit(*Op::answers, [&] { return r == Op::answer; });
+}
+
+template <AdditionOfType Op, class Visit>
+void postconditions(const Op& in, const Delta& d, Respuesta r, Visit&& visit) {
   visit(Agregar_Elemento_post_1, [&] { return d.added(); });
   visit(Agregar_Elemento_post_2, [&] { return d.with(&Escena::de_que_tipo, in.t); });
+  postconditions_of_type(in, d, r, visit);
 }
 
-// Eliminar_Elemento: every removal includes it.
+// The removals. Every one includes Eliminar_Elemento.
 
 inline constexpr clause Eliminar_Elemento_pre_1{"Eliminar_Elemento.pre.1", "e? ∈ elementos"};
 inline constexpr clause Eliminar_Elemento_post_1{"Eliminar_Elemento.post.1", "elementos' = elementos ∖ { e? }"};
 inline constexpr clause Eliminar_Elemento_post_2{"Eliminar_Elemento.post.2", "de_que_tipo' = { e? } ⩤ de_que_tipo"};
+
+template <class Op>
+concept RemovalOfType = requires { typename Op::Denial; };
 
 template <class Visit>
 void preconditions_of_removal(const auto& in, const Escena& s, Visit&& visit) {
   visit(Eliminar_Elemento_pre_1, Elemento_No_Existe{in.e}, [&] { return s.elementos.contains(in.e); });
 }
 
-template <class Visit>
-void postconditions_of_removal(const Delta& d, Visit&& visit) {
+template <RemovalOfType Op, class Visit>
+void preconditions(const Op& in, const Escena& s, Visit&& visit) {
+  preconditions_of_removal(in, s, visit);
+  visit(*Op::is_of_type, typename Op::Denial{in.e}, [&] { return is_of_type(s, in.e, Op::tipo); });
+}
+
+template <RemovalOfType Op, class Visit>
+void postconditions(const Op& in, const Delta& d, Respuesta r, Visit&& visit) {
   visit(Eliminar_Elemento_post_1, [&] { return d.removed(); });
   visit(Eliminar_Elemento_post_2, [&] { return d.without(&Escena::de_que_tipo); });
+  postconditions_of_type(in, d, r, visit);
 }
 
-// Agregar_Esfera
-
-inline constexpr clause Agregar_Esfera_pre_1{"Agregar_Esfera.pre.1", "t? = soy_esfera"};
-inline constexpr clause Agregar_Esfera_pre_2{"Agregar_Esfera.pre.2", "radio? ∈ Rmas"};
-inline constexpr clause Agregar_Esfera_post_1{"Agregar_Esfera.post.1", "mi_centro' = mi_centro ∪ { e? ↦ centro? }"};
-inline constexpr clause Agregar_Esfera_post_2{"Agregar_Esfera.post.2", "mi_radio' = mi_radio ∪ { e? ↦ radio? }"};
-inline constexpr clause Agregar_Esfera_post_3{"Agregar_Esfera.post.3", "mi_vector' = mi_vector"};
-inline constexpr clause Agregar_Esfera_post_4{"Agregar_Esfera.post.4", "mi_altura' = mi_altura"};
-inline constexpr clause Agregar_Esfera_post_5{"Agregar_Esfera.post.5", "mi_proporcion' = mi_proporcion"};
-inline constexpr clause Agregar_Esfera_post_6{"Agregar_Esfera.post.6", "r! = esfera_agregada"};
-
-template <class Visit>
-void preconditions(const Agregar_Esfera& in, const Escena& s, Visit&& visit) {
-  preconditions_of_addition(in, s, visit);
-  visit(Agregar_Esfera_pre_1, hidden, [&] { return in.t == Tipo::soy_esfera; });
-  visit(Agregar_Esfera_pre_2, Radio_No_Positivo{in.radio}, [&] { return Rmas::contains(in.radio); });
-}
-
-template <class Visit>
-void postconditions(const Agregar_Esfera& in, const Delta& d, Respuesta r, Visit&& visit) {
-  postconditions_of_addition(in, d, visit);
-  visit(Agregar_Esfera_post_1, [&] { return d.with(&Escena::mi_centro, in.centro); });
-  visit(Agregar_Esfera_post_2, [&] { return d.with(&Escena::mi_radio, in.radio); });
-  visit(Agregar_Esfera_post_3, [&] { return d.same(&Escena::mi_vector); });
-  visit(Agregar_Esfera_post_4, [&] { return d.same(&Escena::mi_altura); });
-  visit(Agregar_Esfera_post_5, [&] { return d.same(&Escena::mi_proporcion); });
-  visit(Agregar_Esfera_post_6, [&] { return r == Respuesta::esfera_agregada; });
-}
-
-// Agregar_Cilindro
-
-inline constexpr clause Agregar_Cilindro_pre_1{"Agregar_Cilindro.pre.1", "t? = soy_cilindro"};
-inline constexpr clause Agregar_Cilindro_pre_2{"Agregar_Cilindro.pre.2", "radio? ∈ Rmas"};
-inline constexpr clause Agregar_Cilindro_pre_3{"Agregar_Cilindro.pre.3", "vector? ∈ Unitario"};
-inline constexpr clause Agregar_Cilindro_pre_4{"Agregar_Cilindro.pre.4", "altura? ∈ Rmas"};
-inline constexpr clause Agregar_Cilindro_post_1{"Agregar_Cilindro.post.1", "mi_centro' = mi_centro ∪ { e? ↦ centro? }"};
-inline constexpr clause Agregar_Cilindro_post_2{"Agregar_Cilindro.post.2", "mi_radio' = mi_radio ∪ { e? ↦ radio? }"};
-inline constexpr clause Agregar_Cilindro_post_3{"Agregar_Cilindro.post.3", "mi_vector' = mi_vector ∪ { e? ↦ vector? }"};
-inline constexpr clause Agregar_Cilindro_post_4{"Agregar_Cilindro.post.4", "mi_altura' = mi_altura ∪ { e? ↦ altura? }"};
-inline constexpr clause Agregar_Cilindro_post_5{"Agregar_Cilindro.post.5", "mi_proporcion' = mi_proporcion"};
-inline constexpr clause Agregar_Cilindro_post_6{"Agregar_Cilindro.post.6", "r! = cilindro_agregado"};
-
-template <class Visit>
-void preconditions(const Agregar_Cilindro& in, const Escena& s, Visit&& visit) {
-  preconditions_of_addition(in, s, visit);
-  visit(Agregar_Cilindro_pre_1, hidden, [&] { return in.t == Tipo::soy_cilindro; });
-  visit(Agregar_Cilindro_pre_2, Radio_No_Positivo{in.radio}, [&] { return Rmas::contains(in.radio); });
-  visit(Agregar_Cilindro_pre_3, Vector_No_Unitario{in.vector}, [&] { return Unitario::contains(in.vector); });
-  visit(Agregar_Cilindro_pre_4, Altura_No_Positiva{in.altura}, [&] { return Rmas::contains(in.altura); });
-}
-
-template <class Visit>
-void postconditions(const Agregar_Cilindro& in, const Delta& d, Respuesta r, Visit&& visit) {
-  postconditions_of_addition(in, d, visit);
-  visit(Agregar_Cilindro_post_1, [&] { return d.with(&Escena::mi_centro, in.centro); });
-  visit(Agregar_Cilindro_post_2, [&] { return d.with(&Escena::mi_radio, in.radio); });
-  visit(Agregar_Cilindro_post_3, [&] { return d.with(&Escena::mi_vector, in.vector); });
-  visit(Agregar_Cilindro_post_4, [&] { return d.with(&Escena::mi_altura, in.altura); });
-  visit(Agregar_Cilindro_post_5, [&] { return d.same(&Escena::mi_proporcion); });
-  visit(Agregar_Cilindro_post_6, [&] { return r == Respuesta::cilindro_agregado; });
-}
-
-// Agregar_Cono
-
-inline constexpr clause Agregar_Cono_pre_1{"Agregar_Cono.pre.1", "t? = soy_cono"};
-inline constexpr clause Agregar_Cono_pre_2{"Agregar_Cono.pre.2", "proporcion? ∈ Rmas"};
-inline constexpr clause Agregar_Cono_pre_3{"Agregar_Cono.pre.3", "vector? ∈ Unitario"};
-inline constexpr clause Agregar_Cono_pre_4{"Agregar_Cono.pre.4", "altura? ∈ Rmas"};
-inline constexpr clause Agregar_Cono_post_1{"Agregar_Cono.post.1", "mi_centro' = mi_centro ∪ { e? ↦ centro? }"};
-inline constexpr clause Agregar_Cono_post_2{"Agregar_Cono.post.2", "mi_radio' = mi_radio"};
-inline constexpr clause Agregar_Cono_post_3{"Agregar_Cono.post.3", "mi_vector' = mi_vector ∪ { e? ↦ vector? }"};
-inline constexpr clause Agregar_Cono_post_4{"Agregar_Cono.post.4", "mi_altura' = mi_altura ∪ { e? ↦ altura? }"};
-inline constexpr clause Agregar_Cono_post_5{"Agregar_Cono.post.5",
-                                            "mi_proporcion' = mi_proporcion ∪ { e? ↦ proporcion? }"};
-inline constexpr clause Agregar_Cono_post_6{"Agregar_Cono.post.6", "r! = cono_agregado"};
-
-template <class Visit>
-void preconditions(const Agregar_Cono& in, const Escena& s, Visit&& visit) {
-  preconditions_of_addition(in, s, visit);
-  visit(Agregar_Cono_pre_1, hidden, [&] { return in.t == Tipo::soy_cono; });
-  visit(Agregar_Cono_pre_2, Proporcion_No_Positiva{in.proporcion}, [&] { return Rmas::contains(in.proporcion); });
-  visit(Agregar_Cono_pre_3, Vector_No_Unitario{in.vector}, [&] { return Unitario::contains(in.vector); });
-  visit(Agregar_Cono_pre_4, Altura_No_Positiva{in.altura}, [&] { return Rmas::contains(in.altura); });
-}
-
-template <class Visit>
-void postconditions(const Agregar_Cono& in, const Delta& d, Respuesta r, Visit&& visit) {
-  postconditions_of_addition(in, d, visit);
-  visit(Agregar_Cono_post_1, [&] { return d.with(&Escena::mi_centro, in.centro); });
-  visit(Agregar_Cono_post_2, [&] { return d.same(&Escena::mi_radio); });
-  visit(Agregar_Cono_post_3, [&] { return d.with(&Escena::mi_vector, in.vector); });
-  visit(Agregar_Cono_post_4, [&] { return d.with(&Escena::mi_altura, in.altura); });
-  visit(Agregar_Cono_post_5, [&] { return d.with(&Escena::mi_proporcion, in.proporcion); });
-  visit(Agregar_Cono_post_6, [&] { return r == Respuesta::cono_agregado; });
-}
-
-// Eliminar_Esfera
-
-inline constexpr clause Eliminar_Esfera_pre_1{"Eliminar_Esfera.pre.1", "de_que_tipo(e?) = soy_esfera"};
-inline constexpr clause Eliminar_Esfera_post_1{"Eliminar_Esfera.post.1", "mi_centro' = { e? } ⩤ mi_centro"};
-inline constexpr clause Eliminar_Esfera_post_2{"Eliminar_Esfera.post.2", "mi_radio' = { e? } ⩤ mi_radio"};
-inline constexpr clause Eliminar_Esfera_post_3{"Eliminar_Esfera.post.3", "mi_vector' = mi_vector"};
-inline constexpr clause Eliminar_Esfera_post_4{"Eliminar_Esfera.post.4", "mi_altura' = mi_altura"};
-inline constexpr clause Eliminar_Esfera_post_5{"Eliminar_Esfera.post.5", "mi_proporcion' = mi_proporcion"};
-inline constexpr clause Eliminar_Esfera_post_6{"Eliminar_Esfera.post.6", "r! = esfera_eliminada"};
-
-template <class Visit>
-void preconditions(const Eliminar_Esfera& in, const Escena& s, Visit&& visit) {
-  preconditions_of_removal(in, s, visit);
-  visit(Eliminar_Esfera_pre_1, No_Es_Esfera{in.e}, [&] { return is_of_type(s, in.e, Tipo::soy_esfera); });
-}
-
-template <class Visit>
-void postconditions(const Eliminar_Esfera&, const Delta& d, Respuesta r, Visit&& visit) {
-  postconditions_of_removal(d, visit);
-  visit(Eliminar_Esfera_post_1, [&] { return d.without(&Escena::mi_centro); });
-  visit(Eliminar_Esfera_post_2, [&] { return d.without(&Escena::mi_radio); });
-  visit(Eliminar_Esfera_post_3, [&] { return d.same(&Escena::mi_vector); });
-  visit(Eliminar_Esfera_post_4, [&] { return d.same(&Escena::mi_altura); });
-  visit(Eliminar_Esfera_post_5, [&] { return d.same(&Escena::mi_proporcion); });
-  visit(Eliminar_Esfera_post_6, [&] { return r == Respuesta::esfera_eliminada; });
-}
-
-// Eliminar_Cilindro
-
-inline constexpr clause Eliminar_Cilindro_pre_1{"Eliminar_Cilindro.pre.1", "de_que_tipo(e?) = soy_cilindro"};
-inline constexpr clause Eliminar_Cilindro_post_1{"Eliminar_Cilindro.post.1", "mi_centro' = { e? } ⩤ mi_centro"};
-inline constexpr clause Eliminar_Cilindro_post_2{"Eliminar_Cilindro.post.2", "mi_radio' = { e? } ⩤ mi_radio"};
-inline constexpr clause Eliminar_Cilindro_post_3{"Eliminar_Cilindro.post.3", "mi_vector' = { e? } ⩤ mi_vector"};
-inline constexpr clause Eliminar_Cilindro_post_4{"Eliminar_Cilindro.post.4", "mi_altura' = { e? } ⩤ mi_altura"};
-inline constexpr clause Eliminar_Cilindro_post_5{"Eliminar_Cilindro.post.5", "mi_proporcion' = mi_proporcion"};
-inline constexpr clause Eliminar_Cilindro_post_6{"Eliminar_Cilindro.post.6", "r! = cilindro_eliminado"};
-
-template <class Visit>
-void preconditions(const Eliminar_Cilindro& in, const Escena& s, Visit&& visit) {
-  preconditions_of_removal(in, s, visit);
-  visit(Eliminar_Cilindro_pre_1, No_Es_Cilindro{in.e}, [&] { return is_of_type(s, in.e, Tipo::soy_cilindro); });
-}
-
-template <class Visit>
-void postconditions(const Eliminar_Cilindro&, const Delta& d, Respuesta r, Visit&& visit) {
-  postconditions_of_removal(d, visit);
-  visit(Eliminar_Cilindro_post_1, [&] { return d.without(&Escena::mi_centro); });
-  visit(Eliminar_Cilindro_post_2, [&] { return d.without(&Escena::mi_radio); });
-  visit(Eliminar_Cilindro_post_3, [&] { return d.without(&Escena::mi_vector); });
-  visit(Eliminar_Cilindro_post_4, [&] { return d.without(&Escena::mi_altura); });
-  visit(Eliminar_Cilindro_post_5, [&] { return d.same(&Escena::mi_proporcion); });
-  visit(Eliminar_Cilindro_post_6, [&] { return r == Respuesta::cilindro_eliminado; });
-}
-
-// Eliminar_Cono
-
-inline constexpr clause Eliminar_Cono_pre_1{"Eliminar_Cono.pre.1", "de_que_tipo(e?) = soy_cono"};
-inline constexpr clause Eliminar_Cono_post_1{"Eliminar_Cono.post.1", "mi_centro' = { e? } ⩤ mi_centro"};
-inline constexpr clause Eliminar_Cono_post_2{"Eliminar_Cono.post.2", "mi_radio' = mi_radio"};
-inline constexpr clause Eliminar_Cono_post_3{"Eliminar_Cono.post.3", "mi_vector' = { e? } ⩤ mi_vector"};
-inline constexpr clause Eliminar_Cono_post_4{"Eliminar_Cono.post.4", "mi_altura' = { e? } ⩤ mi_altura"};
-inline constexpr clause Eliminar_Cono_post_5{"Eliminar_Cono.post.5", "mi_proporcion' = { e? } ⩤ mi_proporcion"};
-inline constexpr clause Eliminar_Cono_post_6{"Eliminar_Cono.post.6", "r! = cono_eliminado"};
-
-template <class Visit>
-void preconditions(const Eliminar_Cono& in, const Escena& s, Visit&& visit) {
-  preconditions_of_removal(in, s, visit);
-  visit(Eliminar_Cono_pre_1, No_Es_Cono{in.e}, [&] { return is_of_type(s, in.e, Tipo::soy_cono); });
-}
-
-template <class Visit>
-void postconditions(const Eliminar_Cono&, const Delta& d, Respuesta r, Visit&& visit) {
-  postconditions_of_removal(d, visit);
-  visit(Eliminar_Cono_post_1, [&] { return d.without(&Escena::mi_centro); });
-  visit(Eliminar_Cono_post_2, [&] { return d.same(&Escena::mi_radio); });
-  visit(Eliminar_Cono_post_3, [&] { return d.without(&Escena::mi_vector); });
-  visit(Eliminar_Cono_post_4, [&] { return d.without(&Escena::mi_altura); });
-  visit(Eliminar_Cono_post_5, [&] { return d.without(&Escena::mi_proporcion); });
-  visit(Eliminar_Cono_post_6, [&] { return r == Respuesta::cono_eliminado; });
-}
-
-// Elemento_Agregado: (Agregar_Esfera ∨ Agregar_Cilindro ∨ Agregar_Cono) \ (r!) ∧ [ r! = elemento_agregado ]
+// Elemento_Agregado: (Agregar_Esfera ∨ Agregar_Cilindro ∨ …) \ (r!) ∧ [ r! = elemento_agregado ]
 
 inline constexpr clause Elemento_Agregado_post_1{"Elemento_Agregado.post.1", "r! = elemento_agregado"};
 
@@ -241,11 +139,11 @@ void postconditions(const Agregar_Elemento& in, const Delta& d, Respuesta r, Vis
   visit(Elemento_Agregado_post_1, [&] { return r == Respuesta::elemento_agregado; });
 }
 
-// Elemento_Eliminado: (Eliminar_Esfera ∨ Eliminar_Cilindro ∨ Eliminar_Cono) \ (r!) ∧ [ r! = elemento_eliminado ]
+// Elemento_Eliminado: (Eliminar_Esfera ∨ Eliminar_Cilindro ∨ …) \ (r!) ∧ [ r! = elemento_eliminado ]
 
 inline constexpr clause Elemento_Eliminado_post_1{"Elemento_Eliminado.post.1", "r! = elemento_eliminado"};
 
-/// Where e? ∈ elementos, one of the three types is its own.
+/// Where e? ∈ elementos, one of the types is its own.
 template <class Visit>
 void preconditions(const Eliminar_Elemento& in, const Escena& s, Visit&& visit) {
   preconditions_of_removal(in, s, visit);

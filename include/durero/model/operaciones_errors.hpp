@@ -1,9 +1,7 @@
 #pragma once
 /// What can go wrong (spec/operaciones.tex): one schema for each error, with its answer. The scene stays as it is
 /// (Ξ Escena). clauses(in, escena, r, visit) hands `visit(clause, holds)` what the text says of an error, in its order.
-
-#include <optional>
-#include <variant>
+/// The errors that name one type stand with it, in model/tipo/.
 
 #include "durero/model/escena.hpp"
 
@@ -41,6 +39,7 @@ void clauses(const Elemento_No_Existe& in, const Escena& s, Respuesta r, Visit&&
 
 struct Radio_No_Positivo {
   double radio;
+  static constexpr auto component = &Escena::mi_radio;
   static constexpr Respuesta answer = Respuesta::radio_no_positivo;
 };
 
@@ -55,6 +54,7 @@ void clauses(const Radio_No_Positivo& in, const Escena&, Respuesta r, Visit&& vi
 
 struct Vector_No_Unitario {
   Vector vector;
+  static constexpr auto component = &Escena::mi_vector;
   static constexpr Respuesta answer = Respuesta::vector_no_unitario;
 };
 
@@ -69,6 +69,7 @@ void clauses(const Vector_No_Unitario& in, const Escena&, Respuesta r, Visit&& v
 
 struct Altura_No_Positiva {
   double altura;
+  static constexpr auto component = &Escena::mi_altura;
   static constexpr Respuesta answer = Respuesta::altura_no_positiva;
 };
 
@@ -83,6 +84,7 @@ void clauses(const Altura_No_Positiva& in, const Escena&, Respuesta r, Visit&& v
 
 struct Proporcion_No_Positiva {
   double proporcion;
+  static constexpr auto component = &Escena::mi_proporcion;
   static constexpr Respuesta answer = Respuesta::proporcion_no_positiva;
 };
 
@@ -94,86 +96,5 @@ void clauses(const Proporcion_No_Positiva& in, const Escena&, Respuesta r, Visit
   visit(Proporcion_No_Positiva_pre_1, [&] { return !Rmas::contains(in.proporcion); });
   visit(Proporcion_No_Positiva_post_1, [&] { return r == Respuesta::proporcion_no_positiva; });
 }
-
-struct No_Es_Esfera {
-  Elemento e;
-  static constexpr Respuesta answer = Respuesta::tipo_incorrecto;
-};
-
-inline constexpr clause No_Es_Esfera_pre_1{"No_Es_Esfera.pre.1", "e? ∈ elementos"};
-inline constexpr clause No_Es_Esfera_pre_2{"No_Es_Esfera.pre.2", "de_que_tipo(e?) ≠ soy_esfera"};
-inline constexpr clause No_Es_Esfera_post_1{"No_Es_Esfera.post.1", "r! = tipo_incorrecto"};
-
-template <class Visit>
-void clauses(const No_Es_Esfera& in, const Escena& s, Respuesta r, Visit&& visit) {
-  visit(No_Es_Esfera_pre_1, [&] { return s.elementos.contains(in.e); });
-  visit(No_Es_Esfera_pre_2, [&] { return !is_of_type(s, in.e, Tipo::soy_esfera); });
-  visit(No_Es_Esfera_post_1, [&] { return r == Respuesta::tipo_incorrecto; });
-}
-
-struct No_Es_Cilindro {
-  Elemento e;
-  static constexpr Respuesta answer = Respuesta::tipo_incorrecto;
-};
-
-inline constexpr clause No_Es_Cilindro_pre_1{"No_Es_Cilindro.pre.1", "e? ∈ elementos"};
-inline constexpr clause No_Es_Cilindro_pre_2{"No_Es_Cilindro.pre.2", "de_que_tipo(e?) ≠ soy_cilindro"};
-inline constexpr clause No_Es_Cilindro_post_1{"No_Es_Cilindro.post.1", "r! = tipo_incorrecto"};
-
-template <class Visit>
-void clauses(const No_Es_Cilindro& in, const Escena& s, Respuesta r, Visit&& visit) {
-  visit(No_Es_Cilindro_pre_1, [&] { return s.elementos.contains(in.e); });
-  visit(No_Es_Cilindro_pre_2, [&] { return !is_of_type(s, in.e, Tipo::soy_cilindro); });
-  visit(No_Es_Cilindro_post_1, [&] { return r == Respuesta::tipo_incorrecto; });
-}
-
-struct No_Es_Cono {
-  Elemento e;
-  static constexpr Respuesta answer = Respuesta::tipo_incorrecto;
-};
-
-inline constexpr clause No_Es_Cono_pre_1{"No_Es_Cono.pre.1", "e? ∈ elementos"};
-inline constexpr clause No_Es_Cono_pre_2{"No_Es_Cono.pre.2", "de_que_tipo(e?) ≠ soy_cono"};
-inline constexpr clause No_Es_Cono_post_1{"No_Es_Cono.post.1", "r! = tipo_incorrecto"};
-
-template <class Visit>
-void clauses(const No_Es_Cono& in, const Escena& s, Respuesta r, Visit&& visit) {
-  visit(No_Es_Cono_pre_1, [&] { return s.elementos.contains(in.e); });
-  visit(No_Es_Cono_pre_2, [&] { return !is_of_type(s, in.e, Tipo::soy_cono); });
-  visit(No_Es_Cono_post_1, [&] { return r == Respuesta::tipo_incorrecto; });
-}
-
-using Error = std::variant<Elemento_Ya_Existe, Elemento_No_Existe, Radio_No_Positivo, Vector_No_Unitario,
-                           Altura_No_Positiva, Proporcion_No_Positiva, No_Es_Esfera, No_Es_Cilindro, No_Es_Cono>;
-
-/// What is said of an error when it answers r.
-Judgements judgements(const Escena& escena, const Error& error, Respuesta r);
-
-/// The error, as an operation that changes nothing: checks its clauses and answers.
-Respuesta apply(const Escena& escena, const Error& error);
-
-// The types at which the general addition looks.
-
-struct Es_Esfera {
-  Tipo t;
-};
-
-inline constexpr clause Es_Esfera_pre_1{"Es_Esfera.pre.1", "t? = soy_esfera"};
-
-struct Es_Cono {
-  Tipo t;
-};
-
-inline constexpr clause Es_Cono_pre_1{"Es_Cono.pre.1", "t? = soy_cono"};
-
-Judgements pre(const Es_Esfera& in);
-Judgements pre(const Es_Cono& in);
-
-/// The error by which a total operation denies a precondition; none where it hides what the precondition speaks of.
-using Refusal = std::optional<Error>;
-inline constexpr std::nullopt_t hidden = std::nullopt;
-
-/// The refusals at which Agregar_Elemento_Total looks: those of the attributes that the type t? has.
-Refusal refusal_for(const Refusal& refusal, Tipo t);
 
 }  // namespace durero::model

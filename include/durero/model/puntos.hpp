@@ -1,6 +1,6 @@
 #pragma once
 /// spec/puntos.tex: every object is a set of points. Each function is the definition of the same name, carried out in
-/// exact arithmetic; the label of the definition stands beside it.
+/// exact arithmetic; the label of the definition stands beside it. The points of each type stand in model/tipo/.
 
 #include <functional>
 #include <optional>
@@ -23,15 +23,6 @@ Surd avance(const ExactPoint& w, const Punto& centro, const Vector& dir);
 
 /// The squared distance of w from the foot at its advance (alejamiento.def.1).
 Surd alejamiento(const ExactPoint& w, const Punto& centro, const Vector& dir);
-
-/// The power of w with respect to a sphere, zero exactly on it (potencia_esfera.def.1).
-Surd potencia_esfera(const ExactPoint& w, const Punto& centro, const Rmas& radio);
-
-/// The power of w with respect to an unbounded cylinder (potencia_cilindro.def.1).
-Surd potencia_cilindro(const ExactPoint& w, const Punto& centro, const Rmas& radio, const Vector& dir);
-
-/// The power of w with respect to an unbounded double cone (potencia_cono.def.1).
-Surd potencia_cono(const ExactPoint& w, const Punto& centro, const Rmas& prop, const Vector& dir, const Rmas& h);
 
 using Random = std::mt19937_64;
 
@@ -58,15 +49,6 @@ class Puntos {
 
 /// ⋃ sets: the points of any of them; draws from one of them at random.
 Puntos big_union(std::vector<Puntos> sets);
-
-/// The points of a sphere (puntos_esfera.def.1).
-Puntos puntos_esfera(const Punto& centro, const Rmas& radio);
-
-/// The points of a cylinder, open, with both its rims (puntos_cilindro.def.1).
-Puntos puntos_cilindro(const Punto& centro, const Rmas& radio, const Vector& dir, const Rmas& h);
-
-/// The points of a cone, open, with its rim and its apex (puntos_cono.def.1).
-Puntos puntos_cono(const Punto& centro, const Rmas& prop, const Vector& dir, const Rmas& h);
 
 /// The points of a ray, at every positive parameter (puntos_de_rayo.def.1).
 Puntos puntos_de_rayo(const Rayo& ray);

@@ -2,6 +2,7 @@
 /// spec/tipos.tex: the types of the specification. A stored number is a binary64 and denotes the rational it is;
 /// a wrong value cannot be built.
 
+#include <array>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
@@ -101,13 +102,15 @@ class Elemento {
   std::string name_;
 };
 
-/// What an element is (Tipo).
+/// What an element is (Tipo), and its name in the text.
 enum class Tipo : std::uint8_t { soy_esfera, soy_cilindro, soy_cono };
+inline constexpr auto tipo_names = std::to_array<std::string_view>({"soy_esfera", "soy_cilindro", "soy_cono"});
+static_assert(Tipo{tipo_names.size() - 1} == Tipo::soy_cono);
 
-/// How many types there are: the last one is named here.
-inline constexpr std::size_t tipo_count = static_cast<std::size_t>(Tipo::soy_cono) + 1;
+/// How many types there are.
+inline constexpr std::size_t tipo_count = tipo_names.size();
 
-/// What an operation did, or why it did nothing (Respuesta).
+/// What an operation did, or why it did nothing (Respuesta), and its name in the text.
 enum class Respuesta : std::uint8_t {
   elemento_agregado,
   elemento_eliminado,
@@ -125,8 +128,13 @@ enum class Respuesta : std::uint8_t {
   altura_no_positiva,
   proporcion_no_positiva
 };
+inline constexpr auto respuesta_names = std::to_array<std::string_view>(
+    {"elemento_agregado", "elemento_eliminado", "esfera_agregada", "cilindro_agregado", "cono_agregado",
+     "esfera_eliminada", "cilindro_eliminado", "cono_eliminado", "elemento_ya_existe", "elemento_no_existe",
+     "tipo_incorrecto", "radio_no_positivo", "vector_no_unitario", "altura_no_positiva", "proporcion_no_positiva"});
+static_assert(Respuesta{respuesta_names.size() - 1} == Respuesta::proporcion_no_positiva);
 
-std::string_view name(Tipo tipo) noexcept;
-std::string_view name(Respuesta r) noexcept;
+constexpr std::string_view name(Tipo tipo) noexcept { return tipo_names[static_cast<std::size_t>(tipo)]; }
+constexpr std::string_view name(Respuesta r) noexcept { return respuesta_names[static_cast<std::size_t>(r)]; }
 
 }  // namespace durero::model

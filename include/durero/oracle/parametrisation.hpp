@@ -7,9 +7,10 @@
 /// 2⁻⁴⁵·(|centro| + size), which rounding() is.
 
 #include <glm/vec3.hpp>
+#include <type_traits>
 #include <variant>
 
-#include "durero/scene/shapes.hpp"
+#include "durero/scene/shape_view.hpp"
 
 namespace durero::oracle {
 
@@ -28,9 +29,10 @@ struct SurfacePoint {
 
 class Parametrisation {
  public:
-  Parametrisation(const scene::Sphere& sphere);
-  Parametrisation(const scene::Cylinder& cylinder);
-  Parametrisation(const scene::Cone& cone);
+  explicit Parametrisation(scene::ShapeView shape);
+  template <class Shape>
+    requires std::is_same_v<decltype(Shape::tipo), const model::Tipo>
+  Parametrisation(const Shape& shape) : Parametrisation(scene::ShapeView(shape)) {}
 
   /// The length of the profile, that of each line of equal v.
   double length() const noexcept { return length_; }
@@ -54,8 +56,11 @@ class Parametrisation {
   struct Segment {
     double first_radius, last_radius, height;  // from (first_radius, 0) to (last_radius, height)
   };
-  Parametrisation(const glm::dvec3& center, const glm::dvec3& axis, Arc arc);
-  Parametrisation(const glm::dvec3& center, const glm::dvec3& axis, Segment segment);
+  struct Profile;
+  struct ProfileOf;
+  explicit Parametrisation(const Profile& profile);
+  void measure(const Arc& arc);
+  void measure(const Segment& segment);
   void set_frame(const glm::dvec3& axis);
   glm::dvec3 outwards(double v) const;
   glm::dvec3 on(const Circle& circle, double v) const;

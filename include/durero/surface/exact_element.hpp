@@ -10,6 +10,7 @@
 
 #include "durero/model/tipos.hpp"
 #include "durero/number/dyadic_surd.hpp"
+#include "durero/scene/shape_view.hpp"
 
 namespace durero::surface::exact {
 
@@ -26,9 +27,8 @@ struct Coefficients {
   std::optional<Dyadic> altura;
 };
 
-/// on: the origin lies on the element (alcance: puntos_desde), so C is 0. Defined for every shape.
-template <class Shape>
-Coefficients coefficients(const Shape& shape, const model::Rayo& rayo, bool on = false);
+/// on: the origin lies on the element (alcance: puntos_desde), so C is 0.
+Coefficients coefficients(scene::ShapeView shape, const model::Rayo& rayo, bool on = false);
 
 /// The real t with A·t² + 2B·t + C = 0, ascending and without repetition; `every` when A = B = C = 0.
 struct Roots {

@@ -11,7 +11,8 @@
 
 namespace durero::trace {
 
-/// Rays and elements in columns. Every lane must hold ordinary ones or zeros; results of unused lanes mean nothing.
+/// Rays and elements in columns; those of attributes that the type does not have mean nothing. Every lane must hold
+/// ordinary ones or zeros; results of unused lanes mean nothing.
 struct Packet {
   static constexpr std::size_t size = 8;
   using Column = std::array<double, size>;
@@ -21,23 +22,20 @@ struct Packet {
   Columns v{};
   Column speed{};
   Columns centro{};
-  Column breadth{};  ///< radio, or proporcion of a cone
-  Columns vector{};  ///< of a cylinder or cone
+  Column radio{}, proporcion{};
+  Columns vector{};
   Column altura{};
 
-  void set(std::size_t lane, const Ray& ray, const scene::Sphere& e) {
-    set_ray(lane, ray);
-    set_round(lane, e.centro, e.radio);
-  }
-  void set(std::size_t lane, const Ray& ray, const scene::Cylinder& e) {
-    set_ray(lane, ray);
-    set_round(lane, e.centro, e.radio);
-    set_axis(lane, e.vector, e.altura);
-  }
-  void set(std::size_t lane, const Ray& ray, const scene::Cone& e) {
-    set_ray(lane, ray);
-    set_round(lane, e.centro, e.proporcion);
-    set_axis(lane, e.vector, e.altura);
+  template <class Shape>
+  void set(std::size_t lane, const Ray& ray, const Shape& shape) {
+    set(p, lane, ray.p);
+    set(v, lane, ray.v);
+    speed[lane] = ray.speed;
+    set(centro, lane, shape.centro);
+    if constexpr (requires { shape.radio; }) radio[lane] = shape.radio;
+    if constexpr (requires { shape.proporcion; }) proporcion[lane] = shape.proporcion;
+    if constexpr (requires { shape.vector; }) set(vector, lane, shape.vector);
+    if constexpr (requires { shape.altura; }) altura[lane] = shape.altura;
   }
 
  private:
@@ -45,19 +43,6 @@ struct Packet {
     columns[0][lane] = x.x;
     columns[1][lane] = x.y;
     columns[2][lane] = x.z;
-  }
-  void set_ray(std::size_t lane, const Ray& ray) {
-    set(p, lane, ray.p);
-    set(v, lane, ray.v);
-    speed[lane] = ray.speed;
-  }
-  void set_round(std::size_t lane, const glm::dvec3& of_centro, double of_breadth) {
-    set(centro, lane, of_centro);
-    breadth[lane] = of_breadth;
-  }
-  void set_axis(std::size_t lane, const glm::dvec3& of_vector, double of_altura) {
-    set(vector, lane, of_vector);
-    altura[lane] = of_altura;
   }
 };
 

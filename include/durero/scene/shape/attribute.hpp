@@ -59,16 +59,29 @@ typename Shape::Addition addition(const model::Elemento& e, const Shape& shape) 
       Shape::attributes);
 }
 
-/// Whether the shape has the attribute that this component of the specification holds, such as &Escena::mi_radio.
+/// The place in the shape's table of the attribute that this component of the specification holds, such as
+/// &Escena::mi_radio; the size of the table where the shape has none such.
+template <class Shape, auto component>
+consteval std::size_t place_of_attribute() {
+  std::size_t place = std::tuple_size_v<decltype(Shape::attributes)>, at = 0;
+  for_each_attribute<Shape>([&]<class Row>(const Row& attribute) {
+    if constexpr (std::is_same_v<decltype(attribute.component), std::remove_const_t<decltype(component)>>)
+      if (attribute.component == component) place = at;
+    ++at;
+  });
+  return place;
+}
+
+/// Whether the shape has that attribute.
 template <class Shape, auto component>
 constexpr bool has_attribute() {
-  const auto is_it = []<class Row>(const Row& attribute) {
-    if constexpr (std::is_same_v<decltype(attribute.component), std::remove_const_t<decltype(component)>>)
-      return attribute.component == component;
-    else
-      return false;
-  };
-  return std::apply([&](const auto&... attribute) { return (is_it(attribute) || ...); }, Shape::attributes);
+  return place_of_attribute<Shape, component>() < std::tuple_size_v<decltype(Shape::attributes)>;
+}
+
+/// Its value, as the tables hold it.
+template <auto component, class Shape>
+constexpr const auto& attribute_value(const Shape& shape) {
+  return shape.*std::get<place_of_attribute<Shape, component>()>(Shape::attributes).field;
 }
 
 }  // namespace durero::scene

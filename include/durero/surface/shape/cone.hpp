@@ -14,7 +14,11 @@ auto potencia(const scene::Cone& cone, const Point<T>& w) {
 }
 
 /// Precondition of both: every number of the shape is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰.
-Ball ball(const scene::Cone& shape);
-Box box(const scene::Cone& shape);
+inline Ball ball(const scene::Cone& cone) {
+  return ball_of_discs(cone.centro, cone.vector, cone.altura, cone.proporcion * cone.altura, 0);
+}
+inline Box box(const scene::Cone& cone) {
+  return box_of_discs(cone.centro, cone.vector, cone.altura, cone.proporcion * cone.altura, 0);
+}
 
 }  // namespace durero::surface

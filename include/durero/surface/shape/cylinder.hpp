@@ -13,7 +13,11 @@ auto potencia(const scene::Cylinder& cylinder, const Point<T>& w) {
 }
 
 /// Precondition of both: every number of the shape is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰.
-Ball ball(const scene::Cylinder& shape);
-Box box(const scene::Cylinder& shape);
+inline Ball ball(const scene::Cylinder& cylinder) {
+  return ball_of_discs(cylinder.centro, cylinder.vector, cylinder.altura, cylinder.radio, cylinder.radio);
+}
+inline Box box(const scene::Cylinder& cylinder) {
+  return box_of_discs(cylinder.centro, cylinder.vector, cylinder.altura, cylinder.radio, cylinder.radio);
+}
 
 }  // namespace durero::surface

@@ -1,6 +1,9 @@
 #pragma once
 /// The surface of a sphere: its equation, and what contains it.
 
+#include <cmath>
+#include <limits>
+
 #include "durero/surface/bounds.hpp"
 #include "durero/surface/equation.hpp"
 
@@ -13,7 +16,16 @@ auto potencia(const scene::Sphere& sphere, const Point<T>& w) {
 }
 
 /// Precondition of both: every number of the shape is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰.
-Ball ball(const scene::Sphere& shape);
-Box box(const scene::Sphere& shape);
+inline Ball ball(const scene::Sphere& sphere) { return {sphere.centro, sphere.radio}; }
+/// A difference is rounded once, so its neighbour lies beyond the exact one.
+inline Box box(const scene::Sphere& sphere) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Box box{};
+  for (int i = 0; i < 3; ++i) {
+    box.low[i] = std::nextafter(sphere.centro[i] - sphere.radio, -infinity);
+    box.high[i] = std::nextafter(sphere.centro[i] + sphere.radio, infinity);
+  }
+  return box;
+}
 
 }  // namespace durero::surface

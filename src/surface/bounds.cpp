@@ -1,4 +1,4 @@
-#include "axial.hpp"
+#include "durero/surface/bounds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +10,15 @@ double extent(const glm::dvec3& x) { return std::abs(x.x) + std::abs(x.y) + std:
 
 }  // namespace
 
-// With w − centro = s·d + e, d² within 2⁻⁵⁰ of 1 and e·d of s times that, squared distances from the axis's point are
-// those of a unit axis up to 2⁻⁴⁷ of them: the factor pays for that and for rounding. The rounded centre is off by at
-// most 4u(|centro| + height) in each component.
-Ball ball_on_axis(const glm::dvec3& centro, const glm::dvec3& vector, double height, double radius) {
+// A point at the advance s of a disc's rim of radius r is r² + (s − height)² from the point of the axis at the height,
+// and all between the two discs is nearer than the farther rim: the height where both rims are equally far is best. The
+// radius is taken at the height as it was rounded. With w − centro = s·d + e, d² within 2⁻⁵⁰ of 1 and e·d of s times
+// that, squared distances from the axis's point are those of a unit axis up to 2⁻⁴⁷ of them: the factor pays for that
+// and for rounding. The rounded centre is off by at most 4u(|centro| + height) in each component.
+Ball ball_of_discs(const glm::dvec3& centro, const glm::dvec3& vector, double altura, double base, double top) {
+  const double height = std::clamp((altura + (top - base) / altura * (top + base)) / 2, 0.0, altura);
+  const double beyond = altura - height;
+  const double radius = std::max(std::sqrt(base * base + height * height), std::sqrt(top * top + beyond * beyond));
   return {centro + height * vector, radius * (1 + 0x1p-40) + 0x1p-48 * (extent(centro) + height)};
 }
 

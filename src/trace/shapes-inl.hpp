@@ -1,0 +1,41 @@
+/// The closed forms of every shape.
+
+#if defined(DURERO_TRACE_SHAPES_INL_HPP_) == defined(HWY_TARGET_TOGGLE)
+#ifdef DURERO_TRACE_SHAPES_INL_HPP_
+#undef DURERO_TRACE_SHAPES_INL_HPP_
+#else
+#define DURERO_TRACE_SHAPES_INL_HPP_
+#endif
+
+#include "trace/shape/cone-inl.hpp"
+#include "trace/shape/cylinder-inl.hpp"
+#include "trace/shape/sphere-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace durero::trace {
+namespace HWY_NAMESPACE {
+
+template <class T, class Element, class Ray>
+HWY_INLINE Quadratic<T> quadratic(const Element& element, const Ray& ray) {
+  return quadratic_of<T>(Of<Element::tipo>(), element, ray);
+}
+
+template <class R, class Element>
+HWY_INLINE Power<R> power(const Element& element, const Place3<R>& q) {
+  return power_of<R>(Of<Element::tipo>(), element, q);
+}
+
+/// The quadratic at t: potencia, less that at the origin where the ray starts on the element.
+template <class Element>
+HWY_INLINE Power<double> quadratic_at(double t, const Element& element, const Ray& ray, bool on) {
+  const Power<double> there = power(element, place_at(t, ray, element.centro));
+  if (!on) return there;
+  const Power<double> here = power(element, place_at(0.0, ray, element.centro));
+  return {difference(there.value, here.value), there.error + 2 * here.error};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace durero::trace
+HWY_AFTER_NAMESPACE();
+
+#endif
