@@ -104,11 +104,36 @@ class Prover {
     });
   }
 
+  /// x ∈ R ⦇ {a, b} ⦈ holds where x is known to be in R ⦇ {a} ⦈, or in what equals it.
+  bool in_smaller_image(const Term& x, const Node& image) const {
+    const auto is_smaller = [&](const Term& set) {
+      const Node* other = operands(set, "_⦇_⦈");
+      if (!other || other->children[0] != image.children[0]) return false;
+      const Term &part = other->children[1], &whole = image.children[1];
+      const auto is_of_whole = [&](const Term& value) {
+        return std::find(whole->children.begin(), whole->children.end(), value) != whole->children.end();
+      };
+      return part->kind == Kind::set_extension &&
+             std::all_of(part->children.begin(), part->children.end(), is_of_whole);
+    };
+    const auto equals_smaller = [&](const Term& set) {
+      return is_smaller(set) || std::any_of(facts_.facts.begin(), facts_.facts.end(), [&](const Term& fact) {
+               return is_relation(fact, "_=_") && ((fact->children[0] == set && is_smaller(fact->children[1])) ||
+                                                   (fact->children[1] == set && is_smaller(fact->children[0])));
+             });
+    };
+    return std::any_of(facts_.facts.begin(), facts_.facts.end(), [&](const Term& fact) {
+      return is_relation(fact, "_∈_") && fact->children[0] == x && equals_smaller(fact->children[1]);
+    });
+  }
+
   /// x ∈ g ∼ ⦇ {a, b} ⦈ holds where x ∈ dom g and g x is a or b.
   bool in_image(const Term& x, const Node& image) {
     const Term* inverted = match::argument_of(image.children[0], "_∼");
     const Term& values = image.children[1];
-    if (!inverted || values->kind != Kind::set_extension || values->children.empty()) return false;
+    if (values->kind != Kind::set_extension || values->children.empty()) return false;
+    if (in_smaller_image(x, image)) return true;
+    if (!inverted) return false;
     const Term& g = *inverted;
     if (!member(x, domain_of(g))) return false;
     const Term value = apply(g, x);
