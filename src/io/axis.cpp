@@ -28,4 +28,6 @@ glm::dvec3 end_of(const glm::dvec3& base, const Axis& axis) {
   return {along(base.x, axis.vector.x), along(base.y, axis.vector.y), along(base.z, axis.vector.z)};
 }
 
+double proportion_between(double wide, double narrow, double altura) { return (wide - narrow) / altura; }
+
 }  // namespace durero::io

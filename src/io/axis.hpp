@@ -19,4 +19,7 @@ std::optional<Axis> axis_between(const glm::dvec3& base, const glm::dvec3& end);
 /// base + altura·vector, each coordinate rounded.
 glm::dvec3 end_of(const glm::dvec3& base, const Axis& axis);
 
+/// How much the radius narrows for each unit of height, rounded.
+double proportion_between(double wide, double narrow, double altura);
+
 }  // namespace durero::io

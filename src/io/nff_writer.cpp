@@ -12,7 +12,6 @@
 namespace durero::io {
 namespace {
 
-using model::Tipo;
 using scene::ElementRef;
 
 std::string text(double x) { return number_text(x); }
@@ -64,25 +63,24 @@ class NffWriter {
   }
 
   void write_element(ElementRef element) {
-    switch (element.tipo) {
-      case Tipo::soy_esfera: {
-        const scene::Sphere& s = scene_.shapes<scene::Sphere>()[element.index];
-        out_.text += fmt::format("s {} {}\n", text(s.centro), s.radio);
-        break;
-      }
-      case Tipo::soy_cilindro: {
-        const scene::Cylinder& c = scene_.shapes<scene::Cylinder>()[element.index];
-        write_cone(c.centro, {c.vector, c.altura}, c.radio, c.radio);
-        break;
-      }
-      case Tipo::soy_cono: {
-        const scene::Cone& k = scene_.shapes<scene::Cone>()[element.index];
-        const double radius = k.proporcion * k.altura;
-        if (radius / k.altura != k.proporcion) ++rounded_radii_;
-        write_cone(k.centro, {k.vector, k.altura}, radius, 0);
-        break;
-      }
+    scene_.visit(element, [&](const auto& shape) { write_shape(shape); });
+  }
+
+  void write_shape(const scene::Sphere& s) { out_.text += fmt::format("s {} {}\n", text(s.centro), s.radio); }
+
+  /// A shape along an axis, by the radii of its ends: radio + proporcion·(altura − s) at the advance s, as far as it
+  /// has them.
+  template <class Shape>
+    requires(scene::has_attribute<Shape, &model::Escena::mi_altura>())
+  void write_shape(const Shape& shape) {
+    double narrow = 0;
+    if constexpr (requires { shape.radio; }) narrow = shape.radio;
+    double wide = narrow;
+    if constexpr (requires { shape.proporcion; }) {
+      wide += shape.proporcion * shape.altura;
+      if (proportion_between(wide, narrow, shape.altura) != shape.proporcion) ++rounded_radii_;
     }
+    write_cone(shape.centro, {shape.vector, shape.altura}, wide, narrow);
   }
 
   void write_cone(const glm::dvec3& base, const Axis& axis, double base_radius, double apex_radius) {
@@ -96,7 +94,7 @@ class NffWriter {
     add_loss(out_.lost, scene_.stage().materials.size(), "name of a material", "names of materials",
              "left out: NFF has none");
     add_loss(out_.lost, rounded_axes_, "axis", "axes", "rounded: NFF holds end points");
-    add_loss(out_.lost, rounded_radii_, "proportion", "proportions", "rounded: NFF holds the radius of the base");
+    add_loss(out_.lost, rounded_radii_, "proportion", "proportions", "rounded: NFF holds the radii of the ends");
   }
 
   const scene::Scene& scene_;
