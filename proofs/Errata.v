@@ -197,7 +197,8 @@ Qed.
 
 (** ** The points *)
 
-(** E25: the printed points of a scene, with the unreachable last branch, are those of the corrected text. *)
+(** E25: the printed points of a scene of the printed types, whose last branch is then unreachable, are those of the
+    corrected text. *)
 Definition printed_puntos_de_escena s : set Punto := fun w =>
   exists e t, e ∈ elementos s /\ (e, t) ∈ de_que_tipo s /\
     match t with
@@ -206,15 +207,17 @@ Definition printed_puntos_de_escena s : set Punto := fun w =>
         /\ (e, h) ∈ mi_altura s /\ w ∈ puntos_cilindro c r d h
     | soy_cono => exists c k d h, (e, c) ∈ mi_centro s /\ (e, k) ∈ mi_proporcion s /\ (e, d) ∈ mi_vector s
         /\ (e, h) ∈ mi_altura s /\ w ∈ puntos_cono c k d h
+    | _ => False
     end.
-Theorem E25_same_points s : printed_puntos_de_escena s ≡ puntos_de_escena s.
+Theorem E25_same_points s : ran (de_que_tipo s) ⊆ ⦃soy_esfera⦄ ∪ ⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄ ->
+  printed_puntos_de_escena s ≡ puntos_de_escena s.
 Proof.
-  intros w. split.
+  intros P w. split.
   - intros [e [t [He [Ht H]]]]. exists e. split; [exact He | split; [exact He |]]. exists t. split; [exact Ht |].
-    destruct t; [left; now split | right; split; [discriminate | left; now split] |].
-    right; split; [discriminate | right; split; [discriminate | exact H]].
+    destruct t; try contradiction; repeat first [left; now split | right; split; [discriminate |]].
   - intros [e [He [_ [t [Ht H]]]]]. exists e, t. split; [exact He | split; [exact Ht |]].
-    destruct H as [[-> H] | [N [[-> H] | [N' H]]]]; [exact H | exact H |]. destruct t; [easy | easy | exact H].
+    assert (T : ran (de_que_tipo s) t) by now exists e. apply P in T as [[-> | ->] | ->];
+      repeat match type of H with _ \/ _ => destruct H as [[? H] | [? H]]; [try discriminate | try easy] end; exact H.
 Qed.
 
 End Errata.

@@ -1,7 +1,8 @@
 (** spec/escena.tex: the first scene exists, and what the invariant says of one element.
 
     empty_scene          == the scene without elements
-    is_esfera s e c r    == e is a sphere of s with centre c and radius r; is_cilindro, is_cono likewise
+    is_esfera s e c r    == e is a sphere of s with centre c and radius r; is_cilindro, is_cono, is_tronco likewise
+    radio_types          == the types that have a radius; vector_types, altura_types, proporcion_types likewise
     Escena_eq            == equality of scenes, component by component: an equivalence that keeps the invariant *)
 From Coq Require Import Reals List Lra.
 From Durero Require Import Toolkit Especificacion.
@@ -66,6 +67,14 @@ Definition is_cilindro (s : Escena) e c r d h : Prop :=
 Definition is_cono (s : Escena) e c k d h : Prop :=
   (e, soy_cono) ∈ de_que_tipo s /\ (e, c) ∈ mi_centro s /\ (e, k) ∈ mi_proporcion s
   /\ (e, d) ∈ mi_vector s /\ (e, h) ∈ mi_altura s.
+Definition is_tronco (s : Escena) e c r k d h : Prop :=
+  (e, soy_tronco) ∈ de_que_tipo s /\ (e, c) ∈ mi_centro s /\ (e, r) ∈ mi_radio s /\ (e, k) ∈ mi_proporcion s
+  /\ (e, d) ∈ mi_vector s /\ (e, h) ∈ mi_altura s.
+
+Definition radio_types : set Tipo := ⦃soy_esfera⦄ ∪ ⦃soy_cilindro⦄ ∪ ⦃soy_tronco⦄.
+Definition vector_types : set Tipo := ⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄ ∪ ⦃soy_tronco⦄.
+Definition altura_types : set Tipo := ⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄ ∪ ⦃soy_tronco⦄.
+Definition proporcion_types : set Tipo := ⦃soy_cono⦄ ∪ ⦃soy_tronco⦄.
 
 Lemma Escena_eq_refl (s : Escena) : Escena_eq s s.
 Proof. split; reflexivity. Qed.
@@ -127,21 +136,22 @@ Proof.
   intros H. split; [| intros HT; now exists t].
   intros [t' [HT H']]. now rewrite (type_unique _ _ _ H H').
 Qed.
-Lemma has_radio e t : (e, t) ∈ de_que_tipo s -> (dom (mi_radio s) e <-> t = soy_esfera \/ t = soy_cilindro).
+Lemma has_radio e t : (e, t) ∈ de_que_tipo s -> (dom (mi_radio s) e <-> radio_types t).
 Proof. intros H. rewrite (Escena_inv_3 ok e). exact (in_image e t _ H). Qed.
-Lemma has_vector e t : (e, t) ∈ de_que_tipo s -> (dom (mi_vector s) e <-> t = soy_cilindro \/ t = soy_cono).
+Lemma has_vector e t : (e, t) ∈ de_que_tipo s -> (dom (mi_vector s) e <-> vector_types t).
 Proof. intros H. rewrite (Escena_inv_4 ok e). exact (in_image e t _ H). Qed.
-Lemma has_altura e t : (e, t) ∈ de_que_tipo s -> (dom (mi_altura s) e <-> t = soy_cilindro \/ t = soy_cono).
+Lemma has_altura e t : (e, t) ∈ de_que_tipo s -> (dom (mi_altura s) e <-> altura_types t).
 Proof. intros H. rewrite (Escena_inv_5 ok e). exact (in_image e t _ H). Qed.
-Lemma has_proporcion e t : (e, t) ∈ de_que_tipo s -> (dom (mi_proporcion s) e <-> t = soy_cono).
+Lemma has_proporcion e t : (e, t) ∈ de_que_tipo s -> (dom (mi_proporcion s) e <-> proporcion_types t).
 Proof. intros H. rewrite (Escena_inv_6 ok e). exact (in_image e t _ H). Qed.
 
-(** Every element of a scene is a sphere, a cylinder or a cone, with attributes in their ranges.
+(** Every element of a scene is a sphere, a cylinder, a cone or a truncated cone, with attributes in their ranges.
     Discharges Escena.inv.1, Escena.inv.2, Escena.inv.3, Escena.inv.4, Escena.inv.5, Escena.inv.6, Escena.inv.8. *)
 Theorem element_cases e : e ∈ elementos s ->
   (exists c r, is_esfera s e c r /\ r ∈ Rmas)
   \/ (exists c r d h, is_cilindro s e c r d h /\ r ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas)
-  \/ (exists c k d h, is_cono s e c k d h /\ k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas).
+  \/ (exists c k d h, is_cono s e c k d h /\ k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas)
+  \/ (exists c r k d h, is_tronco s e c r k d h /\ r ∈ Rmas /\ k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas).
 Proof.
   intros He. destruct (type_of_element e He) as [t Ht]. destruct (proj1 (Escena_inv_2 ok e) He) as [c Hc].
   assert (HR : forall r, (e, r) ∈ mi_radio s -> r ∈ Rmas) by (intros; apply (Escena_decl_mi_radio ok); now exists e).
@@ -151,10 +161,12 @@ Proof.
   assert (HD : forall d, (e, d) ∈ mi_vector s -> d ∈ Unitario) by (intros; apply (Escena_inv_8 ok); now exists e).
   pose proof (has_radio e t Ht) as [_ Jr]. pose proof (has_vector e t Ht) as [_ Jd].
   pose proof (has_altura e t Ht) as [_ Jh]. pose proof (has_proporcion e t Ht) as [_ Jk].
-  destruct t; [left | right; left | right; right]; exists c.
+  unfold radio_types, vector_types, altura_types, proporcion_types, union, single in *.
+  destruct t; [left | right; left | right; right; left | right; right; right]; exists c.
   - destruct Jr as [r Hr]; auto. exists r. unfold is_esfera. auto.
   - destruct Jr as [r Hr], Jd as [d Hd], Jh as [h Hh]; auto. exists r, d, h. unfold is_cilindro. auto 10.
   - destruct Jk as [k Hk], Jd as [d Hd], Jh as [h Hh]; auto. exists k, d, h. unfold is_cono. auto 10.
+  - destruct Jr as [r Hr], Jk as [k Hk], Jd as [d Hd], Jh as [h Hh]; auto. exists r, k, d, h. unfold is_tronco. auto 12.
 Qed.
 End Invariant.
 

@@ -6,6 +6,8 @@
 
     vec3, shape           == a triple of integers, and an element: each integer n stands for n/S
     quadratic             == A t² + 2 B t + C = 0 with the clip 0 <= s0 + t s1 <= h (h = s0 = s1 = 0 for a sphere)
+    profile S c r k d l on p v == that of the surface of radius r at the advance l and of proportion k: r = 0 for a cone,
+                            k = 0 for a cylinder
     quad S sh on p v      == the quadratic of the shape sh and of the ray p + t v; on: the ray starts on it, so C = 0
     answer, first_hit     == the outcome for a list of (identifier, shape, on)
     coordinate S p v t    == p + t v
@@ -13,6 +15,7 @@
     is_first_hit S p v es a == the answer a is the first hit of the elements es *)
 From Coq Require Import ZArith Reals List Lia Lra Bool.
 From Durero Require Import Especificacion Surd Quadratic.
+From Durero Require Puntos.
 Import ListNotations.
 Local Open Scope Z_scope.
 
@@ -26,35 +29,29 @@ Definition minus (a b : vec3) : vec3 := Vec (vx a - vx b) (vy a - vy b) (vz a - 
 Inductive shape :=
 | Sphere (centro : vec3) (radio : Z)
 | Cylinder (centro : vec3) (radio : Z) (vector : vec3) (altura : Z)
-| Cone (centro : vec3) (proporcion : Z) (vector : vec3) (altura : Z).
+| Cone (centro : vec3) (proporcion : Z) (vector : vec3) (altura : Z)
+| TruncatedCone (centro : vec3) (radio proporcion : Z) (vector : vec3) (altura : Z).
 
-(** The closed forms, times S² for the sphere and S⁶ for the others; their clips, times S². *)
+(** The closed forms, times S² for the sphere and S⁶ for the others; their clips, times S². The radius at the ray's origin
+    is g, times S³. *)
+Definition profile (S : Z) (c : vec3) (r k : Z) (d : vec3) (l : Z) (on : bool) (p v : vec3) : quadratic :=
+  let q := minus p c in
+  let s0 := dot q d in
+  let s1 := dot v d in
+  let S2 := S * S in
+  let S4 := S2 * S2 in
+  let m := 2 * S2 - dot d d in
+  let g := S2 * r + k * (S * l - s0) in
+  Quadratic (S4 * dot v v - (m + k * k) * (s1 * s1)) (S4 * dot q v - m * (s0 * s1) + g * k * s1)
+    (if on then 0 else S4 * dot q q - m * (s0 * s0) - g * g) s0 s1 (S * l).
 Definition quad (S : Z) (sh : shape) (on : bool) (p v : vec3) : quadratic :=
-  let constant C := if on then 0 else C in
   match sh with
   | Sphere c r =>
       let q := minus p c in
-      Quadratic (dot v v) (dot q v) (constant (dot q q - r * r)) 0 0 0
-  | Cylinder c r d l =>
-      let q := minus p c in
-      let s0 := dot q d in
-      let s1 := dot v d in
-      let S2 := S * S in
-      let S4 := S2 * S2 in
-      let m := 2 * S2 - dot d d in
-      Quadratic (S4 * dot v v - m * (s1 * s1)) (S4 * dot q v - m * (s0 * s1))
-        (constant (S4 * (dot q q - r * r) - m * (s0 * s0))) s0 s1 (S * l)
-  | Cone c k d l =>
-      let q := minus p c in
-      let s0 := dot q d in
-      let s1 := dot v d in
-      let S2 := S * S in
-      let S4 := S2 * S2 in
-      let k2 := k * k in
-      let m := 2 * S2 - dot d d in
-      let g := S * l - s0 in
-      Quadratic (S4 * dot v v - (m + k2) * (s1 * s1)) (S4 * dot q v - m * (s0 * s1) + k2 * (g * s1))
-        (constant (S4 * dot q q - m * (s0 * s0) - k2 * (g * g))) s0 s1 (S * l)
+      Quadratic (dot v v) (dot q v) (if on then 0 else dot q q - r * r) 0 0 0
+  | Cylinder c r d l => profile S c r 0 d l on p v
+  | Cone c k d l => profile S c 0 k d l on p v
+  | TruncatedCone c r k d l => profile S c r k d l on p v
   end.
 
 Inductive answer (I : Type) := Miss | Hit (t : surd) (elements : list I) | NoMin (elements : list I).
@@ -99,12 +96,13 @@ Definition power (S : Z) (sh : shape) (w : Punto) : R :=
   | Sphere c r => potencia_esfera w (point S c) (over S r)
   | Cylinder c r d _ => potencia_cilindro w (point S c) (over S r) (direction S d)
   | Cone c k d l => potencia_cono w (point S c) (over S k) (direction S d) (over S l)
+  | TruncatedCone c r k d l => potencia_tronco w (point S c) (over S r) (over S k) (direction S d) (over S l)
   end.
 
 Definition clip (S : Z) (sh : shape) (w : Punto) : Prop :=
   match sh with
   | Sphere _ _ => True
-  | Cylinder c _ d l | Cone c _ d l => 0 <= avance w (point S c) (direction S d) <= over S l
+  | Cylinder c _ d l | Cone c _ d l | TruncatedCone c _ _ d l => 0 <= avance w (point S c) (direction S d) <= over S l
   end.
 
 (** The points of the shape: of its surface, or (on) of the surface of the same equation through the ray's origin. *)
@@ -136,27 +134,40 @@ Qed.
 
 (** ** One element *)
 
-(** The quadratic is the power of the ray's point, times S² for a sphere and S⁶ for the others. *)
-Definition scale (S : Z) (sh : shape) : R := match sh with Sphere _ _ => IZR S ^ 2 | _ => IZR S ^ 6 end.
-
 Lemma IZR_over S n : (0 < S)%Z -> IZR n = IZR S * over S n.
 Proof. intros HS; apply IZR_lt in HS; unfold over; field; lra. Qed.
+Lemma over_0 S : over S 0 = 0.
+Proof. apply Rmult_0_l. Qed.
+
+(** A quadratic over the integers is that over the reals, each integer n standing for S times what n is over S. *)
+Local Ltac in_units S HS :=
+  cbn [point direction ray_at Punto_x Punto_y Punto_z Vector_x Vector_y Vector_z vx vy vz];
+  repeat rewrite ?plus_IZR, ?minus_IZR, ?mult_IZR;
+  repeat match goal with |- context [IZR ?n] => is_var n; tryif constr_eq n S then fail else rewrite (IZR_over S n HS) end;
+  ring.
+
+Lemma profile_power S c r k d l on p v t : (0 < S)%Z ->
+  let q := profile S c r k d l on p v in
+  let power w := potencia_tronco w (point S c) (over S r) (over S k) (direction S d) (over S l) in
+  IZR (qA q) * t * t + 2 * IZR (qB q) * t + IZR (qC q)
+  = IZR S ^ 6 * (power (ray_at S p v t) - if on then power (point S p) else 0).
+Proof.
+  intros HS; destruct p as [px py pz], v as [ux uy uz], c as [cx cy cz], d as [dx dy dz], on;
+    cbn [profile qA qB qC]; unfold potencia_tronco, alejamiento, avance, cuadrado, dot, minus; in_units S HS.
+Qed.
+
+(** The quadratic is the power of the ray's point, times S² for a sphere and S⁶ for the others. *)
+Definition scale (S : Z) (sh : shape) : R := match sh with Sphere _ _ => IZR S ^ 2 | _ => IZR S ^ 6 end.
 
 Lemma quad_power S sh on p v t : (0 < S)%Z ->
   let q := quad S sh on p v in
   IZR (qA q) * t * t + 2 * IZR (qB q) * t + IZR (qC q)
   = scale S sh * (power S sh (ray_at S p v t) - if on then power S sh (point S p) else 0).
 Proof.
-  intros HS; destruct p as [px py pz], v as [ux uy uz];
-    destruct sh as [[cx cy cz] r|[cx cy cz] r [dx dy dz] l|[cx cy cz] k [dx dy dz] l]; destruct on;
-    cbn [quad qA qB qC scale power];
-    unfold potencia_esfera, potencia_cilindro, potencia_cono, alejamiento, avance, cuadrado, dot, minus;
-    cbn [point direction ray_at Punto_x Punto_y Punto_z Vector_x Vector_y Vector_z vx vy vz];
-    repeat rewrite ?plus_IZR, ?minus_IZR, ?mult_IZR;
-    rewrite ?(IZR_over S px HS), ?(IZR_over S py HS), ?(IZR_over S pz HS), ?(IZR_over S ux HS), ?(IZR_over S uy HS),
-      ?(IZR_over S uz HS), ?(IZR_over S cx HS), ?(IZR_over S cy HS), ?(IZR_over S cz HS);
-    try rewrite ?(IZR_over S r HS); try rewrite ?(IZR_over S k HS); try rewrite ?(IZR_over S l HS);
-    try rewrite ?(IZR_over S dx HS), ?(IZR_over S dy HS), ?(IZR_over S dz HS); ring.
+  intros HS; destruct sh as [[cx cy cz] r|c r d l|c k d l|c r k d l]; cbn [quad scale power];
+    [| rewrite !(Puntos.potencia_cilindro_is_tronco _ _ _ _ (over S l)) | rewrite !Puntos.potencia_cono_is_tronco |].
+  2-4: etransitivity; [now apply profile_power | rewrite ?over_0; reflexivity].
+  destruct p as [px py pz], v as [ux uy uz], on; cbn [qA qB qC]; unfold potencia_esfera, cuadrado, dot, minus; in_units S HS.
 Qed.
 
 (** The clip, times S². *)
@@ -178,7 +189,7 @@ Lemma quad_clip S sh on p v t : (0 < S)%Z ->
   let q := quad S sh on p v in
   0 <= IZR (s0 q) + t * IZR (s1 q) <= IZR (h q) <-> clip S sh (ray_at S p v t).
 Proof.
-  intros HS; destruct sh as [c r|c r d l|c k d l]; cbn [quad s0 s1 h clip]; [|apply advance_over; assumption..].
+  intros HS; destruct sh; cbn [quad s0 s1 h clip]; [|apply advance_over; assumption..].
   split; [trivial | lra].
 Qed.
 

@@ -29,6 +29,7 @@ Definition has_shape (e : Elemento) (sh : shape) : Prop :=
   | Sphere c r => is_esfera _ s e (point S c) (over S r)
   | Cylinder c r d h => is_cilindro _ s e (point S c) (over S r) (direction S d) (over S h)
   | Cone c k d h => is_cono _ s e (point S c) (over S k) (direction S d) (over S h)
+  | TruncatedCone c r k d h => is_tronco _ s e (point S c) (over S r) (over S k) (direction S d) (over S h)
   end.
 
 Definition describes : Prop :=
@@ -42,13 +43,15 @@ Lemma shape_of_scene e sh : has_shape e sh ->
   (forall w, puntos_de_elemento s e w <-> power S sh w = 0 /\ clip S sh w) /\
   (forall w y, potencia s e w y <-> y = power S sh w) /\ (forall w, tramo s e w <-> clip S sh w).
 Proof.
-  destruct sh as [c r|c r d h|c k d h]; intros H.
+  destruct sh as [c r|c r d h|c k d h|c r k d h]; intros H.
   - destruct (esfera_of_scene _ s ok e _ _ H) as (Q & P & T); split; [|split; [exact P|]]; intros w.
     + rewrite Q; unfold puntos_esfera; simpl; tauto.
     + simpl; split; auto.
   - destruct (cilindro_of_scene _ s ok e _ _ _ _ H) as (Q & P & T); split; [|split; [exact P | exact T]]; intros w.
     rewrite Q; reflexivity.
   - destruct (cono_of_scene _ s ok e _ _ _ _ H) as (Q & P & T); split; [|split; [exact P | exact T]]; intros w.
+    rewrite Q; reflexivity.
+  - destruct (tronco_of_scene _ s ok e _ _ _ _ _ H) as (Q & P & T); split; [|split; [exact P | exact T]]; intros w.
     rewrite Q; reflexivity.
 Qed.
 

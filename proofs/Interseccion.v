@@ -110,7 +110,8 @@ Definition met_scene : set R := parameters (alcances s ray en).
 Definition equation (e : Elemento) (f : coefficients) : Prop :=
   (exists c r, is_esfera _ s e c r /\ f = of_esfera ray c r)
   \/ (exists c r d h, is_cilindro _ s e c r d h /\ f = of_cilindro ray c r d h)
-  \/ (exists c k d h, is_cono _ s e c k d h /\ f = of_cono ray c k d h).
+  \/ (exists c k d h, is_cono _ s e c k d h /\ f = of_cono ray c k d h)
+  \/ (exists c r k d h, is_tronco _ s e c r k d h /\ f = of_tronco ray c r k d h).
 Definition seen (e : Elemento) (f g : coefficients) : Prop := (en e /\ g = launched f) \/ (~ en e /\ g = f).
 
 (** The attributes of an element are those found: rewrites every other name for them. *)
@@ -130,62 +131,82 @@ Ltac same_attributes :=
       pose proof (proporcion_unique _ _ ok _ _ _ H H'); clear H'; subst
   end.
 
+(** The choice by type, where the type is known: one branch is left of what is supposed, and one is to be shown. *)
+Ltac chosen := repeat match goal with
+  | H : (?t = _ /\ _) \/ _ |- _ => destruct H as [[? H] | [? H]]; [try discriminate | try easy]
+  end.
+Ltac choose := repeat first [left; split; [reflexivity |] | right; split; [discriminate |]].
+Ltac by_type He Ht := split;
+  [ let H := fresh in intros [_ [? [? H]]]; same_attributes; chosen; decompose [ex and] H; same_attributes; auto
+  | intros ?; split; [exact He |]; eexists; split; [exact Ht |]; choose; eauto 15 ].
+(** The definitions by cases, for an element with the attributes of H and of a type with altura or without. *)
+Ltac of_scene H := let Ht := fresh "Ht" in let He := fresh "He" in
+  unfold is_esfera, is_cilindro, is_cono, is_tronco in H; pose proof (proj1 H) as Ht;
+  pose proof (element_of_type _ _ ok _ _ Ht) as He; decompose [and] H; clear H; split; [| split];
+  [ intros ?; by_type He Ht
+  | intros ? ?; by_type He Ht
+  | intros ?; first
+    [ split; [intros [_ H] | intros ?; split; [exact He | intros _; eauto 10]];
+      destruct H as [? [? [? [? [? [? ?]]]]]]; [eexists; eassumption |]; same_attributes; assumption
+    | split; [exact He | let E := fresh in intros E; apply (has_altura _ _ ok _ _ Ht) in E;
+        repeat destruct E as [E | E]; discriminate E ] ] ].
+
 (** The points, the power and the stretch of a sphere of the scene are those of its attributes. *)
 Lemma esfera_of_scene e c r : is_esfera _ s e c r ->
   (forall w, puntos_de_elemento s e w <-> puntos_esfera c r w)
   /\ (forall w y, potencia s e w y <-> y = potencia_esfera w c r) /\ (forall w, tramo s e w).
-Proof.
-  intros [Ht [Hc Hr]]. pose proof (element_of_type _ _ ok _ _ Ht) as He. split; [| split].
-  - intros w. split; [| intros H; split; [exact He | exists soy_esfera; eauto 10]].
-    intros [_ [t [Ht' H]]]. same_attributes. destruct H as [[_ [c' [r' [Hc' [Hr' H]]]]] | [N _]]; [| easy].
-    same_attributes. auto.
-  - intros w y. split; [| intros H; split; [exact He | exists soy_esfera; eauto 10]].
-    intros [_ [t [Ht' H]]]. same_attributes. destruct H as [[_ [c' [r' [Hc' [Hr' H]]]]] | [N _]]; [| easy].
-    same_attributes. auto.
-  - intros w. split; [exact He |]. intros H. apply (has_altura _ _ ok e _ Ht) in H as [H | H]; discriminate H.
-Qed.
+Proof. intros H. of_scene H. Qed.
 (** The same of a cylinder. *)
 Lemma cilindro_of_scene e c r d h : is_cilindro _ s e c r d h ->
   (forall w, puntos_de_elemento s e w <-> puntos_cilindro c r d h w)
   /\ (forall w y, potencia s e w y <-> y = potencia_cilindro w c r d)
   /\ (forall w, tramo s e w <-> 0 <= avance w c d <= h).
-Proof.
-  intros [Ht [Hc [Hr [Hd Hh]]]]. pose proof (element_of_type _ _ ok _ _ Ht) as He.
-  assert (N : soy_cilindro <> soy_esfera) by discriminate. split; [| split].
-  - intros w. split; [| intros H; split; [exact He | exists soy_cilindro; split; [exact Ht |]]; right; split;
-      [exact N | left; eauto 12]].
-    intros [_ [t [Ht' H]]]. same_attributes. destruct H as [[N' _] | [_ [[_ H] | [N' _]]]]; [easy | | easy].
-    destruct H as [c' [r' [d' [h' [Hc' [Hr' [Hd' [Hh' H]]]]]]]]. same_attributes. auto.
-  - intros w y. split; [| intros H; split; [exact He | exists soy_cilindro; split; [exact Ht |]]; right; split;
-      [exact N | left; eauto 12]].
-    intros [_ [t [Ht' H]]]. same_attributes. destruct H as [[N' _] | [_ [[_ H] | [N' _]]]]; [easy | | easy].
-    destruct H as [c' [r' [d' [Hc' [Hr' [Hd' H]]]]]]. same_attributes. auto.
-  - intros w. split; [| intros H; split; [exact He | intros _; eauto 10]].
-    intros [_ H]. destruct H as [c' [d' [h' [Hc' [Hd' [Hh' H]]]]]]; [now exists h |]. same_attributes. auto.
-Qed.
+Proof. intros H. of_scene H. Qed.
 (** The same of a cone. *)
 Lemma cono_of_scene e c k d h : is_cono _ s e c k d h ->
   (forall w, puntos_de_elemento s e w <-> puntos_cono c k d h w)
   /\ (forall w y, potencia s e w y <-> y = potencia_cono w c k d h)
   /\ (forall w, tramo s e w <-> 0 <= avance w c d <= h).
-Proof.
-  intros [Ht [Hc [Hk [Hd Hh]]]]. pose proof (element_of_type _ _ ok _ _ Ht) as He.
-  assert (N : soy_cono <> soy_esfera) by discriminate. assert (N' : soy_cono <> soy_cilindro) by discriminate.
-  split; [| split].
-  - intros w. split; [| intros H; split; [exact He | exists soy_cono; split; [exact Ht |]]; right; split;
-      [exact N | right; split; [exact N' | eauto 12]]].
-    intros [_ [t [Ht' H]]]. same_attributes. destruct H as [[E _] | [_ [[E _] | [_ H]]]]; [easy | easy |].
-    destruct H as [c' [k' [d' [h' [Hc' [Hk' [Hd' [Hh' H]]]]]]]]. same_attributes. auto.
-  - intros w y. split; [| intros H; split; [exact He | exists soy_cono; split; [exact Ht |]]; right; split;
-      [exact N | right; split; [exact N' | eauto 12]]].
-    intros [_ [t [Ht' H]]]. same_attributes. destruct H as [[E _] | [_ [[E _] | [_ H]]]]; [easy | easy |].
-    destruct H as [c' [k' [d' [h' [Hc' [Hk' [Hd' [Hh' H]]]]]]]]. same_attributes. auto.
-  - intros w. split; [| intros H; split; [exact He | intros _; eauto 10]].
-    intros [_ H]. destruct H as [c' [d' [h' [Hc' [Hd' [Hh' H]]]]]]; [now exists h |]. same_attributes. auto.
-Qed.
+Proof. intros H. of_scene H. Qed.
+(** The same of a truncated cone. *)
+Lemma tronco_of_scene e c r k d h : is_tronco _ s e c r k d h ->
+  (forall w, puntos_de_elemento s e w <-> puntos_tronco c r k d h w)
+  /\ (forall w y, potencia s e w y <-> y = potencia_tronco w c r k d h)
+  /\ (forall w, tramo s e w <-> 0 <= avance w c d <= h).
+Proof. intros H. of_scene H. Qed.
 
 Lemma value_launched f t : value (launched f) t = 0 <-> value f t = value f 0.
 Proof. unfold value, launched; cbn. split; intros; lra. Qed.
+
+(** The coefficients of an element: its points, its power and its stretch along the ray are theirs. *)
+Lemma equation_of_scene e : e ∈ elementos s -> exists f, equation e f /\ proper f
+  /\ (forall t, puntos_de_elemento s e (point_at ray t) <-> value f t = 0 /\ within f t)
+  /\ (forall t y, potencia s e (point_at ray t) y <-> y = value f t)
+  /\ (forall t, tramo s e (point_at ray t) <-> within f t).
+Proof.
+  intros He. destruct (element_cases _ _ ok e He) as [[c [r [H _]]] | [[c [r [d [h [H [_ [_ Hh]]]]]]] |
+    [[c [k [d [h [H [_ [_ Hh]]]]]]] | [c [r [k [d [h [H [_ [_ [_ Hh]]]]]]]]]]]].
+  - destruct (esfera_of_scene _ _ _ H) as [Q [P T]]. exists (of_esfera ray c r).
+    split; [left; eauto | split; [exact I | split; [| split]]]; intros t.
+    + rewrite Q, esfera_along. unfold within; cbn. tauto.
+    + intros y. now rewrite P, potencia_esfera_along.
+    + now split.
+  - destruct (cilindro_of_scene _ _ _ _ _ H) as [Q [P T]]. exists (of_cilindro ray c r d h).
+    split; [right; left; eauto 6 | split; [exact Hh | split; [| split]]]; intros t.
+    + rewrite Q. apply cilindro_along.
+    + intros y. now rewrite P, (potencia_cilindro_along ray c r d h).
+    + now rewrite T, avance_along.
+  - destruct (cono_of_scene _ _ _ _ _ H) as [Q [P T]]. exists (of_cono ray c k d h).
+    split; [right; right; left; eauto 6 | split; [exact Hh | split; [| split]]]; intros t.
+    + rewrite Q. apply cono_along.
+    + intros y. now rewrite P, potencia_cono_along.
+    + now rewrite T, avance_along.
+  - destruct (tronco_of_scene _ _ _ _ _ _ H) as [Q [P T]]. exists (of_tronco ray c r k d h).
+    split; [right; right; right; eauto 7 | split; [exact Hh | split; [| split]]]; intros t.
+    + rewrite Q. apply tronco_along.
+    + intros y. now rewrite P, potencia_tronco_along.
+    + now rewrite T, avance_along.
+Qed.
 
 (** What a ray meets of an element is where its quadratic vanishes within the clip; where the ray is said to start on
     the element, the constant term is 0. Discharges potencia.def.1, tramo.def.1, puntos_desde.def.1,
@@ -194,33 +215,11 @@ Theorem met_is_reach e : e ∈ elementos s ->
   exists f g, equation e f /\ seen e f g /\ proper g /\ met e ≡ reach g.
 Proof.
   intros He.
-  assert (K : exists f, equation e f /\ proper f
-    /\ (forall t, puntos_de_elemento s e (point_at ray t) <-> value f t = 0 /\ within f t)
-    /\ (forall t, puntos_desde s e p (point_at ray t) <-> value f t = value f 0 /\ within f t)).
-  { unfold puntos_desde, p. rewrite <- point_at_0.
-    destruct (element_cases _ _ ok e He) as [[c [r [H _]]] | [[c [r [d [h [H [_ [_ Hh]]]]]]] | [c [k [d [h [H [_ [_ Hh]]]]]]]]].
-    - destruct (esfera_of_scene _ _ _ H) as [Q [P T]]. exists (of_esfera ray c r).
-      split; [left; eauto | split; [exact I | split]]; intros t.
-      + rewrite Q, esfera_along. unfold within; cbn. tauto.
-      + pose proof (fun t => proj1 (potencia_along ray c r 0 (Rayo_v ray) 0 t)) as V. split.
-        * intros [_ [_ [y [y' [H1 [H2 E]]]]]]. apply P in H1, H2. rewrite V in H1, H2. split; [congruence | exact I].
-        * intros [E _]. split; [exact He | split; [apply T |]]. do 2 eexists.
-          split; [now apply P | split; [now apply P |]]. now rewrite !V.
-    - destruct (cilindro_of_scene _ _ _ _ _ H) as [Q [P T]]. exists (of_cilindro ray c r d h).
-      split; [right; left; eauto 6 | split; [exact Hh | split]]; intros t.
-      + rewrite Q. apply cilindro_along.
-      + pose proof (fun t => proj1 (proj2 (potencia_along ray c r 0 d h t))) as V. rewrite T, avance_along. split.
-        * intros [_ [Hw [y [y' [H1 [H2 E]]]]]]. apply P in H1, H2. rewrite V in H1, H2. split; [congruence | exact Hw].
-        * intros [E Hw]. split; [exact He | split; [exact Hw |]]. do 2 eexists.
-          split; [now apply P | split; [now apply P |]]. now rewrite !V.
-    - destruct (cono_of_scene _ _ _ _ _ H) as [Q [P T]]. exists (of_cono ray c k d h).
-      split; [right; right; eauto 6 | split; [exact Hh | split]]; intros t.
-      + rewrite Q. apply cono_along.
-      + pose proof (fun t => proj2 (proj2 (potencia_along ray c 0 k d h t))) as V. rewrite T, avance_along. split.
-        * intros [_ [Hw [y [y' [H1 [H2 E]]]]]]. apply P in H1, H2. rewrite V in H1, H2. split; [congruence | exact Hw].
-        * intros [E Hw]. split; [exact He | split; [exact Hw |]]. do 2 eexists.
-          split; [now apply P | split; [now apply P |]]. now rewrite !V. }
-  destruct K as [f [Heq [Hp [K1 K2]]]].
+  destruct (equation_of_scene e He) as [f [Heq [Hp [K1 [P T]]]]].
+  assert (K2 : forall t, puntos_desde s e p (point_at ray t) <-> value f t = value f 0 /\ within f t).
+  { intros t. unfold puntos_desde, p. rewrite <- point_at_0, T. split.
+    - intros [_ [Hw [y [y' [H1 [H2 E]]]]]]. apply P in H1, H2. split; [congruence | exact Hw].
+    - intros [E Hw]. split; [exact He | split; [exact Hw |]]. exists (value f t), (value f 0). now rewrite !P. }
   assert (A : forall t, 0 < t -> (alcance s ray en e (point_at ray t) <->
     (en e /\ puntos_desde s e p (point_at ray t)) \/ (~ en e /\ puntos_de_elemento s e (point_at ray t)))).
   { intros t Ht. unfold alcance, interseccion, inter. split; [tauto |]. intros H. split; [exact He | split; [| exact H]].
@@ -294,8 +293,8 @@ Proof.
     pose proof (M (1 / 2)). pose proof (M (1 / 3)). pose proof (M (1 / 4)). lra. }
   split; [exact Hf | split; [exact Hg | split; [exact V |]]]. intros [c [r Hs]].
   assert (Hf' : cA f = sq (Rayo_v ray)).
-  { destruct Hf as [[c' [r' [_ ->]]] | [[c' [r' [d' [h' [Hc _]]]]] | [c' [r' [d' [h' [Hc _]]]]]]]; [reflexivity | |];
-      destruct Hs as [Ht _], Hc as [Ht' _]; discriminate (type_unique _ _ ok _ _ _ Ht Ht'). }
+  { destruct Hf as [[c' [r' [_ ->]]] | Hf]; [reflexivity |]. destruct Hs as [Ht _].
+    unfold is_cilindro, is_cono, is_tronco in Hf. decompose [ex and or] Hf; same_attributes. }
   assert (Hg' : cA g = sq (Rayo_v ray)) by (destruct Hg as [[_ ->] | [_ ->]]; exact Hf').
   pose proof (ray_direction_positive ray ray_ok). generalize (V 0) (V 1) (V (-1)). unfold value. rewrite Hg'. lra.
 Qed.

@@ -3,7 +3,7 @@
     Names and glossaries: Especificacion.v is the Z text; Toolkit.v its sets (∈, ≡, ⇸, ∖, dom, …). For a scene s and a ray:
     Escena_ok s          == s satisfies the invariant of the text
     point_at ray t       == the point p + t·v
-    of_esfera, of_cilindro, of_cono == the coefficients of A·t² + 2B·t + C and the clip 0 ≤ s0 + t·s1 ≤ altura
+    of_esfera, of_cilindro, of_cono, of_tronco == the coefficients of A·t² + 2B·t + C and the clip 0 ≤ s0 + t·s1 ≤ altura
     roots f              == the computed solutions;  reach f == the parameters t > 0 that solve f within its clip
     met ray s en e       == the parameters t > 0 at which the ray meets the element e, the ray starting on the elements en
     met_scene ray s en   == the same for the whole scene
@@ -41,12 +41,15 @@ Theorem preconditions_are_as_stated s e t c r d h k :
      Escena_ok s /\ e ∉ elementos s /\ t = soy_cilindro /\ r ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas)
   /\ ((exists s' r_out, Agregar_Cono s s' e t r_out c k d h) <->
      Escena_ok s /\ e ∉ elementos s /\ t = soy_cono /\ k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas)
+  /\ ((exists s' r_out, Agregar_Tronco s s' e t r_out c r k d h) <->
+     Escena_ok s /\ e ∉ elementos s /\ t = soy_tronco /\ r ∈ Rmas /\ k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas)
   /\ ((exists s' r_out, Eliminar_Esfera s s' e r_out) <-> Escena_ok s /\ (e, soy_esfera) ∈ de_que_tipo s)
   /\ ((exists s' r_out, Eliminar_Cilindro s s' e r_out) <-> Escena_ok s /\ (e, soy_cilindro) ∈ de_que_tipo s)
-  /\ ((exists s' r_out, Eliminar_Cono s s' e r_out) <-> Escena_ok s /\ (e, soy_cono) ∈ de_que_tipo s).
+  /\ ((exists s' r_out, Eliminar_Cono s s' e r_out) <-> Escena_ok s /\ (e, soy_cono) ∈ de_que_tipo s)
+  /\ ((exists s' r_out, Eliminar_Tronco s s' e r_out) <-> Escena_ok s /\ (e, soy_tronco) ∈ de_que_tipo s).
 Proof.
   exact (conj (pre_Agregar_Esfera _ s e t c r) (conj (pre_Agregar_Cilindro _ s e t c r d h)
-    (conj (pre_Agregar_Cono _ s e t c k d h) (pre_Eliminar _ s e)))).
+    (conj (pre_Agregar_Cono _ s e t c k d h) (conj (pre_Agregar_Tronco _ s e t c r k d h) (pre_Eliminar _ s e))))).
 Qed.
 
 (** The clauses that state the after-state already give the invariant: for each operation of one type. *)
@@ -54,19 +57,22 @@ Theorem operations_preserve_the_invariant s e c r d h k : Escena_ok s ->
   (e ∉ elementos s -> r ∈ Rmas -> Escena_ok (with_esfera _ s e c r))
   /\ (e ∉ elementos s -> r ∈ Rmas -> d ∈ Unitario -> h ∈ Rmas -> Escena_ok (with_cilindro _ s e c r d h))
   /\ (e ∉ elementos s -> k ∈ Rmas -> d ∈ Unitario -> h ∈ Rmas -> Escena_ok (with_cono _ s e c k d h))
+  /\ (e ∉ elementos s -> r ∈ Rmas -> k ∈ Rmas -> d ∈ Unitario -> h ∈ Rmas -> Escena_ok (with_tronco _ s e c r k d h))
   /\ Escena_ok (scene_without _ s e).
 Proof.
   intros ok. exact (conj (with_esfera_ok _ s e c r ok) (conj (with_cilindro_ok _ s e c r d h ok)
-    (conj (with_cono_ok _ s e c k d h ok) (scene_without_ok _ s e ok)))).
+    (conj (with_cono_ok _ s e c k d h ok) (conj (with_tronco_ok _ s e c r k d h ok) (scene_without_ok _ s e ok))))).
 Qed.
 
 Theorem total_operations_are_total s e t c r d h k : Escena_ok s ->
   (exists s' r_out, Agregar_Esfera_Total s s' e r_out c r)
   /\ (exists s' r_out, Agregar_Cilindro_Total s s' e r_out c r d h)
   /\ (exists s' r_out, Agregar_Cono_Total s s' e r_out c k d h)
+  /\ (exists s' r_out, Agregar_Tronco_Total s s' e r_out c r k d h)
   /\ (exists s' r_out, Eliminar_Esfera_Total s s' e r_out)
   /\ (exists s' r_out, Eliminar_Cilindro_Total s s' e r_out)
   /\ (exists s' r_out, Eliminar_Cono_Total s s' e r_out)
+  /\ (exists s' r_out, Eliminar_Tronco_Total s s' e r_out)
   /\ (exists s' r_out, Agregar_Elemento_Total s s' e t c r d h k r_out)
   /\ (exists s' r_out, Eliminar_Elemento_Total s s' e r_out).
 Proof. exact (Operaciones.total_operations_are_total _ s e t c r d h k). Qed.
@@ -126,8 +132,13 @@ Theorem closed_forms_are_sound_and_complete ray c r k d h t :
   /\ (point_at ray t ∈ puntos_cilindro c r d h <->
       solves (roots (of_cilindro ray c r d h)) t /\ within (of_cilindro ray c r d h) t)
   /\ (point_at ray t ∈ puntos_cono c k d h <->
-      solves (roots (of_cono ray c k d h)) t /\ within (of_cono ray c k d h) t).
-Proof. rewrite <- !roots_correct. exact (conj (esfera_along _ _ _ _) (conj (cilindro_along _ _ _ _ _ _) (cono_along _ _ _ _ _ _))). Qed.
+      solves (roots (of_cono ray c k d h)) t /\ within (of_cono ray c k d h) t)
+  /\ (point_at ray t ∈ puntos_tronco c r k d h <->
+      solves (roots (of_tronco ray c r k d h)) t /\ within (of_tronco ray c r k d h) t).
+Proof.
+  rewrite <- !roots_correct. exact (conj (esfera_along _ _ _ _) (conj (cilindro_along _ _ _ _ _ _)
+    (conj (cono_along _ _ _ _ _ _) (tronco_along _ _ _ _ _ _ _)))).
+Qed.
 
 Theorem stable_roots_are_the_textbook_ones f : cA f <> 0 -> 0 <= discriminant f -> stable_sum f <> 0 ->
   let plus := (- cB f + sqrt (discriminant f)) / cA f in
@@ -136,14 +147,19 @@ Theorem stable_roots_are_the_textbook_ones f : cA f <> 0 -> 0 <= discriminant f 
   \/ (stable_sum f / cA f = minus /\ cC f / stable_sum f = plus).
 Proof. exact (stable_roots_are_textbook f). Qed.
 
-(** With a and b the parts of v and q0 = p − c across the axis, and g = h − q0·d. *)
+(** With a and b the parts of v and q0 = p − c across the axis, g = h − q0·d, and ρ = r + k·g the radius at the ray's origin. *)
 Theorem stable_discriminants ray c r k d h :
   let v := Rayo_v ray in let q := from c (Rayo_p ray) in let a := across d v in let b := across d q in
   let g := h - Tipos.dot q d in
   discriminant (of_esfera ray c r) = r * r * Tipos.sq v - Tipos.sq (cross q v)
   /\ discriminant (of_cilindro ray c r d h) = r * r * Tipos.sq a - Tipos.sq (cross b a)
-  /\ discriminant (of_cono ray c k d h) = k * k * Tipos.sq (combine g a (Tipos.dot v d) b) - Tipos.sq (cross b a).
-Proof. exact (conj (discriminant_esfera _ _ _) (conj (discriminant_cilindro _ _ _ _ _) (discriminant_cono _ _ _ _ _))). Qed.
+  /\ discriminant (of_cono ray c k d h) = k * k * Tipos.sq (combine g a (Tipos.dot v d) b) - Tipos.sq (cross b a)
+  /\ discriminant (of_tronco ray c r k d h)
+     = Tipos.sq (combine (r + k * g) a (k * Tipos.dot v d) b) - Tipos.sq (cross b a).
+Proof.
+  exact (conj (discriminant_esfera _ _ _) (conj (discriminant_cilindro _ _ _ _ _)
+    (conj (discriminant_cono _ _ _ _ _) (discriminant_tronco _ _ _ _ _ _)))).
+Qed.
 
 Theorem at_most_two_points_or_a_segment f :
   (exists t1 t2, forall t, reach f t -> t = t1 \/ t = t2)

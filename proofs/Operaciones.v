@@ -3,7 +3,7 @@
 
     scene_with s e t c rs ds hs ks == s and the element e of type t with centre c, and a radius, axis, height and
                             proportion that are the members of rs, ds, hs, ks: none or one each
-    with_esfera, with_cilindro, with_cono == the same for each type
+    with_esfera, with_cilindro, with_cono, with_tronco == the same for each type
     scene_without s e    == s without e in every component
     same_at x s s'       == the element x has the same type and attributes in s and s' *)
 From Coq Require Import Reals Setoid Classical_Prop.
@@ -28,6 +28,7 @@ Definition scene_with s e t c (rs : set R) (ds : set Vector) (hs ks : set R) : E
 Definition with_esfera s e c r : Escena := scene_with s e soy_esfera c ⦃r⦄ ∅ ∅ ∅.
 Definition with_cilindro s e c r d h : Escena := scene_with s e soy_cilindro c ⦃r⦄ ⦃d⦄ ⦃h⦄ ∅.
 Definition with_cono s e c k d h : Escena := scene_with s e soy_cono c ∅ ⦃d⦄ ⦃h⦄ ⦃k⦄.
+Definition with_tronco s e c r k d h : Escena := scene_with s e soy_tronco c ⦃r⦄ ⦃d⦄ ⦃h⦄ ⦃k⦄.
 
 Definition scene_without s e : Escena := {|
   elementos := elementos s ∖ ⦃e⦄;
@@ -53,10 +54,10 @@ Proof. intros HP. split; [now intros [v []] | easy]. Qed.
 
 Lemma scene_with_ok s e t c rs ds hs ks :
   Escena_ok s -> e ∉ elementos s ->
-  at_most_one rs -> rs ⊆ Rmas -> ((exists r, rs r) <-> (⦃soy_esfera⦄ ∪ ⦃soy_cilindro⦄) t) ->
-  at_most_one ds -> ds ⊆ Unitario -> ((exists d, ds d) <-> (⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄) t) ->
-  at_most_one hs -> hs ⊆ Rmas -> ((exists h, hs h) <-> (⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄) t) ->
-  at_most_one ks -> ks ⊆ Rmas -> ((exists k, ks k) <-> ⦃soy_cono⦄ t) ->
+  at_most_one rs -> rs ⊆ Rmas -> ((exists r, rs r) <-> radio_types t) ->
+  at_most_one ds -> ds ⊆ Unitario -> ((exists d, ds d) <-> vector_types t) ->
+  at_most_one hs -> hs ⊆ Rmas -> ((exists h, hs h) <-> altura_types t) ->
+  at_most_one ks -> ks ⊆ Rmas -> ((exists k, ks k) <-> proporcion_types t) ->
   Escena_ok (scene_with s e t c rs ds hs ks).
 Proof.
   intros ok He R1 R2 R3 D1 D2 D3 H1 H2 H3 K1 K2 K3. split; cbn.
@@ -79,26 +80,21 @@ Proof.
   - intros d [x [H | [_ H]]]; [apply (Escena_inv_8 ok); now exists x | now apply D2].
 Qed.
 
+(** Each type has one value, or none, in the range of each attribute, and a value exactly of those that it has. *)
+Ltac type_added := intros; apply scene_with_ok; auto using single_at_most_one, empty_at_most_one; try easy;
+  try (now intros x ->); first [apply exists_single; cbv; tauto | apply exists_empty; cbv; intuition discriminate].
+
 Lemma with_esfera_ok s e c r : Escena_ok s -> e ∉ elementos s -> r ∈ Rmas -> Escena_ok (with_esfera s e c r).
-Proof.
-  intros ok He Hr. apply scene_with_ok; auto using single_at_most_one, empty_at_most_one; try easy.
-  all: try (now intros x ->). all: try (apply exists_single; cbv; tauto).
-  all: apply exists_empty; cbv; intuition discriminate.
-Qed.
+Proof. type_added. Qed.
 Lemma with_cilindro_ok s e c r d h : Escena_ok s -> e ∉ elementos s -> r ∈ Rmas -> d ∈ Unitario -> h ∈ Rmas ->
   Escena_ok (with_cilindro s e c r d h).
-Proof.
-  intros ok He Hr Hd Hh. apply scene_with_ok; auto using single_at_most_one, empty_at_most_one; try easy.
-  all: try (now intros x ->). all: try (apply exists_single; cbv; tauto).
-  all: apply exists_empty; cbv; intuition discriminate.
-Qed.
+Proof. type_added. Qed.
 Lemma with_cono_ok s e c k d h : Escena_ok s -> e ∉ elementos s -> k ∈ Rmas -> d ∈ Unitario -> h ∈ Rmas ->
   Escena_ok (with_cono s e c k d h).
-Proof.
-  intros ok He Hk Hd Hh. apply scene_with_ok; auto using single_at_most_one, empty_at_most_one; try easy.
-  all: try (now intros x ->). all: try (apply exists_single; cbv; tauto).
-  all: apply exists_empty; cbv; intuition discriminate.
-Qed.
+Proof. type_added. Qed.
+Lemma with_tronco_ok s e c r k d h : Escena_ok s -> e ∉ elementos s -> r ∈ Rmas -> k ∈ Rmas -> d ∈ Unitario ->
+  h ∈ Rmas -> Escena_ok (with_tronco s e c r k d h).
+Proof. type_added. Qed.
 
 Lemma scene_without_ok s e : Escena_ok s -> Escena_ok (scene_without s e).
 Proof.
@@ -116,6 +112,15 @@ Qed.
 
 (** ** Each operation, computed: its preconditions, its only after-state and its answer *)
 
+(** What an addition says of each component is what the scene with the element says of it. *)
+Ltac addition_computed with_ok := split;
+  [ let ok' := fresh "ok" in let P2 := fresh "P" in intros [[[? ok'] ? ? P2]]; subst;
+    split; [tauto | split; [split; cbn; rewrite ?at_one_single, ?at_one_empty; auto | reflexivity]];
+    now rewrite (Escena_inv_7 ok'), P2
+  | let C := fresh "C" in let E := fresh "E" in intros [C [E ->]]; decompose [and] C; subst;
+    pose proof (Escena_ok_eq _ _ _ E ltac:(apply with_ok; assumption)); destruct E; cbn in *;
+    rewrite ?at_one_single, ?at_one_empty in *; do 3 (split; auto) ].
+
 (** Agregar_Esfera happens exactly from a scene without e, with t = soy_esfera and a positive radius; the scene then
     gains that sphere and nothing else. Discharges Agregar_Elemento.pre.1, Agregar_Elemento.post.1,
     Agregar_Elemento.post.2, Agregar_Esfera.pre.1, Agregar_Esfera.pre.2, Agregar_Esfera.post.1, Agregar_Esfera.post.2,
@@ -124,15 +129,7 @@ Theorem Agregar_Esfera_computed s s' e t r_out c r :
   Agregar_Esfera s s' e t r_out c r <->
   (Escena_ok s /\ e ∉ elementos s /\ t = soy_esfera /\ r ∈ Rmas)
   /\ Escena_eq (with_esfera s e c r) s' /\ r_out = esfera_agregada.
-Proof.
-  split.
-  - intros [[[ok ok'] He P1 P2] -> Hr Q1 Q2 Q3 Q4 Q5 ->].
-    split; [auto | split; [| reflexivity]]. split; cbn; rewrite ?at_one_single, ?at_one_empty; auto.
-    now rewrite (Escena_inv_7 ok'), P2.
-  - intros [[ok [He [-> Hr]]] [E ->]]. pose proof (with_esfera_ok s e c r ok He Hr) as okw.
-    pose proof (Escena_ok_eq _ _ _ E okw). destruct E as [E1 E2 E3 E4 E5 E6 E7 E8]. cbn in *.
-    rewrite ?at_one_single, ?at_one_empty in *. split; auto. split; auto. split; auto.
-Qed.
+Proof. addition_computed with_esfera_ok. Qed.
 
 (** Agregar_Cilindro happens exactly when its clauses hold; the scene then gains that cylinder and nothing else.
     Discharges Agregar_Cilindro.pre.1, Agregar_Cilindro.pre.2, Agregar_Cilindro.pre.3, Agregar_Cilindro.pre.4,
@@ -142,15 +139,7 @@ Theorem Agregar_Cilindro_computed s s' e t r_out c r d h :
   Agregar_Cilindro s s' e t r_out c r d h <->
   (Escena_ok s /\ e ∉ elementos s /\ t = soy_cilindro /\ r ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas)
   /\ Escena_eq (with_cilindro s e c r d h) s' /\ r_out = cilindro_agregado.
-Proof.
-  split.
-  - intros [[[ok ok'] He P1 P2] -> Hr Hd Hh Q1 Q2 Q3 Q4 Q5 ->].
-    split; [auto 10 | split; [| reflexivity]]. split; cbn; rewrite ?at_one_single, ?at_one_empty; auto.
-    now rewrite (Escena_inv_7 ok'), P2.
-  - intros [[ok [He [-> [Hr [Hd Hh]]]]] [E ->]]. pose proof (with_cilindro_ok s e c r d h ok He Hr Hd Hh) as okw.
-    pose proof (Escena_ok_eq _ _ _ E okw). destruct E as [E1 E2 E3 E4 E5 E6 E7 E8]. cbn in *.
-    rewrite ?at_one_single, ?at_one_empty in *. split; auto. split; auto. split; auto.
-Qed.
+Proof. addition_computed with_cilindro_ok. Qed.
 
 (** Agregar_Cono happens exactly when its clauses hold; the scene then gains that cone and nothing else.
     Discharges Agregar_Cono.pre.1, Agregar_Cono.pre.2, Agregar_Cono.pre.3, Agregar_Cono.pre.4, Agregar_Cono.post.1,
@@ -159,19 +148,46 @@ Theorem Agregar_Cono_computed s s' e t r_out c k d h :
   Agregar_Cono s s' e t r_out c k d h <->
   (Escena_ok s /\ e ∉ elementos s /\ t = soy_cono /\ k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas)
   /\ Escena_eq (with_cono s e c k d h) s' /\ r_out = cono_agregado.
-Proof.
-  split.
-  - intros [[[ok ok'] He P1 P2] -> Hk Hd Hh Q1 Q2 Q3 Q4 Q5 ->].
-    split; [auto 10 | split; [| reflexivity]]. split; cbn; rewrite ?at_one_single, ?at_one_empty; auto.
-    now rewrite (Escena_inv_7 ok'), P2.
-  - intros [[ok [He [-> [Hk [Hd Hh]]]]] [E ->]]. pose proof (with_cono_ok s e c k d h ok He Hk Hd Hh) as okw.
-    pose proof (Escena_ok_eq _ _ _ E okw). destruct E as [E1 E2 E3 E4 E5 E6 E7 E8]. cbn in *.
-    rewrite ?at_one_single, ?at_one_empty in *. split; auto. split; auto. split; auto.
-Qed.
+Proof. addition_computed with_cono_ok. Qed.
+
+(** Agregar_Tronco happens exactly when its clauses hold; the scene then gains that truncated cone and nothing else.
+    Discharges Agregar_Tronco.pre.1, Agregar_Tronco.pre.2, Agregar_Tronco.pre.3, Agregar_Tronco.pre.4,
+    Agregar_Tronco.pre.5, Agregar_Tronco.post.1, Agregar_Tronco.post.2, Agregar_Tronco.post.3, Agregar_Tronco.post.4,
+    Agregar_Tronco.post.5, Agregar_Tronco.post.6. *)
+Theorem Agregar_Tronco_computed s s' e t r_out c r k d h :
+  Agregar_Tronco s s' e t r_out c r k d h <->
+  (Escena_ok s /\ e ∉ elementos s /\ t = soy_tronco /\ r ∈ Rmas /\ k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas)
+  /\ Escena_eq (with_tronco s e c r k d h) s' /\ r_out = tronco_agregado.
+Proof. addition_computed with_tronco_ok. Qed.
 
 (** An attribute that the type of e does not have is untouched by removing e. *)
-Lemma no_attribute {X} (f : rel Elemento X) e (P : Prop) : (dom f e <-> P) -> ~ P -> ndres ⦃e⦄ f ≡ f.
-Proof. intros H HP. apply ndres_outside. now rewrite H. Qed.
+Lemma no_attribute s e t : Escena_ok s -> (e, t) ∈ de_que_tipo s ->
+  (t ∉ radio_types -> ndres ⦃e⦄ (mi_radio s) ≡ mi_radio s)
+  /\ (t ∉ vector_types -> ndres ⦃e⦄ (mi_vector s) ≡ mi_vector s)
+  /\ (t ∉ altura_types -> ndres ⦃e⦄ (mi_altura s) ≡ mi_altura s)
+  /\ (t ∉ proporcion_types -> ndres ⦃e⦄ (mi_proporcion s) ≡ mi_proporcion s).
+Proof.
+  intros ok Ht. split; [| split; [| split]]; intros N; apply ndres_outside;
+    rewrite ?(has_radio _ _ ok e t Ht), ?(has_vector _ _ ok e t Ht), ?(has_altura _ _ ok e t Ht),
+      ?(has_proporcion _ _ ok e t Ht); exact N.
+Qed.
+
+(** What a removal says of each component is that the element is without it: where its type lacks the attribute, that
+    the attribute stays as it is. *)
+Ltac untouched ok Ht := let N := fresh "N" in
+  pose proof (no_attribute _ _ _ ok Ht) as N;
+  unfold radio_types, vector_types, altura_types, proporcion_types, union, single in N; decompose [and] N; clear N;
+  repeat match goal with H : ~ _ -> ndres _ _ ≡ _ |- _ =>
+    first [specialize (H ltac:(let T := fresh in intros T; repeat destruct T as [T | T]; discriminate T)) | clear H] end.
+Ltac removal_computed := split;
+  [ let ok := fresh "ok" in let ok' := fresh "ok" in let P2 := fresh "P" in let Ht := fresh "Ht" in
+    intros [[[ok ok'] ? ? P2] [? [Ht ->]]]; subst; split; [tauto | split; [split; cbn | reflexivity]]; untouched ok Ht;
+    repeat match goal with N : ndres _ ?f ≡ ?f |- _ ≡ ndres _ ?f => rewrite N end; auto;
+    now rewrite (Escena_inv_7 ok'), P2
+  | let ok := fresh "ok" in let Ht := fresh "Ht" in let E := fresh "E" in intros [[ok Ht] [E ->]];
+    pose proof (Escena_ok_eq _ _ _ E (scene_without_ok _ _ ok)); pose proof (element_of_type _ _ ok _ _ Ht);
+    destruct E; cbn in *; untouched ok Ht; split; eauto; [do 2 (split; auto) | ..];
+    match goal with N : ndres _ ?f ≡ ?f |- _ ≡ ?f => now rewrite <- N end ].
 
 (** Eliminar_Esfera happens exactly on a sphere of the scene; the scene then loses it and nothing else.
     Discharges Eliminar_Elemento.pre.1, Eliminar_Elemento.post.1, Eliminar_Elemento.post.2, Eliminar_Esfera.pre.1,
@@ -180,18 +196,7 @@ Proof. intros H HP. apply ndres_outside. now rewrite H. Qed.
 Theorem Eliminar_Esfera_computed s s' e r_out :
   Eliminar_Esfera s s' e r_out <->
   (Escena_ok s /\ (e, soy_esfera) ∈ de_que_tipo s) /\ Escena_eq (scene_without s e) s' /\ r_out = esfera_eliminada.
-Proof.
-  assert (N : forall s, Escena_ok s -> (e, soy_esfera) ∈ de_que_tipo s -> ndres ⦃e⦄ (mi_vector s) ≡ mi_vector s
-    /\ ndres ⦃e⦄ (mi_altura s) ≡ mi_altura s /\ ndres ⦃e⦄ (mi_proporcion s) ≡ mi_proporcion s).
-  { intros s0 ok Ht. pose proof (has_vector _ _ ok e _ Ht). pose proof (has_altura _ _ ok e _ Ht).
-    pose proof (has_proporcion _ _ ok e _ Ht). split; [| split]; eapply no_attribute; eauto; intuition discriminate. }
-  split.
-  - intros [[[ok ok'] He P1 P2] [t [Ht ->]] Q1 Q2 Q3 Q4 Q5 ->]. destruct (N s ok Ht) as [N1 [N2 N3]].
-    split; [auto | split; [| reflexivity]]. split; cbn; rewrite ?N1, ?N2, ?N3; auto. now rewrite (Escena_inv_7 ok'), P2.
-  - intros [[ok Ht] [E ->]]. destruct (N s ok Ht) as [N1 [N2 N3]].
-    pose proof (Escena_ok_eq _ _ _ E (scene_without_ok s e ok)). destruct E as [E1 E2 E3 E4 E5 E6 E7 E8]. cbn in *.
-    rewrite ?N1, ?N2, ?N3 in *. pose proof (element_of_type _ _ ok _ _ Ht). split; eauto. split; auto. split; auto.
-Qed.
+Proof. removal_computed. Qed.
 
 (** Eliminar_Cilindro happens exactly on a cylinder of the scene; the scene then loses it and nothing else.
     Discharges Eliminar_Cilindro.pre.1, Eliminar_Cilindro.post.1, Eliminar_Cilindro.post.2, Eliminar_Cilindro.post.3,
@@ -199,17 +204,7 @@ Qed.
 Theorem Eliminar_Cilindro_computed s s' e r_out :
   Eliminar_Cilindro s s' e r_out <->
   (Escena_ok s /\ (e, soy_cilindro) ∈ de_que_tipo s) /\ Escena_eq (scene_without s e) s' /\ r_out = cilindro_eliminado.
-Proof.
-  assert (N : forall s, Escena_ok s -> (e, soy_cilindro) ∈ de_que_tipo s ->
-    ndres ⦃e⦄ (mi_proporcion s) ≡ mi_proporcion s).
-  { intros s0 ok Ht. pose proof (has_proporcion _ _ ok e _ Ht). eapply no_attribute; eauto; discriminate. }
-  split.
-  - intros [[[ok ok'] He P1 P2] [t [Ht ->]] Q1 Q2 Q3 Q4 Q5 ->]. pose proof (N s ok Ht) as N1.
-    split; [auto | split; [| reflexivity]]. split; cbn; rewrite ?N1; auto. now rewrite (Escena_inv_7 ok'), P2.
-  - intros [[ok Ht] [E ->]]. pose proof (N s ok Ht) as N1.
-    pose proof (Escena_ok_eq _ _ _ E (scene_without_ok s e ok)). destruct E as [E1 E2 E3 E4 E5 E6 E7 E8]. cbn in *.
-    rewrite ?N1 in *. pose proof (element_of_type _ _ ok _ _ Ht). split; eauto. split; auto. split; auto.
-Qed.
+Proof. removal_computed. Qed.
 
 (** Eliminar_Cono happens exactly on a cone of the scene; the scene then loses it and nothing else.
     Discharges Eliminar_Cono.pre.1, Eliminar_Cono.post.1, Eliminar_Cono.post.2, Eliminar_Cono.post.3,
@@ -217,16 +212,15 @@ Qed.
 Theorem Eliminar_Cono_computed s s' e r_out :
   Eliminar_Cono s s' e r_out <->
   (Escena_ok s /\ (e, soy_cono) ∈ de_que_tipo s) /\ Escena_eq (scene_without s e) s' /\ r_out = cono_eliminado.
-Proof.
-  assert (N : forall s, Escena_ok s -> (e, soy_cono) ∈ de_que_tipo s -> ndres ⦃e⦄ (mi_radio s) ≡ mi_radio s).
-  { intros s0 ok Ht. pose proof (has_radio _ _ ok e _ Ht). eapply no_attribute; eauto; intuition discriminate. }
-  split.
-  - intros [[[ok ok'] He P1 P2] [t [Ht ->]] Q1 Q2 Q3 Q4 Q5 ->]. pose proof (N s ok Ht) as N1.
-    split; [auto | split; [| reflexivity]]. split; cbn; rewrite ?N1; auto. now rewrite (Escena_inv_7 ok'), P2.
-  - intros [[ok Ht] [E ->]]. pose proof (N s ok Ht) as N1.
-    pose proof (Escena_ok_eq _ _ _ E (scene_without_ok s e ok)). destruct E as [E1 E2 E3 E4 E5 E6 E7 E8]. cbn in *.
-    rewrite ?N1 in *. pose proof (element_of_type _ _ ok _ _ Ht). split; eauto. split; auto. split; auto.
-Qed.
+Proof. removal_computed. Qed.
+
+(** Eliminar_Tronco happens exactly on a truncated cone of the scene; the scene then loses it and nothing else.
+    Discharges Eliminar_Tronco.pre.1, Eliminar_Tronco.post.1, Eliminar_Tronco.post.2, Eliminar_Tronco.post.3,
+    Eliminar_Tronco.post.4, Eliminar_Tronco.post.5, Eliminar_Tronco.post.6. *)
+Theorem Eliminar_Tronco_computed s s' e r_out :
+  Eliminar_Tronco s s' e r_out <->
+  (Escena_ok s /\ (e, soy_tronco) ∈ de_que_tipo s) /\ Escena_eq (scene_without s e) s' /\ r_out = tronco_eliminado.
+Proof. removal_computed. Qed.
 
 (** ** The preconditions are the stated clauses, and nothing more *)
 
@@ -254,19 +248,30 @@ Proof.
   split; [intros [s' [r_out H]]; now apply Agregar_Cono_computed in H |].
   intros H. exists (with_cono s e c k d h), cono_agregado. apply Agregar_Cono_computed. auto using Escena_eq_refl.
 Qed.
+(** pre Agregar_Tronco is exactly its stated clauses. *)
+Theorem pre_Agregar_Tronco s e t c r k d h :
+  (exists s' r_out, Agregar_Tronco s s' e t r_out c r k d h) <->
+  Escena_ok s /\ e ∉ elementos s /\ t = soy_tronco /\ r ∈ Rmas /\ k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas.
+Proof.
+  split; [intros [s' [r_out H]]; now apply Agregar_Tronco_computed in H |].
+  intros H. exists (with_tronco s e c r k d h), tronco_agregado. apply Agregar_Tronco_computed. auto using Escena_eq_refl.
+Qed.
 (** pre of each removal is exactly that e is an element of its type. *)
 Theorem pre_Eliminar s e :
   ((exists s' r_out, Eliminar_Esfera s s' e r_out) <-> Escena_ok s /\ (e, soy_esfera) ∈ de_que_tipo s)
   /\ ((exists s' r_out, Eliminar_Cilindro s s' e r_out) <-> Escena_ok s /\ (e, soy_cilindro) ∈ de_que_tipo s)
-  /\ ((exists s' r_out, Eliminar_Cono s s' e r_out) <-> Escena_ok s /\ (e, soy_cono) ∈ de_que_tipo s).
+  /\ ((exists s' r_out, Eliminar_Cono s s' e r_out) <-> Escena_ok s /\ (e, soy_cono) ∈ de_que_tipo s)
+  /\ ((exists s' r_out, Eliminar_Tronco s s' e r_out) <-> Escena_ok s /\ (e, soy_tronco) ∈ de_que_tipo s).
 Proof.
-  split; [| split]; (split; [intros [s' [r_out H]] | intros H; exists (scene_without s e)]).
+  split; [| split; [| split]]; (split; [intros [s' [r_out H]] | intros H; exists (scene_without s e)]).
   - now apply Eliminar_Esfera_computed in H.
   - exists esfera_eliminada. apply Eliminar_Esfera_computed. auto using Escena_eq_refl.
   - now apply Eliminar_Cilindro_computed in H.
   - exists cilindro_eliminado. apply Eliminar_Cilindro_computed. auto using Escena_eq_refl.
   - now apply Eliminar_Cono_computed in H.
   - exists cono_eliminado. apply Eliminar_Cono_computed. auto using Escena_eq_refl.
+  - now apply Eliminar_Tronco_computed in H.
+  - exists tronco_eliminado. apply Eliminar_Tronco_computed. auto using Escena_eq_refl.
 Qed.
 
 (** ** The promoted operations *)
@@ -278,12 +283,14 @@ Definition addition_possible s e t (r : R) d (h k : R) : Prop :=
   | soy_esfera => r ∈ Rmas
   | soy_cilindro => r ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas
   | soy_cono => k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas
+  | soy_tronco => r ∈ Rmas /\ k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas
   end.
 Definition scene_added s e t c r d h k : Escena :=
   match t with
   | soy_esfera => with_esfera s e c r
   | soy_cilindro => with_cilindro s e c r d h
   | soy_cono => with_cono s e c k d h
+  | soy_tronco => with_tronco s e c r k d h
   end.
 
 (** The general addition is that of the type given, with the general answer. Discharges Elemento_Agregado.post.1. *)
@@ -292,14 +299,16 @@ Theorem Elemento_Agregado_computed s s' e t c r d h k r_out :
   addition_possible s e t r d h k /\ Escena_eq (scene_added s e t c r d h k) s' /\ r_out = elemento_agregado.
 Proof.
   unfold Elemento_Agregado, addition_possible, scene_added. split.
-  - intros [[r0 [H | [H | H]]] ->].
+  - intros [[r0 [H | [H | [H | H]]]] ->].
     + apply Agregar_Esfera_computed in H as [[? [? [-> ?]]] [? _]]. auto.
     + apply Agregar_Cilindro_computed in H as [[? [? [-> ?]]] [? _]]. auto.
     + apply Agregar_Cono_computed in H as [[? [? [-> ?]]] [? _]]. auto.
+    + apply Agregar_Tronco_computed in H as [[? [? [-> ?]]] [? _]]. auto.
   - intros [[ok [He H]] [E ->]]. split; [| reflexivity]. destruct t.
     + exists esfera_agregada. left. apply Agregar_Esfera_computed. auto.
     + exists cilindro_agregado. right; left. apply Agregar_Cilindro_computed. auto.
-    + exists cono_agregado. right; right. apply Agregar_Cono_computed. auto.
+    + exists cono_agregado. right; right; left. apply Agregar_Cono_computed. auto.
+    + exists tronco_agregado. right; right; right. apply Agregar_Tronco_computed. auto.
 Qed.
 
 (** The general removal happens exactly on an element of the scene. Discharges Elemento_Eliminado.post.1. *)
@@ -308,22 +317,25 @@ Theorem Elemento_Eliminado_computed s s' e r_out :
   (Escena_ok s /\ e ∈ elementos s) /\ Escena_eq (scene_without s e) s' /\ r_out = elemento_eliminado.
 Proof.
   unfold Elemento_Eliminado. split.
-  - intros [[r0 [H | [H | H]]] ->].
+  - intros [[r0 [H | [H | [H | H]]]] ->].
     + apply Eliminar_Esfera_computed in H as [[ok H] [? _]]. eauto 6 using (element_of_type _ _ ok).
     + apply Eliminar_Cilindro_computed in H as [[ok H] [? _]]. eauto 6 using (element_of_type _ _ ok).
     + apply Eliminar_Cono_computed in H as [[ok H] [? _]]. eauto 6 using (element_of_type _ _ ok).
+    + apply Eliminar_Tronco_computed in H as [[ok H] [? _]]. eauto 6 using (element_of_type _ _ ok).
   - intros [[ok He] [E ->]]. split; [| reflexivity]. destruct (type_of_element _ _ ok e He) as [[] Ht].
     + exists esfera_eliminada. left. apply Eliminar_Esfera_computed. auto.
     + exists cilindro_eliminado. right; left. apply Eliminar_Cilindro_computed. auto.
-    + exists cono_eliminado. right; right. apply Eliminar_Cono_computed. auto.
+    + exists cono_eliminado. right; right; left. apply Eliminar_Cono_computed. auto.
+    + exists tronco_eliminado. right; right; right. apply Eliminar_Tronco_computed. auto.
 Qed.
 
 (** Each operation of one type is an instance of the general one, up to the answer. *)
 Theorem specific_is_general s s' e t r_out c r d h k :
   (Agregar_Esfera s s' e t r_out c r \/ Agregar_Cilindro s s' e t r_out c r d h
-   \/ Agregar_Cono s s' e t r_out c k d h -> Elemento_Agregado s s' e t c r d h k elemento_agregado)
-  /\ (Eliminar_Esfera s s' e r_out \/ Eliminar_Cilindro s s' e r_out \/ Eliminar_Cono s s' e r_out ->
-      Elemento_Eliminado s s' e elemento_eliminado).
+   \/ Agregar_Cono s s' e t r_out c k d h \/ Agregar_Tronco s s' e t r_out c r k d h ->
+   Elemento_Agregado s s' e t c r d h k elemento_agregado)
+  /\ (Eliminar_Esfera s s' e r_out \/ Eliminar_Cilindro s s' e r_out \/ Eliminar_Cono s s' e r_out
+      \/ Eliminar_Tronco s s' e r_out -> Elemento_Eliminado s s' e elemento_eliminado).
 Proof. split; intros H; (split; [now exists r_out | reflexivity]). Qed.
 
 (** The general operations determine the scene: two after-states are equal. *)
@@ -371,8 +383,8 @@ Proof.
   split.
   - exists (scene_without s1 e), elemento_eliminado. apply Elemento_Eliminado_computed.
     split; [split | auto using Escena_eq_refl].
-    + apply Escena_ok_eq with (1 := E). destruct t; cbn; [apply with_esfera_ok | apply with_cilindro_ok | apply with_cono_ok];
-        tauto.
+    + apply Escena_ok_eq with (1 := E). destruct t; cbn;
+        [apply with_esfera_ok | apply with_cilindro_ok | apply with_cono_ok | apply with_tronco_ok]; tauto.
     + apply (Escena_eq_elementos E). destruct t; now right.
   - intros s2 r2 H2. apply Elemento_Eliminado_computed in H2 as [_ [E2 _]].
     eauto using Escena_eq_trans, Escena_eq_sym.
@@ -424,26 +436,42 @@ Qed.
 Lemma Xi_refl s : Escena_ok s -> Xi_Escena s s.
 Proof. intros ok. split; [now split | apply Escena_eq_refl]. Qed.
 
+(** An element that cannot be added, though its name is free, lacks a value that its type asks for. *)
+Lemma clause_fails s e t r d h k : Escena_ok s -> e ∉ elementos s -> ~ addition_possible s e t r d h k ->
+  (r ∉ Rmas /\ Con_Radio t) \/ (k ∉ Rmas /\ Con_Proporcion t) \/ (d ∉ Unitario /\ Con_Vector t)
+  \/ (h ∉ Rmas /\ Con_Altura t).
+Proof.
+  intros ok He P. unfold addition_possible, Con_Radio, Con_Vector, Con_Altura, Con_Proporcion, union, single in *.
+  destruct (classic (r ∈ Rmas)), (classic (k ∈ Rmas)), (classic (d ∈ Unitario)), (classic (h ∈ Rmas)), t;
+    first [left; split; [assumption | now auto] | right; left; split; [assumption | now auto]
+      | right; right; left; split; [assumption | now auto] | right; right; right; split; [assumption | now auto]
+      | destruct P; auto 8].
+Qed.
+
 (** Every total operation answers every call on a scene that satisfies the invariant.
     Discharges Elemento_Ya_Existe.pre.1, Elemento_Ya_Existe.post.1, Elemento_No_Existe.pre.1,
     Elemento_No_Existe.post.1, Radio_No_Positivo.pre.1, Radio_No_Positivo.post.1, Vector_No_Unitario.pre.1,
     Vector_No_Unitario.post.1, Altura_No_Positiva.pre.1, Altura_No_Positiva.post.1, Proporcion_No_Positiva.pre.1,
     Proporcion_No_Positiva.post.1, No_Es_Esfera.pre.1, No_Es_Esfera.pre.2, No_Es_Esfera.post.1, No_Es_Cilindro.pre.1,
     No_Es_Cilindro.pre.2, No_Es_Cilindro.post.1, No_Es_Cono.pre.1, No_Es_Cono.pre.2, No_Es_Cono.post.1,
-    Con_Radio.pre.1, Con_Vector.pre.1, Con_Altura.pre.1, Con_Proporcion.pre.1. *)
+    No_Es_Tronco.pre.1, No_Es_Tronco.pre.2, No_Es_Tronco.post.1, Con_Radio.pre.1, Con_Vector.pre.1,
+    Con_Altura.pre.1, Con_Proporcion.pre.1. *)
 Theorem total_operations_are_total s e t c r d h k : Escena_ok s ->
   (exists s' r_out, Agregar_Esfera_Total s s' e r_out c r)
   /\ (exists s' r_out, Agregar_Cilindro_Total s s' e r_out c r d h)
   /\ (exists s' r_out, Agregar_Cono_Total s s' e r_out c k d h)
+  /\ (exists s' r_out, Agregar_Tronco_Total s s' e r_out c r k d h)
   /\ (exists s' r_out, Eliminar_Esfera_Total s s' e r_out)
   /\ (exists s' r_out, Eliminar_Cilindro_Total s s' e r_out)
   /\ (exists s' r_out, Eliminar_Cono_Total s s' e r_out)
+  /\ (exists s' r_out, Eliminar_Tronco_Total s s' e r_out)
   /\ (exists s' r_out, Agregar_Elemento_Total s s' e t c r d h k r_out)
   /\ (exists s' r_out, Eliminar_Elemento_Total s s' e r_out).
 Proof.
   intros ok. pose proof (Xi_refl s ok) as X.
   assert (pe := pre_Agregar_Esfera s e soy_esfera c r). assert (pl := pre_Agregar_Cilindro s e soy_cilindro c r d h).
-  assert (pk := pre_Agregar_Cono s e soy_cono c k d h). destruct (pre_Eliminar s e) as [qe [ql qk]].
+  assert (pk := pre_Agregar_Cono s e soy_cono c k d h). assert (pt := pre_Agregar_Tronco s e soy_tronco c r k d h).
+  destruct (pre_Eliminar s e) as [qe [ql [qk qt]]].
   assert (Y : e ∈ elementos s -> Elemento_Ya_Existe s s e elemento_ya_existe) by now split.
   assert (NE : e ∉ elementos s -> Elemento_No_Existe s s e elemento_no_existe) by now split.
   assert (RN : r ∉ Rmas -> Radio_No_Positivo s s r radio_no_positivo) by now split.
@@ -453,39 +481,32 @@ Proof.
   pose proof (classic (e ∈ elementos s)) as Ce. pose proof (classic (r ∈ Rmas)) as Cr.
   pose proof (classic (d ∈ Unitario)) as Cd. pose proof (classic (h ∈ Rmas)) as Ch.
   pose proof (classic (k ∈ Rmas)) as Ck.
-  unfold Agregar_Esfera_Total, Agregar_Cilindro_Total, Agregar_Cono_Total, Eliminar_Esfera_Total,
-    Eliminar_Cilindro_Total, Eliminar_Cono_Total, Agregar_Elemento_Total, Eliminar_Elemento_Total.
-  split; [| split; [| split; [| split; [| split; [| split; [| split]]]]]].
+  assert (removal : forall t' (P N : Escena -> Respuesta -> Prop),
+    ((exists s' r_out, P s' r_out) <-> Escena_ok s /\ (e, t') ∈ de_que_tipo s) ->
+    (e ∈ elementos s -> (exists v, (e, v) ∈ de_que_tipo s /\ v <> t') -> N s tipo_incorrecto) ->
+    exists s' r_out, P s' r_out \/ Elemento_No_Existe s s' e r_out \/ N s' r_out).
+  { intros t' P N HP HN. destruct Ce as [He |]; [| eauto 10]. destruct (type_of_element _ _ ok e He) as [v Hv].
+    destruct (classic (v = t')) as [-> | Nv]; [| eauto 10]. destruct (proj2 HP) as [s' [r_out H']]; eauto. }
+  unfold Agregar_Esfera_Total, Agregar_Cilindro_Total, Agregar_Cono_Total, Agregar_Tronco_Total, Eliminar_Esfera_Total,
+    Eliminar_Cilindro_Total, Eliminar_Cono_Total, Eliminar_Tronco_Total, Eliminar_Elemento_Total.
+  split; [| split; [| split; [| split; [| split; [| split; [| split; [| split; [| split]]]]]]]].
   - destruct Ce; [eauto 10 |]. destruct Cr; [| eauto 10].
     destruct (proj2 pe) as [s' [r_out H']]; [auto |]. eauto 10.
   - destruct Ce; [eauto 10 |]. destruct Cr; [| eauto 10]. destruct Cd; [| eauto 10]. destruct Ch; [| eauto 10].
     destruct (proj2 pl) as [s' [r_out H']]; [auto 8 |]. eauto 10.
   - destruct Ce; [eauto 10 |]. destruct Ck; [| eauto 10]. destruct Cd; [| eauto 10]. destruct Ch; [| eauto 10].
     destruct (proj2 pk) as [s' [r_out H']]; [auto 8 |]. eauto 10.
-  - destruct Ce as [He |]; [| eauto 10]. destruct (type_of_element _ _ ok e He) as [[] Ht].
-    + destruct (proj2 qe) as [s' [r_out H']]; eauto.
-    + exists s, tipo_incorrecto. right; right. split; eauto; exists soy_cilindro; now split.
-    + exists s, tipo_incorrecto. right; right. split; eauto; exists soy_cono; now split.
-  - destruct Ce as [He |]; [| eauto 10]. destruct (type_of_element _ _ ok e He) as [[] Ht].
-    + exists s, tipo_incorrecto. right; right. split; eauto; exists soy_esfera; now split.
-    + destruct (proj2 ql) as [s' [r_out H']]; eauto.
-    + exists s, tipo_incorrecto. right; right. split; eauto; exists soy_cono; now split.
-  - destruct Ce as [He |]; [| eauto 10]. destruct (type_of_element _ _ ok e He) as [[] Ht].
-    + exists s, tipo_incorrecto. right; right. split; eauto; exists soy_esfera; now split.
-    + exists s, tipo_incorrecto. right; right. split; eauto; exists soy_cilindro; now split.
-    + destruct (proj2 qk) as [s' [r_out H']]; eauto.
-  - destruct Ce; [eauto 10 |].
+  - destruct Ce; [eauto 10 |]. destruct Cr; [| eauto 10]. destruct Ck; [| eauto 10]. destruct Cd; [| eauto 10].
+    destruct Ch; [| eauto 10]. destruct (proj2 pt) as [s' [r_out H']]; [auto 9 |]. eauto 10.
+  - apply removal with (1 := qe). now split.
+  - apply removal with (1 := ql). now split.
+  - apply removal with (1 := qk). now split.
+  - apply removal with (1 := qt). now split.
+  - destruct Ce; [unfold Agregar_Elemento_Total; eauto 10 |].
     destruct (classic (addition_possible s e t r d h k)) as [P | P].
     { exists (scene_added s e t c r d h k), elemento_agregado. left. apply Elemento_Agregado_computed.
       auto using Escena_eq_refl. }
-    (* Some attribute that the type has is wrong, and its error is the answer. *)
-    assert (Wrong : (Con_Radio t /\ r ∉ Rmas) \/ (Con_Proporcion t /\ k ∉ Rmas) \/ (Con_Vector t /\ d ∉ Unitario)
-      \/ (Con_Altura t /\ h ∉ Rmas)).
-    { unfold addition_possible, Con_Radio, Con_Vector, Con_Altura, Con_Proporcion, union, single in *.
-      destruct Cr, Ck, Cd, Ch, t; first [left; split; [now auto | assumption] | right; left; split; [now auto | assumption]
-        | right; right; left; split; [now auto | assumption] | right; right; right; split; [now auto | assumption]
-        | destruct P; auto 8]. }
-    destruct Wrong as [[C W] | [[C W] | [[C W] | [C W]]]].
+    destruct (clause_fails s e t r d h k) as [[F T] | [[F T] | [[F T] | [F T]]]]; auto.
     + exists s, radio_no_positivo. right; right; left. auto.
     + exists s, proporcion_no_positiva. right; right; right; left. auto.
     + exists s, vector_no_unitario. right; right; right; right; left. auto.
@@ -505,6 +526,9 @@ Proof. intros ok. apply (total_operations_are_total s e soy_cilindro c r d h 0%R
 (** Discharges Agregar_Cono_Total.def.1. *)
 Theorem Agregar_Cono_Total_is_total s e c k d h : Escena_ok s -> exists s' r_out, Agregar_Cono_Total s s' e r_out c k d h.
 Proof. intros ok. apply (total_operations_are_total s e soy_cono c 0%R d h k ok). Qed.
+(** Discharges Agregar_Tronco_Total.def.1. *)
+Theorem Agregar_Tronco_Total_is_total s e c r k d h : Escena_ok s -> exists s' r_out, Agregar_Tronco_Total s s' e r_out c r k d h.
+Proof. intros ok. apply (total_operations_are_total s e soy_tronco c r d h k ok). Qed.
 (** Discharges Eliminar_Esfera_Total.def.1. *)
 Theorem Eliminar_Esfera_Total_is_total s e : Escena_ok s -> exists s' r_out, Eliminar_Esfera_Total s s' e r_out.
 Proof. intros ok. apply (total_operations_are_total s e soy_esfera (mk_Punto 0 0 0) 0%R (mk_Vector 0 0 0) 0%R 0%R ok). Qed.
@@ -513,6 +537,9 @@ Theorem Eliminar_Cilindro_Total_is_total s e : Escena_ok s -> exists s' r_out, E
 Proof. intros ok. apply (total_operations_are_total s e soy_esfera (mk_Punto 0 0 0) 0%R (mk_Vector 0 0 0) 0%R 0%R ok). Qed.
 (** Discharges Eliminar_Cono_Total.def.1. *)
 Theorem Eliminar_Cono_Total_is_total s e : Escena_ok s -> exists s' r_out, Eliminar_Cono_Total s s' e r_out.
+Proof. intros ok. apply (total_operations_are_total s e soy_esfera (mk_Punto 0 0 0) 0%R (mk_Vector 0 0 0) 0%R 0%R ok). Qed.
+(** Discharges Eliminar_Tronco_Total.def.1. *)
+Theorem Eliminar_Tronco_Total_is_total s e : Escena_ok s -> exists s' r_out, Eliminar_Tronco_Total s s' e r_out.
 Proof. intros ok. apply (total_operations_are_total s e soy_esfera (mk_Punto 0 0 0) 0%R (mk_Vector 0 0 0) 0%R 0%R ok). Qed.
 (** Discharges Agregar_Elemento_Total.def.1. *)
 Theorem Agregar_Elemento_Total_is_total s e t c r d h k : Escena_ok s -> exists s' r_out, Agregar_Elemento_Total s s' e t c r d h k r_out.
@@ -530,14 +557,14 @@ Proof.
   { intros [[_ ok'] E]. auto. }
   intros [H | [H | [[H _] | [[H _] | [[H _] | [H _]]]]]]; try (now apply X, H).
   pose proof (proj2 H) as ->. split; [| easy].
-  destruct H as [[r0 [H | [H | H]]] _]; apply H.
+  destruct H as [[r0 [H | [H | [H | H]]]] _]; apply H.
 Qed.
 (** The same of the total removal. *)
 Theorem total_removal_safe s s' e r_out : Eliminar_Elemento_Total s s' e r_out ->
   Escena_ok s' /\ (r_out <> elemento_eliminado -> Escena_eq s s').
 Proof.
   intros [H | H]; [| destruct H as [[[_ ok'] E] _ _]; auto].
-  pose proof (proj2 H) as ->. split; [| easy]. destruct H as [[r0 [H | [H | H]]] _]; apply H.
+  pose proof (proj2 H) as ->. split; [| easy]. destruct H as [[r0 [H | [H | [H | H]]]] _]; apply H.
 Qed.
 
 End Operaciones.

@@ -5,7 +5,7 @@
     coefficients         == A, B, C of A·t² + 2B·t + C, the advance s0 + t·s1 along the axis, the height that clips it
     value f t            == A·t² + 2B·t + C
     within f t           == 0 ≤ s0 + t·s1 ≤ altura, where there is an altura
-    of_esfera, of_cilindro, of_cono == the coefficients of each type, for any axis, unit or not
+    of_esfera, of_cilindro, of_cono, of_tronco == the coefficients of each type, for any axis, unit or not
     launched f           == f with C = 0: what a ray sees of an element that its origin is said to lie on *)
 From Coq Require Import Reals Lra.
 From Durero Require Import Toolkit Especificacion Tipos.
@@ -71,41 +71,71 @@ Definition of_cono ray c k d h : coefficients :=
   let v := Rayo_v ray in let q := from c (Rayo_p ray) in let n := sq d in let a0 := dot q d in let a1 := dot v d in
   mk_coefficients (sq v - (2 - n + k * k) * (a1 * a1)) (dot q v - (2 - n) * (a0 * a1) + k * k * (h - a0) * a1)
                   (sq q - (2 - n) * (a0 * a0) - k * k * ((h - a0) * (h - a0))) a0 a1 (Some h).
+(** The radius at the ray's origin is ρ; along the ray it is ρ − k·s1·t. *)
+Definition of_tronco ray c r k d h : coefficients :=
+  let v := Rayo_v ray in let q := from c (Rayo_p ray) in let n := sq d in let a0 := dot q d in let a1 := dot v d in
+  let rho := r + k * (h - a0) in
+  mk_coefficients (sq v - (2 - n + k * k) * (a1 * a1)) (dot q v - (2 - n) * (a0 * a1) + rho * k * a1)
+                  (sq q - (2 - n) * (a0 * a0) - rho * rho) a0 a1 (Some h).
 
-Ltac coordinates := unfold potencia_esfera, potencia_cilindro, potencia_cono, alejamiento, avance, cuadrado, value,
-  of_esfera, of_cilindro, of_cono, from, sq, dot, point_at; cbn.
+Ltac coordinates := unfold potencia_esfera, potencia_cilindro, potencia_cono, potencia_tronco, alejamiento, avance,
+  cuadrado, value, of_esfera, of_cilindro, of_cono, of_tronco, from, sq, dot, point_at; cbn.
 
 (** The advance of a point of the ray along an axis is s0 + t·s1. Discharges avance.def.1. *)
 Lemma avance_along ray c d t : avance (point_at ray t) c d = dot (from c (Rayo_p ray)) d + t * dot (Rayo_v ray) d.
 Proof. coordinates. ring. Qed.
 
+(** A cylinder is a truncated cone of proportion 0, and a cone is one of radius 0: as functions, since the text has
+    neither number in Rmas. *)
+Lemma potencia_cilindro_is_tronco w c r d h : potencia_cilindro w c r d = potencia_tronco w c r 0 d h.
+Proof. coordinates. ring. Qed.
+Lemma potencia_cono_is_tronco w c k d h : potencia_cono w c k d h = potencia_tronco w c 0 k d h.
+Proof. coordinates. ring. Qed.
+Lemma of_cilindro_is_tronco ray c r d h : of_cilindro ray c r d h = of_tronco ray c r 0 d h.
+Proof. unfold of_cilindro, of_tronco; cbn; f_equal; ring. Qed.
+Lemma of_cono_is_tronco ray c k d h : of_cono ray c k d h = of_tronco ray c 0 k d h.
+Proof. unfold of_cono, of_tronco; cbn; f_equal; ring. Qed.
+
 (** The power of a point of the ray is A·t² + 2B·t + C, for every type and every axis.
     Discharges cuadrado.def.1, alejamiento.def.1, potencia_esfera.def.1, potencia_cilindro.def.1,
-    potencia_cono.def.1. *)
-Theorem potencia_along ray c r k d h t :
-  potencia_esfera (point_at ray t) c r = value (of_esfera ray c r) t
-  /\ potencia_cilindro (point_at ray t) c r d = value (of_cilindro ray c r d h) t
-  /\ potencia_cono (point_at ray t) c k d h = value (of_cono ray c k d h) t.
-Proof. split; [| split]; coordinates; ring. Qed.
+    potencia_cono.def.1, potencia_tronco.def.1. *)
+Theorem potencia_esfera_along ray c r t : potencia_esfera (point_at ray t) c r = value (of_esfera ray c r) t.
+Proof. coordinates. ring. Qed.
+Theorem potencia_tronco_along ray c r k d h t :
+  potencia_tronco (point_at ray t) c r k d h = value (of_tronco ray c r k d h) t.
+Proof. coordinates. ring. Qed.
+Theorem potencia_cilindro_along ray c r d h t :
+  potencia_cilindro (point_at ray t) c r d = value (of_cilindro ray c r d h) t.
+Proof. rewrite of_cilindro_is_tronco, (potencia_cilindro_is_tronco _ c r d h). apply potencia_tronco_along. Qed.
+Theorem potencia_cono_along ray c k d h t :
+  potencia_cono (point_at ray t) c k d h = value (of_cono ray c k d h) t.
+Proof. rewrite of_cono_is_tronco, potencia_cono_is_tronco. apply potencia_tronco_along. Qed.
 
 (** A point of the ray lies on the sphere exactly at a root. Discharges puntos_esfera.def.1. *)
 Theorem esfera_along ray c r t : point_at ray t ∈ puntos_esfera c r <-> value (of_esfera ray c r) t = 0.
-Proof. unfold puntos_esfera. now rewrite (proj1 (potencia_along ray c r 0 (Rayo_v ray) 0 t)). Qed.
+Proof. unfold puntos_esfera. now rewrite potencia_esfera_along. Qed.
 
 (** A point of the ray lies on the cylinder exactly at a root that passes the clip. Discharges puntos_cilindro.def.1. *)
 Theorem cilindro_along ray c r d h t :
   point_at ray t ∈ puntos_cilindro c r d h <-> value (of_cilindro ray c r d h) t = 0 /\ within (of_cilindro ray c r d h) t.
-Proof.
-  unfold puntos_cilindro, within. rewrite (proj1 (proj2 (potencia_along ray c r 0 d h t))), avance_along. reflexivity.
-Qed.
+Proof. unfold puntos_cilindro, within. rewrite (potencia_cilindro_along ray c r d h), avance_along. reflexivity. Qed.
 
 (** A point of the ray lies on the cone exactly at a root that passes the clip. Discharges puntos_cono.def.1. *)
 Theorem cono_along ray c k d h t :
   point_at ray t ∈ puntos_cono c k d h <-> value (of_cono ray c k d h) t = 0 /\ within (of_cono ray c k d h) t.
-Proof.
-  unfold puntos_cono, within. rewrite (proj2 (proj2 (potencia_along ray c 0 k d h t))), avance_along. reflexivity.
-Qed.
+Proof. unfold puntos_cono, within. rewrite potencia_cono_along, avance_along. reflexivity. Qed.
+
+(** A point of the ray lies on the truncated cone exactly at a root that passes the clip. Discharges puntos_tronco.def.1. *)
+Theorem tronco_along ray c r k d h t :
+  point_at ray t ∈ puntos_tronco c r k d h <->
+  value (of_tronco ray c r k d h) t = 0 /\ within (of_tronco ray c r k d h) t.
+Proof. unfold puntos_tronco, within. rewrite potencia_tronco_along, avance_along. reflexivity. Qed.
 
 (** The clip of the cone keeps one nappe and its apex: the radius k·(h − s) is never negative there. *)
 Theorem clip_keeps_one_nappe w c k d h : k > 0 -> w ∈ puntos_cono c k d h -> 0 <= k * (h - avance w c d).
 Proof. intros Hk [_ H]. apply Rmult_le_pos; lra. Qed.
+(** The clip of the truncated cone keeps one nappe without its apex: from rim to rim, its radius is at least that of the
+    top. *)
+Theorem clip_keeps_no_apex w c r k d h : r > 0 -> k > 0 -> w ∈ puntos_tronco c r k d h ->
+  0 < r <= r + k * (h - avance w c d).
+Proof. intros Hr Hk [_ H]. pose proof (Rmult_le_pos k (h - avance w c d)). lra. Qed.

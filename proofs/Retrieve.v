@@ -1,7 +1,7 @@
 (** The compact scene refines the model: dense tables by type and an index from names to rows, whose operations commute
     with those of the Z text through retrieve.
 
-    Shape                == the row of a sphere, cylinder or cone without its name
+    Shape                == the row of a sphere, cylinder, cone or truncated cone without its name
     Tables               == one list of named shapes for each type, and the place of each name
     tables_ok            == the invariant of the tables: the index gives exactly the places of the rows, each row lies in the
                             table of its type, its attributes are in their ranges
@@ -60,19 +60,29 @@ End Lists.
 Inductive Shape :=
   | Sphere (centro : Punto) (radio : R)
   | Cylinder (centro : Punto) (radio : R) (vector : Vector) (altura : R)
-  | Cone (centro : Punto) (proporcion : R) (vector : Vector) (altura : R).
+  | Cone (centro : Punto) (proporcion : R) (vector : Vector) (altura : R)
+  | TruncatedCone (centro : Punto) (radio proporcion : R) (vector : Vector) (altura : R).
 
-Definition type_of x := match x with Sphere _ _ => soy_esfera | Cylinder _ _ _ _ => soy_cilindro | Cone _ _ _ _ => soy_cono end.
-Definition centre_of x := match x with Sphere c _ | Cylinder c _ _ _ | Cone c _ _ _ => c end.
-Definition radii x : set R := match x with Sphere _ r | Cylinder _ r _ _ => ⦃r⦄ | Cone _ _ _ _ => ∅ end.
-Definition axes x : set Vector := match x with Sphere _ _ => ∅ | Cylinder _ _ d _ | Cone _ _ d _ => ⦃d⦄ end.
-Definition heights x : set R := match x with Sphere _ _ => ∅ | Cylinder _ _ _ h | Cone _ _ _ h => ⦃h⦄ end.
-Definition proportions x : set R := match x with Cone _ k _ _ => ⦃k⦄ | _ => ∅ end.
+Definition type_of x :=
+  match x with
+  | Sphere _ _ => soy_esfera
+  | Cylinder _ _ _ _ => soy_cilindro
+  | Cone _ _ _ _ => soy_cono
+  | TruncatedCone _ _ _ _ _ => soy_tronco
+  end.
+Definition centre_of x := match x with Sphere c _ | Cylinder c _ _ _ | Cone c _ _ _ | TruncatedCone c _ _ _ _ => c end.
+Definition radii x : set R := match x with Sphere _ r | Cylinder _ r _ _ | TruncatedCone _ r _ _ _ => ⦃r⦄ | _ => ∅ end.
+Definition axes x : set Vector :=
+  match x with Cylinder _ _ d _ | Cone _ _ d _ | TruncatedCone _ _ _ d _ => ⦃d⦄ | _ => ∅ end.
+Definition heights x : set R :=
+  match x with Cylinder _ _ _ h | Cone _ _ _ h | TruncatedCone _ _ _ _ h => ⦃h⦄ | _ => ∅ end.
+Definition proportions x : set R := match x with Cone _ k _ _ | TruncatedCone _ _ k _ _ => ⦃k⦄ | _ => ∅ end.
 Definition valid x : Prop :=
   match x with
   | Sphere _ r => r ∈ Rmas
   | Cylinder _ r d h => r ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas
   | Cone _ k d h => k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas
+  | TruncatedCone _ r k d h => r ∈ Rmas /\ k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas
   end.
 
 Lemma Tipo_dec (t t' : Tipo) : {t = t'} + {t <> t'}.
@@ -177,6 +187,12 @@ Qed.
 Lemma single_subset {V} (v : V) (B : set V) : B v -> ⦃v⦄ ⊆ B.
 Proof. now intros H w ->. Qed.
 
+(** A shape has a value of an attribute exactly where its type is among those that have it. *)
+Ltac attribute_of_types ok := apply attribute_dom; [exact ok |]; let x := fresh in intros x;
+  destruct x; cbn; unfold union, single, empty;
+  (split; [let H := fresh in intros [? H]; auto; easy | let H := fresh in intros H; repeat destruct H as [H | H];
+    try discriminate H; eauto]).
+
 (** Tables that satisfy their invariant represent a scene that satisfies its own. *)
 Theorem retrieve_ok T : tables_ok T -> Escena_ok (retrieve T).
 Proof.
@@ -185,11 +201,12 @@ Proof.
   assert (S0 : forall V, at_most_one (∅ : set V)) by (intros V a b []).
   assert (E0 : forall V (B : set V), ∅ ⊆ B) by (intros V B v []).
   split; cbn.
-  - split; [easy |]. exists (map fst (rows T soy_esfera ++ rows T soy_cilindro ++ rows T soy_cono)). intros e.
-    rewrite !map_app, !in_app_iff, !in_map_iff. split.
-    + intros [x [t [i H]]]. apply nth_error_In in H. destruct t; [left | right; left | right; right]; now exists (e, x).
-    + intros [[[e' x] [<- H]] | [[[e' x] [<- H]] | [[e' x] [<- H]]]]; apply In_nth_error in H as [i H]; exists x; cbn;
-        [exists soy_esfera, i | exists soy_cilindro, i | exists soy_cono, i]; exact H.
+  - split; [easy |].
+    exists (map fst (concat (map (rows T) [soy_esfera; soy_cilindro; soy_cono; soy_tronco]))). intros e.
+    rewrite in_map_iff. setoid_rewrite in_concat. setoid_rewrite in_map_iff. split.
+    + intros [x [t [i H]]]. apply nth_error_In in H. exists (e, x). split; [reflexivity |]. exists (rows T t).
+      split; [| exact H]. exists t. split; [reflexivity |]. destruct t; cbn; auto.
+    + intros [[e' x] [<- [l [[t [<- _]] H]]]]. apply In_nth_error in H as [i H]. now exists x, t, i.
   - easy.
   - apply attribute_pfun; auto; easy.
   - apply attribute_pfun; auto; easy.
@@ -199,17 +216,13 @@ Proof.
   - apply attribute_pfun; auto; intros []; cbn; auto; intros H; apply single_subset; tauto.
   - intros e. split; [intros [x H]; exists (type_of x), x; now split | intros [t [x [H _]]]; now exists x].
   - intros e. split; [intros [x H]; exists (centre_of x), x; now split | intros [t [x [H _]]]; now exists x].
-  - apply attribute_dom; [exact ok |]. intros []; cbn; unfold union, single, empty;
-      (split; [intros [v H]; auto; easy | intros [H | H]; try discriminate H; eauto]).
-  - apply attribute_dom; [exact ok |]. intros []; cbn; unfold union, single, empty;
-      (split; [intros [v H]; auto; easy | intros [H | H]; try discriminate H; eauto]).
-  - apply attribute_dom; [exact ok |]. intros []; cbn; unfold union, single, empty;
-      (split; [intros [v H]; auto; easy | intros [H | H]; try discriminate H; eauto]).
-  - apply attribute_dom; [exact ok |]. intros []; cbn; unfold single, empty;
-      (split; [intros [v H]; auto; easy | intros H; try discriminate H; eauto]).
+  - attribute_of_types ok.
+  - attribute_of_types ok.
+  - attribute_of_types ok.
+  - attribute_of_types ok.
   - intros t. split; [intros [e [x [H ->]]]; exists e, x; now split | intros [e [x [H E]]]; now exists e, x].
   - intros d [e [x [H Hd]]]. cbn in *. pose proof (row_valid _ _ _ ok H) as Hv.
-    destruct x; cbn in *; [easy | |]; unfold single in Hd; subst; tauto.
+    destruct x; cbn in *; [easy | ..]; unfold single in Hd; subst; tauto.
 Qed.
 
 (** The first tables are empty, and represent the first scene. *)
@@ -282,8 +295,7 @@ Proof.
     intros [k [y [H E]]]. now exists k, y.
 Qed.
 
-(** To append a row is to add the element: on the scenes represented, it is Agregar_Esfera, Agregar_Cilindro or
-    Agregar_Cono. *)
+(** To append a row is to add the element: on the scenes represented, it is the addition of the type of the row. *)
 Theorem add_commutes T e x : tables_ok T -> index T e = None -> valid x ->
   tables_ok (add T e x) /\
   match x with
@@ -291,6 +303,8 @@ Theorem add_commutes T e x : tables_ok T -> index T e = None -> valid x ->
   | Cylinder c r d h =>
       Agregar_Cilindro (retrieve T) (retrieve (add T e x)) e soy_cilindro cilindro_agregado c r d h
   | Cone c k d h => Agregar_Cono (retrieve T) (retrieve (add T e x)) e soy_cono cono_agregado c k d h
+  | TruncatedCone c r k d h =>
+      Agregar_Tronco (retrieve T) (retrieve (add T e x)) e soy_tronco tronco_agregado c r k d h
   end.
 Proof.
   intros ok He Hx. split; [now apply add_ok |]. pose proof (retrieve_ok T ok) as okr.
@@ -299,6 +313,7 @@ Proof.
   - apply Agregar_Esfera_computed. auto.
   - apply Agregar_Cilindro_computed. split; [tauto | now split].
   - apply Agregar_Cono_computed. split; [tauto | now split].
+  - apply Agregar_Tronco_computed. split; [tauto | now split].
 Qed.
 
 (** ** Removing *)
@@ -413,12 +428,14 @@ Theorem remove_commutes T e t i : tables_ok T -> index T e = Some (t, i) ->
   | soy_esfera => Eliminar_Esfera (retrieve T) (retrieve (remove T e)) e esfera_eliminada
   | soy_cilindro => Eliminar_Cilindro (retrieve T) (retrieve (remove T e)) e cilindro_eliminado
   | soy_cono => Eliminar_Cono (retrieve T) (retrieve (remove T e)) e cono_eliminado
+  | soy_tronco => Eliminar_Tronco (retrieve T) (retrieve (remove T e)) e tronco_eliminado
   end.
 Proof.
   intros ok H. split; [now apply (remove_ok T e t i) |]. pose proof (retrieve_ok T ok) as okr.
   pose proof (retrieve_remove T e t i ok H) as E.
   assert (Ht : (e, t) ∈ de_que_tipo (retrieve T)) by (apply (find_correct T e ok); now exists i).
-  destruct t; [apply Eliminar_Esfera_computed | apply Eliminar_Cilindro_computed | apply Eliminar_Cono_computed]; auto.
+  destruct t; [apply Eliminar_Esfera_computed | apply Eliminar_Cilindro_computed | apply Eliminar_Cono_computed |
+    apply Eliminar_Tronco_computed]; auto.
 Qed.
 
 (** ** The total operations on the tables *)
@@ -430,7 +447,12 @@ Proof.
   destruct (Rle_dec (1 - tolerancia_unidad) q), (Rle_dec q (1 + tolerancia_unidad)); [left | right | right | right]; tauto.
 Defined.
 Definition shape_of (t : Tipo) c r d h k : Shape :=
-  match t with soy_esfera => Sphere c r | soy_cilindro => Cylinder c r d h | soy_cono => Cone c k d h end.
+  match t with
+  | soy_esfera => Sphere c r
+  | soy_cilindro => Cylinder c r d h
+  | soy_cono => Cone c k d h
+  | soy_tronco => TruncatedCone c r k d h
+  end.
 (** The first clause of the type t that does not hold, in the order of the text. *)
 Definition first_error (t : Tipo) (r : R) (d : Vector) (h k : R) : option Respuesta :=
   let axis_and_height := if Unitario_dec d then if Rmas_dec h then None else Some altura_no_positiva
@@ -439,6 +461,8 @@ Definition first_error (t : Tipo) (r : R) (d : Vector) (h k : R) : option Respue
   | soy_esfera => if Rmas_dec r then None else Some radio_no_positivo
   | soy_cilindro => if Rmas_dec r then axis_and_height else Some radio_no_positivo
   | soy_cono => if Rmas_dec k then axis_and_height else Some proporcion_no_positiva
+  | soy_tronco => if Rmas_dec r then if Rmas_dec k then axis_and_height else Some proporcion_no_positiva
+                  else Some radio_no_positivo
   end.
 Definition add_total (T : Tables) e t c r d h k : Tables * Respuesta :=
   match index T e with
@@ -465,17 +489,13 @@ Proof.
     assert (A : valid (shape_of t c r d h k) -> tables_ok (add T e (shape_of t c r d h k)) /\
       Elemento_Agregado (retrieve T) (retrieve (add T e (shape_of t c r d h k))) e t c r d h k elemento_agregado).
     { intros V. pose proof (add_commutes T e _ ok E V) as [ok' H]. split; [exact ok' |]. split; [| reflexivity].
-      destruct t; eexists; [left | right; left | right; right]; exact H. }
+      destruct t; eexists; [left | right; left | right; right; left | right; right; right]; exact H. }
     unfold Con_Radio, Con_Vector, Con_Altura, Con_Proporcion, union, single.
-    destruct t; [destruct (Rmas_dec r) | destruct (Rmas_dec r); [destruct (Unitario_dec d); [destruct (Rmas_dec h) |] |] |
-      destruct (Rmas_dec k); [destruct (Unitario_dec d); [destruct (Rmas_dec h) |] |]]; cbn in *;
-      try (destruct A as [ok' A]; [tauto |]; split; [exact ok' | left; exact A]); (split; [exact ok |]);
+    destruct t; cbn in *; repeat match goal with |- context [if ?c then _ else _] => destruct c; cbn end;
+      first [destruct A as [ok' A]; [now auto |]; split; [exact ok' | left; exact A] | split; [exact ok |]];
       right; right;
-      first
-        [ solve [left; split; [now split | auto]]
-        | solve [right; left; split; [now split | auto]]
-        | solve [right; right; left; split; [now split | auto]]
-        | solve [right; right; right; split; [now split | auto]] ].
+      first [ solve [left; split; [now split | auto]] | solve [right; left; split; [now split | auto]]
+        | solve [right; right; left; split; [now split | auto]] | right; right; right; split; [now split | auto] ].
 Qed.
 
 (** The program's total removal on tables is a total removal of the Z text. *)
@@ -485,7 +505,7 @@ Theorem remove_total_refines T e : tables_ok T ->
 Proof.
   intros ok. unfold remove_total, Eliminar_Elemento_Total. destruct (index T e) as [[t i] |] eqn:E; cbn.
   - destruct (remove_commutes T e t i ok E) as [ok' H]. split; [exact ok' |]. left. split; [| reflexivity].
-    destruct t; eexists; [left | right; left | right; right]; exact H.
+    destruct t; eexists; [left | right; left | right; right; left | right; right; right]; exact H.
   - split; [exact ok |]. right. split; [apply Xi_refl, retrieve_ok, ok | | reflexivity].
     rewrite (proj1 (find_correct T e ok)). tauto.
 Qed.

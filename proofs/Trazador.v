@@ -125,38 +125,37 @@ Theorem discriminant_esfera ray c r : let v := Rayo_v ray in let q := from c (Ra
   discriminant (of_esfera ray c r) = r * r * sq v - sq (cross q v).
 Proof. cbn. unfold discriminant; cbn. pose proof (lagrange (from c (Rayo_p ray)) (Rayo_v ray)). lra. Qed.
 
-(** Cylinder: with a and b the parts of v and q0 across the axis, D = r²·A − |b × a|². *)
+(** Truncated cone: with a and b the parts of v and q0 across the axis, and ρ = r + k·(h − s0) the radius at the ray's
+    origin, D = |ρ·a + k·s1·b|² − |b × a|². For at t the point is at b + t·a from the axis, where the radius is
+    ρ − k·s1·t. *)
+Theorem discriminant_tronco ray c r k d h : let a := across d (Rayo_v ray) in let b := across d (from c (Rayo_p ray)) in
+  let rho := r + k * (h - dot (from c (Rayo_p ray)) d) in
+  discriminant (of_tronco ray c r k d h) = sq (combine rho a (k * dot (Rayo_v ray) d) b) - sq (cross b a).
+Proof.
+  intros a b rho. rewrite sq_combine, (dot_sym a b). pose proof (lagrange b a) as L.
+  pose proof (dot_across d (Rayo_v ray) (Rayo_v ray) : sq a = _) as Haa.
+  pose proof (dot_across d (from c (Rayo_p ray)) (from c (Rayo_p ray)) : sq b = _) as Hbb.
+  pose proof (dot_across d (from c (Rayo_p ray)) (Rayo_v ray) : dot b a = _) as Hba.
+  unfold discriminant; cbn. fold rho. set (a1 := dot (Rayo_v ray) d) in *. fold (sq (Rayo_v ray)) in Haa.
+  fold (sq (from c (Rayo_p ray))) in Hbb. rewrite <- Hbb, <- Hba.
+  replace (sq (Rayo_v ray) - (2 - sq d + k * k) * (a1 * a1)) with (sq a - k * k * (a1 * a1)) by (rewrite Haa; ring).
+  transitivity (rho * rho * sq a + 2 * rho * (k * a1) * dot b a + k * a1 * (k * a1) * sq b
+    + (dot b a * dot b a - sq b * sq a)); [ring | lra].
+Qed.
+
+(** Cylinder, of proportion 0: D = r²·|a|² − |b × a|². *)
 Theorem discriminant_cilindro ray c r d h : let a := across d (Rayo_v ray) in let b := across d (from c (Rayo_p ray)) in
   discriminant (of_cilindro ray c r d h) = r * r * sq a - sq (cross b a).
 Proof.
-  intros a b. pose proof (lagrange b a) as L.
-  assert (Haa : sq a = sq (Rayo_v ray) - (2 - sq d) * (dot (Rayo_v ray) d * dot (Rayo_v ray) d))
-    by apply dot_across.
-  assert (Hbb : sq b = sq (from c (Rayo_p ray))
-    - (2 - sq d) * (dot (from c (Rayo_p ray)) d * dot (from c (Rayo_p ray)) d)) by apply dot_across.
-  assert (Hba : dot b a = dot (from c (Rayo_p ray)) (Rayo_v ray)
-    - (2 - sq d) * (dot (from c (Rayo_p ray)) d * dot (Rayo_v ray) d)) by apply dot_across.
-  unfold discriminant; cbn. rewrite <- Haa, <- Hbb, <- Hba. lra.
+  intros a b. rewrite of_cilindro_is_tronco, discriminant_tronco, sq_combine. fold a b. ring.
 Qed.
 
-(** Cone: with g = h − s0, D = k²·|g·a + s1·b|² − |b × a|². *)
+(** Cone, of radius 0: with g = h − s0, D = k²·|g·a + s1·b|² − |b × a|². *)
 Theorem discriminant_cono ray c k d h : let a := across d (Rayo_v ray) in let b := across d (from c (Rayo_p ray)) in
   let g := h - dot (from c (Rayo_p ray)) d in
   discriminant (of_cono ray c k d h) = k * k * sq (combine g a (dot (Rayo_v ray) d) b) - sq (cross b a).
 Proof.
-  intros a b g. rewrite sq_combine. pose proof (lagrange b a) as L.
-  assert (Haa : sq a = sq (Rayo_v ray) - (2 - sq d) * (dot (Rayo_v ray) d * dot (Rayo_v ray) d))
-    by apply dot_across.
-  assert (Hbb : sq b = sq (from c (Rayo_p ray))
-    - (2 - sq d) * (dot (from c (Rayo_p ray)) d * dot (from c (Rayo_p ray)) d)) by apply dot_across.
-  assert (Hba : dot b a = dot (from c (Rayo_p ray)) (Rayo_v ray)
-    - (2 - sq d) * (dot (from c (Rayo_p ray)) d * dot (Rayo_v ray) d)) by apply dot_across.
-  rewrite (dot_sym a b). unfold discriminant; cbn. fold g. set (a1 := dot (Rayo_v ray) d) in *.
-  replace (sq (Rayo_v ray) - (2 - sq d + k * k) * (a1 * a1)) with (sq a - k * k * (a1 * a1)) by (rewrite Haa; ring).
-  rewrite <- Hbb, <- Hba. replace (- sq (cross b a)) with (dot b a * dot b a - sq b * sq a) by lra.
-  replace (k * k * (g * g * sq a + 2 * g * a1 * dot b a + a1 * a1 * sq b) - sq (cross b a))
-    with (k * k * (g * g * sq a + 2 * g * a1 * dot b a + a1 * a1 * sq b) + (dot b a * dot b a - sq b * sq a)) by lra.
-  ring.
+  intros a b g. rewrite of_cono_is_tronco, discriminant_tronco, !sq_combine. fold a b g. ring.
 Qed.
 
 (** ** The first hit of one element *)

@@ -37,6 +37,9 @@ struct Parametrisation::ProfileOf {
   Profile operator()(const scene::Cone& e) const {
     return {e.centro, e.vector, Segment{e.proporcion * e.altura, 0, e.altura}};
   }
+  Profile operator()(const scene::TruncatedCone& e) const {
+    return {e.centro, e.vector, Segment{e.radio + e.proporcion * e.altura, e.radio, e.altura}};
+  }
 };
 
 Parametrisation::Parametrisation(scene::ShapeView shape) : Parametrisation(shape.visit(ProfileOf())) {}

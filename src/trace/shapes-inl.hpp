@@ -10,6 +10,7 @@
 #include "trace/shape/cone-inl.hpp"
 #include "trace/shape/cylinder-inl.hpp"
 #include "trace/shape/sphere-inl.hpp"
+#include "trace/shape/truncated_cone-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace durero::trace {

@@ -47,6 +47,13 @@ inline Distances distances(const scene::Cone& e, const Exact_Vector& p, const Ex
   return {Dyadic(e.proporcion) * length((Dyadic(e.altura) - s0) * a + s1 * b), length(cross(b, a))};
 }
 
+inline Distances distances(const scene::TruncatedCone& e, const Exact_Vector& p, const Exact_Vector& v) {
+  const Exact_Vector q = p - Exact_Vector(e.centro), d(e.vector);
+  const Dyadic s0 = dot(q, d), s1 = dot(v, d), k(e.proporcion);
+  const Exact_Vector a = v - s1 * d, b = q - s0 * d;
+  return {length((Dyadic(e.radio) + k * (Dyadic(e.altura) - s0)) * a + (k * s1) * b), length(cross(b, a))};
+}
+
 /// The coefficients are those of the exact step; S = √D, or 0 where D is negative.
 struct Exact : surface::exact::Coefficients {
   Dyadic F, H, D, S;

@@ -232,9 +232,8 @@ constexpr std::string_view double_double = "quadratic-inl.hpp: as in binary64, a
 constexpr std::string_view improvement = "power-inl.hpp: good to some forty bits beyond a binary64 as it is";
 constexpr std::string_view of_parameter = "rounding-inl.hpp: mostly that of t, good to forty bits beyond a binary64";
 const Exceptions exceptions[] = {
-    {"triage", worst_case, {"A", "C", "F", "H", "A of the slope"}},
-    {"triage", made_of, {"D", "S", "q", "root", "t", "slope", "avance", "altura − avance"}},
-    {"lanes", worst_case, {"A of the slope"}},
+    {"triage", worst_case, {"F", "H"}},
+    {"triage", made_of, {"D", "S", "q", "root", "t", "slope"}},
     {"lanes", made_of, {"t", "slope"}},
     {"search", made_of, {"ends, triage"}},
     {"stable", double_double, {"A", "B", "C", "F", "H", "D", "S", "q", "root", "t", "avance", "altura − avance"}},

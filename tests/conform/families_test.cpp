@@ -99,7 +99,7 @@ TEST_CASE("a family is the same from the same seed, on every platform, and anoth
   }
   CHECK(seen.size() == families().size() * 50);
   CHECK(all ==
-        0x81007d26944cfa7a);  // changes where a generator does: then the cases are others, and this number is a new one
+        0xb64e456445715f50);  // changes where a generator does: then the cases are others, and this number is a new one
 }
 
 TEST_CASE("also axes that are no exact unit vectors have exactly degenerate rays") {
@@ -137,7 +137,7 @@ TEST_CASE("families are found by name; each has a kind, a reason and a range") {
 }
 
 TEST_CASE("each membership also says no somewhere") {
-  const Case generic = generate(*find_family("generic"), 3, 200);
+  const Case generic = generate(*find_family("generic"), 4, 200);
   for (const Family& family : families()) {
     INFO(family.name);
     const Count counted = count(family, generic);

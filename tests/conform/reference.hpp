@@ -23,7 +23,7 @@ struct RationalPoint {
 struct Surface {
   scene::ElementRef e;
   RationalPoint centro, vector;
-  Rational size, altura;
+  Rational radio, proporcion, altura;  ///< the radius at the advance s is radio + proporcion·(altura − s)
 
   static RationalPoint exact(const glm::dvec3& v) {
     return {number::exact(v.x), number::exact(v.y), number::exact(v.z)};
@@ -36,7 +36,7 @@ struct Surface {
     const Rational s = e.tipo == model::Tipo::soy_esfera ? Rational(0) : avance(w);
     const Rational x = w.x - centro.x - s * vector.x, y = w.y - centro.y - s * vector.y,
                    z = w.z - centro.z - s * vector.z;
-    const Rational radius = e.tipo == model::Tipo::soy_cono ? Rational(size * (altura - s)) : size;
+    const Rational radius = radio + proporcion * (altura - s);
     return x * x + y * y + z * z - radius * radius;
   }
 };
@@ -50,17 +50,22 @@ inline std::vector<Surface> surfaces(const scene::Scene& scene) {
   using number::exact;
   for (std::size_t i = 0; i < scene.shapes<scene::Sphere>().size(); ++i) {
     const scene::Sphere& s = scene.shapes<scene::Sphere>()[i];
-    all.push_back({e(Tipo::soy_esfera, i), Surface::exact(s.centro), {}, exact(s.radio), 0});
+    all.push_back({e(Tipo::soy_esfera, i), Surface::exact(s.centro), {}, exact(s.radio), 0, 0});
   }
   for (std::size_t i = 0; i < scene.shapes<scene::Cylinder>().size(); ++i) {
     const scene::Cylinder& c = scene.shapes<scene::Cylinder>()[i];
-    all.push_back({e(Tipo::soy_cilindro, i), Surface::exact(c.centro), Surface::exact(c.vector), exact(c.radio),
+    all.push_back({e(Tipo::soy_cilindro, i), Surface::exact(c.centro), Surface::exact(c.vector), exact(c.radio), 0,
                    exact(c.altura)});
   }
   for (std::size_t i = 0; i < scene.shapes<scene::Cone>().size(); ++i) {
     const scene::Cone& c = scene.shapes<scene::Cone>()[i];
-    all.push_back({e(Tipo::soy_cono, i), Surface::exact(c.centro), Surface::exact(c.vector), exact(c.proporcion),
+    all.push_back({e(Tipo::soy_cono, i), Surface::exact(c.centro), Surface::exact(c.vector), 0, exact(c.proporcion),
                    exact(c.altura)});
+  }
+  for (std::size_t i = 0; i < scene.shapes<scene::TruncatedCone>().size(); ++i) {
+    const scene::TruncatedCone& c = scene.shapes<scene::TruncatedCone>()[i];
+    all.push_back({e(Tipo::soy_tronco, i), Surface::exact(c.centro), Surface::exact(c.vector), exact(c.radio),
+                   exact(c.proporcion), exact(c.altura)});
   }
   return all;
 }

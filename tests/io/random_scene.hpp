@@ -29,13 +29,17 @@ inline glm::dvec3 any_axis() {
 
 inline model::Operation any_addition(model::Elemento e) {
   const model::Punto centro{any_triple()};
-  switch (*rc::gen::inRange(0, 3)) {
+  switch (*rc::gen::inRange(0, 4)) {
     case 0:
       return model::Agregar_Esfera{std::move(e), centro, any_positive()};
     case 1:
       return model::Agregar_Cilindro{std::move(e), centro, any_positive(), model::Vector{any_axis()}, any_positive()};
-    default:
+    case 2:
       return model::Agregar_Cono{std::move(e), centro, any_positive(), model::Vector{any_axis()}, any_positive()};
+    default: {
+      const double radio = any_positive(), proporcion = any_positive();
+      return model::Agregar_Tronco{std::move(e), centro, radio, proporcion, model::Vector{any_axis()}, any_positive()};
+    }
   }
 }
 
@@ -78,27 +82,20 @@ inline scene::Scene any_scene(int most = 8) {
 /// Each element's type, the bits of its numbers and the name of its material.
 inline std::map<std::string, std::string> described(const scene::Scene& scene) {
   std::map<std::string, std::string> all;
-  const auto add = [&](model::Tipo tipo, std::size_t index, const std::vector<double>& numbers) {
-    const scene::ElementRef element{tipo, static_cast<std::uint32_t>(index)};
-    std::string text(model::name(tipo));
-    for (const double x : numbers) text += ' ' + std::to_string(std::bit_cast<std::uint64_t>(x));
+  scene.for_each([&]<class Shape>(scene::ElementRef element, const Shape& shape) {
+    std::string text(Shape::word);
+    const auto add = [&](double x) { text += ' ' + std::to_string(std::bit_cast<std::uint64_t>(x)); };
+    scene::for_each_attribute<Shape>([&](const auto& attribute) {
+      const auto& value = shape.*attribute.field;
+      if constexpr (requires { value.x; }) {
+        add(value.x), add(value.y), add(value.z);
+      } else {
+        add(value);
+      }
+    });
     if (const auto m = scene.material(element)) text += ' ' + scene.stage().materials[*m].name;
     all.emplace(scene.name(element).name(), text);
-  };
-  for (std::size_t i = 0; i < scene.shapes<scene::Sphere>().size(); ++i) {
-    const auto& s = scene.shapes<scene::Sphere>()[i];
-    add(model::Tipo::soy_esfera, i, {s.centro.x, s.centro.y, s.centro.z, s.radio});
-  }
-  for (std::size_t i = 0; i < scene.shapes<scene::Cylinder>().size(); ++i) {
-    const auto& c = scene.shapes<scene::Cylinder>()[i];
-    add(model::Tipo::soy_cilindro, i,
-        {c.centro.x, c.centro.y, c.centro.z, c.radio, c.vector.x, c.vector.y, c.vector.z, c.altura});
-  }
-  for (std::size_t i = 0; i < scene.shapes<scene::Cone>().size(); ++i) {
-    const auto& k = scene.shapes<scene::Cone>()[i];
-    add(model::Tipo::soy_cono, i,
-        {k.centro.x, k.centro.y, k.centro.z, k.proporcion, k.vector.x, k.vector.y, k.vector.z, k.altura});
-  }
+  });
   return all;
 }
 

@@ -39,7 +39,7 @@ TEST_CASE("elementos' = elementos ∪ { e? }") {
   CHECK(after(
             nuevo,
             [](Escena& s) {
-              s.elementos = {cilindro, cono, nuevo, Elemento("other")};
+              s.elementos = {cilindro, cono, tronco, nuevo, Elemento("other")};
             },
             added) == seen_by_the_whole);
 }
@@ -53,7 +53,7 @@ TEST_CASE("elementos' = elementos ∖ { e? }") {
   CHECK(after(
             esfera,
             [](Escena& s) {
-              s.elementos = {cilindro, nuevo};
+              s.elementos = {cilindro, tronco, nuevo};
             },
             removed) == seen_by_the_whole);
 }
@@ -87,7 +87,7 @@ TEST_CASE("c' = { e? } ⩤ c") {
   CHECK(after(
             cono,
             [](Escena& s) {
-              s.mi_altura = {{nuevo, Rmas(3)}};
+              s.mi_altura = {{tronco, Rmas(3)}, {nuevo, Rmas(3)}};
             },
             without) == seen_by_the_whole);
 }

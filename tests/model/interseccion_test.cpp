@@ -102,6 +102,7 @@ TEST_CASE("potencia.def.1: the choice by type") {
   CHECK(potencia(s, esfera, w) == potencia_esfera(w, origin, Rmas(1)));
   CHECK(potencia(s, cilindro, w) == potencia_cilindro(w, origin, Rmas(1), axis));
   CHECK(potencia(s, cono, w) == potencia_cono(w, origin, Rmas(0.5), axis, Rmas(3)));
+  CHECK(potencia(s, tronco, w) == potencia_tronco(w, origin, Rmas(1), Rmas(0.5), axis, Rmas(3)));
   CHECK_THROWS_AS(potencia(s, nuevo, w), std::out_of_range);
 }
 

@@ -62,6 +62,7 @@ TEST_CASE("an addition says what its schema and the one it includes say, in thei
   follows(agregar_esfera, {"Agregar_Elemento", "Agregar_Esfera"});
   follows(agregar_cilindro, {"Agregar_Elemento", "Agregar_Cilindro"});
   follows(agregar_cono, {"Agregar_Elemento", "Agregar_Cono"});
+  follows(agregar_tronco, {"Agregar_Elemento", "Agregar_Tronco"});
   follows(Agregar_Elemento{nuevo, Tipo::soy_esfera, far, 2},
           {"Agregar_Elemento", "Agregar_Esfera", "Elemento_Agregado"});
   follows(Agregar_Elemento{nuevo, Tipo::soy_cono, far, {}, axis, 5, 2},
@@ -72,6 +73,7 @@ TEST_CASE("a removal says what its schema and the one it includes say, in their 
   follows(Eliminar_Esfera{esfera}, {"Eliminar_Elemento", "Eliminar_Esfera"});
   follows(Eliminar_Cilindro{cilindro}, {"Eliminar_Elemento", "Eliminar_Cilindro"});
   follows(Eliminar_Cono{cono}, {"Eliminar_Elemento", "Eliminar_Cono"});
+  follows(Eliminar_Tronco{tronco}, {"Eliminar_Elemento", "Eliminar_Tronco"});
 }
 
 TEST_CASE("the general removal says what the removal of the type says; that the type is its own holds by choice") {
@@ -97,4 +99,5 @@ TEST_CASE("an error says what its schema says, in its order") {
   follows_text(No_Es_Esfera{cono}, "No_Es_Esfera");
   follows_text(No_Es_Cilindro{cono}, "No_Es_Cilindro");
   follows_text(No_Es_Cono{esfera}, "No_Es_Cono");
+  follows_text(No_Es_Tronco{esfera}, "No_Es_Tronco");
 }

@@ -52,9 +52,10 @@ std::string wrong_answer(const Op& in) {
 #define SPOILED(op, change) spoiled(op, [](Escena& after, Respuesta&) { change; })
 
 TEST_CASE("Agregar_Elemento, the part of every addition") {
-  for (const Operation& again : std::vector<Operation>{
-           Agregar_Esfera{esfera, far, 2}, Agregar_Cilindro{esfera, far, 2, axis, 5},
-           Agregar_Cono{cilindro, far, 2, axis, 5}, Agregar_Elemento{cono, Tipo::soy_esfera, far, 2}})
+  for (const Operation& again :
+       std::vector<Operation>{Agregar_Esfera{esfera, far, 2}, Agregar_Cilindro{esfera, far, 2, axis, 5},
+                              Agregar_Cono{cilindro, far, 2, axis, 5}, Agregar_Tronco{tronco, far, 3, 2, axis, 5},
+                              Agregar_Elemento{cono, Tipo::soy_esfera, far, 2}})
     CHECK(refused(again) == "Agregar_Elemento.pre.1");
   CHECK(SPOILED(agregar_esfera, after.elementos.erase(nuevo)) == "Agregar_Elemento.post.1");
   CHECK(SPOILED(agregar_cono, after.elementos.erase(nuevo)) == "Agregar_Elemento.post.1");
@@ -100,9 +101,24 @@ TEST_CASE("Agregar_Cono") {
   CHECK(wrong_answer(agregar_cono) == "Agregar_Cono.post.6");
 }
 
+TEST_CASE("Agregar_Tronco") {
+  CHECK(refused(Agregar_Tronco{nuevo, far, 3, 2, axis, 5, Tipo::soy_cono}) == "Agregar_Tronco.pre.1");
+  CHECK(refused(Agregar_Tronco{nuevo, far, 0, 2, axis, 5}) == "Agregar_Tronco.pre.2");
+  CHECK(refused(Agregar_Tronco{nuevo, far, 3, -2, axis, 5}) == "Agregar_Tronco.pre.3");
+  CHECK(refused(Agregar_Tronco{nuevo, far, 3, 2, not_unit, 5}) == "Agregar_Tronco.pre.4");
+  CHECK(refused(Agregar_Tronco{nuevo, far, 3, 2, axis, 0}) == "Agregar_Tronco.pre.5");
+  CHECK(SPOILED(agregar_tronco, after.mi_centro.at(nuevo) = origin) == "Agregar_Tronco.post.1");
+  CHECK(SPOILED(agregar_tronco, after.mi_radio.at(nuevo) = Rmas(2)) == "Agregar_Tronco.post.2");
+  CHECK(SPOILED(agregar_tronco, after.mi_vector.at(nuevo) = Vector(1, 0, 0)) == "Agregar_Tronco.post.3");
+  CHECK(SPOILED(agregar_tronco, after.mi_altura.at(nuevo) = Rmas(1)) == "Agregar_Tronco.post.4");
+  CHECK(SPOILED(agregar_tronco, after.mi_proporcion.erase(nuevo)) == "Agregar_Tronco.post.5");
+  CHECK(wrong_answer(agregar_tronco) == "Agregar_Tronco.post.6");
+}
+
 TEST_CASE("Eliminar_Elemento, the part of every removal") {
-  for (const Operation& unknown : std::vector<Operation>{Eliminar_Esfera{nuevo}, Eliminar_Cilindro{nuevo},
-                                                         Eliminar_Cono{nuevo}, Eliminar_Elemento{nuevo}})
+  for (const Operation& unknown :
+       std::vector<Operation>{Eliminar_Esfera{nuevo}, Eliminar_Cilindro{nuevo}, Eliminar_Cono{nuevo},
+                              Eliminar_Tronco{nuevo}, Eliminar_Elemento{nuevo}})
     CHECK(refused(unknown) == "Eliminar_Elemento.pre.1");
   CHECK(SPOILED(Eliminar_Esfera{esfera}, after.elementos.insert(esfera)) == "Eliminar_Elemento.post.1");
   CHECK(SPOILED(Eliminar_Cono{cono}, after.elementos.insert(cono)) == "Eliminar_Elemento.post.1");
@@ -143,17 +159,33 @@ TEST_CASE("Eliminar_Cono") {
   CHECK(wrong_answer(in) == "Eliminar_Cono.post.6");
 }
 
+TEST_CASE("Eliminar_Tronco") {
+  const Eliminar_Tronco in{tronco};
+  CHECK(refused(Eliminar_Tronco{cono}) == "Eliminar_Tronco.pre.1");
+  CHECK(SPOILED(in, after.mi_centro.emplace(tronco, origin)) == "Eliminar_Tronco.post.1");
+  CHECK(SPOILED(in, after.mi_radio.emplace(tronco, 1)) == "Eliminar_Tronco.post.2");
+  CHECK(SPOILED(in, after.mi_vector.emplace(tronco, axis)) == "Eliminar_Tronco.post.3");
+  CHECK(SPOILED(in, after.mi_altura.emplace(tronco, 1)) == "Eliminar_Tronco.post.4");
+  CHECK(SPOILED(in, after.mi_proporcion.emplace(tronco, 1)) == "Eliminar_Tronco.post.5");
+  CHECK(wrong_answer(in) == "Eliminar_Tronco.post.6");
+}
+
 TEST_CASE("Elemento_Agregado: the operation of the type, with the general answer") {
   const Agregar_Elemento sphere{nuevo, Tipo::soy_esfera, far, 2};
   const Agregar_Elemento cylinder{nuevo, Tipo::soy_cilindro, far, 2, axis, 5};
   const Agregar_Elemento cone{nuevo, Tipo::soy_cono, far, {}, axis, 5, 2};
-  for (const auto& in : {sphere, cylinder, cone}) CHECK(wrong_answer(in) == "Elemento_Agregado.post.1");
+  const Agregar_Elemento truncated{nuevo, Tipo::soy_tronco, far, 3, axis, 5, 2};
+  for (const auto& in : {sphere, cylinder, cone, truncated}) CHECK(wrong_answer(in) == "Elemento_Agregado.post.1");
   CHECK(SPOILED(cone, after.mi_altura.at(nuevo) = Rmas(1)) == "Agregar_Cono.post.4");
   CHECK(refused(Agregar_Elemento{nuevo, Tipo::soy_cilindro, far, 2, not_unit, 5}) == "Agregar_Cilindro.pre.3");
 
   Escena general = one_of_each(), specific = one_of_each();
   CHECK(model::apply(general, cone) == Respuesta::elemento_agregado);
   CHECK(model::apply(specific, agregar_cono) == Respuesta::cono_agregado);
+  CHECK(general == specific);
+  general = specific = one_of_each();
+  model::apply(general, truncated);
+  model::apply(specific, agregar_tronco);
   CHECK(general == specific);
 
   Escena escena = one_of_each();
@@ -164,12 +196,12 @@ TEST_CASE("Elemento_Agregado: the operation of the type, with the general answer
 }
 
 TEST_CASE("Elemento_Eliminado: the operation of the element's type, with the general answer") {
-  for (const Elemento& e : {esfera, cilindro, cono})
+  for (const Elemento& e : {esfera, cilindro, cono, tronco})
     CHECK(wrong_answer(Eliminar_Elemento{e}) == "Elemento_Eliminado.post.1");
   CHECK(SPOILED(Eliminar_Elemento{cono}, after.mi_altura.emplace(cono, 1)) == "Eliminar_Cono.post.4");
 
   Escena escena = one_of_each();
-  for (const Elemento& e : {esfera, cilindro, cono})
+  for (const Elemento& e : {esfera, cilindro, cono, tronco})
     CHECK(model::apply(escena, Eliminar_Elemento{e}) == Respuesta::elemento_eliminado);
   CHECK(escena == Init());
 }

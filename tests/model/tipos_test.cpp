@@ -104,10 +104,12 @@ TEST_CASE("each type and each answer has its name") {
   CHECK(name(Tipo::soy_esfera) == "soy_esfera");
   CHECK(name(Tipo::soy_cilindro) == "soy_cilindro");
   CHECK(name(Tipo::soy_cono) == "soy_cono");
+  CHECK(name(Tipo::soy_tronco) == "soy_tronco");
   std::set<std::string_view> names;
   for (int i = 0; i <= static_cast<int>(Respuesta::proporcion_no_positiva); ++i)
     names.insert(name(static_cast<Respuesta>(i)));
-  CHECK(names.size() == 15);
+  CHECK(names.size() == respuesta_names.size());
+  CHECK(name(Respuesta::tronco_agregado) == "tronco_agregado");
   CHECK(name(Respuesta::elemento_agregado) == "elemento_agregado");
   CHECK(name(Respuesta::cono_eliminado) == "cono_eliminado");
   CHECK(name(Respuesta::tipo_incorrecto) == "tipo_incorrecto");

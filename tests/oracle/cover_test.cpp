@@ -74,6 +74,22 @@ TEST_CASE("every point of a cone has a sample within delta, apex and rim too") {
   }
 }
 
+TEST_CASE("every point of a truncated cone has a sample within delta, on both rims too") {
+  test::Random random(14);
+  for (int round = 0; round < 20; ++round) {
+    const glm::dvec3 d = random.axis().xyz(), centro = random.in_cube(10);
+    const double radio = random.uniform(0.1, 2), proporcion = random.uniform(0.1, 3), altura = random.uniform(0.1, 2);
+    const oracle::Cover cover = oracle::cover(scene::TruncatedCone{centro, radio, proporcion, d, altura}, fineness);
+    const auto [u, v] = across(d);
+    for (int i = 0; i < 200; ++i) {
+      const double s = i % 4 == 0 ? 0 : i % 4 == 1 ? altura : random.uniform(0, altura);
+      const double angle = random.uniform(0, 2 * pi), radius = radio + proporcion * (altura - s);
+      const glm::dvec3 point = centro + d * s + (u * std::cos(angle) + v * std::sin(angle)) * radius;
+      CHECK(distance_to(cover, point) <= cover.delta);
+    }
+  }
+}
+
 TEST_CASE("samples lie on the surface, so a cover proves something") {
   const scene::Sphere sphere{{1, 2, 3}, 2};
   const oracle::Cover cover = oracle::cover(sphere, fineness);

@@ -102,3 +102,20 @@ TEST_CASE("a cone is a segment that ends at the apex, with a rim at its base") {
   CHECK(surface.at(1, 0).curvature == std::numeric_limits<double>::infinity());
   check_shape(surface, random);
 }
+
+TEST_CASE("a truncated cone is a segment with a rim at either end") {
+  test::Random random(24);
+  const scene::TruncatedCone k{{1, -2, 3}, 2, 0.75, random.axis().xyz(), 4};
+  const Parametrisation surface(k);
+  for (int i = 0; i < 200; ++i) {
+    const double u = random.uniform(0, 1), v = random.uniform(0, 1);
+    const Place at = place(surface.point(u, v), k.centro, k.vector);
+    CHECK(at.along == Approx(4 * u).margin(1e-12));
+    CHECK(at.across == Approx(2 + 0.75 * (4 - at.along)).margin(1e-12));
+    CHECK(surface.at(u, v).edge == Approx(5 * std::min(u, 1 - u)));
+  }
+  CHECK(surface.length() == Approx(5));
+  CHECK(surface.widest() == Approx(5));
+  CHECK(surface.at(1, 0).curvature == Approx(0.8 / 2));
+  check_shape(surface, random);
+}

@@ -29,8 +29,11 @@ scene::Scene coarse_scene(Random& random) {
       scene.apply(model::Agregar_Esfera{e, centro, eighth(0.25, 1)});
     } else if (random.below(2) == 0) {
       scene.apply(model::Agregar_Cilindro{e, centro, eighth(0.25, 1), axis, eighth(0.25, 2)});
-    } else {
+    } else if (random.below(2) == 0) {
       scene.apply(model::Agregar_Cono{e, centro, eighth(0.25, 2), axis, eighth(0.25, 1)});
+    } else {
+      const double radio = eighth(0.25, 1), proporcion = eighth(0.25, 2);
+      scene.apply(model::Agregar_Tronco{e, centro, radio, proporcion, axis, eighth(0.25, 1)});
     }
   }
   return scene;

@@ -2,6 +2,8 @@
 // the end of nothing. Neither knows the other.
 #include "durero/oracle/spec_ray.hpp"
 
+#include <glm/geometric.hpp>
+
 #include "durero/scene/retrieve.hpp"
 #include "durero/surface/exact.hpp"
 #include "support/catch.hpp"
@@ -25,15 +27,18 @@ scene::Scene grid_scene(Random& random) {
     const double z = small(), y = small(), x = small();
     const model::Punto centro(x, y, z);
     const model::Vector axis = axes[random.below(3)];
-    switch (random.below(3)) {
+    switch (random.below(4)) {
       case 0:
         scene.apply(model::Agregar_Esfera{e, centro, length()});
         break;
       case 1:
         scene.apply(model::Agregar_Cilindro{e, centro, length(), axis, length()});
         break;
-      default:
+      case 2:
         scene.apply(model::Agregar_Cono{e, centro, 1, axis, length()});
+        break;
+      default:
+        scene.apply(model::Agregar_Tronco{e, centro, length(), 1, axis, length()});
     }
   }
   return scene;
@@ -65,6 +70,11 @@ model::Rayo generator_ray(Random& random, const scene::Scene& scene) {
     const scene::Cone& c = scene.shapes<scene::Cone>().front();
     const glm::dvec3 arm = c.proporcion * c.altura * across(c.vector);
     foot = c.centro + arm;
+    to_top = c.altura * c.vector - arm;
+  } else if (!scene.shapes<scene::TruncatedCone>().empty()) {
+    const scene::TruncatedCone& c = scene.shapes<scene::TruncatedCone>().front();
+    const glm::dvec3 arm = c.proporcion * c.altura * across(c.vector);
+    foot = c.centro + arm + c.radio * arm / glm::length(arm);
     to_top = c.altura * c.vector - arm;
   } else {
     return grid_ray(random);

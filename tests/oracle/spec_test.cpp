@@ -32,14 +32,14 @@ model::Vector direction(Random& random) {
 }
 
 model::Tipo type(Random& random, model::Tipo usual) {
-  return random.below(8) == 0 ? static_cast<model::Tipo>(random.below(3)) : usual;
+  return random.below(8) == 0 ? static_cast<model::Tipo>(random.below(model::tipo_count)) : usual;
 }
 
 /// Any operation, about an element e0 … e11, with inputs that are often outside its precondition.
 Operation any_operation(Random& random) {
   const model::Elemento e = element(random, 12);
   const model::Punto centro(random.in_cube(4));
-  switch (random.below(8)) {
+  switch (random.below(10)) {
     case 0:
       return model::Agregar_Esfera{e, centro, length(random), type(random, model::Tipo::soy_esfera)};
     case 1:
@@ -50,7 +50,7 @@ Operation any_operation(Random& random) {
           e, centro, length(random), direction(random), length(random), type(random, model::Tipo::soy_cono)};
     case 3:
       return model::Agregar_Elemento{e,
-                                     static_cast<model::Tipo>(random.below(3)),
+                                     static_cast<model::Tipo>(random.below(model::tipo_count)),
                                      centro,
                                      length(random),
                                      direction(random),
@@ -62,6 +62,13 @@ Operation any_operation(Random& random) {
       return model::Eliminar_Cilindro{e};
     case 6:
       return model::Eliminar_Cono{e};
+    case 7:
+      return model::Eliminar_Tronco{e};
+    case 8: {
+      const double radio = length(random), proporcion = length(random);
+      return model::Agregar_Tronco{
+          e, centro, radio, proporcion, direction(random), length(random), type(random, model::Tipo::soy_tronco)};
+    }
     default:
       return model::Eliminar_Elemento{e};
   }
@@ -93,10 +100,11 @@ void spoil(Random& random, Escena& escena) {
       if (const auto e = element(random, 12); !escena.elementos.erase(e)) escena.elementos.insert(e);
       break;
     case 1:
-      if (const auto t = static_cast<model::Tipo>(random.below(3)); !escena.tipos.erase(t)) escena.tipos.insert(t);
+      if (const auto t = static_cast<model::Tipo>(random.below(model::tipo_count)); !escena.tipos.erase(t))
+        escena.tipos.insert(t);
       break;
     case 2:
-      change(random, escena.de_que_tipo, static_cast<model::Tipo>(random.below(3)));
+      change(random, escena.de_que_tipo, static_cast<model::Tipo>(random.below(model::tipo_count)));
       break;
     case 3:
       change(random, escena.mi_centro, model::Punto(random.in_cube(1)));
@@ -220,8 +228,8 @@ void judge_many(std::uint64_t seed, std::size_t transitions) {
   CHECK(counts.refused > transitions / 20);
   // Every predicate was seen broken.
   const Escena empty = model::Init();
-  for (const char* schema : {"Agregar_Esfera", "Agregar_Cilindro", "Agregar_Cono", "Eliminar_Esfera",
-                             "Eliminar_Cilindro", "Eliminar_Cono", "Escena"}) {
+  for (const char* schema : {"Agregar_Esfera", "Agregar_Cilindro", "Agregar_Cono", "Agregar_Tronco", "Eliminar_Esfera",
+                             "Eliminar_Cilindro", "Eliminar_Cono", "Eliminar_Tronco", "Escena"}) {
     const zed::SchemaCheck check = judge.evaluator().schema({schema, ""});
     const std::vector<zed::Value> open(check.components().size(), zed::Open{});
     for (const zed::Finding& one : check.findings(open)) {
@@ -264,7 +272,7 @@ TEST_CASE("each total operation of the text takes what the model answers, done o
     const char* definition;
     Operation done, refused;
   };
-  const model::Elemento s("s"), c("c"), k("k"), nuevo("nuevo");
+  const model::Elemento s("s"), c("c"), k("k"), f("f"), nuevo("nuevo");
   const model::Punto o(0, 0, 0);
   const model::Vector z(0, 0, 1), wrong(0, 0, 2);
   const Row rows[] = {
@@ -272,11 +280,14 @@ TEST_CASE("each total operation of the text takes what the model answers, done o
       {"Agregar_Cilindro_Total.def.1", model::Agregar_Cilindro{nuevo, o, 1, z, 1},
        model::Agregar_Cilindro{nuevo, o, 1, wrong, 1}},
       {"Agregar_Cono_Total.def.1", model::Agregar_Cono{nuevo, o, 1, z, 1}, model::Agregar_Cono{nuevo, o, 1, z, -1}},
+      {"Agregar_Tronco_Total.def.1", model::Agregar_Tronco{nuevo, o, 1, 1, z, 1},
+       model::Agregar_Tronco{nuevo, o, 0, 1, z, 1}},
       {"Agregar_Elemento_Total.def.1", model::Agregar_Elemento{nuevo, model::Tipo::soy_cono, o, 0, z, 1, 1},
        model::Agregar_Elemento{s, model::Tipo::soy_esfera, o, 1, z, 1, 1}},
       {"Eliminar_Esfera_Total.def.1", model::Eliminar_Esfera{s}, model::Eliminar_Esfera{c}},
       {"Eliminar_Cilindro_Total.def.1", model::Eliminar_Cilindro{c}, model::Eliminar_Cilindro{nuevo}},
       {"Eliminar_Cono_Total.def.1", model::Eliminar_Cono{k}, model::Eliminar_Cono{s}},
+      {"Eliminar_Tronco_Total.def.1", model::Eliminar_Tronco{f}, model::Eliminar_Tronco{k}},
       {"Eliminar_Elemento_Total.def.1", model::Eliminar_Elemento{c}, model::Eliminar_Elemento{nuevo}},
   };
   const Judge judge;
@@ -284,6 +295,7 @@ TEST_CASE("each total operation of the text takes what the model answers, done o
   model::apply(before, model::Agregar_Esfera{s, o, 1});
   model::apply(before, model::Agregar_Cilindro{c, o, 1, z, 1});
   model::apply(before, model::Agregar_Cono{k, o, 1, z, 1});
+  model::apply(before, model::Agregar_Tronco{f, o, 1, 1, z, 1});
   for (const Row& row : rows) {
     CAPTURE(row.definition);
     Escena after = before, same = before;

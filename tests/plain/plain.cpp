@@ -110,6 +110,16 @@ Quadratic quadratic(const scene::Cone& cone, const model::Rayo& rayo, bool on) {
   return {A, B, C, D, s0, s1, cone.altura};
 }
 
+Quadratic quadratic(const scene::TruncatedCone& cone, const model::Rayo& rayo, bool on) {
+  const auto [s0, s1, a, b] = axial(cone.centro, cone.vector, rayo);
+  const double rho = cone.radio + cone.proporcion * (cone.altura - s0), slope = cone.proporcion * s1;
+  const double A = square(a) - square(slope);
+  const double B = glm::dot(b, a) + rho * slope;
+  const double C = on ? 0 : square(b) - square(rho);
+  const double D = on ? square(B) : square(rho * a + slope * b) - square(glm::cross(b, a));
+  return {A, B, C, D, s0, s1, cone.altura};
+}
+
 First first(const Quadratic& f) {
   if (f.D < 0) return miss;
   if (f.A == 0 && f.B == 0) return f.C == 0 ? first_of_line(f) : miss;

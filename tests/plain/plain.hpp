@@ -7,6 +7,8 @@
 ///   sphere    A = v·v            B = q0·v           C = q0·q0 − r²      D = r²A − |q0 × v|²
 ///   cylinder  A = a·a            B = b·a            C = b·b − r²        D = r²A − |b × a|²
 ///   cone      A = a·a − k²s1²    B = b·a + k²g·s1   C = b·b − k²g²      D = k²|g·a + s1·b|² − |b × a|²
+/// and those of the truncated cone, with ρ = r + k·g,
+///             A = a·a − k²s1²    B = b·a + k·ρ·s1   C = b·b − ρ²        D = |ρ·a + k·s1·b|² − |b × a|²
 /// The discriminant is a difference of squared distances (Lagrange's identity), so it keeps its figures where B² and AC
 /// are large and close: far from the element.
 
@@ -31,6 +33,7 @@ struct Quadratic {
 Quadratic quadratic(const scene::Sphere& sphere, const model::Rayo& rayo, bool on);
 Quadratic quadratic(const scene::Cylinder& cylinder, const model::Rayo& rayo, bool on);
 Quadratic quadratic(const scene::Cone& cone, const model::Rayo& rayo, bool on);
+Quadratic quadratic(const scene::TruncatedCone& cone, const model::Rayo& rayo, bool on);
 
 /// What a ray has of one element: its first point there, none, or points from t → 0⁺ on.
 struct First {

@@ -40,6 +40,10 @@ HWY_INLINE LaneQuadratic quadratic_of(const LaneElement<tipo>& e, const LaneRay&
     if constexpr (tipo == Tipo::soy_cilindro) {
       const Lanes A = square(a), r2 = square(e.radio);
       return {A, dot(b, a), square(b) - r2, r2 * A - square(cross(b, a)), s0, s1};
+    } else if constexpr (tipo == Tipo::soy_tronco) {
+      const Lanes rho = e.radio + e.proporcion * (e.altura - s0), slope = e.proporcion * s1;
+      const Lanes D = square(combination(rho, a, slope, b)) - square(cross(b, a));
+      return {square(a) - square(slope), dot(b, a) + rho * slope, square(b) - square(rho), D, s0, s1};
     } else {
       static_assert(tipo == Tipo::soy_cono);
       const Lanes k2 = square(e.proporcion), g = e.altura - s0;

@@ -82,13 +82,17 @@ model::Operation addition(const Family& family, test::Random& random, const scen
   }
   const model::Punto centro(vec(family, random));
   const double size = family.length(random), altura = family.length(random);
-  switch (random.below(3)) {
+  switch (random.below(4)) {
     case 0:
       return model::Agregar_Esfera{e, centro, size};
     case 1:
       return model::Agregar_Cilindro{e, centro, size, axis(family, random), altura};
-    default:
+    case 2:
       return model::Agregar_Cono{e, centro, size, axis(family, random), altura};
+    default: {
+      const double proporcion = family.length(random);
+      return model::Agregar_Tronco{e, centro, size, proporcion, axis(family, random), altura};
+    }
   }
 }
 
@@ -118,6 +122,14 @@ void print(const scene::Scene& scene) {
     std::printf("cono %s", name(model::Tipo::soy_cono, i));
     print(c.centro);
     std::printf(" %a", c.proporcion);
+    print(c.vector);
+    std::printf(" %a\n", c.altura);
+  }
+  for (std::size_t i = 0; i < scene.shapes<scene::TruncatedCone>().size(); ++i) {
+    const scene::TruncatedCone& c = scene.shapes<scene::TruncatedCone>()[i];
+    std::printf("tronco %s", name(model::Tipo::soy_tronco, i));
+    print(c.centro);
+    std::printf(" %a %a", c.radio, c.proporcion);
     print(c.vector);
     std::printf(" %a\n", c.altura);
   }

@@ -32,24 +32,17 @@ const Vector axis(0, 0, 1);
 /// Everything that can be seen of a scene, row by row.
 auto picture(const Scene& scene) {
   std::vector<std::tuple<ElementRef, std::string, std::vector<double>, std::optional<std::uint32_t>>> rows;
-  const auto add = [&](Tipo t, std::size_t i, std::vector<double> numbers) {
-    const ElementRef element{t, static_cast<std::uint32_t>(i)};
+  scene.for_each([&]<class Shape>(ElementRef element, const Shape& shape) {
+    std::vector<double> numbers;
+    const auto add = [&](const auto& value) {
+      if constexpr (requires { value.x; })
+        numbers.insert(numbers.end(), {value.x, value.y, value.z});
+      else
+        numbers.push_back(value);
+    };
+    durero::scene::for_each_attribute<Shape>([&](const auto& attribute) { add(shape.*attribute.field); });
     rows.emplace_back(element, scene.name(element).name(), std::move(numbers), scene.material(element));
-  };
-  for (std::size_t i = 0; i < scene.shapes<scene::Sphere>().size(); ++i) {
-    const auto& s = scene.shapes<scene::Sphere>()[i];
-    add(Tipo::soy_esfera, i, {s.centro.x, s.centro.y, s.centro.z, s.radio});
-  }
-  for (std::size_t i = 0; i < scene.shapes<scene::Cylinder>().size(); ++i) {
-    const auto& c = scene.shapes<scene::Cylinder>()[i];
-    add(Tipo::soy_cilindro, i,
-        {c.centro.x, c.centro.y, c.centro.z, c.radio, c.vector.x, c.vector.y, c.vector.z, c.altura});
-  }
-  for (std::size_t i = 0; i < scene.shapes<scene::Cone>().size(); ++i) {
-    const auto& c = scene.shapes<scene::Cone>()[i];
-    add(Tipo::soy_cono, i,
-        {c.centro.x, c.centro.y, c.centro.z, c.proporcion, c.vector.x, c.vector.y, c.vector.z, c.altura});
-  }
+  });
   return rows;
 }
 
@@ -75,8 +68,9 @@ Scene two_of_each() {
     scene.apply(Agregar_Esfera{Elemento("esfera" + suffix), origin, 1});
     scene.apply(Agregar_Cilindro{Elemento("cilindro" + suffix), origin, 1, axis, 3});
     scene.apply(Agregar_Cono{Elemento("cono-of-a-longer-name" + suffix), origin, 0.5, axis, 3});
+    scene.apply(Agregar_Tronco{Elemento("tronco" + suffix), origin, 1, 0.5, axis, 3});
   }
-  for (const Tipo t : {Tipo::soy_esfera, Tipo::soy_cilindro, Tipo::soy_cono}) scene.set_material({t, 0}, 1);
+  for (std::size_t t = 0; t < durero::scene::shape_count; ++t) scene.set_material({Tipo(t), 0}, 1);
   return scene;
 }
 
@@ -242,13 +236,13 @@ TEST_CASE("an edit for which memory runs out changes nothing") {
     const scoped_semantic audited(cost::audit, semantic);
     for (const Operation& operation :
          {Operation(Agregar_Esfera{nuevo, origin, 2}), Operation(Agregar_Cilindro{nuevo, origin, 2, axis, 5}),
-          Operation(Agregar_Cono{nuevo, origin, 2, axis, 5}),
+          Operation(Agregar_Cono{nuevo, origin, 2, axis, 5}), Operation(Agregar_Tronco{nuevo, origin, 3, 2, axis, 5}),
           Operation(Agregar_Elemento{nuevo, Tipo::soy_cilindro, origin, 2, axis, 5}),
           Operation(Eliminar_Esfera{Elemento("s0")}), Operation(Eliminar_Elemento{Elemento("c15")}),
           Operation(Eliminar_Cono{Elemento("a-cone-of-a-long-name-3")})}) {
       Scene scene = full, expected = full;
       const auto before = picture(scene);
-      const bool removes = operation.index() >= 4;
+      const bool removes = operation.index() > tipo_count;
       REQUIRE(expected.apply_total(operation).ok());
       const long allocations = fail_every_allocation([&] { scene.apply(operation); },
                                                      [&] {

@@ -55,5 +55,8 @@ inline rc::Gen<scene::Cylinder> cylinders(const Reals& x) {
 inline rc::Gen<scene::Cone> cones(const Reals& x) {
   return rc::gen::construct<scene::Cone>(vec(x), positive(x), axis(), positive(x));
 }
+inline rc::Gen<scene::TruncatedCone> truncated_cones(const Reals& x) {
+  return rc::gen::construct<scene::TruncatedCone>(vec(x), positive(x), positive(x), axis(), positive(x));
+}
 
 }  // namespace durero::test

@@ -67,7 +67,8 @@ inline rc::Gen<model::Vector> any_direction() {
 }
 
 inline rc::Gen<model::Tipo> any_type() {
-  return rc::gen::element(model::Tipo::soy_esfera, model::Tipo::soy_cilindro, model::Tipo::soy_cono);
+  return rc::gen::map(rc::gen::inRange<std::size_t>(0, model::tipo_count),
+                      [](std::size_t i) { return model::Tipo(i); });
 }
 
 /// Nearly always the type given.
@@ -75,7 +76,7 @@ inline rc::Gen<model::Tipo> nearly_always(model::Tipo t) {
   return rc::gen::weightedOneOf<model::Tipo>({{12, rc::gen::just(t)}, {1, any_type()}});
 }
 
-/// Any of the eight operations; its name may be taken or unknown, its lengths, axis or type may be wrong.
+/// Any of the operations; its name may be taken or unknown, its lengths, axis or type may be wrong.
 inline rc::Gen<model::Operation> any_operation() {
   using namespace model;
   using rc::gen::apply;
@@ -89,16 +90,22 @@ inline rc::Gen<model::Operation> any_operation() {
   const auto cone = [](Elemento e, Punto p, double k, Vector v, double h, Tipo t) {
     return Operation(Agregar_Cono{e, p, k, v, h, t});
   };
+  const auto truncated = [](Elemento e, Punto p, double r, double k, Vector v, double h, Tipo t) {
+    return Operation(Agregar_Tronco{e, p, r, k, v, h, t});
+  };
   return rc::gen::weightedOneOf<Operation>({
       {3, apply(sphere, any_element(), any_point(), any_real(), nearly_always(Tipo::soy_esfera))},
       {3, apply(cylinder, any_element(), any_point(), any_real(), any_direction(), any_real(),
                 nearly_always(Tipo::soy_cilindro))},
       {3,
        apply(cone, any_element(), any_point(), any_real(), any_direction(), any_real(), nearly_always(Tipo::soy_cono))},
+      {3, apply(truncated, any_element(), any_point(), any_real(), any_real(), any_direction(), any_real(),
+                nearly_always(Tipo::soy_tronco))},
       {3, apply(general, any_element(), any_type(), any_point(), any_real(), any_direction(), any_real(), any_real())},
       {2, rc::gen::map(any_element(), [](Elemento e) { return Operation(Eliminar_Esfera{e}); })},
       {2, rc::gen::map(any_element(), [](Elemento e) { return Operation(Eliminar_Cilindro{e}); })},
       {2, rc::gen::map(any_element(), [](Elemento e) { return Operation(Eliminar_Cono{e}); })},
+      {2, rc::gen::map(any_element(), [](Elemento e) { return Operation(Eliminar_Tronco{e}); })},
       {2, rc::gen::map(any_element(), [](Elemento e) { return Operation(Eliminar_Elemento{e}); })},
   });
 }

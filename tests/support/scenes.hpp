@@ -35,6 +35,10 @@ inline model::Operation random_addition(Random& random, const std::string& name)
       return model::Agregar_Cilindro{e, centro, random.uniform(0.1, 0.5), random.axis(), random.uniform(0.3, 1.2)};
     case model::Tipo::soy_cono:
       return model::Agregar_Cono{e, centro, random.uniform(0.2, 1.5), random.axis(), random.uniform(0.3, 0.8)};
+    case model::Tipo::soy_tronco: {
+      const double radio = random.uniform(0.1, 0.4), proporcion = random.uniform(0.1, 0.8);
+      return model::Agregar_Tronco{e, centro, radio, proporcion, random.axis(), random.uniform(0.3, 0.8)};
+    }
   }
   contract::unreachable();
 }

@@ -36,6 +36,9 @@ Place point_of(const scene::Sphere& e, double u, double v) {
 
 Wide radius_at(const scene::Cylinder& e, const Wide&) { return e.radio; }
 Wide radius_at(const scene::Cone& e, const Wide& s) { return Wide(e.proporcion) * (Wide(e.altura) - s); }
+Wide radius_at(const scene::TruncatedCone& e, const Wide& s) {
+  return Wide(e.radio) + Wide(e.proporcion) * (Wide(e.altura) - s);
+}
 
 /// With the stored axis d and n = d·d, the point k·d + e, e across d, has the advance s = k·n, and is on the surface
 /// where |e|² + (1 − n)²·k²·n is the square of the radius at s.
@@ -81,6 +84,7 @@ TEST_CASE("the ball and the box of a shape contain its points") {
     contained(*spheres(moderate()));
     contained(*cylinders(moderate()));
     contained(*cones(moderate()));
+    contained(*truncated_cones(moderate()));
   });
 }
 

@@ -29,6 +29,7 @@ void for_shapes(const char* what, Holds holds) {
     holds(*spheres(moderate()), ray);
     holds(*cylinders(moderate()), ray);
     holds(*cones(moderate()), ray);
+    holds(*truncated_cones(moderate()), ray);
   });
 }
 

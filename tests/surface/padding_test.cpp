@@ -26,16 +26,19 @@ Fraction farthest(const glm::dvec3& centro, const glm::dvec3& vector, const surf
 }
 
 /// The part of what was added to the radius of a ball through these points that they take.
+double part_of_padding(const Fraction& way, const surface::Ball& ball, const Fraction& radius) {
+  const Dyadic over = way.n * radius.w - radius.n * way.w;
+  return number::sign(over) <= 0 ? 0 : ratio(over, (Dyadic(ball.radius) * radius.w - radius.n) * way.w);
+}
 double part_of_padding(const Fraction& way, const surface::Ball& ball, const Dyadic& radius) {
-  const Dyadic over = way.n - radius * way.w;
-  return number::sign(over) <= 0 ? 0 : ratio(over, (Dyadic(ball.radius) - radius) * way.w);
+  return part_of_padding(way, ball, Fraction{radius, 1});
 }
 
 }  // namespace
 
 TEST_CASE("the ball of an element holds all of it") {
   Random random(1);
-  double of_cylinder = 0, of_cone = 0;
+  double of_cylinder = 0, of_cone = 0, of_truncated_cone = 0;
   for (int i = 0; i < 4000; ++i) {
     const double size = random.signed_power(-40, 60);
     const glm::dvec3 centro = size * random.in_cube(1), d = random.direction();
@@ -51,11 +54,24 @@ TEST_CASE("the ball of an element holds all of it") {
     const Dyadic reach = number::sign(height) > 0 ? Dyadic(h) - height : base;  // of the ball, were it exact
     of_cone = std::max(of_cone, part_of_padding(farthest(centro, d, over, 0, base), over, reach));
     of_cone = std::max(of_cone, part_of_padding(farthest(centro, d, over, h, 0), over, reach));
+    const surface::Ball round = surface::ball(scene::TruncatedCone{centro, r, k, d, h});
+    const Dyadic wide = Dyadic(r) + base, spread = (wide - r) * (wide + r);
+    // Where both rims are equally far: (h² − spread)/2h, times h.
+    const Dyadic middle = shifted(square(Dyadic(h)) - spread, -1);
+    if (number::sign(middle) <= 0) continue;  // the ball is about the base: no square root is exact there
+    const Dyadic to_rim = root(square(middle) + square(wide * Dyadic(h)));  // times h
+    for (const auto& [s, across] : {std::pair(0.0, wide), std::pair(h, Dyadic(r))}) {
+      const Fraction way = farthest(centro, d, round, s, across);
+      of_truncated_cone = std::max(of_truncated_cone, part_of_padding(way, round, Fraction{to_rim, h}));
+    }
   }
-  fmt::print("balls: worst part of what the radius is made greater by: {:.4f} cylinder, {:.4f} cone\n", of_cylinder,
-             of_cone);
+  fmt::print(
+      "balls: worst part of what the radius is made greater by: {:.4f} cylinder, {:.4f} cone, {:.4f} truncated "
+      "cone\n",
+      of_cylinder, of_cone, of_truncated_cone);
   CHECK(of_cylinder <= 1);
   CHECK(of_cone <= 1);
+  CHECK(of_truncated_cone <= 1);
   // A ball's radius is greater by 2⁻⁴⁰ of it: no measurement comes near, as the part for the centre is more.
   CHECK(surface::ball(scene::Cylinder{{0, 0, 0}, 3, {0, 0, 1}, 8}).radius >= 5 * (1 + 0x1p-40));
 }

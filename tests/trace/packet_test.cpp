@@ -33,9 +33,7 @@ struct Tally {
 
 template <class Element>
 struct Lanes {
-  static constexpr model::Tipo tipo = std::is_same_v<Element, scene::Sphere>     ? model::Tipo::soy_esfera
-                                      : std::is_same_v<Element, scene::Cylinder> ? model::Tipo::soy_cilindro
-                                                                                 : model::Tipo::soy_cono;
+  static constexpr model::Tipo tipo = Element::tipo;
   std::vector<Element> elements;
   std::vector<model::Rayo> rays;
   std::vector<trace::Ray> traced;
@@ -45,10 +43,10 @@ struct Lanes {
   static model::Rayo ray(const Element& element, const Reals& numbers) {
     const model::Rayo ray = *test::rays(numbers);
     double breadth = 0;
-    if constexpr (tipo == model::Tipo::soy_cono) {
-      breadth = element.proporcion;
-    } else {
+    if constexpr (requires { element.radio; }) {
       breadth = element.radio;
+    } else {
+      breadth = element.proporcion;
     }
     const glm::dvec3 off = *vec(rc::gen::map(rc::gen::inRange(-8, 9), [](int x) { return x / 4.0; }));
     const glm::dvec3 v = element.centro + breadth * off - ray.p().xyz();
@@ -140,6 +138,7 @@ Tally check_all(const Reals& numbers) {
     check(spheres(numbers), numbers, tally);
     check(cylinders(numbers), numbers, tally);
     check(cones(numbers), numbers, tally);
+    check(truncated_cones(numbers), numbers, tally);
   });
   return tally;
 }

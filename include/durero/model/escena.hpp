@@ -14,19 +14,20 @@ namespace durero::model {
 
 inline constexpr contract::clause Escena_inv_1{"Escena.inv.1", "elementos = dom de_que_tipo"};
 inline constexpr contract::clause Escena_inv_2{"Escena.inv.2", "elementos = dom mi_centro"};
-inline constexpr contract::clause Escena_inv_3{"Escena.inv.3",
-                                               "dom mi_radio = de_que_tipo ∼ ⦇ { soy_esfera, soy_cilindro } ⦈"};
-inline constexpr contract::clause Escena_inv_4{"Escena.inv.4",
-                                               "dom mi_vector = de_que_tipo ∼ ⦇ { soy_cilindro, soy_cono } ⦈"};
-inline constexpr contract::clause Escena_inv_5{"Escena.inv.5",
-                                               "dom mi_altura = de_que_tipo ∼ ⦇ { soy_cilindro, soy_cono } ⦈"};
-inline constexpr contract::clause Escena_inv_6{"Escena.inv.6", "dom mi_proporcion = de_que_tipo ∼ ⦇ { soy_cono } ⦈"};
+inline constexpr contract::clause Escena_inv_3{
+    "Escena.inv.3", "dom mi_radio = de_que_tipo ∼ ⦇ { soy_esfera, soy_cilindro, soy_tronco } ⦈"};
+inline constexpr contract::clause Escena_inv_4{
+    "Escena.inv.4", "dom mi_vector = de_que_tipo ∼ ⦇ { soy_cilindro, soy_cono, soy_tronco } ⦈"};
+inline constexpr contract::clause Escena_inv_5{
+    "Escena.inv.5", "dom mi_altura = de_que_tipo ∼ ⦇ { soy_cilindro, soy_cono, soy_tronco } ⦈"};
+inline constexpr contract::clause Escena_inv_6{"Escena.inv.6",
+                                               "dom mi_proporcion = de_que_tipo ∼ ⦇ { soy_cono, soy_tronco } ⦈"};
 inline constexpr contract::clause Escena_inv_7{"Escena.inv.7", "tipos = ran de_que_tipo"};
 inline constexpr contract::clause Escena_inv_8{"Escena.inv.8", "ran mi_vector ⊆ Unitario"};
-inline constexpr contract::clause Con_Radio_pre_1{"Con_Radio.pre.1", "t? ∈ { soy_esfera, soy_cilindro }"};
-inline constexpr contract::clause Con_Vector_pre_1{"Con_Vector.pre.1", "t? ∈ { soy_cilindro, soy_cono }"};
-inline constexpr contract::clause Con_Altura_pre_1{"Con_Altura.pre.1", "t? ∈ { soy_cilindro, soy_cono }"};
-inline constexpr contract::clause Con_Proporcion_pre_1{"Con_Proporcion.pre.1", "t? ∈ { soy_cono }"};
+inline constexpr contract::clause Con_Radio_pre_1{"Con_Radio.pre.1", "t? ∈ { soy_esfera, soy_cilindro, soy_tronco }"};
+inline constexpr contract::clause Con_Vector_pre_1{"Con_Vector.pre.1", "t? ∈ { soy_cilindro, soy_cono, soy_tronco }"};
+inline constexpr contract::clause Con_Altura_pre_1{"Con_Altura.pre.1", "t? ∈ { soy_cilindro, soy_cono, soy_tronco }"};
+inline constexpr contract::clause Con_Proporcion_pre_1{"Con_Proporcion.pre.1", "t? ∈ { soy_cono, soy_tronco }"};
 inline constexpr contract::clause Init_post_1{"Init.post.1", "elementos' = ∅"};
 
 /// Escena, component for component. A plain value: its invariants are evaluated by what is declared below.
@@ -43,7 +44,7 @@ struct Escena {
   bool operator==(const Escena&) const = default;
 };
 
-/// A set of types that is known at compile time, such as { soy_cilindro, soy_cono }.
+/// A set of types that is known at compile time, such as { soy_cilindro, soy_cono, soy_tronco }.
 class Tipos {
  public:
   constexpr Tipos(std::initializer_list<Tipo> types) {
@@ -74,14 +75,14 @@ Attribute(const contract::clause*, const contract::clause*, Tipos, std::map<Elem
 
 /// The attributes of Escena.inv.3 to Escena.inv.6, in that order.
 inline constexpr std::tuple attributes{
-    Attribute{&Escena_inv_3, &Con_Radio_pre_1, Tipos{Tipo::soy_esfera, Tipo::soy_cilindro}, &Escena::mi_radio, "radio",
-              [](auto& in) -> decltype((in.radio)) { return in.radio; }},
-    Attribute{&Escena_inv_4, &Con_Vector_pre_1, Tipos{Tipo::soy_cilindro, Tipo::soy_cono}, &Escena::mi_vector, "vector",
-              [](auto& in) -> decltype((in.vector)) { return in.vector; }},
-    Attribute{&Escena_inv_5, &Con_Altura_pre_1, Tipos{Tipo::soy_cilindro, Tipo::soy_cono}, &Escena::mi_altura, "altura",
-              [](auto& in) -> decltype((in.altura)) { return in.altura; }},
-    Attribute{&Escena_inv_6, &Con_Proporcion_pre_1, Tipos{Tipo::soy_cono}, &Escena::mi_proporcion, "proporcion",
-              [](auto& in) -> decltype((in.proporcion)) { return in.proporcion; }}};
+    Attribute{&Escena_inv_3, &Con_Radio_pre_1, Tipos{Tipo::soy_esfera, Tipo::soy_cilindro, Tipo::soy_tronco},
+              &Escena::mi_radio, "radio", [](auto& in) -> decltype((in.radio)) { return in.radio; }},
+    Attribute{&Escena_inv_4, &Con_Vector_pre_1, Tipos{Tipo::soy_cilindro, Tipo::soy_cono, Tipo::soy_tronco},
+              &Escena::mi_vector, "vector", [](auto& in) -> decltype((in.vector)) { return in.vector; }},
+    Attribute{&Escena_inv_5, &Con_Altura_pre_1, Tipos{Tipo::soy_cilindro, Tipo::soy_cono, Tipo::soy_tronco},
+              &Escena::mi_altura, "altura", [](auto& in) -> decltype((in.altura)) { return in.altura; }},
+    Attribute{&Escena_inv_6, &Con_Proporcion_pre_1, Tipos{Tipo::soy_cono, Tipo::soy_tronco}, &Escena::mi_proporcion,
+              "proporcion", [](auto& in) -> decltype((in.proporcion)) { return in.proporcion; }}};
 
 /// visit(attribute) for each of them.
 template <class Visit>

@@ -103,9 +103,10 @@ class Elemento {
 };
 
 /// What an element is (Tipo), and its name in the text.
-enum class Tipo : std::uint8_t { soy_esfera, soy_cilindro, soy_cono };
-inline constexpr auto tipo_names = std::to_array<std::string_view>({"soy_esfera", "soy_cilindro", "soy_cono"});
-static_assert(Tipo{tipo_names.size() - 1} == Tipo::soy_cono);
+enum class Tipo : std::uint8_t { soy_esfera, soy_cilindro, soy_cono, soy_tronco };
+inline constexpr auto tipo_names =
+    std::to_array<std::string_view>({"soy_esfera", "soy_cilindro", "soy_cono", "soy_tronco"});
+static_assert(Tipo{tipo_names.size() - 1} == Tipo::soy_tronco);
 
 /// How many types there are.
 inline constexpr std::size_t tipo_count = tipo_names.size();
@@ -117,9 +118,11 @@ enum class Respuesta : std::uint8_t {
   esfera_agregada,
   cilindro_agregado,
   cono_agregado,
+  tronco_agregado,
   esfera_eliminada,
   cilindro_eliminado,
   cono_eliminado,
+  tronco_eliminado,
   elemento_ya_existe,
   elemento_no_existe,
   tipo_incorrecto,
@@ -130,8 +133,9 @@ enum class Respuesta : std::uint8_t {
 };
 inline constexpr auto respuesta_names = std::to_array<std::string_view>(
     {"elemento_agregado", "elemento_eliminado", "esfera_agregada", "cilindro_agregado", "cono_agregado",
-     "esfera_eliminada", "cilindro_eliminado", "cono_eliminado", "elemento_ya_existe", "elemento_no_existe",
-     "tipo_incorrecto", "radio_no_positivo", "vector_no_unitario", "altura_no_positiva", "proporcion_no_positiva"});
+     "tronco_agregado", "esfera_eliminada", "cilindro_eliminado", "cono_eliminado", "tronco_eliminado",
+     "elemento_ya_existe", "elemento_no_existe", "tipo_incorrecto", "radio_no_positivo", "vector_no_unitario",
+     "altura_no_positiva", "proporcion_no_positiva"});
 static_assert(Respuesta{respuesta_names.size() - 1} == Respuesta::proporcion_no_positiva);
 
 constexpr std::string_view name(Tipo tipo) noexcept { return tipo_names[static_cast<std::size_t>(tipo)]; }

@@ -7,11 +7,12 @@
 #include "durero/model/tipo/cilindro.hpp"
 #include "durero/model/tipo/cono.hpp"
 #include "durero/model/tipo/esfera.hpp"
+#include "durero/model/tipo/tronco.hpp"
 
 namespace durero::model {
 
 /// Every type, in the order of Tipo.
-using Types = std::tuple<Esfera, Cilindro, Cono>;
+using Types = std::tuple<Esfera, Cilindro, Cono, Tronco>;
 
 /// visit(std::type_identity<Type>) for every type, in order.
 template <class Visit>

@@ -9,11 +9,12 @@
 #include "durero/scene/shape/cone.hpp"
 #include "durero/scene/shape/cylinder.hpp"
 #include "durero/scene/shape/sphere.hpp"
+#include "durero/scene/shape/truncated_cone.hpp"
 
 namespace durero::scene {
 
 /// Every shape, in the order of Tipo.
-using Shapes = std::tuple<Sphere, Cylinder, Cone>;
+using Shapes = std::tuple<Sphere, Cylinder, Cone, TruncatedCone>;
 
 inline constexpr std::size_t shape_count = std::tuple_size_v<Shapes>;
 
@@ -27,6 +28,8 @@ constexpr decltype(auto) with_shape(model::Tipo tipo, Visit&& visit) {
       return visit(std::type_identity<Cylinder>());
     case model::Tipo::soy_cono:
       return visit(std::type_identity<Cone>());
+    case model::Tipo::soy_tronco:
+      return visit(std::type_identity<TruncatedCone>());
   }
   __builtin_unreachable();  // a Tipo is one of its enumerators
 }

@@ -58,7 +58,7 @@ TEST_CASE("E06: a component of the after-state that nothing determines is named"
             .said() == Said{"Agregar_Esfera leaves mi_altura' open"});
   // tipos' follows from the invariant, and only from it
   CHECK(Text().replace("  tipos = \\ran de\\_que\\_tipo ", "  tipos \\subseteq \\ran de\\_que\\_tipo ").said().size() ==
-        6);
+        8);
   // two components that only determine each other are open
   CHECK(
       Text()
@@ -131,6 +131,13 @@ TEST_CASE("E07: a partial function is applied where its domain is given, by inva
   CHECK(with("\\{~ x : \\num | e \\in \\dom f \\lor x = f(e) ~\\}") == refused);
   CHECK(with("\\{~ x : \\num | e \\notin es \\lor x = g(e) \\mapsto 1 ~\\}").size() == 1);  // a type error, once
   CHECK(with("\\IF e \\notin \\dom f \\THEN 0 \\ELSE f(e)") == Said{});
+  // known for fewer values of g, or for others; as a set, or by what equals it
+  const std::string fewer = "g \\inv \\limg \\{ k2 \\} \\rimg", others = "g \\inv \\limg \\{ k2, k3 \\} \\rimg";
+  CHECK(with("\\IF e \\in " + fewer + " \\THEN f(e) \\ELSE 0") == Said{});
+  CHECK(with("\\IF e \\in " + others + " \\THEN f(e) \\ELSE 0") == refused);
+  CHECK(with("\\IF e \\in \\{ e \\mapsto k1 \\} \\inv \\limg \\{ k2 \\} \\rimg \\THEN f(e) \\ELSE 0") == refused);
+  CHECK(with("\\{~ s : \\power E | s = " + fewer + " \\land e \\in s \\land f(e) = 1 ~\\}") == Said{});
+  CHECK(with("\\{~ s : \\power E | s = " + others + " \\land e \\in s \\land f(e) = 1 ~\\}") == refused);
   CHECK(with("\\IF e \\notin \\dom f \\THEN f(e) \\ELSE 0") == refused);
   CHECK(with("\\{~ x : \\num | e \\mapsto 1 \\in f \\land x = f(e) ~\\}") == Said{});
   CHECK(with("\\{~ x : \\num | x \\mapsto 1 \\in \\{ 1 \\mapsto 1 \\} \\land x = f(e) ~\\}") == refused);
@@ -151,8 +158,8 @@ TEST_CASE("E07: a partial function is applied where its domain is given, by inva
 }
 
 TEST_CASE("E07 in spec/: the tie between types and attributes is what makes the text safe") {
-  const Said said = Text().replace("\\dom mi\\_radio = de", "\\dom mi\\_radio \\subseteq de").said();
-  REQUIRE(said.size() == 4);  // sphere and cylinder, in puntos_de_elemento and in potencia
+  const Said said = Text().replace("\\dom mi\\_radio = ", "\\dom mi\\_radio \\subseteq ").said();
+  REQUIRE(said.size() == 6);  // sphere, cylinder and truncated cone, in puntos_de_elemento and in potencia
   for (const std::string& message : said)
     CHECK(message == "mi_radio is applied to e, where nothing says e ∈ dom mi_radio");
 }
