@@ -31,7 +31,7 @@ class NffReader {
 
  private:
   struct Counts {
-    std::size_t polygons = 0, truncated = 0, inward = 0, shiny = 0, near_planes = 0;
+    std::size_t polygons = 0, inward = 0, shiny = 0, near_planes = 0;
   };
 
   void read_entity() {
@@ -153,28 +153,27 @@ class NffReader {
   void read_cone() {
     const std::size_t at = in_.offset();
     glm::dvec3 base = in_.triple("c");
-    double base_radius = in_.number("c");
-    glm::dvec3 apex = in_.triple("c");
-    double apex_radius = in_.number("c");
-    if (std::min(base_radius, apex_radius) < 0) ++counts_.inward;
-    base_radius = std::abs(base_radius);
-    apex_radius = std::abs(apex_radius);
-    if (base_radius != apex_radius && base_radius != 0 && apex_radius != 0) {
-      ++counts_.truncated;
-      return;
+    double wide = in_.number("c");
+    glm::dvec3 end = in_.triple("c");
+    double narrow = in_.number("c");
+    if (std::min(wide, narrow) < 0) ++counts_.inward;
+    wide = std::abs(wide);
+    narrow = std::abs(narrow);
+    if (wide < narrow) {  // the narrow end is written first
+      std::swap(base, end);
+      std::swap(wide, narrow);
     }
-    if (base_radius == 0) {  // the sharp end is written first
-      std::swap(base, apex);
-      std::swap(base_radius, apex_radius);
-    }
-    const auto axis = axis_between(base, apex);
+    const auto axis = axis_between(base, end);
     if (!axis) in_.fail(at, "the ends of c give no axis", "expected two points, a finite distance apart");
     const model::Punto centro{base};
     const model::Vector vector{axis->vector};
-    if (base_radius == apex_radius) {
-      add(at, model::Agregar_Cilindro{name('c', 1), centro, base_radius, vector, axis->altura});
+    const double proportion = proportion_between(wide, narrow, axis->altura);
+    if (wide == narrow) {
+      add(at, model::Agregar_Cilindro{name('c', 1), centro, wide, vector, axis->altura});
+    } else if (narrow == 0) {
+      add(at, model::Agregar_Cono{name('k', 2), centro, proportion, vector, axis->altura});
     } else {
-      add(at, model::Agregar_Cono{name('k', 2), centro, base_radius / axis->altura, vector, axis->altura});
+      add(at, model::Agregar_Tronco{name('t', 3), centro, narrow, proportion, vector, axis->altura});
     }
   }
 
@@ -224,7 +223,6 @@ class NffReader {
   std::vector<std::string> losses() const {
     std::vector<std::string> lost;
     add_loss(lost, counts_.polygons, "polygon", "polygons", "left out: a scene has none");
-    add_loss(lost, counts_.truncated, "truncated cone", "truncated cones", "left out: a scene's cones have an apex");
     add_loss(lost, counts_.inward, "surface", "surfaces", "seen from inside only: kept, seen from both sides");
     add_loss(lost, counts_.shiny, "fill", "fills", "with shine or transparency: only the diffuse colour was kept");
     add_loss(lost, counts_.near_planes, "near plane", "near planes", "(hither) left out: a scene's camera has none");
@@ -237,7 +235,7 @@ class NffReader {
   std::vector<std::size_t> colorless_;                                 // lights
   std::map<std::tuple<double, double, double>, std::uint32_t> fills_;  // colours, to their order
   std::optional<std::uint32_t> fill_;                                  // of what follows
-  std::array<std::size_t, 3> numbered_{};
+  std::array<std::size_t, 4> numbered_{};
 };
 
 }  // namespace
