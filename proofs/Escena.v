@@ -1,7 +1,8 @@
 (** spec/escena.tex: the first scene exists, and what the invariant says of one element.
 
     empty_scene          == the scene without elements
-    is_esfera s e c r    == e is a sphere of s with centre c and radius r; is_cilindro, is_cono, is_tronco likewise
+    is_esfera s e c r    == e is a sphere of s with centre c and radius r; is_cilindro, is_cono, is_tronco, is_plano
+                            likewise
     radio_types          == the types that have a radius; vector_types, altura_types, proporcion_types likewise
     Escena_eq            == equality of scenes, component by component: an equivalence that keeps the invariant *)
 From Coq Require Import Reals List Lra.
@@ -70,9 +71,11 @@ Definition is_cono (s : Escena) e c k d h : Prop :=
 Definition is_tronco (s : Escena) e c r k d h : Prop :=
   (e, soy_tronco) ∈ de_que_tipo s /\ (e, c) ∈ mi_centro s /\ (e, r) ∈ mi_radio s /\ (e, k) ∈ mi_proporcion s
   /\ (e, d) ∈ mi_vector s /\ (e, h) ∈ mi_altura s.
+Definition is_plano (s : Escena) e c d : Prop :=
+  (e, soy_plano) ∈ de_que_tipo s /\ (e, c) ∈ mi_centro s /\ (e, d) ∈ mi_vector s.
 
 Definition radio_types : set Tipo := ⦃soy_esfera⦄ ∪ ⦃soy_cilindro⦄ ∪ ⦃soy_tronco⦄.
-Definition vector_types : set Tipo := ⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄ ∪ ⦃soy_tronco⦄.
+Definition vector_types : set Tipo := ⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄ ∪ ⦃soy_tronco⦄ ∪ ⦃soy_plano⦄.
 Definition altura_types : set Tipo := ⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄ ∪ ⦃soy_tronco⦄.
 Definition proporcion_types : set Tipo := ⦃soy_cono⦄ ∪ ⦃soy_tronco⦄.
 
@@ -145,13 +148,15 @@ Proof. intros H. rewrite (Escena_inv_5 ok e). exact (in_image e t _ H). Qed.
 Lemma has_proporcion e t : (e, t) ∈ de_que_tipo s -> (dom (mi_proporcion s) e <-> proporcion_types t).
 Proof. intros H. rewrite (Escena_inv_6 ok e). exact (in_image e t _ H). Qed.
 
-(** Every element of a scene is a sphere, a cylinder, a cone or a truncated cone, with attributes in their ranges.
-    Discharges Escena.inv.1, Escena.inv.2, Escena.inv.3, Escena.inv.4, Escena.inv.5, Escena.inv.6, Escena.inv.8. *)
+(** Every element of a scene is a sphere, a cylinder, a cone, a truncated cone or a plane, with attributes in their
+    ranges. Discharges Escena.inv.1, Escena.inv.2, Escena.inv.3, Escena.inv.4, Escena.inv.5, Escena.inv.6,
+    Escena.inv.8. *)
 Theorem element_cases e : e ∈ elementos s ->
   (exists c r, is_esfera s e c r /\ r ∈ Rmas)
   \/ (exists c r d h, is_cilindro s e c r d h /\ r ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas)
   \/ (exists c k d h, is_cono s e c k d h /\ k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas)
-  \/ (exists c r k d h, is_tronco s e c r k d h /\ r ∈ Rmas /\ k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas).
+  \/ (exists c r k d h, is_tronco s e c r k d h /\ r ∈ Rmas /\ k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas)
+  \/ (exists c d, is_plano s e c d /\ d ∈ Unitario).
 Proof.
   intros He. destruct (type_of_element e He) as [t Ht]. destruct (proj1 (Escena_inv_2 ok e) He) as [c Hc].
   assert (HR : forall r, (e, r) ∈ mi_radio s -> r ∈ Rmas) by (intros; apply (Escena_decl_mi_radio ok); now exists e).
@@ -162,11 +167,13 @@ Proof.
   pose proof (has_radio e t Ht) as [_ Jr]. pose proof (has_vector e t Ht) as [_ Jd].
   pose proof (has_altura e t Ht) as [_ Jh]. pose proof (has_proporcion e t Ht) as [_ Jk].
   unfold radio_types, vector_types, altura_types, proporcion_types, union, single in *.
-  destruct t; [left | right; left | right; right; left | right; right; right]; exists c.
+  destruct t; [left | right; left | right; right; left | right; right; right; left | right; right; right; right];
+    exists c.
   - destruct Jr as [r Hr]; auto. exists r. unfold is_esfera. auto.
   - destruct Jr as [r Hr], Jd as [d Hd], Jh as [h Hh]; auto. exists r, d, h. unfold is_cilindro. auto 10.
   - destruct Jk as [k Hk], Jd as [d Hd], Jh as [h Hh]; auto. exists k, d, h. unfold is_cono. auto 10.
   - destruct Jr as [r Hr], Jk as [k Hk], Jd as [d Hd], Jh as [h Hh]; auto. exists r, k, d, h. unfold is_tronco. auto 12.
+  - destruct Jd as [d Hd]; auto. exists d. unfold is_plano. auto.
 Qed.
 End Invariant.
 

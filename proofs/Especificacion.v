@@ -95,12 +95,12 @@ Definition Unitario : set Vector :=
 
 Variable Elemento : Type.
 
-Inductive Tipo := | soy_esfera | soy_cilindro | soy_cono | soy_tronco.
+Inductive Tipo := | soy_esfera | soy_cilindro | soy_cono | soy_tronco | soy_plano.
 
 Inductive Respuesta := | elemento_agregado | elemento_eliminado | esfera_agregada | cilindro_agregado | cono_agregado
-  | tronco_agregado | esfera_eliminada | cilindro_eliminado | cono_eliminado | tronco_eliminado | elemento_ya_existe |
-  elemento_no_existe | tipo_incorrecto | radio_no_positivo | vector_no_unitario | altura_no_positiva |
-  proporcion_no_positiva.
+  | tronco_agregado | plano_agregado | esfera_eliminada | cilindro_eliminado | cono_eliminado | tronco_eliminado |
+  plano_eliminado | elemento_ya_existe | elemento_no_existe | tipo_incorrecto | radio_no_positivo | vector_no_unitario
+  | altura_no_positiva | proporcion_no_positiva.
 
 (** * escena.tex *)
 
@@ -128,8 +128,8 @@ Record Escena_ok (s : Escena) : Prop := {
   Escena_inv_2 : elementos s ≡ dom (mi_centro s); (* Escena.inv.2 *)
   Escena_inv_3 : dom (mi_radio s) ≡ image (inverse (de_que_tipo s)) (⦃soy_esfera⦄ ∪ ⦃soy_cilindro⦄ ∪ ⦃soy_tronco⦄);
     (* Escena.inv.3 *)
-  Escena_inv_4 : dom (mi_vector s) ≡ image (inverse (de_que_tipo s)) (⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄ ∪ ⦃soy_tronco⦄);
-    (* Escena.inv.4 *)
+  Escena_inv_4 : dom (mi_vector s) ≡ image (inverse (de_que_tipo s)) (⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄ ∪ ⦃soy_tronco⦄ ∪
+    ⦃soy_plano⦄); (* Escena.inv.4 *)
   Escena_inv_5 : dom (mi_altura s) ≡ image (inverse (de_que_tipo s)) (⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄ ∪ ⦃soy_tronco⦄);
     (* Escena.inv.5 *)
   Escena_inv_6 : dom (mi_proporcion s) ≡ image (inverse (de_que_tipo s)) (⦃soy_cono⦄ ∪ ⦃soy_tronco⦄);
@@ -190,6 +190,7 @@ Definition potencia_cono (w centro : Punto) (prop : R) (dir : Vector) (h : R) : 
   alejamiento w centro dir - cuadrado (prop * avance w centro dir - h * prop). (* potencia_cono.def.1 *)
 Definition potencia_tronco (w centro : Punto) (radio prop : R) (dir : Vector) (h : R) : R :=
   alejamiento w centro dir - cuadrado (radio + prop * (h - avance w centro dir)). (* potencia_tronco.def.1 *)
+Definition potencia_plano (w centro : Punto) (dir : Vector) : R := avance w centro dir. (* potencia_plano.def.1 *)
 
 Definition puntos_esfera (centro : Punto) (radio : R) : set Punto :=
   fun w => potencia_esfera w centro radio = 0. (* puntos_esfera.def.1 *)
@@ -203,6 +204,9 @@ Definition puntos_cono (centro : Punto) (prop : R) (dir : Vector) (h : R) : set 
 Definition puntos_tronco (centro : Punto) (radio prop : R) (dir : Vector) (h : R) : set Punto :=
   fun w => potencia_tronco w centro radio prop dir h = 0 /\ 0 <= avance w centro dir <= h. (* puntos_tronco.def.1 *)
 
+Definition puntos_plano (centro : Punto) (dir : Vector) : set Punto :=
+  fun w => potencia_plano w centro dir = 0. (* puntos_plano.def.1 *)
+
 Definition puntos_de_rayo (ray : Rayo) : set Punto :=
   ⋃[Rmas] (fun t => fun temp => Punto_x temp = Punto_x (Rayo_p ray) + t * Vector_x (Rayo_v ray)
   /\ Punto_y temp = Punto_y (Rayo_p ray) + t * Vector_y (Rayo_v ray)
@@ -215,9 +219,10 @@ Definition puntos_de_elemento (s : Escena) (e : Elemento) : set Punto :=
   /\ (e, v4) ∈ mi_vector s /\ (e, v5) ∈ mi_altura s /\ x1 ∈ puntos_cilindro v2 v3 v4 v5)
   \/ (v1 <> soy_cilindro /\ ((v1 = soy_cono /\ exists v2 v3 v4 v5, (e, v2) ∈ mi_centro s
   /\ (e, v3) ∈ mi_proporcion s /\ (e, v4) ∈ mi_vector s /\ (e, v5) ∈ mi_altura s /\ x1 ∈ puntos_cono v2 v3 v4 v5)
-  \/ (v1 <> soy_cono /\ exists v2 v3 v4 v5 v6, (e, v2) ∈ mi_centro s /\ (e, v3) ∈ mi_radio s
+  \/ (v1 <> soy_cono /\ ((v1 = soy_tronco /\ exists v2 v3 v4 v5 v6, (e, v2) ∈ mi_centro s /\ (e, v3) ∈ mi_radio s
   /\ (e, v4) ∈ mi_proporcion s /\ (e, v5) ∈ mi_vector s /\ (e, v6) ∈ mi_altura s
-  /\ x1 ∈ puntos_tronco v2 v3 v4 v5 v6)))))). (* puntos_de_elemento.def.1 *)
+  /\ x1 ∈ puntos_tronco v2 v3 v4 v5 v6) \/ (v1 <> soy_tronco /\ exists v2 v3, (e, v2) ∈ mi_centro s
+  /\ (e, v3) ∈ mi_vector s /\ x1 ∈ puntos_plano v2 v3)))))))). (* puntos_de_elemento.def.1 *)
 
 Definition puntos_de_escena (s : Escena) : set Punto :=
   ⋃[elementos s] (fun e => puntos_de_elemento s e). (* puntos_de_escena.def.1 *)
@@ -247,9 +252,11 @@ Definition potencia (s : Escena) (e : Elemento) (w : Punto) : set R :=
   /\ y1 = potencia_cilindro w v2 v3 v4) \/ (v1 <> soy_cilindro
   /\ ((v1 = soy_cono /\ exists v2 v3 v4 v5, (e, v2) ∈ mi_centro s /\ (e, v3) ∈ mi_proporcion s
   /\ (e, v4) ∈ mi_vector s /\ (e, v5) ∈ mi_altura s /\ y1 = potencia_cono w v2 v3 v4 v5)
-  \/ (v1 <> soy_cono /\ exists v2 v3 v4 v5 v6, (e, v2) ∈ mi_centro s /\ (e, v3) ∈ mi_radio s
+  \/ (v1 <> soy_cono /\ ((v1 = soy_tronco /\ exists v2 v3 v4 v5 v6, (e, v2) ∈ mi_centro s /\ (e, v3) ∈ mi_radio s
   /\ (e, v4) ∈ mi_proporcion s /\ (e, v5) ∈ mi_vector s /\ (e, v6) ∈ mi_altura s
-  /\ y1 = potencia_tronco w v2 v3 v4 v5 v6)))))). (* potencia.def.1 *)
+  /\ y1 = potencia_tronco w v2 v3 v4 v5 v6)
+  \/ (v1 <> soy_tronco /\ exists v2 v3, (e, v2) ∈ mi_centro s /\ (e, v3) ∈ mi_vector s
+  /\ y1 = potencia_plano w v2 v3)))))))). (* potencia.def.1 *)
 
 Definition tramo (s : Escena) (e : Elemento) : set Punto :=
   fun w => e ∈ elementos s /\ (e ∈ dom (mi_altura s)
@@ -401,6 +408,19 @@ Record Agregar_Tronco (s s' : Escena) (e_in : Elemento) (t_in : Tipo) (r_out : R
   Agregar_Tronco_post_6 : r_out = tronco_agregado (* Agregar_Tronco.post.6 *)
 }.
 
+Record Agregar_Plano (s s' : Escena) (e_in : Elemento) (t_in : Tipo) (r_out : Respuesta) (centro_in : Punto)
+  (vector_in : Vector) : Prop := {
+  Agregar_Plano_Agregar_Elemento : Agregar_Elemento s s' e_in t_in r_out;
+  Agregar_Plano_pre_1 : t_in = soy_plano; (* Agregar_Plano.pre.1 *)
+  Agregar_Plano_pre_2 : vector_in ∈ Unitario; (* Agregar_Plano.pre.2 *)
+  Agregar_Plano_post_1 : mi_centro s' ≡ mi_centro s ∪ ⦃(e_in, centro_in)⦄; (* Agregar_Plano.post.1 *)
+  Agregar_Plano_post_2 : mi_radio s' ≡ mi_radio s; (* Agregar_Plano.post.2 *)
+  Agregar_Plano_post_3 : mi_vector s' ≡ mi_vector s ∪ ⦃(e_in, vector_in)⦄; (* Agregar_Plano.post.3 *)
+  Agregar_Plano_post_4 : mi_altura s' ≡ mi_altura s; (* Agregar_Plano.post.4 *)
+  Agregar_Plano_post_5 : mi_proporcion s' ≡ mi_proporcion s; (* Agregar_Plano.post.5 *)
+  Agregar_Plano_post_6 : r_out = plano_agregado (* Agregar_Plano.post.6 *)
+}.
+
 Record Eliminar_Esfera (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop := {
   Eliminar_Esfera_Eliminar_Elemento : Eliminar_Elemento s s' e_in r_out;
   Eliminar_Esfera_pre_1 : exists v1, (e_in, v1) ∈ de_que_tipo s /\ v1 = soy_esfera; (* Eliminar_Esfera.pre.1 *)
@@ -445,17 +465,29 @@ Record Eliminar_Tronco (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : P
   Eliminar_Tronco_post_6 : r_out = tronco_eliminado (* Eliminar_Tronco.post.6 *)
 }.
 
+Record Eliminar_Plano (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop := {
+  Eliminar_Plano_Eliminar_Elemento : Eliminar_Elemento s s' e_in r_out;
+  Eliminar_Plano_pre_1 : exists v1, (e_in, v1) ∈ de_que_tipo s /\ v1 = soy_plano; (* Eliminar_Plano.pre.1 *)
+  Eliminar_Plano_post_1 : mi_centro s' ≡ ndres ⦃e_in⦄ (mi_centro s); (* Eliminar_Plano.post.1 *)
+  Eliminar_Plano_post_2 : mi_radio s' ≡ mi_radio s; (* Eliminar_Plano.post.2 *)
+  Eliminar_Plano_post_3 : mi_vector s' ≡ ndres ⦃e_in⦄ (mi_vector s); (* Eliminar_Plano.post.3 *)
+  Eliminar_Plano_post_4 : mi_altura s' ≡ mi_altura s; (* Eliminar_Plano.post.4 *)
+  Eliminar_Plano_post_5 : mi_proporcion s' ≡ mi_proporcion s; (* Eliminar_Plano.post.5 *)
+  Eliminar_Plano_post_6 : r_out = plano_eliminado (* Eliminar_Plano.post.6 *)
+}.
+
 Definition Elemento_Agregado (s s' : Escena) (e_in : Elemento) (t_in : Tipo) (centro_in : Punto) (radio_in : R)
   (vector_in : Vector) (altura_in proporcion_in : R) (r_out : Respuesta) : Prop :=
   (exists r_out : Respuesta, Agregar_Esfera s s' e_in t_in r_out centro_in radio_in
   \/ Agregar_Cilindro s s' e_in t_in r_out centro_in radio_in vector_in altura_in
   \/ Agregar_Cono s s' e_in t_in r_out centro_in proporcion_in vector_in altura_in
-  \/ Agregar_Tronco s s' e_in t_in r_out centro_in radio_in proporcion_in vector_in altura_in)
+  \/ Agregar_Tronco s s' e_in t_in r_out centro_in radio_in proporcion_in vector_in altura_in
+  \/ Agregar_Plano s s' e_in t_in r_out centro_in vector_in)
   /\ r_out = elemento_agregado. (* Elemento_Agregado.post.1 *)
 
 Definition Elemento_Eliminado (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop :=
   (exists r_out : Respuesta, Eliminar_Esfera s s' e_in r_out \/ Eliminar_Cilindro s s' e_in r_out
-  \/ Eliminar_Cono s s' e_in r_out \/ Eliminar_Tronco s s' e_in r_out)
+  \/ Eliminar_Cono s s' e_in r_out \/ Eliminar_Tronco s s' e_in r_out \/ Eliminar_Plano s s' e_in r_out)
   /\ r_out = elemento_eliminado. (* Elemento_Eliminado.post.1 *)
 
 Record Elemento_Ya_Existe (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop := {
@@ -522,6 +554,13 @@ Record No_Es_Tronco (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop
   No_Es_Tronco_post_1 : r_out = tipo_incorrecto (* No_Es_Tronco.post.1 *)
 }.
 
+Record No_Es_Plano (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop := {
+  No_Es_Plano_Xi : Xi_Escena s s';
+  No_Es_Plano_pre_1 : e_in ∈ elementos s; (* No_Es_Plano.pre.1 *)
+  No_Es_Plano_pre_2 : exists v1, (e_in, v1) ∈ de_que_tipo s /\ v1 <> soy_plano; (* No_Es_Plano.pre.2 *)
+  No_Es_Plano_post_1 : r_out = tipo_incorrecto (* No_Es_Plano.post.1 *)
+}.
+
 Definition Agregar_Esfera_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) (centro_in : Punto) (radio_in :
   R) : Prop :=
   (exists t_in : Tipo, Agregar_Esfera s s' e_in t_in r_out centro_in radio_in)
@@ -548,6 +587,11 @@ Definition Agregar_Tronco_Total (s s' : Escena) (e_in : Elemento) (r_out : Respu
   \/ Proporcion_No_Positiva s s' proporcion_in r_out \/ Vector_No_Unitario s s' vector_in r_out
   \/ Altura_No_Positiva s s' altura_in r_out. (* Agregar_Tronco_Total.def.1 *)
 
+Definition Agregar_Plano_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) (centro_in : Punto) (vector_in :
+  Vector) : Prop :=
+  (exists t_in : Tipo, Agregar_Plano s s' e_in t_in r_out centro_in vector_in)
+  \/ Elemento_Ya_Existe s s' e_in r_out \/ Vector_No_Unitario s s' vector_in r_out. (* Agregar_Plano_Total.def.1 *)
+
 Definition Eliminar_Esfera_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop :=
   Eliminar_Esfera s s' e_in r_out \/ Elemento_No_Existe s s' e_in r_out
   \/ No_Es_Esfera s s' e_in r_out. (* Eliminar_Esfera_Total.def.1 *)
@@ -564,11 +608,15 @@ Definition Eliminar_Tronco_Total (s s' : Escena) (e_in : Elemento) (r_out : Resp
   Eliminar_Tronco s s' e_in r_out \/ Elemento_No_Existe s s' e_in r_out
   \/ No_Es_Tronco s s' e_in r_out. (* Eliminar_Tronco_Total.def.1 *)
 
+Definition Eliminar_Plano_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop :=
+  Eliminar_Plano s s' e_in r_out \/ Elemento_No_Existe s s' e_in r_out
+  \/ No_Es_Plano s s' e_in r_out. (* Eliminar_Plano_Total.def.1 *)
+
 Definition Con_Radio (t_in : Tipo) : Prop :=
   t_in ∈ ⦃soy_esfera⦄ ∪ ⦃soy_cilindro⦄ ∪ ⦃soy_tronco⦄. (* Con_Radio.pre.1 *)
 
 Definition Con_Vector (t_in : Tipo) : Prop :=
-  t_in ∈ ⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄ ∪ ⦃soy_tronco⦄. (* Con_Vector.pre.1 *)
+  t_in ∈ ⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄ ∪ ⦃soy_tronco⦄ ∪ ⦃soy_plano⦄. (* Con_Vector.pre.1 *)
 
 Definition Con_Altura (t_in : Tipo) : Prop :=
   t_in ∈ ⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄ ∪ ⦃soy_tronco⦄. (* Con_Altura.pre.1 *)

@@ -5,7 +5,8 @@
     oracle/Extract.v extracts [first_hit] to OCaml, where it is an oracle that shares no code with the C++ one.
 
     vec3, shape           == a triple of integers, and an element: each integer n stands for n/S
-    quadratic             == A t² + 2 B t + C = 0 with the clip 0 <= s0 + t s1 <= h (h = s0 = s1 = 0 for a sphere)
+    quadratic             == A t² + 2 B t + C = 0 with the clip 0 <= s0 + t s1 <= h (h = s0 = s1 = 0 for a sphere and
+                            a plane)
     profile S c r k d l on p v == that of the surface of radius r at the advance l and of proportion k: r = 0 for a cone,
                             k = 0 for a cylinder
     quad S sh on p v      == the quadratic of the shape sh and of the ray p + t v; on: the ray starts on it, so C = 0
@@ -30,10 +31,11 @@ Inductive shape :=
 | Sphere (centro : vec3) (radio : Z)
 | Cylinder (centro : vec3) (radio : Z) (vector : vec3) (altura : Z)
 | Cone (centro : vec3) (proporcion : Z) (vector : vec3) (altura : Z)
-| TruncatedCone (centro : vec3) (radio proporcion : Z) (vector : vec3) (altura : Z).
+| TruncatedCone (centro : vec3) (radio proporcion : Z) (vector : vec3) (altura : Z)
+| Plane (centro : vec3) (vector : vec3).
 
-(** The closed forms, times S² for the sphere and S⁶ for the others; their clips, times S². The radius at the ray's origin
-    is g, times S³. *)
+(** The closed forms, times S² for the sphere, 2S² for the plane and S⁶ for the others; their clips, times S². The radius
+    at the ray's origin is g, times S³. *)
 Definition profile (S : Z) (c : vec3) (r k : Z) (d : vec3) (l : Z) (on : bool) (p v : vec3) : quadratic :=
   let q := minus p c in
   let s0 := dot q d in
@@ -52,6 +54,7 @@ Definition quad (S : Z) (sh : shape) (on : bool) (p v : vec3) : quadratic :=
   | Cylinder c r d l => profile S c r 0 d l on p v
   | Cone c k d l => profile S c 0 k d l on p v
   | TruncatedCone c r k d l => profile S c r k d l on p v
+  | Plane c d => Quadratic 0 (dot v d) (if on then 0 else 2 * dot (minus p c) d) 0 0 0
   end.
 
 Inductive answer (I : Type) := Miss | Hit (t : surd) (elements : list I) | NoMin (elements : list I).
@@ -97,11 +100,12 @@ Definition power (S : Z) (sh : shape) (w : Punto) : R :=
   | Cylinder c r d _ => potencia_cilindro w (point S c) (over S r) (direction S d)
   | Cone c k d l => potencia_cono w (point S c) (over S k) (direction S d) (over S l)
   | TruncatedCone c r k d l => potencia_tronco w (point S c) (over S r) (over S k) (direction S d) (over S l)
+  | Plane c d => potencia_plano w (point S c) (direction S d)
   end.
 
 Definition clip (S : Z) (sh : shape) (w : Punto) : Prop :=
   match sh with
-  | Sphere _ _ => True
+  | Sphere _ _ | Plane _ _ => True
   | Cylinder c _ d l | Cone c _ d l | TruncatedCone c _ _ d l => 0 <= avance w (point S c) (direction S d) <= over S l
   end.
 
@@ -156,18 +160,20 @@ Proof.
     cbn [profile qA qB qC]; unfold potencia_tronco, alejamiento, avance, cuadrado, dot, minus; in_units S HS.
 Qed.
 
-(** The quadratic is the power of the ray's point, times S² for a sphere and S⁶ for the others. *)
-Definition scale (S : Z) (sh : shape) : R := match sh with Sphere _ _ => IZR S ^ 2 | _ => IZR S ^ 6 end.
+(** The quadratic is the power of the ray's point, times S² for a sphere, 2S² for a plane and S⁶ for the others. *)
+Definition scale (S : Z) (sh : shape) : R :=
+  match sh with Sphere _ _ => IZR S ^ 2 | Plane _ _ => 2 * IZR S ^ 2 | _ => IZR S ^ 6 end.
 
 Lemma quad_power S sh on p v t : (0 < S)%Z ->
   let q := quad S sh on p v in
   IZR (qA q) * t * t + 2 * IZR (qB q) * t + IZR (qC q)
   = scale S sh * (power S sh (ray_at S p v t) - if on then power S sh (point S p) else 0).
 Proof.
-  intros HS; destruct sh as [[cx cy cz] r|c r d l|c k d l|c r k d l]; cbn [quad scale power];
-    [| rewrite !(Puntos.potencia_cilindro_is_tronco _ _ _ _ (over S l)) | rewrite !Puntos.potencia_cono_is_tronco |].
+  intros HS; destruct sh as [[cx cy cz] r|c r d l|c k d l|c r k d l|[cx cy cz] [dx dy dz]]; cbn [quad scale power];
+    [| rewrite !(Puntos.potencia_cilindro_is_tronco _ _ _ _ (over S l)) | rewrite !Puntos.potencia_cono_is_tronco | |].
   2-4: etransitivity; [now apply profile_power | rewrite ?over_0; reflexivity].
-  destruct p as [px py pz], v as [ux uy uz], on; cbn [qA qB qC]; unfold potencia_esfera, cuadrado, dot, minus; in_units S HS.
+  all: destruct p as [px py pz], v as [ux uy uz], on; cbn [qA qB qC];
+    unfold potencia_esfera, potencia_plano, avance, cuadrado, dot, minus; in_units S HS.
 Qed.
 
 (** The clip, times S². *)
@@ -189,15 +195,16 @@ Lemma quad_clip S sh on p v t : (0 < S)%Z ->
   let q := quad S sh on p v in
   0 <= IZR (s0 q) + t * IZR (s1 q) <= IZR (h q) <-> clip S sh (ray_at S p v t).
 Proof.
-  intros HS; destruct sh; cbn [quad s0 s1 h clip]; [|apply advance_over; assumption..].
-  split; [trivial | lra].
+  intros HS; destruct sh; cbn [quad s0 s1 h clip]; try (apply advance_over; assumption).
+  all: split; [trivial | lra].
 Qed.
 
 (** The closed form of each shape is sound and complete: its solutions are the parameters of the shape's points. *)
 Theorem quad_meets S sh on p v t : (0 < S)%Z -> meets S sh on p v t <-> solves (quad S sh on p v) t.
 Proof.
   intros HS; unfold meets, points, solves; rewrite (quad_clip S sh on p v t HS), (quad_power S sh on p v t HS).
-  assert (0 < scale S sh) by (apply IZR_lt in HS; destruct sh; apply pow_lt; assumption).
+  assert (0 < scale S sh).
+  { apply IZR_lt in HS; destruct sh; cbn [scale]; auto using pow_lt, Rmult_lt_0_compat, Rlt_0_2. }
   split; (intros (Ht & Hp & Hc); repeat split; try assumption).
   - rewrite Hp; ring.
   - apply Rmult_integral in Hp; lra.

@@ -30,6 +30,7 @@ Definition has_shape (e : Elemento) (sh : shape) : Prop :=
   | Cylinder c r d h => is_cilindro _ s e (point S c) (over S r) (direction S d) (over S h)
   | Cone c k d h => is_cono _ s e (point S c) (over S k) (direction S d) (over S h)
   | TruncatedCone c r k d h => is_tronco _ s e (point S c) (over S r) (over S k) (direction S d) (over S h)
+  | Plane c d => is_plano _ s e (point S c) (direction S d)
   end.
 
 Definition describes : Prop :=
@@ -43,7 +44,7 @@ Lemma shape_of_scene e sh : has_shape e sh ->
   (forall w, puntos_de_elemento s e w <-> power S sh w = 0 /\ clip S sh w) /\
   (forall w y, potencia s e w y <-> y = power S sh w) /\ (forall w, tramo s e w <-> clip S sh w).
 Proof.
-  destruct sh as [c r|c r d h|c k d h|c r k d h]; intros H.
+  destruct sh as [c r|c r d h|c k d h|c r k d h|c d]; intros H.
   - destruct (esfera_of_scene _ s ok e _ _ H) as (Q & P & T); split; [|split; [exact P|]]; intros w.
     + rewrite Q; unfold puntos_esfera; simpl; tauto.
     + simpl; split; auto.
@@ -53,6 +54,9 @@ Proof.
     rewrite Q; reflexivity.
   - destruct (tronco_of_scene _ s ok e _ _ _ _ _ H) as (Q & P & T); split; [|split; [exact P | exact T]]; intros w.
     rewrite Q; reflexivity.
+  - destruct (plano_of_scene _ s ok e _ _ H) as (Q & P & T); split; [|split; [exact P|]]; intros w.
+    + rewrite Q; unfold puntos_plano; simpl; tauto.
+    + simpl; split; auto.
 Qed.
 
 Lemma at_point t : ray_at S p v t = point_at the_ray t.

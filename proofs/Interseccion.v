@@ -111,7 +111,8 @@ Definition equation (e : Elemento) (f : coefficients) : Prop :=
   (exists c r, is_esfera _ s e c r /\ f = of_esfera ray c r)
   \/ (exists c r d h, is_cilindro _ s e c r d h /\ f = of_cilindro ray c r d h)
   \/ (exists c k d h, is_cono _ s e c k d h /\ f = of_cono ray c k d h)
-  \/ (exists c r k d h, is_tronco _ s e c r k d h /\ f = of_tronco ray c r k d h).
+  \/ (exists c r k d h, is_tronco _ s e c r k d h /\ f = of_tronco ray c r k d h)
+  \/ (exists c d, is_plano _ s e c d /\ f = of_plano ray c d).
 Definition seen (e : Elemento) (f g : coefficients) : Prop := (en e /\ g = launched f) \/ (~ en e /\ g = f).
 
 (** The attributes of an element are those found: rewrites every other name for them. *)
@@ -141,7 +142,7 @@ Ltac by_type He Ht := split;
   | intros ?; split; [exact He |]; eexists; split; [exact Ht |]; choose; eauto 15 ].
 (** The definitions by cases, for an element with the attributes of H and of a type with altura or without. *)
 Ltac of_scene H := let Ht := fresh "Ht" in let He := fresh "He" in
-  unfold is_esfera, is_cilindro, is_cono, is_tronco in H; pose proof (proj1 H) as Ht;
+  unfold is_esfera, is_cilindro, is_cono, is_tronco, is_plano in H; pose proof (proj1 H) as Ht;
   pose proof (element_of_type _ _ ok _ _ Ht) as He; decompose [and] H; clear H; split; [| split];
   [ intros ?; by_type He Ht
   | intros ? ?; by_type He Ht
@@ -174,6 +175,11 @@ Lemma tronco_of_scene e c r k d h : is_tronco _ s e c r k d h ->
   /\ (forall w y, potencia s e w y <-> y = potencia_tronco w c r k d h)
   /\ (forall w, tramo s e w <-> 0 <= avance w c d <= h).
 Proof. intros H. of_scene H. Qed.
+(** The same of a plane. *)
+Lemma plano_of_scene e c d : is_plano _ s e c d ->
+  (forall w, puntos_de_elemento s e w <-> puntos_plano c d w)
+  /\ (forall w y, potencia s e w y <-> y = potencia_plano w c d) /\ (forall w, tramo s e w).
+Proof. intros H. of_scene H. Qed.
 
 Lemma value_launched f t : value (launched f) t = 0 <-> value f t = value f 0.
 Proof. unfold value, launched; cbn. split; intros; lra. Qed.
@@ -185,7 +191,7 @@ Lemma equation_of_scene e : e ∈ elementos s -> exists f, equation e f /\ prope
   /\ (forall t, tramo s e (point_at ray t) <-> within f t).
 Proof.
   intros He. destruct (element_cases _ _ ok e He) as [[c [r [H _]]] | [[c [r [d [h [H [_ [_ Hh]]]]]]] |
-    [[c [k [d [h [H [_ [_ Hh]]]]]]] | [c [r [k [d [h [H [_ [_ [_ Hh]]]]]]]]]]]].
+    [[c [k [d [h [H [_ [_ Hh]]]]]]] | [[c [r [k [d [h [H [_ [_ [_ Hh]]]]]]]]] | [c [d [H _]]]]]]].
   - destruct (esfera_of_scene _ _ _ H) as [Q [P T]]. exists (of_esfera ray c r).
     split; [left; eauto | split; [exact I | split; [| split]]]; intros t.
     + rewrite Q, esfera_along. unfold within; cbn. tauto.
@@ -202,10 +208,15 @@ Proof.
     + intros y. now rewrite P, potencia_cono_along.
     + now rewrite T, avance_along.
   - destruct (tronco_of_scene _ _ _ _ _ _ H) as [Q [P T]]. exists (of_tronco ray c r k d h).
-    split; [right; right; right; eauto 7 | split; [exact Hh | split; [| split]]]; intros t.
+    split; [right; right; right; left; eauto 7 | split; [exact Hh | split; [| split]]]; intros t.
     + rewrite Q. apply tronco_along.
     + intros y. now rewrite P, potencia_tronco_along.
     + now rewrite T, avance_along.
+  - destruct (plano_of_scene _ _ _ H) as [Q [P T]]. exists (of_plano ray c d).
+    split; [right; right; right; right; eauto | split; [exact I | split; [| split]]]; intros t.
+    + rewrite Q, plano_along. unfold within; cbn. tauto.
+    + intros y. now rewrite P, potencia_plano_along.
+    + now split.
 Qed.
 
 (** What a ray meets of an element is where its quadratic vanishes within the clip; where the ray is said to start on
@@ -280,9 +291,20 @@ Proof.
     destruct H as [eps [Hpos H]]. exists (eps / 2). apply H. lra.
 Qed.
 
-(** Such an element is never a sphere, and the whole line of the ray lies in its unbounded surface: a generator. *)
+(** An element has one equation, that of its attributes. *)
+Lemma equation_unique e f f' : equation e f -> equation e f' -> f = f'.
+Proof.
+  unfold equation, is_esfera, is_cilindro, is_cono, is_tronco, is_plano. intros H H'.
+  decompose [ex and or] H; decompose [ex and or] H'; same_attributes; reflexivity.
+Qed.
+
+(** Where the ray starts in a segment of an element, the whole line lies in its unbounded surface, and what the clip
+    leaves of the ray is all that it meets. The element is never a sphere; a plane, which has no clip, is met at every
+    parameter, and the ray is parallel to it. *)
 Theorem starts_in_a_generator e : e ∈ elementos s -> starts_in (met e) ->
-  exists f g, equation e f /\ seen e f g /\ (forall t, value g t = 0) /\ ~ exists c r, is_esfera _ s e c r.
+  exists f g, equation e f /\ seen e f g /\ (forall t, value g t = 0) /\ (forall t, met e t <-> 0 < t /\ within g t)
+    /\ (~ exists c r, is_esfera _ s e c r)
+    /\ forall c d, is_plano _ s e c d -> dot (Rayo_v ray) d = 0 /\ forall t, 0 < t -> met e t.
 Proof.
   intros He S. destruct (met_is_reach e He) as [f [g [Hf [Hg [Hp E]]]]]. exists f, g.
   assert (V : forall t, value g t = 0).
@@ -291,12 +313,15 @@ Proof.
     assert (M : forall k, 0 < k < 1 -> k * eps = t1 \/ k * eps = t2).
     { intros k Hk. apply H, E, S. pose proof (Rmult_lt_0_compat k eps). pose proof (Rmult_lt_compat_r eps k 1). lra. }
     pose proof (M (1 / 2)). pose proof (M (1 / 3)). pose proof (M (1 / 4)). lra. }
-  split; [exact Hf | split; [exact Hg | split; [exact V |]]]. intros [c [r Hs]].
-  assert (Hf' : cA f = sq (Rayo_v ray)).
-  { destruct Hf as [[c' [r' [_ ->]]] | Hf]; [reflexivity |]. destruct Hs as [Ht _].
-    unfold is_cilindro, is_cono, is_tronco in Hf. decompose [ex and or] Hf; same_attributes. }
-  assert (Hg' : cA g = sq (Rayo_v ray)) by (destruct Hg as [[_ ->] | [_ ->]]; exact Hf').
-  pose proof (ray_direction_positive ray ray_ok). generalize (V 0) (V 1) (V (-1)). unfold value. rewrite Hg'. lra.
+  assert (M : forall t, met e t <-> 0 < t /\ within g t) by (intros t; rewrite (E t); unfold reach; rewrite V; tauto).
+  assert (S' : cA g = cA f /\ cB g = cB f /\ within g = within f) by now destruct Hg as [[_ ->] | [_ ->]].
+  destruct S' as [HA [HB HW]]. generalize (V 0) (V 1) (V (-1)). unfold value at 1 2 3. rewrite HA, HB. intros V0 V1 V2.
+  split; [exact Hf | split; [exact Hg | split; [exact V | split; [exact M | split]]]].
+  - intros [c [r Hs]]. assert (f = of_esfera ray c r) as -> by (apply (equation_unique e); [exact Hf | left; eauto]).
+    cbn in *. pose proof (ray_direction_positive ray ray_ok). lra.
+  - intros c d Hs. assert (f = of_plano ray c d) as ->
+      by (apply (equation_unique e); [exact Hf | right; right; right; right; eauto]).
+    cbn in *. split; [lra |]. intros t Ht. apply M. now rewrite HW.
 Qed.
 
 (** ** The first hit of the scene *)

@@ -3,7 +3,8 @@
     Names and glossaries: Especificacion.v is the Z text; Toolkit.v its sets (∈, ≡, ⇸, ∖, dom, …). For a scene s and a ray:
     Escena_ok s          == s satisfies the invariant of the text
     point_at ray t       == the point p + t·v
-    of_esfera, of_cilindro, of_cono, of_tronco == the coefficients of A·t² + 2B·t + C and the clip 0 ≤ s0 + t·s1 ≤ altura
+    of_esfera, of_cilindro, of_cono, of_tronco, of_plano == the coefficients of A·t² + 2B·t + C and the clip
+                            0 ≤ s0 + t·s1 ≤ altura, where there is an altura
     roots f              == the computed solutions;  reach f == the parameters t > 0 that solve f within its clip
     met ray s en e       == the parameters t > 0 at which the ray meets the element e, the ray starting on the elements en
     met_scene ray s en   == the same for the whole scene
@@ -43,13 +44,17 @@ Theorem preconditions_are_as_stated s e t c r d h k :
      Escena_ok s /\ e ∉ elementos s /\ t = soy_cono /\ k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas)
   /\ ((exists s' r_out, Agregar_Tronco s s' e t r_out c r k d h) <->
      Escena_ok s /\ e ∉ elementos s /\ t = soy_tronco /\ r ∈ Rmas /\ k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas)
+  /\ ((exists s' r_out, Agregar_Plano s s' e t r_out c d) <->
+     Escena_ok s /\ e ∉ elementos s /\ t = soy_plano /\ d ∈ Unitario)
   /\ ((exists s' r_out, Eliminar_Esfera s s' e r_out) <-> Escena_ok s /\ (e, soy_esfera) ∈ de_que_tipo s)
   /\ ((exists s' r_out, Eliminar_Cilindro s s' e r_out) <-> Escena_ok s /\ (e, soy_cilindro) ∈ de_que_tipo s)
   /\ ((exists s' r_out, Eliminar_Cono s s' e r_out) <-> Escena_ok s /\ (e, soy_cono) ∈ de_que_tipo s)
-  /\ ((exists s' r_out, Eliminar_Tronco s s' e r_out) <-> Escena_ok s /\ (e, soy_tronco) ∈ de_que_tipo s).
+  /\ ((exists s' r_out, Eliminar_Tronco s s' e r_out) <-> Escena_ok s /\ (e, soy_tronco) ∈ de_que_tipo s)
+  /\ ((exists s' r_out, Eliminar_Plano s s' e r_out) <-> Escena_ok s /\ (e, soy_plano) ∈ de_que_tipo s).
 Proof.
   exact (conj (pre_Agregar_Esfera _ s e t c r) (conj (pre_Agregar_Cilindro _ s e t c r d h)
-    (conj (pre_Agregar_Cono _ s e t c k d h) (conj (pre_Agregar_Tronco _ s e t c r k d h) (pre_Eliminar _ s e))))).
+    (conj (pre_Agregar_Cono _ s e t c k d h) (conj (pre_Agregar_Tronco _ s e t c r k d h)
+    (conj (pre_Agregar_Plano _ s e t c d) (pre_Eliminar _ s e)))))).
 Qed.
 
 (** The clauses that state the after-state already give the invariant: for each operation of one type. *)
@@ -58,10 +63,12 @@ Theorem operations_preserve_the_invariant s e c r d h k : Escena_ok s ->
   /\ (e ∉ elementos s -> r ∈ Rmas -> d ∈ Unitario -> h ∈ Rmas -> Escena_ok (with_cilindro _ s e c r d h))
   /\ (e ∉ elementos s -> k ∈ Rmas -> d ∈ Unitario -> h ∈ Rmas -> Escena_ok (with_cono _ s e c k d h))
   /\ (e ∉ elementos s -> r ∈ Rmas -> k ∈ Rmas -> d ∈ Unitario -> h ∈ Rmas -> Escena_ok (with_tronco _ s e c r k d h))
+  /\ (e ∉ elementos s -> d ∈ Unitario -> Escena_ok (with_plano _ s e c d))
   /\ Escena_ok (scene_without _ s e).
 Proof.
   intros ok. exact (conj (with_esfera_ok _ s e c r ok) (conj (with_cilindro_ok _ s e c r d h ok)
-    (conj (with_cono_ok _ s e c k d h ok) (conj (with_tronco_ok _ s e c r k d h ok) (scene_without_ok _ s e ok))))).
+    (conj (with_cono_ok _ s e c k d h ok) (conj (with_tronco_ok _ s e c r k d h ok)
+    (conj (with_plano_ok _ s e c d ok) (scene_without_ok _ s e ok)))))).
 Qed.
 
 Theorem total_operations_are_total s e t c r d h k : Escena_ok s ->
@@ -69,10 +76,12 @@ Theorem total_operations_are_total s e t c r d h k : Escena_ok s ->
   /\ (exists s' r_out, Agregar_Cilindro_Total s s' e r_out c r d h)
   /\ (exists s' r_out, Agregar_Cono_Total s s' e r_out c k d h)
   /\ (exists s' r_out, Agregar_Tronco_Total s s' e r_out c r k d h)
+  /\ (exists s' r_out, Agregar_Plano_Total s s' e r_out c d)
   /\ (exists s' r_out, Eliminar_Esfera_Total s s' e r_out)
   /\ (exists s' r_out, Eliminar_Cilindro_Total s s' e r_out)
   /\ (exists s' r_out, Eliminar_Cono_Total s s' e r_out)
   /\ (exists s' r_out, Eliminar_Tronco_Total s s' e r_out)
+  /\ (exists s' r_out, Eliminar_Plano_Total s s' e r_out)
   /\ (exists s' r_out, Agregar_Elemento_Total s s' e t c r d h k r_out)
   /\ (exists s' r_out, Eliminar_Elemento_Total s s' e r_out).
 Proof. exact (Operaciones.total_operations_are_total _ s e t c r d h k). Qed.
@@ -134,11 +143,20 @@ Theorem closed_forms_are_sound_and_complete ray c r k d h t :
   /\ (point_at ray t ∈ puntos_cono c k d h <->
       solves (roots (of_cono ray c k d h)) t /\ within (of_cono ray c k d h) t)
   /\ (point_at ray t ∈ puntos_tronco c r k d h <->
-      solves (roots (of_tronco ray c r k d h)) t /\ within (of_tronco ray c r k d h) t).
+      solves (roots (of_tronco ray c r k d h)) t /\ within (of_tronco ray c r k d h) t)
+  /\ (point_at ray t ∈ puntos_plano c d <-> solves (roots (of_plano ray c d)) t).
 Proof.
   rewrite <- !roots_correct. exact (conj (esfera_along _ _ _ _) (conj (cilindro_along _ _ _ _ _ _)
-    (conj (cono_along _ _ _ _ _ _) (tronco_along _ _ _ _ _ _ _)))).
+    (conj (cono_along _ _ _ _ _ _) (conj (tronco_along _ _ _ _ _ _ _) (plano_along _ _ _ _))))).
 Qed.
+
+(** With q0 = p − c, a plane has one root where the ray is not parallel to it; otherwise none, or the whole line. *)
+Theorem the_plane_has_one_root_none_or_the_whole_line ray c d :
+  let a0 := Tipos.dot (from c (Rayo_p ray)) d in let a1 := Tipos.dot (Rayo_v ray) d in
+  (a1 <> 0 -> roots (of_plano ray c d) = these (- a0 / a1 :: nil))
+  /\ (a1 = 0 -> a0 <> 0 -> roots (of_plano ray c d) = these nil)
+  /\ (a1 = 0 -> a0 = 0 -> roots (of_plano ray c d) = every).
+Proof. exact (roots_plano ray c d). Qed.
 
 Theorem stable_roots_are_the_textbook_ones f : cA f <> 0 -> 0 <= discriminant f -> stable_sum f <> 0 ->
   let plus := (- cB f + sqrt (discriminant f)) / cA f in
@@ -155,10 +173,11 @@ Theorem stable_discriminants ray c r k d h :
   /\ discriminant (of_cilindro ray c r d h) = r * r * Tipos.sq a - Tipos.sq (cross b a)
   /\ discriminant (of_cono ray c k d h) = k * k * Tipos.sq (combine g a (Tipos.dot v d) b) - Tipos.sq (cross b a)
   /\ discriminant (of_tronco ray c r k d h)
-     = Tipos.sq (combine (r + k * g) a (k * Tipos.dot v d) b) - Tipos.sq (cross b a).
+     = Tipos.sq (combine (r + k * g) a (k * Tipos.dot v d) b) - Tipos.sq (cross b a)
+  /\ discriminant (of_plano ray c d) = Tipos.dot v d / 2 * (Tipos.dot v d / 2).
 Proof.
   exact (conj (discriminant_esfera _ _ _) (conj (discriminant_cilindro _ _ _ _ _)
-    (conj (discriminant_cono _ _ _ _ _) (discriminant_tronco _ _ _ _ _ _)))).
+    (conj (discriminant_cono _ _ _ _ _) (conj (discriminant_tronco _ _ _ _ _ _) (discriminant_plano _ _ _))))).
 Qed.
 
 Theorem at_most_two_points_or_a_segment f :
@@ -195,9 +214,12 @@ Theorem no_minimum_iff_the_ray_starts_in_a_segment :
   <-> exists e, e ∈ elementos s /\ starts_in (met e).
 Proof. exact (scene_no_minimum_iff ray ray_ok _ s ok en). Qed.
 
-(** And then the whole line lies in that element's unbounded surface, along a generator; never in a sphere. *)
+(** And then the whole line lies in that element's unbounded surface, along a generator, and the ray meets it wherever
+    the clip lets it. The element is never a sphere; in a plane, which nothing clips, the segment is the whole ray. *)
 Theorem the_segment_is_of_a_generator e : e ∈ elementos s -> starts_in (met e) ->
-  exists f g, equation ray _ s e f /\ seen _ en e f g /\ (forall t, value g t = 0) /\ ~ exists c r, is_esfera _ s e c r.
+  exists f g, equation ray _ s e f /\ seen _ en e f g /\ (forall t, value g t = 0)
+    /\ (forall t, met e t <-> 0 < t /\ within g t) /\ (~ exists c r, is_esfera _ s e c r)
+    /\ forall c d, is_plano _ s e c d -> Tipos.dot (Rayo_v ray) d = 0 /\ forall t, 0 < t -> met e t.
 Proof. exact (starts_in_a_generator ray ray_ok _ s ok en e). Qed.
 
 Theorem first_hit_is_the_least_of_first_hits t :

@@ -3,7 +3,7 @@
 
     scene_with s e t c rs ds hs ks == s and the element e of type t with centre c, and a radius, axis, height and
                             proportion that are the members of rs, ds, hs, ks: none or one each
-    with_esfera, with_cilindro, with_cono, with_tronco == the same for each type
+    with_esfera, with_cilindro, with_cono, with_tronco, with_plano == the same for each type
     scene_without s e    == s without e in every component
     same_at x s s'       == the element x has the same type and attributes in s and s' *)
 From Coq Require Import Reals Setoid Classical_Prop.
@@ -29,6 +29,7 @@ Definition with_esfera s e c r : Escena := scene_with s e soy_esfera c ⦃r⦄ �
 Definition with_cilindro s e c r d h : Escena := scene_with s e soy_cilindro c ⦃r⦄ ⦃d⦄ ⦃h⦄ ∅.
 Definition with_cono s e c k d h : Escena := scene_with s e soy_cono c ∅ ⦃d⦄ ⦃h⦄ ⦃k⦄.
 Definition with_tronco s e c r k d h : Escena := scene_with s e soy_tronco c ⦃r⦄ ⦃d⦄ ⦃h⦄ ⦃k⦄.
+Definition with_plano s e c d : Escena := scene_with s e soy_plano c ∅ ⦃d⦄ ∅ ∅.
 
 Definition scene_without s e : Escena := {|
   elementos := elementos s ∖ ⦃e⦄;
@@ -95,6 +96,8 @@ Proof. type_added. Qed.
 Lemma with_tronco_ok s e c r k d h : Escena_ok s -> e ∉ elementos s -> r ∈ Rmas -> k ∈ Rmas -> d ∈ Unitario ->
   h ∈ Rmas -> Escena_ok (with_tronco s e c r k d h).
 Proof. type_added. Qed.
+Lemma with_plano_ok s e c d : Escena_ok s -> e ∉ elementos s -> d ∈ Unitario -> Escena_ok (with_plano s e c d).
+Proof. type_added. Qed.
 
 Lemma scene_without_ok s e : Escena_ok s -> Escena_ok (scene_without s e).
 Proof.
@@ -160,6 +163,15 @@ Theorem Agregar_Tronco_computed s s' e t r_out c r k d h :
   /\ Escena_eq (with_tronco s e c r k d h) s' /\ r_out = tronco_agregado.
 Proof. addition_computed with_tronco_ok. Qed.
 
+(** Agregar_Plano happens exactly when its clauses hold; the scene then gains that plane and nothing else.
+    Discharges Agregar_Plano.pre.1, Agregar_Plano.pre.2, Agregar_Plano.post.1, Agregar_Plano.post.2,
+    Agregar_Plano.post.3, Agregar_Plano.post.4, Agregar_Plano.post.5, Agregar_Plano.post.6. *)
+Theorem Agregar_Plano_computed s s' e t r_out c d :
+  Agregar_Plano s s' e t r_out c d <->
+  (Escena_ok s /\ e ∉ elementos s /\ t = soy_plano /\ d ∈ Unitario)
+  /\ Escena_eq (with_plano s e c d) s' /\ r_out = plano_agregado.
+Proof. addition_computed with_plano_ok. Qed.
+
 (** An attribute that the type of e does not have is untouched by removing e. *)
 Lemma no_attribute s e t : Escena_ok s -> (e, t) ∈ de_que_tipo s ->
   (t ∉ radio_types -> ndres ⦃e⦄ (mi_radio s) ≡ mi_radio s)
@@ -222,56 +234,60 @@ Theorem Eliminar_Tronco_computed s s' e r_out :
   (Escena_ok s /\ (e, soy_tronco) ∈ de_que_tipo s) /\ Escena_eq (scene_without s e) s' /\ r_out = tronco_eliminado.
 Proof. removal_computed. Qed.
 
+(** Eliminar_Plano happens exactly on a plane of the scene; the scene then loses it and nothing else.
+    Discharges Eliminar_Plano.pre.1, Eliminar_Plano.post.1, Eliminar_Plano.post.2, Eliminar_Plano.post.3,
+    Eliminar_Plano.post.4, Eliminar_Plano.post.5, Eliminar_Plano.post.6. *)
+Theorem Eliminar_Plano_computed s s' e r_out :
+  Eliminar_Plano s s' e r_out <->
+  (Escena_ok s /\ (e, soy_plano) ∈ de_que_tipo s) /\ Escena_eq (scene_without s e) s' /\ r_out = plano_eliminado.
+Proof. removal_computed. Qed.
+
 (** ** The preconditions are the stated clauses, and nothing more *)
+
+(** Where the clauses hold, the operation gives the scene that was computed, and its answer. *)
+Ltac clauses_suffice computed := split;
+  [ let H := fresh in intros [? [? H]]; now apply computed in H
+  | intros ?; do 2 eexists; apply computed; split; [eassumption | split; [apply Escena_eq_refl | reflexivity]] ].
 
 (** pre Agregar_Esfera is exactly its stated clauses. *)
 Theorem pre_Agregar_Esfera s e t c r :
   (exists s' r_out, Agregar_Esfera s s' e t r_out c r) <->
   Escena_ok s /\ e ∉ elementos s /\ t = soy_esfera /\ r ∈ Rmas.
-Proof.
-  split; [intros [s' [r_out H]]; now apply Agregar_Esfera_computed in H |].
-  intros H. exists (with_esfera s e c r), esfera_agregada. apply Agregar_Esfera_computed. auto using Escena_eq_refl.
-Qed.
+Proof. clauses_suffice Agregar_Esfera_computed. Qed.
 (** pre Agregar_Cilindro is exactly its stated clauses. *)
 Theorem pre_Agregar_Cilindro s e t c r d h :
   (exists s' r_out, Agregar_Cilindro s s' e t r_out c r d h) <->
   Escena_ok s /\ e ∉ elementos s /\ t = soy_cilindro /\ r ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas.
-Proof.
-  split; [intros [s' [r_out H]]; now apply Agregar_Cilindro_computed in H |]. intros H.
-  exists (with_cilindro s e c r d h), cilindro_agregado. apply Agregar_Cilindro_computed. auto using Escena_eq_refl.
-Qed.
+Proof. clauses_suffice Agregar_Cilindro_computed. Qed.
 (** pre Agregar_Cono is exactly its stated clauses. *)
 Theorem pre_Agregar_Cono s e t c k d h :
   (exists s' r_out, Agregar_Cono s s' e t r_out c k d h) <->
   Escena_ok s /\ e ∉ elementos s /\ t = soy_cono /\ k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas.
-Proof.
-  split; [intros [s' [r_out H]]; now apply Agregar_Cono_computed in H |].
-  intros H. exists (with_cono s e c k d h), cono_agregado. apply Agregar_Cono_computed. auto using Escena_eq_refl.
-Qed.
+Proof. clauses_suffice Agregar_Cono_computed. Qed.
 (** pre Agregar_Tronco is exactly its stated clauses. *)
 Theorem pre_Agregar_Tronco s e t c r k d h :
   (exists s' r_out, Agregar_Tronco s s' e t r_out c r k d h) <->
   Escena_ok s /\ e ∉ elementos s /\ t = soy_tronco /\ r ∈ Rmas /\ k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas.
-Proof.
-  split; [intros [s' [r_out H]]; now apply Agregar_Tronco_computed in H |].
-  intros H. exists (with_tronco s e c r k d h), tronco_agregado. apply Agregar_Tronco_computed. auto using Escena_eq_refl.
-Qed.
+Proof. clauses_suffice Agregar_Tronco_computed. Qed.
+(** pre Agregar_Plano is exactly its stated clauses. *)
+Theorem pre_Agregar_Plano s e t c d :
+  (exists s' r_out, Agregar_Plano s s' e t r_out c d) <->
+  Escena_ok s /\ e ∉ elementos s /\ t = soy_plano /\ d ∈ Unitario.
+Proof. clauses_suffice Agregar_Plano_computed. Qed.
 (** pre of each removal is exactly that e is an element of its type. *)
 Theorem pre_Eliminar s e :
   ((exists s' r_out, Eliminar_Esfera s s' e r_out) <-> Escena_ok s /\ (e, soy_esfera) ∈ de_que_tipo s)
   /\ ((exists s' r_out, Eliminar_Cilindro s s' e r_out) <-> Escena_ok s /\ (e, soy_cilindro) ∈ de_que_tipo s)
   /\ ((exists s' r_out, Eliminar_Cono s s' e r_out) <-> Escena_ok s /\ (e, soy_cono) ∈ de_que_tipo s)
-  /\ ((exists s' r_out, Eliminar_Tronco s s' e r_out) <-> Escena_ok s /\ (e, soy_tronco) ∈ de_que_tipo s).
+  /\ ((exists s' r_out, Eliminar_Tronco s s' e r_out) <-> Escena_ok s /\ (e, soy_tronco) ∈ de_que_tipo s)
+  /\ ((exists s' r_out, Eliminar_Plano s s' e r_out) <-> Escena_ok s /\ (e, soy_plano) ∈ de_que_tipo s).
 Proof.
-  split; [| split; [| split]]; (split; [intros [s' [r_out H]] | intros H; exists (scene_without s e)]).
-  - now apply Eliminar_Esfera_computed in H.
-  - exists esfera_eliminada. apply Eliminar_Esfera_computed. auto using Escena_eq_refl.
-  - now apply Eliminar_Cilindro_computed in H.
-  - exists cilindro_eliminado. apply Eliminar_Cilindro_computed. auto using Escena_eq_refl.
-  - now apply Eliminar_Cono_computed in H.
-  - exists cono_eliminado. apply Eliminar_Cono_computed. auto using Escena_eq_refl.
-  - now apply Eliminar_Tronco_computed in H.
-  - exists tronco_eliminado. apply Eliminar_Tronco_computed. auto using Escena_eq_refl.
+  split; [| split; [| split; [| split]]].
+  - clauses_suffice Eliminar_Esfera_computed.
+  - clauses_suffice Eliminar_Cilindro_computed.
+  - clauses_suffice Eliminar_Cono_computed.
+  - clauses_suffice Eliminar_Tronco_computed.
+  - clauses_suffice Eliminar_Plano_computed.
 Qed.
 
 (** ** The promoted operations *)
@@ -284,6 +300,7 @@ Definition addition_possible s e t (r : R) d (h k : R) : Prop :=
   | soy_cilindro => r ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas
   | soy_cono => k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas
   | soy_tronco => r ∈ Rmas /\ k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas
+  | soy_plano => d ∈ Unitario
   end.
 Definition scene_added s e t c r d h k : Escena :=
   match t with
@@ -291,6 +308,7 @@ Definition scene_added s e t c r d h k : Escena :=
   | soy_cilindro => with_cilindro s e c r d h
   | soy_cono => with_cono s e c k d h
   | soy_tronco => with_tronco s e c r k d h
+  | soy_plano => with_plano s e c d
   end.
 
 (** The general addition is that of the type given, with the general answer. Discharges Elemento_Agregado.post.1. *)
@@ -299,16 +317,18 @@ Theorem Elemento_Agregado_computed s s' e t c r d h k r_out :
   addition_possible s e t r d h k /\ Escena_eq (scene_added s e t c r d h k) s' /\ r_out = elemento_agregado.
 Proof.
   unfold Elemento_Agregado, addition_possible, scene_added. split.
-  - intros [[r0 [H | [H | [H | H]]]] ->].
+  - intros [[r0 [H | [H | [H | [H | H]]]]] ->].
     + apply Agregar_Esfera_computed in H as [[? [? [-> ?]]] [? _]]. auto.
     + apply Agregar_Cilindro_computed in H as [[? [? [-> ?]]] [? _]]. auto.
     + apply Agregar_Cono_computed in H as [[? [? [-> ?]]] [? _]]. auto.
     + apply Agregar_Tronco_computed in H as [[? [? [-> ?]]] [? _]]. auto.
+    + apply Agregar_Plano_computed in H as [[? [? [-> ?]]] [? _]]. auto.
   - intros [[ok [He H]] [E ->]]. split; [| reflexivity]. destruct t.
     + exists esfera_agregada. left. apply Agregar_Esfera_computed. auto.
     + exists cilindro_agregado. right; left. apply Agregar_Cilindro_computed. auto.
     + exists cono_agregado. right; right; left. apply Agregar_Cono_computed. auto.
-    + exists tronco_agregado. right; right; right. apply Agregar_Tronco_computed. auto.
+    + exists tronco_agregado. right; right; right; left. apply Agregar_Tronco_computed. auto.
+    + exists plano_agregado. right; right; right; right. apply Agregar_Plano_computed. auto.
 Qed.
 
 (** The general removal happens exactly on an element of the scene. Discharges Elemento_Eliminado.post.1. *)
@@ -317,25 +337,28 @@ Theorem Elemento_Eliminado_computed s s' e r_out :
   (Escena_ok s /\ e ∈ elementos s) /\ Escena_eq (scene_without s e) s' /\ r_out = elemento_eliminado.
 Proof.
   unfold Elemento_Eliminado. split.
-  - intros [[r0 [H | [H | [H | H]]]] ->].
+  - intros [[r0 [H | [H | [H | [H | H]]]]] ->].
     + apply Eliminar_Esfera_computed in H as [[ok H] [? _]]. eauto 6 using (element_of_type _ _ ok).
     + apply Eliminar_Cilindro_computed in H as [[ok H] [? _]]. eauto 6 using (element_of_type _ _ ok).
     + apply Eliminar_Cono_computed in H as [[ok H] [? _]]. eauto 6 using (element_of_type _ _ ok).
     + apply Eliminar_Tronco_computed in H as [[ok H] [? _]]. eauto 6 using (element_of_type _ _ ok).
+    + apply Eliminar_Plano_computed in H as [[ok H] [? _]]. eauto 6 using (element_of_type _ _ ok).
   - intros [[ok He] [E ->]]. split; [| reflexivity]. destruct (type_of_element _ _ ok e He) as [[] Ht].
     + exists esfera_eliminada. left. apply Eliminar_Esfera_computed. auto.
     + exists cilindro_eliminado. right; left. apply Eliminar_Cilindro_computed. auto.
     + exists cono_eliminado. right; right; left. apply Eliminar_Cono_computed. auto.
-    + exists tronco_eliminado. right; right; right. apply Eliminar_Tronco_computed. auto.
+    + exists tronco_eliminado. right; right; right; left. apply Eliminar_Tronco_computed. auto.
+    + exists plano_eliminado. right; right; right; right. apply Eliminar_Plano_computed. auto.
 Qed.
 
 (** Each operation of one type is an instance of the general one, up to the answer. *)
 Theorem specific_is_general s s' e t r_out c r d h k :
   (Agregar_Esfera s s' e t r_out c r \/ Agregar_Cilindro s s' e t r_out c r d h
-   \/ Agregar_Cono s s' e t r_out c k d h \/ Agregar_Tronco s s' e t r_out c r k d h ->
+   \/ Agregar_Cono s s' e t r_out c k d h \/ Agregar_Tronco s s' e t r_out c r k d h
+   \/ Agregar_Plano s s' e t r_out c d ->
    Elemento_Agregado s s' e t c r d h k elemento_agregado)
   /\ (Eliminar_Esfera s s' e r_out \/ Eliminar_Cilindro s s' e r_out \/ Eliminar_Cono s s' e r_out
-      \/ Eliminar_Tronco s s' e r_out -> Elemento_Eliminado s s' e elemento_eliminado).
+      \/ Eliminar_Tronco s s' e r_out \/ Eliminar_Plano s s' e r_out -> Elemento_Eliminado s s' e elemento_eliminado).
 Proof. split; intros H; (split; [now exists r_out | reflexivity]). Qed.
 
 (** The general operations determine the scene: two after-states are equal. *)
@@ -384,7 +407,8 @@ Proof.
   - exists (scene_without s1 e), elemento_eliminado. apply Elemento_Eliminado_computed.
     split; [split | auto using Escena_eq_refl].
     + apply Escena_ok_eq with (1 := E). destruct t; cbn;
-        [apply with_esfera_ok | apply with_cilindro_ok | apply with_cono_ok | apply with_tronco_ok]; tauto.
+        [apply with_esfera_ok | apply with_cilindro_ok | apply with_cono_ok | apply with_tronco_ok
+        | apply with_plano_ok]; tauto.
     + apply (Escena_eq_elementos E). destruct t; now right.
   - intros s2 r2 H2. apply Elemento_Eliminado_computed in H2 as [_ [E2 _]].
     eauto using Escena_eq_trans, Escena_eq_sym.
@@ -454,24 +478,26 @@ Qed.
     Vector_No_Unitario.post.1, Altura_No_Positiva.pre.1, Altura_No_Positiva.post.1, Proporcion_No_Positiva.pre.1,
     Proporcion_No_Positiva.post.1, No_Es_Esfera.pre.1, No_Es_Esfera.pre.2, No_Es_Esfera.post.1, No_Es_Cilindro.pre.1,
     No_Es_Cilindro.pre.2, No_Es_Cilindro.post.1, No_Es_Cono.pre.1, No_Es_Cono.pre.2, No_Es_Cono.post.1,
-    No_Es_Tronco.pre.1, No_Es_Tronco.pre.2, No_Es_Tronco.post.1, Con_Radio.pre.1, Con_Vector.pre.1,
-    Con_Altura.pre.1, Con_Proporcion.pre.1. *)
+    No_Es_Tronco.pre.1, No_Es_Tronco.pre.2, No_Es_Tronco.post.1, No_Es_Plano.pre.1, No_Es_Plano.pre.2,
+    No_Es_Plano.post.1, Con_Radio.pre.1, Con_Vector.pre.1, Con_Altura.pre.1, Con_Proporcion.pre.1. *)
 Theorem total_operations_are_total s e t c r d h k : Escena_ok s ->
   (exists s' r_out, Agregar_Esfera_Total s s' e r_out c r)
   /\ (exists s' r_out, Agregar_Cilindro_Total s s' e r_out c r d h)
   /\ (exists s' r_out, Agregar_Cono_Total s s' e r_out c k d h)
   /\ (exists s' r_out, Agregar_Tronco_Total s s' e r_out c r k d h)
+  /\ (exists s' r_out, Agregar_Plano_Total s s' e r_out c d)
   /\ (exists s' r_out, Eliminar_Esfera_Total s s' e r_out)
   /\ (exists s' r_out, Eliminar_Cilindro_Total s s' e r_out)
   /\ (exists s' r_out, Eliminar_Cono_Total s s' e r_out)
   /\ (exists s' r_out, Eliminar_Tronco_Total s s' e r_out)
+  /\ (exists s' r_out, Eliminar_Plano_Total s s' e r_out)
   /\ (exists s' r_out, Agregar_Elemento_Total s s' e t c r d h k r_out)
   /\ (exists s' r_out, Eliminar_Elemento_Total s s' e r_out).
 Proof.
   intros ok. pose proof (Xi_refl s ok) as X.
   assert (pe := pre_Agregar_Esfera s e soy_esfera c r). assert (pl := pre_Agregar_Cilindro s e soy_cilindro c r d h).
   assert (pk := pre_Agregar_Cono s e soy_cono c k d h). assert (pt := pre_Agregar_Tronco s e soy_tronco c r k d h).
-  destruct (pre_Eliminar s e) as [qe [ql [qk qt]]].
+  assert (pp := pre_Agregar_Plano s e soy_plano c d). destruct (pre_Eliminar s e) as [qe [ql [qk [qt qp]]]].
   assert (Y : e ∈ elementos s -> Elemento_Ya_Existe s s e elemento_ya_existe) by now split.
   assert (NE : e ∉ elementos s -> Elemento_No_Existe s s e elemento_no_existe) by now split.
   assert (RN : r ∉ Rmas -> Radio_No_Positivo s s r radio_no_positivo) by now split.
@@ -487,9 +513,10 @@ Proof.
     exists s' r_out, P s' r_out \/ Elemento_No_Existe s s' e r_out \/ N s' r_out).
   { intros t' P N HP HN. destruct Ce as [He |]; [| eauto 10]. destruct (type_of_element _ _ ok e He) as [v Hv].
     destruct (classic (v = t')) as [-> | Nv]; [| eauto 10]. destruct (proj2 HP) as [s' [r_out H']]; eauto. }
-  unfold Agregar_Esfera_Total, Agregar_Cilindro_Total, Agregar_Cono_Total, Agregar_Tronco_Total, Eliminar_Esfera_Total,
-    Eliminar_Cilindro_Total, Eliminar_Cono_Total, Eliminar_Tronco_Total, Eliminar_Elemento_Total.
-  split; [| split; [| split; [| split; [| split; [| split; [| split; [| split; [| split]]]]]]]].
+  unfold Agregar_Esfera_Total, Agregar_Cilindro_Total, Agregar_Cono_Total, Agregar_Tronco_Total, Agregar_Plano_Total,
+    Eliminar_Esfera_Total, Eliminar_Cilindro_Total, Eliminar_Cono_Total, Eliminar_Tronco_Total, Eliminar_Plano_Total,
+    Eliminar_Elemento_Total.
+  split; [| split; [| split; [| split; [| split; [| split; [| split; [| split; [| split; [| split; [| split]]]]]]]]]].
   - destruct Ce; [eauto 10 |]. destruct Cr; [| eauto 10].
     destruct (proj2 pe) as [s' [r_out H']]; [auto |]. eauto 10.
   - destruct Ce; [eauto 10 |]. destruct Cr; [| eauto 10]. destruct Cd; [| eauto 10]. destruct Ch; [| eauto 10].
@@ -498,10 +525,12 @@ Proof.
     destruct (proj2 pk) as [s' [r_out H']]; [auto 8 |]. eauto 10.
   - destruct Ce; [eauto 10 |]. destruct Cr; [| eauto 10]. destruct Ck; [| eauto 10]. destruct Cd; [| eauto 10].
     destruct Ch; [| eauto 10]. destruct (proj2 pt) as [s' [r_out H']]; [auto 9 |]. eauto 10.
+  - destruct Ce; [eauto 10 |]. destruct Cd; [| eauto 10]. destruct (proj2 pp) as [s' [r_out H']]; [auto |]. eauto 10.
   - apply removal with (1 := qe). now split.
   - apply removal with (1 := ql). now split.
   - apply removal with (1 := qk). now split.
   - apply removal with (1 := qt). now split.
+  - apply removal with (1 := qp). now split.
   - destruct Ce; [unfold Agregar_Elemento_Total; eauto 10 |].
     destruct (classic (addition_possible s e t r d h k)) as [P | P].
     { exists (scene_added s e t c r d h k), elemento_agregado. left. apply Elemento_Agregado_computed.
@@ -529,6 +558,9 @@ Proof. intros ok. apply (total_operations_are_total s e soy_cono c 0%R d h k ok)
 (** Discharges Agregar_Tronco_Total.def.1. *)
 Theorem Agregar_Tronco_Total_is_total s e c r k d h : Escena_ok s -> exists s' r_out, Agregar_Tronco_Total s s' e r_out c r k d h.
 Proof. intros ok. apply (total_operations_are_total s e soy_tronco c r d h k ok). Qed.
+(** Discharges Agregar_Plano_Total.def.1. *)
+Theorem Agregar_Plano_Total_is_total s e c d : Escena_ok s -> exists s' r_out, Agregar_Plano_Total s s' e r_out c d.
+Proof. intros ok. apply (total_operations_are_total s e soy_plano c 0%R d 0%R 0%R ok). Qed.
 (** Discharges Eliminar_Esfera_Total.def.1. *)
 Theorem Eliminar_Esfera_Total_is_total s e : Escena_ok s -> exists s' r_out, Eliminar_Esfera_Total s s' e r_out.
 Proof. intros ok. apply (total_operations_are_total s e soy_esfera (mk_Punto 0 0 0) 0%R (mk_Vector 0 0 0) 0%R 0%R ok). Qed.
@@ -540,6 +572,9 @@ Theorem Eliminar_Cono_Total_is_total s e : Escena_ok s -> exists s' r_out, Elimi
 Proof. intros ok. apply (total_operations_are_total s e soy_esfera (mk_Punto 0 0 0) 0%R (mk_Vector 0 0 0) 0%R 0%R ok). Qed.
 (** Discharges Eliminar_Tronco_Total.def.1. *)
 Theorem Eliminar_Tronco_Total_is_total s e : Escena_ok s -> exists s' r_out, Eliminar_Tronco_Total s s' e r_out.
+Proof. intros ok. apply (total_operations_are_total s e soy_esfera (mk_Punto 0 0 0) 0%R (mk_Vector 0 0 0) 0%R 0%R ok). Qed.
+(** Discharges Eliminar_Plano_Total.def.1. *)
+Theorem Eliminar_Plano_Total_is_total s e : Escena_ok s -> exists s' r_out, Eliminar_Plano_Total s s' e r_out.
 Proof. intros ok. apply (total_operations_are_total s e soy_esfera (mk_Punto 0 0 0) 0%R (mk_Vector 0 0 0) 0%R 0%R ok). Qed.
 (** Discharges Agregar_Elemento_Total.def.1. *)
 Theorem Agregar_Elemento_Total_is_total s e t c r d h k : Escena_ok s -> exists s' r_out, Agregar_Elemento_Total s s' e t c r d h k r_out.
@@ -557,14 +592,14 @@ Proof.
   { intros [[_ ok'] E]. auto. }
   intros [H | [H | [[H _] | [[H _] | [[H _] | [H _]]]]]]; try (now apply X, H).
   pose proof (proj2 H) as ->. split; [| easy].
-  destruct H as [[r0 [H | [H | [H | H]]]] _]; apply H.
+  destruct H as [[r0 [H | [H | [H | [H | H]]]]] _]; apply H.
 Qed.
 (** The same of the total removal. *)
 Theorem total_removal_safe s s' e r_out : Eliminar_Elemento_Total s s' e r_out ->
   Escena_ok s' /\ (r_out <> elemento_eliminado -> Escena_eq s s').
 Proof.
   intros [H | H]; [| destruct H as [[[_ ok'] E] _ _]; auto].
-  pose proof (proj2 H) as ->. split; [| easy]. destruct H as [[r0 [H | [H | [H | H]]]] _]; apply H.
+  pose proof (proj2 H) as ->. split; [| easy]. destruct H as [[r0 [H | [H | [H | [H | H]]]]] _]; apply H.
 Qed.
 
 End Operaciones.

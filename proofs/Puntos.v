@@ -5,7 +5,7 @@
     coefficients         == A, B, C of A·t² + 2B·t + C, the advance s0 + t·s1 along the axis, the height that clips it
     value f t            == A·t² + 2B·t + C
     within f t           == 0 ≤ s0 + t·s1 ≤ altura, where there is an altura
-    of_esfera, of_cilindro, of_cono, of_tronco == the coefficients of each type, for any axis, unit or not
+    of_esfera, of_cilindro, of_cono, of_tronco, of_plano == the coefficients of each type, for any axis, unit or not
     launched f           == f with C = 0: what a ray sees of an element that its origin is said to lie on *)
 From Coq Require Import Reals Lra.
 From Durero Require Import Toolkit Especificacion Tipos.
@@ -77,9 +77,13 @@ Definition of_tronco ray c r k d h : coefficients :=
   let rho := r + k * (h - a0) in
   mk_coefficients (sq v - (2 - n + k * k) * (a1 * a1)) (dot q v - (2 - n) * (a0 * a1) + rho * k * a1)
                   (sq q - (2 - n) * (a0 * a0) - rho * rho) a0 a1 (Some h).
+(** Linear: 2B is the slope v·d along the normal, and C the advance of the ray's origin. *)
+Definition of_plano ray c d : coefficients :=
+  mk_coefficients 0 (dot (Rayo_v ray) d / 2) (dot (from c (Rayo_p ray)) d) 0 0 None.
 
-Ltac coordinates := unfold potencia_esfera, potencia_cilindro, potencia_cono, potencia_tronco, alejamiento, avance,
-  cuadrado, value, of_esfera, of_cilindro, of_cono, of_tronco, from, sq, dot, point_at; cbn.
+Ltac coordinates := unfold potencia_esfera, potencia_cilindro, potencia_cono, potencia_tronco, potencia_plano,
+  alejamiento, avance, cuadrado, value, of_esfera, of_cilindro, of_cono, of_tronco, of_plano, from, sq, dot, point_at;
+  cbn.
 
 (** The advance of a point of the ray along an axis is s0 + t·s1. Discharges avance.def.1. *)
 Lemma avance_along ray c d t : avance (point_at ray t) c d = dot (from c (Rayo_p ray)) d + t * dot (Rayo_v ray) d.
@@ -98,7 +102,7 @@ Proof. unfold of_cono, of_tronco; cbn; f_equal; ring. Qed.
 
 (** The power of a point of the ray is A·t² + 2B·t + C, for every type and every axis.
     Discharges cuadrado.def.1, alejamiento.def.1, potencia_esfera.def.1, potencia_cilindro.def.1,
-    potencia_cono.def.1, potencia_tronco.def.1. *)
+    potencia_cono.def.1, potencia_tronco.def.1, potencia_plano.def.1. *)
 Theorem potencia_esfera_along ray c r t : potencia_esfera (point_at ray t) c r = value (of_esfera ray c r) t.
 Proof. coordinates. ring. Qed.
 Theorem potencia_tronco_along ray c r k d h t :
@@ -110,6 +114,8 @@ Proof. rewrite of_cilindro_is_tronco, (potencia_cilindro_is_tronco _ c r d h). a
 Theorem potencia_cono_along ray c k d h t :
   potencia_cono (point_at ray t) c k d h = value (of_cono ray c k d h) t.
 Proof. rewrite of_cono_is_tronco, potencia_cono_is_tronco. apply potencia_tronco_along. Qed.
+Theorem potencia_plano_along ray c d t : potencia_plano (point_at ray t) c d = value (of_plano ray c d) t.
+Proof. coordinates. field. Qed.
 
 (** A point of the ray lies on the sphere exactly at a root. Discharges puntos_esfera.def.1. *)
 Theorem esfera_along ray c r t : point_at ray t ∈ puntos_esfera c r <-> value (of_esfera ray c r) t = 0.
@@ -130,6 +136,10 @@ Theorem tronco_along ray c r k d h t :
   point_at ray t ∈ puntos_tronco c r k d h <->
   value (of_tronco ray c r k d h) t = 0 /\ within (of_tronco ray c r k d h) t.
 Proof. unfold puntos_tronco, within. rewrite potencia_tronco_along, avance_along. reflexivity. Qed.
+
+(** A point of the ray lies in the plane exactly at a root: nothing clips it. Discharges puntos_plano.def.1. *)
+Theorem plano_along ray c d t : point_at ray t ∈ puntos_plano c d <-> value (of_plano ray c d) t = 0.
+Proof. unfold puntos_plano. now rewrite potencia_plano_along. Qed.
 
 (** The clip of the cone keeps one nappe and its apex: the radius k·(h − s) is never negative there. *)
 Theorem clip_keeps_one_nappe w c k d h : k > 0 -> w ∈ puntos_cono c k d h -> 0 <= k * (h - avance w c d).

@@ -1,7 +1,7 @@
 (** The compact scene refines the model: dense tables by type and an index from names to rows, whose operations commute
     with those of the Z text through retrieve.
 
-    Shape                == the row of a sphere, cylinder, cone or truncated cone without its name
+    Shape                == the row of a sphere, cylinder, cone, truncated cone or plane without its name
     Tables               == one list of named shapes for each type, and the place of each name
     tables_ok            == the invariant of the tables: the index gives exactly the places of the rows, each row lies in the
                             table of its type, its attributes are in their ranges
@@ -61,7 +61,8 @@ Inductive Shape :=
   | Sphere (centro : Punto) (radio : R)
   | Cylinder (centro : Punto) (radio : R) (vector : Vector) (altura : R)
   | Cone (centro : Punto) (proporcion : R) (vector : Vector) (altura : R)
-  | TruncatedCone (centro : Punto) (radio proporcion : R) (vector : Vector) (altura : R).
+  | TruncatedCone (centro : Punto) (radio proporcion : R) (vector : Vector) (altura : R)
+  | Plane (centro : Punto) (vector : Vector).
 
 Definition type_of x :=
   match x with
@@ -69,11 +70,13 @@ Definition type_of x :=
   | Cylinder _ _ _ _ => soy_cilindro
   | Cone _ _ _ _ => soy_cono
   | TruncatedCone _ _ _ _ _ => soy_tronco
+  | Plane _ _ => soy_plano
   end.
-Definition centre_of x := match x with Sphere c _ | Cylinder c _ _ _ | Cone c _ _ _ | TruncatedCone c _ _ _ _ => c end.
+Definition centre_of x :=
+  match x with Sphere c _ | Cylinder c _ _ _ | Cone c _ _ _ | TruncatedCone c _ _ _ _ | Plane c _ => c end.
 Definition radii x : set R := match x with Sphere _ r | Cylinder _ r _ _ | TruncatedCone _ r _ _ _ => ⦃r⦄ | _ => ∅ end.
 Definition axes x : set Vector :=
-  match x with Cylinder _ _ d _ | Cone _ _ d _ | TruncatedCone _ _ _ d _ => ⦃d⦄ | _ => ∅ end.
+  match x with Cylinder _ _ d _ | Cone _ _ d _ | TruncatedCone _ _ _ d _ | Plane _ d => ⦃d⦄ | _ => ∅ end.
 Definition heights x : set R :=
   match x with Cylinder _ _ _ h | Cone _ _ _ h | TruncatedCone _ _ _ _ h => ⦃h⦄ | _ => ∅ end.
 Definition proportions x : set R := match x with Cone _ k _ _ | TruncatedCone _ _ k _ _ => ⦃k⦄ | _ => ∅ end.
@@ -83,6 +86,7 @@ Definition valid x : Prop :=
   | Cylinder _ r d h => r ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas
   | Cone _ k d h => k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas
   | TruncatedCone _ r k d h => r ∈ Rmas /\ k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas
+  | Plane _ d => d ∈ Unitario
   end.
 
 Lemma Tipo_dec (t t' : Tipo) : {t = t'} + {t <> t'}.
@@ -202,10 +206,10 @@ Proof.
   assert (E0 : forall V (B : set V), ∅ ⊆ B) by (intros V B v []).
   split; cbn.
   - split; [easy |].
-    exists (map fst (concat (map (rows T) [soy_esfera; soy_cilindro; soy_cono; soy_tronco]))). intros e.
+    exists (map fst (concat (map (rows T) [soy_esfera; soy_cilindro; soy_cono; soy_tronco; soy_plano]))). intros e.
     rewrite in_map_iff. setoid_rewrite in_concat. setoid_rewrite in_map_iff. split.
     + intros [x [t [i H]]]. apply nth_error_In in H. exists (e, x). split; [reflexivity |]. exists (rows T t).
-      split; [| exact H]. exists t. split; [reflexivity |]. destruct t; cbn; auto.
+      split; [| exact H]. exists t. split; [reflexivity |]. destruct t; cbn; auto 6.
     + intros [[e' x] [<- [l [[t [<- _]] H]]]]. apply In_nth_error in H as [i H]. now exists x, t, i.
   - easy.
   - apply attribute_pfun; auto; easy.
@@ -305,6 +309,7 @@ Theorem add_commutes T e x : tables_ok T -> index T e = None -> valid x ->
   | Cone c k d h => Agregar_Cono (retrieve T) (retrieve (add T e x)) e soy_cono cono_agregado c k d h
   | TruncatedCone c r k d h =>
       Agregar_Tronco (retrieve T) (retrieve (add T e x)) e soy_tronco tronco_agregado c r k d h
+  | Plane c d => Agregar_Plano (retrieve T) (retrieve (add T e x)) e soy_plano plano_agregado c d
   end.
 Proof.
   intros ok He Hx. split; [now apply add_ok |]. pose proof (retrieve_ok T ok) as okr.
@@ -314,6 +319,7 @@ Proof.
   - apply Agregar_Cilindro_computed. split; [tauto | now split].
   - apply Agregar_Cono_computed. split; [tauto | now split].
   - apply Agregar_Tronco_computed. split; [tauto | now split].
+  - apply Agregar_Plano_computed. auto.
 Qed.
 
 (** ** Removing *)
@@ -429,13 +435,14 @@ Theorem remove_commutes T e t i : tables_ok T -> index T e = Some (t, i) ->
   | soy_cilindro => Eliminar_Cilindro (retrieve T) (retrieve (remove T e)) e cilindro_eliminado
   | soy_cono => Eliminar_Cono (retrieve T) (retrieve (remove T e)) e cono_eliminado
   | soy_tronco => Eliminar_Tronco (retrieve T) (retrieve (remove T e)) e tronco_eliminado
+  | soy_plano => Eliminar_Plano (retrieve T) (retrieve (remove T e)) e plano_eliminado
   end.
 Proof.
   intros ok H. split; [now apply (remove_ok T e t i) |]. pose proof (retrieve_ok T ok) as okr.
   pose proof (retrieve_remove T e t i ok H) as E.
   assert (Ht : (e, t) ∈ de_que_tipo (retrieve T)) by (apply (find_correct T e ok); now exists i).
   destruct t; [apply Eliminar_Esfera_computed | apply Eliminar_Cilindro_computed | apply Eliminar_Cono_computed |
-    apply Eliminar_Tronco_computed]; auto.
+    apply Eliminar_Tronco_computed | apply Eliminar_Plano_computed]; auto.
 Qed.
 
 (** ** The total operations on the tables *)
@@ -452,6 +459,7 @@ Definition shape_of (t : Tipo) c r d h k : Shape :=
   | soy_cilindro => Cylinder c r d h
   | soy_cono => Cone c k d h
   | soy_tronco => TruncatedCone c r k d h
+  | soy_plano => Plane c d
   end.
 (** The first clause of the type t that does not hold, in the order of the text. *)
 Definition first_error (t : Tipo) (r : R) (d : Vector) (h k : R) : option Respuesta :=
@@ -463,6 +471,7 @@ Definition first_error (t : Tipo) (r : R) (d : Vector) (h k : R) : option Respue
   | soy_cono => if Rmas_dec k then axis_and_height else Some proporcion_no_positiva
   | soy_tronco => if Rmas_dec r then if Rmas_dec k then axis_and_height else Some proporcion_no_positiva
                   else Some radio_no_positivo
+  | soy_plano => if Unitario_dec d then None else Some vector_no_unitario
   end.
 Definition add_total (T : Tables) e t c r d h k : Tables * Respuesta :=
   match index T e with
@@ -474,6 +483,9 @@ Definition add_total (T : Tables) e t c r d h k : Tables * Respuesta :=
   end.
 Definition remove_total (T : Tables) e : Tables * Respuesta :=
   match index T e with None => (T, elemento_no_existe) | Some _ => (remove T e, elemento_eliminado) end.
+
+(** What holds of one type holds of one of them. *)
+Ltac one_of H := first [exact H | left; exact H | right; one_of H].
 
 (** The program's total addition on tables is a total addition of the Z text. *)
 Theorem add_total_refines T e t c r d h k : tables_ok T ->
@@ -489,7 +501,7 @@ Proof.
     assert (A : valid (shape_of t c r d h k) -> tables_ok (add T e (shape_of t c r d h k)) /\
       Elemento_Agregado (retrieve T) (retrieve (add T e (shape_of t c r d h k))) e t c r d h k elemento_agregado).
     { intros V. pose proof (add_commutes T e _ ok E V) as [ok' H]. split; [exact ok' |]. split; [| reflexivity].
-      destruct t; eexists; [left | right; left | right; right; left | right; right; right]; exact H. }
+      destruct t; eexists; one_of H. }
     unfold Con_Radio, Con_Vector, Con_Altura, Con_Proporcion, union, single.
     destruct t; cbn in *; repeat match goal with |- context [if ?c then _ else _] => destruct c; cbn end;
       first [destruct A as [ok' A]; [now auto |]; split; [exact ok' | left; exact A] | split; [exact ok |]];
@@ -505,7 +517,7 @@ Theorem remove_total_refines T e : tables_ok T ->
 Proof.
   intros ok. unfold remove_total, Eliminar_Elemento_Total. destruct (index T e) as [[t i] |] eqn:E; cbn.
   - destruct (remove_commutes T e t i ok E) as [ok' H]. split; [exact ok' |]. left. split; [| reflexivity].
-    destruct t; eexists; [left | right; left | right; right; left | right; right; right]; exact H.
+    destruct t; eexists; one_of H.
   - split; [exact ok |]. right. split; [apply Xi_refl, retrieve_ok, ok | | reflexivity].
     rewrite (proj1 (find_correct T e ok)). tauto.
 Qed.

@@ -158,6 +158,25 @@ Proof.
   intros a b g. rewrite of_cono_is_tronco, discriminant_tronco, !sq_combine. fold a b g. ring.
 Qed.
 
+(** Plane: D = B², and B is half of v·d. *)
+Theorem discriminant_plano ray c d : let a1 := dot (Rayo_v ray) d in
+  discriminant (of_plano ray c d) = a1 / 2 * (a1 / 2).
+Proof. unfold discriminant; cbn. ring. Qed.
+
+(** In a plane that the ray is not parallel to, the one root is −C/2B; in one that it is parallel to, there is none, or
+    the whole line lies in it. *)
+Theorem roots_plano ray c d : let a0 := dot (from c (Rayo_p ray)) d in let a1 := dot (Rayo_v ray) d in
+  (a1 <> 0 -> roots (of_plano ray c d) = these [- a0 / a1])
+  /\ (a1 = 0 -> a0 <> 0 -> roots (of_plano ray c d) = these [])
+  /\ (a1 = 0 -> a0 = 0 -> roots (of_plano ray c d) = every).
+Proof.
+  intros a0 a1. unfold roots, of_plano; cbn. fold a0 a1. destruct (Req_EM_T 0 0) as [_ | N]; [| easy].
+  split; [intros H | split; intros H H0]; destruct (Req_EM_T (a1 / 2) 0); try lra.
+  - do 2 f_equal. now field.
+  - now destruct (Req_EM_T a0 0).
+  - now destruct (Req_EM_T a0 0).
+Qed.
+
 (** ** The first hit of one element *)
 
 Inductive First := First_hit (t : R) | First_miss | First_no_minimum.

@@ -6,6 +6,7 @@
      cilindro NAME cx cy cz radio dx dy dz altura
      cono NAME cx cy cz proporcion dx dy dz altura
      tronco NAME cx cy cz radio proporcion dx dy dz altura
+     plano NAME cx cy cz dx dy dz
      ray px py pz vx vy vz [@NAME]...          @NAME: the ray starts on that element
      ray ... = miss
      ray ... = no_minimum NAME,NAME...
@@ -49,7 +50,7 @@ let most_places = Array.fold_left (fun most x -> max most (places x)) 0
 let scaled k x = Z.shift_left x.mantissa (x.exponent + k)
 let vec k xs i : E.vec3 = { vx = scaled k xs.(i); vy = scaled k xs.(i + 1); vz = scaled k xs.(i + 2) }
 
-type kind = Esfera | Cilindro | Cono | Tronco
+type kind = Esfera | Cilindro | Cono | Tronco | Plano
 type element = { name : string; kind : kind; numbers : dyadic array }
 
 let shape k { kind; numbers = n; _ } =
@@ -58,6 +59,7 @@ let shape k { kind; numbers = n; _ } =
   | Cilindro -> E.Cylinder (vec k n 0, scaled k n.(3), vec k n 4, scaled k n.(7))
   | Cono -> E.Cone (vec k n 0, scaled k n.(3), vec k n 4, scaled k n.(7))
   | Tronco -> E.TruncatedCone (vec k n 0, scaled k n.(3), scaled k n.(4), vec k n 5, scaled k n.(8))
+  | Plano -> E.Plane (vec k n 0, vec k n 3)
 
 type scene = { elements : element list; scene_places : int; shapes : (int, (string * E.shape) list) Hashtbl.t }
 
@@ -168,6 +170,7 @@ let step (scene, judged, wrong) number line =
   | "cilindro" :: name :: ([ _; _; _; _; _; _; _; _ ] as words) -> (element scene name Cilindro words, judged, wrong)
   | "cono" :: name :: ([ _; _; _; _; _; _; _; _ ] as words) -> (element scene name Cono words, judged, wrong)
   | "tronco" :: name :: ([ _; _; _; _; _; _; _; _; _ ] as words) -> (element scene name Tronco words, judged, wrong)
+  | "plano" :: name :: ([ _; _; _; _; _; _ ] as words) -> (element scene name Plano words, judged, wrong)
   | "ray" :: px :: py :: pz :: vx :: vy :: vz :: rest ->
       let right = ray scene number [ px; py; pz; vx; vy; vz ] rest in
       (scene, judged + 1, if right then wrong else wrong + 1)

@@ -43,10 +43,8 @@ bool Candidate::starts_between_ends() const { return !is_axial() || (number::sig
 Candidate candidate(const AnsweredQuery& q, scene::ElementRef e, bool on) {
   return q.scene.visit(e, [&]<class Shape>(const Shape& shape) {
     Candidate c{e, surface::exact::coefficients(shape, q.query.rayo, on), shape.centro, size(shape)};
-    if constexpr (surface::Axial<Shape>) {
-      c.vector = shape.vector;
-      c.altura = shape.altura;
-    }
+    if constexpr (requires { shape.vector; }) c.vector = shape.vector;
+    if constexpr (requires { shape.altura; }) c.altura = shape.altura;
     return c;
   });
 }

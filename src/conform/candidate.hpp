@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "conform/framed_shape.hpp"
 #include "conform/members.hpp"
 #include "durero/surface/exact.hpp"
 
@@ -35,6 +36,7 @@ struct Candidate {
   double altura = 0;    ///< the same
 
   bool is_axial() const { return f.altura.has_value(); }
+  bool is_flat() const { return conform::is_flat(e.tipo); }
   Dyadic discriminant() const { return square(f.B) - f.A * f.C; }
   /// The nearest point. Precondition: the query hits this element first.
   Parameter first() const { return reach(f).first(); }

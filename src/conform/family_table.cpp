@@ -140,6 +140,17 @@ constexpr FamilyRow table[] = {
      {0.99, 0.12},
      {r::grid, r::grid},
      {on_grid, coincides}},
+    {{"flat", "a plane, near and far, with other elements", "a floor has no bound", {"log2 of the distance", 0, 30}},
+     {0.5, 0.03},
+     {r::with_plane, r::flat},
+     {hits_flat, coincides}},
+    {{"grazing",
+      "nearly or exactly parallel to a plane, or in it",
+      "no point, one far away, or no minimum",
+      {"−log2 of the angle", 21, 60}},
+     {0.9, 0.15},
+     {r::with_plane, r::grazing},
+     {nearly_parallel, parallel}},
 };
 
 }  // namespace

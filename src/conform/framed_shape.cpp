@@ -25,6 +25,13 @@ glm::dvec3 across_axis(Random& random, const FramedShape& shape, double radius) 
   }
 }
 
+/// A point at most 2·radio from the middle, and two directions in the plane.
+SurfacePoint flat_point(Random& random, const FramedShape& shape) {
+  const glm::dvec3 radial = across_axis(random, shape, shape.radio);
+  const glm::dvec3 position = shape.centro + double(random.integer(-2, 2)) * radial;
+  return {position, shape.d, glm::cross(shape.d, radial), radial};
+}
+
 SurfacePoint sphere_point(Random& random, const FramedShape& shape) {
   const glm::dvec3 radial = shape.lattice ? on_sphere(random, shape.radio) : shape.radio * random.direction();
   for (;;) {
@@ -65,11 +72,14 @@ constexpr bool has_proporcion = scene::has_attribute<Shape, &model::Escena::mi_p
 /// The radius of the far end, as a part of that of the base. Precondition: the type has a proportion.
 double share_of_far_end(const FramedShape& shape) { return has_apex(shape.tipo) ? 0 : shape.radio / shape.radius(); }
 
-/// The types that have an axis, in their order.
-std::vector<Tipo> axial_types() {
+template <class Shape>
+constexpr bool has_vector = scene::has_attribute<Shape, &model::Escena::mi_vector>();
+
+/// The types of which it holds, in their order.
+std::vector<Tipo> types_that(bool (*holds)(Tipo)) {
   std::vector<Tipo> types;
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
-    if (surface::Axial<Shape>) types.push_back(Shape::tipo);
+    if (holds(Shape::tipo)) types.push_back(Shape::tipo);
   });
   return types;
 }
@@ -92,10 +102,8 @@ model::Operation FramedShape::addition(const model::Elemento& e) const {
     shape.centro = centro;
     if constexpr (has_radio<Shape>) shape.radio = radio;
     if constexpr (has_proporcion<Shape>) shape.proporcion = proporcion;
-    if constexpr (surface::Axial<Shape>) {
-      shape.vector = d;
-      shape.altura = altura;
-    }
+    if constexpr (has_vector<Shape>) shape.vector = d;
+    if constexpr (surface::Axial<Shape>) shape.altura = altura;
     return scene::addition(e, shape);
   });
 }
@@ -113,10 +121,23 @@ bool has_apex(Tipo tipo) {
       tipo, []<class Shape>(std::type_identity<Shape>) { return has_proporcion<Shape> && !has_radio<Shape>; });
 }
 
-Tipo any_type(Random& random) { return static_cast<Tipo>(random.below(scene::shape_count)); }
+bool is_flat(Tipo tipo) {
+  return scene::with_shape(
+      tipo, []<class Shape>(std::type_identity<Shape>) { return has_vector<Shape> && !surface::Axial<Shape>; });
+}
+
+Tipo any_type(Random& random) {
+  static const std::vector<Tipo> types = types_that([](Tipo tipo) { return !is_flat(tipo); });
+  return random.any_of(types);
+}
+
+Tipo any_flat_type(Random& random) {
+  static const std::vector<Tipo> types = types_that(is_flat);
+  return random.any_of(types);
+}
 
 Tipo any_axial_type(Random& random) {
-  static const std::vector<Tipo> types = axial_types();
+  static const std::vector<Tipo> types = types_that(is_axial);
   return random.any_of(types);
 }
 
@@ -124,6 +145,10 @@ FramedShape lattice_shape(Random& random, Tipo tipo) {
   FramedShape shape{.tipo = tipo};
   set_lattice_frame(random, shape);
   for (int i = 0; i < 3; ++i) shape.centro[i] = random.integer(-300, 300);
+  if (is_flat(tipo)) {
+    shape.radio = random.any_of(circle_radii);
+    return shape;
+  }
   if (!is_axial(tipo)) {
     shape.radio = random.any_of(sphere_radii);
     return shape;
@@ -171,6 +196,7 @@ FramedShape scaled(FramedShape shape, int k) {
 }
 
 SurfacePoint surface_point_at(Random& random, const FramedShape& shape, double part) {
+  if (is_flat(shape.tipo)) return flat_point(random, shape);
   if (!is_axial(shape.tipo)) return sphere_point(random, shape);
   const glm::dvec3 base = across_axis(random, shape, shape.radius()), around = glm::cross(shape.d, base);
   if (has_constant_radius(shape.tipo))

@@ -13,8 +13,9 @@
 
 namespace durero::conform {
 
-/// A point of a surface. radial: from the axis (or the centre of a sphere) to it; around and along are in the plane
-/// that touches there, and span it but where a sphere drew them parallel; along is the direction of the generator.
+/// A point of a surface. radial: from the axis (or the centre of a sphere) to it, of a plane its normal; around and
+/// along are in the plane that touches there, and span it but where a sphere drew them parallel; along is the direction
+/// of the generator.
 struct SurfacePoint {
   glm::dvec3 position, radial, around, along;
 };
@@ -26,7 +27,7 @@ struct FramedShape {
   model::Tipo tipo{};
   bool lattice = true;
   glm::dvec3 centro{};
-  double radio = 0;
+  double radio = 0;  ///< of a plane: how far from centro its points are drawn
   double proporcion = 0;
   double altura = 0;
   glm::dvec3 e1{}, e2{}, d{};
@@ -42,14 +43,19 @@ struct FramedShape {
   model::Operation addition(const model::Elemento& e) const;
 };
 
-/// Whether shapes of the type have an axis.
+/// Whether shapes of the type have an axis that they lie around.
 bool is_axial(model::Tipo tipo);
 /// Whether shapes of the type have the same radius everywhere.
 bool has_constant_radius(model::Tipo tipo);
 /// Whether shapes of the type narrow to a point.
 bool has_apex(model::Tipo tipo);
 
+/// Whether shapes of the type are part of a plane across d.
+bool is_flat(model::Tipo tipo);
+
+/// Of those that are not flat: any_flat_type draws these.
 model::Tipo any_type(Random& random);
+model::Tipo any_flat_type(Random& random);
 /// Of those with an axis.
 model::Tipo any_axial_type(Random& random);
 

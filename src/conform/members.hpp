@@ -16,6 +16,7 @@ struct AnsweredQuery {
 };
 
 bool hits(const AnsweredQuery& q);
+bool hits_flat(const AnsweredQuery& q);  ///< hits a plane
 /// Any coincidence of the ray with any element: a double root, a linear or a constant quadratic, a coefficient B or C
 /// that is 0, a root exactly at a rim or the apex, a right angle with the axis; or a tie, or no minimum.
 bool coincides(const AnsweredQuery& q);
@@ -40,6 +41,8 @@ bool nearly_generator(const AnsweredQuery& q);  ///< |A| is nearly 0 for some cy
 bool generator(const AnsweredQuery& q);         ///< A = 0 for one
 bool aligned(const AnsweredQuery& q);           ///< hits, a coordinate of v is 0, −0 or subnormal
 bool exactly_aligned(const AnsweredQuery& q);   ///< hits, a coordinate of v is 0 or −0
+bool nearly_parallel(const AnsweredQuery& q);   ///< v·d is nearly 0 for some plane
+bool parallel(const AnsweredQuery& q);          ///< v·d = 0 for one
 bool nearly_in_surface(const AnsweredQuery& q);
 bool in_surface(const AnsweredQuery& q);  ///< no minimum, or the first point begins a segment
 

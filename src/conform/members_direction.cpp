@@ -35,6 +35,17 @@ bool generator(const AnsweredQuery& q) {
   return any_element(q, [](const Candidate& c) { return c.is_axial() && sign(c.f.A) == 0; });
 }
 
+bool nearly_parallel(const AnsweredQuery& q) {
+  return any_element(q, [&](const Candidate& c) {
+    const Dyadic slope = number::shifted(c.f.B, 1);
+    return c.is_flat() && number::shifted(square(slope), 40) <= squared_length(q.query.rayo.v().xyz());
+  });
+}
+
+bool parallel(const AnsweredQuery& q) {
+  return any_element(q, [](const Candidate& c) { return c.is_flat() && sign(c.f.B) == 0; });
+}
+
 bool aligned(const AnsweredQuery& q) {
   const auto none = [](double x) { return std::abs(x) < std::numeric_limits<double>::min(); };
   const glm::dvec3& v = q.query.rayo.v().xyz();

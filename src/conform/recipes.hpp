@@ -16,6 +16,11 @@ FramedShapes some_axial(Random& random, int);
 FramedShapes some_cylinders(Random& random, int);
 FramedShapes some_cones(Random& random, int);
 
+// Of planes (recipes_flat.cpp).
+FramedShapes with_plane(Random& random, int);
+DrawnRay flat(Random& random, int log2_distance, Given shapes);
+DrawnRay grazing(Random& random, int minus_log2_angle, Given shapes);
+
 // Of scale (recipes_scale.cpp).
 FramedShapes as_many(Random& random, int count);
 DrawnRay generic(Random& random, int, Given shapes);

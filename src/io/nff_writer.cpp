@@ -68,6 +68,8 @@ class NffWriter {
 
   void write_shape(const scene::Sphere& s) { out_.text += fmt::format("s {} {}\n", text(s.centro), s.radio); }
 
+  void write_shape(const scene::Plane&) { ++planes_; }
+
   /// A shape along an axis, by the radii of its ends: radio + proporcion·(altura − s) at the advance s, as far as it
   /// has them.
   template <class Shape>
@@ -93,13 +95,14 @@ class NffWriter {
     add_loss(out_.lost, scene_.size(), "name of an element", "names of elements", "left out: NFF has none");
     add_loss(out_.lost, scene_.stage().materials.size(), "name of a material", "names of materials",
              "left out: NFF has none");
+    add_loss(out_.lost, planes_, "plane", "planes", "left out: NFF has none");
     add_loss(out_.lost, rounded_axes_, "axis", "axes", "rounded: NFF holds end points");
     add_loss(out_.lost, rounded_radii_, "proportion", "proportions", "rounded: NFF holds the radii of the ends");
   }
 
   const scene::Scene& scene_;
   Exported out_;
-  std::size_t rounded_axes_ = 0, rounded_radii_ = 0;
+  std::size_t planes_ = 0, rounded_axes_ = 0, rounded_radii_ = 0;
 };
 
 }  // namespace

@@ -26,6 +26,7 @@ Overloaded(Cases...) -> Overloaded<Cases...>;
 struct Parametrisation::Profile {
   glm::dvec3 center, axis;
   std::variant<Arc, Segment> curve;
+  bool is_patch = false;
 };
 
 /// The profile of each shape.
@@ -40,11 +41,16 @@ struct Parametrisation::ProfileOf {
   Profile operator()(const scene::TruncatedCone& e) const {
     return {e.centro, e.vector, Segment{e.radio + e.proporcion * e.altura, e.radio, e.altura}};
   }
+  Profile operator()(const scene::Plane& e) const { return {e.centro, e.vector, Segment{0, patch, 0}, true}; }
+
+  double patch;
 };
 
-Parametrisation::Parametrisation(scene::ShapeView shape) : Parametrisation(shape.visit(ProfileOf())) {}
+Parametrisation::Parametrisation(scene::ShapeView shape, double patch)
+    : Parametrisation(shape.visit(ProfileOf{patch})) {}
 
-Parametrisation::Parametrisation(const Profile& profile) : center_(profile.center), profile_(profile.curve) {
+Parametrisation::Parametrisation(const Profile& profile)
+    : center_(profile.center), profile_(profile.curve), is_patch_(profile.is_patch) {
   std::visit([&](const auto& curve) { measure(curve); }, profile_);
   set_frame(profile.axis);
 }
@@ -94,20 +100,21 @@ SurfacePoint Parametrisation::at(double u, double v) const {
   const Circle here = circle(u);
   const glm::dvec3 outwards = this->outwards(v), point = on(here, v);
   return std::visit(
-      Overloaded{
-          [&](const Arc& arc) {
-            return SurfacePoint{point, (outwards * here.radius + axis_ * here.height) / arc.radius, infinity,
-                                1 / arc.radius};
-          },
-          [&](const Segment& s) {
-            // The slope of the profile: how much of its length is height, and how much is radius.
-            const double rise = s.height / length_, narrowing = (s.first_radius - s.last_radius) / length_;
-            const double edge = std::min(u, 1 - u) * length_;
-            // The generators are straight; around the axis the curvature is rise/radius, most where the circle
-            // is least.
-            const double least = here.radius - std::abs(narrowing) * edge / 2;
-            return SurfacePoint{point, outwards * rise + axis_ * narrowing, edge, least > 0 ? rise / least : infinity};
-          }},
+      Overloaded{[&](const Arc& arc) {
+                   return SurfacePoint{point, (outwards * here.radius + axis_ * here.height) / arc.radius, infinity,
+                                       1 / arc.radius};
+                 },
+                 [&](const Segment& s) {
+                   // The slope of the profile: how much of its length is height, and how much is radius.
+                   const double rise = s.height / length_, narrowing = (s.first_radius - s.last_radius) / length_;
+                   // The middle of a disc is no edge.
+                   const double edge = (rise == 0 && s.first_radius == 0 ? 1 - u : std::min(u, 1 - u)) * length_;
+                   // The generators are straight; around the axis the curvature is rise/radius, most where the circle
+                   // is least; a disc has none.
+                   const double least = here.radius - std::abs(narrowing) * edge / 2;
+                   const double curvature = rise == 0 ? 0 : least > 0 ? rise / least : infinity;
+                   return SurfacePoint{point, outwards * rise + axis_ * narrowing, edge, curvature};
+                 }},
       profile_);
 }
 

@@ -123,6 +123,25 @@ Line checked_line(const model::Rayo& ray) {
   return Line(ray);
 }
 
+/// How much finer than other surfaces a patch is, which is as much larger than what stands on it.
+constexpr double patch_fineness = 8;
+
+/// The radius of the patch of a plane about this point: far enough for every other element of the scene, and their
+/// shadows from most directions.
+double patch_about(const scene::Scene& scene, const glm::dvec3& centro) {
+  double farthest = 0;
+  scene.for_each([&](scene::ElementRef, const auto& shape) {
+    const Parametrisation other = shape;
+    if (!other.is_patch()) farthest = std::max(farthest, glm::length(other.on_axis(0) - centro) + other.size());
+  });
+  return farthest == 0 ? Parametrisation::default_patch : std::min(patch_fineness * farthest, greatest_length);
+}
+
+/// Whether the point is one of a plane beyond its patch, which has no samples.
+bool beyond_patch(const Parametrisation& surface, const glm::dvec3& point, double slack) {
+  return surface.is_patch() && glm::length(point - surface.on_axis(0)) + slack > surface.widest();
+}
+
 bool names(const scene::Hit& claim, scene::ElementRef element) {
   return std::find(claim.elementos.begin(), claim.elementos.end(), element) != claim.elementos.end();
 }
@@ -138,9 +157,9 @@ std::string_view name(Verdict verdict) noexcept {
 Oracle::Oracle(const scene::Scene& scene, double fineness) {
   elements_.reserve(scene.size());
   scene.for_each([&](scene::ElementRef e, const auto& shape) {
-    const Parametrisation surface = shape;
+    const Parametrisation surface(scene::ShapeView(shape), patch_about(scene, shape.centro));
     require_range(surface, scene.name(e));
-    elements_.push_back({e, surface, cover(surface, fineness)});
+    elements_.push_back({e, surface, cover(surface, surface.is_patch() ? fineness / patch_fineness : fineness)});
   });
 }
 
@@ -172,7 +191,8 @@ Verdict Oracle::judge(const model::Rayo& ray, const scene::Hit& claimed) const {
   for (const Element& element : elements_) {
     const Cover& cover = element.cover;
     const double slack = rounding(cover, line);
-    if (names(claimed, element.ref) && !near_sample(cover, point, slack)) return Verdict::incomplete;
+    const bool is_covered = !beyond_patch(element.surface, point, slack);
+    if (names(claimed, element.ref) && is_covered && !near_sample(cover, point, slack)) return Verdict::incomplete;
     const auto candidate = nearest(cover, line);
     if (!candidate || claim <= candidate->distance + 8 * cover.delta + slack) continue;
     const Verdict reason = crossing(element.surface, line, claim, cover.delta / 1024, slack);

@@ -29,10 +29,14 @@ Reach reach_of_line(const Coefficients& f) {
   return {.segment = Segment{std::move(begin), std::move(end)}};
 }
 
+/// A potencia along a ray, as a quadratic: that of a plane is linear, and its A is 0.
+Quadratic<Dyadic> quadratic(Quadratic<Dyadic> power) { return power; }
+Quadratic<Dyadic> quadratic(const Linear<Dyadic>& power) { return {0, shifted(power.slope, -1), power.at_zero}; }
+
 template <class Shape>
 Coefficients coefficients_of(const Shape& shape, const model::Rayo& rayo) {
   const auto w = along<Dyadic>(rayo);
-  auto [A, B, C] = potencia(shape, w);
+  auto [A, B, C] = quadratic(potencia(shape, w));
   if constexpr (Axial<Shape>) {
     const auto s = avance(shape, w);
     return {std::move(A), std::move(B), std::move(C), s.at_zero, s.slope, shape.altura};

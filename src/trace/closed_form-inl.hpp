@@ -165,11 +165,31 @@ HWY_INLINE Found<T> first_from_surface(const Quadratic<T>& f, double limit) {
   return {where.outside ? Verdict::miss : Verdict::undecided};
 }
 
+/// Where A is 0 the quadratic is 2B·t + C, and its slope there B. Precondition: |B| > 2·B_error.
+template <class T>
+HWY_INLINE Root<T> root_of_linear(const Quadratic<T>& f) {
+  return quotient(T(-f.C), f.C_error, T(f.B + f.B), 2 * f.B_error);
+}
+
+/// A is 0. Where B may be 0 as well the ray may lie in the surface, which this T cannot tell; where it starts on the
+/// element C is 0, and so is the only root.
+template <class T>
+HWY_INLINE Found<T> first_of_linear(const Quadratic<T>& f, bool on, double limit) {
+  if (!(magnitude(f.B) > 2 * f.B_error)) return {Verdict::undecided};
+  if (on) return {Verdict::miss};
+  const Root<T> root = root_of_linear(f);
+  if (beyond(root, limit)) return {Verdict::miss};
+  const Place<T> where = place(f, root);
+  if (where.inside) return found_at(f, root, f.B, f.B_error);
+  return {where.outside ? Verdict::miss : Verdict::undecided};
+}
+
 /// The first point of the ray on the element, or none (none up to the limit), or that this T cannot tell.
 /// on: the ray starts on the element. Precondition: element and ray are ordinary.
 template <class T, class Element>
 HWY_INLINE Found<T> closed_form(const Element& element, const Ray& ray, bool on, double limit) {
   const Quadratic<T> f = quadratic<T>(element, ray);
+  if constexpr (is_linear(Element::tipo)) return first_of_linear(f, on, limit);
   if (on) return first_from_surface(f, limit);
   if (leading(f.F) < -f.B_error) return {Verdict::miss};
   if (!(leading(f.F) > f.B_error)) return {Verdict::undecided};
@@ -216,6 +236,15 @@ HWY_INLINE LanesFound first_in_lanes(const Quadratic<Lanes>& f) {
           {choose(far_one, far.t, near.t), choose(far_one, far.error, near.error)},
           choose(A_root_first == far_one, S, -S),
           root_of_D.error};
+}
+
+/// The same where A is 0.
+HWY_INLINE LanesFound first_of_linear_in_lanes(const Quadratic<Lanes>& f) {
+  const LaneMask known = abs(f.B) > 2 * f.B_error;
+  const Root<Lanes> root = root_of_linear(f);
+  const Place<Lanes> at = place(f, root);
+  const LaneMask hit = known & at.inside, miss = known & at.outside;
+  return {hit, !(hit | miss), root, f.B, f.B_error};
 }
 
 }  // namespace HWY_NAMESPACE

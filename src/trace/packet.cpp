@@ -16,7 +16,7 @@ HWY_INLINE void triage_of(const Packet& packet, Findings& findings) {
   findings.hit = findings.undecided = 0;
   for (std::size_t at = 0; at < Packet::size; at += lanes()) {
     const Quadratic<Lanes> f = quadratic<Lanes>(element<tipo>(packet, at), rays(packet, at));
-    const LanesFound found = first_in_lanes(f);
+    const LanesFound found = is_linear(tipo) ? first_of_linear_in_lanes(f) : first_in_lanes(f);
     found.root.t.store(&findings.t[at]);
     found.root.error.store(&findings.error[at]);
     found.slope.store(&findings.at_root[at]);

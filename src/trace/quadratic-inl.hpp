@@ -77,6 +77,9 @@ HWY_INLINE void set_factors(Quadratic<T>& f, const T& of_surface, const T& of_li
 template <model::Tipo tipo>
 using Of = std::integral_constant<model::Tipo, tipo>;
 
+/// Whether the potencia of the shape is linear, so that its A is 0.
+constexpr bool is_linear(model::Tipo tipo) { return tipo == model::Tipo::soy_plano; }
+
 /// Rays and elements of one type in lanes, with the letters of the shapes of scene. What the type has not is 0.
 struct LaneRay {
   Vec<Lanes> p, v;

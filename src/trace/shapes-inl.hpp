@@ -9,6 +9,7 @@
 
 #include "trace/shape/cone-inl.hpp"
 #include "trace/shape/cylinder-inl.hpp"
+#include "trace/shape/plane-inl.hpp"
 #include "trace/shape/sphere-inl.hpp"
 #include "trace/shape/truncated_cone-inl.hpp"
 

@@ -3,8 +3,10 @@
 // type, radius 0.25·n^(−1/3)·U(0.5, 1), length 0.25·n^(−1/3)·U(1.5, 3).
 #include <benchmark/benchmark.h>
 
+#include <array>
 #include <cmath>
 #include <ctime>
+#include <string>
 #include <vector>
 
 #include "durero/surface/exact.hpp"
@@ -136,6 +138,69 @@ void ratio(benchmark::State& state) {
   state.counters["certified many, ns"] = 1e9 * certified_many / traced;
 }
 
+/// What an element of each shape is made of.
+struct Parts {
+  glm::dvec3 centro;
+  double radio;
+  glm::dvec3 axis;
+  double altura;
+};
+scene::Sphere made(std::type_identity<scene::Sphere>, const Parts& e) { return {e.centro, e.radio}; }
+scene::Cylinder made(std::type_identity<scene::Cylinder>, const Parts& e) {
+  return {e.centro, e.radio, e.axis, e.altura};
+}
+scene::Cone made(std::type_identity<scene::Cone>, const Parts& e) {
+  return {e.centro, e.radio / e.altura, e.axis, e.altura};
+}
+scene::TruncatedCone made(std::type_identity<scene::TruncatedCone>, const Parts& e) {
+  return {e.centro, e.radio / 2, e.radio / 2 / e.altura, e.axis, e.altura};
+}
+scene::Plane made(std::type_identity<scene::Plane>, const Parts& e) { return {e.centro, e.axis}; }
+
+template <class Shape>
+scene::Scene scene_of(std::type_identity<Shape> shape, std::size_t n) {
+  test::Random random(1);
+  scene::Scene scene;
+  for (std::size_t i = 0; i < n; ++i) {
+    const glm::dvec3 centro = random.in_cube(0.5) + 0.5;
+    const double radio = random.uniform(0.1, 0.2), altura = random.uniform(0.3, 0.6);
+    test::add(scene, made(shape, {centro, radio, random.axis().xyz(), altura}));
+  }
+  return scene;
+}
+
+/// Each shape in a scene of its own, of elements at the same places, on one core and in one run: the rates of certified
+/// rays, in lanes, and of exact ones, in parts of those of spheres. An element of another shape is hit by other rays,
+/// and a plane by half of all, so these are the rates of scenes rather than of tests.
+void by_shape(benchmark::State& state) {
+  const std::vector<model::Rayo> rays = primary_rays(4096);
+  const std::vector<scene::Query> queries = queries_of(rays);
+  struct Times {
+    double certified = 0, exact = 0;
+  };
+  std::array<Times, scene::shape_count> times{};
+  for (auto _ : state) {
+    scene::for_each_shape([&]<class Shape>(std::type_identity<Shape> shape) {
+      const scene::Scene scene = scene_of(shape, elements(state));
+      const trace::Tables tables(scene);
+      Times& of = times[scene::place_of<Shape>];
+      of.certified += seconds(
+          [&] { benchmark::DoNotOptimize(test::on_threads(1, [&] { return trace::first_hits(tables, queries); })); });
+      of.exact += seconds([&] {
+        for (const model::Rayo& ray : rays) benchmark::DoNotOptimize(surface::exact::first_hit(scene, ray));
+      });
+    });
+  }
+  const double traced = static_cast<double>(state.iterations()) * static_cast<double>(rays.size());
+  scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
+    const Times &of = times[scene::place_of<Shape>], &spheres = times[scene::place_of<scene::Sphere>];
+    const std::string word(Shape::word);
+    state.counters[word + " certified"] = spheres.certified / of.certified;
+    state.counters[word + " exact"] = spheres.exact / of.exact;
+    state.counters[word + " exact rays/s"] = traced / of.exact;
+  });
+}
+
 /// Which step decided, on rays that are all different: the shares of all decisions of each kind.
 void steps(benchmark::State& state) {
   const scene::Scene scene = mixed_scene(elements(state));
@@ -164,6 +229,7 @@ BENCHMARK(certified)->Arg(3)->Arg(30)->Arg(300)->Arg(3000);
 BENCHMARK(certified_without_tables)->Arg(3)->Arg(300);
 BENCHMARK(plain)->Arg(3)->Arg(30)->Arg(300)->Arg(3000);
 BENCHMARK(ratio)->Arg(3)->Arg(30)->Arg(300)->Arg(3000);
+BENCHMARK(by_shape)->Arg(3)->Arg(30);
 BENCHMARK(exact)->Arg(3)->Arg(30)->Arg(300);
 BENCHMARK(steps)->Arg(30)->Iterations(4000000);
 BENCHMARK_MAIN();

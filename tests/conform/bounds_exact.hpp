@@ -54,6 +54,9 @@ inline Distances distances(const scene::TruncatedCone& e, const Exact_Vector& p,
   return {length((Dyadic(e.radio) + k * (Dyadic(e.altura) - s0)) * a + (k * s1) * b), length(cross(b, a))};
 }
 
+/// The line of a plane's quadratic has none.
+inline Distances distances(const scene::Plane&, const Exact_Vector&, const Exact_Vector&) { return {}; }
+
 /// The coefficients are those of the exact step; S = √D, or 0 where D is negative.
 struct Exact : surface::exact::Coefficients {
   Dyadic F, H, D, S;

@@ -56,6 +56,11 @@ class Measurement {
     note(step, "C", ratio(exact(f.C) - exact_.C, f.C_error));
     note(step, "F", ratio(exact(f.F) - exact_.F, f.B_error));
     note(step, "H", ratio(exact(f.H) - exact_.H, f.B_error));
+    if constexpr (steps::is_linear(Shape::tipo)) {
+      if (steps::magnitude(f.B) > 2 * f.B_error)
+        parameter(step, f, steps::root_of_linear(f), {-exact_.C, shifted(exact_.B, 1)});
+      return;
+    }
     const bool A_known = steps::magnitude(f.A) > 2 * f.A_error;
     if (on_) {
       if (A_known) {
@@ -102,7 +107,7 @@ class Measurement {
   /// A·t + B at the first root, which is S or −S; B less for a ray that starts on the element.
   void slope(std::string_view step, const trace::Slope& computed) {
     const bool falls = number::sign(number::linear(exact_.B, exact_.A, reach_.first())) < 0;
-    const Dyadic at_root = on_ ? -exact_.B : falls ? -exact_.S : exact_.S;
+    const Dyadic at_root = steps::is_linear(tipo) ? exact_.B : on_ ? -exact_.B : falls ? -exact_.S : exact_.S;
     note(step, "slope", ratio(Dyadic(computed.at_root) - at_root, computed.at_root_error));
     note(step, "A of the slope", ratio(Dyadic(computed.A) - exact_.A, computed.A_error));
   }

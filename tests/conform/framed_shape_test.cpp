@@ -74,7 +74,7 @@ TEST_CASE("a tangent touches to first order: the power does not change its sign 
     const glm::dvec3 u = tangent_vector(random, at);
     const double before = place(shape, at.position - u).potencia, after = place(shape, at.position + u).potencia;
     CHECK(before == after);  // A·t², the same at t = −1 and 1
-    CHECK(after != 0);
+    CHECK((after != 0) == !is_flat(shape.tipo));
   });
 }
 
@@ -100,6 +100,10 @@ TEST_CASE("any type is drawn, and any that has an axis") {
   CHECK(types == std::set{Tipo::soy_esfera, Tipo::soy_cilindro, Tipo::soy_cono, Tipo::soy_tronco});
   CHECK(axial == std::set{Tipo::soy_cilindro, Tipo::soy_cono, Tipo::soy_tronco});
   CHECK_FALSE(is_axial(Tipo::soy_esfera));
+  CHECK_FALSE(is_axial(Tipo::soy_plano));
+  CHECK(is_flat(Tipo::soy_plano));
+  CHECK_FALSE(is_flat(Tipo::soy_cilindro));
+  CHECK(any_flat_type(random) == Tipo::soy_plano);
 }
 
 TEST_CASE("a scaled shape is the same one at another scale") {

@@ -52,6 +52,8 @@ scene::Scene changed(const scene::Scene& of, const Change& by) {
     add(made, scene::Cylinder{by.point(c.centro), by.length(c.radio), by.axis(c.vector), by.length(c.altura)});
   for (const scene::Cone& c : of.shapes<scene::Cone>())
     add(made, scene::Cone{by.point(c.centro), c.proporcion, by.axis(c.vector), by.length(c.altura)});
+  for (const scene::Plane& c : of.shapes<scene::Plane>())
+    add(made, scene::Plane{by.point(c.centro), by.axis(c.vector)});
   for (const scene::TruncatedCone& c : of.shapes<scene::TruncatedCone>())
     add(made, scene::TruncatedCone{by.point(c.centro), by.length(c.radio), c.proporcion, by.axis(c.vector),
                                    by.length(c.altura)});

@@ -32,7 +32,9 @@ struct Surface {
   Rational avance(const RationalPoint& w) const {
     return (w.x - centro.x) * vector.x + (w.y - centro.y) * vector.y + (w.z - centro.z) * vector.z;
   }
+  bool is_bounded() const { return e.tipo != model::Tipo::soy_esfera && e.tipo != model::Tipo::soy_plano; }
   Rational potencia(const RationalPoint& w) const {
+    if (e.tipo == model::Tipo::soy_plano) return avance(w);
     const Rational s = e.tipo == model::Tipo::soy_esfera ? Rational(0) : avance(w);
     const Rational x = w.x - centro.x - s * vector.x, y = w.y - centro.y - s * vector.y,
                    z = w.z - centro.z - s * vector.z;
@@ -67,6 +69,10 @@ inline std::vector<Surface> surfaces(const scene::Scene& scene) {
     all.push_back({e(Tipo::soy_tronco, i), Surface::exact(c.centro), Surface::exact(c.vector), exact(c.radio),
                    exact(c.proporcion), exact(c.altura)});
   }
+  for (std::size_t i = 0; i < scene.shapes<scene::Plane>().size(); ++i) {
+    const scene::Plane& c = scene.shapes<scene::Plane>()[i];
+    all.push_back({e(Tipo::soy_plano, i), Surface::exact(c.centro), Surface::exact(c.vector), 0, 0, 0});
+  }
   return all;
 }
 
@@ -83,7 +89,7 @@ inline RationalPoint at(const model::Rayo& ray, const Rational& t) {
 
 /// 0 ≤ avance ≤ altura at t.
 inline bool in_tramo(const Surface& surface, const model::Rayo& ray, const Surd& t) {
-  if (surface.e.tipo == model::Tipo::soy_esfera) return true;
+  if (!surface.is_bounded()) return true;
   const Rational s0 = surface.avance(at(ray, 0)), s1 = surface.avance(at(ray, 1)) - s0;
   const Surd s = Surd(s0) + Surd(s1) * t;
   return number::sign(s) >= 0 && s <= Surd(surface.altura);
@@ -91,6 +97,7 @@ inline bool in_tramo(const Surface& surface, const model::Rayo& ray, const Surd&
 
 /// The ray inside the surface: the values of t where it passes the ends of the stretch, the lesser being the first.
 inline ReferenceReach reach_along(const Surface& surface, const model::Rayo& ray) {
+  if (!surface.is_bounded()) return {{}, true};
   const Rational s0 = surface.avance(at(ray, 0)), s1 = surface.avance(at(ray, 1)) - s0;
   if (s1 == 0) return {{}, s0 >= 0 && s0 <= surface.altura};
   const Rational to_base = -s0 / s1, to_top = (surface.altura - s0) / s1;

@@ -122,8 +122,9 @@ TEST_CASE("A malformed operation is an error with its place") {
   const Case cases[] = {
       {"\n ^Agregar e?=a",
        "unknown operation \"Agregar\"; expected one of Agregar_Esfera, Agregar_Cilindro, Agregar_Cono, "
-       "Agregar_Tronco, Agregar_Elemento, Eliminar_Esfera, Eliminar_Cilindro, Eliminar_Cono, Eliminar_Tronco, "
-       "Eliminar_Elemento"},
+       "Agregar_Tronco, Agregar_Plano, Agregar_Elemento, Eliminar_Esfera, Eliminar_Cilindro, Eliminar_Cono, "
+       "Eliminar_Tronco, "
+       "Eliminar_Plano, Eliminar_Elemento"},
       {"^Agregar_Esfera e?=a radio?=1", "Agregar_Esfera lacks centro?; expected it"},
       {"Eliminar_Esfera e?=a ^radio?=1", "unknown input \"radio\" of Eliminar_Esfera; expected one of e"},
       {"Agregar_Esfera e?=a ^t?=soy_esfera centro?=(0,0,0) radio?=1",
@@ -149,7 +150,7 @@ TEST_CASE("A malformed operation is an error with its place") {
       {"^Agregar_Elemento e?=a t?=soy_cono centro?=(0,0,0) radio?=1",
        "Agregar_Elemento lacks proporcion?; expected it"},
       {"Agregar_Elemento e?=a t?=^cono centro?=(0,0,0) radio?=1",
-       "t? is \"cono\"; expected one of soy_esfera, soy_cilindro, soy_cono, soy_tronco"},
+       "t? is \"cono\"; expected one of soy_esfera, soy_cilindro, soy_cono, soy_tronco, soy_plano"},
       {"^{\"e\":\"a\"}", "key \"op\" is missing; expected the name of an operation"},
       {"{\"op\":^3}", "op is a number; expected a string"},
       {"{\"op\":\"Eliminar_Esfera\",^\"op\":\"Eliminar_Esfera\"}", "key \"op\" stands twice; expected it once"},

@@ -29,12 +29,14 @@ inline glm::dvec3 any_axis() {
 
 inline model::Operation any_addition(model::Elemento e) {
   const model::Punto centro{any_triple()};
-  switch (*rc::gen::inRange(0, 4)) {
+  switch (*rc::gen::inRange(0, 5)) {
     case 0:
       return model::Agregar_Esfera{std::move(e), centro, any_positive()};
     case 1:
       return model::Agregar_Cilindro{std::move(e), centro, any_positive(), model::Vector{any_axis()}, any_positive()};
     case 2:
+      return model::Agregar_Plano{std::move(e), centro, model::Vector{any_axis()}};
+    case 3:
       return model::Agregar_Cono{std::move(e), centro, any_positive(), model::Vector{any_axis()}, any_positive()};
     default: {
       const double radio = any_positive(), proporcion = any_positive();

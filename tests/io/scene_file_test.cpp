@@ -138,7 +138,7 @@ TEST_CASE("Errors of an element stand at its value or key") {
       {R"({"id":^"","tipo":"esfera","centro":[0,0,0],"radio":1})",
        "id is \"\"; expected 1 to 128 of A-Z a-z 0-9 _ . : -"},
       {R"({"id":"a","tipo":^"cubo","centro":[0,0,0],"radio":1})",
-       "tipo is \"cubo\"; expected one of esfera, cilindro, cono, tronco"},
+       "tipo is \"cubo\"; expected one of esfera, cilindro, cono, tronco, plano"},
       {R"({"id":"a","tipo":"esfera","centro":^[0,0],"radio":1})", "centro has 2 items; expected three numbers"},
       {R"({"id":"a","tipo":"esfera","centro":[0,0,0,^0],"radio":1})",
        "centro has a fourth item; expected three numbers"},

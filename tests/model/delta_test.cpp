@@ -37,11 +37,8 @@ TEST_CASE("elementos' = elementos ∪ { e? }") {
   CHECK(after(esfera, nothing, added) == holds);
   CHECK(after(nuevo, nothing, added) == fails);
   CHECK(after(
-            nuevo,
-            [](Escena& s) {
-              s.elementos = {cilindro, cono, tronco, nuevo, Elemento("other")};
-            },
-            added) == seen_by_the_whole);
+            nuevo, [](Escena& s) { s.elementos = {cilindro, cono, tronco, plano, nuevo, Elemento("other")}; }, added) ==
+        seen_by_the_whole);
 }
 
 TEST_CASE("elementos' = elementos ∖ { e? }") {
@@ -53,7 +50,7 @@ TEST_CASE("elementos' = elementos ∖ { e? }") {
   CHECK(after(
             esfera,
             [](Escena& s) {
-              s.elementos = {cilindro, tronco, nuevo};
+              s.elementos = {cilindro, tronco, plano, nuevo};
             },
             removed) == seen_by_the_whole);
 }

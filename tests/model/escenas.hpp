@@ -6,7 +6,8 @@
 
 namespace durero::test {
 
-inline const model::Elemento esfera("esfera"), cilindro("cilindro"), cono("cono"), tronco("tronco"), nuevo("nuevo");
+inline const model::Elemento esfera("esfera"), cilindro("cilindro"), cono("cono"), tronco("tronco"), plano("plano"),
+    nuevo("nuevo");
 inline const model::Punto origin(0, 0, 0), far(3, 4, 12);
 inline const model::Vector axis(0, 0, 1), not_unit(0, 1, 1);
 
@@ -15,12 +16,15 @@ inline const model::Agregar_Cilindro agregar_cilindro{nuevo, far, 2, axis, 5};
 inline const model::Agregar_Cono agregar_cono{nuevo, far, 2, axis, 5};
 inline const model::Agregar_Tronco agregar_tronco{nuevo, far, 3, 2, axis, 5};
 
+inline const model::Agregar_Plano agregar_plano{nuevo, far, axis};
+
 inline model::Escena one_of_each() {
   model::Escena escena = model::Init();
   model::apply(escena, model::Agregar_Esfera{esfera, origin, 1});
   model::apply(escena, model::Agregar_Cilindro{cilindro, origin, 1, axis, 3});
   model::apply(escena, model::Agregar_Cono{cono, origin, 0.5, axis, 3});
   model::apply(escena, model::Agregar_Tronco{tronco, origin, 1, 0.5, axis, 3});
+  model::apply(escena, model::Agregar_Plano{plano, origin, axis});
   return escena;
 }
 

@@ -103,6 +103,7 @@ TEST_CASE("potencia.def.1: the choice by type") {
   CHECK(potencia(s, cilindro, w) == potencia_cilindro(w, origin, Rmas(1), axis));
   CHECK(potencia(s, cono, w) == potencia_cono(w, origin, Rmas(0.5), axis, Rmas(3)));
   CHECK(potencia(s, tronco, w) == potencia_tronco(w, origin, Rmas(1), Rmas(0.5), axis, Rmas(3)));
+  CHECK(potencia(s, plano, w) == potencia_plano(w, origin, axis));
   CHECK_THROWS_AS(potencia(s, nuevo, w), std::out_of_range);
 }
 

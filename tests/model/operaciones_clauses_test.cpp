@@ -63,6 +63,7 @@ TEST_CASE("an addition says what its schema and the one it includes say, in thei
   follows(agregar_cilindro, {"Agregar_Elemento", "Agregar_Cilindro"});
   follows(agregar_cono, {"Agregar_Elemento", "Agregar_Cono"});
   follows(agregar_tronco, {"Agregar_Elemento", "Agregar_Tronco"});
+  follows(agregar_plano, {"Agregar_Elemento", "Agregar_Plano"});
   follows(Agregar_Elemento{nuevo, Tipo::soy_esfera, far, 2},
           {"Agregar_Elemento", "Agregar_Esfera", "Elemento_Agregado"});
   follows(Agregar_Elemento{nuevo, Tipo::soy_cono, far, {}, axis, 5, 2},
@@ -74,6 +75,7 @@ TEST_CASE("a removal says what its schema and the one it includes say, in their 
   follows(Eliminar_Cilindro{cilindro}, {"Eliminar_Elemento", "Eliminar_Cilindro"});
   follows(Eliminar_Cono{cono}, {"Eliminar_Elemento", "Eliminar_Cono"});
   follows(Eliminar_Tronco{tronco}, {"Eliminar_Elemento", "Eliminar_Tronco"});
+  follows(Eliminar_Plano{plano}, {"Eliminar_Elemento", "Eliminar_Plano"});
 }
 
 TEST_CASE("the general removal says what the removal of the type says; that the type is its own holds by choice") {
@@ -100,4 +102,5 @@ TEST_CASE("an error says what its schema says, in its order") {
   follows_text(No_Es_Cilindro{cono}, "No_Es_Cilindro");
   follows_text(No_Es_Cono{esfera}, "No_Es_Cono");
   follows_text(No_Es_Tronco{esfera}, "No_Es_Tronco");
+  follows_text(No_Es_Plano{esfera}, "No_Es_Plano");
 }

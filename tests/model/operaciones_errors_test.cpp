@@ -70,6 +70,9 @@ TEST_CASE("the type that is wrong") {
   CHECK(out_of_place(No_Es_Tronco{nuevo}) == "No_Es_Tronco.pre.1");
   CHECK(out_of_place(No_Es_Tronco{tronco}) == "No_Es_Tronco.pre.2");
   CHECK(wrong_answer(No_Es_Tronco{cono}) == "No_Es_Tronco.post.1");
+  CHECK(out_of_place(No_Es_Plano{nuevo}) == "No_Es_Plano.pre.1");
+  CHECK(out_of_place(No_Es_Plano{plano}) == "No_Es_Plano.pre.2");
+  CHECK(wrong_answer(No_Es_Plano{cono}) == "No_Es_Plano.post.1");
 }
 
 TEST_CASE("the types at which the general addition looks") {
@@ -80,6 +83,8 @@ TEST_CASE("the types at which the general addition looks") {
   CHECK(seen(given<&Escena::mi_proporcion>(Tipo::soy_cilindro)) == "Con_Proporcion.pre.1");
   CHECK(all_hold(given<&Escena::mi_radio>(Tipo::soy_esfera)));
   CHECK(all_hold(given<&Escena::mi_radio>(Tipo::soy_tronco)));
+  CHECK(all_hold(given<&Escena::mi_vector>(Tipo::soy_plano)));
+  CHECK_FALSE(all_hold(given<&Escena::mi_altura>(Tipo::soy_plano)));
   CHECK(all_hold(given<&Escena::mi_proporcion>(Tipo::soy_tronco)));
   CHECK(all_hold(given<&Escena::mi_vector>(Tipo::soy_cono)));
   CHECK(all_hold(given<&Escena::mi_altura>(Tipo::soy_cilindro)));
@@ -97,11 +102,13 @@ TEST_CASE("a total operation that can be done is done") {
   CHECK(answer(agregar_cilindro) == Pair{"cilindro_agregado", "none"});
   CHECK(answer(agregar_cono) == Pair{"cono_agregado", "none"});
   CHECK(answer(agregar_tronco) == Pair{"tronco_agregado", "none"});
+  CHECK(answer(agregar_plano) == Pair{"plano_agregado", "none"});
   CHECK(answer(Agregar_Elemento{nuevo, Tipo::soy_esfera, far, 2}) == Pair{"elemento_agregado", "none"});
   CHECK(answer(Eliminar_Esfera{esfera}) == Pair{"esfera_eliminada", "none"});
   CHECK(answer(Eliminar_Cilindro{cilindro}) == Pair{"cilindro_eliminado", "none"});
   CHECK(answer(Eliminar_Cono{cono}) == Pair{"cono_eliminado", "none"});
   CHECK(answer(Eliminar_Tronco{tronco}) == Pair{"tronco_eliminado", "none"});
+  CHECK(answer(Eliminar_Plano{plano}) == Pair{"plano_eliminado", "none"});
   CHECK(answer(Eliminar_Elemento{cono}) == Pair{"elemento_eliminado", "none"});
 }
 
@@ -129,11 +136,14 @@ TEST_CASE("a total operation answers the first error in the order of the text") 
   CHECK(answer(Agregar_Tronco{nuevo, far, 3, 2, not_unit, 0}) == Pair{"vector_no_unitario", "Agregar_Tronco.pre.4"});
   CHECK(answer(Agregar_Tronco{nuevo, far, 3, 2, axis, 0}) == Pair{"altura_no_positiva", "Agregar_Tronco.pre.5"});
 
+  CHECK(answer(Agregar_Plano{nuevo, far, not_unit}) == Pair{"vector_no_unitario", "Agregar_Plano.pre.2"});
+
   CHECK(answer(Eliminar_Esfera{nuevo}) == Pair{"elemento_no_existe", "Eliminar_Elemento.pre.1"});
   CHECK(answer(Eliminar_Esfera{cono}) == Pair{"tipo_incorrecto", "Eliminar_Esfera.pre.1"});
   CHECK(answer(Eliminar_Cilindro{esfera}) == Pair{"tipo_incorrecto", "Eliminar_Cilindro.pre.1"});
   CHECK(answer(Eliminar_Cono{esfera}) == Pair{"tipo_incorrecto", "Eliminar_Cono.pre.1"});
   CHECK(answer(Eliminar_Tronco{cono}) == Pair{"tipo_incorrecto", "Eliminar_Tronco.pre.1"});
+  CHECK(answer(Eliminar_Plano{cono}) == Pair{"tipo_incorrecto", "Eliminar_Plano.pre.1"});
   CHECK(answer(Eliminar_Elemento{nuevo}) == Pair{"elemento_no_existe", "Eliminar_Elemento.pre.1"});
 }
 
@@ -151,6 +161,8 @@ TEST_CASE("the general addition looks only at the attributes of its type") {
   CHECK(add(Tipo::soy_cono, 0, not_unit, 0, 0) == Pair{"proporcion_no_positiva", "Agregar_Cono.pre.2"});
   CHECK(add(Tipo::soy_cono, 0, not_unit, 0, 2) == Pair{"vector_no_unitario", "Agregar_Cono.pre.3"});
   CHECK(add(Tipo::soy_cono, 0, axis, 0, 2) == Pair{"altura_no_positiva", "Agregar_Cono.pre.4"});
+  CHECK(add(Tipo::soy_plano, 0, axis, 0, 0) == Pair{"elemento_agregado", "none"});
+  CHECK(add(Tipo::soy_plano, 0, not_unit, 0, 0) == Pair{"vector_no_unitario", "Agregar_Plano.pre.2"});
   CHECK(add(Tipo::soy_tronco, 3, axis, 5, 2) == Pair{"elemento_agregado", "none"});
   CHECK(add(Tipo::soy_tronco, 0, axis, 5, 2) == Pair{"radio_no_positivo", "Agregar_Tronco.pre.2"});
   CHECK(add(Tipo::soy_tronco, 3, axis, 5, 0) == Pair{"proporcion_no_positiva", "Agregar_Tronco.pre.3"});

@@ -115,10 +115,21 @@ TEST_CASE("Agregar_Tronco") {
   CHECK(wrong_answer(agregar_tronco) == "Agregar_Tronco.post.6");
 }
 
+TEST_CASE("Agregar_Plano") {
+  CHECK(refused(Agregar_Plano{nuevo, far, axis, Tipo::soy_cono}) == "Agregar_Plano.pre.1");
+  CHECK(refused(Agregar_Plano{nuevo, far, not_unit}) == "Agregar_Plano.pre.2");
+  CHECK(SPOILED(agregar_plano, after.mi_centro.at(nuevo) = origin) == "Agregar_Plano.post.1");
+  CHECK(SPOILED(agregar_plano, after.mi_radio.emplace(nuevo, 1)) == "Agregar_Plano.post.2");
+  CHECK(SPOILED(agregar_plano, after.mi_vector.at(nuevo) = Vector(1, 0, 0)) == "Agregar_Plano.post.3");
+  CHECK(SPOILED(agregar_plano, after.mi_altura.emplace(nuevo, 1)) == "Agregar_Plano.post.4");
+  CHECK(SPOILED(agregar_plano, after.mi_proporcion.emplace(nuevo, 1)) == "Agregar_Plano.post.5");
+  CHECK(wrong_answer(agregar_plano) == "Agregar_Plano.post.6");
+}
+
 TEST_CASE("Eliminar_Elemento, the part of every removal") {
   for (const Operation& unknown :
        std::vector<Operation>{Eliminar_Esfera{nuevo}, Eliminar_Cilindro{nuevo}, Eliminar_Cono{nuevo},
-                              Eliminar_Tronco{nuevo}, Eliminar_Elemento{nuevo}})
+                              Eliminar_Tronco{nuevo}, Eliminar_Plano{nuevo}, Eliminar_Elemento{nuevo}})
     CHECK(refused(unknown) == "Eliminar_Elemento.pre.1");
   CHECK(SPOILED(Eliminar_Esfera{esfera}, after.elementos.insert(esfera)) == "Eliminar_Elemento.post.1");
   CHECK(SPOILED(Eliminar_Cono{cono}, after.elementos.insert(cono)) == "Eliminar_Elemento.post.1");
@@ -170,12 +181,25 @@ TEST_CASE("Eliminar_Tronco") {
   CHECK(wrong_answer(in) == "Eliminar_Tronco.post.6");
 }
 
+TEST_CASE("Eliminar_Plano") {
+  const Eliminar_Plano in{plano};
+  CHECK(refused(Eliminar_Plano{cono}) == "Eliminar_Plano.pre.1");
+  CHECK(SPOILED(in, after.mi_centro.emplace(plano, origin)) == "Eliminar_Plano.post.1");
+  CHECK(SPOILED(in, after.mi_radio.emplace(plano, 1)) == "Eliminar_Plano.post.2");
+  CHECK(SPOILED(in, after.mi_vector.emplace(plano, axis)) == "Eliminar_Plano.post.3");
+  CHECK(SPOILED(in, after.mi_altura.emplace(plano, 1)) == "Eliminar_Plano.post.4");
+  CHECK(SPOILED(in, after.mi_proporcion.emplace(plano, 1)) == "Eliminar_Plano.post.5");
+  CHECK(wrong_answer(in) == "Eliminar_Plano.post.6");
+}
+
 TEST_CASE("Elemento_Agregado: the operation of the type, with the general answer") {
   const Agregar_Elemento sphere{nuevo, Tipo::soy_esfera, far, 2};
   const Agregar_Elemento cylinder{nuevo, Tipo::soy_cilindro, far, 2, axis, 5};
   const Agregar_Elemento cone{nuevo, Tipo::soy_cono, far, {}, axis, 5, 2};
   const Agregar_Elemento truncated{nuevo, Tipo::soy_tronco, far, 3, axis, 5, 2};
-  for (const auto& in : {sphere, cylinder, cone, truncated}) CHECK(wrong_answer(in) == "Elemento_Agregado.post.1");
+  const Agregar_Elemento plane{nuevo, Tipo::soy_plano, far, {}, axis};
+  for (const auto& in : {sphere, cylinder, cone, truncated, plane})
+    CHECK(wrong_answer(in) == "Elemento_Agregado.post.1");
   CHECK(SPOILED(cone, after.mi_altura.at(nuevo) = Rmas(1)) == "Agregar_Cono.post.4");
   CHECK(refused(Agregar_Elemento{nuevo, Tipo::soy_cilindro, far, 2, not_unit, 5}) == "Agregar_Cilindro.pre.3");
 
@@ -187,6 +211,10 @@ TEST_CASE("Elemento_Agregado: the operation of the type, with the general answer
   model::apply(general, truncated);
   model::apply(specific, agregar_tronco);
   CHECK(general == specific);
+  general = specific = one_of_each();
+  model::apply(general, plane);
+  model::apply(specific, agregar_plano);
+  CHECK(general == specific);
 
   Escena escena = one_of_each();
   CHECK_THROWS_AS(model::apply(escena, Agregar_Elemento{nuevo, Tipo::soy_esfera, far}), std::invalid_argument);
@@ -196,12 +224,12 @@ TEST_CASE("Elemento_Agregado: the operation of the type, with the general answer
 }
 
 TEST_CASE("Elemento_Eliminado: the operation of the element's type, with the general answer") {
-  for (const Elemento& e : {esfera, cilindro, cono, tronco})
+  for (const Elemento& e : {esfera, cilindro, cono, tronco, plano})
     CHECK(wrong_answer(Eliminar_Elemento{e}) == "Elemento_Eliminado.post.1");
   CHECK(SPOILED(Eliminar_Elemento{cono}, after.mi_altura.emplace(cono, 1)) == "Eliminar_Cono.post.4");
 
   Escena escena = one_of_each();
-  for (const Elemento& e : {esfera, cilindro, cono, tronco})
+  for (const Elemento& e : {esfera, cilindro, cono, tronco, plano})
     CHECK(model::apply(escena, Eliminar_Elemento{e}) == Respuesta::elemento_eliminado);
   CHECK(escena == Init());
 }

@@ -82,11 +82,12 @@ TEST_CASE("puntos_de_elemento.def.1 and puntos_de_escena.def.1") {
   CHECK(puntos_de_elemento(scene, cilindro).contains(Punto(0, 1, 3)));
   CHECK(puntos_de_elemento(scene, cono).contains(Punto(0, 0, 3)));
   CHECK(puntos_de_elemento(scene, tronco).contains(Punto(0, 2, 1)));
+  CHECK(puntos_de_elemento(scene, plano).contains(Punto(5, 7, 0)));
   CHECK_FALSE(puntos_de_elemento(scene, cono).contains(Punto(0, 0, 1)));
   CHECK_THROWS_AS(puntos_de_elemento(scene, nuevo), std::out_of_range);
 
   CHECK(puntos_de_escena(scene).contains(Punto(0, 1, 3)));
-  CHECK_FALSE(puntos_de_escena(scene).contains(Punto(0, 0, 0)));
+  CHECK_FALSE(puntos_de_escena(scene).contains(Punto(0, 0, 0.5)));
   Random random(1);
   CHECK_FALSE(puntos_de_escena(Init()).sample(random));
   CHECK_FALSE(puntos_de_escena(Init()).contains(origin));

@@ -105,6 +105,7 @@ TEST_CASE("each type and each answer has its name") {
   CHECK(name(Tipo::soy_cilindro) == "soy_cilindro");
   CHECK(name(Tipo::soy_cono) == "soy_cono");
   CHECK(name(Tipo::soy_tronco) == "soy_tronco");
+  CHECK(name(Tipo::soy_plano) == "soy_plano");
   std::set<std::string_view> names;
   for (int i = 0; i <= static_cast<int>(Respuesta::proporcion_no_positiva); ++i)
     names.insert(name(static_cast<Respuesta>(i)));

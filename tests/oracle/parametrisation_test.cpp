@@ -119,3 +119,21 @@ TEST_CASE("a truncated cone is a segment with a rim at either end") {
   CHECK(surface.at(1, 0).curvature == Approx(0.8 / 2));
   check_shape(surface, random);
 }
+
+TEST_CASE("of a plane a disc is seen, flat, with its rim as its only edge") {
+  test::Random random(25);
+  const scene::Plane plane{{1, -2, 3}, random.axis().xyz()};
+  const Parametrisation surface(scene::ShapeView(plane), 8);
+  CHECK(surface.is_patch());
+  for (int i = 0; i < 200; ++i) {
+    const double u = random.uniform(0, 1), v = random.uniform(0, 1);
+    const Place at = place(surface.point(u, v), plane.centro, plane.vector);
+    CHECK(at.along == Approx(0).margin(1e-12));
+    CHECK(at.across == Approx(8 * u).margin(1e-12));
+    CHECK(surface.at(u, v).edge == Approx(8 * (1 - u)));
+    CHECK(surface.at(u, v).curvature == 0);
+  }
+  CHECK(surface.length() == 8);
+  CHECK(surface.widest() == 8);
+  CHECK_FALSE(Parametrisation(scene::Sphere{{0, 0, 0}, 1}).is_patch());
+}

@@ -1,5 +1,6 @@
 #include "durero/oracle/sampled.hpp"
 
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <stdexcept>
 #include <string>
@@ -50,6 +51,22 @@ TEST_CASE("wrong hits are seen: a miss, the far root, another element, a point i
   CHECK(oracle.judge(towards_z(0, 0), hit(0, 0, 6, sphere)) == Verdict::unsound);
   CHECK(oracle.judge(towards_z(0, 0), hit(0, 0, 4, cone)) == Verdict::incomplete);
   CHECK(oracle.judge(towards_z(0, 0), hit(0, 0, 2, sphere)) == Verdict::incomplete);
+}
+
+TEST_CASE("of a plane a patch is judged, wide enough for what stands about it; beyond it nothing is said") {
+  scene::Scene scene = one_of_each();
+  scene.apply(model::Agregar_Plano{model::Elemento("p"), {0, 0, 10}, {0, 0, 1}});
+  const scene::ElementRef plane{model::Tipo::soy_plano, 0};
+  const oracle::sampled::Oracle oracle(scene);
+  const double reach = std::sqrt(50.0) + 3;  // from (0, 0, 10) to the axis of the cylinder, and its size
+  for (const double x : {3.0, 7 * reach}) {
+    CHECK(oracle.judge(towards_z(x, 3), hit(x, 3, 10, plane)) == Verdict::agrees);
+    CHECK(oracle.judge(towards_z(x, 3), {}) == Verdict::unsound);
+    CHECK(oracle.judge(towards_z(x, 3), hit(x, 3, 12, plane)) == Verdict::incomplete);
+  }
+  for (const double z : {10.0, 12.0})
+    CHECK(oracle.judge(towards_z(9 * reach, 3), hit(9 * reach, 3, z, plane)) == Verdict::agrees);
+  CHECK(oracle.judge(towards_z(0, 0), hit(0, 0, 10, plane)) == Verdict::unsound);  // the sphere is before it
 }
 
 TEST_CASE("a near miss is explained, each by its reason") {

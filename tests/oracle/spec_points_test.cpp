@@ -29,6 +29,8 @@ scene::Scene coarse_scene(Random& random) {
       scene.apply(model::Agregar_Esfera{e, centro, eighth(0.25, 1)});
     } else if (random.below(2) == 0) {
       scene.apply(model::Agregar_Cilindro{e, centro, eighth(0.25, 1), axis, eighth(0.25, 2)});
+    } else if (random.below(4) == 0) {
+      scene.apply(model::Agregar_Plano{e, centro, axis});
     } else if (random.below(2) == 0) {
       scene.apply(model::Agregar_Cono{e, centro, eighth(0.25, 2), axis, eighth(0.25, 1)});
     } else {

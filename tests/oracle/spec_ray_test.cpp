@@ -27,7 +27,7 @@ scene::Scene grid_scene(Random& random) {
     const double z = small(), y = small(), x = small();
     const model::Punto centro(x, y, z);
     const model::Vector axis = axes[random.below(3)];
-    switch (random.below(4)) {
+    switch (random.below(5)) {
       case 0:
         scene.apply(model::Agregar_Esfera{e, centro, length()});
         break;
@@ -35,6 +35,9 @@ scene::Scene grid_scene(Random& random) {
         scene.apply(model::Agregar_Cilindro{e, centro, length(), axis, length()});
         break;
       case 2:
+        scene.apply(model::Agregar_Plano{e, centro, axis});
+        break;
+      case 3:
         scene.apply(model::Agregar_Cono{e, centro, 1, axis, length()});
         break;
       default:

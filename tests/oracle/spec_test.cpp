@@ -39,7 +39,7 @@ model::Tipo type(Random& random, model::Tipo usual) {
 Operation any_operation(Random& random) {
   const model::Elemento e = element(random, 12);
   const model::Punto centro(random.in_cube(4));
-  switch (random.below(10)) {
+  switch (random.below(12)) {
     case 0:
       return model::Agregar_Esfera{e, centro, length(random), type(random, model::Tipo::soy_esfera)};
     case 1:
@@ -64,6 +64,10 @@ Operation any_operation(Random& random) {
       return model::Eliminar_Cono{e};
     case 7:
       return model::Eliminar_Tronco{e};
+    case 9:
+      return model::Eliminar_Plano{e};
+    case 10:
+      return model::Agregar_Plano{e, centro, direction(random), type(random, model::Tipo::soy_plano)};
     case 8: {
       const double radio = length(random), proporcion = length(random);
       return model::Agregar_Tronco{
@@ -228,8 +232,9 @@ void judge_many(std::uint64_t seed, std::size_t transitions) {
   CHECK(counts.refused > transitions / 20);
   // Every predicate was seen broken.
   const Escena empty = model::Init();
-  for (const char* schema : {"Agregar_Esfera", "Agregar_Cilindro", "Agregar_Cono", "Agregar_Tronco", "Eliminar_Esfera",
-                             "Eliminar_Cilindro", "Eliminar_Cono", "Eliminar_Tronco", "Escena"}) {
+  for (const char* schema :
+       {"Agregar_Esfera", "Agregar_Cilindro", "Agregar_Cono", "Agregar_Tronco", "Eliminar_Esfera", "Eliminar_Cilindro",
+        "Eliminar_Cono", "Eliminar_Tronco", "Agregar_Plano", "Eliminar_Plano", "Escena"}) {
     const zed::SchemaCheck check = judge.evaluator().schema({schema, ""});
     const std::vector<zed::Value> open(check.components().size(), zed::Open{});
     for (const zed::Finding& one : check.findings(open)) {
@@ -272,7 +277,7 @@ TEST_CASE("each total operation of the text takes what the model answers, done o
     const char* definition;
     Operation done, refused;
   };
-  const model::Elemento s("s"), c("c"), k("k"), f("f"), nuevo("nuevo");
+  const model::Elemento s("s"), c("c"), k("k"), f("f"), p("p"), nuevo("nuevo");
   const model::Punto o(0, 0, 0);
   const model::Vector z(0, 0, 1), wrong(0, 0, 2);
   const Row rows[] = {
@@ -288,6 +293,8 @@ TEST_CASE("each total operation of the text takes what the model answers, done o
       {"Eliminar_Cilindro_Total.def.1", model::Eliminar_Cilindro{c}, model::Eliminar_Cilindro{nuevo}},
       {"Eliminar_Cono_Total.def.1", model::Eliminar_Cono{k}, model::Eliminar_Cono{s}},
       {"Eliminar_Tronco_Total.def.1", model::Eliminar_Tronco{f}, model::Eliminar_Tronco{k}},
+      {"Agregar_Plano_Total.def.1", model::Agregar_Plano{nuevo, o, z}, model::Agregar_Plano{nuevo, o, wrong}},
+      {"Eliminar_Plano_Total.def.1", model::Eliminar_Plano{p}, model::Eliminar_Plano{k}},
       {"Eliminar_Elemento_Total.def.1", model::Eliminar_Elemento{c}, model::Eliminar_Elemento{nuevo}},
   };
   const Judge judge;
@@ -296,6 +303,7 @@ TEST_CASE("each total operation of the text takes what the model answers, done o
   model::apply(before, model::Agregar_Cilindro{c, o, 1, z, 1});
   model::apply(before, model::Agregar_Cono{k, o, 1, z, 1});
   model::apply(before, model::Agregar_Tronco{f, o, 1, 1, z, 1});
+  model::apply(before, model::Agregar_Plano{p, o, z});
   for (const Row& row : rows) {
     CAPTURE(row.definition);
     Escena after = before, same = before;

@@ -32,15 +32,18 @@ def scene(rng):
     for i in range(ELEMENTS):
         centro = [rng.random() for _ in range(3)]
         radio, altura = rng.uniform(0.03, 0.08), rng.uniform(0.1, 0.25)
-        tipo = ("esfera", "cilindro", "cono")[i % 3]
+        tipo = ("esfera", "cilindro", "cono", "tronco")[i % 4]
         element = {"id": f"e{i:02}", "tipo": tipo, "centro": centro}
         if tipo == "cono":
             element |= {"proporcion": radio / altura, "vector": unit_axis(rng), "altura": altura}
+        elif tipo == "tronco":
+            element |= {"radio": radio / 3, "proporcion": radio / altura, "vector": unit_axis(rng), "altura": altura}
         elif tipo == "cilindro":
             element |= {"radio": radio, "vector": unit_axis(rng), "altura": altura}
         else:
             element["radio"] = radio
         made.append(element)
+    made.append({"id": "p", "tipo": "plano", "centro": [0.5, 0.5, 0.5], "vector": unit_axis(rng)})
     return made
 
 
@@ -52,10 +55,13 @@ def pov_object(e):
     centro, tipo = vector(e["centro"]), e["tipo"]
     if tipo == "esfera":
         return f"sphere {{ {centro}, {e['radio']!r} }}"
+    if tipo == "plano":
+        return f"plane {{ {vector(e['vector'])}, vdot({centro}, {vector(e['vector'])}) }}"
     end = f"{centro} + {e['altura']!r}*{vector(e['vector'])}"
     if tipo == "cilindro":
         return f"cylinder {{ {centro}, {end}, {e['radio']!r} open }}"
-    return f"cone {{ {centro}, {e['proporcion'] * e['altura']!r}, {end}, 0 open }}"
+    top = e.get("radio", 0.0)
+    return f"cone {{ {centro}, {top + e['proporcion'] * e['altura']!r}, {end}, {top!r} open }}"
 
 
 def pov_program(elements):

@@ -120,6 +120,12 @@ Quadratic quadratic(const scene::TruncatedCone& cone, const model::Rayo& rayo, b
   return {A, B, C, D, s0, s1, cone.altura};
 }
 
+Quadratic quadratic(const scene::Plane& plane, const model::Rayo& rayo, bool on) {
+  const double B = glm::dot(rayo.v().xyz(), plane.vector) / 2;
+  const double C = on ? 0 : glm::dot(rayo.p().xyz() - plane.centro, plane.vector);
+  return {0, B, C, square(B), 0, 0, infinity};
+}
+
 First first(const Quadratic& f) {
   if (f.D < 0) return miss;
   if (f.A == 0 && f.B == 0) return f.C == 0 ? first_of_line(f) : miss;

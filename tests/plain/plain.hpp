@@ -9,6 +9,8 @@
 ///   cone      A = a·a − k²s1²    B = b·a + k²g·s1   C = b·b − k²g²      D = k²|g·a + s1·b|² − |b × a|²
 /// and those of the truncated cone, with ρ = r + k·g,
 ///             A = a·a − k²s1²    B = b·a + k·ρ·s1   C = b·b − ρ²        D = |ρ·a + k·s1·b|² − |b × a|²
+/// and those of the plane
+///             A = 0              B = s1/2           C = s0             D = B²
 /// The discriminant is a difference of squared distances (Lagrange's identity), so it keeps its figures where B² and AC
 /// are large and close: far from the element.
 
@@ -34,6 +36,7 @@ Quadratic quadratic(const scene::Sphere& sphere, const model::Rayo& rayo, bool o
 Quadratic quadratic(const scene::Cylinder& cylinder, const model::Rayo& rayo, bool on);
 Quadratic quadratic(const scene::Cone& cone, const model::Rayo& rayo, bool on);
 Quadratic quadratic(const scene::TruncatedCone& cone, const model::Rayo& rayo, bool on);
+Quadratic quadratic(const scene::Plane& plane, const model::Rayo& rayo, bool on);
 
 /// What a ray has of one element: its first point there, none, or points from t → 0⁺ on.
 struct First {

@@ -37,7 +37,10 @@ HWY_INLINE LaneQuadratic quadratic_of(const LaneElement<tipo>& e, const LaneRay&
   } else {
     const Lanes s0 = dot(q0, e.vector), s1 = dot(v, e.vector);
     const LaneVec a = across(v, s1, e.vector), b = across(q0, s0, e.vector);
-    if constexpr (tipo == Tipo::soy_cilindro) {
+    if constexpr (tipo == Tipo::soy_plano) {
+      const Lanes B = s1 * 0.5;
+      return {0, B, s0, square(B), 0, 0};
+    } else if constexpr (tipo == Tipo::soy_cilindro) {
       const Lanes A = square(a), r2 = square(e.radio);
       return {A, dot(b, a), square(b) - r2, r2 * A - square(cross(b, a)), s0, s1};
     } else if constexpr (tipo == Tipo::soy_tronco) {
@@ -55,7 +58,7 @@ HWY_INLINE LaneQuadratic quadratic_of(const LaneElement<tipo>& e, const LaneRay&
 
 template <Tipo tipo>
 HWY_INLINE LaneMask within(const LaneQuadratic& f, Lanes altura, Lanes t) {
-  if constexpr (tipo == Tipo::soy_esfera) return t > 0;
+  if constexpr (tipo == Tipo::soy_esfera || tipo == Tipo::soy_plano) return t > 0;
   const Lanes s = f.s0 + t * f.s1;
   return (t > 0) & (s >= 0) & (s <= altura);
 }

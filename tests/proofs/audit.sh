@@ -160,7 +160,8 @@ statements() {
       "$tmp/new" >"$tmp/questions"
     ask "$tmp/questions" >&2 || return 1
     cat "$tmp/new" >>"$tmp/known"
-    cat "$tmp/$round".*.says.out | awk '/^Arguments / { skip = 1 } /^$/ { skip = 0 } !skip' >"$tmp/said"
+    # What Coq says of a definition's arguments is left out, up to a blank line or the end of the answer.
+    awk 'FNR == 1 { skip = 0 } /^Arguments / { skip = 1 } /^$/ { skip = 0 } !skip' "$tmp/$round".*.says.out >"$tmp/said"
     grep -oE "[A-Za-z_][A-Za-z0-9_']*(\.[A-Za-z_][A-Za-z0-9_']*)+" "$tmp/said" | sort -u >"$tmp/names.$round"
     grep -E "^(Durero\.)?(${own%|})\." "$tmp/names.$round" | grep -vxFf "$tmp/known" >"$tmp/new" || true
   done

@@ -127,19 +127,23 @@ saw statements "a hypothesis that nothing satisfies" '^+ .*eq (Especificacion.Ra
 saw statements "another notion under a name of a statement" '^+.Constant Durero.Main.proper'
 saw reachable "a file that Main.v does not depend on" 'Alone.v'
 
-# small: proofs of two files that pass the audit.
+# small: proofs of two files that pass the audit. The theorem names two definitions, and the second of them a third.
 small() {
   rm -rf "$proofs" "$build"
   mkdir -p "$proofs"
   cp "$original/build.sh" "$original/_CoqProject" "$proofs"
-  echo 'Definition double (n : nat) := n + n.' >"$proofs/Base.v"
+  cat >"$proofs/Base.v" <<'V'
+Definition agree (m n : nat) := m = n.
+Definition sum (m n : nat) := m + n.
+Definition double (n : nat) := sum n n.
+V
   cat >"$proofs/Main.v" <<'V'
 From Durero Require Import Base.
 Section Numbers.
 Variable n : nat.
 Hypothesis zero : n = 0.
-Theorem doubled : double n = 0.
-Proof. now rewrite zero. Qed.
+Theorem doubled : agree (double n) 0.
+Proof. unfold agree; now rewrite zero. Qed.
 End Numbers.
 V
   builds "none"
@@ -176,9 +180,12 @@ small
 printf 'Unset\n Guard Checking.\nFixpoint loop (n : nat) : False := loop n.\n' >>"$proofs/Base.v"
 rebuilt kernel "a function that does not end" 'loop'
 small
-echo 'Definition double (n : nat) := n + n + 0.' >"$proofs/Base.v"
-sed -i 's/now rewrite zero/unfold double; now rewrite zero/' "$proofs/Main.v"
-rebuilt statements "another definition" '^+Base.double = fun n : nat => Nat.add (Nat.add n n) 0'
+sed -i 's/:= sum n n/& + 0/' "$proofs/Base.v"
+rebuilt statements "another definition" '^+Base.double = fun n : nat => Nat.add (Base.sum n n) 0'
+small
+sed -i 's/:= m + n/& + 0/' "$proofs/Base.v"
+rebuilt statements "another definition below the definitions that a theorem names" \
+  '^+Base.sum = fun m n : nat => Nat.add (Nat.add m n) 0'
 small
 echo '-arg -type-in-type' >>"$proofs/_CoqProject"
 rebuilt kernel "every file compiled with -type-in-type, by a change of _CoqProject alone" 'type-in-type: *[^<]*$'

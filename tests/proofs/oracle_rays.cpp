@@ -82,12 +82,14 @@ model::Operation addition(const Family& family, test::Random& random, const scen
   }
   const model::Punto centro(vec(family, random));
   const double size = family.length(random), altura = family.length(random);
-  switch (random.below(4)) {
+  switch (random.below(5)) {
     case 0:
       return model::Agregar_Esfera{e, centro, size};
     case 1:
       return model::Agregar_Cilindro{e, centro, size, axis(family, random), altura};
     case 2:
+      return model::Agregar_Plano{e, centro, axis(family, random)};
+    case 3:
       return model::Agregar_Cono{e, centro, size, axis(family, random), altura};
     default: {
       const double proporcion = family.length(random);
@@ -132,6 +134,13 @@ void print(const scene::Scene& scene) {
     std::printf(" %a %a", c.radio, c.proporcion);
     print(c.vector);
     std::printf(" %a\n", c.altura);
+  }
+  for (std::size_t i = 0; i < scene.shapes<scene::Plane>().size(); ++i) {
+    const scene::Plane& c = scene.shapes<scene::Plane>()[i];
+    std::printf("plano %s", name(model::Tipo::soy_plano, i));
+    print(c.centro);
+    print(c.vector);
+    std::printf("\n");
   }
 }
 

@@ -12,7 +12,7 @@ using durero::model::Tipo;
 namespace {
 
 ElementRef any_element() {
-  return {*rc::gen::element(Tipo::soy_esfera, Tipo::soy_cilindro, Tipo::soy_cono, Tipo::soy_tronco),
+  return {*rc::gen::element(Tipo::soy_esfera, Tipo::soy_cilindro, Tipo::soy_cono, Tipo::soy_tronco, Tipo::soy_plano),
           *rc::gen::resize(100, rc::gen::inRange<std::uint32_t>(0, 4))};
 }
 

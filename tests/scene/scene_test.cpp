@@ -69,6 +69,7 @@ Scene two_of_each() {
     scene.apply(Agregar_Cilindro{Elemento("cilindro" + suffix), origin, 1, axis, 3});
     scene.apply(Agregar_Cono{Elemento("cono-of-a-longer-name" + suffix), origin, 0.5, axis, 3});
     scene.apply(Agregar_Tronco{Elemento("tronco" + suffix), origin, 1, 0.5, axis, 3});
+    scene.apply(Agregar_Plano{Elemento("plano" + suffix), origin, axis});
   }
   for (std::size_t t = 0; t < durero::scene::shape_count; ++t) scene.set_material({Tipo(t), 0}, 1);
   return scene;

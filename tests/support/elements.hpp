@@ -58,5 +58,6 @@ inline rc::Gen<scene::Cone> cones(const Reals& x) {
 inline rc::Gen<scene::TruncatedCone> truncated_cones(const Reals& x) {
   return rc::gen::construct<scene::TruncatedCone>(vec(x), positive(x), positive(x), axis(), positive(x));
 }
+inline rc::Gen<scene::Plane> planes(const Reals& x) { return rc::gen::construct<scene::Plane>(vec(x), axis()); }
 
 }  // namespace durero::test

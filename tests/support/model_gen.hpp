@@ -93,6 +93,7 @@ inline rc::Gen<model::Operation> any_operation() {
   const auto truncated = [](Elemento e, Punto p, double r, double k, Vector v, double h, Tipo t) {
     return Operation(Agregar_Tronco{e, p, r, k, v, h, t});
   };
+  const auto plane = [](Elemento e, Punto p, Vector v, Tipo t) { return Operation(Agregar_Plano{e, p, v, t}); };
   return rc::gen::weightedOneOf<Operation>({
       {3, apply(sphere, any_element(), any_point(), any_real(), nearly_always(Tipo::soy_esfera))},
       {3, apply(cylinder, any_element(), any_point(), any_real(), any_direction(), any_real(),
@@ -101,11 +102,13 @@ inline rc::Gen<model::Operation> any_operation() {
        apply(cone, any_element(), any_point(), any_real(), any_direction(), any_real(), nearly_always(Tipo::soy_cono))},
       {3, apply(truncated, any_element(), any_point(), any_real(), any_real(), any_direction(), any_real(),
                 nearly_always(Tipo::soy_tronco))},
+      {3, apply(plane, any_element(), any_point(), any_direction(), nearly_always(Tipo::soy_plano))},
       {3, apply(general, any_element(), any_type(), any_point(), any_real(), any_direction(), any_real(), any_real())},
       {2, rc::gen::map(any_element(), [](Elemento e) { return Operation(Eliminar_Esfera{e}); })},
       {2, rc::gen::map(any_element(), [](Elemento e) { return Operation(Eliminar_Cilindro{e}); })},
       {2, rc::gen::map(any_element(), [](Elemento e) { return Operation(Eliminar_Cono{e}); })},
       {2, rc::gen::map(any_element(), [](Elemento e) { return Operation(Eliminar_Tronco{e}); })},
+      {2, rc::gen::map(any_element(), [](Elemento e) { return Operation(Eliminar_Plano{e}); })},
       {2, rc::gen::map(any_element(), [](Elemento e) { return Operation(Eliminar_Elemento{e}); })},
   });
 }
@@ -135,7 +138,8 @@ inline std::ostream& operator<<(std::ostream& out, const Operation& operation) {
         if constexpr (requires { in.centro; }) out << " t? = " << in.t << " centro? = " << in.centro;
         if constexpr (requires { out << in.radio; }) out << " radio? = " << in.radio;
         if constexpr (requires { out << in.proporcion; }) out << " proporcion? = " << in.proporcion;
-        if constexpr (requires { out << in.vector; }) out << " vector? = " << in.vector << " altura? = " << in.altura;
+        if constexpr (requires { out << in.vector; }) out << " vector? = " << in.vector;
+        if constexpr (requires { out << in.altura; }) out << " altura? = " << in.altura;
         return out;
       },
       operation);

@@ -39,6 +39,8 @@ inline model::Operation random_addition(Random& random, const std::string& name)
       const double radio = random.uniform(0.1, 0.4), proporcion = random.uniform(0.1, 0.8);
       return model::Agregar_Tronco{e, centro, radio, proporcion, random.axis(), random.uniform(0.3, 0.8)};
     }
+    case model::Tipo::soy_plano:
+      return model::Agregar_Plano{e, centro, random.axis()};
   }
   contract::unreachable();
 }

@@ -55,8 +55,10 @@ Surd potencia(const scene::TruncatedCone& c, const Point& w) {
   const Surd s = avance(w, c.centro, c.vector);
   return alejamiento(w, c.centro, c.vector) - cuadrado(Surd(c.radio) + Surd(c.proporcion) * (Surd(c.altura) - s));
 }
+Surd potencia(const scene::Plane& c, const Point& w) { return avance(w, c.centro, c.vector); }
 
 bool in_stretch(const scene::Sphere&, const Point&) { return true; }
+bool in_stretch(const scene::Plane&, const Point&) { return true; }
 template <class Bounded>
 bool in_stretch(const Bounded& c, const Point& w) {
   const Surd s = avance(w, c.centro, c.vector);
@@ -111,6 +113,8 @@ TEST_CASE("roots satisfy the Z text exactly, and the clip keeps the right ones")
   rungs_property("cylinder, ordinary", cylinders(moderate()), rays(moderate()));
   rungs_property("cone, ordinary", cones(moderate()), rays(moderate()));
   rungs_property("truncated cone, ordinary", truncated_cones(moderate()), rays(moderate()));
+  rungs_property("plane, ordinary", planes(moderate()), rays(moderate()));
+  rungs_property("plane, grid", planes(dyadicGrid()), rays(dyadicGrid()));
   rungs_property("sphere, grid", spheres(dyadicGrid()), rays(dyadicGrid()));
   rungs_property("cylinder, grid", cylinders(dyadicGrid()), rays(dyadicGrid()));
   rungs_property("cone, grid", cones(dyadicGrid()), rays(dyadicGrid()));
@@ -122,6 +126,7 @@ TEST_CASE("roots satisfy the Z text exactly over the whole range of binary64") {
   rungs_property("cylinder", cylinders(anyFinite()), rays(anyFinite()));
   rungs_property("cone", cones(anyFinite()), rays(anyFinite()));
   rungs_property("truncated cone", truncated_cones(anyFinite()), rays(anyFinite()));
+  rungs_property("plane", planes(anyFinite()), rays(anyFinite()));
 }
 
 TEST_CASE("the order of two roots agrees with 400 digits of floating point where those are apart") {

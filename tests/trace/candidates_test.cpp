@@ -64,6 +64,7 @@ scene::Scene scene_of(const Reals& numbers) {
     add(scene, *spheres(numbers));
     add(scene, *cylinders(numbers));
     add(scene, *cones(numbers));
+    add(scene, *planes(numbers));
     add(scene, *truncated_cones(numbers));
   }
   return scene;

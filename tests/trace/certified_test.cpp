@@ -19,6 +19,7 @@ TEST_CASE("hits that the kernel is told of are written in their places, rounded 
       add(scene, *spheres(moderate()));
       add(scene, *cylinders(moderate()));
       add(scene, *cones(moderate()));
+      add(scene, *planes(moderate()));
       add(scene, *truncated_cones(moderate()));
     }
     std::vector<scene::Query> queries;

@@ -45,7 +45,7 @@ struct Lanes {
     double breadth = 0;
     if constexpr (requires { element.radio; }) {
       breadth = element.radio;
-    } else {
+    } else if constexpr (requires { element.proporcion; }) {
       breadth = element.proporcion;
     }
     const glm::dvec3 off = *vec(rc::gen::map(rc::gen::inRange(-8, 9), [](int x) { return x / 4.0; }));
@@ -138,6 +138,7 @@ Tally check_all(const Reals& numbers) {
     check(spheres(numbers), numbers, tally);
     check(cylinders(numbers), numbers, tally);
     check(cones(numbers), numbers, tally);
+    check(planes(numbers), numbers, tally);
     check(truncated_cones(numbers), numbers, tally);
   });
   return tally;

@@ -17,6 +17,7 @@ scene::Scene random_scene() {
     add(scene, *spheres(moderate()));
     add(scene, *cylinders(moderate()));
     add(scene, *cones(moderate()));
+    add(scene, *planes(moderate()));
     add(scene, *truncated_cones(moderate()));
   }
   return scene;

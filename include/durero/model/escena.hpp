@@ -17,7 +17,7 @@ inline constexpr contract::clause Escena_inv_2{"Escena.inv.2", "elementos = dom 
 inline constexpr contract::clause Escena_inv_3{
     "Escena.inv.3", "dom mi_radio = de_que_tipo ∼ ⦇ { soy_esfera, soy_cilindro, soy_tronco } ⦈"};
 inline constexpr contract::clause Escena_inv_4{
-    "Escena.inv.4", "dom mi_vector = de_que_tipo ∼ ⦇ { soy_cilindro, soy_cono, soy_tronco } ⦈"};
+    "Escena.inv.4", "dom mi_vector = de_que_tipo ∼ ⦇ { soy_cilindro, soy_cono, soy_tronco, soy_plano } ⦈"};
 inline constexpr contract::clause Escena_inv_5{
     "Escena.inv.5", "dom mi_altura = de_que_tipo ∼ ⦇ { soy_cilindro, soy_cono, soy_tronco } ⦈"};
 inline constexpr contract::clause Escena_inv_6{"Escena.inv.6",
@@ -25,7 +25,8 @@ inline constexpr contract::clause Escena_inv_6{"Escena.inv.6",
 inline constexpr contract::clause Escena_inv_7{"Escena.inv.7", "tipos = ran de_que_tipo"};
 inline constexpr contract::clause Escena_inv_8{"Escena.inv.8", "ran mi_vector ⊆ Unitario"};
 inline constexpr contract::clause Con_Radio_pre_1{"Con_Radio.pre.1", "t? ∈ { soy_esfera, soy_cilindro, soy_tronco }"};
-inline constexpr contract::clause Con_Vector_pre_1{"Con_Vector.pre.1", "t? ∈ { soy_cilindro, soy_cono, soy_tronco }"};
+inline constexpr contract::clause Con_Vector_pre_1{"Con_Vector.pre.1",
+                                                   "t? ∈ { soy_cilindro, soy_cono, soy_tronco, soy_plano }"};
 inline constexpr contract::clause Con_Altura_pre_1{"Con_Altura.pre.1", "t? ∈ { soy_cilindro, soy_cono, soy_tronco }"};
 inline constexpr contract::clause Con_Proporcion_pre_1{"Con_Proporcion.pre.1", "t? ∈ { soy_cono, soy_tronco }"};
 inline constexpr contract::clause Init_post_1{"Init.post.1", "elementos' = ∅"};
@@ -77,8 +78,9 @@ Attribute(const contract::clause*, const contract::clause*, Tipos, std::map<Elem
 inline constexpr std::tuple attributes{
     Attribute{&Escena_inv_3, &Con_Radio_pre_1, Tipos{Tipo::soy_esfera, Tipo::soy_cilindro, Tipo::soy_tronco},
               &Escena::mi_radio, "radio", [](auto& in) -> decltype((in.radio)) { return in.radio; }},
-    Attribute{&Escena_inv_4, &Con_Vector_pre_1, Tipos{Tipo::soy_cilindro, Tipo::soy_cono, Tipo::soy_tronco},
-              &Escena::mi_vector, "vector", [](auto& in) -> decltype((in.vector)) { return in.vector; }},
+    Attribute{&Escena_inv_4, &Con_Vector_pre_1,
+              Tipos{Tipo::soy_cilindro, Tipo::soy_cono, Tipo::soy_tronco, Tipo::soy_plano}, &Escena::mi_vector,
+              "vector", [](auto& in) -> decltype((in.vector)) { return in.vector; }},
     Attribute{&Escena_inv_5, &Con_Altura_pre_1, Tipos{Tipo::soy_cilindro, Tipo::soy_cono, Tipo::soy_tronco},
               &Escena::mi_altura, "altura", [](auto& in) -> decltype((in.altura)) { return in.altura; }},
     Attribute{&Escena_inv_6, &Con_Proporcion_pre_1, Tipos{Tipo::soy_cono, Tipo::soy_tronco}, &Escena::mi_proporcion,

@@ -103,10 +103,10 @@ class Elemento {
 };
 
 /// What an element is (Tipo), and its name in the text.
-enum class Tipo : std::uint8_t { soy_esfera, soy_cilindro, soy_cono, soy_tronco };
+enum class Tipo : std::uint8_t { soy_esfera, soy_cilindro, soy_cono, soy_tronco, soy_plano };
 inline constexpr auto tipo_names =
-    std::to_array<std::string_view>({"soy_esfera", "soy_cilindro", "soy_cono", "soy_tronco"});
-static_assert(Tipo{tipo_names.size() - 1} == Tipo::soy_tronco);
+    std::to_array<std::string_view>({"soy_esfera", "soy_cilindro", "soy_cono", "soy_tronco", "soy_plano"});
+static_assert(Tipo{tipo_names.size() - 1} == Tipo::soy_plano);
 
 /// How many types there are.
 inline constexpr std::size_t tipo_count = tipo_names.size();
@@ -119,10 +119,12 @@ enum class Respuesta : std::uint8_t {
   cilindro_agregado,
   cono_agregado,
   tronco_agregado,
+  plano_agregado,
   esfera_eliminada,
   cilindro_eliminado,
   cono_eliminado,
   tronco_eliminado,
+  plano_eliminado,
   elemento_ya_existe,
   elemento_no_existe,
   tipo_incorrecto,
@@ -133,9 +135,9 @@ enum class Respuesta : std::uint8_t {
 };
 inline constexpr auto respuesta_names = std::to_array<std::string_view>(
     {"elemento_agregado", "elemento_eliminado", "esfera_agregada", "cilindro_agregado", "cono_agregado",
-     "tronco_agregado", "esfera_eliminada", "cilindro_eliminado", "cono_eliminado", "tronco_eliminado",
-     "elemento_ya_existe", "elemento_no_existe", "tipo_incorrecto", "radio_no_positivo", "vector_no_unitario",
-     "altura_no_positiva", "proporcion_no_positiva"});
+     "tronco_agregado", "plano_agregado", "esfera_eliminada", "cilindro_eliminado", "cono_eliminado",
+     "tronco_eliminado", "plano_eliminado", "elemento_ya_existe", "elemento_no_existe", "tipo_incorrecto",
+     "radio_no_positivo", "vector_no_unitario", "altura_no_positiva", "proporcion_no_positiva"});
 static_assert(Respuesta{respuesta_names.size() - 1} == Respuesta::proporcion_no_positiva);
 
 constexpr std::string_view name(Tipo tipo) noexcept { return tipo_names[static_cast<std::size_t>(tipo)]; }

@@ -1,7 +1,8 @@
 #pragma once
 /// A surface as parametrised points, which is all that the sampled oracle knows of an element: a curve, its profile,
-/// turned around an axis. A sphere is a half circle turned around, a cylinder and a cone a segment. There is no
-/// equation here: what a point, a direction or a distance in the surface is follows from the two parameters.
+/// turned around an axis. A sphere is a half circle turned around, a cylinder and a cone a segment, and so is a disc
+/// around its centre, which is what is seen of a plane: a patch of it. There is no equation here: what a point, a
+/// direction or a distance in the surface is follows from the two parameters.
 ///
 /// Numbers are binary64, and a stored axis may miss unit length by 2⁻⁵⁰: both move a point by less than
 /// 2⁻⁴⁵·(|centro| + size), which rounding() is.
@@ -29,7 +30,10 @@ struct SurfacePoint {
 
 class Parametrisation {
  public:
-  explicit Parametrisation(scene::ShapeView shape);
+  static constexpr double default_patch = 64;
+
+  /// patch: the radius of what is seen of a plane.
+  explicit Parametrisation(scene::ShapeView shape, double patch = default_patch);
   template <class Shape>
     requires std::is_same_v<decltype(Shape::tipo), const model::Tipo>
   Parametrisation(const Shape& shape) : Parametrisation(scene::ShapeView(shape)) {}
@@ -41,6 +45,8 @@ class Parametrisation {
   /// At least the sum of the magnitudes of what leads from centro to a point: along the axis and away from it.
   double size() const noexcept { return size_; }
   double rounding() const noexcept;
+  /// Whether the surface goes on beyond its rim, as a plane does.
+  bool is_patch() const noexcept { return is_patch_; }
 
   // 0 ≤ u ≤ 1 runs along the profile, in proportion to its length; 0 ≤ v ≤ 1 once around the axis.
   Circle circle(double u) const;
@@ -67,6 +73,7 @@ class Parametrisation {
 
   glm::dvec3 center_, axis_, across_, sideways_;  // the last three of length 1, at right angles
   std::variant<Arc, Segment> profile_;
+  bool is_patch_;
   double length_, widest_, size_;
 };
 

@@ -8,13 +8,14 @@
 
 #include "durero/scene/shape/cone.hpp"
 #include "durero/scene/shape/cylinder.hpp"
+#include "durero/scene/shape/plane.hpp"
 #include "durero/scene/shape/sphere.hpp"
 #include "durero/scene/shape/truncated_cone.hpp"
 
 namespace durero::scene {
 
 /// Every shape, in the order of Tipo.
-using Shapes = std::tuple<Sphere, Cylinder, Cone, TruncatedCone>;
+using Shapes = std::tuple<Sphere, Cylinder, Cone, TruncatedCone, Plane>;
 
 inline constexpr std::size_t shape_count = std::tuple_size_v<Shapes>;
 
@@ -30,6 +31,8 @@ constexpr decltype(auto) with_shape(model::Tipo tipo, Visit&& visit) {
       return visit(std::type_identity<Cone>());
     case model::Tipo::soy_tronco:
       return visit(std::type_identity<TruncatedCone>());
+    case model::Tipo::soy_plano:
+      return visit(std::type_identity<Plane>());
   }
   __builtin_unreachable();  // a Tipo is one of its enumerators
 }

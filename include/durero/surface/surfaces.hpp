@@ -6,6 +6,7 @@
 
 #include "durero/surface/shape/cone.hpp"
 #include "durero/surface/shape/cylinder.hpp"
+#include "durero/surface/shape/plane.hpp"
 #include "durero/surface/shape/sphere.hpp"
 #include "durero/surface/shape/truncated_cone.hpp"
 

@@ -26,6 +26,8 @@ TEST_CASE("a shape has the attributes of its table, by the components of the spe
   CHECK(has_attribute<Cone, &Escena::mi_proporcion>());
   CHECK(has_attribute<Cone, &Escena::mi_vector>());
   CHECK_FALSE(has_attribute<Cone, &Escena::mi_radio>());
+  CHECK(has_attribute<Plane, &Escena::mi_vector>());
+  CHECK_FALSE(has_attribute<Plane, &Escena::mi_altura>());
   CHECK(has_attribute<TruncatedCone, &Escena::mi_radio>());
   CHECK(has_attribute<TruncatedCone, &Escena::mi_proporcion>());
   constexpr TruncatedCone shape{{1, 2, 3}, 4, 5, {0, 0, 1}, 6};
