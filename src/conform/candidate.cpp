@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "durero/surface/equation.hpp"
-
 namespace durero::conform {
 namespace {
 

@@ -65,15 +65,14 @@ void set_tilted_frame(Random& random, FramedShape& shape) {
 }
 
 template <class Shape>
+constexpr bool has_vector = scene::has_attribute<Shape, &model::Escena::mi_vector>();
+template <class Shape>
 constexpr bool has_radio = scene::has_attribute<Shape, &model::Escena::mi_radio>();
 template <class Shape>
 constexpr bool has_proporcion = scene::has_attribute<Shape, &model::Escena::mi_proporcion>();
 
 /// The radius of the far end, as a part of that of the base. Precondition: the type has a proportion.
 double share_of_far_end(const FramedShape& shape) { return has_apex(shape.tipo) ? 0 : shape.radio / shape.radius(); }
-
-template <class Shape>
-constexpr bool has_vector = scene::has_attribute<Shape, &model::Escena::mi_vector>();
 
 /// The types of which it holds, in their order.
 std::vector<Tipo> types_that(bool (*holds)(Tipo)) {
@@ -171,7 +170,7 @@ FramedShape tilted_shape(Random& random, Tipo tipo) {
   shape.centro = random.in_cube(300);
   if (has_constant_radius(tipo)) {
     shape.radio = random.uniform(5, 100);
-    shape.altura = random.uniform(10, 300);  // of a sphere it has no meaning
+    shape.altura = random.uniform(10, 300);  // of a sphere or a plane it has no meaning
     return shape;
   }
   shape.proporcion = random.uniform(0.2, 4);

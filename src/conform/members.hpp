@@ -37,7 +37,7 @@ bool on_grid(const AnsweredQuery& q);          ///< every coordinate of the ray 
 bool nearly_axial(const AnsweredQuery& q);      ///< nearly parallel to the axis of some cylinder
 bool axial(const AnsweredQuery& q);             ///< v × vector = 0 for some cylinder
 bool perpendicular(const AnsweredQuery& q);     ///< v·vector = 0 for an element that it hits
-bool nearly_generator(const AnsweredQuery& q);  ///< |A| is nearly 0 for some cylinder or cone
+bool nearly_generator(const AnsweredQuery& q);  ///< |A| is nearly 0 for some element with an axis
 bool generator(const AnsweredQuery& q);         ///< A = 0 for one
 bool aligned(const AnsweredQuery& q);           ///< hits, a coordinate of v is 0, −0 or subnormal
 bool exactly_aligned(const AnsweredQuery& q);   ///< hits, a coordinate of v is 0 or −0

@@ -28,7 +28,7 @@ DrawnRay grazing(Random& random, int minus_log2_angle, Given shapes) {
   SurfacePoint at = surface_point(random, plane);
   glm::dvec3 w = tangent_vector(random, at);
   if (random.chance(1, 2)) {
-    w += steps(plane.d, 1, std::ilogb(steps(plane.d, 1, 0) / steps(w, 1, 0)) - minus_log2_angle) * plane.d;
+    w += std::ldexp(1, -minus_log2_angle) / steps(w, 1, 0) * plane.d;
   } else if (random.chance(1, 2)) {
     at.position += static_cast<double>(random.integer(1, 8)) * plane.d;  // beside the plane
   }

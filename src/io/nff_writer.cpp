@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <vector>
 
 #include "axis.hpp"
@@ -80,7 +81,12 @@ class NffWriter {
     double wide = narrow;
     if constexpr (requires { shape.proporcion; }) {
       wide += shape.proporcion * shape.altura;
+      if (!std::isfinite(wide)) {
+        ++too_wide_;
+        return;
+      }
       if (proportion_between(wide, narrow, shape.altura) != shape.proporcion) ++rounded_radii_;
+      if (wide == narrow) ++straight_;
     }
     write_cone(shape.centro, {shape.vector, shape.altura}, wide, narrow);
   }
@@ -96,13 +102,16 @@ class NffWriter {
     add_loss(out_.lost, scene_.stage().materials.size(), "name of a material", "names of materials",
              "left out: NFF has none");
     add_loss(out_.lost, planes_, "plane", "planes", "left out: NFF has none");
+    add_loss(out_.lost, too_wide_, "element", "elements", "left out: the radius of its base is beyond binary64");
+    add_loss(out_.lost, straight_, "truncated cone", "truncated cones",
+             "written as a cylinder: its radii round to one");
     add_loss(out_.lost, rounded_axes_, "axis", "axes", "rounded: NFF holds end points");
     add_loss(out_.lost, rounded_radii_, "proportion", "proportions", "rounded: NFF holds the radii of the ends");
   }
 
   const scene::Scene& scene_;
   Exported out_;
-  std::size_t planes_ = 0, rounded_axes_ = 0, rounded_radii_ = 0;
+  std::size_t planes_ = 0, too_wide_ = 0, straight_ = 0, rounded_axes_ = 0, rounded_radii_ = 0;
 };
 
 }  // namespace

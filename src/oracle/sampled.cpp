@@ -156,8 +156,9 @@ std::string_view name(Verdict verdict) noexcept {
 
 Oracle::Oracle(const scene::Scene& scene, double fineness) {
   elements_.reserve(scene.size());
-  scene.for_each([&](scene::ElementRef e, const auto& shape) {
-    const Parametrisation surface(scene::ShapeView(shape), patch_about(scene, shape.centro));
+  scene.for_each([&]<class Shape>(scene::ElementRef e, const Shape& shape) {
+    const double patch = std::is_same_v<Shape, scene::Plane> ? patch_about(scene, shape.centro) : 0;
+    const Parametrisation surface(scene::ShapeView(shape), patch);
     require_range(surface, scene.name(e));
     elements_.push_back({e, surface, cover(surface, surface.is_patch() ? fineness / patch_fineness : fineness)});
   });

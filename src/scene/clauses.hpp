@@ -17,9 +17,7 @@ namespace durero::scene {
 
 using contract::clause;
 using model::Respuesta;
-using model::Rmas;
 using model::Tipo;
-using model::Unitario;
 
 /// What a total operation answers where a clause does not hold; nothing where it does not look, since it hides t?.
 using Refusal = std::optional<Respuesta>;

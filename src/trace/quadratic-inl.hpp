@@ -20,12 +20,12 @@
 /// as 38k + 26 ≤ 40(1 + k²) for every k. Every coefficient below is 64 in place of these, which more than pays for the
 /// terms of second order and for the roundings of the bounds themselves (each below 2⁻⁴⁵ of a bound).
 ///
-/// Why they are left so wide. Measured over every family (tests/conform/bounds_test.cpp) an error of binary64 takes up
-/// to 1/45 of its bound on generic rays, and up to 1/8 on the worst rays that were found: the bounds add up roundings
-/// that all go one way, and lengths by the sum of their components. Of double-double it is 1/750 and 1/160, as its
-/// operations are taken to err by 16u² where they mostly err by less than one. A narrower bound would change no answer,
-/// only spare the next step some rays, and of four million ordinary ones none comes there (tests/bench, steps); and
-/// for the sphere it is these 64 that are proved (proofs/Flotante.v).
+/// Why the 64 are left so wide. Measured over every family (tests/conform/bounds_test.cpp) an error of binary64 takes
+/// up to 1/27 of its bound on generic rays, and up to 1/8 on the worst rays that were found: the bounds add up
+/// roundings that all go one way, and lengths by the sum of their components. Of double-double it is 1/750 and 1/150,
+/// as its operations are taken to err by 16u² where they mostly err by less than one. A narrower bound would change no
+/// answer, only spare the next step some rays, and of four million ordinary ones none comes there (tests/bench, steps);
+/// and for the sphere it is these 64 that are proved (proofs/Flotante.v).
 ///
 /// Range. Every number of the element and of the ray is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰ (`ordinary`), so no value
 /// exceeds 2⁹⁰⁰ and none overflows. An operation that underflows adds at most 2⁻¹⁰⁷⁴, and later factors make that less
@@ -52,7 +52,7 @@ struct Quadratic {
   T F{}, H{};  ///< D = F·H; both err by at most B_error
   Bound<T> A_error{}, B_error{}, C_error{};
   T s0{}, s1{};          ///< avance at t is s0 + t·s1
-  bool bounded = false;  ///< false for a sphere: no clip
+  bool bounded = false;  ///< false for a sphere and a plane: no clip
   Bound<T> altura{};
   Bound<T> reach{}, speed{};  ///< |q| + altura and V: the bounds of avance and of its rate
 };

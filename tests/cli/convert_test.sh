@@ -21,6 +21,7 @@ empty err
 run 0 check scene.json
 has out '3 elementos: 1 esfera, 1 cilindro, 1 cono, 0 tronco, 0 plano'
 run 0 export scene.json -o back.nff
+lines err 2
 has err 'durero: back.nff: 3 names of elements left out: NFF has none'
 run 0 import back.nff -o back.json
 same scene.json back.json

@@ -165,7 +165,9 @@ void climb(Table& table, Random& random, std::size_t steps_each) {
 
 void print(const Table& table, std::uint64_t seed) {
   fmt::print("worst |computed − exact|/bound, BOUNDS_SEED={}; over generic rays, then over all\n", seed);
-  fmt::print("{:9} {:16} {:>15} {:>15} {:>15}\n", "step", "quantity", "esfera", "cilindro", "cono");
+  fmt::print("{:9} {:16}", "step", "quantity");
+  scene::for_each_shape([]<class Shape>(std::type_identity<Shape>) { fmt::print(" {:>15}", Shape::word); });
+  fmt::print("\n");
   for (const auto& [quantity, by_shape] : table.rows()) {
     fmt::print("{:9} {:16}", quantity.step, quantity.name);
     for (const Worst& worst : by_shape) fmt::print(" {:7.4f} {:7.4f}", worst.generic, worst.all);

@@ -40,25 +40,33 @@ TEST_CASE("Escena.inv.2: the elements are those that have a centre") {
   CHECK(invariants_broken(nuevo, [](Escena& s) { s.mi_centro.emplace(nuevo, far); }) == Labels{"Escena.inv.2"});
 }
 
-TEST_CASE("Escena.inv.3: spheres and cylinders have a radius, and no others") {
+TEST_CASE("Escena.inv.3: spheres, cylinders and truncated cones have a radius, and no others") {
   CHECK(invariants_broken(esfera, [](Escena& s) { s.mi_radio.erase(esfera); }) == Labels{"Escena.inv.3"});
   CHECK(invariants_broken(cilindro, [](Escena& s) { s.mi_radio.erase(cilindro); }) == Labels{"Escena.inv.3"});
   CHECK(invariants_broken(cono, [](Escena& s) { s.mi_radio.emplace(cono, 1); }) == Labels{"Escena.inv.3"});
+  CHECK(invariants_broken(tronco, [](Escena& s) { s.mi_radio.erase(tronco); }) == Labels{"Escena.inv.3"});
+  CHECK(invariants_broken(plano, [](Escena& s) { s.mi_radio.emplace(plano, 1); }) == Labels{"Escena.inv.3"});
 }
 
-TEST_CASE("Escena.inv.4: cylinders and cones have an axis, and no others") {
+TEST_CASE("Escena.inv.4: cylinders, cones, truncated cones and planes have an axis, and no others") {
   CHECK(invariants_broken(cilindro, [](Escena& s) { s.mi_vector.erase(cilindro); }) == Labels{"Escena.inv.4"});
   CHECK(invariants_broken(esfera, [](Escena& s) { s.mi_vector.emplace(esfera, axis); }) == Labels{"Escena.inv.4"});
+  CHECK(invariants_broken(tronco, [](Escena& s) { s.mi_vector.erase(tronco); }) == Labels{"Escena.inv.4"});
+  CHECK(invariants_broken(plano, [](Escena& s) { s.mi_vector.erase(plano); }) == Labels{"Escena.inv.4"});
 }
 
-TEST_CASE("Escena.inv.5: cylinders and cones have a height, and no others") {
+TEST_CASE("Escena.inv.5: cylinders, cones and truncated cones have a height, and no others") {
   CHECK(invariants_broken(cono, [](Escena& s) { s.mi_altura.erase(cono); }) == Labels{"Escena.inv.5"});
   CHECK(invariants_broken(esfera, [](Escena& s) { s.mi_altura.emplace(esfera, 1); }) == Labels{"Escena.inv.5"});
+  CHECK(invariants_broken(tronco, [](Escena& s) { s.mi_altura.erase(tronco); }) == Labels{"Escena.inv.5"});
+  CHECK(invariants_broken(plano, [](Escena& s) { s.mi_altura.emplace(plano, 1); }) == Labels{"Escena.inv.5"});
 }
 
-TEST_CASE("Escena.inv.6: cones have a proportion, and no others") {
+TEST_CASE("Escena.inv.6: cones and truncated cones have a proportion, and no others") {
   CHECK(invariants_broken(cono, [](Escena& s) { s.mi_proporcion.erase(cono); }) == Labels{"Escena.inv.6"});
   CHECK(invariants_broken(nuevo, [](Escena& s) { s.mi_proporcion.emplace(nuevo, 1); }) == Labels{"Escena.inv.6"});
+  CHECK(invariants_broken(tronco, [](Escena& s) { s.mi_proporcion.erase(tronco); }) == Labels{"Escena.inv.6"});
+  CHECK(invariants_broken(plano, [](Escena& s) { s.mi_proporcion.emplace(plano, 1); }) == Labels{"Escena.inv.6"});
 }
 
 TEST_CASE("Escena.inv.7: the types are those of the elements") {

@@ -64,15 +64,15 @@ Operation any_operation(Random& random) {
       return model::Eliminar_Cono{e};
     case 7:
       return model::Eliminar_Tronco{e};
-    case 9:
-      return model::Eliminar_Plano{e};
-    case 10:
-      return model::Agregar_Plano{e, centro, direction(random), type(random, model::Tipo::soy_plano)};
     case 8: {
       const double radio = length(random), proporcion = length(random);
       return model::Agregar_Tronco{
           e, centro, radio, proporcion, direction(random), length(random), type(random, model::Tipo::soy_tronco)};
     }
+    case 9:
+      return model::Eliminar_Plano{e};
+    case 10:
+      return model::Agregar_Plano{e, centro, direction(random), type(random, model::Tipo::soy_plano)};
     default:
       return model::Eliminar_Elemento{e};
   }

@@ -134,7 +134,7 @@ void check(const rc::Gen<Element>& elements, const Reals& numbers, Tally& tally)
 
 Tally check_all(const Reals& numbers) {
   Tally tally;
-  property("spheres, cylinders and cones", [&] {
+  property("elements of every shape", [&] {
     check(spheres(numbers), numbers, tally);
     check(cylinders(numbers), numbers, tally);
     check(cones(numbers), numbers, tally);

@@ -7,13 +7,15 @@
 namespace durero::io {
 
 /// Reads NFF: `v` becomes camera and resolution, `b` background, `l` lights, `f` materials (colour · Kd; fills of one
-/// colour are one material), `s` spheres, `c` cylinders, or cones where one of the radii is 0. Polygons (`p`, `pp`) and
-/// truncated cones are left out, and counted. Elements are named s1, c1, k1, … by type, materials f1, ….
+/// colour are one material), `s` spheres, `c` cylinders where its radii are the same, cones where one of them is 0, or
+/// truncated cones. Polygons (`p`, `pp`) are left out, and counted. Elements are named s1, c1, k1, t1, … by type,
+/// materials f1, ….
 /// A light without colour is white of 1/√n, n the number of lights: the format gives it no value.
 /// Throws InputError.
 Imported read_nff(const Source& source);
 
-/// Writes NFF; elements follow the fill of their material, those without one come before all fills.
+/// Writes NFF; planes are left out, and counted. Elements follow the fill of their material, those without one come
+/// before all fills.
 Exported nff_text(const scene::Scene& scene);
 
 }  // namespace durero::io

@@ -8,8 +8,10 @@
 /// fixed length, but the whole of a generator where the ray leaves along it. No distance tells a surface that the ray
 /// leaves from one that it meets; only the equation through the origin does.
 ///
-/// Of a plane it sees a patch: a disc about centro, eight times as wide as what reaches to every other element of the
-/// scene, or of the radius 64 in a scene of planes alone. Of points beyond it, it says nothing.
+/// Of a plane it sees a patch: a disc about centro, eight times as wide as what reaches to every element of the scene
+/// that is no plane, or of the radius 64 in a scene of planes alone. Of points beyond it, it says nothing; and where
+/// centro is far from those elements the patch is wide, its samples lie far apart, and it says little of what is among
+/// them.
 ///
 /// With x = p + u·v/|v| at distance u from the origin, a sample w is a candidate when it is within δ of the ray; the
 /// point of the ray nearest to it is its foot. Two directions hold for each element:

@@ -105,7 +105,7 @@ class Prover {
   }
 
   /// x ∈ R ⦇ {a, b} ⦈ holds where x is known to be in R ⦇ {a} ⦈, or in what equals it.
-  bool in_smaller_image(const Term& x, const Node& image) const {
+  bool in_smaller_image(const Term& x, const Node& image) {
     const auto is_smaller = [&](const Term& set) {
       const Node* other = operands(set, "_⦇_⦈");
       if (!other || other->children[0] != image.children[0]) return false;
@@ -117,6 +117,7 @@ class Prover {
              std::all_of(part->children.begin(), part->children.end(), is_of_whole);
     };
     const auto equals_smaller = [&](const Term& set) {
+      budget_.spend(facts_.facts.size());
       return is_smaller(set) || std::any_of(facts_.facts.begin(), facts_.facts.end(), [&](const Term& fact) {
                return is_relation(fact, "_=_") && ((fact->children[0] == set && is_smaller(fact->children[1])) ||
                                                    (fact->children[1] == set && is_smaller(fact->children[0])));
