@@ -177,21 +177,32 @@ glm::dvec3 across(const glm::dvec3& d) {
   return e;
 }
 
-/// A ray along a generator of the element where its numbers allow it exactly, from before, inside or after its stretch;
-/// towards the centre of a sphere.
+struct Line {
+  glm::dvec3 from, v;
+};
+
+/// Towards the centre, from p.
+Line aimed(const scene::Sphere& e, const glm::dvec3& p, double) { return {p, e.centro - p}; }
+
+// Along a generator, or in the plane, where the element's numbers allow it exactly; from before, inside or after it.
+
+Line aimed(const scene::Cylinder& e, const glm::dvec3&, double start) {
+  return {e.centro + e.radio * across(e.vector) + start * e.vector, e.vector};
+}
+Line aimed(const scene::Cone& e, const glm::dvec3&, double start) {
+  const glm::dvec3 v = e.vector - e.proporcion * across(e.vector);
+  return {e.centro + e.proporcion * e.altura * across(e.vector) + start * v, v};
+}
+Line aimed(const scene::TruncatedCone& e, const glm::dvec3&, double start) {
+  const glm::dvec3 v = e.vector - e.proporcion * across(e.vector);
+  return {e.centro + (e.radio + e.proporcion * e.altura) * across(e.vector) + start * v, v};
+}
+Line aimed(const scene::Plane& e, const glm::dvec3&, double start) {
+  return {e.centro + start * across(e.vector), across(e.vector)};
+}
+
 model::Rayo aimed(const scene::Scene& scene, scene::ElementRef e, const glm::dvec3& p, double start) {
-  glm::dvec3 from = p, v(0, 0, 1);
-  if (e.tipo == model::Tipo::soy_esfera) {
-    v = scene.shapes<scene::Sphere>()[e.index].centro - p;
-  } else if (e.tipo == model::Tipo::soy_cilindro) {
-    const scene::Cylinder& c = scene.shapes<scene::Cylinder>()[e.index];
-    v = c.vector;
-    from = c.centro + c.radio * across(c.vector) + start * v;
-  } else {
-    const scene::Cone& c = scene.shapes<scene::Cone>()[e.index];
-    v = c.vector - c.proporcion * across(c.vector);
-    from = c.centro + c.proporcion * c.altura * across(c.vector) + start * v;
-  }
+  auto [from, v] = scene.visit(e, [&](const auto& shape) { return aimed(shape, p, start); });
   if (!std::isfinite(v.x + v.y + v.z) || v == glm::dvec3(0)) v = {0, 0, 1};
   if (!std::isfinite(from.x + from.y + from.z)) from = p;
   return {model::Punto(from), model::Vector(v)};
