@@ -70,8 +70,7 @@ void add_agree(CLI::App& app, int& status) {
       ->capture_default_str();
   add_engine(*command, options->engine);
   command
-      ->add_option("--fineness", options->fineness,
-                   "Covering radius of the samples, as a share of an element's radius; of a plane an eighth of that")
+      ->add_option("--fineness", options->fineness, "Covering radius of the samples, as a share of an element's radius")
       ->check(number(0x1p-10, 1.0))
       ->capture_default_str();
   command->footer(fmt::format(

@@ -123,8 +123,8 @@ Line checked_line(const model::Rayo& ray) {
   return Line(ray);
 }
 
-/// How much finer than other surfaces a patch is, which is as much larger than what stands on it.
-constexpr double patch_fineness = 8;
+/// How much wider than what stands about it a patch is.
+constexpr double patch_width = 8;
 
 /// The radius of the patch of a plane about this point: far enough for every other element of the scene, and their
 /// shadows from most directions.
@@ -134,7 +134,7 @@ double patch_about(const scene::Scene& scene, const glm::dvec3& centro) {
     const Parametrisation other = shape;
     if (!other.is_patch()) farthest = std::max(farthest, glm::length(other.on_axis(0) - centro) + other.size());
   });
-  return farthest == 0 ? Parametrisation::default_patch : std::min(patch_fineness * farthest, greatest_length);
+  return farthest == 0 ? Parametrisation::default_patch : std::min(patch_width * farthest, greatest_length);
 }
 
 /// Whether the point is one of a plane beyond its patch, which has no samples.
@@ -160,7 +160,7 @@ Oracle::Oracle(const scene::Scene& scene, double fineness) {
     const double patch = std::is_same_v<Shape, scene::Plane> ? patch_about(scene, shape.centro) : 0;
     const Parametrisation surface(scene::ShapeView(shape), patch);
     require_range(surface, scene.name(e));
-    elements_.push_back({e, surface, cover(surface, surface.is_patch() ? fineness / patch_fineness : fineness)});
+    elements_.push_back({e, surface, cover(surface, fineness)});
   });
 }
 
