@@ -91,18 +91,11 @@ bool has_effect(const model::Dropped<component>&, const auto&, const auto& done)
   return done.after.template with<component>() + 1 == done.before.template with<component>();
 }
 
-template <class Op, class Done, class Visit>
-void postconditions_of_type(const Op& in, const Done& done, Visit&& visit) {
-  model::for_each_entry(Op::effects,
-                        [&](const auto& effect) { visit(*effect.what, [&] { return has_effect(effect, in, done); }); });
-  visit(*Op::answers, [&] { return done.r == Op::answer; });
-}
-
 template <class Op, class Shape, class Visit>
 void postconditions(const Op& in, const Added<Shape>& a, Visit&& visit) {
   visit(model::Agregar_Elemento_post_1, [&] { return a.elementos(); });
   visit(model::Agregar_Elemento_post_2, [&] { return a.de_que_tipo(in.t); });
-  postconditions_of_type(in, a, visit);
+  model::postconditions_of_type(in, a, a.r, visit);
 }
 
 /// A removal, done: whether the index still knows e?, and whether the element that was moved into the gap is known at
@@ -118,7 +111,7 @@ template <class Op, class Visit>
 void postconditions(const Op& in, const Removed& d, Visit&& visit) {
   visit(model::Eliminar_Elemento_post_1, [&] { return !d.known && d.after.elementos() + 1 == d.before.elementos(); });
   visit(model::Eliminar_Elemento_post_2, [&] { return !d.known && d.moved_is_known; });
-  postconditions_of_type(in, d, visit);
+  model::postconditions_of_type(in, d, d.r, visit);
 }
 
 }  // namespace durero::scene

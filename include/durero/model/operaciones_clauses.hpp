@@ -78,11 +78,12 @@ bool has_effect(const Dropped<component>&, const auto&, const Delta& d) {
   return d.without(component);
 }
 
-/// The part of both that stands in model/tipo/.
-template <class Op, class Visit>
-void postconditions_of_type(const Op& in, const Delta& d, Respuesta r, Visit&& visit) {
+/// The part of both additions and removals that stands in model/tipo/, over states of which has_effect(effect, in,
+/// done) is declared where their type is: Delta, or what the compact scene knows of an edit.
+template <class Op, class Done, class Visit>
+void postconditions_of_type(const Op& in, const Done& done, Respuesta r, Visit&& visit) {
   for_each_entry(Op::effects,
-                 [&](const auto& effect) { visit(*effect.what, [&] { return has_effect(effect, in, d); }); });
+                 [&](const auto& effect) { visit(*effect.what, [&] { return has_effect(effect, in, done); }); });
   visit(*Op::answers, [&] { return r == Op::answer; });
 }
 
