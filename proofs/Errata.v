@@ -28,21 +28,29 @@ Record Printed_ok s : Prop := {
   Printed_5 : tipos s ≡ ran (de_que_tipo s)
 }.
 
-(** The corrected invariant is the stronger one. *)
-Theorem corrected_implies_printed s : Escena_ok s -> Printed_ok s.
+Definition printed_types : set Tipo := ⦃soy_esfera⦄ ∪ ⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄.
+
+(** The corrected invariant is the stronger one, of a scene of the printed types. *)
+Theorem corrected_implies_printed s : Escena_ok s -> ran (de_que_tipo s) ⊆ printed_types -> Printed_ok s.
 Proof.
-  intros ok. split; try apply ok; intros x H; [now apply (element_of_radio _ _ ok) | now apply (element_of_vector _ _ ok)].
+  intros ok P. split; try apply ok; intros x;
+    [split | intros H; now apply (element_of_radio _ _ ok) | intros H; now apply (element_of_vector _ _ ok)].
+  - intros He. destruct (type_of_element _ _ ok x He) as [t Ht]. apply (has_centro _ _ ok x t Ht).
+    assert (T : ran (de_que_tipo s) t) by now exists x. apply P in T as [[-> | ->] | ->]; cbv; tauto.
+  - intros H. now apply (element_of_centro _ _ ok).
 Qed.
 
 Lemma empty_ok : Escena_ok (empty_scene Elemento).
 Proof. apply empty_scene_Init. Qed.
+Lemma empty_printed : Printed_ok (empty_scene Elemento).
+Proof. apply corrected_implies_printed; [exact empty_ok | now intros t [x []]]. Qed.
 
 (** E07: a scene that satisfies the printed invariant may hold a cylinder with neither radius nor height. *)
 Theorem E07_undefined_attribute x c :
   exists s, Printed_ok s /\ (x, soy_cilindro) ∈ de_que_tipo s /\ x ∉ dom (mi_radio s) /\ x ∉ dom (mi_altura s).
 Proof.
-  pose proof (corrected_implies_printed _ empty_ok) as P.
-  exists (scene_with _ (empty_scene _) x soy_cilindro c ∅ ∅ ∅ ∅).
+  pose proof empty_printed as P.
+  exists (scene_with _ (empty_scene _) x soy_cilindro ⦃c⦄ ∅ ∅ ∅ ∅ ∅).
   assert (N : forall X, dom (∅ ∪ at_one x (∅ : set X)) x -> False) by now intros X [y [[] | [_ []]]].
   assert (F : forall X (B : set X), ∅ ∪ at_one x ∅ ∈ (univ ⇸ B)).
   { intros X B. rewrite at_one_empty. split; [now intros ? ? ? [] | split; [easy | now intros ? [? []]]]. }
@@ -154,7 +162,9 @@ Proof.
   exists (cyl 1), (with_esfera _ (cyl 2) e c 1).
   split; [apply A; lra | split; [exact B |]]. split; [| cbn; unfold union, at_one, single; cbn; auto].
   split; cbn -[cyl]; rewrite ?at_one_single; try reflexivity. split; try reflexivity; [| exact N].
-  split; apply corrected_implies_printed; [apply A; lra | exact B].
+  split; (apply corrected_implies_printed; [first [exact B | apply A; lra] |]); intros t [y H]; cbn in H;
+    unfold union, single, printed_types, empty in *; decompose [or] H; try contradiction;
+    repeat match goal with E : _ = _ |- _ => injection E as _ -> end; cbv; tauto.
 Qed.
 
 (** E09: a cylinder removed as a sphere, every other component staying as it was, leaves its axis and its height behind;
@@ -164,10 +174,10 @@ Theorem E09_wrong_type_leaves_attributes s s' e c r d h : Escena_ok s -> is_cili
   (e, d) ∈ mi_vector s' /\ (e, h) ∈ mi_altura s' /\ ~ Printed_ok s' /\ ~ Escena_ok s'.
 Proof.
   intros ok [_ [_ [_ [Hd Hh]]]] E V A.
-  assert (P : ~ Printed_ok s').
-  { intros P. assert (He : e ∈ elementos s') by (apply (Printed_4 _ P); exists d; now apply V).
-    apply E in He as [_ He]. now apply He. }
-  split; [now apply V | split; [now apply A | split; [exact P |]]]. intros ok'. now apply P, corrected_implies_printed.
+  assert (N : e ∉ elementos s') by (intros He; apply E in He as [_ He]; now apply He).
+  assert (D : e ∈ dom (mi_vector s')) by (exists d; now apply V).
+  split; [now apply V | split; [now apply A |]]. split; [intros P; now apply N, (Printed_4 _ P) |].
+  intros ok'. now apply N, (element_of_vector _ _ ok').
 Qed.
 
 (** E19: with restriction in the place of subtraction, nothing can be removed. *)
@@ -186,8 +196,8 @@ Theorem E33_leftover_height_blocks_addition e :
      ~ Printed_Agregar_Cilindro s s' e t r_out c r d 2.
 Proof.
   split.
-  - exists (mk_Escena ∅ ∅ ∅ ∅ ∅ ∅ ⦃(e, 1)⦄ ∅).
-    pose proof (corrected_implies_printed _ empty_ok) as []. cbn in *.
+  - exists (mk_Escena ∅ ∅ ∅ ∅ ∅ ∅ ⦃(e, 1)⦄ ∅ ∅).
+    pose proof empty_printed as []. cbn in *.
     split; [split; cbn; auto | split; [intros [] | reflexivity]]. split; [| split; [easy |]].
     + now intros a b b' [= -> ->] [= ->].
     + intros b [a [= _ ->]]. unfold Rmas. lra.
@@ -209,8 +219,7 @@ Definition printed_puntos_de_escena s : set Punto := fun w =>
         /\ (e, h) ∈ mi_altura s /\ w ∈ puntos_cono c k d h
     | _ => False
     end.
-Theorem E25_same_points s : ran (de_que_tipo s) ⊆ ⦃soy_esfera⦄ ∪ ⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄ ->
-  printed_puntos_de_escena s ≡ puntos_de_escena s.
+Theorem E25_same_points s : ran (de_que_tipo s) ⊆ printed_types -> printed_puntos_de_escena s ≡ puntos_de_escena s.
 Proof.
   intros P w. split.
   - intros [e [t [He [Ht H]]]]. exists e. split; [exact He | split; [exact He |]]. exists t. split; [exact Ht |].
@@ -326,7 +335,7 @@ Qed.
 Definition accumulating_scene : Especificacion.Escena nat := {|
   elementos := univ; tipos := ⦃soy_esfera⦄; de_que_tipo := fun p => snd p = soy_esfera;
   mi_centro := fun p => snd p = mk_Punto (2 + / INR (S (fst p))) 0 0; mi_radio := fun p => snd p = 1;
-  mi_vector := ∅; mi_altura := ∅; mi_proporcion := ∅ |}.
+  mi_vector := ∅; mi_altura := ∅; mi_proporcion := ∅; mi_vertices := ∅ |}.
 Definition ray_x : Rayo := mk_Rayo (mk_Punto 0 0 0) (mk_Vector 1 0 0).
 
 Theorem E22_no_first_of_infinitely_many :

@@ -93,14 +93,29 @@ Definition Unitario : set Vector :=
   fun d => 1 - tolerancia_unidad <= Vector_x d * Vector_x d + Vector_y d * Vector_y d + Vector_z d * Vector_z d <= 1
   + tolerancia_unidad. (* Unitario.inv.1 *)
 
+Record Terna := mk_Terna {
+  Terna_a : Punto;
+  Terna_b : Punto;
+  Terna_c : Punto
+}.
+
+Definition Vertices : set Terna :=
+  fun v => ~ ((Punto_y (Terna_b v) - Punto_y (Terna_a v)) * (Punto_z (Terna_c v) - Punto_z (Terna_a v))
+  = (Punto_z (Terna_b v) - Punto_z (Terna_a v)) * (Punto_y (Terna_c v) - Punto_y (Terna_a v))
+  /\ (Punto_z (Terna_b v) - Punto_z (Terna_a v)) * (Punto_x (Terna_c v) - Punto_x (Terna_a v))
+  = (Punto_x (Terna_b v) - Punto_x (Terna_a v)) * (Punto_z (Terna_c v) - Punto_z (Terna_a v))
+  /\ (Punto_x (Terna_b v) - Punto_x (Terna_a v)) * (Punto_y (Terna_c v) - Punto_y (Terna_a v))
+  = (Punto_y (Terna_b v) - Punto_y (Terna_a v)) * (Punto_x (Terna_c v) - Punto_x (Terna_a v))). (* Vertices.inv.1 *)
+
 Variable Elemento : Type.
 
-Inductive Tipo := | soy_esfera | soy_cilindro | soy_cono | soy_tronco | soy_plano.
+Inductive Tipo := | soy_esfera | soy_cilindro | soy_cono | soy_tronco | soy_plano | soy_disco | soy_triangulo.
 
 Inductive Respuesta := | elemento_agregado | elemento_eliminado | esfera_agregada | cilindro_agregado | cono_agregado
-  | tronco_agregado | plano_agregado | esfera_eliminada | cilindro_eliminado | cono_eliminado | tronco_eliminado |
-  plano_eliminado | elemento_ya_existe | elemento_no_existe | tipo_incorrecto | radio_no_positivo | vector_no_unitario
-  | altura_no_positiva | proporcion_no_positiva.
+  | tronco_agregado | plano_agregado | disco_agregado | triangulo_agregado | esfera_eliminada | cilindro_eliminado |
+  cono_eliminado | tronco_eliminado | plano_eliminado | disco_eliminado | triangulo_eliminado | elemento_ya_existe |
+  elemento_no_existe | tipo_incorrecto | radio_no_positivo | vector_no_unitario | altura_no_positiva |
+  proporcion_no_positiva | vertices_alineados.
 
 (** * escena.tex *)
 
@@ -112,7 +127,8 @@ Record Escena := mk_Escena {
   mi_radio : rel Elemento R;
   mi_vector : rel Elemento Vector;
   mi_altura : rel Elemento R;
-  mi_proporcion : rel Elemento R
+  mi_proporcion : rel Elemento R;
+  mi_vertices : rel Elemento Terna
 }.
 
 Record Escena_ok (s : Escena) : Prop := {
@@ -124,18 +140,21 @@ Record Escena_ok (s : Escena) : Prop := {
   Escena_decl_mi_vector : mi_vector s ∈ univ ⇸ univ;
   Escena_decl_mi_altura : mi_altura s ∈ univ ⇸ Rmas;
   Escena_decl_mi_proporcion : mi_proporcion s ∈ univ ⇸ Rmas;
+  Escena_decl_mi_vertices : mi_vertices s ∈ univ ⇸ Vertices;
   Escena_inv_1 : elementos s ≡ dom (de_que_tipo s); (* Escena.inv.1 *)
-  Escena_inv_2 : elementos s ≡ dom (mi_centro s); (* Escena.inv.2 *)
-  Escena_inv_3 : dom (mi_radio s) ≡ image (inverse (de_que_tipo s)) (⦃soy_esfera⦄ ∪ ⦃soy_cilindro⦄ ∪ ⦃soy_tronco⦄);
-    (* Escena.inv.3 *)
+  Escena_inv_2 : dom (mi_centro s) ≡ image (inverse (de_que_tipo s)) (⦃soy_esfera⦄ ∪ ⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄ ∪
+    ⦃soy_tronco⦄ ∪ ⦃soy_plano⦄ ∪ ⦃soy_disco⦄); (* Escena.inv.2 *)
+  Escena_inv_3 : dom (mi_radio s) ≡ image (inverse (de_que_tipo s)) (⦃soy_esfera⦄ ∪ ⦃soy_cilindro⦄ ∪ ⦃soy_tronco⦄ ∪
+    ⦃soy_disco⦄); (* Escena.inv.3 *)
   Escena_inv_4 : dom (mi_vector s) ≡ image (inverse (de_que_tipo s)) (⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄ ∪ ⦃soy_tronco⦄ ∪
-    ⦃soy_plano⦄); (* Escena.inv.4 *)
+    ⦃soy_plano⦄ ∪ ⦃soy_disco⦄); (* Escena.inv.4 *)
   Escena_inv_5 : dom (mi_altura s) ≡ image (inverse (de_que_tipo s)) (⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄ ∪ ⦃soy_tronco⦄);
     (* Escena.inv.5 *)
   Escena_inv_6 : dom (mi_proporcion s) ≡ image (inverse (de_que_tipo s)) (⦃soy_cono⦄ ∪ ⦃soy_tronco⦄);
     (* Escena.inv.6 *)
   Escena_inv_7 : tipos s ≡ ran (de_que_tipo s); (* Escena.inv.7 *)
-  Escena_inv_8 : ran (mi_vector s) ⊆ Unitario (* Escena.inv.8 *)
+  Escena_inv_8 : ran (mi_vector s) ⊆ Unitario; (* Escena.inv.8 *)
+  Escena_inv_9 : dom (mi_vertices s) ≡ image (inverse (de_que_tipo s)) ⦃soy_triangulo⦄ (* Escena.inv.9 *)
 }.
 
 Record Escena_eq (s s' : Escena) : Prop := {
@@ -146,7 +165,8 @@ Record Escena_eq (s s' : Escena) : Prop := {
   Escena_eq_mi_radio : mi_radio s' ≡ mi_radio s;
   Escena_eq_mi_vector : mi_vector s' ≡ mi_vector s;
   Escena_eq_mi_altura : mi_altura s' ≡ mi_altura s;
-  Escena_eq_mi_proporcion : mi_proporcion s' ≡ mi_proporcion s
+  Escena_eq_mi_proporcion : mi_proporcion s' ≡ mi_proporcion s;
+  Escena_eq_mi_vertices : mi_vertices s' ≡ mi_vertices s
 }.
 
 Record Delta_Escena (s s' : Escena) : Prop := {
@@ -191,6 +211,15 @@ Definition potencia_cono (w centro : Punto) (prop : R) (dir : Vector) (h : R) : 
 Definition potencia_tronco (w centro : Punto) (radio prop : R) (dir : Vector) (h : R) : R :=
   alejamiento w centro dir - cuadrado (radio + prop * (h - avance w centro dir)). (* potencia_tronco.def.1 *)
 Definition potencia_plano (w centro : Punto) (dir : Vector) : R := avance w centro dir. (* potencia_plano.def.1 *)
+Definition potencia_triangulo (w : Punto) (v : Terna) : R :=
+  (Punto_x w - Punto_x (Terna_a v)) * ((Punto_y (Terna_b v) - Punto_y (Terna_a v)) * (Punto_z (Terna_c v)
+  - Punto_z (Terna_a v)) - (Punto_z (Terna_b v) - Punto_z (Terna_a v)) * (Punto_y (Terna_c v)
+  - Punto_y (Terna_a v))) + (Punto_y w - Punto_y (Terna_a v)) * ((Punto_z (Terna_b v)
+  - Punto_z (Terna_a v)) * (Punto_x (Terna_c v) - Punto_x (Terna_a v))
+  - (Punto_x (Terna_b v) - Punto_x (Terna_a v)) * (Punto_z (Terna_c v) - Punto_z (Terna_a v)))
+  + (Punto_z w - Punto_z (Terna_a v)) * ((Punto_x (Terna_b v) - Punto_x (Terna_a v)) * (Punto_y (Terna_c v)
+  - Punto_y (Terna_a v)) - (Punto_y (Terna_b v) - Punto_y (Terna_a v)) * (Punto_x (Terna_c v)
+  - Punto_x (Terna_a v))). (* potencia_triangulo.def.1 *)
 
 Definition puntos_esfera (centro : Punto) (radio : R) : set Punto :=
   fun w => potencia_esfera w centro radio = 0. (* puntos_esfera.def.1 *)
@@ -207,6 +236,23 @@ Definition puntos_tronco (centro : Punto) (radio prop : R) (dir : Vector) (h : R
 Definition puntos_plano (centro : Punto) (dir : Vector) : set Punto :=
   fun w => potencia_plano w centro dir = 0. (* puntos_plano.def.1 *)
 
+Definition puntos_disco (centro : Punto) (radio : R) (dir : Vector) : set Punto :=
+  fun w => potencia_plano w centro dir = 0 /\ potencia_esfera w centro radio <= 0. (* puntos_disco.def.1 *)
+
+Definition escalar (p q r s1 : Punto) : R :=
+  (Punto_x q - Punto_x p) * (Punto_x s1 - Punto_x r) + (Punto_y q - Punto_y p) * (Punto_y s1 - Punto_y r)
+  + (Punto_z q - Punto_z p) * (Punto_z s1 - Punto_z r). (* escalar.def.1 *)
+
+Definition lado (w a b c : Punto) : R :=
+  escalar a b a b * escalar a w a c - escalar a b a c * escalar a w a b. (* lado.def.1 *)
+
+Definition prisma (v : Terna) : set Punto :=
+  fun w => 0 <= lado w (Terna_a v) (Terna_b v) (Terna_c v) /\ 0 <= lado w (Terna_b v) (Terna_c v) (Terna_a v)
+  /\ 0 <= lado w (Terna_c v) (Terna_a v) (Terna_b v). (* prisma.def.1 *)
+
+Definition puntos_triangulo (v : Terna) : set Punto :=
+  fun w => w ∈ prisma v /\ potencia_triangulo w v = 0. (* puntos_triangulo.def.1 *)
+
 Definition puntos_de_rayo (ray : Rayo) : set Punto :=
   ⋃[Rmas] (fun t => fun temp => Punto_x temp = Punto_x (Rayo_p ray) + t * Vector_x (Rayo_v ray)
   /\ Punto_y temp = Punto_y (Rayo_p ray) + t * Vector_y (Rayo_v ray)
@@ -221,8 +267,12 @@ Definition puntos_de_elemento (s : Escena) (e : Elemento) : set Punto :=
   /\ (e, v3) ∈ mi_proporcion s /\ (e, v4) ∈ mi_vector s /\ (e, v5) ∈ mi_altura s /\ x1 ∈ puntos_cono v2 v3 v4 v5)
   \/ (v1 <> soy_cono /\ ((v1 = soy_tronco /\ exists v2 v3 v4 v5 v6, (e, v2) ∈ mi_centro s /\ (e, v3) ∈ mi_radio s
   /\ (e, v4) ∈ mi_proporcion s /\ (e, v5) ∈ mi_vector s /\ (e, v6) ∈ mi_altura s
-  /\ x1 ∈ puntos_tronco v2 v3 v4 v5 v6) \/ (v1 <> soy_tronco /\ exists v2 v3, (e, v2) ∈ mi_centro s
-  /\ (e, v3) ∈ mi_vector s /\ x1 ∈ puntos_plano v2 v3)))))))). (* puntos_de_elemento.def.1 *)
+  /\ x1 ∈ puntos_tronco v2 v3 v4 v5 v6) \/ (v1 <> soy_tronco
+  /\ ((v1 = soy_plano /\ exists v2 v3, (e, v2) ∈ mi_centro s /\ (e, v3) ∈ mi_vector s /\ x1 ∈ puntos_plano v2 v3)
+  \/ (v1 <> soy_plano /\ ((v1 = soy_disco /\ exists v2 v3 v4, (e, v2) ∈ mi_centro s /\ (e, v3) ∈ mi_radio s
+  /\ (e, v4) ∈ mi_vector s /\ x1 ∈ puntos_disco v2 v3 v4)
+  \/ (v1 <> soy_disco /\ exists v2, (e, v2) ∈ mi_vertices s
+  /\ x1 ∈ puntos_triangulo v2)))))))))))). (* puntos_de_elemento.def.1 *)
 
 Definition puntos_de_escena (s : Escena) : set Punto :=
   ⋃[elementos s] (fun e => puntos_de_elemento s e). (* puntos_de_escena.def.1 *)
@@ -255,13 +305,18 @@ Definition potencia (s : Escena) (e : Elemento) (w : Punto) : set R :=
   \/ (v1 <> soy_cono /\ ((v1 = soy_tronco /\ exists v2 v3 v4 v5 v6, (e, v2) ∈ mi_centro s /\ (e, v3) ∈ mi_radio s
   /\ (e, v4) ∈ mi_proporcion s /\ (e, v5) ∈ mi_vector s /\ (e, v6) ∈ mi_altura s
   /\ y1 = potencia_tronco w v2 v3 v4 v5 v6)
-  \/ (v1 <> soy_tronco /\ exists v2 v3, (e, v2) ∈ mi_centro s /\ (e, v3) ∈ mi_vector s
-  /\ y1 = potencia_plano w v2 v3)))))))). (* potencia.def.1 *)
+  \/ (v1 <> soy_tronco /\ ((v1 = soy_plano /\ exists v2 v3, (e, v2) ∈ mi_centro s /\ (e, v3) ∈ mi_vector s
+  /\ y1 = potencia_plano w v2 v3) \/ (v1 <> soy_plano
+  /\ ((v1 = soy_disco /\ exists v2 v3, (e, v2) ∈ mi_centro s /\ (e, v3) ∈ mi_vector s
+  /\ y1 = potencia_plano w v2 v3) \/ (v1 <> soy_disco /\ exists v2, (e, v2) ∈ mi_vertices s
+  /\ y1 = potencia_triangulo w v2)))))))))))). (* potencia.def.1 *)
 
 Definition tramo (s : Escena) (e : Elemento) : set Punto :=
   fun w => e ∈ elementos s /\ (e ∈ dom (mi_altura s)
   -> (exists v1 v2 v3, (e, v1) ∈ mi_centro s /\ (e, v2) ∈ mi_vector s /\ (e, v3) ∈ mi_altura s
-  /\ 0 <= avance w v1 v2 <= v3)). (* tramo.def.1 *)
+  /\ 0 <= avance w v1 v2 <= v3)) /\ ((exists v1, (e, v1) ∈ de_que_tipo s /\ v1 = soy_disco)
+  -> (exists v1 v2, (e, v1) ∈ mi_centro s /\ (e, v2) ∈ mi_radio s /\ potencia_esfera w v1 v2 <= 0))
+  /\ (e ∈ dom (mi_vertices s) -> (exists v1, (e, v1) ∈ mi_vertices s /\ w ∈ prisma v1)). (* tramo.def.1 *)
 
 Definition puntos_desde (s : Escena) (e : Elemento) (p : Punto) : set Punto :=
   fun w => e ∈ elementos s /\ w ∈ tramo s e /\ exists v1 v2, v1 ∈ potencia s e w /\ v2 ∈ potencia s e p
@@ -359,7 +414,8 @@ Record Agregar_Esfera (s s' : Escena) (e_in : Elemento) (t_in : Tipo) (r_out : R
   Agregar_Esfera_post_3 : mi_vector s' ≡ mi_vector s; (* Agregar_Esfera.post.3 *)
   Agregar_Esfera_post_4 : mi_altura s' ≡ mi_altura s; (* Agregar_Esfera.post.4 *)
   Agregar_Esfera_post_5 : mi_proporcion s' ≡ mi_proporcion s; (* Agregar_Esfera.post.5 *)
-  Agregar_Esfera_post_6 : r_out = esfera_agregada (* Agregar_Esfera.post.6 *)
+  Agregar_Esfera_post_6 : mi_vertices s' ≡ mi_vertices s; (* Agregar_Esfera.post.6 *)
+  Agregar_Esfera_post_7 : r_out = esfera_agregada (* Agregar_Esfera.post.7 *)
 }.
 
 Record Agregar_Cilindro (s s' : Escena) (e_in : Elemento) (t_in : Tipo) (r_out : Respuesta) (centro_in : Punto)
@@ -374,7 +430,8 @@ Record Agregar_Cilindro (s s' : Escena) (e_in : Elemento) (t_in : Tipo) (r_out :
   Agregar_Cilindro_post_3 : mi_vector s' ≡ mi_vector s ∪ ⦃(e_in, vector_in)⦄; (* Agregar_Cilindro.post.3 *)
   Agregar_Cilindro_post_4 : mi_altura s' ≡ mi_altura s ∪ ⦃(e_in, altura_in)⦄; (* Agregar_Cilindro.post.4 *)
   Agregar_Cilindro_post_5 : mi_proporcion s' ≡ mi_proporcion s; (* Agregar_Cilindro.post.5 *)
-  Agregar_Cilindro_post_6 : r_out = cilindro_agregado (* Agregar_Cilindro.post.6 *)
+  Agregar_Cilindro_post_6 : mi_vertices s' ≡ mi_vertices s; (* Agregar_Cilindro.post.6 *)
+  Agregar_Cilindro_post_7 : r_out = cilindro_agregado (* Agregar_Cilindro.post.7 *)
 }.
 
 Record Agregar_Cono (s s' : Escena) (e_in : Elemento) (t_in : Tipo) (r_out : Respuesta) (centro_in : Punto)
@@ -389,7 +446,8 @@ Record Agregar_Cono (s s' : Escena) (e_in : Elemento) (t_in : Tipo) (r_out : Res
   Agregar_Cono_post_3 : mi_vector s' ≡ mi_vector s ∪ ⦃(e_in, vector_in)⦄; (* Agregar_Cono.post.3 *)
   Agregar_Cono_post_4 : mi_altura s' ≡ mi_altura s ∪ ⦃(e_in, altura_in)⦄; (* Agregar_Cono.post.4 *)
   Agregar_Cono_post_5 : mi_proporcion s' ≡ mi_proporcion s ∪ ⦃(e_in, proporcion_in)⦄; (* Agregar_Cono.post.5 *)
-  Agregar_Cono_post_6 : r_out = cono_agregado (* Agregar_Cono.post.6 *)
+  Agregar_Cono_post_6 : mi_vertices s' ≡ mi_vertices s; (* Agregar_Cono.post.6 *)
+  Agregar_Cono_post_7 : r_out = cono_agregado (* Agregar_Cono.post.7 *)
 }.
 
 Record Agregar_Tronco (s s' : Escena) (e_in : Elemento) (t_in : Tipo) (r_out : Respuesta) (centro_in : Punto)
@@ -405,7 +463,8 @@ Record Agregar_Tronco (s s' : Escena) (e_in : Elemento) (t_in : Tipo) (r_out : R
   Agregar_Tronco_post_3 : mi_vector s' ≡ mi_vector s ∪ ⦃(e_in, vector_in)⦄; (* Agregar_Tronco.post.3 *)
   Agregar_Tronco_post_4 : mi_altura s' ≡ mi_altura s ∪ ⦃(e_in, altura_in)⦄; (* Agregar_Tronco.post.4 *)
   Agregar_Tronco_post_5 : mi_proporcion s' ≡ mi_proporcion s ∪ ⦃(e_in, proporcion_in)⦄; (* Agregar_Tronco.post.5 *)
-  Agregar_Tronco_post_6 : r_out = tronco_agregado (* Agregar_Tronco.post.6 *)
+  Agregar_Tronco_post_6 : mi_vertices s' ≡ mi_vertices s; (* Agregar_Tronco.post.6 *)
+  Agregar_Tronco_post_7 : r_out = tronco_agregado (* Agregar_Tronco.post.7 *)
 }.
 
 Record Agregar_Plano (s s' : Escena) (e_in : Elemento) (t_in : Tipo) (r_out : Respuesta) (centro_in : Punto)
@@ -418,7 +477,37 @@ Record Agregar_Plano (s s' : Escena) (e_in : Elemento) (t_in : Tipo) (r_out : Re
   Agregar_Plano_post_3 : mi_vector s' ≡ mi_vector s ∪ ⦃(e_in, vector_in)⦄; (* Agregar_Plano.post.3 *)
   Agregar_Plano_post_4 : mi_altura s' ≡ mi_altura s; (* Agregar_Plano.post.4 *)
   Agregar_Plano_post_5 : mi_proporcion s' ≡ mi_proporcion s; (* Agregar_Plano.post.5 *)
-  Agregar_Plano_post_6 : r_out = plano_agregado (* Agregar_Plano.post.6 *)
+  Agregar_Plano_post_6 : mi_vertices s' ≡ mi_vertices s; (* Agregar_Plano.post.6 *)
+  Agregar_Plano_post_7 : r_out = plano_agregado (* Agregar_Plano.post.7 *)
+}.
+
+Record Agregar_Disco (s s' : Escena) (e_in : Elemento) (t_in : Tipo) (r_out : Respuesta) (centro_in : Punto) (radio_in
+  : R) (vector_in : Vector) : Prop := {
+  Agregar_Disco_Agregar_Elemento : Agregar_Elemento s s' e_in t_in r_out;
+  Agregar_Disco_pre_1 : t_in = soy_disco; (* Agregar_Disco.pre.1 *)
+  Agregar_Disco_pre_2 : radio_in ∈ Rmas; (* Agregar_Disco.pre.2 *)
+  Agregar_Disco_pre_3 : vector_in ∈ Unitario; (* Agregar_Disco.pre.3 *)
+  Agregar_Disco_post_1 : mi_centro s' ≡ mi_centro s ∪ ⦃(e_in, centro_in)⦄; (* Agregar_Disco.post.1 *)
+  Agregar_Disco_post_2 : mi_radio s' ≡ mi_radio s ∪ ⦃(e_in, radio_in)⦄; (* Agregar_Disco.post.2 *)
+  Agregar_Disco_post_3 : mi_vector s' ≡ mi_vector s ∪ ⦃(e_in, vector_in)⦄; (* Agregar_Disco.post.3 *)
+  Agregar_Disco_post_4 : mi_altura s' ≡ mi_altura s; (* Agregar_Disco.post.4 *)
+  Agregar_Disco_post_5 : mi_proporcion s' ≡ mi_proporcion s; (* Agregar_Disco.post.5 *)
+  Agregar_Disco_post_6 : mi_vertices s' ≡ mi_vertices s; (* Agregar_Disco.post.6 *)
+  Agregar_Disco_post_7 : r_out = disco_agregado (* Agregar_Disco.post.7 *)
+}.
+
+Record Agregar_Triangulo (s s' : Escena) (e_in : Elemento) (t_in : Tipo) (r_out : Respuesta) (vertices_in : Terna) :
+  Prop := {
+  Agregar_Triangulo_Agregar_Elemento : Agregar_Elemento s s' e_in t_in r_out;
+  Agregar_Triangulo_pre_1 : t_in = soy_triangulo; (* Agregar_Triangulo.pre.1 *)
+  Agregar_Triangulo_pre_2 : vertices_in ∈ Vertices; (* Agregar_Triangulo.pre.2 *)
+  Agregar_Triangulo_post_1 : mi_centro s' ≡ mi_centro s; (* Agregar_Triangulo.post.1 *)
+  Agregar_Triangulo_post_2 : mi_radio s' ≡ mi_radio s; (* Agregar_Triangulo.post.2 *)
+  Agregar_Triangulo_post_3 : mi_vector s' ≡ mi_vector s; (* Agregar_Triangulo.post.3 *)
+  Agregar_Triangulo_post_4 : mi_altura s' ≡ mi_altura s; (* Agregar_Triangulo.post.4 *)
+  Agregar_Triangulo_post_5 : mi_proporcion s' ≡ mi_proporcion s; (* Agregar_Triangulo.post.5 *)
+  Agregar_Triangulo_post_6 : mi_vertices s' ≡ mi_vertices s ∪ ⦃(e_in, vertices_in)⦄; (* Agregar_Triangulo.post.6 *)
+  Agregar_Triangulo_post_7 : r_out = triangulo_agregado (* Agregar_Triangulo.post.7 *)
 }.
 
 Record Eliminar_Esfera (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop := {
@@ -429,7 +518,8 @@ Record Eliminar_Esfera (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : P
   Eliminar_Esfera_post_3 : mi_vector s' ≡ mi_vector s; (* Eliminar_Esfera.post.3 *)
   Eliminar_Esfera_post_4 : mi_altura s' ≡ mi_altura s; (* Eliminar_Esfera.post.4 *)
   Eliminar_Esfera_post_5 : mi_proporcion s' ≡ mi_proporcion s; (* Eliminar_Esfera.post.5 *)
-  Eliminar_Esfera_post_6 : r_out = esfera_eliminada (* Eliminar_Esfera.post.6 *)
+  Eliminar_Esfera_post_6 : mi_vertices s' ≡ mi_vertices s; (* Eliminar_Esfera.post.6 *)
+  Eliminar_Esfera_post_7 : r_out = esfera_eliminada (* Eliminar_Esfera.post.7 *)
 }.
 
 Record Eliminar_Cilindro (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop := {
@@ -440,7 +530,8 @@ Record Eliminar_Cilindro (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) :
   Eliminar_Cilindro_post_3 : mi_vector s' ≡ ndres ⦃e_in⦄ (mi_vector s); (* Eliminar_Cilindro.post.3 *)
   Eliminar_Cilindro_post_4 : mi_altura s' ≡ ndres ⦃e_in⦄ (mi_altura s); (* Eliminar_Cilindro.post.4 *)
   Eliminar_Cilindro_post_5 : mi_proporcion s' ≡ mi_proporcion s; (* Eliminar_Cilindro.post.5 *)
-  Eliminar_Cilindro_post_6 : r_out = cilindro_eliminado (* Eliminar_Cilindro.post.6 *)
+  Eliminar_Cilindro_post_6 : mi_vertices s' ≡ mi_vertices s; (* Eliminar_Cilindro.post.6 *)
+  Eliminar_Cilindro_post_7 : r_out = cilindro_eliminado (* Eliminar_Cilindro.post.7 *)
 }.
 
 Record Eliminar_Cono (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop := {
@@ -451,7 +542,8 @@ Record Eliminar_Cono (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Pro
   Eliminar_Cono_post_3 : mi_vector s' ≡ ndres ⦃e_in⦄ (mi_vector s); (* Eliminar_Cono.post.3 *)
   Eliminar_Cono_post_4 : mi_altura s' ≡ ndres ⦃e_in⦄ (mi_altura s); (* Eliminar_Cono.post.4 *)
   Eliminar_Cono_post_5 : mi_proporcion s' ≡ ndres ⦃e_in⦄ (mi_proporcion s); (* Eliminar_Cono.post.5 *)
-  Eliminar_Cono_post_6 : r_out = cono_eliminado (* Eliminar_Cono.post.6 *)
+  Eliminar_Cono_post_6 : mi_vertices s' ≡ mi_vertices s; (* Eliminar_Cono.post.6 *)
+  Eliminar_Cono_post_7 : r_out = cono_eliminado (* Eliminar_Cono.post.7 *)
 }.
 
 Record Eliminar_Tronco (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop := {
@@ -462,7 +554,8 @@ Record Eliminar_Tronco (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : P
   Eliminar_Tronco_post_3 : mi_vector s' ≡ ndres ⦃e_in⦄ (mi_vector s); (* Eliminar_Tronco.post.3 *)
   Eliminar_Tronco_post_4 : mi_altura s' ≡ ndres ⦃e_in⦄ (mi_altura s); (* Eliminar_Tronco.post.4 *)
   Eliminar_Tronco_post_5 : mi_proporcion s' ≡ ndres ⦃e_in⦄ (mi_proporcion s); (* Eliminar_Tronco.post.5 *)
-  Eliminar_Tronco_post_6 : r_out = tronco_eliminado (* Eliminar_Tronco.post.6 *)
+  Eliminar_Tronco_post_6 : mi_vertices s' ≡ mi_vertices s; (* Eliminar_Tronco.post.6 *)
+  Eliminar_Tronco_post_7 : r_out = tronco_eliminado (* Eliminar_Tronco.post.7 *)
 }.
 
 Record Eliminar_Plano (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop := {
@@ -473,21 +566,49 @@ Record Eliminar_Plano (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Pr
   Eliminar_Plano_post_3 : mi_vector s' ≡ ndres ⦃e_in⦄ (mi_vector s); (* Eliminar_Plano.post.3 *)
   Eliminar_Plano_post_4 : mi_altura s' ≡ mi_altura s; (* Eliminar_Plano.post.4 *)
   Eliminar_Plano_post_5 : mi_proporcion s' ≡ mi_proporcion s; (* Eliminar_Plano.post.5 *)
-  Eliminar_Plano_post_6 : r_out = plano_eliminado (* Eliminar_Plano.post.6 *)
+  Eliminar_Plano_post_6 : mi_vertices s' ≡ mi_vertices s; (* Eliminar_Plano.post.6 *)
+  Eliminar_Plano_post_7 : r_out = plano_eliminado (* Eliminar_Plano.post.7 *)
+}.
+
+Record Eliminar_Disco (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop := {
+  Eliminar_Disco_Eliminar_Elemento : Eliminar_Elemento s s' e_in r_out;
+  Eliminar_Disco_pre_1 : exists v1, (e_in, v1) ∈ de_que_tipo s /\ v1 = soy_disco; (* Eliminar_Disco.pre.1 *)
+  Eliminar_Disco_post_1 : mi_centro s' ≡ ndres ⦃e_in⦄ (mi_centro s); (* Eliminar_Disco.post.1 *)
+  Eliminar_Disco_post_2 : mi_radio s' ≡ ndres ⦃e_in⦄ (mi_radio s); (* Eliminar_Disco.post.2 *)
+  Eliminar_Disco_post_3 : mi_vector s' ≡ ndres ⦃e_in⦄ (mi_vector s); (* Eliminar_Disco.post.3 *)
+  Eliminar_Disco_post_4 : mi_altura s' ≡ mi_altura s; (* Eliminar_Disco.post.4 *)
+  Eliminar_Disco_post_5 : mi_proporcion s' ≡ mi_proporcion s; (* Eliminar_Disco.post.5 *)
+  Eliminar_Disco_post_6 : mi_vertices s' ≡ mi_vertices s; (* Eliminar_Disco.post.6 *)
+  Eliminar_Disco_post_7 : r_out = disco_eliminado (* Eliminar_Disco.post.7 *)
+}.
+
+Record Eliminar_Triangulo (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop := {
+  Eliminar_Triangulo_Eliminar_Elemento : Eliminar_Elemento s s' e_in r_out;
+  Eliminar_Triangulo_pre_1 : exists v1, (e_in, v1) ∈ de_que_tipo s
+    /\ v1 = soy_triangulo; (* Eliminar_Triangulo.pre.1 *)
+  Eliminar_Triangulo_post_1 : mi_centro s' ≡ mi_centro s; (* Eliminar_Triangulo.post.1 *)
+  Eliminar_Triangulo_post_2 : mi_radio s' ≡ mi_radio s; (* Eliminar_Triangulo.post.2 *)
+  Eliminar_Triangulo_post_3 : mi_vector s' ≡ mi_vector s; (* Eliminar_Triangulo.post.3 *)
+  Eliminar_Triangulo_post_4 : mi_altura s' ≡ mi_altura s; (* Eliminar_Triangulo.post.4 *)
+  Eliminar_Triangulo_post_5 : mi_proporcion s' ≡ mi_proporcion s; (* Eliminar_Triangulo.post.5 *)
+  Eliminar_Triangulo_post_6 : mi_vertices s' ≡ ndres ⦃e_in⦄ (mi_vertices s); (* Eliminar_Triangulo.post.6 *)
+  Eliminar_Triangulo_post_7 : r_out = triangulo_eliminado (* Eliminar_Triangulo.post.7 *)
 }.
 
 Definition Elemento_Agregado (s s' : Escena) (e_in : Elemento) (t_in : Tipo) (centro_in : Punto) (radio_in : R)
-  (vector_in : Vector) (altura_in proporcion_in : R) (r_out : Respuesta) : Prop :=
+  (vector_in : Vector) (altura_in proporcion_in : R) (vertices_in : Terna) (r_out : Respuesta) : Prop :=
   (exists r_out : Respuesta, Agregar_Esfera s s' e_in t_in r_out centro_in radio_in
   \/ Agregar_Cilindro s s' e_in t_in r_out centro_in radio_in vector_in altura_in
   \/ Agregar_Cono s s' e_in t_in r_out centro_in proporcion_in vector_in altura_in
   \/ Agregar_Tronco s s' e_in t_in r_out centro_in radio_in proporcion_in vector_in altura_in
-  \/ Agregar_Plano s s' e_in t_in r_out centro_in vector_in)
-  /\ r_out = elemento_agregado. (* Elemento_Agregado.post.1 *)
+  \/ Agregar_Plano s s' e_in t_in r_out centro_in vector_in
+  \/ Agregar_Disco s s' e_in t_in r_out centro_in radio_in vector_in
+  \/ Agregar_Triangulo s s' e_in t_in r_out vertices_in) /\ r_out = elemento_agregado. (* Elemento_Agregado.post.1 *)
 
 Definition Elemento_Eliminado (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop :=
   (exists r_out : Respuesta, Eliminar_Esfera s s' e_in r_out \/ Eliminar_Cilindro s s' e_in r_out
-  \/ Eliminar_Cono s s' e_in r_out \/ Eliminar_Tronco s s' e_in r_out \/ Eliminar_Plano s s' e_in r_out)
+  \/ Eliminar_Cono s s' e_in r_out \/ Eliminar_Tronco s s' e_in r_out \/ Eliminar_Plano s s' e_in r_out
+  \/ Eliminar_Disco s s' e_in r_out \/ Eliminar_Triangulo s s' e_in r_out)
   /\ r_out = elemento_eliminado. (* Elemento_Eliminado.post.1 *)
 
 Record Elemento_Ya_Existe (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop := {
@@ -526,6 +647,12 @@ Record Proporcion_No_Positiva (s s' : Escena) (proporcion_in : R) (r_out : Respu
   Proporcion_No_Positiva_post_1 : r_out = proporcion_no_positiva (* Proporcion_No_Positiva.post.1 *)
 }.
 
+Record Vertices_Alineados (s s' : Escena) (vertices_in : Terna) (r_out : Respuesta) : Prop := {
+  Vertices_Alineados_Xi : Xi_Escena s s';
+  Vertices_Alineados_pre_1 : vertices_in ∉ Vertices; (* Vertices_Alineados.pre.1 *)
+  Vertices_Alineados_post_1 : r_out = vertices_alineados (* Vertices_Alineados.post.1 *)
+}.
+
 Record No_Es_Esfera (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop := {
   No_Es_Esfera_Xi : Xi_Escena s s';
   No_Es_Esfera_pre_1 : e_in ∈ elementos s; (* No_Es_Esfera.pre.1 *)
@@ -561,6 +688,20 @@ Record No_Es_Plano (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop 
   No_Es_Plano_post_1 : r_out = tipo_incorrecto (* No_Es_Plano.post.1 *)
 }.
 
+Record No_Es_Disco (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop := {
+  No_Es_Disco_Xi : Xi_Escena s s';
+  No_Es_Disco_pre_1 : e_in ∈ elementos s; (* No_Es_Disco.pre.1 *)
+  No_Es_Disco_pre_2 : exists v1, (e_in, v1) ∈ de_que_tipo s /\ v1 <> soy_disco; (* No_Es_Disco.pre.2 *)
+  No_Es_Disco_post_1 : r_out = tipo_incorrecto (* No_Es_Disco.post.1 *)
+}.
+
+Record No_Es_Triangulo (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop := {
+  No_Es_Triangulo_Xi : Xi_Escena s s';
+  No_Es_Triangulo_pre_1 : e_in ∈ elementos s; (* No_Es_Triangulo.pre.1 *)
+  No_Es_Triangulo_pre_2 : exists v1, (e_in, v1) ∈ de_que_tipo s /\ v1 <> soy_triangulo; (* No_Es_Triangulo.pre.2 *)
+  No_Es_Triangulo_post_1 : r_out = tipo_incorrecto (* No_Es_Triangulo.post.1 *)
+}.
+
 Definition Agregar_Esfera_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) (centro_in : Punto) (radio_in :
   R) : Prop :=
   (exists t_in : Tipo, Agregar_Esfera s s' e_in t_in r_out centro_in radio_in)
@@ -592,6 +733,17 @@ Definition Agregar_Plano_Total (s s' : Escena) (e_in : Elemento) (r_out : Respue
   (exists t_in : Tipo, Agregar_Plano s s' e_in t_in r_out centro_in vector_in)
   \/ Elemento_Ya_Existe s s' e_in r_out \/ Vector_No_Unitario s s' vector_in r_out. (* Agregar_Plano_Total.def.1 *)
 
+Definition Agregar_Disco_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) (centro_in : Punto) (radio_in :
+  R) (vector_in : Vector) : Prop :=
+  (exists t_in : Tipo, Agregar_Disco s s' e_in t_in r_out centro_in radio_in vector_in)
+  \/ Elemento_Ya_Existe s s' e_in r_out \/ Radio_No_Positivo s s' radio_in r_out
+  \/ Vector_No_Unitario s s' vector_in r_out. (* Agregar_Disco_Total.def.1 *)
+
+Definition Agregar_Triangulo_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) (vertices_in : Terna) : Prop
+  :=
+  (exists t_in : Tipo, Agregar_Triangulo s s' e_in t_in r_out vertices_in) \/ Elemento_Ya_Existe s s' e_in r_out
+  \/ Vertices_Alineados s s' vertices_in r_out. (* Agregar_Triangulo_Total.def.1 *)
+
 Definition Eliminar_Esfera_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop :=
   Eliminar_Esfera s s' e_in r_out \/ Elemento_No_Existe s s' e_in r_out
   \/ No_Es_Esfera s s' e_in r_out. (* Eliminar_Esfera_Total.def.1 *)
@@ -612,24 +764,35 @@ Definition Eliminar_Plano_Total (s s' : Escena) (e_in : Elemento) (r_out : Respu
   Eliminar_Plano s s' e_in r_out \/ Elemento_No_Existe s s' e_in r_out
   \/ No_Es_Plano s s' e_in r_out. (* Eliminar_Plano_Total.def.1 *)
 
+Definition Eliminar_Disco_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop :=
+  Eliminar_Disco s s' e_in r_out \/ Elemento_No_Existe s s' e_in r_out
+  \/ No_Es_Disco s s' e_in r_out. (* Eliminar_Disco_Total.def.1 *)
+
+Definition Eliminar_Triangulo_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop :=
+  Eliminar_Triangulo s s' e_in r_out \/ Elemento_No_Existe s s' e_in r_out
+  \/ No_Es_Triangulo s s' e_in r_out. (* Eliminar_Triangulo_Total.def.1 *)
+
 Definition Con_Radio (t_in : Tipo) : Prop :=
-  t_in ∈ ⦃soy_esfera⦄ ∪ ⦃soy_cilindro⦄ ∪ ⦃soy_tronco⦄. (* Con_Radio.pre.1 *)
+  t_in ∈ ⦃soy_esfera⦄ ∪ ⦃soy_cilindro⦄ ∪ ⦃soy_tronco⦄ ∪ ⦃soy_disco⦄. (* Con_Radio.pre.1 *)
 
 Definition Con_Vector (t_in : Tipo) : Prop :=
-  t_in ∈ ⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄ ∪ ⦃soy_tronco⦄ ∪ ⦃soy_plano⦄. (* Con_Vector.pre.1 *)
+  t_in ∈ ⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄ ∪ ⦃soy_tronco⦄ ∪ ⦃soy_plano⦄ ∪ ⦃soy_disco⦄. (* Con_Vector.pre.1 *)
 
 Definition Con_Altura (t_in : Tipo) : Prop :=
   t_in ∈ ⦃soy_cilindro⦄ ∪ ⦃soy_cono⦄ ∪ ⦃soy_tronco⦄. (* Con_Altura.pre.1 *)
 
 Definition Con_Proporcion (t_in : Tipo) : Prop := t_in ∈ ⦃soy_cono⦄ ∪ ⦃soy_tronco⦄. (* Con_Proporcion.pre.1 *)
 
+Definition Con_Vertices (t_in : Tipo) : Prop := t_in ∈ ⦃soy_triangulo⦄. (* Con_Vertices.pre.1 *)
+
 Definition Agregar_Elemento_Total (s s' : Escena) (e_in : Elemento) (t_in : Tipo) (centro_in : Punto) (radio_in : R)
-  (vector_in : Vector) (altura_in proporcion_in : R) (r_out : Respuesta) : Prop :=
-  Elemento_Agregado s s' e_in t_in centro_in radio_in vector_in altura_in proporcion_in r_out
+  (vector_in : Vector) (altura_in proporcion_in : R) (vertices_in : Terna) (r_out : Respuesta) : Prop :=
+  Elemento_Agregado s s' e_in t_in centro_in radio_in vector_in altura_in proporcion_in vertices_in r_out
   \/ Elemento_Ya_Existe s s' e_in r_out \/ Radio_No_Positivo s s' radio_in r_out /\ Con_Radio t_in
   \/ Proporcion_No_Positiva s s' proporcion_in r_out /\ Con_Proporcion t_in
   \/ Vector_No_Unitario s s' vector_in r_out /\ Con_Vector t_in \/ Altura_No_Positiva s s' altura_in r_out
-  /\ Con_Altura t_in. (* Agregar_Elemento_Total.def.1 *)
+  /\ Con_Altura t_in \/ Vertices_Alineados s s' vertices_in r_out
+  /\ Con_Vertices t_in. (* Agregar_Elemento_Total.def.1 *)
 
 Definition Eliminar_Elemento_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop :=
   Elemento_Eliminado s s' e_in r_out \/ Elemento_No_Existe s s' e_in r_out. (* Eliminar_Elemento_Total.def.1 *)

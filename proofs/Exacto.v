@@ -5,8 +5,10 @@
     oracle/Extract.v extracts [first_hit] to OCaml, where it is an oracle that shares no code with the C++ one.
 
     vec3, shape           == a triple of integers, and an element: each integer n stands for n/S
-    quadratic             == A t² + 2 B t + C = 0 with the clip 0 <= s0 + t s1 <= h (h = s0 = s1 = 0 for a sphere and
-                            a plane)
+    quadratic             == A t² + 2 B t + C = 0 with the bounds that clip it
+    between a0 a1 h       == the bounds that say 0 <= a0 + t a1 <= h
+    ball c r p v          == the bound that says that the ray's point is in the ball
+    side p v a b c        == the bound that says 0 <= lado of the ray's point
     profile S c r k d l on p v == that of the surface of radius r at the advance l and of proportion k: r = 0 for a cone,
                             k = 0 for a cylinder
     quad S sh on p v      == the quadratic of the shape sh and of the ray p + t v; on: the ray starts on it, so C = 0
@@ -26,16 +28,31 @@ Record vec3 := Vec { vx : Z; vy : Z; vz : Z }.
 
 Definition dot (a b : vec3) : Z := vx a * vx b + vy a * vy b + vz a * vz b.
 Definition minus (a b : vec3) : vec3 := Vec (vx a - vx b) (vy a - vy b) (vz a - vz b).
+Definition cross (a b : vec3) : vec3 :=
+  Vec (vy a * vz b - vz a * vy b) (vz a * vx b - vx a * vz b) (vx a * vy b - vy a * vx b).
 
 Inductive shape :=
 | Sphere (centro : vec3) (radio : Z)
 | Cylinder (centro : vec3) (radio : Z) (vector : vec3) (altura : Z)
 | Cone (centro : vec3) (proporcion : Z) (vector : vec3) (altura : Z)
 | TruncatedCone (centro : vec3) (radio proporcion : Z) (vector : vec3) (altura : Z)
-| Plane (centro : vec3) (vector : vec3).
+| Plane (centro : vec3) (vector : vec3)
+| Disc (centro : vec3) (radio : Z) (vector : vec3)
+| Triangle (a b c : vec3).
 
-(** The closed forms, times S² for the sphere, 2S² for the plane and S⁶ for the others; their clips, times S². The radius
-    at the ray's origin is g, times S³. *)
+(** The bounds of a stretch, times 2S²; of a ball, times S²; of an edge, times 2S⁴. *)
+Definition between (a0 a1 h : Z) : list bound := [Bound 0 (- a1) (- (2 * a0)); Bound 0 a1 (2 * (a0 - h))].
+Definition ball (c : vec3) (r : Z) (p v : vec3) : bound :=
+  let q := minus p c in
+  Bound (dot v v) (dot q v) (dot q q - r * r).
+Definition side (p v a b c : vec3) : bound :=
+  let q := minus p a in
+  let e1 := minus b a in
+  let e2 := minus c a in
+  Bound 0 (- (dot e1 e1 * dot v e2 - dot e1 e2 * dot v e1)) (- (2 * (dot e1 e1 * dot q e2 - dot e1 e2 * dot q e1))).
+
+(** The closed forms, times S² for the sphere, 2S² for the plane and the disc, 2S³ for the triangle and S⁶ for the others.
+    The radius at the ray's origin is g, times S³. *)
 Definition profile (S : Z) (c : vec3) (r k : Z) (d : vec3) (l : Z) (on : bool) (p v : vec3) : quadratic :=
   let q := minus p c in
   let s0 := dot q d in
@@ -45,16 +62,20 @@ Definition profile (S : Z) (c : vec3) (r k : Z) (d : vec3) (l : Z) (on : bool) (
   let m := 2 * S2 - dot d d in
   let g := S2 * r + k * (S * l - s0) in
   Quadratic (S4 * dot v v - (m + k * k) * (s1 * s1)) (S4 * dot q v - m * (s0 * s1) + g * k * s1)
-    (if on then 0 else S4 * dot q q - m * (s0 * s0) - g * g) s0 s1 (S * l).
+    (if on then 0 else S4 * dot q q - m * (s0 * s0) - g * g) (between s0 s1 (S * l)).
 Definition quad (S : Z) (sh : shape) (on : bool) (p v : vec3) : quadratic :=
   match sh with
   | Sphere c r =>
       let q := minus p c in
-      Quadratic (dot v v) (dot q v) (if on then 0 else dot q q - r * r) 0 0 0
+      Quadratic (dot v v) (dot q v) (if on then 0 else dot q q - r * r) []
   | Cylinder c r d l => profile S c r 0 d l on p v
   | Cone c k d l => profile S c 0 k d l on p v
   | TruncatedCone c r k d l => profile S c r k d l on p v
-  | Plane c d => Quadratic 0 (dot v d) (if on then 0 else 2 * dot (minus p c) d) 0 0 0
+  | Plane c d => Quadratic 0 (dot v d) (if on then 0 else 2 * dot (minus p c) d) []
+  | Disc c r d => Quadratic 0 (dot v d) (if on then 0 else 2 * dot (minus p c) d) [ball c r p v]
+  | Triangle a b c =>
+      let n := cross (minus b a) (minus c a) in
+      Quadratic 0 (dot v n) (if on then 0 else 2 * dot (minus p a) n) [side p v a b c; side p v b c a; side p v c a b]
   end.
 
 Inductive answer (I : Type) := Miss | Hit (t : surd) (elements : list I) | NoMin (elements : list I).
@@ -91,6 +112,7 @@ Local Open Scope R_scope.
 Definition over (S n : Z) : R := IZR n / IZR S.
 Definition point (S : Z) (a : vec3) : Punto := mk_Punto (over S (vx a)) (over S (vy a)) (over S (vz a)).
 Definition direction (S : Z) (a : vec3) : Vector := mk_Vector (over S (vx a)) (over S (vy a)) (over S (vz a)).
+Definition vertices (S : Z) (a b c : vec3) : Terna := mk_Terna (point S a) (point S b) (point S c).
 Definition ray_at (S : Z) (p v : vec3) (t : R) : Punto :=
   mk_Punto (over S (vx p) + t * over S (vx v)) (over S (vy p) + t * over S (vy v)) (over S (vz p) + t * over S (vz v)).
 
@@ -100,13 +122,16 @@ Definition power (S : Z) (sh : shape) (w : Punto) : R :=
   | Cylinder c r d _ => potencia_cilindro w (point S c) (over S r) (direction S d)
   | Cone c k d l => potencia_cono w (point S c) (over S k) (direction S d) (over S l)
   | TruncatedCone c r k d l => potencia_tronco w (point S c) (over S r) (over S k) (direction S d) (over S l)
-  | Plane c d => potencia_plano w (point S c) (direction S d)
+  | Plane c d | Disc c _ d => potencia_plano w (point S c) (direction S d)
+  | Triangle a b c => potencia_triangulo w (vertices S a b c)
   end.
 
 Definition clip (S : Z) (sh : shape) (w : Punto) : Prop :=
   match sh with
   | Sphere _ _ | Plane _ _ => True
   | Cylinder c _ d l | Cone c _ d l | TruncatedCone c _ _ d l => 0 <= avance w (point S c) (direction S d) <= over S l
+  | Disc c r _ => potencia_esfera w (point S c) (over S r) <= 0
+  | Triangle a b c => prisma (vertices S a b c) w
   end.
 
 (** The points of the shape: of its surface, or (on) of the surface of the same equation through the ray's origin. *)
@@ -145,8 +170,9 @@ Proof. apply Rmult_0_l. Qed.
 
 (** A quadratic over the integers is that over the reals, each integer n standing for S times what n is over S. *)
 Local Ltac in_units S HS :=
-  cbn [point direction ray_at Punto_x Punto_y Punto_z Vector_x Vector_y Vector_z vx vy vz];
-  repeat rewrite ?plus_IZR, ?minus_IZR, ?mult_IZR;
+  cbn [point direction vertices ray_at Punto_x Punto_y Punto_z Vector_x Vector_y Vector_z Terna_a Terna_b Terna_c vx vy
+    vz];
+  repeat rewrite ?plus_IZR, ?minus_IZR, ?mult_IZR, ?opp_IZR;
   repeat match goal with |- context [IZR ?n] => is_var n; tryif constr_eq n S then fail else rewrite (IZR_over S n HS) end;
   ring.
 
@@ -160,43 +186,83 @@ Proof.
     cbn [profile qA qB qC]; unfold potencia_tronco, alejamiento, avance, cuadrado, dot, minus; in_units S HS.
 Qed.
 
-(** The quadratic is the power of the ray's point, times S² for a sphere, 2S² for a plane and S⁶ for the others. *)
+(** The quadratic is the power of the ray's point, times S² for a sphere, 2S² for a plane and a disc, 2S³ for a triangle
+    and S⁶ for the others. *)
 Definition scale (S : Z) (sh : shape) : R :=
-  match sh with Sphere _ _ => IZR S ^ 2 | Plane _ _ => 2 * IZR S ^ 2 | _ => IZR S ^ 6 end.
+  match sh with
+  | Sphere _ _ => IZR S ^ 2
+  | Plane _ _ | Disc _ _ _ => 2 * IZR S ^ 2
+  | Triangle _ _ _ => 2 * IZR S ^ 3
+  | _ => IZR S ^ 6
+  end.
 
 Lemma quad_power S sh on p v t : (0 < S)%Z ->
   let q := quad S sh on p v in
   IZR (qA q) * t * t + 2 * IZR (qB q) * t + IZR (qC q)
   = scale S sh * (power S sh (ray_at S p v t) - if on then power S sh (point S p) else 0).
 Proof.
-  intros HS; destruct sh as [[cx cy cz] r|c r d l|c k d l|c r k d l|[cx cy cz] [dx dy dz]]; cbn [quad scale power];
-    [| rewrite !(Puntos.potencia_cilindro_is_tronco _ _ _ _ (over S l)) | rewrite !Puntos.potencia_cono_is_tronco | |].
+  intros HS; destruct sh as [[cx cy cz] r|c r d l|c k d l|c r k d l|[cx cy cz] [dx dy dz]|[cx cy cz] r [dx dy dz]
+      |[ax ay az] [bx by' bz] [cx cy cz]]; cbn [quad scale power];
+    [| rewrite !(Puntos.potencia_cilindro_is_tronco _ _ _ _ (over S l)) | rewrite !Puntos.potencia_cono_is_tronco
+      | | | |].
   2-4: etransitivity; [now apply profile_power | rewrite ?over_0; reflexivity].
   all: destruct p as [px py pz], v as [ux uy uz], on; cbn [qA qB qC];
-    unfold potencia_esfera, potencia_plano, avance, cuadrado, dot, minus; in_units S HS.
+    unfold potencia_esfera, potencia_plano, potencia_triangulo, avance, cuadrado, dot, minus, cross; in_units S HS.
 Qed.
 
-(** The clip, times S². *)
-Lemma advance_over S c d l p v t : (0 < S)%Z ->
+(** The bounds of the clip. *)
+Lemma between_over S c d l p v t : (0 < S)%Z ->
   let q := minus p c in
-  0 <= IZR (dot q d) + t * IZR (dot v d) <= IZR (S * l) <->
+  inside (between (dot q d) (dot v d) (S * l)) t <->
   0 <= avance (ray_at S p v t) (point S c) (direction S d) <= over S l.
 Proof.
   intros HS q; apply IZR_lt in HS as HR; assert (HS2 : 0 < IZR S ^ 2) by nra.
-  assert (IZR (dot q d) + t * IZR (dot v d) = IZR S ^ 2 * avance (ray_at S p v t) (point S c) (direction S d)) as ->.
-  { unfold q, avance, dot, minus.
-    cbn [point direction ray_at Punto_x Punto_y Punto_z Vector_x Vector_y Vector_z vx vy vz].
-    repeat rewrite ?plus_IZR, ?minus_IZR, ?mult_IZR; unfold over; field; lra. }
-  replace (IZR (S * l)) with (IZR S ^ 2 * over S l) by (rewrite mult_IZR; unfold over; field; lra).
-  split; intros [H1 H2]; split; nra.
+  assert (IZR (dot q d) + t * IZR (dot v d) = IZR S ^ 2 * avance (ray_at S p v t) (point S c) (direction S d)) as E.
+  { destruct p, v, c, d; unfold q, avance, dot, minus; in_units S HS. }
+  assert (IZR (S * l) = IZR S ^ 2 * over S l) as El by (rewrite mult_IZR, (IZR_over S l HS); ring).
+  unfold inside, between, Puntos.excess; cbn [map]; rewrite !Forall_cons_iff; unfold over_R;
+    cbn [Puntos.bA Puntos.bB Puntos.bC gA gB gC]; rewrite !opp_IZR, !mult_IZR, !minus_IZR, El.
+  set (a := avance _ _ _) in *; split; [intros (H1 & H2 & _); split; nra|].
+  intros [H1 H2]; split; [nra | split; [nra | constructor]].
 Qed.
 
-Lemma quad_clip S sh on p v t : (0 < S)%Z ->
-  let q := quad S sh on p v in
-  0 <= IZR (s0 q) + t * IZR (s1 q) <= IZR (h q) <-> clip S sh (ray_at S p v t).
+Lemma ball_over S c r p v t : (0 < S)%Z ->
+  (Puntos.excess (over_R (ball c r p v)) t <= 0 <-> potencia_esfera (ray_at S p v t) (point S c) (over S r) <= 0).
 Proof.
-  intros HS; destruct sh; cbn [quad s0 s1 h clip]; try (apply advance_over; assumption).
-  all: split; [trivial | lra].
+  intros HS; apply IZR_lt in HS as HR; assert (HS2 : 0 < IZR S ^ 2) by nra.
+  assert (Puntos.excess (over_R (ball c r p v)) t
+    = IZR S ^ 2 * potencia_esfera (ray_at S p v t) (point S c) (over S r)) as ->.
+  { destruct p, v, c; unfold Puntos.excess, over_R, ball, potencia_esfera, cuadrado, dot, minus;
+      cbn [Puntos.bA Puntos.bB Puntos.bC gA gB gC]; in_units S HS. }
+  split; nra.
+Qed.
+
+Lemma side_over S a b c p v t : (0 < S)%Z ->
+  (Puntos.excess (over_R (side p v a b c)) t <= 0 <-> 0 <= lado (ray_at S p v t) (point S a) (point S b) (point S c)).
+Proof.
+  intros HS; apply IZR_lt in HS as HR; assert (HS4 : 0 < IZR S ^ 4) by now apply pow_lt.
+  assert (Puntos.excess (over_R (side p v a b c)) t
+    = - (2 * (IZR S ^ 4 * lado (ray_at S p v t) (point S a) (point S b) (point S c)))) as ->.
+  { destruct p, v, a, b, c; unfold Puntos.excess, over_R, side, lado, escalar, dot, minus;
+      cbn [Puntos.bA Puntos.bB Puntos.bC gA gB gC]; in_units S HS. }
+  split; nra.
+Qed.
+
+Lemma quad_clip S sh on p v t : (0 < S)%Z -> (inside (bounds (quad S sh on p v)) t <-> clip S sh (ray_at S p v t)).
+Proof.
+  intros HS; destruct sh as [c r|c r d l|c k d l|c r k d l|c d|c r d|a b c]; cbn [quad bounds clip];
+    try (apply between_over; assumption); try solve [split; [trivial | constructor]]; unfold inside; cbn [map].
+  - rewrite Forall_cons_iff, (ball_over S c r p v t HS); split; [tauto | intros H; split; [exact H | constructor]].
+  - unfold prisma; cbn [vertices Terna_a Terna_b Terna_c].
+    rewrite !Forall_cons_iff, !(side_over S _ _ _ p v t HS); split; [tauto|].
+    intros (H1 & H2 & H3); repeat split; try assumption; constructor.
+Qed.
+
+Lemma dot_nonneg v : (0 <= dot v v)%Z.
+Proof. unfold dot; nia. Qed.
+Lemma quad_proper S sh on p v : proper (quad S sh on p v).
+Proof.
+  destruct sh; repeat apply Forall_cons; try apply Forall_nil; first [apply dot_nonneg | apply Z.le_refl].
 Qed.
 
 (** The closed form of each shape is sound and complete: its solutions are the parameters of the shape's points. *)
@@ -212,7 +278,10 @@ Qed.
 
 (** What a ray has of one element, as a set of points, is what [first] answers. *)
 Corollary first_of_shape S sh on p v : (0 < S)%Z -> reaches (meets S sh on p v) (first (quad S sh on p v)).
-Proof. intros HS; apply (reaches_ext (solves (quad S sh on p v))), first_reaches; intros t; now rewrite quad_meets. Qed.
+Proof.
+  intros HS; apply (reaches_ext (solves (quad S sh on p v)));
+    [intros t; now rewrite quad_meets | apply first_reaches, quad_proper].
+Qed.
 
 (** ** The scene *)
 

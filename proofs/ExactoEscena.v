@@ -31,6 +31,8 @@ Definition has_shape (e : Elemento) (sh : shape) : Prop :=
   | Cone c k d h => is_cono _ s e (point S c) (over S k) (direction S d) (over S h)
   | TruncatedCone c r k d h => is_tronco _ s e (point S c) (over S r) (over S k) (direction S d) (over S h)
   | Plane c d => is_plano _ s e (point S c) (direction S d)
+  | Disc c r d => is_disco _ s e (point S c) (over S r) (direction S d)
+  | Triangle a b c => is_triangulo _ s e (vertices S a b c)
   end.
 
 Definition describes : Prop :=
@@ -44,7 +46,7 @@ Lemma shape_of_scene e sh : has_shape e sh ->
   (forall w, puntos_de_elemento s e w <-> power S sh w = 0 /\ clip S sh w) /\
   (forall w y, potencia s e w y <-> y = power S sh w) /\ (forall w, tramo s e w <-> clip S sh w).
 Proof.
-  destruct sh as [c r|c r d h|c k d h|c r k d h|c d]; intros H.
+  destruct sh as [c r|c r d h|c k d h|c r k d h|c d|c r d|a b c]; intros H.
   - destruct (esfera_of_scene _ s ok e _ _ H) as (Q & P & T); split; [|split; [exact P|]]; intros w.
     + rewrite Q; unfold puntos_esfera; simpl; tauto.
     + simpl; split; auto.
@@ -57,6 +59,10 @@ Proof.
   - destruct (plano_of_scene _ s ok e _ _ H) as (Q & P & T); split; [|split; [exact P|]]; intros w.
     + rewrite Q; unfold puntos_plano; simpl; tauto.
     + simpl; split; auto.
+  - destruct (disco_of_scene _ s ok e _ _ _ H) as (Q & P & T); split; [|split; [exact P | exact T]]; intros w.
+    rewrite Q; reflexivity.
+  - destruct (triangulo_of_scene _ s ok e _ H) as (Q & P & T); split; [|split; [exact P | exact T]]; intros w.
+    rewrite Q; unfold puntos_triangulo; simpl; tauto.
 Qed.
 
 Lemma at_point t : ray_at S p v t = point_at the_ray t.

@@ -112,7 +112,9 @@ Definition equation (e : Elemento) (f : coefficients) : Prop :=
   \/ (exists c r d h, is_cilindro _ s e c r d h /\ f = of_cilindro ray c r d h)
   \/ (exists c k d h, is_cono _ s e c k d h /\ f = of_cono ray c k d h)
   \/ (exists c r k d h, is_tronco _ s e c r k d h /\ f = of_tronco ray c r k d h)
-  \/ (exists c d, is_plano _ s e c d /\ f = of_plano ray c d).
+  \/ (exists c d, is_plano _ s e c d /\ f = of_plano ray c d)
+  \/ (exists c r d, is_disco _ s e c r d /\ f = of_disco ray c r d)
+  \/ (exists abc, is_triangulo _ s e abc /\ f = of_triangulo ray abc).
 Definition seen (e : Elemento) (f g : coefficients) : Prop := (en e /\ g = launched f) \/ (~ en e /\ g = f).
 
 (** The attributes of an element are those found: rewrites every other name for them. *)
@@ -130,6 +132,8 @@ Ltac same_attributes :=
       pose proof (altura_unique _ _ ok _ _ _ H H'); clear H'; subst
   | H : mi_proporcion s (?e, ?t), H' : mi_proporcion s (?e, ?t') |- _ =>
       pose proof (proporcion_unique _ _ ok _ _ _ H H'); clear H'; subst
+  | H : mi_vertices s (?e, ?t), H' : mi_vertices s (?e, ?t') |- _ =>
+      pose proof (vertices_unique _ _ ok _ _ _ H H'); clear H'; subst
   end.
 
 (** The choice by type, where the type is known: one branch is left of what is supposed, and one is to be shown. *)
@@ -140,17 +144,26 @@ Ltac choose := repeat first [left; split; [reflexivity |] | right; split; [discr
 Ltac by_type He Ht := split;
   [ let H := fresh in intros [_ [? [? H]]]; same_attributes; chosen; decompose [ex and] H; same_attributes; auto
   | intros ?; split; [exact He |]; eexists; split; [exact Ht |]; choose; eauto 15 ].
-(** The definitions by cases, for an element with the attributes of H and of a type with altura or without. *)
+(** Of the three conditions of tramo, those of other types than the element's have a premise that is false. *)
+Ltac of_another_type Ht :=
+  let E := fresh in intros E; exfalso; first
+  [ apply (has_altura _ _ ok _ _ Ht) in E; repeat destruct E as [E | E]; discriminate E
+  | apply (has_vertices _ _ ok _ _ Ht) in E; discriminate E
+  | destruct E as [? [? ?]]; same_attributes; discriminate ].
+Ltac bounded := let H := fresh in intros H;
+  (destruct H as [? H]; [eexists; first [eassumption | split; [eassumption | reflexivity]] |]);
+  decompose [ex and] H; same_attributes; auto.
+(** The definitions by cases, for an element with the attributes of H. *)
 Ltac of_scene H := let Ht := fresh "Ht" in let He := fresh "He" in
-  unfold is_esfera, is_cilindro, is_cono, is_tronco, is_plano in H; pose proof (proj1 H) as Ht;
+  unfold is_esfera, is_cilindro, is_cono, is_tronco, is_plano, is_disco, is_triangulo in H; pose proof (proj1 H) as Ht;
   pose proof (element_of_type _ _ ok _ _ Ht) as He; decompose [and] H; clear H; split; [| split];
   [ intros ?; by_type He Ht
   | intros ? ?; by_type He Ht
   | intros ?; first
-    [ split; [intros [_ H] | intros ?; split; [exact He | intros _; eauto 10]];
-      destruct H as [? [? [? [? [? [? ?]]]]]]; [eexists; eassumption |]; same_attributes; assumption
-    | split; [exact He | let E := fresh in intros E; apply (has_altura _ _ ok _ _ Ht) in E;
-        repeat destruct E as [E | E]; discriminate E ] ] ].
+    [ split; [let A := fresh in let D := fresh in let V := fresh in intros [_ [A [D V]]];
+        first [revert A; bounded | revert D; bounded | revert V; bounded]
+      | intros ?; split; [exact He | split; [| split]]; first [of_another_type Ht | intros _; eauto 10]]
+    | split; [exact He | split; [| split]]; of_another_type Ht ] ].
 
 (** The points, the power and the stretch of a sphere of the scene are those of its attributes. *)
 Lemma esfera_of_scene e c r : is_esfera _ s e c r ->
@@ -180,6 +193,17 @@ Lemma plano_of_scene e c d : is_plano _ s e c d ->
   (forall w, puntos_de_elemento s e w <-> puntos_plano c d w)
   /\ (forall w y, potencia s e w y <-> y = potencia_plano w c d) /\ (forall w, tramo s e w).
 Proof. intros H. of_scene H. Qed.
+(** The same of a disc. *)
+Lemma disco_of_scene e c r d : is_disco _ s e c r d ->
+  (forall w, puntos_de_elemento s e w <-> puntos_disco c r d w)
+  /\ (forall w y, potencia s e w y <-> y = potencia_plano w c d)
+  /\ (forall w, tramo s e w <-> potencia_esfera w c r <= 0).
+Proof. intros H. of_scene H. Qed.
+(** The same of a triangle. *)
+Lemma triangulo_of_scene e abc : is_triangulo _ s e abc ->
+  (forall w, puntos_de_elemento s e w <-> puntos_triangulo abc w)
+  /\ (forall w y, potencia s e w y <-> y = potencia_triangulo w abc) /\ (forall w, tramo s e w <-> w ∈ prisma abc).
+Proof. intros H. of_scene H. Qed.
 
 Lemma value_launched f t : value (launched f) t = 0 <-> value f t = value f 0.
 Proof. unfold value, launched; cbn. split; intros; lra. Qed.
@@ -190,33 +214,43 @@ Lemma equation_of_scene e : e ∈ elementos s -> exists f, equation e f /\ prope
   /\ (forall t y, potencia s e (point_at ray t) y <-> y = value f t)
   /\ (forall t, tramo s e (point_at ray t) <-> within f t).
 Proof.
-  intros He. destruct (element_cases _ _ ok e He) as [[c [r [H _]]] | [[c [r [d [h [H [_ [_ Hh]]]]]]] |
-    [[c [k [d [h [H [_ [_ Hh]]]]]]] | [[c [r [k [d [h [H [_ [_ [_ Hh]]]]]]]]] | [c [d [H _]]]]]]].
+  intros He. destruct (element_cases _ _ ok e He) as [[c [r [H _]]] | [[c [r [d [h [H _]]]]] | [[c [k [d [h [H _]]]]] |
+    [[c [r [k [d [h [H _]]]]]] | [[c [d [H _]]] | [[c [r [d [H _]]]] | [abc [H _]]]]]]]].
   - destruct (esfera_of_scene _ _ _ H) as [Q [P T]]. exists (of_esfera ray c r).
-    split; [left; eauto | split; [exact I | split; [| split]]]; intros t.
-    + rewrite Q, esfera_along. unfold within; cbn. tauto.
+    split; [left; eauto | split; [apply proper_esfera | split; [| split]]]; intros t.
+    + rewrite Q, esfera_along. unfold within; cbn. intuition constructor.
     + intros y. now rewrite P, potencia_esfera_along.
-    + now split.
+    + split; [constructor | auto].
   - destruct (cilindro_of_scene _ _ _ _ _ H) as [Q [P T]]. exists (of_cilindro ray c r d h).
-    split; [right; left; eauto 6 | split; [exact Hh | split; [| split]]]; intros t.
+    split; [right; left; eauto 6 | split; [apply proper_cilindro | split; [| split]]]; intros t.
     + rewrite Q. apply cilindro_along.
     + intros y. now rewrite P, (potencia_cilindro_along ray c r d h).
-    + now rewrite T, avance_along.
+    + rewrite T, avance_along. symmetry. apply between_holds.
   - destruct (cono_of_scene _ _ _ _ _ H) as [Q [P T]]. exists (of_cono ray c k d h).
-    split; [right; right; left; eauto 6 | split; [exact Hh | split; [| split]]]; intros t.
+    split; [do 2 right; left; eauto 6 | split; [apply proper_cono | split; [| split]]]; intros t.
     + rewrite Q. apply cono_along.
     + intros y. now rewrite P, potencia_cono_along.
-    + now rewrite T, avance_along.
+    + rewrite T, avance_along. symmetry. apply between_holds.
   - destruct (tronco_of_scene _ _ _ _ _ _ H) as [Q [P T]]. exists (of_tronco ray c r k d h).
-    split; [right; right; right; left; eauto 7 | split; [exact Hh | split; [| split]]]; intros t.
+    split; [do 3 right; left; eauto 7 | split; [apply proper_tronco | split; [| split]]]; intros t.
     + rewrite Q. apply tronco_along.
     + intros y. now rewrite P, potencia_tronco_along.
-    + now rewrite T, avance_along.
+    + rewrite T, avance_along. symmetry. apply between_holds.
   - destruct (plano_of_scene _ _ _ H) as [Q [P T]]. exists (of_plano ray c d).
-    split; [right; right; right; right; eauto | split; [exact I | split; [| split]]]; intros t.
-    + rewrite Q, plano_along. unfold within; cbn. tauto.
+    split; [do 4 right; left; eauto | split; [apply proper_plano | split; [| split]]]; intros t.
+    + rewrite Q, plano_along. unfold within; cbn. intuition constructor.
     + intros y. now rewrite P, potencia_plano_along.
-    + now split.
+    + split; [constructor | auto].
+  - destruct (disco_of_scene _ _ _ _ H) as [Q [P T]]. exists (of_disco ray c r d).
+    split; [do 5 right; left; eauto 6 | split; [apply proper_disco | split; [| split]]]; intros t.
+    + rewrite Q. apply disco_along.
+    + intros y. now rewrite P, (potencia_disco_along ray c r d).
+    + rewrite T. apply ball_along.
+  - destruct (triangulo_of_scene _ _ H) as [Q [P T]]. exists (of_triangulo ray abc).
+    split; [do 6 right; eauto | split; [apply proper_triangulo | split; [| split]]]; intros t.
+    + rewrite Q. apply triangulo_along.
+    + intros y. now rewrite P, potencia_triangulo_along.
+    + rewrite T. apply prisma_along.
 Qed.
 
 (** What a ray meets of an element is where its quadratic vanishes within the clip; where the ray is said to start on
@@ -294,21 +328,23 @@ Qed.
 (** An element has one equation, that of its attributes. *)
 Lemma equation_unique e f f' : equation e f -> equation e f' -> f = f'.
 Proof.
-  unfold equation, is_esfera, is_cilindro, is_cono, is_tronco, is_plano. intros H H'.
+  unfold equation, is_esfera, is_cilindro, is_cono, is_tronco, is_plano, is_disco, is_triangulo. intros H H'.
   decompose [ex and or] H; decompose [ex and or] H'; same_attributes; reflexivity.
 Qed.
 
 (** Where the ray starts in a segment of an element, the whole line lies in its unbounded surface, and what the clip
-    leaves of the ray is all that it meets. The element is never a sphere; a plane, which has no clip, is met at every
-    parameter, and the ray is parallel to it. *)
+    leaves of the ray is all that it meets. The element is never a sphere; the ray is parallel to a plane, a disc or a
+    triangle, and a plane, which has no clip, is met at every parameter. *)
 Theorem starts_in_a_generator e : e ∈ elementos s -> starts_in (met e) ->
   exists f g, equation e f /\ seen e f g /\ (forall t, value g t = 0) /\ (forall t, met e t <-> 0 < t /\ within g t)
     /\ (~ exists c r, is_esfera _ s e c r)
-    /\ forall c d, is_plano _ s e c d -> dot (Rayo_v ray) d = 0 /\ forall t, 0 < t -> met e t.
+    /\ (forall c d, is_plano _ s e c d -> dot (Rayo_v ray) d = 0 /\ forall t, 0 < t -> met e t)
+    /\ (forall c r d, is_disco _ s e c r d -> dot (Rayo_v ray) d = 0)
+    /\ forall abc, is_triangulo _ s e abc -> dot (Rayo_v ray) (normal abc) = 0.
 Proof.
   intros He S. destruct (met_is_reach e He) as [f [g [Hf [Hg [Hp E]]]]]. exists f, g.
   assert (V : forall t, value g t = 0).
-  { destruct (two_points_or_a_segment g) as [[t1 [t2 H]] | [H _]]; [exfalso | exact H].
+  { destruct (two_points_or_a_segment g Hp) as [[t1 [t2 H]] | [H _]]; [exfalso | exact H].
     destruct S as [eps [Hpos S]].
     assert (M : forall k, 0 < k < 1 -> k * eps = t1 \/ k * eps = t2).
     { intros k Hk. apply H, E, S. pose proof (Rmult_lt_0_compat k eps). pose proof (Rmult_lt_compat_r eps k 1). lra. }
@@ -316,12 +352,18 @@ Proof.
   assert (M : forall t, met e t <-> 0 < t /\ within g t) by (intros t; rewrite (E t); unfold reach; rewrite V; tauto).
   assert (S' : cA g = cA f /\ cB g = cB f /\ within g = within f) by now destruct Hg as [[_ ->] | [_ ->]].
   destruct S' as [HA [HB HW]]. generalize (V 0) (V 1) (V (-1)). unfold value at 1 2 3. rewrite HA, HB. intros V0 V1 V2.
-  split; [exact Hf | split; [exact Hg | split; [exact V | split; [exact M | split]]]].
+  do 4 (split; [assumption |]). split; [| split; [| split]].
   - intros [c [r Hs]]. assert (f = of_esfera ray c r) as -> by (apply (equation_unique e); [exact Hf | left; eauto]).
     cbn in *. pose proof (ray_direction_positive ray ray_ok). lra.
   - intros c d Hs. assert (f = of_plano ray c d) as ->
-      by (apply (equation_unique e); [exact Hf | right; right; right; right; eauto]).
-    cbn in *. split; [lra |]. intros t Ht. apply M. now rewrite HW.
+      by (apply (equation_unique e); [exact Hf | do 4 right; left; eauto]).
+    cbn in *. split; [lra |]. intros t Ht. apply M. rewrite HW. split; [exact Ht | constructor].
+  - intros c r d Hs. assert (f = of_disco ray c r d) as ->
+      by (apply (equation_unique e); [exact Hf | do 5 right; left; eauto 6]).
+    cbn in *. lra.
+  - intros abc Hs. assert (f = of_triangulo ray abc) as ->
+      by (apply (equation_unique e); [exact Hf | do 6 right; eauto]).
+    cbn -[normal] in *. lra.
 Qed.
 
 (** ** The first hit of the scene *)

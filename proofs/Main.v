@@ -3,18 +3,23 @@
     Names and glossaries: Especificacion.v is the Z text; Toolkit.v its sets (∈, ≡, ⇸, ∖, dom, …). For a scene s and a ray:
     Escena_ok s          == s satisfies the invariant of the text
     point_at ray t       == the point p + t·v
-    of_esfera, of_cilindro, of_cono, of_tronco, of_plano == the coefficients of A·t² + 2B·t + C and the clip
-                            0 ≤ s0 + t·s1 ≤ altura, where there is an altura
+    of_esfera, of_cilindro, of_cono, of_tronco, of_plano, of_disco, of_triangulo == the coefficients of A·t² + 2B·t + C,
+                            and the bounds that clip it, each a condition a·t² + 2b·t + c ≤ 0
+    proper f             == the bounds of f are convex: no a is negative
     roots f              == the computed solutions;  reach f == the parameters t > 0 that solve f within its clip
+    linear_roots a0 a1 S == S are the solutions of a0 + a1·t = 0: one quotient, none, or the whole line
+    normal abc           == (b − a) × (c − a), for the vertices abc of a triangle
+    on_rim c r d w, top c d h == w is on the disc at the distance r from its centre;  the point c + h·d
+    combination abc β γ, toward p q λ, vertex abc p == a + β·(b − a) + γ·(c − a);  p + λ·(q − p);  p is a, b or c
     met ray s en e       == the parameters t > 0 at which the ray meets the element e, the ray starting on the elements en
     met_scene ray s en   == the same for the whole scene
     is_least T t         == t is the least of T;  starts_in T == T holds every parameter from 0 up to some ε > 0
     tables_ok, retrieve  == the compact tables' invariant, and the scene they represent *)
 From Coq Require Import Reals List.
 From Durero Require Import Toolkit Especificacion.
-From Durero Require Tipos Escena Operaciones Errata Puntos Trazador Interseccion Retrieve Recorrido Acceleration Surd
-  Quadratic Exacto ExactoEscena Slab Rounding Flotante.
-Import Escena Operaciones Errata Puntos Trazador Interseccion Retrieve.
+From Durero Require Tipos Escena Operaciones Errata Puntos Trazador Flat Interseccion Retrieve Recorrido Acceleration
+  Surd Quadratic Exacto ExactoEscena Slab Rounding Flotante.
+Import Escena Operaciones Errata Puntos Trazador Flat Interseccion Retrieve.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
 
@@ -35,7 +40,7 @@ Theorem the_first_scene_exists : exists s, Init s.
 Proof. exact (Init_exists Elemento). Qed.
 
 (** The precondition of each operation, computed, is exactly its stated clauses. *)
-Theorem preconditions_are_as_stated s e t c r d h k :
+Theorem preconditions_are_as_stated s e t c r d h k abc :
   ((exists s' r_out, Agregar_Esfera s s' e t r_out c r) <->
      Escena_ok s /\ e ∉ elementos s /\ t = soy_esfera /\ r ∈ Rmas)
   /\ ((exists s' r_out, Agregar_Cilindro s s' e t r_out c r d h) <->
@@ -46,54 +51,68 @@ Theorem preconditions_are_as_stated s e t c r d h k :
      Escena_ok s /\ e ∉ elementos s /\ t = soy_tronco /\ r ∈ Rmas /\ k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas)
   /\ ((exists s' r_out, Agregar_Plano s s' e t r_out c d) <->
      Escena_ok s /\ e ∉ elementos s /\ t = soy_plano /\ d ∈ Unitario)
+  /\ ((exists s' r_out, Agregar_Disco s s' e t r_out c r d) <->
+     Escena_ok s /\ e ∉ elementos s /\ t = soy_disco /\ r ∈ Rmas /\ d ∈ Unitario)
+  /\ ((exists s' r_out, Agregar_Triangulo s s' e t r_out abc) <->
+     Escena_ok s /\ e ∉ elementos s /\ t = soy_triangulo /\ abc ∈ Vertices)
   /\ ((exists s' r_out, Eliminar_Esfera s s' e r_out) <-> Escena_ok s /\ (e, soy_esfera) ∈ de_que_tipo s)
   /\ ((exists s' r_out, Eliminar_Cilindro s s' e r_out) <-> Escena_ok s /\ (e, soy_cilindro) ∈ de_que_tipo s)
   /\ ((exists s' r_out, Eliminar_Cono s s' e r_out) <-> Escena_ok s /\ (e, soy_cono) ∈ de_que_tipo s)
   /\ ((exists s' r_out, Eliminar_Tronco s s' e r_out) <-> Escena_ok s /\ (e, soy_tronco) ∈ de_que_tipo s)
-  /\ ((exists s' r_out, Eliminar_Plano s s' e r_out) <-> Escena_ok s /\ (e, soy_plano) ∈ de_que_tipo s).
+  /\ ((exists s' r_out, Eliminar_Plano s s' e r_out) <-> Escena_ok s /\ (e, soy_plano) ∈ de_que_tipo s)
+  /\ ((exists s' r_out, Eliminar_Disco s s' e r_out) <-> Escena_ok s /\ (e, soy_disco) ∈ de_que_tipo s)
+  /\ ((exists s' r_out, Eliminar_Triangulo s s' e r_out) <-> Escena_ok s /\ (e, soy_triangulo) ∈ de_que_tipo s).
 Proof.
   exact (conj (pre_Agregar_Esfera _ s e t c r) (conj (pre_Agregar_Cilindro _ s e t c r d h)
     (conj (pre_Agregar_Cono _ s e t c k d h) (conj (pre_Agregar_Tronco _ s e t c r k d h)
-    (conj (pre_Agregar_Plano _ s e t c d) (pre_Eliminar _ s e)))))).
+    (conj (pre_Agregar_Plano _ s e t c d) (conj (pre_Agregar_Disco _ s e t c r d)
+    (conj (pre_Agregar_Triangulo _ s e t abc) (pre_Eliminar _ s e)))))))).
 Qed.
 
 (** The clauses that state the after-state already give the invariant: for each operation of one type. *)
-Theorem operations_preserve_the_invariant s e c r d h k : Escena_ok s ->
+Theorem operations_preserve_the_invariant s e c r d h k abc : Escena_ok s ->
   (e ∉ elementos s -> r ∈ Rmas -> Escena_ok (with_esfera _ s e c r))
   /\ (e ∉ elementos s -> r ∈ Rmas -> d ∈ Unitario -> h ∈ Rmas -> Escena_ok (with_cilindro _ s e c r d h))
   /\ (e ∉ elementos s -> k ∈ Rmas -> d ∈ Unitario -> h ∈ Rmas -> Escena_ok (with_cono _ s e c k d h))
   /\ (e ∉ elementos s -> r ∈ Rmas -> k ∈ Rmas -> d ∈ Unitario -> h ∈ Rmas -> Escena_ok (with_tronco _ s e c r k d h))
   /\ (e ∉ elementos s -> d ∈ Unitario -> Escena_ok (with_plano _ s e c d))
+  /\ (e ∉ elementos s -> r ∈ Rmas -> d ∈ Unitario -> Escena_ok (with_disco _ s e c r d))
+  /\ (e ∉ elementos s -> abc ∈ Vertices -> Escena_ok (with_triangulo _ s e abc))
   /\ Escena_ok (scene_without _ s e).
 Proof.
   intros ok. exact (conj (with_esfera_ok _ s e c r ok) (conj (with_cilindro_ok _ s e c r d h ok)
     (conj (with_cono_ok _ s e c k d h ok) (conj (with_tronco_ok _ s e c r k d h ok)
-    (conj (with_plano_ok _ s e c d ok) (scene_without_ok _ s e ok)))))).
+    (conj (with_plano_ok _ s e c d ok) (conj (with_disco_ok _ s e c r d ok) (conj (with_triangulo_ok _ s e abc ok)
+    (scene_without_ok _ s e ok)))))))).
 Qed.
 
-Theorem total_operations_are_total s e t c r d h k : Escena_ok s ->
+Theorem total_operations_are_total s e t c r d h k abc : Escena_ok s ->
   (exists s' r_out, Agregar_Esfera_Total s s' e r_out c r)
   /\ (exists s' r_out, Agregar_Cilindro_Total s s' e r_out c r d h)
   /\ (exists s' r_out, Agregar_Cono_Total s s' e r_out c k d h)
   /\ (exists s' r_out, Agregar_Tronco_Total s s' e r_out c r k d h)
   /\ (exists s' r_out, Agregar_Plano_Total s s' e r_out c d)
+  /\ (exists s' r_out, Agregar_Disco_Total s s' e r_out c r d)
+  /\ (exists s' r_out, Agregar_Triangulo_Total s s' e r_out abc)
   /\ (exists s' r_out, Eliminar_Esfera_Total s s' e r_out)
   /\ (exists s' r_out, Eliminar_Cilindro_Total s s' e r_out)
   /\ (exists s' r_out, Eliminar_Cono_Total s s' e r_out)
   /\ (exists s' r_out, Eliminar_Tronco_Total s s' e r_out)
   /\ (exists s' r_out, Eliminar_Plano_Total s s' e r_out)
-  /\ (exists s' r_out, Agregar_Elemento_Total s s' e t c r d h k r_out)
+  /\ (exists s' r_out, Eliminar_Disco_Total s s' e r_out)
+  /\ (exists s' r_out, Eliminar_Triangulo_Total s s' e r_out)
+  /\ (exists s' r_out, Agregar_Elemento_Total s s' e t c r d h k abc r_out)
   /\ (exists s' r_out, Eliminar_Elemento_Total s s' e r_out).
-Proof. exact (Operaciones.total_operations_are_total _ s e t c r d h k). Qed.
+Proof. exact (Operaciones.total_operations_are_total _ s e t c r d h k abc). Qed.
 
-Theorem adding_then_removing_is_the_identity s s1 e t c r d h k r1 : Elemento_Agregado s s1 e t c r d h k r1 ->
+Theorem adding_then_removing_is_the_identity s s1 e t c r d h k abc r1 : Elemento_Agregado s s1 e t c r d h k abc r1 ->
   (exists s2 r2, Elemento_Eliminado s1 s2 e r2)
   /\ forall s2 r2, Elemento_Eliminado s1 s2 e r2 -> Escena_eq s s2.
-Proof. exact (add_then_remove _ s s1 e t c r d h k r1). Qed.
+Proof. exact (add_then_remove _ s s1 e t c r d h k abc r1). Qed.
 
-Theorem an_edit_touches_one_element x s s' e t c r d h k r_out : x <> e ->
-  Elemento_Agregado s s' e t c r d h k r_out \/ Elemento_Eliminado s s' e r_out -> same_at _ x s s'.
-Proof. exact (others_untouched _ x s s' e t c r d h k r_out). Qed.
+Theorem an_edit_touches_one_element x s s' e t c r d h k abc r_out : x <> e ->
+  Elemento_Agregado s s' e t c r d h k abc r_out \/ Elemento_Eliminado s s' e r_out -> same_at _ x s s'.
+Proof. exact (others_untouched _ x s s' e t c r d h k abc r_out). Qed.
 End Scenes.
 
 (** * 2. Defects of the printed text (the others by number in Errata.v) *)
@@ -135,8 +154,8 @@ Proof. exact (Errata.E14_no_description ps ojo a b). Qed.
 (** * 3. The closed forms *)
 
 (** A point of the ray is on the element exactly when its parameter is a computed root that passes the clip, for every
-    axis, unit or not, and in every case of A, B and C. *)
-Theorem closed_forms_are_sound_and_complete ray c r k d h t :
+    axis, unit or not, any three vertices, and in every case of A, B and C. *)
+Theorem closed_forms_are_sound_and_complete ray c r k d h abc t :
   (point_at ray t ∈ puntos_esfera c r <-> solves (roots (of_esfera ray c r)) t)
   /\ (point_at ray t ∈ puntos_cilindro c r d h <->
       solves (roots (of_cilindro ray c r d h)) t /\ within (of_cilindro ray c r d h) t)
@@ -144,19 +163,25 @@ Theorem closed_forms_are_sound_and_complete ray c r k d h t :
       solves (roots (of_cono ray c k d h)) t /\ within (of_cono ray c k d h) t)
   /\ (point_at ray t ∈ puntos_tronco c r k d h <->
       solves (roots (of_tronco ray c r k d h)) t /\ within (of_tronco ray c r k d h) t)
-  /\ (point_at ray t ∈ puntos_plano c d <-> solves (roots (of_plano ray c d)) t).
+  /\ (point_at ray t ∈ puntos_plano c d <-> solves (roots (of_plano ray c d)) t)
+  /\ (point_at ray t ∈ puntos_disco c r d <->
+      solves (roots (of_disco ray c r d)) t /\ within (of_disco ray c r d) t)
+  /\ (point_at ray t ∈ puntos_triangulo abc <->
+      solves (roots (of_triangulo ray abc)) t /\ within (of_triangulo ray abc) t).
 Proof.
   rewrite <- !roots_correct. exact (conj (esfera_along _ _ _ _) (conj (cilindro_along _ _ _ _ _ _)
-    (conj (cono_along _ _ _ _ _ _) (conj (tronco_along _ _ _ _ _ _ _) (plano_along _ _ _ _))))).
+    (conj (cono_along _ _ _ _ _ _) (conj (tronco_along _ _ _ _ _ _ _) (conj (plano_along _ _ _ _)
+    (conj (disco_along _ _ _ _ _) (triangulo_along _ _ _))))))).
 Qed.
 
-(** With q0 = p − c, a plane has one root where the ray is not parallel to it; otherwise none, or the whole line. *)
-Theorem the_plane_has_one_root_none_or_the_whole_line ray c d :
+(** A plane, a disc and a triangle have one root where the ray is not parallel to them; otherwise none, or the whole
+    line. *)
+Theorem what_is_flat_has_one_root_none_or_the_whole_line ray c r d abc :
   let a0 := Tipos.dot (from c (Rayo_p ray)) d in let a1 := Tipos.dot (Rayo_v ray) d in
-  (a1 <> 0 -> roots (of_plano ray c d) = these (- a0 / a1 :: nil))
-  /\ (a1 = 0 -> a0 <> 0 -> roots (of_plano ray c d) = these nil)
-  /\ (a1 = 0 -> a0 = 0 -> roots (of_plano ray c d) = every).
-Proof. exact (roots_plano ray c d). Qed.
+  let b0 := Tipos.dot (from (Terna_a abc) (Rayo_p ray)) (normal abc) in let b1 := Tipos.dot (Rayo_v ray) (normal abc) in
+  linear_roots a0 a1 (roots (of_plano ray c d)) /\ linear_roots a0 a1 (roots (of_disco ray c r d))
+  /\ linear_roots b0 b1 (roots (of_triangulo ray abc)).
+Proof. exact (conj (roots_plano ray c d) (conj (roots_disco ray c r d) (roots_triangulo ray abc))). Qed.
 
 Theorem stable_roots_are_the_textbook_ones f : cA f <> 0 -> 0 <= discriminant f -> stable_sum f <> 0 ->
   let plus := (- cB f + sqrt (discriminant f)) / cA f in
@@ -166,7 +191,7 @@ Theorem stable_roots_are_the_textbook_ones f : cA f <> 0 -> 0 <= discriminant f 
 Proof. exact (stable_roots_are_textbook f). Qed.
 
 (** With a and b the parts of v and q0 = p − c across the axis, g = h − q0·d, and ρ = r + k·g the radius at the ray's origin. *)
-Theorem stable_discriminants ray c r k d h :
+Theorem stable_discriminants ray c r k d h abc :
   let v := Rayo_v ray in let q := from c (Rayo_p ray) in let a := across d v in let b := across d q in
   let g := h - Tipos.dot q d in
   discriminant (of_esfera ray c r) = r * r * Tipos.sq v - Tipos.sq (cross q v)
@@ -174,13 +199,26 @@ Theorem stable_discriminants ray c r k d h :
   /\ discriminant (of_cono ray c k d h) = k * k * Tipos.sq (combine g a (Tipos.dot v d) b) - Tipos.sq (cross b a)
   /\ discriminant (of_tronco ray c r k d h)
      = Tipos.sq (combine (r + k * g) a (k * Tipos.dot v d) b) - Tipos.sq (cross b a)
-  /\ discriminant (of_plano ray c d) = Tipos.dot v d / 2 * (Tipos.dot v d / 2).
+  /\ discriminant (of_plano ray c d) = Tipos.dot v d / 2 * (Tipos.dot v d / 2)
+  /\ discriminant (of_disco ray c r d) = Tipos.dot v d / 2 * (Tipos.dot v d / 2)
+  /\ discriminant (of_triangulo ray abc) = Tipos.dot v (normal abc) / 2 * (Tipos.dot v (normal abc) / 2).
 Proof.
   exact (conj (discriminant_esfera _ _ _) (conj (discriminant_cilindro _ _ _ _ _)
-    (conj (discriminant_cono _ _ _ _ _) (conj (discriminant_tronco _ _ _ _ _ _) (discriminant_plano _ _ _))))).
+    (conj (discriminant_cono _ _ _ _ _) (conj (discriminant_tronco _ _ _ _ _ _) (conj (discriminant_plano _ _ _)
+    (conj (discriminant_disco _ _ _ _) (discriminant_triangulo _ _))))))).
 Qed.
 
-Theorem at_most_two_points_or_a_segment f :
+Theorem the_bounds_of_every_type_are_convex ray c r k d h abc :
+  proper (of_esfera ray c r) /\ proper (of_cilindro ray c r d h) /\ proper (of_cono ray c k d h)
+  /\ proper (of_tronco ray c r k d h) /\ proper (of_plano ray c d) /\ proper (of_disco ray c r d)
+  /\ proper (of_triangulo ray abc).
+Proof.
+  exact (conj (proper_esfera _ _ _) (conj (proper_cilindro _ _ _ _ _) (conj (proper_cono _ _ _ _ _)
+    (conj (proper_tronco _ _ _ _ _ _) (conj (proper_plano _ _ _) (conj (proper_disco _ _ _ _)
+    (proper_triangulo _ _))))))).
+Qed.
+
+Theorem at_most_two_points_or_a_segment f : proper f ->
   (exists t1 t2, forall t, reach f t -> t = t1 \/ t = t2)
   \/ ((forall t, value f t = 0) /\ forall a b t, reach f a -> reach f b -> a <= t <= b -> reach f t).
 Proof. exact (two_points_or_a_segment f). Qed.
@@ -188,6 +226,44 @@ Proof. exact (two_points_or_a_segment f). Qed.
 (** The first hit that the tracer computes of one element is right. *)
 Theorem first_hit_of_an_element f : proper f -> is_first (reach f) (first f).
 Proof. exact (first_correct f). Qed.
+
+(** The program's form of a triangle, with T = p − a, E1 = b − a, E2 = c − a, P = v × E2, Q = T × E1 and det = E1·P: the
+    root is E2·Q/det; there the sides of the text times det are |n|² times v·Q, T·P and det − T·P − v·Q; so these have the
+    signs of the sides, times that of det, and clip as the text does. *)
+Theorem the_program_clips_a_triangle_as_the_text_does ray abc :
+  let a := Terna_a abc in let b := Terna_b abc in let c := Terna_c abc in let v := Rayo_v ray in
+  let T := from a (Rayo_p ray) in let E1 := from a b in let E2 := from a c in
+  let P := cross v E2 in let Q := cross T E1 in let det := Tipos.dot E1 P in let n2 := Tipos.sq (normal abc) in
+  let w := point_at ray (Tipos.dot E2 Q / det) in
+  (forall t, potencia_triangulo (point_at ray t) abc = Tipos.dot E2 Q - t * det)
+  /\ (det <> 0 ->
+      (forall t, potencia_triangulo (point_at ray t) abc = 0 <-> t = Tipos.dot E2 Q / det)
+      /\ lado w a b c * det = n2 * Tipos.dot v Q
+      /\ lado w c a b * det = n2 * Tipos.dot T P
+      /\ lado w b c a * det = n2 * (det - Tipos.dot T P - Tipos.dot v Q)
+      /\ (w ∈ prisma abc <->
+          0 <= Tipos.dot v Q * det /\ 0 <= (det - Tipos.dot T P - Tipos.dot v Q) * det /\ 0 <= Tipos.dot T P * det)).
+Proof. exact (program_of_a_triangle ray abc). Qed.
+
+(** What discs close: the base for every axis, unit or not; the top for an axis that is a unit vector exactly. *)
+Theorem discs_close_cylinders_and_cones w c r k d h : 0 <= h ->
+  (on_rim c r d w <-> w ∈ puntos_cilindro c r d h /\ avance w c d = 0)
+  /\ (on_rim c (k * h) d w <-> w ∈ puntos_cono c k d h /\ avance w c d = 0)
+  /\ (on_rim c (r + k * h) d w <-> w ∈ puntos_tronco c r k d h /\ avance w c d = 0)
+  /\ (Tipos.sq d = 1 ->
+      (on_rim (top c d h) r d w <-> w ∈ puntos_cilindro c r d h /\ avance w c d = h)
+      /\ (on_rim (top c d h) r d w <-> w ∈ puntos_tronco c r k d h /\ avance w c d = h)).
+Proof. exact (discs_close w c r k d h). Qed.
+
+Theorem a_triangle_is_the_convex_combinations_of_its_vertices abc w : abc ∈ Vertices ->
+  (w ∈ puntos_triangulo abc <->
+   exists beta gamma, 0 <= beta /\ 0 <= gamma /\ beta + gamma <= 1 /\ w = combination abc beta gamma).
+Proof. exact (triangle_is_the_convex_combinations abc w). Qed.
+
+Theorem triangles_share_the_edge_between_common_vertices abc abc' p q l :
+  vertex abc p -> vertex abc q -> vertex abc' p -> vertex abc' q -> 0 <= l <= 1 ->
+  toward p q l ∈ puntos_triangulo abc ∩ puntos_triangulo abc'.
+Proof. exact (triangles_share_their_edge abc abc' p q l). Qed.
 
 (** * 4. The first hit of a scene *)
 Section FirstHit.
@@ -215,11 +291,14 @@ Theorem no_minimum_iff_the_ray_starts_in_a_segment :
 Proof. exact (scene_no_minimum_iff ray ray_ok _ s ok en). Qed.
 
 (** And then the whole line lies in that element's unbounded surface, along a generator, and the ray meets it wherever
-    the clip lets it. The element is never a sphere; in a plane, which nothing clips, the segment is the whole ray. *)
+    the clip lets it. The element is never a sphere; the ray is parallel to a plane, a disc or a triangle; and in a plane,
+    which nothing clips, the segment is the whole ray. *)
 Theorem the_segment_is_of_a_generator e : e ∈ elementos s -> starts_in (met e) ->
   exists f g, equation ray _ s e f /\ seen _ en e f g /\ (forall t, value g t = 0)
     /\ (forall t, met e t <-> 0 < t /\ within g t) /\ (~ exists c r, is_esfera _ s e c r)
-    /\ forall c d, is_plano _ s e c d -> Tipos.dot (Rayo_v ray) d = 0 /\ forall t, 0 < t -> met e t.
+    /\ (forall c d, is_plano _ s e c d -> Tipos.dot (Rayo_v ray) d = 0 /\ forall t, 0 < t -> met e t)
+    /\ (forall c r d, is_disco _ s e c r d -> Tipos.dot (Rayo_v ray) d = 0)
+    /\ forall abc, is_triangulo _ s e abc -> Tipos.dot (Rayo_v ray) (normal abc) = 0.
 Proof. exact (starts_in_a_generator ray ray_ok _ s ok en e). Qed.
 
 Theorem first_hit_is_the_least_of_first_hits t :
@@ -281,15 +360,15 @@ Theorem tables_represent_scenes :
   /\ forall T, tables_ok Elemento T -> Escena_ok (retrieve _ T).
 Proof. exact (conj (empty_tables_Init Elemento) (retrieve_ok Elemento)). Qed.
 
-Theorem operations_on_tables_commute T e t c r d h k : tables_ok Elemento T ->
-  (let (T', answer) := add_total T e t c r d h k in
-   tables_ok _ T' /\ Agregar_Elemento_Total (retrieve _ T) (retrieve _ T') e t c r d h k answer)
+Theorem operations_on_tables_commute T e t c r d h k abc : tables_ok Elemento T ->
+  (let (T', answer) := add_total T e t c r d h k abc in
+   tables_ok _ T' /\ Agregar_Elemento_Total (retrieve _ T) (retrieve _ T') e t c r d h k abc answer)
   /\ (let (T', answer) := remove_total T e in
    tables_ok _ T' /\ Eliminar_Elemento_Total (retrieve _ T) (retrieve _ T') e answer).
 Proof.
-  intros ok. pose proof (add_total_refines Elemento Elemento_dec T e t c r d h k ok) as A.
+  intros ok. pose proof (add_total_refines Elemento Elemento_dec T e t c r d h k abc ok) as A.
   pose proof (remove_total_refines Elemento Elemento_dec T e ok) as R.
-  destruct (add_total T e t c r d h k), (remove_total T e). exact (conj A R).
+  destruct (add_total T e t c r d h k abc), (remove_total T e). exact (conj A R).
 Qed.
 End Refinement.
 

@@ -1,9 +1,9 @@
 (** spec/operaciones.tex: every operation has one possible after-state, which keeps the invariant, and its
     preconditions are the clauses stated in the text.
 
-    scene_with s e t c rs ds hs ks == s and the element e of type t with centre c, and a radius, axis, height and
-                            proportion that are the members of rs, ds, hs, ks: none or one each
-    with_esfera, with_cilindro, with_cono, with_tronco, with_plano == the same for each type
+    scene_with s e t cs rs ds hs ks vs == s and the element e of type t with a centre, radius, axis, height, proportion
+                            and vertices that are the members of cs, rs, ds, hs, ks, vs: none or one each
+    with_esfera, with_cilindro, with_cono, with_tronco, with_plano, with_disco, with_triangulo == the same for each type
     scene_without s e    == s without e in every component
     same_at x s s'       == the element x has the same type and attributes in s and s' *)
 From Coq Require Import Reals Setoid Classical_Prop.
@@ -13,23 +13,27 @@ Local Open Scope zed_scope.
 Section Operaciones.
 Variable Elemento : Type.
 Notation Escena := (Especificacion.Escena Elemento).
-Implicit Types (s : Escena) (e : Elemento) (c : Punto) (d : Vector).
+Implicit Types (s : Escena) (e : Elemento) (c : Punto) (d : Vector) (abc : Terna).
 
-Definition scene_with s e t c (rs : set R) (ds : set Vector) (hs ks : set R) : Escena := {|
+Definition scene_with s e t (cs : set Punto) (rs : set R) (ds : set Vector) (hs ks : set R) (vs : set Terna) :
+  Escena := {|
   elementos := elementos s ∪ ⦃e⦄;
   tipos := ran (de_que_tipo s ∪ ⦃(e, t)⦄);
   de_que_tipo := de_que_tipo s ∪ ⦃(e, t)⦄;
-  mi_centro := mi_centro s ∪ at_one e ⦃c⦄;
+  mi_centro := mi_centro s ∪ at_one e cs;
   mi_radio := mi_radio s ∪ at_one e rs;
   mi_vector := mi_vector s ∪ at_one e ds;
   mi_altura := mi_altura s ∪ at_one e hs;
-  mi_proporcion := mi_proporcion s ∪ at_one e ks
+  mi_proporcion := mi_proporcion s ∪ at_one e ks;
+  mi_vertices := mi_vertices s ∪ at_one e vs
 |}.
-Definition with_esfera s e c r : Escena := scene_with s e soy_esfera c ⦃r⦄ ∅ ∅ ∅.
-Definition with_cilindro s e c r d h : Escena := scene_with s e soy_cilindro c ⦃r⦄ ⦃d⦄ ⦃h⦄ ∅.
-Definition with_cono s e c k d h : Escena := scene_with s e soy_cono c ∅ ⦃d⦄ ⦃h⦄ ⦃k⦄.
-Definition with_tronco s e c r k d h : Escena := scene_with s e soy_tronco c ⦃r⦄ ⦃d⦄ ⦃h⦄ ⦃k⦄.
-Definition with_plano s e c d : Escena := scene_with s e soy_plano c ∅ ⦃d⦄ ∅ ∅.
+Definition with_esfera s e c r : Escena := scene_with s e soy_esfera ⦃c⦄ ⦃r⦄ ∅ ∅ ∅ ∅.
+Definition with_cilindro s e c r d h : Escena := scene_with s e soy_cilindro ⦃c⦄ ⦃r⦄ ⦃d⦄ ⦃h⦄ ∅ ∅.
+Definition with_cono s e c k d h : Escena := scene_with s e soy_cono ⦃c⦄ ∅ ⦃d⦄ ⦃h⦄ ⦃k⦄ ∅.
+Definition with_tronco s e c r k d h : Escena := scene_with s e soy_tronco ⦃c⦄ ⦃r⦄ ⦃d⦄ ⦃h⦄ ⦃k⦄ ∅.
+Definition with_plano s e c d : Escena := scene_with s e soy_plano ⦃c⦄ ∅ ⦃d⦄ ∅ ∅ ∅.
+Definition with_disco s e c r d : Escena := scene_with s e soy_disco ⦃c⦄ ⦃r⦄ ⦃d⦄ ∅ ∅ ∅.
+Definition with_triangulo s e abc : Escena := scene_with s e soy_triangulo ∅ ∅ ∅ ∅ ∅ ⦃abc⦄.
 
 Definition scene_without s e : Escena := {|
   elementos := elementos s ∖ ⦃e⦄;
@@ -39,7 +43,8 @@ Definition scene_without s e : Escena := {|
   mi_radio := ndres ⦃e⦄ (mi_radio s);
   mi_vector := ndres ⦃e⦄ (mi_vector s);
   mi_altura := ndres ⦃e⦄ (mi_altura s);
-  mi_proporcion := ndres ⦃e⦄ (mi_proporcion s)
+  mi_proporcion := ndres ⦃e⦄ (mi_proporcion s);
+  mi_vertices := ndres ⦃e⦄ (mi_vertices s)
 |}.
 
 (** ** The after-states satisfy the invariant *)
@@ -53,32 +58,36 @@ Proof. intros HP. split; [easy | intros _; now exists x]. Qed.
 Lemma exists_empty {X} (P : Prop) : ~ P -> (exists v, (∅ : set X) v) <-> P.
 Proof. intros HP. split; [now intros [v []] | easy]. Qed.
 
-Lemma scene_with_ok s e t c rs ds hs ks :
+Lemma scene_with_ok s e t cs rs ds hs ks vs :
   Escena_ok s -> e ∉ elementos s ->
+  at_most_one cs -> ((exists c, cs c) <-> centro_types t) ->
   at_most_one rs -> rs ⊆ Rmas -> ((exists r, rs r) <-> radio_types t) ->
   at_most_one ds -> ds ⊆ Unitario -> ((exists d, ds d) <-> vector_types t) ->
   at_most_one hs -> hs ⊆ Rmas -> ((exists h, hs h) <-> altura_types t) ->
   at_most_one ks -> ks ⊆ Rmas -> ((exists k, ks k) <-> proporcion_types t) ->
-  Escena_ok (scene_with s e t c rs ds hs ks).
+  at_most_one vs -> vs ⊆ Vertices -> ((exists abc, vs abc) <-> vertices_types t) ->
+  Escena_ok (scene_with s e t cs rs ds hs ks vs).
 Proof.
-  intros ok He R1 R2 R3 D1 D2 D3 H1 H2 H3 K1 K2 K3. split; cbn.
+  intros ok He C1 C3 R1 R2 R3 D1 D2 D3 H1 H2 H3 K1 K2 K3 V1 V2 V3. split; cbn.
   - apply finset_add, ok.
   - easy.
   - rewrite <- at_one_single. apply pfun_union; [apply ok | | apply single_at_most_one | easy].
     intros [t' Ht]. now apply He, (element_of_type _ _ ok e t').
-  - apply pfun_union; [apply ok | | apply single_at_most_one | easy]. intros H. now apply He, (element_of_centro _ _ ok).
+  - apply pfun_union; auto; [apply ok | | easy]. intros H. now apply He, (element_of_centro _ _ ok).
   - apply pfun_union; auto; [apply ok |]. intros H. now apply He, (element_of_radio _ _ ok).
   - apply pfun_union; auto; [apply ok | | easy]. intros H. now apply He, (element_of_vector _ _ ok).
   - apply pfun_union; auto; [apply ok |]. intros H. now apply He, (element_of_altura _ _ ok).
   - apply pfun_union; auto; [apply ok |]. intros H. now apply He, (element_of_proporcion _ _ ok).
+  - apply pfun_union; auto; [apply ok |]. intros H. now apply He, (element_of_vertices _ _ ok).
   - intros x. rewrite dom_union_single, <- (Escena_inv_1 ok x). reflexivity.
-  - intros x. rewrite dom_union_at_one, <- (Escena_inv_2 ok x), (exists_single c True I). unfold union, single. tauto.
+  - intros x. now rewrite dom_union_at_one, image_inverse_union, (Escena_inv_2 ok x), C3.
   - intros x. now rewrite dom_union_at_one, image_inverse_union, (Escena_inv_3 ok x), R3.
   - intros x. now rewrite dom_union_at_one, image_inverse_union, (Escena_inv_4 ok x), D3.
   - intros x. now rewrite dom_union_at_one, image_inverse_union, (Escena_inv_5 ok x), H3.
   - intros x. now rewrite dom_union_at_one, image_inverse_union, (Escena_inv_6 ok x), K3.
   - reflexivity.
   - intros d [x [H | [_ H]]]; [apply (Escena_inv_8 ok); now exists x | now apply D2].
+  - intros x. now rewrite dom_union_at_one, image_inverse_union, (Escena_inv_9 ok x), V3.
 Qed.
 
 (** Each type has one value, or none, in the range of each attribute, and a value exactly of those that it has. *)
@@ -98,19 +107,26 @@ Lemma with_tronco_ok s e c r k d h : Escena_ok s -> e ∉ elementos s -> r ∈ R
 Proof. type_added. Qed.
 Lemma with_plano_ok s e c d : Escena_ok s -> e ∉ elementos s -> d ∈ Unitario -> Escena_ok (with_plano s e c d).
 Proof. type_added. Qed.
+Lemma with_disco_ok s e c r d : Escena_ok s -> e ∉ elementos s -> r ∈ Rmas -> d ∈ Unitario ->
+  Escena_ok (with_disco s e c r d).
+Proof. type_added. Qed.
+Lemma with_triangulo_ok s e abc : Escena_ok s -> e ∉ elementos s -> abc ∈ Vertices ->
+  Escena_ok (with_triangulo s e abc).
+Proof. type_added. Qed.
 
 Lemma scene_without_ok s e : Escena_ok s -> Escena_ok (scene_without s e).
 Proof.
   intros ok. split; cbn; try (apply pfun_ndres, ok).
   - apply finset_subset with (elementos s); [apply ok | now intros x []].
   - intros x. rewrite dom_ndres, <- (Escena_inv_1 ok x). reflexivity.
-  - intros x. rewrite dom_ndres, <- (Escena_inv_2 ok x). reflexivity.
+  - intros x. now rewrite dom_ndres, image_inverse_ndres, (Escena_inv_2 ok x).
   - intros x. now rewrite dom_ndres, image_inverse_ndres, (Escena_inv_3 ok x).
   - intros x. now rewrite dom_ndres, image_inverse_ndres, (Escena_inv_4 ok x).
   - intros x. now rewrite dom_ndres, image_inverse_ndres, (Escena_inv_5 ok x).
   - intros x. now rewrite dom_ndres, image_inverse_ndres, (Escena_inv_6 ok x).
   - reflexivity.
   - intros d [x [_ H]]. apply (Escena_inv_8 ok). now exists x.
+  - intros x. now rewrite dom_ndres, image_inverse_ndres, (Escena_inv_9 ok x).
 Qed.
 
 (** ** Each operation, computed: its preconditions, its only after-state and its answer *)
@@ -127,7 +143,7 @@ Ltac addition_computed with_ok := split;
 (** Agregar_Esfera happens exactly from a scene without e, with t = soy_esfera and a positive radius; the scene then
     gains that sphere and nothing else. Discharges Agregar_Elemento.pre.1, Agregar_Elemento.post.1,
     Agregar_Elemento.post.2, Agregar_Esfera.pre.1, Agregar_Esfera.pre.2, Agregar_Esfera.post.1, Agregar_Esfera.post.2,
-    Agregar_Esfera.post.3, Agregar_Esfera.post.4, Agregar_Esfera.post.5, Agregar_Esfera.post.6. *)
+    Agregar_Esfera.post.3, Agregar_Esfera.post.4, Agregar_Esfera.post.5, Agregar_Esfera.post.6, Agregar_Esfera.post.7. *)
 Theorem Agregar_Esfera_computed s s' e t r_out c r :
   Agregar_Esfera s s' e t r_out c r <->
   (Escena_ok s /\ e ∉ elementos s /\ t = soy_esfera /\ r ∈ Rmas)
@@ -137,7 +153,7 @@ Proof. addition_computed with_esfera_ok. Qed.
 (** Agregar_Cilindro happens exactly when its clauses hold; the scene then gains that cylinder and nothing else.
     Discharges Agregar_Cilindro.pre.1, Agregar_Cilindro.pre.2, Agregar_Cilindro.pre.3, Agregar_Cilindro.pre.4,
     Agregar_Cilindro.post.1, Agregar_Cilindro.post.2, Agregar_Cilindro.post.3, Agregar_Cilindro.post.4,
-    Agregar_Cilindro.post.5, Agregar_Cilindro.post.6. *)
+    Agregar_Cilindro.post.5, Agregar_Cilindro.post.6, Agregar_Cilindro.post.7. *)
 Theorem Agregar_Cilindro_computed s s' e t r_out c r d h :
   Agregar_Cilindro s s' e t r_out c r d h <->
   (Escena_ok s /\ e ∉ elementos s /\ t = soy_cilindro /\ r ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas)
@@ -146,7 +162,8 @@ Proof. addition_computed with_cilindro_ok. Qed.
 
 (** Agregar_Cono happens exactly when its clauses hold; the scene then gains that cone and nothing else.
     Discharges Agregar_Cono.pre.1, Agregar_Cono.pre.2, Agregar_Cono.pre.3, Agregar_Cono.pre.4, Agregar_Cono.post.1,
-    Agregar_Cono.post.2, Agregar_Cono.post.3, Agregar_Cono.post.4, Agregar_Cono.post.5, Agregar_Cono.post.6. *)
+    Agregar_Cono.post.2, Agregar_Cono.post.3, Agregar_Cono.post.4, Agregar_Cono.post.5, Agregar_Cono.post.6,
+    Agregar_Cono.post.7. *)
 Theorem Agregar_Cono_computed s s' e t r_out c k d h :
   Agregar_Cono s s' e t r_out c k d h <->
   (Escena_ok s /\ e ∉ elementos s /\ t = soy_cono /\ k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas)
@@ -156,7 +173,7 @@ Proof. addition_computed with_cono_ok. Qed.
 (** Agregar_Tronco happens exactly when its clauses hold; the scene then gains that truncated cone and nothing else.
     Discharges Agregar_Tronco.pre.1, Agregar_Tronco.pre.2, Agregar_Tronco.pre.3, Agregar_Tronco.pre.4,
     Agregar_Tronco.pre.5, Agregar_Tronco.post.1, Agregar_Tronco.post.2, Agregar_Tronco.post.3, Agregar_Tronco.post.4,
-    Agregar_Tronco.post.5, Agregar_Tronco.post.6. *)
+    Agregar_Tronco.post.5, Agregar_Tronco.post.6, Agregar_Tronco.post.7. *)
 Theorem Agregar_Tronco_computed s s' e t r_out c r k d h :
   Agregar_Tronco s s' e t r_out c r k d h <->
   (Escena_ok s /\ e ∉ elementos s /\ t = soy_tronco /\ r ∈ Rmas /\ k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas)
@@ -165,30 +182,52 @@ Proof. addition_computed with_tronco_ok. Qed.
 
 (** Agregar_Plano happens exactly when its clauses hold; the scene then gains that plane and nothing else.
     Discharges Agregar_Plano.pre.1, Agregar_Plano.pre.2, Agregar_Plano.post.1, Agregar_Plano.post.2,
-    Agregar_Plano.post.3, Agregar_Plano.post.4, Agregar_Plano.post.5, Agregar_Plano.post.6. *)
+    Agregar_Plano.post.3, Agregar_Plano.post.4, Agregar_Plano.post.5, Agregar_Plano.post.6, Agregar_Plano.post.7. *)
 Theorem Agregar_Plano_computed s s' e t r_out c d :
   Agregar_Plano s s' e t r_out c d <->
   (Escena_ok s /\ e ∉ elementos s /\ t = soy_plano /\ d ∈ Unitario)
   /\ Escena_eq (with_plano s e c d) s' /\ r_out = plano_agregado.
 Proof. addition_computed with_plano_ok. Qed.
 
+(** Agregar_Disco happens exactly when its clauses hold; the scene then gains that disc and nothing else.
+    Discharges Agregar_Disco.pre.1, Agregar_Disco.pre.2, Agregar_Disco.pre.3, Agregar_Disco.post.1, Agregar_Disco.post.2,
+    Agregar_Disco.post.3, Agregar_Disco.post.4, Agregar_Disco.post.5, Agregar_Disco.post.6, Agregar_Disco.post.7. *)
+Theorem Agregar_Disco_computed s s' e t r_out c r d :
+  Agregar_Disco s s' e t r_out c r d <->
+  (Escena_ok s /\ e ∉ elementos s /\ t = soy_disco /\ r ∈ Rmas /\ d ∈ Unitario)
+  /\ Escena_eq (with_disco s e c r d) s' /\ r_out = disco_agregado.
+Proof. addition_computed with_disco_ok. Qed.
+
+(** Agregar_Triangulo happens exactly when its clauses hold; the scene then gains that triangle and nothing else.
+    Discharges Agregar_Triangulo.pre.1, Agregar_Triangulo.pre.2, Agregar_Triangulo.post.1, Agregar_Triangulo.post.2,
+    Agregar_Triangulo.post.3, Agregar_Triangulo.post.4, Agregar_Triangulo.post.5, Agregar_Triangulo.post.6,
+    Agregar_Triangulo.post.7. *)
+Theorem Agregar_Triangulo_computed s s' e t r_out abc :
+  Agregar_Triangulo s s' e t r_out abc <->
+  (Escena_ok s /\ e ∉ elementos s /\ t = soy_triangulo /\ abc ∈ Vertices)
+  /\ Escena_eq (with_triangulo s e abc) s' /\ r_out = triangulo_agregado.
+Proof. addition_computed with_triangulo_ok. Qed.
+
 (** An attribute that the type of e does not have is untouched by removing e. *)
 Lemma no_attribute s e t : Escena_ok s -> (e, t) ∈ de_que_tipo s ->
-  (t ∉ radio_types -> ndres ⦃e⦄ (mi_radio s) ≡ mi_radio s)
+  (t ∉ centro_types -> ndres ⦃e⦄ (mi_centro s) ≡ mi_centro s)
+  /\ (t ∉ radio_types -> ndres ⦃e⦄ (mi_radio s) ≡ mi_radio s)
   /\ (t ∉ vector_types -> ndres ⦃e⦄ (mi_vector s) ≡ mi_vector s)
   /\ (t ∉ altura_types -> ndres ⦃e⦄ (mi_altura s) ≡ mi_altura s)
-  /\ (t ∉ proporcion_types -> ndres ⦃e⦄ (mi_proporcion s) ≡ mi_proporcion s).
+  /\ (t ∉ proporcion_types -> ndres ⦃e⦄ (mi_proporcion s) ≡ mi_proporcion s)
+  /\ (t ∉ vertices_types -> ndres ⦃e⦄ (mi_vertices s) ≡ mi_vertices s).
 Proof.
-  intros ok Ht. split; [| split; [| split]]; intros N; apply ndres_outside;
-    rewrite ?(has_radio _ _ ok e t Ht), ?(has_vector _ _ ok e t Ht), ?(has_altura _ _ ok e t Ht),
-      ?(has_proporcion _ _ ok e t Ht); exact N.
+  intros ok Ht. split; [| split; [| split; [| split; [| split]]]]; intros N; apply ndres_outside;
+    rewrite ?(has_centro _ _ ok e t Ht), ?(has_radio _ _ ok e t Ht), ?(has_vector _ _ ok e t Ht),
+      ?(has_altura _ _ ok e t Ht), ?(has_proporcion _ _ ok e t Ht), ?(has_vertices _ _ ok e t Ht); exact N.
 Qed.
 
 (** What a removal says of each component is that the element is without it: where its type lacks the attribute, that
     the attribute stays as it is. *)
 Ltac untouched ok Ht := let N := fresh "N" in
   pose proof (no_attribute _ _ _ ok Ht) as N;
-  unfold radio_types, vector_types, altura_types, proporcion_types, union, single in N; decompose [and] N; clear N;
+  unfold centro_types, radio_types, vector_types, altura_types, proporcion_types, vertices_types, union, single in N;
+  decompose [and] N; clear N;
   repeat match goal with H : ~ _ -> ndres _ _ ≡ _ |- _ =>
     first [specialize (H ltac:(let T := fresh in intros T; repeat destruct T as [T | T]; discriminate T)) | clear H] end.
 Ltac removal_computed := split;
@@ -204,7 +243,7 @@ Ltac removal_computed := split;
 (** Eliminar_Esfera happens exactly on a sphere of the scene; the scene then loses it and nothing else.
     Discharges Eliminar_Elemento.pre.1, Eliminar_Elemento.post.1, Eliminar_Elemento.post.2, Eliminar_Esfera.pre.1,
     Eliminar_Esfera.post.1, Eliminar_Esfera.post.2, Eliminar_Esfera.post.3, Eliminar_Esfera.post.4,
-    Eliminar_Esfera.post.5, Eliminar_Esfera.post.6. *)
+    Eliminar_Esfera.post.5, Eliminar_Esfera.post.6, Eliminar_Esfera.post.7. *)
 Theorem Eliminar_Esfera_computed s s' e r_out :
   Eliminar_Esfera s s' e r_out <->
   (Escena_ok s /\ (e, soy_esfera) ∈ de_que_tipo s) /\ Escena_eq (scene_without s e) s' /\ r_out = esfera_eliminada.
@@ -212,7 +251,7 @@ Proof. removal_computed. Qed.
 
 (** Eliminar_Cilindro happens exactly on a cylinder of the scene; the scene then loses it and nothing else.
     Discharges Eliminar_Cilindro.pre.1, Eliminar_Cilindro.post.1, Eliminar_Cilindro.post.2, Eliminar_Cilindro.post.3,
-    Eliminar_Cilindro.post.4, Eliminar_Cilindro.post.5, Eliminar_Cilindro.post.6. *)
+    Eliminar_Cilindro.post.4, Eliminar_Cilindro.post.5, Eliminar_Cilindro.post.6, Eliminar_Cilindro.post.7. *)
 Theorem Eliminar_Cilindro_computed s s' e r_out :
   Eliminar_Cilindro s s' e r_out <->
   (Escena_ok s /\ (e, soy_cilindro) ∈ de_que_tipo s) /\ Escena_eq (scene_without s e) s' /\ r_out = cilindro_eliminado.
@@ -220,7 +259,7 @@ Proof. removal_computed. Qed.
 
 (** Eliminar_Cono happens exactly on a cone of the scene; the scene then loses it and nothing else.
     Discharges Eliminar_Cono.pre.1, Eliminar_Cono.post.1, Eliminar_Cono.post.2, Eliminar_Cono.post.3,
-    Eliminar_Cono.post.4, Eliminar_Cono.post.5, Eliminar_Cono.post.6. *)
+    Eliminar_Cono.post.4, Eliminar_Cono.post.5, Eliminar_Cono.post.6, Eliminar_Cono.post.7. *)
 Theorem Eliminar_Cono_computed s s' e r_out :
   Eliminar_Cono s s' e r_out <->
   (Escena_ok s /\ (e, soy_cono) ∈ de_que_tipo s) /\ Escena_eq (scene_without s e) s' /\ r_out = cono_eliminado.
@@ -228,7 +267,7 @@ Proof. removal_computed. Qed.
 
 (** Eliminar_Tronco happens exactly on a truncated cone of the scene; the scene then loses it and nothing else.
     Discharges Eliminar_Tronco.pre.1, Eliminar_Tronco.post.1, Eliminar_Tronco.post.2, Eliminar_Tronco.post.3,
-    Eliminar_Tronco.post.4, Eliminar_Tronco.post.5, Eliminar_Tronco.post.6. *)
+    Eliminar_Tronco.post.4, Eliminar_Tronco.post.5, Eliminar_Tronco.post.6, Eliminar_Tronco.post.7. *)
 Theorem Eliminar_Tronco_computed s s' e r_out :
   Eliminar_Tronco s s' e r_out <->
   (Escena_ok s /\ (e, soy_tronco) ∈ de_que_tipo s) /\ Escena_eq (scene_without s e) s' /\ r_out = tronco_eliminado.
@@ -236,10 +275,27 @@ Proof. removal_computed. Qed.
 
 (** Eliminar_Plano happens exactly on a plane of the scene; the scene then loses it and nothing else.
     Discharges Eliminar_Plano.pre.1, Eliminar_Plano.post.1, Eliminar_Plano.post.2, Eliminar_Plano.post.3,
-    Eliminar_Plano.post.4, Eliminar_Plano.post.5, Eliminar_Plano.post.6. *)
+    Eliminar_Plano.post.4, Eliminar_Plano.post.5, Eliminar_Plano.post.6, Eliminar_Plano.post.7. *)
 Theorem Eliminar_Plano_computed s s' e r_out :
   Eliminar_Plano s s' e r_out <->
   (Escena_ok s /\ (e, soy_plano) ∈ de_que_tipo s) /\ Escena_eq (scene_without s e) s' /\ r_out = plano_eliminado.
+Proof. removal_computed. Qed.
+
+(** Eliminar_Disco happens exactly on a disc of the scene; the scene then loses it and nothing else.
+    Discharges Eliminar_Disco.pre.1, Eliminar_Disco.post.1, Eliminar_Disco.post.2, Eliminar_Disco.post.3,
+    Eliminar_Disco.post.4, Eliminar_Disco.post.5, Eliminar_Disco.post.6, Eliminar_Disco.post.7. *)
+Theorem Eliminar_Disco_computed s s' e r_out :
+  Eliminar_Disco s s' e r_out <->
+  (Escena_ok s /\ (e, soy_disco) ∈ de_que_tipo s) /\ Escena_eq (scene_without s e) s' /\ r_out = disco_eliminado.
+Proof. removal_computed. Qed.
+
+(** Eliminar_Triangulo happens exactly on a triangle of the scene; the scene then loses it and nothing else.
+    Discharges Eliminar_Triangulo.pre.1, Eliminar_Triangulo.post.1, Eliminar_Triangulo.post.2, Eliminar_Triangulo.post.3,
+    Eliminar_Triangulo.post.4, Eliminar_Triangulo.post.5, Eliminar_Triangulo.post.6, Eliminar_Triangulo.post.7. *)
+Theorem Eliminar_Triangulo_computed s s' e r_out :
+  Eliminar_Triangulo s s' e r_out <->
+  (Escena_ok s /\ (e, soy_triangulo) ∈ de_que_tipo s) /\ Escena_eq (scene_without s e) s'
+  /\ r_out = triangulo_eliminado.
 Proof. removal_computed. Qed.
 
 (** ** The preconditions are the stated clauses, and nothing more *)
@@ -274,26 +330,40 @@ Theorem pre_Agregar_Plano s e t c d :
   (exists s' r_out, Agregar_Plano s s' e t r_out c d) <->
   Escena_ok s /\ e ∉ elementos s /\ t = soy_plano /\ d ∈ Unitario.
 Proof. clauses_suffice Agregar_Plano_computed. Qed.
+(** pre Agregar_Disco is exactly its stated clauses. *)
+Theorem pre_Agregar_Disco s e t c r d :
+  (exists s' r_out, Agregar_Disco s s' e t r_out c r d) <->
+  Escena_ok s /\ e ∉ elementos s /\ t = soy_disco /\ r ∈ Rmas /\ d ∈ Unitario.
+Proof. clauses_suffice Agregar_Disco_computed. Qed.
+(** pre Agregar_Triangulo is exactly its stated clauses. *)
+Theorem pre_Agregar_Triangulo s e t abc :
+  (exists s' r_out, Agregar_Triangulo s s' e t r_out abc) <->
+  Escena_ok s /\ e ∉ elementos s /\ t = soy_triangulo /\ abc ∈ Vertices.
+Proof. clauses_suffice Agregar_Triangulo_computed. Qed.
 (** pre of each removal is exactly that e is an element of its type. *)
 Theorem pre_Eliminar s e :
   ((exists s' r_out, Eliminar_Esfera s s' e r_out) <-> Escena_ok s /\ (e, soy_esfera) ∈ de_que_tipo s)
   /\ ((exists s' r_out, Eliminar_Cilindro s s' e r_out) <-> Escena_ok s /\ (e, soy_cilindro) ∈ de_que_tipo s)
   /\ ((exists s' r_out, Eliminar_Cono s s' e r_out) <-> Escena_ok s /\ (e, soy_cono) ∈ de_que_tipo s)
   /\ ((exists s' r_out, Eliminar_Tronco s s' e r_out) <-> Escena_ok s /\ (e, soy_tronco) ∈ de_que_tipo s)
-  /\ ((exists s' r_out, Eliminar_Plano s s' e r_out) <-> Escena_ok s /\ (e, soy_plano) ∈ de_que_tipo s).
+  /\ ((exists s' r_out, Eliminar_Plano s s' e r_out) <-> Escena_ok s /\ (e, soy_plano) ∈ de_que_tipo s)
+  /\ ((exists s' r_out, Eliminar_Disco s s' e r_out) <-> Escena_ok s /\ (e, soy_disco) ∈ de_que_tipo s)
+  /\ ((exists s' r_out, Eliminar_Triangulo s s' e r_out) <-> Escena_ok s /\ (e, soy_triangulo) ∈ de_que_tipo s).
 Proof.
-  split; [| split; [| split; [| split]]].
+  split; [| split; [| split; [| split; [| split; [| split]]]]].
   - clauses_suffice Eliminar_Esfera_computed.
   - clauses_suffice Eliminar_Cilindro_computed.
   - clauses_suffice Eliminar_Cono_computed.
   - clauses_suffice Eliminar_Tronco_computed.
   - clauses_suffice Eliminar_Plano_computed.
+  - clauses_suffice Eliminar_Disco_computed.
+  - clauses_suffice Eliminar_Triangulo_computed.
 Qed.
 
 (** ** The promoted operations *)
 
-(** The operation e, t, c, r, d, h, k asks for is possible: the clauses of the type t hold. *)
-Definition addition_possible s e t (r : R) d (h k : R) : Prop :=
+(** What an addition of e, t, c, r, d, h, k, abc asks for is possible: the clauses of the type t hold. *)
+Definition addition_possible s e t (r : R) d (h k : R) abc : Prop :=
   Escena_ok s /\ e ∉ elementos s /\
   match t with
   | soy_esfera => r ∈ Rmas
@@ -301,34 +371,42 @@ Definition addition_possible s e t (r : R) d (h k : R) : Prop :=
   | soy_cono => k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas
   | soy_tronco => r ∈ Rmas /\ k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas
   | soy_plano => d ∈ Unitario
+  | soy_disco => r ∈ Rmas /\ d ∈ Unitario
+  | soy_triangulo => abc ∈ Vertices
   end.
-Definition scene_added s e t c r d h k : Escena :=
+Definition scene_added s e t c r d h k abc : Escena :=
   match t with
   | soy_esfera => with_esfera s e c r
   | soy_cilindro => with_cilindro s e c r d h
   | soy_cono => with_cono s e c k d h
   | soy_tronco => with_tronco s e c r k d h
   | soy_plano => with_plano s e c d
+  | soy_disco => with_disco s e c r d
+  | soy_triangulo => with_triangulo s e abc
   end.
 
 (** The general addition is that of the type given, with the general answer. Discharges Elemento_Agregado.post.1. *)
-Theorem Elemento_Agregado_computed s s' e t c r d h k r_out :
-  Elemento_Agregado s s' e t c r d h k r_out <->
-  addition_possible s e t r d h k /\ Escena_eq (scene_added s e t c r d h k) s' /\ r_out = elemento_agregado.
+Theorem Elemento_Agregado_computed s s' e t c r d h k abc r_out :
+  Elemento_Agregado s s' e t c r d h k abc r_out <->
+  addition_possible s e t r d h k abc /\ Escena_eq (scene_added s e t c r d h k abc) s' /\ r_out = elemento_agregado.
 Proof.
   unfold Elemento_Agregado, addition_possible, scene_added. split.
-  - intros [[r0 [H | [H | [H | [H | H]]]]] ->].
+  - intros [[r0 [H | [H | [H | [H | [H | [H | H]]]]]]] ->].
     + apply Agregar_Esfera_computed in H as [[? [? [-> ?]]] [? _]]. auto.
     + apply Agregar_Cilindro_computed in H as [[? [? [-> ?]]] [? _]]. auto.
     + apply Agregar_Cono_computed in H as [[? [? [-> ?]]] [? _]]. auto.
     + apply Agregar_Tronco_computed in H as [[? [? [-> ?]]] [? _]]. auto.
     + apply Agregar_Plano_computed in H as [[? [? [-> ?]]] [? _]]. auto.
+    + apply Agregar_Disco_computed in H as [[? [? [-> ?]]] [? _]]. auto.
+    + apply Agregar_Triangulo_computed in H as [[? [? [-> ?]]] [? _]]. auto.
   - intros [[ok [He H]] [E ->]]. split; [| reflexivity]. destruct t.
     + exists esfera_agregada. left. apply Agregar_Esfera_computed. auto.
     + exists cilindro_agregado. right; left. apply Agregar_Cilindro_computed. auto.
     + exists cono_agregado. right; right; left. apply Agregar_Cono_computed. auto.
     + exists tronco_agregado. right; right; right; left. apply Agregar_Tronco_computed. auto.
-    + exists plano_agregado. right; right; right; right. apply Agregar_Plano_computed. auto.
+    + exists plano_agregado. do 4 right; left. apply Agregar_Plano_computed. auto.
+    + exists disco_agregado. do 5 right; left. apply Agregar_Disco_computed. auto.
+    + exists triangulo_agregado. do 6 right. apply Agregar_Triangulo_computed. auto.
 Qed.
 
 (** The general removal happens exactly on an element of the scene. Discharges Elemento_Eliminado.post.1. *)
@@ -337,33 +415,39 @@ Theorem Elemento_Eliminado_computed s s' e r_out :
   (Escena_ok s /\ e ∈ elementos s) /\ Escena_eq (scene_without s e) s' /\ r_out = elemento_eliminado.
 Proof.
   unfold Elemento_Eliminado. split.
-  - intros [[r0 [H | [H | [H | [H | H]]]]] ->].
+  - intros [[r0 [H | [H | [H | [H | [H | [H | H]]]]]]] ->].
     + apply Eliminar_Esfera_computed in H as [[ok H] [? _]]. eauto 6 using (element_of_type _ _ ok).
     + apply Eliminar_Cilindro_computed in H as [[ok H] [? _]]. eauto 6 using (element_of_type _ _ ok).
     + apply Eliminar_Cono_computed in H as [[ok H] [? _]]. eauto 6 using (element_of_type _ _ ok).
     + apply Eliminar_Tronco_computed in H as [[ok H] [? _]]. eauto 6 using (element_of_type _ _ ok).
     + apply Eliminar_Plano_computed in H as [[ok H] [? _]]. eauto 6 using (element_of_type _ _ ok).
+    + apply Eliminar_Disco_computed in H as [[ok H] [? _]]. eauto 6 using (element_of_type _ _ ok).
+    + apply Eliminar_Triangulo_computed in H as [[ok H] [? _]]. eauto 6 using (element_of_type _ _ ok).
   - intros [[ok He] [E ->]]. split; [| reflexivity]. destruct (type_of_element _ _ ok e He) as [[] Ht].
     + exists esfera_eliminada. left. apply Eliminar_Esfera_computed. auto.
     + exists cilindro_eliminado. right; left. apply Eliminar_Cilindro_computed. auto.
     + exists cono_eliminado. right; right; left. apply Eliminar_Cono_computed. auto.
     + exists tronco_eliminado. right; right; right; left. apply Eliminar_Tronco_computed. auto.
-    + exists plano_eliminado. right; right; right; right. apply Eliminar_Plano_computed. auto.
+    + exists plano_eliminado. do 4 right; left. apply Eliminar_Plano_computed. auto.
+    + exists disco_eliminado. do 5 right; left. apply Eliminar_Disco_computed. auto.
+    + exists triangulo_eliminado. do 6 right. apply Eliminar_Triangulo_computed. auto.
 Qed.
 
 (** Each operation of one type is an instance of the general one, up to the answer. *)
-Theorem specific_is_general s s' e t r_out c r d h k :
+Theorem specific_is_general s s' e t r_out c r d h k abc :
   (Agregar_Esfera s s' e t r_out c r \/ Agregar_Cilindro s s' e t r_out c r d h
    \/ Agregar_Cono s s' e t r_out c k d h \/ Agregar_Tronco s s' e t r_out c r k d h
-   \/ Agregar_Plano s s' e t r_out c d ->
-   Elemento_Agregado s s' e t c r d h k elemento_agregado)
+   \/ Agregar_Plano s s' e t r_out c d \/ Agregar_Disco s s' e t r_out c r d
+   \/ Agregar_Triangulo s s' e t r_out abc ->
+   Elemento_Agregado s s' e t c r d h k abc elemento_agregado)
   /\ (Eliminar_Esfera s s' e r_out \/ Eliminar_Cilindro s s' e r_out \/ Eliminar_Cono s s' e r_out
-      \/ Eliminar_Tronco s s' e r_out \/ Eliminar_Plano s s' e r_out -> Elemento_Eliminado s s' e elemento_eliminado).
+      \/ Eliminar_Tronco s s' e r_out \/ Eliminar_Plano s s' e r_out \/ Eliminar_Disco s s' e r_out
+      \/ Eliminar_Triangulo s s' e r_out -> Elemento_Eliminado s s' e elemento_eliminado).
 Proof. split; intros H; (split; [now exists r_out | reflexivity]). Qed.
 
 (** The general operations determine the scene: two after-states are equal. *)
-Theorem operations_deterministic s s1 s2 e t c r d h k r1 r2 :
-  (Elemento_Agregado s s1 e t c r d h k r1 -> Elemento_Agregado s s2 e t c r d h k r2 -> Escena_eq s1 s2)
+Theorem operations_deterministic s s1 s2 e t c r d h k abc r1 r2 :
+  (Elemento_Agregado s s1 e t c r d h k abc r1 -> Elemento_Agregado s s2 e t c r d h k abc r2 -> Escena_eq s1 s2)
   /\ (Elemento_Eliminado s s1 e r1 -> Elemento_Eliminado s s2 e r2 -> Escena_eq s1 s2).
 Proof.
   split; intros H1 H2.
@@ -374,10 +458,10 @@ Qed.
 (** ** To add and then remove is the identity *)
 
 Lemma scene_without_eq s s' e : Escena_eq s s' -> Escena_eq (scene_without s e) (scene_without s' e).
-Proof. intros [H1 H2 H3 H4 H5 H6 H7 H8]. split; cbn; now rewrite ?H1, ?H3, ?H4, ?H5, ?H6, ?H7, ?H8. Qed.
+Proof. intros [H1 H2 H3 H4 H5 H6 H7 H8 H9]. split; cbn; now rewrite ?H1, ?H3, ?H4, ?H5, ?H6, ?H7, ?H8, ?H9. Qed.
 
-Lemma scene_with_without s e t c rs ds hs ks : Escena_ok s -> e ∉ elementos s ->
-  Escena_eq (scene_without (scene_with s e t c rs ds hs ks) e) s.
+Lemma scene_with_without s e t cs rs ds hs ks vs : Escena_ok s -> e ∉ elementos s ->
+  Escena_eq (scene_without (scene_with s e t cs rs ds hs ks vs) e) s.
 Proof.
   intros ok He.
   assert (T : ndres ⦃e⦄ (de_que_tipo s ∪ ⦃(e, t)⦄) ≡ de_que_tipo s).
@@ -391,16 +475,17 @@ Proof.
   - intros H. now apply He, (element_of_vector _ _ ok).
   - intros H. now apply He, (element_of_altura _ _ ok).
   - intros H. now apply He, (element_of_proporcion _ _ ok).
+  - intros H. now apply He, (element_of_vertices _ _ ok).
 Qed.
 
 (** An element that was added can be removed, and removing it gives the scene before. *)
-Theorem add_then_remove s s1 e t c r d h k r1 : Elemento_Agregado s s1 e t c r d h k r1 ->
+Theorem add_then_remove s s1 e t c r d h k abc r1 : Elemento_Agregado s s1 e t c r d h k abc r1 ->
   (exists s2 r2, Elemento_Eliminado s1 s2 e r2)
   /\ forall s2 r2, Elemento_Eliminado s1 s2 e r2 -> Escena_eq s s2.
 Proof.
   intros H. apply Elemento_Agregado_computed in H as [[ok [He H]] [E _]].
   assert (Ew : Escena_eq (scene_without s1 e) s).
-  { apply Escena_eq_trans with (scene_without (scene_added s e t c r d h k) e).
+  { apply Escena_eq_trans with (scene_without (scene_added s e t c r d h k abc) e).
     - now apply scene_without_eq, Escena_eq_sym.
     - destruct t; now apply scene_with_without. }
   split.
@@ -408,7 +493,7 @@ Proof.
     split; [split | auto using Escena_eq_refl].
     + apply Escena_ok_eq with (1 := E). destruct t; cbn;
         [apply with_esfera_ok | apply with_cilindro_ok | apply with_cono_ok | apply with_tronco_ok
-        | apply with_plano_ok]; tauto.
+        | apply with_plano_ok | apply with_disco_ok | apply with_triangulo_ok]; tauto.
     + apply (Escena_eq_elementos E). destruct t; now right.
   - intros s2 r2 H2. apply Elemento_Eliminado_computed in H2 as [_ [E2 _]].
     eauto using Escena_eq_trans, Escena_eq_sym.
@@ -423,18 +508,19 @@ Definition same_at (x : Elemento) s s' : Prop :=
   /\ (forall v, (x, v) ∈ mi_radio s <-> (x, v) ∈ mi_radio s')
   /\ (forall v, (x, v) ∈ mi_vector s <-> (x, v) ∈ mi_vector s')
   /\ (forall v, (x, v) ∈ mi_altura s <-> (x, v) ∈ mi_altura s')
-  /\ (forall v, (x, v) ∈ mi_proporcion s <-> (x, v) ∈ mi_proporcion s').
+  /\ (forall v, (x, v) ∈ mi_proporcion s <-> (x, v) ∈ mi_proporcion s')
+  /\ (forall v, (x, v) ∈ mi_vertices s <-> (x, v) ∈ mi_vertices s').
 
 Lemma same_at_eq x s s' s'' : same_at x s s' -> Escena_eq s' s'' -> same_at x s s''.
 Proof.
-  intros [H1 [H2 [H3 [H4 [H5 [H6 H7]]]]]] [E1 _ E2 E3 E4 E5 E6 E7].
+  intros [H1 [H2 [H3 [H4 [H5 [H6 [H7 H8]]]]]]] [E1 _ E2 E3 E4 E5 E6 E7 E8].
   split; [now rewrite H1, (E1 x) |]. split; [intros v; now rewrite H2, (E2 (x, v)) |].
   split; [intros v; now rewrite H3, (E3 (x, v)) |]. split; [intros v; now rewrite H4, (E4 (x, v)) |].
   split; [intros v; now rewrite H5, (E5 (x, v)) |]. split; [intros v; now rewrite H6, (E6 (x, v)) |].
-  intros v; now rewrite H7, (E7 (x, v)).
+  split; [intros v; now rewrite H7, (E7 (x, v)) |]. intros v; now rewrite H8, (E8 (x, v)).
 Qed.
 
-Lemma scene_with_same x s e t c rs ds hs ks : x <> e -> same_at x s (scene_with s e t c rs ds hs ks).
+Lemma scene_with_same x s e t cs rs ds hs ks vs : x <> e -> same_at x s (scene_with s e t cs rs ds hs ks vs).
 Proof.
   intros Hx. unfold same_at; cbn; unfold union, single, at_one; cbn.
   repeat match goal with |- _ /\ _ => split end; intuition congruence.
@@ -446,8 +532,8 @@ Proof.
 Qed.
 
 (** Adding or removing e changes neither the presence, nor the type, nor any attribute of another element x. *)
-Theorem others_untouched x s s' e t c r d h k r_out : x <> e ->
-  Elemento_Agregado s s' e t c r d h k r_out \/ Elemento_Eliminado s s' e r_out -> same_at x s s'.
+Theorem others_untouched x s s' e t c r d h k abc r_out : x <> e ->
+  Elemento_Agregado s s' e t c r d h k abc r_out \/ Elemento_Eliminado s s' e r_out -> same_at x s s'.
 Proof.
   intros Hx [H | H].
   - apply Elemento_Agregado_computed in H as [_ [E _]]. apply same_at_eq with (2 := E).
@@ -461,52 +547,64 @@ Lemma Xi_refl s : Escena_ok s -> Xi_Escena s s.
 Proof. intros ok. split; [now split | apply Escena_eq_refl]. Qed.
 
 (** An element that cannot be added, though its name is free, lacks a value that its type asks for. *)
-Lemma clause_fails s e t r d h k : Escena_ok s -> e ∉ elementos s -> ~ addition_possible s e t r d h k ->
+Lemma clause_fails s e t r d h k abc : Escena_ok s -> e ∉ elementos s -> ~ addition_possible s e t r d h k abc ->
   (r ∉ Rmas /\ Con_Radio t) \/ (k ∉ Rmas /\ Con_Proporcion t) \/ (d ∉ Unitario /\ Con_Vector t)
-  \/ (h ∉ Rmas /\ Con_Altura t).
+  \/ (h ∉ Rmas /\ Con_Altura t) \/ (abc ∉ Vertices /\ Con_Vertices t).
 Proof.
-  intros ok He P. unfold addition_possible, Con_Radio, Con_Vector, Con_Altura, Con_Proporcion, union, single in *.
-  destruct (classic (r ∈ Rmas)), (classic (k ∈ Rmas)), (classic (d ∈ Unitario)), (classic (h ∈ Rmas)), t;
+  intros ok He P.
+  unfold addition_possible, Con_Radio, Con_Vector, Con_Altura, Con_Proporcion, Con_Vertices, union, single in *.
+  destruct t; destruct (classic (r ∈ Rmas)), (classic (k ∈ Rmas)), (classic (d ∈ Unitario)), (classic (h ∈ Rmas)),
+    (classic (abc ∈ Vertices));
     first [left; split; [assumption | now auto] | right; left; split; [assumption | now auto]
-      | right; right; left; split; [assumption | now auto] | right; right; right; split; [assumption | now auto]
-      | destruct P; auto 8].
+      | do 2 right; left; split; [assumption | now auto] | do 3 right; left; split; [assumption | now auto]
+      | do 4 right; split; [assumption | now auto] | destruct P; auto 8].
 Qed.
 
 (** Every total operation answers every call on a scene that satisfies the invariant.
     Discharges Elemento_Ya_Existe.pre.1, Elemento_Ya_Existe.post.1, Elemento_No_Existe.pre.1,
     Elemento_No_Existe.post.1, Radio_No_Positivo.pre.1, Radio_No_Positivo.post.1, Vector_No_Unitario.pre.1,
     Vector_No_Unitario.post.1, Altura_No_Positiva.pre.1, Altura_No_Positiva.post.1, Proporcion_No_Positiva.pre.1,
-    Proporcion_No_Positiva.post.1, No_Es_Esfera.pre.1, No_Es_Esfera.pre.2, No_Es_Esfera.post.1, No_Es_Cilindro.pre.1,
-    No_Es_Cilindro.pre.2, No_Es_Cilindro.post.1, No_Es_Cono.pre.1, No_Es_Cono.pre.2, No_Es_Cono.post.1,
+    Proporcion_No_Positiva.post.1, Vertices_Alineados.pre.1, Vertices_Alineados.post.1, No_Es_Esfera.pre.1,
+    No_Es_Esfera.pre.2, No_Es_Esfera.post.1, No_Es_Cilindro.pre.1, No_Es_Cilindro.pre.2, No_Es_Cilindro.post.1,
+    No_Es_Cono.pre.1, No_Es_Cono.pre.2, No_Es_Cono.post.1,
     No_Es_Tronco.pre.1, No_Es_Tronco.pre.2, No_Es_Tronco.post.1, No_Es_Plano.pre.1, No_Es_Plano.pre.2,
-    No_Es_Plano.post.1, Con_Radio.pre.1, Con_Vector.pre.1, Con_Altura.pre.1, Con_Proporcion.pre.1. *)
-Theorem total_operations_are_total s e t c r d h k : Escena_ok s ->
+    No_Es_Plano.post.1, No_Es_Disco.pre.1, No_Es_Disco.pre.2, No_Es_Disco.post.1, No_Es_Triangulo.pre.1,
+    No_Es_Triangulo.pre.2, No_Es_Triangulo.post.1, Con_Radio.pre.1, Con_Vector.pre.1, Con_Altura.pre.1,
+    Con_Proporcion.pre.1, Con_Vertices.pre.1. *)
+Theorem total_operations_are_total s e t c r d h k abc : Escena_ok s ->
   (exists s' r_out, Agregar_Esfera_Total s s' e r_out c r)
   /\ (exists s' r_out, Agregar_Cilindro_Total s s' e r_out c r d h)
   /\ (exists s' r_out, Agregar_Cono_Total s s' e r_out c k d h)
   /\ (exists s' r_out, Agregar_Tronco_Total s s' e r_out c r k d h)
   /\ (exists s' r_out, Agregar_Plano_Total s s' e r_out c d)
+  /\ (exists s' r_out, Agregar_Disco_Total s s' e r_out c r d)
+  /\ (exists s' r_out, Agregar_Triangulo_Total s s' e r_out abc)
   /\ (exists s' r_out, Eliminar_Esfera_Total s s' e r_out)
   /\ (exists s' r_out, Eliminar_Cilindro_Total s s' e r_out)
   /\ (exists s' r_out, Eliminar_Cono_Total s s' e r_out)
   /\ (exists s' r_out, Eliminar_Tronco_Total s s' e r_out)
   /\ (exists s' r_out, Eliminar_Plano_Total s s' e r_out)
-  /\ (exists s' r_out, Agregar_Elemento_Total s s' e t c r d h k r_out)
+  /\ (exists s' r_out, Eliminar_Disco_Total s s' e r_out)
+  /\ (exists s' r_out, Eliminar_Triangulo_Total s s' e r_out)
+  /\ (exists s' r_out, Agregar_Elemento_Total s s' e t c r d h k abc r_out)
   /\ (exists s' r_out, Eliminar_Elemento_Total s s' e r_out).
 Proof.
   intros ok. pose proof (Xi_refl s ok) as X.
   assert (pe := pre_Agregar_Esfera s e soy_esfera c r). assert (pl := pre_Agregar_Cilindro s e soy_cilindro c r d h).
   assert (pk := pre_Agregar_Cono s e soy_cono c k d h). assert (pt := pre_Agregar_Tronco s e soy_tronco c r k d h).
-  assert (pp := pre_Agregar_Plano s e soy_plano c d). destruct (pre_Eliminar s e) as [qe [ql [qk [qt qp]]]].
+  assert (pp := pre_Agregar_Plano s e soy_plano c d). assert (pd := pre_Agregar_Disco s e soy_disco c r d).
+  assert (pv := pre_Agregar_Triangulo s e soy_triangulo abc).
+  destruct (pre_Eliminar s e) as [qe [ql [qk [qt [qp [qd qv]]]]]].
   assert (Y : e ∈ elementos s -> Elemento_Ya_Existe s s e elemento_ya_existe) by now split.
   assert (NE : e ∉ elementos s -> Elemento_No_Existe s s e elemento_no_existe) by now split.
   assert (RN : r ∉ Rmas -> Radio_No_Positivo s s r radio_no_positivo) by now split.
   assert (VN : d ∉ Unitario -> Vector_No_Unitario s s d vector_no_unitario) by now split.
   assert (AN : h ∉ Rmas -> Altura_No_Positiva s s h altura_no_positiva) by now split.
   assert (PN : k ∉ Rmas -> Proporcion_No_Positiva s s k proporcion_no_positiva) by now split.
+  assert (AV : abc ∉ Vertices -> Vertices_Alineados s s abc vertices_alineados) by now split.
   pose proof (classic (e ∈ elementos s)) as Ce. pose proof (classic (r ∈ Rmas)) as Cr.
   pose proof (classic (d ∈ Unitario)) as Cd. pose proof (classic (h ∈ Rmas)) as Ch.
-  pose proof (classic (k ∈ Rmas)) as Ck.
+  pose proof (classic (k ∈ Rmas)) as Ck. pose proof (classic (abc ∈ Vertices)) as Cv.
   assert (removal : forall t' (P N : Escena -> Respuesta -> Prop),
     ((exists s' r_out, P s' r_out) <-> Escena_ok s /\ (e, t') ∈ de_que_tipo s) ->
     (e ∈ elementos s -> (exists v, (e, v) ∈ de_que_tipo s /\ v <> t') -> N s tipo_incorrecto) ->
@@ -514,9 +612,9 @@ Proof.
   { intros t' P N HP HN. destruct Ce as [He |]; [| eauto 10]. destruct (type_of_element _ _ ok e He) as [v Hv].
     destruct (classic (v = t')) as [-> | Nv]; [| eauto 10]. destruct (proj2 HP) as [s' [r_out H']]; eauto. }
   unfold Agregar_Esfera_Total, Agregar_Cilindro_Total, Agregar_Cono_Total, Agregar_Tronco_Total, Agregar_Plano_Total,
-    Eliminar_Esfera_Total, Eliminar_Cilindro_Total, Eliminar_Cono_Total, Eliminar_Tronco_Total, Eliminar_Plano_Total,
-    Eliminar_Elemento_Total.
-  split; [| split; [| split; [| split; [| split; [| split; [| split; [| split; [| split; [| split; [| split]]]]]]]]]].
+    Agregar_Disco_Total, Agregar_Triangulo_Total, Eliminar_Esfera_Total, Eliminar_Cilindro_Total, Eliminar_Cono_Total,
+    Eliminar_Tronco_Total, Eliminar_Plano_Total, Eliminar_Disco_Total, Eliminar_Triangulo_Total, Eliminar_Elemento_Total.
+  repeat match goal with |- _ /\ _ => split end.
   - destruct Ce; [eauto 10 |]. destruct Cr; [| eauto 10].
     destruct (proj2 pe) as [s' [r_out H']]; [auto |]. eauto 10.
   - destruct Ce; [eauto 10 |]. destruct Cr; [| eauto 10]. destruct Cd; [| eauto 10]. destruct Ch; [| eauto 10].
@@ -526,80 +624,110 @@ Proof.
   - destruct Ce; [eauto 10 |]. destruct Cr; [| eauto 10]. destruct Ck; [| eauto 10]. destruct Cd; [| eauto 10].
     destruct Ch; [| eauto 10]. destruct (proj2 pt) as [s' [r_out H']]; [auto 9 |]. eauto 10.
   - destruct Ce; [eauto 10 |]. destruct Cd; [| eauto 10]. destruct (proj2 pp) as [s' [r_out H']]; [auto |]. eauto 10.
+  - destruct Ce; [eauto 10 |]. destruct Cr; [| eauto 10]. destruct Cd; [| eauto 10].
+    destruct (proj2 pd) as [s' [r_out H']]; [auto 8 |]. eauto 10.
+  - destruct Ce; [eauto 10 |]. destruct Cv; [| eauto 10]. destruct (proj2 pv) as [s' [r_out H']]; [auto |]. eauto 10.
   - apply removal with (1 := qe). now split.
   - apply removal with (1 := ql). now split.
   - apply removal with (1 := qk). now split.
   - apply removal with (1 := qt). now split.
   - apply removal with (1 := qp). now split.
+  - apply removal with (1 := qd). now split.
+  - apply removal with (1 := qv). now split.
   - destruct Ce; [unfold Agregar_Elemento_Total; eauto 10 |].
-    destruct (classic (addition_possible s e t r d h k)) as [P | P].
-    { exists (scene_added s e t c r d h k), elemento_agregado. left. apply Elemento_Agregado_computed.
+    destruct (classic (addition_possible s e t r d h k abc)) as [P | P].
+    { exists (scene_added s e t c r d h k abc), elemento_agregado. left. apply Elemento_Agregado_computed.
       auto using Escena_eq_refl. }
-    destruct (clause_fails s e t r d h k) as [[F T] | [[F T] | [[F T] | [F T]]]]; auto.
+    destruct (clause_fails s e t r d h k abc) as [[F T] | [[F T] | [[F T] | [[F T] | [F T]]]]]; auto.
     + exists s, radio_no_positivo. right; right; left. auto.
     + exists s, proporcion_no_positiva. right; right; right; left. auto.
     + exists s, vector_no_unitario. right; right; right; right; left. auto.
-    + exists s, altura_no_positiva. right; right; right; right; right. auto.
+    + exists s, altura_no_positiva. do 5 right; left. auto.
+    + exists s, vertices_alineados. do 6 right. auto.
   - destruct Ce as [He | He].
     + exists (scene_without s e), elemento_eliminado. left. apply Elemento_Eliminado_computed. auto using Escena_eq_refl.
     + exists s, elemento_no_existe. right. auto.
 Qed.
 
 (** The same of each by name. *)
+Let origin := mk_Punto 0 0 0.
+Let null := mk_Vector 0 0 0.
+Let origins := mk_Terna origin origin origin.
 (** Discharges Agregar_Esfera_Total.def.1. *)
-Theorem Agregar_Esfera_Total_is_total s e c r : Escena_ok s -> exists s' r_out, Agregar_Esfera_Total s s' e r_out c r.
-Proof. intros ok. apply (total_operations_are_total s e soy_esfera c r (mk_Vector 0 0 0) 0%R 0%R ok). Qed.
+Theorem Agregar_Esfera_Total_is_total s e c r : Escena_ok s ->
+  exists s' r_out, Agregar_Esfera_Total s s' e r_out c r.
+Proof. intros ok. apply (total_operations_are_total s e soy_esfera c r null 0%R 0%R origins ok). Qed.
 (** Discharges Agregar_Cilindro_Total.def.1. *)
-Theorem Agregar_Cilindro_Total_is_total s e c r d h : Escena_ok s -> exists s' r_out, Agregar_Cilindro_Total s s' e r_out c r d h.
-Proof. intros ok. apply (total_operations_are_total s e soy_cilindro c r d h 0%R ok). Qed.
+Theorem Agregar_Cilindro_Total_is_total s e c r d h : Escena_ok s ->
+  exists s' r_out, Agregar_Cilindro_Total s s' e r_out c r d h.
+Proof. intros ok. apply (total_operations_are_total s e soy_esfera c r d h 0%R origins ok). Qed.
 (** Discharges Agregar_Cono_Total.def.1. *)
-Theorem Agregar_Cono_Total_is_total s e c k d h : Escena_ok s -> exists s' r_out, Agregar_Cono_Total s s' e r_out c k d h.
-Proof. intros ok. apply (total_operations_are_total s e soy_cono c 0%R d h k ok). Qed.
+Theorem Agregar_Cono_Total_is_total s e c k d h : Escena_ok s ->
+  exists s' r_out, Agregar_Cono_Total s s' e r_out c k d h.
+Proof. intros ok. apply (total_operations_are_total s e soy_esfera c 0%R d h k origins ok). Qed.
 (** Discharges Agregar_Tronco_Total.def.1. *)
-Theorem Agregar_Tronco_Total_is_total s e c r k d h : Escena_ok s -> exists s' r_out, Agregar_Tronco_Total s s' e r_out c r k d h.
-Proof. intros ok. apply (total_operations_are_total s e soy_tronco c r d h k ok). Qed.
+Theorem Agregar_Tronco_Total_is_total s e c r k d h : Escena_ok s ->
+  exists s' r_out, Agregar_Tronco_Total s s' e r_out c r k d h.
+Proof. intros ok. apply (total_operations_are_total s e soy_esfera c r d h k origins ok). Qed.
 (** Discharges Agregar_Plano_Total.def.1. *)
-Theorem Agregar_Plano_Total_is_total s e c d : Escena_ok s -> exists s' r_out, Agregar_Plano_Total s s' e r_out c d.
-Proof. intros ok. apply (total_operations_are_total s e soy_plano c 0%R d 0%R 0%R ok). Qed.
+Theorem Agregar_Plano_Total_is_total s e c d : Escena_ok s ->
+  exists s' r_out, Agregar_Plano_Total s s' e r_out c d.
+Proof. intros ok. apply (total_operations_are_total s e soy_esfera c 0%R d 0%R 0%R origins ok). Qed.
+(** Discharges Agregar_Disco_Total.def.1. *)
+Theorem Agregar_Disco_Total_is_total s e c r d : Escena_ok s ->
+  exists s' r_out, Agregar_Disco_Total s s' e r_out c r d.
+Proof. intros ok. apply (total_operations_are_total s e soy_esfera c r d 0%R 0%R origins ok). Qed.
+(** Discharges Agregar_Triangulo_Total.def.1. *)
+Theorem Agregar_Triangulo_Total_is_total s e abc : Escena_ok s ->
+  exists s' r_out, Agregar_Triangulo_Total s s' e r_out abc.
+Proof. intros ok. apply (total_operations_are_total s e soy_esfera origin 0%R null 0%R 0%R abc ok). Qed.
 (** Discharges Eliminar_Esfera_Total.def.1. *)
 Theorem Eliminar_Esfera_Total_is_total s e : Escena_ok s -> exists s' r_out, Eliminar_Esfera_Total s s' e r_out.
-Proof. intros ok. apply (total_operations_are_total s e soy_esfera (mk_Punto 0 0 0) 0%R (mk_Vector 0 0 0) 0%R 0%R ok). Qed.
+Proof. intros ok. apply (total_operations_are_total s e soy_esfera origin 0%R null 0%R 0%R origins ok). Qed.
 (** Discharges Eliminar_Cilindro_Total.def.1. *)
 Theorem Eliminar_Cilindro_Total_is_total s e : Escena_ok s -> exists s' r_out, Eliminar_Cilindro_Total s s' e r_out.
-Proof. intros ok. apply (total_operations_are_total s e soy_esfera (mk_Punto 0 0 0) 0%R (mk_Vector 0 0 0) 0%R 0%R ok). Qed.
+Proof. intros ok. apply (total_operations_are_total s e soy_esfera origin 0%R null 0%R 0%R origins ok). Qed.
 (** Discharges Eliminar_Cono_Total.def.1. *)
 Theorem Eliminar_Cono_Total_is_total s e : Escena_ok s -> exists s' r_out, Eliminar_Cono_Total s s' e r_out.
-Proof. intros ok. apply (total_operations_are_total s e soy_esfera (mk_Punto 0 0 0) 0%R (mk_Vector 0 0 0) 0%R 0%R ok). Qed.
+Proof. intros ok. apply (total_operations_are_total s e soy_esfera origin 0%R null 0%R 0%R origins ok). Qed.
 (** Discharges Eliminar_Tronco_Total.def.1. *)
 Theorem Eliminar_Tronco_Total_is_total s e : Escena_ok s -> exists s' r_out, Eliminar_Tronco_Total s s' e r_out.
-Proof. intros ok. apply (total_operations_are_total s e soy_esfera (mk_Punto 0 0 0) 0%R (mk_Vector 0 0 0) 0%R 0%R ok). Qed.
+Proof. intros ok. apply (total_operations_are_total s e soy_esfera origin 0%R null 0%R 0%R origins ok). Qed.
 (** Discharges Eliminar_Plano_Total.def.1. *)
 Theorem Eliminar_Plano_Total_is_total s e : Escena_ok s -> exists s' r_out, Eliminar_Plano_Total s s' e r_out.
-Proof. intros ok. apply (total_operations_are_total s e soy_esfera (mk_Punto 0 0 0) 0%R (mk_Vector 0 0 0) 0%R 0%R ok). Qed.
+Proof. intros ok. apply (total_operations_are_total s e soy_esfera origin 0%R null 0%R 0%R origins ok). Qed.
+(** Discharges Eliminar_Disco_Total.def.1. *)
+Theorem Eliminar_Disco_Total_is_total s e : Escena_ok s -> exists s' r_out, Eliminar_Disco_Total s s' e r_out.
+Proof. intros ok. apply (total_operations_are_total s e soy_esfera origin 0%R null 0%R 0%R origins ok). Qed.
+(** Discharges Eliminar_Triangulo_Total.def.1. *)
+Theorem Eliminar_Triangulo_Total_is_total s e : Escena_ok s -> exists s' r_out, Eliminar_Triangulo_Total s s' e r_out.
+Proof. intros ok. apply (total_operations_are_total s e soy_esfera origin 0%R null 0%R 0%R origins ok). Qed.
 (** Discharges Agregar_Elemento_Total.def.1. *)
-Theorem Agregar_Elemento_Total_is_total s e t c r d h k : Escena_ok s -> exists s' r_out, Agregar_Elemento_Total s s' e t c r d h k r_out.
-Proof. intros ok. apply (total_operations_are_total s e t c r d h k ok). Qed.
+Theorem Agregar_Elemento_Total_is_total s e t c r d h k abc : Escena_ok s ->
+  exists s' r_out, Agregar_Elemento_Total s s' e t c r d h k abc r_out.
+Proof. intros ok. apply (total_operations_are_total s e t c r d h k abc ok). Qed.
 (** Discharges Eliminar_Elemento_Total.def.1. *)
 Theorem Eliminar_Elemento_Total_is_total s e : Escena_ok s -> exists s' r_out, Eliminar_Elemento_Total s s' e r_out.
-Proof. intros ok. apply (total_operations_are_total s e soy_esfera (mk_Punto 0 0 0) 0%R (mk_Vector 0 0 0) 0%R 0%R ok). Qed.
+Proof. intros ok. apply (total_operations_are_total s e soy_esfera origin 0%R null 0%R 0%R origins ok). Qed.
 
 (** Whatever the total operation answers, the scene after it satisfies the invariant; and it is the scene before it
     unless the answer is that the element was added. *)
-Theorem total_addition_safe s s' e t c r d h k r_out : Agregar_Elemento_Total s s' e t c r d h k r_out ->
+Theorem total_addition_safe s s' e t c r d h k abc r_out : Agregar_Elemento_Total s s' e t c r d h k abc r_out ->
   Escena_ok s' /\ (r_out <> elemento_agregado -> Escena_eq s s').
 Proof.
   assert (X : Xi_Escena s s' -> Escena_ok s' /\ (r_out <> elemento_agregado -> Escena_eq s s')).
   { intros [[_ ok'] E]. auto. }
-  intros [H | [H | [[H _] | [[H _] | [[H _] | [H _]]]]]]; try (now apply X, H).
+  intros [H | [H | [[H _] | [[H _] | [[H _] | [[H _] | [H _]]]]]]]; try (now apply X, H).
   pose proof (proj2 H) as ->. split; [| easy].
-  destruct H as [[r0 [H | [H | [H | [H | H]]]]] _]; apply H.
+  destruct H as [[r0 [H | [H | [H | [H | [H | [H | H]]]]]]] _]; apply H.
 Qed.
 (** The same of the total removal. *)
 Theorem total_removal_safe s s' e r_out : Eliminar_Elemento_Total s s' e r_out ->
   Escena_ok s' /\ (r_out <> elemento_eliminado -> Escena_eq s s').
 Proof.
   intros [H | H]; [| destruct H as [[[_ ok'] E] _ _]; auto].
-  pose proof (proj2 H) as ->. split; [| easy]. destruct H as [[r0 [H | [H | [H | [H | H]]]]] _]; apply H.
+  pose proof (proj2 H) as ->. split; [| easy].
+  destruct H as [[r0 [H | [H | [H | [H | [H | [H | H]]]]]]] _]; apply H.
 Qed.
 
 End Operaciones.

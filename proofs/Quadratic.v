@@ -1,21 +1,28 @@
-(** * Quadratic: the least t > 0 with A t² + 2 B t + C = 0 and 0 <= s0 + t s1 <= h, in every case
+(** * Quadratic: the least t > 0 with A t² + 2 B t + C = 0 within bounds a t² + 2 b t + c <= 0, in every case
 
-    quadratic             == A, B, C and the clip s0, s1, h, all integers
-    solves q t            == t > 0 satisfies the quadratic and its clip
+    bound                 == a, b, c of a condition a t² + 2 b t + c <= 0, all integers
+    quadratic             == A, B, C, and the bounds that clip it
+    proper q              == the bounds are convex: no a is negative
+    solves q t            == t > 0 satisfies the quadratic and its bounds
     reach                 == what a ray has of an element: Nothing, its nearest point At t, or NoMinimum
     reaches P r           == r describes the set P of parameters
     from_origin P         == P holds on a segment that begins at 0: it has no least parameter
-    within q x            == x is positive and passes the clip
+    within q x            == x is positive and the bounds hold there
+    roots a b c           == the roots of a t² + 2 b t + c, increasing
+    starts g              == the bound g holds on a segment that begins at 0
+    entries g             == where g begins to hold, if it does so at a positive parameter
     first q               == the reach of the quadratic q *)
 From Coq Require Import ZArith Reals List Lia Lra Bool.
 From Durero Require Import Surd.
+From Durero Require Puntos Trazador.
 Import ListNotations.
 Local Open Scope Z_scope.
 
-Record quadratic := Quadratic { qA : Z; qB : Z; qC : Z; s0 : Z; s1 : Z; h : Z }.
+Record bound := Bound { gA : Z; gB : Z; gC : Z }.
+Record quadratic := Quadratic { qA : Z; qB : Z; qC : Z; bounds : list bound }.
 
-Definition within (q : quadratic) (x : surd) : bool :=
-  (0 <? sign_affine 0 1 x) && (0 <=? sign_affine (s0 q) (s1 q) x) && (sign_affine (s0 q - h q) (s1 q) x <=? 0).
+Definition holds (x : surd) (g : bound) : bool := sign_square (gA g) (gB g) (gC g) x <=? 0.
+Definition within (q : quadratic) (x : surd) : bool := (0 <? sign_square 0 1 0 x) && forallb (holds x) (bounds q).
 
 Inductive reach := Nothing | At (t : surd) | NoMinimum.
 
@@ -25,31 +32,40 @@ Fixpoint pick (q : quadratic) (xs : list surd) : reach :=
   | x :: xs' => if within q x then At x else pick q xs'
   end.
 
-(** The whole line satisfies the equation: what the clip leaves of it, between lo/w and hi/w. *)
-Definition line (q : quadratic) : reach :=
-  if s1 q =? 0 then if (0 <=? s0 q) && (s0 q <=? h q) then NoMinimum else Nothing
+(** A polynomial that is 0 everywhere has no root in the list. *)
+Definition roots (a b c : Z) : list surd :=
+  if a =? 0 then
+    if b =? 0 then [] else [if 0 <? b then Surd (- c) 0 0 (2 * b) else Surd c 0 0 (- (2 * b))]
   else
-    let '(lo, hi, w) := if 0 <? s1 q then (- s0 q, h q - s0 q, s1 q) else (s0 q - h q, s0 q, - s1 q) in
-    if hi <? lo then Nothing
-    else if 0 <? lo then At (Surd lo 0 0 w) else if 0 <? hi then NoMinimum else Nothing.
+    let D := b * b - a * c in
+    if D <? 0 then []
+    else
+      let (n, d) := if 0 <? a then (- b, a) else (b, - a) in
+      [Surd n (-1) D d; Surd n 1 D d].
+
+Definition starts (g : bound) : bool :=
+  (gC g <? 0) || ((gC g =? 0) && ((gB g <? 0) || ((gB g =? 0) && (gA g =? 0)))).
+(** The lesser root, where the bound falls. *)
+Definition entries (g : bound) : list surd :=
+  if gB g <? 0 then match roots (gA g) (gB g) (gC g) with x :: _ => [x] | [] => [] end else [].
+
+(** The whole line satisfies the equation: what convex bounds leave of it begins at 0, or where one of them begins. *)
+Definition line (q : quadratic) : reach :=
+  if forallb starts (bounds q) then NoMinimum else pick q (flat_map entries (bounds q)).
 
 Definition first (q : quadratic) : reach :=
-  if qA q =? 0 then
-    if qB q =? 0 then if qC q =? 0 then line q else Nothing
-    else pick q [if 0 <? qB q then Surd (- qC q) 0 0 (2 * qB q) else Surd (qC q) 0 0 (- (2 * qB q))]
-  else
-    let D := qB q * qB q - qA q * qC q in
-    if D <? 0 then Nothing
-    else
-      let (n, d) := if 0 <? qA q then (- qB q, qA q) else (qB q, - qA q) in
-      pick q [Surd n (-1) D d; Surd n 1 D d].
+  if (qA q =? 0) && (qB q =? 0) && (qC q =? 0) then line q else pick q (roots (qA q) (qB q) (qC q)).
 
 (** ** What it means, over R *)
 
 Local Open Scope R_scope.
 
+Definition over_R (g : bound) : Puntos.bound := Puntos.mk_bound (IZR (gA g)) (IZR (gB g)) (IZR (gC g)).
+Definition inside (gs : list bound) (t : R) : Prop :=
+  Forall (fun g => Puntos.excess g t <= 0) (map over_R gs).
 Definition solves (q : quadratic) (t : R) : Prop :=
-  0 < t /\ IZR (qA q) * t * t + 2 * IZR (qB q) * t + IZR (qC q) = 0 /\ 0 <= IZR (s0 q) + t * IZR (s1 q) <= IZR (h q).
+  0 < t /\ IZR (qA q) * t * t + 2 * IZR (qB q) * t + IZR (qC q) = 0 /\ inside (bounds q) t.
+Definition proper (q : quadratic) : Prop := Forall (fun g => (0 <= gA g)%Z) (bounds q).
 
 (** P holds on a segment of the ray that begins at its origin: no point of it is the nearest. *)
 Definition from_origin (P : R -> Prop) : Prop := exists e, 0 < e /\ forall t, 0 < t <= e -> P t.
@@ -61,16 +77,30 @@ Definition reaches (P : R -> Prop) (r : reach) : Prop :=
   | NoMinimum => from_origin P
   end.
 
-Lemma within_correct q x : valid x ->
-  (within q x = true <-> 0 < val x /\ 0 <= IZR (s0 q) + val x * IZR (s1 q) <= IZR (h q)).
+Lemma holds_correct x g : valid x -> (holds x g = true <-> Puntos.excess (over_R g) (val x) <= 0).
+Proof. intros Hx; exact (is_sign_nonpos _ _ (sign_square_correct (gA g) (gB g) (gC g) x Hx)). Qed.
+
+Lemma within_correct q x : valid x -> (within q x = true <-> 0 < val x /\ inside (bounds q) (val x)).
 Proof.
-  intros Hx; unfold within; rewrite !andb_true_iff.
-  rewrite (is_sign_pos _ _ (sign_affine_correct 0 1 x Hx)),
-    (is_sign_nonneg _ _ (sign_affine_correct (s0 q) (s1 q) x Hx)),
-    (is_sign_nonpos _ _ (sign_affine_correct (s0 q - h q) (s1 q) x Hx)), minus_IZR; lra.
+  intros Hx; unfold within, inside; rewrite andb_true_iff, (is_sign_pos _ _ (sign_square_correct 0 1 0 x Hx)).
+  rewrite forallb_forall, Forall_map, Forall_forall; setoid_rewrite (holds_correct x _ Hx); split; intros [H1 H2];
+    (split; [lra | exact H2]).
 Qed.
 
-(** The roots in increasing order: the first that passes the clip is the nearest solution. *)
+(** What is picked passes the bounds; where nothing is, nothing of the list does. *)
+Lemma pick_passes q xs :
+  match pick q xs with
+  | At x => In x xs /\ within q x = true
+  | Nothing => forall x, In x xs -> within q x = false
+  | NoMinimum => False
+  end.
+Proof.
+  induction xs as [|x xs IH]; simpl; [easy|]; destruct (within q x) eqn:Hw; [auto|].
+  destruct (pick q xs) as [|y|]; [|destruct IH; auto | exact IH].
+  intros y [<-|Hy]; auto.
+Qed.
+
+(** The roots in increasing order: the first that passes the bounds is the nearest solution. *)
 Lemma pick_reaches q xs : Forall valid xs ->
   (forall t, IZR (qA q) * t * t + 2 * IZR (qB q) * t + IZR (qC q) = 0 <-> exists x, In x xs /\ t = val x) ->
   (forall x y ys zs, xs = ys ++ x :: zs -> In y zs -> val x <= val y) -> reaches (solves q) (pick q xs).
@@ -100,38 +130,8 @@ Qed.
 Lemma val_rational n d : val (Surd n 0 0 d) = IZR n / IZR d.
 Proof. unfold val; simpl; f_equal; ring. Qed.
 
-Lemma line_reaches q : qA q = 0%Z -> qB q = 0%Z -> qC q = 0%Z -> reaches (solves q) (line q).
-Proof.
-  intros HA HB HC.
-  assert (Hs : forall t, solves q t <-> 0 < t /\ 0 <= IZR (s0 q) + t * IZR (s1 q) <= IZR (h q)).
-  { intros t; unfold solves; rewrite HA, HB, HC; split; [tauto|]; intros [Ht Hc]; repeat split; try tauto; ring. }
-  unfold line; destruct (Z.eqb_spec (s1 q) 0) as [H1|H1].
-  - destruct (_ && _) eqn:Hb; simpl.
-    + apply andb_true_iff in Hb as [Ha Hb]; apply Z.leb_le, IZR_le in Ha; apply Z.leb_le, IZR_le in Hb.
-      exists 1; split; [lra | intros t Ht; apply Hs; rewrite H1; lra].
-    + intros t Ht; apply Hs in Ht; rewrite H1 in Ht; apply andb_false_iff in Hb as [Hb|Hb];
-        apply Z.leb_gt, IZR_lt in Hb; lra.
-  - destruct (if (0 <? s1 q)%Z then _ else _) as [[lo hi] w] eqn:E.
-    assert ((0 < w)%Z /\ forall t, 0 <= IZR (s0 q) + t * IZR (s1 q) <= IZR (h q) <->
-      IZR lo <= IZR w * t <= IZR hi) as [Hw Hc].
-    { destruct (Z.ltb_spec 0 (s1 q)); injection E as <- <- <-; (split; [lia|]); intros t;
-        rewrite ?opp_IZR, ?minus_IZR; split; intros; lra. }
-    apply IZR_lt in Hw as HwR.
-    destruct (Z.ltb_spec hi lo) as [Hr|Hr]; [|destruct (Z.ltb_spec 0 lo) as [Hl|Hl];
-      [|destruct (Z.ltb_spec 0 hi) as [Hh|Hh]]]; cbn [reaches].
-    + intros t Ht; apply Hs in Ht as [_ Ht]; apply Hc in Ht; apply IZR_lt in Hr; lra.
-    + apply IZR_lt in Hl; apply IZR_le in Hr.
-      assert (IZR w * val (Surd lo 0 0 w) = IZR lo) by (rewrite val_rational; field; lra).
-      split; [split; simpl; lia|]; split; [apply Hs; rewrite Hc; split; nra|].
-      intros t Ht; apply Hs in Ht as [_ Ht]; apply Hc in Ht; nra.
-    + apply IZR_le in Hl; apply IZR_lt in Hh; exists (IZR hi / IZR w).
-      assert (He : IZR w * (IZR hi / IZR w) = IZR hi) by (field; lra).
-      split; [now apply Rdiv_lt_0_compat|]; intros t Ht; apply Hs; rewrite Hc; split; [lra | nra].
-    + intros t Ht; apply Hs in Ht as [Ht0 Ht]; apply Hc in Ht; apply IZR_le in Hh; nra.
-Qed.
-
 (** d t² - 2 n t + c = 0 with d > 0 and r = √(n² - d c). *)
-Lemma roots n d c r t : 0 < d -> r * r = n * n - d * c ->
+Lemma two_roots n d c r t : 0 < d -> r * r = n * n - d * c ->
   (d * t * t - 2 * n * t + c = 0 <-> t = (n + -1 * r) / d \/ t = (n + 1 * r) / d).
 Proof.
   intros Hd Hr; split.
@@ -143,48 +143,158 @@ Proof.
     destruct H as [->| ->]; rewrite <- Hr; field; lra.
 Qed.
 
-(** The procedure for one element is right in every case. *)
-Theorem first_reaches q : reaches (solves q) (first q).
+(** The list is that of the roots, in increasing order. *)
+Lemma roots_correct a b c : ~ (a = 0 /\ b = 0 /\ c = 0)%Z ->
+  Forall valid (roots a b c)
+  /\ (forall t, IZR a * t * t + 2 * IZR b * t + IZR c = 0 <-> exists x, In x (roots a b c) /\ t = val x)
+  /\ (forall x y ys zs, roots a b c = ys ++ x :: zs -> In y zs -> val x <= val y).
 Proof.
-  unfold first; destruct (Z.eqb_spec (qA q) 0) as [HA|HA].
-  - destruct (Z.eqb_spec (qB q) 0) as [HB|HB].
-    + destruct (Z.eqb_spec (qC q) 0) as [HC|HC]; [now apply line_reaches|].
-      intros t (_ & H & _); rewrite HA, HB in H; apply HC, eq_IZR; lra.
-    + match goal with |- context [pick q [?y]] => set (x := y) end.
-      assert (valid x /\ val x = - IZR (qC q) / (2 * IZR (qB q))) as [Hx Hval].
+  intros H0; unfold roots; destruct (Z.eqb_spec a 0) as [HA|HA].
+  - destruct (Z.eqb_spec b 0) as [HB|HB].
+    + split; [constructor|]; split; [|now intros ? ? []].
+      intros t; split; [|now intros (x & [] & _)].
+      intros H; rewrite HA, HB in H; exfalso; apply H0; repeat split; try assumption; apply eq_IZR; lra.
+    + match goal with |- context [[?y]] => set (x := y) end.
+      assert (valid x /\ val x = - IZR c / (2 * IZR b)) as [Hx Hval].
       { apply not_0_IZR in HB as HB'.
-        unfold x; destruct (Z.ltb_spec 0 (qB q)); (split; [split; cbn [rad den]; lia|]);
+        unfold x; destruct (Z.ltb_spec 0 b); (split; [split; cbn [rad den]; lia|]);
           rewrite val_rational, ?opp_IZR, mult_IZR; field; lra. }
-      apply not_0_IZR in HB as HB'; apply pick_reaches; [now constructor| |].
+      apply not_0_IZR in HB as HB'; split; [now constructor|]; split.
       * intros t; rewrite HA; split.
         -- intros H; exists x; split; [now left|]; rewrite Hval; field_simplify_eq; lra.
         -- intros (y & [<-|[]] & ->); rewrite Hval; field; lra.
       * intros y z [|? [|]] zs [= ] Hin; subst; contradiction.
-  - set (D := (qB q * qB q - qA q * qC q)%Z).
-    assert (HD : IZR D = IZR (qB q) * IZR (qB q) - IZR (qA q) * IZR (qC q)).
+  - set (D := (b * b - a * c)%Z).
+    assert (HD : IZR D = IZR b * IZR b - IZR a * IZR c).
     { unfold D; now rewrite minus_IZR, !mult_IZR. }
     apply not_0_IZR in HA as HA'.
     destruct (Z.ltb_spec D 0) as [Hneg|Hpos].
-    + intros t (_ & H & _); apply IZR_lt in Hneg.
-      pose proof (Rle_0_sqr (IZR (qA q) * t + IZR (qB q))) as Hs; unfold Rsqr in Hs.
-      enough ((IZR (qA q) * t + IZR (qB q)) * (IZR (qA q) * t + IZR (qB q)) = IZR D) by lra.
-      rewrite HD; replace (_ * _) with (IZR (qA q) * (IZR (qA q) * t * t + 2 * IZR (qB q) * t + IZR (qC q))
-        + (IZR (qB q) * IZR (qB q) - IZR (qA q) * IZR (qC q))) by ring; rewrite H; ring.
-    + destruct (if (0 <? qA q)%Z then _ else _) as [n d] eqn:E.
-      assert ((0 < d)%Z /\ exists c, IZR D = IZR n * IZR n - IZR d * c /\ forall t,
-        (IZR (qA q) * t * t + 2 * IZR (qB q) * t + IZR (qC q) = 0 <-> IZR d * t * t - 2 * IZR n * t + c = 0))
-        as (Hd & c & Hc & Heq).
-      { destruct (Z.ltb_spec 0 (qA q)); injection E as <- <-; (split; [lia|]);
-          [exists (IZR (qC q)) | exists (- IZR (qC q))]; rewrite ?opp_IZR; split; try (rewrite HD; ring);
+    + split; [constructor|]; split; [|now intros ? ? []].
+      intros t; split; [|now intros (x & [] & _)].
+      intros H; exfalso; apply IZR_lt in Hneg.
+      pose proof (Rle_0_sqr (IZR a * t + IZR b)) as Hs; unfold Rsqr in Hs.
+      enough ((IZR a * t + IZR b) * (IZR a * t + IZR b) = IZR D) by lra.
+      rewrite HD; replace (_ * _) with (IZR a * (IZR a * t * t + 2 * IZR b * t + IZR c)
+        + (IZR b * IZR b - IZR a * IZR c)) by ring; rewrite H; ring.
+    + destruct (if (0 <? a)%Z then _ else _) as [n d] eqn:E.
+      assert ((0 < d)%Z /\ exists k, IZR D = IZR n * IZR n - IZR d * k /\ forall t,
+        (IZR a * t * t + 2 * IZR b * t + IZR c = 0 <-> IZR d * t * t - 2 * IZR n * t + k = 0))
+        as (Hd & k & Hk & Heq).
+      { destruct (Z.ltb_spec 0 a); injection E as <- <-; (split; [lia|]);
+          [exists (IZR c) | exists (- IZR c)]; rewrite ?opp_IZR; split; try (rewrite HD; ring);
           intros t; split; intros; lra. }
-      apply IZR_lt in Hd as HdR; pose proof (sqrt_square D Hpos) as Hr; rewrite Hc in Hr at 3.
-      apply pick_reaches; [repeat constructor; simpl; assumption| |].
-      * intros t; rewrite Heq, (roots (IZR n) (IZR d) c (sqrt (IZR D)) t HdR Hr); simpl; split.
+      apply IZR_lt in Hd as HdR; pose proof (sqrt_square D Hpos) as Hr; rewrite Hk in Hr at 3.
+      split; [repeat constructor; simpl; assumption|]; split.
+      * intros t; rewrite Heq, (two_roots (IZR n) (IZR d) k (sqrt (IZR D)) t HdR Hr); simpl; split.
         -- intros [->| ->]; [exists (Surd n (-1) D d) | exists (Surd n 1 D d)]; auto.
         -- intros (x & [<-|[<-|[]]] & ->); [left | right]; reflexivity.
       * intros y z [|? [|? [|]]] zs [= ] Hin; subst; try contradiction.
         destruct Hin as [<-|[]]; unfold val; simpl; apply Rmult_le_compat_r; [|pose proof (sqrt_pos (IZR D)); lra].
         now apply Rlt_le, Rinv_0_lt_compat.
+Qed.
+
+(** ** The line in the surface *)
+
+Lemma starts_over_R g : starts g = true <-> Trazador.starts (over_R g).
+Proof.
+  unfold starts, Trazador.starts; simpl; rewrite orb_true_iff, andb_true_iff, orb_true_iff, andb_true_iff,
+    !Z.ltb_lt, !Z.eqb_eq.
+  assert (L : forall n, (n < 0)%Z <-> IZR n < 0) by (intros n; split; [apply IZR_lt | apply lt_IZR]).
+  assert (E : forall n, n = 0%Z <-> IZR n = 0) by (intros n; split; [now intros -> | apply eq_IZR]).
+  now rewrite !L, !E.
+Qed.
+
+Lemma proper_over_R q : proper q -> Forall (fun g => 0 <= Puntos.bA g) (map over_R (bounds q)).
+Proof. intros H; rewrite Forall_map; eapply Forall_impl; [|exact H]; intros g Hg; now apply IZR_le. Qed.
+
+(** Nothing that the bound holds at lies before its entry. *)
+Lemma entries_correct g x t : (0 <= gA g)%Z -> In x (entries g) ->
+  valid x /\ (Puntos.excess (over_R g) t <= 0 -> val x <= t).
+Proof.
+  intros HA; unfold entries; destruct (Z.ltb_spec (gB g) 0) as [HB|]; [|contradiction]; intros Hx.
+  assert (Hnot : ~ (gA g = 0 /\ gB g = 0 /\ gC g = 0)%Z) by lia.
+  pose proof (roots_correct _ _ _ Hnot) as (Hv & Hroots & _).
+  assert (Hin : In x (roots (gA g) (gB g) (gC g))) by (destruct (roots _ _ _) as [|y ys]; [contradiction | destruct Hx as [->|[]]; now left]).
+  split; [rewrite Forall_forall in Hv; now apply Hv|]; unfold Puntos.excess; simpl; intros He.
+  unfold roots in Hx; apply IZR_lt in HB as HBR; destruct (Z.eqb_spec (gA g) 0) as [HA0|HA0].
+  - destruct (Z.eqb_spec (gB g) 0); [lia|]; destruct (Z.ltb_spec 0 (gB g)); [lia|]; destruct Hx as [<-|[]].
+    rewrite HA0 in He; rewrite val_rational, opp_IZR, mult_IZR; apply Rmult_le_reg_r with (- (2 * IZR (gB g))); [lra|].
+    unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra; lra.
+  - destruct (Z.ltb_spec (gB g * gB g - gA g * gC g) 0) as [|HD]; [contradiction|].
+    destruct (Z.ltb_spec 0 (gA g)) as [HA'|]; [|lia]; destruct Hx as [<-|[]]; apply IZR_lt in HA'.
+    pose proof (sqrt_square _ HD) as Hr; pose proof (sqrt_pos (IZR (gB g * gB g - gA g * gC g))) as Hr0.
+    unfold val; simpl; set (r := sqrt _) in *; rewrite minus_IZR, !mult_IZR in Hr.
+    rewrite opp_IZR; apply Rmult_le_reg_r with (IZR (gA g)); [lra|].
+    unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra.
+    apply Rnot_lt_le; intros Hlt; assert (Hp : 0 < - (t * IZR (gA g) + IZR (gB g)) - r) by lra.
+    pose proof (Rmult_lt_0_compat _ _ Hp Hp); pose proof (Rmult_le_pos r _ Hr0 (Rlt_le _ _ Hp)).
+    assert (IZR (gA g) * (IZR (gA g) * (t * t) + 2 * IZR (gB g) * t + IZR (gC g)) <= 0)
+      by (apply Trazador.nonpositive_product; lra).
+    lra.
+Qed.
+
+(** A bound that falls to 0 at a positive parameter has its entry in the list. *)
+Lemma entry_listed g : (0 <= gA g)%Z -> IZR (gB g) < 0 -> 0 <= IZR (gB g) * IZR (gB g) - IZR (gA g) * IZR (gC g) ->
+  exists x, In x (entries g) /\ val x = Trazador.entry (over_R g).
+Proof.
+  intros HA HB HD; unfold entries, roots, Trazador.entry, over_R; cbn [Puntos.bA Puntos.bB Puntos.bC];
+    apply lt_IZR in HB as HBZ.
+  destruct (Z.ltb_spec (gB g) 0); [|lia]; destruct (Z.eqb_spec (gA g) 0) as [HA0|HA0].
+  - destruct (Z.eqb_spec (gB g) 0); [lia|]; destruct (Z.ltb_spec 0 (gB g)); [lia|].
+    eexists; split; [now left|]; rewrite val_rational, opp_IZR, mult_IZR, HA0.
+    replace (IZR (gB g) * IZR (gB g) - 0 * IZR (gC g)) with ((- IZR (gB g)) * (- IZR (gB g))) by ring.
+    rewrite R_sqrt.sqrt_square by lra; field; lra.
+  - assert (IZR (gB g * gB g - gA g * gC g) = IZR (gB g) * IZR (gB g) - IZR (gA g) * IZR (gC g)) as E
+      by now rewrite minus_IZR, !mult_IZR.
+    destruct (Z.ltb_spec (gB g * gB g - gA g * gC g) 0) as [Hneg|_]; [apply IZR_lt in Hneg; lra|].
+    destruct (Z.ltb_spec 0 (gA g)) as [HA'|]; [|lia]; apply IZR_lt in HA'.
+    eexists; split; [now left|]; unfold val; cbn [num coef rad den]; rewrite E, opp_IZR; clear E.
+    pose proof (sqrt_sqrt _ HD) as Hr; pose proof (sqrt_pos (IZR (gB g) * IZR (gB g) - IZR (gA g) * IZR (gC g))).
+    set (r := sqrt _) in *; apply (Rmult_eq_reg_r (IZR (gA g) * (r - IZR (gB g)))); [|apply Rgt_not_eq; nra].
+    transitivity ((- IZR (gB g) - r) * (r - IZR (gB g))); [field; lra|].
+    transitivity (IZR (gC g) * IZR (gA g)); [lra | field; lra].
+Qed.
+
+Lemma line_reaches q : proper q -> qA q = 0%Z -> qB q = 0%Z -> qC q = 0%Z -> reaches (solves q) (line q).
+Proof.
+  intros Hp HA HB HC; pose proof (proper_over_R q Hp) as HpR.
+  assert (Hs : forall t, solves q t <-> 0 < t /\ inside (bounds q) t).
+  { intros t; unfold solves; rewrite HA, HB, HC; split; [tauto|]; intros [Ht Hc]; repeat split; try tauto; ring. }
+  unfold line; destruct (forallb starts (bounds q)) eqn:Hst.
+  - rewrite forallb_forall in Hst; destruct (Trazador.bounds_start (map over_R (bounds q)) HpR) as (e & He & Hin).
+    { rewrite Forall_map, Forall_forall; intros g Hg; now apply starts_over_R, Hst. }
+    exists (e / 2); split; [lra|]; intros t Ht; apply Hs, Hin; lra.
+  - assert (Hval : forall x, In x (flat_map entries (bounds q)) ->
+      valid x /\ forall t, inside (bounds q) t -> val x <= t).
+    { intros x Hx; apply in_flat_map in Hx as (g & Hg & Hx); unfold proper in Hp; rewrite Forall_forall in Hp.
+      split; [now apply (entries_correct g x 0 (Hp g Hg))|]; intros t Ht.
+      unfold inside in Ht; rewrite Forall_map, Forall_forall in Ht; now apply (entries_correct g x t (Hp g Hg)), Ht. }
+    pose proof (pick_passes q (flat_map entries (bounds q))) as H; destruct (pick q _) as [|x|]; cbn [reaches].
+    + intros t Ht; apply Hs in Ht as [Ht Hin].
+      destruct (Trazador.bounds_begin _ t HpR Ht Hin) as [Hall|(gR & HgR & Sg & He & Hall & _)].
+      * rewrite Forall_map, Forall_forall in Hall; enough (forallb starts (bounds q) = true) by congruence.
+        apply forallb_forall; intros g Hg; now apply starts_over_R, Hall.
+      * apply in_map_iff in HgR as (g & <- & Hg).
+        unfold inside in Hin; rewrite Forall_map, Forall_forall in Hin.
+        unfold proper in Hp; rewrite Forall_forall in Hp; pose proof (IZR_le _ _ (Hp g Hg)) as HgA.
+        destruct (Trazador.entry_correct (over_R g) t Sg HgA Ht (Hin g Hg)) as (_ & _ & HgB & HgD).
+        destruct (entry_listed g (Hp g Hg) HgB HgD) as (x & Hx & E).
+        assert (Hx' : In x (flat_map entries (bounds q))) by (apply in_flat_map; now exists g).
+        destruct (Hval x Hx') as [Hv _]; enough (within q x = true) by (rewrite H in *; congruence).
+        apply within_correct; [exact Hv|]; rewrite E; split; [apply He | exact Hall].
+    + destruct H as [Hx Hw]; destruct (Hval x Hx) as [Hv Hleast]; apply within_correct in Hw; [|exact Hv].
+      split; [exact Hv | split; [now apply Hs|]]; intros t Ht; apply Hleast; now apply Hs in Ht.
+    + contradiction.
+Qed.
+
+(** The procedure for one element is right in every case. *)
+Theorem first_reaches q : proper q -> reaches (solves q) (first q).
+Proof.
+  intros Hp; unfold first; destruct (_ && _) eqn:E.
+  - apply andb_true_iff in E as [E HC]; apply andb_true_iff in E as [HA HB]; apply Z.eqb_eq in HA, HB, HC.
+    now apply line_reaches.
+  - destruct (roots_correct (qA q) (qB q) (qC q)) as (Hv & Hroots & Hsorted); [|now apply pick_reaches].
+    intros (HA & HB & HC); rewrite HA, HB, HC in E; discriminate.
 Qed.
 
 Lemma reaches_ext (P Q : R -> Prop) r : (forall t, P t <-> Q t) -> reaches P r -> reaches Q r.

@@ -1,7 +1,7 @@
 (** The compact scene refines the model: dense tables by type and an index from names to rows, whose operations commute
     with those of the Z text through retrieve.
 
-    Shape                == the row of a sphere, cylinder, cone, truncated cone or plane without its name
+    Shape                == the row of an element of each type, without its name
     Tables               == one list of named shapes for each type, and the place of each name
     tables_ok            == the invariant of the tables: the index gives exactly the places of the rows, each row lies in the
                             table of its type, its attributes are in their ranges
@@ -62,7 +62,9 @@ Inductive Shape :=
   | Cylinder (centro : Punto) (radio : R) (vector : Vector) (altura : R)
   | Cone (centro : Punto) (proporcion : R) (vector : Vector) (altura : R)
   | TruncatedCone (centro : Punto) (radio proporcion : R) (vector : Vector) (altura : R)
-  | Plane (centro : Punto) (vector : Vector).
+  | Plane (centro : Punto) (vector : Vector)
+  | Disc (centro : Punto) (radio : R) (vector : Vector)
+  | Triangle (vertices : Terna).
 
 Definition type_of x :=
   match x with
@@ -71,15 +73,22 @@ Definition type_of x :=
   | Cone _ _ _ _ => soy_cono
   | TruncatedCone _ _ _ _ _ => soy_tronco
   | Plane _ _ => soy_plano
+  | Disc _ _ _ => soy_disco
+  | Triangle _ => soy_triangulo
   end.
-Definition centre_of x :=
-  match x with Sphere c _ | Cylinder c _ _ _ | Cone c _ _ _ | TruncatedCone c _ _ _ _ | Plane c _ => c end.
-Definition radii x : set R := match x with Sphere _ r | Cylinder _ r _ _ | TruncatedCone _ r _ _ _ => ⦃r⦄ | _ => ∅ end.
+Definition centres x : set Punto :=
+  match x with
+  | Sphere c _ | Cylinder c _ _ _ | Cone c _ _ _ | TruncatedCone c _ _ _ _ | Plane c _ | Disc c _ _ => ⦃c⦄
+  | _ => ∅
+  end.
+Definition radii x : set R :=
+  match x with Sphere _ r | Cylinder _ r _ _ | TruncatedCone _ r _ _ _ | Disc _ r _ => ⦃r⦄ | _ => ∅ end.
 Definition axes x : set Vector :=
-  match x with Cylinder _ _ d _ | Cone _ _ d _ | TruncatedCone _ _ _ d _ | Plane _ d => ⦃d⦄ | _ => ∅ end.
+  match x with Cylinder _ _ d _ | Cone _ _ d _ | TruncatedCone _ _ _ d _ | Plane _ d | Disc _ _ d => ⦃d⦄ | _ => ∅ end.
 Definition heights x : set R :=
   match x with Cylinder _ _ _ h | Cone _ _ _ h | TruncatedCone _ _ _ _ h => ⦃h⦄ | _ => ∅ end.
 Definition proportions x : set R := match x with Cone _ k _ _ | TruncatedCone _ _ k _ _ => ⦃k⦄ | _ => ∅ end.
+Definition vertices x : set Terna := match x with Triangle abc => ⦃abc⦄ | _ => ∅ end.
 Definition valid x : Prop :=
   match x with
   | Sphere _ r => r ∈ Rmas
@@ -87,6 +96,8 @@ Definition valid x : Prop :=
   | Cone _ k d h => k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas
   | TruncatedCone _ r k d h => r ∈ Rmas /\ k ∈ Rmas /\ d ∈ Unitario /\ h ∈ Rmas
   | Plane _ d => d ∈ Unitario
+  | Disc _ r d => r ∈ Rmas /\ d ∈ Unitario
+  | Triangle abc => abc ∈ Vertices
   end.
 
 Lemma Tipo_dec (t t' : Tipo) : {t = t'} + {t <> t'}.
@@ -114,11 +125,12 @@ Definition retrieve (T : Tables) : Escena := {|
   elementos := fun e => exists x, row T e x;
   tipos := fun t => exists e x, row T e x /\ t = type_of x;
   de_que_tipo := attribute T (fun x => ⦃type_of x⦄);
-  mi_centro := attribute T (fun x => ⦃centre_of x⦄);
+  mi_centro := attribute T centres;
   mi_radio := attribute T radii;
   mi_vector := attribute T axes;
   mi_altura := attribute T heights;
-  mi_proporcion := attribute T proportions
+  mi_proporcion := attribute T proportions;
+  mi_vertices := attribute T vertices
 |}.
 
 Definition empty_tables : Tables := mk_Tables (fun _ => []) (fun _ => None).
@@ -194,7 +206,7 @@ Proof. now intros H w ->. Qed.
 (** A shape has a value of an attribute exactly where its type is among those that have it. *)
 Ltac attribute_of_types ok := apply attribute_dom; [exact ok |]; let x := fresh in intros x;
   destruct x; cbn; unfold union, single, empty;
-  (split; [let H := fresh in intros [? H]; auto; easy | let H := fresh in intros H; repeat destruct H as [H | H];
+  (split; [let H := fresh in intros [? H]; auto 8; easy | let H := fresh in intros H; repeat destruct H as [H | H];
     try discriminate H; eauto]).
 
 (** Tables that satisfy their invariant represent a scene that satisfies its own. *)
@@ -206,27 +218,30 @@ Proof.
   assert (E0 : forall V (B : set V), ∅ ⊆ B) by (intros V B v []).
   split; cbn.
   - split; [easy |].
-    exists (map fst (concat (map (rows T) [soy_esfera; soy_cilindro; soy_cono; soy_tronco; soy_plano]))). intros e.
+    exists (map fst (concat (map (rows T)
+      [soy_esfera; soy_cilindro; soy_cono; soy_tronco; soy_plano; soy_disco; soy_triangulo]))). intros e.
     rewrite in_map_iff. setoid_rewrite in_concat. setoid_rewrite in_map_iff. split.
     + intros [x [t [i H]]]. apply nth_error_In in H. exists (e, x). split; [reflexivity |]. exists (rows T t).
-      split; [| exact H]. exists t. split; [reflexivity |]. destruct t; cbn; auto 6.
+      split; [| exact H]. exists t. split; [reflexivity |]. destruct t; cbn; auto 8.
     + intros [[e' x] [<- [l [[t [<- _]] H]]]]. apply In_nth_error in H as [i H]. now exists x, t, i.
   - easy.
   - apply attribute_pfun; auto; easy.
-  - apply attribute_pfun; auto; easy.
+  - apply attribute_pfun; auto; [intros []; cbn; auto | easy].
   - apply attribute_pfun; auto; intros []; cbn; auto; intros H; apply single_subset; tauto.
   - apply attribute_pfun; auto; [intros []; cbn; auto | easy].
   - apply attribute_pfun; auto; intros []; cbn; auto; intros H; apply single_subset; tauto.
   - apply attribute_pfun; auto; intros []; cbn; auto; intros H; apply single_subset; tauto.
+  - apply attribute_pfun; auto; intros []; cbn; auto; intros H; apply single_subset; tauto.
   - intros e. split; [intros [x H]; exists (type_of x), x; now split | intros [t [x [H _]]]; now exists x].
-  - intros e. split; [intros [x H]; exists (centre_of x), x; now split | intros [t [x [H _]]]; now exists x].
+  - attribute_of_types ok.
   - attribute_of_types ok.
   - attribute_of_types ok.
   - attribute_of_types ok.
   - attribute_of_types ok.
   - intros t. split; [intros [e [x [H ->]]]; exists e, x; now split | intros [e [x [H E]]]; now exists e, x].
   - intros d [e [x [H Hd]]]. cbn in *. pose proof (row_valid _ _ _ ok H) as Hv.
-    destruct x; cbn in *; [easy | ..]; unfold single in Hd; subst; tauto.
+    destruct x; cbn in *; try contradiction; unfold single in Hd; subst; tauto.
+  - attribute_of_types ok.
 Qed.
 
 (** The first tables are empty, and represent the first scene. *)
@@ -285,7 +300,7 @@ Proof.
   - intros [[y [H Hv]] | [-> Hv]]; eauto.
 Qed.
 Lemma retrieve_add T e x : Escena_eq
-  (scene_with _ (retrieve T) e (type_of x) (centre_of x) (radii x) (axes x) (heights x) (proportions x))
+  (scene_with _ (retrieve T) e (type_of x) (centres x) (radii x) (axes x) (heights x) (proportions x) (vertices x))
   (retrieve (add T e x)).
 Proof.
   assert (D : attribute (add T e x) (fun y => ⦃type_of y⦄)
@@ -310,6 +325,9 @@ Theorem add_commutes T e x : tables_ok T -> index T e = None -> valid x ->
   | TruncatedCone c r k d h =>
       Agregar_Tronco (retrieve T) (retrieve (add T e x)) e soy_tronco tronco_agregado c r k d h
   | Plane c d => Agregar_Plano (retrieve T) (retrieve (add T e x)) e soy_plano plano_agregado c d
+  | Disc c r d => Agregar_Disco (retrieve T) (retrieve (add T e x)) e soy_disco disco_agregado c r d
+  | Triangle abc =>
+      Agregar_Triangulo (retrieve T) (retrieve (add T e x)) e soy_triangulo triangulo_agregado abc
   end.
 Proof.
   intros ok He Hx. split; [now apply add_ok |]. pose proof (retrieve_ok T ok) as okr.
@@ -320,6 +338,8 @@ Proof.
   - apply Agregar_Cono_computed. split; [tauto | now split].
   - apply Agregar_Tronco_computed. split; [tauto | now split].
   - apply Agregar_Plano_computed. auto.
+  - apply Agregar_Disco_computed. split; [tauto | now split].
+  - apply Agregar_Triangulo_computed. auto.
 Qed.
 
 (** ** Removing *)
@@ -436,13 +456,16 @@ Theorem remove_commutes T e t i : tables_ok T -> index T e = Some (t, i) ->
   | soy_cono => Eliminar_Cono (retrieve T) (retrieve (remove T e)) e cono_eliminado
   | soy_tronco => Eliminar_Tronco (retrieve T) (retrieve (remove T e)) e tronco_eliminado
   | soy_plano => Eliminar_Plano (retrieve T) (retrieve (remove T e)) e plano_eliminado
+  | soy_disco => Eliminar_Disco (retrieve T) (retrieve (remove T e)) e disco_eliminado
+  | soy_triangulo => Eliminar_Triangulo (retrieve T) (retrieve (remove T e)) e triangulo_eliminado
   end.
 Proof.
   intros ok H. split; [now apply (remove_ok T e t i) |]. pose proof (retrieve_ok T ok) as okr.
   pose proof (retrieve_remove T e t i ok H) as E.
   assert (Ht : (e, t) ∈ de_que_tipo (retrieve T)) by (apply (find_correct T e ok); now exists i).
   destruct t; [apply Eliminar_Esfera_computed | apply Eliminar_Cilindro_computed | apply Eliminar_Cono_computed |
-    apply Eliminar_Tronco_computed | apply Eliminar_Plano_computed]; auto.
+    apply Eliminar_Tronco_computed | apply Eliminar_Plano_computed | apply Eliminar_Disco_computed |
+    apply Eliminar_Triangulo_computed]; auto.
 Qed.
 
 (** ** The total operations on the tables *)
@@ -453,16 +476,20 @@ Proof.
   unfold Unitario. set (q := (Vector_x d * Vector_x d + Vector_y d * Vector_y d + Vector_z d * Vector_z d)%R).
   destruct (Rle_dec (1 - tolerancia_unidad) q), (Rle_dec q (1 + tolerancia_unidad)); [left | right | right | right]; tauto.
 Defined.
-Definition shape_of (t : Tipo) c r d h k : Shape :=
+Definition Vertices_dec abc : {Vertices abc} + {~ Vertices abc} :=
+  not_dec (and_dec (Req_EM_T _ _) (and_dec (Req_EM_T _ _) (Req_EM_T _ _))).
+Definition shape_of (t : Tipo) c r d h k abc : Shape :=
   match t with
   | soy_esfera => Sphere c r
   | soy_cilindro => Cylinder c r d h
   | soy_cono => Cone c k d h
   | soy_tronco => TruncatedCone c r k d h
   | soy_plano => Plane c d
+  | soy_disco => Disc c r d
+  | soy_triangulo => Triangle abc
   end.
 (** The first clause of the type t that does not hold, in the order of the text. *)
-Definition first_error (t : Tipo) (r : R) (d : Vector) (h k : R) : option Respuesta :=
+Definition first_error (t : Tipo) (r : R) (d : Vector) (h k : R) (abc : Terna) : option Respuesta :=
   let axis_and_height := if Unitario_dec d then if Rmas_dec h then None else Some altura_no_positiva
                          else Some vector_no_unitario in
   match t with
@@ -472,13 +499,16 @@ Definition first_error (t : Tipo) (r : R) (d : Vector) (h k : R) : option Respue
   | soy_tronco => if Rmas_dec r then if Rmas_dec k then axis_and_height else Some proporcion_no_positiva
                   else Some radio_no_positivo
   | soy_plano => if Unitario_dec d then None else Some vector_no_unitario
+  | soy_disco => if Rmas_dec r then if Unitario_dec d then None else Some vector_no_unitario
+                 else Some radio_no_positivo
+  | soy_triangulo => if Vertices_dec abc then None else Some vertices_alineados
   end.
-Definition add_total (T : Tables) e t c r d h k : Tables * Respuesta :=
+Definition add_total (T : Tables) e t c r d h k abc : Tables * Respuesta :=
   match index T e with
   | Some _ => (T, elemento_ya_existe)
-  | None => match first_error t r d h k with
+  | None => match first_error t r d h k abc with
             | Some a => (T, a)
-            | None => (add T e (shape_of t c r d h k), elemento_agregado)
+            | None => (add T e (shape_of t c r d h k abc), elemento_agregado)
             end
   end.
 Definition remove_total (T : Tables) e : Tables * Respuesta :=
@@ -488,26 +518,27 @@ Definition remove_total (T : Tables) e : Tables * Respuesta :=
 Ltac one_of H := first [exact H | left; exact H | right; one_of H].
 
 (** The program's total addition on tables is a total addition of the Z text. *)
-Theorem add_total_refines T e t c r d h k : tables_ok T ->
-  tables_ok (fst (add_total T e t c r d h k)) /\
-  Agregar_Elemento_Total (retrieve T) (retrieve (fst (add_total T e t c r d h k))) e t c r d h k
-    (snd (add_total T e t c r d h k)).
+Theorem add_total_refines T e t c r d h k abc : tables_ok T ->
+  tables_ok (fst (add_total T e t c r d h k abc)) /\
+  Agregar_Elemento_Total (retrieve T) (retrieve (fst (add_total T e t c r d h k abc))) e t c r d h k abc
+    (snd (add_total T e t c r d h k abc)).
 Proof.
   intros ok. pose proof (Xi_refl _ _ (retrieve_ok T ok)) as X. unfold add_total, Agregar_Elemento_Total.
   destruct (index T e) as [p |] eqn:E.
   - split; [exact ok |]. right; left. cbn. split; [exact X | | reflexivity].
     apply (find_correct T e ok). congruence.
   - unfold first_error. cbn.
-    assert (A : valid (shape_of t c r d h k) -> tables_ok (add T e (shape_of t c r d h k)) /\
-      Elemento_Agregado (retrieve T) (retrieve (add T e (shape_of t c r d h k))) e t c r d h k elemento_agregado).
+    assert (A : valid (shape_of t c r d h k abc) -> tables_ok (add T e (shape_of t c r d h k abc)) /\
+      Elemento_Agregado (retrieve T) (retrieve (add T e (shape_of t c r d h k abc))) e t c r d h k abc elemento_agregado).
     { intros V. pose proof (add_commutes T e _ ok E V) as [ok' H]. split; [exact ok' |]. split; [| reflexivity].
       destruct t; eexists; one_of H. }
-    unfold Con_Radio, Con_Vector, Con_Altura, Con_Proporcion, union, single.
+    unfold Con_Radio, Con_Vector, Con_Altura, Con_Proporcion, Con_Vertices, union, single.
     destruct t; cbn in *; repeat match goal with |- context [if ?c then _ else _] => destruct c; cbn end;
       first [destruct A as [ok' A]; [now auto |]; split; [exact ok' | left; exact A] | split; [exact ok |]];
       right; right;
       first [ solve [left; split; [now split | auto]] | solve [right; left; split; [now split | auto]]
-        | solve [right; right; left; split; [now split | auto]] | right; right; right; split; [now split | auto] ].
+        | solve [do 2 right; left; split; [now split | auto]] | solve [do 3 right; left; split; [now split | auto]]
+        | do 4 right; split; [now split | auto] ].
 Qed.
 
 (** The program's total removal on tables is a total removal of the Z text. *)

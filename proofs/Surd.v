@@ -4,7 +4,7 @@
     valid x               == rad >= 0 and den > 0: what [val] needs to mean that number
     sign1 x y a, sign2 x y a z b == the sign of x + y√a, of x + y√a + z√b
     cmp x y               == the order of two surds
-    sign_affine a b x     == the sign of a + b x
+    sign_square a b c x   == the sign of a x² + 2 b x + c
     is_sign s r           == s is 1, 0, -1 as r is positive, zero, negative *)
 From Coq Require Import ZArith Reals Lia Lra Bool.
 Local Open Scope Z_scope.
@@ -25,8 +25,12 @@ Definition sign2 (x y a z b : Z) : Z :=
 Definition cmp (x y : surd) : Z :=
   sign2 (num x * den y - num y * den x) (coef x * den y) (rad x) (- (coef y * den x)) (rad y).
 
-(** The sign of a + b x. *)
-Definition sign_affine (a b : Z) (x : surd) : Z := sign1 (a * den x + b * num x) (b * coef x) (rad x).
+(** The sign of a x² + 2 b x + c, that of its product with the square of x's denominator. *)
+Definition sign_square (a b c : Z) (x : surd) : Z :=
+  let n := num x in
+  let m := coef x in
+  let w := den x in
+  sign1 (a * (n * n + m * m * rad x) + 2 * (b * (n * w)) + c * (w * w)) (2 * (m * (a * n + b * w))) (rad x).
 
 (** ** What it means, over R *)
 
@@ -109,12 +113,15 @@ Proof.
   match type of H1 with is_sign _ ?e => match goal with |- is_sign _ ?f => replace f with e by ring end end; exact H1.
 Qed.
 
-Lemma sign_affine_correct a b x : valid x -> is_sign (sign_affine a b x) (IZR a + val x * IZR b).
+Lemma sign_square_correct a b c x : valid x ->
+  is_sign (sign_square a b c x) (IZR a * (val x * val x) + 2 * IZR b * val x + IZR c).
 Proof.
-  intros Hx; pose proof (den_pos x Hx); apply (is_sign_scale _ (IZR (den x))); [assumption|].
-  pose proof (sign1_correct (a * den x + b * num x) (b * coef x) (rad x) (proj1 Hx)) as H1.
-  rewrite plus_IZR, !mult_IZR in H1.
-  replace (IZR (den x) * _) with (IZR a * IZR (den x) + IZR b * (IZR (den x) * val x)) by ring.
+  intros Hx; pose proof (den_pos x Hx); apply (is_sign_scale _ (IZR (den x) * IZR (den x))); [nra|].
+  unfold sign_square; match goal with |- is_sign (sign1 ?p ?q ?r) _ =>
+    pose proof (sign1_correct p q r (proj1 Hx)) as H1 end.
+  repeat rewrite ?plus_IZR, ?mult_IZR in H1; rewrite <- (sqrt_square (rad x) (proj1 Hx)) in H1 at 1.
+  replace (IZR (den x) * IZR (den x) * _) with (IZR a * ((IZR (den x) * val x) * (IZR (den x) * val x))
+    + 2 * IZR b * (IZR (den x) * val x) * IZR (den x) + IZR c * (IZR (den x) * IZR (den x))) by ring.
   rewrite val_den by assumption.
   match type of H1 with is_sign _ ?e => match goal with |- is_sign _ ?f => replace f with e by ring end end; exact H1.
 Qed.

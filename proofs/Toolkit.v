@@ -180,3 +180,17 @@ Proof.
   intros He [x y]. unfold ndres, union, at_one, single. cbn. split; [tauto |]. intros H. split; [| now left].
   intros ->. apply He. now exists y.
 Qed.
+
+(** ** Decisions of what is put together of what is decided *)
+Lemma not_dec {P : Prop} : {P} + {~ P} -> {~ P} + {~ ~ P}.
+Proof. intros [HP | NP]; [right; intros N; exact (N HP) | left; exact NP]. Defined.
+Lemma and_dec {P Q : Prop} : {P} + {~ P} -> {Q} + {~ Q} -> {P /\ Q} + {~ (P /\ Q)}.
+Proof.
+  intros [HP | NP] [HQ | NQ]; [left; exact (conj HP HQ) | right; intros [_ H]; exact (NQ H)
+    | right; intros [H _]; exact (NP H) ..].
+Defined.
+Lemma or_dec {P Q : Prop} : {P} + {~ P} -> {Q} + {~ Q} -> {P \/ Q} + {~ (P \/ Q)}.
+Proof.
+  intros [HP | NP] [HQ | NQ]; [left; exact (or_introl HP) .. | left; exact (or_intror HQ) |].
+  right; intros [H | H]; [exact (NP H) | exact (NQ H)].
+Defined.

@@ -7,6 +7,8 @@
      cono NAME cx cy cz proporcion dx dy dz altura
      tronco NAME cx cy cz radio proporcion dx dy dz altura
      plano NAME cx cy cz dx dy dz
+     disco NAME cx cy cz radio dx dy dz
+     triangulo NAME ax ay az bx by bz cx cy cz
      ray px py pz vx vy vz [@NAME]...          @NAME: the ray starts on that element
      ray ... = miss
      ray ... = no_minimum NAME,NAME...
@@ -50,7 +52,7 @@ let most_places = Array.fold_left (fun most x -> max most (places x)) 0
 let scaled k x = Z.shift_left x.mantissa (x.exponent + k)
 let vec k xs i : E.vec3 = { vx = scaled k xs.(i); vy = scaled k xs.(i + 1); vz = scaled k xs.(i + 2) }
 
-type kind = Esfera | Cilindro | Cono | Tronco | Plano
+type kind = Esfera | Cilindro | Cono | Tronco | Plano | Disco | Triangulo
 type element = { name : string; kind : kind; numbers : dyadic array }
 
 let shape k { kind; numbers = n; _ } =
@@ -60,6 +62,8 @@ let shape k { kind; numbers = n; _ } =
   | Cono -> E.Cone (vec k n 0, scaled k n.(3), vec k n 4, scaled k n.(7))
   | Tronco -> E.TruncatedCone (vec k n 0, scaled k n.(3), scaled k n.(4), vec k n 5, scaled k n.(8))
   | Plano -> E.Plane (vec k n 0, vec k n 3)
+  | Disco -> E.Disc (vec k n 0, scaled k n.(3), vec k n 4)
+  | Triangulo -> E.Triangle (vec k n 0, vec k n 3, vec k n 6)
 
 type scene = { elements : element list; scene_places : int; shapes : (int, (string * E.shape) list) Hashtbl.t }
 
@@ -171,6 +175,8 @@ let step (scene, judged, wrong) number line =
   | "cono" :: name :: ([ _; _; _; _; _; _; _; _ ] as words) -> (element scene name Cono words, judged, wrong)
   | "tronco" :: name :: ([ _; _; _; _; _; _; _; _; _ ] as words) -> (element scene name Tronco words, judged, wrong)
   | "plano" :: name :: ([ _; _; _; _; _; _ ] as words) -> (element scene name Plano words, judged, wrong)
+  | "disco" :: name :: ([ _; _; _; _; _; _; _ ] as words) -> (element scene name Disco words, judged, wrong)
+  | "triangulo" :: name :: ([ _; _; _; _; _; _; _; _; _ ] as words) -> (element scene name Triangulo words, judged, wrong)
   | "ray" :: px :: py :: pz :: vx :: vy :: vz :: rest ->
       let right = ray scene number [ px; py; pz; vx; vy; vz ] rest in
       (scene, judged + 1, if right then wrong else wrong + 1)

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "durero/surface/surfaces.hpp"
+
 namespace durero::conform {
 namespace {
 
@@ -10,7 +12,22 @@ Dyadic size(const Shape& shape) {
   Dyadic radius;
   if constexpr (requires { shape.radio; }) radius = shape.radio;
   if constexpr (requires { shape.proporcion; }) radius = radius + Dyadic(shape.proporcion) * Dyadic(shape.altura);
+  if constexpr (requires { shape.vertices; }) radius = surface::ball(shape).radius;
   return radius;
+}
+
+Dyadic squared_normal(const scene::Corners& vertices) {
+  const ExactVector n = cross(difference(vertices[1], vertices[0]), difference(vertices[2], vertices[0]));
+  return dot(n, n);
+}
+
+/// A vertex of a triangle.
+template <class Shape>
+const glm::dvec3& centre(const Shape& shape) {
+  if constexpr (requires { shape.centro; })
+    return shape.centro;
+  else
+    return shape.vertices[0];
 }
 
 }  // namespace
@@ -40,9 +57,10 @@ bool Candidate::starts_between_ends() const { return !is_axial() || (number::sig
 
 Candidate candidate(const AnsweredQuery& q, scene::ElementRef e, bool on) {
   return q.scene.visit(e, [&]<class Shape>(const Shape& shape) {
-    Candidate c{e, surface::exact::coefficients(shape, q.query.rayo, on), shape.centro, size(shape)};
+    Candidate c{e, surface::exact::coefficients(shape, q.query.rayo, on), centre(shape), size(shape)};
     if constexpr (requires { shape.vector; }) c.vector = shape.vector;
     if constexpr (requires { shape.altura; }) c.altura = shape.altura;
+    if constexpr (requires { shape.vertices; }) c.normal = squared_normal(shape.vertices);
     return c;
   });
 }
@@ -50,6 +68,8 @@ Candidate candidate(const AnsweredQuery& q, scene::ElementRef e, bool on) {
 Candidate candidate(const AnsweredQuery& q, scene::ElementRef e) {
   return candidate(q, e, scene::Origin(q.query.en).contains(e));
 }
+
+bool is_inside(const Candidate& c) { return !c.is_flat() && number::sign(c.f.C) < 0 && c.starts_between_ends(); }
 
 bool travels_at_least(const AnsweredQuery& q, const Dyadic& distance) {
   if (!std::isfinite(q.hit.t)) return true;

@@ -31,9 +31,10 @@ struct Candidate {
   scene::ElementRef e;
   surface::exact::Coefficients f;
   glm::dvec3 centro;
-  Dyadic size;          ///< the radius, at the base where it is not the same everywhere
+  Dyadic size;          ///< the radius, at the base where it is not the same everywhere; of a triangle that of its ball
   glm::dvec3 vector{};  ///< of a shape with an axis
   double altura = 0;    ///< the same
+  Dyadic normal = 1;    ///< of a flat shape: the square of what its potencia is times the distance from its plane
 
   bool is_axial() const { return f.altura.has_value(); }
   bool is_flat() const { return conform::is_flat(e.tipo); }
@@ -66,6 +67,13 @@ bool any_hit_element(const AnsweredQuery& q, Holds holds) {
   return hits(q) && std::any_of(all.begin(), all.end(), [&](scene::ElementRef e) { return holds(candidate(q, e)); });
 }
 
+/// Whether it holds of some element that the query meets: hits, or has no minimum on.
+template <class Holds>
+bool any_met_element(const AnsweredQuery& q, Holds holds) {
+  const scene::ElementSet& all = q.hit.elementos;
+  return std::any_of(all.begin(), all.end(), [&](scene::ElementRef e) { return holds(candidate(q, e)); });
+}
+
 /// Whether it holds of some root t > 0, within the ends or beyond.
 template <class Holds>
 bool any_root_ahead(const Candidate& c, Holds holds) {
@@ -73,6 +81,9 @@ bool any_root_ahead(const Candidate& c, Holds holds) {
   const auto values = all.values();
   return std::any_of(values.begin(), values.end(), [&](const Parameter& t) { return number::sign(t) > 0 && holds(t); });
 }
+
+/// The origin of the ray lies within the element, which is not flat.
+bool is_inside(const Candidate& c);
 
 /// t·|v| ≥ distance, for t as it is rounded. Precondition: the query hits.
 bool travels_at_least(const AnsweredQuery& q, const Dyadic& distance);

@@ -39,6 +39,10 @@ DrawnRay nudged(Random& random, DrawnRay ray) {
   return ray;
 }
 
+DrawnRay one_in_three_nudged(Random& random, DrawnRay ray) {
+  return random.chance(1, 3) ? nudged(random, std::move(ray)) : ray;
+}
+
 DrawnRay coincident(Random& random, const FramedShape& shape, int e) {
   const SurfacePoint rim = rim_point(random, shape);
   const auto through = [&](const glm::dvec3& point, const glm::dvec3& w) {

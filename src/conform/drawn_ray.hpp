@@ -1,9 +1,9 @@
 #pragma once
-/// Rays under construction: through a point of a shape (framed_shape.hpp), with or without a coincidence.
+/// Rays under construction: through a point of a shape (surface_point.hpp), with or without a coincidence.
 
 #include <vector>
 
-#include "conform/framed_shape.hpp"
+#include "conform/surface_point.hpp"
 
 namespace durero::conform {
 
@@ -24,6 +24,7 @@ double steps(const glm::dvec3& w, double length, int e);
 
 /// With the next number after, or before, one of the coordinates of p or of v.
 DrawnRay nudged(Random& random, DrawnRay ray);
+DrawnRay one_in_three_nudged(Random& random, DrawnRay ray);
 
 /// A ray on which some coincidence holds, exactly where the shape is a lattice one: tangent, through a rim or the apex,
 /// across the axis, or along a generator's direction. It starts about 2^e radii before the point.

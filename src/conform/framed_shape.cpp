@@ -7,39 +7,12 @@
 
 #include "conform/lattice.hpp"
 #include "durero/number/dyadic.hpp"
-#include "durero/surface/equation.hpp"
+#include "durero/surface/surfaces.hpp"
 
 namespace durero::conform {
 namespace {
 
 using model::Tipo;
-
-glm::dvec3 across_axis(Random& random, const FramedShape& shape, double radius) {
-  if (shape.lattice) {
-    const glm::dvec2 p = on_circle(random, radius);
-    return p.x * shape.e1 + p.y * shape.e2;
-  }
-  for (;;) {
-    const double x = random.uniform(-1, 1), y = random.uniform(-1, 1), length = std::sqrt(x * x + y * y);
-    if (length > 0.1 && length <= 1) return radius * (x / length * shape.e1 + y / length * shape.e2);
-  }
-}
-
-/// A point at most 2·radio from the middle, and two directions in the plane.
-SurfacePoint flat_point(Random& random, const FramedShape& shape) {
-  const glm::dvec3 radial = across_axis(random, shape, shape.radio);
-  const glm::dvec3 position = shape.centro + double(random.integer(-2, 2)) * radial;
-  return {position, shape.d, glm::cross(shape.d, radial), radial};
-}
-
-SurfacePoint sphere_point(Random& random, const FramedShape& shape) {
-  const glm::dvec3 radial = shape.lattice ? on_sphere(random, shape.radio) : shape.radio * random.direction();
-  for (;;) {
-    const glm::dvec3 around = glm::cross(radial, random.lattice_vector(2));
-    const glm::dvec3 along = glm::cross(radial, random.lattice_vector(2));
-    if (around != glm::dvec3(0) && along != glm::dvec3(0)) return {shape.centro + radial, radial, around, along};
-  }
-}
 
 /// A frame with d = ±x, ±y or ±z.
 void set_lattice_frame(Random& random, FramedShape& shape) {
@@ -65,14 +38,34 @@ void set_tilted_frame(Random& random, FramedShape& shape) {
 }
 
 template <class Shape>
+constexpr bool has_centro = scene::has_attribute<Shape, &model::Escena::mi_centro>();
+template <class Shape>
 constexpr bool has_vector = scene::has_attribute<Shape, &model::Escena::mi_vector>();
 template <class Shape>
 constexpr bool has_radio = scene::has_attribute<Shape, &model::Escena::mi_radio>();
 template <class Shape>
 constexpr bool has_proporcion = scene::has_attribute<Shape, &model::Escena::mi_proporcion>();
+template <class Shape>
+constexpr bool has_vertices = scene::has_attribute<Shape, &model::Escena::mi_vertices>();
 
-/// The radius of the far end, as a part of that of the base. Precondition: the type has a proportion.
-double share_of_far_end(const FramedShape& shape) { return has_apex(shape.tipo) ? 0 : shape.radio / shape.radius(); }
+FramedShape lattice_triangle(Random& random) {
+  for (;;) {
+    const double x = random.integer(-300, 300), y = random.integer(-300, 300), z = random.integer(-300, 300);
+    const glm::dvec3 a(x, y, z), b = a + 8.0 * random.lattice_vector(12), c = a + 8.0 * random.lattice_vector(12);
+    if (are_corners({a, b, c})) return triangle({a, b, c}, true);
+  }
+}
+
+FramedShape tilted_triangle(Random& random) {
+  for (;;) {
+    const glm::dvec3 a = random.in_cube(300), b = a + random.in_cube(100), c = a + random.in_cube(100);
+    if (are_corners({a, b, c})) return triangle({a, b, c}, false);
+  }
+}
+
+glm::dvec3 times_power(const glm::dvec3& v, int k) {
+  return {std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)};
+}
 
 /// The types of which it holds, in their order.
 std::vector<Tipo> types_that(bool (*holds)(Tipo)) {
@@ -98,11 +91,12 @@ bool FramedShape::has_exact_radius() const {
 model::Operation FramedShape::addition(const model::Elemento& e) const {
   return scene::with_shape(tipo, [&]<class Shape>(std::type_identity<Shape>) -> model::Operation {
     Shape shape{};
-    shape.centro = centro;
+    if constexpr (has_centro<Shape>) shape.centro = centro;
     if constexpr (has_radio<Shape>) shape.radio = radio;
     if constexpr (has_proporcion<Shape>) shape.proporcion = proporcion;
     if constexpr (has_vector<Shape>) shape.vector = d;
     if constexpr (surface::Axial<Shape>) shape.altura = altura;
+    if constexpr (has_vertices<Shape>) shape.vertices = vertices;
     return scene::addition(e, shape);
   });
 }
@@ -121,8 +115,10 @@ bool has_apex(Tipo tipo) {
 }
 
 bool is_flat(Tipo tipo) {
-  return scene::with_shape(
-      tipo, []<class Shape>(std::type_identity<Shape>) { return has_vector<Shape> && !surface::Axial<Shape>; });
+  using Along = surface::Linear<double>;
+  return scene::with_shape(tipo, []<class Shape>(std::type_identity<Shape>) {
+    return std::is_same_v<decltype(potencia(std::declval<Shape>(), std::declval<surface::Point<Along>>())), Along>;
+  });
 }
 
 Tipo any_type(Random& random) {
@@ -130,8 +126,8 @@ Tipo any_type(Random& random) {
   return random.any_of(types);
 }
 
-Tipo any_flat_type(Random& random) {
-  static const std::vector<Tipo> types = types_that(is_flat);
+Tipo any_unbounded_type(Random& random) {
+  static const std::array types{Tipo::soy_plano};
   return random.any_of(types);
 }
 
@@ -140,7 +136,21 @@ Tipo any_axial_type(Random& random) {
   return random.any_of(types);
 }
 
+bool are_corners(const scene::Corners& vertices) {
+  return model::Vertices::contains(scene::input_of<model::Terna>(vertices));
+}
+
+FramedShape triangle(const scene::Corners& vertices, bool lattice) {
+  FramedShape shape{.tipo = Tipo::soy_triangulo, .lattice = lattice, .vertices = vertices};
+  shape.e1 = vertices[1] - vertices[0];
+  shape.e2 = vertices[2] - vertices[0];
+  shape.d = glm::cross(shape.e1, shape.e2);
+  shape.radio = std::max(glm::length(shape.e1), glm::length(shape.e2));
+  return shape;
+}
+
 FramedShape lattice_shape(Random& random, Tipo tipo) {
+  if (tipo == Tipo::soy_triangulo) return lattice_triangle(random);
   FramedShape shape{.tipo = tipo};
   set_lattice_frame(random, shape);
   for (int i = 0; i < 3; ++i) shape.centro[i] = random.integer(-300, 300);
@@ -165,6 +175,7 @@ FramedShape lattice_shape(Random& random, Tipo tipo) {
 }
 
 FramedShape tilted_shape(Random& random, Tipo tipo) {
+  if (tipo == Tipo::soy_triangulo) return tilted_triangle(random);
   FramedShape shape{.tipo = tipo, .lattice = false};
   set_tilted_frame(random, shape);
   shape.centro = random.in_cube(300);
@@ -187,72 +198,13 @@ FramedShape any_shape(Random& random, Tipo tipo) {
 }
 
 FramedShape scaled(FramedShape shape, int k) {
-  for (int i = 0; i < 3; ++i) shape.centro[i] = std::ldexp(shape.centro[i], k);
+  for (glm::dvec3& vertex : shape.vertices) vertex = times_power(vertex, k);
+  if (shape.tipo == Tipo::soy_triangulo) return triangle(shape.vertices, shape.lattice);
+  shape.centro = times_power(shape.centro, k);
   shape.radio = std::ldexp(shape.radio, k);
   shape.altura = std::ldexp(shape.altura, k);
   shape.shared.clear();
   return shape;
-}
-
-SurfacePoint surface_point_at(Random& random, const FramedShape& shape, double part) {
-  if (is_flat(shape.tipo)) return flat_point(random, shape);
-  if (!is_axial(shape.tipo)) return sphere_point(random, shape);
-  const glm::dvec3 base = across_axis(random, shape, shape.radius()), around = glm::cross(shape.d, base);
-  if (has_constant_radius(shape.tipo))
-    return {shape.centro + base + part * shape.altura * shape.d, base, around, shape.d};
-  const double narrowing = 1 - share_of_far_end(shape);
-  const glm::dvec3 along = shape.altura * shape.d - narrowing * base;
-  return {shape.centro + base + part * along, (1 - part * narrowing) * base, around, along};
-}
-
-SurfacePoint surface_point(Random& random, const FramedShape& shape) {
-  if (!is_axial(shape.tipo)) return surface_point_at(random, shape, 0);
-  return surface_point_at(random, shape, random.integer(1, 7) / 8.0);
-}
-
-SurfacePoint rim_point(Random& random, const FramedShape& shape) {
-  const bool has_two_rims = is_axial(shape.tipo) && !has_apex(shape.tipo);
-  return surface_point_at(random, shape, has_two_rims ? random.integer(0, 1) : 0);
-}
-
-glm::dvec3 whole_generator(const FramedShape& shape, const SurfacePoint& at) {
-  if (!is_axial(shape.tipo)) return glm::dvec3(0);
-  return has_constant_radius(shape.tipo) ? shape.altura * at.along : at.along;
-}
-
-glm::dvec3 any_vector(Random& random, const FramedShape& shape) {
-  return shape.lattice ? random.lattice_vector(8) : 8.0 * random.direction();
-}
-
-glm::dvec3 tangent_vector(Random& random, const SurfacePoint& at) {
-  for (;;) {
-    const double around = random.signed_power(0, 2), along = random.integer(-3, 3);
-    const glm::dvec3 u = around * at.around + along * at.along;
-    if (u != glm::dvec3(0)) return u;
-  }
-}
-
-glm::dvec3 perpendicular_vector(Random& random, const FramedShape& shape) {
-  if (shape.lattice || !is_axial(shape.tipo)) {
-    for (;;) {
-      const double x = random.integer(-8, 8), y = random.integer(-8, 8);
-      const glm::dvec3 w = x * shape.e1 + y * shape.e2;
-      if (w != glm::dvec3(0)) return w;
-    }
-  }
-  // (−d.y, d.x, 0) and its like: the two products of its product with d are opposite, whatever d.
-  for (;;) {
-    const int i = random.integer(0, 2), j = (i + 1) % 3;
-    glm::dvec3 w(0);
-    w[i] = -shape.d[j];
-    w[j] = shape.d[i];
-    if (w != glm::dvec3(0)) return random.sign() * w;
-  }
-}
-
-glm::dvec3 inwards(const glm::dvec3& v, const SurfacePoint& at) {
-  const glm::dvec3 normal = glm::cross(at.around, at.along);
-  return glm::dot(v, normal) * glm::dot(at.radial, normal) > 0 ? -v : v;
 }
 
 }  // namespace durero::conform

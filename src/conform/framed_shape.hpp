@@ -3,8 +3,8 @@
 /// a ray of any kind can be laid through such a point (drawn_ray.hpp).
 ///
 /// Lattice shapes have a unit axis ±x, ±y or ±z and integer coordinates: their surface points come from Pythagorean
-/// triples and quadruples (lattice.hpp) and their rays are integer combinations, so every coincidence is exact. Tilted
-/// shapes have any axis, and their coincidences are off by roundings.
+/// triples and quadruples (lattice.hpp) and their rays are integer combinations, so every coincidence is exact; a
+/// lattice triangle has any integer vertices. Tilted shapes have any axis, and their coincidences are off by roundings.
 
 #include <vector>
 
@@ -13,23 +13,25 @@
 
 namespace durero::conform {
 
-/// A point of a surface. radial: from the axis (or the centre of a sphere) to it, of a plane its normal; around and
-/// along are in the plane that touches there, and span it but where a sphere drew them parallel; along is the direction
-/// of the generator.
+/// A point of a surface. radial: from the axis (or the centre of a sphere) to it, of a flat shape its normal; around
+/// and along are in the plane that touches there, and span it but where a sphere drew them parallel; along is the
+/// direction of the generator.
 struct SurfacePoint {
   glm::dvec3 position, radial, around, along;
 };
 
 /// A shape of any type and an orthonormal frame e1, e2, d of it, exact for lattice shapes; d is vector. An attribute
 /// that the type does not have has no meaning. Where it has a proportion, the radius at the advance s is
-/// radio + proporcion·(altura − s), and without radio proporcion·(altura − s).
+/// radio + proporcion·(altura − s), and without radio proporcion·(altura − s). The frame of a triangle is its edges
+/// from the first vertex, and their product.
 struct FramedShape {
   model::Tipo tipo{};
   bool lattice = true;
   glm::dvec3 centro{};
-  double radio = 0;  ///< of a plane: how far from centro its points are drawn
+  double radio = 0;  ///< of a plane: how far from centro its points are drawn; of a triangle: the longer of e1 and e2
   double proporcion = 0;
   double altura = 0;
+  scene::Corners vertices{};
   glm::dvec3 e1{}, e2{}, d{};
   std::vector<SurfacePoint> shared{};  ///< points of the surface that lie on another shape too
 
@@ -50,15 +52,22 @@ bool has_constant_radius(model::Tipo tipo);
 /// Whether shapes of the type narrow to a point.
 bool has_apex(model::Tipo tipo);
 
-/// Whether shapes of the type are part of a plane across d.
+/// Whether shapes of the type are a plane across d, or part of it.
 bool is_flat(model::Tipo tipo);
 
-/// Of those that are not flat: any_flat_type draws these.
+/// Of those that are not flat.
 model::Tipo any_type(Random& random);
-model::Tipo any_flat_type(Random& random);
+/// Of those without a bound: a plane.
+model::Tipo any_unbounded_type(Random& random);
 /// Of those with an axis.
 model::Tipo any_axial_type(Random& random);
 
+/// Whether the vertices are those of a triangle: they lie on no line, exactly.
+bool are_corners(const scene::Corners& vertices);
+/// Their triangle. Precondition: are_corners.
+FramedShape triangle(const scene::Corners& vertices, bool lattice);
+
+/// Of a triangle the edges are multiples of 8, so that eighths of them are of the lattice too.
 FramedShape lattice_shape(Random& random, model::Tipo tipo);
 FramedShape tilted_shape(Random& random, model::Tipo tipo);
 /// Of either sort.
@@ -66,24 +75,5 @@ FramedShape any_shape(Random& random, model::Tipo tipo);
 
 /// All lengths times 2^k; the shared points go.
 FramedShape scaled(FramedShape shape, int k);
-
-/// A point at the given height of an axial shape: part of altura, a multiple of 1/8 (0 the base, 1 the other end). On a
-/// sphere, anywhere.
-SurfacePoint surface_point_at(Random& random, const FramedShape& shape, double part);
-/// Anywhere on it, but at no end of an axial shape.
-SurfacePoint surface_point(Random& random, const FramedShape& shape);
-/// At a rim where it has one, and not at an apex; on a sphere, anywhere.
-SurfacePoint rim_point(Random& random, const FramedShape& shape);
-/// From one end to the other of the generator through the point; 0 where the shape has none.
-glm::dvec3 whole_generator(const FramedShape& shape, const SurfacePoint& at);
-
-/// A vector with small integer coordinates for a lattice shape, any direction of that length for a tilted one.
-glm::dvec3 any_vector(Random& random, const FramedShape& shape);
-/// In the plane that touches there, and not along the generator.
-glm::dvec3 tangent_vector(Random& random, const SurfacePoint& at);
-/// Across the axis.
-glm::dvec3 perpendicular_vector(Random& random, const FramedShape& shape);
-/// The vector or its opposite: into the shape at that point.
-glm::dvec3 inwards(const glm::dvec3& v, const SurfacePoint& at);
 
 }  // namespace durero::conform

@@ -16,7 +16,7 @@ struct AnsweredQuery {
 };
 
 bool hits(const AnsweredQuery& q);
-bool hits_flat(const AnsweredQuery& q);  ///< hits a plane
+bool hits_flat(const AnsweredQuery& q);  ///< hits a plane, or part of one
 /// Any coincidence of the ray with any element: a double root, a linear or a constant quadratic, a coefficient B or C
 /// that is 0, a root exactly at a rim or the apex, a right angle with the axis; or a tie, or no minimum.
 bool coincides(const AnsweredQuery& q);
@@ -41,10 +41,22 @@ bool nearly_generator(const AnsweredQuery& q);  ///< |A| is nearly 0 for some el
 bool generator(const AnsweredQuery& q);         ///< A = 0 for one
 bool aligned(const AnsweredQuery& q);           ///< hits, a coordinate of v is 0, −0 or subnormal
 bool exactly_aligned(const AnsweredQuery& q);   ///< hits, a coordinate of v is 0 or −0
-bool nearly_parallel(const AnsweredQuery& q);   ///< v·d is nearly 0 for some plane
+bool nearly_parallel(const AnsweredQuery& q);   ///< v·d is nearly 0 for some flat element
 bool parallel(const AnsweredQuery& q);          ///< v·d = 0 for one
 bool nearly_in_surface(const AnsweredQuery& q);
 bool in_surface(const AnsweredQuery& q);  ///< no minimum, or the first point begins a segment
+
+// Of discs and triangles (members_bounded.cpp).
+bool nearly_disc(const AnsweredQuery& q);      ///< meets a disc, or passes nearly through its rim
+bool bound_of_disc(const AnsweredQuery& q);    ///< meets one at its rim exactly, or in its plane
+bool nearly_cap(const AnsweredQuery& q);       ///< passes nearly through the rim of a disc, or starts inside an element
+bool cap(const AnsweredQuery& q);              ///< hits a disc and another element at the disc's rim
+bool nearly_edge(const AnsweredQuery& q);      ///< passes nearly through an edge of a triangle
+bool shared_edge(const AnsweredQuery& q);      ///< meets two triangles at edges, or in their plane
+bool nearly_sliver(const AnsweredQuery& q);    ///< meets a triangle that is thin, or huge beside the distance
+bool edge_of_sliver(const AnsweredQuery& q);   ///< meets one at its edge exactly, or in its plane
+bool nearly_coplanar(const AnsweredQuery& q);  ///< hits several at one point, or is nearly parallel to one
+bool coplanar(const AnsweredQuery& q);         ///< hits several at one point, or lies in their plane
 
 // Of the place of the points (members_place.cpp).
 bool mirrored_first(const AnsweredQuery& q);  ///< a root t > 0 on a mirrored nappe, before any hit

@@ -38,7 +38,7 @@ bool generator(const AnsweredQuery& q) {
 bool nearly_parallel(const AnsweredQuery& q) {
   return any_element(q, [&](const Candidate& c) {
     const Dyadic slope = number::shifted(c.f.B, 1);
-    return c.is_flat() && number::shifted(square(slope), 40) <= squared_length(q.query.rayo.v().xyz());
+    return c.is_flat() && number::shifted(square(slope), 40) <= c.normal * squared_length(q.query.rayo.v().xyz());
   });
 }
 

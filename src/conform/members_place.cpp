@@ -50,7 +50,7 @@ bool rim(const AnsweredQuery& q) {
 }
 
 bool inside(const AnsweredQuery& q) {
-  return any_hit_element(q, [](const Candidate& c) { return sign(c.f.C) < 0 && c.starts_between_ends(); });
+  return any_hit_element(q, [](const Candidate& c) { return is_inside(c); });
 }
 
 bool starts_on(const AnsweredQuery& q) {

@@ -21,6 +21,20 @@ FramedShapes with_plane(Random& random, int);
 DrawnRay flat(Random& random, int log2_distance, Given shapes);
 DrawnRay grazing(Random& random, int minus_log2_angle, Given shapes);
 
+// Of discs (recipes_disc.cpp).
+FramedShapes with_disc(Random& random, int);
+DrawnRay disc(Random& random, int log2_distance, Given shapes);
+FramedShapes capped(Random& random, int);
+DrawnRay cap(Random& random, int log2_distance, Given shapes);
+
+// Of triangles (recipes_triangle.cpp).
+FramedShapes fan(Random& random, int);
+DrawnRay edge(Random& random, int log2_distance, Given shapes);
+FramedShapes sliver(Random& random, int minus_log2_height);
+DrawnRay sliver(Random& random, int, Given shapes);
+FramedShapes coplanar(Random& random, int);
+DrawnRay coplanar(Random& random, int minus_log2_angle, Given shapes);
+
 // Of scale (recipes_scale.cpp).
 FramedShapes as_many(Random& random, int count);
 DrawnRay generic(Random& random, int, Given shapes);

@@ -7,7 +7,8 @@ namespace durero::conform::recipes {
 /// A plane or two, and up to two other elements.
 FramedShapes with_plane(Random& random, int) {
   FramedShapes shapes;
-  for (int left = random.integer(1, 2); left > 0; --left) shapes.push_back(any_shape(random, any_flat_type(random)));
+  for (int left = random.integer(1, 2); left > 0; --left)
+    shapes.push_back(any_shape(random, any_unbounded_type(random)));
   for (int left = random.integer(0, 2); left > 0; --left) shapes.push_back(any_shape(random, any_type(random)));
   return shapes;
 }

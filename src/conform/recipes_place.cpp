@@ -11,10 +11,6 @@ namespace {
 
 using model::Tipo;
 
-DrawnRay one_in_three_nudged(Random& random, DrawnRay ray) {
-  return random.chance(1, 3) ? nudged(random, std::move(ray)) : ray;
-}
-
 /// The place of the coordinate of d with the greatest magnitude.
 int longest(const glm::dvec3& d) {
   const glm::dvec3 a(std::abs(d.x), std::abs(d.y), std::abs(d.z));

@@ -31,7 +31,7 @@ constexpr std::size_t required = 2;  // id and tipo; which attributes there must
 // The value of an attribute, and where its key and the value itself stand.
 struct Read {
   std::size_t key_offset, offset;
-  std::variant<double, glm::dvec3> value;
+  std::variant<double, glm::dvec3, scene::Corners> value;
 };
 
 struct Fields {
@@ -94,7 +94,7 @@ void read_field(json::Reader& in, std::size_t key, Fields& f) {
   }
 }
 
-// Each attribute is there if and only if the shape has it (Escena.inv.3 to Escena.inv.6).
+// Each attribute is there if and only if the shape has it (Escena.inv.2 to Escena.inv.6, Escena.inv.9).
 template <class Shape>
 void check_attributes(const json::Reader& in, const Fields& f) {
   for (std::size_t i = 0; i < attribute_words.size(); ++i) {
@@ -120,7 +120,7 @@ Shape shape_of(const Fields& f) {
   return shape;
 }
 
-// Fails at the value of an attribute that is not in the set that the text gives it: Rmas, Unitario.
+// Fails at the value of an attribute that is not in the set that the text gives it: Rmas, Unitario, Vertices.
 struct Check {
   const json::Reader& in;
   std::size_t at;
@@ -134,6 +134,11 @@ struct Check {
       fail(fmt::format("({}, {}, {})", v.x, v.y, v.z), "a unit vector, ", model::Unitario_inv_1);
   }
   void operator()(std::type_identity<model::Punto>, const glm::dvec3&) const {}  // every triple is a Punto
+  void operator()(std::type_identity<model::Vertices>, const scene::Corners& v) const {
+    if (!model::Vertices::contains(scene::input_of<model::Terna>(v)))
+      in.fail(at, fmt::format("{} is three points on one line", word),
+              fmt::format("expected the corners of a triangle ({})", model::Vertices_inv_1.label));
+  }
 
  private:
   void fail(const std::string& value, std::string_view kind, const auto& clause) const {

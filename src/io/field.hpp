@@ -46,6 +46,9 @@ void check_rule(const In& in, std::size_t at, std::string_view key, const Rule<V
 
 inline void read_json(json::Reader& in, std::string_view what, double& value) { value = in.number(what); }
 inline void read_json(json::Reader& in, std::string_view what, glm::dvec3& value) { value = in.vec3(what); }
+inline void read_json(json::Reader& in, std::string_view what, std::array<glm::dvec3, 3>& value) {
+  value = in.three_points(what);
+}
 
 /// Reads an object that has each field of the table and no others. `what` names it in messages.
 template <class Part, class... Value>

@@ -156,12 +156,12 @@ std::string_view Reader::string(std::string_view what) {
   return document_->string_value(document_->tokens()[next_++]);
 }
 
-void Reader::require_less_than_three(std::string_view what, int count) const {
-  if (count == 3) fail(offset(), fmt::format("{} has a fourth item", what), "expected three numbers");
+void Reader::require_less_than_three(std::string_view what, std::size_t count, const char* expected) const {
+  if (count == 3) fail(offset(), fmt::format("{} has a fourth item", what), expected);
 }
 
-void Reader::require_three(std::string_view what, int count, std::size_t at) const {
-  if (count != 3) fail(at, fmt::format("{} has {} items", what, count), "expected three numbers");
+void Reader::require_three(std::string_view what, std::size_t count, std::size_t at, const char* expected) const {
+  if (count != 3) fail(at, fmt::format("{} has {} items", what, count), expected);
 }
 
 void Reader::open(Kind wanted, std::string_view what) {

@@ -83,4 +83,10 @@ Writer& Writer::value(const glm::dvec3& triple) {
   return begin_array().value(triple.x).value(triple.y).value(triple.z).end_array();
 }
 
+Writer& Writer::value(const std::array<glm::dvec3, 3>& triples) {
+  begin_array();
+  for (const glm::dvec3& triple : triples) value(triple);
+  return end_array();
+}
+
 }  // namespace durero::io::json

@@ -70,6 +70,11 @@ class NffWriter {
   void write_shape(const scene::Sphere& s) { out_.text += fmt::format("s {} {}\n", text(s.centro), s.radio); }
 
   void write_shape(const scene::Plane&) { ++planes_; }
+  void write_shape(const scene::Disc&) { ++discs_; }
+  void write_shape(const scene::Triangle& triangle) {
+    out_.text += "p 3\n";
+    for (const glm::dvec3& vertex : triangle.vertices) out_.text += text(vertex) + "\n";
+  }
 
   /// A shape along an axis, by the radii of its ends: radio + proporcion·(altura − s) at the advance s, as far as it
   /// has them.
@@ -102,6 +107,7 @@ class NffWriter {
     add_loss(out_.lost, scene_.stage().materials.size(), "name of a material", "names of materials",
              "left out: NFF has none");
     add_loss(out_.lost, planes_, "plane", "planes", "left out: NFF has none");
+    add_loss(out_.lost, discs_, "disc", "discs", "left out: NFF has none");
     add_loss(out_.lost, too_wide_, "element", "elements", "left out: the radius of its base is beyond binary64");
     add_loss(out_.lost, straight_, "truncated cone", "truncated cones",
              "written as a cylinder: its radii round to one");
@@ -111,7 +117,7 @@ class NffWriter {
 
   const scene::Scene& scene_;
   Exported out_;
-  std::size_t planes_ = 0, too_wide_ = 0, straight_ = 0, rounded_axes_ = 0, rounded_radii_ = 0;
+  std::size_t planes_ = 0, discs_ = 0, too_wide_ = 0, straight_ = 0, rounded_axes_ = 0, rounded_radii_ = 0;
 };
 
 }  // namespace

@@ -26,6 +26,21 @@ glm::dvec3 read_triple(Cursor& in) {
   return v;
 }
 
+// ((x,y,z),(x,y,z),(x,y,z)), of which the first bracket has been read.
+std::array<glm::dvec3, 3> read_three_points(Cursor& in) {
+  constexpr std::string_view where = "in ((x,y,z),(x,y,z),(x,y,z))";
+  std::array<glm::dvec3, 3> points{};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i > 0) in.expect(',', where);
+    in.skip_blanks();
+    in.expect('(', where);
+    points[i] = read_triple(in);
+    in.skip_blanks();
+  }
+  in.expect(')', "after ((x,y,z),(x,y,z),(x,y,z)");
+  return points;
+}
+
 Input read_input(Cursor& in) {
   Input input{{}, in.offset(), 0, {}};
   input.name = in.word("=?");
@@ -34,7 +49,12 @@ Input read_input(Cursor& in) {
   in.expect('=', "after the name of an input");
   input.value_offset = in.offset();
   if (in.take('(')) {
-    input.value = read_triple(in);
+    in.skip_blanks();
+    if (in.at('(')) {
+      input.value = read_three_points(in);
+    } else {
+      input.value = read_triple(in);
+    }
     return input;
   }
   const std::string_view word = in.word("");
@@ -81,7 +101,11 @@ Call read_json_call(const Source& source, std::size_t begin, std::size_t end) {
         input.value = in.number(key.name);
         break;
       case json::Kind::array:
-        input.value = in.vec3(key.name);
+        if (in.kind_of_first_item() == json::Kind::array) {
+          input.value = in.three_points(key.name);
+        } else {
+          input.value = in.vec3(key.name);
+        }
         break;
       default:
         input.value = std::string(in.string(key.name));

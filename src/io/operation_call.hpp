@@ -1,6 +1,7 @@
 #pragma once
 /// An operation as it is written, in either syntax, before its inputs have a meaning.
 
+#include <array>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
@@ -21,7 +22,8 @@ struct Input {
   std::string name;  // without ?
   std::size_t name_offset;
   std::size_t value_offset;
-  std::variant<Word, std::string, double, glm::dvec3> value;  // string and double: JSON's
+  // A string and a double are JSON's.
+  std::variant<Word, std::string, double, glm::dvec3, std::array<glm::dvec3, 3>> value;
 };
 
 struct Call {

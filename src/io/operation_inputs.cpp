@@ -79,6 +79,15 @@ void Inputs::read(std::string_view name, glm::dvec3& value) const {
   value = *triple;
 }
 
+void Inputs::read(std::string_view name, std::array<glm::dvec3, 3>& value) const {
+  const auto* triples = std::get_if<std::array<glm::dvec3, 3>>(&find(name)->value);
+  if (triples == nullptr) {
+    fail(name, fmt::format("{}? is no triple of points", name),
+         "expected ((x,y,z),(x,y,z),(x,y,z)), or [[x,y,z],[x,y,z],[x,y,z]] in JSON");
+  }
+  value = *triples;
+}
+
 const std::string& Inputs::word(std::string_view name) const {
   const auto& written = find(name)->value;
   if (const auto* text = std::get_if<std::string>(&written)) return *text;

@@ -36,6 +36,7 @@ class Inputs {
 
   void read(std::string_view name, double& value) const;
   void read(std::string_view name, glm::dvec3& value) const;
+  void read(std::string_view name, std::array<glm::dvec3, 3>& value) const;
   const std::string& word(std::string_view name) const;
 
   [[noreturn]] void fail(std::string_view name, const std::string& wrong, const std::string& expected) const;

@@ -35,14 +35,12 @@ model::Operation read_removal(const Inputs& in) {
   return Removal{in.element()};
 }
 
-void read_optional(const Inputs& in, std::string_view name, std::optional<double>& value) {
-  in.read(name, value.emplace());
-}
-
-void read_optional(const Inputs& in, std::string_view name, std::optional<model::Vector>& value) {
-  glm::dvec3 v{};
-  in.read(name, v);
-  value.emplace(v);
+/// An input of the general addition, as the shapes store it.
+template <class Value>
+void read_optional(const Inputs& in, std::string_view name, std::optional<Value>& value) {
+  std::remove_cvref_t<decltype(scene::stored(std::declval<const Value&>()))> written{};
+  in.read(name, written);
+  value = scene::input_of<Value>(written);
 }
 
 model::Operation read_general_addition(const Inputs& in) {
@@ -51,9 +49,7 @@ model::Operation read_general_addition(const Inputs& in) {
   scene::with_shape(tipo, [&]<class Shape>(std::type_identity<Shape>) {
     scene::for_each_attribute<Shape>([&](const auto& attribute) { in.require(attribute.word); });
   });
-  glm::dvec3 centro{};
-  in.read("centro", centro);
-  model::Agregar_Elemento added{e, tipo, model::Punto{centro}};
+  model::Agregar_Elemento added{e, tipo};
   model::for_each_attribute([&](const auto& attribute) {
     if (in.has(attribute.word)) read_optional(in, attribute.word, attribute.input(added));
   });
@@ -63,14 +59,12 @@ model::Operation read_general_addition(const Inputs& in) {
 // The additions and removals of each shape, each followed by the general one, as the text has them.
 std::vector<Schema> all_schemas() {
   std::vector<Schema> all;
-  Signature general{"Agregar_Elemento", {"e", "t", "centro"}, {}};
+  Signature general{"Agregar_Elemento", {"e", "t"}, {attribute_words.begin(), attribute_words.end()}};
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
     Signature signature{Shape::Addition::schema, {"e"}, {material}};
     scene::for_each_attribute<Shape>([&](const auto& attribute) { signature.required.push_back(attribute.word); });
     all.push_back({std::move(signature), read_addition<Shape>});
   });
-  std::ranges::copy_if(attribute_words, std::back_inserter(general.optional),
-                       [](std::string_view word) { return word != "centro"; });
   general.optional.push_back(material);
   all.push_back({std::move(general), read_general_addition});
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {

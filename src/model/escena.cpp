@@ -43,8 +43,7 @@ bool is_of_type(const Escena& s, const Elemento& e, Tipo t) {
 }
 
 Judgements inv(const Escena& s) {
-  Judgements all{{&Escena_inv_1, same(s.elementos, dom(s.de_que_tipo))},
-                 {&Escena_inv_2, same(s.elementos, dom(s.mi_centro))}};
+  Judgements all{{&Escena_inv_1, same(s.elementos, dom(s.de_que_tipo))}};
   for_each_attribute([&](const auto& attribute) {
     all.push_back({attribute.domain, same(dom(s.*attribute.component), of_types(s, attribute.types))});
   });
@@ -57,8 +56,7 @@ Judgements inv_at(const Escena& s, const Elemento& e) {
   const auto type = s.de_que_tipo.find(e);
   const bool typed = type != s.de_que_tipo.end();
   const auto axis = s.mi_vector.find(e);
-  Judgements all{{&Escena_inv_1, s.elementos.contains(e) == typed},
-                 {&Escena_inv_2, s.elementos.contains(e) == s.mi_centro.contains(e)}};
+  Judgements all{{&Escena_inv_1, s.elementos.contains(e) == typed}};
   for_each_attribute([&](const auto& attribute) {
     const bool has_type = typed && attribute.types.contains(type->second);
     all.push_back({attribute.domain, (s.*attribute.component).contains(e) == has_type});

@@ -12,19 +12,44 @@ Potencia power_of(const Escena& s, const Elemento& e) {
   return with_type(s.de_que_tipo.at(e), [&]<class Type>(std::type_identity<Type>) { return Type::potencia(s, e); });
 }
 
+/// What is not negative exactly where w ∈ tramo(θEscena, e): the two sides of each comparison of tramo.def.1. They
+/// outlive the scene, and along a ray each is concave.
+std::vector<Potencia> bounds_of_tramo(const Escena& s, const Elemento& e) {
+  const Tipo tipo = s.de_que_tipo.at(e);
+  std::vector<Potencia> all;
+  if (const auto altura = s.mi_altura.find(e); altura != s.mi_altura.end()) {
+    const Potencia advance = [centro = s.mi_centro.at(e), dir = s.mi_vector.at(e)](const ExactPoint& w) {
+      return avance(w, centro, dir);
+    };
+    all.push_back(advance);
+    all.push_back([advance, h = altura->second](const ExactPoint& w) { return h.value() - advance(w); });
+  }
+  if (tipo == Tipo::soy_disco)
+    all.push_back([centro = s.mi_centro.at(e), radio = s.mi_radio.at(e)](const ExactPoint& w) {
+      return -potencia_esfera(w, centro, radio);
+    });
+  if (const auto vertices = s.mi_vertices.find(e); vertices != s.mi_vertices.end()) {
+    const auto [a, b, c] = vertices->second.terna();
+    all.push_back([=](const ExactPoint& w) { return lado(w, a, b, c); });
+    all.push_back([=](const ExactPoint& w) { return lado(w, b, c, a); });
+    all.push_back([=](const ExactPoint& w) { return lado(w, c, a, b); });
+  }
+  return all;
+}
+
 /// The parameters of the points of the ray that lie on e, or where `desde` holds of those whose power is the origin's.
 Parameters parameters_on(const Escena& s, const Rayo& rayo, const Elemento& e, bool desde) {
   const ExactVector v(rayo.v());
   Quadratic q = restricted(power_of(s, e), rayo.p(), v);
   if (desde) q.c = 0;  // potencia(w) − potencia(p): the polynomial less its value at 0
-  const auto altura = s.mi_altura.find(e);
-  if (altura == s.mi_altura.end()) return zeros(q, {0, false, std::nullopt});
-  const auto advance = [&](const Surd& t) {
-    return avance(along(rayo.p(), v, t), s.mi_centro.at(e), s.mi_vector.at(e)).x;
-  };
-  const Rational at_zero = advance(0);
-  const auto interval = stretch(at_zero, advance(1) - at_zero, number::exact(altura->second.value()));
-  return interval ? zeros(q, *interval) : Parameters{};
+  Interval within = all_positive();
+  for (const Potencia& bound : bounds_of_tramo(s, e)) {
+    const auto by_bound = not_negative(restricted(bound, rayo.p(), v));
+    const auto both = by_bound ? intersection(within, *by_bound) : std::nullopt;
+    if (!both) return {};
+    within = *both;
+  }
+  return zeros(q, within);
 }
 
 }  // namespace
@@ -62,12 +87,8 @@ std::set<Elemento> de_que_elemento(const Escena& escena, const ExactPoint& p) {
 Surd potencia(const Escena& s, const Elemento& e, const ExactPoint& w) { return power_of(s, e)(w); }
 
 Puntos tramo(const Escena& s, const Elemento& e) {
-  const Punto centro = s.mi_centro.at(e);
-  const auto altura = s.mi_altura.find(e);
-  if (altura == s.mi_altura.end()) return Puntos([](const ExactPoint&) { return true; });
-  return Puntos([=, dir = s.mi_vector.at(e), h = altura->second](const ExactPoint& w) {
-    const Surd advance = avance(w, centro, dir);
-    return advance >= 0 && advance <= Surd(h.value());
+  return Puntos([bounds = bounds_of_tramo(s, e)](const ExactPoint& w) {
+    return std::all_of(bounds.begin(), bounds.end(), [&](const Potencia& bound) { return bound(w) >= 0; });
   });
 }
 

@@ -6,8 +6,7 @@ namespace durero::model {
 namespace {
 
 bool is_inside(const Interval& interval, const Surd& t) {
-  const Surd first(interval.first);
-  return (interval.has_first ? first <= t : first < t) && (!interval.last || t <= Surd(*interval.last));
+  return (interval.has_first ? interval.first <= t : interval.first < t) && (!interval.last || t <= *interval.last);
 }
 
 }  // namespace
@@ -24,18 +23,29 @@ std::optional<Surd> Parameters::minimum() const {
 
 bool Parameters::any_below(const Surd& bound) const {
   // An interval without its first parameter has others as near to it as one likes.
-  if (interval) return Surd(interval->first) < bound;
+  if (interval) return interval->first < bound;
   return !points.empty() && points.front() < bound;
 }
 
-std::optional<Interval> stretch(const Rational& at_zero, const Rational& slope, const Rational& h) {
-  const Interval all{0, false, std::nullopt};
-  if (slope.is_zero()) return at_zero >= 0 && at_zero <= h ? std::optional(all) : std::nullopt;
-  const Rational at_base = -at_zero / slope, at_top = (h - at_zero) / slope;
-  const Rational &first = std::min(at_base, at_top), &last = std::max(at_base, at_top);
-  if (last <= 0) return std::nullopt;
-  if (first <= 0) return Interval{0, false, last};
-  return Interval{first, true, last};
+std::optional<Interval> not_negative(const Quadratic& q) {
+  if (q.a.is_zero() && q.b.is_zero()) return q.c >= 0 ? std::optional(all_positive()) : std::nullopt;
+  const std::vector<Surd> ends = roots(q);
+  if (ends.empty()) return std::nullopt;
+  // q is at least 0 from its first root to its last; where it is linear, on the side to which it rises.
+  const bool from_first = !q.a.is_zero() || q.b.sign() > 0, to_last = !q.a.is_zero() || q.b.sign() < 0;
+  if (to_last && ends.back() <= 0) return std::nullopt;
+  Interval result = all_positive();
+  if (from_first && ends.front() > 0) result = {ends.front(), true, std::nullopt};
+  if (to_last) result.last = ends.back();
+  return result;
+}
+
+std::optional<Interval> intersection(const Interval& a, const Interval& b) {
+  Interval both = a.first < b.first || (a.first == b.first && a.has_first) ? b : a;
+  const auto& other_last = a.last && (!b.last || *a.last < *b.last) ? a.last : b.last;
+  both.last = other_last;
+  if (both.last && (both.has_first ? *both.last < both.first : *both.last <= both.first)) return std::nullopt;
+  return both;
 }
 
 Parameters zeros(const Quadratic& q, const Interval& interval) {

@@ -17,9 +17,9 @@ static_assert(std::is_nothrow_move_assignable_v<Escena>);
 
 /// Whether an operation has the input of this attribute.
 template <class Attribute, class Op>
-concept InputOf = std::is_invocable_v<decltype(Attribute::input), const Op&>;
+concept InputOf = std::is_invocable_v<decltype(std::remove_reference_t<Attribute>::input), const Op&>;
 
-/// The inputs of each addition are the attributes that Escena.inv.3 to Escena.inv.6 give its type, and the general
+/// The inputs of each addition are the attributes that Escena gives its type, and the general
 /// addition has them all.
 template <class... A>
 consteval bool inputs_are_attributes(std::type_identity<std::variant<A...>>) {
@@ -40,9 +40,11 @@ std::string text(const Triple& p) {
   return fmt::format("({}, {}, {})", p.x(), p.y(), p.z());
 }
 
+std::string text(const Terna& v) { return fmt::format("({}, {}, {})", text(v.a), text(v.b), text(v.c)); }
+
 template <class Op>
 std::string values(const Op& in) {
-  std::string all = fmt::format("e? = {}, t? = {}, centro? = {}", in.e.name(), name(in.t), text(in.centro));
+  std::string all = fmt::format("e? = {}, t? = {}", in.e.name(), name(in.t));
   for_each_attribute([&]<class Attribute>(const Attribute& attribute) {
     if constexpr (InputOf<Attribute, Op>) all += fmt::format(", {}? = {}", attribute.word, text(attribute.input(in)));
   });
@@ -67,7 +69,6 @@ Escena after_of(const Escena& before, const Op& in) {
   s.elementos.insert(in.e);
   s.tipos.insert(in.t);
   s.de_que_tipo.emplace(in.e, in.t);
-  s.mi_centro.emplace(in.e, in.centro);
   for_each_attribute([&]<class Attribute>(const Attribute& attribute) {
     if constexpr (InputOf<Attribute, Op>) (s.*attribute.component).emplace(in.e, attribute.input(in));
   });
@@ -85,7 +86,6 @@ Escena after_of(const Escena& before, const Op& in) {
   Escena s = before;
   s.elementos.erase(in.e);
   s.de_que_tipo.erase(in.e);
-  s.mi_centro.erase(in.e);
   for_each_attribute([&](const auto& attribute) { (s.*attribute.component).erase(in.e); });
   s.tipos.clear();
   for (const auto& [e, t] : s.de_que_tipo) s.tipos.insert(t);
@@ -153,17 +153,20 @@ Answer perform_total(Escena& escena, const Op& in) {
 }  // namespace
 
 Addition specific(const Agregar_Elemento& in) {
-  const auto given = [&]<class Entry>(const Entry& required) -> const auto& {
-    const auto& input = required.input(in);
+  const auto given = [&](const auto& attribute) -> const auto& {
+    const auto& input = attribute.input(in);
     if (input) return *input;
-    throw std::invalid_argument(
-        fmt::format("Agregar_Elemento: {}? is absent", attribute_of<Entry::Denial::component>().word));
+    throw std::invalid_argument(fmt::format("Agregar_Elemento: {}? is absent", attribute.word));
   };
   return with_type(in.t, [&]<class Type>(std::type_identity<Type>) -> Addition {
-    // A type requires something of each input, in the order in which its schema declares them.
+    // A schema declares the centre first, of which it requires nothing, and then each input of which it does.
     return std::apply(
-        [&](const auto&... required) {
-          return typename Type::Addition{in.e, in.centro, given(required)...};
+        [&]<class... Entry>(const Entry&...) {
+          if constexpr (InputOf<decltype(attribute_of<&Escena::mi_centro>()), typename Type::Addition>)
+            return typename Type::Addition{in.e, given(attribute_of<&Escena::mi_centro>()),
+                                           given(attribute_of<Entry::Denial::component>())...};
+          else
+            return typename Type::Addition{in.e, given(attribute_of<Entry::Denial::component>())...};
         },
         Type::Addition::requirements);
   });

@@ -4,7 +4,8 @@ namespace durero::model {
 namespace {
 
 /// Agregar_Elemento_Total: Elemento_Ya_Existe ∨ (Radio_No_Positivo ∧ Con_Radio) ∨ (Proporcion_No_Positiva ∧
-/// Con_Proporcion) ∨ (Vector_No_Unitario ∧ Con_Vector) ∨ (Altura_No_Positiva ∧ Con_Altura).
+/// Con_Proporcion) ∨ (Vector_No_Unitario ∧ Con_Vector) ∨ (Altura_No_Positiva ∧ Con_Altura) ∨ (Vertices_Alineados ∧
+/// Con_Vertices).
 struct Agregar_Elemento_Total {
   Tipo t;
 

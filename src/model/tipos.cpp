@@ -55,6 +55,31 @@ bool Unitario::contains(const Vector& d) {
   return 1 - tolerance <= squared && squared <= 1 + tolerance;
 }
 
+Vertices::Vertices(const Terna& v) : v_(v) { contract::require(Vertices_inv_1, contains(v)); }
+
+bool Vertices::contains(const Terna& v) {
+  const auto coordinate = [](const Punto& p, int axis) { return p.xyz()[axis]; };
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    // Triage. Each difference errs by a relative u = 2⁻⁵³ at most, each product so by 3.1u, and the difference of the
+    // two by u more: in all less than 5u of the sum of their sizes, and less than 2⁻¹⁰⁷⁰ where something underflows.
+    // Where something overflows nothing is decided: ∞ and NaN are not greater than ∞ or NaN.
+    const double by = coordinate(v.b, j) - coordinate(v.a, j), bz = coordinate(v.b, k) - coordinate(v.a, k);
+    const double cy = coordinate(v.c, j) - coordinate(v.a, j), cz = coordinate(v.c, k) - coordinate(v.a, k);
+    const double forward = by * cz, backward = bz * cy;
+    if (std::abs(forward - backward) > 0x1p-50 * (std::abs(forward) + std::abs(backward)) + 0x1p-1060) return true;
+  }
+  // Exact.
+  const auto difference = [&](const Punto& p, int axis) {
+    return Rational(exact(coordinate(p, axis)) - exact(coordinate(v.a, axis)));
+  };
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    if (difference(v.b, j) * difference(v.c, k) != difference(v.b, k) * difference(v.c, j)) return true;
+  }
+  return false;
+}
+
 Rayo::Rayo(const Punto& p, const Vector& v) : p_(p), v_(v) {
   contract::require(Rayo_inv_1, !(v.x() == 0 && v.y() == 0 && v.z() == 0));
 }

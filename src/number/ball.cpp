@@ -5,7 +5,7 @@
 
 #include "number/binary64.hpp"
 
-// Magnitudes: a ball made from a Dyadic has middle 0 or in [1/2, 1). The formulas built on them are a few operations
+// Magnitudes: a ball made from a number has middle 0 or in [1/2, 1). The formulas built on them are a few operations
 // deep, so middles and radii stay far from overflow, and what is added stays far from underflow (see operator+).
 namespace durero::number {
 namespace {
@@ -29,12 +29,18 @@ Ball::Ball(const Dyadic& value) {
   exponent = magnitude.exponent + 64;
 }
 
+Ball::Ball(double value) {
+  int places = 0;
+  middle = std::frexp(value, &places);
+  exponent = places;
+}
+
 Ball operator+(const Ball& a, const Ball& b) {
   if (a.middle == 0 && a.radius == 0) return b;
   if (b.middle == 0 && b.radius == 0) return a;
   if (a.exponent < b.exponent) return b + a;
   const std::int64_t shift = a.exponent - b.exponent;
-  // Beyond 200 places b, whose middle and radius are less than 2⁸ each, is less than 2⁻¹⁹¹; a radius says so.
+  // Beyond 200 places b, whose middle and radius are less than 2⁹ each, is less than 2⁻¹⁹⁰; a radius says so.
   if (shift > 200) return {a.middle, above(a.radius + 0x1p-190), a.exponent};
   const double scale = std::ldexp(1.0, static_cast<int>(-shift));
   const double middle = a.middle + b.middle * scale;

@@ -2,13 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 namespace durero::oracle {
 namespace {
-
-using std::numbers::pi;
 
 constexpr std::size_t max_samples = std::size_t{1} << 24;
 
@@ -45,30 +42,26 @@ class Rings {
 
  private:
   struct Ring {
-    Circle circle;
+    double u;
     std::uint32_t first, last;
   };
 
-  /// Adds the circle at u, its samples at most δ apart, so an arc of at most δ/2 reaches one.
+  /// Adds the line of equal u, its samples at most δ apart, so an arc of at most δ/2 reaches one.
   void add(double u) {
-    const Circle circle = surface_.circle(u);
-    const double radius = circle.radius;
-    const std::size_t count = pieces(2 * pi * radius, delta_);
+    const std::size_t count = pieces(surface_.around(u), delta_);
     if (samples_.size() + count > max_samples) too_many();
     const std::size_t first = samples_.size();
     for (std::size_t i = 0; i < count; ++i) samples_.push_back(surface_.point(u, middle(i, count)));
-    rings_.push_back({circle, std::uint32_t(first), std::uint32_t(samples_.size())});
+    rings_.push_back({u, std::uint32_t(first), std::uint32_t(samples_.size())});
   }
 
-  /// The ball around the rings [first, last): its centre on the axis midway between the outermost of them.
+  /// The ball around the rings [first, last): its centre midway between the middles of the outermost of them.
   void add_balls(std::vector<Ball>& balls, std::size_t first, std::size_t last) const {
-    const double height = (rings_[first].circle.height + rings_[last - 1].circle.height) / 2;
+    const glm::dvec3 center = 0.5 * (surface_.middle(rings_[first].u) + surface_.middle(rings_[last - 1].u));
     double radius = 0;
-    for (std::size_t i = first; i < last; ++i)
-      radius = std::max(radius, std::hypot(rings_[i].circle.radius, rings_[i].circle.height - height));
+    for (std::size_t i = first; i < last; ++i) radius = std::max(radius, surface_.reach(rings_[i].u, center));
     const std::size_t ball = balls.size();
-    balls.push_back(
-        {surface_.on_axis(height), radius + surface_.rounding(), rings_[first].first, rings_[last - 1].last, 0});
+    balls.push_back({center, radius + surface_.rounding(), rings_[first].first, rings_[last - 1].last, 0});
     if (last - first == 1) return;
     const std::size_t half = (first + last) / 2;
     add_balls(balls, first, half);

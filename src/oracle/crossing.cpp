@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 
 namespace durero::oracle::sampled {
 namespace {
@@ -26,11 +25,9 @@ class Search {
  private:
   void visit(const Cell& cell) {
     if (verdict_ == Verdict::unsound) return;
-    // A path along the profile and then around the axis leads from the middle to any point of the cell. The radius
-    // changes along the profile by no more than the length of the path.
+    // A path along the profile and then around the axis leads from the middle to any point of the cell.
     const double along = surface_.length() * cell.half_u;
-    const double radius = std::min(surface_.widest(), surface_.circle(cell.u).radius + along);
-    const double around = 2 * std::numbers::pi * radius * cell.half_v;
+    const double around = surface_.around_within(cell.u, along) * cell.half_v;
     const double reach = along + around + slack_;
     const SurfacePoint middle = surface_.at(cell.u, cell.v);
     const double foot = line_.foot(middle.point);

@@ -105,7 +105,7 @@ void require_range(const Parametrisation& surface, const model::Elemento& e) {
                    fmt::format("lengths from {} to {}", least_length, greatest_length));
     }
   }
-  const glm::dvec3 center = surface.on_axis(0);
+  const glm::dvec3& center = surface.center();
   for (const double x : {center.x, center.y, center.z}) {
     if (std::abs(x) > greatest_length) {
       out_of_range(fmt::format("element {} has a coordinate of", e.name()), x,
@@ -132,14 +132,14 @@ double patch_about(const scene::Scene& scene, const glm::dvec3& centro) {
   double farthest = 0;
   scene.for_each([&](scene::ElementRef, const auto& shape) {
     const Parametrisation other = shape;
-    if (!other.is_patch()) farthest = std::max(farthest, glm::length(other.on_axis(0) - centro) + other.size());
+    if (!other.is_patch()) farthest = std::max(farthest, glm::length(other.center() - centro) + other.size());
   });
   return farthest == 0 ? Parametrisation::default_patch : std::min(patch_width * farthest, greatest_length);
 }
 
 /// Whether the point is one of a plane beyond its patch, which has no samples.
 bool beyond_patch(const Parametrisation& surface, const glm::dvec3& point, double slack) {
-  return surface.is_patch() && glm::length(point - surface.on_axis(0)) + slack > surface.widest();
+  return surface.is_patch() && glm::length(point - surface.center()) + slack > surface.widest();
 }
 
 bool names(const scene::Hit& claim, scene::ElementRef element) {
@@ -157,7 +157,8 @@ std::string_view name(Verdict verdict) noexcept {
 Oracle::Oracle(const scene::Scene& scene, double fineness) {
   elements_.reserve(scene.size());
   scene.for_each([&]<class Shape>(scene::ElementRef e, const Shape& shape) {
-    const double patch = std::is_same_v<Shape, scene::Plane> ? patch_about(scene, shape.centro) : 0;
+    double patch = 0;
+    if constexpr (std::is_same_v<Shape, scene::Plane>) patch = patch_about(scene, shape.centro);
     const Parametrisation surface(scene::ShapeView(shape), patch);
     require_range(surface, scene.name(e));
     elements_.push_back({e, surface, cover(surface, fineness)});

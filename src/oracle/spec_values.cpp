@@ -52,21 +52,29 @@ class Names {
 Name input(std::string_view word) { return {std::string(word), "?"}; }
 
 Value image(const model::Rmas& x) { return Real(x.value()); }
+Value image(const model::Punto& p) { return value(p); }
 Value image(const model::Vector& v) { return value(v); }
+Value image(const model::Vertices& v) { return value(v.terna()); }
 
 Value attribute_value(double x) { return Real(x); }
+Value attribute_value(const model::Punto& p) { return value(p); }
 Value attribute_value(const model::Vector& v) { return value(v); }
+Value attribute_value(const model::Terna& v) { return value(v); }
 /// The schema of each type declares the inputs of its own type; the sides of the disjunction for other types are false
 /// by t?, so what an absent attribute would be is of no account.
 Value attribute_value(const std::optional<double>& x) { return Real(x.value_or(1)); }
+Value attribute_value(const std::optional<model::Punto>& p) { return value(p.value_or(model::Punto(0, 0, 0))); }
 Value attribute_value(const std::optional<model::Vector>& v) { return value(v.value_or(model::Vector(1, 0, 0))); }
+Value attribute_value(const std::optional<model::Terna>& v) {
+  const model::Punto origin(0, 0, 0);
+  return value(v.value_or(model::Terna{origin, origin, origin}));
+}
 
 template <class Op>
 Named inputs_of(const Op& in) {
   Named named{{input("e"), value(in.e)}};
   if constexpr (requires { in.t; }) {
     named.emplace_back(input("t"), value(in.t));
-    named.emplace_back(input("centro"), value(in.centro));
     model::for_each_attribute([&](const auto& attribute) {
       if constexpr (requires { attribute.input(in); })
         named.emplace_back(input(attribute.word), attribute_value(attribute.input(in)));
@@ -93,6 +101,11 @@ Value value(const model::Punto& p) { return Value::point(xyz(), Real(p.x()), Rea
 
 Value value(const model::Vector& v) { return Value::point(xyz(), Real(v.x()), Real(v.y()), Real(v.z())); }
 
+Value value(const model::Terna& v) {
+  static const zed::Signature names = zed::signature({{"a", ""}, {"b", ""}, {"c", ""}});
+  return Value::binding(names, {value(v.a), value(v.b), value(v.c)});
+}
+
 Value value(const model::Rayo& rayo) {
   static const zed::Signature names = zed::signature({{"p", ""}, {"v", ""}});
   return Value::binding(names, {value(rayo.p()), value(rayo.v())});
@@ -106,11 +119,9 @@ Named components(const model::Escena& escena) {
   std::array<Value, model::tipo_count> of_tipo;  // one value each, however many elements are of the type
   for (std::size_t i = 0; i < of_tipo.size(); ++i) of_tipo[i] = value(static_cast<model::Tipo>(i));
   const auto tipo_value = [&](model::Tipo tipo) { return of_tipo[static_cast<std::size_t>(tipo)]; };
-  const auto punto = [](const model::Punto& p) { return value(p); };
   Named named{{{"elementos", ""}, Value::set(names.all())},
               {{"tipos", ""}, Value::set(std::move(tipos))},
-              {{"de_que_tipo", ""}, names.function(escena.de_que_tipo, tipo_value)},
-              {{"mi_centro", ""}, names.function(escena.mi_centro, punto)}};
+              {{"de_que_tipo", ""}, names.function(escena.de_que_tipo, tipo_value)}};
   model::for_each_attribute([&](const auto& attribute) {
     const auto of_each = [](const auto& x) { return image(x); };
     named.emplace_back(Name{"mi_" + std::string(attribute.word), ""},

@@ -20,9 +20,9 @@ model::Escena retrieve(const Scene& scene) {
       escena.elementos.insert(escena.elementos.end(), e);
       escena.tipos.insert(Shape::tipo);
       escena.de_que_tipo.emplace_hint(escena.de_que_tipo.end(), e, Shape::tipo);
-      for_each_attribute<Shape>([&](const auto& attribute) {
+      for_each_attribute<Shape>([&]<class Row>(const Row& attribute) {
         auto& component = escena.*attribute.component;
-        component.emplace_hint(component.end(), e, shape.*attribute.field);
+        component.emplace_hint(component.end(), e, input_of<typename Row::Input>(shape.*attribute.field));
       });
     });
   }

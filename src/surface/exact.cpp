@@ -41,7 +41,7 @@ bool earlier(const Crossing& a, const Crossing& b) {
 }  // namespace
 
 Reach reach(const scene::Scene& scene, scene::ElementRef e, const model::Rayo& rayo, Origin en) {
-  return scene.visit(e, [&](const auto& shape) { return reach(coefficients(shape, rayo, en.contains(e))); });
+  return scene.visit(e, [&](const auto& shape) { return reach(scene::ShapeView(shape), rayo, en.contains(e)); });
 }
 
 scene::Hit rounded_hit(const model::Rayo& rayo, const Parameter& t, scene::ElementSet elementos) {

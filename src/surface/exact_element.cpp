@@ -1,47 +1,134 @@
 #include "durero/surface/exact_element.hpp"
 
+#include <algorithm>
 #include <utility>
 
-#include "durero/surface/surfaces.hpp"
+#include "durero/number/ball.hpp"
+#include "surface/flat.hpp"
 
 namespace durero::surface::exact {
 namespace {
 
+using number::Ball;
 using number::shifted;
 using number::sign;
 using number::square;
 
-/// Where avance is the given height. Precondition: s1 ≠ 0.
-Parameter at_height(const Coefficients& f, const Dyadic& height) { return {.x = height - f.s0, .w = f.s1}; }
-
-/// A ray inside the surface: the part of it between the two clip planes.
-Reach reach_of_line(const Coefficients& f) {
-  if (!f.altura) return {.segment = Segment{}};
-  if (sign(f.s1) == 0) {
-    const bool inside = sign(f.s0) >= 0 && f.s0 <= *f.altura;
-    return inside ? Reach{.segment = Segment{}} : Reach{};
-  }
-  Parameter begin = at_height(f, 0);
-  Parameter end = at_height(f, *f.altura);
-  if (sign(f.s1) < 0) std::swap(begin, end);
-  if (number::sign(end) <= 0) return {};
-  if (number::sign(begin) <= 0) return {.segment = Segment{std::nullopt, std::move(end)}};
-  return {.segment = Segment{std::move(begin), std::move(end)}};
+/// A·t² + 2B·t + C with A ≤ 0, at the parameter: its sign.
+int sign_at(const Quadratic<Dyadic>& f, const Parameter& t) {
+  if (sign(f.A) == 0) return number::sign(number::linear(f.C, shifted(f.B, 1), t));
+  const Dyadic w = square(t.w);
+  return number::sign(
+      Parameter{.x = f.A * (square(t.x) + square(t.y) * t.delta) + shifted(f.B * t.x * t.w, 1) + f.C * w,
+                .y = shifted((f.A * t.x + f.B * t.w) * t.y, 1),
+                .delta = t.delta,
+                .w = w});
 }
 
-/// A potencia along a ray, as a quadratic: that of a plane is linear, and its A is 0.
-Quadratic<Dyadic> quadratic(Quadratic<Dyadic> power) { return power; }
-Quadratic<Dyadic> quadratic(const Linear<Dyadic>& power) { return {0, shifted(power.slope, -1), power.at_zero}; }
+/// A stretch of a line, which bounds make narrower.
+struct Stretch {
+  Segment segment{};
+  bool empty = false;
+
+  void from(const Parameter& t) {
+    if (number::sign(t) > 0 && (!segment.begin || order(*segment.begin, t) < 0)) segment.begin = t;
+  }
+  void to(const Parameter& t) {
+    if (!segment.end || order(t, *segment.end) < 0) segment.end = t;
+  }
+  /// Keeps where the bound is not negative.
+  void keep(const Quadratic<Dyadic>& bound) {
+    const Roots ends = roots({bound.A, bound.B, bound.C});
+    if (ends.count == 0) {
+      empty = empty || (!ends.every && sign(bound.C) < 0);
+      return;
+    }
+    const bool concave = sign(bound.A) != 0;
+    if (concave || sign(bound.B) > 0) from(ends.values().front());
+    if (concave || sign(bound.B) < 0) to(ends.values().back());
+  }
+  Reach reach() const {
+    if (empty || (segment.end && number::sign(*segment.end) <= 0)) return {};
+    if (!segment.begin || !segment.end) return {.segment = segment};
+    const auto way = order(*segment.begin, *segment.end);
+    if (way > 0) return {};
+    if (way == 0) return {.count = 1, .t = {*segment.begin}};
+    return {.segment = segment};
+  }
+};
+
+/// A ray inside the surface: the part of it that is within all bounds.
+Reach reach_of_line(const Coefficients& f) {
+  Stretch left;
+  if (f.altura) {
+    left.keep({0, shifted(f.s1, -1), f.s0});
+    left.keep({0, shifted(-f.s1, -1), *f.altura - f.s0});
+  }
+  for (const Quadratic<Dyadic>& bound : f.bounds) left.keep(bound);
+  return left.reach();
+}
 
 template <class Shape>
 Coefficients coefficients_of(const Shape& shape, const model::Rayo& rayo) {
   const auto w = along<Dyadic>(rayo);
-  auto [A, B, C] = quadratic(potencia(shape, w));
+  auto [A, B, C] = potencia(shape, w);
   if constexpr (Axial<Shape>) {
     const auto s = avance(shape, w);
     return {std::move(A), std::move(B), std::move(C), s.at_zero, s.slope, shape.altura};
   } else {
-    return {std::move(A), std::move(B), std::move(C), 0, 0, std::nullopt};
+    return {std::move(A), std::move(B), std::move(C)};
+  }
+}
+
+/// What bounds a flat element along a line in its plane. None of a plane.
+std::vector<Quadratic<Dyadic>> bounds_in_plane(const scene::Plane&, const model::Rayo&) { return {}; }
+
+std::vector<Quadratic<Dyadic>> bounds_in_plane(const scene::Disc& disc, const model::Rayo& rayo) {
+  const auto ball = squared_length(from(disc.centro, along<Dyadic>(rayo)));
+  return {{-ball.A, -ball.B, square(Dyadic(disc.radio)) - ball.C}};
+}
+
+/// The lados, at a + q + t·v. With the products of the edges, that of ab is e1²·(w·e2) − (e1·e2)(w·e1), that of ca
+/// e2²·(w·e1) − (e1·e2)(w·e2), and the three add up to e1²·e2² − (e1·e2)² (lado.def.1).
+std::vector<Quadratic<Dyadic>> bounds_in_plane(const scene::Triangle& triangle, const model::Rayo& rayo) {
+  const auto [e1, e2, q, v] = over_edges<Dyadic>(triangle, rayo);
+  const Dyadic e11 = dot(e1, e1), e12 = dot(e1, e2), e22 = dot(e2, e2);
+  const Linear<Dyadic> w1{dot(q, e1), dot(v, e1)}, w2{dot(q, e2), dot(v, e2)};
+  const auto less = [](const Linear<Dyadic>& a, const Linear<Dyadic>& b) {
+    return Linear<Dyadic>{a.at_zero - b.at_zero, a.slope - b.slope};
+  };
+  const Linear<Dyadic> ab = less(w2 * e11, w1 * e12), ca = less(w1 * e22, w2 * e12);
+  const Linear<Dyadic> bc = e11 * e22 - square(e12) - (ab + ca);
+  std::vector<Quadratic<Dyadic>> bounds;
+  for (const Linear<Dyadic>& lado : {ab, bc, ca}) bounds.push_back({0, shifted(lado.slope, -1), lado.at_zero});
+  return bounds;
+}
+
+/// The potencia of a flat element is linear, and its A is 0.
+template <Flat Shape>
+Coefficients coefficients_of(const Shape& shape, const model::Rayo& rayo) {
+  FlatCrossing<Dyadic> at = crossing<Dyadic>(shape, rayo);
+  Coefficients f{0, shifted(at.potencia.slope, -1), std::move(at.potencia.at_zero)};
+  if (sign(f.B) == 0) {
+    f.bounds = bounds_in_plane(shape, rayo);
+  } else {
+    for (Dyadic& margin : at.margins) f.bounds.push_back({0, 0, std::move(margin)});
+  }
+  return f;
+}
+
+/// Whether the line crosses the plane at no t > 0, or beside the element, by balls around the right numbers: most rays
+/// meet no flat element, and few come so near to one that its balls do not tell.
+template <class Shape>
+bool certainly_missed(const Shape& shape, const model::Rayo& rayo, bool on) {
+  if constexpr (Flat<Shape>) {
+    const FlatCrossing<Ball> at = crossing<Ball>(shape, rayo);
+    const int slope = at.potencia.slope.decided_sign();
+    if (slope == 0) return false;
+    return on || at.potencia.at_zero.decided_sign() == slope ||
+           std::any_of(at.margins.begin(), at.margins.end(), [](const Ball& b) { return b.decided_sign() < 0; });
+  } else {
+    return false;
   }
 }
 
@@ -51,6 +138,11 @@ Coefficients coefficients(scene::ShapeView view, const model::Rayo& rayo, bool o
   Coefficients f = view.visit([&](const auto& shape) { return coefficients_of(shape, rayo); });
   if (on) f.C = Dyadic();
   return f;
+}
+
+Reach reach(scene::ShapeView view, const model::Rayo& rayo, bool on) {
+  const bool missed = view.visit([&](const auto& shape) { return certainly_missed(shape, rayo, on); });
+  return missed ? Reach{} : reach(coefficients(view, rayo, on));
 }
 
 Roots roots(const Coefficients& f) {
@@ -74,9 +166,11 @@ Roots roots(const Coefficients& f) {
 }
 
 bool within_clip(const Coefficients& f, const Parameter& t) {
-  if (!f.altura) return true;
-  return number::sign(number::linear(f.s0, f.s1, t)) >= 0 &&
-         number::sign(number::linear(*f.altura - f.s0, -f.s1, t)) >= 0;
+  if (f.altura &&
+      (number::sign(number::linear(f.s0, f.s1, t)) < 0 || number::sign(number::linear(*f.altura - f.s0, -f.s1, t)) < 0))
+    return false;
+  return std::all_of(f.bounds.begin(), f.bounds.end(),
+                     [&](const Quadratic<Dyadic>& bound) { return sign_at(bound, t) >= 0; });
 }
 
 Reach reach(const Coefficients& f) {

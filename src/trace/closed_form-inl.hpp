@@ -67,11 +67,16 @@ HWY_INLINE Known<T> advance(const Quadratic<T>& f, const Root<T>& root) {
                                     (magnitude(f.s1) * 1.0000001) * root.error};
 }
 
-/// t > 0 and 0 ≤ avance ≤ altura.
+/// t > 0, and 0 ≤ avance ≤ altura or margin ≥ 0 where the element is so bounded.
 template <class T>
 HWY_INLINE Place<T> place(const Quadratic<T>& f, const Root<T>& root) {
   const Bound<T> t = leading(root.t);
   const Place<T> on_ray{(t < -root.error), (t > root.error)};
+  if (f.edged) {
+    const Truth<T> outside = on_ray.outside | (f.margin < -f.margin_error);
+    const Truth<T> inside = on_ray.inside & (f.margin > f.margin_error);
+    return {outside, inside};
+  }
   if (!f.bounded) return on_ray;
   const Known<T> s = advance(f, root);
   const Bound<T> below = leading(s.value), above = leading(T(T(f.altura) - s.value));

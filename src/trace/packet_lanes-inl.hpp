@@ -27,8 +27,12 @@ HWY_INLINE LaneRay rays(const Packet& packet, std::size_t at) {
 /// Their elements.
 template <model::Tipo tipo>
 HWY_INLINE LaneElement<tipo> element(const Packet& packet, std::size_t at) {
-  return {load(packet.centro, at), Lanes::load(&packet.radio[at]), Lanes::load(&packet.proporcion[at]),
-          load(packet.vector, at), Lanes::load(&packet.altura[at])};
+  return {load(packet.centro, at),
+          Lanes::load(&packet.radio[at]),
+          Lanes::load(&packet.proporcion[at]),
+          load(packet.vector, at),
+          Lanes::load(&packet.altura[at]),
+          {load(packet.vertices[0], at), load(packet.vertices[1], at), load(packet.vertices[2], at)}};
 }
 
 }  // namespace HWY_NAMESPACE

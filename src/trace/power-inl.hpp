@@ -48,6 +48,12 @@ HWY_INLINE Pair<R> product(const Pair<R>& a, R b) {
   return {high.hi, high.lo + a.lo * b};
 }
 
+template <class R>
+HWY_INLINE Pair<R> product(const Pair<R>& a, const Pair<R>& b) {
+  const Pair<R> high = two_prod(a.hi, b.hi);
+  return {high.hi, high.lo + (a.hi * b.lo + a.lo * b.hi)};
+}
+
 /// p + t·v − c along each axis, and W ≥ |p − centro| + |t·v|.
 template <class R>
 struct Place3 {

@@ -38,6 +38,8 @@
 #define DURERO_TRACE_QUADRATIC_INL_HPP_
 #endif
 
+#include <array>
+
 #include "trace/numbers-inl.hpp"
 #include "trace/steps.hpp"
 
@@ -52,9 +54,11 @@ struct Quadratic {
   T F{}, H{};  ///< D = F·H; both err by at most B_error
   Bound<T> A_error{}, B_error{}, C_error{};
   T s0{}, s1{};          ///< avance at t is s0 + t·s1
-  bool bounded = false;  ///< false for a sphere and a plane: no clip
+  bool bounded = false;  ///< by a stretch of its axis: 0 ≤ avance ≤ altura
   Bound<T> altura{};
   Bound<T> reach{}, speed{};  ///< |q| + altura and V: the bounds of avance and of its rate
+  bool edged = false;         ///< part of a plane, which the line crosses on or within its edge where margin ≥ 0
+  Bound<T> margin{}, margin_error{};  ///< the leading part of it, whose sign is its own, and the error of the whole
 };
 
 constexpr double coefficient_units = 64;
@@ -78,7 +82,9 @@ template <model::Tipo tipo>
 using Of = std::integral_constant<model::Tipo, tipo>;
 
 /// Whether the potencia of the shape is linear, so that its A is 0.
-constexpr bool is_linear(model::Tipo tipo) { return tipo == model::Tipo::soy_plano; }
+constexpr bool is_linear(model::Tipo tipo) {
+  return tipo == model::Tipo::soy_plano || tipo == model::Tipo::soy_disco || tipo == model::Tipo::soy_triangulo;
+}
 
 /// Rays and elements of one type in lanes, with the letters of the shapes of scene. What the type has not is 0.
 struct LaneRay {
@@ -92,6 +98,7 @@ struct LaneElement {
   Lanes radio, proporcion;
   Vec<Lanes> vector;
   Lanes altura;
+  std::array<Vec<Lanes>, 3> vertices;
 };
 
 /// What the shapes along an axis share.

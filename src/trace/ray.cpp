@@ -15,6 +15,7 @@ inline bool in_range(const glm::dvec3& a) {
   const bool x = in_range(a.x), y = in_range(a.y), z = in_range(a.z);
   return x & y & z;
 }
+inline bool in_range(const scene::Corners& v) { return in_range(v[0]) && in_range(v[1]) && in_range(v[2]); }
 
 double extent(const glm::dvec3& x) { return std::abs(x.x) + std::abs(x.y) + std::abs(x.z); }
 

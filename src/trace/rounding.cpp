@@ -46,7 +46,7 @@ void round_lanes(const Packet& packet, const Findings& findings, RoundedPacket& 
     const Lanes t = load(findings.t);
     const Improved<Lanes> better =
         newton<Lanes>({t, load(findings.error)}, {load(findings.at_root), load(findings.at_root_error)},
-                      {load(findings.A), load(findings.A_error)}, power(e, place_at(t, ray, e.centro)));
+                      {load(findings.A), load(findings.A_error)}, power_at(t, e, ray));
     const Once<Lanes> of_t = round_once(better.t, better.error);
     const Once<Lanes> x = round_coordinate(ray.p.x, ray.v.x, better.t, better.error);
     const Once<Lanes> y = round_coordinate(ray.p.y, ray.v.y, better.t, better.error);

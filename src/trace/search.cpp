@@ -47,7 +47,7 @@ Meeting meeting_of(const Element& element, const model::Rayo& rayo, const Ray& r
     if (second.verdict == Verdict::miss) return {.step = Step::stable};
     if (second.verdict == Verdict::hit) return point_of(Step::stable, second);
   }
-  return exact_meeting(reach(surface::exact::coefficients(element, rayo, on)));
+  return exact_meeting(surface::exact::reach(scene::ShapeView(element), rayo, on));
 }
 
 /// a is certainly less than b. The leading parts' difference is exact where it matters, where they are close; both

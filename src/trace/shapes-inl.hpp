@@ -9,8 +9,10 @@
 
 #include "trace/shape/cone-inl.hpp"
 #include "trace/shape/cylinder-inl.hpp"
+#include "trace/shape/disc-inl.hpp"
 #include "trace/shape/plane-inl.hpp"
 #include "trace/shape/sphere-inl.hpp"
+#include "trace/shape/triangle-inl.hpp"
 #include "trace/shape/truncated_cone-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -22,17 +24,23 @@ HWY_INLINE Quadratic<T> quadratic(const Element& element, const Ray& ray) {
   return quadratic_of<T>(Of<Element::tipo>(), element, ray);
 }
 
-template <class R, class Element>
-HWY_INLINE Power<R> power(const Element& element, const Place3<R>& q) {
-  return power_of<R>(Of<Element::tipo>(), element, q);
+/// potencia at p + t·v.
+template <class R, class Element, class Ray>
+HWY_INLINE Power<R> power_at(R t, const Element& element, const Ray& ray) {
+  const auto power = [&](const auto& from)
+                         HWY_ATTR { return power_of<R>(Of<Element::tipo>(), element, place_at(t, ray, from)); };
+  if constexpr (Element::tipo == model::Tipo::soy_triangulo)
+    return power(element.vertices[0]);
+  else
+    return power(element.centro);
 }
 
 /// The quadratic at t: potencia, less that at the origin where the ray starts on the element.
 template <class Element>
 HWY_INLINE Power<double> quadratic_at(double t, const Element& element, const Ray& ray, bool on) {
-  const Power<double> there = power(element, place_at(t, ray, element.centro));
+  const Power<double> there = power_at(t, element, ray);
   if (!on) return there;
-  const Power<double> here = power(element, place_at(0.0, ray, element.centro));
+  const Power<double> here = power_at(0.0, element, ray);
   return {difference(there.value, here.value), there.error + 2 * here.error};
 }
 

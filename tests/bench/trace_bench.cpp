@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <ctime>
+#include <glm/geometric.hpp>
 #include <string>
 #include <vector>
 
@@ -156,6 +157,15 @@ scene::TruncatedCone made(std::type_identity<scene::TruncatedCone>, const Parts&
   return {e.centro, e.radio / 2, e.radio / 2 / e.altura, e.axis, e.altura};
 }
 scene::Plane made(std::type_identity<scene::Plane>, const Parts& e) { return {e.centro, e.axis}; }
+scene::Disc made(std::type_identity<scene::Disc>, const Parts& e) { return {e.centro, e.radio, e.axis}; }
+/// Equilateral, with the radius of its corners that of the other shapes.
+scene::Triangle made(std::type_identity<scene::Triangle>, const Parts& e) {
+  const glm::dvec3 other = std::abs(e.axis.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  const glm::dvec3 across = glm::normalize(glm::cross(e.axis, other)), sideways = glm::cross(e.axis, across);
+  const auto corner = [&](double x, double y) { return e.centro + e.radio * (x * across + y * sideways); };
+  const double half_root3 = std::sqrt(3.0) / 2;
+  return {{corner(1, 0), corner(-0.5, half_root3), corner(-0.5, -half_root3)}};
+}
 
 template <class Shape>
 scene::Scene scene_of(std::type_identity<Shape> shape, std::size_t n) {

@@ -19,7 +19,7 @@ run 0 import scene.nff -o scene.json
 empty out
 empty err
 run 0 check scene.json
-has out '3 elementos: 1 esfera, 1 cilindro, 1 cono, 0 tronco, 0 plano'
+has out '3 elementos: 1 esfera, 1 cilindro, 1 cono, 0 tronco, 0 plano, 0 disco, 0 triangulo'
 run 0 export scene.json -o back.nff
 lines err 2
 has err 'durero: back.nff: 3 names of elements left out: NFF has none'
@@ -35,7 +35,7 @@ run 0 import more.nff -o more.json
 lines err 1
 has err 'durero: more.nff: 1 polygon left out: a scene has none'
 run 0 check more.json
-has out '2 elementos: 1 esfera, 0 cilindro, 0 cono, 1 tronco, 0 plano'
+has out '2 elementos: 1 esfera, 0 cilindro, 0 cono, 1 tronco, 0 plano, 0 disco, 0 triangulo'
 
 printf 's 0 0 0 1\ns 0 0 0 0\n' >bad.nff
 refused 'bad.nff:2:9: radio_no_positivo; expected radio? ∈ Rmas (Agregar_Esfera.pre.2)' import bad.nff -o bad.json

@@ -34,7 +34,7 @@ is out '{"line":2,"ok":true,"r":"esfera_agregada"}
 {"line":5,"ok":true,"r":"cono_eliminado"}'
 has out.json '"radio":1,"material":"red"}'
 run 0 check out.json
-has out '3 elementos: 2 esfera, 1 cilindro, 0 cono, 0 tronco, 0 plano'
+has out '3 elementos: 2 esfera, 1 cilindro, 0 cono, 0 tronco, 0 plano, 0 disco, 0 triangulo'
 
 # The operations of --op follow the script's lines; each may check whole predicates.
 run 1 edit scene.json --audit --script script --op 'Eliminar_Elemento e=c1' --op 'Eliminar_Elemento e=c1'

@@ -3,6 +3,7 @@
 /// has their letters), and how far a computed number is from it. A root is taken to 600 bits, which is exact for any
 /// bound.
 
+#include <algorithm>
 #include <variant>
 
 #include "durero/surface/exact_element.hpp"
@@ -54,8 +55,24 @@ inline Distances distances(const scene::TruncatedCone& e, const Exact_Vector& p,
   return {length((Dyadic(e.radio) + k * (Dyadic(e.altura) - s0)) * a + (k * s1) * b), length(cross(b, a))};
 }
 
-/// The line of a plane's quadratic has none.
+// The line of a flat shape's quadratic has none.
 inline Distances distances(const scene::Plane&, const Exact_Vector&, const Exact_Vector&) { return {}; }
+inline Distances distances(const scene::Disc&, const Exact_Vector&, const Exact_Vector&) { return {}; }
+inline Distances distances(const scene::Triangle&, const Exact_Vector&, const Exact_Vector&) { return {}; }
+
+/// How far within its edge the line crosses a bounded flat shape, as the headers of trace/shape have it.
+inline Dyadic margin(const scene::Disc& e, const Exact_Vector& p, const Exact_Vector& v) {
+  const Exact_Vector q = p - Exact_Vector(e.centro), d(e.vector);
+  const Dyadic s0 = dot(q, d), s1 = dot(v, d);
+  return Dyadic(e.radio) * magnitude(s1) - length(s1 * q - s0 * v);
+}
+inline Dyadic margin(const scene::Triangle& e, const Exact_Vector& p, const Exact_Vector& v) {
+  const Exact_Vector a(e.vertices[0]), e1 = Exact_Vector(e.vertices[1]) - a, e2 = Exact_Vector(e.vertices[2]) - a;
+  const Exact_Vector q = p - a, v_e2 = cross(v, e2), q_e1 = cross(q, e1);
+  const Dyadic det = dot(e1, v_e2), ca = dot(q, v_e2), ab = dot(v, q_e1);
+  const Dyadic side = number::sign(det) < 0 ? -1 : 1;
+  return std::min({side * ab, side * (det - ca - ab), side * ca});
+}
 
 /// The coefficients are those of the exact step; S = √D, or 0 where D is negative.
 struct Exact : surface::exact::Coefficients {

@@ -57,8 +57,9 @@ class Measurement {
     note(step, "F", ratio(exact(f.F) - exact_.F, f.B_error));
     note(step, "H", ratio(exact(f.H) - exact_.H, f.B_error));
     if constexpr (steps::is_linear(Shape::tipo)) {
-      if (steps::magnitude(f.B) > 2 * f.B_error)
-        parameter(step, f, steps::root_of_linear(f), {-exact_.C, shifted(exact_.B, 1)});
+      if (!(steps::magnitude(f.B) > 2 * f.B_error)) return;
+      parameter(step, f, steps::root_of_linear(f), {-exact_.C, shifted(exact_.B, 1)});
+      if (f.edged) note(step, "margin", ratio(error_of_margin(f), f.margin_error));
       return;
     }
     const bool A_known = steps::magnitude(f.A) > 2 * f.A_error;
@@ -78,6 +79,18 @@ class Measurement {
       if (A_known) parameter(step, f, steps::quotient(sum.q.value, sum.q.error, f.A, f.A_error), {q, exact_.A});
       parameter(step, f, steps::quotient(f.C, f.C_error, sum.q.value, sum.q.error), {exact_.C, q});
     }
+  }
+
+  /// Less what it errs by as it is cut to a leading part, which keeps its sign. Precondition: the sign of B is certain,
+  /// as margin is measured by it.
+  template <class T>
+  Dyadic error_of_margin(const steps::Quadratic<T>& f) const {
+    const Exact_Vector p(rayo_.p().xyz()), v(rayo_.v().xyz());
+    const Dyadic cut = std::is_same_v<T, double> ? 0 : shifted(magnitude(Dyadic(f.margin)), -53);
+    if constexpr (requires { margin(shape_, p, v); })
+      return std::max(magnitude(Dyadic(f.margin) - margin(shape_, p, v)) - cut, Dyadic());
+    else
+      return {};
   }
 
   /// A root, and the advance at it.

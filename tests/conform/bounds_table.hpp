@@ -44,16 +44,20 @@ class Table {
   std::map<Quantity, std::array<Worst, scene::shape_count>> rows_;
 };
 
+/// visit(x) for each number of what a table stores of an attribute.
+template <class Stored, class Visit>
+void for_each_coordinate(Stored& stored, Visit visit) {
+  if constexpr (std::is_same_v<std::remove_const_t<Stored>, double>) {
+    visit(stored);
+  } else {
+    for (int i = 0; i < 3; ++i) for_each_coordinate(stored[i], visit);
+  }
+}
+
 /// visit(x) for each number of a case, in order: those of its element by the table of attributes, p and v.
 template <class Case, class Visit>
 void for_each_number(Case& specimen, Visit visit) {
-  const auto take = [&](auto& stored) {
-    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(stored)>, double>) {
-      visit(stored);
-    } else {
-      for (int i = 0; i < 3; ++i) visit(stored[i]);
-    }
-  };
+  const auto take = [&](auto& stored) { for_each_coordinate(stored, visit); };
   std::visit(
       [&]<class Shape>(Shape& shape) {
         scene::for_each_attribute<std::remove_const_t<Shape>>(

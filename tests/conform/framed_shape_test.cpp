@@ -1,9 +1,11 @@
 #include "conform/framed_shape.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <set>
 
+#include "conform/surface_point.hpp"
 #include "durero/scene/scene.hpp"
 #include "durero/surface/surfaces.hpp"
 #include "support/catch.hpp"
@@ -45,10 +47,12 @@ Place place(const FramedShape& framed, const glm::dvec3& w) {
 TEST_CASE("the points of a lattice shape lie on it exactly, those of a tilted one nearly") {
   for_shapes([](Random& random, const FramedShape& shape) {
     const double size = glm::length(shape.centro) + shape.radius() + shape.altura;
+    // The potencia of a triangle is a volume.
+    const double scale = shape.tipo == Tipo::soy_triangulo ? 1000 * size * size : size * size;
     for (const SurfacePoint& at : {surface_point(random, shape), rim_point(random, shape)}) {
       const double power = place(shape, at.position).potencia;
       if (shape.lattice) CHECK(power == 0);
-      CHECK(std::abs(power) <= 0x1p-40 * size * size);
+      CHECK(std::abs(power) <= 0x1p-40 * scale);
     }
   });
 }
@@ -64,6 +68,47 @@ TEST_CASE("a rim point is at an end of the axis, and a surface point between the
     const glm::dvec3 along = whole_generator(shape, at);
     CHECK(place(shape, at.position + along).avance == between + shape.altura);
     CHECK(place(shape, at.position + along).potencia == 0);
+  });
+}
+
+TEST_CASE("a rim point of a disc is at its rim, and a surface point within") {
+  Random random(1);
+  for (int i = 0; i < 200; ++i) {
+    const FramedShape disc = lattice_shape(random, Tipo::soy_disco);
+    const glm::dvec3 rim = rim_point(random, disc).position, within = surface_point(random, disc).position;
+    CHECK(glm::dot(rim - disc.centro, rim - disc.centro) == disc.radio * disc.radio);
+    CHECK(glm::dot(within - disc.centro, within - disc.centro) < disc.radio * disc.radio);
+  }
+}
+
+TEST_CASE("a rim point of a triangle is a vertex or at an edge, and a surface point within") {
+  Random random(1);
+  std::size_t at_vertices = 0;
+  for (int i = 0; i < 200; ++i) {
+    const FramedShape shape = lattice_shape(random, Tipo::soy_triangulo);
+    const auto least_lado = [&](const glm::dvec3& w) {
+      double least = HUGE_VAL;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec3 &a = shape.vertices[k], &b = shape.vertices[(k + 1) % 3];
+        least = std::min(least, glm::dot(glm::cross(b - a, w - a), shape.d));
+      }
+      return least;
+    };
+    const glm::dvec3 rim = rim_point(random, shape).position;
+    CHECK(least_lado(rim) == 0);
+    CHECK(least_lado(surface_point(random, shape).position) > 0);
+    at_vertices += std::find(shape.vertices.begin(), shape.vertices.end(), rim) != shape.vertices.end();
+  }
+  CHECK(at_vertices > 10);
+  CHECK(at_vertices < 60);
+}
+
+TEST_CASE("across a flat shape's normal, exactly") {
+  for_shapes([](Random& random, const FramedShape& shape) {
+    if (!is_flat(shape.tipo) || (shape.tipo == Tipo::soy_triangulo && !shape.lattice)) return;
+    const glm::dvec3 w = perpendicular_vector(random, shape);
+    CHECK(w != glm::dvec3(0));
+    CHECK(glm::dot(w, shape.d) == 0);
   });
 }
 
@@ -101,9 +146,9 @@ TEST_CASE("any type is drawn, and any that has an axis") {
   CHECK(axial == std::set{Tipo::soy_cilindro, Tipo::soy_cono, Tipo::soy_tronco});
   CHECK_FALSE(is_axial(Tipo::soy_esfera));
   CHECK_FALSE(is_axial(Tipo::soy_plano));
-  CHECK(is_flat(Tipo::soy_plano));
+  for (const Tipo flat : {Tipo::soy_plano, Tipo::soy_disco, Tipo::soy_triangulo}) CHECK(is_flat(flat));
   CHECK_FALSE(is_flat(Tipo::soy_cilindro));
-  CHECK(any_flat_type(random) == Tipo::soy_plano);
+  CHECK(any_unbounded_type(random) == Tipo::soy_plano);
 }
 
 TEST_CASE("a scaled shape is the same one at another scale") {
@@ -114,5 +159,6 @@ TEST_CASE("a scaled shape is the same one at another scale") {
     CHECK(again.centro == shape.centro);
     CHECK(again.radius() == shape.radius());
     CHECK(again.altura == shape.altura);
+    CHECK(again.vertices == shape.vertices);
   });
 }

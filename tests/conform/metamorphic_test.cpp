@@ -54,6 +54,10 @@ scene::Scene changed(const scene::Scene& of, const Change& by) {
     add(made, scene::Cone{by.point(c.centro), c.proporcion, by.axis(c.vector), by.length(c.altura)});
   for (const scene::Plane& c : of.shapes<scene::Plane>())
     add(made, scene::Plane{by.point(c.centro), by.axis(c.vector)});
+  for (const scene::Disc& c : of.shapes<scene::Disc>())
+    add(made, scene::Disc{by.point(c.centro), by.length(c.radio), by.axis(c.vector)});
+  for (const auto& [vertices] : of.shapes<scene::Triangle>())
+    add(made, scene::Triangle{{by.point(vertices[0]), by.point(vertices[1]), by.point(vertices[2])}});
   for (const scene::TruncatedCone& c : of.shapes<scene::TruncatedCone>())
     add(made, scene::TruncatedCone{by.point(c.centro), by.length(c.radio), c.proporcion, by.axis(c.vector),
                                    by.length(c.altura)});
@@ -126,6 +130,17 @@ surface::exact::Coefficients coefficients_of(const scene::Scene& scene, scene::E
 using Order = std::array<int, 3>;
 constexpr std::array<Order, 6> orders{{{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
 
+scene::Scene with_vertices_in_order(const scene::Scene& of, const Order& order) {
+  scene::Scene other;
+  of.for_each([&]<class Shape>(scene::ElementRef, const Shape& shape) {
+    Shape copy = shape;
+    if constexpr (std::is_same_v<Shape, scene::Triangle>)
+      for (std::size_t i = 0; i < 3; ++i) copy.vertices[i] = shape.vertices[static_cast<std::size_t>(order[i])];
+    add(other, copy);
+  });
+  return other;
+}
+
 }  // namespace
 
 TEST_CASE("every length times 2^k: the same t, the point times 2^k") {
@@ -160,6 +175,24 @@ TEST_CASE("coordinates negated: the point's coordinates negated") {
           const auto negate = [x, y, z](const glm::dvec3& v) { return glm::dvec3(x * v.x, y * v.y, z * v.z); };
           return Change{same, negate, negate, negate, same};
         }) > 9000);
+}
+
+TEST_CASE("the vertices of a triangle in another order: the same hits") {
+  std::size_t compared = 0;
+  for (const char* name : {"edge", "sliver", "coplanar"}) {
+    for (std::uint64_t seed = 0; seed < 30; ++seed) {
+      const Case made = generate(*conform::find_family(name), seed, 40);
+      const scene::Scene other = with_vertices_in_order(made.scene, orders[seed % orders.size()]);
+      for (const scene::Query& ray : made.rays) {
+        const scene::Hit hit = surface::exact::first_hit(made.scene, ray.rayo, ray.en);
+        ++compared;
+        INFO(name << ", seed " << seed << ": " << text(ray));
+        CHECK(identical(surface::exact::first_hit(other, ray.rayo, ray.en), hit));
+        CHECK(identical(trace::first_hit(other, ray.rayo, ray.en), hit));
+      }
+    }
+  }
+  CHECK(compared > 3000);
 }
 
 TEST_CASE("the opposite ray from beyond meets the same points in the opposite order") {

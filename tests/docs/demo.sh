@@ -5,7 +5,7 @@ durero=$1 root=$2
 tmp=$(mktemp -d) && trap 'rm -rf "$tmp"' EXIT
 sh "$root/demo/demo.sh" "$durero" "$root/demo" "$tmp" >"$tmp/said"
 cat "$tmp/said"
-for wanted in 'done     esfera_agregada' 'refused  Agregar_Elemento.pre.1: e? ∉ elementos' 'unexplained: 0' '8 of 8'; do
+for wanted in 'done     esfera_agregada' 'refused  Agregar_Elemento.pre.1: e? ∉ elementos' 'unexplained: 0' '9 of 9'; do
   grep -qF "$wanted" "$tmp/said" || { echo "the demonstration does not say: $wanted"; exit 1; }
 done
 [ "$(wc -l <"$tmp/said")" -le 24 ] || { echo "the summary does not fit 24 lines"; exit 1; }

@@ -117,14 +117,33 @@ TEST_CASE("An addition as text reads back with the same numbers") {
   });
 }
 
+TEST_CASE("Three points are read in either syntax") {
+  const glm::dvec3 a{1, -2, 0.5}, b{3, 0, 0}, c{0, 0, 1e-300};
+  for (const std::string text :
+       {"Agregar_Triangulo e?=t vertices?=((1,-2,0.5),(3,0,0),(0,0,1e-300))",
+        "Agregar_Triangulo e=t vertices=( ( 1 , -2 ,0.5) , (3,0,0) ,(0,0,1e-300) )",
+        R"({"op":"Agregar_Triangulo","e":"t","vertices":[[1,-2,0.5],[3,0,0],[0,0,1e-300]]})"}) {
+    const auto edits = io::read_operations(io::Source("f", text), {});
+    REQUIRE(edits.size() == 1U);
+    const auto& read = std::get<model::Agregar_Triangulo>(edits[0].edit.operation);
+    CHECK(read.vertices == model::Terna{model::Punto(a), model::Punto(b), model::Punto(c)});
+  }
+  const auto edits = io::read_operations(
+      io::Source("f", "Agregar_Elemento e?=t t?=soy_triangulo vertices?=((0,0,0),(1,0,0),(0,1,0))"), {});
+  const auto& general = std::get<model::Agregar_Elemento>(edits[0].edit.operation);
+  CHECK_FALSE(general.centro);
+  CHECK(general.vertices->b == model::Punto(1, 0, 0));
+}
+
 TEST_CASE("A malformed operation is an error with its place") {
   using Case = std::pair<std::string, std::string>;
   const Case cases[] = {
       {"\n ^Agregar e?=a",
        "unknown operation \"Agregar\"; expected one of Agregar_Esfera, Agregar_Cilindro, Agregar_Cono, "
-       "Agregar_Tronco, Agregar_Plano, Agregar_Elemento, Eliminar_Esfera, Eliminar_Cilindro, Eliminar_Cono, "
+       "Agregar_Tronco, Agregar_Plano, Agregar_Disco, Agregar_Triangulo, Agregar_Elemento, Eliminar_Esfera, "
+       "Eliminar_Cilindro, Eliminar_Cono, "
        "Eliminar_Tronco, "
-       "Eliminar_Plano, Eliminar_Elemento"},
+       "Eliminar_Plano, Eliminar_Disco, Eliminar_Triangulo, Eliminar_Elemento"},
       {"^Agregar_Esfera e?=a radio?=1", "Agregar_Esfera lacks centro?; expected it"},
       {"Eliminar_Esfera e?=a ^radio?=1", "unknown input \"radio\" of Eliminar_Esfera; expected one of e"},
       {"Agregar_Esfera e?=a ^t?=soy_esfera centro?=(0,0,0) radio?=1",
@@ -150,7 +169,25 @@ TEST_CASE("A malformed operation is an error with its place") {
       {"^Agregar_Elemento e?=a t?=soy_cono centro?=(0,0,0) radio?=1",
        "Agregar_Elemento lacks proporcion?; expected it"},
       {"Agregar_Elemento e?=a t?=^cono centro?=(0,0,0) radio?=1",
-       "t? is \"cono\"; expected one of soy_esfera, soy_cilindro, soy_cono, soy_tronco, soy_plano"},
+       "t? is \"cono\"; expected one of soy_esfera, soy_cilindro, soy_cono, soy_tronco, soy_plano, soy_disco, "
+       "soy_triangulo"},
+      {"Agregar_Triangulo e?=a vertices?=^(0,0,0)",
+       "vertices? is no triple of points; expected ((x,y,z),(x,y,z),(x,y,z)), or [[x,y,z],[x,y,z],[x,y,z]] in JSON"},
+      {"Agregar_Triangulo e?=a vertices?=((0,0,0),(1,0,0)^)",
+       "\")\" stands here; expected , in ((x,y,z),(x,y,z),(x,y,z))"},
+      {"Agregar_Triangulo e?=a vertices?=((0,0,0),(1,0,0),(0,1,0)^,(1,1,1))",
+       "\",\" stands here; expected ) after ((x,y,z),(x,y,z),(x,y,z)"},
+      {"Agregar_Triangulo e?=a vertices?=((0,0,0),^1,(0,1,0))",
+       "\"1\" stands here; expected ( in ((x,y,z),(x,y,z),(x,y,z))"},
+      {"Agregar_Esfera e?=a centro?=^((0,0,0),(1,0,0),(0,1,0)) radio?=1",
+       "centro? is no triple; expected (x,y,z), or [x,y,z] in JSON"},
+      {"^Agregar_Elemento e?=a t?=soy_triangulo centro?=(0,0,0)", "Agregar_Elemento lacks vertices?; expected it"},
+      {R"({"op":"Agregar_Triangulo","e":"a","vertices":[[0,0,0],[1,0,0],^3]})",
+       "vertices is a number; expected an array"},
+      {R"({"op":"Agregar_Triangulo","e":"a","vertices":^[[0,0,0],[1,0,0]]})",
+       "vertices has 2 items; expected three points"},
+      {R"({"op":"Agregar_Triangulo","e":"a","vertices":[[0,0,0],[1,0,0],[0,1,0],^[2,2,2]]})",
+       "vertices has a fourth item; expected three points"},
       {"^{\"e\":\"a\"}", "key \"op\" is missing; expected the name of an operation"},
       {"{\"op\":^3}", "op is a number; expected a string"},
       {"{\"op\":\"Eliminar_Esfera\",^\"op\":\"Eliminar_Esfera\"}", "key \"op\" stands twice; expected it once"},

@@ -29,13 +29,23 @@ inline glm::dvec3 any_axis() {
 
 inline model::Operation any_addition(model::Elemento e) {
   const model::Punto centro{any_triple()};
-  switch (*rc::gen::inRange(0, 5)) {
+  switch (*rc::gen::inRange(0, 7)) {
     case 0:
       return model::Agregar_Esfera{std::move(e), centro, any_positive()};
     case 1:
       return model::Agregar_Cilindro{std::move(e), centro, any_positive(), model::Vector{any_axis()}, any_positive()};
     case 2:
       return model::Agregar_Plano{std::move(e), centro, model::Vector{any_axis()}};
+    case 5: {
+      const double radio = any_positive();
+      return model::Agregar_Disco{std::move(e), centro, radio, model::Vector{any_axis()}};
+    }
+    case 6: {
+      const glm::dvec3 b = any_triple();
+      const model::Terna v{centro, model::Punto{b}, model::Punto{any_triple()}};
+      if (model::Vertices::contains(v)) return model::Agregar_Triangulo{std::move(e), v};
+      return model::Agregar_Triangulo{std::move(e), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+    }
     case 3:
       return model::Agregar_Cono{std::move(e), centro, any_positive(), model::Vector{any_axis()}, any_positive()};
     default: {
@@ -87,10 +97,13 @@ inline std::map<std::string, std::string> described(const scene::Scene& scene) {
   scene.for_each([&]<class Shape>(scene::ElementRef element, const Shape& shape) {
     std::string text(Shape::word);
     const auto add = [&](double x) { text += ' ' + std::to_string(std::bit_cast<std::uint64_t>(x)); };
+    const auto add_triple = [&](const glm::dvec3& v) { add(v.x), add(v.y), add(v.z); };
     scene::for_each_attribute<Shape>([&](const auto& attribute) {
       const auto& value = shape.*attribute.field;
       if constexpr (requires { value.x; }) {
-        add(value.x), add(value.y), add(value.z);
+        add_triple(value);
+      } else if constexpr (requires { value.size(); }) {
+        for (const glm::dvec3& v : value) add_triple(v);
       } else {
         add(value);
       }

@@ -36,9 +36,11 @@ TEST_CASE("elementos' = elementos ∪ { e? }") {
             nuevo, [](Escena& s) { s.elementos.insert(nuevo); }, added) == holds);
   CHECK(after(esfera, nothing, added) == holds);
   CHECK(after(nuevo, nothing, added) == fails);
-  CHECK(after(
-            nuevo, [](Escena& s) { s.elementos = {cilindro, cono, tronco, plano, nuevo, Elemento("other")}; }, added) ==
-        seen_by_the_whole);
+  CHECK(
+      after(
+          nuevo,
+          [](Escena& s) { s.elementos = {cilindro, cono, tronco, plano, disco, triangulo, nuevo, Elemento("other")}; },
+          added) == seen_by_the_whole);
 }
 
 TEST_CASE("elementos' = elementos ∖ { e? }") {
@@ -48,11 +50,8 @@ TEST_CASE("elementos' = elementos ∖ { e? }") {
   CHECK(after(nuevo, nothing, removed) == holds);
   CHECK(after(esfera, nothing, removed) == fails);
   CHECK(after(
-            esfera,
-            [](Escena& s) {
-              s.elementos = {cilindro, tronco, plano, nuevo};
-            },
-            removed) == seen_by_the_whole);
+            esfera, [](Escena& s) { s.elementos = {cilindro, tronco, plano, disco, triangulo, nuevo}; }, removed) ==
+        seen_by_the_whole);
 }
 
 TEST_CASE("c' = c ∪ { e? ↦ x }") {
@@ -73,6 +72,15 @@ TEST_CASE("c' = c ∪ { e? ↦ x }") {
   // Another value at e?: the union is no function, and the size alone does not tell.
   CHECK(after(
             esfera, [](Escena& s) { s.mi_radio.at(esfera) = Rmas(2); }, with_radius(2)) == seen_by_the_whole);
+}
+
+TEST_CASE("c' = c ∪ { e? ↦ x }, of three points") {
+  const auto with_corners = [](const Delta& d) { return d.with(&Escena::mi_vertices, corners); };
+  CHECK(after(
+            nuevo, [](Escena& s) { s.mi_vertices.emplace(nuevo, corners); }, with_corners) == holds);
+  CHECK(after(
+            nuevo, [](Escena& s) { s.mi_vertices.emplace(nuevo, other_corners); }, with_corners) == fails);
+  CHECK(after(nuevo, nothing, with_corners) == fails);
 }
 
 TEST_CASE("c' = { e? } ⩤ c") {

@@ -29,18 +29,19 @@ Labels invariants_broken(const Elemento& e, Spoil&& spoil) {
 }  // namespace
 
 TEST_CASE("Escena.inv.1: the elements are those that have a type") {
-  CHECK(invariants_broken(nuevo, [](Escena& s) {
-          s.elementos.insert(nuevo);
-          s.mi_centro.emplace(nuevo, origin);
-        }) == Labels{"Escena.inv.1"});
+  CHECK(invariants_broken(nuevo, [](Escena& s) { s.elementos.insert(nuevo); }) == Labels{"Escena.inv.1"});
 }
 
-TEST_CASE("Escena.inv.2: the elements are those that have a centre") {
+TEST_CASE("Escena.inv.2: all but triangles have a centre, and no others") {
+  CHECK(invariants_broken(disco, [](Escena& s) { s.mi_centro.erase(disco); }) == Labels{"Escena.inv.2"});
+  CHECK(invariants_broken(triangulo, [](Escena& s) { s.mi_centro.emplace(triangulo, far); }) == Labels{"Escena.inv.2"});
   CHECK(invariants_broken(esfera, [](Escena& s) { s.mi_centro.erase(esfera); }) == Labels{"Escena.inv.2"});
   CHECK(invariants_broken(nuevo, [](Escena& s) { s.mi_centro.emplace(nuevo, far); }) == Labels{"Escena.inv.2"});
 }
 
-TEST_CASE("Escena.inv.3: spheres, cylinders and truncated cones have a radius, and no others") {
+TEST_CASE("Escena.inv.3: spheres, cylinders, truncated cones and discs have a radius, and no others") {
+  CHECK(invariants_broken(disco, [](Escena& s) { s.mi_radio.erase(disco); }) == Labels{"Escena.inv.3"});
+  CHECK(invariants_broken(triangulo, [](Escena& s) { s.mi_radio.emplace(triangulo, 1); }) == Labels{"Escena.inv.3"});
   CHECK(invariants_broken(esfera, [](Escena& s) { s.mi_radio.erase(esfera); }) == Labels{"Escena.inv.3"});
   CHECK(invariants_broken(cilindro, [](Escena& s) { s.mi_radio.erase(cilindro); }) == Labels{"Escena.inv.3"});
   CHECK(invariants_broken(cono, [](Escena& s) { s.mi_radio.emplace(cono, 1); }) == Labels{"Escena.inv.3"});
@@ -48,7 +49,8 @@ TEST_CASE("Escena.inv.3: spheres, cylinders and truncated cones have a radius, a
   CHECK(invariants_broken(plano, [](Escena& s) { s.mi_radio.emplace(plano, 1); }) == Labels{"Escena.inv.3"});
 }
 
-TEST_CASE("Escena.inv.4: cylinders, cones, truncated cones and planes have an axis, and no others") {
+TEST_CASE("Escena.inv.4: cylinders, cones, truncated cones, planes and discs have an axis, and no others") {
+  CHECK(invariants_broken(disco, [](Escena& s) { s.mi_vector.erase(disco); }) == Labels{"Escena.inv.4"});
   CHECK(invariants_broken(cilindro, [](Escena& s) { s.mi_vector.erase(cilindro); }) == Labels{"Escena.inv.4"});
   CHECK(invariants_broken(esfera, [](Escena& s) { s.mi_vector.emplace(esfera, axis); }) == Labels{"Escena.inv.4"});
   CHECK(invariants_broken(tronco, [](Escena& s) { s.mi_vector.erase(tronco); }) == Labels{"Escena.inv.4"});
@@ -78,6 +80,11 @@ TEST_CASE("Escena.inv.7: the types are those of the elements") {
 
 TEST_CASE("Escena.inv.8: the axes are unit vectors") {
   CHECK(invariants_broken(cono, [](Escena& s) { s.mi_vector.at(cono) = not_unit; }) == Labels{"Escena.inv.8"});
+}
+
+TEST_CASE("Escena.inv.9: triangles have vertices, and no others") {
+  CHECK(invariants_broken(triangulo, [](Escena& s) { s.mi_vertices.erase(triangulo); }) == Labels{"Escena.inv.9"});
+  CHECK(invariants_broken(plano, [](Escena& s) { s.mi_vertices.emplace(plano, corners); }) == Labels{"Escena.inv.9"});
 }
 
 TEST_CASE("Init.post.1: the first scene is empty") {

@@ -104,6 +104,8 @@ TEST_CASE("potencia.def.1: the choice by type") {
   CHECK(potencia(s, cono, w) == potencia_cono(w, origin, Rmas(0.5), axis, Rmas(3)));
   CHECK(potencia(s, tronco, w) == potencia_tronco(w, origin, Rmas(1), Rmas(0.5), axis, Rmas(3)));
   CHECK(potencia(s, plano, w) == potencia_plano(w, origin, axis));
+  CHECK(potencia(s, disco, w) == potencia_plano(w, origin, axis));
+  CHECK(potencia(s, triangulo, w) == potencia_triangulo(w, corners));
   CHECK_THROWS_AS(potencia(s, nuevo, w), std::out_of_range);
 }
 
@@ -116,6 +118,57 @@ TEST_CASE("tramo.def.1: a bounded element keeps its stretch of the axis") {
     CHECK_FALSE(tramo(s, e).contains(Punto(7, 8, 3.5)));
     CHECK_FALSE(tramo(s, e).contains(Punto(7, 8, -0.5)));
   }
+}
+
+TEST_CASE("tramo.def.1: a disc keeps its ball, a triangle its prism") {
+  const Escena s = one_of_each();
+  CHECK(tramo(s, plano).contains(Punto(7, 8, 9)));
+  CHECK(tramo(s, disco).contains(Punto(0, 0, -1)));
+  CHECK_FALSE(tramo(s, disco).contains(Punto(0, 0, 1 + 0x1p-52)));
+  CHECK_FALSE(tramo(s, disco).contains(Punto(0.75, 0.75, 0)));
+  CHECK(tramo(s, triangulo).contains(Punto(2, 2, -9)));
+  CHECK(tramo(s, triangulo).contains(Punto(0, 0, 9)));
+  CHECK_FALSE(tramo(s, triangulo).contains(Punto(2 + 0x1p-51, 2, 0)));
+  CHECK_FALSE(tramo(s, triangulo).contains(Punto(-0x1p-1074, 1, 0)));
+  CHECK_FALSE(tramo(s, triangulo).contains(Punto(1, -0x1p-1074, 0)));
+  CHECK_THROWS_AS(tramo(s, nuevo), std::out_of_range);
+}
+
+TEST_CASE("alcance: in its plane a flat element is met in a segment, a point or nothing") {
+  const Escena s = one_of_each();
+  const auto of = [&](const Elemento& e, const Punto& p, const Vector& v, const Names& en = {}) {
+    return alcance(s, Rayo(p, v), en, e).parameters;
+  };
+  const Surd half_root3(0, Rational(1, 2), 3);
+  const Parameters chord = of(disco, Punto(-2, 0.5, 0), Vector(1, 0, 0));
+  REQUIRE(chord.interval);
+  CHECK(chord.minimum() == Surd(2) - half_root3);
+  CHECK(chord.contains(Surd(2) + half_root3));
+  CHECK_FALSE(chord.contains(Surd(2) + half_root3 + Surd(0x1p-300)));
+  const Parameters touch = of(disco, Punto(-2, 1, 0), Vector(1, 0, 0));
+  CHECK(touch.minimum() == Surd(2));
+  CHECK_FALSE(touch.contains(Surd(2) + Surd(0x1p-300)));
+  CHECK(of(disco, Punto(-2, 1.5, 0), Vector(1, 0, 0)).is_empty());
+  CHECK(of(disco, Punto(0, 0, 0), Vector(1, 1, 0)).minimum() == std::nullopt);
+  CHECK(of(disco, Punto(1, 0, 0), Vector(1, 0, 0)).is_empty());  // it leaves at the rim
+  CHECK(of(disco, Punto(0, 0, 1), Vector(1, 0, 0)).is_empty());
+  CHECK(of(disco, Punto(0.5, 0, 0.5), Vector(1, 0, 0), {disco}).minimum() == std::nullopt);
+  CHECK(of(disco, Punto(0.5, 0, 0), Vector(0, 0, 1), {disco}).is_empty());
+
+  const Parameters through = of(triangulo, Punto(-1, 1, 0), Vector(1, 0, 0));
+  REQUIRE(through.interval);
+  CHECK(through.minimum() == Surd(1));
+  CHECK(through.contains(4));
+  CHECK_FALSE(through.contains(Surd(4) + Surd(0x1p-300)));
+  CHECK(of(triangulo, Punto(-4, 8, 0), Vector(1, -1, 0)).minimum() == Surd(4));  // along an edge
+  CHECK(of(triangulo, Punto(-1, 4, 0), Vector(1, 0, 0)).minimum() == Surd(1));   // at a vertex
+  CHECK_FALSE(of(triangulo, Punto(-1, 4, 0), Vector(1, 0, 0)).contains(Surd(1) + Surd(0x1p-300)));
+  CHECK(of(triangulo, Punto(1, 1, 0), Vector(1, 0, 0)).minimum() == std::nullopt);
+  CHECK(of(triangulo, Punto(1, 1, 1), Vector(1, 0, 0)).is_empty());
+  CHECK(of(triangulo, Punto(1, 1, 0x1p-60), Vector(1, 0, 0), {triangulo}).minimum() == std::nullopt);
+  CHECK(of(triangulo, Punto(1, 1, -1), Vector(0, 0, 1)).minimum() == Surd(1));
+  CHECK(of(triangulo, Punto(2, 2, -1), Vector(0, 0, 1)).minimum() == Surd(1));
+  CHECK(of(triangulo, Punto(2, 2 + 0x1p-51, -1), Vector(0, 0, 1)).is_empty());
 }
 
 TEST_CASE("puntos_desde.def.1: the surface of the same equation through the origin") {

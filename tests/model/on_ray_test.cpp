@@ -17,39 +17,70 @@ Rational any_number() { return number::exact(*rc::gen::oneOf(moderate(), dyadicG
 
 }  // namespace
 
-TEST_CASE("the stretch is where t > 0 and 0 ≤ at_zero + t·slope ≤ h") {
+TEST_CASE("where a concave polynomial is not negative, of the t > 0") {
   property("parameter by parameter", [] {
-    const Rational at_zero = any_number(), slope = any_number(), h = abs(any_number());
-    const auto interval = stretch(at_zero, slope, h);
+    const Rational a = -abs(any_number());
+    const Quadratic q{*rc::gen::arbitrary<bool>() ? a : Rational(0), any_number(), any_number()};
+    const auto interval = not_negative(q);
     const Parameters inside = interval ? Parameters{{}, interval} : Parameters{};
-    Rational t = any_number();
-    if (!slope.is_zero() && *rc::gen::arbitrary<bool>())  // exactly at an end
-      t = ((*rc::gen::arbitrary<bool>() ? h : Rational(0)) - at_zero) / slope;
-    const Rational advance = at_zero + t * slope;
-    RC_ASSERT(inside.contains(Surd(t)) == (t > 0 && advance >= 0 && advance <= h));
+    const Surd t = *rc::gen::arbitrary<bool>() || q.is_zero() || roots(q).empty()
+                       ? Surd(any_number())
+                       : roots(q)[*rc::gen::inRange<std::size_t>(0, roots(q).size())];
+    const Surd value = Surd(q.a) * t * t + Surd(q.b) * t + Surd(q.c);
+    RC_ASSERT(inside.contains(t) == (t > 0 && value >= 0));
   });
-  const auto whole = stretch(0.5, 0, 1);
+  const auto whole = not_negative({0, 0, 0});
   REQUIRE(whole);
   CHECK_FALSE(whole->last);
-  CHECK_FALSE(stretch(2, 0, 1));
-  CHECK_FALSE(stretch(0, -1, 1));  // it leaves at t = 0, which is not one of them
-  CHECK_FALSE(stretch(-1, -1, 1));
-  const auto closed = stretch(-1, 1, 1);
+  CHECK_FALSE(not_negative({0, 0, -1}));
+  CHECK_FALSE(not_negative({0, -1, 0}));  // it is negative from t = 0 on, which is not one of them
+  CHECK_FALSE(not_negative({-1, 0, -1}));
+  const auto closed = not_negative({-1, 4, -2});  // between 2 − √2 and 2 + √2
   REQUIRE(closed);
-  CHECK(closed->first == 1);
+  CHECK(closed->first == Surd(2, -1, 2));
   CHECK(closed->has_first);
-  CHECK(closed->last == Rational(2));
+  CHECK(closed->last == Surd(2, 1, 2));
+  const auto point = not_negative({-1, 2, -1});
+  REQUIRE(point);
+  CHECK(point->first == 1);
+  CHECK(point->last == Surd(1));
+}
+
+TEST_CASE("the parameters that two intervals share") {
+  property("parameter by parameter", [] {
+    const auto any_interval = [] {
+      const Rational first = abs(any_number());
+      const bool has_first = *rc::gen::arbitrary<bool>() && first > 0;
+      const Rational last = first + 1 + abs(any_number());
+      return Interval{Surd(first), has_first, *rc::gen::arbitrary<bool>() ? std::optional<Surd>(last) : std::nullopt};
+    };
+    const Interval a = any_interval();
+    Interval b = any_interval();
+    if (*rc::gen::arbitrary<bool>()) b.first = a.first;  // one may hold it and the other not
+    if (a.last && *rc::gen::arbitrary<bool>()) b.first = *a.last;
+    if (b.last && *b.last < b.first) b.last = b.first;
+    const auto both = intersection(a, b);
+    const Parameters in_a{{}, a}, in_b{{}, b}, in_both = both ? Parameters{{}, both} : Parameters{};
+    for (const Surd& t : {a.first, b.first, a.last.value_or(Surd(1)), b.last.value_or(Surd(1)), Surd(any_number())})
+      RC_ASSERT(in_both.contains(t) == (in_a.contains(t) && in_b.contains(t)));
+  });
+  CHECK_FALSE(intersection({1, true, Surd(2)}, {3, true, std::nullopt}));
+  CHECK_FALSE(intersection({1, true, Surd(3)}, {3, false, std::nullopt}));
+  const auto point = intersection({1, true, Surd(3)}, {3, true, std::nullopt});
+  REQUIRE(point);
+  CHECK(point->first == 3);
+  CHECK(point->last == Surd(3));
 }
 
 TEST_CASE("the zeros inside an interval: the roots that it holds, or all of it") {
   const Quadratic one_and_three{1, -4, 3};
   CHECK(zeros(one_and_three, positive).points == std::vector<Surd>{1, 3});
-  CHECK(zeros(one_and_three, {1, true, Rational(2)}).points == std::vector<Surd>{1});
-  CHECK(zeros(one_and_three, {1, false, Rational(3)}).points == std::vector<Surd>{3});
-  CHECK(zeros(one_and_three, {Rational(3, 2), true, Rational(2)}).is_empty());
+  CHECK(zeros(one_and_three, {1, true, Surd(2)}).points == std::vector<Surd>{1});
+  CHECK(zeros(one_and_three, {1, false, Surd(3)}).points == std::vector<Surd>{3});
+  CHECK(zeros(one_and_three, {Surd(Rational(3, 2)), true, Surd(2)}).is_empty());
   CHECK(zeros({1, 0, 0}, positive).is_empty());  // 0 is not one of them
   CHECK(zeros({0, 0, 7}, positive).is_empty());
-  const Parameters all = zeros({0, 0, 0}, {1, true, Rational(2)});
+  const Parameters all = zeros({0, 0, 0}, {1, true, Surd(2)});
   CHECK(all.points.empty());
   REQUIRE(all.interval);
   CHECK(all.contains(1));
@@ -59,7 +90,7 @@ TEST_CASE("the zeros inside an interval: the roots that it holds, or all of it")
 
 TEST_CASE("the least parameter, and whether one is less than a bound") {
   const Parameters none{}, points{{Surd(0, 1, 2), Surd(2)}, std::nullopt};
-  const Parameters closed{{}, Interval{1, true, Rational(2)}}, open{{}, Interval{0, false, Rational(2)}};
+  const Parameters closed{{}, Interval{1, true, Surd(2)}}, open{{}, Interval{0, false, Surd(2)}};
   CHECK(none.is_empty());
   CHECK(none.minimum() == std::nullopt);
   CHECK_FALSE(none.any_below(1000));

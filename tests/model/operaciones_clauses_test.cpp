@@ -58,12 +58,14 @@ void follows(const Operation& operation, const std::vector<std::string>& schemas
 }  // namespace
 
 TEST_CASE("an addition says what its schema and the one it includes say, in their order") {
-  CHECK(text("Agregar_Cono", "post").size() == 6);
+  CHECK(text("Agregar_Cono", "post").size() == 7);
   follows(agregar_esfera, {"Agregar_Elemento", "Agregar_Esfera"});
   follows(agregar_cilindro, {"Agregar_Elemento", "Agregar_Cilindro"});
   follows(agregar_cono, {"Agregar_Elemento", "Agregar_Cono"});
   follows(agregar_tronco, {"Agregar_Elemento", "Agregar_Tronco"});
   follows(agregar_plano, {"Agregar_Elemento", "Agregar_Plano"});
+  follows(agregar_disco, {"Agregar_Elemento", "Agregar_Disco"});
+  follows(agregar_triangulo, {"Agregar_Elemento", "Agregar_Triangulo"});
   follows(Agregar_Elemento{nuevo, Tipo::soy_esfera, far, 2},
           {"Agregar_Elemento", "Agregar_Esfera", "Elemento_Agregado"});
   follows(Agregar_Elemento{nuevo, Tipo::soy_cono, far, {}, axis, 5, 2},
@@ -76,6 +78,8 @@ TEST_CASE("a removal says what its schema and the one it includes say, in their 
   follows(Eliminar_Cono{cono}, {"Eliminar_Elemento", "Eliminar_Cono"});
   follows(Eliminar_Tronco{tronco}, {"Eliminar_Elemento", "Eliminar_Tronco"});
   follows(Eliminar_Plano{plano}, {"Eliminar_Elemento", "Eliminar_Plano"});
+  follows(Eliminar_Disco{disco}, {"Eliminar_Elemento", "Eliminar_Disco"});
+  follows(Eliminar_Triangulo{triangulo}, {"Eliminar_Elemento", "Eliminar_Triangulo"});
 }
 
 TEST_CASE("the general removal says what the removal of the type says; that the type is its own holds by choice") {
@@ -98,9 +102,12 @@ TEST_CASE("an error says what its schema says, in its order") {
   follows_text(Vector_No_Unitario{not_unit}, "Vector_No_Unitario");
   follows_text(Altura_No_Positiva{0}, "Altura_No_Positiva");
   follows_text(Proporcion_No_Positiva{0}, "Proporcion_No_Positiva");
+  follows_text(Vertices_Alineados{aligned}, "Vertices_Alineados");
   follows_text(No_Es_Esfera{cono}, "No_Es_Esfera");
   follows_text(No_Es_Cilindro{cono}, "No_Es_Cilindro");
   follows_text(No_Es_Cono{esfera}, "No_Es_Cono");
   follows_text(No_Es_Tronco{esfera}, "No_Es_Tronco");
   follows_text(No_Es_Plano{esfera}, "No_Es_Plano");
+  follows_text(No_Es_Disco{plano}, "No_Es_Disco");
+  follows_text(No_Es_Triangulo{plano}, "No_Es_Triangulo");
 }

@@ -55,6 +55,8 @@ TEST_CASE("the attribute that is wrong") {
   CHECK(wrong_answer(Altura_No_Positiva{0}) == "Altura_No_Positiva.post.1");
   CHECK(out_of_place(Proporcion_No_Positiva{1}) == "Proporcion_No_Positiva.pre.1");
   CHECK(wrong_answer(Proporcion_No_Positiva{0}) == "Proporcion_No_Positiva.post.1");
+  CHECK(out_of_place(Vertices_Alineados{corners}) == "Vertices_Alineados.pre.1");
+  CHECK(wrong_answer(Vertices_Alineados{aligned}) == "Vertices_Alineados.post.1");
 }
 
 TEST_CASE("the type that is wrong") {
@@ -73,6 +75,12 @@ TEST_CASE("the type that is wrong") {
   CHECK(out_of_place(No_Es_Plano{nuevo}) == "No_Es_Plano.pre.1");
   CHECK(out_of_place(No_Es_Plano{plano}) == "No_Es_Plano.pre.2");
   CHECK(wrong_answer(No_Es_Plano{cono}) == "No_Es_Plano.post.1");
+  CHECK(out_of_place(No_Es_Disco{nuevo}) == "No_Es_Disco.pre.1");
+  CHECK(out_of_place(No_Es_Disco{disco}) == "No_Es_Disco.pre.2");
+  CHECK(wrong_answer(No_Es_Disco{plano}) == "No_Es_Disco.post.1");
+  CHECK(out_of_place(No_Es_Triangulo{nuevo}) == "No_Es_Triangulo.pre.1");
+  CHECK(out_of_place(No_Es_Triangulo{triangulo}) == "No_Es_Triangulo.pre.2");
+  CHECK(wrong_answer(No_Es_Triangulo{plano}) == "No_Es_Triangulo.post.1");
 }
 
 TEST_CASE("the types at which the general addition looks") {
@@ -81,6 +89,11 @@ TEST_CASE("the types at which the general addition looks") {
   CHECK(seen(given<&Escena::mi_vector>(Tipo::soy_esfera)) == "Con_Vector.pre.1");
   CHECK(seen(given<&Escena::mi_altura>(Tipo::soy_esfera)) == "Con_Altura.pre.1");
   CHECK(seen(given<&Escena::mi_proporcion>(Tipo::soy_cilindro)) == "Con_Proporcion.pre.1");
+  CHECK(seen(given<&Escena::mi_vertices>(Tipo::soy_disco)) == "Con_Vertices.pre.1");
+  CHECK(all_hold(given<&Escena::mi_vertices>(Tipo::soy_triangulo)));
+  CHECK(all_hold(given<&Escena::mi_radio>(Tipo::soy_disco)));
+  CHECK(all_hold(given<&Escena::mi_vector>(Tipo::soy_disco)));
+  CHECK_FALSE(all_hold(given<&Escena::mi_vector>(Tipo::soy_triangulo)));
   CHECK(all_hold(given<&Escena::mi_radio>(Tipo::soy_esfera)));
   CHECK(all_hold(given<&Escena::mi_radio>(Tipo::soy_tronco)));
   CHECK(all_hold(given<&Escena::mi_vector>(Tipo::soy_plano)));
@@ -103,12 +116,16 @@ TEST_CASE("a total operation that can be done is done") {
   CHECK(answer(agregar_cono) == Pair{"cono_agregado", "none"});
   CHECK(answer(agregar_tronco) == Pair{"tronco_agregado", "none"});
   CHECK(answer(agregar_plano) == Pair{"plano_agregado", "none"});
+  CHECK(answer(agregar_disco) == Pair{"disco_agregado", "none"});
+  CHECK(answer(agregar_triangulo) == Pair{"triangulo_agregado", "none"});
   CHECK(answer(Agregar_Elemento{nuevo, Tipo::soy_esfera, far, 2}) == Pair{"elemento_agregado", "none"});
   CHECK(answer(Eliminar_Esfera{esfera}) == Pair{"esfera_eliminada", "none"});
   CHECK(answer(Eliminar_Cilindro{cilindro}) == Pair{"cilindro_eliminado", "none"});
   CHECK(answer(Eliminar_Cono{cono}) == Pair{"cono_eliminado", "none"});
   CHECK(answer(Eliminar_Tronco{tronco}) == Pair{"tronco_eliminado", "none"});
   CHECK(answer(Eliminar_Plano{plano}) == Pair{"plano_eliminado", "none"});
+  CHECK(answer(Eliminar_Disco{disco}) == Pair{"disco_eliminado", "none"});
+  CHECK(answer(Eliminar_Triangulo{triangulo}) == Pair{"triangulo_eliminado", "none"});
   CHECK(answer(Eliminar_Elemento{cono}) == Pair{"elemento_eliminado", "none"});
 }
 
@@ -138,18 +155,26 @@ TEST_CASE("a total operation answers the first error in the order of the text") 
 
   CHECK(answer(Agregar_Plano{nuevo, far, not_unit}) == Pair{"vector_no_unitario", "Agregar_Plano.pre.2"});
 
+  CHECK(answer(Agregar_Disco{nuevo, far, 0, not_unit}) == Pair{"radio_no_positivo", "Agregar_Disco.pre.2"});
+  CHECK(answer(Agregar_Disco{nuevo, far, 2, not_unit}) == Pair{"vector_no_unitario", "Agregar_Disco.pre.3"});
+
+  CHECK(answer(Agregar_Triangulo{cono, aligned}) == Pair{"elemento_ya_existe", "Agregar_Elemento.pre.1"});
+  CHECK(answer(Agregar_Triangulo{nuevo, aligned}) == Pair{"vertices_alineados", "Agregar_Triangulo.pre.2"});
+
   CHECK(answer(Eliminar_Esfera{nuevo}) == Pair{"elemento_no_existe", "Eliminar_Elemento.pre.1"});
   CHECK(answer(Eliminar_Esfera{cono}) == Pair{"tipo_incorrecto", "Eliminar_Esfera.pre.1"});
   CHECK(answer(Eliminar_Cilindro{esfera}) == Pair{"tipo_incorrecto", "Eliminar_Cilindro.pre.1"});
   CHECK(answer(Eliminar_Cono{esfera}) == Pair{"tipo_incorrecto", "Eliminar_Cono.pre.1"});
   CHECK(answer(Eliminar_Tronco{cono}) == Pair{"tipo_incorrecto", "Eliminar_Tronco.pre.1"});
   CHECK(answer(Eliminar_Plano{cono}) == Pair{"tipo_incorrecto", "Eliminar_Plano.pre.1"});
+  CHECK(answer(Eliminar_Disco{plano}) == Pair{"tipo_incorrecto", "Eliminar_Disco.pre.1"});
+  CHECK(answer(Eliminar_Triangulo{plano}) == Pair{"tipo_incorrecto", "Eliminar_Triangulo.pre.1"});
   CHECK(answer(Eliminar_Elemento{nuevo}) == Pair{"elemento_no_existe", "Eliminar_Elemento.pre.1"});
 }
 
 TEST_CASE("the general addition looks only at the attributes of its type") {
   const auto add = [](Tipo t, double radio, const Vector& vector, double altura, double proporcion) {
-    return answer(Agregar_Elemento{nuevo, t, far, radio, vector, altura, proporcion});
+    return answer(Agregar_Elemento{nuevo, t, far, radio, vector, altura, proporcion, aligned});
   };
   CHECK(add(Tipo::soy_esfera, 2, not_unit, 0, 0) == Pair{"elemento_agregado", "none"});
   CHECK(add(Tipo::soy_esfera, 0, not_unit, 0, 0) == Pair{"radio_no_positivo", "Agregar_Esfera.pre.2"});
@@ -163,6 +188,11 @@ TEST_CASE("the general addition looks only at the attributes of its type") {
   CHECK(add(Tipo::soy_cono, 0, axis, 0, 2) == Pair{"altura_no_positiva", "Agregar_Cono.pre.4"});
   CHECK(add(Tipo::soy_plano, 0, axis, 0, 0) == Pair{"elemento_agregado", "none"});
   CHECK(add(Tipo::soy_plano, 0, not_unit, 0, 0) == Pair{"vector_no_unitario", "Agregar_Plano.pre.2"});
+  CHECK(add(Tipo::soy_disco, 2, axis, 0, 0) == Pair{"elemento_agregado", "none"});
+  CHECK(add(Tipo::soy_disco, 0, axis, 0, 0) == Pair{"radio_no_positivo", "Agregar_Disco.pre.2"});
+  CHECK(add(Tipo::soy_triangulo, 0, not_unit, 0, 0) == Pair{"vertices_alineados", "Agregar_Triangulo.pre.2"});
+  CHECK(answer(Agregar_Elemento{nuevo, Tipo::soy_triangulo, far, 0, not_unit, 0, 0, corners}) ==
+        Pair{"elemento_agregado", "none"});
   CHECK(add(Tipo::soy_tronco, 3, axis, 5, 2) == Pair{"elemento_agregado", "none"});
   CHECK(add(Tipo::soy_tronco, 0, axis, 5, 2) == Pair{"radio_no_positivo", "Agregar_Tronco.pre.2"});
   CHECK(add(Tipo::soy_tronco, 3, axis, 5, 0) == Pair{"proporcion_no_positiva", "Agregar_Tronco.pre.3"});

@@ -72,7 +72,8 @@ TEST_CASE("Agregar_Esfera") {
   CHECK(SPOILED(agregar_esfera, after.mi_vector.emplace(nuevo, axis)) == "Agregar_Esfera.post.3");
   CHECK(SPOILED(agregar_esfera, after.mi_altura.emplace(nuevo, 1)) == "Agregar_Esfera.post.4");
   CHECK(SPOILED(agregar_esfera, after.mi_proporcion.emplace(nuevo, 1)) == "Agregar_Esfera.post.5");
-  CHECK(wrong_answer(agregar_esfera) == "Agregar_Esfera.post.6");
+  CHECK(SPOILED(agregar_esfera, after.mi_vertices.emplace(nuevo, corners)) == "Agregar_Esfera.post.6");
+  CHECK(wrong_answer(agregar_esfera) == "Agregar_Esfera.post.7");
 }
 
 TEST_CASE("Agregar_Cilindro") {
@@ -85,7 +86,8 @@ TEST_CASE("Agregar_Cilindro") {
   CHECK(SPOILED(agregar_cilindro, after.mi_vector.at(nuevo) = Vector(1, 0, 0)) == "Agregar_Cilindro.post.3");
   CHECK(SPOILED(agregar_cilindro, after.mi_altura.erase(nuevo)) == "Agregar_Cilindro.post.4");
   CHECK(SPOILED(agregar_cilindro, after.mi_proporcion.emplace(nuevo, 1)) == "Agregar_Cilindro.post.5");
-  CHECK(wrong_answer(agregar_cilindro) == "Agregar_Cilindro.post.6");
+  CHECK(SPOILED(agregar_cilindro, after.mi_vertices.emplace(nuevo, corners)) == "Agregar_Cilindro.post.6");
+  CHECK(wrong_answer(agregar_cilindro) == "Agregar_Cilindro.post.7");
 }
 
 TEST_CASE("Agregar_Cono") {
@@ -98,7 +100,8 @@ TEST_CASE("Agregar_Cono") {
   CHECK(SPOILED(agregar_cono, after.mi_vector.at(nuevo) = Vector(1, 0, 0)) == "Agregar_Cono.post.3");
   CHECK(SPOILED(agregar_cono, after.mi_altura.at(nuevo) = Rmas(1)) == "Agregar_Cono.post.4");
   CHECK(SPOILED(agregar_cono, after.mi_proporcion.at(nuevo) = Rmas(1)) == "Agregar_Cono.post.5");
-  CHECK(wrong_answer(agregar_cono) == "Agregar_Cono.post.6");
+  CHECK(SPOILED(agregar_cono, after.mi_vertices.emplace(nuevo, corners)) == "Agregar_Cono.post.6");
+  CHECK(wrong_answer(agregar_cono) == "Agregar_Cono.post.7");
 }
 
 TEST_CASE("Agregar_Tronco") {
@@ -112,7 +115,8 @@ TEST_CASE("Agregar_Tronco") {
   CHECK(SPOILED(agregar_tronco, after.mi_vector.at(nuevo) = Vector(1, 0, 0)) == "Agregar_Tronco.post.3");
   CHECK(SPOILED(agregar_tronco, after.mi_altura.at(nuevo) = Rmas(1)) == "Agregar_Tronco.post.4");
   CHECK(SPOILED(agregar_tronco, after.mi_proporcion.erase(nuevo)) == "Agregar_Tronco.post.5");
-  CHECK(wrong_answer(agregar_tronco) == "Agregar_Tronco.post.6");
+  CHECK(SPOILED(agregar_tronco, after.mi_vertices.emplace(nuevo, corners)) == "Agregar_Tronco.post.6");
+  CHECK(wrong_answer(agregar_tronco) == "Agregar_Tronco.post.7");
 }
 
 TEST_CASE("Agregar_Plano") {
@@ -123,13 +127,40 @@ TEST_CASE("Agregar_Plano") {
   CHECK(SPOILED(agregar_plano, after.mi_vector.at(nuevo) = Vector(1, 0, 0)) == "Agregar_Plano.post.3");
   CHECK(SPOILED(agregar_plano, after.mi_altura.emplace(nuevo, 1)) == "Agregar_Plano.post.4");
   CHECK(SPOILED(agregar_plano, after.mi_proporcion.emplace(nuevo, 1)) == "Agregar_Plano.post.5");
-  CHECK(wrong_answer(agregar_plano) == "Agregar_Plano.post.6");
+  CHECK(SPOILED(agregar_plano, after.mi_vertices.emplace(nuevo, corners)) == "Agregar_Plano.post.6");
+  CHECK(wrong_answer(agregar_plano) == "Agregar_Plano.post.7");
+}
+
+TEST_CASE("Agregar_Disco") {
+  CHECK(refused(Agregar_Disco{nuevo, far, 2, axis, Tipo::soy_plano}) == "Agregar_Disco.pre.1");
+  CHECK(refused(Agregar_Disco{nuevo, far, 0, axis}) == "Agregar_Disco.pre.2");
+  CHECK(refused(Agregar_Disco{nuevo, far, 2, not_unit}) == "Agregar_Disco.pre.3");
+  CHECK(SPOILED(agregar_disco, after.mi_centro.at(nuevo) = origin) == "Agregar_Disco.post.1");
+  CHECK(SPOILED(agregar_disco, after.mi_radio.at(nuevo) = Rmas(3)) == "Agregar_Disco.post.2");
+  CHECK(SPOILED(agregar_disco, after.mi_vector.at(nuevo) = Vector(1, 0, 0)) == "Agregar_Disco.post.3");
+  CHECK(SPOILED(agregar_disco, after.mi_altura.emplace(nuevo, 1)) == "Agregar_Disco.post.4");
+  CHECK(SPOILED(agregar_disco, after.mi_proporcion.emplace(nuevo, 1)) == "Agregar_Disco.post.5");
+  CHECK(SPOILED(agregar_disco, after.mi_vertices.emplace(nuevo, corners)) == "Agregar_Disco.post.6");
+  CHECK(wrong_answer(agregar_disco) == "Agregar_Disco.post.7");
+}
+
+TEST_CASE("Agregar_Triangulo") {
+  CHECK(refused(Agregar_Triangulo{nuevo, corners, Tipo::soy_plano}) == "Agregar_Triangulo.pre.1");
+  CHECK(refused(Agregar_Triangulo{nuevo, aligned}) == "Agregar_Triangulo.pre.2");
+  CHECK(SPOILED(agregar_triangulo, after.mi_centro.emplace(nuevo, origin)) == "Agregar_Triangulo.post.1");
+  CHECK(SPOILED(agregar_triangulo, after.mi_radio.emplace(nuevo, 1)) == "Agregar_Triangulo.post.2");
+  CHECK(SPOILED(agregar_triangulo, after.mi_vector.emplace(nuevo, axis)) == "Agregar_Triangulo.post.3");
+  CHECK(SPOILED(agregar_triangulo, after.mi_altura.emplace(nuevo, 1)) == "Agregar_Triangulo.post.4");
+  CHECK(SPOILED(agregar_triangulo, after.mi_proporcion.emplace(nuevo, 1)) == "Agregar_Triangulo.post.5");
+  CHECK(SPOILED(agregar_triangulo, after.mi_vertices.at(nuevo) = Vertices(corners)) == "Agregar_Triangulo.post.6");
+  CHECK(SPOILED(agregar_triangulo, after.mi_vertices.erase(nuevo)) == "Agregar_Triangulo.post.6");
+  CHECK(wrong_answer(agregar_triangulo) == "Agregar_Triangulo.post.7");
 }
 
 TEST_CASE("Eliminar_Elemento, the part of every removal") {
-  for (const Operation& unknown :
-       std::vector<Operation>{Eliminar_Esfera{nuevo}, Eliminar_Cilindro{nuevo}, Eliminar_Cono{nuevo},
-                              Eliminar_Tronco{nuevo}, Eliminar_Plano{nuevo}, Eliminar_Elemento{nuevo}})
+  for (const Operation& unknown : std::vector<Operation>{
+           Eliminar_Esfera{nuevo}, Eliminar_Cilindro{nuevo}, Eliminar_Cono{nuevo}, Eliminar_Tronco{nuevo},
+           Eliminar_Plano{nuevo}, Eliminar_Disco{nuevo}, Eliminar_Triangulo{nuevo}, Eliminar_Elemento{nuevo}})
     CHECK(refused(unknown) == "Eliminar_Elemento.pre.1");
   CHECK(SPOILED(Eliminar_Esfera{esfera}, after.elementos.insert(esfera)) == "Eliminar_Elemento.post.1");
   CHECK(SPOILED(Eliminar_Cono{cono}, after.elementos.insert(cono)) == "Eliminar_Elemento.post.1");
@@ -145,7 +176,8 @@ TEST_CASE("Eliminar_Esfera") {
   CHECK(SPOILED(in, after.mi_vector.emplace(esfera, axis)) == "Eliminar_Esfera.post.3");
   CHECK(SPOILED(in, after.mi_altura.emplace(esfera, 1)) == "Eliminar_Esfera.post.4");
   CHECK(SPOILED(in, after.mi_proporcion.emplace(esfera, 1)) == "Eliminar_Esfera.post.5");
-  CHECK(wrong_answer(in) == "Eliminar_Esfera.post.6");
+  CHECK(SPOILED(in, after.mi_vertices.emplace(esfera, corners)) == "Eliminar_Esfera.post.6");
+  CHECK(wrong_answer(in) == "Eliminar_Esfera.post.7");
 }
 
 TEST_CASE("Eliminar_Cilindro") {
@@ -156,7 +188,8 @@ TEST_CASE("Eliminar_Cilindro") {
   CHECK(SPOILED(in, after.mi_vector.emplace(cilindro, axis)) == "Eliminar_Cilindro.post.3");
   CHECK(SPOILED(in, after.mi_altura.emplace(cilindro, 1)) == "Eliminar_Cilindro.post.4");
   CHECK(SPOILED(in, after.mi_proporcion.emplace(cilindro, 1)) == "Eliminar_Cilindro.post.5");
-  CHECK(wrong_answer(in) == "Eliminar_Cilindro.post.6");
+  CHECK(SPOILED(in, after.mi_vertices.emplace(cilindro, corners)) == "Eliminar_Cilindro.post.6");
+  CHECK(wrong_answer(in) == "Eliminar_Cilindro.post.7");
 }
 
 TEST_CASE("Eliminar_Cono") {
@@ -167,7 +200,8 @@ TEST_CASE("Eliminar_Cono") {
   CHECK(SPOILED(in, after.mi_vector.emplace(cono, axis)) == "Eliminar_Cono.post.3");
   CHECK(SPOILED(in, after.mi_altura.emplace(cono, 1)) == "Eliminar_Cono.post.4");
   CHECK(SPOILED(in, after.mi_proporcion.emplace(cono, 1)) == "Eliminar_Cono.post.5");
-  CHECK(wrong_answer(in) == "Eliminar_Cono.post.6");
+  CHECK(SPOILED(in, after.mi_vertices.emplace(cono, corners)) == "Eliminar_Cono.post.6");
+  CHECK(wrong_answer(in) == "Eliminar_Cono.post.7");
 }
 
 TEST_CASE("Eliminar_Tronco") {
@@ -178,7 +212,8 @@ TEST_CASE("Eliminar_Tronco") {
   CHECK(SPOILED(in, after.mi_vector.emplace(tronco, axis)) == "Eliminar_Tronco.post.3");
   CHECK(SPOILED(in, after.mi_altura.emplace(tronco, 1)) == "Eliminar_Tronco.post.4");
   CHECK(SPOILED(in, after.mi_proporcion.emplace(tronco, 1)) == "Eliminar_Tronco.post.5");
-  CHECK(wrong_answer(in) == "Eliminar_Tronco.post.6");
+  CHECK(SPOILED(in, after.mi_vertices.emplace(tronco, corners)) == "Eliminar_Tronco.post.6");
+  CHECK(wrong_answer(in) == "Eliminar_Tronco.post.7");
 }
 
 TEST_CASE("Eliminar_Plano") {
@@ -189,7 +224,32 @@ TEST_CASE("Eliminar_Plano") {
   CHECK(SPOILED(in, after.mi_vector.emplace(plano, axis)) == "Eliminar_Plano.post.3");
   CHECK(SPOILED(in, after.mi_altura.emplace(plano, 1)) == "Eliminar_Plano.post.4");
   CHECK(SPOILED(in, after.mi_proporcion.emplace(plano, 1)) == "Eliminar_Plano.post.5");
-  CHECK(wrong_answer(in) == "Eliminar_Plano.post.6");
+  CHECK(SPOILED(in, after.mi_vertices.emplace(plano, corners)) == "Eliminar_Plano.post.6");
+  CHECK(wrong_answer(in) == "Eliminar_Plano.post.7");
+}
+
+TEST_CASE("Eliminar_Disco") {
+  const Eliminar_Disco in{disco};
+  CHECK(refused(Eliminar_Disco{plano}) == "Eliminar_Disco.pre.1");
+  CHECK(SPOILED(in, after.mi_centro.emplace(disco, origin)) == "Eliminar_Disco.post.1");
+  CHECK(SPOILED(in, after.mi_radio.emplace(disco, 1)) == "Eliminar_Disco.post.2");
+  CHECK(SPOILED(in, after.mi_vector.emplace(disco, axis)) == "Eliminar_Disco.post.3");
+  CHECK(SPOILED(in, after.mi_altura.emplace(disco, 1)) == "Eliminar_Disco.post.4");
+  CHECK(SPOILED(in, after.mi_proporcion.emplace(disco, 1)) == "Eliminar_Disco.post.5");
+  CHECK(SPOILED(in, after.mi_vertices.emplace(disco, corners)) == "Eliminar_Disco.post.6");
+  CHECK(wrong_answer(in) == "Eliminar_Disco.post.7");
+}
+
+TEST_CASE("Eliminar_Triangulo") {
+  const Eliminar_Triangulo in{triangulo};
+  CHECK(refused(Eliminar_Triangulo{plano}) == "Eliminar_Triangulo.pre.1");
+  CHECK(SPOILED(in, after.mi_centro.emplace(triangulo, origin)) == "Eliminar_Triangulo.post.1");
+  CHECK(SPOILED(in, after.mi_radio.emplace(triangulo, 1)) == "Eliminar_Triangulo.post.2");
+  CHECK(SPOILED(in, after.mi_vector.emplace(triangulo, axis)) == "Eliminar_Triangulo.post.3");
+  CHECK(SPOILED(in, after.mi_altura.emplace(triangulo, 1)) == "Eliminar_Triangulo.post.4");
+  CHECK(SPOILED(in, after.mi_proporcion.emplace(triangulo, 1)) == "Eliminar_Triangulo.post.5");
+  CHECK(SPOILED(in, after.mi_vertices.emplace(triangulo, corners)) == "Eliminar_Triangulo.post.6");
+  CHECK(wrong_answer(in) == "Eliminar_Triangulo.post.7");
 }
 
 TEST_CASE("Elemento_Agregado: the operation of the type, with the general answer") {
@@ -198,7 +258,9 @@ TEST_CASE("Elemento_Agregado: the operation of the type, with the general answer
   const Agregar_Elemento cone{nuevo, Tipo::soy_cono, far, {}, axis, 5, 2};
   const Agregar_Elemento truncated{nuevo, Tipo::soy_tronco, far, 3, axis, 5, 2};
   const Agregar_Elemento plane{nuevo, Tipo::soy_plano, far, {}, axis};
-  for (const auto& in : {sphere, cylinder, cone, truncated, plane})
+  const Agregar_Elemento disc{nuevo, Tipo::soy_disco, far, 2, axis};
+  const Agregar_Elemento triangle{.e = nuevo, .t = Tipo::soy_triangulo, .vertices = other_corners};
+  for (const auto& in : {sphere, cylinder, cone, truncated, plane, disc, triangle})
     CHECK(wrong_answer(in) == "Elemento_Agregado.post.1");
   CHECK(SPOILED(cone, after.mi_altura.at(nuevo) = Rmas(1)) == "Agregar_Cono.post.4");
   CHECK(refused(Agregar_Elemento{nuevo, Tipo::soy_cilindro, far, 2, not_unit, 5}) == "Agregar_Cilindro.pre.3");
@@ -215,21 +277,33 @@ TEST_CASE("Elemento_Agregado: the operation of the type, with the general answer
   model::apply(general, plane);
   model::apply(specific, agregar_plano);
   CHECK(general == specific);
+  general = specific = one_of_each();
+  model::apply(general, disc);
+  model::apply(specific, agregar_disco);
+  CHECK(general == specific);
+  general = specific = one_of_each();
+  model::apply(general, triangle);
+  model::apply(specific, agregar_triangulo);
+  CHECK(general == specific);
 
   Escena escena = one_of_each();
   CHECK_THROWS_AS(model::apply(escena, Agregar_Elemento{nuevo, Tipo::soy_esfera, far}), std::invalid_argument);
   CHECK_THROWS_AS(model::apply_total(escena, Agregar_Elemento{nuevo, Tipo::soy_cono, far, 2, axis, 5}),
                   std::invalid_argument);
+  CHECK_THROWS_AS(model::apply(escena, Agregar_Elemento{nuevo, Tipo::soy_triangulo, far, 2, axis, 5}),
+                  std::invalid_argument);
+  CHECK_THROWS_AS(model::apply(escena, Agregar_Elemento{.e = nuevo, .t = Tipo::soy_esfera, .radio = 2}),
+                  std::invalid_argument);
   CHECK(escena == one_of_each());
 }
 
 TEST_CASE("Elemento_Eliminado: the operation of the element's type, with the general answer") {
-  for (const Elemento& e : {esfera, cilindro, cono, tronco, plano})
+  for (const Elemento& e : {esfera, cilindro, cono, tronco, plano, disco, triangulo})
     CHECK(wrong_answer(Eliminar_Elemento{e}) == "Elemento_Eliminado.post.1");
   CHECK(SPOILED(Eliminar_Elemento{cono}, after.mi_altura.emplace(cono, 1)) == "Eliminar_Cono.post.4");
 
   Escena escena = one_of_each();
-  for (const Elemento& e : {esfera, cilindro, cono, tronco, plano})
+  for (const Elemento& e : {esfera, cilindro, cono, tronco, plano, disco, triangulo})
     CHECK(model::apply(escena, Eliminar_Elemento{e}) == Respuesta::elemento_eliminado);
   CHECK(escena == Init());
 }
@@ -250,6 +324,7 @@ TEST_CASE("the whole predicates see a change of another element, which is not th
   CHECK(seen([](Escena& s) { s.mi_vector.at(cono) = Vector(0, 1, 0); }) == "Agregar_Cilindro.post.3");
   CHECK(seen([](Escena& s) { s.mi_altura.at(cono) = Rmas(7); }) == "Agregar_Cilindro.post.4");
   CHECK(seen([](Escena& s) { s.mi_proporcion.at(cono) = Rmas(7); }) == "Agregar_Cilindro.post.5");
+  CHECK(seen([](Escena& s) { s.mi_vertices.at(triangulo) = Vertices(other_corners); }) == "Agregar_Cilindro.post.6");
 }
 
 TEST_CASE("an audit sees a scene whose invariant was broken before the operation") {

@@ -83,6 +83,10 @@ TEST_CASE("puntos_de_elemento.def.1 and puntos_de_escena.def.1") {
   CHECK(puntos_de_elemento(scene, cono).contains(Punto(0, 0, 3)));
   CHECK(puntos_de_elemento(scene, tronco).contains(Punto(0, 2, 1)));
   CHECK(puntos_de_elemento(scene, plano).contains(Punto(5, 7, 0)));
+  CHECK(puntos_de_elemento(scene, disco).contains(Punto(0, 1, 0)));
+  CHECK_FALSE(puntos_de_elemento(scene, disco).contains(Punto(5, 7, 0)));
+  CHECK(puntos_de_elemento(scene, triangulo).contains(Punto(2, 2, 0)));
+  CHECK_FALSE(puntos_de_elemento(scene, triangulo).contains(Punto(5, 7, 0)));
   CHECK_FALSE(puntos_de_elemento(scene, cono).contains(Punto(0, 0, 1)));
   CHECK_THROWS_AS(puntos_de_elemento(scene, nuevo), std::out_of_range);
 

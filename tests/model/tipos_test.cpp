@@ -45,6 +45,44 @@ TEST_CASE("Rayo.inv.1: a ray has a direction") {
   for (const Vector& v : {Vector(5e-324, 0, 0), Vector(0, 1e300, 0), Vector(0, 0, -1)}) CHECK(Rayo(p, v).v() == v);
 }
 
+TEST_CASE("Vertices.inv.1: three points that do not lie on one line") {
+  const Punto a(0, 0, 0), b(1, 2, 3), c(3, 6, 9);
+  for (const Terna& wrong :
+       {Terna{a, b, c}, Terna{b, a, c}, Terna{a, a, b}, Terna{a, b, b}, Terna{b, a, b}, Terna{c, c, c}}) {
+    CHECK(violated([&] { Vertices{wrong}; }) == "Vertices.inv.1");
+    CHECK_FALSE(Vertices::contains(wrong));
+  }
+  const Terna right{a, b, Punto(3, 6, 8)};
+  CHECK(Vertices(right).terna() == right);
+  // By so little that a rounding hides it, by numbers whose products vanish or overflow, and beside one line in each of
+  // the three coordinate planes.
+  const double huge = 1e300, tiny = 5e-324;
+  for (const Terna& near :
+       {Terna{Punto(0, 0, 0), Punto(1, 1, 1), Punto(2, 2, 2 + 0x1p-51)},
+        Terna{Punto(0, 0, 0), Punto(tiny, 0, 0), Punto(0, tiny, 0)},
+        Terna{Punto(0, 0, 0), Punto(huge, huge, 0), Punto(huge, 0, 0)},
+        Terna{Punto(-huge, 0, 0), Punto(huge, 0, 0), Punto(0, 0, tiny)},
+        Terna{Punto(7, 0, 0), Punto(7, 1, 0), Punto(7, 0, 1)}, Terna{Punto(0, 7, 0), Punto(1, 7, 0), Punto(0, 7, 1)},
+        Terna{Punto(0, 0, 7), Punto(1, 0, 7), Punto(0, 1, 7)}})
+    CHECK(Vertices::contains(near));
+  CHECK_FALSE(Vertices::contains({Punto(-huge, 0, 0), Punto(huge, 0, 0), Punto(tiny, 0, 0)}));
+  // On one line, though their differences are rounded, and the products of these differ.
+  CHECK_FALSE(Vertices::contains({Punto(0x3p-55, 0xfp-55, 0), Punto(1.8125, 9.0625, 0), Punto(0.921875, 4.609375, 0)}));
+  // As they are stored, 0.1 · 2.1 is not 0.3 · 0.7.
+  CHECK(Vertices::contains({Punto(0, 0, 0), Punto(0.1, 0.3, 0), Punto(0.7, 2.1, 0)}));
+  CHECK_FALSE(Vertices::contains({Punto(0, 0, 0), Punto(0.1, 0.2, 0.4), Punto(0.2, 0.4, 0.8)}));
+
+  test::property("as rational arithmetic says", [] {
+    using rational = boost::multiprecision::mpq_rational;
+    const Terna v = *test::any_terna();
+    const auto of = [&](const Punto& p, int i) -> rational { return rational(p.xyz()[i]) - rational(v.a.xyz()[i]); };
+    bool aligned = true;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < i; ++j) aligned = aligned && of(v.b, i) * of(v.c, j) == of(v.b, j) * of(v.c, i);
+    RC_ASSERT(Vertices::contains(v) == !aligned);
+  });
+}
+
 TEST_CASE("Unitario.inv.1: an axis misses length one by the tolerance at most") {
   for (const Vector& wrong : {Vector(0, 0, 0), Vector(1, 1, 0), Vector(0.7, 0.7, 0), Vector(1e300, 1e300, 0),
                               Vector(1 + 0x1p-50, 0, 0), Vector(1 - 0x1p-50, 0, 0)})
@@ -106,8 +144,10 @@ TEST_CASE("each type and each answer has its name") {
   CHECK(name(Tipo::soy_cono) == "soy_cono");
   CHECK(name(Tipo::soy_tronco) == "soy_tronco");
   CHECK(name(Tipo::soy_plano) == "soy_plano");
+  CHECK(name(Tipo::soy_disco) == "soy_disco");
+  CHECK(name(Tipo::soy_triangulo) == "soy_triangulo");
   std::set<std::string_view> names;
-  for (int i = 0; i <= static_cast<int>(Respuesta::proporcion_no_positiva); ++i)
+  for (int i = 0; i <= static_cast<int>(Respuesta::vertices_alineados); ++i)
     names.insert(name(static_cast<Respuesta>(i)));
   CHECK(names.size() == respuesta_names.size());
   CHECK(name(Respuesta::tronco_agregado) == "tronco_agregado");
@@ -115,4 +155,5 @@ TEST_CASE("each type and each answer has its name") {
   CHECK(name(Respuesta::cono_eliminado) == "cono_eliminado");
   CHECK(name(Respuesta::tipo_incorrecto) == "tipo_incorrecto");
   CHECK(name(Respuesta::proporcion_no_positiva) == "proporcion_no_positiva");
+  CHECK(name(Respuesta::vertices_alineados) == "vertices_alineados");
 }

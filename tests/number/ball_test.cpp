@@ -24,6 +24,7 @@ TEST_CASE("A ball holds the number that it stands for") {
     const Dyadic a = *operand(), b = *operand(), c = *operand();
     const Rational p = a.rational(), q = b.rational(), r = c.rational();
     RC_ASSERT(contains(Ball(a), p));
+    RC_ASSERT(contains(Ball(a) - Ball(b), p - q));
     RC_ASSERT(contains(-Ball(a), -p));
     RC_ASSERT(contains(Ball(a) + Ball(b), p + q));
     RC_ASSERT(contains(Ball(a) * Ball(b), p * q));
@@ -42,6 +43,16 @@ TEST_CASE("A ball holds the number that it stands for") {
     RC_ASSERT(low >= 0);
     RC_ASSERT(low * low <= size.rational());
     RC_ASSERT(size.rational() <= high * high);
+  });
+}
+
+TEST_CASE("The ball of a binary64 is that number alone") {
+  test::property("of any", [] {
+    const double x = *test::anyFinite();
+    const Ball ball(x);
+    RC_ASSERT(ball.radius == 0);
+    RC_ASSERT(contains(ball, exact(x)));
+    RC_ASSERT(sign(ball) == (x > 0) - (x < 0));
   });
 }
 

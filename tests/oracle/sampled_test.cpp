@@ -69,6 +69,25 @@ TEST_CASE("of a plane a patch is judged, wide enough for what stands about it; b
   CHECK(oracle.judge(towards_z(0, 0), hit(0, 0, 10, plane)) == Verdict::unsound);  // the sphere is before it
 }
 
+TEST_CASE("of a disc and of a triangle right hits agree, wrong ones are seen, and near misses explained") {
+  scene::Scene scene;
+  scene.apply(model::Agregar_Disco{model::Elemento("d"), {0, 0, 5}, 2, {0, 0, 1}});
+  scene.apply(model::Agregar_Triangulo{model::Elemento("t"), {{9, 0, 5}, {13, 0, 5}, {9, 4, 7}}});
+  const scene::ElementRef disc{model::Tipo::soy_disco, 0}, triangle{model::Tipo::soy_triangulo, 0};
+  const oracle::sampled::Oracle oracle(scene);
+  CHECK(oracle.judge(towards_z(1, 1), hit(1, 1, 5, disc)) == Verdict::agrees);
+  CHECK(oracle.judge(towards_z(10, 1), hit(10, 1, 5.5, triangle)) == Verdict::agrees);
+  CHECK(oracle.judge(towards_z(0, 2.5), {}) == Verdict::agrees);
+  CHECK(oracle.judge(towards_z(12.5, 3.5), {}) == Verdict::agrees);
+  CHECK(oracle.judge(towards_z(1, 1), {}) == Verdict::unsound);
+  CHECK(oracle.judge(towards_z(10, 1), {}) == Verdict::unsound);
+  CHECK(oracle.judge(towards_z(10, 1), hit(10, 1, 6.5, triangle)) == Verdict::incomplete);
+  CHECK(oracle.judge(towards_z(12.5, 3.5), hit(12.5, 3.5, 7, triangle)) == Verdict::incomplete);
+  CHECK(oracle.judge(towards_z(0, 1.99999), {}) == Verdict::rim);
+  CHECK(oracle.judge(towards_z(10, 0.00001), {}) == Verdict::rim);
+  CHECK(oracle.judge(towards_z(9.00001, 3.99998), {}) == Verdict::rim);
+}
+
 TEST_CASE("a near miss is explained, each by its reason") {
   const scene::Scene scene = one_of_each();
   const oracle::sampled::Oracle oracle(scene);

@@ -31,6 +31,12 @@ scene::Scene coarse_scene(Random& random) {
       scene.apply(model::Agregar_Cilindro{e, centro, eighth(0.25, 1), axis, eighth(0.25, 2)});
     } else if (random.below(4) == 0) {
       scene.apply(model::Agregar_Plano{e, centro, axis});
+    } else if (random.below(4) == 0) {
+      scene.apply(model::Agregar_Disco{e, centro, eighth(0.25, 1), axis});
+    } else if (random.below(4) == 0) {
+      const double width = eighth(0.25, 1), height = eighth(0.25, 1);
+      scene.apply(
+          model::Agregar_Triangulo{e, {centro, model::Punto(x + width, y, z), model::Punto(x, y + height, z + 0.5)}});
     } else if (random.below(2) == 0) {
       scene.apply(model::Agregar_Cono{e, centro, eighth(0.25, 2), axis, eighth(0.25, 1)});
     } else {

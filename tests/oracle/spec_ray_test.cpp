@@ -27,7 +27,7 @@ scene::Scene grid_scene(Random& random) {
     const double z = small(), y = small(), x = small();
     const model::Punto centro(x, y, z);
     const model::Vector axis = axes[random.below(3)];
-    switch (random.below(5)) {
+    switch (random.below(7)) {
       case 0:
         scene.apply(model::Agregar_Esfera{e, centro, length()});
         break;
@@ -37,6 +37,15 @@ scene::Scene grid_scene(Random& random) {
       case 2:
         scene.apply(model::Agregar_Plano{e, centro, axis});
         break;
+      case 5:
+        scene.apply(model::Agregar_Disco{e, centro, length(), axis});
+        break;
+      case 6: {
+        const double width = length(), height = 1 + length(), lean = small();
+        scene.apply(model::Agregar_Triangulo{
+            e, {centro, model::Punto(x + width, y, z), model::Punto(x, y + height, z + lean)}});
+        break;
+      }
       case 3:
         scene.apply(model::Agregar_Cono{e, centro, 1, axis, length()});
         break;

@@ -35,11 +35,19 @@ model::Tipo type(Random& random, model::Tipo usual) {
   return random.below(8) == 0 ? static_cast<model::Tipo>(random.below(model::tipo_count)) : usual;
 }
 
+/// One in six on one line.
+model::Terna corners(Random& random, const model::Punto& a) {
+  const glm::dvec3 along = random.in_cube(1), b = a.xyz() + along;
+  if (random.below(6) == 0) return {a, model::Punto(b), model::Punto(b)};
+  const glm::dvec3 c = random.in_cube(1);
+  return {a, model::Punto(b), model::Punto(c)};
+}
+
 /// Any operation, about an element e0 … e11, with inputs that are often outside its precondition.
 Operation any_operation(Random& random) {
   const model::Elemento e = element(random, 12);
   const model::Punto centro(random.in_cube(4));
-  switch (random.below(12)) {
+  switch (random.below(16)) {
     case 0:
       return model::Agregar_Esfera{e, centro, length(random), type(random, model::Tipo::soy_esfera)};
     case 1:
@@ -48,14 +56,12 @@ Operation any_operation(Random& random) {
     case 2:
       return model::Agregar_Cono{
           e, centro, length(random), direction(random), length(random), type(random, model::Tipo::soy_cono)};
-    case 3:
-      return model::Agregar_Elemento{e,
-                                     static_cast<model::Tipo>(random.below(model::tipo_count)),
-                                     centro,
-                                     length(random),
-                                     direction(random),
-                                     length(random),
-                                     length(random)};
+    case 3: {
+      const double radio = length(random), altura = length(random), proporcion = length(random);
+      const model::Tipo tipo = static_cast<model::Tipo>(random.below(model::tipo_count));
+      const model::Vector vector = direction(random);
+      return model::Agregar_Elemento{e, tipo, centro, radio, vector, altura, proporcion, corners(random, centro)};
+    }
     case 4:
       return model::Eliminar_Esfera{e};
     case 5:
@@ -69,6 +75,16 @@ Operation any_operation(Random& random) {
       return model::Agregar_Tronco{
           e, centro, radio, proporcion, direction(random), length(random), type(random, model::Tipo::soy_tronco)};
     }
+    case 11:
+      return model::Eliminar_Disco{e};
+    case 12: {
+      const double radio = length(random);
+      return model::Agregar_Disco{e, centro, radio, direction(random), type(random, model::Tipo::soy_disco)};
+    }
+    case 13:
+      return model::Eliminar_Triangulo{e};
+    case 14:
+      return model::Agregar_Triangulo{e, corners(random, centro), type(random, model::Tipo::soy_triangulo)};
     case 9:
       return model::Eliminar_Plano{e};
     case 10:
@@ -99,7 +115,7 @@ void change(Random& random, Map& map, const typename Map::mapped_type& other) {
 
 /// Changes one component at one element.
 void spoil(Random& random, Escena& escena) {
-  switch (random.below(8)) {
+  switch (random.below(9)) {
     case 0:
       if (const auto e = element(random, 12); !escena.elementos.erase(e)) escena.elementos.insert(e);
       break;
@@ -122,6 +138,11 @@ void spoil(Random& random, Escena& escena) {
     case 6:
       change(random, escena.mi_altura, model::Rmas(random.uniform(0.1, 2)));
       break;
+    case 7: {
+      const model::Terna v = corners(random, model::Punto(random.in_cube(1)));
+      if (model::Vertices::contains(v)) change(random, escena.mi_vertices, model::Vertices(v));
+      break;
+    }
     default:
       change(random, escena.mi_proporcion, model::Rmas(random.uniform(0.1, 2)));
   }
@@ -206,7 +227,8 @@ void judge_one(Random& random, const Judge& judge, Counts& counts) {
   model::Answer answer = model::apply_total(after, operation);
   counts.refused += answer.ok() ? 0 : 1;
   const bool honest = random.below(2) == 0;
-  if (!honest && random.below(8) == 0) answer.r = static_cast<model::Respuesta>(random.below(15));
+  if (!honest && random.below(8) == 0)
+    answer.r = static_cast<model::Respuesta>(random.below(model::respuesta_names.size()));
   if (!honest) spoil(random, after);
   const Step step{before, operation, answer.r, after};
   if (honest) {
@@ -232,9 +254,9 @@ void judge_many(std::uint64_t seed, std::size_t transitions) {
   CHECK(counts.refused > transitions / 20);
   // Every predicate was seen broken.
   const Escena empty = model::Init();
-  for (const char* schema :
-       {"Agregar_Esfera", "Agregar_Cilindro", "Agregar_Cono", "Agregar_Tronco", "Eliminar_Esfera", "Eliminar_Cilindro",
-        "Eliminar_Cono", "Eliminar_Tronco", "Agregar_Plano", "Eliminar_Plano", "Escena"}) {
+  for (const char* schema : {"Agregar_Esfera", "Agregar_Cilindro", "Agregar_Cono", "Agregar_Tronco", "Eliminar_Esfera",
+                             "Eliminar_Cilindro", "Eliminar_Cono", "Eliminar_Tronco", "Agregar_Plano", "Eliminar_Plano",
+                             "Agregar_Disco", "Eliminar_Disco", "Agregar_Triangulo", "Eliminar_Triangulo", "Escena"}) {
     const zed::SchemaCheck check = judge.evaluator().schema({schema, ""});
     const std::vector<zed::Value> open(check.components().size(), zed::Open{});
     for (const zed::Finding& one : check.findings(open)) {
@@ -263,7 +285,7 @@ TEST_CASE("a difference between contracts and text is told with the predicate") 
   CHECK(judge.difference(before, addition, done, forgetful).value().find("Escena.inv.3") != std::string::npos);
   // That gives the wrong answer; that refuses a right operation; that refuses and changes the scene all the same.
   const model::Answer wrong{model::Respuesta::cono_agregado};
-  CHECK(judge.difference(before, addition, wrong, after).value().find("Agregar_Esfera.post.6") != std::string::npos);
+  CHECK(judge.difference(before, addition, wrong, after).value().find("Agregar_Esfera.post.7") != std::string::npos);
   const model::Answer refusal{model::Respuesta::elemento_ya_existe, &model::Agregar_Elemento_pre_1};
   CHECK(judge.difference(before, addition, refusal, before).value() ==
         "the contracts refuse what the text accepts: Agregar_Elemento.pre.1 (e? ∉ elementos)");
@@ -277,9 +299,10 @@ TEST_CASE("each total operation of the text takes what the model answers, done o
     const char* definition;
     Operation done, refused;
   };
-  const model::Elemento s("s"), c("c"), k("k"), f("f"), p("p"), nuevo("nuevo");
+  const model::Elemento s("s"), c("c"), k("k"), f("f"), p("p"), d("d"), t("t"), nuevo("nuevo");
   const model::Punto o(0, 0, 0);
   const model::Vector z(0, 0, 1), wrong(0, 0, 2);
+  const model::Terna corners{o, {1, 0, 0}, {0, 1, 0}}, on_a_line{o, {1, 0, 0}, {2, 0, 0}};
   const Row rows[] = {
       {"Agregar_Esfera_Total.def.1", model::Agregar_Esfera{nuevo, o, 1}, model::Agregar_Esfera{nuevo, o, 0}},
       {"Agregar_Cilindro_Total.def.1", model::Agregar_Cilindro{nuevo, o, 1, z, 1},
@@ -295,6 +318,14 @@ TEST_CASE("each total operation of the text takes what the model answers, done o
       {"Eliminar_Tronco_Total.def.1", model::Eliminar_Tronco{f}, model::Eliminar_Tronco{k}},
       {"Agregar_Plano_Total.def.1", model::Agregar_Plano{nuevo, o, z}, model::Agregar_Plano{nuevo, o, wrong}},
       {"Eliminar_Plano_Total.def.1", model::Eliminar_Plano{p}, model::Eliminar_Plano{k}},
+      {"Agregar_Disco_Total.def.1", model::Agregar_Disco{nuevo, o, 1, z}, model::Agregar_Disco{nuevo, o, 0, z}},
+      {"Eliminar_Disco_Total.def.1", model::Eliminar_Disco{d}, model::Eliminar_Disco{p}},
+      {"Agregar_Triangulo_Total.def.1", model::Agregar_Triangulo{nuevo, corners},
+       model::Agregar_Triangulo{nuevo, on_a_line}},
+      {"Eliminar_Triangulo_Total.def.1", model::Eliminar_Triangulo{t}, model::Eliminar_Triangulo{p}},
+      {"Agregar_Elemento_Total.def.1",
+       model::Agregar_Elemento{.e = nuevo, .t = model::Tipo::soy_triangulo, .vertices = corners},
+       model::Agregar_Elemento{.e = nuevo, .t = model::Tipo::soy_triangulo, .vertices = on_a_line}},
       {"Eliminar_Elemento_Total.def.1", model::Eliminar_Elemento{c}, model::Eliminar_Elemento{nuevo}},
   };
   const Judge judge;
@@ -304,6 +335,8 @@ TEST_CASE("each total operation of the text takes what the model answers, done o
   model::apply(before, model::Agregar_Cono{k, o, 1, z, 1});
   model::apply(before, model::Agregar_Tronco{f, o, 1, 1, z, 1});
   model::apply(before, model::Agregar_Plano{p, o, z});
+  model::apply(before, model::Agregar_Disco{d, o, 1, z});
+  model::apply(before, model::Agregar_Triangulo{t, corners});
   for (const Row& row : rows) {
     CAPTURE(row.definition);
     Escena after = before, same = before;

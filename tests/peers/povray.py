@@ -32,12 +32,17 @@ def scene(rng):
     for i in range(ELEMENTS):
         centro = [rng.random() for _ in range(3)]
         radio, altura = rng.uniform(0.03, 0.08), rng.uniform(0.1, 0.25)
-        tipo = ("esfera", "cilindro", "cono", "tronco")[i % 4]
+        tipo = ("esfera", "cilindro", "cono", "tronco", "disco", "triangulo")[i % 6]
         element = {"id": f"e{i:02}", "tipo": tipo, "centro": centro}
         if tipo == "cono":
             element |= {"proporcion": radio / altura, "vector": unit_axis(rng), "altura": altura}
         elif tipo == "tronco":
             element |= {"radio": radio / 3, "proporcion": radio / altura, "vector": unit_axis(rng), "altura": altura}
+        elif tipo == "disco":
+            element |= {"radio": 2 * radio, "vector": unit_axis(rng)}
+        elif tipo == "triangulo":
+            corners = [[c + rng.uniform(-0.2, 0.2) for c in centro] for _ in range(3)]
+            element = {"id": element["id"], "tipo": tipo, "vertices": corners}
         elif tipo == "cilindro":
             element |= {"radio": radio, "vector": unit_axis(rng), "altura": altura}
         else:
@@ -52,11 +57,16 @@ def vector(c):
 
 
 def pov_object(e):
-    centro, tipo = vector(e["centro"]), e["tipo"]
+    tipo = e["tipo"]
+    if tipo == "triangulo":
+        return f"triangle {{ {', '.join(vector(v) for v in e['vertices'])} }}"
+    centro = vector(e["centro"])
     if tipo == "esfera":
         return f"sphere {{ {centro}, {e['radio']!r} }}"
     if tipo == "plano":
         return f"plane {{ {vector(e['vector'])}, vdot({centro}, {vector(e['vector'])}) }}"
+    if tipo == "disco":
+        return f"disc {{ {centro}, {vector(e['vector'])}, {e['radio']!r} }}"
     end = f"{centro} + {e['altura']!r}*{vector(e['vector'])}"
     if tipo == "cilindro":
         return f"cylinder {{ {centro}, {end}, {e['radio']!r} open }}"

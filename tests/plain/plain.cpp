@@ -33,7 +33,7 @@ Axial axial(const dvec3& centro, const dvec3& vector, const model::Rayo& rayo) {
 
 bool within(const Quadratic& f, double t) {
   const double s = f.s0 + t * f.s1;
-  return t > 0 && 0 <= s && s <= f.altura;
+  return t > 0 && 0 <= s && s <= f.altura && f.margin.value_or(0) >= 0;
 }
 
 /// The whole line lies in the surface: what the clip leaves of it.
@@ -126,9 +126,27 @@ Quadratic quadratic(const scene::Plane& plane, const model::Rayo& rayo, bool on)
   return {0, B, C, square(B), 0, 0, infinity};
 }
 
+Quadratic quadratic(const scene::Disc& disc, const model::Rayo& rayo, bool on) {
+  Quadratic f = quadratic(scene::Plane{disc.centro, disc.vector}, rayo, on);
+  const dvec3 q0 = rayo.p().xyz() - disc.centro;
+  const double s0 = glm::dot(q0, disc.vector), s1 = 2 * f.B;
+  f.margin = disc.radio * std::abs(s1) - glm::length(s1 * q0 - s0 * rayo.v().xyz());
+  return f;
+}
+
+Quadratic quadratic(const scene::Triangle& triangle, const model::Rayo& rayo, bool on) {
+  const auto& [a, b, c] = triangle.vertices;
+  const dvec3 e1 = b - a, e2 = c - a, q0 = rayo.p().xyz() - a;
+  const dvec3 v_e2 = glm::cross(rayo.v().xyz(), e2), q_e1 = glm::cross(q0, e1);
+  const double det = glm::dot(e1, v_e2), side = std::copysign(1, det);
+  const double ca = side * glm::dot(q0, v_e2), ab = side * glm::dot(rayo.v().xyz(), q_e1);
+  const double C = on ? 0 : glm::dot(e2, q_e1);
+  return {0, -det / 2, C, square(det / 2), 0, 0, infinity, std::min({ab, ca, std::abs(det) - ab - ca})};
+}
+
 First first(const Quadratic& f) {
   if (f.D < 0) return miss;
-  if (f.A == 0 && f.B == 0) return f.C == 0 ? first_of_line(f) : miss;
+  if (f.A == 0 && f.B == 0) return f.C == 0 && !f.margin ? first_of_line(f) : miss;
   // Both terms of q have one sign, so nothing cancels; the roots are q/A and, as their product is C/A, C/q.
   const double q = -(f.B + std::copysign(std::sqrt(f.D), f.B));
   if (f.A == 0) return first_of_roots(f, f.C / q, f.C / q);

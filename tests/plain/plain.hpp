@@ -11,10 +11,15 @@
 ///             A = a·a − k²s1²    B = b·a + k·ρ·s1   C = b·b − ρ²        D = |ρ·a + k·s1·b|² − |b × a|²
 /// and those of the plane
 ///             A = 0              B = s1/2           C = s0             D = B²
+/// which are those of the disc as well, and with the edges e1 = b − a, e2 = c − a and q0 = p − a those of the triangle
+///             A = 0              B = −det/2         C = e2·(q0 × e1)   D = B²     with det = e1·(v × e2)
+/// The line crosses a disc where r|s1| ≥ |s1·q0 − s0·v|, and a triangle where none of q0·(v × e2), v·(q0 × e1) and what
+/// is left of det has the other sign. A ray in the plane of either is taken for a miss, as tracers do.
 /// The discriminant is a difference of squared distances (Lagrange's identity), so it keeps its figures where B² and AC
 /// are large and close: far from the element.
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -25,10 +30,12 @@
 
 namespace durero::trace::plain {
 
-/// A·t² + 2B·t + C = 0 and its discriminant; the clip 0 ≤ s0 + t·s1 ≤ altura (∞ for a sphere, with s0 = s1 = 0).
+/// A·t² + 2B·t + C = 0 and its discriminant; the clip 0 ≤ s0 + t·s1 ≤ altura (∞ for a sphere, with s0 = s1 = 0); how
+/// far within the edge of a disc or a triangle the line crosses it.
 struct Quadratic {
   double A, B, C, D;
   double s0, s1, altura;
+  std::optional<double> margin{};
 };
 
 /// on: the origin of the ray lies on the element, so C is 0.
@@ -37,6 +44,8 @@ Quadratic quadratic(const scene::Cylinder& cylinder, const model::Rayo& rayo, bo
 Quadratic quadratic(const scene::Cone& cone, const model::Rayo& rayo, bool on);
 Quadratic quadratic(const scene::TruncatedCone& cone, const model::Rayo& rayo, bool on);
 Quadratic quadratic(const scene::Plane& plane, const model::Rayo& rayo, bool on);
+Quadratic quadratic(const scene::Disc& disc, const model::Rayo& rayo, bool on);
+Quadratic quadratic(const scene::Triangle& triangle, const model::Rayo& rayo, bool on);
 
 /// What a ray has of one element: its first point there, none, or points from t → 0⁺ on.
 struct First {
@@ -59,7 +68,8 @@ scene::Hit first_hit(const Tables& tables, const model::Rayo& rayo, Origin en = 
 /// first_hit of every query, in blocks and lanes as trace::first_hits. Precondition: elements and rays are ordinary.
 std::vector<scene::Hit> first_hits(const Tables& tables, std::span<const scene::Query> queries);
 
-/// first(quadratic) in every lane, for rays that do not start on the element; undecided where A or both roots are 0.
+/// first(quadratic) in every lane, for rays that do not start on the element; undecided where both roots are 0, or A
+/// is for this ray alone.
 void first(const Packet& packet, model::Tipo tipo, Firsts& firsts);
 
 }  // namespace durero::trace::plain

@@ -22,10 +22,22 @@ using model::Tipo;
 
 struct LaneQuadratic {
   Lanes A, B, C, D, s0, s1;
+  Lanes margin = 0;
 };
 
 HWY_INLINE Lanes square(Lanes x) { return x * x; }
 HWY_INLINE Lanes square(const LaneVec& x) { return dot(x, x); }
+HWY_INLINE Lanes least(Lanes a, Lanes b) { return choose(a < b, a, b); }
+
+HWY_INLINE LaneQuadratic quadratic_of(const LaneElement<Tipo::soy_triangulo>& e, const LaneRay& ray) {
+  const auto& [a, b, c] = e.vertices;
+  const LaneVec e1 = base::difference<Lanes>(b, a), e2 = base::difference<Lanes>(c, a);
+  const LaneVec q0 = base::difference<Lanes>(ray.p, a), v_e2 = cross(ray.v, e2), q_e1 = cross(q0, e1);
+  const Lanes det = dot(e1, v_e2), side = choose(det < 0, Lanes(-1), Lanes(1));
+  const Lanes ca = side * dot(q0, v_e2), ab = side * dot(ray.v, q_e1);
+  const Lanes B = det * -0.5;
+  return {0, B, dot(e2, q_e1), square(B), 0, 0, least(least(ab, ca), abs(det) - ab - ca)};
+}
 
 template <Tipo tipo>
 HWY_INLINE LaneQuadratic quadratic_of(const LaneElement<tipo>& e, const LaneRay& ray) {
@@ -37,9 +49,10 @@ HWY_INLINE LaneQuadratic quadratic_of(const LaneElement<tipo>& e, const LaneRay&
   } else {
     const Lanes s0 = dot(q0, e.vector), s1 = dot(v, e.vector);
     const LaneVec a = across(v, s1, e.vector), b = across(q0, s0, e.vector);
-    if constexpr (tipo == Tipo::soy_plano) {
+    if constexpr (tipo == Tipo::soy_plano || tipo == Tipo::soy_disco) {
       const Lanes B = s1 * 0.5;
-      return {0, B, s0, square(B), 0, 0};
+      const Lanes margin = tipo == Tipo::soy_plano ? Lanes(0) : e.radio * abs(s1) - length(combination(s1, q0, -s0, v));
+      return {0, B, s0, square(B), 0, 0, margin};
     } else if constexpr (tipo == Tipo::soy_cilindro) {
       const Lanes A = square(a), r2 = square(e.radio);
       return {A, dot(b, a), square(b) - r2, r2 * A - square(cross(b, a)), s0, s1};
@@ -58,7 +71,7 @@ HWY_INLINE LaneQuadratic quadratic_of(const LaneElement<tipo>& e, const LaneRay&
 
 template <Tipo tipo>
 HWY_INLINE LaneMask within(const LaneQuadratic& f, Lanes altura, Lanes t) {
-  if constexpr (tipo == Tipo::soy_esfera || tipo == Tipo::soy_plano) return t > 0;
+  if constexpr (tipo == Tipo::soy_esfera || base::is_linear(tipo)) return (t > 0) & (f.margin >= 0);
   const Lanes s = f.s0 + t * f.s1;
   return (t > 0) & (s >= 0) & (s <= altura);
 }
@@ -71,11 +84,13 @@ HWY_INLINE void first_of(const Packet& packet, Firsts& firsts) {
     const LaneQuadratic f = quadratic_of(e, base::rays(packet, at));
     const Lanes S = sqrt(f.D);
     const Lanes q = -(f.B + choose(f.B < 0, -S, S));
-    const Lanes of_A = q / f.A, of_C = f.C / q;
+    // Where A is 0 for every ray C/q is the one root.
+    const Lanes of_C = f.C / q, of_A = base::is_linear(tipo) ? of_C : q / f.A;
     const Lanes near = choose(of_A < of_C, of_A, of_C), far = choose(of_A < of_C, of_C, of_A);
     const LaneMask at_near = within<tipo>(f, e.altura, near), at_far = within<tipo>(f, e.altura, far);
     choose(at_near, near, far).store(&firsts.t[at]);
-    const LaneMask special = (f.D >= 0) & ((f.A == 0) | (q == 0));
+    const LaneMask no_roots = q == 0;
+    const LaneMask special = (f.D >= 0) & (base::is_linear(tipo) ? no_roots : no_roots | (f.A == 0));
     firsts.undecided |= base::bits(special) << at;
     firsts.hit |= base::bits((f.D >= 0) & !special & (at_near | at_far)) << at;
   }

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <string>
 #include <vector>
@@ -82,7 +83,19 @@ model::Operation addition(const Family& family, test::Random& random, const scen
   }
   const model::Punto centro(vec(family, random));
   const double size = family.length(random), altura = family.length(random);
-  switch (random.below(5)) {
+  switch (random.below(7)) {
+    case 5:
+      return model::Agregar_Disco{e, centro, size, axis(family, random)};
+    case 6: {
+      // One in two shares an edge with a triangle that is there.
+      const auto triangles = scene.shapes<scene::Triangle>();
+      const bool shares = !triangles.empty() && random.below(2) == 0;
+      const model::Punto a = shares ? model::Punto(triangles[0].vertices[1]) : centro;
+      const model::Punto b(shares ? triangles[0].vertices[2] : vec(family, random)), c(vec(family, random));
+      const model::Terna vertices{a, b, c};
+      if (model::Vertices::contains(vertices)) return model::Agregar_Triangulo{e, vertices};
+      return model::Agregar_Triangulo{e, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+    }
     case 0:
       return model::Agregar_Esfera{e, centro, size};
     case 1:
@@ -98,50 +111,20 @@ model::Operation addition(const Family& family, test::Random& random, const scen
   }
 }
 
+void print(double x) { std::printf(" %a", x); }
 void print(const glm::dvec3& v) { std::printf(" %a %a %a", v.x, v.y, v.z); }
+void print(const scene::Corners& corners) {
+  for (const glm::dvec3& corner : corners) print(corner);
+}
 
+/// An element is its word, its name and its attributes in their order.
 void print(const scene::Scene& scene) {
-  const auto name = [&](model::Tipo tipo, std::size_t i) {
-    return scene.name({tipo, static_cast<std::uint32_t>(i)}).name().c_str();
-  };
   std::printf("scene\n");
-  for (std::size_t i = 0; i < scene.shapes<scene::Sphere>().size(); ++i) {
-    const scene::Sphere& s = scene.shapes<scene::Sphere>()[i];
-    std::printf("esfera %s", name(model::Tipo::soy_esfera, i));
-    print(s.centro);
-    std::printf(" %a\n", s.radio);
-  }
-  for (std::size_t i = 0; i < scene.shapes<scene::Cylinder>().size(); ++i) {
-    const scene::Cylinder& c = scene.shapes<scene::Cylinder>()[i];
-    std::printf("cilindro %s", name(model::Tipo::soy_cilindro, i));
-    print(c.centro);
-    std::printf(" %a", c.radio);
-    print(c.vector);
-    std::printf(" %a\n", c.altura);
-  }
-  for (std::size_t i = 0; i < scene.shapes<scene::Cone>().size(); ++i) {
-    const scene::Cone& c = scene.shapes<scene::Cone>()[i];
-    std::printf("cono %s", name(model::Tipo::soy_cono, i));
-    print(c.centro);
-    std::printf(" %a", c.proporcion);
-    print(c.vector);
-    std::printf(" %a\n", c.altura);
-  }
-  for (std::size_t i = 0; i < scene.shapes<scene::TruncatedCone>().size(); ++i) {
-    const scene::TruncatedCone& c = scene.shapes<scene::TruncatedCone>()[i];
-    std::printf("tronco %s", name(model::Tipo::soy_tronco, i));
-    print(c.centro);
-    std::printf(" %a %a", c.radio, c.proporcion);
-    print(c.vector);
-    std::printf(" %a\n", c.altura);
-  }
-  for (std::size_t i = 0; i < scene.shapes<scene::Plane>().size(); ++i) {
-    const scene::Plane& c = scene.shapes<scene::Plane>()[i];
-    std::printf("plano %s", name(model::Tipo::soy_plano, i));
-    print(c.centro);
-    print(c.vector);
+  scene.for_each([&]<class Shape>(scene::ElementRef e, const Shape& shape) {
+    std::printf("%.*s %s", static_cast<int>(Shape::word.size()), Shape::word.data(), scene.name(e).name().c_str());
+    scene::for_each_attribute<Shape>([&](const auto& attribute) { print(shape.*attribute.field); });
     std::printf("\n");
-  }
+  });
 }
 
 std::string names(const scene::Scene& scene, const scene::ElementSet& elements) {
@@ -199,6 +182,19 @@ Line aimed(const scene::TruncatedCone& e, const glm::dvec3&, double start) {
 }
 Line aimed(const scene::Plane& e, const glm::dvec3&, double start) {
   return {e.centro + start * across(e.vector), across(e.vector)};
+}
+/// Beside the centre by start/4: a chord, or past the disc.
+Line aimed(const scene::Disc& e, const glm::dvec3&, double start) {
+  const glm::dvec3 v = across(e.vector), aside = glm::cross(e.vector, v);
+  return {e.centro + start * v + start / 4 * aside, v};
+}
+/// Where start is more than 1 at a vertex from p, where it is less than −1 at the middle of an edge; in the plane else,
+/// along an edge where it is 0.
+Line aimed(const scene::Triangle& e, const glm::dvec3& p, double start) {
+  const auto& [a, b, c] = e.vertices;
+  if (start > 1) return {p, b - p};
+  if (start < -1) return {p, 0.5 * (b + c) - p};
+  return {a - (b - a) + start * (c - a), b - a};
 }
 
 model::Rayo aimed(const scene::Scene& scene, scene::ElementRef e, const glm::dvec3& p, double start) {

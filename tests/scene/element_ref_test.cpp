@@ -12,7 +12,8 @@ using durero::model::Tipo;
 namespace {
 
 ElementRef any_element() {
-  return {*rc::gen::element(Tipo::soy_esfera, Tipo::soy_cilindro, Tipo::soy_cono, Tipo::soy_tronco, Tipo::soy_plano),
+  return {*rc::gen::element(Tipo::soy_esfera, Tipo::soy_cilindro, Tipo::soy_cono, Tipo::soy_tronco, Tipo::soy_plano,
+                            Tipo::soy_disco, Tipo::soy_triangulo),
           *rc::gen::resize(100, rc::gen::inRange<std::uint32_t>(0, 4))};
 }
 

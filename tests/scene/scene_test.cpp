@@ -37,6 +37,8 @@ auto picture(const Scene& scene) {
     const auto add = [&](const auto& value) {
       if constexpr (requires { value.x; })
         numbers.insert(numbers.end(), {value.x, value.y, value.z});
+      else if constexpr (requires { value.size(); })
+        for (const glm::dvec3& point : value) numbers.insert(numbers.end(), {point.x, point.y, point.z});
       else
         numbers.push_back(value);
     };
@@ -70,6 +72,8 @@ Scene two_of_each() {
     scene.apply(Agregar_Cono{Elemento("cono-of-a-longer-name" + suffix), origin, 0.5, axis, 3});
     scene.apply(Agregar_Tronco{Elemento("tronco" + suffix), origin, 1, 0.5, axis, 3});
     scene.apply(Agregar_Plano{Elemento("plano" + suffix), origin, axis});
+    scene.apply(Agregar_Disco{Elemento("disco" + suffix), origin, 1, axis});
+    scene.apply(Agregar_Triangulo{Elemento("triangulo" + suffix), {origin, {1, 0, 0}, {0, 1, 0}}});
   }
   for (std::size_t t = 0; t < durero::scene::shape_count; ++t) scene.set_material({Tipo(t), 0}, 1);
   return scene;

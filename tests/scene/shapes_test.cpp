@@ -21,7 +21,8 @@ TEST_CASE("every shape is visited once, in the order of the types, and by its ty
     CHECK(with_shape(Shape::tipo, []<class Visited>(std::type_identity<Visited>) { return Visited::word; }) ==
           Shape::word);
   });
-  CHECK(types == std::vector{Tipo::soy_esfera, Tipo::soy_cilindro, Tipo::soy_cono, Tipo::soy_tronco, Tipo::soy_plano});
+  CHECK(types == std::vector{Tipo::soy_esfera, Tipo::soy_cilindro, Tipo::soy_cono, Tipo::soy_tronco, Tipo::soy_plano,
+                             Tipo::soy_disco, Tipo::soy_triangulo});
   CHECK(words.size() == shape_count);
 }
 
@@ -31,6 +32,8 @@ TEST_CASE("an addition adds one shape; a removal and the general addition none")
   CHECK(std::is_same_v<ShapeAddedBy<model::Agregar_Cono>, Cone>);
   CHECK(std::is_same_v<ShapeAddedBy<model::Agregar_Tronco>, TruncatedCone>);
   CHECK(std::is_same_v<ShapeAddedBy<model::Agregar_Plano>, Plane>);
+  CHECK(std::is_same_v<ShapeAddedBy<model::Agregar_Disco>, Disc>);
+  CHECK(std::is_same_v<ShapeAddedBy<model::Agregar_Triangulo>, Triangle>);
   CHECK(std::is_void_v<ShapeAddedBy<model::Eliminar_Cono>>);
   CHECK(std::is_void_v<ShapeAddedBy<model::Eliminar_Elemento>>);
   CHECK(std::is_void_v<ShapeAddedBy<model::Agregar_Elemento>>);
@@ -43,5 +46,5 @@ TEST_CASE("the attributes of all shapes are each shape's, one after the other") 
     for_each_attribute<Shape>([&](const auto& attribute) { expected.push_back(attribute.word); });
   });
   CHECK(all == expected);
-  CHECK(all.size() == 2 + 4 + 4 + 5 + 2);
+  CHECK(all.size() == 2 + 4 + 4 + 5 + 2 + 3 + 1);
 }

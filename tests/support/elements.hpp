@@ -59,5 +59,16 @@ inline rc::Gen<scene::TruncatedCone> truncated_cones(const Reals& x) {
   return rc::gen::construct<scene::TruncatedCone>(vec(x), positive(x), positive(x), axis(), positive(x));
 }
 inline rc::Gen<scene::Plane> planes(const Reals& x) { return rc::gen::construct<scene::Plane>(vec(x), axis()); }
+inline rc::Gen<scene::Disc> discs(const Reals& x) {
+  return rc::gen::construct<scene::Disc>(vec(x), positive(x), axis());
+}
+inline rc::Gen<scene::Triangle> triangles(const Reals& x) {
+  const auto corners = rc::gen::map(rc::gen::tuple(vec(x), vec(x), vec(x)), [](const auto& v) {
+    return scene::Triangle{{std::get<0>(v), std::get<1>(v), std::get<2>(v)}};
+  });
+  return rc::gen::suchThat(corners, [](const scene::Triangle& t) {
+    return model::Vertices::contains(scene::input_of<model::Terna>(t.vertices));
+  });
+}
 
 }  // namespace durero::test

@@ -66,6 +66,21 @@ inline rc::Gen<model::Vector> any_direction() {
   return rc::gen::weightedOneOf<model::Vector>({{8, any_axis()}, {1, any_vector()}});
 }
 
+/// Now and then on one line.
+inline rc::Gen<model::Terna> any_terna() {
+  const auto any = rc::gen::apply(
+      [](model::Punto a, model::Punto b, model::Punto c) {
+        return model::Terna{a, b, c};
+      },
+      any_point(), any_point(), any_point());
+  const auto on_a_line = rc::gen::apply(
+      [](model::Punto a, model::Punto b) {
+        return model::Terna{a, b, model::Punto(2.0 * b.xyz() - a.xyz())};
+      },
+      any_point(), any_point());
+  return rc::gen::weightedOneOf<model::Terna>({{8, any}, {1, on_a_line}});
+}
+
 inline rc::Gen<model::Tipo> any_type() {
   return rc::gen::map(rc::gen::inRange<std::size_t>(0, model::tipo_count),
                       [](std::size_t i) { return model::Tipo(i); });
@@ -80,8 +95,8 @@ inline rc::Gen<model::Tipo> nearly_always(model::Tipo t) {
 inline rc::Gen<model::Operation> any_operation() {
   using namespace model;
   using rc::gen::apply;
-  const auto general = [](Elemento e, Tipo t, Punto p, double r, Vector v, double h, double k) {
-    return Operation(Agregar_Elemento{e, t, p, r, v, h, k});
+  const auto general = [](Elemento e, Tipo t, Punto p, double r, Vector v, double h, double k, Terna vertices) {
+    return Operation(Agregar_Elemento{e, t, p, r, v, h, k, vertices});
   };
   const auto sphere = [](Elemento e, Punto p, double r, Tipo t) { return Operation(Agregar_Esfera{e, p, r, t}); };
   const auto cylinder = [](Elemento e, Punto p, double r, Vector v, double h, Tipo t) {
@@ -94,6 +109,10 @@ inline rc::Gen<model::Operation> any_operation() {
     return Operation(Agregar_Tronco{e, p, r, k, v, h, t});
   };
   const auto plane = [](Elemento e, Punto p, Vector v, Tipo t) { return Operation(Agregar_Plano{e, p, v, t}); };
+  const auto disc = [](Elemento e, Punto p, double r, Vector v, Tipo t) {
+    return Operation(Agregar_Disco{e, p, r, v, t});
+  };
+  const auto triangle = [](Elemento e, Terna v, Tipo t) { return Operation(Agregar_Triangulo{e, v, t}); };
   return rc::gen::weightedOneOf<Operation>({
       {3, apply(sphere, any_element(), any_point(), any_real(), nearly_always(Tipo::soy_esfera))},
       {3, apply(cylinder, any_element(), any_point(), any_real(), any_direction(), any_real(),
@@ -103,12 +122,17 @@ inline rc::Gen<model::Operation> any_operation() {
       {3, apply(truncated, any_element(), any_point(), any_real(), any_real(), any_direction(), any_real(),
                 nearly_always(Tipo::soy_tronco))},
       {3, apply(plane, any_element(), any_point(), any_direction(), nearly_always(Tipo::soy_plano))},
-      {3, apply(general, any_element(), any_type(), any_point(), any_real(), any_direction(), any_real(), any_real())},
+      {3, apply(disc, any_element(), any_point(), any_real(), any_direction(), nearly_always(Tipo::soy_disco))},
+      {3, apply(triangle, any_element(), any_terna(), nearly_always(Tipo::soy_triangulo))},
+      {3, apply(general, any_element(), any_type(), any_point(), any_real(), any_direction(), any_real(), any_real(),
+                any_terna())},
       {2, rc::gen::map(any_element(), [](Elemento e) { return Operation(Eliminar_Esfera{e}); })},
       {2, rc::gen::map(any_element(), [](Elemento e) { return Operation(Eliminar_Cilindro{e}); })},
       {2, rc::gen::map(any_element(), [](Elemento e) { return Operation(Eliminar_Cono{e}); })},
       {2, rc::gen::map(any_element(), [](Elemento e) { return Operation(Eliminar_Tronco{e}); })},
       {2, rc::gen::map(any_element(), [](Elemento e) { return Operation(Eliminar_Plano{e}); })},
+      {2, rc::gen::map(any_element(), [](Elemento e) { return Operation(Eliminar_Disco{e}); })},
+      {2, rc::gen::map(any_element(), [](Elemento e) { return Operation(Eliminar_Triangulo{e}); })},
       {2, rc::gen::map(any_element(), [](Elemento e) { return Operation(Eliminar_Elemento{e}); })},
   });
 }
@@ -131,15 +155,25 @@ inline std::ostream& operator<<(std::ostream& out, const Punto& p) {
 inline std::ostream& operator<<(std::ostream& out, const Vector& v) {
   return out << '(' << v.x() << ", " << v.y() << ", " << v.z() << ')';
 }
+inline std::ostream& operator<<(std::ostream& out, const Terna& v) {
+  return out << '(' << v.a << ", " << v.b << ", " << v.c << ')';
+}
+template <class Value>
+  requires requires(std::ostream& out, const Value& x) { out << x; }
+std::ostream& operator<<(std::ostream& out, const std::optional<Value>& x) {
+  return x ? out << *x : out << "absent";
+}
 inline std::ostream& operator<<(std::ostream& out, const Operation& operation) {
   return std::visit(
       [&](const auto& in) -> std::ostream& {
         out << '#' << operation.index() << " e? = " << in.e;
-        if constexpr (requires { in.centro; }) out << " t? = " << in.t << " centro? = " << in.centro;
+        if constexpr (requires { in.t; }) out << " t? = " << in.t;
+        if constexpr (requires { out << in.centro; }) out << " centro? = " << in.centro;
         if constexpr (requires { out << in.radio; }) out << " radio? = " << in.radio;
         if constexpr (requires { out << in.proporcion; }) out << " proporcion? = " << in.proporcion;
         if constexpr (requires { out << in.vector; }) out << " vector? = " << in.vector;
         if constexpr (requires { out << in.altura; }) out << " altura? = " << in.altura;
+        if constexpr (requires { out << in.vertices; }) out << " vertices? = " << in.vertices;
         return out;
       },
       operation);

@@ -41,6 +41,14 @@ inline model::Operation random_addition(Random& random, const std::string& name)
     }
     case model::Tipo::soy_plano:
       return model::Agregar_Plano{e, centro, random.axis()};
+    case model::Tipo::soy_disco: {
+      const double radio = random.uniform(0.1, 0.8);
+      return model::Agregar_Disco{e, centro, radio, random.axis()};
+    }
+    case model::Tipo::soy_triangulo: {
+      const model::Punto b(centro.xyz() + random.in_cube(0.8)), c(centro.xyz() + random.in_cube(0.8));
+      return model::Agregar_Triangulo{e, {centro, b, c}};
+    }
   }
   contract::unreachable();
 }

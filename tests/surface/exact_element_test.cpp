@@ -56,13 +56,60 @@ Surd potencia(const scene::TruncatedCone& c, const Point& w) {
   return alejamiento(w, c.centro, c.vector) - cuadrado(Surd(c.radio) + Surd(c.proporcion) * (Surd(c.altura) - s));
 }
 Surd potencia(const scene::Plane& c, const Point& w) { return avance(w, c.centro, c.vector); }
+Surd potencia(const scene::Disc& c, const Point& w) { return avance(w, c.centro, c.vector); }
+
+/// (q − p)·(s − r)
+Surd escalar(const Point& p, const Point& q, const Point& r, const Point& s) {
+  return (q.x - p.x) * (s.x - r.x) + (q.y - p.y) * (s.y - r.y) + (q.z - p.z) * (s.z - r.z);
+}
+Point point(const glm::dvec3& p) { return {Surd(p.x), Surd(p.y), Surd(p.z)}; }
+Surd potencia(const scene::Triangle& t, const Point& w) {
+  const Point a = point(t.vertices[0]), b = point(t.vertices[1]), c = point(t.vertices[2]);
+  return (w.x - a.x) * ((b.y - a.y) * (c.z - a.z) - (b.z - a.z) * (c.y - a.y)) +
+         (w.y - a.y) * ((b.z - a.z) * (c.x - a.x) - (b.x - a.x) * (c.z - a.z)) +
+         (w.z - a.z) * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+}
 
 bool in_stretch(const scene::Sphere&, const Point&) { return true; }
 bool in_stretch(const scene::Plane&, const Point&) { return true; }
+bool in_stretch(const scene::Disc& d, const Point& w) {
+  const Point c = point(d.centro);
+  return escalar(c, w, c, w) <= cuadrado(Surd(d.radio));
+}
+bool in_stretch(const scene::Triangle& t, const Point& w) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Point a = point(t.vertices[i]), b = point(t.vertices[(i + 1) % 3]), c = point(t.vertices[(i + 2) % 3]);
+    if (number::sign(escalar(a, b, a, b) * escalar(a, w, a, c) - escalar(a, b, a, c) * escalar(a, w, a, b)) < 0)
+      return false;
+  }
+  return true;
+}
 template <class Bounded>
 bool in_stretch(const Bounded& c, const Point& w) {
   const Surd s = avance(w, c.centro, c.vector);
   return number::sign(s) >= 0 && s <= Surd(c.altura);
+}
+
+/// A line in the surface: what reach keeps of it is on the element's stretch, and what it leaves is not.
+template <class Element>
+void check_stretch(const Element& element, const model::Rayo& ray, const Reach& reached) {
+  const auto kept = [&](const Surd& t) {
+    if (number::sign(t) <= 0) return false;
+    if (reached.count == 1) return t == Surd(reached.t[0]);
+    if (!reached.segment) return false;
+    const auto& [begin, end] = *reached.segment;
+    return (!begin || Surd(*begin) <= t) && (!end || t <= Surd(*end));
+  };
+  const auto check_at = [&](const Surd& t) {
+    RC_ASSERT(kept(t) == (number::sign(t) > 0 && in_stretch(element, at(ray, t))));
+  };
+  for (const double t : {0x1p-1000, 0x1p-20, 0.25, 0.5, 1.0, 2.0, 4.0, 0x1p20}) check_at(Surd(t));
+  const auto around = [&](const Surd& t) {
+    for (const double off : {-0x1p-1000, 0.0, 0x1p-1000}) check_at(t + Surd(off));
+  };
+  if (reached.count == 1) around(Surd(reached.t[0]));
+  if (reached.segment && reached.segment->begin) around(Surd(*reached.segment->begin));
+  if (reached.segment && reached.segment->end) around(Surd(*reached.segment->end));
 }
 
 /// Every rung on one element and ray: the roots are roots, they are all, and reach keeps the right ones.
@@ -85,9 +132,9 @@ void check_rungs(const Element& element, const model::Rayo& ray, bool on) {
   if (A != 0) RC_ASSERT(found.count == 1 + D.sign());
   if (A == 0 && !found.every) RC_ASSERT(found.count == (B == 0 ? 0 : 1));
 
-  // reach: the roots with t > 0 on the element's stretch, in their order.
+  // reach: the roots with t > 0 on the element's stretch, in their order; or the part of the line that is on it.
   const Reach reached = reach(f);
-  if (found.every) return;
+  if (found.every) return check_stretch(element, ray, reached);
   std::size_t next = 0;
   for (const Parameter& t : found.values()) {
     if (number::sign(Surd(t)) <= 0 || !in_stretch(element, at(ray, Surd(t)))) continue;
@@ -115,6 +162,10 @@ TEST_CASE("roots satisfy the Z text exactly, and the clip keeps the right ones")
   rungs_property("truncated cone, ordinary", truncated_cones(moderate()), rays(moderate()));
   rungs_property("plane, ordinary", planes(moderate()), rays(moderate()));
   rungs_property("plane, grid", planes(dyadicGrid()), rays(dyadicGrid()));
+  rungs_property("disc, ordinary", discs(moderate()), rays(moderate()));
+  rungs_property("disc, grid", discs(dyadicGrid()), rays(dyadicGrid()));
+  rungs_property("triangle, ordinary", triangles(moderate()), rays(moderate()));
+  rungs_property("triangle, grid", triangles(dyadicGrid()), rays(dyadicGrid()));
   rungs_property("sphere, grid", spheres(dyadicGrid()), rays(dyadicGrid()));
   rungs_property("cylinder, grid", cylinders(dyadicGrid()), rays(dyadicGrid()));
   rungs_property("cone, grid", cones(dyadicGrid()), rays(dyadicGrid()));
@@ -127,6 +178,42 @@ TEST_CASE("roots satisfy the Z text exactly over the whole range of binary64") {
   rungs_property("cone", cones(anyFinite()), rays(anyFinite()));
   rungs_property("truncated cone", truncated_cones(anyFinite()), rays(anyFinite()));
   rungs_property("plane", planes(anyFinite()), rays(anyFinite()));
+  rungs_property("disc", discs(anyFinite()), rays(anyFinite()));
+  rungs_property("triangle", triangles(anyFinite()), rays(anyFinite()));
+}
+
+TEST_CASE("in its plane a flat element is met in a segment, a point or nothing") {
+  const scene::Disc disc{{0, 0, 0}, 1, {0, 0, 1}};
+  const scene::Triangle triangle{{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}};
+  const auto of = [](const auto& shape, const glm::dvec3& p, const glm::dvec3& v) {
+    return reach(shape, model::Rayo{model::Punto(p), model::Vector(v)});
+  };
+  const auto is = [](const Reach& reached, std::optional<Surd> begin, const Surd& end) {
+    if (!reached.segment || !reached.segment->end || !(Surd(*reached.segment->end) == end)) return false;
+    return begin ? reached.segment->begin && Surd(*reached.segment->begin) == *begin : !reached.segment->begin;
+  };
+  const Surd half_root3(0, Rational(1, 2), 3);
+  CHECK(is(of(disc, {-2, 0.5, 0}, x_axis), Surd(2) - half_root3, Surd(2) + half_root3));
+  CHECK(is(of(disc, {0, 0.5, 0}, x_axis), std::nullopt, half_root3));
+  const Reach touched = of(disc, {-2, 1, 0}, x_axis);
+  CHECK(touched.count == 1);
+  CHECK(rounded(touched.t[0]) == 2);
+  CHECK(of(disc, {-2, 1.5, 0}, x_axis).empty());
+  CHECK(of(disc, {2, 0.5, 0}, x_axis).empty());
+
+  CHECK(is(of(triangle, {-1, 1, 0}, x_axis), Surd(1), Surd(4)));
+  CHECK(is(of(triangle, {5, 6, 0}, {-1, -1, 0}), Surd(Rational(7, 2)), Surd(5)));
+  CHECK(is(of(triangle, {6, 5, 0}, {-1, -1, 0}), Surd(Rational(7, 2)), Surd(5)));
+  CHECK(is(of(triangle, {1, 1, 0}, x_axis), std::nullopt, Surd(2)));
+  CHECK(is(of(triangle, {0, -1, 0}, {0, 1, 0}), Surd(1), Surd(5)));  // along an edge
+  CHECK(of(triangle, {-1, 4.5, 0}, x_axis).empty());                 // it would leave before it enters
+  const Reach at_vertex = of(triangle, {-1, 4, 0}, x_axis);
+  CHECK(at_vertex.count == 1);
+  CHECK(rounded(at_vertex.t[0]) == 1);
+  // Beside the plane, and known to start on the element.
+  const auto beside = reach(triangle, model::Rayo({1, 1, 0x1p-60}, {1, 0, 0}), true);
+  CHECK(is(beside, std::nullopt, Surd(2)));
+  CHECK(reach(triangle, model::Rayo({1, 1, 0x1p-60}, {1, 0, 0}), false).empty());
 }
 
 TEST_CASE("the order of two roots agrees with 400 digits of floating point where those are apart") {

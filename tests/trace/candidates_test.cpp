@@ -65,6 +65,8 @@ scene::Scene scene_of(const Reals& numbers) {
     add(scene, *cylinders(numbers));
     add(scene, *cones(numbers));
     add(scene, *planes(numbers));
+    add(scene, *discs(numbers));
+    add(scene, *triangles(numbers));
     add(scene, *truncated_cones(numbers));
   }
   return scene;

@@ -20,6 +20,8 @@ TEST_CASE("hits that the kernel is told of are written in their places, rounded 
       add(scene, *cylinders(moderate()));
       add(scene, *cones(moderate()));
       add(scene, *planes(moderate()));
+      add(scene, *discs(moderate()));
+      add(scene, *triangles(moderate()));
       add(scene, *truncated_cones(moderate()));
     }
     std::vector<scene::Query> queries;

@@ -51,6 +51,8 @@ void check_shapes(const Reals& numbers, int& hits) {
   check_steps(*cylinders(numbers), rayo, hits);
   check_steps(*cones(numbers), rayo, hits);
   check_steps(*planes(numbers), rayo, hits);
+  check_steps(*discs(numbers), rayo, hits);
+  check_steps(*triangles(numbers), rayo, hits);
   check_steps(*truncated_cones(numbers), rayo, hits);
 }
 

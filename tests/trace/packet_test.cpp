@@ -39,9 +39,8 @@ struct Lanes {
   std::vector<trace::Ray> traced;
   Packet packet;
 
-  /// Any ray, or as often one towards a place less than twice radio, or proporcion, away from the centre in each axis.
-  static model::Rayo ray(const Element& element, const Reals& numbers) {
-    const model::Rayo ray = *test::rays(numbers);
+  /// Less than twice radio, or proporcion, away from the centre in each axis; of a triangle in its plane.
+  static glm::dvec3 place_near(const Element& element) {
     double breadth = 0;
     if constexpr (requires { element.radio; }) {
       breadth = element.radio;
@@ -49,7 +48,18 @@ struct Lanes {
       breadth = element.proporcion;
     }
     const glm::dvec3 off = *vec(rc::gen::map(rc::gen::inRange(-8, 9), [](int x) { return x / 4.0; }));
-    const glm::dvec3 v = element.centro + breadth * off - ray.p().xyz();
+    if constexpr (requires { element.centro; }) {
+      return element.centro + breadth * off;
+    } else {
+      const auto& [a, b, c] = element.vertices;
+      return a + off.x / 2 * (b - a) + off.y / 2 * (c - a);
+    }
+  }
+
+  /// Any ray, or as often one towards a place near the element.
+  static model::Rayo ray(const Element& element, const Reals& numbers) {
+    const model::Rayo ray = *test::rays(numbers);
+    const glm::dvec3 v = place_near(element) - ray.p().xyz();
     if (*rc::gen::arbitrary<bool>() || v == glm::dvec3(0)) return ray;
     const model::Rayo aimed(ray.p(), model::Vector(v));
     return trace::Ray(aimed).ordinary ? aimed : ray;
@@ -139,6 +149,8 @@ Tally check_all(const Reals& numbers) {
     check(cylinders(numbers), numbers, tally);
     check(cones(numbers), numbers, tally);
     check(planes(numbers), numbers, tally);
+    check(discs(numbers), numbers, tally);
+    check(triangles(numbers), numbers, tally);
     check(truncated_cones(numbers), numbers, tally);
   });
   return tally;

@@ -18,6 +18,8 @@ scene::Scene random_scene() {
     add(scene, *cylinders(moderate()));
     add(scene, *cones(moderate()));
     add(scene, *planes(moderate()));
+    add(scene, *discs(moderate()));
+    add(scene, *triangles(moderate()));
     add(scene, *truncated_cones(moderate()));
   }
   return scene;

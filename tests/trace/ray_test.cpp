@@ -11,6 +11,19 @@ using namespace durero;
 using namespace durero::test;
 using trace::Ray;
 
+namespace {
+
+/// What a table stores of an attribute, with that number everywhere.
+template <class Stored>
+Stored filled(double x) {
+  if constexpr (std::is_same_v<Stored, scene::Corners>)
+    return {glm::dvec3(x), glm::dvec3(x), glm::dvec3(x)};
+  else
+    return Stored(x);
+}
+
+}  // namespace
+
 TEST_CASE("what a ray knows of its lengths is greater by as much as is said") {
   conform::Random random(1);
   for (int i = 0; i < 1000; ++i) {
@@ -52,20 +65,26 @@ TEST_CASE("an element is ordinary where every number of it is") {
     const auto each = [](double others, auto change) {
       Shape shape;
       scene::for_each_attribute<Shape>(
-          [&]<class Row>(const Row& row) { shape.*row.field = typename Row::Stored(others); });
+          [&]<class Row>(const Row& row) { shape.*row.field = filled<typename Row::Stored>(others); });
       change(shape);
       return trace::ordinary(shape);
     };
     CHECK(each(1, [](Shape&) {}));
     scene::for_each_attribute<Shape>([&]<class Row>(const Row& row) {
       INFO(Shape::word << " " << row.word);
-      CHECK(each(1, [&](Shape& shape) { shape.*row.field = typename Row::Stored(0x1p100); }));
-      CHECK(each(1, [&](Shape& shape) { shape.*row.field = typename Row::Stored(0); }));
-      CHECK_FALSE(each(1, [&](Shape& shape) { shape.*row.field = typename Row::Stored(0x1p101); }));
-      CHECK_FALSE(each(1, [&](Shape& shape) { shape.*row.field = typename Row::Stored(-0x1p-101); }));
+      CHECK(each(1, [&](Shape& shape) { shape.*row.field = filled<typename Row::Stored>(0x1p100); }));
+      CHECK(each(1, [&](Shape& shape) { shape.*row.field = filled<typename Row::Stored>(0); }));
+      CHECK_FALSE(each(1, [&](Shape& shape) { shape.*row.field = filled<typename Row::Stored>(0x1p101); }));
+      CHECK_FALSE(each(1, [&](Shape& shape) { shape.*row.field = filled<typename Row::Stored>(-0x1p-101); }));
       if constexpr (std::is_same_v<typename Row::Stored, glm::dvec3>) {
         for (int axis = 0; axis < 3; ++axis) {
           CHECK_FALSE(each(1, [&](Shape& shape) { (shape.*row.field)[axis] = 0x1p-200; }));
+        }
+      }
+      if constexpr (std::is_same_v<typename Row::Stored, scene::Corners>) {
+        for (std::size_t i = 0; i < 3; ++i) {
+          for (int axis = 0; axis < 3; ++axis)
+            CHECK_FALSE(each(1, [&](Shape& shape) { (shape.*row.field)[i][axis] = 0x1p-200; }));
         }
       }
     });

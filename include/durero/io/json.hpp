@@ -9,6 +9,7 @@
 /// Numbers are read from the text to the nearest binary64 (number_text.hpp), as every reader here does, however many
 /// digits they have. RapidJSON has an arithmetic of its own and refuses what that cannot hold; so it never sees them.
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <initializer_list>
@@ -65,6 +66,8 @@ class Reader {
   explicit Reader(const Document& document) : document_(&document) {}
 
   Kind kind() const { return token().kind; }
+  /// Of what an array or an object begins with. Precondition: one stands here.
+  Kind kind_of_first_item() const { return document_->tokens()[next_ + 1].kind; }
   std::size_t offset() const { return token().offset; }
   /// Where the last key that was read stands.
   std::size_t key_offset() const { return key_offset_; }
@@ -75,19 +78,27 @@ class Reader {
   glm::dvec3 vec3(std::string_view what) {
     return triple(what, [&] { return number(what); });
   }
+  std::array<glm::dvec3, 3> three_points(std::string_view what) {
+    return three<glm::dvec3>(what, "expected three points", [&] { return vec3(what); });
+  }
 
   /// An array of three items, each what item() reads.
   template <class Item>
   glm::dvec3 triple(std::string_view what, Item&& item) {
+    const auto v = three<double>(what, "expected three numbers", item);
+    return {v[0], v[1], v[2]};
+  }
+  template <class Value, class Item>
+  std::array<Value, 3> three(std::string_view what, const char* expected, Item&& item) {
     const std::size_t at = offset();
-    glm::dvec3 v{};
-    glm::dvec3::length_type count = 0;
+    std::array<Value, 3> values{};
+    std::size_t count = 0;
     array(what, [&] {
-      require_less_than_three(what, count);
-      v[count++] = item();
+      require_less_than_three(what, count, expected);
+      values[count++] = item();
     });
-    require_three(what, count, at);
-    return v;
+    require_three(what, count, at, expected);
+    return values;
   }
 
   /// Calls item() for each item of an array; it must read exactly one value.
@@ -124,8 +135,8 @@ class Reader {
  private:
   Document::Token token() const { return document_->tokens()[next_]; }
   void open(Kind kind, std::string_view what);
-  void require_less_than_three(std::string_view what, int count) const;
-  void require_three(std::string_view what, int count, std::size_t at) const;
+  void require_less_than_three(std::string_view what, std::size_t count, const char* expected) const;
+  void require_three(std::string_view what, std::size_t count, std::size_t at, const char* expected) const;
   [[noreturn]] void wrong_kind(std::string_view what, std::string_view expected) const;
   Key take_key();
   std::size_t known_key(std::string_view what, std::span<const std::string_view> keys, const Key& key,

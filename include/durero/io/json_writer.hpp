@@ -1,6 +1,7 @@
 #pragma once
 /// Writes JSON text: commas, quotes, escapes and numbers stand where they must, whoever writes.
 
+#include <array>
 #include <concepts>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -31,6 +32,8 @@ class Writer {
   Writer& value(double number);
   /// `[x,y,z]`
   Writer& value(const glm::dvec3& triple);
+  /// `[[x,y,z],[x,y,z],[x,y,z]]`
+  Writer& value(const std::array<glm::dvec3, 3>& triples);
 
   /// A member of an object.
   template <class Value>

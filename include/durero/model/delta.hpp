@@ -66,6 +66,10 @@ class Delta {
     const auto maplet = c.find(e_);
     return maplet != c.end() && maplet->second.value() == x;
   }
+  bool maps(const std::map<Elemento, Vertices>& c, const Terna& x) const {
+    const auto maplet = c.find(e_);
+    return maplet != c.end() && maplet->second.terna() == x;
+  }
   template <class T>
   bool maps(const std::map<Elemento, T>& c, const T& x) const {
     const auto maplet = c.find(e_);

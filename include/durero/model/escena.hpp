@@ -13,22 +13,27 @@
 namespace durero::model {
 
 inline constexpr contract::clause Escena_inv_1{"Escena.inv.1", "elementos = dom de_que_tipo"};
-inline constexpr contract::clause Escena_inv_2{"Escena.inv.2", "elementos = dom mi_centro"};
+inline constexpr contract::clause Escena_inv_2{
+    "Escena.inv.2",
+    "dom mi_centro = de_que_tipo ∼ ⦇ { soy_esfera, soy_cilindro, soy_cono, soy_tronco, soy_plano, soy_disco } ⦈"};
 inline constexpr contract::clause Escena_inv_3{
-    "Escena.inv.3", "dom mi_radio = de_que_tipo ∼ ⦇ { soy_esfera, soy_cilindro, soy_tronco } ⦈"};
+    "Escena.inv.3", "dom mi_radio = de_que_tipo ∼ ⦇ { soy_esfera, soy_cilindro, soy_tronco, soy_disco } ⦈"};
 inline constexpr contract::clause Escena_inv_4{
-    "Escena.inv.4", "dom mi_vector = de_que_tipo ∼ ⦇ { soy_cilindro, soy_cono, soy_tronco, soy_plano } ⦈"};
+    "Escena.inv.4", "dom mi_vector = de_que_tipo ∼ ⦇ { soy_cilindro, soy_cono, soy_tronco, soy_plano, soy_disco } ⦈"};
 inline constexpr contract::clause Escena_inv_5{
     "Escena.inv.5", "dom mi_altura = de_que_tipo ∼ ⦇ { soy_cilindro, soy_cono, soy_tronco } ⦈"};
 inline constexpr contract::clause Escena_inv_6{"Escena.inv.6",
                                                "dom mi_proporcion = de_que_tipo ∼ ⦇ { soy_cono, soy_tronco } ⦈"};
 inline constexpr contract::clause Escena_inv_7{"Escena.inv.7", "tipos = ran de_que_tipo"};
 inline constexpr contract::clause Escena_inv_8{"Escena.inv.8", "ran mi_vector ⊆ Unitario"};
-inline constexpr contract::clause Con_Radio_pre_1{"Con_Radio.pre.1", "t? ∈ { soy_esfera, soy_cilindro, soy_tronco }"};
+inline constexpr contract::clause Escena_inv_9{"Escena.inv.9", "dom mi_vertices = de_que_tipo ∼ ⦇ { soy_triangulo } ⦈"};
+inline constexpr contract::clause Con_Radio_pre_1{"Con_Radio.pre.1",
+                                                  "t? ∈ { soy_esfera, soy_cilindro, soy_tronco, soy_disco }"};
 inline constexpr contract::clause Con_Vector_pre_1{"Con_Vector.pre.1",
-                                                   "t? ∈ { soy_cilindro, soy_cono, soy_tronco, soy_plano }"};
+                                                   "t? ∈ { soy_cilindro, soy_cono, soy_tronco, soy_plano, soy_disco }"};
 inline constexpr contract::clause Con_Altura_pre_1{"Con_Altura.pre.1", "t? ∈ { soy_cilindro, soy_cono, soy_tronco }"};
 inline constexpr contract::clause Con_Proporcion_pre_1{"Con_Proporcion.pre.1", "t? ∈ { soy_cono, soy_tronco }"};
+inline constexpr contract::clause Con_Vertices_pre_1{"Con_Vertices.pre.1", "t? ∈ { soy_triangulo }"};
 inline constexpr contract::clause Init_post_1{"Init.post.1", "elementos' = ∅"};
 
 /// Escena, component for component. A plain value: its invariants are evaluated by what is declared below.
@@ -41,6 +46,7 @@ struct Escena {
   std::map<Elemento, Vector> mi_vector;
   std::map<Elemento, Rmas> mi_altura;
   std::map<Elemento, Rmas> mi_proporcion;
+  std::map<Elemento, Vertices> mi_vertices;
 
   bool operator==(const Escena&) const = default;
 };
@@ -62,7 +68,8 @@ class Tipos {
 template <class Value, class Input>
 struct Attribute {
   const contract::clause* domain;  ///< the invariant that says which elements have it
-  const contract::clause* given;   ///< Con_…: what the general addition asks of the type before it looks at it
+  const contract::clause* given;   ///< Con_…: what the general addition asks of the type before it refuses the input;
+                                   ///< null where no input is refused
   Tipos types;                     ///< the types that both name
   std::map<Elemento, Value> Escena::*component;
   std::string_view word;  ///< radio of mi_radio and of radio?
@@ -74,17 +81,24 @@ template <class Value, class Input>
 Attribute(const contract::clause*, const contract::clause*, Tipos, std::map<Elemento, Value> Escena::*,
           std::string_view, Input) -> Attribute<Value, Input>;
 
-/// The attributes of Escena.inv.3 to Escena.inv.6, in that order.
+/// The attributes of Escena.inv.2 to Escena.inv.6 and Escena.inv.9, in that order.
 inline constexpr std::tuple attributes{
-    Attribute{&Escena_inv_3, &Con_Radio_pre_1, Tipos{Tipo::soy_esfera, Tipo::soy_cilindro, Tipo::soy_tronco},
-              &Escena::mi_radio, "radio", [](auto& in) -> decltype((in.radio)) { return in.radio; }},
+    Attribute{
+        &Escena_inv_2, nullptr,
+        Tipos{Tipo::soy_esfera, Tipo::soy_cilindro, Tipo::soy_cono, Tipo::soy_tronco, Tipo::soy_plano, Tipo::soy_disco},
+        &Escena::mi_centro, "centro", [](auto& in) -> decltype((in.centro)) { return in.centro; }},
+    Attribute{&Escena_inv_3, &Con_Radio_pre_1,
+              Tipos{Tipo::soy_esfera, Tipo::soy_cilindro, Tipo::soy_tronco, Tipo::soy_disco}, &Escena::mi_radio,
+              "radio", [](auto& in) -> decltype((in.radio)) { return in.radio; }},
     Attribute{&Escena_inv_4, &Con_Vector_pre_1,
-              Tipos{Tipo::soy_cilindro, Tipo::soy_cono, Tipo::soy_tronco, Tipo::soy_plano}, &Escena::mi_vector,
-              "vector", [](auto& in) -> decltype((in.vector)) { return in.vector; }},
+              Tipos{Tipo::soy_cilindro, Tipo::soy_cono, Tipo::soy_tronco, Tipo::soy_plano, Tipo::soy_disco},
+              &Escena::mi_vector, "vector", [](auto& in) -> decltype((in.vector)) { return in.vector; }},
     Attribute{&Escena_inv_5, &Con_Altura_pre_1, Tipos{Tipo::soy_cilindro, Tipo::soy_cono, Tipo::soy_tronco},
               &Escena::mi_altura, "altura", [](auto& in) -> decltype((in.altura)) { return in.altura; }},
     Attribute{&Escena_inv_6, &Con_Proporcion_pre_1, Tipos{Tipo::soy_cono, Tipo::soy_tronco}, &Escena::mi_proporcion,
-              "proporcion", [](auto& in) -> decltype((in.proporcion)) { return in.proporcion; }}};
+              "proporcion", [](auto& in) -> decltype((in.proporcion)) { return in.proporcion; }},
+    Attribute{&Escena_inv_9, &Con_Vertices_pre_1, Tipos{Tipo::soy_triangulo}, &Escena::mi_vertices, "vertices",
+              [](auto& in) -> decltype((in.vertices)) { return in.vertices; }}};
 
 /// visit(attribute) for each of them.
 template <class Visit>
@@ -122,9 +136,10 @@ Judgements Init_post(const Escena& after);
 /// de_que_tipo(e) = t; false where e ∉ dom de_que_tipo. O(log n).
 bool is_of_type(const Escena& escena, const Elemento& e, Tipo t);
 
-/// Escena.inv.1 to Escena.inv.8, in that order: the whole predicates. O(n) for n elements, and no copy of them.
+/// Escena.inv.1 to Escena.inv.9, the domains of all attributes before Escena.inv.7: the whole predicates. O(n) for n
+/// elements, and no copy of them.
 Judgements inv(const Escena& escena);
-/// What Escena.inv.1 to Escena.inv.8 say of one element: e lies on both sides of each equation or on neither, its type
+/// What Escena.inv.1 to Escena.inv.9 say of one element: e lies on both sides of each equation or on neither, its type
 /// is among the types, its vector is an axis. Where e is the only element that changed since the invariant held, and
 /// no type was lost, this is the invariant. O(log n).
 Judgements inv_at(const Escena& escena, const Elemento& e);

@@ -68,7 +68,8 @@ std::set<Elemento> de_que_elemento(const Escena& escena, const ExactPoint& p);
 /// The power of w with respect to the surface of e (potencia.def.1).
 Surd potencia(const Escena& escena, const Elemento& e, const ExactPoint& w);
 
-/// The points whose advance is that of the element, if it is bounded; else all (tramo.def.1).
+/// The points within the bounds of an element: the advances of its stretch of the axis, the ball of a disc, the prism
+/// of a triangle (tramo.def.1).
 Puntos tramo(const Escena& escena, const Elemento& e);
 
 /// What a ray that starts at p, known to lie on e, sees of e: the points whose power is p's (puntos_desde.def.1).

@@ -13,9 +13,9 @@ namespace durero::model {
 
 /// The parameters from a first one to a last one that belongs to it; without a last one, all that are greater.
 struct Interval {
-  Rational first;
+  Surd first;
   bool has_first;  ///< false: `first` itself is not one of them
-  std::optional<Rational> last;
+  std::optional<Surd> last;
 };
 
 /// { t > 0 | q(t) = 0 ∧ t is in the stretch }: finitely many parameters, or an interval of them.
@@ -31,9 +31,15 @@ struct Parameters {
   bool any_below(const Surd& bound) const;
 };
 
-/// The t > 0 with 0 ≤ at_zero + t·slope ≤ h; nothing where there are none. (Interval.first is 0 and not one of them
-/// where the lower bound does not bind.)
-std::optional<Interval> stretch(const Rational& at_zero, const Rational& slope, const Rational& h);
+/// { t | t > 0 }
+inline Interval all_positive() { return {0, false, std::nullopt}; }
+
+/// { t > 0 | q(t) ≥ 0 }; nothing where there are none. (Interval.first is 0 and not one of them where q bounds t > 0 on
+/// no left side.) Precondition: q is concave, q.a ≤ 0.
+std::optional<Interval> not_negative(const Quadratic& q);
+
+/// The parameters of both; nothing where there are none.
+std::optional<Interval> intersection(const Interval& a, const Interval& b);
 
 /// { t | q(t) = 0 } inside the interval.
 Parameters zeros(const Quadratic& q, const Interval& interval);

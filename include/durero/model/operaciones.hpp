@@ -22,11 +22,12 @@ namespace durero::model {
 struct Agregar_Elemento {
   Elemento e;
   Tipo t;
-  Punto centro;
+  std::optional<Punto> centro{};
   std::optional<double> radio{};
   std::optional<Vector> vector{};
   std::optional<double> altura{};
   std::optional<double> proporcion{};
+  std::optional<Terna> vertices{};
 
   static constexpr Respuesta answer = Respuesta::elemento_agregado;
   static constexpr std::string_view schema = "Elemento_Agregado", total = "Agregar_Elemento_Total";

@@ -20,8 +20,9 @@ template <class List>
 struct Errors;
 template <class... Type>
 struct Errors<std::tuple<Type...>> {
-  using Any = std::variant<Elemento_Ya_Existe, Elemento_No_Existe, Radio_No_Positivo, Vector_No_Unitario,
-                           Altura_No_Positiva, Proporcion_No_Positiva, typename Type::Removal::Denial...>;
+  using Any =
+      std::variant<Elemento_Ya_Existe, Elemento_No_Existe, Radio_No_Positivo, Vector_No_Unitario, Altura_No_Positiva,
+                   Proporcion_No_Positiva, Vertices_Alineados, typename Type::Removal::Denial...>;
 };
 using Error = Errors<Types>::Any;
 

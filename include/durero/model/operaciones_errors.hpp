@@ -97,4 +97,19 @@ void clauses(const Proporcion_No_Positiva& in, const Escena&, Respuesta r, Visit
   visit(Proporcion_No_Positiva_post_1, [&] { return r == Respuesta::proporcion_no_positiva; });
 }
 
+struct Vertices_Alineados {
+  Terna vertices;
+  static constexpr auto component = &Escena::mi_vertices;
+  static constexpr Respuesta answer = Respuesta::vertices_alineados;
+};
+
+inline constexpr clause Vertices_Alineados_pre_1{"Vertices_Alineados.pre.1", "vertices? ∉ Vertices"};
+inline constexpr clause Vertices_Alineados_post_1{"Vertices_Alineados.post.1", "r! = vertices_alineados"};
+
+template <class Visit>
+void clauses(const Vertices_Alineados& in, const Escena&, Respuesta r, Visit&& visit) {
+  visit(Vertices_Alineados_pre_1, [&] { return !Vertices::contains(in.vertices); });
+  visit(Vertices_Alineados_post_1, [&] { return r == Respuesta::vertices_alineados; });
+}
+
 }  // namespace durero::model

@@ -18,6 +18,10 @@ inline constexpr contract::clause Rmas_inv_1{"Rmas.inv.1", "r > 0"};
 inline constexpr contract::clause Rayo_inv_1{"Rayo.inv.1", "¬ (v.x = 0 ∧ v.y = 0 ∧ v.z = 0)"};
 inline constexpr contract::clause Unitario_inv_1{
     "Unitario.inv.1", "1 − tolerancia_unidad ≤ d.x * d.x + d.y * d.y + d.z * d.z ≤ 1 + tolerancia_unidad"};
+inline constexpr contract::clause Vertices_inv_1{
+    "Vertices.inv.1",
+    "¬ ((v.b.y − v.a.y) * (v.c.z − v.a.z) = (v.b.z − v.a.z) * (v.c.y − v.a.y) ∧ (v.b.z − v.a.z) * (v.c.x − v.a.x) = "
+    "(v.b.x − v.a.x) * (v.c.z − v.a.z) ∧ (v.b.x − v.a.x) * (v.c.y − v.a.y) = (v.b.y − v.a.y) * (v.c.x − v.a.x))"};
 
 /// tolerancia_unidad.def.1: how far the squared length of an axis may be from one, 2⁻⁵⁰.
 inline constexpr double tolerancia_unidad = 0x1p-50;
@@ -90,6 +94,26 @@ class Rayo {
   Vector v_;
 };
 
+/// Three points, in the order in which they are given (Terna).
+struct Terna {
+  Punto a, b, c;
+
+  bool operator==(const Terna&) const noexcept = default;
+};
+
+/// The three vertices of a triangle: points that do not lie on one line, exactly (Vertices). Throws contract_violation
+/// Vertices.inv.1 otherwise.
+class Vertices {
+ public:
+  explicit Vertices(const Terna& v);
+  const Terna& terna() const noexcept { return v_; }
+  static bool contains(const Terna& v);
+  bool operator==(const Vertices&) const noexcept = default;
+
+ private:
+  Terna v_;
+};
+
 /// The name of an element (Elemento): 1 to 128 of A–Z a–z 0–9 _ . : -. Throws std::invalid_argument otherwise.
 class Elemento {
  public:
@@ -103,10 +127,10 @@ class Elemento {
 };
 
 /// What an element is (Tipo), and its name in the text.
-enum class Tipo : std::uint8_t { soy_esfera, soy_cilindro, soy_cono, soy_tronco, soy_plano };
-inline constexpr auto tipo_names =
-    std::to_array<std::string_view>({"soy_esfera", "soy_cilindro", "soy_cono", "soy_tronco", "soy_plano"});
-static_assert(Tipo{tipo_names.size() - 1} == Tipo::soy_plano);
+enum class Tipo : std::uint8_t { soy_esfera, soy_cilindro, soy_cono, soy_tronco, soy_plano, soy_disco, soy_triangulo };
+inline constexpr auto tipo_names = std::to_array<std::string_view>(
+    {"soy_esfera", "soy_cilindro", "soy_cono", "soy_tronco", "soy_plano", "soy_disco", "soy_triangulo"});
+static_assert(Tipo{tipo_names.size() - 1} == Tipo::soy_triangulo);
 
 /// How many types there are.
 inline constexpr std::size_t tipo_count = tipo_names.size();
@@ -120,25 +144,31 @@ enum class Respuesta : std::uint8_t {
   cono_agregado,
   tronco_agregado,
   plano_agregado,
+  disco_agregado,
+  triangulo_agregado,
   esfera_eliminada,
   cilindro_eliminado,
   cono_eliminado,
   tronco_eliminado,
   plano_eliminado,
+  disco_eliminado,
+  triangulo_eliminado,
   elemento_ya_existe,
   elemento_no_existe,
   tipo_incorrecto,
   radio_no_positivo,
   vector_no_unitario,
   altura_no_positiva,
-  proporcion_no_positiva
+  proporcion_no_positiva,
+  vertices_alineados
 };
 inline constexpr auto respuesta_names = std::to_array<std::string_view>(
-    {"elemento_agregado", "elemento_eliminado", "esfera_agregada", "cilindro_agregado", "cono_agregado",
-     "tronco_agregado", "plano_agregado", "esfera_eliminada", "cilindro_eliminado", "cono_eliminado",
-     "tronco_eliminado", "plano_eliminado", "elemento_ya_existe", "elemento_no_existe", "tipo_incorrecto",
-     "radio_no_positivo", "vector_no_unitario", "altura_no_positiva", "proporcion_no_positiva"});
-static_assert(Respuesta{respuesta_names.size() - 1} == Respuesta::proporcion_no_positiva);
+    {"elemento_agregado",   "elemento_eliminado", "esfera_agregada",        "cilindro_agregado",  "cono_agregado",
+     "tronco_agregado",     "plano_agregado",     "disco_agregado",         "triangulo_agregado", "esfera_eliminada",
+     "cilindro_eliminado",  "cono_eliminado",     "tronco_eliminado",       "plano_eliminado",    "disco_eliminado",
+     "triangulo_eliminado", "elemento_ya_existe", "elemento_no_existe",     "tipo_incorrecto",    "radio_no_positivo",
+     "vector_no_unitario",  "altura_no_positiva", "proporcion_no_positiva", "vertices_alineados"});
+static_assert(Respuesta{respuesta_names.size() - 1} == Respuesta::vertices_alineados);
 
 constexpr std::string_view name(Tipo tipo) noexcept { return tipo_names[static_cast<std::size_t>(tipo)]; }
 constexpr std::string_view name(Respuesta r) noexcept { return respuesta_names[static_cast<std::size_t>(r)]; }

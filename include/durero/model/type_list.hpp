@@ -6,14 +6,16 @@
 
 #include "durero/model/tipo/cilindro.hpp"
 #include "durero/model/tipo/cono.hpp"
+#include "durero/model/tipo/disco.hpp"
 #include "durero/model/tipo/esfera.hpp"
 #include "durero/model/tipo/plano.hpp"
+#include "durero/model/tipo/triangulo.hpp"
 #include "durero/model/tipo/tronco.hpp"
 
 namespace durero::model {
 
 /// Every type, in the order of Tipo.
-using Types = std::tuple<Esfera, Cilindro, Cono, Tronco, Plano>;
+using Types = std::tuple<Esfera, Cilindro, Cono, Tronco, Plano, Disco, Triangulo>;
 
 /// visit(std::type_identity<Type>) for every type, in order.
 template <class Visit>

@@ -13,6 +13,8 @@ struct Ball {
   std::int64_t exponent = 0;
 
   explicit Ball(const Dyadic& value);
+  /// Of a finite number: itself.
+  explicit Ball(double value);
   Ball(double m, double r, std::int64_t e) : middle(m), radius(r), exponent(e) {}
 
   /// −1 or 1 where every number of the ball has that sign; 0 says "cannot decide".
@@ -21,6 +23,8 @@ struct Ball {
 
 Ball operator+(const Ball& a, const Ball& b);
 inline Ball operator-(const Ball& a) { return {-a.middle, a.radius, a.exponent}; }
+inline Ball operator-(const Ball& a, const Ball& b) { return a + -b; }
+inline int sign(const Ball& a) { return a.decided_sign(); }
 Ball operator*(const Ball& a, const Ball& b);
 /// Precondition: b was made from a Dyadic other than 0.
 Ball operator/(const Ball& a, const Ball& b);

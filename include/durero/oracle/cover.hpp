@@ -2,9 +2,9 @@
 /// A surface as a finite set of points with a proved covering radius δ: every point of the surface has a sample
 /// within δ. The oracle of the design card looks at nothing else of an element.
 ///
-/// Each cover is made of rings. A point of the surface reaches the circle of the nearest ring by a path in the surface
-/// of length at most δ/2, a piece of the profile, and from there the nearest sample of that ring by an arc of at most
-/// δ/2; a chord is no longer than its path, so the sample is within δ. δ includes the rounding of the samples.
+/// Each cover is made of rings, lines of equal u. A point of the surface reaches the nearest ring by a path in the
+/// surface of length at most δ/2, a piece of the profile, and from there the nearest sample of that ring by an arc of
+/// at most δ/2; a chord is no longer than its path, so the sample is within δ. δ includes the rounding of the samples.
 
 #include <cstddef>
 #include <cstdint>

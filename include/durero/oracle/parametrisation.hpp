@@ -1,8 +1,9 @@
 #pragma once
 /// A surface as parametrised points, which is all that the sampled oracle knows of an element: a curve, its profile,
 /// turned around an axis. A sphere is a half circle turned around, a cylinder and a cone a segment, and so is a disc
-/// around its centre, which is what is seen of a plane: a patch of it. There is no equation here: what a point, a
-/// direction or a distance in the surface is follows from the two parameters.
+/// around its centre, and what is seen of a plane: a patch of it. A triangle is a fan of segments from a vertex to the
+/// points of the opposite edge. There is no equation here: what a point, a direction or a distance in the surface is
+/// follows from the two parameters.
 ///
 /// Numbers are binary64, and a stored axis may miss unit length by 2⁻⁵⁰: both move a point by less than
 /// 2⁻⁴⁵·(|centro| + size), which rounding() is.
@@ -14,11 +15,6 @@
 #include "durero/scene/shape_view.hpp"
 
 namespace durero::oracle {
-
-/// A place of the profile: the radius of the circle that it turns around, and that circle's height on the axis.
-struct Circle {
-  double radius, height;
-};
 
 /// A point of a surface and what the surface is like around it.
 struct SurfacePoint {
@@ -38,22 +34,30 @@ class Parametrisation {
     requires std::is_same_v<decltype(Shape::tipo), const model::Tipo>
   Parametrisation(const Shape& shape) : Parametrisation(scene::ShapeView(shape)) {}
 
-  /// The length of the profile, that of each line of equal v.
+  /// At least the length of each line of equal v: that of the profile, or of the longest segment of a fan.
   double length() const noexcept { return length_; }
-  /// The largest radius of a circle of the surface.
+  /// The largest radius of a circle of the surface; half the length of a fan.
   double widest() const noexcept { return widest_; }
-  /// At least the sum of the magnitudes of what leads from centro to a point: along the axis and away from it.
+  /// The centre of a sphere, a patch or a disc, that of the base of what has an axis, the vertex of a fan.
+  const glm::dvec3& center() const noexcept { return center_; }
+  /// At least the sum of the magnitudes of what leads from there to a point.
   double size() const noexcept { return size_; }
   double rounding() const noexcept;
   /// Whether the surface goes on beyond its rim, as a plane does.
   bool is_patch() const noexcept { return is_patch_; }
 
-  // 0 ≤ u ≤ 1 runs along the profile, in proportion to its length; 0 ≤ v ≤ 1 once around the axis.
-  Circle circle(double u) const;
-  glm::dvec3 point(double u, double v) const { return on(circle(u), v); }
+  // 0 ≤ u ≤ 1 runs along the profile, in proportion to its length; 0 ≤ v ≤ 1 once around the axis, or over the fan.
+  glm::dvec3 point(double u, double v) const;
   SurfacePoint at(double u, double v) const;
-  /// The point of the axis at a height.
-  glm::dvec3 on_axis(double height) const { return center_ + axis_ * height; }
+  /// The length of the line of equal u: a circle, or a segment parallel to the edge opposite to a fan's vertex.
+  double around(double u) const;
+  /// At least the length of each line of equal u that this one is no farther from than `way`, along the lines of equal
+  /// v.
+  double around_within(double u, double way) const;
+  /// The middle of the line of equal u.
+  glm::dvec3 middle(double u) const;
+  /// At least the distance of its points from a point between the middles of lines of equal u.
+  double reach(double u, const glm::dvec3& from) const;
 
  private:
   struct Arc {
@@ -62,17 +66,29 @@ class Parametrisation {
   struct Segment {
     double first_radius, last_radius, height;  // from (first_radius, 0) to (last_radius, height)
   };
+  struct Fan {
+    glm::dvec3 first, last;  // from the vertex, to the ends of the opposite edge, which is the shortest
+    double width() const;
+  };
+  struct Circle {
+    double radius, height;  // on the axis
+  };
   struct Profile;
   struct ProfileOf;
   explicit Parametrisation(const Profile& profile);
   void measure(const Arc& arc);
   void measure(const Segment& segment);
+  void measure(const Fan& fan);
   void set_frame(const glm::dvec3& axis);
+  static Circle circle(const Arc& arc, double u);
+  static Circle circle(const Segment& segment, double u);
   glm::dvec3 outwards(double v) const;
-  glm::dvec3 on(const Circle& circle, double v) const;
+  SurfacePoint at(const Arc& arc, double u, double v) const;
+  SurfacePoint at(const Segment& segment, double u, double v) const;
+  SurfacePoint at(const Fan& fan, double u, double v) const;
 
   glm::dvec3 center_, axis_, across_, sideways_;  // the last three of length 1, at right angles
-  std::variant<Arc, Segment> profile_;
+  std::variant<Arc, Segment, Fan> profile_;
   bool is_patch_;
   double length_, widest_, size_;
 };

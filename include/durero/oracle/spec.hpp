@@ -30,6 +30,7 @@ zed::Value value(model::Respuesta r);
 zed::Value value(const model::ExactPoint& p);
 zed::Value value(const model::Punto& p);
 zed::Value value(const model::Vector& v);
+zed::Value value(const model::Terna& v);
 zed::Value value(const model::Rayo& rayo);
 /// θEscena
 zed::Value value(const model::Escena& escena);

@@ -8,14 +8,16 @@
 
 #include "durero/scene/shape/cone.hpp"
 #include "durero/scene/shape/cylinder.hpp"
+#include "durero/scene/shape/disc.hpp"
 #include "durero/scene/shape/plane.hpp"
 #include "durero/scene/shape/sphere.hpp"
+#include "durero/scene/shape/triangle.hpp"
 #include "durero/scene/shape/truncated_cone.hpp"
 
 namespace durero::scene {
 
 /// Every shape, in the order of Tipo.
-using Shapes = std::tuple<Sphere, Cylinder, Cone, TruncatedCone, Plane>;
+using Shapes = std::tuple<Sphere, Cylinder, Cone, TruncatedCone, Plane, Disc, Triangle>;
 
 inline constexpr std::size_t shape_count = std::tuple_size_v<Shapes>;
 
@@ -33,6 +35,10 @@ constexpr decltype(auto) with_shape(model::Tipo tipo, Visit&& visit) {
       return visit(std::type_identity<TruncatedCone>());
     case model::Tipo::soy_plano:
       return visit(std::type_identity<Plane>());
+    case model::Tipo::soy_disco:
+      return visit(std::type_identity<Disc>());
+    case model::Tipo::soy_triangulo:
+      return visit(std::type_identity<Triangle>());
   }
   __builtin_unreachable();  // a Tipo is one of its enumerators
 }

@@ -7,10 +7,12 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "durero/model/tipos.hpp"
 #include "durero/number/dyadic_surd.hpp"
 #include "durero/scene/shape_view.hpp"
+#include "durero/surface/equation.hpp"
 
 namespace durero::surface::exact {
 
@@ -20,11 +22,15 @@ using number::Dyadic;
 using Parameter = number::DyadicSurd;
 
 /// potencia at p + t·v, less that at the origin where the ray starts on the element: A·t² + 2B·t + C.
-/// avance at p + t·v: s0 + t·s1, which must lie in 0 … altura where the element is bounded.
+/// avance at p + t·v: s0 + t·s1, which must lie in 0 … altura where the element has a stretch of an axis.
+/// bounds: what must not be negative besides, each A·t² + 2B·t + C with A ≤ 0. Along a line in the plane of a disc it
+/// is the negative power of its ball, of a triangle its three lados; along any other line, numbers that have the signs
+/// of these where the line crosses the plane.
 struct Coefficients {
   Dyadic A, B, C;
-  Dyadic s0, s1;
-  std::optional<Dyadic> altura;
+  Dyadic s0{}, s1{};
+  std::optional<Dyadic> altura{};
+  std::vector<Quadratic<Dyadic>> bounds{};
 };
 
 /// on: the origin lies on the element (alcance: puntos_desde), so C is 0.
@@ -43,7 +49,7 @@ Roots roots(const Coefficients& f);
 /// Order of two parameters, of whatever elements.
 inline std::strong_ordering order(const Parameter& a, const Parameter& b) { return number::compare(a, b); }
 
-/// 0 ≤ avance ≤ altura at the parameter.
+/// 0 ≤ avance ≤ altura, and no bound negative, at the parameter. Precondition: it is a root.
 bool within_clip(const Coefficients& f, const Parameter& t);
 
 /// A stretch of the ray inside a surface, closed: from begin, or from t → 0⁺ where that is absent and no nearest point
@@ -65,5 +71,7 @@ struct Reach {
   const Parameter& first() const { return segment ? *segment->begin : t[0]; }
 };
 Reach reach(const Coefficients& f);
+/// Of an element; `on` as above.
+Reach reach(scene::ShapeView shape, const model::Rayo& rayo, bool on = false);
 
 }  // namespace durero::surface::exact

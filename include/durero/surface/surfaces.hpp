@@ -6,8 +6,10 @@
 
 #include "durero/surface/shape/cone.hpp"
 #include "durero/surface/shape/cylinder.hpp"
+#include "durero/surface/shape/disc.hpp"
 #include "durero/surface/shape/plane.hpp"
 #include "durero/surface/shape/sphere.hpp"
+#include "durero/surface/shape/triangle.hpp"
 #include "durero/surface/shape/truncated_cone.hpp"
 
 namespace durero::surface {

@@ -25,17 +25,20 @@ struct Packet {
   Column radio{}, proporcion{};
   Columns vector{};
   Column altura{};
+  std::array<Columns, 3> vertices{};
 
   template <class Shape>
   void set(std::size_t lane, const Ray& ray, const Shape& shape) {
     set(p, lane, ray.p);
     set(v, lane, ray.v);
     speed[lane] = ray.speed;
-    set(centro, lane, shape.centro);
+    if constexpr (requires { shape.centro; }) set(centro, lane, shape.centro);
     if constexpr (requires { shape.radio; }) radio[lane] = shape.radio;
     if constexpr (requires { shape.proporcion; }) proporcion[lane] = shape.proporcion;
     if constexpr (requires { shape.vector; }) set(vector, lane, shape.vector);
     if constexpr (requires { shape.altura; }) altura[lane] = shape.altura;
+    if constexpr (requires { shape.vertices; })
+      for (std::size_t i = 0; i < vertices.size(); ++i) set(vertices[i], lane, shape.vertices[i]);
   }
 
  private:

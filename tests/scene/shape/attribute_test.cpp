@@ -26,6 +26,10 @@ TEST_CASE("a shape has the attributes of its table, by the components of the spe
   CHECK(has_attribute<Cone, &Escena::mi_proporcion>());
   CHECK(has_attribute<Cone, &Escena::mi_vector>());
   CHECK_FALSE(has_attribute<Cone, &Escena::mi_radio>());
+  CHECK(has_attribute<Disc, &Escena::mi_radio>());
+  CHECK(has_attribute<Triangle, &Escena::mi_vertices>());
+  CHECK_FALSE(has_attribute<Triangle, &Escena::mi_centro>());
+  CHECK_FALSE(has_attribute<Disc, &Escena::mi_vertices>());
   CHECK(has_attribute<Plane, &Escena::mi_vector>());
   CHECK_FALSE(has_attribute<Plane, &Escena::mi_altura>());
   CHECK(has_attribute<TruncatedCone, &Escena::mi_radio>());
@@ -50,6 +54,6 @@ TEST_CASE("the word of an attribute is the letters of the component that holds i
     INFO(attribute.word);
     CHECK((is(std::pair("centro", &Escena::mi_centro)) || is(std::pair("radio", &Escena::mi_radio)) ||
            is(std::pair("proporcion", &Escena::mi_proporcion)) || is(std::pair("vector", &Escena::mi_vector)) ||
-           is(std::pair("altura", &Escena::mi_altura))));
+           is(std::pair("altura", &Escena::mi_altura)) || is(std::pair("vertices", &Escena::mi_vertices))));
   });
 }

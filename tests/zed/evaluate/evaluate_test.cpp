@@ -57,7 +57,7 @@ TEST_CASE("sets and functions") {
   CHECK(value("# (ℙ (1‥4))") == "16");
   CHECK(value("⋃ {{1}, {2, 3}}") == "{1, 2, 3}");
   CHECK(value("min {3, 1, 2}") == "1");
-  CHECK(value("Tipo") == "{soy_esfera, soy_cilindro, soy_cono, soy_tronco, soy_plano}");
+  CHECK(value("Tipo") == "{soy_esfera, soy_cilindro, soy_cono, soy_tronco, soy_plano, soy_disco, soy_triangulo}");
   CHECK(value("(λ x : 1‥3 • x * x)(2)") == "4");
   CHECK(value("dom (λ x : 1‥3 • x * x)") == "{1, 2, 3}");
 }

@@ -17,7 +17,8 @@ inline constexpr clause Agregar_Cilindro_post_2{"Agregar_Cilindro.post.2", "mi_r
 inline constexpr clause Agregar_Cilindro_post_3{"Agregar_Cilindro.post.3", "mi_vector' = mi_vector ∪ { e? ↦ vector? }"};
 inline constexpr clause Agregar_Cilindro_post_4{"Agregar_Cilindro.post.4", "mi_altura' = mi_altura ∪ { e? ↦ altura? }"};
 inline constexpr clause Agregar_Cilindro_post_5{"Agregar_Cilindro.post.5", "mi_proporcion' = mi_proporcion"};
-inline constexpr clause Agregar_Cilindro_post_6{"Agregar_Cilindro.post.6", "r! = cilindro_agregado"};
+inline constexpr clause Agregar_Cilindro_post_6{"Agregar_Cilindro.post.6", "mi_vertices' = mi_vertices"};
+inline constexpr clause Agregar_Cilindro_post_7{"Agregar_Cilindro.post.7", "r! = cilindro_agregado"};
 
 struct Agregar_Cilindro {
   Elemento e;
@@ -40,8 +41,9 @@ struct Agregar_Cilindro {
                                       Joined<&Escena::mi_radio, &Agregar_Cilindro::radio>{&Agregar_Cilindro_post_2},
                                       Joined<&Escena::mi_vector, &Agregar_Cilindro::vector>{&Agregar_Cilindro_post_3},
                                       Joined<&Escena::mi_altura, &Agregar_Cilindro::altura>{&Agregar_Cilindro_post_4},
-                                      Kept<&Escena::mi_proporcion>{&Agregar_Cilindro_post_5}};
-  static constexpr const clause* answers = &Agregar_Cilindro_post_6;
+                                      Kept<&Escena::mi_proporcion>{&Agregar_Cilindro_post_5},
+                                      Kept<&Escena::mi_vertices>{&Agregar_Cilindro_post_6}};
+  static constexpr const clause* answers = &Agregar_Cilindro_post_7;
 };
 
 // No_Es_Cilindro
@@ -67,7 +69,8 @@ inline constexpr clause Eliminar_Cilindro_post_2{"Eliminar_Cilindro.post.2", "mi
 inline constexpr clause Eliminar_Cilindro_post_3{"Eliminar_Cilindro.post.3", "mi_vector' = { e? } ⩤ mi_vector"};
 inline constexpr clause Eliminar_Cilindro_post_4{"Eliminar_Cilindro.post.4", "mi_altura' = { e? } ⩤ mi_altura"};
 inline constexpr clause Eliminar_Cilindro_post_5{"Eliminar_Cilindro.post.5", "mi_proporcion' = mi_proporcion"};
-inline constexpr clause Eliminar_Cilindro_post_6{"Eliminar_Cilindro.post.6", "r! = cilindro_eliminado"};
+inline constexpr clause Eliminar_Cilindro_post_6{"Eliminar_Cilindro.post.6", "mi_vertices' = mi_vertices"};
+inline constexpr clause Eliminar_Cilindro_post_7{"Eliminar_Cilindro.post.7", "r! = cilindro_eliminado"};
 
 struct Eliminar_Cilindro {
   Elemento e;
@@ -80,10 +83,10 @@ struct Eliminar_Cilindro {
 
   static constexpr const clause* is_of_type = &Eliminar_Cilindro_pre_1;
   static constexpr std::tuple effects{
-      Dropped<&Escena::mi_centro>{&Eliminar_Cilindro_post_1}, Dropped<&Escena::mi_radio>{&Eliminar_Cilindro_post_2},
-      Dropped<&Escena::mi_vector>{&Eliminar_Cilindro_post_3}, Dropped<&Escena::mi_altura>{&Eliminar_Cilindro_post_4},
-      Kept<&Escena::mi_proporcion>{&Eliminar_Cilindro_post_5}};
-  static constexpr const clause* answers = &Eliminar_Cilindro_post_6;
+      Dropped<&Escena::mi_centro>{&Eliminar_Cilindro_post_1},  Dropped<&Escena::mi_radio>{&Eliminar_Cilindro_post_2},
+      Dropped<&Escena::mi_vector>{&Eliminar_Cilindro_post_3},  Dropped<&Escena::mi_altura>{&Eliminar_Cilindro_post_4},
+      Kept<&Escena::mi_proporcion>{&Eliminar_Cilindro_post_5}, Kept<&Escena::mi_vertices>{&Eliminar_Cilindro_post_6}};
+  static constexpr const clause* answers = &Eliminar_Cilindro_post_7;
 };
 
 // Points

@@ -18,7 +18,8 @@ inline constexpr clause Agregar_Cono_post_3{"Agregar_Cono.post.3", "mi_vector' =
 inline constexpr clause Agregar_Cono_post_4{"Agregar_Cono.post.4", "mi_altura' = mi_altura ∪ { e? ↦ altura? }"};
 inline constexpr clause Agregar_Cono_post_5{"Agregar_Cono.post.5",
                                             "mi_proporcion' = mi_proporcion ∪ { e? ↦ proporcion? }"};
-inline constexpr clause Agregar_Cono_post_6{"Agregar_Cono.post.6", "r! = cono_agregado"};
+inline constexpr clause Agregar_Cono_post_6{"Agregar_Cono.post.6", "mi_vertices' = mi_vertices"};
+inline constexpr clause Agregar_Cono_post_7{"Agregar_Cono.post.7", "r! = cono_agregado"};
 
 struct Agregar_Cono {
   Elemento e;
@@ -41,8 +42,9 @@ struct Agregar_Cono {
                                       Kept<&Escena::mi_radio>{&Agregar_Cono_post_2},
                                       Joined<&Escena::mi_vector, &Agregar_Cono::vector>{&Agregar_Cono_post_3},
                                       Joined<&Escena::mi_altura, &Agregar_Cono::altura>{&Agregar_Cono_post_4},
-                                      Joined<&Escena::mi_proporcion, &Agregar_Cono::proporcion>{&Agregar_Cono_post_5}};
-  static constexpr const clause* answers = &Agregar_Cono_post_6;
+                                      Joined<&Escena::mi_proporcion, &Agregar_Cono::proporcion>{&Agregar_Cono_post_5},
+                                      Kept<&Escena::mi_vertices>{&Agregar_Cono_post_6}};
+  static constexpr const clause* answers = &Agregar_Cono_post_7;
 };
 
 // No_Es_Cono
@@ -68,7 +70,8 @@ inline constexpr clause Eliminar_Cono_post_2{"Eliminar_Cono.post.2", "mi_radio' 
 inline constexpr clause Eliminar_Cono_post_3{"Eliminar_Cono.post.3", "mi_vector' = { e? } ⩤ mi_vector"};
 inline constexpr clause Eliminar_Cono_post_4{"Eliminar_Cono.post.4", "mi_altura' = { e? } ⩤ mi_altura"};
 inline constexpr clause Eliminar_Cono_post_5{"Eliminar_Cono.post.5", "mi_proporcion' = { e? } ⩤ mi_proporcion"};
-inline constexpr clause Eliminar_Cono_post_6{"Eliminar_Cono.post.6", "r! = cono_eliminado"};
+inline constexpr clause Eliminar_Cono_post_6{"Eliminar_Cono.post.6", "mi_vertices' = mi_vertices"};
+inline constexpr clause Eliminar_Cono_post_7{"Eliminar_Cono.post.7", "r! = cono_eliminado"};
 
 struct Eliminar_Cono {
   Elemento e;
@@ -81,10 +84,10 @@ struct Eliminar_Cono {
 
   static constexpr const clause* is_of_type = &Eliminar_Cono_pre_1;
   static constexpr std::tuple effects{
-      Dropped<&Escena::mi_centro>{&Eliminar_Cono_post_1}, Kept<&Escena::mi_radio>{&Eliminar_Cono_post_2},
-      Dropped<&Escena::mi_vector>{&Eliminar_Cono_post_3}, Dropped<&Escena::mi_altura>{&Eliminar_Cono_post_4},
-      Dropped<&Escena::mi_proporcion>{&Eliminar_Cono_post_5}};
-  static constexpr const clause* answers = &Eliminar_Cono_post_6;
+      Dropped<&Escena::mi_centro>{&Eliminar_Cono_post_1},     Kept<&Escena::mi_radio>{&Eliminar_Cono_post_2},
+      Dropped<&Escena::mi_vector>{&Eliminar_Cono_post_3},     Dropped<&Escena::mi_altura>{&Eliminar_Cono_post_4},
+      Dropped<&Escena::mi_proporcion>{&Eliminar_Cono_post_5}, Kept<&Escena::mi_vertices>{&Eliminar_Cono_post_6}};
+  static constexpr const clause* answers = &Eliminar_Cono_post_7;
 };
 
 // Points

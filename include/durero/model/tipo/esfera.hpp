@@ -15,7 +15,8 @@ inline constexpr clause Agregar_Esfera_post_2{"Agregar_Esfera.post.2", "mi_radio
 inline constexpr clause Agregar_Esfera_post_3{"Agregar_Esfera.post.3", "mi_vector' = mi_vector"};
 inline constexpr clause Agregar_Esfera_post_4{"Agregar_Esfera.post.4", "mi_altura' = mi_altura"};
 inline constexpr clause Agregar_Esfera_post_5{"Agregar_Esfera.post.5", "mi_proporcion' = mi_proporcion"};
-inline constexpr clause Agregar_Esfera_post_6{"Agregar_Esfera.post.6", "r! = esfera_agregada"};
+inline constexpr clause Agregar_Esfera_post_6{"Agregar_Esfera.post.6", "mi_vertices' = mi_vertices"};
+inline constexpr clause Agregar_Esfera_post_7{"Agregar_Esfera.post.7", "r! = esfera_agregada"};
 
 struct Agregar_Esfera {
   Elemento e;
@@ -34,8 +35,9 @@ struct Agregar_Esfera {
                                       Joined<&Escena::mi_radio, &Agregar_Esfera::radio>{&Agregar_Esfera_post_2},
                                       Kept<&Escena::mi_vector>{&Agregar_Esfera_post_3},
                                       Kept<&Escena::mi_altura>{&Agregar_Esfera_post_4},
-                                      Kept<&Escena::mi_proporcion>{&Agregar_Esfera_post_5}};
-  static constexpr const clause* answers = &Agregar_Esfera_post_6;
+                                      Kept<&Escena::mi_proporcion>{&Agregar_Esfera_post_5},
+                                      Kept<&Escena::mi_vertices>{&Agregar_Esfera_post_6}};
+  static constexpr const clause* answers = &Agregar_Esfera_post_7;
 };
 
 // No_Es_Esfera
@@ -61,7 +63,8 @@ inline constexpr clause Eliminar_Esfera_post_2{"Eliminar_Esfera.post.2", "mi_rad
 inline constexpr clause Eliminar_Esfera_post_3{"Eliminar_Esfera.post.3", "mi_vector' = mi_vector"};
 inline constexpr clause Eliminar_Esfera_post_4{"Eliminar_Esfera.post.4", "mi_altura' = mi_altura"};
 inline constexpr clause Eliminar_Esfera_post_5{"Eliminar_Esfera.post.5", "mi_proporcion' = mi_proporcion"};
-inline constexpr clause Eliminar_Esfera_post_6{"Eliminar_Esfera.post.6", "r! = esfera_eliminada"};
+inline constexpr clause Eliminar_Esfera_post_6{"Eliminar_Esfera.post.6", "mi_vertices' = mi_vertices"};
+inline constexpr clause Eliminar_Esfera_post_7{"Eliminar_Esfera.post.7", "r! = esfera_eliminada"};
 
 struct Eliminar_Esfera {
   Elemento e;
@@ -74,10 +77,10 @@ struct Eliminar_Esfera {
 
   static constexpr const clause* is_of_type = &Eliminar_Esfera_pre_1;
   static constexpr std::tuple effects{
-      Dropped<&Escena::mi_centro>{&Eliminar_Esfera_post_1}, Dropped<&Escena::mi_radio>{&Eliminar_Esfera_post_2},
-      Kept<&Escena::mi_vector>{&Eliminar_Esfera_post_3}, Kept<&Escena::mi_altura>{&Eliminar_Esfera_post_4},
-      Kept<&Escena::mi_proporcion>{&Eliminar_Esfera_post_5}};
-  static constexpr const clause* answers = &Eliminar_Esfera_post_6;
+      Dropped<&Escena::mi_centro>{&Eliminar_Esfera_post_1},  Dropped<&Escena::mi_radio>{&Eliminar_Esfera_post_2},
+      Kept<&Escena::mi_vector>{&Eliminar_Esfera_post_3},     Kept<&Escena::mi_altura>{&Eliminar_Esfera_post_4},
+      Kept<&Escena::mi_proporcion>{&Eliminar_Esfera_post_5}, Kept<&Escena::mi_vertices>{&Eliminar_Esfera_post_6}};
+  static constexpr const clause* answers = &Eliminar_Esfera_post_7;
 };
 
 // Points

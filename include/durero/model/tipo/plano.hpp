@@ -15,7 +15,8 @@ inline constexpr clause Agregar_Plano_post_2{"Agregar_Plano.post.2", "mi_radio' 
 inline constexpr clause Agregar_Plano_post_3{"Agregar_Plano.post.3", "mi_vector' = mi_vector ∪ { e? ↦ vector? }"};
 inline constexpr clause Agregar_Plano_post_4{"Agregar_Plano.post.4", "mi_altura' = mi_altura"};
 inline constexpr clause Agregar_Plano_post_5{"Agregar_Plano.post.5", "mi_proporcion' = mi_proporcion"};
-inline constexpr clause Agregar_Plano_post_6{"Agregar_Plano.post.6", "r! = plano_agregado"};
+inline constexpr clause Agregar_Plano_post_6{"Agregar_Plano.post.6", "mi_vertices' = mi_vertices"};
+inline constexpr clause Agregar_Plano_post_7{"Agregar_Plano.post.7", "r! = plano_agregado"};
 
 struct Agregar_Plano {
   Elemento e;
@@ -34,8 +35,9 @@ struct Agregar_Plano {
                                       Kept<&Escena::mi_radio>{&Agregar_Plano_post_2},
                                       Joined<&Escena::mi_vector, &Agregar_Plano::vector>{&Agregar_Plano_post_3},
                                       Kept<&Escena::mi_altura>{&Agregar_Plano_post_4},
-                                      Kept<&Escena::mi_proporcion>{&Agregar_Plano_post_5}};
-  static constexpr const clause* answers = &Agregar_Plano_post_6;
+                                      Kept<&Escena::mi_proporcion>{&Agregar_Plano_post_5},
+                                      Kept<&Escena::mi_vertices>{&Agregar_Plano_post_6}};
+  static constexpr const clause* answers = &Agregar_Plano_post_7;
 };
 
 // No_Es_Plano
@@ -61,7 +63,8 @@ inline constexpr clause Eliminar_Plano_post_2{"Eliminar_Plano.post.2", "mi_radio
 inline constexpr clause Eliminar_Plano_post_3{"Eliminar_Plano.post.3", "mi_vector' = { e? } ⩤ mi_vector"};
 inline constexpr clause Eliminar_Plano_post_4{"Eliminar_Plano.post.4", "mi_altura' = mi_altura"};
 inline constexpr clause Eliminar_Plano_post_5{"Eliminar_Plano.post.5", "mi_proporcion' = mi_proporcion"};
-inline constexpr clause Eliminar_Plano_post_6{"Eliminar_Plano.post.6", "r! = plano_eliminado"};
+inline constexpr clause Eliminar_Plano_post_6{"Eliminar_Plano.post.6", "mi_vertices' = mi_vertices"};
+inline constexpr clause Eliminar_Plano_post_7{"Eliminar_Plano.post.7", "r! = plano_eliminado"};
 
 struct Eliminar_Plano {
   Elemento e;
@@ -74,10 +77,10 @@ struct Eliminar_Plano {
 
   static constexpr const clause* is_of_type = &Eliminar_Plano_pre_1;
   static constexpr std::tuple effects{
-      Dropped<&Escena::mi_centro>{&Eliminar_Plano_post_1}, Kept<&Escena::mi_radio>{&Eliminar_Plano_post_2},
-      Dropped<&Escena::mi_vector>{&Eliminar_Plano_post_3}, Kept<&Escena::mi_altura>{&Eliminar_Plano_post_4},
-      Kept<&Escena::mi_proporcion>{&Eliminar_Plano_post_5}};
-  static constexpr const clause* answers = &Eliminar_Plano_post_6;
+      Dropped<&Escena::mi_centro>{&Eliminar_Plano_post_1},  Kept<&Escena::mi_radio>{&Eliminar_Plano_post_2},
+      Dropped<&Escena::mi_vector>{&Eliminar_Plano_post_3},  Kept<&Escena::mi_altura>{&Eliminar_Plano_post_4},
+      Kept<&Escena::mi_proporcion>{&Eliminar_Plano_post_5}, Kept<&Escena::mi_vertices>{&Eliminar_Plano_post_6}};
+  static constexpr const clause* answers = &Eliminar_Plano_post_7;
 };
 
 // Points

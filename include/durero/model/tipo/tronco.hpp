@@ -20,7 +20,8 @@ inline constexpr clause Agregar_Tronco_post_3{"Agregar_Tronco.post.3", "mi_vecto
 inline constexpr clause Agregar_Tronco_post_4{"Agregar_Tronco.post.4", "mi_altura' = mi_altura ∪ { e? ↦ altura? }"};
 inline constexpr clause Agregar_Tronco_post_5{"Agregar_Tronco.post.5",
                                               "mi_proporcion' = mi_proporcion ∪ { e? ↦ proporcion? }"};
-inline constexpr clause Agregar_Tronco_post_6{"Agregar_Tronco.post.6", "r! = tronco_agregado"};
+inline constexpr clause Agregar_Tronco_post_6{"Agregar_Tronco.post.6", "mi_vertices' = mi_vertices"};
+inline constexpr clause Agregar_Tronco_post_7{"Agregar_Tronco.post.7", "r! = tronco_agregado"};
 
 struct Agregar_Tronco {
   Elemento e;
@@ -46,8 +47,9 @@ struct Agregar_Tronco {
       Joined<&Escena::mi_radio, &Agregar_Tronco::radio>{&Agregar_Tronco_post_2},
       Joined<&Escena::mi_vector, &Agregar_Tronco::vector>{&Agregar_Tronco_post_3},
       Joined<&Escena::mi_altura, &Agregar_Tronco::altura>{&Agregar_Tronco_post_4},
-      Joined<&Escena::mi_proporcion, &Agregar_Tronco::proporcion>{&Agregar_Tronco_post_5}};
-  static constexpr const clause* answers = &Agregar_Tronco_post_6;
+      Joined<&Escena::mi_proporcion, &Agregar_Tronco::proporcion>{&Agregar_Tronco_post_5},
+      Kept<&Escena::mi_vertices>{&Agregar_Tronco_post_6}};
+  static constexpr const clause* answers = &Agregar_Tronco_post_7;
 };
 
 // No_Es_Tronco
@@ -73,7 +75,8 @@ inline constexpr clause Eliminar_Tronco_post_2{"Eliminar_Tronco.post.2", "mi_rad
 inline constexpr clause Eliminar_Tronco_post_3{"Eliminar_Tronco.post.3", "mi_vector' = { e? } ⩤ mi_vector"};
 inline constexpr clause Eliminar_Tronco_post_4{"Eliminar_Tronco.post.4", "mi_altura' = { e? } ⩤ mi_altura"};
 inline constexpr clause Eliminar_Tronco_post_5{"Eliminar_Tronco.post.5", "mi_proporcion' = { e? } ⩤ mi_proporcion"};
-inline constexpr clause Eliminar_Tronco_post_6{"Eliminar_Tronco.post.6", "r! = tronco_eliminado"};
+inline constexpr clause Eliminar_Tronco_post_6{"Eliminar_Tronco.post.6", "mi_vertices' = mi_vertices"};
+inline constexpr clause Eliminar_Tronco_post_7{"Eliminar_Tronco.post.7", "r! = tronco_eliminado"};
 
 struct Eliminar_Tronco {
   Elemento e;
@@ -86,10 +89,10 @@ struct Eliminar_Tronco {
 
   static constexpr const clause* is_of_type = &Eliminar_Tronco_pre_1;
   static constexpr std::tuple effects{
-      Dropped<&Escena::mi_centro>{&Eliminar_Tronco_post_1}, Dropped<&Escena::mi_radio>{&Eliminar_Tronco_post_2},
-      Dropped<&Escena::mi_vector>{&Eliminar_Tronco_post_3}, Dropped<&Escena::mi_altura>{&Eliminar_Tronco_post_4},
-      Dropped<&Escena::mi_proporcion>{&Eliminar_Tronco_post_5}};
-  static constexpr const clause* answers = &Eliminar_Tronco_post_6;
+      Dropped<&Escena::mi_centro>{&Eliminar_Tronco_post_1},     Dropped<&Escena::mi_radio>{&Eliminar_Tronco_post_2},
+      Dropped<&Escena::mi_vector>{&Eliminar_Tronco_post_3},     Dropped<&Escena::mi_altura>{&Eliminar_Tronco_post_4},
+      Dropped<&Escena::mi_proporcion>{&Eliminar_Tronco_post_5}, Kept<&Escena::mi_vertices>{&Eliminar_Tronco_post_6}};
+  static constexpr const clause* answers = &Eliminar_Tronco_post_7;
 };
 
 // Points

@@ -2,6 +2,7 @@
 /// An attribute of a shape: one row that holds all that its letters name. Whoever needs the attributes of a shape
 /// (files, scripts, messages, the retrieve function, the values of the Z text) walks the shape's table of them.
 
+#include <array>
 #include <glm/vec3.hpp>
 #include <map>
 #include <string_view>
@@ -13,11 +14,14 @@
 
 namespace durero::scene {
 
+/// A Terna as the compact tables hold it: a, b and c.
+using Corners = std::array<glm::dvec3, 3>;
+
 template <class ShapeType, class StoredType, class Addition, class InputType, class ValueType>
 struct Attribute {
-  using Stored = StoredType;  ///< of the compact table: double or glm::dvec3
-  using Input = InputType;    ///< of the addition: double, Punto or Vector
-  using Value = ValueType;    ///< of the specification: Rmas, Punto or Vector
+  using Stored = StoredType;  ///< of the compact table: double, glm::dvec3 or Corners
+  using Input = InputType;    ///< of the addition: double, Punto, Vector or Terna
+  using Value = ValueType;    ///< of the specification: Rmas, Punto, Vector or Vertices
 
   std::string_view word;                                       ///< in files, scripts and messages
   Stored ShapeType::*field;                                    ///< in the compact table
@@ -35,6 +39,17 @@ Attribute(std::string_view, StoredType ShapeType::*, InputType Addition::*,
 inline double stored(double x) { return x; }
 inline const glm::dvec3& stored(const model::Punto& p) { return p.xyz(); }
 inline const glm::dvec3& stored(const model::Vector& v) { return v.xyz(); }
+inline Corners stored(const model::Terna& v) { return {v.a.xyz(), v.b.xyz(), v.c.xyz()}; }
+
+/// The input that is stored so.
+template <class Input, class Stored>
+Input input_of(const Stored& value) {
+  return Input(value);
+}
+template <>
+inline model::Terna input_of(const Corners& value) {
+  return {model::Punto(value[0]), model::Punto(value[1]), model::Punto(value[2])};
+}
 
 /// visit(attribute) for each attribute of the shape, in the order of the text.
 template <class Shape, class Visit>
@@ -51,7 +66,9 @@ Shape shape_of(const typename Shape::Addition& in) {
 /// The addition that puts this geometry under a name.
 template <class Shape>
 typename Shape::Addition addition(const model::Elemento& e, const Shape& shape) {
-  const auto input = [&]<class Row>(const Row& attribute) { return typename Row::Input(shape.*attribute.field); };
+  const auto input = [&]<class Row>(const Row& attribute) {
+    return input_of<typename Row::Input>(shape.*attribute.field);
+  };
   return std::apply(
       [&](const auto&... attribute) {
         return typename Shape::Addition{e, input(attribute)...};
