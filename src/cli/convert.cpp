@@ -19,14 +19,14 @@ void name_losses(const std::string& path, const std::vector<std::string>& lost) 
 }
 
 int import_scene(const Options& options) {
-  const io::Imported imported = io::format_of(options.from).read(io::read_source(options.from));
+  const io::Imported imported = io::format_to_read(options.from).read(io::read_source(options.from));
   io::write_file(options.to, io::scene_text(imported.scene));
   name_losses(options.from, imported.lost);
   return 0;
 }
 
 int export_scene(const Options& options) {
-  const io::Format& format = io::format_of(options.to);
+  const io::Format& format = io::format_to_write(options.to);
   const io::Exported exported = format.write(io::read_scene(io::read_source(options.from)));
   io::write_file(options.to, exported.text);
   name_losses(options.to, exported.lost);
@@ -36,7 +36,7 @@ int export_scene(const Options& options) {
 }  // namespace
 
 void add_import(CLI::App& app, int& status) {
-  auto* command = app.add_subcommand("import", fmt::format("Read a scene in any format ({})", io::format_endings()));
+  auto* command = app.add_subcommand("import", fmt::format("Read a scene in any format ({})", io::endings_to_read()));
   const auto options = std::make_shared<Options>();
   command->add_option("FILE", options->from, "File to read; its name tells the format")->required();
   command->add_option("-o,--output", options->to, "Scene file (JSON) to write")->required();
@@ -44,7 +44,7 @@ void add_import(CLI::App& app, int& status) {
 }
 
 void add_export(CLI::App& app, int& status) {
-  auto* command = app.add_subcommand("export", fmt::format("Write a scene in any format ({})", io::format_endings()));
+  auto* command = app.add_subcommand("export", fmt::format("Write a scene in any format ({})", io::endings_to_write()));
   const auto options = std::make_shared<Options>();
   command->add_option("SCENE", options->from, "Scene file (JSON)")->required();
   command->add_option("-o,--output", options->to, "File to write; its name tells the format")->required();

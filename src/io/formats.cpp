@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-
 #include "durero/io/nff.hpp"
+#include "durero/io/obj.hpp"
+#include "durero/io/ply.hpp"
 #include "durero/io/scene_file.hpp"
 
 namespace durero::io {
@@ -14,25 +14,34 @@ namespace {
 Imported read_json(const Source& source) { return {read_scene(source), {}}; }
 Exported write_json(const scene::Scene& scene) { return {scene_text(scene), {}}; }
 
-constexpr Format all[] = {{".json", read_json, write_json}, {".nff", read_nff, nff_text}};
+constexpr Format all[] = {
+    {".json", read_json, write_json}, {".nff", read_nff, nff_text}, {".obj", read_obj}, {".ply", read_ply}};
+
+bool is_read(const Format&) { return true; }
+bool is_written(const Format& format) { return format.write != nullptr; }
+
+std::string endings(bool (*is_meant)(const Format&)) {
+  std::vector<std::string_view> endings;
+  for (const Format& format : all)
+    if (is_meant(format)) endings.push_back(format.ending);
+  return fmt::format("{}", fmt::join(endings, " or "));
+}
+
+const Format& format_of(const std::string& path, bool (*is_meant)(const Format&)) {
+  for (const Format& format : all)
+    if (is_meant(format) && path.ends_with(format.ending)) return format;
+  throw FileError(path, "a format that is not known by this name",
+                  fmt::format("expected one that ends in {}", endings(is_meant)));
+}
 
 }  // namespace
 
 std::span<const Format> formats() { return all; }
 
-const Format& format_of(const std::string& path) {
-  const auto found = std::ranges::find_if(all, [&](const Format& format) { return path.ends_with(format.ending); });
-  if (found == std::ranges::end(all)) {
-    throw FileError(path, "a format that is not known by this name",
-                    fmt::format("expected one that ends in {}", format_endings()));
-  }
-  return *found;
-}
+const Format& format_to_read(const std::string& path) { return format_of(path, is_read); }
+const Format& format_to_write(const std::string& path) { return format_of(path, is_written); }
 
-std::string format_endings() {
-  std::vector<std::string_view> endings;
-  for (const Format& format : all) endings.push_back(format.ending);
-  return fmt::format("{}", fmt::join(endings, " or "));
-}
+std::string endings_to_read() { return endings(is_read); }
+std::string endings_to_write() { return endings(is_written); }
 
 }  // namespace durero::io

@@ -12,6 +12,7 @@
 #include "durero/text/shown.hpp"
 #include "losses.hpp"
 #include "nff_words.hpp"
+#include "polygons.hpp"
 #include "scene_elements.hpp"
 #include "stage_fields.hpp"
 
@@ -31,7 +32,7 @@ class NffReader {
 
  private:
   struct Counts {
-    std::size_t polygons = 0, inward = 0, shiny = 0, near_planes = 0;
+    std::size_t smooth = 0, inward = 0, shiny = 0, near_planes = 0;
   };
 
   void read_entity() {
@@ -50,7 +51,7 @@ class NffReader {
     } else if (entity == "c") {
       read_cone();
     } else if (entity == "p" || entity == "pp") {
-      read_polygon(entity == "p" ? 3 : 6);
+      read_polygon(entity == "pp");
     } else {
       in_.fail(at, fmt::format("unknown entity {}", text::shown(entity)), "expected one of v, b, l, f, s, c, p, pp");
     }
@@ -177,15 +178,20 @@ class NffReader {
     }
   }
 
-  void read_polygon(int numbers_in_vertex) {
+  void read_polygon(bool has_normals) {
     const std::size_t at = in_.offset();
-    const double vertices = in_.number("p");
-    if (!(vertices >= 3) || std::trunc(vertices) != vertices) {
-      in_.fail(at, fmt::format("a polygon of {} vertices", vertices), "expected a whole number from 3");
+    const double count = in_.number("p");
+    if (!(count >= 3) || std::trunc(count) != count) {
+      in_.fail(at, fmt::format("a polygon of {} vertices", count), "expected a whole number from 3");
     }
+    std::vector<glm::dvec3> vertices;
     // A double counts exactly, far beyond the length of any file. NOLINTNEXTLINE(*FloatLoopCounter)
-    for (double i = 0; i < vertices * numbers_in_vertex; ++i) in_.number("p");
-    ++counts_.polygons;
+    for (double i = 0; i < count; ++i) {
+      vertices.push_back(in_.triple("p"));
+      if (has_normals) in_.triple("p");
+    }
+    if (has_normals) ++counts_.smooth;
+    polygons_.add(vertices, fill_);
   }
 
   model::Elemento name(char letter, std::size_t type) {
@@ -222,7 +228,8 @@ class NffReader {
 
   std::vector<std::string> losses() const {
     std::vector<std::string> lost;
-    add_loss(lost, counts_.polygons, "polygon", "polygons", "left out: a scene has none");
+    polygons_.name_losses(lost);
+    add_loss(lost, counts_.smooth, "polygon", "polygons", "with normals at its vertices: kept flat, without them");
     add_loss(lost, counts_.inward, "surface", "surfaces", "seen from inside only: kept, seen from both sides");
     add_loss(lost, counts_.shiny, "fill", "fills", "with shine or transparency: only the diffuse colour was kept");
     add_loss(lost, counts_.near_planes, "near plane", "near planes", "(hither) left out: a scene's camera has none");
@@ -231,6 +238,7 @@ class NffReader {
 
   NffWords in_;
   scene::Scene scene_;
+  Polygons polygons_{scene_, "p"};
   Counts counts_;
   std::vector<std::size_t> colorless_;                                 // lights
   std::map<std::tuple<double, double, double>, std::uint32_t> fills_;  // colours, to their order

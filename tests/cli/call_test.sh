@@ -23,7 +23,7 @@ refused '--output is required' export scene.json
 refused 'nowhere.json: cannot be read: No such file or directory' check nowhere.json
 refused '.: cannot be read: Is a directory' check .
 refused 'scene.obj: a format that is not known by this name' export scene.json -o scene.obj
-refused 'scene.obj: a format that is not known by this name' import scene.obj -o out.json
+refused 'scene.stl: a format that is not known by this name' import scene.stl -o out.json
 absent scene.obj
 
 # Whatever the bytes of an argument, of a file's name or of a file: a terminal prints the message and does not obey it.

@@ -1,4 +1,4 @@
-# durero import and export: NFF there and back, and what is lost on the way.
+# durero import and export: NFF there and back, meshes, and what is lost on the way.
 . "$(dirname "$0")/harness.sh"
 cat >scene.nff <<'TEXT'
 b 0.1 0.2 0.3
@@ -29,13 +29,75 @@ run 0 export scene.json -o copy.json
 same scene.json copy.json
 empty err
 
-# What a scene cannot hold is named; the rest is kept.
-printf 'p 3\n0 0 0 1 0 0 0 1 0\nc 0 0 0 2 0 0 3 1\ns 0 0 0 1\n' >more.nff
+# What a scene cannot hold is named; the rest is kept. A polygon is cut into triangles.
+cat >more.nff <<'TEXT'
+f 1 0 0 1 0.5 10 0 1
+p 5
+0 0 0
+4 0 0
+4 4 0
+2 1 0
+0 4 0
+p 4 0 0 0 1 1 0 1 0 0 0 1 0
+c 0 0 0 2 0 0 3 1
+s 0 0 0 1
+TEXT
 run 0 import more.nff -o more.json
-lines err 1
-has err 'durero: more.nff: 1 polygon left out: a scene has none'
+lines err 2
+has err 'durero: more.nff: 1 polygon left out: edges touch or cross'
+has err 'durero: more.nff: 1 fill with shine or transparency: only the diffuse colour was kept'
 run 0 check more.json
-has out '2 elementos: 1 esfera, 0 cilindro, 0 cono, 1 tronco, 0 plano, 0 disco, 0 triangulo'
+has out '5 elementos: 1 esfera, 0 cilindro, 0 cono, 1 tronco, 0 plano, 0 disco, 3 triangulo'
+run 0 edit more.json --op 'Agregar_Disco e?=d centro?=(0,0,0) radio?=1 vector?=(0,0,1)' -o disc.json
+run 0 export disc.json -o disc.nff
+has err 'durero: disc.nff: 1 disc left out: NFF has none'
+run 0 import disc.nff -o back.json
+empty err
+run 0 check back.json
+has out '5 elementos: 1 esfera, 0 cilindro, 0 cono, 1 tronco, 0 plano, 0 disco, 3 triangulo'
+
+# Meshes: a tetrahedron whose base is there twice, once as a triangle of no area.
+mkdir meshes
+cat >meshes/solid.obj <<'TEXT'
+v 0 0 0
+v 0.1 0 0
+v 0 0.1 0
+v 0 0 0.1
+f 1 3 2
+f 1 1 2
+f 1 2 4
+f 2 3 4
+f 3 1 4
+TEXT
+run 0 import meshes/solid.obj -o solid.json
+is err 'durero: meshes/solid.obj: 1 triangle left out: the vertices lie on one line'
+is solid.json '{"format":"durero-scene","version":1,
+"elementos":[
+{"id":"solid.obj:1","tipo":"triangulo","vertices":[[0,0,0],[0,0.1,0],[0.1,0,0]]},
+{"id":"solid.obj:3","tipo":"triangulo","vertices":[[0,0,0],[0.1,0,0],[0,0,0.1]]},
+{"id":"solid.obj:4","tipo":"triangulo","vertices":[[0.1,0,0],[0,0.1,0],[0,0,0.1]]},
+{"id":"solid.obj:5","tipo":"triangulo","vertices":[[0,0.1,0],[0,0,0],[0,0,0.1]]}
+]}'
+{ printf 'ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\nelement face 5\n'
+  printf 'property list uchar int vertex_indices\nend_header\n0 0 0\n0.1 0 0\n0 0.1 0\n0 0 0.1\n'
+  printf '3 0 2 1\n3 0 0 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n'; } >solid.ply
+run 0 import solid.ply -o from_ply.json
+sed 's/solid.ply/solid.obj/' from_ply.json >renamed.json
+same renamed.json solid.json
+run 0 check solid.json
+has out '4 elementos: 0 esfera, 0 cilindro, 0 cono, 0 tronco, 0 plano, 0 disco, 4 triangulo'
+printf '0.02 0.02 0.02 -1 -1 -1\n' >rays.txt
+run 0 trace solid.json rays.txt
+has out '"elementos":["solid.obj:1","solid.obj:3","solid.obj:5"],"t":0.02,"point":[0,0,0]'
+refused 'solid.obj: a format that is not known by this name; expected one that ends in .json or .nff' \
+  export solid.json -o solid.obj
+absent solid.obj
+printf 'v 0 0 0\nv 1 0 0\nf 1 2 3\n' >bad.obj
+refused 'bad.obj:3:7: "3" names no vertex; expected 1 to 2, or a distance back to one above' import bad.obj -o bad.json
+absent bad.json
+printf 'solid' >bad.ply
+refused 'bad.ply:1:1: "solid" stands here; expected ply: no PLY file begins otherwise' import bad.ply -o bad.json
+absent bad.json
 
 printf 's 0 0 0 1\ns 0 0 0 0\n' >bad.nff
 refused 'bad.nff:2:9: radio_no_positivo; expected radio? ∈ Rmas (Agregar_Esfera.pre.2)' import bad.nff -o bad.json

@@ -24,17 +24,19 @@ struct Exported {
 };
 
 struct Format {
-  std::string_view ending;                 ///< of the file's name: ".nff"
-  Imported (*read)(const Source& source);  ///< throws InputError
-  Exported (*write)(const scene::Scene& scene);
+  std::string_view ending;                   ///< of the file's name: ".nff"
+  Imported (*read)(const Source& source);    ///< throws InputError
+  Exported (*write)(const scene::Scene&){};  ///< absent where the format is only read
 };
 
 std::span<const Format> formats();
 
-/// The format of a file by its name. Throws FileError where none has that ending.
-const Format& format_of(const std::string& path);
+/// The format of a file that is to be read or written, by its name. Throws FileError where none has that ending.
+const Format& format_to_read(const std::string& path);
+const Format& format_to_write(const std::string& path);
 
-/// The endings of all formats, as a sentence lists them.
-std::string format_endings();
+/// Their endings, as a sentence lists them.
+std::string endings_to_read();
+std::string endings_to_write();
 
 }  // namespace durero::io

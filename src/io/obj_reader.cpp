@@ -1,0 +1,156 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "cursor.hpp"
+#include "durero/io/number_text.hpp"
+#include "durero/io/obj.hpp"
+#include "durero/text/shown.hpp"
+#include "losses.hpp"
+#include "mesh_scene.hpp"
+
+namespace durero::io {
+namespace {
+
+/// Statements that the library passes over and a scene has no place for, but for those that are counted by themselves.
+constexpr std::string_view others[] = {
+    "vp",        "s",      "p",   "bevel", "lod",    "ctech", "c_interp", "stech",    "d_interp", "shadow_obj",
+    "trace_obj", "cstype", "deg", "step",  "bmat",   "con",   "curv",     "surf",     "parm",     "trim",
+    "hole",      "scrv",   "sp",  "end",   "surf_1", "q0_1",  "q1_1",     "curv2d_1", "surf_2",   "q0_2",
+    "q1_2",      "bsp",    "bzp", "cdc",   "cdp",    "res",   "usemap"};
+
+/// Looks at each line beside the library, which takes a line that it does not understand for a shorter one: every
+/// number that stands there must be the library's.
+class ObjLines {
+ public:
+  ObjLines(const Source& source, const PolygonSoup& soup) : source_(source), soup_(soup) {}
+
+  /// What is lost. Throws InputError.
+  std::vector<std::string> read() {
+    Lines lines(source_.text());
+    while (const auto line = lines.next()) {
+      Cursor in(source_, *line);
+      if (!in.done()) read_statement(in);
+    }
+    if (!soup_.whole) source_.fail(soup_.end, "no mesh", "expected vertices (v) and faces (f)");
+    return losses();
+  }
+
+ private:
+  void read_statement(Cursor& in) {
+    const std::size_t at = in.offset();
+    const std::string_view statement = in.word("#");
+    in.skip_blanks();
+    if (statement == "v") {
+      read_vertex(in, at);
+    } else if (statement == "f") {
+      read_face(in, at);
+    } else if (statement == "vn") {
+      ++normals_;
+    } else if (statement == "vt") {
+      ++texture_coordinates_;
+    } else if (statement == "usemtl" || statement == "mtllib") {
+      ++materials_;
+    } else if (statement == "o" || statement == "g") {
+      ++groups_;
+    } else if (std::ranges::find(others, statement) != std::end(others)) {
+      ++others_;
+    } else {
+      in.fail(at, fmt::format("unknown statement {}", text::shown(statement)), "expected one of v, f, vn, vt, o, g, …");
+    }
+  }
+
+  // x y z, and perhaps a weight or a colour or both.
+  void read_vertex(Cursor& in, std::size_t line_at) {
+    for (int i = 0; i < 3; ++i) {
+      const std::size_t at = in.offset();
+      const std::string_view digits = in.word("#");
+      const auto value = read_finite(digits);
+      const bool agreed = value && (vertices_ >= soup_.vertices.size() || soup_.vertices[vertices_][i] == *value);
+      if (!agreed) in.fail(at, fmt::format("{} in v", text::shown(digits)), "expected a finite decimal number");
+      in.skip_blanks();
+    }
+    if (vertices_++ >= soup_.vertices.size()) in.fail(line_at, "v of no decimal numbers", "expected x y z");
+    if (in.done()) return;
+    ++weighted_;
+    for (int more = 0; !in.done(); ++more) {
+      if (more == 4) in.fail(in.offset(), "an eighth number in v", "expected x y z, a weight and a colour at most");
+      in.number("#", "v");
+      in.skip_blanks();
+    }
+  }
+
+  void read_face(Cursor& in, std::size_t at) {
+    const Face& face = faces_ < soup_.faces.size() ? soup_.faces[faces_] : none_;
+    std::size_t corners = 0;
+    for (; !in.done(); ++corners) {
+      const std::size_t corner_at = in.offset();
+      const std::string_view corner = in.word("#");
+      const auto vertex = vertex_of(corner);
+      if (!vertex || corners >= face.size() || face[corners] != *vertex)
+        in.fail(corner_at, fmt::format("{} in f", text::shown(corner)), "expected v, v/vt, v//vn or v/vt/vn");
+      check_vertex(in, corner_at, corner, *vertex);
+      in.skip_blanks();
+    }
+    if (corners < 3) in.fail(at, fmt::format("a face of {} vertices", corners), "expected 3 or more");
+    if (corners != face.size())
+      in.fail(at, "f with numbers in a comment or too long", "expected spaces before a comment");
+    ++faces_;
+  }
+
+  void check_vertex(const Cursor& in, std::size_t at, std::string_view corner, std::int64_t vertex) const {
+    const std::size_t count = soup_.vertices.size();
+    if (vertex < 0 || static_cast<std::size_t>(vertex) >= count) {
+      in.fail(at, fmt::format("{} names no vertex", text::shown(corner)),
+              fmt::format("expected 1 to {}, or a distance back to one above", count));
+    }
+  }
+
+  /// The number, from 0, of the vertex that a corner of a face names. A negative one counts back from the last vertex
+  /// above. Nothing where it is no corner.
+  std::optional<std::int64_t> vertex_of(std::string_view corner) const {
+    std::optional<std::int64_t> vertex;
+    for (int part = 0; part < 3; ++part) {
+      const std::size_t length = std::min(corner.find('/'), corner.size());
+      std::int32_t number = 0;
+      const auto [end, error] = std::from_chars(corner.data(), corner.data() + length, number);
+      const bool left_out = part == 1 && length == 0 && corner.size() > 1;
+      if (!left_out && (error != std::errc() || end != corner.data() + length || number == 0)) return std::nullopt;
+      if (part == 0) vertex = number > 0 ? number - 1 : static_cast<std::int64_t>(vertices_) + number;
+      if (length == corner.size()) return vertex;
+      corner.remove_prefix(length + 1);
+    }
+    return std::nullopt;
+  }
+
+  std::vector<std::string> losses() const {
+    std::vector<std::string> lost;
+    add_loss(lost, normals_, "normal", "normals", "left out: a triangle has its own");
+    add_loss(lost, texture_coordinates_, "texture coordinate", "texture coordinates", "left out: a scene has none");
+    add_loss(lost, weighted_, "weight or colour of a vertex", "weights or colours of vertices",
+             "left out: a scene has none");
+    add_loss(lost, materials_, "use of a material", "uses of materials", "left out: OBJ keeps them in another file");
+    add_loss(lost, groups_, "name of a group", "names of groups", "left out: a scene has none");
+    add_loss(lost, others_, "other statement", "other statements", "left out: no vertex, no face");
+    return lost;
+  }
+
+  const Source& source_;
+  const PolygonSoup& soup_;
+  const Face none_;
+  std::size_t vertices_ = 0, faces_ = 0;  // passed
+  std::size_t normals_ = 0, texture_coordinates_ = 0, weighted_ = 0, materials_ = 0, groups_ = 0, others_ = 0;
+};
+
+}  // namespace
+
+Imported read_obj(const Source& source) {
+  std::string plain;
+  plain.reserve(source.text().size());
+  append_plain(plain, source.text());
+  const PolygonSoup soup = obj_soup(plain);
+  return mesh_scene(source, soup, ObjLines(source, soup).read());
+}
+
+}  // namespace durero::io

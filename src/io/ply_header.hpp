@@ -1,0 +1,36 @@
+#pragma once
+/// What a PLY file says of itself: its elements and their properties.
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "durero/io/source.hpp"
+
+namespace durero::io {
+
+struct PlyProperty {
+  std::string_view name, type;
+  std::string_view counted_by;  ///< the type of a list's length; empty where there is no list
+};
+
+struct PlyElement {
+  std::string_view name;
+  std::uint64_t items = 0;
+  std::size_t at = 0;  ///< where the header tells of it
+  std::vector<PlyProperty> properties;
+};
+
+struct PlyHeader {
+  bool is_text = false;
+  std::vector<PlyElement> elements;
+  std::size_t vertex = 0, face = 0;  ///< which of the elements they are
+  std::size_t end = 0;               ///< where the data begin
+};
+
+/// Reads the header of a mesh: one with the elements vertex (float or double x, y, z) and face (a list vertex_indices
+/// or vertex_index of int or uint), and perhaps others. Throws InputError.
+PlyHeader read_ply_header(const Source& source);
+
+}  // namespace durero::io

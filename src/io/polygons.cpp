@@ -1,0 +1,28 @@
+#include "polygons.hpp"
+
+#include "losses.hpp"
+#include "triangulation.hpp"
+
+namespace durero::io {
+
+void Polygons::add(std::span<const glm::dvec3> polygon, std::optional<std::uint32_t> material) {
+  const auto triangles = triangulated(polygon);
+  if (!triangles) {
+    ++uncut_;
+    return;
+  }
+  for (const auto& [a, b, c] : *triangles) {
+    const model::Answer answer =
+        scene_.apply_total(scene::Edit{scene::addition(model::Elemento{fmt::format("{}{}", prefix_, ++number_)},
+                                                       scene::Triangle{{polygon[a], polygon[b], polygon[c]}}),
+                                       material});
+    if (!answer.ok()) ++aligned_;  // the name is new, so that nothing else can be wrong
+  }
+}
+
+void Polygons::name_losses(std::vector<std::string>& lost) const {
+  add_loss(lost, aligned_, "triangle", "triangles", "left out: the vertices lie on one line");
+  add_loss(lost, uncut_, "polygon", "polygons", "left out: edges touch or cross");
+}
+
+}  // namespace durero::io

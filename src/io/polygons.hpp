@@ -1,0 +1,32 @@
+#pragma once
+/// Polygons become triangles of a scene.
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "durero/scene/scene.hpp"
+
+namespace durero::io {
+
+/// Adds polygons to a scene as triangles that are named PREFIX1, PREFIX2, …: the number of a triangle is its place in
+/// the file, those that are left out included. What no triangle can stand for is left out, and counted.
+class Polygons {
+ public:
+  Polygons(scene::Scene& scene, std::string prefix) : scene_(scene), prefix_(std::move(prefix)) {}
+
+  /// Precondition: three vertices or more, finite; the material is one of the stage's.
+  void add(std::span<const glm::dvec3> polygon, std::optional<std::uint32_t> material = {});
+  /// Appends a line for each kind of thing that was left out.
+  void name_losses(std::vector<std::string>& lost) const;
+
+ private:
+  scene::Scene& scene_;
+  std::string prefix_;
+  std::size_t number_ = 0, aligned_ = 0, uncut_ = 0;
+};
+
+}  // namespace durero::io
