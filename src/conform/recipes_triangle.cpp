@@ -11,7 +11,8 @@ namespace {
 
 using model::Tipo;
 
-constexpr std::array<std::array<int, 3>, 6> orders{{{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
+constexpr std::array<std::array<std::size_t, 3>, 6> orders{
+    {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
 
 /// Their triangle, with the vertices in any order.
 FramedShape in_any_order(Random& random, const scene::Corners& vertices, bool lattice) {

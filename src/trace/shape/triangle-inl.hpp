@@ -71,7 +71,8 @@ template <class R, class Triangle>
 HWY_INLINE Power<R> power_of(Of<model::Tipo::soy_triangulo>, const Triangle& triangle, const Place3<R>& q) {
   const auto& [a, b, c] = triangle.vertices;
   const std::array<Pair<R>, 3> e1 = edge<R>(a, b), e2 = edge<R>(a, c);
-  const auto normal = [&](int i, int j) HWY_ATTR { return difference(product(e1[i], e2[j]), product(e1[j], e2[i])); };
+  const auto normal = [&](std::size_t i, std::size_t j)
+                          HWY_ATTR { return difference(product(e1[i], e2[j]), product(e1[j], e2[i])); };
   const Pair<R> value = sum(sum(product(q.x, normal(1, 2)), product(q.y, normal(2, 0))), product(q.z, normal(0, 1)));
   return {value, power_error * q.W * extent(e1) * extent(e2)};
 }
