@@ -182,6 +182,16 @@ TEST_CASE("roots satisfy the Z text exactly over the whole range of binary64") {
   rungs_property("triangle", triangles(anyFinite()), rays(anyFinite()));
 }
 
+TEST_CASE("a disc is met on its rim, and not beside it") {
+  const scene::Disc disc{{0, 0, 0}, 1, {0, 0, 1}};
+  const auto meets = [&](double x) { return !reach(disc, model::Rayo({x, 0, -2}, {1, 0, 1})).empty(); };
+  CHECK(meets(-3));  // at (−1, 0, 0)
+  CHECK(meets(-2));
+  CHECK(meets(-1));
+  CHECK_FALSE(meets(-3 - 0x1p-51));
+  CHECK_FALSE(meets(-1 + 0x1p-53));
+}
+
 TEST_CASE("in its plane a flat element is met in a segment, a point or nothing") {
   const scene::Disc disc{{0, 0, 0}, 1, {0, 0, 1}};
   const scene::Triangle triangle{{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}};
