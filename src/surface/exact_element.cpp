@@ -14,17 +14,6 @@ using number::shifted;
 using number::sign;
 using number::square;
 
-/// A·t² + 2B·t + C with A ≤ 0, at the parameter: its sign.
-int sign_at(const Quadratic<Dyadic>& f, const Parameter& t) {
-  if (sign(f.A) == 0) return number::sign(number::linear(f.C, shifted(f.B, 1), t));
-  const Dyadic w = square(t.w);
-  return number::sign(
-      Parameter{.x = f.A * (square(t.x) + square(t.y) * t.delta) + shifted(f.B * t.x * t.w, 1) + f.C * w,
-                .y = shifted((f.A * t.x + f.B * t.w) * t.y, 1),
-                .delta = t.delta,
-                .w = w});
-}
-
 /// A stretch of a line, which bounds make narrower.
 struct Stretch {
   Segment segment{};
@@ -107,7 +96,7 @@ std::vector<Quadratic<Dyadic>> bounds_in_plane(const scene::Triangle& triangle, 
 /// The potencia of a flat element is linear, and its A is 0.
 template <Flat Shape>
 Coefficients coefficients_of(const Shape& shape, const model::Rayo& rayo) {
-  FlatCrossing<Dyadic> at = crossing<Dyadic>(shape, rayo);
+  auto at = crossing<Dyadic>(shape, rayo);
   Coefficients f{0, shifted(at.potencia.slope, -1), std::move(at.potencia.at_zero)};
   if (sign(f.B) == 0) {
     f.bounds = bounds_in_plane(shape, rayo);
@@ -122,7 +111,7 @@ Coefficients coefficients_of(const Shape& shape, const model::Rayo& rayo) {
 template <class Shape>
 bool certainly_missed(const Shape& shape, const model::Rayo& rayo, bool on) {
   if constexpr (Flat<Shape>) {
-    const FlatCrossing<Ball> at = crossing<Ball>(shape, rayo);
+    const auto at = crossing<Ball>(shape, rayo);
     const int slope = at.potencia.slope.decided_sign();
     if (slope == 0) return false;
     return on || at.potencia.at_zero.decided_sign() == slope ||
@@ -169,8 +158,9 @@ bool within_clip(const Coefficients& f, const Parameter& t) {
   if (f.altura &&
       (number::sign(number::linear(f.s0, f.s1, t)) < 0 || number::sign(number::linear(*f.altura - f.s0, -f.s1, t)) < 0))
     return false;
+  // A root is where the line crosses the surface, and bounds are numbers there.
   return std::all_of(f.bounds.begin(), f.bounds.end(),
-                     [&](const Quadratic<Dyadic>& bound) { return sign_at(bound, t) >= 0; });
+                     [](const Quadratic<Dyadic>& bound) { return sign(bound.C) >= 0; });
 }
 
 Reach reach(const Coefficients& f) {

@@ -1,7 +1,7 @@
 #pragma once
 /// Where a line crosses the plane of a flat element, over any numbers: Dyadic, or balls around the right ones.
 
-#include <vector>
+#include <array>
 
 #include "durero/surface/surfaces.hpp"
 
@@ -14,20 +14,20 @@ concept Flat =
 
 /// The potencia along the line, and what is not negative where the line crosses the plane on the element or at its
 /// edge. The margins mean nothing for a line that does not cross it: where the slope is 0.
-template <class N>
+template <class N, std::size_t count>
 struct FlatCrossing {
   Linear<N> potencia;
-  std::vector<N> margins{};
+  std::array<N, count> margins;
 };
 
 template <class N>
-FlatCrossing<N> crossing(const scene::Plane& plane, const model::Rayo& rayo) {
-  return {potencia(plane, along<N>(rayo))};
+FlatCrossing<N, 0> crossing(const scene::Plane& plane, const model::Rayo& rayo) {
+  return {potencia(plane, along<N>(rayo)), {}};
 }
 
 /// The crossing is at −at_zero/slope, and so |slope|·w = |slope·q − at_zero·v| long from the centre.
 template <class N>
-FlatCrossing<N> crossing(const scene::Disc& disc, const model::Rayo& rayo) {
+FlatCrossing<N, 1> crossing(const scene::Disc& disc, const model::Rayo& rayo) {
   const auto w = along<N>(rayo);
   const Point<Linear<N>> q = from(disc.centro, w);
   const Linear<N> s = potencia(disc, w);
@@ -60,7 +60,7 @@ LineOverEdges<N> over_edges(const scene::Triangle& triangle, const model::Rayo& 
 /// of its origin, and there the lados of ca and ab are (e1 × e2)²/det times q·(v × e2) and v·(q × e1); the three add up
 /// to (e1 × e2)². They are signed by det here.
 template <class N>
-FlatCrossing<N> crossing(const scene::Triangle& triangle, const model::Rayo& rayo) {
+FlatCrossing<N, 3> crossing(const scene::Triangle& triangle, const model::Rayo& rayo) {
   const auto [e1, e2, q, v] = over_edges<N>(triangle, rayo);
   const Point<N> v_e2 = cross(v, e2), q_e1 = cross(q, e1);
   const N det = dot(e1, v_e2), ca = dot(q, v_e2), ab = dot(v, q_e1), bc = det - ca - ab;
