@@ -137,7 +137,19 @@ double Parametrisation::reach(double u, const glm::dvec3& from) const {
                     profile_);
 }
 
-glm::dvec3 Parametrisation::point(double u, double v) const { return at(u, v).point; }
+glm::dvec3 Parametrisation::on(const Circle& circle, const glm::dvec3& outwards) const {
+  return center_ + axis_ * circle.height + outwards * circle.radius;
+}
+
+glm::dvec3 Parametrisation::on(const Fan& fan, double u, double v) const {
+  return center_ + u * ((1 - v) * fan.first + v * fan.last);
+}
+
+glm::dvec3 Parametrisation::point(double u, double v) const {
+  return std::visit(Overloaded{[&](const Fan& fan) { return on(fan, u, v); },
+                               [&](const auto& turned) { return on(circle(turned, u), outwards(v)); }},
+                    profile_);
+}
 
 SurfacePoint Parametrisation::at(double u, double v) const {
   return std::visit([&](const auto& curve) { return at(curve, u, v); }, profile_);
@@ -146,8 +158,7 @@ SurfacePoint Parametrisation::at(double u, double v) const {
 SurfacePoint Parametrisation::at(const Arc& arc, double u, double v) const {
   const Circle here = circle(arc, u);
   const glm::dvec3 out = outwards(v);
-  const glm::dvec3 from_centre = out * here.radius + axis_ * here.height;
-  return {center_ + from_centre, from_centre / arc.radius, infinity, 1 / arc.radius};
+  return {on(here, out), (out * here.radius + axis_ * here.height) / arc.radius, infinity, 1 / arc.radius};
 }
 
 SurfacePoint Parametrisation::at(const Segment& s, double u, double v) const {
@@ -161,7 +172,7 @@ SurfacePoint Parametrisation::at(const Segment& s, double u, double v) const {
   // has none.
   const double least = here.radius - std::abs(narrowing) * edge / 2;
   const double curvature = rise == 0 ? 0 : least > 0 ? rise / least : infinity;
-  return {center_ + axis_ * here.height + out * here.radius, out * rise + axis_ * narrowing, edge, curvature};
+  return {on(here, out), out * rise + axis_ * narrowing, edge, curvature};
 }
 
 // The distance from each edge is a share of the height over it. Where a height is not far above the rounding of the
@@ -171,7 +182,7 @@ SurfacePoint Parametrisation::at(const Fan& fan, double u, double v) const {
   const double area = glm::length(glm::cross(fan.first, fan.last));
   const double edge = std::min({(1 - u) * area / glm::length(opposite), u * (1 - v) * area / glm::length(fan.last),
                                 u * v * area / glm::length(fan.first)});
-  return {center_ + u * ((1 - v) * fan.first + v * fan.last), axis_, 0.999 * edge, 0};
+  return {on(fan, u, v), axis_, 0.999 * edge, 0};
 }
 
 }  // namespace durero::oracle

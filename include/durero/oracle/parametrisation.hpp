@@ -83,6 +83,8 @@ class Parametrisation {
   static Circle circle(const Arc& arc, double u);
   static Circle circle(const Segment& segment, double u);
   glm::dvec3 outwards(double v) const;
+  glm::dvec3 on(const Circle& circle, const glm::dvec3& outwards) const;
+  glm::dvec3 on(const Fan& fan, double u, double v) const;
   SurfacePoint at(const Arc& arc, double u, double v) const;
   SurfacePoint at(const Segment& segment, double u, double v) const;
   SurfacePoint at(const Fan& fan, double u, double v) const;
