@@ -1,0 +1,28 @@
+#pragma once
+/// What a system answers to a ray, as it says it: nothing of it is trusted, and no number need be finite.
+
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "durero/scene/element_ref.hpp"
+
+namespace durero::conform {
+
+struct Claim {
+  enum class Outcome {
+    hit,
+    miss,
+    crashed,    ///< the system ended while it was asked
+    hung,       ///< it gave no answer in the time that it had
+    unanswered  ///< it was not asked, or left the ray out
+  };
+
+  Outcome outcome = Outcome::unanswered;
+  std::optional<scene::ElementRef> element{};  ///< where the system names one
+  std::optional<double> t{};                   ///< what the system calls the distance: Profile::measure says of what
+  std::optional<glm::dvec3> punto{};           ///< where the system gives the point
+
+  bool operator==(const Claim&) const = default;
+};
+
+}  // namespace durero::conform

@@ -1,0 +1,60 @@
+#pragma once
+/// What a system claims for itself: a case inside its profile is judged, one outside is skipped with the clause.
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "durero/model/tipos.hpp"
+
+namespace durero::conform {
+
+/// The format that a system computes in, and so the ε of its backward error.
+enum class Format { binary32, binary64 };
+
+/// What a system closes a cylinder, a cone or a truncated cone with.
+enum class Caps { open, solid };
+
+/// What the number that a system calls distance is.
+enum class Measure {
+  parameter,  ///< t of p + t·v
+  length,     ///< t·|v|
+  point       ///< it gives none: the point alone
+};
+
+/// What a system says of v.
+enum class Directions {
+  any,       ///< need not be a unit vector
+  unit,      ///< must be one, and is checked: other rays are outside the profile
+  unchecked  ///< must be one, and nobody checks: other rays are outside the profile, and that is a warning
+};
+
+/// What a system answers to a ray from inside a solid.
+enum class Inside { exit_point, nothing, origin };
+
+/// One claim, and where the system's documentation makes it.
+struct Source {
+  std::string claim;     ///< the profile's key that it supports
+  std::string sentence;  ///< of the documentation
+  std::string place;     ///< file, page or address
+};
+
+struct Profile {
+  std::string system;
+  Format format = Format::binary64;
+  std::vector<model::Tipo> tipos;
+  Caps caps = Caps::open;
+  Measure measure = Measure::parameter;
+  Directions directions = Directions::any;
+  Inside inside = Inside::exit_point;
+  double least_t = 0;  ///< hits at less than this are outside the profile
+  double greatest_t = std::numeric_limits<double>::infinity();
+  double least_size = 0;  ///< of a radius or an altura
+  double greatest_size = std::numeric_limits<double>::infinity();
+  double greatest_coordinate = std::numeric_limits<double>::infinity();
+  bool names_elements = true;  ///< whether its hits say which element they are of
+  std::vector<Source> sources;
+};
+
+}  // namespace durero::conform

@@ -1,0 +1,53 @@
+#pragma once
+/// A suite: cases of every family, the same from the same options on any machine. A case is one scene and its rays; it
+/// has a random stream of its own, so that any ray can be made alone.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "durero/conform/families.hpp"
+#include "durero/conform/profile.hpp"
+#include "durero/conform/truth.hpp"
+
+namespace durero::conform {
+
+struct SuiteOptions {
+  std::vector<const Family*> families{};  ///< none: all
+  std::uint64_t seed = 1;
+  std::size_t rays = 1024;            ///< of each family
+  std::vector<model::Tipo> tipos{};   ///< of the elements; none: all
+  Caps caps = Caps::open;             ///< solid: discs close the cylinders, cones and truncated cones
+  Format numbers = Format::binary32;  ///< every number of scenes and rays is one of it
+};
+
+/// How many rays a case has; the last of a family may have less.
+inline constexpr std::size_t rays_of_a_case = 64;
+
+/// An element that discs close, and those discs: a system with solids knows them as one.
+struct Solid {
+  scene::ElementRef wall;
+  std::vector<scene::ElementRef> discs;
+};
+
+struct SuiteCase {
+  const Family* family = nullptr;
+  std::uint64_t number = 0;  ///< among the cases of its family, from 0
+  int parameter = 0;         ///< of the family, as it was drawn
+  Case the_case;
+  std::vector<Solid> solids{};
+  std::vector<Truth> truths{};  ///< of the rays, in their order
+
+  std::string name() const;  ///< FAMILY/0000
+};
+
+/// Cases of a family under the options: 0 where none of its scenes has elements of options.tipos alone.
+std::size_t cases(const SuiteOptions& options, const Family& family);
+
+/// One case, without its truths. Precondition: number < cases(options, family).
+SuiteCase suite_case(const SuiteOptions& options, const Family& family, std::uint64_t number);
+
+/// Answers its rays exactly.
+void answer(SuiteCase& of);
+
+}  // namespace durero::conform
