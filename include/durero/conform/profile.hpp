@@ -23,11 +23,11 @@ enum class Measure {
   point       ///< it gives none: the point alone
 };
 
-/// What a system says of v.
+/// What a system says of v. Where it must be a unit vector the adapter makes it one, rounded in the system's format.
 enum class Directions {
   any,       ///< need not be a unit vector
-  unit,      ///< must be one, and is checked: other rays are outside the profile
-  unchecked  ///< must be one, and nobody checks: other rays are outside the profile, and that is a warning
+  unit,      ///< must be one, and is checked
+  unchecked  ///< must be one, and nobody checks: what users trip over, so a warning of its own
 };
 
 /// What a system answers to a ray from inside a solid.
