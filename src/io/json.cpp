@@ -151,6 +151,16 @@ double Reader::number(std::string_view what) {
   return *value;
 }
 
+double Reader::extended_number(std::string_view what) {
+  if (kind() != Kind::string) return number(what);
+  const std::size_t at = offset();
+  const std::string_view text = string(what);
+  for (const std::string_view known : {"inf", "-inf", "nan"}) {
+    if (text == known) return *read_number(text);
+  }
+  fail(at, fmt::format("{} is {}", what, text::shown(text)), "expected a number, \"inf\" or \"-inf\"");
+}
+
 std::string_view Reader::string(std::string_view what) {
   if (kind() != Kind::string) wrong_kind(what, "a string");
   return document_->string_value(document_->tokens()[next_++]);

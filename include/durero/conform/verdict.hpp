@@ -22,6 +22,8 @@ enum class Verdict {
 };
 inline constexpr int verdict_count = 12;
 std::string_view name(Verdict verdict);
+/// What the verdict says, in one line.
+std::string_view meaning(Verdict verdict);
 /// Off, and the picture is another: a hit for a miss or a miss for a hit, another element, or far from the point.
 bool is_gross(Verdict verdict);
 

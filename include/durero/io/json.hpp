@@ -74,6 +74,8 @@ class Reader {
 
   /// A finite number. `what` names the value in messages.
   double number(std::string_view what);
+  /// A number, or the string "inf", "-inf" or "nan", which stand for what JSON has no number for.
+  double extended_number(std::string_view what);
   std::string_view string(std::string_view what);
   glm::dvec3 vec3(std::string_view what) {
     return triple(what, [&] { return number(what); });

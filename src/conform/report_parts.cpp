@@ -1,0 +1,153 @@
+#include "conform/report_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "durero/conform/question.hpp"
+#include "durero/io/number_text.hpp"
+
+namespace durero::conform {
+namespace {
+
+void add_limit(std::vector<ProfileLine>& lines, const char* claim, double limit, double none) {
+  if (limit != none) lines.push_back({claim, io::number_text(limit)});
+}
+
+}  // namespace
+
+std::string type_words(std::span<const model::Tipo> tipos) {
+  std::string words;
+  for (const model::Tipo tipo : tipos) {
+    words += words.empty() ? "" : ",";
+    words += scene::with_shape(tipo, []<class Shape>(std::type_identity<Shape>) { return Shape::word; });
+  }
+  return words;
+}
+
+std::string_view name(Format format) {
+  switch (format) {
+    case Format::binary32:
+      return "binary32";
+    case Format::binary64:
+      return "binary64";
+  }
+  contract::unreachable();
+}
+
+std::string_view name(Caps caps) {
+  switch (caps) {
+    case Caps::open:
+      return "open";
+    case Caps::solid:
+      return "solid";
+  }
+  contract::unreachable();
+}
+
+std::string_view name(Measure measure) {
+  switch (measure) {
+    case Measure::parameter:
+      return "parameter";
+    case Measure::length:
+      return "length";
+    case Measure::point:
+      return "point";
+  }
+  contract::unreachable();
+}
+
+std::string_view name(Directions directions) {
+  switch (directions) {
+    case Directions::any:
+      return "any";
+    case Directions::unit:
+      return "unit";
+    case Directions::unchecked:
+      return "unchecked";
+  }
+  contract::unreachable();
+}
+
+std::string_view name(Inside inside) {
+  switch (inside) {
+    case Inside::exit_point:
+      return "exit_point";
+    case Inside::nothing:
+      return "nothing";
+    case Inside::origin:
+      return "origin";
+  }
+  contract::unreachable();
+}
+
+std::vector<ProfileLine> profile_lines(const Profile& profile) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<ProfileLine> lines = {{"format", std::string(name(profile.format))},
+                                    {"tipos", type_words(profile.tipos)},
+                                    {"caps", std::string(name(profile.caps))},
+                                    {"measure", std::string(name(profile.measure))},
+                                    {"directions", std::string(name(profile.directions))},
+                                    {"inside", std::string(name(profile.inside))},
+                                    {"names_elements", profile.names_elements ? "true" : "false"}};
+  add_limit(lines, "least_t", profile.least_t, 0);
+  add_limit(lines, "greatest_t", profile.greatest_t, infinity);
+  add_limit(lines, "least_size", profile.least_size, 0);
+  add_limit(lines, "greatest_size", profile.greatest_size, infinity);
+  add_limit(lines, "greatest_coordinate", profile.greatest_coordinate, infinity);
+  return lines;
+}
+
+std::string question_of(const Finding& finding, const Profile& profile) {
+  constexpr std::array<std::size_t, 1> only{0};
+  return question_text(finding.of, profile.caps, only);
+}
+
+std::string sentence(const Finding& finding) {
+  return fmt::format("{}: expected {}; got {}", name(finding.judgement.verdict), truth_words(finding),
+                     claim_words(finding));
+}
+
+std::string replay(const Report& report, const Finding& finding) {
+  return "durero conform show " + replay_options(report.options, finding);
+}
+
+std::vector<const Finding*> findings_of(const FamilyTally& family) {
+  std::vector<const Finding*> findings;
+  for (const bool gross : {true, false}) {
+    for (const std::optional<Finding>& worst : family.worst) {
+      if (worst && is_gross(worst->judgement.verdict) == gross) findings.push_back(&*worst);
+    }
+  }
+  return findings;
+}
+
+std::string as_markup(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\n':
+      case '\t':
+        out += c;
+        break;
+      default:
+        out += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
+    }
+  }
+  return out;
+}
+
+}  // namespace durero::conform
