@@ -12,13 +12,16 @@
 namespace durero::conform {
 
 /// Why the exact answer is not the only one: what of the first crossing a change of the data, however small, removes.
+/// Where several elements are at the first point, the last of these in the order tangent, rim, edge, apex, in_surface
+/// that one of them has. A ray that just misses something exactly is not ambiguous by that: its answer is the answer to
+/// other data near enough, and who judges with a backward error sees it.
 enum class Ambiguity {
   none,
   tangent,    ///< a double root
   rim,        ///< at an end of an open surface, or of a disc
   edge,       ///< at an edge or a vertex of a triangle
   apex,       ///< at the apex of a cone
-  tie,        ///< several elements at one point
+  tie,        ///< several elements at one point, none of which a small change removes
   in_surface  ///< the ray lies in the surface
 };
 std::string_view name(Ambiguity ambiguity);
@@ -27,7 +30,9 @@ struct Truth {
   scene::Hit hit;  ///< of Primera_Interseccion
   Ambiguity ambiguity = Ambiguity::none;
   /// What may be answered beside `hit`, nearest first: the crossings behind it until the first that no small change
-  /// removes, then, where there is none, a miss. Of a tie each element may be answered alone.
+  /// removes, that one included; then, where there is none, a miss. Of several elements at one point all are answered,
+  /// or each alone. A stretch of the ray inside a surface counts with both its ends, and from t → 0⁺ with t = 0; what
+  /// lies between them is as good.
   std::vector<scene::Hit> permissible{};
 };
 
