@@ -75,6 +75,7 @@ class Reader {
   /// A finite number. `what` names the value in messages.
   double number(std::string_view what);
   std::string_view string(std::string_view what);
+  bool boolean(std::string_view what);
   glm::dvec3 vec3(std::string_view what) {
     return triple(what, [&] { return number(what); });
   }
