@@ -166,6 +166,11 @@ std::string_view Reader::string(std::string_view what) {
   return document_->string_value(document_->tokens()[next_++]);
 }
 
+bool Reader::boolean(std::string_view what) {
+  if (kind() != Kind::boolean) wrong_kind(what, "true or false");
+  return document_->source().text()[document_->tokens()[next_++].offset] == 't';
+}
+
 void Reader::require_less_than_three(std::string_view what, std::size_t count, const char* expected) const {
   if (count == 3) fail(offset(), fmt::format("{} has a fourth item", what), expected);
 }

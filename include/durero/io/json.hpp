@@ -77,6 +77,7 @@ class Reader {
   /// A number, or the string "inf", "-inf" or "nan", which stand for what JSON has no number for.
   double extended_number(std::string_view what);
   std::string_view string(std::string_view what);
+  bool boolean(std::string_view what);
   glm::dvec3 vec3(std::string_view what) {
     return triple(what, [&] { return number(what); });
   }
