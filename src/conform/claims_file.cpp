@@ -91,6 +91,7 @@ std::string claim_json(const SuiteCase& of, std::size_t ray, const Claim& claim)
   if (claim.element) out.member("element", of.the_case.scene.name(*claim.element).name());
   if (claim.t) out.member("t", *claim.t);
   if (claim.punto) out.member("point", *claim.punto);
+  if (!claim.why.empty()) out.member("why", claim.why);
   out.end_object();
   return text;
 }

@@ -7,8 +7,8 @@ namespace {
 
 using io::json::Reader;
 
-enum Key : std::size_t { in_case, ray, outcome, element, t, point };
-constexpr std::string_view keys[] = {"case", "ray", "outcome", "element", "t", "point"};
+enum Key : std::size_t { in_case, ray, outcome, element, t, point, why };
+constexpr std::string_view keys[] = {"case", "ray", "outcome", "element", "t", "point", "why"};
 constexpr std::size_t required = 3;
 
 /// A line: its claim, and the texts that are looked up when the case is known.
@@ -42,6 +42,9 @@ void read_part(Reader& in, Key key, const io::Source& source, Row& row) {
       return;
     case point:
       row.claim.punto = in.triple("point", [&] { return in.extended_number("point"); });
+      return;
+    case why:
+      row.claim.why = in.string("why");
   }
 }
 

@@ -68,23 +68,21 @@ void read_member(Reader& in, Key key, Profile& profile) {
   const std::string_view what = keys[key];
   switch (key) {
     case format:
-      profile.format = read_word<Format>(in, what, std::to_array<std::string_view>({"binary32", "binary64"}));
+      profile.format = read_word<Format>(in, what, format_words);
       return;
     case tipos:
       return read_tipos(in, profile.tipos);
     case caps:
-      profile.caps = read_word<Caps>(in, what, std::to_array<std::string_view>({"open", "solid"}));
+      profile.caps = read_word<Caps>(in, what, caps_words);
       return;
     case measure:
-      profile.measure = read_word<Measure>(in, what, std::to_array<std::string_view>({"parameter", "length", "point"}));
+      profile.measure = read_word<Measure>(in, what, measure_words);
       return;
     case directions:
-      profile.directions =
-          read_word<Directions>(in, what, std::to_array<std::string_view>({"any", "unit", "unchecked"}));
+      profile.directions = read_word<Directions>(in, what, directions_words);
       return;
     case inside:
-      profile.inside =
-          read_word<Inside>(in, what, std::to_array<std::string_view>({"exit_point", "nothing", "origin"}));
+      profile.inside = read_word<Inside>(in, what, inside_words);
       return;
     case names_elements:
       profile.names_elements = in.boolean(what);

@@ -61,7 +61,7 @@ std::string replay_options(const SuiteOptions& options, const Finding& finding) 
 std::string claim_words(const Finding& finding) {
   const Claim& claim = finding.claim;
   if (claim.outcome == Claim::Outcome::miss) return "a miss";
-  if (claim.outcome != Claim::Outcome::hit) return std::string(name(claim.outcome));
+  if (claim.outcome != Claim::Outcome::hit) return claim.why.empty() ? std::string(name(claim.outcome)) : claim.why;
   std::string words = claim.element ? finding.of.the_case.scene.name(*claim.element).name() : "a hit";
   if (claim.t) words += " at t = " + io::number_text(*claim.t);
   if (claim.punto) words += (claim.t ? ", point " : " at ") + point_text(*claim.punto);

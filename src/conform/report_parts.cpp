@@ -26,70 +26,14 @@ std::string type_words(std::span<const model::Tipo> tipos) {
   return words;
 }
 
-std::string_view name(Format format) {
-  switch (format) {
-    case Format::binary32:
-      return "binary32";
-    case Format::binary64:
-      return "binary64";
-  }
-  contract::unreachable();
-}
-
-std::string_view name(Caps caps) {
-  switch (caps) {
-    case Caps::open:
-      return "open";
-    case Caps::solid:
-      return "solid";
-  }
-  contract::unreachable();
-}
-
-std::string_view name(Measure measure) {
-  switch (measure) {
-    case Measure::parameter:
-      return "parameter";
-    case Measure::length:
-      return "length";
-    case Measure::point:
-      return "point";
-  }
-  contract::unreachable();
-}
-
-std::string_view name(Directions directions) {
-  switch (directions) {
-    case Directions::any:
-      return "any";
-    case Directions::unit:
-      return "unit";
-    case Directions::unchecked:
-      return "unchecked";
-  }
-  contract::unreachable();
-}
-
-std::string_view name(Inside inside) {
-  switch (inside) {
-    case Inside::exit_point:
-      return "exit_point";
-    case Inside::nothing:
-      return "nothing";
-    case Inside::origin:
-      return "origin";
-  }
-  contract::unreachable();
-}
-
 std::vector<ProfileLine> profile_lines(const Profile& profile) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::vector<ProfileLine> lines = {{"format", std::string(name(profile.format))},
+  std::vector<ProfileLine> lines = {{"format", std::string(word(profile.format))},
                                     {"tipos", type_words(profile.tipos)},
-                                    {"caps", std::string(name(profile.caps))},
-                                    {"measure", std::string(name(profile.measure))},
-                                    {"directions", std::string(name(profile.directions))},
-                                    {"inside", std::string(name(profile.inside))},
+                                    {"caps", std::string(word(profile.caps))},
+                                    {"measure", std::string(word(profile.measure))},
+                                    {"directions", std::string(word(profile.directions))},
+                                    {"inside", std::string(word(profile.inside))},
                                     {"names_elements", profile.names_elements ? "true" : "false"}};
   add_limit(lines, "least_t", profile.least_t, 0);
   add_limit(lines, "greatest_t", profile.greatest_t, infinity);

@@ -17,11 +17,6 @@ inline constexpr Verdict verdicts[verdict_count] = {Verdict::exact,    Verdict::
 
 /// The words of types in files, with commas between them.
 std::string type_words(std::span<const model::Tipo> tipos);
-std::string_view name(Format format);
-std::string_view name(Caps caps);
-std::string_view name(Measure measure);
-std::string_view name(Directions directions);
-std::string_view name(Inside inside);
 
 /// A claim of the profile, as a reader sees it: `directions: any`.
 struct ProfileLine {

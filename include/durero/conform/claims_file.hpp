@@ -7,7 +7,7 @@
 ///   {"case":"generic/0000","ray":1,"outcome":"miss"}
 ///
 /// A hit has t or point or both; `element` stands where the program knows it. What is no number is the string "nan",
-/// "inf" or "-inf". `outcome` may also be `crashed` or `hung`.
+/// "inf" or "-inf". `outcome` may also be `crashed` or `hung`, and `why` may say more of it.
 ///
 /// CSV: a head that names its columns, `case` and `ray`, then any of `outcome`, `element`, `t`, `x`, `y`, `z`; an empty
 /// field is none. Without an outcome a line with a t or a point is a hit, another a miss.
