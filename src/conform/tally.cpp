@@ -68,25 +68,7 @@ std::size_t ulp_bin(double ulps) {
   return ulps <= 1 ? 1 : 1 + static_cast<std::size_t>(std::ceil(std::log2(ulps)));
 }
 
-bool is_failure(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::exact:
-    case Verdict::right:
-    case Verdict::skipped:
-      return false;
-    case Verdict::off:
-    case Verdict::phantom:
-    case Verdict::missed:
-    case Verdict::wrong_element:
-    case Verdict::far_root:
-    case Verdict::misplaced:
-    case Verdict::non_finite:
-    case Verdict::crashed:
-    case Verdict::hung:
-      return true;
-  }
-  contract::unreachable();
-}
+bool is_failure(Verdict verdict) { return verdict == Verdict::off || is_gross(verdict); }
 
 std::uint64_t FamilyTally::rays() const { return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}); }
 std::uint64_t FamilyTally::gross() const { return sum_where(*this, is_gross); }
