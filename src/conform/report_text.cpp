@@ -17,7 +17,7 @@ std::vector<Verdict> columns_of(const Tally& tally) {
   return columns;
 }
 
-constexpr int family_width = 20, column_width = 13;
+constexpr int family_width = 20, column_width = 15;
 
 template <class Count>
 std::string row(std::string_view title, std::span<const Verdict> columns, Count count) {

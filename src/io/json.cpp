@@ -166,6 +166,16 @@ std::string_view Reader::string(std::string_view what) {
   return document_->string_value(document_->tokens()[next_++]);
 }
 
+void Reader::skip() {
+  std::size_t depth = 0;
+  do {
+    const Kind passed = kind();
+    ++next_;
+    depth += passed == Kind::array || passed == Kind::object;
+    depth -= passed == Kind::end_array || passed == Kind::end_object;
+  } while (depth > 0);
+}
+
 bool Reader::boolean(std::string_view what) {
   if (kind() != Kind::boolean) wrong_kind(what, "true or false");
   return document_->source().text()[document_->tokens()[next_++].offset] == 't';

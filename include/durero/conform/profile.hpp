@@ -60,7 +60,7 @@ struct Source {
 struct Profile {
   std::string system;
   Format format = Format::binary64;
-  std::vector<model::Tipo> tipos;
+  std::vector<model::Tipo> tipos{};
   Caps caps = Caps::open;
   Measure measure = Measure::parameter;
   Directions directions = Directions::any;
@@ -71,7 +71,7 @@ struct Profile {
   double greatest_size = std::numeric_limits<double>::infinity();
   double greatest_coordinate = std::numeric_limits<double>::infinity();
   bool names_elements = true;  ///< whether its hits say which element they are of
-  std::vector<Source> sources;
+  std::vector<Source> sources{};
 };
 
 }  // namespace durero::conform

@@ -13,9 +13,9 @@ namespace durero::conform {
 struct Report {
   std::string title;    ///< of the system
   std::string version;  ///< as the system says it; empty where it was not asked by this program
-  Profile profile;
-  SuiteOptions options;
-  Tally tally;
+  Profile profile{};
+  SuiteOptions options{};
+  Tally tally{};
 };
 
 /// The families, those with gross failures first, then those that are off; otherwise in their order.

@@ -131,6 +131,9 @@ class Reader {
     require(what, keys, required, seen, at);
   }
 
+  /// Passes a value, whatever it is.
+  void skip();
+
   [[noreturn]] void fail(std::size_t offset, const std::string& wrong, const std::string& expected) const {
     document_->source().fail(offset, wrong, expected);
   }
