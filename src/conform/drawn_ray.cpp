@@ -23,7 +23,7 @@ DrawnRay scaled(DrawnRay ray, int k) {
   return ray;
 }
 
-DrawnRay arriving(Random& random, const glm::dvec3& point, const glm::dvec3& w, double m) {
+DrawnRay arriving(Draws& random, const glm::dvec3& point, const glm::dvec3& w, double m) {
   return {point - m * w, std::ldexp(1, random.integer(-3, 3)) * w};
 }
 
@@ -32,18 +32,18 @@ double steps(const glm::dvec3& w, double length, int e) {
   return std::ldexp(1, e + std::ilogb(length) - std::ilogb(greatest));
 }
 
-DrawnRay nudged(Random& random, DrawnRay ray) {
+DrawnRay nudged(Draws& random, DrawnRay ray) {
   double& x = (random.chance(2, 3) ? ray.p : ray.v)[random.integer(0, 2)];
   if (x == 0 && random.chance(1, 2)) return ray;
-  x = std::nextafter(x, random.sign() * HUGE_VAL);
+  x = random.next(x, random.sign());
   return ray;
 }
 
-DrawnRay one_in_three_nudged(Random& random, DrawnRay ray) {
+DrawnRay one_in_three_nudged(Draws& random, DrawnRay ray) {
   return random.chance(1, 3) ? nudged(random, std::move(ray)) : ray;
 }
 
-DrawnRay coincident(Random& random, const FramedShape& shape, int e) {
+DrawnRay coincident(Draws& random, const FramedShape& shape, int e) {
   const SurfacePoint rim = rim_point(random, shape);
   const auto through = [&](const glm::dvec3& point, const glm::dvec3& w) {
     return arriving(random, point, w, steps(w, shape.radius(), e));
@@ -66,7 +66,7 @@ DrawnRay coincident(Random& random, const FramedShape& shape, int e) {
   contract::unreachable();
 }
 
-DrawnRay ordinary(Random& random, const FramedShape& shape, int e) {
+DrawnRay ordinary(Draws& random, const FramedShape& shape, int e) {
   if (random.chance(1, 3)) return coincident(random, shape, e);
   const SurfacePoint at = surface_point(random, shape);
   glm::dvec3 w = any_vector(random, shape);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "conform/draws.hpp"
 #include "conform/surface_point.hpp"
 
 namespace durero::conform {
@@ -18,18 +19,18 @@ struct DrawnRay {
 DrawnRay scaled(DrawnRay ray, int k);
 
 /// The ray that reaches the point along w from m·w before it; its v is w times a small power of two.
-DrawnRay arriving(Random& random, const glm::dvec3& point, const glm::dvec3& w, double m);
+DrawnRay arriving(Draws& random, const glm::dvec3& point, const glm::dvec3& w, double m);
 /// The power of two that makes m·|w| about 2^e times the length. Precondition: w ≠ 0.
 double steps(const glm::dvec3& w, double length, int e);
 
 /// With the next number after, or before, one of the coordinates of p or of v.
-DrawnRay nudged(Random& random, DrawnRay ray);
-DrawnRay one_in_three_nudged(Random& random, DrawnRay ray);
+DrawnRay nudged(Draws& random, DrawnRay ray);
+DrawnRay one_in_three_nudged(Draws& random, DrawnRay ray);
 
 /// A ray on which some coincidence holds, exactly where the shape is a lattice one: tangent, through a rim or the apex,
 /// across the axis, or along a generator's direction. It starts about 2^e radii before the point.
-DrawnRay coincident(Random& random, const FramedShape& shape, int e);
+DrawnRay coincident(Draws& random, const FramedShape& shape, int e);
 /// One in three coincident, the rest through a point of the surface in any direction, mostly into the shape.
-DrawnRay ordinary(Random& random, const FramedShape& shape, int e);
+DrawnRay ordinary(Draws& random, const FramedShape& shape, int e);
 
 }  // namespace durero::conform

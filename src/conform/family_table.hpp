@@ -1,6 +1,7 @@
 #pragma once
 /// The table of the families: one row is all that there is of a family, what is published of it and how it is made.
 
+#include <optional>
 #include <span>
 
 #include "conform/members.hpp"
@@ -16,8 +17,8 @@ struct Floors {
 
 /// How a scene is made, and then each ray for it.
 struct Recipe {
-  recipes::FramedShapes (*scene)(Random&, int parameter);
-  DrawnRay (*ray)(Random&, int parameter, recipes::Given shapes);
+  recipes::FramedShapes (*scene)(Draws&, int parameter);
+  DrawnRay (*ray)(Draws&, int parameter, recipes::Given shapes);
 };
 
 /// What makes a ray a member, and an exact one.
@@ -26,11 +27,22 @@ struct Questions {
   bool (*is_exact)(const AnsweredQuery&);
 };
 
+struct Limits {
+  int least, greatest;
+};
+
+/// Where cases of binary32 numbers are others: a parameter that the format has room for, and floors.
+struct OfBinary32 {
+  std::optional<Limits> parameter{};
+  std::optional<Floors> floors{};
+};
+
 struct FamilyRow {
   Family family;
   Floors floors;
   Recipe recipe;
   Questions questions;
+  OfBinary32 of_binary32{};
 };
 
 /// Every family, in the order in which they are published.

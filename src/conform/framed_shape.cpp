@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "conform/binary32_axis.hpp"
 #include "conform/lattice.hpp"
 #include "durero/number/dyadic.hpp"
 #include "durero/surface/surfaces.hpp"
@@ -24,12 +25,13 @@ void set_lattice_frame(Random& random, FramedShape& shape) {
 }
 
 /// A frame with any d of which Unitario takes; one in four has a coordinate 0.
-void set_tilted_frame(Random& random, FramedShape& shape) {
+void set_tilted_frame(Draws& random, FramedShape& shape) {
   do {
     shape.d = random.direction();
     if (random.chance(1, 4)) shape.d[random.integer(0, 2)] = 0;
     shape.d /= std::sqrt(glm::dot(shape.d, shape.d));
   } while (!model::Unitario::contains(model::Vector(shape.d)));
+  if (random.rounded(shape.d) != shape.d) shape.d = binary32_axis(shape.d);
   glm::dvec3 e(0);
   e[random.integer(0, 2)] = 1;
   shape.e1 = glm::cross(shape.d, e + 0.25 * random.direction());
@@ -56,11 +58,18 @@ FramedShape lattice_triangle(Random& random) {
   }
 }
 
-FramedShape tilted_triangle(Random& random) {
+FramedShape tilted_triangle(Draws& random) {
   for (;;) {
     const glm::dvec3 a = random.in_cube(300), b = a + random.in_cube(100), c = a + random.in_cube(100);
-    if (are_corners({a, b, c})) return triangle({a, b, c}, false);
+    const scene::Corners vertices = random.rounded(scene::Corners{a, b, c});
+    if (are_corners(vertices)) return triangle(vertices, false);
   }
+}
+
+bool is_finite(const scene::Corners& of) {
+  return std::all_of(of.begin(), of.end(), [](const glm::dvec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+  });
 }
 
 glm::dvec3 times_power(const glm::dvec3& v, int k) {
@@ -121,19 +130,19 @@ bool is_flat(Tipo tipo) {
   });
 }
 
-Tipo any_type(Random& random) {
+Tipo any_type(Draws& random) {
   static const std::vector<Tipo> types = types_that([](Tipo tipo) { return !is_flat(tipo); });
-  return random.any_of(types);
+  return random.any_type_of(types);
 }
 
-Tipo any_unbounded_type(Random& random) {
-  static const std::array types{Tipo::soy_plano};
-  return random.any_of(types);
+Tipo any_unbounded_type(Draws& random) {
+  static const std::vector<Tipo> types{Tipo::soy_plano};
+  return random.any_type_of(types);
 }
 
-Tipo any_axial_type(Random& random) {
+Tipo any_axial_type(Draws& random) {
   static const std::vector<Tipo> types = types_that(is_axial);
-  return random.any_of(types);
+  return random.any_type_of(types);
 }
 
 bool are_corners(const scene::Corners& vertices) {
@@ -174,27 +183,43 @@ FramedShape lattice_shape(Random& random, Tipo tipo) {
   return shape;
 }
 
-FramedShape tilted_shape(Random& random, Tipo tipo) {
+FramedShape tilted_shape(Draws& random, Tipo tipo) {
   if (tipo == Tipo::soy_triangulo) return tilted_triangle(random);
   FramedShape shape{.tipo = tipo, .lattice = false};
   set_tilted_frame(random, shape);
-  shape.centro = random.in_cube(300);
+  shape.centro = random.rounded(random.in_cube(300));
   if (has_constant_radius(tipo)) {
-    shape.radio = random.uniform(5, 100);
-    shape.altura = random.uniform(10, 300);  // of a sphere or a plane it has no meaning
+    shape.radio = random.rounded(random.uniform(5, 100));
+    shape.altura = random.rounded(random.uniform(10, 300));  // of a sphere or a plane it has no meaning
     return shape;
   }
-  shape.proporcion = random.uniform(0.2, 4);
+  shape.proporcion = random.rounded(random.uniform(0.2, 4));
   if (random.chance(1, 2))
     shape.altura = std::ldexp(1, random.integer(2, 6));  // the radius of a cone's base is then exact
   else
-    shape.altura = random.uniform(5, 100) / shape.proporcion;
-  if (!has_apex(tipo)) shape.radio = random.uniform(5, 100);
+    shape.altura = random.rounded(random.uniform(5, 100) / shape.proporcion);
+  if (!has_apex(tipo)) shape.radio = random.rounded(random.uniform(5, 100));
   return shape;
 }
 
-FramedShape any_shape(Random& random, Tipo tipo) {
+FramedShape any_shape(Draws& random, Tipo tipo) {
   return random.chance(2, 3) ? lattice_shape(random, tipo) : tilted_shape(random, tipo);
+}
+
+FramedShape closing_disc(const FramedShape& shape, bool at_base) {
+  FramedShape disc = shape;
+  disc.tipo = Tipo::soy_disco;
+  disc.radio = at_base ? shape.radius() : shape.radio;
+  if (!at_base) disc.centro = shape.apex();
+  disc.shared.clear();
+  return disc;
+}
+
+void turn_to(FramedShape& shape, const glm::dvec3& d) {
+  shape.d = d;
+  shape.e1 -= glm::dot(shape.e1, d) * d;
+  shape.e1 /= std::sqrt(glm::dot(shape.e1, shape.e1));
+  shape.e2 = glm::cross(d, shape.e1);
 }
 
 FramedShape scaled(FramedShape shape, int k) {
@@ -204,6 +229,22 @@ FramedShape scaled(FramedShape shape, int k) {
   shape.radio = std::ldexp(shape.radio, k);
   shape.altura = std::ldexp(shape.altura, k);
   shape.shared.clear();
+  return shape;
+}
+
+std::optional<FramedShape> in_format(const Draws& random, FramedShape shape) {
+  if (shape.tipo == Tipo::soy_triangulo) {
+    const scene::Corners vertices = random.rounded(shape.vertices);
+    if (!is_finite(vertices) || !are_corners(vertices)) return std::nullopt;
+    if (vertices == shape.vertices) return shape;
+    FramedShape rounded = triangle(vertices, shape.lattice);
+    rounded.shared = std::move(shape.shared);
+    return rounded;
+  }
+  shape.centro = random.rounded(shape.centro);
+  for (double* length : {&shape.radio, &shape.proporcion, &shape.altura}) *length = random.rounded(*length);
+  if (!is_finite({shape.centro, {shape.radio, shape.proporcion, shape.altura}, shape.d})) return std::nullopt;
+  if (random.rounded(shape.d) != shape.d) turn_to(shape, binary32_axis(shape.d));
   return shape;
 }
 

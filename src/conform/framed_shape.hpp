@@ -5,10 +5,12 @@
 /// Lattice shapes have a unit axis ±x, ±y or ±z and integer coordinates: their surface points come from Pythagorean
 /// triples and quadruples (lattice.hpp) and their rays are integer combinations, so every coincidence is exact; a
 /// lattice triangle has any integer vertices. Tilted shapes have any axis, and their coincidences are off by roundings.
+/// All numbers are of the format that is drawn.
 
+#include <optional>
 #include <vector>
 
-#include "durero/conform/random.hpp"
+#include "conform/draws.hpp"
 #include "durero/scene/shapes.hpp"
 
 namespace durero::conform {
@@ -56,11 +58,11 @@ bool has_apex(model::Tipo tipo);
 bool is_flat(model::Tipo tipo);
 
 /// Of those that are not flat.
-model::Tipo any_type(Random& random);
+model::Tipo any_type(Draws& random);
 /// Of those without a bound: a plane.
-model::Tipo any_unbounded_type(Random& random);
+model::Tipo any_unbounded_type(Draws& random);
 /// Of those with an axis.
-model::Tipo any_axial_type(Random& random);
+model::Tipo any_axial_type(Draws& random);
 
 /// Whether the vertices are those of a triangle: they lie on no line, exactly.
 bool are_corners(const scene::Corners& vertices);
@@ -69,11 +71,21 @@ FramedShape triangle(const scene::Corners& vertices, bool lattice);
 
 /// Of a triangle the edges are multiples of 8, so that eighths of them are of the lattice too.
 FramedShape lattice_shape(Random& random, model::Tipo tipo);
-FramedShape tilted_shape(Random& random, model::Tipo tipo);
+FramedShape tilted_shape(Draws& random, model::Tipo tipo);
 /// Of either sort.
-FramedShape any_shape(Random& random, model::Tipo tipo);
+FramedShape any_shape(Draws& random, model::Tipo tipo);
+
+/// The disc across the base, or across the other end: its radio and centro may be rounded. Precondition: the shape has
+/// an axis.
+FramedShape closing_disc(const FramedShape& shape, bool at_base);
+
+/// Gives it another axis, and a frame around that. Precondition: e1 is not along d.
+void turn_to(FramedShape& shape, const glm::dvec3& d);
 
 /// All lengths times 2^k; the shared points go.
 FramedShape scaled(FramedShape shape, int k);
+
+/// With every number rounded to the format, and a unit vector near d in it: nothing where it is no shape any more.
+std::optional<FramedShape> in_format(const Draws& random, FramedShape shape);
 
 }  // namespace durero::conform

@@ -39,7 +39,8 @@ bool axial(const AnsweredQuery& q);             ///< v × vector = 0 for some cy
 bool perpendicular(const AnsweredQuery& q);     ///< v·vector = 0 for an element that it hits
 bool nearly_generator(const AnsweredQuery& q);  ///< |A| is nearly 0 for some element with an axis
 bool generator(const AnsweredQuery& q);         ///< A = 0 for one
-bool aligned(const AnsweredQuery& q);           ///< hits, a coordinate of v is 0, −0 or subnormal
+bool hits_tilted(const AnsweredQuery& q);       ///< an element whose axis is none of the coordinates', or that has none
+bool aligned(const AnsweredQuery& q);           ///< hits, a coordinate of v is 0, −0 or subnormal in binary32
 bool exactly_aligned(const AnsweredQuery& q);   ///< hits, a coordinate of v is 0 or −0
 bool nearly_parallel(const AnsweredQuery& q);   ///< v·d is nearly 0 for some flat element
 bool parallel(const AnsweredQuery& q);          ///< v·d = 0 for one

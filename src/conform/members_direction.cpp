@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 
 #include "conform/candidate.hpp"
 
@@ -46,8 +45,13 @@ bool parallel(const AnsweredQuery& q) {
   return any_element(q, [](const Candidate& c) { return c.is_flat() && sign(c.f.B) == 0; });
 }
 
+bool hits_tilted(const AnsweredQuery& q) {
+  return any_hit_element(
+      q, [](const Candidate& c) { return (c.vector.x == 0) + (c.vector.y == 0) + (c.vector.z == 0) != 2; });
+}
+
 bool aligned(const AnsweredQuery& q) {
-  const auto none = [](double x) { return std::abs(x) < std::numeric_limits<double>::min(); };
+  const auto none = [](double x) { return std::abs(x) < 0x1p-126; };
   const glm::dvec3& v = q.query.rayo.v().xyz();
   return hits(q) && (none(v.x) || none(v.y) || none(v.z));
 }

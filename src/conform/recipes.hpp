@@ -11,67 +11,78 @@ using FramedShapes = std::vector<FramedShape>;
 using Given = std::span<const FramedShape>;
 
 // Scenes of one to three elements.
-FramedShapes some(Random& random, int);
-FramedShapes some_axial(Random& random, int);
-FramedShapes some_cylinders(Random& random, int);
-FramedShapes some_cones(Random& random, int);
+FramedShapes some(Draws& random, int);
+FramedShapes some_axial(Draws& random, int);
+FramedShapes some_cylinders(Draws& random, int);
+FramedShapes some_cones(Draws& random, int);
 
 // Of planes (recipes_flat.cpp).
-FramedShapes with_plane(Random& random, int);
-DrawnRay flat(Random& random, int log2_distance, Given shapes);
-DrawnRay grazing(Random& random, int minus_log2_angle, Given shapes);
+FramedShapes with_plane(Draws& random, int);
+DrawnRay flat(Draws& random, int log2_distance, Given shapes);
+DrawnRay grazing(Draws& random, int minus_log2_angle, Given shapes);
 
 // Of discs (recipes_disc.cpp).
-FramedShapes with_disc(Random& random, int);
-DrawnRay disc(Random& random, int log2_distance, Given shapes);
-FramedShapes capped(Random& random, int);
-DrawnRay cap(Random& random, int log2_distance, Given shapes);
+FramedShapes with_disc(Draws& random, int);
+DrawnRay disc(Draws& random, int log2_distance, Given shapes);
+FramedShapes capped(Draws& random, int);
+DrawnRay cap(Draws& random, int log2_distance, Given shapes);
+
+/// To a solid, its wall and then its discs.
+DrawnRay solid(Draws& random, Given shapes);
 
 // Of triangles (recipes_triangle.cpp).
-FramedShapes fan(Random& random, int);
-DrawnRay edge(Random& random, int log2_distance, Given shapes);
-FramedShapes sliver(Random& random, int minus_log2_height);
-DrawnRay sliver(Random& random, int, Given shapes);
-FramedShapes coplanar(Random& random, int);
-DrawnRay coplanar(Random& random, int minus_log2_angle, Given shapes);
+FramedShapes fan(Draws& random, int);
+DrawnRay edge(Draws& random, int log2_distance, Given shapes);
+FramedShapes closed_mesh(Draws& random, int sides);
+DrawnRay vertex(Draws& random, int, Given shapes);
+FramedShapes sliver(Draws& random, int minus_log2_height);
+DrawnRay sliver(Draws& random, int, Given shapes);
+FramedShapes coplanar(Draws& random, int);
+DrawnRay coplanar(Draws& random, int minus_log2_angle, Given shapes);
 
 // Of scale (recipes_scale.cpp).
-FramedShapes as_many(Random& random, int count);
-DrawnRay generic(Random& random, int, Given shapes);
-DrawnRay far_origin(Random& random, int log2_distance, Given shapes);
-FramedShapes large_offset(Random& random, int log2_offset);
-FramedShapes scaled_up(Random& random, int log2_scale);
-FramedShapes huge_ratio(Random& random, int log2_ratio);
-DrawnRay near_small(Random& random, int, Given shapes);
-DrawnRay direction_scale(Random& random, int log2_scale, Given shapes);
-FramedShapes degenerate_numbers(Random& random, int log2_scale);
-DrawnRay degenerate_numbers(Random& random, int log2_scale, Given shapes);
-FramedShapes long_thin(Random& random, int log2_ratio);
-DrawnRay long_thin(Random& random, int log2_ratio, Given shapes);
-DrawnRay near_origin(Random& random, int minus_log2_distance, Given shapes);
-FramedShapes grid(Random& random, int count);
-DrawnRay grid(Random& random, int, Given shapes);
+FramedShapes as_many(Draws& random, int count);
+DrawnRay generic(Draws& random, int, Given shapes);
+DrawnRay far_origin(Draws& random, int log2_distance, Given shapes);
+FramedShapes large_offset(Draws& random, int log2_offset);
+FramedShapes scaled_up(Draws& random, int log2_scale);
+FramedShapes huge_ratio(Draws& random, int log2_ratio);
+DrawnRay near_small(Draws& random, int, Given shapes);
+DrawnRay direction_scale(Draws& random, int log2_scale, Given shapes);
+FramedShapes degenerate_numbers(Draws& random, int log2_scale);
+DrawnRay degenerate_numbers(Draws& random, int log2_scale, Given shapes);
+FramedShapes long_thin(Draws& random, int log2_ratio);
+DrawnRay long_thin(Draws& random, int log2_ratio, Given shapes);
+DrawnRay near_origin(Draws& random, int minus_log2_distance, Given shapes);
+FramedShapes grid(Draws& random, int count);
+DrawnRay grid(Draws& random, int, Given shapes);
+
+// Of a whole scene scaled or turned, and of one element twice, nearly (recipes_whole.cpp).
+FramedShapes scale(Draws& random, int log2_scale);
+DrawnRay scale(Draws& random, int log2_scale, Given shapes);
+FramedShapes rotation(Draws& random, int tangent_in_64ths);
+FramedShapes parked(Draws& random, int units);
 
 // Of direction (recipes_direction.cpp).
-FramedShapes near_axial(Random& random, int);
-DrawnRay near_axial(Random& random, int minus_log2_slope, Given shapes);
-DrawnRay perpendicular(Random& random, int log2_distance, Given shapes);
-DrawnRay near_generator(Random& random, int minus_log2_angle, Given shapes);
-DrawnRay second_nappe(Random& random, int eighths, Given shapes);
-DrawnRay axis_parallel(Random& random, int log2_distance, Given shapes);
-DrawnRay in_surface(Random& random, int eighths, Given shapes);
+FramedShapes near_axial(Draws& random, int);
+DrawnRay near_axial(Draws& random, int minus_log2_slope, Given shapes);
+DrawnRay perpendicular(Draws& random, int log2_distance, Given shapes);
+DrawnRay near_generator(Draws& random, int minus_log2_angle, Given shapes);
+DrawnRay second_nappe(Draws& random, int eighths, Given shapes);
+DrawnRay axis_parallel(Draws& random, int log2_distance, Given shapes);
+DrawnRay in_surface(Draws& random, int eighths, Given shapes);
 
 // Of the place of the point (recipes_place.cpp).
-DrawnRay apex(Random& random, int log2_distance, Given shapes);
-FramedShapes rim(Random& random, int);
-DrawnRay rim(Random& random, int log2_distance, Given shapes);
-DrawnRay inside(Random& random, int quarters, Given shapes);
-FramedShapes with_twin(Random& random, int);
-DrawnRay on_surface(Random& random, int percent, Given shapes);
-FramedShapes tangent(Random& random, int);
-DrawnRay tangent(Random& random, int log2_distance, Given shapes);
-DrawnRay zero_b(Random& random, int percent, Given shapes);
-FramedShapes tie(Random& random, int);
-DrawnRay tie(Random& random, int log2_distance, Given shapes);
+DrawnRay apex(Draws& random, int log2_distance, Given shapes);
+FramedShapes rim(Draws& random, int);
+DrawnRay rim(Draws& random, int log2_distance, Given shapes);
+DrawnRay inside(Draws& random, int quarters, Given shapes);
+FramedShapes with_twin(Draws& random, int);
+DrawnRay on_surface(Draws& random, int percent, Given shapes);
+FramedShapes tangent(Draws& random, int);
+DrawnRay tangent(Draws& random, int log2_distance, Given shapes);
+DrawnRay zero_b(Draws& random, int percent, Given shapes);
+FramedShapes tie(Draws& random, int);
+DrawnRay tie(Draws& random, int log2_distance, Given shapes);
 
 }  // namespace durero::conform::recipes

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 
 #include "conform/recipes.hpp"
 
@@ -7,7 +6,7 @@ namespace durero::conform::recipes {
 namespace {
 
 /// The axis itself as direction, and p before, beside or after the element: in its surface, inside or outside it.
-DrawnRay parallel(Random& random, const FramedShape& shape) {
+DrawnRay parallel(Draws& random, const FramedShape& shape) {
   const SurfacePoint at = surface_point(random, shape);
   const glm::dvec3 aside = (random.integer(-2, 8) / 8.0) * at.radial;  // of the way to the axis
   const glm::dvec3 from = random.chance(1, 2) ? at.position : at.position - aside;
@@ -18,7 +17,7 @@ DrawnRay parallel(Random& random, const FramedShape& shape) {
 
 }  // namespace
 
-FramedShapes near_axial(Random& random, int) {
+FramedShapes near_axial(Draws& random, int) {
   FramedShapes shapes = some_cylinders(random, 0);
   for (FramedShape& shape : shapes) {
     // Long enough that even a ray parallel to a tilted axis, of length 1 up to 2⁻⁵⁰, meets it.
@@ -27,7 +26,7 @@ FramedShapes near_axial(Random& random, int) {
   return shapes;
 }
 
-DrawnRay near_axial(Random& random, int minus_log2_slope, Given shapes) {
+DrawnRay near_axial(Draws& random, int minus_log2_slope, Given shapes) {
   const FramedShape& shape = random.any_of(shapes);
   if (random.chance(1, 3)) return parallel(random, shape);
   const SurfacePoint at = surface_point(random, shape);
@@ -36,7 +35,7 @@ DrawnRay near_axial(Random& random, int minus_log2_slope, Given shapes) {
   return arriving(random, at.position, w, std::ldexp(1, random.integer(-2, 12)));
 }
 
-DrawnRay perpendicular(Random& random, int log2_distance, Given shapes) {
+DrawnRay perpendicular(Draws& random, int log2_distance, Given shapes) {
   const FramedShape& shape = random.any_of(shapes);
   const SurfacePoint at = random.chance(1, 3) ? rim_point(random, shape) : surface_point(random, shape);
   glm::dvec3 w = perpendicular_vector(random, shape);
@@ -44,7 +43,7 @@ DrawnRay perpendicular(Random& random, int log2_distance, Given shapes) {
   return arriving(random, at.position, w, steps(w, shape.radius(), log2_distance));
 }
 
-DrawnRay near_generator(Random& random, int minus_log2_angle, Given shapes) {
+DrawnRay near_generator(Draws& random, int minus_log2_angle, Given shapes) {
   const FramedShape& shape = random.any_of(shapes);
   const SurfacePoint at = surface_point(random, shape);
   glm::dvec3 w = random.sign() * at.along;
@@ -53,7 +52,7 @@ DrawnRay near_generator(Random& random, int minus_log2_angle, Given shapes) {
   return arriving(random, through, w, steps(w, shape.radius(), random.integer(-1, 5)));
 }
 
-DrawnRay second_nappe(Random& random, int eighths, Given shapes) {
+DrawnRay second_nappe(Draws& random, int eighths, Given shapes) {
   const FramedShape& shape = random.any_of(shapes);
   const SurfacePoint mirrored = surface_point_at(random, shape, 1 + eighths / 8.0);
   const bool never_real = random.chance(1, 4);
@@ -63,7 +62,7 @@ DrawnRay second_nappe(Random& random, int eighths, Given shapes) {
   return arriving(random, mirrored.position, to - mirrored.position, std::ldexp(1, random.integer(-3, 3)));
 }
 
-DrawnRay axis_parallel(Random& random, int log2_distance, Given shapes) {
+DrawnRay axis_parallel(Draws& random, int log2_distance, Given shapes) {
   const FramedShape& shape = random.any_of(shapes);
   const SurfacePoint at = random.chance(1, 2) ? rim_point(random, shape) : surface_point(random, shape);
   const int axis = random.integer(0, 2);
@@ -74,14 +73,15 @@ DrawnRay axis_parallel(Random& random, int log2_distance, Given shapes) {
   DrawnRay ray = arriving(random, at.position, w, steps(w, shape.radius(), log2_distance));
   for (int i = 0; i < 3; ++i) {
     if (ray.v[i] != 0 || random.chance(1, 3)) continue;
-    const double tiny = std::ldexp(std::numeric_limits<double>::denorm_min(), random.integer(0, 51));
+    const int least = random.least_exponent(), digits = random.digits();
+    const double tiny = std::ldexp(1, least + random.integer(0, digits - 2));
     const double magnitude = random.chance(1, 2) ? 0 : tiny;
     ray.v[i] = random.sign() * magnitude;
   }
   return ray;
 }
 
-DrawnRay in_surface(Random& random, int eighths, Given shapes) {
+DrawnRay in_surface(Draws& random, int eighths, Given shapes) {
   const FramedShape& shape = random.any_of(shapes);
   const double part = random.integer(0, 8) / 8.0;
   const SurfacePoint at = surface_point_at(random, shape, part);

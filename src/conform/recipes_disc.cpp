@@ -14,7 +14,7 @@ enum class Way : std::uint8_t { across, rim, from_disc, in_plane, touching };
 constexpr std::array ways{Way::across, Way::rim, Way::rim, Way::from_disc, Way::in_plane, Way::touching};
 
 /// From a point of the disc, on it exactly or nearly.
-DrawnRay from_disc(Random& random, const FramedShape& disc) {
+DrawnRay from_disc(Draws& random, const FramedShape& disc) {
   const SurfacePoint at = random.chance(1, 2) ? rim_point(random, disc) : surface_point(random, disc);
   const glm::dvec3 w = random.chance(1, 3) ? tangent_vector(random, at) : any_vector(random, disc);
   DrawnRay ray{at.position, random.signed_power(-3, 3) * w};
@@ -23,7 +23,7 @@ DrawnRay from_disc(Random& random, const FramedShape& disc) {
 }
 
 /// From before the disc, from within or from behind; the ends of most such stretches are irrational.
-DrawnRay in_plane(Random& random, const FramedShape& disc) {
+DrawnRay in_plane(Draws& random, const FramedShape& disc) {
   const SurfacePoint at = random.chance(1, 3) ? rim_point(random, disc) : surface_point(random, disc);
   const glm::dvec3 w = perpendicular_vector(random, disc);
   const bool at_zero = !disc.lattice && disc.centro == glm::dvec3(0);
@@ -32,11 +32,8 @@ DrawnRay in_plane(Random& random, const FramedShape& disc) {
 }
 
 /// A disc that closes the base of an element, or its far end.
-FramedShape closing(Random& random, const FramedShape& element, bool at_base) {
-  FramedShape disc = element;
-  disc.tipo = Tipo::soy_disco;
-  disc.radio = at_base ? element.radius() : element.radio;
-  if (!at_base) disc.centro = element.apex();
+FramedShape closing(Draws& random, const FramedShape& element, bool at_base) {
+  FramedShape disc = closing_disc(element, at_base);
   disc.d = random.sign() * element.d;
   return disc;
 }
@@ -44,7 +41,7 @@ FramedShape closing(Random& random, const FramedShape& element, bool at_base) {
 }  // namespace
 
 /// A disc, and up to three other elements. Of a tilted one at 0 there are rays exactly in its plane.
-FramedShapes with_disc(Random& random, int) {
+FramedShapes with_disc(Draws& random, int) {
   FramedShapes shapes{any_shape(random, Tipo::soy_disco)};
   if (!shapes[0].lattice && random.chance(1, 2)) shapes[0].centro = glm::dvec3(0);
   if (random.chance(1, 3)) shapes.push_back(any_shape(random, Tipo::soy_disco));
@@ -52,7 +49,7 @@ FramedShapes with_disc(Random& random, int) {
   return shapes;
 }
 
-DrawnRay disc(Random& random, int log2_distance, Given shapes) {
+DrawnRay disc(Draws& random, int log2_distance, Given shapes) {
   const FramedShape& disc = shapes.front();
   const auto through = [&](const SurfacePoint& at, const glm::dvec3& w) {
     return arriving(random, at.position, w, steps(w, disc.radius(), log2_distance));
@@ -79,10 +76,10 @@ DrawnRay disc(Random& random, int log2_distance, Given shapes) {
 }
 
 /// An element with an axis, its base or its far end or both closed exactly.
-FramedShapes capped(Random& random, int) {
+FramedShapes capped(Draws& random, int) {
   FramedShape element;
   do element = any_shape(random, any_axial_type(random));
-  while (!element.has_exact_radius());
+  while (!element.has_exact_radius() || random.rounded(element.radius()) != element.radius());
   // The far end of a tilted element is where its radius or its centre is rounded.
   const bool has_far_rim = element.lattice && !has_apex(element.tipo);
   const bool base = !has_far_rim || random.chance(2, 3), far_end = has_far_rim && (!base || random.chance(1, 2));
@@ -92,7 +89,7 @@ FramedShapes capped(Random& random, int) {
   return shapes;
 }
 
-DrawnRay cap(Random& random, int log2_distance, Given shapes) {
+DrawnRay cap(Draws& random, int log2_distance, Given shapes) {
   const FramedShape& element = shapes.front();
   const FramedShape& disc = random.any_of(shapes.subspan(1));
   const SurfacePoint at = rim_point(random, disc);
@@ -104,6 +101,19 @@ DrawnRay cap(Random& random, int log2_distance, Given shapes) {
   const glm::dvec3 p = side.position - (random.integer(1, 4) / 4.0) * side.radial;
   const glm::dvec3 w = random.chance(2, 3) ? at.position - p : any_vector(random, element);
   return one_in_three_nudged(random, {p, std::ldexp(1, random.integer(-3, 3)) * w});
+}
+
+DrawnRay solid(Draws& random, Given shapes) {
+  if (random.chance(1, 2)) return cap(random, random.integer(0, 4), shapes);
+  const FramedShape& disc = random.any_of(shapes.subspan(1));
+  const SurfacePoint across = surface_point(random, disc);
+  if (random.chance(1, 2)) {
+    const glm::dvec3 w = any_vector(random, disc);
+    return arriving(random, across.position, w, steps(w, disc.radius(), random.integer(0, 4)));
+  }
+  const SurfacePoint side = surface_point(random, shapes.front());
+  const glm::dvec3 p = side.position - (random.integer(1, 4) / 4.0) * side.radial;
+  return {p, std::ldexp(1, random.integer(-3, 3)) * (across.position - p)};
 }
 
 }  // namespace durero::conform::recipes

@@ -5,7 +5,7 @@
 namespace durero::conform::recipes {
 
 /// A plane or two, and up to two other elements.
-FramedShapes with_plane(Random& random, int) {
+FramedShapes with_plane(Draws& random, int) {
   FramedShapes shapes;
   for (int left = random.integer(1, 2); left > 0; --left)
     shapes.push_back(any_shape(random, any_unbounded_type(random)));
@@ -13,7 +13,7 @@ FramedShapes with_plane(Random& random, int) {
   return shapes;
 }
 
-DrawnRay flat(Random& random, int log2_distance, Given shapes) {
+DrawnRay flat(Draws& random, int log2_distance, Given shapes) {
   const FramedShape& plane = shapes.front();
   const SurfacePoint at = surface_point(random, plane);
   const glm::dvec3 w = any_vector(random, plane);
@@ -24,7 +24,7 @@ DrawnRay flat(Random& random, int log2_distance, Given shapes) {
   return ray;
 }
 
-DrawnRay grazing(Random& random, int minus_log2_angle, Given shapes) {
+DrawnRay grazing(Draws& random, int minus_log2_angle, Given shapes) {
   const FramedShape& plane = shapes.front();
   SurfacePoint at = surface_point(random, plane);
   glm::dvec3 w = tangent_vector(random, at);

@@ -27,7 +27,7 @@ glm::dvec3 across(const glm::dvec3& d, int i) {
 
 /// A tilted cylinder at 0 whose altura is avance of the point 2^k on a coordinate axis: rays across the axis through
 /// that point stay in the plane of the rim, though the axis is no exact unit vector.
-FramedShape tilted_with_exact_rims(Random& random) {
+FramedShape tilted_with_exact_rims(Draws& random) {
   FramedShape shape = tilted_shape(random, Tipo::soy_cilindro);
   const int k = random.integer(2, 6);
   shape.centro = glm::dvec3(0);
@@ -37,7 +37,7 @@ FramedShape tilted_with_exact_rims(Random& random) {
 }
 
 /// A ray in the plane of a rim of such a cylinder. Precondition: centro = 0.
-DrawnRay in_plane_of_rim(Random& random, const FramedShape& shape) {
+DrawnRay in_plane_of_rim(Draws& random, const FramedShape& shape) {
   const int i = longest(shape.d);
   glm::dvec3 p(0);
   if (random.chance(1, 2)) p[i] = shape.altura / shape.d[i];
@@ -48,7 +48,7 @@ DrawnRay in_plane_of_rim(Random& random, const FramedShape& shape) {
 
 /// A tangent at the base of a tilted element at 0 whose axis has a coordinate 0: across the axis, in the plane of the
 /// base, at the point `radius` along that coordinate's axis.
-std::optional<DrawnRay> tangent_to_tilted(Random& random, const FramedShape& shape) {
+std::optional<DrawnRay> tangent_to_tilted(Draws& random, const FramedShape& shape) {
   if (shape.lattice || shape.centro != glm::dvec3(0) || !is_axial(shape.tipo)) return std::nullopt;
   const double radius = shape.radius();
   if (!shape.has_exact_radius()) return std::nullopt;
@@ -62,7 +62,7 @@ std::optional<DrawnRay> tangent_to_tilted(Random& random, const FramedShape& sha
   return std::nullopt;
 }
 
-glm::dvec3 entering_both(Random& random, const FramedShape& shape, const SurfacePoint& one, const SurfacePoint& other) {
+glm::dvec3 entering_both(Draws& random, const FramedShape& shape, const SurfacePoint& one, const SurfacePoint& other) {
   glm::dvec3 w;
   for (int i = 0; i < 16; ++i) {
     w = inwards(any_vector(random, shape), one);
@@ -81,7 +81,7 @@ constexpr std::array ties{Tie::twins, Tie::cone_on_base, Tie::crossing_sphere,
                           Tie::crossing_sphere};  // half are spheres
 
 /// A sphere through a point of the first shape, from any side; or one that fits in a cylinder and touches it around.
-void add_crossing_sphere(Random& random, FramedShapes& shapes) {
+void add_crossing_sphere(Draws& random, FramedShapes& shapes) {
   const FramedShape first = shapes[0];
   FramedShape sphere = lattice_shape(random, Tipo::soy_esfera);
   const bool fits = first.tipo == Tipo::soy_cilindro && random.chance(1, 2);
@@ -106,7 +106,7 @@ void add_crossing_sphere(Random& random, FramedShapes& shapes) {
 }
 
 /// A cone on the base of the first cylinder.
-void add_cone_on_base(Random& random, FramedShapes& shapes) {
+void add_cone_on_base(Draws& random, FramedShapes& shapes) {
   FramedShape cone = shapes[0];
   cone.tipo = Tipo::soy_cono;
   cone.proporcion = std::ldexp(1, random.integer(-2, 2));
@@ -123,19 +123,19 @@ void add_cone_on_base(Random& random, FramedShapes& shapes) {
 
 }  // namespace
 
-DrawnRay apex(Random& random, int log2_distance, Given shapes) {
+DrawnRay apex(Draws& random, int log2_distance, Given shapes) {
   const FramedShape& shape = random.any_of(shapes);
   const glm::dvec3 w = any_vector(random, shape);
   return one_in_three_nudged(random, arriving(random, shape.apex(), w, steps(w, shape.radius(), log2_distance)));
 }
 
-FramedShapes rim(Random& random, int) {
+FramedShapes rim(Draws& random, int) {
   FramedShapes shapes = some_axial(random, 0);
   if (random.chance(1, 3)) shapes = {tilted_with_exact_rims(random)};
   return shapes;
 }
 
-DrawnRay rim(Random& random, int log2_distance, Given shapes) {
+DrawnRay rim(Draws& random, int log2_distance, Given shapes) {
   const FramedShape& shape = random.any_of(shapes);
   if (!shape.lattice && shape.centro == glm::dvec3(0))
     return one_in_three_nudged(random, in_plane_of_rim(random, shape));
@@ -145,7 +145,7 @@ DrawnRay rim(Random& random, int log2_distance, Given shapes) {
   return one_in_three_nudged(random, arriving(random, at.position, w, steps(w, shape.radius(), log2_distance)));
 }
 
-DrawnRay inside(Random& random, int quarters, Given shapes) {
+DrawnRay inside(Draws& random, int quarters, Given shapes) {
   const FramedShape& shape = random.any_of(shapes);
   const SurfacePoint side = surface_point(random, shape);
   const glm::dvec3 p = side.position - (quarters / 4.0) * side.radial;
@@ -153,13 +153,13 @@ DrawnRay inside(Random& random, int quarters, Given shapes) {
   return {p, std::ldexp(1, random.integer(-3, 3)) * (exit.position - p)};
 }
 
-FramedShapes with_twin(Random& random, int) {
+FramedShapes with_twin(Draws& random, int) {
   FramedShapes shapes = some(random, 0);
   if (random.chance(1, 3)) shapes.push_back(shapes[0]);
   return shapes;
 }
 
-DrawnRay on_surface(Random& random, int percent_named, Given shapes) {
+DrawnRay on_surface(Draws& random, int percent_named, Given shapes) {
   const std::size_t place = random.below(shapes.size());
   const FramedShape& shape = shapes[place];
   const SurfacePoint at = random.chance(1, 4) ? rim_point(random, shape) : surface_point(random, shape);
@@ -174,7 +174,7 @@ DrawnRay on_surface(Random& random, int percent_named, Given shapes) {
   return ray;
 }
 
-FramedShapes tangent(Random& random, int) {
+FramedShapes tangent(Draws& random, int) {
   FramedShapes shapes = some(random, 0);
   if (!random.chance(1, 4)) return shapes;
   FramedShape shape;
@@ -185,7 +185,7 @@ FramedShapes tangent(Random& random, int) {
   return shapes;
 }
 
-DrawnRay tangent(Random& random, int log2_distance, Given shapes) {
+DrawnRay tangent(Draws& random, int log2_distance, Given shapes) {
   const FramedShape& shape = random.any_of(shapes);
   if (const auto ray = tangent_to_tilted(random, shape)) return one_in_three_nudged(random, *ray);
   const SurfacePoint at = surface_point(random, shape);
@@ -193,7 +193,7 @@ DrawnRay tangent(Random& random, int log2_distance, Given shapes) {
   return one_in_three_nudged(random, arriving(random, at.position, u, steps(u, shape.radius(), log2_distance)));
 }
 
-DrawnRay zero_b(Random& random, int percent_from_centre, Given shapes) {
+DrawnRay zero_b(Draws& random, int percent_from_centre, Given shapes) {
   const FramedShape& shape = random.any_of(shapes);
   // From the centre of a sphere or of a cylinder's base B = 0 whatever the axis.
   if (has_constant_radius(shape.tipo) && random.integer(0, 99) < percent_from_centre) {
@@ -208,7 +208,7 @@ DrawnRay zero_b(Random& random, int percent_from_centre, Given shapes) {
   return random.chance(1, 4) ? nudged(random, ray) : ray;
 }
 
-FramedShapes tie(Random& random, int) {
+FramedShapes tie(Draws& random, int) {
   switch (random.any_of(ties)) {
     case Tie::twins: {
       FramedShapes shapes{any_shape(random, any_type(random))};
@@ -230,7 +230,7 @@ FramedShapes tie(Random& random, int) {
   contract::unreachable();
 }
 
-DrawnRay tie(Random& random, int log2_distance, Given shapes) {
+DrawnRay tie(Draws& random, int log2_distance, Given shapes) {
   const FramedShape& shape = shapes[0];
   if (shape.shared.empty()) return ordinary(random, shape, log2_distance);
   const std::size_t i = random.below(shape.shared.size());

@@ -143,7 +143,7 @@ void measure_family(Table& table, const Family& family, std::uint64_t seed, std:
 }
 
 /// A flat shape, of which generic scenes have none, alone and a generic ray.
-Specimen generic_flat(Random& random) {
+Specimen generic_flat(conform::Draws& random) {
   constexpr std::array types{model::Tipo::soy_plano, model::Tipo::soy_disco, model::Tipo::soy_triangulo};
   const conform::FramedShape shape = any_shape(random, random.any_of(types));
   const conform::DrawnRay ray = ordinary(random, shape, random.integer(0, 4));
@@ -197,7 +197,7 @@ constexpr Extent everyday{4, 2000, 1000}, for_long{80, 40000, 20000};
 
 Table measured_table(std::uint64_t seed, const Extent& extent) {
   Table table;
-  Random random(seed);
+  conform::Draws random(seed);
   for (std::size_t scene = 0; scene < extent.scenes; ++scene) {
     for (const Family& family : conform::families()) measure_family(table, family, seed + scene, 25);
   }

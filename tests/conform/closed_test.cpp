@@ -127,3 +127,20 @@ TEST_CASE("no ray passes between triangles that share an edge, however near to t
   }
   CHECK(fans > 40);
 }
+
+TEST_CASE("no ray leaves a closed mesh, whatever edge or vertex it goes to, in either format") {
+  std::size_t at_vertices = 0;
+  const conform::Family& family = *conform::find_family("vertex");
+  for (const conform::Format numbers : {conform::Format::binary32, conform::Format::binary64}) {
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+      const Case drawn = conform::generate(family, seed, 60, {.numbers = numbers})->the_case;
+      const std::vector<scene::Hit> hits = trace::first_hits(trace::Tables(drawn.scene), drawn.rays);
+      for (std::size_t i = 0; i < hits.size(); ++i) {
+        INFO(replay(family, seed, 60, i));
+        CHECK(hits[i].resultado == model::Resultado::hit);
+        at_vertices += hits[i].elementos.size() > 2;
+      }
+    }
+  }
+  CHECK(at_vertices > 500);
+}

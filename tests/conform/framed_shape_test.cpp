@@ -19,7 +19,7 @@ namespace {
 /// visit(shape) for many shapes of each type, some of them tilted.
 template <class Visit>
 void for_shapes(Visit visit) {
-  Random random(2026);
+  Draws random(2026);
   for (std::size_t type = 0; type < scene::shape_count; ++type) {
     for (int i = 0; i < 100; ++i) visit(random, any_shape(random, static_cast<Tipo>(type)));
   }
@@ -45,7 +45,7 @@ Place place(const FramedShape& framed, const glm::dvec3& w) {
 }  // namespace
 
 TEST_CASE("the points of a lattice shape lie on it exactly, those of a tilted one nearly") {
-  for_shapes([](Random& random, const FramedShape& shape) {
+  for_shapes([](Draws& random, const FramedShape& shape) {
     const double size = glm::length(shape.centro) + shape.radius() + shape.altura;
     // The potencia of a triangle is a volume.
     const double scale = shape.tipo == Tipo::soy_triangulo ? 1000 * size * size : size * size;
@@ -58,7 +58,7 @@ TEST_CASE("the points of a lattice shape lie on it exactly, those of a tilted on
 }
 
 TEST_CASE("a rim point is at an end of the axis, and a surface point between the ends") {
-  for_shapes([](Random& random, const FramedShape& shape) {
+  for_shapes([](Draws& random, const FramedShape& shape) {
     if (!is_axial(shape.tipo) || !shape.lattice) return;
     const double at_rim = place(shape, rim_point(random, shape).position).avance;
     CHECK((at_rim == 0 || (at_rim == shape.altura && !has_apex(shape.tipo))));
@@ -72,7 +72,7 @@ TEST_CASE("a rim point is at an end of the axis, and a surface point between the
 }
 
 TEST_CASE("a rim point of a disc is at its rim, and a surface point within") {
-  Random random(1);
+  Draws random(1);
   for (int i = 0; i < 200; ++i) {
     const FramedShape disc = lattice_shape(random, Tipo::soy_disco);
     const glm::dvec3 rim = rim_point(random, disc).position, within = surface_point(random, disc).position;
@@ -82,7 +82,7 @@ TEST_CASE("a rim point of a disc is at its rim, and a surface point within") {
 }
 
 TEST_CASE("a rim point of a triangle is a vertex or at an edge, and a surface point within") {
-  Random random(1);
+  Draws random(1);
   std::size_t at_vertices = 0;
   for (int i = 0; i < 200; ++i) {
     const FramedShape shape = lattice_shape(random, Tipo::soy_triangulo);
@@ -104,7 +104,7 @@ TEST_CASE("a rim point of a triangle is a vertex or at an edge, and a surface po
 }
 
 TEST_CASE("across a flat shape's normal, exactly") {
-  for_shapes([](Random& random, const FramedShape& shape) {
+  for_shapes([](Draws& random, const FramedShape& shape) {
     if (!is_flat(shape.tipo) || (shape.tipo == Tipo::soy_triangulo && !shape.lattice)) return;
     const glm::dvec3 w = perpendicular_vector(random, shape);
     CHECK(w != glm::dvec3(0));
@@ -113,7 +113,7 @@ TEST_CASE("across a flat shape's normal, exactly") {
 }
 
 TEST_CASE("a tangent touches to first order: the power does not change its sign there") {
-  for_shapes([](Random& random, const FramedShape& shape) {
+  for_shapes([](Draws& random, const FramedShape& shape) {
     if (!shape.lattice) return;
     const SurfacePoint at = surface_point(random, shape);
     const glm::dvec3 u = tangent_vector(random, at);
@@ -125,7 +125,7 @@ TEST_CASE("a tangent touches to first order: the power does not change its sign 
 
 TEST_CASE("inwards leads into the shape, from every point where the two tangents span a plane") {
   std::size_t compared = 0;
-  for_shapes([&](Random& random, const FramedShape& shape) {
+  for_shapes([&](Draws& random, const FramedShape& shape) {
     if (!shape.lattice) return;
     const SurfacePoint at = surface_point(random, shape);
     const glm::dvec3 w = inwards(any_vector(random, shape), at);
@@ -139,7 +139,7 @@ TEST_CASE("inwards leads into the shape, from every point where the two tangents
 }
 
 TEST_CASE("any type is drawn, and any that has an axis") {
-  Random random(1);
+  Draws random(1);
   std::set<Tipo> types, axial;
   for (int i = 0; i < 100; ++i) types.insert(any_type(random)), axial.insert(any_axial_type(random));
   CHECK(types == std::set{Tipo::soy_esfera, Tipo::soy_cilindro, Tipo::soy_cono, Tipo::soy_tronco});
@@ -152,7 +152,7 @@ TEST_CASE("any type is drawn, and any that has an axis") {
 }
 
 TEST_CASE("a scaled shape is the same one at another scale") {
-  for_shapes([](Random&, const FramedShape& shape) {
+  for_shapes([](Draws&, const FramedShape& shape) {
     const FramedShape large = scaled(shape, 40), again = scaled(large, -40);
     CHECK(large.radius() == std::ldexp(shape.radius(), 40));
     CHECK(large.has_exact_radius() == shape.has_exact_radius());

@@ -4,10 +4,12 @@
 /// exact arithmetic which of its rays are truly of its kind: a ray that was built to be tangent need not be.
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include "durero/conform/profile.hpp"
 #include "durero/conform/random.hpp"
 #include "durero/scene/query.hpp"
 #include "durero/scene/scene.hpp"
@@ -49,6 +51,38 @@ const Family* find_family(std::string_view name);
 /// A scene of the family and that many rays. The same for the same arguments. Throws std::invalid_argument where the
 /// family is none of families().
 Case generate(const Family& family, std::uint64_t seed, std::size_t rays);
+
+/// What cases are made of.
+struct CaseOptions {
+  Format numbers = Format::binary64;  ///< every number of the scene and of the rays is one of it
+  std::vector<model::Tipo> tipos{};   ///< of the elements; none: all
+  Caps caps = Caps::open;             ///< solid: discs close the cylinders, cones and truncated cones
+};
+
+/// An element that discs close, and those discs: a system with solids knows them as one. The disc NAME.base lies at
+/// centro, NAME.top at the other end where that is no apex. Discs are the model's own, numbers like all others: where
+/// the radius or the centre of an end is no number of the format it is rounded, and where |vector|² is not 1 exactly a
+/// point with avance = altura is not at centro + altura·vector. So a disc closes its element exactly only where nothing
+/// of that was rounded, and otherwise up to such a rounding: there the exact model has a gap or a ledge of that size.
+struct Solid {
+  scene::ElementRef wall;
+  std::vector<scene::ElementRef> discs;
+};
+
+/// A case, and what was drawn for it.
+struct DrawnCase {
+  Case the_case;
+  int parameter = 0;
+  std::vector<Solid> solids{};
+};
+
+/// The same with options: nothing where the scenes of the family have elements of other types. With solids one ray in
+/// three has to do with one: to its rims and across its discs, from outside and from inside.
+std::optional<DrawnCase> generate(const Family& family, std::uint64_t seed, std::size_t rays,
+                                  const CaseOptions& options);
+
+/// What the family's parameter is drawn from: less than family.parameter where that leaves the format.
+Range parameter(const Family& family, Format numbers);
 
 /// By surface::exact. Precondition: the case is of the family, and the ray is of the case.
 Membership membership(const Family& family, const Case& the_case, const scene::Query& ray);

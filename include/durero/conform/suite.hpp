@@ -24,12 +24,6 @@ struct SuiteOptions {
 /// How many rays a case has; the last of a family may have less.
 inline constexpr std::size_t rays_of_a_case = 64;
 
-/// An element that discs close, and those discs: a system with solids knows them as one.
-struct Solid {
-  scene::ElementRef wall;
-  std::vector<scene::ElementRef> discs;
-};
-
 struct SuiteCase {
   const Family* family = nullptr;
   std::uint64_t number = 0;  ///< among the cases of its family, from 0

@@ -1,0 +1,157 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "conform/family_table.hpp"
+#include "durero/conform/families.hpp"
+
+namespace durero::conform {
+namespace {
+
+using recipes::FramedShapes;
+
+/// A stream of its own for each family and seed.
+std::uint64_t seed_of(const Family& family, std::uint64_t seed) {
+  std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a
+  for (const char c : family.name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  return hash ^ (seed * 0x9e3779b97f4a7c15);
+}
+
+/// The place of an element with an axis, and those of the discs that close it.
+struct FramedSolid {
+  std::size_t wall;
+  std::vector<std::size_t> discs;
+};
+
+/// Elements under construction, by their names.
+struct FramedScene {
+  FramedShapes shapes;  ///< those of the recipe, then discs that close them
+  std::vector<std::string> names{};
+  std::vector<FramedSolid> solids{};
+  std::size_t of_recipe = 0;  ///< how many are the recipe's
+};
+
+bool is_same_disc(const FramedShape& a, const FramedShape& b) {
+  return a.tipo == model::Tipo::soy_disco && b.tipo == a.tipo && a.centro == b.centro && a.radio == b.radio;
+}
+
+/// The place of the disc, which stays where it is in the scene already.
+std::size_t placed(FramedScene& scene, const FramedShape& disc, const std::string& name) {
+  for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+    if (is_same_disc(scene.shapes[i], disc)) return i;
+  }
+  scene.shapes.push_back(disc);
+  scene.names.push_back(name);
+  return scene.shapes.size() - 1;
+}
+
+/// Discs for every element with an axis. False where one is no disc of the format.
+bool close(const Draws& random, FramedScene& scene) {
+  for (std::size_t i = 0, count = scene.shapes.size(); i < count; ++i) {
+    const FramedShape wall = scene.shapes[i];
+    if (!is_axial(wall.tipo)) continue;
+    FramedSolid solid{i, {}};
+    for (const bool at_base : {true, false}) {
+      if (!at_base && has_apex(wall.tipo)) continue;
+      const auto disc = in_format(random, closing_disc(wall, at_base));
+      if (!disc || !(disc->radio > 0)) return false;
+      solid.discs.push_back(placed(scene, *disc, scene.names[i] + (at_base ? ".base" : ".top")));
+    }
+    scene.solids.push_back(solid);
+  }
+  return true;
+}
+
+/// Every shape that closes none is of the types that are asked for.
+bool is_allowed(const Draws& random, const FramedScene& scene) {
+  const auto closes = [&](std::size_t place) {
+    return std::any_of(scene.solids.begin(), scene.solids.end(), [&](const FramedSolid& solid) {
+      return std::find(solid.discs.begin(), solid.discs.end(), place) != solid.discs.end();
+    });
+  };
+  for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+    if (!random.allows(scene.shapes[i].tipo) && !closes(i)) return false;
+  }
+  return true;
+}
+
+/// The shapes as elements of the format, or nothing where they are none, or not of the types that are asked for.
+std::optional<FramedScene> framed_scene(const Draws& random, const FramedShapes& shapes) {
+  FramedScene scene;
+  for (const FramedShape& shape : shapes) {
+    const auto element = in_format(random, shape);
+    if (!element) return std::nullopt;
+    scene.names.push_back("e" + std::to_string(scene.shapes.size()));
+    scene.shapes.push_back(*element);
+  }
+  scene.of_recipe = scene.shapes.size();
+  if (random.options().caps == Caps::solid && !close(random, scene)) return std::nullopt;
+  if (!is_allowed(random, scene)) return std::nullopt;
+  return scene;
+}
+
+/// Scenes are drawn until one is allowed. Where some are, more than one in ten is, so that none among so many says that
+/// there is none.
+std::optional<FramedScene> drawn_scene(Draws& random, const Recipe& recipe, int parameter) {
+  constexpr int attempts = 500;
+  for (int i = 0; i < attempts; ++i) {
+    if (auto scene = framed_scene(random, recipe.scene(random, parameter))) return scene;
+  }
+  return std::nullopt;
+}
+
+DrawnRay rounded(const Draws& random, DrawnRay ray) {
+  ray.p = random.rounded(ray.p);
+  ray.v = random.rounded(ray.v);
+  return ray;
+}
+
+bool is_ray(const DrawnRay& ray) {
+  const auto finite = [](const glm::dvec3& x) {
+    return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z);
+  };
+  return finite(ray.p) && finite(ray.v) && ray.v != glm::dvec3(0);
+}
+
+DrawnRay drawn_ray(Draws& random, const Recipe& recipe, int parameter, const FramedScene& scene) {
+  if (scene.solids.empty() || !random.chance(1, 3))
+    return recipe.ray(random, parameter, recipes::Given(scene.shapes).first(scene.of_recipe));
+  const FramedSolid& solid = random.any_of(scene.solids);
+  FramedShapes shapes{scene.shapes[solid.wall]};
+  for (const std::size_t disc : solid.discs) shapes.push_back(scene.shapes[disc]);
+  return recipes::solid(random, shapes);
+}
+
+}  // namespace
+
+std::optional<DrawnCase> generate(const Family& family, std::uint64_t seed, std::size_t rays,
+                                  const CaseOptions& options) {
+  const Recipe& recipe = row_of(family).recipe;
+  const Range range = conform::parameter(family, options.numbers);
+  Draws random(seed_of(family, seed), options);
+  DrawnCase drawn{{}, random.integer(range.least, range.greatest)};
+  const std::optional<FramedScene> framed = drawn_scene(random, recipe, drawn.parameter);
+  if (!framed) return std::nullopt;
+  auto& [scene, queries] = drawn.the_case;
+  for (std::size_t i = 0; i < framed->shapes.size(); ++i)
+    scene.apply(framed->shapes[i].addition(model::Elemento(framed->names[i])));
+  const auto element = [&](std::size_t place) { return *scene.find(framed->names[place]); };
+  for (const FramedSolid& of : framed->solids) {
+    Solid& solid = drawn.solids.emplace_back(Solid{element(of.wall), {}});
+    for (const std::size_t disc : of.discs) solid.discs.push_back(element(disc));
+  }
+  while (queries.size() < rays) {
+    const DrawnRay ray = rounded(random, drawn_ray(random, recipe, drawn.parameter, *framed));
+    if (!is_ray(ray)) continue;
+    scene::Query& query = queries.emplace_back(scene::Query{{model::Punto(ray.p), model::Vector(ray.v)}, {}});
+    for (const std::size_t place : ray.on) query.en.push_back(element(place));
+    std::sort(query.en.begin(), query.en.end());
+  }
+  return drawn;
+}
+
+Case generate(const Family& family, std::uint64_t seed, std::size_t rays) {
+  return generate(family, seed, rays, {})->the_case;
+}
+
+}  // namespace durero::conform
