@@ -132,6 +132,8 @@ Child::Child(const Command& command, const ChildLimits& limits, const std::atomi
 
 Child::~Child() { end(); }
 
+void Child::close_input() { close_once(input_); }
+
 Child::Event Child::next_line(Seconds time, std::string& line) {
   const Clock::time_point until = Clock::now() + std::chrono::duration_cast<Clock::duration>(time);
   for (;;) {
@@ -152,7 +154,7 @@ bool Child::has_more() {
 bool Child::close(Seconds time) {
   std::string line;
   while (!to_tell_.empty() && output_ >= 0 && !*stop_) await(slice_milliseconds);
-  close_once(input_);
+  close_input();
   return next_line(time, line) == Event::line || !answers_.empty();
 }
 

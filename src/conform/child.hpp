@@ -41,6 +41,8 @@ class Child {
 
   /// What it is to be told next; it is written while its lines are awaited, as it takes it.
   void tell(std::string_view text) { to_tell_.append(text); }
+  /// It is told nothing more.
+  void close_input();
   /// Its next line, without the end, into `line`. The time counts from the call.
   Event next_line(Seconds time, std::string& line);
   /// Whether it wrote more than the lines that were read.
