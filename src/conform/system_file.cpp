@@ -75,6 +75,7 @@ void fill_in_places(Command& command, const System& of) {
   for (std::string& word : command) {
     replace_all(word, "{python}", python);
     replace_all(word, "{out}", of.setup + "/ask");
+    replace_all(word, "{durero}", fs::canonical("/proc/self/exe").string());
     replace_all(word, "{here}", of.folder);
     replace_all(word, "{setup}", of.setup);
   }

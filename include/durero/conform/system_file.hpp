@@ -10,7 +10,7 @@
 ///    "sources":[{"claim":"directions","sentence":"…","place":"rtcore_ray.h"}]}
 ///
 /// {here} is the folder of the file; {setup} the folder that `durero conform setup` fills; {out} is {setup}/ask;
-/// {python} is {setup}/venv/bin/python, or python3 where nothing is installed from PyPI.
+/// {python} is {setup}/venv/bin/python, or python3 where nothing is installed from PyPI; {durero} is this program.
 
 #include <map>
 #include <string>

@@ -1,0 +1,16 @@
+// durero conform …: any program's hits held against the exact answers.
+#include "conform.hpp"
+
+#include "commands.hpp"
+
+namespace durero::cli {
+
+void add_conform(CLI::App& app, int& status) {
+  auto* conform = app.add_subcommand("conform", "Hold any program's hits against the exact answers");
+  conform->require_subcommand(1);
+  add_conform_setup(*conform, status);
+  add_conform_run(*conform, status);
+  add_conform_answer(*conform, status);
+}
+
+}  // namespace durero::cli

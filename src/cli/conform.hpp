@@ -1,0 +1,20 @@
+#pragma once
+/// The subcommands of `durero conform`.
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <string>
+
+namespace durero::cli {
+
+void add_conform_setup(CLI::App& conform, int& status);
+void add_conform_run(CLI::App& conform, int& status);
+void add_conform_answer(CLI::App& conform, int& status);
+
+/// The option --systems of a command.
+void add_systems(CLI::App& command, std::string& systems);
+
+/// Is set when the user interrupts the program (SIGINT, SIGTERM), from this call on.
+const std::atomic<bool>& interrupted();
+
+}  // namespace durero::cli
