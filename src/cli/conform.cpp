@@ -11,6 +11,8 @@ void add_conform(CLI::App& app, int& status) {
   add_conform_setup(*conform, status);
   add_conform_run(*conform, status);
   add_conform_answer(*conform, status);
+  add_conform_show(*conform, status);
+  add_conform_compare(*conform, status);
 }
 
 }  // namespace durero::cli

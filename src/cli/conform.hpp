@@ -10,6 +10,8 @@ namespace durero::cli {
 void add_conform_setup(CLI::App& conform, int& status);
 void add_conform_run(CLI::App& conform, int& status);
 void add_conform_answer(CLI::App& conform, int& status);
+void add_conform_show(CLI::App& conform, int& status);
+void add_conform_compare(CLI::App& conform, int& status);
 
 /// The option --systems of a command.
 void add_systems(CLI::App& command, std::string& systems);

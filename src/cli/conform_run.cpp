@@ -9,7 +9,8 @@
 #include <memory>
 
 #include "conform.hpp"
-#include "durero/conform/judge.hpp"
+#include "conform_suite.hpp"
+#include "durero/conform/report.hpp"
 #include "durero/conform/runner.hpp"
 #include "durero/conform/setup.hpp"
 #include "numbers.hpp"
@@ -21,11 +22,10 @@ using namespace conform;
 
 struct Options {
   std::vector<std::string> names;
-  std::vector<std::string> families;
+  SuiteCall suite;
   std::string systems = default_systems();
   std::string profile, report;
-  std::uint64_t seed = 1;
-  std::size_t rays = 1024, jobs = 1, memory = 0;
+  std::size_t jobs = 1, memory = 0;
   double time = 10;
   bool goes_on = false;
 };
@@ -49,17 +49,10 @@ struct Plan {
   SuiteOptions suite;
   std::vector<std::pair<const Family*, std::uint64_t>> places;
 
-  Plan(const Options& options, const Profile& profile) {
-    for (const std::string& name : options.families) {
-      suite.families.push_back(find_family(name));
-      if (suite.families.back() == nullptr)
-        throw std::runtime_error(fmt::format("no family {}; expected one that durero conform list shows", name));
-    }
+  Plan(const SuiteCall& call, const Profile& profile) : suite(suite_of(call)) {
     if (suite.families.empty()) {
       for (const Family& family : families()) suite.families.push_back(&family);
     }
-    suite.seed = options.seed;
-    suite.rays = options.rays;
     suite.tipos = profile.tipos;
     suite.caps = profile.caps;
     for (const Family* family : suite.families) {
@@ -105,30 +98,12 @@ class Progress {
   Clock::time_point begin_ = Clock::now(), last_{};
 };
 
-/// How claims stand to the truths, counted.
-class Counts {
- public:
-  void add(const SuiteCase& of, std::span<const Claim> claims, const Profile& profile) {
-    for (std::size_t ray = 0; ray < claims.size(); ++ray)
-      ++counts_[static_cast<std::size_t>(judge(of, ray, claims[ray], profile).verdict)];
-  }
-  void print(const System& system, const RunEnd& end) const {
-    fmt::print("{}: {}\n", system.name, end.says);
-    for (std::size_t i = 0; i < counts_.size(); ++i) {
-      if (counts_[i] != 0) fmt::print("  {:14}{}\n", name(static_cast<Verdict>(i)), counts_[i]);
-    }
-    if (end.deaths != 0) fmt::print("  it ended or hung {} times\n", end.deaths);
-  }
-
- private:
-  std::array<std::uint64_t, verdict_count> counts_{};
-};
-
 /// What a run must be, to go on with another's claims.
 std::string identity(const System& system, const Options& options) {
   return fmt::format("durero {} conform run {} --seed {} --rays {} --timeout {} --memory {} {}", DURERO_VERSION,
-                     system.name == "command" ? std::string(of_command) + system.title : system.name, options.seed,
-                     options.rays, options.time, options.memory, fmt::join(options.families, " "));
+                     system.name == "command" ? std::string(of_command) + system.title : system.name,
+                     options.suite.seed, options.suite.rays, options.time, options.memory,
+                     fmt::join(options.suite.families, " "));
 }
 
 RunOptions run_options(const System& system, const Options& options) {
@@ -144,45 +119,50 @@ RunOptions run_options(const System& system, const Options& options) {
   return run;
 }
 
-/// Whether it was asked to the end.
-bool run_one(const System& system, const Options& options) {
-  if (const std::string why = why_absent(system); !why.empty()) {
-    fmt::print("{}: absent: {}\n", system.name, why);
-    return false;
-  }
-  const Plan plan(options, system.profile);
-  Counts counts;
+/// How a system came off; its number is the exit status.
+enum class Outcome { conformant = 0, not_conformant = 1, not_asked = 2 };
+
+/// Asks and judges; nothing where it was stopped.
+std::optional<Report> report_of(const System& system, const Options& options) {
+  const Plan plan(options.suite, system.profile);
+  Report report{.title = system.title, .profile = system.profile, .options = plan.suite};
   RunEnd end;
   {
     Progress progress(system.name, plan.places.size());
     const auto sink = [&](const SuiteCase& of, std::span<const Claim> claims) {
-      counts.add(of, claims, system.profile);
+      report.tally.add(of, claims, system.profile);
       progress.step();
     };
     end = run_system(system, plan.run_cases(system.profile), run_options(system, options), sink, interrupted());
   }
-  counts.print(system, end);
-  if (end.stopped)
-    fmt::print("{}: stopped after {} of {} scenes{}\n", system.name, end.cases, plan.places.size(),
-               options.report.empty() ? "" : "; --continue goes on");
-  return !end.stopped;
+  report.version = end.says;
+  if (!end.stopped) return report;
+  fmt::print("{}: stopped after {} of {} scenes{}\n", system.name, end.cases, plan.places.size(),
+             options.report.empty() ? "" : "; --continue goes on");
+  return std::nullopt;
+}
+
+Outcome run_one(const System& system, const Options& options) {
+  if (const std::string why = why_absent(system); !why.empty()) {
+    fmt::print("{}: absent: {}\n", system.name, why);
+    return Outcome::not_asked;
+  }
+  const std::optional<Report> report = report_of(system, options);
+  if (!report) return Outcome::not_asked;
+  fmt::print("{}", report_text(*report));
+  if (!options.report.empty()) write_reports(fmt::format("{}/{}", options.report, system.name), *report);
+  return report->tally.failures() == 0 ? Outcome::conformant : Outcome::not_conformant;
 }
 
 int run(const Options& options) {
   std::vector<System> systems;
   for (const std::string& name : options.names) systems.push_back(system_of(name, options));
-  bool all = true;
-  for (const System& system : systems) all = run_one(system, options) && all;
-  return all ? 0 : 2;
+  int status = 0;
+  for (const System& system : systems) status = std::max(status, static_cast<int>(run_one(system, options)));
+  return status;
 }
 
 void add_amounts(CLI::App& command, Options& options) {
-  command.add_option("--rays", options.rays, "How many rays of each family")
-      ->check(whole_number(1, 100'000'000))
-      ->capture_default_str();
-  command.add_option("--seed", options.seed, "Which rays")
-      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
-      ->capture_default_str();
   command.add_option("--jobs", options.jobs, "So many processes of a system are asked at once")
       ->check(whole_number(1, 256))
       ->capture_default_str();
@@ -200,7 +180,7 @@ void add_conform_run(CLI::App& conform, int& status) {
   auto* command = conform.add_subcommand("run", "Ask systems the rays of a suite, and judge what they answer");
   const auto options = std::make_shared<Options>();
   command->add_option("SYSTEM", options->names, "Names of systems, or command:PROGRAM")->required();
-  command->add_option("--family", options->families, "A family of the suite; without it, all");
+  add_rays(*command, options->suite);
   add_amounts(*command, *options);
   add_systems(*command, options->systems);
   command->add_option("--profile", options->profile, "What command:PROGRAM claims: a system's name, or a file");
@@ -210,7 +190,7 @@ void add_conform_run(CLI::App& conform, int& status) {
       "A system is asked in processes of its own: what crashes it or lets it hang costs one ray. What is found "
       "depends\n"
       "neither on --jobs nor on where a run was stopped.\n"
-      "Status 0: all systems were asked; 2: one is absent or was stopped, or a bad call.");
+      "Status 0: all systems are right; 1: one is not; 2: one is absent or was stopped, or a bad call.");
   command->callback([options, &status] { status = run(*options); });
 }
 

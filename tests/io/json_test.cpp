@@ -146,6 +146,20 @@ TEST_CASE("True and false are read as such, and nothing else is") {
   CHECK(items == std::vector<bool>{true, false});
 }
 
+TEST_CASE("A value is passed whole, whatever it is") {
+  const Source source("f", R"({"a":[1,{"b":[]},"]"],"c":"{","d":{"e":{}},"f":7})");
+  const Document document(source);
+  Reader in(document);
+  double f = 0;
+  in.members("an object", [&](const io::json::Key& key) {
+    if (key.name == "f")
+      f = in.number("f");
+    else
+      in.skip();
+  });
+  CHECK(f == 7);
+}
+
 TEST_CASE("Errors of syntax have their place") {
   CHECK(error_of("") == "f:1:1: the text is empty; expected a JSON value");
   CHECK(error_of(" \n ") == "f:2:2: the text is empty; expected a JSON value");
