@@ -1,0 +1,74 @@
+// Asks Jolt Physics by NarrowPhaseQuery.CastRay, of a segment that no element is beyond. Convex shapes are not treated
+// as solid and back faces are reported, so that a ray from inside is answered with where it leaves.
+import { along, packages, quaternionOfY, radii, segment, serve } from "../protocol.mjs";
+
+const { default: start } = await import(packages + "jolt-physics/dist/jolt-physics.wasm-compat.js");
+const jolt = await start();
+const LAYER = 0, LAYERS = 1;
+
+function physics() {
+  const settings = new jolt.JoltSettings();
+  settings.mObjectLayerPairFilter = new jolt.ObjectLayerPairFilterTable(LAYERS);
+  settings.mBroadPhaseLayerInterface = new jolt.BroadPhaseLayerInterfaceTable(LAYERS, LAYERS);
+  settings.mBroadPhaseLayerInterface.MapObjectToBroadPhaseLayer(LAYER, new jolt.BroadPhaseLayer(LAYER));
+  settings.mObjectVsBroadPhaseLayerFilter = new jolt.ObjectVsBroadPhaseLayerFilterTable(
+    settings.mBroadPhaseLayerInterface, LAYERS, settings.mObjectLayerPairFilter, LAYERS);
+  return new jolt.JoltInterface(settings).GetPhysicsSystem();
+}
+
+function created(settings) {
+  const result = settings.Create();
+  if (result.HasError()) throw new Error(result.GetError().c_str());
+  return result.Get();
+}
+
+function shape(element) {
+  const half = element.altura / 2;
+  if (element.tipo === "esfera") return created(new jolt.SphereShapeSettings(element.radio));
+  if (element.tipo === "cilindro") return created(new jolt.CylinderShapeSettings(half, element.radio, 0));
+  if (element.tipo === "triangulo") {
+    const [a, b, c] = element.vertices.map((vertex) => new jolt.Vec3(...vertex));
+    return created(new jolt.TriangleShapeSettings(a, b, c, 0));
+  }
+  const [base, top] = radii(element);
+  return created(new jolt.TaperedCylinderShapeSettings(half, top, base, 0));
+}
+
+function body(element) {
+  const { tipo, altura, vector } = element;
+  const position = tipo === "triangulo" ? [0, 0, 0] : tipo === "esfera" ? element.centro : along(element, altura / 2);
+  const rotation = vector ? quaternionOfY(vector) : [0, 0, 0, 1];
+  const settings = new jolt.BodyCreationSettings(shape(element), new jolt.RVec3(...position),
+    new jolt.Quat(...rotation), jolt.EMotionType_Static, LAYER);
+  return bodies.CreateBody(settings).GetID();
+}
+
+const system = physics();
+const bodies = system.GetBodyInterface();
+const filters = [new jolt.BroadPhaseLayerFilter(), new jolt.ObjectLayerFilter(), new jolt.BodyFilter(), new jolt.ShapeFilter()];
+const settings = new jolt.RayCastSettings();
+settings.SetBackFaceMode(jolt.EBackFaceMode_CollideWithBackFaces);
+settings.mTreatConvexAsSolid = false;
+let names = new Map();
+
+function load(elements) {
+  for (const id of names.values()) { bodies.RemoveBody(id); bodies.DestroyBody(id); }
+  names = new Map();
+  for (const element of elements) {
+    const id = body(element);
+    names.set(element.name, id);
+    bodies.AddBody(id, jolt.EActivation_DontActivate);
+  }
+  return (p, v) => {
+    const f = segment(elements, p, v);
+    const ray = new jolt.RRayCast(new jolt.RVec3(...p), new jolt.Vec3(...v.map((x) => f * x)));
+    const collector = new jolt.CastRayClosestHitCollisionCollector();
+    system.GetNarrowPhaseQuery().CastRay(ray, settings, collector, ...filters);
+    if (!collector.HadHit()) return undefined;
+    const index = collector.mHit.mBodyID.GetIndexAndSequenceNumber();
+    const [name] = [...names].find(([, id]) => id.GetIndexAndSequenceNumber() === index);
+    return [name, f * collector.mHit.mFraction];
+  };
+}
+
+await serve("Jolt", "1.1.0", load);
