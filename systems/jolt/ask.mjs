@@ -7,19 +7,23 @@ const jolt = await start();
 const LAYER = 0, LAYERS = 1;
 
 function physics() {
+  const pairs = new jolt.ObjectLayerPairFilterTable(LAYERS);
+  const layers = new jolt.BroadPhaseLayerInterfaceTable(LAYERS, LAYERS);
+  layers.MapObjectToBroadPhaseLayer(LAYER, new jolt.BroadPhaseLayer(LAYER));
   const settings = new jolt.JoltSettings();
-  settings.mObjectLayerPairFilter = new jolt.ObjectLayerPairFilterTable(LAYERS);
-  settings.mBroadPhaseLayerInterface = new jolt.BroadPhaseLayerInterfaceTable(LAYERS, LAYERS);
-  settings.mBroadPhaseLayerInterface.MapObjectToBroadPhaseLayer(LAYER, new jolt.BroadPhaseLayer(LAYER));
-  settings.mObjectVsBroadPhaseLayerFilter = new jolt.ObjectVsBroadPhaseLayerFilterTable(
-    settings.mBroadPhaseLayerInterface, LAYERS, settings.mObjectLayerPairFilter, LAYERS);
+  settings.mObjectLayerPairFilter = pairs;
+  settings.mBroadPhaseLayerInterface = layers;
+  settings.mObjectVsBroadPhaseLayerFilter = new jolt.ObjectVsBroadPhaseLayerFilterTable(layers, LAYERS, pairs, LAYERS);
   return new jolt.JoltInterface(settings).GetPhysicsSystem();
 }
 
 function created(settings) {
   const result = settings.Create();
   if (result.HasError()) throw new Error(result.GetError().c_str());
-  return result.Get();
+  const shape = result.Get();
+  shape.AddRef();
+  jolt.destroy(settings);
+  return shape;
 }
 
 function shape(element) {
@@ -27,8 +31,10 @@ function shape(element) {
   if (element.tipo === "esfera") return created(new jolt.SphereShapeSettings(element.radio));
   if (element.tipo === "cilindro") return created(new jolt.CylinderShapeSettings(half, element.radio, 0));
   if (element.tipo === "triangulo") {
-    const [a, b, c] = element.vertices.map((vertex) => new jolt.Vec3(...vertex));
-    return created(new jolt.TriangleShapeSettings(a, b, c, 0));
+    const vertices = element.vertices.map((vertex) => new jolt.Vec3(...vertex));
+    const triangles = new jolt.TriangleList();
+    triangles.push_back(new jolt.Triangle(...vertices));
+    return created(new jolt.MeshShapeSettings(triangles));
   }
   const [base, top] = radii(element);
   return created(new jolt.TaperedCylinderShapeSettings(half, top, base, 0));
@@ -38,9 +44,12 @@ function body(element) {
   const { tipo, altura, vector } = element;
   const position = tipo === "triangulo" ? [0, 0, 0] : tipo === "esfera" ? element.centro : along(element, altura / 2);
   const rotation = vector ? quaternionOfY(vector) : [0, 0, 0, 1];
-  const settings = new jolt.BodyCreationSettings(shape(element), new jolt.RVec3(...position),
-    new jolt.Quat(...rotation), jolt.EMotionType_Static, LAYER);
-  return bodies.CreateBody(settings).GetID();
+  const at = new jolt.RVec3(...position), turned = new jolt.Quat(...rotation), solid = shape(element);
+  const settings = new jolt.BodyCreationSettings(solid, at, turned, jolt.EMotionType_Static, LAYER);
+  const id = bodies.CreateBody(settings).GetID();
+  for (const passed of [at, turned, settings]) jolt.destroy(passed);
+  solid.Release();
+  return id;
 }
 
 const system = physics();
@@ -49,6 +58,9 @@ const filters = [new jolt.BroadPhaseLayerFilter(), new jolt.ObjectLayerFilter(),
 const settings = new jolt.RayCastSettings();
 settings.SetBackFaceMode(jolt.EBackFaceMode_CollideWithBackFaces);
 settings.mTreatConvexAsSolid = false;
+const origin = new jolt.RVec3(0, 0, 0), direction = new jolt.Vec3(0, 0, 0);
+const ray = new jolt.RRayCast(origin, direction);
+const collector = new jolt.CastRayClosestHitCollisionCollector();
 let names = new Map();
 
 function load(elements) {
@@ -61,8 +73,11 @@ function load(elements) {
   }
   return (p, v) => {
     const f = segment(elements, p, v);
-    const ray = new jolt.RRayCast(new jolt.RVec3(...p), new jolt.Vec3(...v.map((x) => f * x)));
-    const collector = new jolt.CastRayClosestHitCollisionCollector();
+    origin.Set(...p);
+    direction.Set(...v.map((x) => f * x));
+    ray.mOrigin = origin;
+    ray.mDirection = direction;
+    collector.Reset();
     system.GetNarrowPhaseQuery().CastRay(ray, settings, collector, ...filters);
     if (!collector.HadHit()) return undefined;
     const index = collector.mHit.mBodyID.GetIndexAndSequenceNumber();
