@@ -1,30 +1,7 @@
 // Asks Jolt Physics by NarrowPhaseQuery.CastRay, of a segment that no element is beyond. Convex shapes are not treated
 // as solid and back faces are reported, so that a ray from inside is answered with where it leaves.
-import { along, packages, quaternionOfY, radii, segment, serve } from "../protocol.mjs";
-
-const { default: start } = await import(packages + "jolt-physics/dist/jolt-physics.wasm-compat.js");
-const jolt = await start();
-const LAYER = 0, LAYERS = 1;
-
-function physics() {
-  const pairs = new jolt.ObjectLayerPairFilterTable(LAYERS);
-  const layers = new jolt.BroadPhaseLayerInterfaceTable(LAYERS, LAYERS);
-  layers.MapObjectToBroadPhaseLayer(LAYER, new jolt.BroadPhaseLayer(LAYER));
-  const settings = new jolt.JoltSettings();
-  settings.mObjectLayerPairFilter = pairs;
-  settings.mBroadPhaseLayerInterface = layers;
-  settings.mObjectVsBroadPhaseLayerFilter = new jolt.ObjectVsBroadPhaseLayerFilterTable(layers, LAYERS, pairs, LAYERS);
-  return new jolt.JoltInterface(settings).GetPhysicsSystem();
-}
-
-function created(settings) {
-  const result = settings.Create();
-  if (result.HasError()) throw new Error(result.GetError().c_str());
-  const shape = result.Get();
-  shape.AddRef();
-  jolt.destroy(settings);
-  return shape;
-}
+import { created, jolt, LAYER, physics } from "./physics.mjs";
+import { along, quaternionOfY, radii, segment, serve } from "../protocol.mjs";
 
 function shape(element) {
   const half = element.altura / 2;

@@ -1,16 +1,6 @@
 //! Asks parry by the cast of a ray on a compound of the elements, in the format that the argument names: f32 or f64.
-use std::io::{BufRead, Lines, StdinLock, Write, stdin, stdout};
-use std::panic::{AssertUnwindSafe, catch_unwind};
-
-struct Element {
-    tipo: String,
-    name: String,
-    n: Vec<f64>,
-}
-
-fn numbers<'a>(words: impl Iterator<Item = &'a str>) -> Vec<f64> {
-    words.map(|word| word.parse().unwrap()).collect()
-}
+mod protocol;
+use protocol::Element;
 
 /// x, y, z and w of the least rotation that takes the y axis, which is that of parry's shapes, to the vector.
 fn quaternion(v: &[f64]) -> [f64; 4] {
@@ -28,7 +18,7 @@ macro_rules! asks {
         fn $ask(elements: &[Element], rays: &[Vec<f64>]) -> Vec<String> {
             use $parry::math::{Pose, Rotation, Vector};
             use $parry::query::Ray;
-            use $parry::shape::{Ball, Compound, CompositeShapeRef, Cone, Cylinder, HalfSpace, SharedShape, Triangle};
+            use $parry::shape::{Ball, CompositeShapeRef, Compound, Cone, Cylinder, HalfSpace, SharedShape, Triangle};
             let vector = |n: &[f64]| Vector::new(n[0] as $real, n[1] as $real, n[2] as $real);
             let placed = |e: &Element| {
                 let n = &e.n;
@@ -70,32 +60,7 @@ macro_rules! asks {
 asks!(ask_f32, parry3d, f32);
 asks!(ask_f64, parry3d_f64, f64);
 
-fn element(line: &str) -> Element {
-    let mut words = line.split_whitespace();
-    let mut word = || words.next().unwrap().to_string();
-    Element { tipo: word(), name: word(), n: numbers(words) }
-}
-
-fn rays(count: usize, lines: &mut Lines<StdinLock>) -> Vec<Vec<f64>> {
-    lines.take(count).map(|line| numbers(line.unwrap().split_whitespace())).collect()
-}
-
 fn main() {
     let ask = if std::env::args().nth(1).unwrap() == "f32" { ask_f32 } else { ask_f64 };
-    println!("system parry3d 0.31.1");
-    let mut lines = stdin().lock().lines();
-    let mut elements = Vec::new();
-    while let Some(Ok(line)) = lines.next() {
-        if line.starts_with("scene") {
-            elements.clear();
-        } else if let Some(count) = line.strip_prefix("rays ") {
-            let rays = rays(count.trim().parse().unwrap(), &mut lines);
-            let refused = |_| vec!["refused it panicked".to_string(); rays.len()];
-            let claims = catch_unwind(AssertUnwindSafe(|| ask(&elements, &rays))).unwrap_or_else(refused);
-            println!("{}", claims.join("\n"));
-            stdout().flush().unwrap();
-        } else {
-            elements.push(element(&line));
-        }
-    }
+    protocol::serve("parry3d 0.31.1", ask);
 }
