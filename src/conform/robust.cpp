@@ -37,7 +37,26 @@ bool is_simple_and_between_ends(const Shape& shape, const model::Rayo& rayo, boo
   }
 }
 
+/// There is no root, or none is positive: A, B and C have one sign, or on the surface A and B, whose other root is
+/// −2B/A.
+template <Curved Shape>
+bool has_certainly_no_root_ahead(const Shape& shape, const model::Rayo& rayo, bool on) {
+  const auto f = potencia(shape, surface::along<Ball>(rayo));
+  const int of_B = f.B.decided_sign();
+  const bool have_one_sign = of_B != 0 && f.A.decided_sign() == of_B && (on || f.C.decided_sign() == of_B);
+  return have_one_sign || (!on && (surface::square(f.B) - f.A * f.C).decided_sign() < 0);
+}
+
 }  // namespace
+
+bool certainly_missed(const AnsweredQuery& q, scene::ElementRef e) {
+  return q.scene.visit(e, [&]<class Shape>(const Shape& shape) {
+    if constexpr (Curved<Shape>)
+      return has_certainly_no_root_ahead(shape, q.query.rayo, scene::Origin(q.query.en).contains(e));
+    else
+      return surface::exact::reach(q.scene, e, q.query.rayo, q.query.en).empty();  // it looks quickly first
+  });
+}
 
 Ambiguity weakness(const Candidate& c, const Parameter& t) {
   if (roots(c.f).every) return Ambiguity::in_surface;

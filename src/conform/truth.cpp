@@ -9,8 +9,6 @@
 namespace durero::conform {
 namespace {
 
-using surface::exact::Crossing;
-
 /// A place where the ray meets an element: a point, or an end of a stretch inside it. Without t it is t → 0⁺.
 struct Place {
   std::optional<Parameter> t;
@@ -27,16 +25,21 @@ bool earlier(const Place& a, const Place& b) {
   return !a.t || (b.t && surface::exact::order(*a.t, *b.t) < 0);
 }
 
-/// Ascending. A stretch counts with both ends.
+/// Of one element. A stretch counts with both its ends.
+void add_places(std::vector<Place>& to, const Candidate& c) {
+  const surface::exact::Reach reach = surface::exact::reach(c.f);
+  for (const Parameter& t : reach.points()) to.push_back({t, c.e, weakness(c, t)});
+  if (!reach.segment) return;
+  to.push_back({reach.segment->begin, c.e, Ambiguity::in_surface});
+  if (reach.segment->end) to.push_back({reach.segment->end, c.e, Ambiguity::in_surface});
+}
+
+/// Of all elements, ascending.
 std::vector<Place> places(const AnsweredQuery& q) {
   std::vector<Place> all;
-  for (const Crossing& crossing : surface::exact::all_hits(q.scene, q.query.rayo, q.query.en)) {
-    const auto& [begin, end] = crossing.segment;
-    const bool is_point = begin && end && surface::exact::order(*begin, *end) == 0;
-    const Ambiguity weak = is_point ? weakness(candidate(q, crossing.elemento), *begin) : Ambiguity::in_surface;
-    all.push_back({begin, crossing.elemento, weak});
-    if (!is_point && end) all.push_back({end, crossing.elemento, weak});
-  }
+  q.scene.for_each([&](scene::ElementRef e, const auto&) {
+    if (!certainly_missed(q, e)) add_places(all, candidate(q, e));
+  });
   std::sort(all.begin(), all.end(), earlier);
   return all;
 }
@@ -75,11 +78,12 @@ scene::Hit hit_at(const model::Rayo& rayo, Meeting meeting) {
   return hit;
 }
 
-void add_each_alone(std::vector<scene::Hit>& to, const scene::Hit& hit) {
+void add_each_alone(std::vector<scene::Hit>& to, scene::Hit hit) {
   if (hit.elementos.size() == 1) return;
-  for (const scene::ElementRef e : hit.elementos) {
+  const scene::ElementSet all = hit.elementos;
+  for (const scene::ElementRef e : all) {
+    hit.elementos = {e};
     to.push_back(hit);
-    to.back().elementos = {e};
   }
 }
 
@@ -105,30 +109,29 @@ std::string_view name(Ambiguity ambiguity) {
   contract::unreachable();
 }
 
-Truth truth(const scene::Scene& scene, const scene::Query& ray) {
-  const AnsweredQuery asked{scene, ray, {}};
-  const std::vector<Place> all = places(asked);
+Truth truth_of(const AnsweredQuery& q) {
+  const model::Rayo& rayo = q.query.rayo;
+  const std::vector<Place> all = places(q);
   if (all.empty()) return {};
   std::span<const Place> left = all;
   Meeting meeting = take_meeting(left);
-  Truth found{hit_at(ray.rayo, meeting), ambiguity(meeting)};
-  if (!meeting.front().t) {
-    found.permissible.push_back(found.hit);
-    found.hit = {.resultado = model::Resultado::no_minimum, .elementos = found.hit.elementos};
-    add_each_alone(found.permissible, found.permissible.front());
-  } else {
-    add_each_alone(found.permissible, found.hit);
-  }
+  Truth found{q.hit, ambiguity(meeting)};
+  if (!meeting.front().t) found.permissible.push_back(hit_at(rayo, meeting));
+  add_each_alone(found.permissible, meeting.front().t ? found.hit : found.permissible.front());
   while (!is_robust(meeting)) {
     if (left.empty()) {
       found.permissible.emplace_back();
       break;
     }
     meeting = take_meeting(left);
-    found.permissible.push_back(hit_at(ray.rayo, meeting));
-    add_each_alone(found.permissible, scene::Hit(found.permissible.back()));
+    found.permissible.push_back(hit_at(rayo, meeting));
+    add_each_alone(found.permissible, found.permissible.back());
   }
   return found;
+}
+
+Truth truth(const scene::Scene& scene, const scene::Query& ray) {
+  return truth_of({scene, ray, surface::exact::first_hit(scene, ray.rayo, ray.en)});
 }
 
 }  // namespace durero::conform

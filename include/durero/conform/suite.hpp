@@ -18,7 +18,7 @@ struct SuiteOptions {
   std::size_t rays = 1024;            ///< of each family
   std::vector<model::Tipo> tipos{};   ///< of the elements; none: all
   Caps caps = Caps::open;             ///< solid: discs close the cylinders, cones and truncated cones
-  Format numbers = Format::binary32;  ///< every number of scenes and rays is one of it
+  Format numbers = Format::binary32;  ///< of scenes, but for discs that close solids, and of rays
 };
 
 /// How many rays a case has; the last of a family may have less.
@@ -35,13 +35,19 @@ struct SuiteCase {
   std::string name() const;  ///< FAMILY/0000
 };
 
+/// Those of the options, in the order of families().
+std::vector<const Family*> chosen_families(const SuiteOptions& options);
+
 /// Cases of a family under the options: 0 where none of its scenes has elements of options.tipos alone.
 std::size_t cases(const SuiteOptions& options, const Family& family);
 
-/// One case, without its truths. Precondition: number < cases(options, family).
+/// One case, without its truths. No ray of it names elements that its origin lies on, for nobody tells a system of
+/// such; where an origin lies on one exactly, the answer is that of t > 0. Precondition: number < cases(options,
+/// family).
 SuiteCase suite_case(const SuiteOptions& options, const Family& family, std::uint64_t number);
 
-/// Answers its rays exactly.
+/// Answers its rays exactly: each truth is that of truth(), found by the quickest engine that has the exact bytes, and
+/// by the exact step alone where more than one answer may be permissible.
 void answer(SuiteCase& of);
 
 }  // namespace durero::conform

@@ -1,0 +1,66 @@
+#include "durero/conform/suite.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "conform/robust.hpp"
+#include "durero/engine/engine.hpp"
+
+namespace durero::conform {
+namespace {
+
+/// A bijection that scatters its numbers (the finalizer of SplitMix64).
+std::uint64_t scattered(std::uint64_t x) {
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
+  return x ^ (x >> 31);
+}
+
+/// Of the stream of a case; generate makes one for each family of it.
+std::uint64_t seed_of_case(std::uint64_t seed, std::uint64_t number) { return scattered(scattered(seed) + number); }
+
+CaseOptions of_cases(const SuiteOptions& options) {
+  return {.numbers = options.numbers, .tipos = options.tipos, .caps = options.caps};
+}
+
+std::size_t blocks(std::size_t rays) { return (rays + rays_of_a_case - 1) / rays_of_a_case; }
+
+}  // namespace
+
+std::string SuiteCase::name() const { return fmt::format("{}/{:04}", family->name, number); }
+
+std::vector<const Family*> chosen_families(const SuiteOptions& options) {
+  std::vector<const Family*> chosen;
+  for (const Family& family : families()) {
+    const auto& asked = options.families;
+    if (asked.empty() || std::find(asked.begin(), asked.end(), &family) != asked.end()) chosen.push_back(&family);
+  }
+  return chosen;
+}
+
+std::size_t cases(const SuiteOptions& options, const Family& family) {
+  const bool has_scenes = generate(family, seed_of_case(options.seed, 0), 0, of_cases(options)).has_value();
+  return has_scenes ? blocks(options.rays) : 0;
+}
+
+SuiteCase suite_case(const SuiteOptions& options, const Family& family, std::uint64_t number) {
+  const std::size_t rays = std::min(rays_of_a_case, options.rays - number * rays_of_a_case);
+  DrawnCase drawn = generate(family, seed_of_case(options.seed, number), rays, of_cases(options)).value();
+  for (scene::Query& ray : drawn.the_case.rays) ray.en.clear();
+  return {&family, number, drawn.parameter, std::move(drawn.the_case), std::move(drawn.solids)};
+}
+
+void answer(SuiteCase& of) {
+  const auto& [scene, rays] = of.the_case;
+  const auto engine = engine::find("analytic")->prepare(scene);
+  const std::vector<scene::Hit> hits = engine::first_hits(*engine, rays);
+  of.truths.clear();
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const AnsweredQuery answered{scene, rays[i], hits[i]};
+    const bool alone = hits[i].resultado == model::Resultado::miss || certainly_robust(answered);
+    of.truths.push_back(alone ? Truth{hits[i]} : truth_of(answered));
+  }
+}
+
+}  // namespace durero::conform
