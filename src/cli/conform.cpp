@@ -1,0 +1,15 @@
+// durero conform …: any program's hits held against the exact answer. One file a subcommand.
+#include "conform.hpp"
+
+#include "commands.hpp"
+
+namespace durero::cli {
+
+void add_conform(CLI::App& app, int& status) {
+  auto* conform = app.add_subcommand("conform", "Hold any program's hits against the exact answer");
+  conform->require_subcommand(1);
+  add_conform_list(*conform, status);
+  add_conform_make(*conform, status);
+}
+
+}  // namespace durero::cli
