@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-#include "durero/io/hits_file.hpp"
+#include "conform/suite_text.hpp"
 #include "durero/io/source.hpp"
 #include "hits.hpp"
 #include "support/catch.hpp"
@@ -216,6 +216,29 @@ TEST_CASE("whatever a file says that does not follow is an error at its place") 
   fails("suite.json", "\"family\":\"rim\"", "\"family\":\"rin\"", "3:");
   fails("suite.json", "\"exact\":", "\"exact\":1", "");
   fails("suite.json", "through a rim", "through the rim", "3:");
+  // More, or less, at the end of a file.
+  const std::string hits = suite + "/rim/0000.hits.jsonl", kept = content(hits);
+  std::ofstream(hits, std::ios::binary) << kept << "{}\n";
+  CHECK(complaint(suite).find("0000.hits.jsonl:65:1: \"{}\\x0a\"; expected the end") != std::string::npos);
+  std::ofstream(hits, std::ios::binary) << kept.substr(0, kept.size() - 1);
+  CHECK(complaint(suite).find("the end; expected \"\\x0a\"") != std::string::npos);
+  std::ofstream(hits, std::ios::binary) << kept;
+  CHECK(complaint(suite).empty());
   fs::remove(suite + "/rim/0001.hits.npy");
   CHECK(complaint(suite).find("0001.hits.npy") != std::string::npos);
+}
+
+TEST_CASE("the files are the same bytes in every build") {
+  // Where the meaning of the bytes changes (a family, a format), this number is a new one.
+  std::uint64_t all = 0xcbf29ce484222325;  // FNV-1a
+  for (const Caps caps : {Caps::open, Caps::solid}) {
+    const SuiteOptions options{.seed = 11, .rays = 64, .caps = caps};
+    for (const Family& family : families()) {
+      SuiteCase of = suite_case(options, family, 0);
+      answer(of);
+      for (const File& file : case_files(of, summary(of).count))
+        for (const char c : file.text) all = (all ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+    }
+  }
+  CHECK(all == 0x1540b391fc981ebe);
 }
