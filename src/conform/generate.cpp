@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 #include "conform/family_table.hpp"
@@ -124,6 +125,15 @@ DrawnRay drawn_ray(Draws& random, const Recipe& recipe, int parameter, const Fra
   return recipes::solid(random, shapes);
 }
 
+/// Ascending by name, as a scene file lists them: who reads it back has every element in the same place.
+void add_by_name(scene::Scene& scene, const FramedScene& framed) {
+  std::vector<std::size_t> order(framed.shapes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t i, std::size_t j) { return framed.names[i] < framed.names[j]; });
+  for (const std::size_t i : order) scene.apply(framed.shapes[i].addition(model::Elemento(framed.names[i])));
+}
+
 }  // namespace
 
 std::optional<DrawnCase> generate(const Family& family, std::uint64_t seed, std::size_t rays,
@@ -135,8 +145,7 @@ std::optional<DrawnCase> generate(const Family& family, std::uint64_t seed, std:
   const std::optional<FramedScene> framed = drawn_scene(random, recipe, drawn.parameter);
   if (!framed) return std::nullopt;
   auto& [scene, queries] = drawn.the_case;
-  for (std::size_t i = 0; i < framed->shapes.size(); ++i)
-    scene.apply(framed->shapes[i].addition(model::Elemento(framed->names[i])));
+  add_by_name(scene, *framed);
   const auto element = [&](std::size_t place) { return *scene.find(framed->names[place]); };
   for (const FramedSolid& of : framed->solids) {
     Solid& solid = drawn.solids.emplace_back(Solid{element(of.wall), {}});

@@ -1,0 +1,54 @@
+#pragma once
+/// The files of a suite. DIR/suite.json says what it is made of, and of each family what there is to know of it:
+///
+///   {"format":"durero-suite","version":1,"seed":1,"rays":1024,"numbers":"binary32","caps":"open","tipos":["esfera",…],
+///   "families":[
+///   {"family":"generic","kind":"…","reason":"…","parameter":{"name":"elements","least":1,"greatest":8},
+///   "cases":16,"rays":1024,"members":987,"exact":231,"ambiguity":{"none":900,"tangent":20,…}},…]}
+///
+/// A family that has no scene of those types has 0 cases. A case has the files DIR/FAMILY/0000.…:
+///
+///   .scene.json   the scene
+///   .rays.txt     its rays, in decimal that reads back, and .rays.npy the same
+///   .hits.jsonl   the exact answers as hit files have them, and .hits.npy the same
+///   .case.json    the sidecar: what the case is, how many of its rays are truly of the family, the solids, and for
+///   each
+///                 ray why its answer may not be the only one and which others are permissible
+///
+/// The bytes depend on the options alone: not on the machine, nor on the number of threads.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "durero/conform/suite.hpp"
+
+namespace durero::conform {
+
+inline constexpr std::size_t ambiguity_count = 7;
+
+/// What a suite has of a family.
+struct FamilySummary {
+  const Family* family = nullptr;
+  std::size_t cases = 0;
+  Count count{};
+  std::array<std::size_t, ambiguity_count> ambiguities{};  ///< rays, by Ambiguity
+
+  FamilySummary& operator+=(const FamilySummary& other);
+};
+
+struct Suite {
+  SuiteOptions options;
+  std::vector<SuiteCase> cases;  ///< answered, in the order of families() and of their numbers
+};
+
+/// Writes the suite on as many threads as the calling one may use. The directory appears whole or not at all; one that
+/// exists must be empty. Throws io::FileError.
+std::vector<FamilySummary> write_suite(const std::string& directory, const SuiteOptions& options);
+
+/// Reads a suite. It takes the options, scenes, rays, parameters and solids from the files, and no answer: these are
+/// computed anew, and every file must be what follows. Throws io::InputError at the first place that is not, and
+/// io::FileError.
+Suite read_suite(const std::string& directory);
+
+}  // namespace durero::conform
