@@ -97,7 +97,7 @@ bool is_within(const Shell<Dyadic>& shell) {
 
 }  // namespace
 
-std::vector<Zone> zones(const scene::Scene& scene, const scene::Query& ray, Format format) {
+std::vector<Zone> zones(const scene::Scene& scene, const scene::Query& ray, const FormatOf& format_of) {
   std::vector<Zone> all;
   scene.for_each([&](scene::ElementRef element, const auto& shape) {
     const Coefficients f = surface::exact::coefficients(shape, ray.rayo);
@@ -105,18 +105,24 @@ std::vector<Zone> zones(const scene::Scene& scene, const scene::Query& ray, Form
     const surface::exact::Roots crossings = surface::exact::roots(f);
     for (const Parameter& t : crossings.values()) {
       if (number::sign(t) <= 0) continue;
-      const std::optional<Zone> zone = zone_around(element, shape, ray.rayo, t, format);
+      const std::optional<Zone> zone = zone_around(element, shape, ray.rayo, t, format_of(element));
       if (zone && (!starts_on_it || is_crossed_from_it(f, *zone))) all.push_back(*zone);
     }
   });
   return all;
 }
 
-bool is_behind(const Place& place, const Zone& zone, const model::Rayo& rayo) {
+Dyadic delta(const scene::Scene& scene, scene::ElementRef element, const Place& place, const model::Rayo& rayo,
+             Format format) {
+  return scene.visit(
+      element, [&](const auto& shape) { return Allowance(format, magnitude(shape, rayo, place.way), rayo).delta; });
+}
+
+bool is_behind(const Place& place, const Dyadic& own, const Zone& zone, const model::Rayo& rayo) {
   const Dyadic longest(largest(rayo.v().xyz()));
-  const auto& [x, y, delta, w] = place.t;
-  // (t − 2δ/longest) as one quotient.
-  const Parameter least{x * longest - shifted(zone.delta, 1) * w, y * longest, delta, w * longest};
+  const auto& [x, y, radicand, w] = place.t;
+  // t − (own + 2δ)/longest as one quotient; longest is at most |v|.
+  const Parameter least{x * longest - (own + shifted(zone.delta, 1)) * w, y * longest, radicand, w * longest};
   return order(zone.end, least) < 0;
 }
 
