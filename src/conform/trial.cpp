@@ -50,7 +50,7 @@ Place place_of(const model::Rayo& rayo, const glm::dvec3& punto) {
 
 /// (4δ)² of the element.
 Dyadic squared_deviation(const Trial& trial, scene::ElementRef element, const Place& place) {
-  return square(Dyadic(4) * delta(trial.scene, element, place, trial.ray.rayo, trial.format_of(element)));
+  return square(Dyadic(4) * delta(trial.scene, element, place, trial.ray.rayo, trial.profile.format));
 }
 
 }  // namespace
@@ -67,14 +67,6 @@ bool Trial::is_solid(scene::ElementRef element) const {
   if (element.tipo == model::Tipo::soy_esfera) return true;
   return profile.caps == Caps::solid &&
          std::any_of(solids.begin(), solids.end(), [&](const Solid& solid) { return solid.wall == element; });
-}
-
-Format Trial::format_of(scene::ElementRef element) const {
-  if (body(element) == element) return profile.format;
-  const scene::Disc& disc = scene.shapes<scene::Disc>()[element.index];
-  const glm::dvec3& c = disc.centro;
-  const bool is_of_binary32 = glm::dvec3(glm::vec3(c)) == c && rounded(disc.radio, Format::binary32) == disc.radio;
-  return is_of_binary32 ? Format::binary32 : profile.format;
 }
 
 double rounded(double x, Format format) {

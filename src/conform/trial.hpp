@@ -33,9 +33,6 @@ struct Trial {
   }
   /// Whether the element is a solid, of which there is an inside.
   bool is_solid(scene::ElementRef element) const;
-  /// The format by whose roundings its data may be off: the system's. But a disc that closes a solid is no number of
-  /// the system's: the suite rounded where the solid ends to numbers of its own, of binary32 where the disc's all are.
-  Format format_of(scene::ElementRef element) const;
 };
 
 /// x, or the nearest number of the format.

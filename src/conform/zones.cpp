@@ -97,7 +97,7 @@ bool is_within(const Shell<Dyadic>& shell) {
 
 }  // namespace
 
-std::vector<Zone> zones(const scene::Scene& scene, const scene::Query& ray, const FormatOf& format_of) {
+std::vector<Zone> zones(const scene::Scene& scene, const scene::Query& ray, Format format) {
   std::vector<Zone> all;
   scene.for_each([&](scene::ElementRef element, const auto& shape) {
     const Coefficients f = surface::exact::coefficients(shape, ray.rayo);
@@ -105,7 +105,7 @@ std::vector<Zone> zones(const scene::Scene& scene, const scene::Query& ray, cons
     const surface::exact::Roots crossings = surface::exact::roots(f);
     for (const Parameter& t : crossings.values()) {
       if (number::sign(t) <= 0) continue;
-      const std::optional<Zone> zone = zone_around(element, shape, ray.rayo, t, format_of(element));
+      const std::optional<Zone> zone = zone_around(element, shape, ray.rayo, t, format);
       if (zone && (!starts_on_it || is_crossed_from_it(f, *zone))) all.push_back(*zone);
     }
   });

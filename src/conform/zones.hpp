@@ -1,7 +1,6 @@
 #pragma once
 /// Where a ray meets an element whatever data within the allowance both have, and where a point may lie on one.
 
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -20,11 +19,8 @@ struct Zone {
   number::Dyadic delta;  ///< δ of the element, where t ≤ end
 };
 
-/// The format by whose roundings the data of an element may be off.
-using FormatOf = std::function<Format(scene::ElementRef)>;
-
 /// Every such stretch. An exact crossing lies in each, also where the origin is taken to lie on the elements of en.
-std::vector<Zone> zones(const scene::Scene& scene, const scene::Query& ray, const FormatOf& format_of);
+std::vector<Zone> zones(const scene::Scene& scene, const scene::Query& ray, Format format);
 
 /// A place on a ray as a claim gives it. Its t is that of moved data but where it was computed from a length or a
 /// point: then of a length, off by √3·δ for v and a rounding, less than 2δ/|v|; of a point, off by 2√3·δ and a

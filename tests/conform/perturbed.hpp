@@ -12,7 +12,6 @@
 #include "durero/conform/profile.hpp"
 #include "durero/conform/suite.hpp"
 #include "durero/surface/exact.hpp"
-#include "support/catch.hpp"
 #include "support/shapes.hpp"
 
 namespace durero::test {
