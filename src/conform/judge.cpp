@@ -34,7 +34,7 @@ bool is_near_truth(const Trial& trial, const Claim& claim, const Place& place) {
 /// Solids that the origin may lie inside.
 Elements solids_around_origin(const Trial& trial) {
   const glm::dvec3& p = trial.ray.rayo.p().xyz();
-  const Place origin{{}, {p.x, p.y, p.z}, {}, 0};
+  const Place origin{.t = {}, .punto = {p.x, p.y, p.z}, .way = {}};
   Elements around;
   trial.scene.for_each([&](ElementRef element, const auto&) {
     if (trial.is_solid(element) && may_lie_inside(trial.scene, element, origin, trial.ray.rayo, trial.profile.format))
@@ -79,35 +79,46 @@ Elements elements_at(const Trial& trial, const Place& place) {
   return all;
 }
 
-/// Off: why.
-Verdict why_off(const Trial& trial, const Claim& claim, const Place& place, const Elements& at,
-                const std::vector<Zone>& passed) {
-  const auto is_named = [&](ElementRef element) { return trial.names(claim, element); };
-  const scene::ElementSet& first = trial.truth.hit.elementos;
-  const bool lies_on_named = std::any_of(at.begin(), at.end(), is_named);
+/// The zones that end before the place, where it is of that element.
+std::vector<Zone> passed_by(const Trial& trial, const Place& place, ElementRef element, std::vector<Zone> zones) {
+  const Format format = trial.profile.format;
+  const model::Rayo& rayo = trial.ray.rayo;
+  const Dyadic own = Dyadic(place.deviation) * delta(trial.scene, element, place, rayo, format);
+  std::erase_if(zones, [&](const Zone& zone) { return !is_behind(place, own, zone, rayo); });
+  return zones;
+}
+
+/// Of a place that lies on an element which may be the claimed one, and behind zones, one at least: off.
+Verdict of_passed(const Trial& trial, const Place& place, ElementRef element, const std::vector<Zone>& passed) {
+  const bool is_later = std::any_of(passed.begin(), passed.end(),
+                                    [&](const Zone& zone) { return trial.body(zone.element) == trial.body(element); });
+  if (!is_later) return Verdict::wrong_element;
+  return is_far(trial, place) ? Verdict::far_root : Verdict::off;
+}
+
+/// Of a place that lies on no element which may be the claimed one: off.
+Verdict of_beside(const Trial& trial, const Claim& claim, const Place& place, bool is_on_another) {
   if (trial.truth.hit.resultado == model::Resultado::miss) return Verdict::phantom;
-  if (lies_on_named) {
-    const auto is_of_those = [&](const Zone& zone) {
-      return is_named(zone.element) && std::any_of(at.begin(), at.end(), [&](ElementRef element) {
-               return trial.body(element) == trial.body(zone.element);
-             });
-    };
-    if (std::none_of(passed.begin(), passed.end(), is_of_those)) return Verdict::wrong_element;
-    return is_far(trial, place) ? Verdict::far_root : Verdict::off;
-  }
-  if (claim.element && !at.empty()) return Verdict::wrong_element;
+  if (is_on_another) return Verdict::wrong_element;
   if (is_far(trial, place)) return Verdict::misplaced;
-  return std::any_of(first.begin(), first.end(), is_named) ? Verdict::off : Verdict::wrong_element;
+  const scene::ElementSet& first = trial.truth.hit.elementos;
+  const bool is_of_first =
+      std::any_of(first.begin(), first.end(), [&](ElementRef element) { return trial.names(claim, element); });
+  return is_of_first ? Verdict::off : Verdict::wrong_element;
 }
 
 Verdict of_place(const Trial& trial, const Claim& claim, const Place& place) {
-  std::vector<Zone> passed = walls(trial);
-  std::erase_if(passed, [&](const Zone& zone) { return !is_behind(place, zone, trial.ray.rayo); });
+  if (is_at_origin_inside(trial, claim, place)) return Verdict::right;
   const Elements at = elements_at(trial, place);
-  const bool lies_on_named =
-      std::any_of(at.begin(), at.end(), [&](ElementRef element) { return trial.names(claim, element); });
-  if ((lies_on_named && passed.empty()) || is_at_origin_inside(trial, claim, place)) return Verdict::right;
-  return why_off(trial, claim, place, at, passed);
+  const std::vector<Zone> all = walls(trial);
+  std::optional<Verdict> off;
+  for (const ElementRef element : at) {
+    if (!trial.names(claim, element)) continue;
+    const std::vector<Zone> passed = passed_by(trial, place, element, all);
+    if (passed.empty()) return Verdict::right;
+    off = of_passed(trial, place, element, passed);
+  }
+  return off ? *off : of_beside(trial, claim, place, !at.empty());
 }
 
 Judgement of_hit(const Trial& trial, const Claim& claim) {

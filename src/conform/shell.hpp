@@ -95,7 +95,8 @@ Shell<T> shell(const scene::Plane& e, const Point<T>& w, const Allowance& allowe
 }
 
 /// As of a plane, but |q| ≤ M up to a small part: 5.42·δ + 1.74·δ. In the plane |q| is off by the ray's share and the
-/// radius by δ: 6.42·δ.
+/// radius by δ: 6.42·δ. That leaves room for a disc that closes a solid: its numbers were rounded where the solid ends,
+/// by δ/16 each, and |vector|² = 1 ± 2⁻⁵⁰ puts it half a δ away at most.
 template <class T>
 Shell<T> shell(const scene::Disc& e, const Point<T>& w, const Allowance& allowed, Ends ends) {
   const Dyadic eta = allowed.times(8), rim = Dyadic(e.radio) + moved(allowed.times(7), ends);

@@ -31,12 +31,13 @@ double times_length(double t, const glm::dvec3& v) {
 
 bool gives_point(const Trial& trial, const Claim& claim) { return trial.profile.measure == Measure::point || !claim.t; }
 
-Place place_at(const model::Rayo& rayo, double t) {
+Place place_at(const model::Rayo& rayo, double t, int deviation) {
   const glm::dvec3 &p = rayo.p().xyz(), &v = rayo.v().xyz();
   const auto coordinate = [&](double from, double step) { return Dyadic(from) + Dyadic(t) * Dyadic(step); };
   return {{.x = t},
           {coordinate(p.x, v.x), coordinate(p.y, v.y), coordinate(p.z, v.z)},
           Dyadic(std::abs(t)) * Dyadic(largest(v)),
+          deviation,
           t};
 }
 
@@ -44,15 +45,12 @@ Place place_at(const model::Rayo& rayo, double t) {
 Place place_of(const model::Rayo& rayo, const glm::dvec3& punto) {
   const Point<Dyadic> v = exact(rayo.v().xyz()), from_p = from(rayo.p().xyz(), exact(punto));
   const Dyadic way = std::max({absolute(from_p.x), absolute(from_p.y), absolute(from_p.z)});
-  return {{.x = dot(from_p, v), .w = dot(v, v)}, exact(punto), way, std::nullopt};
+  return {{.x = dot(from_p, v), .w = dot(v, v)}, exact(punto), way, 4, std::nullopt};
 }
 
 /// (4δ)² of the element.
 Dyadic squared_deviation(const Trial& trial, scene::ElementRef element, const Place& place) {
-  const model::Rayo& rayo = trial.ray.rayo;
-  const Dyadic M =
-      trial.scene.visit(element, [&](const auto& shape) { return conform::magnitude(shape, rayo, place.way); });
-  return square(Allowance(trial.profile.format, M, rayo).times(4));
+  return square(Dyadic(4) * delta(trial.scene, element, place, trial.ray.rayo, trial.profile.format));
 }
 
 }  // namespace
@@ -102,7 +100,7 @@ std::optional<Place> place(const Trial& trial, const Claim& claim) {
   }
   if (!std::isfinite(*claim.t)) return std::nullopt;
   const bool is_length = trial.profile.measure == Measure::length;
-  return place_at(rayo, is_length ? over_length(*claim.t, rayo.v().xyz()) : *claim.t);
+  return is_length ? place_at(rayo, over_length(*claim.t, rayo.v().xyz()), 2) : place_at(rayo, *claim.t, 0);
 }
 
 bool may_lie_on_ray(const Trial& trial, scene::ElementRef element, const Place& place) {

@@ -112,11 +112,17 @@ std::vector<Zone> zones(const scene::Scene& scene, const scene::Query& ray, Form
   return all;
 }
 
-bool is_behind(const Place& place, const Zone& zone, const model::Rayo& rayo) {
+Dyadic delta(const scene::Scene& scene, scene::ElementRef element, const Place& place, const model::Rayo& rayo,
+             Format format) {
+  return scene.visit(
+      element, [&](const auto& shape) { return Allowance(format, magnitude(shape, rayo, place.way), rayo).delta; });
+}
+
+bool is_behind(const Place& place, const Dyadic& own, const Zone& zone, const model::Rayo& rayo) {
   const Dyadic longest(largest(rayo.v().xyz()));
-  const auto& [x, y, delta, w] = place.t;
-  // (t − 2δ/longest) as one quotient.
-  const Parameter least{x * longest - shifted(zone.delta, 1) * w, y * longest, delta, w * longest};
+  const auto& [x, y, radicand, w] = place.t;
+  // t − (own + 2δ)/longest as one quotient; longest is at most |v|.
+  const Parameter least{x * longest - (own + shifted(zone.delta, 1)) * w, y * longest, radicand, w * longest};
   return order(zone.end, least) < 0;
 }
 

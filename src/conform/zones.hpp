@@ -22,17 +22,25 @@ struct Zone {
 /// Every such stretch. An exact crossing lies in each, also where the origin is taken to lie on the elements of en.
 std::vector<Zone> zones(const scene::Scene& scene, const scene::Query& ray, Format format);
 
-/// A place on a ray as a claim gives it.
+/// A place on a ray as a claim gives it. Its t is that of moved data but where it was computed from a length or a
+/// point: then of a length, off by √3·δ for v and a rounding, less than 2δ/|v|; of a point, off by 2√3·δ and a
+/// rounding, less than 4δ/|v|.
 struct Place {
   surface::exact::Parameter t;
   surface::Point<number::Dyadic> punto;
   number::Dyadic way;             ///< the largest coordinate of t·v, without its sign
+  int deviation = 0;              ///< 0, 2 or 4: by how many δ/|v| t is off
   std::optional<double> given{};  ///< t, where it is a number of binary64
 };
 
-/// Whether the zone ends before the place, whatever the data: t is off by at most 2δ/|v|, which is √3·δ for v and
-/// 0.22·δ for roundings.
-bool is_behind(const Place& place, const Zone& zone, const model::Rayo& rayo);
+/// δ of an element at the place.
+number::Dyadic delta(const scene::Scene& scene, scene::ElementRef element, const Place& place, const model::Rayo& rayo,
+                     Format format);
+
+/// Whether the zone ends before the place, whatever the data, where t is off by `own`/|v| for those of the element that
+/// is claimed: with the data of the zone's element its end is off by 2δ/|v|, which is √3·δ for v and 0.22·δ for
+/// roundings.
+bool is_behind(const Place& place, const number::Dyadic& own, const Zone& zone, const model::Rayo& rayo);
 
 /// Whether the place lies on the element, or inside it where the element is filled and closed, for some data.
 bool may_lie_on(const scene::Scene& scene, scene::ElementRef element, const Place& place, const model::Rayo& rayo,

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "durero/conform/families.hpp"
+#include "durero/scene/hit.hpp"
 
 namespace durero::test {
 

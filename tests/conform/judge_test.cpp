@@ -25,6 +25,20 @@ std::string text(const Claim& claim) {
   return said;
 }
 
+Claim hit(double t, scene::ElementRef element) { return {.outcome = Outcome::hit, .element = element, .t = t}; }
+Claim miss() { return {.outcome = Outcome::miss}; }
+
+/// A case of one ray, by hand.
+SuiteCase one_ray(scene::Scene scene, const model::Rayo& rayo) {
+  return answered(families().front(), {std::move(scene), std::vector<scene::Query>(1, {rayo, {}})});
+}
+
+Verdict verdict_of(const SuiteCase& of, const Claim& claim, const Profile& profile) {
+  return judge(of, 0, claim, profile).verdict;
+}
+
+constexpr scene::ElementRef sphere{model::Tipo::soy_esfera, 0};
+
 bool is_right(Verdict verdict) { return verdict == Verdict::exact || verdict == Verdict::right; }
 
 }  // namespace
@@ -66,4 +80,228 @@ TEST_CASE("the exact answer of data within the declared backward error is never 
   CHECK(verdicts[Verdict::right] > 20'000);
   CHECK(other_outcome > 200);
   CHECK(moved > 200);
+}
+
+TEST_CASE("the answer of a ray across a sphere is right to seven delta, and off from there") {
+  scene::Scene scene;
+  add(scene, scene::Sphere{{0, 0, 5}, 1});
+  const SuiteCase of = one_ray(std::move(scene), ray({0, 0, 0}, {0, 0, 2}));
+  for (const Format format : {Format::binary32, Format::binary64}) {
+    const Profile profile = wide_profile(format);
+    const double unit = format == Format::binary32 ? 0x1p-24 : 0x1p-53;
+    const double delta = 16 * unit * 5 / 2;  // in t; M is 5, of centro
+    CHECK(verdict_of(of, hit(2, sphere), profile) == Verdict::exact);
+    CHECK(judge(of, 0, hit(2 + 6.5 * delta, sphere), profile).ulps > 30);
+    for (const double sign : {-1., 1.}) {
+      CHECK(verdict_of(of, hit(2 + sign * 7 * delta, sphere), profile) == Verdict::right);
+      CHECK(verdict_of(of, hit(2 + sign * 7.25 * delta, sphere), profile) == Verdict::off);
+      CHECK(verdict_of(of, hit(2 + sign * 0.000499, sphere), profile) == Verdict::off);
+      CHECK(verdict_of(of, hit(2 + sign * 0.000501, sphere), profile) == Verdict::misplaced);
+    }
+    CHECK(verdict_of(of, hit(3, sphere), profile) == Verdict::far_root);
+    CHECK(verdict_of(of, hit(3 + 6.5 * delta, sphere), profile) == Verdict::far_root);
+    CHECK(verdict_of(of, hit(-2, sphere), profile) == Verdict::misplaced);
+    CHECK(verdict_of(of, miss(), profile) == Verdict::missed);
+    CHECK(verdict_of(of, hit(std::nan(""), sphere), profile) == Verdict::non_finite);
+    CHECK(verdict_of(of, hit(-std::numeric_limits<double>::infinity(), sphere), profile) == Verdict::non_finite);
+    CHECK(verdict_of(of, {.outcome = Outcome::hit, .element = sphere}, profile) == Verdict::non_finite);
+    CHECK(verdict_of(of, {.outcome = Outcome::crashed}, profile) == Verdict::crashed);
+    CHECK(verdict_of(of, {.outcome = Outcome::hung}, profile) == Verdict::hung);
+    CHECK(verdict_of(of, {}, profile) == Verdict::skipped);
+    const double backward = judge(of, 0, hit(2 + 2 * delta, sphere), profile).backward;
+    CHECK(backward == Approx(32).epsilon(0.01));  // 2δ is 32 ε·M
+  }
+}
+
+TEST_CASE("a sphere that data within delta miss or hit may be hit or missed, and one further in or out may not") {
+  for (const Format format : {Format::binary32, Format::binary64}) {
+    const Profile profile = wide_profile(format);
+    const double delta = 16 * (format == Format::binary32 ? 0x1p-24 : 0x1p-53) * 4;
+    const auto past = [&](double deltas) {
+      scene::Scene scene;
+      add(scene, scene::Sphere{{1 + deltas * delta, 0, 4}, 1});
+      return one_ray(std::move(scene), ray({0, 0, 0}, {0, 0, 1}));
+    };
+    CHECK(verdict_of(past(0), miss(), profile) == Verdict::right);
+    CHECK(verdict_of(past(-6), miss(), profile) == Verdict::right);
+    CHECK(verdict_of(past(6), hit(4, sphere), profile) == Verdict::right);
+    CHECK(verdict_of(past(6), miss(), profile) == Verdict::exact);
+    CHECK(verdict_of(past(8), hit(4, sphere), profile) == Verdict::phantom);
+    // Where the ray goes deeper than the wall moved in, the sphere is met by all data.
+    CHECK(verdict_of(past(-8), miss(), profile) == Verdict::missed);
+  }
+}
+
+TEST_CASE("another element before, or the name of another, is a wrong element") {
+  scene::Scene scene;
+  const scene::ElementRef near = add(scene, scene::Sphere{{0, 0, 5}, 1});
+  const scene::ElementRef far = add(scene, scene::Sphere{{0, 0, 15}, 1});
+  const scene::ElementRef parked = add(scene, scene::Sphere{{0, 0, 5 + 0x1p-50}, 1});
+  const SuiteCase of = one_ray(std::move(scene), ray({0, 0, 0}, {0, 0, 1}));
+  const Profile profile = wide_profile(Format::binary64);
+  CHECK(verdict_of(of, hit(14, far), profile) == Verdict::wrong_element);
+  CHECK(verdict_of(of, hit(4, far), profile) == Verdict::wrong_element);
+  CHECK(verdict_of(of, hit(14, near), profile) == Verdict::wrong_element);
+  CHECK(verdict_of(of, hit(4, parked), profile) == Verdict::right);
+  CHECK(verdict_of(of, {.outcome = Outcome::hit, .t = 4}, profile) == Verdict::exact);
+  CHECK(verdict_of(of, {.outcome = Outcome::hit, .t = 14}, profile) == Verdict::wrong_element);
+  CHECK(verdict_of(of, {.outcome = Outcome::hit, .t = 6}, profile) == Verdict::far_root);
+}
+
+TEST_CASE("a distance may be a length, or a point alone, which must lie on the ray") {
+  scene::Scene scene;
+  add(scene, scene::Sphere{{0, 0, 5}, 1});
+  add(scene, scene::Plane{{0, 0, 40}, {0, 0, 1}});
+  const SuiteCase of = one_ray(std::move(scene), ray({0, 0, 0}, {0, 1, 8}));
+  Profile profile = wide_profile(Format::binary64);
+  const scene::Hit& truth = of.truths[0].hit;
+  profile.measure = Measure::length;
+  const double length = truth.t * std::sqrt(65.0);
+  CHECK(is_right(verdict_of(of, hit(length, sphere), profile)));
+  CHECK(judge(of, 0, hit(length, sphere), profile).ulps < 3);
+  CHECK(verdict_of(of, hit(truth.t, sphere), profile) == Verdict::misplaced);
+  profile.measure = Measure::point;
+  const auto at = [](const glm::dvec3& p) { return Claim{.outcome = Outcome::hit, .element = sphere, .punto = p}; };
+  CHECK(verdict_of(of, at(truth.punto), profile) == Verdict::exact);
+  CHECK(verdict_of(of, at(truth.punto + glm::dvec3(0, 0x1p-50, 0)), profile) == Verdict::right);
+  // On the sphere, and beside the ray.
+  CHECK(verdict_of(of, at({0, 0, 4}), profile) == Verdict::misplaced);
+  CHECK(verdict_of(of, at({0, 0, std::nan("")}), profile) == Verdict::non_finite);
+  CHECK(verdict_of(of, {.outcome = Outcome::hit, .element = sphere}, profile) == Verdict::non_finite);
+}
+
+TEST_CASE("of a solid its discs and its wall are one, and from inside the profile says what is right") {
+  scene::Scene scene;
+  const scene::ElementRef wall = add(scene, scene::Cylinder{{0, 0, 0}, 1, {0, 0, 1}, 2});
+  const scene::ElementRef base = add(scene, scene::Disc{{0, 0, 0}, 1, {0, 0, 1}});
+  const scene::ElementRef top = add(scene, scene::Disc{{0, 0, 2}, 1, {0, 0, 1}});
+  const scene::ElementRef floor = add(scene, scene::Plane{{0, 0, 10}, {0, 0, 1}});
+  SuiteCase of = one_ray(std::move(scene), ray({0, 0, 1}, {0, 0, 1}));
+  of.solids.push_back({wall, {base, top}});
+  Profile profile = wide_profile(Format::binary64);
+  CHECK(verdict_of(of, hit(1, wall), profile) == Verdict::wrong_element);
+  profile.caps = Caps::solid;
+  CHECK(verdict_of(of, hit(1, wall), profile) == Verdict::exact);
+  CHECK(verdict_of(of, hit(9, floor), profile) == Verdict::wrong_element);
+  CHECK(verdict_of(of, miss(), profile) == Verdict::missed);
+  CHECK(verdict_of(of, hit(0, wall), profile) == Verdict::misplaced);
+  profile.inside = Inside::nothing;
+  CHECK(verdict_of(of, hit(9, floor), profile) == Verdict::right);
+  CHECK(verdict_of(of, miss(), profile) == Verdict::missed);  // of the floor
+  profile.inside = Inside::origin;
+  CHECK(verdict_of(of, hit(0, wall), profile) == Verdict::right);
+  CHECK(verdict_of(of, hit(0, floor), profile) == Verdict::misplaced);
+  CHECK(verdict_of(of, miss(), profile) == Verdict::missed);
+}
+
+TEST_CASE("whatever the truth permits is right, in a suite of both kinds") {
+  std::map<Ambiguity, std::size_t> ambiguities;
+  std::size_t permitted = 0;
+  for (const Caps caps : {Caps::open, Caps::solid}) {
+    SuiteOptions options;
+    options.caps = caps;
+    for (const Family& family : families()) {
+      for (std::uint64_t number = 0; number < std::min<std::uint64_t>(cases(options, family), 4); ++number) {
+        SuiteCase of = suite_case(options, family, number);
+        answer(of);
+        for (std::size_t i = 0; i < of.truths.size(); ++i) {
+          const auto check = [&](const Claim& claim) {
+            for (const Format format : {Format::binary32, Format::binary64}) {
+              Profile profile = wide_profile(format);
+              profile.caps = caps;
+              // An open element is asked of who knows no solids.
+              if (!outside(of, i, profile).empty()) profile.caps = Caps::open;
+              const Verdict verdict = judge(of, i, claim, profile).verdict;
+              INFO(of.name() << " ray " << i << "\n"
+                             << text(of.the_case.rays[i]) << "\n"
+                             << text(of.truths[i].hit) << "\n"
+                             << text(claim) << ": " << name(verdict));
+              CHECK((is_right(verdict) || verdict == Verdict::skipped));
+            }
+          };
+          const Truth& truth = of.truths[i];
+          ++ambiguities[truth.ambiguity];
+          for (const scene::Hit& permissible : truth.permissible) {
+            ++permitted;
+            if (permissible.resultado == model::Resultado::miss) check(miss());
+            for (const scene::ElementRef element : permissible.elementos) check(hit(permissible.t, element));
+          }
+          for (const scene::ElementRef element : truth.hit.elementos) check(hit(truth.hit.t, element));
+        }
+      }
+    }
+  }
+  CHECK(permitted > 1000);
+  CHECK(ambiguities.size() == 7);
+}
+
+TEST_CASE("a ray is outside a profile by a clause of it, and what the system says there is listed") {
+  scene::Scene scene;
+  add(scene, scene::Sphere{{0, 0, 5}, 1});
+  add(scene, scene::Cylinder{{0, 0, 30}, 2, {0, 0, 1}, 3e9});
+  const SuiteCase of = one_ray(std::move(scene), ray({0, 0, 0}, {0, 0, 0x1p-130}));
+  const auto clause = [&](const auto& change) {
+    Profile profile = wide_profile(Format::binary64);
+    change(profile);
+    return outside(of, 0, profile);
+  };
+  CHECK(clause([](Profile&) {}).empty());
+  CHECK(clause([](Profile& p) { p.tipos = {model::Tipo::soy_esfera}; }) == "no cilindro");
+  CHECK(clause([](Profile& p) { p.caps = Caps::solid; }) == "no open cilindro");
+  CHECK(clause([](Profile& p) { p.format = Format::binary32; }) == "numbers of binary32");
+  CHECK(clause([](Profile& p) { p.least_size = 1.5; }) == "a size at least 1.5");
+  CHECK(clause([](Profile& p) { p.greatest_size = 1e9; }) == "a size at most 1000000000");
+  CHECK(clause([](Profile& p) { p.greatest_coordinate = 29; }) == "a coordinate at most 29");
+  CHECK(clause([](Profile& p) { p.greatest_t = 1e20; }) == "a distance at most 1e+20");
+  CHECK(clause([](Profile& p) { p.least_t = 0x1p133; }).starts_with("a distance at least"));
+  CHECK(clause([](Profile& p) { p.measure = Measure::length, p.least_t = 4.5; }) == "a distance at least 4.5");
+  Profile profile = wide_profile(Format::binary64);
+  profile.least_t = 0x1p133;
+  const Judgement far = judge(of, 0, hit(0x1.8p132, sphere), profile);
+  CHECK(far.verdict == Verdict::skipped);
+  CHECK(far.otherwise == Verdict::far_root);
+  CHECK_FALSE(judge(of, 0, {}, profile).otherwise.has_value());
+}
+
+TEST_CASE("a verdict is the same where everything is a power of two larger") {
+  const auto scaled = [](const Case& of, int k) {
+    const double by = std::ldexp(1, k);
+    Case result;
+    of.scene.for_each([&](scene::ElementRef element, auto shape) {
+      scene::for_each_attribute<decltype(shape)>([&](const auto& attribute) {
+        if (attribute.word == "vector" || attribute.word == "proporcion") return;
+        auto& value = shape.*attribute.field;
+        if constexpr (std::is_same_v<decltype(value), scene::Corners&>)
+          for (glm::dvec3& corner : value) corner *= by;
+        else
+          value *= by;
+      });
+      result.scene.apply(scene::addition(of.scene.name(element), shape));
+    });
+    result.rays = of.rays;
+    for (scene::Query& query : result.rays) query.rayo = ray(query.rayo.p().xyz() * by, query.rayo.v().xyz());
+    return result;
+  };
+  std::map<Verdict, int> verdicts;
+  Random random(3);
+  for (const char* name : {"generic", "disc", "edge", "tangent", "rim", "cap"}) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      const Case of = generate(*find_family(name), seed, 20);
+      const int k = random.integer(-60, 60);
+      const SuiteCase here = answered(*find_family(name), of), there = answered(*find_family(name), scaled(of, k));
+      for (std::size_t i = 0; i < here.truths.size(); ++i) {
+        const scene::Hit& truth = here.truths[i].hit;
+        if (truth.resultado != model::Resultado::hit) continue;
+        // Nearer and nearer to the truth.
+        for (int places = 0; places < 24; ++places) {
+          const double t = truth.t * (1 + std::ldexp(random.uniform(-1, 1), -places));
+          const Claim claim = hit(t, truth.elementos[0]), larger = hit(std::ldexp(t, k), truth.elementos[0]);
+          const Verdict verdict = judge(here, i, claim, wide_profile(Format::binary32)).verdict;
+          ++verdicts[verdict];
+          CHECK(verdict == judge(there, i, larger, wide_profile(Format::binary32)).verdict);
+        }
+      }
+    }
+  }
+  for (const Verdict verdict : {Verdict::right, Verdict::off, Verdict::misplaced}) CHECK(verdicts[verdict] > 50);
 }

@@ -12,7 +12,6 @@
 #include "durero/conform/profile.hpp"
 #include "durero/conform/suite.hpp"
 #include "durero/surface/exact.hpp"
-#include "support/catch.hpp"
 #include "support/shapes.hpp"
 
 namespace durero::test {
@@ -27,7 +26,8 @@ inline conform::SuiteCase answered(const conform::Family& family, conform::Case 
 
 /// Of every type, in that format, with names.
 inline conform::Profile wide_profile(conform::Format format) {
-  conform::Profile profile{.system = "any", .format = format};
+  conform::Profile profile;
+  profile.format = format;
   for (std::size_t i = 0; i < model::tipo_count; ++i) profile.tipos.push_back(static_cast<model::Tipo>(i));
   return profile;
 }
@@ -91,13 +91,19 @@ class Perturbation {
         claim.t = narrowed(hit.t, format_);
         break;
       case conform::Measure::length:
-        claim.t = narrowed(hit.t * std::hypot(v.x, v.y, v.z), format_);
+        claim.t = narrowed(length(hit.t, v), format_);
         break;
       case conform::Measure::point:
         claim.punto = glm::dvec3(narrowed(q.x, format_), narrowed(q.y, format_), narrowed(q.z, format_));
         break;
     }
     return claim;
+  }
+
+  /// t·|v|, where long double has room for squares of small numbers.
+  static double length(double t, const glm::dvec3& v) {
+    const long double x = v.x, y = v.y, z = v.z;
+    return static_cast<double>(t * std::sqrt(x * x + y * y + z * z));
   }
 
   /// A part of what is allowed, less the rounding of the sum that it is for.

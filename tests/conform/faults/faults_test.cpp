@@ -1,0 +1,143 @@
+// Does the suite see? Tracers with one fault each, over every family, and three right ones.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "conform/faults/tracer.hpp"
+#include "conform/hits.hpp"
+#include "conform/perturbed.hpp"
+#include "durero/conform/judge.hpp"
+#include "durero/trace/analytic.hpp"
+#include "support/catch.hpp"
+
+using namespace durero;
+using namespace durero::conform;
+using namespace durero::test;
+
+namespace {
+
+constexpr std::uint64_t seeds = 60, seeds_of_faults = 20;  // scenes of each family
+constexpr std::size_t rays_a_scene = 24;
+
+/// How many claims were judged so: right, off and not gross, gross.
+struct Tally {
+  std::size_t right = 0, off = 0, gross = 0;
+
+  void add(Verdict verdict) {
+    if (verdict == Verdict::skipped) return;
+    (is_gross(verdict) ? gross : verdict == Verdict::off ? off : right) += 1;
+  }
+};
+
+const std::vector<SuiteCase>& cases_of(const Family& family) {
+  static const std::vector<std::vector<SuiteCase>> all = [] {
+    std::vector<std::vector<SuiteCase>> cases;
+    for (const Family& each : families()) {
+      cases.emplace_back();
+      for (std::uint64_t seed = 0; seed < seeds; ++seed)
+        cases.back().push_back(answered(each, generate(each, seed, rays_a_scene)));
+    }
+    return cases;
+  }();
+  return all[static_cast<std::size_t>(&family - families().data())];
+}
+
+/// What plain arithmetic can do without scaling: squares and cubes of numbers that neither overflow nor vanish.
+Profile plain_profile(Format format) {
+  Profile profile = wide_profile(format);
+  const int places = format == Format::binary32 ? 30 : 240;
+  profile.least_size = std::ldexp(1, -places);
+  profile.greatest_size = profile.greatest_coordinate = std::ldexp(1, places);
+  return profile;
+}
+
+/// answer(scene)(query) of every ray of so many scenes of a family, judged.
+template <class Answer>
+Tally judged(const Family& family, const Profile& profile, std::uint64_t scenes, Answer answer) {
+  Tally tally;
+  for (const SuiteCase& of : std::span(cases_of(family)).first(scenes)) {
+    const auto first_hit = answer(of.the_case.scene);
+    for (std::size_t i = 0; i < of.truths.size(); ++i)
+      tally.add(judge(of, i, first_hit(of.the_case.rays[i]), profile).verdict);
+  }
+  return tally;
+}
+
+/// Where a ray starts inside a surface and no point is nearest, the origin is the limit of the points.
+Claim claim_of(const scene::Hit& hit) {
+  if (hit.resultado == model::Resultado::miss) return {.outcome = Claim::Outcome::miss};
+  return {.outcome = Claim::Outcome::hit, .element = hit.elementos[0], .t = hit.t};
+}
+
+template <class N>
+auto plain(Fault fault) {
+  return [fault](const scene::Scene& scene) {
+    return [tracer = Tracer<N>(scene, fault)](const scene::Query& query) { return tracer.first_hit(query.rayo); };
+  };
+}
+
+}  // namespace
+
+TEST_CASE("right tracers, exact and of plain arithmetic in both formats, are never called gross") {
+  const auto exact = [](const scene::Scene& scene) {
+    return [tables = trace::Tables(scene)](const scene::Query& query) {
+      return claim_of(trace::first_hits(tables, std::span(&query, 1))[0]);
+    };
+  };
+  Tally of_exact, of_binary64, of_binary32;
+  const auto check = [](Tally& all, const Tally& tally, const Family& family, const char* tracer) {
+    INFO(family.name << ", " << tracer << ": " << tally.off << " off, " << tally.gross << " gross");
+    CHECK(tally.gross == 0);
+    all.right += tally.right, all.off += tally.off;
+  };
+  for (const Family& family : families()) {
+    check(of_exact, judged(family, wide_profile(Format::binary64), seeds, exact), family, "exact");
+    check(of_binary64, judged(family, plain_profile(Format::binary64), seeds, plain<double>(Fault::none)), family,
+          "binary64");
+    check(of_binary32, judged(family, plain_profile(Format::binary32), seeds, plain<float>(Fault::none)), family,
+          "binary32");
+  }
+  fmt::print("right: exact {}, binary64 {}, binary32 {}; off: {}, {}, {}\n", of_exact.right, of_binary64.right,
+             of_binary32.right, of_exact.off, of_binary64.off, of_binary32.off);
+  CHECK(of_exact.off == 0);
+  CHECK(of_binary64.right > 40'000);
+  CHECK(of_binary32.right > 30'000);
+}
+
+TEST_CASE("each fault is caught by the families meant for it") {
+  fmt::print("percent of the claims that are off: `!` some of them gross, `-` none, `.` none off\n");
+  int column = 0;
+  for (const Family& family : families()) {
+    ++column;
+    fmt::print("{:2} {}{}", column, family.name, column % 8 == 0 ? "\n" : "  ");
+  }
+  fmt::print("\n{:36}", "");
+  for (int i = 1; i <= column; ++i) fmt::print("{:>5}", i);
+  fmt::print("\n");
+  const Profile profile = plain_profile(Format::binary64);
+  for (const FaultRow& row : faults()) {
+    fmt::print("{:36}", row.name);
+    std::set<std::string_view> seen_by;
+    for (const Family& family : families()) {
+      const bool is_meant = std::find(row.seen_by.begin(), row.seen_by.end(), family.name) != row.seen_by.end();
+      const std::uint64_t scenes = is_meant ? seeds : seeds_of_faults;
+      const Tally tally = row.fault == Fault::binary32_arithmetic
+                              ? judged(family, profile, scenes, plain<float>(row.fault))
+                              : judged(family, profile, scenes, plain<double>(row.fault));
+      const std::size_t wrong = tally.off + tally.gross, all = std::max<std::size_t>(wrong + tally.right, 1);
+      if (wrong > 0) seen_by.insert(family.name);
+      fmt::print("{:>5}", wrong == 0 ? "." : fmt::format("{}{}", 100 * wrong / all, tally.gross == 0 ? "-" : "!"));
+    }
+    fmt::print("\n");
+    for (const std::string_view family : row.seen_by) {
+      INFO(row.name << " is not seen by " << family);
+      REQUIRE(find_family(family) != nullptr);
+      CHECK(seen_by.count(family) == 1);
+    }
+  }
+  CHECK(faults().size() >= 50);
+}
