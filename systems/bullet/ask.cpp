@@ -1,10 +1,10 @@
-// Asks Bullet: btCollisionWorld::rayTest from p to p + L·v, with L a power of two that reaches behind the whole scene. Its
-// fraction times L is t.
+// Asks Bullet: btCollisionWorld::rayTest from p to p + L·v, with L a power of two that reaches behind the whole scene.
+// Its fraction times L is t.
+#include "../ask.hpp"
+
 #include <btBulletCollisionCommon.h>
 
 #include <memory>
-
-#include "../ask.hpp"
 
 using namespace ask;
 
@@ -93,7 +93,8 @@ class Asked {
     btCollisionWorld::ClosestRayResultCallback result(from, to);
     world_.rayTest(from, to, result);
     if (!result.hasHit()) return miss();
-    hit(of_->elements[std::size_t(result.m_collisionObject->getUserIndex())].name, double(result.m_closestHitFraction) * L);
+    hit(of_->elements[std::size_t(result.m_collisionObject->getUserIndex())].name,
+        double(result.m_closestHitFraction) * L);
   }
 
  private:

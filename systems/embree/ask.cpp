@@ -1,8 +1,8 @@
 // Asks Embree 3 through rtcIntersect1, a geometry an element: `open` and `solid` are its own points, curves and
 // triangles, `user` a quadratic in binary64 in a user geometry, as its users write them.
-#include <embree3/rtcore.h>
-
 #include "../ask.hpp"
+
+#include <embree3/rtcore.h>
 
 using namespace ask;
 
@@ -66,7 +66,8 @@ static RTCGeometry user(RTCDevice device, const Element& e) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
   rtcSetGeometryUserPrimitiveCount(geometry, 1);
   rtcSetGeometryUserData(geometry, const_cast<Element*>(&e));
-  rtcSetGeometryBoundsFunction(geometry, [](const RTCBoundsFunctionArguments* args) { user_bounds(args); }, nullptr);
+  rtcSetGeometryBoundsFunction(
+      geometry, [](const RTCBoundsFunctionArguments* args) { user_bounds(args); }, nullptr);
   rtcSetGeometryIntersectFunction(geometry, user_intersect);
   return geometry;
 }
@@ -156,5 +157,6 @@ int main(int, char** argv) {
   const std::string word = argv[1];
   const Kind kind = word == "open" ? Kind::open : word == "solid" ? Kind::solid : Kind::user;
   RTCDevice device = rtcNewDevice("threads=1");
-  return answer("Embree " RTC_VERSION_STRING " " + word, [&](const Scene& scene) { return Asked(device, scene, kind); });
+  return answer("Embree " RTC_VERSION_STRING " " + word,
+                [&](const Scene& scene) { return Asked(device, scene, kind); });
 }

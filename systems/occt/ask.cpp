@@ -1,6 +1,8 @@
 // Asks OpenCASCADE: `faces` are the faces of solids, by IntCurvesFace_ShapeIntersector; `quadric` is
 // IntAna_IntConicQuad, whose surfaces have no ends and whose cones have both nappes: the points between the ends are
 // chosen here, and the nearest of them.
+#include "../ask.hpp"
+
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
@@ -22,8 +24,6 @@
 #include <gp_Pln.hxx>
 #include <gp_Sphere.hxx>
 #include <memory>
-
-#include "../ask.hpp"
 
 using namespace ask;
 

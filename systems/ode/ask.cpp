@@ -1,7 +1,7 @@
 // Asks ODE: dCollide of a ray with each geometry, of which the least depth is nearest.
-#include <ode/ode.h>
-
 #include "../ask.hpp"
+
+#include <ode/ode.h>
 
 using namespace ask;
 
