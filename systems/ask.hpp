@@ -1,0 +1,127 @@
+// What the C++ programs beside this file share: questions are read, answers written, unit vectors and frames made. The
+// protocol is described in include/durero/conform/question.hpp.
+#pragma once
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace ask {
+
+using Vec = std::array<double, 3>;
+
+inline Vec operator+(Vec a, Vec b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+inline Vec operator-(Vec a, Vec b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+inline Vec operator*(double s, Vec a) { return {s * a[0], s * a[1], s * a[2]}; }
+inline double dot(Vec a, Vec b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline Vec cross(Vec a, Vec b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+// Computed in binary64; whoever needs binary32 rounds it after. The largest component is made 1 first, so that no
+// square is too large or too small.
+inline Vec unit(Vec v) {
+  const double largest = std::fmax(std::fabs(v[0]), std::fmax(std::fabs(v[1]), std::fabs(v[2])));
+  const Vec scaled = {v[0] / largest, v[1] / largest, v[2] / largest};
+  const double length = std::sqrt(dot(scaled, scaled));
+  return {scaled[0] / length, scaled[1] / length, scaled[2] / length};
+}
+
+// Two unit vectors that stand at right angles to the unit vector d and to each other: a × b = d.
+inline std::array<Vec, 2> beside(Vec d) {
+  const int least = std::fabs(d[0]) <= std::fabs(d[1]) && std::fabs(d[0]) <= std::fabs(d[2]) ? 0
+                    : std::fabs(d[1]) <= std::fabs(d[2])                                     ? 1
+                                                                                             : 2;
+  Vec axis = {0, 0, 0};
+  axis[least] = 1;
+  const Vec a = unit(cross(axis, d));
+  return {a, cross(d, a)};
+}
+
+struct Element {
+  std::string tipo, name;
+  std::vector<double> numbers;
+
+  bool is(const char* word) const { return tipo == word; }
+  Vec vec(int first) const { return {numbers[first], numbers[first + 1], numbers[first + 2]}; }
+  Vec centro() const { return vec(0); }
+  Vec vector() const { return vec(3); }
+  // Of a cylinder, cone or truncated cone: at its centro, and at the other end.
+  double base_radius() const {
+    if (is("cono")) return numbers[6] * numbers[7];
+    return is("tronco") ? numbers[6] + numbers[7] * numbers[8] : numbers[6];
+  }
+  double top_radius() const { return is("cono") ? 0 : numbers[6]; }
+  double altura() const { return numbers.back(); }
+  Vec top() const { return centro() + altura() * vector(); }
+};
+
+struct Ray {
+  Vec p, v;
+};
+
+struct Scene {
+  std::string name;
+  std::vector<Element> elements;
+  std::vector<Ray> rays;
+};
+
+inline double read_number(std::istream& in) {
+  std::string word;
+  in >> word;
+  return std::strtod(word.c_str(), nullptr);  // which also reads what rounds to 0
+}
+
+// False at the end of the questions.
+inline bool read(Scene& scene) {
+  scene = {};
+  std::string line, word;
+  if (!std::getline(std::cin, line)) return false;
+  std::istringstream(line) >> word >> scene.name;
+  while (std::getline(std::cin, line)) {
+    std::istringstream in(line);
+    in >> word;
+    if (word == "rays") {
+      std::size_t count;
+      in >> count;
+      scene.rays.resize(count);
+      break;
+    }
+    Element element{word, "", {}};
+    in >> element.name;
+    while (in >> word) element.numbers.push_back(std::strtod(word.c_str(), nullptr));
+    scene.elements.push_back(element);
+  }
+  for (Ray& ray : scene.rays) {
+    std::getline(std::cin, line);
+    std::istringstream in(line);
+    for (double& x : ray.p) x = read_number(in);
+    for (double& x : ray.v) x = read_number(in);
+  }
+  return true;
+}
+
+inline void miss() { std::puts("miss"); }
+inline void hit(const std::string& element, double t) { std::printf("hit %s %.17g\n", element.c_str(), t); }
+inline void refused(const char* why) { std::printf("refused %s\n", why); }
+
+// Says what the system is, then answers each scene: begin(scene) makes it, and what that returns is asked ray by ray.
+template <class Begin>
+int answer(const std::string& system, Begin begin) {
+  std::printf("system %s\n", system.c_str());
+  std::fflush(stdout);
+  for (Scene scene; read(scene);) {
+    auto&& of_scene = begin(scene);
+    for (const Ray& ray : scene.rays) {
+      of_scene.ask(ray);
+      std::fflush(stdout);
+    }
+  }
+  return 0;
+}
+
+}  // namespace ask

@@ -1,0 +1,61 @@
+"""Asks systems for real: ask.py DURERO present|all.
+
+Their faults are theirs; what is tested is that they are asked, and asked rightly. A question in the wrong frame, unit or
+format makes nearly every ray wrong, so of the generic family the share of rays that are right has a floor for each.
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+FLOORS = {
+    "povray": 0.95,
+    "embree": 0.30,  # of its curves, those of rays whose v is no unit vector are wrong
+    "bullet": 0.60,
+    "ode": 0.95,
+    "glm-f64": 0.95,
+    "occt": 0.95,
+    "mujoco": 0.95,
+    "mitsuba": 0.95,
+}
+
+
+def share_right(report):
+    """Of the generic family, among the rays that are judged."""
+    family = next(f for f in json.loads(report.read_text())["families"] if f["family"] == "generic")
+    verdicts = family["verdicts"]
+    judged = sum(verdicts.values()) - verdicts["skipped"]
+    return (verdicts["exact"] + verdicts["right"]) / judged if judged else 0
+
+
+def ask(durero, name, amount):
+    """None where the system is absent; otherwise whether it was asked rightly."""
+    with tempfile.TemporaryDirectory() as folder:
+        call = [durero, "conform", "run", name, "--report", folder, "--jobs", "2", *amount]
+        ended = subprocess.run(call, capture_output=True, text=True)
+        if "absent:" in ended.stdout:
+            print(ended.stdout.strip())
+            return None
+        if ended.returncode not in (0, 1):
+            print("%s: status %d\n%s%s" % (name, ended.returncode, ended.stdout, ended.stderr))
+            return False
+        share = share_right(pathlib.Path(folder, name, "report.json"))
+        print("%s: %.1f %% of the generic rays are right, expected %.0f %% at least" % (name, 100 * share, 100 * FLOORS[name]))
+        return share >= FLOORS[name]
+
+
+def main():
+    durero, which = sys.argv[1:]
+    if which == "all":
+        subprocess.run([durero, "conform", "setup", *FLOORS], check=True)
+    amount = ["--rays", "128"] if which == "all" else ["--family", "generic", "--rays", "128"]
+    asked = [ask(durero, name, amount) for name in FLOORS]
+    if which == "all" and None in asked:
+        sys.exit("a system is absent that was set up")
+    if all(answer is None for answer in asked):
+        sys.exit(77)
+    sys.exit(0 if all(asked[i] is not False for i in range(len(asked))) else 1)
+
+
+main()
