@@ -103,7 +103,7 @@ export async function serve(system, version, load) {
     } else if (line.startsWith("rays")) {
       left = Number(line.split(/\s+/)[1]);
       try {
-        first = load(elements);
+        first = elements.length ? load(elements) : () => undefined;
       } catch (why) {
         first = () => { throw why; };
       }

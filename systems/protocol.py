@@ -135,7 +135,7 @@ def serve(system, version, load):
                 numbers = [float(number) for number in sys.stdin.readline().split()]
                 rays.append((tuple(numbers[:3]), tuple(numbers[3:])))
             try:
-                claims = load(elements)(rays)
+                claims = load(elements)(rays) if elements else [None] * len(rays)
             except Exception as why:
                 claims = [refusal(why)] * len(rays)
             print(*map(shown, claims), sep="\n", file=answers, flush=True)

@@ -1,5 +1,6 @@
 """Asks MuJoCo by mj_ray for the first geom of a scene whose geoms are all of the world body."""
 
+import math
 import os
 import sys
 
@@ -31,6 +32,8 @@ def load(elements):
     geom = numpy.zeros(1, numpy.int32)
 
     def first(p, v):
+        if math.hypot(*v) < mujoco.mjMINVAL:
+            raise ValueError("mj_ray would end the process: vector length is too small")
         x = mujoco.mj_ray(model, data, numpy.array(p), numpy.array(v), None, True, -1, geom)
         return (elements[geom[0]].name, x) if geom[0] >= 0 else None
 
