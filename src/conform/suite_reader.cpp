@@ -75,7 +75,8 @@ void read_tipos(Reader& in, std::vector<model::Tipo>& tipos) {
   using enum model::Tipo;
   in.array("tipos", [&] {
     tipos.push_back(read_one_of(
-        in, "a type", {soy_esfera, soy_cilindro, soy_cono, soy_tronco, soy_plano, soy_disco, soy_triangulo}, word));
+        in, "a type", {soy_esfera, soy_cilindro, soy_cono, soy_tronco, soy_plano, soy_disco, soy_triangulo},
+        [](model::Tipo tipo) { return word(tipo); }));
   });
 }
 
