@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 
 #include "conform/shell.hpp"
 #include "durero/number/quotient.hpp"
+#include "durero/surface/normal.hpp"
 #include "durero/surface/surfaces.hpp"
 
 namespace durero::conform {
@@ -128,6 +130,18 @@ double backward_error(const Trial& trial, const Claim& claim, const Place& place
     least_distance = std::min(least_distance, distance(shape, place.punto, M));
   });
   return least_distance / unit(trial.profile.format);
+}
+
+double backward_error_near_truth(const Trial& trial, const Claim& claim, const Place& place) {
+  const scene::Hit& hit = trial.truth.hit;
+  const glm::dvec3 &p = trial.ray.rayo.p().xyz(), &v = trial.ray.rayo.v().xyz();
+  const glm::dvec3 way = place.given ? (*place.given - hit.t) * v : *claim.punto - hit.punto;
+  const auto element = std::find_if(hit.elementos.begin(), hit.elementos.end(),
+                                    [&](scene::ElementRef candidate) { return trial.names(claim, candidate); });
+  const double length = trial.scene.visit(*element, [](const auto& shape) { return largest_length(shape); });
+  const double M = std::max({length, largest(p), hit.t * largest(v)});
+  const double across = std::abs(glm::dot(way, surface::normal(trial.scene, *element, hit.punto))) / M;
+  return std::isfinite(across) ? across / unit(trial.profile.format) : backward_error(trial, claim, place);
 }
 
 }  // namespace durero::conform

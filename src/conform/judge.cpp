@@ -125,8 +125,10 @@ Judgement of_hit(const Trial& trial, const Claim& claim) {
   if (is_the_truth(trial, claim)) return {.verdict = Verdict::exact};
   const std::optional<Place> where = place(trial, claim);
   if (!where) return {.verdict = Verdict::non_finite};
-  const Verdict verdict = is_near_truth(trial, claim, *where) ? Verdict::right : of_place(trial, claim, *where);
-  return {.verdict = verdict, .ulps = ulps(trial, claim, *where), .backward = backward_error(trial, claim, *where)};
+  const bool is_near = is_near_truth(trial, claim, *where);
+  return {.verdict = is_near ? Verdict::right : of_place(trial, claim, *where),
+          .ulps = ulps(trial, claim, *where),
+          .backward = is_near ? backward_error_near_truth(trial, claim, *where) : backward_error(trial, claim, *where)};
 }
 
 Judgement inside_profile(const Trial& trial, const Claim& claim) {
