@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <stdexcept>
 
 #include "durero/conform/question.hpp"
@@ -46,7 +47,8 @@ void Asker::close() {
 }
 
 void Asker::start() {
-  child_ = std::make_unique<Child>(system_->ask, ChildLimits{.memory = options_.memory}, *stop_);
+  const std::string folder = std::filesystem::exists(system_->setup) ? system_->setup : "";
+  child_ = std::make_unique<Child>(system_->ask, ChildLimits{.memory = options_.memory, .folder = folder}, *stop_);
   std::string line;
   for (int lines = 0; lines < preamble_lines; ++lines) {
     const Child::Event event = child_->next_line(options_.time_to_start, line);

@@ -69,7 +69,8 @@ void close_once(int& file) {
   if (file >= 0) ::close(std::exchange(file, -1));
 }
 
-pid_t spawn(const Command& command, const Pipe& input, const Pipe& output, const Pipe& error) {
+pid_t spawn(const Command& command, const std::string& folder, const Pipe& input, const Pipe& output,
+            const Pipe& error) {
   std::vector<char*> words;
   for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
@@ -78,6 +79,7 @@ pid_t spawn(const Command& command, const Pipe& input, const Pipe& output, const
   ::posix_spawn_file_actions_adddup2(&files, input.ends[0], STDIN_FILENO);
   ::posix_spawn_file_actions_adddup2(&files, output.ends[1], STDOUT_FILENO);
   ::posix_spawn_file_actions_adddup2(&files, error.ends[1], STDERR_FILENO);
+  if (!folder.empty()) ::posix_spawn_file_actions_addchdir_np(&files, folder.c_str());
   posix_spawnattr_t how;
   ::posix_spawnattr_init(&how);
   ::posix_spawnattr_setflags(&how, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
@@ -121,7 +123,7 @@ std::optional<std::string> read_now(int file) {
 Child::Child(const Command& command, const ChildLimits& limits, const std::atomic<bool>& stop)
     : limits_(limits), stop_(&stop) {
   Pipe input, output, error;
-  process_ = spawn(command, input, output, error);
+  process_ = spawn(command, limits.folder, input, output, error);
   limit(process_, RLIMIT_CORE, 0);
   if (limits.memory != 0) limit(process_, RLIMIT_DATA, limits.memory);
   input_ = input.take(1);

@@ -16,9 +16,10 @@ namespace durero::conform {
 
 using Seconds = std::chrono::duration<double>;
 
-/// Bounds on what a child may use and say.
+/// What a child may use and say.
 struct ChildLimits {
   std::uint64_t memory = 0;       ///< bytes of data; 0: without limit
+  std::string folder{};           ///< where it works, and may leave files; empty: where this program does
   std::size_t line = 4096;        ///< bytes of a line; the rest of a longer one is left out
   std::size_t last_words = 2048;  ///< bytes of its standard error that are kept, the last ones
 };

@@ -1,7 +1,7 @@
 #!/bin/sh
 # The examples in systems/examples answer the rays of a suite, in each language whose compiler is here.
-. "$(dirname "$0")/harness.sh"
 examples=$(cd "$(dirname "$0")/../../systems/examples" && pwd)
+. "$(dirname "$0")/harness.sh"
 asked=0
 
 # ask LANGUAGE PROGRAM: what it answers is right.

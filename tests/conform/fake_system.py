@@ -32,7 +32,7 @@ if how == "complains":
     sys.exit("no licence found")
 if how == "preamble":
     say(["loaded in 3 ms", "", "systemic warning"])
-say(["system fake 1.0 %s" % how])
+say(["system fake 1.0 %s" % (os.getcwd() if how == "where" else how)])
 if how == "closes":
     os.close(1)
     time.sleep(60)

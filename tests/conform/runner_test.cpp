@@ -250,6 +250,17 @@ TEST_CASE("a system that takes more memory than it may is ended by it") {
   CHECK(run("greedy", cases(1, greedy_third), options).seen.lines[2] == "hit - 501");
 }
 
+TEST_CASE("a system works in its own folder, where it has one") {
+  const Folder folder;
+  System system = fake("where");
+  Seen seen;
+  CHECK(run_system(system, cases(1, plain), quick(), seen.sink(), never).says ==
+        "fake 1.0 " + fs::current_path().string());
+  system.setup = fs::canonical(folder.path);
+  Seen again;
+  CHECK(run_system(system, cases(1, plain), quick(), again.sink(), never).says == "fake 1.0 " + system.setup);
+}
+
 TEST_CASE("a ray outside the profile is not asked") {
   RunCases of = cases(2, faulty);
   of.outside = [](const SuiteCase& its_case, std::size_t ray) {

@@ -95,7 +95,7 @@ TEST_CASE("what a system needs is installed into its folder, and then what asks 
 
 TEST_CASE("Debian's packages are installed where they are missing, by root") {
   Machine machine;
-  machine.has_program("dpkg-query", "[ \"$4\" = here ] && echo install ok installed");
+  machine.has_program("dpkg-query", "[ \"$3\" = here ] && echo install ok installed");
   machine.has_program("apt-get");
   machine.system.packages = {{"debian", {"here"}}};
   machine.set_up();
