@@ -15,6 +15,7 @@ from OCP.IntCurvesFace import IntCurvesFace_ShapeIntersector
 from OCP.TopoDS import TopoDS_Compound
 
 CONFUSION, INFINITE = 1e-7, 2e100  # Precision::Confusion and Precision::Infinite
+LEAST = 2 * CONFUSION  # The intersector widens its range by the tolerance: from less on it answers the origin itself.
 
 
 def face(element):
@@ -48,7 +49,7 @@ def load(elements):
     intersector.Load(compound, CONFUSION)
 
     def first(p, v):
-        intersector.PerformNearest(gp_Lin(gp_Pnt(*p), gp_Dir(*v)), 0, INFINITE)
+        intersector.PerformNearest(gp_Lin(gp_Pnt(*p), gp_Dir(*v)), LEAST, INFINITE)
         hits = [(intersector.WParameter(i), intersector.Face(i)) for i in range(1, intersector.NbPnt() + 1)]
         if not hits:
             return None
