@@ -15,14 +15,14 @@ device = rtc.rtcNewDevice(None)
 
 
 def geometry(kind, *buffers):
-    made = rtc.rtcNewGeometry(device, kind)
+    handle = rtc.rtcNewGeometry(device, kind)
     for buffer, form, items in buffers:
-        kind = OF_FORMAT[form]
-        place = rtc.rtcSetNewGeometryBuffer(made, buffer, 0, form, ctypes.sizeof(kind), len(items))
+        item_type = OF_FORMAT[form]
+        place = rtc.rtcSetNewGeometryBuffer(handle, buffer, 0, form, ctypes.sizeof(item_type), len(items))
         for i, item in enumerate(items):
-            (kind * len(items)).from_address(place)[i] = kind(*item) if isinstance(item, tuple) else item
-    rtc.rtcCommitGeometry(made)
-    return made
+            (item_type * len(items)).from_address(place)[i] = item_type(*item) if isinstance(item, tuple) else item
+    rtc.rtcCommitGeometry(handle)
+    return handle
 
 
 def shape(element):
@@ -43,9 +43,9 @@ def load(elements):
     scene = rtc.rtcNewScene(device)
     rtc.rtcSetSceneFlags(scene, ROBUST)
     for element in elements:
-        made = shape(element)
-        rtc.rtcAttachGeometry(scene, made)
-        rtc.rtcReleaseGeometry(made)
+        handle = shape(element)
+        rtc.rtcAttachGeometry(scene, handle)
+        rtc.rtcReleaseGeometry(handle)
     rtc.rtcCommitScene(scene)
     error = rtc.rtcGetDeviceError(device)
     if error:

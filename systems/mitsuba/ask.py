@@ -45,8 +45,8 @@ def claims_of_packet(scene, rays):
     hits = scene.ray_intersect(mitsuba.Ray3f(mitsuba.Point3f(*columns[:3]), mitsuba.Vector3f(*columns[3:])))
     number = lambda shapes: drjit.reinterpret_array(mitsuba.UInt32, shapes)
     name = {number(mitsuba.ShapePtr(shape))[0]: shape.id() for shape in scene.shapes()}
-    found = zip(hits.is_valid(), number(hits.shape), hits.t)
-    return [(name[shape], t) if valid else None for valid, shape, t in found]
+    columns = zip(hits.is_valid(), number(hits.shape), hits.t)
+    return [(name[shape], t) if valid else None for valid, shape, t in columns]
 
 
 def load(elements):
