@@ -45,6 +45,7 @@ void add_families(CLI::App& command, const SuiteCall& options) {
       .add_option_function<std::vector<std::string>>(
           "--family", take, "A family of durero conform list; may stand several times; without it, all")
       ->expected(1)
+      ->delimiter(',')
       ->allow_extra_args(false)
       ->take_all();
 }

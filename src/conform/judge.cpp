@@ -142,7 +142,7 @@ Judgement inside_profile(const Trial& trial, const Claim& claim) {
     case Claim::Outcome::hung:
       return {.verdict = Verdict::hung};
     case Claim::Outcome::unanswered:
-      return {.clause = "no answer"};
+      return {.clause = claim.why.empty() ? "no answer" : "no answer: " + claim.why};
   }
   contract::unreachable();
 }
