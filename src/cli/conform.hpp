@@ -1,17 +1,24 @@
 #pragma once
-/// The subcommands of `durero conform`, and the options that several of them have.
+/// The subcommands of `durero conform`.
 
 #include <CLI/CLI.hpp>
-#include <memory>
-
-#include "durero/conform/suite.hpp"
+#include <atomic>
+#include <string>
 
 namespace durero::cli {
 
 void add_conform_list(CLI::App& conform, int& status);
 void add_conform_make(CLI::App& conform, int& status);
+void add_conform_setup(CLI::App& conform, int& status);
+void add_conform_run(CLI::App& conform, int& status);
+void add_conform_answer(CLI::App& conform, int& status);
+void add_conform_show(CLI::App& conform, int& status);
+void add_conform_compare(CLI::App& conform, int& status);
 
-/// Of which cases: --family, --seed, --rays, --types, --solids, --numbers. What they hold is then a suite's.
-void add_suite_options(CLI::App& command, const std::shared_ptr<conform::SuiteOptions>& options);
+/// The option --systems of a command.
+void add_systems(CLI::App& command, std::string& systems);
+
+/// Is set when the user interrupts the program (SIGINT, SIGTERM), from this call on.
+const std::atomic<bool>& interrupted();
 
 }  // namespace durero::cli

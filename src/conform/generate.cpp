@@ -46,17 +46,19 @@ std::size_t placed(FramedScene& scene, const FramedShape& disc, const std::strin
   return scene.shapes.size() - 1;
 }
 
-/// Discs for every element with an axis. False where one is no disc of the format.
-bool close(const Draws& random, FramedScene& scene) {
+/// Discs for every element with an axis. They are of binary64 in either format: no system is told of them, since they
+/// are what it closes a solid with, and one of the format could lie beside the solid's end by more than a system may
+/// be off. False where one is no disc.
+bool close(FramedScene& scene) {
   for (std::size_t i = 0, count = scene.shapes.size(); i < count; ++i) {
     const FramedShape wall = scene.shapes[i];
     if (!is_axial(wall.tipo)) continue;
     FramedSolid solid{i, {}};
     for (const bool at_base : {true, false}) {
       if (!at_base && has_apex(wall.tipo)) continue;
-      const auto disc = in_format(random, closing_disc(wall, at_base));
-      if (!disc || !(disc->radio > 0)) return false;
-      solid.discs.push_back(placed(scene, *disc, scene.names[i] + (at_base ? ".base" : ".top")));
+      const FramedShape disc = closing_disc(wall, at_base);
+      if (!(disc.radio > 0) || !std::isfinite(disc.radio)) return false;
+      solid.discs.push_back(placed(scene, disc, scene.names[i] + (at_base ? ".base" : ".top")));
     }
     scene.solids.push_back(solid);
   }
@@ -86,7 +88,7 @@ std::optional<FramedScene> framed_scene(const Draws& random, const FramedShapes&
     scene.shapes.push_back(*element);
   }
   scene.of_recipe = scene.shapes.size();
-  if (random.options().caps == Caps::solid && !close(random, scene)) return std::nullopt;
+  if (random.options().caps == Caps::solid && !close(scene)) return std::nullopt;
   if (!is_allowed(random, scene)) return std::nullopt;
   return scene;
 }

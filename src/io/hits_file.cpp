@@ -38,14 +38,12 @@ void append_padded(std::string& out, std::string_view text, std::size_t width) {
   out.append(text).append(width - text.size(), '\0');
 }
 
-// A number, or the string of an infinity.
+// A rounded value, which may be infinite.
 double read_value(json::Reader& in, std::string_view what) {
-  if (in.kind() != json::Kind::string) return in.number(what);
   const std::size_t at = in.offset();
-  const std::string_view text = in.string(what);
-  if (text != "inf" && text != "-inf")
-    in.fail(at, fmt::format("{} is {}", what, text::shown(text)), "expected a number, \"inf\" or \"-inf\"");
-  return text == "inf" ? std::numeric_limits<double>::infinity() : -std::numeric_limits<double>::infinity();
+  const double value = in.extended_number(what);
+  if (std::isnan(value)) in.fail(at, fmt::format("{} is \"nan\"", what), "expected a number, \"inf\" or \"-inf\"");
+  return value;
 }
 
 std::size_t read_index(json::Reader& in) {

@@ -151,9 +151,34 @@ double Reader::number(std::string_view what) {
   return *value;
 }
 
+double Reader::extended_number(std::string_view what) {
+  if (kind() != Kind::string) return number(what);
+  const std::size_t at = offset();
+  const std::string_view text = string(what);
+  for (const std::string_view known : {"inf", "-inf", "nan"}) {
+    if (text == known) return *read_number(text);
+  }
+  fail(at, fmt::format("{} is {}", what, text::shown(text)), "expected a number, \"inf\" or \"-inf\"");
+}
+
 std::string_view Reader::string(std::string_view what) {
   if (kind() != Kind::string) wrong_kind(what, "a string");
   return document_->string_value(document_->tokens()[next_++]);
+}
+
+void Reader::skip() {
+  std::size_t depth = 0;
+  do {
+    const Kind passed = kind();
+    ++next_;
+    depth += passed == Kind::array || passed == Kind::object;
+    depth -= passed == Kind::end_array || passed == Kind::end_object;
+  } while (depth > 0);
+}
+
+bool Reader::boolean(std::string_view what) {
+  if (kind() != Kind::boolean) wrong_kind(what, "true or false");
+  return document_->source().text()[document_->tokens()[next_++].offset] == 't';
 }
 
 void Reader::require_less_than_three(std::string_view what, std::size_t count, const char* expected) const {

@@ -72,6 +72,7 @@ Writer& Writer::value(std::string_view text) {
 Writer& Writer::value(std::uint64_t number) { return raw(fmt::format_int(number).c_str()); }
 
 Writer& Writer::value(double number) {
+  if (std::isnan(number)) return value("nan");
   if (std::isinf(number)) return value(number > 0 ? "inf" : "-inf");
   separate();
   append_number(*out_, number);

@@ -62,25 +62,37 @@ std::string_view value_of(const Source& source, std::string_view dictionary, std
   refuse(source, fmt::format("the head has no {}", key), "expected descr, fortran_order and shape");
 }
 
-// The two numbers of a shape `(n, m)`.
+// The two numbers of a shape `(n, m)`; of `(n,)` the second is 1.
 std::optional<std::pair<std::size_t, std::size_t>> read_shape(std::string_view text) {
-  std::size_t shape[2] = {};
+  std::size_t shape[2] = {0, 1};
   const char* next = text.data();
   const char* const end = text.data() + text.size();
+  const auto skip = [&](char separator) {
+    while (next != end && (*next == ' ' || *next == separator)) ++next;
+  };
   for (int i = 0; i < 2; ++i) {
-    while (next != end && (*next == ' ' || *next == (i == 0 ? '(' : ','))) ++next;
+    skip(i == 0 ? '(' : ',');
+    if (i == 1 && next != end && *next == ')') break;
     const auto [behind, error] = std::from_chars(next, end, shape[i]);
     if (error != std::errc()) return std::nullopt;
     next = behind;
   }
-  while (next != end && (*next == ' ' || *next == ',')) ++next;
+  skip(',');
   if (next == end || *next != ')') return std::nullopt;
   return std::pair{shape[0], shape[1]};
+}
+
+std::pair<std::size_t, std::size_t> shape_of(const Source& source, const Head& head) {
+  const auto shape = read_shape(value_of(source, head.dictionary, "shape"));
+  if (!shape) refuse(source, "another shape", "expected (n,) or (n, m)");
+  return *shape;
 }
 
 }  // namespace
 
 bool is_npy(std::string_view text) noexcept { return text.starts_with(magic); }
+
+std::size_t npy_columns(const Source& source) { return shape_of(source, read_head(source)).second; }
 
 std::vector<double> read_npy(const Source& source, std::size_t columns) {
   const Head head = read_head(source);
@@ -91,12 +103,10 @@ std::vector<double> read_npy(const Source& source, std::size_t columns) {
            "expected float64 ('<f8' or '>f8')");
   }
   const bool fortran = value_of(source, head.dictionary, "fortran_order").starts_with("True");
-  const auto shape = read_shape(value_of(source, head.dictionary, "shape"));
-  if (!shape || shape->second != columns) {
-    refuse(source, "another shape", fmt::format("expected (n, {})", columns));
-  }
+  const auto shape = shape_of(source, head);
+  if (shape.second != columns) refuse(source, "another shape", fmt::format("expected (n, {})", columns));
   const std::string_view data = source.text().substr(head.data);
-  const std::size_t rows = shape->first;
+  const std::size_t rows = shape.first;
   if (data.size() % (8 * columns) != 0 || data.size() / (8 * columns) != rows) {
     refuse(source, fmt::format("{} bytes of data", data.size()),
            fmt::format("expected {} rows of {} float64", rows, columns));

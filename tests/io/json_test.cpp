@@ -136,6 +136,30 @@ TEST_CASE("A string that ends with a backslash ends there: the number behind it 
   });
 }
 
+TEST_CASE("True and false are read as such, and nothing else is") {
+  const Source source("f", "[true,false,1]");
+  const Document document(source);
+  Reader in(document);
+  std::vector<bool> items;
+  const auto read = [&] { in.array("a", [&] { items.push_back(in.boolean("b")); }); };
+  CHECK_THROWS_WITH(read(), "f:1:13: b is a number; expected true or false");
+  CHECK(items == std::vector<bool>{true, false});
+}
+
+TEST_CASE("A value is passed whole, whatever it is") {
+  const Source source("f", R"({"a":[1,{"b":[]},"]"],"c":"{","d":{"e":{}},"f":7})");
+  const Document document(source);
+  Reader in(document);
+  double f = 0;
+  in.members("an object", [&](const io::json::Key& key) {
+    if (key.name == "f")
+      f = in.number("f");
+    else
+      in.skip();
+  });
+  CHECK(f == 7);
+}
+
 TEST_CASE("Errors of syntax have their place") {
   CHECK(error_of("") == "f:1:1: the text is empty; expected a JSON value");
   CHECK(error_of(" \n ") == "f:2:2: the text is empty; expected a JSON value");

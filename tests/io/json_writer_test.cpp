@@ -45,5 +45,6 @@ TEST_CASE("Numbers are the shortest that read back; an infinity is a string") {
           out.begin_array().value(0.1).value(-0.0).value(4.0).value(infinity).value(-infinity).end_array();
         }) == R"([0.1,-0,4,"inf","-inf"])");
   CHECK(written([](Writer& out) { out.value(std::numeric_limits<std::uint64_t>::max()); }) == "18446744073709551615");
+  CHECK(written([&](Writer& out) { out.value(std::numeric_limits<double>::quiet_NaN()); }) == R"("nan")");
   CHECK(written([&](Writer& out) { out.value(glm::dvec3(1, 2.5, -infinity)); }) == R"([1,2.5,"-inf"])");
 }

@@ -56,6 +56,14 @@ TEST_CASE("Either byte order and either order of storage") {
   CHECK(read(file("{'shape':(2,3),\"fortran_order\":True,'descr':'<f8'}", bytes({1, 4, 2, 5, 3, 6})), 3) == values);
 }
 
+TEST_CASE("A row of numbers is a table of one column") {
+  const std::string text = file("{'descr': '<f8', 'fortran_order': False, 'shape': (3,), }", bytes({1, 2, 3}));
+  CHECK(io::npy_columns(Source("f.npy", text)) == 1);
+  CHECK(read(text, 1) == std::vector<double>{1, 2, 3});
+  const std::string table = file("{'descr': '<f8', 'fortran_order': False, 'shape': (1, 3)}", bytes({1, 2, 3}));
+  CHECK(io::npy_columns(Source("f.npy", table)) == 3);
+}
+
 TEST_CASE("Versions 1, 2 and 3 are read, and no others") {
   const std::string dictionary = "{'descr': '<f8', 'fortran_order': False, 'shape': (1, 3), }";
   const std::vector<double> values = {1, 2, 3};
@@ -74,7 +82,7 @@ TEST_CASE("What is no table of float64 of that width is refused") {
   CHECK_THROWS_WITH(read(file("{'descr': '<f8', 'fortran_order': False, 'shape': (3,)}", data), 3),
                     "f.npy:1:1: another shape; expected (n, 3)");
   CHECK_THROWS_WITH(read(file("{'descr': '<f8', 'fortran_order': False, 'shape': (1, 3, 1)}", data), 3),
-                    Catch::Contains("expected (n, 3)"));
+                    "f.npy:1:1: another shape; expected (n,) or (n, m)");
   CHECK_THROWS_WITH(read(file("{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3)}", data), 3),
                     "f.npy:1:1: 24 bytes of data; expected 2 rows of 3 float64");
   CHECK_THROWS_WITH(read(file("{'descr': '<f8', 'shape': (1, 3)}", data), 3),

@@ -3,6 +3,7 @@
 
 #include <glm/vec3.hpp>
 #include <optional>
+#include <string>
 
 #include "durero/scene/element_ref.hpp"
 
@@ -14,13 +15,14 @@ struct Claim {
     miss,
     crashed,    ///< the system ended while it was asked
     hung,       ///< it gave no answer in the time that it had
-    unanswered  ///< it was not asked, or left the ray out
+    unanswered  ///< it was not asked, refused the scene, or wrote what is no answer
   };
 
   Outcome outcome = Outcome::unanswered;
   std::optional<scene::ElementRef> element{};  ///< where the system names one
   std::optional<double> t{};                   ///< what the system calls the distance: Profile::measure says of what
   std::optional<glm::dvec3> punto{};           ///< where the system gives the point
+  std::string why{};                           ///< of no hit and no miss: the reason, in a few words of one line
 
   bool operator==(const Claim&) const = default;
 };

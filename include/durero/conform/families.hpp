@@ -54,16 +54,17 @@ Case generate(const Family& family, std::uint64_t seed, std::size_t rays);
 
 /// What cases are made of.
 struct CaseOptions {
-  Format numbers = Format::binary64;  ///< every number of the scene and of the rays is one of it
+  Format numbers = Format::binary64;  ///< every number of the scene, but of discs that close solids, and of the rays
   std::vector<model::Tipo> tipos{};   ///< of the elements; none: all
   Caps caps = Caps::open;             ///< solid: discs close the cylinders, cones and truncated cones
 };
 
 /// An element that discs close, and those discs: a system with solids knows them as one. The disc NAME.base lies at
 /// centro, NAME.top at the other end where that is no apex. Discs are the model's own, numbers like all others: where
-/// the radius or the centre of an end is no number of the format it is rounded, and where |vector|² is not 1 exactly a
-/// point with avance = altura is not at centro + altura·vector. So a disc closes its element exactly only where nothing
-/// of that was rounded, and otherwise up to such a rounding: there the exact model has a gap or a ledge of that size.
+/// the radius or the centre of an end is no binary64 it is rounded, whatever the format of the case, and where
+/// |vector|² is not 1 exactly a point with avance = altura is not at centro + altura·vector. So a disc closes its
+/// element exactly only where nothing of that was rounded, and otherwise up to such a rounding: there the exact model
+/// has a gap or a ledge of that size.
 struct Solid {
   scene::ElementRef wall;
   std::vector<scene::ElementRef> discs;

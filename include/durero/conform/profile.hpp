@@ -1,9 +1,11 @@
 #pragma once
 /// What a system claims for itself: a case inside its profile is judged, one outside is skipped with the clause.
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "durero/model/tipos.hpp"
@@ -33,6 +35,21 @@ enum class Directions {
 /// What a system answers to a ray from inside a solid.
 enum class Inside { exit_point, nothing, origin };
 
+// The words of these in files, in the order of the enumerators.
+inline constexpr std::array<std::string_view, 2> format_words = {"binary32", "binary64"};
+inline constexpr std::array<std::string_view, 2> caps_words = {"open", "solid"};
+inline constexpr std::array<std::string_view, 3> measure_words = {"parameter", "length", "point"};
+inline constexpr std::array<std::string_view, 3> directions_words = {"any", "unit", "unchecked"};
+inline constexpr std::array<std::string_view, 3> inside_words = {"exit_point", "nothing", "origin"};
+
+constexpr std::string_view word(Format format) { return format_words[static_cast<std::size_t>(format)]; }
+constexpr std::string_view word(Caps caps) { return caps_words[static_cast<std::size_t>(caps)]; }
+constexpr std::string_view word(Measure measure) { return measure_words[static_cast<std::size_t>(measure)]; }
+constexpr std::string_view word(Directions directions) {
+  return directions_words[static_cast<std::size_t>(directions)];
+}
+constexpr std::string_view word(Inside inside) { return inside_words[static_cast<std::size_t>(inside)]; }
+
 /// One claim, and where the system's documentation makes it.
 struct Source {
   std::string claim;     ///< the profile's key that it supports
@@ -43,7 +60,7 @@ struct Source {
 struct Profile {
   std::string system;
   Format format = Format::binary64;
-  std::vector<model::Tipo> tipos;
+  std::vector<model::Tipo> tipos{};
   Caps caps = Caps::open;
   Measure measure = Measure::parameter;
   Directions directions = Directions::any;
@@ -54,7 +71,7 @@ struct Profile {
   double greatest_size = std::numeric_limits<double>::infinity();
   double greatest_coordinate = std::numeric_limits<double>::infinity();
   bool names_elements = true;  ///< whether its hits say which element they are of
-  std::vector<Source> sources;
+  std::vector<Source> sources{};
 };
 
 }  // namespace durero::conform

@@ -18,7 +18,7 @@ struct SuiteOptions {
   std::size_t rays = 1024;            ///< of each family
   std::vector<model::Tipo> tipos{};   ///< of the elements; none: all
   Caps caps = Caps::open;             ///< solid: discs close the cylinders, cones and truncated cones
-  Format numbers = Format::binary32;  ///< every number of scenes and rays is one of it
+  Format numbers = Format::binary32;  ///< of scenes, but for discs that close solids, and of rays
 };
 
 /// How many rays a case has; the last of a family may have less.

@@ -1,6 +1,14 @@
 #pragma once
 /// How a claim stands to the truth.
+///
+/// A claim is *right* where some data within the declared backward error of those given have it as their exact answer,
+/// as far as exact arithmetic can tell: whatever it cannot tell is decided for the system. The declared backward error
+/// is 16ε, with ε = 2⁻²⁴ or 2⁻⁵³, the unit of rounding of the system's format: every coordinate and every length of an
+/// element, every coordinate of the origin, and every coordinate of t·v may be off by 16ε·M, where M is the largest
+/// magnitude among them; every coordinate of a unit vector by 16ε; a proportion by 16ε of itself or of 1, whichever is
+/// the greater. Each element may be off in its own way.
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -9,28 +17,38 @@ namespace durero::conform {
 enum class Verdict {
   exact,          ///< right to the bit, in the system's format
   right,          ///< the answer of some data within the declared backward error of those given
-  off,            ///< none of those, yet of the right element and near
+  off,            ///< none of those, yet of the right element and within 0.001 of its size of the right point
   phantom,        ///< off: a hit where there is none
   missed,         ///< off: no hit where there is one
   wrong_element,  ///< off: of an element that is not first
-  far_root,       ///< off: a later crossing of the right element
+  far_root,       ///< off: a later crossing of the right element, by more than 0.001 of its size
   misplaced,      ///< off by more than 0.001 of the size
-  non_finite,     ///< a hit with a number that is none
+  non_finite,     ///< a hit with a number that is none, or with neither a distance nor a point
   crashed,
   hung,
   skipped  ///< outside the profile
 };
 inline constexpr int verdict_count = 12;
 std::string_view name(Verdict verdict);
-/// Off, and the picture is another: a hit for a miss or a miss for a hit, another element, or far from the point.
+/// What the verdict says, in one line.
+std::string_view meaning(Verdict verdict);
+/// Off, and the picture is another: a hit for a miss or a miss for a hit, another element, far from the point, or no
+/// number or answer at all.
 bool is_gross(Verdict verdict);
 
 struct Judgement {
   Verdict verdict = Verdict::skipped;
-  double ulps = 0;  ///< of a hit: |t − t!| in units of the last place of t! in the system's format
-  double backward =
-      0;  ///< of a hit: how far its point is from the element's surface, in units of ε of the largest magnitude
+  /// Of a hit where the truth is a hit: |t − t!| in units of the last place of t! in the system's format; where the
+  /// claim is a point alone, of its worst coordinate, in units of the last place of the largest coordinate.
+  double ulps = 0;
+  /// Of a hit: how far its point is from the surface of the element (the nearest, where none is named), in units of
+  /// ε·M. It is the error that is left where what the case itself makes of a rounding of its data is taken away: an
+  /// answer within 16 or so is as good as its data, however many ulps it is off. 0 where the verdict is `exact`.
+  double backward = 0;
   std::string clause{};  ///< skipped: of the profile
+  /// skipped, of a system that answered all the same: what the verdict would be inside the profile. So the report can
+  /// say what a user of the system sees there, such as the far root for one nearer than least_t.
+  std::optional<Verdict> otherwise{};
 };
 
 }  // namespace durero::conform

@@ -74,7 +74,10 @@ class Reader {
 
   /// A finite number. `what` names the value in messages.
   double number(std::string_view what);
+  /// A number, or the string "inf", "-inf" or "nan", which stand for what JSON has no number for.
+  double extended_number(std::string_view what);
   std::string_view string(std::string_view what);
+  bool boolean(std::string_view what);
   glm::dvec3 vec3(std::string_view what) {
     return triple(what, [&] { return number(what); });
   }
@@ -127,6 +130,9 @@ class Reader {
     members(what, [&](const Key& key) { member(known_key(what, keys, key, seen)); });
     require(what, keys, required, seen, at);
   }
+
+  /// Passes a value, whatever it is.
+  void skip();
 
   [[noreturn]] void fail(std::size_t offset, const std::string& wrong, const std::string& expected) const {
     document_->source().fail(offset, wrong, expected);

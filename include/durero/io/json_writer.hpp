@@ -28,7 +28,7 @@ class Writer {
   Writer& value(const char* text) { return value(std::string_view(text)); }
   Writer& value(std::same_as<bool> auto truth) { return raw(truth ? "true" : "false"); }
   Writer& value(std::uint64_t number);
-  /// The shortest decimal that reads back; an infinity, which JSON has not, is the string "inf" or "-inf".
+  /// The shortest decimal that reads back; what JSON has no number for is the string "inf", "-inf" or "nan".
   Writer& value(double number);
   /// `[x,y,z]`
   Writer& value(const glm::dvec3& triple);

@@ -1,0 +1,40 @@
+#pragma once
+/// Several systems side by side on the same rays, from their reports.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "durero/conform/verdict.hpp"
+#include "durero/io/source.hpp"
+
+namespace durero::conform {
+
+using VerdictCounts = std::array<std::uint64_t, verdict_count>;
+
+/// What a report (report.json) says of a system in numbers.
+struct Summary {
+  struct OfFamily {
+    std::string family;
+    VerdictCounts counts{};
+  };
+
+  std::string system, title, version;
+  std::uint64_t seed = 0, rays = 0;  ///< of the suite: two reports are of the same rays where these agree
+  std::string numbers;
+  VerdictCounts counts{};
+  std::vector<OfFamily> families;
+};
+
+/// Reads a report. Throws io::InputError.
+Summary read_summary(const io::Source& source);
+
+/// A row a system, those with most gross failures first, and the families in which each fails. Throws
+/// std::invalid_argument where two are not of the same rays.
+std::string comparison_text(std::vector<Summary> systems);
+/// The same as a table of Markdown.
+std::string comparison_markdown(std::vector<Summary> systems);
+
+}  // namespace durero::conform

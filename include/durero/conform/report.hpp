@@ -1,0 +1,45 @@
+#pragma once
+/// What was found of a system, for people and for programs: the same content as a table for a terminal, JSON, JUnit
+/// XML, SARIF and a page of HTML that stands alone. The families that fail stand first. The same report gives the same
+/// bytes.
+
+#include <string>
+#include <vector>
+
+#include "durero/conform/tally.hpp"
+
+namespace durero::conform {
+
+struct Report {
+  std::string title;    ///< of the system
+  std::string version{};  ///< as the system says it; empty where it was not asked by this program
+  Profile profile{};
+  SuiteOptions options{};
+  Tally tally{};
+};
+
+/// The families, those with gross failures first, then those that are off; otherwise in their order.
+std::vector<const FamilyTally*> failures_first(const Tally& tally);
+
+/// The options that make the case of a finding again, and its ray: `--case tiny/0007 --ray 12 --solids`.
+std::string replay_options(const SuiteOptions& options, const Finding& finding);
+
+/// What was claimed, and what is right, each in one line.
+std::string claim_words(const Finding& finding);
+std::string truth_words(const Finding& finding);
+
+/// A row a family, a column a verdict, then the worst of each failing verdict with the call that replays it.
+std::string report_text(const Report& report);
+/// {"format":"durero-report","version":1,…}
+std::string report_json(const Report& report);
+/// A suite a system, a test a family.
+std::string report_junit(const Report& report);
+/// SARIF 2.1.0: a rule a verdict, a result for the worst ray of each family and verdict.
+std::string report_sarif(const Report& report);
+std::string report_html(const Report& report);
+
+/// Writes report.json, report.xml (JUnit), report.sarif and report.html into the folder, which is made where there is
+/// none. Throws io::FileError.
+void write_reports(const std::string& folder, const Report& report);
+
+}  // namespace durero::conform

@@ -1,0 +1,60 @@
+#pragma once
+/// Systems, as files tell of them: systems/FOLDER/NAME.json, beside the program that asks the system.
+///
+///   {"format":"durero-system","version":1,"system":"embree","title":"Embree 3",
+///    "install":{"debian":["libembree-dev"]},
+///    "build":["c++","-O2","-o","{out}","{here}/ask.cpp","-lembree3"],
+///    "ask":["{out}"],
+///    "profile":{"format":"binary32","tipos":["esfera"],"caps":"open","measure":"parameter","directions":"any",
+///               "inside":"exit_point","names_elements":true,"greatest_coordinate":1e18},
+///    "sources":[{"claim":"directions","sentence":"…","place":"rtcore_ray.h"}]}
+///
+/// {here} is the folder of the file; {setup} the folder that `durero conform setup` fills; {out} is {setup}/ask;
+/// {python} is {setup}/venv/bin/python, or python3 where nothing is installed from PyPI; {durero} is this program.
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "durero/conform/profile.hpp"
+#include "durero/io/source.hpp"
+
+namespace durero::conform {
+
+using Command = std::vector<std::string>;
+
+/// A system, and how it is installed, built and asked. Commands have their places filled in.
+struct System {
+  std::string name;
+  std::string title;
+  std::map<std::string, std::vector<std::string>> packages{};  ///< by where they are from: debian, pypi, crates, npm
+  Command build{};                                             ///< empty: nothing is built
+  Command ask;
+  Profile profile;
+  std::string folder;  ///< {here}
+  std::string setup;   ///< {setup}
+};
+
+/// Where packages come from, in the order in which they are installed.
+inline constexpr std::string_view package_sources[] = {"debian", "pypi", "crates", "npm"};
+
+/// Reads a system's file; its name is that of the file. `setups` is the folder of all setups. Throws io::InputError.
+System read_system(const io::Source& source, const std::string& setups);
+
+/// Every system of a folder, by name. Throws std::runtime_error where it is no folder, and where two files have a name.
+std::map<std::string, std::string> system_files(const std::string& systems);
+
+/// The systems that come with the sources that this program was built from.
+std::string default_systems();
+/// $XDG_CACHE_HOME/durero/systems, by default in ~/.cache.
+std::string default_setups();
+
+/// The system of a name. Throws std::runtime_error where the folder has none of it.
+System find_system(std::string_view name, const std::string& systems, const std::string& setups);
+
+/// The profile of a system of the folder, or of a file: a system's, or a profile alone,
+/// {"format":"durero-profile","version":1,"system":NAME,"profile":{…},"sources":[…]}.
+Profile read_profile(const std::string& name_or_file, const std::string& systems);
+
+}  // namespace durero::conform

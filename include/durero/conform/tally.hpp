@@ -1,0 +1,77 @@
+#pragma once
+/// The verdicts on many claims, counted by family, with the worst of each and what pictures need.
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "durero/conform/claims_file.hpp"
+#include "durero/conform/judge.hpp"
+
+namespace durero::conform {
+
+/// A judged ray, and its case without the other rays: enough to show it and to ask it again.
+struct Finding {
+  SuiteCase of;         ///< with this ray alone
+  std::size_t ray = 0;  ///< its number in the whole case
+  Claim claim;
+  Judgement judgement;
+};
+
+/// A case and the verdicts on its rays.
+struct JudgedCase {
+  SuiteCase of;
+  Claims claims;
+  std::vector<Judgement> judgements;  ///< in the order of the rays
+};
+
+/// How far off the claims on one case were, for a plot against the family's parameter.
+struct Spread {
+  int parameter = 0;
+  double backward = 0;             ///< the greatest backward error of a judged hit, in ε
+  Verdict worst = Verdict::exact;  ///< of the case
+};
+
+/// log₂ of the ulps that hits were off by: 0 (to the bit), then up to 1, 2, 4, … ulps, and more than 2⁶³.
+inline constexpr std::size_t ulp_bins = 66;
+std::size_t ulp_bin(double ulps);
+
+struct FamilyTally {
+  const Family* family = nullptr;
+  std::array<std::uint64_t, verdict_count> counts{};
+  std::map<std::string, std::uint64_t> clauses{};             ///< what was skipped, by the clause of the profile
+  std::array<std::uint64_t, ulp_bins> ulps{};                 ///< of the hits that are exact, right or off
+  std::vector<Spread> spreads{};                              ///< a case each
+  std::array<std::optional<Finding>, verdict_count> worst{};  ///< for each verdict, the worst of its rays
+  std::optional<JudgedCase> most_failures{};                  ///< the case with most rays that fail
+
+  std::uint64_t of(Verdict verdict) const { return counts[static_cast<std::size_t>(verdict)]; }
+  std::uint64_t rays() const;
+  std::uint64_t gross() const;
+  std::uint64_t failures() const;  ///< off, gross or no answer at all
+};
+
+/// A right system's verdicts are exact, right and skipped alone.
+bool is_failure(Verdict verdict);
+
+class Tally {
+ public:
+  /// Judges the claims on the rays of a case. Precondition: the case was answered, and has as many rays as claims.
+  void add(const SuiteCase& of, std::span<const Claim> claims, const Profile& profile);
+
+  const std::vector<FamilyTally>& families() const { return families_; }  ///< in the order in which they were added
+  std::uint64_t rays() const;
+  std::uint64_t of(Verdict verdict) const;
+  std::uint64_t gross() const;
+  std::uint64_t failures() const;
+
+ private:
+  FamilyTally& tally_of(const Family& family);
+  std::vector<FamilyTally> families_;
+};
+
+}  // namespace durero::conform

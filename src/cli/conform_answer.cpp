@@ -1,0 +1,56 @@
+// durero conform answer [--engine E]: this program as a system, which is asked as any other is.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "commands.hpp"
+#include "conform.hpp"
+#include "durero/conform/question.hpp"
+#include "engines.hpp"
+
+namespace durero::cli {
+namespace {
+
+conform::Claim claim_of(const scene::Hit& hit) {
+  using Outcome = conform::Claim::Outcome;
+  switch (hit.resultado) {
+    case model::Resultado::hit:
+      return {.outcome = Outcome::hit, .element = hit.elementos.front(), .t = hit.t, .punto = hit.punto};
+    case model::Resultado::miss:
+      return {.outcome = Outcome::miss};
+    case model::Resultado::no_minimum:
+      return {.why = "no point of the elements is the nearest"};
+  }
+  __builtin_unreachable();  // a Resultado is one of its enumerators
+}
+
+/// As a system writes it: what has no answer is refused.
+std::string answer_line(const conform::Claim& claim, const scene::Scene& scene) {
+  return claim.outcome == conform::Claim::Outcome::unanswered ? "refused " + claim.why
+                                                              : conform::claim_text(claim, scene);
+}
+
+int answer(const std::string& engine_name) {
+  fmt::print("system durero {} {}\n", DURERO_VERSION, engine_name);
+  std::fflush(stdout);
+  conform::QuestionReader questions(*stdin);
+  while (const auto question = questions.next()) {
+    const auto engine = engine::find(engine_name)->prepare(question->scene);
+    for (const scene::Hit& hit : engine::first_hits(*engine, question->rays))
+      fmt::print("{}\n", answer_line(claim_of(hit), question->scene));
+    std::fflush(stdout);
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_conform_answer(CLI::App& conform, int& status) {
+  auto* command = conform.add_subcommand("answer", "Answer questions on the standard input, as a system does");
+  const auto engine = std::make_shared<std::string>(engine::default_engine);
+  add_engine(*command, *engine);
+  command->callback([engine, &status] { status = answer(*engine); });
+}
+
+}  // namespace durero::cli

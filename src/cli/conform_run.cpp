@@ -1,0 +1,197 @@
+// durero conform run SYSTEM…: asks systems the rays of a suite.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <limits>
+#include <memory>
+
+#include "conform.hpp"
+#include "conform_suite.hpp"
+#include "durero/conform/report.hpp"
+#include "durero/conform/runner.hpp"
+#include "durero/conform/setup.hpp"
+#include "numbers.hpp"
+
+namespace durero::cli {
+namespace {
+
+using namespace conform;
+
+struct Options {
+  std::vector<std::string> names;
+  SuiteCall suite;
+  std::string systems = default_systems();
+  std::string profile, report;
+  std::size_t jobs = 1, memory = 0;
+  double time = 10;
+  bool goes_on = false;
+};
+
+constexpr std::string_view of_command = "command:";
+
+System system_of(const std::string& name, const Options& options) {
+  if (!name.starts_with(of_command)) return find_system(name, options.systems, default_setups());
+  if (options.profile.empty())
+    throw std::runtime_error("command: without --profile; expected a system's name or a file that says what it claims");
+  System system;
+  system.name = "command";
+  system.ask = {"sh", "-c", name.substr(of_command.size())};
+  system.title = system.ask.back();
+  system.profile = read_profile(options.profile, options.systems);
+  return system;
+}
+
+/// The cases of the suite for a profile, family after family.
+struct Plan {
+  SuiteOptions suite;
+  std::vector<std::pair<const Family*, std::uint64_t>> places;
+
+  Plan(const SuiteCall& call, const Profile& profile) : suite(suite_of(call)) {
+    if (suite.families.empty()) {
+      for (const Family& family : families()) suite.families.push_back(&family);
+    }
+    suite.tipos = profile.tipos;
+    suite.caps = profile.caps;
+    for (const Family* family : suite.families) {
+      for (std::uint64_t number = 0; number < cases(suite, *family); ++number) places.emplace_back(family, number);
+    }
+  }
+
+  RunCases run_cases(const Profile& profile) const {
+    const auto make = [this](std::size_t place) {
+      SuiteCase made = suite_case(suite, *places[place].first, places[place].second);
+      answer(made);
+      return made;
+    };
+    return {places.size(), make,
+            [&profile](const SuiteCase& of, std::size_t ray) { return outside(of, ray, profile); }};
+  }
+};
+
+/// On a terminal: how much is done, and the time that is left.
+class Progress {
+ public:
+  Progress(std::string name, std::size_t all) : name_(std::move(name)), all_(all) {}
+  ~Progress() {
+    if (is_shown_) fmt::print(stderr, "\r\033[K");
+  }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void step() {
+    ++done_;
+    const std::chrono::duration<double> passed = Clock::now() - begin_;
+    if (!is_shown_ || (Clock::now() - last_ < std::chrono::milliseconds(200) && done_ != all_)) return;
+    last_ = Clock::now();
+    const double left = passed.count() / static_cast<double>(done_) * static_cast<double>(all_ - done_);
+    fmt::print(stderr, "\r\033[K{}: {} of {} scenes, {:.0f} s left", name_, done_, all_, left);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::string name_;
+  std::size_t all_, done_ = 0;
+  bool is_shown_ = ::isatty(STDERR_FILENO) == 1;
+  Clock::time_point begin_ = Clock::now(), last_{};
+};
+
+/// What a run must be, to go on with another's claims.
+std::string identity(const System& system, const Options& options) {
+  return fmt::format("durero {} conform run {} --seed {} --rays {} --timeout {} --memory {} {}", DURERO_VERSION,
+                     system.name == "command" ? std::string(of_command) + system.title : system.name,
+                     options.suite.seed, options.suite.rays, options.time, options.memory,
+                     fmt::join(options.suite.families, " "));
+}
+
+RunOptions run_options(const System& system, const Options& options) {
+  RunOptions run;
+  run.ask.time = std::chrono::duration<double>(options.time);
+  run.ask.memory = std::uint64_t{options.memory} << 20U;
+  run.jobs = options.jobs;
+  run.identity = identity(system, options);
+  if (options.report.empty()) return run;
+  std::filesystem::create_directories(options.report);
+  run.claims = fmt::format("{}/{}.claims.jsonl", options.report, system.name);
+  run.goes_on = options.goes_on && std::filesystem::exists(run.claims);
+  return run;
+}
+
+/// How a system came off; its number is the exit status.
+enum class Outcome { conformant = 0, not_conformant = 1, not_asked = 2 };
+
+/// Asks and judges; nothing where it was stopped.
+std::optional<Report> report_of(const System& system, const Options& options) {
+  const Plan plan(options.suite, system.profile);
+  Report report{.title = system.title, .profile = system.profile, .options = plan.suite};
+  RunEnd end;
+  {
+    Progress progress(system.name, plan.places.size());
+    const auto sink = [&](const SuiteCase& of, std::span<const Claim> claims) {
+      report.tally.add(of, claims, system.profile);
+      progress.step();
+    };
+    end = run_system(system, plan.run_cases(system.profile), run_options(system, options), sink, interrupted());
+  }
+  report.version = end.says;
+  if (!end.stopped) return report;
+  fmt::print("{}: stopped after {} of {} scenes{}\n", system.name, end.cases, plan.places.size(),
+             options.report.empty() ? "" : "; --continue goes on");
+  return std::nullopt;
+}
+
+Outcome run_one(const System& system, const Options& options) {
+  if (const std::string why = why_absent(system); !why.empty()) {
+    fmt::print("{}: absent: {}\n", system.name, why);
+    return Outcome::not_asked;
+  }
+  const std::optional<Report> report = report_of(system, options);
+  if (!report) return Outcome::not_asked;
+  fmt::print("{}", report_text(*report));
+  if (!options.report.empty()) write_reports(fmt::format("{}/{}", options.report, system.name), *report);
+  return report->tally.failures() == 0 ? Outcome::conformant : Outcome::not_conformant;
+}
+
+int run(const Options& options) {
+  std::vector<System> systems;
+  for (const std::string& name : options.names) systems.push_back(system_of(name, options));
+  int status = 0;
+  for (const System& system : systems) status = std::max(status, static_cast<int>(run_one(system, options)));
+  return status;
+}
+
+void add_amounts(CLI::App& command, Options& options) {
+  command.add_option("--jobs", options.jobs, "So many processes of a system are asked at once")
+      ->check(whole_number(1, 256))
+      ->capture_default_str();
+  command.add_option("--timeout", options.time, "Seconds that a ray may take")
+      ->check(number(0.001, 86400))
+      ->capture_default_str();
+  command.add_option("--memory", options.memory, "MiB that a process of a system may take; 0: any")
+      ->check(whole_number(0, 1 << 30))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_conform_run(CLI::App& conform, int& status) {
+  auto* command = conform.add_subcommand("run", "Ask systems the rays of a suite, and judge what they answer");
+  const auto options = std::make_shared<Options>();
+  command->add_option("SYSTEM", options->names, "Names of systems, or command:PROGRAM")->required();
+  add_rays(*command, options->suite);
+  add_amounts(*command, *options);
+  add_systems(*command, options->systems);
+  command->add_option("--profile", options->profile, "What command:PROGRAM claims: a system's name, or a file");
+  auto* report = command->add_option("--report", options->report, "The folder for what is found and for the claims");
+  command->add_flag("--continue", options->goes_on, "Go on where the run of that folder was stopped")->needs(report);
+  command->footer(
+      "A system is asked in processes of its own: what crashes it or lets it hang costs one ray. What is found "
+      "depends\n"
+      "neither on --jobs nor on where a run was stopped.\n"
+      "Status 0: all systems are right; 1: one is not; 2: one is absent or was stopped, or a bad call.");
+  command->callback([options, &status] { status = run(*options); });
+}
+
+}  // namespace durero::cli

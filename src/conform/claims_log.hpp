@@ -1,0 +1,53 @@
+#pragma once
+/// The file in which a run keeps its claims, so that it can go on where it was stopped:
+///
+///   {"format":"durero-claims","version":1,"run":"embree --seed 1 --rays 1024","system":"Embree 3.13.5"}
+///   {"case":"generic/0000","claims":["miss","hit e0 4.5","crashed signal 6 (Aborted)"]}
+///
+/// a line a case, in their order. What a stop cut off behind the last whole line is left out.
+
+#include <cstdio>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "durero/conform/claim.hpp"
+#include "durero/conform/suite.hpp"
+
+namespace durero::conform {
+
+class ClaimsLog {
+ public:
+  /// Opens the file, which must not be there. Throws io::FileError.
+  static ClaimsLog begin(const std::string& path, const std::string& identity);
+  /// Reads what it has, and goes on behind it. Throws io::InputError where it is of another run, or malformed.
+  static ClaimsLog go_on(const std::string& path, const std::string& identity);
+
+  /// How many cases it had.
+  std::size_t cases() const { return lines_.size(); }
+  /// What the system said of itself when the run began; empty where no case was kept.
+  const std::string& says() const { return says_; }
+  /// The claims that it had of a case. Throws std::runtime_error where they are of another.
+  std::vector<Claim> claims(std::size_t place, const SuiteCase& of) const;
+
+  /// Writes the claims of the next case. Throws io::FileError, and std::runtime_error where the system is another now.
+  void add(const SuiteCase& of, std::span<const Claim> claims, const std::string& says);
+  /// Removes the file: what it holds cannot be believed.
+  void remove();
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+
+  void open(const char* mode);
+  void write_head(const std::string& says);
+  void write(const std::string& line);
+
+  std::string path_, identity_, says_;
+  std::vector<std::string> lines_;
+  std::unique_ptr<std::FILE, Close> file_;
+};
+
+}  // namespace durero::conform

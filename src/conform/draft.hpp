@@ -1,0 +1,48 @@
+#pragma once
+/// A case of one ray whose numbers can be changed at will: what minimise.cpp tries its changes on.
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "durero/conform/suite.hpp"
+#include "durero/scene/shapes.hpp"
+
+namespace durero::conform {
+
+template <class List>
+struct VariantOf;
+template <class... Shape>
+struct VariantOf<std::tuple<Shape...>> {
+  using type = std::variant<Shape...>;
+};
+using AnyShape = VariantOf<scene::Shapes>::type;
+
+struct Draft {
+  struct Element {
+    std::string name;
+    AnyShape shape;
+  };
+  std::vector<Element> elements;
+  glm::dvec3 p{}, v{};
+  std::vector<std::string> on;  ///< the names of what the ray starts on
+
+  /// Of the only ray of the case. Discs that close solids are left out; they follow their walls.
+  explicit Draft(const SuiteCase& of);
+
+  /// Its case, answered, with the family and the number of the given one; nothing where the model refuses an element or
+  /// the ray.
+  std::optional<SuiteCase> built(const SuiteCase& like) const;
+};
+
+/// What of a shape a change may touch. An attribute is one of these.
+struct Places {
+  std::vector<glm::dvec3*> points;  ///< its centre, or its vertices
+  std::vector<glm::dvec3*> axes;    ///< its unit vector
+  std::vector<double*> lengths;
+  std::vector<double*> ratios;
+};
+Places places(AnyShape& shape);
+
+}  // namespace durero::conform

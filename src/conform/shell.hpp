@@ -1,0 +1,156 @@
+#pragma once
+/// Between which two surfaces an element lies, whatever data within the allowance it has: `outer` is what is not
+/// positive inside the surface moved out, `inner` what is not negative outside the surface moved in, and `bounds` what
+/// is not negative between the ends of the element. Over Dyadic they are numbers, of a point; over Linear<Dyadic>,
+/// quadratics, along a ray.
+///
+/// In a shell with its ends moved *outwards* lies every point that is the answer of some data within the allowance; a
+/// ray that goes from one wall to the other between its ends moved *inwards* meets the element for all such data. How
+/// far a wall and an end must be is derived beside each shape; u, δ and the ray's share are those of allowance.hpp.
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "conform/allowance.hpp"
+#include "durero/number/quotient.hpp"
+#include "durero/surface/surfaces.hpp"
+
+namespace durero::conform {
+
+using surface::Linear;
+using surface::Point;
+
+/// Where the ends of an element are moved.
+enum class Ends { outwards, inwards };
+
+/// A number, or a quadratic along a ray.
+template <class T>
+struct BoundOf {
+  using type = T;
+};
+template <>
+struct BoundOf<Linear<Dyadic>> {
+  using type = surface::Quadratic<Dyadic>;
+};
+
+inline const Dyadic& bound(const Dyadic& value) { return value; }
+inline surface::Quadratic<Dyadic> bound(const Linear<Dyadic>& value) {
+  return {0, number::shifted(value.slope, -1), value.at_zero};
+}
+inline surface::Quadratic<Dyadic> bound(surface::Quadratic<Dyadic> value) { return value; }
+inline Dyadic negated(const Dyadic& a) { return -a; }
+inline surface::Quadratic<Dyadic> negated(const surface::Quadratic<Dyadic>& a) { return {-a.A, -a.B, -a.C}; }
+
+template <class T>
+struct Shell {
+  using Bound = typename BoundOf<T>::type;
+  Bound outer{}, inner{};
+  std::vector<Bound> bounds{};
+  /// The surface moved in is no surface any more, at the point: the shell is all that lies within `outer`.
+  bool filled = false;
+};
+
+inline Dyadic moved(const Dyadic& by, Ends ends) { return ends == Ends::outwards ? by : -by; }
+
+/// The distance from the centre is off by the ray's share, and the radius by δ: 6.42·δ.
+template <class T>
+Shell<T> shell(const scene::Sphere& e, const Point<T>& w, const Allowance& allowed, Ends) {
+  const Dyadic eta = allowed.times(7), r(e.radio);
+  const auto squared = squared_length(from(e.centro, w));
+  return {squared - square(r + eta), squared - square(r - eta), {}, number::sign(r - eta) <= 0};
+}
+
+/// With q = w − centro, s = q·d, k the proportion (0 of a cylinder), g = u·k, R(s) = radio + k·(altura − s):
+/// |q| ≤ √(altura² + R²) < 1.51·M·(1 + g) for the points of the moved element, and for those of the shell between the
+/// ends and where R ≥ 8η, so that d, off by √3·u, moves s by at most 2.62·(1 + g)·δ; with the ray's share s is off by
+/// 8.1·δ + 2.62·g·δ, and altura by δ: the ends by (10 + 3g)·δ. The distance from the axis, |q − s·d|, is off by the
+/// ray's share and, d being off in both places, 2·2.62·(1 + g)·δ: 10.7·δ + 5.3·g·δ; R(s) by δ for radio, δ for k (and
+/// g·δ where altura is off as well), k·δ for altura and k times what s is off: together the walls by
+/// (13 + 7g + k·(10 + 3g))·δ.
+template <class T, surface::Axial Shape>
+Shell<T> shell(const Shape& e, const Point<T>& w, const Allowance& allowed, Ends ends) {
+  const Dyadic k(proportion(e)), g = allowed.u * k, altura(e.altura);
+  const Dyadic along = Dyadic(10) + Dyadic(3) * g;
+  const Dyadic eta = allowed.times(Dyadic(13) + Dyadic(7) * g + k * along), end = moved(allowed.times(along), ends);
+  const auto squared = alejamiento(e, w);
+  const T s = avance(e, w);
+  const Dyadic base = radius_at_centre(e);
+  const T out = (base + eta) - s * k, in = (base - eta) - s * k;  // R(s) ± η
+  Shell<T> result{squared - square(out), squared - square(in), {bound(s - (-end)), bound((altura + end) - s)}};
+  if constexpr (std::is_same_v<T, Dyadic>)
+    result.filled = number::sign(in) <= 0;
+  else
+    result.bounds.push_back(bound((base - Dyadic(8) * eta) - s * k));
+  return result;
+}
+
+/// q·d is off by the ray's share, and by |q|·√3·u for d: |q| ≤ |p| + |t·v| + |centro| ≤ 3√3·M, so 9·δ; together
+/// 14.5·δ.
+template <class T>
+Shell<T> shell(const scene::Plane& e, const Point<T>& w, const Allowance& allowed, Ends) {
+  const Dyadic eta = allowed.times(15);
+  const T value = potencia(e, w);
+  return {bound(value - eta), bound(value - (-eta))};
+}
+
+/// As of a plane, but |q| ≤ M up to a small part: 5.42·δ + 1.74·δ. In the plane |q| is off by the ray's share and the
+/// radius by δ: 6.42·δ.
+template <class T>
+Shell<T> shell(const scene::Disc& e, const Point<T>& w, const Allowance& allowed, Ends ends) {
+  const Dyadic eta = allowed.times(8), rim = Dyadic(e.radio) + moved(allowed.times(7), ends);
+  const T value = potencia(e, w);
+  Shell<T> result{bound(value - eta), bound(value - (-eta))};
+  // A radius moved in to nothing leaves nothing between the ends.
+  const Dyadic reach = number::sign(rim) < 0 ? Dyadic(-1) : square(rim);
+  result.bounds.push_back(negated(squared_length(from(e.centro, w)) - reach));
+  return result;
+}
+
+inline Point<Dyadic> cross(const Point<Dyadic>& a, const Point<Dyadic>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// At least |a|, by less than 2⁻³⁰ of it: a wall or an end that is further off is one as well.
+inline Dyadic length_above(const Point<Dyadic>& a) {
+  const Dyadic squared = squared_length(a);
+  if (number::sign(squared) == 0) return {};
+  const number::SquareRoot root = number::square_root(squared, 32);
+  return root.exact ? root.value : root.value + root.unit;
+}
+
+template <class T>
+T dot(const Point<T>& a, const Point<Dyadic>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/// Its vertices, and so all its points, are off by √3·δ: with the ray 5.42·δ. *Outwards*: a point of the moved triangle
+/// is within 6δ of one of this, hence of its plane, of the inner side of each edge, and of its box. *Inwards*: a
+/// stretch from 6δ on one side of the plane to 6δ on the other, at least 6δ inside each edge, meets every such
+/// triangle: while the vertices move to their places in straight lines, the edge never meets the stretch nor the
+/// triangle its two ends, so the number of crossings stays odd.
+template <class T>
+Shell<T> shell(const scene::Triangle& e, const Point<T>& w, const Allowance& allowed, Ends ends) {
+  const Dyadic eta = allowed.times(6), end = moved(eta, ends);
+  const auto& [a, b, c] = e.vertices;
+  const Point<Dyadic> normal = cross(surface::between<Dyadic>(a, b), surface::between<Dyadic>(a, c));
+  const Dyadic wall = eta * length_above(normal);
+  const T value = dot(from(a, w), normal);
+  Shell<T> result{bound(value - wall), bound(value - (-wall))};
+  for (const auto& [begin, finish] : std::array{std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
+    const Point<Dyadic> inwards = cross(normal, surface::between<Dyadic>(begin, finish));
+    result.bounds.push_back(bound(dot(from(begin, w), inwards) - (-(end * length_above(inwards)))));
+  }
+  if (ends == Ends::inwards) return result;
+  const surface::Box box = surface::box(e);
+  const auto beside = [&](const T& x, double low, double high) {
+    result.bounds.push_back(bound(x - (Dyadic(low) - end)));
+    result.bounds.push_back(bound((Dyadic(high) + end) - x));
+  };
+  beside(w.x, box.low.x, box.high.x);
+  beside(w.y, box.low.y, box.high.y);
+  beside(w.z, box.low.z, box.high.z);
+  return result;
+}
+
+}  // namespace durero::conform

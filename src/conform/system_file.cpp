@@ -1,0 +1,167 @@
+#include "durero/conform/system_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+
+#include "conform/profile_reader.hpp"
+#include "durero/text/shown.hpp"
+
+namespace durero::conform {
+namespace {
+
+namespace fs = std::filesystem;
+using io::json::Reader;
+
+enum Key : std::size_t { format, version, system, title, ask, profile, install, build, sources };
+constexpr std::string_view keys[] = {"format",  "version", "system", "title",  "ask",
+                                     "profile", "install", "build",  "sources"};
+constexpr std::size_t required = 6;
+
+std::vector<std::string> read_strings(Reader& in, std::string_view what) {
+  const std::size_t at = in.offset();
+  std::vector<std::string> strings;
+  in.array(what, [&] { strings.emplace_back(in.string(what)); });
+  if (strings.empty()) in.fail(at, fmt::format("{} is empty", what), "expected one string at least");
+  return strings;
+}
+
+void read_packages(Reader& in, System& read) {
+  in.object("install", package_sources, 0, [&](std::size_t key) {
+    const std::string_view from = package_sources[key];
+    read.packages.emplace(from, read_strings(in, from));
+  });
+}
+
+void read_name(Reader& in, System& read) { read_exactly(in, "system", read.name); }
+
+void read_part(Reader& in, Key key, System& read) {
+  switch (key) {
+    case format:
+      return read_exactly(in, keys[key], "durero-system");
+    case version:
+      return read_version_one(in);
+    case system:
+      return read_name(in, read);
+    case title:
+      read.title = in.string(keys[key]);
+      return;
+    case ask:
+      read.ask = read_strings(in, keys[key]);
+      return;
+    case profile:
+      return read_profile_members(in, read.profile);
+    case install:
+      return read_packages(in, read);
+    case build:
+      read.build = read_strings(in, keys[key]);
+      return;
+    case sources:
+      read.profile.sources = read_sources(in);
+  }
+}
+
+void replace_all(std::string& text, std::string_view what, std::string_view with) {
+  for (std::size_t at = 0; (at = text.find(what, at)) != text.npos; at += with.size())
+    text.replace(at, what.size(), with);
+}
+
+void fill_in_places(Command& command, const System& of) {
+  const std::string python = of.packages.contains("pypi") ? of.setup + "/venv/bin/python" : "python3";
+  for (std::string& word : command) {
+    replace_all(word, "{python}", python);
+    replace_all(word, "{out}", of.setup + "/ask");
+    replace_all(word, "{durero}", fs::canonical("/proc/self/exe").string());
+    replace_all(word, "{here}", of.folder);
+    replace_all(word, "{setup}", of.setup);
+  }
+}
+
+/// Beside the files of systems there may be others, as npm's.
+bool is_of_system(const io::Source& source) { return source.text().find("\"durero-system\"") != source.text().npos; }
+bool is_system_file(const fs::path& path) {
+  return path.extension() == ".json" && fs::is_regular_file(path) && is_of_system(io::read_source(path));
+}
+
+Profile read_profile_file(const io::Source& source) {
+  constexpr std::string_view profile_keys[] = {"format", "version", "system", "profile", "sources"};
+  const io::json::Document document(source);
+  Reader in(document);
+  Profile read;
+  in.object("a profile file", profile_keys, 4, [&](std::size_t key) {
+    if (key == 0) read_exactly(in, "format", "durero-profile");
+    if (key == 1) read_version_one(in);
+    if (key == 2) read.system = in.string("system");
+    if (key == 3) read_profile_members(in, read);
+    if (key == 4) read.sources = read_sources(in);
+  });
+  return read;
+}
+
+}  // namespace
+
+System read_system(const io::Source& source, const std::string& setups) {
+  const fs::path path = fs::absolute(source.name()).lexically_normal();
+  System read;
+  read.name = path.stem();
+  read.folder = path.parent_path();
+  read.setup = fs::path(setups) / read.name;
+  read.profile.system = read.name;
+  const io::json::Document document(source);
+  Reader in(document);
+  in.object("a system", keys, required, [&](std::size_t key) { read_part(in, static_cast<Key>(key), read); });
+  fill_in_places(read.build, read);
+  fill_in_places(read.ask, read);
+  return read;
+}
+
+std::map<std::string, std::string> system_files(const std::string& systems) {
+  if (!fs::is_directory(systems))
+    throw std::runtime_error(fmt::format("{}: no folder; expected one with systems in it", systems));
+  std::map<std::string, std::string> files;
+  for (const fs::directory_entry& folder : fs::directory_iterator(systems)) {
+    if (!folder.is_directory()) continue;
+    for (const fs::directory_entry& file : fs::directory_iterator(folder)) {
+      if (!is_system_file(file.path())) continue;
+      const auto [other, is_new] = files.emplace(file.path().stem(), file.path());
+      if (!is_new)
+        throw std::runtime_error(fmt::format("{}: its name is also that of {}; expected a name of its own",
+                                             file.path().string(), other->second));
+    }
+  }
+  return files;
+}
+
+std::string default_systems() { return DURERO_SYSTEMS; }
+
+std::string default_setups() {
+  const char* const cache = std::getenv("XDG_CACHE_HOME");
+  if (cache != nullptr && *cache == '/')
+    return std::string(cache) + "/durero/systems";  // a relative one is to be ignored
+  const char* const home = std::getenv("HOME");
+  if (home == nullptr || *home == '\0')
+    throw std::runtime_error("neither XDG_CACHE_HOME nor HOME is set; expected a folder for systems");
+  return std::string(home) + "/.cache/durero/systems";
+}
+
+System find_system(std::string_view name, const std::string& systems, const std::string& setups) {
+  const std::map<std::string, std::string> files = system_files(systems);
+  const auto file = files.find(std::string(name));
+  if (file != files.end()) return read_system(io::read_source(file->second), setups);
+  std::vector<std::string_view> known;
+  for (const auto& [known_name, path] : files) known.push_back(known_name);
+  throw std::runtime_error(fmt::format("no system {}; expected one of {}", text::shown(name), fmt::join(known, ", ")));
+}
+
+Profile read_profile(const std::string& name_or_file, const std::string& systems) {
+  if (name_or_file.find('/') == name_or_file.npos && !name_or_file.ends_with(".json"))
+    return find_system(name_or_file, systems, "").profile;
+  const io::Source source = io::read_source(name_or_file);
+  return is_of_system(source) ? read_system(source, "").profile : read_profile_file(source);
+}
+
+}  // namespace durero::conform

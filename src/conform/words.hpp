@@ -1,0 +1,21 @@
+#pragma once
+/// The words of a line, separated by blanks.
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+namespace durero::conform {
+
+inline std::vector<std::string_view> words_of(std::string_view line) {
+  constexpr std::string_view blanks = " \t\r\v\f";
+  std::vector<std::string_view> words;
+  for (std::size_t begin = line.find_first_not_of(blanks); begin != line.npos;) {
+    const std::size_t end = std::min(line.find_first_of(blanks, begin), line.size());
+    words.push_back(line.substr(begin, end - begin));
+    begin = line.find_first_not_of(blanks, end);
+  }
+  return words;
+}
+
+}  // namespace durero::conform

@@ -1,0 +1,136 @@
+#include "conform/zones.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include "conform/shell.hpp"
+
+namespace durero::conform {
+namespace {
+
+using number::shifted;
+using number::sign;
+using surface::Quadratic;
+using surface::exact::Coefficients;
+using surface::exact::order;
+using surface::exact::Parameter;
+
+/// The sign of A·t² + 2B·t + C. Precondition: A = 0, or t is rational.
+int sign_at(const Quadratic<Dyadic>& bound, const Parameter& t) {
+  if (sign(bound.A) == 0) return number::sign(number::linear(bound.C, shifted(bound.B, 1), t));
+  return sign(bound.A * square(t.x) + shifted(bound.B * t.x, 1) * t.w + bound.C * square(t.w));
+}
+
+bool holds_at(const std::vector<Quadratic<Dyadic>>& bounds, const Parameter& t) {
+  return std::all_of(bounds.begin(), bounds.end(), [&](const auto& bound) { return sign_at(bound, t) >= 0; });
+}
+
+/// Where the ray crosses a wall of a shell.
+struct Wall {
+  Parameter t;
+  bool is_outer;
+};
+
+/// The walls on both sides of a crossing: the last before it, and the first after it.
+struct Walls {
+  std::optional<Wall> before, after;
+
+  void take(const Quadratic<Dyadic>& wall, bool is_outer, const Parameter& crossing) {
+    const surface::exact::Roots roots = surface::exact::roots({wall.A, wall.B, wall.C});
+    for (const Parameter& t : roots.values()) {
+      if (order(t, crossing) < 0) {
+        if (!before || order(before->t, t) < 0) before = Wall{t, is_outer};
+      } else if (!after || order(t, after->t) < 0) {
+        after = Wall{t, is_outer};
+      }
+    }
+  }
+  /// The ray goes from one wall to the other.
+  bool are_crossed() const { return before && after && before->is_outer != after->is_outer; }
+};
+
+/// Where the ray starts on the element, the crossing is also one of the equation without its constant,
+/// t·(A·t + 2B) = 0: that changes sign between the ends, or is 0 at one.
+bool is_crossed_from_it(const Coefficients& f, const Zone& zone) {
+  const auto sign_of = [&](const Parameter& t) {
+    return number::sign(t) * number::sign(number::linear(shifted(f.B, 1), f.A, t));
+  };
+  return sign_of(zone.begin) * sign_of(zone.end) <= 0;
+}
+
+/// The stretch around an exact crossing, where it is one for all data.
+template <class Shape>
+std::optional<Zone> zone_around(scene::ElementRef element, const Shape& shape, const model::Rayo& rayo,
+                                const Parameter& crossing, Format format) {
+  const double t = number::round_to_binary64(crossing);
+  if (!std::isfinite(t)) return std::nullopt;
+  // The end of the stretch lies behind the crossing: M has room for a 64th more, and holds for no stretch beyond that.
+  const Dyadic longest(largest(rayo.v().xyz()));
+  const Dyadic M = magnitude(shape, rayo, Dyadic(t) * Dyadic(1 + 0x1p-6) * longest);
+  const Allowance allowed(format, M, rayo);
+  const Shell<Linear<Dyadic>> around = shell(shape, surface::along<Dyadic>(rayo), allowed, Ends::inwards);
+  if (around.filled) return std::nullopt;
+  Walls walls;
+  walls.take(around.outer, true, crossing);
+  walls.take(around.inner, false, crossing);
+  if (!walls.are_crossed()) return std::nullopt;
+  Zone zone{element, walls.before->t, walls.after->t, allowed.delta};
+  const bool is_ahead = number::sign(zone.begin) > 0;
+  const bool is_in_reach = order(number::linear(0, longest, zone.end), Parameter{.x = M}) <= 0;
+  if (!is_ahead || !is_in_reach || !holds_at(around.bounds, zone.begin) || !holds_at(around.bounds, zone.end))
+    return std::nullopt;
+  return zone;
+}
+
+/// The shell, its ends moved outwards, of the element at a place.
+template <class Shape>
+Shell<Dyadic> shell_at(const Shape& shape, const Place& place, const model::Rayo& rayo, Format format) {
+  return shell(shape, place.punto, Allowance(format, magnitude(shape, rayo, place.way), rayo), Ends::outwards);
+}
+
+bool is_within(const Shell<Dyadic>& shell) {
+  return sign(shell.outer) <= 0 &&
+         std::all_of(shell.bounds.begin(), shell.bounds.end(), [](const Dyadic& bound) { return sign(bound) >= 0; });
+}
+
+}  // namespace
+
+std::vector<Zone> zones(const scene::Scene& scene, const scene::Query& ray, Format format) {
+  std::vector<Zone> all;
+  scene.for_each([&](scene::ElementRef element, const auto& shape) {
+    const Coefficients f = surface::exact::coefficients(shape, ray.rayo);
+    const bool starts_on_it = scene::Origin(ray.en).contains(element);
+    const surface::exact::Roots crossings = surface::exact::roots(f);
+    for (const Parameter& t : crossings.values()) {
+      if (number::sign(t) <= 0) continue;
+      const std::optional<Zone> zone = zone_around(element, shape, ray.rayo, t, format);
+      if (zone && (!starts_on_it || is_crossed_from_it(f, *zone))) all.push_back(*zone);
+    }
+  });
+  return all;
+}
+
+bool is_behind(const Place& place, const Zone& zone, const model::Rayo& rayo) {
+  const Dyadic longest(largest(rayo.v().xyz()));
+  const auto& [x, y, delta, w] = place.t;
+  // (t − 2δ/longest) as one quotient.
+  const Parameter least{x * longest - shifted(zone.delta, 1) * w, y * longest, delta, w * longest};
+  return order(zone.end, least) < 0;
+}
+
+bool may_lie_on(const scene::Scene& scene, scene::ElementRef element, const Place& place, const model::Rayo& rayo,
+                Format format) {
+  return scene.visit(element, [&](const auto& shape) {
+    const Shell<Dyadic> shell = shell_at(shape, place, rayo, format);
+    return is_within(shell) && (shell.filled || sign(shell.inner) >= 0);
+  });
+}
+
+bool may_lie_inside(const scene::Scene& scene, scene::ElementRef element, const Place& place, const model::Rayo& rayo,
+                    Format format) {
+  return scene.visit(element, [&](const auto& shape) { return is_within(shell_at(shape, place, rayo, format)); });
+}
+
+}  // namespace durero::conform

@@ -1,0 +1,64 @@
+"""Asks Mitsuba 3 by Scene.ray_intersect, in the variant that the first argument names."""
+
+import os
+import sys
+
+sys.path.append(os.path.join(os.path.dirname(__file__), ".."))
+import protocol  # isort: skip
+import mitsuba
+
+variant = sys.argv[1]
+mitsuba.set_variant(variant)
+import drjit  # isort: skip
+
+
+def to_world(element):
+    """Takes the unit disk of the xy plane to the element."""
+    columns = zip(*element.rotation())
+    x, y, z = ([element.radio * a for a in column] for column in columns)
+    return mitsuba.ScalarTransform4f([[x[i], y[i], z[i], element.centro[i]] for i in range(3)] + [[0, 0, 0, 1]])
+
+
+def triangle(element):
+    mesh = mitsuba.Mesh(element.name, 3, 1)
+    parameters = mitsuba.traverse(mesh)
+    parameters["vertex_positions"] = [x for vertex in element.vertices for x in vertex]
+    parameters["faces"] = [0, 1, 2]
+    parameters.update()
+    return mesh
+
+
+def shape(element):
+    if element.tipo == "esfera":
+        return {"type": "sphere", "center": element.centro, "radius": element.radio}
+    if element.tipo == "cilindro":
+        ends = {"p0": element.centro, "p1": element.along(element.altura)}
+        return {"type": "cylinder", "radius": element.radio, **ends}
+    if element.tipo == "disco":
+        return {"type": "disk", "to_world": to_world(element)}
+    return triangle(element)
+
+
+def claims_of_packet(scene, rays):
+    """All rays at once, as the variants of arrays have it."""
+    columns = list(zip(*((*p, *v) for p, v in rays)))
+    hits = scene.ray_intersect(mitsuba.Ray3f(mitsuba.Point3f(*columns[:3]), mitsuba.Vector3f(*columns[3:])))
+    number = lambda shapes: drjit.reinterpret_array(mitsuba.UInt32, shapes)
+    name = {number(mitsuba.ShapePtr(shape))[0]: shape.id() for shape in scene.shapes()}
+    found = zip(hits.is_valid(), number(hits.shape), hits.t)
+    return [(name[shape], t) if valid else None for valid, shape, t in found]
+
+
+def load(elements):
+    scene = mitsuba.load_dict({"type": "scene", **{element.name: shape(element) for element in elements}})
+    if not variant.startswith("scalar"):
+        return lambda rays: claims_of_packet(scene, rays)
+
+    def first(p, v):
+        hit = scene.ray_intersect(mitsuba.Ray3f(p, v))
+        return (hit.shape.id(), hit.t) if hit.is_valid() else None
+
+    return protocol.each(first)
+
+
+protocol.serve("Mitsuba", f"{mitsuba.__version__} {variant}", load)

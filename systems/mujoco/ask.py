@@ -1,0 +1,40 @@
+"""Asks MuJoCo by mj_ray for the first geom of a scene whose geoms are all of the world body."""
+
+import os
+import sys
+
+sys.path.append(os.path.join(os.path.dirname(__file__), ".."))
+import protocol  # isort: skip
+import mujoco
+import numpy
+
+GEOMS = {"esfera": mujoco.mjtGeom.mjGEOM_SPHERE, "cilindro": mujoco.mjtGeom.mjGEOM_CYLINDER}
+
+
+def add(element, world):
+    if element.tipo == "esfera":
+        world.add_geom(type=GEOMS["esfera"], size=[element.radio, 0, 0], pos=element.centro)
+    else:
+        half = element.altura / 2
+        x, y, z, w = element.quaternion()
+        world.add_geom(type=GEOMS[element.tipo], size=[element.radio, half, 0], pos=element.along(half),
+                       quat=[w, x, y, z])
+
+
+def load(elements):
+    spec = mujoco.MjSpec()
+    for element in elements:
+        add(element, spec.worldbody)
+    model = spec.compile()
+    data = mujoco.MjData(model)
+    mujoco.mj_kinematics(model, data)
+    geom = numpy.zeros(1, numpy.int32)
+
+    def first(p, v):
+        x = mujoco.mj_ray(model, data, numpy.array(p), numpy.array(v), None, True, -1, geom)
+        return (elements[geom[0]].name, x) if geom[0] >= 0 else None
+
+    return protocol.each(first)
+
+
+protocol.serve("MuJoCo", mujoco.mj_versionString(), load)

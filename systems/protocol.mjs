@@ -1,0 +1,114 @@
+// The question protocol, for systems that are asked from JavaScript: an adapter says how its system is asked, no more.
+import { writeSync } from "node:fs";
+import { createInterface } from "node:readline";
+
+// What a system prints goes to standard error; standard output is for the answers.
+console.log = console.info = console.debug = console.error;
+
+// Where the packages are: the first argument names the folder that `durero conform setup` made.
+export const packages = process.argv[2] + "/node_modules/";
+
+const sizes = { esfera: ["radio"], cilindro: ["radio", "altura"], cono: ["proporcion", "altura"],
+  tronco: ["radio", "proporcion", "altura"], plano: [], disco: ["radio"] };
+
+// An element of the scene, by the names of its type's attributes.
+function element(line) {
+  const [tipo, name, ...words] = line.trim().split(/\s+/);
+  const n = words.map(Number);
+  if (tipo === "triangulo") return { tipo, name, vertices: [n.slice(0, 3), n.slice(3, 6), n.slice(6, 9)] };
+  const shape = { tipo, name, centro: n.slice(0, 3) };
+  if (tipo !== "esfera") shape.vector = n.slice(3, 6);
+  sizes[tipo].forEach((size, i) => (shape[size] = n[(tipo === "esfera" ? 3 : 6) + i]));
+  return shape;
+}
+
+// The point of the axis at that advance from the centre.
+export const along = (e, advance) => e.centro.map((c, i) => c + advance * e.vector[i]);
+
+// The radii at the centre and at the other end of the axis.
+export function radii(e) {
+  const top = e.tipo === "cono" ? 0 : e.radio;
+  return [top + (e.tipo === "cilindro" ? 0 : e.proporcion * e.altura), top];
+}
+
+// x, y, z and w of the least rotation that takes the y axis to the element's.
+export function quaternionOfY([x, y, z]) {
+  const w = y > 0 ? 1 + y : (x * x + z * z) / (1 - y);
+  if (w === 0) return [1, 0, 0, 0];
+  const length = Math.hypot(x, z, w);
+  return [z / length, 0, -x / length, w / length];
+}
+
+// x, y, z and w of the least rotation that takes the z axis to the element's.
+export function quaternionOfZ([x, y, z]) {
+  const w = z > 0 ? 1 + z : (x * x + y * y) / (1 - z);
+  if (w === 0) return [1, 0, 0, 0];
+  const length = Math.hypot(x, y, w);
+  return [-y / length, x / length, 0, w / length];
+}
+
+// The unit vector of v's direction, whatever the magnitude of v.
+export function unit(v) {
+  const largest = Math.max(...v.map(Math.abs));
+  const scaled = v.map((x) => x / largest);
+  const length = Math.hypot(...scaled);
+  return scaled.map((x) => x / length);
+}
+
+const distance = (a, b) => Math.hypot(...a.map((x, i) => x - b[i]));
+
+// How far from p the last of its points can be that a ray along the unit vector u meets.
+function farthest(e, p, u) {
+  if (e.tipo === "triangulo") return Math.max(...e.vertices.map((vertex) => distance(p, vertex)));
+  const reach = distance(p, e.centro);
+  if (e.tipo === "plano") {
+    const slope = Math.abs(u.reduce((sum, x, i) => sum + x * e.vector[i], 0));
+    return slope ? reach / slope : 0;
+  }
+  return e.tipo === "esfera" || e.tipo === "disco" ? reach + e.radio : reach + Math.max(...radii(e)) + e.altura;
+}
+
+// A power of two f for systems that ask of segments: none of the elements is beyond p + f v.
+export function segment(elements, p, v) {
+  const most = Math.max(...elements.map((e) => farthest(e, p, unit(v))));
+  return 2 ** Math.ceil(Math.log2((2 * most) / Math.hypot(...v)));
+}
+
+// The hit of least t; nothing of none. For systems that answer of one element at a time.
+export const nearest = (hits) => hits.reduce((a, b) => (a && a[1] <= b[1] ? a : b), undefined);
+
+const refusal = (why) => "refused " + String(why).replace(/\s+/g, " ").slice(0, 200);
+const number = (x) => (Number.isFinite(x) ? String(x) : Number.isNaN(x) ? "nan" : x > 0 ? "inf" : "-inf");
+const written = (x) => (x === undefined ? "-" : number(x));
+const shown = ([name, t, punto]) => ["hit", name, written(t), ...(punto ?? []).map(number)].join(" ");
+
+// Answers until the questions end. load(elements) is a function of an origin and a direction to undefined for a miss,
+// or to [name, t], or [name, t, point].
+export async function serve(system, version, load) {
+  const write = (lines) => writeSync(1, lines.join("\n") + "\n");
+  write([`system ${system} ${version}`]);
+  let elements = [], first, left = 0, claims = [];
+  for await (const line of createInterface({ input: process.stdin })) {
+    if (left) {
+      const n = line.trim().split(/\s+/).map(Number);
+      try {
+        const claim = first(n.slice(0, 3), n.slice(3, 6));
+        claims.push(claim ? shown(claim) : "miss");
+      } catch (why) {
+        claims.push(refusal(why));
+      }
+      if (--left === 0) write(claims.splice(0));
+    } else if (line.startsWith("scene")) {
+      elements = [];
+    } else if (line.startsWith("rays")) {
+      left = Number(line.split(/\s+/)[1]);
+      try {
+        first = load(elements);
+      } catch (why) {
+        first = () => { throw why; };
+      }
+    } else {
+      elements.push(element(line));
+    }
+  }
+}

@@ -1,0 +1,141 @@
+"""The question protocol, for systems that are asked from Python: an adapter says how its system is asked, no more.
+
+Import it before the system: it keeps standard output for the answers, and what the system prints goes to standard
+error.
+"""
+
+import math
+import os
+import sys
+
+answers = os.fdopen(os.dup(1), "w")
+os.dup2(2, 1)
+
+
+class Element:
+    """An element of the scene, by the names of its type's attributes."""
+
+    def __init__(self, line):
+        self.tipo, self.name, *numbers = line.split()
+        numbers = [float(number) for number in numbers]
+        if self.tipo == "triangulo":
+            self.vertices = [tuple(numbers[i : i + 3]) for i in (0, 3, 6)]
+            return
+        self.centro = tuple(numbers[:3])
+        if self.tipo == "esfera":
+            self.radio = numbers[3]
+            return
+        self.vector = tuple(numbers[3:6])
+        sizes = {"cilindro": "radio altura", "cono": "proporcion altura", "tronco": "radio proporcion altura",
+                 "plano": "", "disco": "radio"}[self.tipo].split()
+        for size, number in zip(sizes, numbers[6:], strict=True):
+            setattr(self, size, number)
+
+    def along(self, advance):
+        """The point of the axis at that advance from the centre."""
+        return tuple(c + advance * d for c, d in zip(self.centro, self.vector))
+
+    def radii(self):
+        """The radii at the centre and at the other end of the axis."""
+        top = 0.0 if self.tipo == "cono" else self.radio
+        return top + (0.0 if self.tipo == "cilindro" else self.proporcion * self.altura), top
+
+    def rotation(self):
+        """The rows of a rotation that takes the z axis to the element's, and is the identity where they are one."""
+        x, y, z = self.vector
+        sign = math.copysign(1.0, z)
+        a = -1.0 / (sign + z)
+        return ((1.0 + sign * x * x * a, x * y * a, x),
+                (sign * x * y * a, sign + y * y * a, y),
+                (-sign * x, -y, z))
+
+    def quaternion(self):
+        """x, y, z and w of the least rotation that takes the z axis to the element's."""
+        x, y, z = self.vector
+        w = 1.0 + z if z > 0.0 else (x * x + y * y) / (1.0 - z)
+        if w == 0.0:
+            return 1.0, 0.0, 0.0, 0.0
+        length = math.hypot(x, y, w)
+        return -y / length, x / length, 0.0, w / length
+
+    def farthest(self, p, u):
+        """How far from p the last of its points can be that a ray along the unit vector u meets."""
+        if self.tipo == "triangulo":
+            return max(math.dist(p, vertex) for vertex in self.vertices)
+        reach = math.dist(p, self.centro)
+        if self.tipo == "plano":
+            slope = abs(sum(a * b for a, b in zip(u, self.vector)))
+            return reach / slope if slope else 0.0
+        if self.tipo in ("esfera", "disco"):
+            return reach + self.radio
+        return reach + max(self.radii()) + self.altura
+
+
+def unit(v):
+    """The unit vector of v's direction, whatever the magnitude of v."""
+    _, exponent = math.frexp(max(abs(x) for x in v))
+    v = [math.ldexp(x, -exponent) for x in v]
+    length = math.hypot(*v)
+    return tuple(x / length for x in v)
+
+
+def segment(elements, p, v):
+    """A power of two f for systems that ask of segments: none of the elements is beyond p + f v."""
+    farthest = max(element.farthest(p, unit(v)) for element in elements)
+    return 2.0 ** math.ceil(math.log2(2.0 * farthest / math.hypot(*v)))
+
+
+def refusal(why):
+    return "refused " + " ".join(f"{type(why).__name__} {why}".split())[:200]
+
+
+def each(first):
+    """Asks ray by ray: first(p, v) is None for a miss, (name, t) or (name, t, point)."""
+
+    def ask(rays):
+        claims = []
+        for p, v in rays:
+            try:
+                claims.append(first(p, v))
+            except Exception as why:
+                claims.append(refusal(why))
+        return claims
+
+    return ask
+
+
+def nearest(hits):
+    """The hit of least t; None of none. For systems that answer of one element at a time."""
+    return min(hits, key=lambda hit: hit[1], default=None)
+
+
+def shown(claim):
+    if claim is None:
+        return "miss"
+    if isinstance(claim, str):
+        return claim
+    name, t, *punto = claim
+    numbers = [t, *(punto[0] if punto else ())]
+    return " ".join(["hit", name or "-", *("-" if x is None else repr(float(x)) for x in numbers)])
+
+
+def serve(system, version, load):
+    """Answers until the questions end: load(elements) is a function of the rays to their answers, see each()."""
+    print("system", system, version, file=answers, flush=True)
+    elements = []
+    for line in sys.stdin:
+        word = line.split(None, 1)[0]
+        if word == "scene":
+            elements = []
+        elif word != "rays":
+            elements.append(Element(line))
+        else:
+            rays = []
+            for _ in range(int(line.split()[1])):
+                numbers = [float(number) for number in sys.stdin.readline().split()]
+                rays.append((tuple(numbers[:3]), tuple(numbers[3:])))
+            try:
+                claims = load(elements)(rays)
+            except Exception as why:
+                claims = [refusal(why)] * len(rays)
+            print(*map(shown, claims), sep="\n", file=answers, flush=True)

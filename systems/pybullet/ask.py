@@ -1,0 +1,40 @@
+"""Asks Bullet by pybullet's rayTest, of a segment that no element is beyond."""
+
+import os
+import sys
+
+sys.path.append(os.path.join(os.path.dirname(__file__), ".."))
+import protocol  # isort: skip
+from importlib.metadata import version
+
+import pybullet
+
+STATIC, UNSEEN = 0, -1
+
+
+def body(element):
+    if element.tipo == "triangulo":
+        shape = pybullet.createCollisionShape(pybullet.GEOM_MESH, vertices=element.vertices, indices=[0, 1, 2],
+                                              flags=pybullet.GEOM_FORCE_CONCAVE_TRIMESH)
+        return pybullet.createMultiBody(STATIC, shape)
+    if element.tipo == "esfera":
+        shape = pybullet.createCollisionShape(pybullet.GEOM_SPHERE, radius=element.radio)
+        return pybullet.createMultiBody(STATIC, shape, UNSEEN, element.centro)
+    shape = pybullet.createCollisionShape(pybullet.GEOM_CYLINDER, radius=element.radio, height=element.altura)
+    return pybullet.createMultiBody(STATIC, shape, UNSEEN, element.along(element.altura / 2), element.quaternion())
+
+
+def load(elements):
+    pybullet.resetSimulation()
+    names = {body(element): element.name for element in elements}
+
+    def first(p, v):
+        f = protocol.segment(elements, p, v)
+        hit, _, fraction, *_ = pybullet.rayTest(p, [a + f * b for a, b in zip(p, v)])[0]
+        return (names[hit], f * fraction) if hit >= 0 else None
+
+    return protocol.each(first)
+
+
+pybullet.connect(pybullet.DIRECT)
+protocol.serve("pybullet", version("pybullet"), load)

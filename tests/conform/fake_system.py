@@ -1,0 +1,77 @@
+"""A system that keeps to the protocol, or breaks it as its argument says: what the runner is tested by.
+
+It answers `miss` to a ray with px < 0 and `hit - PX` to others, so that each answer tells which ray it is of.
+The x of a ray also says what the system does there: 1000 + n crashes, 2000 + n hangs.
+"""
+import os
+import signal
+import sys
+import time
+
+how = sys.argv[1] if len(sys.argv) > 1 else "right"
+
+
+def answer(ray):
+    if how == "garbage" and 300 <= ray < 310:
+        return "Segmentation fault? no, \x1b[31mgarbage"
+    if how == "long" and ray == 70:
+        return "refused " + "x" * 100000
+    if ray < 0:
+        return "miss"
+    return "hit - %r" % ray
+
+
+def say(lines):
+    sys.stdout.write("".join(line + "\n" for line in lines))
+    sys.stdout.flush()
+
+
+if how == "silent":
+    sys.exit(3)
+if how == "complains":
+    sys.exit("no licence found")
+if how == "preamble":
+    say(["loaded in 3 ms", "", "systemic warning"])
+say(["system fake 1.0 %s" % how])
+if how == "closes":
+    os.close(1)
+    time.sleep(60)
+if how == "deaf":
+    time.sleep(60)
+if how == "endless":
+    while True:
+        sys.stdout.write("x" * 65536)
+
+while True:
+    head = sys.stdin.readline()
+    if not head:
+        break
+    line = sys.stdin.readline()
+    while not line.startswith("rays "):
+        line = sys.stdin.readline()
+    rays = [float(sys.stdin.readline().split()[0]) for _ in range(int(line.split()[1]))]
+    if how == "scene" and head.split()[1].endswith("1"):
+        os.kill(os.getpid(), signal.SIGABRT)
+    lines = []
+    for ray in rays:
+        if 1000 <= ray < 2000:
+            if how == "noisy":
+                print("assertion failed", file=sys.stderr, flush=True)
+            os.kill(os.getpid(), signal.SIGSEGV)
+        if 2000 <= ray < 3000:
+            if how == "forks" and os.fork() == 0:
+                time.sleep(60)
+            time.sleep(60)
+        if how == "greedy" and ray > 500:
+            hoard = bytearray(1 << 29)
+        if how == "less" and ray == 70:
+            continue
+        lines.append(answer(ray))
+        if how != "buffered":
+            say(lines)
+            lines = []
+    if how == "more":
+        lines.append("miss")
+    say(lines)
+if how == "farewell":
+    say(["miss"])

@@ -1,0 +1,56 @@
+#include "durero/conform/minimise.hpp"
+
+#include <bit>
+
+#include "conform/judged.hpp"
+#include "support/catch.hpp"
+
+using namespace durero;
+using namespace durero::conform;
+
+namespace {
+
+Claim blind(const SuiteCase& of) { return test::claims_blind_to_small(of)[0]; }
+
+Finding some_miss() {
+  Tally tally;
+  for (std::uint64_t number = 0; number < 4; ++number) {
+    const SuiteCase of = test::answered_case("tiny", number);
+    tally.add(of, test::claims_blind_to_small(of), test::profile_of_all());
+  }
+  return tally.families()[0].worst[static_cast<std::size_t>(Verdict::missed)].value();
+}
+
+int bits_of(double x) {
+  if (x == 0) return 0;
+  const auto fraction = std::bit_cast<std::uint64_t>(x) << 12U;
+  return 53 - (fraction == 0 ? 52 : std::countr_zero(fraction) - 12);
+}
+
+}  // namespace
+
+TEST_CASE("a failure keeps its verdict, one element and round numbers") {
+  const Finding found = some_miss();
+  std::size_t asked = 0;
+  const Finding least = minimised(found, test::profile_of_all(), [&](const SuiteCase& of) {
+    ++asked;
+    return blind(of);
+  });
+  CHECK(least.judgement.verdict == Verdict::missed);
+  CHECK(least.of.the_case.scene.size() == 1);
+  CHECK(asked < 1000);
+  CHECK(judge(least.of, 0, blind(least.of), test::profile_of_all()).verdict == Verdict::missed);
+  const scene::Query& ray = least.of.the_case.rays[0];
+  for (int i = 0; i < 3; ++i) {
+    CHECK(bits_of(ray.rayo.p().xyz()[i]) <= 4);
+    CHECK(bits_of(ray.rayo.v().xyz()[i]) <= 4);
+  }
+}
+
+TEST_CASE("a failure that nothing rounder shares stays as it is") {
+  const Finding found = some_miss();
+  const auto right = [](const SuiteCase& of) { return test::right_claims(of)[0]; };
+  const Finding least = minimised(found, test::profile_of_all(), right);
+  CHECK(least.of.the_case.rays[0].rayo == found.of.the_case.rays[0].rayo);
+  CHECK(least.of.the_case.scene.size() == found.of.the_case.scene.size());
+}
