@@ -1,4 +1,4 @@
-// durero conform …: any program's hits held against the exact answer. One file a subcommand.
+// durero conform …: any program's hits held against the exact answers.
 #include "conform.hpp"
 
 #include "commands.hpp"
@@ -6,15 +6,15 @@
 namespace durero::cli {
 
 void add_conform(CLI::App& app, int& status) {
-  auto* conform = app.add_subcommand("conform", "Hold any program's hits against the exact answer");
+  auto* conform = app.add_subcommand("conform", "Hold any program's hits against the exact answers");
   conform->require_subcommand(1);
   add_conform_list(*conform, status);
   add_conform_make(*conform, status);
-  add_conform_show(*conform, status);
-  add_conform_judge(*conform, status);
   add_conform_setup(*conform, status);
   add_conform_run(*conform, status);
   add_conform_answer(*conform, status);
+  add_conform_judge(*conform, status);
+  add_conform_show(*conform, status);
   add_conform_compare(*conform, status);
 }
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "conform.hpp"
+#include "durero/conform/families.hpp"
 #include "durero/io/json_writer.hpp"
 #include "durero/io/output_file.hpp"
 

@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "conform.hpp"
+#include "conform_suite.hpp"
 #include "durero/conform/suite_file.hpp"
 #include "durero/io/output_file.hpp"
 
@@ -16,6 +17,7 @@ using conform::FamilySummary;
 
 struct Options {
   std::string directory;
+  SuiteCall suite;
   std::size_t threads = 0;
 };
 
@@ -31,10 +33,10 @@ std::string text_of(const FamilySummary& of) {
                      percent(of.count.exact, of.count.rays), percent(alone, of.count.rays));
 }
 
-int run(const Options& options, const conform::SuiteOptions& suite) {
+int run(const Options& options) {
   const ThreadLimit limit(options.threads);
   std::string text;
-  for (const FamilySummary& family : write_suite(options.directory, suite)) text += text_of(family);
+  for (const FamilySummary& family : write_suite(options.directory, suite_of(options.suite))) text += text_of(family);
   io::write_file("-", text);
   return 0;
 }
@@ -44,15 +46,14 @@ int run(const Options& options, const conform::SuiteOptions& suite) {
 void add_conform_make(CLI::App& conform, int& status) {
   auto* command = conform.add_subcommand("make", "Write a suite: scenes, rays and exact answers of the families");
   const auto options = std::make_shared<Options>();
-  const auto suite = std::make_shared<conform::SuiteOptions>();
   command->add_option("DIR", options->directory, "Directory to write: new, or empty")->required();
-  add_rays(*command, suite);
-  add_elements(*command, suite);
+  add_rays(*command, options->suite);
+  add_elements(*command, options->suite);
   add_threads(*command, options->threads);
   command->footer(
       "The same options give the same bytes on any machine. DIR/suite.json says what the suite has; a case is\n"
       "DIR/FAMILY/0000.scene.json, .rays.txt, .hits.jsonl (and .npy of both), .case.json, of 64 rays at most.");
-  command->callback([options, suite, &status] { status = run(*options, *suite); });
+  command->callback([options, &status] { status = run(*options); });
 }
 
 }  // namespace durero::cli

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "conform.hpp"
+#include "conform_suite.hpp"
 #include "durero/conform/report.hpp"
 #include "durero/conform/runner.hpp"
 #include "durero/conform/setup.hpp"
@@ -21,7 +22,7 @@ using namespace conform;
 
 struct Options {
   std::vector<std::string> names;
-  SuiteCall suite = std::make_shared<SuiteOptions>();
+  SuiteCall suite;
   std::string systems = default_systems();
   std::string profile, report;
   std::size_t jobs = 1, memory = 0;
@@ -48,10 +49,13 @@ struct Plan {
   SuiteOptions suite;
   std::vector<std::pair<const Family*, std::uint64_t>> places;
 
-  Plan(const SuiteOptions& asked, const Profile& profile) : suite(asked) {
+  Plan(const SuiteCall& call, const Profile& profile) : suite(suite_of(call)) {
+    if (suite.families.empty()) {
+      for (const Family& family : families()) suite.families.push_back(&family);
+    }
     suite.tipos = profile.tipos;
     suite.caps = profile.caps;
-    for (const Family* family : chosen_families(suite)) {
+    for (const Family* family : suite.families) {
       for (std::uint64_t number = 0; number < cases(suite, *family); ++number) places.emplace_back(family, number);
     }
   }
@@ -96,11 +100,10 @@ class Progress {
 
 /// What a run must be, to go on with another's claims.
 std::string identity(const System& system, const Options& options) {
-  std::string families;
-  for (const Family* family : options.suite->families) families.append(" ").append(family->name);
-  return fmt::format("durero {} conform run {} --seed {} --rays {} --timeout {} --memory {}{}", DURERO_VERSION,
+  return fmt::format("durero {} conform run {} --seed {} --rays {} --timeout {} --memory {} {}", DURERO_VERSION,
                      system.name == "command" ? std::string(of_command) + system.title : system.name,
-                     options.suite->seed, options.suite->rays, options.time, options.memory, families);
+                     options.suite.seed, options.suite.rays, options.time, options.memory,
+                     fmt::join(options.suite.families, " "));
 }
 
 RunOptions run_options(const System& system, const Options& options) {
@@ -121,7 +124,7 @@ enum class Outcome { conformant = 0, not_conformant = 1, not_asked = 2 };
 
 /// Asks and judges; nothing where it was stopped.
 std::optional<Report> report_of(const System& system, const Options& options) {
-  const Plan plan(*options.suite, system.profile);
+  const Plan plan(options.suite, system.profile);
   Report report{.title = system.title, .profile = system.profile, .options = plan.suite};
   RunEnd end;
   {

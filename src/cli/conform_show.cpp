@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "conform.hpp"
+#include "conform_suite.hpp"
 #include "durero/conform/explanation.hpp"
 #include "durero/text/shown.hpp"
 #include "numbers.hpp"
@@ -15,7 +16,7 @@ namespace {
 using namespace conform;
 
 struct Options {
-  SuiteCall suite = std::make_shared<SuiteOptions>();
+  SuiteCall suite;
   std::string name;
   std::size_t ray = 0;
 };
@@ -33,12 +34,14 @@ std::pair<std::string, std::uint64_t> parts_of(const std::string& name) {
 
 int run(const Options& options) {
   const auto [family, number] = parts_of(options.name);
-  const Family* of = find_family(family);
-  SuiteOptions suite = *options.suite;
-  suite.rays = (number + 1) * rays_of_a_case;
-  if (of == nullptr || number >= cases(suite, *of))
-    throw std::runtime_error(fmt::format("no case {}; expected one of durero conform make", options.name));
-  SuiteCase shown = suite_case(suite, *of, number);
+  SuiteCall call = options.suite;
+  call.families = {family};
+  call.rays = (number + 1) * rays_of_a_case;
+  const SuiteOptions suite = suite_of(call);
+  const Family& of = *suite.families.front();
+  if (number >= cases(suite, of))
+    throw std::runtime_error(fmt::format("no case {}; expected one of elements that the family has", options.name));
+  SuiteCase shown = suite_case(suite, of, number);
   if (options.ray >= shown.the_case.rays.size())
     throw std::runtime_error(
         fmt::format("ray {} of {}; expected a ray of the case, from 0", options.ray, shown.the_case.rays.size()));
@@ -56,7 +59,9 @@ void add_conform_show(CLI::App& conform, int& status) {
   command->add_option("--ray", options->ray, "Which of its rays, from 0")
       ->check(whole_number(0, rays_of_a_case - 1))
       ->required();
-  add_seed(*command, options->suite);
+  command->add_option("--seed", options->suite.seed, "Of which suite")
+      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+      ->capture_default_str();
   add_elements(*command, options->suite);
   command->callback([options, &status] { status = run(*options); });
 }

@@ -16,29 +16,7 @@
 namespace durero::conform {
 namespace {
 
-using io::json::Kind;
 using io::json::Reader;
-
-/// Passes over one value, whatever it is.
-void skip(Reader& in) {
-  switch (in.kind()) {
-    case Kind::object:
-      return in.members("a value", [&](const io::json::Key&) { skip(in); });
-    case Kind::array:
-      return in.array("a value", [&] { skip(in); });
-    case Kind::string:
-      in.string("a value");
-      return;
-    case Kind::number:
-    case Kind::boolean:
-    case Kind::null:
-    case Kind::key:
-    case Kind::end_object:
-    case Kind::end_array:
-    case Kind::end:
-      in.number("a value");
-  }
-}
 
 std::uint64_t read_whole(Reader& in, std::string_view what) {
   const std::size_t at = in.offset();
@@ -48,21 +26,23 @@ std::uint64_t read_whole(Reader& in, std::string_view what) {
   return static_cast<std::uint64_t>(value);
 }
 
-/// One of the values, by the name that name_of(value) gives it.
-template <class Value, class Name>
-Value read_one_of(Reader& in, std::string_view what, std::initializer_list<Value> values, Name name_of) {
+/// One of the values, by its word.
+template <class Value>
+Value read_one_of(Reader& in, std::string_view what, std::initializer_list<Value> values) {
   const std::size_t at = in.offset();
   const std::string_view text = in.string(what);
   std::string expected;
   for (const Value value : values) {
-    if (name_of(value) == text) return value;
-    expected += fmt::format("{}{}", expected.empty() ? "expected " : " or ", name_of(value));
+    if (word(value) == text) return value;
+    expected += fmt::format("{}{}", expected.empty() ? "expected " : " or ", word(value));
   }
   in.fail(at, fmt::format("{} is {}", what, text::shown(text)), expected);
 }
 
-void read_word(Reader& in, std::string_view what, std::string_view word) {
-  read_one_of(in, what, {word}, [](std::string_view only) { return only; });
+void read_format(Reader& in) {
+  const std::size_t at = in.offset();
+  const std::string_view name = in.string("format");
+  if (name != "durero-suite") in.fail(at, fmt::format("format is {}", text::shown(name)), "expected \"durero-suite\"");
 }
 
 void read_version(Reader& in) {
@@ -74,9 +54,8 @@ void read_version(Reader& in) {
 void read_tipos(Reader& in, std::vector<model::Tipo>& tipos) {
   using enum model::Tipo;
   in.array("tipos", [&] {
-    tipos.push_back(read_one_of(
-        in, "a type", {soy_esfera, soy_cilindro, soy_cono, soy_tronco, soy_plano, soy_disco, soy_triangulo},
-        [](model::Tipo tipo) { return word(tipo); }));
+    tipos.push_back(read_one_of(in, "a type",
+                                {soy_esfera, soy_cilindro, soy_cono, soy_tronco, soy_plano, soy_disco, soy_triangulo}));
   });
 }
 
@@ -85,7 +64,7 @@ const Family* read_family(Reader& in) {
   const Family* family = nullptr;
   const std::size_t at = in.offset();
   in.members("a family", [&](const io::json::Key& key) {
-    if (key.name != "family") return skip(in);
+    if (key.name != "family") return in.skip();
     const std::size_t place = in.offset();
     const std::string_view name = in.string("family");
     family = find_family(name);
@@ -106,7 +85,7 @@ SuiteOptions read_options(const io::Source& source) {
   in.object("a suite", keys, keys.size(), [&](std::size_t key) {
     switch (static_cast<Key>(key)) {
       case format:
-        return read_word(in, "format", "durero-suite");
+        return read_format(in);
       case version:
         return read_version(in);
       case seed:
@@ -116,10 +95,10 @@ SuiteOptions read_options(const io::Source& source) {
         options.rays = read_whole(in, "rays");
         return;
       case numbers:
-        options.numbers = read_one_of(in, "numbers", {Format::binary32, Format::binary64}, format_name);
+        options.numbers = read_one_of(in, "numbers", {Format::binary32, Format::binary64});
         return;
       case caps:
-        options.caps = read_one_of(in, "caps", {Caps::open, Caps::solid}, caps_name);
+        options.caps = read_one_of(in, "caps", {Caps::open, Caps::solid});
         return;
       case tipos:
         return read_tipos(in, options.tipos);
@@ -157,9 +136,9 @@ void read_sidecar(const io::Source& source, SuiteCase& of) {
   in.members("a case", [&](const io::json::Key& key) {
     if (key.name == "solids")
       return in.array("solids", [&] { of.solids.push_back(read_solid(in, of.the_case.scene)); });
-    if (key.name != "parameter") return skip(in);
+    if (key.name != "parameter") return in.skip();
     in.members("parameter", [&](const io::json::Key& part) {
-      if (part.name != "value") return skip(in);
+      if (part.name != "value") return in.skip();
       const std::size_t at = in.offset();
       const double value = in.number("value");
       if (std::trunc(value) != value || std::abs(value) > std::numeric_limits<int>::max())

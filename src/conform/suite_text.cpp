@@ -4,7 +4,6 @@
 #include <span>
 
 #include "conform/family_table.hpp"
-#include "durero/contract/contract.hpp"
 #include "durero/io/hits_file.hpp"
 #include "durero/io/json_writer.hpp"
 #include "durero/io/rays_file.hpp"
@@ -110,10 +109,7 @@ std::string suite_text(const SuiteOptions& options, const std::vector<FamilySumm
   Writer out(text);
   out.begin_object().member("format", "durero-suite").member("version", std::uint64_t{1});
   out.member("seed", options.seed).member("rays", std::uint64_t{options.rays});
-  out.member("numbers", format_name(options.numbers))
-      .member("caps", caps_name(options.caps))
-      .key("tipos")
-      .begin_array();
+  out.member("numbers", word(options.numbers)).member("caps", word(options.caps)).key("tipos").begin_array();
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
     const auto& asked = options.tipos;
     if (asked.empty() || std::find(asked.begin(), asked.end(), Shape::tipo) != asked.end()) out.value(Shape::word);
@@ -141,26 +137,6 @@ FamilySummary& FamilySummary::operator+=(const FamilySummary& other) {
   count += other.count;
   for (std::size_t i = 0; i < ambiguity_count; ++i) ambiguities[i] += other.ambiguities[i];
   return *this;
-}
-
-std::string_view format_name(Format numbers) {
-  switch (numbers) {
-    case Format::binary32:
-      return "binary32";
-    case Format::binary64:
-      return "binary64";
-  }
-  contract::unreachable();
-}
-
-std::string_view caps_name(Caps caps) {
-  switch (caps) {
-    case Caps::open:
-      return "open";
-    case Caps::solid:
-      return "solid";
-  }
-  contract::unreachable();
 }
 
 std::string_view word(model::Tipo tipo) {

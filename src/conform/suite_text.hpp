@@ -28,9 +28,7 @@ std::string suite_text(const SuiteOptions& options, const std::vector<FamilySumm
 /// What a case adds to the summary of its family. Precondition: the case was answered.
 FamilySummary summary(const SuiteCase& of);
 
-/// Written and read: "binary32" or "binary64", "open" or "solid", the types by their words.
-std::string_view format_name(Format numbers);
-std::string_view caps_name(Caps caps);
+/// Of a type, as files have it.
 std::string_view word(model::Tipo tipo);
 
 }  // namespace durero::conform

@@ -60,10 +60,9 @@ refused "$PWD/full: it is there already, and is no empty directory" conform make
 [ "$(ls full)" = kept ] || fail "full was changed"
 refused "$PWD/full/kept: it is there already" conform make full/kept --rays 10
 refused 'none/suite: cannot be written: No such file or directory' conform make none/suite --rays 10
-refused '--family: no family tiger; expected one of durero conform list' conform make new --family tiger
-refused '--types: no type cubo; expected some of esfera, cilindro, cono, tronco, plano, disco, triangulo' \
-  conform make new --types esfera,cubo
-refused '--numbers: no format binary16; expected binary32 or binary64' conform make new --numbers binary16
+refused 'no family "tiger"; expected one that durero conform list shows' conform make new --family tiger
+refused 'no type "cubo"; expected ' conform make new --types esfera,cubo
+refused '--numbers: binary16 not in ' conform make new --numbers binary16
 refused '--rays: 0 is no whole number from 1' conform make new --rays 0
 refused '--seed: -1 is no whole number from 0 to 9007199254740992' conform make new --seed -1
 refused 'DIR is required' conform make

@@ -1,0 +1,29 @@
+#pragma once
+/// The options that say which suite: those of every subcommand that makes one.
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "durero/conform/suite.hpp"
+
+namespace durero::cli {
+
+struct SuiteCall {
+  std::vector<std::string> families;
+  std::uint64_t seed = 1;
+  std::size_t rays = conform::SuiteOptions().rays;
+  std::vector<std::string> types;
+  bool solids = false;
+  std::string numbers{word(conform::Format::binary32)};
+};
+
+/// --family, --seed and --rays.
+void add_rays(CLI::App& command, SuiteCall& call);
+/// --types, --solids and --numbers, which a system's profile says of its own suite.
+void add_elements(CLI::App& command, SuiteCall& call);
+
+/// Throws std::runtime_error where a family or a type is none.
+conform::SuiteOptions suite_of(const SuiteCall& call);
+
+}  // namespace durero::cli
