@@ -118,7 +118,7 @@ double ulps(const Trial& trial, const Claim& claim, const Place& place) {
     return largest(*claim.punto - right) / last_place(largest(right), format);
   }
   const double right = rounded(number_of_truth(trial), format);
-  return std::abs(*claim.t - right) / last_place(right, format);
+  return std::isfinite(right) ? std::abs(*claim.t - right) / last_place(right, format) : infinity;
 }
 
 double backward_error(const Trial& trial, const Claim& claim, const Place& place) {

@@ -121,7 +121,18 @@ Verdict of_place(const Trial& trial, const Claim& claim, const Place& place) {
   return off ? *off : of_beside(trial, claim, place, !at.empty());
 }
 
+/// Of a hit without a place: that it is of another element than the first proves nothing, since that element may be
+/// first somewhere for data within the allowance.
+Judgement of_element(const Trial& trial, const Claim& claim) {
+  const scene::ElementSet& first = trial.truth.hit.elementos;
+  const bool is_of_first =
+      std::any_of(first.begin(), first.end(), [&](ElementRef element) { return trial.names(claim, element); });
+  if (is_of_first) return {.verdict = Verdict::right};
+  return {.clause = "neither a distance nor a point"};
+}
+
 Judgement of_hit(const Trial& trial, const Claim& claim) {
+  if (!claim.t && !claim.punto) return of_element(trial, claim);
   if (is_the_truth(trial, claim)) return {.verdict = Verdict::exact};
   const std::optional<Place> where = place(trial, claim);
   if (!where) return {.verdict = Verdict::non_finite};

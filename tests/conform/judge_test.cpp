@@ -104,7 +104,6 @@ TEST_CASE("the answer of a ray across a sphere is right to seven delta, and off 
     CHECK(verdict_of(of, miss(), profile) == Verdict::missed);
     CHECK(verdict_of(of, hit(std::nan(""), sphere), profile) == Verdict::non_finite);
     CHECK(verdict_of(of, hit(-std::numeric_limits<double>::infinity(), sphere), profile) == Verdict::non_finite);
-    CHECK(verdict_of(of, {.outcome = Outcome::hit, .element = sphere}, profile) == Verdict::non_finite);
     CHECK(verdict_of(of, {.outcome = Outcome::crashed}, profile) == Verdict::crashed);
     CHECK(verdict_of(of, {.outcome = Outcome::hung}, profile) == Verdict::hung);
     CHECK(verdict_of(of, {}, profile) == Verdict::skipped);
@@ -167,7 +166,10 @@ TEST_CASE("a distance may be a length, or a point alone, which must lie on the r
   // On the sphere, and beside the ray.
   CHECK(verdict_of(of, at({0, 0, 4}), profile) == Verdict::misplaced);
   CHECK(verdict_of(of, at({0, 0, std::nan("")}), profile) == Verdict::non_finite);
-  CHECK(verdict_of(of, {.outcome = Outcome::hit, .element = sphere}, profile) == Verdict::non_finite);
+  // Without a place only the first element is known to be right.
+  CHECK(verdict_of(of, {.outcome = Outcome::hit, .element = sphere}, profile) == Verdict::right);
+  const scene::ElementRef plane{model::Tipo::soy_plano, 0};
+  CHECK(judge(of, 0, {.outcome = Outcome::hit, .element = plane}, profile).clause == "neither a distance nor a point");
 }
 
 TEST_CASE("of a solid its discs and its wall are one, and from inside the profile says what is right") {

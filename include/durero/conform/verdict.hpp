@@ -23,10 +23,10 @@ enum class Verdict {
   wrong_element,  ///< off: of an element that is not first
   far_root,       ///< off: a later crossing of the right element, by more than 0.001 of its size
   misplaced,      ///< off by more than 0.001 of the size
-  non_finite,     ///< a hit with a number that is none, or with neither a distance nor a point
+  non_finite,     ///< a hit with a number that is none
   crashed,
   hung,
-  skipped  ///< outside the profile
+  skipped  ///< outside the profile, or a hit that says too little to be judged
 };
 inline constexpr int verdict_count = 12;
 std::string_view name(Verdict verdict);
