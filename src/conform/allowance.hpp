@@ -1,12 +1,12 @@
 #pragma once
 /// How much the data of an element and a ray may be off, exactly, and how far that moves a point against the surface.
 ///
-/// With u = 16ε and δ = u·M + what the least subnormal costs, each coordinate of the origin, of t·v, of a centre or a
-/// vertex, and each length, is off by at most δ; each coordinate of a unit vector by u; a proportion k by u·max(1, k).
-/// A point given by coordinates off by δ is off by at most √3·δ. So a point p + t·v is off by 2√3·δ against a fixed
-/// surface; a claimed t, or point, is besides that rounded once to the system's format, and its length is divided by
-/// |v| with one rounding: ≤ √3·(1/16 + 1/16)·δ, 0.22·δ. Together with the centre 3√3·δ + 0.22·δ < 5.42·δ: below, *the
-/// ray's share*.
+/// With u = 16ε and δ = u·M + the thickness that the system declares + what the least subnormal costs, each coordinate
+/// of the origin, of t·v, of a centre or a vertex, and each length, is off by at most δ; each coordinate of a unit
+/// vector by u; a proportion k by u·max(1, k). A point given by coordinates off by δ is off by at most √3·δ. So a point
+/// p + t·v is off by 2√3·δ against a fixed surface; a claimed t, or point, is besides that rounded once to the system's
+/// format, and its length is divided by |v| with one rounding: ≤ √3·(1/16 + 1/16)·δ, 0.22·δ. Together with the centre
+/// 3√3·δ + 0.22·δ < 5.42·δ: below, *the ray's share*.
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +24,12 @@ using number::Dyadic;
 constexpr double unit(Format format) { return format == Format::binary32 ? 0x1p-24 : 0x1p-53; }
 /// The least number of a format that is not 0.
 constexpr double least(Format format) { return format == Format::binary32 ? 0x1p-149 : 0x1p-1074; }
+
+/// How precise a system claims to be.
+struct Precision {
+  Format format;
+  double thickness = 0;  ///< Profile::thickness
+};
 
 inline double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
@@ -85,9 +91,10 @@ struct Allowance {
 
   /// A subnormal result is rounded by half the least number, whatever its size: a coordinate directly, and t by that
   /// times v.
-  Allowance(Format format, const Dyadic& M, const model::Rayo& rayo)
-      : u(16 * unit(format)),
-        delta(u * M + Dyadic(16) * Dyadic(least(format)) * Dyadic(std::max(1.0, largest(rayo.v().xyz())))) {}
+  Allowance(const Precision& precision, const Dyadic& M, const model::Rayo& rayo)
+      : u(16 * unit(precision.format)),
+        delta(u * M + Dyadic(precision.thickness) +
+              Dyadic(16) * Dyadic(least(precision.format)) * Dyadic(std::max(1.0, largest(rayo.v().xyz())))) {}
 
   Dyadic times(const Dyadic& multiple) const { return multiple * delta; }
 };

@@ -37,7 +37,7 @@ Elements solids_around_origin(const Trial& trial) {
   const Place origin{.t = {}, .punto = {p.x, p.y, p.z}, .way = {}};
   Elements around;
   trial.scene.for_each([&](ElementRef element, const auto&) {
-    if (trial.is_solid(element) && may_lie_inside(trial.scene, element, origin, trial.ray.rayo, trial.profile.format))
+    if (trial.is_solid(element) && may_lie_inside(trial.scene, element, origin, trial.ray.rayo, trial.precision()))
       around.push_back(element);
   });
   return around;
@@ -45,7 +45,7 @@ Elements solids_around_origin(const Trial& trial) {
 
 /// What a system must not pass by: every zone, but those of solids that a ray from inside does not meet by its profile.
 std::vector<Zone> walls(const Trial& trial) {
-  std::vector<Zone> all = zones(trial.scene, trial.ray, trial.profile.format);
+  std::vector<Zone> all = zones(trial.scene, trial.ray, trial.precision());
   if (trial.profile.inside != Inside::nothing) return all;
   const Elements around = solids_around_origin(trial);
   std::erase_if(all, [&](const Zone& zone) {
@@ -72,7 +72,7 @@ bool is_at_origin_inside(const Trial& trial, const Claim& claim, const Place& pl
 Elements elements_at(const Trial& trial, const Place& place) {
   Elements all;
   trial.scene.for_each([&](ElementRef element, const auto&) {
-    if (may_lie_on(trial.scene, element, place, trial.ray.rayo, trial.profile.format) &&
+    if (may_lie_on(trial.scene, element, place, trial.ray.rayo, trial.precision()) &&
         may_lie_on_ray(trial, element, place))
       all.push_back(element);
   });
@@ -81,9 +81,8 @@ Elements elements_at(const Trial& trial, const Place& place) {
 
 /// The zones that end before the place, where it is of that element.
 std::vector<Zone> passed_by(const Trial& trial, const Place& place, ElementRef element, std::vector<Zone> zones) {
-  const Format format = trial.profile.format;
   const model::Rayo& rayo = trial.ray.rayo;
-  const Dyadic own = Dyadic(place.deviation) * delta(trial.scene, element, place, rayo, format);
+  const Dyadic own = Dyadic(place.deviation) * delta(trial.scene, element, place, rayo, trial.precision());
   std::erase_if(zones, [&](const Zone& zone) { return !is_behind(place, own, zone, rayo); });
   return zones;
 }

@@ -22,15 +22,26 @@ enum Key : std::size_t {
   directions,
   inside,
   names_elements,
+  thickness,
   least_t,
   greatest_t,
   least_size,
   greatest_size,
   greatest_coordinate
 };
-constexpr std::string_view keys[] = {"format",     "tipos",      "caps",           "measure",
-                                     "directions", "inside",     "names_elements", "least_t",
-                                     "greatest_t", "least_size", "greatest_size",  "greatest_coordinate"};
+constexpr std::string_view keys[] = {"format",
+                                     "tipos",
+                                     "caps",
+                                     "measure",
+                                     "directions",
+                                     "inside",
+                                     "names_elements",
+                                     "thickness",
+                                     "least_t",
+                                     "greatest_t",
+                                     "least_size",
+                                     "greatest_size",
+                                     "greatest_coordinate"};
 constexpr std::size_t required = 7;
 
 /// A word of a closed set, in the order of its enumerators.
@@ -87,6 +98,8 @@ void read_member(Reader& in, Key key, Profile& profile) {
     case names_elements:
       profile.names_elements = in.boolean(what);
       return;
+    case thickness:
+      return read_bound(in, what, profile.thickness);
     case least_t:
       return read_bound(in, what, profile.least_t);
     case greatest_t:

@@ -50,7 +50,7 @@ Place place_of(const model::Rayo& rayo, const glm::dvec3& punto) {
 
 /// (4δ)² of the element.
 Dyadic squared_deviation(const Trial& trial, scene::ElementRef element, const Place& place) {
-  return square(Dyadic(4) * delta(trial.scene, element, place, trial.ray.rayo, trial.profile.format));
+  return square(Dyadic(4) * delta(trial.scene, element, place, trial.ray.rayo, trial.precision()));
 }
 
 }  // namespace

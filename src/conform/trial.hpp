@@ -24,6 +24,7 @@ struct Trial {
         truth(of.truths[number]),
         profile(asked) {}
 
+  Precision precision() const { return {profile.format, profile.thickness}; }
   bool has_hit() const { return truth.hit.resultado == model::Resultado::hit; }
   /// What a system knows the element as: a disc that closes a solid of one with solids is its wall.
   scene::ElementRef body(scene::ElementRef element) const;

@@ -63,13 +63,13 @@ bool is_crossed_from_it(const Coefficients& f, const Zone& zone) {
 /// The stretch around an exact crossing, where it is one for all data.
 template <class Shape>
 std::optional<Zone> zone_around(scene::ElementRef element, const Shape& shape, const model::Rayo& rayo,
-                                const Parameter& crossing, Format format) {
+                                const Parameter& crossing, const Precision& precision) {
   const double t = number::round_to_binary64(crossing);
   if (!std::isfinite(t)) return std::nullopt;
   // The end of the stretch lies behind the crossing: M has room for a 64th more, and holds for no stretch beyond that.
   const Dyadic longest(largest(rayo.v().xyz()));
   const Dyadic M = magnitude(shape, rayo, Dyadic(t) * Dyadic(1 + 0x1p-6) * longest);
-  const Allowance allowed(format, M, rayo);
+  const Allowance allowed(precision, M, rayo);
   const Shell<Linear<Dyadic>> around = shell(shape, surface::along<Dyadic>(rayo), allowed, Ends::inwards);
   if (around.filled) return std::nullopt;
   Walls walls;
@@ -86,8 +86,8 @@ std::optional<Zone> zone_around(scene::ElementRef element, const Shape& shape, c
 
 /// The shell, its ends moved outwards, of the element at a place.
 template <class Shape>
-Shell<Dyadic> shell_at(const Shape& shape, const Place& place, const model::Rayo& rayo, Format format) {
-  return shell(shape, place.punto, Allowance(format, magnitude(shape, rayo, place.way), rayo), Ends::outwards);
+Shell<Dyadic> shell_at(const Shape& shape, const Place& place, const model::Rayo& rayo, const Precision& precision) {
+  return shell(shape, place.punto, Allowance(precision, magnitude(shape, rayo, place.way), rayo), Ends::outwards);
 }
 
 bool is_within(const Shell<Dyadic>& shell) {
@@ -97,7 +97,7 @@ bool is_within(const Shell<Dyadic>& shell) {
 
 }  // namespace
 
-std::vector<Zone> zones(const scene::Scene& scene, const scene::Query& ray, Format format) {
+std::vector<Zone> zones(const scene::Scene& scene, const scene::Query& ray, const Precision& precision) {
   std::vector<Zone> all;
   scene.for_each([&](scene::ElementRef element, const auto& shape) {
     const Coefficients f = surface::exact::coefficients(shape, ray.rayo);
@@ -105,7 +105,7 @@ std::vector<Zone> zones(const scene::Scene& scene, const scene::Query& ray, Form
     const surface::exact::Roots crossings = surface::exact::roots(f);
     for (const Parameter& t : crossings.values()) {
       if (number::sign(t) <= 0) continue;
-      const std::optional<Zone> zone = zone_around(element, shape, ray.rayo, t, format);
+      const std::optional<Zone> zone = zone_around(element, shape, ray.rayo, t, precision);
       if (zone && (!starts_on_it || is_crossed_from_it(f, *zone))) all.push_back(*zone);
     }
   });
@@ -113,9 +113,9 @@ std::vector<Zone> zones(const scene::Scene& scene, const scene::Query& ray, Form
 }
 
 Dyadic delta(const scene::Scene& scene, scene::ElementRef element, const Place& place, const model::Rayo& rayo,
-             Format format) {
+             const Precision& precision) {
   return scene.visit(
-      element, [&](const auto& shape) { return Allowance(format, magnitude(shape, rayo, place.way), rayo).delta; });
+      element, [&](const auto& shape) { return Allowance(precision, magnitude(shape, rayo, place.way), rayo).delta; });
 }
 
 bool is_behind(const Place& place, const Dyadic& own, const Zone& zone, const model::Rayo& rayo) {
@@ -127,16 +127,16 @@ bool is_behind(const Place& place, const Dyadic& own, const Zone& zone, const mo
 }
 
 bool may_lie_on(const scene::Scene& scene, scene::ElementRef element, const Place& place, const model::Rayo& rayo,
-                Format format) {
+                const Precision& precision) {
   return scene.visit(element, [&](const auto& shape) {
-    const Shell<Dyadic> shell = shell_at(shape, place, rayo, format);
+    const Shell<Dyadic> shell = shell_at(shape, place, rayo, precision);
     return is_within(shell) && (shell.filled || sign(shell.inner) >= 0);
   });
 }
 
 bool may_lie_inside(const scene::Scene& scene, scene::ElementRef element, const Place& place, const model::Rayo& rayo,
-                    Format format) {
-  return scene.visit(element, [&](const auto& shape) { return is_within(shell_at(shape, place, rayo, format)); });
+                    const Precision& precision) {
+  return scene.visit(element, [&](const auto& shape) { return is_within(shell_at(shape, place, rayo, precision)); });
 }
 
 }  // namespace durero::conform

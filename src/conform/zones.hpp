@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "durero/conform/profile.hpp"
+#include "conform/allowance.hpp"
 #include "durero/scene/query.hpp"
 #include "durero/scene/scene.hpp"
 #include "durero/surface/equation.hpp"
@@ -20,7 +20,7 @@ struct Zone {
 };
 
 /// Every such stretch. An exact crossing lies in each, also where the origin is taken to lie on the elements of en.
-std::vector<Zone> zones(const scene::Scene& scene, const scene::Query& ray, Format format);
+std::vector<Zone> zones(const scene::Scene& scene, const scene::Query& ray, const Precision& precision);
 
 /// A place on a ray as a claim gives it. Its t is that of moved data but where it was computed from a length or a
 /// point: then of a length, off by √3·δ for v and a rounding, less than 2δ/|v|; of a point, off by 2√3·δ and a
@@ -35,7 +35,7 @@ struct Place {
 
 /// δ of an element at the place.
 number::Dyadic delta(const scene::Scene& scene, scene::ElementRef element, const Place& place, const model::Rayo& rayo,
-                     Format format);
+                     const Precision& precision);
 
 /// Whether the zone ends before the place, whatever the data, where t is off by `own`/|v| for those of the element that
 /// is claimed: with the data of the zone's element its end is off by 2δ/|v|, which is √3·δ for v and 0.22·δ for
@@ -44,8 +44,8 @@ bool is_behind(const Place& place, const number::Dyadic& own, const Zone& zone, 
 
 /// Whether the place lies on the element, or inside it where the element is filled and closed, for some data.
 bool may_lie_on(const scene::Scene& scene, scene::ElementRef element, const Place& place, const model::Rayo& rayo,
-                Format format);
+                const Precision& precision);
 bool may_lie_inside(const scene::Scene& scene, scene::ElementRef element, const Place& place, const model::Rayo& rayo,
-                    Format format);
+                    const Precision& precision);
 
 }  // namespace durero::conform

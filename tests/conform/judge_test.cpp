@@ -131,6 +131,26 @@ TEST_CASE("a sphere that data within delta miss or hit may be hit or missed, and
   }
 }
 
+TEST_CASE("a system that declares a thickness may be off by seven of it besides, and by no more") {
+  scene::Scene scene;
+  add(scene, scene::Sphere{{0, 0, 5}, 1});
+  const SuiteCase of = one_ray(std::move(scene), ray({0, 0, 0}, {0, 0, 1}));
+  Profile profile = wide_profile(Format::binary64);
+  CHECK(verdict_of(of, hit(4 + 6.9e-6, sphere), profile) == Verdict::off);
+  profile.thickness = 1e-6;
+  for (const double sign : {-1., 1.}) {
+    CHECK(verdict_of(of, hit(4 + sign * 6.9e-6, sphere), profile) == Verdict::right);
+    CHECK(verdict_of(of, hit(4 + sign * 7.1e-6, sphere), profile) == Verdict::off);
+  }
+  CHECK(verdict_of(of, miss(), profile) == Verdict::missed);
+  scene::Scene grazed;
+  add(grazed, scene::Sphere{{1 - 6e-6, 0, 4}, 1});
+  const SuiteCase grazing = one_ray(std::move(grazed), ray({0, 0, 0}, {0, 0, 1}));
+  CHECK(verdict_of(grazing, miss(), profile) == Verdict::right);
+  profile.thickness = 0;
+  CHECK(verdict_of(grazing, miss(), profile) == Verdict::missed);
+}
+
 TEST_CASE("another element before, or the name of another, is a wrong element") {
   scene::Scene scene;
   const scene::ElementRef near = add(scene, scene::Sphere{{0, 0, 5}, 1});

@@ -65,7 +65,8 @@ struct Profile {
   Measure measure = Measure::parameter;
   Directions directions = Directions::any;
   Inside inside = Inside::exit_point;
-  double least_t = 0;  ///< hits at less than this are outside the profile
+  double thickness = 0;  ///< a length that is nothing to the system: what is no farther off may be off for it
+  double least_t = 0;    ///< hits at less than this are outside the profile
   double greatest_t = std::numeric_limits<double>::infinity();
   double least_size = 0;  ///< of a radius or an altura
   double greatest_size = std::numeric_limits<double>::infinity();

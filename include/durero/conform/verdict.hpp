@@ -6,7 +6,8 @@
 /// is 16ε, with ε = 2⁻²⁴ or 2⁻⁵³, the unit of rounding of the system's format: every coordinate and every length of an
 /// element, every coordinate of the origin, and every coordinate of t·v may be off by 16ε·M, where M is the largest
 /// magnitude among them; every coordinate of a unit vector by 16ε; a proportion by 16ε of itself or of 1, whichever is
-/// the greater. Each element may be off in its own way.
+/// the greater. Each element may be off in its own way. A system that declares a thickness of its surfaces may be off
+/// by that besides.
 
 #include <optional>
 #include <string>
