@@ -33,6 +33,7 @@ void add_trace(CLI::App& app, int& status);
 void add_render(CLI::App& app, int& status);
 void add_engines(CLI::App& app, int& status);
 void add_agree(CLI::App& app, int& status);
+void add_conform(CLI::App& app, int& status);
 void add_import(CLI::App& app, int& status);
 void add_export(CLI::App& app, int& status);
 void add_spec(CLI::App& app, int& status);

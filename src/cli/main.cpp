@@ -32,6 +32,7 @@ int main(int argc, char* argv[]) {
   durero::cli::add_render(app, status);
   durero::cli::add_engines(app, status);
   durero::cli::add_agree(app, status);
+  durero::cli::add_conform(app, status);
   durero::cli::add_import(app, status);
   durero::cli::add_export(app, status);
   durero::cli::add_spec(app, status);
