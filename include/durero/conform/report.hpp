@@ -11,7 +11,7 @@
 namespace durero::conform {
 
 struct Report {
-  std::string title;    ///< of the system
+  std::string title;      ///< of the system
   std::string version{};  ///< as the system says it; empty where it was not asked by this program
   Profile profile{};
   SuiteOptions options{};

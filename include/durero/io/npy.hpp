@@ -16,7 +16,8 @@ bool is_npy(std::string_view text) noexcept;
 /// The columns of a table of shape (n, columns); of shape (n,) they are 1. Throws InputError.
 std::size_t npy_columns(const Source& source);
 
-/// Reads a table of float64 with that many columns, as n rows; either byte order, C or Fortran order. Throws InputError.
+/// Reads a table of float64 with that many columns, as n rows; either byte order, C or Fortran order. Throws
+/// InputError.
 std::vector<double> read_npy(const Source& source, std::size_t columns);
 
 /// What stands before the data of an array of the given dtype and shape, as Python text: `<f8` is `'<f8'`, `(3,)`.
