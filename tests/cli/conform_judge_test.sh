@@ -1,0 +1,87 @@
+# durero conform judge, show and compare: hits from files, a ray explained, systems side by side.
+. "$(dirname "$0")/harness.sh"
+
+run 0 conform make suite --family generic,rim --rays 96
+
+# Exact answers, handed in as JSON lines, as CSV and as .npy, are right.
+python3 - <<'END'
+import json, pathlib, struct
+lines, rows, distances = [], ["case,ray,element,t"], []
+cases = [f"{family}/{number}" for family in ("generic", "rim") for number in ("0000", "0001")]
+for case in cases:
+    for line in pathlib.Path("suite", case + ".hits.jsonl").read_text().splitlines():
+        hit = json.loads(line)
+        is_hit = hit["outcome"] == "hit"
+        claim = {"case": case, "ray": hit["ray"], "outcome": "hit" if is_hit else "miss"}
+        if is_hit:
+            claim |= {"element": hit["elementos"][0], "t": hit["t"]}
+        lines.append(json.dumps(claim))
+        rows.append(f'{case},{hit["ray"]},{claim.get("element", "")},{claim.get("t", "")}')
+        distances.append(claim.get("t", float("inf")))
+pathlib.Path("hits.jsonl").write_text("\n".join(lines) + "\n")
+pathlib.Path("hits.csv").write_text("\n".join(rows) + "\n")
+head = "{'descr': '<f8', 'fortran_order': False, 'shape': (%d,), }" % len(distances)
+head += " " * (-(11 + len(head)) % 64) + "\n"
+pathlib.Path("hits.npy").write_bytes(b"\x93NUMPY\x01\x00" + struct.pack("<H", len(head)) + head.encode()
+                                     + struct.pack("<%dd" % len(distances), *distances))
+# One is a hit at twice its distance, one a miss, and one is left out.
+wrong = [json.loads(line) for line in lines]
+hits = [claim for claim in wrong if claim["outcome"] == "hit" and claim["case"] == "generic/0000"]
+hits[0]["t"] *= 2
+for key in ("t", "element"):
+    del hits[1][key]
+hits[1]["outcome"] = "miss"
+wrong.remove(hits[2])
+pathlib.Path("wrong.jsonl").write_text("\n".join(map(json.dumps, wrong)))
+END
+for hits in hits.jsonl hits.csv hits.npy; do
+  run 0 conform judge suite $hits --profile durero
+  has out '192 rays: 0 gross, 0 off, '
+done
+
+run 1 conform judge suite wrong.jsonl --profile durero --report found
+has out '192 rays: 2 gross, 0 off, '
+has out 'generic missed: expected e'
+has out '; got a miss'
+has out ': no answer'
+for report in report.json report.xml report.sarif report.html; do
+  [ -s found/$report ] || fail "no $report"
+done
+python3 -c '
+import json, xml.etree.ElementTree as tree
+report = json.load(open("found/report.json"))
+assert report["verdicts"]["missed"] == 1, report["verdicts"]
+assert json.load(open("found/report.sarif"))["version"] == "2.1.0"
+suite = tree.parse("found/report.xml").getroot()
+assert (suite.get("tests"), suite.get("failures")) == ("2", "1"), suite.attrib
+' || fail 'the reports'
+
+# The call that a report names shows the ray.
+replay=$(sed -n 's/^  durero \(conform show .*\)/\1/p' out | head -n 1)
+# shellcheck disable=SC2086  # words are meant to split
+run 0 $replay
+has out 'generic/0000, ray '
+has out 'the exact answer: e'
+refused 'no case "generic"; expected FAMILY/NUMBER' conform show --case generic --ray 0
+refused 'no case generic/x; expected' conform show --case generic/x --ray 0
+refused 'no case nothing/0; expected' conform show --case nothing/0 --ray 0
+
+# Systems side by side, on the same rays alone.
+run 0 conform judge suite hits.jsonl --profile durero --report right
+run 0 conform compare right/report.json found/report.json
+has out 'durero: gross in generic '
+has out 'durero: gross in none'
+run 0 conform compare --markdown right/report.json
+has out '| durero |'
+run 0 conform make other --family rim --rays 64
+: >none.jsonl
+run 0 conform judge other none.jsonl --profile durero --report other-found
+refused '"durero" and "durero" were asked other rays' conform compare right/report.json other-found/report.json
+
+refused 'hits.jsonl:1:' conform judge other hits.jsonl --profile durero
+refused 'nothing' conform judge suite hits.jsonl --profile nothing
+refused 'nowhere' conform judge nowhere hits.jsonl --profile durero
+printf '{"a":1}' >changed && cp changed suite/rim/0000.hits.jsonl
+refused 'suite/rim/0000.hits.jsonl:1:1: ' conform judge suite hits.jsonl --profile durero
+
+finish
