@@ -63,8 +63,8 @@ run 0 $replay
 has out 'generic/0000, ray '
 has out 'the exact answer: e'
 refused 'no case "generic"; expected FAMILY/NUMBER' conform show --case generic --ray 0
-refused 'no case generic/x; expected' conform show --case generic/x --ray 0
-refused 'no case nothing/0; expected' conform show --case nothing/0 --ray 0
+refused 'no case "generic/x"; expected FAMILY/NUMBER' conform show --case generic/x --ray 0
+refused 'no family "nothing"; expected' conform show --case nothing/0 --ray 0
 
 # Systems side by side, on the same rays alone.
 run 0 conform judge suite hits.jsonl --profile durero --report right
@@ -79,9 +79,9 @@ run 0 conform judge other none.jsonl --profile durero --report other-found
 refused '"durero" and "durero" were asked other rays' conform compare right/report.json other-found/report.json
 
 refused 'hits.jsonl:1:' conform judge other hits.jsonl --profile durero
-refused 'nothing' conform judge suite hits.jsonl --profile nothing
+refused 'no system "nothing"; expected' conform judge suite hits.jsonl --profile nothing
 refused 'nowhere' conform judge nowhere hits.jsonl --profile durero
 printf '{"a":1}' >changed && cp changed suite/rim/0000.hits.jsonl
-refused 'suite/rim/0000.hits.jsonl:1:1: ' conform judge suite hits.jsonl --profile durero
+refused 'suite/rim/0000.hits.jsonl:1:3: ' conform judge suite hits.jsonl --profile durero
 
 finish

@@ -53,6 +53,25 @@ TEST_CASE("failures are counted by family and verdict, and the worst kept with i
   CHECK(failures <= tiny.failures());
 }
 
+TEST_CASE("of two failures the one farther from the surface is the worse, whichever comes first") {
+  const SuiteCase of = test::answered_case("generic", 0);
+  for (const bool greater_first : {true, false}) {
+    Claims claims = test::right_claims(of);
+    std::vector<std::size_t> hits;
+    for (std::size_t ray = 0; ray < claims.size() && hits.size() < 2; ++ray) {
+      if (claims[ray].t && of.truths[ray].ambiguity == Ambiguity::none) hits.push_back(ray);
+    }
+    REQUIRE(hits.size() == 2);
+    *claims[hits[greater_first ? 0 : 1]].t *= -0.5;  // before the origin, and far from any element
+    *claims[hits[greater_first ? 1 : 0]].t *= 1 - 0x1p-7;
+    Tally tally;
+    tally.add(of, claims, test::profile_of_all());
+    const auto& worst = tally.families()[0].worst[static_cast<std::size_t>(Verdict::misplaced)];
+    REQUIRE(tally.of(Verdict::misplaced) == 2);
+    CHECK(worst.value().ray == hits[greater_first ? 0 : 1]);
+  }
+}
+
 TEST_CASE("what is outside the profile is counted under its clause") {
   Profile profile = test::profile_of_all();
   profile.tipos = {model::Tipo::soy_disco};
