@@ -13,6 +13,7 @@
 #include "durero/conform/judge.hpp"
 #include "durero/trace/analytic.hpp"
 #include "support/catch.hpp"
+#include "support/sanitized.hpp"
 
 using namespace durero;
 using namespace durero::conform;
@@ -124,6 +125,7 @@ TEST_CASE("each fault is caught by the families meant for it") {
     std::set<std::string_view> seen_by;
     for (const Family& family : families()) {
       const bool is_meant = std::find(row.seen_by.begin(), row.seen_by.end(), family.name) != row.seen_by.end();
+      if (test::sanitized && !is_meant) continue;  // the matrix is for reading
       const std::uint64_t scenes = is_meant ? seeds : seeds_of_faults;
       const Tally tally = row.fault == Fault::binary32_arithmetic
                               ? judged(family, profile, scenes, plain<float>(row.fault))
