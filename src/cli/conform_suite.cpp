@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
 #include <stdexcept>
 
 #include "durero/text/shown.hpp"
@@ -29,13 +31,28 @@ const Family& family_of(const std::string& name) {
   return *family;
 }
 
+/// FAMILY and NUMBER.
+std::pair<std::string, std::uint64_t> parts_of(const std::string& name) {
+  const std::size_t slash = name.find('/');
+  std::uint64_t number = 0;
+  const char* const end = name.data() + name.size();
+  const auto parsed = std::from_chars(name.data() + std::min(slash, name.size() - 1) + 1, end, number);
+  if (slash == name.npos || parsed.ec != std::errc() || parsed.ptr != end)
+    throw std::runtime_error(fmt::format("no case {}; expected FAMILY/NUMBER", text::shown(name)));
+  return {name.substr(0, slash), number};
+}
+
+void add_seed(CLI::App& command, SuiteCall& call) {
+  command.add_option("--seed", call.seed, "Which rays")
+      ->check(whole_number(0, std::uint64_t{1} << 53U))  // up to there the numbers of JSON are exact
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void add_rays(CLI::App& command, SuiteCall& call) {
   command.add_option("--family", call.families, "A family of the suite; without it, all")->delimiter(',');
-  command.add_option("--seed", call.seed, "Which rays")
-      ->check(whole_number(0, std::uint64_t{1} << 53U))  // up to there the numbers of JSON are exact
-      ->capture_default_str();
+  add_seed(command, call);
   command.add_option("--rays", call.rays, "How many rays of each family")
       ->check(whole_number(1, 100'000'000))
       ->capture_default_str();
@@ -56,6 +73,28 @@ SuiteOptions suite_of(const SuiteCall& call) {
   options.caps = call.solids ? Caps::solid : Caps::open;
   options.numbers = call.numbers == word(Format::binary64) ? Format::binary64 : Format::binary32;
   return options;
+}
+
+void add_case(CLI::App& command, CaseCall& call) {
+  command.add_option("--case", call.name, "Which, such as tiny/0007")->required();
+  command.add_option("--ray", call.ray, "Which of its rays, from 0")
+      ->check(whole_number(0, rays_of_a_case - 1))
+      ->required();
+  add_seed(command, call.suite);
+}
+
+SuiteCase case_of(const CaseCall& call, SuiteOptions suite) {
+  const auto [family_name, number] = parts_of(call.name);
+  const Family& family = family_of(family_name);
+  suite.rays = (number + 1) * rays_of_a_case;
+  if (number >= cases(suite, family))
+    throw std::runtime_error(fmt::format("no case {}; expected one of elements that the family has", call.name));
+  SuiteCase of = suite_case(suite, family, number);
+  if (call.ray >= of.the_case.rays.size())
+    throw std::runtime_error(
+        fmt::format("ray {} of {}; expected a ray of the case, from 0", call.ray, of.the_case.rays.size()));
+  answer(of);
+  return of;
 }
 
 }  // namespace durero::cli

@@ -26,4 +26,18 @@ void add_elements(CLI::App& command, SuiteCall& call);
 /// Throws std::runtime_error where a family or a type is none.
 conform::SuiteOptions suite_of(const SuiteCall& call);
 
+/// One ray of a suite.
+struct CaseCall {
+  SuiteCall suite;
+  std::string name;  ///< of the case: FAMILY/NUMBER
+  std::size_t ray = 0;
+};
+
+/// --case, --ray and --seed.
+void add_case(CLI::App& command, CaseCall& call);
+
+/// The case, answered, of a suite with those elements and numbers; it has the ray. Throws std::runtime_error where
+/// there is none such.
+conform::SuiteCase case_of(const CaseCall& call, conform::SuiteOptions suite);
+
 }  // namespace durero::cli

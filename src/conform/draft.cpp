@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "conform/allowance.hpp"
+#include "durero/number/quotient.hpp"
+#include "durero/surface/surfaces.hpp"
+
 namespace durero::conform {
 namespace {
 
@@ -10,11 +14,47 @@ bool is_disc_of_solid(const SuiteCase& of, scene::ElementRef e) {
   return std::ranges::any_of(of.solids, [&](const Solid& solid) { return std::ranges::count(solid.discs, e) > 0; });
 }
 
+/// The disc at an end of an element, with its numbers rounded to binary64, as those of a suite are; nothing at an apex.
+template <surface::Axial Shape>
+std::optional<scene::Disc> closing_disc(const Shape& wall, bool at_base) {
+  scene::Disc disc{wall.centro, number::round_to_binary64(radius_at_centre(wall)), wall.vector};
+  if (at_base) return disc;
+  disc.centro += wall.altura * wall.vector;
+  disc.radio = 0;
+  if constexpr (scene::has_attribute<Shape, &model::Escena::mi_radio>()) disc.radio = wall.radio;
+  return disc.radio > 0 ? std::optional(disc) : std::nullopt;
+}
+
+bool add(scene::Scene& scene, const std::string& name, const auto& shape) {
+  return scene.apply_total(scene::addition(model::Elemento(name), shape)).ok();
+}
+
+/// Adds the discs of an element with an axis. Whether the model takes them.
+bool close(SuiteCase& of, const Draft::Element& element) {
+  scene::Scene& scene = of.the_case.scene;
+  Solid solid{*scene.find(element.name), {}};
+  const auto add_disc = [&]<class Shape>(const Shape& wall) {
+    if constexpr (surface::Axial<Shape>) {
+      for (const bool at_base : {true, false}) {
+        const std::optional<scene::Disc> disc = closing_disc(wall, at_base);
+        const std::string name = element.name + (at_base ? ".base" : ".top");
+        if (disc && !add(scene, name, *disc)) return false;
+        if (disc) solid.discs.push_back(*scene.find(name));
+      }
+    }
+    return true;
+  };
+  if (!std::visit(add_disc, element.shape)) return false;
+  if (!solid.discs.empty()) of.solids.push_back(std::move(solid));
+  return true;
+}
+
 bool is_finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 }  // namespace
 
-Draft::Draft(const SuiteCase& of) : p(of.the_case.rays[0].rayo.p().xyz()), v(of.the_case.rays[0].rayo.v().xyz()) {
+Draft::Draft(const SuiteCase& of)
+    : p(of.the_case.rays[0].rayo.p().xyz()), v(of.the_case.rays[0].rayo.v().xyz()), are_closed(!of.solids.empty()) {
   const scene::Scene& scene = of.the_case.scene;
   scene.for_each([&](scene::ElementRef e, const auto& shape) {
     if (!is_disc_of_solid(of, e)) elements.push_back({std::string(scene.name(e).name()), shape});
@@ -26,10 +66,12 @@ std::optional<SuiteCase> Draft::built(const SuiteCase& like) const {
   if (!is_finite(p) || !is_finite(v) || v == glm::dvec3(0)) return std::nullopt;
   SuiteCase of{.family = like.family, .number = like.number, .parameter = like.parameter, .the_case = {}};
   for (const Element& element : elements) {
-    const model::Operation addition = std::visit(
-        [&](const auto& shape) { return model::Operation(scene::addition(model::Elemento(element.name), shape)); },
-        element.shape);
-    if (!of.the_case.scene.apply_total(addition).ok()) return std::nullopt;
+    const bool is_added =
+        std::visit([&](const auto& shape) { return add(of.the_case.scene, element.name, shape); }, element.shape);
+    if (!is_added) return std::nullopt;
+  }
+  for (const Element& element : elements) {
+    if (are_closed && !close(of, element)) return std::nullopt;
   }
   scene::Query ray{{model::Punto(p), model::Vector(v)}, {}};
   for (const std::string& name : on) {

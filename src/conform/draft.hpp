@@ -27,6 +27,7 @@ struct Draft {
   std::vector<Element> elements;
   glm::dvec3 p{}, v{};
   std::vector<std::string> on;  ///< the names of what the ray starts on
+  bool are_closed = false;      ///< discs close the elements that have ends
 
   /// Of the only ray of the case. Discs that close solids are left out; they follow their walls.
   explicit Draft(const SuiteCase& of);

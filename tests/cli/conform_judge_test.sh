@@ -78,6 +78,29 @@ run 0 conform make other --family rim --rays 64
 run 0 conform judge other none.jsonl --profile durero --report other-found
 refused '"durero" and "durero" were asked other rays' conform compare right/report.json other-found/report.json
 
+# A failure is made as small as it stays one.
+mkdir -p systems/blind
+cat >systems/blind/ask.py <<'END'
+import sys
+print("system blind 1", flush=True)
+for line in sys.stdin:
+    words = line.split()
+    if words[0] == "rays":
+        for _ in range(int(words[1])):
+            sys.stdin.readline()
+            print("miss", flush=True)
+END
+printf '%s' '{"format":"durero-system","version":1,"system":"blind","title":"Blind","install":{},
+"ask":["python3","{here}/ask.py"],"profile":{"format":"binary64","tipos":["esfera","cilindro"],"caps":"solid",
+"measure":"parameter","directions":"any","inside":"exit_point","names_elements":false},"sources":[]}' >systems/blind/blind.json
+run 1 conform minimise blind --systems systems --case generic/0000 --ray 0
+has out 'missed: expected e'
+has out 'in hexadecimal:'
+[ "$(grep -c '^esfera\|^cilindro' out)" = 3 ] || fail 'more than one element is left'  # asked, in hexadecimal, explained
+run 0 conform minimise durero --case generic/0000 --ray 0
+has out 'exact: expected e'
+refused 'no system "blind"' conform minimise blind --case generic/0000 --ray 0
+
 refused 'hits.jsonl:1:' conform judge other hits.jsonl --profile durero
 refused 'no system "nothing"; expected' conform judge suite hits.jsonl --profile nothing
 refused 'nowhere' conform judge nowhere hits.jsonl --profile durero

@@ -54,3 +54,20 @@ TEST_CASE("a failure that nothing rounder shares stays as it is") {
   CHECK(least.of.the_case.rays[0].rayo == found.of.the_case.rays[0].rayo);
   CHECK(least.of.the_case.scene.size() == found.of.the_case.scene.size());
 }
+
+TEST_CASE("a solid stays closed") {
+  Profile profile = test::profile_of_all();
+  profile.caps = Caps::solid;
+  const SuiteOptions solids{.families = {}, .tipos = {model::Tipo::soy_cilindro}, .caps = Caps::solid};
+  const SuiteCase of = test::answered_case("generic", 0, solids);
+  const auto blind_to_all = [](const SuiteCase&) { return Claim{Claim::Outcome::miss}; };
+  Tally tally;
+  tally.add(of, Claims(of.the_case.rays.size(), blind_to_all(of)), profile);
+  const Finding found = tally.families()[0].worst[static_cast<std::size_t>(Verdict::missed)].value();
+  const Finding least = minimised(found, profile, blind_to_all);
+  REQUIRE(least.of.solids.size() == 1);
+  CHECK(least.of.solids[0].discs.size() == 2);
+  CHECK(least.of.the_case.scene.size() == 3);
+  const auto disc = least.of.the_case.scene.shapes<scene::Disc>()[0];
+  CHECK(disc.radio == least.of.the_case.scene.shapes<scene::Cylinder>()[0].radio);
+}

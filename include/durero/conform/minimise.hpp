@@ -1,14 +1,10 @@
 #pragma once
 /// A failure made as small as it stays one: what a system's author wants to see first.
 
-#include <functional>
-
+#include "durero/conform/runner.hpp"
 #include "durero/conform/tally.hpp"
 
 namespace durero::conform {
-
-/// A system's claim on the only ray of a case, which need not be of any suite.
-using Ask = std::function<Claim(const SuiteCase&)>;
 
 /// The finding with the fewest elements and the roundest numbers for which the system still fails as badly: gross
 /// where the finding is gross, and of the same verdict. Elements are left out; the scene is moved to the origin and

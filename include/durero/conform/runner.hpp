@@ -59,4 +59,11 @@ using ClaimSink = std::function<void(const SuiteCase& of, std::span<const Claim>
 RunEnd run_system(const System& system, const RunCases& cases, const RunOptions& options, const ClaimSink& sink,
                   const std::atomic<bool>& stop);
 
+/// The system's claim on the only ray of a case, which need not be of any suite.
+using Ask = std::function<Claim(const SuiteCase&)>;
+
+/// Asks a system one ray after the other, in a process that is kept between. The system and `stop` must outlive it; a
+/// ray that is asked when `stop` is set is unanswered. What it answers throws std::runtime_error as run_system does.
+Ask asking(const System& system, const AskOptions& options, const std::atomic<bool>& stop);
+
 }  // namespace durero::conform
