@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <thread>
 
 #include "conform.hpp"
 #include "conform_suite.hpp"
@@ -25,7 +26,7 @@ struct Options {
   SuiteCall suite;
   std::string systems = default_systems();
   std::string profile, report;
-  std::size_t jobs = 1, memory = 0;
+  std::size_t jobs = std::max(1U, std::thread::hardware_concurrency()), memory = 0;
   double time = 10;
   bool goes_on = false;
 };

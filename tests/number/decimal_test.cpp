@@ -51,18 +51,26 @@ TEST_CASE("a surd is written as it stands") {
   CHECK(surd_text(Surd(0, -2, 5)) == "-2·√(5)");
 }
 
+/// Whether the text is within half a unit of its last digit, which is at least 10^(1 − digits) times the value.
+bool is_nearest(const Surd& value, int digits) {
+  const Surd difference = value - Surd(read(decimal_text(value, digits)));
+  const Surd off = sign(difference) < 0 ? -difference : difference, size = sign(value) < 0 ? -value : value;
+  const Integer power = boost::multiprecision::pow(Integer(10), static_cast<unsigned>(digits - 1));
+  return off * Surd(Rational(2 * power)) <= size;
+}
+
 TEST_CASE("no decimal of as many digits is nearer") {
+  for (int digits = 1; digits <= 40; ++digits) {
+    for (const int n : {2, 3, 5, 7}) {
+      CHECK(is_nearest(Surd(n, -1, n), digits));
+      CHECK(is_nearest(Surd(n, 1, n), digits));
+    }
+  }
   test::property("any surd, 1 to 45 digits", [] {
     const Surd value((*anySurd()).surd());
     const int digits = *rc::gen::resize(100, rc::gen::inRange(1, 46));
     RC_PRE(sign(value) != 0);
-    const Rational text = read(decimal_text(value, digits));
-    // The text is within half a unit of its last digit, which is at least 10^(1 − digits) times a tenth of it.
-    const Surd difference = value - Surd(text);
-    const Surd size = sign(value) < 0 ? -value : value;
-    const Surd off = sign(difference) < 0 ? -difference : difference;
-    const Integer power = boost::multiprecision::pow(Integer(10), static_cast<unsigned>(digits - 1));
-    RC_ASSERT(off * Surd(Rational(2 * power)) <= size);
+    RC_ASSERT(is_nearest(value, digits));
   });
 }
 
