@@ -33,13 +33,22 @@ struct FramedScene {
 };
 
 bool is_same_disc(const FramedShape& a, const FramedShape& b) {
-  return a.tipo == model::Tipo::soy_disco && b.tipo == a.tipo && a.centro == b.centro && a.radio == b.radio;
+  return a.tipo == model::Tipo::soy_disco && b.tipo == a.tipo && a.centro == b.centro && a.radio == b.radio &&
+         (a.d == b.d || a.d == -b.d);
 }
 
-/// The place of the disc, which stays where it is in the scene already.
+/// Whether the shape closes a solid.
+bool closes(const FramedScene& scene, std::size_t place) {
+  return std::any_of(scene.solids.begin(), scene.solids.end(), [&](const FramedSolid& solid) {
+    return std::find(solid.discs.begin(), solid.discs.end(), place) != solid.discs.end();
+  });
+}
+
+/// The place of the disc, which stays where it is in the scene already. A disc that closes another solid is another's:
+/// two solids that end in one place have a disc each, for a point there is of both.
 std::size_t placed(FramedScene& scene, const FramedShape& disc, const std::string& name) {
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
-    if (is_same_disc(scene.shapes[i], disc)) return i;
+    if (is_same_disc(scene.shapes[i], disc) && !closes(scene, i)) return i;
   }
   scene.shapes.push_back(disc);
   scene.names.push_back(name);
@@ -67,13 +76,8 @@ bool close(FramedScene& scene) {
 
 /// Every shape that closes none is of the types that are asked for.
 bool is_allowed(const Draws& random, const FramedScene& scene) {
-  const auto closes = [&](std::size_t place) {
-    return std::any_of(scene.solids.begin(), scene.solids.end(), [&](const FramedSolid& solid) {
-      return std::find(solid.discs.begin(), solid.discs.end(), place) != solid.discs.end();
-    });
-  };
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
-    if (!random.allows(scene.shapes[i].tipo) && !closes(i)) return false;
+    if (!random.allows(scene.shapes[i].tipo) && !closes(scene, i)) return false;
   }
   return true;
 }

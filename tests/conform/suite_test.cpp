@@ -1,9 +1,11 @@
 #include "durero/conform/suite.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
+#include "durero/surface/surfaces.hpp"
 #include "hits.hpp"
 #include "support/catch.hpp"
 
@@ -110,4 +112,35 @@ TEST_CASE("solids are those of the scene") {
   }
   CHECK(solids >= 5);
   CHECK(suite_case({.rays = 64}, *find_family("rim"), 0).solids.empty());
+}
+
+TEST_CASE("a disc that closes a solid is of one solid alone, and lies at an end of it and across its axis") {
+  std::size_t discs = 0, shared_places = 0;
+  for (const Family& family : families()) {
+    const SuiteOptions options{.rays = 512, .caps = Caps::solid};
+    for (std::uint64_t number = 0; number < cases(options, family); ++number) {
+      const SuiteCase of = suite_case(options, family, number);
+      const scene::Scene& scene = of.the_case.scene;
+      std::set<scene::ElementRef> seen;
+      std::set<std::array<double, 4>> places;
+      for (const Solid& solid : of.solids) {
+        for (const scene::ElementRef e : solid.discs) {
+          REQUIRE(e.tipo == model::Tipo::soy_disco);
+          const scene::Disc& disc = scene.shapes<scene::Disc>()[e.index];
+          INFO(of.name() << ", " << scene.name(e).name());
+          CHECK(seen.insert(e).second);
+          shared_places += !places.insert({disc.centro.x, disc.centro.y, disc.centro.z, disc.radio}).second;
+          scene.visit(solid.wall, [&]<class Wall>(const Wall& wall) {
+            if constexpr (surface::Axial<Wall>) {
+              CHECK((disc.vector == wall.vector || disc.vector == -wall.vector));
+              CHECK((disc.centro == wall.centro || disc.centro == wall.centro + wall.altura * wall.vector));
+            }
+          });
+          ++discs;
+        }
+      }
+    }
+  }
+  CHECK(discs > 600);
+  CHECK(shared_places > 5);  // two solids that end in one place have a disc each
 }
