@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <set>
 #include <stdexcept>
 #include <string>
