@@ -12,6 +12,7 @@
 #include "durero/trace/analytic.hpp"
 #include "hits.hpp"
 #include "support/catch.hpp"
+#include "support/sanitized.hpp"
 #include "support/threads.hpp"
 
 using namespace durero;
@@ -76,7 +77,9 @@ void compare_all(std::uint64_t first_seed, std::uint64_t scenes) {
 
 TEST_CASE("analytic = exact in every byte, on the first 48000 rays") { compare_all(1'000'000, 20); }
 
-TEST_CASE("analytic = exact in every byte, on a million rays of every family") { compare_all(1, 350); }
+TEST_CASE("analytic = exact in every byte, on a million rays of every family") {
+  compare_all(1, test::fewer_when_sanitized(350));
+}
 
 TEST_CASE("analytic = exact in every byte, on ten million rays of a new seed", "[long]") {
   // IDENTITY_SEED=N replays a run that printed N.
