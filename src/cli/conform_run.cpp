@@ -137,6 +137,7 @@ std::optional<Report> report_of(const System& system, const Options& options) {
     end = run_system(system, plan.run_cases(system.profile), run_options(system, options), sink, interrupted());
   }
   report.version = end.says;
+  if (system.name != "command") report.asked = system.name;
   if (!end.stopped) return report;
   fmt::print("{}: stopped after {} of {} scenes{}\n", system.name, end.cases, plan.places.size(),
              options.report.empty() ? "" : "; --continue goes on");

@@ -63,7 +63,7 @@ std::string finding_html(const Report& report, const Finding& finding) {
   if (is.backward > 0 && std::isfinite(is.backward))
     html += fmt::format(" Its point is 2<sup>{:.1f}</sup> ε off the surface.", std::log2(is.backward));
   return html + fmt::format("</p>\n<pre>{}\n{}</pre>\n", as_markup(question_of(finding, report.profile)),
-                            as_markup(replay(report, finding)));
+                            as_markup(replay(report, finding) + "\n" + minimising(report, finding)));
 }
 
 std::string family_html(const Report& report, const FamilyTally& family) {

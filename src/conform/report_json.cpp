@@ -35,7 +35,9 @@ void write_finding(Writer& out, const Report& report, const Finding& finding) {
   out.member("case", finding.of.name()).member("ray", std::uint64_t{finding.ray});
   out.member("expected", truth_words(finding)).member("got", claim_words(finding));
   out.member("ulps", finding.judgement.ulps).member("backward", finding.judgement.backward);
-  out.member("question", question_of(finding, report.profile)).member("replay", replay(report, finding)).end_object();
+  out.member("question", question_of(finding, report.profile)).member("replay", replay(report, finding));
+  if (!report.asked.empty()) out.member("minimise", minimising(report, finding));
+  out.end_object();
 }
 
 void write_family(Writer& out, const Report& report, const FamilyTally& family) {

@@ -58,6 +58,15 @@ std::string replay(const Report& report, const Finding& finding) {
   return "durero conform show " + replay_options(report.options, finding);
 }
 
+std::string minimising(const Report& report, const Finding& finding) {
+  if (report.asked.empty()) return "";
+  std::string call =
+      fmt::format("durero conform minimise {} --case {} --ray {}", report.asked, finding.of.name(), finding.ray);
+  const SuiteOptions usual;
+  if (report.options.seed != usual.seed) call += fmt::format(" --seed {}", report.options.seed);
+  return call;
+}
+
 std::vector<const Finding*> findings_of(const FamilyTally& family) {
   std::vector<const Finding*> findings;
   for (const bool gross : {true, false}) {

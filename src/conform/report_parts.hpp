@@ -31,6 +31,8 @@ std::string question_of(const Finding& finding, const Profile& profile);
 std::string sentence(const Finding& finding);
 /// The call that shows the ray and its exact answer.
 std::string replay(const Report& report, const Finding& finding);
+/// The call that makes the failure as small as it stays one; empty where the system was not asked by this program.
+std::string minimising(const Report& report, const Finding& finding);
 
 /// The worst findings of a family, gross ones first.
 std::vector<const Finding*> findings_of(const FamilyTally& family);

@@ -33,6 +33,7 @@ std::string findings_text(const Report& report, const FamilyTally& family) {
     if (finding->judgement.backward > 0)
       text += fmt::format("  backward error 2^{:.1f} of its unit\n", std::log2(finding->judgement.backward));
     text += fmt::format("  {}\n", replay(report, *finding));
+    if (!report.asked.empty()) text += fmt::format("  {}\n", minimising(report, *finding));
   }
   return text;
 }

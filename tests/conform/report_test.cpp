@@ -43,6 +43,13 @@ TEST_CASE("the table has a row a family, failing ones first, and the call that r
   CHECK(text.find("durero conform show --case tiny/") != text.npos);
   CHECK(text.find("expected e") != text.npos);
   CHECK(text.find("; got a miss") != text.npos);
+  CHECK(text.find("minimise") == text.npos);
+  Report asked = report;
+  asked.asked = "blind";
+  asked.options.seed = 7;
+  CHECK(report_text(asked).find("  durero conform minimise blind --case tiny/") != text.npos);
+  CHECK(report_text(asked).find(" --seed 7\n") != text.npos);
+  CHECK(report_html(asked).find("durero conform minimise blind --case") != text.npos);
 }
 
 TEST_CASE("replay options name what is not usual, so that the same case is made") {

@@ -13,6 +13,7 @@ namespace durero::conform {
 struct Report {
   std::string title;      ///< of the system
   std::string version{};  ///< as the system says it; empty where it was not asked by this program
+  std::string asked{};    ///< the system's name, where this program asked it and can ask it again
   Profile profile{};
   SuiteOptions options{};
   Tally tally{};
