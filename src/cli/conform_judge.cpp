@@ -27,7 +27,7 @@ int run(const Options& options) {
   for (std::size_t i = 0; i < suite.cases.size(); ++i) report.tally.add(suite.cases[i], claims[i], profile);
   fmt::print("{}", report_text(report));
   if (!options.report.empty()) write_reports(options.report, report);
-  return report.tally.failures() == 0 ? 0 : 1;
+  return report.tally.is_conformant() ? 0 : 1;
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ void add_conform_judge(CLI::App& conform, int& status) {
       "CSV: columns\n"
       "case, ray and any of outcome, element, t, x, y, z; .npy: t of every ray in the suite's order, inf for a miss.\n"
       "A ray without a line is unanswered.\n"
-      "Status 0: no answer is off; 1: some is; 2: a bad call or file.");
+      "Status 0: no answer is off; 1: some is, or none was judged; 2: a bad call or file.");
   command->callback([options, &status] { status = run(*options); });
 }
 

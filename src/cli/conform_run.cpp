@@ -153,7 +153,7 @@ Outcome run_one(const System& system, const Options& options) {
   if (!report) return Outcome::not_asked;
   fmt::print("{}", report_text(*report));
   if (!options.report.empty()) write_reports(fmt::format("{}/{}", options.report, system.name), *report);
-  return report->tally.failures() == 0 ? Outcome::conformant : Outcome::not_conformant;
+  return report->tally.is_conformant() ? Outcome::conformant : Outcome::not_conformant;
 }
 
 int run(const Options& options) {
@@ -192,7 +192,8 @@ void add_conform_run(CLI::App& conform, int& status) {
       "A system is asked in processes of its own: what crashes it or lets it hang costs one ray. What is found "
       "depends\n"
       "neither on --jobs nor on where a run was stopped.\n"
-      "Status 0: all systems are right; 1: one is not; 2: one is absent or was stopped, or a bad call.");
+      "Status 0: all systems are right; 1: one is not, or no ray of it was judged; 2: one is absent or was stopped, or "
+      "a bad call.");
   command->callback([options, &status] { status = run(*options); });
 }
 

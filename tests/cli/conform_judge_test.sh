@@ -75,7 +75,8 @@ run 0 conform compare --markdown right/report.json
 has out '| durero |'
 run 0 conform make other --family rim --rays 64
 : >none.jsonl
-run 0 conform judge other none.jsonl --profile durero --report other-found
+run 1 conform judge other none.jsonl --profile durero --report other-found  # what was not judged is no pass
+has out '64 rays: 0 gross, 0 off, 64 skipped'
 refused '"durero" and "durero" were asked other rays' conform compare right/report.json other-found/report.json
 
 # A failure is made as small as it stays one.

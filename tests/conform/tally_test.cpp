@@ -18,6 +18,7 @@ TEST_CASE("a system that gives the exact answers has no failures in any family")
   CHECK(tally.families().size() == families().size());
   CHECK(tally.rays() == rays);
   CHECK(tally.failures() == 0);
+  CHECK(tally.is_conformant());
   CHECK(tally.of(Verdict::exact) > rays * 9 / 10);
   CHECK(tally.of(Verdict::exact) + tally.of(Verdict::right) == rays);
   for (const FamilyTally& family : tally.families()) {
@@ -80,6 +81,7 @@ TEST_CASE("what is outside the profile is counted under its clause") {
   tally.add(of, test::right_claims(of), profile);
   CHECK(tally.of(Verdict::skipped) == of.the_case.rays.size());
   CHECK(tally.failures() == 0);
+  CHECK_FALSE(tally.is_conformant());  // nothing was judged
   REQUIRE(tally.families()[0].clauses.size() >= 1);
   CHECK_FALSE(tally.families()[0].clauses.begin()->first.empty());
 }

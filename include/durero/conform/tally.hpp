@@ -68,6 +68,8 @@ class Tally {
   std::uint64_t of(Verdict verdict) const;
   std::uint64_t gross() const;
   std::uint64_t failures() const;
+  /// Whether some ray was judged, and none failed: what was skipped whole shows nothing.
+  bool is_conformant() const { return failures() == 0 && of(Verdict::skipped) < rays(); }
 
  private:
   FamilyTally& tally_of(const Family& family);
