@@ -1,5 +1,5 @@
 #pragma once
-/// How a system is asked: lines of text that fifteen lines of any language read and answer.
+/// How a system is asked: lines of text that some twenty lines of any language read and answer.
 ///
 ///   scene generic/0003
 ///   esfera e0 CX CY CZ R
