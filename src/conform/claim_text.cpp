@@ -6,6 +6,7 @@
 
 #include "conform/answer_line.hpp"
 #include "durero/conform/question.hpp"
+#include "durero/contract/contract.hpp"
 #include "durero/io/number_text.hpp"
 #include "durero/text/shown.hpp"
 
@@ -36,7 +37,7 @@ std::string claim_text(const Claim& claim, const scene::Scene& scene) {
     case Outcome::unanswered:
       return "unanswered " + claim.why;
   }
-  __builtin_unreachable();  // an Outcome is one of its enumerators
+  contract::unreachable();
 }
 
 Claim read_claim(std::string_view text, const scene::Scene& scene) {

@@ -4,15 +4,12 @@
 #include <cmath>
 
 #include "conform/allowance.hpp"
+#include "conform/solids.hpp"
 #include "durero/number/quotient.hpp"
 #include "durero/surface/surfaces.hpp"
 
 namespace durero::conform {
 namespace {
-
-bool is_disc_of_solid(const SuiteCase& of, scene::ElementRef e) {
-  return std::ranges::any_of(of.solids, [&](const Solid& solid) { return std::ranges::count(solid.discs, e) > 0; });
-}
 
 /// The disc at an end of an element, with its numbers rounded to binary64, as those of a suite are; nothing at an apex.
 template <surface::Axial Shape>
@@ -57,7 +54,7 @@ Draft::Draft(const SuiteCase& of)
     : p(of.the_case.rays[0].rayo.p().xyz()), v(of.the_case.rays[0].rayo.v().xyz()), are_closed(!of.solids.empty()) {
   const scene::Scene& scene = of.the_case.scene;
   scene.for_each([&](scene::ElementRef e, const auto& shape) {
-    if (!is_disc_of_solid(of, e)) elements.push_back({std::string(scene.name(e).name()), shape});
+    if (solid_closed_by(of.solids, e) == nullptr) elements.push_back({std::string(scene.name(e).name()), shape});
   });
   for (const scene::ElementRef e : of.the_case.rays[0].en) on.emplace_back(scene.name(e).name());
 }

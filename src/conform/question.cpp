@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-
 #include "conform/answer_line.hpp"
+#include "conform/solids.hpp"
 #include "conform/words.hpp"
 #include "durero/io/number_text.hpp"
 #include "durero/text/shown.hpp"
@@ -26,9 +25,7 @@ void append(std::string& line, const scene::Corners& corners) {
 
 /// Whether the question leaves the element out.
 bool is_left_out(const SuiteCase& of, Caps caps, scene::ElementRef element) {
-  return caps == Caps::solid && std::ranges::any_of(of.solids, [&](const Solid& solid) {
-           return std::ranges::find(solid.discs, element) != solid.discs.end();
-         });
+  return caps == Caps::solid && solid_closed_by(of.solids, element) != nullptr;
 }
 
 template <class Shape>

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "conform/profile_reader.hpp"
 #include "conform/suite_text.hpp"
 #include "durero/io/json.hpp"
 #include "durero/io/rays_file.hpp"
@@ -37,18 +38,6 @@ Value read_one_of(Reader& in, std::string_view what, std::initializer_list<Value
     expected += fmt::format("{}{}", expected.empty() ? "expected " : " or ", word(value));
   }
   in.fail(at, fmt::format("{} is {}", what, text::shown(text)), expected);
-}
-
-void read_format(Reader& in) {
-  const std::size_t at = in.offset();
-  const std::string_view name = in.string("format");
-  if (name != "durero-suite") in.fail(at, fmt::format("format is {}", text::shown(name)), "expected \"durero-suite\"");
-}
-
-void read_version(Reader& in) {
-  const std::size_t at = in.offset();
-  const double version = in.number("version");
-  if (version != 1) in.fail(at, fmt::format("version is {}", version), "expected 1");
 }
 
 void read_tipos(Reader& in, std::vector<model::Tipo>& tipos) {
@@ -85,9 +74,9 @@ SuiteOptions read_options(const io::Source& source) {
   in.object("a suite", keys, keys.size(), [&](std::size_t key) {
     switch (static_cast<Key>(key)) {
       case format:
-        return read_format(in);
+        return read_exactly(in, "format", "durero-suite");
       case version:
-        return read_version(in);
+        return read_version_one(in);
       case seed:
         options.seed = read_whole(in, "seed");
         return;

@@ -18,6 +18,13 @@ std::uint64_t sum_where(const FamilyTally& tally, Holds holds) {
   return sum;
 }
 
+template <class Count>
+std::uint64_t sum_of(const std::vector<FamilyTally>& families, Count count) {
+  std::uint64_t sum = 0;
+  for (const FamilyTally& family : families) sum += count(family);
+  return sum;
+}
+
 /// Worse is what is farther from the surface; then what is easier to read.
 bool is_worse(const Judgement& a, std::size_t elements, const Finding& b) {
   if (a.backward != b.judgement.backward) return a.backward > b.judgement.backward;
@@ -98,27 +105,16 @@ void Tally::add(const SuiteCase& of, std::span<const Claim> claims, const Profil
 }
 
 std::uint64_t Tally::rays() const {
-  std::uint64_t sum = 0;
-  for (const FamilyTally& tally : families_) sum += tally.rays();
-  return sum;
+  return sum_of(families_, [](const FamilyTally& family) { return family.rays(); });
 }
-
 std::uint64_t Tally::of(Verdict verdict) const {
-  std::uint64_t sum = 0;
-  for (const FamilyTally& tally : families_) sum += tally.of(verdict);
-  return sum;
+  return sum_of(families_, [&](const FamilyTally& family) { return family.of(verdict); });
 }
-
 std::uint64_t Tally::gross() const {
-  std::uint64_t sum = 0;
-  for (const FamilyTally& tally : families_) sum += tally.gross();
-  return sum;
+  return sum_of(families_, [](const FamilyTally& family) { return family.gross(); });
 }
-
 std::uint64_t Tally::failures() const {
-  std::uint64_t sum = 0;
-  for (const FamilyTally& tally : families_) sum += tally.failures();
-  return sum;
+  return sum_of(families_, [](const FamilyTally& family) { return family.failures(); });
 }
 
 }  // namespace durero::conform

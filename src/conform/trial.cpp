@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "conform/allowance.hpp"
+#include "conform/solids.hpp"
 
 namespace durero::conform {
 namespace {
@@ -57,10 +58,8 @@ Dyadic squared_deviation(const Trial& trial, scene::ElementRef element, const Pl
 
 scene::ElementRef Trial::body(scene::ElementRef element) const {
   if (profile.caps == Caps::open) return element;
-  const auto solid = std::find_if(solids.begin(), solids.end(), [&](const Solid& candidate) {
-    return std::find(candidate.discs.begin(), candidate.discs.end(), element) != candidate.discs.end();
-  });
-  return solid == solids.end() ? element : solid->wall;
+  const Solid* solid = solid_closed_by(solids, element);
+  return solid == nullptr ? element : solid->wall;
 }
 
 bool Trial::is_solid(scene::ElementRef element) const {
