@@ -156,7 +156,7 @@ std::string identity(const Campaign& campaign, const Profile& profile) {
   const SuiteOptions options = suite_options(campaign, profile);
   out.begin_object().member("suite", suite_version).member("system", campaign.system);
   out.member("profile", campaign.profile).member("seed", campaign.seed);
-  out.member("rays_of_a_shard", campaign.rays_of_a_shard).member("shards", campaign.shards);
+  out.member("rays_of_a_shard", campaign.rays_of_a_shard);
   out.member("types", type_words(options.tipos)).member("caps", word(options.caps));
   out.member("numbers", word(campaign.numbers)).member("time", campaign.time).key("families").begin_array();
   for (const Family* family : campaign.families) out.value(family->name);

@@ -32,7 +32,6 @@ void add(std::array<std::uint64_t, size>& sums, const std::vector<std::uint64_t>
 
 void add(FamilyTally& tally, const FamilyCounts& counts, const std::vector<std::string>& clauses) {
   add(tally.counts, counts.verdicts);
-  add(tally.ulps, counts.ulps);
   for (std::size_t i = 0; i < counts.clauses.size(); ++i) {
     tally.clauses[clauses[i]] += counts.clauses[i];
     tally.counts[static_cast<std::size_t>(Verdict::skipped)] += counts.clauses[i];
@@ -94,6 +93,19 @@ std::string disputes_text(const Shards& shards) {
     text += "; the first counts. The system is not deterministic, or a machine is broken\n";
   }
   return text;
+}
+
+/// `hits off by 0 ulps: 850, up to 1: 90, up to 2: 60`
+std::string ulps_text(const std::vector<const ShardCounts*>& there) {
+  std::array<std::uint64_t, ulp_bins> sums{};
+  for (const ShardCounts* counts : there) add(sums, counts->ulps);
+  std::string text = fmt::format("hits off by 0 ulps: {}", sums[0]);
+  for (std::size_t bin = 1; bin < ulp_bins; ++bin) {
+    if (sums[bin] == 0) continue;
+    const std::string last = fmt::format(", up to {}: ", std::uint64_t{1} << std::min<std::size_t>(bin - 1, 63));
+    text += (bin == ulp_bins - 1 ? ", more: " : last) + fmt::format("{}", sums[bin]);
+  }
+  return text + "\n";
 }
 
 /// A row of the bounds; nothing where there is none.
@@ -166,7 +178,8 @@ std::string campaign_text(const Shards& shards, const Campaign& campaign, const 
                       .options = suite_options(campaign, system.profile),
                       .tally = totals(shards, campaign, system.profile)};
   return fmt::format("campaign {}: {} of {} shards\n", identity, there.size(), campaign.shards) +
-         missing_text(there, campaign.shards) + disputes_text(shards) + report_text(report) + bounds_text(report.tally);
+         missing_text(there, campaign.shards) + disputes_text(shards) + report_text(report) + "\n" + ulps_text(there) +
+         bounds_text(report.tally);
 }
 
 }  // namespace durero::conform

@@ -48,6 +48,13 @@ std::uint64_t digest_of(const Claim& claim, std::uint64_t before) {
   return digest(bytes, before);
 }
 
+std::vector<std::uint64_t> ulps_of(const Tally& tally) {
+  std::vector<std::uint64_t> sums(ulp_bins);
+  for (const FamilyTally& family : tally.families())
+    std::ranges::transform(sums, family.ulps, sums.begin(), std::plus<>());
+  return sums;
+}
+
 /// The clauses that are counted apart, ascending, and the one for the rest where there is one.
 std::vector<std::string> clauses_of(const Tally& tally) {
   std::map<std::string, std::uint64_t> counts;
@@ -64,7 +71,7 @@ std::vector<std::string> clauses_of(const Tally& tally) {
 }
 
 FamilyCounts counts_of(const FamilyTally& tally, const std::vector<std::string>& clauses) {
-  FamilyCounts counts{{tally.counts.begin(), tally.counts.end() - 1}, {tally.ulps.begin(), tally.ulps.end()}, {}};
+  FamilyCounts counts{{tally.counts.begin(), tally.counts.end() - 1}, {}};
   counts.clauses.resize(clauses.size());
   for (const auto& [clause, count] : tally.clauses) {
     auto place = std::ranges::lower_bound(clauses, clause);
@@ -121,7 +128,7 @@ void ShardTally::add(const SuiteCase& of, std::span<const Claim> claims) {
 }
 
 Shards ShardTally::shards(const std::string& says) const {
-  ShardCounts counts{.shard = shard_, .answers = answers_, .clauses = clauses_of(tally_)};
+  ShardCounts counts{.shard = shard_, .answers = answers_, .ulps = ulps_of(tally_), .clauses = clauses_of(tally_)};
   for (const Family* family : campaign_->families) {
     const auto tally = std::ranges::find(tally_.families(), family, &FamilyTally::family);
     counts.families.push_back(tally == tally_.families().end() ? FamilyCounts{} : counts_of(*tally, counts.clauses));

@@ -31,7 +31,7 @@ void write_counts(Writer& out, const std::vector<std::uint64_t>& counts) {
 }
 
 void write_family(Writer& out, const FamilyCounts& family) {
-  std::vector<std::vector<std::uint64_t>> lists{family.verdicts, family.ulps, family.clauses};
+  std::vector<std::vector<std::uint64_t>> lists{family.verdicts, family.clauses};
   trim(lists);
   out.begin_array();
   for (const auto& list : lists) write_counts(out, list);
@@ -40,6 +40,7 @@ void write_family(Writer& out, const FamilyCounts& family) {
 
 void write_shard(Writer& out, const ShardCounts& counts) {
   out.new_line().begin_object().member("shard", counts.shard).member("answers", digest_text(counts.answers));
+  if (!counts.ulps.empty()) write_counts(out.key("ulps"), counts.ulps);
   if (!counts.clauses.empty()) {
     out.key("clauses").begin_array();
     for (const std::string& clause : counts.clauses) out.value(clause);
@@ -168,25 +169,26 @@ class ShardsReader {
   }
 
   FamilyCounts read_counts_of_family(std::size_t clauses) {
-    const std::size_t at = in_.offset(), lengths[] = {counted.size(), ulp_bins, clauses};
+    const std::size_t at = in_.offset(), lengths[] = {counted.size(), clauses};
     std::vector<std::vector<std::uint64_t>> lists;
     in_.array("a family", [&] {
-      if (lists.size() == std::size(lengths)) in_.fail(at, "more lists", "expected three at most");
+      if (lists.size() == std::size(lengths)) in_.fail(at, "more lists", "expected two at most");
       lists.push_back(read_counts(lengths[lists.size()]));
     });
     lists.resize(std::size(lengths));
-    return trimmed(FamilyCounts{lists[0], lists[1], lists[2]});
+    return trimmed(FamilyCounts{lists[0], lists[1]});
   }
 
   void read_shard() {
-    constexpr std::string_view keys[] = {"shard", "answers", "clauses", "families"};
+    constexpr std::string_view keys[] = {"shard", "answers", "ulps", "clauses", "families"};
     ShardCounts counts;
     const std::size_t at = in_.offset();
     in_.object("a shard", keys, 2, [&](std::size_t key) {
       if (key == 0) counts.shard = read_below("shard", campaign_->shards);
       if (key == 1) counts.answers = read_answers();
-      if (key == 2) in_.array("clauses", [&] { counts.clauses.emplace_back(in_.string("a clause")); });
-      if (key == 3)
+      if (key == 2) counts.ulps = read_counts(ulp_bins);
+      if (key == 3) in_.array("clauses", [&] { counts.clauses.emplace_back(in_.string("a clause")); });
+      if (key == 4)
         in_.array("families", [&] { counts.families.push_back(read_counts_of_family(counts.clauses.size())); });
     });
     if (counts.families.size() > campaign_->families.size())

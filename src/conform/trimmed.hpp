@@ -12,12 +12,12 @@ void trim(std::vector<Value>& list) {
 
 inline FamilyCounts trimmed(FamilyCounts counts) {
   trim(counts.verdicts);
-  trim(counts.ulps);
   trim(counts.clauses);
   return counts;
 }
 
 inline ShardCounts trimmed(ShardCounts counts) {
+  trim(counts.ulps);
   trim(counts.families);
   return counts;
 }

@@ -44,7 +44,8 @@ inline constexpr std::string_view of_command = "command:";
 Campaign read_campaign(const io::Source& source);
 
 /// What names a campaign: a digest of its members, of the format of suites, and of what its system claims, for that
-/// decides the verdicts. Who writes a campaign in another way, with its keys in another order, writes the same.
+/// decides the verdicts. Who writes a campaign in another way, with its keys in another order, writes the same; and so
+/// does who makes it longer, for the shards that are there stay what they are.
 std::string identity(const Campaign& campaign, const Profile& profile);
 
 /// The suite that has the campaign's cases, but for its number of rays.

@@ -6,17 +6,19 @@
 ///   "families":["generic","tiny"],
 ///   "verdicts":["exact","right","off",…],
 ///   "shards":[
-///   {"shard":17,"answers":"fedcba9876543210","clauses":["no disco"],"families":[[[900,100],[850,90,60],[24]]]}
+///   {"shard":17,"answers":"fedcba9876543210","ulps":[850,90,60],"clauses":["no disco"],
+///    "families":[[[900,100],[24]],[[512]]]}
 ///   ],
 ///   "failures":[
 ///   {"family":"tiny","verdict":"missed","case":1088,"ray":12,"elements":3,"backward":2097152,"claim":"miss"}
 ///   ],"digest":"…"}
 ///
-/// A shard has a list a family: how many rays have each verdict; how many hits are off by 0, by up to 1, 2, 4, … ulps;
-/// how many rays were skipped by each clause. Lists end before their last zeros, and before their last empty lists.
-/// `answers` is a digest of all that the system answered. Of each family and verdict `failures` has the worst ray, and
-/// of the others those whose number has the least hash, which are as good as drawn by lot; `claim` is what was answered
-/// to it, as question.hpp writes it. The last member is a digest of all bytes before it.
+/// `ulps` is how many hits of a shard are off by 0, by up to 1, 2, 4, … ulps. A family is how many of its rays have
+/// each verdict, and how many were skipped by each clause. Lists end before their last zeros, and before their last
+/// empty lists: a campaign has tens of thousands of shards, and all of them go into one file. `answers` is a digest of
+/// all that the system answered. Of each family and verdict `failures` has the worst ray, and of the others those whose
+/// number has the least hash, which are as good as drawn by lot; `claim` is what was answered to it, as question.hpp
+/// writes it. The last member is a digest of all bytes before it.
 ///
 /// The union of such sets is associative, commutative and idempotent, since each part is: the shards are a set, and so
 /// are the failing rays of which the worst and the least are kept. Two shards of one number are both kept where they
@@ -39,7 +41,6 @@ namespace durero::conform {
 /// The numbers of a family in a shard. No list ends with 0.
 struct FamilyCounts {
   std::vector<std::uint64_t> verdicts;  ///< by Verdict, but for skipped, the last
-  std::vector<std::uint64_t> ulps;      ///< by ulp_bin
   std::vector<std::uint64_t> clauses;   ///< rays that were skipped, by ShardCounts::clauses
   auto operator<=>(const FamilyCounts&) const = default;
 };
@@ -47,10 +48,10 @@ struct FamilyCounts {
 /// The numbers of a shard.
 struct ShardCounts {
   std::uint64_t shard = 0;
-  std::uint64_t answers = 0;           ///< a digest of what the system answered, ray after ray
-  std::vector<std::string> clauses{};  ///< ascending
-  std::vector<FamilyCounts>
-      families{};  ///< in the order of the campaign's; those at the end that asked nothing are not there
+  std::uint64_t answers = 0;             ///< a digest of what the system answered, ray after ray
+  std::vector<std::uint64_t> ulps{};     ///< of all families, by ulp_bin
+  std::vector<std::string> clauses{};    ///< ascending
+  std::vector<FamilyCounts> families{};  ///< in the order of the campaign's, up to the last that was asked something
   auto operator<=>(const ShardCounts&) const = default;
 };
 
