@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import shutil
 import signal
 import sys
@@ -20,6 +21,7 @@ from .window import Calls
 def main() -> int:
     """Runs the command; its exit status."""
     arguments = read_arguments()
+    logging.disable()  # Dask tells its own story at length; what a user needs to know is said in our words
     for stop in (signal.SIGTERM, signal.SIGHUP):
         signal.signal(stop, signal.default_int_handler)
     try:

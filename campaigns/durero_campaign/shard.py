@@ -40,7 +40,8 @@ def compute_shard(durero: str, path: Path, campaign: bytes, number: int) -> Shar
             path = Path(folder, "campaign.json")
             path.write_bytes(campaign)
         written = Path(folder, "shard.json")
-        call(durero, ["conform", "shard", str(path), str(number), "--output", str(written)], worker.address)
+        arguments = ["conform", "shard", str(path), str(number), "--jobs", "1", "--output", str(written)]
+        call(durero, arguments, worker.address)
         return Shard(written.read_bytes(), worker.address)
 
 

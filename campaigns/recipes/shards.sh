@@ -12,7 +12,7 @@ mkdir -p "$folder" || exit 2
 status=0
 while [ "$shard" -lt "$shards" ]; do
   file=$folder/shard-$(printf '%07d' "$shard").json
-  [ -e "$file" ] || "${DURERO:-durero}" conform shard "$campaign" "$shard" --output "$file" || status=$?
+  [ -e "$file" ] || "${DURERO:-durero}" conform shard "$campaign" "$shard" --jobs 1 --output "$file" || status=$?
   shard=$((shard + tasks))
 done
 exit "$status"
