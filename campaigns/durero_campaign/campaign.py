@@ -24,8 +24,9 @@ class Campaign:
 
     @cached_property
     def digest(self) -> str:
-        """What tells one campaign from another."""
-        return hashlib.sha256(self.text).hexdigest()
+        """What tells one campaign from another; a longer one is the same, and so is one whose keys are in other order."""
+        keys = {key: value for key, value in json.loads(self.text).items() if key != "shards"}
+        return hashlib.sha256(json.dumps(keys, sort_keys=True).encode()).hexdigest()
 
     def is_asked_twice(self, number: int, share: float) -> bool:
         """Whether a shard is among the share of those that are asked twice: the same ones on every machine and day."""
@@ -43,6 +44,6 @@ def read_campaign(path: Path) -> Campaign:
         raise CampaignError(f"{path}: {error.strerror}") from error
     except (ValueError, KeyError, TypeError) as error:
         raise CampaignError(f"{path}: no campaign ({error!r}); expected a JSON object with shards, rays_of_a_shard") from error
-    if not all(type(size) is int and size > 0 for size in sizes):
-        raise CampaignError(f"{path}: shards or rays_of_a_shard is no number above 0")
+    if not all(type(size) is int and size >= 0 for size in sizes):
+        raise CampaignError(f"{path}: no campaign; expected whole numbers as shards and rays_of_a_shard")
     return Campaign(path.absolute(), text, *sizes)

@@ -14,7 +14,7 @@ import os
 import re
 from pathlib import Path
 
-from .campaign import Campaign, CampaignError
+from .campaign import Campaign, CampaignError, read_campaign
 
 SHARD_FILE = re.compile(r"shard-(\d{7,})\.json")
 
@@ -36,10 +36,9 @@ class Folder:
         except BlockingIOError as error:
             raise CampaignError(f"{path}: another durero_campaign is at work there") from error
         kept = path / "campaign.json"
-        if not kept.exists():
-            write_whole(kept, campaign.text)
-        elif kept.read_bytes() != campaign.text:
+        if kept.exists() and read_campaign(kept).digest != campaign.digest:
             raise CampaignError(f"{path}: it is of another campaign; expected a folder of its own for each")
+        write_whole(kept, campaign.text)
 
 
 def shard_path(folder: Path, number: int) -> Path:

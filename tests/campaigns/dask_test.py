@@ -23,6 +23,11 @@ with tempfile.TemporaryDirectory() as folder:
     test.expect(gone.exists() and kept.stat().st_ino == before, "only the shard that was lacking was computed")
     test.expect(test.merged("run") == expected, "and the bytes are the same")
 
+    # A campaign may grow: shards that are there stay.
+    longer = write_campaign(folder, "durero", shards=14)
+    test.run(0, longer, "run", "--workers", "1", "--twice", "0.3")
+    test.expect(len(test.shards("run")) == 14 and kept.stat().st_ino == before, "a longer campaign goes on with what is there")
+
     # A folder is of one campaign.
     other = write_campaign(folder, "durero", seed=2)
     said = test.run(2, other, "run")
