@@ -56,6 +56,15 @@ std::string clause_of(const Trial& trial, ElementRef element, const Shape& shape
   return clause;
 }
 
+/// Whether the origin may lie inside a solid.
+bool may_start_inside(const Trial& trial) {
+  const glm::dvec3& p = trial.ray.rayo.p().xyz();
+  const Place origin{.t = {}, .punto = {p.x, p.y, p.z}, .way = {}};
+  return trial.scene.any_of([&](ElementRef element, const auto&) {
+    return trial.is_solid(element) && may_lie_inside(trial.scene, element, origin, trial.ray.rayo, trial.precision());
+  });
+}
+
 }  // namespace
 
 std::string outside(const SuiteCase& of, std::size_t number, const Profile& profile) {
@@ -70,7 +79,9 @@ std::string outside(const SuiteCase& of, std::size_t number, const Profile& prof
   if (!is_of(rayo.p().xyz(), profile.format) || !is_of(largest(rayo.v().xyz()), profile.format))
     return "numbers of binary32";
   clause = beyond(largest(rayo.p().xyz()), "a coordinate", 0, profile.greatest_coordinate);
-  if (!clause.empty() || !trial.has_hit()) return clause;
+  if (!clause.empty()) return clause;
+  if (profile.inside == Inside::undefined && may_start_inside(trial)) return "a start inside";
+  if (!trial.has_hit()) return clause;
   return beyond(number_of_truth(trial), "a distance", profile.least_t, profile.greatest_t);
 }
 

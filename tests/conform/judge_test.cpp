@@ -229,6 +229,11 @@ TEST_CASE("of a solid its discs and its wall are one, and from inside the profil
   CHECK(verdict_of(of, hit(0, wall), profile) == Verdict::right);
   CHECK(verdict_of(of, hit(0, floor), profile) == Verdict::misplaced);
   CHECK(verdict_of(of, miss(), profile) == Verdict::missed);
+  profile.inside = Inside::undefined;
+  CHECK(outside(of, 0, profile) == "a start inside");
+  CHECK(verdict_of(of, hit(0, floor), profile) == Verdict::skipped);
+  profile.caps = Caps::open;  // nothing is a solid then
+  CHECK(outside(of, 0, profile).empty());
 }
 
 TEST_CASE("whatever the truth permits is right, in a suite of both kinds") {

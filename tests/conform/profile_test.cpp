@@ -20,6 +20,7 @@ TEST_CASE("each word of a profile stands at the place of its enumerator") {
   CHECK(word(Inside::exit_point) == "exit_point");
   CHECK(word(Inside::nothing) == "nothing");
   CHECK(word(Inside::origin) == "origin");
+  CHECK(word(Inside::undefined) == "undefined");
 }
 
 TEST_CASE("a profile that claims no limit has none") {

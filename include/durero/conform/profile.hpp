@@ -32,15 +32,15 @@ enum class Directions {
   unchecked  ///< must be one, and nobody checks: what users trip over, so a warning of its own
 };
 
-/// What a system answers to a ray from inside a solid.
-enum class Inside { exit_point, nothing, origin };
+/// What a system answers to a ray from inside a solid; undefined where it says that it answers nothing in particular.
+enum class Inside { exit_point, nothing, origin, undefined };
 
 // The words of these in files, in the order of the enumerators.
 inline constexpr std::array<std::string_view, 2> format_words = {"binary32", "binary64"};
 inline constexpr std::array<std::string_view, 2> caps_words = {"open", "solid"};
 inline constexpr std::array<std::string_view, 3> measure_words = {"parameter", "length", "point"};
 inline constexpr std::array<std::string_view, 3> directions_words = {"any", "unit", "unchecked"};
-inline constexpr std::array<std::string_view, 3> inside_words = {"exit_point", "nothing", "origin"};
+inline constexpr std::array<std::string_view, 4> inside_words = {"exit_point", "nothing", "origin", "undefined"};
 
 constexpr std::string_view word(Format format) { return format_words[static_cast<std::size_t>(format)]; }
 constexpr std::string_view word(Caps caps) { return caps_words[static_cast<std::size_t>(caps)]; }
