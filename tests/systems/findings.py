@@ -20,16 +20,16 @@ def files_of(system):
 
 
 def ask(system, question):
-    """The system's name line and its answer, or None where it is not set up."""
+    """The version that the system says, its answer, and the end of what else it wrote."""
     file, setup = files_of(system), SETUPS / system
-    if not setup.is_dir():
-        return None
     from_pypi = "pypi" in json.loads(file.read_text())["install"]
     places = {"here": file.parent, "setup": setup, "out": setup / "ask",
               "python": setup / "venv" / "bin" / "python" if from_pypi else "python3"}
     command = [re.sub(r"\{(\w+)\}", lambda m: str(places[m[1]]), word) for word in json.loads(file.read_text())["ask"]]
-    said = subprocess.run(command, input=question, capture_output=True, text=True, cwd=setup, timeout=120).stdout
-    return [*said.splitlines(), "", ""][:2]
+    ended = subprocess.run(command, input=question, capture_output=True, text=True, cwd=setup, timeout=120)
+    says, answer = [*ended.stdout.splitlines(), "", ""][:2]
+    errors = ended.stderr.strip().splitlines()[-1:] or ["nothing on its standard error"]
+    return says.removeprefix("system "), answer, "status %d, %s" % (ended.returncode, errors[0])
 
 
 def block(kind, text):
@@ -42,32 +42,44 @@ def write(durero, system, case, ray, name, cause):
     _, least, explained = said.split("\n\n", 2)
     sentence, question = least.split("\n", 1)
     hexadecimal, exact = explained.split("\n\n", 1)
-    version, answer = ask(system, question)
+    version, answer, _ = ask(system, question)
     verdict, words = sentence.split(": ", 1)
     page = PAGES / system / (name + ".md")
     page.parent.mkdir(parents=True, exist_ok=True)
     page.write_text(
         "# %s: %s\n\n%s. %s\n\nFrom `%s`, made smaller.\n\n## Asked\n\n%s\nThe same %s\n\n## Got\n\n%s\n## Exact\n\n%s" % (
-            version.removeprefix("system "), verdict.replace("_", " "), words[0].upper() + words[1:], cause,
+            version, verdict.replace("_", " "), words[0].upper() + words[1:], cause,
             " ".join(["durero", *call[1:]]), block("question", question), hexadecimal.replace(
                 "in hexadecimal:\n", "in hexadecimal:\n\n```\n", 1).strip() + "\n```", block("got", answer),
             block("exact", exact.split("the exact answer: ", 1)[1])))
 
 
+def why_not_asked(page, version, words):
+    """A system that does not start here, or is of another version, shows nothing about its page."""
+    if not version:
+        return "%s does not start: %s" % (page.parent.name, words)
+    title = page.read_text().splitlines()[0]
+    return "" if title.startswith("# %s: " % version) else "%s is now %s" % (title[2:].rsplit(": ", 1)[0], version)
+
+
 def check():
-    absent, wrong, asked = set(), 0, 0
+    """Status 1 where a system answers otherwise than its page says, 77 where none could be asked."""
+    not_asked, wrong, asked = set(), 0, 0
     for page in sorted(PAGES.glob("*/*.md")):
-        text = page.read_text()
-        question, got = (re.search(r"```%s\n(.*?)```" % kind, text, re.S)[1] for kind in ("question", "got"))
-        answer = ask(page.parent.name, question)
-        if answer is None:
-            absent.add(page.parent.name)
+        if not (SETUPS / page.parent.name / "complete").exists():
+            not_asked.add("%s is not set up" % page.parent.name)
+            continue
+        question, got = (re.search(r"```%s\n(.*?)```" % kind, page.read_text(), re.S)[1] for kind in ("question", "got"))
+        version, answer, words = ask(page.parent.name, question)
+        why = why_not_asked(page, version, words)
+        if why:
+            not_asked.add(why)
             continue
         asked += 1
-        if answer[1].strip() != got.strip():
+        if answer.strip() != got.strip():
             wrong += 1
-            print("%s: now %s" % (page.relative_to(ROOT), " / ".join(answer)))
-    print("%d asked again, %d answered otherwise; absent: %s" % (asked, wrong, ", ".join(sorted(absent)) or "none"))
+            print("%s: now %s (%s)" % (page.relative_to(ROOT), answer or "no answer", words))
+    print("%d asked again, %d answered otherwise; %s" % (asked, wrong, "; ".join(sorted(not_asked)) or "all were asked"))
     return 1 if wrong else 0 if asked else 77
 
 
