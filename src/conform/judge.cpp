@@ -6,8 +6,10 @@
 
 #include "conform/allowance.hpp"
 #include "conform/error_of.hpp"
+#include "conform/robust.hpp"
 #include "conform/trial.hpp"
 #include "durero/contract/contract.hpp"
+#include "durero/trace/search.hpp"
 
 namespace durero::conform {
 namespace {
@@ -43,9 +45,10 @@ Elements solids_around_origin(const Trial& trial) {
   return around;
 }
 
-/// What a system must not pass by: every zone, but those of solids that a ray from inside does not meet by its profile.
-std::vector<Zone> walls(const Trial& trial) {
-  std::vector<Zone> all = zones(trial.scene, trial.ray, trial.precision());
+/// What a system must not pass by on the way to the limit: every zone, but those of solids that a ray from inside does
+/// not meet by its profile.
+std::vector<Zone> walls(const Trial& trial, double limit) {
+  std::vector<Zone> all = zones(trial.scene, trial.ray, trial.precision(), limit);
   if (trial.profile.inside != Inside::nothing) return all;
   const Elements around = solids_around_origin(trial);
   std::erase_if(all, [&](const Zone& zone) {
@@ -56,7 +59,7 @@ std::vector<Zone> walls(const Trial& trial) {
 
 Verdict of_miss(const Trial& trial) {
   if (trial.truth.hit.resultado == model::Resultado::miss) return Verdict::exact;
-  return walls(trial).empty() ? Verdict::right : Verdict::missed;
+  return walls(trial, trace::no_limit).empty() ? Verdict::right : Verdict::missed;
 }
 
 /// The hit is at the origin, which may lie inside a solid that the claim may be of.
@@ -68,15 +71,14 @@ bool is_at_origin_inside(const Trial& trial, const Claim& claim, const Place& pl
   });
 }
 
-/// Elements that the place may lie on, at a place of the ray.
-Elements elements_at(const Trial& trial, const Place& place) {
-  Elements all;
-  trial.scene.for_each([&](ElementRef element, const auto&) {
-    if (may_lie_on(trial.scene, element, place, trial.ray.rayo, trial.precision()) &&
-        may_lie_on_ray(trial, element, place))
-      all.push_back(element);
-  });
-  return all;
+/// Whether the place may lie on the element, at a place of the ray.
+bool may_be_of(const Trial& trial, ElementRef element, const Place& place) {
+  return may_lie_on(trial.scene, element, place, trial.ray.rayo, trial.precision()) &&
+         may_lie_on_ray(trial, element, place);
+}
+
+bool may_be_of_any(const Trial& trial, const Place& place) {
+  return trial.scene.any_of([&](ElementRef element, const auto&) { return may_be_of(trial, element, place); });
 }
 
 /// The zones that end before the place, where it is of that element.
@@ -106,18 +108,22 @@ Verdict of_beside(const Trial& trial, const Claim& claim, const Place& place, bo
   return is_of_first ? Verdict::off : Verdict::wrong_element;
 }
 
+/// No zone that ends before the place begins behind it.
 Verdict of_place(const Trial& trial, const Claim& claim, const Place& place) {
   if (is_at_origin_inside(trial, claim, place)) return Verdict::right;
-  const Elements at = elements_at(trial, place);
-  const std::vector<Zone> all = walls(trial);
+  Elements at;
+  trial.scene.for_each([&](ElementRef element, const auto&) {
+    if (trial.names(claim, element) && may_be_of(trial, element, place)) at.push_back(element);
+  });
+  if (at.empty()) return of_beside(trial, claim, place, may_be_of_any(trial, place));
+  const std::vector<Zone> all = walls(trial, rounded_up(place.t));
   std::optional<Verdict> off;
   for (const ElementRef element : at) {
-    if (!trial.names(claim, element)) continue;
     const std::vector<Zone> passed = passed_by(trial, place, element, all);
     if (passed.empty()) return Verdict::right;
     off = of_passed(trial, place, element, passed);
   }
-  return off ? *off : of_beside(trial, claim, place, !at.empty());
+  return *off;
 }
 
 /// Of a hit without a place: that it is of another element than the first proves nothing, since that element may be

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "conform/shell.hpp"
+#include "durero/trace/search.hpp"
 
 namespace durero::conform {
 namespace {
@@ -97,9 +98,13 @@ bool is_within(const Shell<Dyadic>& shell) {
 
 }  // namespace
 
-std::vector<Zone> zones(const scene::Scene& scene, const scene::Query& ray, const Precision& precision) {
+std::vector<Zone> zones(const scene::Scene& scene, const scene::Query& ray, const Precision& precision, double limit) {
   std::vector<Zone> all;
+  trace::Counts counts;
+  const trace::Search search(scene, ray.rayo, ray.en, counts);
   scene.for_each([&](scene::ElementRef element, const auto& shape) {
+    const std::optional<trace::Meeting> met = search.certified_meeting(element, limit);
+    if (met && met->kind == trace::Meeting::Kind::none) return;
     const Coefficients f = surface::exact::coefficients(shape, ray.rayo);
     const bool starts_on_it = scene::Origin(ray.en).contains(element);
     const surface::exact::Roots crossings = surface::exact::roots(f);

@@ -19,8 +19,10 @@ struct Zone {
   number::Dyadic delta;  ///< δ of the element, where t ≤ end
 };
 
-/// Every such stretch. An exact crossing lies in each, also where the origin is taken to lie on the elements of en.
-std::vector<Zone> zones(const scene::Scene& scene, const scene::Query& ray, const Precision& precision);
+/// Every such stretch of the elements that the ray first meets at a parameter ≤ limit; it may leave out, of those, what
+/// lies behind the limit. An exact crossing within the ends of the element lies in each, also where the origin is taken
+/// to lie on the elements of en.
+std::vector<Zone> zones(const scene::Scene& scene, const scene::Query& ray, const Precision& precision, double limit);
 
 /// A place on a ray as a claim gives it. Its t is that of moved data but where it was computed from a length or a
 /// point: then of a length, off by √3·δ for v and a rounding, less than 2δ/|v|; of a point, off by 2√3·δ and a
