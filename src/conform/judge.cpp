@@ -45,10 +45,14 @@ Elements solids_around_origin(const Trial& trial) {
   return around;
 }
 
-/// What a system must not pass by on the way to the limit: every zone, but those of solids that a ray from inside does
-/// not meet by its profile.
+/// What a system must not pass by on the way to the limit: every zone, of a closed mesh as well where it claims to be
+/// watertight, but those of solids that a ray from inside does not meet by its profile.
 std::vector<Zone> walls(const Trial& trial, double limit) {
   std::vector<Zone> all = zones(trial.scene, trial.ray, trial.precision(), limit);
+  if (trial.profile.watertight) {
+    if (const std::optional<Zone> mesh = zone_of_mesh(trial.scene, trial.ray.rayo, trial.precision()))
+      all.push_back(*mesh);
+  }
   if (trial.profile.inside != Inside::nothing) return all;
   const Elements around = solids_around_origin(trial);
   std::erase_if(all, [&](const Zone& zone) {
@@ -126,18 +130,32 @@ Verdict of_place(const Trial& trial, const Claim& claim, const Place& place) {
   return *off;
 }
 
-/// Of a hit without a place: that it is of another element than the first proves nothing, since that element may be
-/// first somewhere for data within the allowance.
-Judgement of_element(const Trial& trial, const Claim& claim) {
+/// The ray may meet the element for some data, and no zone of another body certainly ends before.
+bool may_be_first(const Trial& trial, ElementRef element, const std::vector<Zone>& zones) {
+  const model::Rayo& rayo = trial.ray.rayo;
+  const auto t = earliest(trial.scene, element, rayo, trial.precision());
+  return t && std::none_of(zones.begin(), zones.end(), [&](const Zone& zone) {
+           return trial.body(zone.element) != trial.body(element) &&
+                  is_behind({.t = *t, .punto = {}, .way = {}}, {}, zone, rayo);
+         });
+}
+
+/// Of a hit without a place, which is right where an element that it may be of is first for some data.
+Verdict of_element(const Trial& trial, const Claim& claim) {
   const scene::ElementSet& first = trial.truth.hit.elementos;
-  const bool is_of_first =
-      std::any_of(first.begin(), first.end(), [&](ElementRef element) { return trial.names(claim, element); });
-  if (is_of_first) return {.verdict = Verdict::right};
-  return {.clause = "neither a distance nor a point"};
+  const auto is_named = [&](ElementRef element) { return trial.names(claim, element); };
+  if (std::any_of(first.begin(), first.end(), is_named)) return Verdict::right;
+  const Elements around = trial.profile.inside == Inside::origin ? solids_around_origin(trial) : Elements{};
+  if (std::any_of(around.begin(), around.end(), is_named)) return Verdict::right;
+  const std::vector<Zone> all = walls(trial, trace::no_limit);
+  const bool may_be = trial.scene.any_of(
+      [&](ElementRef element, const auto&) { return is_named(element) && may_be_first(trial, element, all); });
+  if (may_be) return Verdict::right;
+  return first.empty() ? Verdict::phantom : Verdict::wrong_element;
 }
 
 Judgement of_hit(const Trial& trial, const Claim& claim) {
-  if (!claim.t && !claim.punto) return of_element(trial, claim);
+  if (!claim.t && !claim.punto) return {.verdict = of_element(trial, claim)};
   if (is_the_truth(trial, claim)) return {.verdict = Verdict::exact};
   const std::optional<Place> where = place(trial, claim);
   if (!where) return {.verdict = Verdict::non_finite};

@@ -27,7 +27,8 @@ enum Key : std::size_t {
   greatest_t,
   least_size,
   greatest_size,
-  greatest_coordinate
+  greatest_coordinate,
+  watertight
 };
 constexpr std::string_view keys[] = {"format",
                                      "tipos",
@@ -41,7 +42,8 @@ constexpr std::string_view keys[] = {"format",
                                      "greatest_t",
                                      "least_size",
                                      "greatest_size",
-                                     "greatest_coordinate"};
+                                     "greatest_coordinate",
+                                     "watertight"};
 constexpr std::size_t required = 7;
 
 /// A word of a closed set, in the order of its enumerators.
@@ -110,6 +112,9 @@ void read_member(Reader& in, Key key, Profile& profile) {
       return read_bound(in, what, profile.greatest_size);
     case greatest_coordinate:
       return read_bound(in, what, profile.greatest_coordinate);
+    case watertight:
+      profile.watertight = in.boolean(what);
+      return;
   }
 }
 

@@ -22,7 +22,7 @@ enum class Caps { open, solid };
 enum class Measure {
   parameter,  ///< t of p + t·v
   length,     ///< t·|v|
-  point       ///< it gives none: the point alone
+  point       ///< it gives none: the point alone, or nothing but the element
 };
 
 /// What a system says of v. Where it must be a unit vector the adapter makes it one, rounded in the system's format.
@@ -72,6 +72,7 @@ struct Profile {
   double greatest_size = std::numeric_limits<double>::infinity();
   double greatest_coordinate = std::numeric_limits<double>::infinity();
   bool names_elements = true;  ///< whether its hits say which element they are of
+  bool watertight = false;     ///< no ray leaves a closed mesh between triangles that share an edge or a vertex
   std::vector<Source> sources{};
 };
 

@@ -61,6 +61,7 @@ enum class Fault {
   triangle_narrowed_1e_3,
   triangle_narrowed_1e_4,
   triangle_widened,
+  triangle_without_edges,
   disc_is_its_square,
   disc_small_1e_3,
   disc_small_1e_4,

@@ -326,7 +326,8 @@ class Tracer {
     const V a(e.vertices[0]), b(e.vertices[1]), c(e.vertices[2]), normal = cross(b - a, c - a);
     const N margin = cut_of_triangle() * glm::dot(normal, normal);
     const auto is_inside = [&](const V& from, const V& to) {
-      return glm::dot(line.p - from + t * line.v, glm::cross(normal, to - from)) >= margin;
+      const N beyond = glm::dot(line.p - from + t * line.v, glm::cross(normal, to - from));
+      return is(Fault::triangle_without_edges) ? beyond > 0 : beyond >= margin;
     };
     return is_inside(a, b) && is_inside(b, c) && is_inside(c, a);
   }
