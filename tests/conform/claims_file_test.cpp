@@ -86,6 +86,12 @@ TEST_CASE("claims are read from CSV by the names of its columns") {
   CHECK(read("f.csv", "case,ray,outcome,t\ntiny/0012,0,crashed,\n")[1][0] == Claim{Outcome::crashed});
 }
 
+TEST_CASE("a hit may name its element alone") {
+  CHECK(read("f.csv", "case,ray,element\ngeneric/0000,0,e0\n")[0][0] == Claim{Outcome::hit, e0(0), {}, {}});
+  CHECK(read("f.jsonl", R"({"case":"generic/0000","ray":0,"outcome":"hit","element":"e0"})")[0][0] ==
+        Claim{Outcome::hit, e0(0), {}, {}});
+}
+
 TEST_CASE("claims are read from .npy in the order of the suite") {
   const std::vector<Claims> claims = read("f", npy({1, infinity, -2, 3, NAN}, "(5,)"));
   CHECK(claims[0] == Claims{{Outcome::hit, {}, 1.0, {}}, {Outcome::miss}, {Outcome::hit, {}, -2.0, {}}});

@@ -227,6 +227,15 @@ TEST_CASE("a hit without a place is right where its element may be first, and ne
   CHECK(verdict(at_rim, touched) == Verdict::right);
   const SuiteCase beside = one_ray(scene, ray({-0.001, 0, 0}, {0, 0, 1}));
   CHECK(verdict(beside, touched) == Verdict::wrong_element);
+  // From inside a solid it is the solid that is named, by who says so.
+  scene::Scene nested;
+  const scene::ElementRef outer = add(nested, scene::Sphere{{0, 0, 0}, 10});
+  add(nested, scene::Sphere{{0, 0, 5}, 1});
+  const SuiteCase from_inside = one_ray(std::move(nested), ray({0, 0, 0}, {0, 0, 1}));
+  CHECK(verdict(from_inside, outer) == Verdict::wrong_element);
+  Profile at_origin = wide_profile(Format::binary32);
+  at_origin.inside = Inside::origin;
+  CHECK(verdict_of(from_inside, {.outcome = Outcome::hit, .element = outer}, at_origin) == Verdict::right);
   // Where nothing is met.
   scene::Scene few;
   const scene::ElementRef sphere_aside = add(few, scene::Sphere{{5, 0, 5}, 1});
@@ -265,10 +274,10 @@ namespace {
 /// The corners of a tetrahedron around 0, at integers.
 const std::array<glm::dvec3, 4> corners{{{8, 8, 8}, {-8, -8, 8}, {-8, 8, -8}, {8, -8, -8}}};
 
-scene::Scene tetrahedron(std::size_t faces = 4) {
+scene::Scene tetrahedron(std::optional<std::size_t> left_out = {}) {
   scene::Scene scene;
-  for (std::size_t i = 0; i < faces; ++i)
-    add(scene, scene::Triangle{{{corners[i], corners[(i + 1) % 4], corners[(i + 2) % 4]}}});
+  for (std::size_t i = 0; i < 4; ++i)
+    if (i != left_out) add(scene, scene::Triangle{{{corners[i], corners[(i + 1) % 4], corners[(i + 2) % 4]}}});
   return scene;
 }
 
@@ -287,8 +296,10 @@ TEST_CASE("no ray leaves a closed mesh of a system that claims to be watertight,
     CHECK(verdict_of(of, miss(), claimed) == Verdict::missed);
     CHECK(verdict_of(of, miss(), silent) == Verdict::right);
     CHECK(is_right(verdict_of(of, hit(1, of.truths[0].hit.elementos[0]), claimed)));
-    const SuiteCase open = one_ray(tetrahedron(3), ray({0, 0, 0}, to));
-    CHECK(verdict_of(open, miss(), claimed) == Verdict::right);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const SuiteCase open = one_ray(tetrahedron(i), ray({0, 0, 0}, to));
+      CHECK(is_right(verdict_of(open, miss(), claimed)));
+    }
     // What lies behind the mesh is not first.
     scene::Scene with_plane = tetrahedron();
     const scene::ElementRef plane = add(with_plane, scene::Plane{3.0 * to, to / glm::length(to)});

@@ -22,7 +22,7 @@ enum class Caps { open, solid };
 enum class Measure {
   parameter,  ///< t of p + t·v
   length,     ///< t·|v|
-  point       ///< it gives none: the point alone, or nothing but the element
+  point       ///< it gives none: the point alone
 };
 
 /// What a system says of v. Where it must be a unit vector the adapter makes it one, rounded in the system's format.
