@@ -347,7 +347,8 @@ TEST_CASE("the exact answer of a mesh whose shared vertices moved together is ne
       for (int i = 0; i < 40; ++i) {
         const double of_b = random.uniform(0.1, 0.4), of_c = random.uniform(0.1, 0.4);
         const glm::dvec3 p = a + of_b * (b - a) + of_c * (c - a) + random.uniform(-8, 8) * delta * normal;
-        const glm::dvec3 along = random.sign() * normal + 0.5 * random.in_cube(1);
+        const double side = random.sign();
+        const glm::dvec3 along = side * normal + 0.5 * random.in_cube(1);
         const scene::Query query{ray(p, along), {}};
         the_case.rays.push_back(query);
       }
