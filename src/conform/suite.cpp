@@ -4,15 +4,10 @@
 
 #include <algorithm>
 
+#include "conform/scattered.hpp"
+
 namespace durero::conform {
 namespace {
-
-/// A bijection that scatters its numbers (the finalizer of SplitMix64).
-std::uint64_t scattered(std::uint64_t x) {
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
-  return x ^ (x >> 31);
-}
 
 /// Of the stream of a case; generate makes one for each family of it.
 std::uint64_t seed_of_case(std::uint64_t seed, std::uint64_t number) { return scattered(scattered(seed) + number); }
