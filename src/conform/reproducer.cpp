@@ -175,7 +175,7 @@ Reproduction reproduced(const System& system, const Finding& finding, const std:
     if (ended.well)
       ended = run(filled_in(command, {{"program", path}, {"built", folder.path() + "/built"}}), folder.path(), stop);
   }
-  Reproduction reproduction{.verdict = Verdict::skipped, .words = ended.words};
+  Reproduction reproduction{.words = ended.words};
   Claim claim{.outcome = Claim::Outcome::crashed};
   const auto answer = std::ranges::find_if(ended.lines, [](const std::string& line) { return line.starts_with(got); });
   if (answer != ended.lines.end()) {

@@ -10,7 +10,7 @@ namespace durero::conform {
 
 /// How much may be spent on it.
 struct LeastLimits {
-  std::size_t findings = 24;               ///< so many are made small: of each family the first, then the others
+  std::size_t findings = 64;               ///< so many are made small: of each family the first, then the others
   std::chrono::duration<double> time{60};  ///< of all; one that is not done by then is left out
 };
 

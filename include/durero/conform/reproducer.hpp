@@ -35,9 +35,9 @@ std::string reproducer_text(const System& system, const Finding& finding, const 
 
 /// What a program wrote that was run.
 struct Reproduction {
-  std::string output;  ///< the lines from "got: " on
-  Verdict verdict;     ///< on what it got
-  std::string words;   ///< where it got nothing: how it ended, and the end of what it wrote
+  std::string output{};                ///< the lines from "got: " on
+  Verdict verdict = Verdict::skipped;  ///< on what it got
+  std::string words{};                 ///< where it got nothing: how it ended, and the end of what it wrote
 };
 
 /// Runs the program, in a folder of its own, as System::reproducer says.
