@@ -124,8 +124,8 @@ class Folder {
 
 struct Ended {
   bool well = false;
-  std::vector<std::string> lines{};
-  std::string words{};
+  std::string text{};   // of its standard output
+  std::string words{};  // how it ended, and the end of its standard error
 };
 
 Ended run(const Command& command, const std::string& folder, const std::atomic<bool>& stop) {
@@ -133,7 +133,7 @@ Ended run(const Command& command, const std::string& folder, const std::atomic<b
   Child child(command, {.folder = folder}, stop);
   child.close_input();
   Ended ended;
-  for (std::string line; child.next_line(time_of_a_line, line) == Child::Event::line;) ended.lines.push_back(line);
+  for (std::string line; child.next_line(time_of_a_line, line) == Child::Event::line;) ended.text += line + "\n";
   const std::string how = child.end();
   ended.well = how == "exit status 0";
   ended.words = fmt::format("{}: {}", how, text::escaped(child.last_words()));
@@ -177,10 +177,11 @@ Reproduction reproduced(const System& system, const Finding& finding, const std:
   }
   Reproduction reproduction{.words = ended.words};
   Claim claim{.outcome = Claim::Outcome::crashed};
-  const auto answer = std::ranges::find_if(ended.lines, [](const std::string& line) { return line.starts_with(got); });
-  if (answer != ended.lines.end()) {
-    claim = read_answer(answer->substr(got.size()), finding.of, system.profile.caps);
-    for (auto line = answer; line != ended.lines.end(); ++line) reproduction.output += *line + "\n";
+  const std::size_t answer = ended.text.find(got);  // a system's own words may stand before it on the line
+  if (answer != ended.text.npos) {
+    reproduction.output = ended.text.substr(answer);
+    const std::string line = reproduction.output.substr(0, reproduction.output.find('\n'));
+    claim = read_answer(line.substr(got.size()), finding.of, system.profile.caps);
   }
   reproduction.verdict = judge(finding.of, 0, claim, system.profile).verdict;
   return reproduction;

@@ -109,7 +109,7 @@ TEST_CASE("a reproducer is run, and what it gets is judged") {
   const auto of = [&](const std::string& program) {
     return reproduced(templated.system, missed_sphere(), program, "it.sh", never);
   };
-  const Reproduction shows = of("echo loading\necho 'got: miss'\necho 'expected: hit e0 1.25'\n");
+  const Reproduction shows = of("echo loading\nprintf WARN:\necho 'got: miss'\necho 'expected: hit e0 1.25'\n");
   CHECK(shows.output == "got: miss\nexpected: hit e0 1.25\n");
   CHECK(shows.verdict == Verdict::missed);
   CHECK(of("echo 'got: hit e0 1.25'\n").verdict == Verdict::exact);
