@@ -12,6 +12,8 @@ void add_conform(CLI::App& app, int& status) {
   add_conform_make(*conform, status);
   add_conform_setup(*conform, status);
   add_conform_run(*conform, status);
+  add_conform_shard(*conform, status);
+  add_conform_merge(*conform, status);
   add_conform_answer(*conform, status);
   add_conform_judge(*conform, status);
   add_conform_show(*conform, status);

@@ -11,6 +11,8 @@ void add_conform_list(CLI::App& conform, int& status);
 void add_conform_make(CLI::App& conform, int& status);
 void add_conform_setup(CLI::App& conform, int& status);
 void add_conform_run(CLI::App& conform, int& status);
+void add_conform_shard(CLI::App& conform, int& status);
+void add_conform_merge(CLI::App& conform, int& status);
 void add_conform_answer(CLI::App& conform, int& status);
 void add_conform_judge(CLI::App& conform, int& status);
 void add_conform_show(CLI::App& conform, int& status);

@@ -1,16 +1,18 @@
 // durero conform run SYSTEM…: asks systems the rays of a suite.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <thread>
 
 #include "conform.hpp"
+#include "conform_progress.hpp"
 #include "conform_suite.hpp"
+#include "conform_system.hpp"
+#include "durero/conform/campaign.hpp"
 #include "durero/conform/least_findings.hpp"
 #include "durero/conform/runner.hpp"
 #include "durero/conform/setup.hpp"
@@ -31,20 +33,6 @@ struct Options {
   bool goes_on = false, is_not_minimised = false;
   LeastLimits least{};
 };
-
-constexpr std::string_view of_command = "command:";
-
-System system_of(const std::string& name, const Options& options) {
-  if (!name.starts_with(of_command)) return find_system(name, options.systems, default_setups());
-  if (options.profile.empty())
-    throw std::runtime_error("command: without --profile; expected a system's name or a file that says what it claims");
-  System system;
-  system.name = "command";
-  system.ask = {"sh", "-c", name.substr(of_command.size())};
-  system.title = system.ask.back();
-  system.profile = read_profile(options.profile, options.systems);
-  return system;
-}
 
 /// The cases of the suite for a profile, family after family.
 struct Plan {
@@ -71,33 +59,6 @@ struct Plan {
     return {places.size(), make,
             [&profile](const SuiteCase& of, std::size_t ray) { return outside(of, ray, profile); }};
   }
-};
-
-/// On a terminal: how much is done, and the time that is left.
-class Progress {
- public:
-  Progress(std::string name, std::size_t all) : name_(std::move(name)), all_(all) {}
-  ~Progress() {
-    if (is_shown_) fmt::print(stderr, "\r\033[K");
-  }
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-
-  void step() {
-    ++done_;
-    const std::chrono::duration<double> passed = Clock::now() - begin_;
-    if (!is_shown_ || (Clock::now() - last_ < std::chrono::milliseconds(200) && done_ != all_)) return;
-    last_ = Clock::now();
-    const double left = passed.count() / static_cast<double>(done_) * static_cast<double>(all_ - done_);
-    fmt::print(stderr, "\r\033[K{}: {} of {} scenes, {:.0f} s left", name_, done_, all_, left);
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  std::string name_;
-  std::size_t all_, done_ = 0;
-  bool is_shown_ = ::isatty(STDERR_FILENO) == 1;
-  Clock::time_point begin_ = Clock::now(), last_{};
 };
 
 /// What a run must be, to go on with another's claims.
@@ -138,7 +99,7 @@ std::optional<Report> report_of(const System& system, const Options& options) {
     end = run_system(system, plan.run_cases(system.profile), run_options(system, options), sink, interrupted());
   }
   report.version = end.says;
-  if (system.name != "command") report.asked = system.name;
+  if (std::ranges::count(options.names, system.name) > 0) report.asked = system.name;
   if (!end.stopped) return report;
   fmt::print("{}: stopped after {} of {} scenes{}\n", system.name, end.cases, plan.places.size(),
              options.report.empty() ? "" : "; --continue goes on");
@@ -161,7 +122,7 @@ Outcome run_one(const System& system, const Options& options) {
 
 int run(const Options& options) {
   std::vector<System> systems;
-  for (const std::string& name : options.names) systems.push_back(system_of(name, options));
+  for (const std::string& name : options.names) systems.push_back(system_of(name, options.profile, options.systems));
   int status = 0;
   for (const System& system : systems) status = std::max(status, static_cast<int>(run_one(system, options)));
   return status;
@@ -184,7 +145,7 @@ void add_amounts(CLI::App& command, Options& options) {
 void add_conform_run(CLI::App& conform, int& status) {
   auto* command = conform.add_subcommand("run", "Ask systems the rays of a suite, and judge what they answer");
   const auto options = std::make_shared<Options>();
-  command->add_option("SYSTEM", options->names, "Names of systems, or command:PROGRAM")->required();
+  command->add_option("SYSTEM", options->names, "Names of systems, files of systems, or command:PROGRAM")->required();
   add_rays(*command, options->suite);
   add_amounts(*command, *options);
   add_systems(*command, options->systems);

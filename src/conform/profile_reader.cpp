@@ -1,13 +1,8 @@
 #include "conform/profile_reader.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
-#include <array>
+#include <cmath>
 
 #include "durero/scene/shapes.hpp"
-#include "durero/text/shown.hpp"
 
 namespace durero::conform {
 namespace {
@@ -27,7 +22,8 @@ enum Key : std::size_t {
   greatest_t,
   least_size,
   greatest_size,
-  greatest_coordinate
+  greatest_coordinate,
+  watertight
 };
 constexpr std::string_view keys[] = {"format",
                                      "tipos",
@@ -41,32 +37,15 @@ constexpr std::string_view keys[] = {"format",
                                      "greatest_t",
                                      "least_size",
                                      "greatest_size",
-                                     "greatest_coordinate"};
+                                     "greatest_coordinate",
+                                     "watertight"};
 constexpr std::size_t required = 7;
-
-/// A word of a closed set, in the order of its enumerators.
-template <class Enumeration, std::size_t count>
-Enumeration read_word(Reader& in, std::string_view what, const std::array<std::string_view, count>& words) {
-  const std::size_t at = in.offset();
-  const std::string_view word = in.string(what);
-  const auto place = std::ranges::find(words, word);
-  if (place == words.end())
-    in.fail(at, fmt::format("{} is {}", what, text::shown(word)),
-            fmt::format("expected one of {}", fmt::join(words, ", ")));
-  return static_cast<Enumeration>(place - words.begin());
-}
 
 constexpr auto shape_words = [] {
   std::array<std::string_view, model::tipo_count> words{};
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) { words[scene::place_of<Shape>] = Shape::word; });
   return words;
 }();
-
-void read_tipos(Reader& in, std::vector<model::Tipo>& read) {
-  const std::size_t at = in.offset();
-  in.array("tipos", [&] { read.push_back(read_word<model::Tipo>(in, "a tipo", shape_words)); });
-  if (read.empty()) in.fail(at, "tipos is empty", "expected the types of elements that the system knows");
-}
 
 /// A number that is not negative.
 void read_bound(Reader& in, std::string_view what, double& bound) {
@@ -82,7 +61,7 @@ void read_member(Reader& in, Key key, Profile& profile) {
       profile.format = read_word<Format>(in, what, format_words);
       return;
     case tipos:
-      return read_tipos(in, profile.tipos);
+      return read_tipos(in, what, profile.tipos);
     case caps:
       profile.caps = read_word<Caps>(in, what, caps_words);
       return;
@@ -110,6 +89,9 @@ void read_member(Reader& in, Key key, Profile& profile) {
       return read_bound(in, what, profile.greatest_size);
     case greatest_coordinate:
       return read_bound(in, what, profile.greatest_coordinate);
+    case watertight:
+      profile.watertight = in.boolean(what);
+      return;
   }
 }
 
@@ -138,6 +120,20 @@ std::vector<Source> read_sources(Reader& in) {
   std::vector<Source> sources;
   in.array("sources", [&] { sources.push_back(read_source_of_claim(in)); });
   return sources;
+}
+
+void read_tipos(Reader& in, std::string_view what, std::vector<model::Tipo>& read) {
+  const std::size_t at = in.offset();
+  in.array(what, [&] { read.push_back(read_word<model::Tipo>(in, "a tipo", shape_words)); });
+  if (read.empty()) in.fail(at, fmt::format("{} is empty", what), "expected one type of elements at least");
+}
+
+std::uint64_t read_whole(Reader& in, std::string_view what) {
+  const std::size_t at = in.offset();
+  const double value = in.number(what);
+  if (!(value >= 0 && value <= 0x1p53) || std::trunc(value) != value)
+    in.fail(at, fmt::format("{} is {}", what, value), "expected a whole number up to 2^53");
+  return static_cast<std::uint64_t>(value);
 }
 
 void read_exactly(Reader& in, std::string_view what, std::string_view expected) {

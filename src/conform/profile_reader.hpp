@@ -1,8 +1,15 @@
 #pragma once
-/// Reads profiles, and the sources of what they claim.
+/// Reads profiles, the sources of what they claim, and what other files have in common with them.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
 
 #include "durero/conform/profile.hpp"
 #include "durero/io/json.hpp"
+#include "durero/text/shown.hpp"
 
 namespace durero::conform {
 
@@ -11,6 +18,24 @@ void read_profile_members(io::json::Reader& in, Profile& profile);
 
 /// The array of a key "sources". A claim must be a key of a profile.
 std::vector<Source> read_sources(io::json::Reader& in);
+
+/// Words of types of elements, one at least.
+void read_tipos(io::json::Reader& in, std::string_view what, std::vector<model::Tipo>& read);
+
+/// A word of a closed set, in the order of its enumerators.
+template <class Enumeration, std::size_t count>
+Enumeration read_word(io::json::Reader& in, std::string_view what, const std::array<std::string_view, count>& words) {
+  const std::size_t at = in.offset();
+  const std::string_view word = in.string(what);
+  const auto place = std::ranges::find(words, word);
+  if (place == words.end())
+    in.fail(at, fmt::format("{} is {}", what, text::shown(word)),
+            fmt::format("expected one of {}", fmt::join(words, ", ")));
+  return static_cast<Enumeration>(place - words.begin());
+}
+
+/// A whole number up to 2^53, as JSON holds them exactly.
+std::uint64_t read_whole(io::json::Reader& in, std::string_view what);
 
 /// A string that must be this one, such as the name of a format.
 void read_exactly(io::json::Reader& in, std::string_view what, std::string_view expected);

@@ -37,6 +37,7 @@ std::vector<ProfileLine> profile_lines(const Profile& profile) {
                                     {"directions", std::string(word(profile.directions))},
                                     {"inside", std::string(word(profile.inside))},
                                     {"names_elements", profile.names_elements ? "true" : "false"}};
+  if (profile.watertight) lines.push_back({"watertight", "true"});
   add_limit(lines, "thickness", profile.thickness, 0);
   add_limit(lines, "least_t", profile.least_t, 0);
   add_limit(lines, "greatest_t", profile.greatest_t, infinity);

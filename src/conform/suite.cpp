@@ -4,18 +4,10 @@
 
 #include <algorithm>
 
-#include "conform/robust.hpp"
-#include "durero/engine/engine.hpp"
+#include "conform/scattered.hpp"
 
 namespace durero::conform {
 namespace {
-
-/// A bijection that scatters its numbers (the finalizer of SplitMix64).
-std::uint64_t scattered(std::uint64_t x) {
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
-  return x ^ (x >> 31);
-}
 
 /// Of the stream of a case; generate makes one for each family of it.
 std::uint64_t seed_of_case(std::uint64_t seed, std::uint64_t number) { return scattered(scattered(seed) + number); }
@@ -53,14 +45,8 @@ SuiteCase suite_case(const SuiteOptions& options, const Family& family, std::uin
 
 void answer(SuiteCase& of) {
   const auto& [scene, rays] = of.the_case;
-  const auto engine = engine::find("analytic")->prepare(scene);
-  const std::vector<scene::Hit> hits = engine::first_hits(*engine, rays);
   of.truths.clear();
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    const AnsweredQuery answered{scene, rays[i], hits[i]};
-    const bool alone = hits[i].resultado == model::Resultado::miss || certainly_robust(answered);
-    of.truths.push_back(alone ? Truth{hits[i]} : truth_of(answered));
-  }
+  for (const scene::Query& ray : rays) of.truths.push_back(truth(scene, ray));
 }
 
 }  // namespace durero::conform

@@ -19,14 +19,6 @@ namespace {
 
 using io::json::Reader;
 
-std::uint64_t read_whole(Reader& in, std::string_view what) {
-  const std::size_t at = in.offset();
-  const double value = in.number(what);
-  if (!(value >= 0 && value <= 0x1p53) || std::trunc(value) != value)
-    in.fail(at, fmt::format("{} is {}", what, value), "expected a whole number up to 2^53");
-  return static_cast<std::uint64_t>(value);
-}
-
 /// One of the values, by its word.
 template <class Value>
 Value read_one_of(Reader& in, std::string_view what, std::initializer_list<Value> values) {

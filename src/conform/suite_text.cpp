@@ -107,7 +107,7 @@ std::vector<File> case_files(const SuiteCase& of, const Count& counted) {
 std::string suite_text(const SuiteOptions& options, const std::vector<FamilySummary>& families) {
   std::string text;
   Writer out(text);
-  out.begin_object().member("format", "durero-suite").member("version", std::uint64_t{1});
+  out.begin_object().member("format", "durero-suite").member("version", suite_version);
   out.member("seed", options.seed).member("rays", std::uint64_t{options.rays});
   out.member("numbers", word(options.numbers)).member("caps", word(options.caps)).key("tipos").begin_array();
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {

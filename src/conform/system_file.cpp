@@ -175,7 +175,13 @@ std::map<std::string, std::string> system_files(const std::string& systems) {
   return files;
 }
 
-std::string default_systems() { return DURERO_SYSTEMS; }
+/// Those that were installed with the program, or of the sources that it was built from.
+std::string default_systems() {
+  std::error_code none;
+  const fs::path program = fs::read_symlink("/proc/self/exe", none);
+  const fs::path installed = (program.parent_path().parent_path() / DURERO_INSTALLED_SYSTEMS).lexically_normal();
+  return !program.empty() && fs::is_directory(installed, none) ? installed.string() : DURERO_SYSTEMS;
+}
 
 std::string default_setups() {
   const char* const cache = std::getenv("XDG_CACHE_HOME");

@@ -31,13 +31,6 @@ bool is_worse(const Judgement& a, std::size_t elements, const Finding& b) {
   return elements < b.of.the_case.scene.size();
 }
 
-SuiteCase with_ray_alone(const SuiteCase& of, std::size_t ray) {
-  SuiteCase cut = of;
-  cut.the_case.rays = {of.the_case.rays[ray]};
-  cut.truths = {of.truths[ray]};
-  return cut;
-}
-
 void keep_worst(FamilyTally& tally, const SuiteCase& of, std::size_t ray, const Claim& claim, const Judgement& is) {
   std::optional<Finding>& worst = tally.worst[place(is.verdict)];
   if (worst && !is_worse(is, of.the_case.scene.size(), *worst)) return;
@@ -75,6 +68,13 @@ std::size_t ulp_bin(double ulps) {
   return ulps <= 1 ? 1 : 1 + static_cast<std::size_t>(std::ceil(std::log2(ulps)));
 }
 
+SuiteCase with_ray_alone(const SuiteCase& of, std::size_t ray) {
+  SuiteCase cut = of;
+  cut.the_case.rays = {of.the_case.rays[ray]};
+  cut.truths = {of.truths[ray]};
+  return cut;
+}
+
 bool is_failure(Verdict verdict) { return verdict == Verdict::off || is_gross(verdict); }
 
 std::uint64_t FamilyTally::rays() const { return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}); }
@@ -88,7 +88,7 @@ FamilyTally& Tally::tally_of(const Family& family) {
   return families_.back();
 }
 
-void Tally::add(const SuiteCase& of, std::span<const Claim> claims, const Profile& profile) {
+std::vector<Judgement> Tally::add(const SuiteCase& of, std::span<const Claim> claims, const Profile& profile) {
   FamilyTally& tally = tally_of(*of.family);
   std::vector<Judgement> judgements;
   for (std::size_t ray = 0; ray < claims.size(); ++ray) {
@@ -101,7 +101,8 @@ void Tally::add(const SuiteCase& of, std::span<const Claim> claims, const Profil
   tally.spreads.push_back(spread_of(of, judgements));
   const std::size_t failures = failures_in(judgements);
   if (failures > 0 && (!tally.most_failures || failures > failures_in(tally.most_failures->judgements)))
-    tally.most_failures = {of, {claims.begin(), claims.end()}, std::move(judgements)};
+    tally.most_failures = {of, {claims.begin(), claims.end()}, judgements};
+  return judgements;
 }
 
 std::uint64_t Tally::rays() const {

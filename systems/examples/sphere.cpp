@@ -2,31 +2,25 @@
 #include <cmath>
 #include <iostream>
 #include <map>
-#include <valarray>
 
 int main() {
-  std::map<std::string, std::valarray<double>> spheres;  // centre and radius
-  std::cout.precision(17);
+  std::map<std::string, double[4]> spheres;  // centre and radius
   std::cout << "system example-c++ 1" << std::endl;
-  for (std::string word, name; std::cin >> word >> name;) {
+  for (std::string word, name; std::cin >> word >> name; std::fflush(stdout)) {
     if (word == "scene") spheres.clear();
-    if (word == "esfera")
-      for (double& number : spheres[name] = std::valarray<double>(4)) std::cin >> number;
+    for (int i = 0; i < 4 && word == "esfera"; ++i) std::cin >> spheres[name][i];
     for (int rays = word == "rays" ? std::stoi(name) : 0; rays > 0; --rays) {
-      std::valarray<double> p(3), v(3);
-      for (auto* numbers : {&p, &v})
-        for (double& number : *numbers) std::cin >> number;
-      std::pair<double, std::string> nearest = {INFINITY, ""};
+      double x[6], nearest = INFINITY;
+      for (double& number : x) std::cin >> number;
+      std::string first;
       for (const auto& [element, s] : spheres) {
-        const std::valarray<double> q = p - s[std::slice(0, 3, 1)];
-        const double A = (v * v).sum(), B = (q * v).sum(), D = B * B - A * ((q * q).sum() - s[3] * s[3]);
-        for (const double t : {(-B - std::sqrt(D)) / A, (-B + std::sqrt(D)) / A})  // nan where there is no root
-          if (t > 0 && t < nearest.first) nearest = {t, element};
+        double A = 0, B = 0, C = -s[3] * s[3];
+        for (int i = 0; i < 3; ++i)
+          A += x[3 + i] * x[3 + i], B += (x[i] - s[i]) * x[3 + i], C += (x[i] - s[i]) * (x[i] - s[i]);
+        for (double root : {-std::sqrt(B * B - A * C), std::sqrt(B * B - A * C)})  // or NaN
+          if (double t = (root - B) / A; t > 0 && t < nearest) nearest = t, first = element;
       }
-      if (nearest.second.empty())
-        std::cout << "miss" << std::endl;
-      else
-        std::cout << "hit " << nearest.second << ' ' << nearest.first << std::endl;
+      first.empty() ? std::puts("miss") : std::printf("hit %s %.17g\n", first.c_str(), nearest);
     }
   }
 }

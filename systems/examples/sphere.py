@@ -1,4 +1,5 @@
-import math, sys  # A system that knows spheres: it reads the rays of `durero conform run` and writes its hits.
+# A system that knows spheres: it reads the rays of `durero conform run` and writes its hits.
+import math, sys
 
 def roots(p, v, c, r):  # t of |p + t·v - c| = r
     q = [a - b for a, b in zip(p, c)]

@@ -27,7 +27,7 @@ const std::string whole = R"({"format":"durero-system","version":1,"system":"s",
 "ask":["{python}","{out}"],
 "profile":{"format":"binary64","tipos":["cilindro"],"caps":"solid","measure":"length","directions":"unchecked",
 "inside":"nothing","names_elements":false,"least_t":0.5,"greatest_t":1e10,"least_size":1e-3,"greatest_size":1e3,
-"greatest_coordinate":1e7,"thickness":1e-9},
+"greatest_coordinate":1e7,"thickness":1e-9,"watertight":true},
 "sources":[{"claim":"directions","sentence":"The direction is of unit length.","place":"manual, 2"}]})";
 
 System read(const std::string& text) { return read_system({"/systems/folder/s.json", text}, "/cache"); }
@@ -97,6 +97,8 @@ TEST_CASE("a system is read with its places filled in") {
   CHECK(profile.greatest_size == 1e3);
   CHECK(profile.greatest_coordinate == 1e7);
   CHECK(profile.thickness == 1e-9);
+  CHECK(profile.watertight);
+  CHECK_FALSE(read(least).profile.watertight);
   REQUIRE(profile.sources.size() == 1);
   CHECK(profile.sources[0].claim == "directions");
   CHECK(profile.sources[0].sentence == "The direction is of unit length.");

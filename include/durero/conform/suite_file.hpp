@@ -25,6 +25,9 @@
 
 namespace durero::conform {
 
+/// Of their format: another where the same options make other cases.
+inline constexpr std::uint64_t suite_version = 1;
+
 inline constexpr std::size_t ambiguity_count = 7;
 
 /// What a suite has of a family.

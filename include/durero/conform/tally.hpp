@@ -55,13 +55,21 @@ struct FamilyTally {
   std::uint64_t failures() const;  ///< off, gross or no answer at all
 };
 
+/// The case as if it had that ray alone. Precondition: the case was answered.
+SuiteCase with_ray_alone(const SuiteCase& of, std::size_t ray);
+
 /// A right system's verdicts are exact, right and skipped alone.
 bool is_failure(Verdict verdict);
 
 class Tally {
  public:
-  /// Judges the claims on the rays of a case. Precondition: the case was answered, and has as many rays as claims.
-  void add(const SuiteCase& of, std::span<const Claim> claims, const Profile& profile);
+  Tally() = default;
+  /// What was counted already.
+  explicit Tally(std::vector<FamilyTally> families) : families_(std::move(families)) {}
+
+  /// Judges the claims on the rays of a case, and gives the judgements. Precondition: the case was answered, and has as
+  /// many rays as claims.
+  std::vector<Judgement> add(const SuiteCase& of, std::span<const Claim> claims, const Profile& profile);
 
   const std::vector<FamilyTally>& families() const { return families_; }  ///< in the order in which they were added
   std::uint64_t rays() const;

@@ -1,0 +1,33 @@
+#include "conform_campaign.hpp"
+
+#include <filesystem>
+
+#include "conform.hpp"
+#include "conform_system.hpp"
+
+namespace durero::cli {
+namespace {
+
+/// A file that a campaign names is looked for from its folder; a name is no file.
+std::string beside(const std::string& campaign, const std::string& name_or_file) {
+  if (name_or_file.find('/') == name_or_file.npos && !name_or_file.ends_with(".json")) return name_or_file;
+  return std::filesystem::path(campaign).parent_path() / name_or_file;
+}
+
+}  // namespace
+
+void add_campaign(CLI::App& command, CampaignCall& call) {
+  command.add_option("CAMPAIGN", call.file, "The campaign: a file, as docs/campaigns.md has it")->required();
+  add_systems(command, call.systems);
+}
+
+NamedCampaign campaign_of(const CampaignCall& call) {
+  conform::Campaign campaign = conform::read_campaign(io::read_source(call.file));
+  const bool is_command = campaign.system.starts_with(conform::of_command);
+  const std::string name = is_command ? campaign.system : beside(call.file, campaign.system);
+  conform::System system = system_of(name, beside(call.file, campaign.profile), call.systems);
+  std::string identity = conform::identity(campaign, system.profile);
+  return {std::move(campaign), std::move(system), std::move(identity)};
+}
+
+}  // namespace durero::cli

@@ -1,0 +1,80 @@
+// durero conform merge CAMPAIGN PATH… [--output MERGED]: what the shards of a campaign say together.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+
+#include "conform.hpp"
+#include "conform_campaign.hpp"
+#include "durero/conform/campaign_report.hpp"
+#include "durero/io/output_file.hpp"
+
+namespace durero::cli {
+namespace {
+
+using namespace conform;
+namespace fs = std::filesystem;
+
+struct Options {
+  CampaignCall campaign;
+  std::vector<std::string> paths;
+  std::string output;
+};
+
+/// The file, or every .json of a folder but the campaign, by name.
+std::vector<std::string> files_of(const std::string& path, const std::string& campaign) {
+  if (!fs::is_directory(path)) return {path};
+  std::vector<std::string> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(path)) {
+    std::error_code none;  // where the campaign is no file, it is none of these
+    const bool is_campaign = fs::equivalent(entry.path(), campaign, none);
+    if (entry.path().extension() == ".json" && !is_campaign) files.push_back(entry.path());
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+void add_file(Shards& shards, const std::string& file, const NamedCampaign& named) {
+  Shards read = read_shards(io::read_source(file), named.campaign, named.identity);
+  try {
+    unite(shards, std::move(read));
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(fmt::format("{}: {}", file, error.what()));
+  }
+}
+
+int run(const Options& options) {
+  const NamedCampaign named = campaign_of(options.campaign);
+  Shards shards;
+  for (const std::string& path : options.paths) {
+    for (const std::string& file : files_of(path, options.campaign.file)) add_file(shards, file, named);
+  }
+  const std::string said = campaign_text(shards, named.campaign, named.identity, named.system);
+  if (!options.output.empty()) io::write_file(options.output, shards_text(shards, named.campaign, named.identity));
+  io::write_file("-", said);
+  return disputed(shards).empty() ? 0 : 1;
+}
+
+}  // namespace
+
+void add_conform_merge(CLI::App& conform, int& status) {
+  auto* command = conform.add_subcommand("merge", "Put shards of a campaign together, and say what they found");
+  const auto options = std::make_shared<Options>();
+  add_campaign(*command, options->campaign);
+  command->add_option("PATH", options->paths, "Files of shards, single or merged, and folders of them")->required();
+  command->add_option("--output", options->output, "The file for all of them together");
+  command->footer(
+      "Shards may come in any order, again, and merged before: the file is the same. Of a folder every .json is "
+      "taken,\n"
+      "but the campaign. A file of another campaign or another version of the system, one that is truncated or "
+      "altered,\n"
+      "is refused.\n"
+      "Status 0: they are put together, whatever they found; 1: a shard was given with different contents; 2: a file "
+      "was\n"
+      "refused, or a bad call.");
+  command->callback([options, &status] { status = run(*options); });
+}
+
+}  // namespace durero::cli

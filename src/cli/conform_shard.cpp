@@ -1,0 +1,98 @@
+// durero conform shard CAMPAIGN N: asks the system of a campaign the rays of one of its shards.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <thread>
+
+#include "conform.hpp"
+#include "conform_campaign.hpp"
+#include "conform_progress.hpp"
+#include "durero/conform/runner.hpp"
+#include "durero/conform/setup.hpp"
+#include "durero/conform/shard.hpp"
+#include "durero/io/output_file.hpp"
+#include "numbers.hpp"
+
+namespace durero::cli {
+namespace {
+
+using namespace conform;
+
+struct Options {
+  CampaignCall campaign;
+  std::uint64_t shard = 0;
+  std::string output;
+  std::size_t jobs = std::max(1U, std::thread::hardware_concurrency());
+  std::optional<double> time;
+};
+
+RunCases run_cases(const std::vector<CasePlace>& places, const SuiteOptions& suite, const Profile& profile) {
+  const auto make = [&](std::size_t place) {
+    SuiteCase of = suite_case(suite, places[place]);
+    answer(of);
+    return of;
+  };
+  return {places.size(), make, [&](const SuiteCase& of, std::size_t ray) { return outside(of, ray, profile); }};
+}
+
+Shards asked(const NamedCampaign& named, const Options& options) {
+  const auto& [campaign, system, identity] = named;
+  const SuiteOptions suite = suite_options(campaign, system.profile);
+  const std::vector<CasePlace> places = cases_of_shard(campaign, suite, options.shard);
+  ShardTally tally(campaign, options.shard, system.profile);
+  RunOptions run{.jobs = options.jobs};
+  run.ask.time = std::chrono::duration<double>(options.time.value_or(campaign.time));
+  Progress progress(fmt::format("{}, shard {}", system.name, options.shard), places.size());
+  const auto sink = [&](const SuiteCase& of, std::span<const Claim> claims) {
+    tally.add(of, claims);
+    progress.step();
+  };
+  const RunEnd end = run_system(system, run_cases(places, suite, system.profile), run, sink, interrupted());
+  if (end.stopped)
+    throw std::runtime_error(
+        fmt::format("shard {}: stopped after {} of {} scenes; expected to go on, and nothing was written",
+                    options.shard, end.cases, places.size()));
+  return tally.shards(end.says);
+}
+
+int run(const Options& options) {
+  const NamedCampaign named = campaign_of(options.campaign);
+  if (options.shard >= named.campaign.shards)
+    throw std::runtime_error(
+        fmt::format("no shard {}; expected one from 0 to {}", options.shard, named.campaign.shards - 1));
+  if (const std::string why = why_absent(named.system); !why.empty())
+    throw std::runtime_error(
+        fmt::format("{} is absent: {}; expected durero conform setup {}", named.system.name, why, named.system.name));
+  const std::string text = shards_text(asked(named, options), named.campaign, named.identity);
+  io::write_file(options.output.empty() ? fmt::format("shard-{:07}.json", options.shard) : options.output, text);
+  return 0;
+}
+
+}  // namespace
+
+void add_conform_shard(CLI::App& conform, int& status) {
+  auto* command = conform.add_subcommand("shard", "Ask the system of a campaign the rays of one shard");
+  const auto options = std::make_shared<Options>();
+  add_campaign(*command, options->campaign);
+  command->add_option("N", options->shard, "Which shard, from 0")
+      ->check(whole_number(0, std::uint64_t{1} << 53U))
+      ->required();
+  command->add_option("--output", options->output, "The file to write; without it, shard-000000N.json here");
+  command->add_option("--jobs", options->jobs, "So many processes of the system are asked at once")
+      ->check(whole_number(1, 256))
+      ->capture_default_str();
+  command->add_option("--time", options->time, "Seconds that a ray may take; without it, what the campaign says")
+      ->check(number(0.001, 86400));
+  command->footer(
+      "The file depends on the campaign, on N and on what the system answers; it is whole or not there. What crashes "
+      "the\n"
+      "system or lets it hang costs one ray.\n"
+      "Status 0: it is written, whether the system is right or not; 2: the system is absent or was stopped, or a bad "
+      "call.");
+  command->callback([options, &status] { status = run(*options); });
+}
+
+}  // namespace durero::cli

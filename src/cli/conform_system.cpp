@@ -1,0 +1,27 @@
+#include "conform_system.hpp"
+
+#include <stdexcept>
+
+#include "durero/conform/campaign.hpp"
+
+namespace durero::cli {
+
+using namespace conform;
+
+System system_of(const std::string& name, const std::string& profile, const std::string& systems) {
+  if (!name.starts_with(of_command)) {
+    const bool is_file = name.ends_with(".json") || name.find('/') != name.npos;
+    return is_file ? read_system(io::read_source(name), default_setups())
+                   : find_system(name, systems, default_setups());
+  }
+  if (profile.empty())
+    throw std::runtime_error("command: without --profile; expected a system's name or a file that says what it claims");
+  System system;
+  system.name = "command";
+  system.ask = {"sh", "-c", name.substr(of_command.size())};
+  system.title = system.ask.back();
+  system.profile = read_profile(profile, systems);
+  return system;
+}
+
+}  // namespace durero::cli

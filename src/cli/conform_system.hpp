@@ -1,0 +1,14 @@
+#pragma once
+/// The systems that a call names.
+
+#include <string>
+
+#include "durero/conform/system_file.hpp"
+
+namespace durero::cli {
+
+/// A system by its name, by its file (what ends in .json or has a slash), or command:PROGRAM, whose profile is that of
+/// a system or a file. Throws std::runtime_error where there is none such.
+conform::System system_of(const std::string& name, const std::string& profile, const std::string& systems);
+
+}  // namespace durero::cli

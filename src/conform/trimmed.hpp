@@ -1,0 +1,25 @@
+#pragma once
+/// The counts of shards without what stands for nothing at the ends of their lists: so equal counts are equal values.
+
+#include "durero/conform/shard.hpp"
+
+namespace durero::conform {
+
+template <class Value>
+void trim(std::vector<Value>& list) {
+  while (!list.empty() && list.back() == Value{}) list.pop_back();
+}
+
+inline FamilyCounts trimmed(FamilyCounts counts) {
+  trim(counts.verdicts);
+  trim(counts.clauses);
+  return counts;
+}
+
+inline ShardCounts trimmed(ShardCounts counts) {
+  trim(counts.ulps);
+  trim(counts.families);
+  return counts;
+}
+
+}  // namespace durero::conform
