@@ -182,3 +182,24 @@ TEST_CASE("setups are kept where the user's caches are") {
   ::unsetenv("HOME");
   CHECK_THROWS_WITH(default_setups(), Catch::Contains("expected a folder for systems"));
 }
+
+TEST_CASE("how a failure is reproduced and what is known to fail are read, places filled in") {
+  const std::string more = R"(,"reproduce":{"program":"reproduce.py.in","words":{"variant":"scalar"},
+"run":[["cc","-o","{built}","{program}"],["{python}","{setup}"]]},
+"known":[{"verdicts":["missed"],"cause":"why"},{"verdicts":["off"],"types":["cono"],"families":["tiny"],"cause":"x"}]})";
+  const System system = read(whole.substr(0, whole.rfind('}')) + more);
+  CHECK(system.reproducer.program == "/systems/folder/reproduce.py.in");
+  CHECK(system.reproducer.words.at("variant") == "scalar");
+  CHECK(system.reproducer.run ==
+        std::vector<Command>{{"cc", "-o", "{built}", "{program}"}, {"/cache/s/venv/bin/python", "/cache/s"}});
+  REQUIRE(system.known.size() == 2);
+  CHECK(system.known[0].cause == "why");
+  CHECK(system.known[0].tipos.empty());
+  CHECK(system.known[1].tipos == std::vector<std::string>{"cono"});
+  CHECK(system.known[1].families == std::vector<std::string>{"tiny"});
+  CHECK(read(whole).reproducer.program.empty());
+  const std::string no_cause = whole.substr(0, whole.rfind('}')) + R"(,"known":[{"verdicts":["missed"]}]})";
+  CHECK_THROWS_AS(read(no_cause), io::InputError);
+  const std::string no_run = whole.substr(0, whole.rfind('}')) + R"(,"reproduce":{"program":"x"}})";
+  CHECK_THROWS_AS(read(no_run), io::InputError);
+}
