@@ -36,7 +36,8 @@ function(durero_foreign)
 endfunction()
 
 # durero_layer(NAME DEPENDS <layers above it> LIBRARIES <packages>): one target a layer, made of
-# include/durero/NAME/ and the sources in src/NAME/ and its folders; header-only while there are none.
+# include/durero/NAME/ and the sources in src/NAME/ and its folders; header-only while there are none. A static library,
+# or with BUILD_SHARED_LIBS a shared one.
 function(durero_sources OUT DIR)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${DIR}/*.cpp)
   set(${OUT} ${sources} PARENT_SCOPE)
@@ -47,7 +48,8 @@ function(durero_layer NAME)
   list(TRANSFORM LAYER_DEPENDS PREPEND durero::)
   durero_sources(sources src/${NAME})
   if(sources)
-    add_library(durero_${NAME} STATIC ${sources})
+    add_library(durero_${NAME} ${sources})
+    set_target_properties(durero_${NAME} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
     target_include_directories(durero_${NAME} PRIVATE ${PROJECT_SOURCE_DIR}/src)
     durero_precompiled(durero_${NAME} durero_foreign)
     set(scope PUBLIC)
@@ -56,6 +58,7 @@ function(durero_layer NAME)
     set(scope INTERFACE)
   endif()
   add_library(durero::${NAME} ALIAS durero_${NAME})
+  set_target_properties(durero_${NAME} PROPERTIES EXPORT_NAME ${NAME})
   target_link_libraries(durero_${NAME} ${scope} durero_options ${LAYER_DEPENDS} ${LAYER_LIBRARIES})
   set_property(GLOBAL APPEND PROPERTY DURERO_LAYERS ${NAME})
 endfunction()

@@ -21,15 +21,21 @@ if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   endif()
 endif()
 
+# What whoever includes the headers must compile with too; the warnings are for our own sources alone.
 add_library(durero_options INTERFACE)
-target_compile_options(durero_options INTERFACE
-  -ffp-contract=off -fno-fast-math
-  -Wall -Wextra -Wpedantic -Wconversion -Wshadow
-  -Werror=switch -Werror=return-type)  # a closed set is known everywhere, or it does not compile
-if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND DURERO_PCH)
-  target_compile_options(durero_options INTERFACE -fpch-preprocess)  # ccache asks for it too
+target_compile_features(durero_options INTERFACE cxx_std_20)
+target_compile_options(durero_options INTERFACE -ffp-contract=off -fno-fast-math)
+if(PROJECT_IS_TOP_LEVEL)
+  target_compile_options(durero_options INTERFACE "$<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wconversion;-Wshadow>"
+    # A closed set is known everywhere, or it does not compile.
+    "$<BUILD_INTERFACE:-Werror=switch;-Werror=return-type>")
 endif()
-target_include_directories(durero_options INTERFACE ${PROJECT_SOURCE_DIR}/include)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND DURERO_PCH)
+  target_compile_options(durero_options INTERFACE $<BUILD_INTERFACE:-fpch-preprocess>)  # ccache asks for it too
+endif()
+target_include_directories(durero_options INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
+set_target_properties(durero_options PROPERTIES EXPORT_NAME options)
 
 if(DURERO_TIDY)
   find_program(CLANG_TIDY NAMES clang-tidy-16 clang-tidy REQUIRED)

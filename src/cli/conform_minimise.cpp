@@ -1,18 +1,12 @@
 // durero conform minimise SYSTEM --case FAMILY/NUMBER --ray N: a failure made as small as it stays one.
 #include <fmt/format.h>
 
-#include <array>
 #include <memory>
-#include <sstream>
 
 #include "conform.hpp"
 #include "conform_suite.hpp"
-#include "durero/conform/explanation.hpp"
-#include "durero/conform/minimise.hpp"
-#include "durero/conform/question.hpp"
-#include "durero/conform/report.hpp"
+#include "durero/conform/least_findings.hpp"
 #include "durero/conform/setup.hpp"
-#include "durero/io/number_text.hpp"
 
 namespace durero::cli {
 namespace {
@@ -25,33 +19,12 @@ struct Options {
   std::string systems = default_systems();
 };
 
-/// The question with its numbers as C writes them in hexadecimal.
-std::string in_hexadecimal(const std::string& question) {
-  std::string text;
-  std::istringstream lines(question);
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream words(line);
-    std::string shown;
-    for (std::string word; words >> word;) {
-      const auto number = io::read_finite(word);
-      shown += fmt::format("{}{}", shown.empty() ? "" : " ", number ? fmt::format("{:a}", *number) : word);
-    }
-    text += shown + "\n";
-  }
-  return text;
-}
-
 Finding finding_of(SuiteCase of, std::size_t ray, const Ask& ask, const Profile& profile) {
   of.the_case.rays = {of.the_case.rays[ray]};
   of.truths = {of.truths[ray]};
   const Claim claim = ask(of);
   const Judgement judgement = judge(of, 0, claim, profile);
   return {std::move(of), ray, claim, judgement};
-}
-
-std::string sentence(const Finding& finding) {
-  return fmt::format("{}: expected {}; got {}\n", name(finding.judgement.verdict), truth_words(finding),
-                     claim_words(finding));
 }
 
 int run(const Options& options) {
@@ -64,13 +37,9 @@ int run(const Options& options) {
   suite.caps = system.profile.caps;
   const Ask ask = asking(system, {}, interrupted());
   const Finding found = finding_of(case_of(options.of, suite), options.of.ray, ask, system.profile);
-  fmt::print("{}", sentence(found));
+  fmt::print("{}: expected {}; got {}\n", name(found.judgement.verdict), truth_words(found), claim_words(found));
   if (!is_failure(found.judgement.verdict)) return 0;
-  const Finding least = minimised(found, system.profile, ask);
-  constexpr std::array<std::size_t, 1> only{0};
-  const std::string question = question_text(least.of, system.profile.caps, only);
-  fmt::print("\n{}{}\nin hexadecimal:\n{}\n{}", sentence(least), question, in_hexadecimal(question),
-             explanation(least.of, 0));
+  fmt::print("\n{}", least_text(least_finding(found, system.profile, ask), system.profile));
   return 1;
 }
 

@@ -13,7 +13,7 @@
 #include "conform_suite.hpp"
 #include "conform_system.hpp"
 #include "durero/conform/campaign.hpp"
-#include "durero/conform/report.hpp"
+#include "durero/conform/least_findings.hpp"
 #include "durero/conform/runner.hpp"
 #include "durero/conform/setup.hpp"
 #include "numbers.hpp"
@@ -30,7 +30,8 @@ struct Options {
   std::string profile, report;
   std::size_t jobs = std::max(1U, std::thread::hardware_concurrency()), memory = 0;
   double time = 10;
-  bool goes_on = false;
+  bool goes_on = false, is_not_minimised = false;
+  LeastLimits least{};
 };
 
 /// The cases of the suite for a profile, family after family.
@@ -110,8 +111,10 @@ Outcome run_one(const System& system, const Options& options) {
     fmt::print("{}: absent: {}\n", system.name, why);
     return Outcome::not_asked;
   }
-  const std::optional<Report> report = report_of(system, options);
+  std::optional<Report> report = report_of(system, options);
   if (!report) return Outcome::not_asked;
+  if (!options.report.empty() && !options.is_not_minimised)
+    minimise_findings(*report, asking(system, run_options(system, options).ask, interrupted()), options.least);
   fmt::print("{}", report_text(*report));
   if (!options.report.empty()) write_reports(fmt::format("{}/{}", options.report, system.name), *report);
   return report->tally.is_conformant() ? Outcome::conformant : Outcome::not_conformant;
@@ -149,6 +152,8 @@ void add_conform_run(CLI::App& conform, int& status) {
   command->add_option("--profile", options->profile, "What command:PROGRAM claims: a system's name, or a file");
   auto* report = command->add_option("--report", options->report, "The folder for what is found and for the claims");
   command->add_flag("--continue", options->goes_on, "Go on where the run of that folder was stopped")->needs(report);
+  command->add_flag("--no-minimise", options->is_not_minimised, "The report shows failures as they were found")
+      ->needs(report);
   command->footer(
       "A system is asked in processes of its own: what crashes it or lets it hang costs one ray. What is found "
       "depends\n"

@@ -75,12 +75,16 @@ SuiteOptions suite_of(const SuiteCall& call) {
   return options;
 }
 
+CLI::Option* add_ray(CLI::App& command, CaseCall& call) {
+  auto* ray =
+      command.add_option("--ray", call.ray, "Which of its rays, from 0")->check(whole_number(0, rays_of_a_case - 1));
+  add_seed(command, call.suite);
+  return ray;
+}
+
 void add_case(CLI::App& command, CaseCall& call) {
   command.add_option("--case", call.name, "Which, such as tiny/0007")->required();
-  command.add_option("--ray", call.ray, "Which of its rays, from 0")
-      ->check(whole_number(0, rays_of_a_case - 1))
-      ->required();
-  add_seed(command, call.suite);
+  add_ray(command, call)->required();
 }
 
 SuiteCase case_of(const CaseCall& call, SuiteOptions suite) {

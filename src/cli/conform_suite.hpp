@@ -33,7 +33,9 @@ struct CaseCall {
   std::size_t ray = 0;
 };
 
-/// --case, --ray and --seed.
+/// --ray, which is handed back, and --seed.
+CLI::Option* add_ray(CLI::App& command, CaseCall& call);
+/// --case, --ray, which must be given, and --seed.
 void add_case(CLI::App& command, CaseCall& call);
 
 /// The case, answered, of a suite with those elements and numbers; it has the ray. Throws std::runtime_error where

@@ -32,7 +32,7 @@ std::string_view read_hit_numbers(std::span<const std::string_view> words, Claim
     claim.t = io::read_number(words.front());
     if (!claim.t) return "T is no number";
   }
-  if (words.size() == 1) return claim.t ? "" : "a hit says where: T, or X Y Z";
+  if (words.size() == 1) return "";
   claim.punto = read_point(words.subspan(1));
   return claim.punto ? "" : "X Y Z are no three numbers";
 }

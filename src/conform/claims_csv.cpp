@@ -72,7 +72,7 @@ Claim read_claim(const io::Source& source, std::size_t at, const Row& row) {
   if (given(outcome))
     claim.outcome = read_outcome(source, row[outcome].offset, row[outcome].text);
   else
-    claim.outcome = claim.t || claim.punto ? Claim::Outcome::hit : Claim::Outcome::miss;
+    claim.outcome = claim.t || claim.punto || given(element) ? Claim::Outcome::hit : Claim::Outcome::miss;
   check_claim(source, at, claim);
   return claim;
 }

@@ -101,4 +101,24 @@ Places places(AnyShape& any) {
   return all;
 }
 
+void scale(Draft& draft, int k) {
+  const double factor = std::ldexp(1, k);
+  draft.p *= factor;
+  draft.v *= factor;
+  for (Draft::Element& element : draft.elements) {
+    const Places of = places(element.shape);
+    for (glm::dvec3* point : of.points) *point *= factor;
+    for (double* length : of.lengths) *length *= factor;
+  }
+}
+
+double size_of(const Draft& draft) {
+  AnyShape first = draft.elements.front().shape;
+  const Places of = places(first);
+  if (!of.lengths.empty()) return *of.lengths.front();
+  double size = 0;
+  for (const glm::dvec3* point : of.points) size = std::max(size, largest(*point));
+  return size > 0 ? size : 1;
+}
+
 }  // namespace durero::conform

@@ -46,4 +46,9 @@ struct Places {
 };
 Places places(AnyShape& shape);
 
+/// The scene and the origin times 2^k, and v with them: the same crossings at the same t.
+void scale(Draft& draft, int k);
+/// Of its first element, in the first place, a length; where it has none, the largest coordinate of its points.
+double size_of(const Draft& draft);
+
 }  // namespace durero::conform

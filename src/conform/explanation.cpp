@@ -49,16 +49,11 @@ std::string answer_text(const scene::Scene& scene, const scene::Hit& hit) {
 
 }  // namespace
 
-std::string explanation(const SuiteCase& of, std::size_t ray) {
+std::string exact_answer(const SuiteCase& of, std::size_t ray) {
   const scene::Scene& scene = of.the_case.scene;
   const scene::Query& query = of.the_case.rays[ray];
   const Truth& truth = of.truths[ray];
-  std::string text = fmt::format("{}, ray {}: {} ({}: {})\n", of.name(), ray, of.family->kind,
-                                 of.family->parameter.name, of.parameter);
-  const std::array<std::size_t, 1> only{ray};
-  text += question_text(of, Caps::open, only);
-  if (!query.en.empty()) text += fmt::format("it starts on {}\n", names(scene, query.en));
-  text += fmt::format("the exact answer: {}\n", answer_text(scene, truth.hit));
+  std::string text = fmt::format("the exact answer: {}\n", answer_text(scene, truth.hit));
   const auto crossings = surface::exact::all_hits(scene, query.rayo, query.en);
   for (const surface::exact::Crossing& crossing : crossings) text += crossing_text(scene, crossing);
   if (truth.hit.resultado == model::Resultado::hit)
@@ -66,6 +61,16 @@ std::string explanation(const SuiteCase& of, std::size_t ray) {
   if (truth.ambiguity != Ambiguity::none) text += fmt::format("ambiguous: {}\n", name(truth.ambiguity));
   for (const scene::Hit& hit : truth.permissible) text += fmt::format("as good: {}\n", answer_text(scene, hit));
   return text;
+}
+
+std::string explanation(const SuiteCase& of, std::size_t ray) {
+  const scene::Query& query = of.the_case.rays[ray];
+  std::string text = fmt::format("{}, ray {}: {} ({}: {})\n", of.name(), ray, of.family->kind,
+                                 of.family->parameter.name, of.parameter);
+  const std::array<std::size_t, 1> only{ray};
+  text += question_text(of, Caps::open, only);
+  if (!query.en.empty()) text += fmt::format("it starts on {}\n", names(of.the_case.scene, query.en));
+  return text + exact_answer(of, ray);
 }
 
 }  // namespace durero::conform

@@ -223,6 +223,14 @@ constexpr FamilyRow table[] = {
      {0.9, 0.3},
      {r::closed_mesh, r::vertex},
      {nearly_edge, shared_edge}},
+    {{"margin",
+      "past an edge, a rim, an end, an apex or a limb, by a small part of the size",
+      "a bound moved by 10⁻⁴ of the size, which rays exactly at it do not tell",
+      {"−log2 of the part", 8, 40}},
+     {0.9, 0.1},
+     {r::bounded, r::margin},
+     {beside_bound, coincides},
+     {.parameter = Limits{8, 16}}},
 };
 
 }  // namespace

@@ -6,8 +6,10 @@
 
 #include "conform/allowance.hpp"
 #include "conform/error_of.hpp"
+#include "conform/robust.hpp"
 #include "conform/trial.hpp"
 #include "durero/contract/contract.hpp"
+#include "durero/trace/search.hpp"
 
 namespace durero::conform {
 namespace {
@@ -43,9 +45,14 @@ Elements solids_around_origin(const Trial& trial) {
   return around;
 }
 
-/// What a system must not pass by: every zone, but those of solids that a ray from inside does not meet by its profile.
-std::vector<Zone> walls(const Trial& trial) {
-  std::vector<Zone> all = zones(trial.scene, trial.ray, trial.precision());
+/// What a system must not pass by on the way to the limit: every zone, of a closed mesh as well where it claims to be
+/// watertight, but those of solids that a ray from inside does not meet by its profile.
+std::vector<Zone> walls(const Trial& trial, double limit) {
+  std::vector<Zone> all = zones(trial.scene, trial.ray, trial.precision(), limit);
+  if (trial.profile.watertight) {
+    if (const std::optional<Zone> mesh = zone_of_mesh(trial.scene, trial.ray.rayo, trial.precision()))
+      all.push_back(*mesh);
+  }
   if (trial.profile.inside != Inside::nothing) return all;
   const Elements around = solids_around_origin(trial);
   std::erase_if(all, [&](const Zone& zone) {
@@ -56,7 +63,7 @@ std::vector<Zone> walls(const Trial& trial) {
 
 Verdict of_miss(const Trial& trial) {
   if (trial.truth.hit.resultado == model::Resultado::miss) return Verdict::exact;
-  return walls(trial).empty() ? Verdict::right : Verdict::missed;
+  return walls(trial, trace::no_limit).empty() ? Verdict::right : Verdict::missed;
 }
 
 /// The hit is at the origin, which may lie inside a solid that the claim may be of.
@@ -68,15 +75,14 @@ bool is_at_origin_inside(const Trial& trial, const Claim& claim, const Place& pl
   });
 }
 
-/// Elements that the place may lie on, at a place of the ray.
-Elements elements_at(const Trial& trial, const Place& place) {
-  Elements all;
-  trial.scene.for_each([&](ElementRef element, const auto&) {
-    if (may_lie_on(trial.scene, element, place, trial.ray.rayo, trial.precision()) &&
-        may_lie_on_ray(trial, element, place))
-      all.push_back(element);
-  });
-  return all;
+/// Whether the place may lie on the element, at a place of the ray.
+bool may_be_of(const Trial& trial, ElementRef element, const Place& place) {
+  return may_lie_on(trial.scene, element, place, trial.ray.rayo, trial.precision()) &&
+         may_lie_on_ray(trial, element, place);
+}
+
+bool may_be_of_any(const Trial& trial, const Place& place) {
+  return trial.scene.any_of([&](ElementRef element, const auto&) { return may_be_of(trial, element, place); });
 }
 
 /// The zones that end before the place, where it is of that element.
@@ -106,32 +112,50 @@ Verdict of_beside(const Trial& trial, const Claim& claim, const Place& place, bo
   return is_of_first ? Verdict::off : Verdict::wrong_element;
 }
 
+/// No zone that ends before the place begins behind it.
 Verdict of_place(const Trial& trial, const Claim& claim, const Place& place) {
   if (is_at_origin_inside(trial, claim, place)) return Verdict::right;
-  const Elements at = elements_at(trial, place);
-  const std::vector<Zone> all = walls(trial);
+  Elements at;
+  trial.scene.for_each([&](ElementRef element, const auto&) {
+    if (trial.names(claim, element) && may_be_of(trial, element, place)) at.push_back(element);
+  });
+  if (at.empty()) return of_beside(trial, claim, place, may_be_of_any(trial, place));
+  const std::vector<Zone> all = walls(trial, rounded_up(place.t));
   std::optional<Verdict> off;
   for (const ElementRef element : at) {
-    if (!trial.names(claim, element)) continue;
     const std::vector<Zone> passed = passed_by(trial, place, element, all);
     if (passed.empty()) return Verdict::right;
     off = of_passed(trial, place, element, passed);
   }
-  return off ? *off : of_beside(trial, claim, place, !at.empty());
+  return *off;
 }
 
-/// Of a hit without a place: that it is of another element than the first proves nothing, since that element may be
-/// first somewhere for data within the allowance.
-Judgement of_element(const Trial& trial, const Claim& claim) {
+/// The ray may meet the element for some data, and no zone of another body certainly ends before.
+bool may_be_first(const Trial& trial, ElementRef element, const std::vector<Zone>& zones) {
+  const model::Rayo& rayo = trial.ray.rayo;
+  const auto t = earliest(trial.scene, element, rayo, trial.precision());
+  return t && std::none_of(zones.begin(), zones.end(), [&](const Zone& zone) {
+           return trial.body(zone.element) != trial.body(element) &&
+                  is_behind({.t = *t, .punto = {}, .way = {}}, {}, zone, rayo);
+         });
+}
+
+/// Of a hit without a place, which is right where an element that it may be of is first for some data.
+Verdict of_element(const Trial& trial, const Claim& claim) {
   const scene::ElementSet& first = trial.truth.hit.elementos;
-  const bool is_of_first =
-      std::any_of(first.begin(), first.end(), [&](ElementRef element) { return trial.names(claim, element); });
-  if (is_of_first) return {.verdict = Verdict::right};
-  return {.clause = "neither a distance nor a point"};
+  const auto is_named = [&](ElementRef element) { return trial.names(claim, element); };
+  if (std::any_of(first.begin(), first.end(), is_named)) return Verdict::right;
+  const Elements around = trial.profile.inside == Inside::origin ? solids_around_origin(trial) : Elements{};
+  if (std::any_of(around.begin(), around.end(), is_named)) return Verdict::right;
+  const std::vector<Zone> all = walls(trial, trace::no_limit);
+  const bool may_be = trial.scene.any_of(
+      [&](ElementRef element, const auto&) { return is_named(element) && may_be_first(trial, element, all); });
+  if (may_be) return Verdict::right;
+  return first.empty() ? Verdict::phantom : Verdict::wrong_element;
 }
 
 Judgement of_hit(const Trial& trial, const Claim& claim) {
-  if (!claim.t && !claim.punto) return of_element(trial, claim);
+  if (!claim.t && !claim.punto) return {.verdict = of_element(trial, claim)};
   if (is_the_truth(trial, claim)) return {.verdict = Verdict::exact};
   const std::optional<Place> where = place(trial, claim);
   if (!where) return {.verdict = Verdict::non_finite};

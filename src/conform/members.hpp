@@ -59,6 +59,11 @@ bool edge_of_sliver(const AnsweredQuery& q);   ///< meets one at its edge exactl
 bool nearly_coplanar(const AnsweredQuery& q);  ///< hits several at one point, or is nearly parallel to one
 bool coplanar(const AnsweredQuery& q);         ///< hits several at one point, or lies in their plane
 
+// Of the distance from a bound (members_margin.cpp): from the limb of a sphere or the rim of a disc in radii, from an
+// end along the axis in alturas, from an edge of a triangle by barycentric coordinate; where nothing is met before.
+bool beside_bound_by(const AnsweredQuery& q, int least, int greatest);  ///< 2^−greatest … 2^−least from one
+bool beside_bound(const AnsweredQuery& q);                              ///< by 2⁻⁴¹ … 2⁻⁷
+
 // Of the place of the points (members_place.cpp).
 bool mirrored_first(const AnsweredQuery& q);  ///< a root t > 0 on a mirrored nappe, before any hit
 bool nearly_apex(const AnsweredQuery& q);     ///< passes nearly through the apex of a cone

@@ -53,17 +53,6 @@ void translate(Draft& draft, const glm::dvec3& by) {
     for (glm::dvec3* point : places(element.shape).points) *point += by;
 }
 
-void scale(Draft& draft, int k) {
-  const double factor = std::ldexp(1, k);
-  draft.p *= factor;
-  draft.v *= factor;
-  for (Draft::Element& element : draft.elements) {
-    const Places of = places(element.shape);
-    for (glm::dvec3* point : of.points) *point *= factor;
-    for (double* length : of.lengths) *length *= factor;
-  }
-}
-
 /// To the origin, and to a size near 1.
 void move_home(Search& search) {
   search.attempt([](Draft& draft) { translate(draft, -*places(draft.elements.front().shape).points.front()); });

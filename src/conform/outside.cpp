@@ -22,6 +22,10 @@ bool is_of(double x, Format format) {
 bool is_of(const glm::dvec3& v, Format format) { return largest(v) < 1 || is_of(largest(v), format); }
 bool is_of(const scene::Corners& corners, Format format) { return is_of(largest(corners), format); }
 
+bool is_beyond(double x, double least_allowed, double greatest_allowed) {
+  return x < least_allowed || x > greatest_allowed;
+}
+
 std::string beyond(double x, std::string_view what, double least_allowed, double greatest_allowed) {
   if (x < least_allowed) return fmt::format("{} at least {}", what, least_allowed);
   if (x > greatest_allowed) return fmt::format("{} at most {}", what, greatest_allowed);
@@ -45,12 +49,13 @@ std::string clause_of(const Trial& trial, ElementRef element, const Shape& shape
   scene::for_each_attribute<Shape>([&](const auto& attribute) {
     if (!clause.empty()) return;
     const auto& value = shape.*attribute.field;
+    constexpr bool is_size = std::is_same_v<std::decay_t<decltype(value)>, double>;
+    const double least = is_size ? profile.least_size : 0;
+    const double greatest = is_size ? profile.greatest_size : profile.greatest_coordinate;
     if (!is_of(value, profile.format)) {
       clause = "numbers of binary32";
-    } else if (is_length(attribute.component)) {
-      constexpr bool is_size = std::is_same_v<std::decay_t<decltype(value)>, double>;
-      clause = is_size ? beyond(largest(value), "a size", profile.least_size, profile.greatest_size)
-                       : beyond(largest(value), "a coordinate", 0, profile.greatest_coordinate);
+    } else if (is_length(attribute.component) && is_beyond(largest(value), least, greatest)) {
+      clause = beyond(largest(value), is_size ? "a size" : "a coordinate", least, greatest);
     }
   });
   return clause;

@@ -22,7 +22,8 @@ enum Key : std::size_t {
   greatest_t,
   least_size,
   greatest_size,
-  greatest_coordinate
+  greatest_coordinate,
+  watertight
 };
 constexpr std::string_view keys[] = {"format",
                                      "tipos",
@@ -36,7 +37,8 @@ constexpr std::string_view keys[] = {"format",
                                      "greatest_t",
                                      "least_size",
                                      "greatest_size",
-                                     "greatest_coordinate"};
+                                     "greatest_coordinate",
+                                     "watertight"};
 constexpr std::size_t required = 7;
 
 constexpr auto shape_words = [] {
@@ -87,6 +89,9 @@ void read_member(Reader& in, Key key, Profile& profile) {
       return read_bound(in, what, profile.greatest_size);
     case greatest_coordinate:
       return read_bound(in, what, profile.greatest_coordinate);
+    case watertight:
+      profile.watertight = in.boolean(what);
+      return;
   }
 }
 

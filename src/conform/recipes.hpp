@@ -57,6 +57,10 @@ DrawnRay near_origin(Draws& random, int minus_log2_distance, Given shapes);
 FramedShapes grid(Draws& random, int count);
 DrawnRay grid(Draws& random, int, Given shapes);
 
+// Of one element near 0, past its bound (recipes_margin.cpp).
+FramedShapes bounded(Draws& random, int);
+DrawnRay margin(Draws& random, int minus_log2_margin, Given shapes);
+
 // Of a whole scene scaled or turned, and of one element twice, nearly (recipes_whole.cpp).
 FramedShapes scale(Draws& random, int log2_scale);
 DrawnRay scale(Draws& random, int log2_scale, Given shapes);

@@ -62,8 +62,10 @@ std::string finding_html(const Report& report, const Finding& finding) {
                   as_markup(truth_words(finding)), as_markup(claim_words(finding)));
   if (is.backward > 0 && std::isfinite(is.backward))
     html += fmt::format(" Its point is 2<sup>{:.1f}</sup> ε off the surface.", std::log2(is.backward));
-  return html + fmt::format("</p>\n<pre>{}\n{}</pre>\n", as_markup(question_of(finding, report.profile)),
-                            as_markup(replay(report, finding) + "\n" + minimising(report, finding)));
+  html += fmt::format("</p>\n<pre>{}\n{}</pre>\n", as_markup(question_of(finding, report.profile)),
+                      as_markup(replay(report, finding) + "\n" + minimising(report, finding)));
+  const std::string least = least_of(report, finding);
+  return least.empty() ? html : html + fmt::format("<p>As small as it fails:</p>\n<pre>{}</pre>\n", as_markup(least));
 }
 
 std::string family_html(const Report& report, const FamilyTally& family) {
@@ -122,6 +124,8 @@ std::string report_html(const Report& report) {
   for (const FamilyTally* family : failures_first(report.tally)) {
     if (family->failures() > 0) html += family_html(report, *family);
   }
+  if (const std::string left_out = left_out_words(report); !left_out.empty())
+    html += fmt::format("<p>{}.</p>\n", as_markup(left_out));
   return html + profile_html(report.profile) + skipped_html(report.tally) + "</body>\n</html>\n";
 }
 

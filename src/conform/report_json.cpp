@@ -1,4 +1,10 @@
+#include <array>
+#include <cmath>
+
 #include "conform/report_parts.hpp"
+#include "durero/conform/explanation.hpp"
+#include "durero/conform/least_findings.hpp"
+#include "durero/conform/question.hpp"
 #include "durero/io/json_writer.hpp"
 
 namespace durero::conform {
@@ -30,6 +36,29 @@ void write_verdicts(Writer& out, Count count) {
   out.end_object();
 }
 
+void write_data(Writer& out, const Report& report, const ExplainingData& data) {
+  out.key("data").begin_object().member("epsilon", data.epsilon).member("M", data.M);
+  if (data.excluded) out.member("excluded", std::ldexp(1, *data.excluded));
+  out.member("most", std::ldexp(1, data.most));
+  if (data.nearest) {
+    constexpr std::array<std::size_t, 1> only{0};
+    out.member("off", data.nearest->off);
+    out.member("question", question_text(data.nearest->of, report.profile.caps, only));
+  }
+  out.end_object();
+}
+
+void write_least(Writer& out, const Report& report, const LeastFinding& least) {
+  const Finding& finding = least.finding;
+  const std::string question = question_of(finding, report.profile);
+  out.new_line().key("least").begin_object().member("question", question);
+  out.member("hexadecimal", in_hexadecimal(question)).member("exact", exact_answer(finding.of, 0));
+  out.member("expected", truth_words(finding)).member("got", claim_words(finding));
+  out.member("ulps", finding.judgement.ulps).member("backward", finding.judgement.backward);
+  if (least.data) write_data(out, report, *least.data);
+  out.end_object();
+}
+
 void write_finding(Writer& out, const Report& report, const Finding& finding) {
   out.new_line().begin_object().member("verdict", name(finding.judgement.verdict));
   out.member("case", finding.of.name()).member("ray", std::uint64_t{finding.ray});
@@ -37,6 +66,8 @@ void write_finding(Writer& out, const Report& report, const Finding& finding) {
   out.member("ulps", finding.judgement.ulps).member("backward", finding.judgement.backward);
   out.member("question", question_of(finding, report.profile)).member("replay", replay(report, finding));
   if (!report.asked.empty()) out.member("minimise", minimising(report, finding));
+  const auto least = report.least.find(FindingKey(finding));
+  if (least != report.least.end()) write_least(out, report, least->second);
   out.end_object();
 }
 
@@ -69,6 +100,7 @@ std::string report_json(const Report& report) {
   write_profile(out, report.profile);
   out.new_line();
   write_verdicts(out, [&](Verdict verdict) { return report.tally.of(verdict); });
+  if (report.not_minimised > 0) out.member("not_minimised", std::uint64_t{report.not_minimised});
   out.new_line().key("families").begin_array();
   for (const FamilyTally* family : failures_first(report.tally)) write_family(out, report, *family);
   out.end_array().end_object();

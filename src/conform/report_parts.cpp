@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "durero/conform/least_findings.hpp"
 #include "durero/conform/question.hpp"
 #include "durero/io/number_text.hpp"
 
@@ -35,6 +37,7 @@ std::vector<ProfileLine> profile_lines(const Profile& profile) {
                                     {"directions", std::string(word(profile.directions))},
                                     {"inside", std::string(word(profile.inside))},
                                     {"names_elements", profile.names_elements ? "true" : "false"}};
+  if (profile.watertight) lines.push_back({"watertight", "true"});
   add_limit(lines, "thickness", profile.thickness, 0);
   add_limit(lines, "least_t", profile.least_t, 0);
   add_limit(lines, "greatest_t", profile.greatest_t, infinity);
@@ -42,6 +45,12 @@ std::vector<ProfileLine> profile_lines(const Profile& profile) {
   add_limit(lines, "greatest_size", profile.greatest_size, infinity);
   add_limit(lines, "greatest_coordinate", profile.greatest_coordinate, infinity);
   return lines;
+}
+
+std::string verdict_words(Verdict verdict) {
+  std::string words(name(verdict));
+  std::ranges::replace(words, '_', ' ');
+  return words;
 }
 
 std::string question_of(const Finding& finding, const Profile& profile) {
@@ -65,6 +74,16 @@ std::string minimising(const Report& report, const Finding& finding) {
   const SuiteOptions usual;
   if (report.options.seed != usual.seed) call += fmt::format(" --seed {}", report.options.seed);
   return call;
+}
+
+std::string least_of(const Report& report, const Finding& finding) {
+  const auto least = report.least.find(FindingKey(finding));
+  return least == report.least.end() ? "" : least_text(least->second, report.profile);
+}
+
+std::string left_out_words(const Report& report) {
+  if (report.not_minimised == 0) return "";
+  return fmt::format("{} worst findings were not made small: their number or the time was over", report.not_minimised);
 }
 
 std::vector<const Finding*> findings_of(const FamilyTally& family) {

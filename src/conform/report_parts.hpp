@@ -24,6 +24,9 @@ struct ProfileLine {
 };
 std::vector<ProfileLine> profile_lines(const Profile& profile);
 
+/// "far root" of far_root.
+std::string verdict_words(Verdict verdict);
+
 /// The question of the finding's ray, as a system would read it.
 std::string question_of(const Finding& finding, const Profile& profile);
 
@@ -33,6 +36,11 @@ std::string sentence(const Finding& finding);
 std::string replay(const Report& report, const Finding& finding);
 /// The call that makes the failure as small as it stays one; empty where the system was not asked by this program.
 std::string minimising(const Report& report, const Finding& finding);
+
+/// The same made small, in full; empty where it was not made so.
+std::string least_of(const Report& report, const Finding& finding);
+/// "3 worst findings were not made small"; empty where none was left out.
+std::string left_out_words(const Report& report);
 
 /// The worst findings of a family, gross ones first.
 std::vector<const Finding*> findings_of(const FamilyTally& family);

@@ -30,6 +30,7 @@ void write_result(Writer& out, const Report& report, const Finding& finding) {
   out.member("name", finding.of.name()).member("kind", "case").end_object().end_array().end_object().end_array();
   out.key("properties").begin_object().member("ray", std::uint64_t{finding.ray});
   out.member("question", question_of(finding, report.profile)).member("replay", replay(report, finding));
+  if (const std::string least = least_of(report, finding); !least.empty()) out.member("least", least);
   out.end_object().end_object();
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <sstream>
 
 #include "conform/report_parts.hpp"
 
@@ -34,6 +35,8 @@ std::string findings_text(const Report& report, const FamilyTally& family) {
       text += fmt::format("  backward error 2^{:.1f} of its unit\n", std::log2(finding->judgement.backward));
     text += fmt::format("  {}\n", replay(report, *finding));
     if (!report.asked.empty()) text += fmt::format("  {}\n", minimising(report, *finding));
+    std::istringstream least(least_of(report, *finding));
+    for (std::string line; std::getline(least, line);) text += fmt::format("    {}\n", line);
   }
   return text;
 }
@@ -66,6 +69,7 @@ std::string report_text(const Report& report) {
   if (report.profile.directions == Directions::unchecked)
     text += "warning: v must be a unit vector and nobody checks it: other rays get wrong answers without a word\n";
   for (const FamilyTally* family : failures_first(tally)) text += findings_text(report, *family);
+  if (const std::string left_out = left_out_words(report); !left_out.empty()) text += "\n" + left_out + "\n";
   return text;
 }
 

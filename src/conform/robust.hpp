@@ -11,14 +11,7 @@ namespace durero::conform {
 /// 0, which small changes leave as they are. Precondition: t is of reach(c.f).
 Ambiguity weakness(const Candidate& c, const Parameter& t);
 
-/// Whether the ray certainly has no point on the element, ends or not: quickly, and no where that is not clear.
-bool certainly_missed(const AnsweredQuery& q, scene::ElementRef e);
-
-/// Whether weakness certainly says none of the hit, and it is of one element: quickly, and no where that is not clear.
-/// Precondition: the hit is the exact answer to the query.
-bool certainly_robust(const AnsweredQuery& q);
-
-/// The truth of an exact answer.
-Truth truth_of(const AnsweredQuery& q);
+/// A number of binary64 that t is at most: a limit that leaves out nothing up to t.
+double rounded_up(const Parameter& t);
 
 }  // namespace durero::conform

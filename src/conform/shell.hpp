@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "conform/allowance.hpp"
+#include "durero/number/dyadic_surd.hpp"
 #include "durero/number/quotient.hpp"
 #include "durero/surface/surfaces.hpp"
 
@@ -49,7 +50,27 @@ struct Shell {
   std::vector<Bound> bounds{};
   /// The surface moved in is no surface any more, at the point: the shell is all that lies within `outer`.
   bool filled = false;
+  /// Along a ray, of an element with an axis: positive where the element is so wide that its walls are far apart.
+  std::optional<Bound> hollow{};
 };
+
+/// Whether the point that the shell is of lies inside the element or on it, for some data; and on it.
+inline bool may_hold_inside(const Shell<Dyadic>& shell) {
+  return number::sign(shell.outer) <= 0 && std::all_of(shell.bounds.begin(), shell.bounds.end(),
+                                                       [](const Dyadic& bound) { return number::sign(bound) >= 0; });
+}
+inline bool may_hold(const Shell<Dyadic>& shell) {
+  return may_hold_inside(shell) && (shell.filled || number::sign(shell.inner) >= 0);
+}
+
+/// The sign of A·t² + 2B·t + C; with t = (x + y√Δ)/w that of the same times w².
+inline int sign_at(const surface::Quadratic<Dyadic>& f, const number::DyadicSurd& t) {
+  if (number::sign(f.A) == 0) return number::sign(number::linear(f.C, number::shifted(f.B, 1), t));
+  const auto& [x, y, radicand, w] = t;
+  const Dyadic rational = f.A * (number::square(x) + number::square(y) * radicand) + number::shifted(f.B * x, 1) * w +
+                          f.C * number::square(w);
+  return number::sign(number::DyadicSurd{rational, number::shifted((f.A * x + f.B * w) * y, 1), radicand});
+}
 
 inline Dyadic moved(const Dyadic& by, Ends ends) { return ends == Ends::outwards ? by : -by; }
 
@@ -81,15 +102,18 @@ Shell<T> shell(const Shape& e, const Point<T>& w, const Allowance& allowed, Ends
   if constexpr (std::is_same_v<T, Dyadic>)
     result.filled = number::sign(in) <= 0;
   else
-    result.bounds.push_back(bound((base - Dyadic(8) * eta) - s * k));
+    result.hollow = bound((base - Dyadic(8) * eta) - s * k);
   return result;
 }
+
+/// How many δ a wall of a plane lies from it.
+inline const Dyadic plane_wall(15);
 
 /// q·d is off by the ray's share, and by |q|·√3·u for d: |q| ≤ |p| + |t·v| + |centro| ≤ 3√3·M, so 9·δ; together
 /// 14.5·δ.
 template <class T>
 Shell<T> shell(const scene::Plane& e, const Point<T>& w, const Allowance& allowed, Ends) {
-  const Dyadic eta = allowed.times(15);
+  const Dyadic eta = allowed.times(plane_wall);
   const T value = potencia(e, w);
   return {bound(value - eta), bound(value - (-eta))};
 }

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 
-#include "conform/robust.hpp"
 #include "conform/scattered.hpp"
-#include "durero/engine/engine.hpp"
 
 namespace durero::conform {
 namespace {
@@ -47,14 +45,8 @@ SuiteCase suite_case(const SuiteOptions& options, const Family& family, std::uin
 
 void answer(SuiteCase& of) {
   const auto& [scene, rays] = of.the_case;
-  const auto engine = engine::find("analytic")->prepare(scene);
-  const std::vector<scene::Hit> hits = engine::first_hits(*engine, rays);
   of.truths.clear();
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    const AnsweredQuery answered{scene, rays[i], hits[i]};
-    const bool alone = hits[i].resultado == model::Resultado::miss || certainly_robust(answered);
-    of.truths.push_back(alone ? Truth{hits[i]} : truth_of(answered));
-  }
+  for (const scene::Query& ray : rays) of.truths.push_back(truth(scene, ray));
 }
 
 }  // namespace durero::conform

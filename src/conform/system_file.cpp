@@ -17,9 +17,9 @@ namespace {
 namespace fs = std::filesystem;
 using io::json::Reader;
 
-enum Key : std::size_t { format, version, system, title, ask, profile, install, build, sources };
-constexpr std::string_view keys[] = {"format",  "version", "system", "title",  "ask",
-                                     "profile", "install", "build",  "sources"};
+enum Key : std::size_t { format, version, system, title, ask, profile, install, build, sources, reproduce, known };
+constexpr std::string_view keys[] = {"format",  "version", "system",  "title",     "ask",  "profile",
+                                     "install", "build",   "sources", "reproduce", "known"};
 constexpr std::size_t required = 6;
 
 std::vector<std::string> read_strings(Reader& in, std::string_view what) {
@@ -38,6 +38,32 @@ void read_packages(Reader& in, System& read) {
 }
 
 void read_name(Reader& in, System& read) { read_exactly(in, "system", read.name); }
+
+/// The template's place is filled in after.
+void read_reproduction(Reader& in, ReproducerPlan& read) {
+  constexpr std::string_view parts[] = {"program", "run", "words"};
+  in.object("reproduce", parts, 2, [&](std::size_t key) {
+    if (key == 0) read.program = in.string("program");
+    if (key == 1) in.array("run", [&] { read.run.push_back(read_strings(in, "a command")); });
+    if (key == 2)
+      in.members("words", [&](const io::json::Key& word) {
+        const std::string name(word.name);
+        read.words[name] = in.string(name);
+      });
+  });
+}
+
+KnownCause read_known_cause(Reader& in) {
+  constexpr std::string_view parts[] = {"verdicts", "cause", "types", "families"};
+  KnownCause read;
+  in.object("what is known", parts, 2, [&](std::size_t key) {
+    if (key == 0) read.verdicts = read_strings(in, "verdicts");
+    if (key == 1) read.cause = in.string("cause");
+    if (key == 2) read.tipos = read_strings(in, "types");
+    if (key == 3) read.families = read_strings(in, "families");
+  });
+  return read;
+}
 
 void read_part(Reader& in, Key key, System& read) {
   switch (key) {
@@ -62,6 +88,11 @@ void read_part(Reader& in, Key key, System& read) {
       return;
     case sources:
       read.profile.sources = read_sources(in);
+      return;
+    case reproduce:
+      return read_reproduction(in, read.reproducer);
+    case known:
+      in.array(keys[key], [&] { read.known.push_back(read_known_cause(in)); });
   }
 }
 
@@ -70,15 +101,17 @@ void replace_all(std::string& text, std::string_view what, std::string_view with
     text.replace(at, what.size(), with);
 }
 
-void fill_in_places(Command& command, const System& of) {
+void fill_in_places(System& of) {
   const std::string python = of.packages.contains("pypi") ? of.setup + "/venv/bin/python" : "python3";
-  for (std::string& word : command) {
-    replace_all(word, "{python}", python);
-    replace_all(word, "{out}", of.setup + "/ask");
-    replace_all(word, "{durero}", fs::canonical("/proc/self/exe").string());
-    replace_all(word, "{here}", of.folder);
-    replace_all(word, "{setup}", of.setup);
-  }
+  const std::map<std::string, std::string> places = {{"python", python},
+                                                     {"out", of.setup + "/ask"},
+                                                     {"durero", fs::canonical("/proc/self/exe").string()},
+                                                     {"here", of.folder},
+                                                     {"setup", of.setup}};
+  of.build = filled_in(std::move(of.build), places);
+  of.ask = filled_in(std::move(of.ask), places);
+  for (Command& command : of.reproducer.run) command = filled_in(std::move(command), places);
+  if (!of.reproducer.program.empty()) of.reproducer.program = of.folder + "/" + of.reproducer.program;
 }
 
 /// Beside the files of systems there may be others, as npm's.
@@ -114,9 +147,15 @@ System read_system(const io::Source& source, const std::string& setups) {
   const io::json::Document document(source);
   Reader in(document);
   in.object("a system", keys, required, [&](std::size_t key) { read_part(in, static_cast<Key>(key), read); });
-  fill_in_places(read.build, read);
-  fill_in_places(read.ask, read);
+  fill_in_places(read);
   return read;
+}
+
+Command filled_in(Command command, const std::map<std::string, std::string>& places) {
+  for (std::string& word : command) {
+    for (const auto& [name, place] : places) replace_all(word, "{" + name + "}", place);
+  }
+  return command;
 }
 
 std::map<std::string, std::string> system_files(const std::string& systems) {
@@ -136,7 +175,13 @@ std::map<std::string, std::string> system_files(const std::string& systems) {
   return files;
 }
 
-std::string default_systems() { return DURERO_SYSTEMS; }
+/// Those that were installed with the program, or of the sources that it was built from.
+std::string default_systems() {
+  std::error_code none;
+  const fs::path program = fs::read_symlink("/proc/self/exe", none);
+  const fs::path installed = (program.parent_path().parent_path() / DURERO_INSTALLED_SYSTEMS).lexically_normal();
+  return !program.empty() && fs::is_directory(installed, none) ? installed.string() : DURERO_SYSTEMS;
+}
 
 std::string default_setups() {
   const char* const cache = std::getenv("XDG_CACHE_HOME");

@@ -5,6 +5,7 @@
 
 #include "conform/robust.hpp"
 #include "durero/contract/contract.hpp"
+#include "durero/trace/search.hpp"
 
 namespace durero::conform {
 namespace {
@@ -21,8 +22,9 @@ bool at_one_point(const Place& a, const Place& b) {
 }
 
 bool earlier(const Place& a, const Place& b) {
-  if (at_one_point(a, b)) return a.e < b.e;
-  return !a.t || (b.t && surface::exact::order(*a.t, *b.t) < 0);
+  if (!a.t || !b.t) return std::pair(a.t.has_value(), a.e) < std::pair(b.t.has_value(), b.e);
+  const auto by_t = surface::exact::order(*a.t, *b.t);
+  return by_t != 0 ? by_t < 0 : a.e < b.e;
 }
 
 /// Of one element. A stretch counts with both its ends.
@@ -34,15 +36,65 @@ void add_places(std::vector<Place>& to, const Candidate& c) {
   if (reach.segment->end) to.push_back({reach.segment->end, c.e, Ambiguity::in_surface});
 }
 
-/// Of all elements, ascending.
-std::vector<Place> places(const AnsweredQuery& q) {
-  std::vector<Place> all;
-  q.scene.for_each([&](scene::ElementRef e, const auto&) {
-    if (!certainly_missed(q, e)) add_places(all, candidate(q, e));
-  });
-  std::sort(all.begin(), all.end(), earlier);
-  return all;
+/// Where some crossing that no small change removes is not beyond this, nothing behind it is permissible.
+double limit_by(const std::vector<Place>& places) {
+  double limit = trace::no_limit;
+  for (const Place& place : places) {
+    if (place.t && place.weakness == Ambiguity::none) limit = std::min(limit, rounded_up(*place.t));
+  }
+  return limit;
 }
+
+/// A ray among the elements: which it first meets how far away, by the steps before the exact one, as far as they tell.
+/// What they find stays where data change a little, so what lies behind the nearest of that is left out.
+class Sight {
+ public:
+  Sight(const scene::Scene& scene, const scene::Query& ray) : query_{scene, ray, {}} {
+    scene.for_each([&](scene::ElementRef e, const auto&) { look_at(e); });
+    std::vector<scene::ElementRef> again;
+    std::swap(again, unclear_);
+    for (const scene::ElementRef e : again) look_at(e);  // where it lies behind the limit, that may tell
+    leave_out_beyond_limit();
+  }
+
+  /// The hit, where it is clear.
+  std::optional<scene::Hit> clear_hit() const {
+    if (!unclear_.empty() || met_.size() > 1) return std::nullopt;
+    if (met_.empty()) return scene::Hit{};
+    const trace::Rounded rounded = search_.rounded_hit(met_.front().first, met_.front().second);
+    return scene::Hit{model::Resultado::hit, rounded.t, rounded.punto, {met_.front().first}};
+  }
+
+  /// The exact places on the elements that are left, ascending.
+  std::vector<Place> places() {
+    std::vector<Place> all;
+    for (const scene::ElementRef e : unclear_) add_places(all, candidate(query_, e));
+    limit_ = std::min(limit_, limit_by(all));
+    leave_out_beyond_limit();
+    for (const auto& [e, at] : met_) add_places(all, candidate(query_, e));
+    std::sort(all.begin(), all.end(), earlier);
+    return all;
+  }
+
+ private:
+  void look_at(scene::ElementRef e) {
+    std::optional<trace::Meeting> met = search_.certified_meeting(e, limit_);
+    if (!met) return unclear_.push_back(e);
+    if (met->kind == trace::Meeting::Kind::none) return;
+    limit_ = std::min(limit_, met->high);
+    met_.emplace_back(e, *std::move(met));
+  }
+  void leave_out_beyond_limit() {
+    std::erase_if(met_, [&](const auto& met) { return met.second.low > limit_; });
+  }
+
+  AnsweredQuery query_;
+  trace::Counts counts_{};
+  trace::Search search_{query_.scene, query_.query.rayo, query_.query.en, counts_};
+  double limit_ = trace::no_limit;
+  std::vector<std::pair<scene::ElementRef, trace::Meeting>> met_{};
+  std::vector<scene::ElementRef> unclear_{};
+};
 
 /// All that the ray meets at one point.
 using Meeting = std::span<const Place>;
@@ -78,6 +130,12 @@ scene::Hit hit_at(const model::Rayo& rayo, Meeting meeting) {
   return hit;
 }
 
+/// The exact answer, of the first meeting: a stretch from t → 0⁺ has no nearest point.
+scene::Hit answer_at(const scene::Hit& first, Meeting meeting) {
+  if (meeting.front().t) return first;
+  return {.resultado = model::Resultado::no_minimum, .elementos = first.elementos};
+}
+
 void add_each_alone(std::vector<scene::Hit>& to, scene::Hit hit) {
   if (hit.elementos.size() == 1) return;
   const scene::ElementSet all = hit.elementos;
@@ -109,29 +167,27 @@ std::string_view name(Ambiguity ambiguity) {
   contract::unreachable();
 }
 
-Truth truth_of(const AnsweredQuery& q) {
-  const model::Rayo& rayo = q.query.rayo;
-  const std::vector<Place> all = places(q);
+Truth truth(const scene::Scene& scene, const scene::Query& ray) {
+  Sight sight(scene, ray);
+  if (const auto hit = sight.clear_hit()) return {*hit};
+  const std::vector<Place> all = sight.places();
   if (all.empty()) return {};
   std::span<const Place> left = all;
   Meeting meeting = take_meeting(left);
-  Truth found{q.hit, ambiguity(meeting)};
-  if (!meeting.front().t) found.permissible.push_back(hit_at(rayo, meeting));
-  add_each_alone(found.permissible, meeting.front().t ? found.hit : found.permissible.front());
+  const scene::Hit first = hit_at(ray.rayo, meeting);
+  Truth found{answer_at(first, meeting), ambiguity(meeting)};
+  if (!meeting.front().t) found.permissible.push_back(first);
+  add_each_alone(found.permissible, first);
   while (!is_robust(meeting)) {
     if (left.empty()) {
       found.permissible.emplace_back();
       break;
     }
     meeting = take_meeting(left);
-    found.permissible.push_back(hit_at(rayo, meeting));
+    found.permissible.push_back(hit_at(ray.rayo, meeting));
     add_each_alone(found.permissible, found.permissible.back());
   }
   return found;
-}
-
-Truth truth(const scene::Scene& scene, const scene::Query& ray) {
-  return truth_of({scene, ray, surface::exact::first_hit(scene, ray.rayo, ray.en)});
 }
 
 }  // namespace durero::conform

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "conform/shell.hpp"
+#include "durero/trace/search.hpp"
 
 namespace durero::conform {
 namespace {
@@ -17,14 +18,11 @@ using surface::exact::Coefficients;
 using surface::exact::order;
 using surface::exact::Parameter;
 
-/// The sign of A·t² + 2B·t + C. Precondition: A = 0, or t is rational.
-int sign_at(const Quadratic<Dyadic>& bound, const Parameter& t) {
-  if (sign(bound.A) == 0) return number::sign(number::linear(bound.C, shifted(bound.B, 1), t));
-  return sign(bound.A * square(t.x) + shifted(bound.B * t.x, 1) * t.w + bound.C * square(t.w));
-}
-
-bool holds_at(const std::vector<Quadratic<Dyadic>>& bounds, const Parameter& t) {
-  return std::all_of(bounds.begin(), bounds.end(), [&](const auto& bound) { return sign_at(bound, t) >= 0; });
+/// Between the ends, where the walls are far apart.
+bool holds_at(const Shell<Linear<Dyadic>>& shell, const Parameter& t) {
+  return std::all_of(shell.bounds.begin(), shell.bounds.end(),
+                     [&](const auto& bound) { return sign_at(bound, t) >= 0; }) &&
+         (!shell.hollow || sign_at(*shell.hollow, t) >= 0);
 }
 
 /// Where the ray crosses a wall of a shell.
@@ -79,8 +77,7 @@ std::optional<Zone> zone_around(scene::ElementRef element, const Shape& shape, c
   Zone zone{element, walls.before->t, walls.after->t, allowed.delta};
   const bool is_ahead = number::sign(zone.begin) > 0;
   const bool is_in_reach = order(number::linear(0, longest, zone.end), Parameter{.x = M}) <= 0;
-  if (!is_ahead || !is_in_reach || !holds_at(around.bounds, zone.begin) || !holds_at(around.bounds, zone.end))
-    return std::nullopt;
+  if (!is_ahead || !is_in_reach || !holds_at(around, zone.begin) || !holds_at(around, zone.end)) return std::nullopt;
   return zone;
 }
 
@@ -90,16 +87,15 @@ Shell<Dyadic> shell_at(const Shape& shape, const Place& place, const model::Rayo
   return shell(shape, place.punto, Allowance(precision, magnitude(shape, rayo, place.way), rayo), Ends::outwards);
 }
 
-bool is_within(const Shell<Dyadic>& shell) {
-  return sign(shell.outer) <= 0 &&
-         std::all_of(shell.bounds.begin(), shell.bounds.end(), [](const Dyadic& bound) { return sign(bound) >= 0; });
-}
-
 }  // namespace
 
-std::vector<Zone> zones(const scene::Scene& scene, const scene::Query& ray, const Precision& precision) {
+std::vector<Zone> zones(const scene::Scene& scene, const scene::Query& ray, const Precision& precision, double limit) {
   std::vector<Zone> all;
+  trace::Counts counts;
+  const trace::Search search(scene, ray.rayo, ray.en, counts);
   scene.for_each([&](scene::ElementRef element, const auto& shape) {
+    const std::optional<trace::Meeting> met = search.certified_meeting(element, limit);
+    if (met && met->kind == trace::Meeting::Kind::none) return;
     const Coefficients f = surface::exact::coefficients(shape, ray.rayo);
     const bool starts_on_it = scene::Origin(ray.en).contains(element);
     const surface::exact::Roots crossings = surface::exact::roots(f);
@@ -128,15 +124,13 @@ bool is_behind(const Place& place, const Dyadic& own, const Zone& zone, const mo
 
 bool may_lie_on(const scene::Scene& scene, scene::ElementRef element, const Place& place, const model::Rayo& rayo,
                 const Precision& precision) {
-  return scene.visit(element, [&](const auto& shape) {
-    const Shell<Dyadic> shell = shell_at(shape, place, rayo, precision);
-    return is_within(shell) && (shell.filled || sign(shell.inner) >= 0);
-  });
+  return scene.visit(element, [&](const auto& shape) { return may_hold(shell_at(shape, place, rayo, precision)); });
 }
 
 bool may_lie_inside(const scene::Scene& scene, scene::ElementRef element, const Place& place, const model::Rayo& rayo,
                     const Precision& precision) {
-  return scene.visit(element, [&](const auto& shape) { return is_within(shell_at(shape, place, rayo, precision)); });
+  return scene.visit(element,
+                     [&](const auto& shape) { return may_hold_inside(shell_at(shape, place, rayo, precision)); });
 }
 
 }  // namespace durero::conform

@@ -88,8 +88,10 @@ DyadicSurd linear(const Dyadic& m, const Dyadic& n, const DyadicSurd& value) {
 
 double round_to_binary64(const DyadicSurd& value) {
   require_valid(value);
-  if (sign_of_term(value.y, value.delta) == 0) return round_quotient(value.x, value.w);
+  const bool is_rational = sign_of_term(value.y, value.delta) == 0;
+  if (is_rational && sign(value.x) == 0) return 0;
   if (const auto rounded = quick_round(value)) return *rounded;
+  if (is_rational) return round_quotient(value.x, value.w);
   // A narrowing interval around the value. Where the value is not 0, in the end the interval lies on one side of 0 and
   // holds at most one middle of two neighbours, which is then compared exactly. Where it is 0, √delta = −x/y is
   // rational, hence dyadic, and in the end the root is exact. 128 bits are enough unless x and y√delta nearly cancel.

@@ -64,6 +64,13 @@ struct Numerator {
 };
 
 Numerator numerator(const DyadicSurd& value) {
+  const auto with_sign_of = [](const Dyadic& of, Wide bits) {
+    return sign(of) < 0 ? -static_cast<SignedWide>(bits) : static_cast<SignedWide>(bits);
+  };
+  if (sign(value.y) == 0 || sign(value.delta) == 0) {
+    const Magnitude x = leading_128(value.x);  // within 1, and a quarter of it within 5/4
+    return {with_sign_of(value.x, x.bits >> 2), x.exponent + 2};
+  }
   // (y + 1)(√delta + 2) − y√delta = 2y + √delta + 2 < 3 · 2¹²⁸ + 2, and the product is cut: y√delta is in [term, term +
   // 5).
   const Magnitude y = leading_128(value.y);
@@ -73,9 +80,9 @@ Numerator numerator(const DyadicSurd& value) {
   // Two places below the greater exponent: each part then is less than 2¹²⁶, a quarter of its error is left, and being
   // cut costs less than 1: x errs by less than 5/4, the term by less than 9/4, the sum by less than 4.
   const std::int64_t exponent = std::max(x.exponent, term.exponent) + 2;
-  const auto of_x = static_cast<SignedWide>(shifted_down(x.bits, exponent - x.exponent));
-  const auto of_term = static_cast<SignedWide>(shifted_down(term.bits, exponent - term.exponent));
-  return {(sign(value.x) < 0 ? -of_x : of_x) + (sign(value.y) < 0 ? -of_term : of_term), exponent};
+  return {with_sign_of(value.x, shifted_down(x.bits, exponent - x.exponent)) +
+              with_sign_of(value.y, shifted_down(term.bits, exponent - term.exponent)),
+          exponent};
 }
 
 /// ⌊a · 2¹²⁸/b⌋. Precondition: a < 2¹²⁷ ≤ b.

@@ -35,17 +35,24 @@ Meeting exact_meeting(const surface::exact::Reach& reach) {
   return point_of(reach.first());
 }
 
+/// Precondition: element and ray are ordinary.
+template <class Element>
+std::optional<Meeting> certified_meeting_of(const Element& element, const Ray& ray, bool on, double limit) {
+  const Finding first = triage(element, ray, on, limit);
+  if (first.verdict == Verdict::miss) return Meeting{};
+  if (first.verdict == Verdict::hit) return point_of(Step::triage, first);
+  const Finding second = stable(element, ray, on, limit);
+  if (second.verdict == Verdict::miss) return Meeting{.step = Step::stable};
+  if (second.verdict == Verdict::hit) return point_of(Step::stable, second);
+  return std::nullopt;
+}
+
 /// in_range: element and ray are ordinary.
 template <class Element>
 Meeting meeting_of(const Element& element, const model::Rayo& rayo, const Ray& ray, bool in_range, bool on,
                    double limit) {
   if (in_range) {
-    const Finding first = triage(element, ray, on, limit);
-    if (first.verdict == Verdict::miss) return {};
-    if (first.verdict == Verdict::hit) return point_of(Step::triage, first);
-    const Finding second = stable(element, ray, on, limit);
-    if (second.verdict == Verdict::miss) return {.step = Step::stable};
-    if (second.verdict == Verdict::hit) return point_of(Step::stable, second);
+    if (auto met = certified_meeting_of(element, ray, on, limit)) return *std::move(met);
   }
   return exact_meeting(surface::exact::reach(scene::ShapeView(element), rayo, on));
 }
@@ -69,6 +76,13 @@ Meeting Search::meeting(scene::ElementRef e, double limit, Range range) const {
   });
   ++counts_.element[static_cast<std::size_t>(met.step)];
   return met;
+}
+
+std::optional<Meeting> Search::certified_meeting(scene::ElementRef e, double limit) const {
+  return scene_.visit(e, [&](const auto& element) {
+    const bool in_range = ray_.ordinary && ordinary(element);
+    return in_range ? certified_meeting_of(element, ray_, en_.contains(e), limit) : std::nullopt;
+  });
 }
 
 bool Search::blocks(scene::ElementRef e, Range range) const { return meeting(e, no_limit, range).kind != Kind::none; }
@@ -163,6 +177,8 @@ void Search::keep_nearest() {
 Rounded Search::rounded_hit(scene::ElementRef e, const Finding& by_triage) const {
   return round({e, point_of(Step::triage, by_triage)});
 }
+
+Rounded Search::rounded_hit(scene::ElementRef e, const Meeting& met) const { return round({e, met}); }
 
 Rounded Search::round(const Candidate& nearest) const {
   const bool on = en_.contains(nearest.e);

@@ -1,5 +1,6 @@
-// The figure of the judge: how many claims a second it judges on one core, of the generic family: those of right
-// tracers of plain arithmetic, most of which need no exact step; and claims that are off, all of which need it.
+// The figures of making and judging, on one core, of the generic family: how many rays a second are drawn and answered
+// exactly; how many claims a second are judged, those of right tracers of plain arithmetic, most of which need no exact
+// step, and claims that are off, all of which need it; and both together, which is what a run costs without the system.
 #include <benchmark/benchmark.h>
 
 #include <stdexcept>
@@ -15,16 +16,57 @@ namespace {
 
 constexpr std::size_t rays_a_case = conform::rays_of_a_case;
 
+constexpr std::uint64_t case_count = 64;
+
+conform::SuiteCase answered_case(std::uint64_t number, conform::Format numbers) {
+  const conform::SuiteOptions options{.rays = case_count * rays_a_case, .numbers = numbers};
+  conform::SuiteCase of = conform::suite_case(options, *conform::find_family("generic"), number);
+  conform::answer(of);
+  return of;
+}
+
 const std::vector<conform::SuiteCase>& generic_cases() {
   static const std::vector<conform::SuiteCase> cases = [] {
     std::vector<conform::SuiteCase> drawn;
-    for (std::uint64_t number = 0; number < 64; ++number) {
-      drawn.push_back(conform::suite_case({.rays = 64 * rays_a_case}, *conform::find_family("generic"), number));
-      conform::answer(drawn.back());
-    }
+    for (std::uint64_t number = 0; number < case_count; ++number)
+      drawn.push_back(answered_case(number, conform::Format::binary32));
     return drawn;
   }();
   return cases;
+}
+
+void count_rays(benchmark::State& state, std::size_t rays) {
+  state.counters["rays/s"] = benchmark::Counter(static_cast<double>(rays), benchmark::Counter::kIsRate);
+}
+
+void make(benchmark::State& state, conform::Format numbers) {
+  std::uint64_t number = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(answered_case(number++ % case_count, numbers));
+  count_rays(state, number * rays_a_case);
+}
+
+template <class N>
+std::vector<conform::Claim> claims_of(const conform::SuiteCase& of) {
+  const test::Tracer<N> tracer(of.the_case.scene);
+  std::vector<conform::Claim> claims;
+  for (const scene::Query& query : of.the_case.rays) claims.push_back(tracer.first_hit(query.rayo));
+  return claims;
+}
+
+/// The tracer's own time is outside.
+template <class N>
+void make_and_judge(benchmark::State& state, conform::Format format) {
+  const conform::Profile profile = test::wide_profile(format);
+  std::vector<std::vector<conform::Claim>> claims;
+  for (const conform::SuiteCase& of : generic_cases()) claims.push_back(claims_of<N>(of));
+  std::uint64_t number = 0;
+  for (auto _ : state) {
+    const std::uint64_t place = number++ % case_count;
+    const conform::SuiteCase of = answered_case(place, conform::Format::binary32);
+    for (std::size_t ray = 0; ray < rays_a_case; ++ray)
+      benchmark::DoNotOptimize(conform::judge(of, ray, claims[place][ray], profile));
+  }
+  count_rays(state, number * rays_a_case);
 }
 
 /// change(claim) of every claim of a right tracer, judged over and over. Without a change each must be right.
@@ -33,9 +75,8 @@ void judge_all(benchmark::State& state, conform::Format format, bool are_right, 
   const conform::Profile profile = test::wide_profile(format);
   std::vector<std::vector<conform::Claim>> claims;
   for (const conform::SuiteCase& of : generic_cases()) {
-    const test::Tracer<N> tracer(of.the_case.scene);
-    claims.emplace_back();
-    for (const scene::Query& query : of.the_case.rays) claims.back().push_back(change(tracer.first_hit(query.rayo)));
+    claims.push_back(claims_of<N>(of));
+    for (conform::Claim& claim : claims.back()) claim = change(claim);
   }
   std::size_t judged = 0;
   for (auto _ : state) {
@@ -45,7 +86,7 @@ void judge_all(benchmark::State& state, conform::Format format, bool are_right, 
     benchmark::DoNotOptimize(judgement);
     ++judged;
   }
-  state.counters["rays/s"] = benchmark::Counter(static_cast<double>(judged), benchmark::Counter::kIsRate);
+  count_rays(state, judged);
 }
 
 conform::Claim same(conform::Claim claim) { return claim; }
@@ -57,6 +98,14 @@ conform::Claim off(conform::Claim claim) {
 void right_binary64(benchmark::State& state) { judge_all<double>(state, conform::Format::binary64, true, same); }
 void right_binary32(benchmark::State& state) { judge_all<float>(state, conform::Format::binary32, true, same); }
 void off_binary64(benchmark::State& state) { judge_all<double>(state, conform::Format::binary64, false, off); }
+void make_binary64(benchmark::State& state) { make(state, conform::Format::binary64); }
+void make_binary32(benchmark::State& state) { make(state, conform::Format::binary32); }
+void make_and_judge_binary64(benchmark::State& state) { make_and_judge<double>(state, conform::Format::binary64); }
+void make_and_judge_binary32(benchmark::State& state) { make_and_judge<float>(state, conform::Format::binary32); }
+BENCHMARK(make_binary64);
+BENCHMARK(make_binary32);
+BENCHMARK(make_and_judge_binary64);
+BENCHMARK(make_and_judge_binary32);
 BENCHMARK(right_binary64);
 BENCHMARK(right_binary32);
 BENCHMARK(off_binary64);

@@ -74,6 +74,9 @@ MovedAnswers check_moved_answers(std::uint64_t first_seed, std::uint64_t last_se
                                              << text(truth) << "\n"
                                              << shown(*claim) << ": " << name(judgement.verdict));
             CHECK(is_right(judgement.verdict));
+            if (claim->outcome != Outcome::hit) continue;
+            const Claim element_alone{.outcome = Outcome::hit, .element = claim->element};
+            CHECK(judge(of, i, element_alone, profile).verdict == Verdict::right);
           }
         }
       }
@@ -201,10 +204,175 @@ TEST_CASE("a distance may be a length, or a point alone, which must lie on the r
   // On the sphere, and beside the ray.
   CHECK(verdict_of(of, at({0, 0, 4}), profile) == Verdict::misplaced);
   CHECK(verdict_of(of, at({0, 0, std::nan("")}), profile) == Verdict::non_finite);
-  // Without a place only the first element is known to be right.
-  CHECK(verdict_of(of, {.outcome = Outcome::hit, .element = sphere}, profile) == Verdict::right);
-  const scene::ElementRef plane{model::Tipo::soy_plano, 0};
-  CHECK(judge(of, 0, {.outcome = Outcome::hit, .element = plane}, profile).clause == "neither a distance nor a point");
+}
+
+TEST_CASE("a hit without a place is right where its element may be first, and never exact") {
+  scene::Scene scene;
+  add(scene, scene::Sphere{{0, 0, 5}, 1});
+  const scene::ElementRef behind = add(scene, scene::Plane{{0, 0, 40}, {0, 0, 1}});
+  const scene::ElementRef passed = add(scene, scene::Cylinder{{3, 0, 3}, 1, {0, 0, 1}, 9});
+  const scene::ElementRef around = add(scene, scene::Cylinder{{0, 0, -50}, 20, {0, 0, 1}, 100});
+  const scene::ElementRef touched = add(scene, scene::Disc{{2, 0, 1}, 2, {0, 0, 1}});
+  const scene::ElementRef not_reached = add(scene, scene::Triangle{{{{-1, -1, -2}, {1, -1, -2}, {0, 2, -2}}}});
+  const scene::ElementRef parallel = add(scene, scene::Plane{{0, 7, 0}, {0, 1, 0}});
+  const auto verdict = [&](const SuiteCase& of, std::optional<scene::ElementRef> element) {
+    return verdict_of(of, {.outcome = Outcome::hit, .element = element}, wide_profile(Format::binary32));
+  };
+  const SuiteCase of = one_ray(scene, ray({0, 0, 1.5}, {0, 0, 1}));
+  CHECK(verdict(of, {}) == Verdict::right);
+  for (const auto element : {behind, passed, around, touched, not_reached})
+    CHECK(verdict(of, element) == Verdict::wrong_element);
+  CHECK(verdict(of, parallel) == Verdict::wrong_element);  // far behind the sphere
+  const SuiteCase at_rim = one_ray(scene, ray({0, 0, 0}, {0, 0x1p-20, 1}));
+  CHECK(verdict(at_rim, touched) == Verdict::right);
+  const SuiteCase beside = one_ray(scene, ray({-0.001, 0, 0}, {0, 0, 1}));
+  CHECK(verdict(beside, touched) == Verdict::wrong_element);
+  // From inside a solid it is the solid that is named, by who says so.
+  scene::Scene nested;
+  const scene::ElementRef outer = add(nested, scene::Sphere{{0, 0, 0}, 10});
+  add(nested, scene::Sphere{{0, 0, 5}, 1});
+  const SuiteCase from_inside = one_ray(std::move(nested), ray({0, 0, 0}, {0, 0, 1}));
+  CHECK(verdict(from_inside, outer) == Verdict::wrong_element);
+  Profile at_origin = wide_profile(Format::binary32);
+  at_origin.inside = Inside::origin;
+  CHECK(verdict_of(from_inside, {.outcome = Outcome::hit, .element = outer}, at_origin) == Verdict::right);
+  // Where nothing is met.
+  scene::Scene few;
+  const scene::ElementRef sphere_aside = add(few, scene::Sphere{{5, 0, 5}, 1});
+  const scene::ElementRef open = add(few, scene::Cylinder{{0, 0, 1}, 1, {0, 0, 1}, 2});
+  const scene::ElementRef floor = add(few, scene::Plane{{0, -1, 0}, {0, 1, 0}});
+  const SuiteCase missed = one_ray(few, ray({0, 0, 0}, {0, 0, 1}));
+  CHECK(verdict(missed, sphere_aside) == Verdict::phantom);
+  CHECK(verdict(missed, open) == Verdict::phantom);  // in and out by its ends
+  CHECK(verdict(missed, floor) == Verdict::right);   // parallel: a turned one is met, far away
+  CHECK(verdict(missed, {}) == Verdict::right);
+  CHECK(verdict(one_ray(few, ray({0, 0, 0}, {0, 0x1p-10, 1})), floor) == Verdict::phantom);
+  CHECK(verdict(one_ray(few, ray({0, 0, 0}, {0, 0x1p-10, 1})), {}) == Verdict::phantom);
+  CHECK(verdict(one_ray(few, ray({0, 0, 0}, {0, 0x1p-22, 1})), floor) == Verdict::right);
+}
+
+TEST_CASE("of elements that are not first most are known to be wrong ones, by their names alone") {
+  std::size_t wrong = 0, all = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const SuiteCase of = answered(families().front(), generate(families().front(), seed, 30));
+    for (std::size_t i = 0; i < of.truths.size(); ++i) {
+      const scene::ElementSet& first = of.truths[i].hit.elementos;
+      of.the_case.scene.for_each([&](scene::ElementRef element, const auto&) {
+        if (std::find(first.begin(), first.end(), element) != first.end()) return;
+        const Claim claim{.outcome = Outcome::hit, .element = element};
+        ++all, wrong += is_gross(judge(of, i, claim, wide_profile(Format::binary32)).verdict);
+      });
+    }
+  }
+  INFO(wrong << " of " << all);
+  CHECK(all > 3000);
+  CHECK(wrong > all * 95 / 100);
+}
+
+namespace {
+
+/// The corners of a tetrahedron around 0, at integers.
+const std::array<glm::dvec3, 4> corners{{{8, 8, 8}, {-8, -8, 8}, {-8, 8, -8}, {8, -8, -8}}};
+
+scene::Scene tetrahedron(std::optional<std::size_t> left_out = {}) {
+  scene::Scene scene;
+  for (std::size_t i = 0; i < 4; ++i)
+    if (i != left_out) add(scene, scene::Triangle{{{corners[i], corners[(i + 1) % 4], corners[(i + 2) % 4]}}});
+  return scene;
+}
+
+Profile watertight_profile(Format format) {
+  Profile profile = wide_profile(format);
+  profile.watertight = true;
+  return profile;
+}
+
+}  // namespace
+
+TEST_CASE("no ray leaves a closed mesh of a system that claims to be watertight, if it starts well inside") {
+  const Profile claimed = watertight_profile(Format::binary32), silent = wide_profile(Format::binary32);
+  for (const glm::dvec3& to : {corners[1], 0.5 * (corners[0] + corners[1]), 0.25 * corners[0] + 0.75 * corners[2]}) {
+    SuiteCase of = one_ray(tetrahedron(), ray({0, 0, 0}, to));
+    CHECK(verdict_of(of, miss(), claimed) == Verdict::missed);
+    CHECK(verdict_of(of, miss(), silent) == Verdict::right);
+    CHECK(is_right(verdict_of(of, hit(1, of.truths[0].hit.elementos[0]), claimed)));
+    for (std::size_t i = 0; i < 4; ++i) {
+      const SuiteCase open = one_ray(tetrahedron(i), ray({0, 0, 0}, to));
+      CHECK(is_right(verdict_of(open, miss(), claimed)));
+    }
+    // What lies behind the mesh is not first.
+    scene::Scene with_plane = tetrahedron();
+    const scene::ElementRef plane = add(with_plane, scene::Plane{3.0 * to, to / glm::length(to)});
+    const SuiteCase behind = one_ray(std::move(with_plane), ray({0, 0, 0}, to));
+    CHECK(verdict_of(behind, hit(3, plane), claimed) == Verdict::wrong_element);
+    CHECK(verdict_of(behind, {.outcome = Outcome::hit, .element = plane}, claimed) == Verdict::wrong_element);
+    CHECK(verdict_of(behind, hit(3, plane), silent) == Verdict::right);
+  }
+  const SuiteCase from_outside = one_ray(tetrahedron(), ray({0, 0, 24}, {0, 0, -1}));
+  CHECK(verdict_of(from_outside, miss(), claimed) == Verdict::right);  // across the edge at (0, 0, 8)
+  // Twice the same mesh holds nothing an odd number of times.
+  scene::Scene twice = tetrahedron();
+  for (std::size_t i = 0; i < 4; ++i)
+    add(twice, scene::Triangle{{{corners[i], corners[(i + 1) % 4], corners[(i + 2) % 4]}}});
+  CHECK(verdict_of(one_ray(std::move(twice), ray({0, 0, 0}, corners[1])), miss(), claimed) == Verdict::right);
+}
+
+TEST_CASE("an origin nearer to a closed mesh than six delta may be outside") {
+  const double delta = 16 * 0x1p-24 * (2 + 0x1p-4) * 8;
+  const glm::dvec3 face = (corners[0] + corners[1] + corners[2]) / 3.0, inwards = -face / glm::length(face);
+  for (const auto& [deltas, expected] : {std::pair(5.9, Verdict::right), std::pair(6.1, Verdict::missed)}) {
+    const glm::dvec3 p = face + deltas * delta * inwards;
+    const SuiteCase of = one_ray(tetrahedron(), ray(p, corners[0] - p));
+    CHECK(verdict_of(of, miss(), watertight_profile(Format::binary32)) == expected);
+  }
+}
+
+TEST_CASE("the exact answer of a mesh whose shared vertices moved together is never off for who claims watertight") {
+  std::size_t hits = 0, misses = 0, silent_misses = 0;
+  const Family& family = *find_family("vertex");
+  for (const Format format : {Format::binary32, Format::binary64}) {
+    const Profile claimed = watertight_profile(format), silent = wide_profile(format);
+    for (std::uint64_t seed = 0; seed < fewer_when_sanitized(20); ++seed) {
+      Case the_case = generate(family, seed, 20);
+      // Some origins a few δ from a face, on either side.
+      Random random(seed);
+      const scene::Triangle& face = the_case.scene.shapes<scene::Triangle>()[0];
+      const auto& [a, b, c] = face.vertices;
+      const glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a));
+      double longest = 0;
+      for (const scene::Triangle& triangle : the_case.scene.shapes<scene::Triangle>())
+        for (const glm::dvec3& vertex : triangle.vertices)
+          for (int i = 0; i < 3; ++i) longest = std::max(longest, std::abs(vertex[i]));
+      const double M = (2 + 0x1p-4) * longest, delta = (format == Format::binary32 ? 0x1p-20 : 0x1p-49) * M;
+      for (int i = 0; i < 40; ++i) {
+        const double of_b = random.uniform(0.1, 0.4), of_c = random.uniform(0.1, 0.4);
+        const glm::dvec3 p = a + of_b * (b - a) + of_c * (c - a) + random.uniform(-8, 8) * delta * normal;
+        const double side = random.sign();
+        const glm::dvec3 along = side * normal + 0.5 * random.in_cube(1);
+        const scene::Query query{ray(p, along), {}};
+        the_case.rays.push_back(query);
+      }
+      const SuiteCase of = answered(family, the_case);
+      Perturbation perturbation(seed, format);
+      for (std::size_t i = 0; i < of.truths.size(); ++i) {
+        silent_misses +=
+            is_right(judge(of, i, miss(), silent).verdict) && judge(of, i, miss(), claimed).verdict == Verdict::missed;
+        const auto check = [&](const std::optional<Claim>& claim) {
+          if (!claim) return;
+          (claim->outcome == Outcome::miss ? misses : hits) += 1;
+          INFO(replay(family, seed, 20, i) << "\n" << text(of.the_case.rays[i]) << "\n" << shown(*claim));
+          CHECK(is_right(judge(of, i, *claim, claimed).verdict));
+        };
+        check(perturbation.answer_of_mesh(of.the_case.scene, of.the_case.rays[i]));
+        const auto of_all = perturbation.answer_of_mesh(of.the_case.scene, of.the_case.rays[i], M);
+        if (of_all && of_all->outcome == Outcome::miss) check(of_all);
+      }
+    }
+  }
+  INFO(hits << " hits, " << misses << " misses, " << silent_misses << " misses are off by the claim alone");
+  CHECK(hits > 1000);
+  CHECK(misses > 100);
+  CHECK(silent_misses > 100);
 }
 
 TEST_CASE("of a solid its discs and its wall are one, and from inside the profile says what is right") {

@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "changed.hpp"
 #include "durero/surface/exact.hpp"
 #include "durero/trace/analytic.hpp"
 #include "hits.hpp"
@@ -19,57 +20,6 @@ using conform::Family;
 using conform::Random;
 
 namespace {
-
-/// x·2^k, remembering whether it was possible: a subnormal or infinite result may be rounded, and x is given back.
-struct Scaling {
-  bool exact = true;
-
-  double operator()(double x, int k) {
-    const double y = std::ldexp(x, k);
-    if (x == 0 || std::isnormal(y)) return y;
-    exact = false;
-    return x;
-  }
-  glm::dvec3 operator()(const glm::dvec3& v, int k) { return {(*this)(v.x, k), (*this)(v.y, k), (*this)(v.z, k)}; }
-};
-
-/// What is done to lengths, points, directions and to the parameter t.
-struct Change {
-  std::function<double(double)> length;
-  std::function<glm::dvec3(const glm::dvec3&)> point, axis, direction;
-  std::function<double(double)> parameter;
-};
-
-double same(double x) { return x; }
-glm::dvec3 unchanged(const glm::dvec3& v) { return v; }
-
-/// Elements are added in the order of their places, so they keep them.
-scene::Scene changed(const scene::Scene& of, const Change& by) {
-  scene::Scene made;
-  for (const scene::Sphere& s : of.shapes<scene::Sphere>())
-    add(made, scene::Sphere{by.point(s.centro), by.length(s.radio)});
-  for (const scene::Cylinder& c : of.shapes<scene::Cylinder>())
-    add(made, scene::Cylinder{by.point(c.centro), by.length(c.radio), by.axis(c.vector), by.length(c.altura)});
-  for (const scene::Cone& c : of.shapes<scene::Cone>())
-    add(made, scene::Cone{by.point(c.centro), c.proporcion, by.axis(c.vector), by.length(c.altura)});
-  for (const scene::Plane& c : of.shapes<scene::Plane>())
-    add(made, scene::Plane{by.point(c.centro), by.axis(c.vector)});
-  for (const scene::Disc& c : of.shapes<scene::Disc>())
-    add(made, scene::Disc{by.point(c.centro), by.length(c.radio), by.axis(c.vector)});
-  for (const auto& [vertices] : of.shapes<scene::Triangle>())
-    add(made, scene::Triangle{{by.point(vertices[0]), by.point(vertices[1]), by.point(vertices[2])}});
-  for (const scene::TruncatedCone& c : of.shapes<scene::TruncatedCone>())
-    add(made, scene::TruncatedCone{by.point(c.centro), by.length(c.radio), c.proporcion, by.axis(c.vector),
-                                   by.length(c.altura)});
-  return made;
-}
-
-scene::Hit changed(scene::Hit hit, const Change& by) {
-  if (hit.resultado != model::Resultado::hit) return hit;
-  hit.t = by.parameter(hit.t);
-  hit.punto = by.point(hit.punto);
-  return hit;
-}
 
 /// Rounded at the precision of 53 bits, which a scaling keeps.
 bool of_normal_numbers(const scene::Hit& hit) {
@@ -144,11 +94,8 @@ scene::Scene with_vertices_in_order(const scene::Scene& of, const Order& order) 
 }  // namespace
 
 TEST_CASE("every length times 2^k: the same t, the point times 2^k") {
-  CHECK(on_every_family([](Random& random, Scaling& scaling) {
-          const int k = random.integer(-40, 40);
-          const auto scale = [k, &scaling](const auto& x) { return scaling(x, k); };
-          return Change{scale, scale, unchanged, scale, same};
-        }) > 8000);
+  CHECK(on_every_family(
+            [](Random& random, Scaling& scaling) { return scaled_whole(scaling, random.integer(-40, 40)); }) > 8000);
 }
 
 TEST_CASE("v times 2^k: t times 2^-k, the same point") {

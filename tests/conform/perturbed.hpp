@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string_view>
 
@@ -71,6 +72,48 @@ class Perturbation {
     if (!is_whole) return std::nullopt;
     if (!nearest) return conform::Claim{.outcome = conform::Claim::Outcome::miss};
     return claim_of(*nearest, t, measure);
+  }
+
+  /// The same of triangles alone where vertices that they share move together, and the ray is one for all: each vertex
+  /// by as much as each of its triangles allows, or, where M is given, by that much for all.
+  std::optional<conform::Claim> answer_of_mesh(const scene::Scene& scene, const scene::Query& query,
+                                               std::optional<double> M = {}) {
+    draw_ = static_cast<Draw>(random_.below(3));
+    const glm::dvec3 &p = query.rayo.p().xyz(), &v = query.rayo.v().xyz();
+    using Key = std::array<double, 3>;
+    const auto key = [](const glm::dvec3& vertex) { return Key{vertex.x, vertex.y, vertex.z}; };
+    std::map<Key, double> allowed;
+    double least = std::numeric_limits<double>::infinity();
+    for (const scene::Triangle& triangle : scene.shapes<scene::Triangle>()) {
+      const double of_triangle = M.value_or(std::max(longest(triangle), longest(p)));
+      least = std::min(least, of_triangle);
+      for (const glm::dvec3& vertex : triangle.vertices) {
+        double& most = allowed.try_emplace(key(vertex), of_triangle).first->second;
+        most = std::min(most, of_triangle);
+      }
+    }
+    std::map<Key, glm::dvec3> moved;
+    for (const auto& [vertex, most] : allowed) {
+      glm::dvec3 place(vertex[0], vertex[1], vertex[2]);
+      move(place, u_ * most);
+      moved[vertex] = place;
+    }
+    glm::dvec3 from = p, along = v;
+    move(from, u_ * least);
+    move(along, u_ * longest(v));
+    scene::Scene mesh;
+    for (const scene::Triangle& triangle : scene.shapes<scene::Triangle>()) {
+      const auto& [a, b, c] = triangle.vertices;
+      const scene::Triangle of_moved{{moved[key(a)], moved[key(b)], moved[key(c)]}};
+      if (!is_shape(of_moved)) return std::nullopt;
+      add(mesh, of_moved);
+    }
+    if (along == glm::dvec3(0)) return std::nullopt;
+    const scene::Hit hit = surface::exact::first_hit(mesh, ray(from, along));
+    if (hit.resultado == model::Resultado::miss) return conform::Claim{.outcome = conform::Claim::Outcome::miss};
+    if (hit.resultado == model::Resultado::no_minimum) return std::nullopt;
+    return conform::Claim{
+        .outcome = conform::Claim::Outcome::hit, .element = hit.elementos[0], .t = narrowed(hit.t, format_)};
   }
 
  private:

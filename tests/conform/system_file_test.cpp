@@ -27,7 +27,7 @@ const std::string whole = R"({"format":"durero-system","version":1,"system":"s",
 "ask":["{python}","{out}"],
 "profile":{"format":"binary64","tipos":["cilindro"],"caps":"solid","measure":"length","directions":"unchecked",
 "inside":"nothing","names_elements":false,"least_t":0.5,"greatest_t":1e10,"least_size":1e-3,"greatest_size":1e3,
-"greatest_coordinate":1e7,"thickness":1e-9},
+"greatest_coordinate":1e7,"thickness":1e-9,"watertight":true},
 "sources":[{"claim":"directions","sentence":"The direction is of unit length.","place":"manual, 2"}]})";
 
 System read(const std::string& text) { return read_system({"/systems/folder/s.json", text}, "/cache"); }
@@ -97,6 +97,8 @@ TEST_CASE("a system is read with its places filled in") {
   CHECK(profile.greatest_size == 1e3);
   CHECK(profile.greatest_coordinate == 1e7);
   CHECK(profile.thickness == 1e-9);
+  CHECK(profile.watertight);
+  CHECK_FALSE(read(least).profile.watertight);
   REQUIRE(profile.sources.size() == 1);
   CHECK(profile.sources[0].claim == "directions");
   CHECK(profile.sources[0].sentence == "The direction is of unit length.");
@@ -179,4 +181,25 @@ TEST_CASE("setups are kept where the user's caches are") {
   CHECK(default_setups() == "/h/.cache/durero/systems");
   ::unsetenv("HOME");
   CHECK_THROWS_WITH(default_setups(), Catch::Contains("expected a folder for systems"));
+}
+
+TEST_CASE("how a failure is reproduced and what is known to fail are read, places filled in") {
+  const std::string more = R"(,"reproduce":{"program":"reproduce.py.in","words":{"variant":"scalar"},
+"run":[["cc","-o","{built}","{program}"],["{python}","{setup}"]]},
+"known":[{"verdicts":["missed"],"cause":"why"},{"verdicts":["off"],"types":["cono"],"families":["tiny"],"cause":"x"}]})";
+  const System system = read(whole.substr(0, whole.rfind('}')) + more);
+  CHECK(system.reproducer.program == "/systems/folder/reproduce.py.in");
+  CHECK(system.reproducer.words.at("variant") == "scalar");
+  CHECK(system.reproducer.run ==
+        std::vector<Command>{{"cc", "-o", "{built}", "{program}"}, {"/cache/s/venv/bin/python", "/cache/s"}});
+  REQUIRE(system.known.size() == 2);
+  CHECK(system.known[0].cause == "why");
+  CHECK(system.known[0].tipos.empty());
+  CHECK(system.known[1].tipos == std::vector<std::string>{"cono"});
+  CHECK(system.known[1].families == std::vector<std::string>{"tiny"});
+  CHECK(read(whole).reproducer.program.empty());
+  const std::string no_cause = whole.substr(0, whole.rfind('}')) + R"(,"known":[{"verdicts":["missed"]}]})";
+  CHECK_THROWS_AS(read(no_cause), io::InputError);
+  const std::string no_run = whole.substr(0, whole.rfind('}')) + R"(,"reproduce":{"program":"x"}})";
+  CHECK_THROWS_AS(read(no_run), io::InputError);
 }

@@ -12,9 +12,9 @@ capital() { printf '%s' "$1" | cut -c1 | tr '[:lower:]' '[:upper:]' | tr -d '\n'
       [ -f "$file" ] || echo "$text:1: its counterpart $file is missing"
     done
   done
-  git ls-files 'include/durero/*.hpp' | while read -r header; do
+  git ls-files 'include/durero/*.hpp' 'include/durero/*.h' | while read -r header; do
     stem=${header#include/durero/}
-    test="tests/${stem%.hpp}_test.cpp"
+    test="tests/${stem%.h*}_test.cpp"
     [ -f "$test" ] || echo "$header:1: its test $test is missing"
   done
 } | { ! grep .; }

@@ -64,6 +64,28 @@ TEST_CASE("Arithmetic on Dyadics is that of the rationals") {
   });
 }
 
+TEST_CASE("Significands about as wide as one or two limbs add and multiply as GMP's do") {
+  std::vector<Integer> numbers{0};
+  for (const int bits : {1, 53, 62, 63, 64, 65, 66, 96, 124, 125, 126, 127, 128, 129, 130}) {
+    const Integer ones = (Integer(1) << bits) - 1, one = Integer(1) << (bits - 1), mixed = ones / 3 * 2 + 1;
+    for (const Integer& number : {ones, one, mixed}) numbers.insert(numbers.end(), {number, Integer(-number)});
+  }
+  std::size_t wrong = 0;
+  for (const Integer& a : numbers) {
+    for (const Integer& b : numbers) {
+      wrong += to_integer((Dyadic(a, 0) * Dyadic(b, 0)).significand()) != a * b;
+      for (const int shift : {0, 1, 2, 61, 63, 64, 65, 125, 127}) {
+        const Integer higher = a << shift;
+        const Dyadic m(a, shift), n(b, 0);
+        wrong += (m + n).rational() != higher + b;
+        wrong += (m - n).rational() != higher - b;
+        wrong += (n - m).rational() != b - higher;
+      }
+    }
+  }
+  CHECK(wrong == 0);
+}
+
 TEST_CASE("Significands of thousands of bits multiply as GMP's do") {
   test::property("products, squares and sums", [] {
     const auto limbs =

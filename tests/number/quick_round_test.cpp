@@ -1,5 +1,6 @@
 #include "number/quick_round.hpp"
 
+#include "durero/number/rational.hpp"
 #include "support/catch.hpp"
 #include "surds.hpp"
 
@@ -30,6 +31,23 @@ TEST_CASE("what is rounded from 128 bits is the number that all bits give") {
     RC_CLASSIFY(rounded.has_value(), "rounded");
     if (rounded) RC_ASSERT(*rounded == round_to_binary64(s.surd()));
   });
+}
+
+TEST_CASE("a rational number is rounded from 128 bits as GMP's quotient is") {
+  test::property("over the whole range, with a root of 0 or a factor of 0", [] {
+    const SurdParts s = *test::anySurd();
+    RC_PRE(s.x != 0);
+    const Dyadic x = Dyadic(s.x) * Dyadic(s.delta + 1), w = Dyadic(s.w) * Dyadic(s.w);
+    const double right = round_to_binary64(Rational(x.rational() / w.rational()));
+    for (const DyadicSurd& value : {DyadicSurd{x, 0, s.delta, w}, DyadicSurd{x, s.y, 0, w}}) {
+      const auto rounded = quick_round(value);
+      RC_CLASSIFY(rounded.has_value(), "rounded");
+      if (rounded) RC_ASSERT(*rounded == right && std::signbit(*rounded) == std::signbit(right));
+      RC_ASSERT(round_to_binary64(value) == right);
+    }
+  });
+  CHECK(quick_round({.x = 8, .w = 2}) == 4.0);
+  CHECK_FALSE(quick_round({.x = Dyadic(1) + Dyadic(0x1p-53)}));  // the middle of 1 and the next
 }
 
 TEST_CASE("overflow, and the sign of what vanishes") {

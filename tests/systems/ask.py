@@ -33,7 +33,7 @@ def share_right(report):
 def ask(durero, name, amount):
     """None where the system is absent; otherwise whether it was asked rightly."""
     with tempfile.TemporaryDirectory() as folder:
-        call = [durero, "conform", "run", name, "--report", folder, "--jobs", "2", *amount]
+        call = [durero, "conform", "run", name, "--report", folder, "--no-minimise", "--jobs", "2", *amount]
         ended = subprocess.run(call, capture_output=True, text=True)
         if "absent:" in ended.stdout:
             print(ended.stdout.strip())

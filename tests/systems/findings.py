@@ -1,7 +1,9 @@
-"""Smallest failures of other people's systems, as docs/findings/SYSTEM/NAME.md keeps them.
+"""Smallest failures of other people's systems, as `durero conform bug` writes them: docs/findings/SYSTEM/NAME.md, with a
+program beside it that reproduces it.
 
-findings.py DURERO write SYSTEM CASE RAY NAME "CAUSE"   minimises a failure and writes its file
-findings.py DURERO check                                asks each system that is set up its question again
+findings.py DURERO write [SYSTEM/NAME]…           writes pages anew, all by default, with the calls that they name
+findings.py DURERO write SYSTEM NAME CASE RAY     writes a new one
+findings.py DURERO check                          asks each system that is set up again, and runs the programs
 """
 import json
 import os
@@ -9,69 +11,130 @@ import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 
 ROOT = pathlib.Path(__file__).parents[2]
 PAGES = ROOT / "docs" / "findings"
 SETUPS = pathlib.Path(os.environ.get("XDG_CACHE_HOME") or pathlib.Path.home() / ".cache") / "durero" / "systems"
 
 
-def files_of(system):
-    return next((ROOT / "systems").glob("*/%s.json" % system))
+class System:
+    """What its file says, with its places filled in."""
+
+    def __init__(self, name):
+        file = next((ROOT / "systems").glob("*/%s.json" % name))
+        self.says, self.setup = json.loads(file.read_text()), SETUPS / name
+        python = self.setup / "venv" / "bin" / "python" if "pypi" in self.says["install"] else "python3"
+        self.places = {"here": file.parent, "setup": self.setup, "out": self.setup / "ask", "python": python}
+
+    def is_set_up(self):
+        return (self.setup / "complete").exists()
+
+    def filled_in(self, command, **places):
+        places = {**self.places, **places}
+        return [re.sub(r"\{(\w+)\}", lambda m: str(places[m[1]]), word) for word in command]
+
+    def ask(self, question):
+        """The version that the system says, its answer, and the end of what else it wrote."""
+        ended = subprocess.run(self.filled_in(self.says["ask"]), input=question, capture_output=True, text=True,
+                               cwd=self.setup, timeout=120)
+        says, answer = [*ended.stdout.splitlines(), "", ""][:2]
+        errors = ended.stderr.strip().splitlines()[-1:] or ["nothing on its standard error"]
+        return says.removeprefix("system "), answer, "status %d, %s" % (ended.returncode, errors[0])
+
+    def reproduce(self, program):
+        """What the program writes from what it got on."""
+        with tempfile.TemporaryDirectory() as folder:
+            said = ""
+            for command in self.says["reproduce"]["run"]:
+                command = self.filled_in(command, program=program, built=folder + "/built")
+                ended = subprocess.run(command, capture_output=True, text=True, cwd=folder, timeout=120)
+                said = ended.stdout
+        return said[said.find("got: "):] if "got: " in said else said + ended.stderr
 
 
-def ask(system, question):
-    """The system's name line and its answer, or None where it is not set up."""
-    file, setup = files_of(system), SETUPS / system
-    if not setup.is_dir():
-        return None
-    from_pypi = "pypi" in json.loads(file.read_text())["install"]
-    places = {"here": file.parent, "setup": setup, "out": setup / "ask",
-              "python": setup / "venv" / "bin" / "python" if from_pypi else "python3"}
-    command = [re.sub(r"\{(\w+)\}", lambda m: str(places[m[1]]), word) for word in json.loads(file.read_text())["ask"]]
-    said = subprocess.run(command, input=question, capture_output=True, text=True, cwd=setup, timeout=120).stdout
-    return [*said.splitlines(), "", ""][:2]
+def is_same(answer, other):
+    """Whether two answers are the same words and numbers, in whatever digits."""
+    def read(word):
+        try:
+            return float(word)
+        except ValueError:
+            return word
+    return [read(word) for word in answer.split()] == [read(word) for word in other.split()]
 
 
-def block(kind, text):
-    return "```%s\n%s\n```\n" % (kind, text.strip())
+def block(page, kind):
+    found = re.search(r"```%s\n(.*?)```" % kind, page.read_text(), re.S)
+    return found and found[1].strip()
 
 
-def write(durero, system, case, ray, name, cause):
-    call = [durero, "conform", "minimise", system, "--case", case, "--ray", ray]
-    said = subprocess.run(call, capture_output=True, text=True).stdout
-    _, least, explained = said.split("\n\n", 2)
-    sentence, question = least.split("\n", 1)
-    hexadecimal, exact = explained.split("\n\n", 1)
-    version, answer = ask(system, question)
-    verdict, words = sentence.split(": ", 1)
+def write(durero, system, name, case, ray):
     page = PAGES / system / (name + ".md")
     page.parent.mkdir(parents=True, exist_ok=True)
-    page.write_text(
-        "# %s: %s\n\n%s. %s\n\nFrom `%s`, made smaller.\n\n## Asked\n\n%s\nThe same %s\n\n## Got\n\n%s\n## Exact\n\n%s" % (
-            version.removeprefix("system "), verdict.replace("_", " "), words[0].upper() + words[1:], cause,
-            " ".join(["durero", *call[1:]]), block("question", question), hexadecimal.replace(
-                "in hexadecimal:\n", "in hexadecimal:\n\n```\n", 1).strip() + "\n```", block("got", answer),
-            block("exact", exact.split("the exact answer: ", 1)[1])))
+    call = [durero, "conform", "bug", system, case, "--ray", ray, "--output", str(page)]
+    reproducer = System(system).says.get("reproduce")
+    if reproducer:
+        call += ["--reproducer", str(page.with_suffix(pathlib.Path(reproducer["program"]).with_suffix("").suffix))]
+    ended = subprocess.run(call)
+    if ended.returncode != 1:
+        print("%s/%s: status %d, expected a failure" % (system, name, ended.returncode))
+
+
+def write_again(durero, names):
+    for page in sorted(PAGES.glob("*/*.md")):
+        name = "%s/%s" % (page.parent.name, page.stem)
+        call = re.search(r"`durero conform bug \S+ (\S+) --ray (\d+)`", page.read_text())
+        if not names or name in names:
+            write(durero, page.parent.name, page.stem, *call.groups())
+
+
+def why_not_asked(page, version, words):
+    """A system that does not start here, or is of another version, shows nothing about its page."""
+    if not version:
+        return "%s does not start: %s" % (page.parent.name, words)
+    title = page.read_text().splitlines()[0]
+    return "" if title.startswith("# %s: " % version) else "%s is now %s" % (title[2:].rsplit(": ", 1)[0], version)
+
+
+def wrong_in(page, system, answer, words):
+    """What is otherwise than the page says."""
+    wrong = []
+    if not is_same(answer, block(page, "got")):
+        wrong.append("now %s (%s)" % (answer or "no answer", words))
+    programs = [file for file in page.parent.glob(page.stem + ".*") if file != page]
+    if len(programs) != (block(page, "reproduced") is not None):
+        wrong.append("%d programs beside it" % len(programs))
+    for program in programs:
+        said = system.reproduce(program).strip()
+        if not is_same(said, block(page, "reproduced")):
+            wrong.append("%s wrote %s" % (program.name, said))
+    return wrong
 
 
 def check():
-    absent, wrong, asked = set(), 0, 0
+    """Status 1 where a system answers otherwise than its page says, 77 where none could be asked."""
+    not_asked, wrong, asked = set(), 0, 0
     for page in sorted(PAGES.glob("*/*.md")):
-        text = page.read_text()
-        question, got = (re.search(r"```%s\n(.*?)```" % kind, text, re.S)[1] for kind in ("question", "got"))
-        answer = ask(page.parent.name, question)
-        if answer is None:
-            absent.add(page.parent.name)
+        system = System(page.parent.name)
+        if not system.is_set_up():
+            not_asked.add("%s is not set up" % page.parent.name)
+            continue
+        version, answer, words = system.ask(block(page, "question") + "\n")
+        why = why_not_asked(page, version, words)
+        if why:
+            not_asked.add(why)
             continue
         asked += 1
-        if answer[1].strip() != got.strip():
+        for what in wrong_in(page, system, answer, words):
             wrong += 1
-            print("%s: now %s" % (page.relative_to(ROOT), " / ".join(answer)))
-    print("%d asked again, %d answered otherwise; absent: %s" % (asked, wrong, ", ".join(sorted(absent)) or "none"))
+            print("%s: %s" % (page.relative_to(ROOT), what))
+    print("%d asked again, %d answered otherwise; %s" % (asked, wrong, "; ".join(sorted(not_asked)) or "all were asked"))
     return 1 if wrong else 0 if asked else 77
 
 
-if sys.argv[2] == "write":
+if sys.argv[2] == "check":
+    sys.exit(check())
+elif len(sys.argv) == 7:
     write(sys.argv[1], *sys.argv[3:])
 else:
-    sys.exit(check())
+    write_again(sys.argv[1], sys.argv[3:])

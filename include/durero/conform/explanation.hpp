@@ -14,4 +14,7 @@ inline constexpr int shown_digits = 40;
 /// else may be answered. Precondition: the case was answered.
 std::string explanation(const SuiteCase& of, std::size_t ray);
 
+/// Of these the exact answer, the crossings, the first point and what else may be answered.
+std::string exact_answer(const SuiteCase& of, std::size_t ray);
+
 }  // namespace durero::conform

@@ -3,9 +3,12 @@
 ///
 /// A hit is right where its point may lie on the element that it names (on any, where it names none; of a solid on its
 /// wall or its discs) for some data within the declared backward error (verdict.hpp), and no element is met before it
-/// by the rays of *all* such data. A miss is right where no element is met by the rays of all such data. So whoever
-/// computes an exact answer from data that are off by no more is right; that a claim is off is a theorem on every such
-/// answer, proved beside conform/shell.hpp and conform/zones.hpp with exact arithmetic.
+/// by the rays of *all* such data. A hit that says neither a distance nor a point is right where the ray of some such
+/// data meets its element, and that of all meets no other before; no number was claimed, so it is never `exact`. A miss
+/// is right where no element is met by the rays of all such data, and the origin lies in no closed mesh of a system
+/// that claims to be watertight. So whoever computes an exact answer from data that are off by no more is right; that a
+/// claim is off is a theorem on every such answer, proved beside conform/shell.hpp and conform/zones.hpp with exact
+/// arithmetic.
 
 #include "durero/conform/claim.hpp"
 #include "durero/conform/profile.hpp"

@@ -72,6 +72,7 @@ struct Profile {
   double greatest_size = std::numeric_limits<double>::infinity();
   double greatest_coordinate = std::numeric_limits<double>::infinity();
   bool names_elements = true;  ///< whether its hits say which element they are of
+  bool watertight = false;     ///< no ray leaves a closed mesh between triangles that share an edge or a vertex
   std::vector<Source> sources{};
 };
 

@@ -16,7 +16,7 @@
 /// decimal that reads back. The system writes `system NAME VERSION`, then a line for each ray, in order:
 ///
 ///   miss
-///   hit ELEMENT T               - for an ELEMENT or a T that it cannot give; a T may be nan, inf or -inf
+///   hit ELEMENT T               - for an ELEMENT or a T that it cannot give, or both; a T may be nan, inf or -inf
 ///   hit ELEMENT T X Y Z
 ///   refused WHY
 ///

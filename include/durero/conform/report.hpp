@@ -3,12 +3,30 @@
 /// XML, SARIF and a page of HTML that stands alone. The families that fail stand first. The same report gives the same
 /// bytes.
 
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "durero/conform/explaining_data.hpp"
 #include "durero/conform/tally.hpp"
 
 namespace durero::conform {
+
+/// Which of the worst findings: a family has one of each verdict.
+struct FindingKey {
+  std::string_view family;
+  Verdict verdict;
+
+  explicit FindingKey(const Finding& finding) : family(finding.of.family->name), verdict(finding.judgement.verdict) {}
+  auto operator<=>(const FindingKey&) const = default;
+};
+
+/// A finding made as small as it stays one, and what data would explain it.
+struct LeastFinding {
+  Finding finding;
+  std::optional<ExplainingData> data{};
+};
 
 struct Report {
   std::string title;      ///< of the system
@@ -17,6 +35,8 @@ struct Report {
   Profile profile{};
   SuiteOptions options{};
   Tally tally{};
+  std::map<FindingKey, LeastFinding> least{};  ///< worst findings, made as small as they stay ones (least_findings.hpp)
+  std::size_t not_minimised = 0;               ///< how many of them were left out, where they were to be made small
 };
 
 /// The families, those with gross failures first, then those that are off; otherwise in their order.

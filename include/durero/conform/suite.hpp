@@ -46,8 +46,7 @@ std::size_t cases(const SuiteOptions& options, const Family& family);
 /// family).
 SuiteCase suite_case(const SuiteOptions& options, const Family& family, std::uint64_t number);
 
-/// Answers its rays exactly: each truth is that of truth(), found by the quickest engine that has the exact bytes, and
-/// by the exact step alone where more than one answer may be permissible.
+/// Answers its rays exactly: each truth is that of truth().
 void answer(SuiteCase& of);
 
 }  // namespace durero::conform

@@ -7,10 +7,14 @@
 ///    "ask":["{out}"],
 ///    "profile":{"format":"binary32","tipos":["esfera"],"caps":"open","measure":"parameter","directions":"any",
 ///               "inside":"exit_point","names_elements":true,"greatest_coordinate":1e18},
-///    "sources":[{"claim":"directions","sentence":"…","place":"rtcore_ray.h"}]}
+///    "sources":[{"claim":"directions","sentence":"…","place":"rtcore_ray.h"}],
+///    "reproduce":{"program":"reproduce.cpp.in","words":{"flags":"0"},
+///                 "run":[["c++","-o","{built}","{program}","-lembree3"],["{built}"]]},
+///    "known":[{"verdicts":["misplaced"],"types":["tronco"],"families":["generic"],"cause":"…"}]}
 ///
 /// {here} is the folder of the file; {setup} the folder that `durero conform setup` fills; {out} is {setup}/ask;
 /// {python} is {setup}/venv/bin/python, or python3 where nothing is installed from PyPI; {durero} is this program.
+/// Where it is reproduced (reproducer.hpp), {program} is the program and {built} a place for what is built of it.
 
 #include <map>
 #include <string>
@@ -24,6 +28,21 @@ namespace durero::conform {
 
 using Command = std::vector<std::string>;
 
+/// How a program that shows a failure is made and run.
+struct ReproducerPlan {
+  std::string program{};                       ///< its template, NAME.in; empty: there is none
+  std::map<std::string, std::string> words{};  ///< what else its names stand for
+  std::vector<Command> run{};                  ///< one after the other; {program} and {built} are not filled in
+};
+
+/// What is known to fail, and why.
+struct KnownCause {
+  std::vector<std::string> verdicts;
+  std::vector<std::string> tipos{};     ///< of an element at least; none: any
+  std::vector<std::string> families{};  ///< none: any
+  std::string cause;
+};
+
 /// A system, and how it is installed, built and asked. Commands have their places filled in.
 struct System {
   std::string name;
@@ -34,7 +53,12 @@ struct System {
   Profile profile;
   std::string folder;  ///< {here}
   std::string setup;   ///< {setup}
+  ReproducerPlan reproducer{};
+  std::vector<KnownCause> known{};
 };
+
+/// The command with {NAME} replaced by what it stands for, for those names.
+Command filled_in(Command command, const std::map<std::string, std::string>& places);
 
 /// Where packages come from, in the order in which they are installed.
 inline constexpr std::string_view package_sources[] = {"debian", "pypi", "crates", "npm"};

@@ -36,7 +36,8 @@ struct Truth {
   std::vector<scene::Hit> permissible{};
 };
 
-/// By surface::exact. Precondition: the ray is of the scene.
+/// What the tracer's certified steps find is so; of elements where they cannot tell, and where several are left, by
+/// surface::exact. Precondition: the ray is of the scene.
 Truth truth(const scene::Scene& scene, const scene::Query& ray);
 
 }  // namespace durero::conform

@@ -3,6 +3,7 @@
 
 #include <boost/container/small_vector.hpp>
 #include <memory>
+#include <optional>
 
 #include "durero/scene/hit.hpp"
 #include "durero/scene/query.hpp"
@@ -48,6 +49,8 @@ class Search {
 
   /// t and the point of an element that the triage found to be the nearest, rounded once.
   Rounded rounded_hit(scene::ElementRef e, const Finding& by_triage) const;
+  /// The same of the element that is nearest, where it is met so.
+  Rounded rounded_hit(scene::ElementRef e, const Meeting& met) const;
 
   /// The ray meets the element at some t > 0.
   bool blocks(scene::ElementRef e, Range range = Range::unknown) const;
@@ -56,6 +59,9 @@ class Search {
 
   /// Where the ray first meets one element; none also where that is beyond the limit.
   Meeting meeting(scene::ElementRef e, double limit, Range range = Range::unknown) const;
+  /// The same without the exact step; nothing where the others cannot tell. A point that they find is a simple root
+  /// strictly within the element's ends, edges or rim: they find none where a bound on their error leaves that open.
+  std::optional<Meeting> certified_meeting(scene::ElementRef e, double limit) const;
 
  private:
   struct Candidate {

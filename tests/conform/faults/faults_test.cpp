@@ -143,3 +143,20 @@ TEST_CASE("each fault is caught by the families meant for it") {
   }
   CHECK(faults().size() >= 50);
 }
+
+TEST_CASE("a tracer that lets rays through edges is seen where it claims to be watertight, and not gross otherwise") {
+  Profile profile = plain_profile(Format::binary64);
+  const Family& family = *find_family("vertex");
+  CHECK(judged(family, profile, seeds, plain<double>(Fault::triangle_without_edges)).gross == 0);
+  profile.watertight = true;
+  const Tally leaky = judged(family, profile, seeds, plain<double>(Fault::triangle_without_edges));
+  CHECK(leaky.gross > seeds * rays_a_scene / 4);
+  const auto exact = [](const scene::Scene& scene) {
+    return [tables = trace::Tables(scene)](const scene::Query& query) {
+      return claim_of(trace::first_hits(tables, std::span(&query, 1))[0]);
+    };
+  };
+  const Tally whole = judged(family, profile, seeds, exact);
+  CHECK(whole.gross + whole.off == 0);
+  CHECK(whole.right > 1000);
+}

@@ -128,6 +128,7 @@ class Tracer {
     // From the middle of the chord: nothing large is subtracted.
     const N middle = -b / a;
     const V m = q + middle * line.v;
+    if (is(Fault::limb_cut) && glm::length(m) > N(1 - 1e-4) * r) return {none, none};
     return about(middle, a, squared(r) - glm::dot(m, m), b);
   }
 
@@ -238,14 +239,20 @@ class Tracer {
     return t;
   }
 
+  N cut_of_ends() const {
+    if (is(Fault::clip_narrowed)) return N(1e-4);
+    if (is(Fault::ends_lengthened)) return N(-1e-4);
+    return is(Fault::ends_cut) ? N(1e-3) : N(0);
+  }
   template <class Shape>
     requires requires(Shape e) { e.altura; }
   bool is_within(const Shape& e, const Line& line, N t) const {
     const Axis axis = axis_of(e);
     const Local at = local(axis, line);
     const N s = is(Fault::clip_of_t) ? t : at.s0 + (t - at.shift) * at.s1;
-    const N margin = is(Fault::clip_narrowed) ? N(1e-4) * axis.altura : N(0);
-    if (is(Fault::apex_removed) && axis.base - axis.k * s < N(1e-3) * axis.base) return false;
+    const N margin = cut_of_ends() * axis.altura;
+    const N apex = is(Fault::apex_removed) ? N(1e-3) : is(Fault::apex_cut) ? N(1e-4) : N(0);
+    if (apex > 0 && axis.base - axis.k * s < apex * axis.base) return false;
     if (is(Fault::clip_lower_end_missing)) return s <= axis.altura;
     if (is(Fault::clip_upper_end_missing)) return s >= 0;
     const N top = is(Fault::both_nappes) && axis.k != 0 ? 2 * axis.base / axis.k : axis.altura;
@@ -281,9 +288,14 @@ class Tracer {
     if (is(Fault::discs_left_out)) return {none, none};
     return across(line.p - V(e.centro), V(e.vector), line, Fault::parallel_to_plane_by_epsilon);
   }
+  N cut_of_disc() const {
+    if (is(Fault::disc_small_1e_3)) return N(1e-3);
+    if (is(Fault::disc_large)) return N(-1e-4);
+    return is(Fault::disc_small_1e_4) ? N(1e-4) : N(0);
+  }
   bool is_within(const scene::Disc& e, const Line& line, N t) const {
     const V m = line.p - V(e.centro) + t * line.v;
-    const N r = is(Fault::radius_squared_twice) ? squared(N(e.radio)) : N(e.radio);
+    const N r = is(Fault::radius_squared_twice) ? squared(N(e.radio)) : (1 - cut_of_disc()) * N(e.radio);
     if (is(Fault::disc_is_its_square)) return std::max({std::abs(m.x), std::abs(m.y), std::abs(m.z)}) <= r;
     return glm::dot(m, m) <= squared(r);
   }
@@ -302,13 +314,20 @@ class Tracer {
     if (is(Fault::triangle_one_sided) && glm::dot(line.v, normal) > 0) return {none, none};
     return across(line.p - a, normal, line, Fault::determinant_by_epsilon);
   }
+  N cut_of_triangle() const {
+    if (is(Fault::triangle_edges_narrowed)) return N(1e-2);
+    if (is(Fault::triangle_narrowed_1e_3)) return N(1e-3);
+    if (is(Fault::triangle_widened)) return N(-1e-4);
+    return is(Fault::triangle_narrowed_1e_4) ? N(1e-4) : N(0);
+  }
   /// By the point where the line crosses the plane: by volumes of the line and the edges, every line in the plane
   /// would.
   bool is_within(const scene::Triangle& e, const Line& line, N t) const {
     const V a(e.vertices[0]), b(e.vertices[1]), c(e.vertices[2]), normal = cross(b - a, c - a);
-    const N margin = is(Fault::triangle_edges_narrowed) ? N(1e-2) * glm::dot(normal, normal) : N(0);
+    const N margin = cut_of_triangle() * glm::dot(normal, normal);
     const auto is_inside = [&](const V& from, const V& to) {
-      return glm::dot(line.p - from + t * line.v, glm::cross(normal, to - from)) >= margin;
+      const N beyond = glm::dot(line.p - from + t * line.v, glm::cross(normal, to - from));
+      return is(Fault::triangle_without_edges) ? beyond > 0 : beyond >= margin;
     };
     return is_inside(a, b) && is_inside(b, c) && is_inside(c, a);
   }

@@ -1,0 +1,37 @@
+# What cmake --install puts in place: the program and its systems, the layers as libraries with their public headers, and
+# what find_package(durero CONFIG) and pkg-config read. durero::durero is all layers.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+get_property(layers GLOBAL PROPERTY DURERO_LAYERS)
+list(TRANSFORM layers PREPEND durero_ OUTPUT_VARIABLE layer_targets)
+add_library(durero_all INTERFACE)
+add_library(durero::durero ALIAS durero_all)
+target_link_libraries(durero_all INTERFACE ${layer_targets})
+set_target_properties(durero_all PROPERTIES EXPORT_NAME durero)
+
+install(TARGETS durero)
+install(TARGETS durero_all durero_options ${layer_targets} EXPORT durero)
+install(DIRECTORY include/durero TYPE INCLUDE FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
+install(DIRECTORY systems DESTINATION ${CMAKE_INSTALL_DATADIR}/durero PATTERN __pycache__ EXCLUDE)
+install(FILES LICENSE README.md TYPE DOC)
+
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/durero)
+install(EXPORT durero NAMESPACE durero:: FILE durero-targets.cmake DESTINATION ${package})
+configure_package_config_file(cmake/durero-config.cmake.in durero-config.cmake INSTALL_DESTINATION ${package}
+  NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(durero-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/durero-config.cmake ${PROJECT_BINARY_DIR}/durero-config-version.cmake
+  DESTINATION ${package})
+
+# A static library stands before those that it needs.
+set(pc_libraries "")
+foreach(layer IN LISTS layers)
+  get_target_property(type durero_${layer} TYPE)
+  if(NOT type STREQUAL INTERFACE_LIBRARY)
+    string(PREPEND pc_libraries " -ldurero_${layer}")
+  endif()
+endforeach()
+file(RELATIVE_PATH pc_to_include /${CMAKE_INSTALL_LIBDIR}/pkgconfig /${CMAKE_INSTALL_INCLUDEDIR})
+configure_file(cmake/durero.pc.in durero.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/durero.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

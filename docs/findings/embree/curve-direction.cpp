@@ -1,0 +1,69 @@
+// Embree 3.13.5 open: misplaced
+// Expected e3 at t = 14.939339828220179, point (-1.0606601717798212, 1.0606601717798212, 1); got e3 at t = 14.5.
+// Cone curves are met at another t where |v| is not 1, though RTCRay says that the direction does not have to be normalized.
+// the exact answer: e3 at t = 14.939339828220179
+// e3:
+//   t = 14.93933982822017871339873345684272644107
+//     = 16 − 1/2·√(9/2)
+// e3:
+//   t = 17.06066017177982128660126654315727355893
+//     = 16 + 1/2·√(9/2)
+// the first point:
+//   x = -1.060660171779821286601266543157273558927
+//   y = 1.060660171779821286601266543157273558927
+//   z = 1
+//
+// c++ -std=c++17 -O2 curve-direction.cpp -lembree3 && ./a.out
+#include <embree3/rtcore.h>
+
+#include <cstdio>
+#include <limits>
+
+static float* floats(RTCGeometry geometry, RTCBufferType type, RTCFormat format, int width, int count) {
+  return static_cast<float*>(rtcSetNewGeometryBuffer(geometry, type, 0, format, 4 * width, count));
+}
+
+static unsigned* indices(RTCGeometry geometry, RTCFormat format, int width) {
+  return static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, format, 4 * width, 1));
+}
+
+static void copy(const double* from, int count, float* to) {
+  for (int i = 0; i < count; ++i) to[i] = float(from[i]);
+}
+
+int main() {
+  RTCDevice device = rtcNewDevice(nullptr);
+  RTCScene scene = rtcNewScene(device);
+  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+  const char* names[1];
+  {
+    names[0] = "e3";
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE);
+    const double ends[] = {0.0, 0.0, 0.0, 2.0,
+                           0.0, 0.0, 2.0, 1.0};
+    copy(ends, 8, floats(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, 4, 2));
+    indices(geometry, RTC_FORMAT_UINT, 1)[0] = 0;
+    void* flags = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_FLAGS, 0, RTC_FORMAT_UCHAR, 1, 1);
+    *static_cast<unsigned char*>(flags) = RTC_CURVE_FLAG_NEIGHBOR_LEFT | RTC_CURVE_FLAG_NEIGHBOR_RIGHT;
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(scene, geometry, 0);
+    rtcReleaseGeometry(geometry);
+  }
+  rtcCommitScene(scene);
+
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRayHit rayhit{};
+  rayhit.ray.org_x = float(-16.0), rayhit.ray.org_y = float(16.0), rayhit.ray.org_z = float(1.0);
+  rayhit.ray.dir_x = float(1.0), rayhit.ray.dir_y = float(-1.0), rayhit.ray.dir_z = float(-0.0);
+  rayhit.ray.tfar = std::numeric_limits<float>::infinity();
+  rayhit.ray.mask = ~0U;
+  rayhit.hit.geomID = rayhit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(scene, &context, &rayhit);
+
+  if (rayhit.hit.geomID == RTC_INVALID_GEOMETRY_ID)
+    std::puts("got: miss");
+  else
+    std::printf("got: hit %s %.9g\n", names[rayhit.hit.geomID], rayhit.ray.tfar);
+  std::puts("expected: hit e3 14.939339828220179");
+}

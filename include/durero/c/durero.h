@@ -1,0 +1,75 @@
+/* Durero for C, and for every language that can call it: scenes, edits under contract, exact first hits.
+ *
+ * A handle is a pointer to what the library owns. A function that fails says so by its answer, and durero_error() then
+ * has one line of text; no exception leaves the library. Handles of different threads are apart; one handle may be read
+ * by several threads, but a scene must not be edited while anything else uses it or an engine of it.
+ */
+#ifndef DURERO_C_DURERO_H
+#define DURERO_C_DURERO_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct durero_scene durero_scene;
+typedef struct durero_engine durero_engine;
+
+/** The first point of the ray p + t·v with t > 0. */
+typedef struct durero_ray {
+  double p[3];
+  double v[3]; /**< not 0, and of any other length */
+} durero_ray;
+
+typedef enum durero_outcome { DURERO_HIT = 0, DURERO_MISS = 1, DURERO_NO_MINIMUM = 2 } durero_outcome;
+
+/** Primera_Interseccion: t and each coordinate of the point are the exact numbers rounded once; 0 where none is hit. */
+typedef struct durero_hit {
+  durero_outcome outcome;
+  uint32_t elements; /**< how many the point lies on; durero_elements() names them */
+  double t;
+  double point[3];
+} durero_hit;
+
+typedef enum durero_answer { DURERO_REFUSED = 0, DURERO_DONE = 1, DURERO_FAILED = -1 } durero_answer;
+
+/** What the last failing call of this thread says, in one line; empty where none has failed. It is valid until the next
+ * call of this thread. */
+const char *durero_error(void);
+
+/** The version of the library, such as "0.1.0". */
+const char *durero_version(void);
+
+/** A scene without elements; NULL where memory runs out. */
+durero_scene *durero_scene_new(void);
+/** Reads a scene file; NULL where it is none, with its file, line and column. */
+durero_scene *durero_scene_read(const char *path);
+/** Nothing may use the scene any more, no engine either. NULL is permitted. */
+void durero_scene_free(durero_scene *scene);
+size_t durero_scene_size(const durero_scene *scene);
+
+/** Runs one operation, as `durero edit` reads it: "Agregar_Esfera e?=s1 centro?=(0,0,5) radio?=1". DURERO_REFUSED where
+ * a precondition does not hold: the scene is as it was, and durero_error() is "LABEL: PREDICATE", the clause of the
+ * specification. DURERO_FAILED where the text is no operation. */
+durero_answer durero_apply(durero_scene *scene, const char *operation);
+
+/** Makes the engine of that name ready for the scene (`durero engines` lists them; NULL is the usual one). The scene must
+ * outlive it, unedited. NULL where there is no such engine. */
+durero_engine *durero_engine_new(const durero_scene *scene, const char *name);
+void durero_engine_free(durero_engine *engine);
+
+/** The first hits of count rays, in order, on every processor. DURERO_FAILED, and nothing written, where a number is not
+ * finite or a v is 0. */
+durero_answer durero_first_hits(const durero_engine *engine, const durero_ray *rays, size_t count, durero_hit *hits);
+
+/** The names of the elements that the first point of a ray lies on, each ended by a 0, in order, in a buffer of size
+ * bytes; a name that has no room is left out. The number of elements, or -1 where the ray is none. */
+int durero_elements(const durero_engine *engine, const durero_ray *ray, char *names, size_t size);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,143 @@
+#include "durero/c/durero.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "durero/contract/contract.hpp"
+#include "durero/engine/engine.hpp"
+#include "durero/io/operations_file.hpp"
+#include "durero/io/scene_file.hpp"
+#include "durero/model/tipos.hpp"
+#include "durero/scene/scene.hpp"
+
+using namespace durero;
+
+struct durero_scene {
+  scene::Scene value;
+};
+
+struct durero_engine {
+  const scene::Scene* scene;
+  std::unique_ptr<const engine::Engine> value;
+};
+
+namespace {
+
+thread_local std::string last_error;
+
+/// What `call` answers, or `failed` where it throws: no exception leaves the library.
+template <class Result, class Call>
+Result guarded(Result failed, Call call) noexcept {
+  try {
+    return call();
+  } catch (const std::exception& error) {
+    try {
+      last_error = error.what();
+    } catch (...) {
+      last_error.clear();  // there is no memory for it
+    }
+  } catch (...) {
+    last_error.clear();
+  }
+  return failed;
+}
+
+scene::Query query(const durero_ray& ray, std::size_t number) {
+  const glm::dvec3 p{ray.p[0], ray.p[1], ray.p[2]}, v{ray.v[0], ray.v[1], ray.v[2]};
+  const auto is_finite = [](const glm::dvec3& a) {
+    return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+  };
+  if (!is_finite(p) || !is_finite(v) || v == glm::dvec3(0))
+    throw std::invalid_argument("ray " + std::to_string(number) +
+                                ": no ray; expected finite numbers and v other than 0");
+  return {{model::Punto(p), model::Vector(v)}, {}};
+}
+
+durero_outcome outcome(model::Resultado resultado) {
+  switch (resultado) {
+    case model::Resultado::hit:
+      return DURERO_HIT;
+    case model::Resultado::miss:
+      return DURERO_MISS;
+    case model::Resultado::no_minimum:
+      return DURERO_NO_MINIMUM;
+  }
+  contract::unreachable();
+}
+
+durero_hit published(const scene::Hit& hit) {
+  return {outcome(hit.resultado),
+          static_cast<std::uint32_t>(hit.elementos.size()),
+          hit.t,
+          {hit.punto.x, hit.punto.y, hit.punto.z}};
+}
+
+}  // namespace
+
+const char* durero_error(void) { return last_error.c_str(); }
+
+const char* durero_version(void) { return DURERO_VERSION; }
+
+durero_scene* durero_scene_new(void) {
+  return guarded<durero_scene*>(nullptr, [] { return new durero_scene{}; });
+}
+
+durero_scene* durero_scene_read(const char* path) {
+  return guarded<durero_scene*>(nullptr, [&] { return new durero_scene{io::read_scene(io::read_source(path))}; });
+}
+
+void durero_scene_free(durero_scene* scene) { delete scene; }
+
+size_t durero_scene_size(const durero_scene* scene) { return scene->value.size(); }
+
+durero_answer durero_apply(durero_scene* scene, const char* operation) {
+  return guarded(DURERO_FAILED, [&] {
+    const auto script = io::read_operations(io::Source("operation", operation), scene->value.stage());
+    if (script.size() != 1) throw std::invalid_argument("operation: no single operation; expected one");
+    const model::Answer answer = scene->value.apply_total(script.front().edit);
+    if (answer.ok()) return DURERO_DONE;
+    last_error.assign(answer.violated->label).append(": ").append(answer.violated->predicate);
+    return DURERO_REFUSED;
+  });
+}
+
+durero_engine* durero_engine_new(const durero_scene* scene, const char* name) {
+  return guarded<durero_engine*>(nullptr, [&] {
+    const std::string_view asked = name == nullptr ? engine::default_engine : std::string_view(name);
+    const engine::Row* row = engine::find(asked);
+    if (row == nullptr) throw std::invalid_argument("no engine " + std::string(asked));
+    return new durero_engine{&scene->value, row->prepare(scene->value)};
+  });
+}
+
+void durero_engine_free(durero_engine* engine) { delete engine; }
+
+durero_answer durero_first_hits(const durero_engine* engine, const durero_ray* rays, size_t count, durero_hit* hits) {
+  return guarded(DURERO_FAILED, [&] {
+    std::vector<scene::Query> queries;
+    queries.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) queries.push_back(query(rays[i], i));
+    const std::vector<scene::Hit> found = engine::first_hits(*engine->value, queries);
+    std::transform(found.begin(), found.end(), hits, published);
+    return DURERO_DONE;
+  });
+}
+
+int durero_elements(const durero_engine* engine, const durero_ray* ray, char* names, size_t size) {
+  return guarded(-1, [&] {
+    const scene::Hit hit = engine::first_hit(*engine->value, query(*ray, 0));
+    for (const scene::ElementRef element : hit.elementos) {
+      const std::string& name = engine->scene->name(element).name();
+      if (name.size() + 1 > size) continue;
+      std::memcpy(names, name.c_str(), name.size() + 1);
+      names += name.size() + 1;
+      size -= name.size() + 1;
+    }
+    return static_cast<int>(hit.elementos.size());
+  });
+}

@@ -1,0 +1,83 @@
+#include "durero/c/durero.h"
+
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "support/catch.hpp"
+
+namespace {
+
+using Scene = std::unique_ptr<durero_scene, decltype(&durero_scene_free)>;
+using Engine = std::unique_ptr<durero_engine, decltype(&durero_engine_free)>;
+
+Scene two_spheres() {
+  Scene scene(durero_scene_new(), durero_scene_free);
+  REQUIRE(durero_apply(scene.get(), "Agregar_Esfera e?=near centro?=(0,0,5) radio?=1") == DURERO_DONE);
+  REQUIRE(durero_apply(scene.get(), "Agregar_Esfera e?=same centro?=(0,0,5) radio?=1") == DURERO_DONE);
+  return scene;
+}
+
+Engine engine_of(const Scene& scene, const char* name = nullptr) {
+  return {durero_engine_new(scene.get(), name), durero_engine_free};
+}
+
+const durero_ray ahead{{0, 0, 0}, {0, 0, 2}}, aside{{0, 0, 0}, {0, 1, 0}};
+
+}  // namespace
+
+TEST_CASE("a scene is edited under contract, and a refusal names the clause") {
+  const Scene scene = two_spheres();
+  CHECK(durero_apply(scene.get(), "Agregar_Esfera e?=near centro?=(0,0,9) radio?=1") == DURERO_REFUSED);
+  CHECK(std::string(durero_error()) == "Agregar_Elemento.pre.1: e? ∉ elementos");
+  CHECK(durero_apply(scene.get(), "Agregar_Esfera e?=flat centro?=(0,0,9) radio?=0") == DURERO_REFUSED);
+  CHECK(durero_scene_size(scene.get()) == 2);
+  CHECK(durero_apply(scene.get(), "Agregar_Esfera e?=") == DURERO_FAILED);
+  CHECK(std::string(durero_error()).starts_with("operation:1:"));
+  CHECK(durero_apply(scene.get(), "") == DURERO_FAILED);
+  CHECK(durero_apply(scene.get(), "Eliminar_Esfera e?=same\nEliminar_Esfera e?=near") == DURERO_FAILED);
+  CHECK(durero_apply(scene.get(), "Eliminar_Esfera e?=same") == DURERO_DONE);
+  CHECK(durero_scene_size(scene.get()) == 1);
+}
+
+TEST_CASE("rays are answered in order, with every element at the first point") {
+  const Scene scene = two_spheres();
+  for (const char* name : {static_cast<const char*>(nullptr), "exact", "analytic"}) {
+    const Engine engine = engine_of(scene, name);
+    REQUIRE(engine);
+    const std::vector<durero_ray> rays{ahead, aside};
+    std::vector<durero_hit> hits(2);
+    REQUIRE(durero_first_hits(engine.get(), rays.data(), rays.size(), hits.data()) == DURERO_DONE);
+    CHECK(hits[0].outcome == DURERO_HIT);
+    CHECK(hits[0].t == 2);
+    CHECK(hits[0].point[2] == 4);
+    CHECK(hits[0].elements == 2);
+    CHECK(hits[1].outcome == DURERO_MISS);
+    CHECK(hits[1].elements == 0);
+    char names[16]{};
+    CHECK(durero_elements(engine.get(), &ahead, names, sizeof names) == 2);
+    CHECK(std::string(names, 10) == std::string("near\0same\0", 10));
+    char small[5]{};
+    CHECK(durero_elements(engine.get(), &ahead, small, sizeof small) == 2);
+    CHECK(std::string(small) == "near");
+  }
+}
+
+TEST_CASE("what is no ray, no engine or no file fails with a line, and writes nothing") {
+  const Scene scene = two_spheres();
+  const Engine engine = engine_of(scene);
+  const durero_ray nan{{0, 0, std::numeric_limits<double>::quiet_NaN()}, {0, 0, 1}}, still{{0, 0, 0}, {0, 0, 0}};
+  for (const durero_ray& none : {nan, still}) {
+    const durero_ray rays[]{ahead, none};
+    durero_hit hits[2]{{DURERO_MISS, 7, 7, {}}, {DURERO_MISS, 7, 7, {}}};
+    CHECK(durero_first_hits(engine.get(), rays, 2, hits) == DURERO_FAILED);
+    CHECK(std::string(durero_error()) == "ray 1: no ray; expected finite numbers and v other than 0");
+    CHECK(hits[0].elements == 7);
+    CHECK(durero_elements(engine.get(), &none, nullptr, 0) == -1);
+  }
+  CHECK(engine_of(scene, "none") == nullptr);
+  CHECK(std::string(durero_error()) == "no engine none");
+  CHECK(durero_scene_read("no/such/file") == nullptr);
+  CHECK(std::string(durero_error()).starts_with("no/such/file: "));
+}

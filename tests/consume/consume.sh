@@ -1,0 +1,50 @@
+#!/bin/sh
+# consume.sh ROOT BUILD installed|subdirectory|shared|headers: whether others can use the library. `installed` installs
+# BUILD into a prefix with a space in its name and builds programs/ against it by CMake, one of them by
+# pkg-config too; `subdirectory` builds them with the sources as a part of their project; `shared` as `installed`, with
+# shared libraries built anew; `headers` compiles each installed header alone.
+set -eu
+root=$1 build=$2 way=$3
+here=$root/tests/consume
+work=$build/consume/$way
+rm -rf "$work"
+mkdir -p "$work"
+prefix=$work/"a prefix"
+
+fail() { tail -n 30 "$work/log"; echo "consume: $*"; exit 1; }
+installed() { cmake --install "$1" --prefix "$prefix" >"$work/log" 2>&1 || fail "cannot install $1"; }
+programs() { # programs OPTION...: builds and runs them
+  { cmake -S "$here/programs" -B "$work/programs" -G Ninja -DCMAKE_BUILD_TYPE=Release "$@" && cmake --build "$work/programs"; } \
+    >"$work/log" 2>&1 || fail "the programs do not build"
+  for program in edit batch predicate first_hit; do "$work/programs/$program" >"$work/$program.said"; done
+  (cd "$work" && head -n 9 ./*.said) | diff "$here/expected.txt" -
+}
+
+case $way in
+  installed)
+    installed "$build"
+    programs -DCMAKE_PREFIX_PATH="$prefix"
+    export PKG_CONFIG_PATH="$prefix/lib/pkgconfig"
+    # pkg-config answers words of the shell.
+    eval "c++ -O2 $here/programs/edit.cpp -o $work/edit $(pkg-config --cflags --libs durero)" >"$work/log" 2>&1 ||
+      fail "no program by pkg-config"
+    "$work/edit" | cmp -s - "$work/edit.said" || fail "another answer by pkg-config"
+    # The installed program has the systems that were installed with it.
+    "$prefix/bin/durero" conform setup --help >/dev/null
+    [ -f "$prefix/share/durero/systems/embree/embree.json" ] || fail "no systems installed" ;;
+  subdirectory) programs -DDURERO_SOURCE="$root" ;;
+  shared)
+    { cmake -S "$root" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=ON -DDURERO_TESTS=OFF \
+        -DDURERO_BENCH=OFF && cmake --build "$work/build"; } >"$work/log" 2>&1 || fail "no shared libraries"
+    installed "$work/build"
+    programs -DCMAKE_PREFIX_PATH="$prefix" ;;
+  headers)
+    installed "$build"
+    for compiler in g++ clang++-16; do
+      command -v $compiler >/dev/null || { echo "consume: no $compiler here"; continue; }
+      (cd "$prefix/include" && find durero -name '*.h*') | sort | xargs -P "$(nproc)" -I {} sh -c "printf '%s\n' \
+        '#include <{}>' '#include <{}>' | $compiler -x c++ -std=c++20 -Wall -Wextra -Wconversion -Werror \
+        -fsyntax-only -I '$prefix/include' - || echo '{}'" >"$work/log" 2>&1
+      [ ! -s "$work/log" ] || fail "$compiler: headers that do not compile alone"
+    done ;;
+esac
