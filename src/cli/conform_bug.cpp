@@ -6,9 +6,9 @@
 
 #include "conform.hpp"
 #include "conform_suite.hpp"
+#include "conform_system.hpp"
 #include "durero/conform/bug_report.hpp"
 #include "durero/conform/least_findings.hpp"
-#include "durero/conform/setup.hpp"
 #include "durero/io/output_file.hpp"
 
 namespace durero::cli {
@@ -56,15 +56,11 @@ void add_reproducer(BugReport& bug, const Options& options) {
 
 int run(const Options& options) {
   const System system = find_system(options.system, options.systems, default_setups());
-  if (const std::string why = why_absent(system); !why.empty())
-    throw std::runtime_error(
-        fmt::format("{} is absent: {}; expected durero conform setup {}", system.name, why, system.name));
+  require_present(system);
   if (!options.reproducer.empty() && system.reproducer.program.empty())
     throw std::runtime_error(
         fmt::format("{} has no template of a reproducer; expected a call without --reproducer", system.name));
-  SuiteOptions suite = suite_of(options.of.suite);
-  suite.tipos = system.profile.tipos;
-  suite.caps = system.profile.caps;
+  const SuiteOptions suite = suite_of(options.of.suite, system.profile);
   BugReport bug{.system = system, .asker = std::string("durero ") + DURERO_VERSION};
   const auto failure = failure_of(system, case_of(options.of, suite), options, bug.version);
   if (!failure) {

@@ -5,8 +5,8 @@
 
 #include "conform.hpp"
 #include "conform_suite.hpp"
+#include "conform_system.hpp"
 #include "durero/conform/least_findings.hpp"
-#include "durero/conform/setup.hpp"
 
 namespace durero::cli {
 namespace {
@@ -29,12 +29,8 @@ Finding finding_of(SuiteCase of, std::size_t ray, const Ask& ask, const Profile&
 
 int run(const Options& options) {
   const System system = find_system(options.system, options.systems, default_setups());
-  if (const std::string why = why_absent(system); !why.empty())
-    throw std::runtime_error(
-        fmt::format("{} is absent: {}; expected durero conform setup {}", system.name, why, system.name));
-  SuiteOptions suite = suite_of(options.of.suite);
-  suite.tipos = system.profile.tipos;
-  suite.caps = system.profile.caps;
+  require_present(system);
+  const SuiteOptions suite = suite_of(options.of.suite, system.profile);
   const Ask ask = asking(system, {}, interrupted());
   const Finding found = finding_of(case_of(options.of, suite), options.of.ray, ask, system.profile);
   fmt::print("{}: expected {}; got {}\n", name(found.judgement.verdict), truth_words(found), claim_words(found));

@@ -39,12 +39,10 @@ struct Plan {
   SuiteOptions suite;
   std::vector<std::pair<const Family*, std::uint64_t>> places;
 
-  Plan(const SuiteCall& call, const Profile& profile) : suite(suite_of(call)) {
+  Plan(const SuiteCall& call, const Profile& profile) : suite(suite_of(call, profile)) {
     if (suite.families.empty()) {
       for (const Family& family : families()) suite.families.push_back(&family);
     }
-    suite.tipos = profile.tipos;
-    suite.caps = profile.caps;
     for (const Family* family : suite.families) {
       for (std::uint64_t number = 0; number < cases(suite, *family); ++number) places.emplace_back(family, number);
     }

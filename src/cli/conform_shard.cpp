@@ -11,7 +11,6 @@
 #include "conform_campaign.hpp"
 #include "conform_progress.hpp"
 #include "durero/conform/runner.hpp"
-#include "durero/conform/setup.hpp"
 #include "durero/conform/shard.hpp"
 #include "durero/io/output_file.hpp"
 #include "numbers.hpp"
@@ -63,9 +62,7 @@ int run(const Options& options) {
   if (options.shard >= named.campaign.shards)
     throw std::runtime_error(
         fmt::format("no shard {}; expected one from 0 to {}", options.shard, named.campaign.shards - 1));
-  if (const std::string why = why_absent(named.system); !why.empty())
-    throw std::runtime_error(
-        fmt::format("{} is absent: {}; expected durero conform setup {}", named.system.name, why, named.system.name));
+  require_present(named.system);
   const std::string text = shards_text(asked(named, options), named.campaign, named.identity);
   io::write_file(options.output.empty() ? fmt::format("shard-{:07}.json", options.shard) : options.output, text);
   return 0;

@@ -75,6 +75,13 @@ SuiteOptions suite_of(const SuiteCall& call) {
   return options;
 }
 
+SuiteOptions suite_of(const SuiteCall& call, const Profile& profile) {
+  SuiteOptions options = suite_of(call);
+  options.tipos = profile.tipos;
+  options.caps = profile.caps;
+  return options;
+}
+
 CLI::Option* add_ray(CLI::App& command, CaseCall& call) {
   auto* ray =
       command.add_option("--ray", call.ray, "Which of its rays, from 0")->check(whole_number(0, rays_of_a_case - 1));

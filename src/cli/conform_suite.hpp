@@ -25,6 +25,8 @@ void add_elements(CLI::App& command, SuiteCall& call);
 
 /// Throws std::runtime_error where a family or a type is none.
 conform::SuiteOptions suite_of(const SuiteCall& call);
+/// With elements that a system of this profile has.
+conform::SuiteOptions suite_of(const SuiteCall& call, const conform::Profile& profile);
 
 /// One ray of a suite.
 struct CaseCall {

@@ -1,8 +1,11 @@
 #include "conform_system.hpp"
 
+#include <fmt/format.h>
+
 #include <stdexcept>
 
 #include "durero/conform/campaign.hpp"
+#include "durero/conform/setup.hpp"
 
 namespace durero::cli {
 
@@ -22,6 +25,12 @@ System system_of(const std::string& name, const std::string& profile, const std:
   system.title = system.ask.back();
   system.profile = read_profile(profile, systems);
   return system;
+}
+
+void require_present(const System& system) {
+  if (const std::string why = why_absent(system); !why.empty())
+    throw std::runtime_error(
+        fmt::format("{} is absent: {}; expected durero conform setup {}", system.name, why, system.name));
 }
 
 }  // namespace durero::cli

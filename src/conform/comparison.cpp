@@ -100,7 +100,9 @@ std::string failing_families(const Summary& system) {
   std::ranges::stable_sort(shares, std::greater<>(), [](const auto& share) { return share.first; });
   std::string text;
   for (const auto& [share, family] : shares)
-    text += fmt::format("{}{} {:.2g} %", text.empty() ? "" : ", ", family, 100 * share);
+    // Two digits, or three: fmt would write 99.6 as 1e+02.
+    const double percent = 100 * share;
+  text += fmt::format("{}{} {:.{}g} %", text.empty() ? "" : ", ", family, percent, percent < 99 ? 2 : 3);
   return text.empty() ? "none" : text;
 }
 

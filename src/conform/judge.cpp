@@ -35,12 +35,9 @@ bool is_near_truth(const Trial& trial, const Claim& claim, const Place& place) {
 
 /// Solids that the origin may lie inside.
 Elements solids_around_origin(const Trial& trial) {
-  const glm::dvec3& p = trial.ray.rayo.p().xyz();
-  const Place origin{.t = {}, .punto = {p.x, p.y, p.z}, .way = {}};
   Elements around;
   trial.scene.for_each([&](ElementRef element, const auto&) {
-    if (trial.is_solid(element) && may_lie_inside(trial.scene, element, origin, trial.ray.rayo, trial.precision()))
-      around.push_back(element);
+    if (trial.may_start_inside(element)) around.push_back(element);
   });
   return around;
 }

@@ -61,15 +61,6 @@ std::string clause_of(const Trial& trial, ElementRef element, const Shape& shape
   return clause;
 }
 
-/// Whether the origin may lie inside a solid.
-bool may_start_inside(const Trial& trial) {
-  const glm::dvec3& p = trial.ray.rayo.p().xyz();
-  const Place origin{.t = {}, .punto = {p.x, p.y, p.z}, .way = {}};
-  return trial.scene.any_of([&](ElementRef element, const auto&) {
-    return trial.is_solid(element) && may_lie_inside(trial.scene, element, origin, trial.ray.rayo, trial.precision());
-  });
-}
-
 }  // namespace
 
 std::string outside(const SuiteCase& of, std::size_t number, const Profile& profile) {
@@ -85,7 +76,8 @@ std::string outside(const SuiteCase& of, std::size_t number, const Profile& prof
     return "numbers of binary32";
   clause = beyond(largest(rayo.p().xyz()), "a coordinate", 0, profile.greatest_coordinate);
   if (!clause.empty()) return clause;
-  if (profile.inside == Inside::undefined && may_start_inside(trial)) return "a start inside";
+  const auto may_start_inside = [&](ElementRef element, const auto&) { return trial.may_start_inside(element); };
+  if (profile.inside == Inside::undefined && trial.scene.any_of(may_start_inside)) return "a start inside";
   if (!trial.has_hit()) return clause;
   return beyond(number_of_truth(trial), "a distance", profile.least_t, profile.greatest_t);
 }

@@ -68,6 +68,12 @@ bool Trial::is_solid(scene::ElementRef element) const {
          std::any_of(solids.begin(), solids.end(), [&](const Solid& solid) { return solid.wall == element; });
 }
 
+bool Trial::may_start_inside(scene::ElementRef element) const {
+  const glm::dvec3& p = ray.rayo.p().xyz();
+  const Place origin{.t = {}, .punto = {p.x, p.y, p.z}, .way = {}};
+  return is_solid(element) && may_lie_inside(scene, element, origin, ray.rayo, precision());
+}
+
 double rounded(double x, Format format) {
   return format == Format::binary32 ? static_cast<double>(static_cast<float>(x)) : x;
 }

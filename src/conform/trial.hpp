@@ -34,6 +34,8 @@ struct Trial {
   }
   /// Whether the element is a solid, of which there is an inside.
   bool is_solid(scene::ElementRef element) const;
+  /// Whether it is one that the origin lies inside for some data.
+  bool may_start_inside(scene::ElementRef element) const;
 };
 
 /// x, or the nearest number of the format.

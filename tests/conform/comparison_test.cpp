@@ -45,6 +45,20 @@ TEST_CASE("systems stand side by side, the worst first") {
   CHECK(markdown.find("| blind (1) |") < markdown.find("| right (1) |"));
 }
 
+TEST_CASE("a share of all rays is written in full") {
+  Summary system = summary(report_of("blind", true));
+  auto& counts = system.families.front().counts;
+  const auto share_of = [&](std::uint64_t right, std::uint64_t missed) {
+    counts = {};
+    counts[static_cast<std::size_t>(Verdict::right)] = right;
+    counts[static_cast<std::size_t>(Verdict::missed)] = missed;
+    return comparison_text({system});
+  };
+  CHECK_THAT(share_of(0, 64), Catch::Contains("gross in tiny 100 %"));
+  CHECK_THAT(share_of(4, 996), Catch::Contains("gross in tiny 99.6 %"));
+  CHECK_THAT(share_of(995, 5), Catch::Contains("gross in tiny 0.5 %"));
+}
+
 TEST_CASE("what is no report, or of other rays, is refused") {
   CHECK_THROWS_WITH(comparison_text({summary(report_of("a", false)), summary(report_of("b", false, 2))}),
                     "\"a\" and \"b\" were asked other rays; expected reports of one suite");
