@@ -10,6 +10,7 @@
 #include "conform.hpp"
 #include "conform_campaign.hpp"
 #include "conform_progress.hpp"
+#include "conform_system.hpp"
 #include "durero/conform/runner.hpp"
 #include "durero/conform/shard.hpp"
 #include "durero/io/output_file.hpp"

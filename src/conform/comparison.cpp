@@ -99,10 +99,11 @@ std::string failing_families(const Summary& system) {
   }
   std::ranges::stable_sort(shares, std::greater<>(), [](const auto& share) { return share.first; });
   std::string text;
-  for (const auto& [share, family] : shares)
-    // Two digits, or three: fmt would write 99.6 as 1e+02.
+  for (const auto& [share, family] : shares) {
     const double percent = 100 * share;
-  text += fmt::format("{}{} {:.{}g} %", text.empty() ? "" : ", ", family, percent, percent < 99 ? 2 : 3);
+    const int digits = percent < 99 ? 2 : 3;  // of two, 99.6 would be 1e+02
+    text += fmt::format("{}{} {:.{}g} %", text.empty() ? "" : ", ", family, percent, digits);
+  }
   return text.empty() ? "none" : text;
 }
 
