@@ -19,9 +19,8 @@ struct Options {
   std::string systems = default_systems();
 };
 
-Finding finding_of(SuiteCase of, std::size_t ray, const Ask& ask, const Profile& profile) {
-  of.the_case.rays = {of.the_case.rays[ray]};
-  of.truths = {of.truths[ray]};
+Finding finding_of(const SuiteCase& whole, std::size_t ray, const Ask& ask, const Profile& profile) {
+  SuiteCase of = with_ray_alone(whole, ray);
   const Claim claim = ask(of);
   const Judgement judgement = judge(of, 0, claim, profile);
   return {std::move(of), ray, claim, judgement};

@@ -56,6 +56,8 @@ class Sight {
     for (const scene::ElementRef e : again) look_at(e);  // where it lies behind the limit, that may tell
     leave_out_beyond_limit();
   }
+  Sight(const Sight&) = delete;  // the search refers to what is here
+  Sight& operator=(const Sight&) = delete;
 
   /// The hit, where it is clear.
   std::optional<scene::Hit> clear_hit() const {

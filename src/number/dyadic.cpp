@@ -14,8 +14,8 @@ namespace {
 
 using Significand = Dyadic::Significand;
 
-/// An integer of two limbs, which the processor adds and multiplies itself: the coefficients of most quadratics are
-/// within it, and Boost's way for any size takes ten times as long.
+/// An integer of two limbs, which the processor adds and multiplies itself: what leads to the coefficients of ordinary
+/// quadratics is within it, and Boost's way for any size takes more steps.
 using Narrow = boost::multiprecision::signed_double_limb_type;
 static_assert(sizeof(Narrow) == 2 * sizeof(std::uint64_t));
 constexpr int narrow_bits = 126;  // so the sum of two magnitudes of so many bits is less than 2¹²⁷
@@ -35,7 +35,7 @@ Narrow narrow(const Significand& m) {
   return backend.sign() ? -magnitude : magnitude;
 }
 
-/// m·n of two limbs each, by schoolbook: squares of what is no longer narrow are most of the other products.
+/// m·n of two limbs each, by schoolbook: such as the square of what is hardly narrow.
 /// Precondition: neither has more limbs.
 Significand product_of_pairs(const Significand& m, const Significand& n) {
   using Double = boost::multiprecision::double_limb_type;
