@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "conform/judged.hpp"
+#include "conform/sharded.hpp"
 #include "support/catch.hpp"
 
 using namespace durero;
@@ -22,15 +22,7 @@ System blind() {
 
 /// A shard of a system that sees no small element, or of one that is right.
 Shards shard(std::uint64_t number, bool is_right = false) {
-  const Profile profile = test::profile_of_all();
-  ShardTally tally(two, number, profile);
-  const SuiteOptions options = suite_options(two, profile);
-  for (const CasePlace& place : cases_of_shard(two, options, number)) {
-    SuiteCase of = suite_case(options, place);
-    answer(of);
-    tally.add(of, is_right ? test::right_claims(of) : test::claims_blind_to_small(of));
-  }
-  return tally.shards("blind 1");
+  return test::shard_of(two, number, is_right ? test::right_claims : test::claims_blind_to_small, "blind 1");
 }
 
 Shards shards(std::initializer_list<std::uint64_t> numbers) {

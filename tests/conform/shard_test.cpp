@@ -5,7 +5,7 @@
 #include <chrono>
 #include <filesystem>
 
-#include "conform/judged.hpp"
+#include "conform/sharded.hpp"
 #include "durero/conform/question.hpp"
 #include "durero/io/output_file.hpp"
 #include "support/catch.hpp"
@@ -39,15 +39,7 @@ std::string refusal(const std::string& text) {
 
 /// What a system that is blind to small elements gets in a shard.
 Shards blind_shard(std::uint64_t shard, const Campaign& campaign = two) {
-  const Profile profile = test::profile_of_all();
-  ShardTally tally(campaign, shard, profile);
-  const SuiteOptions options = suite_options(campaign, profile);
-  for (const CasePlace& place : cases_of_shard(campaign, options, shard)) {
-    SuiteCase of = suite_case(options, place);
-    answer(of);
-    tally.add(of, test::claims_blind_to_small(of));
-  }
-  return tally.shards("tested 1");
+  return test::shard_of(campaign, shard, test::claims_blind_to_small, "tested 1");
 }
 
 Shards united(Shards a, Shards b) {
