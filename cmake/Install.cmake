@@ -14,7 +14,21 @@ install(TARGETS durero)
 install(TARGETS durero_all durero_options ${layer_targets} EXPORT durero)
 install(DIRECTORY include/durero TYPE INCLUDE FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
 install(DIRECTORY systems DESTINATION ${CMAKE_INSTALL_DATADIR}/durero PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY schemas DESTINATION ${CMAKE_INSTALL_DATADIR}/durero)
 install(FILES LICENSE README.md TYPE DOC)
+
+# The manual's pages, and what completes calls in a shell: the program writes them of what it declares.
+set(manual ${PROJECT_BINARY_DIR}/manual)
+file(MAKE_DIRECTORY ${manual})
+add_custom_command(TARGET durero POST_BUILD VERBATIM
+  COMMAND durero man --directory ${manual}/man1
+  COMMAND durero completion bash > ${manual}/durero
+  COMMAND durero completion zsh > ${manual}/_durero
+  COMMAND durero completion fish > ${manual}/durero.fish)
+install(DIRECTORY ${manual}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
+install(FILES ${manual}/durero DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES ${manual}/_durero DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+install(FILES ${manual}/durero.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/durero)
 install(EXPORT durero NAMESPACE durero:: FILE durero-targets.cmake DESTINATION ${package})

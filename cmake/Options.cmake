@@ -26,7 +26,9 @@ add_library(durero_options INTERFACE)
 target_compile_features(durero_options INTERFACE cxx_std_20)
 target_compile_options(durero_options INTERFACE -ffp-contract=off -fno-fast-math)
 if(PROJECT_IS_TOP_LEVEL)
-  target_compile_options(durero_options INTERFACE "$<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wconversion;-Wshadow>"
+  target_compile_options(durero_options INTERFACE "$<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wconversion>"
+    # Where several sources are compiled as one, a name of one may hide another's.
+    "$<BUILD_INTERFACE:$<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wshadow>>"
     # A closed set is known everywhere, or it does not compile.
     "$<BUILD_INTERFACE:-Werror=switch;-Werror=return-type>")
 endif()

@@ -56,7 +56,11 @@ def ended_tasks(calls: Calls, tasks: Iterator[Task], urgent: deque[Task], size: 
         while True:
             window = size or calls.busy()
             while len(pending) < window:
-                task = urgent.popleft() if urgent else next(tasks, None)
+                task: Task | None = None
+                if urgent:
+                    task = urgent.popleft()
+                else:
+                    task = next(tasks, None)
                 if task is None:
                     break
                 pending[calls.submit(task)] = task

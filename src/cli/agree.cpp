@@ -1,18 +1,25 @@
-// durero agree SCENE [--rays N] [--seed S] [--engine E]: an engine against the sampled oracle on random rays.
+// durero agree SCENE [--rays N] [--seed S] [--engine E] [--format F]: an engine against the sampled oracle on random
+// rays.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
 
+#include "colour.hpp"
 #include "commands.hpp"
+#include "description.hpp"
 #include "durero/conform/agreement.hpp"
 #include "durero/io/rays_file.hpp"
 #include "durero/io/scene_file.hpp"
+#include "durero/io/standard_output.hpp"
 #include "durero/oracle/sampled.hpp"
 #include "engines.hpp"
 #include "numbers.hpp"
+#include "progress.hpp"
 
 namespace durero::cli {
 namespace {
@@ -20,35 +27,54 @@ namespace {
 using conform::Agreement;
 using oracle::sampled::Verdict;
 
-struct Options {
-  std::string scene;
+struct AgreeOptions {
+  std::string scene, format = "text";
   std::string engine{engine::default_engine};
   std::uint64_t rays = 100'000, seed = 1;
   double fineness = oracle::sampled::default_fineness;
   std::size_t threads = 0;
+  bool quiet = false;
 };
 
-int report(const Agreement& agreement, const Options& options, const scene::Scene& scene) {
+void print_text(const Agreement& agreement, const AgreeOptions& options, const scene::Scene& scene) {
   const auto of = [&](Verdict verdict) { return agreement.of(verdict); };
-  fmt::print("{} rays: {} agree in both directions\n", agreement.rays(), of(Verdict::agrees));
-  fmt::print("explained: {} grazing, {} at a rim, {} at the origin\n", of(Verdict::grazing), of(Verdict::rim),
-             of(Verdict::origin));
-  fmt::print("unexplained: {}\n", of(Verdict::incomplete) + of(Verdict::unsound));
-  if (!agreement.first) return 0;
-  fmt::print("the first is ray {} of --seed {}: {}\n", agreement.first->ray, options.seed,
-             name(agreement.first->verdict));
-  fmt::print("{}", io::rays_text({&agreement.first->query, 1}, scene));
-  return 1;
+  const std::string unexplained = fmt::format("unexplained: {}", of(Verdict::incomplete) + of(Verdict::unsound));
+  std::string text = fmt::format("{} rays: {} agree in both directions\n", agreement.rays(), of(Verdict::agrees));
+  text += fmt::format("explained: {} grazing, {} at a rim, {} at the origin\n", of(Verdict::grazing), of(Verdict::rim),
+                      of(Verdict::origin));
+  text += (agreement.first ? in_red(unexplained, STDOUT_FILENO) : unexplained) + '\n';
+  if (agreement.first) {
+    text += fmt::format("the first is ray {} of --seed {}: {}\n", agreement.first->ray, options.seed,
+                        name(agreement.first->verdict));
+    text += io::rays_text({&agreement.first->query, 1}, scene);
+  }
+  io::print(text);
 }
 
-int run(const Options& options) {
+int report(const Agreement& agreement, const AgreeOptions& options, const io::Source& file, const scene::Scene& scene) {
+  if (options.format == "json") {
+    io::print(conform::agreement_json(agreement, {file, scene, options.engine, options.seed}));
+  } else {
+    print_text(agreement, options, scene);
+  }
+  return agreement.first ? 1 : 0;
+}
+
+int run(const AgreeOptions& options) {
   const ThreadLimit limit(options.threads);
-  const scene::Scene scene = io::read_scene(io::read_source(options.scene));
+  const io::Source file = io::read_source(options.scene);
+  const scene::Scene scene = io::read_scene(file);
   try {
     const oracle::sampled::Oracle oracle(scene, options.fineness);
     const auto engine = engine::find(options.engine)->prepare(scene);
-    const auto first_hits = [&](std::span<const scene::Query> queries) { return engine::first_hits(*engine, queries); };
-    return report(conform::agreement(oracle, first_hits, options.rays, options.seed), options, scene);
+    std::optional<Progress> progress(std::in_place, options.quiet, "agree", "rays", options.rays);
+    const auto first_hits = [&](std::span<const scene::Query> queries) {
+      progress->add(queries.size());
+      return engine::first_hits(*engine, queries);
+    };
+    const Agreement agreement = conform::agreement(oracle, first_hits, options.rays, options.seed);
+    progress.reset();
+    return report(agreement, options, file, scene);
   } catch (const std::domain_error& error) {  // the range of the oracle
     throw std::domain_error(fmt::format("{}: {}", options.scene, error.what()));
   } catch (const std::length_error& error) {
@@ -60,7 +86,7 @@ int run(const Options& options) {
 
 void add_agree(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("agree", "Hold an engine against the sampled oracle on random rays");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<AgreeOptions>();
   command->add_option("SCENE", options->scene, "Scene file (JSON)")->required();
   command->add_option("--rays", options->rays, "How many rays")
       ->check(whole_number(1, 100'000'000))
@@ -73,12 +99,17 @@ void add_agree(CLI::App& app, int& status) {
       ->add_option("--fineness", options->fineness, "Covering radius of the samples, as a share of an element's radius")
       ->check(number(0x1p-10, 1.0))
       ->capture_default_str();
+  command->add_option("--format", options->format, "How the answer is printed")
+      ->check(one_of("format", {"text", "json"}))
+      ->capture_default_str();
   command->footer(fmt::format(
       "The oracle knows each surface as points. It takes elements with lengths from {} to {}, and centres\n"
-      "with coordinates up to {}; other scenes are refused.\n"
-      "Status 0: no hit is wrong; 1: some hit is, and the first such ray is printed; 2: a bad call or scene.",
-      oracle::sampled::least_length, oracle::sampled::greatest_length, oracle::sampled::greatest_length));
+      "with coordinates up to {}; other scenes are refused.\n\n{}{}",
+      oracle::sampled::least_length, oracle::sampled::greatest_length, oracle::sampled::greatest_length,
+      exit_status("no hit is wrong", "some hit is, and the first such ray is printed", "the call or the scene is bad"),
+      examples({"agree demo/still-life.json --rays 10000"})));
   add_threads(*command, options->threads);
+  add_quiet(*command, options->quiet);
   command->callback([options, &status] { status = run(*options); });
 }
 

@@ -1,44 +1,54 @@
-// durero check SCENE: reads a scene, and evaluates every invariant of Escena on what it stands for.
-#include <fmt/format.h>
+// durero check SCENE [--format F]: reads a scene, and evaluates every invariant of Escena on what it stands for.
+#include <unistd.h>
 
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "colour.hpp"
 #include "commands.hpp"
-#include "durero/io/output_file.hpp"
-#include "durero/io/scene_file.hpp"
-#include "durero/scene/retrieve.hpp"
-#include "durero/text/shown.hpp"
+#include "description.hpp"
+#include "durero/io/scene_check.hpp"
+#include "durero/io/standard_output.hpp"
+#include "numbers.hpp"
+#include "progress.hpp"
 
 namespace durero::cli {
 namespace {
 
-std::string count_of_each_shape(const scene::Scene& scene) {
-  std::string counts;
-  scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
-    counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", scene.shapes<Shape>().size(), Shape::word);
-  });
-  return counts;
-}
+struct CheckOptions {
+  std::string scene, format = "text";
+  bool quiet = false;
+};
 
-int check(const std::string& path) {
-  const io::Source source = io::read_source(path);
-  const scene::Scene scene = io::read_scene(source);
-  std::string report =
-      fmt::format("{}: {} elementos: {}\n", text::escaped(source.name()), scene.size(), count_of_each_shape(scene));
-  const model::Judgements judgements = model::inv(scene::retrieve(scene));
-  for (const model::Judgement& judgement : judgements) {
-    report +=
-        fmt::format("{} {}: {}\n", judgement.what->label, judgement.holds ? "ok" : "fails", judgement.what->predicate);
-  }
-  io::write_file("-", report);
-  return model::all_hold(judgements) ? 0 : 1;
+/// A file that is wrong is an error whatever the format. For programs, all that is wrong with it is printed before.
+int run(const CheckOptions& options) {
+  std::optional<Progress> progress(std::in_place, options.quiet, "check");
+  const io::SceneCheck check = io::check_scene(io::read_source(options.scene));
+  progress.reset();
+  if (options.format == "json") io::print(check_json(check));
+  if (options.format == "sarif") io::print(check_sarif(check));
+  if (!check.errors.empty()) throw io::InputError(check.errors.front());
+  if (options.format == "text") io::print(check_text(check, in_red("fails", STDOUT_FILENO)));
+  return check.findings.empty() ? 0 : 1;
 }
 
 }  // namespace
 
 void add_check(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("check", "Read a scene and evaluate every invariant");
-  const auto path = std::make_shared<std::string>();
-  command->add_option("SCENE", *path, "Scene file (JSON); - is the standard input")->required();
-  command->callback([path, &status] { status = check(*path); });
+  const auto options = std::make_shared<CheckOptions>();
+  command->add_option("SCENE", options->scene, "Scene file (JSON); - is the standard input")->required();
+  command->add_option("--format", options->format, "How the answer is printed; sarif is SARIF 2.1.0")
+      ->check(one_of("format", {"text", "json", "sarif"}))
+      ->capture_default_str();
+  add_quiet(*command, options->quiet);
+  command->footer(
+      "As JSON and SARIF all that is wrong with the file is printed, each with its label, its JSON pointer and its\n"
+      "place; the first is the error on stderr.\n\n" +
+      exit_status("every invariant holds", "one does not", "the call or the file is bad") +
+      examples({"check demo/still-life.json", "check demo/still-life.json --format json"}));
+  command->callback([options, &status] { status = run(*options); });
 }
 
 }  // namespace durero::cli

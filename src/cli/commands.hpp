@@ -8,6 +8,8 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 
+#include "numbers.hpp"
+
 namespace durero::cli {
 
 /// Holds the program to a number of threads while it lives; 0: as many as the machine has.
@@ -24,7 +26,7 @@ class ThreadLimit {
 /// The option --threads of a command.
 inline void add_threads(CLI::App& command, std::size_t& threads) {
   command.add_option("--threads", threads, "How many threads; without it, as many as the machine has")
-      ->check(CLI::Range(1, 1024));
+      ->check(whole_number(1, 1024));
 }
 
 void add_check(CLI::App& app, int& status);
@@ -38,5 +40,8 @@ void add_import(CLI::App& app, int& status);
 void add_export(CLI::App& app, int& status);
 void add_spec(CLI::App& app, int& status);
 void add_spec_export(CLI::App& spec, int& status);  ///< of spec: export
+void add_version(CLI::App& app, int& status);
+void add_man(CLI::App& app, int& status);
+void add_completion(CLI::App& app, int& status);
 
 }  // namespace durero::cli

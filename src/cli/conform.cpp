@@ -2,12 +2,14 @@
 #include "conform.hpp"
 
 #include "commands.hpp"
+#include "description.hpp"
 
 namespace durero::cli {
 
 void add_conform(CLI::App& app, int& status) {
   auto* conform = app.add_subcommand("conform", "Hold any program's hits against the exact answers");
   conform->require_subcommand(1);
+  conform->footer(examples({"conform list", "conform setup embree", "conform run embree --report found"}));
   add_conform_list(*conform, status);
   add_conform_make(*conform, status);
   add_conform_setup(*conform, status);

@@ -23,7 +23,7 @@ void add_conform_compare(CLI::App& conform, int& status);
 /// The option --systems of a command.
 void add_systems(CLI::App& command, std::string& systems);
 
-/// Is set when the user interrupts the program (SIGINT, SIGTERM), from this call on.
+/// Is set when the user interrupts the program (SIGINT, SIGTERM, SIGHUP), from this call on.
 const std::atomic<bool>& interrupted();
 
 }  // namespace durero::cli

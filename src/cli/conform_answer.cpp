@@ -6,7 +6,9 @@
 
 #include "commands.hpp"
 #include "conform.hpp"
+#include "description.hpp"
 #include "durero/conform/question.hpp"
+#include "durero/io/standard_output.hpp"
 #include "engines.hpp"
 
 namespace durero::cli {
@@ -32,14 +34,14 @@ std::string answer_line(const conform::Claim& claim, const scene::Scene& scene) 
 }
 
 int answer(const std::string& engine_name) {
-  fmt::print("system durero {} {}\n", DURERO_VERSION, engine_name);
-  std::fflush(stdout);
+  io::print(fmt::format("system durero {} {}\n", DURERO_VERSION, engine_name));
   conform::QuestionReader questions(*stdin);
   while (const auto question = questions.next()) {
     const auto engine = engine::find(engine_name)->prepare(question->scene);
+    std::string answers;
     for (const scene::Hit& hit : engine::first_hits(*engine, question->rays))
-      fmt::print("{}\n", answer_line(claim_of(hit), question->scene));
-    std::fflush(stdout);
+      answers += answer_line(claim_of(hit), question->scene) + "\n";
+    io::print(answers);
   }
   return 0;
 }
@@ -50,6 +52,8 @@ void add_conform_answer(CLI::App& conform, int& status) {
   auto* command = conform.add_subcommand("answer", "Answer questions on the standard input, as a system does");
   const auto engine = std::make_shared<std::string>(engine::default_engine);
   add_engine(*command, *engine);
+  command->footer(exit_status("the questions are at an end", "the call or a question is bad") +
+                  examples({"conform answer --engine exact"}));
   command->callback([engine, &status] { status = answer(*engine); });
 }
 

@@ -7,24 +7,28 @@
 #include "conform.hpp"
 #include "conform_suite.hpp"
 #include "conform_system.hpp"
+#include "description.hpp"
 #include "durero/conform/bug_report.hpp"
 #include "durero/conform/least_findings.hpp"
 #include "durero/io/output_file.hpp"
+#include "durero/io/standard_output.hpp"
+#include "progress.hpp"
 
 namespace durero::cli {
 namespace {
 
 using namespace conform;
 
-struct Options {
+struct ConformBugOptions {
   std::string system;
   CaseCall of;
   bool has_ray = false;
   std::string systems = default_systems(), output = "-", reproducer;
+  bool quiet = false;
 };
 
 /// The worst failure of the case, or that of its ray; nothing where the system is right. Fills in what it says it is.
-std::optional<Finding> failure_of(const System& system, const SuiteCase& of, const Options& options,
+std::optional<Finding> failure_of(const System& system, const SuiteCase& of, const ConformBugOptions& options,
                                   std::string& version) {
   Tally tally;
   const auto judge_all = [&](const SuiteCase& asked, std::span<const Claim> claims) {
@@ -45,7 +49,7 @@ std::optional<Finding> failure_of(const System& system, const SuiteCase& of, con
 }
 
 /// Where the system has a template: the reproducer, run.
-void add_reproducer(BugReport& bug, const Options& options) {
+void add_reproducer(BugReport& bug, const ConformBugOptions& options) {
   if (bug.system.reproducer.program.empty()) return;
   using Path = std::filesystem::path;
   bug.file = options.reproducer.empty() ? Path(bug.system.reproducer.program).stem().string()
@@ -54,27 +58,36 @@ void add_reproducer(BugReport& bug, const Options& options) {
   bug.reproduction = reproduced(bug.system, bug.least.finding, bug.program, bug.file, interrupted());
 }
 
-int run(const Options& options) {
+int run(const ConformBugOptions& options) {
   const System system = find_system(options.system, options.systems, default_setups());
   require_present(system);
   if (!options.reproducer.empty() && system.reproducer.program.empty())
     throw std::runtime_error(
         fmt::format("{} has no template of a reproducer; expected a call without --reproducer", system.name));
+  io::OutputFile output(options.output);
+  std::optional<io::OutputFile> reproducer;
+  if (!options.reproducer.empty()) reproducer.emplace(options.reproducer);
   const SuiteOptions suite = suite_of(options.of.suite, system.profile);
+  std::optional<Progress> progress(std::in_place, options.quiet, system.name, "questions");
   BugReport bug{.system = system, .asker = std::string("durero ") + DURERO_VERSION};
   const auto failure = failure_of(system, case_of(options.of, suite), options, bug.version);
   if (!failure) {
-    fmt::print("{} is right about {}\n", system.name, options.of.name);
+    io::print(fmt::format("{} is right about {}\n", system.name, options.of.name));
     return 0;
   }
-  const Ask ask = asking(system, {}, interrupted());
+  const Ask ask = counted(asking(system, {}, interrupted()), *progress);
   bug.call = fmt::format("durero conform bug {} {} --ray {}", system.name, options.of.name, failure->ray);
   if (options.of.suite.seed != SuiteCall().seed) bug.call += fmt::format(" --seed {}", options.of.suite.seed);
   bug.least = least_finding(*failure, system.profile, ask);
   bug.variations = variations(bug.least.finding, system.profile, ask);
   add_reproducer(bug, options);
-  if (!options.reproducer.empty()) io::write_file(options.reproducer, bug.program);
-  io::write_file(options.output, bug_text(bug, !options.reproducer.empty()));
+  progress.reset();
+  if (reproducer) {
+    reproducer->write(bug.program);
+    reproducer->commit();
+  }
+  output.write(bug_text(bug, reproducer.has_value()));
+  output.commit();
   return 1;
 }
 
@@ -82,17 +95,18 @@ int run(const Options& options) {
 
 void add_conform_bug(CLI::App& conform, int& status) {
   auto* command = conform.add_subcommand("bug", "A failure as one would file it: small, explained, with a reproducer");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ConformBugOptions>();
   command->add_option("SYSTEM", options->system, "The name of a system")->required();
   command->add_option("CASE", options->of.name, "Which, such as tiny/0007")->required();
   auto* ray = add_ray(*command, options->of);
   add_systems(*command, options->systems);
+  add_quiet(*command, options->quiet);
   command->add_option("--output", options->output, "The file for the report; without it, the standard output");
   command->add_option("--reproducer", options->reproducer,
                       "The file for the reproducer, which then does not stand in the report");
-  command->footer(
-      "Without --ray it is the worst failure of the case.\n"
-      "Status 0: the system is right about it; 1: it is not; 2: it is absent, or a bad call.");
+  command->footer("Without --ray it is the worst failure of the case.\n\n" +
+                  exit_status("the system is right about it", "it is not", "the system is absent, or the call is bad") +
+                  examples({"conform bug embree tiny/0007 --output report.md"}));
   command->callback([options, ray, &status] {
     options->has_ray = ray->count() > 0;
     status = run(*options);

@@ -2,9 +2,10 @@
 #include <fmt/format.h>
 
 #include "conform.hpp"
+#include "description.hpp"
 #include "durero/conform/families.hpp"
 #include "durero/io/json_writer.hpp"
-#include "durero/io/output_file.hpp"
+#include "durero/io/standard_output.hpp"
 
 namespace durero::cli {
 namespace {
@@ -31,7 +32,7 @@ void write_range(Writer& out, const Range& range) {
   out.member("least", least).member("greatest", greatest);
 }
 
-std::string json() {
+std::string families_json() {
   std::string text;
   Writer out(text);
   out.begin_array();
@@ -50,7 +51,7 @@ std::string json() {
 int run(bool as_json) {
   std::string text;
   for (const Family& family : conform::families()) text += text_of(family);
-  io::write_file("-", as_json ? json() : text);
+  io::print(as_json ? families_json() : text);
   return 0;
 }
 
@@ -60,6 +61,8 @@ void add_conform_list(CLI::App& conform, int& status) {
   auto* command = conform.add_subcommand("list", "The families of cases: what their rays are, why, and what is drawn");
   const auto as_json = std::make_shared<bool>(false);
   command->add_flag("--json", *as_json, "As JSON");
+  command->footer(exit_status("they are listed", "the call is bad") +
+                  examples({"conform list", "conform list --json"}));
   command->callback([as_json, &status] { status = run(*as_json); });
 }
 

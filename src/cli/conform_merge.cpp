@@ -3,13 +3,18 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "conform.hpp"
 #include "conform_campaign.hpp"
+#include "description.hpp"
 #include "durero/conform/campaign_report.hpp"
 #include "durero/io/output_file.hpp"
+#include "durero/io/standard_output.hpp"
+#include "progress.hpp"
 
 namespace durero::cli {
 namespace {
@@ -17,10 +22,11 @@ namespace {
 using namespace conform;
 namespace fs = std::filesystem;
 
-struct Options {
+struct ConformMergeOptions {
   CampaignCall campaign;
   std::vector<std::string> paths;
   std::string output;
+  bool quiet = false;
 };
 
 /// The file, or every .json of a folder but the campaign, by name.
@@ -45,15 +51,26 @@ void add_file(Shards& shards, const std::string& file, const NamedCampaign& name
   }
 }
 
-int run(const Options& options) {
+int run(const ConformMergeOptions& options) {
   const NamedCampaign named = campaign_of(options.campaign);
+  std::optional<io::OutputFile> output;
+  if (!options.output.empty()) output.emplace(options.output);
+  std::vector<std::string> files;
+  for (const std::string& path : options.paths)
+    std::ranges::copy(files_of(path, options.campaign.file), std::back_inserter(files));
   Shards shards;
-  for (const std::string& path : options.paths) {
-    for (const std::string& file : files_of(path, options.campaign.file)) add_file(shards, file, named);
+  std::optional<Progress> progress(std::in_place, options.quiet, "merge", "files", files.size());
+  for (const std::string& file : files) {
+    add_file(shards, file, named);
+    progress->add();
   }
+  progress.reset();
   const std::string said = campaign_text(shards, named.campaign, named.identity, named.system);
-  if (!options.output.empty()) io::write_file(options.output, shards_text(shards, named.campaign, named.identity));
-  io::write_file("-", said);
+  if (output) {
+    output->write(shards_text(shards, named.campaign, named.identity));
+    output->commit();
+  }
+  io::print(said);
   return disputed(shards).empty() ? 0 : 1;
 }
 
@@ -61,19 +78,20 @@ int run(const Options& options) {
 
 void add_conform_merge(CLI::App& conform, int& status) {
   auto* command = conform.add_subcommand("merge", "Put shards of a campaign together, and say what they found");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ConformMergeOptions>();
   add_campaign(*command, options->campaign);
   command->add_option("PATH", options->paths, "Files of shards, single or merged, and folders of them")->required();
   command->add_option("--output", options->output, "The file for all of them together");
+  add_quiet(*command, options->quiet);
   command->footer(
       "Shards may come in any order, again, and merged before: the file is the same. Of a folder every .json is "
       "taken,\n"
       "but the campaign. A file of another campaign or another version of the system, one that is truncated or "
       "altered,\n"
-      "is refused.\n"
-      "Status 0: they are put together, whatever they found; 1: a shard was given with different contents; 2: a file "
-      "was\n"
-      "refused, or a bad call.");
+      "is refused.\n\n" +
+      exit_status("they are put together, whatever they found", "a shard was given with different contents",
+                  "a file was refused, or the call is bad") +
+      examples({"conform merge campaign.json shards --output merged.json"}));
   command->callback([options, &status] { status = run(*options); });
 }
 

@@ -2,21 +2,26 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 
 #include "conform.hpp"
 #include "conform_suite.hpp"
 #include "conform_system.hpp"
+#include "description.hpp"
 #include "durero/conform/least_findings.hpp"
+#include "durero/io/standard_output.hpp"
+#include "progress.hpp"
 
 namespace durero::cli {
 namespace {
 
 using namespace conform;
 
-struct Options {
+struct ConformMinimiseOptions {
   std::string system;
   CaseCall of;
   std::string systems = default_systems();
+  bool quiet = false;
 };
 
 Finding finding_of(const SuiteCase& whole, std::size_t ray, const Ask& ask, const Profile& profile) {
@@ -26,27 +31,34 @@ Finding finding_of(const SuiteCase& whole, std::size_t ray, const Ask& ask, cons
   return {std::move(of), ray, claim, judgement};
 }
 
-int run(const Options& options) {
+int run(const ConformMinimiseOptions& options) {
   const System system = find_system(options.system, options.systems, default_setups());
   require_present(system);
   const SuiteOptions suite = suite_of(options.of.suite, system.profile);
-  const Ask ask = asking(system, {}, interrupted());
+  std::optional<Progress> progress(std::in_place, options.quiet, system.name, "questions");
+  const Ask ask = counted(asking(system, {}, interrupted()), *progress);
   const Finding found = finding_of(case_of(options.of, suite), options.of.ray, ask, system.profile);
-  fmt::print("{}: expected {}; got {}\n", name(found.judgement.verdict), truth_words(found), claim_words(found));
-  if (!is_failure(found.judgement.verdict)) return 0;
-  fmt::print("\n{}", least_text(least_finding(found, system.profile, ask), system.profile));
-  return 1;
+  std::string text =
+      fmt::format("{}: expected {}; got {}\n", name(found.judgement.verdict), truth_words(found), claim_words(found));
+  const bool is_wrong = is_failure(found.judgement.verdict);
+  if (is_wrong) text += '\n' + least_text(least_finding(found, system.profile, ask), system.profile);
+  progress.reset();
+  io::print(text);
+  return is_wrong ? 1 : 0;
 }
 
 }  // namespace
 
 void add_conform_minimise(CLI::App& conform, int& status) {
   auto* command = conform.add_subcommand("minimise", "The fewest elements and roundest numbers that a system fails on");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ConformMinimiseOptions>();
   command->add_option("SYSTEM", options->system, "The name of a system")->required();
   add_case(*command, options->of);
   add_systems(*command, options->systems);
-  command->footer("Status 0: the system is right about the ray; 1: it is not; 2: it is absent, or a bad call.");
+  add_quiet(*command, options->quiet);
+  command->footer(
+      exit_status("the system is right about the ray", "it is not", "the system is absent, or the call is bad") +
+      examples({"conform minimise embree --case tiny/0007 --ray 3"}));
   command->callback([options, &status] { status = run(*options); });
 }
 

@@ -9,28 +9,30 @@
 #include <thread>
 
 #include "conform.hpp"
-#include "conform_progress.hpp"
 #include "conform_suite.hpp"
 #include "conform_system.hpp"
+#include "description.hpp"
 #include "durero/conform/campaign.hpp"
 #include "durero/conform/least_findings.hpp"
 #include "durero/conform/runner.hpp"
 #include "durero/conform/setup.hpp"
+#include "durero/io/standard_output.hpp"
 #include "numbers.hpp"
+#include "progress.hpp"
 
 namespace durero::cli {
 namespace {
 
 using namespace conform;
 
-struct Options {
+struct ConformRunOptions {
   std::vector<std::string> names;
   SuiteCall suite;
   std::string systems = default_systems();
   std::string profile, report;
   std::size_t jobs = std::max(1U, std::thread::hardware_concurrency()), memory = 0;
   double time = 10;
-  bool goes_on = false, is_not_minimised = false;
+  bool goes_on = false, is_not_minimised = false, quiet = false;
   LeastLimits least{};
 };
 
@@ -60,14 +62,14 @@ struct Plan {
 };
 
 /// What a run must be, to go on with another's claims.
-std::string identity(const System& system, const Options& options) {
+std::string identity(const System& system, const ConformRunOptions& options) {
   return fmt::format("durero {} conform run {} --seed {} --rays {} --timeout {} --memory {} {}", DURERO_VERSION,
                      system.name == "command" ? std::string(of_command) + system.title : system.name,
                      options.suite.seed, options.suite.rays, options.time, options.memory,
                      fmt::join(options.suite.families, " "));
 }
 
-RunOptions run_options(const System& system, const Options& options) {
+RunOptions run_options(const System& system, const ConformRunOptions& options) {
   RunOptions run;
   run.ask.time = std::chrono::duration<double>(options.time);
   run.ask.memory = std::uint64_t{options.memory} << 20U;
@@ -84,41 +86,46 @@ RunOptions run_options(const System& system, const Options& options) {
 enum class Outcome { conformant = 0, not_conformant = 1, not_asked = 2 };
 
 /// Asks and judges; nothing where it was stopped.
-std::optional<Report> report_of(const System& system, const Options& options) {
+std::optional<Report> report_of(const System& system, const ConformRunOptions& options) {
   const Plan plan(options.suite, system.profile);
   Report report{.title = system.title, .profile = system.profile, .options = plan.suite};
   RunEnd end;
   {
-    Progress progress(system.name, plan.places.size());
+    Progress progress(options.quiet, system.name, "scenes", plan.places.size());
     const auto sink = [&](const SuiteCase& of, std::span<const Claim> claims) {
       report.tally.add(of, claims, system.profile);
-      progress.step();
+      progress.add();
     };
     end = run_system(system, plan.run_cases(system.profile), run_options(system, options), sink, interrupted());
   }
   report.version = end.says;
   if (std::ranges::count(options.names, system.name) > 0) report.asked = system.name;
   if (!end.stopped) return report;
-  fmt::print("{}: stopped after {} of {} scenes{}\n", system.name, end.cases, plan.places.size(),
-             options.report.empty() ? "" : "; --continue goes on");
+  io::print(fmt::format("{}: stopped after {} of {} scenes{}\n", system.name, end.cases, plan.places.size(),
+                        options.report.empty() ? "" : "; --continue goes on"));
   return std::nullopt;
 }
 
-Outcome run_one(const System& system, const Options& options) {
+Outcome run_one(const System& system, const ConformRunOptions& options) {
   if (const std::string why = why_absent(system); !why.empty()) {
-    fmt::print("{}: absent: {}\n", system.name, why);
+    io::print(fmt::format("{}: absent: {}\n", system.name, why));
     return Outcome::not_asked;
   }
+  const std::string folder = fmt::format("{}/{}", options.report, system.name);
+  if (!options.report.empty()) require_room_for_reports(folder);
   std::optional<Report> report = report_of(system, options);
   if (!report) return Outcome::not_asked;
-  if (!options.report.empty() && !options.is_not_minimised)
-    minimise_findings(*report, asking(system, run_options(system, options).ask, interrupted()), options.least);
-  fmt::print("{}", report_text(*report));
-  if (!options.report.empty()) write_reports(fmt::format("{}/{}", options.report, system.name), *report);
+  if (!options.report.empty() && !options.is_not_minimised) {
+    Progress progress(options.quiet, system.name + ": minimising", "questions");
+    const Ask ask = asking(system, run_options(system, options).ask, interrupted());
+    minimise_findings(*report, counted(ask, progress), options.least);
+  }
+  io::print(report_text(*report));
+  if (!options.report.empty()) write_reports(folder, *report);
   return report->tally.is_conformant() ? Outcome::conformant : Outcome::not_conformant;
 }
 
-int run(const Options& options) {
+int run(const ConformRunOptions& options) {
   std::vector<System> systems;
   for (const std::string& name : options.names) systems.push_back(system_of(name, options.profile, options.systems));
   int status = 0;
@@ -126,10 +133,11 @@ int run(const Options& options) {
   return status;
 }
 
-void add_amounts(CLI::App& command, Options& options) {
-  command.add_option("--jobs", options.jobs, "So many processes of a system are asked at once")
-      ->check(whole_number(1, 256))
-      ->capture_default_str();
+void add_amounts(CLI::App& command, ConformRunOptions& options) {
+  command
+      .add_option("--jobs", options.jobs,
+                  "So many processes of a system are asked at once; without it, as many as the machine has cores")
+      ->check(whole_number(1, 256));
   command.add_option("--timeout", options.time, "Seconds that a ray may take")
       ->check(number(0.001, 86400))
       ->capture_default_str();
@@ -142,7 +150,7 @@ void add_amounts(CLI::App& command, Options& options) {
 
 void add_conform_run(CLI::App& conform, int& status) {
   auto* command = conform.add_subcommand("run", "Ask systems the rays of a suite, and judge what they answer");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ConformRunOptions>();
   command->add_option("SYSTEM", options->names, "Names of systems, files of systems, or command:PROGRAM")->required();
   add_rays(*command, options->suite);
   add_amounts(*command, *options);
@@ -152,12 +160,15 @@ void add_conform_run(CLI::App& conform, int& status) {
   command->add_flag("--continue", options->goes_on, "Go on where the run of that folder was stopped")->needs(report);
   command->add_flag("--no-minimise", options->is_not_minimised, "The report shows failures as they were found")
       ->needs(report);
+  add_quiet(*command, options->quiet);
   command->footer(
       "A system is asked in processes of its own: what crashes it or lets it hang costs one ray. What is found "
       "depends\n"
-      "neither on --jobs nor on where a run was stopped.\n"
-      "Status 0: all systems are right; 1: one is not, or no ray of it was judged; 2: one is absent or was stopped, or "
-      "a bad call.");
+      "neither on --jobs nor on where a run was stopped.\n\n" +
+      exit_status("all systems are right", "one is not, or no ray of it was judged",
+                  "one is absent or was stopped, or the call is bad") +
+      examples({"conform run embree --rays 10000 --report found",
+                "conform run 'command:./my-tracer' --profile my-profile.json"}));
   command->callback([options, &status] { status = run(*options); });
 }
 

@@ -3,31 +3,39 @@
 
 #include <csignal>
 #include <memory>
+#include <optional>
 
 #include "conform.hpp"
+#include "description.hpp"
 #include "durero/conform/setup.hpp"
 #include "durero/conform/system_file.hpp"
+#include "durero/io/standard_output.hpp"
+#include "progress.hpp"
 
 namespace durero::cli {
 namespace {
 
-struct Options {
+struct ConformSetupOptions {
   std::vector<std::string> names;
   std::string systems = conform::default_systems();
+  bool quiet = false;
 };
 
 std::atomic<bool> was_interrupted = false;
 
-int set_up(const Options& options) {
+int set_up(const ConformSetupOptions& options) {
   for (const std::string& name : options.names) {
     const conform::System system = conform::find_system(name, options.systems, conform::default_setups());
-    fmt::print("{}: {}, into {}\n", name, system.title, system.setup);
-    const auto say = [](std::string_view line) {
-      fmt::print("{}\n", line);
-      std::fflush(stdout);
+    io::print(fmt::format("{}: {}, into {}\n", name, system.title, system.setup));
+    std::optional<Progress> step;
+    const auto say = [&](std::string_view line) {
+      step.reset();
+      io::print(fmt::format("{}\n", line));
+      step.emplace(options.quiet, name);
     };
     conform::set_up(system, say, interrupted());
-    fmt::print("{}: ready\n", name);
+    step.reset();
+    io::print(fmt::format("{}: ready\n", name));
   }
   return 0;
 }
@@ -36,23 +44,26 @@ int set_up(const Options& options) {
 
 const std::atomic<bool>& interrupted() {
   static_assert(std::atomic<bool>::is_always_lock_free);  // so a signal handler may set it
-  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { was_interrupted = true; });
+  const auto interrupt = [](int) { was_interrupted = true; };
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, interrupt);
+  if (std::signal(SIGHUP, interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // as nohup starts it
   return was_interrupted;
 }
 
 void add_systems(CLI::App& command, std::string& systems) {
-  command.add_option("--systems", systems, "The folder of systems")->capture_default_str();
+  command.add_option("--systems", systems, "The folder of systems; without it, the one that comes with durero");
 }
 
 void add_conform_setup(CLI::App& conform, int& status) {
   auto* command = conform.add_subcommand("setup", "Install systems, each into a folder of its own");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ConformSetupOptions>();
   command->add_option("SYSTEM", options->names, "Their names")->required();
   add_systems(*command, options->systems);
+  add_quiet(*command, options->quiet);
   command->footer(
       "Debian's packages are installed by apt-get, where this is run by root; the rest goes into\n"
-      "$XDG_CACHE_HOME/durero/systems/SYSTEM, by default in ~/.cache, and is whole or not there.\n"
-      "Status 0: all are ready; 2: one is not.");
+      "$XDG_CACHE_HOME/durero/systems/SYSTEM, by default in ~/.cache, and is whole or not there.\n\n" +
+      exit_status("all are ready", "one is not, or the call is bad") + examples({"conform setup embree bullet"}));
   command->callback([options, &status] { status = set_up(*options); });
 }
 

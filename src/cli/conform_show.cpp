@@ -1,11 +1,11 @@
 // durero conform show --case FAMILY/NUMBER --ray N: a ray of a suite and its exact answer.
-#include <fmt/format.h>
-
 #include <memory>
 
 #include "conform.hpp"
 #include "conform_suite.hpp"
+#include "description.hpp"
 #include "durero/conform/explanation.hpp"
+#include "durero/io/standard_output.hpp"
 
 namespace durero::cli {
 
@@ -14,8 +14,10 @@ void add_conform_show(CLI::App& conform, int& status) {
   const auto call = std::make_shared<CaseCall>();
   add_case(*command, *call);
   add_elements(*command, call->suite);
+  command->footer(exit_status("it is shown", "the call is bad, or the suite has no such ray") +
+                  examples({"conform show --case tiny/0007 --ray 3"}));
   command->callback([call, &status] {
-    fmt::print("{}", conform::explanation(case_of(*call, suite_of(call->suite)), call->ray));
+    io::print(conform::explanation(case_of(*call, suite_of(call->suite)), call->ray));
     status = 0;
   });
 }

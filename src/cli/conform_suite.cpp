@@ -14,20 +14,32 @@ namespace {
 
 using namespace conform;
 
+std::vector<std::string> type_words() {
+  std::vector<std::string> words;
+  scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) { words.emplace_back(Shape::word); });
+  return words;
+}
+
+/// Precondition: it is one of type_words().
 model::Tipo type_of(const std::string& word) {
   std::optional<model::Tipo> tipo;
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
     if (word == Shape::word) tipo = Shape::tipo;
   });
-  if (!tipo) throw std::runtime_error(fmt::format("no type {}; expected a tipo of a scene file", text::shown(word)));
-  return *tipo;
+  return tipo.value();
+}
+
+std::vector<std::string> family_names() {
+  std::vector<std::string> names;
+  for (const Family& family : families()) names.emplace_back(family.name);
+  return names;
 }
 
 const Family& family_of(const std::string& name) {
   const Family* family = find_family(name);
   if (family == nullptr)
     throw std::runtime_error(
-        fmt::format("no family {}; expected one that durero conform list shows", text::shown(name)));
+        fmt::format("no family {}; expected {}", text::shown(name), text::expected_of(name, family_names())));
   return *family;
 }
 
@@ -51,7 +63,9 @@ void add_seed(CLI::App& command, SuiteCall& call) {
 }  // namespace
 
 void add_rays(CLI::App& command, SuiteCall& call) {
-  command.add_option("--family", call.families, "A family of the suite; without it, all")->delimiter(',');
+  command.add_option("--family", call.families, "Families of the suite; without it, all")
+      ->delimiter(',')
+      ->check(one_of("family", family_names()));
   add_seed(command, call);
   command.add_option("--rays", call.rays, "How many rays of each family")
       ->check(whole_number(1, 100'000'000))
@@ -59,10 +73,12 @@ void add_rays(CLI::App& command, SuiteCall& call) {
 }
 
 void add_elements(CLI::App& command, SuiteCall& call) {
-  command.add_option("--types", call.types, "Elements of these types alone, such as esfera,cilindro")->delimiter(',');
+  command.add_option("--types", call.types, "Elements of these types alone, such as esfera,cilindro")
+      ->delimiter(',')
+      ->check(one_of("type", type_words()));
   command.add_flag("--solids", call.solids, "Discs close the cylinders, cones and truncated cones");
   command.add_option("--numbers", call.numbers, "The format that every number of scenes and rays is of")
-      ->check(CLI::IsMember({"binary32", "binary64"}))
+      ->check(one_of("format", {"binary32", "binary64"}))
       ->capture_default_str();
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <utility>
 
 #include "durero/conform/campaign.hpp"
 #include "durero/conform/setup.hpp"
@@ -31,6 +32,13 @@ void require_present(const System& system) {
   if (const std::string why = why_absent(system); !why.empty())
     throw std::runtime_error(
         fmt::format("{} is absent: {}; expected durero conform setup {}", system.name, why, system.name));
+}
+
+Ask counted(Ask ask, Progress& progress) {
+  return [ask = std::move(ask), &progress](const SuiteCase& of) {
+    progress.add();
+    return ask(of);
+  };
 }
 
 }  // namespace durero::cli

@@ -3,7 +3,9 @@
 
 #include <string>
 
+#include "durero/conform/runner.hpp"
 #include "durero/conform/system_file.hpp"
+#include "progress.hpp"
 
 namespace durero::cli {
 
@@ -12,5 +14,8 @@ namespace durero::cli {
 conform::System system_of(const std::string& name, const std::string& profile, const std::string& systems);
 /// Throws std::runtime_error, with the call that sets it up, where the system cannot be asked.
 void require_present(const conform::System& system);
+
+/// Asks as the other does, and counts the questions.
+conform::Ask counted(conform::Ask ask, Progress& progress);
 
 }  // namespace durero::cli

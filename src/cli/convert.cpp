@@ -1,34 +1,49 @@
 // durero import FILE -o SCENE, durero export SCENE -o FILE: other scene formats, by file name.
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "commands.hpp"
+#include "description.hpp"
 #include "durero/io/formats.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/io/scene_file.hpp"
+#include "durero/io/standard_output.hpp"
 #include "durero/text/shown.hpp"
+#include "progress.hpp"
 
 namespace durero::cli {
 namespace {
 
-struct Options {
+struct ConvertOptions {
   std::string from, to;
+  bool quiet = false;
 };
 
 void name_losses(const std::string& path, const std::vector<std::string>& lost) {
-  for (const std::string& line : lost) fmt::print(stderr, "durero: {}: {}\n", text::escaped(path), line);
+  for (const std::string& line : lost) io::complain(fmt::format("durero: {}: {}\n", text::escaped(path), line));
 }
 
-int import_scene(const Options& options) {
-  const io::Imported imported = io::format_to_read(options.from).read(io::read_source(options.from));
-  io::write_file(options.to, io::scene_text(imported.scene));
+int import_scene(const ConvertOptions& options) {
+  const io::Format& format = io::format_to_read(options.from);
+  io::OutputFile out(options.to);
+  std::optional<Progress> progress(std::in_place, options.quiet, "import");
+  const io::Imported imported = format.read(io::read_source(options.from));
+  out.write(io::scene_text(imported.scene));
+  out.commit();
+  progress.reset();
   name_losses(options.from, imported.lost);
   return 0;
 }
 
-int export_scene(const Options& options) {
+int export_scene(const ConvertOptions& options) {
   const io::Format& format = io::format_to_write(options.to);
+  io::OutputFile out(options.to);
+  std::optional<Progress> progress(std::in_place, options.quiet, "export");
   const io::Exported exported = format.write(io::read_scene(io::read_source(options.from)));
-  io::write_file(options.to, exported.text);
+  out.write(exported.text);
+  out.commit();
+  progress.reset();
   name_losses(options.to, exported.lost);
   return 0;
 }
@@ -37,17 +52,25 @@ int export_scene(const Options& options) {
 
 void add_import(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("import", fmt::format("Read a scene in any format ({})", io::endings_to_read()));
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ConvertOptions>();
   command->add_option("FILE", options->from, "File to read; its name tells the format")->required();
   command->add_option("-o,--output", options->to, "Scene file (JSON) to write")->required();
+  add_quiet(*command, options->quiet);
+  command->footer(
+      exit_status("it is written; what is left out is named on the standard error", "the call or the file is bad") +
+      examples({"import still-life.nff -o imported.json"}));
   command->callback([options, &status] { status = import_scene(*options); });
 }
 
 void add_export(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("export", fmt::format("Write a scene in any format ({})", io::endings_to_write()));
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ConvertOptions>();
   command->add_option("SCENE", options->from, "Scene file (JSON)")->required();
   command->add_option("-o,--output", options->to, "File to write; its name tells the format")->required();
+  add_quiet(*command, options->quiet);
+  command->footer(
+      exit_status("it is written; what is left out is named on the standard error", "the call or the scene is bad") +
+      examples({"export demo/still-life.json -o still-life.nff"}));
   command->callback([options, &status] { status = export_scene(*options); });
 }
 

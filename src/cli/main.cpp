@@ -1,14 +1,23 @@
 // The `durero` command: one subcommand, one exit status, and at most one line of error.
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
-#include <cstdio>
+#include <csignal>
 #include <exception>
 #include <new>
+#include <sstream>
 #include <string>
 
+#include "call_error.hpp"
+#include "colour.hpp"
 #include "commands.hpp"
+#include "description.hpp"
+#include "durero/io/standard_output.hpp"
+#include "durero/io/temporary.hpp"
 #include "durero/number/memory.hpp"
 #include "durero/text/shown.hpp"
+#include "help.hpp"
 
 namespace {
 
@@ -16,35 +25,86 @@ constexpr int bad_input = 2;
 
 // An error is one line that a terminal prints and does not obey, whatever it quotes.
 int refuse(const std::string& what) {
-  fmt::print(stderr, "durero: {}\n", durero::text::escaped(what));
+  durero::io::complain(
+      fmt::format("{} {}\n", durero::cli::in_red("durero:", STDERR_FILENO), durero::text::escaped(what)));
   return bad_input;
+}
+
+// What is printed where it is asked for: --help, --version.
+int answer(const CLI::App& app, const CLI::Success& asked) {
+  if (dynamic_cast<const CLI::CallForHelp*>(&asked) != nullptr) {
+    durero::io::print(durero::cli::called(app).help());
+    return 0;
+  }
+  std::ostringstream said;
+  const int status = app.exit(asked, said, said);
+  durero::io::print(said.str());
+  return status;
+}
+
+void add_commands(CLI::App& app, int& status) {
+  using namespace durero::cli;
+  for (const auto add : {add_check, add_edit, add_import, add_export}) add(app, status);
+  for (const auto add : {add_trace, add_render, add_engines, add_agree}) add(app, status);
+  for (const auto add : {add_conform, add_spec}) add(app, status);
+  for (const auto add : {add_version, add_man, add_completion}) add(app, status);
+}
+
+/// The groups that help shows commands in.
+void group_commands(CLI::App& app) {
+  const auto group = [&](const char* title, std::initializer_list<const char*> names) {
+    for (const char* name : names) app.get_subcommand(name)->group(title);
+  };
+  group("Scenes", {"check", "edit", "import", "export"});
+  group("Rays and pictures", {"trace", "render", "engines", "agree"});
+  group("Other programs, and the specification", {"conform", "spec"});
+  group("This program", {"version", "man", "completion"});
+}
+
+/// A flag is given or not: `--json=no` is no way to say so.
+void let_flags_have_no_values(CLI::App& command) {
+  for (CLI::Option* option : command.get_options())
+    if (option->get_items_expected_max() == 0) option->disable_flag_override();
+  for (CLI::App* below : command.get_subcommands([](CLI::App*) { return true; })) let_flags_have_no_values(*below);
+}
+
+// A standard file that is closed stays useless, and its number is taken: no file that is opened gets it, for what is
+// printed would go there.
+void take_numbers_of_closed_files() {
+  for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(file, F_GETFD) < 0) ::open("/dev/null", file == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+  }
 }
 
 }  // namespace
 
 int main(int argc, char* argv[]) {
+  take_numbers_of_closed_files();
+  std::signal(SIGPIPE, SIG_IGN);  // that nobody reads is an error as others are
+  durero::io::remove_temporaries_at_signals();
   CLI::App app("Ray and object intersection, formally specified and checked by contract", "durero");
-  app.set_version_flag("--version", std::string("durero ") + DURERO_VERSION);
+  app.formatter(std::make_shared<durero::cli::Help>());
+  app.set_help_flag("-h,--help", "Print this, and nothing else");
+  app.set_version_flag("--version", std::string("durero ") + DURERO_VERSION, "Print the version, and nothing else");
+  app.require_subcommand(1);
   int status = 0;
-  durero::cli::add_check(app, status);
-  durero::cli::add_edit(app, status);
-  durero::cli::add_trace(app, status);
-  durero::cli::add_render(app, status);
-  durero::cli::add_engines(app, status);
-  durero::cli::add_agree(app, status);
-  durero::cli::add_conform(app, status);
-  durero::cli::add_import(app, status);
-  durero::cli::add_export(app, status);
-  durero::cli::add_spec(app, status);
+  add_commands(app, status);
+  app.footer(durero::cli::exit_status("yes, or done", "the answer is no", "the call or the input is bad") +
+             durero::cli::examples({"check demo/still-life.json", "trace demo/still-life.json demo/rays.txt",
+                                    "render demo/still-life.json -o still-life.png", "trace --help"}));
+  group_commands(app);
+  let_flags_have_no_values(app);
   durero::number::throw_when_numbers_outgrow_memory();
   try {
-    app.parse(argc, argv);
-    if (app.get_subcommands().empty()) return refuse("no subcommand; expected one that durero --help shows");
-    return status;
-  } catch (const CLI::Success& asked) {  // --help, --version
-    return app.exit(asked);
+    durero::io::require_standard_output();
+    try {
+      app.parse(argc, argv);
+      return status;
+    } catch (const CLI::Success& asked) {
+      return answer(app, asked);
+    }
   } catch (const CLI::ParseError& error) {
-    return refuse(fmt::format("{}; expected what durero --help shows", error.what()));
+    return refuse(durero::cli::call_error(app, error));
   } catch (const std::bad_alloc&) {
     return refuse("memory ran out; expected a smaller input");
   } catch (const std::exception& error) {

@@ -1,26 +1,37 @@
 #pragma once
-/// Checks of the numbers that a call gives. CLI11's own take −1 and 2⁶⁴ for whole numbers, and a NaN for one in range.
+/// Checks of the values that a call gives. CLI11's own take −1 and 2⁶⁴ for whole numbers, and a NaN for one in range.
+/// What a check says begins with the value, and its description with what help shows of it.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "durero/io/number_text.hpp"
+#include "durero/text/nearest.hpp"
 
 namespace durero::cli {
+
+/// A whole number in decimal digits alone; nothing where it is none, or 2⁶⁴ or greater.
+inline std::optional<std::uint64_t> read_whole_number(std::string_view text) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
 
 /// A whole number in decimal digits, from least to greatest.
 inline CLI::Validator whole_number(std::uint64_t least, std::uint64_t greatest) {
   const auto check = [=](const std::string& text) -> std::string {
-    std::uint64_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error == std::errc() && end == text.data() + text.size() && least <= value && value <= greatest) return "";
-    return fmt::format("{} is no whole number from {} to {}", text, least, greatest);
+    const auto value = read_whole_number(text);
+    if (value && least <= *value && *value <= greatest) return "";
+    return fmt::format("{}: no whole number from {} to {}; expected one, in decimal digits", text, least, greatest);
   };
-  return {check, fmt::format("whole number from {} to {}", least, greatest)};
+  return {check, fmt::format("{} to {}", least, greatest)};
 }
 
 /// A number from least to greatest.
@@ -28,9 +39,19 @@ inline CLI::Validator number(double least, double greatest) {
   const auto check = [=](const std::string& text) -> std::string {
     const std::optional<double> value = io::read_number(text);
     if (value && least <= *value && *value <= greatest) return "";
-    return fmt::format("{} is no number from {} to {}", text, least, greatest);
+    return fmt::format("{}: no number from {} to {}; expected one", text, least, greatest);
   };
-  return {check, fmt::format("number from {} to {}", least, greatest)};
+  return {check, fmt::format("{} to {}", least, greatest)};
+}
+
+/// One of the words, which are of a kind that `what` names: `engine`.
+inline CLI::Validator one_of(std::string what, std::vector<std::string> words) {
+  std::string description = fmt::format("{{{}}}", fmt::join(words, ","));
+  const auto check = [what = std::move(what), words = std::move(words)](const std::string& text) -> std::string {
+    if (std::find(words.begin(), words.end(), text) != words.end()) return "";
+    return fmt::format("{}: no such {}; expected {}", text, what, text::expected_of(text, words));
+  };
+  return {check, std::move(description)};
 }
 
 }  // namespace durero::cli

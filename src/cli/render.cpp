@@ -1,48 +1,93 @@
-// durero render SCENE -o OUT.png [--engine E]: Algorithm II.1.
+// durero render SCENE -o OUT.png [--engine E] [--size WxH] [--crop X,Y,W,H]: Algorithm II.1.
 #include "durero/render/render.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cstdio>
+#include <algorithm>
+#include <array>
 #include <memory>
+#include <optional>
+#include <string_view>
 
 #include "commands.hpp"
+#include "description.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/io/scene_file.hpp"
 #include "engines.hpp"
+#include "progress.hpp"
 
 namespace durero::cli {
 namespace {
 
-struct Options {
-  std::string scene, out;
+struct RenderOptions {
+  std::string scene, out, size, crop;
   std::string engine{engine::default_engine};
   std::size_t threads = 0;
+  bool quiet = false;
 };
 
-/// A line that is written over, on a terminal only.
-void show(double share) {
-  fmt::print(stderr, "\r{:3.0f} %{}", 100 * share, share < 1 ? "" : "\r\033[K");
-  std::fflush(stderr);
+/// The most pixels of a side, as in scene files.
+constexpr std::uint32_t greatest_side = 65535;
+
+/// As many whole numbers, with separators between them; nothing where the text is no such.
+template <std::size_t count>
+std::optional<std::array<std::uint32_t, count>> numbers_in(std::string_view text, char separator) {
+  std::array<std::uint32_t, count> numbers{};
+  for (std::uint32_t& number : numbers) {
+    const bool is_last = &number == &numbers.back();
+    const std::size_t end = is_last ? text.size() : text.find(separator);
+    const auto value = read_whole_number(text.substr(0, end));
+    if (end == text.npos || !value || *value > greatest_side) return std::nullopt;
+    number = static_cast<std::uint32_t>(*value);
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return numbers;
 }
 
-int run(const Options& options) {
+std::string check_size(const std::string& text) {
+  const auto size = numbers_in<2>(text, 'x');
+  if (size && (*size)[0] > 0 && (*size)[1] > 0) return "";
+  return fmt::format("{}: no size; expected WxH, two whole numbers from 1 to {}", text, greatest_side);
+}
+
+std::string check_crop(const std::string& text) {
+  const auto crop = numbers_in<4>(text, ',');
+  if (crop && (*crop)[2] > 0 && (*crop)[3] > 0) return "";
+  return fmt::format("{}: no rectangle; expected X,Y,W,H, whole numbers up to {}, W and H from 1", text, greatest_side);
+}
+
+render::Frame frame_of(const RenderOptions& options) {
+  render::Frame frame;
+  if (const auto size = numbers_in<2>(options.size, 'x')) frame.size = {(*size)[0], (*size)[1]};
+  if (const auto crop = numbers_in<4>(options.crop, ','))
+    frame.crop = {(*crop)[0], (*crop)[1], {(*crop)[2], (*crop)[3]}};
+  return frame;
+}
+
+int run(const RenderOptions& options) {
   if (!options.out.ends_with(".png"))
     throw std::invalid_argument(fmt::format("{}: not a picture's name; expected OUT.png", options.out));
   const ThreadLimit limit(options.threads);
+  io::OutputFile out(options.out);
   const scene::Scene scene = io::read_scene(io::read_source(options.scene));
   const engine::Row& engine = *engine::find(options.engine);
   if (!engine.honours_origins) throw std::invalid_argument(without_origins(engine, "shadow rays start on elements"));
-  const auto progress = isatty(STDERR_FILENO) == 1 ? render::Progress(show) : render::Progress();
+  Progress progress(options.quiet, "render");
   const render::Image image = [&] {
     try {
-      return render::render(scene, *engine.prepare(scene), progress);
+      const auto show = [&](double share) { progress.set_share(share); };
+      return render::render(scene, *engine.prepare(scene), show, frame_of(options));
     } catch (const std::domain_error& error) {
       throw std::domain_error(fmt::format("{}: {}", options.scene, error.what()));
+    } catch (const std::out_of_range&) {
+      const scene::Resolution size =
+          frame_of(options).size.value_or(scene.stage().resolution.value_or(render::default_resolution));
+      throw std::runtime_error(fmt::format("render: --crop {}: it is not inside the picture; expected pixels of {}x{}",
+                                           options.crop, size.width, size.height));
     }
   }();
-  io::write_file(options.out, render::encode_png(image));
+  out.write(render::encode_png(image));
+  out.commit();
   return 0;
 }
 
@@ -50,11 +95,19 @@ int run(const Options& options) {
 
 void add_render(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("render", "Draw the scene: camera, Lambert's law, shadows");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RenderOptions>();
   command->add_option("SCENE", options->scene, "Scene file (JSON), with a camera")->required();
   command->add_option("-o,--output", options->out, "The picture, OUT.png")->required();
+  command->add_option("--size", options->size, "Width and height in pixels; without it, the scene's, or else 640x360")
+      ->check(CLI::Validator(check_size, ""));
+  command->add_option("--crop", options->crop, "These pixels of the picture alone: upper left one, width and height")
+      ->check(CLI::Validator(check_crop, ""));
   add_engine(*command, options->engine);
   add_threads(*command, options->threads);
+  add_quiet(*command, options->quiet);
+  command->footer(exit_status("the picture is written", "the call or the scene is bad") +
+                  examples({"render demo/still-life.json -o still-life.png",
+                            "render demo/still-life.json -o middle.png --size 1920x1080 --crop 480,270,960,540"}));
   command->callback([options, &status] { status = run(*options); });
 }
 

@@ -4,19 +4,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 #include "commands.hpp"
-#include "durero/io/output_file.hpp"
+#include "description.hpp"
 #include "durero/io/source.hpp"
+#include "durero/io/standard_output.hpp"
 #include "durero/oracle/spec.hpp"
 #include "durero/zed/review/review.hpp"
+#include "progress.hpp"
 
 namespace durero::cli {
 namespace {
 
-struct Options {
+struct SpecOptions {
   std::vector<std::string> files;
-  std::string expression, name, scene, rays, hits;
+  EvalCall eval;
+  std::string name, scene, rays, hits;
+  bool quiet = false;
 };
 
 std::string defects_text(const std::vector<zed::Defect>& defects) {
@@ -64,38 +70,56 @@ std::vector<std::pair<std::string, std::string>> sources(const std::vector<std::
 
 }  // namespace
 
-int spec_check(const std::vector<std::string>& files) {
+int spec_check(const std::vector<std::string>& files, bool quiet) {
+  std::optional<Progress> progress(std::in_place, quiet, "spec check");
   const zed::Specification read = files.empty() ? oracle::spec::text() : zed::read_sources(sources(files));
   const std::vector<zed::Defect> defects = zed::review(read);
   const std::string empty = has_error(defects) ? "" : empty_files(files, read);
   const bool wrong = has_error(defects) || !empty.empty();
-  io::write_file("-", defects_text(defects) + empty + (wrong ? "" : sections_text(read)));
+  progress.reset();
+  io::print(defects_text(defects) + empty + (wrong ? "" : sections_text(read)));
   return wrong ? 1 : 0;
 }
 
 void add_spec(CLI::App& app, int& status) {
   auto* spec = app.add_subcommand("spec", "Read, check, evaluate and show the Z text");
   spec->require_subcommand(1);
+  spec->footer(examples({"spec check", "spec eval '1 + 2 * 3'", "spec show Escena"}));
   add_spec_export(*spec, status);
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SpecOptions>();
 
   auto* check = spec->add_subcommand("check", "Read and type-check Z text; each defect at its line");
   check->add_option("FILES", options->files, "Z text in LaTeX mark-up; without it, the program's own text");
-  check->callback([options, &status] { status = spec_check(options->files); });
+  add_quiet(*check, options->quiet);
+  check->footer(exit_status("no defect", "a defect", "the call is bad, or a file cannot be read") +
+                examples({"spec check", "spec check mine.tex"}));
+  check->callback([options, &status] { status = spec_check(options->files, options->quiet); });
 
   auto* eval = spec->add_subcommand("eval", "The value of an expression, or whether a predicate holds");
-  eval->add_option("EXPR", options->expression, "Z, in Unicode or in LaTeX mark-up")->required();
-  eval->add_option("--scene", options->scene, "Scene file: Escena's components and the elements are then names");
+  eval->add_option("EXPR", options->eval.expression, "Z, in Unicode or in LaTeX mark-up")->required();
+  eval->add_option("--scene", options->eval.scene, "Scene file: Escena's components and the elements are then names");
+  eval->add_option("--steps", options->eval.steps,
+                   "How many steps it may take; as many as by default take about a minute")
+      ->check(whole_number(1, std::numeric_limits<std::uint64_t>::max()))
+      ->capture_default_str();
+  eval->add_option("--memory", options->eval.memory,
+                   "MiB that it may take; without it 4096, or half of the machine's memory where that is less")
+      ->check(whole_number(64, 1 << 30));
   eval->footer(
       "θ is a letter, so a space stands behind it: θ Escena.\n"
       "An element's name may stand between quotation marks, and does where it is no word: mi_radio(\"a-b\").\n"
       "Numbers may be decimal; / and √ are known: 0.25 + 1/3 * √2.\n"
-      "What begins with - is taken for an option unless -- stands before it: spec eval -- '-(2)'.\n"
-      "Status 0: a value, or true; 1: undefined, or false; 2: it cannot be read, or decided.");
-  eval->callback([options, &status] { status = spec_eval(options->expression, options->scene); });
+      "What begins with - is taken for an option unless -- stands before it: spec eval -- '-(2)'.\n\n" +
+      exit_status("a value, or true", "undefined, or false",
+                  "it cannot be read, or decided, or takes more steps or memory than it may") +
+      examples({"spec eval '1/3 + 0.25'", "spec eval '# elementos' --scene demo/still-life.json"}));
+  add_quiet(*eval, options->eval.quiet);
+  eval->callback([options, &status] { status = spec_eval(options->eval); });
 
   auto* show = spec->add_subcommand("show", "A paragraph, and where each of its predicates is carried out");
   show->add_option("NAME", options->name, "A name that the text declares, or a label")->required();
+  show->footer(exit_status("it is shown", "the call is bad, or the text has no such name") +
+               examples({"spec show Escena", "spec show reduccion.def.2"}));
   show->callback([options, &status] { status = spec_show(options->name); });
 
   auto* confirm = spec->add_subcommand("confirm", "Let the Z text decide whether hits are right");
@@ -103,12 +127,17 @@ void add_spec(CLI::App& app, int& status) {
       "The text decides all of it: where on the ray its points lie on an element, and so that a miss is one; the\n"
       "elements of the point; which point is the reduction of them all; and where no point is nearest. The program\n"
       "adds the roots of the polynomials in t that the text compares with 0, and the rounding of the hit's numbers.\n"
-      "Each ray has one line in HITS, in any order. A JSON line for each ray and one with the counts go to stdout.\n"
-      "Status 0: every ray is answered, and rightly; 1: some ray is not; 2: a file cannot be read.");
+      "Each ray has one line in HITS, in any order. A JSON line for each ray and one with the counts go to "
+      "stdout.\n\n" +
+      exit_status("every ray is answered, and rightly", "some ray is not",
+                  "the call is bad, or a file cannot be read") +
+      examples({"spec confirm demo/still-life.json demo/rays.txt hits.jsonl"}));
   confirm->add_option("SCENE", options->scene, "Scene file (JSON)")->required();
   confirm->add_option("RAYS", options->rays, "Ray file")->required();
   confirm->add_option("HITS", options->hits, "Hit file (JSON lines)")->required();
-  confirm->callback([options, &status] { status = spec_confirm(options->scene, options->rays, options->hits); });
+  add_quiet(*confirm, options->quiet);
+  confirm->callback(
+      [options, &status] { status = spec_confirm(options->scene, options->rays, options->hits, options->quiet); });
 }
 
 }  // namespace durero::cli

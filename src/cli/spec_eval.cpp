@@ -1,32 +1,84 @@
-// durero spec eval EXPR [--scene SCENE]: the value of an expression, or whether a predicate holds.
-#include "durero/io/output_file.hpp"
+// durero spec eval EXPR [--scene SCENE] [--steps N] [--memory MIB]: the value of an expression, or whether a predicate
+// holds.
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <new>
+#include <optional>
+
 #include "durero/io/scene_file.hpp"
+#include "durero/io/standard_output.hpp"
+#include "durero/number/memory.hpp"
 #include "durero/oracle/calculator.hpp"
 #include "durero/scene/retrieve.hpp"
+#include "progress.hpp"
 #include "spec.hpp"
 
 namespace durero::cli {
 namespace {
 
 constexpr const char* file_name = "EXPR";
+constexpr std::uint64_t mib = std::uint64_t{1} << 20U;
+
+/// The bytes that the program's data take now (proc(5): the sixth number of statm, in pages); 0 where nobody says.
+std::uint64_t data_now() {
+  std::ifstream statm("/proc/self/statm");
+  std::uint64_t pages = 0;
+  for (int field = 1; field <= 6 && statm; ++field) statm >> pages;
+  return statm ? pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) : 0;
+}
+
+/// From here on what takes so much more memory throws std::bad_alloc. A number may take a 128th of it.
+void bound_memory(std::uint64_t bytes) {
+  number::throw_when_numbers_outgrow_memory(bytes / 128);
+  rlimit limit{};
+  getrlimit(RLIMIT_DATA, &limit);
+  limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, data_now() + bytes);
+  setrlimit(RLIMIT_DATA, &limit);
+}
 
 oracle::spec::Calculator calculator(const std::string& scene) {
   if (scene.empty()) return {};
   return oracle::spec::Calculator(scene::retrieve(io::read_scene(io::read_source(scene))));
 }
 
+[[noreturn]] void give_up(const char* what, std::uint64_t most, const char* unit, std::uint64_t taken) {
+  throw io::InputError(file_name, {1, 1},
+                       fmt::format("{} {}{} did not do: stopped after {} steps", what, most, unit, taken),
+                       fmt::format("expected a smaller expression, or a greater {}", what));
+}
+
 }  // namespace
 
-int spec_eval(const std::string& expression, const std::string& scene) {
+std::uint64_t default_memory() {
+  const auto pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
+  if (pages <= 0 || size <= 0) return 4096;
+  return std::min<std::uint64_t>(4096, static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(size) / mib / 2);
+}
+
+int spec_eval(const EvalCall& call) {
+  const std::uint64_t memory = call.memory == 0 ? default_memory() : call.memory;
+  zed::Steps steps(call.steps);
   try {
-    const auto result = calculator(scene).evaluate(expression);
-    io::write_file("-", result.text + "\n");
+    const oracle::spec::Calculator text = calculator(call.scene);
+    std::optional<Progress> progress(std::in_place, call.quiet, "spec eval");
+    bound_memory(memory * mib);
+    const auto result = text.evaluate(call.expression, steps);
+    progress.reset();
+    io::print(result.text + "\n");
     return result.yes ? 0 : 1;
   } catch (const zed::ZError& error) {
     throw io::InputError(file_name, {error.place.line, error.place.column}, error.what_is_wrong, error.expected);
   } catch (const zed::EvaluationError& error) {
     throw io::InputError(file_name, {1, 1}, std::string("this is not decided: ") + error.what(),
                          "expected finite sets, or equations, for what is quantified");
+  } catch (const zed::StepsSpent&) {
+    give_up("--steps", steps.most(), "", steps.most());
+  } catch (const std::bad_alloc&) {
+    give_up("--memory", memory, " MiB", steps.taken());
   }
 }
 

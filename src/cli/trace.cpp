@@ -1,31 +1,54 @@
-// durero trace SCENE RAYS [--engine E] [--threads N] [-o OUT]: the first hit of every ray.
+// durero trace SCENE RAYS [--engine E] [--threads N] [-o OUT] [--quiet]: the first hit of every ray, as rays arrive.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <memory>
 
 #include "commands.hpp"
+#include "description.hpp"
 #include "durero/io/hits_file.hpp"
 #include "durero/io/rays_file.hpp"
 #include "durero/io/scene_file.hpp"
 #include "engines.hpp"
+#include "progress.hpp"
 
 namespace durero::cli {
 namespace {
 
-struct Options {
+struct TraceOptions {
   std::string scene, rays, out = "-";
   std::string engine{engine::default_engine};
   std::size_t threads = 0;  // 0: as many as the machine has
+  bool quiet = false;
 };
 
-int run(const Options& options) {
+/// How much of a file has been taken; without its size, that is not known.
+void set_share(Progress& progress, const io::Input& input, std::optional<std::uint64_t> size) {
+  const auto left = input.left();
+  if (size && left && *size > 0) progress.set_share(1 - static_cast<double>(*left) / static_cast<double>(*size));
+}
+
+int run(const TraceOptions& options) {
   const ThreadLimit limit(options.threads);
+  io::HitWriter out(options.out);
   const scene::Scene scene = io::read_scene(io::read_source(options.scene));
-  const std::vector<io::Ray> rays = io::read_rays(io::read_source(options.rays), scene);
   const engine::Row& engine = *engine::find(options.engine);
-  if (!engine.honours_origins && std::ranges::any_of(rays, [](const scene::Query& ray) { return !ray.en.empty(); }))
-    throw std::invalid_argument(without_origins(engine, options.rays + " has rays that start on elements"));
-  io::write_hits(options.out, engine::first_hits(*engine.prepare(scene), rays), scene);
+  const auto prepared = engine.prepare(scene);
+  io::Input input(options.rays);
+  const auto size = input.left();
+  const bool is_in_the_way = options.out == "-" && ::isatty(STDOUT_FILENO) == 1;  // of the hits
+  Progress progress(options.quiet || is_in_the_way, "trace", "rays");
+  io::RayReader reader(input, scene);
+  std::vector<io::Ray> rays;
+  while (reader.next(rays)) {
+    if (!engine.honours_origins && std::ranges::any_of(rays, [](const scene::Query& ray) { return !ray.en.empty(); }))
+      throw std::invalid_argument(without_origins(engine, options.rays + " has rays that start on elements"));
+    out.write(engine::first_hits(*prepared, rays), scene);
+    progress.add(rays.size());
+    set_share(progress, input, size);
+  }
+  out.commit();
   return 0;
 }
 
@@ -33,12 +56,21 @@ int run(const Options& options) {
 
 void add_trace(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("trace", "First hit of every ray");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<TraceOptions>();
   command->add_option("SCENE", options->scene, "Scene file (JSON)")->required();
-  command->add_option("RAYS", options->rays, "Ray file: text, or .npy (float64, n by 6)")->required();
+  command->add_option("RAYS", options->rays, "Ray file: text, or .npy (float64, n by 6); - is the standard input")
+      ->required();
   add_engine(*command, options->engine);
   add_threads(*command, options->threads);
   command->add_option("-o,--output", options->out, "Where the hits go: JSON lines, or .npy by the name");
+  add_quiet(*command, options->quiet);
+  command->footer(
+      "A ray is answered when its line has come, so a program can ask one at a time through pipes; memory does not\n"
+      "grow with the number of rays. A bad line ends it with status 2: on the standard output the rays before it have\n"
+      "been answered, and the file OUT does not appear.\n\n" +
+      exit_status("every ray is answered", "the call or a file is bad") +
+      examples({"trace demo/still-life.json demo/rays.txt",
+                "trace demo/still-life.json demo/rays.txt --engine exact -o hits.jsonl"}));
   command->callback([options, &status] { status = run(*options); });
 }
 

@@ -7,8 +7,6 @@
 
 namespace durero::conform {
 
-using oracle::sampled::Verdict;
-
 model::Rayo RaysTowards::next() {
   for (;;) {
     const oracle::Ball& ball = balls_[random_.below(balls_.size())];
@@ -21,8 +19,8 @@ model::Rayo RaysTowards::next() {
 
 std::uint64_t Agreement::rays() const { return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}); }
 
-void Agreement::add(const scene::Query& query, Verdict verdict) {
-  if (!agrees(verdict) && !first) first = {rays(), query, verdict};
+void Agreement::add(const scene::Query& query, const scene::Hit& claimed, oracle::sampled::Verdict verdict) {
+  if (!agrees(verdict) && !first) first = {rays(), query, claimed, verdict};
   ++counts[static_cast<std::size_t>(verdict)];
 }
 
@@ -40,10 +38,10 @@ Agreement agreement(const oracle::sampled::Oracle& oracle, const FirstHits& firs
       queries.push_back(query);
     }
     const std::vector<scene::Hit> hits = first_hits(queries);
-    std::vector<Verdict> verdicts(queries.size());
+    std::vector<oracle::sampled::Verdict> verdicts(queries.size());
     oneapi::tbb::parallel_for(std::size_t{0}, queries.size(),
                               [&](std::size_t i) { verdicts[i] = oracle.judge(queries[i].rayo, hits[i]); });
-    for (std::size_t i = 0; i < queries.size(); ++i) agreement.add(queries[i], verdicts[i]);
+    for (std::size_t i = 0; i < queries.size(); ++i) agreement.add(queries[i], hits[i], verdicts[i]);
   }
   return agreement;
 }

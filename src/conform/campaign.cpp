@@ -7,6 +7,7 @@
 #include "conform/digest.hpp"
 #include "conform/profile_reader.hpp"
 #include "conform/report_parts.hpp"
+#include "durero/conform/format_versions.hpp"
 #include "durero/conform/suite_file.hpp"
 #include "durero/io/json_writer.hpp"
 #include "durero/text/shown.hpp"
@@ -80,9 +81,8 @@ void read_member(Reader& in, Key key, Campaign& read, Places& places) {
   const std::size_t at = in.offset();
   switch (key) {
     case format:
-      return read_exactly(in, what, "durero-campaign");
-    case version:
-      return read_version_one(in);
+    case version:  // read before all others
+      return in.skip();
     case system:
       places.system = at;
       read.system = read_text(in, what);
@@ -141,6 +141,7 @@ std::uint64_t share(const Campaign& campaign, std::size_t place) {
 Campaign read_campaign(const io::Source& source) {
   const io::json::Document document(source);
   Reader in(document);
+  require_version(in, campaign_format);
   Campaign read;
   Places places;
   in.object("a campaign", keys, required,

@@ -9,7 +9,11 @@
 namespace durero::conform {
 namespace {
 
-enum Column : std::size_t { in_case, ray, outcome, element, t, x, y, z };
+/// The columns of a claim.
+struct Of {
+  enum Column : std::size_t { in_case, ray, outcome, element, t, x, y, z };
+};
+using Column = Of::Column;
 constexpr std::array<std::string_view, 8> columns = {"case", "ray", "outcome", "element", "t", "x", "y", "z"};
 
 /// A field: where it stands, and its bytes without blanks around them.
@@ -48,14 +52,15 @@ std::vector<Column> read_head(const io::Source& source, const io::Line& line) {
       source.fail(field.offset, "a second column " + text::shown(field.text), "expected it once");
     head.push_back(column);
   }
-  for (const Column column : {in_case, ray}) {
+  for (const Column column : {Of::in_case, Of::ray}) {
     if (std::ranges::find(head, column) == head.end())
       source.fail(line.begin, "no column " + text::shown(columns[column]), "expected case and ray");
   }
   return head;
 }
 
-using Row = std::array<Field, columns.size()>;  // a field for each column; those that the head has not are empty
+using FieldsOfRow =
+    std::array<Field, columns.size()>;  // a field for each column; those that the head has not are empty
 
 double number_in(const io::Source& source, const Field& field) {
   const auto value = io::read_number(field.text);
@@ -63,16 +68,16 @@ double number_in(const io::Source& source, const Field& field) {
   return *value;
 }
 
-Claim read_claim(const io::Source& source, std::size_t at, const Row& row) {
+Claim read_claim(const io::Source& source, std::size_t at, const FieldsOfRow& row) {
   Claim claim;
-  if (!row[t].text.empty()) claim.t = number_in(source, row[t]);
+  if (!row[Of::t].text.empty()) claim.t = number_in(source, row[Of::t]);
   const auto given = [&](Column column) { return !row[column].text.empty(); };
-  if (given(x) || given(y) || given(z))
-    claim.punto = {number_in(source, row[x]), number_in(source, row[y]), number_in(source, row[z])};
-  if (given(outcome))
-    claim.outcome = read_outcome(source, row[outcome].offset, row[outcome].text);
+  if (given(Of::x) || given(Of::y) || given(Of::z))
+    claim.punto = {number_in(source, row[Of::x]), number_in(source, row[Of::y]), number_in(source, row[Of::z])};
+  if (given(Of::outcome))
+    claim.outcome = read_outcome(source, row[Of::outcome].offset, row[Of::outcome].text);
   else
-    claim.outcome = claim.t || claim.punto || given(element) ? Claim::Outcome::hit : Claim::Outcome::miss;
+    claim.outcome = claim.t || claim.punto || given(Of::element) ? Claim::Outcome::hit : Claim::Outcome::miss;
   check_claim(source, at, claim);
   return claim;
 }
@@ -84,13 +89,14 @@ void read_row(const io::Line& line, std::span<const Column> head, ClaimRows& row
     source.fail(line.begin, std::to_string(fields.size()) + " fields",
                 "expected " + std::to_string(head.size()) + ", as many as the head");
   }
-  Row row;
+  FieldsOfRow row;
   row.fill({line.begin, {}});
   for (std::size_t i = 0; i < head.size(); ++i) row[head[i]] = fields[i];
   Claim claim = read_claim(source, line.begin, row);
-  const std::size_t number = rows.case_of(row[in_case].offset, row[in_case].text);
-  if (!row[element].text.empty()) claim.element = rows.element_of(row[element].offset, number, row[element].text);
-  rows.claim_on(row[ray].offset, number, number_in(source, row[ray])) = claim;
+  const std::size_t number = rows.case_of(row[Of::in_case].offset, row[Of::in_case].text);
+  if (!row[Of::element].text.empty())
+    claim.element = rows.element_of(row[Of::element].offset, number, row[Of::element].text);
+  rows.claim_on(row[Of::ray].offset, number, number_in(source, row[Of::ray])) = claim;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "conform/profile_reader.hpp"
+#include "durero/conform/format_versions.hpp"
 #include "durero/conform/question.hpp"
 #include "durero/io/json.hpp"
 #include "durero/io/json_writer.hpp"
@@ -32,10 +33,10 @@ std::string read_head(const io::Source& source, const io::Line& line, const std:
   constexpr std::string_view keys[] = {"format", "version", "run", "system"};
   const io::json::Document document(source, line.begin, line.end);
   Reader in(document);
+  require_version(in, claims_format);
   std::string says;
   in.object("claims", keys, 4, [&](std::size_t key) {
-    if (key == 0) read_exactly(in, "format", "durero-claims");
-    if (key == 1) read_version_one(in);
+    if (key < 2) in.skip();  // format and version
     if (key == 2) read_exactly(in, "run", identity);
     if (key == 3) says = in.string("system");
   });
@@ -107,7 +108,7 @@ void ClaimsLog::write_head(const std::string& says) {
   says_ = says;
   std::string line;
   io::json::Writer head(line);
-  head.begin_object().member("format", "durero-claims").member("version", std::uint64_t{1});
+  write_version(head.begin_object(), claims_format);
   head.member("run", identity_).member("system", says).end_object();
   write(line + '\n');
 }

@@ -7,6 +7,7 @@
 
 #include "conform/profile_reader.hpp"
 #include "conform/report_parts.hpp"
+#include "durero/conform/format_versions.hpp"
 #include "durero/io/json.hpp"
 #include "durero/text/shown.hpp"
 
@@ -15,17 +16,10 @@ namespace {
 
 using io::json::Reader;
 
-std::uint64_t read_count(Reader& in, std::string_view what) {
-  const std::size_t at = in.offset();
-  const double value = in.number(what);
-  if (!(value >= 0 && value <= 0x1p53)) in.fail(at, fmt::format("{} is {}", what, value), "expected a count");
-  return static_cast<std::uint64_t>(value);
-}
-
 void read_counts(Reader& in, VerdictCounts& counts) {
   std::array<std::string_view, verdict_count> keys;
   for (const Verdict verdict : verdicts) keys[static_cast<std::size_t>(verdict)] = name(verdict);
-  in.object("verdicts", keys, keys.size(), [&](std::size_t key) { counts[key] = read_count(in, keys[key]); });
+  in.object("verdicts", keys, keys.size(), [&](std::size_t key) { counts[key] = read_whole(in, keys[key]); });
 }
 
 /// Calls member(name) for the members that are among the names, and passes the others.
@@ -48,15 +42,14 @@ Summary::OfFamily read_family(Reader& in) {
 
 void read_suite(Reader& in, Summary& read) {
   some_members(in, "suite", {"seed", "rays", "numbers"}, [&](std::string_view key) {
-    if (key == "seed") read.seed = read_count(in, key);
-    if (key == "rays") read.rays = read_count(in, key);
+    if (key == "seed") read.seed = read_whole(in, key);
+    if (key == "rays") read.rays = read_whole(in, key);
     if (key == "numbers") read.numbers = in.string(key);
   });
 }
 
 void read_member(Reader& in, std::string_view key, Summary& read) {
-  if (key == "format") read_exactly(in, key, "durero-report");
-  if (key == "version") read_version_one(in);
+  if (key == "format" || key == "version") in.skip();  // read before all others
   if (key == "system") read.system = in.string(key);
   if (key == "title") read.title = in.string(key);
   if (key == "system_version") read.version = in.string(key);
@@ -116,6 +109,7 @@ std::string title_of(const Summary& system) {
 Summary read_summary(const io::Source& source) {
   const io::json::Document document(source);
   Reader in(document);
+  require_version(in, report_format);
   Summary read;
   std::vector<std::string> seen;
   const std::initializer_list<std::string_view> names = {"format",         "version", "system",   "title",

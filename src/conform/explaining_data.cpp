@@ -53,7 +53,7 @@ bool may_be_explained(const Finding& finding, Profile profile, double length) {
 }
 
 /// Changed data, and by how much they are off, as a length.
-struct Candidate {
+struct ChangedData {
   Draft draft;
   double off = 0;
 };
@@ -91,17 +91,17 @@ double put_through(Shape& shape, const glm::dvec3& w) {
 }
 
 /// For each element: it goes through the claimed point, or stands where the first point is the claimed one.
-std::vector<Candidate> with_point(const Finding& finding, const glm::dvec3& claimed) {
+std::vector<ChangedData> with_point(const Finding& finding, const glm::dvec3& claimed) {
   const scene::Hit& hit = finding.of.truths[0].hit;
   const Draft given(finding.of);
-  std::vector<Candidate> all;
+  std::vector<ChangedData> all;
   for (std::size_t i = 0; i < given.elements.size(); ++i) {
-    Candidate through{given};
+    ChangedData through{given};
     const auto put = [&](auto& shape) { return put_through(shape, claimed); };
     through.off = std::visit(put, through.draft.elements[i].shape);
     all.push_back(std::move(through));
     if (hit.resultado != model::Resultado::hit) continue;
-    Candidate moved{given, largest(claimed - hit.punto)};
+    ChangedData moved{given, largest(claimed - hit.punto)};
     for (glm::dvec3* point : places(moved.draft.elements[i].shape).points) *point += claimed - hit.punto;
     all.push_back(std::move(moved));
   }
@@ -125,7 +125,7 @@ class Search {
   Search(const Finding& finding, const Profile& profile, double unit)
       : finding_(&finding), profile_(&profile), unit_(unit), given_(finding.of), count_(lengths(given_).size()) {}
 
-  void attempt(const Candidate& candidate) {
+  void attempt(const ChangedData& candidate) {
     const double off = candidate.off / unit_;
     if (!(off > 0) || (nearest_ && off >= nearest_->off)) return;
     std::optional<SuiteCase> of = candidate.draft.built(finding_->of);
@@ -137,7 +137,7 @@ class Search {
   void attempt_steps(int k) {
     for (std::size_t i = 0; i < count_; ++i) {
       for (const double sign : {1.0, -1.0}) {
-        Candidate candidate{given_};
+        ChangedData candidate{given_};
         double& number = *lengths(candidate.draft)[i];
         candidate.off = changed(number, number + sign * std::ldexp(unit_, k));
         attempt(candidate);
@@ -172,7 +172,7 @@ std::optional<ExplainingData> explaining_data(const Finding& finding, const Prof
   while (k <= data.most && !may_be_explained(finding, profile, std::ldexp(unit_of_data, k))) data.excluded = k++;
   Search search(finding, profile, unit_of_data);
   if (claimed) {
-    for (const Candidate& candidate : with_point(finding, *claimed)) search.attempt(candidate);
+    for (const ChangedData& candidate : with_point(finding, *claimed)) search.attempt(candidate);
   }
   for (k = data.excluded.value_or(declared); k <= data.most && !search.has_nearer_than(k); ++k) search.attempt_steps(k);
   data.nearest = std::move(search).result();

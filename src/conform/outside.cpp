@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "conform/allowance.hpp"
+#include "conform/framed_shape.hpp"
 #include "conform/trial.hpp"
 #include "durero/conform/judge.hpp"
 
@@ -30,10 +31,6 @@ std::string beyond(double x, std::string_view what, double least_allowed, double
   if (x < least_allowed) return fmt::format("{} at least {}", what, least_allowed);
   if (x > greatest_allowed) return fmt::format("{} at most {}", what, greatest_allowed);
   return {};
-}
-
-bool is_axial(model::Tipo tipo) {
-  return scene::with_shape(tipo, []<class Shape>(std::type_identity<Shape>) { return surface::Axial<Shape>; });
 }
 
 /// Of one element: its type, the format of its numbers, its sizes and coordinates.

@@ -13,7 +13,7 @@ namespace {
 
 using scene::ElementRef;
 
-constexpr double width = 420, height = 320;
+constexpr double scene_width = 420, scene_height = 320;
 
 struct Flat {
   double x, y;
@@ -35,10 +35,10 @@ class Frame {
   /// A place on the picture; far outside it where the point is.
   Flat place(const glm::dvec3& p) const {
     const Flat at = projected(p);
-    const double scale = 0.8 * std::min(width, height) / size();
-    const auto clamped = [](double x) { return std::clamp(x, -10 * width, 10 * width); };
-    return {clamped(width / 2 + (at.x - (low_.x + high_.x) / 2) * scale),
-            clamped(height / 2 - (at.y - (low_.y + high_.y) / 2) * scale)};
+    const double scale = 0.8 * std::min(scene_width, scene_height) / size();
+    const auto clamped = [](double x) { return std::clamp(x, -10 * scene_width, 10 * scene_width); };
+    return {clamped(scene_width / 2 + (at.x - (low_.x + high_.x) / 2) * scale),
+            clamped(scene_height / 2 - (at.y - (low_.y + high_.y) / 2) * scale)};
   }
 
  private:
@@ -125,7 +125,7 @@ std::string ray_svg(const Frame& frame, const scene::Query& ray, const glm::dvec
 std::string scene_svg(const JudgedCase& judged) {
   const scene::Scene& scene = judged.of.the_case.scene;
   const Frame frame = frame_of(judged);
-  std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\">\n", width, height);
+  std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\">\n", scene_width, scene_height);
   scene.for_each([&](ElementRef e, const auto&) { svg += element_svg(frame, surface_of(scene, e)); });
   const std::vector<ElementRef> shown = elements_shown(judged);
   const glm::dvec3 middle = surface_of(scene, shown.front()).center();

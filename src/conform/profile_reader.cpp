@@ -143,10 +143,4 @@ void read_exactly(Reader& in, std::string_view what, std::string_view expected) 
     in.fail(at, fmt::format("{} is {}", what, text::shown(value)), fmt::format("expected \"{}\"", expected));
 }
 
-void read_version_one(Reader& in) {
-  const std::size_t at = in.offset();
-  const double version = in.number("version");
-  if (version != 1) in.fail(at, fmt::format("version is {}", version), "expected 1");
-}
-
 }  // namespace durero::conform

@@ -37,9 +37,7 @@ Enumeration read_word(io::json::Reader& in, std::string_view what, const std::ar
 /// A whole number up to 2^53, as JSON holds them exactly.
 std::uint64_t read_whole(io::json::Reader& in, std::string_view what);
 
-/// A string that must be this one, such as the name of a format.
+/// A string that must be this one, such as the name of a system.
 void read_exactly(io::json::Reader& in, std::string_view what, std::string_view expected);
-/// The number 1.
-void read_version_one(io::json::Reader& in);
 
 }  // namespace durero::conform

@@ -73,10 +73,15 @@ std::string truth_words(const Finding& finding) {
   return hit_words(finding.of.truths[0].hit, finding.of.the_case.scene);
 }
 
-void write_reports(const std::string& folder, const Report& report) {
+void require_room_for_reports(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw io::FileError(folder, "cannot be made: " + error.message(), "expected a folder to write into");
+  const io::OutputFile first(folder + "/report.json");  // is not written, and so not there
+}
+
+void write_reports(const std::string& folder, const Report& report) {
+  require_room_for_reports(folder);
   io::write_file(folder + "/report.json", report_json(report));
   io::write_file(folder + "/report.xml", report_junit(report));
   io::write_file(folder + "/report.sarif", report_sarif(report));

@@ -3,6 +3,7 @@
 
 #include "conform/report_parts.hpp"
 #include "durero/conform/explanation.hpp"
+#include "durero/conform/format_versions.hpp"
 #include "durero/conform/least_findings.hpp"
 #include "durero/conform/question.hpp"
 #include "durero/io/json_writer.hpp"
@@ -92,7 +93,7 @@ void write_family(Writer& out, const Report& report, const FamilyTally& family) 
 std::string report_json(const Report& report) {
   std::string text;
   Writer out(text);
-  out.begin_object().member("format", "durero-report").member("version", std::uint64_t{1});
+  write_version(out.begin_object(), report_format);
   out.new_line().member("system", report.profile.system).member("title", report.title);
   out.member("system_version", report.version).new_line();
   write_suite(out, report.options);

@@ -122,17 +122,17 @@ class Folder {
   std::string path_;
 };
 
-struct Ended {
+struct EndedProgram {
   bool well = false;
   std::string text{};   // of its standard output
   std::string words{};  // how it ended, and the end of its standard error
 };
 
-Ended run(const Command& command, const std::string& folder, const std::atomic<bool>& stop) {
+EndedProgram run(const Command& command, const std::string& folder, const std::atomic<bool>& stop) {
   constexpr Seconds time_of_a_line{300};
   Child child(command, {.folder = folder}, stop);
   child.close_input();
-  Ended ended;
+  EndedProgram ended;
   for (std::string line; child.next_line(time_of_a_line, line) == Child::Event::line;) ended.text += line + "\n";
   const std::string how = child.end();
   ended.well = how == "exit status 0";
@@ -170,7 +170,7 @@ Reproduction reproduced(const System& system, const Finding& finding, const std:
   const Folder folder;
   const std::string path = folder.path() + "/" + file;
   io::write_file(path, program);
-  Ended ended{.well = true};
+  EndedProgram ended{.well = true};
   for (const Command& command : system.reproducer.run) {
     if (ended.well)
       ended = run(filled_in(command, {{"program", path}, {"built", folder.path() + "/built"}}), folder.path(), stop);

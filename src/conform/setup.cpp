@@ -21,13 +21,13 @@ namespace fs = std::filesystem;
 constexpr Seconds time_of_a_line{3600};
 constexpr std::size_t kept_lines = 8;
 
-struct Ended {
+struct EndedCommand {
   bool well = false;
   std::string lines{};  // the last of its standard output
   std::string words{};  // the last of its standard error
 };
 
-Ended run(const Command& command, const std::atomic<bool>& stop) {
+EndedCommand run(const Command& command, const std::atomic<bool>& stop) {
   Child child(command, {}, stop);
   child.close_input();
   std::vector<std::string> lines;
@@ -42,7 +42,7 @@ Ended run(const Command& command, const std::atomic<bool>& stop) {
 
 void require(const Command& command, const Say& say, const std::atomic<bool>& stop) {
   say(fmt::format("  {}", fmt::join(command, " ")));
-  const Ended ended = run(command, stop);
+  const EndedCommand ended = run(command, stop);
   if (stop) throw std::runtime_error("interrupted; expected to go on");
   if (!ended.well)
     throw std::runtime_error(fmt::format("{} failed: {}; expected it to end well", command.front(),
@@ -50,7 +50,7 @@ void require(const Command& command, const Say& say, const std::atomic<bool>& st
 }
 
 bool has_debian_package(const std::string& package, const std::atomic<bool>& stop) {
-  const Ended ended = run({"dpkg-query", "-W", "-f=${Status}\n", package}, stop);
+  const EndedCommand ended = run({"dpkg-query", "-W", "-f=${Status}\n", package}, stop);
   return ended.well && ended.lines == "install ok installed";
 }
 

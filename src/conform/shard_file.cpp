@@ -1,6 +1,7 @@
 // Files of shards, written.
 #include "conform/shard_text.hpp"
 #include "conform/trimmed.hpp"
+#include "durero/conform/format_versions.hpp"
 #include "durero/conform/shard.hpp"
 #include "durero/io/json_writer.hpp"
 
@@ -51,7 +52,7 @@ void write_failed(Writer& out, const Family& family, Verdict verdict, const Fail
 std::string shards_text(const Shards& shards, const Campaign& campaign, const std::string& identity) {
   std::string text;
   Writer out(text);
-  out.begin_object().member("format", "durero-shards").member("version", std::uint64_t{1});
+  write_version(out.begin_object(), shards_format);
   out.member("campaign", identity).member("system", campaign.system).member("says", shards.says);
   out.new_line().key("families").begin_array();
   for (const Family* family : campaign.families) out.value(family->name);

@@ -7,6 +7,7 @@
 #include "conform/profile_reader.hpp"
 #include "conform/shard_text.hpp"
 #include "conform/trimmed.hpp"
+#include "durero/conform/format_versions.hpp"
 #include "durero/conform/shard.hpp"
 
 namespace durero::conform {
@@ -46,12 +47,12 @@ class ShardsReader {
     };
     constexpr std::string_view keys[] = {"format",   "version",  "campaign", "system",   "says",
                                          "families", "verdicts", "shards",   "failures", "digest"};
+    require_version(in_, shards_format);
     in_.object("shards", keys, std::size(keys), [&](std::size_t key) {
       switch (static_cast<Key>(key)) {
         case format:
-          return read_exactly(in_, "format", "durero-shards");
-        case version:
-          return read_version_one(in_);
+        case version:  // read before all others
+          return in_.skip();
         case campaign:
           return read_identity();
         case system:

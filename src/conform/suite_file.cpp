@@ -71,10 +71,12 @@ class OutputDirectory {
 };
 
 /// The cases of a family, each on a thread of its own.
-FamilySummary write_family(const OutputDirectory& to, const SuiteOptions& options, const Family& family) {
+FamilySummary write_family(const OutputDirectory& to, const SuiteOptions& options, const Family& family,
+                           const std::function<void()>& before_case) {
   std::vector<FamilySummary> counted(cases(options, family));
   if (!counted.empty()) to.add_folder(family.name);
   oneapi::tbb::parallel_for(std::size_t{0}, counted.size(), [&](std::size_t number) {
+    before_case();
     SuiteCase of = suite_case(options, family, number);
     answer(of);
     counted[number] = summary(of);
@@ -88,10 +90,12 @@ FamilySummary write_family(const OutputDirectory& to, const SuiteOptions& option
 
 }  // namespace
 
-std::vector<FamilySummary> write_suite(const std::string& directory, const SuiteOptions& options) {
+std::vector<FamilySummary> write_suite(const std::string& directory, const SuiteOptions& options,
+                                       const std::function<void()>& before_case) {
   OutputDirectory to(directory);
   std::vector<FamilySummary> families;
-  for (const Family* family : chosen_families(options)) families.push_back(write_family(to, options, *family));
+  for (const Family* family : chosen_families(options))
+    families.push_back(write_family(to, options, *family, before_case));
   to.add_file("suite.json", suite_text(options, families));
   to.commit();
   return families;

@@ -9,6 +9,7 @@
 
 #include "conform/profile_reader.hpp"
 #include "conform/suite_text.hpp"
+#include "durero/conform/format_versions.hpp"
 #include "durero/io/json.hpp"
 #include "durero/io/rays_file.hpp"
 #include "durero/io/scene_file.hpp"
@@ -18,27 +19,6 @@ namespace durero::conform {
 namespace {
 
 using io::json::Reader;
-
-/// One of the values, by its word.
-template <class Value>
-Value read_one_of(Reader& in, std::string_view what, std::initializer_list<Value> values) {
-  const std::size_t at = in.offset();
-  const std::string_view text = in.string(what);
-  std::string expected;
-  for (const Value value : values) {
-    if (word(value) == text) return value;
-    expected += fmt::format("{}{}", expected.empty() ? "expected " : " or ", word(value));
-  }
-  in.fail(at, fmt::format("{} is {}", what, text::shown(text)), expected);
-}
-
-void read_tipos(Reader& in, std::vector<model::Tipo>& tipos) {
-  using enum model::Tipo;
-  in.array("tipos", [&] {
-    tipos.push_back(read_one_of(in, "a type",
-                                {soy_esfera, soy_cilindro, soy_cono, soy_tronco, soy_plano, soy_disco, soy_triangulo}));
-  });
-}
 
 /// The name alone: the rest follows from it.
 const Family* read_family(Reader& in) {
@@ -62,13 +42,13 @@ SuiteOptions read_options(const io::Source& source) {
                                                  "numbers", "caps",    "tipos", "families"};
   const io::json::Document document(source);
   Reader in(document);
+  require_version(in, suite_format);
   SuiteOptions options;
   in.object("a suite", keys, keys.size(), [&](std::size_t key) {
     switch (static_cast<Key>(key)) {
       case format:
-        return read_exactly(in, "format", "durero-suite");
-      case version:
-        return read_version_one(in);
+      case version:  // read before all others
+        return in.skip();
       case seed:
         options.seed = read_whole(in, "seed");
         return;
@@ -76,13 +56,13 @@ SuiteOptions read_options(const io::Source& source) {
         options.rays = read_whole(in, "rays");
         return;
       case numbers:
-        options.numbers = read_one_of(in, "numbers", {Format::binary32, Format::binary64});
+        options.numbers = read_word<Format>(in, "numbers", format_words);
         return;
       case caps:
-        options.caps = read_one_of(in, "caps", {Caps::open, Caps::solid});
+        options.caps = read_word<Caps>(in, "caps", caps_words);
         return;
       case tipos:
-        return read_tipos(in, options.tipos);
+        return read_tipos(in, "tipos", options.tipos);
       case families:
         return in.array("families", [&] { options.families.push_back(read_family(in)); });
     }

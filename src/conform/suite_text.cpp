@@ -4,6 +4,7 @@
 #include <span>
 
 #include "conform/family_table.hpp"
+#include "durero/conform/format_versions.hpp"
 #include "durero/io/hits_file.hpp"
 #include "durero/io/json_writer.hpp"
 #include "durero/io/rays_file.hpp"
@@ -13,17 +14,6 @@ namespace durero::conform {
 namespace {
 
 using io::json::Writer;
-
-void write_hit(Writer& out, const scene::Hit& hit, const scene::Scene& scene) {
-  std::vector<std::string_view> names;
-  for (const scene::ElementRef e : hit.elementos) names.push_back(scene.name(e).name());
-  std::sort(names.begin(), names.end());
-  out.begin_object().member("outcome", model::name(hit.resultado)).key("elementos").begin_array();
-  for (const std::string_view name : names) out.value(name);
-  out.end_array();
-  if (hit.resultado == model::Resultado::hit) out.member("t", hit.t).member("point", hit.punto);
-  out.end_object();
-}
 
 void write_solids(Writer& out, const SuiteCase& of) {
   const scene::Scene& scene = of.the_case.scene;
@@ -42,7 +32,10 @@ void write_truths(Writer& out, const SuiteCase& of) {
     const Truth& truth = of.truths[i];
     out.new_line().begin_object().member("ray", std::uint64_t{i}).member("ambiguity", name(truth.ambiguity));
     out.key("permissible").begin_array();
-    for (const scene::Hit& hit : truth.permissible) write_hit(out, hit, of.the_case.scene);
+    for (const scene::Hit& hit : truth.permissible) {
+      io::write_hit(out.begin_object(), hit, of.the_case.scene);
+      out.end_object();
+    }
     out.end_array().end_object();
   }
   out.end_array();
@@ -62,7 +55,7 @@ double number(int x) { return x; }
 std::string sidecar_text(const SuiteCase& of, const Count& counted) {
   std::string text;
   Writer out(text);
-  out.begin_object().member("format", "durero-case").member("version", std::uint64_t{1});
+  write_version(out.begin_object(), case_format);
   write_family(out, *of.family);
   out.new_line().member("number", of.number).key("parameter").begin_object();
   out.member("name", of.family->parameter.name).member("value", number(of.parameter)).end_object();
@@ -107,7 +100,7 @@ std::vector<File> case_files(const SuiteCase& of, const Count& counted) {
 std::string suite_text(const SuiteOptions& options, const std::vector<FamilySummary>& families) {
   std::string text;
   Writer out(text);
-  out.begin_object().member("format", "durero-suite").member("version", suite_version);
+  write_version(out.begin_object(), suite_format);
   out.member("seed", options.seed).member("rays", std::uint64_t{options.rays});
   out.member("numbers", word(options.numbers)).member("caps", word(options.caps)).key("tipos").begin_array();
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
@@ -137,11 +130,6 @@ FamilySummary& FamilySummary::operator+=(const FamilySummary& other) {
   count += other.count;
   for (std::size_t i = 0; i < ambiguity_count; ++i) ambiguities[i] += other.ambiguities[i];
   return *this;
-}
-
-std::string_view word(model::Tipo tipo) {
-  return scene::with_shape(tipo,
-                           []<class Shape>(std::type_identity<Shape>) -> std::string_view { return Shape::word; });
 }
 
 }  // namespace durero::conform

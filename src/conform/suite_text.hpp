@@ -28,7 +28,4 @@ std::string suite_text(const SuiteOptions& options, const std::vector<FamilySumm
 /// What a case adds to the summary of its family. Precondition: the case was answered.
 FamilySummary summary(const SuiteCase& of);
 
-/// Of a type, as files have it.
-std::string_view word(model::Tipo tipo);
-
 }  // namespace durero::conform

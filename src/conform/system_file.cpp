@@ -9,6 +9,8 @@
 #include <stdexcept>
 
 #include "conform/profile_reader.hpp"
+#include "durero/conform/format_versions.hpp"
+#include "durero/text/nearest.hpp"
 #include "durero/text/shown.hpp"
 
 namespace durero::conform {
@@ -68,9 +70,8 @@ KnownCause read_known_cause(Reader& in) {
 void read_part(Reader& in, Key key, System& read) {
   switch (key) {
     case format:
-      return read_exactly(in, keys[key], "durero-system");
-    case version:
-      return read_version_one(in);
+    case version:  // read before all others
+      return in.skip();
     case system:
       return read_name(in, read);
     case title:
@@ -124,10 +125,10 @@ Profile read_profile_file(const io::Source& source) {
   constexpr std::string_view profile_keys[] = {"format", "version", "system", "profile", "sources"};
   const io::json::Document document(source);
   Reader in(document);
+  require_version(in, profile_format);
   Profile read;
   in.object("a profile file", profile_keys, 4, [&](std::size_t key) {
-    if (key == 0) read_exactly(in, "format", "durero-profile");
-    if (key == 1) read_version_one(in);
+    if (key < 2) in.skip();  // format and version
     if (key == 2) read.system = in.string("system");
     if (key == 3) read_profile_members(in, read);
     if (key == 4) read.sources = read_sources(in);
@@ -146,6 +147,7 @@ System read_system(const io::Source& source, const std::string& setups) {
   read.profile.system = read.name;
   const io::json::Document document(source);
   Reader in(document);
+  require_version(in, system_format);
   in.object("a system", keys, required, [&](std::size_t key) { read_part(in, static_cast<Key>(key), read); });
   fill_in_places(read);
   return read;
@@ -175,12 +177,13 @@ std::map<std::string, std::string> system_files(const std::string& systems) {
   return files;
 }
 
-/// Those that were installed with the program, or of the sources that it was built from.
 std::string default_systems() {
+  if (const char* const named = std::getenv("DURERO_SYSTEMS"); named != nullptr && *named != '\0') return named;
   std::error_code none;
-  const fs::path program = fs::read_symlink("/proc/self/exe", none);
-  const fs::path installed = (program.parent_path().parent_path() / DURERO_INSTALLED_SYSTEMS).lexically_normal();
-  return !program.empty() && fs::is_directory(installed, none) ? installed.string() : DURERO_SYSTEMS;
+  const fs::path program = fs::read_symlink("/proc/self/exe", none).parent_path();
+  const fs::path installed = (program.parent_path() / DURERO_INSTALLED_SYSTEMS).lexically_normal();
+  const fs::path linked = fs::canonical(program / "systems", none);  // empty where there is no link
+  return !fs::is_directory(installed, none) && fs::is_directory(linked, none) ? linked : installed;
 }
 
 std::string default_setups() {
@@ -197,15 +200,18 @@ System find_system(std::string_view name, const std::string& systems, const std:
   const std::map<std::string, std::string> files = system_files(systems);
   const auto file = files.find(std::string(name));
   if (file != files.end()) return read_system(io::read_source(file->second), setups);
-  std::vector<std::string_view> known;
+  std::vector<std::string> known;
   for (const auto& [known_name, path] : files) known.push_back(known_name);
-  throw std::runtime_error(fmt::format("no system {}; expected one of {}", text::shown(name), fmt::join(known, ", ")));
+  throw std::runtime_error(fmt::format("no system {}; expected {}", text::shown(name), text::expected_of(name, known)));
 }
 
 Profile read_profile(const std::string& name_or_file, const std::string& systems) {
   if (name_or_file.find('/') == name_or_file.npos && !name_or_file.ends_with(".json"))
     return find_system(name_or_file, systems, "").profile;
-  const io::Source source = io::read_source(name_or_file);
+  return read_profile(io::read_source(name_or_file));
+}
+
+Profile read_profile(const io::Source& source) {
   return is_of_system(source) ? read_system(source, "").profile : read_profile_file(source);
 }
 

@@ -11,24 +11,24 @@ namespace durero::conform {
 namespace {
 
 /// A place where the ray meets an element: a point, or an end of a stretch inside it. Without t it is t → 0⁺.
-struct Place {
+struct ElementPlace {
   std::optional<Parameter> t;
   scene::ElementRef e;
   Ambiguity weakness;
 };
 
-bool at_one_point(const Place& a, const Place& b) {
+bool at_one_point(const ElementPlace& a, const ElementPlace& b) {
   return a.t && b.t ? surface::exact::order(*a.t, *b.t) == 0 : a.t.has_value() == b.t.has_value();
 }
 
-bool earlier(const Place& a, const Place& b) {
+bool earlier(const ElementPlace& a, const ElementPlace& b) {
   if (!a.t || !b.t) return std::pair(a.t.has_value(), a.e) < std::pair(b.t.has_value(), b.e);
   const auto by_t = surface::exact::order(*a.t, *b.t);
   return by_t != 0 ? by_t < 0 : a.e < b.e;
 }
 
 /// Of one element. A stretch counts with both its ends.
-void add_places(std::vector<Place>& to, const Candidate& c) {
+void add_places(std::vector<ElementPlace>& to, const Candidate& c) {
   const surface::exact::Reach reach = surface::exact::reach(c.f);
   for (const Parameter& t : reach.points()) to.push_back({t, c.e, weakness(c, t)});
   if (!reach.segment) return;
@@ -37,9 +37,9 @@ void add_places(std::vector<Place>& to, const Candidate& c) {
 }
 
 /// Where some crossing that no small change removes is not beyond this, nothing behind it is permissible.
-double limit_by(const std::vector<Place>& places) {
+double limit_by(const std::vector<ElementPlace>& places) {
   double limit = trace::no_limit;
-  for (const Place& place : places) {
+  for (const ElementPlace& place : places) {
     if (place.t && place.weakness == Ambiguity::none) limit = std::min(limit, rounded_up(*place.t));
   }
   return limit;
@@ -68,8 +68,8 @@ class Sight {
   }
 
   /// The exact places on the elements that are left, ascending.
-  std::vector<Place> places() {
-    std::vector<Place> all;
+  std::vector<ElementPlace> places() {
+    std::vector<ElementPlace> all;
     for (const scene::ElementRef e : unclear_) add_places(all, candidate(query_, e));
     limit_ = std::min(limit_, limit_by(all));
     leave_out_beyond_limit();
@@ -99,26 +99,27 @@ class Sight {
 };
 
 /// All that the ray meets at one point.
-using Meeting = std::span<const Place>;
+using Meeting = std::span<const ElementPlace>;
 
 /// Takes the meeting that the places begin with from them. Precondition: there are some.
-Meeting take_meeting(std::span<const Place>& left) {
-  const auto beyond =
-      std::find_if(left.begin(), left.end(), [&](const Place& place) { return !at_one_point(place, left.front()); });
+Meeting take_meeting(std::span<const ElementPlace>& left) {
+  const auto beyond = std::find_if(left.begin(), left.end(),
+                                   [&](const ElementPlace& place) { return !at_one_point(place, left.front()); });
   const Meeting meeting = left.first(static_cast<std::size_t>(beyond - left.begin()));
   left = left.subspan(meeting.size());
   return meeting;
 }
 
 bool is_robust(Meeting meeting) {
-  return std::any_of(meeting.begin(), meeting.end(), [](const Place& p) { return p.weakness == Ambiguity::none; });
+  return std::any_of(meeting.begin(), meeting.end(), [](const auto& p) { return p.weakness == Ambiguity::none; });
 }
 
 /// The first in this order that one of the meeting's crossings has; a tie where none has any.
 Ambiguity ambiguity(Meeting meeting) {
   using enum Ambiguity;
   for (const Ambiguity weak : {in_surface, apex, edge, rim, tangent}) {
-    if (std::any_of(meeting.begin(), meeting.end(), [&](const Place& p) { return p.weakness == weak; })) return weak;
+    if (std::any_of(meeting.begin(), meeting.end(), [&](const ElementPlace& p) { return p.weakness == weak; }))
+      return weak;
   }
   return meeting.size() > 1 ? tie : none;
 }
@@ -128,7 +129,7 @@ scene::Hit hit_at(const model::Rayo& rayo, Meeting meeting) {
   const std::optional<Parameter>& t = meeting.front().t;
   scene::Hit hit{model::Resultado::hit, 0, rayo.p().xyz()};
   if (t) hit = surface::exact::rounded_hit(rayo, *t, {});
-  for (const Place& place : meeting) hit.elementos.push_back(place.e);
+  for (const ElementPlace& place : meeting) hit.elementos.push_back(place.e);
   return hit;
 }
 
@@ -172,9 +173,9 @@ std::string_view name(Ambiguity ambiguity) {
 Truth truth(const scene::Scene& scene, const scene::Query& ray) {
   Sight sight(scene, ray);
   if (const auto hit = sight.clear_hit()) return {*hit};
-  const std::vector<Place> all = sight.places();
+  const std::vector<ElementPlace> all = sight.places();
   if (all.empty()) return {};
-  std::span<const Place> left = all;
+  std::span<const ElementPlace> left = all;
   Meeting meeting = take_meeting(left);
   const scene::Hit first = hit_at(ray.rayo, meeting);
   Truth found{answer_at(first, meeting), ambiguity(meeting)};

@@ -94,6 +94,15 @@ void read_field(json::Reader& in, std::size_t key, Fields& f) {
   }
 }
 
+// The invariant that says which elements have the attribute of that word.
+const contract::clause* domain_of(std::string_view word) {
+  const contract::clause* domain = nullptr;
+  model::for_each_attribute([&](const auto& attribute) {
+    if (attribute.word == word) domain = attribute.domain;
+  });
+  return domain;
+}
+
 // Each attribute is there if and only if the shape has it (Escena.inv.2 to Escena.inv.6, Escena.inv.9).
 template <class Shape>
 void check_attributes(const json::Reader& in, const Fields& f) {
@@ -102,11 +111,11 @@ void check_attributes(const json::Reader& in, const Fields& f) {
     if (attribute && !has_attribute<Shape>(attribute_words[i])) {
       in.fail(attribute->key_offset,
               fmt::format("unknown key \"{}\" in an element of tipo {}", attribute_words[i], Shape::word),
-              "expected the attributes of its tipo only");
+              "expected the attributes of its tipo only", domain_of(attribute_words[i]));
     }
     if (!attribute && has_attribute<Shape>(attribute_words[i])) {
       in.fail(f.at, fmt::format("key \"{}\" is missing in an element of tipo {}", attribute_words[i], Shape::word),
-              "expected it");
+              "expected it", domain_of(attribute_words[i]));
     }
   }
 }
@@ -137,13 +146,14 @@ struct Check {
   void operator()(std::type_identity<model::Vertices>, const scene::Corners& v) const {
     if (!model::Vertices::contains(scene::input_of<model::Terna>(v)))
       in.fail(at, fmt::format("{} is three points on one line", word),
-              fmt::format("expected the corners of a triangle ({})", model::Vertices_inv_1.label));
+              fmt::format("expected the corners of a triangle ({})", model::Vertices_inv_1.label),
+              &model::Vertices_inv_1);
   }
 
  private:
-  void fail(const std::string& value, std::string_view kind, const auto& clause) const {
+  void fail(const std::string& value, std::string_view kind, const contract::clause& clause) const {
     in.fail(at, fmt::format("{} is {}", word, value),
-            fmt::format("expected {}{} ({})", kind, clause.predicate, clause.label));
+            fmt::format("expected {}{} ({})", kind, clause.predicate, clause.label), &clause);
   }
 };
 
@@ -158,7 +168,7 @@ template <class Shape>
     });
   }
   in.fail(f.id.offset, fmt::format("id is {}: {}", text::shown(f.id.value), model::name(answer.r)),
-          fmt::format("expected {} ({})", answer.violated->predicate, answer.violated->label));
+          fmt::format("expected {} ({})", answer.violated->predicate, answer.violated->label), answer.violated);
 }
 
 }  // namespace

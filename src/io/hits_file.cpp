@@ -10,7 +10,6 @@
 #include "durero/io/json_writer.hpp"
 #include "durero/io/lines.hpp"
 #include "durero/io/npy.hpp"
-#include "durero/io/output_file.hpp"
 #include "durero/text/shown.hpp"
 
 namespace durero::io {
@@ -20,6 +19,8 @@ using model::Resultado;
 
 constexpr std::string_view outcome_dtype = "S10";
 constexpr std::size_t outcome_width = 10;  // of the longest, no_minimum
+constexpr std::size_t values_width = outcome_width + std::size_t{4} * 8;
+constexpr std::size_t least_width = 1;  // NumPy's, of the names
 
 std::vector<std::string_view> names(const scene::Hit& hit, const scene::Scene& scene) {
   std::vector<std::string_view> all;
@@ -36,6 +37,34 @@ std::string joined_names(const scene::Hit& hit, const scene::Scene& scene) {
 
 void append_padded(std::string& out, std::string_view text, std::size_t width) {
   out.append(text).append(width - text.size(), '\0');
+}
+
+// What stands before the rows of a .npy file.
+std::string head(std::size_t rays, std::size_t width) {
+  return npy_head(fmt::format("[('outcome', '{}'), ('t', '<f8'), ('point', '<f8', (3,)), ('elementos', 'S{}')]",
+                              outcome_dtype, width),
+                  fmt::format("({},)", rays));
+}
+
+// What stands in a row before the names.
+void append_values(std::string& out, const scene::Hit& hit) {
+  append_padded(out, model::name(hit.resultado), outcome_width);
+  const bool is_hit = hit.resultado == Resultado::hit;
+  for (const double x : {hit.t, hit.punto.x, hit.punto.y, hit.punto.z})
+    append_binary64(out, is_hit ? x : std::numeric_limits<double>::quiet_NaN());
+}
+
+void write_hit(json::Writer& out, const scene::Hit& hit, const scene::Scene& scene) {
+  out.member("outcome", model::name(hit.resultado)).key("elementos").begin_array();
+  for (const std::string_view name : names(hit, scene)) out.value(name);
+  out.end_array();
+  if (hit.resultado == Resultado::hit) out.member("t", hit.t).member("point", hit.punto);
+}
+
+void append_text(std::string& text, std::size_t ray, const scene::Hit& hit, const scene::Scene& scene) {
+  json::Writer out(text);
+  write_hit(out.begin_object().member("ray", ray), hit, scene);
+  out.end_object();
 }
 
 // A rounded value, which may be infinite.
@@ -80,8 +109,8 @@ void read_elements(json::Reader& in, const scene::Scene& scene, scene::ElementSe
 }
 
 enum Key : std::size_t { ray, outcome, elementos, t, point };
-constexpr std::string_view keys[] = {"ray", "outcome", "elementos", "t", "point"};
-constexpr std::size_t required = 3;
+constexpr std::string_view hit_keys[] = {"ray", "outcome", "elementos", "t", "point"};
+constexpr std::size_t required_hit_keys = 3;
 
 struct Seen {
   bool t = false, point = false;
@@ -111,7 +140,8 @@ void read_part(json::Reader& in, Key key, const scene::Scene& scene, RayHit& rea
 void read_hit(const json::Document& document, std::size_t at, const scene::Scene& scene, RayHit& read) {
   json::Reader in(document);
   Seen seen;
-  in.object("a hit", keys, required, [&](std::size_t key) { read_part(in, static_cast<Key>(key), scene, read, seen); });
+  in.object("a hit", hit_keys, required_hit_keys,
+            [&](std::size_t key) { read_part(in, static_cast<Key>(key), scene, read, seen); });
   const bool is_hit = read.hit.resultado == Resultado::hit;
   if (seen.t != is_hit || seen.point != is_hit) {
     in.fail(at, fmt::format("outcome {} {} t and point", model::name(read.hit.resultado), is_hit ? "without" : "with"),
@@ -125,33 +155,75 @@ void read_hit(const json::Document& document, std::size_t at, const scene::Scene
 
 }  // namespace
 
-std::string hit_text(std::size_t ray, const scene::Hit& hit, const scene::Scene& scene) {
-  std::string text;
-  json::Writer out(text);
-  out.begin_object().member("ray", ray).member("outcome", model::name(hit.resultado)).key("elementos").begin_array();
+void write_hit(json::Writer& out, const scene::Hit& hit, const scene::Scene& scene) {
+  out.member("outcome", model::name(hit.resultado)).key("elementos").begin_array();
   for (const std::string_view name : names(hit, scene)) out.value(name);
   out.end_array();
   if (hit.resultado == Resultado::hit) out.member("t", hit.t).member("point", hit.punto);
-  out.end_object();
+}
+
+std::string hit_text(std::size_t ray, const scene::Hit& hit, const scene::Scene& scene) {
+  std::string text;
+  append_text(text, ray, hit, scene);
   return text;
 }
 
 std::string hits_npy(std::span<const scene::Hit> hits, const scene::Scene& scene) {
-  std::size_t width = 1;  // NumPy's shortest
+  std::size_t width = least_width;
   for (const scene::Hit& hit : hits) width = std::max(width, joined_names(hit, scene).size());
-  std::string out =
-      npy_head(fmt::format("[('outcome', '{}'), ('t', '<f8'), ('point', '<f8', (3,)), ('elementos', 'S{}')]",
-                           outcome_dtype, width),
-               fmt::format("({},)", hits.size()));
+  std::string out = head(hits.size(), width);
   for (const scene::Hit& hit : hits) {
-    append_padded(out, model::name(hit.resultado), outcome_width);
-    const bool is_hit = hit.resultado == Resultado::hit;
-    for (const double x : {hit.t, hit.punto.x, hit.punto.y, hit.punto.z}) {
-      append_binary64(out, is_hit ? x : std::numeric_limits<double>::quiet_NaN());
-    }
+    append_values(out, hit);
     append_padded(out, joined_names(hit, scene), width);
   }
   return out;
+}
+
+HitWriter::HitWriter(const std::string& path) : out_(path), width_(least_width) {
+  if (path.ends_with(".npy")) rows_.emplace(path);
+}
+
+void HitWriter::write(std::span<const scene::Hit> hits, const scene::Scene& scene) {
+  std::string text;
+  for (const scene::Hit& hit : hits) {
+    if (rows_) {
+      const std::string elements = joined_names(hit, scene);
+      width_ = std::max(width_, elements.size());
+      append_values(text, hit);
+      text.append(elements) += '\0';  // which no name has
+    } else {
+      append_text(text, rays_, hit, scene);
+      text += '\n';
+    }
+    ++rays_;
+  }
+  if (rows_) {
+    rows_->write(text);
+  } else {
+    out_.write(text);
+  }
+}
+
+void HitWriter::commit() {
+  if (rows_) write_rows();
+  out_.commit();
+}
+
+void HitWriter::write_rows() {
+  constexpr std::size_t block = std::size_t{1} << 20U;
+  Input rows = rows_->read();
+  std::string text = head(rays_, width_);
+  for (std::size_t ray = 0; ray < rays_; ++ray) {
+    while (rows.waiting().find('\0', values_width) == std::string_view::npos && rows.read()) {
+    }
+    const std::size_t end = rows.waiting().find('\0', values_width);
+    append_padded(text, rows.waiting().substr(0, end), values_width + width_);
+    rows.take(end + 1);
+    if (text.size() < block) continue;
+    out_.write(text);
+    text.clear();
+  }
+  out_.write(text);
 }
 
 std::vector<RayHit> read_hits(const Source& source, const scene::Scene& scene) {
@@ -165,21 +237,6 @@ std::vector<RayHit> read_hits(const Source& source, const scene::Scene& scene) {
     read_hit(document, line->begin, scene, hits.emplace_back());
   }
   return hits;
-}
-
-void write_hits(const std::string& path, std::span<const scene::Hit> hits, const scene::Scene& scene) {
-  if (path.ends_with(".npy")) return write_file(path, hits_npy(hits, scene));
-  constexpr std::size_t block = std::size_t{1} << 20U;
-  OutputFile out(path);
-  std::string lines;
-  for (std::size_t i = 0; i < hits.size(); ++i) {
-    lines.append(hit_text(i, hits[i], scene)).append("\n");
-    if (lines.size() < block) continue;
-    out.write(lines);
-    lines.clear();
-  }
-  out.write(lines);
-  out.commit();
 }
 
 std::vector<std::optional<scene::Hit>> read_hits_of_rays(const Source& source, const scene::Scene& scene,

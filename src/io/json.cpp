@@ -176,6 +176,17 @@ void Reader::skip() {
   } while (depth > 0);
 }
 
+std::optional<Reader> Reader::member(std::string_view name) const {
+  if (kind() != Kind::object) return std::nullopt;
+  Reader ahead = *this;
+  ++ahead.next_;
+  while (ahead.kind() != Kind::end_object) {
+    if (ahead.take_key().name == name) return ahead;
+    ahead.skip();
+  }
+  return std::nullopt;
+}
+
 bool Reader::boolean(std::string_view what) {
   if (kind() != Kind::boolean) wrong_kind(what, "true or false");
   return document_->source().text()[document_->tokens()[next_++].offset] == 't';

@@ -41,8 +41,8 @@ std::array<glm::dvec3, 3> read_three_points(Cursor& in) {
   return points;
 }
 
-Input read_input(Cursor& in) {
-  Input input{{}, in.offset(), 0, {}};
+CallInput read_input(Cursor& in) {
+  CallInput input{{}, in.offset(), 0, {}};
   input.name = in.word("=?");
   if (input.name.empty()) in.fail(in.offset(), in.here(), "expected an input, name?=value");
   in.take('?');
@@ -95,7 +95,7 @@ Call read_json_call(const Source& source, std::size_t begin, std::size_t end) {
       call.offset = at;
       return;
     }
-    Input input{without_mark(key.name), key.offset, at, {}};
+    CallInput input{without_mark(key.name), key.offset, at, {}};
     switch (in.kind()) {
       case json::Kind::number:
         input.value = in.number(key.name);

@@ -18,7 +18,7 @@ struct Word {
   std::string text;
 };
 
-struct Input {
+struct CallInput {
   std::string name;  // without ?
   std::size_t name_offset;
   std::size_t value_offset;
@@ -29,7 +29,7 @@ struct Input {
 struct Call {
   std::string schema;
   std::size_t offset;
-  std::vector<Input> inputs;
+  std::vector<CallInput> inputs;
 };
 
 /// The operation of a line, as text or, where it starts with {, as JSON; nothing of a line that is blank or a comment.

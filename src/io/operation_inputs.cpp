@@ -12,11 +12,11 @@
 namespace durero::io {
 
 Inputs::Inputs(const Source& source, const Call& call, const Signature& signature) : source_(source), call_(call) {
-  for (const Input& input : call.inputs) check_known(input, signature);
+  for (const CallInput& input : call.inputs) check_known(input, signature);
   for (const std::string_view name : signature.required) require(name);
 }
 
-void Inputs::check_known(const Input& input, const Signature& signature) const {
+void Inputs::check_known(const CallInput& input, const Signature& signature) const {
   std::vector<std::string_view> known = signature.required;
   known.insert(known.end(), signature.optional.begin(), signature.optional.end());
   if (std::ranges::find(known, input.name) == known.end()) {
@@ -29,8 +29,8 @@ void Inputs::check_known(const Input& input, const Signature& signature) const {
 }
 
 // The first of that name: of two, the second is refused.
-const Input* Inputs::find(std::string_view name) const {
-  const auto found = std::ranges::find(call_.inputs, name, &Input::name);
+const CallInput* Inputs::find(std::string_view name) const {
+  const auto found = std::ranges::find(call_.inputs, name, &CallInput::name);
   return found == call_.inputs.end() ? nullptr : &*found;
 }
 

@@ -42,8 +42,8 @@ class Inputs {
   [[noreturn]] void fail(std::string_view name, const std::string& wrong, const std::string& expected) const;
 
  private:
-  const Input* find(std::string_view name) const;
-  void check_known(const Input& input, const Signature& signature) const;
+  const CallInput* find(std::string_view name) const;
+  void check_known(const CallInput& input, const Signature& signature) const;
 
   const Source& source_;
   const Call& call_;

@@ -1,17 +1,17 @@
 #include "durero/io/output_file.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <memory>
+#include <system_error>
 #include <utility>
 
-#include "durero/io/source.hpp"
+#include "descriptor.hpp"
+#include "durero/io/standard_output.hpp"
 
 namespace durero::io {
 namespace {
@@ -44,7 +44,8 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(resol
   struct stat old {};
   const bool exists = ::stat(path_.c_str(), &old) == 0;
   if (path_ == "-" || (exists && is_standard_output(path_, old))) {
-    file_ = ::dup(STDOUT_FILENO);
+    if (path_ == "-") path_ = standard_output;
+    file_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
     if (file_ < 0) refuse("be written", errno);
     return;
   }
@@ -55,57 +56,39 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(resol
     return;
   }
   if (exists && ::access(target_.c_str(), W_OK) != 0) refuse("be written", errno);
-  std::string name = target_ + '.' + std::string(6, 'X');  // mkostemp puts its own six characters there
-  file_ = ::mkostemp(name.data(), O_CLOEXEC);
-  if (file_ < 0) refuse("be written", errno);
-  temporary_ = name;
-  if (::fchmod(file_, permissions(old, exists)) != 0) {
-    const int error = errno;
-    ::close(file_);
-    ::unlink(name.c_str());
-    refuse("be written", error);
+  open_beside(permissions(old, exists));
+}
+
+void OutputFile::open_beside(unsigned permissions) {
+  try {
+    file_ = temporary_.emplace(target_).file();
+  } catch (const std::system_error& error) {
+    refuse("be written", error.code().value());
   }
+  if (::fchmod(file_, permissions) == 0) return;
+  const int error = errno;
+  ::close(file_);
+  refuse("be written", error);
 }
 
 OutputFile::~OutputFile() {
   if (file_ >= 0) ::close(file_);
-  if (!temporary_.empty()) ::unlink(temporary_.c_str());
 }
 
-void OutputFile::write(std::string_view bytes) {
-  if (temporary_.empty()) {
-    direct_.append(bytes);
-  } else {
-    write_all(file_, bytes);
-  }
-}
+void OutputFile::write(std::string_view bytes) { write_all(path_, file_, bytes); }
 
 void OutputFile::commit() {
-  if (temporary_.empty()) {
-    write_all(file_, direct_);
-  } else if (::fsync(file_) != 0) {
-    refuse("be written", errno);
-  }
-  const int closed = ::close(std::exchange(file_, -1));
-  if (closed != 0) refuse("be written", errno);
-  if (temporary_.empty()) return;
-  if (::rename(temporary_.c_str(), target_.c_str()) != 0) refuse("be put in place", errno);
-  temporary_.clear();
-}
-
-void OutputFile::write_all(int file, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t n = ::write(file, bytes.data(), bytes.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) refuse("be written", errno);
-    bytes.remove_prefix(static_cast<std::size_t>(n));
+  if (temporary_ && ::fsync(file_) != 0) refuse("be written", errno);
+  if (::close(std::exchange(file_, -1)) != 0) refuse("be written", errno);
+  if (!temporary_) return;
+  try {
+    temporary_->replace(target_);
+  } catch (const std::system_error& error) {
+    refuse("be put in place", error.code().value());
   }
 }
 
-void OutputFile::refuse(const char* doing, int error) const {
-  throw FileError(path_, fmt::format("cannot {}: {}", doing, std::strerror(error)),
-                  "expected a file that can be written, in a directory that can");
-}
+void OutputFile::refuse(const char* doing, int error) const { refuse_to_write(path_, doing, error); }
 
 void write_file(const std::string& path, std::string_view bytes) {
   OutputFile file(path);

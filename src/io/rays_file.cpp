@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "cursor.hpp"
-#include "durero/io/npy.hpp"
+#include "durero/io/lines.hpp"
 #include "durero/io/number_text.hpp"
 #include "durero/text/shown.hpp"
 
@@ -56,35 +58,79 @@ Ray read_ray(Cursor& in, const scene::Scene& scene) {
   return ray;
 }
 
-std::vector<Ray> read_rays_npy(const Source& source) {
-  const std::vector<double> values = read_npy(source, numbers_in_ray);
-  std::vector<Ray> rays;
-  rays.reserve(values.size() / numbers_in_ray);
-  for (std::size_t first = 0; first < values.size(); first += numbers_in_ray) {
-    const double* n = values.data() + first;
-    const std::size_t row = first / numbers_in_ray + 1;
-    const double* wrong = std::find_if_not(n, n + numbers_in_ray, [](double x) { return std::isfinite(x); });
-    if (wrong != n + numbers_in_ray) {
-      const Place place{row, static_cast<std::size_t>(wrong - n) + 1};
-      throw InputError(source.name(), place, number_text(*wrong), "expected a finite number");
-    }
-    if (is_null(n + 3)) throw InputError(source.name(), {row, 4}, "v is (0, 0, 0)", null_expected);
-    rays.push_back({make_ray(n)});
+// The ray of six numbers, which stand in that row, from 1.
+Ray row_ray(const std::string& name, const double* n, std::size_t row) {
+  const double* wrong = std::find_if_not(n, n + numbers_in_ray, [](double x) { return std::isfinite(x); });
+  if (wrong != n + numbers_in_ray) {
+    const Place place{row, static_cast<std::size_t>(wrong - n) + 1};
+    throw InputError(name, place, number_text(*wrong), "expected a finite number");
   }
-  return rays;
+  if (is_null(n + 3)) throw InputError(name, {row, 4}, "v is (0, 0, 0)", null_expected);
+  return {make_ray(n)};
+}
+
+// How many of the bytes that wait are whole lines; at the end all are.
+std::size_t whole_lines(Input& input) {
+  std::size_t searched = 0;
+  for (;;) {
+    const std::size_t last = input.waiting().substr(searched).find_last_of("\r\n");
+    if (last != std::string_view::npos) return searched + last + 1;
+    searched = input.waiting().size();
+    if (!input.read()) return searched;
+  }
 }
 
 }  // namespace
 
-std::vector<Ray> read_rays(const Source& source, const scene::Scene& scene) {
-  if (is_npy(source.text()) || source.name().ends_with(".npy")) return read_rays_npy(source);
-  std::vector<Ray> rays;
-  Lines lines(source.text());
-  while (const auto line = lines.next()) {
-    Cursor in(source, *line);
-    if (!in.done()) rays.push_back(read_ray(in, scene));
+RayReader::RayReader(Input& input, const scene::Scene& scene) : input_(input), scene_(scene) {
+  if (is_npy(input) || input.name().ends_with(".npy")) table_.emplace(input, numbers_in_ray);
+}
+
+bool RayReader::next(std::vector<Ray>& rays) {
+  rays.clear();
+  if (wrong_) std::rethrow_exception(std::exchange(wrong_, nullptr));
+  try {
+    return table_ ? next_rows(rays) : next_lines(rays);
+  } catch (const InputError&) {
+    if (rays.empty()) throw;
+    wrong_ = std::current_exception();
+    return true;
   }
-  return rays;
+}
+
+bool RayReader::next_lines(std::vector<Ray>& rays) {
+  if (input_.waiting().empty() && !input_.read()) return false;
+  if (std::exchange(is_after_return_, false) && input_.waiting().front() == '\n') {
+    input_.take(1);
+    return true;
+  }
+  const std::size_t size = whole_lines(input_);
+  const Source text(input_.name(), std::string(input_.waiting().substr(0, size)), done_);
+  input_.take(size);
+  is_after_return_ = text.text().back() == '\r';
+  Lines lines(text.text());
+  while (const auto line = lines.next()) {
+    ++done_;
+    Cursor in(text, *line);
+    if (!in.done()) rays.push_back(read_ray(in, scene_));
+  }
+  return true;
+}
+
+bool RayReader::next_rows(std::vector<Ray>& rays) {
+  if (!table_->next(numbers_)) return false;
+  rays.reserve(numbers_.size() / numbers_in_ray);
+  for (std::size_t first = 0; first < numbers_.size(); first += numbers_in_ray)
+    rays.push_back(row_ray(input_.name(), numbers_.data() + first, ++done_));
+  return true;
+}
+
+std::vector<Ray> read_rays(const Source& source, const scene::Scene& scene) {
+  Input input(source);
+  RayReader reader(input, scene);
+  std::vector<Ray> all, rays;
+  while (reader.next(rays)) std::ranges::move(rays, std::back_inserter(all));
+  return all;
 }
 
 std::string rays_text(std::span<const Ray> rays, const scene::Scene& scene) {

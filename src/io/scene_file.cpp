@@ -12,75 +12,122 @@
 namespace durero::io {
 namespace {
 
-constexpr std::string_view format_name = "durero-scene";
-
 enum Key : std::size_t { format, version, elementos, camera, resolution, background, lights, materials };
-constexpr std::string_view keys[] = {"format",     "version",    "elementos", "camera",
-                                     "resolution", "background", "lights",    "materials"};
-constexpr std::size_t required = 3;
+constexpr std::string_view scene_keys[] = {"format",     "version",    "elementos", "camera",
+                                           "resolution", "background", "lights",    "materials"};
+constexpr std::size_t required_scene_keys = 3;
 
-void read_format(json::Reader& in) {
-  const std::size_t at = in.offset();
-  const std::string_view name = in.string("format");
-  if (name != format_name) in.fail(at, fmt::format("format is {}", text::shown(name)), "expected \"durero-scene\"");
-}
+class SceneReader {
+ public:
+  /// Null: the first error is thrown.
+  explicit SceneReader(std::vector<InputError>* errors) : errors_(errors) {}
 
-void read_version(json::Reader& in) {
-  const std::size_t at = in.offset();
-  const double version = in.number("version");
-  if (version != 1) in.fail(at, fmt::format("version is {}", version), "expected 1");
-}
-
-void read_part(json::Reader& in, Key key, scene::Scene& scene, std::vector<MaterialUse>& uses) {
-  scene::Stage& stage = scene.stage();
-  switch (key) {
-    case format:
-      return read_format(in);
-    case version:
-      return read_version(in);
-    case elementos:
-      return in.array("elementos", [&] { read_element(in, scene, uses); });
-    case camera:
-      stage.camera = read_camera(in);
-      return;
-    case resolution:
-      stage.resolution = read_resolution(in);
-      return;
-    case background:
-      stage.background = read_background(in);
-      return;
-    case lights:
-      stage.lights = read_lights(in);
-      return;
-    case materials:
-      stage.materials = read_materials(in);
+  scene::Scene read(const Source& source) {
+    scene_.put_off_audits();
+    attempt([&] { read_document(source); });
+    scene_.audit();
+    return std::move(scene_);
   }
-}
 
-void set_materials(const json::Reader& in, const std::vector<MaterialUse>& uses, scene::Scene& scene) {
-  const auto& all = scene.stage().materials;
-  for (const MaterialUse& use : uses) {
+ private:
+  void read_document(const Source& source) {
+    const json::Document document(source);
+    json::Reader in(document);
+    json::require_version(in, scene_format);
+    in.object("a scene", scene_keys, required_scene_keys, [&](std::size_t key) {
+      const bool is_right = read_or_pass(in, [&] { read_part(in, static_cast<Key>(key)); });
+      if (key == materials) materials_are_known_ = is_right;
+    });
+    if (!materials_are_known_) return;
+    for (const MaterialUse& use : uses_) attempt([&] { set_material(in, use); });
+  }
+
+  /// False where what is read is wrong.
+  template <class Read>
+  bool attempt(Read&& read) {
+    try {
+      read();
+      return true;
+    } catch (const InputError& error) {
+      if (errors_ == nullptr) throw;
+      errors_->push_back(error);
+      return false;
+    }
+  }
+
+  /// Passes the value that stands here, right or wrong.
+  template <class Read>
+  bool read_or_pass(json::Reader& in, Read&& read) {
+    const json::Reader before = in;
+    const bool is_right = attempt(read);
+    if (!is_right) {
+      in = before;
+      in.skip();
+    }
+    return is_right;
+  }
+
+  void read_part(json::Reader& in, Key key) {
+    scene::Stage& stage = scene_.stage();
+    switch (key) {
+      case format:
+      case version:  // read before all others
+        return in.skip();
+      case elementos:
+        return in.array("elementos", [&] { read_or_pass(in, [&] { read_element(in, scene_, uses_); }); });
+      case camera:
+        stage.camera = read_camera(in);
+        return;
+      case resolution:
+        stage.resolution = read_resolution(in);
+        return;
+      case background:
+        stage.background = read_background(in);
+        return;
+      case lights:
+        stage.lights = read_lights(in);
+        return;
+      case materials:
+        stage.materials = read_materials(in);
+    }
+  }
+
+  void set_material(const json::Reader& in, const MaterialUse& use) {
+    const auto& all = scene_.stage().materials;
     const auto found = std::ranges::lower_bound(all, use.material.value, {}, &scene::Material::name);
     if (found == all.end() || found->name != use.material.value) {
       in.fail(use.material.offset, fmt::format("unknown material {}", text::shown(use.material.value)),
               "expected one of the scene's materials");
     }
-    scene.set_material(scene.find(use.element).value(), static_cast<std::uint32_t>(found - all.begin()));
+    scene_.set_material(scene_.find(use.element).value(), static_cast<std::uint32_t>(found - all.begin()));
   }
-}
+
+  std::vector<InputError>* errors_;
+  scene::Scene scene_;
+  std::vector<MaterialUse> uses_;
+  bool materials_are_known_ = true;  // where they are wrong, nothing is said of who names them
+};
 
 }  // namespace
 
-scene::Scene read_scene(const Source& source) {
+scene::Scene read_scene(const Source& source) { return SceneReader(nullptr).read(source); }
+
+scene::Scene read_scene(const Source& source, std::vector<InputError>& errors) {
+  return SceneReader(&errors).read(source);
+}
+
+ElementPlace element_place(const Source& source, std::string_view name) {
   const json::Document document(source);
-  json::Reader in(document);
-  scene::Scene scene;
-  scene.put_off_audits();
-  std::vector<MaterialUse> uses;
-  in.object("a scene", keys, required, [&](std::size_t key) { read_part(in, static_cast<Key>(key), scene, uses); });
-  set_materials(in, uses, scene);
-  scene.audit();
-  return scene;
+  json::Reader in = json::Reader(document).member("elementos").value();
+  ElementPlace place{};
+  std::size_t number = 0;
+  in.array("elementos", [&] {
+    if (in.member("id").value().string("id") == name)
+      place = {fmt::format("/elementos/{}", number), source.place(in.offset())};
+    in.skip();
+    ++number;
+  });
+  return place;
 }
 
 }  // namespace durero::io

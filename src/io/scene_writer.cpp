@@ -47,7 +47,7 @@ void write_element(json::Writer& out, const scene::Scene& scene, ElementRef elem
 std::string scene_text(const scene::Scene& scene) {
   std::string text;
   json::Writer out(text);
-  out.begin_object().member("format", "durero-scene").member("version", std::uint64_t{1});
+  write_version(out.begin_object(), scene_format);
   write_stage(out, scene.stage());
   out.new_line().key("elementos").begin_array();
   for (const ElementRef element : elements_by_name(scene)) write_element(out.new_line(), scene, element);

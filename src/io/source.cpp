@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <cstring>
 #include <system_error>
 
+#include "descriptor.hpp"
 #include "durero/io/lines.hpp"
 #include "durero/text/file.hpp"
 #include "durero/text/shown.hpp"
@@ -13,16 +13,24 @@
 
 namespace durero::io {
 
+namespace {
+
+std::string head_of(const std::string& file, Place place) {
+  return text::escaped(fmt::format("{}:{}:{}: ", file, place.line, place.column));
+}
+
+}  // namespace
+
 InputError::InputError(const std::string& file, Place place, const std::string& wrong, const std::string& expected)
-    : std::runtime_error(
-          text::escaped(fmt::format("{}:{}:{}: {}; {}", file, place.line, place.column, wrong, expected))),
-      place_(place) {}
+    : std::runtime_error(head_of(file, place) + text::escaped(fmt::format("{}; {}", wrong, expected))),
+      place_(place),
+      message_at_(head_of(file, place).size()) {}
 
 FileError::FileError(const std::string& file, const std::string& wrong, const std::string& expected)
     : std::runtime_error(text::escaped(fmt::format("{}: {}; {}", file, wrong, expected))) {}
 
 Place Source::place(std::size_t offset) const noexcept {
-  Place place{1, 1};
+  Place place{lines_before_ + 1, 1};
   for (std::size_t i = 0; i < offset; ++i) {
     if (ends_line(text_, i)) {
       ++place.line;
@@ -34,8 +42,12 @@ Place Source::place(std::size_t offset) const noexcept {
   return place;
 }
 
-void Source::fail(std::size_t offset, const std::string& wrong, const std::string& expected) const {
-  throw InputError(name_, place(offset), wrong, expected);
+void Source::fail(std::size_t offset, const std::string& wrong, const std::string& expected,
+                  const contract::clause* broken) const {
+  InputError error(name_, place(offset), wrong, expected);
+  error.offset_ = offset;
+  error.broken_ = broken;
+  throw error;
 }
 
 Source read_source(const std::string& path) {
@@ -44,8 +56,7 @@ Source read_source(const std::string& path) {
   try {
     return {name, standard ? text::read_rest(*stdin) : text::read_file(path)};
   } catch (const std::system_error& error) {
-    throw FileError(name, fmt::format("cannot be read: {}", std::strerror(error.code().value())),
-                    "expected a readable file");
+    refuse_to_read(name, error.code().value());
   }
 }
 

@@ -14,7 +14,7 @@ static_assert(sizeof(boost::multiprecision::limb_type) == 8 && sizeof(mp_limb_t)
 
 /// Of a number given by its limbs, the least significant first, the last one not 0.
 template <class Limb>
-Leading leading(const Limb* limbs, std::size_t size, std::int64_t exponent) {
+Leading leading_of_limbs(const Limb* limbs, std::size_t size, std::int64_t exponent) {
   const int shift = std::countl_zero(static_cast<std::uint64_t>(limbs[size - 1]));
   std::uint64_t bits = limbs[size - 1] << shift;
   std::size_t rest = size - 1;
@@ -32,12 +32,12 @@ Leading leading(const Limb* limbs, std::size_t size, std::int64_t exponent) {
 
 Leading leading(const Dyadic& value) {
   const auto& backend = value.significand().backend();
-  return leading(backend.limbs(), backend.size(), value.exponent());
+  return leading_of_limbs(backend.limbs(), backend.size(), value.exponent());
 }
 
 Leading leading(const Integer& value) {
   const auto* data = value.backend().data();
-  return leading(mpz_limbs_read(data), mpz_size(data), 0);
+  return leading_of_limbs(mpz_limbs_read(data), mpz_size(data), 0);
 }
 
 double round_to_binary64(bool negative, const Leading& magnitude) {

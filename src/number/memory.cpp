@@ -13,6 +13,7 @@ namespace {
 // this is for. The number that GMP was about to enlarge may then call memory its own that it does not have, and is
 // released all the same. So nothing is freed from there on, which a program that ends or gives up can afford.
 std::atomic<bool> outgrown = false;
+std::atomic<std::size_t> greatest_size = largest_number;
 
 [[noreturn]] void give_up() {
   outgrown = true;
@@ -20,13 +21,13 @@ std::atomic<bool> outgrown = false;
 }
 
 void* allocate(std::size_t size) {
-  void* const memory = size > largest_number ? nullptr : std::malloc(size);
+  void* const memory = size > greatest_size ? nullptr : std::malloc(size);
   if (!memory) give_up();
   return memory;
 }
 
 void* reallocate(void* memory, std::size_t, std::size_t size) {
-  void* const enlarged = size > largest_number ? nullptr : std::realloc(memory, size);
+  void* const enlarged = size > greatest_size ? nullptr : std::realloc(memory, size);
   if (!enlarged) give_up();
   return enlarged;
 }
@@ -37,6 +38,9 @@ void release(void* memory, std::size_t) {
 
 }  // namespace
 
-void throw_when_numbers_outgrow_memory() { mp_set_memory_functions(allocate, reallocate, release); }
+void throw_when_numbers_outgrow_memory(std::size_t largest) {
+  greatest_size = largest;
+  mp_set_memory_functions(allocate, reallocate, release);
+}
 
 }  // namespace durero::number

@@ -109,10 +109,10 @@ std::string Calculator::spelled(const zed::AtomName& atom) const {
   return atom.type == elements && !plain_.contains(atom.text) ? quoted(atom.text) : atom.text;
 }
 
-Calculator::Result Calculator::evaluate(const std::string& typed) const {
+Calculator::Result Calculator::evaluate(const std::string& typed, zed::Steps& steps) const {
   zed::Term term = parsed(typed);
   const zed::Typing typing = check(term);
-  const zed::Evaluator evaluator(specification_.sections, given_);
+  const zed::Evaluator evaluator(specification_.sections, given_, &steps);
   const std::optional<zed::Type> type = typing.type_of(term);
   if (!type) {  // it is a predicate
     const zed::Truth truth = evaluator.holds(term);

@@ -85,6 +85,18 @@ std::string shown(const std::string& name, const LabelIndex& index) {
   return said.empty() ? change_text(unicode, index) : said;
 }
 
+std::vector<std::string> names_and_labels() {
+  std::vector<std::string> names;
+  for (const zed::Section& section : text().sections) {
+    for (const zed::Paragraph& paragraph : section.paragraphs) {
+      for (const zed::Name& name : zed::names_of(paragraph)) names.push_back(name.text());
+      const auto labels = zed::labels_of(paragraph);
+      names.insert(names.end(), labels.begin(), labels.end());
+    }
+  }
+  return names;
+}
+
 std::string in_unicode(const std::string& name) {
   if (name.find('\\') == name.npos) return name;
   try {

@@ -64,12 +64,23 @@ class Shading {
   std::vector<scene::Query> shadows_;
 };
 
-/// The rays of a row of pixels.
-std::vector<scene::Query> row_of(const PrimaryRays& rays, std::uint32_t y, std::uint32_t width) {
+/// The rays of row y of a crop.
+std::vector<scene::Query> row_of(const PrimaryRays& rays, const Crop& crop, std::uint32_t y) {
   std::vector<scene::Query> row;
-  row.reserve(width);
-  for (std::uint32_t x = 0; x < width; ++x) row.push_back({rays.ray(x, y)});
+  row.reserve(crop.size.width);
+  for (std::uint32_t x = 0; x < crop.size.width; ++x) row.push_back({rays.ray(crop.x + x, crop.y + y)});
   return row;
+}
+
+/// The crop that is asked for, or the whole picture.
+Crop crop_of(const Frame& frame, scene::Resolution size) {
+  const Crop crop = frame.crop.value_or(Crop{0, 0, size});
+  const auto inside = [](std::uint32_t begin, std::uint32_t length, std::uint32_t whole) {
+    return length > 0 && begin < whole && length <= whole - begin;
+  };
+  if (!inside(crop.x, crop.size.width, size.width) || !inside(crop.y, crop.size.height, size.height))
+    throw std::out_of_range("the crop is not inside the picture");
+  return crop;
 }
 
 /// Counts the rows that are done and tells, without making the threads wait for each other.
@@ -109,16 +120,17 @@ std::vector<glm::dvec3> colors(const scene::Scene& scene, const engine::Engine& 
   return colors;
 }
 
-Image render(const scene::Scene& scene, const engine::Engine& engine, const Progress& progress) {
+Image render(const scene::Scene& scene, const engine::Engine& engine, const Progress& progress, const Frame& frame) {
   if (!scene.stage().camera) throw std::domain_error("the scene has no camera; expected one");
-  const scene::Resolution size = scene.stage().resolution.value_or(default_resolution);
+  const scene::Resolution size = frame.size.value_or(scene.stage().resolution.value_or(default_resolution));
   const PrimaryRays rays(*scene.stage().camera, size);
-  Image image(size);
-  Counter counter(progress, size.height);
-  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, size.height), [&](const auto& rows) {
+  const Crop crop = crop_of(frame, size);
+  Image image(crop.size);
+  Counter counter(progress, crop.size.height);
+  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, crop.size.height), [&](const auto& rows) {
     for (std::uint32_t y = rows.begin(); y != rows.end(); ++y) {
-      const std::vector<glm::dvec3> row = colors(scene, engine, row_of(rays, y, size.width));
-      for (std::uint32_t x = 0; x < size.width; ++x) image.set(x, y, row[x]);
+      const std::vector<glm::dvec3> row = colors(scene, engine, row_of(rays, crop, y));
+      for (std::uint32_t x = 0; x < crop.size.width; ++x) image.set(x, y, row[x]);
       counter.row_done();
     }
   });

@@ -10,5 +10,9 @@ for bench in "$build"/bench/*_bench; do
   echo "== ${bench##*/}"
   "$bench" "$@"
 done
+if ninja -C "$build" -t query python_bench >/dev/null 2>&1; then
+  echo "== a million rays by Python and by C++"
+  ninja -C "$build" --quiet python_bench
+fi
 echo "== instructions a checked add/remove pair takes"
 sh "$here/instructions.sh" "$build"

@@ -20,6 +20,15 @@ has out 'unexplained: 0'
 run 0 agree scene.json --rays 3000 --seed 18446744073709551615
 has out 'unexplained: 0'
 
+# For programs: the same as JSON.
+run 0 agree scene.json --rays 3000 --seed 7 --format json
+empty err
+has out '{"format":"durero-agreement","version":1,"file":"scene.json","engine":"analytic","seed":7,"rays":3000,"ok":true,'
+has out '"incomplete":0,"unsound":0},'
+has out "\"verdicts\":{\"agrees\":$(sed -n 's/^3000 rays: \([0-9]*\) agree.*/\1/p' said),"
+has out '"findings":[]}'
+refused 'agree: --format sarif: no such format; expected one of text, json' agree scene.json --format sarif
+
 # Beyond the oracle's range nothing is said of the engine: not that it agrees, and not that it is wrong.
 beyond() { # beyond RADIUS TEXT
   printf '{"format":"durero-scene","version":1,"elementos":[\n{"id":"s","tipo":"esfera","centro":[0,0,0],"radio":%s}]}' \
@@ -49,14 +58,14 @@ run 0 agree empty.json
 has out '0 rays: 0 agree'
 
 # Numbers that are none of those that the call takes.
-refused '--seed: -1 is no whole number from 0 to 18446744073709551615' agree scene.json --seed -1
-refused '--seed: 18446744073709551616 is no whole number' agree scene.json --seed 18446744073709551616
-refused '--seed: 1.5 is no whole number' agree scene.json --seed 1.5
-refused '--rays: 0 is no whole number from 1 to 100000000' agree scene.json --rays 0
-refused '--rays: -1 is no whole number' agree scene.json --rays -1
-refused '--fineness: nan is no number from 0.0009765625 to 1' agree scene.json --fineness nan
-refused '--fineness: 2 is no number' agree scene.json --fineness 2
-refused '--fineness: inf is no number' agree scene.json --fineness inf
-refused '--fineness: x is no number' agree scene.json --fineness x
-refused '--engine: ' agree scene.json --engine nobody
+refused 'agree: --seed -1: no whole number from 0 to 18446744073709551615; expected ' agree scene.json --seed -1
+refused 'agree: --seed 18446744073709551616: no whole number' agree scene.json --seed 18446744073709551616
+refused 'agree: --seed 1.5: no whole number' agree scene.json --seed 1.5
+refused 'agree: --rays 0: no whole number from 1 to 100000000' agree scene.json --rays 0
+refused 'agree: --rays -1: no whole number' agree scene.json --rays -1
+refused 'agree: --fineness nan: no number from 0.0009765625 to 1' agree scene.json --fineness nan
+refused 'agree: --fineness 2: no number' agree scene.json --fineness 2
+refused 'agree: --fineness inf: no number' agree scene.json --fineness inf
+refused 'agree: --fineness x: no number' agree scene.json --fineness x
+refused 'agree: --engine nobody: no such engine; expected one of ' agree scene.json --engine nobody
 finish

@@ -3,7 +3,7 @@
 sample >scene.json
 
 run 0 --help
-for command in check edit trace render import export; do has out "  $command "; done
+for command in check edit trace render import export version man completion; do has out "  $command "; done
 empty err
 run 0 edit --help
 has out --script
@@ -11,15 +11,50 @@ run 0 --version
 lines out 1
 has out 'durero '
 
-refused 'no subcommand'
-refused 'The following argument was not expected: frobnicate' frobnicate
-refused 'The following argument was not expected: --frobnicate' check scene.json --frobnicate
-refused 'SCENE is required' check
-refused 'RAYS is required' trace scene.json
-refused '--engine: no engine magic; expected one of sampled, exact, analytic' trace scene.json rays --engine magic
-refused '--threads: ' trace scene.json rays --threads 0
-refused '--threads: ' trace scene.json rays --threads many
-refused '--output is required' export scene.json
+# Every bad call is told by what is wrong in it, and what is expected there: the near word where one is near.
+refused 'no command; expected one of check, edit, ' 
+refused 'frobnicate: no such command; expected one of check, edit, ' frobnicate
+refused 'tarce: no such command; expected trace' tarce scene.json rays
+refused 'conform: jugde: no such command; expected judge' conform jugde suite hits
+refused 'conform: no command; expected one of list, make, ' conform
+refused 'conform: trace: no such command here; expected durero trace' conform trace
+refused 'judge: no such command here; expected durero conform judge' judge suite hits
+refused 'trace: --enginee: no such option; expected --engine' trace scene.json rays --enginee exact
+refused 'trace: --enginee: no such option; expected --engine' trace --enginee=exact
+refused 'conform run: --timeuot: no such option; expected --timeout' conform run glm --timeuot 3
+refused 'check: --frobnicate: no such option; expected one of -h, --help' check scene.json --frobnicate
+refused 'check: -x: no such option; expected ' check -x scene.json
+refused 'check: --fineness: no option of this command; expected it with durero agree' check scene.json --fineness 1
+refused 'render: --audit: no option of this command; expected it with durero edit' render scene.json --audit
+refused 'check: SCENE: it is missing; expected durero check [OPTION]... SCENE' check
+refused 'trace: RAYS: it is missing; expected durero trace [OPTION]... SCENE RAYS' trace scene.json
+refused 'export: --output: it is missing; expected durero export [OPTION]... --output FILE SCENE' export scene.json
+refused 'trace: --engine: its value is missing; expected --engine ENGINE' trace scene.json rays --engine
+refused 'trace: --threads: its value is missing; expected --threads N' trace scene.json rays --threads
+refused 'check: other.json: an argument too many; expected durero check [OPTION]... SCENE' check scene.json other.json
+refused 'check: check: an argument too many; expected ' check scene.json check other.json
+refused 'conform run: --continue: it says nothing alone; expected --report with it' conform run glm --continue
+refused 'trace: --engine magic: no such engine; expected one of sampled, exact, analytic' \
+  trace scene.json rays --engine magic
+refused 'trace: --engine exat: no such engine; expected exact' trace scene.json rays --engine exat
+refused 'conform make: --family tinny: no such family; expected tiny' conform make new --family generic,tinny
+refused 'conform make: --types esfea: no such type; expected esfera' conform make new --types esfea
+refused 'conform make: --numbers binary46: no such format; expected binary64' conform make new --numbers binary46
+refused 'no system "embre"; expected embree' conform run embre
+refused 'completion: SHELL csh: no such shell; expected zsh' completion csh
+refused 'man: rnu: no such command; expected run' man conform rnu
+absent new
+
+# An option that takes one value is given once; what may be given again is a list, or says the same.
+refused 'trace: --engine: it is given 2 times; expected once' trace scene.json rays --engine exact --engine exact
+refused 'agree: --seed: it is given 3 times; expected once' agree scene.json --seed 1 --seed 2 --seed 3
+refused 'render: --output: it is given 2 times; expected once' render scene.json -o a.png --output b.png
+refused 'edit: --audit: it takes no value; expected --audit alone' edit scene.json --audit=no
+run 0 conform list --json --json
+cp out once
+run 0 conform list --json
+same out once
+
 refused 'nowhere.json: cannot be read: No such file or directory' check nowhere.json
 refused '.: cannot be read: Is a directory' check .
 refused 'scene.obj: a format that is not known by this name' export scene.json -o scene.obj
@@ -29,10 +64,10 @@ absent scene.obj
 # Whatever the bytes of an argument, of a file's name or of a file: a terminal prints the message and does not obey it.
 escape=$(printf '\033[2J\233\n.')
 escape=${escape%.}
-refused 'The following argument was not expected: \x1b[2J\x9b' "$escape"
+refused '\x1b[2J\x9b\x0a: no such command; expected ' "$escape"
 refused '\x1b[2J\x9b: cannot be read: No such file or directory' check "${escape%?}"
 refused '\x1b[2J\x9b\x0a: cannot be read: No such file or directory' check "$escape"
-refused '--engine: no engine \x1b[2J\x9b\x0a; expected ' trace scene.json rays --engine "$escape"
+refused 'trace: --engine \x1b[2J\x9b\x0a: no such engine; expected ' trace scene.json rays --engine "$escape"
 refused 'scene\x1b[2J\x9b\x0a: a format that is not known' export scene.json -o "scene$escape"
 cp scene.json "$(printf 'a\033b')"
 run 0 check "$(printf 'a\033b')"

@@ -52,7 +52,7 @@ same one/tracer/report.html two/tracer/report.html
 run 1 conform run tracer --systems systems --family generic --rays 64 --report three --no-minimise
 checks=$((checks + 1))
 if grep -q '"least"' three/tracer/report.json; then fail 'it was minimised'; fi
-refused '--no-minimise requires --report' conform run tracer --systems systems --no-minimise
+refused 'conform run: --no-minimise: it says nothing alone; expected --report with it' conform run tracer --systems systems --no-minimise
 
 # Minimised, a command of its own says the same.
 run 1 conform minimise tracer --systems systems --case $ray

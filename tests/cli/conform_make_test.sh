@@ -60,13 +60,12 @@ refused "$PWD/full: it is there already, and is no empty directory" conform make
 [ "$(ls full)" = kept ] || fail "full was changed"
 refused "$PWD/full/kept: it is there already" conform make full/kept --rays 10
 refused 'none/suite: cannot be written: No such file or directory' conform make none/suite --rays 10
-refused 'no family "tiger"; expected one that durero conform list shows' conform make new --family tiger
-refused 'no type "cubo"; expected ' conform make new --types esfera,cubo
-refused '--numbers: binary16 not in ' conform make new --numbers binary16
-refused '--rays: 0 is no whole number from 1' conform make new --rays 0
-refused '--seed: -1 is no whole number from 0 to 9007199254740992' conform make new --seed -1
-refused 'DIR is required' conform make
-refused 'A subcommand is required' conform
+refused 'conform make: --family tiger: no such family; expected one of generic, ' conform make new --family tiger
+refused 'conform make: --types cubo: no such type; expected one of ' conform make new --types esfera,cubo
+refused 'conform make: --numbers binary16: no such format; expected ' conform make new --numbers binary16
+refused 'conform make: --rays 0: no whole number from 1' conform make new --rays 0
+refused 'conform make: --seed -1: no whole number from 0 to 9007199254740992' conform make new --seed -1
+refused 'conform make: DIR: it is missing; expected durero conform make ' conform make
 absent new
 case $(ls -d ./*.new* 2>/dev/null) in '') ;; *) fail "a directory was left" ;; esac
 finish

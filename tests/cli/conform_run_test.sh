@@ -15,7 +15,7 @@ has out 'bullet: absent: it is not set up'
 has out 'durero 0.1.0 analytic'
 refused 'no system "nothing"; expected one of ' conform run nothing
 refused 'command: without --profile' conform run command:cat
-refused '--continue requires --report' conform run durero --continue
+refused 'conform run: --continue: it says nothing alone; expected --report with it' conform run durero --continue
 
 # A program of one's own is asked as it is.
 printf 'system liar 1\n' >liar

@@ -33,4 +33,55 @@ for out in new.png old.png; do
 done
 absent new.png
 is old.png kept
+
+# --size draws in another size than the scene's, --crop a rectangle of the picture, pixel for pixel.
+run 0 render scene.json -o whole.png --size 40x30
+run 0 render scene.json -o crop.png --size 40x30 --crop 12,9,17,14
+run 0 render scene.json -o all.png --size 40x30 --crop 0,0,40,30
+same all.png whole.png
+run 0 render scene.json -o own.png --crop 0,0,8,6
+same own.png analytic.png
+sed '/"resolution"/d' scene.json >sizeless.json
+run 0 render sizeless.json -o sizeless.png --crop 635,355,5,5  # of 640 x 360
+checks=$((checks + 1))
+python3 - <<'PYTHON' || fail 'a crop is not what stands there in the picture'
+import struct, zlib
+def pixels(name):
+    data, at, idat = open(name, "rb").read(), 8, b""
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at:at + 8])
+        body = data[at + 8:at + 8 + length]
+        if kind == b"IHDR": width, height = struct.unpack(">II", body[:8])
+        if kind == b"IDAT": idat += body
+        at += 12 + length
+    raw, rows, before, at = zlib.decompress(idat), [], bytes(3 * width), 0
+    for _ in range(height):  # each row is filtered in a way of its own (PNG, 9.2)
+        how, row = raw[at], bytearray(raw[at + 1:at + 1 + 3 * width])
+        for i in range(len(row)):
+            a, b, c = (row[i - 3] if i >= 3 else 0), before[i], (before[i - 3] if i >= 3 else 0)
+            paeth = min((abs(b - c), 0, a), (abs(a - c), 1, b), (abs(a + b - 2 * c), 2, c))[2]
+            row[i] = (row[i] + (0, a, b, (a + b) // 2, paeth)[how]) % 256
+        rows.append(bytes(row))
+        before, at = row, at + 1 + 3 * width
+    return width, height, rows
+width, height, whole = pixels("whole.png")
+assert (width, height) == (40, 30)
+width, height, crop = pixels("crop.png")
+assert (width, height) == (17, 14)
+assert crop == [row[3 * 12:3 * 29] for row in whole[9:23]]
+assert len(set(whole)) > 10
+assert pixels("sizeless.png")[:2] == (5, 5)
+PYTHON
+
+for size in 0x6 8x0 8 8x 8x6x4 8X6 -8x6 8.5x6 65536x1 99999999999x1 'x6' ''; do
+  refused "render: --size $size: no size; expected WxH" render scene.json -o new.png --size "$size"
+done
+for crop in 0,0,0,1 0,0,1,0 0,0,1 0,0,1,1,1 -1,0,1,1 a,0,1,1 0,0,1,1x 0x0x1x1; do
+  refused "render: --crop $crop: no rectangle; expected X,Y,W,H" render scene.json -o new.png --crop "$crop"
+done
+for crop in 8,0,1,1 0,6,1,1 1,0,8,1 0,1,1,6 65535,65535,65535,65535; do
+  refused "render: --crop $crop: it is not inside the picture; expected pixels of 8x6" \
+    render scene.json -o new.png --crop "$crop"
+done
+absent new.png
 finish

@@ -90,10 +90,30 @@ refused 'EXPR:1:1: c is not declared' spec eval 'c-1' --scene hyphen.json
 } >many.json
 run 0 spec eval '# elementos' --scene many.json
 is out 7001
+
+# eval: what would not end is stopped, by steps or by memory, and says by which option.
 squares=$(seq 1 40 | sed 's/.*/let a == a * a •/' | tr '\n' ' ')
+bounded() {  # bounded OPTION WORDS ARGUMENT...
+  option=$1 words=$2
+  shift 2
+  refused "EXPR:1:1: $words" spec eval "$@"
+  has err "; expected a smaller expression, or a greater $option"
+}
+bounded --steps '--steps 300000 did not do: stopped after 300000 steps' --steps 300000 '∀ x, y, z : 1‥1000 • x ≤ 1000'
+bounded --steps '--steps 100000 ' --steps 100000 '# {s : ℙ (1‥16) | # s > 3}'
+bounded --steps '--steps 100000 ' --steps 100000 '∀ x : 1‥400 • # (ℙ (1‥(14 + x - x))) > 1'
+run 0 spec eval --steps 1000 '∀ x : 1‥100 • x ≤ 100'
+run 0 spec eval '# {s : ℙ (1‥12) | # s > 3}'
+is out 3797
+if "$durero" version --json | grep -qF '"sanitizers":[]'; then  # which have memory of their own
+  bounded --memory '--memory 200 MiB did not do: stopped after ' --memory 200 '# {s : ℙ (1‥19) | # s > 3}'
+  bounded --memory '--memory 300 MiB did not do: stopped after ' --memory 300 '# {x, y : 1‥2000 | x < y}'
+fi
 export ASAN_OPTIONS=detect_leaks=0  # what numbers held when one outgrew memory is not freed
-refused 'memory ran out; expected a smaller input' spec eval "let a == 3 • $squares a"
+bounded --memory '--memory ' "let a == 3 • $squares a"
+bounded --memory '--memory 64 MiB did not do' --memory 64 "let a == 3 • $squares a"
 unset ASAN_OPTIONS
+refused 'spec eval: --memory 63: no whole number from 64 to ' spec eval --memory 63 1
 run 0 spec eval --help
 has out '"a-b"'
 
@@ -133,6 +153,8 @@ has out "│ Escena '"
 refused "EXPR:1:1: Punto' is not declared; expected Punto ' (Punto~' in LaTeX) for the decoration of the schema Punto" spec eval "Punto'"
 refused 'NAME:1:1: the text declares no nadie; expected' spec show nadie
 refused 'NAME:1:1: the text declares no Δnadie; expected' spec show Δnadie
+refused 'NAME:1:1: the text declares no Escna; expected Escena' spec show Escna
+refused 'NAME:1:1: the text declares no Escena.inv.11; expected Escena.inv.1' spec show Escena.inv.11
 
 # edit --by-spec: the text decides the same.
 cat >operations <<'OPERATIONS'

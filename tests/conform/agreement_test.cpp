@@ -1,6 +1,7 @@
 // Right hits agree with the samples; an engine that errs on one ray in many is found out, by number and ray.
 #include "durero/conform/agreement.hpp"
 
+#include "durero/io/scene_file.hpp"
 #include "durero/trace/analytic.hpp"
 #include "support/catch.hpp"
 #include "support/scenes.hpp"
@@ -106,4 +107,31 @@ TEST_CASE("a scene without elements has no rays") {
   const Agreement all = agreement(scene, analytic(scene), 1000, 1);
   CHECK(all.rays() == 0);
   CHECK_FALSE(all.first);
+}
+
+TEST_CASE("as JSON: how many rays had which verdict, and the first that is wrong, with the places of its elements") {
+  const io::Source file("s.json", R"({"format":"durero-scene","version":1,"elementos":[
+{"id":"b","tipo":"esfera","centro":[9,0,0],"radio":1},
+{"id":"a","tipo":"esfera","centro":[0,0,0],"radio":1}]})");
+  const scene::Scene scene = io::read_scene(file);
+  const conform::AgreementCall call{file, scene, "analytic", 7};
+  const std::string right = agreement_json(agreement(scene, analytic(scene), 100, 7), call);
+  CHECK(right.find(R"("file":"s.json","engine":"analytic","seed":7,"rays":100,"ok":true)") != right.npos);
+  CHECK(right.find(R"("incomplete":0,"unsound":0})") != right.npos);
+  CHECK(right.find(R"("findings":[])") != right.npos);
+
+  const auto moved = [&](std::span<const scene::Query> queries) {
+    std::vector<scene::Hit> hits(queries.size());
+    for (scene::Hit& hit : hits) hit = {model::Resultado::hit, 1, {100, 0, 0}, {*scene.find("a")}};
+    return hits;
+  };
+  const Agreement all = agreement(scene, moved, 3, 7);
+  REQUIRE(all.first);
+  CHECK(all.first->claimed.punto.x == 100);
+  const std::string wrong = agreement_json(all, call);
+  for (const char* part :
+       {R"("ok":false)", R"({"label":"incomplete","predicate":"where the ray meets)", R"("ray":0,"p":[)",
+        R"("claimed":{"outcome":"hit","elementos":["a"],"t":1,"point":[100,0,0]})",
+        R"("elementos":[{"id":"a","pointer":"/elementos/1","line":3,"column":1}])"})
+    CHECK(wrong.find(part) != wrong.npos);
 }

@@ -75,7 +75,8 @@ TEST_CASE("what is wrong in a campaign is said at its place") {
   CHECK(refusal(whole, "embree", "embree4") == "nothing is wrong");
   CHECK(refusal(whole, "durero-campaign", "durero-suite") ==
         "c.json:1:11: format is \"durero-suite\"; expected \"durero-campaign\"");
-  CHECK(refusal(whole, "\"version\":1", "\"version\":2") == "c.json:1:39: version is 2; expected 1");
+  CHECK(refusal(whole, "\"version\":1", "\"version\":2") ==
+        "c.json:1:39: version 2 of durero-campaign; expected 1 (written by a newer durero?)");
   CHECK(refusal(whole, "\"embree\"", "\"\"") == "c.json:1:50: system is empty; expected some text");
   CHECK(refusal(whole, "\"seed\":3", "\"seed\":-3") == "c.json:1:66: seed is -3; expected a whole number up to 2^53");
   CHECK(refusal(whole, ":1000", ":0.5") == "c.json:1:86: rays_of_a_shard is 0.5; expected a whole number up to 2^53");

@@ -99,7 +99,8 @@ struct Surface {
 template <class Shape>
 Surface surface(scene::ElementRef e, const Shape& shape) {
   using number::exact;
-  Surface of{.e = e};
+  Surface of;
+  of.e = e;
   if constexpr (requires { shape.centro; }) of.centro = Surface::exact(shape.centro);
   if constexpr (requires { shape.vector; }) of.vector = Surface::exact(shape.vector);
   if constexpr (requires { shape.radio; }) of.radio = exact(shape.radio);

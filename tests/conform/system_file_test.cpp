@@ -122,7 +122,8 @@ TEST_CASE("what is wrong in a system's file is said at its place") {
   CHECK(refusal("S 1", "S 2") == "nothing is wrong");
   CHECK(refusal("durero-system", "durero-scene") ==
         file + "1:11: format is \"durero-scene\"; expected \"durero-system\"");
-  CHECK(refusal("\"version\":1", "\"version\":2") == file + "1:37: version is 2; expected 1");
+  CHECK(refusal("\"version\":1", "\"version\":2") ==
+        file + "1:37: version 2 of durero-system; expected 1 (written by a newer durero?)");
   CHECK(refusal("\"s\"", "\"t\"") == file + "1:48: system is \"t\"; expected \"s\"");
   CHECK(refusal("debian", "cpan").starts_with(file + "2:12: unknown key \"cpan\" in install; expected one of debian"));
   CHECK(refusal("[\"c==1\"]", "[]") == file + "2:38: pypi is empty; expected one string at least");

@@ -30,8 +30,13 @@ case $way in
       fail "no program by pkg-config"
     "$work/edit" | cmp -s - "$work/edit.said" || fail "another answer by pkg-config"
     # The installed program has the systems that were installed with it.
-    "$prefix/bin/durero" conform setup --help >/dev/null
-    [ -f "$prefix/share/durero/systems/embree/embree.json" ] || fail "no systems installed" ;;
+    (cd "$work" && "$prefix/bin/durero" conform setup nothing) >"$work/log" 2>&1 || true
+    grep -q 'expected one of .*embree' "$work/log" || fail "no systems installed"
+    # Its manual, and what completes its calls.
+    for file in man/man1/durero.1 man/man1/durero-conform-run.1 bash-completion/completions/durero \
+      zsh/site-functions/_durero fish/vendor_completions.d/durero.fish; do
+      grep -q durero "$prefix/share/$file" || fail "no $file installed"
+    done ;;
   subdirectory) programs -DDURERO_SOURCE="$root" ;;
   shared)
     { cmake -S "$root" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=ON -DDURERO_TESTS=OFF \

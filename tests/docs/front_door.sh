@@ -26,9 +26,9 @@ one_line() { [ "$(wc -l <complaint)" = 1 ] || fail "not one line"; }
 for word in help --help -h ''; do
   # shellcheck disable=SC2086  # without a word there is no argument
   x 0 $word
-  for command in demo test bench lint build; do says said "./x $command "; done
+  for command in demo test bench lint build package reference; do says said "./x $command "; done
 done
-"$durero" --help | sed -n '/^Subcommands:/,$s/^  \([a-z]*\) .*/\1/p' >commands
+"$durero" --help | sed -n 's/^  \([a-z][a-z]*\)  .*/\1/p' >commands
 [ -s commands ] || fail "the program has no commands"
 while read -r command; do says said "$command"; done <commands
 x 2 tset; says complaint 'expected test'; one_line
@@ -41,9 +41,10 @@ door=./bin/front-door x 0 help
 says said 'The front door'
 rm bin/front-door
 
-# Programs that write their arguments. No Debian: dpkg-query is absent.
-stub() { printf '#!/bin/sh\n%s\n' "$2" >"bin/$1"; chmod +x "bin/$1"; }
-for program in sh wc chmod sed awk dirname readlink cat grep tail head mkdir rm id nproc setsid sleep mktemp; do
+# Programs that write their arguments. No Debian: dpkg-query is absent. A stub takes the place of a link: written through
+# it, the program of the machine would be lost.
+stub() { rm -f "bin/$1"; printf '#!/bin/sh\n%s\n' "$2" >"bin/$1"; chmod +x "bin/$1"; }
+for program in sh wc chmod sed awk tr dirname readlink cat grep tail head mkdir rm id nproc setsid sleep mktemp; do
   ln -sf "$(command -v $program)" "bin/$program"
 done
 PATH=$tmp/bin
@@ -71,10 +72,29 @@ grep -q ' coq' packages && fail "Coq was asked for"
 says called '-LE proofs'
 says complaint 'without Coq'
 
+# How far a build is, on a terminal; and what failed of it.
+stub cmake 'echo cmake version 3.25.1; [ "$1" != --build ] || { echo "@30 300 61.0@ Building"; sleep 3; echo "@31 300 64.0@ Linking"; exit 1; }'
+script=$(PATH=/usr/bin:/bin command -v script)
+called='build, on a terminal'
+"$script" -qec "./tree/x build" /dev/null >said 2>complaint </dev/null || :
+says said 'building: 30 of 300, 9 min left'
+says said 'Linking'
+says said 'the build failed; the whole log is'
+grep -q '^@31' said && fail "it shows how far ninja was in the words meant for x"
+
+# What is installed, and how much that is.
+stub cmake 'echo cmake version 3.25.1'
+stub dpkg-query 'case "$*" in *libpng-dev*) ;; *) echo install ok installed ;; esac'
+stub id 'echo 0'
+stub apt-get 'echo "0 upgraded, 12 newly installed, 0 to remove and 3 not upgraded."
+echo "Need to get 3456 kB of archives."
+echo "After this operation, 17.2 MB of additional disk space will be used."'
+x 0 build
+says complaint 'installing libpng-dev (12 newly installed, 3456 kB to fetch, 17.2 MB of additional disk space will be used)'
+
 # Packages that cannot be installed.
 stub dpkg-query 'echo'
 stub apt-get 'echo "E: Could not resolve host" >&2; exit 100'
-stub id 'echo 0'
 x 2 build
 says complaint 'is there a network? apt-get said: E: Could not resolve host'
 stub id 'echo 1000'

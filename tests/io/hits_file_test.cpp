@@ -11,6 +11,7 @@
 #include "malformed.hpp"
 #include "random_scene.hpp"
 #include "support/catch.hpp"
+#include "support/folder.hpp"
 #include "support/property.hpp"
 
 using namespace durero;
@@ -113,17 +114,49 @@ TEST_CASE("Hits stand one a line, however the lines end") {
         "ray is -1; expected the number of a ray, from 0");
 }
 
-TEST_CASE("Hits are written in the format that the file's name tells") {
+TEST_CASE("Hits are written in the format that the file's name tells, in whatever parts they come") {
+  test::property("any hits, any parts", [] {
+    const scene::Scene scene = three_elements();
+    const scene::Hit some[] = {{Resultado::hit, 4, {1, 2, 3}, elements(scene, {"a", "B"})},
+                               {},
+                               {Resultado::no_minimum, 0, {}, elements(scene, {"c"})},
+                               {Resultado::hit, infinity, {-0.0, 2, 3}, elements(scene, {"B"})}};
+    std::vector<scene::Hit> hits;
+    std::string text;
+    const test::Folder folder;
+    io::HitWriter npy(folder.file("hits.npy")), lines(folder.file("hits.jsonl"));
+    for (int part = *rc::gen::inRange(0, 4); part > 0; --part) {
+      std::vector<scene::Hit> more(*rc::gen::inRange<std::size_t>(0, 5));
+      for (scene::Hit& hit : more) hit = some[*rc::gen::inRange<std::size_t>(0, 4)];
+      npy.write(more, scene);
+      lines.write(more, scene);
+      for (const scene::Hit& hit : more) {
+        text += io::hit_text(hits.size(), hit, scene) + "\n";
+        hits.push_back(hit);
+      }
+    }
+    RC_ASSERT(folder.files() == 2);  // of which neither has its name
+    RC_ASSERT_FALSE(std::filesystem::exists(folder.file("hits.npy")));
+    npy.commit();
+    lines.commit();
+    RC_ASSERT(folder.files() == 2);
+    RC_ASSERT(io::read_source(folder.file("hits.npy")).text() == io::hits_npy(hits, scene));
+    RC_ASSERT(io::read_source(folder.file("hits.jsonl")).text() == text);
+  });
+}
+
+TEST_CASE("Many rows of .npy are written as few are") {
   const scene::Scene scene = three_elements();
-  const scene::Hit hits[] = {{Resultado::hit, 4, {1, 2, 3}, elements(scene, {"a", "B"})}, {}};
-  const auto folder = std::filesystem::temp_directory_path() / ("durero_hits_" + std::to_string(::getpid()));
-  std::filesystem::create_directory(folder);
-  io::write_hits(folder / "hits.npy", hits, scene);
-  io::write_hits(folder / "hits.jsonl", hits, scene);
-  CHECK(io::read_source(folder / "hits.npy").text() == io::hits_npy(hits, scene));
-  CHECK(io::read_source(folder / "hits.jsonl").text() ==
-        io::hit_text(0, hits[0], scene) + "\n" + io::hit_text(1, hits[1], scene) + "\n");
-  std::filesystem::remove_all(folder);
+  const test::Folder folder;
+  std::vector<scene::Hit> hits(70'000);  // more than is read of the rows, and written, at once
+  for (std::size_t i = 0; i < hits.size(); i += 3)
+    hits[i] = {Resultado::hit, double(i), {1, 2, 3}, elements(scene, {"a"})};
+  hits[69'000].elementos = elements(scene, {"a", "B", "c"});
+  hits[69'000].resultado = Resultado::no_minimum;
+  io::HitWriter npy(folder.file("hits.npy"));
+  npy.write(hits, scene);
+  npy.commit();
+  CHECK(io::read_source(folder.file("hits.npy")).text() == io::hits_npy(hits, scene));
 }
 
 TEST_CASE("A malformed hit is an error with its place") {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "arriving.hpp"
 #include "support/catch.hpp"
 #include "support/doubles.hpp"
 #include "support/property.hpp"
@@ -35,6 +36,28 @@ std::string bytes(const std::vector<double>& values, bool big = false) {
 
 std::vector<double> read(const std::string& text, std::size_t columns) {
   return read_npy(Source("f.npy", text), columns);
+}
+
+// The rows of a table as they come.
+std::vector<double> arriving(io::Input& input, std::size_t columns) {
+  io::NpyReader table(input, columns);
+  std::vector<double> all, rows;
+  while (table.next(rows)) all.insert(all.end(), rows.begin(), rows.end());
+  return all;
+}
+
+// What is wrong with a table that comes through a pipe.
+std::string error_of_pipe(const std::string& text, std::size_t columns) {
+  test::Pipe pipe;
+  pipe.write(text);
+  pipe.close();
+  io::Input input("f.npy", pipe.out());
+  try {
+    arriving(input, columns);
+  } catch (const io::InputError& error) {
+    return error.what();
+  }
+  return "";
 }
 
 }  // namespace
@@ -94,4 +117,72 @@ TEST_CASE("What is no table of float64 of that width is refused") {
 TEST_CASE("Every prefix of a table is refused") {
   const std::string text = npy_head("'<f8'", "(2, 3)") + bytes({1, 2, 3, 4, 5, 6});
   for (std::size_t n = 0; n < text.size(); ++n) CHECK_THROWS_AS(read(text.substr(0, n), 3), io::InputError);
+}
+
+TEST_CASE("A table that arrives in blocks is the table, in either order") {
+  test::property("any table, any blocks", [] {
+    const auto columns = *rc::gen::inRange<std::size_t>(1, 7);
+    const auto rows = *rc::gen::inRange<std::size_t>(0, 9);
+    const auto values = *rc::gen::container<std::vector<double>>(rows * columns, test::anyFinite());
+    const bool fortran = *rc::gen::arbitrary<bool>(), big = *rc::gen::arbitrary<bool>();
+    const std::string text =
+        file("{'descr': '" + std::string(big ? ">" : "<") + "f8', 'fortran_order': " + (fortran ? "True" : "False") +
+                 ", 'shape': (" + std::to_string(rows) + ", " + std::to_string(columns) + ")}",
+             bytes(values, big));
+    const std::vector<double> whole = read(text, columns);
+    io::Input input("f.npy", test::file_of(text), *rc::gen::inRange<std::size_t>(1, 200));
+    RC_ASSERT(arriving(input, columns) == whole);
+    test::Pipe pipe;
+    pipe.write(text);
+    pipe.close();
+    io::Input piped("f.npy", pipe.out(), *rc::gen::inRange<std::size_t>(1, 200));
+    RC_ASSERT(arriving(piped, columns) == whole);
+  });
+}
+
+TEST_CASE("A row is read when it has come, and the end is waited for behind the last") {
+  test::Pipe pipe;
+  pipe.write(npy_head("'<f8'", "(2, 3)") + bytes({1, 2, 3, 4}));
+  io::Input input("f.npy", pipe.out());
+  io::NpyReader table(input, 3);
+  std::vector<double> rows;
+  REQUIRE(table.next(rows));
+  CHECK(rows == std::vector<double>{1, 2, 3});
+  pipe.write(bytes({5, 6}));
+  REQUIRE(table.next(rows));
+  CHECK(rows == std::vector<double>{4, 5, 6});
+  pipe.close();
+  CHECK_FALSE(table.next(rows));
+}
+
+TEST_CASE("A table from a pipe that is cut, or goes on behind its end, is refused with the words of a file") {
+  const std::string text = npy_head("'<f8'", "(2, 3)") + bytes({1, 2, 3, 4, 5, 6});
+  for (std::size_t n = 0; n < text.size(); ++n) {
+    INFO(n);
+    std::string error;
+    try {
+      read(text.substr(0, n), 3);
+    } catch (const io::InputError& thrown) {
+      error = thrown.what();
+    }
+    CHECK(error != "");
+    CHECK(error_of_pipe(text.substr(0, n), 3) == error);
+  }
+  CHECK(error_of_pipe(text + "behind", 3) == "f.npy:1:1: 54 bytes of data; expected 2 rows of 3 float64");
+}
+
+TEST_CASE("A regular file of another size is refused before a row of it is read") {
+  const std::string head = npy_head("'<f8'", "(2, 3)");
+  for (const std::size_t count : {4U, 7U}) {
+    io::Input input("f.npy", test::file_of(head + bytes(std::vector<double>(count, 1))), 16);
+    CHECK_THROWS_WITH(io::NpyReader(input, 3), Catch::Contains(std::to_string(8 * count) + " bytes of data; expected"));
+  }
+}
+
+TEST_CASE("A head of no known version is refused though its length never comes") {
+  test::Pipe pipe;
+  pipe.write(std::string("\x93NUMPY\x09", 7));
+  io::Input input("f.npy", pipe.out());
+  pipe.write("\1\2\3\4\5");
+  CHECK_THROWS_WITH(io::NpyReader(input, 3), "f.npy:1:1: .npy version 9; expected 1, 2 or 3");
 }

@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "arriving.hpp"
 #include "durero/io/npy.hpp"
 #include "malformed.hpp"
 #include "random_scene.hpp"
@@ -36,6 +37,24 @@ io::Ray any_ray(const scene::Scene& scene) {
   }
   std::sort(ray.en.begin(), ray.en.end());
   return ray;
+}
+
+// The rays of an input as they come, and what ends it where that is an error.
+struct Arrived {
+  std::vector<io::Ray> rays;
+  std::string error;
+};
+
+Arrived arrived(io::Input& input, const scene::Scene& scene) {
+  Arrived all;
+  std::vector<io::Ray> rays;
+  try {
+    io::RayReader reader(input, scene);
+    while (reader.next(rays)) all.rays.insert(all.rays.end(), rays.begin(), rays.end());
+  } catch (const io::InputError& error) {
+    all.error = error.what();
+  }
+  return all;
 }
 
 }  // namespace
@@ -110,4 +129,72 @@ TEST_CASE("No damage to rays does worse than an error") {
   const scene::Scene scene = three_spheres();
   const std::string npy = io::rays_npy(read(text));
   CHECK(test::refused_after_damage(npy, 20000, reading) > 5000);
+}
+
+TEST_CASE("Rays that arrive in blocks are the rays, and an error keeps its place and its words") {
+  test::property("any lines, any blocks", [] {
+    const scene::Scene scene = three_spheres();
+    const auto line = rc::gen::element<std::string>("0 0 0 1 0 0", "-2.5 0x1p3 1e3 0 1 0 @b @a", "# ñandú ∉", "", " \t",
+                                                    "1 2 3 4 5 6 # ∉", "0 0 0 1 0", "0 0 0 0 0 0", "ñ 0 0 1 0 0");
+    const auto end = rc::gen::element<std::string>("\n", "\r\n", "\r");
+    std::string text;
+    for (const auto& [l, e] :
+         *rc::gen::container<std::vector<std::pair<std::string, std::string>>>(rc::gen::pair(line, end)))
+      text += l + e;
+    if (*rc::gen::arbitrary<bool>()) text += *line;
+    std::vector<io::Ray> whole;
+    const std::string error =
+        test::error_of(text, [&](const io::Source& source) { whole = io::read_rays(source, scene); });
+    io::Input input("f", test::file_of(text), *rc::gen::inRange<std::size_t>(1, 40)), at_once("f", test::file_of(text));
+    const Arrived all = arrived(input, scene);
+    RC_ASSERT(all.error == error);
+    RC_ASSERT(all.rays == arrived(at_once, scene).rays);
+    if (error.empty()) RC_ASSERT(all.rays == whole);
+  });
+}
+
+TEST_CASE("The rays before a bad one are given, and then the error") {
+  const scene::Scene scene = three_spheres();
+  const std::string good = "0 0 0 1 0 0\n# two\n1 0 0 1 0 0\n";
+  io::Input input("f", test::file_of(good + "x\n2 0 0 1 0 0\n"));
+  const Arrived all = arrived(input, scene);
+  CHECK(all.rays == read(good));
+  CHECK(all.error == "f:4:1: \"x\" in a ray; expected a finite number");
+}
+
+TEST_CASE("Rays of .npy that arrive in blocks are the rays, and an error keeps its place") {
+  const scene::Scene scene = three_spheres();
+  std::string npy = io::rays_npy(read("0 0 0 1 0 0\n1 2 3 4 5 6\n0 1 0 0 0 1\n"));
+  const auto whole = io::read_rays(io::Source("f.npy", npy), scene);
+  std::string wrong = npy.substr(0, npy.size() - 8);
+  io::append_binary64(wrong, std::numeric_limits<double>::infinity());
+  for (const std::size_t block : {1U, 7U, 8U, 48U, 50U, 1000U}) {
+    io::Input input("f.npy", test::file_of(npy), block);
+    CHECK(arrived(input, scene).rays == whole);
+    io::Input bad("f.npy", test::file_of(wrong), block);
+    const Arrived all = arrived(bad, scene);
+    CHECK(all.rays == std::vector<io::Ray>(whole.begin(), whole.begin() + 2));
+    CHECK(all.error == "f.npy:3:6: inf; expected a finite number");
+  }
+}
+
+TEST_CASE("A ray is read when its line has come, whatever ends the line") {
+  const scene::Scene scene = three_spheres();
+  test::Pipe pipe;
+  io::Input input("p", pipe.out());
+  pipe.write("0 0 0 1 0 0\n1 0 ");
+  io::RayReader reader(input, scene);
+  std::vector<io::Ray> rays;
+  REQUIRE(reader.next(rays));
+  CHECK(rays == read("0 0 0 1 0 0"));
+  pipe.write("0 0 0 1\r");
+  REQUIRE(reader.next(rays));
+  CHECK(rays == read("1 0 0 0 0 1"));
+  pipe.write("\n2 0 0 0 0 1 @a\r");
+  do {
+    REQUIRE(reader.next(rays));
+  } while (rays.empty());
+  CHECK(rays == read("2 0 0 0 0 1 @a"));
+  pipe.write("3 0 0 0 0 x\r\n");
+  CHECK_THROWS_WITH(reader.next(rays), "p:4:11: \"x\" in a ray; expected a finite number");
 }

@@ -86,7 +86,7 @@ TEST_CASE("A scene is read alike however its lines end") {
   std::string cr = sample;
   std::ranges::replace(cr, '\n', '\r');
   CHECK(io::scene_text(io::read_scene(io::Source("f", cr))) == sample);
-  CHECK(error_at("{\r\"format\":\"durero-scene\",\r\n\"version\":^2}") == "version is 2; expected 1");
+  CHECK(error_at("{\r\"format\":\"durero-scene\",\r\n\"version\":^0}") == "version is 0; expected 1");
 }
 
 TEST_CASE("A scene's numbers may have more digits than RapidJSON's own arithmetic holds") {
@@ -176,7 +176,10 @@ TEST_CASE("Errors of the other parts stand at their value or key") {
       {"^{}", "key \"format\" is missing in a scene; expected it"},
       {R"(^{"format":"durero-scene","version":1})", "key \"elementos\" is missing in a scene; expected it"},
       {R"({"format":^"obj"})", "format is \"obj\"; expected \"durero-scene\""},
-      {R"({"format":"durero-scene","version":^2})", "version is 2; expected 1"},
+      {R"({"format":"durero-scene","version":^2})",
+       "version 2 of durero-scene; expected 1 (written by a newer durero?)"},
+      {R"({"layers":[],"elementos":7,"version":^2,"format":"durero-scene"})",
+       "version 2 of durero-scene; expected 1 (written by a newer durero?)"},
       {R"({"format":"durero-scene","version":^"1"})", "version is a string; expected a number"},
       {R"({"format":"durero-scene","version":1,"elementos":^{}})", "elementos is an object; expected an array"},
       {with_part(R"(^"elements":[])"),

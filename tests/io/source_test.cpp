@@ -1,5 +1,6 @@
 #include "durero/io/source.hpp"
 
+#include "durero/contract/contract.hpp"
 #include "support/catch.hpp"
 
 using namespace durero::io;
@@ -23,6 +24,20 @@ TEST_CASE("An error is one line: place, what is wrong, what is expected") {
   } catch (const InputError& error) {
     CHECK(std::string(error.what()) == "scene.json:2:3: radio is 0; expected r > 0");
     CHECK(error.place() == Place{2, 3});
+    CHECK(error.message() == "radio is 0; expected r > 0");
+    CHECK(error.offset() == 4);
+    CHECK(error.broken() == nullptr);
+  }
+}
+
+TEST_CASE("An error may name the clause that is broken; its message begins behind any name") {
+  const durero::contract::clause clause{"Rmas.inv.1", "r > 0"};
+  try {
+    Source("a\n: b.json", "").fail(0, "radio is 0", "expected r > 0", &clause);
+    FAIL("nothing was thrown");
+  } catch (const InputError& error) {
+    CHECK(error.broken() == &clause);
+    CHECK(error.message() == "radio is 0; expected r > 0");
   }
 }
 

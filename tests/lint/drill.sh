@@ -22,7 +22,8 @@ sees() {
 }
 clean=$(git write-tree)  # the tree without any fault
 
-for rule in layers edges independence stems house labels mutants z_text specified draws; do
+for rule in layers edges independence stems house labels mutants z_text specified draws requirements standard_output packages \
+  versions reference; do
   sh "$here/$rule.sh" >/dev/null 2>&1 || { echo "drill: $rule.sh fails before any fault is planted"; missed=$((missed + 1)); }
 done
 
@@ -98,10 +99,42 @@ sed -i '0,/^file src\/trace/s/^file src\/trace/file src\/elsewhere/' tests/mutan
 sees mutants "a mutant of a file that is gone"
 sed -i 's/^- if (of_D < 0) return {};/- if (of_D < 1) return {};/' tests/mutants/mutants.txt
 sees mutants "a mutant whose text is gone"
+sed -i 's/^build_packages="/&libhdf5-dev /' x
+sees packages "a package whose licence nobody names"
+sed -i 's/ libgmp-dev,//' debian/control
+sees packages "a package that the build needs and Debian's does not install"
+sed -i 's/^#include <CGAL\/Polygon_2_algorithms.h>/#include <CGAL\/Nef_polyhedron_3.h>/' src/io/triangulation.cpp
+sees packages "a header of CGAL whose licence nobody names"
+sed -i 's/^durero (0\./durero (9./' debian/changelog
+sees versions "a Debian package of another version"
+sed -i 's/^version: 0\./version: 9./' CITATION.cff
+sees versions "a citation of another version"
+sed -i 's/^## \[0\./## [9./' CHANGELOG.md
+sees versions "a changelog of another version"
+sed -i 's/find_package(durero 0\./find_package(durero 9./' docs/library.md
+sees versions "a page that asks for another version"
 echo 'model::Punto f(test::Random& random) { return model::Punto(random.sign(), random.sign(), 0); }' >>tests/oracle/sampled_test.cpp
 sees draws "two draws in the arguments of a call"
 echo 'double f(test::Random& random) { return random.sign() - half(random); }' >>tests/oracle/sampled_test.cpp
 sees draws "two draws on the sides of an operator"
+sed -i 's/ libpng-dev / libpng-dev libtiff-dev /' x
+sees requirements "a package that README does not name"
+sed -i '/^| tests |/s/ catch2 / catch2 libcppunit-dev /' README.md
+sees requirements "a requirement that x does not install"
+echo 'void f() { fmt::print("lost where nobody reads"); }' >>src/cli/check.cpp
+sees standard_output "a command that prints what may be lost"
+echo 'void f() { std::cout << 1; }' >>src/cli/check.cpp
+sees standard_output "a command that prints through iostreams"
+if command -v doxygen >/dev/null 2>&1; then
+  sed -i 's/^  \/\/\/ #elementos$//' include/durero/scene/scene.hpp
+  sees reference "a public name without a sentence"
+  sed -i 's/^\/\/\/ r \* r (cuadrado/\/\/\/ \\no_such_command (cuadrado/' include/durero/model/puntos.hpp
+  sees reference "a command that Doxygen does not know"
+  sed -i "s/^later='/&surface /" tests/lint/reference.sh
+  sh tests/lint/reference.sh >/dev/null 2>&1 && { echo "drill: reference.sh does not see a layer without a gap in its list"; missed=$((missed + 1)); }
+  drills=$((drills + 1))
+  git read-tree -u --reset "$clean"
+fi
 if command -v clang-format-16 >/dev/null 2>&1; then
   printf 'int  f( ){return 0 ;}\n' >>src/oracle/sampled.cpp
   sees format "another layout"

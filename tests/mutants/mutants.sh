@@ -14,6 +14,8 @@ root=$(CDPATH='' cd -- "$here/../.." && pwd)
 build=$(CDPATH='' cd -- "$1" && pwd) || exit 2
 list=${MUTANTS:-$here/mutants.txt}
 work=${MUTANTS_WORK:-$build/mutants}
+DURERO_SYSTEMS=$root/systems  # which a program elsewhere than in its build does not find
+export DURERO_SYSTEMS
 shift
 
 # field NAME KEY: what stands behind the key in the block of that mutant.

@@ -128,3 +128,28 @@ TEST_CASE("every engine that honours origins draws the same image") {
     CHECK(render::render(scene, *row.prepare(scene)).rgb == truth.rgb);
   }
 }
+
+TEST_CASE("a crop has the pixels that the whole picture has there, whatever its size") {
+  scene::Scene scene = lit_ball();
+  scene.stage().camera = scene::Camera{{0, 2, -5}, {0, 0, 0}, {0, 1, 0}, 45};
+  scene.stage().resolution = scene::Resolution{3, 2};
+  const auto engine = engine::find("analytic")->prepare(scene);
+  const render::Frame whole{.size = scene::Resolution{32, 24}};
+  const render::Image image = render::render(scene, *engine, {}, whole);
+  CHECK(image.resolution == scene::Resolution{32, 24});
+  for (const render::Crop& crop : {render::Crop{10, 5, {12, 11}}, {31, 23, {1, 1}}, {0, 0, {32, 24}}}) {
+    const render::Image part = render::render(scene, *engine, {}, {whole.size, crop});
+    REQUIRE(part.resolution == crop.size);
+    for (std::uint32_t y = 0; y < crop.size.height; ++y) {
+      const auto* const row = &image.rgb[((crop.y + y) * std::size_t{32} + crop.x) * 3];
+      CHECK(std::equal(row, row + crop.size.width * 3, &part.rgb[y * std::size_t{crop.size.width} * 3]));
+    }
+  }
+  for (const render::Crop& crop : {render::Crop{32, 0, {1, 1}},
+                                   {0, 24, {1, 1}},
+                                   {1, 0, {32, 1}},
+                                   {0, 1, {1, 24}},
+                                   {0, 0, {0, 1}},
+                                   {1, 1, {0xFFFFFFFF, 1}}})
+    CHECK_THROWS_AS(render::render(scene, *engine, {}, {whole.size, crop}), std::out_of_range);
+}

@@ -1,4 +1,5 @@
-/* Durero for C, and for every language that can call it: scenes, edits under contract, exact first hits.
+/** \file
+ * Durero for C, and for every language that can call it: scenes, edits under contract, exact first hits.
  *
  * A handle is a pointer to what the library owns. A function that fails says so by its answer, and durero_error() then
  * has one line of text; no exception leaves the library. Handles of different threads are apart; one handle may be read
@@ -14,25 +15,29 @@
 extern "C" {
 #endif
 
+/** A scene: elements and their attributes, edited under contract. */
 typedef struct durero_scene durero_scene;
+/** What answers rays on one scene. */
 typedef struct durero_engine durero_engine;
 
-/** The first point of the ray p + t·v with t > 0. */
+/** The ray of the points p + t·v with t > 0. */
 typedef struct durero_ray {
-  double p[3];
+  double p[3]; /**< its origin, which is no point of it */
   double v[3]; /**< not 0, and of any other length */
 } durero_ray;
 
+/** Whether some point of the ray is met, none is, or none of those that are met is the nearest. */
 typedef enum durero_outcome { DURERO_HIT = 0, DURERO_MISS = 1, DURERO_NO_MINIMUM = 2 } durero_outcome;
 
 /** Primera_Interseccion: t and each coordinate of the point are the exact numbers rounded once; 0 where none is hit. */
 typedef struct durero_hit {
-  durero_outcome outcome;
+  durero_outcome outcome; /**< what the numbers below are of */
   uint32_t elements; /**< how many the point lies on; durero_elements() names them */
-  double t;
-  double point[3];
+  double t;        /**< the parameter of the first point, in lengths of v */
+  double point[3]; /**< the first point */
 } durero_hit;
 
+/** Refused: a precondition of the specification does not hold. Failed: the call itself is wrong. */
 typedef enum durero_answer { DURERO_REFUSED = 0, DURERO_DONE = 1, DURERO_FAILED = -1 } durero_answer;
 
 /** What the last failing call of this thread says, in one line; empty where none has failed. It is valid until the next
@@ -48,6 +53,7 @@ durero_scene *durero_scene_new(void);
 durero_scene *durero_scene_read(const char *path);
 /** Nothing may use the scene any more, no engine either. NULL is permitted. */
 void durero_scene_free(durero_scene *scene);
+/** How many elements it has. */
 size_t durero_scene_size(const durero_scene *scene);
 
 /** Runs one operation, as `durero edit` reads it: "Agregar_Esfera e?=s1 centro?=(0,0,5) radio?=1". DURERO_REFUSED where
@@ -58,6 +64,7 @@ durero_answer durero_apply(durero_scene *scene, const char *operation);
 /** Makes the engine of that name ready for the scene (`durero engines` lists them; NULL is the usual one). The scene must
  * outlive it, unedited. NULL where there is no such engine. */
 durero_engine *durero_engine_new(const durero_scene *scene, const char *name);
+/** NULL is permitted. The scene stays. */
 void durero_engine_free(durero_engine *engine);
 
 /** The first hits of count rays, in order, on every processor. DURERO_FAILED, and nothing written, where a number is not

@@ -7,9 +7,12 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "durero/conform/random.hpp"
+#include "durero/io/source.hpp"
 #include "durero/oracle/sampled.hpp"
 #include "durero/scene/query.hpp"
 
@@ -33,6 +36,7 @@ struct Agreement {
   struct Disagreement {
     std::uint64_t ray;  ///< its number in the stream, from 0
     scene::Query query;
+    scene::Hit claimed;
     oracle::sampled::Verdict verdict;
   };
 
@@ -41,7 +45,7 @@ struct Agreement {
 
   std::uint64_t of(oracle::sampled::Verdict verdict) const { return counts[static_cast<std::size_t>(verdict)]; }
   std::uint64_t rays() const;
-  void add(const scene::Query& query, oracle::sampled::Verdict verdict);
+  void add(const scene::Query& query, const scene::Hit& claimed, oracle::sampled::Verdict verdict);
 };
 
 /// What answers the rays: the first hit of each.
@@ -51,5 +55,17 @@ using FirstHits = std::function<std::vector<scene::Hit>(std::span<const scene::Q
 /// has no rays.
 Agreement agreement(const oracle::sampled::Oracle& oracle, const FirstHits& first_hits, std::uint64_t rays,
                     std::uint64_t seed);
+
+/// What was asked.
+struct AgreementCall {
+  const io::Source& file;  ///< of the scene
+  const scene::Scene& scene;
+  std::string_view engine;
+  std::uint64_t seed;
+};
+
+/// {"format":"durero-agreement","version":1,…}: how many rays had which verdict, and the first whose hit is wrong, with
+/// the places of the elements that it names.
+std::string agreement_json(const Agreement& agreement, const AgreementCall& call);
 
 }  // namespace durero::conform

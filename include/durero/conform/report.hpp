@@ -59,6 +59,9 @@ std::string report_junit(const Report& report);
 std::string report_sarif(const Report& report);
 std::string report_html(const Report& report);
 
+/// Makes the folder where there is none. Throws io::FileError where nothing can be written into it.
+void require_room_for_reports(const std::string& folder);
+
 /// Writes report.json, report.xml (JUnit), report.sarif and report.html into the folder, which is made where there is
 /// none. Throws io::FileError.
 void write_reports(const std::string& folder, const Report& report);

@@ -18,6 +18,7 @@
 /// The bytes depend on the options alone: not on the machine, nor on the number of threads.
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -46,8 +47,10 @@ struct Suite {
 };
 
 /// Writes the suite on as many threads as the calling one may use. The directory appears whole or not at all; one that
-/// exists must be empty. Throws io::FileError.
-std::vector<FamilySummary> write_suite(const std::string& directory, const SuiteOptions& options);
+/// exists must be empty. Throws io::FileError. `before_case` is called before each case is made, on any of the threads;
+/// what it throws ends the work.
+std::vector<FamilySummary> write_suite(
+    const std::string& directory, const SuiteOptions& options, const std::function<void()>& before_case = [] {});
 
 /// Reads a suite. It takes the options, scenes, rays, parameters and solids from the files, and no answer: these are
 /// computed anew, and every file must be what follows. Throws io::InputError at the first place that is not, and

@@ -69,7 +69,9 @@ System read_system(const io::Source& source, const std::string& setups);
 /// Every system of a folder, by name. Throws std::runtime_error where it is no folder, and where two files have a name.
 std::map<std::string, std::string> system_files(const std::string& systems);
 
-/// The systems that come with the sources that this program was built from.
+/// The folder of systems that the variable DURERO_SYSTEMS names; without it, the one that was installed with the
+/// program that runs, or else the one of its sources, which the folder of its build links to as `systems`. Where there
+/// is none: where the installed one would be.
 std::string default_systems();
 /// $XDG_CACHE_HOME/durero/systems, by default in ~/.cache.
 std::string default_setups();
@@ -80,5 +82,7 @@ System find_system(std::string_view name, const std::string& systems, const std:
 /// The profile of a system of the folder, or of a file: a system's, or a profile alone,
 /// {"format":"durero-profile","version":1,"system":NAME,"profile":{…},"sources":[…]}.
 Profile read_profile(const std::string& name_or_file, const std::string& systems);
+/// The profile of such a file. Throws io::InputError.
+Profile read_profile(const io::Source& source);
 
 }  // namespace durero::conform

@@ -19,6 +19,7 @@
 
 namespace durero::contract {
 
+/// What a clause speaks of: the state before an operation, the state after, every state, or a place in the code.
 enum class kind { precondition, postcondition, invariant, assertion };
 
 /// What a clause may cost: `normal` O(1) or O(log n), only what changed; `audit` the whole Z predicate.
@@ -32,9 +33,10 @@ enum class evaluation_semantic { ignore, observe, enforce, quick_enforce };
 /// One predicate of the Z text. The label, `SCHEMA.KIND.NUMBER` (KIND one of pre, post, inv, assert), is its name in
 /// the Z text, the clause, the test that violates it and the theorem that uses it.
 struct clause {
-  std::string_view label;
+  std::string_view label;      ///< such as Agregar_Esfera.pre.2
   std::string_view predicate;  ///< the Z text, in Unicode
 
+  /// What the label says of itself; an assertion where it says none of the others.
   constexpr contract::kind kind() const {
     if (label.find(".pre.") != label.npos) return kind::precondition;
     if (label.find(".post.") != label.npos) return kind::postcondition;
@@ -46,16 +48,19 @@ struct clause {
 /// A clause that did not hold: which, on what values, where, and under which semantic.
 class contract_violation : public std::exception {
  public:
+  /// Of that clause, with the values that `values` prints.
   contract_violation(const clause& broken, std::string values, std::source_location where,
                      evaluation_semantic semantic);
 
+  /// @{ Of the clause that did not hold.
   std::string_view label() const noexcept { return broken_.label; }
   std::string_view predicate() const noexcept { return broken_.predicate; }
   contract::kind kind() const noexcept { return broken_.kind(); }
-  evaluation_semantic semantic() const noexcept { return semantic_; }
-  const std::string& values() const noexcept { return text_->values; }  ///< `name = value, …`, or empty
-  const std::source_location& where() const noexcept { return where_; }
-  const char* what() const noexcept override { return text_->what.c_str(); }
+  /// @}
+  evaluation_semantic semantic() const noexcept { return semantic_; }         ///< under which it was evaluated
+  const std::string& values() const noexcept { return text_->values; }        ///< `name = value, …`, or empty
+  const std::source_location& where() const noexcept { return where_; }       ///< where it was evaluated
+  const char* what() const noexcept override { return text_->what.c_str(); }  ///< all of this in a line
 
  private:
   struct text {
@@ -67,6 +72,7 @@ class contract_violation : public std::exception {
   std::shared_ptr<const text> text_;  // shared, so that copying an exception cannot throw
 };
 
+/// What hears of a violation. Under `enforce` it must not return.
 using violation_handler = void (*)(const contract_violation&);
 
 /// Installs a handler and returns the one before. The default throws the violation under `enforce` and prints
@@ -82,6 +88,7 @@ inline constinit std::atomic<evaluation_semantic> semantics[2] = {evaluation_sem
 inline evaluation_semantic semantic(cost what) noexcept {
   return detail::semantics[static_cast<int>(what)].load(std::memory_order_relaxed);
 }
+/// Sets it, for every thread.
 inline void set_semantic(cost what, evaluation_semantic semantic) noexcept {
   detail::semantics[static_cast<int>(what)].store(semantic, std::memory_order_relaxed);
 }
@@ -92,9 +99,11 @@ inline bool evaluated(cost what) noexcept { return semantic(what) != evaluation_
 /// Sets a semantic for a scope, and puts the one before back.
 class scoped_semantic {
  public:
+  /// Sets `now` for clauses of this cost.
   scoped_semantic(cost what, evaluation_semantic now) noexcept : what_(what), before_(semantic(what)) {
     set_semantic(what, now);
   }
+  /// Puts back what was.
   ~scoped_semantic() { set_semantic(what_, before_); }
   scoped_semantic(const scoped_semantic&) = delete;
   scoped_semantic& operator=(const scoped_semantic&) = delete;
@@ -108,6 +117,7 @@ class scoped_semantic {
 [[gnu::cold]] void report(const clause& broken, std::string values, std::source_location where,
                           evaluation_semantic semantic);
 
+/// For a clause that needs no values to be understood.
 inline constexpr auto no_values = [] { return std::string(); };
 
 /// Evaluates a clause under a semantic that was read before, for clauses that are evaluated together.

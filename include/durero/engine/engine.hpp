@@ -15,6 +15,7 @@
 
 namespace durero::engine {
 
+/// Answers rays on one scene, which must outlive it unedited. Any number of threads may ask it.
 class Engine {
  public:
   virtual ~Engine() = default;
@@ -32,17 +33,20 @@ class Engine {
   Engine& operator=(const Engine&) = default;
 };
 
+/// Engine::first_hits of these queries, in order.
 std::vector<scene::Hit> first_hits(const Engine& engine, std::span<const scene::Query> queries);
+/// Engine::first_hits of one query.
 scene::Hit first_hit(const Engine& engine, const scene::Query& query);
+/// Engine::occluded_segments of one query.
 bool occluded_segment(const Engine& engine, const scene::Query& query);
 
 /// What an engine is called, what it promises, and what makes it ready for a scene, which must outlive it unedited.
 struct Row {
-  std::string_view name;
+  std::string_view name;  ///< on the command line
   std::string_view what;  ///< in a few words
   bool exact_bytes;       ///< its answers are those of `exact`, byte for byte
   bool honours_origins;   ///< it knows of the elements that a ray starts on; otherwise it answers as if there were none
-  std::unique_ptr<const Engine> (*prepare)(const scene::Scene& scene);
+  std::unique_ptr<const Engine> (*prepare)(const scene::Scene& scene);  ///< makes it ready for the scene
 };
 
 /// Every engine, in the order of the ladder.
@@ -50,6 +54,7 @@ std::span<const Row> engines();
 /// Null where no engine has the name.
 const Row* find(std::string_view name);
 
+/// The engine of whoever names none.
 inline constexpr std::string_view default_engine = "analytic";
 
 }  // namespace durero::engine

@@ -16,11 +16,17 @@
 #include <string>
 #include <vector>
 
+#include "durero/io/json_writer.hpp"
+#include "durero/io/output_file.hpp"
 #include "durero/io/source.hpp"
+#include "durero/io/spool.hpp"
 #include "durero/scene/hit.hpp"
 #include "durero/scene/scene.hpp"
 
 namespace durero::io {
+
+/// The members of a hit, into an object: outcome, elementos, and of a hit t and point.
+void write_hit(json::Writer& out, const scene::Hit& hit, const scene::Scene& scene);
 
 /// One line of JSON, without line end.
 std::string hit_text(std::size_t ray, const scene::Hit& hit, const scene::Scene& scene);
@@ -28,8 +34,26 @@ std::string hit_text(std::size_t ray, const scene::Hit& hit, const scene::Scene&
 /// The .npy file of the hits of all rays.
 std::string hits_npy(std::span<const scene::Hit> hits, const scene::Scene& scene);
 
-/// Writes the hits of all rays: .npy where the name of the file ends so, else JSON lines. Throws FileError.
-void write_hits(const std::string& path, std::span<const scene::Hit> hits, const scene::Scene& scene);
+/// Writes the hits of rays as they come: .npy where the name of the file ends so, else JSON lines. Memory does not grow
+/// with their number. The file appears at commit(); where JSON lines go to the standard output, a pipe or a device,
+/// they are there at once. All members throw FileError.
+class HitWriter {
+ public:
+  /// Finds out whether the file can be written.
+  explicit HitWriter(const std::string& path);
+
+  /// The hits of the next rays of the scene.
+  void write(std::span<const scene::Hit> hits, const scene::Scene& scene);
+  void commit();
+
+ private:
+  void write_rows();
+
+  OutputFile out_;
+  std::optional<Spool> rows_{};  // of .npy: its head tells their number and the width of the longest names
+  std::size_t rays_ = 0;
+  std::size_t width_;
+};
 
 /// A hit, and the number of its ray in the ray file (from 0).
 struct RayHit {

@@ -14,6 +14,7 @@
 #include <glm/vec3.hpp>
 #include <initializer_list>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -134,8 +135,13 @@ class Reader {
   /// Passes a value, whatever it is.
   void skip();
 
-  [[noreturn]] void fail(std::size_t offset, const std::string& wrong, const std::string& expected) const {
-    document_->source().fail(offset, wrong, expected);
+  /// A reader that stands on the value of the first member of that name; nothing where there is none, or where no
+  /// object stands here. This one stays where it is.
+  std::optional<Reader> member(std::string_view name) const;
+
+  [[noreturn]] void fail(std::size_t offset, const std::string& wrong, const std::string& expected,
+                         const contract::clause* broken = nullptr) const {
+    document_->source().fail(offset, wrong, expected, broken);
   }
 
  private:

@@ -1,18 +1,22 @@
 #pragma once
 /// An output file that appears whole or not at all.
 
-#include <cstdio>
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "durero/io/temporary.hpp"
 
 namespace durero::io {
 
 /// Writes beside its target under a temporary name, and takes the target's name at commit(): until then, and if
 /// commit() is never reached, the target is as it was and no other file is left. A target that is a symbolic link keeps
 /// being one. "-" and /dev/stdout are the standard output; it, and a target that exists and is no regular file (a pipe,
-/// a device), are written to at commit(). All members throw FileError, one line that names the target.
+/// a device), are streams: what is written to them is there at once. All members throw FileError, one line that names
+/// the target.
 class OutputFile {
  public:
+  /// Finds out whether the target can be written, so it is for the beginning of a work.
   explicit OutputFile(std::string path);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
@@ -24,12 +28,11 @@ class OutputFile {
 
  private:
   [[noreturn]] void refuse(const char* doing, int error) const;
-  void write_all(int file, std::string_view bytes);
+  void open_beside(unsigned permissions);
 
-  std::string path_;       // as the caller names it
-  std::string target_;     // with links followed
-  std::string temporary_;  // empty: nothing to remove
-  std::string direct_;     // the whole text, for a target that is no regular file
+  std::string path_;                    // as messages name it
+  std::string target_;                  // with links followed
+  std::optional<Temporary> temporary_;  // nothing: the target is a stream
   int file_ = -1;
 };
 

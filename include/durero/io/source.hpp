@@ -6,6 +6,10 @@
 #include <string>
 #include <string_view>
 
+namespace durero::contract {
+struct clause;
+}
+
 namespace durero::io {
 
 /// A place in a text: line and column count from 1. Lines end as lines.hpp says. A column is a character: bytes that
@@ -23,9 +27,19 @@ class InputError : public std::runtime_error {
  public:
   InputError(const std::string& file, Place place, const std::string& wrong, const std::string& expected);
   Place place() const noexcept { return place_; }
+  /// The line without file and place.
+  std::string_view message() const noexcept { return std::string_view(what()).substr(message_at_); }
+  /// Which byte of the source stands at the place; 0 where the place is of no Source.
+  std::size_t offset() const noexcept { return offset_; }
+  /// The clause of the Z text that the input breaks; null where it breaks none.
+  const contract::clause* broken() const noexcept { return broken_; }
 
  private:
+  friend class Source;
   Place place_;
+  std::size_t message_at_;
+  std::size_t offset_ = 0;
+  const contract::clause* broken_ = nullptr;
 };
 
 /// A file that cannot be read or written. what() is one line, escaped: `FILE: what is wrong; what is expected`.
@@ -34,21 +48,24 @@ class FileError : public std::runtime_error {
   FileError(const std::string& file, const std::string& wrong, const std::string& expected);
 };
 
-/// A text held whole, and its name in messages.
+/// A text held whole, and its name in messages. Where it is a part of a file, whole lines stand before it.
 class Source {
  public:
-  Source(std::string name, std::string text) : name_(std::move(name)), text_(std::move(text)) {}
+  Source(std::string name, std::string text, std::size_t lines_before = 0)
+      : name_(std::move(name)), text_(std::move(text)), lines_before_(lines_before) {}
   const std::string& name() const noexcept { return name_; }
   std::string_view text() const noexcept { return text_; }
 
-  /// The place of a byte of the text; the end of the text has one too.
+  /// The place of a byte of the text in its file; the end of the text has one too.
   Place place(std::size_t offset) const noexcept;
-  /// Throws InputError at the place of that byte.
-  [[noreturn]] void fail(std::size_t offset, const std::string& wrong, const std::string& expected) const;
+  /// Throws InputError at the place of that byte, with the clause that is broken, if one is.
+  [[noreturn]] void fail(std::size_t offset, const std::string& wrong, const std::string& expected,
+                         const contract::clause* broken = nullptr) const;
 
  private:
   std::string name_;
   std::string text_;
+  std::size_t lines_before_;
 };
 
 /// Reads a whole file; "-" is the standard input. Throws FileError.

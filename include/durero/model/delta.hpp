@@ -12,9 +12,11 @@ namespace durero::model {
 /// size of a component and its value at e?. It refers to the states and does not hold them.
 class Delta {
  public:
+  /// The states before and after, and the price at which they are compared. It outlives none of them.
   Delta(const Escena& before, const Elemento& e, const Escena& after, contract::cost price)
       : before_(before), e_(e), after_(after), whole_(price == contract::cost::audit) {}
 
+  /// The state before.
   const Escena& before() const { return before_; }
 
   /// elementos' = elementos ∪ { e? }

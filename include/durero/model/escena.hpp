@@ -38,6 +38,7 @@ inline constexpr contract::clause Init_post_1{"Init.post.1", "elementos' = ∅"}
 
 /// Escena, component for component. A plain value: its invariants are evaluated by what is declared below.
 struct Escena {
+  /// @{ The component of that name in the text.
   std::set<Elemento> elementos;
   std::set<Tipo> tipos;
   std::map<Elemento, Tipo> de_que_tipo;
@@ -47,6 +48,7 @@ struct Escena {
   std::map<Elemento, Rmas> mi_altura;
   std::map<Elemento, Rmas> mi_proporcion;
   std::map<Elemento, Vertices> mi_vertices;
+  /// @}
 
   bool operator==(const Escena&) const = default;
 };
@@ -54,9 +56,11 @@ struct Escena {
 /// A set of types that is known at compile time, such as { soy_cilindro, soy_cono, soy_tronco }.
 class Tipos {
  public:
+  /// Of those types.
   constexpr Tipos(std::initializer_list<Tipo> types) {
     for (const Tipo t : types) bits_ |= bit(t);
   }
+  /// t ∈ this set.
   constexpr bool contains(Tipo t) const { return (bits_ & bit(t)) != 0; }
 
  private:
@@ -71,9 +75,9 @@ struct Attribute {
   const contract::clause* given;   ///< Con_…: what the general addition asks of the type before it refuses the input;
                                    ///< null where no input is refused
   Tipos types;                     ///< the types that both name
-  std::map<Elemento, Value> Escena::*component;
-  std::string_view word;  ///< radio of mi_radio and of radio?
-  Input input;            ///< input(in) is that input of an addition; no call for one without it
+  std::map<Elemento, Value> Escena::*component;  ///< mi_radio and its like
+  std::string_view word;                         ///< radio of mi_radio and of radio?
+  Input input;                                   ///< input(in) is that input of an addition; no call for one without it
 };
 
 /// As the standard deduces them of an aggregate; Clang 16 does not.

@@ -47,9 +47,11 @@ Puntos interseccion(const Puntos& ps, const Puntos& qs);
 /// A distance, held by its square: its own field is not that of the coordinates. Distances are not negative, so they
 /// are ordered as their squares are.
 struct Distancia {
-  Surd square;
+  Surd square;  ///< not negative
+  /// @{ As their squares are.
   auto operator<=>(const Distancia& other) const { return square <=> other.square; }
   bool operator==(const Distancia& other) const { return square == other.square; }
+  /// @}
 };
 
 /// The root of the sum of the squares of the differences (distancia.def.1). Precondition: a and b lie in one field.
@@ -77,8 +79,8 @@ Puntos puntos_desde(const Escena& escena, const Elemento& e, const ExactPoint& p
 
 /// A set of points of a ray: by membership, as the text has it, and by its parameters.
 struct Alcance {
-  Puntos puntos;
-  Parameters parameters;
+  Puntos puntos;          ///< by membership
+  Parameters parameters;  ///< by the parameters of the ray
 };
 
 /// The points of e that the ray meets, when it starts on the elements `en` (alcance.def.1).
@@ -93,37 +95,40 @@ std::optional<Surd> reduccion(const std::map<Elemento, Alcance>& alcances);
 
 /// rayo?, en? (Pregunta)
 struct Pregunta {
-  Rayo rayo;
-  std::set<Elemento> en;
+  Rayo rayo;              ///< rayo?
+  std::set<Elemento> en;  ///< en?, the elements that its origin lies on
 };
 
 // The outcomes of the closest intersection, each with its outputs.
 
 struct Hay_Interseccion {
-  Resultado resultado;
-  std::set<Elemento> elementos;
-  Surd t;
-  ExactPoint punto;
+  Resultado resultado;           ///< resultado!, which is hit
+  std::set<Elemento> elementos;  ///< elementos!, those that the point lies on
+  Surd t;                        ///< t!, the parameter of the point
+  ExactPoint punto;              ///< punto!, the nearest to the origin of the ray
 };
 
 struct No_Hay_Interseccion {
-  Resultado resultado;
-  std::set<Elemento> elementos;
+  Resultado resultado;           ///< resultado!, which is miss
+  std::set<Elemento> elementos;  ///< elementos!, none
 };
 
 struct No_Hay_Minimo {
-  Resultado resultado;
-  std::set<Elemento> elementos;
+  Resultado resultado;           ///< resultado!, which is no_minimum
+  std::set<Elemento> elementos;  ///< elementos!, those without a nearest point
 };
 
 /// Pregunta.pre.1 and, where Schema is an outcome, its own preconditions.
 Judgements pre(const Escena& escena, const Pregunta& in);
+/// The same with the preconditions of that outcome.
 template <class Schema>
 Judgements pre(const Escena& escena, const Pregunta& in);
 
+/// @{ The postconditions of an outcome, over the inputs and its outputs.
 Judgements post(const Escena& escena, const Pregunta& in, const Hay_Interseccion& out);
 Judgements post(const Escena& escena, const Pregunta& in, const No_Hay_Interseccion& out);
 Judgements post(const Escena& escena, const Pregunta& in, const No_Hay_Minimo& out);
+/// @}
 
 /// The closest intersection (Primera_Interseccion.def.1): the outcome whose preconditions hold, which is always exactly
 /// one. Its postconditions

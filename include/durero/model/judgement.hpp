@@ -9,9 +9,10 @@ namespace durero::model {
 
 /// A clause and whether it holds.
 struct Judgement {
-  const contract::clause* what;
-  bool holds;
+  const contract::clause* what;  ///< the clause, which lives as long as the program
+  bool holds;                    ///< of the values that it was evaluated on
 };
+/// In the order of the text.
 using Judgements = std::vector<Judgement>;
 
 /// Checks every judgement as a contract at this price. `values()` prints what the clauses speak of; it runs only for

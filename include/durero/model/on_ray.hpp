@@ -13,9 +13,9 @@ namespace durero::model {
 
 /// The parameters from a first one to a last one that belongs to it; without a last one, all that are greater.
 struct Interval {
-  Surd first;
-  bool has_first;  ///< false: `first` itself is not one of them
-  std::optional<Surd> last;
+  Surd first;                ///< the lower bound
+  bool has_first;            ///< false: `first` itself is not one of them
+  std::optional<Surd> last;  ///< the upper bound, which is one of them; nothing where there is none
 };
 
 /// { t > 0 | q(t) = 0 ∧ t is in the stretch }: finitely many parameters, or an interval of them.
@@ -23,7 +23,9 @@ struct Parameters {
   std::vector<Surd> points;          ///< ascending, each > 0
   std::optional<Interval> interval;  ///< where q = 0 for every t; `points` is then empty
 
+  /// Whether there is no such parameter.
   bool is_empty() const { return points.empty() && !interval; }
+  /// t ∈ this set.
   bool contains(const Surd& t) const;
   /// The least parameter; nothing where the set is empty, or is an interval without its first one.
   std::optional<Surd> minimum() const;

@@ -30,7 +30,8 @@ struct Agregar_Elemento {
   std::optional<Terna> vertices{};
 
   static constexpr Respuesta answer = Respuesta::elemento_agregado;
-  static constexpr std::string_view schema = "Elemento_Agregado", total = "Agregar_Elemento_Total";
+  static constexpr std::string_view schema = "Elemento_Agregado";
+  static constexpr std::string_view total = "Agregar_Elemento_Total";
 };
 
 /// The general removal (Elemento_Eliminado): the removal of the element's type, with the general answer.
@@ -38,21 +39,26 @@ struct Eliminar_Elemento {
   Elemento e;
 
   static constexpr Respuesta answer = Respuesta::elemento_eliminado;
-  static constexpr std::string_view schema = "Elemento_Eliminado", total = "Eliminar_Elemento_Total";
+  static constexpr std::string_view schema = "Elemento_Eliminado";
+  static constexpr std::string_view total = "Eliminar_Elemento_Total";
 };
 
+/// The operations of the types of a list.
 template <class List>
 struct Operations;
+/// The only list that there is: a tuple.
 template <class... Type>
 struct Operations<std::tuple<Type...>> {
-  using Addition = std::variant<typename Type::Addition...>;
-  using Removal = std::variant<typename Type::Removal...>;
+  using Addition = std::variant<typename Type::Addition...>;  ///< the addition of some type
+  using Removal = std::variant<typename Type::Removal...>;    ///< the removal of some type
+  /// These, and the general ones.
   using Any = std::variant<typename Type::Addition..., Agregar_Elemento, typename Type::Removal..., Eliminar_Elemento>;
 };
 
-/// The additions and the removals of one type, in the order of Tipo.
+/// @{ The additions and the removals of one type, in the order of Tipo.
 using Addition = Operations<Types>::Addition;
 using Removal = Operations<Types>::Removal;
+/// @}
 
 /// Any operation.
 using Operation = Operations<Types>::Any;
@@ -67,8 +73,9 @@ Removal specific(const Escena& escena, const Eliminar_Elemento& general);
 /// What a total operation answers: r!, and where it is an error, the precondition of the partial operation that
 /// does not hold.
 struct Answer {
-  Respuesta r;
-  const contract::clause* violated = nullptr;
+  Respuesta r;                                 ///< r!
+  const contract::clause* violated = nullptr;  ///< null where the operation is done
+  /// Whether the operation is done.
   bool ok() const noexcept { return violated == nullptr; }
   bool operator==(const Answer&) const = default;
 };

@@ -16,14 +16,18 @@ namespace durero::model {
 
 // The errors.
 
+/// The errors of the types of a list.
 template <class List>
 struct Errors;
+/// The only list that there is: a tuple.
 template <class... Type>
 struct Errors<std::tuple<Type...>> {
+  /// Any error: those of every type, then those of one.
   using Any =
       std::variant<Elemento_Ya_Existe, Elemento_No_Existe, Radio_No_Positivo, Vector_No_Unitario, Altura_No_Positiva,
                    Proporcion_No_Positiva, Vertices_Alineados, typename Type::Removal::Denial...>;
 };
+/// Any error.
 using Error = Errors<Types>::Any;
 
 /// No_Es_…, of every type.
@@ -43,6 +47,7 @@ Respuesta apply(const Escena& escena, const Error& error);
 
 /// The error by which a total operation denies a precondition; none where it hides what the precondition speaks of.
 using Refusal = std::optional<Error>;
+/// The refusal of a precondition that the total operation hides.
 inline constexpr std::nullopt_t hidden = std::nullopt;
 
 /// The refusals at which Agregar_Elemento_Total looks: those of the attributes that the type t? has.
@@ -54,9 +59,11 @@ inline constexpr clause Agregar_Elemento_pre_1{"Agregar_Elemento.pre.1", "e? ∉
 inline constexpr clause Agregar_Elemento_post_1{"Agregar_Elemento.post.1", "elementos' = elementos ∪ { e? }"};
 inline constexpr clause Agregar_Elemento_post_2{"Agregar_Elemento.post.2", "de_que_tipo' = de_que_tipo ∪ { e? ↦ t? }"};
 
+/// The addition of one type.
 template <class Op>
 concept AdditionOfType = requires { Op::requirements; };
 
+/// Of the addition of one type.
 template <AdditionOfType Op, class Visit>
 void preconditions(const Op& in, const Escena& s, Visit&& visit) {
   visit(Agregar_Elemento_pre_1, Elemento_Ya_Existe{in.e}, [&] { return !s.elementos.contains(in.e); });
@@ -66,6 +73,7 @@ void preconditions(const Op& in, const Escena& s, Visit&& visit) {
   });
 }
 
+/// @{ Whether that became of the component, by the states of the model.
 template <auto component, auto input>
 bool has_effect(const Joined<component, input>&, const auto& in, const Delta& d) {
   return d.with(component, in.*input);
@@ -78,6 +86,7 @@ template <auto component>
 bool has_effect(const Dropped<component>&, const auto&, const Delta& d) {
   return d.without(component);
 }
+/// @}
 
 /// The part of both additions and removals that stands in model/tipo/, over states of which has_effect(effect, in,
 /// done) is declared where their type is: Delta, or what the compact scene knows of an edit.
@@ -88,6 +97,7 @@ void postconditions_of_type(const Op& in, const Done& done, Respuesta r, Visit&&
   visit(*Op::answers, [&] { return r == Op::answer; });
 }
 
+/// Of the addition of one type.
 template <AdditionOfType Op, class Visit>
 void postconditions(const Op& in, const Delta& d, Respuesta r, Visit&& visit) {
   visit(Agregar_Elemento_post_1, [&] { return d.added(); });
@@ -101,20 +111,24 @@ inline constexpr clause Eliminar_Elemento_pre_1{"Eliminar_Elemento.pre.1", "e? �
 inline constexpr clause Eliminar_Elemento_post_1{"Eliminar_Elemento.post.1", "elementos' = elementos ∖ { e? }"};
 inline constexpr clause Eliminar_Elemento_post_2{"Eliminar_Elemento.post.2", "de_que_tipo' = { e? } ⩤ de_que_tipo"};
 
+/// The removal of one type.
 template <class Op>
 concept RemovalOfType = requires { typename Op::Denial; };
 
+/// Of every removal.
 template <class Visit>
 void preconditions_of_removal(const auto& in, const Escena& s, Visit&& visit) {
   visit(Eliminar_Elemento_pre_1, Elemento_No_Existe{in.e}, [&] { return s.elementos.contains(in.e); });
 }
 
+/// Of the removal of one type.
 template <RemovalOfType Op, class Visit>
 void preconditions(const Op& in, const Escena& s, Visit&& visit) {
   preconditions_of_removal(in, s, visit);
   visit(*Op::is_of_type, typename Op::Denial{in.e}, [&] { return is_of_type(s, in.e, Op::tipo); });
 }
 
+/// Of the removal of one type.
 template <RemovalOfType Op, class Visit>
 void postconditions(const Op& in, const Delta& d, Respuesta r, Visit&& visit) {
   visit(Eliminar_Elemento_post_1, [&] { return d.removed(); });
@@ -126,6 +140,7 @@ void postconditions(const Op& in, const Delta& d, Respuesta r, Visit&& visit) {
 
 inline constexpr clause Elemento_Agregado_post_1{"Elemento_Agregado.post.1", "r! = elemento_agregado"};
 
+/// Of the general addition: those of the type t?, whose error it answers where t? has the attribute.
 template <class Visit>
 void preconditions(const Agregar_Elemento& in, const Escena& s, Visit&& visit) {
   const auto visit_of_type = [&](const clause& what, const Refusal& refusal, auto&& holds) {
@@ -134,6 +149,7 @@ void preconditions(const Agregar_Elemento& in, const Escena& s, Visit&& visit) {
   std::visit([&](const auto& addition) { preconditions(addition, s, visit_of_type); }, specific(in));
 }
 
+/// Of the general addition: those of the type t?, with the general answer.
 template <class Visit>
 void postconditions(const Agregar_Elemento& in, const Delta& d, Respuesta r, Visit&& visit) {
   // Where r! is hidden some answer of the specific addition must do, and its own is the one that does.
@@ -151,6 +167,7 @@ void preconditions(const Eliminar_Elemento& in, const Escena& s, Visit&& visit) 
   preconditions_of_removal(in, s, visit);
 }
 
+/// Of the general removal: those of the type of the element, with the general answer.
 template <class Visit>
 void postconditions(const Eliminar_Elemento& in, const Delta& d, Respuesta r, Visit&& visit) {
   std::visit([&](const auto& removal) { postconditions(removal, d, removal.answer, visit); }, specific(d.before(), in));

@@ -17,6 +17,7 @@ struct Elemento_Ya_Existe {
 inline constexpr clause Elemento_Ya_Existe_pre_1{"Elemento_Ya_Existe.pre.1", "e? ∈ elementos"};
 inline constexpr clause Elemento_Ya_Existe_post_1{"Elemento_Ya_Existe.post.1", "r! = elemento_ya_existe"};
 
+/// What the text says of it.
 template <class Visit>
 void clauses(const Elemento_Ya_Existe& in, const Escena& s, Respuesta r, Visit&& visit) {
   visit(Elemento_Ya_Existe_pre_1, [&] { return s.elementos.contains(in.e); });
@@ -31,6 +32,7 @@ struct Elemento_No_Existe {
 inline constexpr clause Elemento_No_Existe_pre_1{"Elemento_No_Existe.pre.1", "e? ∉ elementos"};
 inline constexpr clause Elemento_No_Existe_post_1{"Elemento_No_Existe.post.1", "r! = elemento_no_existe"};
 
+/// What the text says of it.
 template <class Visit>
 void clauses(const Elemento_No_Existe& in, const Escena& s, Respuesta r, Visit&& visit) {
   visit(Elemento_No_Existe_pre_1, [&] { return !s.elementos.contains(in.e); });
@@ -46,6 +48,7 @@ struct Radio_No_Positivo {
 inline constexpr clause Radio_No_Positivo_pre_1{"Radio_No_Positivo.pre.1", "radio? ∉ Rmas"};
 inline constexpr clause Radio_No_Positivo_post_1{"Radio_No_Positivo.post.1", "r! = radio_no_positivo"};
 
+/// What the text says of it.
 template <class Visit>
 void clauses(const Radio_No_Positivo& in, const Escena&, Respuesta r, Visit&& visit) {
   visit(Radio_No_Positivo_pre_1, [&] { return !Rmas::contains(in.radio); });
@@ -61,6 +64,7 @@ struct Vector_No_Unitario {
 inline constexpr clause Vector_No_Unitario_pre_1{"Vector_No_Unitario.pre.1", "vector? ∉ Unitario"};
 inline constexpr clause Vector_No_Unitario_post_1{"Vector_No_Unitario.post.1", "r! = vector_no_unitario"};
 
+/// What the text says of it.
 template <class Visit>
 void clauses(const Vector_No_Unitario& in, const Escena&, Respuesta r, Visit&& visit) {
   visit(Vector_No_Unitario_pre_1, [&] { return !Unitario::contains(in.vector); });
@@ -76,6 +80,7 @@ struct Altura_No_Positiva {
 inline constexpr clause Altura_No_Positiva_pre_1{"Altura_No_Positiva.pre.1", "altura? ∉ Rmas"};
 inline constexpr clause Altura_No_Positiva_post_1{"Altura_No_Positiva.post.1", "r! = altura_no_positiva"};
 
+/// What the text says of it.
 template <class Visit>
 void clauses(const Altura_No_Positiva& in, const Escena&, Respuesta r, Visit&& visit) {
   visit(Altura_No_Positiva_pre_1, [&] { return !Rmas::contains(in.altura); });
@@ -91,6 +96,7 @@ struct Proporcion_No_Positiva {
 inline constexpr clause Proporcion_No_Positiva_pre_1{"Proporcion_No_Positiva.pre.1", "proporcion? ∉ Rmas"};
 inline constexpr clause Proporcion_No_Positiva_post_1{"Proporcion_No_Positiva.post.1", "r! = proporcion_no_positiva"};
 
+/// What the text says of it.
 template <class Visit>
 void clauses(const Proporcion_No_Positiva& in, const Escena&, Respuesta r, Visit&& visit) {
   visit(Proporcion_No_Positiva_pre_1, [&] { return !Rmas::contains(in.proporcion); });
@@ -106,6 +112,7 @@ struct Vertices_Alineados {
 inline constexpr clause Vertices_Alineados_pre_1{"Vertices_Alineados.pre.1", "vertices? ∉ Vertices"};
 inline constexpr clause Vertices_Alineados_post_1{"Vertices_Alineados.post.1", "r! = vertices_alineados"};
 
+/// What the text says of it.
 template <class Visit>
 void clauses(const Vertices_Alineados& in, const Escena&, Respuesta r, Visit&& visit) {
   visit(Vertices_Alineados_pre_1, [&] { return !Vertices::contains(in.vertices); });

@@ -24,12 +24,15 @@ Surd avance(const ExactPoint& w, const Punto& centro, const Vector& dir);
 /// The squared distance of w from the foot at its advance (alejamiento.def.1).
 Surd alejamiento(const ExactPoint& w, const Punto& centro, const Vector& dir);
 
+/// What random points are drawn from.
 using Random = std::mt19937_64;
 
 /// A set of points (ℙ Punto): a value that knows exactly which points are its members, and that can draw some.
 class Puntos {
  public:
+  /// Whether a point is a member.
   using Membership = std::function<bool(const ExactPoint&)>;
+  /// A member, at random; nothing where it finds none.
   using Sampling = std::function<std::optional<ExactPoint>(Random&)>;
 
   /// The set of the points for which `membership` holds. A set without `sampling` draws nothing.

@@ -9,8 +9,9 @@ namespace durero::model {
 
 /// a t² + b t + c
 struct Quadratic {
-  Rational a, b, c;
+  Rational a, b, c;  ///< the coefficients
 
+  /// Whether it is zero everywhere.
   bool is_zero() const { return a.is_zero() && b.is_zero() && c.is_zero(); }
 };
 

@@ -25,33 +25,35 @@ using Potencia = std::function<Surd(const ExactPoint&)>;
 /// input? ∈ Set, where `Denial` is the error that says that it is not; it names the attribute.
 template <class Set, class DenialType>
 struct Required {
-  using Denial = DenialType;
-  const clause* what;
+  using Denial = DenialType;  ///< the error that denies it
+  const clause* what;         ///< where the text says so
 
+  /// input? of an operation.
   static const auto& input(const auto& in) { return attribute_of<Denial::component>().input(in); }
+  /// Whether it is in the set.
   static bool holds(const auto& in) { return Set::contains(input(in)); }
 };
 
 /// c' = c ∪ { e? ↦ input? }
 template <auto of_component, auto of_input>
 struct Joined {
-  static constexpr auto component = of_component;
-  static constexpr auto input = of_input;
-  const clause* what;
+  static constexpr auto component = of_component;  ///< c, such as &Escena::mi_radio
+  static constexpr auto input = of_input;          ///< the member of the operation
+  const clause* what;                              ///< where the text says so
 };
 
 /// c' = c
 template <auto of_component>
 struct Kept {
-  static constexpr auto component = of_component;
-  const clause* what;
+  static constexpr auto component = of_component;  ///< c, such as &Escena::mi_radio
+  const clause* what;                              ///< where the text says so
 };
 
 /// c' = { e? } ⩤ c
 template <auto of_component>
 struct Dropped {
-  static constexpr auto component = of_component;
-  const clause* what;
+  static constexpr auto component = of_component;  ///< c, such as &Escena::mi_radio
+  const clause* what;                              ///< where the text says so
 };
 
 /// visit(entry) for each entry of a table.

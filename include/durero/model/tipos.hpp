@@ -29,8 +29,11 @@ inline constexpr double tolerancia_unidad = 0x1p-50;
 /// A strictly positive finite binary64 (Rmas). Throws contract_violation Rmas.inv.1 on 0, negatives, ∞ and NaN.
 class Rmas {
  public:
+  /// Precondition: contains(value); throws otherwise.
   explicit Rmas(double value);
+  /// The number, as it was given.
   double value() const noexcept { return value_; }
+  /// value ∈ Rmas
   static bool contains(double value) noexcept;
   auto operator<=>(const Rmas&) const = default;
 
@@ -41,12 +44,17 @@ class Rmas {
 /// A position: three finite binary64 (Punto). Throws std::domain_error on ∞ and NaN, which are no reals.
 class Punto {
  public:
+  /// @{ Of three numbers. Throws std::domain_error where one is not finite.
   Punto(double x, double y, double z);
   explicit Punto(const glm::dvec3& xyz) : Punto(xyz.x, xyz.y, xyz.z) {}
+  /// @}
+  /// @{ The numbers, as they were given.
   double x() const noexcept { return xyz_.x; }
   double y() const noexcept { return xyz_.y; }
   double z() const noexcept { return xyz_.z; }
   const glm::dvec3& xyz() const noexcept { return xyz_; }
+  /// @}
+  /// Whether the numbers are equal, so that −0 is 0.
   bool operator==(const Punto& other) const noexcept { return xyz_ == other.xyz_; }
 
  private:
@@ -56,12 +64,17 @@ class Punto {
 /// A direction: three finite binary64 (Vector). Throws std::domain_error on ∞ and NaN.
 class Vector {
  public:
+  /// @{ Of three numbers. Throws std::domain_error where one is not finite.
   Vector(double x, double y, double z);
   explicit Vector(const glm::dvec3& xyz) : Vector(xyz.x, xyz.y, xyz.z) {}
+  /// @}
+  /// @{ The numbers, as they were given.
   double x() const noexcept { return xyz_.x; }
   double y() const noexcept { return xyz_.y; }
   double z() const noexcept { return xyz_.z; }
   const glm::dvec3& xyz() const noexcept { return xyz_; }
+  /// @}
+  /// Whether the numbers are equal, so that −0 is 0.
   bool operator==(const Vector& other) const noexcept { return xyz_ == other.xyz_; }
 
  private:
@@ -72,8 +85,11 @@ class Vector {
 /// Throws contract_violation Unitario.inv.1 otherwise. The stored components are used as they are.
 class Unitario {
  public:
+  /// Precondition: contains(d); throws otherwise.
   explicit Unitario(const Vector& d);
+  /// The vector, as it was given.
   const Vector& vector() const noexcept { return d_; }
+  /// d ∈ Unitario, exactly.
   static bool contains(const Vector& d);
   bool operator==(const Unitario&) const noexcept = default;
 
@@ -84,8 +100,11 @@ class Unitario {
 /// A ray { p + t·v | t > 0 } (Rayo); v need not be a unit vector. Throws contract_violation Rayo.inv.1 when v = 0.
 class Rayo {
  public:
+  /// Precondition: v ≠ 0; throws otherwise.
   Rayo(const Punto& p, const Vector& v);
+  /// The origin, which is no point of the ray.
   const Punto& p() const noexcept { return p_; }
+  /// The direction, of any length.
   const Vector& v() const noexcept { return v_; }
   bool operator==(const Rayo&) const noexcept = default;
 
@@ -96,7 +115,7 @@ class Rayo {
 
 /// Three points, in the order in which they are given (Terna).
 struct Terna {
-  Punto a, b, c;
+  Punto a, b, c;  ///< the points
 
   bool operator==(const Terna&) const noexcept = default;
 };
@@ -105,8 +124,11 @@ struct Terna {
 /// Vertices.inv.1 otherwise.
 class Vertices {
  public:
+  /// Precondition: contains(v); throws otherwise.
   explicit Vertices(const Terna& v);
+  /// The points, as they were given.
   const Terna& terna() const noexcept { return v_; }
+  /// v ∈ Vertices, exactly.
   static bool contains(const Terna& v);
   bool operator==(const Vertices&) const noexcept = default;
 
@@ -117,8 +139,11 @@ class Vertices {
 /// The name of an element (Elemento): 1 to 128 of A–Z a–z 0–9 _ . : -. Throws std::invalid_argument otherwise.
 class Elemento {
  public:
+  /// Precondition: is_name(name); throws otherwise.
   explicit Elemento(std::string name);
+  /// The characters.
   const std::string& name() const noexcept { return name_; }
+  /// Whether the text can be a name.
   static bool is_name(std::string_view text) noexcept;
   auto operator<=>(const Elemento&) const = default;
 
@@ -128,6 +153,7 @@ class Elemento {
 
 /// What an element is (Tipo), and its name in the text.
 enum class Tipo : std::uint8_t { soy_esfera, soy_cilindro, soy_cono, soy_tronco, soy_plano, soy_disco, soy_triangulo };
+/// The names, in the order of Tipo.
 inline constexpr auto tipo_names = std::to_array<std::string_view>(
     {"soy_esfera", "soy_cilindro", "soy_cono", "soy_tronco", "soy_plano", "soy_disco", "soy_triangulo"});
 static_assert(Tipo{tipo_names.size() - 1} == Tipo::soy_triangulo);
@@ -162,6 +188,7 @@ enum class Respuesta : std::uint8_t {
   proporcion_no_positiva,
   vertices_alineados
 };
+/// The names, in the order of Respuesta.
 inline constexpr auto respuesta_names = std::to_array<std::string_view>(
     {"elemento_agregado",   "elemento_eliminado", "esfera_agregada",        "cilindro_agregado",  "cono_agregado",
      "tronco_agregado",     "plano_agregado",     "disco_agregado",         "triangulo_agregado", "esfera_eliminada",
@@ -170,7 +197,9 @@ inline constexpr auto respuesta_names = std::to_array<std::string_view>(
      "vector_no_unitario",  "altura_no_positiva", "proporcion_no_positiva", "vertices_alineados"});
 static_assert(Respuesta{respuesta_names.size() - 1} == Respuesta::vertices_alineados);
 
+/// @{ Its name in the text.
 constexpr std::string_view name(Tipo tipo) noexcept { return tipo_names[static_cast<std::size_t>(tipo)]; }
 constexpr std::string_view name(Respuesta r) noexcept { return respuesta_names[static_cast<std::size_t>(r)]; }
+/// @}
 
 }  // namespace durero::model

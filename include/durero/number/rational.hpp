@@ -5,7 +5,9 @@
 
 namespace durero::number {
 
+/// An integer without a bound, by GMP.
 using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+/// A fraction of such integers in lowest terms, by GMP.
 using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 
 /// The rational number that a binary64 denotes ("Every stored number is a binary64, and denotes exactly the rational

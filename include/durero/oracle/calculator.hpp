@@ -23,14 +23,22 @@ zed::Term parsed(const std::string& typed);
 class Calculator {
  public:
   Calculator();
+  /// Of that scene, which it copies.
   explicit Calculator(const model::Escena& escena);
 
+  /// What an expression or a predicate comes to.
   struct Result {
     std::string text;  ///< the value, `undefined`, `true` or `false`
     bool yes = false;  ///< there is a value, or the predicate holds
   };
-  /// Throws zed::ZError where the term cannot be read or has no type, zed::EvaluationError where it is not decided.
-  Result evaluate(const std::string& typed) const;
+  /// Counts the steps. Throws zed::ZError where the term cannot be read or has no type, zed::EvaluationError where it
+  /// is not decided, zed::StepsSpent where it takes more steps than it may.
+  Result evaluate(const std::string& typed, zed::Steps& steps) const;
+  /// The same with as many steps as it takes.
+  Result evaluate(const std::string& typed) const {
+    zed::Steps unbounded;
+    return evaluate(typed, unbounded);
+  }
 
  private:
   void declare(const model::Escena& escena);

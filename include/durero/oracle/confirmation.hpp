@@ -17,6 +17,7 @@ namespace durero::oracle::spec {
 /// Judges hits of the rays of one scene, to which it keeps a reference. Not for use by two threads at once.
 class Confirmation {
  public:
+  /// O(n log n) for n elements.
   explicit Confirmation(const scene::Scene& scene);
 
   /// Why the hit is not the answer to the query: the label of the predicate that is false, and what it says of the ray.

@@ -18,16 +18,17 @@ namespace durero::oracle {
 /// A ball that holds the samples [first, last). Balls stand in preorder: the left half of one is the next ball, its
 /// right half is `right`; a ball of a single ring has none (right = 0).
 struct Ball {
-  glm::dvec3 center;
-  double radius;
-  std::uint32_t first, last;
-  std::uint32_t right;
+  glm::dvec3 center;          ///< a point of space
+  double radius;              ///< greater by its own rounding
+  std::uint32_t first, last;  ///< the samples that it holds
+  std::uint32_t right;        ///< the place of its right half
 };
 
+/// Samples of a surface.
 struct Cover {
-  std::vector<glm::dvec3> samples;
-  double delta = 0;         ///< covering radius δ, a length
-  std::vector<Ball> balls;  ///< a tree over the samples; the first ball holds them all
+  std::vector<glm::dvec3> samples;  ///< points of the surface, rounded
+  double delta = 0;                 ///< covering radius δ, a length
+  std::vector<Ball> balls;          ///< a tree over the samples; the first ball holds them all
 };
 
 /// Covers a surface with a covering radius of `fineness` times its widest radius, before rounding. Precondition:

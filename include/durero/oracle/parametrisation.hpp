@@ -18,18 +18,21 @@ namespace durero::oracle {
 
 /// A point of a surface and what the surface is like around it.
 struct SurfacePoint {
-  glm::dvec3 point;
+  glm::dvec3 point;   ///< rounded
   glm::dvec3 normal;  ///< of length 1, across the lines of both parameters
   double edge;        ///< a lower bound of the distance in the surface to its nearest rim or apex; ∞ without any
   double curvature;   ///< an upper bound of the curvature at every point of the surface within edge/2 of this one
 };
 
+/// The points of one element, by two parameters. It refers to nothing.
 class Parametrisation {
  public:
+  /// The radius of what is seen of a plane by whoever names none.
   static constexpr double default_patch = 64;
 
   /// patch: the radius of what is seen of a plane.
   explicit Parametrisation(scene::ShapeView shape, double patch = default_patch);
+  /// Of a shape of the closed set.
   template <class Shape>
     requires std::is_same_v<decltype(Shape::tipo), const model::Tipo>
   Parametrisation(const Shape& shape) : Parametrisation(scene::ShapeView(shape)) {}
@@ -42,12 +45,15 @@ class Parametrisation {
   const glm::dvec3& center() const noexcept { return center_; }
   /// At least the sum of the magnitudes of what leads from there to a point.
   double size() const noexcept { return size_; }
+  /// How far a point may be off.
   double rounding() const noexcept;
   /// Whether the surface goes on beyond its rim, as a plane does.
   bool is_patch() const noexcept { return is_patch_; }
 
   // 0 ≤ u ≤ 1 runs along the profile, in proportion to its length; 0 ≤ v ≤ 1 once around the axis, or over the fan.
+  /// The point of these parameters.
   glm::dvec3 point(double u, double v) const;
+  /// The same, and what the surface is like around it.
   SurfacePoint at(double u, double v) const;
   /// The length of the line of equal u: a circle, or a segment parallel to the edge opposite to a fan's vertex.
   double around(double u) const;

@@ -40,11 +40,13 @@
 
 namespace durero::oracle::sampled {
 
+/// The fineness of whoever names none.
 inline constexpr double default_fineness = 1.0 / 16;
 
-/// The lengths of elements that it takes: radius, altura, a cone's generator, half the circumference of a sphere. A
+/// @{ The lengths of elements that it takes: radius, altura, a cone's generator, half the circumference of a sphere. A
 /// coordinate of a centre may also be nearer to 0.
 inline constexpr double least_length = 1e-140, greatest_length = 1e140;
+/// @}
 /// The greatest coordinate of a ray's origin.
 inline constexpr double greatest_origin = 1e145;
 
@@ -57,8 +59,11 @@ enum class Verdict : std::uint8_t {
   incomplete,  ///< a claimed hit with no sample within δ: the claim is wrong
   unsound      ///< a candidate without a hit and without an explanation: the claim is wrong
 };
+/// How many verdicts there are.
 inline constexpr std::size_t verdict_count = static_cast<std::size_t>(Verdict::unsound) + 1;
+/// Its name, as above.
 std::string_view name(Verdict verdict) noexcept;
+/// Whether the claim is not shown to be wrong.
 constexpr bool agrees(Verdict verdict) noexcept { return verdict < Verdict::incomplete; }
 
 /// The samples of every element of a scene. They are copies: the scene may be edited or end.

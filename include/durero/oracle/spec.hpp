@@ -23,7 +23,7 @@ const std::map<std::string, std::string>& files();
 /// The Z text of spec/ as it was when the program was built. Read once; it has no defect, or std::logic_error.
 const zed::Specification& text();
 
-// The program's values as those of the text.
+/// @{ The program's value as one of the text.
 zed::Value value(const model::Elemento& e);
 zed::Value value(model::Tipo tipo);
 zed::Value value(model::Respuesta r);
@@ -32,25 +32,28 @@ zed::Value value(const model::Punto& p);
 zed::Value value(const model::Vector& v);
 zed::Value value(const model::Terna& v);
 zed::Value value(const model::Rayo& rayo);
+/// @}
 /// θEscena
 zed::Value value(const model::Escena& escena);
 
 /// Components by name: of a state, of an operation.
 using Named = zed::Given;
+/// The components of Escena.
 Named components(const model::Escena& escena);
 /// The inputs of an operation, `e?` and the others.
 Named inputs(const model::Operation& operation);
 
-/// The schema of the operation, and of its total one: `Agregar_Esfera`, `Agregar_Esfera_Total`.
+/// @{ The schema of the operation, and of its total one: `Agregar_Esfera`, `Agregar_Esfera_Total`.
 std::string schema_name(const model::Operation& operation);
 std::string total_name(const model::Operation& operation);
+/// @}
 
 /// A transition that an operation made, or declined to make.
 struct Step {
-  const model::Escena& before;
-  const model::Operation& operation;
-  model::Respuesta r;
-  const model::Escena& after;
+  const model::Escena& before;        ///< the state before
+  const model::Operation& operation;  ///< with its inputs
+  model::Respuesta r;                 ///< r!
+  const model::Escena& after;         ///< the state after
 };
 
 /// Every name of the operation's schema that a step gives a value.
@@ -66,9 +69,10 @@ class Judge {
   Judge(const Judge&) = delete;
   Judge& operator=(const Judge&) = delete;
 
-  /// Whether the values satisfy the partial operation, or the total one.
+  /// @{ Whether the values satisfy the partial operation, or the total one.
   bool holds(const Step& step) const;
   bool holds_total(const Step& step) const;
+  /// @}
   /// Every conjunct of the partial operation, and its truth.
   std::vector<zed::Finding> findings(const Step& step) const;
   /// Every conjunct, where the after-state and r! are not known: what depends on them is open.
@@ -82,15 +86,19 @@ class Judge {
                                         const model::Answer& answer, const model::Escena& after) const;
 
   // Points. Precondition: the coordinates lie in one field.
+  /// p ∈ puntos_de_rayo(rayo)
   bool in_puntos_de_rayo(const model::ExactPoint& p, const model::Rayo& rayo) const;
+  /// p ∈ puntos_de_escena(θEscena)
   bool in_puntos_de_escena(const model::ExactPoint& p, const zed::Value& escena) const;
   /// p ∈ alcance(θEscena, rayo, en, e)
   bool in_alcance(const model::ExactPoint& p, const zed::Value& escena, const model::Rayo& rayo,
                   const std::set<model::Elemento>& en, const model::Elemento& e) const;
+  /// de_que_elemento(θEscena, p)
   std::set<model::Elemento> de_que_elemento(const zed::Value& escena, const model::ExactPoint& p) const;
   /// reduccion(ps, ojo) of a finite set of points; nothing outside its domain.
   std::optional<zed::Value> reduccion(std::span<const model::ExactPoint> ps, const model::Punto& ojo) const;
 
+  /// What evaluates the text, for other questions.
   const zed::Evaluator& evaluator() const;
 
  private:

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace durero::oracle::spec {
 
@@ -27,6 +28,9 @@ class LabelIndex {
 /// schema with a component of that name; else, of ΔS and ΞS, what they stand for, and S. Empty where the text has none
 /// of these. The name is in either mark-up.
 std::string shown(const std::string& name, const LabelIndex& index);
+
+/// Every name that the text declares, and every label.
+std::vector<std::string> names_and_labels();
 
 /// The name in Unicode: `mi\_radio` and `\real` as the text's mark-up has them; any other text as it is.
 std::string in_unicode(const std::string& name);

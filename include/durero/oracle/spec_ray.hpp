@@ -18,6 +18,7 @@ struct Extent {
   std::vector<bool> on;          ///< in step: whether at[i] is in the set
   std::vector<bool> between;     ///< one more: the stretches before at[0] (from 0 on), …, and behind the last
 
+  /// Whether it has no member.
   bool empty() const;
   /// The least member; null where there is none.
   const number::Surd* first() const;

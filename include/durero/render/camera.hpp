@@ -13,6 +13,7 @@ namespace durero::render {
 /// resolution of at least 1 × 1; throws std::domain_error, saying which, otherwise.
 class PrimaryRays {
  public:
+  /// The rays of that camera through the pixels of a picture of that size.
   PrimaryRays(const scene::Camera& camera, scene::Resolution resolution);
 
   /// The ray of pixel (x, y); (0, 0) is the upper left one. Its direction is not a unit vector: one unit of t is

@@ -15,13 +15,15 @@ namespace durero::render {
 /// 0 and what is no number (the product of a black material and an infinite light) is 0; what is above 1 is 255.
 std::uint8_t srgb_byte(double linear) noexcept;
 
+/// A picture, black at first.
 struct Image {
+  /// Of that size.
   explicit Image(scene::Resolution size) : resolution(size), rgb(std::size_t(size.width) * size.height * 3) {}
 
   /// Sets pixel (x, y), (0, 0) upper left, to a linear colour: each component becomes its srgb_byte.
   void set(std::uint32_t x, std::uint32_t y, const glm::dvec3& color);
 
-  scene::Resolution resolution;
+  scene::Resolution resolution;   ///< in pixels
   std::vector<std::uint8_t> rgb;  ///< rows from the top, three bytes a pixel
 };
 

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,10 +18,11 @@ namespace durero::render {
 /// Called now and then, from one thread at a time, with the share of rows that are done, 0 to 1.
 using Progress = std::function<void(double)>;
 
-/// What a stage that leaves something open is drawn with.
+/// @{ What a stage that leaves something open is drawn with.
 inline constexpr scene::Resolution default_resolution{640, 360};
 inline constexpr glm::dvec3 default_background{0, 0, 0};
 inline constexpr glm::dvec3 default_color{0.8, 0.8, 0.8};
+/// @}
 
 /// The colour that each ray brings: background where it meets nothing or where no nearest point exists; otherwise the
 /// element's colour times the sum over the lights of max(0, L·N)·colour, each light only where no element stands
@@ -29,8 +31,23 @@ inline constexpr glm::dvec3 default_color{0.8, 0.8, 0.8};
 std::vector<glm::dvec3> colors(const scene::Scene& scene, const engine::Engine& engine,
                                std::span<const scene::Query> rays);
 
+/// A rectangle of pixels.
+struct Crop {
+  std::uint32_t x;         ///< of the upper left pixel, from the left, from 0
+  std::uint32_t y;         ///< of the upper left pixel, from the top, from 0
+  scene::Resolution size;  ///< how many pixels, each way at least 1
+};
+
+/// What of the scene is drawn.
+struct Frame {
+  std::optional<scene::Resolution> size{};  ///< of the whole picture; else the scene's, else default_resolution
+  std::optional<Crop> crop{};               ///< these pixels of the whole picture alone, and as they are in it
+};
+
 /// Draws the scene. Rows are shared among threads; every pixel is the same whatever their number.
-/// Throws std::domain_error when the scene has no camera, or one that sees nothing. Precondition as above.
-Image render(const scene::Scene& scene, const engine::Engine& engine, const Progress& progress = {});
+/// Throws std::domain_error when the scene has no camera, or one that sees nothing, and std::out_of_range when the crop
+/// is empty or not inside the picture. Precondition as above.
+Image render(const scene::Scene& scene, const engine::Engine& engine, const Progress& progress = {},
+             const Frame& frame = {});
 
 }  // namespace durero::render

@@ -9,8 +9,9 @@
 
 namespace durero::scene {
 
+/// An operation, and what the specification does not speak of.
 struct Edit {
-  model::Operation operation;
+  model::Operation operation;  ///< what the specification speaks of
   /// The material of the new element, as an index into the stage's materials. Precondition: only an addition has one.
   std::optional<std::uint32_t> material{};
 };

@@ -10,9 +10,10 @@
 
 namespace durero::scene {
 
+/// The element of row `index` of the table of `tipo`, in a scene that is known from elsewhere.
 struct ElementRef {
-  model::Tipo tipo;
-  std::uint32_t index;
+  model::Tipo tipo;     ///< which table
+  std::uint32_t index;  ///< which row of it
   auto operator<=>(const ElementRef&) const = default;
 };
 

@@ -17,6 +17,7 @@
 
 namespace durero::scene {
 
+/// The places of names, of which it keeps the hashes alone.
 class NameIndex {
  public:
   /// So many bits of a cell hold the type of an element, and the others its index.
@@ -25,10 +26,13 @@ class NameIndex {
   /// ElementRef::index is at most this: a cell with all bits set is unused.
   static constexpr std::uint32_t last_index = (~std::uint32_t{0} >> type_bits) - 1;
 
+  /// A hash of a name.
   using hash_type = std::uint32_t;
 
+  /// The same on every machine.
   static hash_type hash(std::string_view name) noexcept;
 
+  /// How many names are in.
   std::size_t size() const noexcept { return size_; }
 
   /// Makes room for one more name. The only member that asks for memory; the strong guarantee holds.

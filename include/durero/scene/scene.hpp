@@ -19,6 +19,7 @@
 
 namespace durero::scene {
 
+/// Elements, and the stage that a picture of them needs. Many threads may read it while none edits it.
 class Scene {
  public:
   /// The dense table of one shape: the element {Shape::tipo, i} is its row i.
@@ -61,6 +62,7 @@ class Scene {
 
   /// Precondition of the members that take an ElementRef: it comes from this scene, since its last edit.
   const model::Elemento& name(ElementRef element) const noexcept;
+  /// The element of a name; nothing where it has none.
   std::optional<ElementRef> find(std::string_view name) const noexcept;
 
   /// The partial operation: throws contract_violation where a clause does not hold; the scene is then as it was, also
@@ -78,8 +80,10 @@ class Scene {
   /// edit is audited. O(n log n). Throws contract_violation.
   void audit();
 
+  /// @{ What a picture needs beside the elements.
   Stage& stage() noexcept { return stage_; }
   const Stage& stage() const noexcept { return stage_; }
+  /// @}
 
   /// The material of an element, as an index into stage().materials.
   std::optional<std::uint32_t> material(ElementRef element) const noexcept;

@@ -12,6 +12,7 @@ namespace durero::scene {
 /// It refers to a shape, which must outlive it.
 class ShapeView {
  public:
+  /// Of any shape of the closed set.
   template <class Shape>
     requires std::is_same_v<decltype(Shape::tipo), const model::Tipo>
   ShapeView(const Shape& shape) noexcept : shape_(&shape) {}

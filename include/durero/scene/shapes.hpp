@@ -19,6 +19,7 @@ namespace durero::scene {
 /// Every shape, in the order of Tipo.
 using Shapes = std::tuple<Sphere, Cylinder, Cone, TruncatedCone, Plane, Disc, Triangle>;
 
+/// How many there are.
 inline constexpr std::size_t shape_count = std::tuple_size_v<Shapes>;
 
 /// visit(std::type_identity<Shape>) for the shape of a type. A type without its line here does not compile.
@@ -51,15 +52,19 @@ constexpr void for_each_shape(Visit&& visit) {
   }(std::type_identity<Shapes>());
 }
 
+/// Whether the operation adds the shape, which is then `type`.
 template <class Operation, class Shape>
 struct IsAdditionOf : std::is_same<Operation, typename Shape::Addition> {
-  using type = Shape;
+  using type = Shape;  ///< what is added
 };
+/// Stands for operations that add no shape.
 struct NoShape : std::true_type {
-  using type = void;
+  using type = void;  ///< nothing is added
 };
+/// The first shape of the list that the operation adds, or NoShape.
 template <class Operation, class List>
 struct AddedBy;
+/// The only list that there is: a tuple.
 template <class Operation, class... Shape>
 struct AddedBy<Operation, std::tuple<Shape...>> : std::disjunction<IsAdditionOf<Operation, Shape>..., NoShape> {};
 

@@ -14,26 +14,30 @@
 
 namespace durero::scene {
 
+/// Label::material of an element that has none.
 inline constexpr std::uint32_t no_material = std::numeric_limits<std::uint32_t>::max();
 
 /// What an element has beside its geometry. One column, since an edit needs all of it.
 struct Label {
-  model::Elemento name;
-  NameIndex::hash_type hash;  ///< of the name
-  std::uint32_t material = no_material;
+  model::Elemento name;                  ///< what it is called
+  NameIndex::hash_type hash;             ///< of the name
+  std::uint32_t material = no_material;  ///< an index into the materials of the stage
 };
 
+/// One element, out of the table.
 template <class Shape>
 struct Row {
-  Shape shape;
-  Label label;
+  Shape shape;  ///< its geometry
+  Label label;  ///< the rest
 };
 
+/// The elements of one type. Its columns are of one length.
 template <class Shape>
 struct Table {
-  std::vector<Shape> shapes;
-  std::vector<Label> labels;
+  std::vector<Shape> shapes;  ///< the geometry
+  std::vector<Label> labels;  ///< the rest
 
+  /// How many rows it has.
   std::uint32_t size() const noexcept { return static_cast<std::uint32_t>(shapes.size()); }
 
   /// Makes room for one more row. The only member that asks for memory; nothing that can be seen changes.
@@ -49,6 +53,7 @@ struct Table {
     labels.push_back(std::move(row.label));
   }
 
+  /// Takes the last row out. Precondition: there is one.
   void pop_back() noexcept {
     shapes.pop_back();
     labels.pop_back();
@@ -83,10 +88,12 @@ struct Table {
 /// A table for each shape of a list.
 template <class List>
 struct TablesOf;
+/// The only list that there is: a tuple.
 template <class... Shape>
 struct TablesOf<std::tuple<Shape...>> {
-  using type = std::tuple<Table<Shape>...>;
+  using type = std::tuple<Table<Shape>...>;  ///< in the order of the list
 };
+/// A table for each shape of a list, in its order.
 template <class List>
 using Tables = typename TablesOf<List>::type;
 

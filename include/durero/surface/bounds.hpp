@@ -6,13 +6,15 @@
 
 namespace durero::surface {
 
+/// The points within a distance of a point.
 struct Ball {
-  glm::dvec3 centre;
-  double radius;
+  glm::dvec3 centre;  ///< a point of space
+  double radius;      ///< infinite where nothing less contains the element
 };
 
+/// The points between two values of each coordinate.
 struct Box {
-  glm::dvec3 low, high;
+  glm::dvec3 low, high;  ///< corners, infinite where nothing less contains the element
 };
 
 // Of a shape along an axis, by the discs across it at its two ends, of these radii. Precondition of both: every number

@@ -17,25 +17,30 @@ namespace durero::surface {
 /// A number that changes along a ray as at_zero + t·slope.
 template <class N>
 struct Linear {
-  N at_zero, slope;
+  N at_zero, slope;  ///< the coefficients
 
+  /// @{ In its own arithmetic, coefficient by coefficient.
   friend Linear operator+(const Linear& a, const Linear& b) { return {a.at_zero + b.at_zero, a.slope + b.slope}; }
   friend Linear operator-(const Linear& a, const N& b) { return {a.at_zero - b, a.slope}; }
   friend Linear operator-(const N& a, const Linear& b) { return {a - b.at_zero, -b.slope}; }
   friend Linear operator*(const Linear& a, const N& b) { return {a.at_zero * b, a.slope * b}; }
+  /// @}
 };
 
 /// A·t² + 2B·t + C: the square of a number along a ray, and sums of such.
 template <class N>
 struct Quadratic {
-  N A, B, C;
+  N A, B, C;  ///< the coefficients, of 2B·t and not of B·t
 
+  /// @{ In its own arithmetic, coefficient by coefficient.
   friend Quadratic operator+(const Quadratic& a, const Quadratic& b) { return {a.A + b.A, a.B + b.B, a.C + b.C}; }
   friend Quadratic operator-(const Quadratic& a, const Quadratic& b) { return {a.A - b.A, a.B - b.B, a.C - b.C}; }
   friend Quadratic operator-(const Quadratic& a, const N& b) { return {a.A, a.B, a.C - b}; }
   friend Quadratic operator*(const Quadratic& a, const N& b) { return {a.A * b, a.B * b, a.C * b}; }
+  /// @}
 };
 
+/// @{ The square, in the numbers that it is of.
 template <class N>
 N square(const N& a) {
   return a * a;
@@ -44,12 +49,14 @@ template <class N>
 Quadratic<N> square(const Linear<N>& a) {
   return {square(a.slope), a.at_zero * a.slope, square(a.at_zero)};
 }
+/// @}
 
 /// A function of a point, by its value at one and its gradient there.
 template <class N>
 struct Dual {
-  N value, dx, dy, dz;
+  N value, dx, dy, dz;  ///< the value, and the gradient
 
+  /// @{ In its own arithmetic, coefficient by coefficient.
   friend Dual operator+(const Dual& a, const Dual& b) {
     return {a.value + b.value, a.dx + b.dx, a.dy + b.dy, a.dz + b.dz};
   }
@@ -59,8 +66,10 @@ struct Dual {
   friend Dual operator-(const Dual& a, const N& b) { return {a.value - b, a.dx, a.dy, a.dz}; }
   friend Dual operator-(const N& a, const Dual& b) { return {a - b.value, -b.dx, -b.dy, -b.dz}; }
   friend Dual operator*(const Dual& a, const N& b) { return {a.value * b, a.dx * b, a.dy * b, a.dz * b}; }
+  /// @}
 };
 
+/// The square, with its gradient.
 template <class N>
 Dual<N> square(const Dual<N>& a) {
   const N twice = a.value + a.value;
@@ -70,23 +79,26 @@ Dual<N> square(const Dual<N>& a) {
 /// The number type of the constants that a T is computed with: a stored number becomes one of these.
 template <class T>
 struct ConstantOf {
-  using type = T;
+  using type = T;  ///< a number is its own
 };
+/// Of numbers along a ray.
 template <class N>
 struct ConstantOf<Linear<N>> {
-  using type = N;
+  using type = N;  ///< one that does not change along it
 };
+/// Of functions of a point.
 template <class N>
 struct ConstantOf<Dual<N>> {
-  using type = N;
+  using type = N;  ///< one whose gradient is 0
 };
+/// The type of those constants.
 template <class T>
 using Constant = typename ConstantOf<T>::type;
 
 /// A point whose coordinates are numbers T.
 template <class T>
 struct Point {
-  T x, y, z;
+  T x, y, z;  ///< the coordinates
 };
 
 /// The points of a ray: p + t·v.

@@ -29,8 +29,8 @@ bool occluded_segment(const scene::Scene& scene, const model::Rayo& rayo, Origin
 
 /// One meeting of the ray and an element: a point, at segment.begin = segment.end, or a stretch inside the surface.
 struct Crossing {
-  scene::ElementRef elemento;
-  Segment segment;
+  scene::ElementRef elemento;  ///< what is met
+  Segment segment;             ///< where
 };
 
 /// alcances, whole: every crossing, ascending by begin (t → 0⁺ first), then by element.

@@ -22,6 +22,7 @@ concept Surface = requires(const Shape& shape, const Point<double>& w) {
   { box(shape) } -> std::same_as<Box>;
 };
 
+/// Whether every shape of a list is a Surface.
 template <class List>
 inline constexpr bool all_are_surfaces = false;
 template <class... Shape>

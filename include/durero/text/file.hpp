@@ -8,6 +8,7 @@
 
 namespace durero::text {
 
+/// As many bytes as there are.
 inline constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
 
 /// Returns what is left to read of an open file, and of that the first `most` bytes. Throws std::system_error with the

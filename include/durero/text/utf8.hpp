@@ -16,8 +16,8 @@ constexpr bool is_scalar(char32_t code) noexcept { return code <= 0x10FFFF && !(
 
 /// A character and the number of bytes that it takes.
 struct Character {
-  char32_t code;
-  std::size_t length;
+  char32_t code;       ///< its number in Unicode
+  std::size_t length;  ///< in bytes
   bool operator==(const Character&) const = default;
 };
 

@@ -27,15 +27,17 @@ bool occluded_segment(const Tables& tables, const model::Rayo& rayo, Origin en =
 /// place in `hits` for each query.
 void first_hits(const Tables& tables, std::span<const scene::Query> queries, std::span<scene::Hit> hits,
                 Counts* counts = nullptr);
+/// The same, in a vector.
 std::vector<scene::Hit> first_hits(const Tables& tables, std::span<const scene::Query> queries,
                                    Counts* counts = nullptr);
 
 /// occluded_segment of every query, in order. Threads and precondition as above.
 void occluded_segments(const Tables& tables, std::span<const scene::Query> queries, std::span<bool> occluded);
 
-/// The same without tables at hand, for a few rays.
+/// @{ The same without tables at hand, for a few rays.
 scene::Hit first_hit(const scene::Scene& scene, const model::Rayo& rayo, Origin en = {});
 bool occluded(const scene::Scene& scene, const model::Rayo& rayo, Origin en = {});
 bool occluded_segment(const scene::Scene& scene, const model::Rayo& rayo, Origin en = {});
+/// @}
 
 }  // namespace durero::trace

@@ -16,12 +16,15 @@ namespace durero::trace {
 /// A kernel of Batch. It writes the hits that the batch finds, each in its place, and counts what decided.
 class Certified {
  public:
-  using Findings = trace::Findings;
+  using Findings = trace::Findings;  ///< of its triage
+  /// What it keeps of a hit.
   struct Point {
-    Finding finding{Verdict::miss, no_limit};
+    Finding finding{Verdict::miss, no_limit};  ///< by triage
+    /// @{ Where its parameter lies.
     // As the triage's error is more than three roundings of t more than needed (`quotient`), the ends may be rounded.
     double low() const { return finding.hi - finding.error; }
     double high() const { return finding.hi + finding.error; }
+    /// @}
   };
 
   /// All of these must outlive it. Precondition: a place in `hits` for each query.
@@ -29,6 +32,7 @@ class Certified {
             Counts& counts)
       : scene_(scene), queries_(queries), hits_(hits), counts_(counts) {}
 
+  /// @{ What Batch asks of a kernel.
   static void triage(const Packet& packet, model::Tipo tipo, Findings& findings) {
     trace::triage(packet, tipo, findings);
   }
@@ -36,6 +40,7 @@ class Certified {
 
   void miss(std::uint32_t number) { hits_[number] = {}; }
   void hit(std::uint32_t number, const Ray& ray, scene::ElementRef e, const Point& point);
+  /// @}
 
   /// To be called last: the hits that still wait for a packet to fill are written.
   void finish();

@@ -17,6 +17,7 @@ struct Counts {
   Steps order{};                               ///< which of several elements is the nearest: by the last step needed
   Steps rounding{};                            ///< t and point of a hit, rounded once
 
+  /// Adds number by number.
   Counts& operator+=(const Counts& other);
   bool operator==(const Counts&) const = default;
 };

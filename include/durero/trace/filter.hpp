@@ -22,10 +22,12 @@ namespace durero::trace {
 /// Balls in columns, their radii with the part of the allowance that is theirs; padded to whole blocks with NaN, which
 /// no ray meets.
 struct Balls {
-  static constexpr std::size_t block = 8;
-  std::vector<double> x, y, z, radius;
+  static constexpr std::size_t block = 8;  ///< how many are tried together
+  std::vector<double> x, y, z, radius;     ///< a column each
 
+  /// Adds a ball. Precondition: not padded yet.
   void push_back(const surface::Ball& ball);
+  /// Fills the last block up.
   void pad();
 };
 

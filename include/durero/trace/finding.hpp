@@ -7,29 +7,31 @@
 
 namespace durero::trace {
 
+/// Whether a ray meets an element, or the step cannot tell.
 enum class Verdict : std::uint8_t { miss, hit, undecided };
 
 /// A·t + B at the root and A, each with its error: half the slope and curvature of the quadratic, to improve t with.
 struct Slope {
-  double at_root = 0, at_root_error = 0;
-  double A = 0, A_error = 0;
+  double at_root = 0, at_root_error = 0;  ///< A·t + B, and how far it may be off
+  double A = 0, A_error = 0;              ///< A, and how far it may be off
 };
 
 /// The first point of the ray on the element is within `error` of the parameter t = hi + lo (lo = 0 from the triage).
 struct Finding {
-  Verdict verdict;
-  double hi = 0, lo = 0;
-  double error = 0;
-  Slope slope{};  ///< by the triage
+  Verdict verdict;        ///< the numbers are of a hit
+  double hi = 0, lo = 0;  ///< t = hi + lo
+  double error = 0;       ///< absolute
+  Slope slope{};          ///< by the triage
 };
 
 /// t and each coordinate of p + t·v rounded once; certain only if every number within the error rounds the same.
 struct Rounded {
-  bool certain = false;
-  double t = 0;
-  glm::dvec3 punto{};
+  bool certain = false;  ///< false: the numbers mean nothing
+  double t = 0;          ///< t!
+  glm::dvec3 punto{};    ///< punto!
 };
 
+/// The parameter that no point lies beyond.
 inline constexpr double no_limit = std::numeric_limits<double>::infinity();
 
 }  // namespace durero::trace

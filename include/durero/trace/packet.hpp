@@ -14,10 +14,11 @@ namespace durero::trace {
 /// Rays and elements in columns; those of attributes that the type does not have mean nothing. Every lane must hold
 /// ordinary ones or zeros; results of unused lanes mean nothing.
 struct Packet {
-  static constexpr std::size_t size = 8;
-  using Column = std::array<double, size>;
-  using Columns = std::array<Column, 3>;  ///< of x, y and z
+  static constexpr std::size_t size = 8;    ///< how many lanes
+  using Column = std::array<double, size>;  ///< a number of each lane
+  using Columns = std::array<Column, 3>;    ///< of x, y and z
 
+  /// @{ The member of that name of Ray, or of the shapes.
   alignas(64) Columns p{};
   Columns v{};
   Column speed{};
@@ -26,7 +27,9 @@ struct Packet {
   Columns vector{};
   Column altura{};
   std::array<Columns, 3> vertices{};
+  /// @}
 
+  /// Fills a lane.
   template <class Shape>
   void set(std::size_t lane, const Ray& ray, const Shape& shape) {
     set(p, lane, ray.p);
@@ -51,17 +54,19 @@ struct Packet {
 
 /// Pairs of a ray and an element of one type, which wait until there are enough for a packet.
 struct Queue {
-  Packet packet;
-  std::array<std::uint32_t, Packet::size> numbers{};  ///< of the rays
-  std::array<scene::ElementRef, Packet::size> elements{};
-  std::size_t count = 0;
+  Packet packet;                                           ///< its first lanes are filled
+  std::array<std::uint32_t, Packet::size> numbers{};       ///< of the rays
+  std::array<scene::ElementRef, Packet::size> elements{};  ///< the elements
+  std::size_t count = 0;                                   ///< how many wait
 
+  /// Adds a pair. Precondition: not full.
   void push(const scene::Scene& scene, std::uint32_t number, const Ray& ray, scene::ElementRef e) {
     scene.visit(e, [&](const auto& shape) { packet.set(count, ray, shape); });
     numbers[count] = number;
     elements[count] = e;
     ++count;
   }
+  /// Whether every lane is filled.
   bool full() const { return count == Packet::size; }
 };
 
@@ -70,11 +75,14 @@ using Queues = std::array<Queue, scene::shape_count>;
 
 /// By lane, what the triage finds: t within error, and the slope, of a hit. A lane neither hit nor undecided is a miss.
 struct Findings {
-  using Column = Packet::Column;
+  using Column = Packet::Column;  ///< a number of each lane
+  /// @{ As in Finding and Slope.
   alignas(64) Column t{};
   Column error{}, at_root{}, at_root_error{}, A{}, A_error{};
+  /// @}
   unsigned hit = 0, undecided = 0;  ///< a bit for every lane, the first lane's lowest
 
+  /// That of a lane.
   Finding operator[](std::size_t lane) const {
     const auto has = [&](unsigned bits) { return (bits >> lane & 1) != 0; };
     const Verdict verdict = has(hit) ? Verdict::hit : has(undecided) ? Verdict::undecided : Verdict::miss;
@@ -98,10 +106,10 @@ void triage(const Packet& packet, model::Tipo tipo, Findings& findings);
 
 /// By lane, t and the point rounded once; only where certain.
 struct RoundedPacket {
-  using Column = Packet::Column;
-  alignas(64) Column t{};
-  Column x{}, y{}, z{};
-  unsigned certain = 0;
+  using Column = Packet::Column;  ///< a number of each lane
+  alignas(64) Column t{};         ///< t!
+  Column x{}, y{}, z{};           ///< punto!
+  unsigned certain = 0;           ///< a bit for every lane, the first lane's lowest
 };
 
 /// rounded(improved) in every lane. Precondition: the findings are hits by triage, of rays that do not start on the

@@ -8,10 +8,12 @@
 
 namespace durero::trace {
 
+/// A ray and what each element would compute of it again.
 struct Ray {
+  /// Of a ray of the specification.
   explicit Ray(const model::Rayo& rayo);
 
-  glm::dvec3 p, v;
+  glm::dvec3 p, v;        ///< origin and direction, as they are
   double speed;           ///< V ≥ |v|
   double length_squared;  ///< |v|², greater by 60u to 80u
   double length;          ///< |v|, greater by 30u to 40u

@@ -19,10 +19,11 @@ using scene::Origin;
 
 /// Where a ray first meets an element, by the first step that can tell: a parameter t in [low, high].
 struct Meeting {
+  /// What is met: nothing, a first point, or points as near to the origin as one likes.
   enum class Kind : std::uint8_t { none, point, no_minimum };
-  Kind kind = Kind::none;
-  Step step = Step::triage;
-  double low = 0, high = 0;
+  Kind kind = Kind::none;                                ///< the numbers are of a point
+  Step step = Step::triage;                              ///< which could tell
+  double low = 0, high = 0;                              ///< around the parameter
   Finding finding{};                                     ///< by triage or stable
   std::shared_ptr<const surface::exact::Parameter> t{};  ///< by exact
 };
@@ -33,6 +34,7 @@ class Search {
   /// Adds to `counts` what decided. Precondition: the elements of en are in the scene.
   Search(const scene::Scene& scene, const model::Rayo& rayo, Origin en, Counts& counts);
 
+  /// The ray, in the numbers of the steps.
   const Ray& ray() const noexcept { return ray_; }
 
   /// No point beyond this parameter is the first: at least the first parameter among the elements tested so far.

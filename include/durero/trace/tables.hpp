@@ -18,14 +18,17 @@ namespace durero::trace {
 /// Keeps a reference to the scene, which must outlive it unedited.
 class Tables {
  public:
+  /// O(n) for n elements.
   explicit Tables(const scene::Scene& scene);
 
+  /// The scene, unedited since.
   const scene::Scene& scene() const noexcept { return *scene_; }
   /// The elements that are not ordinary, and have no ball.
   std::span<const scene::ElementRef> extraordinary() const noexcept { return extraordinary_; }
 
   // Both walks belong into their caller, which hands them its own next steps: a call more a ray and element is slower
   // by some percent.
+  /// As a source of candidates has it.
   template <class Limit, class Visit>
   [[gnu::always_inline]] bool any(const Ray& ray, Limit limit, Visit visit) const {
     Passed passed;

@@ -227,7 +227,7 @@ Value Compiler::constructor_arguments(const Meaning& global, Context& context) {
 Value Compiler::global(Meaning& global, Context& context) {
   if (global.value) return *global.value;
   const Busy busy(global);
-  Context apart;  // its value depends on nothing that is looked for
+  Context apart(context.steps);  // its value depends on nothing that is looked for
   apart.depth = context.depth;
   switch (global.kind) {
     case Meaning::Kind::given:

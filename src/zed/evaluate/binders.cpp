@@ -50,7 +50,8 @@ Code Compiler::comprehension(const Node& node, const Scope& scope) {
   Code term;
   if (!node.children.empty()) term = expression(node.children[0], inner);
   return [head, term, base, unit = scope.unit, text = describe(node)](Frame& frame) -> Value {
-    if (!head.search->enumerable(frame)) return intensional_set({unit, captured(frame, base), head, term, text});
+    if (!head.search->enumerable(frame))
+      return intensional_set({unit, captured(frame, base), head, term, text}, frame.context.steps);
     std::vector<Value> values;
     const Necessary no(frame.context, false);
     const Truth some = head.search->each(frame, [&](Frame& inside) {
@@ -77,7 +78,7 @@ Code Compiler::lambda(const Node& node, const Scope& scope) {
   const Head head = this->head(*node.text, scope, inner);
   Code term = expression(node.children[0], inner);
   return [head, term = std::move(term), base, unit = scope.unit, text = describe(node)](Frame& frame) {
-    return lambda_function({unit, captured(frame, base), head, term, text});
+    return lambda_function({unit, captured(frame, base), head, term, text}, frame.context.steps);
   };
 }
 

@@ -153,6 +153,14 @@ class Slots {
   unsigned before_;
 };
 
+/// Computes an operator of the toolkit, and counts the steps that it takes. What operands list they list there.
+template <class Operator, class... Operands>
+auto counted(Operator&& compute, Context& context, const Operands&... operands) {
+  auto result = compute(operands..., context);
+  context.steps.take(1 + (steps_for(operands) + ...));
+  return result;
+}
+
 /// Throws an EvaluationError that names the place in the text.
 [[noreturn]] void cannot(const Node& node, const std::string& what);
 

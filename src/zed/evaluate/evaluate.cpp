@@ -9,14 +9,21 @@
 namespace durero::zed {
 
 struct Evaluator::State {
-  explicit State(std::vector<Section> given_sections)
-      : sections(std::move(given_sections)), definitions(sections), compiler(definitions) {}
+  State(std::vector<Section> given_sections, Steps* counted)
+      : steps(counted ? *counted : own_steps),
+        sections(std::move(given_sections)),
+        definitions(sections),
+        compiler(definitions) {}
+  Steps own_steps;
+  Steps& steps;
   std::vector<Section> sections;
   Definitions definitions;
   Compiler compiler;
 };
 
 struct SchemaCheck::State {
+  explicit State(Steps& counted) : steps(counted) {}
+  Steps& steps;
   std::vector<Name> names;
   std::shared_ptr<Unit> unit;
   Property property;
@@ -103,19 +110,19 @@ std::vector<Finding> findings(const Property& property, Frame& frame) {
 const std::vector<Name>& SchemaCheck::components() const { return state_->names; }
 
 Truth SchemaCheck::holds(std::span<const Value> values) const {
-  Context context;
+  Context context(state_->steps);
   Frame frame = state_->frame(values, context);
   return evaluate(state_->property, frame);
 }
 
 std::vector<Finding> SchemaCheck::findings(std::span<const Value> values) const {
-  Context context;
+  Context context(state_->steps);
   Frame frame = state_->frame(values, context);
   return zed::findings(state_->property, frame);
 }
 
-Evaluator::Evaluator(std::vector<Section> sections, const Given& given)
-    : state_(std::make_unique<State>(std::move(sections))) {
+Evaluator::Evaluator(std::vector<Section> sections, const Given& given, Steps* steps)
+    : state_(std::make_unique<State>(std::move(sections), steps)) {
   for (const auto& [name, value] : given) {
     Meaning* global = state_->definitions.find(name);
     if (!global || global->kind != Meaning::Kind::axiomatic) {
@@ -132,7 +139,7 @@ Evaluator& Evaluator::operator=(Evaluator&&) noexcept = default;
 Value Evaluator::value(const Term& expression, const Given& locals) const {
   const Locals names(names_of(locals));
   const Code code = state_->compiler.expression(expression, names.scope);
-  Context context;
+  Context context(state_->steps);
   Frame frame = frame_of(locals, *names.unit, context);
   return code(frame);
 }
@@ -140,7 +147,7 @@ Value Evaluator::value(const Term& expression, const Given& locals) const {
 Truth Evaluator::holds(const Term& predicate, const Given& locals) const {
   const Locals names(names_of(locals));
   const Property property = state_->compiler.predicate(predicate, names.scope);
-  Context context;
+  Context context(state_->steps);
   Frame frame = frame_of(locals, *names.unit, context);
   return evaluate(property, frame);
 }
@@ -148,12 +155,12 @@ Truth Evaluator::holds(const Term& predicate, const Given& locals) const {
 Value Evaluator::value(const Name& name) const { return value(reference(name)); }
 
 Truth Evaluator::contains(const Value& set, const Value& value) const {
-  Context context;
+  Context context(state_->steps);
   return contains_value(set, value, context);
 }
 
 std::vector<Polynomial> Evaluator::comparisons(const Value& set, const std::function<Value(Unknown)>& value) const {
-  Context context;
+  Context context(state_->steps);
   Watch watch{context.fresh()};
   context.watch = &watch;
   const Truth here = contains_value(set, value(Unknown{watch.unknown}), context);
@@ -163,7 +170,7 @@ std::vector<Polynomial> Evaluator::comparisons(const Value& set, const std::func
 }
 
 Value Evaluator::apply(const Value& function, const Value& argument) const {
-  Context context;
+  Context context(state_->steps);
   return apply_value(function, argument, context);
 }
 
@@ -171,7 +178,7 @@ SchemaCheck Evaluator::schema(const Name& name) const {
   const auto names = components(reference(name), state_->definitions);
   if (!names) throw EvaluationError(name.text() + " is no schema");
   const Locals locals(*names);
-  auto state = std::make_shared<SchemaCheck::State>();
+  auto state = std::make_shared<SchemaCheck::State>(state_->steps);
   state->names = *names;
   state->property = state_->compiler.predicate(reference(name), locals.scope);
   state->unit = locals.unit;

@@ -159,7 +159,7 @@ Code Compiler::application(const Node& node, const Scope& scope) {
   const bool generic = row && row->binding.role == Role::generic;
   if (row && !generic && row->evaluation.unary) {
     return [compute = row->evaluation.unary, a = expression(argument, scope)](Frame& frame) {
-      return compute(a(frame), frame.context);
+      return counted(compute, frame.context, a(frame));
     };
   }
   if (row && row->evaluation.binary && argument->kind == Kind::tuple && argument->children.size() == 2) {
@@ -167,16 +167,17 @@ Code Compiler::application(const Node& node, const Scope& scope) {
     if (const Term* relation = match::argument_of(through, "_∼"); relation && function->name.word == "_⦇_⦈") {
       return [r = expression(*relation, scope), s = expression(argument->children[1], scope)](Frame& frame) {
         const Value inverted = r(frame);
-        return inverse_image(inverted, s(frame), frame.context);
+        return counted(inverse_image, frame.context, inverted, s(frame));
       };
     }
     return [compute = row->evaluation.binary, a = expression(argument->children[0], scope),
             b = expression(argument->children[1], scope)](Frame& frame) {
       const Value left = a(frame);
-      return compute(left, b(frame), frame.context);
+      return counted(compute, frame.context, left, b(frame));
     };
   }
   return [f = expression(function, scope), a = expression(argument, scope)](Frame& frame) {
+    frame.context.steps.take();
     const Value left = f(frame);
     return apply_value(left, a(frame), frame.context);
   };

@@ -7,7 +7,7 @@ namespace {
 
 class Comprehension : public Set {
  public:
-  explicit Comprehension(Closure closure) : closure_(std::move(closure)) {}
+  Comprehension(Closure closure, Steps& steps) : closure_(std::move(closure)), steps_(steps) {}
 
   Truth contains(const Value& value, Context& context) const override {
     const Deeper deeper(context);
@@ -41,7 +41,7 @@ class Comprehension : public Set {
 
   bool total() const override {
     if (!total_) {
-      Context context;
+      Context context(steps_);
       Frame frame = closure_.frame(context);
       total_ = !closure_.term && closure_.head.search->total(frame);
     }
@@ -52,6 +52,7 @@ class Comprehension : public Set {
 
  private:
   Closure closure_;
+  Steps& steps_;
   mutable std::optional<bool> total_;
 };
 
@@ -77,7 +78,7 @@ bool whole_unknown(const Value& argument, const std::vector<Group>& groups) {
 
 class Lambda : public Set {
  public:
-  explicit Lambda(Closure closure) : closure_(std::move(closure)) {}
+  Lambda(Closure closure, Steps& steps) : closure_(std::move(closure)), steps_(steps) {}
 
   Value apply(const Value& argument, Context& context) const override {
     if (whole_unknown(argument, closure_.head.groups)) return Open{};
@@ -96,11 +97,13 @@ class Lambda : public Set {
     return equal(apply(pair.tuple()->parts[0], context), pair.tuple()->parts[1], context);
   }
 
+  std::size_t listed() const override { return pairs_ ? pairs_->set()->listed() : 0; }
+
   // Over finite sets a λ is a finite function.
   const std::vector<Value>* members() const override {
     if (!enumerated_) {
       enumerated_ = true;
-      Context context;
+      Context context(steps_);
       Frame frame = closure_.frame(context);
       if (closure_.head.search->enumerable(frame)) enumerate(frame);
     }
@@ -121,6 +124,7 @@ class Lambda : public Set {
   }
 
   Closure closure_;
+  Steps& steps_;
   mutable bool enumerated_ = false;
   mutable std::optional<Value> pairs_;
 };
@@ -172,6 +176,7 @@ class AxiomaticFunction : public Set {
 }  // namespace
 
 Frame Closure::frame(Context& context) const {
+  context.steps.take();
   Frame frame(unit->size, context);
   std::copy(captured.begin(), captured.end(), frame.slots.begin());
   return frame;
@@ -181,9 +186,13 @@ std::vector<Value> captured(const Frame& frame, unsigned count) {
   return {frame.slots.begin(), frame.slots.begin() + static_cast<std::ptrdiff_t>(count)};
 }
 
-Value intensional_set(Closure closure) { return SetPtr(std::make_shared<const Comprehension>(std::move(closure))); }
+Value intensional_set(Closure closure, Steps& steps) {
+  return SetPtr(std::make_shared<const Comprehension>(std::move(closure), steps));
+}
 
-Value lambda_function(Closure closure) { return SetPtr(std::make_shared<const Lambda>(std::move(closure))); }
+Value lambda_function(Closure closure, Steps& steps) {
+  return SetPtr(std::make_shared<const Lambda>(std::move(closure), steps));
+}
 
 Value axiomatic_function(std::string name, std::function<Clauses(Context&)> compile) {
   return SetPtr(std::make_shared<const AxiomaticFunction>(std::move(name), std::move(compile)));

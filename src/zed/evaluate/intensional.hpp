@@ -19,10 +19,10 @@ struct Closure {
 /// Copies the first `count` slots.
 std::vector<Value> captured(const Frame& frame, unsigned count);
 
-/// Makes the set { D | P • E }.
-Value intensional_set(Closure closure);
-/// Makes the function λ D | P • E.
-Value lambda_function(Closure closure);
+/// Makes the set { D | P • E }, which counts its steps where it is asked without a context.
+Value intensional_set(Closure closure, Steps& steps);
+/// Makes the function λ D | P • E, which counts so too.
+Value lambda_function(Closure closure, Steps& steps);
 
 /// These clauses are what an axiomatic box says of a function: the first one whose head the argument satisfies gives
 /// its value.

@@ -6,11 +6,20 @@
 #include "zed/evaluate/describe.hpp"
 #include "zed/operators.hpp"
 #include "zed/syntax/match.hpp"
+#include "zed/value/toolkit_functions.hpp"
 
 namespace durero::zed {
 namespace {
 
 using ToolkitRelation = decltype(Evaluation::relation);
+
+/// Asks a relation of the toolkit. Membership is asked of a set as it is; other relations may go through their
+/// operands.
+Truth asked(ToolkitRelation holds, const Value& a, const Value& b, Context& context) {
+  if (holds != relations::element_of && holds != relations::no_element_of) return counted(holds, context, a, b);
+  context.steps.take();
+  return holds(a, b, context);
+}
 
 Truth negated(const Property& property, Frame& frame) {
   const Necessary not_here(frame.context, false);
@@ -38,7 +47,7 @@ Truth chained(const std::vector<Code>& operands, const std::vector<ToolkitRelati
   Value left = operands[0](frame);
   for (std::size_t i = 0; i < relations.size(); ++i) {
     Value right = operands[i + 1](frame);
-    result = both(result, relations[i](left, right, frame.context));
+    result = both(result, asked(relations[i], left, right, frame.context));
     if (result == Truth::no) return result;
     left = std::move(right);
   }
@@ -126,8 +135,8 @@ Property Compiler::relation(const Term& term, const Scope& scope) {
   for (const Name& name : node.names) {
     const OperatorRow* row = operator_row(name.word);
     if (row && row->evaluation.property && operands.size() == 1)
-      return test_of([of = operands[0],
-                      holds = row->evaluation.property](Frame& frame) { return holds(of(frame), frame.context); },
+      return test_of([of = operands[0], holds = row->evaluation.property](
+                         Frame& frame) { return counted(holds, frame.context, of(frame)); },
                      term);
     if (!row || !row->evaluation.relation || operands.size() == 1)
       cannot(node, "the evaluator knows no relation " + name.word);
@@ -138,7 +147,7 @@ Property Compiler::relation(const Term& term, const Scope& scope) {
   Property property = test_of(
       [left = operands[0], right = operands[1], holds = relations[0]](Frame& frame) {
         const Value a = left(frame);
-        return holds(a, right(frame), frame.context);
+        return asked(holds, a, right(frame), frame.context);
       },
       term);
   if (!match::is_equation(term)) return property;

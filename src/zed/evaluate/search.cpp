@@ -163,6 +163,7 @@ struct Search::Run {
 
   void from(std::size_t i) {
     if (stopped) return;
+    frame.context.steps.take();
     if (i == search.variables_.size()) return complete();
     const Variable& variable = search.variables_[i];
     if (variable.value) return from(i + 1);

@@ -10,8 +10,6 @@
 namespace durero::zed {
 namespace {
 
-using Type = Token::Type;
-
 class ParagraphParser {
  public:
   explicit ParagraphParser(const std::vector<Token>& tokens) : in_(tokens), terms_(in_) {}
@@ -24,7 +22,7 @@ class ParagraphParser {
     do {
       const Place place = in_.peek().place;
       line(paragraphs, place);
-    } while (in_.accept(Type::newline));
+    } while (in_.accept(Token::Type::newline));
     finish();
     return paragraphs;
   }
@@ -145,7 +143,7 @@ class ParagraphParser {
   }
 
   SchemaText body() {
-    in_.accept(Type::newline);
+    in_.accept(Token::Type::newline);
     if (in_.at_end()) return {};
     SchemaText text = terms_.schema_text(true);
     finish();
@@ -190,7 +188,7 @@ std::vector<Name> names_declared(std::string_view environment, const std::vector
     const Token& after = tokens[i + 1];
     if (environment == "axdef" && tokens[i].is("|")) break;  // this is \where
     if (tokens[i].is("::=")) branches = true;
-    if (tokens[i].type == Type::newline) branches = false;
+    if (tokens[i].type == Token::Type::newline) branches = false;
     const bool declares = after.is(":") || after.is("==") || after.is("::=") || after.is(",");
     if (TokenStream::is_name(tokens[i]) && (branches || declares)) names.push_back({tokens[i].text, tokens[i].strokes});
   }

@@ -7,12 +7,10 @@
 
 namespace durero::zed {
 
-using Type = Token::Type;
-
 bool TermParser::begins_primary() const {
   const Token& token = in_.peek();
-  if (token.type == Type::numeral || TokenStream::is_name(token)) return true;
-  if (token.type == Type::word) return token.is("true") || token.is("false") || token.is("θ");
+  if (token.type == Token::Type::numeral || TokenStream::is_name(token)) return true;
+  if (token.type == Token::Type::word) return token.is("true") || token.is("false") || token.is("θ");
   for (const std::string_view sign : {"(", "{", "⟨", "⦉", "[", "θ"})
     if (token.is(sign)) return true;
   return false;
@@ -28,7 +26,7 @@ Term TermParser::application() {
   }
   for (;;) {
     const Token& token = in_.peek();
-    const Operator* op = token.type == Type::symbol ? find_operator(token.text, Fixity::postfix) : nullptr;
+    const Operator* op = token.type == Token::Type::symbol ? find_operator(token.text, Fixity::postfix) : nullptr;
     if (op) {
       in_.next();
       const Place place = term->place;
@@ -61,14 +59,14 @@ bool TermParser::suffix(Term& so_far) {
   if (in_.sees(".")) {
     in_.next();
     Node node{.kind = Kind::selection, .place = place, .name = {}, .children = {so_far}, .names = {}, .text = {}};
-    if (in_.sees(Type::numeral)) {
+    if (in_.sees(Token::Type::numeral)) {
       node.kind = Kind::tuple_selection;
       node.name.word = in_.next().text;
     } else {
       node.name = in_.name();
     }
     so_far = checked(make(std::move(node)));
-  } else if (in_.sees(Type::stroke)) {
+  } else if (in_.sees(Token::Type::stroke)) {
     Node tree{.kind = Kind::decoration, .place = place, .name = {}, .children = {so_far}, .names = {}, .text = {}};
     tree.name.strokes = in_.next().text;
     so_far = checked(make(std::move(tree)));
@@ -110,7 +108,7 @@ std::vector<Term> TermParser::terms(std::string_view closing) {
 
 Term TermParser::plain_primary() {
   const Token& token = in_.peek();
-  if (token.type == Type::numeral) return numeral();
+  if (token.type == Token::Type::numeral) return numeral();
   if (TokenStream::is_name(token)) return reference(in_.name(), {}, token.place);
   if (token.is("true") || token.is("false"))
     return node(in_.next().is("true") ? Kind::truth : Kind::falsity, {}, token.place);
@@ -150,7 +148,8 @@ Term TermParser::theta() {
   } else {
     in_.fail("expected a schema after θ");
   }
-  while (in_.sees(Type::stroke)) node.name.strokes += in_.next().text;  // they are those of θ: x is taken from x'
+  while (in_.sees(Token::Type::stroke))
+    node.name.strokes += in_.next().text;  // they are those of θ: x is taken from x'
   return checked(make(std::move(node)));
 }
 
@@ -172,7 +171,7 @@ Term TermParser::word_or_operator() {
   std::string name;
   const Place place = in_.peek().place;
   while (!in_.sees(")")) {
-    if (!in_.sees(Type::symbol) && !in_.sees(Type::word)) in_.fail("expected )");
+    if (!in_.sees(Token::Type::symbol) && !in_.sees(Token::Type::word)) in_.fail("expected )");
     name += in_.next().text;
   }
   in_.next();
@@ -194,7 +193,7 @@ Term TermParser::braces() {
     SchemaText text;  // it was the inclusion of a schema
     const Place first = elements[0]->place;
     text.declarations.push_back({Declaration::Form::included, {}, {}, elements[0], first});
-    while (in_.accept(";") || in_.accept(Type::newline)) text.declarations.push_back(declaration());
+    while (in_.accept(";") || in_.accept(Token::Type::newline)) text.declarations.push_back(declaration());
     if (in_.accept("|")) text.predicates = predicates(false);
     std::vector<Term> value;
     if (in_.accept("•")) value.push_back(term());

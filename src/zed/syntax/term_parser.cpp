@@ -7,8 +7,6 @@
 namespace durero::zed {
 namespace {
 
-using Type = Token::Type;
-
 /// Counts the depth of the recursion for a scope.
 class Deeper {
  public:
@@ -45,7 +43,7 @@ Term TermParser::term(int least) {
   Term left = leading();
   for (;;) {
     const Token& token = in_.peek();
-    if (token.type != Type::symbol && token.type != Type::word) return left;
+    if (token.type != Token::Type::symbol && token.type != Token::Type::word) return left;
     if (const Connective* connective = infix_connective(token)) {
       if (connective->strength < least) return left;
       in_.next();
@@ -193,7 +191,7 @@ SchemaText TermParser::schema_text(bool labelled) {
   if (!in_.sees("|")) {
     do {
       text.declarations.push_back(declaration());
-    } while (in_.accept(";") || in_.accept(Type::newline));
+    } while (in_.accept(";") || in_.accept(Token::Type::newline));
   }
   if (in_.accept("|")) text.predicates = predicates(labelled);
   return text;
@@ -208,7 +206,7 @@ std::vector<Predicate> TermParser::predicates(bool labelled) {
     predicate.term = term();
     if (labelled) predicate.label = in_.label_since(from);
     predicates.push_back(std::move(predicate));
-  } while (in_.accept(";") || in_.accept(Type::newline));
+  } while (in_.accept(";") || in_.accept(Token::Type::newline));
   return predicates;
 }
 

@@ -13,8 +13,9 @@ class FiniteSet : public Set {
       : members_(std::move(sorted)), family_(std::any_of(members_.begin(), members_.end(), has_intensional)) {}
 
   const std::vector<Value>* members() const override { return &members_; }
+  std::size_t listed() const override { return members_.size(); }
   bool family() const override { return family_; }
-  std::string text() const override { return members_.size() > 8 ? "this finite set" : listed(); }
+  std::string text() const override { return members_.size() > 8 ? "this finite set" : spelled(); }
 
   Truth contains(const Value& value, Context& context) const override {
     if (members_.empty()) return Truth::no;
@@ -56,7 +57,7 @@ class FiniteSet : public Set {
       return compare(pair.tuple()->parts[0], sought) < 0;
     });
   }
-  std::string listed() const {
+  std::string spelled() const {
     std::string text;
     for (const Value& member : members_) text += (text.empty() ? "" : ", ") + member.text();
     return "{" + text + "}";

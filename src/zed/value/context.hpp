@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "durero/zed/value/steps.hpp"
 #include "durero/zed/value/value.hpp"
 
 namespace durero::zed {
@@ -20,6 +21,9 @@ struct Watch {
 };
 
 struct Context {
+  explicit Context(Steps& counted) : steps(counted) {}
+
+  Steps& steps;
   /// Each unknown has the value that it was found to have, by the unknown's id.
   std::vector<std::optional<Value>> values_found;
   /// Equations that are evaluated now must hold for the unknowns of this id or a greater one, and so determine them.
@@ -106,6 +110,13 @@ Value product(const Value& a, const Value& b);
 
 /// Says whether a number, or a value of another type as a whole, is not known.
 inline bool waiting(const Value& a) { return a.is_open() || a.get<Unknown>() || a.get<PolynomialPtr>(); }
+
+/// Returns the steps that an operator may take for what is large in its operand, beyond the one that it is.
+inline std::uint64_t steps_for(const Value& operand) {
+  if (const Real* real = operand.real()) return 8 * real->words();
+  const Set* set = operand.set();
+  return set ? set->listed() / 8 : 0;
+}
 
 /// Runs an operation on reals. Where its result has no exact form (Real), an EvaluationError says so.
 template <class Operation>

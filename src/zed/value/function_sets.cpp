@@ -8,7 +8,8 @@
 namespace durero::zed {
 namespace {
 
-constexpr std::size_t most_listed = 1 << 16;  // sets of functions with more members are known by membership only
+constexpr std::size_t most_listed_functions =
+    1 << 16;  // sets of functions with more members are known by membership only
 
 /// Pairs are sorted by their first parts, so in a function no two neighbours agree in them.
 bool is_function(const std::vector<Value>& pairs) {
@@ -45,10 +46,12 @@ class FunctionSet : public Set {
     return result;
   }
 
+  std::size_t listed() const override { return listed_ ? listed_->set()->listed() : 0; }
+
   const std::vector<Value>* members() const override {
     const auto *from = from_.set()->members(), *to = to_.set()->members();
     if (!from || !to || !listable(from->size(), to->size())) return nullptr;
-    if (!listed_) listed_ = Value::set(listed(*from, *to));
+    if (!listed_) listed_ = Value::set(relations(*from, *to));
     return listed_->set()->members();
   }
 
@@ -71,20 +74,20 @@ class FunctionSet : public Set {
   /// none.
   bool listable(std::size_t from, std::size_t to) const {
     std::size_t ways = 1;
-    const std::size_t each = form_.function ? to + 1 : to < 20 ? std::size_t{1} << to : most_listed + 1;
-    for (std::size_t i = 0; i < from && ways <= most_listed; ++i) ways *= each;
-    return ways <= most_listed;
+    const std::size_t each = form_.function ? to + 1 : to < 20 ? std::size_t{1} << to : most_listed_functions + 1;
+    for (std::size_t i = 0; i < from && ways <= most_listed_functions; ++i) ways *= each;
+    return ways <= most_listed_functions;
   }
 
-  std::vector<Value> listed(const std::vector<Value>& from, const std::vector<Value>& to) const {
-    std::vector<std::vector<Value>> relations{{}};
+  std::vector<Value> relations(const std::vector<Value>& from, const std::vector<Value>& to) const {
+    std::vector<std::vector<Value>> sets{{}};
     for (const Value& member : from) {
       std::vector<std::vector<Value>> longer;
-      for (const auto& pairs : relations) extend(pairs, member, to, longer);
-      relations = std::move(longer);
+      for (const auto& pairs : sets) extend(pairs, member, to, longer);
+      sets = std::move(longer);
     }
     std::vector<Value> kept;
-    for (auto& pairs : relations) {
+    for (auto& pairs : sets) {
       if (admitted(pairs, to.size())) kept.push_back(finite(std::move(pairs)));
     }
     return kept;

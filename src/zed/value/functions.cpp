@@ -114,10 +114,11 @@ Value image(const Value& relation, const Value& set, Context& context) {
   });
 }
 
-Value forward_composition(const Value& a, const Value& b, Context&) {
+Value forward_composition(const Value& a, const Value& b, Context& context) {
   return with(a, b, [&]() -> Value {
     Values pairs;
     for (const Value& from : enumerated(a, "the composition of")) {
+      context.steps.take(1 + steps_for(b));
       for (const Value& to : enumerated(b, "the composition with")) {
         if (same(second(from), first(to))) pairs.push_back(Value::pair(first(from), second(to)));
       }

@@ -7,7 +7,7 @@
 namespace durero::zed {
 namespace {
 
-constexpr int most_listed = 1 << 20;  // an interval with more members is not listed
+constexpr int most_listed_numbers = 1 << 20;  // an interval with more members is not listed
 
 /// Returns the least or the greatest member of a set of numbers; undefined for the empty set.
 Value extreme(const Value& set, bool greatest) {
@@ -70,7 +70,7 @@ Value interval(const Value& a, const Value& b, Context&) {
   return with(a, b, [&]() -> Value {
     const Real &from = *a.real(), &to = *b.real();
     if (!from.is_integer() || !to.is_integer()) throw EvaluationError("‥ between numbers that are not integers");
-    if (to - from > Real(most_listed))
+    if (to - from > Real(most_listed_numbers))
       throw EvaluationError(a.text() + "‥" + b.text() + " has more members than can be listed");
     std::vector<Value> members;
     for (Real number = from; number <= to; number = number + Real(1)) members.emplace_back(number);

@@ -139,6 +139,14 @@ bool Real::is_integer() const {
   return big && (*big)->y.is_zero() && denominator((*big)->x) == 1;
 }
 
+std::size_t Real::words() const {
+  const auto words_of = [](const number::Rational& part) {
+    return mpz_size(mpq_numref(part.backend().data())) + mpz_size(mpq_denref(part.backend().data()));
+  };
+  const auto* big = std::get_if<Big>(&form_);
+  return big ? words_of((*big)->x) + words_of((*big)->y) : 0;
+}
+
 const number::Surd& Real::surd(number::Surd& room) const {
   if (const auto* big = std::get_if<Big>(&form_)) return **big;
   if (const auto* small = std::get_if<Small>(&form_)) return room = number::Surd(S::rational(*small));

@@ -57,6 +57,7 @@ Truth is_disjoint(const Value& family, Context& context) {
   const auto& indexed = enumerated(family, "whether this family is disjoint:");
   for (std::size_t i = 0; i < indexed.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
+      context.steps.take(1 + steps_for(second(indexed[i])) + steps_for(second(indexed[j])));
       const Value shared = intersection(second(indexed[i]), second(indexed[j]), context);
       if (waiting(shared)) return Truth::open;
       if (!enumerated(shared, "whether this is empty:").empty()) return Truth::no;

@@ -142,7 +142,10 @@ Value concatenation(const Value& a, const Value& b, Context&) {
 Value distributed_concatenation(const Value& sequences, Context& context) {
   return of_items(sequences, false, [&](const Values& items) {
     Value whole = empty_set();
-    for (const Value& piece : items) whole = concatenation(whole, piece, context);
+    for (const Value& piece : items) {
+      context.steps.take(1 + steps_for(whole));
+      whole = concatenation(whole, piece, context);
+    }
     return whole;
   });
 }

@@ -128,7 +128,10 @@ Value big_union(const Value& a, Context& context) {
   const auto* sets = as_set(a).members();
   if (!sets || as_set(a).family()) return SetPtr(std::make_shared<const BigUnion>(a));
   Value whole = empty_set();
-  for (const Value& member : *sets) whole = set_union(whole, member, context);
+  for (const Value& member : *sets) {
+    whole = set_union(whole, member, context);
+    context.steps.take(1 + steps_for(whole));
+  }
   return whole;
 }
 
@@ -138,7 +141,10 @@ Value big_intersection(const Value& a, Context& context) {
   const auto& sets = enumerated(a, "the intersection of");
   if (sets.empty()) throw EvaluationError("⋂ ∅ is every value of its type, which nobody can enumerate");
   Value common = sets[0];
-  for (std::size_t i = 1; i < sets.size(); ++i) common = intersection(common, sets[i], context);
+  for (std::size_t i = 1; i < sets.size(); ++i) {
+    context.steps.take(1 + steps_for(common));
+    common = intersection(common, sets[i], context);
+  }
   return common;
 }
 

@@ -29,6 +29,8 @@ class PowerSet : public Set {
     return subset(value, base_, context);
   }
 
+  std::size_t listed() const override { return members_ ? members_->set()->listed() : 0; }
+
   // The subsets stand in order of size, as sets are ordered.
   const std::vector<Value>* members() const override {
     const auto* base = base_.set()->members();
@@ -82,6 +84,8 @@ class ProductSet : public Set {
     for (const Value& factor : factors_) parts.push_back(factor.set()->unknown(context));
     return Value::tuple(std::move(parts));
   }
+
+  std::size_t listed() const override { return members_ ? members_->set()->listed() : 0; }
 
   const std::vector<Value>* members() const override {
     if (members_) return members_->set()->members();

@@ -68,7 +68,8 @@ TEST_CASE("a binding gives its components by name") {
 TEST_CASE("a set of pairs is a function where no two pairs agree in their first parts") {
   const Value f = set_of({Value::pair(Real(1), red()), Value::pair(Real(2), blue()), Value::pair(Real(2), red())});
   CHECK(f.text() == "{1 ↦ red, 2 ↦ red, 2 ↦ blue}");
-  Context context;
+  Steps steps;
+  Context context(steps);
   CHECK(f.set()->apply(Real(1), context).text() == "red");
   CHECK(f.set()->apply(Real(2), context).is_undefined());
   CHECK(f.set()->apply(Real(3), context).is_undefined());

@@ -17,6 +17,7 @@ namespace durero::scene {
 /// A Terna as the compact tables hold it: a, b and c.
 using Corners = std::array<glm::dvec3, 3>;
 
+/// One attribute of a shape, by all its names.
 template <class ShapeType, class StoredType, class Addition, class InputType, class ValueType>
 struct Attribute {
   using Stored = StoredType;  ///< of the compact table: double, glm::dvec3 or Corners
@@ -35,17 +36,19 @@ Attribute(std::string_view, StoredType ShapeType::*, InputType Addition::*,
           std::map<model::Elemento, ValueType> model::Escena::*)
     -> Attribute<ShapeType, StoredType, Addition, InputType, ValueType>;
 
-/// What a table stores of an input.
+/// @{ What a table stores of an input.
 inline double stored(double x) { return x; }
 inline const glm::dvec3& stored(const model::Punto& p) { return p.xyz(); }
 inline const glm::dvec3& stored(const model::Vector& v) { return v.xyz(); }
 inline Corners stored(const model::Terna& v) { return {v.a.xyz(), v.b.xyz(), v.c.xyz()}; }
+/// @}
 
 /// The input that is stored so.
 template <class Input, class Stored>
 Input input_of(const Stored& value) {
   return Input(value);
 }
+/// The three vertices that are stored so.
 template <>
 inline model::Terna input_of(const Corners& value) {
   return {model::Punto(value[0]), model::Punto(value[1]), model::Punto(value[2])};

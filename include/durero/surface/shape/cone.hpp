@@ -13,12 +13,13 @@ auto potencia(const scene::Cone& cone, const Point<T>& w) {
   return alejamiento(cone, w) - square((C(cone.altura) - avance(cone, w)) * C(cone.proporcion));
 }
 
-/// Precondition of both: every number of the shape is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰.
+/// @{ What contains every point of it. Precondition: every number of the shape is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰.
 inline Ball ball(const scene::Cone& cone) {
   return ball_of_discs(cone.centro, cone.vector, cone.altura, cone.proporcion * cone.altura, 0);
 }
 inline Box box(const scene::Cone& cone) {
   return box_of_discs(cone.centro, cone.vector, cone.altura, cone.proporcion * cone.altura, 0);
 }
+/// @}
 
 }  // namespace durero::surface

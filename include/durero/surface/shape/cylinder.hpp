@@ -12,12 +12,13 @@ auto potencia(const scene::Cylinder& cylinder, const Point<T>& w) {
   return alejamiento(cylinder, w) - square(Constant<T>(cylinder.radio));
 }
 
-/// Precondition of both: every number of the shape is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰.
+/// @{ What contains every point of it. Precondition: every number of the shape is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰.
 inline Ball ball(const scene::Cylinder& cylinder) {
   return ball_of_discs(cylinder.centro, cylinder.vector, cylinder.altura, cylinder.radio, cylinder.radio);
 }
 inline Box box(const scene::Cylinder& cylinder) {
   return box_of_discs(cylinder.centro, cylinder.vector, cylinder.altura, cylinder.radio, cylinder.radio);
 }
+/// @}
 
 }  // namespace durero::surface

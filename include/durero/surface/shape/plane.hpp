@@ -14,10 +14,12 @@ T potencia(const scene::Plane& plane, const Point<T>& w) {
   return dot(from(plane.centro, w), plane.vector);
 }
 
+/// @{ What contains every point of it: all of space.
 inline Ball ball(const scene::Plane& plane) { return {plane.centro, std::numeric_limits<double>::infinity()}; }
 inline Box box(const scene::Plane&) {
   const glm::dvec3 infinite(std::numeric_limits<double>::infinity());
   return {-infinite, infinite};
 }
+/// @}
 
 }  // namespace durero::surface

@@ -14,14 +14,16 @@ auto potencia(const scene::TruncatedCone& e, const Point<T>& w) {
   return alejamiento(e, w) - square(at_centre - avance(e, w) * C(e.proporcion));
 }
 
+/// The radius at the centre, rounded.
 inline double radius_of_base(const scene::TruncatedCone& e) { return e.radio + e.proporcion * e.altura; }
 
-/// Precondition of both: every number of the shape is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰.
+/// @{ What contains every point of it. Precondition: every number of the shape is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰.
 inline Ball ball(const scene::TruncatedCone& e) {
   return ball_of_discs(e.centro, e.vector, e.altura, radius_of_base(e), e.radio);
 }
 inline Box box(const scene::TruncatedCone& e) {
   return box_of_discs(e.centro, e.vector, e.altura, radius_of_base(e), e.radio);
 }
+/// @}
 
 }  // namespace durero::surface

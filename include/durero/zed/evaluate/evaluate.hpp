@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "durero/zed/syntax/reader.hpp"
+#include "durero/zed/value/steps.hpp"
 #include "durero/zed/value/value.hpp"
 
 namespace durero::zed {
@@ -56,8 +57,9 @@ class SchemaCheck {
 class Evaluator {
  public:
   /// Evaluates on these sections. `given` has values of names that they declare and do not define; throws
-  /// EvaluationError for any other name.
-  explicit Evaluator(std::vector<Section> sections, const Given& given = {});
+  /// EvaluationError for any other name. What is asked counts its steps, in `steps` where that is given, which outlives
+  /// the evaluator; all that follow then throw StepsSpent where they take too many.
+  explicit Evaluator(std::vector<Section> sections, const Given& given = {}, Steps* steps = nullptr);
   ~Evaluator();
   Evaluator(Evaluator&&) noexcept;
   Evaluator& operator=(Evaluator&&) noexcept;

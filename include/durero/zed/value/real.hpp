@@ -27,6 +27,8 @@ class Real {
   static Real natural(const std::string& digits);
 
   bool is_integer() const;
+  /// Returns about how many machine words the number takes beyond two.
+  std::size_t words() const;
   /// Says whether it is anything but the root of an irrational number.
   bool is_surd() const { return form_.index() != 2; }
   /// Returns the number as x + y√Δ. Precondition: is_surd().

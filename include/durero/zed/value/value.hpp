@@ -160,6 +160,8 @@ class Set {
   virtual Truth contains(const Value& value, Context& context) const = 0;
   /// Returns the members of a finite set, sorted, each once. It is null where the set is intensional.
   virtual const std::vector<Value>* members() const { return nullptr; }
+  /// Returns how many members the set has listed so far: a set that can be listed may be so when first asked to.
+  virtual std::size_t listed() const { return 0; }
   /// Says whether every value of the type is known to be a member.
   virtual bool total() const { return false; }
   /// Says whether this is a finite set of intensional sets: members may then repeat, as nobody can compare them.

@@ -1,0 +1,45 @@
+#pragma once
+/// What there is to say of a scene file: all that is wrong with it, or, of a file that is right, each invariant of
+/// Escena. As text, and for programs as JSON and as SARIF 2.1.0.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "durero/io/format_version.hpp"
+#include "durero/io/source.hpp"
+#include "durero/model/escena.hpp"
+#include "durero/scene/scene.hpp"
+
+namespace durero::io {
+
+inline constexpr json::FormatVersion check_format{"durero-check", 1};
+
+/// Something wrong, and where.
+struct Finding {
+  const contract::clause* broken;      ///< null where no clause speaks of it: the file is malformed
+  std::string message;                 ///< what is wrong; what is expected
+  std::optional<std::string> pointer;  ///< to the value in the file, or to where it should be; none where it is no JSON
+  Place place;
+};
+
+struct SceneCheck {
+  std::string file;
+  scene::Scene scene{};              ///< without what is wrong
+  std::vector<InputError> errors{};  ///< as they were met: the first is what read_scene throws
+  model::Judgements invariants{};    ///< none where there is an error: then there is no scene to judge
+  std::vector<Finding> findings{};   ///< in the order of the file
+};
+
+SceneCheck check_scene(const Source& file);
+
+/// A finding for each element that breaks an invariant. A scene that was read breaks none, unless the program is wrong.
+std::vector<Finding> broken_invariants(const Source& file, const model::Escena& escena);
+
+/// The elements by shape, and a line for each invariant; `fails` is the word for one that does not hold.
+std::string check_text(const SceneCheck& check, std::string_view fails = "fails");
+std::string check_json(const SceneCheck& check);
+std::string check_sarif(const SceneCheck& check);
+
+}  // namespace durero::io

@@ -1,0 +1,94 @@
+"""Durero: formally specified, contract-checked ray/object intersection.
+
+A scene is edited under contract, and asked for the first hits of rays; each number of an answer is the exact value,
+rounded once:
+
+>>> import durero, numpy as np
+>>> scene = durero.Scene()
+>>> scene.add("ball", durero.Esfera(centro=(0, 0, 5), radio=1))
+'esfera_agregada'
+>>> scene.apply("Agregar_Plano e?=floor centro?=(0,-1,0) vector?=(0,1,0)")
+'plano_agregado'
+>>> rays = np.array([[0, 0, 0, 0, 0, 1], [0, 0, 0, 0, -1, 1], [0, 0, 0, 0, 1, 0]], float)
+>>> hits = scene.trace(rays)
+>>> hits["t"].tolist()
+[4.0, 1.0, nan]
+>>> [scene.names[i] if i >= 0 else None for i in hits["element"]]
+['ball', 'floor', None]
+
+What the specification does not allow is refused, with the predicate that does not hold:
+
+>>> scene.add("ball", durero.Esfera(centro=(0, 0, 9), radio=1))
+Traceback (most recent call last):
+    ...
+durero.errors.Refused: Agregar_Elemento.pre.1: e? ∉ elementos (elemento_ya_existe): Agregar_Esfera e?=ball centro?=(0.0, 0.0, 9.0) radio?=1.0
+
+The exact value is there too, a number x + y√Δ, and the specification itself answers:
+
+>>> print(scene.exact((0.5, 0, 0, 0, 0, 1)).t)
+5 + -1·√(3/4)
+>>> durero.spec.eval("#elementos = 2", scene)
+True
+
+Scene           help(durero.Scene): load, save, apply, add, remove, trace, occluded, exact, render
+Esfera …        the elements: Esfera, Cilindro, Cono, Tronco, Plano, Disco, Triangulo
+spec            help(durero.spec): the Z text evaluates and checks
+conform         help(durero.conform): judges the hits of other programs
+Refused …       what goes wrong: Refused, InputError, Undecided
+"""
+from typing import NamedTuple
+
+from . import _durero, conform, spec
+from .elements import Cilindro, Cono, Disco, Element, Esfera, Plano, Triangulo, Tronco
+from .errors import InputError, Refused, Undecided
+from .exact import ExactHit, Surd
+from .hits import HIT, Resultado
+from .scene import HitsWithElements, Scene
+
+__version__ = _durero.version
+
+
+class Engine(NamedTuple):
+    """A way to answer rays, and what it promises."""
+
+    name: str
+    what: str
+    exact_bytes: bool
+    """Its answers are those of `exact`, byte for byte."""
+    honours_origins: bool
+    """It knows of the elements that a ray starts on."""
+
+
+def engines() -> list[Engine]:
+    """Every engine that Scene.trace may be given the name of.
+
+    >>> [engine.name for engine in engines() if engine.exact_bytes]
+    ['exact', 'analytic']
+    """
+    return [Engine(*row) for row in _durero.engines()]
+
+
+__all__ = [
+    "Cilindro",
+    "Cono",
+    "Disco",
+    "Element",
+    "Engine",
+    "Esfera",
+    "ExactHit",
+    "HIT",
+    "HitsWithElements",
+    "InputError",
+    "Plano",
+    "Refused",
+    "Resultado",
+    "Scene",
+    "Surd",
+    "Triangulo",
+    "Tronco",
+    "Undecided",
+    "__version__",
+    "conform",
+    "engines",
+    "spec",
+]

@@ -1,0 +1,251 @@
+"""A scene: read, edited under contract, asked for hits and drawn."""
+from __future__ import annotations
+
+import copy
+import dataclasses
+import json
+import os
+import pathlib
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Literal, NamedTuple, Optional, Tuple, Union, overload
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _durero
+from .elements import TYPES, Element
+from .exact import ExactHit, surd
+from .hits import Resultado
+
+_Numbers = Union[npt.NDArray[np.int32], npt.NDArray[np.int64]]
+Origins = Union[_Numbers, Tuple[_Numbers, _Numbers]]
+"""The elements that rays start on: for each ray the number of one in scene.names, -1 for none; or offsets and numbers,
+of which ray i has numbers[offsets[i]:offsets[i + 1]]."""
+
+
+class HitsWithElements(NamedTuple):
+    """Hits, and every element of each: hit i has elements[offsets[i]:offsets[i + 1]], ascending."""
+
+    hits: npt.NDArray[np.void]
+    offsets: npt.NDArray[np.int64]
+    elements: npt.NDArray[np.int32]
+
+
+class Scene(Mapping[str, Element]):
+    """A scene of the specification: a mapping from names to elements, which operations edit.
+
+    >>> import durero
+    >>> scene = durero.Scene()
+    >>> scene.add("s1", durero.Esfera(centro=(0, 0, 5), radio=1))
+    'esfera_agregada'
+    >>> scene["s1"].radio, len(scene), "s2" in scene
+    (1.0, 1, False)
+
+    An edit that the specification refuses raises Refused and changes nothing. An edit while another thread traces is
+    safe: the trace answers for the scene as it was when it began.
+    """
+
+    def __init__(self) -> None:
+        self._scene = _durero.Scene()
+
+    @classmethod
+    def load(cls, path: Union[str, os.PathLike[str]]) -> Scene:
+        """Reads a scene file (JSON). Raises OSError, and InputError at the first thing that is wrong."""
+        return cls._read(pathlib.Path(path).read_bytes(), os.fspath(path))
+
+    @classmethod
+    def loads(cls, text: str, name: str = "<text>") -> Scene:
+        """Reads a scene from the text of a scene file; messages call it by the name."""
+        return cls._read(text.encode("utf-8", "surrogateescape"), name)
+
+    @classmethod
+    def _read(cls, text: bytes, name: str) -> Scene:
+        scene = cls()
+        scene._scene = _durero.read_scene(text, name)
+        return scene
+
+    def save(self, path: Union[str, os.PathLike[str]]) -> None:
+        """Writes a scene file, which appears whole or not at all. Raises OSError."""
+        self._scene.save(os.fspath(path))
+
+    def dumps(self) -> str:
+        """The text of a scene file: the same scene gives the same text."""
+        return self._scene.text()
+
+    def apply(self, operation: str) -> str:
+        """Carries out one operation as text, and answers its r!. Raises Refused or InputError, and changes nothing.
+
+        >>> Scene().apply("Agregar_Esfera e?=s1 centro?=(0,0,5) radio?=1")
+        'esfera_agregada'
+        """
+        answers = self._scene.apply(_single(operation), "operation")
+        if not answers:
+            raise ValueError("the operation is blank; expected one operation")
+        return answers[0]
+
+    def apply_all(self, operations: Union[str, Iterable[str]]) -> list[str]:
+        """Carries out every operation of a script, or of a sequence of lines, or none of them: where one is malformed
+        or refused it raises InputError or Refused, which know the line, and the scene is as it was.
+
+        >>> scene = Scene()
+        >>> scene.apply_all(["Agregar_Esfera e?=a centro?=(0,0,5) radio?=1", "Eliminar_Esfera e?=a"])
+        ['esfera_agregada', 'esfera_eliminada']
+        """
+        text = operations if isinstance(operations, str) else "\n".join(map(_single, operations))
+        return self._scene.apply(text, "operations")
+
+    def add(self, e: str, element: Element) -> str:
+        """Adds an element under a name, by the operation of its type, and answers its r!. Raises Refused."""
+        inputs = {name: value for name, value in dataclasses.asdict(element).items() if value is not None}
+        return self._operate({"op": "Agregar_" + type(element).__name__, "e": e, **inputs})
+
+    def remove(self, e: str) -> str:
+        """Removes the element of that name, by the general operation, and answers its r!. Raises Refused."""
+        return self._operate({"op": "Eliminar_Elemento", "e": e})
+
+    def _operate(self, operation: dict[str, object]) -> str:
+        if not isinstance(operation["e"], str):
+            raise TypeError(f"e is {operation['e']!r}; expected a name")
+        return self._scene.apply(json.dumps(operation), "operation")[0]
+
+    def __len__(self) -> int:
+        return self._scene.size()
+
+    def __contains__(self, name: object) -> bool:
+        return isinstance(name, str) and self._scene.contains(name)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._scene.names())
+
+    def __getitem__(self, name: str) -> Element:
+        word, attributes, material = self._scene.element(name)
+        return TYPES[word](**attributes, material=material)  # type: ignore[arg-type]
+
+    @property
+    def names(self) -> Tuple[str, ...]:
+        """The names of the elements, ascending: what arrays know an element by is its place here."""
+        return tuple(self._scene.names())
+
+    @property
+    def materials(self) -> Tuple[str, ...]:
+        """The names of the materials."""
+        return tuple(self._scene.materials())
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both have the same scene file."""
+        if not isinstance(other, Scene):
+            return NotImplemented
+        return self.dumps() == other.dumps()
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        return f"<durero.Scene of {len(self)} elements>"
+
+    def __copy__(self) -> Scene:
+        """Shares what it can, so it costs nothing until one of both is edited."""
+        scene = type(self)()
+        scene._scene = self._scene.copy()
+        return scene
+
+    def __deepcopy__(self, memo: dict[int, object]) -> Scene:
+        return copy.copy(self)
+
+    def __getstate__(self) -> str:
+        return self.dumps()
+
+    def __setstate__(self, text: str) -> None:
+        self._scene = _durero.read_scene(text.encode(), "pickle")
+
+    @overload
+    def trace(
+        self,
+        rays: npt.NDArray[np.float64],
+        engine: str = ...,
+        *,
+        en: Optional[Origins] = ...,
+        elements: Literal["first"] = ...,
+    ) -> npt.NDArray[np.void]: ...
+
+    @overload
+    def trace(
+        self, rays: npt.NDArray[np.float64], engine: str = ..., *, en: Optional[Origins] = ..., elements: Literal["all"]
+    ) -> HitsWithElements: ...
+
+    def trace(
+        self,
+        rays: npt.NDArray[np.float64],
+        engine: str = _durero.default_engine,
+        *,
+        en: Optional[Origins] = None,
+        elements: str = "first",
+    ) -> Union[npt.NDArray[np.void], HitsWithElements]:
+        """The first hit of every ray: an array of durero.HIT, a row a ray.
+
+        Rays are float64 of shape (n, 6), px py pz vx vy vz, C-contiguous and finite, with v other than 0; v need not be
+        a unit vector. They are read where they lie; whatever else is given raises TypeError or ValueError, which says
+        what is wrong, and nothing is converted. `en` says which elements each ray starts on: those are met there no
+        more, so that a surface does not shadow itself. With elements="all" every element of a tie is told.
+
+        >>> import numpy as np
+        >>> scene = Scene.loads('{"format":"durero-scene","version":1,"elementos":'
+        ...                     '[{"id":"s1","tipo":"esfera","centro":[0,0,5],"radio":1}]}')
+        >>> hits = scene.trace(np.array([[0, 0, 0, 0, 0, 2], [0, 0, 0, 0, 1, 0]], float))
+        >>> hits["t"].tolist(), [Resultado(outcome).name for outcome in hits["outcome"]]
+        ([2.0, nan], ['hit', 'miss'])
+
+        It runs on every processor, without Python's lock.
+        """
+        if elements == "first":
+            return _durero.first_hits(self._scene, rays, engine, en)
+        if elements == "all":
+            return HitsWithElements(*_durero.first_hits_with_elements(self._scene, rays, engine, en))
+        raise ValueError(f'elements is {elements!r}; expected "first" or "all"')
+
+    def occluded(
+        self, rays: npt.NDArray[np.float64], engine: str = _durero.default_engine, *, en: Optional[Origins] = None
+    ) -> npt.NDArray[np.bool_]:
+        """Whether each ray meets some element at some t > 0. Arguments are those of trace."""
+        return _durero.occluded(self._scene, rays, engine, en)
+
+    def occluded_segment(
+        self, rays: npt.NDArray[np.float64], engine: str = _durero.default_engine, *, en: Optional[Origins] = None
+    ) -> npt.NDArray[np.bool_]:
+        """Whether each ray meets some element at some 0 < t < 1, between p and p + v. Arguments are those of trace."""
+        return _durero.occluded_segment(self._scene, rays, engine, en)
+
+    def exact(self, ray: Union[Sequence[float], npt.NDArray[np.float64]], en: Iterable[str] = ()) -> ExactHit:
+        """The first hit of one ray, by exact arithmetic and not rounded: t and each coordinate as x + y√delta.
+
+        The ray is six numbers, and en the names of the elements that it starts on.
+
+        >>> import durero
+        >>> scene = durero.Scene()
+        >>> scene.add("s1", durero.Esfera(centro=(0, 0, 5), radio=2))
+        'esfera_agregada'
+        >>> print(scene.exact((1, 0, 0, 0, 0, 1)).t)
+        5 + -1·√(3)
+        """
+        row = np.array([ray], dtype=np.float64)
+        if not np.array_equal(row[0], np.asarray(ray)):
+            raise ValueError(f"the ray is {ray!r}; expected six numbers, each of which a float64 is")
+        outcome, elements, t, point = _durero.exact_first_hit(self._scene, row, [en] if isinstance(en, str) else list(en))
+        if t is None or point is None:
+            return ExactHit(Resultado(outcome), tuple(elements), None, None)
+        x, y, z = map(surd, point)
+        return ExactHit(Resultado(outcome), tuple(elements), surd(t), (x, y, z))
+
+    def render(
+        self, size: Optional[Tuple[int, int]] = None, engine: str = _durero.default_engine
+    ) -> npt.NDArray[np.uint8]:
+        """The picture that the scene's camera sees, as sRGB of shape (height, width, 3), the upper row first.
+
+        `size` is (width, height), by default the scene's resolution. Raises ValueError without a camera.
+        """
+        return self._scene.render(size, engine)
+
+
+def _single(line: str) -> str:
+    if "\n" in line or "\r" in line:
+        raise ValueError(f"the operation {line!r} has more than one line; expected one")
+    return line

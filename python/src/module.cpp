@@ -1,0 +1,13 @@
+// The compiled part of the Python package durero.
+#include "bindings.hpp"
+
+PYBIND11_MODULE(_durero, module) {
+  using namespace durero::python;
+  module.attr("version") = DURERO_VERSION;
+  add_errors(module);
+  add_scene(module);
+  add_trace(module);
+  add_exact(module);
+  add_spec(module);
+  add_conform(module);
+}

@@ -1,0 +1,58 @@
+#include "state.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "durero/text/shown.hpp"
+
+namespace durero::python {
+
+Numbering::Numbering(const scene::Scene& scene) {
+  elements_.reserve(scene.size());
+  scene.for_each([&](scene::ElementRef element, const auto&) {
+    elements_.push_back(element);
+    numbers_[static_cast<std::size_t>(element.tipo)].push_back(0);
+  });
+  std::ranges::sort(elements_, {},
+                    [&](scene::ElementRef element) -> std::string_view { return scene.name(element).name(); });
+  std::int32_t number = 0;
+  for (const scene::ElementRef element : elements_)
+    numbers_[static_cast<std::size_t>(element.tipo)][element.index] = number++;
+}
+
+const Numbering& State::numbering() const {
+  const std::scoped_lock lock(making_);
+  if (!numbering_) numbering_ = std::make_unique<const Numbering>(scene_);
+  return *numbering_;
+}
+
+const engine::Engine& State::prepared(const engine::Row& engine) const {
+  const std::scoped_lock lock(making_);
+  auto& prepared = engines_[engine.name];
+  if (!prepared) prepared = engine.prepare(scene_);
+  return *prepared;
+}
+
+scene::Scene& State::edited() {
+  numbering_.reset();
+  engines_.clear();
+  return scene_;
+}
+
+scene::Scene& Scene::edited() {
+  if (state_.use_count() > 1) assign(value());
+  return state_->edited();
+}
+
+const engine::Row& engine_named(std::string_view name) {
+  if (const engine::Row* row = engine::find(name)) return *row;
+  std::vector<std::string_view> known;
+  for (const engine::Row& row : engine::engines()) known.push_back(row.name);
+  throw std::invalid_argument(
+      fmt::format("no engine {}; expected one of {}", text::shown(name), fmt::join(known, ", ")));
+}
+
+}  // namespace durero::python

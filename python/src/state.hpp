@@ -1,0 +1,74 @@
+#pragma once
+/// A scene as Python holds it: what reads it shares it, and an edit waits for nobody.
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "durero/engine/engine.hpp"
+#include "durero/scene/scene.hpp"
+
+namespace durero::python {
+
+/// The elements of a scene, numbered from 0 in the order of their names: what an array knows them by.
+class Numbering {
+ public:
+  explicit Numbering(const scene::Scene& scene);
+
+  std::int32_t size() const noexcept { return static_cast<std::int32_t>(elements_.size()); }
+  const std::vector<scene::ElementRef>& elements() const noexcept { return elements_; }
+  std::int32_t number(scene::ElementRef element) const noexcept {
+    return numbers_[static_cast<std::size_t>(element.tipo)][element.index];
+  }
+
+ private:
+  std::vector<scene::ElementRef> elements_;
+  std::array<std::vector<std::int32_t>, scene::shape_count> numbers_;
+};
+
+/// A scene, and what answers need beside it, which is made when it is first asked for. Any thread may ask.
+class State {
+ public:
+  explicit State(scene::Scene scene) : scene_(std::move(scene)) {}
+
+  const scene::Scene& scene() const noexcept { return scene_; }
+  const Numbering& numbering() const;
+  const engine::Engine& prepared(const engine::Row& engine) const;
+
+  /// For an edit, which nobody may read beside: what was made of the scene is forgotten.
+  scene::Scene& edited();
+
+ private:
+  scene::Scene scene_;
+  mutable std::mutex making_;
+  mutable std::unique_ptr<const Numbering> numbering_;
+  mutable std::map<std::string_view, std::unique_ptr<const engine::Engine>> engines_;
+};
+
+/// The scene of Python's object. An answer holds the state that it is asked of; an edit changes a state that nobody
+/// else holds, and otherwise a copy of it. So an edit by one thread beside a trace by another is safe, and the trace
+/// answers for the scene as it was when it began. Whoever calls holds Python's lock, which orders the two.
+class Scene {
+ public:
+  explicit Scene(scene::Scene scene) : state_(std::make_shared<State>(std::move(scene))) {}
+
+  std::shared_ptr<const State> state() const noexcept { return state_; }
+  const scene::Scene& value() const noexcept { return state_->scene(); }
+
+  /// The scene, to be edited in place.
+  scene::Scene& edited();
+  /// Puts another in its place.
+  void assign(scene::Scene scene) { state_ = std::make_shared<State>(std::move(scene)); }
+
+ private:
+  std::shared_ptr<State> state_;
+};
+
+/// Throws std::invalid_argument, which lists the engines, where none has the name.
+const engine::Row& engine_named(std::string_view name);
+
+}  // namespace durero::python

@@ -1,0 +1,16 @@
+#pragma once
+/// What is wrong with a call, in the house's form.
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace durero::cli {
+
+/// The command that was called, as deep as the call got: the program itself where it names none.
+const CLI::App& called(const CLI::App& app);
+
+/// One line without an end: the command, what in the call is wrong first, then what is expected. An option that the
+/// command does not have is told before anything else, as the rest of the call may be wrong by it.
+std::string call_error(const CLI::App& app, const CLI::ParseError& error);
+
+}  // namespace durero::cli

@@ -1,0 +1,12 @@
+#pragma once
+/// Colour: on a terminal, where NO_COLOR is unset or empty (no-color.org).
+
+#include <string>
+#include <string_view>
+
+namespace durero::cli {
+
+/// A text that says what is wrong, for the file of that number: STDOUT_FILENO or STDERR_FILENO.
+std::string in_red(std::string_view text, int file);
+
+}  // namespace durero::cli

@@ -1,0 +1,115 @@
+"""formats.py DURERO ROOT [--write]: the examples of docs/formats.md and docs/formats/ are what the program takes,
+prints and refuses. A comment before a block or a table says what it is:
+
+  <!-- file NAME -->               the block is that file, for what follows on the page
+  <!-- run STATUS -->              each line of the block is a command that ends so
+  <!-- prints -->                  the block is what the last command printed
+  <!-- refused NAME COMMAND… -->   the block is the error about the file of that name
+  <!-- errors NAME COMMAND… -->    a row of the table is a text of the file, what stands there instead, the error;
+                                   the file itself is none
+  <!-- defects NAME COMMAND… -->   the same, where the line goes to standard output and the status is 1
+
+--write puts what the program says into the pages."""
+import os
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+
+durero, root, writes = os.path.abspath(sys.argv[1]), pathlib.Path(os.path.abspath(sys.argv[2])), "--write" in sys.argv
+PAGES = ["docs/formats.md", "docs/formats/scene.md", "docs/formats/conform.md", "docs/formats/others.md"]
+PART = re.compile(r"<!-- (file|run|prints|refused|errors|defects)( [^\n]*)? -->\n"
+                  r"(```\w*\n(.*?)```\n|((?:\|[^\n]*\n)+))", re.S)
+counts, bad = {}, 0
+
+
+def fail(what):
+    global bad
+    bad += 1
+    print("FAILED:", what)
+
+
+def run(command):
+    words, given = shlex.split(command), None
+    if words[-1].startswith("<"):
+        given = pathlib.Path(words.pop()[1:]).read_text()
+    return subprocess.run([durero, *words], capture_output=True, text=True, check=False, input=given or "")
+
+
+def said_of(kind, command):
+    """The line of an error or a defect; what is wrong with it where it is none."""
+    done = run(command)
+    if kind == "defects":
+        return done.stdout.rstrip("\n") if done.returncode == 1 else f"status {done.returncode}: {done.stdout}"
+    line = done.stderr.rstrip("\n")
+    if done.returncode != 2 or not line.startswith("durero: ") or "\n" in line:
+        return f"status {done.returncode}: {line}"
+    return line.removeprefix("durero: ")
+
+
+def cells(row):
+    return [cell.strip().removeprefix("`").removesuffix("`") for cell in re.split(r" ?\| ", row.strip()[2:-2])]
+
+
+def check_row(kind, row, file, command):
+    """The row as it should be."""
+    old, new, shown = cells(row)
+    text = pathlib.Path(file).read_text()
+    if old not in text:
+        fail(f"{file} has no {old}")
+    pathlib.Path(file).write_text(text.replace(old, new, 1))
+    said = said_of(kind, command)
+    pathlib.Path(file).write_text(text)
+    counts[kind] = counts.get(kind, 0) + 1
+    if said != shown and not writes:
+        fail(f"{file} with {new} for {old}: the page shows\n  {shown}\nand durero says\n  {said}")
+    return f"| `{old}` |{f' `{new}`' if new else ''} | `{said}` |\n"
+
+
+def check_table(kind, table, file, command):
+    done = run(command)
+    if done.returncode not in (0, 1) or (kind == "defects" and done.returncode != 0):
+        fail(f"{file} is refused: {done.stderr}")
+    head, rows = table.splitlines(keepends=True)[:2], table.splitlines(keepends=True)[2:]
+    return "".join([*head, *(check_row(kind, row, file, command) for row in rows)])
+
+
+def check_part(match):
+    global last
+    kind, words, part, block, table = match.groups()
+    words = (words or "").strip()
+    text = match.group(0)
+    if kind == "file":
+        pathlib.Path(words).write_text(block)
+    elif kind == "run":
+        for command in block.splitlines():
+            last = run(command.removeprefix("durero "))
+            if last.returncode != int(words) or not command.startswith("durero "):
+                fail(f"{command}: status {last.returncode}, expected {words}: {last.stderr}")
+    elif kind in ("errors", "defects"):
+        return text.replace(table, check_table(kind, table, *words.split(" ", 1)))
+    else:
+        said = last.stdout if kind == "prints" else said_of(kind, words.split(" ", 1)[1]) + "\n"
+        if said != block and not writes:
+            fail(f"{words or 'the last command'}: the page shows\n{block}and durero says\n{said}")
+        text = text.removesuffix(f"{block}```\n") + f"{said}```\n"
+    counts[kind] = counts.get(kind, 0) + 1
+    return text
+
+
+with tempfile.TemporaryDirectory() as folder:
+    os.chdir(folder)
+    for name in PAGES:
+        page = (root / name).read_text(encoding="utf-8")
+        checked = PART.sub(check_part, page)
+        if page.count("<!-- ") - page.count("<!-- differences") != len(PART.findall(page)):
+            fail(f"{name}: a comment stands before no block and no table, or says what nobody knows")
+        for block in re.findall(r"(.*)\n```\w+\n", page):
+            if not block.startswith("<!-- "):
+                fail(f"{name}: a block that nothing runs, behind {block!r}")
+        if writes:
+            (root / name).write_text(checked, encoding="utf-8")
+print(f"docs/formats: {counts}, {bad} failures")
+sys.exit(bad > 0 or counts.get("errors", 0) < 80 or counts.get("file", 0) < 15 or counts.get("prints", 0) < 6)

@@ -1,0 +1,24 @@
+#!/bin/sh
+# files.sh ROOT: Debian's tools read debian/, and each path that a package takes is one that ./x or CMake puts there.
+set -eu
+cd "$1"
+version=$(dpkg-parsechangelog -l debian/changelog -S Version)
+[ "$(sed -nE 's/^project\(durero VERSION ([0-9.]+).*/\1/p' CMakeLists.txt)" = "${version%%[-~+]*}" ] || { echo "debian/changelog: $version"; exit 1; }
+packages=$(sed -n 's/^Package: //p' debian/control)
+for package in $packages; do
+  # What it says of itself is read as when the package is made.
+  tmp=$(mktemp -d)
+  dpkg-gencontrol -p"$package" -P"$tmp" -O -T/dev/null -Vshlibs:Depends= -Vmisc:Depends= >"$tmp/control"
+  grep -qx "Version: $version" "$tmp/control" || { cat "$tmp/control"; echo "no version $version"; exit 1; }
+  rm -r "$tmp"
+  [ -f "debian/$package.install" ] || { echo "debian/$package.install: missing, so that $package is empty"; exit 1; }
+done
+for list in debian/*.docs debian/*.examples; do
+  while read -r path; do
+    # shellcheck disable=SC2086  # a pattern
+    ls $path >/dev/null || { echo "$list: there is no $path"; exit 1; }
+  done <"$list"
+done
+[ -x debian/rules ] || { echo "debian/rules: not executable"; exit 1; }
+make -n -f debian/rules clean >/dev/null
+echo "debian/ is read: version $version, packages" $packages

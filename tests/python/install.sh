@@ -1,0 +1,27 @@
+#!/bin/sh
+# install.sh PYTHON ROOT BUILD: makes the sdist and from it the wheel, as pip does of a clone, and uses what is installed
+# in a fresh environment. The sdist has nothing that the wheel does not need; the wheel is small.
+set -eu
+python=$1 root=$2 work=$3/python-install
+rm -rf "$work"
+mkdir -p "$work"
+"$python" -m venv "$work/venv" 2>/dev/null || { echo "absent: venv (python3-venv of Debian)"; exit 77; }
+bin=$work/venv/bin
+"$bin/pip" install --quiet build >"$work/log" 2>&1 || { echo "absent: PyPI"; exit 77; }
+fail() { tail -n 30 "$work/log"; echo "install: $*"; exit 1; }
+
+"$bin/python" -m build --sdist --outdir "$work" "$root" >"$work/log" 2>&1 || fail "no sdist"
+tar -tzf "$work"/durero-*.tar.gz | sed 's#^[^/]*/##' | sort >"$work/files"
+! grep -E "^(tests|proofs|campaigns|systems|demo|debian|schemas|docs/[^p]|\.ci|x\$)" "$work/files" || fail "the sdist has these too"
+
+"$bin/pip" wheel --quiet --no-deps --wheel-dir "$work" "$work"/durero-*.tar.gz >"$work/log" 2>&1 || fail "no wheel"
+size=$(wc -c <"$(echo "$work"/durero-*.whl)")
+echo "the wheel has $size bytes"
+[ "$size" -le 10000000 ] || fail "expected at most 10 MB"
+
+"$bin/pip" install --quiet "$work"/durero-*.whl >"$work/log" 2>&1 || fail "the wheel does not install"
+module=$(echo "$work"/venv/lib/python3*/site-packages/durero/_durero.*.so)
+! nm -D --defined-only --demangle "$module" | grep ' durero::' || fail "the module shows the layers to others"
+cd "$work"
+"$bin/python" -c 'import doctest, durero, durero.scene, sys; print(durero.__version__)
+sys.exit(sum(doctest.testmod(m).failed for m in (durero, durero.scene, durero.spec, durero.conform)))'

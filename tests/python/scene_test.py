@@ -1,0 +1,188 @@
+"""Scenes are mappings that operations edit; what is refused or malformed changes nothing, and says all that is known."""
+from __future__ import annotations
+
+import copy
+import json
+import pathlib
+import pickle
+import struct
+import zlib
+from fractions import Fraction
+
+import numpy as np
+import numpy.typing as npt
+import pytest
+from support import ROOT, STILL_LIFE, run, sphere_scene
+
+import durero
+
+AXIS = (0.0, 0.0, 1.0)
+ONE_OF_EACH: dict[str, durero.Element] = {
+    "cilindro": durero.Cilindro(centro=(1, 2, 3), radio=0.1, vector=AXIS, altura=2),
+    "cono": durero.Cono(centro=(1, 2, 3), proporcion=0.3, vector=AXIS, altura=2),
+    "disco": durero.Disco(centro=(1, 2, 3), radio=0.1, vector=AXIS),
+    "esfera": durero.Esfera(centro=(1, 2, 3), radio=0.1),
+    "plano": durero.Plano(centro=(1, 2, 3), vector=AXIS),
+    "triangulo": durero.Triangulo(vertices=((0, 0, 0), (1, 0, 0), (0, 0.1, 0))),
+    "tronco": durero.Tronco(centro=(1, 2, 3), radio=0.1, proporcion=0.3, vector=AXIS, altura=2),
+}
+
+
+def test_each_element_is_added_and_read_back() -> None:
+    scene = durero.Scene()
+    for name, element in ONE_OF_EACH.items():
+        assert scene.add(name, element).endswith(("agregado", "agregada"))
+    assert dict(scene) == ONE_OF_EACH
+    assert scene.names == tuple(sorted(ONE_OF_EACH))
+    assert durero.Scene.loads(scene.dumps()) == scene
+    for name in ONE_OF_EACH:
+        assert scene.remove(name) == "elemento_eliminado"
+    assert len(scene) == 0 and scene == durero.Scene()
+
+
+def test_a_file_is_read_and_written_as_the_program_does(tmp_path: pathlib.Path) -> None:
+    scene = durero.Scene.load(STILL_LIFE)
+    assert {"apple", "table"} <= set(scene) and "apple" in scene and "moon" not in scene and 3 not in scene.keys()  # type: ignore[comparison-overlap]
+    elements = {element["id"]: element for element in json.loads(STILL_LIFE.read_text())["elementos"]}
+    assert set(elements) == set(scene.names)
+    for name, element in scene.items():
+        assert elements[name]["tipo"] == element.tipo and elements[name].get("material") == element.material
+    operation = "Agregar_Esfera e?=moon centro?=(0,3,4) radio?=0.5 material=pearl"
+    assert scene.apply(operation) == "esfera_agregada"
+    scene.save(tmp_path / "python.json")
+    run("edit", STILL_LIFE, "--op", operation, "-o", tmp_path / "program.json")
+    assert (tmp_path / "python.json").read_bytes() == (tmp_path / "program.json").read_bytes()
+    with pytest.raises(OSError):
+        scene.save(tmp_path / "none" / "scene.json")
+    with pytest.raises(FileNotFoundError):
+        durero.Scene.load(tmp_path / "none.json")
+
+
+def test_a_refused_edit_says_why_and_leaves_the_scene() -> None:
+    scene = sphere_scene()
+    before = scene.dumps()
+    with pytest.raises(durero.Refused) as caught:
+        scene.add("s1", durero.Esfera(centro=(0, 0, 0), radio=2))
+    refused = caught.value
+    assert (refused.label, refused.predicate) == ("Agregar_Elemento.pre.1", "e? ∉ elementos")
+    assert (refused.r, refused.operation, refused.line) == ("elemento_ya_existe", "Agregar_Esfera", 1)
+    assert refused.values == {"e": "s1", "centro": (0.0, 0.0, 0.0), "radio": 2.0}
+    assert "Agregar_Elemento.pre.1: e? ∉ elementos" in str(refused)
+    assert pickle.loads(pickle.dumps(refused)).values == refused.values
+    for operation, label in {
+        "Agregar_Esfera e?=b centro?=(0,0,0) radio?=-1": "Agregar_Esfera.pre.2",
+        "Agregar_Plano e?=b centro?=(0,0,0) vector?=(0,0,2)": "Agregar_Plano.pre.2",
+        "Agregar_Elemento e?=b t?=soy_esfera centro?=(0,0,0) radio?=0": "Agregar_Esfera.pre.2",
+        "Eliminar_Cono e?=s1": "Eliminar_Cono.pre.1",
+        "Eliminar_Elemento e?=b": "Eliminar_Elemento.pre.1",
+    }.items():
+        with pytest.raises(durero.Refused) as caught:
+            scene.apply(operation)
+        assert caught.value.label == label and caught.value.operation == operation.split()[0]
+    assert scene.dumps() == before
+
+
+def test_a_script_is_carried_out_whole_or_not_at_all() -> None:
+    scene = sphere_scene()
+    before = scene.dumps()
+    with pytest.raises(durero.Refused) as refused:
+        scene.apply_all(["Eliminar_Esfera e?=s1", "# nothing", "Eliminar_Esfera e?=s1"])
+    assert refused.value.line == 3 and scene.dumps() == before
+    with pytest.raises(durero.InputError) as malformed:
+        scene.apply_all("Eliminar_Esfera e?=s1\nAgregar_Esfra e?=a\n")
+    assert (malformed.value.file, malformed.value.line, malformed.value.column) == ("operations", 2, 1)
+    assert scene.dumps() == before
+    assert scene.apply_all([]) == [] and scene.apply_all("# nothing") == []
+    answers = scene.apply_all(["Eliminar_Esfera e?=s1", "Agregar_Esfera e?=s1 centro?=(0,0,1) radio?=0x1p-1"])
+    assert answers == ["esfera_eliminada", "esfera_agregada"] and scene["s1"] == durero.Esfera((0, 0, 1), 0.5)
+
+
+def test_malformed_input_has_its_place() -> None:
+    with pytest.raises(durero.InputError) as caught:
+        durero.Scene.loads('{"format":"durero-scene","version":1,\n"elementos":[{"id":"a b"}]}', "mine.json")
+    error = caught.value
+    assert (error.file, error.line) == ("mine.json", 2) and str(error).startswith(f"mine.json:2:{error.column}: ")
+    assert isinstance(error, ValueError) and pickle.loads(pickle.dumps(error)).column == error.column
+    with pytest.raises(durero.InputError):
+        durero.Scene().add("no name", durero.Esfera((0, 0, 0), 1))
+    with pytest.raises(durero.InputError):
+        durero.Scene().add("a", durero.Esfera((0, 0, 0), 1, material="gold"))
+    for blank in ("", "  # nothing"):
+        with pytest.raises(ValueError, match="blank"):
+            durero.Scene().apply(blank)
+    with pytest.raises(ValueError, match="more than one line"):
+        durero.Scene().apply("Eliminar_Esfera e?=a\nEliminar_Esfera e?=b")
+    with pytest.raises(KeyError):
+        durero.Scene()["s1"]
+
+
+def test_no_number_is_changed_on_the_way() -> None:
+    with pytest.raises(ValueError, match="no binary64"):
+        durero.Esfera((0, 0, 0), Fraction(1, 3))  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="no binary64"):
+        durero.Esfera((0, 0, 2**53 + 1), 1)
+    with pytest.raises(ValueError, match=r"centro\[1\] is nan; expected a finite number"):
+        durero.Esfera((0, float("nan"), 0), 1)
+    with pytest.raises(TypeError, match="radio is '1'; expected a number"):
+        durero.Esfera((0, 0, 0), "1")  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="centro has 2 numbers; expected three"):
+        durero.Esfera((0, 0), 1)  # type: ignore[arg-type]
+    assert durero.Esfera(np.array([0, 0, 0.1]), np.float32(0.5)) == durero.Esfera((0, 0, 0.1), 0.5)  # type: ignore[arg-type]
+    scene = durero.Scene()
+    scene.add("tiny", durero.Esfera((5e-324, 1.7976931348623157e308, 0.1), 5e-324))
+    assert scene["tiny"] == durero.Esfera((5e-324, 1.7976931348623157e308, 0.1), 5e-324)
+
+
+def test_copies_and_pickles_are_equal_and_apart() -> None:
+    scene = durero.Scene.load(STILL_LIFE)
+    for other in (copy.copy(scene), copy.deepcopy(scene), pickle.loads(pickle.dumps(scene))):
+        assert other == scene
+        other.remove("apple")
+        assert other != scene and "apple" in scene
+    with pytest.raises(TypeError):
+        hash(scene)
+
+
+def test_a_picture_is_that_of_the_program(tmp_path: pathlib.Path) -> None:
+    scene = durero.Scene.load(STILL_LIFE)
+    picture = scene.render(size=(64, 36))
+    assert picture.shape == (36, 64, 3) and picture.dtype == np.uint8 and len(np.unique(picture)) > 50
+    smaller = json.loads(STILL_LIFE.read_text())
+    smaller["resolution"] = [64, 36]
+    assert np.array_equal(durero.Scene.loads(json.dumps(smaller)).render(), picture)
+    assert np.array_equal(scene.render((64, 36), engine="exact"), picture)
+    with pytest.raises(ValueError, match="camera"):
+        sphere_scene().render()
+    with pytest.raises(ValueError, match="sampled: shadow rays start on elements"):
+        scene.render(engine="sampled")
+    (tmp_path / "smaller.json").write_text(json.dumps(smaller))
+    run("render", tmp_path / "smaller.json", "-o", tmp_path / "picture.png")
+    assert np.array_equal(pixels_of(tmp_path / "picture.png", 64), picture)
+
+
+def pixels_of(path: pathlib.Path, width: int) -> npt.NDArray[np.uint8]:
+    """The pixels of a PNG file of 8-bit RGB."""
+    data, at, packed = path.read_bytes(), 8, b""
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at : at + 8])
+        packed += data[at + 8 : at + 8 + length] if kind == b"IDAT" else b""
+        at += 12 + length
+    return unfiltered(np.frombuffer(zlib.decompress(packed), np.uint8).reshape(-1, 1 + 3 * width))
+
+
+def unfiltered(rows: npt.NDArray[np.uint8]) -> npt.NDArray[np.uint8]:
+    """PNG's five filters undone, a row at a time."""
+    out = np.zeros((len(rows), rows.shape[1] - 1), np.uint8)
+    for y, row in enumerate(rows):
+        above = out[y - 1] if y else np.zeros_like(out[0])
+        for x, byte in enumerate(row[1:]):
+            left, up = (int(out[y, x - 3]) if x >= 3 else 0), int(above[x])
+            corner = int(above[x - 3]) if x >= 3 else 0
+            nearest = min((left, up, corner), key=lambda value: abs(left + up - corner - value))
+            predicted = (0, left, up, (left + up) // 2, nearest)[int(row[0])]
+            out[y, x] = (int(byte) + predicted) % 256
+    return out.reshape(len(rows), -1, 3)
+
+
+def test_the_repository_has_one_version() -> None:
+    assert f"project(durero VERSION {durero.__version__} " in (ROOT / "CMakeLists.txt").read_text()
