@@ -1,7 +1,7 @@
 # The headers of other projects that most sources include, compiled once for all layers, with DURERO_PCH: to read them
 # takes most of the time of a short source. Nothing of this project is among them, so that a change here compiles only
-# what depends on it. What a source includes without need of it is then not seen missing, which the builds for the
-# sanitizers, Clang and clang-tidy see: their presets have it off.
+# what depends on it. What a source includes without need of it is then not seen missing, which the builds by Clang and for
+# clang-tidy see: their presets have it off.
 set(durero_foreign_headers <algorithm> <array> <charconv> <cmath> <cstdint> <functional> <limits> <map> <memory>
   <numeric> <optional> <set> <span> <stdexcept> <string> <string_view> <tuple> <unordered_map> <utility> <variant>
   <vector> <boost/container/small_vector.hpp> <boost/multiprecision/cpp_int.hpp> <boost/multiprecision/gmp.hpp>

@@ -24,7 +24,9 @@ endif()
 # What whoever includes the headers must compile with too; the warnings are for our own sources alone.
 add_library(durero_options INTERFACE)
 target_compile_features(durero_options INTERFACE cxx_std_20)
-target_compile_options(durero_options INTERFACE -ffp-contract=off -fno-fast-math)
+target_compile_options(durero_options INTERFACE -ffp-contract=off -fno-fast-math
+  # A violated clause says where it was evaluated: from the root, so that the same sources give the same bytes in any folder.
+  $<BUILD_INTERFACE:-ffile-prefix-map=${PROJECT_SOURCE_DIR}/=>)
 if(PROJECT_IS_TOP_LEVEL)
   target_compile_options(durero_options INTERFACE "$<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wconversion>"
     # Where several sources are compiled as one, a name of one may hide another's.
