@@ -24,7 +24,7 @@ std::vector<std::string> names(bool with_origins_only = false) {
 int run() {
   std::string text;
   for (const engine::Row& row : engine::engines())
-    text += fmt::format("{:10} {}\n{:10} {}; {}\n", row.name, row.what, "",
+    text += fmt::format("{:12} {}\n{:12} {}; {}\n", row.name, row.what, "",
                         row.exact_bytes ? "the same bytes as exact" : "not the bytes of exact",
                         row.honours_origins ? "honours the elements that a ray starts on"
                                             : "knows nothing of the elements that a ray starts on");

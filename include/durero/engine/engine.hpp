@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "durero/accel/work.hpp"
 #include "durero/scene/hit.hpp"
 #include "durero/scene/query.hpp"
 #include "durero/scene/scene.hpp"
@@ -40,6 +41,14 @@ scene::Hit first_hit(const Engine& engine, const scene::Query& query);
 /// Engine::occluded_segments of one query.
 bool occluded_segment(const Engine& engine, const scene::Query& query);
 
+/// What a structure cost: to make, to hold, and to answer rays.
+struct Figures {
+  accel::Size size;          ///< what it holds
+  accel::Work work;          ///< what it did for the rays
+  double building_seconds;   ///< that it took to make
+  double answering_seconds;  ///< that the first hits of the rays took, on one thread
+};
+
 /// What an engine is called, what it promises, and what makes it ready for a scene, which must outlive it unedited.
 struct Row {
   std::string_view name;  ///< on the command line
@@ -47,6 +56,9 @@ struct Row {
   bool exact_bytes;       ///< its answers are those of `exact`, byte for byte
   bool honours_origins;   ///< it knows of the elements that a ray starts on; otherwise it answers as if there were none
   std::unique_ptr<const Engine> (*prepare)(const scene::Scene& scene);  ///< makes it ready for the scene
+  std::string_view section{};  ///< of the acceleration seed that describes its structure; empty where it has none
+  /// The figures of its structure on the first hits of some rays, one by one; null where it has none.
+  Figures (*measure)(const scene::Scene& scene, std::span<const scene::Query> queries) = nullptr;
 };
 
 /// Every engine, in the order of the ladder.

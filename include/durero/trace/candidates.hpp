@@ -27,19 +27,25 @@ namespace durero::trace {
 ///   any(ray, limit, visit)
 ///                     visit(e) for each of the other elements that the ray may meet at 0 < t ≤ limit(), at most once
 ///                     each, until it answers true; whether it did. The limit may fall from one visit to the next.
-///   pairs(rays, limit, take, flush)
-///                     the same for many rays: take(number, e), with the number of a ray in `rays`. A ray whose
-///                     limit(number) is 0 is passed over. After flush() the limits take account of all that was taken.
-/// Precondition of both: rays whose limit is not 0 are ordinary.
+/// Precondition: the ray is ordinary.
 template <class Source>
-concept Candidates = requires(const Source& source, const Ray& ray, std::span<const Ray> rays, double (&limit)(),
-                              bool (&visit)(scene::ElementRef), double (&limit_of)(std::uint32_t),
-                              void (&take)(std::uint32_t, scene::ElementRef), void (&flush)()) {
-  { source.scene() } -> std::convertible_to<const scene::Scene&>;
-  { source.extraordinary() } -> std::convertible_to<std::span<const scene::ElementRef>>;
-  { source.any(ray, limit, visit) } -> std::same_as<bool>;
-  source.pairs(rays, limit_of, take, flush);
-};
+concept Candidates =
+    requires(const Source& source, const Ray& ray, double (&limit)(), bool (&visit)(scene::ElementRef)) {
+      { source.scene() } -> std::convertible_to<const scene::Scene&>;
+      { source.extraordinary() } -> std::convertible_to<std::span<const scene::ElementRef>>;
+      { source.any(ray, limit, visit) } -> std::same_as<bool>;
+    };
+
+/// A source that offers them for many rays at once too:
+///   pairs(rays, limit, take, flush)
+///                     as any, with take(number, e) and the number of a ray in `rays` for each visit. A ray whose
+///                     limit(number) is 0 is passed over. After flush() the limits take account of all that was taken.
+/// Precondition: rays whose limit is not 0 are ordinary.
+template <class Source>
+concept PairCandidates =
+    Candidates<Source> && requires(const Source& source, std::span<const Ray> rays, double (&limit_of)(std::uint32_t),
+                                   void (&take)(std::uint32_t, scene::ElementRef),
+                                   void (&flush)()) { source.pairs(rays, limit_of, take, flush); };
 
 /// visit(e, range) for every element of the scene, until it answers true. Whether it did.
 template <class Visit>
@@ -116,7 +122,7 @@ void for_each_block(std::size_t size, Answer answer) {
 /// first_hit_among of every query, in order, by eight in lanes: for more than a few rays the fastest way to the same
 /// bytes. The result does not depend on the number of threads. `counts`, where given, is added to. Precondition: a
 /// place in `hits` for each query.
-template <Candidates Source>
+template <PairCandidates Source>
 void first_hits_among(const Source& source, std::span<const scene::Query> queries, std::span<scene::Hit> hits,
                       Counts* counts) {
   std::mutex adding;

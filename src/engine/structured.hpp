@@ -1,0 +1,78 @@
+#pragma once
+/// An engine over an acceleration structure: candidates from the structure, answers from the certified search.
+
+#include <chrono>
+#include <memory>
+
+#include "durero/accel/structure.hpp"
+#include "durero/engine/engine.hpp"
+
+namespace durero::engine {
+
+/// Each query alone, in blocks that threads share.
+template <accel::Structure S>
+class Structured final : public Engine {
+ public:
+  explicit Structured(const scene::Scene& scene) : structure_(scene) {}
+
+  void first_hits(std::span<const scene::Query> queries, std::span<scene::Hit> hits) const override {
+    trace::for_each_block(queries.size(), [&](std::size_t begin, std::size_t count) {
+      trace::Counts unseen;
+      for (std::size_t i = begin; i < begin + count; ++i)
+        hits[i] = trace::first_hit_among(structure_, queries[i].rayo, queries[i].en, unseen);
+    });
+  }
+  void occluded_segments(std::span<const scene::Query> queries, std::span<bool> occluded) const override {
+    trace::occluded_segments_among(structure_, queries, occluded);
+  }
+
+ private:
+  S structure_;
+};
+
+template <accel::Structure S>
+std::unique_ptr<const Engine> structured(const scene::Scene& scene) {
+  return std::make_unique<const Structured<S>>(scene);
+}
+
+/// The structure as a source that adds up its work.
+template <accel::Structure S>
+class Counted {
+ public:
+  Counted(const S& structure, accel::Work& work) : structure_(structure), work_(work) {}
+
+  const scene::Scene& scene() const noexcept { return structure_.scene(); }
+  std::span<const scene::ElementRef> extraordinary() const noexcept { return structure_.extraordinary(); }
+  template <class Limit, class Visit>
+  bool any(const trace::Ray& ray, Limit limit, Visit visit) const {
+    ++work_.rays;
+    return structure_.any(ray, limit, visit, work_);
+  }
+
+ private:
+  const S& structure_;
+  accel::Work& work_;
+};
+
+/// Row::measure. The clock runs over rays that are not counted, so that counting costs nothing there.
+template <accel::Structure S>
+Figures measured(const scene::Scene& scene, std::span<const scene::Query> queries) {
+  using Clock = std::chrono::steady_clock;
+  const auto seconds_since = [](Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  };
+  trace::Counts unseen;
+  Figures figures{};
+  const Clock::time_point building = Clock::now();
+  const S structure(scene);
+  figures.building_seconds = seconds_since(building);
+  figures.size = structure.size();
+  const Clock::time_point answering = Clock::now();
+  for (const scene::Query& query : queries) trace::first_hit_among(structure, query.rayo, query.en, unseen);
+  figures.answering_seconds = seconds_since(answering);
+  const Counted<S> counted(structure, figures.work);
+  for (const scene::Query& query : queries) trace::first_hit_among(counted, query.rayo, query.en, unseen);
+  return figures;
+}
+
+}  // namespace durero::engine
