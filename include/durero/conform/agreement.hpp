@@ -24,6 +24,8 @@ class RaysTowards {
  public:
   /// Towards these balls, at least one.
   RaysTowards(std::vector<oracle::Ball> balls, std::uint64_t seed) : balls_(std::move(balls)), random_(seed) {}
+  /// The next ray of the stream. Its v leads from its origin to the place aimed at, which is at t = 1 but for a
+  /// rounding.
   model::Rayo next();
 
  private:
@@ -33,18 +35,22 @@ class RaysTowards {
 
 /// How the hits of many rays stand to the samples.
 struct Agreement {
+  /// A claimed hit that is wrong, as the samples show.
   struct Disagreement {
-    std::uint64_t ray;  ///< its number in the stream, from 0
-    scene::Query query;
-    scene::Hit claimed;
-    oracle::sampled::Verdict verdict;
+    std::uint64_t ray;                 ///< its number in the stream, from 0
+    scene::Query query;                ///< the ray; it starts on no elements
+    scene::Hit claimed;                ///< what the engine answered
+    oracle::sampled::Verdict verdict;  ///< incomplete or unsound
   };
 
-  std::array<std::uint64_t, oracle::sampled::verdict_count> counts{};
-  std::optional<Disagreement> first;  ///< the first ray whose hit is wrong
+  std::array<std::uint64_t, oracle::sampled::verdict_count> counts{};  ///< rays, by verdict
+  std::optional<Disagreement> first;                                   ///< the first ray whose hit is wrong
 
+  /// How many rays have the verdict.
   std::uint64_t of(oracle::sampled::Verdict verdict) const { return counts[static_cast<std::size_t>(verdict)]; }
+  /// How many rays were judged: the sum of the counts.
   std::uint64_t rays() const;
+  /// Counts the next ray of the stream, and keeps it where it is the first whose claim is wrong.
   void add(const scene::Query& query, const scene::Hit& claimed, oracle::sampled::Verdict verdict);
 };
 
@@ -58,10 +64,10 @@ Agreement agreement(const oracle::sampled::Oracle& oracle, const FirstHits& firs
 
 /// What was asked.
 struct AgreementCall {
-  const io::Source& file;  ///< of the scene
-  const scene::Scene& scene;
-  std::string_view engine;
-  std::uint64_t seed;
+  const io::Source& file;     ///< of the scene
+  const scene::Scene& scene;  ///< in which the elements of the hits are named
+  std::string_view engine;    ///< the name of what answered
+  std::uint64_t seed;         ///< of the rays
 };
 
 /// {"format":"durero-agreement","version":1,…}: how many rays had which verdict, and the first whose hit is wrong, with

@@ -6,16 +6,17 @@
 
 namespace durero::conform {
 
+/// What the report of one failure is made of.
 struct BugReport {
-  System system{};
-  std::string version{};  ///< as the system says it
-  std::string asker{};    ///< the program that asked it, as "durero 0.1.0"
-  std::string call{};     ///< the call of this program that asks it again
-  LeastFinding least{};
-  std::vector<Variation> variations{};
-  std::string file{};     ///< the name of the reproducer's file; empty: there is none
-  std::string program{};  ///< the reproducer
-  Reproduction reproduction{};
+  System system{};                      ///< the one that fails
+  std::string version{};                ///< as the system says it
+  std::string asker{};                  ///< the program that asked it, as "durero 0.1.0"
+  std::string call{};                   ///< the call of this program that asks it again
+  LeastFinding least{};                 ///< the failure, made as small as it stays one
+  std::vector<Variation> variations{};  ///< of its question, with what the system answers to them
+  std::string file{};                   ///< the name of the reproducer's file; empty: there is none
+  std::string program{};                ///< the reproducer
+  Reproduction reproduction{};          ///< what the reproducer wrote when it was run
 };
 
 /// "Embree 3.13.5: far root"

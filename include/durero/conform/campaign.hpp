@@ -24,17 +24,18 @@
 
 namespace durero::conform {
 
+/// What a campaign asks of which system, as its file says it.
 struct Campaign {
-  std::string system;
-  std::string profile{};  ///< of command:PROGRAM alone
-  std::uint64_t seed = 1;
-  std::uint64_t rays_of_a_shard = 0;  ///< 0: shards that ask nothing, to try what runs them
-  std::uint64_t shards = 1;
+  std::string system;                               ///< a name, a system's file or command:PROGRAM
+  std::string profile{};                            ///< of command:PROGRAM alone
+  std::uint64_t seed = 1;                           ///< of the suite that its cases are of
+  std::uint64_t rays_of_a_shard = 0;                ///< 0: shards that ask nothing, to try what runs them
+  std::uint64_t shards = 1;                         ///< how many: they are numbered from 0
   std::vector<const Family*> families{};            ///< one at least, in the order of families()
   std::optional<std::vector<model::Tipo>> tipos{};  ///< none: those of the profile
   std::optional<Caps> caps{};                       ///< none: those of the profile
-  Format numbers = Format::binary32;
-  double time = 10;  ///< seconds, for a ray
+  Format numbers = Format::binary32;                ///< of scenes, but for discs that close solids, and of rays
+  double time = 10;                                 ///< seconds, for a ray
 };
 
 /// How a system that is no name but a program is given.
@@ -53,9 +54,9 @@ SuiteOptions suite_options(const Campaign& campaign, const Profile& profile);
 
 /// A case of a shard.
 struct CasePlace {
-  const Family* family = nullptr;
-  std::uint64_t number = 0;  ///< among the cases of its family
-  std::size_t rays = 0;
+  const Family* family = nullptr;  ///< one of the campaign's
+  std::uint64_t number = 0;        ///< among the cases of its family
+  std::size_t rays = 0;            ///< how many it has, rays_of_a_case at most
   bool operator==(const CasePlace&) const = default;
 };
 

@@ -9,16 +9,18 @@
 
 namespace durero::conform {
 
+/// One answer, or why there is none.
 struct Claim {
+  /// What came of asking.
   enum class Outcome {
-    hit,
-    miss,
+    hit,        ///< the system says that the ray meets something
+    miss,       ///< the system says that the ray meets nothing
     crashed,    ///< the system ended while it was asked
     hung,       ///< it gave no answer in the time that it had
     unanswered  ///< it was not asked, refused the scene, or wrote what is no answer
   };
 
-  Outcome outcome = Outcome::unanswered;
+  Outcome outcome = Outcome::unanswered;       ///< as long as nobody asked: unanswered
   std::optional<scene::ElementRef> element{};  ///< where the system names one
   std::optional<double> t{};                   ///< what the system calls the distance: Profile::measure says of what
   std::optional<glm::dvec3> punto{};           ///< where the system gives the point

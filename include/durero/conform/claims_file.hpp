@@ -27,6 +27,7 @@
 
 namespace durero::conform {
 
+/// The word of an outcome, spelt as its enumerator.
 std::string_view name(Claim::Outcome outcome);
 
 /// The claims on the rays of one case, in their order.

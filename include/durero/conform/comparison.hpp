@@ -12,20 +12,22 @@
 
 namespace durero::conform {
 
+/// How many rays have each verdict, by Verdict.
 using VerdictCounts = std::array<std::uint64_t, verdict_count>;
 
 /// What a report (report.json) says of a system in numbers.
 struct Summary {
+  /// The verdicts on the rays of one family.
   struct OfFamily {
-    std::string family;
-    VerdictCounts counts{};
+    std::string family;      ///< as Family::name
+    VerdictCounts counts{};  ///< of its rays
   };
 
-  std::string system, title, version;
-  std::uint64_t seed = 0, rays = 0;  ///< of the suite: two reports are of the same rays where these agree
-  std::string numbers;
-  VerdictCounts counts{};
-  std::vector<OfFamily> families;
+  std::string system, title, version;  ///< name, title, and what it said of itself, which may be empty
+  std::uint64_t seed = 0, rays = 0;    ///< of the suite: two reports are of the same rays where these agree
+  std::string numbers;                 ///< the format of the suite, binary32 or binary64
+  VerdictCounts counts{};              ///< of the rays of all families
+  std::vector<OfFamily> families;      ///< in the order of the report: those that fail first
 };
 
 /// Reads a report. Throws io::InputError.

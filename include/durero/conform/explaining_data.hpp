@@ -18,13 +18,13 @@ struct ExplainingData {
     double off = 0;  ///< by how much, in ε·M
   };
 
-  double epsilon = 0, M = 0;
+  double epsilon = 0, M = 0;  ///< ε, which is 2⁻²⁴ or 2⁻⁵³, and M, as above
   /// No data with every coordinate and length off by 2^excluded ε·M or less (unit vectors and proportions by 16ε) have
   /// the claim as their answer: proved by the judge with that allowance. Nothing where that is proved of the declared
   /// backward error alone, for which M is each element's own.
   std::optional<int> excluded{};
-  int most = 0;  ///< data off by more than 2^most ε·M were not looked for
-  std::optional<Nearest> nearest{};
+  int most = 0;                      ///< data off by more than 2^most ε·M were not looked for
+  std::optional<Nearest> nearest{};  ///< the nearest data found, which need not be the nearest there are
 };
 
 /// Of a failure that is a hit with a place, or a miss; nothing of another, such as a crash: no data explain that.

@@ -18,14 +18,14 @@ namespace durero::conform {
 
 /// A number that a generator draws, from least … greatest.
 struct Range {
-  std::string_view name;
-  int least, greatest;
+  std::string_view name;  ///< what it is, such as "log2 of the distance"
+  int least, greatest;    ///< either may be drawn itself
 };
 
 /// A scene and rays for it, with the elements that each starts on.
 struct Case {
-  scene::Scene scene;
-  std::vector<scene::Query> rays;
+  scene::Scene scene;              ///< what all its rays are asked of
+  std::vector<scene::Query> rays;  ///< in the order in which they were drawn
 };
 
 /// What a case has to do with its family.
@@ -36,7 +36,7 @@ struct Membership {
 
 /// What there is to know of a family of cases.
 struct Family {
-  std::string_view name;
+  std::string_view name;    ///< no other family's; cases and the folders of suites are named by it
   std::string_view kind;    ///< what its rays are
   std::string_view reason;  ///< where such rays were seen to go wrong, or what they are for
   Range parameter;          ///< drawn once for each scene
@@ -66,15 +66,15 @@ struct CaseOptions {
 /// element exactly only where nothing of that was rounded, and otherwise up to such a rounding: there the exact model
 /// has a gap or a ledge of that size.
 struct Solid {
-  scene::ElementRef wall;
-  std::vector<scene::ElementRef> discs;
+  scene::ElementRef wall;                ///< a cylinder, a cone or a truncated cone
+  std::vector<scene::ElementRef> discs;  ///< at its base, then at its top where it has one
 };
 
 /// A case, and what was drawn for it.
 struct DrawnCase {
-  Case the_case;
-  int parameter = 0;
-  std::vector<Solid> solids{};
+  Case the_case;                ///< the scene, with the discs that close solids, and its rays
+  int parameter = 0;            ///< drawn from parameter(family, CaseOptions::numbers)
+  std::vector<Solid> solids{};  ///< with Caps::solid one for each element with an axis; otherwise none
 };
 
 /// The same with options: nothing where the scenes of the family have elements of other types. With solids one ray in
@@ -90,9 +90,11 @@ Membership membership(const Family& family, const Case& the_case, const scene::Q
 
 /// How many rays of a case are truly of its family.
 struct Count {
-  std::size_t rays = 0, members = 0, exact = 0;
+  std::size_t rays = 0, members = 0, exact = 0;  ///< all; the members (Membership); the members that are exact
+  /// Adds number by number.
   Count& operator+=(const Count& other);
 };
+/// Counts the rays of a case by their membership. Precondition: the case is of the family.
 Count count(const Family& family, const Case& the_case);
 
 }  // namespace durero::conform

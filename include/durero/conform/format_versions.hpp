@@ -10,15 +10,15 @@ namespace durero::conform {
 
 using io::json::FormatVersion;
 
-inline constexpr FormatVersion suite_format{"durero-suite", suite_version};
-inline constexpr FormatVersion case_format{"durero-case", 1};
-inline constexpr FormatVersion system_format{"durero-system", 1};
-inline constexpr FormatVersion profile_format{"durero-profile", 1};
-inline constexpr FormatVersion claims_format{"durero-claims", 1};
-inline constexpr FormatVersion report_format{"durero-report", 1};
-inline constexpr FormatVersion campaign_format{"durero-campaign", 1};
-inline constexpr FormatVersion shards_format{"durero-shards", 1};
-inline constexpr FormatVersion agreement_format{"durero-agreement", 1};
+inline constexpr FormatVersion suite_format{"durero-suite", suite_version};  ///< DIR/suite.json of a suite
+inline constexpr FormatVersion case_format{"durero-case", 1};      ///< the sidecar of a case, DIR/FAMILY/0000.case.json
+inline constexpr FormatVersion system_format{"durero-system", 1};  ///< a system's file (system_file.hpp)
+inline constexpr FormatVersion profile_format{"durero-profile", 1};  ///< a profile alone, as read_profile reads it
+inline constexpr FormatVersion claims_format{"durero-claims", 1};  ///< the claims that a run keeps (RunOptions::claims)
+inline constexpr FormatVersion report_format{"durero-report", 1};  ///< report.json, by report_json
+inline constexpr FormatVersion campaign_format{"durero-campaign", 1};    ///< a campaign (campaign.hpp)
+inline constexpr FormatVersion shards_format{"durero-shards", 1};        ///< what was found of shards (shard.hpp)
+inline constexpr FormatVersion agreement_format{"durero-agreement", 1};  ///< by agreement_json
 
 /// Those of this layer and of the layers above it.
 inline constexpr FormatVersion format_versions[] = {io::scene_format, io::check_format, suite_format,    case_format,

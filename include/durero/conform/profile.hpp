@@ -35,13 +35,15 @@ enum class Directions {
 /// What a system answers to a ray from inside a solid; undefined where it says that it answers nothing in particular.
 enum class Inside { exit_point, nothing, origin, undefined };
 
-// The words of these in files, in the order of the enumerators.
+/// @{ The words of these in files, in the order of the enumerators.
 inline constexpr std::array<std::string_view, 2> format_words = {"binary32", "binary64"};
 inline constexpr std::array<std::string_view, 2> caps_words = {"open", "solid"};
 inline constexpr std::array<std::string_view, 3> measure_words = {"parameter", "length", "point"};
 inline constexpr std::array<std::string_view, 3> directions_words = {"any", "unit", "unchecked"};
 inline constexpr std::array<std::string_view, 4> inside_words = {"exit_point", "nothing", "origin", "undefined"};
+/// @}
 
+/// @{ The word of a value in files.
 constexpr std::string_view word(Format format) { return format_words[static_cast<std::size_t>(format)]; }
 constexpr std::string_view word(Caps caps) { return caps_words[static_cast<std::size_t>(caps)]; }
 constexpr std::string_view word(Measure measure) { return measure_words[static_cast<std::size_t>(measure)]; }
@@ -49,6 +51,7 @@ constexpr std::string_view word(Directions directions) {
   return directions_words[static_cast<std::size_t>(directions)];
 }
 constexpr std::string_view word(Inside inside) { return inside_words[static_cast<std::size_t>(inside)]; }
+/// @}
 
 /// One claim, and where the system's documentation makes it.
 struct Source {
@@ -57,23 +60,25 @@ struct Source {
   std::string place;     ///< file, page or address
 };
 
+/// What a system claims for itself. A bound on t, sizes or coordinates that it does not claim leaves nothing
+/// outside.
 struct Profile {
-  std::string system;
-  Format format = Format::binary64;
-  std::vector<model::Tipo> tipos{};
-  Caps caps = Caps::open;
-  Measure measure = Measure::parameter;
-  Directions directions = Directions::any;
-  Inside inside = Inside::exit_point;
+  std::string system;                       ///< its name: that of its file, or what a profile's file says
+  Format format = Format::binary64;         ///< a scene or ray with numbers beyond its range is outside the profile
+  std::vector<model::Tipo> tipos{};         ///< those that it has: a scene with another is outside the profile
+  Caps caps = Caps::open;                   ///< solid: a scene with an open cylinder, cone or truncated cone is outside
+  Measure measure = Measure::parameter;     ///< what Claim::t is
+  Directions directions = Directions::any;  ///< what it asks of v
+  Inside inside = Inside::exit_point;       ///< undefined: a ray that may start inside a solid is outside the profile
   double thickness = 0;  ///< a length that is nothing to the system: what is no farther off may be off for it
-  double least_t = 0;    ///< hits at less than this are outside the profile
-  double greatest_t = std::numeric_limits<double>::infinity();
-  double least_size = 0;  ///< of a radius or an altura
-  double greatest_size = std::numeric_limits<double>::infinity();
-  double greatest_coordinate = std::numeric_limits<double>::infinity();
-  bool names_elements = true;  ///< whether its hits say which element they are of
-  bool watertight = false;     ///< no ray leaves a closed mesh between triangles that share an edge or a vertex
-  std::vector<Source> sources{};
+  double least_t = 0;    ///< a first hit at less is outside the profile: t, or t·|v| by `measure`
+  double greatest_t = std::numeric_limits<double>::infinity();           ///< the same, at more
+  double least_size = 0;                                                 ///< of a radius or an altura
+  double greatest_size = std::numeric_limits<double>::infinity();        ///< of the same
+  double greatest_coordinate = std::numeric_limits<double>::infinity();  ///< magnitude, of any point
+  bool names_elements = true;     ///< whether its hits say which element they are of
+  bool watertight = false;        ///< no ray leaves a closed mesh between triangles that share an edge or a vertex
+  std::vector<Source> sources{};  ///< for its claims: they are shown, and decide nothing
 };
 
 }  // namespace durero::conform

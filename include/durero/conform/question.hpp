@@ -53,14 +53,15 @@ Claim read_claim(std::string_view text, const scene::Scene& scene);
 
 /// A question as a system reads it.
 struct Question {
-  std::string scene_name;
-  scene::Scene scene;
-  std::vector<scene::Query> rays{};
+  std::string scene_name;            ///< such as generic/0003
+  scene::Scene scene;                ///< the elements, in the order of their lines
+  std::vector<scene::Query> rays{};  ///< in order; they start on no elements
 };
 
 /// Reads questions one by one.
 class QuestionReader {
  public:
+  /// The file is open for reading, and must outlive it.
   explicit QuestionReader(std::FILE& from) : from_(&from) {}
 
   /// The next question; nothing at the end. Throws io::InputError, whose place counts lines from the first question.

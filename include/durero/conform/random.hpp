@@ -9,10 +9,13 @@
 
 namespace durero::conform {
 
+/// The stream. Each call takes what it needs from it, so the order of calls matters.
 class Random {
  public:
+  /// From its beginning: the same seed gives the same stream.
   explicit Random(std::uint64_t seed) : engine_(seed) {}
 
+  /// 64 bits, each 0 or 1 as often.
   std::uint64_t bits() { return engine_(); }
   /// In 0 … n − 1. Precondition: n > 0.
   std::uint64_t below(std::uint64_t n) { return engine_() % n; }
@@ -27,6 +30,7 @@ class Random {
   const auto& any_of(const List& list) {
     return list[below(list.size())];
   }
+  /// 1 or −1, each as often.
   double sign() { return chance(1, 2) ? 1 : -1; }
   /// ±2^k with k in least … greatest.
   double signed_power(int least, int greatest) {
@@ -42,6 +46,7 @@ class Random {
   double uniform(double low, double high) {
     return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
   }
+  /// Each coordinate uniform in [−half, half).
   glm::dvec3 in_cube(double half) {
     const double x = uniform(-half, half), y = uniform(-half, half), z = uniform(-half, half);
     return {x, y, z};

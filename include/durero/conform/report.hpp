@@ -15,26 +15,28 @@ namespace durero::conform {
 
 /// Which of the worst findings: a family has one of each verdict.
 struct FindingKey {
-  std::string_view family;
-  Verdict verdict;
+  std::string_view family;  ///< of one of families(): it lasts as long as the program
+  Verdict verdict;          ///< one that is a failure
 
+  /// Of the family and the verdict of the finding, which making it small leaves as they are.
   explicit FindingKey(const Finding& finding) : family(finding.of.family->name), verdict(finding.judgement.verdict) {}
   auto operator<=>(const FindingKey&) const = default;
 };
 
 /// A finding made as small as it stays one, and what data would explain it.
 struct LeastFinding {
-  Finding finding;
-  std::optional<ExplainingData> data{};
+  Finding finding;                       ///< the small one: its case need not be of any suite
+  std::optional<ExplainingData> data{};  ///< none of a failure that no data explain, such as a crash
 };
 
+/// What was found of one system on one suite.
 struct Report {
-  std::string title;      ///< of the system
-  std::string version{};  ///< as the system says it; empty where it was not asked by this program
-  std::string asked{};    ///< the system's name, where this program asked it and can ask it again
-  Profile profile{};
-  SuiteOptions options{};
-  Tally tally{};
+  std::string title;                           ///< of the system
+  std::string version{};                       ///< as the system says it; empty where it was not asked by this program
+  std::string asked{};                         ///< the system's name, where this program asked it and can ask it again
+  Profile profile{};                           ///< that it was judged by
+  SuiteOptions options{};                      ///< of the suite
+  Tally tally{};                               ///< of the verdicts on all its rays
   std::map<FindingKey, LeastFinding> least{};  ///< worst findings, made as small as they stay ones (least_findings.hpp)
   std::size_t not_minimised = 0;               ///< how many of them were left out, where they were to be made small
 };
@@ -45,8 +47,9 @@ std::vector<const FamilyTally*> failures_first(const Tally& tally);
 /// The options that make the case of a finding again, and its ray: `--case tiny/0007 --ray 12 --solids`.
 std::string replay_options(const SuiteOptions& options, const Finding& finding);
 
-/// What was claimed, and what is right, each in one line.
+/// What was claimed, in a line without its end: the hit, "a miss", or why there is neither.
 std::string claim_words(const Finding& finding);
+/// The exact answer, in a line without its end. Precondition: the case was answered.
 std::string truth_words(const Finding& finding);
 
 /// A row a family, a column a verdict, then the worst of each failing verdict with the call that replays it.
@@ -57,6 +60,8 @@ std::string report_json(const Report& report);
 std::string report_junit(const Report& report);
 /// SARIF 2.1.0: a rule a verdict, a result for the worst ray of each family and verdict.
 std::string report_sarif(const Report& report);
+/// A page of HTML that stands alone: the table, the families that fail with pictures and their worst rays, the profile
+/// with its sources, and what was skipped.
 std::string report_html(const Report& report);
 
 /// Makes the folder where there is none. Throws io::FileError where nothing can be written into it.

@@ -26,21 +26,23 @@ struct AskOptions {
 
 /// The cases of a run, made where they are needed: on several threads at once.
 struct RunCases {
-  std::size_t count = 0;
-  std::function<SuiteCase(std::size_t place)> make;
+  std::size_t count = 0;                             ///< how many
+  std::function<SuiteCase(std::size_t place)> make;  ///< the case at that place, from 0 to count − 1
   /// The clause of the profile that the ray is outside of, or nothing; one outside is not asked, and its claim is
   /// unanswered because of it.
   std::function<std::string(const SuiteCase& of, std::size_t ray)> outside;
 };
 
+/// How a run is made.
 struct RunOptions {
-  AskOptions ask{};
+  AskOptions ask{};        ///< what each of the processes may use
   std::size_t jobs = 1;    ///< so many systems are asked at once
   std::string claims{};    ///< the file that keeps the claims, as JSON lines, so that a run can go on; empty: none
   bool goes_on = false;    ///< from what the file has; otherwise there must be none
   std::string identity{};  ///< of the run, one line: only a run of the same goes on
 };
 
+/// How a run ended, and what the system was like.
 struct RunEnd {
   std::size_t cases = 0;     ///< that were handed on
   bool stopped = false;      ///< before the last

@@ -47,7 +47,7 @@ struct FamilyCounts {
 
 /// The numbers of a shard.
 struct ShardCounts {
-  std::uint64_t shard = 0;
+  std::uint64_t shard = 0;               ///< its number in the campaign, from 0
   std::uint64_t answers = 0;             ///< a digest of what the system answered, ray after ray
   std::vector<std::uint64_t> ulps{};     ///< of all families, by ulp_bin
   std::vector<std::string> clauses{};    ///< ascending
@@ -71,6 +71,7 @@ inline constexpr std::size_t failures_kept = 8;
 /// How many clauses of a shard are counted apart: those that skip most rays. A system may refuse rays in as many words
 /// as it likes; the rest is counted together.
 inline constexpr std::size_t clauses_kept = 16;
+/// The clause that the rest is counted under; so are clauses of more than 200 bytes.
 inline constexpr std::string_view other_clauses = "other clauses";
 
 /// Of the rays of a family that failed in one way, the worst and those of least hash.
@@ -78,6 +79,7 @@ class FailedRays {
  public:
   /// Whether it would keep a ray with these numbers, whatever was claimed; true also where it may.
   bool may_keep(const FailedRay& ray) const;
+  /// Keeps the ray where it is worse than the worst, or among the failures_kept of least hash.
   void add(const FailedRay& ray);
 
   /// The ray that is farthest from the surface; of those, the one of the smallest scene, then the first.
@@ -90,10 +92,11 @@ class FailedRays {
   std::vector<FailedRay> least_;  // ascending by hash
 };
 
+/// A set of shards of one campaign.
 struct Shards {
-  std::string says{};  ///< what the system says of itself; empty where it was asked nothing
-  std::set<ShardCounts> counts{};
-  std::map<std::pair<const Family*, Verdict>, FailedRays> failures{};
+  std::string says{};              ///< what the system says of itself; empty where it was asked nothing
+  std::set<ShardCounts> counts{};  ///< a number stands twice where its shard was found in two ways
+  std::map<std::pair<const Family*, Verdict>, FailedRays> failures{};  ///< by family, and verdict that is a failure
 };
 
 /// Adds the shards of another set of the same campaign. Throws std::invalid_argument where the system was another
@@ -103,9 +106,12 @@ void unite(Shards& shards, Shards other);
 /// Counts the claims on the cases of one shard, in the order of its cases.
 class ShardTally {
  public:
+  /// Nothing is counted yet. The campaign and the profile must outlive it.
   ShardTally(const Campaign& campaign, std::uint64_t shard, const Profile& profile)
       : campaign_(&campaign), shard_(shard), profile_(&profile) {}
 
+  /// Judges the claims on the rays of the next case. Precondition: the case was answered, and has as many rays as
+  /// claims.
   void add(const SuiteCase& of, std::span<const Claim> claims);
   /// The set that has this shard alone.
   Shards shards(const std::string& says) const;

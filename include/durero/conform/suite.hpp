@@ -12,25 +12,27 @@
 
 namespace durero::conform {
 
+/// What a suite is made of.
 struct SuiteOptions {
   std::vector<const Family*> families{};  ///< none: all
-  std::uint64_t seed = 1;
-  std::size_t rays = 1024;            ///< of each family
-  std::vector<model::Tipo> tipos{};   ///< of the elements; none: all
-  Caps caps = Caps::open;             ///< solid: discs close the cylinders, cones and truncated cones
-  Format numbers = Format::binary32;  ///< of scenes, but for discs that close solids, and of rays
+  std::uint64_t seed = 1;                 ///< of all random streams: another seed, other cases
+  std::size_t rays = 1024;                ///< of each family
+  std::vector<model::Tipo> tipos{};       ///< of the elements; none: all
+  Caps caps = Caps::open;                 ///< solid: discs close the cylinders, cones and truncated cones
+  Format numbers = Format::binary32;      ///< of scenes, but for discs that close solids, and of rays
 };
 
 /// How many rays a case has; the last of a family may have less.
 inline constexpr std::size_t rays_of_a_case = 64;
 
+/// A scene with its rays, where it is from, and the exact answers once answer() has found them.
 struct SuiteCase {
-  const Family* family = nullptr;
-  std::uint64_t number = 0;  ///< among the cases of its family, from 0
-  int parameter = 0;         ///< of the family, as it was drawn
-  Case the_case;
-  std::vector<Solid> solids{};
-  std::vector<Truth> truths{};  ///< of the rays, in their order
+  const Family* family = nullptr;  ///< one of families()
+  std::uint64_t number = 0;        ///< among the cases of its family, from 0
+  int parameter = 0;               ///< of the family, as it was drawn
+  Case the_case;                   ///< in a suite its rays start on no elements
+  std::vector<Solid> solids{};     ///< with Caps::solid, the elements that discs close
+  std::vector<Truth> truths{};     ///< of the rays, in their order
 
   std::string name() const;  ///< FAMILY/0000
 };

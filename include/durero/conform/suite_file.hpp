@@ -29,20 +29,23 @@ namespace durero::conform {
 /// Of their format: another where the same options make other cases.
 inline constexpr std::uint64_t suite_version = 1;
 
+/// How many enumerators Ambiguity has, none among them.
 inline constexpr std::size_t ambiguity_count = 7;
 
 /// What a suite has of a family.
 struct FamilySummary {
-  const Family* family = nullptr;
-  std::size_t cases = 0;
-  Count count{};
+  const Family* family = nullptr;                          ///< one of families()
+  std::size_t cases = 0;                                   ///< how many
+  Count count{};                                           ///< of the rays of all of them
   std::array<std::size_t, ambiguity_count> ambiguities{};  ///< rays, by Ambiguity
 
+  /// Adds number by number; the family stays.
   FamilySummary& operator+=(const FamilySummary& other);
 };
 
+/// A suite, as its files have it.
 struct Suite {
-  SuiteOptions options;
+  SuiteOptions options;          ///< that it was made from
   std::vector<SuiteCase> cases;  ///< answered, in the order of families() and of their numbers
 };
 

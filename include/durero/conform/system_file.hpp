@@ -26,6 +26,7 @@
 
 namespace durero::conform {
 
+/// A program and its arguments, word by word: no shell reads them.
 using Command = std::vector<std::string>;
 
 /// How a program that shows a failure is made and run.
@@ -37,24 +38,24 @@ struct ReproducerPlan {
 
 /// What is known to fail, and why.
 struct KnownCause {
-  std::vector<std::string> verdicts;
+  std::vector<std::string> verdicts;    ///< by name: those that it is the cause of
   std::vector<std::string> tipos{};     ///< of an element at least; none: any
   std::vector<std::string> families{};  ///< none: any
-  std::string cause;
+  std::string cause;                    ///< in sentences, as bug reports say it
 };
 
 /// A system, and how it is installed, built and asked. Commands have their places filled in.
 struct System {
-  std::string name;
-  std::string title;
+  std::string name;   ///< that of its file, which commands and reports call it by
+  std::string title;  ///< what people call it, as "Embree 3"
   std::map<std::string, std::vector<std::string>> packages{};  ///< by where they are from: debian, pypi, crates, npm
   Command build{};                                             ///< empty: nothing is built
-  Command ask;
-  Profile profile;
-  std::string folder;  ///< {here}
-  std::string setup;   ///< {setup}
-  ReproducerPlan reproducer{};
-  std::vector<KnownCause> known{};
+  Command ask;                      ///< runs what answers: questions at its standard input (question.hpp)
+  Profile profile;                  ///< what it claims, and where its documentation does
+  std::string folder;               ///< {here}
+  std::string setup;                ///< {setup}
+  ReproducerPlan reproducer{};      ///< without a template where the file has none
+  std::vector<KnownCause> known{};  ///< the first that fits a failure is its cause (known_cause)
 };
 
 /// The command with {NAME} replaced by what it stands for, for those names.

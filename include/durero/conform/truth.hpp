@@ -24,11 +24,13 @@ enum class Ambiguity {
   tie,        ///< several elements at one point, none of which a small change removes
   in_surface  ///< the ray lies in the surface
 };
+/// The word of an ambiguity in files, spelt as its enumerator.
 std::string_view name(Ambiguity ambiguity);
 
+/// The exact answer to a ray, and what may be answered in its place.
 struct Truth {
-  scene::Hit hit;  ///< of Primera_Interseccion
-  Ambiguity ambiguity = Ambiguity::none;
+  scene::Hit hit;                         ///< of Primera_Interseccion
+  Ambiguity ambiguity = Ambiguity::none;  ///< why `hit` is not the only answer; none where it is
   /// What may be answered beside `hit`, nearest first: the crossings behind it until the first that no small change
   /// removes, that one included; then, where there is none, a miss. Of several elements at one point all are answered,
   /// or each alone. A stretch of the ray inside a surface counts with both its ends, and from t → 0⁺ with t = 0; what

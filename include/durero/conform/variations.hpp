@@ -12,7 +12,7 @@ namespace durero::conform {
 /// A question beside that of a failure, and what the system answers to it.
 struct Variation {
   std::string what;  ///< such as "with v/|v| for v"
-  Finding answered;
+  Finding answered;  ///< the varied question, the claim on it and its judgement, a failure or not
 };
 
 /// With a v of unit length, with the whole scene of a size near 1, with an origin nearer to the first point: those that

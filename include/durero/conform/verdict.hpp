@@ -16,6 +16,7 @@
 
 namespace durero::conform {
 
+/// What a claim is found to be. Off and what follows it, but for skipped, are failures.
 enum class Verdict {
   exact,          ///< right to the bit, in the system's format
   right,          ///< the answer of some data within the declared backward error of those given
@@ -26,11 +27,13 @@ enum class Verdict {
   far_root,       ///< off: a later crossing of the right element, by more than 0.001 of its size
   misplaced,      ///< off by more than 0.001 of the size
   non_finite,     ///< a hit with a number that is none
-  crashed,
-  hung,
-  skipped  ///< outside the profile, or no answer
+  crashed,        ///< the system ended while it was asked
+  hung,           ///< no answer in the time that the system had
+  skipped         ///< outside the profile, or no answer
 };
+/// How many verdicts there are.
 inline constexpr int verdict_count = 12;
+/// The word of a verdict in files and reports, spelt as its enumerator.
 std::string_view name(Verdict verdict);
 /// What the verdict says, in one line.
 std::string_view meaning(Verdict verdict);
@@ -38,8 +41,9 @@ std::string_view meaning(Verdict verdict);
 /// number or answer at all.
 bool is_gross(Verdict verdict);
 
+/// A verdict, and by how much the claim is off.
 struct Judgement {
-  Verdict verdict = Verdict::skipped;
+  Verdict verdict = Verdict::skipped;  ///< on the claim
   /// Of a hit where the truth is a hit: |t − t!| in units of the last place of t! in the system's format; where the
   /// claim is a point alone, of its worst coordinate, in units of the last place of the largest coordinate.
   double ulps = 0;

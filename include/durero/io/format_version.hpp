@@ -9,9 +9,10 @@
 
 namespace durero::io::json {
 
+/// What the keys `format` and `version` say in a file of the format.
 struct FormatVersion {
-  std::string_view format;
-  std::uint64_t version;  ///< the one that is read and written
+  std::string_view format;  ///< such as "durero-scene"; the text must outlive this
+  std::uint64_t version;    ///< the one that is read and written
 };
 
 /// Looks at the keys `format` and `version` of the object that stands here, wherever they stand in it, and passes

@@ -13,30 +13,35 @@ namespace durero::io {
 
 /// A scene read from a format, and one line for each kind of thing that it does not keep.
 struct Imported {
-  scene::Scene scene;
-  std::vector<std::string> lost;
+  scene::Scene scene;             ///< what could be kept
+  std::vector<std::string> lost;  ///< to be shown to the user; empty where all was kept
 };
 
 /// A text in a format, and one line for each kind of thing of the scene that it does not keep.
 struct Exported {
-  std::string text;
-  std::vector<std::string> lost;
+  std::string text;               ///< of the whole file
+  std::vector<std::string> lost;  ///< to be shown to the user; empty where all was kept
 };
 
+/// A row of the table: how a scene format is known by a name, read and written.
 struct Format {
-  std::string_view ending;                   ///< of the file's name: ".nff"
-  Imported (*read)(const Source& source);    ///< throws InputError
-  Exported (*write)(const scene::Scene&){};  ///< absent where the format is only read
+  std::string_view ending;                 ///< of the file's name: ".nff"
+  Imported (*read)(const Source& source);  ///< throws InputError
+  /// Null where the format is only read.
+  Exported (*write)(const scene::Scene&){};
 };
 
+/// The table, which lives as long as the program.
 std::span<const Format> formats();
 
-/// The format of a file that is to be read or written, by its name. Throws FileError where none has that ending.
+/// @{ The format of a file that is to be read or written, by its name. Throws FileError where none has that ending.
 const Format& format_to_read(const std::string& path);
 const Format& format_to_write(const std::string& path);
+/// @}
 
-/// Their endings, as a sentence lists them.
+/// @{ The endings of those formats, as a sentence lists them: ".json or .nff".
 std::string endings_to_read();
 std::string endings_to_write();
+/// @}
 
 }  // namespace durero::io

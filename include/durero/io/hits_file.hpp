@@ -44,6 +44,7 @@ class HitWriter {
 
   /// The hits of the next rays of the scene.
   void write(std::span<const scene::Hit> hits, const scene::Scene& scene);
+  /// Ends the file and puts it in place, on disk. Nothing may be written after it.
   void commit();
 
  private:
@@ -57,9 +58,9 @@ class HitWriter {
 
 /// A hit, and the number of its ray in the ray file (from 0).
 struct RayHit {
-  std::size_t ray;
+  std::size_t ray;     ///< whether there is such a ray, read_hits() does not ask
   std::size_t offset;  ///< where that number stands in the source
-  scene::Hit hit;
+  scene::Hit hit;      ///< its t and point as the file has them: nothing is computed anew
 };
 
 /// Reads JSON lines. Throws InputError, also on an element that the scene has not.

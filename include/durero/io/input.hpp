@@ -16,6 +16,7 @@ namespace durero::io {
 /// it needs more. Throws FileError where the file cannot be read.
 class Input {
  public:
+  /// How many bytes a call of read() adds at most, where the caller has not said otherwise: 1 MiB.
   static constexpr std::size_t usual_block = std::size_t{1} << 20U;
 
   /// Opens the file; "-" is the standard input.
@@ -29,7 +30,9 @@ class Input {
   Input(const Input&) = delete;
   Input& operator=(const Input&) = delete;
 
+  /// As messages name it; the standard input is "<stdin>".
   const std::string& name() const noexcept { return name_; }
+  /// The bytes that wait, the next one first; valid until the next read().
   std::string_view waiting() const noexcept { return waiting_; }
   /// Precondition: so many wait.
   void take(std::size_t bytes) noexcept { waiting_.remove_prefix(bytes); }

@@ -24,21 +24,28 @@
 
 namespace durero::io::json {
 
+/// What a token is: a value; `key`, of an object; `object` and `array`, an opening bracket, and its closing one; `end`,
+/// behind the last.
 enum class Kind : std::uint8_t { null, boolean, number, string, key, object, end_object, array, end_array, end };
 
 /// One JSON text, checked: its tokens in order, then one of kind `end`.
 class Document {
  public:
-  /// Parses the bytes [begin, end) of the source as one JSON value. Throws InputError.
+  /// Parses the bytes [begin, end) of the source as one JSON value; the source must outlive it.
+  /// Throws InputError.
   Document(const Source& source, std::size_t begin, std::size_t end);
+  /// Parses the whole source, which must outlive it, as one JSON value. Throws InputError.
   explicit Document(const Source& source) : Document(source, 0, source.text().size()) {}
 
+  /// Where a piece of the text begins, and what it is.
   struct Token {
-    std::uint64_t offset : 56;
-    Kind kind : 8;
+    std::uint64_t offset : 56;  ///< its first byte in the source: of a string or key, the opening quote
+    Kind kind : 8;              ///< says whether it has a number_text(), a string_value() or neither
   };
 
+  /// What it was parsed from.
   const Source& source() const noexcept { return *source_; }
+  /// In the order of the text; at least a value and `end`.
   const std::vector<Token>& tokens() const noexcept { return tokens_; }
   /// The text of a number token.
   std::string_view number_text(Token token) const;
@@ -57,18 +64,21 @@ class Document {
 
 /// A key of an object.
 struct Key {
-  std::string_view name;
-  std::size_t offset;
+  std::string_view name;  ///< without quotes and escapes; valid as long as the document and its source
+  std::size_t offset;     ///< of its opening quote in the source
 };
 
 /// Walks a document from its first token to its last. Every member throws InputError at the place of the token.
 class Reader {
  public:
+  /// Stands on the first token. The document must outlive it.
   explicit Reader(const Document& document) : document_(&document) {}
 
+  /// Of the token that stands here; `end` behind the last value.
   Kind kind() const { return token().kind; }
   /// Of what an array or an object begins with. Precondition: one stands here.
   Kind kind_of_first_item() const { return document_->tokens()[next_ + 1].kind; }
+  /// Which byte of the source the token that stands here begins at.
   std::size_t offset() const { return token().offset; }
   /// Where the last key that was read stands.
   std::size_t key_offset() const { return key_offset_; }
@@ -77,21 +87,26 @@ class Reader {
   double number(std::string_view what);
   /// A number, or the string "inf", "-inf" or "nan", which stand for what JSON has no number for.
   double extended_number(std::string_view what);
+  /// A string, its escapes read; valid as long as the document and its source.
   std::string_view string(std::string_view what);
+  /// One of the words true and false.
   bool boolean(std::string_view what);
+  /// An array of three finite numbers.
   glm::dvec3 vec3(std::string_view what) {
     return triple(what, [&] { return number(what); });
   }
+  /// An array of three arrays of three finite numbers.
   std::array<glm::dvec3, 3> three_points(std::string_view what) {
     return three<glm::dvec3>(what, "expected three points", [&] { return vec3(what); });
   }
 
-  /// An array of three items, each what item() reads.
+  /// An array of three numbers, each what item() reads.
   template <class Item>
   glm::dvec3 triple(std::string_view what, Item&& item) {
     const auto v = three<double>(what, "expected three numbers", item);
     return {v[0], v[1], v[2]};
   }
+  /// An array of three items, each what item() reads; where there are more or fewer, the message ends with `expected`.
   template <class Value, class Item>
   std::array<Value, 3> three(std::string_view what, const char* expected, Item&& item) {
     const std::size_t at = offset();
@@ -139,6 +154,7 @@ class Reader {
   /// object stands here. This one stays where it is.
   std::optional<Reader> member(std::string_view name) const;
 
+  /// Throws InputError at that byte of the source, with the clause that is broken, if one is.
   [[noreturn]] void fail(std::size_t offset, const std::string& wrong, const std::string& expected,
                          const contract::clause* broken = nullptr) const {
     document_->source().fail(offset, wrong, expected, broken);

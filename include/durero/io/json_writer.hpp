@@ -14,19 +14,27 @@ namespace durero::io::json {
 /// before each member, an end for each beginning.
 class Writer {
  public:
+  /// Writes behind what the text holds already.
   explicit Writer(std::string& out) : out_(&out) {}
 
+  /// @{ A bracket of an object or array, which is itself a value: of a member or an item, or the whole.
   Writer& begin_object() { return begin('{'); }
   Writer& end_object() { return end('}'); }
   Writer& begin_array() { return begin('['); }
   Writer& end_array() { return end(']'); }
+  /// @}
+  /// A key of an object, escaped. Its value must follow. Precondition: it is UTF-8.
   Writer& key(std::string_view name);
   /// What follows next, a member, an item or an end, stands on a new line.
   Writer& new_line();
 
+  /// A string, escaped. Precondition: it is UTF-8.
   Writer& value(std::string_view text);
+  /// The same of a text up to its NUL. Precondition: it is not null.
   Writer& value(const char* text) { return value(std::string_view(text)); }
+  /// true or false; for bool alone, so that nothing is converted to it.
   Writer& value(std::same_as<bool> auto truth) { return raw(truth ? "true" : "false"); }
+  /// All digits, also of what no binary64 holds.
   Writer& value(std::uint64_t number);
   /// The shortest decimal that reads back; what JSON has no number for is the string "inf", "-inf" or "nan".
   Writer& value(double number);

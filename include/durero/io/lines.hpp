@@ -10,15 +10,16 @@ namespace durero::io {
 
 /// A line: its number, from 1, and its bytes [begin, end) in the text, without its end.
 struct Line {
-  std::size_t number;
-  std::size_t begin;
-  std::size_t end;
+  std::size_t number;  ///< from 1
+  std::size_t begin;   ///< its first byte
+  std::size_t end;     ///< behind its last byte: where its line end stands, or the text ends
   bool operator==(const Line&) const = default;
 };
 
 /// Walks the lines of a text, which must outlive it.
 class Lines {
  public:
+  /// Stands before the first line.
   explicit Lines(std::string_view text) noexcept : text_(text) {}
 
   /// The next line; nothing behind the last. What stands behind the last line end is a line where it is not empty.

@@ -17,6 +17,7 @@ std::optional<double> read_finite(std::string_view text);
 
 /// Appends the shortest decimal that reads back to the same binary64; integers plain (4, not 4.0); inf, -inf, nan.
 void append_number(std::string& out, double value);
+/// What append_number() appends.
 std::string number_text(double value);
 
 }  // namespace durero::io

@@ -19,7 +19,7 @@ namespace durero::io {
 /// One line of a script: the edit that it asks for.
 struct Instruction {
   std::size_t line;  ///< from 1
-  scene::Edit edit;
+  scene::Edit edit;  ///< its material is a place in the stage that the script was read with
 };
 
 /// Reads a whole script, so that a malformed line stops it before anything is done. Throws InputError.

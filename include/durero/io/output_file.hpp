@@ -22,6 +22,7 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
+  /// Writes behind what has been written. Precondition: commit() has not been called.
   void write(std::string_view bytes);
   /// Puts the file in place, on disk. Nothing may be written after it.
   void commit();

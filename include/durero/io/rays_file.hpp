@@ -16,6 +16,7 @@
 
 namespace durero::io {
 
+/// A ray of the file, and the elements that its origin lies on: rayo? and en?.
 using Ray = scene::Query;
 
 /// Reads rays of a scene as they arrive. An input that starts as a .npy file does, or is named so, is read as one, the

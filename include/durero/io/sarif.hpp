@@ -8,8 +8,9 @@
 
 namespace durero::io {
 
+/// What a result can be of. The texts must outlive it.
 struct SarifRule {
-  std::string_view id, description;
+  std::string_view id, description;  ///< the name by which results refer to it, and what it means
 };
 
 /// Begins a log of one run: its tool and the rules that results refer to. Members of the run may follow.

@@ -14,6 +14,7 @@
 
 namespace durero::io {
 
+/// What the text of check_json() says of itself.
 inline constexpr json::FormatVersion check_format{"durero-check", 1};
 
 /// Something wrong, and where.
@@ -21,17 +22,19 @@ struct Finding {
   const contract::clause* broken;      ///< null where no clause speaks of it: the file is malformed
   std::string message;                 ///< what is wrong; what is expected
   std::optional<std::string> pointer;  ///< to the value in the file, or to where it should be; none where it is no JSON
-  Place place;
+  Place place;                         ///< in the file; of a broken invariant, where the element begins
 };
 
+/// What check_scene() has found.
 struct SceneCheck {
-  std::string file;
+  std::string file;                  ///< the name of the source
   scene::Scene scene{};              ///< without what is wrong
   std::vector<InputError> errors{};  ///< as they were met: the first is what read_scene throws
   model::Judgements invariants{};    ///< none where there is an error: then there is no scene to judge
   std::vector<Finding> findings{};   ///< in the order of the file
 };
 
+/// Reads the whole file and judges the scene. What is wrong with the file is found, not thrown.
 SceneCheck check_scene(const Source& file);
 
 /// A finding for each element that breaks an invariant. A scene that was read breaks none, unless the program is wrong.
@@ -39,7 +42,9 @@ std::vector<Finding> broken_invariants(const Source& file, const model::Escena& 
 
 /// The elements by shape, and a line for each invariant; `fails` is the word for one that does not hold.
 std::string check_text(const SceneCheck& check, std::string_view fails = "fails");
+/// One JSON object: the findings and, of a file without errors, what check_text() says. Ends its line.
 std::string check_json(const SceneCheck& check);
+/// A SARIF log: each finding is a result, under the label of the clause it breaks or as `malformed`. Ends its line.
 std::string check_sarif(const SceneCheck& check);
 
 }  // namespace durero::io

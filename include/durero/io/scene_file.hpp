@@ -11,6 +11,7 @@
 
 namespace durero::io {
 
+/// What scene files say of themselves: read_scene() asks for it, and scene_text() writes it.
 inline constexpr json::FormatVersion scene_format{"durero-scene", 1};
 
 /// Reads a scene. A file is good when it is JSON, has the keys of the format and no others, and every element can be
@@ -25,7 +26,7 @@ scene::Scene read_scene(const Source& source, std::vector<InputError>& errors);
 /// Where an element stands in its file.
 struct ElementPlace {
   std::string pointer;  ///< `/elementos/3`
-  Place place;
+  Place place;          ///< of its opening brace
 };
 
 /// Precondition: the source is the text of a scene that has the element.

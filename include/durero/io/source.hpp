@@ -16,8 +16,8 @@ namespace durero::io {
 /// continue a UTF-8 character do not count. In a `.npy` file the line is the row and the column the value's number in
 /// it.
 struct Place {
-  std::size_t line;
-  std::size_t column;
+  std::size_t line;    ///< from 1
+  std::size_t column;  ///< from 1
   bool operator==(const Place&) const = default;
 };
 
@@ -25,7 +25,9 @@ struct Place {
 /// expected`.
 class InputError : public std::runtime_error {
  public:
+  /// Makes what() of its parts; offset() is 0 and broken() null, as only Source::fail() knows them.
   InputError(const std::string& file, Place place, const std::string& wrong, const std::string& expected);
+  /// What LINE:COLUMN says.
   Place place() const noexcept { return place_; }
   /// The line without file and place.
   std::string_view message() const noexcept { return std::string_view(what()).substr(message_at_); }
@@ -45,15 +47,19 @@ class InputError : public std::runtime_error {
 /// A file that cannot be read or written. what() is one line, escaped: `FILE: what is wrong; what is expected`.
 class FileError : public std::runtime_error {
  public:
+  /// Makes what() of its parts, and escapes them.
   FileError(const std::string& file, const std::string& wrong, const std::string& expected);
 };
 
 /// A text held whole, and its name in messages. Where it is a part of a file, whole lines stand before it.
 class Source {
  public:
+  /// Takes any bytes. `lines_before` whole lines of the file stand before the text.
   Source(std::string name, std::string text, std::size_t lines_before = 0)
       : name_(std::move(name)), text_(std::move(text)), lines_before_(lines_before) {}
+  /// FILE in messages, where it is escaped.
   const std::string& name() const noexcept { return name_; }
+  /// Its bytes, as they were given; valid as long as the source.
   std::string_view text() const noexcept { return text_; }
 
   /// The place of a byte of the text in its file; the end of the text has one too.

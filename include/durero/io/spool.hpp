@@ -12,11 +12,13 @@ namespace durero::io {
 /// FileError, which names that one.
 class Spool {
  public:
+  /// Makes the file in the folder of the target, which it does not touch.
   explicit Spool(std::string target);
   ~Spool();
   Spool(const Spool&) = delete;
   Spool& operator=(const Spool&) = delete;
 
+  /// Writes behind what has been written. Precondition: read() has not been called.
   void write(std::string_view bytes);
   /// What has been written, from its beginning. Nothing may be written after it.
   Input read();

@@ -16,16 +16,20 @@
 
 namespace durero::zed {
 
+/// An exact real number, in one of these forms. Its operators compute and compare without rounding.
 class Real {
  public:
   Real() : form_(Small{}) {}  ///< it is 0
+  /// Makes the integer.
   Real(int value);
   /// Makes the number that a binary64 denotes. Throws std::domain_error for an infinity or a NaN.
   Real(double value);
+  /// Makes the same number, as a small one where it fits.
   Real(number::Surd value);
   /// Makes a natural number from its decimal digits.
   static Real natural(const std::string& digits);
 
+  /// Says whether it is a whole number, in whichever form.
   bool is_integer() const;
   /// Returns about how many machine words the number takes beyond two.
   std::size_t words() const;
@@ -34,19 +38,25 @@ class Real {
   /// Returns the number as x + y√Δ. Precondition: is_surd().
   number::Surd surd() const;
 
+  /// @{ Throws std::domain_error for numbers of different fields, and for a root r of an irrational number, of which
+  /// there are only r + 0, 0 + r, r − 0, r − r, r · 0, 0 · r, and r · q with a root q of a number of the same field.
   friend Real operator+(const Real& a, const Real& b);
   friend Real operator-(const Real& a, const Real& b);
   friend Real operator*(const Real& a, const Real& b);
-  /// Throws std::domain_error for a division by 0.
+  /// @}
+  /// Throws std::domain_error for a division by 0, for numbers of different fields and for roots of irrational ones.
   friend Real operator/(const Real& a, const Real& b);
+  /// Throws std::domain_error for the root of an irrational number.
   Real operator-() const { return Real() - *this; }
-  /// All arithmetic throws std::domain_error where the result is in none of the three forms: sums of roots of
-  /// irrational numbers, and numbers of different fields.
 
+  /// @{ Compares any two numbers exactly, of whatever forms and fields.
   friend std::strong_ordering operator<=>(const Real& a, const Real& b);
   friend bool operator==(const Real& a, const Real& b) { return (a <=> b) == 0; }
+  /// @}
+  /// Returns −1, 0 or 1.
   friend int sign(const Real& value);
-  /// Returns the non-negative root. Throws std::domain_error where value < 0.
+  /// Returns the non-negative root. Throws std::domain_error where value < 0, or is itself the root of an
+  /// irrational number.
   friend Real square_root(const Real& value);
   /// Returns ⌊a / b⌋ (div) of integers. Throws std::domain_error unless both are integers and b ≠ 0.
   friend Real integer_quotient(const Real& a, const Real& b);

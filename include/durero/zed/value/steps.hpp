@@ -17,8 +17,10 @@ class StepsSpent : public std::runtime_error {
 /// set or number as takes about as long: the time of an evaluation is bounded by that of its steps.
 class Steps {
  public:
+  /// The most steps where there is no bound: no evaluation takes so many.
   static constexpr std::uint64_t unbounded = std::numeric_limits<std::uint64_t>::max();
 
+  /// Counts from 0, and allows so many.
   explicit Steps(std::uint64_t most = unbounded) : most_(most) {}
 
   /// Throws StepsSpent where there are more than there may be.
@@ -26,7 +28,9 @@ class Steps {
     taken_ += steps;
     if (taken_ > most_) throw StepsSpent();
   }
+  /// Returns how many were asked for so far, with those that were too many.
   std::uint64_t taken() const { return taken_; }
+  /// Returns how many there may be.
   std::uint64_t most() const { return most_; }
 
  private:

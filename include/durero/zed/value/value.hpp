@@ -33,6 +33,7 @@ class EvaluationError : public std::runtime_error {
 /// The truth of a predicate is `open` where it depends on a value that is not given.
 enum class Truth : std::uint8_t { no, yes, open };
 
+/// Returns the truth of what is decided: yes or no, never open.
 constexpr Truth truth(bool value) { return value ? Truth::yes : Truth::no; }
 
 class Value;
@@ -49,33 +50,40 @@ struct Undefined {};
 struct Open {};
 /// An unknown is a variable whose value is looked for.
 struct Unknown {
-  std::uint32_t id;
+  std::uint32_t id;  ///< it counts the unknowns of a context, from 0
 };
 
 /// A member of a given set, or a constant of a free type, is known by its type and its name. `order` is the place among
 /// the constants of a free type, and 0 in a given set, whose members are in the order of their names.
 struct AtomName {
-  std::string type, text;
-  std::uint32_t order = 0;
-  std::uint64_t head = 0;  ///< it is the first eight bytes of the text, as a number in the order of texts
+  std::string type, text;   ///< the name of its type, and its own
+  std::uint32_t order = 0;  ///< compare() asks for it first
+  std::uint64_t head = 0;   ///< it is the first eight bytes of the text, as a number in the order of texts
 };
+/// A value shares its name with its copies.
 using Atom = std::shared_ptr<const AtomName>;
 
+/// @{ A value shares what it is made of with its copies, and nobody changes it.
 using TuplePtr = std::shared_ptr<const TupleValue>;
 using BindingPtr = std::shared_ptr<const BindingValue>;
 using ConstructedPtr = std::shared_ptr<const Constructed>;
 using SetPtr = std::shared_ptr<const Set>;
 using PolynomialPtr = std::shared_ptr<const Polynomial>;
+/// @}
 
 /// A signature has the names of a binding's components, sorted.
 using Signature = std::shared_ptr<const std::vector<Name>>;
+/// Makes a signature: sorts the names.
 Signature signature(std::vector<Name> names);
 
+/// A value of Z, or what an expression has in place of one: it is undefined, open or unknown.
 class Value {
  public:
+  /// These forms there are; a number that depends on an unknown is a polynomial.
   using Form =
       std::variant<Undefined, Open, Unknown, PolynomialPtr, Real, Atom, TuplePtr, BindingPtr, ConstructedPtr, SetPtr>;
   Value() = default;  ///< it is undefined
+  /// @{ Makes a value of this form. Precondition: no pointer is null.
   Value(Open) : form_(Open{}) {}
   Value(Unknown unknown) : form_(unknown) {}
   Value(Real real) : form_(std::move(real)) {}
@@ -85,10 +93,14 @@ class Value {
   Value(BindingPtr binding) : form_(std::move(binding)) {}
   Value(ConstructedPtr constructed) : form_(std::move(constructed)) {}
   Value(SetPtr set) : form_(std::move(set)) {}
+  /// @}
 
+  /// Makes a member of a given set, or a constant of a free type, where it has this place in the order.
   static Value atom(std::string type, std::string text, std::uint32_t order = 0);
+  /// @{ Makes a tuple of the parts in this order. It is undefined where one of them is.
   static Value tuple(std::vector<Value> parts);
   static Value pair(Value first, Value second);
+  /// @}
   /// Makes a binding. The names are sorted, and the values stand in their order.
   static Value binding(Signature names, std::vector<Value> values);
   static Value point(const Signature& names, Real x, Real y, Real z);  ///< it has three components
@@ -98,42 +110,50 @@ class Value {
   /// values undefined.
   static Value set(std::vector<Value> members);
 
+  /// Returns the value as a variant, for std::visit.
   const Form& form() const { return form_; }
+  /// Says whether the expression has no value.
   bool is_undefined() const { return form_.index() == 0; }
+  /// Says whether it is open as a whole; has_open() asks for its parts too.
   bool is_open() const { return form_.index() == 1; }
   /// Returns the value as one of this form, or null where it has another.
   template <class T>
   const T* get() const {
     return std::get_if<T>(&form_);
   }
+  /// @{ Returns what the value is made of, or null where it has another form; valid as long as the value.
   const Real* real() const { return get<Real>(); }
   const TupleValue* tuple() const;
   const BindingValue* binding() const;
   const Set* set() const;
+  /// @}
 
-  /// Writes the value in Z notation, in Unicode. `spelling` says how a member of a given set, or a constant, is
-  /// written; without it that is its own text. A set that is known by membership only is written as a message would
-  /// name it.
+  /// A spelling says how a member of a given set, or a constant, is written.
   using Spelling = std::function<std::string(const AtomName&)>;
+  /// Writes the value in Z notation, in Unicode; a member of a given set, or a constant, as its own text. A set that is
+  /// known by membership only is written as a message would name it.
   std::string text() const;
-  /// Writes each empty set with the type of its members where that is known, `∅[𝔸]`, so that it can be read back alone.
-  /// Precondition: the value is of this type, which is settled.
+  /// Writes it so with this spelling, and each empty set with the type of its members where that is known, `∅[𝔸]`, so
+  /// that it can be read back alone. Precondition: the value is of this type, which is settled.
   std::string text(const Type& type, const Spelling& spelling) const;
 
  private:
   Form form_;
 };
 
-// Most tuples are pairs and most bindings are points, so their parts need no heap of their own.
+/// The parts of a tuple. Most tuples are pairs and most bindings are points, so they need no heap for their parts.
 struct TupleValue {
-  boost::container::small_vector<Value, 2> parts;
+  boost::container::small_vector<Value, 2> parts;  ///< none is undefined
 };
 
+/// What a binding is made of.
 struct BindingValue {
+  /// Moves the values out of v. Precondition: they are as many as the names, in their order, and none is undefined.
   BindingValue(Signature n, std::span<Value> v)
       : names(std::move(n)), values(std::make_move_iterator(v.begin()), std::make_move_iterator(v.end())) {}
-  Signature names;
+  Signature names;                                  ///< those of its type
   boost::container::small_vector<Value, 3> values;  ///< they are in step with names
+  /// Returns the value of that component, or null where there is none.
   const Value* component(const Name& name) const;
   /// This is the closed schema that the binding was last found to satisfy: a binding never changes, nor does a schema.
   mutable std::atomic<const void*> satisfies{nullptr};
@@ -141,22 +161,24 @@ struct BindingValue {
 
 /// A constructor of a free type makes such a value.
 struct Constructed {
-  Atom constructor;
-  Value argument;
+  Atom constructor;  ///< its name
+  Value argument;    ///< the constructor was applied to it
 };
 
 /// A polynomial is constant + slope · unknown + square · unknown², with slope ≠ 0 or square ≠ 0.
 struct Polynomial {
-  Real constant, slope, square;
-  std::uint32_t unknown;
+  Real constant, slope, square;  ///< the coefficients
+  std::uint32_t unknown;         ///< the id of the unknown
 };
 
 /// The context has what is found out while a predicate is evaluated (Search).
 struct Context;
 
+/// What is asked of a set, however it is made.
 class Set {
  public:
   virtual ~Set() = default;
+  /// Says whether the value is a member. Throws EvaluationError where that cannot be decided.
   virtual Truth contains(const Value& value, Context& context) const = 0;
   /// Returns the members of a finite set, sorted, each once. It is null where the set is intensional.
   virtual const std::vector<Value>* members() const { return nullptr; }
@@ -181,10 +203,12 @@ class Set {
 /// Orders values of one type by their structure, totally on those without unknown parts. Intensional sets are in an
 /// arbitrary order, by identity.
 std::strong_ordering compare(const Value& a, const Value& b);
+/// Says whether compare() puts neither before the other, as of two open values or two polynomials, whatever they are.
 inline bool same(const Value& a, const Value& b) { return compare(a, b) == 0; }
 
-/// Says whether the value has a part that is open or unknown, or that is intensional.
+/// Says whether the value is, or has a part that is, open, unknown or a polynomial. A set has no parts here.
 bool has_open(const Value& value);
+/// Says whether the value is, or has a part that is, an intensional set or a family of such.
 bool has_intensional(const Value& value);
 
 }  // namespace durero::zed
