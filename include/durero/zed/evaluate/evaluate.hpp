@@ -25,15 +25,16 @@
 
 namespace durero::zed {
 
+/// Values for names. Of a name that stands in it twice, the last counts.
 using Given = std::vector<std::pair<Name, Value>>;
 
 /// A finding is a conjunct of a schema, which is a predicate or a declaration `x ∈ S`, with its truth.
 struct Finding {
-  std::string label;      ///< a declaration has none
-  std::string predicate;  ///< it is written in Unicode
-  std::string strokes;    ///< the state that it speaks of has them: `'` for Escena ' in an operation
-  Place place;
-  Truth truth = Truth::yes;
+  std::string label;         ///< a declaration has none
+  std::string predicate;     ///< it is written in Unicode
+  std::string strokes;       ///< the state that it speaks of has them: `'` for Escena ' in an operation
+  Place place;               ///< the predicate begins here, or S of `x ∈ S`; 0:0 where no text says it, as in ΞS
+  Truth truth = Truth::yes;  ///< `open` where it depends on a component that is not given
 };
 
 /// Compiles a schema once, and asks it of values in the order of its components.
@@ -54,6 +55,7 @@ class SchemaCheck {
   std::shared_ptr<const State> state_;
 };
 
+/// Evaluates terms with the meaning that the paragraphs of some sections give to names.
 class Evaluator {
  public:
   /// Evaluates on these sections. `given` has values of names that they declare and do not define; throws
@@ -61,12 +63,15 @@ class Evaluator {
   /// the evaluator; all that follow then throw StepsSpent where they take too many.
   explicit Evaluator(std::vector<Section> sections, const Given& given = {}, Steps* steps = nullptr);
   ~Evaluator();
+  /// Takes over the other, which is then for its end or an assignment only. What that gave stays in use.
   Evaluator(Evaluator&&) noexcept;
+  /// Takes over the other likewise. What this one gave before is not for use any more.
   Evaluator& operator=(Evaluator&&) noexcept;
 
   /// Returns the value of an expression, or the truth of a predicate, with these local names. All that follow throw
   /// EvaluationError for what cannot be decided.
   Value value(const Term& expression, const Given& locals = {}) const;
+  /// Returns the truth of a predicate, or of a schema in its place, with these local names.
   Truth holds(const Term& predicate, const Given& locals = {}) const;
   /// Returns the value of a declared name.
   Value value(const Name& name) const;

@@ -19,6 +19,7 @@ std::string to_unicode(const Paragraph& paragraph);
 /// Prints with the commands of `markup`, which are those of the directives that name characters beyond the toolkit's,
 /// such as ℝ. A character without a command is printed as it is.
 std::string to_latex(const Term& term, const Markup& markup = {});
+/// Prints a paragraph as an environment (`zed`, `axdef`, `gendef`, `schema`), which ends in a line end.
 std::string to_latex(const Paragraph& paragraph, const Markup& markup = {});
 
 }  // namespace durero::zed

@@ -22,18 +22,21 @@ namespace durero::zed {
 /// A place says where something begins in its file: lines and columns count from 1, and columns count characters (code
 /// points).
 struct Place {
-  std::uint32_t line = 0, column = 0;
+  std::uint32_t line = 0, column = 0;  ///< 0:0 is no place, as of a node that no text was read for
   bool operator==(const Place&) const = default;
 };
 
 /// A Z name has a word in Unicode (`mi_centro`, `ΔEscena`, `_∪_`) and strokes (`'`, `?`, `!`, `₀`…`₉`) in order.
 struct Name {
-  std::string word, strokes;
+  std::string word, strokes;  ///< the name centro' has the word `centro` and the stroke '
   auto operator<=>(const Name&) const = default;
+  /// Returns the name in Unicode, as one word: strokes make it another name, so centro' is not centro.
   std::string text() const { return word + strokes; }
+  /// Says whether it has no word: a node without a name has none, and a decoration has strokes alone.
   bool empty() const { return word.empty(); }
 };
 
+/// What a node is: the notation of Z that it stands for.
 enum class Kind : std::uint8_t {
   // These are expressions. Beside each kind stands what `name`, `children`, `names` and `text` hold; those that are not
   // mentioned are empty.
@@ -72,10 +75,10 @@ enum class Kind : std::uint8_t {
   exists,       ///< text; children: the body
   exists_one,   ///< text; children: the body
   // These are predicates. A schema expression in the place of a predicate is a predicate too.
-  truth,
-  falsity,
+  truth,    ///< `true`
+  falsity,  ///< `false`
   relation,  ///< children: n+1 operands; names: the n relations between them (`_=_`, `_∈_`, `_≤_`, …), all of which
-             ///< hold
+             ///< hold; or one operand, and the relation `disjoint_` before it
 };
 
 struct Node;
@@ -85,10 +88,15 @@ struct SchemaText;
 class Term {
  public:
   Term() = default;
+  /// Shares a node whose depth is right, as make() sees to.
   explicit Term(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
+  /// Returns the node. Precondition: the term is not null.
   const Node& operator*() const { return *node_; }
+  /// Returns the node, of which a member is read. Precondition: the term is not null.
   const Node* operator->() const { return node_.get(); }
+  /// Returns the node, or null. Terms that share it have one type (Typing), which equal trees need not have.
   const Node* get() const { return node_.get(); }
+  /// Says whether there is a node: the argument of a constant of a free type has none.
   explicit operator bool() const { return node_ != nullptr; }
   /// Two terms are equal where their trees are the same, whatever their places.
   friend bool operator==(const Term& a, const Term& b);
@@ -97,13 +105,15 @@ class Term {
   std::shared_ptr<const Node> node_;
 };
 
+/// A node of the tree is an operator of the syntax with its operands. Its kind says which of its members are in use.
 struct Node {
-  Kind kind = Kind::truth;
+  Kind kind = Kind::truth;  ///< it says what the other members hold
+  /// Its text begins here, with its left operand where it has one; parentheses around it do not count.
   Place place;
-  Name name;
-  std::vector<Term> children;
-  std::vector<Name> names;
-  std::shared_ptr<const SchemaText> text;
+  Name name;                               ///< that of a reference, a number's digits, a component, or strokes
+  std::vector<Term> children;              ///< its operands, from left to right; none of them is null
+  std::vector<Name> names;                 ///< the relations of `a ≤ b < c`, or the components that it names
+  std::shared_ptr<const SchemaText> text;  ///< its schema text, as before the • of a quantifier; else null
   /// The depth is 1 + the greatest below. The reader limits it (parser.hpp), so that every recursion over a tree is
   /// safe.
   std::uint32_t depth = 1;
@@ -111,80 +121,90 @@ struct Node {
 
 /// A declaration is `x, y : T`, `x == e` or the inclusion of a schema.
 struct Declaration {
-  enum class Form : std::uint8_t { typed, defined, included };
-  Form form = Form::typed;
+  /// The three ways to declare.
+  enum class Form : std::uint8_t {
+    typed,    ///< `x, y : T`
+    defined,  ///< `x == e`
+    included  ///< a schema by itself, which declares its components
+  };
+  Form form = Form::typed;    ///< it says what `names` and `term` hold
   std::vector<Name> names;    ///< a definition has one, an inclusion none
   std::vector<Place> places;  ///< the names stand here, in step
   Term term;                  ///< this is the set, the value, or the schema
-  Place place;
+  Place place;                ///< its first name stands here, or the schema
 };
 
 /// A predicate is one conjunct of a paragraph or of a schema text, with the label in the comment that ends its line, if
 /// any.
 struct Predicate {
-  Term term;
+  Term term;          ///< this holds; a schema does where the names in scope satisfy it
   std::string label;  ///< it is SCHEMA.KIND.NUMBER, or empty
-  Place place;
+  Place place;        ///< it begins here; a conjecture does with its ⊢?
 };
 
+/// A schema text is written D | P: a schema's box, [ D | P ], or what stands before the • of a quantifier.
 struct SchemaText {
-  std::vector<Declaration> declarations;
-  std::vector<Predicate> predicates;  ///< all of them hold
+  std::vector<Declaration> declarations;  ///< none sees the names of another; `x, y : T` is one of them
+  std::vector<Predicate> predicates;      ///< all of them hold
 };
 
+/// @{ Compares without places: what is declared or stated, in what order, and how it is written.
 bool operator==(const Declaration& a, const Declaration& b);
 bool operator==(const Predicate& a, const Predicate& b);  ///< labels count
 bool operator==(const SchemaText& a, const SchemaText& b);
+/// @}
 
 /// A paragraph of given types is written [ A, B ].
 struct GivenTypes {
-  std::vector<Name> names;
-  std::vector<Place> places;
+  std::vector<Name> names;    ///< each is a set of its own, and a type
+  std::vector<Place> places;  ///< the names stand here, in step
 };
 
 /// A branch of a free type is a constant, or a constructor with the set of its arguments.
 struct Branch {
-  Name name;
+  Name name;      ///< a constant is a member of the free type, a constructor an injection into it
   Term argument;  ///< a constant has none
-  Place place;
+  Place place;    ///< the name stands here
 };
 
 /// A free type is written T ::= a | b ⟪ E ⟫. Types that `&` joins are a paragraph each: they may name one another, and
 /// stand in a row.
 struct FreeType {
-  Name name;
-  std::vector<Branch> branches;
-  bool joined = false;  ///< `&` joins it to the paragraph before it
+  Name name;                     ///< T, a set and a type
+  std::vector<Branch> branches;  ///< one or more, in the order of the text
+  bool joined = false;           ///< `&` joins it to the paragraph before it
 };
 
 /// A definition is written N[X, Y] == E, where E is an expression or a schema expression.
 struct Definition {
-  Name name;
-  std::vector<Name> formals;
-  Term value;
-  std::string label;  ///< the comment that ends its line says it, if any
+  Name name;                  ///< N
+  std::vector<Name> formals;  ///< X, Y; none where it is not generic
+  Term value;                 ///< E
+  std::string label;          ///< the comment that ends its line says it, if any
 };
 
 /// An axiomatic paragraph is the box `axdef`, without formals, or `gendef`.
 struct Axiomatic {
-  std::vector<Name> formals;
-  SchemaText text;
+  std::vector<Name> formals;  ///< those of a `gendef`, one or more
+  SchemaText text;            ///< it declares names for the section, of which its predicates are axioms
 };
 
 /// A schema is the box `schema`.
 struct Schema {
-  Name name;
-  std::vector<Name> formals;
-  SchemaText text;
+  Name name;                  ///< it names the set of the bindings that satisfy the text
+  std::vector<Name> formals;  ///< X, Y of S[X, Y]; none where it is not generic
+  SchemaText text;            ///< it declares the components, and states the invariant
 };
 
 /// A conjecture ⊢? P is a claim that is type-checked and no more.
 struct Conjecture {
-  Predicate claim;
+  Predicate claim;  ///< P, with its label
 };
 
+/// A paragraph is a box, or one line of a `zed` environment (of free types that `&` joins there, each is one).
 struct Paragraph {
-  Place place;
+  Place place;  ///< what stands first in it is here: a schema's name, or the first name that an axdef declares
+  /// Its notation, with what it declares or claims.
   std::variant<GivenTypes, FreeType, Definition, Axiomatic, Schema, Conjecture> form;
 };
 
@@ -193,23 +213,30 @@ bool operator==(const Paragraph& a, const Paragraph& b);
 
 /// A section has a name. A file without section headers is the one section `Specification` on `standard_toolkit`.
 struct Section {
-  std::string file;  ///< it is named as it was given
-  std::string name;
-  std::vector<std::string> parents;
-  std::vector<Paragraph> paragraphs;
-  Place place;
-  std::vector<Name> lost;  ///< paragraphs which could not be read declare these
+  std::string file;                   ///< it is named as it was given
+  std::string name;                   ///< a second section of this name is a defect
+  std::vector<std::string> parents;   ///< it sees what they see; those of the toolkit stand among them
+  std::vector<Paragraph> paragraphs;  ///< those that could be read, in the order of the text
+  Place place;                        ///< its first environment begins here
+  std::vector<Name> lost;             ///< paragraphs which could not be read declare these
 };
 
 /// Makes a node, and computes its depth.
 Term make(Node node);
+/// Makes a name where it is used, with its generic actuals, if any: `∅[𝔸]`, or `A ⇸ B` by the name `_⇸_`.
 Term reference(Name name, std::vector<Term> actuals = {}, Place place = {});
+/// Makes the numeral of a natural number. Precondition: the digits are decimal, and one or more.
 Term number(std::string digits, Place place = {});
+/// Makes the application f x, of one argument, which may be a tuple.
 Term apply(Term function, Term argument, Place place = {});
 /// Makes the application of an operator. Its word `f` is `_+_`, `#_` or `_∼`; several arguments go into a tuple.
 Term operation(std::string f, std::vector<Term> arguments, Place place = {});
+/// Makes `a ≤ b < c` of `_≤_`, `_<_` and a, b, c. Precondition: as many operands as Kind::relation says.
 Term relation(std::vector<Name> relations, std::vector<Term> operands, Place place = {});
+/// Makes a node that has operands alone, such as a tuple, a connective or `true`; its kind says how many.
 Term node(Kind kind, std::vector<Term> children, Place place = {});
+/// Makes a node with a schema text: a quantifier, a comprehension, λ, μ, let or [ D | P ]. The value or body is a
+/// child.
 Term quantified(Kind kind, SchemaText text, std::vector<Term> children, Place place = {});
 
 /// Returns the depth of the deepest of a schema text's terms.
@@ -217,8 +244,10 @@ std::uint32_t depth(const SchemaText& text);
 
 }  // namespace durero::zed
 
+/// Lets names be the keys of unordered containers.
 template <>
 struct std::hash<durero::zed::Name> {
+  /// Hashes word and strokes: centro and centro' are two keys.
   std::size_t operator()(const durero::zed::Name& name) const noexcept {
     return std::hash<std::string>()(name.word) * 31 + std::hash<std::string>()(name.strokes);
   }

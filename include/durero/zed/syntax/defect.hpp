@@ -10,12 +10,16 @@ namespace durero::zed {
 
 /// An error means that the text is refused; a warning means that it is read, and is suspect.
 struct Defect {
-  enum class Severity { error, warning };
-  std::string file;
-  Place place;
-  std::string what;      ///< this is wrong
-  std::string expected;  ///< this is expected instead
-  Severity severity = Severity::error;
+  /// How much it weighs.
+  enum class Severity {
+    error,   ///< the text is refused
+    warning  ///< the text is read, and is suspect
+  };
+  std::string file;                     ///< the file, by the name that it was read under
+  Place place;                          ///< it is seen here, in that file
+  std::string what;                     ///< this is wrong
+  std::string expected;                 ///< this is expected instead
+  Severity severity = Severity::error;  ///< all but the warnings of review.hpp are errors
 
   /// Returns `FILE:LINE:COLUMN: what is wrong; what is expected`, with `warning: ` after the place of a warning. It is
   /// one line of visible characters, whatever the text holds.
@@ -25,11 +29,13 @@ struct Defect {
 /// A ZError is thrown by a step that cannot go on, and caught where the next paragraph begins.
 class ZError : public std::runtime_error {
  public:
+  /// Says what is wrong at a place of the text being read, and what was expected there. what() is `wrong; wanted`.
   ZError(Place where, const std::string& wrong, const std::string& wanted)
       : std::runtime_error(wrong + "; " + wanted), place(where), what_is_wrong(wrong), expected(wanted) {}
-  Place place;
-  std::string what_is_wrong, expected;
+  Place place;                          ///< it is seen here; the file is not known yet
+  std::string what_is_wrong, expected;  ///< Defect::what and Defect::expected
 
+  /// Returns it as an error in a file of this name.
   Defect in(const std::string& file) const { return {file, place, what_is_wrong, expected, Defect::Severity::error}; }
 };
 

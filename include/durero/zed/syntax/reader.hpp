@@ -12,12 +12,15 @@
 
 namespace durero::zed {
 
+/// A specification is what reading made of its files: sections where their text could be read, defects where not.
 struct Specification {
   std::vector<Section> sections;         ///< parents come first
   std::map<std::string, Markup> markup;  ///< each section has the directives in force in it, its parents' too
   std::vector<Defect> defects;           ///< reading found these; a paragraph that cannot be read is left out
 
+  /// Says whether all was read without a defect. Types and the rest are not looked at yet (typecheck.hpp, review.hpp).
   bool ok() const { return defects.empty(); }
+  /// Returns the section of this name, or null where none was read, as for those of the toolkit.
   const Section* find(const std::string& name) const;
 };
 

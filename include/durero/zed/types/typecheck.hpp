@@ -21,26 +21,41 @@ namespace durero::zed {
 
 /// A global is a name that a paragraph declares for the sections that see it.
 struct Global {
-  enum class Form { given, free_type, branch, definition, axiom, schema, lost };
-  Name name;
-  Scheme scheme;
-  Form form = Form::given;
-  std::string section, file;
+  /// How it is declared.
+  enum class Form {
+    given,       ///< A of [ A, B ]
+    free_type,   ///< T of T ::= a | b ⟪ E ⟫
+    branch,      ///< a and b there
+    definition,  ///< N of N == E, a schema too
+    axiom,       ///< a name of an `axdef` or `gendef` box
+    schema,      ///< the name of a `schema` box
+    lost         ///< in a paragraph that could not be read; it has any type
+  };
+  Name name;                  ///< with its strokes; a section that sees two declarations of it is a defect
+  Scheme scheme;              ///< its type as an expression: that of a given set A is ℙ A
+  Form form = Form::given;    ///< how it is declared
+  std::string section, file;  ///< it is declared in this section, which stands in this file
+  /// Its name stands here; of a name that an `axdef` includes the box begins here, and of one that is lost its section.
   Place place;
 };
 
 /// A typing is what type-checking found. It keeps no syntax tree alive: type_of() is for the trees that were checked.
 struct Typing {
-  std::vector<Defect> defects;
+  std::vector<Defect> defects;  ///< errors of names and types; those of reading are in the Specification
   /// Each expression has a type, and each schema expression that stands as a predicate. Relations, the connectives and
   /// quantifiers between predicates, true and false have none.
   std::unordered_map<const Node*, Type> types;
   /// Each section sees these names, among them those of its ancestors and not those of the toolkit.
   std::map<std::string, std::unordered_map<Name, std::shared_ptr<const Global>>> scopes;
+  /// Says of each section whether it sees all names of the toolkit, which it does with any section of it but the
+  /// prelude among its ancestors; 𝔸, ℕ and + it sees anyway.
   std::map<std::string, bool> sees_toolkit;
 
+  /// Says whether all that was checked is well-typed. What could not be read was not checked.
   bool ok() const { return defects.empty(); }
+  /// Returns the type of a term of a tree that was checked; nothing for any other, and for what has none (`types`).
   std::optional<Type> type_of(const Term& term) const;
+  /// Returns what a section sees under this name at its end; null for a name of the toolkit, a bound one, or none.
   const Global* find(const std::string& section, const Name& name) const;
 };
 

@@ -13,8 +13,11 @@
 
 namespace durero::zed {
 
+/// A type says which values an expression may have: all numbers are of type 𝔸, and a set of them is of type ℙ 𝔸. Copies
+/// share one immutable tree, but for its variables: what unify() finds out of one is so in every type that has it.
 class Type {
  public:
+  /// What a type is made of. Beside each kind stands which of name(), fields() and parts() are not empty.
   enum class Kind : std::uint8_t {
     given,     ///< name: a given set, a free type, or 𝔸
     formal,    ///< name: a generic formal, in its own paragraph
@@ -25,18 +28,29 @@ class Type {
     unknown,   ///< of what is in error already; agrees with every type
   };
 
+  /// The type of the members of the given set or free type of this name.
   static Type given(Name name);
+  /// The type of the members of a generic formal, such as X in N[X] == …; substitute() puts another in its place.
   static Type formal(Name name);
+  /// ℙ of the type: that of the sets of such elements.
   static Type power(Type element);
+  /// T₁ × T₂ × …, the type of tuples. Precondition: there are two parts or more.
   static Type product(std::vector<Type> parts);
   static Type schema(std::vector<std::pair<Name, Type>> fields);  ///< the names are distinct, in any order
+  /// A type that is still to be determined, by unify(); two calls give two.
   static Type variable();
+  /// The type of what is in error already; it agrees with every type, so that one error is not said twice.
   static Type unknown();
 
+  /// Says what it is made of. A variable that has been determined is what it was found to be, in all that follow too.
   Kind kind() const { return node().kind; }
+  /// Says whether it is made of this.
   bool is(Kind what) const { return kind() == what; }
+  /// Returns the name of a given set, a free type or a formal; an empty one for another kind.
   const Name& name() const { return node().name; }
+  /// Returns T of ℙ T, the factors of a product, or the types of components, in step with fields(); or nothing.
   const std::vector<Type>& parts() const { return node().parts; }
+  /// Returns the names of the components of a schema type, sorted; nothing for another kind.
   const std::vector<Name>& fields() const { return node().fields; }
   /// Returns the type of a component of a schema type, or null.
   const Type* field(const Name& name) const;
@@ -55,8 +69,9 @@ class Type {
   /// larger than the limits: the largest of spec/ has some 150 parts, and whoever walks a type recurses at most
   /// max_depth levels.
   std::uint32_t size() const { return node().size; }
+  /// Says how deep the type was, when it was made: 1 without parts, else 1 + the greatest depth of a part.
   std::uint32_t depth() const { return node().depth; }
-  static constexpr std::uint32_t max_size = 5000, max_depth = 500;
+  static constexpr std::uint32_t max_size = 5000, max_depth = 500;  ///< the limits on size() and depth()
 
   /// Returns the same type without the variables that have been found to be something; what has not is unknown. Unknown
   /// too is a type that is larger than the limits, once written out.
@@ -97,8 +112,8 @@ class Type {
 
 /// A scheme is the type of a name, for every choice of its generic formals.
 struct Scheme {
-  std::vector<Name> formals;
-  Type type;
+  std::vector<Name> formals;  ///< X, Y of N[X, Y], in order; none where the name is not generic
+  Type type;                  ///< each formal in it is Type::formal; a set of T, or a schema, has a type ℙ T
 };
 
 }  // namespace durero::zed
