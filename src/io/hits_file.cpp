@@ -54,13 +54,6 @@ void append_values(std::string& out, const scene::Hit& hit) {
     append_binary64(out, is_hit ? x : std::numeric_limits<double>::quiet_NaN());
 }
 
-void write_hit(json::Writer& out, const scene::Hit& hit, const scene::Scene& scene) {
-  out.member("outcome", model::name(hit.resultado)).key("elementos").begin_array();
-  for (const std::string_view name : names(hit, scene)) out.value(name);
-  out.end_array();
-  if (hit.resultado == Resultado::hit) out.member("t", hit.t).member("point", hit.punto);
-}
-
 void append_text(std::string& text, std::size_t ray, const scene::Hit& hit, const scene::Scene& scene) {
   json::Writer out(text);
   write_hit(out.begin_object().member("ray", ray), hit, scene);

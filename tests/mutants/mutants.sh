@@ -74,6 +74,11 @@ one() {
   for object in $objects; do
     mkdir -p "$copy/$(dirname "$object")"
     command=$(ninja -C "$build" -t commands "$object" | tail -n 1 | sed -E "s#$root/(include|src|tests)#$copy/\1#g")
+    united=$(printf '%s\n' "$command" | sed -n 's#.* -c \([^ ]*/Unity/[^ ]*\)$#\1#p')
+    if [ -n "$united" ]; then  # several sources compiled as one, which names them where they are
+      sed "s#$root/#$copy/#" "$united" >"$copy/$object.cxx"
+      command=${command%"$united"}$copy/$object.cxx
+    fi
     (cd "$copy" && eval "$command") >"$copy/log" 2>&1 || { echo "mutants: $name does not compile:"; cat "$copy/log"; return 1; }
     case " $link " in
       *" $object "*) link=$(printf '%s\n' "$link" | sed "s# $object # $copy/$object #") ;;
