@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "support/catch.hpp"
-#include "support/shapes.hpp"
 #include "support/property.hpp"
+#include "support/shapes.hpp"
 
 using namespace durero;
 using namespace durero::test;
