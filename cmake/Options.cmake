@@ -31,6 +31,8 @@ if(PROJECT_IS_TOP_LEVEL)
   target_compile_options(durero_options INTERFACE "$<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wconversion>"
     # Where several sources are compiled as one, a name of one may hide another's.
     "$<BUILD_INTERFACE:$<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wshadow>>"
+    # And GCC takes them for a header, in which a type would better not depend on names of one source.
+    "$<BUILD_INTERFACE:$<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wno-subobject-linkage>>"
     # A closed set is known everywhere, or it does not compile.
     "$<BUILD_INTERFACE:-Werror=switch;-Werror=return-type>")
 endif()

@@ -193,7 +193,7 @@ void print(const Table& table, std::uint64_t seed) {
 struct Extent {
   std::size_t scenes, any_exponents, steps_of_climbing;
 };
-constexpr Extent everyday{4, 2000, 1000}, for_long{80, 40000, 20000};
+constexpr Extent everyday{4, 2000, 1000}, for_long{80, 40000, 20000}, for_sanitizers{1, 200, 100};
 
 Table measured_table(std::uint64_t seed, const Extent& extent) {
   Table table;
@@ -237,8 +237,9 @@ TEST_CASE("no error exceeds its bound, and no bound is much wider than need be")
     }
     return;
   }
-  const Table table = measured_table(1, everyday);
+  const Table table = measured_table(1, sanitized ? for_sanitizers : everyday);
   check(table);
+  if (sanitized) return;  // too few cases to come near the bounds
   check_widths(table, false, exceptions);
   check_widths(table, true, exceptions_of_flat);
 }
