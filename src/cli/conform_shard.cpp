@@ -26,7 +26,7 @@ struct ConformShardOptions {
   CampaignCall campaign;
   std::uint64_t shard = 0;
   std::string output;
-  std::size_t jobs = std::max(1U, std::thread::hardware_concurrency());
+  std::size_t jobs = std::max(1U, std::thread::hardware_concurrency()), memory = 0;
   std::optional<double> time;
   bool quiet = false;
 };
@@ -47,6 +47,7 @@ Shards asked(const NamedCampaign& named, const ConformShardOptions& options) {
   ShardTally tally(campaign, options.shard, system.profile);
   RunOptions run{.jobs = options.jobs};
   run.ask.time = std::chrono::duration<double>(options.time.value_or(campaign.time));
+  run.ask.memory = std::uint64_t{options.memory} << 20U;
   Progress progress(options.quiet, fmt::format("{}, shard {}", system.name, options.shard), "scenes", places.size());
   const auto sink = [&](const SuiteCase& of, std::span<const Claim> claims) {
     tally.add(of, claims);
@@ -89,6 +90,9 @@ void add_conform_shard(CLI::App& conform, int& status) {
       ->check(whole_number(1, 256));
   command->add_option("--time", options->time, "Seconds that a ray may take; without it, what the campaign says")
       ->check(number(0.001, 86400));
+  command->add_option("--memory", options->memory, "MiB that a process of the system may take; 0: any")
+      ->check(whole_number(0, 1 << 30))
+      ->capture_default_str();
   add_quiet(*command, options->quiet);
   command->footer(
       "The file depends on the campaign, on N and on what the system answers; it is whole or not there. What crashes "
