@@ -25,7 +25,8 @@ struct Position {
   std::size_t examined = 0;                          ///< nodes that were looked at to find it
 };
 
-/// Looks for the position of a box. N is exact in tests; with binary64 a wrong choice costs time, not answers.
+/// Looks for the position of a box. Of those that cost the same it takes the one with the fewest leaves below, which
+/// keeps a tree of equal boxes balanced. N is exact in tests; with binary64 a wrong choice costs time, not answers.
 template <class N>
 class Insertion {
  public:
@@ -50,7 +51,6 @@ class Insertion {
   }
 
   /// The heuristic: from the root to a leaf along the child that would cost least, and the best position on the way.
-  /// Of children that cost the same the one with the fewest leaves, which keeps equal boxes balanced.
   Position<N> downwards() {
     if (tree_.empty()) return best_;
     Reached at{tree_.root(), N(0)};
@@ -69,6 +69,8 @@ class Insertion {
 
   N area_with(Hierarchy::Number node) const { return area<N>(around(tree_[node].box, box_)); }
 
+  bool takes_one_more(const Hierarchy::Node& node) const { return !node.is_leaf() && node.arity < most_children_; }
+
   /// Considers both positions at a node. What a leaf anywhere below it would add to it and to those above.
   N look_at(const Reached& at) {
     ++best_.examined;
@@ -77,12 +79,14 @@ class Insertion {
     consider(at.node, Position<N>::Kind::beside, at.inherited + N(2) * grown);
     if (node.is_leaf()) return at.inherited;
     const N below = at.inherited + N(static_cast<int>(node.arity)) * (grown - area<N>(node.box));
-    if (node.arity < most_children_) consider(at.node, Position<N>::Kind::under, below + grown);
+    if (takes_one_more(node)) consider(at.node, Position<N>::Kind::under, below + grown);
     return below;
   }
 
   void consider(Hierarchy::Number node, typename Position<N>::Kind kind, const N& increment) {
-    if (best_.node != Hierarchy::none && !(increment < best_.increment)) return;
+    const bool better = best_.node == Hierarchy::none || increment < best_.increment ||
+                        (increment == best_.increment && tree_[node].leaves < tree_[best_.node].leaves);
+    if (!better) return;
     best_.node = node;
     best_.kind = kind;
     best_.increment = increment;
@@ -95,7 +99,7 @@ class Insertion {
       const Hierarchy::Node& node = tree_[child];
       const N grown = area_with(child);
       const N cost =
-          node.is_leaf() ? N(2) * grown : N(static_cast<int>(node.arity)) * (grown - area<N>(node.box)) + grown;
+          N(takes_one_more(node) ? 1 : 2) * grown + N(static_cast<int>(node.arity)) * (grown - area<N>(node.box));
       ++best_.examined;
       if (cheapest == Hierarchy::none || cost < least || (cost == least && node.leaves < tree_[cheapest].leaves)) {
         cheapest = child;
