@@ -1,33 +1,15 @@
 #include "durero/accel/bvh.hpp"
 
-#include <cmath>
-#include <optional>
-
+#include "accel/finite_box.hpp"
 #include "accel/top_down.hpp"
 #include "durero/accel/insertion.hpp"
-#include "durero/surface/surfaces.hpp"
 
 namespace durero::accel {
-namespace {
-
-using scene::ElementRef;
-
-/// Nothing where the element is not ordinary, or no box contains it: a plane.
-std::optional<surface::Box> finite_box(const scene::Scene& scene, ElementRef e) {
-  return scene.visit(e, [](const auto& shape) -> std::optional<surface::Box> {
-    if (!trace::ordinary(shape)) return {};
-    const surface::Box box = surface::box(shape);
-    if (!std::isfinite(box.low.x) || !std::isfinite(box.high.x)) return {};
-    return box;
-  });
-}
-
-}  // namespace
 
 Bvh::Bvh(const scene::Scene& scene, Build build, unsigned most_children)
     : scene_(&scene), most_children_(most_children) {
   std::vector<Number> leaves;
-  scene.for_each([&](ElementRef e, const auto&) {
+  scene.for_each([&](scene::ElementRef e, const auto&) {
     const auto box = finite_box(scene, e);
     if (!box) return put_apart(e);
     const Number leaf = tree_.leaf(e, *box);
@@ -46,12 +28,12 @@ void Bvh::grow(Build build, std::vector<Number> leaves) {
   }
 }
 
-void Bvh::put_apart(ElementRef e) {
+void Bvh::put_apart(scene::ElementRef e) {
   places_[static_cast<std::size_t>(e.tipo)].push_back({true, static_cast<std::uint32_t>(apart_.size())});
   apart_.push_back(e);
 }
 
-void Bvh::added(ElementRef e) {
+void Bvh::added(scene::ElementRef e) {
   const auto box = finite_box(*scene_, e);
   if (!box) return put_apart(e);
   const Number leaf = tree_.leaf(e, *box);
@@ -59,7 +41,7 @@ void Bvh::added(ElementRef e) {
   put(tree_, Insertion<double>(tree_, *box, most_children_).downwards(), leaf);
 }
 
-void Bvh::removed(ElementRef e) {
+void Bvh::removed(scene::ElementRef e) {
   const Place gone = place(e);
   if (gone.apart) {
     apart_[gone.number] = apart_.back();
@@ -82,7 +64,7 @@ void Bvh::removed(ElementRef e) {
 Size Bvh::size() const {
   Size size;
   size.apart = apart_.size();
-  size.bytes = tree_.bytes() + apart_.capacity() * sizeof(ElementRef);
+  size.bytes = tree_.bytes() + apart_.capacity() * sizeof(scene::ElementRef);
   for (const auto& column : places_) size.bytes += column.capacity() * sizeof(Place);
   if (tree_.empty()) return size;
   size.elements = size.cells = size.references = tree_[tree_.root()].leaves;
