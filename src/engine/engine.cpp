@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 
+#include "durero/accel/bvh.hpp"
+#include "durero/accel/volumes.hpp"
 #include "durero/oracle/sampled.hpp"
 #include "durero/surface/exact.hpp"
 #include "durero/trace/analytic.hpp"
 #include "one_by_one.hpp"
+#include "structured.hpp"
 
 namespace durero::engine {
 namespace {
@@ -52,6 +55,12 @@ constexpr std::array rows = {
     Row{"sampled", "points on the surfaces: coarse, and independent of every formula", false, false, sampled},
     Row{"exact", "exact arithmetic throughout: slow, and what all others are held against", true, true, exact},
     Row{"analytic", "closed forms in binary64, certified, exact where they cannot tell", true, true, analytic},
+    Row{"volumes", "each element in the bounding volume of the kind that costs least", true, true,
+        structured<accel::Volumes>, "A §1.2", measured<accel::Volumes>},
+    Row{"bvh-glassner", "a hierarchy of boxes, searched as the text has it: to be read", true, true,
+        structured<accel::BvhGlassner>, "A §1.3.1", measured<accel::BvhGlassner>},
+    Row{"bvh", "a hierarchy of boxes by surface area, the nearest first", true, true, structured<accel::Bvh>, "A §1.3",
+        measured<accel::Bvh>},
 };
 
 }  // namespace

@@ -1,0 +1,124 @@
+#pragma once
+/// A hierarchy of boxes: a tree whose inner nodes have a box around all that is below, and two children or more; each
+/// leaf is one element. Whoever builds one, of whatever arity, builds it of these steps.
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "durero/scene/element_ref.hpp"
+#include "durero/surface/bounds.hpp"
+
+namespace durero::accel {
+
+/// The least box around two.
+surface::Box around(const surface::Box& a, const surface::Box& b);
+
+/// The surface of a box, over the numbers N: exact where those are.
+template <class N>
+N area(const surface::Box& box) {
+  const N x = N(box.high.x) - N(box.low.x), y = N(box.high.y) - N(box.low.y), z = N(box.high.z) - N(box.low.z);
+  return N(2) * (x * y + y * z + z * x);
+}
+
+/// The tree. Nodes are known by number, until they are taken out.
+class Hierarchy {
+ public:
+  using Number = std::uint32_t;  ///< of a node
+  /// Of no node.
+  static constexpr Number none = std::numeric_limits<Number>::max();
+
+  /// Leaf or inner node.
+  struct Node {
+    surface::Box box;             ///< around all that is below
+    Number parent = none;         ///< none of the root
+    Number child = none;          ///< the first; none of a leaf
+    Number next = none;           ///< of the same parent; none of the last
+    std::uint32_t arity = 0;      ///< how many children: k; 0 of a leaf
+    std::uint32_t leaves = 1;     ///< below, or itself
+    scene::ElementRef element{};  ///< of a leaf
+    /// It stands for one element.
+    bool is_leaf() const noexcept { return child == none; }
+  };
+
+  /// Of no node at all.
+  bool empty() const noexcept { return root_ == none; }
+  /// none where it is empty.
+  Number root() const noexcept { return root_; }
+  const Node& operator[](Number node) const noexcept { return nodes_[node]; }
+
+  /// visit(child) for each child of a node, in order, until it answers true. Whether it did.
+  template <class Visit>
+  bool any_child(Number node, Visit visit) const {
+    for (Number child = nodes_[node].child; child != none; child = nodes_[child].next)
+      if (visit(child)) return true;
+    return false;
+  }
+
+  /// A leaf that has no place yet.
+  Number leaf(scene::ElementRef element, const surface::Box& box);
+  /// An inner node that has no place yet. Precondition: two children or more, without a place.
+  Number join(std::span<const Number> children);
+  /// Makes a node without a place the root. Precondition: there is none, or it has got a place since.
+  void set_root(Number node);
+
+  // Preconditions of both: the node has no place; the other one has, and is inner where it becomes a parent.
+  /// The node becomes a child of another.
+  void put_under(Number parent, Number node);
+  /// A new node takes the place of another, and has both as its children.
+  void put_beside(Number place, Number node);
+
+  /// Takes a leaf out, whose number is free from then on; a parent that is left with one child gives its place to it;
+  /// the boxes above shrink to what they hold.
+  void take_out(Number leaf);
+  /// Takes out an inner node that is not the root: its children become its parent's.
+  void dissolve(Number node);
+  /// The leaf's element goes by another reference now.
+  void rename(Number leaf, scene::ElementRef element) noexcept { nodes_[leaf].element = element; }
+  /// The leaf's element has another box: those above are made anew.
+  void refit(Number leaf, const surface::Box& box);
+
+  /// The longest way from the root to a leaf, in steps.
+  std::size_t depth() const;
+  /// Inner nodes.
+  std::size_t inner_nodes() const;
+  /// Of memory.
+  std::size_t bytes() const noexcept;
+
+ private:
+  Number add(const Node& node);
+  void replace(Number old, Number by);
+  void detach(Number child);
+  void attach(Number parent, Number child);
+  void fit(Number node);
+  void fit_upwards(Number node);
+
+  std::vector<Node> nodes_;
+  std::vector<Number> free_;
+  Number root_ = none;
+};
+
+/// Σ k·A over all nodes, k their children and A their surface: the cost of the hierarchy by Goldsmith and Salmon,
+/// times the surface of its root. Leaves cost nothing.
+template <class N>
+N weight(const Hierarchy& tree) {
+  N sum(0);
+  std::vector<Hierarchy::Number> left;
+  if (!tree.empty()) left.push_back(tree.root());
+  while (!left.empty()) {
+    const Hierarchy::Number number = left.back();
+    left.pop_back();
+    const Hierarchy::Node& node = tree[number];
+    if (node.is_leaf()) continue;
+    sum = sum + N(static_cast<int>(node.arity)) * area<N>(node.box);
+    tree.any_child(number, [&](Hierarchy::Number child) {
+      left.push_back(child);
+      return false;
+    });
+  }
+  return sum;
+}
+
+}  // namespace durero::accel

@@ -1,0 +1,76 @@
+#include "durero/accel/bvh.hpp"
+
+#include "accel/finite_box.hpp"
+#include "accel/top_down.hpp"
+#include "durero/accel/insertion.hpp"
+
+namespace durero::accel {
+
+Bvh::Bvh(const scene::Scene& scene, Build build, unsigned most_children)
+    : scene_(&scene), most_children_(most_children) {
+  std::vector<Number> leaves;
+  scene.for_each([&](scene::ElementRef e, const auto&) {
+    const auto box = finite_box(scene, e);
+    if (!box) return put_apart(e);
+    const Number leaf = tree_.leaf(e, *box);
+    places_[static_cast<std::size_t>(e.tipo)].push_back({false, leaf});
+    leaves.push_back(leaf);
+  });
+  grow(build, std::move(leaves));
+}
+
+void Bvh::grow(Build build, std::vector<Number> leaves) {
+  if (leaves.empty()) return;
+  if (build == Build::top_down) return tree_.set_root(accel::top_down(tree_, leaves, most_children_));
+  for (const Number leaf : leaves) {
+    Insertion<double> insertion(tree_, tree_[leaf].box, most_children_);
+    put(tree_, build == Build::incremental ? insertion.downwards() : insertion.of_all(), leaf);
+  }
+}
+
+void Bvh::put_apart(scene::ElementRef e) {
+  places_[static_cast<std::size_t>(e.tipo)].push_back({true, static_cast<std::uint32_t>(apart_.size())});
+  apart_.push_back(e);
+}
+
+void Bvh::added(scene::ElementRef e) {
+  const auto box = finite_box(*scene_, e);
+  if (!box) return put_apart(e);
+  const Number leaf = tree_.leaf(e, *box);
+  places_[static_cast<std::size_t>(e.tipo)].push_back({false, leaf});
+  put(tree_, Insertion<double>(tree_, *box, most_children_).downwards(), leaf);
+}
+
+void Bvh::removed(scene::ElementRef e) {
+  const Place gone = place(e);
+  if (gone.apart) {
+    apart_[gone.number] = apart_.back();
+    place(apart_.back()).number = gone.number;
+    apart_.pop_back();
+  } else {
+    tree_.take_out(gone.number);
+  }
+  auto& column = places_[static_cast<std::size_t>(e.tipo)];
+  const Place last = column.back();
+  column.pop_back();
+  if (e.index == column.size()) return;
+  column[e.index] = last;
+  if (last.apart)
+    apart_[last.number] = e;
+  else
+    tree_.rename(last.number, e);
+}
+
+Size Bvh::size() const {
+  Size size;
+  size.apart = apart_.size();
+  size.bytes = tree_.bytes() + apart_.capacity() * sizeof(scene::ElementRef);
+  for (const auto& column : places_) size.bytes += column.capacity() * sizeof(Place);
+  if (tree_.empty()) return size;
+  size.elements = size.cells = size.references = tree_[tree_.root()].leaves;
+  size.nodes = tree_.inner_nodes();
+  size.depth = tree_.depth();
+  return size;
+}
+
+}  // namespace durero::accel

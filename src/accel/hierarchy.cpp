@@ -1,0 +1,147 @@
+#include "durero/accel/hierarchy.hpp"
+
+#include <algorithm>
+#include <array>
+#include <glm/common.hpp>
+
+namespace durero::accel {
+
+surface::Box around(const surface::Box& a, const surface::Box& b) {
+  return {glm::min(a.low, b.low), glm::max(a.high, b.high)};
+}
+
+Hierarchy::Number Hierarchy::add(const Node& node) {
+  if (free_.empty()) {
+    nodes_.push_back(node);
+    return static_cast<Number>(nodes_.size() - 1);
+  }
+  const Number number = free_.back();
+  free_.pop_back();
+  nodes_[number] = node;
+  return number;
+}
+
+Hierarchy::Number Hierarchy::leaf(scene::ElementRef element, const surface::Box& box) {
+  return add({.box = box, .element = element});
+}
+
+Hierarchy::Number Hierarchy::join(std::span<const Number> children) {
+  const Number node = add({.box = nodes_[children.front()].box, .leaves = 0});
+  for (const Number child : children) attach(node, child);
+  fit(node);
+  return node;
+}
+
+void Hierarchy::set_root(Number node) { root_ = node; }
+
+void Hierarchy::put_under(Number parent, Number node) {
+  attach(parent, node);
+  fit_upwards(parent);
+}
+
+void Hierarchy::put_beside(Number place, Number node) {
+  const Number both = add({.box = nodes_[place].box, .leaves = 0});
+  replace(place, both);
+  attach(both, place);
+  attach(both, node);
+  fit_upwards(both);
+}
+
+void Hierarchy::take_out(Number leaf) {
+  const Number parent = nodes_[leaf].parent;
+  free_.push_back(leaf);
+  if (parent == none) {
+    root_ = none;
+    return;
+  }
+  detach(leaf);
+  if (nodes_[parent].arity > 1) return fit_upwards(parent);
+  const Number only = nodes_[parent].child, above = nodes_[parent].parent;
+  detach(only);
+  replace(parent, only);
+  free_.push_back(parent);
+  fit_upwards(above);
+}
+
+void Hierarchy::dissolve(Number node) {
+  const Number parent = nodes_[node].parent;
+  detach(node);
+  while (!nodes_[node].is_leaf()) {
+    const Number child = nodes_[node].child;
+    detach(child);
+    attach(parent, child);
+  }
+  free_.push_back(node);
+}
+
+void Hierarchy::refit(Number leaf, const surface::Box& box) {
+  nodes_[leaf].box = box;
+  fit_upwards(nodes_[leaf].parent);
+}
+
+/// `by`, which has no place, takes the place of `old`, which has none then.
+void Hierarchy::replace(Number old, Number by) {
+  const Number parent = nodes_[old].parent;
+  if (parent == none) {
+    root_ = by;
+    nodes_[by].parent = none;
+    return;
+  }
+  detach(old);
+  attach(parent, by);
+}
+
+void Hierarchy::attach(Number parent, Number child) {
+  nodes_[child].parent = parent;
+  nodes_[child].next = nodes_[parent].child;
+  nodes_[parent].child = child;
+  ++nodes_[parent].arity;
+}
+
+void Hierarchy::detach(Number child) {
+  Node& parent = nodes_[nodes_[child].parent];
+  Number* link = &parent.child;
+  while (*link != child) link = &nodes_[*link].next;
+  *link = nodes_[child].next;
+  --parent.arity;
+  nodes_[child].parent = nodes_[child].next = none;
+}
+
+/// Box and number of leaves of an inner node, from those of its children.
+void Hierarchy::fit(Number node) {
+  nodes_[node].box = nodes_[nodes_[node].child].box;
+  nodes_[node].leaves = 0;
+  any_child(node, [&](Number child) {
+    nodes_[node].box = around(nodes_[node].box, nodes_[child].box);
+    nodes_[node].leaves += nodes_[child].leaves;
+    return false;
+  });
+}
+
+void Hierarchy::fit_upwards(Number node) {
+  for (; node != none; node = nodes_[node].parent) fit(node);
+}
+
+std::size_t Hierarchy::depth() const {
+  std::size_t deepest = 0;
+  std::vector<std::pair<Number, std::size_t>> left;
+  if (!empty()) left.emplace_back(root_, 0);
+  while (!left.empty()) {
+    const auto [node, depth] = left.back();
+    left.pop_back();
+    deepest = std::max(deepest, depth);
+    any_child(node, [&, below = depth + 1](Number child) {
+      left.emplace_back(child, below);
+      return false;
+    });
+  }
+  return deepest;
+}
+
+std::size_t Hierarchy::inner_nodes() const { return empty() ? 0 : nodes_.size() - free_.size() - nodes_[root_].leaves; }
+
+std::size_t Hierarchy::bytes() const noexcept {
+  return nodes_.capacity() * sizeof(Node) + free_.capacity() * sizeof(Number);
+}
+
+}  // namespace durero::accel

@@ -1,0 +1,321 @@
+// Of every kind: that no ray that meets an element misses its volume; how well it fits, in closed form; what it costs.
+#include "durero/accel/volume/volume.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "durero/trace/analytic.hpp"
+#include "durero/trace/search.hpp"
+#include "support/catch.hpp"
+#include "support/sanitized.hpp"
+#include "support/scenes.hpp"
+#include "support/shapes.hpp"
+
+using namespace durero;
+using namespace durero::test;
+using accel::Asked;
+using accel::Kind;
+using accel::outline;
+using accel::Outline;
+using accel::projected;
+using accel::Simple;
+using accel::surface_of;
+using accel::verdict;
+using accel::Verdict;
+using accel::Volume;
+using accel::Work;
+using std::numbers::pi;
+
+namespace {
+
+constexpr std::size_t all_slabs = accel::most_slabs;
+
+std::vector<Simple> all_around(scene::ShapeView element) {
+  std::vector<Simple> all;
+  for (const Kind& kind : accel::kinds()) all.push_back(kind.around(element, outline(element)));
+  return all;
+}
+
+const Kind& kind(std::string_view name) {
+  for (const Kind& kind : accel::kinds())
+    if (kind.name == name) return kind;
+  FAIL(name);
+  return accel::kinds()[0];
+}
+
+/// Every volume of the element is met up to the limit.
+void check_met(const std::vector<Simple>& volumes, const model::Rayo& rayo, double limit) {
+  const trace::Ray ray(rayo);
+  const Asked asked(ray, all_slabs);
+  for (std::size_t i = 0; i < volumes.size(); ++i) {
+    if (verdict(volumes[i], asked, limit) == Verdict::met) continue;
+    INFO(accel::kinds()[i].name << " from " << ray.p.x << ' ' << ray.p.y << ' ' << ray.p.z << " along " << ray.v.x
+                                << ' ' << ray.v.y << ' ' << ray.v.z);
+    CHECK(verdict(volumes[i], asked, limit) == Verdict::met);
+  }
+}
+
+/// Rays about the element, near its edges and from afar: where one meets it, it meets each volume up to there.
+std::size_t check_holds(Random& random, std::size_t elements, std::size_t rays) {
+  std::size_t met = 0;
+  while (elements-- > 0) {
+    scene::Scene scene;
+    scene.apply(random_addition(random, "e"));
+    const scene::ElementRef e = *scene.find("e");
+    if (e.tipo == model::Tipo::soy_plano) continue;
+    scene.visit(e, [&](const auto& shape) {
+      const std::vector<Simple> volumes = all_around(shape);
+      const Outline around = accel::outline(shape);
+      for (std::size_t i = 0; i < rays; ++i) {
+        const std::size_t c = random.below(std::size_t(around.count));
+        const double reach = random.chance(1, 2) ? 1 : random.uniform(0, 1);  // at a rim, a vertex, or within
+        const glm::dvec3 aside = glm::normalize(glm::cross(around.axis, random.direction()));
+        const glm::dvec3 target = around.centre[c] + reach * around.radius[c] * aside;
+        const double far = std::ldexp(1.0, random.integer(-3, 30));
+        const glm::dvec3 from = target + far * random.direction();
+        const model::Rayo rayo = ray(from, random.chance(1, 8) ? glm::dvec3(0, 0, -random.sign()) : target - from);
+        const scene::Hit hit = trace::first_hit(scene, rayo);
+        if (hit.resultado != model::Resultado::hit) continue;
+        ++met;
+        check_met(volumes, rayo, std::nextafter(hit.t, trace::no_limit));
+      }
+    });
+  }
+  return met;
+}
+
+}  // namespace
+
+TEST_CASE("a ray that meets an element meets its volume of each kind") {
+  Random random(1);
+  CHECK(check_holds(random, fewer_when_sanitized(400), 40) > fewer_when_sanitized(1000));
+}
+TEST_CASE("a ray that meets an element meets its volume of each kind, at length", "[long]") {
+  Random random(2);
+  CHECK(check_holds(random, 20'000, 500) > 1'000'000);
+}
+
+TEST_CASE("vertices, rims and apexes are met exactly at the limit") {
+  Random random(3);
+  const auto check = [&](scene::ShapeView element, std::initializer_list<glm::dvec3> extremes) {
+    const std::vector<Simple> volumes = all_around(element);
+    for (const glm::dvec3& w : extremes)
+      for (std::size_t i = 0; i < fewer_when_sanitized(300); ++i) {
+        // Whole numbers, so that w is p + v exactly.
+        const int far = random.chance(1, 2) ? 20 : 1 << 30;
+        const glm::dvec3 v = random.lattice_vector(far);
+        check_met(volumes, ray(w - v, v), 1);
+      }
+  };
+  const double r = 5;
+  check(scene::Sphere{{7, 0, 0}, r}, {{12, 0, 0}, {7, 3, 4}, {3, 0, -3}, {7, -5, 0}, {7 + 2, 0, std::sqrt(21.0) * 0}});
+  check(scene::Disc{{0, 0, 9}, r, {0, 0, 1}}, {{3, 4, 9}, {-4, 3, 9}, {0, 5, 9}, {5, 0, 9}, {0, 0, 9}});
+  check(scene::Cylinder{{1, 0, 0}, r, {0, 0, 1}, 12}, {{4, 4, 0}, {4, 4, 12}, {1, -5, 12}, {6, 0, 0}, {-4, 0, 5}});
+  check(scene::Cone{{0, 0, 0}, 0.5, {0, 1, 0}, 10}, {{3, 0, 4}, {0, 10, 0}, {-5, 0, 0}});
+  check(scene::TruncatedCone{{0, 0, 0}, 5, 0.5, {1, 0, 0}, 10}, {{0, 6, 8}, {10, 3, 4}, {10, 0, -5}});
+  for (int i = 0; i < 20; ++i) {
+    const glm::dvec3 a = random.lattice_vector(9), b = a + random.lattice_vector(9), c = a + random.lattice_vector(9);
+    if (glm::length(glm::cross(b - a, c - a)) > 0) check(scene::Triangle{{{a, b, c}}}, {a, b, c});
+  }
+}
+
+TEST_CASE("the void area of a unit sphere in a cube, and of it in itself") {
+  const scene::Sphere sphere{{0, 0, 0}, 1};
+  const Outline around = accel::outline(sphere);
+  const Simple cube = surface::Box{{-1, -1, -1}, {1, 1, 1}}, itself = surface::Ball{{0, 0, 0}, 1};
+  const auto is = [](double x) { return Approx(x).epsilon(1e-6).margin(1e-9); };
+  const glm::dvec3 edge = glm::normalize(glm::dvec3(1, 1, 0)), corner = glm::normalize(glm::dvec3(1, 1, 1));
+  CHECK(void_area(cube, around, {1, 0, 0}) == is(0.858407));
+  CHECK(void_area(cube, around, edge) == is(2.515262));
+  CHECK(void_area(cube, around, corner) == is(3.786611));
+  CHECK(void_area(itself, around, corner) == is(0));
+  CHECK(mean_fit(cube, around) == is(2.858407));
+  // The cube of side 2 in its sphere.
+  CHECK((surface_of(surface::Ball{{0, 0, 0}, std::sqrt(3.0)}) - surface_of(cube)) / 4 == is(3 * pi - 6));
+  // Slabs and oriented boxes are measured as polyhedra.
+  CHECK(surface_of(accel::Slabs{{{-1, 1}, {-1, 1}, {-1, 1}}}) == is(24));
+  CHECK(projected(accel::Slabs{{{-1, 1}, {-1, 1}, {-1, 1}}}, corner) == is(4 * std::sqrt(3.0)));
+  const accel::Slabs octahedron{{{-9, 9}, {-9, 9}, {-9, 9}, {-1, 1}, {-1, 1}, {-1, 1}, {-1, 1}}};
+  CHECK(surface_of(octahedron) == is(4 * std::sqrt(3.0)));
+  CHECK(projected(octahedron, {0, 0, 1}) == is(2));
+}
+
+TEST_CASE("the mean over directions of the void area is the mean fit, for each kind") {
+  Random random(4);
+  const scene::Cylinder cylinder{{0, 0, 0}, 0.5, {0.6, 0, 0.8}, 3};
+  const Outline around = accel::outline(cylinder);
+  const std::vector<Simple> volumes = all_around(cylinder);
+  std::vector<double> sums(volumes.size());
+  const std::size_t directions = fewer_when_sanitized(4000);
+  for (std::size_t i = 0; i < directions; ++i) {
+    const glm::dvec3 v = random.direction();
+    for (std::size_t k = 0; k < volumes.size(); ++k) {
+      const double gap = void_area(volumes[k], around, v);
+      CHECK(gap > -1e-4);
+      sums[k] += gap;
+    }
+  }
+  for (std::size_t k = 0; k < volumes.size(); ++k) {
+    INFO(accel::kinds()[k].name);
+    CHECK(sums[k] / double(directions) == Approx(mean_fit(volumes[k], around)).epsilon(0.03));
+  }
+  // The oriented box fits better than the box, and more slabs better than fewer.
+  CHECK(mean_fit(volumes[2], around) < mean_fit(volumes[1], around));
+  CHECK(mean_fit(volumes[5], around) <= mean_fit(volumes[4], around));
+  CHECK(mean_fit(volumes[6], around) <= mean_fit(volumes[5], around));
+}
+
+namespace {
+
+/// Isotropic lines that meet the cube of side 2: the share that misses the unit sphere is 1 − π/6, within three
+/// standard errors.
+void check_share(std::size_t lines, Random& random) {
+  const Simple cube = surface::Box{{-1, -1, -1}, {1, 1, 1}};
+  const surface::Ball sphere{{0, 0, 0}, 1};
+  std::size_t met = 0, missed = 0;
+  while (met < lines) {
+    const glm::dvec3 v = random.direction(), across = glm::normalize(glm::cross(v, glm::dvec3(v.y, v.z, -v.x)));
+    const double angle = random.uniform(0, 2 * pi), off = std::sqrt(3 * random.uniform(0, 1));
+    const glm::dvec3 aside = off * (std::cos(angle) * across + std::sin(angle) * glm::cross(v, across));
+    const trace::Ray line(ray(aside - 4.0 * v, v));
+    if (verdict(cube, Asked(line, 0), trace::no_limit) != Verdict::met) continue;
+    ++met;
+    if (verdict(sphere, line, trace::no_limit) != Verdict::met) ++missed;
+  }
+  const double share = double(missed) / double(lines), expected = 1 - pi / 6;
+  CHECK(std::abs(share - expected) < 3 * std::sqrt(expected * (1 - expected) / double(lines)));
+}
+
+}  // namespace
+
+TEST_CASE("void areas foretell how many lines meet the volume and not the object") {
+  Random random(5);
+  check_share(fewer_when_sanitized(20000), random);
+}
+TEST_CASE("void areas foretell how many of a million lines meet the volume and not the object", "[long]") {
+  Random random(5);
+  check_share(1'000'000, random);
+}
+
+TEST_CASE("the wheel: along its axis the ball is best, across it the box") {
+  const glm::dvec3 z(0, 0, 1), y(0, 1, 0);
+  const scene::Cylinder wheel{{0, 0, -0.1}, 1, z, 0.2};
+  const Outline around = accel::outline(wheel);
+  const Simple ball = kind("ball").around(wheel, around), box = kind("box").around(wheel, around);
+  const auto is = [](double x) { return Approx(x).epsilon(1e-5).margin(1e-6); };
+  CHECK(void_area(ball, around, z) == is(0.031416));
+  CHECK(void_area(box, around, z) == is(0.858407));
+  CHECK(void_area(ball, around, y) == is(2.773009));
+  CHECK(void_area(box, around, y) == is(0));
+  CHECK(accel::cheapest(wheel, z, 10).name == "ball");
+  CHECK(accel::cheapest(wheel, y, 10).name == "box");
+  const double height = 1.045446;
+  const scene::Cylinder even{{0, 0, -height / 2}, 1, z, height};
+  const Outline around_even = accel::outline(even);
+  CHECK(void_area(kind("ball").around(even, around_even), around_even, z) ==
+        is(void_area(kind("box").around(even, around_even), around_even, z)));
+}
+
+TEST_CASE("what costs least is chosen: a dear volume only where it saves enough") {
+  const double never_met[7] = {}, box_is_tight[7] = {0.9, 0.1, 0.1, 0.5, 0.1, 0.1, 0.1};
+  double slabs_are[7] = {0.9, 0.9, 0.9, 0.9, 0.9, 0.5, 0.1};
+  CHECK(accel::cheapest(never_met).name == "ball");
+  CHECK(accel::cheapest(box_is_tight).name == "box");
+  CHECK(accel::cheapest(slabs_are).name == "slabs-13");
+  slabs_are[6] = 0.45;
+  CHECK(accel::cheapest(slabs_are).name == "slabs-7");
+  CHECK(accel::cheapest(scene::Sphere{{0, 0, 0}, 1}, 24).name == "ball");
+  const double half = std::sqrt(0.5);
+  const std::string_view of_needle = accel::cheapest(scene::Cylinder{{0, 0, 0}, 0.01, {half, half, 0}, 2}, 24).name;
+  CHECK(of_needle != "ball");
+  CHECK(of_needle != "box");
+}
+
+namespace {
+
+struct Found {
+  Verdict verdict;
+  std::uint64_t tests;
+};
+
+Found of(const Volume& volume, const glm::dvec3& p, const glm::dvec3& v, double limit = trace::no_limit) {
+  Work work;
+  const trace::Ray line(ray(p, v));
+  const Verdict found = verdict(volume, Asked(line, all_slabs), limit, work);
+  return {found, work.volumes};
+}
+
+}  // namespace
+
+TEST_CASE("an intersection costs its tests up to the first that fails, a union up to the first that is met") {
+  const Simple ball = surface::Ball{{0, 0, 0}, 2}, box = surface::Box{{-1, -1, -3}, {1, 1, 3}};
+  const Volume both{{ball, box}, Volume::Rule::intersection}, either{{ball, box}, Volume::Rule::union_of};
+  const glm::dvec3 x(1, 0, 0);
+  const auto check = [&](const Volume& volume, const glm::dvec3& p, Verdict expected, std::uint64_t tests,
+                         double limit = trace::no_limit) {
+    const Found found = of(volume, p, x, limit);
+    CHECK(found.verdict == expected);
+    CHECK(found.tests == tests);
+  };
+  check(both, {-9, 0, 0}, Verdict::met, 2);
+  check(both, {-9, 1.5, 0}, Verdict::missed, 2);
+  check(both, {-9, 0, 2.5}, Verdict::missed, 1);
+  check(both, {-9, 9, 9}, Verdict::missed, 1);
+  check(either, {-9, 0, 0}, Verdict::met, 1);
+  check(either, {-9, 1.5, 0}, Verdict::met, 1);
+  check(either, {-9, 0, 2.5}, Verdict::met, 2);
+  check(either, {-9, 9, 9}, Verdict::missed, 2);
+  check(both, {-9, 0, 0}, Verdict::beyond, 1, 5);
+  check(either, {-9, 0, 0}, Verdict::beyond, 2, 5);
+  check(either, {-9, 0, 2.5}, Verdict::beyond, 2, 5);
+}
+
+namespace {
+
+/// T of a volume over isotropic lines through the ball of radius 3, in nanoseconds a line, by the costs of the kinds.
+double T(const Volume& volume, std::span<const double> B, Random random) {
+  double sum = 0;
+  const int lines = 4000;
+  for (int i = 0; i < lines; ++i) {
+    const glm::dvec3 v = random.direction(), across = glm::normalize(glm::cross(v, glm::dvec3(v.y, v.z, -v.x)));
+    const double angle = random.uniform(0, 2 * pi), off = 3 * std::sqrt(random.uniform(0, 1));
+    const glm::dvec3 aside = off * (std::cos(angle) * across + std::sin(angle) * glm::cross(v, across));
+    const Found found = of(volume, aside - 9.0 * v, v);
+    for (std::size_t k = 0; k < found.tests; ++k) sum += B[k];
+    if (found.verdict == Verdict::met) sum += accel::I;
+  }
+  return sum / lines;
+}
+
+double least_of_simple(scene::ShapeView element) {
+  double least = 1e9;
+  for (const Kind& kind : accel::kinds()) {
+    const double B[] = {kind.B};
+    least = std::min(least, T(Volume{{kind.around(element, outline(element))}}, B, Random(6)));
+  }
+  return least;
+}
+
+}  // namespace
+
+TEST_CASE("there are elements that an intersection bounds for less than any kind, and such that a union does") {
+  // A flat plate across the diagonal: the ball is cheap and turns most lines away, the slabs are tight.
+  const double half = std::sqrt(0.5);
+  const scene::Disc plate{{0, 0, 0}, 1.5, {half, half, 0}};
+  const Outline around = outline(plate);
+  const Kind &first = kind("ball"), &second = kind("slabs-7");
+  const double both[] = {first.B, second.B};
+  const Volume intersection{{first.around(plate, around), second.around(plate, around)}};
+  CHECK(T(intersection, both, Random(6)) < least_of_simple(plate));
+  // A cone like a trumpet's bell on a needle: a ball about the bell, and balls along the rest.
+  const scene::Cone spike{{0, 0, -2.5}, 0.3, {0, 0, 1}, 5};
+  const auto part = [](double from, double to) {
+    return Simple(surface::ball_of_discs({0, 0, from}, {0, 0, 1}, to - from, 0.3 * (2.5 - from), 0.3 * (2.5 - to)));
+  };
+  const double ball = first.B;
+  const double each[] = {ball, ball, ball};
+  const Volume pieces{{part(-2.5, -1), part(-1, 0.5), part(0.5, 2.5)}, Volume::Rule::union_of};
+  WARN(T(intersection, both, Random(6)) << " against " << least_of_simple(plate) << "; " << T(pieces, each, Random(6))
+                                        << " against " << least_of_simple(spike));
+}

@@ -1,0 +1,114 @@
+// That its answers are those of `analytic` is tests/engine/same_bytes_test; here is what it does for them.
+#include "durero/accel/volumes.hpp"
+
+#include <cmath>
+
+#include "durero/accel/structure.hpp"
+#include "durero/trace/analytic.hpp"
+#include "support/catch.hpp"
+#include "support/sanitized.hpp"
+#include "support/scenes.hpp"
+
+using namespace durero;
+using namespace durero::test;
+using accel::Kind;
+using accel::Volumes;
+using accel::Work;
+
+static_assert(accel::Structure<Volumes>);
+
+namespace {
+
+struct Counted {
+  const Volumes& structure;
+  Work& work;
+
+  const scene::Scene& scene() const { return structure.scene(); }
+  std::span<const scene::ElementRef> extraordinary() const { return structure.extraordinary(); }
+  template <class Limit, class Visit>
+  bool any(const trace::Ray& ray, Limit limit, Visit visit) const {
+    ++work.rays;
+    return structure.any(ray, limit, visit, work);
+  }
+};
+
+scene::Hit first_hit(const Volumes& structure, const model::Rayo& rayo, Work& work) {
+  trace::Counts unseen;
+  return trace::first_hit_among(Counted{structure, work}, rayo, {}, unseen);
+}
+
+}  // namespace
+
+TEST_CASE("each ray is tested against every volume: the growth is linear, and fewer elements are tested") {
+  Random random(1);
+  for (const std::size_t elements : {30, 300, 3000}) {
+    const scene::Scene scene = random_scene(random, elements);
+    const Volumes volumes(scene);
+    Work work;
+    const std::size_t rays = fewer_when_sanitized(100);
+    for (std::size_t i = 0; i < rays; ++i) first_hit(volumes, random_ray(random), work);
+    CHECK(work.rays == rays);
+    CHECK(work.volumes == rays * volumes.size().elements);
+    CHECK(work.volumes == work.by_miss + work.by_distance + work.candidates);
+    CHECK(work.candidates < work.volumes / 2);
+    CHECK(volumes.size().elements + volumes.size().apart == elements);
+  }
+}
+
+TEST_CASE("answers depend on no kind; more slabs never let more elements through, and none as many as the ball") {
+  Random random(2);
+  const scene::Scene scene = random_scene(random, 200);
+  std::vector<model::Rayo> rays;
+  for (std::size_t i = 0; i < fewer_when_sanitized(1000); ++i) rays.push_back(random_ray(random));
+  std::vector<std::uint64_t> m;
+  for (const Kind& kind : accel::kinds()) {
+    const Volumes volumes(scene, kind);
+    Work work;
+    for (const model::Rayo& rayo : rays) REQUIRE(first_hit(volumes, rayo, work) == trace::first_hit(scene, rayo));
+    UNSCOPED_INFO(kind.name << ": m/n " << double(work.candidates) / double(work.volumes));
+    m.push_back(work.candidates);
+  }
+  CHECK(m[4] <= m[1] + 1);  // three slabs are a box
+  CHECK(m[4] + 1 >= m[1]);
+  CHECK(m[5] < m[4]);
+  CHECK(m[6] < m[5]);
+  for (std::size_t i = 1; i < m.size(); ++i) CHECK(m[i] < m[0]);
+}
+
+TEST_CASE("composed volumes give the same answers: an intersection lets through what both would, a union either") {
+  Random random(3);
+  const scene::Scene scene = random_scene(random, 100);
+  const Kind &ball = accel::kinds()[0], &oriented = accel::kinds()[2];
+  const Volumes balls(scene, ball), boxes(scene, oriented);
+  Volumes all(scene, ball), any(scene, ball);
+  for (std::size_t i = 0; i < all.bounded().size(); ++i) {
+    const accel::Simple& box = boxes.bounded()[i].volume.parts[0];
+    all.bounded()[i].volume.parts.push_back(box);
+    any.bounded()[i].volume = {{balls.bounded()[i].volume.parts[0], box}, accel::Volume::Rule::union_of};
+  }
+  Work by_ball, by_box, by_all, by_any;
+  for (std::size_t i = 0; i < fewer_when_sanitized(1000); ++i) {
+    const model::Rayo rayo = random_ray(random);
+    const scene::Hit hit = trace::first_hit(scene, rayo);
+    CHECK(first_hit(balls, rayo, by_ball) == hit);
+    CHECK(first_hit(boxes, rayo, by_box) == hit);
+    CHECK(first_hit(all, rayo, by_all) == hit);
+    CHECK(first_hit(any, rayo, by_any) == hit);
+  }
+  CHECK(by_all.candidates <= std::min(by_ball.candidates, by_box.candidates));
+  CHECK(by_any.candidates >= std::max(by_ball.candidates, by_box.candidates));
+  CHECK(by_all.volumes == by_ball.volumes + by_ball.candidates);
+  CHECK(by_any.volumes > by_ball.volumes);
+}
+
+TEST_CASE("no element, and planes alone") {
+  scene::Scene scene;
+  CHECK(Volumes(scene).size().elements == 0);
+  scene.apply(model::Agregar_Plano{model::Elemento("p"), model::Punto(glm::dvec3(0, 0, 3)),
+                                   model::Vector(glm::dvec3(0, 0, 1))});
+  const Volumes volumes(scene);
+  CHECK(volumes.size().apart == 1);
+  Work work;
+  CHECK(first_hit(volumes, {model::Punto(glm::dvec3(0)), model::Vector(glm::dvec3(0, 0, 1))}, work).t == 3);
+  CHECK(work == Work{.rays = 1});
+}
