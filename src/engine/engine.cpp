@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 
+#include "durero/accel/grid.hpp"
 #include "durero/oracle/sampled.hpp"
 #include "durero/surface/exact.hpp"
 #include "durero/trace/analytic.hpp"
 #include "one_by_one.hpp"
+#include "structured.hpp"
 
 namespace durero::engine {
 namespace {
@@ -52,6 +54,8 @@ constexpr std::array rows = {
     Row{"sampled", "points on the surfaces: coarse, and independent of every formula", false, false, sampled},
     Row{"exact", "exact arithmetic throughout: slow, and what all others are held against", true, true, exact},
     Row{"analytic", "closed forms in binary64, certified, exact where they cannot tell", true, true, analytic},
+    Row{"grid", "equal cubes, of which a ray visits those that it crosses (SEADS, 3DDDA)", true, true,
+        structured<accel::Grid>, "A §1.4.3", measured<accel::Grid>},
 };
 
 }  // namespace
