@@ -5,6 +5,7 @@
 
 #include "durero/accel/bvh.hpp"
 #include "durero/accel/volumes.hpp"
+#include "durero/accel/grid.hpp"
 #include "durero/oracle/sampled.hpp"
 #include "durero/surface/exact.hpp"
 #include "durero/trace/analytic.hpp"
@@ -61,6 +62,8 @@ constexpr std::array rows = {
         structured<accel::BvhGlassner>, "A §1.3.1", measured<accel::BvhGlassner>},
     Row{"bvh", "a hierarchy of boxes by surface area, the nearest first", true, true, structured<accel::Bvh>, "A §1.3",
         measured<accel::Bvh>},
+    Row{"grid", "equal cubes, of which a ray visits those that it crosses (SEADS, 3DDDA)", true, true,
+        structured<accel::Grid>, "A §1.4.3", measured<accel::Grid>},
 };
 
 }  // namespace

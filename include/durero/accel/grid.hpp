@@ -1,0 +1,74 @@
+#pragma once
+/// SEADS (Fujimoto): space in equal cubes, each with the list of the elements whose surfaces touch it, and 3DDDA
+/// through them. Where the cubes lie depends on the box of the scene and on how many elements it has, and not on where
+/// in it they are.
+
+#include "durero/accel/cells.hpp"
+#include "durero/accel/lattice.hpp"
+
+namespace durero::accel {
+
+/// How fine a grid is.
+struct GridOptions {
+  /// Cubes for each element, about. Of the measured curve, which falls towards few elements a cell and rises towards
+  /// many cells to cross, the bottom.
+  double cells_per_element = 8;
+  /// No more references to elements than this for each element, and 4096: where elements are so large that there would
+  /// be, the cubes are made larger.
+  std::size_t references_per_element = 32;
+};
+
+/// A structure (accel/structure.hpp).
+class Grid {
+ public:
+  /// O(cells + references).
+  explicit Grid(const scene::Scene& scene, const GridOptions& options = {});
+
+  const scene::Scene& scene() const noexcept { return *contents_.scene; }  ///< that it was made of
+  /// The elements that are in no cell.
+  std::span<const scene::ElementRef> extraordinary() const noexcept { return contents_.apart; }
+  /// The cubes.
+  const Lattice& lattice() const noexcept { return lattice_; }
+  /// What the cells list.
+  const Contents& contents() const noexcept { return contents_; }
+  /// Of each cell its elements, and by inverse() of each element its cells.
+  const Lists& lists() const noexcept { return lists_; }
+  Size size() const;  ///< as of every structure
+
+  /// Cell by cell in the order of the ray, until what is left lies beyond the limit. An element of a cell may be met
+  /// outside it, and farther than what the next cell holds: so the walk ends only where a cell is entered beyond the
+  /// limit, and not at the first cell in which something is hit.
+  template <class Limit, class Visit>
+  bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const {
+    if (contents_.elements.empty() || !may_meet(contents_.box, ray, limit(), work)) return false;
+    const Line line(ray);
+    Mailbox mailbox;
+    bool found = false;
+    walk(line, lattice_, [&](const Cell& cell, const Crossing& event) {
+      if (Line::beyond(event, limit())) {
+        ++work.by_distance;
+        return true;
+      }
+      found = look_through(lists_[lattice_.number(cell)], contents_, mailbox, work, visit);
+      return found;
+    });
+    return found;
+  }
+  /// As a source of candidates has it.
+  template <class Limit, class Visit>
+  bool any(const trace::Ray& ray, Limit limit, Visit visit) const {
+    Work unseen;
+    return any(ray, limit, visit, unseen);
+  }
+
+ private:
+  Contents contents_;
+  Lattice lattice_;
+  Lists lists_;
+};
+
+/// Cubes over a box, so many that there are `cells` of them or up to a fourth more along an axis, where their planes
+/// are binary64 numbers.
+Lattice cubes_over(const surface::Box& box, double cells);
+
+}  // namespace durero::accel

@@ -1,0 +1,126 @@
+#pragma once
+/// Equal cubes side by side, and the walk of a ray through them: 3DDDA (Fujimoto), which steps by whole cells and
+/// compares parameters, on exact crossings.
+///
+/// What is walked is the line itself and nothing near it: the sequence of the cells that hold its points, by the rule
+/// of accel/line.hpp. Fujimoto centres the origin in its cell first; that would walk another line.
+
+#include <algorithm>
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "durero/accel/line.hpp"
+#include "durero/surface/bounds.hpp"
+
+namespace durero::accel {
+
+/// A cell of a lattice, by its place along each axis.
+using Cell = glm::ivec3;
+
+/// count.x · count.y · count.z cubes from a corner on. Every plane between two is a binary64 number: low is a whole
+/// multiple of h, h has at most 8 significant bits, and no plane is more than 2⁴⁴ times h.
+struct Lattice {
+  glm::dvec3 low;  ///< the least corner
+  double h;        ///< the side of a cube: a parameter of length
+  Cell count;      ///< how many along each axis, at least 1
+
+  bool operator==(const Lattice&) const = default;
+
+  /// The plane below the cells of this place.
+  double plane(int axis, int place) const { return low[axis] + place * h; }
+  /// The closed cube.
+  surface::Box box(const Cell& cell) const {
+    return {{plane(0, cell.x), plane(1, cell.y), plane(2, cell.z)},
+            {plane(0, cell.x + 1), plane(1, cell.y + 1), plane(2, cell.z + 1)}};
+  }
+  /// How many cubes.
+  std::size_t size() const {
+    return static_cast<std::size_t>(count.x) * static_cast<std::size_t>(count.y) * static_cast<std::size_t>(count.z);
+  }
+  /// The number of a cell in 0 … size() − 1.
+  std::size_t number(const Cell& cell) const {
+    const auto at = [](int place) { return static_cast<std::size_t>(place); };
+    return (at(cell.z) * at(count.y) + at(cell.y)) * at(count.x) + at(cell.x);
+  }
+  /// The place of a coordinate; −1 below the lattice, and count beyond it.
+  int place(int axis, double x) const {
+    return greatest(axis, x, [&](int i) { return plane(axis, i) <= x; });
+  }
+  /// The place right after a crossing, of this lattice's planes or of others.
+  int place_after(const Line& line, int axis, const Crossing& event) const {
+    const double x = line.p()[axis] + event.t * line.v()[axis];
+    return greatest(axis, x, [&](int i) { return line.above(axis, plane(axis, i), event); });
+  }
+
+ private:
+  /// The greatest place whose plane is below, near a guess; −1 where there is none. The guess costs time, not answers.
+  template <class Below>
+  int greatest(int axis, double guess, Below below) const {
+    const double steps = std::floor((guess - low[axis]) / h);
+    int least = -1, above = count[axis] + 1;
+    const int at = steps >= 0 ? (steps <= count[axis] ? static_cast<int>(steps) : count[axis]) : -1;
+    if (at >= 0) (below(at) ? least : above) = at;
+    if (least == at && at + 1 < above) (below(at + 1) ? least : above) = at + 1;
+    while (above - least > 1) {
+      const int middle = least + (above - least) / 2;
+      (below(middle) ? least : above) = middle;
+    }
+    return least;
+  }
+};
+
+/// Where a ray comes into a lattice: the first cell, and the crossing by which it does, or the ray's start.
+struct Entry {
+  Cell cell;       ///< the first
+  Crossing event;  ///< by which it is entered
+};
+
+/// Nothing where no point of the ray is in the lattice.
+std::optional<Entry> entry(const Line& line, const Lattice& lattice);
+
+/// The next of three crossings, one across each axis: it, and which happen with it.
+struct Next {
+  Crossing event;  ///< the first of them
+  unsigned axes;   ///< bit i: the crossing across axis i happens then
+};
+
+/// Of three crossings.
+inline Next first_of(const Line& line, const Crossing (&crossings)[3]) {
+  Next next{crossings[0], 1};
+  for (int axis = 1; axis < 3; ++axis) {
+    const int order = line.order(crossings[axis], next.event);
+    const unsigned bit = 1u << axis;
+    if (order < 0) next = {crossings[axis], bit};
+    if (order == 0) next.axes |= bit;
+  }
+  return next;
+}
+
+/// visit(cell, event) for every cell that holds a point of the ray, in its order, and the crossing by which the cell is
+/// entered, until it answers true. Whether it did.
+template <class Visit>
+bool walk(const Line& line, const Lattice& lattice, Visit visit) {
+  const std::optional<Entry> first = entry(line, lattice);
+  if (!first) return false;
+  Cell cell = first->cell;
+  Crossing event = first->event;
+  Crossing out[3];
+  const auto way_out = [&](int axis) {
+    return line.crossing(axis, lattice.plane(axis, cell[axis] + (line.backwards(axis) ? 0 : 1)));
+  };
+  for (int axis = 0; axis < 3; ++axis) out[axis] = way_out(axis);
+  for (;;) {
+    if (visit(cell, event)) return true;
+    const Next next = first_of(line, out);
+    event = next.event;
+    for (int axis = 0; axis < 3; ++axis) {
+      if ((next.axes >> axis & 1) == 0) continue;
+      cell[axis] += line.backwards(axis) ? -1 : 1;
+      if (cell[axis] < 0 || cell[axis] >= lattice.count[axis]) return false;
+      out[axis] = way_out(axis);
+    }
+  }
+}
+
+}  // namespace durero::accel

@@ -1,0 +1,199 @@
+#include "durero/accel/grid.hpp"
+
+#include "durero/accel/structure.hpp"
+#include "durero/surface/exact.hpp"
+#include "support/catch.hpp"
+#include "support/sanitized.hpp"
+#include "support/scenes.hpp"
+#include "support/shapes.hpp"
+
+using namespace durero;
+using namespace durero::test;
+using accel::Cell;
+using accel::Grid;
+using accel::Work;
+
+static_assert(accel::Structure<Grid>);
+
+namespace {
+
+constexpr auto no_limit = [] { return trace::no_limit; };
+
+std::vector<scene::ElementRef> visited(const Grid& grid, const model::Rayo& rayo, Work& work) {
+  std::vector<scene::ElementRef> elements;
+  grid.any(
+      trace::Ray(rayo), no_limit,
+      [&](scene::ElementRef e) {
+        elements.push_back(e);
+        return false;
+      },
+      work);
+  return elements;
+}
+
+scene::Scene lattice_of_balls(int half, const glm::dvec3& moved = {0, 0, 0}) {
+  scene::Scene scene;
+  for (int x = -half; x <= half; ++x)
+    for (int y = -half; y <= half; ++y)
+      for (int z = -half; z <= half; ++z) add(scene, scene::Sphere{moved + glm::dvec3(x, y, z), 0.25});
+  return scene;
+}
+
+/// The references and their inverse are those of the elements' surfaces, each listed once and in order.
+void check_lists(const Grid& grid) {
+  const accel::Lists cells_of = grid.lists().inverse(grid.contents().elements.size());
+  std::size_t references = 0;
+  for (std::uint32_t e = 0; e < cells_of.rows(); ++e) {
+    references += cells_of[e].size();
+    REQUIRE_FALSE(cells_of[e].empty());
+    for (const std::uint32_t cell : cells_of[e]) REQUIRE(std::ranges::count(grid.lists()[cell], e) == 1);
+  }
+  REQUIRE(references == grid.lists().references());
+}
+
+}  // namespace
+
+TEST_CASE("every element that a ray meets is visited, once") {
+  for (std::uint64_t seed = 1; seed <= fewer_when_sanitized(30); ++seed) {
+    Random random(seed);
+    const scene::Scene scene = random_scene(random, 60);
+    const Grid grid(scene);
+    for (int i = 0; i < 60; ++i) {
+      const model::Rayo rayo = random_ray(random);
+      Work work;
+      std::vector<scene::ElementRef> elements = visited(grid, rayo, work);
+      CHECK(elements.size() == work.candidates);
+      std::ranges::sort(elements);
+      REQUIRE(std::ranges::adjacent_find(elements) == elements.end());
+      for (const scene::ElementRef e : grid.contents().elements)
+        if (!surface::exact::reach(scene, e, rayo).empty()) REQUIRE(std::ranges::binary_search(elements, e));
+    }
+  }
+}
+
+TEST_CASE("a cell lists what touches it, and nothing that lies around it") {
+  scene::Scene scene;
+  add(scene, scene::Sphere{{0, 0, 0}, 4});
+  for (int i = 0; i < 40; ++i) add(scene, scene::Sphere{{3.9, 0, 0}, 0.05});
+  const Grid grid(scene, {.cells_per_element = 100, .references_per_element = 1000});
+  std::size_t inside = 0;
+  for (int x = 0; x < grid.lattice().count.x; ++x) {
+    const Cell cell(x, grid.lattice().place(1, 0.1), grid.lattice().place(2, 0.1));
+    const surface::Box box = grid.lattice().box(cell);
+    if (box.low.x < -3 || 3 < box.high.x) continue;
+    ++inside;
+    CHECK(grid.lists()[grid.lattice().number(cell)].empty());
+  }
+  CHECK(inside > 5);
+  check_lists(grid);
+}
+
+TEST_CASE("after every edit of a scene the cells of the elements and the elements of the cells agree") {
+  Random random(7);
+  scene::Scene scene;
+  std::vector<std::string> names;
+  for (std::size_t edit = 0; edit < fewer_when_sanitized(2000); ++edit) {
+    if (names.size() > 12 || (!names.empty() && random.chance(1, 3))) {
+      const std::size_t at = random.below(names.size());
+      const scene::ElementRef e = *scene.find(names[at]);
+      scene::with_shape(e.tipo, [&]<class Shape>(std::type_identity<Shape>) {
+        scene.apply(typename Shape::Removal{model::Elemento(names[at])});
+      });
+      names.erase(names.begin() + static_cast<std::ptrdiff_t>(at));
+    } else {
+      names.push_back("n" + std::to_string(edit));
+      scene.apply(random_addition(random, names.back()));
+    }
+    check_lists(Grid(scene));
+  }
+}
+
+TEST_CASE("an element in many cells is tested once, and found again in the others") {
+  scene::Scene scene;
+  add(scene, scene::Triangle{{{{-4, -4, 0.1}, {4, -4, 0.1}, {0, 8, 0.1}}}});
+  for (int x = -4; x <= 4; ++x) add(scene, scene::Sphere{{x, 0, 0.1}, 0.25});
+  const Grid grid(scene, {.cells_per_element = 200, .references_per_element = 1000});
+  Work work;
+  const auto elements = visited(grid, ray({-9, 0, 0.1}, {1, 0, 0}), work);
+  CHECK(elements.size() == 10);
+  CHECK(work.candidates == 10);
+  CHECK(work.repeated > 10);
+}
+
+TEST_CASE("a hit outside the current cell does not end the walk") {
+  // The long triangle reaches into the first cell of the ray, and is met far behind the ball.
+  scene::Scene scene;
+  const scene::ElementRef wall = add(scene, scene::Triangle{{{{-8, 0.5, 0.5}, {8, -0.25, 2}, {8, -0.25, -2}}}});
+  const scene::ElementRef ball = add(scene, scene::Sphere{{0, 0, 0}, 0.0625});
+  for (int i = 0; i < 20; ++i) add(scene, scene::Sphere{{-7, 6, i}, 0.125});
+  const Grid grid(scene, {.cells_per_element = 40});
+  const model::Rayo rayo = ray({-7.9, 0.1, 0.1}, {1, -0.0125, -0.0125});
+  Work work;
+  CHECK(visited(grid, rayo, work) == std::vector{wall, ball});
+  trace::Counts unseen;
+  CHECK(surface::exact::reach(scene, wall, rayo).count == 1);
+  CHECK(trace::first_hit_among(grid, rayo, {}, unseen).elementos == scene::ElementSet{ball});
+}
+
+TEST_CASE("cells that begin beyond the limit are passed over, and no cell before it") {
+  const scene::Scene scene = lattice_of_balls(3);
+  const Grid grid(scene);
+  const trace::Ray along(ray({-10, 0, 0}, {1, 0, 0}));
+  for (const double limit : {6.75, 8.0, 9.75, 12.0, 13.25}) {
+    std::size_t met = 0;
+    Work work;
+    grid.any(
+        along, [&] { return limit; },
+        [&](scene::ElementRef) {
+          ++met;
+          return false;
+        },
+        work);
+    CHECK(met >= static_cast<std::size_t>(limit - 5.75));
+    CHECK(met <= static_cast<std::size_t>(limit - 5.75) + 2);
+    CHECK(work.by_distance == (limit < 13 ? 1 : 0));
+  }
+}
+
+TEST_CASE("the cubes depend on the box and the number of elements, and not on where these are") {
+  const Grid grid(lattice_of_balls(3));
+  const scene::Scene there = lattice_of_balls(3, {64, -128, 32});
+  const Grid moved(there);
+  CHECK(moved.lattice().h == grid.lattice().h);
+  CHECK(moved.lattice().count == grid.lattice().count);
+  scene::Scene heap;
+  add(heap, scene::Sphere{{-3, -3, -3}, 0.25});
+  for (int i = 0; i < 341; ++i) add(heap, scene::Sphere{{0, 0, 0}, 0.25});
+  add(heap, scene::Sphere{{3, 3, 3}, 0.25});
+  CHECK(Grid(heap).lattice() == grid.lattice());
+}
+
+TEST_CASE("there are as many cubes as asked for, or little more, and every element's box is within them") {
+  for (const double wanted : {1.0, 10.0, 1000.0, 50000.0}) {
+    for (const surface::Box& box :
+         {surface::Box{{-1, -1, -1}, {1, 1, 1}}, surface::Box{{0, 0, 0}, {1000, 1, 0}},
+          surface::Box{{3, 3, 3}, {3, 3, 3}}, surface::Box{{0x1p60, 0, 0}, {0x1p60 + 0x1p10, 1, 1}},
+          surface::Box{{-0x1p100, -1, 0}, {0x1p100, 1, 0x1p-100}}}) {
+      const accel::Lattice lattice = accel::cubes_over(box, wanted);
+      CHECK(static_cast<double>(lattice.size()) <= 4 * wanted + 8);
+      for (int axis = 0; axis < 3; ++axis) {
+        CHECK(lattice.plane(axis, 0) <= box.low[axis]);
+        CHECK(box.high[axis] < lattice.plane(axis, lattice.count[axis]));
+        CHECK(lattice.place(axis, box.low[axis]) >= 0);
+      }
+    }
+  }
+  CHECK(accel::cubes_over({{-1, -1, -1}, {1, 1, 1}}, 1000).size() >= 1000);
+}
+
+TEST_CASE("references are limited: large elements make large cubes") {
+  scene::Scene scene;
+  for (int i = 0; i < 3000; ++i) add(scene, scene::Sphere{{0, 0, 0}, 1});
+  const Grid grid(scene, {.cells_per_element = 50, .references_per_element = 10});
+  CHECK(grid.lists().references() <= 10 * 3000 + 4096);
+  CHECK(grid.size().references == grid.lists().references());
+  CHECK(grid.size().elements == 3000);
+  CHECK(grid.size().cells == grid.lattice().size());
+  CHECK(Grid(scene).size() == Grid(scene).size());
+  CHECK(Grid(scene::Scene()).size().references == 0);
+}
