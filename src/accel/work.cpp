@@ -11,6 +11,7 @@ Work& Work::operator+=(const Work& other) {
   by_distance += other.by_distance;
   candidates += other.candidates;
   repeated += other.repeated;
+  untested += other.untested;
   return *this;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
 #include <vector>
 
 #include "commands.hpp"
@@ -21,14 +22,58 @@ std::vector<std::string> names(bool with_origins_only = false) {
   return names;
 }
 
-int run() {
+/// The seed's classification (A §1.1): what each way to be faster is about, and the sections that describe it.
+struct Technique {
+  std::string_view head, name, section;
+};
+constexpr std::string_view cheaper = "faster search, by cheaper tests", fewer = "faster search, by fewer tests",
+                           fewer_rays = "fewer rays", wider_rays = "rays that are more than lines";
+constexpr std::array heads = {cheaper, fewer, fewer_rays, wider_rays};
+constexpr std::array techniques = {
+    Technique{cheaper, "bounding volumes", "A §1.2"},
+    Technique{fewer, "hierarchies of bounding volumes", "A §1.3"},
+    Technique{fewer, "adaptive subdivision of space", "A §1.4.2"},
+    Technique{fewer, "uniform subdivision of space", "A §1.4.3"},
+    Technique{fewer, "item buffer", "A §1.5"},
+    Technique{fewer, "directional techniques", "A §1.6"},
+};
+
+/// Every engine, one a line, with what it promises.
+std::string promises() {
   std::string text;
   for (const engine::Row& row : engine::engines())
-    text += fmt::format("{:12} {}\n{:12} {}; {}\n", row.name, row.what, "",
+    text += fmt::format("{:16} {}\n{:16} {}; {}\n", row.name, row.what, "",
                         row.exact_bytes ? "the same bytes as exact" : "not the bytes of exact",
                         row.honours_origins ? "honours the elements that a ray starts on"
                                             : "knows nothing of the elements that a ray starts on");
-  io::print(text);
+  return text;
+}
+
+/// The engines of a technique: those of its section and of the sections below.
+std::vector<std::string_view> engines_of(const Technique& technique) {
+  std::vector<std::string_view> names;
+  for (const engine::Row& row : engine::engines())
+    if (row.section.starts_with(technique.section)) names.push_back(row.name);
+  return names;
+}
+
+/// Every technique that an engine has, under its head.
+std::string classification() {
+  std::string text;
+  for (const std::string_view head : heads) {
+    std::string below;
+    for (const Technique& technique : techniques) {
+      const auto names = engines_of(technique);
+      if (technique.head == head && !names.empty())
+        below += fmt::format("  {} ({}): {}\n", technique.name, technique.section, fmt::join(names, ", "));
+    }
+    text += fmt::format("\n{}:\n{}", head, below.empty() ? "  none\n" : below);
+  }
+  return text;
+}
+
+int run() {
+  io::print(promises() + classification());
   return 0;
 }
 
@@ -47,7 +92,11 @@ std::string without_origins(const engine::Row& engine, std::string_view why) {
 
 void add_engines(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("engines", "List the engines, and what each promises");
-  command->footer(exit_status("they are listed", "the call is bad") + examples({"engines"}));
+  command->footer(
+      "Each technique stands under the head that the literature on acceleration gives it, with its section in the "
+      "text\n"
+      "that this program follows (A: Ramos, Tema VI); durero stats shows what each costs and saves.\n\n" +
+      exit_status("they are listed", "the call is bad") + examples({"engines"}));
   command->callback([&status] { status = run(); });
 }
 

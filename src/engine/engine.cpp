@@ -4,8 +4,9 @@
 #include <array>
 
 #include "durero/accel/bvh.hpp"
-#include "durero/accel/volumes.hpp"
 #include "durero/accel/grid.hpp"
+#include "durero/accel/linear.hpp"
+#include "durero/accel/volumes.hpp"
 #include "durero/oracle/sampled.hpp"
 #include "durero/surface/exact.hpp"
 #include "durero/trace/analytic.hpp"
@@ -55,7 +56,8 @@ std::unique_ptr<const Engine> analytic(const Scene& scene) { return std::make_un
 constexpr std::array rows = {
     Row{"sampled", "points on the surfaces: coarse, and independent of every formula", false, false, sampled},
     Row{"exact", "exact arithmetic throughout: slow, and what all others are held against", true, true, exact},
-    Row{"analytic", "closed forms in binary64, certified, exact where they cannot tell", true, true, analytic},
+    Row{"analytic", "closed forms in binary64, certified, exact where they cannot tell", true, true, analytic, "A §1.2",
+        measured<accel::Linear>},
     Row{"volumes", "each element in the bounding volume of the kind that costs least", true, true,
         structured<accel::Volumes>, "A §1.2", measured<accel::Volumes>},
     Row{"bvh-glassner", "a hierarchy of boxes, searched as the text has it: to be read", true, true,

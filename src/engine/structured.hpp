@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 
 #include "durero/accel/structure.hpp"
 #include "durero/engine/engine.hpp"
@@ -46,7 +47,10 @@ class Counted {
   template <class Limit, class Visit>
   bool any(const trace::Ray& ray, Limit limit, Visit visit) const {
     ++work_.rays;
-    return structure_.any(ray, limit, visit, work_);
+    const std::uint64_t before = work_.candidates;
+    const bool answered = structure_.any(ray, limit, visit, work_);
+    if (work_.candidates == before) ++work_.untested;
+    return answered;
   }
 
  private:
@@ -54,22 +58,26 @@ class Counted {
   accel::Work& work_;
 };
 
+/// How long it takes to do something.
+template <class Do>
+double seconds_of(Do what) {
+  const auto start = std::chrono::steady_clock::now();
+  what();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 /// Row::measure. The clock runs over rays that are not counted, so that counting costs nothing there.
 template <accel::Structure S>
 Figures measured(const scene::Scene& scene, std::span<const scene::Query> queries) {
-  using Clock = std::chrono::steady_clock;
-  const auto seconds_since = [](Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-  };
   trace::Counts unseen;
   Figures figures{};
-  const Clock::time_point building = Clock::now();
-  const S structure(scene);
-  figures.building_seconds = seconds_since(building);
+  std::optional<S> made;
+  figures.building_seconds = seconds_of([&] { made.emplace(scene); });
+  const S& structure = *made;
   figures.size = structure.size();
-  const Clock::time_point answering = Clock::now();
-  for (const scene::Query& query : queries) trace::first_hit_among(structure, query.rayo, query.en, unseen);
-  figures.answering_seconds = seconds_since(answering);
+  figures.answering_seconds = seconds_of([&] {
+    for (const scene::Query& query : queries) trace::first_hit_among(structure, query.rayo, query.en, unseen);
+  });
   const Counted<S> counted(structure, figures.work);
   for (const scene::Query& query : queries) trace::first_hit_among(counted, query.rayo, query.en, unseen);
   return figures;

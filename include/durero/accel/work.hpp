@@ -17,6 +17,7 @@ struct Work {
   std::uint64_t by_distance = 0;  ///< volumes or cells passed over because they lie beyond the nearest hit so far
   std::uint64_t candidates = 0;   ///< elements handed to the certified search: m
   std::uint64_t repeated = 0;     ///< elements found again in a further cell, and not handed over again
+  std::uint64_t untested = 0;     ///< rays for which no element was handed over
 
   /// Adds number by number.
   Work& operator+=(const Work& other);

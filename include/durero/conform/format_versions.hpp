@@ -19,10 +19,11 @@ inline constexpr FormatVersion report_format{"durero-report", 1};  ///< report.j
 inline constexpr FormatVersion campaign_format{"durero-campaign", 1};    ///< a campaign (campaign.hpp)
 inline constexpr FormatVersion shards_format{"durero-shards", 1};        ///< what was found of shards (shard.hpp)
 inline constexpr FormatVersion agreement_format{"durero-agreement", 1};  ///< by agreement_json
+inline constexpr FormatVersion stats_format{"durero-stats", 1};          ///< by durero stats --format json
 
 /// Those of this layer and of the layers above it.
-inline constexpr FormatVersion format_versions[] = {io::scene_format, io::check_format, suite_format,    case_format,
-                                                    system_format,    profile_format,   claims_format,   report_format,
-                                                    campaign_format,  shards_format,    agreement_format};
+inline constexpr FormatVersion format_versions[] = {io::scene_format, io::check_format, suite_format,     case_format,
+                                                    system_format,    profile_format,   claims_format,    report_format,
+                                                    campaign_format,  shards_format,    agreement_format, stats_format};
 
 }  // namespace durero::conform

@@ -5,6 +5,7 @@
 /// depends on their number, nor on what else is asked with it.
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -41,12 +42,16 @@ scene::Hit first_hit(const Engine& engine, const scene::Query& query);
 /// Engine::occluded_segments of one query.
 bool occluded_segment(const Engine& engine, const scene::Query& query);
 
-/// What a structure cost: to make, to hold, and to answer rays.
+/// What a structure cost: to make, to hold, and to answer rays. A structure that is for some rays alone is asked about
+/// such as belong to the rays that it is measured with.
 struct Figures {
-  accel::Size size;          ///< what it holds
-  accel::Work work;          ///< what it did for the rays
-  double building_seconds;   ///< that it took to make
-  double answering_seconds;  ///< that the first hits of the rays took, on one thread
+  accel::Size size;                       ///< what it holds
+  accel::Work work;                       ///< what it did for the rays
+  double building_seconds;                ///< that it took to make
+  double answering_seconds;               ///< that the answers took, on one thread
+  std::string_view asked = "first hits";  ///< what the rays were asked for
+  std::optional<double> without_seconds =
+      {};  ///< that the same took without a structure, where not first hits of the same
 };
 
 /// What an engine is called, what it promises, and what makes it ready for a scene, which must outlive it unedited.
@@ -57,7 +62,7 @@ struct Row {
   bool honours_origins;   ///< it knows of the elements that a ray starts on; otherwise it answers as if there were none
   std::unique_ptr<const Engine> (*prepare)(const scene::Scene& scene);  ///< makes it ready for the scene
   std::string_view section{};  ///< of the acceleration seed that describes its structure; empty where it has none
-  /// The figures of its structure on the first hits of some rays, one by one; null where it has none.
+  /// The figures of its structure on some rays, one by one; null where it has none.
   Figures (*measure)(const scene::Scene& scene, std::span<const scene::Query> queries) = nullptr;
 };
 

@@ -1,0 +1,208 @@
+// durero stats SCENE [RAYS] [--engine E]… [--format F] [--no-times]: what each structure costs, and what it saves.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "description.hpp"
+#include "durero/conform/format_versions.hpp"
+#include "durero/conform/rays_towards.hpp"
+#include "durero/engine/engine.hpp"
+#include "durero/io/rays_file.hpp"
+#include "durero/io/scene_file.hpp"
+#include "durero/io/standard_output.hpp"
+#include "durero/text/shown.hpp"
+#include "progress.hpp"
+
+namespace durero::cli {
+namespace {
+
+using engine::Figures;
+
+struct StatsOptions {
+  std::string scene, rays, format = "text";
+  std::vector<std::string> engines;
+  bool no_times = false, quiet = false;
+};
+
+/// Rays of its own, where no file is named.
+constexpr std::size_t own_rays = 1000;
+constexpr std::uint64_t own_seed = 1;
+
+/// The engine that has no structure: what the others are held against.
+constexpr std::string_view without = "analytic";
+
+struct Measured {
+  const engine::Row* engine;
+  Figures figures;
+  std::optional<double> break_even;  ///< rays from which on it pays; none where it never does
+};
+
+std::vector<std::string> measurable() {
+  std::vector<std::string> names;
+  for (const engine::Row& row : engine::engines())
+    if (row.measure != nullptr) names.emplace_back(row.name);
+  return names;
+}
+
+std::vector<scene::Query> rays_of(const StatsOptions& options, const scene::Scene& scene) {
+  if (options.rays.empty()) return conform::rays_towards(scene, own_rays, own_seed);
+  return io::read_rays(io::read_source(options.rays), scene);
+}
+
+/// How many rays it takes until the time to build it has been won back: of each ray it saves what the other takes more.
+std::optional<double> break_even(const Figures& own, const Figures& linear) {
+  const double saved = own.without_seconds.value_or(linear.answering_seconds) - own.answering_seconds;
+  const double built = own.building_seconds - linear.building_seconds;
+  if (own.work.rays == 0 || !(saved > 0)) return std::nullopt;
+  return std::max(0.0, std::ceil(built / saved * static_cast<double>(own.work.rays)));
+}
+
+std::vector<Measured> measured(const StatsOptions& options, const scene::Scene& scene,
+                               std::span<const scene::Query> rays) {
+  const auto& asked = options.engines;
+  const bool is_all = asked.empty();
+  const Figures linear = engine::find(without)->measure(scene, rays);
+  std::vector<Measured> all;
+  Progress progress(options.quiet, "stats", "engines", is_all ? measurable().size() : asked.size());
+  for (const engine::Row& row : engine::engines()) {
+    if (row.measure == nullptr || (!is_all && std::ranges::find(asked, row.name) == asked.end())) continue;
+    const bool is_linear = row.name == without;
+    const Figures figures = is_linear ? linear : row.measure(scene, rays);
+    all.push_back({&row, figures, is_linear ? std::nullopt : break_even(figures, linear)});
+    progress.add();
+  }
+  return all;
+}
+
+/// `12.34`, by ray; `-` where there is no ray.
+std::string per_ray(std::uint64_t count, std::uint64_t rays) {
+  return rays == 0 ? "-" : fmt::format("{:.2f}", static_cast<double>(count) / static_cast<double>(rays));
+}
+
+std::string times(const Measured& of) {
+  const Figures& figures = of.figures;
+  const auto rays = static_cast<double>(figures.work.rays);
+  return fmt::format("{:>12.6f}{:>12}{:>12}", figures.building_seconds,
+                     rays > 0 ? fmt::format("{:.3f}", figures.answering_seconds / rays * 1e6) : "-",
+                     of.break_even ? fmt::format("{:.0f}", *of.break_even) : "-");
+}
+
+void print_text(const StatsOptions& options, const scene::Scene& scene, std::size_t rays,
+                const std::vector<Measured>& all) {
+  constexpr auto head = "{:<16}{:<14}{:>8}{:>8}{:>11}{:>10}{:>10}{:>11}{:>11}";
+  std::string text = fmt::format("{}: {} elementos, {} rays\n", text::escaped(options.scene), scene.size(), rays);
+  text += fmt::format(head, "engine", "asked", "nodes", "cells", "bytes", "n/ray", "m/ray", "nodes/ray", "cells/ray");
+  text += options.no_times ? "\n" : fmt::format("{:>12}{:>12}{:>12}\n", "build s", "µs/ray", "break-even");
+  for (const Measured& of : all) {
+    const auto& size = of.figures.size;
+    const auto& work = of.figures.work;
+    text += fmt::format(head, of.engine->name, of.figures.asked, size.nodes, size.cells, size.bytes,
+                        per_ray(work.volumes, work.rays), per_ray(work.candidates, work.rays),
+                        per_ray(work.nodes, work.rays), per_ray(work.cells, work.rays));
+    text += options.no_times ? "\n" : times(of) + "\n";
+  }
+  io::print(text);
+}
+
+struct Count {
+  const char* key;
+  std::uint64_t value;
+};
+
+void write_counts(io::json::Writer& out, const char* key, std::initializer_list<Count> counts) {
+  out.key(key).begin_object();
+  for (const auto& [name, value] : counts) out.member(name, value);
+  out.end_object();
+}
+
+void write(io::json::Writer& out, const Measured& of, bool no_times) {
+  const auto& size = of.figures.size;
+  const auto& work = of.figures.work;
+  out.new_line().begin_object().member("engine", of.engine->name).member("section", of.engine->section);
+  out.member("asked", of.figures.asked);
+  write_counts(out.new_line(), "size",
+               {{"elements", size.elements},
+                {"apart", size.apart},
+                {"nodes", size.nodes},
+                {"cells", size.cells},
+                {"references", size.references},
+                {"depth", size.depth},
+                {"bytes", size.bytes}});
+  write_counts(out.new_line(), "work",
+               {{"rays", work.rays},
+                {"volumes", work.volumes},
+                {"nodes", work.nodes},
+                {"cells", work.cells},
+                {"by_miss", work.by_miss},
+                {"by_distance", work.by_distance},
+                {"candidates", work.candidates},
+                {"repeated", work.repeated},
+                {"untested", work.untested}});
+  if (!no_times) {
+    out.new_line().key("seconds").begin_object().member("building", of.figures.building_seconds);
+    out.member("answering", of.figures.answering_seconds);
+    out.end_object();
+    if (of.break_even) out.member("break_even", *of.break_even);
+  }
+  out.end_object();
+}
+
+void print_json(const StatsOptions& options, const scene::Scene& scene, std::size_t rays,
+                const std::vector<Measured>& all) {
+  std::string text;
+  io::json::Writer out(text);
+  write_version(out.begin_object(), conform::stats_format);
+  out.member("file", text::escaped(options.scene)).member("elementos", std::uint64_t{scene.size()});
+  out.new_line().key("rays").begin_object().member("count", std::uint64_t{rays});
+  if (options.rays.empty()) {
+    out.member("seed", own_seed);
+  } else {
+    out.member("file", text::escaped(options.rays));
+  }
+  out.end_object().new_line().key("engines").begin_array();
+  for (const Measured& of : all) write(out, of, options.no_times);
+  out.end_array().end_object();
+  io::print(text + "\n");
+}
+
+int run(const StatsOptions& options) {
+  const scene::Scene scene = io::read_scene(io::read_source(options.scene));
+  const std::vector<scene::Query> rays = rays_of(options, scene);
+  const std::vector<Measured> all = measured(options, scene, rays);
+  (options.format == "json" ? print_json : print_text)(options, scene, rays.size(), all);
+  return 0;
+}
+
+}  // namespace
+
+void add_stats(CLI::App& app, int& status) {
+  auto* command = app.add_subcommand("stats", "What each acceleration structure costs, and what it saves");
+  const auto options = std::make_shared<StatsOptions>();
+  command->add_option("SCENE", options->scene, "Scene file (JSON); - is the standard input")->required();
+  command->add_option("RAYS", options->rays, "Ray file, as trace takes it; without it, 1000 rays of its own");
+  command->add_option("--engine", options->engines, "Only this engine; may be given again")
+      ->check(one_of("engine", measurable()))
+      ->allow_extra_args(false);
+  command->add_option("--format", options->format, "How the answer is printed")
+      ->check(one_of("format", {"text", "json"}))
+      ->capture_default_str();
+  command->add_flag("--no-times", options->no_times, "Only what is counted: the same bytes at every call");
+  add_quiet(*command, options->quiet);
+  command->footer(fmt::format(
+      "Each structure is built, and finds the first hits of the rays one by one. The rays of its own go towards "
+      "elements\n"
+      "chosen at random, and are always the same: {} of seed {}. n counts tests of volumes and planes, m elements\n"
+      "whose surface is tested; break-even is the number of rays from which on the time to build it has been won\n"
+      "back, against {}, which tries the ball of every element.\n\n{}{}",
+      own_rays, own_seed, without, exit_status("the figures are printed", "the call or a file is bad"),
+      examples({"stats demo/still-life.json", "stats demo/still-life.json demo/rays.txt --format json --no-times"})));
+  command->callback([options, &status] { status = run(*options); });
+}
+
+}  // namespace durero::cli

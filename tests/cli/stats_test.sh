@@ -1,0 +1,52 @@
+# durero stats: what structures cost and save; what is counted is the same at every call.
+. "$(dirname "$0")/harness.sh"
+sample >scene.json
+printf '0 0 -9 0 0 1\n0 9 0 0 1 0\n' >rays.txt
+
+# Every engine with a structure, a line each below the heads; without times, the same bytes twice.
+run 0 stats scene.json
+empty err
+has out 'scene.json: 3 elementos, 1000 rays'
+has out 'break-even'
+measured=$(($(wc -l <out) - 2))
+run 0 stats scene.json --no-times
+cp out said
+run 0 stats scene.json --no-times
+same out said
+lines out $((measured + 2))
+grep -q 'break-even' out && fail 'times where none were asked for'
+run 0 stats scene.json --format json --no-times
+cp out said
+run 0 stats scene.json --format json --no-times
+same out said
+has out '{"format":"durero-stats","version":1,"file":"scene.json","elementos":3,'
+has out '"rays":{"count":1000,"seed":1},'
+[ "$(grep -c '"engine":' out)" -eq "$measured" ] || fail 'as text and as JSON there are not the same engines'
+grep -q seconds out && fail 'seconds where none were asked for'
+
+# Without a structure each ray is tried against the ball of every element; the others name a section.
+run 0 stats scene.json rays.txt --engine analytic --format json
+has out '"rays":{"count":2,"file":"rays.txt"},'
+has out '"work":{"rays":2,"volumes":6,"nodes":0,"cells":0,"by_miss":0,"by_distance":0,"candidates":1,"repeated":0,"untested":1},'
+has out '"seconds":{"building":'
+grep -q break_even out && fail 'what has no structure breaks even with itself'
+[ "$(grep -c '"section":"A §1' out)" -eq "$(grep -c '"engine":' out)" ] || fail 'an engine without a section'
+
+# `durero engines` has each of them under a head.
+run 0 engines
+cp out listed
+run 0 stats scene.json --format json --no-times
+sed -n 's/.*"engine":"\([^"]*\)".*/\1/p' out >names
+lines names "$measured"
+while read -r name; do
+  checks=$((checks + 1))
+  grep -qE "^  .* \(A §1[.0-9]*\): (.*, )?$name(,|\$)" listed || fail "durero engines has $name under no head"
+done <names
+
+echo '{"format":"durero-scene","version":1,"elementos":[]}' >empty.json
+run 0 stats empty.json
+has out 'empty.json: 0 elementos, 0 rays'
+refused 'stats: --engine exact: no such engine; expected ' stats scene.json --engine exact
+refused 'stats: --format sarif: no such format; expected one of text, json' stats scene.json --format sarif
+refused 'absent.txt: cannot be read' stats scene.json absent.txt
+finish
