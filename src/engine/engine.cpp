@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 
+#include "durero/accel/wide_bvh.hpp"
 #include "durero/oracle/sampled.hpp"
 #include "durero/surface/exact.hpp"
 #include "durero/trace/analytic.hpp"
 #include "one_by_one.hpp"
+#include "structured.hpp"
 
 namespace durero::engine {
 namespace {
@@ -48,10 +50,29 @@ class Analytic final : public Engine {
 
 std::unique_ptr<const Engine> analytic(const Scene& scene) { return std::make_unique<const Analytic>(scene); }
 
+class Fast final : public Engine {
+ public:
+  explicit Fast(const Scene& scene) : tree_(scene) {}
+
+  void first_hits(std::span<const Query> queries, std::span<scene::Hit> hits) const override {
+    trace::first_hits_among(tree_, queries, hits, nullptr);
+  }
+  void occluded_segments(std::span<const Query> queries, std::span<bool> occluded) const override {
+    trace::occluded_segments_among(tree_, queries, occluded);
+  }
+
+ private:
+  accel::WideBvh tree_;
+};
+
+std::unique_ptr<const Engine> fast(const Scene& scene) { return std::make_unique<const Fast>(scene); }
+
 constexpr std::array rows = {
     Row{"sampled", "points on the surfaces: coarse, and independent of every formula", false, false, sampled},
     Row{"exact", "exact arithmetic throughout: slow, and what all others are held against", true, true, exact},
     Row{"analytic", "closed forms in binary64, certified, exact where they cannot tell", true, true, analytic},
+    Row{"fast", "analytic over a wide tree of boxes, many rays together", true, true, fast, "A §1.2",
+        measured<accel::WideBvh>},
 };
 
 }  // namespace
