@@ -7,6 +7,7 @@
 #include "durero/accel/grid.hpp"
 #include "durero/accel/linear.hpp"
 #include "durero/accel/volumes.hpp"
+#include "durero/accel/wide_bvh.hpp"
 #include "durero/oracle/sampled.hpp"
 #include "durero/surface/exact.hpp"
 #include "durero/trace/analytic.hpp"
@@ -53,6 +54,23 @@ class Analytic final : public Engine {
 
 std::unique_ptr<const Engine> analytic(const Scene& scene) { return std::make_unique<const Analytic>(scene); }
 
+class Fast final : public Engine {
+ public:
+  explicit Fast(const Scene& scene) : tree_(scene) {}
+
+  void first_hits(std::span<const Query> queries, std::span<scene::Hit> hits) const override {
+    trace::first_hits_among(tree_, queries, hits, nullptr);
+  }
+  void occluded_segments(std::span<const Query> queries, std::span<bool> occluded) const override {
+    trace::occluded_segments_among(tree_, queries, occluded);
+  }
+
+ private:
+  accel::WideBvh tree_;
+};
+
+std::unique_ptr<const Engine> fast(const Scene& scene) { return std::make_unique<const Fast>(scene); }
+
 constexpr std::array rows = {
     Row{"sampled", "points on the surfaces: coarse, and independent of every formula", false, false, sampled},
     Row{"exact", "exact arithmetic throughout: slow, and what all others are held against", true, true, exact},
@@ -66,6 +84,8 @@ constexpr std::array rows = {
         measured<accel::Bvh>},
     Row{"grid", "equal cubes, of which a ray visits those that it crosses (SEADS, 3DDDA)", true, true,
         structured<accel::Grid>, "A §1.4.3", measured<accel::Grid>},
+    Row{"fast", "analytic over a wide tree of boxes, many rays together", true, true, fast, "A §1.2",
+        measured<accel::WideBvh>},
 };
 
 }  // namespace

@@ -1,0 +1,114 @@
+#pragma once
+/// The wide hierarchy: boxes of eight children a node, in binary32 and rounded outwards, down to single elements. One
+/// ray walks it alone, nearest box first; many walk it together (wide_walk.hpp).
+///
+/// Apart from it are kept the elements that are not ordinary, and those without a finite box in binary32, as planes.
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "durero/accel/structure.hpp"
+#include "durero/accel/wide_stack.hpp"
+#include "durero/accel/wide_walk.hpp"
+
+namespace durero::accel {
+
+/// Keeps a reference to the scene, which must outlive it unedited.
+class WideBvh {
+ public:
+  /// On as many threads as the calling one may use; the tree does not depend on their number. O(n log n) for n elements.
+  explicit WideBvh(const scene::Scene& scene);
+
+  /// The scene, unedited since.
+  const scene::Scene& scene() const noexcept { return *scene_; }
+  /// The elements that are not ordinary.
+  std::span<const scene::ElementRef> extraordinary() const noexcept { return extraordinary_; }
+  /// The ordinary ones without a finite box, which every ray is tested against.
+  std::span<const scene::ElementRef> unbounded() const noexcept { return unbounded_; }
+  /// The nodes, the root first and each before its children; none where no element is bounded.
+  std::span<const WideNode> nodes() const noexcept { return nodes_; }
+
+  /// @{ As a source of candidates has it; with `work`, as a structure.
+  template <class Limit, class Visit>
+  bool any(const trace::Ray& ray, Limit limit, Visit visit) const {
+    return walk(ray, limit, visit, [](auto) {});
+  }
+  template <class Limit, class Visit>
+  bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const {
+    return walk(ray, limit, visit, [&](auto count) { count(work); });
+  }
+  /// @}
+  /// As a source of candidates has it for many rays.
+  template <class Limit, class Take, class Flush>
+  void pairs(std::span<const trace::Ray> rays, Limit limit, Take take, Flush flush) const;
+
+  /// About as far apart as the elements lie: what is narrower among them is narrow.
+  double spacing() const noexcept { return spacing_; }
+  /// What it holds. A leaf is an element alone.
+  Size size() const;
+
+ private:
+  template <class Limit, class Visit, class Count>
+  bool walk(const trace::Ray& ray, Limit limit, Visit visit, Count count) const;
+
+  const scene::Scene* scene_;
+  std::vector<WideNode> nodes_;
+  double spacing_ = 0;
+  std::vector<scene::ElementRef> unbounded_, extraordinary_;
+};
+
+/// count(f) adds up by f(work), where work is counted.
+template <class Limit, class Visit, class Count>
+bool WideBvh::walk(const trace::Ray& ray, Limit limit, Visit visit, Count count) const {
+  for (const scene::ElementRef e : unbounded_) {
+    count([](Work& work) { ++work.candidates; });
+    if (visit(e)) return true;
+  }
+  if (nodes_.empty()) return false;
+  const Beam beam(ray);
+  WideStack waiting;
+  const auto open = [&](std::uint32_t at) {
+    const WideNode& node = nodes_[at];
+    WideNode::Entries entries;
+    const unsigned bits = met(node, beam, limit(), entries);
+    waiting.push(at, bits, entries);
+    count([&](Work& work) {
+      const auto used = static_cast<std::uint64_t>(
+          std::ranges::count_if(node.children, [](const WideChild& c) { return c.kind != WideChild::Kind::none; }));
+      ++work.nodes;
+      work.volumes += used;
+      work.by_miss += used - static_cast<std::uint64_t>(std::popcount(bits));
+    });
+  };
+  open(0);
+  while (!waiting.empty()) {
+    const auto [entry, node, place] = waiting.pop();
+    const WideChild& child = nodes_[node].children[place];
+    if (entry > latest_entry(limit())) {
+      count([](Work& work) { ++work.by_distance; });
+    } else if (child.kind == WideChild::Kind::node) {
+      open(child.index);
+    } else {
+      count([](Work& work) { ++work.cells, ++work.candidates; });
+      if (visit(child.element())) return true;
+    }
+  }
+  return false;
+}
+
+template <class Limit, class Take, class Flush>
+void WideBvh::pairs(std::span<const trace::Ray> rays, Limit limit, Take take, Flush flush) const {
+  const auto of_each = [&](std::uint32_t number) { return limit(number) > 0; };
+  for (std::uint32_t number = 0; !unbounded_.empty() && number < rays.size(); ++number)
+    if (of_each(number))
+      for (const scene::ElementRef e : unbounded_) take(number, e);
+  if (nodes_.empty()) return;
+  WideWalk walk(*this, rays, limit, take, flush);
+  walk.all();
+}
+
+}  // namespace durero::accel

@@ -1,0 +1,75 @@
+#pragma once
+/// A node of the wide hierarchy: the boxes of eight children in binary32, tested together.
+///
+/// Each test computes in binary64, to which the planes of binary32 are taken exactly, by the operations of slab.hpp in
+/// their order. So what is proved of those (proofs/Slab.v: slab64_never_rejects, and entry_never_rejects of a box that
+/// has waited) holds in every lane. Its conditions hold: the planes are finite, hence of magnitude below 2¹²⁸, and the
+/// rays ordinary; an empty child alone has infinite planes, and no ray meets it.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "durero/accel/slab.hpp"
+#include "durero/scene/element_ref.hpp"
+
+namespace durero::accel {
+
+/// What lies in one of the eight places of a node.
+struct WideChild {
+  /// Nothing, a node, or an element.
+  enum class Kind : std::uint8_t { none, node, element };
+
+  std::uint32_t index = 0;  ///< of the node, or of the element in the table of its type
+  model::Tipo tipo{};       ///< of an element
+  Kind kind = Kind::none;   ///< what it is
+
+  /// Precondition: it is an element.
+  scene::ElementRef element() const { return {tipo, index}; }
+};
+
+/// Eight children and their boxes. Four lines of the cache.
+struct alignas(64) WideNode {
+  static constexpr std::size_t width = 8;                ///< how many children
+  using Entries = std::array<double, width>;             ///< a parameter of a ray for each child
+  std::array<std::array<float, width>, 6> planes{};      ///< x, y, z of the low corners, then of the high ones
+  std::array<WideChild, width> children{};               ///< those that are none come last
+};
+static_assert(sizeof(WideNode) == 256);
+
+/// The greatest parameter at which a box whose entry waits may still be met, once the limit is this.
+inline double latest_entry(double limit) { return limit * grow + tiny; }
+
+/// A bit for each child whose box the ray may meet at 0 < t ≤ limit, the first child's lowest; `entries` gets where it
+/// enters each. Precondition: as of `stretch`.
+unsigned met(const WideNode& node, const Beam& beam, double limit, WideNode::Entries& entries);
+
+/// Rays in columns that walk the tree together: ordinary ones, in whose directions no component is 0 and all those
+/// along an axis are of one sign.
+struct WideBundle {
+  static constexpr std::size_t size = 64;                  ///< how many rays at most
+  using Column = std::array<double, size>;                 ///< a number of each ray
+  alignas(64) std::array<Column, 3> p{}, inverse{};        ///< as in Beam, by axis
+  Column limit{};                                          ///< of each ray; below 0 of one that takes no part
+  std::array<double, 3> p_low{}, p_high{};                 ///< between which the origins lie
+  std::array<double, 3> inverse_low{}, inverse_high{};     ///< between which the inverses lie
+  std::size_t count = 0;                                   ///< how many rays
+
+  /// Whether a ray may be added to those that are there: it is of their signs.
+  bool takes(const Beam& beam) const;
+  /// Adds a ray. Precondition: it takes it, and is not full.
+  void push(const Beam& beam);
+};
+
+/// As met, of all rays of the bundle together: a bit for each child whose box some of them may meet at
+/// 0 < t ≤ limit. Subtraction and multiplication, rounded, are monotonic: so what is computed of the ends between which
+/// origins and inverses lie is no later an entry, and no earlier an exit, than what `met` computes of any ray between
+/// them, and the test passes wherever that of some ray does.
+unsigned met(const WideNode& node, const WideBundle& bundle, double limit, WideNode::Entries& entries);
+
+/// A bit for each ray of the bundle that may meet the box of one child up to its own limit, as met finds it of each.
+/// Precondition: the bundle is not empty.
+std::uint64_t met_by(const WideNode& node, std::size_t child, const WideBundle& bundle);
+
+}  // namespace durero::accel

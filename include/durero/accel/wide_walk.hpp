@@ -1,0 +1,211 @@
+#pragma once
+/// Many rays through the wide hierarchy. Consecutive rays that stay close together walk it as one bundle, and each of
+/// them is tested against the box of an element that the bundle reaches; the others walk alone, several in turns, so
+/// that the memory which one waits for comes while the others walk. Which rays are bundled costs time only: the tests
+/// of bundles pass over nothing that those of single rays do not (wide_node.hpp).
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "durero/accel/wide_stack.hpp"
+
+namespace durero::accel {
+
+/// PairCandidates::pairs over a tree that has nodes() and spacing().
+template <class Tree, class Limit, class Take, class Flush>
+class WideWalk {
+ public:
+  /// All of these must outlive it. Precondition: the tree has a node.
+  WideWalk(const Tree& tree, std::span<const trace::Ray> rays, Limit& limit, Take& take, Flush& flush)
+      : nodes_(tree.nodes()), narrow_(widest * tree.spacing()), rays_(rays), limit_(limit), take_(take),
+        flush_(flush) {
+    const std::size_t root = 0;
+    for (int i = 0; i < 3; ++i) {
+      const auto& low = nodes_[root].planes[static_cast<std::size_t>(i)];
+      const auto& high = nodes_[root].planes[static_cast<std::size_t>(i) + 3];
+      all_.low[i] = static_cast<double>(*std::ranges::min_element(low));
+      all_.high[i] = static_cast<double>(*std::ranges::max_element(high));
+    }
+  }
+
+  /// Every ray.
+  void all() {
+    for (std::uint32_t number = 0; number < rays_.size(); ++number) {
+      if (!(limit_(number) > 0)) continue;
+      const Beam beam(rays_[number]);
+      if (!joins(beam)) {
+        release();
+        if (!bundle_.takes(beam)) {
+          alone_.push_back(number);
+          continue;
+        }
+      }
+      numbers_[bundle_.count] = number;
+      bundle_.push(beam);
+    }
+    release();
+    walk_alone();
+  }
+
+ private:
+  static constexpr double widest = 2;          // of a bundle, in spacings of the elements
+  static constexpr std::size_t least = 6;      // rays of a bundle that is worth it
+  static constexpr std::size_t at_a_time = 16;  // rays alone
+  static constexpr std::size_t patience = 32;  // pairs, until the limits are brought up to date
+
+  struct Walker {
+    Walker(const trace::Ray& ray, std::uint32_t of) : beam(ray), number(of) { }
+    Beam beam;
+    std::uint32_t number;
+    WideStack waiting;
+  };
+
+  /// The bundle takes the ray, and stays narrow as far as the box of the scene.
+  bool joins(const Beam& beam) {
+    if (bundle_.count == WideBundle::size || !bundle_.takes(beam)) return false;
+    if (bundle_.count == 0) {
+      reach_ = stretch(all_, beam, trace::no_limit).exit;
+      return true;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double p = beam.p[static_cast<int>(axis)], inverse = beam.inverse[static_cast<int>(axis)];
+      const double of_p = std::max(bundle_.p_high[axis], p) - std::min(bundle_.p_low[axis], p);
+      const double of_v = 1 / std::min(bundle_.inverse_low[axis], inverse) -
+                          1 / std::max(bundle_.inverse_high[axis], inverse);
+      if (!(of_p + reach_ * of_v <= narrow_)) return false;
+    }
+    return true;
+  }
+
+  void release() {
+    if (bundle_.count >= least) {
+      walk_bundle();
+    } else {
+      for (std::size_t i = 0; i < bundle_.count; ++i) alone_.push_back(numbers_[i]);
+    }
+    bundle_.count = 0;
+  }
+
+  void walk_bundle() {
+    for (std::size_t i = 0; i < bundle_.count; ++i) bundle_.limit[i] = limit_of(i);
+    std::uint64_t taken = 0;
+    std::size_t pending = 0;
+    double limit = farthest();
+    WideStack waiting;
+    open(waiting, 0, bundle_, limit);
+    while (!waiting.empty()) {
+      const auto [entry, node, place] = waiting.pop();
+      if (entry > latest_entry(limit)) continue;
+      const WideChild& child = nodes_[node].children[place];
+      if (child.kind == WideChild::Kind::node) {
+        open(waiting, child.index, bundle_, limit);
+        continue;
+      }
+      const std::uint64_t meeting = met_by(nodes_[node], place, bundle_);
+      for (std::uint64_t left = meeting; left != 0; left &= left - 1)
+        take_(numbers_[static_cast<std::size_t>(std::countr_zero(left))], child.element());
+      taken |= meeting;
+      pending += static_cast<std::size_t>(std::popcount(meeting));
+      if (pending < patience) continue;
+      flush_();
+      for (; taken != 0; taken &= taken - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(taken));
+        bundle_.limit[i] = limit_of(i);
+      }
+      pending = 0;
+      limit = farthest();
+    }
+  }
+
+  double limit_of(std::size_t i) const {
+    const double limit = limit_(numbers_[i]);
+    return limit > 0 ? limit : -1;
+  }
+  double farthest() const {
+    double farthest = 0;
+    for (std::size_t i = 0; i < bundle_.count; ++i) farthest = std::max(farthest, bundle_.limit[i]);
+    return farthest;
+  }
+
+  /// The rays alone, each a node at a turn.
+  void walk_alone() {
+    std::size_t next = 0;
+    walkers_.reserve(at_a_time);
+    std::array<std::uint32_t, at_a_time> active;
+    std::size_t count = 0;
+    for (; next < alone_.size() && count < at_a_time; ++count, ++next) {
+      start(walkers_.emplace_back(rays_[alone_[next]], alone_[next]));
+      active[count] = static_cast<std::uint32_t>(count);
+    }
+    while (count > 0) {
+      for (std::size_t i = 0; i < count;) {
+        Walker& walker = walkers_[active[i]];
+        if (steps(walker)) {
+          ++i;
+        } else if (next < alone_.size()) {
+          walker.beam = Beam(rays_[alone_[next]]);
+          walker.number = alone_[next++];
+          start(walker);
+          ++i;
+        } else {
+          active[i] = active[--count];
+        }
+      }
+    }
+  }
+
+  void start(Walker& walker) const { open(walker.waiting, 0, walker.beam, limit_(walker.number)); }
+
+  /// Opens the next node that the ray may meet, on the way to which it takes the elements. Whether there is one.
+  bool steps(Walker& walker) {
+    const double limit = limit_(walker.number), latest = latest_entry(limit);
+    while (!walker.waiting.empty()) {
+      const auto [entry, node, place] = walker.waiting.pop();
+      if (entry > latest) continue;
+      const WideChild& child = nodes_[node].children[place];
+      if (child.kind == WideChild::Kind::element) {
+        take_(walker.number, child.element());
+        continue;
+      }
+      open(walker.waiting, child.index, walker.beam, limit);
+      if (!walker.waiting.empty()) prefetch(walker.waiting.back());
+      return true;
+    }
+    return false;
+  }
+
+  /// What is visited at the next turn, unless a hit comes before it.
+  void prefetch(const WideWaiting& next) const {
+    const WideChild& child = nodes_[next.node].children[next.place];
+    if (child.kind != WideChild::Kind::node) return;
+    const auto* line = reinterpret_cast<const char*>(&nodes_[child.index]);
+    for (std::size_t at = 0; at < sizeof(WideNode); at += 64) __builtin_prefetch(line + at);
+  }
+
+  template <class Asked>
+  void open(WideStack& waiting, std::uint32_t node, const Asked& asked, double limit) const {
+    WideNode::Entries entries;
+    const unsigned bits = met(nodes_[node], asked, limit, entries);
+    waiting.push(node, bits, entries);
+  }
+
+  std::span<const WideNode> nodes_;
+  double narrow_;
+  std::span<const trace::Ray> rays_;
+  Limit& limit_;
+  Take& take_;
+  Flush& flush_;
+  surface::Box all_{};
+  WideBundle bundle_;
+  std::array<std::uint32_t, WideBundle::size> numbers_;
+  double reach_ = 0;
+  std::vector<std::uint32_t> alone_;
+  std::vector<Walker> walkers_;
+};
+
+}  // namespace durero::accel

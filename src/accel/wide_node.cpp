@@ -1,0 +1,140 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "accel/wide_node.cpp"  // as seen from src/
+#include <hwy/foreach_target.h>
+//
+#include <hwy/highway.h>
+
+#include <algorithm>
+
+#include "durero/accel/wide_node.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace durero::accel {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Tag = hn::CappedTag<double, WideNode::width>;
+using HalfTag = hn::Rebind<float, Tag>;
+using Lanes = hn::Vec<Tag>;
+
+HWY_INLINE Lanes planes(const WideNode& node, std::size_t plane, std::size_t at) {
+  return hn::PromoteTo(Tag(), hn::LoadU(HalfTag(), &node.planes[plane][at]));
+}
+
+/// The latest of two entries, the soonest of two exits: the first where the second is NaN.
+HWY_INLINE Lanes later(Lanes entry, Lanes near) { return hn::IfThenElse(hn::Lt(entry, near), near, entry); }
+HWY_INLINE Lanes sooner(Lanes exit, Lanes far) { return hn::IfThenElse(hn::Lt(far, exit), far, exit); }
+
+HWY_INLINE unsigned meets(Lanes entry, Lanes exit) {
+  const Tag tag;
+  const auto mask = hn::Le(entry, hn::Add(hn::Mul(exit, hn::Set(tag, grow)), hn::Set(tag, tiny)));
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(tag, mask, bits);
+  return bits[0];
+}
+
+unsigned met_by_ray(const WideNode& node, const Beam& beam, double limit, WideNode::Entries& entries) {
+  const Tag tag;
+  unsigned bits = 0;
+  for (std::size_t at = 0; at < WideNode::width; at += hn::Lanes(tag)) {
+    Lanes entry = hn::Zero(tag), exit = hn::Set(tag, limit);
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::size_t low = static_cast<std::size_t>(axis), high = low + 3;
+      const bool backwards = std::signbit(beam.inverse[axis]);
+      const Lanes p = hn::Set(tag, beam.p[axis]), inverse = hn::Set(tag, beam.inverse[axis]);
+      entry = later(entry, hn::Mul(hn::Sub(planes(node, backwards ? high : low, at), p), inverse));
+      exit = sooner(exit, hn::Mul(hn::Sub(planes(node, backwards ? low : high, at), p), inverse));
+    }
+    hn::StoreU(entry, tag, &entries[at]);
+    bits |= meets(entry, exit) << at;
+  }
+  return bits;
+}
+
+unsigned met_by_bundle(const WideNode& node, const WideBundle& bundle, double limit, WideNode::Entries& entries) {
+  const Tag tag;
+  unsigned bits = 0;
+  for (std::size_t at = 0; at < WideNode::width; at += hn::Lanes(tag)) {
+    Lanes entry = hn::Zero(tag), exit = hn::Set(tag, limit);
+    for (std::size_t low = 0; low < 3; ++low) {
+      const std::size_t high = low + 3;
+      const bool backwards = bundle.inverse_high[low] < 0;
+      const Lanes p_low = hn::Set(tag, bundle.p_low[low]), p_high = hn::Set(tag, bundle.p_high[low]);
+      const Lanes a = hn::Set(tag, bundle.inverse_low[low]), b = hn::Set(tag, bundle.inverse_high[low]);
+      const Lanes near = hn::Sub(planes(node, backwards ? high : low, at), backwards ? p_low : p_high);
+      const Lanes far = hn::Sub(planes(node, backwards ? low : high, at), backwards ? p_high : p_low);
+      entry = later(entry, hn::Min(hn::Mul(near, a), hn::Mul(near, b)));
+      exit = sooner(exit, hn::Max(hn::Mul(far, a), hn::Mul(far, b)));
+    }
+    hn::StoreU(entry, tag, &entries[at]);
+    bits |= meets(entry, exit) << at;
+  }
+  return bits;
+}
+
+std::uint64_t met_by_each(const WideNode& node, std::size_t child, const WideBundle& bundle) {
+  const Tag tag;
+  std::uint64_t bits = 0;
+  for (std::size_t at = 0; at < bundle.count; at += hn::Lanes(tag)) {
+    Lanes entry = hn::Zero(tag), exit = hn::LoadU(tag, &bundle.limit[at]);
+    for (std::size_t low = 0; low < 3; ++low) {
+      const std::size_t high = low + 3;
+      const bool backwards = bundle.inverse_high[low] < 0;
+      const Lanes near = hn::Set(tag, static_cast<double>(node.planes[backwards ? high : low][child]));
+      const Lanes far = hn::Set(tag, static_cast<double>(node.planes[backwards ? low : high][child]));
+      const Lanes p = hn::LoadU(tag, &bundle.p[low][at]), inverse = hn::LoadU(tag, &bundle.inverse[low][at]);
+      entry = later(entry, hn::Mul(hn::Sub(near, p), inverse));
+      exit = sooner(exit, hn::Mul(hn::Sub(far, p), inverse));
+    }
+    bits |= std::uint64_t{meets(entry, exit)} << at;
+  }
+  return bits & (~std::uint64_t{0} >> (WideBundle::size - bundle.count));
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace durero::accel
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace durero::accel {
+namespace {
+HWY_EXPORT(met_by_ray);
+HWY_EXPORT(met_by_bundle);
+HWY_EXPORT(met_by_each);
+}  // namespace
+
+bool WideBundle::takes(const Beam& beam) const {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double inverse_of = beam.inverse[static_cast<int>(axis)];
+    if (std::isinf(inverse_of) || (count > 0 && (inverse_of < 0) != (inverse_low[axis] < 0))) return false;
+  }
+  return true;
+}
+
+void WideBundle::push(const Beam& beam) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double p_of = beam.p[static_cast<int>(axis)], inverse_of = beam.inverse[static_cast<int>(axis)];
+    p[axis][count] = p_of;
+    inverse[axis][count] = inverse_of;
+    p_low[axis] = count == 0 ? p_of : std::min(p_low[axis], p_of);
+    p_high[axis] = count == 0 ? p_of : std::max(p_high[axis], p_of);
+    inverse_low[axis] = count == 0 ? inverse_of : std::min(inverse_low[axis], inverse_of);
+    inverse_high[axis] = count == 0 ? inverse_of : std::max(inverse_high[axis], inverse_of);
+  }
+  ++count;
+}
+
+unsigned met(const WideNode& node, const Beam& beam, double limit, WideNode::Entries& entries) {
+  return HWY_DYNAMIC_DISPATCH(met_by_ray)(node, beam, limit, entries);
+}
+unsigned met(const WideNode& node, const WideBundle& bundle, double limit, WideNode::Entries& entries) {
+  return HWY_DYNAMIC_DISPATCH(met_by_bundle)(node, bundle, limit, entries);
+}
+std::uint64_t met_by(const WideNode& node, std::size_t child, const WideBundle& bundle) {
+  return HWY_DYNAMIC_DISPATCH(met_by_each)(node, child, bundle);
+}
+
+}  // namespace durero::accel
+#endif
