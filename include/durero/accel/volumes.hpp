@@ -31,7 +31,7 @@ class Volumes {
     scene::ElementRef element;  ///< what is within
     Volume volume;              ///< one kind, or composed
   };
-  /// All of them, in the order of the scene. A volume may be replaced by another that contains the element.
+  /// All of them, those of one kind together, so that the processor foresees what comes next. A volume may be replaced by another that contains the element.
   std::span<Bounded> bounded() noexcept { return bounded_; }
   std::span<const Bounded> bounded() const noexcept { return bounded_; }
 
