@@ -269,6 +269,7 @@ TEST_CASE("an intersection costs its tests up to the first that fails, a union u
   check(both, {-9, 0, 0}, Verdict::beyond, 1, 5);
   check(either, {-9, 0, 0}, Verdict::beyond, 2, 5);
   check(either, {-9, 0, 2.5}, Verdict::beyond, 2, 5);
+  check(either, {-9, 1.5, 0}, Verdict::beyond, 2, 5);
 }
 
 namespace {
