@@ -1,5 +1,7 @@
 #include "durero/accel/volumes.hpp"
 
+#include <algorithm>
+
 #include "accel/finite_box.hpp"
 #include "durero/accel/hierarchy.hpp"
 
@@ -12,6 +14,7 @@ void Volumes::bound(Choose choose) {
     const scene::ShapeView element(shape);
     bounded_.push_back({e, {{choose(element).around(element, outline(element))}}});
   });
+  std::ranges::stable_sort(bounded_, {}, [](const Bounded& one) { return one.volume.parts[0].index(); });
 }
 
 Volumes::Volumes(const scene::Scene& scene, const Kind& kind) : scene_(&scene) {

@@ -108,6 +108,8 @@ TEST_CASE("volumes beyond the nearest hit are passed over, and counted apart fro
   CHECK(first_hit(BvhGlassner(scene), rayo, literal) == hit);
   CHECK(near.by_distance > 0);
   CHECK(near.by_miss == 0);
+  CHECK(near.nodes == 2);
+  CHECK(literal.by_distance + literal.nodes == literal.volumes);
   CHECK(all.by_distance == 0);
   CHECK(near.candidates == 2);
   CHECK(all.candidates == 6);

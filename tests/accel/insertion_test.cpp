@@ -27,9 +27,8 @@ using Boxes = std::vector<surface::Box>;
 Boxes random_boxes(Random& random, std::size_t count) {
   Boxes boxes;
   while (boxes.size() < count) {
-    const glm::dvec3 low = random.in_cube(1);
-    boxes.push_back(
-        {low, low + glm::dvec3(random.uniform(0.01, 0.4), random.uniform(0.01, 0.4), random.uniform(0.01, 0.4))});
+    const glm::dvec3 low = random.in_cube(1), size = random.in_cube(0.2) + 0.21;
+    boxes.push_back({low, low + size});
   }
   return boxes;
 }

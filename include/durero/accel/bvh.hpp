@@ -40,9 +40,11 @@ class Bvh {
   /// most_children ≥ 2.
   explicit Bvh(const scene::Scene& scene, Build build = Build::top_down, unsigned most_children = usual_children);
 
+  /// What it is made of.
   const scene::Scene& scene() const noexcept { return *scene_; }
   /// The elements that are not ordinary, and planes.
   std::span<const scene::ElementRef> extraordinary() const noexcept { return apart_; }
+  /// The tree of the others.
   const Hierarchy& hierarchy() const noexcept { return tree_; }
   /// What it holds.
   Size size() const;
@@ -92,6 +94,7 @@ class BvhGlassner {
   /// Of a scene, which must outlive it unedited.
   explicit BvhGlassner(const scene::Scene& scene) : bvh_(scene) {}
 
+  /// What it is made of.
   const scene::Scene& scene() const noexcept { return bvh_.scene(); }
   /// As of Bvh.
   std::span<const scene::ElementRef> extraordinary() const noexcept { return bvh_.extraordinary(); }

@@ -47,6 +47,7 @@ class Hierarchy {
   bool empty() const noexcept { return root_ == none; }
   /// none where it is empty.
   Number root() const noexcept { return root_; }
+  /// A node.
   const Node& operator[](Number node) const noexcept { return nodes_[node]; }
 
   /// visit(child) for each child of a node, in order, until it answers true. Whether it did.

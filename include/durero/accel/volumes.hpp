@@ -20,6 +20,7 @@ class Volumes {
   /// One kind for all.
   Volumes(const scene::Scene& scene, const Kind& kind);
 
+  /// What it is made of.
   const scene::Scene& scene() const noexcept { return *scene_; }
   /// The elements that are not ordinary, and planes.
   std::span<const scene::ElementRef> extraordinary() const noexcept { return apart_; }
@@ -31,8 +32,10 @@ class Volumes {
     scene::ElementRef element;  ///< what is within
     Volume volume;              ///< one kind, or composed
   };
-  /// All of them, in the order of the scene. A volume may be replaced by another that contains the element.
+  /// All of them, those of one kind together, so that the processor foresees what comes next. A volume may be replaced
+  /// by another that contains the element.
   std::span<Bounded> bounded() noexcept { return bounded_; }
+  /// The same, to look at.
   std::span<const Bounded> bounded() const noexcept { return bounded_; }
 
   /// As trace::Candidates has it; adds what it did to `work`.

@@ -119,7 +119,7 @@ TEST_CASE("slabs that are moved hold the moved element as tightly as slabs made 
   Random random(3);
   for (int i = 0; i < 200; ++i) {
     const scene::Sphere sphere{random.in_cube(1), 0.5};
-    const glm::dvec3 delta(random.integer(-8, 8), random.integer(-8, 8), random.integer(-8, 8));
+    const glm::dvec3 delta = random.lattice_vector(8);
     const scene::Sphere moved{sphere.centro + delta, 0.5};
     const Slabs by_shift = slabs_around(accel::outline(sphere), 13).moved(delta);
     const Slabs anew = slabs_around(accel::outline(moved), 13);

@@ -147,7 +147,7 @@ TEST_CASE("the mean over directions of the void area is the mean fit, for each k
   const Outline around = accel::outline(cylinder);
   const std::vector<Simple> volumes = all_around(cylinder);
   std::vector<double> sums(volumes.size());
-  const std::size_t directions = fewer_when_sanitized(4000);
+  const std::size_t directions = fewer_when_sanitized(2000);
   for (std::size_t i = 0; i < directions; ++i) {
     const glm::dvec3 v = random.direction();
     for (std::size_t k = 0; k < volumes.size(); ++k) {
@@ -158,7 +158,7 @@ TEST_CASE("the mean over directions of the void area is the mean fit, for each k
   }
   for (std::size_t k = 0; k < volumes.size(); ++k) {
     INFO(accel::kinds()[k].name);
-    CHECK(sums[k] / double(directions) == Approx(mean_fit(volumes[k], around)).epsilon(0.03));
+    CHECK(sums[k] / double(directions) == Approx(mean_fit(volumes[k], around)).epsilon(0.04));
   }
   // The oriented box fits better than the box, and more slabs better than fewer.
   CHECK(mean_fit(volumes[2], around) < mean_fit(volumes[1], around));
@@ -269,12 +269,14 @@ TEST_CASE("an intersection costs its tests up to the first that fails, a union u
   check(both, {-9, 0, 0}, Verdict::beyond, 1, 5);
   check(either, {-9, 0, 0}, Verdict::beyond, 2, 5);
   check(either, {-9, 0, 2.5}, Verdict::beyond, 2, 5);
+  check(either, {-9, 1.5, 0}, Verdict::beyond, 2, 5);
 }
 
 namespace {
 
-/// T of a volume over isotropic lines through the ball of radius 3, in nanoseconds a line, by the costs of the kinds.
-double T(const Volume& volume, std::span<const double> B, Random random) {
+/// T of a volume over isotropic lines through the ball of radius 3, in nanoseconds a line, by the costs of its parts.
+double T(const Volume& volume, std::span<const double> B, double of_object) {
+  Random random(6);
   double sum = 0;
   const int lines = 4000;
   for (int i = 0; i < lines; ++i) {
@@ -283,39 +285,34 @@ double T(const Volume& volume, std::span<const double> B, Random random) {
     const glm::dvec3 aside = off * (std::cos(angle) * across + std::sin(angle) * glm::cross(v, across));
     const Found found = of(volume, aside - 9.0 * v, v);
     for (std::size_t k = 0; k < found.tests; ++k) sum += B[k];
-    if (found.verdict == Verdict::met) sum += accel::I;
+    if (found.verdict == Verdict::met) sum += of_object;
   }
   return sum / lines;
 }
 
-double least_of_simple(scene::ShapeView element) {
+double least_of_simple(scene::ShapeView element, double of_object) {
   double least = 1e9;
   for (const Kind& kind : accel::kinds()) {
     const double B[] = {kind.B};
-    least = std::min(least, T(Volume{{kind.around(element, outline(element))}}, B, Random(6)));
+    least = std::min(least, T(Volume{{kind.around(element, outline(element))}}, B, of_object));
   }
   return least;
 }
 
 }  // namespace
 
-TEST_CASE("there are elements that an intersection bounds for less than any kind, and such that a union does") {
-  // A flat plate across the diagonal: the ball is cheap and turns most lines away, the slabs are tight.
-  const double half = std::sqrt(0.5);
-  const scene::Disc plate{{0, 0, 0}, 1.5, {half, half, 0}};
-  const Outline around = outline(plate);
-  const Kind &first = kind("ball"), &second = kind("slabs-7");
-  const double both[] = {first.B, second.B};
-  const Volume intersection{{first.around(plate, around), second.around(plate, around)}};
-  CHECK(T(intersection, both, Random(6)) < least_of_simple(plate));
-  // A cone like a trumpet's bell on a needle: a ball about the bell, and balls along the rest.
-  const scene::Cone spike{{0, 0, -2.5}, 0.3, {0, 0, 1}, 5};
-  const auto part = [](double from, double to) {
-    return Simple(surface::ball_of_discs({0, 0, from}, {0, 0, 1}, to - from, 0.3 * (2.5 - from), 0.3 * (2.5 - to)));
-  };
-  const double ball = first.B;
-  const double each[] = {ball, ball, ball};
-  const Volume pieces{{part(-2.5, -1), part(-1, 0.5), part(0.5, 2.5)}, Volume::Rule::union_of};
-  WARN(T(intersection, both, Random(6)) << " against " << least_of_simple(plate) << "; " << T(pieces, each, Random(6))
-                                        << " against " << least_of_simple(spike));
+TEST_CASE("there are objects that an intersection bounds for less than any kind, and such that a union does") {
+  // A disc: the ball is cheap and turns most lines away, of what is left the ellipsoid, which is flat, turns away half.
+  const double half = std::sqrt(0.5), third = std::sqrt(1.0 / 3);
+  const scene::Disc disc{{0, 0, 0}, 1, {half, half, 0}};
+  const Kind &ball = kind("ball"), &ellipsoid = kind("ellipsoid");
+  const double both[] = {ball.B, ellipsoid.B};
+  const Volume intersection{{ball.around(disc, outline(disc)), ellipsoid.around(disc, outline(disc))}};
+  CHECK(T(intersection, both, accel::I) < least_of_simple(disc, accel::I));
+  // Two balls far apart as one object, for which a capsule stands: between them there is nothing.
+  const glm::dvec3 d(third);
+  const scene::Cylinder capsule{-2.5 * d, 0.5, d, 5};
+  const double each[] = {ball.B, ball.B};
+  const Volume ends{{surface::Ball{-2.0 * d, 0.5}, surface::Ball{2.0 * d, 0.5}}, Volume::Rule::union_of};
+  CHECK(T(ends, each, 2 * accel::I) < least_of_simple(capsule, 2 * accel::I));
 }

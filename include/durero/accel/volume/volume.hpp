@@ -62,7 +62,7 @@ struct Kind {
 /// All of them: ball, box, oriented-box, ellipsoid, and three, seven and thirteen slabs.
 std::span<const Kind> kinds();
 /// What a test of an element costs, as B.
-inline constexpr double I = 100;
+inline constexpr double I = 51;
 
 /// The kind of the least T = n·B + m·I, where of n rays a share m/n meets each volume. Shares and kinds in order.
 const Kind& cheapest(std::span<const double> shares);
