@@ -4,6 +4,7 @@
 #include <array>
 
 #include "durero/accel/grid.hpp"
+#include "durero/accel/octree.hpp"
 #include "durero/oracle/sampled.hpp"
 #include "durero/surface/exact.hpp"
 #include "durero/trace/analytic.hpp"
@@ -56,6 +57,10 @@ constexpr std::array rows = {
     Row{"analytic", "closed forms in binary64, certified, exact where they cannot tell", true, true, analytic},
     Row{"grid", "equal cubes, of which a ray visits those that it crosses (SEADS, 3DDDA)", true, true,
         structured<accel::Grid>, "A §1.4.3", measured<accel::Grid>},
+    Row{"octree", "cubes that are divided in eight where elements are, walked from sibling to sibling", true, true,
+        structured<accel::Octree>, "A §1.4.2", measured<accel::Octree>},
+    Row{"octree-by-location", "the same, each cube found from the root by a point of the ray in it", true, true,
+        structured<accel::OctreeByLocation>, "A §1.4.2", measured<accel::OctreeByLocation>},
 };
 
 }  // namespace
