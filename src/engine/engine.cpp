@@ -6,6 +6,7 @@
 #include "durero/accel/bvh.hpp"
 #include "durero/accel/grid.hpp"
 #include "durero/accel/linear.hpp"
+#include "durero/accel/octree.hpp"
 #include "durero/accel/volumes.hpp"
 #include "durero/accel/wide_bvh.hpp"
 #include "durero/oracle/sampled.hpp"
@@ -84,6 +85,10 @@ constexpr std::array rows = {
         measured<accel::Bvh>},
     Row{"grid", "equal cubes, of which a ray visits those that it crosses (SEADS, 3DDDA)", true, true,
         structured<accel::Grid>, "A §1.4.3", measured<accel::Grid>},
+    Row{"octree", "cubes that are divided in eight where elements are, walked from sibling to sibling", true, true,
+        structured<accel::Octree>, "A §1.4.2", measured<accel::Octree>},
+    Row{"octree-by-location", "the same, each cube found from the root by a point of the ray in it", true, true,
+        structured<accel::OctreeByLocation>, "A §1.4.2", measured<accel::OctreeByLocation>},
     Row{"fast", "analytic over a wide tree of boxes, many rays together", true, true, fast, "A §1.2",
         measured<accel::WideBvh>},
 };

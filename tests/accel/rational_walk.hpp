@@ -60,4 +60,34 @@ inline std::vector<accel::Cell> rational_walk(const model::Rayo& rayo, const acc
   return cells;
 }
 
+/// Of half-open boxes, which ones hold points of the ray, in its order, by their places in the list. Each point must be
+/// in no more than one of them; −1 stands for a repeated or doubled one.
+inline std::vector<int> rational_walk(const model::Rayo& rayo, const std::vector<surface::Box>& boxes) {
+  std::vector<double> planes[3];
+  for (const surface::Box& box : boxes)
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double plane : {box.low[axis], box.high[axis]})
+        if (std::ranges::find(planes[axis], plane) == planes[axis].end()) planes[axis].push_back(plane);
+  std::vector<int> found;
+  for (const Rational& t : places_to_look(rayo, planes)) {
+    // The greatest plane below decides as well as the point: planes are few, and fractions slow.
+    glm::dvec3 below;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Rational x = coordinate(rayo, axis, t);
+      below[axis] = -std::numeric_limits<double>::infinity();
+      for (const double plane : planes[axis])
+        if (plane > below[axis] && number::exact(plane) <= x) below[axis] = plane;
+    }
+    int here = -2;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      bool within = true;
+      for (int axis = 0; axis < 3; ++axis)
+        within = within && boxes[i].low[axis] <= below[axis] && below[axis] < boxes[i].high[axis];
+      if (within) here = here == -2 ? static_cast<int>(i) : -1;
+    }
+    if (here != -2 && (found.empty() || found.back() != here)) found.push_back(here);
+  }
+  return found;
+}
+
 }  // namespace durero::test

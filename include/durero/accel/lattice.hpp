@@ -97,6 +97,14 @@ inline Next first_of(const Line& line, const Crossing (&crossings)[3]) {
   return next;
 }
 
+/// How a ray that is in a box leaves it.
+inline Next way_out(const Line& line, const surface::Box& box) {
+  Crossing out[3];
+  for (int axis = 0; axis < 3; ++axis)
+    out[axis] = line.crossing(axis, (line.backwards(axis) ? box.low : box.high)[axis]);
+  return first_of(line, out);
+}
+
 /// visit(cell, event) for every cell that holds a point of the ray, in its order, and the crossing by which the cell is
 /// entered, until it answers true. Whether it did.
 template <class Visit>

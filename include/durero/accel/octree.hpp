@@ -1,0 +1,238 @@
+#pragma once
+/// An octree: a cube around the scene, in eight, and each eighth again where more elements touch it than a leaf may
+/// list. A leaf is empty, or lists what touches it.
+///
+/// The three middle planes of a node are crossed in some order, which is all that a ray needs: it goes through at most
+/// four of the eight children, since it crosses each plane once. So the walk steps among siblings (3DDDA in a lattice
+/// of two by two by two), and down and up between groups of them, on exact crossings (accel/line.hpp).
+
+#include <string>
+
+#include "durero/accel/cells.hpp"
+#include "durero/accel/lattice.hpp"
+
+namespace durero::accel {
+
+/// When cells are no longer divided.
+struct OctreeOptions {
+  int max_depth = -1;           ///< at most Octree::deepest; below 0: what the number of elements asks for
+  std::size_t max_objects = 2;  ///< a cell with no more is a leaf
+  std::size_t max_bytes = 0;    ///< of memory for the whole octree; 0: 1 MiB and 512 an element
+};
+
+/// A structure (accel/structure.hpp).
+class Octree {
+ public:
+  /// The names of the nodes at this depth have 19 digits, as many as an integer of 64 bits holds (octree_names).
+  static constexpr int deepest = 19;
+
+  /// Why a cell is not divided.
+  enum class Why : std::uint8_t { few_objects, max_depth, max_bytes };
+
+  /// A leaf: a cube, by the least of the finest cells in it.
+  struct Leaf {
+    Cell corner;  ///< in units of the finest cells
+    int depth;    ///< of the root 0; each level halves the side
+    Why why;      ///< it is a leaf
+  };
+
+  /// Throws std::invalid_argument where max_depth is more than `deepest`.
+  explicit Octree(const scene::Scene& scene, const OctreeOptions& options = {});
+
+  const scene::Scene& scene() const noexcept { return *contents_.scene; }  ///< that it was made of
+  /// The elements that are in no cell.
+  std::span<const scene::ElementRef> extraordinary() const noexcept { return contents_.apart; }
+  /// What the leaves list.
+  const Contents& contents() const noexcept { return contents_; }
+  /// Of each leaf its elements, and by inverse() of each element its leaves.
+  const Lists& lists() const noexcept { return lists_; }
+  /// Every leaf, by number.
+  std::span<const Leaf> leaves() const noexcept { return leaves_; }
+  /// The finest cells that there may be: 2^max_depth along each axis of the root.
+  const Lattice& finest() const noexcept { return finest_; }
+  /// The closed cube of a leaf.
+  surface::Box box(const Leaf& leaf) const;
+  Size size() const;  ///< as of every structure
+
+  /// @{ The leaf that holds a point of the root, or one of the finest cells: by comparing coordinates with the middle
+  /// of each node, and by the digits of the cell's octal code. Precondition: the root holds it. `probes` counts nodes.
+  std::size_t leaf_at(const glm::dvec3& point, std::size_t& probes) const;
+  std::size_t leaf_at(const Cell& cell, std::size_t& probes) const;
+  /// @}
+  /// The digit of a finest cell's octal code at a depth from 1 on: which child of its parent it is in. Bit i is set in
+  /// the upper half of axis i.
+  unsigned octal_digit(const Cell& cell, int depth) const;
+
+  /// visit(leaf, event) for every leaf that holds a point of the ray, in its order, and the crossing by which it is
+  /// entered, until it answers true. Whether it did. group(count) after each group of eight that the ray has left, with
+  /// the number of siblings visited.
+  template <class Visit, class Group>
+  bool walk(const Line& line, Visit visit, Group group, Work& work) const;
+
+  /// The same leaves, each found again from the root: the point of the ray where it has left a cell is in the next one.
+  /// BuscarObjetosEnOctree of the seed.
+  template <class Visit>
+  bool walk_by_location(const Line& line, Visit visit, Work& work) const;
+
+  /// Leaf by leaf in the order of the ray, as Grid::any has it of cells.
+  template <class Limit, class Visit>
+  bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const {
+    if (contents_.elements.empty() || !may_meet(contents_.box, ray, limit(), work)) return false;
+    Search<Limit, Visit> search{*this, limit, visit, work};
+    walk(
+        Line(ray), [&](std::size_t leaf, const Crossing& event) { return search(leaf, event); }, [](unsigned) {}, work);
+    return search.found;
+  }
+  /// As a source of candidates has it.
+  template <class Limit, class Visit>
+  bool any(const trace::Ray& ray, Limit limit, Visit visit) const {
+    Work unseen;
+    return any(ray, limit, visit, unseen);
+  }
+
+ protected:
+  /// What is done in each leaf; true ends the walk.
+  template <class Limit, class Visit>
+  struct Search {
+    bool operator()(std::size_t leaf, const Crossing& event) {
+      if (Line::beyond(event, limit())) {
+        ++work.by_distance;
+        return true;
+      }
+      return found = look_through(octree.lists_[leaf], octree.contents_, mailbox, work, visit);
+    }
+    const Octree& octree;
+    Limit& limit;
+    Visit& visit;
+    Work& work;
+    Mailbox mailbox{};
+    bool found = false;
+  };
+
+ private:
+  friend class OctreeBuilder;
+
+  /// A leaf, or where its eight children begin.
+  using Node = std::uint32_t;
+  static constexpr Node leaf_bit = 0x80000000u;
+
+  Lattice root() const { return {finest_.low, finest_.h * finest_.count.x, {1, 1, 1}}; }
+
+  template <class Visit, class Group>
+  struct Walk;
+
+  Contents contents_;
+  Lattice finest_;
+  std::vector<Node> nodes_;  // the root, then groups of eight
+  std::vector<Leaf> leaves_;
+  Lists lists_;
+};
+
+/// The octree walked by location alone: to read, and to be measured against the other.
+class OctreeByLocation : public Octree {
+ public:
+  using Octree::Octree;
+  /// As Octree::any.
+  template <class Limit, class Visit>
+  bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const {
+    if (contents().elements.empty() || !may_meet(contents().box, ray, limit(), work)) return false;
+    Search<Limit, Visit> search{*this, limit, visit, work};
+    walk_by_location(
+        Line(ray), [&](std::size_t leaf, const Crossing& event) { return search(leaf, event); }, work);
+    return search.found;
+  }
+  /// As a source of candidates has it.
+  template <class Limit, class Visit>
+  bool any(const trace::Ray& ray, Limit limit, Visit visit) const {
+    Work unseen;
+    return any(ray, limit, visit, unseen);
+  }
+};
+
+/// A cube around a box: its side is a power of two, and the planes of all cells down to Octree::deepest are binary64
+/// numbers. Every point of the box is below its upper faces.
+Lattice cube_over(const surface::Box& box);
+
+template <class Visit, class Group>
+struct Octree::Walk {
+  /// From the crossing by which the node is entered to that by which it is left.
+  bool operator()(Node node, const glm::dvec3& low, double side, Crossing in, const Crossing& out) {
+    if ((node & leaf_bit) != 0) return visit(node & ~leaf_bit, in);
+    ++work.nodes;
+    work.volumes += 3;
+    const double half = side / 2;
+    Crossing middle[3];
+    unsigned passed = 0, at = 0, siblings = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const unsigned bit = 1u << axis;
+      middle[axis] = line.crossing(axis, low[axis] + half);
+      const bool before = line.order(middle[axis], in) <= 0;
+      if (before) passed |= bit;
+      if (before != line.backwards(axis)) at |= bit;
+    }
+    for (;;) {
+      Crossing next = out;
+      unsigned axes = 0;
+      for (int axis = 0; axis < 3; ++axis) {
+        const unsigned bit = 1u << axis;
+        if ((passed & bit) != 0) continue;
+        const int order = line.order(middle[axis], next);
+        if (order < 0) next = middle[axis], axes = bit;
+        if (order == 0 && axes != 0) axes |= bit;
+      }
+      ++siblings;
+      const glm::dvec3 corner(low.x + (at & 1 ? half : 0), low.y + (at & 2 ? half : 0), low.z + (at & 4 ? half : 0));
+      if ((*this)(octree.nodes_[node + at], corner, half, in, next)) return true;
+      if (axes == 0) break;
+      in = next;
+      at ^= axes;
+      passed |= axes;
+    }
+    group(siblings);
+    return false;
+  }
+
+  const Octree& octree;
+  const Line& line;
+  Visit& visit;
+  Group& group;
+  Work& work;
+};
+
+template <class Visit, class Group>
+bool Octree::walk(const Line& line, Visit visit, Group group, Work& work) const {
+  const Lattice whole = root();
+  const std::optional<Entry> first = entry(line, whole);
+  if (!first) return false;
+  const Crossing out = way_out(line, whole.box({0, 0, 0})).event;
+  return Walk<Visit, Group>{*this, line, visit, group, work}(nodes_[0], whole.low, whole.h, first->event, out);
+}
+
+template <class Visit>
+bool Octree::walk_by_location(const Line& line, Visit visit, Work& work) const {
+  const Lattice whole = root();
+  const std::optional<Entry> first = entry(line, whole);
+  if (!first) return false;
+  const Crossing end = way_out(line, whole.box({0, 0, 0})).event;
+  Crossing event = first->event;
+  do {
+    Node node = nodes_[0];
+    surface::Box box = whole.box({0, 0, 0});
+    while ((node & leaf_bit) == 0) {
+      ++work.nodes;
+      work.volumes += 3;
+      const glm::dvec3 middle = 0.5 * box.low + 0.5 * box.high;
+      for (int axis = 0; axis < 3; ++axis) {
+        const bool above = line.above(axis, middle[axis], event);
+        (above ? box.low : box.high)[axis] = middle[axis];
+        if (above) node += 1u << axis;
+      }
+      node = nodes_[node];
+    }
+    if (visit(node & ~leaf_bit, event)) return true;
+    event = way_out(line, box).event;
+  } while (line.order(event, end) < 0);
+  return false;
+}
+
+}  // namespace durero::accel
