@@ -110,6 +110,20 @@ TEST_CASE("on huge elements and tiny ones together, and on such as are not ordin
   check_same(scene, queries, "seed 4");
 }
 
+TEST_CASE("on segments that end at lights") {
+  for (std::uint64_t seed = 1; seed <= fewer_when_sanitized(20); ++seed) {
+    Random random(seed);
+    scene::Scene scene = random_scene(random, 5 * seed);
+    for (int i = 0; i < 3; ++i) scene.stage().lights.push_back({random.in_cube(2), {1, 1, 1}});
+    Queries queries = random_queries(scene, random, 300);
+    for (scene::Query& query : queries) {
+      const glm::dvec3 p = query.rayo.p().xyz();
+      query.rayo = {model::Punto(p), model::Vector(random.any_of(scene.stage().lights).position - p)};
+    }
+    check_same(scene, queries, "lights with seed " + std::to_string(seed));
+  }
+}
+
 TEST_CASE("on rays along the axes, in the planes of boxes, and through their corners") {
   scene::Scene scene;
   for (int x = -2; x <= 2; ++x)
