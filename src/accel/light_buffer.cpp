@@ -1,7 +1,6 @@
 #include "durero/accel/light_buffer.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -12,18 +11,17 @@ namespace {
 
 static_assert(Structure<LightBuffer>);
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double widening = 0x1p-22;
 
 /// Squares are quartered so often at most; smaller ones would be as small as the widening.
-constexpr std::uint32_t most_depth = 18;
+constexpr std::uint32_t deepest_square = 18;
 
 /// How many squares are quartered in all, and how many references there are then, of so many elements.
 constexpr std::size_t most_quartered(std::size_t elements) { return 512 + 2 * elements; }
 constexpr std::size_t most_references(std::size_t elements) { return 4096 + 16 * elements; }
 
 /// Lists so short are quartered even where each quarter has all of it: a sphere may cover a quarter.
-constexpr std::size_t few = 16;
+constexpr std::size_t few_seen = 16;
 
 LightCube::Item item_of(const scene::Scene& scene, scene::ElementRef e, const glm::dvec3& light) {
   return scene.visit(e, [&](const auto& shape) {
@@ -48,11 +46,11 @@ bool covers(const scene::Sphere& sphere, const Seen& seen, const Cone& cone) {
 }  // namespace
 
 LightCube::LightCube(const scene::Scene& scene, const glm::dvec3& light, std::span<const scene::ElementRef> elements)
-    : scene_(&scene), light_(light), nodes_(6), records_{{{}, infinity, infinity}} {
+    : scene_(&scene), light_(light), nodes_(6), records_{{{}, trace::no_limit, trace::no_limit}} {
   double reach = 0;
   for (const scene::ElementRef e : elements) {
     items_.push_back(item_of(scene, e, light));
-    if (const double far = items_.back().seen.far; far < infinity) reach = std::max(reach, far);
+    if (const double far = items_.back().seen.far; far < trace::no_limit) reach = std::max(reach, far);
   }
   const double close = 0x1p-25 * reach;
   longest_ = 0x1p29 * close;
@@ -126,7 +124,8 @@ void LightCube::build() {
 template <class Push>
 bool LightCube::quarter_pays(const Open& whole, std::size_t& references, Push push) {
   const std::size_t before = whole.seen.size();
-  if (whole.depth == most_depth || nodes_.size() > 4 * most_quartered(items_.size()) || is_settled(whole)) return false;
+  if (whole.depth == deepest_square || nodes_.size() > 4 * most_quartered(items_.size()) || is_settled(whole))
+    return false;
   std::array<Open, 4> parts;
   std::size_t after = 0;
   const auto first = static_cast<std::uint32_t>(nodes_.size());
@@ -134,7 +133,7 @@ bool LightCube::quarter_pays(const Open& whole, std::size_t& references, Push pu
     parts[which] = open(first + which, quarter(whole.square, which), whole.seen, whole.record, whole.depth + 1);
     after += parts[which].seen.size();
   }
-  const bool is_less = after < 4 * before || before <= few;
+  const bool is_less = after < 4 * before || before <= few_seen;
   if (!is_less || references + after > most_references(items_.size())) return false;
   references += after - before;
   nodes_[whole.node] = {first, 0, whole.record, true};

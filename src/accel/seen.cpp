@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
 
 namespace durero::accel {
 namespace {
@@ -14,15 +13,15 @@ namespace {
 // less than 100u, and this is 256u.
 constexpr double angle_slack = 0x1p-45;
 
-double other(double x) { return std::sqrt(std::max(0.0, (1 - x) * (1 + x))); }
+double complement(double x) { return std::sqrt(std::max(0.0, (1 - x) * (1 + x))); }
 
 }  // namespace
 
 // cos(α + w) ≥ cos α·(1 − w²/2) − w·sin α.
 Cone cone(const glm::dvec3& axis, double cosine, double more) {
   const double least = std::min(cosine, 1.0) - angle_slack;
-  const double wider = std::max(0.0, least * (1 - more * more) - more * other(least));
-  return {direction(axis), wider, other(wider)};
+  const double wider = std::max(0.0, least * (1 - more * more) - more * complement(least));
+  return {direction(axis), wider, complement(wider)};
 }
 
 double cosine_between(const glm::dvec3& a, const glm::dvec3& b) { return glm::dot(a, b); }
@@ -45,7 +44,7 @@ Seen seen(const surface::Ball& ball, const glm::dvec3& from) {
   const double sine = std::min(1.0, ball.radius / distance * (1 + 0x1p-45));
   return {.around = false,
           .towards = to / distance,
-          .cosine = other(sine),
+          .cosine = complement(sine),
           .sine = sine,
           .distance = distance,
           .near = distance - ball.radius - slack,
@@ -62,7 +61,7 @@ bool may_be_seen(const Seen& ball, const Cone& cone) {
 // The angle between axis and centre and that of the cone add up to the angle of the sine at most.
 bool is_covered(const Cone& cone, const Seen& ball, double sine) {
   if (ball.around || sine < cone.sine) return false;
-  const double nearest = other(sine) * cone.cosine + sine * cone.sine;
+  const double nearest = complement(sine) * cone.cosine + sine * cone.sine;
   return cosine_between(ball.towards, cone.axis) >= nearest + angle_slack;
 }
 

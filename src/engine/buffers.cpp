@@ -1,8 +1,12 @@
 #include "buffers.hpp"
 
+#include <algorithm>
 #include <vector>
 
+#include "durero/accel/item_buffer.hpp"
 #include "durero/accel/light_buffer.hpp"
+#include "durero/accel/linear.hpp"
+#include "durero/scene/camera.hpp"
 #include "durero/trace/analytic.hpp"
 #include "structured.hpp"
 
@@ -82,6 +86,23 @@ Figures measured_light_buffer(const Scene& scene, std::span<const Query> queries
       trace::occluded_segment_among(counted, rayo, en, unseen);
     }
   });
+  return figures;
+}
+
+Figures measured_item_buffer(const Scene& scene, std::span<const Query> queries) {
+  std::vector<Query> primary;
+  if (const auto rays = accel::primary_rays(scene.stage())) {
+    const auto [width, height] = rays->resolution();
+    const std::uint64_t pixels = std::uint64_t{width} * height, count = std::min<std::uint64_t>(pixels, queries.size());
+    for (std::uint64_t i = 0; i < count; ++i) {
+      const std::uint64_t pixel = i * pixels / count;
+      primary.push_back(
+          {rays->ray(static_cast<std::uint32_t>(pixel % width), static_cast<std::uint32_t>(pixel / width))});
+    }
+  }
+  Figures figures = measured<accel::ItemBuffer>(scene, primary);
+  figures.asked = "primary hits";
+  figures.without_seconds = measured<accel::Linear>(scene, primary).answering_seconds;
   return figures;
 }
 

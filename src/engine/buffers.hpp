@@ -13,4 +13,8 @@ std::unique_ptr<const Engine> light_buffer(const scene::Scene& scene);
 /// Measured with the segments from where the rays hit first to each of the lights.
 Figures measured_light_buffer(const scene::Scene& scene, std::span<const scene::Query> queries);
 
+/// The item buffer's engine is structured<accel::ItemBuffer>: measured with as many primary rays as there are queries,
+/// evenly from all over the picture.
+Figures measured_item_buffer(const scene::Scene& scene, std::span<const scene::Query> queries);
+
 }  // namespace durero::engine

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <array>
 
+#include "buffers.hpp"
+#include "durero/accel/item_buffer.hpp"
 #include "durero/accel/linear.hpp"
 #include "durero/oracle/sampled.hpp"
 #include "durero/surface/exact.hpp"
 #include "durero/trace/analytic.hpp"
-#include "buffers.hpp"
 #include "one_by_one.hpp"
 #include "structured.hpp"
 
@@ -56,6 +57,8 @@ constexpr std::array rows = {
     Row{"exact", "exact arithmetic throughout: slow, and what all others are held against", true, true, exact},
     Row{"analytic", "closed forms in binary64, certified, exact where they cannot tell", true, true, analytic, "A §1.2",
         measured<accel::Linear>},
+    Row{"item-buffer", "what each pixel of the camera sees, for primary rays; other rays as analytic", true, true,
+        structured<accel::ItemBuffer>, "A §1.5", measured_item_buffer},
     Row{"light-buffer", "lists about each light, for shadow rays; other rays as analytic", true, true, light_buffer,
         "A §1.6.1", measured_light_buffer},
 };

@@ -22,7 +22,8 @@ bool holds(const Square& square, const Place& place) {
 
 /// Of a random direction: each third time on an edge, a corner, or the border of squares.
 glm::dvec3 random_direction(conform::Random& random, int number) {
-  if (number % 3 != 0) return random.direction() * random.uniform(0.1, 10);
+  const double length = random.uniform(0.1, 10);
+  if (number % 3 != 0) return random.direction() * length;
   return random.lattice_vector(4);
 }
 

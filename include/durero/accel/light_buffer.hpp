@@ -33,16 +33,17 @@ class LightCube {
  public:
   /// An element as it is seen from the light.
   struct Item {
-    scene::ElementRef e;
-    Seen seen;
-    surface::Box box;
+    scene::ElementRef e;  ///< which
+    Seen seen;            ///< as its ball is seen
+    surface::Box box;     ///< around it
+    /// It has a ball and a box.
     bool is_bounded() const { return seen.far < trace::no_limit; }
   };
   /// What is known of the squares that an element covers: where both hold, the segment meets it, and needs no test.
   struct Record {
-    scene::ElementRef e;
-    double from;  ///< of segments not shorter than this; ∞ where nothing covers the square
-    double to;    ///< of segments not longer than this
+    scene::ElementRef e;  ///< which covers them
+    double from;          ///< of segments not shorter than this; ∞ where nothing covers the square
+    double to;            ///< of segments not longer than this
   };
   /// The elements of a square.
   struct List {
@@ -53,13 +54,16 @@ class LightCube {
   /// Of a light at an ordinary point, and the ordinary elements of the scene.
   LightCube(const scene::Scene& scene, const glm::dvec3& light, std::span<const scene::ElementRef> elements);
 
+  /// The middle of the cube.
   const glm::dvec3& light() const noexcept { return light_; }
   /// The segment of the ray ends at the light, and is not too long to be looked up. Precondition: the ray is ordinary.
   bool serves(const trace::Ray& ray) const noexcept { return ray.v == light_ - ray.p && ray.length <= longest_; }
   /// The list of a ray that it serves.
   List list(const trace::Ray& ray) const;
+  /// Of a number in a list.
   const Item& item(std::uint32_t number) const { return items_[number]; }
 
+  /// Adds what it holds.
   void add_to(Size& size) const;
 
  private:
