@@ -69,7 +69,8 @@ int run(const RenderOptions& options) {
     throw std::invalid_argument(fmt::format("{}: not a picture's name; expected OUT.png", options.out));
   const ThreadLimit limit(options.threads);
   io::OutputFile out(options.out);
-  const scene::Scene scene = io::read_scene(io::read_source(options.scene));
+  scene::Scene scene = io::read_scene(io::read_source(options.scene));
+  if (const auto size = frame_of(options).size) scene.stage().resolution = size;  // engines know pixels by the stage
   const engine::Row& engine = *engine::find(options.engine);
   if (!engine.honours_origins) throw std::invalid_argument(without_origins(engine, "shadow rays start on elements"));
   Progress progress(options.quiet, "render");

@@ -18,7 +18,10 @@ std::vector<scene::Query> rays_towards(const scene::Scene& scene, std::size_t co
   std::vector<scene::Query> rays;
   if (balls.empty()) return rays;
   RaysTowards stream(std::move(balls), seed);
-  while (rays.size() < count) rays.push_back({stream.next()});
+  while (rays.size() < count) {
+    const scene::Query query{stream.next()};
+    rays.push_back(query);
+  }
   return rays;
 }
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 
+#include "buffers.hpp"
 #include "durero/accel/bvh.hpp"
 #include "durero/accel/grid.hpp"
+#include "durero/accel/item_buffer.hpp"
 #include "durero/accel/linear.hpp"
 #include "durero/accel/octree.hpp"
 #include "durero/accel/volumes.hpp"
@@ -91,6 +93,10 @@ constexpr std::array rows = {
         structured<accel::OctreeByLocation>, "A §1.4.2", measured<accel::OctreeByLocation>},
     Row{"fast", "analytic over a wide tree of boxes, many rays together", true, true, fast, "A §1.2",
         measured<accel::WideBvh>},
+    Row{"item-buffer", "what each pixel of the camera sees, for primary rays; other rays as analytic", true, true,
+        structured<accel::ItemBuffer>, "A §1.5", measured_item_buffer},
+    Row{"light-buffer", "lists about each light, for shadow rays; other rays as analytic", true, true, light_buffer,
+        "A §1.6.1", measured_light_buffer},
 };
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "durero/render/camera.hpp"
+#include "durero/scene/camera.hpp"
 #include "durero/surface/normal.hpp"
 
 namespace durero::render {
@@ -65,7 +65,7 @@ class Shading {
 };
 
 /// The rays of row y of a crop.
-std::vector<scene::Query> row_of(const PrimaryRays& rays, const Crop& crop, std::uint32_t y) {
+std::vector<scene::Query> row_of(const scene::PrimaryRays& rays, const Crop& crop, std::uint32_t y) {
   std::vector<scene::Query> row;
   row.reserve(crop.size.width);
   for (std::uint32_t x = 0; x < crop.size.width; ++x) row.push_back({rays.ray(crop.x + x, crop.y + y)});
@@ -123,7 +123,7 @@ std::vector<glm::dvec3> colors(const scene::Scene& scene, const engine::Engine& 
 Image render(const scene::Scene& scene, const engine::Engine& engine, const Progress& progress, const Frame& frame) {
   if (!scene.stage().camera) throw std::domain_error("the scene has no camera; expected one");
   const scene::Resolution size = frame.size.value_or(scene.stage().resolution.value_or(default_resolution));
-  const PrimaryRays rays(*scene.stage().camera, size);
+  const scene::PrimaryRays rays(*scene.stage().camera, size);
   const Crop crop = crop_of(frame, size);
   Image image(crop.size);
   Counter counter(progress, crop.size.height);

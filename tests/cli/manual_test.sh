@@ -94,9 +94,7 @@ completes() {  # completes EXPECTED WORD...: in bash, the last word to these
 }
 completes trace durero tr
 completes --engine durero trace --en
-completes 'analytic
-exact
-sampled' durero trace --engine ''
+completes "$("$durero" engines | sed -n '/^$/q; s/^\([a-z][a-z-]*\) .*/\1/p' | sort)" durero trace --engine ''
 completes exact durero trace --engine ex
 completes exact durero trace scene.json --engine = ex
 completes scene.json durero trace sc

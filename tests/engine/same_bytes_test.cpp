@@ -5,6 +5,7 @@
 
 #include "durero/conform/families.hpp"
 #include "durero/engine/engine.hpp"
+#include "durero/scene/camera.hpp"
 #include "support/catch.hpp"
 #include "support/sanitized.hpp"
 #include "support/scenes.hpp"
@@ -108,6 +109,37 @@ TEST_CASE("on huge elements and tiny ones together, and on such as are not ordin
     queries.push_back({ray(p * 0x1p60, -p)});
   }
   check_same(scene, queries, "seed 4");
+}
+
+TEST_CASE("on segments that end at lights") {
+  for (std::uint64_t seed = 1; seed <= fewer_when_sanitized(20); ++seed) {
+    Random random(seed);
+    scene::Scene scene = random_scene(random, 5 * seed);
+    for (int i = 0; i < 3; ++i) scene.stage().lights.push_back({random.in_cube(2), {1, 1, 1}});
+    Queries queries = random_queries(scene, random, 300);
+    for (scene::Query& query : queries) {
+      const glm::dvec3 p = query.rayo.p().xyz();
+      query.rayo = {model::Punto(p), model::Vector(random.any_of(scene.stage().lights).position - p)};
+    }
+    check_same(scene, queries, "lights with seed " + std::to_string(seed));
+  }
+}
+
+TEST_CASE("on the rays of a camera's pixels") {
+  for (std::uint64_t seed = 1; seed <= fewer_when_sanitized(20); ++seed) {
+    Random random(seed);
+    scene::Scene scene = random_scene(random, 5 * seed);
+    const glm::dvec3 eye = random.in_cube(3), at = random.in_cube(1);
+    scene.stage().camera = scene::Camera{eye, at, {0, 1, 0}, 50};
+    scene.stage().resolution = scene::Resolution{24, 16};
+    const scene::PrimaryRays rays(*scene.stage().camera, *scene.stage().resolution);
+    Queries queries;
+    for (std::uint32_t pixel = 0; pixel < 24 * 16; ++pixel) {
+      const scene::Query query{rays.ray(pixel % 24, pixel / 24)};
+      queries.push_back(query);
+    }
+    check_same(scene, queries, "a camera with seed " + std::to_string(seed));
+  }
 }
 
 TEST_CASE("on rays along the axes, in the planes of boxes, and through their corners") {

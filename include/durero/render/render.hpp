@@ -11,6 +11,7 @@
 #include "durero/engine/engine.hpp"
 #include "durero/model/tipos.hpp"
 #include "durero/render/image.hpp"
+#include "durero/scene/camera.hpp"
 #include "durero/scene/scene.hpp"
 
 namespace durero::render {
@@ -18,8 +19,9 @@ namespace durero::render {
 /// Called now and then, from one thread at a time, with the share of rows that are done, 0 to 1.
 using Progress = std::function<void(double)>;
 
+/// Of a stage that names none.
+using scene::default_resolution;
 /// @{ What a stage that leaves something open is drawn with.
-inline constexpr scene::Resolution default_resolution{640, 360};
 inline constexpr glm::dvec3 default_background{0, 0, 0};
 inline constexpr glm::dvec3 default_color{0.8, 0.8, 0.8};
 /// @}

@@ -1,4 +1,4 @@
-#include "durero/render/camera.hpp"
+#include "durero/scene/camera.hpp"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -14,7 +14,7 @@ const scene::Camera camera{{1, 2, 3}, {1, 2, 13}, {0, 1, 0}, 90};
 }
 
 TEST_CASE("every ray starts at the eye, and the middle one looks where the camera does") {
-  const render::PrimaryRays rays(camera, {101, 51});
+  const scene::PrimaryRays rays(camera, {101, 51});
   const model::Rayo middle = rays.ray(50, 25);
   CHECK(middle.p() == model::Punto(1, 2, 3));
   CHECK(middle.v().x() == Approx(0).margin(1e-15));
@@ -23,7 +23,7 @@ TEST_CASE("every ray starts at the eye, and the middle one looks where the camer
 }
 
 TEST_CASE("fov_y spans the height from edge to edge; pixels are square; y goes down") {
-  const render::PrimaryRays rays(camera, {40, 20});
+  const scene::PrimaryRays rays(camera, {40, 20});
   const glm::dvec3 top = rays.ray(0, 0).v().xyz(), bottom = rays.ray(0, 19).v().xyz(), next = rays.ray(1, 0).v().xyz();
   const double pixel = 2.0 / 20;  // the window is 2 high at distance 1 for 90 degrees
   CHECK(top.y == Approx(1 - pixel / 2));
@@ -34,7 +34,7 @@ TEST_CASE("fov_y spans the height from edge to edge; pixels are square; y goes d
 
 TEST_CASE("a camera that sees nothing is refused in words") {
   const auto refuses = [](scene::Camera bad, scene::Resolution size = {2, 2}) {
-    CHECK_THROWS_AS(render::PrimaryRays(bad, size), std::domain_error);
+    CHECK_THROWS_AS(scene::PrimaryRays(bad, size), std::domain_error);
   };
   refuses({{0, 0, 0}, {0, 0, 0}, {0, 1, 0}, 45});
   refuses({{0, 0, 0}, {0, 2, 0}, {0, 1, 0}, 45});
@@ -42,4 +42,20 @@ TEST_CASE("a camera that sees nothing is refused in words") {
   refuses({{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 180});
   refuses({{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, std::nan("")});
   refuses(camera, {0, 5});
+}
+
+TEST_CASE("the pixel of a ray is the one that has it, exactly") {
+  for (const scene::Camera& from : {camera, scene::Camera{{0.1, -7, 1e9}, {1, 2, 3}, {0.3, 1, 0.1}, 17}}) {
+    const scene::PrimaryRays rays(from, {101, 51});
+    CHECK(rays.resolution() == scene::Resolution{101, 51});
+    for (std::uint32_t y = 0; y < 51; ++y)
+      for (std::uint32_t x = 0; x < 101; ++x) {
+        const model::Rayo ray = rays.ray(x, y);
+        const glm::dvec3 p = ray.p().xyz(), v = ray.v().xyz();
+        if (rays.pixel_of(p, v) != scene::Pixel{x, y}) FAIL("pixel " << x << ", " << y);
+        const glm::dvec3 beside(v.x, std::nextafter(v.y, 9), v.z), behind = -v;
+        if (rays.pixel_of(p, beside) || rays.pixel_of(p, behind) || rays.pixel_of(p + glm::dvec3(1, 0, 0), v))
+          FAIL("not the ray of " << x << ", " << y);
+      }
+  }
 }

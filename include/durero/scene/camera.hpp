@@ -3,28 +3,48 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "durero/model/tipos.hpp"
 #include "durero/scene/stage.hpp"
 
-namespace durero::render {
+namespace durero::scene {
+
+/// The size of a picture whose stage names none.
+inline constexpr Resolution default_resolution{640, 360};
+
+/// A pixel of a picture; (0, 0) is the upper left one.
+struct Pixel {
+  std::uint32_t x;  ///< from the left
+  std::uint32_t y;  ///< from the top
+  bool operator==(const Pixel&) const = default;
+};
 
 /// The rays of a pinhole camera. Precondition: eye ≠ look_at, up not parallel to the view, 0 < fov_y < 180, and a
 /// resolution of at least 1 × 1; throws std::domain_error, saying which, otherwise.
 class PrimaryRays {
  public:
   /// The rays of that camera through the pixels of a picture of that size.
-  PrimaryRays(const scene::Camera& camera, scene::Resolution resolution);
+  PrimaryRays(const Camera& camera, Resolution resolution);
 
   /// The ray of pixel (x, y); (0, 0) is the upper left one. Its direction is not a unit vector: one unit of t is
   /// the distance from the eye to the window's plane.
   model::Rayo ray(std::uint32_t x, std::uint32_t y) const;
 
+  /// The pixel whose ray has this origin and this direction, both of them exactly; nothing where none has.
+  std::optional<Pixel> pixel_of(const glm::dvec3& p, const glm::dvec3& v) const;
+
+  /// Of the picture.
+  Resolution resolution() const noexcept { return resolution_; }
+
  private:
+  glm::dvec3 direction(double x, double y) const { return upper_left_ + step_x_ * x + step_y_ * y; }
+
+  Resolution resolution_;
   glm::dvec3 eye_;
   glm::dvec3 upper_left_;  // from the eye to the centre of pixel (0, 0)
   glm::dvec3 step_x_;      // from a pixel to its right neighbour
   glm::dvec3 step_y_;      // from a pixel to the one below
 };
 
-}  // namespace durero::render
+}  // namespace durero::scene

@@ -1,11 +1,11 @@
-#include "durero/render/camera.hpp"
+#include "durero/scene/camera.hpp"
 
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <stdexcept>
 
-namespace durero::render {
+namespace durero::scene {
 namespace {
 
 void require(bool holds, const char* what) {
@@ -20,7 +20,7 @@ glm::dvec3 unit(const glm::dvec3& v, const char* otherwise) {
 
 }  // namespace
 
-PrimaryRays::PrimaryRays(const scene::Camera& camera, scene::Resolution resolution) : eye_(camera.eye) {
+PrimaryRays::PrimaryRays(const Camera& camera, Resolution resolution) : resolution_(resolution), eye_(camera.eye) {
   require(resolution.width > 0 && resolution.height > 0, "the resolution is empty; expected at least 1 × 1");
   require(camera.fov_y > 0 && camera.fov_y < 180, "fov_y is out of range; expected 0 < fov_y < 180");
   const glm::dvec3 forward = unit(camera.look_at - camera.eye, "eye and look_at coincide; expected two points");
@@ -35,7 +35,22 @@ PrimaryRays::PrimaryRays(const scene::Camera& camera, scene::Resolution resoluti
 }
 
 model::Rayo PrimaryRays::ray(std::uint32_t x, std::uint32_t y) const {
-  return {model::Punto(eye_), model::Vector(upper_left_ + step_x_ * double(x) + step_y_ * double(y))};
+  return {model::Punto(eye_), model::Vector(direction(x, y))};
 }
 
-}  // namespace durero::render
+// Both steps are at right angles to each other and to the view, up to rounding, so that the nearest pixel is the one,
+// if any is.
+std::optional<Pixel> PrimaryRays::pixel_of(const glm::dvec3& p, const glm::dvec3& v) const {
+  if (p != eye_) return std::nullopt;
+  const glm::dvec3 within = v - upper_left_;
+  const auto nearest = [&](const glm::dvec3& step, std::uint32_t count) -> std::optional<std::uint32_t> {
+    const double place = std::floor(glm::dot(within, step) / glm::dot(step, step) + 0.5);
+    if (!(place >= 0 && place < count)) return std::nullopt;
+    return static_cast<std::uint32_t>(place);
+  };
+  const auto x = nearest(step_x_, resolution_.width), y = nearest(step_y_, resolution_.height);
+  if (!x || !y || direction(*x, *y) != v) return std::nullopt;
+  return Pixel{*x, *y};
+}
+
+}  // namespace durero::scene

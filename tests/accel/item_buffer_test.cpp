@@ -1,0 +1,153 @@
+#include "durero/accel/item_buffer.hpp"
+
+#include "durero/trace/analytic.hpp"
+#include "support/catch.hpp"
+#include "support/sanitized.hpp"
+#include "support/scenes.hpp"
+#include "support/shapes.hpp"
+
+using namespace durero;
+using namespace durero::test;
+using accel::ItemBuffer;
+using accel::Work;
+using scene::ElementRef;
+using scene::Scene;
+
+namespace durero::accel {
+
+/// Plants another identity where a pixel keeps one.
+struct ItemBufferFault {
+  static void plant(ItemBuffer& buffer, std::uint32_t pixel, ElementRef e) {
+    const ItemBuffer::Pixel& of = buffer.pixels_[pixel];
+    if (of.count == 1) buffer.items_[of.first] = e;
+  }
+  static bool keeps_one(const ItemBuffer& buffer, std::uint32_t pixel) { return buffer.pixels_[pixel].count == 1; }
+};
+
+}  // namespace durero::accel
+
+namespace {
+
+void look(Scene& scene, const glm::dvec3& eye, const glm::dvec3& at, scene::Resolution size, double fov = 60) {
+  scene.stage().camera = scene::Camera{eye, at, {0.1, 1, 0}, fov};
+  scene.stage().resolution = size;
+}
+
+/// The counts of a ray's first hit; the structure as a source of its own.
+struct Counted {
+  const ItemBuffer& buffer;
+  Work& work;
+  const Scene& scene() const { return buffer.scene(); }
+  std::span<const ElementRef> extraordinary() const { return buffer.extraordinary(); }
+  template <class Limit, class Visit>
+  bool any(const trace::Ray& ray, Limit limit, Visit visit) const {
+    return buffer.any(ray, limit, visit, work);
+  }
+};
+
+scene::Hit first_hit(const ItemBuffer& buffer, const model::Rayo& rayo, Work& work, scene::Origin en = {}) {
+  trace::Counts unseen;
+  return first_hit_among(Counted{buffer, work}, rayo, en, unseen);
+}
+
+/// The first hits of all pixels are those over all elements; the work that they took.
+Work check(const Scene& scene, const ItemBuffer& buffer) {
+  const trace::Tables tables(scene);
+  const auto rays = accel::primary_rays(scene.stage());
+  REQUIRE(rays);
+  Work work;
+  for (std::uint32_t y = 0; y < rays->resolution().height; ++y)
+    for (std::uint32_t x = 0; x < rays->resolution().width; ++x) {
+      const model::Rayo ray = rays->ray(x, y);
+      if (first_hit(buffer, ray, work) != trace::first_hit(tables, ray)) FAIL("pixel " << x << ", " << y);
+    }
+  return work;
+}
+
+}  // namespace
+
+TEST_CASE("each pixel's ray finds its first hit in the buffer") {
+  Work all;
+  for (std::uint64_t seed = 1; seed <= fewer_when_sanitized(60); ++seed) {
+    Random random(seed);
+    Scene scene = random_scene(random, seed % 30);
+    const glm::dvec3 eye = random.in_cube(seed % 3 == 0 ? 1 : 4), at = random.in_cube(0.5);
+    look(scene, eye, at, {37, 21}, seed % 7 == 0 ? 175 : 50);
+    const ItemBuffer buffer(scene);
+    CHECK(buffer.size().cells == 37 * 21);
+    all += check(scene, buffer);
+    CHECK(buffer.size() == ItemBuffer(scene).size());
+  }
+  CHECK(all.cells == fewer_when_sanitized(60) * 37 * 21);
+  CHECK(all.volumes < all.cells / 10);
+}
+
+TEST_CASE("a primary ray tests little more than the element that it hits") {
+  Random random(8);
+  Scene scene;
+  for (int x = -8; x <= 8; ++x)
+    for (int y = -8; y <= 8; ++y) add(scene, scene::Sphere{glm::dvec3(x, y, 0.3 * x), 0.7});
+  look(scene, {0, 1, -12}, {0, 0, 0}, {160, 90});
+  const ItemBuffer buffer(scene);
+  const Work work = check(scene, buffer);
+  CHECK(work.cells == 160 * 90);
+  CHECK(static_cast<double>(work.candidates) <= 1.1 * 160 * 90);
+  CHECK(work.volumes == 0);
+}
+
+TEST_CASE("an identity that is wrong costs time and no answer") {
+  for (std::uint64_t seed = 1; seed <= fewer_when_sanitized(20); ++seed) {
+    Random random(seed);
+    Scene scene = random_scene(random, 12);
+    look(scene, random.in_cube(4), {0, 0, 0}, {32, 20});
+    ItemBuffer buffer(scene);
+    std::vector<ElementRef> elements;
+    scene.for_each([&](ElementRef e, const auto&) { elements.push_back(e); });
+    for (std::uint32_t pixel = 0; pixel < 32 * 20; ++pixel)
+      accel::ItemBufferFault::plant(buffer, pixel, random.any_of(elements));
+    const Work work = check(scene, buffer);
+    CHECK(work.volumes > 0);
+  }
+}
+
+TEST_CASE("rays that are none of the camera's, and those that start on elements, are tried against all") {
+  Scene scene;
+  const ElementRef near = add(scene, scene::Sphere{{0, 0, 5}, 1});
+  add(scene, scene::Sphere{{0, 0, 9}, 1});
+  look(scene, {0, 0, 0}, {0, 0, 1}, {5, 5}, 20);
+  const ItemBuffer buffer(scene);
+  const trace::Tables tables(scene);
+  const model::Rayo middle = accel::primary_rays(scene.stage())->ray(2, 2);
+  const auto cells = [&](const model::Rayo& rayo, scene::Origin en = {}) {
+    Work work;
+    CHECK(first_hit(buffer, rayo, work, en) == trace::first_hit(tables, rayo, en));
+    CHECK(work.cells <= 1);
+    return work.volumes == 0;
+  };
+  CHECK(cells(middle));
+  CHECK_FALSE(cells(middle, near));
+  CHECK_FALSE(cells({middle.p(), model::Vector(middle.v().xyz() * 2.0)}));
+  CHECK_FALSE(cells({model::Punto(0, 0, 0x1p-60), middle.v()}));
+  Work work;
+  buffer.any(
+      trace::Ray(middle), [] { return 1.0; }, [](ElementRef) { return false; }, work);
+  CHECK(work.cells == 0);
+}
+
+TEST_CASE("a buffer holds for no camera, for one that sees nothing, and for many elements in one place") {
+  Scene scene;
+  CHECK(ItemBuffer(scene).size() == accel::Size{});
+  scene.stage().camera = scene::Camera{{0, 0, 0}, {0, 0, 0}, {0, 1, 0}, 45};
+  CHECK(ItemBuffer(scene).size().cells == 0);
+  look(scene, {0, 0, 0}, {0, 0, 1}, {65535, 65535});
+  CHECK(ItemBuffer(scene).size().cells == 0);
+  look(scene, {1e200, 0, 0}, {0, 0, 1}, {5, 5});
+  CHECK(ItemBuffer(scene).size().cells == 0);
+  for (int i = 0; i < 300; ++i) add(scene, scene::Sphere{{0, 0, 5}, 1});
+  look(scene, {0, 0, 0}, {0, 0, 1}, {9, 9}, 40);
+  const ItemBuffer same(scene);
+  CHECK(same.size().references == 0);
+  check(scene, same);
+  look(scene, {0, 0, 5.5}, {0, 0, 9}, {9, 9});
+  check(scene, ItemBuffer(scene));
+}
