@@ -2,9 +2,10 @@
 #define HWY_TARGET_INCLUDE "accel/wide_node.cpp"  // as seen from src/
 #include <hwy/foreach_target.h>
 //
-#include <hwy/highway.h>
-
+#include "accel/wide_lanes-inl.hpp"
+//
 #include <algorithm>
+#include <cmath>
 
 #include "durero/accel/wide_node.hpp"
 
@@ -13,48 +14,9 @@ namespace durero::accel {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using Tag = hn::CappedTag<double, WideNode::width>;
-using HalfTag = hn::Rebind<float, Tag>;
-using Lanes = hn::Vec<Tag>;
-
-HWY_INLINE Lanes planes(const WideNode& node, std::size_t plane, std::size_t at) {
-  return hn::PromoteTo(Tag(), hn::LoadU(HalfTag(), &node.planes[plane][at]));
-}
-
-/// The latest of two entries, the soonest of two exits: the first where the second is NaN.
-HWY_INLINE Lanes later(Lanes entry, Lanes near) { return hn::IfThenElse(hn::Lt(entry, near), near, entry); }
-HWY_INLINE Lanes sooner(Lanes exit, Lanes far) { return hn::IfThenElse(hn::Lt(far, exit), far, exit); }
-
-HWY_INLINE unsigned meets(Lanes entry, Lanes exit) {
-  const Tag tag;
-  const auto mask = hn::Le(entry, hn::Add(hn::Mul(exit, hn::Set(tag, grow)), hn::Set(tag, tiny)));
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(tag, mask, bits);
-  return bits[0];
-}
-
-unsigned met_by_ray(const WideNode& node, const Beam& beam, double limit, WideNode::Entries& entries) {
-  const Tag tag;
-  unsigned bits = 0;
-  for (std::size_t at = 0; at < WideNode::width; at += hn::Lanes(tag)) {
-    Lanes entry = hn::Zero(tag), exit = hn::Set(tag, limit);
-    for (int axis = 0; axis < 3; ++axis) {
-      const std::size_t low = static_cast<std::size_t>(axis), high = low + 3;
-      const bool backwards = std::signbit(beam.inverse[axis]);
-      const Lanes p = hn::Set(tag, beam.p[axis]), inverse = hn::Set(tag, beam.inverse[axis]);
-      entry = later(entry, hn::Mul(hn::Sub(planes(node, backwards ? high : low, at), p), inverse));
-      exit = sooner(exit, hn::Mul(hn::Sub(planes(node, backwards ? low : high, at), p), inverse));
-    }
-    hn::StoreU(entry, tag, &entries[at]);
-    bits |= meets(entry, exit) << at;
-  }
-  return bits;
-}
-
 unsigned met_by_bundle(const WideNode& node, const WideBundle& bundle, double limit, WideNode::Entries& entries) {
   const Tag tag;
-  unsigned bits = 0;
+  unsigned met = 0;
   for (std::size_t at = 0; at < WideNode::width; at += hn::Lanes(tag)) {
     Lanes entry = hn::Zero(tag), exit = hn::Set(tag, limit);
     for (std::size_t low = 0; low < 3; ++low) {
@@ -68,14 +30,14 @@ unsigned met_by_bundle(const WideNode& node, const WideBundle& bundle, double li
       exit = sooner(exit, hn::Max(hn::Mul(far, a), hn::Mul(far, b)));
     }
     hn::StoreU(entry, tag, &entries[at]);
-    bits |= meets(entry, exit) << at;
+    met |= bits(meets(entry, exit)) << at;
   }
-  return bits;
+  return met;
 }
 
 std::uint64_t met_by_each(const WideNode& node, std::size_t child, const WideBundle& bundle) {
   const Tag tag;
-  std::uint64_t bits = 0;
+  std::uint64_t met = 0;
   for (std::size_t at = 0; at < bundle.count; at += hn::Lanes(tag)) {
     Lanes entry = hn::Zero(tag), exit = hn::LoadU(tag, &bundle.limit[at]);
     for (std::size_t low = 0; low < 3; ++low) {
@@ -87,9 +49,9 @@ std::uint64_t met_by_each(const WideNode& node, std::size_t child, const WideBun
       entry = later(entry, hn::Mul(hn::Sub(near, p), inverse));
       exit = sooner(exit, hn::Mul(hn::Sub(far, p), inverse));
     }
-    bits |= std::uint64_t{meets(entry, exit)} << at;
+    met |= std::uint64_t{bits(meets(entry, exit))} << at;
   }
-  return bits & (~std::uint64_t{0} >> (WideBundle::size - bundle.count));
+  return met & (~std::uint64_t{0} >> (WideBundle::size - bundle.count));
 }
 
 }  // namespace
@@ -100,7 +62,6 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace durero::accel {
 namespace {
-HWY_EXPORT(met_by_ray);
 HWY_EXPORT(met_by_bundle);
 HWY_EXPORT(met_by_each);
 }  // namespace
@@ -126,9 +87,6 @@ void WideBundle::push(const Beam& beam) {
   ++count;
 }
 
-unsigned met(const WideNode& node, const Beam& beam, double limit, WideNode::Entries& entries) {
-  return HWY_DYNAMIC_DISPATCH(met_by_ray)(node, beam, limit, entries);
-}
 unsigned met(const WideNode& node, const WideBundle& bundle, double limit, WideNode::Entries& entries) {
   return HWY_DYNAMIC_DISPATCH(met_by_bundle)(node, bundle, limit, entries);
 }

@@ -14,6 +14,7 @@
 #include "durero/oracle/sampled.hpp"
 #include "durero/surface/exact.hpp"
 #include "durero/trace/analytic.hpp"
+#include "durero/trace/segments.hpp"
 #include "one_by_one.hpp"
 #include "structured.hpp"
 
@@ -65,7 +66,7 @@ class Fast final : public Engine {
     trace::first_hits_among(tree_, queries, hits, nullptr);
   }
   void occluded_segments(std::span<const Query> queries, std::span<bool> occluded) const override {
-    trace::occluded_segments_among(tree_, queries, occluded);
+    trace::occluded_segments_in_lanes(tree_, queries, occluded);
   }
 
  private:

@@ -1,7 +1,7 @@
 // Durero and Embree on the same scenes and rays, interleaved, on one thread: millions of rays a second, and how many
 // times Embree's rate is Durero's. Durero's `fast` gives t and the point rounded, and is right; Embree's answers are
 // binary32, or its callbacks' binary64, and are not judged here.
-//   embree_bench [ELEMENTS...] [--build]    10, 1000 and 100000, unless told
+//   embree_bench [--size SIZE] [ELEMENTS...]    size² rays, 1024², on 10, 1000 and 100000 elements, unless told
 //
 // The scene is that of trace_bench: n elements in the unit cube, a third of each of spheres, cylinders and cones.
 // Primary rays leave a pinhole, in Morton order; incoherent ones have uniform origins and directions; shadow rays go
@@ -348,7 +348,7 @@ struct Contestant {
 
 /// Turn by turn, and what the first, which is Durero, is to each other.
 void compare(std::size_t n, const char* kind, std::size_t rays, std::vector<Contestant> contestants) {
-  constexpr int turns = 5;
+  constexpr int turns = 3;
   for (int turn = 0; turn < turns; ++turn)
     for (Contestant& contestant : contestants) contestant.best = std::min(contestant.best, seconds(contestant.work));
   for (const Contestant& c : contestants) {
@@ -359,7 +359,7 @@ void compare(std::size_t n, const char* kind, std::size_t rays, std::vector<Cont
   std::fflush(stdout);
 }
 
-void run(RTCDevice device, std::size_t n) {
+void run(RTCDevice device, std::size_t n, std::uint32_t size_of_picture) {
   Scenes scenes = made(n);
   std::unique_ptr<const engine::Engine> fast;
   const engine::Row* row = engine::find("fast");
@@ -371,9 +371,14 @@ void run(RTCDevice device, std::size_t n) {
   std::printf("%8zu  build       Durero %.1f ms, Embree's types %.1f ms, its callbacks %.1f ms\n", n, 1e3 * building,
               1e3 * native_building, 1e3 * callbacks_building);
   if (row->measure != nullptr) {
-    const accel::Size size = row->measure(scenes.durero, {}).size;
+    const engine::Figures figures = row->measure(scenes.durero, incoherent(10000));
+    const accel::Size& size = figures.size;
+    const accel::Work& work = figures.work;
+    const auto a_ray = [&](std::uint64_t all) { return static_cast<double>(all) / static_cast<double>(work.rays); };
     std::printf("%8zu  size        %.1f bytes an element, %zu nodes, depth %zu\n", n,
                 static_cast<double>(size.bytes) / static_cast<double>(n), size.nodes, size.depth);
+    std::printf("%8zu  incoherent  a ray alone: %.1f nodes, %.1f boxes, of which %.1f met, %.1f candidates\n", n,
+                a_ray(work.nodes), a_ray(work.volumes), a_ray(work.volumes - work.by_miss), a_ray(work.candidates));
   }
 
   const auto first_hits = [&](const char* kind, const Queries& queries) {
@@ -391,8 +396,8 @@ void run(RTCDevice device, std::size_t n) {
              {"Embree callbacks, single", [&] { first_hits_single(callbacks->scene(), asked); }}});
     return hits;
   };
-  first_hits("incoherent", incoherent(1 << 20));
-  const std::vector<scene::Hit> hits = first_hits("primary", primary(1024));
+  first_hits("incoherent", incoherent(std::size_t{size_of_picture} * size_of_picture));
+  const std::vector<scene::Hit> hits = first_hits("primary", primary(size_of_picture));
 
   const Queries queries = shadow(hits);
   boost::container::vector<bool> blocked(queries.size());
@@ -415,8 +420,15 @@ int main(int argc, char** argv) {
   const oneapi::tbb::global_control one(oneapi::tbb::global_control::max_allowed_parallelism, 1);
   const RTCDevice device = rtcNewDevice("threads=1,user_threads=1");
   std::vector<std::size_t> sizes;
-  for (int i = 1; i < argc; ++i) sizes.push_back(std::strtoull(argv[i], nullptr, 10));
+  std::uint32_t size_of_picture = 1024;
+  for (int i = 1; i < argc; ++i) {
+    if (std::strcmp(argv[i], "--size") == 0 && i + 1 < argc) {
+      size_of_picture = static_cast<std::uint32_t>(std::strtoul(argv[++i], nullptr, 10));
+    } else {
+      sizes.push_back(std::strtoull(argv[i], nullptr, 10));
+    }
+  }
   if (sizes.empty()) sizes = {10, 1000, 100000};
-  for (const std::size_t n : sizes) run(device, n);
+  for (const std::size_t n : sizes) run(device, n, size_of_picture);
   rtcReleaseDevice(device);
 }

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "durero/accel/structure.hpp"
-#include "durero/accel/wide_stack.hpp"
 #include "durero/accel/wide_walk.hpp"
 
 namespace durero::accel {
@@ -61,7 +60,7 @@ class WideBvh {
   std::vector<scene::ElementRef> unbounded_, extraordinary_;
 };
 
-/// count(f) adds up by f(work), where work is counted.
+/// count(f) adds up by f(work), where work is counted. All eight boxes of a node are tested, empty ones with them.
 template <class Limit, class Visit, class Count>
 bool WideBvh::walk(const trace::Ray& ray, Limit limit, Visit visit, Count count) const {
   for (const scene::ElementRef e : unbounded_) {
@@ -69,35 +68,19 @@ bool WideBvh::walk(const trace::Ray& ray, Limit limit, Visit visit, Count count)
     if (visit(e)) return true;
   }
   if (nodes_.empty()) return false;
-  const Beam beam(ray);
-  WideStack waiting;
-  const auto open = [&](std::uint32_t at) {
-    const WideNode& node = nodes_[at];
-    WideNode::Entries entries;
-    const unsigned bits = met(node, beam, limit(), entries);
-    waiting.push(at, bits, entries);
-    count([&](Work& work) {
-      const auto used = static_cast<std::uint64_t>(
-          std::ranges::count_if(node.children, [](const WideChild& c) { return c.kind != WideChild::Kind::none; }));
-      ++work.nodes;
-      work.volumes += used;
-      work.by_miss += used - static_cast<std::uint64_t>(std::popcount(bits));
-    });
-  };
-  open(0);
-  while (!waiting.empty()) {
-    const auto [entry, node, place] = waiting.pop();
-    const WideChild& child = nodes_[node].children[place];
-    if (entry > latest_entry(limit())) {
-      count([](Work& work) { ++work.by_distance; });
-    } else if (child.kind == WideChild::Kind::node) {
-      open(child.index);
-    } else {
-      count([](Work& work) { ++work.cells, ++work.candidates; });
-      if (visit(child.element())) return true;
-    }
+  WideWalker walker(ray);
+  bool answered = false;
+  while (!answered && walker.advance(nodes_.data(), limit(), WideWalker::Pace::steady) == WideWalker::Next::element) {
+    count([](Work& work) { ++work.cells, ++work.candidates; });
+    answered = visit(walker.element);
   }
-  return false;
+  count([&](Work& work) {
+    work.nodes += walker.nodes;
+    work.volumes += WideNode::width * walker.nodes;
+    work.by_miss += WideNode::width * walker.nodes - walker.met;
+    work.by_distance += walker.late;
+  });
+  return answered;
 }
 
 template <class Limit, class Take, class Flush>

@@ -41,10 +41,6 @@ static_assert(sizeof(WideNode) == 256);
 /// The greatest parameter at which a box whose entry waits may still be met, once the limit is this.
 inline double latest_entry(double limit) { return limit * grow + tiny; }
 
-/// A bit for each child whose box the ray may meet at 0 < t ≤ limit, the first child's lowest; `entries` gets where it
-/// enters each. Precondition: as of `stretch`.
-unsigned met(const WideNode& node, const Beam& beam, double limit, WideNode::Entries& entries);
-
 /// Rays in columns that walk the tree together: ordinary ones, in whose directions no component is 0 and all those
 /// along an axis are of one sign.
 struct WideBundle {
@@ -62,13 +58,13 @@ struct WideBundle {
   void push(const Beam& beam);
 };
 
-/// As met, of all rays of the bundle together: a bit for each child whose box some of them may meet at
-/// 0 < t ≤ limit. Subtraction and multiplication, rounded, are monotonic: so what is computed of the ends between which
-/// origins and inverses lie is no later an entry, and no earlier an exit, than what `met` computes of any ray between
-/// them, and the test passes wherever that of some ray does.
+/// A bit for each child whose box some ray of the bundle may meet at 0 < t ≤ limit, the first child's lowest; `entries`
+/// gets a parameter before which none enters each. Subtraction and multiplication, rounded, are monotonic: so what is
+/// computed of the ends between which origins and inverses lie is no later an entry, and no earlier an exit, than what
+/// `stretch` computes of any ray between them, and the test passes wherever that of some ray does.
 unsigned met(const WideNode& node, const WideBundle& bundle, double limit, WideNode::Entries& entries);
 
-/// A bit for each ray of the bundle that may meet the box of one child up to its own limit, as met finds it of each.
+/// A bit for each ray of the bundle that may meet the box of one child up to its own limit, as `stretch` finds it of each.
 /// Precondition: the bundle is not empty.
 std::uint64_t met_by(const WideNode& node, std::size_t child, const WideBundle& bundle);
 

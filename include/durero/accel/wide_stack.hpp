@@ -1,5 +1,5 @@
 #pragma once
-/// What waits while a ray, or a bundle of rays, walks the wide hierarchy.
+/// What waits while a bundle of rays walks the wide hierarchy.
 
 #include <array>
 #include <bit>
@@ -9,7 +9,7 @@
 
 namespace durero::accel {
 
-/// The child at a place of a node, and where the ray enters its box.
+/// The child at a place of a node, and where the first ray enters its box.
 struct WideWaiting {
   double entry;         ///< not less than 0
   std::uint32_t node;   ///< the parent
@@ -21,10 +21,11 @@ class WideStack {
  public:
   /// No tree has more levels of nodes.
   static constexpr std::size_t most_levels = 36;
+  /// No walk has more children waiting: seven of each level, and eight of the last.
+  static constexpr std::size_t most = most_levels * (WideNode::width - 1) + 1;
 
   /// @{ As of a vector.
   bool empty() const { return size_ == 0; }
-  const WideWaiting& back() const { return waiting_[size_ - 1]; }
   WideWaiting pop() { return waiting_[--size_]; }
   /// @}
   /// Adds the children of a node that have a bit in `met`, the nearest last.
@@ -39,8 +40,7 @@ class WideStack {
   }
 
  private:
-  // Seven of each level and eight of the last.
-  std::array<WideWaiting, most_levels*(WideNode::width - 1) + 1> waiting_;  // only the first size_ mean anything
+  std::array<WideWaiting, most> waiting_;  // only the first size_ mean anything
   std::size_t size_ = 0;
 };
 

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "durero/accel/wide_stack.hpp"
+#include "durero/accel/wide_walker.hpp"
 
 namespace durero::accel {
 
@@ -56,14 +56,8 @@ class WideWalk {
   static constexpr double widest = 2;          // of a bundle, in spacings of the elements
   static constexpr std::size_t least = 6;      // rays of a bundle that is worth it
   static constexpr std::size_t at_a_time = 16;  // rays alone
+  static constexpr std::size_t in_cache = 1 << 19;  // bytes of nodes that need no waiting for
   static constexpr std::size_t patience = 32;  // pairs, until the limits are brought up to date
-
-  struct Walker {
-    Walker(const trace::Ray& ray, std::uint32_t of) : beam(ray), number(of) { }
-    Beam beam;
-    std::uint32_t number;
-    WideStack waiting;
-  };
 
   /// The bundle takes the ray, and stays narrow as far as the box of the scene.
   bool joins(const Beam& beam) {
@@ -97,13 +91,13 @@ class WideWalk {
     std::size_t pending = 0;
     double limit = farthest();
     WideStack waiting;
-    open(waiting, 0, bundle_, limit);
+    open(waiting, 0, limit);
     while (!waiting.empty()) {
       const auto [entry, node, place] = waiting.pop();
       if (entry > latest_entry(limit)) continue;
       const WideChild& child = nodes_[node].children[place];
       if (child.kind == WideChild::Kind::node) {
-        open(waiting, child.index, bundle_, limit);
+        open(waiting, child.index, limit);
         continue;
       }
       const std::uint64_t meeting = met_by(nodes_[node], place, bundle_);
@@ -132,25 +126,35 @@ class WideWalk {
     return farthest;
   }
 
-  /// The rays alone, each a node at a turn.
+  /// A walker, and the number of its ray.
+  struct Walking {
+    explicit Walking(const trace::Ray& ray) : walker(ray) {}
+    WideWalker walker;
+    std::uint32_t number = 0;
+  };
+
+  /// The rays alone: one by one where the nodes fit the cache, and else several in turns.
   void walk_alone() {
+    const bool few = nodes_.size_bytes() <= in_cache;
+    std::vector<Walking> walking;
     std::size_t next = 0;
-    walkers_.reserve(at_a_time);
-    std::array<std::uint32_t, at_a_time> active;
-    std::size_t count = 0;
-    for (; next < alone_.size() && count < at_a_time; ++count, ++next) {
-      start(walkers_.emplace_back(rays_[alone_[next]], alone_[next]));
-      active[count] = static_cast<std::uint32_t>(count);
-    }
+    const auto start = [&](Walking& one) {
+      one.number = alone_[next++];
+      one.walker.restart(rays_[one.number]);
+    };
+    walking.reserve(few ? 1 : at_a_time);
+    while (next < alone_.size() && walking.size() < (few ? 1 : at_a_time)) start(walking.emplace_back(rays_[alone_[next]]));
+    std::array<std::uint32_t, at_a_time> active{};
+    std::size_t count = walking.size();
+    for (std::uint32_t i = 0; i < count; ++i) active[i] = i;
+    const auto pace = few ? WideWalker::Pace::steady : WideWalker::Pace::by_nodes;
     while (count > 0) {
       for (std::size_t i = 0; i < count;) {
-        Walker& walker = walkers_[active[i]];
-        if (steps(walker)) {
+        Walking& one = walking[active[i]];
+        if (goes_on(one, pace)) {
           ++i;
         } else if (next < alone_.size()) {
-          walker.beam = Beam(rays_[alone_[next]]);
-          walker.number = alone_[next++];
-          start(walker);
+          start(one);
           ++i;
         } else {
           active[i] = active[--count];
@@ -159,38 +163,24 @@ class WideWalk {
     }
   }
 
-  void start(Walker& walker) const { open(walker.waiting, 0, walker.beam, limit_(walker.number)); }
-
-  /// Opens the next node that the ray may meet, on the way to which it takes the elements. Whether there is one.
-  bool steps(Walker& walker) {
-    const double limit = limit_(walker.number), latest = latest_entry(limit);
-    while (!walker.waiting.empty()) {
-      const auto [entry, node, place] = walker.waiting.pop();
-      if (entry > latest) continue;
-      const WideChild& child = nodes_[node].children[place];
-      if (child.kind == WideChild::Kind::element) {
-        take_(walker.number, child.element());
-        continue;
+  /// Takes the elements up to the next node. Whether there is one.
+  bool goes_on(Walking& one, WideWalker::Pace pace) {
+    for (;;) {
+      switch (one.walker.advance(nodes_.data(), limit_(one.number), pace)) {
+        case WideWalker::Next::element:
+          take_(one.number, one.walker.element);
+          break;
+        case WideWalker::Next::node:
+          return true;
+        case WideWalker::Next::end:
+          return false;
       }
-      open(walker.waiting, child.index, walker.beam, limit);
-      if (!walker.waiting.empty()) prefetch(walker.waiting.back());
-      return true;
     }
-    return false;
   }
 
-  /// What is visited at the next turn, unless a hit comes before it.
-  void prefetch(const WideWaiting& next) const {
-    const WideChild& child = nodes_[next.node].children[next.place];
-    if (child.kind != WideChild::Kind::node) return;
-    const auto* line = reinterpret_cast<const char*>(&nodes_[child.index]);
-    for (std::size_t at = 0; at < sizeof(WideNode); at += 64) __builtin_prefetch(line + at);
-  }
-
-  template <class Asked>
-  void open(WideStack& waiting, std::uint32_t node, const Asked& asked, double limit) const {
+  void open(WideStack& waiting, std::uint32_t node, double limit) const {
     WideNode::Entries entries;
-    const unsigned bits = met(nodes_[node], asked, limit, entries);
+    const unsigned bits = met(nodes_[node], bundle_, limit, entries);
     waiting.push(node, bits, entries);
   }
 
@@ -205,7 +195,6 @@ class WideWalk {
   std::array<std::uint32_t, WideBundle::size> numbers_;
   double reach_ = 0;
   std::vector<std::uint32_t> alone_;
-  std::vector<Walker> walkers_;
 };
 
 }  // namespace durero::accel
