@@ -110,6 +110,21 @@ TEST_CASE("boxes shrink when a leaf is taken out or has another box, and an only
   CHECK(tree.leaf(sphere(7), box({0, 0, 0}, {1, 1, 1})) < 6);  // a number that is free again
 }
 
+TEST_CASE("boxes shrink when one leaf of three is taken out") {
+  Hierarchy tree;
+  const Hierarchy::Number three = group(tree, box({0, 0, 0}, {3, 1, 1}), 3);
+  tree.set_root(tree.join(std::array{three, tree.leaf(sphere(3), box({0, 0, 0}, {1, 1, 1}))}));
+  tree.any_child(three, [&](Hierarchy::Number leaf) {
+    const bool last = tree[leaf].box.high.x == 3;
+    if (last) tree.take_out(leaf);
+    return last;
+  });
+  CHECK(tree[three].box.high.x == 2);
+  CHECK(tree[three].leaves == 2);
+  CHECK(tree[tree.root()].box.high.x == 2);
+  CHECK(tree[tree.root()].leaves == 3);
+}
+
 TEST_CASE("children of a node that gives way are its parent's") {
   Hierarchy tree;
   const Hierarchy::Number pair = group(tree, box({0, 0, 0}, {2, 1, 1}), 2),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 
 #include "durero/accel/hierarchy.hpp"
@@ -147,14 +148,21 @@ constexpr std::array all_kinds = {
     Kind{"slabs-13", 49, slabs_of<13>},
 };
 
-/// The cheapest where `share(volume)` of the rays meet a volume.
+/// The kind of the least T, where share(kind) of the rays meet the volume. Where a test alone costs more than that, its
+/// share is not asked for: it takes long to tell for many slabs.
 template <class Share>
-const Kind& cheapest_by(scene::ShapeView element, Share share) {
-  const Outline around = outline(element);
-  std::array<double, all_kinds.size()> shares{};
-  for (std::size_t i = 0; i < shares.size(); ++i)
-    shares[i] = std::min(1.0, share(all_kinds[i].around(element, around)));
-  return cheapest(shares);
+const Kind& cheapest_by(Share share) {
+  const Kind* best = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Kind& kind : all_kinds) {
+    if (kind.B >= least) continue;
+    const double T = kind.B + std::min(1.0, share(kind)) * I;
+    if (T < least) {
+      best = &kind;
+      least = T;
+    }
+  }
+  return *best;
 }
 
 }  // namespace
@@ -186,18 +194,15 @@ double mean_fit(const Simple& volume, const Outline& outline) { return (surface_
 std::span<const Kind> kinds() { return all_kinds; }
 
 const Kind& cheapest(std::span<const double> shares) {
-  const auto T = [&](std::size_t i) { return all_kinds[i].B + shares[i] * I; };
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < all_kinds.size(); ++i)
-    if (T(i) < T(best)) best = i;
-  return all_kinds[best];
+  return cheapest_by([&](const Kind& kind) { return shares[std::size_t(&kind - all_kinds.data())]; });
 }
-
 const Kind& cheapest(scene::ShapeView element, double surface_of_region) {
-  return cheapest_by(element, [&](const Simple& volume) { return surface_of(volume) / surface_of_region; });
+  const Outline around = outline(element);
+  return cheapest_by([&](const Kind& kind) { return surface_of(kind.around(element, around)) / surface_of_region; });
 }
 const Kind& cheapest(scene::ShapeView element, const glm::dvec3& v, double area) {
-  return cheapest_by(element, [&](const Simple& volume) { return projected(volume, v) / area; });
+  const Outline around = outline(element);
+  return cheapest_by([&](const Kind& kind) { return projected(kind.around(element, around), v) / area; });
 }
 
 }  // namespace durero::accel

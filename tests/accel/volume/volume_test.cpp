@@ -166,6 +166,19 @@ TEST_CASE("the mean over directions of the void area is the mean fit, for each k
   CHECK(mean_fit(volumes[6], around) <= mean_fit(volumes[5], around));
 }
 
+TEST_CASE("an element that turns spoils the fit of volumes along common directions, not of one along its own axis") {
+  const double half = std::sqrt(0.5);
+  const scene::Cylinder upright{{0, 0, 0}, 0.25, {0, 0, 1}, 4}, turned{{0, 0, 0}, 0.25, {0, half, half}, 4};
+  const auto fit = [](std::string_view name, const scene::Cylinder& cylinder) {
+    return mean_fit(kind(name).around(cylinder, outline(cylinder)), outline(cylinder));
+  };
+  for (const std::string_view name : {"ball", "oriented-box", "ellipsoid"})
+    CHECK(fit(name, turned) == Approx(fit(name, upright)).epsilon(1e-6));
+  for (const std::string_view name : {"box", "slabs-3"}) CHECK(fit(name, turned) > 3 * fit(name, upright));
+  // Of seven and thirteen slabs some lie across other directions, so that they lose less.
+  CHECK(fit("slabs-13", turned) < 0.5 * fit("slabs-3", turned));
+}
+
 namespace {
 
 /// Isotropic lines that meet the cube of side 2: the share that misses the unit sphere is 1 − π/6, within three
