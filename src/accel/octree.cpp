@@ -152,7 +152,7 @@ surface::Box Octree::box(const Leaf& leaf) const {
 std::size_t Octree::leaf_at(const glm::dvec3& point, std::size_t& probes) const {
   Node node = nodes_[0];
   glm::dvec3 low = finest_.low;
-  for (double half = root().h / 2; (node & leaf_bit) == 0; half /= 2) {
+  for (double half = side() / 2; (node & leaf_bit) == 0; half /= 2) {
     ++probes;
     for (int axis = 0; axis < 3; ++axis) {
       if (point[axis] < low[axis] + half) continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "durero/accel/bsp.hpp"
 #include "durero/accel/grid.hpp"
 #include "durero/accel/octree.hpp"
 #include "durero/oracle/sampled.hpp"
@@ -61,6 +62,14 @@ constexpr std::array rows = {
         structured<accel::Octree>, "A §1.4.2", measured<accel::Octree>},
     Row{"octree-by-location", "the same, each cube found from the root by a point of the ray in it", true, true,
         structured<accel::OctreeByLocation>, "A §1.4.2", measured<accel::OctreeByLocation>},
+    Row{"bsp", "cells halved by planes where these cost least, walked by Jansen's recursion", true, true,
+        structured<accel::Bsp>, "A §1.4.2", measured<accel::Bsp>},
+    Row{"bsp-median", "the same, with as many elements on either side of a plane", true, true,
+        structured<accel::BspMedian>, "A §1.4.2", measured<accel::BspMedian>},
+    Row{"bsp-middle", "the same, with planes in the middle of cubes", true, true, structured<accel::BspMiddle>,
+        "A §1.4.2", measured<accel::BspMiddle>},
+    Row{"bsp-by-location", "as bsp, each cell found from the root by a point of the ray in it", true, true,
+        structured<accel::BspByLocation>, "A §1.4.2", measured<accel::BspByLocation>},
 };
 
 }  // namespace

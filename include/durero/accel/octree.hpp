@@ -116,7 +116,7 @@ class Octree {
   using Node = std::uint32_t;
   static constexpr Node leaf_bit = 0x80000000u;
 
-  Lattice root() const { return {finest_.low, finest_.h * finest_.count.x, {1, 1, 1}}; }
+  double side() const { return finest_.h * finest_.count.x; }
 
   template <class Visit, class Group>
   struct Walk;
@@ -201,23 +201,23 @@ struct Octree::Walk {
 
 template <class Visit, class Group>
 bool Octree::walk(const Line& line, Visit visit, Group group, Work& work) const {
-  const Lattice whole = root();
-  const std::optional<Entry> first = entry(line, whole);
+  const surface::Box whole = finest_.whole();
+  const std::optional<Crossing> first = way_in(line, whole);
   if (!first) return false;
-  const Crossing out = way_out(line, whole.box({0, 0, 0})).event;
-  return Walk<Visit, Group>{*this, line, visit, group, work}(nodes_[0], whole.low, whole.h, first->event, out);
+  const Crossing out = way_out(line, whole).event;
+  return Walk<Visit, Group>{*this, line, visit, group, work}(nodes_[0], whole.low, side(), *first, out);
 }
 
 template <class Visit>
 bool Octree::walk_by_location(const Line& line, Visit visit, Work& work) const {
-  const Lattice whole = root();
-  const std::optional<Entry> first = entry(line, whole);
+  const surface::Box whole = finest_.whole();
+  const std::optional<Crossing> first = way_in(line, whole);
   if (!first) return false;
-  const Crossing end = way_out(line, whole.box({0, 0, 0})).event;
-  Crossing event = first->event;
+  const Crossing end = way_out(line, whole).event;
+  Crossing event = *first;
   do {
     Node node = nodes_[0];
-    surface::Box box = whole.box({0, 0, 0});
+    surface::Box box = whole;
     while ((node & leaf_bit) == 0) {
       ++work.nodes;
       work.volumes += 3;
