@@ -4,6 +4,7 @@
 #include <bit>
 #include <deque>
 #include <limits>
+#include <stdexcept>
 
 #include "durero/accel/octree.hpp"
 #include "durero/accel/touch.hpp"
@@ -73,12 +74,16 @@ std::optional<Halving> at_median(const Contents& contents, const Numbers& elemen
   return {};
 }
 
-// A ray through the cell comes through a half of it as often as the half's area is of the cell's. To ask a plane is
-// taken to cost as much as to test an element; a cell is a leaf where no plane costs less than its elements.
+// To ask a plane, in tests of an element. The curve is flat: of a thousand elements a ray meets 7.2 with a fourth and
+// 8.0 with 1, and asks 22.8 planes or 21.4.
+constexpr double cost_of_plane = 0.25;
+
+// A ray through the cell comes through a half of it as often as the half's area is of the cell's. A cell is a leaf
+// where no plane costs less than its elements.
 std::optional<Halving> at_least_cost(const Contents& contents, const Numbers& elements, const surface::Box& box) {
   std::optional<Halving> best;
   const auto all = static_cast<double>(elements.size());
-  double least = (all - 1) * area(box);
+  double least = (all - cost_of_plane) * area(box);
   for (int axis = 0; axis < 3; ++axis) {
     const Ends ends(contents, elements, axis);
     const auto consider = [&](double plane) {
@@ -141,8 +146,9 @@ class BspBuilder {
  public:
   BspBuilder(Bsp& bsp, const BspOptions& options) : bsp_(bsp), options_(options) {
     const std::size_t n = bsp.contents_.elements.size();
+    if (options_.max_depth > Bsp::deepest) throw std::invalid_argument("a tree deeper than its names have digits");
     if (options_.max_depth < 0) options_.max_depth = levels_for(options_.placing, n);
-    if (options_.max_bytes == 0) options_.max_bytes = (std::size_t{1} << 20) + 512 * n;
+    if (options_.max_bytes == 0) options_.max_bytes = (std::size_t{1} << 16) + 256 * n;
   }
 
   void build() {

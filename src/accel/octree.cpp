@@ -49,7 +49,7 @@ class OctreeBuilder {
   OctreeBuilder(Octree& octree, int max_depth, const OctreeOptions& options)
       : octree_(octree), max_depth_(max_depth), max_objects_(options.max_objects) {
     const std::size_t n = octree.contents_.elements.size();
-    max_bytes_ = options.max_bytes != 0 ? options.max_bytes : (std::size_t{1} << 20) + 512 * n;
+    max_bytes_ = options.max_bytes != 0 ? options.max_bytes : (std::size_t{1} << 16) + 256 * n;
   }
 
   void build() {

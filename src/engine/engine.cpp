@@ -66,10 +66,6 @@ constexpr std::array rows = {
         structured<accel::Bsp>, "A §1.4.2", measured<accel::Bsp>},
     Row{"bsp-median", "the same, with as many elements on either side of a plane", true, true,
         structured<accel::BspMedian>, "A §1.4.2", measured<accel::BspMedian>},
-    Row{"bsp-middle", "the same, with planes in the middle of cubes", true, true, structured<accel::BspMiddle>,
-        "A §1.4.2", measured<accel::BspMiddle>},
-    Row{"bsp-by-location", "as bsp, each cell found from the root by a point of the ray in it", true, true,
-        structured<accel::BspByLocation>, "A §1.4.2", measured<accel::BspByLocation>},
 };
 
 }  // namespace

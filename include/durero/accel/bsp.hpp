@@ -1,8 +1,6 @@
 #pragma once
 /// Kaplan's division of space: a plane across an axis halves a cell, and again, until few elements touch a half.
 
-#include <functional>
-
 #include "durero/accel/cells.hpp"
 #include "durero/accel/lattice.hpp"
 
@@ -17,10 +15,10 @@ enum class Placing : std::uint8_t {
 
 /// When cells are no longer divided, and how they are.
 struct BspOptions {
-  Placing placing = Placing::surface_area;
-  int max_depth = -1;           ///< below 0: what the number of elements asks for
-  std::size_t max_objects = 2;  ///< a cell with no more is a leaf
-  std::size_t max_bytes = 0;    ///< of memory for the whole tree; 0: 1 MiB and 512 an element
+  Placing placing = Placing::surface_area;  ///< of every plane
+  int max_depth = -1;                       ///< at most Bsp::deepest; below 0: what the number of elements asks for
+  std::size_t max_objects = 2;              ///< a cell with no more is a leaf
+  std::size_t max_bytes = 0;                ///< of memory for the whole tree; 0: 64 KiB and 256 an element
 };
 
 /// A structure (accel/structure.hpp).
@@ -34,6 +32,10 @@ class Bsp {
     bool leaf() const { return axis == 3; }  ///< of a list
   };
 
+  /// The names of the nodes at this depth have 64 binary digits (BspNames).
+  static constexpr int deepest = 63;
+
+  /// Throws std::invalid_argument where max_depth is more than `deepest`.
   explicit Bsp(const scene::Scene& scene, const BspOptions& options = {});
 
   const scene::Scene& scene() const noexcept { return *contents_.scene; }  ///< that it was made of
@@ -62,39 +64,18 @@ class Bsp {
   template <class Visit, class AtNode>
   bool walk_by_location(const Line& line, Visit visit, AtNode at_node) const;
 
-  /// Leaf by leaf in the order of the ray, as Grid::any has it of cells.
+  /// Leaf by leaf in the order of the ray (search_cells).
   template <class Limit, class Visit>
   bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const {
-    return search(ray, limit, visit, work,
-                  [this](const Line& line, auto& look, auto& count) { walk(line, std::ref(look), std::ref(count)); });
+    return search_cells(contents_, lists_, ray, limit, visit, work, [&](const Line& line, auto look) {
+      walk(line, look, [&](std::size_t) { ++work.nodes, ++work.volumes; });
+    });
   }
   /// As a source of candidates has it.
   template <class Limit, class Visit>
   bool any(const trace::Ray& ray, Limit limit, Visit visit) const {
     Work unseen;
     return any(ray, limit, visit, unseen);
-  }
-
- protected:
-  /// Hands to walk_leaves what to do in each leaf and at each inner node. Whether visit answered true.
-  template <class Limit, class Visit, class WalkLeaves>
-  bool search(const trace::Ray& ray, Limit& limit, Visit& visit, Work& work, WalkLeaves walk_leaves) const {
-    if (contents_.elements.empty() || !may_meet(contents_.box, ray, limit(), work)) return false;
-    Mailbox mailbox;
-    bool found = false;
-    const auto look = [&](std::size_t leaf, const Crossing& event) {
-      if (Line::beyond(event, limit())) {
-        ++work.by_distance;
-        return true;
-      }
-      return found = look_through(lists_[leaf], contents_, mailbox, work, visit);
-    };
-    const auto count = [&](std::size_t) {
-      ++work.nodes;
-      ++work.volumes;
-    };
-    walk_leaves(Line(ray), look, count);
-    return found;
   }
 
  private:
@@ -109,23 +90,22 @@ class Bsp {
   Lists lists_;
 };
 
-/// @{ The tree with other planes, or walked in another way: to be measured against the first.
-class BspMiddle : public Bsp {
- public:
-  explicit BspMiddle(const scene::Scene& scene) : Bsp(scene, {.placing = Placing::middle}) {}
-};
+/// The tree with planes at the median.
 class BspMedian : public Bsp {
  public:
+  /// As Bsp has it.
   explicit BspMedian(const scene::Scene& scene) : Bsp(scene, {.placing = Placing::median}) {}
 };
+
+/// The tree walked by location alone: to be measured against the recursion.
 class BspByLocation : public Bsp {
  public:
   using Bsp::Bsp;
   /// As Bsp::any.
   template <class Limit, class Visit>
   bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const {
-    return search(ray, limit, visit, work, [this](const Line& line, auto& look, auto& count) {
-      walk_by_location(line, std::ref(look), std::ref(count));
+    return search_cells(contents(), lists(), ray, limit, visit, work, [&](const Line& line, auto look) {
+      walk_by_location(line, look, [&](std::size_t) { ++work.nodes, ++work.volumes; });
     });
   }
   /// As a source of candidates has it.
@@ -135,8 +115,8 @@ class BspByLocation : public Bsp {
     return any(ray, limit, visit, unseen);
   }
 };
-/// @}
 
+/// The recursion.
 template <class Visit, class AtNode>
 struct Bsp::Walk {
   /// From the crossing by which the node is entered to that by which it is left.
