@@ -2,27 +2,22 @@
 
 namespace durero::accel {
 
-// The ray is in where it is between the planes of all three axes: right after the last of the crossings by which it
-// comes in, unless it has left by then.
-std::optional<Entry> entry(const Line& line, const Lattice& lattice) {
-  Entry result{{}, line.start()};
-  const auto outside = [&](int axis) { return result.cell[axis] < 0 || result.cell[axis] >= lattice.count[axis]; };
-  bool within = true;
+// The ray is in the box where it is between the planes of all three axes: right after the last of the crossings by
+// which it comes between two, unless it has left by then.
+std::optional<Crossing> way_in(const Line& line, const surface::Box& box) {
+  Crossing event = line.start();
   for (int axis = 0; axis < 3; ++axis) {
-    result.cell[axis] = lattice.place(axis, line.p()[axis]);
-    if (!outside(axis)) continue;
-    within = false;
-    const bool from_below = result.cell[axis] < 0;
-    if (line.v()[axis] == 0 || from_below == line.backwards(axis)) return {};
-    const Crossing in = line.crossing(axis, lattice.plane(axis, from_below ? 0 : lattice.count[axis]));
-    if (line.order(in, result.event) > 0) result.event = in;
+    const bool below = !line.above(axis, box.low[axis], line.start());
+    const bool beyond = line.above(axis, box.high[axis], line.start());
+    if (!below && !beyond) continue;
+    if (line.v()[axis] == 0 || below == line.backwards(axis)) return {};
+    const Crossing in = line.crossing(axis, below ? box.low[axis] : box.high[axis]);
+    if (line.order(in, event) > 0) event = in;
   }
-  if (within) return result;
   for (int axis = 0; axis < 3; ++axis) {
-    result.cell[axis] = lattice.place_after(line, axis, result.event);
-    if (outside(axis)) return {};
+    if (!line.above(axis, box.low[axis], event) || line.above(axis, box.high[axis], event)) return {};
   }
-  return result;
+  return event;
 }
 
 }  // namespace durero::accel

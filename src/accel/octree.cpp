@@ -49,7 +49,7 @@ class OctreeBuilder {
   OctreeBuilder(Octree& octree, int max_depth, const OctreeOptions& options)
       : octree_(octree), max_depth_(max_depth), max_objects_(options.max_objects) {
     const std::size_t n = octree.contents_.elements.size();
-    max_bytes_ = options.max_bytes != 0 ? options.max_bytes : (std::size_t{1} << 20) + 512 * n;
+    max_bytes_ = options.max_bytes != 0 ? options.max_bytes : (std::size_t{1} << 16) + 256 * n;
   }
 
   void build() {
@@ -152,7 +152,7 @@ surface::Box Octree::box(const Leaf& leaf) const {
 std::size_t Octree::leaf_at(const glm::dvec3& point, std::size_t& probes) const {
   Node node = nodes_[0];
   glm::dvec3 low = finest_.low;
-  for (double half = root().h / 2; (node & leaf_bit) == 0; half /= 2) {
+  for (double half = side() / 2; (node & leaf_bit) == 0; half /= 2) {
     ++probes;
     for (int axis = 0; axis < 3; ++axis) {
       if (point[axis] < low[axis] + half) continue;

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "buffers.hpp"
+#include "durero/accel/bsp.hpp"
 #include "durero/accel/bvh.hpp"
 #include "durero/accel/grid.hpp"
 #include "durero/accel/item_buffer.hpp"
@@ -98,6 +99,10 @@ constexpr std::array rows = {
         structured<accel::ItemBuffer>, "A §1.5", measured_item_buffer},
     Row{"light-buffer", "lists about each light, for shadow rays; other rays as analytic", true, true, light_buffer,
         "A §1.6.1", measured_light_buffer},
+    Row{"bsp", "cells halved by planes where these cost least, walked by Jansen's recursion", true, true,
+        structured<accel::Bsp>, "A §1.4.2", measured<accel::Bsp>},
+    Row{"bsp-median", "the same, with as many elements on either side of a plane", true, true,
+        structured<accel::BspMedian>, "A §1.4.2", measured<accel::BspMedian>},
 };
 
 }  // namespace

@@ -155,6 +155,24 @@ TEST_CASE("cells that begin beyond the limit are passed over, and no cell before
   }
 }
 
+TEST_CASE("what lies in a plane between cells is listed on both sides of it") {
+  const accel::GridOptions fine{.cells_per_element = 256, .references_per_element = 1000};
+  const auto with = [](const auto& shape) {
+    scene::Scene scene;
+    add(scene, scene::Sphere{{0, 0, 0}, 3.5});
+    add(scene, shape);
+    return scene;
+  };
+  const scene::Scene before = with(scene::Sphere{{0, 0, 0}, 1});
+  const accel::Lattice lattice = Grid(before, fine).lattice();
+  const glm::dvec3 corner = lattice.box({3, 3, 3}).low, near = corner + lattice.h / 4, far = corner + lattice.h / 2;
+  const scene::Scene after =
+      with(scene::Triangle{{{{near.x, near.y, corner.z}, {far.x, near.y, corner.z}, {near.x, far.y, corner.z}}}});
+  const Grid grid(after, fine);
+  CHECK(grid.lattice() == lattice);
+  CHECK(grid.lists().inverse(2)[1].size() == 2);
+}
+
 TEST_CASE("the cubes depend on the box and the number of elements, and not on where these are") {
   const Grid grid(lattice_of_balls(3));
   const scene::Scene there = lattice_of_balls(3, {64, -128, 32});

@@ -154,8 +154,11 @@ TEST_CASE("the leaves make up the root, and each point is in one of them, found 
 TEST_CASE("each leaf lists what touches it, and is one for the reason that it says") {
   Random random(5);
   const scene::Scene scene = random_scene(random, 60);
-  for (const accel::OctreeOptions& options :
-       {accel::OctreeOptions{}, {.max_depth = 2}, {.max_objects = 10}, {.max_bytes = 20000}, {.max_depth = 0}}) {
+  for (const accel::OctreeOptions& options : {accel::OctreeOptions{.max_bytes = 100'000'000},
+                                              {.max_depth = 2, .max_bytes = 100'000'000},
+                                              {.max_objects = 10, .max_bytes = 100'000'000},
+                                              {.max_bytes = 20000},
+                                              {.max_depth = 0}}) {
     const Octree octree(scene, options);
     std::array<int, 3> reasons{};
     for (std::size_t i = 0; i < octree.leaves().size(); ++i) {
@@ -173,8 +176,8 @@ TEST_CASE("each leaf lists what touches it, and is one for the reason that it sa
       if (leaf.why == Octree::Why::max_depth) REQUIRE(octree.finest().count.x >> leaf.depth == 1);
       if (leaf.why != Octree::Why::few_objects) REQUIRE(list.size() > options.max_objects);
     }
-    CHECK((options.max_bytes == 0 || octree.size().bytes <= options.max_bytes));
-    CHECK((reasons[static_cast<std::size_t>(Octree::Why::max_bytes)] > 0) == (options.max_bytes != 0));
+    CHECK((options.max_depth == 0 || octree.size().bytes <= options.max_bytes));
+    CHECK((reasons[static_cast<std::size_t>(Octree::Why::max_bytes)] > 0) == (options.max_bytes == 20000));
     const accel::Lists leaves_of = octree.lists().inverse(octree.contents().elements.size());
     CHECK(leaves_of.inverse(octree.leaves().size()) == octree.lists());
   }

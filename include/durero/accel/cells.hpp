@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "durero/accel/line.hpp"
 #include "durero/accel/slab.hpp"
 #include "durero/accel/work.hpp"
 #include "durero/scene/element_ref.hpp"
@@ -109,12 +110,33 @@ bool look_through(std::span<const std::uint32_t> list, const Contents& contents,
   return false;
 }
 
-/// Whether a ray may meet an element of the box up to the limit; adds what it did to `work`.
-inline bool may_meet(const surface::Box& box, const trace::Ray& ray, double limit, Work& work) {
+/// The elements of the cells along a ray, handed over until visit(e) answers true. Whether it did.
+/// walk_cells(line, look) calls look(cell, event) for the cells in the order of the ray, with the crossing by which
+/// each is entered, until it answers true.
+///
+/// An element of a cell may be met outside it, and farther than what the next cell holds. So the walk does not end with
+/// the first cell in which something is hit, but before the first that is entered beyond the limit: whatever is listed
+/// only from there on has no point of the ray at or before it.
+template <class Limit, class Visit, class WalkCells>
+bool search_cells(const Contents& contents, const Lists& lists, const trace::Ray& ray, Limit& limit, Visit& visit,
+                  Work& work, WalkCells walk_cells) {
+  if (contents.elements.empty()) return false;
   ++work.volumes;
-  if (stretch(box, Beam(ray), limit).meets()) return true;
-  ++work.by_miss;
-  return false;
+  if (!stretch(contents.box, Beam(ray), limit()).meets()) {
+    ++work.by_miss;
+    return false;
+  }
+  Mailbox mailbox;
+  bool found = false;
+  walk_cells(Line(ray), [&](std::size_t cell, const Crossing& event) {
+    if (Line::beyond(event, limit())) {
+      ++work.by_distance;
+      return true;
+    }
+    found = look_through(lists[cell], contents, mailbox, work, visit);
+    return found;
+  });
+  return found;
 }
 
 }  // namespace durero::accel

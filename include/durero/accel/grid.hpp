@@ -35,24 +35,12 @@ class Grid {
   const Lists& lists() const noexcept { return lists_; }
   Size size() const;  ///< as of every structure
 
-  /// Cell by cell in the order of the ray, until what is left lies beyond the limit. An element of a cell may be met
-  /// outside it, and farther than what the next cell holds: so the walk ends only where a cell is entered beyond the
-  /// limit, and not at the first cell in which something is hit.
+  /// Cell by cell in the order of the ray (search_cells).
   template <class Limit, class Visit>
   bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const {
-    if (contents_.elements.empty() || !may_meet(contents_.box, ray, limit(), work)) return false;
-    const Line line(ray);
-    Mailbox mailbox;
-    bool found = false;
-    walk(line, lattice_, [&](const Cell& cell, const Crossing& event) {
-      if (Line::beyond(event, limit())) {
-        ++work.by_distance;
-        return true;
-      }
-      found = look_through(lists_[lattice_.number(cell)], contents_, mailbox, work, visit);
-      return found;
+    return search_cells(contents_, lists_, ray, limit, visit, work, [&](const Line& line, auto look) {
+      walk(line, lattice_, [&](const Cell& cell, const Crossing& event) { return look(lattice_.number(cell), event); });
     });
-    return found;
   }
   /// As a source of candidates has it.
   template <class Limit, class Visit>

@@ -34,6 +34,8 @@ struct Lattice {
     return {{plane(0, cell.x), plane(1, cell.y), plane(2, cell.z)},
             {plane(0, cell.x + 1), plane(1, cell.y + 1), plane(2, cell.z + 1)}};
   }
+  /// All of them as one.
+  surface::Box whole() const { return {low, {plane(0, count.x), plane(1, count.y), plane(2, count.z)}}; }
   /// How many cubes.
   std::size_t size() const {
     return static_cast<std::size_t>(count.x) * static_cast<std::size_t>(count.y) * static_cast<std::size_t>(count.z);
@@ -70,15 +72,6 @@ struct Lattice {
   }
 };
 
-/// Where a ray comes into a lattice: the first cell, and the crossing by which it does, or the ray's start.
-struct Entry {
-  Cell cell;       ///< the first
-  Crossing event;  ///< by which it is entered
-};
-
-/// Nothing where no point of the ray is in the lattice.
-std::optional<Entry> entry(const Line& line, const Lattice& lattice);
-
 /// The next of three crossings, one across each axis: it, and which happen with it.
 struct Next {
   Crossing event;  ///< the first of them
@@ -97,6 +90,9 @@ inline Next first_of(const Line& line, const Crossing (&crossings)[3]) {
   return next;
 }
 
+/// The crossing by which a ray comes into a half-open box, or its start; nothing where no point of it is in there.
+std::optional<Crossing> way_in(const Line& line, const surface::Box& box);
+
 /// How a ray that is in a box leaves it.
 inline Next way_out(const Line& line, const surface::Box& box) {
   Crossing out[3];
@@ -109,15 +105,16 @@ inline Next way_out(const Line& line, const surface::Box& box) {
 /// entered, until it answers true. Whether it did.
 template <class Visit>
 bool walk(const Line& line, const Lattice& lattice, Visit visit) {
-  const std::optional<Entry> first = entry(line, lattice);
+  const std::optional<Crossing> first = way_in(line, lattice.whole());
   if (!first) return false;
-  Cell cell = first->cell;
-  Crossing event = first->event;
+  Crossing event = *first;
+  Cell cell;
+  for (int axis = 0; axis < 3; ++axis) cell[axis] = lattice.place_after(line, axis, event);
   Crossing out[3];
-  const auto way_out = [&](int axis) {
+  const auto out_of_cell = [&](int axis) {
     return line.crossing(axis, lattice.plane(axis, cell[axis] + (line.backwards(axis) ? 0 : 1)));
   };
-  for (int axis = 0; axis < 3; ++axis) out[axis] = way_out(axis);
+  for (int axis = 0; axis < 3; ++axis) out[axis] = out_of_cell(axis);
   for (;;) {
     if (visit(cell, event)) return true;
     const Next next = first_of(line, out);
@@ -126,7 +123,7 @@ bool walk(const Line& line, const Lattice& lattice, Visit visit) {
       if ((next.axes >> axis & 1) == 0) continue;
       cell[axis] += line.backwards(axis) ? -1 : 1;
       if (cell[axis] < 0 || cell[axis] >= lattice.count[axis]) return false;
-      out[axis] = way_out(axis);
+      out[axis] = out_of_cell(axis);
     }
   }
 }

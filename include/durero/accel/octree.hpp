@@ -17,7 +17,7 @@ namespace durero::accel {
 struct OctreeOptions {
   int max_depth = -1;           ///< at most Octree::deepest; below 0: what the number of elements asks for
   std::size_t max_objects = 2;  ///< a cell with no more is a leaf
-  std::size_t max_bytes = 0;    ///< of memory for the whole octree; 0: 1 MiB and 512 an element
+  std::size_t max_bytes = 0;    ///< of memory for the whole octree; 0: 64 KiB and 256 an element
 };
 
 /// A structure (accel/structure.hpp).
@@ -74,14 +74,13 @@ class Octree {
   template <class Visit>
   bool walk_by_location(const Line& line, Visit visit, Work& work) const;
 
-  /// Leaf by leaf in the order of the ray, as Grid::any has it of cells.
+  /// Leaf by leaf in the order of the ray (search_cells).
   template <class Limit, class Visit>
   bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const {
-    if (contents_.elements.empty() || !may_meet(contents_.box, ray, limit(), work)) return false;
-    Search<Limit, Visit> search{*this, limit, visit, work};
-    walk(
-        Line(ray), [&](std::size_t leaf, const Crossing& event) { return search(leaf, event); }, [](unsigned) {}, work);
-    return search.found;
+    return search_cells(contents_, lists_, ray, limit, visit, work, [&](const Line& line, auto look) {
+      walk(
+          line, look, [](unsigned) {}, work);
+    });
   }
   /// As a source of candidates has it.
   template <class Limit, class Visit>
@@ -90,25 +89,6 @@ class Octree {
     return any(ray, limit, visit, unseen);
   }
 
- protected:
-  /// What is done in each leaf; true ends the walk.
-  template <class Limit, class Visit>
-  struct Search {
-    bool operator()(std::size_t leaf, const Crossing& event) {
-      if (Line::beyond(event, limit())) {
-        ++work.by_distance;
-        return true;
-      }
-      return found = look_through(octree.lists_[leaf], octree.contents_, mailbox, work, visit);
-    }
-    const Octree& octree;
-    Limit& limit;
-    Visit& visit;
-    Work& work;
-    Mailbox mailbox{};
-    bool found = false;
-  };
-
  private:
   friend class OctreeBuilder;
 
@@ -116,7 +96,7 @@ class Octree {
   using Node = std::uint32_t;
   static constexpr Node leaf_bit = 0x80000000u;
 
-  Lattice root() const { return {finest_.low, finest_.h * finest_.count.x, {1, 1, 1}}; }
+  double side() const { return finest_.h * finest_.count.x; }
 
   template <class Visit, class Group>
   struct Walk;
@@ -135,11 +115,8 @@ class OctreeByLocation : public Octree {
   /// As Octree::any.
   template <class Limit, class Visit>
   bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const {
-    if (contents().elements.empty() || !may_meet(contents().box, ray, limit(), work)) return false;
-    Search<Limit, Visit> search{*this, limit, visit, work};
-    walk_by_location(
-        Line(ray), [&](std::size_t leaf, const Crossing& event) { return search(leaf, event); }, work);
-    return search.found;
+    return search_cells(contents(), lists(), ray, limit, visit, work,
+                        [&](const Line& line, auto look) { walk_by_location(line, look, work); });
   }
   /// As a source of candidates has it.
   template <class Limit, class Visit>
@@ -153,6 +130,7 @@ class OctreeByLocation : public Octree {
 /// numbers. Every point of the box is below its upper faces.
 Lattice cube_over(const surface::Box& box);
 
+/// The recursion.
 template <class Visit, class Group>
 struct Octree::Walk {
   /// From the crossing by which the node is entered to that by which it is left.
@@ -201,23 +179,23 @@ struct Octree::Walk {
 
 template <class Visit, class Group>
 bool Octree::walk(const Line& line, Visit visit, Group group, Work& work) const {
-  const Lattice whole = root();
-  const std::optional<Entry> first = entry(line, whole);
+  const surface::Box whole = finest_.whole();
+  const std::optional<Crossing> first = way_in(line, whole);
   if (!first) return false;
-  const Crossing out = way_out(line, whole.box({0, 0, 0})).event;
-  return Walk<Visit, Group>{*this, line, visit, group, work}(nodes_[0], whole.low, whole.h, first->event, out);
+  const Crossing out = way_out(line, whole).event;
+  return Walk<Visit, Group>{*this, line, visit, group, work}(nodes_[0], whole.low, side(), *first, out);
 }
 
 template <class Visit>
 bool Octree::walk_by_location(const Line& line, Visit visit, Work& work) const {
-  const Lattice whole = root();
-  const std::optional<Entry> first = entry(line, whole);
+  const surface::Box whole = finest_.whole();
+  const std::optional<Crossing> first = way_in(line, whole);
   if (!first) return false;
-  const Crossing end = way_out(line, whole.box({0, 0, 0})).event;
-  Crossing event = first->event;
+  const Crossing end = way_out(line, whole).event;
+  Crossing event = *first;
   do {
     Node node = nodes_[0];
-    surface::Box box = whole.box({0, 0, 0});
+    surface::Box box = whole;
     while ((node & leaf_bit) == 0) {
       ++work.nodes;
       work.volumes += 3;
