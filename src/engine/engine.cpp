@@ -4,6 +4,7 @@
 #include <array>
 
 #include "buffers.hpp"
+#include "durero/accel/classification.hpp"
 #include "durero/accel/item_buffer.hpp"
 #include "durero/accel/linear.hpp"
 #include "durero/oracle/sampled.hpp"
@@ -61,6 +62,8 @@ constexpr std::array rows = {
         structured<accel::ItemBuffer>, "A §1.5", measured_item_buffer},
     Row{"light-buffer", "lists about each light, for shadow rays; other rays as analytic", true, true, light_buffer,
         "A §1.6.1", measured_light_buffer},
+    Row{"classification", "lists of what the rays of a box and a direction may meet, made when asked for", true, true,
+        structured<accel::Classification>, "A §1.6", measured<accel::Classification>},
 };
 
 }  // namespace
