@@ -6,6 +6,7 @@
 #include "buffers.hpp"
 #include "durero/accel/bsp.hpp"
 #include "durero/accel/bvh.hpp"
+#include "durero/accel/classification.hpp"
 #include "durero/accel/grid.hpp"
 #include "durero/accel/item_buffer.hpp"
 #include "durero/accel/linear.hpp"
@@ -103,6 +104,8 @@ constexpr std::array rows = {
         structured<accel::Bsp>, "A §1.4.2", measured<accel::Bsp>},
     Row{"bsp-median", "the same, with as many elements on either side of a plane", true, true,
         structured<accel::BspMedian>, "A §1.4.2", measured<accel::BspMedian>},
+    Row{"classification", "lists of what the rays of a box and a direction may meet, made when asked for", true, true,
+        structured<accel::Classification>, "A §1.6", measured<accel::Classification>},
 };
 
 }  // namespace

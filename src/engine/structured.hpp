@@ -74,12 +74,12 @@ Figures measured(const scene::Scene& scene, std::span<const scene::Query> querie
   std::optional<S> made;
   figures.building_seconds = seconds_of([&] { made.emplace(scene); });
   const S& structure = *made;
-  figures.size = structure.size();
   figures.answering_seconds = seconds_of([&] {
     for (const scene::Query& query : queries) trace::first_hit_among(structure, query.rayo, query.en, unseen);
   });
   const Counted<S> counted(structure, figures.work);
   for (const scene::Query& query : queries) trace::first_hit_among(counted, query.rayo, query.en, unseen);
+  figures.size = structure.size();  // at the end: what is made when it is asked for belongs to it
   return figures;
 }
 

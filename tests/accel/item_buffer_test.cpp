@@ -128,6 +128,11 @@ TEST_CASE("rays that are none of the camera's, and those that start on elements,
   CHECK_FALSE(cells(middle, near));
   CHECK_FALSE(cells({middle.p(), model::Vector(middle.v().xyz() * 2.0)}));
   CHECK_FALSE(cells({model::Punto(0, 0, 0x1p-60), middle.v()}));
+  std::vector<ElementRef> met;
+  const auto visit = [&](ElementRef e) { return met.push_back(e), false; };
+  buffer.any(
+      trace::Ray(middle), [] { return trace::no_limit; }, visit);
+  CHECK(met == std::vector{near, ElementRef{near.tipo, 1}});  // once each, where the limit does not fall
   Work work;
   buffer.any(
       trace::Ray(middle), [] { return 1.0; }, [](ElementRef) { return false; }, work);
