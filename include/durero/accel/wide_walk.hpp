@@ -9,6 +9,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <glm/common.hpp>
 #include <span>
 #include <vector>
 
@@ -38,9 +39,9 @@ class WideWalk {
     for (std::uint32_t number = 0; number < rays_.size(); ++number) {
       if (!(limit_(number) > 0)) continue;
       const Beam beam(rays_[number]);
-      if (!joins(beam)) {
+      if (!joins(rays_[number], beam)) {
         release();
-        if (!bundle_.takes(beam)) {
+        if (!joins(rays_[number], beam)) {
           alone_.push_back(number);
           continue;
         }
@@ -60,19 +61,20 @@ class WideWalk {
   static constexpr std::size_t patience = 32;  // pairs, until the limits are brought up to date
 
   /// The bundle takes the ray, and stays narrow as far as the box of the scene.
-  bool joins(const Beam& beam) {
+  bool joins(const trace::Ray& ray, const Beam& beam) {
     if (bundle_.count == WideBundle::size || !bundle_.takes(beam)) return false;
     if (bundle_.count == 0) {
       reach_ = stretch(all_, beam, trace::no_limit).exit;
+      v_low_ = v_high_ = ray.v;
       return true;
     }
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double p = beam.p[static_cast<int>(axis)], inverse = beam.inverse[static_cast<int>(axis)];
-      const double of_p = std::max(bundle_.p_high[axis], p) - std::min(bundle_.p_low[axis], p);
-      const double of_v = 1 / std::min(bundle_.inverse_low[axis], inverse) -
-                          1 / std::max(bundle_.inverse_high[axis], inverse);
-      if (!(of_p + reach_ * of_v <= narrow_)) return false;
+    const glm::dvec3 v_low = glm::min(v_low_, ray.v), v_high = glm::max(v_high_, ray.v);
+    for (int i = 0; i < 3; ++i) {
+      const auto axis = static_cast<std::size_t>(i);
+      const double of_p = std::max(bundle_.p_high[axis], ray.p[i]) - std::min(bundle_.p_low[axis], ray.p[i]);
+      if (!(of_p + reach_ * (v_high[i] - v_low[i]) <= narrow_)) return false;
     }
+    v_low_ = v_low, v_high_ = v_high;
     return true;
   }
 
@@ -193,7 +195,8 @@ class WideWalk {
   surface::Box all_{};
   WideBundle bundle_;
   std::array<std::uint32_t, WideBundle::size> numbers_;
-  double reach_ = 0;
+  glm::dvec3 v_low_{}, v_high_{};  // between which the directions of the bundle lie
+  double reach_ = 0;               // up to where it has to be narrow
   std::vector<std::uint32_t> alone_;
 };
 
