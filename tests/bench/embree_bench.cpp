@@ -389,7 +389,6 @@ void run(RTCDevice device, std::size_t n, std::uint32_t size_of_picture) {
     rtcInitIntersectContext(&context);
     if (std::strcmp(kind, "primary") == 0) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     const Asked asked{rays, hits32, context};
-    if (std::getenv("DUR")) { double b=1; for (int i=0;i<atoi(std::getenv("DUR"));++i) b=std::min(b,seconds([&] { fast->first_hits(queries, hits); })); std::printf("%s %.2f\n", kind, queries.size()/b/1e6); return hits; }
     compare(n, kind, queries.size(),
             {{"Durero fast, rounded", [&] { fast->first_hits(queries, hits); }},
              {"Embree types, single", [&] { first_hits_single(native->scene(), asked); }},
@@ -397,10 +396,9 @@ void run(RTCDevice device, std::size_t n, std::uint32_t size_of_picture) {
              {"Embree callbacks, single", [&] { first_hits_single(callbacks->scene(), asked); }}});
     return hits;
   };
-  if (!std::getenv("PRI")) first_hits("incoherent", incoherent(std::size_t{size_of_picture} * size_of_picture));
+  first_hits("incoherent", incoherent(std::size_t{size_of_picture} * size_of_picture));
   const std::vector<scene::Hit> hits = first_hits("primary", primary(size_of_picture));
 
-  if (std::getenv("PRI")) return;
   const Queries queries = shadow(hits);
   boost::container::vector<bool> blocked(queries.size());
   const std::vector<Ray32> rays = rays_of(queries, true);

@@ -96,6 +96,7 @@ completes trace durero tr
 completes --engine durero trace --en
 completes 'analytic
 exact
+fast
 sampled' durero trace --engine ''
 completes exact durero trace --engine ex
 completes exact durero trace scene.json --engine = ex
