@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "support/catch.hpp"
-#include "support/shapes.hpp"
 #include "support/property.hpp"
+#include "support/shapes.hpp"
 
 using namespace durero;
 using namespace durero::test;
@@ -41,7 +41,8 @@ TEST_CASE(
   for (const double zero : {0.0, -0.0}) {
     CHECK(of({-3, 1, 0}, {1, zero, zero}).meets());
     CHECK(of({-3, 1, -1}, {1, zero, zero}).meets());
-    CHECK(of({-3, -1, -1}, {1, 1, zero}).meets() == false);
+    CHECK(of({-3, -1, -1}, {1, 1, zero}).meets());
+    CHECK_FALSE(of({-3, -1.5, -1}, {1, 0.25, zero}).meets());
     CHECK(of({-2, 0, 1}, {1, 1, zero}).meets());
     CHECK(of({zero, zero, zero}, {zero, zero, 1}).meets());
   }

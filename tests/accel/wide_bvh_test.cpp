@@ -81,7 +81,8 @@ using Found = std::set<ElementRef>;
 Found by_one(const WideBvh& tree, const trace::Ray& ray, double limit = infinity) {
   Found found;
   tree.any(
-      ray, [&] { return limit; }, [&](ElementRef e) {
+      ray, [&] { return limit; },
+      [&](ElementRef e) {
         CHECK(found.insert(e).second);
         return false;
       });
@@ -173,7 +174,7 @@ TEST_CASE("elements at one place, in a row of growing distances, and all in a pl
   for (const scene::Scene* scene : {&same, &row, &flat}) {
     const WideBvh tree(*scene);
     CHECK(holds_all(tree));
-    CHECK(tree.size().depth <= accel::WideStack::most_levels);
+    CHECK(tree.size().depth <= accel::most_levels);
   }
 }
 
@@ -194,9 +195,7 @@ TEST_CASE("a tree does not depend on the number of threads") {
   CHECK(nodes(1) == nodes(2));
 }
 
-TEST_CASE("it takes 120 bytes an element at most") {
-  CHECK(WideBvh(balls(10000, 4)).size().bytes <= 1'200'000);
-}
+TEST_CASE("it takes 120 bytes an element at most") { CHECK(WideBvh(balls(10000, 4)).size().bytes <= 1'200'000); }
 
 TEST_CASE("it takes 120 bytes an element at most, of a hundred thousand", "[long]") {
   CHECK(WideBvh(balls(100000, 4)).size().bytes <= 12'000'000);
@@ -259,40 +258,6 @@ TEST_CASE("no ray loses what lies far away, or is tiny, or has numbers whose pro
   check_no_loss(scene, ordinary);
 }
 
-TEST_CASE("a bundle tests as its rays do, or passes more") {
-  Random random(6);
-  const scene::Scene scene = balls(200, 7);
-  const WideBvh tree(scene);
-  for (std::size_t turn = 0; turn < fewer_when_sanitized(200); ++turn) {
-    accel::WideBundle bundle;
-    const glm::dvec3 p = random.in_cube(12), v = random.in_cube(1);
-    while (bundle.count < 1 + turn % accel::WideBundle::size) {
-      const accel::Beam beam{trace::Ray(ray(p + random.in_cube(0.3), v + random.in_cube(0.1)))};
-      if (!bundle.takes(beam)) continue;
-      bundle.limit[bundle.count] = bundle.count % 3 == 0 ? 5 : infinity;
-      bundle.push(beam);
-    }
-    for (const WideNode& node : tree.nodes()) {
-      WideNode::Entries entries{};
-      const unsigned met = accel::met(node, bundle, infinity, entries);
-      for (std::size_t place = 0; place < WideNode::width; ++place) {
-        std::uint64_t of_each = 0;
-        for (std::size_t i = 0; i < bundle.count; ++i) {
-          accel::Beam beam{trace::Ray(ray({0, 0, 0}, {1, 1, 1}))};
-          beam.p = {bundle.p[0][i], bundle.p[1][i], bundle.p[2][i]};
-          beam.inverse = {bundle.inverse[0][i], bundle.inverse[1][i], bundle.inverse[2][i]};
-          const accel::Stretch own = stretch(box_at(node, place), beam, bundle.limit[i]);
-          if (!own.meets()) continue;
-          of_each |= std::uint64_t{1} << i;
-          CHECK(entries[place] <= own.entry);
-        }
-        CHECK(met_by(node, place, bundle) == of_each);
-        if (of_each != 0) CHECK((met >> place & 1) != 0);
-      }
-    }
-  }
-}
-
 TEST_CASE("what lies beyond the limit is passed over, and counted") {
   const scene::Scene scene = balls(2000, 8);
   const WideBvh tree(scene);
@@ -305,10 +270,12 @@ TEST_CASE("what lies beyond the limit is passed over, and counted") {
     CHECK(by_one(tree, along, 4).empty());
     double limit = infinity;
     tree.any(
-        along, [&] { return limit; }, [&](ElementRef) {
+        along, [&] { return limit; },
+        [&](ElementRef) {
           limit = std::min(limit, 15.0);
           return false;
-        }, work);
+        },
+        work);
   }
   CHECK(work.candidates > 0);
   CHECK(work.candidates < without_limit);

@@ -14,8 +14,39 @@
 #include <vector>
 
 #include "durero/accel/wide_walker.hpp"
+#include "durero/trace/finding.hpp"
 
 namespace durero::accel {
+
+/// The child at a place of a node, and where the first ray enters its box.
+struct WideWaiting {
+  double entry;         ///< not less than 0
+  std::uint32_t node;   ///< the parent
+  std::uint32_t place;  ///< among its children
+};
+
+/// The children that wait while a bundle walks, the next one last.
+class WideStack {
+ public:
+  /// @{ As of a vector.
+  bool empty() const { return size_ == 0; }
+  WideWaiting pop() { return waiting_[--size_]; }
+  /// @}
+  /// Adds the children of a node that have a bit in `met`, the nearest last.
+  void push(std::uint32_t node, unsigned met, const WideNode::Entries& entries) {
+    const std::size_t begin = size_;
+    for (; met != 0; met &= met - 1) {
+      const auto place = static_cast<std::uint32_t>(std::countr_zero(met));
+      std::size_t at = size_++;
+      for (; at > begin && waiting_[at - 1].entry < entries[place]; --at) waiting_[at] = waiting_[at - 1];
+      waiting_[at] = {entries[place], node, place};
+    }
+  }
+
+ private:
+  std::array<WideWaiting, most_waiting> waiting_;  // only the first size_ mean anything
+  std::size_t size_ = 0;
+};
 
 /// PairCandidates::pairs over a tree that has nodes() and spacing().
 template <class Tree, class Limit, class Take, class Flush>
@@ -23,8 +54,7 @@ class WideWalk {
  public:
   /// All of these must outlive it. Precondition: the tree has a node.
   WideWalk(const Tree& tree, std::span<const trace::Ray> rays, Limit& limit, Take& take, Flush& flush)
-      : nodes_(tree.nodes()), narrow_(widest * tree.spacing()), rays_(rays), limit_(limit), take_(take),
-        flush_(flush) {
+      : nodes_(tree.nodes()), narrow_(widest * tree.spacing()), rays_(rays), limit_(limit), take_(take), flush_(flush) {
     const std::size_t root = 0;
     for (int i = 0; i < 3; ++i) {
       const auto& low = nodes_[root].planes[static_cast<std::size_t>(i)];
@@ -54,11 +84,11 @@ class WideWalk {
   }
 
  private:
-  static constexpr double widest = 2;          // of a bundle, in spacings of the elements
-  static constexpr std::size_t least = 6;      // rays of a bundle that is worth it
-  static constexpr std::size_t at_a_time = 16;  // rays alone
-  static constexpr std::size_t in_cache = 1 << 19;  // bytes of nodes that need no waiting for
-  static constexpr std::size_t patience = 32;  // pairs, until the limits are brought up to date
+  static constexpr double widest = 2;               // of a bundle, in spacings of the elements
+  static constexpr std::size_t least = 6;           // rays of a bundle that is worth it
+  static constexpr std::size_t at_a_time = 16;      // rays alone
+  static constexpr std::size_t in_cache = 1 << 14;  // bytes of nodes that need no waiting for
+  static constexpr std::size_t patience = 32;       // pairs, until the limits are brought up to date
 
   /// The bundle takes the ray, and stays narrow as far as the box of the scene.
   bool joins(const trace::Ray& ray, const Beam& beam) {
@@ -145,7 +175,8 @@ class WideWalk {
       one.walker.restart(rays_[one.number]);
     };
     walking.reserve(few ? 1 : at_a_time);
-    while (next < alone_.size() && walking.size() < (few ? 1 : at_a_time)) start(walking.emplace_back(rays_[alone_[next]]));
+    while (next < alone_.size() && walking.size() < (few ? 1 : at_a_time))
+      start(walking.emplace_back(rays_[alone_[next]]));
     std::array<std::uint32_t, at_a_time> active{};
     std::size_t count = walking.size();
     for (std::uint32_t i = 0; i < count; ++i) active[i] = i;
