@@ -63,7 +63,7 @@ def engines() -> list[Engine]:
     """Every engine that Scene.trace may be given the name of.
 
     >>> [engine.name for engine in engines() if engine.exact_bytes]
-    ['exact', 'analytic']
+    ['exact', 'analytic', 'fast']
     """
     return [Engine(*row) for row in _durero.engines()]
 

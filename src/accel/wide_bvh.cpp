@@ -52,10 +52,8 @@ struct Item {
   Box32 box;
   scene::ElementRef e;
 
-  /// Twice the middle of its box.
-  double middle(std::size_t axis) const {
-    return static_cast<double>(box.low[axis]) + static_cast<double>(box.high[axis]);
-  }
+  /// The middle of its box, about: it tells items apart, and bounds nothing. It does not overflow.
+  float middle(std::size_t axis) const { return 0.5F * box.low[axis] + 0.5F * box.high[axis]; }
 };
 using Items = std::span<Item>;
 
@@ -72,114 +70,139 @@ struct Part {
   double area = box.area();
 };
 
-/// Where the middles of some items lie along an axis, in equal bins.
+/// Where the middles of some items lie along each axis, in equal bins.
 class Bins {
  public:
   static constexpr std::size_t count = 16;
 
-  Bins(std::span<const Item> items, std::size_t axis) : axis_(axis) {
-    const auto [least, greatest] = std::ranges::minmax(
-        items, {}, [axis](const Item& item) { return item.middle(axis); });
-    low_ = least.middle(axis);
-    const double width = greatest.middle(axis) - low_;
-    scale_ = width > 0 ? count * (1 - 0x1p-20) / width : 0;
+  explicit Bins(std::span<const Item> items) {
+    Box32 middles;
+    for (const Item& item : items)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        middles.low[axis] = std::min(middles.low[axis], item.middle(axis));
+        middles.high[axis] = std::max(middles.high[axis], item.middle(axis));
+      }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low_[axis] = middles.low[axis];
+      const float scale = count * (1 - 0x1p-18F) / (middles.high[axis] - middles.low[axis]);
+      scale_[axis] = std::isfinite(scale) ? scale : 0;
+    }
   }
-  /// Whether the middles differ.
-  bool differ() const { return scale_ > 0; }
-  /// In which bin the item is.
-  std::size_t of(const Item& item) const {
-    return std::min(static_cast<std::size_t>((item.middle(axis_) - low_) * scale_), count - 1);
+  /// Whether the middles differ along an axis, by more than next to nothing and less than overflows.
+  bool differ(std::size_t axis) const { return scale_[axis] > 0; }
+  /// In which bin of the axis the item is.
+  std::size_t of(const Item& item, std::size_t axis) const {
+    if (!differ(axis)) return 0;
+    const auto bin = static_cast<std::size_t>((item.middle(axis) - low_[axis]) * scale_[axis]);
+    return std::min(bin, count - 1);
   }
-  std::size_t axis() const { return axis_; }
 
  private:
-  std::size_t axis_;
-  double low_ = 0, scale_ = 0;
+  std::array<float, 3> low_{}, scale_{};
 };
 
-/// The best way to part items by the bins of an axis: the first `bin` of them from the rest.
-struct Split {
-  double cost = HUGE_VAL;  ///< the sum of area times number; ∞ where there is no way
-  std::size_t bin = 0;
-};
-
-Split best_split(std::span<const Item> items, const Bins& bins) {
-  std::array<Box32, Bins::count> boxes;
-  std::array<std::size_t, Bins::count> counts{};
-  for (const Item& item : items) {
-    const std::size_t bin = bins.of(item);
-    boxes[bin].join(item.box);
-    ++counts[bin];
-  }
-  std::array<double, Bins::count> below_cost{};
+/// A bin of an axis: how many items, and their box.
+struct Bin {
   Box32 box;
   std::size_t count = 0;
-  for (std::size_t bin = 0; bin + 1 < Bins::count; ++bin) {
-    box.join(boxes[bin]);
-    count += counts[bin];
-    below_cost[bin + 1] = count == 0 ? HUGE_VAL : box.area() * static_cast<double>(count);
+
+  void join(const Bin& other) {
+    box.join(other.box);
+    count += other.count;
   }
-  Split best;
-  box = {};
-  count = 0;
+  double cost() const { return count == 0 ? HUGE_VAL : box.area() * static_cast<double>(count); }
+};
+using Row = std::array<Bin, Bins::count>;
+
+/// A way to part items by the bins of an axis: the first `bin` of them from the rest.
+struct Split {
+  double cost = HUGE_VAL;  ///< the sum of area times number; ∞ where there is no way
+  std::size_t axis = 0, bin = 0;
+  Bin first{}, second{};
+};
+
+void keep_best(Split& best, const Row& row, std::size_t axis) {
+  Row first;  // of the bins before each
+  for (std::size_t bin = 1; bin < Bins::count; ++bin) {
+    first[bin] = first[bin - 1];
+    first[bin].join(row[bin - 1]);
+  }
+  Bin second;
   for (std::size_t bin = Bins::count - 1; bin > 0; --bin) {
-    box.join(boxes[bin]);
-    count += counts[bin];
-    const double cost = below_cost[bin] + box.area() * static_cast<double>(count);
-    if (count > 0 && cost < best.cost) best = {cost, bin};
+    second.join(row[bin]);
+    const double cost = first[bin].cost() + second.cost();
+    if (cost < best.cost) best = {cost, axis, bin, first[bin], second};
   }
-  return best;
+}
+
+std::pair<Part, Part> in_the_middle(Items items) {
+  const Items first = items.first(items.size() / 2), second = items.subspan(items.size() / 2);
+  return {{first, box_of(first)}, {second, box_of(second)}};
 }
 
 /// The items in two, neither empty: where the surface areas promise least work; in the middle where the middles of all
 /// boxes are one, or where nothing but the depth matters any more. Precondition: two items or more.
-std::size_t split(Items items, bool evenly) {
-  if (!evenly) {
-    Split best;
-    std::size_t axis = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Bins bins(items, i);
-      if (!bins.differ()) continue;
-      const Split found = best_split(items, bins);
-      if (found.cost < best.cost) best = found, axis = i;
+std::pair<Part, Part> split(Items items, bool evenly) {
+  if (evenly) return in_the_middle(items);
+  const Bins bins(items);
+  std::array<Row, 3> rows;
+  for (const Item& item : items)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      Bin& bin = rows[axis][bins.of(item, axis)];
+      bin.box.join(item.box);
+      ++bin.count;
     }
-    if (best.bin > 0) {
-      const Bins bins(items, axis);
-      const auto rest = std::ranges::partition(items, [&](const Item& item) { return bins.of(item) < best.bin; });
-      return items.size() - rest.size();
-    }
-  }
-  return items.size() / 2;
+  Split best;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (bins.differ(axis)) keep_best(best, rows[axis], axis);
+  if (best.bin == 0) return in_the_middle(items);
+  std::ranges::partition(items, [&](const Item& item) { return bins.of(item, best.axis) < best.bin; });
+  return {{items.first(best.first.count), best.first.box}, {items.subspan(best.first.count), best.second.box}};
 }
 
-/// Eight parts of the items or fewer, none empty: again and again the part with the greatest surface is split, those
-/// first that a node cannot hold. Where `evenly`, the one of most items is.
-std::vector<Part> parts_of(Items items, bool evenly) {
+/// The greatest of some parts by rank(part), of which 0 takes none; null where all take none.
+template <class Rank>
+Part* greatest(std::vector<Part>& parts, Rank rank) {
+  const auto found = std::ranges::max_element(parts, {}, rank);
+  return rank(*found) > 0 ? &*found : nullptr;
+}
+
+/// Eight parts of a part or fewer, none empty: the one with the greatest surface is split again and again, or where
+/// `evenly` that of most items, until none is left that a node could not hold; then such as fit go to their items.
+std::vector<Part> parts_of(const Part& whole, bool evenly) {
+  constexpr std::size_t width = WideNode::width;
   std::vector<Part> parts;
-  parts.reserve(WideNode::width);
-  parts.push_back({items, box_of(items)});
-  while (parts.size() < WideNode::width) {
-    const auto rank = [evenly](const Part& part) {
-      const std::size_t n = part.items.size();
-      return n == 1 ? std::pair(0, 0.0) : std::pair(n > WideNode::width ? 2 : 1, evenly ? double(n) : part.area);
-    };
-    Part& largest = *std::ranges::max_element(parts, {}, rank);
-    if (largest.items.size() == 1) break;
-    const Items all = largest.items;
-    const std::size_t half = split(all, evenly);
-    const Items first = all.first(half), second = all.subspan(half);
-    largest = {first, box_of(first)};
-    parts.push_back({second, box_of(second)});
+  parts.reserve(width);
+  parts.push_back(whole);
+  const auto too_large = [&](const Part& part) {
+    if (part.items.size() <= width) return 0.0;
+    return evenly ? static_cast<double>(part.items.size()) : part.area + 0x1p-1000;
+  };
+  while (parts.size() < width) {
+    Part* const largest = greatest(parts, too_large);
+    if (largest == nullptr) break;
+    auto [first, second] = split(largest->items, evenly);
+    *largest = first;
+    parts.push_back(second);
+  }
+  const auto fits = [&](const Part& part) {
+    const std::size_t n = part.items.size();
+    return n > 1 && parts.size() + n - 1 <= width ? part.area + 0x1p-1000 : 0.0;
+  };
+  while (Part* const fitting = greatest(parts, fits)) {
+    const Items items = fitting->items;
+    *fitting = {items.first(1), items[0].box};
+    for (std::size_t i = 1; i < items.size(); ++i) parts.push_back({items.subspan(i, 1), items[i].box});
   }
   return parts;
 }
 
 /// Beyond this level a node parts its items evenly, so that 2³² of them take eleven levels more.
-constexpr std::size_t last_level_by_area = WideStack::most_levels - 12;
+constexpr std::size_t last_level_by_area = most_levels - 12;
 /// Above this number the parts of a node are built by several threads.
 constexpr std::size_t alone = 4096;
 
-void build(std::vector<WideNode>& nodes, Items items, std::size_t level);
+void build(std::vector<WideNode>& nodes, const Part& whole, std::size_t level);
 
 void place(WideNode& node, std::size_t at, const Part& part) {
   for (std::size_t i = 0; i < 3; ++i) {
@@ -194,7 +217,7 @@ void place(WideNode& node, std::size_t at, const Part& part) {
 std::vector<std::vector<WideNode>> built_apart(std::span<const Part> parts, std::size_t level) {
   std::vector<std::vector<WideNode>> trees(parts.size());
   oneapi::tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
-    if (parts[i].items.size() > 1) build(trees[i], parts[i].items, level + 1);
+    if (parts[i].items.size() > 1) build(trees[i], parts[i], level + 1);
   });
   return trees;
 }
@@ -207,20 +230,20 @@ void append(std::vector<WideNode>& nodes, const std::vector<WideNode>& tree) {
       if (child.kind == Kind::node) child.index += before;
 }
 
-/// Appends the node of the items, and all below it.
-void build(std::vector<WideNode>& nodes, Items items, std::size_t level) {
-  const std::vector<Part> parts = parts_of(items, level > last_level_by_area);
+/// Appends the node of a part, and all below it.
+void build(std::vector<WideNode>& nodes, const Part& whole, std::size_t level) {
+  const std::vector<Part> parts = parts_of(whole, level > last_level_by_area);
   const std::size_t own = nodes.size();
   nodes.emplace_back();
   for (std::size_t plane = 0; plane < 6; ++plane) nodes[own].planes[plane].fill(plane < 3 ? HUGE_VALF : -HUGE_VALF);
   for (std::size_t i = 0; i < parts.size(); ++i) place(nodes[own], i, parts[i]);
   std::vector<std::vector<WideNode>> trees;
-  if (items.size() > alone) trees = built_apart(parts, level);
+  if (whole.items.size() > alone) trees = built_apart(parts, level);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (parts[i].items.size() == 1) continue;
     nodes[own].children[i] = {static_cast<std::uint32_t>(nodes.size()), {}, Kind::node};
     if (trees.empty()) {
-      build(nodes, parts[i].items, level + 1);
+      build(nodes, parts[i], level + 1);
     } else {
       append(nodes, trees[i]);
       trees[i] = {};
@@ -250,7 +273,7 @@ WideBvh::WideBvh(const scene::Scene& scene) : scene_(&scene) {
   const Box32 all = box_of(items);
   const double extent = std::max({all.width(0), all.width(1), all.width(2)});
   spacing_ = extent / std::cbrt(static_cast<double>(items.size()));
-  build(nodes_, items, 0);
+  build(nodes_, {items, all}, 0);
   nodes_.shrink_to_fit();
 }
 

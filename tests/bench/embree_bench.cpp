@@ -52,7 +52,8 @@ Scenes made(std::size_t n) {
   const double unit = 0.25 * std::cbrt(1 / static_cast<double>(n));
   for (std::size_t i = 0; i < n; ++i) {
     const glm::dvec3 centro = single(random.in_cube(0.5) + 0.5);
-    const double radio = single(unit * random.uniform(0.5, 1)), altura = single(unit * random.uniform(1.5, 3));
+    const double radio = single(unit * random.uniform(0.5, 1));
+    const double altura = single(unit * random.uniform(1.5, 3));
     const glm::dvec3 axis = random.axis().xyz();
     const glm::dvec3 end = centro + altura * axis;
     if (i % 3 == 0) {
@@ -91,8 +92,10 @@ Queries primary(std::uint32_t size) {
 Queries incoherent(std::size_t count) {
   test::Random random(2);
   Queries queries;
-  for (std::size_t i = 0; i < count; ++i)
-    queries.push_back({test::ray(single(random.in_cube(0.5) + 0.5), single(random.direction()))});
+  for (std::size_t i = 0; i < count; ++i) {
+    const glm::dvec3 from = single(random.in_cube(0.5) + 0.5);
+    queries.push_back({test::ray(from, single(random.direction()))});
+  }
   return queries;
 }
 
@@ -148,8 +151,10 @@ void bound(const RTCBoundsFunctionArguments* call) {
   const double squared = glm::dot(along, along);
   for (int i = 0; i < 3; ++i) {
     const double share = squared > 0 ? std::sqrt(std::max(0.0, 1 - along[i] * along[i] / squared)) : 1;
-    low[i] = std::nextafter(static_cast<float>(std::min(e.a[i] - e.radius * share, e.b[i] - e.top * share)), -HUGE_VALF);
-    high[i] = std::nextafter(static_cast<float>(std::max(e.a[i] + e.radius * share, e.b[i] + e.top * share)), HUGE_VALF);
+    low[i] =
+        std::nextafter(static_cast<float>(std::min(e.a[i] - e.radius * share, e.b[i] - e.top * share)), -HUGE_VALF);
+    high[i] =
+        std::nextafter(static_cast<float>(std::max(e.a[i] + e.radius * share, e.b[i] + e.top * share)), HUGE_VALF);
   }
 }
 
@@ -408,7 +413,10 @@ void run(RTCDevice device, std::size_t n, std::uint32_t size_of_picture) {
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   const Asked asked{rays, hits32, context};
   compare(n, "shadow", queries.size(),
-          {{"Durero fast", [&] { fast->occluded_segments(queries, {blocked.data(), blocked.size()}); }},
+          {{"Durero fast",
+            [&] {
+              fast->occluded_segments(queries, {blocked.data(), blocked.size()});
+            }},
            {"Embree types, single", [&] { occluded_single(native->scene(), asked); }},
            {"Embree types, packets", [&] { occluded_packets(native->scene(), asked); }},
            {"Embree callbacks, single", [&] { occluded_single(callbacks->scene(), asked); }}});

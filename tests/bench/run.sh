@@ -1,10 +1,18 @@
 #!/bin/sh
+# run.sh BUILD --vs embree [OPTION...]: the engine `fast` beside Embree, by versus/embree_bench, which knows the options.
 # run.sh BUILD [BENCHMARK_OPTION...]: every benchmark program, then the instructions of an edit. Figures are ratios taken
 # in one run where they compare; absolute ones drift from machine to machine.
 set -eu
 here=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
 build=$1
 shift
+if [ "${1-}" = --vs ]; then
+  [ "${2-}" = embree ] || { echo "durero: --vs ${2-}: nothing to compare with; expected embree" >&2; exit 2; }
+  [ -x "$build/versus/embree_bench" ] ||
+    { echo "durero: there is no Embree 3, or it came after the build was configured" >&2; exit 2; }
+  shift 2
+  exec "$build/versus/embree_bench" "$@"
+fi
 for bench in "$build"/bench/*_bench; do
   [ -x "$bench" ] || continue
   echo "== ${bench##*/}"

@@ -43,7 +43,7 @@ TEST_CASE("a scene is edited under contract, and a refusal names the clause") {
 
 TEST_CASE("rays are answered in order, with every element at the first point") {
   const Scene scene = two_spheres();
-  for (const char* name : {static_cast<const char*>(nullptr), "exact", "analytic"}) {
+  for (const char* name : {static_cast<const char*>(nullptr), "exact", "analytic", "fast"}) {
     const Engine engine = engine_of(scene, name);
     REQUIRE(engine);
     const std::vector<durero_ray> rays{ahead, aside};

@@ -23,7 +23,7 @@ has out 'unexplained: 0'
 # For programs: the same as JSON.
 run 0 agree scene.json --rays 3000 --seed 7 --format json
 empty err
-has out '{"format":"durero-agreement","version":1,"file":"scene.json","engine":"analytic","seed":7,"rays":3000,"ok":true,'
+has out '{"format":"durero-agreement","version":1,"file":"scene.json","engine":"fast","seed":7,"rays":3000,"ok":true,'
 has out '"incomplete":0,"unsound":0},'
 has out "\"verdicts\":{\"agrees\":$(sed -n 's/^3000 rays: \([0-9]*\) agree.*/\1/p' said),"
 has out '"findings":[]}'
@@ -33,7 +33,7 @@ refused 'agree: --format sarif: no such format; expected one of text, json' agre
 beyond() { # beyond RADIUS TEXT
   printf '{"format":"durero-scene","version":1,"elementos":[\n{"id":"s","tipo":"esfera","centro":[0,0,0],"radio":%s}]}' \
     "$1" >beyond.json
-  for engine in sampled exact analytic; do
+  for engine in sampled exact analytic fast; do
     refused "beyond.json: element s has a length of $2; expected lengths from 1e-140 to 1e+140" \
       agree beyond.json --rays 2000 --engine $engine
   done

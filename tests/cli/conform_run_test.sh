@@ -31,7 +31,7 @@ has out 'liar 2'
 printf 'scene a\nesfera e 0 0 5 1\nrays 2\n0 0 0 0 0 2\n0 0 0 0 0 -2\n' >questions
 "$durero" conform answer <questions >out 2>err || fail 'conform answer'
 called='conform answer'
-is out 'system durero 0.1.0 analytic
+is out 'system durero 0.1.0 fast
 hit e 2 0 0 4
 miss'
 printf 'scene a\nesfera e 0 0 5\nrays 1\n' >questions

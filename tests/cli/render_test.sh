@@ -5,7 +5,7 @@ sample >scene.json
 run 0 render scene.json -o analytic.png --engine analytic
 empty out
 empty err
-for engine in exact analytic; do
+for engine in exact analytic fast; do
   for threads in 1 3; do
     run 0 render scene.json -o other.png --engine $engine --threads $threads
     same analytic.png other.png

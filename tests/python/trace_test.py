@@ -180,7 +180,7 @@ def test_origins_that_are_none_are_refused(en: Any, error: type[Exception], mess
 
 
 def test_engines_are_known_by_name() -> None:
-    with pytest.raises(ValueError, match='no engine "exacto"; expected one of sampled, exact, analytic'):
+    with pytest.raises(ValueError, match='no engine "exacto"; expected one of sampled, exact, analytic, fast'):
         sphere_scene().trace(along_z(), "exacto")
     with pytest.raises(ValueError, match="engine sampled: it knows nothing of the elements that a ray starts on"):
         sphere_scene().trace(along_z(), "sampled", en=np.array([0]))

@@ -19,7 +19,8 @@ namespace durero::accel {
 /// Keeps a reference to the scene, which must outlive it unedited.
 class WideBvh {
  public:
-  /// On as many threads as the calling one may use; the tree does not depend on their number. O(n log n) for n elements.
+  /// On as many threads as the calling one may use; the tree does not depend on their number. O(n log n) for n
+  /// elements.
   explicit WideBvh(const scene::Scene& scene);
 
   /// The scene, unedited since.

@@ -31,12 +31,17 @@ struct WideChild {
 
 /// Eight children and their boxes. Four lines of the cache.
 struct alignas(64) WideNode {
-  static constexpr std::size_t width = 8;                ///< how many children
-  using Entries = std::array<double, width>;             ///< a parameter of a ray for each child
-  std::array<std::array<float, width>, 6> planes{};      ///< x, y, z of the low corners, then of the high ones
-  std::array<WideChild, width> children{};               ///< those that are none come last
+  static constexpr std::size_t width = 8;            ///< how many children
+  using Entries = std::array<double, width>;         ///< a parameter of a ray for each child
+  std::array<std::array<float, width>, 6> planes{};  ///< x, y, z of the low corners, then of the high ones
+  std::array<WideChild, width> children{};           ///< those that are none come last
 };
 static_assert(sizeof(WideNode) == 256);
+
+/// No tree has more levels of nodes.
+inline constexpr std::size_t most_levels = 36;
+/// No walk has more children waiting: seven of each level, and eight of the last.
+inline constexpr std::size_t most_waiting = most_levels * (WideNode::width - 1) + 1;
 
 /// The greatest parameter at which a box whose entry waits may still be met, once the limit is this.
 inline double latest_entry(double limit) { return limit * grow + tiny; }
@@ -44,13 +49,20 @@ inline double latest_entry(double limit) { return limit * grow + tiny; }
 /// Rays in columns that walk the tree together: ordinary ones, in whose directions no component is 0 and all those
 /// along an axis are of one sign.
 struct WideBundle {
-  static constexpr std::size_t size = 64;                  ///< how many rays at most
-  using Column = std::array<double, size>;                 ///< a number of each ray
-  alignas(64) std::array<Column, 3> p{}, inverse{};        ///< as in Beam, by axis
-  Column limit{};                                          ///< of each ray; below 0 of one that takes no part
-  std::array<double, 3> p_low{}, p_high{};                 ///< between which the origins lie
-  std::array<double, 3> inverse_low{}, inverse_high{};     ///< between which the inverses lie
-  std::size_t count = 0;                                   ///< how many rays
+  static constexpr std::size_t size = 64;   ///< how many rays at most
+  using Column = std::array<double, size>;  ///< a number of each ray
+  /// @{ As in Beam, by axis.
+  alignas(64) std::array<Column, 3> p{};
+  std::array<Column, 3> inverse{};
+  /// @}
+  Column limit{};  ///< of each ray; below 0 of one that takes no part
+  /// @{ Between which the origins and the inverses lie.
+  std::array<double, 3> p_low{};
+  std::array<double, 3> p_high{};
+  std::array<double, 3> inverse_low{};
+  std::array<double, 3> inverse_high{};
+  /// @}
+  std::size_t count = 0;  ///< how many rays
 
   /// Whether a ray may be added to those that are there: it is of their signs.
   bool takes(const Beam& beam) const;
@@ -64,8 +76,8 @@ struct WideBundle {
 /// `stretch` computes of any ray between them, and the test passes wherever that of some ray does.
 unsigned met(const WideNode& node, const WideBundle& bundle, double limit, WideNode::Entries& entries);
 
-/// A bit for each ray of the bundle that may meet the box of one child up to its own limit, as `stretch` finds it of each.
-/// Precondition: the bundle is not empty.
+/// A bit for each ray of the bundle that may meet the box of one child up to its own limit, as `stretch` finds it of
+/// each. Precondition: the bundle is not empty.
 std::uint64_t met_by(const WideNode& node, std::size_t child, const WideBundle& bundle);
 
 }  // namespace durero::accel

@@ -9,12 +9,44 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <glm/common.hpp>
 #include <span>
 #include <vector>
 
 #include "durero/accel/wide_walker.hpp"
+#include "durero/trace/finding.hpp"
 
 namespace durero::accel {
+
+/// The child at a place of a node, and where the first ray enters its box.
+struct WideWaiting {
+  double entry;         ///< not less than 0
+  std::uint32_t node;   ///< the parent
+  std::uint32_t place;  ///< among its children
+};
+
+/// The children that wait while a bundle walks, the next one last.
+class WideStack {
+ public:
+  /// @{ As of a vector.
+  bool empty() const { return size_ == 0; }
+  WideWaiting pop() { return waiting_[--size_]; }
+  /// @}
+  /// Adds the children of a node that have a bit in `met`, the nearest last.
+  void push(std::uint32_t node, unsigned met, const WideNode::Entries& entries) {
+    const std::size_t begin = size_;
+    for (; met != 0; met &= met - 1) {
+      const auto place = static_cast<std::uint32_t>(std::countr_zero(met));
+      std::size_t at = size_++;
+      for (; at > begin && waiting_[at - 1].entry < entries[place]; --at) waiting_[at] = waiting_[at - 1];
+      waiting_[at] = {entries[place], node, place};
+    }
+  }
+
+ private:
+  std::array<WideWaiting, most_waiting> waiting_;  // only the first size_ mean anything
+  std::size_t size_ = 0;
+};
 
 /// PairCandidates::pairs over a tree that has nodes() and spacing().
 template <class Tree, class Limit, class Take, class Flush>
@@ -22,8 +54,7 @@ class WideWalk {
  public:
   /// All of these must outlive it. Precondition: the tree has a node.
   WideWalk(const Tree& tree, std::span<const trace::Ray> rays, Limit& limit, Take& take, Flush& flush)
-      : nodes_(tree.nodes()), narrow_(widest * tree.spacing()), rays_(rays), limit_(limit), take_(take),
-        flush_(flush) {
+      : nodes_(tree.nodes()), narrow_(widest * tree.spacing()), rays_(rays), limit_(limit), take_(take), flush_(flush) {
     const std::size_t root = 0;
     for (int i = 0; i < 3; ++i) {
       const auto& low = nodes_[root].planes[static_cast<std::size_t>(i)];
@@ -38,9 +69,9 @@ class WideWalk {
     for (std::uint32_t number = 0; number < rays_.size(); ++number) {
       if (!(limit_(number) > 0)) continue;
       const Beam beam(rays_[number]);
-      if (!joins(beam)) {
+      if (!joins(rays_[number], beam)) {
         release();
-        if (!bundle_.takes(beam)) {
+        if (!joins(rays_[number], beam)) {
           alone_.push_back(number);
           continue;
         }
@@ -53,26 +84,27 @@ class WideWalk {
   }
 
  private:
-  static constexpr double widest = 2;          // of a bundle, in spacings of the elements
-  static constexpr std::size_t least = 6;      // rays of a bundle that is worth it
-  static constexpr std::size_t at_a_time = 16;  // rays alone
-  static constexpr std::size_t in_cache = 1 << 19;  // bytes of nodes that need no waiting for
-  static constexpr std::size_t patience = 32;  // pairs, until the limits are brought up to date
+  static constexpr double widest = 2;               // of a bundle, in spacings of the elements
+  static constexpr std::size_t least = 6;           // rays of a bundle that is worth it
+  static constexpr std::size_t at_a_time = 16;      // rays alone
+  static constexpr std::size_t in_cache = 1 << 14;  // bytes of nodes that need no waiting for
+  static constexpr std::size_t patience = 32;       // pairs, until the limits are brought up to date
 
   /// The bundle takes the ray, and stays narrow as far as the box of the scene.
-  bool joins(const Beam& beam) {
+  bool joins(const trace::Ray& ray, const Beam& beam) {
     if (bundle_.count == WideBundle::size || !bundle_.takes(beam)) return false;
     if (bundle_.count == 0) {
       reach_ = stretch(all_, beam, trace::no_limit).exit;
+      v_low_ = v_high_ = ray.v;
       return true;
     }
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double p = beam.p[static_cast<int>(axis)], inverse = beam.inverse[static_cast<int>(axis)];
-      const double of_p = std::max(bundle_.p_high[axis], p) - std::min(bundle_.p_low[axis], p);
-      const double of_v = 1 / std::min(bundle_.inverse_low[axis], inverse) -
-                          1 / std::max(bundle_.inverse_high[axis], inverse);
-      if (!(of_p + reach_ * of_v <= narrow_)) return false;
+    const glm::dvec3 v_low = glm::min(v_low_, ray.v), v_high = glm::max(v_high_, ray.v);
+    for (int i = 0; i < 3; ++i) {
+      const auto axis = static_cast<std::size_t>(i);
+      const double of_p = std::max(bundle_.p_high[axis], ray.p[i]) - std::min(bundle_.p_low[axis], ray.p[i]);
+      if (!(of_p + reach_ * (v_high[i] - v_low[i]) <= narrow_)) return false;
     }
+    v_low_ = v_low, v_high_ = v_high;
     return true;
   }
 
@@ -143,7 +175,8 @@ class WideWalk {
       one.walker.restart(rays_[one.number]);
     };
     walking.reserve(few ? 1 : at_a_time);
-    while (next < alone_.size() && walking.size() < (few ? 1 : at_a_time)) start(walking.emplace_back(rays_[alone_[next]]));
+    while (next < alone_.size() && walking.size() < (few ? 1 : at_a_time))
+      start(walking.emplace_back(rays_[alone_[next]]));
     std::array<std::uint32_t, at_a_time> active{};
     std::size_t count = walking.size();
     for (std::uint32_t i = 0; i < count; ++i) active[i] = i;
@@ -193,7 +226,8 @@ class WideWalk {
   surface::Box all_{};
   WideBundle bundle_;
   std::array<std::uint32_t, WideBundle::size> numbers_;
-  double reach_ = 0;
+  glm::dvec3 v_low_{}, v_high_{};  // between which the directions of the bundle lie
+  double reach_ = 0;               // up to where it has to be narrow
   std::vector<std::uint32_t> alone_;
 };
 

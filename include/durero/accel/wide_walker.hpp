@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "durero/accel/wide_stack.hpp"
+#include "durero/accel/wide_node.hpp"
 
 namespace durero::accel {
 
@@ -15,7 +15,7 @@ struct WideWalker {
   /// Whether a walk goes on until it finds an element, or stops at each node, which gives memory time to come.
   enum class Pace : std::uint8_t { steady, by_nodes };
 
-  static constexpr std::size_t room = WideStack::most + WideNode::width;  ///< of the columns; whole lanes are stored
+  static constexpr std::size_t room = most_waiting + WideNode::width;  ///< of the columns; whole lanes are stored
 
   /// Starts at the root. Precondition: the ray is ordinary.
   explicit WideWalker(const trace::Ray& ray) : beam(ray) { restart(ray); }
@@ -25,11 +25,13 @@ struct WideWalker {
   /// Goes on, past all that lies beyond the limit. Precondition: the limit is not less than 0.
   Next advance(const WideNode* nodes, double limit, Pace pace);
 
-  Beam beam;                       ///< the ray
-  scene::ElementRef element{};     ///< the last that it came to
-  std::uint32_t size = 0;          ///< how many children wait, the next one last
+  Beam beam;                    ///< the ray
+  scene::ElementRef element{};  ///< the last that it came to
+  std::uint32_t size = 0;       ///< how many children wait, the next one last
   /// @{ Counted on the way, for any number of rays.
-  std::uint32_t nodes = 0, met = 0, late = 0;
+  std::uint32_t nodes = 0;  ///< that were opened
+  std::uint32_t met = 0;    ///< boxes of them that were met
+  std::uint32_t late = 0;   ///< children that the limit had fallen below
   /// @}
   std::array<double, room> entries;          ///< of the children that wait
   std::array<std::uint64_t, room> children;  ///< they themselves

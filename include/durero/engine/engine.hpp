@@ -72,6 +72,6 @@ std::span<const Row> engines();
 const Row* find(std::string_view name);
 
 /// The engine of whoever names none.
-inline constexpr std::string_view default_engine = "analytic";
+inline constexpr std::string_view default_engine = "fast";
 
 }  // namespace durero::engine

@@ -81,7 +81,8 @@ class SegmentBatch {
   void test(Queue& queue) {
     if (queue.count == 0) return;
     triage(queue.packet, queue.elements[0].tipo, findings_);
-    for (unsigned left = (findings_.hit | findings_.undecided) & ((1u << queue.count) - 1); left != 0; left &= left - 1) {
+    for (unsigned left = (findings_.hit | findings_.undecided) & ((1u << queue.count) - 1); left != 0;
+         left &= left - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(left));
       const std::uint32_t number = queue.numbers[lane];
       const bool hit = (findings_.hit >> lane & 1) != 0;
