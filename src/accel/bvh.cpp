@@ -1,22 +1,58 @@
 #include "durero/accel/bvh.hpp"
 
+#include <algorithm>
+#include <stdexcept>
+
 #include "accel/finite_box.hpp"
 #include "accel/top_down.hpp"
 #include "durero/accel/insertion.hpp"
 
 namespace durero::accel {
+namespace {
+
+/// The elements of a group and of all within it.
+void collect(const Group& group, std::vector<scene::ElementRef>& elements) {
+  elements.insert(elements.end(), group.elements.begin(), group.elements.end());
+  for (const Group& within : group.groups) collect(within, elements);
+}
+
+}  // namespace
 
 Bvh::Bvh(const scene::Scene& scene, Build build, unsigned most_children)
     : scene_(&scene), most_children_(most_children) {
+  grow(build, take_elements());
+}
+
+Bvh::Bvh(const scene::Scene& scene, const Group& by_hand) : scene_(&scene), most_children_(usual_children) {
+  std::vector<scene::ElementRef> grouped, all;
+  collect(by_hand, grouped);
+  std::ranges::sort(grouped);
+  scene.for_each([&](scene::ElementRef e, const auto&) { all.push_back(e); });
+  if (grouped != all) throw std::invalid_argument("not every element is in exactly one group");
+  take_elements();
+  tree_.set_root(join(by_hand));
+}
+
+std::vector<Hierarchy::Number> Bvh::take_elements() {
   std::vector<Number> leaves;
-  scene.for_each([&](scene::ElementRef e, const auto&) {
-    const auto box = finite_box(scene, e);
+  scene_->for_each([&](scene::ElementRef e, const auto&) {
+    const auto box = finite_box(*scene_, e);
     if (!box) return put_apart(e);
     const Number leaf = tree_.leaf(e, *box);
     places_[static_cast<std::size_t>(e.tipo)].push_back({false, leaf});
     leaves.push_back(leaf);
   });
-  grow(build, std::move(leaves));
+  return leaves;
+}
+
+Hierarchy::Number Bvh::join(const Group& group) {
+  std::vector<Number> children;
+  for (const scene::ElementRef e : group.elements)
+    if (!place(e).apart) children.push_back(place(e).number);
+  for (const Group& within : group.groups)
+    if (const Number node = join(within); node != Hierarchy::none) children.push_back(node);
+  if (children.empty()) return Hierarchy::none;
+  return children.size() == 1 ? children.front() : tree_.join(children);
 }
 
 void Bvh::grow(Build build, std::vector<Number> leaves) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <set>
+#include <stdexcept>
 
 #include "durero/accel/structure.hpp"
 #include "durero/surface/surfaces.hpp"
@@ -336,4 +337,43 @@ TEST_CASE("elements that are all the same, and such as lie apart ever farther, m
   scene::Scene spread;
   for (int i = -96; i < 96; ++i) add(spread, scene::Sphere{glm::dvec3(std::ldexp(1.0, i)), std::ldexp(1.0, i - 2)});
   CHECK(Bvh(spread, Build::top_down, 2).size().depth <= 40 + 8);
+}
+
+TEST_CASE("a hierarchy that is made by hand is honoured, and may cost less than the automatic one") {
+  bool cheaper = false;
+  for (std::uint64_t seed = 1; seed <= 200 && !cheaper; ++seed) {
+    Random random(seed);
+    scene::Scene scene;
+    for (int i = 0; i < 4; ++i) {
+      const glm::dvec3 centre = random.in_cube(1);
+      add(scene, scene::Sphere{centre, random.uniform(0.1, 0.5)});
+    }
+    const auto sphere = [](std::uint32_t i) { return scene::ElementRef{model::Tipo::soy_esfera, i}; };
+    const Bvh automatic(scene);
+    for (std::uint32_t i = 1; i < 4; ++i) {
+      const std::uint32_t j = i % 3 + 1, k = j % 3 + 1;
+      const Bvh by_hand(scene, accel::Group{{}, {{{sphere(0), sphere(i)}, {}}, {{sphere(j), sphere(k)}, {}}, {}}});
+      check_describes(by_hand);
+      CHECK(by_hand.hierarchy().inner_nodes() == 3);
+      CHECK(by_hand.hierarchy().depth() == 2);
+      cheaper = cheaper || accel::weight<double>(by_hand.hierarchy()) < accel::weight<double>(automatic.hierarchy());
+      const model::Rayo rayo = random_ray(random);
+      Work unseen;
+      CHECK(first_hit(by_hand, rayo, unseen) == first_hit(automatic, rayo, unseen));
+    }
+  }
+  CHECK(cheaper);
+}
+
+TEST_CASE("by hand every element is in one group, planes too, and a group of one is its element") {
+  scene::Scene scene;
+  const scene::ElementRef a = add(scene, scene::Sphere{{0, 0, 0}, 1}), b = add(scene, scene::Sphere{{3, 0, 0}, 1});
+  const scene::ElementRef plane = add(scene, scene::Plane{{0, 0, 9}, {0, 0, 1}});
+  CHECK_THROWS_AS(Bvh(scene, accel::Group{{a, b}, {}}), std::invalid_argument);
+  CHECK_THROWS_AS(Bvh(scene, accel::Group{{a, b, plane}, {{{a}, {}}}}), std::invalid_argument);
+  const Bvh bvh(scene, accel::Group{{plane}, {{{a}, {}}, {{b}, {}}, {}}});
+  check_describes(bvh);
+  CHECK(bvh.hierarchy().depth() == 1);
+  CHECK(bvh.extraordinary().size() == 1);
+  CHECK(Bvh(scene::Scene(), accel::Group{}).hierarchy().empty());
 }

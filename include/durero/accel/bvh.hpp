@@ -33,12 +33,22 @@ enum class Build : std::uint8_t {
 /// How many children a node has at most, where nobody says otherwise.
 inline constexpr unsigned usual_children = 8;
 
+/// A group of elements and of other groups, as whoever models or edits a scene makes them by hand.
+struct Group {
+  std::vector<scene::ElementRef> elements;  ///< directly in it
+  std::vector<Group> groups;                ///< within it
+};
+
 /// A scene's elements in a hierarchy. It follows edits of the scene that it is told of.
 class Bvh {
  public:
   /// Of a scene, which must outlive it, and is edited only with added() and removed() after each edit. Precondition:
   /// most_children ≥ 2.
   explicit Bvh(const scene::Scene& scene, Build build = Build::top_down, unsigned most_children = usual_children);
+
+  /// The hierarchy that was made by hand: a node for each group, but for such as hold one thing or nothing. Throws
+  /// std::invalid_argument where an element is in no group or in more than one.
+  Bvh(const scene::Scene& scene, const Group& by_hand);
 
   /// What it is made of.
   const scene::Scene& scene() const noexcept { return *scene_; }
@@ -78,7 +88,11 @@ class Bvh {
 
   Place& place(scene::ElementRef e) { return places_[static_cast<std::size_t>(e.tipo)][e.index]; }
   void put_apart(scene::ElementRef e);
+  /// Makes a leaf or a place apart for each element; the leaves.
+  std::vector<Number> take_elements();
   void grow(Build build, std::vector<Number> leaves);
+  /// The node of a group; none where it holds nothing that has a box.
+  Number join(const Group& group);
 
   const scene::Scene* scene_;
   unsigned most_children_;
