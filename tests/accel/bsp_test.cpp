@@ -175,6 +175,37 @@ TEST_CASE("a plane at the median has as many elements on either side, and the tr
   }
 }
 
+TEST_CASE("a plane by surface area is the best of all that end elements") {
+  Random random(8);
+  for (int round = 0; round < 30; ++round) {
+    const scene::Scene scene = random_scene(random, 12);
+    const Bsp bsp(scene);
+    const accel::Contents& contents = bsp.contents();
+    // What a ray that comes into the cell is expected to test: by the areas of the halves.
+    const auto cost = [&](int axis, double plane) {
+      double sum = 0;
+      for (const bool above : {false, true}) {
+        surface::Box half = bsp.root();
+        (above ? half.low : half.high)[axis] = plane;
+        double elements = 0;
+        for (std::uint32_t e = 0; e < contents.elements.size(); ++e) {
+          const surface::Box box = contents.box_of(e);
+          elements += (above ? box.high[axis] >= plane : box.low[axis] <= plane) ? 1 : 0;
+        }
+        const glm::dvec3 side = half.high - half.low;
+        sum += elements * (side.x * side.y + side.y * side.z + side.z * side.x);
+      }
+      return sum;
+    };
+    if (bsp.nodes()[0].leaf()) continue;
+    const double own = cost(static_cast<int>(bsp.nodes()[0].axis), bsp.nodes()[0].plane);
+    for (int axis = 0; axis < 3; ++axis)
+      for (std::uint32_t e = 0; e < contents.elements.size(); ++e)
+        for (const double end : {contents.box_of(e).low[axis] - 1e-9, contents.box_of(e).high[axis] + 1e-9})
+          if (bsp.root().low[axis] < end && end < bsp.root().high[axis]) REQUIRE(own <= cost(axis, end) * (1 + 1e-6));
+  }
+}
+
 TEST_CASE("planes that follow the elements cost less than those that do not, where elements lie in heaps") {
   Random random(4);
   const scene::Scene scene = heaps(random, 300);
