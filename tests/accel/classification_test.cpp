@@ -60,7 +60,7 @@ model::Rayo some_ray(Random& random, int number) {
 }  // namespace
 
 /// On scenes of these seeds; true where lists were looked at for many rays.
-bool lists_are_complete(std::uint64_t first, std::uint64_t last) {
+static bool lists_are_complete(std::uint64_t first, std::uint64_t last) {
   Work work;
   std::size_t asked = 0;
   for (std::uint64_t seed = first; seed <= last; ++seed) {

@@ -64,7 +64,7 @@ void add_lights(Scene& scene, Random& random) {
 }  // namespace
 
 /// Scenes of these seeds; true where lists and records were of use in many cases.
-bool lists_are_complete(std::uint64_t first, std::uint64_t last) {
+static bool lists_are_complete(std::uint64_t first, std::uint64_t last) {
   std::uint64_t looked_up = 0, untested = 0;
   for (std::uint64_t seed = first; seed <= last; ++seed) {
     Random random(seed);
