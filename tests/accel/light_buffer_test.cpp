@@ -94,7 +94,7 @@ TEST_CASE("what a segment that ends at a light meets is in its list") {
   CHECK(lists_are_complete(1, sanitized ? 5 : 40));
 }
 TEST_CASE("what a segment that ends at a light meets is in its list, at length", "[long]") {
-  CHECK(lists_are_complete(1000, 51000));
+  CHECK(lists_are_complete(1000, 11000));
 }
 
 // The cube is built of few elements here, so that its squares are small; what lies close to the light is seen from it
