@@ -76,6 +76,7 @@ Classification::Classification(const scene::Scene& scene) : scene_(&scene) {
     bounds_ = {glm::min(bounds_.low, box.low), glm::max(bounds_.high, box.high)};
     elements_.push_back(e);
     balls_.push_back(surface::ball(shape));
+    boxes_.push_back(box);
   });
   if (elements_.empty()) return;
   reach_ = glm::length(bounds_.high - bounds_.low);
@@ -150,7 +151,7 @@ std::optional<Classification::Start> Classification::start(const trace::Ray& ray
 }
 
 Size Classification::size() const {
-  const std::size_t ball = sizeof(scene::ElementRef) + sizeof(surface::Ball);
+  const std::size_t ball = sizeof(scene::ElementRef) + sizeof(surface::Ball) + sizeof(surface::Box);
   Size size{.elements = elements_.size(),
             .apart = extraordinary_.size(),
             .bytes = elements_.size() * ball + extraordinary_.size() * sizeof(scene::ElementRef)};

@@ -96,8 +96,9 @@ Figures measured_item_buffer(const Scene& scene, std::span<const Query> queries)
     const std::uint64_t pixels = std::uint64_t{width} * height, count = std::min<std::uint64_t>(pixels, queries.size());
     for (std::uint64_t i = 0; i < count; ++i) {
       const std::uint64_t pixel = i * pixels / count;
-      primary.push_back(
-          {rays->ray(static_cast<std::uint32_t>(pixel % width), static_cast<std::uint32_t>(pixel / width))});
+      const Query query{
+          rays->ray(static_cast<std::uint32_t>(pixel % width), static_cast<std::uint32_t>(pixel / width))};
+      primary.push_back(query);
     }
   }
   Figures figures = measured<accel::ItemBuffer>(scene, primary);

@@ -71,6 +71,7 @@ class Classification {
   const scene::Scene* scene_;
   std::vector<scene::ElementRef> elements_;
   std::vector<surface::Ball> balls_;  // of each
+  std::vector<surface::Box> boxes_;   // of each
   std::vector<scene::ElementRef> extraordinary_;
   surface::Box bounds_{};
   double reach_ = 0, margin_ = 0;
@@ -105,7 +106,12 @@ bool Classification::any(const trace::Ray& ray, Limit limit, Visit visit, Work& 
       ++work.by_distance;
       return false;
     }
-    if (hand_over(entry.number)) return true;
+    ++work.volumes;
+    if (!stretch(boxes_[entry.number], beam, limit()).meets()) {
+      ++work.by_miss;
+    } else if (hand_over(entry.number)) {
+      return true;
+    }
   }
   return false;
 }
