@@ -42,7 +42,7 @@ TEST_CASE(
     CHECK(of({-3, 1, 0}, {1, zero, zero}).meets());
     CHECK(of({-3, 1, -1}, {1, zero, zero}).meets());
     CHECK(of({-3, -1, -1}, {1, 1, zero}).meets());
-    CHECK_FALSE(of({-3, -1.5, -1}, {1, 0.125, zero}).meets());
+    CHECK_FALSE(of({-3, -2.5, -1}, {1, 0.125, zero}).meets());
     CHECK(of({-2, 0, 1}, {1, 1, zero}).meets());
     CHECK(of({zero, zero, zero}, {zero, zero, 1}).meets());
   }

@@ -36,9 +36,10 @@ std::vector<WideNode> two_nodes() {
   return nodes;
 }
 
-std::vector<std::uint32_t> walked(const glm::dvec3& v, double limit, WideWalker::Pace pace) {
+std::vector<std::uint32_t> walked(const glm::dvec3& v, double limit, WideWalker::Pace pace,
+                                  const glm::dvec3& p = {0, 0, 0}) {
   const std::vector<WideNode> nodes = two_nodes();
-  WideWalker walker{trace::Ray(ray({0, 0, 0}, v))};
+  WideWalker walker{trace::Ray(ray(p, v))};
   std::vector<std::uint32_t> elements;
   for (;;) {
     const Next next = walker.advance(nodes.data(), limit, pace);
@@ -59,6 +60,14 @@ TEST_CASE("the nearest box comes first, and none beyond the limit, at either pac
     CHECK(walked({1, 1, 0}, trace::no_limit, pace).empty());
     CHECK(walked({2, 1, 0}, trace::no_limit, pace) == std::vector<std::uint32_t>{1});
   }
+}
+
+TEST_CASE("a ray in the plane of a face, or along an edge, meets the box") {
+  const std::vector<std::uint32_t> all{1, 2, 0};
+  for (const double zero : {0.0, -0.0})
+    for (const glm::dvec3 p : {glm::dvec3(0, 1, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1),
+                               glm::dvec3(0, 1, -1), glm::dvec3(0, -1, 1)})
+      CHECK(walked({1, zero, zero}, trace::no_limit, WideWalker::Pace::steady, p) == all);
 }
 
 TEST_CASE("a walker counts, and starts again") {
