@@ -445,6 +445,18 @@ Theorem the_slab_test_never_rejects_in_binary32 box best t :
   Slab.visit 24 128 Slab.prec32 Slab.less32 Slab.grow32 Slab.tiny32 box best = true.
 Proof. exact (Slab.slab32_never_rejects box best t). Qed.
 
+(** Rays that are tested together, by the ends between which they lie: none enters earlier, none leaves later, so that the
+    bundle passes where one of them does. *)
+Theorem a_bundle_is_entered_no_later plane p0 p1 a b p i : p0 <= p <= p1 -> a <= i <= b ->
+  (0 < a -> Rmin (Slab.crossed 53 1024 plane p1 a) (Slab.crossed 53 1024 plane p1 b) <= Slab.crossed 53 1024 plane p i) /\
+  (b < 0 -> Rmin (Slab.crossed 53 1024 plane p0 a) (Slab.crossed 53 1024 plane p0 b) <= Slab.crossed 53 1024 plane p i).
+Proof. exact (Slab.bundle_entry 53 1024 Slab.prec64 plane p0 p1 a b p i). Qed.
+
+Theorem a_bundle_is_left_no_earlier plane p0 p1 a b p i : p0 <= p <= p1 -> a <= i <= b ->
+  (0 < a -> Slab.crossed 53 1024 plane p i <= Rmax (Slab.crossed 53 1024 plane p0 a) (Slab.crossed 53 1024 plane p0 b)) /\
+  (b < 0 -> Slab.crossed 53 1024 plane p i <= Rmax (Slab.crossed 53 1024 plane p1 a) (Slab.crossed 53 1024 plane p1 b)).
+Proof. exact (Slab.bundle_exit 53 1024 Slab.prec64 plane p0 p1 a b p i). Qed.
+
 (** What the certified tracer decides on a sphere, in binary64: F, S, … computed as trace/closed_form does. *)
 Section Sphere.
 Variables (p v centro : Flotante.vec) (r : R).

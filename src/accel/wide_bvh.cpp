@@ -11,7 +11,7 @@ namespace durero::accel {
 namespace {
 
 using Corner = std::array<float, 3>;
-using Kind = WideChild::Kind;
+using ChildKind = WideChild::Kind;
 
 /// The greatest number of binary32 that is not above x, and the least that is not below it.
 float below(double x) {
@@ -210,7 +210,7 @@ void place(WideNode& node, std::size_t at, const Part& part) {
     node.planes[i + 3][at] = part.box.high[i];
   }
   const scene::ElementRef e = part.items[0].e;
-  if (part.items.size() == 1) node.children[at] = {e.index, e.tipo, Kind::element};
+  if (part.items.size() == 1) node.children[at] = {e.index, e.tipo, ChildKind::element};
 }
 
 /// The trees of the parts that are more than an element, each as if it stood alone.
@@ -227,7 +227,7 @@ void append(std::vector<WideNode>& nodes, const std::vector<WideNode>& tree) {
   nodes.insert(nodes.end(), tree.begin(), tree.end());
   for (WideNode& node : std::span(nodes).subspan(before))
     for (WideChild& child : node.children)
-      if (child.kind == Kind::node) child.index += before;
+      if (child.kind == ChildKind::node) child.index += before;
 }
 
 /// Appends the node of a part, and all below it.
@@ -241,7 +241,7 @@ void build(std::vector<WideNode>& nodes, const Part& whole, std::size_t level) {
   if (whole.items.size() > alone) trees = built_apart(parts, level);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (parts[i].items.size() == 1) continue;
-    nodes[own].children[i] = {static_cast<std::uint32_t>(nodes.size()), {}, Kind::node};
+    nodes[own].children[i] = {static_cast<std::uint32_t>(nodes.size()), {}, ChildKind::node};
     if (trees.empty()) {
       build(nodes, parts[i], level + 1);
     } else {
@@ -254,7 +254,7 @@ void build(std::vector<WideNode>& nodes, const Part& whole, std::size_t level) {
 std::size_t depth(std::span<const WideNode> nodes, std::size_t at) {
   std::size_t deepest = 0;
   for (const WideChild& child : nodes[at].children)
-    if (child.kind == Kind::node) deepest = std::max(deepest, depth(nodes, child.index));
+    if (child.kind == ChildKind::node) deepest = std::max(deepest, depth(nodes, child.index));
   return deepest + 1;
 }
 
@@ -280,7 +280,7 @@ WideBvh::WideBvh(const scene::Scene& scene) : scene_(&scene) {
 Size WideBvh::size() const {
   Size size;
   for (const WideNode& node : nodes_)
-    for (const WideChild& child : node.children) size.cells += child.kind == Kind::element;
+    for (const WideChild& child : node.children) size.cells += child.kind == ChildKind::element;
   size.elements = size.references = size.cells;
   size.apart = unbounded_.size() + extraordinary_.size();
   size.nodes = nodes_.size();
