@@ -42,7 +42,7 @@ constexpr std::array techniques = {
 std::string promises() {
   std::string text;
   for (const engine::Row& row : engine::engines())
-    text += fmt::format("{:16} {}\n{:16} {}; {}\n", row.name, row.what, "",
+    text += fmt::format("{:18} {}\n{:18} {}; {}\n", row.name, row.what, "",
                         row.exact_bytes ? "the same bytes as exact" : "not the bytes of exact",
                         row.honours_origins ? "honours the elements that a ray starts on"
                                             : "knows nothing of the elements that a ray starts on");

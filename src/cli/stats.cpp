@@ -95,7 +95,7 @@ std::string times(const Measured& of) {
 
 void print_text(const StatsOptions& options, const scene::Scene& scene, std::size_t rays,
                 const std::vector<Measured>& all) {
-  constexpr auto head = "{:<16}{:<14}{:>8}{:>8}{:>11}{:>10}{:>10}{:>11}{:>11}";
+  constexpr auto head = "{:<19}{:<14}{:>8}{:>8}{:>11}{:>10}{:>10}{:>11}{:>11}";
   std::string text = fmt::format("{}: {} elementos, {} rays\n", text::escaped(options.scene), scene.size(), rays);
   text += fmt::format(head, "engine", "asked", "nodes", "cells", "bytes", "n/ray", "m/ray", "nodes/ray", "cells/ray");
   text += options.no_times ? "\n" : fmt::format("{:>12}{:>12}{:>12}\n", "build s", "µs/ray", "break-even");
