@@ -23,7 +23,7 @@ while IFS= read -r answer; do
        printf '   %-34s refused  %s\n' "$operation" "$why" ;;
   esac
 done <"$tmp/answers"
-echo "3. The analytic tracer against the set-of-points oracle, on 100000 rays"
+echo "3. The tracer against the set-of-points oracle, on 100000 rays"
 "$durero" agree "$tmp/scene.json" --rays 100000 | sed 's/^/   /'
 echo "4. Render, 1280 x 720"
 "$durero" render "$tmp/scene.json" -o "$out/durero-demo.png"

@@ -104,9 +104,10 @@ void Search::test(scene::ElementRef e, Range range) {
     without_minimum_.push_back(e);
     return;
   }
-  limit_ = std::min(limit_, met.high);
+  const bool nearer = met.high < limit_;
+  if (nearer) limit_ = met.high;
   candidates_.push_back({e, std::move(met)});
-  drop_beyond_limit();
+  if (nearer) drop_beyond_limit();  // the others lay within the limit as it was
 }
 
 void Search::drop_beyond_limit() {
