@@ -8,6 +8,7 @@
 #include "durero/number/rational.hpp"
 #include "support/catch.hpp"
 #include "support/property.hpp"
+#include "support/sanitized.hpp"
 
 using namespace durero;
 using io::CornerNumbers;
@@ -152,8 +153,7 @@ TEST_CASE("A polygon in a plane is cut if and only if it is simple") {
     RC_ASSERT(io::triangulated(polygon).has_value() == is_simple(cells));
     ++(is_simple(cells) ? simple : others);
   });
-  CHECK(simple > 0);
-  CHECK(others > 0);
+  if (!test::sanitized) CHECK((simple > 0 && others > 0));
 }
 
 TEST_CASE("A polygon that is not flat is cut all the same, along the axis that it faces") {

@@ -6,6 +6,7 @@
 #include "support/catch.hpp"
 #include "support/elements.hpp"
 #include "support/property.hpp"
+#include "support/sanitized.hpp"
 #include "support/shapes.hpp"
 #include "trace/steps.hpp"
 #include "trace/triage.hpp"
@@ -62,5 +63,5 @@ TEST_CASE("the exact parameter lies within the error of a finding") {
   int hits = 0;
   property("ordinary numbers", [&] { check_shapes(moderate(), hits); });
   property("grids", [&] { check_shapes(dyadicGrid(), hits); });
-  CHECK(hits > 20);
+  CHECK(hits > (sanitized ? 0 : 20));
 }
