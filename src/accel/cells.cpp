@@ -1,21 +1,18 @@
 #include "durero/accel/cells.hpp"
 
-#include <cmath>
 #include <glm/common.hpp>
 #include <numeric>
 
+#include "accel/finite_box.hpp"
 #include "durero/surface/surfaces.hpp"
 
 namespace durero::accel {
 
 Contents::Contents(const scene::Scene& of) : scene(&of), box{} {
-  of.for_each([&](scene::ElementRef e, const auto& shape) {
-    const surface::Box around = surface::box(shape);
-    if (!trace::ordinary(shape) || !std::isfinite(around.low.x)) {
-      apart.push_back(e);
-      return;
-    }
-    box = elements.empty() ? around : surface::Box{glm::min(box.low, around.low), glm::max(box.high, around.high)};
+  of.for_each([&](scene::ElementRef e, const auto&) {
+    const auto around = finite_box(of, e);
+    if (!around) return apart.push_back(e);
+    box = elements.empty() ? *around : surface::Box{glm::min(box.low, around->low), glm::max(box.high, around->high)};
     elements.push_back(e);
   });
 }

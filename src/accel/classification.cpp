@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "accel/finite_box.hpp"
 #include "durero/surface/surfaces.hpp"
 
 namespace durero::accel {
@@ -68,15 +69,12 @@ struct Classification::Node {
 Classification::Classification(const scene::Scene& scene) : scene_(&scene) {
   bounds_ = {glm::dvec3(trace::no_limit), glm::dvec3(-trace::no_limit)};
   scene.for_each([&](scene::ElementRef e, const auto& shape) {
-    if (!trace::ordinary(shape) || !std::isfinite(surface::ball(shape).radius)) {
-      extraordinary_.push_back(e);
-      return;
-    }
-    const surface::Box box = surface::box(shape);
-    bounds_ = {glm::min(bounds_.low, box.low), glm::max(bounds_.high, box.high)};
+    const auto box = finite_box(scene, e);
+    if (!box) return extraordinary_.push_back(e);
+    bounds_ = {glm::min(bounds_.low, box->low), glm::max(bounds_.high, box->high)};
     elements_.push_back(e);
     balls_.push_back(surface::ball(shape));
-    boxes_.push_back(box);
+    boxes_.push_back(*box);
   });
   if (elements_.empty()) return;
   reach_ = glm::length(bounds_.high - bounds_.low);
