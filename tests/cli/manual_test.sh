@@ -111,6 +111,36 @@ completes embree4 durero conform run embree4
 if command -v zsh >/dev/null; then
   checks=$((checks + 1))
   zsh -f -n zsh || fail 'zsh cannot read it'
+  # Each line is typed into an interactive zsh, then Tab and Return; the words that it has become, one in brackets.
+  cat >typed <<'ZSH'
+zmodload zsh/zpty
+zpty shell zsh -f -i
+zpty -w shell 'PS1= PS2=; autoload -Uz compinit && compinit -u -D; source ./zsh
+durero() { print -r -- "called: ${(@)${(@)@/#/[}/%/]}" :end }; print read"y"'
+zpty -r shell said '*ready*'
+for line; do
+  zpty -w -n shell $line$'\t\n'
+  zpty -r shell said '*called: *:end*'
+  print -r -- ${${said##*called: }%% :end*}
+done
+zpty -d shell
+ZSH
+  zsh_completes() {  # zsh_completes EXPECTED LINE
+    called="zsh: $2"
+    HOME=$directory timeout 60 zsh -f typed "$2" >out 2>err
+    empty err
+    is out "$1"
+  }
+  zsh_completes '[trace]' 'durero tra'
+  zsh_completes '[trace] [--engine]' 'durero trace --eng'
+  zsh_completes '[trace] [--engine] [exact]' 'durero trace --engine ex'
+  zsh_completes '[trace] [scene.json]' 'durero trace sc'
+  zsh_completes '[trace] [-o] [scene.json]' 'durero trace -o sc'
+  zsh_completes '[conform] [judge]' 'durero conform j'
+  zsh_completes '[conform] [make] [folder]' 'durero conform make f'
+  zsh_completes '[conform] [make] [--family] [tiny]' 'durero conform make --family tin'
+  zsh_completes '[spec] [eval]' 'durero spec ev'
+  zsh_completes '[conform] [run] [embree4]' 'durero conform run embree4'
 else
   echo 'zsh is absent: its completion was not tried'
 fi
