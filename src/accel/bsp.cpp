@@ -240,7 +240,7 @@ class BspBuilder {
 };
 
 Bsp::Bsp(const scene::Scene& scene, const BspOptions& options)
-    : contents_(scene), root_(root_for(options.placing, contents_.box)) {
+    : InCells(scene), root_(root_for(options.placing, contents_.box)) {
   BspBuilder(*this, options).build();
 }
 
@@ -260,20 +260,16 @@ std::vector<surface::Box> Bsp::leaf_boxes() const {
 }
 
 Size Bsp::size() const {
-  Size size;
-  size.elements = contents_.elements.size();
-  size.apart = contents_.apart.size();
+  Size size = size_of_lists();
   size.nodes = nodes_.size() / 2;
   size.cells = lists_.rows();
-  size.references = lists_.references();
   std::vector<std::size_t> depths(nodes_.size());
   for (std::size_t place = 0; place < nodes_.size(); ++place) {
     const Node& node = nodes_[place];
     size.depth = std::max(size.depth, depths[place]);
     if (!node.leaf()) depths[node.below] = depths[node.below + 1] = depths[place] + 1;
   }
-  size.bytes = sizeof(*this) + nodes_.capacity() * sizeof(Node) + lists_.bytes() +
-               (contents_.elements.capacity() + contents_.apart.capacity()) * sizeof(scene::ElementRef);
+  size.bytes += sizeof(*this) + nodes_.capacity() * sizeof(Node);
   return size;
 }
 

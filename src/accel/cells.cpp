@@ -21,6 +21,14 @@ surface::Box Contents::box_of(std::uint32_t number) const {
   return scene->visit(elements[number], [](const auto& shape) { return surface::box(shape); });
 }
 
+Size InCells::size_of_lists() const {
+  const std::size_t known = contents_.elements.capacity() + contents_.apart.capacity();
+  return {.elements = contents_.elements.size(),
+          .apart = contents_.apart.size(),
+          .references = lists_.references(),
+          .bytes = lists_.bytes() + known * sizeof(scene::ElementRef)};
+}
+
 template <class RowOf, class ItemOf>
 Lists Lists::made(std::span<const Reference> references, std::size_t rows, RowOf row_of, ItemOf item_of) {
   Lists lists;

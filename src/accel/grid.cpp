@@ -97,17 +97,15 @@ Lattice cubes_over(const surface::Box& box, double cells) {
 }
 
 Grid::Grid(const scene::Scene& scene, const GridOptions& options)
-    : contents_(scene), lattice_(chosen(contents_, options)), lists_(listed(contents_, lattice_)) {}
+    : InCells(scene), lattice_(chosen(contents_, options)) {
+  lists_ = listed(contents_, lattice_);
+}
 
 Size Grid::size() const {
-  Size size;
-  size.elements = contents_.elements.size();
-  size.apart = contents_.apart.size();
+  Size size = size_of_lists();
   size.cells = lists_.rows();
-  size.references = lists_.references();
   size.depth = 1;
-  size.bytes = sizeof(*this) + lists_.bytes() +
-               (contents_.elements.capacity() + contents_.apart.capacity()) * sizeof(scene::ElementRef);
+  size.bytes += sizeof(*this);
   return size;
 }
 

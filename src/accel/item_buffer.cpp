@@ -60,7 +60,7 @@ std::optional<Cone> cone_of(const scene::PrimaryRays& rays, const Tile& tile) {
 
 }  // namespace
 
-ItemBuffer::ItemBuffer(const scene::Scene& scene) : tables_(scene), rays_(primary_rays(scene.stage())) {
+ItemBuffer::ItemBuffer(const scene::Scene& scene) : Linear(scene), rays_(primary_rays(scene.stage())) {
   if (!rays_) return;
   std::vector<Candidate> all;
   scene.for_each([&](scene::ElementRef e, const auto& shape) {

@@ -170,7 +170,7 @@ void LightCube::add_to(Size& size) const {
                 references_.size() * sizeof(std::uint32_t);
 }
 
-LightBuffer::LightBuffer(const scene::Scene& scene) : tables_(scene) {
+LightBuffer::LightBuffer(const scene::Scene& scene) : Linear(scene) {
   std::vector<scene::ElementRef> elements;
   scene.for_each([&](scene::ElementRef e, const auto& shape) {
     if (trace::ordinary(shape)) elements.push_back(e);
@@ -192,8 +192,7 @@ bool LightBuffer::is_certainly_occluded(const trace::Ray& ray, scene::Origin en)
 }
 
 Size LightBuffer::size() const {
-  const std::size_t apart = extraordinary().size(), elements = scene().size() - apart;
-  Size size{.elements = elements, .apart = apart, .bytes = elements * (4 * sizeof(double) + sizeof(scene::ElementRef))};
+  Size size = Linear::size();
   for (const LightCube& cube : cubes_) cube.add_to(size);
   return size;
 }

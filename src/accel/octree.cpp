@@ -133,7 +133,7 @@ class OctreeBuilder {
   std::vector<Reference> listed_;
 };
 
-Octree::Octree(const scene::Scene& scene, const OctreeOptions& options) : contents_(scene) {
+Octree::Octree(const scene::Scene& scene, const OctreeOptions& options) : InCells(scene) {
   const int depth = depth_of(options, contents_.elements.size());
   finest_ = finest_cells(contents_.box, depth);
   OctreeBuilder(*this, depth, options).build();
@@ -180,15 +180,11 @@ std::size_t Octree::leaf_at(const Cell& cell, std::size_t& probes) const {
 }
 
 Size Octree::size() const {
-  Size size;
-  size.elements = contents_.elements.size();
-  size.apart = contents_.apart.size();
+  Size size = size_of_lists();
   size.nodes = nodes_.size() / 8;
   size.cells = leaves_.size();
-  size.references = lists_.references();
   for (const Leaf& leaf : leaves_) size.depth = std::max(size.depth, static_cast<std::size_t>(leaf.depth));
-  size.bytes = sizeof(*this) + nodes_.capacity() * sizeof(Node) + leaves_.capacity() * sizeof(Leaf) + lists_.bytes() +
-               (contents_.elements.capacity() + contents_.apart.capacity()) * sizeof(scene::ElementRef);
+  size.bytes += sizeof(*this) + nodes_.capacity() * sizeof(Node) + leaves_.capacity() * sizeof(Leaf);
   return size;
 }
 

@@ -29,7 +29,7 @@ class LightBuffered final : public Engine {
       for (std::size_t i = begin; i < begin + count; ++i) {
         const auto& [rayo, en] = queries[i];
         occluded[i] = buffer_.is_certainly_occluded(trace::Ray(rayo), en) ||
-                      trace::occluded_segment_among(buffer_, rayo, en, unseen);
+                      trace::occluded_segment_among(accel::Source(buffer_), rayo, en, unseen);
       }
     });
   }
@@ -73,12 +73,13 @@ Figures measured_light_buffer(const Scene& scene, std::span<const Query> queries
     });
   };
   figures.answering_seconds = for_each_shadow([&](const model::Rayo& rayo, scene::Origin en) {
-    if (!buffer.is_certainly_occluded(trace::Ray(rayo), en)) trace::occluded_segment_among(buffer, rayo, en, unseen);
+    if (!buffer.is_certainly_occluded(trace::Ray(rayo), en))
+      trace::occluded_segment_among(accel::Source(buffer), rayo, en, unseen);
   });
   figures.without_seconds = for_each_shadow([&](const model::Rayo& rayo, scene::Origin en) {
     trace::occluded_segment_among(buffer.tables(), rayo, en, unseen);
   });
-  const Counted<accel::LightBuffer> counted(buffer, figures.work);
+  const accel::Counted counted(buffer, figures.work);
   for_each_shadow([&](const model::Rayo& rayo, scene::Origin en) {
     if (buffer.is_certainly_occluded(trace::Ray(rayo), en)) {
       figures.work += {.rays = 1, .untested = 1};

@@ -20,11 +20,11 @@ class Structured final : public Engine {
     trace::for_each_block(queries.size(), [&](std::size_t begin, std::size_t count) {
       trace::Counts unseen;
       for (std::size_t i = begin; i < begin + count; ++i)
-        hits[i] = trace::first_hit_among(structure_, queries[i].rayo, queries[i].en, unseen);
+        hits[i] = trace::first_hit_among(accel::Source(structure_), queries[i].rayo, queries[i].en, unseen);
     });
   }
   void occluded_segments(std::span<const scene::Query> queries, std::span<bool> occluded) const override {
-    trace::occluded_segments_among(structure_, queries, occluded);
+    trace::occluded_segments_among(accel::Source(structure_), queries, occluded);
   }
 
  private:
@@ -35,28 +35,6 @@ template <accel::Structure S>
 std::unique_ptr<const Engine> structured(const scene::Scene& scene) {
   return std::make_unique<const Structured<S>>(scene);
 }
-
-/// The structure as a source that adds up its work.
-template <accel::Structure S>
-class Counted {
- public:
-  Counted(const S& structure, accel::Work& work) : structure_(structure), work_(work) {}
-
-  const scene::Scene& scene() const noexcept { return structure_.scene(); }
-  std::span<const scene::ElementRef> extraordinary() const noexcept { return structure_.extraordinary(); }
-  template <class Limit, class Visit>
-  bool any(const trace::Ray& ray, Limit limit, Visit visit) const {
-    ++work_.rays;
-    const std::uint64_t before = work_.candidates;
-    const bool answered = structure_.any(ray, limit, visit, work_);
-    if (work_.candidates == before) ++work_.untested;
-    return answered;
-  }
-
- private:
-  const S& structure_;
-  accel::Work& work_;
-};
 
 /// How long it takes to do something.
 template <class Do>
@@ -75,9 +53,10 @@ Figures measured(const scene::Scene& scene, std::span<const scene::Query> querie
   figures.building_seconds = seconds_of([&] { made.emplace(scene); });
   const S& structure = *made;
   figures.answering_seconds = seconds_of([&] {
-    for (const scene::Query& query : queries) trace::first_hit_among(structure, query.rayo, query.en, unseen);
+    for (const scene::Query& query : queries)
+      trace::first_hit_among(accel::Source(structure), query.rayo, query.en, unseen);
   });
-  const Counted<S> counted(structure, figures.work);
+  const accel::Counted counted(structure, figures.work);
   for (const scene::Query& query : queries) trace::first_hit_among(counted, query.rayo, query.en, unseen);
   figures.size = structure.size();  // at the end: what is made when it is asked for belongs to it
   return figures;

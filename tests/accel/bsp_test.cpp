@@ -109,8 +109,10 @@ TEST_CASE("every element that a ray meets is visited, once, by both walks of a B
       for (int i = 0; i < 60; ++i) {
         const model::Rayo rayo = random_ray(random);
         std::vector<scene::ElementRef> elements, by_location;
-        bsp.Bsp::any(trace::Ray(rayo), no_limit, [&](scene::ElementRef e) { return elements.push_back(e), false; });
-        bsp.any(trace::Ray(rayo), no_limit, [&](scene::ElementRef e) { return by_location.push_back(e), false; });
+        accel::Source<Bsp>(bsp).any(trace::Ray(rayo), no_limit,
+                                    [&](scene::ElementRef e) { return elements.push_back(e), false; });
+        accel::Source(bsp).any(trace::Ray(rayo), no_limit,
+                               [&](scene::ElementRef e) { return by_location.push_back(e), false; });
         REQUIRE(elements == by_location);
         std::ranges::sort(elements);
         REQUIRE(std::ranges::adjacent_find(elements) == elements.end());

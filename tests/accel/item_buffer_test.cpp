@@ -33,21 +33,10 @@ void look(Scene& scene, const glm::dvec3& eye, const glm::dvec3& at, scene::Reso
   scene.stage().resolution = size;
 }
 
-/// The counts of a ray's first hit; the structure as a source of its own.
-struct Counted {
-  const ItemBuffer& buffer;
-  Work& work;
-  const Scene& scene() const { return buffer.scene(); }
-  std::span<const ElementRef> extraordinary() const { return buffer.extraordinary(); }
-  template <class Limit, class Visit>
-  bool any(const trace::Ray& ray, Limit limit, Visit visit) const {
-    return buffer.any(ray, limit, visit, work);
-  }
-};
-
+/// A ray's first hit, and what it took.
 scene::Hit first_hit(const ItemBuffer& buffer, const model::Rayo& rayo, Work& work, scene::Origin en = {}) {
   trace::Counts unseen;
-  return first_hit_among(Counted{buffer, work}, rayo, en, unseen);
+  return first_hit_among(accel::Counted(buffer, work), rayo, en, unseen);
 }
 
 /// The first hits of all pixels are those over all elements; the work that they took.
@@ -130,7 +119,7 @@ TEST_CASE("rays that are none of the camera's, and those that start on elements,
   CHECK_FALSE(cells({model::Punto(0, 0, 0x1p-60), middle.v()}));
   std::vector<ElementRef> met;
   const auto visit = [&](ElementRef e) { return met.push_back(e), false; };
-  buffer.any(
+  accel::Source(buffer).any(
       trace::Ray(middle), [] { return trace::no_limit; }, visit);
   CHECK(met == std::vector{near, ElementRef{near.tipo, 1}});  // once each, where the limit does not fall
   Work work;

@@ -193,8 +193,10 @@ TEST_CASE("every element that a ray meets is visited, once, by both") {
     for (int i = 0; i < 60; ++i) {
       const model::Rayo rayo = random_ray(random);
       std::vector<scene::ElementRef> elements, by_location;
-      octree.Octree::any(trace::Ray(rayo), no_limit, [&](scene::ElementRef e) { return elements.push_back(e), false; });
-      octree.any(trace::Ray(rayo), no_limit, [&](scene::ElementRef e) { return by_location.push_back(e), false; });
+      accel::Source<Octree>(octree).any(trace::Ray(rayo), no_limit,
+                                        [&](scene::ElementRef e) { return elements.push_back(e), false; });
+      accel::Source(octree).any(trace::Ray(rayo), no_limit,
+                                [&](scene::ElementRef e) { return by_location.push_back(e), false; });
       REQUIRE(elements == by_location);
       std::ranges::sort(elements);
       REQUIRE(std::ranges::adjacent_find(elements) == elements.end());

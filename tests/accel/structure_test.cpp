@@ -2,8 +2,10 @@
 
 #include "durero/accel/linear.hpp"
 #include "support/catch.hpp"
+#include "support/shapes.hpp"
 
 using namespace durero;
+using namespace durero::test;
 
 namespace {
 
@@ -18,8 +20,26 @@ struct Uncounted {
 
 }  // namespace
 
-TEST_CASE("a structure is a source that counts") {
+TEST_CASE("a structure counts, and is a source of candidates for who asks what it does and who does not") {
   STATIC_REQUIRE(accel::Structure<accel::Linear>);
+  STATIC_REQUIRE_FALSE(trace::Candidates<accel::Linear>);
+  STATIC_REQUIRE(trace::Candidates<accel::Source<accel::Linear>>);
+  STATIC_REQUIRE(trace::Candidates<accel::Counted<accel::Linear>>);
   STATIC_REQUIRE(trace::Candidates<Uncounted>);
   STATIC_REQUIRE_FALSE(accel::Structure<Uncounted>);
+}
+
+TEST_CASE("rays are counted, and those for which nothing is left to test") {
+  scene::Scene scene;
+  const scene::ElementRef ball = add(scene, scene::Sphere{{0, 0, 5}, 1});
+  const accel::Linear linear(scene);
+  accel::Work work;
+  trace::Counts unseen;
+  const accel::Counted counted(linear, work);
+  const model::Rayo forwards = ray({0, 0, 0}, {0, 0, 1}), aside = ray({0, 9, 0}, {0, 0, 1});
+  CHECK(trace::first_hit_among(counted, forwards, {}, unseen).elementos == scene::ElementSet{ball});
+  CHECK(work == accel::Work{.rays = 1, .volumes = 1, .candidates = 1});
+  CHECK(trace::first_hit_among(counted, aside, {}, unseen).elementos.empty());
+  CHECK(work == accel::Work{.rays = 2, .volumes = 2, .candidates = 1, .untested = 1});
+  CHECK(trace::first_hit_among(accel::Source(linear), forwards, {}, unseen).elementos == scene::ElementSet{ball});
 }

@@ -19,22 +19,9 @@ static_assert(accel::Structure<Volumes>);
 
 namespace {
 
-struct Counted {
-  const Volumes& structure;
-  Work& work;
-
-  const scene::Scene& scene() const { return structure.scene(); }
-  std::span<const scene::ElementRef> extraordinary() const { return structure.extraordinary(); }
-  template <class Limit, class Visit>
-  bool any(const trace::Ray& ray, Limit limit, Visit visit) const {
-    ++work.rays;
-    return structure.any(ray, limit, visit, work);
-  }
-};
-
 scene::Hit first_hit(const Volumes& structure, const model::Rayo& rayo, Work& work) {
   trace::Counts unseen;
-  return trace::first_hit_among(Counted{structure, work}, rayo, {}, unseen);
+  return trace::first_hit_among(accel::Counted(structure, work), rayo, {}, unseen);
 }
 
 }  // namespace
@@ -110,5 +97,5 @@ TEST_CASE("no element, and planes alone") {
   CHECK(volumes.size().apart == 1);
   Work work;
   CHECK(first_hit(volumes, {model::Punto(glm::dvec3(0)), model::Vector(glm::dvec3(0, 0, 1))}, work).t == 3);
-  CHECK(work == Work{.rays = 1});
+  CHECK(work == Work{.rays = 1, .untested = 1});
 }

@@ -22,7 +22,7 @@ struct BspOptions {
 };
 
 /// A structure (accel/structure.hpp).
-class Bsp {
+class Bsp : public InCells {
  public:
   /// A leaf, or a plane and where the two sides of it are.
   struct Node {
@@ -38,13 +38,6 @@ class Bsp {
   /// Throws std::invalid_argument where max_depth is more than `deepest`.
   explicit Bsp(const scene::Scene& scene, const BspOptions& options = {});
 
-  const scene::Scene& scene() const noexcept { return *contents_.scene; }  ///< that it was made of
-  /// The elements that are in no cell.
-  std::span<const scene::ElementRef> extraordinary() const noexcept { return contents_.apart; }
-  /// What the leaves list.
-  const Contents& contents() const noexcept { return contents_; }
-  /// Of each leaf its elements, and by inverse() of each element its leaves.
-  const Lists& lists() const noexcept { return lists_; }
   /// The root, and its nodes by place.
   std::span<const Node> nodes() const noexcept { return nodes_; }
   /// The root's cell. Its upper faces are above every element.
@@ -71,12 +64,6 @@ class Bsp {
       walk(line, look, [&](std::size_t) { ++work.nodes, ++work.volumes; });
     });
   }
-  /// As a source of candidates has it.
-  template <class Limit, class Visit>
-  bool any(const trace::Ray& ray, Limit limit, Visit visit) const {
-    Work unseen;
-    return any(ray, limit, visit, unseen);
-  }
 
  private:
   friend class BspBuilder;
@@ -84,10 +71,8 @@ class Bsp {
   template <class Visit, class AtNode>
   struct Walk;
 
-  Contents contents_;
   surface::Box root_;
   std::vector<Node> nodes_;  // the root, then pairs
-  Lists lists_;
 };
 
 /// The tree with planes at the median.
@@ -107,12 +92,6 @@ class BspByLocation : public Bsp {
     return search_cells(contents(), lists(), ray, limit, visit, work, [&](const Line& line, auto look) {
       walk_by_location(line, look, [&](std::size_t) { ++work.nodes, ++work.volumes; });
     });
-  }
-  /// As a source of candidates has it.
-  template <class Limit, class Visit>
-  bool any(const trace::Ray& ray, Limit limit, Visit visit) const {
-    Work unseen;
-    return any(ray, limit, visit, unseen);
   }
 };
 

@@ -67,12 +67,6 @@ class Bvh {
   /// As trace::Candidates has it, the nearest boxes first; adds what it did to `work`.
   template <class Limit, class Visit>
   bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const;
-  /// The same, uncounted.
-  template <class Limit, class Visit>
-  bool any(const trace::Ray& ray, Limit limit, Visit visit) const {
-    Work unseen;
-    return any(ray, limit, visit, unseen);
-  }
 
  private:
   using Number = Hierarchy::Number;
@@ -120,12 +114,6 @@ class BvhGlassner {
   bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const {
     return !bvh_.hierarchy().empty() &&
            BVH_intersection(Rayo<Limit, Visit>{Beam(ray), limit, visit, work}, bvh_.hierarchy().root());
-  }
-  /// The same, uncounted.
-  template <class Limit, class Visit>
-  bool any(const trace::Ray& ray, Limit limit, Visit visit) const {
-    Work unseen;
-    return any(ray, limit, visit, unseen);
   }
 
  private:

@@ -93,6 +93,27 @@ class Mailbox {
   std::uint32_t mask_ = 63, count_ = 0;
 };
 
+/// What every structure of cells is made of: the base of each, which makes the lists.
+class InCells {
+ public:
+  /// The scene that it was made of.
+  const scene::Scene& scene() const noexcept { return *contents_.scene; }
+  /// The elements that are in no cell.
+  std::span<const scene::ElementRef> extraordinary() const noexcept { return contents_.apart; }
+  /// What the cells list.
+  const Contents& contents() const noexcept { return contents_; }
+  /// Of each cell its elements, and by inverse() of each element its cells.
+  const Lists& lists() const noexcept { return lists_; }
+
+ protected:
+  explicit InCells(const scene::Scene& scene) : contents_(scene) {}
+  /// What is known without the cells themselves: elements, references, and the bytes of both.
+  Size size_of_lists() const;
+
+  Contents contents_;
+  Lists lists_;
+};
+
 /// Hands over the elements of a cell's list that the ray was not yet tested against, until visit(e) answers true.
 /// Whether it did.
 template <class Visit>

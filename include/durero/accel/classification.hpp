@@ -42,11 +42,6 @@ class Classification {
   Size size() const;
   template <class Limit, class Visit>
   bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const;
-  template <class Limit, class Visit>
-  bool any(const trace::Ray& ray, Limit limit, Visit visit) const {
-    Work unseen;
-    return any(ray, limit, visit, unseen);
-  }
   /// @}
 
  private:

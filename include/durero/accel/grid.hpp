@@ -19,20 +19,13 @@ struct GridOptions {
 };
 
 /// A structure (accel/structure.hpp).
-class Grid {
+class Grid : public InCells {
  public:
   /// O(cells + references).
   explicit Grid(const scene::Scene& scene, const GridOptions& options = {});
 
-  const scene::Scene& scene() const noexcept { return *contents_.scene; }  ///< that it was made of
-  /// The elements that are in no cell.
-  std::span<const scene::ElementRef> extraordinary() const noexcept { return contents_.apart; }
   /// The cubes.
   const Lattice& lattice() const noexcept { return lattice_; }
-  /// What the cells list.
-  const Contents& contents() const noexcept { return contents_; }
-  /// Of each cell its elements, and by inverse() of each element its cells.
-  const Lists& lists() const noexcept { return lists_; }
   Size size() const;  ///< as of every structure
 
   /// Cell by cell in the order of the ray (search_cells).
@@ -42,17 +35,9 @@ class Grid {
       walk(line, lattice_, [&](const Cell& cell, const Crossing& event) { return look(lattice_.number(cell), event); });
     });
   }
-  /// As a source of candidates has it.
-  template <class Limit, class Visit>
-  bool any(const trace::Ray& ray, Limit limit, Visit visit) const {
-    Work unseen;
-    return any(ray, limit, visit, unseen);
-  }
 
  private:
-  Contents contents_;
   Lattice lattice_;
-  Lists lists_;
 };
 
 /// Cubes over a box, so many that there are `cells` of them or up to a fourth more along an axis, where their planes

@@ -14,10 +14,10 @@
 #include <span>
 #include <vector>
 
+#include "durero/accel/linear.hpp"
 #include "durero/accel/seen.hpp"
 #include "durero/accel/structure.hpp"
 #include "durero/scene/camera.hpp"
-#include "durero/trace/tables.hpp"
 
 namespace durero::accel {
 
@@ -26,22 +26,15 @@ namespace durero::accel {
 std::optional<scene::PrimaryRays> primary_rays(const scene::Stage& stage);
 
 /// Of the camera and the resolution of the stage; without primary_rays, of no pixel.
-class ItemBuffer {
+class ItemBuffer : public Linear {
  public:
   /// Of a scene, which must outlive it unedited. On as many threads as the calling one may use.
   explicit ItemBuffer(const scene::Scene& scene);
 
   /// @{ As every Structure has it.
-  const scene::Scene& scene() const noexcept { return tables_.scene(); }
-  std::span<const scene::ElementRef> extraordinary() const noexcept { return tables_.extraordinary(); }
   Size size() const;
   template <class Limit, class Visit>
   bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const;
-  template <class Limit, class Visit>
-  bool any(const trace::Ray& ray, Limit limit, Visit visit) const {
-    Work unseen;
-    return any(ray, limit, visit, unseen);
-  }
   /// @}
 
  private:
@@ -65,7 +58,6 @@ class ItemBuffer {
   Pixel pixel(std::vector<scene::ElementRef>& items, const model::Rayo& rayo, std::span<const Candidate> seen) const;
   const Pixel* pixel_of(const trace::Ray& ray) const;
 
-  trace::Tables tables_;
   std::optional<scene::PrimaryRays> rays_;
   std::vector<Pixel> pixels_;  // row by row
   std::vector<scene::ElementRef> items_;
@@ -85,7 +77,7 @@ bool ItemBuffer::any(const trace::Ray& ray, Limit limit, Visit visit, Work& work
     if (kept.empty() ? pixel->beyond > 0 : limit() < pixel->beyond) return false;
   }
   work.volumes += scene().size() - extraordinary().size();
-  return tables_.any(ray, limit, [&](scene::ElementRef e) {
+  return tables().any(ray, limit, [&](scene::ElementRef e) {
     if (std::ranges::find(kept, e) != kept.end()) return false;
     ++work.candidates;
     return visit(e);

@@ -22,9 +22,9 @@
 #include <vector>
 
 #include "durero/accel/direction_cube.hpp"
+#include "durero/accel/linear.hpp"
 #include "durero/accel/slab.hpp"
 #include "durero/accel/structure.hpp"
-#include "durero/trace/tables.hpp"
 
 namespace durero::accel {
 
@@ -103,51 +103,34 @@ class LightCube {
   std::uint32_t depth_ = 0;
 };
 
-/// The cubes of all lights. A Structure; segments that are certainly in shadow it knows without a candidate.
-class LightBuffer {
+/// The cubes of all lights, and the balls of all elements for the rays that no list serves. A Structure; segments that
+/// are certainly in shadow it knows without a candidate.
+class LightBuffer : public Linear {
  public:
   /// Of a scene, which must outlive it unedited.
   explicit LightBuffer(const scene::Scene& scene);
 
   /// @{ As every Structure has it.
-  const scene::Scene& scene() const noexcept { return tables_.scene(); }
-  std::span<const scene::ElementRef> extraordinary() const noexcept { return tables_.extraordinary(); }
   Size size() const;
   template <class Limit, class Visit>
   bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const;
-  template <class Limit, class Visit>
-  bool any(const trace::Ray& ray, Limit limit, Visit visit) const {
-    Work unseen;
-    return any(ray, limit, visit, unseen);
-  }
   /// @}
 
   /// A full-occlusion record proves that the ray, which starts on the elements of en, meets one at some 0 < t < 1.
   bool is_certainly_occluded(const trace::Ray& ray, scene::Origin en) const;
-  /// The balls of all elements, for the rays that no list serves.
-  const trace::Tables& tables() const noexcept { return tables_; }
 
  private:
   const LightCube* cube_of(const trace::Ray& ray) const;
 
-  trace::Tables tables_;
   std::vector<LightCube> cubes_;
 };
 
 template <class Limit, class Visit>
 bool LightBuffer::any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const {
-  const auto hand_over = [&](scene::ElementRef e) {
-    ++work.candidates;
-    return visit(e);
-  };
   const LightCube* const cube = limit() <= 1 ? cube_of(ray) : nullptr;
-  const auto every = [&] {
-    work.volumes += scene().size() - extraordinary().size();
-    return tables_.any(ray, limit, hand_over);
-  };
-  if (cube == nullptr) return every();
+  if (cube == nullptr) return Linear::any(ray, limit, visit, work);
   const LightCube::List list = cube->list(ray);
-  if (!(ray.length < list.record.from)) return every();
+  if (!(ray.length < list.record.from)) return Linear::any(ray, limit, visit, work);
   ++work.cells;
   const Beam beam(ray);
   for (const std::uint32_t number : list.items) {
@@ -163,7 +146,8 @@ bool LightBuffer::any(const trace::Ray& ray, Limit limit, Visit visit, Work& wor
         continue;
       }
     }
-    if (hand_over(item.e)) return true;
+    ++work.candidates;
+    if (visit(item.e)) return true;
   }
   return false;
 }

@@ -28,11 +28,10 @@ class Linear {
       return visit(e);
     });
   }
-  template <class Limit, class Visit>
-  bool any(const trace::Ray& ray, Limit limit, Visit visit) const {
-    return tables_.any(ray, limit, visit);
-  }
   /// @}
+
+  /// The balls.
+  const trace::Tables& tables() const noexcept { return tables_; }
 
  private:
   trace::Tables tables_;

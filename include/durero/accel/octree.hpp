@@ -21,7 +21,7 @@ struct OctreeOptions {
 };
 
 /// A structure (accel/structure.hpp).
-class Octree {
+class Octree : public InCells {
  public:
   /// The names of the nodes at this depth have 19 digits, as many as an integer of 64 bits holds (octree_names).
   static constexpr int deepest = 19;
@@ -39,13 +39,6 @@ class Octree {
   /// Throws std::invalid_argument where max_depth is more than `deepest`.
   explicit Octree(const scene::Scene& scene, const OctreeOptions& options = {});
 
-  const scene::Scene& scene() const noexcept { return *contents_.scene; }  ///< that it was made of
-  /// The elements that are in no cell.
-  std::span<const scene::ElementRef> extraordinary() const noexcept { return contents_.apart; }
-  /// What the leaves list.
-  const Contents& contents() const noexcept { return contents_; }
-  /// Of each leaf its elements, and by inverse() of each element its leaves.
-  const Lists& lists() const noexcept { return lists_; }
   /// Every leaf, by number.
   std::span<const Leaf> leaves() const noexcept { return leaves_; }
   /// The finest cells that there may be: 2^max_depth along each axis of the root.
@@ -82,12 +75,6 @@ class Octree {
           line, look, [](unsigned) {}, work);
     });
   }
-  /// As a source of candidates has it.
-  template <class Limit, class Visit>
-  bool any(const trace::Ray& ray, Limit limit, Visit visit) const {
-    Work unseen;
-    return any(ray, limit, visit, unseen);
-  }
 
  private:
   friend class OctreeBuilder;
@@ -101,11 +88,9 @@ class Octree {
   template <class Visit, class Group>
   struct Walk;
 
-  Contents contents_;
   Lattice finest_;
   std::vector<Node> nodes_;  // the root, then groups of eight
   std::vector<Leaf> leaves_;
-  Lists lists_;
 };
 
 /// The octree walked by location alone: to read, and to be measured against the other.
@@ -117,12 +102,6 @@ class OctreeByLocation : public Octree {
   bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const {
     return search_cells(contents(), lists(), ray, limit, visit, work,
                         [&](const Line& line, auto look) { walk_by_location(line, look, work); });
-  }
-  /// As a source of candidates has it.
-  template <class Limit, class Visit>
-  bool any(const trace::Ray& ray, Limit limit, Visit visit) const {
-    Work unseen;
-    return any(ray, limit, visit, unseen);
   }
 };
 

@@ -53,12 +53,6 @@ class Volumes {
     }
     return false;
   }
-  /// The same, uncounted.
-  template <class Limit, class Visit>
-  bool any(const trace::Ray& ray, Limit limit, Visit visit) const {
-    Work unseen;
-    return any(ray, limit, visit, unseen);
-  }
 
  private:
   template <class Choose>
