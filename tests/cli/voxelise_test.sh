@@ -21,14 +21,14 @@ grep -qv '"inside":\["s1"\]' within && fail 'a cube lies inside what encloses no
 has solid.json "\"volume\":{\"surface\":$(wc -l <solid),\"inside\":"
 
 # What text is written at once does not show.
-run 0 voxelise scene.json --depth 9 -o long.json
+run 0 voxelise scene.json --depth 10 -o long.json
 checks=$((checks + 1))
 [ "$(wc -c <long.json)" -gt 2000000 ] || fail "the mosaic is too short to be written in parts"
 python3 - <<'PYTHON' || fail 'the mosaic is not as it says'
 import json
 said = json.load(open("long.json"))
 codes = [voxel["code"] for voxel in said["voxels"]]
-assert codes == sorted(set(codes)) and {len(code) for code in codes} == {9}
+assert codes == sorted(set(codes)) and {len(code) for code in codes} == {10}
 assert said["volume"] == {"surface": len(codes), "inside": 0}
 PYTHON
 refused "<stdin>:1:1: the text is empty" voxelise - --depth 6
