@@ -107,7 +107,7 @@ void check_u(const std::vector<Resolution>& curve) {
 TEST_CASE("what a grid takes falls and rises with its resolution") { check_u(resolutions(500, 200)); }
 
 // docs/figures/acceleration.py draws what this prints.
-TEST_CASE("the grid's U, for its figure", "[long]") {
+TEST_CASE("the U of the grid for its figure", "[long]") {
   const std::vector<Resolution> curve = resolutions(10'000, 1000);
   check_u(curve);
   for (const Resolution& at : curve)
