@@ -89,6 +89,8 @@ function(durero_embed TARGET FUNCTION ROOT)
     COMMAND ${CMAKE_COMMAND} -D OUT=${out} -D FUNCTION=${FUNCTION} -D ROOT=${ROOT} "-DFILES=${ARGN}"
       -P ${PROJECT_SOURCE_DIR}/cmake/EmbedText.cmake
     DEPENDS ${ARGN} ${PROJECT_SOURCE_DIR}/cmake/EmbedText.cmake VERBATIM)
+  # Alone, so that what stands beside it compiles without what a build makes.
+  set_source_files_properties(${out} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   target_sources(${TARGET} PRIVATE ${out})
 endfunction()
 

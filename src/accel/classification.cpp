@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "accel/finite_box.hpp"
+#include "durero/accel/coherence.hpp"
 #include "durero/surface/surfaces.hpp"
 
 namespace durero::accel {
@@ -97,8 +98,7 @@ void Classification::make_list(Node& node, std::span<const Entry> of_parent) con
   const double half = 0.5 * glm::length(node.box.high - node.box.low) * (1 + 0x1p-40) + margin_;
   const Cone cone = cone_of(node.square, turned);
   for (const Entry& entry : of_parent) {
-    const surface::Ball& ball = balls_[entry.number];
-    const Seen grown = seen({ball.centre, (ball.radius + half) * (1 + 0x1p-50)}, middle);
+    const Seen grown = seen_from_within({middle, half}, balls_[entry.number]);
     if (may_be_seen(grown, cone)) node.list.push_back({entry.number, grown.near});
   }
   std::ranges::stable_sort(node.list, {}, &Entry::near);

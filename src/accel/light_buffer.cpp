@@ -45,8 +45,9 @@ bool covers(const scene::Sphere& sphere, const Seen& seen, const Cone& cone) {
 
 }  // namespace
 
-LightCube::LightCube(const scene::Scene& scene, const glm::dvec3& light, std::span<const scene::ElementRef> elements)
-    : scene_(&scene), light_(light), nodes_(6), records_{{{}, trace::no_limit, trace::no_limit}} {
+LightCube::LightCube(const scene::Scene& scene, const glm::dvec3& light, std::span<const scene::ElementRef> elements,
+                     const LightBufferOptions& options)
+    : scene_(&scene), options_(options), light_(light), nodes_(6), records_{{{}, trace::no_limit, trace::no_limit}} {
   double reach = 0;
   for (const scene::ElementRef e : elements) {
     items_.push_back(item_of(scene, e, light));
@@ -89,7 +90,7 @@ LightCube::Open LightCube::open(std::uint32_t node, const Square& square, const 
   Open open{node, square, {}, record, depth};
   std::ranges::copy_if(seen, std::back_inserter(open.seen),
                        [&](std::uint32_t number) { return may_be_seen(items_[number].seen, cone); });
-  open.record = end_at_cover(cone, open.seen, record);
+  if (options_.ends_at_cover) open.record = end_at_cover(cone, open.seen, record);
   depth_ = std::max(depth_, depth);
   return open;
 }
@@ -170,13 +171,13 @@ void LightCube::add_to(Size& size) const {
                 references_.size() * sizeof(std::uint32_t);
 }
 
-LightBuffer::LightBuffer(const scene::Scene& scene) : Linear(scene) {
+LightBuffer::LightBuffer(const scene::Scene& scene, const LightBufferOptions& options) : Linear(scene) {
   std::vector<scene::ElementRef> elements;
   scene.for_each([&](scene::ElementRef e, const auto& shape) {
     if (trace::ordinary(shape)) elements.push_back(e);
   });
   for (const scene::Light& light : scene.stage().lights)
-    if (is_ordinary(light.position)) cubes_.emplace_back(scene, light.position, elements);
+    if (is_ordinary(light.position)) cubes_.emplace_back(scene, light.position, elements, options);
 }
 
 const LightCube* LightBuffer::cube_of(const trace::Ray& ray) const {

@@ -13,11 +13,6 @@ namespace {
 /// are told apart.
 int depth_for(std::size_t elements) { return (static_cast<int>(std::bit_width(elements)) + 2) / 3 + 3; }
 
-Lattice finest_cells(const surface::Box& box, int depth) {
-  const Lattice cube = cube_over(box);
-  return {cube.low, std::ldexp(cube.h, -depth), Cell(1 << depth)};
-}
-
 int depth_of(const OctreeOptions& options, std::size_t elements) {
   if (options.max_depth > Octree::deepest) throw std::invalid_argument("an octree deeper than its names have digits");
   return options.max_depth >= 0 ? options.max_depth : depth_for(elements);
@@ -41,6 +36,11 @@ Lattice cube_over(const surface::Box& box) {
     }
     if (holds) return cube;
   }
+}
+
+Lattice finest_cells(const surface::Box& box, int depth) {
+  const Lattice cube = cube_over(box);
+  return {cube.low, std::ldexp(cube.h, -depth), Cell(1 << depth)};
 }
 
 /// Divides cells in the order of their depth, so that where memory ends all are about as deep.

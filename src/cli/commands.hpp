@@ -34,6 +34,7 @@ void add_edit(CLI::App& app, int& status);
 void add_trace(CLI::App& app, int& status);
 void add_render(CLI::App& app, int& status);
 void add_stats(CLI::App& app, int& status);
+void add_voxelise(CLI::App& app, int& status);
 void add_engines(CLI::App& app, int& status);
 void add_agree(CLI::App& app, int& status);
 void add_conform(CLI::App& app, int& status);

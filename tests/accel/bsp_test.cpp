@@ -76,28 +76,46 @@ scene::Scene heaps(Random& random, std::size_t n) {
 
 }  // namespace
 
-TEST_CASE("both walks visit exactly the leaves that hold points of the ray, wherever the planes are") {
-  Random random(1);
+namespace {
+
+/// The leaves visited, and the most visits of one inner node by one ray of the walk by location.
+struct Walks {
   std::size_t visited = 0;
   int again = 0;
-  for (const Placing placing : placings) {
+};
+
+/// Of so many rays in each of some scenes, wherever the planes are: the leaves visited are exactly those that hold
+/// points of them, each once, in their order; Jansen's walk visits no inner node twice.
+Walks check_walks_of_halves(std::uint64_t seed, std::size_t scenes, std::size_t rays) {
+  Random random(seed);
+  Walks all;
+  for (std::size_t round = 0; round < scenes; ++round) {
     const scene::Scene scene = random_scene(random, 8);
-    const Bsp bsp(scene, {.placing = placing, .max_depth = 6});
+    const Bsp bsp(scene, {.placing = placings[round % placings.size()], .max_depth = 6});
     const std::vector<surface::Box> cells = bsp.leaf_boxes();
-    for (std::size_t i = 0; i < fewer_when_sanitized(400); ++i) {
+    for (std::size_t i = 0; i < rays; ++i) {
       const model::Rayo rayo = drawn(random, cells);
       const std::vector<int> expected = rational_walk(rayo, cells);
       Visits jansen, location;
-      INFO("placing " << static_cast<int>(placing) << ", ray " << i);
-      REQUIRE(walked(bsp, rayo, jansen) == expected);
-      REQUIRE(walked_by_location(bsp, rayo, location) == expected);
-      REQUIRE(most(jansen) <= 1);
-      again = std::max(again, most(location));
-      visited += expected.size();
+      if (walked(bsp, rayo, jansen) != expected || walked_by_location(bsp, rayo, location) != expected ||
+          most(jansen) > 1)
+        FAIL("seed " << seed << ", round " << round << ", ray " << i);
+      all.again = std::max(all.again, most(location));
+      all.visited += expected.size();
     }
   }
-  CHECK(again > 1);
-  CHECK(visited > fewer_when_sanitized(1000));
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("both walks visit exactly the leaves that hold points of the ray, wherever the planes are") {
+  const Walks walks = check_walks_of_halves(1, placings.size(), fewer_when_sanitized(400));
+  CHECK(walks.again > 1);
+  CHECK(walks.visited > fewer_when_sanitized(1000));
+}
+TEST_CASE("both walks visit exactly the leaves of a million rays, wherever the planes are", "[long]") {
+  CHECK(check_walks_of_halves(100, 1002, 1000).visited > 1'000'000);
 }
 
 TEST_CASE("every element that a ray meets is visited, once, by both walks of a BSP tree") {

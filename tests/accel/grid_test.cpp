@@ -1,5 +1,9 @@
 #include "durero/accel/grid.hpp"
 
+#include <cmath>
+#include <iostream>
+
+#include "accel/counted.hpp"
 #include "durero/accel/structure.hpp"
 #include "durero/surface/exact.hpp"
 #include "support/catch.hpp"
@@ -51,7 +55,66 @@ void check_lists(const Grid& grid) {
   REQUIRE(references == grid.lists().references());
 }
 
+/// What the first hits of rays take in a grid of so many cubes an element.
+struct Resolution {
+  double cells_per_element;
+  std::size_t cells, bytes;
+  Work work;
+  /// Cubes crossed and elements tested: what the time goes into.
+  std::uint64_t steps() const { return work.cells + work.candidates; }
+};
+
+/// From 1/16 to 1024 cubes an element, each four times as many: balls at random, and rays from around them.
+std::vector<Resolution> resolutions(std::size_t elements, std::size_t rays) {
+  Random random(7);
+  scene::Scene scene;
+  const double size = 0.25 / std::cbrt(static_cast<double>(elements));
+  while (scene.size() < elements) {
+    const glm::dvec3 centre = random.in_cube(0.5);
+    add(scene, scene::Sphere{centre, size * random.uniform(0.5, 1)});
+  }
+  std::vector<model::Rayo> asked;
+  while (asked.size() < rays) {
+    const glm::dvec3 from = random.in_cube(1.5), to = random.in_cube(0.5);
+    asked.push_back(ray(from, to - from));
+  }
+  std::vector<Resolution> all;
+  for (double cells = 1.0 / 16; cells <= 1024; cells *= 4) {
+    const Grid grid(scene, {.cells_per_element = cells, .references_per_element = 1000});
+    Resolution made{cells, grid.size().cells, grid.size().bytes, {}};
+    for (const model::Rayo& rayo : asked) counted_first_hit(grid, rayo, made.work);
+    all.push_back(made);
+  }
+  return all;
+}
+
+/// The finer, the more cubes are crossed and the fewer elements tested: the sum falls, and rises.
+void check_u(const std::vector<Resolution>& curve) {
+  const auto least = std::ranges::min_element(curve, {}, &Resolution::steps);
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    CAPTURE(curve[i].cells_per_element);
+    CHECK(curve[i].work.cells > curve[i - 1].work.cells);
+    CHECK(curve[i].work.candidates < curve[i - 1].work.candidates);
+    CHECK(curve[i].bytes > curve[i - 1].bytes);
+    CHECK((curve[i].steps() > curve[i - 1].steps()) == (&curve[i] > &*least));
+  }
+  CHECK(curve.front().steps() > 2 * least->steps());
+  CHECK(curve.back().steps() > 2 * least->steps());
+}
+
 }  // namespace
+
+TEST_CASE("what a grid takes falls and rises with its resolution") { check_u(resolutions(500, 200)); }
+
+// docs/figures/acceleration.py draws what this prints.
+TEST_CASE("the U of the grid for its figure", "[long]") {
+  const std::vector<Resolution> curve = resolutions(10'000, 1000);
+  check_u(curve);
+  for (const Resolution& at : curve)
+    std::cout << "{\"cells_per_element\":" << at.cells_per_element << ",\"cells\":" << at.cells
+              << ",\"bytes\":" << at.bytes << ",\"rays\":1000,\"crossed\":" << at.work.cells
+              << ",\"tested\":" << at.work.candidates << "}\n";
+}
 
 TEST_CASE("every element that a ray meets is visited, once") {
   for (std::uint64_t seed = 1; seed <= fewer_when_sanitized(30); ++seed) {

@@ -1,5 +1,6 @@
 #include "durero/accel/item_buffer.hpp"
 
+#include "accel/counted.hpp"
 #include "durero/trace/analytic.hpp"
 #include "support/catch.hpp"
 #include "support/sanitized.hpp"
@@ -33,12 +34,6 @@ void look(Scene& scene, const glm::dvec3& eye, const glm::dvec3& at, scene::Reso
   scene.stage().resolution = size;
 }
 
-/// A ray's first hit, and what it took.
-scene::Hit first_hit(const ItemBuffer& buffer, const model::Rayo& rayo, Work& work, scene::Origin en = {}) {
-  trace::Counts unseen;
-  return first_hit_among(accel::Counted(buffer, work), rayo, en, unseen);
-}
-
 /// The first hits of all pixels are those over all elements; the work that they took.
 Work check(const Scene& scene, const ItemBuffer& buffer) {
   const trace::Tables tables(scene);
@@ -48,7 +43,7 @@ Work check(const Scene& scene, const ItemBuffer& buffer) {
   for (std::uint32_t y = 0; y < rays->resolution().height; ++y)
     for (std::uint32_t x = 0; x < rays->resolution().width; ++x) {
       const model::Rayo ray = rays->ray(x, y);
-      if (first_hit(buffer, ray, work) != trace::first_hit(tables, ray)) FAIL("pixel " << x << ", " << y);
+      if (counted_first_hit(buffer, ray, work) != trace::first_hit(tables, ray)) FAIL("pixel " << x << ", " << y);
     }
   return work;
 }
@@ -109,7 +104,7 @@ TEST_CASE("rays that are none of the camera's, and those that start on elements,
   const model::Rayo middle = accel::primary_rays(scene.stage())->ray(2, 2);
   const auto cells = [&](const model::Rayo& rayo, scene::Origin en = {}) {
     Work work;
-    CHECK(first_hit(buffer, rayo, work, en) == trace::first_hit(tables, rayo, en));
+    CHECK(counted_first_hit(buffer, rayo, work, en) == trace::first_hit(tables, rayo, en));
     CHECK(work.cells <= 1);
     return work.volumes == 0;
   };

@@ -1,6 +1,7 @@
 #include "durero/accel/octree.hpp"
 
 #include <array>
+#include <iostream>
 #include <set>
 
 #include "accel/rational_walk.hpp"
@@ -69,24 +70,34 @@ model::Rayo drawn(Random& random, const Octree& octree) {
 
 }  // namespace
 
-TEST_CASE("both walks visit exactly the leaves that hold points of the ray, each once, in its order") {
-  Random random(1);
+/// Of so many rays in each of some scenes: how many leaves they visit, which are exactly those that hold points of
+/// them, each once, in their order.
+static std::size_t check_walks(std::uint64_t seed, int scenes, std::size_t rays) {
+  Random random(seed);
   std::array<int, 10> siblings{};
   std::size_t visited = 0;
-  for (int round = 0; round < 4; ++round) {
+  for (int round = 0; round < scenes; ++round) {
     const scene::Scene scene = random_scene(random, 6);
     const Octree octree(scene, {.max_depth = 3 + round % 2});
     const std::vector<surface::Box> cells = boxes(octree);
-    for (std::size_t i = 0; i < fewer_when_sanitized(400); ++i) {
+    for (std::size_t i = 0; i < rays; ++i) {
       const model::Rayo rayo = drawn(random, octree);
       const std::vector<int> expected = rational_walk(rayo, cells);
-      INFO("round " << round << ", ray " << i);
-      REQUIRE(walked(octree, rayo, siblings) == expected);
-      REQUIRE(walked_by_location(octree, rayo) == expected);
-      visited += expected.size();
+      if (walked(octree, rayo, siblings) == expected && walked_by_location(octree, rayo) == expected) {
+        visited += expected.size();
+        continue;
+      }
+      FAIL("seed " << seed << ", round " << round << ", ray " << i);
     }
   }
-  CHECK(visited > fewer_when_sanitized(2000));
+  return visited;
+}
+
+TEST_CASE("both walks visit exactly the leaves that hold points of the ray, each once, in its order") {
+  CHECK(check_walks(1, 4, fewer_when_sanitized(400)) > fewer_when_sanitized(2000));
+}
+TEST_CASE("both walks visit exactly the leaves of a million rays", "[long]") {
+  CHECK(check_walks(100, 1000, 1000) > 2'000'000);
 }
 
 TEST_CASE("a ray goes through at most four of eight siblings, and both walks agree on many rays") {
@@ -116,7 +127,16 @@ TEST_CASE("both walks agree on very many rays", "[long]") {
       REQUIRE(walked_by_location(octree, rayo) == walked(octree, rayo, siblings));
     }
   }
-  CHECK(siblings[5] == 0);
+  std::cout << "groups of eight by the siblings that a ray goes through:";
+  std::size_t groups = 0;
+  for (std::size_t count = 1; count < siblings.size(); ++count) {
+    groups += static_cast<std::size_t>(siblings[count]);
+    std::cout << ' ' << count << ": " << siblings[count];
+    CHECK((siblings[count] > 0) == (count <= 4));
+  }
+  std::cout << '\n';
+  CHECK(siblings[0] == 0);
+  CHECK(groups > 10'000'000);
 }
 
 TEST_CASE("the leaves make up the root, and each point is in one of them, found in three ways") {

@@ -3,7 +3,7 @@
 sample >scene.json
 
 run 0 --help
-for command in check edit trace render stats import export version man completion; do has out "  $command "; done
+for command in check edit trace render stats voxelise import export version man completion; do has out "  $command "; done
 empty err
 run 0 edit --help
 has out --script

@@ -1,9 +1,9 @@
 #include "durero/engine/engine.hpp"
 
-#include <boost/container/vector.hpp>
 #include <set>
 #include <string>
 
+#include "engine/same_bytes.hpp"
 #include "support/catch.hpp"
 #include "support/elements.hpp"
 #include "support/property.hpp"
@@ -35,12 +35,6 @@ std::vector<scene::Query> random_queries(int count) {
     queries.push_back(query);
   }
   return queries;
-}
-
-boost::container::vector<bool> occluded(const engine::Engine& engine, std::span<const scene::Query> queries) {
-  boost::container::vector<bool> answers(queries.size());
-  engine.occluded_segments(queries, {answers.data(), answers.size()});
-  return answers;
 }
 
 }  // namespace

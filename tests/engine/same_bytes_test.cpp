@@ -1,6 +1,7 @@
 // Every engine that promises the bytes of `exact` has them: on each family of cases, on scenes of many elements, and on
 // those that a structure may stumble over. They are held against `analytic`, which its own tests hold against `exact`.
-#include <boost/container/vector.hpp>
+#include "engine/same_bytes.hpp"
+
 #include <string>
 
 #include "durero/conform/families.hpp"
@@ -15,34 +16,6 @@ using namespace durero;
 using namespace durero::test;
 
 namespace {
-
-using Queries = std::vector<scene::Query>;
-
-boost::container::vector<bool> occluded(const engine::Engine& engine, const Queries& queries) {
-  boost::container::vector<bool> answers(queries.size());
-  engine.occluded_segments(queries, {answers.data(), answers.size()});
-  return answers;
-}
-
-void check_same(const scene::Scene& scene, const Queries& queries, const std::string& replay) {
-  const auto analytic = engine::find("analytic")->prepare(scene);
-  const std::vector<scene::Hit> hits = engine::first_hits(*analytic, queries);
-  const auto blocked = occluded(*analytic, queries);
-  for (const engine::Row& row : engine::engines()) {
-    if (!row.exact_bytes || row.name == "exact" || row.name == "analytic") continue;
-    const auto engine = row.prepare(scene);
-    const std::vector<scene::Hit> own = engine::first_hits(*engine, queries);
-    const auto own_blocked = occluded(*engine, queries);
-    for (std::size_t i = 0; i < queries.size(); ++i) {
-      if (own[i] == hits[i] && own_blocked[i] == blocked[i]) continue;
-      INFO(row.name << ", " << replay << ", ray " << i);
-      CHECK(own[i] == hits[i]);
-      CHECK(own_blocked[i] == blocked[i]);
-      break;
-    }
-    if (!queries.empty()) CHECK(engine::first_hit(*engine, queries.back()) == hits.back());
-  }
-}
 
 /// Rays at random; of each four, one starts on the element that the ray before it hits.
 Queries random_queries(const scene::Scene& scene, Random& random, std::size_t count) {

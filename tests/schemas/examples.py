@@ -78,6 +78,8 @@ def check_scenes_and_hits():
     check("agreement", run("agree", scene, "--rays", 500, "--format", "json"), "an agreement")
     check("stats", run("stats", scene, rays, "--format", "json"), "figures")
     check("stats", run("stats", scene, "--format", "json", "--no-times", "--engine", "analytic"), "figures without times")
+    check("mosaic", run("voxelise", scene, "--depth", 4), "a mosaic")
+    check("mosaic", run("voxelise", scene, "--depth", 4, "--solid"), "a solid mosaic")
     sphere = '{"id":"%s","tipo":"esfera","centro":[0,0,0],"radio":%s}'
     wrong = '{"format":"durero-scene","version":1,"elementos":[%s,%s,%s,7]}' % (
         sphere % ("a", 1), sphere % ("a", 1), sphere % ("b", 0))

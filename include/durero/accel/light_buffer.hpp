@@ -28,6 +28,11 @@
 
 namespace durero::accel {
 
+/// How the lists are made.
+struct LightBufferOptions {
+  bool ends_at_cover = true;  ///< a list ends behind what covers its square; without it what that saves is measured
+};
+
 /// The cube of one light.
 class LightCube {
  public:
@@ -52,7 +57,8 @@ class LightCube {
   };
 
   /// Of a light at an ordinary point, and the ordinary elements of the scene.
-  LightCube(const scene::Scene& scene, const glm::dvec3& light, std::span<const scene::ElementRef> elements);
+  LightCube(const scene::Scene& scene, const glm::dvec3& light, std::span<const scene::ElementRef> elements,
+            const LightBufferOptions& options = {});
 
   /// The middle of the cube.
   const glm::dvec3& light() const noexcept { return light_; }
@@ -94,6 +100,7 @@ class LightCube {
   std::uint32_t end_at_cover(const Cone& cone, Numbers& seen, std::uint32_t record);
 
   const scene::Scene* scene_;
+  LightBufferOptions options_;
   glm::dvec3 light_;
   double longest_ = 0;
   std::vector<Item> items_;  // ascending by nearest distance
@@ -108,7 +115,7 @@ class LightCube {
 class LightBuffer : public Linear {
  public:
   /// Of a scene, which must outlive it unedited.
-  explicit LightBuffer(const scene::Scene& scene);
+  explicit LightBuffer(const scene::Scene& scene, const LightBufferOptions& options = {});
 
   /// @{ As every Structure has it.
   Size size() const;

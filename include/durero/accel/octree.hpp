@@ -108,6 +108,8 @@ class OctreeByLocation : public Octree {
 /// A cube around a box: its side is a power of two, and the planes of all cells down to Octree::deepest are binary64
 /// numbers. Every point of the box is below its upper faces.
 Lattice cube_over(const surface::Box& box);
+/// The cells that such a cube is made of at a depth. Precondition: 0 ≤ depth ≤ Octree::deepest.
+Lattice finest_cells(const surface::Box& box, int depth);
 
 /// The recursion.
 template <class Visit, class Group>

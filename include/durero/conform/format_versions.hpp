@@ -20,10 +20,11 @@ inline constexpr FormatVersion campaign_format{"durero-campaign", 1};    ///< a 
 inline constexpr FormatVersion shards_format{"durero-shards", 1};        ///< what was found of shards (shard.hpp)
 inline constexpr FormatVersion agreement_format{"durero-agreement", 1};  ///< by agreement_json
 inline constexpr FormatVersion stats_format{"durero-stats", 1};          ///< by durero stats --format json
+inline constexpr FormatVersion mosaic_format{"durero-mosaic", 1};        ///< by durero voxelise
 
 /// Those of this layer and of the layers above it.
-inline constexpr FormatVersion format_versions[] = {io::scene_format, io::check_format, suite_format,     case_format,
-                                                    system_format,    profile_format,   claims_format,    report_format,
-                                                    campaign_format,  shards_format,    agreement_format, stats_format};
+inline constexpr FormatVersion format_versions[] = {
+    io::scene_format, io::check_format, suite_format,  case_format,      system_format, profile_format, claims_format,
+    report_format,    campaign_format,  shards_format, agreement_format, stats_format,  mosaic_format};
 
 }  // namespace durero::conform

@@ -1,0 +1,42 @@
+#pragma once
+/// Every engine that promises the bytes of `exact` is held against `analytic`, which its own tests hold against
+/// `exact`.
+
+#include <boost/container/vector.hpp>
+#include <string>
+#include <vector>
+
+#include "durero/engine/engine.hpp"
+#include "support/catch.hpp"
+
+namespace durero::test {
+
+using Queries = std::vector<scene::Query>;
+
+inline boost::container::vector<bool> occluded(const engine::Engine& engine, const Queries& queries) {
+  boost::container::vector<bool> answers(queries.size());
+  engine.occluded_segments(queries, {answers.data(), answers.size()});
+  return answers;
+}
+
+inline void check_same(const scene::Scene& scene, const Queries& queries, const std::string& replay) {
+  const auto analytic = engine::find("analytic")->prepare(scene);
+  const std::vector<scene::Hit> hits = engine::first_hits(*analytic, queries);
+  const auto blocked = occluded(*analytic, queries);
+  for (const engine::Row& row : engine::engines()) {
+    if (!row.exact_bytes || row.name == "exact" || row.name == "analytic") continue;
+    const auto engine = row.prepare(scene);
+    const std::vector<scene::Hit> own = engine::first_hits(*engine, queries);
+    const auto own_blocked = occluded(*engine, queries);
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      if (own[i] == hits[i] && own_blocked[i] == blocked[i]) continue;
+      INFO(row.name << ", " << replay << ", ray " << i);
+      CHECK(own[i] == hits[i]);
+      CHECK(own_blocked[i] == blocked[i]);
+      break;
+    }
+    if (!queries.empty()) CHECK(engine::first_hit(*engine, queries.back()) == hits.back());
+  }
+}
+
+}  // namespace durero::test
