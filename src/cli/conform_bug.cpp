@@ -20,10 +20,10 @@ namespace {
 using namespace conform;
 
 struct ConformBugOptions {
-  std::string system;
+  SystemCall system;
   CaseCall of;
   bool has_ray = false;
-  std::string systems = default_systems(), output = "-", reproducer;
+  std::string output = "-", reproducer;
   bool quiet = false;
 };
 
@@ -59,7 +59,7 @@ void add_reproducer(BugReport& bug, const ConformBugOptions& options) {
 }
 
 int run(const ConformBugOptions& options) {
-  const System system = find_system(options.system, options.systems, default_setups());
+  const System system = system_of(options.system);
   require_present(system);
   if (!options.reproducer.empty() && system.reproducer.program.empty())
     throw std::runtime_error(
@@ -76,7 +76,8 @@ int run(const ConformBugOptions& options) {
     return 0;
   }
   const Ask ask = counted(asking(system, {}, interrupted()), *progress);
-  bug.call = fmt::format("durero conform bug {} {} --ray {}", system.name, options.of.name, failure->ray);
+  bug.call = fmt::format("durero conform bug {} {} --ray {}",
+                         words_of_system(options.system.system, options.system.profile), options.of.name, failure->ray);
   if (options.of.suite.seed != SuiteCall().seed) bug.call += fmt::format(" --seed {}", options.of.suite.seed);
   bug.least = least_finding(*failure, system.profile, ask);
   bug.variations = variations(bug.least.finding, system.profile, ask);
@@ -96,10 +97,9 @@ int run(const ConformBugOptions& options) {
 void add_conform_bug(CLI::App& conform, int& status) {
   auto* command = conform.add_subcommand("bug", "A failure as one would file it: small, explained, with a reproducer");
   const auto options = std::make_shared<ConformBugOptions>();
-  command->add_option("SYSTEM", options->system, "The name of a system")->required();
+  add_system(*command, options->system);
   command->add_option("CASE", options->of.name, "Which, such as tiny/0007")->required();
   auto* ray = add_ray(*command, options->of);
-  add_systems(*command, options->systems);
   add_quiet(*command, options->quiet);
   command->add_option("--output", options->output, "The file for the report; without it, the standard output");
   command->add_option("--reproducer", options->reproducer,

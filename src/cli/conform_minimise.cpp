@@ -18,9 +18,8 @@ namespace {
 using namespace conform;
 
 struct ConformMinimiseOptions {
-  std::string system;
+  SystemCall system;
   CaseCall of;
-  std::string systems = default_systems();
   bool quiet = false;
 };
 
@@ -32,7 +31,7 @@ Finding finding_of(const SuiteCase& whole, std::size_t ray, const Ask& ask, cons
 }
 
 int run(const ConformMinimiseOptions& options) {
-  const System system = find_system(options.system, options.systems, default_setups());
+  const System system = system_of(options.system);
   require_present(system);
   const SuiteOptions suite = suite_of(options.of.suite, system.profile);
   std::optional<Progress> progress(std::in_place, options.quiet, system.name, "questions");
@@ -52,9 +51,8 @@ int run(const ConformMinimiseOptions& options) {
 void add_conform_minimise(CLI::App& conform, int& status) {
   auto* command = conform.add_subcommand("minimise", "The fewest elements and roundest numbers that a system fails on");
   const auto options = std::make_shared<ConformMinimiseOptions>();
-  command->add_option("SYSTEM", options->system, "The name of a system")->required();
+  add_system(*command, options->system);
   add_case(*command, options->of);
-  add_systems(*command, options->systems);
   add_quiet(*command, options->quiet);
   command->footer(
       exit_status("the system is right about the ray", "it is not", "the system is absent, or the call is bad") +

@@ -86,9 +86,12 @@ RunOptions run_options(const System& system, const ConformRunOptions& options) {
 enum class Outcome { conformant = 0, not_conformant = 1, not_asked = 2 };
 
 /// Asks and judges; nothing where it was stopped.
-std::optional<Report> report_of(const System& system, const ConformRunOptions& options) {
+std::optional<Report> report_of(const System& system, const std::string& asked, const ConformRunOptions& options) {
   const Plan plan(options.suite, system.profile);
-  Report report{.title = system.title, .profile = system.profile, .options = plan.suite};
+  Report report{.title = system.title,
+                .asked = words_of_system(asked, options.profile),
+                .profile = system.profile,
+                .options = plan.suite};
   RunEnd end;
   {
     Progress progress(options.quiet, system.name, "scenes", plan.places.size());
@@ -99,21 +102,20 @@ std::optional<Report> report_of(const System& system, const ConformRunOptions& o
     end = run_system(system, plan.run_cases(system.profile), run_options(system, options), sink, interrupted());
   }
   report.version = end.says;
-  if (std::ranges::count(options.names, system.name) > 0) report.asked = system.name;
   if (!end.stopped) return report;
   io::print(fmt::format("{}: stopped after {} of {} scenes{}\n", system.name, end.cases, plan.places.size(),
                         options.report.empty() ? "" : "; --continue goes on"));
   return std::nullopt;
 }
 
-Outcome run_one(const System& system, const ConformRunOptions& options) {
+Outcome run_one(const System& system, const std::string& asked, const ConformRunOptions& options) {
   if (const std::string why = why_absent(system); !why.empty()) {
     io::print(fmt::format("{}: absent: {}\n", system.name, why));
     return Outcome::not_asked;
   }
   const std::string folder = fmt::format("{}/{}", options.report, system.name);
   if (!options.report.empty()) require_room_for_reports(folder);
-  std::optional<Report> report = report_of(system, options);
+  std::optional<Report> report = report_of(system, asked, options);
   if (!report) return Outcome::not_asked;
   if (!options.report.empty() && !options.is_not_minimised) {
     Progress progress(options.quiet, system.name + ": minimising", "questions");
@@ -129,7 +131,8 @@ int run(const ConformRunOptions& options) {
   std::vector<System> systems;
   for (const std::string& name : options.names) systems.push_back(system_of(name, options.profile, options.systems));
   int status = 0;
-  for (const System& system : systems) status = std::max(status, static_cast<int>(run_one(system, options)));
+  for (std::size_t i = 0; i < systems.size(); ++i)
+    status = std::max(status, static_cast<int>(run_one(systems[i], options.names[i], options)));
   return status;
 }
 
@@ -155,7 +158,7 @@ void add_conform_run(CLI::App& conform, int& status) {
   add_rays(*command, options->suite);
   add_amounts(*command, *options);
   add_systems(*command, options->systems);
-  command->add_option("--profile", options->profile, "What command:PROGRAM claims: a system's name, or a file");
+  command->add_option("--profile", options->profile, profile_help);
   auto* report = command->add_option("--report", options->report, "The folder for what is found and for the claims");
   command->add_flag("--continue", options->goes_on, "Go on where the run of that folder was stopped")->needs(report);
   command->add_flag("--no-minimise", options->is_not_minimised, "The report shows failures as they were found")

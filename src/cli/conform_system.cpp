@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "completion.hpp"
+#include "conform.hpp"
 #include "durero/conform/campaign.hpp"
 #include "durero/conform/setup.hpp"
 
@@ -26,6 +28,22 @@ System system_of(const std::string& name, const std::string& profile, const std:
   system.title = system.ask.back();
   system.profile = read_profile(profile, systems);
   return system;
+}
+
+System system_of(const SystemCall& call) { return system_of(call.system, call.profile, call.systems); }
+
+void add_system(CLI::App& command, SystemCall& call) {
+  command.add_option("SYSTEM", call.system, "The name of a system, its file, or command:PROGRAM")->required();
+  command.add_option("--profile", call.profile, profile_help);
+  add_systems(command, call.systems);
+}
+
+std::string words_of_system(const std::string& name, const std::string& profile) {
+  static constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:-";
+  const auto word = [](const std::string& text) {
+    return text.find_first_not_of(plain) == text.npos ? text : shell_word(text);
+  };
+  return name.starts_with(of_command) ? fmt::format("{} --profile {}", word(name), word(profile)) : word(name);
 }
 
 void require_present(const System& system) {

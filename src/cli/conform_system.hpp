@@ -1,6 +1,7 @@
 #pragma once
 /// The systems that a call names.
 
+#include <CLI/CLI.hpp>
 #include <string>
 
 #include "durero/conform/runner.hpp"
@@ -12,6 +13,23 @@ namespace durero::cli {
 /// A system by its name, by its file (what ends in .json or has a slash), or command:PROGRAM, whose profile is that of
 /// a system or a file. Throws std::runtime_error where there is none such.
 conform::System system_of(const std::string& name, const std::string& profile, const std::string& systems);
+
+/// One system, as a command is told of it.
+struct SystemCall {
+  std::string system, profile;
+  std::string systems = conform::default_systems();
+};
+
+/// SYSTEM, --profile and --systems.
+void add_system(CLI::App& command, SystemCall& call);
+/// What the option --profile of a command says of itself.
+inline constexpr const char* profile_help = "What command:PROGRAM claims: a system's name, or a file";
+/// The system of the call. Throws as the other does.
+conform::System system_of(const SystemCall& call);
+/// The words that name the same system in another call, as a shell reads them: SYSTEM, and --profile where it is
+/// needed.
+std::string words_of_system(const std::string& name, const std::string& profile);
+
 /// Throws std::runtime_error, with the call that sets it up, where the system cannot be asked.
 void require_present(const conform::System& system);
 

@@ -72,6 +72,9 @@ int spec_eval(const EvalCall& call) {
     return result.yes ? 0 : 1;
   } catch (const zed::ZError& error) {
     throw io::InputError(file_name, {error.place.line, error.place.column}, error.what_is_wrong, error.expected);
+  } catch (const zed::TooManyMembers& error) {
+    throw io::InputError(file_name, {1, 1}, std::string("this is not decided: ") + error.what(),
+                         "expected a smaller set, whatever --steps and --memory are");
   } catch (const zed::EvaluationError& error) {
     throw io::InputError(file_name, {1, 1}, std::string("this is not decided: ") + error.what(),
                          "expected finite sets, or equations, for what is quantified");

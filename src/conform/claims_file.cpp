@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "conform/claim_rows.hpp"
 #include "durero/io/json_writer.hpp"
 #include "durero/io/npy.hpp"
+#include "durero/io/whole_number.hpp"
 #include "durero/text/shown.hpp"
 
 namespace durero::conform {
@@ -50,7 +49,7 @@ scene::ElementRef ClaimRows::element_of(std::size_t offset, std::size_t in_case,
 
 Claim& ClaimRows::claim_on(std::size_t offset, std::size_t in_case, double ray) {
   Claims& claims = claims_[in_case];
-  if (!(ray >= 0 && ray < static_cast<double>(claims.size()) && std::trunc(ray) == ray)) {
+  if (!io::is_whole(ray, 0, static_cast<double>(claims.size()) - 1)) {
     source_->fail(offset, fmt::format("ray {} of {}", ray, claims.size()), "expected a ray of the case, from 0");
   }
   Claim& claim = claims[static_cast<std::size_t>(ray)];

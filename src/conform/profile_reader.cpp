@@ -1,7 +1,6 @@
 #include "conform/profile_reader.hpp"
 
-#include <cmath>
-
+#include "durero/io/whole_number.hpp"
 #include "durero/scene/shapes.hpp"
 
 namespace durero::conform {
@@ -129,11 +128,8 @@ void read_tipos(Reader& in, std::string_view what, std::vector<model::Tipo>& rea
 }
 
 std::uint64_t read_whole(Reader& in, std::string_view what) {
-  const std::size_t at = in.offset();
-  const double value = in.number(what);
-  if (!(value >= 0 && value <= 0x1p53) || std::trunc(value) != value)
-    in.fail(at, fmt::format("{} is {}", what, value), "expected a whole number up to 2^53");
-  return static_cast<std::uint64_t>(value);
+  return static_cast<std::uint64_t>(
+      io::json::whole_number(in, what, 0, io::json::most_whole, "a whole number up to 2^53"));
 }
 
 void read_exactly(Reader& in, std::string_view what, std::string_view expected) {

@@ -23,10 +23,15 @@ struct QuestionLine {
   std::vector<std::string_view> words;
 
   /// At the word of that number, or behind the last.
-  [[noreturn]] void fail(std::size_t word, const std::string& wrong, const std::string& expected) const {
+  [[noreturn]] void fail(std::size_t word, const std::string& wrong, const std::string& expected,
+                         const contract::clause* broken = nullptr) const {
     const std::size_t at =
         word < words.size() ? static_cast<std::size_t>(words[word].data() - text.data()) : text.size();
-    throw io::InputError("question", {number, at + 1}, wrong, expected);
+    throw io::InputError("question", {number, at + 1}, wrong, expected, broken);
+  }
+  /// What is wrong breaks a clause of the Z text.
+  [[noreturn]] void fail(std::size_t word, const std::string& wrong, const contract::clause& broken) const {
+    fail(word, wrong, fmt::format("expected {} ({})", broken.predicate, broken.label), &broken);
   }
 
   double number_at(std::size_t word) const {
@@ -80,9 +85,7 @@ void read_element(const QuestionLine& line, scene::Scene& scene) {
   });
   if (!operation) line.fail(0, text::shown(line.words.front()), "expected an element, or rays and their number");
   const model::Answer answer = scene.apply_total(*operation);
-  if (!answer.ok())
-    line.fail(0, std::string(model::name(answer.r)),
-              fmt::format("expected {} ({})", answer.violated->predicate, answer.violated->label));
+  if (!answer.ok()) line.fail(0, std::string(model::name(answer.r)), *answer.violated);
 }
 
 scene::Query read_ray(const QuestionLine& line) {
@@ -91,7 +94,7 @@ scene::Query read_ray(const QuestionLine& line) {
   numbers.read(p);
   numbers.read(v);
   numbers.end();
-  if (v == glm::dvec3(0)) line.fail(3, "v is (0, 0, 0)", fmt::format("expected {}", model::Rayo_inv_1.predicate));
+  if (v == glm::dvec3(0)) line.fail(3, "v is (0, 0, 0)", model::Rayo_inv_1);
   return {{model::Punto(p), model::Vector(v)}};
 }
 

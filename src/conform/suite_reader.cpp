@@ -3,7 +3,6 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -13,6 +12,7 @@
 #include "durero/io/json.hpp"
 #include "durero/io/rays_file.hpp"
 #include "durero/io/scene_file.hpp"
+#include "durero/io/whole_number.hpp"
 #include "durero/text/shown.hpp"
 
 namespace durero::conform {
@@ -100,11 +100,8 @@ void read_sidecar(const io::Source& source, SuiteCase& of) {
     if (key.name != "parameter") return in.skip();
     in.members("parameter", [&](const io::json::Key& part) {
       if (part.name != "value") return in.skip();
-      const std::size_t at = in.offset();
-      const double value = in.number("value");
-      if (std::trunc(value) != value || std::abs(value) > std::numeric_limits<int>::max())
-        in.fail(at, fmt::format("the parameter is {}", value), "expected a whole number");
-      of.parameter = static_cast<int>(value);
+      constexpr int most = std::numeric_limits<int>::max();
+      of.parameter = static_cast<int>(io::json::whole_number(in, "the parameter", -most, most, "a whole number"));
     });
   });
 }
@@ -122,7 +119,9 @@ void require_text(const io::Source& file, std::string_view expected) {
 /// A case of its files, answered anew.
 SuiteCase read_case(const std::string& directory, const SuiteOptions& options, const Family& family, std::size_t number,
                     FamilySummary& counted) {
-  SuiteCase of{.family = &family, .number = number};
+  SuiteCase of;
+  of.family = &family;
+  of.number = number;
   const std::string path = fmt::format("{}/{}", directory, of.name());
   const auto source = [&](std::string_view ending) { return io::read_source(fmt::format("{}{}", path, ending)); };
   of.the_case.scene = io::read_scene(source(scene_ending));

@@ -31,8 +31,9 @@ class Cursor {
 
   /// What stands here, as a message says it.
   std::string here() const;
-  [[noreturn]] void fail(std::size_t offset, const std::string& wrong, const std::string& expected) const {
-    source_->fail(offset, wrong, expected);
+  [[noreturn]] void fail(std::size_t offset, const std::string& wrong, const std::string& expected,
+                         const contract::clause* broken = nullptr) const {
+    source_->fail(offset, wrong, expected, broken);
   }
 
  private:

@@ -10,6 +10,7 @@
 #include "durero/io/json_writer.hpp"
 #include "durero/io/lines.hpp"
 #include "durero/io/npy.hpp"
+#include "durero/io/whole_number.hpp"
 #include "durero/text/shown.hpp"
 
 namespace durero::io {
@@ -68,16 +69,6 @@ double read_value(json::Reader& in, std::string_view what) {
   return value;
 }
 
-std::size_t read_index(json::Reader& in) {
-  constexpr double most = 0x1p53;  // whole numbers up to here are binary64
-  const std::size_t at = in.offset();
-  const double value = in.number("ray");
-  if (value < 0 || value > most || std::trunc(value) != value) {
-    in.fail(at, fmt::format("ray is {}", value), "expected the number of a ray, from 0");
-  }
-  return static_cast<std::size_t>(value);
-}
-
 Resultado read_outcome(json::Reader& in) {
   const std::size_t at = in.offset();
   const std::string_view text = in.string("outcome");
@@ -113,7 +104,8 @@ void read_part(json::Reader& in, Key key, const scene::Scene& scene, RayHit& rea
   switch (key) {
     case ray:
       read.offset = in.offset();
-      read.ray = read_index(in);
+      read.ray =
+          static_cast<std::size_t>(json::whole_number(in, "ray", 0, json::most_whole, "the number of a ray, from 0"));
       return;
     case outcome:
       read.hit.resultado = read_outcome(in);

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <tuple>
 
 #include "axis.hpp"
 #include "durero/io/nff.hpp"
+#include "durero/io/whole_number.hpp"
 #include "durero/text/shown.hpp"
 #include "losses.hpp"
 #include "nff_words.hpp"
@@ -102,7 +104,7 @@ class NffReader {
   void read_resolution() {
     const std::size_t at = in_.offset();
     const double width = in_.number("resolution"), height = in_.number("resolution");
-    if (!is_side(width) || !is_side(height)) {
+    if (!is_whole(width, 1, most_pixels) || !is_whole(height, 1, most_pixels)) {
       in_.fail(at, fmt::format("resolution is {} {}", width, height), "expected whole numbers of pixels, 1 to 65535");
     }
     scene_.stage().resolution = {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
@@ -181,7 +183,7 @@ class NffReader {
   void read_polygon(bool has_normals) {
     const std::size_t at = in_.offset();
     const double count = in_.number("p");
-    if (!(count >= 3) || std::trunc(count) != count) {
+    if (!is_whole(count, 3, std::numeric_limits<double>::max())) {
       in_.fail(at, fmt::format("a polygon of {} vertices", count), "expected a whole number from 3");
     }
     std::vector<glm::dvec3> vertices;

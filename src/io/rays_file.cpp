@@ -49,7 +49,7 @@ Ray read_ray(Cursor& in, const scene::Scene& scene) {
     if (i == 3) v_offset = in.offset();
     n[i] = read_value(in, i);
   }
-  if (is_null(n + 3)) in.fail(v_offset, "v is (0, 0, 0)", null_expected);
+  if (is_null(n + 3)) in.fail(v_offset, "v is (0, 0, 0)", null_expected, &model::Rayo_inv_1);
   Ray ray{make_ray(n)};
   while (!in.done()) ray.en.push_back(read_element(in, scene));
   std::ranges::sort(ray.en);
@@ -65,7 +65,7 @@ Ray row_ray(const std::string& name, const double* n, std::size_t row) {
     const Place place{row, static_cast<std::size_t>(wrong - n) + 1};
     throw InputError(name, place, number_text(*wrong), "expected a finite number");
   }
-  if (is_null(n + 3)) throw InputError(name, {row, 4}, "v is (0, 0, 0)", null_expected);
+  if (is_null(n + 3)) throw InputError(name, {row, 4}, "v is (0, 0, 0)", null_expected, &model::Rayo_inv_1);
   return {make_ray(n)};
 }
 

@@ -21,10 +21,12 @@ std::string head_of(const std::string& file, Place place) {
 
 }  // namespace
 
-InputError::InputError(const std::string& file, Place place, const std::string& wrong, const std::string& expected)
+InputError::InputError(const std::string& file, Place place, const std::string& wrong, const std::string& expected,
+                       const contract::clause* broken)
     : std::runtime_error(head_of(file, place) + text::escaped(fmt::format("{}; {}", wrong, expected))),
       place_(place),
-      message_at_(head_of(file, place).size()) {}
+      message_at_(head_of(file, place).size()),
+      broken_(broken) {}
 
 FileError::FileError(const std::string& file, const std::string& wrong, const std::string& expected)
     : std::runtime_error(text::escaped(fmt::format("{}: {}; {}", file, wrong, expected))) {}
@@ -44,9 +46,8 @@ Place Source::place(std::size_t offset) const noexcept {
 
 void Source::fail(std::size_t offset, const std::string& wrong, const std::string& expected,
                   const contract::clause* broken) const {
-  InputError error(name_, place(offset), wrong, expected);
+  InputError error(name_, place(offset), wrong, expected, broken);
   error.offset_ = offset;
-  error.broken_ = broken;
   throw error;
 }
 

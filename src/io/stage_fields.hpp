@@ -2,8 +2,6 @@
 /// Camera, light and material as tables of fields: what a scene file holds of them, read and written, and what the
 /// numbers must be, whatever file they come from.
 
-#include <cmath>
-
 #include "durero/scene/stage.hpp"
 #include "field.hpp"
 
@@ -14,8 +12,8 @@ inline bool is_view_angle(const double& angle) { return angle > 0 && angle < 180
 inline bool is_color(const glm::dvec3& c) { return c.x >= 0 && c.y >= 0 && c.z >= 0; }
 inline bool is_share(const glm::dvec3& c) { return is_color(c) && c.x <= 1 && c.y <= 1 && c.z <= 1; }
 
-/// A side of a picture. 65535² pixels are past every picture that fits in memory.
-inline bool is_side(double pixels) { return pixels >= 1 && pixels <= 65535 && std::trunc(pixels) == pixels; }
+/// The most pixels of a side of a picture: their square is past every picture that fits in memory.
+inline constexpr int most_pixels = 65535;
 
 inline constexpr Rule<glm::dvec3> direction{is_direction, "the null vector", "a direction"};
 inline constexpr Rule<double> view_angle{is_view_angle, "", "an angle in degrees, above 0 and below 180"};

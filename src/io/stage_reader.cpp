@@ -5,22 +5,11 @@
 #include <algorithm>
 #include <set>
 
+#include "durero/io/whole_number.hpp"
 #include "durero/text/shown.hpp"
 #include "stage_fields.hpp"
 
 namespace durero::io {
-namespace {
-
-std::uint32_t read_pixels(json::Reader& in) {
-  const std::size_t at = in.offset();
-  const double value = in.number("resolution");
-  if (!is_side(value)) {
-    in.fail(at, fmt::format("resolution is {}", value), "expected whole numbers of pixels, 1 to 65535");
-  }
-  return static_cast<std::uint32_t>(value);
-}
-
-}  // namespace
 
 scene::Camera read_camera(json::Reader& in) {
   scene::Camera camera{};
@@ -36,7 +25,8 @@ scene::Resolution read_resolution(json::Reader& in) {
   std::size_t count = 0;
   in.array("resolution", [&] {
     if (count == 2) in.fail(in.offset(), "resolution has a third item", "expected width and height");
-    size[count++] = read_pixels(in);
+    size[count++] = static_cast<std::uint32_t>(
+        json::whole_number(in, "resolution", 1, most_pixels, "whole numbers of pixels, 1 to 65535"));
   });
   if (count != 2) in.fail(at, fmt::format("resolution has {} items", count), "expected width and height");
   return {size[0], size[1]};

@@ -88,6 +88,23 @@ has out 'It was run and does not show the failure'
 printf '@(nothing)\n' >systems/tracer/reproduce.py.in
 run 2 conform bug tracer --systems systems $ray
 has err 'reproduce.py.in:1: nothing is called "nothing"; expected one of about, '
+# A program that has no file of a system is asked by the words that a report names it by, and so is a file.
+program="python3 systems/tracer/ask.py $durero conform answer --engine exact"
+case_of="${ray%% *}"
+run 1 conform run "command:$program" --profile systems/tracer/tracer.json --family generic --rays 64 --report four
+minimise=$(sed -n 's/^  \(durero conform minimise .*\)/\1/p' out | head -n 1)
+has four/command/report.json "\"minimise\":\"durero conform minimise 'command:python3 "
+has four/command/report.html "durero conform minimise 'command:python3 "
+called=$minimise
+checks=$((checks + 1))
+(durero() { "$durero" "$@"; }; eval "$minimise") >out 2>err && fail 'it is right'
+has out 'missed: expected e'
+run 1 conform bug "command:$program" --profile systems/tracer/tracer.json $ray
+has out "\`durero conform bug 'command:$program' --profile systems/tracer/tracer.json $case_of --ray "
+run 1 conform minimise systems/tracer/tracer.json --case $ray
+has out 'missed: expected e'
+refused 'command: without --profile' conform bug command:cat generic/0000
+refused 'command: without --profile' conform minimise command:cat --case generic/0000 --ray 0
 refused 'bullet is absent: it is not set up' conform bug bullet generic/0000
 refused 'durero has no template of a reproducer' conform bug durero tiny/0000 --reproducer x
 refused 'no case "generic/x"; expected FAMILY/NUMBER' conform bug durero generic/x

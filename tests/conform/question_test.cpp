@@ -140,7 +140,8 @@ TEST_CASE("a question that is malformed is refused at its place") {
   CHECK(refusal("scene a\ntoro e0 0 0 0 1\nrays 0\n").starts_with("question:2:1: \"toro\"; expected an element"));
   CHECK(refusal("scene a\nrays x\n").starts_with("question:2:6: rays without their number"));
   CHECK(refusal("scene a\nrays 2\n0 0 0 0 0 1\n").starts_with("question:4:1: the question ends; expected a ray"));
-  CHECK(refusal("scene a\nrays 1\n0 0 0 0 0 0\n").starts_with("question:3:7: v is (0, 0, 0)"));
+  CHECK(refusal("scene a\nrays 1\n0 0 0 0 0 0\n") ==
+        "question:3:7: v is (0, 0, 0); expected ¬ (v.x = 0 ∧ v.y = 0 ∧ v.z = 0) (Rayo.inv.1)");
 }
 
 TEST_CASE("the line of a system is its name and version") {

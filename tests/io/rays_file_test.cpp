@@ -122,6 +122,24 @@ TEST_CASE("A wrong ray of a .npy file is named by its row and number") {
                     Catch::Contains("rays.npy:1:1: no NumPy file"));
 }
 
+TEST_CASE(
+    "A direction that is null breaks a clause of the text, which the error names; what is malformed breaks none") {
+  const auto broken = [](const std::string& name, const std::string& text) -> const contract::clause* {
+    try {
+      io::read_rays(io::Source(name, text), three_spheres());
+    } catch (const io::InputError& error) {
+      return error.broken();
+    }
+    throw std::logic_error("nothing is wrong with " + text);
+  };
+  std::string table = io::npy_head("'<f8'", "(1, 6)");
+  for (int i = 0; i < 6; ++i) io::append_binary64(table, 0);
+  CHECK(broken("f", "0 0 0 0 0 0") == &model::Rayo_inv_1);
+  CHECK(broken("f.npy", table) == &model::Rayo_inv_1);
+  CHECK(broken("f", "0 0 0 1 0") == nullptr);
+  CHECK(broken("f.npy", table.substr(1)) == nullptr);
+}
+
 TEST_CASE("No damage to rays does worse than an error") {
   const auto reading = [](const io::Source& s) { return io::read_rays(s, three_spheres()); };
   const std::string text = "# rays\n0 1.5 -2e3 0x1.8p3 0 1 @a @b\n1 2 3 4 5 6\n";

@@ -33,7 +33,7 @@ struct LeastFinding {
 struct Report {
   std::string title;                           ///< of the system
   std::string version{};                       ///< as the system says it; empty where it was not asked by this program
-  std::string asked{};                         ///< the system's name, where this program asked it and can ask it again
+  std::string asked{};                         ///< what names the system in a call that asks it again; empty: nothing
   Profile profile{};                           ///< that it was judged by
   SuiteOptions options{};                      ///< of the suite
   Tally tally{};                               ///< of the verdicts on all its rays

@@ -25,8 +25,9 @@ struct Place {
 /// expected`.
 class InputError : public std::runtime_error {
  public:
-  /// Makes what() of its parts; offset() is 0 and broken() null, as only Source::fail() knows them.
-  InputError(const std::string& file, Place place, const std::string& wrong, const std::string& expected);
+  /// Makes what() of its parts; offset() is 0, as only Source::fail() knows it.
+  InputError(const std::string& file, Place place, const std::string& wrong, const std::string& expected,
+             const contract::clause* broken = nullptr);
   /// What LINE:COLUMN says.
   Place place() const noexcept { return place_; }
   /// The line without file and place.
@@ -41,7 +42,7 @@ class InputError : public std::runtime_error {
   Place place_;
   std::size_t message_at_;
   std::size_t offset_ = 0;
-  const contract::clause* broken_ = nullptr;
+  const contract::clause* broken_;
 };
 
 /// A file that cannot be read or written. what() is one line, escaped: `FILE: what is wrong; what is expected`.

@@ -70,8 +70,7 @@ Value interval(const Value& a, const Value& b, Context&) {
   return with(a, b, [&]() -> Value {
     const Real &from = *a.real(), &to = *b.real();
     if (!from.is_integer() || !to.is_integer()) throw EvaluationError("‥ between numbers that are not integers");
-    if (to - from > Real(most_listed_numbers))
-      throw EvaluationError(a.text() + "‥" + b.text() + " has more members than can be listed");
+    if (to - from > Real(most_listed_numbers)) throw TooManyMembers(a.text() + "‥" + b.text());
     std::vector<Value> members;
     for (Real number = from; number <= to; number = number + Real(1)) members.emplace_back(number);
     return finite(std::move(members));

@@ -36,7 +36,8 @@ class PowerSet : public Set {
     const auto* base = base_.set()->members();
     if (!base) return nullptr;
     if (!members_) {
-      if (base->size() >= 20) throw EvaluationError(text() + " has more members than can be listed");
+      if (base->size() >= 20)
+        throw TooManyMembers(symbol() + " of a set of " + std::to_string(base->size()) + " members");
       std::vector<Value> subsets;
       for (std::size_t bits = form_.nonempty ? 1 : 0; bits < (std::size_t{1} << base->size()); ++bits) {
         std::vector<Value> some;
@@ -50,11 +51,11 @@ class PowerSet : public Set {
     return members_->set()->members();
   }
 
-  std::string text() const override {
-    return std::string(form_.finite ? "𝔽" : "ℙ") + (form_.nonempty ? "₁ " : " ") + base_.set()->text();
-  }
+  std::string text() const override { return symbol() + " " + base_.set()->text(); }
 
  private:
+  std::string symbol() const { return std::string(form_.finite ? "𝔽" : "ℙ") + (form_.nonempty ? "₁" : ""); }
+
   Value base_;
   PowerForm form_;
   mutable std::optional<Value> members_;
@@ -94,7 +95,7 @@ class ProductSet : public Set {
       const auto* members = factor.set()->members();
       if (!members) return nullptr;
       size *= members->size();
-      if (size > most_members) throw EvaluationError(text() + " has more members than can be listed");
+      if (size > most_members) throw TooManyMembers(text());
     }
     std::vector<std::vector<Value>> rows{{}};
     for (const Value& factor : factors_) {

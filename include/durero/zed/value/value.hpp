@@ -30,6 +30,13 @@ class EvaluationError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Says that a set is finite and has more members than are ever listed, whatever steps and memory there are.
+class TooManyMembers : public EvaluationError {
+ public:
+  /// The set, as a message names it.
+  explicit TooManyMembers(const std::string& set) : EvaluationError(set + " has more members than can be listed") {}
+};
+
 /// The truth of a predicate is `open` where it depends on a value that is not given.
 enum class Truth : std::uint8_t { no, yes, open };
 
