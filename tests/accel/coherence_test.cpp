@@ -26,7 +26,8 @@ double angle(const glm::dvec3& a, const glm::dvec3& b) {
 
 /// A point in the ball, often near its surface.
 glm::dvec3 point_in(Random& random, const Ball& ball) {
-  return ball.centre + random.direction() * ball.radius * random.any_of(std::array{0.0, 0.5, 0.999, 0.999999999999});
+  const glm::dvec3 out = random.direction();
+  return ball.centre + out * ball.radius * random.any_of(std::array{0.0, 0.5, 0.999, 0.999999999999});
 }
 
 /// A ray from one ball that touches both on either side of the centres' line, turned by `inwards` from that.
@@ -77,7 +78,8 @@ TEST_CASE("the bound is attained by the tangents that cross between the balls") 
   std::size_t met = 0;
   for (int i = 0; i < 1000; ++i) {
     const Ball from{random.in_cube(1), random.uniform(0.1, 1)};
-    const Ball to{from.centre + random.direction() * random.uniform(2.5, 9), random.uniform(0.1, 1)};
+    const glm::dvec3 towards = random.direction();
+    const Ball to{from.centre + towards * random.uniform(2.5, 9), random.uniform(0.1, 1)};
     const model::Rayo inside = tangent(random, from, to, 1e-5), beyond = tangent(random, from, to, -1e-5);
     met += meets(inside, to);
     CHECK(accel::may_reach(from, accel::direction(inside.v().xyz()), to));

@@ -33,6 +33,15 @@ assert said["volume"] == {"surface": len(codes), "inside": 0}
 PYTHON
 refused "<stdin>:1:1: the text is empty" voxelise - --depth 6
 
+# A cube with a surface counts as that, also where it lies inside another sphere.
+cat >nested.json <<'JSON'
+{"format":"durero-scene","version":1,"elementos":[{"id":"a","tipo":"esfera","centro":[0,0,0],"radio":2},
+{"id":"b","tipo":"esfera","centro":[0,0,0],"radio":1}]}
+JSON
+run 0 voxelise nested.json --depth 5 --solid
+has out '"surface":["b"],"inside":["a"]}'
+has out "\"volume\":{\"surface\":$(grep -c '"surface":\[' out),\"inside\":"
+
 echo '{"format":"durero-scene","version":1,"elementos":[{"id":"p","tipo":"plano","centro":[0,0,0],"vector":[0,0,1]}]}' >plane.json
 run 0 voxelise plane.json --depth 3
 has out '"apart":["p"],"conservative":[],'
