@@ -1,36 +1,22 @@
 #include "durero/accel/bvh.hpp"
 
-#include <algorithm>
-#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <unordered_map>
 
 #include "accel/finite_box.hpp"
 #include "accel/top_down.hpp"
 #include "durero/accel/insertion.hpp"
 
 namespace durero::accel {
-namespace {
-
-/// The elements of a group and of all within it.
-void collect(const Group& group, std::vector<scene::ElementRef>& elements) {
-  elements.insert(elements.end(), group.elements.begin(), group.elements.end());
-  for (const Group& within : group.groups) collect(within, elements);
-}
-
-}  // namespace
-
 Bvh::Bvh(const scene::Scene& scene, Build build, unsigned most_children)
     : scene_(&scene), most_children_(most_children) {
   grow(build, take_elements());
 }
 
-Bvh::Bvh(const scene::Scene& scene, const Group& by_hand) : scene_(&scene), most_children_(usual_children) {
-  std::vector<scene::ElementRef> grouped, all;
-  collect(by_hand, grouped);
-  std::ranges::sort(grouped);
-  scene.for_each([&](scene::ElementRef e, const auto&) { all.push_back(e); });
-  if (grouped != all) throw std::invalid_argument("not every element is in exactly one group");
-  take_elements();
-  tree_.set_root(join(by_hand));
+Bvh::Bvh(const scene::Scene& scene, const scene::Groups& by_hand) : scene_(&scene), most_children_(usual_children) {
+  const std::vector<Number> leaves = take_elements();
+  if (!leaves.empty()) tree_.set_root(join_groups(by_hand, leaves));
 }
 
 std::vector<Hierarchy::Number> Bvh::take_elements() {
@@ -45,14 +31,21 @@ std::vector<Hierarchy::Number> Bvh::take_elements() {
   return leaves;
 }
 
-Hierarchy::Number Bvh::join(const Group& group) {
-  std::vector<Number> children;
-  for (const scene::ElementRef e : group.elements)
-    if (!place(e).apart) children.push_back(place(e).number);
-  for (const Group& within : group.groups)
-    if (const Number node = join(within); node != Hierarchy::none) children.push_back(node);
-  if (children.empty()) return Hierarchy::none;
-  return children.size() == 1 ? children.front() : tree_.join(children);
+Hierarchy::Number Bvh::join_groups(const scene::Groups& groups, std::span<const Number> leaves) {
+  std::unordered_map<std::string_view, std::vector<Number>> within;  // under the empty name what is in no group
+  for (const Number leaf : leaves) {
+    const std::string& name = scene_->name(tree_[leaf].element).name();
+    within[groups.of_element(name)].push_back(leaf);
+  }
+  const auto joined = [&](const std::vector<Number>& children) {
+    return children.size() == 1 ? children.front() : tree_.join(children);
+  };
+  for (const std::string_view group : groups.bottom_up())
+    if (const auto found = within.find(group); found != within.end()) {
+      const Number node = joined(found->second);
+      within[groups.of_group(group)].push_back(node);
+    }
+  return joined(within.at({}));
 }
 
 void Bvh::grow(Build build, std::vector<Number> leaves) {

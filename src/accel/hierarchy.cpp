@@ -3,12 +3,22 @@
 #include <algorithm>
 #include <array>
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 
 namespace durero::accel {
 
 surface::Box around(const surface::Box& a, const surface::Box& b) {
   return {glm::min(a.low, b.low), glm::max(a.high, b.high)};
 }
+
+namespace {
+
+/// Of a box within another.
+bool reaches_a_face(const surface::Box& inner, const surface::Box& outer) {
+  return glm::any(glm::equal(inner.low, outer.low)) || glm::any(glm::equal(inner.high, outer.high));
+}
+
+}  // namespace
 
 Hierarchy::Number Hierarchy::add(const Node& node) {
   if (free_.empty()) {
@@ -36,15 +46,15 @@ void Hierarchy::set_root(Number node) { root_ = node; }
 
 void Hierarchy::put_under(Number parent, Number node) {
   attach(parent, node);
-  fit_upwards(parent);
+  grow_upwards(parent, nodes_[node].box, nodes_[node].leaves);
 }
 
 void Hierarchy::put_beside(Number place, Number node) {
-  const Number both = add({.box = nodes_[place].box, .leaves = 0});
+  const Number both = add({.box = nodes_[place].box, .leaves = nodes_[place].leaves});
   replace(place, both);
   attach(both, place);
   attach(both, node);
-  fit_upwards(both);
+  grow_upwards(both, nodes_[node].box, nodes_[node].leaves);
 }
 
 void Hierarchy::take_out(Number leaf) {
@@ -55,12 +65,12 @@ void Hierarchy::take_out(Number leaf) {
     return;
   }
   detach(leaf);
-  if (nodes_[parent].arity > 1) return fit_upwards(parent);
+  if (nodes_[parent].arity > 1) return shrink_upwards(parent, nodes_[leaf].box);
   const Number only = nodes_[parent].child, above = nodes_[parent].parent;
   detach(only);
   replace(parent, only);
   free_.push_back(parent);
-  fit_upwards(above);
+  shrink_upwards(above, nodes_[parent].box);
 }
 
 void Hierarchy::dissolve(Number node) {
@@ -116,6 +126,29 @@ void Hierarchy::fit(Number node) {
     nodes_[node].leaves += nodes_[child].leaves;
     return false;
   });
+}
+
+/// So many leaves within a box have come below a node: the box of each node above grows by it, and by nothing else.
+void Hierarchy::grow_upwards(Number node, const surface::Box& by, std::uint32_t leaves) {
+  for (; node != none; node = nodes_[node].parent) {
+    nodes_[node].box = around(nodes_[node].box, by);
+    nodes_[node].leaves += leaves;
+  }
+}
+
+/// A leaf has gone from below a node, which had a child with the box `gone` that now is smaller or no more. A box whose
+/// faces that child did not reach is made by the others, as it was, and so are those above it.
+void Hierarchy::shrink_upwards(Number node, surface::Box gone) {
+  bool may_shrink = true;
+  for (; node != none; node = nodes_[node].parent) {
+    const surface::Box before = nodes_[node].box;
+    may_shrink = may_shrink && reaches_a_face(gone, before);
+    if (may_shrink)
+      fit(node);
+    else
+      --nodes_[node].leaves;
+    gone = before;
+  }
 }
 
 void Hierarchy::fit_upwards(Number node) {

@@ -6,6 +6,7 @@
 #include "commands.hpp"
 #include "description.hpp"
 #include "durero/io/formats.hpp"
+#include "durero/io/groups_file.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/io/scene_file.hpp"
 #include "durero/io/standard_output.hpp"
@@ -24,12 +25,17 @@ void name_losses(const std::string& path, const std::vector<std::string>& lost) 
   for (const std::string& line : lost) io::complain(fmt::format("durero: {}: {}\n", text::escaped(path), line));
 }
 
+/// Of all formats JSON alone has groups.
+bool has_groups(const io::Format& format) { return format.ending == ".json"; }
+
 int import_scene(const ConvertOptions& options) {
   const io::Format& format = io::format_to_read(options.from);
   io::OutputFile out(options.to);
   std::optional<Progress> progress(std::in_place, options.quiet, "import");
-  const io::Imported imported = format.read(io::read_source(options.from));
-  out.write(io::scene_text(imported.scene));
+  const io::Source source = io::read_source(options.from);
+  const io::Imported imported = format.read(source);
+  const scene::Groups groups = has_groups(format) ? io::read_groups(source, imported.scene) : scene::Groups();
+  out.write(io::scene_text(imported.scene, groups));
   out.commit();
   progress.reset();
   name_losses(options.from, imported.lost);
@@ -40,7 +46,15 @@ int export_scene(const ConvertOptions& options) {
   const io::Format& format = io::format_to_write(options.to);
   io::OutputFile out(options.to);
   std::optional<Progress> progress(std::in_place, options.quiet, "export");
-  const io::Exported exported = format.write(io::read_scene(io::read_source(options.from)));
+  const io::Source source = io::read_source(options.from);
+  const scene::Scene scene = io::read_scene(source);
+  const scene::Groups groups = io::read_groups(source, scene);
+  io::Exported exported = format.write(scene);
+  if (has_groups(format)) {
+    exported.text = io::scene_text(scene, groups);
+  } else if (const std::size_t count = groups.table().size(); count > 0) {
+    exported.lost.push_back(fmt::format("{} group{} left out: it has none", count, count == 1 ? "" : "s"));
+  }
   out.write(exported.text);
   out.commit();
   progress.reset();

@@ -3,10 +3,12 @@
 
 #include <optional>
 #include <stdexcept>
+#include <variant>
 
 #include "commands.hpp"
 #include "description.hpp"
 #include "durero/contract/contract.hpp"
+#include "durero/io/groups_file.hpp"
 #include "durero/io/lines.hpp"
 #include "durero/io/operations_file.hpp"
 #include "durero/io/output_file.hpp"
@@ -26,54 +28,81 @@ struct EditOptions {
 };
 
 // The script's operations, then those of --op, numbered as lines after the script's last.
-std::vector<io::Instruction> read_script(const EditOptions& options, const scene::Stage& stage) {
-  std::vector<io::Instruction> instructions;
+std::vector<io::Step> read_script(const EditOptions& options, const scene::Stage& stage) {
+  std::vector<io::Step> steps;
   std::size_t lines = 0;
   if (!options.script.empty() || options.operations.empty()) {
     const io::Source script = io::read_source(options.script.empty() ? "-" : options.script);
-    instructions = io::read_operations(script, stage);
+    steps = io::read_script(script, stage);
     lines = io::count_lines(script.text());
   }
   std::string joined;
   for (const std::string& operation : options.operations) joined.append(operation).append("\n");
-  for (io::Instruction& instruction : io::read_operations(io::Source("--op", joined), stage)) {
-    instruction.line += lines;
-    instructions.push_back(std::move(instruction));
+  for (io::Step& step : io::read_script(io::Source("--op", joined), stage)) {
+    step.line += lines;
+    steps.push_back(std::move(step));
   }
-  return instructions;
+  return steps;
 }
 
 // The Z text decides the same step. Where it decides otherwise the program is wrong, and writes nothing.
-void agree_by_text(const oracle::spec::Judge& judge, const model::Escena& before, const io::Instruction& instruction,
-                   const model::Answer& answer, const model::Escena& after) {
-  const auto difference = judge.difference(before, instruction.edit.operation, answer, after);
+void agree_by_text(const oracle::spec::Judge& judge, const model::Escena& before, std::size_t line,
+                   const model::Operation& operation, const model::Answer& answer, const model::Escena& after) {
+  const auto difference = judge.difference(before, operation, answer, after);
   if (!difference) return;
   throw std::logic_error(fmt::format("a defect of the program: at line {}, {}; expected that contracts and text agree",
-                                     instruction.line, *difference));
+                                     line, *difference));
 }
+
+/// What steps are carried out on, and the text as their judge, if it is asked.
+struct Edited {
+  scene::Scene scene;
+  scene::Groups groups;
+  std::optional<oracle::spec::Judge> judge;
+
+  /// Answers in a line of JSON, and whether it was done.
+  struct Done {
+    std::string answer;
+    bool ok;
+  };
+
+  Done carry_out(std::size_t line, const scene::Edit& edit) {
+    std::optional<model::Escena> before;
+    if (judge) before = scene::retrieve(scene);
+    const model::Answer answer = scene.apply_total(edit);
+    if (judge) agree_by_text(*judge, *before, line, edit.operation, answer, scene::retrieve(scene));
+    if (answer.ok()) groups.follow(edit.operation);
+    return {io::answer_text(line, answer), answer.ok()};
+  }
+
+  /// Of groups the text does not speak.
+  Done carry_out(std::size_t line, const scene::GroupEdit& edit) {
+    const scene::Outcome answer = groups.apply_total(edit, scene);
+    return {io::answer_text(line, answer), answer.ok()};
+  }
+};
 
 int edit(const EditOptions& options) {
   if (options.audit) contract::set_semantic(contract::cost::audit, contract::evaluation_semantic::enforce);
   std::optional<io::OutputFile> out;
   if (!options.out.empty()) out.emplace(options.out);
-  scene::Scene scene = io::read_scene(io::read_source(options.scene));
-  const std::vector<io::Instruction> script = read_script(options, scene.stage());
-  std::optional<oracle::spec::Judge> judge;
-  if (options.by_spec) judge.emplace();
+  const io::Source file = io::read_source(options.scene);
+  Edited edited{.scene = io::read_scene(file)};
+  edited.groups = io::read_groups(file, edited.scene);
+  const std::vector<io::Step> script = read_script(options, edited.scene.stage());
+  if (options.by_spec) edited.judge.emplace();
   int status = 0;
   std::string answers;
   Progress progress(options.quiet, "edit", "operations", script.size());
-  for (const io::Instruction& instruction : script) {
-    std::optional<model::Escena> before;
-    if (judge) before = scene::retrieve(scene);
-    const model::Answer answer = scene.apply_total(instruction.edit);
-    if (judge) agree_by_text(*judge, *before, instruction, answer, scene::retrieve(scene));
-    answers.append(io::answer_text(instruction.line, answer)).append("\n");
-    if (!answer.ok()) status = 1;
+  for (const io::Step& step : script) {
+    const Edited::Done done =
+        std::visit([&](const auto& edit) { return edited.carry_out(step.line, edit); }, step.edit);
+    answers.append(done.answer).append("\n");
+    if (!done.ok) status = 1;
     progress.add();
   }
   if (out) {
-    out->write(io::scene_text(scene));
+    out->write(io::scene_text(edited.scene, edited.groups));
     out->commit();
   }
   io::print(answers);

@@ -1,14 +1,17 @@
-// durero engines, and the option --engine.
+// durero engines, and the options --engine and --hierarchy.
 #include "engines.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <array>
+#include <stdexcept>
 #include <vector>
 
 #include "commands.hpp"
 #include "description.hpp"
+#include "durero/io/groups_file.hpp"
+#include "durero/io/scene_file.hpp"
 #include "durero/io/standard_output.hpp"
 #include "numbers.hpp"
 
@@ -83,6 +86,27 @@ void add_engine(CLI::App& command, std::string& name) {
   command.add_option("--engine", name, "What computes the hits, as durero engines lists")
       ->check(one_of("engine", names()))
       ->capture_default_str();
+}
+
+void add_hierarchy(CLI::App& command, std::string& hierarchy) {
+  command.add_option("--hierarchy", hierarchy, "How --engine bvh groups elements: by itself, or as the scene does")
+      ->check(one_of("hierarchy", {"automatic", "hand"}))
+      ->capture_default_str();
+}
+
+SceneInput read_input(const std::string& file) {
+  const io::Source source = io::read_source(file);
+  SceneInput input{io::read_scene(source), {}};
+  input.groups = io::read_groups(source, input.scene);
+  return input;
+}
+
+std::unique_ptr<const engine::Engine> prepared(const engine::Row& engine, std::string_view hierarchy,
+                                               const SceneInput& input) {
+  if (hierarchy != "hand") return engine.prepare(input.scene);
+  if (engine.prepare_by_hand != nullptr) return engine.prepare_by_hand(input.scene, input.groups);
+  throw std::invalid_argument(
+      fmt::format("--hierarchy hand: {} follows no groups; expected --engine bvh", engine.name));
 }
 
 std::string without_origins(const engine::Row& engine, std::string_view why) {

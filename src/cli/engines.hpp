@@ -1,7 +1,8 @@
 #pragma once
-/// The option --engine of `durero trace`, `agree` and `render`.
+/// The options --engine and --hierarchy of `durero trace`, `agree`, `render` and `stats`.
 
 #include <CLI/CLI.hpp>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -11,6 +12,23 @@ namespace durero::cli {
 
 /// Adds the option; what it holds is then the name of an engine.
 void add_engine(CLI::App& command, std::string& name);
+
+/// Adds the option --hierarchy; what it holds is then `automatic` or `hand`.
+void add_hierarchy(CLI::App& command, std::string& hierarchy);
+
+/// A scene as a command reads it: with its groups, where a hierarchy may be made of them.
+struct SceneInput {
+  scene::Scene scene;    ///< what the file is about
+  scene::Groups groups;  ///< of its elements
+};
+
+/// Reads both. Throws what io::read_scene throws.
+SceneInput read_input(const std::string& file);
+
+/// The engine, ready for the scene, with its hierarchy made so. Throws std::invalid_argument where it is to be by hand
+/// and the engine follows no groups.
+std::unique_ptr<const engine::Engine> prepared(const engine::Row& engine, std::string_view hierarchy,
+                                               const SceneInput& input);
 
 /// What to say where an engine that knows no origins is asked for rays that have one.
 std::string without_origins(const engine::Row& engine, std::string_view why);

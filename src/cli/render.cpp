@@ -1,4 +1,4 @@
-// durero render SCENE -o OUT.png [--engine E] [--size WxH] [--crop X,Y,W,H]: Algorithm II.1.
+// durero render SCENE -o OUT.png [--engine E] [--hierarchy H] [--size WxH] [--crop X,Y,W,H]: Algorithm II.1.
 #include "durero/render/render.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ namespace {
 
 struct RenderOptions {
   std::string scene, out, size, crop;
-  std::string engine{engine::default_engine};
+  std::string engine{engine::default_engine}, hierarchy{"automatic"};
   std::size_t threads = 0;
   bool quiet = false;
 };
@@ -69,7 +69,8 @@ int run(const RenderOptions& options) {
     throw std::invalid_argument(fmt::format("{}: not a picture's name; expected OUT.png", options.out));
   const ThreadLimit limit(options.threads);
   io::OutputFile out(options.out);
-  scene::Scene scene = io::read_scene(io::read_source(options.scene));
+  SceneInput of = read_input(options.scene);
+  scene::Scene& scene = of.scene;
   if (const auto size = frame_of(options).size) scene.stage().resolution = size;  // engines know pixels by the stage
   const engine::Row& engine = *engine::find(options.engine);
   if (!engine.honours_origins) throw std::invalid_argument(without_origins(engine, "shadow rays start on elements"));
@@ -77,7 +78,7 @@ int run(const RenderOptions& options) {
   const render::Image image = [&] {
     try {
       const auto show = [&](double share) { progress.set_share(share); };
-      return render::render(scene, *engine.prepare(scene), show, frame_of(options));
+      return render::render(scene, *prepared(engine, options.hierarchy, of), show, frame_of(options));
     } catch (const std::domain_error& error) {
       throw std::domain_error(fmt::format("{}: {}", options.scene, error.what()));
     } catch (const std::out_of_range&) {
@@ -104,6 +105,7 @@ void add_render(CLI::App& app, int& status) {
   command->add_option("--crop", options->crop, "These pixels of the picture alone: upper left one, width and height")
       ->check(CLI::Validator(check_crop, ""));
   add_engine(*command, options->engine);
+  add_hierarchy(*command, options->hierarchy);
   add_threads(*command, options->threads);
   add_quiet(*command, options->quiet);
   command->footer(exit_status("the picture is written", "the call or the scene is bad") +

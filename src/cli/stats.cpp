@@ -1,4 +1,5 @@
-// durero stats SCENE [RAYS] [--engine E]… [--format F] [--no-times]: what each structure costs, and what it saves.
+// durero stats SCENE [RAYS] [--engine E]… [--hierarchy H] [--format F] [--no-times]: what each structure costs, and
+// what it saves.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,6 +18,7 @@
 #include "durero/io/scene_file.hpp"
 #include "durero/io/standard_output.hpp"
 #include "durero/text/shown.hpp"
+#include "engines.hpp"
 #include "progress.hpp"
 
 namespace durero::cli {
@@ -25,7 +27,7 @@ namespace {
 using engine::Figures;
 
 struct StatsOptions {
-  std::string scene, rays, format = "text";
+  std::string scene, rays, format = "text", hierarchy;
   std::vector<std::string> engines;
   bool no_times = false, quiet = false;
 };
@@ -39,6 +41,7 @@ constexpr std::string_view without = "analytic";
 
 struct Measured {
   const engine::Row* engine;
+  bool by_hand;  ///< its hierarchy is that of the scene's groups
   Figures figures;
   std::optional<double> break_even;  ///< rays from which on it pays; none where it never does
 };
@@ -63,8 +66,14 @@ std::optional<double> break_even(const Figures& own, const Figures& linear) {
   return std::max(0.0, std::ceil(built / saved * static_cast<double>(own.work.rays)));
 }
 
-std::vector<Measured> measured(const StatsOptions& options, const scene::Scene& scene,
+/// Where nobody says, the groups of a scene that has some stand beside the automatic hierarchy.
+bool is_wanted_by_hand(const StatsOptions& options, const scene::Groups& groups) {
+  return options.hierarchy.empty() ? !groups.empty() : options.hierarchy == "hand";
+}
+
+std::vector<Measured> measured(const StatsOptions& options, const SceneInput& input,
                                std::span<const scene::Query> rays) {
+  const scene::Scene& scene = input.scene;
   const auto& asked = options.engines;
   const bool is_all = asked.empty();
   const Figures linear = engine::find(without)->measure(scene, rays);
@@ -73,8 +82,12 @@ std::vector<Measured> measured(const StatsOptions& options, const scene::Scene& 
   for (const engine::Row& row : engine::engines()) {
     if (row.measure == nullptr || (!is_all && std::ranges::find(asked, row.name) == asked.end())) continue;
     const bool is_linear = row.name == without;
-    const Figures figures = is_linear ? linear : row.measure(scene, rays);
-    all.push_back({&row, figures, is_linear ? std::nullopt : break_even(figures, linear)});
+    const auto add = [&](bool by_hand, const Figures& figures) {
+      all.push_back({&row, by_hand, figures, is_linear ? std::nullopt : break_even(figures, linear)});
+    };
+    const bool has_hand = row.measure_by_hand != nullptr;
+    if (!has_hand || options.hierarchy != "hand") add(false, is_linear ? linear : row.measure(scene, rays));
+    if (has_hand && is_wanted_by_hand(options, input.groups)) add(true, row.measure_by_hand(scene, rays, input.groups));
     progress.add();
   }
   return all;
@@ -93,6 +106,22 @@ std::string times(const Measured& of) {
                      of.break_even ? fmt::format("{:.0f}", *of.break_even) : "-");
 }
 
+std::string name_of(const Measured& of) { return fmt::format("{}{}", of.engine->name, of.by_hand ? " by hand" : ""); }
+
+/// How the hierarchies branch, a line each; nothing where there is none.
+std::string branchings(const std::vector<Measured>& all) {
+  constexpr auto head = "{:<19}{:>12}{:>8}{:>8}{:>8}\n";
+  std::string text;
+  for (const Measured& of : all) {
+    if (!of.figures.branching) continue;
+    const auto& [cost, arity, most] = *of.figures.branching;
+    if (text.empty()) text = "\n" + fmt::format(head, "hierarchy", "cost", "depth", "arity", "most");
+    text += fmt::format(head, name_of(of), fmt::format("{:.4f}", cost), of.figures.size.depth,
+                        fmt::format("{:.2f}", arity), most);
+  }
+  return text;
+}
+
 void print_text(const StatsOptions& options, const scene::Scene& scene, std::size_t rays,
                 const std::vector<Measured>& all) {
   constexpr auto head = "{:<19}{:<14}{:>8}{:>8}{:>11}{:>10}{:>10}{:>11}{:>11}";
@@ -102,12 +131,12 @@ void print_text(const StatsOptions& options, const scene::Scene& scene, std::siz
   for (const Measured& of : all) {
     const auto& size = of.figures.size;
     const auto& work = of.figures.work;
-    text += fmt::format(head, of.engine->name, of.figures.asked, size.nodes, size.cells, size.bytes,
+    text += fmt::format(head, name_of(of), of.figures.asked, size.nodes, size.cells, size.bytes,
                         per_ray(work.volumes, work.rays), per_ray(work.candidates, work.rays),
                         per_ray(work.nodes, work.rays), per_ray(work.cells, work.rays));
     text += options.no_times ? "\n" : times(of) + "\n";
   }
-  io::print(text);
+  io::print(text + branchings(all));
 }
 
 struct Count {
@@ -144,6 +173,11 @@ void write(io::json::Writer& out, const Measured& of, bool no_times) {
                 {"candidates", work.candidates},
                 {"repeated", work.repeated},
                 {"untested", work.untested}});
+  if (of.figures.branching) {
+    const auto& [cost, arity, most] = *of.figures.branching;
+    out.new_line().key("hierarchy").begin_object().member("made", of.by_hand ? "by hand" : "automatically");
+    out.member("cost", cost).member("arity", arity).member("most", std::uint64_t{most}).end_object();
+  }
   if (!no_times) {
     out.new_line().key("seconds").begin_object().member("building", of.figures.building_seconds);
     out.member("answering", of.figures.answering_seconds);
@@ -172,9 +206,10 @@ void print_json(const StatsOptions& options, const scene::Scene& scene, std::siz
 }
 
 int run(const StatsOptions& options) {
-  const scene::Scene scene = io::read_scene(io::read_source(options.scene));
+  const SceneInput input = read_input(options.scene);
+  const scene::Scene& scene = input.scene;
   const std::vector<scene::Query> rays = rays_of(options, scene);
-  const std::vector<Measured> all = measured(options, scene, rays);
+  const std::vector<Measured> all = measured(options, input, rays);
   (options.format == "json" ? print_json : print_text)(options, scene, rays.size(), all);
   return 0;
 }
@@ -189,6 +224,8 @@ void add_stats(CLI::App& app, int& status) {
   command->add_option("--engine", options->engines, "Only this engine; may be given again")
       ->check(one_of("engine", measurable()))
       ->allow_extra_args(false);
+  command->add_option("--hierarchy", options->hierarchy, "Of bvh: this alone; without it, both where there are groups")
+      ->check(one_of("hierarchy", {"automatic", "hand"}));
   command->add_option("--format", options->format, "How the answer is printed")
       ->check(one_of("format", {"text", "json"}))
       ->capture_default_str();
@@ -199,7 +236,8 @@ void add_stats(CLI::App& app, int& status) {
       "elements\n"
       "chosen at random, and are always the same: {} of seed {}. n counts tests of volumes and planes, m elements\n"
       "whose surface is tested; break-even is the number of rays from which on the time to build it has been won\n"
-      "back, against {}, which tries the ball of every element.\n\n{}{}",
+      "back, against {}, which tries the ball of every element. The cost of a hierarchy is that of Goldsmith and\n"
+      "Salmon, the tests of a line that meets its root; arity is the mean number of children.\n\n{}{}",
       own_rays, own_seed, without, exit_status("the figures are printed", "the call or a file is bad"),
       examples({"stats demo/still-life.json", "stats demo/still-life.json demo/rays.txt --format json --no-times"})));
   command->callback([options, &status] { status = run(*options); });

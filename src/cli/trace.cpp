@@ -1,4 +1,5 @@
-// durero trace SCENE RAYS [--engine E] [--threads N] [-o OUT] [--quiet]: the first hit of every ray, as rays arrive.
+// durero trace SCENE RAYS [--engine E] [--hierarchy H] [--threads N] [-o OUT] [--quiet]: the first hit of every ray, as
+// rays arrive.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -18,7 +19,7 @@ namespace {
 
 struct TraceOptions {
   std::string scene, rays, out = "-";
-  std::string engine{engine::default_engine};
+  std::string engine{engine::default_engine}, hierarchy{"automatic"};
   std::size_t threads = 0;  // 0: as many as the machine has
   bool quiet = false;
 };
@@ -32,9 +33,10 @@ void set_share(Progress& progress, const io::Input& input, std::optional<std::ui
 int run(const TraceOptions& options) {
   const ThreadLimit limit(options.threads);
   io::HitWriter out(options.out);
-  const scene::Scene scene = io::read_scene(io::read_source(options.scene));
+  const SceneInput of = read_input(options.scene);
+  const scene::Scene& scene = of.scene;
   const engine::Row& engine = *engine::find(options.engine);
-  const auto prepared = engine.prepare(scene);
+  const auto ready = prepared(engine, options.hierarchy, of);
   io::Input input(options.rays);
   const auto size = input.left();
   const bool is_in_the_way = options.out == "-" && ::isatty(STDOUT_FILENO) == 1;  // of the hits
@@ -44,7 +46,7 @@ int run(const TraceOptions& options) {
   while (reader.next(rays)) {
     if (!engine.honours_origins && std::ranges::any_of(rays, [](const scene::Query& ray) { return !ray.en.empty(); }))
       throw std::invalid_argument(without_origins(engine, options.rays + " has rays that start on elements"));
-    out.write(engine::first_hits(*prepared, rays), scene);
+    out.write(engine::first_hits(*ready, rays), scene);
     progress.add(rays.size());
     set_share(progress, input, size);
   }
@@ -61,6 +63,7 @@ void add_trace(CLI::App& app, int& status) {
   command->add_option("RAYS", options->rays, "Ray file: text, or .npy (float64, n by 6); - is the standard input")
       ->required();
   add_engine(*command, options->engine);
+  add_hierarchy(*command, options->hierarchy);
   add_threads(*command, options->threads);
   command->add_option("-o,--output", options->out, "Where the hits go: JSON lines, or .npy by the name");
   add_quiet(*command, options->quiet);

@@ -87,7 +87,7 @@ constexpr std::array rows = {
     Row{"bvh-glassner", "a hierarchy of boxes, searched as the text has it: to be read", true, true,
         structured<accel::BvhGlassner>, "A §1.3.1", measured<accel::BvhGlassner>},
     Row{"bvh", "a hierarchy of boxes by surface area, the nearest first", true, true, structured<accel::Bvh>, "A §1.3",
-        measured<accel::Bvh>},
+        measured<accel::Bvh>, structured<accel::Bvh, scene::Groups>, measured<accel::Bvh, scene::Groups>},
     Row{"octree", "cubes that are divided in eight where elements are, walked from sibling to sibling", true, true,
         structured<accel::Octree>, "A §1.4.2", measured<accel::Octree>},
     Row{"octree-by-location", "the same, each cube found from the root by a point of the ray in it", true, true,

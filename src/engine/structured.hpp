@@ -1,10 +1,12 @@
 #pragma once
 /// An engine over an acceleration structure: candidates from the structure, answers from the certified search.
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <optional>
 
+#include "durero/accel/hierarchy.hpp"
 #include "durero/accel/structure.hpp"
 #include "durero/engine/engine.hpp"
 
@@ -14,7 +16,9 @@ namespace durero::engine {
 template <accel::Structure S>
 class Structured final : public Engine {
  public:
-  explicit Structured(const scene::Scene& scene) : structure_(scene) {}
+  /// What the structure is made of beside the scene follows it.
+  template <class... More>
+  explicit Structured(const scene::Scene& scene, const More&... more) : structure_(scene, more...) {}
 
   void first_hits(std::span<const scene::Query> queries, std::span<scene::Hit> hits) const override {
     trace::for_each_block(queries.size(), [&](std::size_t begin, std::size_t count) {
@@ -31,9 +35,9 @@ class Structured final : public Engine {
   S structure_;
 };
 
-template <accel::Structure S>
-std::unique_ptr<const Engine> structured(const scene::Scene& scene) {
-  return std::make_unique<const Structured<S>>(scene);
+template <accel::Structure S, class... More>
+std::unique_ptr<const Engine> structured(const scene::Scene& scene, const More&... more) {
+  return std::make_unique<const Structured<S>>(scene, more...);
 }
 
 /// How long it takes to do something.
@@ -44,13 +48,27 @@ double seconds_of(Do what) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// Of a hierarchy with an inner node.
+inline Branching branching(const accel::Hierarchy& tree) {
+  Branching found{accel::weight<double>(tree) / accel::area<double>(tree[tree.root()].box), 0, 0};
+  std::size_t inner = 0, children = 0;
+  tree.for_each([&](const accel::Hierarchy::Node& node) {
+    if (node.is_leaf()) return;
+    ++inner;
+    children += node.arity;
+    found.most = std::max<std::size_t>(found.most, node.arity);
+  });
+  found.arity = static_cast<double>(children) / static_cast<double>(inner);
+  return found;
+}
+
 /// Row::measure. The clock runs over rays that are not counted, so that counting costs nothing there.
-template <accel::Structure S>
-Figures measured(const scene::Scene& scene, std::span<const scene::Query> queries) {
+template <accel::Structure S, class... More>
+Figures measured(const scene::Scene& scene, std::span<const scene::Query> queries, const More&... more) {
   trace::Counts unseen;
   Figures figures{};
   std::optional<S> made;
-  figures.building_seconds = seconds_of([&] { made.emplace(scene); });
+  figures.building_seconds = seconds_of([&] { made.emplace(scene, more...); });
   const S& structure = *made;
   figures.answering_seconds = seconds_of([&] {
     for (const scene::Query& query : queries)
@@ -59,6 +77,8 @@ Figures measured(const scene::Scene& scene, std::span<const scene::Query> querie
   const accel::Counted counted(structure, figures.work);
   for (const scene::Query& query : queries) trace::first_hit_among(counted, query.rayo, query.en, unseen);
   figures.size = structure.size();  // at the end: what is made when it is asked for belongs to it
+  if constexpr (requires { structure.hierarchy(); })
+    if (figures.size.nodes > 0) figures.branching = branching(structure.hierarchy());
   return figures;
 }
 

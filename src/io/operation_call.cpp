@@ -81,6 +81,19 @@ Call read_text_call(Cursor& in) {
   return call;
 }
 
+void read_array(json::Reader& in, std::string_view what, CallInput& input) {
+  const json::Kind first = in.kind_of_first_item();
+  if (first == json::Kind::array) {
+    input.value = in.three_points(what);
+  } else if (first == json::Kind::string || first == json::Kind::end_array) {
+    std::vector<std::string> names;
+    in.array(what, [&] { names.emplace_back(in.string(what)); });
+    input.value = std::move(names);
+  } else {
+    input.value = in.vec3(what);
+  }
+}
+
 Call read_json_call(const Source& source, std::size_t begin, std::size_t end) {
   const json::Document document(source, begin, end);
   json::Reader in(document);
@@ -101,11 +114,7 @@ Call read_json_call(const Source& source, std::size_t begin, std::size_t end) {
         input.value = in.number(key.name);
         break;
       case json::Kind::array:
-        if (in.kind_of_first_item() == json::Kind::array) {
-          input.value = in.three_points(key.name);
-        } else {
-          input.value = in.vec3(key.name);
-        }
+        read_array(in, key.name, input);
         break;
       default:
         input.value = std::string(in.string(key.name));

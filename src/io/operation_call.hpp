@@ -23,7 +23,7 @@ struct CallInput {
   std::size_t name_offset;
   std::size_t value_offset;
   // A string and a double are JSON's.
-  std::variant<Word, std::string, double, glm::dvec3, std::array<glm::dvec3, 3>> value;
+  std::variant<Word, std::string, double, glm::dvec3, std::array<glm::dvec3, 3>, std::vector<std::string>> value;
 };
 
 struct Call {

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <ranges>
 
 #include "durero/io/number_text.hpp"
 #include "durero/scene/shapes.hpp"
@@ -38,12 +39,36 @@ void Inputs::require(std::string_view name) const {
   if (!has(name)) source_.fail(call_.offset, fmt::format("{} lacks {}?", call_.schema, name), "expected it");
 }
 
-model::Elemento Inputs::element() const {
-  const std::string& name = word("e");
-  if (!model::Elemento::is_name(name)) {
-    fail("e", fmt::format("e? is {}", text::shown(name)), "expected a name, 1 to 128 of A-Z a-z 0-9 _ . : -");
+model::Elemento Inputs::element() const { return model::Elemento{name("e")}; }
+
+void Inputs::check_name(std::string_view input, const std::string& name) const {
+  if (!model::Elemento::is_name(name))
+    fail(input, fmt::format("{}? is {}", input, text::shown(name)), "expected a name, 1 to 128 of A-Z a-z 0-9 _ . : -");
+}
+
+const std::string& Inputs::name(std::string_view input) const {
+  const std::string& name = word(input);
+  check_name(input, name);
+  return name;
+}
+
+std::vector<std::string> Inputs::names(std::string_view input) const {
+  const auto& written = find(input)->value;
+  std::vector<std::string> names;
+  if (const auto* list = std::get_if<std::vector<std::string>>(&written)) {
+    names = *list;
+  } else if (const auto* text = std::get_if<Word>(&written)) {
+    for (const auto part : std::views::split(text->text, ',')) names.emplace_back(part.begin(), part.end());
+  } else {
+    fail(input, fmt::format("{}? is no list of names", input), "expected a,b,… or, in JSON, [\"a\",\"b\",…]");
   }
-  return model::Elemento{name};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    check_name(input, names[i]);
+    if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
+        names.begin() + static_cast<std::ptrdiff_t>(i))
+      fail(input, fmt::format("{} stands twice in {}?", text::shown(names[i]), input), "expected it once");
+  }
+  return names;
 }
 
 model::Tipo Inputs::tipo() const {

@@ -38,11 +38,15 @@ class Inputs {
   void read(std::string_view name, glm::dvec3& value) const;
   void read(std::string_view name, std::array<glm::dvec3, 3>& value) const;
   const std::string& word(std::string_view name) const;
+  /// A name as elements have it, and a list of such: with commas between them, or an array of JSON.
+  const std::string& name(std::string_view input) const;
+  std::vector<std::string> names(std::string_view input) const;
 
   [[noreturn]] void fail(std::string_view name, const std::string& wrong, const std::string& expected) const;
 
  private:
   const CallInput* find(std::string_view name) const;
+  void check_name(std::string_view input, const std::string& name) const;
   void check_known(const CallInput& input, const Signature& signature) const;
 
   const Source& source_;

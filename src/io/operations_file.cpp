@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
+#include <span>
 
 #include "attribute_words.hpp"
 #include "durero/io/json_writer.hpp"
@@ -14,10 +16,12 @@
 namespace durero::io {
 namespace {
 
-// What a script may say of one operation, and the operation that it then means.
+using AnyEdit = decltype(Step::edit);
+
+// What a script may say of one operation, and the edit that it then means.
 struct Schema {
   Signature signature;
-  model::Operation (*read)(const Inputs& in);
+  AnyEdit (*read)(const Inputs& in, const scene::Stage& stage);
 };
 
 constexpr std::string_view material = "material";
@@ -56,39 +60,6 @@ model::Operation read_general_addition(const Inputs& in) {
   return added;
 }
 
-// The additions and removals of each shape, each followed by the general one, as the text has them.
-std::vector<Schema> all_schemas() {
-  std::vector<Schema> all;
-  Signature general{"Agregar_Elemento", {"e", "t"}, {attribute_words.begin(), attribute_words.end()}};
-  scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
-    Signature signature{Shape::Addition::schema, {"e"}, {material}};
-    scene::for_each_attribute<Shape>([&](const auto& attribute) { signature.required.push_back(attribute.word); });
-    all.push_back({std::move(signature), read_addition<Shape>});
-  });
-  general.optional.push_back(material);
-  all.push_back({std::move(general), read_general_addition});
-  scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
-    all.push_back({{Shape::Removal::schema, {"e"}, {}}, read_removal<typename Shape::Removal>});
-  });
-  all.push_back({{"Eliminar_Elemento", {"e"}, {}}, read_removal<model::Eliminar_Elemento>});
-  return all;
-}
-
-const std::vector<Schema>& schemas() {
-  static const std::vector<Schema> all = all_schemas();
-  return all;
-}
-
-const Schema& schema_of(const Source& source, const Call& call) {
-  std::vector<std::string_view> known;
-  for (const Schema& schema : schemas()) {
-    if (schema.signature.name == call.schema) return schema;
-    known.push_back(schema.signature.name);
-  }
-  source.fail(call.offset, fmt::format("unknown operation {}", text::shown(call.schema)),
-              fmt::format("expected one of {}", fmt::join(known, ", ")));
-}
-
 std::optional<std::uint32_t> read_material(const Inputs& in, const scene::Stage& stage) {
   if (!in.has(material)) return std::nullopt;
   const auto found = std::ranges::find(stage.materials, in.word(material), &scene::Material::name);
@@ -99,28 +70,96 @@ std::optional<std::uint32_t> read_material(const Inputs& in, const scene::Stage&
   return static_cast<std::uint32_t>(found - stage.materials.begin());
 }
 
-scene::Edit read_edit(const Source& source, const Call& call, const scene::Stage& stage) {
-  const Schema& schema = schema_of(source, call);
-  const Inputs in(source, call, schema.signature);
-  model::Operation operation = schema.read(in);
-  return {std::move(operation), read_material(in, stage)};
+/// An edit of the elements, by what reads its operation.
+template <model::Operation (*read)(const Inputs& in)>
+AnyEdit read_edit(const Inputs& in, const scene::Stage& stage) {
+  model::Operation operation = read(in);
+  return scene::Edit{std::move(operation), read_material(in, stage)};
+}
+
+scene::Names read_names(const Inputs& in, std::string_view input) {
+  if (!in.has(input)) return {};
+  std::vector<std::string> names = in.names(input);
+  return {std::make_move_iterator(names.begin()), std::make_move_iterator(names.end())};
+}
+
+AnyEdit read_grouping(const Inputs& in, const scene::Stage&) {
+  return scene::Grouping{in.name("g"), {read_names(in, "elementos"), read_names(in, "groups")}};
+}
+
+AnyEdit read_ungrouping(const Inputs& in, const scene::Stage&) { return scene::Ungrouping{in.name("g")}; }
+
+// The additions and removals of each shape, each followed by the general one, as the text has them.
+std::vector<Schema> all_schemas() {
+  std::vector<Schema> all;
+  Signature general{"Agregar_Elemento", {"e", "t"}, {attribute_words.begin(), attribute_words.end()}};
+  scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
+    Signature signature{Shape::Addition::schema, {"e"}, {material}};
+    scene::for_each_attribute<Shape>([&](const auto& attribute) { signature.required.push_back(attribute.word); });
+    all.push_back({std::move(signature), read_edit<read_addition<Shape>>});
+  });
+  general.optional.push_back(material);
+  all.push_back({std::move(general), read_edit<read_general_addition>});
+  scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
+    all.push_back({{Shape::Removal::schema, {"e"}, {}}, read_edit<read_removal<typename Shape::Removal>>});
+  });
+  all.push_back({{"Eliminar_Elemento", {"e"}, {}}, read_edit<read_removal<model::Eliminar_Elemento>>});
+  all.push_back({{"group", {"g"}, {"elementos", "groups"}}, read_grouping});
+  all.push_back({{"ungroup", {"g"}, {}}, read_ungrouping});
+  return all;
+}
+
+/// What a script may hold: the last two edit groups.
+enum class Scope : std::uint8_t { operations, groups_too };
+
+std::span<const Schema> schemas(Scope scope) {
+  static const std::vector<Schema> all = all_schemas();
+  return std::span(all).first(all.size() - (scope == Scope::operations ? 2 : 0));
+}
+
+const Schema& schema_of(const Source& source, const Call& call, Scope scope) {
+  std::vector<std::string_view> known;
+  for (const Schema& schema : schemas(scope)) {
+    if (schema.signature.name == call.schema) return schema;
+    known.push_back(schema.signature.name);
+  }
+  source.fail(call.offset, fmt::format("unknown operation {}", text::shown(call.schema)),
+              fmt::format("expected one of {}", fmt::join(known, ", ")));
+}
+
+std::vector<Step> read_steps(const Source& source, const scene::Stage& stage, Scope scope) {
+  std::vector<Step> script;
+  Lines lines(source.text());
+  while (const auto line = lines.next()) {
+    const auto call = read_call(source, *line);
+    if (!call) continue;
+    const Schema& schema = schema_of(source, *call, scope);
+    script.push_back({line->number, schema.read(Inputs(source, *call, schema.signature), stage)});
+  }
+  return script;
 }
 
 }  // namespace
 
 std::vector<Instruction> read_operations(const Source& source, const scene::Stage& stage) {
   std::vector<Instruction> script;
-  Lines lines(source.text());
-  while (const auto line = lines.next()) {
-    if (const auto call = read_call(source, *line)) script.push_back({line->number, read_edit(source, *call, stage)});
-  }
+  for (Step& step : read_steps(source, stage, Scope::operations))
+    script.push_back({step.line, std::get<scene::Edit>(std::move(step.edit))});
   return script;
 }
 
+std::vector<Step> read_script(const Source& source, const scene::Stage& stage) {
+  return read_steps(source, stage, Scope::groups_too);
+}
+
 std::string answer_text(std::size_t line, const model::Answer& answer) {
+  return answer_text(line, scene::Outcome{model::name(answer.r), answer.violated});
+}
+
+std::string answer_text(std::size_t line, const scene::Outcome& answer) {
   std::string text;
   json::Writer out(text);
-  out.begin_object().member("line", line).member("ok", answer.ok()).member("r", model::name(answer.r));
+  out.begin_object().member("line", line).member("ok", answer.ok()).member("r", answer.r);
   if (!answer.ok()) out.member("violated", answer.violated->label).member("predicate", answer.violated->predicate);
   out.end_object();
   return text;

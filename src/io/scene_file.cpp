@@ -7,14 +7,15 @@
 #include "durero/io/json.hpp"
 #include "durero/text/shown.hpp"
 #include "element_reader.hpp"
+#include "groups_reader.hpp"
 #include "stage_reader.hpp"
 
 namespace durero::io {
 namespace {
 
-enum Key : std::size_t { format, version, elementos, camera, resolution, background, lights, materials };
-constexpr std::string_view scene_keys[] = {"format",     "version",    "elementos", "camera",
-                                           "resolution", "background", "lights",    "materials"};
+enum Key : std::size_t { format, version, elementos, camera, resolution, background, lights, materials, groups };
+constexpr std::string_view scene_keys[] = {"format",     "version", "elementos", "camera", "resolution",
+                                           "background", "lights",  "materials", "groups"};
 constexpr std::size_t required_scene_keys = 3;
 
 class SceneReader {
@@ -38,6 +39,7 @@ class SceneReader {
       const bool is_right = read_or_pass(in, [&] { read_part(in, static_cast<Key>(key)); });
       if (key == materials) materials_are_known_ = is_right;
     });
+    if (elements_are_known_) attempt([&] { make_groups(in, groups_, scene_); });
     if (!materials_are_known_) return;
     for (const MaterialUse& use : uses_) attempt([&] { set_material(in, use); });
   }
@@ -74,7 +76,9 @@ class SceneReader {
       case version:  // read before all others
         return in.skip();
       case elementos:
-        return in.array("elementos", [&] { read_or_pass(in, [&] { read_element(in, scene_, uses_); }); });
+        return in.array("elementos", [&] {
+          if (!read_or_pass(in, [&] { read_element(in, scene_, uses_); })) elements_are_known_ = false;
+        });
       case camera:
         stage.camera = read_camera(in);
         return;
@@ -89,6 +93,9 @@ class SceneReader {
         return;
       case materials:
         stage.materials = read_materials(in);
+        return;
+      case groups:
+        groups_ = read_written_groups(in);
     }
   }
 
@@ -105,7 +112,8 @@ class SceneReader {
   std::vector<InputError>* errors_;
   scene::Scene scene_;
   std::vector<MaterialUse> uses_;
-  bool materials_are_known_ = true;  // where they are wrong, nothing is said of who names them
+  std::vector<WrittenGroup> groups_;
+  bool materials_are_known_ = true, elements_are_known_ = true;  // otherwise nothing is said of who names them
 };
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include "durero/io/groups_file.hpp"
 #include "durero/io/json_writer.hpp"
 #include "durero/io/scene_file.hpp"
 #include "scene_elements.hpp"
@@ -29,6 +30,25 @@ void write_stage(json::Writer& out, const scene::Stage& stage) {
   }
 }
 
+void write_names(json::Writer& out, const char* key, const scene::Names& names) {
+  if (names.empty()) return;
+  out.key(key).begin_array();
+  for (const std::string& name : names) out.value(std::string_view(name));
+  out.end_array();
+}
+
+void write_groups(json::Writer& out, const scene::Groups& groups) {
+  if (groups.empty()) return;
+  out.new_line().key("groups").begin_object();
+  for (const auto& [name, group] : groups.table()) {
+    out.new_line().key(name).begin_object();
+    write_names(out, "elementos", group.elementos);
+    write_names(out, "groups", group.groups);
+    out.end_object();
+  }
+  out.end_object();
+}
+
 void write_element(json::Writer& out, const scene::Scene& scene, ElementRef element) {
   out.begin_object().member("id", scene.name(element).name());
   scene.visit(element, [&]<class Shape>(const Shape& shape) {
@@ -44,11 +64,14 @@ void write_element(json::Writer& out, const scene::Scene& scene, ElementRef elem
 
 }  // namespace
 
-std::string scene_text(const scene::Scene& scene) {
+std::string scene_text(const scene::Scene& scene) { return scene_text(scene, {}); }
+
+std::string scene_text(const scene::Scene& scene, const scene::Groups& groups) {
   std::string text;
   json::Writer out(text);
   write_version(out.begin_object(), scene_format);
   write_stage(out, scene.stage());
+  write_groups(out, groups);
   out.new_line().key("elementos").begin_array();
   for (const ElementRef element : elements_by_name(scene)) write_element(out.new_line(), scene, element);
   if (scene.size() > 0) out.new_line();

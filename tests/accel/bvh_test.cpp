@@ -240,6 +240,40 @@ TEST_CASE("tests a ray grow with the logarithm up to a million elements", "[long
   check_growth({100, 1000, 10'000, 100'000, 1'000'000}, 20000, 0.2);
 }
 
+TEST_CASE("a hierarchy of elements that lie far from each other saves nothing; of the same in two heaps it does") {
+  // Four unit balls at corners of a cube, no two of them nearer than others, with five radii between them: each box
+  // about some of them is more than half the whole, so that none pays.
+  scene::Scene far, heaps;
+  for (const glm::dvec3 at : {glm::dvec3(0, 0, 0), {1, 1, 0}, {1, 0, 1}, {0, 1, 1}}) {
+    add(far, scene::Sphere{5.0 * at, 1});
+    add(heaps, scene::Sphere{glm::dvec3(at.x * 20, at.y, at.z), 1});
+  }
+  const auto tests_of = [](const scene::Scene& scene) {
+    const Bvh bvh(scene);
+    const surface::Box& box = bvh.hierarchy()[bvh.hierarchy().root()].box;
+    Random random(11);
+    Work work;
+    for (int met = 0; met < 2000;) {
+      const glm::dvec3 along = random.direction(), share = (random.in_cube(1) + 1.0) / 2.0;
+      const glm::dvec3 through = box.low + share * (box.high - box.low);
+      Work one;
+      bvh.any(
+          trace::Ray(ray(through - 100.0 * glm::normalize(along), along)), [] { return trace::no_limit; },
+          [](auto) { return false; }, one);
+      if (one.nodes == 0) continue;
+      ++met;
+      work += one;
+    }
+    return tests(work) / 2000;
+  };
+  CHECK(Bvh(far).hierarchy().inner_nodes() == 1);
+  CHECK(Bvh(far, Build::incremental).hierarchy().inner_nodes() == 1);
+  CHECK(Bvh(far, Build::every_place).hierarchy().inner_nodes() == 1);
+  CHECK(tests_of(far) == 5);  // without a hierarchy it is 4
+  CHECK(Bvh(heaps).hierarchy().inner_nodes() == 3);
+  CHECK(tests_of(heaps) < 5);
+}
+
 namespace {
 
 /// Every element of the scene has one place, its leaf its box, and each box holds those below.
@@ -319,6 +353,26 @@ void check_edits(std::size_t edits, std::size_t elements, std::size_t every, std
 
 }  // namespace
 
+TEST_CASE("what has been taken out makes room: edits need no more memory than the elements that are there") {
+  Random random(9);
+  scene::Scene scene = crowd(500, random);
+  Bvh bvh(scene);
+  const auto put_elsewhere = [&] {
+    const std::uint32_t row = std::uint32_t(random.below(scene.shapes<scene::Sphere>().size()));
+    const scene::ElementRef gone{model::Tipo::soy_esfera, row};
+    const model::Elemento name = scene.name(gone);
+    scene.apply(model::Eliminar_Esfera{name});
+    bvh.removed(gone);
+    scene.apply(model::Agregar_Esfera{name, model::Punto(random.in_cube(1)), 0.02});
+    bvh.added(*scene.find(name.name()));
+  };
+  for (int i = 0; i < 2000; ++i) put_elsewhere();
+  const std::size_t bytes = bvh.size().bytes;
+  for (std::size_t i = 0; i < fewer_when_sanitized(20000); ++i) put_elsewhere();
+  CHECK(bvh.size().bytes <= bytes + bytes / 8);
+  check_describes(bvh);
+}
+
 TEST_CASE("after edits it answers as one that is made anew") {
   check_edits(fewer_when_sanitized(400), 60, 5, 1);
   check_edits(fewer_when_sanitized(400), 3, 5, 2);
@@ -339,6 +393,30 @@ TEST_CASE("elements that are all the same, and such as lie apart ever farther, m
   CHECK(Bvh(spread, Build::top_down, 2).size().depth <= 40 + 8);
 }
 
+namespace {
+
+void group(const scene::Scene& scene, scene::Groups& groups, const char* name, scene::Group of) {
+  REQUIRE(groups.apply_total(scene::Grouping{name, std::move(of)}, scene).ok());
+}
+
+std::string name_of(const scene::Scene& scene, std::uint32_t sphere) {
+  return scene.name({model::Tipo::soy_esfera, sphere}).name();
+}
+
+/// The names of the elements below a node.
+std::set<std::string> below(const Bvh& bvh, Hierarchy::Number node) {
+  const Hierarchy& tree = bvh.hierarchy();
+  if (tree[node].is_leaf()) return {bvh.scene().name(tree[node].element).name()};
+  std::set<std::string> all;
+  tree.any_child(node, [&](Hierarchy::Number child) {
+    all.merge(below(bvh, child));
+    return false;
+  });
+  return all;
+}
+
+}  // namespace
+
 TEST_CASE("a hierarchy that is made by hand is honoured, and may cost less than the automatic one") {
   bool cheaper = false;
   for (std::uint64_t seed = 1; seed <= 200 && !cheaper; ++seed) {
@@ -348,14 +426,23 @@ TEST_CASE("a hierarchy that is made by hand is honoured, and may cost less than 
       const glm::dvec3 centre = random.in_cube(1);
       add(scene, scene::Sphere{centre, random.uniform(0.1, 0.5)});
     }
-    const auto sphere = [](std::uint32_t i) { return scene::ElementRef{model::Tipo::soy_esfera, i}; };
     const Bvh automatic(scene);
     for (std::uint32_t i = 1; i < 4; ++i) {
       const std::uint32_t j = i % 3 + 1, k = j % 3 + 1;
-      const Bvh by_hand(scene, accel::Group{{}, {{{sphere(0), sphere(i)}, {}}, {{sphere(j), sphere(k)}, {}}, {}}});
+      scene::Groups groups;
+      group(scene, groups, "one", {{name_of(scene, 0), name_of(scene, i)}, {}});
+      group(scene, groups, "other", {{name_of(scene, j), name_of(scene, k)}, {}});
+      const Bvh by_hand(scene, groups);
       check_describes(by_hand);
       CHECK(by_hand.hierarchy().inner_nodes() == 3);
       CHECK(by_hand.hierarchy().depth() == 2);
+      std::set<std::set<std::string>> halves;
+      by_hand.hierarchy().any_child(by_hand.hierarchy().root(), [&](Hierarchy::Number child) {
+        halves.insert(below(by_hand, child));
+        return false;
+      });
+      CHECK(halves ==
+            std::set{std::set{name_of(scene, 0), name_of(scene, i)}, std::set{name_of(scene, j), name_of(scene, k)}});
       cheaper = cheaper || accel::weight<double>(by_hand.hierarchy()) < accel::weight<double>(automatic.hierarchy());
       const model::Rayo rayo = random_ray(random);
       Work unseen;
@@ -365,15 +452,27 @@ TEST_CASE("a hierarchy that is made by hand is honoured, and may cost less than 
   CHECK(cheaper);
 }
 
-TEST_CASE("by hand every element is in one group, planes too, and a group of one is its element") {
+TEST_CASE("by hand a group of one is its thing, one of nothing is no node, and what is in none is under the root") {
   scene::Scene scene;
-  const scene::ElementRef a = add(scene, scene::Sphere{{0, 0, 0}, 1}), b = add(scene, scene::Sphere{{3, 0, 0}, 1});
+  add(scene, scene::Sphere{{0, 0, 0}, 1});
+  add(scene, scene::Sphere{{3, 0, 0}, 1});
   const scene::ElementRef plane = add(scene, scene::Plane{{0, 0, 9}, {0, 0, 1}});
-  CHECK_THROWS_AS(Bvh(scene, accel::Group{{a, b}, {}}), std::invalid_argument);
-  CHECK_THROWS_AS(Bvh(scene, accel::Group{{a, b, plane}, {{{a}, {}}}}), std::invalid_argument);
-  const Bvh bvh(scene, accel::Group{{plane}, {{{a}, {}}, {{b}, {}}, {}}});
+  scene::Groups groups;
+  const std::string a = name_of(scene, 0), b = name_of(scene, 1);
+  CHECK(Bvh(scene, groups).hierarchy().depth() == 1);
+  group(scene, groups, "one", {{a}, {}});
+  group(scene, groups, "one-again", {{}, {"one"}});
+  group(scene, groups, "nothing", {});
+  group(scene, groups, "plane", {{scene.name(plane).name()}, {"nothing"}});
+  const Bvh bvh(scene, groups);
   check_describes(bvh);
   CHECK(bvh.hierarchy().depth() == 1);
   CHECK(bvh.extraordinary().size() == 1);
-  CHECK(Bvh(scene::Scene(), accel::Group{}).hierarchy().empty());
+  group(scene, groups, "both", {{b}, {"one-again", "plane"}});
+  CHECK(Bvh(scene, groups).hierarchy().depth() == 1);
+  const scene::Scene nothing;
+  CHECK(Bvh(nothing, groups).hierarchy().empty());
+  Bvh edited(scene, groups);
+  edited.added(add(scene, scene::Sphere{{9, 0, 0}, 1}));
+  check_describes(edited);
 }

@@ -219,6 +219,32 @@ TEST_CASE("to try every position takes n looks an element, to go down log n") {
   CHECK(down < 1.25);
 }
 
+TEST_CASE("to go down takes log n looks an element up to a million, and comes near to what every position gives",
+          "[long]") {
+  Random random(8);
+  std::vector<double> looks;
+  for (const std::size_t size : {1000, 10'000, 100'000, 1'000'000}) {
+    const Grown down = grown(spread_boxes(random, size), Criterion::downwards);
+    looks.push_back(double(down.examined));
+    UNSCOPED_INFO(size << ": " << looks.back() / double(size) << " looks an element, " << down.tree.depth() << " deep");
+  }
+  for (const std::size_t size : {1000, 2000, 4000, 8000}) {
+    Boxes boxes = spread_boxes(random, size);
+    const Grown of_all = grown(boxes, Criterion::of_all), down = grown(boxes, Criterion::downwards);
+    std::ranges::sort(boxes, {}, [](const surface::Box& box) { return box.low.x; });
+    const Grown sorted = grown(boxes, Criterion::downwards);
+    const double least = accel::weight<double>(of_all.tree);
+    UNSCOPED_INFO(size << ": of all " << double(of_all.examined) / double(size) << " looks an element; down "
+                       << accel::weight<double>(down.tree) / least << " of its cost, sorted "
+                       << accel::weight<double>(sorted.tree) / least);
+    CHECK(least < accel::weight<double>(down.tree));
+  }
+  const double power = slope(looks.front(), looks.back(), 1000);
+  INFO("the looks of all grow with the power " << power);
+  CHECK(power > 1);
+  CHECK(power < 1.2);
+}
+
 TEST_CASE("the cost depends on the order of insertion, and every position on average does better") {
   Random random(4);
   Boxes boxes = spread_boxes(random, 400);

@@ -262,7 +262,7 @@ Shadows shadows(const Scene& scene, const LightBufferOptions& options) {
       all.facing_away += is_triangle(n) && faces_away(scene.shapes<scene::Triangle>()[cube.item(n).e.index], at);
     trace::Counts unseen;
     if (!buffer.is_certainly_occluded(trace::Ray(rayo), hit.elementos))
-      occluded_segment_among(Counted<LightBuffer>{buffer, all.work}, rayo, hit.elementos, unseen);
+      occluded_segment_among(accel::Counted(buffer, all.work), rayo, hit.elementos, unseen);
   }
   return all;
 }

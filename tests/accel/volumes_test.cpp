@@ -2,12 +2,14 @@
 #include "durero/accel/volumes.hpp"
 
 #include <cmath>
+#include <set>
 
 #include "durero/accel/structure.hpp"
 #include "durero/trace/analytic.hpp"
 #include "support/catch.hpp"
 #include "support/sanitized.hpp"
 #include "support/scenes.hpp"
+#include "support/shapes.hpp"
 
 using namespace durero;
 using namespace durero::test;
@@ -86,6 +88,61 @@ TEST_CASE("composed volumes give the same answers: an intersection lets through 
   CHECK(by_any.candidates >= std::max(by_ball.candidates, by_box.candidates));
   CHECK(by_all.volumes == by_ball.volumes + by_ball.candidates);
   CHECK(by_any.volumes > by_ball.volumes);
+}
+
+namespace {
+
+/// What a test of a volume costs.
+double cost_of(const accel::Simple& volume) {
+  const auto* const slabs = std::get_if<accel::Slabs>(&volume);
+  if (slabs == nullptr) return accel::kinds()[volume.index()].B;
+  const std::size_t along = slabs->along.size();
+  return accel::kinds()[along == 3 ? 4 : along == 7 ? 5 : 6].B;
+}
+
+/// T = n·B + m·I a line, by the tests that are counted, of lines at random across the ball about the scene.
+double counted_cost(const Volumes& volumes, std::size_t lines) {
+  Random random(7);
+  Work work;
+  for (std::size_t i = 0; i < lines; ++i) {
+    const glm::dvec3 along = glm::normalize(random.direction()), through = random.in_cube(1);
+    const trace::Ray line(model::Rayo{model::Punto(through - 100.0 * along), model::Vector(along)});
+    volumes.any(
+        line, [] { return trace::no_limit; }, [](scene::ElementRef) { return false; }, work);
+  }
+  CHECK(work.volumes == lines * volumes.bounded().size());
+  CHECK(work.candidates <= work.volumes);
+  double tests = 0;
+  for (const Volumes::Bounded& one : volumes.bounded()) tests += cost_of(one.volume.parts[0]);
+  return tests + double(work.candidates) / double(lines) * accel::I;
+}
+
+}  // namespace
+
+TEST_CASE("with the kinds that are chosen a scene costs no more than with the best one for all, by what is counted") {
+  Random random(4);
+  scene::Scene mixed;
+  mixed.put_off_audits();
+  for (int i = 0; i < 60; ++i) {
+    const glm::dvec3 centre = random.in_cube(1);
+    add(mixed, scene::Sphere{centre, 0.6});
+    add(mixed, scene::Cylinder{centre, 0.02, random.axis().xyz(), 2});
+    add(mixed, scene::Disc{centre, 0.5, {0, 0, 1}});
+  }
+  const Volumes chosen(mixed);
+  std::set<std::size_t> kinds;
+  for (const Volumes::Bounded& one : chosen.bounded()) kinds.insert(one.volume.parts[0].index());
+  CHECK(kinds.size() > 1);
+  const std::size_t lines = fewer_when_sanitized(4000);
+  double best = trace::no_limit;
+  for (const Kind& kind : accel::kinds()) {
+    const double cost = counted_cost(Volumes(mixed, kind), lines);
+    UNSCOPED_INFO(kind.name << ": " << cost);
+    best = std::min(best, cost);
+  }
+  const double own = counted_cost(chosen, lines);
+  INFO("chosen: " << own);
+  CHECK(own <= 1.05 * best);
 }
 
 TEST_CASE("no element, and planes alone") {

@@ -1,5 +1,6 @@
 // Checked edits of a scene: pairs of one removal and one addition, in scenes of 10³ and of 10⁶ elements, with contracts
-// at their default and ignored. A pair takes away an element drawn at random and puts it back.
+// at their default and ignored. A pair takes away an element drawn at random and puts it back; or, where the hierarchy
+// `bvh` follows, puts it anywhere else, so that the hierarchy is ever less the one that was built.
 //
 // DURERO_PAIRS=N runs each benchmark for N pairs exactly; tests/bench/instructions.sh counts with it.
 
@@ -11,8 +12,10 @@
 #include <map>
 #include <numeric>
 #include <random>
+#include <utility>
 #include <vector>
 
+#include "durero/accel/bvh.hpp"
 #include "durero/scene/scene.hpp"
 
 using namespace durero;
@@ -24,10 +27,11 @@ struct Pair {
   model::Operation removal, addition;
 };
 
-/// The element of this number: a third each of spheres, cylinders and cones, with names of one length.
-Pair pair_of(int i) {
+/// The element of this number: a third each of spheres, cylinders and cones, with names of one length. It is put back
+/// at the place of that number.
+Pair pair_of(int i, int at) {
   const model::Elemento e(fmt::format("element-{:07}", i));
-  const model::Punto centro(i % 1000, i / 1000, 0);
+  const model::Punto centro(at % 1000, at / 1000, 0);
   const model::Vector axis(0, 0.6, 0.8);
   switch (i % 3) {
     case 0:
@@ -45,14 +49,17 @@ struct Workload {
   std::vector<Pair> pairs;
 };
 
-Workload& workload(int n) {
-  static std::map<int, Workload> kept;
-  Workload& w = kept[n];
+Workload& workload(int n, bool elsewhere) {
+  static std::map<std::pair<int, bool>, Workload> kept;
+  Workload& w = kept[{n, elsewhere}];
   if (w.scene.size() != 0) return w;
-  for (int i = 0; i < n; ++i) w.scene.apply(pair_of(i).addition);
+  for (int i = 0; i < n; ++i) w.scene.apply(pair_of(i, i).addition);
   std::mt19937 random(1);
   std::uniform_int_distribution<int> any(0, n - 1);
-  for (int i = 0; i < 1 << 16; ++i) w.pairs.push_back(pair_of(any(random)));
+  for (int i = 0; i < 1 << 16; ++i) {
+    const int number = any(random);
+    w.pairs.push_back(pair_of(number, elsewhere ? any(random) : number));
+  }
   return w;
 }
 
@@ -63,7 +70,7 @@ Workload& workload(int n) {
 }
 
 void pairs(benchmark::State& state, evaluation_semantic contracts) {
-  Workload& w = workload(static_cast<int>(state.range(0)));
+  Workload& w = workload(static_cast<int>(state.range(0)), false);
   const contract::scoped_semantic scope(contract::cost::normal, contracts);
   std::size_t i = 0;
   for (auto _ : state) {
@@ -73,16 +80,42 @@ void pairs(benchmark::State& state, evaluation_semantic contracts) {
   state.SetItemsProcessed(state.iterations());
 }
 
-void add(const char* name, evaluation_semantic contracts) {
-  auto* bench = benchmark::RegisterBenchmark(name, pairs, contracts)->Arg(1000)->Arg(1000000);
+scene::ElementRef place(const scene::Scene& scene, const model::Operation& operation) {
+  return *scene.find(scene::name_of(operation).name());
+}
+
+/// With the bytes an element that the hierarchy takes at the end, and how much its cost has grown.
+void followed(benchmark::State& state) {
+  Workload& w = workload(static_cast<int>(state.range(0)), true);
+  accel::Bvh bvh(w.scene);
+  const double cost = accel::weight<double>(bvh.hierarchy());
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const auto& [removal, addition] = w.pairs[i];
+    const scene::ElementRef gone = place(w.scene, removal);
+    w.scene.apply(removal);
+    bvh.removed(gone);
+    w.scene.apply(addition);
+    bvh.added(place(w.scene, addition));
+    i = (i + 1) % w.pairs.size();
+  }
+  state.SetItemsProcessed(state.iterations());
+  state.counters["bytes"] = static_cast<double>(bvh.size().bytes) / static_cast<double>(w.scene.size());
+  state.counters["cost"] = accel::weight<double>(bvh.hierarchy()) / cost;
+}
+
+template <class... Arguments>
+void add(const char* name, Arguments... of) {
+  auto* bench = benchmark::RegisterBenchmark(name, of...)->Arg(1000)->Arg(1000000);
   if (const char* exactly = std::getenv("DURERO_PAIRS")) bench->Iterations(std::atol(exactly));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  add("pairs/checked", evaluation_semantic::enforce);
-  add("pairs/ignored", evaluation_semantic::ignore);
+  add("pairs/checked", pairs, evaluation_semantic::enforce);
+  add("pairs/ignored", pairs, evaluation_semantic::ignore);
+  add("pairs/followed", followed);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();

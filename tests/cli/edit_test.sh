@@ -68,4 +68,28 @@ refused '/dev/full: cannot be written: No space left on device' edit scene.json 
 run 0 edit scene.json --op "$sphere" -o /dev/stdout
 has out '"id":"s2"'
 has out "$added"
+# Groups: made of what is there, kept in the file, left by what is removed; each refusal names its clause.
+cat >script <<'TEXT'
+group g?=pair elementos?=s1,k1
+group g?=all groups?=pair
+group g?=pair
+group g?=more elementos?=s1
+ungroup g?=none
+Eliminar_Elemento e?=k1
+TEXT
+run 1 edit scene.json --script script -o grouped.json
+has out '{"line":1,"ok":true,"r":"grouped"}'
+has out '{"line":3,"ok":false,"r":"group_exists","violated":"group.pre.1","predicate":"g? ∉ dom groups"}'
+has out '{"line":4,"ok":false,"r":"element_in_a_group","violated":"group.pre.4",'
+has out '{"line":5,"ok":false,"r":"no_such_group","violated":"ungroup.pre.1",'
+has grouped.json '"all":{"groups":["pair"]},'
+has grouped.json '"pair":{"elementos":["s1"]}},'
+run 0 edit grouped.json --by-spec --op 'ungroup g?=all' --op 'Eliminar_Elemento e?=s1' -o ungrouped.json
+has ungrouped.json '"pair":{}},'
+run 0 import grouped.json -o same.json
+same grouped.json same.json
+run 0 export grouped.json -o same.json
+same grouped.json same.json
+run 0 export grouped.json -o grouped.nff
+has err '2 groups left out'
 finish

@@ -1,4 +1,5 @@
 # durero stats: what structures cost and save; what is counted is the same at every call.
+demo=$(CDPATH='' cd -- "$(dirname -- "$0")/../../demo" && pwd)
 . "$(dirname "$0")/harness.sh"
 sample >scene.json
 printf '0 0 -9 0 0 1\n0 9 0 0 1 0\n' >rays.txt
@@ -8,12 +9,13 @@ run 0 stats scene.json
 empty err
 has out 'scene.json: 3 elementos, 1000 rays'
 has out 'break-even'
-measured=$(($(wc -l <out) - 2))
+measured=$(($(sed '/^$/,$d' out | wc -l) - 2))
 run 0 stats scene.json --no-times
 cp out said
 run 0 stats scene.json --no-times
 same out said
-lines out $((measured + 2))
+lines out $((measured + 5))
+has out 'hierarchy                  cost   depth   arity    most'
 grep -q 'break-even' out && fail 'times where none were asked for'
 run 0 stats scene.json --format json --no-times
 cp out said
@@ -42,6 +44,21 @@ while read -r name; do
   checks=$((checks + 1))
   grep -qE "^  .* \(A §1[.0-9]*\): (.*, )?$name(,|\$)" listed || fail "durero engines has $name under no head"
 done <names
+
+# Groups made by hand stand beside the automatic hierarchy, and may cost less; each alone where it is asked for.
+run 0 stats "$demo/groups.json" --engine bvh --no-times
+lines out 8
+checks=$((checks + 1))
+awk '/^hierarchy/ { below = 1 } below && /^bvh +[0-9]/ { own = $2 } below && /^bvh by hand/ { hand = $4 }
+  END { exit !(hand > 3 && hand < 0.9 * own) }' out || fail 'by hand it does not cost less'
+has out 'bvh by hand              3.8598       2    2.67       3'
+run 0 stats "$demo/groups.json" --engine bvh --hierarchy hand --format json --no-times
+has out '"hierarchy":{"made":"by hand","cost":3.859'
+grep -q automatically out && fail 'the automatic hierarchy where it was not asked for'
+run 0 stats "$demo/groups.json" --engine bvh --hierarchy automatic --no-times
+lines out 6
+run 0 stats scene.json --engine bvh --hierarchy hand --format json --no-times
+has out '"made":"by hand"'
 
 echo '{"format":"durero-scene","version":1,"elementos":[]}' >empty.json
 run 0 stats empty.json

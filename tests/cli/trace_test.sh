@@ -32,6 +32,15 @@ run 0 trace scene.json first --engine sampled
 has out '"outcome":"hit","elementos":["s1"]'
 # It cannot tell the surface that a ray starts on from one that the ray meets.
 refused '--engine sampled: ' trace scene.json rays --engine sampled -o hits
+
+# The hierarchy is that of the scene's groups where that is asked for; the answers are the same.
+sed 's/"elementos":\[/"groups":{"all":{"elementos":["c1","s1"]}},\n&/' scene.json >grouped.json
+run 0 trace grouped.json rays --engine bvh
+cp out said
+run 0 trace grouped.json rays --engine bvh --hierarchy hand
+same out said
+refused '--hierarchy hand: fast follows no groups; expected --engine bvh' trace grouped.json rays --hierarchy hand
+refused 'trace: --hierarchy none: no such hierarchy; expected one of automatic, hand' trace grouped.json rays --hierarchy none
 absent hits
 
 # Threads change nothing.

@@ -57,6 +57,40 @@ Eliminar_Elemento e?=k2)") ==
   CHECK(scene.size() == 1);
 }
 
+TEST_CASE("A script may edit groups too, in both syntaxes, and operations alone know of none") {
+  const std::string script = R"(group g?=pair elementos?=s1,s2
+group g=row groups=pair,other elementos=s3
+{"op":"group","g?":"none","elementos":[]}
+ungroup g?=pair
+{"op":"ungroup","g":"row"}
+Eliminar_Esfera e?=s1)";
+  const auto steps = io::read_script(io::Source("f", script), {});
+  REQUIRE(steps.size() == 6);
+  const auto grouping = [&](std::size_t i) {
+    return std::get<scene::Grouping>(std::get<scene::GroupEdit>(steps[i].edit));
+  };
+  CHECK(grouping(0).g == "pair");
+  CHECK((grouping(0).of == scene::Group{{"s1", "s2"}, {}}));
+  CHECK((grouping(1).of == scene::Group{{"s3"}, {"other", "pair"}}));
+  CHECK((grouping(2).of == scene::Group{}));
+  CHECK(std::get<scene::Ungrouping>(std::get<scene::GroupEdit>(steps[3].edit)).g == "pair");
+  CHECK(std::get<scene::Ungrouping>(std::get<scene::GroupEdit>(steps[4].edit)).g == "row");
+  CHECK(std::holds_alternative<scene::Edit>(steps[5].edit));
+  CHECK(steps[5].line == 6);
+  CHECK_THROWS_AS(reading(io::Source("f", "ungroup g?=pair")), io::InputError);
+  const auto wrong = [](const std::string& text) {
+    return test::error_of(text, [](const io::Source& source) { return io::read_script(source, {}); });
+  };
+  CHECK(wrong("group g=a elementos=b,a/b").find("elementos? is \"a/b\"; expected a name") != std::string::npos);
+  CHECK(wrong("group g=a elementos=b,").find("elementos? is \"\"; expected a name") != std::string::npos);
+  CHECK(wrong("group g=a elementos=b,c,b").find("\"b\" stands twice in elementos?") != std::string::npos);
+  CHECK(wrong("group g=a elementos=(1,2,3)").find("elementos? is no list of names") != std::string::npos);
+  CHECK(wrong("group g=\"\"").find("expected a name") != std::string::npos);
+  CHECK(wrong("ungroup g=a groups=b").find("unknown input") != std::string::npos);
+  CHECK(io::answer_text(3, scene::Outcome{"no_such_group", &scene::ungroup_pre_1}) ==
+        R"({"line":3,"ok":false,"r":"no_such_group","violated":"ungroup.pre.1","predicate":"g? ∈ dom groups"})");
+}
+
 TEST_CASE("A refused operation is an answer: what was violated, and its predicate") {
   scene::Scene scene;
   CHECK(answers(scene, R"(Agregar_Esfera e?=s1 centro?=(0,0,5) radio?=1

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "durero/model/operaciones_clauses.hpp"
+#include "durero/scene/groups.hpp"
 #include "durero/scene/retrieve.hpp"
 #include "support/catch.hpp"
 #include "support/clauses.hpp"
@@ -22,7 +23,11 @@ using contract::cost;
 using contract::evaluation_semantic;
 using contract::scoped_semantic;
 using scene::ElementRef;
+using scene::GroupEdit;
+using scene::Grouping;
+using scene::Groups;
 using scene::Scene;
+using scene::Ungrouping;
 
 namespace {
 
@@ -259,6 +264,22 @@ TEST_CASE("an edit for which memory runs out changes nothing") {
       CHECK(index_is_sound(scene));
     }
   }
+}
+
+TEST_CASE("an edit of the groups for which memory runs out changes nothing") {
+  Scene scene;
+  for (const char* name : {"a-long-name-of-an-element", "another-name-of-an-element", "c"})
+    scene.apply(Agregar_Esfera{Elemento(name), origin, 1});
+  const Grouping inner{"a-long-name-of-an-inner-group", {{"a-long-name-of-an-element", "c"}, {}}};
+  const Grouping outer{"a-long-name-of-an-outer-group", {{"another-name-of-an-element"}, {inner.g}}};
+  const auto check = [&](const Groups& from, const GroupEdit& edit) {
+    Groups groups = from, expected = from;
+    REQUIRE(expected.apply_total(edit, scene).ok());
+    CHECK(fail_every_allocation([&] { groups.apply_total(edit, scene); }, [&] { REQUIRE(groups == from); }) > 0);
+    CHECK(groups == expected);
+    return expected;
+  };
+  check(check(check({}, inner), outer), Ungrouping{inner.g});
 }
 
 TEST_CASE("a copy of a scene is a scene of its own") {

@@ -43,6 +43,22 @@ def unknown_material(value):
     return any(material not in value.get("materials", {}) for material in values(value, "material"))
 
 
+def no_forest(value):
+    """Some member of a group is none of the scene's, or in two, or a group lies within itself."""
+    groups = value.get("groups", {})
+    elements = [name for group in groups.values() for name in group.get("elementos", [])]
+    inner = [name for group in groups.values() for name in group.get("groups", [])]
+    if set(elements) - set(values(value, "id")) or set(inner) - set(groups):
+        return True
+    if len(set(elements)) < len(elements) or len(set(inner)) < len(inner):
+        return True
+    left, before = dict(groups), -1
+    while len(left) != before:
+        before = len(left)
+        left = {name: group for name, group in left.items() if set(group.get("groups", [])) & set(left)}
+    return bool(left)
+
+
 def unknown_material_of_edit(operation):
     return any(operation.get(key, "red") not in SCENE_MATERIALS for key in ("material", "material?"))
 
@@ -59,7 +75,8 @@ def classes(claim_ids, families):
             "no unit vector": lambda s: any(map(off_unit, values(s, "vector"))),
             "vertices on one line": lambda s: any(map(on_one_line, values(s, "vertices"))),
             "eye at look_at": lambda s: "camera" in s and s["camera"]["eye"] == s["camera"]["look_at"],
-            "unknown material": unknown_material},
+            "unknown material": unknown_material,
+            "groups that are no forest": no_forest},
         "operation": {"unknown material": unknown_material_of_edit},
         "hit": {"unknown element": lambda h: not set(h["elementos"]) <= set(SCENE_IDS),
                 "no such ray": lambda h: h["ray"] > 2},

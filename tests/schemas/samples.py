@@ -4,7 +4,8 @@ AXIS = '"vector":[0,1,0]'
 SCENE = f"""{{"format":"durero-scene","version":1,
 "camera":{{"eye":[0,1,-8],"look_at":[0,0,0],"up":[0,1,0],"fov_y":45}},
 "resolution":[8,6],"background":[0,0.5,2],"lights":[{{"position":[5,5,-5],"color":[1,1,1]}}],
-"materials":{{"red":{{"color":[1,0,0]}},"azul ñ":{{"color":[0,0,1]}}}},"elementos":[
+"materials":{{"red":{{"color":[1,0,0]}},"azul ñ":{{"color":[0,0,1]}}}},
+"groups":{{"all":{{"elementos":["s1"],"groups":["pair"]}},"pair":{{"elementos":["c1","k1"]}},"none":{{}}}},"elementos":[
 {{"id":"s1","tipo":"esfera","centro":[0,0,0],"radio":1,"material":"red"}},
 {{"id":"c1","tipo":"cilindro","centro":[3,0,0],"radio":1,{AXIS},"altura":2}},
 {{"id":"k1","tipo":"cono","centro":[-3,0,0],"proporcion":0.5,{AXIS},"altura":2,"material":"azul ñ"}},
@@ -17,6 +18,7 @@ OPERATIONS = ['{"op":"Agregar_Esfera","e":"n","centro":[0,0,5],"radio":1,"materi
               '{"op":"Agregar_Triangulo","e":"n","vertices":[[0,0,0],[1,0,0],[0,1,0]]}',
               '{"op":"Agregar_Elemento","e":"n","t":"soy_disco","centro":[0,0,0],"radio":1,"vector":[1,0,0],'
               '"altura":3}',
+              '{"op":"group","g":"new","elementos":["t1","p1"],"groups?":["all"]}', '{"op":"ungroup","g?":"pair"}',
               '{"op":"Eliminar_Esfera","e":"s1"}', '{"op":"Eliminar_Elemento","e?":"c1"}']
 RAYS = "0 0 -9 0 0 1\n0 9 0 0 1 0\n3 -1 0 0 1 0\n"
 HITS = ['{"ray":0,"outcome":"hit","elementos":["s1"],"t":8,"point":[0,0,-1]}',
@@ -69,6 +71,9 @@ CHANGES = {
 "up":[0,1,0] | "up":[0,5e-324,0] | "up":[0,-0.0,0]
 "red": | "\u0000": | "":
 "version":1 | "version":1.0 | "version":true
+"groups":["pair"] | "groups":["all"] | "groups":["pair","pair"] | "groups":["nobody"] | "groups":["a b"]
+["c1","k1"] | ["c1","c1"] | ["c1","s1"] | ["c1","x1"] | [] | "c1"
+"pair":{{ | "{LONGEST[1:-1]}":{{ | "":{{
 "version":1 | "version":1 | "version":2""",
     "operation": rf"""
 "red" | "rojo"

@@ -18,6 +18,7 @@
 #include "durero/accel/hierarchy.hpp"
 #include "durero/accel/slab.hpp"
 #include "durero/accel/work.hpp"
+#include "durero/scene/groups.hpp"
 #include "durero/scene/scene.hpp"
 #include "durero/trace/ray.hpp"
 
@@ -33,12 +34,6 @@ enum class Build : std::uint8_t {
 /// How many children a node has at most, where nobody says otherwise.
 inline constexpr unsigned usual_children = 8;
 
-/// A group of elements and of other groups, as whoever models or edits a scene makes them by hand.
-struct Group {
-  std::vector<scene::ElementRef> elements;  ///< directly in it
-  std::vector<Group> groups;                ///< within it
-};
-
 /// A scene's elements in a hierarchy. It follows edits of the scene that it is told of.
 class Bvh {
  public:
@@ -46,9 +41,10 @@ class Bvh {
   /// most_children ≥ 2.
   explicit Bvh(const scene::Scene& scene, Build build = Build::top_down, unsigned most_children = usual_children);
 
-  /// The hierarchy that was made by hand: a node for each group, but for such as hold one thing or nothing. Throws
-  /// std::invalid_argument where an element is in no group or in more than one.
-  Bvh(const scene::Scene& scene, const Group& by_hand);
+  /// The hierarchy that was made by hand: a node for each group, but for such as hold one thing or nothing, of as many
+  /// children as are there; what is in no group is under the root. Precondition: the groups are of that scene. Groups
+  /// that change later change nothing here.
+  Bvh(const scene::Scene& scene, const scene::Groups& by_hand);
 
   /// What it is made of.
   const scene::Scene& scene() const noexcept { return *scene_; }
@@ -85,8 +81,8 @@ class Bvh {
   /// Makes a leaf or a place apart for each element; the leaves.
   std::vector<Number> take_elements();
   void grow(Build build, std::vector<Number> leaves);
-  /// The node of a group; none where it holds nothing that has a box.
-  Number join(const Group& group);
+  /// The root over the groups. Precondition: a leaf or more.
+  Number join_groups(const scene::Groups& groups, std::span<const Number> leaves);
 
   const scene::Scene* scene_;
   unsigned most_children_;

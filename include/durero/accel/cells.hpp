@@ -106,12 +106,12 @@ class InCells {
   const Lists& lists() const noexcept { return lists_; }
 
  protected:
-  explicit InCells(const scene::Scene& scene) : contents_(scene) {}
+  explicit InCells(const scene::Scene& scene) : contents_(scene) {}  ///< of a scene, with no lists yet
   /// What is known without the cells themselves: elements, references, and the bytes of both.
   Size size_of_lists() const;
 
-  Contents contents_;
-  Lists lists_;
+  Contents contents_;  ///< what the lists number
+  Lists lists_;        ///< of each cell
 };
 
 /// Hands over the elements of a cell's list that the ray was not yet tested against, until visit(e) answers true.

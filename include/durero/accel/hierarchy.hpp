@@ -58,6 +58,22 @@ class Hierarchy {
     return false;
   }
 
+  /// visit(node) for each node, each before those below it.
+  template <class Visit>
+  void for_each(Visit visit) const {
+    std::vector<Number> left;
+    if (!empty()) left.push_back(root_);
+    while (!left.empty()) {
+      const Number node = left.back();
+      left.pop_back();
+      visit(nodes_[node]);
+      any_child(node, [&](Number child) {
+        left.push_back(child);
+        return false;
+      });
+    }
+  }
+
   /// A leaf that has no place yet.
   Number leaf(scene::ElementRef element, const surface::Box& box);
   /// An inner node that has no place yet. Precondition: two children or more, without a place.
@@ -95,6 +111,8 @@ class Hierarchy {
   void attach(Number parent, Number child);
   void fit(Number node);
   void fit_upwards(Number node);
+  void grow_upwards(Number node, const surface::Box& by, std::uint32_t leaves);
+  void shrink_upwards(Number node, surface::Box gone);
 
   std::vector<Node> nodes_;
   std::vector<Number> free_;
@@ -106,19 +124,9 @@ class Hierarchy {
 template <class N>
 N weight(const Hierarchy& tree) {
   N sum(0);
-  std::vector<Hierarchy::Number> left;
-  if (!tree.empty()) left.push_back(tree.root());
-  while (!left.empty()) {
-    const Hierarchy::Number number = left.back();
-    left.pop_back();
-    const Hierarchy::Node& node = tree[number];
-    if (node.is_leaf()) continue;
-    sum = sum + N(static_cast<int>(node.arity)) * area<N>(node.box);
-    tree.any_child(number, [&](Hierarchy::Number child) {
-      left.push_back(child);
-      return false;
-    });
-  }
+  tree.for_each([&](const Hierarchy::Node& node) {
+    if (!node.is_leaf()) sum = sum + N(static_cast<int>(node.arity)) * area<N>(node.box);
+  });
   return sum;
 }
 

@@ -29,7 +29,7 @@ concept Structure = std::constructible_from<S, const scene::Scene&> &&
 template <class S>
 class Source {
  public:
-  explicit Source(const S& structure) : structure_(structure) {}
+  explicit Source(const S& structure) : structure_(structure) {}  ///< the structure
 
   /// @{ As trace::Candidates has it.
   const scene::Scene& scene() const noexcept { return structure_.scene(); }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "durero/accel/work.hpp"
+#include "durero/scene/groups.hpp"
 #include "durero/scene/hit.hpp"
 #include "durero/scene/query.hpp"
 #include "durero/scene/scene.hpp"
@@ -42,6 +43,13 @@ scene::Hit first_hit(const Engine& engine, const scene::Query& query);
 /// Engine::occluded_segments of one query.
 bool occluded_segment(const Engine& engine, const scene::Query& query);
 
+/// How a hierarchy branches.
+struct Branching {
+  double cost;       ///< by Goldsmith and Salmon: the tests that a line which meets the root is expected to need
+  double arity;      ///< children of an inner node, in the mean
+  std::size_t most;  ///< children of one inner node
+};
+
 /// What a structure cost: to make, to hold, and to answer rays. A structure that is for some rays alone is asked about
 /// such as belong to the rays that it is measured with.
 struct Figures {
@@ -52,6 +60,7 @@ struct Figures {
   std::string_view asked = "first hits";  ///< what the rays were asked for
   std::optional<double> without_seconds =
       {};  ///< that the same took without a structure, where not first hits of the same
+  std::optional<Branching> branching = {};  ///< of a hierarchy that has inner nodes
 };
 
 /// What an engine is called, what it promises, and what makes it ready for a scene, which must outlive it unedited.
@@ -64,6 +73,11 @@ struct Row {
   std::string_view section{};  ///< of the acceleration seed that describes its structure; empty where it has none
   /// The figures of its structure on some rays, one by one; null where it has none.
   Figures (*measure)(const scene::Scene& scene, std::span<const scene::Query> queries) = nullptr;
+  /// @{ As prepare and measure, with groups of the scene as its hierarchy; null where it follows none.
+  std::unique_ptr<const Engine> (*prepare_by_hand)(const scene::Scene& scene, const scene::Groups& groups) = nullptr;
+  Figures (*measure_by_hand)(const scene::Scene& scene, std::span<const scene::Query> queries,
+                             const scene::Groups& groups) = nullptr;
+  /// @}
 };
 
 /// Every engine, in the order of the ladder.

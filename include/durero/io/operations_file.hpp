@@ -9,9 +9,11 @@
 /// text: it is answered. An error is what no operation could be made of.
 
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "durero/io/source.hpp"
+#include "durero/scene/groups.hpp"
 #include "durero/scene/scene.hpp"
 
 namespace durero::io {
@@ -22,10 +24,21 @@ struct Instruction {
   scene::Edit edit;  ///< its material is a place in the stage that the script was read with
 };
 
+/// The same, where it may be an edit of the groups too.
+struct Step {
+  std::size_t line;                                  ///< from 1
+  std::variant<scene::Edit, scene::GroupEdit> edit;  ///< as Instruction::edit
+};
+
 /// Reads a whole script, so that a malformed line stops it before anything is done. Throws InputError.
 std::vector<Instruction> read_operations(const Source& source, const scene::Stage& stage);
+/// The same, with edits of the groups among the operations: `group g?=pair elementos?=s1,s2 groups?=others` and
+/// `ungroup g?=pair`.
+std::vector<Step> read_script(const Source& source, const scene::Stage& stage);
 
-/// `{"line":1,"ok":true,"r":"esfera_agregada"}`, or with what was violated; without line end.
+/// @{ `{"line":1,"ok":true,"r":"esfera_agregada"}`, or with what was violated; without line end.
 std::string answer_text(std::size_t line, const model::Answer& answer);
+std::string answer_text(std::size_t line, const scene::Outcome& answer);
+/// @}
 
 }  // namespace durero::io

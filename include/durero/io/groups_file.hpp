@@ -1,0 +1,20 @@
+#pragma once
+/// The groups of a scene file: what it has under the key `groups`, of which read_scene() sees whether it is right.
+
+#include <string>
+
+#include "durero/io/source.hpp"
+#include "durero/scene/groups.hpp"
+#include "durero/scene/scene.hpp"
+
+namespace durero::io {
+
+/// The groups of a file, which may name groups that stand below them; none where it has no such key. Precondition: the
+/// scene is what read_scene(source) gives. Throws InputError as that does.
+scene::Groups read_groups(const Source& source, const scene::Scene& scene);
+
+/// The canonical text of a scene and of groups of its elements: the same bytes for the same scene and groups. Without
+/// groups that of scene_text(scene).
+std::string scene_text(const scene::Scene& scene, const scene::Groups& groups);
+
+}  // namespace durero::io
