@@ -46,6 +46,8 @@ def free_type(c, p, name, line):
 def zed(c, p):
     if p.accept("["):
         return given(c, p)
+    if p.accept(r"\vdash?"):
+        return c.predicate({}, p.predicate())
     line, name = p.next.line, p.name()
     if p.accept("::="):
         return free_type(c, p, name, line)
@@ -77,6 +79,8 @@ def check(names, paragraphs):
         p = Parser(paragraph.tokens)
         try:
             zed(c, p) if paragraph.kind == "zed" else box(c, p, paragraph)
+            while paragraph.kind == "zed" and p.newline():
+                zed(c, p)
             p.take("end")
         except ZError as error:
             c.error(error.line, str(error))
