@@ -23,7 +23,7 @@ TEX
 run 0 spec check claims.tex
 has out 'claims.tex:4:3: conjecture Par.conj.1 tried on 8 states'
 has out 'claims.tex:6:3: conjecture not tried: '
-echo '\begin{zed} \vdash? \forall Par @ a = b \end{zed}' >>claims.tex
+printf '%s\n' '\begin{zed} \vdash? \forall Par @ a = b \end{zed}' >>claims.tex
 run 1 spec check claims.tex
 has out 'claims.tex:8:13: conjecture is false, as in this state:'
 has out '  a = Cosa_'

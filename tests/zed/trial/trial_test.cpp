@@ -35,7 +35,7 @@ TEST_CASE("a conjecture is tried on states that satisfy what its quantifier asks
   CHECK(found.tried == TrialBounds{}.states);
   CHECK(found.label == "S.conj.1");
   CHECK(found.file == "here.tex");
-  CHECK(found.place.line == 7);
+  CHECK(found.place.line == 6);
   CHECK(trial("\\forall S | n = 2 @ n < 3", {.states = 2, .draws = 64}).tried == 2);
   CHECK(trial("\\forall S @ n \\leq 3", {.states = 8, .draws = 0}).tried == 0);
 }
