@@ -79,8 +79,6 @@ def check(names, paragraphs):
         p = Parser(paragraph.tokens)
         try:
             zed(c, p) if paragraph.kind == "zed" else box(c, p, paragraph)
-            while paragraph.kind == "zed" and p.newline():
-                zed(c, p)
             p.take("end")
         except ZError as error:
             c.error(error.line, str(error))
