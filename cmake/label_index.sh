@@ -5,7 +5,7 @@
 # names, in the comment before it, the labels that it discharges.
 LC_ALL=C
 export LC_ALL
-label='[A-Za-z_]+\.(pre|post|inv|def)\.[0-9]+'
+label='[A-Za-z_]+\.(pre|post|inv|def|conj)\.[0-9]+'
 places() { # places KIND: `FILE:LINE:LABEL` to index lines
   sed -E "s/^([^:]+:[0-9]+):[^A-Za-z_]*($label).*/\2	$1	\1/"
 }
@@ -17,7 +17,7 @@ places() { # places KIND: `FILE:LINE:LABEL` to index lines
   find proofs -name '*.v' ! -name Especificacion.v | sort | while read -r file; do
     awk -v file="$file" '
       { line = $0
-        while (match(line, /[A-Za-z_]+\.(pre|post|inv|def)\.[0-9]+/)) {
+        while (match(line, /[A-Za-z_]+\.(pre|post|inv|def|conj)\.[0-9]+/)) {
           named[++count] = substr(line, RSTART, RLENGTH); line = substr(line, RSTART + RLENGTH) } }
       count && /^ *(Theorem|Lemma|Corollary|Proposition|Fact|Remark|Example) / {
         name = $2; sub(/[:({[].*/, "", name)

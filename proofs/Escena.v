@@ -42,9 +42,9 @@ Proof.
   - intros x. split; [intros [] | now intros [y []]].
 Qed.
 
-(** The scene without elements satisfies the invariant, so that a first scene exists. Discharges Init.post.1. *)
-Theorem Init_exists : exists s : Escena, Init s.
-Proof. exists empty_scene. exact empty_scene_Init. Qed.
+(** The scene without elements satisfies the invariant, so that a first scene exists. Discharges Init.post.1, Init.conj.1. *)
+Theorem Init_exists : Init_conj_1 Elemento.
+Proof. exists empty_scene. split; [apply empty_scene_Init | exact empty_scene_Init]. Qed.
 
 (** There is only one first scene: the invariant empties every component. *)
 Theorem Init_unique (s s' : Escena) : Init s -> Init s' -> Escena_eq s s'.

@@ -1,4 +1,4 @@
-(** The Z text of spec/*.tex in Coq, written by `durero spec export --coq spec/*.tex`: change the text, not this file.
+(** The Z text of spec/*.tex in Coq, written by `durero spec export --coq` of its sections: change the text, not this file.
     Nothing is proved here. The rules:
 
     ℝ, ℤ                  == Coq's R and Z; what the text assumes of them are statements, proved in Tipos.v
@@ -27,6 +27,8 @@
     ΔS, ΞS, θS = θS '     == Delta_S, Xi_S, S_eq, for the state S: the schema that boxes include as ΔS, ΞS or S '
     other schemas         == predicates on their components: a Record with one field an inclusion, a declaration that says
                              more than a type, and a predicate; or a Definition where the text combines schemas
+    pre S                 == there are an after-state and outputs of S
+    ⊢? P                  == P as a statement: the theorem that its label leads to proves it
     θS, θS '; x?, x!      == s, s'; x_in, x_out
     a label A.kind.n      == the field or Definition A_kind_n *)
 From Coq Require Import Reals.
@@ -183,6 +185,8 @@ Record Init (s' : Escena) : Prop := {
   Init_Escena : Escena_ok s';
   Init_post_1 : elementos s' ≡ ∅ (* Init.post.1 *)
 }.
+
+Definition Init_conj_1 : Prop := exists s' : Escena, Escena_ok s' /\ Init s'. (* Init.conj.1 *)
 
 (** * puntos.tex *)
 
@@ -387,6 +391,25 @@ Definition occluded_segment (s : Escena) (rayo : Rayo) (en : set Elemento) : Pro
   /\ Punto_x punto = Punto_x (Rayo_p rayo) + t * Vector_x (Rayo_v rayo)
   /\ Punto_y punto = Punto_y (Rayo_p rayo) + t * Vector_y (Rayo_v rayo)
   /\ Punto_z punto = Punto_z (Rayo_p rayo) + t * Vector_z (Rayo_v rayo). (* occluded_segment.def.1 *)
+
+Definition Primera_Interseccion_conj_1 : Prop :=
+  forall (s : Escena) (rayo_in : Rayo) (en_in : set Elemento), Escena_ok s -> rayo_in ∈ Rayo_ok
+  -> (exists (s' : Escena) (resultado_out : Resultado) (elementos_out : set Elemento) (t_out : R) (punto_out : Punto),
+  Primera_Interseccion s s' rayo_in en_in resultado_out elementos_out t_out punto_out) <-> en_in ⊆ elementos s.
+  (* Primera_Interseccion.conj.1 *)
+
+Definition alcances_conj_1 : Prop :=
+  forall (s : Escena) (rayo : Rayo) (w : Punto), Escena_ok s -> rayo ∈ Rayo_ok
+  -> w ∈ interseccion (puntos_de_escena s) (puntos_de_rayo rayo) <-> w ∈ alcances s rayo ∅. (* alcances.conj.1 *)
+
+Definition de_que_elemento_conj_1 : Prop :=
+  forall (s : Escena) (rayo : Rayo) (w : Punto), Escena_ok s -> rayo ∈ Rayo_ok -> w ∈ puntos_de_rayo rayo
+  -> (fun e => e ∈ elementos s /\ w ∈ alcance s rayo ∅ e) ≡ de_que_elemento s w. (* de_que_elemento.conj.1 *)
+
+Definition Hay_Interseccion_conj_1 : Prop :=
+  forall (s s' : Escena) (rayo_in : Rayo) (en_in : set Elemento) (resultado_out : Resultado) (elementos_out : set
+  Elemento) (t_out : R) (punto_out : Punto), Hay_Interseccion s s' rayo_in en_in resultado_out elementos_out t_out
+  punto_out -> en_in ≡ ∅ -> elementos_out ≡ de_que_elemento s punto_out. (* Hay_Interseccion.conj.1 *)
 
 (** * operaciones.tex *)
 
@@ -796,5 +819,83 @@ Definition Agregar_Elemento_Total (s s' : Escena) (e_in : Elemento) (t_in : Tipo
 
 Definition Eliminar_Elemento_Total (s s' : Escena) (e_in : Elemento) (r_out : Respuesta) : Prop :=
   Elemento_Eliminado s s' e_in r_out \/ Elemento_No_Existe s s' e_in r_out. (* Eliminar_Elemento_Total.def.1 *)
+
+Definition Agregar_Esfera_Total_conj_1 : Prop :=
+  forall (s : Escena) (e_in : Elemento) (centro_in : Punto) (radio_in : R), Escena_ok s
+  -> exists (s' : Escena) (r_out : Respuesta), Agregar_Esfera_Total s s' e_in r_out centro_in radio_in.
+  (* Agregar_Esfera_Total.conj.1 *)
+
+Definition Agregar_Cilindro_Total_conj_1 : Prop :=
+  forall (s : Escena) (e_in : Elemento) (centro_in : Punto) (radio_in : R) (vector_in : Vector) (altura_in : R),
+  Escena_ok s -> exists (s' : Escena) (r_out : Respuesta), Agregar_Cilindro_Total s s' e_in r_out centro_in radio_in
+  vector_in altura_in. (* Agregar_Cilindro_Total.conj.1 *)
+
+Definition Agregar_Cono_Total_conj_1 : Prop :=
+  forall (s : Escena) (e_in : Elemento) (centro_in : Punto) (proporcion_in : R) (vector_in : Vector) (altura_in : R),
+  Escena_ok s -> exists (s' : Escena) (r_out : Respuesta), Agregar_Cono_Total s s' e_in r_out centro_in proporcion_in
+  vector_in altura_in. (* Agregar_Cono_Total.conj.1 *)
+
+Definition Agregar_Tronco_Total_conj_1 : Prop :=
+  forall (s : Escena) (e_in : Elemento) (centro_in : Punto) (radio_in proporcion_in : R) (vector_in : Vector)
+  (altura_in : R), Escena_ok s -> exists (s' : Escena) (r_out : Respuesta), Agregar_Tronco_Total s s' e_in r_out
+  centro_in radio_in proporcion_in vector_in altura_in. (* Agregar_Tronco_Total.conj.1 *)
+
+Definition Agregar_Plano_Total_conj_1 : Prop :=
+  forall (s : Escena) (e_in : Elemento) (centro_in : Punto) (vector_in : Vector), Escena_ok s
+  -> exists (s' : Escena) (r_out : Respuesta), Agregar_Plano_Total s s' e_in r_out centro_in vector_in.
+  (* Agregar_Plano_Total.conj.1 *)
+
+Definition Agregar_Disco_Total_conj_1 : Prop :=
+  forall (s : Escena) (e_in : Elemento) (centro_in : Punto) (radio_in : R) (vector_in : Vector), Escena_ok s
+  -> exists (s' : Escena) (r_out : Respuesta), Agregar_Disco_Total s s' e_in r_out centro_in radio_in vector_in.
+  (* Agregar_Disco_Total.conj.1 *)
+
+Definition Agregar_Triangulo_Total_conj_1 : Prop :=
+  forall (s : Escena) (e_in : Elemento) (vertices_in : Terna), Escena_ok s
+  -> exists (s' : Escena) (r_out : Respuesta), Agregar_Triangulo_Total s s' e_in r_out vertices_in.
+  (* Agregar_Triangulo_Total.conj.1 *)
+
+Definition Eliminar_Esfera_Total_conj_1 : Prop :=
+  forall (s : Escena) (e_in : Elemento), Escena_ok s
+  -> exists (s' : Escena) (r_out : Respuesta), Eliminar_Esfera_Total s s' e_in r_out.
+  (* Eliminar_Esfera_Total.conj.1 *)
+
+Definition Eliminar_Cilindro_Total_conj_1 : Prop :=
+  forall (s : Escena) (e_in : Elemento), Escena_ok s
+  -> exists (s' : Escena) (r_out : Respuesta), Eliminar_Cilindro_Total s s' e_in r_out.
+  (* Eliminar_Cilindro_Total.conj.1 *)
+
+Definition Eliminar_Cono_Total_conj_1 : Prop :=
+  forall (s : Escena) (e_in : Elemento), Escena_ok s
+  -> exists (s' : Escena) (r_out : Respuesta), Eliminar_Cono_Total s s' e_in r_out. (* Eliminar_Cono_Total.conj.1 *)
+
+Definition Eliminar_Tronco_Total_conj_1 : Prop :=
+  forall (s : Escena) (e_in : Elemento), Escena_ok s
+  -> exists (s' : Escena) (r_out : Respuesta), Eliminar_Tronco_Total s s' e_in r_out.
+  (* Eliminar_Tronco_Total.conj.1 *)
+
+Definition Eliminar_Plano_Total_conj_1 : Prop :=
+  forall (s : Escena) (e_in : Elemento), Escena_ok s
+  -> exists (s' : Escena) (r_out : Respuesta), Eliminar_Plano_Total s s' e_in r_out. (* Eliminar_Plano_Total.conj.1 *)
+
+Definition Eliminar_Disco_Total_conj_1 : Prop :=
+  forall (s : Escena) (e_in : Elemento), Escena_ok s
+  -> exists (s' : Escena) (r_out : Respuesta), Eliminar_Disco_Total s s' e_in r_out. (* Eliminar_Disco_Total.conj.1 *)
+
+Definition Eliminar_Triangulo_Total_conj_1 : Prop :=
+  forall (s : Escena) (e_in : Elemento), Escena_ok s
+  -> exists (s' : Escena) (r_out : Respuesta), Eliminar_Triangulo_Total s s' e_in r_out.
+  (* Eliminar_Triangulo_Total.conj.1 *)
+
+Definition Agregar_Elemento_Total_conj_1 : Prop :=
+  forall (s : Escena) (e_in : Elemento) (t_in : Tipo) (centro_in : Punto) (radio_in : R) (vector_in : Vector)
+  (altura_in proporcion_in : R) (vertices_in : Terna), Escena_ok s
+  -> exists (s' : Escena) (r_out : Respuesta), Agregar_Elemento_Total s s' e_in t_in centro_in radio_in vector_in
+  altura_in proporcion_in vertices_in r_out. (* Agregar_Elemento_Total.conj.1 *)
+
+Definition Eliminar_Elemento_Total_conj_1 : Prop :=
+  forall (s : Escena) (e_in : Elemento), Escena_ok s
+  -> exists (s' : Escena) (r_out : Respuesta), Eliminar_Elemento_Total s s' e_in r_out.
+  (* Eliminar_Elemento_Total.conj.1 *)
 
 End Especificacion.

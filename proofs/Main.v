@@ -37,7 +37,7 @@ Notation Escena := (Escena Elemento).
 Implicit Types (s : Escena) (e : Elemento).
 
 Theorem the_first_scene_exists : exists s, Init s.
-Proof. exact (Init_exists Elemento). Qed.
+Proof. destruct (Init_exists Elemento) as [s [_ H]]. now exists s. Qed.
 
 (** The precondition of each operation, computed, is exactly its stated clauses. *)
 Theorem preconditions_are_as_stated s e t c r d h k abc :
@@ -330,7 +330,45 @@ Theorem the_elements_of_a_hit_are_de_que_elemento ray Elemento (s s' : Escena El
   Hay_Interseccion s s' ray ∅ resultado els t w -> els ≡ de_que_elemento s w /\ w ∈ puntos_de_escena s.
 Proof. exact (hit_elements_are_de_que_elemento ray Elemento s s' resultado els t w). Qed.
 
-(** * 5. The executable oracle, extracted to OCaml and run in the tests *)
+(** * 5. What the text claims of itself: each of its conjectures, as the export states it *)
+
+Theorem the_conjectures_of_the_text_hold Elemento :
+  Init_conj_1 Elemento
+  /\ Agregar_Esfera_Total_conj_1 Elemento
+  /\ Agregar_Cilindro_Total_conj_1 Elemento
+  /\ Agregar_Cono_Total_conj_1 Elemento
+  /\ Agregar_Tronco_Total_conj_1 Elemento
+  /\ Agregar_Plano_Total_conj_1 Elemento
+  /\ Agregar_Disco_Total_conj_1 Elemento
+  /\ Agregar_Triangulo_Total_conj_1 Elemento
+  /\ Eliminar_Esfera_Total_conj_1 Elemento
+  /\ Eliminar_Cilindro_Total_conj_1 Elemento
+  /\ Eliminar_Cono_Total_conj_1 Elemento
+  /\ Eliminar_Tronco_Total_conj_1 Elemento
+  /\ Eliminar_Plano_Total_conj_1 Elemento
+  /\ Eliminar_Disco_Total_conj_1 Elemento
+  /\ Eliminar_Triangulo_Total_conj_1 Elemento
+  /\ Agregar_Elemento_Total_conj_1 Elemento
+  /\ Eliminar_Elemento_Total_conj_1 Elemento
+  /\ Primera_Interseccion_conj_1 Elemento
+  /\ alcances_conj_1 Elemento
+  /\ de_que_elemento_conj_1 Elemento
+  /\ Hay_Interseccion_conj_1 Elemento.
+Proof.
+  exact (conj (Init_exists Elemento) (conj (Agregar_Esfera_Total_is_total Elemento) (conj
+    (Agregar_Cilindro_Total_is_total Elemento) (conj (Agregar_Cono_Total_is_total Elemento) (conj
+    (Agregar_Tronco_Total_is_total Elemento) (conj (Agregar_Plano_Total_is_total Elemento) (conj
+    (Agregar_Disco_Total_is_total Elemento) (conj (Agregar_Triangulo_Total_is_total Elemento) (conj
+    (Eliminar_Esfera_Total_is_total Elemento) (conj (Eliminar_Cilindro_Total_is_total Elemento) (conj
+    (Eliminar_Cono_Total_is_total Elemento) (conj (Eliminar_Tronco_Total_is_total Elemento) (conj
+    (Eliminar_Plano_Total_is_total Elemento) (conj (Eliminar_Disco_Total_is_total Elemento) (conj
+    (Eliminar_Triangulo_Total_is_total Elemento) (conj (Agregar_Elemento_Total_is_total Elemento) (conj
+    (Eliminar_Elemento_Total_is_total Elemento) (conj (precondition_of_Primera_Interseccion Elemento) (conj
+    (printed_intersection_is_alcances Elemento) (conj (printed_elements_are_those_met Elemento)
+    (printed_elements_are_the_answer Elemento))))))))))))))))))))).
+Qed.
+
+(** * 6. The executable oracle, extracted to OCaml and run in the tests *)
 
 Theorem executable_first_hit_is_right I S p v (es : list (I * Exacto.shape * bool)) :
   (0 < S)%Z -> Exacto.is_first_hit S p v es (Exacto.first_hit S p v es).
@@ -348,7 +386,7 @@ Theorem executable_first_hit_is_Primera_Interseccion Elemento (s s' : Escena Ele
   end.
 Proof. intros. now apply ExactoEscena.first_hit_is_Primera_Interseccion. Qed.
 
-(** * 6. The compact scene refines the model *)
+(** * 7. The compact scene refines the model *)
 Section Refinement.
 Variable Elemento : Type.
 Hypothesis Elemento_dec : forall e e' : Elemento, {e = e'} + {e <> e'}.
@@ -372,7 +410,7 @@ Proof.
 Qed.
 End Refinement.
 
-(** * 7. Acceleration: visiting cells in any order, and skipping those beyond the best, loses nothing *)
+(** * 8. Acceleration: visiting cells in any order, and skipping those beyond the best, loses nothing *)
 Section Acceleration.
 Variables (T : Type) (le : T -> T -> bool).
 Hypothesis total : forall a b, le a b = true \/ le b a = true.
@@ -430,7 +468,7 @@ Theorem grids_find_the_first_hit es (path : list (Acceleration.box * Recorrido.s
 Proof. exact (Acceleration.grid_first_hit T le total trans antisym E hit_of ray surface hits_on_surface es path). Qed.
 End Acceleration.
 
-(** * 8. Floating point *)
+(** * 9. Floating point *)
 
 (** The box test with its widened exit, computed in IEEE 754 arithmetic, never rejects a ray that meets the box. *)
 Theorem the_slab_test_never_rejects_in_binary64 box best t :

@@ -653,62 +653,54 @@ Qed.
 Let origin := mk_Punto 0 0 0.
 Let null := mk_Vector 0 0 0.
 Let origins := mk_Terna origin origin origin.
-(** Discharges Agregar_Esfera_Total.def.1. *)
-Theorem Agregar_Esfera_Total_is_total s e c r : Escena_ok s ->
-  exists s' r_out, Agregar_Esfera_Total s s' e r_out c r.
-Proof. intros ok. apply (total_operations_are_total s e soy_esfera c r null 0%R 0%R origins ok). Qed.
-(** Discharges Agregar_Cilindro_Total.def.1. *)
-Theorem Agregar_Cilindro_Total_is_total s e c r d h : Escena_ok s ->
-  exists s' r_out, Agregar_Cilindro_Total s s' e r_out c r d h.
-Proof. intros ok. apply (total_operations_are_total s e soy_esfera c r d h 0%R origins ok). Qed.
-(** Discharges Agregar_Cono_Total.def.1. *)
-Theorem Agregar_Cono_Total_is_total s e c k d h : Escena_ok s ->
-  exists s' r_out, Agregar_Cono_Total s s' e r_out c k d h.
-Proof. intros ok. apply (total_operations_are_total s e soy_esfera c 0%R d h k origins ok). Qed.
-(** Discharges Agregar_Tronco_Total.def.1. *)
-Theorem Agregar_Tronco_Total_is_total s e c r k d h : Escena_ok s ->
-  exists s' r_out, Agregar_Tronco_Total s s' e r_out c r k d h.
-Proof. intros ok. apply (total_operations_are_total s e soy_esfera c r d h k origins ok). Qed.
-(** Discharges Agregar_Plano_Total.def.1. *)
-Theorem Agregar_Plano_Total_is_total s e c d : Escena_ok s ->
-  exists s' r_out, Agregar_Plano_Total s s' e r_out c d.
-Proof. intros ok. apply (total_operations_are_total s e soy_esfera c 0%R d 0%R 0%R origins ok). Qed.
-(** Discharges Agregar_Disco_Total.def.1. *)
-Theorem Agregar_Disco_Total_is_total s e c r d : Escena_ok s ->
-  exists s' r_out, Agregar_Disco_Total s s' e r_out c r d.
-Proof. intros ok. apply (total_operations_are_total s e soy_esfera c r d 0%R 0%R origins ok). Qed.
-(** Discharges Agregar_Triangulo_Total.def.1. *)
-Theorem Agregar_Triangulo_Total_is_total s e abc : Escena_ok s ->
-  exists s' r_out, Agregar_Triangulo_Total s s' e r_out abc.
-Proof. intros ok. apply (total_operations_are_total s e soy_esfera origin 0%R null 0%R 0%R abc ok). Qed.
-(** Discharges Eliminar_Esfera_Total.def.1. *)
-Theorem Eliminar_Esfera_Total_is_total s e : Escena_ok s -> exists s' r_out, Eliminar_Esfera_Total s s' e r_out.
-Proof. intros ok. apply (total_operations_are_total s e soy_esfera origin 0%R null 0%R 0%R origins ok). Qed.
-(** Discharges Eliminar_Cilindro_Total.def.1. *)
-Theorem Eliminar_Cilindro_Total_is_total s e : Escena_ok s -> exists s' r_out, Eliminar_Cilindro_Total s s' e r_out.
-Proof. intros ok. apply (total_operations_are_total s e soy_esfera origin 0%R null 0%R 0%R origins ok). Qed.
-(** Discharges Eliminar_Cono_Total.def.1. *)
-Theorem Eliminar_Cono_Total_is_total s e : Escena_ok s -> exists s' r_out, Eliminar_Cono_Total s s' e r_out.
-Proof. intros ok. apply (total_operations_are_total s e soy_esfera origin 0%R null 0%R 0%R origins ok). Qed.
-(** Discharges Eliminar_Tronco_Total.def.1. *)
-Theorem Eliminar_Tronco_Total_is_total s e : Escena_ok s -> exists s' r_out, Eliminar_Tronco_Total s s' e r_out.
-Proof. intros ok. apply (total_operations_are_total s e soy_esfera origin 0%R null 0%R 0%R origins ok). Qed.
-(** Discharges Eliminar_Plano_Total.def.1. *)
-Theorem Eliminar_Plano_Total_is_total s e : Escena_ok s -> exists s' r_out, Eliminar_Plano_Total s s' e r_out.
-Proof. intros ok. apply (total_operations_are_total s e soy_esfera origin 0%R null 0%R 0%R origins ok). Qed.
-(** Discharges Eliminar_Disco_Total.def.1. *)
-Theorem Eliminar_Disco_Total_is_total s e : Escena_ok s -> exists s' r_out, Eliminar_Disco_Total s s' e r_out.
-Proof. intros ok. apply (total_operations_are_total s e soy_esfera origin 0%R null 0%R 0%R origins ok). Qed.
-(** Discharges Eliminar_Triangulo_Total.def.1. *)
-Theorem Eliminar_Triangulo_Total_is_total s e : Escena_ok s -> exists s' r_out, Eliminar_Triangulo_Total s s' e r_out.
-Proof. intros ok. apply (total_operations_are_total s e soy_esfera origin 0%R null 0%R 0%R origins ok). Qed.
-(** Discharges Agregar_Elemento_Total.def.1. *)
-Theorem Agregar_Elemento_Total_is_total s e t c r d h k abc : Escena_ok s ->
-  exists s' r_out, Agregar_Elemento_Total s s' e t c r d h k abc r_out.
-Proof. intros ok. apply (total_operations_are_total s e t c r d h k abc ok). Qed.
-(** Discharges Eliminar_Elemento_Total.def.1. *)
-Theorem Eliminar_Elemento_Total_is_total s e : Escena_ok s -> exists s' r_out, Eliminar_Elemento_Total s s' e r_out.
-Proof. intros ok. apply (total_operations_are_total s e soy_esfera origin 0%R null 0%R 0%R origins ok). Qed.
+(** Discharges Agregar_Esfera_Total.def.1, Agregar_Esfera_Total.conj.1. *)
+Theorem Agregar_Esfera_Total_is_total : Agregar_Esfera_Total_conj_1 Elemento.
+Proof. intros s e c r ok. apply (total_operations_are_total s e soy_esfera c r null 0%R 0%R origins ok). Qed.
+(** Discharges Agregar_Cilindro_Total.def.1, Agregar_Cilindro_Total.conj.1. *)
+Theorem Agregar_Cilindro_Total_is_total : Agregar_Cilindro_Total_conj_1 Elemento.
+Proof. intros s e c r d h ok. apply (total_operations_are_total s e soy_esfera c r d h 0%R origins ok). Qed.
+(** Discharges Agregar_Cono_Total.def.1, Agregar_Cono_Total.conj.1. *)
+Theorem Agregar_Cono_Total_is_total : Agregar_Cono_Total_conj_1 Elemento.
+Proof. intros s e c k d h ok. apply (total_operations_are_total s e soy_esfera c 0%R d h k origins ok). Qed.
+(** Discharges Agregar_Tronco_Total.def.1, Agregar_Tronco_Total.conj.1. *)
+Theorem Agregar_Tronco_Total_is_total : Agregar_Tronco_Total_conj_1 Elemento.
+Proof. intros s e c r k d h ok. apply (total_operations_are_total s e soy_esfera c r d h k origins ok). Qed.
+(** Discharges Agregar_Plano_Total.def.1, Agregar_Plano_Total.conj.1. *)
+Theorem Agregar_Plano_Total_is_total : Agregar_Plano_Total_conj_1 Elemento.
+Proof. intros s e c d ok. apply (total_operations_are_total s e soy_esfera c 0%R d 0%R 0%R origins ok). Qed.
+(** Discharges Agregar_Disco_Total.def.1, Agregar_Disco_Total.conj.1. *)
+Theorem Agregar_Disco_Total_is_total : Agregar_Disco_Total_conj_1 Elemento.
+Proof. intros s e c r d ok. apply (total_operations_are_total s e soy_esfera c r d 0%R 0%R origins ok). Qed.
+(** Discharges Agregar_Triangulo_Total.def.1, Agregar_Triangulo_Total.conj.1. *)
+Theorem Agregar_Triangulo_Total_is_total : Agregar_Triangulo_Total_conj_1 Elemento.
+Proof. intros s e abc ok. apply (total_operations_are_total s e soy_esfera origin 0%R null 0%R 0%R abc ok). Qed.
+(** Discharges Eliminar_Esfera_Total.def.1, Eliminar_Esfera_Total.conj.1. *)
+Theorem Eliminar_Esfera_Total_is_total : Eliminar_Esfera_Total_conj_1 Elemento.
+Proof. intros s e ok. apply (total_operations_are_total s e soy_esfera origin 0%R null 0%R 0%R origins ok). Qed.
+(** Discharges Eliminar_Cilindro_Total.def.1, Eliminar_Cilindro_Total.conj.1. *)
+Theorem Eliminar_Cilindro_Total_is_total : Eliminar_Cilindro_Total_conj_1 Elemento.
+Proof. intros s e ok. apply (total_operations_are_total s e soy_esfera origin 0%R null 0%R 0%R origins ok). Qed.
+(** Discharges Eliminar_Cono_Total.def.1, Eliminar_Cono_Total.conj.1. *)
+Theorem Eliminar_Cono_Total_is_total : Eliminar_Cono_Total_conj_1 Elemento.
+Proof. intros s e ok. apply (total_operations_are_total s e soy_esfera origin 0%R null 0%R 0%R origins ok). Qed.
+(** Discharges Eliminar_Tronco_Total.def.1, Eliminar_Tronco_Total.conj.1. *)
+Theorem Eliminar_Tronco_Total_is_total : Eliminar_Tronco_Total_conj_1 Elemento.
+Proof. intros s e ok. apply (total_operations_are_total s e soy_esfera origin 0%R null 0%R 0%R origins ok). Qed.
+(** Discharges Eliminar_Plano_Total.def.1, Eliminar_Plano_Total.conj.1. *)
+Theorem Eliminar_Plano_Total_is_total : Eliminar_Plano_Total_conj_1 Elemento.
+Proof. intros s e ok. apply (total_operations_are_total s e soy_esfera origin 0%R null 0%R 0%R origins ok). Qed.
+(** Discharges Eliminar_Disco_Total.def.1, Eliminar_Disco_Total.conj.1. *)
+Theorem Eliminar_Disco_Total_is_total : Eliminar_Disco_Total_conj_1 Elemento.
+Proof. intros s e ok. apply (total_operations_are_total s e soy_esfera origin 0%R null 0%R 0%R origins ok). Qed.
+(** Discharges Eliminar_Triangulo_Total.def.1, Eliminar_Triangulo_Total.conj.1. *)
+Theorem Eliminar_Triangulo_Total_is_total : Eliminar_Triangulo_Total_conj_1 Elemento.
+Proof. intros s e ok. apply (total_operations_are_total s e soy_esfera origin 0%R null 0%R 0%R origins ok). Qed.
+(** Discharges Agregar_Elemento_Total.def.1, Agregar_Elemento_Total.conj.1. *)
+Theorem Agregar_Elemento_Total_is_total : Agregar_Elemento_Total_conj_1 Elemento.
+Proof. intros s e t c r d h k abc ok. apply (total_operations_are_total s e t c r d h k abc ok). Qed.
+(** Discharges Eliminar_Elemento_Total.def.1, Eliminar_Elemento_Total.conj.1. *)
+Theorem Eliminar_Elemento_Total_is_total : Eliminar_Elemento_Total_conj_1 Elemento.
+Proof. intros s e ok. apply (total_operations_are_total s e soy_esfera origin 0%R null 0%R 0%R origins ok). Qed.
 
 (** Whatever the total operation answers, the scene after it satisfies the invariant; and it is the scene before it
     unless the answer is that the element was added. *)

@@ -19,7 +19,7 @@ namespace durero::cli {
 namespace {
 
 struct SpecOptions {
-  std::vector<std::string> files;
+  CheckCall check;
   EvalCall eval;
   std::string name, scene, rays, hits;
   bool quiet = false;
@@ -70,15 +70,21 @@ std::vector<std::pair<std::string, std::string>> sources(const std::vector<std::
 
 }  // namespace
 
-int spec_check(const std::vector<std::string>& files, bool quiet) {
-  std::optional<Progress> progress(std::in_place, quiet, "spec check");
-  const zed::Specification read = files.empty() ? oracle::spec::text() : zed::read_sources(sources(files));
+int spec_check(const CheckCall& call) {
+  std::optional<Progress> progress(std::in_place, call.quiet, "spec check");
+  const bool own = call.files.empty();
+  const zed::Specification read = own ? oracle::spec::text() : zed::read_sources(sources(call.files));
   const std::vector<zed::Defect> defects = zed::review(read);
-  const std::string empty = has_error(defects) ? "" : empty_files(files, read);
-  const bool wrong = has_error(defects) || !empty.empty();
+  const std::string empty = has_error(defects) ? "" : empty_files(call.files, read);
+  if (has_error(defects) || !empty.empty()) {
+    progress.reset();
+    io::print(defects_text(defects) + empty);
+    return 1;
+  }
+  const Tried conjectures = tried(read, own, call.states);
   progress.reset();
-  io::print(defects_text(defects) + empty + (wrong ? "" : sections_text(read)));
-  return wrong ? 1 : 0;
+  io::print(defects_text(defects) + sections_text(read) + conjectures.said);
+  return conjectures.refuted ? 1 : 0;
 }
 
 void add_spec(CLI::App& app, int& status) {
@@ -89,11 +95,18 @@ void add_spec(CLI::App& app, int& status) {
   const auto options = std::make_shared<SpecOptions>();
 
   auto* check = spec->add_subcommand("check", "Read and type-check Z text; each defect at its line");
-  check->add_option("FILES", options->files, "Z text in LaTeX mark-up; without it, the program's own text");
-  add_quiet(*check, options->quiet);
-  check->footer(exit_status("no defect", "a defect", "the call is bad, or a file cannot be read") +
-                examples({"spec check", "spec check mine.tex"}));
-  check->callback([options, &status] { status = spec_check(options->files, options->quiet); });
+  check->add_option("FILES", options->check.files, "Z text in LaTeX mark-up; without it, the program's own text");
+  check->add_option("--states", options->check.states, "On how many states each conjecture is tried, at most")
+      ->check(whole_number(0, 1000000))
+      ->capture_default_str();
+  add_quiet(*check, options->check.quiet);
+  check->footer(
+      "A conjecture, ⊢? P, is tried on states: values for what its ∀ declares, the same at every call. To try is not\n"
+      "to prove; of the program's own text the theorem that proves it is named.\n\n" +
+      exit_status("no defect, and no conjecture is false", "a defect, or a counterexample",
+                  "the call is bad, or a file cannot be read") +
+      examples({"spec check", "spec check mine.tex", "spec check --states 100"}));
+  check->callback([options, &status] { status = spec_check(options->check); });
 
   auto* eval = spec->add_subcommand("eval", "The value of an expression, or whether a predicate holds");
   eval->add_option("EXPR", options->eval.expression, "Z, in Unicode or in LaTeX mark-up")->required();

@@ -5,7 +5,23 @@
 #include <string>
 #include <vector>
 
+#include "durero/zed/syntax/reader.hpp"
+
 namespace durero::cli {
+
+/// Texts, and on how many states their conjectures are tried.
+struct CheckCall {
+  std::vector<std::string> files;  ///< without one, the program's own text
+  std::size_t states = 8;
+  bool quiet = false;
+};
+/// What came of the conjectures: a line each, and whether one of them is false.
+struct Tried {
+  std::string said;
+  bool refuted = false;
+};
+/// Tries the conjectures of a text without defects; of the program's `own` it names the theorems.
+Tried tried(const zed::Specification& text, bool own, std::size_t states);
 
 /// An expression, and how far its evaluation may go.
 struct EvalCall {
@@ -17,7 +33,7 @@ struct EvalCall {
 /// MiB that an evaluation may take where nothing is said: 4096, or half of the machine's memory where that is less.
 std::uint64_t default_memory();
 
-int spec_check(const std::vector<std::string>& files, bool quiet);
+int spec_check(const CheckCall& call);
 int spec_eval(const EvalCall& call);
 int spec_show(const std::string& name);
 int spec_confirm(const std::string& scene, const std::string& rays, const std::string& hits, bool quiet);

@@ -1,17 +1,12 @@
 // durero spec show NAME: a paragraph in Unicode, and for each label in it the clause, the tests and the theorems.
-#include <map>
 #include <string>
 
 #include "durero/io/source.hpp"
 #include "durero/io/standard_output.hpp"
 #include "durero/oracle/spec_index.hpp"
 #include "durero/text/nearest.hpp"
+#include "embedded.hpp"
 #include "spec.hpp"
-
-namespace durero::embedded {
-// What cmake/label_index.sh found when the program was built: one table.
-const std::map<std::string, std::string>& labels();
-}  // namespace durero::embedded
 
 namespace durero::cli {
 

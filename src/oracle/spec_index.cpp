@@ -66,6 +66,12 @@ LabelIndex::LabelIndex(const std::string& table) {
   }
 }
 
+std::string LabelIndex::theorem(const std::string& label) const {
+  const auto [first, last] = entries_.equal_range(label);
+  const auto found = std::find_if(first, last, [](const auto& entry) { return entry.second.kind == "theorem"; });
+  return found == last ? std::string() : found->second.name;
+}
+
 std::string LabelIndex::places(const std::string& label) const {
   std::string said = label + "\n";
   const auto [first, last] = entries_.equal_range(label);

@@ -5,7 +5,28 @@ sample >scene.json
 # check: the program's own text, files, and what is wrong in them.
 run 0 spec check
 has out 'spec/interseccion.tex: section interseccion ok'
-lines out 5
+has out 'conjecture Init.conj.1 proved as Init_exists; tried on 1 state'
+has out 'conjecture alcances.conj.1 proved as printed_intersection_is_alcances; tried on 8 states'
+has out 'conjecture Hay_Interseccion.conj.1 proved as printed_elements_are_the_answer; not tried: '
+lines out 26
+run 0 spec check --states 0
+has out 'conjecture alcances.conj.1 proved as printed_intersection_is_alcances; not tried: '
+cat >claims.tex <<'TEX'
+\begin{zed} [ Cosa ] \end{zed}
+\begin{schema}{Par} a, b : Cosa \where a \neq b \end{schema}
+\begin{zed}
+  \vdash? \forall Par @ b \neq a  % Par.conj.1
+\also
+  \vdash? \forall n : \nat @ (\exists_1 m : \nat @ m > n)
+\end{zed}
+TEX
+run 0 spec check claims.tex
+has out 'claims.tex:4:3: conjecture Par.conj.1 tried on 8 states'
+has out 'claims.tex:6:3: conjecture not tried: '
+printf '%s\n' '\begin{zed} \vdash? \forall Par @ a = b \end{zed}' >>claims.tex
+run 1 spec check claims.tex
+has out 'claims.tex:8:13: conjecture is false, as in this state:'
+has out '  a = Cosa_'
 cat >good.tex <<'TEX'
 \begin{zed}
   [ Cosa ]

@@ -26,7 +26,7 @@ one_line() { [ "$(wc -l <complaint)" = 1 ] || fail "not one line"; }
 for word in help --help -h ''; do
   # shellcheck disable=SC2086  # without a word there is no argument
   x 0 $word
-  for command in demo test bench lint build package reference; do says said "./x $command "; done
+  for command in demo test bench lint build package reference spec-pdf; do says said "./x $command "; done
 done
 "$durero" --help | sed -n 's/^  \([a-z][a-z]*\)  .*/\1/p' >commands
 [ -s commands ] || fail "the program has no commands"

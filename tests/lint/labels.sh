@@ -2,7 +2,8 @@
 # Labels are the index of everything. Each predicate of spec/ has a label; the clause that evaluates it (or, for a
 # definition, the function that carries it out), the test that names it and the theorem that uses it are found by it.
 # A label on one side that the others lack fails, both ways. An axiom is evaluated by nobody; that it is true of the numbers
-# of the proofs is a theorem.
+# of the proofs is a theorem. Nor is a conjecture, which `spec check` tries; the theorem that it leads to states it. Both
+# stand as statements in Especificacion.v, which exports them, and Main.v proves them by that name.
 kinds='pre|post|inv|def'
 label="[A-Za-z_]+\.($kinds)\.[0-9]+"
 tmp=$(mktemp -d) && trap 'rm -rf "$tmp"' EXIT
@@ -47,6 +48,24 @@ missing() { comm -23 "$1" "$2" | sed "s|\$|: $3|"; }
     find proofs -name "*.v" ! -name Especificacion.v -exec grep -ohE '\b[A-Za-z_]+\.axiom\.[0-9]+' {} + | sort -u >"$tmp/axioms.proved"
     missing "$tmp/axioms" "$tmp/axioms.proved" 'is an axiom that no theorem shows of the numbers of the proofs'
     missing "$tmp/axioms.proved" "$tmp/axioms" 'is named in proofs, but is no axiom of spec'
+    grep -ohE '% [A-Za-z_]+\.conj\.[0-9]+$' spec/*.tex | cut -c3- | sort >"$tmp/conjectures"
+    uniq -d "$tmp/conjectures" | sed 's/$/: stands twice in spec/'
+    sh cmake/label_index.sh | awk -F '\t' '$1 ~ /\.conj\./ && $2 == "theorem"' >"$tmp/conjectures.index"
+    cut -f1 "$tmp/conjectures.index" | sort -u >"$tmp/conjectures.proved"
+    missing "$tmp/conjectures" "$tmp/conjectures.proved" 'is a conjecture that no theorem discharges'
+    missing "$tmp/conjectures.proved" "$tmp/conjectures" 'is discharged in proofs, but is no conjecture of spec'
+    while IFS='	' read -r named _ place theorem; do
+      statement=$(echo "$named" | tr . _)
+      sed -n "${place##*:}p" "${place%:*}" | grep -qw "$statement" ||
+        echo "$place: $theorem is to prove $named, and does not state $statement"
+    done <"$tmp/conjectures.index"
+    sed 's/(\*.*\*)//' proofs/Main.v >"$tmp/main"
+    cat "$tmp/axioms" "$tmp/conjectures" | while read -r named; do
+      statement=$(echo "$named" | tr . _)
+      grep -q "^Definition $statement : Prop :=" proofs/Especificacion.v ||
+        echo "$named: Especificacion.v does not state it"
+      grep -qw "$statement" "$tmp/main" || echo "$named: no theorem of Main.v states $statement"
+    done
   fi
   # every predicate of a box, and every definition by ==, ends in a label, and has no other
   awk 'function end_of(what) {
@@ -57,9 +76,9 @@ missing() { comm -23 "$1" "$2" | sed "s|\$|: $3|"; }
        /^\\where/ { stated = 1; next }
        /^\\also/ { end_of("predicate"); next }
        /^\\end\{/ { end_of(zed ? "definition" : "predicate"); zed = stated = 0; next }
-       zed && / == / { stated = 1 }
+       zed && (/ == / || /\\vdash\?/) { stated = 1 }
        stated && NF {
          if (labelled) print FILENAME ":" FNR ": a label in the middle of a predicate, or a predicate without a label"
          last = FNR
-         labelled = /% [A-Za-z_]+\.(pre|post|inv|def|axiom)\.[0-9]+$/ }' spec/*.tex
+         labelled = /% [A-Za-z_]+\.(pre|post|inv|def|axiom|conj)\.[0-9]+$/ }' spec/*.tex
 } | { ! grep .; }

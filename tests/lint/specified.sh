@@ -4,7 +4,7 @@
 # README that says otherwise fails.
 set -u
 tmp=$(mktemp -d) && trap 'rm -rf "$tmp"' EXIT
-sh cmake/label_index.sh >"$tmp/index"
+sh cmake/label_index.sh | awk -F '\t' '$1 !~ /\.conj\./' >"$tmp/index"  # a conjecture is carried out by nobody
 table() {
   echo '| in the text | predicates | carried out | tested | proved by |'
   echo '| --- | --- | --- | --- | --- |'

@@ -12,6 +12,14 @@ const LabelIndex index(
     "Escena.inv.1\ttest\ttests/a.cpp:7\tname\nEscena.inv.1\ttext\tspec/"
     "escena.tex:9\t\nEscena.inv.2\tclause\tx.hpp:1\tf\n");
 
+TEST_CASE("the theorem of a label is the one that discharges it") {
+  const LabelIndex labels(
+      "A.conj.1\ttext\tspec/a.tex:3\nA.conj.1\ttheorem\tproofs/A.v:9\tA_holds\nB.inv.1\ttext\tspec/a.tex:1\n");
+  CHECK(labels.theorem("A.conj.1") == "A_holds");
+  CHECK(labels.theorem("B.inv.1").empty());
+  CHECK(labels.theorem("C.inv.1").empty());
+}
+
 TEST_CASE("the places of a label stand in the order text, clause, function, test, theorem") {
   CHECK(index.places("Escena.inv.1") ==
         "Escena.inv.1\n  text      spec/escena.tex:9\n  test      tests/a.cpp:7  name\n");

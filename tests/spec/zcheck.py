@@ -46,6 +46,8 @@ def free_type(c, p, name, line):
 def zed(c, p):
     if p.accept("["):
         return given(c, p)
+    if p.accept(r"\vdash?"):
+        return c.predicate({}, p.predicate())
     line, name = p.next.line, p.name()
     if p.accept("::="):
         return free_type(c, p, name, line)

@@ -58,6 +58,7 @@ RIGHT = [
     zed(r"A == (\num \cross \num) \dres (\_ + \_)"),
     zed("A == \\{~ n : \\num | \\\\\n\\t1 n > 0 ~\\}"),
     schema(r"s : \power Estado", r"\forall e : s @ e.cosas = \dom e.peso"),
+    zed(r"\vdash? \forall Estado @ \pre (Estado \land [~ n! : \num; peso' : \power Cosa ~]) \iff cosas = \emptyset"),
     schema(r"Estado \\ cosas : \power Cosa", r"\exists_1 c : Cosa @ c \in cosas"),
 ]
 
@@ -70,6 +71,8 @@ WRONG = [  # the text, the line, what the message says
     (zed(r"A == Estado \hide (altura)"), 12, "not a component to hide"),
     (zed(r"A == Estado \land Cosa"), 12, "a schema is expected"),
     (zed(r"A == (1, 2).x"), 12, "no component x"),
+    (zed(r"\vdash? Cosa = 1"), 12, "equality"),
+    (zed(r"\vdash? \forall e : \num @ \pre Estado"), 12, "is not declared"),
     (zed(r"A == 1 +"), 13, "expected an expression"),
     (zed(r"A == ((1)"), 13, "expected ), found end"),
     (zed(r"A == \{~ n : \num | n > 0 @ ~\}"), 12, "expected an expression"),

@@ -165,6 +165,12 @@ def connective(c, scope, node):
     return power(("schema", tuple(sorted(joined.items()))))
 
 
+def precondition(c, scope, node):
+    """pre S: the state before and the inputs."""
+    kept = {n: t for n, t in components(c, scope, node.kids[0]).items() if n[-1] not in "'!"}
+    return power(("schema", tuple(sorted(kept.items()))))
+
+
 def hiding(c, scope, node):
     found = components(c, scope, node.kids[0])
     for n in node.kids[1]:
@@ -175,7 +181,7 @@ def hiding(c, scope, node):
 
 RULES = {
     "number": number, "name": name, "theta": theta, "tuple": tuple_, "select": select, "apply": apply,
-    "operator": operator, "decorate": decorate,
+    "operator": operator, "decorate": decorate, r"\pre": precondition,
     "+": arithmetic, "-": arithmetic, "*": arithmetic, "prefix-": negative,
     r"prefix\power": power_set, r"prefix\power_1": power_set,
     r"prefix\finset": power_set, r"prefix\finset_1": power_set,

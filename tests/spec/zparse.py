@@ -120,6 +120,9 @@ class Parser:
         if self.sees(r"\lnot"):
             op = self.take()
             return Node(op.text, (self.negation(),), op.line)
+        if self.sees(r"\pre"):
+            op = self.take()
+            return Node(op.text, (self.negation(),), op.line)
         left = self.binary()
         while self.sees(r"\hide"):
             op = self.take()

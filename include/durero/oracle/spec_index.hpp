@@ -14,6 +14,8 @@ class LabelIndex {
   /// `table`: a line for each place, of the label, the kind, FILE:LINE and a name, between tabs (cmake/label_index.sh).
   explicit LabelIndex(const std::string& table);
 
+  /// The theorem that discharges the label; empty where there is none.
+  std::string theorem(const std::string& label) const;
   /// The label, then a line for each place.
   std::string places(const std::string& label) const;
 

@@ -6,7 +6,7 @@ namespace durero::zed {
 namespace {
 
 constexpr const char* head =
-    R"((** The Z text of spec/*.tex in Coq, written by `durero spec export --coq spec/*.tex`: change the text, not this file.
+    R"((** The Z text of spec/*.tex in Coq, written by `durero spec export --coq` of its sections: change the text, not this file.
     Nothing is proved here. The rules:
 
     ℝ, ℤ                  == Coq's R and Z; what the text assumes of them are statements, proved in Tipos.v
@@ -35,6 +35,8 @@ constexpr const char* head =
     ΔS, ΞS, θS = θS '     == Delta_S, Xi_S, S_eq, for the state S: the schema that boxes include as ΔS, ΞS or S '
     other schemas         == predicates on their components: a Record with one field an inclusion, a declaration that says
                              more than a type, and a predicate; or a Definition where the text combines schemas
+    pre S                 == there are an after-state and outputs of S
+    ⊢? P                  == P as a statement: the theorem that its label leads to proves it
     θS, θS '; x?, x!      == s, s'; x_in, x_out
     a label A.kind.n      == the field or Definition A_kind_n *)
 From Coq Require Import Reals.

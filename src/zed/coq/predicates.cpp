@@ -58,7 +58,9 @@ Expr Translator::predicate(const Term& term, const Scope& scope) const {
       return call(*name, scope, node.place);
     }
     case Kind::hiding:
-      return hiding(node, scope);
+      return without(node.children[0], node.names, scope);
+    case Kind::precondition:
+      return without(node.children[0], after(node.children[0]), scope);
     case Kind::schema_text: {
       const Signature slots = signature(term);
       return all_of(conditions(*node.text, slots, scope, scope));
@@ -71,7 +73,8 @@ Expr Translator::predicate(const Term& term, const Scope& scope) const {
 Expr Translator::quantified(const Node& node, const Scope& scope) const {
   Scope inside = scope;
   const Signature slots = declare(*node.text, inside);
-  std::vector<Expr> conjuncts = conditions(*node.text, slots, scope, inside);
+  std::vector<Expr> conjuncts = included(*node.text, inside);
+  std::ranges::move(conditions(*node.text, slots, scope, inside), std::back_inserter(conjuncts));
   const Expr body = predicate(node.children[0], inside);
   if (node.kind == Kind::forall) {
     std::string out = fmt::format("forall {}, ", binders(slots, true));

@@ -62,7 +62,9 @@ Signature Translator::declare(const SchemaText& text, Scope& scope) const {
     if (declaration.form == Declaration::Form::defined) uncovered(declaration.place, "a declaration by ==");
     if (declaration.form == Declaration::Form::included) {
       if (!schema_name(declaration.term)) uncovered(declaration.place, "this inclusion");
-      merge(slots, signature(declaration.term));
+      Signature included = signature(declaration.term);
+      for (Slot& slot : included) slot.set = {};  // what the schema asks of them included() says
+      merge(slots, included);
       continue;
     }
     for (const Name& name : declaration.names) {
@@ -79,7 +81,7 @@ std::vector<Expr> Translator::conditions(const SchemaText& text, const Signature
                                          const Scope& inner) const {
   std::vector<Expr> conjuncts;
   for (const Slot& slot : slots) {
-    if (slot.state) continue;
+    if (!slot.set) continue;
     Scope around = outer;
     around.variables = inner.variables;
     for (Expr& expr : constraint({slot.variable, atomic, slot.type}, slot.set, around))
@@ -155,13 +157,29 @@ Expr Translator::call(const Name& schema, const Scope& scope, Place place) const
   return {text, slots.empty() ? atomic : applied, {}};
 }
 
-Expr Translator::hiding(const Node& node, const Scope& scope) const {
+// What the schemas say that a schema text includes. Its own declarations and predicates are conditions().
+std::vector<Expr> Translator::included(const SchemaText& text, const Scope& scope) const {
+  std::vector<Expr> said;
+  for (const Declaration& declaration : text.declarations)
+    if (declaration.form == Declaration::Form::included) said.push_back(predicate(declaration.term, scope));
+  return said;
+}
+
+// What pre hides: the state after, and the outputs.
+std::vector<Name> Translator::after(const Term& schema) const {
+  std::vector<Name> names;
+  for (const Slot& slot : signature(schema))
+    if (slot.name.strokes.ends_with("'") || slot.name.strokes.ends_with("!")) names.push_back(slot.name);
+  return names;
+}
+
+Expr Translator::without(const Term& schema, const std::vector<Name>& names, const Scope& scope) const {
   Scope inside = scope;
   Signature hidden;
-  for (const Slot& slot : signature(node.children[0]))
-    if (std::find(node.names.begin(), node.names.end(), slot.name) != node.names.end()) hidden.push_back(slot);
+  for (const Slot& slot : signature(schema))
+    if (std::find(names.begin(), names.end(), slot.name) != names.end()) hidden.push_back(slot);
   for (const Slot& slot : hidden) declare(slot, inside);
-  const Expr body = predicate(node.children[0], inside);
+  const Expr body = predicate(schema, inside);
   return {"exists " + binders(hidden, true) + ", " + body.text, binder, {}};
 }
 

@@ -150,7 +150,9 @@ class Translator {
   Expr one_relation(const Name& by, const Term& left, const Term& right, const Expr& a, Scope& scope,
                     Frame& frame) const;
   Expr quantified(const Node& node, const Scope& scope) const;
-  Expr hiding(const Node& node, const Scope& scope) const;
+  std::vector<Expr> included(const SchemaText& text, const Scope& scope) const;
+  std::vector<Name> after(const Term& schema) const;
+  Expr without(const Term& schema, const std::vector<Name>& names, const Scope& scope) const;
   bool is_partial(const Node& application, const Scope& scope) const;
 
   const Typing& typing_;

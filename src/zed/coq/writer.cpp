@@ -105,7 +105,7 @@ void Writer::paragraph(const Paragraph& paragraph) {
   if (const auto* form = std::get_if<Definition>(&paragraph.form)) return definition(*form);
   if (const auto* form = std::get_if<Axiomatic>(&paragraph.form)) return axiomatic(*form, paragraph.place);
   if (const auto* form = std::get_if<Schema>(&paragraph.form)) return schema(*form);
-  uncovered(paragraph.place, "a conjecture");
+  if (const auto* form = std::get_if<Conjecture>(&paragraph.form)) return conjecture(*form);
 }
 
 void Writer::sentence(const std::string& text, const std::string& label, const std::string& indent) {
@@ -151,6 +151,14 @@ void Writer::free_type(const FreeType& form) {
     text += " | " + constant.text;
   }
   sentence(text + ".");
+}
+
+// A claim is a statement, which a theorem has to prove.
+void Writer::conjecture(const Conjecture& form) {
+  const Predicate& claim = form.claim;
+  if (claim.label.empty()) uncovered(claim.place, "a conjecture without a label");
+  sentence(fmt::format("Definition {} : Prop := {}.", identifier(claim.label), in_.predicate(claim.term, {}).text),
+           claim.label);
 }
 
 void Writer::definition(const Definition& form) {

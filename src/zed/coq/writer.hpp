@@ -24,6 +24,7 @@ class Writer {
   void definition(const Definition& form);
   void axiomatic(const Axiomatic& form, Place place);
   void schema(const Schema& form);
+  void conjecture(const Conjecture& form);
 
   void set_definition(const Definition& form);
   void lambda_definition(const Definition& form);

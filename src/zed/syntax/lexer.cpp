@@ -45,7 +45,7 @@ std::string label_in(std::string_view comment) {
   const std::size_t first = comment.find('.'), second = comment.rfind('.');
   if (first == 0 || first == comment.npos || first == second) return {};
   const std::string_view schema = comment.substr(0, first), number = comment.substr(second + 1);
-  static constexpr std::array<std::string_view, 5> kinds = {"pre", "post", "inv", "def", "axiom"};
+  static constexpr std::array<std::string_view, 6> kinds = {"pre", "post", "inv", "def", "axiom", "conj"};
   if (!among(comment.substr(first + 1, second - first - 1), kinds) || number.empty()) return {};
   const bool named =
       std::all_of(schema.begin(), schema.end(), [](char c) { return is_letter(c) || is_digit(c) || c == '_'; });

@@ -37,6 +37,7 @@ std::vector<std::string> labels_of(const Paragraph& paragraph) {
   if (const auto* schema = std::get_if<Schema>(&paragraph.form)) add(schema->text);
   if (const auto* axiomatic = std::get_if<Axiomatic>(&paragraph.form)) add(axiomatic->text);
   if (const auto* definition = std::get_if<Definition>(&paragraph.form)) labels.push_back(definition->label);
+  if (const auto* conjecture = std::get_if<Conjecture>(&paragraph.form)) labels.push_back(conjecture->claim.label);
   std::erase(labels, std::string());
   return labels;
 }

@@ -115,6 +115,19 @@ TEST_CASE("an operator as a set is its graph, and a product of whole types is al
                     Contains("a product of parts of types"));
 }
 
+TEST_CASE("a conjecture is a statement: what it includes is asked first, and pre asks for an after-state and outputs") {
+  CHECK(more("\\begin{schema}{O} \\Delta S \\\\ e? : E \\\\ r! : \\real \\where f(e?) = r! % O.pre.1\n\\end{schema}\n"
+             "\\begin{zed} \\vdash? \\forall S; e? : E | e? \\in es @ \\pre O % O.conj.1\n\\also\n"
+             "\\vdash? \\forall O | e? \\in es' @ \\exists S~' @ I % O.conj.2\n\\end{zed}\n") ==
+        "Record O (s s' : S) (e_in : E) (r_out : R) : Prop := {\n  O_Delta : Delta_S s s';\n"
+        "  O_pre_1 : exists v1, (e_in, v1) ∈ f s /\\ v1 = r_out (* O.pre.1 *)\n}.\n\n"
+        "Definition O_conj_1 : Prop :=\n  forall (s : S) (e_in : E), S_ok s -> e_in ∈ es s "
+        "-> exists (s' : S) (r_out : R), O s s' e_in r_out. (* O.conj.1 *)\n\n"
+        "Definition O_conj_2 : Prop :=\n  forall (s s' : S) (e_in : E) (r_out : R), O s s' e_in r_out -> e_in ∈ es s' "
+        "-> exists s' : S, S_ok s'\n  /\\ I s'. (* O.conj.2 *)\n");
+  CHECK_THROWS_WITH(definition("\\vdash? \\forall S @ es = es"), Contains("a conjecture without a label"));
+}
+
 TEST_CASE("a form without a rule is refused at its place") {
   CHECK_THROWS_WITH(definition("P == \\{~ A : \\power E | \\# A = 1 ~\\}"),
                     Contains("here:") && Contains("has no rule of translation to Coq"));

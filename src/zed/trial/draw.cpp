@@ -1,0 +1,91 @@
+#include "zed/trial/draw.hpp"
+
+#include <utility>
+
+namespace durero::zed {
+namespace {
+
+constexpr std::size_t names_of_a_given_set = 3, members_of_a_set = 3;
+
+Value pick(const std::vector<Value>& from, Numbers& numbers) { return from[numbers.below(from.size())]; }
+
+/// The constants of a free type. Its constructors are left out, so that no draw goes on for ever.
+std::vector<Value> constants(const FreeType& form) {
+  std::vector<Value> found;
+  for (std::size_t i = 0; i < form.branches.size(); ++i)
+    if (!form.branches[i].argument)
+      found.push_back(Value::atom(form.name.text(), form.branches[i].name.text(), static_cast<std::uint32_t>(i)));
+  return found;
+}
+
+std::vector<Value> members(const Name& given) {
+  std::vector<Value> found;
+  for (std::size_t i = 1; i <= names_of_a_given_set; ++i)
+    found.push_back(Value::atom(given.text(), given.text() + "_" + std::to_string(i)));
+  return found;
+}
+
+}  // namespace
+
+// Steele, Lea and Flood, Fast splittable pseudorandom number generators (2014).
+std::size_t Numbers::below(std::size_t end) {
+  if (std::exchange(first_, false)) return draw_ % end;
+  std::uint64_t z = state_ += 0x9E3779B97F4A7C15U;
+  z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
+  z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
+  return (z ^ (z >> 31U)) % end;
+}
+
+Draw::Draw(const Specification& specification, const Samples& samples) : samples_(samples) {
+  for (const Section& section : specification.sections)
+    for (const Paragraph& paragraph : section.paragraphs) {
+      if (const auto* form = std::get_if<FreeType>(&paragraph.form))
+        samples_.try_emplace(form->name.text(), constants(*form));
+      if (const auto* form = std::get_if<GivenTypes>(&paragraph.form))
+        for (const Name& name : form->names) samples_.try_emplace(name.text(), members(name));
+    }
+}
+
+Value Draw::of(const Term& set, const Type& element, Numbers& numbers) const {
+  if (set->kind == Kind::decoration) return of(set->children[0], element, numbers);
+  const auto known = set->kind == Kind::reference ? samples_.find(set->name.text()) : samples_.end();
+  return known == samples_.end() ? of_type(element, numbers) : pick(known->second, numbers);
+}
+
+Value Draw::of_type(const Type& type, Numbers& numbers) const {
+  switch (type.kind()) {
+    case Type::Kind::given: {
+      static const std::vector<Value> small = {Real(0), Real(1), Real(2), Real(3), Real(-1), Real(0.5)};
+      const auto known = samples_.find(type.name().text());
+      if (known != samples_.end() && !known->second.empty()) return pick(known->second, numbers);
+      if (type.name().text() == "𝔸") return pick(small, numbers);
+      throw EvaluationError("no member of " + type.text() + " is known to try it on");
+    }
+    case Type::Kind::power:
+      return of_set(type.parts()[0], numbers);
+    case Type::Kind::product: {
+      std::vector<Value> parts;
+      for (const Type& part : type.parts()) parts.push_back(of_type(part, numbers));
+      return Value::tuple(std::move(parts));
+    }
+    case Type::Kind::schema: {
+      std::vector<Value> parts;
+      for (const Type& part : type.parts()) parts.push_back(of_type(part, numbers));
+      return Value::binding(signature(type.fields()), std::move(parts));
+    }
+    case Type::Kind::formal:
+    case Type::Kind::variable:
+    case Type::Kind::unknown:
+      throw EvaluationError("values of the type " + type.text() + " are not known");
+  }
+  throw EvaluationError("values of the type " + type.text() + " are not known");
+}
+
+Value Draw::of_set(const Type& element, Numbers& numbers) const {
+  std::vector<Value> members;
+  for (std::size_t count = numbers.below(members_of_a_set + 1); count != 0; --count)
+    members.push_back(of_type(element, numbers));
+  return Value::set(std::move(members));
+}
+
+}  // namespace durero::zed

@@ -1,0 +1,154 @@
+#include "durero/zed/trial/trial.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "durero/zed/evaluate/evaluate.hpp"
+#include "zed/trial/draw.hpp"
+
+namespace durero::zed {
+namespace {
+
+/// No text can write these names.
+constexpr const char *assumed_name = " assumed", *claimed_name = " claimed";
+
+Paragraph definition(const char* name, SchemaText text) {
+  return {{}, Definition{{name, ""}, {}, quantified(Kind::schema_text, std::move(text), {}), {}}};
+}
+
+/// The schemas [ D | P ] and [ D | P; Q ] of ∀ D | P • Q, or of ∃; where the claim begins with no quantifier D and P
+/// are empty.
+struct Claim {
+  SchemaText assumed, claimed;
+  bool wants_witness = false;
+
+  explicit Claim(const Term& term) {
+    const bool quantified = term->kind == Kind::forall || term->kind == Kind::exists;
+    if (quantified) assumed = *term->text;
+    wants_witness = term->kind == Kind::exists;
+    claimed = assumed;
+    claimed.predicates.push_back({quantified ? term->children[0] : term, {}, term->place});
+  }
+};
+
+/// Tries one conjecture.
+class Attempt {
+ public:
+  Attempt(const Specification& specification, const Typing& typing, const Draw& draw, const Section& section,
+          const Term& term, const TrialBounds& bounds)
+      : typing_(typing), draw_(draw), claim_(term), bounds_(bounds), steps_(bounds.steps) {
+    Section own;
+    own.name = "trial";
+    own.parents = {section.name};
+    own.paragraphs = {definition(assumed_name, claim_.assumed), definition(claimed_name, claim_.claimed)};
+    std::vector<Section> sections = specification.sections;
+    sections.push_back(std::move(own));
+    evaluator_.emplace(std::move(sections), Given{}, &steps_);
+  }
+
+  void run(Trial& trial) {
+    const SchemaCheck assumed = evaluator_->schema({assumed_name, ""}),
+                      claimed = evaluator_->schema({claimed_name, ""});
+    const bool closed = claim_.assumed.declarations.empty();
+    const std::size_t draws = closed ? 1 : bounds_.draws, most = claim_.wants_witness ? draws : bounds_.states;
+    for (std::size_t draw = 0; draw < draws && trial.tried < most && trial.counterexample.empty(); ++draw) {
+      try {
+        on(in_order(assumed.components(), drawn(draw)), assumed, claimed, trial);
+      } catch (const EvaluationError& error) {
+        if (undecided_.empty()) undecided_ = error.what();
+      }
+      if (witness_) break;
+    }
+    if (claim_.wants_witness && !witness_) {
+      trial.why_not = "none of " + std::to_string(trial.tried) + " states is a witness";
+      trial.tried = 0;
+    }
+    if (trial.tried == 0 && trial.why_not.empty())
+      trial.why_not = undecided_.empty() ? "none of the values drawn are a state" : undecided_;
+  }
+
+ private:
+  Given drawn(std::size_t draw) const {
+    Given values;
+    Numbers numbers(draw);
+    for (const Declaration& declaration : claim_.assumed.declarations) declare(declaration, numbers, values);
+    return values;
+  }
+
+  void declare(const Declaration& declaration, Numbers& numbers, Given& values) const {
+    const std::optional<Type> type = typing_.type_of(declaration.term);
+    if (!type || !type->is(Type::Kind::power)) throw EvaluationError("the type of a declaration is not known");
+    const Type element = type->settled().parts()[0];
+    if (declaration.form == Declaration::Form::included) {
+      const Value binding = draw_.of(declaration.term, element, numbers);
+      for (std::size_t i = 0; i < element.fields().size(); ++i)
+        values.emplace_back(element.fields()[i], binding.binding()->values[i]);
+    } else {
+      for (const Name& name : declaration.names)
+        values.emplace_back(name, draw_.of(declaration.term, element, numbers));
+    }
+  }
+
+  // A name that two declarations share has the value of the first.
+  static std::vector<Value> in_order(const std::vector<Name>& names, const Given& values) {
+    std::vector<Value> found;
+    for (const Name& name : names) {
+      const auto at =
+          std::find_if(values.begin(), values.end(), [&](const auto& value) { return value.first == name; });
+      found.push_back(at == values.end() ? Value(Open{}) : at->second);
+    }
+    return found;
+  }
+
+  void on(const std::vector<Value>& state, const SchemaCheck& assumed, const SchemaCheck& claimed, Trial& trial) {
+    const Truth is_state = assumed.holds(state);
+    const Truth holds = is_state == Truth::yes ? claimed.holds(state) : is_state;
+    if (holds == Truth::open && undecided_.empty()) undecided_ = "a variable is not determined";
+    if (is_state != Truth::yes || holds == Truth::open) return;
+    if (holds == Truth::no && !claim_.wants_witness) return refute(trial, assumed.components(), state);
+    ++trial.tried;
+    witness_ = claim_.wants_witness && holds == Truth::yes;
+  }
+
+  static void refute(Trial& trial, const std::vector<Name>& names, const std::vector<Value>& state) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+      trial.counterexample += "  " + names[i].text() + " = " + state[i].text() + "\n";
+    if (names.empty()) trial.counterexample = "  it has no variables\n";
+  }
+
+  const Typing& typing_;
+  const Draw& draw_;
+  Claim claim_;
+  TrialBounds bounds_;
+  Steps steps_;
+  std::optional<Evaluator> evaluator_;
+  std::string undecided_;  // the first reason why some state decided nothing
+  bool witness_ = false;
+};
+
+}  // namespace
+
+std::vector<Trial> try_conjectures(const Specification& specification, const Typing& typing, const Samples& samples,
+                                   const TrialBounds& bounds) {
+  const Draw draw(specification, samples);
+  std::vector<Trial> trials;
+  for (const Section& section : specification.sections)
+    for (const Paragraph& paragraph : section.paragraphs) {
+      const auto* conjecture = std::get_if<Conjecture>(&paragraph.form);
+      if (!conjecture) continue;
+      Trial& trial = trials.emplace_back();
+      trial.file = section.file;
+      trial.place = paragraph.place;
+      trial.label = conjecture->claim.label;
+      try {
+        Attempt(specification, typing, draw, section, conjecture->claim.term, bounds).run(trial);
+      } catch (const EvaluationError& error) {
+        if (trial.tried == 0) trial.why_not = error.what();
+      } catch (const StepsSpent&) {
+        if (trial.tried == 0) trial.why_not = "it takes more than " + std::to_string(bounds.steps) + " steps";
+      }
+    }
+  return trials;
+}
+
+}  // namespace durero::zed

@@ -1,0 +1,46 @@
+#include "durero/oracle/samples.hpp"
+
+#include "durero/oracle/spec.hpp"
+#include "durero/oracle/spec_index.hpp"
+#include "support/catch.hpp"
+
+using namespace durero;
+using namespace durero::oracle;
+
+TEST_CASE("the samples are states of the text") {
+  const zed::Samples samples = spec::samples();
+  const spec::Judge judge;
+  const zed::Evaluator& text = judge.evaluator();
+  for (const char* set : {"Escena", "Rayo", "Punto", "Vector", "Terna"})
+    for (const zed::Value& each : samples.at(set)) {
+      INFO(set << ": " << each.text());
+      CHECK(text.contains(text.value(zed::Name{set, ""}), each) == zed::Truth::yes);
+    }
+}
+
+TEST_CASE("no conjecture of the text is false on the samples, and all that is tried is tried on several") {
+  const auto trials = zed::try_conjectures(spec::text(), zed::check(spec::text()), spec::samples());
+  CHECK(trials.size() == 21);
+  std::size_t tried = 0;
+  for (const zed::Trial& trial : trials) {
+    INFO(trial.label);
+    CHECK(trial.counterexample.empty());
+    CHECK_FALSE(trial.label.empty());
+    tried += trial.tried != 0;
+  }
+  CHECK(tried >= 19);
+}
+
+TEST_CASE("a conjecture that the samples refute is refuted") {
+  zed::Specification wrong = spec::text();
+  for (zed::Section& section : wrong.sections)
+    for (zed::Paragraph& paragraph : section.paragraphs)
+      if (auto* conjecture = std::get_if<zed::Conjecture>(&paragraph.form))
+        if (conjecture->claim.label == "alcances.conj.1") {
+          const zed::Term& claim = conjecture->claim.term;
+          conjecture->claim.term = zed::quantified(
+              zed::Kind::forall, *claim->text, {zed::node(zed::Kind::negation, {claim->children[0]})}, claim->place);
+        }
+  for (const zed::Trial& trial : zed::try_conjectures(wrong, zed::check(wrong), spec::samples()))
+    CHECK(trial.counterexample.empty() == (trial.label != "alcances.conj.1"));
+}

@@ -1,0 +1,86 @@
+#include "durero/zed/trial/trial.hpp"
+
+#include "support/catch.hpp"
+
+namespace durero::zed {
+namespace {
+
+using Catch::Matchers::Contains;
+
+const std::string before =
+    "\\begin{zed} [Cosa] \\end{zed}\n\\begin{zed} Color ::= rojo | verde \\end{zed}\n"
+    "\\begin{schema}{S} cosas : \\finset Cosa \\\\ n : \\nat \\where n = \\# cosas \\end{schema}\n"
+    "\\begin{schema}{Entra} \\Delta S \\\\ c? : Cosa \\where c? \\notin cosas \\also cosas' = cosas \\cup \\{c?\\} "
+    "\\end{schema}\n"
+    "\\begin{schema}{Primero} S~' \\where cosas' = \\emptyset \\end{schema}\n";
+
+std::vector<Trial> trials(const std::string& claims, const TrialBounds& bounds = {}) {
+  const Specification read = read_text(before + "\\begin{zed} " + claims + "\n\\end{zed}\n", "here.tex");
+  const Typing typing = check(read);
+  REQUIRE(read.ok());
+  REQUIRE(typing.ok());
+  return try_conjectures(read, typing, {}, bounds);
+}
+
+Trial trial(const std::string& claim, const TrialBounds& bounds = {}) {
+  return trials("\\vdash? " + claim, bounds).at(0);
+}
+
+}  // namespace
+
+TEST_CASE("a conjecture is tried on states that satisfy what its quantifier asks, so many and no more") {
+  const Trial found = trial("\\forall S @ n \\leq 3 % S.conj.1");
+  CHECK(found.counterexample.empty());
+  CHECK(found.why_not.empty());
+  CHECK(found.tried == TrialBounds{}.states);
+  CHECK(found.label == "S.conj.1");
+  CHECK(found.file == "here.tex");
+  CHECK(found.place.line == 6);
+  CHECK(trial("\\forall S | n = 2 @ n < 3", {.states = 2, .draws = 64}).tried == 2);
+  CHECK(trial("\\forall S @ n \\leq 3", {.states = 8, .draws = 0}).tried == 0);
+}
+
+TEST_CASE("a false conjecture is refuted by a state, which is told with every name that it declares") {
+  for (const char* claim : {"\\forall S @ n = 0", "\\forall S; c : Color @ c = rojo \\land n \\geq 0"}) {
+    const Trial found = trial(claim);
+    CHECK_THAT(found.counterexample, Contains("  cosas = ") && Contains("  n = "));
+  }
+  CHECK_THAT(trial("\\forall c : Color @ c = rojo").counterexample, Contains("  c = verde\n"));
+  CHECK(trial("1 = 2").counterexample == "  it has no variables\n");
+  CHECK(trial("1 = 1").tried == 1);
+}
+
+TEST_CASE("a precondition is asked of states") {
+  CHECK(trial("\\forall S; c? : Cosa @ \\pre Entra \\iff c? \\notin cosas").tried == TrialBounds{}.states);
+  CHECK_THAT(trial("\\forall S; c? : Cosa @ \\pre Entra").counterexample, Contains("  c? = Cosa_"));
+}
+
+TEST_CASE("of what exists a witness is looked for, and that none was met refutes nothing") {
+  const Trial found = trial("\\exists S~' @ Primero");
+  CHECK(found.tried >= 1);
+  CHECK(found.why_not.empty());
+  const Trial none = trial("\\exists S @ n = 4");
+  CHECK(none.counterexample.empty());
+  CHECK(none.tried == 0);
+  CHECK_THAT(none.why_not, Contains("is a witness"));
+}
+
+TEST_CASE("what cannot be tried says why") {
+  CHECK(trial("\\forall S | n = 9 @ n = 0").why_not == "none of the values drawn are a state");
+  const Trial open = trial("\\forall S @ (\\forall k : \\nat | k > n @ k * k > n)");
+  CHECK(open.tried == 0);
+  CHECK_FALSE(open.why_not.empty());
+  CHECK_THAT(trial("\\forall S @ n \\leq 3", {.states = 8, .draws = 64, .steps = 1}).why_not, Contains("steps"));
+}
+
+TEST_CASE("samples stand for what they are named after, and the states are the same at every call") {
+  const Specification read =
+      read_text(before + "\\begin{zed} \\vdash? \\forall c : Cosa; k : \\nat @ k = 7 \\end{zed}\n", "here");
+  const Typing typing = check(read);
+  const Samples samples = {{"Cosa", {Value::atom("Cosa", "mesa")}}, {"ℕ", {Real(7)}}};
+  const Trial found = try_conjectures(read, typing, samples).at(0);
+  CHECK(found.tried == TrialBounds{}.states);
+  CHECK(trial("\\forall S @ n = 0").counterexample == trial("\\forall S @ n = 0").counterexample);
+}
+
+}  // namespace durero::zed
