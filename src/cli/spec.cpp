@@ -22,7 +22,7 @@ struct SpecOptions {
   std::vector<std::string> files;
   EvalCall eval;
   std::string name, scene, rays, hits;
-  bool quiet = false;
+  bool quiet = false, strict = false;
 };
 
 std::string defects_text(const std::vector<zed::Defect>& defects) {
@@ -52,7 +52,9 @@ std::string empty_files(const std::vector<std::string>& files, const zed::Specif
   for (const std::string& file : files) {
     const auto here = [&](const zed::Section& section) { return section.file == file; };
     if (std::none_of(read.sections.begin(), read.sections.end(), here))
-      said += fmt::format("{}:1:1: no Z paragraph; expected \\begin{{zed}}, axdef, schema, gendef or zsection\n", file);
+      said += fmt::format(
+          "{}:1:1: no Z paragraph; expected \\begin{{zed}}, axdef, schema, gendef or zsection, or a box of Unicode\n",
+          file);
   }
   return said;
 }
@@ -70,10 +72,12 @@ std::vector<std::pair<std::string, std::string>> sources(const std::vector<std::
 
 }  // namespace
 
-int spec_check(const std::vector<std::string>& files, bool quiet) {
+int spec_check(const std::vector<std::string>& files, bool strict, bool quiet) {
   std::optional<Progress> progress(std::in_place, quiet, "spec check");
   const zed::Specification read = files.empty() ? oracle::spec::text() : zed::read_sources(sources(files));
-  const std::vector<zed::Defect> defects = zed::review(read);
+  std::vector<zed::Defect> defects = zed::review(read);
+  for (zed::Defect& defect : defects)
+    if (strict && defect.severity == zed::Defect::Severity::opinion) defect.severity = zed::Defect::Severity::error;
   const std::string empty = has_error(defects) ? "" : empty_files(files, read);
   const bool wrong = has_error(defects) || !empty.empty();
   progress.reset();
@@ -90,10 +94,15 @@ void add_spec(CLI::App& app, int& status) {
 
   auto* check = spec->add_subcommand("check", "Read and type-check Z text; each defect at its line");
   check->add_option("FILES", options->files, "Z text in LaTeX mark-up; without it, the program's own text");
+  check->add_flag("--strict", options->strict, "Refuse what is only an opinion, too");
   add_quiet(*check, options->quiet);
-  check->footer(exit_status("no defect", "a defect", "the call is bad, or a file cannot be read") +
-                examples({"spec check", "spec check mine.tex"}));
-  check->callback([options, &status] { status = spec_check(options->files, options->quiet); });
+  check->footer(
+      "Opinions are what ISO Z takes and a refinement would remove: an operation that leaves a part of the "
+      "after-state\n"
+      "open, a function applied where nothing gives its domain, and Δ or Ξ of an operation.\n\n" +
+      exit_status("no error", "an error", "the call is bad, or a file cannot be read") +
+      examples({"spec check", "spec check mine.tex", "spec check --strict"}));
+  check->callback([options, &status] { status = spec_check(options->files, options->strict, options->quiet); });
 
   auto* eval = spec->add_subcommand("eval", "The value of an expression, or whether a predicate holds");
   eval->add_option("EXPR", options->eval.expression, "Z, in Unicode or in LaTeX mark-up")->required();

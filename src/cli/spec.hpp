@@ -17,7 +17,7 @@ struct EvalCall {
 /// MiB that an evaluation may take where nothing is said: 4096, or half of the machine's memory where that is less.
 std::uint64_t default_memory();
 
-int spec_check(const std::vector<std::string>& files, bool quiet);
+int spec_check(const std::vector<std::string>& files, bool strict, bool quiet);
 int spec_eval(const EvalCall& call);
 int spec_show(const std::string& name);
 int spec_confirm(const std::string& scene, const std::string& rays, const std::string& hits, bool quiet);
