@@ -162,7 +162,8 @@ Term TermParser::parenthesis() {
     in_.expect(")");
     return reference(*own, {}, place);
   }
-  if (in_.sees("_") || (in_.peek(1).is("_") && !in_.peek().own)) return word_or_operator();
+  const bool prefix = in_.sees("succ") || find_operator(in_.peek().text, Fixity::prefix);
+  if (in_.sees("_") || (in_.peek(1).is("_") && prefix)) return word_or_operator();
   const bool mu = in_.sees("μ");
   std::vector<Term> parts = {mu ? quantifier(Kind::mu, false) : term()};
   while (in_.accept(Token::Type::newline) || in_.accept(";"))  // a new line is ∧ (ISO/IEC 13568, 8.3)
