@@ -52,7 +52,9 @@ std::string empty_files(const std::vector<std::string>& files, const zed::Specif
   for (const std::string& file : files) {
     const auto here = [&](const zed::Section& section) { return section.file == file; };
     if (std::none_of(read.sections.begin(), read.sections.end(), here))
-      said += fmt::format("{}:1:1: no Z paragraph; expected \\begin{{zed}}, axdef, schema, gendef or zsection\n", file);
+      said += fmt::format(
+          "{}:1:1: no Z paragraph; expected \\begin{{zed}}, axdef, schema, gendef or zsection, or a box of Unicode\n",
+          file);
   }
   return said;
 }
@@ -74,7 +76,9 @@ int spec_check(const CheckCall& call) {
   std::optional<Progress> progress(std::in_place, call.quiet, "spec check");
   const bool own = call.files.empty();
   const zed::Specification read = own ? oracle::spec::text() : zed::read_sources(sources(call.files));
-  const std::vector<zed::Defect> defects = zed::review(read);
+  std::vector<zed::Defect> defects = zed::review(read);
+  for (zed::Defect& defect : defects)
+    if (call.strict && defect.severity == zed::Defect::Severity::opinion) defect.severity = zed::Defect::Severity::error;
   const std::string empty = has_error(defects) ? "" : empty_files(call.files, read);
   if (has_error(defects) || !empty.empty()) {
     progress.reset();
@@ -95,17 +99,22 @@ void add_spec(CLI::App& app, int& status) {
   const auto options = std::make_shared<SpecOptions>();
 
   auto* check = spec->add_subcommand("check", "Read and type-check Z text; each defect at its line");
-  check->add_option("FILES", options->check.files, "Z text in LaTeX mark-up; without it, the program's own text");
+  check->add_option("FILES", options->check.files,
+                    "Z text in LaTeX or Unicode mark-up; without it, the program's own text");
+  check->add_flag("--strict", options->check.strict, "Refuse what is only an opinion, too");
   check->add_option("--states", options->check.states, "On how many states each conjecture is tried, at most")
       ->check(whole_number(0, 1000000))
       ->capture_default_str();
   add_quiet(*check, options->check.quiet);
   check->footer(
+      "Opinions are what ISO Z takes and a refinement would remove: an operation that leaves a part of the "
+      "after-state\n"
+      "open, a function applied where nothing gives its domain, and Δ or Ξ of an operation.\n\n"
       "A conjecture, ⊢? P, is tried on states: values for what its ∀ declares, the same at every call. To try is not\n"
       "to prove; of the program's own text the theorem that proves it is named.\n\n" +
-      exit_status("no defect, and no conjecture is false", "a defect, or a counterexample",
+      exit_status("no error, and no conjecture is false", "an error, or a counterexample",
                   "the call is bad, or a file cannot be read") +
-      examples({"spec check", "spec check mine.tex", "spec check --states 100"}));
+      examples({"spec check", "spec check mine.tex", "spec check --strict", "spec check --states 100"}));
   check->callback([options, &status] { status = spec_check(options->check); });
 
   auto* eval = spec->add_subcommand("eval", "The value of an expression, or whether a predicate holds");

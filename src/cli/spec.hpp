@@ -9,10 +9,11 @@
 
 namespace durero::cli {
 
-/// Texts, and on how many states their conjectures are tried.
+/// Texts, on how many states their conjectures are tried, and what is refused.
 struct CheckCall {
   std::vector<std::string> files;  ///< without one, the program's own text
   std::size_t states = 8;
+  bool strict = false;  ///< opinions are errors
   bool quiet = false;
 };
 /// What came of the conjectures: a line each, and whether one of them is false.

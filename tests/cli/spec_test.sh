@@ -3,6 +3,8 @@
 sample >scene.json
 
 # check: the program's own text, files, and what is wrong in them.
+run 0 spec check --strict
+has out 'spec/interseccion.tex: section interseccion ok'
 run 0 spec check
 has out 'spec/interseccion.tex: section interseccion ok'
 has out 'conjecture Init.conj.1 proved as Init_exists; tried on 1 state'
@@ -42,6 +44,19 @@ has out 'good.tex: section Specification ok, 2 paragraphs'
 sed 's/a \\neq b/a = 1/' good.tex >bad.tex
 run 1 spec check bad.tex
 has out 'bad.tex:7:3: '
+# An operation that leaves something open is Z, and an opinion says so; --strict refuses it.
+cat >loose.tex <<'TEX'
+\begin{schema}{S} n : \nat \end{schema}
+\begin{zed} Op == [ \Delta S | n' > n ] \end{zed}
+TEX
+run 0 spec check loose.tex
+has out "loose.tex:2:13: opinion: Op leaves n' open; "
+has out 'section Specification ok'
+run 1 spec check --strict loose.tex
+has out "loose.tex:2:13: Op leaves n' open; "
+printf '┌ S\nn : ℕ\n|\nn > m\n└\n' >unicode.utf8
+run 1 spec check unicode.utf8
+has out 'unicode.utf8:4:5: m is not declared; '
 refused 'nowhere.tex: ' spec check nowhere.tex
 echo 'Prose alone.' >prose.tex
 run 1 spec check prose.tex

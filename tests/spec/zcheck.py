@@ -8,9 +8,10 @@ nothing with the program's own reader, so the two can be held against each other
 import sys
 
 import zlex
+import ztemplate
 from zlex import ZError
 from zparse import Node, Parser
-from ztype import Checker, power
+from ztype import FORMAL, Checker, generic, power
 
 
 def section(path):
@@ -23,13 +24,20 @@ def section(path):
     return words[0], words[1:], found[1:]
 
 
-def given(c, p):
-    while True:
-        name = p.name()
-        c.names[name] = power(("given", name))
-        if not p.accept(","):
-            break
+def listed(p):
+    """The names of [A, B], behind the bracket."""
+    names = [p.name()]
+    while p.accept(","):
+        names.append(p.name())
     p.take("]")
+    return names
+
+
+def formals(c, names, line):
+    """The scope of generic formals: each is a given set of its own there."""
+    if len(set(names)) < len(names):
+        c.error(line, "the generic formals are not distinct")
+    return {n: power(("given", FORMAL + n)) for n in names}
 
 
 def free_type(c, p, name, line):
@@ -44,44 +52,57 @@ def free_type(c, p, name, line):
 
 
 def zed(c, p):
-    if p.accept("["):
-        return given(c, p)
+    line = p.next.line
+    if p.sees(r"\relation", r"\function", r"\generic"):
+        return c.templates.append(ztemplate.read(p, c.templates))
+    names = listed(p) if p.accept("[") else []
     if p.accept(r"\vdash?"):
-        return c.predicate({}, p.predicate())
-    line, name = p.next.line, p.name()
+        return c.predicate(formals(c, names, line), p.predicate())
+    if names:
+        return c.names.update({name: power(("given", name)) for name in names})
+    name = p.operator_name(names) or p.name()
     if p.accept("::="):
         return free_type(c, p, name, line)
+    if p.accept("["):
+        names = listed(p)
     p.take("==")
     c.names[name] = c.unknown()  # if the right side fails, uses of the name add no further errors
-    tree = p.predicate()
-    c.names[name] = c.type({}, tree)
+    scope = formals(c, names, line)
+    c.names[name] = generic(names, c.type(scope, p.predicate()))
 
 
 def box(c, p, paragraph):
-    schema = paragraph.kind == "schema"
+    schema, names = paragraph.kind == "schema", []
+    if p.sees("[") and paragraph.kind in ("schema", "gendef"):
+        line = p.take().line
+        names = listed(p)
+        p.newline()
+    scope = formals(c, names, line if names else 0)
     if schema:
         c.names[paragraph.head] = c.unknown()
     decls = Node("text", (p.declarations(), None), paragraph.line)
-    inner, _, declared = c.text({}, decls)
+    inner, _, declared = c.text(scope, decls)
     if schema:
-        c.names[paragraph.head] = power(("schema", tuple(sorted(declared.items()))))
+        c.names[paragraph.head] = generic(names, power(("schema", tuple(sorted(declared.items())))))
     else:
-        c.names.update(declared)
+        c.names.update({n: generic(names, t) for n, t in declared.items()})
     if p.accept("where"):
         for predicate in p.predicates():
             c.predicate(inner, predicate)
 
 
-def check(names, paragraphs):
-    """The errors of a section's paragraphs, (line, message); names gains what they declare."""
+def check(names, templates, paragraphs):
+    """The errors of a section's paragraphs, (line, message); names and templates gain what they declare."""
     c = Checker(names)
+    c.templates = templates
     for paragraph in paragraphs:
-        p = Parser(paragraph.tokens)
+        p = Parser(paragraph.tokens, templates)
         try:
             zed(c, p) if paragraph.kind == "zed" else box(c, p, paragraph)
             p.take("end")
         except ZError as error:
             c.error(error.line, str(error))
+        c.solve()
     return sorted(set(c.errors))
 
 
@@ -96,18 +117,20 @@ def main(paths):
         except (OSError, UnicodeDecodeError) as error:
             print(f"{path}: {error}", file=sys.stderr)
             return 2
-    done = {"standard_toolkit": {}}
+    done = {"standard_toolkit": ({}, [])}
     while sections:
         ready = [n for n, (_, parents, _) in sections.items() if all(p not in sections for p in parents)]
         for name in ready or list(sections):
             path, parents, found = sections.pop(name)
-            names = {}
+            names, templates = {}, []
             for parent in parents:
                 if parent not in done:
                     errors.append((path, 2, f"there is no section {parent}"))
-                names.update(done.get(parent, {}))
-            errors += [(path, line, message) for line, message in check(names, found)]
-            done[name] = names
+                above = done.get(parent, ({}, []))
+                names.update(above[0])
+                templates += [t for t in above[1] if t not in templates]
+            errors += [(path, line, message) for line, message in check(names, templates, found)]
+            done[name] = (names, templates)
     for path, line, message in errors:
         print(f"{path}:{line}: {message}")
     return 1 if errors else 0

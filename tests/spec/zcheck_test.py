@@ -4,6 +4,7 @@ import contextlib
 import io
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
@@ -11,6 +12,7 @@ import unittest
 import zcheck
 
 HERE = pathlib.Path(__file__).parent
+CORPUS = HERE.parent / "zed" / "corpus"
 HEAD = r"""\begin{zsection}
   \SECTION prueba \parents standard\_toolkit
 \end{zsection}
@@ -110,6 +112,18 @@ class Zcheck(unittest.TestCase):
             status, lines = checked(text)
             self.assertEqual(1, status, text)
             self.assertTrue(any(f"prueba.tex:{line}:" in out and message in out for out in lines), (text, lines))
+
+    def test_the_differences_from_other_checkers(self):
+        """Files of the corpus that begin with a difference's number: this reader judges them as the program does."""
+        files = [f for f in sorted(CORPUS.glob("*/*.tex")) if re.match(r"% D\d+:", f.read_text(encoding="utf-8"))]
+        self.assertGreater(len(files), 40)
+        for path in files:
+            lines = path.read_text(encoding="utf-8").split("\n")
+            marked = {n for n, line in enumerate(lines, 1) if line.endswith("% here")}
+            with contextlib.redirect_stdout(io.StringIO()) as out:
+                zcheck.main([str(path)])
+            said = [line for line in out.getvalue().splitlines() if "Δ and Ξ double a state" not in line]  # an opinion
+            self.assertEqual(marked, {int(line[len(str(path)) + 1:].split(":")[0]) for line in said}, (path.name, said))
 
     def test_one_defect_hides_no_other(self):
         lines = checked(zed(r"A == 1 +") + zed("B == nada")[len(HEAD):])[1]

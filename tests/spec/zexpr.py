@@ -19,7 +19,7 @@ def theta(c, scope, node):
     schema, strokes = node.kids
     found = components(c, scope, Node("name", (schema,), node.line))
     for n, t in found.items():
-        c.same(node.line, c.lookup(scope, n + strokes, node.line), t, f"component {n} of θ")
+        c.same(node.line, c.component(scope, n + strokes, node.line), t, f"component {n} of θ")
     return ("schema", tuple(sorted(found.items())))
 
 
@@ -28,12 +28,40 @@ def tuple_(c, scope, node):
 
 
 def select(c, scope, node):
-    t = c.prune(c.type(scope, node.kids[0]))
-    if t[0] == "schema" and node.kids[1] in dict(t[1]):
-        return dict(t[1])[node.kids[1]]
-    if t[0] != "unknown":
-        c.error(node.line, f"{c.show(t)} has no component {node.kids[1]}")
-    return c.unknown()
+    return c.part(node, c.type(scope, node.kids[0]))
+
+
+def instance(c, scope, node):
+    """A generic with its actuals."""
+    name, *actuals = node.kids
+    t = c.names.get(name.kids[0], c.unknown())
+    return c.instance(t, [c.member(scope, kid) for kid in actuals])
+
+
+def sequence(c, scope, node):
+    return relation(ARITHMOS, display(c, scope, node)[1])
+
+
+def sequences(c, scope, node):
+    return power(relation(ARITHMOS, c.member(scope, node.kids[0])))
+
+
+def binding(c, scope, node):
+    return ("schema", tuple(sorted((n, c.type(scope, kid)) for n, kid in node.kids)))
+
+
+def closure(c, scope, node):
+    x = c.unknown()
+    t = relation(x, x)
+    c.same(node.line, c.type(scope, node.kids[0]), t, "closure of a relation")
+    return t
+
+
+def composition(c, scope, node):
+    x, y, z = c.unknown(), c.unknown(), c.unknown()
+    c.same(node.line, c.type(scope, node.kids[0]), relation(x, y), "composition")
+    c.same(node.line, c.type(scope, node.kids[1]), relation(y, z), "composition")
+    return relation(x, z)
 
 
 def apply(c, scope, node):
@@ -121,6 +149,8 @@ def display(c, scope, node):
 
 
 def characteristic(types):
+    if not types:
+        return ("schema", ())
     return types[0] if len(types) == 1 else pair(*types)
 
 
@@ -188,7 +218,8 @@ RULES = {
     r"\cross": cross, r"\fun": functions, r"\pfun": functions, r"\rel": functions, r"\mapsto": maplet,
     r"\cup": alike, r"\cap": alike, r"\setminus": alike, r"\oplus": alike,
     r"\dres": restrict_domain, r"\ndres": restrict_domain, r"\rres": restrict_range, r"\nrres": restrict_range,
-    "inverse": inverse, "image": image, "if": choice, "display": display, "set": comprehension,
+    "instance": instance, "sequence": sequence, r"prefix\seq": sequences, "binding": binding, "closure": closure,
+    r"\comp": composition, "inverse": inverse, "image": image, "if": choice, "display": display, "set": comprehension,
     r"\lambda": function, r"\mu": description, "schema": schema, "hide": hiding,
     r"\land": connective, r"\lor": connective, r"\implies": connective, r"\iff": connective, r"\lnot": connective,
 }

@@ -9,7 +9,7 @@ A blank is no space in this mark-up: `f a` is the name fa, and `S '` the name S'
 import re
 from dataclasses import dataclass
 
-KINDS = ("zsection", "zed", "axdef", "schema")
+KINDS = ("zsection", "zed", "axdef", "gendef", "schema")
 SPACES = (r"\ ", r"\,", r"\;", r"\quad") + tuple(rf"\t{n}" for n in range(10))
 # A newline beside one of these is layout only (ISO Z, 7.5: a newline is soft next to an infix or a separator).
 SOFT_AFTER = set("= < > + - * ( [ , ; : | @ . == ::=".split()) | {r"\{", "where"}
@@ -41,9 +41,13 @@ class Paragraph:
     line: int
 
 
+GREEK = r"\\(?:%s)(?![A-Za-z])" % "|".join("""Gamma Lambda Pi Sigma Upsilon Phi Psi Omega alpha beta gamma delta epsilon rho
+  sigma tau phi omega""".split())
+LETTER = rf"(?:[A-Za-z]|{GREEK})"
+INDEX = r"(?:_\{(?:[A-Za-z0-9]*[A-Za-z][A-Za-z0-9]*|[0-9]{2,})\}|\^\{[A-Za-z0-9]+\})"  # one digit below is a stroke
 TOKEN = re.compile(
     r"(?P<delta>\\(?:Delta|Xi)\s*(?=[A-Za-z]))"
-    r"|(?P<name>[A-Za-z](?:\s*(?:[A-Za-z0-9]|\\_))*(?:\s*_[0-9])?(?:\s*[?!'])*)"
+    rf"|(?P<name>{LETTER}(?:\s*(?:{LETTER}|[0-9]|\\_|{INDEX}))*(?:\s*_[0-9])?(?:\s*[?!'])*)"
     r"|(?P<number>[0-9](?:\s*[0-9])*)"
     r"|(?P<command>\\t[0-9]|\\vdash\?|\\[A-Za-z]+(?:_1)?|\\.)"
     r"|(?P<symbol>::=|==|[=<>+\-*()\[\],;:|@.'])"

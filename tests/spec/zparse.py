@@ -3,9 +3,8 @@
 A tree is a Node: op names it, kids are its parts, line is where it stands. Schema texts are Node("text",
 [declarations, predicate or None]); a declaration is Node("var", [names, set]) or Node("include", [expression]).
 """
-from dataclasses import dataclass
-
 from zlex import ZError
+from ztemplate import Node, Operators
 
 QUANTIFIERS = {r"\forall", r"\exists", r"\exists_1", r"\lambda", r"\mu"}
 LOGIC = [{r"\iff"}, {r"\implies"}, {r"\lor"}, {r"\land"}]  # loosest first
@@ -14,26 +13,19 @@ RELATIONS = {"=", "<", ">", r"\in", r"\notin", r"\neq", r"\leq", r"\geq", r"\sub
 BINARY = {
     r"\fun": (5, True), r"\pfun": (5, True), r"\rel": (5, True), r"\cross": (8, False), r"\mapsto": (10, False),
     "+": (30, False), "-": (30, False), r"\cup": (30, False), r"\setminus": (30, False),
-    "*": (40, False), r"\cap": (40, False), r"\oplus": (50, False),
+    "*": (40, False), r"\comp": (40, False), r"\cap": (40, False), r"\oplus": (50, False),
     r"\rres": (60, False), r"\nrres": (60, False), r"\dres": (65, False), r"\ndres": (65, False),
 }
 ARITHMETIC = {"+", "-", "*"}
-PREFIX = {r"\power", r"\power_1", r"\finset", r"\finset_1", "-"}
+PREFIX = {r"\seq", r"\power", r"\power_1", r"\finset", r"\finset_1", "-"}
 CONSTANTS = {r"\emptyset", r"\num", r"\nat", r"\arithmos", r"\real", r"\dom", r"\ran", r"\bigcup", r"\bigcap", r"\#"}
 
 
-@dataclass(frozen=True)
-class Node:
-    op: str
-    kids: tuple
-    line: int
-
-
-class Parser:
+class Parser(Operators):
     """Recursive descent over the tokens of one paragraph."""
 
-    def __init__(self, tokens):
-        self.tokens, self.at = tokens, 0
+    def __init__(self, tokens, templates=()):
+        self.at, self.tokens = 0, self.marked(tokens, templates)
 
     @property
     def next(self):
@@ -67,6 +59,8 @@ class Parser:
     # Schema texts
 
     def declarations(self):
+        if self.sees("@", "|"):
+            return ()
         out = [self.declaration()]
         while not self.sees("where", "end", "|", "@", "]", ")") and (self.newline() or self.accept(";")):
             out.append(self.declaration())
@@ -74,6 +68,10 @@ class Parser:
 
     def declaration(self):
         line, mark = self.next.line, self.at
+        operator = self.operator_name()
+        if operator:
+            self.take(":")
+            return Node("var", ((operator,), self.expression()), line)
         if self.next.kind == "name" or self.next.text in CONSTANTS:
             names = [self.name()]
             while self.accept(","):
@@ -133,10 +131,16 @@ class Parser:
             self.take(")")
             left = Node("hide", (left, tuple(names)), op.line)
         chain = []
-        while self.next.text in RELATIONS:
-            op = self.take()
-            right = self.binary()
-            chain.append(Node(op.text, (left, right), op.line))
+        while self.next.text in RELATIONS or self.own_role(True) == "relation":
+            op = self.next
+            if op.kind == "own":
+                link = self.operation([left])
+                right = self.last
+            else:
+                self.take()
+                right = self.binary()
+                link = Node(op.text, (left, right), op.line)
+            chain.append(link)
             left = right
         return left if not chain else chain[0] if len(chain) == 1 else Node("chain", tuple(chain), chain[0].line)
 
@@ -147,15 +151,21 @@ class Parser:
 
     def binary(self, power=0):
         left = self.prefix()
-        while self.next.kind == "symbol" and BINARY.get(self.next.text, (-1,))[0] >= power:
+        while True:
+            if self.own_role(True) in ("function", "generic") and self.own[self.next.text].power >= power:
+                left = self.operation([left])
+                continue
+            if self.next.kind != "symbol" or BINARY.get(self.next.text, (-1,))[0] < power:
+                return left
             op = self.take()
             bind, right_first = BINARY[op.text]
             right = self.binary(bind if right_first else bind + 1)
             flat = left.kids if op.text == left.op == r"\cross" else (left,)
             left = Node(op.text, flat + (right,), op.line)
-        return left
 
     def prefix(self):
+        if self.own_role(False):
+            return self.operation([])
         if self.next.text == r"\IF":
             line = self.take().line
             test = self.predicate()
@@ -176,14 +186,16 @@ class Parser:
 
     def postfix(self):
         left = self.atom()
-        while self.sees(".", r"\inv", r"\limg", "'"):
+        while self.sees(".", r"\inv", r"\limg", r"\plus", r"\star", "'"):
             op = self.take()
             if op.text == "'":
                 left = Node("decorate", (left,), op.line)
             elif op.text == ".":
-                left = Node("select", (left, self.name()), op.line)
+                left = Node("select", (left, self.take().text if self.next.kind == "number" else self.name()), op.line)
             elif op.text == r"\inv":
                 left = Node("inverse", (left,), op.line)
+            elif op.text in (r"\plus", r"\star"):
+                left = Node("closure", (left,), op.line)
             else:
                 left = Node("image", (left, self.expression()), op.line)
                 self.take(r"\rimg")
@@ -191,6 +203,8 @@ class Parser:
 
     def atom(self):
         token = self.take()
+        if token.kind == "name" and token.text in ("true", "false"):
+            return Node("truth", (token.text,), token.line)
         if token.kind == "name" or token.text in CONSTANTS:
             return Node("name", (token.text,), token.line)
         if token.kind == "number":
@@ -200,10 +214,23 @@ class Parser:
             while self.accept("'"):
                 strokes += "'"
             return Node("theta", (name, strokes), token.line)
+        if token.text == "(":
+            own = self.operator_name()
+            if own or self.next.text == "succ" and self.tokens[self.at + 1].text == r"\_":
+                self.at += 0 if own else 2
+                self.take(")")
+                return Node("name", (own or "succ",), token.line)
         if token.text == "(" and self.sees(r"\_"):
             return self.operator(token)
+        if token.text == r"\lblot":
+            return self.binding(token)
+        if token.text == r"\langle":
+            parts = self.display(token, r"\rangle")
+            return Node("sequence", parts.kids, token.line)
         if token.text == "(":
             parts = [self.expression()]
+            while self.newline():
+                parts[0] = Node(r"\land", (parts[0], self.predicate()), token.line)
             while self.accept(","):
                 parts.append(self.expression())
             self.take(")")
@@ -231,7 +258,8 @@ class Parser:
         mark = self.at
         try:
             text = self.text()
-            if text.kids[1] is None and not self.sees("@") and all(d.op == "include" for d in text.kids[0]):
+            decls, predicate = text.kids
+            if decls and predicate is None and not self.sees("@") and all(d.op == "include" for d in decls):
                 raise ZError(opening.line, "a display")
         except ZError as comprehension:
             reached, self.at = self.at, mark
@@ -243,9 +271,19 @@ class Parser:
         self.take(r"\}")
         return Node("set", (text, value), opening.line)
 
-    def display(self, opening):
-        parts = [] if self.sees(r"\}") else [self.expression()]
+    def binding(self, opening):
+        parts = []
+        while not self.sees(r"\rblot"):
+            name = self.name()
+            self.take("==")
+            parts.append((name, self.expression()))
+            self.accept(",")
+        self.take()
+        return Node("binding", tuple(parts), opening.line)
+
+    def display(self, opening, closing=r"\}"):
+        parts = [] if self.sees(closing) else [self.expression()]
         while self.accept(","):
             parts.append(self.expression())
-        self.take(r"\}")
+        self.take(closing)
         return Node("display", tuple(parts), opening.line)

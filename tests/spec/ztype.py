@@ -10,11 +10,17 @@ from zparse import RELATIONS
 
 ARITHMOS = ("given", r"\arithmos")
 STROKES = "?!'"
+FORMAL = "formal "  # a generic formal is a given set of this name, which no text can spell
 LINKS = {r"\iff", r"\implies", r"\lor", r"\land", "chain"} | RELATIONS
 
 
 def power(t):
     return ("power", t)
+
+
+def generic(formals, t):
+    """The type of a name for every choice of its formals."""
+    return ("forall", tuple(formals), t) if formals else t
 
 
 def pair(*ts):
@@ -80,7 +86,7 @@ class Checker(Types):
     """The types of one section's paragraphs over the global names that its parents gave."""
 
     def __init__(self, names):
-        self.names, self.errors = names, []
+        self.names, self.errors, self.open, self.reported = names, [], [], 0
 
     def error(self, line, message):
         self.errors.append((line, message))
@@ -99,12 +105,65 @@ class Checker(Types):
             r"\ran": relation(relation(x, y), power(y)),
             r"\bigcup": relation(power(power(x)), power(x)), r"\bigcap": relation(power(power(x)), power(x)),
             r"\#": relation(power(x), ARITHMOS), "min": relation(power(ARITHMOS), ARITHMOS),
+            "succ": relation(ARITHMOS, ARITHMOS),
         }.get(name)
+
+    def instance(self, t, actuals=None):
+        """A generic type with its formals replaced, by unknowns where no actuals are given."""
+        if t[0] != "forall":
+            return t
+        given = actuals or [self.unknown() for _ in t[1]]
+        return self.replaced(t[2], {FORMAL + n: a for n, a in zip(t[1], given)})
+
+    def replaced(self, t, by):
+        t = self.prune(t)
+        if t[0] == "given":
+            return by.get(t[1], t)
+        if t[0] == "schema":
+            return ("schema", tuple((n, self.replaced(x, by)) for n, x in t[1]))
+        return t if t[0] == "unknown" else (t[0],) + tuple(self.replaced(x, by) for x in t[1:])
+
+    def component(self, scope, name, line):
+        """The one type that a binding's component has in scope."""
+        if name not in scope and self.names.get(name, ("",))[0] == "forall":
+            self.error(line, f"the component {name} is generic")
+        return self.lookup(scope, name, line)
+
+    def later(self, node, t):
+        """The type of a part of what is not known yet; solve() finds it."""
+        self.open.append((node, t, self.unknown()))
+        return self.open[-1][2]
+
+    def solve(self):
+        """Finds the parts of what has become known; what never does is an error, but behind other errors."""
+        waiting = None
+        while self.open and len(self.open) != waiting:
+            waiting, tried, self.open = len(self.open), self.open, []
+            for node, t, part in tried:
+                if self.prune(t)[0] == "unknown":
+                    self.open.append((node, t, part))
+                else:
+                    self.same(node.line, self.part(node, t), part, "selection")
+        if len(self.errors) == self.reported:
+            for node, _, _ in self.open:
+                self.error(node.line, f"nothing says what .{node.kids[1]} selects from")
+        self.open, self.reported = [], len(self.errors)
+
+    def part(self, node, t):
+        t, which = self.prune(t), node.kids[1]
+        if t[0] == "unknown":
+            return self.later(node, t)
+        if t[0] == "schema" and which in dict(t[1]):
+            return dict(t[1])[which]
+        if t[0] == "product" and which.isdigit() and 0 < int(which) < len(t):
+            return t[int(which)]
+        self.error(node.line, f"{self.show(t)} has no component {which}")
+        return self.unknown()
 
     def lookup(self, scope, name, line):
         for table in (scope, self.names):
             if name in table:
-                return table[name]
+                return self.instance(table[name])
         if name[0] == "\\" and name[1:].startswith(("Delta", "Xi")):
             return self.delta(scope, name, line)
         found = self.toolkit(name)
@@ -146,7 +205,11 @@ class Checker(Types):
                 if components is None and self.prune(included)[0] != "unknown":
                     self.error(decl.line, f"a schema is expected, not {self.show(included)}")
                 new = dict(components or ())
-                tuple_types.append(("schema", tuple(sorted(new.items()))))
+                plain, strokes = decl.kids[0], ""  # the tuple of S ' is θ S ', which has the components of S
+                while plain.op == "decorate":
+                    plain, strokes = plain.kids[0], strokes + "'"
+                own = {n[:len(n) - len(strokes)]: t for n, t in new.items()}
+                tuple_types.append(("schema", tuple(sorted(own.items()))))
             for n, t in new.items():
                 self.same(decl.line, t, declared.get(n, t), f"{n} is declared twice")
             declared.update(new)
@@ -171,8 +234,10 @@ class Checker(Types):
                 self.predicate(scope, kid)
         elif node.op in RELATIONS:
             self.related(scope, node)
-        else:  # a schema used as a predicate
+        elif node.op != "truth":  # a schema used as a predicate
             t = self.type(scope, node)
+            if self.components(t) is None and self.prune(t)[0] != "unknown":
+                self.error(node.line, f"a predicate or a schema is expected, not {self.show(t)}")
             for n, component in self.components(t) or ():
                 if n not in scope:
                     self.error(node.line, f"{n} is not declared")

@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "durero/zed/review/review.hpp"
 #include "durero/zed/types/typecheck.hpp"
 #include "support/catch.hpp"
 #include "zed/lines.hpp"
@@ -28,6 +29,12 @@ TEST_CASE("every right text of the corpus is accepted") {
   CHECK(files.size() >= 80);
   for (const std::string& file : files)
     for (const Defect& defect : judged(file)) FAIL_CHECK(defect.text());
+}
+
+TEST_CASE("what is no error of types is an opinion or a warning, and refuses no right text") {
+  for (const std::string& file : files_in("tests/zed/corpus/right"))
+    for (const Defect& defect : review(read_files({file})))
+      if (defect.severity == Defect::Severity::error) FAIL_CHECK(defect.text());
 }
 
 TEST_CASE("every wrong text of the corpus is refused, at its marked line and nowhere else") {

@@ -22,10 +22,10 @@ inline void survive_term(std::string_view text) {
   check_term(Typing(), "", term);
 }
 
-inline void survive_paragraph(const Paragraph& paragraph) {
+inline void survive_paragraph(const Paragraph& paragraph, const Operators& operators) {
   const auto* type = std::get_if<FreeType>(&paragraph.form);
   if (type && type->joined) return;  // is printed as one of its own
-  if (parse_unicode_paragraph(to_unicode(paragraph)) != paragraph)
+  if (parse_unicode_paragraph(to_unicode(paragraph), operators) != paragraph)
     throw std::logic_error("printed as another paragraph: " + to_unicode(paragraph));
 }
 
@@ -35,7 +35,7 @@ inline void survive(const std::string& text) {
   survive_term(text);
   const Specification read = read_text(text, "no-such-folder/input.tex");
   for (const Section& section : read.sections)
-    for (const Paragraph& paragraph : section.paragraphs) survive_paragraph(paragraph);
+    for (const Paragraph& paragraph : section.paragraphs) survive_paragraph(paragraph, read.operators.at(section.name));
   for (const Defect& defect : review(read))
     if (defect.text().empty()) throw std::logic_error("a defect without a text");
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "zed/evaluate/compiler.hpp"
+#include "zed/syntax/match.hpp"
 
 namespace durero::zed {
 
@@ -105,16 +106,19 @@ Head Compiler::head(const SchemaText& text, const Scope& scope, Scope& inner, co
       equation.equations.push_back({slot, value, {reads_.begin() + static_cast<std::ptrdiff_t>(before), reads_.end()}});
       goal.push_back(std::move(equation));
     } else {
+      const std::string strokes = match::characteristic_strokes(declaration.term);
       auto names = zed::components(declaration, definitions_);
+      for (Name& name : names) name.strokes.resize(name.strokes.size() - strokes.size());
       std::sort(names.begin(), names.end());
       Group group{Slots::take(*scope.unit), signature(names), {}};
-      for (const Name& name : names) group.components.push_back(declare(name, {}));
+      for (const Name& name : names) group.components.push_back(declare({name.word, name.strokes + strokes}, {}));
       wholes.push_back(group.slot);
       if (declaration.term->kind == Kind::reference) inner.thetas[declaration.term->name.text()] = group.slot;
       head.groups.push_back(std::move(group));
       included.push_back(&declaration);
     }
   }
+  if (text.declarations.empty()) head.groups.push_back({Slots::take(*scope.unit), signature({}), {}});
   for (std::size_t i = 0; i < included.size(); ++i) goal.push_back(inclusion(*included[i], wholes[i], scope, inner));
   for (const Predicate& conjunct : text.predicates) goal.push_back(predicate(conjunct.term, inner));
   if (extra) goal.push_back(predicate(extra, inner));

@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "durero/zed/syntax/operators.hpp"
 #include "zed/print/printer.hpp"
 
 namespace durero::zed {
@@ -79,8 +80,12 @@ class ParagraphPrinter {
   }
   std::string operator()(const Definition& definition) const {
     Printer printer(markup_);
-    printer.name(definition.name);
-    printer.raw(header({}, definition.formals, markup_));
+    if (is_template_name(definition.name.word)) {
+      printer.declared(definition.name, definition.formals);
+    } else {
+      printer.name(definition.name);
+      printer.raw(header({}, definition.formals, markup_));
+    }
     printer.symbol("==");
     printer.term(definition.value, 0);
     return zed(printer.take() + labelled(definition.label));
@@ -93,6 +98,7 @@ class ParagraphPrinter {
   }
   std::string operator()(const Conjecture& conjecture) const {
     Printer printer(markup_);
+    printer.raw(header({}, conjecture.formals, markup_));
     printer.symbol("⊢?");
     printer.term(conjecture.claim.term, 0);
     return zed(printer.take() + labelled(conjecture.claim.label));

@@ -1,5 +1,7 @@
 /// Prints names and symbols, each as it is spelled in the mark-up.
 
+#include <algorithm>
+
 #include "durero/text/utf8.hpp"
 #include "zed/print/printer.hpp"
 #include "zed/syntax/symbols.hpp"
@@ -20,6 +22,11 @@ std::string Printer::letters(std::string_view word) const {
     word.remove_prefix(character.size());
     if (character == "_") {
       text += "\\_";
+    } else if (character == "↘" || character == "↗") {
+      while (text.ends_with(' ')) text.pop_back();
+      text += character == "↘" ? "_{" : "^{";
+    } else if (character == "↖" || character == "↙") {
+      text += '}';
     } else if (const auto own = own_.find(character); own != own_.end()) {
       text += own->second + " ";
     } else if (is_letter_symbol(character)) {
@@ -54,6 +61,13 @@ void Printer::symbol(std::string_view unicode) {
 void Printer::tight(std::string_view unicode) { out_ += spelled(unicode); }
 
 void Printer::name(const Name& name) {
+  if (is_template_name(name.word)) {
+    space();
+    out_ += '(';
+    declared(name);
+    out_ += ')';
+    return;
+  }
   if (is_operator_name(name.word)) {
     space();
     out_ += '(';
@@ -84,7 +98,22 @@ void Printer::name(const Name& name) {
 void Printer::names(const std::vector<Name>& listed) {
   for (std::size_t i = 0; i < listed.size(); ++i) {
     if (i > 0) out_ += ',';
-    name(listed[i]);
+    declared(listed[i]);
+  }
+}
+
+void Printer::declared(const Name& declared, const std::vector<Name>& formals) {
+  if (!is_template_name(declared.word)) return name(declared);
+  std::size_t operand = 0;
+  for (std::string_view rest = declared.word; !rest.empty();) {
+    const std::string_view part = rest.substr(0, rest.find(' '));
+    rest.remove_prefix(std::min(part.size() + 1, rest.size()));
+    if (part == "_" && operand < formals.size()) {
+      name(formals[operand++]);
+    } else {
+      symbol(part);
+    }
+    if (!rest.empty()) out_ += latex_ ? '~' : ' ';  // a blank of LaTeX would join two words
   }
 }
 

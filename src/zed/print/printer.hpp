@@ -23,6 +23,8 @@ class Printer {
   void declaration(const Declaration& declaration);
   void name(const Name& name);
   void names(const std::vector<Name>& names);
+  /// Prints a name as it is declared: an operator of a template without parentheses, with the formals for operands.
+  void declared(const Name& name, const std::vector<Name>& formals = {});
   void symbol(std::string_view unicode);  ///< prints a space before it, where it needs one
   void tight(std::string_view unicode);   ///< prints no space before it
   void raw(std::string_view text) { out_ += text; }

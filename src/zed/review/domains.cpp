@@ -114,7 +114,7 @@ class Walker {
     const std::string f = function->name.text(), x = to_unicode(argument);
     defects_.push_back({file_, node.place,
                         fmt::format("{} is applied to {}, where nothing says {} ∈ dom {}", f, x, x, f),
-                        "expected an invariant or a guard that gives it", Defect::Severity::error});
+                        "expected an invariant or a guard that gives it", Defect::Severity::opinion});
   }
 
   const Expander& expander_;

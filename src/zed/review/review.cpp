@@ -7,7 +7,8 @@ std::vector<Defect> review(const Specification& specification) {
   const Typing typing = check(specification);
   defects.insert(defects.end(), typing.defects.begin(), typing.defects.end());
   const bool right = defects.empty();
-  for (const auto& check : {open_frames, unused_names, partial_applications})
+  defects.insert(defects.end(), specification.warnings.begin(), specification.warnings.end());
+  for (const auto& check : {doubled_operations, open_frames, repeated_parents, unused_names, partial_applications})
     if (right || check != partial_applications)
       for (Defect& defect : check(specification, typing)) defects.push_back(std::move(defect));
   return defects;

@@ -32,7 +32,9 @@ struct SameForm {
   bool operator()(const Schema& a, const Schema& b) const {
     return a.name == b.name && a.formals == b.formals && a.text == b.text;
   }
-  bool operator()(const Conjecture& a, const Conjecture& b) const { return a.claim == b.claim; }
+  bool operator()(const Conjecture& a, const Conjecture& b) const {
+    return a.claim == b.claim && a.formals == b.formals;
+  }
   template <class A, class B>
   bool operator()(const A&, const B&) const {
     return false;

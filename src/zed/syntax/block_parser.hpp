@@ -7,6 +7,7 @@
 
 #include "durero/zed/syntax/ast.hpp"
 #include "durero/zed/syntax/defect.hpp"
+#include "durero/zed/syntax/operators.hpp"
 #include "zed/syntax/token.hpp"
 
 namespace durero::zed {
@@ -23,6 +24,16 @@ SectionHeader parse_header(const std::vector<Token>& tokens);  ///< throws ZErro
 /// it can is added to `mended`: a set behind `::=` is read as if behind `==`.
 std::vector<Paragraph> parse_block(std::string_view environment, const std::vector<Token>& tokens,
                                    std::vector<ZError>& mended);
+
+/// An operator template was read at a place.
+struct ReadTemplate {
+  OperatorTemplate read;
+  Place place;
+};
+
+/// Returns the templates in the tokens of a `zed` block, which its section needs to be read. One that cannot be
+/// read is left to parse_block().
+std::vector<ReadTemplate> templates_in(const std::vector<Token>& tokens);
 
 /// Returns the names that a block which cannot be parsed would declare, as far as its tokens tell.
 std::vector<Name> names_declared(std::string_view environment, const std::vector<Token>& tokens);

@@ -6,9 +6,25 @@
 
 namespace durero::zed {
 
+namespace {
+
+const char* weight(Defect::Severity severity) {
+  switch (severity) {
+    case Defect::Severity::error:
+      return "";
+    case Defect::Severity::warning:
+      return "warning: ";
+    case Defect::Severity::opinion:
+      return "opinion: ";
+  }
+  return "";
+}
+
+}  // namespace
+
 std::string Defect::text() const {
-  return text::escaped(fmt::format("{}:{}:{}: {}{}; {}", file, place.line, place.column,
-                                   severity == Severity::warning ? "warning: " : "", what, expected));
+  return text::escaped(
+      fmt::format("{}:{}:{}: {}{}; {}", file, place.line, place.column, weight(severity), what, expected));
 }
 
 }  // namespace durero::zed

@@ -7,7 +7,16 @@ namespace durero::zed::lexing {
 
 bool bears_strokes(std::string_view word) { return (is_letter(word[0]) || is_symbol_name(word)) && may_be_name(word); }
 
+bool is_other_letter(std::string_view character) {
+  static constexpr std::array<std::string_view, 4> indices = {"↘", "↖", "↗", "↙"};
+  if (character.empty() || static_cast<unsigned char>(character[0]) < 0x80) return false;
+  const bool punctuation = character >= "\u2000" && character <= "\u206F";
+  const bool sign = character >= "\u2190" && character <= "\u2BFF";
+  return among(character, indices) || !(punctuation || sign);
+}
+
 bool ends(const Token& token) {
+  if (token.own) return token.own->last() && !token.own->of->has_right();
   if (token.type == Type::numeral || token.type == Type::stroke) return true;
   if (token.type == Type::newline || token.type == Type::end) return false;
   if (find_operator(token.text, Fixity::postfix) || token.text == "⦈") return true;
@@ -32,6 +41,7 @@ bool leads(std::string_view sign) {
 bool begins(const Token& token) {
   if (token.type == Type::numeral) return true;
   if (token.type != Type::word && token.type != Type::symbol) return false;
+  if (token.own) return token.own->first() && !token.own->of->has_left();
   if (find_operator(token.text, Fixity::infix) && token.strokes.empty()) return false;
   if (among(token.text, opening) || leads(token.text)) return true;
   if (find_operator(token.text, Fixity::prefix)) return true;

@@ -32,6 +32,10 @@ bool bears_strokes(std::string_view word);
 /// one: two are many.
 inline constexpr std::size_t max_strokes = 30;
 
+/// Says whether a character beyond ASCII is taken for a letter, where it is no symbol that this reader knows: arrows,
+/// operators and the signs of punctuation (U+2000 to U+206F, U+2190 to U+2BFF) are none.
+bool is_other_letter(std::string_view character);
+
 /// Says whether a predicate, expression or declaration can end with this token.
 bool ends(const Token& token);
 
@@ -44,7 +48,8 @@ std::string label_in(std::string_view comment);
 /// A lexer walks over a text and knows its place, and keeps the tokens with the newlines that count.
 class Lexer {
  protected:
-  Lexer(std::string_view text, Place place) : text_(text), place_(place) {}
+  Lexer(std::string_view text, Place place, const Operators& operators)
+      : text_(text), place_(place), operators_(operators) {}
 
   bool done() const { return at_ >= text_.size(); }
   char here(std::size_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
@@ -70,9 +75,10 @@ class Lexer {
 
   void emit(Type type, std::string text, Place place, std::string strokes = {}) {
     if (strokes.size() > max_strokes) refuse(place, "a name with too many strokes", "expected a few");
-    Token token{type, std::move(text), std::move(strokes), place, {}, false};
+    Token token{type, std::move(text), std::move(strokes), place, {}, nullptr, false};
+    if (token.strokes.empty() && (type == Type::word || type == Type::symbol)) token.own = own(token.text);
     if (newline_ && !tokens_.empty() && ends(tokens_.back()) && begins(token))
-      tokens_.push_back({Type::newline, "\n", {}, *newline_, {}, false});
+      tokens_.push_back({Type::newline, "\n", {}, *newline_, {}, nullptr, false});
     newline_.reset();
     tokens_.push_back(std::move(token));
     behind_ = place_;
@@ -82,6 +88,12 @@ class Lexer {
   void emit(std::string_view text, Place place) {
     const bool word = is_symbol_name(text) || is_reserved(text) || is_letter(text[0]) || is_letter_symbol(text);
     emit(word ? Type::word : Type::symbol, std::string(text), place);
+  }
+
+  /// Returns what the templates in scope know of a word, or null.
+  const OperatorWord* own(std::string_view word) const {
+    const auto at = operators_.find(word);
+    return at == operators_.end() ? nullptr : &at->second;
   }
 
   void newline(Place place) {
@@ -122,7 +134,7 @@ class Lexer {
   std::vector<Token> tokens(TakeToken&& token) {
     try {
       while (!done()) token();
-      tokens_.push_back({Type::end, {}, {}, behind_, {}, false});
+      tokens_.push_back({Type::end, {}, {}, behind_, {}, nullptr, false});
       return std::move(tokens_);
     } catch (const ZError& error) {
       return unreadable(error);
@@ -131,7 +143,7 @@ class Lexer {
 
   /// Gives the tokens so far, and what is wrong behind them as the last one.
   std::vector<Token> unreadable(const ZError& error) {
-    tokens_.push_back({Type::error, error.what_is_wrong, {}, error.place, error.expected, false});
+    tokens_.push_back({Type::error, error.what_is_wrong, {}, error.place, error.expected, nullptr, false});
     return std::move(tokens_);
   }
 
@@ -150,6 +162,7 @@ class Lexer {
   std::string_view text_;
   std::size_t at_ = 0;
   Place place_, behind_ = place_;  // behind_ is where the last token ends
+  const Operators& operators_;     // the tokens point into them
   std::vector<Token> tokens_;
   std::optional<Place> newline_;
 };

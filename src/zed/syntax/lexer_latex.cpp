@@ -6,7 +6,8 @@ namespace {
 
 class Latex : Lexer {
  public:
-  Latex(const Block& block, const Markup& markup) : Lexer(block.body, block.place), markup_(markup) {
+  Latex(const Block& block, const Markup& markup, const Operators& operators)
+      : Lexer(block.body, block.place, operators), markup_(markup) {
     spaces();
     named_ = block.environment != "schema" || here() == '{';
   }
@@ -60,13 +61,45 @@ class Latex : Lexer {
     take();
     const bool braced = here() == '{';
     if (braced) take();
-    if (!is_digit(here())) refuse(place, "this subscript is not read", "expected one digit after _");
+    if (!is_digit(here()))
+      refuse(place, "this subscript is not read", "expected one digit after _, or it behind a name");
     const std::string_view digit = digits[static_cast<std::size_t>(here() - '0')];
     take();
     if (is_digit(here()) || (braced && here() != '}'))
-      refuse(place, "this subscript is not read", "expected one digit after _");
+      refuse(place, "this subscript is not read", "expected one digit after _, or braces");
     if (braced) take();
     return std::string(digit);
+  }
+
+  /// Says whether a subscript or superscript is here that is part of a word; one digit below is a stroke.
+  bool sees_raised() const {
+    if (here() == '^') return true;
+    const std::size_t inside = here(1) == '{' ? 2 : 1;
+    const bool digit = is_digit(here(inside)) && (inside == 1 || here(3) == '}');
+    return here() == '_' && !digit;
+  }
+
+  /// Takes `_{max}` or `^{2}`, which are ↘max↖ and ↗2↙ in Unicode (ISO/IEC 13568, 7.4.2).
+  std::string raised() {
+    const Place place = place_;
+    const bool below = take() == "_";
+    const bool braced = here() == '{';
+    if (braced) take();
+    std::string inside;
+    while ((braced || inside.empty()) && more_inside(inside)) {
+    }
+    if (inside.empty() || (braced && here() != '}'))
+      refuse(place, "this index is not read", "expected letters and digits in { } behind _ or ^");
+    if (braced) take();
+    return (below ? "↘" : "↗") + inside + (below ? "↖" : "↙");
+  }
+
+  /// Takes one more letter or digit of an index, if one is here.
+  bool more_inside(std::string& inside) {
+    if (here() == '_' || here() == '^') return false;  // an index has none of its own
+    if (!is_digit(here())) return more_of_word(inside);
+    inside += take();
+    return true;
   }
 
   /// Takes the blanks here where what stands behind them goes on the word or numeral before them. In this mark-up a
@@ -90,7 +123,8 @@ class Latex : Lexer {
   }
 
   std::string strokes(std::string& word) {
-    const auto sees_stroke = [this] { return over_blanks([this] { return is_stroke(here()) || here() == '_'; }); };
+    const auto is_here = [this] { return is_stroke(here()) || (here() == '_' && !sees_raised()); };
+    const auto sees_stroke = [&] { return over_blanks(is_here); };
     return strokes_behind(word, sees_stroke, [this] { return stroke(); });
   }
 
@@ -109,6 +143,8 @@ class Latex : Lexer {
     } else if (sees("\\_")) {
       take(2);
       begun += '_';
+    } else if (!begun.empty() && (here() == '^' || here() == '_') && sees_raised()) {
+      begun += raised();
     } else if (const auto letter = letter_command()) {
       begun += *letter;
     } else {
@@ -131,7 +167,7 @@ class Latex : Lexer {
     const std::string_view name = command_name();
     std::string letter;
     if (const auto own = markup_.find(name); own != markup_.end()) {
-      if (static_cast<unsigned char>(own->second[0]) < 0x80 || text::first(own->second) != own->second) return {};
+      if (!is_one_letter(own->second)) return {};
       letter = own->second;
     } else if (const auto known = unicode_of_command(name); known && is_letter_symbol(*known)) {
       letter = *known;
@@ -141,6 +177,11 @@ class Latex : Lexer {
     take(1 + name.size());
     spaces();
     return letter;
+  }
+
+  /// Says whether the text of a command is one character that joins with letters, and no operator's word.
+  bool is_one_letter(std::string_view text) const {
+    return text::first(text) == text && is_other_letter(text) && !own(text);
   }
 
   void command() {
@@ -171,13 +212,14 @@ class Latex : Lexer {
       refuse(place, "unknown command \\" + std::string(name), "expected a command of ISO Z or of a %%Z directive");
     if (name == "negate" && continues()) {
       if (!newline_) refuse(place, "\\negate takes no left operand", "expected - for the difference");
-      tokens_.push_back({Type::newline, "\n", {}, *newline_, {}, false});
+      tokens_.push_back({Type::newline, "\n", {}, *newline_, {}, nullptr, false});
     }
     std::string text(*unicode);
     if (here() == '_' || (is_stroke(here()) && bears_strokes(text))) {
       std::string after = strokes(text);
       if (!after.empty()) return emit(Type::word, std::move(text), place, std::move(after));
     }
+    if (own != markup_.end()) return emit(Type::word, std::move(text), place);
     emit(text, place);
   }
 
@@ -188,6 +230,12 @@ class Latex : Lexer {
 }  // namespace
 }  // namespace lexing
 
-std::vector<Token> lex_latex(const Block& block, const Markup& markup) { return lexing::Latex(block, markup).run(); }
+std::vector<Token> lex_latex(const Block& block, const Markup& markup, const Operators& operators) {
+  return lexing::Latex(block, markup, operators).run();
+}
+
+std::vector<Token> lex(const Block& block, const Markup& markup, const Operators& operators) {
+  return block.unicode ? lex_unicode(block.body, operators, block.place) : lex_latex(block, markup, operators);
+}
 
 }  // namespace durero::zed

@@ -6,7 +6,7 @@ namespace {
 
 class Unicode : Lexer {
  public:
-  explicit Unicode(std::string_view text) : Lexer(text, {1, 1}) {}
+  Unicode(std::string_view text, const Operators& operators, Place place) : Lexer(text, place, operators) {}
 
   std::vector<Token> run() {
     return tokens([this] { token(); });
@@ -18,6 +18,7 @@ class Unicode : Lexer {
     if (is_space(c)) {
       if (c == '\n') newline(place_);
       take();
+    } else if (box_sign()) {
     } else if (c == '%') {
       comment();
     } else if (is_digit(c)) {
@@ -75,7 +76,27 @@ class Unicode : Lexer {
     static constexpr std::array<std::string_view, 10> others = {"•", "⦁", "−", "⊢", "λ", "μ", "θ", "…", "⁀", "‥"};
     if (among(c, others)) return c == "λ" || c == "μ" || c == "θ";
     if (is_symbol_name(c)) return false;
-    return is_letter_symbol(c) || !latex_of(c);
+    return is_letter_symbol(c) || (!latex_of(c) && is_other_letter(c));
+  }
+
+  /// Says whether a sign is here that the toolkit does not know, and that a template may make an operator.
+  bool sees_other_sign() const {
+    const std::string_view c = character();
+    return c.size() == 3 && c >= "\u2190" && c <= "\u2BFF" && c != "⦁" && !latex_of(c);
+  }
+
+  /// Takes a sign of a box: │ and ─ are blanks, and ├ stands between declarations and predicates.
+  bool box_sign() {
+    const Place place = place_;
+    if (sees("├")) {
+      take(std::string_view("├").size());
+      emit("|", place);
+    } else if (sees("│") || sees("─")) {
+      take(std::string_view("│").size());
+    } else {
+      return false;
+    }
+    return true;
   }
 
   void word() {
@@ -105,6 +126,7 @@ class Unicode : Lexer {
     }
     if (const std::string_view ascii = ascii_symbol(); !ascii.empty())
       return emit(Type::symbol, std::string(take(ascii.size())), place);
+    if (sees_other_sign()) return emit(Type::word, std::string(take()), place);
     if (!latex_of(character()) || static_cast<unsigned char>(here()) < 0x80)
       refuse(place, "the character " + std::string(character()) + " means nothing here", "expected Z in Unicode");
     std::string text(take());
@@ -116,6 +138,8 @@ class Unicode : Lexer {
 }  // namespace
 }  // namespace lexing
 
-std::vector<Token> lex_unicode(std::string_view text) { return lexing::Unicode(text).run(); }
+std::vector<Token> lex_unicode(std::string_view text, const Operators& operators, Place place) {
+  return lexing::Unicode(text, operators, place).run();
+}
 
 }  // namespace durero::zed

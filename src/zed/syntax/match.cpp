@@ -4,6 +4,11 @@
 
 namespace durero::zed::match {
 
+std::string characteristic_strokes(const Term& included) {
+  if (included->kind != Kind::decoration) return {};
+  return characteristic_strokes(included->children[0]) + included->name.strokes;
+}
+
 void each_name(const Term& term, const std::function<void(const Name&)>& visit) {
   if (term->kind == Kind::reference) visit(term->name);
   for (const Term& child : term->children) each_name(child, visit);

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <set>
+#include <string>
 #include <string_view>
 
 #include "durero/zed/syntax/ast.hpp"
@@ -39,6 +40,10 @@ inline const Node* operands(const Term& term, std::string_view word) {
   const Term* argument = argument_of(term, word);
   return argument && (*argument)->kind == Kind::tuple && (*argument)->children.size() == 2 ? argument->get() : nullptr;
 }
+
+/// Returns the strokes of an included schema which its characteristic tuple takes off: that of S ′ is θ S ′, a binding
+/// of the components of S (ISO/IEC 13568, 9.2).
+std::string characteristic_strokes(const Term& included);
 
 /// Calls `visit` for every name that a term mentions, free or bound; the components behind a θ are left out.
 void each_name(const Term& term, const std::function<void(const Name&)>& visit);

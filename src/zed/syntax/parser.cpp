@@ -10,6 +10,8 @@
 namespace durero::zed {
 namespace {
 
+bool begins_template(const Token& token) { return token.is("function") || token.is("generic") || token.is("relation"); }
+
 class ParagraphParser {
  public:
   explicit ParagraphParser(const std::vector<Token>& tokens) : in_(tokens), terms_(in_) {}
@@ -55,6 +57,25 @@ class ParagraphParser {
     return header;
   }
 
+  /// Takes \relation (\_ below \_), \function 30 \leftassoc (\_ plus \_) and their kin.
+  OperatorTemplate operator_template() {
+    OperatorTemplate read;
+    const std::string kind = in_.next().text;
+    read.role = kind == "function" ? Role::function : kind == "generic" ? Role::generic : Role::relation;
+    const bool binds = read.role != Role::relation && in_.sees(Token::Type::numeral);
+    if (binds) read.precedence = precedence();
+    if (binds && !(in_.sees("leftassoc") || in_.sees("rightassoc"))) in_.fail("expected \\leftassoc or \\rightassoc");
+    if (binds) read.right = in_.next().text == "rightassoc";
+    in_.expect("(");
+    while (!in_.sees(")")) read.parts.push_back(part());
+    const bool infix = read.parts.size() > 2 && read.has_left() && read.has_right();
+    if (read.role != Role::relation && binds != infix)
+      in_.fail(infix ? "expected a precedence before the infix operator" : "expected an infix operator, as it has one");
+    if (!is_alternating(read.parts)) in_.fail("expected words and operands by turns in the template");
+    in_.next();
+    return read;
+  }
+
   Term only_term() {
     Term term = terms_.term();
     finish();
@@ -62,20 +83,62 @@ class ParagraphParser {
   }
 
  private:
+  int precedence() {
+    const std::string digits = in_.peek().text;
+    if (digits.size() > 2) in_.fail("expected a precedence from 0 to 99");
+    in_.next();
+    return std::stoi(digits);
+  }
+
+  /// Takes an operand's place, a list's, or a word of a template.
+  std::string part() {
+    const Token& token = in_.peek();
+    if (in_.accept(",")) {
+      in_.expect(",");
+      return ",,";
+    }
+    const bool word = token.type == Token::Type::word && token.strokes.empty();
+    if (!word && !token.is("_") && !token.is(",,")) in_.fail("expected _, ,, or a word of the operator");
+    return in_.next().text;
+  }
+
+  /// Words and operands take turns, and lists stand between two words.
+  static bool is_alternating(const std::vector<std::string>& parts) {
+    const auto is_slot = [](const std::string& part) { return part == "_" || part == ",,"; };
+    if (parts.empty() || parts.front() == ",," || parts.back() == ",,") return false;
+    for (std::size_t i = 1; i < parts.size(); ++i)
+      if (is_slot(parts[i]) && is_slot(parts[i - 1])) return false;
+    return parts.size() > 1 || !is_slot(parts[0]);
+  }
+
   void line(std::vector<Paragraph>& paragraphs, Place place) {
-    for (const std::string_view keyword : {"function", "generic", "relation"})
-      if (in_.sees(keyword))
-        in_.fail("expected no operator template: those of the standard toolkit are built in, and no others are read");
-    if (in_.accept("[")) {
+    if (begins_template(in_.peek())) {
+      operator_template();
+    } else if (claims_generically()) {
+      std::vector<Name> generic = formals();
+      in_.next();
+      conjecture(paragraphs, place, std::move(generic));
+    } else if (in_.accept("[")) {
       paragraphs.push_back({place, given()});
     } else if (in_.accept("⊢?")) {
-      const std::size_t from = in_.position();
-      Conjecture claim{{terms_.term(), {}, place}};
-      claim.claim.label = in_.label_since(from);
-      paragraphs.push_back({place, std::move(claim)});
+      conjecture(paragraphs, place, {});
     } else {
       named(paragraphs, place);
     }
+  }
+
+  void conjecture(std::vector<Paragraph>& paragraphs, Place place, std::vector<Name> generic) {
+    const std::size_t from = in_.position();
+    Conjecture claim{{terms_.term(), {}, place}, std::move(generic)};
+    claim.claim.label = in_.label_since(from);
+    paragraphs.push_back({place, std::move(claim)});
+  }
+
+  /// Says whether [X, Y] ⊢? stands here.
+  bool claims_generically() const {
+    std::size_t ahead = 1;
+    while (in_.sees("[") && TokenStream::is_name(in_.peek(ahead)) && in_.peek(ahead + 1).is(",")) ahead += 2;
+    return in_.sees("[") && in_.peek(ahead + 1).is("]") && in_.peek(ahead + 2).is("⊢?");
   }
 
   GivenTypes given() {
@@ -90,6 +153,14 @@ class ParagraphParser {
 
   void named(std::vector<Paragraph>& paragraphs, Place place) {
     const std::size_t from = in_.position();
+    std::vector<Name> operands;
+    if (std::optional<Name> op = terms_.operator_name(operands)) {
+      in_.expect("==");
+      Definition definition{std::move(*op), std::move(operands), terms_.term(), {}};
+      definition.label = in_.label_since(from);
+      paragraphs.push_back({place, std::move(definition)});
+      return;
+    }
     Name name = in_.name();
     const bool set = in_.sees("::=") && in_.peek(1).is("{");
     if (in_.sees("::=") && !set) return free_types(paragraphs, std::move(name), place);
@@ -151,7 +222,12 @@ class ParagraphParser {
   }
 
   void finish() {
-    if (!in_.at_end()) in_.fail("expected the end of the paragraph, or an operator");
+    if (in_.at_end()) return;
+    const bool declares = in_.sees(":") && in_.position() > 1 && TokenStream::is_name(in_.before(1));
+    if (declares && in_.before(2).place.line < in_.before(1).place.line)
+      throw ZError(in_.before(1).place, "a declaration goes on the line before it",
+                   "expected a new line \\\\ between the two");
+    in_.fail("expected the end of the paragraph, or an operator");
   }
 
   TokenStream in_;
@@ -159,6 +235,24 @@ class ParagraphParser {
 };
 
 }  // namespace
+
+std::vector<ReadTemplate> templates_in(const std::vector<Token>& tokens) {
+  std::vector<ReadTemplate> found;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (i > 0 && tokens[i - 1].type != Token::Type::newline) continue;
+    if (!begins_template(tokens[i])) continue;
+    const auto next = std::find_if(tokens.begin() + static_cast<std::ptrdiff_t>(i), tokens.end(),
+                                   [](const Token& token) { return token.type == Token::Type::newline; });
+    std::vector<Token> line(tokens.begin() + static_cast<std::ptrdiff_t>(i), next);
+    line.push_back({Token::Type::end, {}, {}, line.back().place, {}, nullptr, false});
+    ParagraphParser parser(line);
+    try {
+      found.push_back({parser.operator_template(), line[0].place});
+    } catch (const ZError&) {  // it is reported where the block is parsed
+    }
+  }
+  return found;
+}
 
 SectionHeader parse_header(const std::vector<Token>& tokens) { return ParagraphParser(tokens).header(); }
 
@@ -195,13 +289,13 @@ std::vector<Name> names_declared(std::string_view environment, const std::vector
   return names;
 }
 
-Term parse_unicode(std::string_view text) {
-  const std::vector<Token> tokens = lex_unicode(text);
+Term parse_unicode(std::string_view text, const Operators& operators) {
+  const std::vector<Token> tokens = lex_unicode(text, operators);
   return ParagraphParser(tokens).only_term();
 }
 
-Paragraph parse_unicode_paragraph(std::string_view text) {
-  static constexpr std::string_view top = "┌─", side = "│", middle = "├─", bottom = "└─";
+Paragraph parse_unicode_paragraph(std::string_view text, const Operators& operators) {
+  static constexpr std::string_view top = "┌─", bottom = "└─";
   std::string environment = "zed", plain;
   while (!text.empty()) {
     std::string_view line = text.substr(0, text.find('\n'));
@@ -210,14 +304,12 @@ Paragraph parse_unicode_paragraph(std::string_view text) {
       line.remove_prefix(top.size());
       const std::size_t title = line.find_first_not_of(' ');
       environment = title == line.npos ? "axdef" : line[title] == '[' ? "gendef" : "schema";
-    } else if (line.starts_with(side)) {
-      line.remove_prefix(side.size());
-    } else if (line.starts_with(middle) || line.starts_with(bottom)) {
-      line = line.starts_with(middle) ? "|" : "";
+    } else if (line.starts_with(bottom)) {
+      line = "";
     }
     plain += std::string(line) + "\n";
   }
-  const std::vector<Token> tokens = lex_unicode(plain);
+  const std::vector<Token> tokens = lex_unicode(plain, operators);
   std::vector<ZError> mended;
   std::vector<Paragraph> paragraphs = parse_block(environment, tokens, mended);
   if (!mended.empty()) throw mended[0];
@@ -225,12 +317,12 @@ Paragraph parse_unicode_paragraph(std::string_view text) {
   return std::move(paragraphs[0]);
 }
 
-Term parse_latex(std::string_view text, const Markup& markup) {
+Term parse_latex(std::string_view text, const Markup& markup, const Operators& operators) {
   Block block;
   block.environment = "zed";
   block.body = text;
   block.place = {1, 1};
-  const std::vector<Token> tokens = lex_latex(block, markup);
+  const std::vector<Token> tokens = lex_latex(block, markup, operators);
   return ParagraphParser(tokens).only_term();
 }
 

@@ -10,6 +10,7 @@ namespace durero::zed {
 bool TermParser::begins_primary() const {
   const Token& token = in_.peek();
   if (token.type == Token::Type::numeral || TokenStream::is_name(token)) return true;
+  if (token.own) return false;
   if (token.type == Token::Type::word) return token.is("true") || token.is("false") || token.is("θ");
   for (const std::string_view sign : {"(", "{", "⟨", "⦉", "[", "θ"})
     if (token.is(sign)) return true;
@@ -27,6 +28,7 @@ Term TermParser::application() {
   for (;;) {
     const Token& token = in_.peek();
     const Operator* op = token.type == Token::Type::symbol ? find_operator(token.text, Fixity::postfix) : nullptr;
+    if (token.own) return term;
     if (op) {
       in_.next();
       const Place place = term->place;
@@ -155,10 +157,17 @@ Term TermParser::theta() {
 
 Term TermParser::parenthesis() {
   const Place place = in_.next().place;
-  if (in_.sees("_") || (in_.peek(1).is("_") && find_operator(in_.peek().text, Fixity::prefix)))
-    return word_or_operator();
+  std::vector<Name> operands;
+  if (const auto own = operator_ahead(0, nullptr) > 0 ? operator_name(operands) : std::nullopt) {
+    in_.expect(")");
+    return reference(*own, {}, place);
+  }
+  const bool prefix = in_.sees("succ") || find_operator(in_.peek().text, Fixity::prefix);
+  if (in_.sees("_") || (in_.peek(1).is("_") && prefix)) return word_or_operator();
   const bool mu = in_.sees("μ");
   std::vector<Term> parts = {mu ? quantifier(Kind::mu, false) : term()};
+  while (in_.accept(Token::Type::newline) || in_.accept(";"))  // a new line is ∧ (ISO/IEC 13568, 8.3)
+    parts[0] = checked(node(Kind::conjunction, {parts[0], term()}, parts[0]->place));
   const bool alone = mu && parts[0]->children.empty();
   while (!alone && in_.accept(",")) parts.push_back(term());
   in_.expect(")");
@@ -175,15 +184,17 @@ Term TermParser::word_or_operator() {
     name += in_.next().text;
   }
   in_.next();
-  if (!is_operator_name(name))
-    throw ZError(place, "unknown operator " + name, "expected an operator of the standard toolkit");
+  if (name == "succ_") name = "succ";  // the standard writes the toolkit's prefix function so
+  if (name != "succ" && !is_operator_name(name))
+    throw ZError(place, "unknown operator " + name,
+                 "expected an operator of the standard toolkit, or of a template above");
   return reference({name, {}}, {}, place);
 }
 
 Term TermParser::braces() {
   const Place place = in_.next().place;
   if (in_.accept("}")) return node(Kind::set_extension, {}, place);
-  if (!begins_declaration()) {
+  if (!in_.sees("|") && !in_.sees("•") && !begins_declaration()) {
     std::vector<Term> elements = {term()};
     if (in_.sees(",") || in_.sees("}")) {
       while (in_.accept(",")) elements.push_back(term());
@@ -218,13 +229,14 @@ Term TermParser::brackets() {
 /// ⟨a, b⟩ is the function ⟨,,⟩ of {(1, a), (2, b)} (ISO/IEC 13568, 12.2).
 Term TermParser::sequence() {
   const Place place = in_.next().place;
-  std::vector<Term> pairs;
-  if (!in_.accept("⟩")) {
-    std::size_t position = 0;
-    for (const Term& term : terms("⟩"))
-      pairs.push_back(node(Kind::tuple, {number(std::to_string(++position), term->place), term}, term->place));
-  }
-  return checked(operation("⟨,,⟩", {node(Kind::set_extension, std::move(pairs), place)}, place));
+  return sequence_of(in_.accept("⟩") ? std::vector<Term>() : terms("⟩"), place);
+}
+
+Term TermParser::sequence_of(std::vector<Term> elements, Place place) const {
+  std::size_t position = 0;
+  for (Term& term : elements)
+    term = node(Kind::tuple, {number(std::to_string(++position), term->place), term}, term->place);
+  return checked(operation("⟨,,⟩", {node(Kind::set_extension, std::move(elements), place)}, place));
 }
 
 Term TermParser::binding_extension() {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <set>
+#include <span>
 #include <system_error>
 #include <tuple>
 #include <utility>
@@ -39,7 +40,7 @@ class Reader {
     for (const Block& block : cut(*read, path, later)) {
       if (block.environment != "zsection") continue;
       try {
-        where_.emplace(parse_header(lex_latex(block, {})).name, path);
+        where_.emplace(parse_header(lex(block, {}, {})).name, path);
       } catch (const ZError&) {  // it is reported when the file is read
       }
     }
@@ -58,14 +59,20 @@ class Reader {
       return;
     }
     std::optional<Section> open;
-    for (const Block& block : cut(source, path, specification_.defects)) {
+    const std::vector<Block> blocks = cut(source, path, specification_.defects);
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      const Block& block = blocks[i];
       try {
         if (block.environment == "zsection") {
           close(open);
           open.emplace();
           header(block, path, *open);
+          templates(std::span(blocks).subspan(i + 1), *open);
         } else {
-          if (!open) open = anonymous(block, path);
+          if (!open) {
+            open = anonymous(block, path);
+            templates(std::span(blocks).subspan(i), *open);
+          }
           paragraphs(block, *open);
         }
       } catch (const ZError& error) {
@@ -93,22 +100,25 @@ class Reader {
   /// Begins a section; one with a bad header is read all the same, for the defects in it.
   void header(const Block& block, const std::string& path, Section& section) {
     section = {path, "a section without a name", {}, {}, block.begin, {}};
-    const SectionHeader read = parse_header(lex_latex(block, {}));
+    const SectionHeader read = parse_header(lex(block, {}, {}));
     section.name = read.name;
     section.parents = read.parents;
     if (is_toolkit(section.name) || !started_.insert(section.name).second)
       throw ZError(block.place, "a second section " + section.name, "expected a name of its own");
     Markup& mine = specification_.markup[section.name];
     mine.insert(block.directives.begin(), block.directives.end());
-    for (const std::string& parent : section.parents) inherit(mine, parent, path, block.place);
+    for (const std::string& parent : section.parents) inherit(section.name, parent, path, block.place);
   }
 
-  void inherit(Markup& mine, const std::string& parent, const std::string& path, Place place) {
+  void inherit(const std::string& child, const std::string& parent, const std::string& path, Place place) {
     if (is_toolkit(parent)) return;
     if (!started_.contains(parent)) find(parent, path);
     if (!specification_.find(parent)) no_parent(parent, place);
     const Markup& theirs = specification_.markup[parent];
+    Markup& mine = specification_.markup[child];
     mine.insert(theirs.begin(), theirs.end());
+    const Operators& known = specification_.operators[parent];
+    specification_.operators[child].insert(known.begin(), known.end());
   }
 
   /// Says why a parent is missing: a section that was begun and has not ended is an ancestor of itself, and one whose
@@ -131,7 +141,8 @@ class Reader {
       std::error_code unreadable;
       std::set<std::string> beside;  // their order makes the answer independent of the file system
       for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable))
-        if (entry.path().extension() == ".tex") beside.insert(entry.path().lexically_normal().string());
+        if (entry.path().extension() == ".tex" || entry.path().extension() == ".utf8")
+          beside.insert(entry.path().lexically_normal().string());
       for (const std::string& file : beside) index(file);
     }
     if (const auto at = where_.find(parent); at != where_.end()) file(at->second);
@@ -144,10 +155,41 @@ class Reader {
     return section;
   }
 
+  /// Reads the templates of a section before all else, as they hold in all of it.
+  void templates(std::span<const Block> blocks, const Section& section) {
+    Markup markup = specification_.markup[section.name];
+    for (const Block& block : blocks) {
+      if (block.environment == "zsection") return;
+      for (const auto& [command, meaning] : block.directives) markup[command] = meaning;
+      if (block.environment == "zed" && may_have_template(block.body)) add_templates(block, markup, section);
+    }
+  }
+
+  static bool may_have_template(std::string_view body) {
+    static constexpr std::array<std::string_view, 3> words = {"function", "generic", "relation"};
+    return std::any_of(words.begin(), words.end(),
+                       [body](std::string_view word) { return body.find(word) != body.npos; });
+  }
+
+  void add_templates(const Block& block, const Markup& markup, const Section& section) {
+    Operators& operators = specification_.operators[section.name];
+    for (const ReadTemplate& found : templates_in(lex(block, markup, operators)))
+      if (const std::string taken = add_operator(operators, found.read); !taken.empty())
+        specification_.defects.push_back({section.file,
+                                          found.place,
+                                          "the word " + taken + " of an operator has a meaning already",
+                                          "expected a word that is no operator's",
+                                          {}});
+  }
+
   void paragraphs(const Block& block, Section& into) {
     Markup& markup = specification_.markup[into.name];
     for (const auto& [command, meaning] : block.directives) markup[command] = meaning;
-    const std::vector<Token> tokens = lex_latex(block, markup);
+    const Operators& operators = specification_.operators[into.name];
+    for (const Place place : grouping_braces(block))
+      specification_.warnings.push_back({into.file, place, "these braces only group, as in TeX",
+                                         "expected \\{ and \\} for a set, or none", Defect::Severity::warning});
+    const std::vector<Token> tokens = lex(block, markup, operators);
     std::vector<ZError> mended;
     try {
       std::vector<Paragraph> read = parse_block(block.environment, tokens, mended);

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "durero/text/utf8.hpp"
+#include "zed/syntax/characters.hpp"
 
 namespace durero::zed {
 namespace {
@@ -140,8 +141,108 @@ class Cutter {
 
 }  // namespace
 
+namespace {
+
+constexpr std::array<std::string_view, 4> openers = {"─", "╷", "═", "┌"};
+
+std::string_view opener(std::string_view line) {
+  for (const std::string_view sign : openers)
+    if (line.starts_with(sign)) return sign;
+  return {};
+}
+
+/// Cuts a text in Unicode mark-up (ISO/IEC 13568, 8.2, and the boxes of to_unicode()): a paragraph begins with a line
+/// that begins with ─ (what \begin{zed} is in LaTeX), ╷ or ┌ alone (axdef), ═ or ┌ [ (gendef) or ┌ NAME (schema), and
+/// ends at a line that begins with └.
+class UnicodeCutter {
+ public:
+  UnicodeCutter(std::string_view text, const std::string& file, std::vector<Defect>& defects)
+      : cursor_{text}, file_(file), defects_(defects) {}
+
+  std::vector<Block> run() {
+    while (!cursor_.done()) {
+      if (const std::string_view sign = opener(cursor_.rest_of_line()); !sign.empty()) {
+        paragraph(sign);
+      } else {
+        next_line();
+      }
+    }
+    return std::move(blocks_);
+  }
+
+ private:
+  void next_line() { cursor_.skip(cursor_.rest_of_line().size() + 1); }
+
+  static std::string environment(std::string_view sign, std::string_view title) {
+    if (sign == "─") return title.starts_with("section") ? "zsection" : "zed";
+    if (sign == "┌" && !title.empty()) return title[0] == '[' ? "gendef" : "schema";
+    return sign == "═" || title.starts_with("[") ? "gendef" : "axdef";
+  }
+
+  void paragraph(std::string_view sign) {
+    Block block;
+    block.unicode = true;
+    block.begin = cursor_.place;
+    while (cursor_.sees("─") || cursor_.sees("═") || cursor_.sees("╷") || cursor_.sees("┌") || cursor_.sees(" "))
+      cursor_.step();
+    std::string_view title = cursor_.rest_of_line();
+    if (title.empty() && sign == "─") title = cursor_.text.substr(std::min(cursor_.at + 1, cursor_.text.size()));
+    title.remove_prefix(std::min(title.find_first_not_of(" \r"), title.size()));
+    block.environment = environment(sign, title);
+    block.place = cursor_.place;
+    const std::size_t start = cursor_.at;
+    next_line();
+    while (!cursor_.done() && !cursor_.sees("└") && opener(cursor_.rest_of_line()).empty()) next_line();
+    block.body = cursor_.text.substr(start, cursor_.at - start);
+    block.end = cursor_.place;
+    if (cursor_.sees("└")) {
+      next_line();
+      blocks_.push_back(std::move(block));
+    } else {
+      defects_.push_back({file_, block.begin, "the paragraph does not end", "expected a line that begins with └", {}});
+    }
+  }
+
+  Cursor cursor_;
+  const std::string& file_;
+  std::vector<Defect>& defects_;
+  std::vector<Block> blocks_;
+};
+
+/// Says whether a text is in Unicode mark-up: it has a box, and no environment of LaTeX.
+bool is_unicode(std::string_view text) {
+  if (text.find("\\begin{") != text.npos) return false;
+  for (std::size_t at = 0; at < text.size(); at = text.find('\n', at), at += at == text.npos ? 0 : 1)
+    if (!opener(text.substr(at)).empty()) return true;
+  return false;
+}
+
+}  // namespace
+
 std::vector<Block> cut(std::string_view text, const std::string& file, std::vector<Defect>& defects) {
+  if (is_unicode(text)) return UnicodeCutter(text, file, defects).run();
   return Cutter(text, file, defects).run();
+}
+
+std::vector<Place> grouping_braces(const Block& block) {
+  std::vector<Place> places;
+  Cursor cursor{block.body, 0, block.place};
+  bool belongs = block.environment == "schema";  // to its name, to _ or ^, or to a command
+  while (!block.unicode && !cursor.done()) {
+    const char c = cursor.text[cursor.at];
+    if (c == '%') {
+      cursor.skip(cursor.rest_of_line().size());
+      continue;
+    }
+    if (c == '{' && !belongs) places.push_back(cursor.place);
+    const bool escaped = c == '\\';
+    if (escaped) cursor.step();
+    const bool command = escaped && !cursor.done() && is_letter(cursor.text[cursor.at]);
+    while (command && !cursor.done() && is_letter(cursor.text[cursor.at])) cursor.step();
+    belongs = c == '_' || c == '^' || command || (belongs && is_space(c));
+    if (!command && !cursor.done()) cursor.step();
+  }
+  return places;
 }
 
 }  // namespace durero::zed

@@ -1,5 +1,5 @@
 #pragma once
-/// A Z text in LaTeX mark-up is cut into its formal paragraphs; the prose between them is skipped.
+/// A Z text in either mark-up is cut into its formal paragraphs; the prose between them is skipped.
 
 #include <string>
 #include <string_view>
@@ -11,15 +11,20 @@
 
 namespace durero::zed {
 
-/// A block is a formal paragraph, as text: what stands between `\begin{environment}` and `\end{environment}`.
+/// A block is a formal paragraph, as text: what stands between `\begin{environment}` and `\end{environment}`, or in a
+/// box of Unicode.
 struct Block {
   std::string environment;  ///< it is zsection, zed, axdef, gendef or schema
   std::string_view body;    ///< it points into the text given to cut()
   Place begin;              ///< the `\begin` stands here
   Place place;              ///< the body begins here
   Place end;                ///< the `\end` stands here
+  bool unicode = false;     ///< it is in Unicode mark-up, and the environment stands for its box
   Markup directives;        ///< they stand before this block and after the one before it
 };
+
+/// Returns the places of braces in a block of LaTeX mark-up that only group, and may be meant for a set.
+std::vector<Place> grouping_braces(const Block& block);
 
 /// Cuts a text into blocks. `text` must outlive them. A defect, such as an environment that does not end, is added
 /// to `defects`, and what can be cut is.

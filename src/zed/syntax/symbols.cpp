@@ -34,6 +34,25 @@ constexpr Spelling spellings[] = {
     {"tau", "τ"},
     {"phi", "ϕ"},
     {"omega", "ω"},
+    {"zeta", "ζ"},
+    {"eta", "η"},
+    {"iota", "ι"},
+    {"kappa", "κ"},
+    {"nu", "ν"},
+    {"xi", "ξ"},
+    {"pi", "π"},
+    {"upsilon", "υ"},
+    {"chi", "χ"},
+    {"psi", "ψ"},
+    {"Gamma", "Γ"},
+    {"Theta", "Θ"},
+    {"Lambda", "Λ"},
+    {"Pi", "Π"},
+    {"Sigma", "Σ"},
+    {"Upsilon", "Υ"},
+    {"Phi", "Φ"},
+    {"Psi", "Ψ"},
+    {"Omega", "Ω"},
     {"land", "∧"},
     {"lor", "∨"},
     {"lnot", "¬"},
@@ -69,6 +88,10 @@ constexpr Spelling spellings[] = {
     {"function", "function"},
     {"generic", "generic"},
     {"relation", "relation"},
+    {"leftassoc", "leftassoc"},
+    {"rightassoc", "rightassoc"},
+    {"varg", "_"},
+    {"listarg", ",,"},
 };
 
 constexpr std::string_view reserved[] = {"if",        "then",       "else",    "let",      "pre",     "true",
@@ -125,7 +148,9 @@ std::optional<std::string_view> latex_of(std::string_view unicode) {
 }
 
 bool is_letter_symbol(std::string_view unicode) {
-  static constexpr std::string_view letters[] = {"Δ", "Ξ", "α", "β", "γ", "δ", "ϵ", "ρ", "σ", "τ", "ϕ", "ω"};
+  static constexpr std::string_view letters[] = {"Δ", "Ξ", "Γ", "Θ", "Λ", "Π", "Σ", "Υ", "Φ", "Ψ", "Ω",
+                                                 "α", "β", "γ", "δ", "ϵ", "ζ", "η", "ι", "κ", "ν", "ξ",
+                                                 "π", "ρ", "σ", "τ", "υ", "ϕ", "χ", "ψ", "ω"};
   return std::find(std::begin(letters), std::end(letters), unicode) != std::end(letters);
 }
 
@@ -179,7 +204,9 @@ bool has_indexed(std::string_view word) {
   return table.contains(word);
 }
 
-bool is_operator_name(std::string_view name) { return name == "_⦇_⦈" || operator_of_name(name) != nullptr; }
+bool is_operator_name(std::string_view name) {
+  return name == "_⦇_⦈" || is_template_name(name) || operator_of_name(name);
+}
 
 bool is_reserved(std::string_view word) {
   static const std::unordered_set<std::string_view> table(std::begin(reserved), std::end(reserved));

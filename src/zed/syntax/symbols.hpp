@@ -2,12 +2,13 @@
 /// Symbols have a spelling in each of the two mark-ups of ISO Z, and operators of its standard toolkit have a role.
 ///
 /// Every symbol is known by its Unicode text. What is known of an operator is a row of one table. Operator templates of
-/// the toolkit are built in; a text that writes its own is refused by the parser, which keeps reading independent of
-/// what has been read.
+/// the toolkit are built in; those that a text writes are in its Operators.
 
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include "durero/zed/syntax/operators.hpp"
 
 namespace durero::zed {
 
@@ -22,7 +23,6 @@ std::optional<std::string_view> latex_of(std::string_view unicode);
 bool is_letter_symbol(std::string_view unicode);
 
 enum class Fixity : unsigned char { prefix, infix, postfix };
-enum class Role : unsigned char { function, generic, relation };
 
 /// In `a ∪ b` stands a function, infix, of precedence 30; in `X ⇸ Y` a generic, infix, of precedence 5; in `a ≤ b` a
 /// relation.
@@ -41,7 +41,7 @@ const Operator* find_operator(std::string_view symbol, Fixity fixity);
 /// Returns the operator that a name such as `_∪_` stands for, or null.
 const Operator* operator_of_name(std::string_view name);
 
-/// Says whether this is the name of an operator, as `_⦇_⦈` is too.
+/// Says whether this is the name of an operator, as `_⦇_⦈` is too, and what a template gives.
 bool is_operator_name(std::string_view name);
 
 /// Says whether a symbol is a name by itself: `∅`, `ℕ₁`, `⋃`.

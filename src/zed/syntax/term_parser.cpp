@@ -30,6 +30,13 @@ const Connective* infix_connective(const Token& token) {
   return nullptr;
 }
 
+/// An operator of a template binds like those of its kind in the toolkit.
+int own_strength(const OperatorTemplate& op) {
+  if (op.role == Role::relation) return binding::relation;
+  if (op.has_left() && op.has_right()) return binding::infix + op.precedence;
+  return op.has_left() ? binding::postfix : binding::prefix;
+}
+
 }  // namespace
 
 Term TermParser::checked(Term term) const {
@@ -53,6 +60,9 @@ Term TermParser::term(int least) {
       left = hiding(left);
     } else if (token.is("×") && least <= binding::infix + product_precedence) {
       left = product(left);
+    } else if (token.own) {
+      if (!token.own->first() || !token.own->of->has_left() || own_strength(*token.own->of) < least) return left;
+      left = token.own->of->role == Role::relation ? relations(left) : own_operation({left});
     } else if (const Operator* op = find_operator(token.text, Fixity::infix); op && token.strokes.empty()) {
       const int strength = op->role == Role::relation ? binding::relation : binding::infix + op->precedence;
       if (strength < least) return left;
@@ -71,18 +81,33 @@ Term TermParser::infix(const Term& left, int strength, const Operator& op) {
   return checked(operation(op.name(), {left, right}, place));
 }
 
+/// Takes a chain a ≤ b < c. Where an operator of a template is in it, each link is a conjunct.
 Term TermParser::relations(const Term& left) {
   const Place place = left->place;
-  std::vector<Term> operands = {left};
+  std::vector<Term> operands = {left}, links;
   std::vector<Name> names;
+  bool own = false;
   for (;;) {
-    const Operator* op = find_operator(in_.peek().text, Fixity::infix);
-    if (!op || op->role != Role::relation || !in_.peek().strokes.empty()) break;
-    in_.next();
-    names.push_back({op->name(), {}});
-    operands.push_back(term(binding::relation + 1));
+    const Token& token = in_.peek();
+    Term right;
+    if (token.own && token.own->first() && token.own->of->has_left() && token.own->of->role == Role::relation) {
+      own = true;
+      links.push_back(own_relation(operands.back(), right));
+    } else {
+      const Operator* op = find_operator(token.text, Fixity::infix);
+      if (token.own || !op || op->role != Role::relation || !token.strokes.empty()) break;
+      in_.next();
+      names.push_back({op->name(), {}});
+      right = term(binding::relation + 1);
+      links.push_back(relation({names.back()}, {operands.back(), right}, operands.back()->place));
+    }
+    operands.push_back(right);
+    if (!right) break;  // a postfix relation ends the chain
   }
-  return checked(relation(std::move(names), std::move(operands), place));
+  if (!own) return checked(relation(std::move(names), std::move(operands), place));
+  Term all = links[0];
+  for (std::size_t i = 1; i < links.size(); ++i) all = checked(node(Kind::conjunction, {all, links[i]}, place));
+  return checked(all);
 }
 
 Term TermParser::product(const Term& left) {
@@ -108,6 +133,7 @@ Term TermParser::leading() {
   if (token.is("if")) return conditional();
   for (const Connective& sign : connectives)
     if (sign.prefix && in_.accept(sign.symbol)) return checked(node(sign.kind, {term(sign.strength)}, place));
+  if (token.own && token.own->first() && !token.own->of->has_left()) return own_operation({});
   const Operator* op = token.strokes.empty() ? find_operator(token.text, Fixity::prefix) : nullptr;
   if (!op) return application();
   if (token.only_infix) in_.fail("expected \\negate for the sign, or a term before -");
@@ -157,20 +183,31 @@ std::vector<Name> TermParser::names() {
 
 /// A declaration begins with x : …, with x, y : … or with x == …
 bool TermParser::begins_declaration() const {
-  std::size_t ahead = 0;
-  for (;; ahead += 2) {
-    if (!TokenStream::is_name(in_.peek(ahead))) return false;
-    const Token& after = in_.peek(ahead + 1);
+  for (std::size_t ahead = 0;; ++ahead) {
+    const bool first = ahead == 0;
+    const std::size_t length = operator_ahead(ahead, nullptr);
+    if (length == 0 && !TokenStream::is_name(in_.peek(ahead))) return false;
+    ahead += length == 0 ? 1 : length;
+    const Token& after = in_.peek(ahead);
     if (after.is(":")) return true;
-    if (after.is("==")) return ahead == 0;
+    if (after.is("==")) return first;
     if (!after.is(",")) return false;
   }
+}
+
+/// In `x, 1 : T` the 1 is to blame, and not the comma.
+void TermParser::refuse_list() const {
+  std::size_t ahead = 0;
+  while (TokenStream::is_name(in_.peek(ahead)) && in_.peek(ahead + 1).is(",")) ahead += 2;
+  if (ahead == 0 || TokenStream::is_name(in_.peek(ahead))) return;
+  in_.fail("expected names before : in a declaration", ahead);
 }
 
 Declaration TermParser::declaration() {
   Declaration declaration;
   declaration.place = in_.peek().place;
   if (!begins_declaration()) {
+    refuse_list();
     declaration.form = Declaration::Form::included;
     declaration.term = term();
     if (in_.sees(",") || in_.sees(":")) in_.fail("expected names before : in a declaration");
@@ -178,7 +215,9 @@ Declaration TermParser::declaration() {
   }
   do {
     declaration.places.push_back(in_.peek().place);
-    declaration.names.push_back(in_.name());
+    std::vector<Name> formals;
+    const std::optional<Name> op = operator_name(formals);
+    declaration.names.push_back(op ? *op : in_.name());
   } while (in_.accept(","));
   declaration.form = in_.next().is("==") ? Declaration::Form::defined : Declaration::Form::typed;
   declaration.term = term();
@@ -188,7 +227,7 @@ Declaration TermParser::declaration() {
 SchemaText TermParser::schema_text(bool labelled) {
   const Deeper deeper(depth_, in_.peek().place);
   SchemaText text;
-  if (!in_.sees("|")) {
+  if (!in_.sees("|") && !in_.sees("•")) {
     do {
       text.declarations.push_back(declaration());
     } while (in_.accept(";") || in_.accept(Token::Type::newline));

@@ -21,6 +21,10 @@ class TermParser {
   std::vector<Predicate> predicates(bool labelled);
   std::vector<Name> names();  ///< takes a, b, …
 
+  /// Takes the name of an operator as it is declared, `_ below _`, or with names for operands, `X below Y`, which then
+  /// are `formals`; nothing where none stands here.
+  std::optional<Name> operator_name(std::vector<Name>& formals);
+
  private:
   Term leading();  // takes what can stand first in a term: a quantifier, a prefix operator, an application
   Term application();
@@ -42,13 +46,19 @@ class TermParser {
   Term product(const Term& left);
   Term hiding(Term left);
   Term image(Term left);
+  Term own_operation(std::vector<Term> operands);  // takes an operator of a template, behind its left operand if any
+  Term own_operand(const OperatorTemplate& of, std::size_t part);
+  Term own_relation(Term left, Term& right);
   bool suffix(Term& so_far);  // takes one selection, decoration, renaming or list of actuals
   Term actuals_or_renaming(Term of);
   bool begins_primary() const;
   bool begins_declaration() const;
+  std::size_t operator_ahead(std::size_t ahead, std::vector<Name>* formals) const;
+  void refuse_list() const;
   Declaration declaration();
   Term checked(Term term) const;  // refuses a tree that is too deep
   std::vector<Term> terms(std::string_view closing);
+  Term sequence_of(std::vector<Term> elements, Place place) const;
 
   TokenStream& in_;
   unsigned depth_ = 0;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "durero/zed/syntax/ast.hpp"
+#include "durero/zed/syntax/operators.hpp"
 
 namespace durero::zed {
 
@@ -21,8 +22,9 @@ struct Token {
   std::string text;     ///< it is written in Unicode
   std::string strokes;  ///< a word has them
   Place place;
-  std::string label;        ///< the last token of a line has the label in the comment that ends it
-  bool only_infix = false;  ///< LaTeX mark-up reserves such a `-` for the difference; the sign is \negate
+  std::string label;                  ///< the last token of a line has the label in the comment that ends it
+  const OperatorWord* own = nullptr;  ///< a template in scope makes the word one of an operator
+  bool only_infix = false;            ///< LaTeX mark-up reserves such a `-` for the difference; the sign is \negate
 
   bool is(std::string_view symbol) const {
     return (type == Type::symbol || (type == Type::word && strokes.empty())) && text == symbol;

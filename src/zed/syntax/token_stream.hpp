@@ -20,6 +20,8 @@ class TokenStream {
     const std::size_t at = at_ + ahead;
     return at < tokens_.size() ? tokens_[at] : tokens_.back();
   }
+  /// Returns the token `back` places before here. Precondition: there are so many.
+  const Token& before(std::size_t back) const { return tokens_[at_ - back]; }
   const Token& next() {
     const Token& token = peek();
     if (at_ + 1 < tokens_.size()) ++at_;
@@ -46,7 +48,7 @@ class TokenStream {
 
   /// Says whether a token can be a name: it is a word, but no keyword and no operator.
   static bool is_name(const Token& token) {
-    return token.type == Token::Type::word && (!token.strokes.empty() || may_be_name(token.text));
+    return !token.own && token.type == Token::Type::word && (!token.strokes.empty() || may_be_name(token.text));
   }
   bool sees_name() const { return is_name(peek()); }
   Name name() {
@@ -68,8 +70,9 @@ class TokenStream {
     return label;
   }
 
-  [[noreturn]] void fail(const std::string& expected) const {
-    const Token& token = peek();
+  /// Refuses the token `ahead` places on.
+  [[noreturn]] void fail(const std::string& expected, std::size_t ahead = 0) const {
+    const Token& token = peek(ahead);
     if (token.type == Token::Type::error) throw ZError(token.place, token.text, token.label);
     std::string seen = "unexpected " + token.text + token.strokes;
     if (token.type == Token::Type::end) seen = "the text ends too early";

@@ -53,13 +53,18 @@ class Checker {
   /// Refuses what the paragraph has left undetermined, unless it has errors already.
   void finish_paragraph();
 
+  /// Determines what the types of bindings and tuples were not known for; to be called before a paragraph declares.
+  void solve();
+
  private:
   enum class Mode { value, truth };
 
   Type infer(const Node& node);
   Type reference(const Node& node);
   std::string expected_name(const Name& name) const;
+  std::string nearest_name(const Name& name) const;
   std::optional<Type> lookup(const Name& name, const std::vector<Type>* actuals, Place place);
+  std::optional<Type> component_in_scope(const Name& name, Place place);
   Type instance(const Name& name, const Scheme& scheme, const std::vector<Type>* actuals, Place place);
   std::optional<Type> implied_schema(const Name& name, const std::vector<Type>* actuals, Place place);
   std::vector<Type> actuals(const Node& node);
@@ -68,7 +73,10 @@ class Checker {
   Type quantified(const Node& node);
   Type conditional(const Node& node);
   Type selection(const Node& node);
+  Type component_of(const Node& node, const Type& binding);
   Type tuple_selection(const Node& node);
+  Type part_of(const Node& node, const Type& tuple);
+  Type selected_later(const Node& node, const Type& of);
   Type binding_extension(const Node& node);
   Type theta(const Node& node);
   Type let(const Node& node, Mode mode);
@@ -83,7 +91,7 @@ class Checker {
   Type hiding(const Node& node);
   Type joined(const Node& node, const char* what, const std::string& left_stroke, const std::string& right_stroke);
   Type precondition(const Node& node);
-  Type doubled(const Type& schema, const Name& name, Place place);
+  Type doubled(const Type& schema, Place place);
   std::optional<Fields> schema_fields(const Term& term, const char* role);
   /// Adds more fields to those of the table; a name in both must have one type.
   void merge(FieldTable& table, const Fields& more, Place place, const std::string& what);
@@ -103,13 +111,21 @@ class Checker {
   /// Counts work; past the limit the section cannot be checked to its end, and a ZError says so.
   void spend(std::size_t steps);
 
+  /// A selection waits for the type that it selects from.
+  struct Selection {
+    const Node* node;
+    Type of, part;
+  };
+  void unify_selected(const Selection& selection);
+
   std::string file_;
   Globals& globals_;
   bool sees_toolkit_;
   Typing& into_;
   std::vector<std::unordered_map<Name, Type>> scopes_;
   std::vector<std::pair<Name, std::pair<Place, Type>>> generics_;  // these instances are to be determined
-  Place at_;                                                       // the node being checked stands here
+  std::vector<Selection> selections_;
+  Place at_;  // the node being checked stands here
   std::size_t errors_before_ = 0, errors_at_start_ = into_.defects.size();
   std::size_t work_ = 0, variables_ = 0;
 };

@@ -1,8 +1,10 @@
 /// Checks names: scopes, instances of generics, and the schemas that a decoration, Δ or Ξ implies; with the errors and
 /// limits of the type-checker.
 
+#include <algorithm>
 #include <ranges>
 
+#include "durero/text/nearest.hpp"
 #include "durero/text/utf8.hpp"
 #include "zed/types/checker.hpp"
 
@@ -48,12 +50,27 @@ Type Checker::reference(const Node& node) {
 std::string Checker::expected_name(const Name& name) const {
   Name base = name;
   while (!base.strokes.empty() && text::continues(base.strokes.back())) base.strokes.pop_back();
-  if (base.strokes.empty()) return "expected a declared name";
+  if (base.strokes.empty()) return nearest_name(name);
   const std::string stroke = name.strokes.substr(base.strokes.size() - 1);
   base.strokes.pop_back();
   const auto entry = globals_.find(base);
-  if (entry == globals_.end() || !entry->second->scheme.type.is_schema_set()) return "expected a declared name";
+  if (entry == globals_.end() || !entry->second->scheme.type.is_schema_set()) return nearest_name(name);
   return fmt::format("expected {0} {1} ({0}~{1} in LaTeX) for the decoration of the schema {0}", base.text(), stroke);
+}
+
+/// Names what is in scope and may be meant: a name that is a slip away, with Δ and Ξ for what they stand before.
+std::string Checker::nearest_name(const Name& name) const {
+  std::vector<std::string> known;
+  for (const auto& scope : scopes_)
+    for (const auto& [local, type] : scope) known.push_back(local.text());
+  for (const auto& [global, meaning] : globals_) known.push_back(global.text());
+  for (const auto& [own, scheme] : sees_toolkit_ ? toolkit() : prelude()) known.push_back(own.text());
+  std::sort(known.begin(), known.end());  // of several as near the first is named, whatever the tables' order
+  std::string sign;
+  for (const std::string_view doubling : {"Δ", "Ξ"})
+    if (name.word.starts_with(doubling)) sign = doubling;
+  const auto meant = text::nearest(name.text().substr(sign.size()), known);
+  return meant ? fmt::format("expected a declared name; did you mean {}{}?", sign, *meant) : "expected a declared name";
 }
 
 std::optional<Type> Checker::lookup(const Name& name, const std::vector<Type>* actuals, Place place) {
@@ -70,6 +87,16 @@ std::optional<Type> Checker::lookup(const Name& name, const std::vector<Type>* a
   const auto& known = sees_toolkit_ ? toolkit() : prelude();
   if (const auto entry = known.find(name); entry != known.end()) return instance(name, entry->second, actuals, place);
   return implied_schema(name, actuals, place);
+}
+
+/// A binding takes its components from the scope, and there each must have one type: a generic name has many.
+std::optional<Type> Checker::component_in_scope(const Name& name, Place place) {
+  const std::size_t generic = generics_.size();
+  std::optional<Type> type = lookup(name, nullptr, place);
+  if (generics_.size() > generic)
+    error(place, fmt::format("the component {} is generic where it is taken from", name.text()),
+          "expected it with one type in scope");
+  return type;
 }
 
 Type Checker::instance(const Name& name, const Scheme& scheme, const std::vector<Type>* actuals, Place place) {
@@ -94,7 +121,7 @@ std::optional<Type> Checker::implied_schema(const Name& name, const std::vector<
   const Name base{name.word.substr(std::string_view("Δ").size()), {}};
   const auto schema = base.empty() ? std::nullopt : lookup(base, actuals, place);
   if (!schema || schema->is(Type::Kind::unknown)) return schema;
-  return schema->is_schema_set() ? std::optional(doubled(*schema, name, place)) : std::nullopt;
+  return schema->is_schema_set() ? std::optional(doubled(*schema, place)) : std::nullopt;
 }
 
 void Checker::push(const Fields& fields) {

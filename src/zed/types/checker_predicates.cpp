@@ -49,7 +49,7 @@ void Checker::schema_predicate(const Node& node, const Type& type) {
   const Type& schema = type.parts()[0];
   for (std::size_t i = 0; i < schema.fields().size(); ++i) {
     const Name& name = schema.fields()[i];
-    const auto declared = lookup(name, nullptr, node.place);
+    const auto declared = component_in_scope(name, node.place);
     if (!declared) {
       error(node.place, name.text() + " is not declared", "expected the components of a schema predicate in scope");
     } else if (!unify(*declared, schema.parts()[i])) {

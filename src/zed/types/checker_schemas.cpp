@@ -123,15 +123,9 @@ Type Checker::decoration(const Type& schema, const std::string& strokes) {
   return schema_set(std::move(fields));
 }
 
-/// ΔS and ΞS double a state, so S has no decorated component: an operation cannot be the state of another (E04). ISO Z
-/// takes x, x' and x'' for what they then declare; so does what follows, that one mistake is reported once.
-Type Checker::doubled(const Type& schema, const Name& name, Place place) {
+/// ΔS and ΞS declare the components of S and of S ′.
+Type Checker::doubled(const Type& schema, Place place) {
   Fields fields = fields_of(schema.parts()[0]);
-  const auto decorated =
-      std::find_if(fields.begin(), fields.end(), [](const auto& field) { return !field.first.strokes.empty(); });
-  if (decorated != fields.end())
-    error(place, fmt::format("{} doubles a schema with the component {}", name.text(), decorated->first.text()),
-          "expected a state behind Δ or Ξ, and an operation to be included as it is");
   const Type after = decoration(schema, "'");
   return schema_set(merged(std::move(fields), fields_of(after.parts()[0]), place));
 }

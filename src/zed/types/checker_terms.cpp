@@ -109,7 +109,9 @@ Type Checker::application(const Node& node) {
   const Type taken = fresh(), given = fresh();
   if (!unify(function, Type::power(pair(taken, given))))
     return wrong(node.place, fmt::format("{} has the type {}", named(node.children[0]), function.text()),
-                 "expected a function before its argument");
+                 node.children[1]->place.line > node.children[0]->place.line
+                     ? "expected a function before its argument, or a new line \\\\ between the two"
+                     : "expected a function before its argument");
   if (unify(taken, argument)) return given;
   const Term& named_function = node.children[0];
   const Operator* op = named_function->kind == Kind::reference ? operator_of_name(named_function->name.word) : nullptr;
@@ -138,12 +140,15 @@ Type Checker::characteristic(const SchemaText& text, const Fields& fields) {
   for (const auto& [name, type] : fields) of.insert_or_assign(name, type);
   for (const Declaration& declaration : text.declarations) {
     if (declaration.form == Declaration::Form::included) {
-      const auto type = into_.types.find(declaration.term.get());
-      const bool schema = type != into_.types.end() && type->second.is_schema_set();
-      parts.push_back(schema ? type->second.parts()[0] : Type::unknown());
+      Term schema = declaration.term;
+      while (schema->kind == Kind::decoration) schema = schema->children[0];  // the tuple of S ′ is θ S ′
+      const auto type = into_.types.find(schema.get());
+      const bool known = type != into_.types.end() && type->second.is_schema_set();
+      parts.push_back(known ? type->second.parts()[0] : Type::unknown());
     }
     for (const Name& name : declaration.names) parts.push_back(of.at(name));
   }
+  if (text.declarations.empty()) return Type::schema({});  // that of no declaration is the empty binding
   if (parts.empty()) return wrong(at_, "nothing is declared", "expected a declaration");
   return parts.size() == 1 ? parts[0] : Type::product(std::move(parts));
 }
@@ -168,20 +173,64 @@ Type Checker::conditional(const Node& node) {
   return wrong(node.place, fmt::format("then gives {}, else gives {}", yes.text(), no.text()), "expected one type");
 }
 
-Type Checker::selection(const Node& node) {
-  const Type binding = expression(node.children[0]);
+Type Checker::selection(const Node& node) { return component_of(node, expression(node.children[0])); }
+
+Type Checker::component_of(const Node& node, const Type& binding) {
   if (binding.is(Type::Kind::unknown)) return binding;
   if (binding.is(Type::Kind::schema)) {
     if (const Type* type = binding.field(node.name)) return *type;
     return wrong(node.place, fmt::format("{} has no component {}", binding.text(), node.name.text()),
                  "expected one of its components");
   }
-  return wrong(node.place, fmt::format("{} has the type {}", named(node.children[0]), binding.text()),
-               fmt::format("expected a binding before .{}", node.name.text()));
+  return selected_later(node, binding);
 }
 
-Type Checker::tuple_selection(const Node& node) {
-  const Type tuple = expression(node.children[0]);
+/// A variable may be found to be a binding or a tuple further on: `e.1 = 5 ∧ e ∈ ℕ × ℕ`.
+Type Checker::selected_later(const Node& node, const Type& of) {
+  if (of.is(Type::Kind::variable)) {
+    const Type part = fresh();
+    selections_.push_back({&node, of, part});
+    return part;
+  }
+  const bool tuple = node.kind == Kind::tuple_selection;
+  return wrong(node.place, fmt::format("{} has the type {}", named(node.children[0]), of.text()),
+               fmt::format("expected a {} before .{}", tuple ? "tuple" : "binding", node.name.text()));
+}
+
+/// Tries the selections that were left open, until none is solved any more; those that stay open are reported.
+void Checker::solve() {
+  for (std::size_t before = selections_.size() + 1; selections_.size() < before;) {
+    before = selections_.size();
+    std::vector<Selection> open = std::move(selections_);
+    selections_.clear();
+    spend(open.size());
+    for (const Selection& selection : open) {
+      if (selection.of.is(Type::Kind::variable)) {
+        selections_.push_back(selection);
+      } else {
+        unify_selected(selection);
+      }
+    }
+  }
+  for (const Selection& selection : selections_) {
+    const bool tuple = selection.node->kind == Kind::tuple_selection;
+    error(selection.node->place, fmt::format("{} has the type ?", named(selection.node->children[0])),
+          fmt::format("expected a {} before .{}", tuple ? "tuple" : "binding", selection.node->name.text()));
+  }
+  selections_.clear();
+}
+
+void Checker::unify_selected(const Selection& selection) {
+  const Node& node = *selection.node;
+  const Type part = node.kind == Kind::tuple_selection ? part_of(node, selection.of) : component_of(node, selection.of);
+  if (!unify(selection.part, part))
+    error(node.place, fmt::format("{} has the type {}", named(Term(std::make_shared<const Node>(node))), part.text()),
+          fmt::format("expected {}", selection.part.text()));
+}
+
+Type Checker::tuple_selection(const Node& node) { return part_of(node, expression(node.children[0])); }
+
+Type Checker::part_of(const Node& node, const Type& tuple) {
   if (tuple.is(Type::Kind::unknown)) return tuple;
   const std::string& digits = node.name.word;
   if (tuple.is(Type::Kind::product)) {
@@ -190,8 +239,7 @@ Type Checker::tuple_selection(const Node& node) {
     return wrong(node.place, fmt::format("{} has no part {}", tuple.text(), digits),
                  fmt::format("expected 1 to {}", tuple.parts().size()));
   }
-  return wrong(node.place, fmt::format("{} has the type {}", named(node.children[0]), tuple.text()),
-               fmt::format("expected a tuple before .{}", digits));
+  return selected_later(node, tuple);
 }
 
 Type Checker::binding_extension(const Node& node) {
@@ -212,7 +260,7 @@ Type Checker::theta(const Node& node) {
   spend(fields->size());
   for (const auto& [name, type] : *fields) {
     const Name wanted{name.word, name.strokes + node.name.strokes};
-    const auto declared = lookup(wanted, nullptr, node.place);
+    const auto declared = component_in_scope(wanted, node.place);
     if (!declared) {
       error(node.place, wanted.text() + " is not declared", "expected the components of the schema behind θ in scope");
     } else if (!unify(*declared, type)) {

@@ -36,12 +36,14 @@ class SectionChecker {
       } else {
         std::visit([this, &here](const auto& form) { paragraph(form, here.place); }, here.form);
       }
+      terms_.solve();
       terms_.finish_paragraph();
     }
   }
 
   void declare(const Name& name, Scheme scheme, Global::Form form, Place place) {
     if (name.empty()) return;
+    terms_.solve();
     const auto entry = globals_.find(name);
     const bool known = entry != globals_.end() && entry->second->form != Global::Form::lost;
     const auto& toolkit_names = into_.sees_toolkit[section_.name] ? toolkit() : prelude();
@@ -91,22 +93,26 @@ class SectionChecker {
     declare(branch.name, {{}, std::move(type)}, Global::Form::branch, branch.place);
   }
 
-  void formals(const std::vector<Name>& names) {
+  void formals(const std::vector<Name>& names, Place place) {
     Fields fields;
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
+          names.begin() + static_cast<std::ptrdiff_t>(i))
+        terms_.error(place, names[i].text() + " is a generic formal twice", "expected distinct formals");
     for (const Name& name : names) fields.emplace_back(name, Type::power(Type::formal(name)));
     terms_.push(fields);
   }
 
   void paragraph(const Definition& definition, Place place) {
-    formals(definition.formals);
+    formals(definition.formals, place);
     Type type = terms_.expression(definition.value);
     terms_.pop();
     declare(definition.name, {definition.formals, std::move(type)}, Global::Form::definition, place);
   }
 
   /// Checks the declarations and predicates of a box with its formals in scope, and returns what it declares.
-  Fields signature_of_box(const std::vector<Name>& generic_formals, const SchemaText& text) {
-    formals(generic_formals);
+  Fields signature_of_box(const std::vector<Name>& generic_formals, const SchemaText& text, Place place) {
+    formals(generic_formals, place);
     const Fields fields = terms_.signature(text);
     terms_.push(fields);
     terms_.predicates(text);
@@ -115,8 +121,8 @@ class SectionChecker {
     return fields;
   }
 
-  void paragraph(const Axiomatic& box, Place) {
-    for (const auto& [name, type] : signature_of_box(box.formals, box.text))
+  void paragraph(const Axiomatic& box, Place place) {
+    for (const auto& [name, type] : signature_of_box(box.formals, box.text, place))
       declare(name, {box.formals, type}, Global::Form::axiom, place_of(name, box.text));
   }
 
@@ -128,11 +134,15 @@ class SectionChecker {
   }
 
   void paragraph(const Schema& box, Place place) {
-    declare(box.name, {box.formals, Type::power(Type::schema(signature_of_box(box.formals, box.text)))},
+    declare(box.name, {box.formals, Type::power(Type::schema(signature_of_box(box.formals, box.text, place)))},
             Global::Form::schema, place);
   }
 
-  void paragraph(const Conjecture& conjecture, Place) { terms_.predicate(conjecture.claim.term); }
+  void paragraph(const Conjecture& conjecture, Place place) {
+    formals(conjecture.formals, place);
+    terms_.predicate(conjecture.claim.term);
+    terms_.pop();
+  }
 
   const Section& section_;
   Typing& into_;
@@ -181,6 +191,7 @@ void check_at_end(Checker& checker, const Term& term) {
     default:
       checker.expression(term);
   }
+  checker.solve();
   checker.finish_paragraph();
 }
 

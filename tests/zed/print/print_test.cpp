@@ -40,7 +40,7 @@ Paragraph read_back(const std::string& latex, const Markup& markup) {
   const std::vector<Block> blocks = cut(latex, "printed", defects);
   if (blocks.size() != 1 || !defects.empty()) throw std::runtime_error("not one paragraph: " + latex);
   std::vector<ZError> mended;
-  std::vector<Paragraph> read = parse_block(blocks[0].environment, lex_latex(blocks[0], markup), mended);
+  std::vector<Paragraph> read = parse_block(blocks[0].environment, lex_latex(blocks[0], markup, {}), mended);
   if (read.size() != 1 || !mended.empty()) throw std::runtime_error("not one paragraph: " + latex);
   return read[0];
 }

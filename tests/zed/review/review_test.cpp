@@ -95,6 +95,67 @@ TEST_CASE("E06: disjunctions, quantifiers and chains determine what every way to
   CHECK(said(state + "\\begin{zed} O == [ \\Xi S | a = 1 ] \\end{zed}") == Said{});
 }
 
+TEST_CASE("E06: bindings, tuples, sums and schemas as predicates determine what they state") {
+  const auto with = [](const std::string& predicate) {
+    const std::string state =
+        "\\begin{schema}{S} a, b : \\num \\end{schema}\n\\begin{zed} A == [ a : \\num ] \\\\ B == [ b, b' : \\num | "
+        "b' = b ] \\end{zed}\n";
+    return said(state + "\\begin{schema}{O} \\Delta S \\where " + predicate + " \\end{schema}");
+  };
+  CHECK(with("\\theta S~' = \\theta S") == Said{});
+  CHECK(with("\\theta S = \\theta S~'") == Said{});
+  CHECK(with("\\theta S~' = \\theta S~'") == Said{"O leaves a', b' open"});
+  CHECK(with("(a', b') = (b, a)") == Said{});
+  CHECK(with("(a', b') = (b', a)") == Said{});
+  CHECK(with("(a', b') = (b', a')") == Said{"O leaves a', b' open"});
+  CHECK(with("(a', b') = (b, a')") == Said{});
+  CHECK(with("\\theta S~' = \\lblot a == b, b == a \\rblot") == Said{});
+  CHECK(with("\\theta S~' = \\lblot a == b, b == b' \\rblot") == Said{"O leaves b' open"});
+  CHECK(with("a' + 1 = a \\land 2 - b' = a") == Said{});
+  CHECK(with("a' + b' = a \\land b' = 1") == Said{});
+  CHECK(with("a' + b' = a") == Said{"O leaves a', b' open"});
+  CHECK(with("a' * b = a \\land b' = b") == Said{"O leaves a' open"});
+  CHECK(with("\\Xi S") == Said{});
+  CHECK(with("\\Xi A \\land b' = 1") == Said{});
+  CHECK(with("\\Xi A") == Said{"O leaves b' open"});
+  CHECK(with("\\Xi S \\lor (a' = 1 \\land b' = b)") == Said{});
+  CHECK(with("a' = 1 \\land B") == Said{});
+  CHECK(with("a' = (\\mu z : \\{ \\theta S~' \\} @ z.b) \\land b' > 0") == Said{"O leaves a', b' open"});
+}
+
+TEST_CASE("what ISO Z takes is an opinion: loose operations, unproved domains, an operation doubled") {
+  const auto opinions = [](const std::string& paragraphs) {
+    std::size_t count = 0;
+    for (const Defect& defect : review(read_text(paragraphs, "here")))
+      count += defect.severity == Defect::Severity::opinion ? 1 : 100;
+    return count;
+  };
+  const std::string state = "\\begin{schema}{S} a : \\num \\end{schema}\n";
+  CHECK(opinions(state + "\\begin{zed} O == [ \\Delta S ] \\end{zed}") == 1);
+  CHECK(opinions("\\begin{axdef} f : \\num \\pfun \\num; x : \\num \\where f~x = 1 \\end{axdef}") == 1);
+  const std::string op = state + "\\begin{zed} O == [ \\Delta S | a' = a ] \\end{zed}\n";
+  CHECK(opinions(op) == 0);
+  CHECK(opinions(op + "\\begin{zed} T == [ \\Delta O | a = 1 ] \\end{zed}") == 1);
+  CHECK(opinions(op + "\\begin{zed} T == [ \\Xi S | a = 1 ] \\end{zed}") == 0);
+}
+
+TEST_CASE("a parent named twice, and braces that only group, are warnings") {
+  const auto warned = [](const std::string& text) {
+    std::vector<std::string> messages;
+    for (const Defect& defect : review(read_text(text, "here"))) {
+      CHECK(defect.severity == Defect::Severity::warning);
+      messages.push_back(fmt::format("{}:{} {}", defect.place.line, defect.place.column, defect.what));
+    }
+    return messages;
+  };
+  const std::string head = "\\begin{zsection} \\SECTION s \\parents ";
+  CHECK(warned(head + "set\\_toolkit, standard\\_toolkit, set\\_toolkit \\end{zsection}\n") ==
+        Said{"1:1 set_toolkit is named twice as a parent"});
+  CHECK(warned(head + "set\\_toolkit, standard\\_toolkit \\end{zsection}\n") == Said{});
+  CHECK(warned("\\begin{zed}\n  s == {1}\n\\end{zed}") == Said{"2:8 these braces only group, as in TeX"});
+  CHECK(warned("\\begin{schema}{S}\n x_{12} : \\{1\\} % {\n\\end{schema}") == Said{});
+}
+
 TEST_CASE("E15: what is declared and never used is named") {
   CHECK(Text().replace("[ Elemento ]", "[ Elemento, Puntos ]").said() == Said{"Puntos is declared and never used"});
   CHECK(Text().replace("| miss |", "| miss | lost |").said() == Said{"lost is declared and never used"});

@@ -87,6 +87,43 @@ TEST_CASE("a cycle of parents is said to be one, and what is unknown or comes to
         "");
 }
 
+TEST_CASE("a file in Unicode is read as one in LaTeX is, with its places") {
+  const std::string unicode =
+      "Prose.\n─ section mia parents standard_toolkit\n└\n─\n[A, B]\nT ::= a | b⟪A⟫\n└\n┌ S[X]\nx : ℙ X\n├─\nx ≠ ∅  % "
+      "S.inv.1\n└\n╷\nc : ℕ\n|\nc > 0\n└\n═[X]\nf : ℙ X\n└\n┌─ Q\n│ y : ℕ\n├──\n│ y ≠ 1\n│ y ≠ 2\n└──\n";
+  const std::string latex =
+      "\\begin{zsection} \\SECTION mia \\parents standard\\_toolkit \\end{zsection}\\begin{zed} [A, B] \\\\ T ::= a "
+      "| b \\ldata A \\rdata \\end{zed}\\begin{schema}{S}[X] x : \\power X \\where x \\neq \\emptyset % S.inv.1\n"
+      "\\end{schema}\\begin{axdef} c : \\nat \\where c > 0 \\end{axdef}\\begin{gendef}[X] f : \\power X "
+      "\\end{gendef}\\begin{schema}{Q} y : \\nat \\where y \\neq 1 \\\\ y \\neq 2 \\end{schema}";
+  const Specification read = read_text(unicode, "u.utf8"), other = read_text(latex, "l.tex");
+  REQUIRE(read.ok());
+  REQUIRE(read.sections.size() == 1);
+  REQUIRE(other.ok());
+  CHECK(read.sections[0].name == "mia");
+  CHECK(read.sections[0].paragraphs == other.sections[0].paragraphs);
+  CHECK(read.sections[0].paragraphs.size() == 6);
+  CHECK(read.sections[0].paragraphs[2].place == Place{8, 3});
+  const Specification wrong = read_text("─\nx == 1 +\n└\n\n┌ S\n│ x : ℕ\n", "u.utf8");
+  REQUIRE(wrong.defects.size() == 2);
+  CHECK(wrong.defects[0].text().starts_with("u.utf8:2:"));
+  CHECK(wrong.defects[1].text() == "u.utf8:5:1: the paragraph does not end; expected a line that begins with └");
+}
+
+TEST_CASE("a template holds in all of its section and in its children, and nowhere else") {
+  const std::string section = "\\begin{zsection} \\SECTION a \\parents standard\\_toolkit \\end{zsection}\n",
+                    child = "\\begin{zsection} \\SECTION b \\parents a \\end{zsection}\n",
+                    other = "\\begin{zsection} \\SECTION c \\parents standard\\_toolkit \\end{zsection}\n",
+                    declared = "\\begin{axdef} \\_ ~below~ \\_ : \\num \\rel \\num \\end{axdef}\n",
+                    made = "\\begin{zed} \\relation (\\_ ~below~ \\_) \\end{zed}\n",
+                    used = "\\begin{zed} \\vdash? 1~below~2 \\end{zed}\n";
+  CHECK(read_text(section + declared + used + made + child + used, "t.tex").ok());
+  const Specification apart = read_text(section + declared + made + other + used, "t.tex");
+  REQUIRE(apart.ok());  // there it is a name to which 1 is applied
+  CHECK(apart.operators.at("c").empty());
+  CHECK(apart.operators.at("a").size() == 1);
+}
+
 TEST_CASE("sources are read in their order, each from what is given") {
   const auto text = [](const std::string& name) {
     return "\\begin{zsection}\n\\SECTION " + name + "\n\\end{zsection}\n\\begin{zed}[" + name + "x]\\end{zed}\n";

@@ -18,7 +18,9 @@ Lines reported(const std::vector<std::string>& files) {
   Lines defects_by_line;
   const Specification read = read_files(files);
   report(read.defects, defects_by_line);
-  report(check(read).defects, defects_by_line);
+  const Typing typing = check(read);
+  report(typing.defects, defects_by_line);
+  report(doubled_operations(read, typing), defects_by_line);  // E04 is an opinion: ISO Z takes it
   return defects_by_line;
 }
 
@@ -64,6 +66,23 @@ TEST_CASE("an error names both types in Z notation, and its place") {
   CHECK(typing.defects[0].text() == "here.tex:5:3: = between A and 𝔸; expected one type on both sides");
 }
 
+TEST_CASE("an error says what may be meant") {
+  const auto expected = [](const std::string& body) {
+    const Typing typing = check(text("\\begin{schema}{Contador} n : \\nat \\end{schema}\n" + body));
+    return typing.defects.empty() ? "" : typing.defects[0].expected;
+  };
+  CHECK(expected("\\begin{zed} Op == [ \\Delta Contadr ] \\end{zed}") ==
+        "expected a declared name; did you mean ΔContador?");
+  CHECK(expected("\\begin{zed} Op == [ \\Delta Contador | m' = n' + 1 \\land Contadro ] \\end{zed}") ==
+        "expected a declared name");
+  CHECK(expected("\\begin{zed} Op == [ contador : \\nat | contadro = 1 ] \\end{zed}") ==
+        "expected a declared name; did you mean contador?");
+  CHECK(expected("\\begin{axdef} a, b : \\nat \\where a = 1\n b = 2 \\end{axdef}") ==
+        "expected a function before its argument, or a new line \\\\ between the two");
+  CHECK(expected("\\begin{axdef} a, b : \\nat \\where a = 1~b \\end{axdef}") ==
+        "expected a function before its argument");
+}
+
 TEST_CASE("several errors are reported, not only the first") {
   const Typing typing =
       check(text("\\begin{zed} [A] \\end{zed}\n\\begin{zed} B == x \\end{zed}\n\\begin{zed} C == A + 1 \\end{zed}\n"));
@@ -93,7 +112,7 @@ TEST_CASE("an expression is checked in the scope of a section") {
   CHECK(type_in("tipos", "{soy_esfera, soy_cono} ∖ ∅") == "ℙ Tipo");
   CHECK(type_in("tipos", "cuadrado") == "expression:1:1: cuadrado is not declared; expected a declared name");
   CHECK(type_in("escena", "λ Escena; e : elementos • e") ==
-        "expression:1:15: elementos is not declared; expected a declared name");
+        "expression:1:15: elementos is not declared; expected a declared name; did you mean Elemento?");
   CHECK(type_in("tipos", "∅") ==
         "expression:1:1: the generic actuals of ∅ are not determined; expected ∅[…], or a use that gives its type");
 }

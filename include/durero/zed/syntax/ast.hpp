@@ -196,9 +196,10 @@ struct Schema {
   SchemaText text;            ///< it declares the components, and states the invariant
 };
 
-/// A conjecture ⊢? P is a claim that is type-checked and no more.
+/// A conjecture [X, Y] ⊢? P is a claim that is type-checked and no more.
 struct Conjecture {
-  Predicate claim;  ///< P, with its label
+  Predicate claim;            ///< P, with its label
+  std::vector<Name> formals;  ///< X, Y of [X, Y] ⊢? P; none where it is not generic
 };
 
 /// A paragraph is a box, or one line of a `zed` environment (of free types that `&` joins there, each is one).

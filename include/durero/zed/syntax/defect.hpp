@@ -8,21 +8,23 @@
 
 namespace durero::zed {
 
-/// An error means that the text is refused; a warning means that it is read, and is suspect.
+/// An error means that the text is refused. A warning means that it is read, and is suspect; an opinion, that it is Z
+/// and that the house would write it in another way.
 struct Defect {
   /// How much it weighs.
   enum class Severity {
-    error,   ///< the text is refused
-    warning  ///< the text is read, and is suspect
+    error,    ///< the text is refused
+    warning,  ///< the text is read, and is suspect
+    opinion   ///< the text is right by ISO Z, and --strict refuses it
   };
   std::string file;                     ///< the file, by the name that it was read under
   Place place;                          ///< it is seen here, in that file
   std::string what;                     ///< this is wrong
   std::string expected;                 ///< this is expected instead
-  Severity severity = Severity::error;  ///< all but the warnings of review.hpp are errors
+  Severity severity = Severity::error;  ///< all are errors but some of review.hpp
 
-  /// Returns `FILE:LINE:COLUMN: what is wrong; what is expected`, with `warning: ` after the place of a warning. It is
-  /// one line of visible characters, whatever the text holds.
+  /// Returns `FILE:LINE:COLUMN: what is wrong; what is expected`, with `warning: ` after the place of a warning and
+  /// `opinion: ` after that of an opinion. It is one line of visible characters, whatever the text holds.
   std::string text() const;
 };
 

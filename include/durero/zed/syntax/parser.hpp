@@ -5,6 +5,7 @@
 
 #include "durero/zed/syntax/ast.hpp"
 #include "durero/zed/syntax/markup.hpp"
+#include "durero/zed/syntax/operators.hpp"
 
 namespace durero::zed {
 
@@ -14,13 +15,14 @@ namespace durero::zed {
 /// build (measured with the nests of tests/zed/fuzz_test.cpp), of the 8 MB that a thread has.
 inline constexpr unsigned max_depth = 500;
 
-/// Reads one expression or predicate in Unicode, to the end of the text. Throws ZError.
-Term parse_unicode(std::string_view text);
+/// Reads one expression or predicate in Unicode, to the end of the text, with the operators of templates in scope.
+/// Throws ZError.
+Term parse_unicode(std::string_view text, const Operators& operators = {});
 
 /// Reads one paragraph in Unicode, in the form that to_unicode() prints. Throws ZError.
-Paragraph parse_unicode_paragraph(std::string_view text);
+Paragraph parse_unicode_paragraph(std::string_view text, const Operators& operators = {});
 
 /// Reads one expression or predicate in LaTeX mark-up, to the end of the text. Throws ZError.
-Term parse_latex(std::string_view text, const Markup& markup = {});
+Term parse_latex(std::string_view text, const Markup& markup = {}, const Operators& operators = {});
 
 }  // namespace durero::zed

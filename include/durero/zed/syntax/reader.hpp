@@ -9,6 +9,7 @@
 #include "durero/zed/syntax/ast.hpp"
 #include "durero/zed/syntax/defect.hpp"
 #include "durero/zed/syntax/markup.hpp"
+#include "durero/zed/syntax/operators.hpp"
 
 namespace durero::zed {
 
@@ -16,7 +17,10 @@ namespace durero::zed {
 struct Specification {
   std::vector<Section> sections;         ///< parents come first
   std::map<std::string, Markup> markup;  ///< each section has the directives in force in it, its parents' too
-  std::vector<Defect> defects;           ///< reading found these; a paragraph that cannot be read is left out
+  /// Each section has the operators of the templates in it, and of its parents'.
+  std::map<std::string, Operators> operators;
+  std::vector<Defect> defects;   ///< reading found these; a paragraph that cannot be read is left out
+  std::vector<Defect> warnings;  ///< of what is read, and may be meant otherwise
 
   /// Says whether all was read without a defect. Types and the rest are not looked at yet (typecheck.hpp, review.hpp).
   bool ok() const { return defects.empty(); }
@@ -31,8 +35,8 @@ inline constexpr std::size_t max_bytes = 1 << 20;
 /// read.
 bool is_toolkit(const std::string& section);
 
-/// Reads files, and the parents that they name: from the files given, or from the `.tex` files in the folder of the
-/// file that names the parent. A file that cannot be opened is a defect.
+/// Reads files, and the parents that they name: from the files given, or from the `.tex` and `.utf8` files in the
+/// folder of the file that names the parent. A file that cannot be opened is a defect.
 Specification read_files(const std::vector<std::string>& files);
 
 /// Reads texts that were files, each with its name, in this order. Parents are looked for as by read_files.

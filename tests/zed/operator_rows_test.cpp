@@ -1,10 +1,9 @@
 // The table of operators: its rows are complete, agree with each other, and are what the readers know.
-#include "zed/operators.hpp"
-
 #include <map>
 #include <set>
 
 #include "support/catch.hpp"
+#include "zed/operators.hpp"
 #include "zed/syntax/symbols.hpp"
 #include "zed/types/toolkit.hpp"
 
