@@ -221,7 +221,10 @@ struct Search::Run {
     }
     if (!visit && open == 1 && last) {
       const Set& set = *sets[static_cast<std::size_t>(last - search.variables_.data())].set();
-      if (const auto some = search.some_number(*last, set, frame, extra)) return judge(*some);
+      if (const auto some = search.some_number(*last, set, frame, extra)) {
+        if (*some != Truth::no) judge(*some);
+        return;
+      }
     }
     judge(lost(frame.context));
   }

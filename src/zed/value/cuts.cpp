@@ -77,8 +77,8 @@ std::optional<Cuts> roots(const std::vector<Polynomial>& polynomials) {
     const Rational c = polynomial.constant.surd().x, b = polynomial.slope.surd().x, a = polynomial.square.surd().x;
     const Rational discriminant = b * b - 4 * a * c;
     if (discriminant < 0) continue;
-    for (const int side : {-1, 1})
-      cuts.emplace_back(Surd(Rational(-b / (2 * a)), Rational(side / (2 * a)), discriminant));
+    const Rational radicand = discriminant / (4 * a * a);
+    for (const int side : {-1, 1}) cuts.emplace_back(Surd(Rational(-b / (2 * a)), side, radicand));
   }
   std::sort(cuts.begin(), cuts.end());
   cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
