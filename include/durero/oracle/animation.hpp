@@ -31,15 +31,15 @@ struct Setup {
 
 /// An operation of a machine: its name, and the components beside the states.
 struct MachineOperation {
-  std::string name;
-  std::vector<zed::Name> inputs, outputs;
+  std::string name;                        ///< of its schema
+  std::vector<zed::Name> inputs, outputs;  ///< those with ?, and those with !
 };
 
 /// A transition: what was done, with what, and the state after it. The first of a trace is that of the initial schema.
 struct Transition {
-  std::string operation;
-  zed::Given inputs, outputs, after;  ///< `after` by the names of the state's components
-  bool operator==(const Transition& other) const;
+  std::string operation;                           ///< the name of its schema
+  zed::Given inputs, outputs, after;               ///< `after` by the names of the state's components
+  bool operator==(const Transition& other) const;  ///< by the same values
 };
 
 /// What was found, and what was left out in looking for it.
@@ -51,10 +51,10 @@ struct Found {
 
 /// A conjecture of the text, and whether it holds where it was tried.
 struct Tried {
-  std::string claim;  ///< in Unicode
-  std::string place;  ///< FILE:LINE
-  zed::Truth truth = zed::Truth::open;
-  bool of_states = false;  ///< it speaks of a state or a transition
+  std::string claim;                    ///< in Unicode
+  std::string place;                    ///< FILE:LINE
+  zed::Truth truth = zed::Truth::open;  ///< open: it could not be decided
+  bool of_states = false;               ///< it speaks of a state or a transition
 };
 
 /// The text as a machine. Not for use by two threads at once.
@@ -136,12 +136,12 @@ class Animation {
 
 /// The states that a machine can reach, breadth first.
 struct Exploration {
-  std::size_t states = 0, transitions = 0;
-  std::vector<std::string> bounded;  ///< what was left out, by the flag that would admit it
-  std::optional<Tried> refuted;      ///< the first conjecture that is false in a state or a transition
-  std::vector<Transition> way;       ///< leads there
-  std::size_t open = 0;              ///< conjectures, in states and transitions, that could not be decided
-  std::size_t claims = 0;            ///< those that were decided
+  std::size_t states = 0, transitions = 0;  ///< so many were found
+  std::vector<std::string> bounded;         ///< what was left out, by the flag that would admit it
+  std::optional<Tried> refuted;             ///< the first conjecture that is false in a state or a transition
+  std::vector<Transition> way;              ///< leads there
+  std::size_t open = 0;                     ///< conjectures, in states and transitions, that could not be decided
+  std::size_t claims = 0;                   ///< those that were decided
 };
 
 /// Explores from that state on, to `most_states` states. The way begins with that state's own.

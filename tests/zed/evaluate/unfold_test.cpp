@@ -53,10 +53,10 @@ std::string unfolded_text(const std::string& typed) {
 }
 
 TEST_CASE("a precondition is calculated: what equations give is put in its place") {
-  CHECK(unfolded_text("pre Inc") == "[n, most, by? : ℕ | n ≤ most ∧ n + by? ≤ most ∧ n + by? ∈ ℕ ∧ most ∈ ℕ]");
-  CHECK(unfolded_text("pre Some") == "[n, most : ℕ | n ≤ most ∧ most ∈ ℕ ∧ (∃ n' : ℕ • n' ≤ most ∧ n' > n)]");
+  CHECK(unfolded_text("pre Inc") == "[n, most, by? : ℕ | n ≤ most; n + by? ≤ most; n + by? ∈ ℕ; most ∈ ℕ]");
+  CHECK(unfolded_text("pre Some") == "[n, most : ℕ | n ≤ most; most ∈ ℕ; ∃ n' : ℕ • n' ≤ most ∧ n' > n]");
   CHECK(unfolded_text("Counter '") == "[n', most' : ℕ | n' ≤ most']");
-  CHECK(unfolded_text("ΞCounter") == "[n, most, n', most' : ℕ | n ≤ most ∧ n' ≤ most' ∧ n' = n ∧ most' = most]");
+  CHECK(unfolded_text("ΞCounter") == "[n, most, n', most' : ℕ | n ≤ most; n' ≤ most'; n' = n; most' = most]");
   CHECK(unfolded_text("Counter[m/n] ⧹ (m)") == "[most : ℕ | ∃ m : ℕ • m ≤ most]");
   CHECK(unfolded_text("¬ Counter") == "[n, most : 𝔸 | ¬ (n ∈ ℕ ∧ most ∈ ℕ ∧ n ≤ most)]");
   CHECK(unfolded_text("Inc ⨟ Inc") == "nothing");
