@@ -69,8 +69,8 @@ class Machine {
 
   const std::string& state() const;                  ///< the name of the state schema
   const std::string& init() const;                   ///< that of the initial schema; empty where the text has none
-  const std::vector<zed::Name>& components() const;  ///< those of the state
-  const std::vector<MachineOperation>& operations() const;
+  const std::vector<zed::Name>& components() const;  ///< those of the state, in the order of the text
+  const std::vector<MachineOperation>& operations() const;  ///< sorted by name
   /// The operation of that name, or null.
   const MachineOperation* find(const std::string& name) const;
   /// The given sets, with their members, as Z: `NAME == {NAME1, NAME2}`.
