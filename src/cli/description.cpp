@@ -19,19 +19,21 @@ struct Row {
   std::string_view shown;
 };
 constexpr std::array rows = {
-    Row{"SCENE", Kind::file, "SCENE"},       Row{"RAYS", Kind::file, "RAYS"},
-    Row{"HITS", Kind::file, "HITS"},         Row{"FILE", Kind::file, "FILE"},
-    Row{"FILES", Kind::file, "FILES"},       Row{"PATH", Kind::file, "PATH"},
-    Row{"REPORT", Kind::file, "REPORT"},     Row{"CAMPAIGN", Kind::file, "CAMPAIGN"},
-    Row{"--scene", Kind::file, "SCENE"},     Row{"--script", Kind::file, "FILE"},
-    Row{"--output", Kind::file, "FILE"},     Row{"--reproducer", Kind::file, "FILE"},
-    Row{"--profile", Kind::file, "PROFILE"}, Row{"SYSTEM", Kind::file, "SYSTEM"},
-    Row{"DIR", Kind::folder, "DIR"},         Row{"--systems", Kind::folder, "DIR"},
-    Row{"--report", Kind::folder, "DIR"},    Row{"--directory", Kind::folder, "DIR"},
-    Row{"EXPR", Kind::text, "EXPR"},         Row{"NAME", Kind::text, "NAME"},
-    Row{"COMMAND", Kind::text, "COMMAND"},   Row{"CASE", Kind::text, "CASE"},
-    Row{"--case", Kind::text, "CASE"},       Row{"--op", Kind::text, "OPERATION"},
-    Row{"--size", Kind::text, "WxH"},        Row{"--crop", Kind::text, "X,Y,W,H"},
+    Row{"SCENE", Kind::file, "SCENE"},         Row{"RAYS", Kind::file, "RAYS"},
+    Row{"HITS", Kind::file, "HITS"},           Row{"FILE", Kind::file, "FILE"},
+    Row{"FILES", Kind::file, "FILES"},         Row{"PATH", Kind::file, "PATH"},
+    Row{"REPORT", Kind::file, "REPORT"},       Row{"CAMPAIGN", Kind::file, "CAMPAIGN"},
+    Row{"--scene", Kind::file, "SCENE"},       Row{"--script", Kind::file, "FILE"},
+    Row{"--output", Kind::file, "FILE"},       Row{"--reproducer", Kind::file, "FILE"},
+    Row{"--profile", Kind::file, "PROFILE"},   Row{"SYSTEM", Kind::file, "SYSTEM"},
+    Row{"DIR", Kind::folder, "DIR"},           Row{"--systems", Kind::folder, "DIR"},
+    Row{"--report", Kind::folder, "DIR"},      Row{"--directory", Kind::folder, "DIR"},
+    Row{"EXPR", Kind::text, "EXPR"},           Row{"NAME", Kind::text, "NAME"},
+    Row{"COMMAND", Kind::text, "COMMAND"},     Row{"CASE", Kind::text, "CASE"},
+    Row{"--case", Kind::text, "CASE"},         Row{"--op", Kind::text, "OPERATION"},
+    Row{"--size", Kind::text, "WxH"},          Row{"--crop", Kind::text, "X,Y,W,H"},
+    Row{"--state", Kind::text, "SCHEMA"},      Row{"--init", Kind::text, "SCHEMA"},
+    Row{"--given", Kind::text, "SET=MEMBERS"}, Row{"--replay", Kind::file, "TRACE"},
 };
 
 /// What CLI11 says of the option: its type, and behind a colon what each of its checks says.

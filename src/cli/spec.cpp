@@ -14,6 +14,7 @@
 #include "durero/oracle/spec.hpp"
 #include "durero/zed/review/review.hpp"
 #include "progress.hpp"
+#include "spec_run.hpp"
 
 namespace durero::cli {
 namespace {
@@ -21,6 +22,7 @@ namespace {
 struct SpecOptions {
   CheckCall check;
   EvalCall eval;
+  RunCall run;
   std::string name, scene, rays, hits;
   bool quiet = false;
 };
@@ -59,10 +61,6 @@ std::string empty_files(const std::vector<std::string>& files, const zed::Specif
   return said;
 }
 
-}  // namespace
-
-namespace {
-
 // Throws where a file cannot be read.
 std::vector<std::pair<std::string, std::string>> sources(const std::vector<std::string>& files) {
   std::vector<std::pair<std::string, std::string>> texts;
@@ -70,12 +68,29 @@ std::vector<std::pair<std::string, std::string>> sources(const std::vector<std::
   return texts;
 }
 
+zed::Specification read_texts_of(const std::vector<std::string>& files) {
+  return files.empty() ? oracle::spec::text() : zed::read_sources(sources(files));
+}
+
 }  // namespace
+
+zed::Specification specification_of(const std::vector<std::string>& files) {
+  zed::Specification read = read_texts_of(files);
+  std::vector<zed::Defect> defects = read.defects;
+  if (defects.empty() && !files.empty()) defects = zed::check(read).defects;
+  for (const zed::Defect& defect : defects)
+    if (defect.severity == zed::Defect::Severity::error)
+      throw io::InputError(defect.file, {defect.place.line, defect.place.column}, defect.what, defect.expected);
+  if (const std::string empty = empty_files(files, read); !empty.empty())
+    throw io::InputError(empty.substr(0, empty.find(':')), {1, 1}, "no Z paragraph",
+                         "expected \\begin{zed}, axdef, schema, gendef or zsection");
+  return read;
+}
 
 int spec_check(const CheckCall& call) {
   std::optional<Progress> progress(std::in_place, call.quiet, "spec check");
   const bool own = call.files.empty();
-  const zed::Specification read = own ? oracle::spec::text() : zed::read_sources(sources(call.files));
+  const zed::Specification read = read_texts_of(call.files);
   std::vector<zed::Defect> defects = zed::review(read);
   for (zed::Defect& defect : defects)
     if (call.strict && defect.severity == zed::Defect::Severity::opinion) defect.severity = zed::Defect::Severity::error;
@@ -90,6 +105,52 @@ int spec_check(const CheckCall& call) {
   io::print(defects_text(defects) + sections_text(read) + conjectures.said);
   return conjectures.refuted ? 1 : 0;
 }
+
+namespace {
+
+void add_run(CLI::App& spec, const std::shared_ptr<SpecOptions>& options, int& status) {
+  RunCall& run = options->run;
+  auto* command = spec.add_subcommand("run", "Step through the operations of a Z text");
+  command->add_option("FILES", run.files, "Z text in LaTeX or Unicode mark-up; without it, the program's own text");
+  command->add_option("--state", run.setup.state,
+                      "The state schema; without it, that of most components with operations");
+  command->add_option("--init", run.setup.init, "The initial schema; without it, Init, or Init and the state's name");
+  command->add_option("--given", run.given, "A given set's members: NAME=3, or NAME=ann,bob");
+  command->add_option("--members", run.setup.members, "How many members other given sets have")
+      ->check(whole_number(1, 20))
+      ->capture_default_str();
+  command->add_option("--numbers", run.setup.numbers, "Inputs are looked for among the numbers from -N to N")
+      ->check(whole_number(0, 1000))
+      ->capture_default_str();
+  command->add_option("--inputs", run.setup.inputs, "How many choices of such inputs are tried")
+      ->check(whole_number(1, 1'000'000))
+      ->capture_default_str();
+  command->add_option("--choices", run.choices, "How many ways to go on are listed")
+      ->check(whole_number(1, 1000))
+      ->capture_default_str();
+  command->add_option("--states", run.states, "How many states an exploration has at most")
+      ->check(whole_number(1, 1'000'000))
+      ->capture_default_str();
+  command->add_option("--steps", run.setup.steps, "How many steps of evaluation one question may take")
+      ->check(whole_number(1, std::numeric_limits<std::uint64_t>::max()))
+      ->capture_default_str();
+  command
+      ->add_option("--memory", run.memory,
+                   "MiB that it may take; without it 4096, or half of the machine's memory where that is less")
+      ->check(whole_number(64, 1 << 30));
+  command->add_option("--replay", run.replay, "A saved trace to begin with");
+  command->footer(
+      "A state is a schema S, an operation one that has the components of S and of S ', inputs end in ? and outputs "
+      "in\n"
+      "!. Commands are read a line each; help lists them. What is looked for is bounded by the options, and what was\n"
+      "left out is said with the option that would admit it.\n\n" +
+      exit_status("all was done", "a conjecture is false in some state",
+                  "the call is bad, a text is wrong, or a command in a pipe cannot be done") +
+      examples({"spec run demo/birthday_book.tex", "spec run demo/birthday_book.tex --given NAME=ann,bob"}));
+  command->callback([options, &status] { status = spec_run(options->run); });
+}
+
+}  // namespace
 
 void add_spec(CLI::App& app, int& status) {
   auto* spec = app.add_subcommand("spec", "Read, check, evaluate and show the Z text");
@@ -119,7 +180,10 @@ void add_spec(CLI::App& app, int& status) {
 
   auto* eval = spec->add_subcommand("eval", "The value of an expression, or whether a predicate holds");
   eval->add_option("EXPR", options->eval.expression, "Z, in Unicode or in LaTeX mark-up")->required();
+  eval->add_option("FILES", options->eval.files, "Z text in LaTeX or Unicode mark-up; without it, the program's own text");
   eval->add_option("--scene", options->eval.scene, "Scene file: Escena's components and the elements are then names");
+  eval->add_flag("--explain", options->eval.explain)
+      ->description("Print each part of it with its value, and what makes a ∀ false or an ∃ true");
   eval->add_option("--steps", options->eval.steps,
                    "How many steps it may take; as many as by default take about a minute")
       ->check(whole_number(1, std::numeric_limits<std::uint64_t>::max()))
@@ -134,15 +198,19 @@ void add_spec(CLI::App& app, int& status) {
       "What begins with - is taken for an option unless -- stands before it: spec eval -- '-(2)'.\n\n" +
       exit_status("a value, or true", "undefined, or false",
                   "it cannot be read, or decided, or takes more steps or memory than it may") +
-      examples({"spec eval '1/3 + 0.25'", "spec eval '# elementos' --scene demo/still-life.json"}));
+      examples({"spec eval '1/3 + 0.25'", "spec eval '# elementos' --scene demo/still-life.json",
+                "spec eval '# REPORT' demo/birthday_book.tex"}));
   add_quiet(*eval, options->eval.quiet);
   eval->callback([options, &status] { status = spec_eval(options->eval); });
 
   auto* show = spec->add_subcommand("show", "A paragraph, and where each of its predicates is carried out");
   show->add_option("NAME", options->name, "A name that the text declares, or a label")->required();
+  show->add_option("FILES", options->files, "Z text in LaTeX or Unicode mark-up; without it, the program's own text");
   show->footer(exit_status("it is shown", "the call is bad, or the text has no such name") +
                examples({"spec show Escena", "spec show reduccion.def.2"}));
-  show->callback([options, &status] { status = spec_show(options->name); });
+  show->callback([options, &status] { status = spec_show(options->name, options->files); });
+
+  add_run(*spec, options, status);
 
   auto* confirm = spec->add_subcommand("confirm", "Let the Z text decide whether hits are right");
   confirm->footer(

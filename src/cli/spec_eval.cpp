@@ -31,18 +31,10 @@ std::uint64_t data_now() {
   return statm ? pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) : 0;
 }
 
-/// From here on what takes so much more memory throws std::bad_alloc. A number may take a 128th of it.
-void bound_memory(std::uint64_t bytes) {
-  number::throw_when_numbers_outgrow_memory(bytes / 128);
-  rlimit limit{};
-  getrlimit(RLIMIT_DATA, &limit);
-  limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, data_now() + bytes);
-  setrlimit(RLIMIT_DATA, &limit);
-}
-
-oracle::spec::Calculator calculator(const std::string& scene) {
-  if (scene.empty()) return {};
-  return oracle::spec::Calculator(scene::retrieve(io::read_scene(io::read_source(scene))));
+oracle::spec::Calculator calculator(const EvalCall& call) {
+  if (!call.files.empty()) return oracle::spec::Calculator(specification_of(call.files));
+  if (call.scene.empty()) return {};
+  return oracle::spec::Calculator(scene::retrieve(io::read_scene(io::read_source(call.scene))));
 }
 
 [[noreturn]] void give_up(const char* what, std::uint64_t most, const char* unit, std::uint64_t taken) {
@@ -59,16 +51,29 @@ std::uint64_t default_memory() {
   return std::min<std::uint64_t>(4096, static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(size) / mib / 2);
 }
 
+void bound_memory(std::uint64_t mebibytes) {
+  const std::uint64_t bytes = (mebibytes == 0 ? default_memory() : mebibytes) * mib;
+  number::throw_when_numbers_outgrow_memory(bytes / 128);
+  rlimit limit{};
+  getrlimit(RLIMIT_DATA, &limit);
+  limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, data_now() + bytes);
+  setrlimit(RLIMIT_DATA, &limit);
+}
+
 int spec_eval(const EvalCall& call) {
+  if (!call.files.empty() && !call.scene.empty())
+    throw io::InputError("--scene", {1, 1}, "a scene is a state of the program's own text",
+                         "expected no FILES beside it");
   const std::uint64_t memory = call.memory == 0 ? default_memory() : call.memory;
   zed::Steps steps(call.steps);
   try {
-    const oracle::spec::Calculator text = calculator(call.scene);
+    const oracle::spec::Calculator text = calculator(call);
     std::optional<Progress> progress(std::in_place, call.quiet, "spec eval");
-    bound_memory(memory * mib);
+    bound_memory(memory);
+    const std::string tree = call.explain ? text.explain(call.expression, steps) : "";
     const auto result = text.evaluate(call.expression, steps);
     progress.reset();
-    io::print(result.text + "\n");
+    io::print(call.explain ? tree : result.text + "\n");
     return result.yes ? 0 : 1;
   } catch (const zed::ZError& error) {
     throw io::InputError(file_name, {error.place.line, error.place.column}, error.what_is_wrong, error.expected);

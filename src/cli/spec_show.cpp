@@ -10,14 +10,16 @@
 
 namespace durero::cli {
 
-int spec_show(const std::string& name) {
-  const std::string said = oracle::spec::shown(name, oracle::spec::LabelIndex(embedded::labels().begin()->second));
+int spec_show(const std::string& name, const std::vector<std::string>& files) {
+  const zed::Specification text = specification_of(files);
+  // Labels of another text are carried out elsewhere.
+  const oracle::spec::LabelIndex places(files.empty() ? embedded::labels().begin()->second : "");
+  const std::string said = oracle::spec::shown(text, name, places);
   if (said.empty()) {
-    const std::string word = oracle::spec::in_unicode(name);
-    const auto meant = text::nearest(word, oracle::spec::names_and_labels());
-    throw io::InputError(
-        "NAME", {1, 1}, "the text declares no " + word,
-        "expected " + meant.value_or("a name of spec/, such as Escena, or a label, such as Escena.inv.1"));
+    const std::string word = oracle::spec::in_unicode(text, name);
+    const auto meant = durero::text::nearest(word, oracle::spec::names_and_labels(text));
+    throw io::InputError("NAME", {1, 1}, "the text declares no " + word,
+                         "expected " + meant.value_or("a name that it declares, or a label, such as Escena.inv.1"));
   }
   io::print(said);
   return 0;

@@ -4,6 +4,8 @@
 #include <string_view>
 #include <utility>
 
+#include "durero/zed/evaluate/unfold.hpp"
+#include "durero/zed/print/print.hpp"
 #include "durero/zed/syntax/parser.hpp"
 
 namespace durero::oracle::spec {
@@ -48,16 +50,27 @@ constexpr const char* open_variable =
 
 }  // namespace
 
-zed::Term parsed(const std::string& typed) {
-  if (!is_latex(typed)) return zed::parse_unicode(typed);
-  zed::Markup markup;
-  for (const auto& [section, commands] : text().markup) markup.insert(commands.begin(), commands.end());
-  return zed::parse_latex(typed, markup);
+zed::Term parsed(const std::string& typed) { return parsed(typed, markup_of(text())); }
+
+zed::Term parsed(const std::string& typed, const zed::Markup& markup) {
+  return is_latex(typed) ? zed::parse_latex(typed, markup) : zed::parse_unicode(typed);
 }
 
-Calculator::Calculator() : specification_(text()) {
+zed::Markup markup_of(const zed::Specification& specification) {
+  zed::Markup markup;
+  for (const auto& [section, commands] : specification.markup) markup.insert(commands.begin(), commands.end());
+  return markup;
+}
+
+Calculator::Calculator() : Calculator(text()) {}
+
+Calculator::Calculator(zed::Specification specification) : specification_(std::move(specification)) {
   specification_.sections.push_back(calling_section(specification_));
   typing_ = zed::check(specification_);
+  if (!typing_.ok()) {
+    const zed::Defect& first = typing_.defects.front();
+    throw zed::ZError(first.place, first.what, first.expected);
+  }
 }
 
 Calculator::Calculator(const model::Escena& escena) : Calculator() {
@@ -109,8 +122,17 @@ std::string Calculator::spelled(const zed::AtomName& atom) const {
   return atom.type == elements && !plain_.contains(atom.text) ? quoted(atom.text) : atom.text;
 }
 
+std::optional<std::string> Calculator::written_out(const zed::Term& schema, const zed::Type& type) const {
+  const auto carrier = [&](const Name& component) {
+    const zed::Type* of = type.parts()[0].field(component);
+    return of && of->is_known() ? zed::parse_unicode(of->text(zed::Type::max_size)) : zed::Term();
+  };
+  const auto text = zed::unfolded(schema, specification_.sections, carrier);
+  return text ? std::optional(zed::to_unicode(*text)) : std::nullopt;
+}
+
 Calculator::Result Calculator::evaluate(const std::string& typed, zed::Steps& steps) const {
-  zed::Term term = parsed(typed);
+  zed::Term term = parsed(typed, markup_of(specification_));
   const zed::Typing typing = check(term);
   const zed::Evaluator evaluator(specification_.sections, given_, &steps);
   const std::optional<zed::Type> type = typing.type_of(term);
@@ -121,6 +143,9 @@ Calculator::Result Calculator::evaluate(const std::string& typed, zed::Steps& st
   }
   const zed::Value result = evaluator.value(term);
   if (result.is_open()) throw zed::EvaluationError(open_variable);
+  const bool listed = !result.set() || result.set()->members();
+  if (!listed && type->is_schema_set())
+    if (auto text = written_out(term, type->settled())) return {std::move(*text), true};
   const auto spelling = [this](const zed::AtomName& atom) { return spelled(atom); };
   return {result.text(type->settled(), spelling), !result.is_undefined()};
 }

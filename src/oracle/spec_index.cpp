@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "durero/oracle/calculator.hpp"
-#include "durero/oracle/spec.hpp"
 #include "durero/zed/print/print.hpp"
 #include "durero/zed/syntax/paragraphs.hpp"
 
@@ -26,9 +25,10 @@ std::string paragraph_text(const zed::Section& section, const zed::Paragraph& pa
 }
 
 /// What declares the name; else the first schema with a component of that name; else nothing.
-std::string declaration_text(const std::string& name, const LabelIndex& index) {
+std::string declaration_text(const zed::Specification& specification, const std::string& name,
+                             const LabelIndex& index) {
   for (const auto& declares : {zed::is_named, zed::has_component}) {
-    for (const zed::Section& section : text().sections) {
+    for (const zed::Section& section : specification.sections) {
       for (const zed::Paragraph& paragraph : section.paragraphs) {
         if (declares(paragraph, name)) return paragraph_text(section, paragraph, name, index);
       }
@@ -38,13 +38,13 @@ std::string declaration_text(const std::string& name, const LabelIndex& index) {
 }
 
 /// ΔS and ΞS, which no paragraph declares: what they stand for, then S.
-std::string change_text(const std::string& name, const LabelIndex& index) {
+std::string change_text(const zed::Specification& specification, const std::string& name, const LabelIndex& index) {
   constexpr std::string_view delta = "Δ", xi = "Ξ";
   static_assert(delta.size() == xi.size());
   const bool nothing_changes = name.starts_with(xi);
   if (!name.starts_with(delta) && !nothing_changes) return {};
   const std::string state = name.substr(delta.size());
-  const std::string said = state.empty() ? "" : declaration_text(state, index);
+  const std::string said = state.empty() ? "" : declaration_text(specification, state, index);
   if (said.empty()) return {};
   return fmt::format("{0} == [{1}; {1} '{2}]\n\n{3}", name, state,
                      nothing_changes ? fmt::format(" | θ {0} = θ {0} '", state) : "", said);
@@ -85,15 +85,15 @@ std::string LabelIndex::places(const std::string& label) const {
   return said;
 }
 
-std::string shown(const std::string& name, const LabelIndex& index) {
-  const std::string unicode = in_unicode(name);
-  const std::string said = declaration_text(unicode, index);
-  return said.empty() ? change_text(unicode, index) : said;
+std::string shown(const zed::Specification& specification, const std::string& name, const LabelIndex& index) {
+  const std::string unicode = in_unicode(specification, name);
+  const std::string said = declaration_text(specification, unicode, index);
+  return said.empty() ? change_text(specification, unicode, index) : said;
 }
 
-std::vector<std::string> names_and_labels() {
+std::vector<std::string> names_and_labels(const zed::Specification& specification) {
   std::vector<std::string> names;
-  for (const zed::Section& section : text().sections) {
+  for (const zed::Section& section : specification.sections) {
     for (const zed::Paragraph& paragraph : section.paragraphs) {
       for (const zed::Name& name : zed::names_of(paragraph)) names.push_back(name.text());
       const auto labels = zed::labels_of(paragraph);
@@ -103,10 +103,10 @@ std::vector<std::string> names_and_labels() {
   return names;
 }
 
-std::string in_unicode(const std::string& name) {
+std::string in_unicode(const zed::Specification& specification, const std::string& name) {
   if (name.find('\\') == name.npos) return name;
   try {
-    const zed::Term term = parsed(name);
+    const zed::Term term = parsed(name, markup_of(specification));
     return term->kind == zed::Kind::reference ? term->name.text() : name;
   } catch (const zed::ZError&) {
     return name;

@@ -93,11 +93,15 @@ run 1 spec eval 'let x == 3 • x = 4'
 is out false
 refused 'EXPR:1:1: the character # means nothing here; expected \#' spec eval '#\{1\}'
 refused 'EXPR:1:1: the generic actuals of {} are not determined; expected ∅' spec eval '{}'
-refused 'EXPR:1:1: this is not decided: a variable ranges over a set that is not finite' spec eval '∀ x : ℕ • x ≥ 0'
+run 0 spec eval '∀ x : ℕ • x ≥ 0'
+is out true
+refused 'EXPR:1:1: this is not decided: a variable ranges over a set that is not finite' spec eval '∀ x, y : ℕ • x + y ≥ x'
 refused 'EXPR:1:4: ' spec eval '1 +'
 refused 'EXPR:1:1: ' spec eval '1 ∈ 2'
 refused 'EXPR:1:1: nadie is not declared' spec eval nadie
-refused 'EXPR:1:1: this is not decided' spec eval '∃ x : ℝ • x * x = 2'
+run 0 spec eval '∃ x : ℝ • x * x = 2'
+is out true
+refused 'EXPR:1:1: this is not decided' spec eval '∃ x : ℝ • x * x * x = 2'
 refused 'EXPR:1:1: this is not decided' spec eval 'puntos_esfera(⦉x == 1, y == 0, z == 0⦊, 1) = ∅'
 
 # eval: what is printed can be typed; decimals are exact; any element has a spelling; many elements, large numbers.

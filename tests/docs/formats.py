@@ -1,4 +1,4 @@
-"""formats.py DURERO ROOT [--write]: the examples of docs/formats.md and docs/formats/ are what the program takes,
+"""formats.py DURERO ROOT [--write]: the examples of docs/formats.md, docs/formats/ and docs/spec-tool.md are what the program takes,
 prints and refuses. A comment before a block or a table says what it is:
 
   <!-- file NAME -->               the block is that file, for what follows on the page
@@ -19,7 +19,8 @@ import sys
 import tempfile
 
 durero, root, writes = os.path.abspath(sys.argv[1]), pathlib.Path(os.path.abspath(sys.argv[2])), "--write" in sys.argv
-PAGES = ["docs/formats.md", "docs/formats/scene.md", "docs/formats/conform.md", "docs/formats/others.md"]
+PAGES = ["docs/formats.md", "docs/formats/scene.md", "docs/formats/conform.md", "docs/formats/others.md",
+         "docs/spec-tool.md"]
 PART = re.compile(r"<!-- (file|run|prints|refused|errors|defects)( [^\n]*)? -->\n"
                   r"(```\w*\n(.*?)```\n|((?:\|[^\n]*\n)+))", re.S)
 counts, bad = {}, 0
@@ -101,6 +102,7 @@ def check_part(match):
 
 with tempfile.TemporaryDirectory() as folder:
     os.chdir(folder)
+    os.symlink(root / "demo", "demo")
     for name in PAGES:
         page = (root / name).read_text(encoding="utf-8")
         checked = PART.sub(check_part, page)

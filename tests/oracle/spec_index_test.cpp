@@ -1,5 +1,6 @@
 #include "durero/oracle/spec_index.hpp"
 
+#include "durero/oracle/spec.hpp"
 #include "support/catch.hpp"
 
 namespace durero::oracle::spec {
@@ -27,16 +28,16 @@ TEST_CASE("the places of a label stand in the order text, clause, function, test
 }
 
 TEST_CASE("a name is shown by what declares it, a label by its own places, ΔS by what it stands for") {
-  CHECK_THAT(shown("Escena", index),
+  CHECK_THAT(shown(text(), "Escena", index),
              StartsWith("spec/escena.tex:") && Contains("tests/a.cpp:7") && Contains("x.hpp:1"));
-  CHECK_THAT(shown("Escena.inv.1", index), Contains("tests/a.cpp:7") && !Contains("x.hpp:1"));
-  CHECK_THAT(shown("mi\\_radio", index), Contains("│ mi_radio : Elemento ⇸ Rmas"));
-  CHECK_THAT(shown("ΞEscena", index), StartsWith("ΞEscena == [Escena; Escena ' | θ Escena = θ Escena ']\n"));
-  CHECK_THAT(shown("ΔEscena", index), StartsWith("ΔEscena == [Escena; Escena ']\n"));
-  CHECK(shown("nadie", index).empty());
-  CHECK(shown("Δ", index).empty());
-  CHECK(in_unicode("\\real") == "ℝ");
-  CHECK(in_unicode("\\nadie") == "\\nadie");
+  CHECK_THAT(shown(text(), "Escena.inv.1", index), Contains("tests/a.cpp:7") && !Contains("x.hpp:1"));
+  CHECK_THAT(shown(text(), "mi\\_radio", index), Contains("│ mi_radio : Elemento ⇸ Rmas"));
+  CHECK_THAT(shown(text(), "ΞEscena", index), StartsWith("ΞEscena == [Escena; Escena ' | θ Escena = θ Escena ']\n"));
+  CHECK_THAT(shown(text(), "ΔEscena", index), StartsWith("ΔEscena == [Escena; Escena ']\n"));
+  CHECK(shown(text(), "nadie", index).empty());
+  CHECK(shown(text(), "Δ", index).empty());
+  CHECK(in_unicode(text(), "\\real") == "ℝ");
+  CHECK(in_unicode(text(), "\\nadie") == "\\nadie");
 }
 
 }  // namespace

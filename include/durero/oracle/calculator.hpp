@@ -15,6 +15,10 @@ namespace durero::oracle::spec {
 /// A term as one types it: in LaTeX where a command of LaTeX is in it, with the commands that the text names; else in
 /// Unicode. Throws zed::ZError.
 zed::Term parsed(const std::string& typed);
+/// The same with the commands of another text.
+zed::Term parsed(const std::string& typed, const zed::Markup& markup);
+/// The commands that the sections of a text name, together.
+zed::Markup markup_of(const zed::Specification& specification);
 
 /// Sees the whole text, and Escena's components and the elements of a scene where there is one. An element's name is
 /// written between quotation marks, `"a-b"`, or plainly where it is a word that the text leaves free. Numbers may be
@@ -23,17 +27,23 @@ zed::Term parsed(const std::string& typed);
 class Calculator {
  public:
   Calculator();
+  /// Of another text. Throws zed::ZError where it has an error of types; its own defects are the caller's to look at.
+  explicit Calculator(zed::Specification specification);
   /// Of that scene, which it copies.
   explicit Calculator(const model::Escena& escena);
 
   /// What an expression or a predicate comes to.
   struct Result {
-    std::string text;  ///< the value, `undefined`, `true` or `false`
+    std::string text;  ///< the value, `undefined`, `true` or `false`; a schema that is not listed is written out
     bool yes = false;  ///< there is a value, or the predicate holds
   };
   /// Counts the steps. Throws zed::ZError where the term cannot be read or has no type, zed::EvaluationError where it
   /// is not decided, zed::StepsSpent where it takes more steps than it may.
   Result evaluate(const std::string& typed, zed::Steps& steps) const;
+  /// A line for the term, and indented below it one for each of its parts, with its value: so which conjunct is false;
+  /// and below a ∀ that is false, or an ∃ that is true, the values that make it so, and the body with these. Throws as
+  /// evaluate() does, but where a part is not decided, which it then says.
+  std::string explain(const std::string& typed, zed::Steps& steps) const;
   /// The same with as many steps as it takes.
   Result evaluate(const std::string& typed) const {
     zed::Steps unbounded;
@@ -45,6 +55,8 @@ class Calculator {
   /// The term, or, of a connective of schemas whose components are not in scope, the schema; with its typing.
   zed::Typing check(zed::Term& term) const;
   std::string spelled(const zed::AtomName& atom) const;
+  /// The schema as one text without others in it, as `pre Op`; nothing where that cannot be.
+  std::optional<std::string> written_out(const zed::Term& schema, const zed::Type& type) const;
 
   zed::Specification specification_;
   zed::Typing typing_;

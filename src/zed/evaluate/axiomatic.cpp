@@ -140,7 +140,7 @@ Value determined(Compiler& compiler, const Name& name, const Axiomatic& form, Co
 Value Compiler::axiomatic(const Meaning& global, Context& context) {
   const auto& form = std::get<Axiomatic>(global.paragraph->form);
   const Name& name = global.name;
-  if (name.text() == "ℝ") return everything("ℝ");  // the axioms of the reals are assumed, not evaluated
+  if (name.text() == "ℝ") return reals("ℝ");  // the axioms of the reals are assumed, not evaluated
   if (defines_function(name, form)) {
     return axiomatic_function(name.text(), [this, &form, name](Context& inside) {
       Clauses clauses;

@@ -1,5 +1,7 @@
 /// Compiles expressions that bind variables: let, { }, λ, μ, and a schema as the set that it is.
 
+#include <set>
+
 #include "zed/evaluate/compiler.hpp"
 #include "zed/evaluate/describe.hpp"
 #include "zed/evaluate/intensional.hpp"
@@ -42,16 +44,34 @@ Property Compiler::let_predicate(const Term& term, const Scope& scope) {
       term);
 }
 
+std::vector<std::pair<std::string, unsigned>> Compiler::free_names(std::size_t before, unsigned base,
+                                                                   const Scope& scope) const {
+  std::vector<std::pair<std::string, unsigned>> free;
+  std::set<unsigned> slots(reads_.begin() + static_cast<std::ptrdiff_t>(before), reads_.end());
+  for (const Scope* here = &scope; here; here = here->outer) {
+    std::map<std::string, unsigned> sorted;
+    for (const auto& [name, local] : here->names)
+      if (local.slot && *local.slot < base && slots.contains(*local.slot)) sorted.emplace(name.text(), *local.slot);
+    for (const auto& [name, slot] : sorted)
+      if (slots.erase(slot) != 0) free.emplace_back(name, slot);
+  }
+  for (const unsigned slot : slots)  // what no text can write, as between S and T in S ⨟ T
+    if (slot < base) free.emplace_back("…", slot);
+  return free;
+}
+
 Code Compiler::comprehension(const Node& node, const Scope& scope) {
   const unsigned base = scope.unit->next;
+  const std::size_t before = reads_.size();
   const Slots slots(*scope.unit);
   Scope inner{.outer = &scope, .unit = scope.unit};
   const Head head = this->head(*node.text, scope, inner);
   Code term;
   if (!node.children.empty()) term = expression(node.children[0], inner);
-  return [head, term, base, unit = scope.unit, text = describe(node)](Frame& frame) -> Value {
+  return [head, term, base, unit = scope.unit, text = describe(node),
+          free = free_names(before, base, scope)](Frame& frame) -> Value {
     if (!head.search->enumerable(frame))
-      return intensional_set({unit, captured(frame, base), head, term, text}, frame.context.steps);
+      return intensional_set({unit, captured(frame, base), head, term, text, free}, frame.context.steps);
     std::vector<Value> values;
     const Necessary no(frame.context, false);
     const Truth some = head.search->each(frame, [&](Frame& inside) {
@@ -73,12 +93,14 @@ Code Compiler::schema_set(const Term& term, const Scope& scope) {
 
 Code Compiler::lambda(const Node& node, const Scope& scope) {
   const unsigned base = scope.unit->next;
+  const std::size_t before = reads_.size();
   const Slots slots(*scope.unit);
   Scope inner{.outer = &scope, .unit = scope.unit};
   const Head head = this->head(*node.text, scope, inner);
   Code term = expression(node.children[0], inner);
-  return [head, term = std::move(term), base, unit = scope.unit, text = describe(node)](Frame& frame) {
-    return lambda_function({unit, captured(frame, base), head, term, text}, frame.context.steps);
+  return [head, term = std::move(term), base, unit = scope.unit, text = describe(node),
+          free = free_names(before, base, scope)](Frame& frame) {
+    return lambda_function({unit, captured(frame, base), head, term, text, free}, frame.context.steps);
   };
 }
 

@@ -94,6 +94,8 @@ class Compiler {
   Code let(const Node& node, const Scope& scope);
   Code parts(const Node& node, const Scope& scope, Value (*make)(std::vector<Value>));
   Code binding_extension(const Node& node, const Scope& scope);
+  /// Returns the slots below `base` that were read since `before`, each with its innermost name in the scope.
+  std::vector<std::pair<std::string, unsigned>> free_names(std::size_t before, unsigned base, const Scope& scope) const;
   Code comprehension(const Node& node, const Scope& scope);
   Code lambda(const Node& node, const Scope& scope);
   Code mu(const Node& node, const Scope& scope);

@@ -2,24 +2,11 @@
 
 #include <algorithm>
 
-#include "zed/evaluate/compiler.hpp"
+#include "zed/evaluate/evaluator_state.hpp"
 #include "zed/value/functions.hpp"
 #include "zed/value/sets.hpp"
 
 namespace durero::zed {
-
-struct Evaluator::State {
-  State(std::vector<Section> given_sections, Steps* counted)
-      : steps(counted ? *counted : own_steps),
-        sections(std::move(given_sections)),
-        definitions(sections),
-        compiler(definitions) {}
-  Steps own_steps;
-  Steps& steps;
-  std::vector<Section> sections;
-  Definitions definitions;
-  Compiler compiler;
-};
 
 struct SchemaCheck::State {
   explicit State(Steps& counted) : steps(counted) {}
@@ -125,7 +112,8 @@ Evaluator::Evaluator(std::vector<Section> sections, const Given& given, Steps* s
     : state_(std::make_unique<State>(std::move(sections), steps)) {
   for (const auto& [name, value] : given) {
     Meaning* global = state_->definitions.find(name);
-    if (!global || global->kind != Meaning::Kind::axiomatic) {
+    const bool carrier = global && global->kind == Meaning::Kind::given && value.set() && value.set()->members();
+    if (!global || (global->kind != Meaning::Kind::axiomatic && !carrier)) {
       throw EvaluationError(name.text() + " is given a value, and is no name that the text leaves open");
     }
     global->value = value;

@@ -1,5 +1,7 @@
 #include "zed/evaluate/intensional.hpp"
 
+#include <algorithm>
+
 #include "zed/value/functions.hpp"
 
 namespace durero::zed {
@@ -13,9 +15,8 @@ class Comprehension : public Set {
     const Deeper deeper(context);
     Frame frame = closure_.frame(context);
     if (!closure_.term) {
-      if (value.get<Unknown>() && closure_.head.groups.size() + closure_.head.groups[0].components.size() > 1) {
-        return Truth::open;
-      }
+      if (value.get<Unknown>() && closure_.head.groups.size() + closure_.head.groups[0].components.size() > 1)
+        return lost(context);
       assign(frame, closure_.head.groups, value);
       return closure_.head.search->holds(frame);
     }
@@ -48,13 +49,84 @@ class Comprehension : public Set {
     return *total_;
   }
 
-  std::string text() const override { return closure_.text; }
+  Numbers numbers() const override {
+    if (!numbers_) {
+      Context context(steps_);
+      Frame frame = closure_.frame(context);
+      const bool one = !closure_.term && closure_.head.groups.size() == 1 && !closure_.head.groups[0].names;
+      numbers_ = one ? closure_.head.search->numbers(frame) : Numbers::none;
+    }
+    return *numbers_;
+  }
+
+  bool closed() const override { return closure_.closed(); }
+  std::size_t listed() const override { return members_ ? members_->set()->listed() : 0; }
+
+  // Where its predicate bounds numbers, the set is finite though what they are declared from is not.
+  const std::vector<Value>* members() const override {
+    if (!listed_) {
+      listed_ = true;
+      if (closed()) list();
+    }
+    return members_ ? members_->set()->members() : nullptr;
+  }
+
+  std::optional<Curve> curve(Context& context) const override;
+
+  std::string spelled(Wording wording) const override { return closure_.spelled(wording); }
 
  private:
+  void list() const;
+
   Closure closure_;
   Steps& steps_;
   mutable std::optional<bool> total_;
+  mutable std::optional<Numbers> numbers_;
+  mutable bool listed_ = false;
+  mutable std::optional<Value> members_;
 };
+
+void Comprehension::list() const {
+  Context context(steps_);
+  Frame frame = closure_.frame(context);
+  if (!closure_.head.search->bounds_numbers(frame)) return;
+  try {
+    std::vector<Value> values;
+    const Truth some = closure_.head.search->each(frame, [&](Frame& inside) {
+      values.push_back(closure_.term ? closure_.term(inside) : characteristic(inside, closure_.head.groups));
+      return true;
+    });
+    Value set = some == Truth::open ? Value() : Value::set(std::move(values));
+    if (set.set()) members_ = std::move(set);
+  } catch (const EvaluationError&) {  // it stays a set that is known by membership
+  }
+}
+
+/// Of { t : T | P • S }, where T is of reals and equations in S say of each part of its member what it is at t.
+std::optional<Curve> Comprehension::curve(Context& context) const {
+  const Search& search = *closure_.head.search;
+  Frame frame = closure_.frame(context);
+  if (!closure_.term || search.variables().size() != 1 || search.numbers(frame) != Numbers::reals) return std::nullopt;
+  const Unknown t{context.fresh()};
+  const Code& term = closure_.term;
+  const unsigned slot = search.variables()[0].slot;
+  frame.slots[slot] = t;
+  const Value at_t = term(frame);
+  if (!at_t.set()) return std::nullopt;
+  Value member = at_t.set()->unknown(context);
+  const Necessary must(context, t.id + 1);
+  context.parameter = t.id;
+  const Truth some = contains_value(at_t, member, context);
+  context.parameter = Context::none;
+  if (some == Truth::no) return std::nullopt;
+  const auto admits = [this, slot](const Value& number, const Value& point, Context& inside) {
+    Frame here = closure_.frame(inside);
+    here.slots[slot] = number;
+    const Truth in_head = closure_.head.search->holds(here);
+    return in_head == Truth::no ? in_head : both(in_head, contains_value(closure_.term(here), point, inside));
+  };
+  return Curve{t, resolved(member, context), admits};
+}
 
 /// Returns the value at an argument that the head admits; undefined at others.
 Value applied(const Closure& closure, const Value& argument, Context& context, Truth* admitted) {
@@ -88,12 +160,12 @@ class Lambda : public Set {
   }
 
   Truth in_domain(const Value& argument, Context& context) const override {
-    if (whole_unknown(argument, closure_.head.groups)) return Truth::open;
+    if (whole_unknown(argument, closure_.head.groups)) return lost(context);
     return admits(closure_, argument, context);
   }
 
   Truth contains(const Value& pair, Context& context) const override {
-    if (!pair.tuple()) return Truth::open;
+    if (!pair.tuple()) return lost(context);
     return equal(apply(pair.tuple()->parts[0], context), pair.tuple()->parts[1], context);
   }
 
@@ -110,7 +182,8 @@ class Lambda : public Set {
     return pairs_ ? pairs_->set()->members() : nullptr;
   }
 
-  std::string text() const override { return closure_.text; }
+  bool closed() const override { return closure_.closed(); }
+  std::string spelled(Wording wording) const override { return closure_.spelled(wording); }
 
  private:
   void enumerate(Frame& frame) const {
@@ -149,7 +222,7 @@ class AxiomaticFunction : public Set {
     const Clauses& known = clauses(context);
     if (known.domain) return contains_value(*known.domain, argument, context);
     for (const Closure& clause : known.clauses) {
-      if (whole_unknown(argument, clause.head.groups)) return Truth::open;
+      if (whole_unknown(argument, clause.head.groups)) return lost(context);
       const Truth here = admits(clause, argument, context);
       if (here != Truth::no) return here;
     }
@@ -157,11 +230,11 @@ class AxiomaticFunction : public Set {
   }
 
   Truth contains(const Value& pair, Context& context) const override {
-    if (!pair.tuple()) return Truth::open;
+    if (!pair.tuple()) return lost(context);
     return equal(apply(pair.tuple()->parts[0], context), pair.tuple()->parts[1], context);
   }
 
-  std::string text() const override { return name_; }
+  std::string spelled(Wording) const override { return name_; }
 
  private:
   const Clauses& clauses(Context& context) const {
@@ -180,6 +253,17 @@ Frame Closure::frame(Context& context) const {
   Frame frame(unit->size, context);
   std::copy(captured.begin(), captured.end(), frame.slots.begin());
   return frame;
+}
+
+bool Closure::closed() const {
+  return std::all_of(free.begin(), free.end(), [this](const auto& each) { return zed::closed(captured[each.second]); });
+}
+
+std::string Closure::spelled(Set::Wording wording) const {
+  if (wording == Set::Wording::message || free.empty()) return text;
+  std::string values;
+  for (const auto& [name, slot] : free) values += (values.empty() ? "" : "; ") + name + " == " + captured[slot].text();
+  return "(let " + values + " • " + text + ")";
 }
 
 std::vector<Value> captured(const Frame& frame, unsigned count) {

@@ -12,8 +12,14 @@ struct Closure {
   Head head;
   Code term;  ///< it is null where the characteristic tuple is the value
   std::string text;
+  /// The slots around it that it reads, each with the name by which the text knows it.
+  std::vector<std::pair<std::string, unsigned>> free{};
 
   Frame frame(Context& context) const;
+  /// Says whether nothing that it reads depends on an unknown.
+  bool closed() const;
+  /// Writes the text; in a closed wording behind a `let` with the values of its free names.
+  std::string spelled(Set::Wording wording) const;
 };
 
 /// Copies the first `count` slots.

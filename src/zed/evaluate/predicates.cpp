@@ -63,7 +63,16 @@ Truth for_all(const Search& search, const Property& body, Frame& frame) {
     if (here != Truth::yes) result = here;
     return here != Truth::no;
   });
-  return result == Truth::yes && some == Truth::open ? some : result;
+  if (result != Truth::yes || some != Truth::open) return result;
+  // Where the ways cannot be gone through, whether there is one that denies the body may still be decided.
+  try {
+    return !search.exists(frame, [&](Frame& inside) {
+      const Necessary nothing_of_it(inside.context, false);
+      return !evaluate(body, inside);
+    });
+  } catch (const EvaluationError&) {
+    return Truth::open;
+  }
 }
 
 Truth just_one(const Head& head, Frame& frame) {
@@ -155,6 +164,11 @@ Property Compiler::relation(const Term& term, const Scope& scope) {
     const Node& variable = *node.children[side];
     const Local* local = variable.kind == Kind::reference ? find(variable.name, scope) : nullptr;
     if (local && local->slot) property.equations.push_back({*local->slot, operands[1 - side], reads[1 - side]});
+    for (const char* span : {"dom", "ran"}) {
+      const Term* of = match::argument_of(node.children[side], span);
+      const Local* relation = of && (*of)->kind == Kind::reference ? find((*of)->name, scope) : nullptr;
+      if (relation && relation->slot) property.spans.push_back({*relation->slot, operands[1 - side], reads[1 - side]});
+    }
   }
   return property;
 }

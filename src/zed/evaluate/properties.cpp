@@ -1,5 +1,7 @@
 /// Evaluates compiled predicates, and tells what their conjuncts state.
 
+#include <iterator>
+
 #include "zed/evaluate/search.hpp"
 
 namespace durero::zed {
@@ -73,6 +75,31 @@ void collect(const Property& property, std::vector<const Equation*>& equations,
     for (const Equation& equation : property.equations) equations.push_back(&equation);
     if (property.set) declared.push_back(&property);
   }
+}
+
+std::vector<Property> sides_of(const Property& property) {
+  if (property.kind == Property::Kind::any) {
+    std::vector<Property> sides;
+    for (const Property& part : property.parts) {
+      auto of_part = sides_of(part);
+      std::move(of_part.begin(), of_part.end(), std::back_inserter(sides));
+    }
+    return sides.size() <= most_sides ? std::move(sides) : std::vector<Property>{property};
+  }
+  if (property.kind != Property::Kind::all) return {property};
+  std::vector<Property> sides{Property()};
+  for (const Property& part : property.parts) {
+    const auto of_part = sides_of(part);
+    if (sides.size() * of_part.size() > most_sides) return {property};
+    std::vector<Property> more;
+    for (const Property& side : sides)
+      for (const Property& one : of_part) {
+        more.push_back(side);
+        more.back().parts.push_back(one);
+      }
+    sides = std::move(more);
+  }
+  return sides;
 }
 
 Property exists_property(std::vector<Variable> variables, Property property) {

@@ -101,6 +101,7 @@ Search::Search(std::vector<Variable> variables, Property goal, std::vector<unsig
     variable.checked = bool(variable.set);
   }
   order_ = ordered(variables_, equations);
+  collect_spans(goal_, spans_);
 }
 
 bool Search::enumerable(Frame& frame) const {
@@ -112,15 +113,11 @@ bool Search::enumerable(Frame& frame) const {
   });
 }
 
-namespace {
-
 bool only_declarations(const Property& property) {
   if (property.kind == Property::Kind::test) return bool(property.set);
   return property.kind == Property::Kind::all &&
          std::all_of(property.parts.begin(), property.parts.end(), only_declarations);
 }
-
-}  // namespace
 
 bool Search::total(Frame& frame) const {
   std::vector<const Equation*> equations;
@@ -203,7 +200,52 @@ struct Search::Run {
       if (here != Truth::no && extra) here = both(here, extra(frame));
       if (here == Truth::no) return;
       if (!unknowns || known()) return judge(here);
-      if (!found_more()) return judge(visit ? Truth::open : here);
+      if (!found_more()) return undecided(here);
+    }
+  }
+
+  // What equations do not give may be a number that the goal bounds; and of a last number it may be said where on the
+  // line the goal is true.
+  void undecided(Truth here) {
+    if (here == Truth::yes && !visit) return judge(here);
+    if (search.determine_empty(frame)) return settle();
+    const Variable* last = nullptr;
+    std::size_t open = 0;
+    for (std::size_t i = 0; i < search.variables_.size(); ++i) {
+      const Variable& variable = search.variables_[i];
+      if (!has_open(frame.slots[variable.slot])) continue;
+      ++open;
+      if (!is_number(i)) continue;
+      last = &variable;
+      if (const auto numbers = search.candidates(variable, *sets[i].set(), frame)) return each_of(variable, *numbers);
+    }
+    if (!visit && open == 1 && last) {
+      const Set& set = *sets[static_cast<std::size_t>(last - search.variables_.data())].set();
+      if (const auto some = search.some_number(*last, set, frame, extra)) {
+        if (*some != Truth::no) judge(*some);
+        return;
+      }
+    }
+    judge(lost(frame.context));
+  }
+
+  bool is_number(std::size_t i) const {
+    return frame.slots[search.variables_[i].slot].get<Unknown>() && sets[i].set() &&
+           sets[i].set()->numbers() != Numbers::none;
+  }
+
+  void each_of(const Variable& variable, const std::vector<Real>& numbers) {
+    const auto slots = frame.slots;
+    const auto found = frame.context.values_found;
+    const std::uint32_t id = frame.slots[variable.slot].get<Unknown>()->id;
+    enumerated = enumerated || numbers.size() > 1;
+    for (std::size_t i = 0; i < numbers.size() && !stopped; ++i) {
+      frame.context.steps.take();
+      frame.slots[variable.slot] = numbers[i];
+      frame.context.values_found[id] = numbers[i];
+      settle();
+      frame.slots = slots;
+      frame.context.values_found = found;
     }
   }
 

@@ -2,6 +2,7 @@
 /// Predicates are compiled to properties, and a search finds values of quantified variables.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct Property {
   std::shared_ptr<const Search> search;  ///< exists looks for its variables so
   Test test;                             ///< a test asks this
   std::vector<Equation> equations;       ///< a test `x = e` determines these
+  std::vector<Equation> spans;           ///< a test `dom x = e` or `ran x = e` determines x where e is empty
   unsigned declared = 0;                 ///< a declaration declares the variable in this slot
   Code set;                              ///< a declaration has a set, and no other property has
   std::vector<unsigned> reads;           ///< this set depends on these slots
@@ -77,27 +79,53 @@ class Search {
   Truth holds(Frame& frame) const;
   /// Says whether every variable is determined or in a finite set, so that each() enumerates.
   bool enumerable(Frame& frame) const;
+  /// Says among which numbers the one variable is; none where there are several, or that is not known.
+  Numbers numbers(Frame& frame) const;
+  /// Says whether it is worth asking for bounds: some variable is a number of a set without end, the others are
+  /// determined or in finite sets, and the goal says more than what sets they are in.
+  bool bounds_numbers(Frame& frame) const;
   /// Says whether every value of the variables' types makes the goal hold.
   bool total(Frame& frame) const;
   /// Says whether equations give every variable its value, so that determine() sets them all.
   bool determined() const { return order_.size() == variables_.size(); }
   void determine(Frame& frame) const;
+  /// Gives relations of which the goal says that their domain or range is empty that value; says whether there are any.
+  bool determine_empty(Frame& frame) const;
 
   const std::vector<Variable>& variables() const { return variables_; }
   const Property& goal() const { return goal_; }
+
+  /// @{ Of a variable that is not known yet, a number in `set`. Returns every number that the conjuncts which depend on
+  /// nothing else that is not known allow; or whether some number makes the goal and `extra` hold. Nothing where that
+  /// cannot be said.
+  std::optional<std::vector<Real>> candidates(const Variable& variable, const Set& set, Frame& frame) const;
+  std::optional<Truth> some_number(const Variable& variable, const Set& set, Frame& frame, const Test& extra) const;
+  /// @}
 
  private:
   struct Run;
   std::vector<Variable> variables_;
   std::vector<std::size_t> order_;  // each determined variable stands behind what it depends on
   Property goal_;
+  std::vector<Equation> spans_;
   std::vector<unsigned> wholes_;
 };
+
+/// Says whether a property states no more than what sets variables are in.
+bool only_declarations(const Property& property);
+
+/// Adds every equation for the domain or the range of a variable, among the conjuncts of a property.
+void collect_spans(const Property& property, std::vector<Equation>& spans);
 
 /// Adds every equation, and every declared set, among the conjuncts of a property.
 void collect(const Property& property, std::vector<const Equation*>& equations, std::vector<const Property*>& declared);
 
 /// Makes ∃ variables • property, distributed over ∨, so that each side may determine them by its own equations.
 Property exists_property(std::vector<Variable> variables, Property property);
+
+/// Returns properties of which one at least holds where this one does, with ∧ distributed over ∨ as far as there are at
+/// most `most_sides` of them: each may determine the variables by its own equations.
+std::vector<Property> sides_of(const Property& property);
+inline constexpr std::size_t most_sides = 64;
 
 }  // namespace durero::zed

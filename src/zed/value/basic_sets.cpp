@@ -15,7 +15,12 @@ class FiniteSet : public Set {
   const std::vector<Value>* members() const override { return &members_; }
   std::size_t listed() const override { return members_.size(); }
   bool family() const override { return family_; }
-  std::string text() const override { return members_.size() > 8 ? "this finite set" : spelled(); }
+  bool closed() const override {  // only sets among its members can hide an unknown: Value::set takes no others
+    return !family_ || std::all_of(members_.begin(), members_.end(), zed::closed);
+  }
+  std::string spelled(Wording wording) const override {
+    return wording == Wording::message && members_.size() > 8 ? "this finite set" : "{" + listed_members() + "}";
+  }
 
   Truth contains(const Value& value, Context& context) const override {
     if (members_.empty()) return Truth::no;
@@ -57,10 +62,10 @@ class FiniteSet : public Set {
       return compare(pair.tuple()->parts[0], sought) < 0;
     });
   }
-  std::string spelled() const {
+  std::string listed_members() const {
     std::string text;
     for (const Value& member : members_) text += (text.empty() ? "" : ", ") + member.text();
-    return "{" + text + "}";
+    return text;
   }
 
   std::vector<Value> members_;
@@ -69,24 +74,30 @@ class FiniteSet : public Set {
 
 class Everything : public Set {
  public:
-  explicit Everything(std::string name) : name_(std::move(name)) {}
+  Everything(std::string name, Numbers numbers) : name_(std::move(name)), numbers_(numbers) {}
   Truth contains(const Value&, Context&) const override { return Truth::yes; }
   bool total() const override { return true; }
-  std::string text() const override { return name_; }
+  Numbers numbers() const override { return numbers_; }
+  std::string spelled(Wording) const override { return name_; }
 
  private:
   std::string name_;
+  Numbers numbers_;
 };
 
 class Integers : public Set {
  public:
   Integers(std::string name, std::optional<int> least) : name_(std::move(name)), least_(least) {}
   Truth contains(const Value& value, Context& context) const override {
-    const auto* real = value.real();
-    if (!real) return lost(context);
-    return truth(real->is_integer() && (!least_ || *real >= Real(*least_)));
+    if (const auto* real = value.real()) return truth(real->is_integer() && (!least_ || *real >= Real(*least_)));
+    const auto* unknown = value.get<Unknown>();
+    const Watch* watch = context.watch;
+    if (!unknown || !watch || watch->unknown != unknown->id || watch->numbers != Numbers::integers)
+      return lost(context);
+    return least_ ? compared(value, Real(*least_), context) : Truth::yes;  // the unknown ranges over the integers
   }
-  std::string text() const override { return name_; }
+  Numbers numbers() const override { return Numbers::integers; }
+  std::string spelled(Wording) const override { return name_; }
 
  private:
   std::string name_;
@@ -102,7 +113,11 @@ const Value& empty_set() {
   return empty;
 }
 
-Value everything(std::string name) { return SetPtr(std::make_shared<const Everything>(std::move(name))); }
+Value everything(std::string name) {
+  return SetPtr(std::make_shared<const Everything>(std::move(name), Numbers::none));
+}
+
+Value reals(std::string name) { return SetPtr(std::make_shared<const Everything>(std::move(name), Numbers::reals)); }
 
 Value integers(std::string name, std::optional<int> least) {
   return SetPtr(std::make_shared<const Integers>(std::move(name), least));

@@ -16,6 +16,7 @@ namespace durero::zed {
 /// Collects what an evaluation compares with 0 as polynomials in one unknown, for every value of it at once.
 struct Watch {
   std::uint32_t unknown = 0;
+  Numbers numbers = Numbers::reals;    ///< the unknown is among these
   std::vector<Polynomial> compared{};  ///< the evaluation has compared these with 0
   bool lost = false;                   ///< something depends on the unknown in another way
 };
@@ -29,7 +30,9 @@ struct Context {
   /// Equations that are evaluated now must hold for the unknowns of this id or a greater one, and so determine them.
   std::uint32_t necessary = none;
   int depth = 0;           ///< applications nest so deep
-  Watch* watch = nullptr;  ///< it is null but for Evaluator::comparisons()
+  Watch* watch = nullptr;  ///< it is null but where somebody asks on what a truth depends
+  /// Where an equation has this unknown, any other in it is determined as a polynomial in this one.
+  std::uint32_t parameter = none;
 
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 

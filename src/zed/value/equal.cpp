@@ -56,10 +56,18 @@ Truth watched(const Line& a, const Line& b, Context& context) {
   return Truth::open;
 }
 
+/// x = a + b·t determines x as a polynomial in the parameter t.
+Truth along_parameter(const Line& a, const Line& b, Context& context) {
+  const bool alone = sign(a.constant) == 0 && a.slope == Real(1) && sign(a.square) == 0;
+  if (b.unknown == context.parameter && alone) return determine(a.unknown, value(b), context);
+  if (a.unknown == context.parameter && b.unknown != context.parameter) return along_parameter(b, a, context);
+  return lost(context);
+}
+
 Truth equal_lines(const Line& a, const Line& b, Context& context) {
   if (known(a) && known(b)) return truth(a.constant == b.constant);
-  // Where both of x = y are unknown, nothing is found out yet.
-  if (mixed(a, b)) return lost(context);
+  // Where both of x = y are unknown, nothing is found out yet, but where one of them is the parameter of all others.
+  if (mixed(a, b)) return along_parameter(a, b, context);
   return exactly([&] {
     const Real square = a.square - b.square;
     if (sign(square) != 0) return watched(b, a, context);
@@ -148,8 +156,10 @@ Truth equal(const Value& a, const Value& b, Context& context) {
   if (a.is_undefined() || b.is_undefined()) return Truth::no;
   if (a.is_open() || b.is_open()) return lost(context);
   if (const auto *x = a.real(), *y = b.real(); x && y) return truth(*x == *y);
-  if (const auto* x = a.get<Unknown>(); x && !line(b)) return has_open(b) ? Truth::open : determine(x->id, b, context);
-  if (const auto* y = b.get<Unknown>(); y && !line(a)) return has_open(a) ? Truth::open : determine(y->id, a, context);
+  if (const auto* x = a.get<Unknown>(); x && !line(b))
+    return has_open(b) ? lost(context) : determine(x->id, b, context);
+  if (const auto* y = b.get<Unknown>(); y && !line(a))
+    return has_open(a) ? lost(context) : determine(y->id, a, context);
   const auto x = line(a), y = line(b);
   if (x && y) return equal_lines(*x, *y, context);
   if (const auto *s = a.tuple(), *t = b.tuple(); s && t) return equal_parts(s->parts, t->parts, context);

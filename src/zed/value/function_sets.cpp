@@ -33,7 +33,7 @@ class FunctionSet : public Set {
   bool total() const override { return !form_.function && !form_.finite && from_.set()->total() && to_.set()->total(); }
 
   Truth contains(const Value& value, Context& context) const override {
-    if (!value.set()) return Truth::open;
+    if (!value.set()) return lost(context);
     const auto& pairs = enumerated(value, "whether it is a function, for");
     if (form_.function && !is_function(pairs)) return Truth::no;
     const Truth inside = both(each_in(pairs, 0, from_, context), each_in(pairs, 1, to_, context));
@@ -46,6 +46,7 @@ class FunctionSet : public Set {
     return result;
   }
 
+  bool closed() const override { return zed::closed(from_) && zed::closed(to_); }
   std::size_t listed() const override { return listed_ ? listed_->set()->listed() : 0; }
 
   const std::vector<Value>* members() const override {
@@ -55,8 +56,8 @@ class FunctionSet : public Set {
     return listed_->set()->members();
   }
 
-  std::string text() const override {
-    return "(" + from_.set()->text() + " " + symbol_ + " " + to_.set()->text() + ")";
+  std::string spelled(Wording wording) const override {
+    return "(" + from_.set()->spelled(wording) + " " + symbol_ + " " + to_.set()->spelled(wording) + ")";
   }
 
  private:

@@ -170,13 +170,13 @@ class FunctionValue : public Set {
   }
   Truth in_domain(const Value& argument, Context& context) const override {
     const Value result = apply(argument, context);
-    return result.is_open() ? Truth::open : truth(!result.is_undefined());
+    return result.is_open() ? lost(context) : truth(!result.is_undefined());
   }
   Truth contains(const Value& pair, Context& context) const override {
-    if (!pair.tuple()) return Truth::open;
+    if (!pair.tuple()) return lost(context);
     return equal(apply(first(pair), context), second(pair), context);
   }
-  std::string text() const override { return "(" + std::string(row_.name) + ")"; }
+  std::string spelled(Wording) const override { return "(" + std::string(row_.name) + ")"; }
 
  private:
   const OperatorRow& row_;

@@ -53,13 +53,13 @@ Truth at_least(const Value& a, const Value& b, Context& context) {
 /// disjoint E says that no two sets of the family E share a member.
 Truth is_disjoint(const Value& family, Context& context) {
   if (family.is_undefined()) return Truth::no;
-  if (waiting(family)) return Truth::open;
+  if (waiting(family)) return lost(context);
   const auto& indexed = enumerated(family, "whether this family is disjoint:");
   for (std::size_t i = 0; i < indexed.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       context.steps.take(1 + steps_for(second(indexed[i])) + steps_for(second(indexed[j])));
       const Value shared = intersection(second(indexed[i]), second(indexed[j]), context);
-      if (waiting(shared)) return Truth::open;
+      if (waiting(shared)) return lost(context);
       if (!enumerated(shared, "whether this is empty:").empty()) return Truth::no;
     }
   }
@@ -84,11 +84,11 @@ class RelationValue : public Set {
   explicit RelationValue(const OperatorRow& row) : row_(row) {}
   Truth contains(const Value& value, Context& context) const override {
     if (row_.evaluation.property) return row_.evaluation.property(value, context);
-    if (!value.tuple()) return Truth::open;
+    if (!value.tuple()) return lost(context);
     const Necessary nothing_here(context, false);
     return row_.evaluation.relation(first(value), second(value), context);
   }
-  std::string text() const override { return "(" + std::string(row_.name) + ")"; }
+  std::string spelled(Wording) const override { return "(" + std::string(row_.name) + ")"; }
 
  private:
   const OperatorRow& row_;

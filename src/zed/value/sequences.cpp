@@ -46,7 +46,7 @@ class SequenceSet : public Set {
   SequenceSet(Value of, bool nonempty, bool distinct) : of_(std::move(of)), nonempty_(nonempty), distinct_(distinct) {}
 
   Truth contains(const Value& value, Context& context) const override {
-    if (!value.set()) return Truth::open;
+    if (!value.set()) return lost(context);
     const auto in_order = items(value);
     if (!in_order || (nonempty_ && in_order->empty())) return Truth::no;
     if (distinct_ && has_intensional(value)) throw EvaluationError("whether the items differ cannot be decided");
@@ -60,8 +60,10 @@ class SequenceSet : public Set {
     return each;
   }
 
-  std::string text() const override {
-    return std::string("(") + (distinct_ ? "iseq " : nonempty_ ? "seq₁ " : "seq ") + of_.set()->text() + ")";
+  bool closed() const override { return zed::closed(of_); }
+
+  std::string spelled(Wording wording) const override {
+    return std::string("(") + (distinct_ ? "iseq " : nonempty_ ? "seq₁ " : "seq ") + of_.set()->spelled(wording) + ")";
   }
 
  private:
@@ -77,9 +79,9 @@ Value sequence_set(const Value& of, bool nonempty, bool distinct) {
 /// Says where in b the items of a stand in a row: at its start, at its end, or anywhere.
 enum class Part { start, end, anywhere };
 
-Truth is_part(const Value& a, const Value& b, Part part) {
+Truth is_part(const Value& a, const Value& b, Part part, Context& context) {
   if (a.is_undefined() || b.is_undefined()) return Truth::no;
-  if (waiting(a) || waiting(b)) return Truth::open;
+  if (waiting(a) || waiting(b)) return lost(context);
   if (has_intensional(a) || has_intensional(b)) throw EvaluationError("sequences of sets that nobody can compare");
   const auto piece = items(a), whole = items(b);
   if (!piece || !whole || piece->size() > whole->size()) return Truth::no;
@@ -176,9 +178,9 @@ Value filtering(const Value& s, const Value& set, Context& context) {
 
 namespace relations {
 
-Truth is_prefix(const Value& a, const Value& b, Context&) { return is_part(a, b, Part::start); }
-Truth is_suffix(const Value& a, const Value& b, Context&) { return is_part(a, b, Part::end); }
-Truth is_infix(const Value& a, const Value& b, Context&) { return is_part(a, b, Part::anywhere); }
+Truth is_prefix(const Value& a, const Value& b, Context& context) { return is_part(a, b, Part::start, context); }
+Truth is_suffix(const Value& a, const Value& b, Context& context) { return is_part(a, b, Part::end, context); }
+Truth is_infix(const Value& a, const Value& b, Context& context) { return is_part(a, b, Part::anywhere, context); }
 
 }  // namespace relations
 

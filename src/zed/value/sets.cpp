@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <iterator>
 
+#include "zed/value/cuts.hpp"
+
 namespace durero::zed {
 namespace {
 
 template <bool conjunctive>
 class TwoSets : public Set {
  public:
-  TwoSets(Value a, Value b, std::string symbol) : a_(std::move(a)), b_(std::move(b)), symbol_(std::move(symbol)) {}
+  TwoSets(Value a, Value b, std::string symbol, Steps& steps)
+      : a_(std::move(a)), b_(std::move(b)), symbol_(std::move(symbol)), steps_(steps) {}
   Truth contains(const Value& value, Context& context) const override {
     const Necessary keep(context, conjunctive);
     const Truth a = contains_value(a_, value, context);
@@ -19,12 +22,30 @@ class TwoSets : public Set {
     if (b == settled) return b;
     return a == Truth::open ? a : b;
   }
+  // Where one of two sets is a curve, the points of it on the other may be few, and are then at hand.
+  const std::vector<Value>* members() const override {
+    if (!listed_) {
+      listed_ = true;
+      if (conjunctive && closed()) {
+        points_ = points_in_common(*a_.set(), *b_.set(), steps_);
+        if (!points_) points_ = points_in_common(*b_.set(), *a_.set(), steps_);
+      }
+    }
+    return points_ ? points_->set()->members() : nullptr;
+  }
+  std::size_t listed() const override { return points_ ? points_->set()->listed() : 0; }
   Value unknown(Context& context) const override { return a_.set()->unknown(context); }
-  std::string text() const override { return "(" + a_.set()->text() + " " + symbol_ + " " + b_.set()->text() + ")"; }
+  bool closed() const override { return zed::closed(a_) && zed::closed(b_); }
+  std::string spelled(Wording wording) const override {
+    return "(" + a_.set()->spelled(wording) + " " + symbol_ + " " + b_.set()->spelled(wording) + ")";
+  }
 
  private:
   Value a_, b_;
   std::string symbol_;
+  Steps& steps_;
+  mutable bool listed_ = false;
+  mutable std::optional<Value> points_;
 };
 
 class Difference : public Set {
@@ -39,7 +60,10 @@ class Difference : public Set {
     return in == Truth::open ? in : out;
   }
   Value unknown(Context& context) const override { return a_.set()->unknown(context); }
-  std::string text() const override { return "(" + a_.set()->text() + " ∖ " + b_.set()->text() + ")"; }
+  bool closed() const override { return zed::closed(a_) && zed::closed(b_); }
+  std::string spelled(Wording wording) const override {
+    return "(" + a_.set()->spelled(wording) + " ∖ " + b_.set()->spelled(wording) + ")";
+  }
 
  private:
   Value a_, b_;
@@ -51,7 +75,9 @@ class BigUnion : public Set {
   Truth contains(const Value& value, Context& context) const override {
     return sets_.set()->some_contains(value, context);
   }
-  std::string text() const override { return "⋃ " + sets_.set()->text(); }
+  bool closed() const override { return zed::closed(sets_); }
+  std::optional<Curve> curve(Context& context) const override { return sets_.set()->curve(context); }
+  std::string spelled(Wording wording) const override { return "⋃ " + sets_.set()->spelled(wording); }
 
  private:
   Value sets_;
@@ -63,7 +89,8 @@ class Domain : public Set {
   Truth contains(const Value& value, Context& context) const override {
     return function_.set()->in_domain(value, context);
   }
-  std::string text() const override { return "dom " + function_.set()->text(); }
+  bool closed() const override { return zed::closed(function_); }
+  std::string spelled(Wording wording) const override { return "dom " + function_.set()->spelled(wording); }
 
  private:
   Value function_;
@@ -96,11 +123,11 @@ const std::vector<Value>& enumerated(const Value& value, const char* what) {
   throw EvaluationError(std::string(what) + " " + set.text() + ": its members cannot be enumerated");
 }
 
-Value set_union(const Value& a, const Value& b, Context&) {
+Value set_union(const Value& a, const Value& b, Context& context) {
   if (missing(a, b)) return {};
   if (waiting(a) || waiting(b)) return Open{};
   const auto *x = as_set(a).members(), *y = as_set(b).members();
-  if (!x || !y) return SetPtr(std::make_shared<const TwoSets<false>>(a, b, "∪"));
+  if (!x || !y) return SetPtr(std::make_shared<const TwoSets<false>>(a, b, "∪", context.steps));
   std::vector<Value> merged;
   merged.reserve(x->size() + y->size());
   std::set_union(x->begin(), x->end(), y->begin(), y->end(), std::back_inserter(merged), precedes);
@@ -112,7 +139,7 @@ Value intersection(const Value& a, const Value& b, Context& context) {
   if (waiting(a) || waiting(b)) return Open{};
   if (const auto* x = as_set(a).members()) return filtered(*x, b, true, context);
   if (const auto* y = as_set(b).members()) return filtered(*y, a, true, context);
-  return SetPtr(std::make_shared<const TwoSets<true>>(a, b, "∩"));
+  return SetPtr(std::make_shared<const TwoSets<true>>(a, b, "∩", context.steps));
 }
 
 Value set_difference(const Value& a, const Value& b, Context& context) {

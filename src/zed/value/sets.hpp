@@ -18,6 +18,8 @@ const Value& empty_set();
 
 /// Makes a set of which every value of its type is a member: 𝔸, ℝ, a given set.
 Value everything(std::string name);
+/// Makes the set of all real numbers, which is such a set too.
+Value reals(std::string name);
 /// Makes ℤ, ℕ or ℕ₁: the integers from the least one, if any.
 Value integers(std::string name, std::optional<int> least);
 

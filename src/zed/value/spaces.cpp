@@ -15,10 +15,11 @@ class PowerSet : public Set {
   PowerSet(Value base, PowerForm form) : base_(std::move(base)), form_(form) {}
 
   bool total() const override { return !form_.finite && !form_.nonempty && base_.set()->total(); }
+  bool closed() const override { return zed::closed(base_); }
 
   Truth contains(const Value& value, Context& context) const override {
     const Set* set = value.set();
-    if (!set) return Truth::open;
+    if (!set) return lost(context);
     const auto* members = set->members();
     if (!members) {
       if (form_.finite) throw EvaluationError("whether " + set->text() + " is finite cannot be decided");
@@ -51,7 +52,7 @@ class PowerSet : public Set {
     return members_->set()->members();
   }
 
-  std::string text() const override { return symbol() + " " + base_.set()->text(); }
+  std::string spelled(Wording wording) const override { return symbol() + " " + base_.set()->spelled(wording); }
 
  private:
   std::string symbol() const { return std::string(form_.finite ? "𝔽" : "ℙ") + (form_.nonempty ? "₁" : ""); }
@@ -71,13 +72,15 @@ class ProductSet : public Set {
 
   Truth contains(const Value& value, Context& context) const override {
     const auto* tuple = value.tuple();
-    if (!tuple) return Truth::open;
+    if (!tuple) return lost(context);
     Truth result = Truth::yes;
     for (std::size_t i = 0; i < factors_.size() && result != Truth::no; ++i) {
       result = both(result, contains_value(factors_[i], tuple->parts[i], context));
     }
     return result;
   }
+
+  bool closed() const override { return std::all_of(factors_.begin(), factors_.end(), zed::closed); }
 
   Value unknown(Context& context) const override {
     std::vector<Value> parts;
@@ -115,9 +118,9 @@ class ProductSet : public Set {
     return members_->set()->members();
   }
 
-  std::string text() const override {
+  std::string spelled(Wording wording) const override {
     std::string text;
-    for (const Value& factor : factors_) text += (text.empty() ? "" : " × ") + factor.set()->text();
+    for (const Value& factor : factors_) text += (text.empty() ? "" : " × ") + factor.set()->spelled(wording);
     return "(" + text + ")";
   }
 
@@ -138,10 +141,11 @@ class ConstructorFunction : public Set {
     return argument.is_undefined() ? Truth::no : contains_value(arguments_, argument, context);
   }
   Truth contains(const Value& pair, Context& context) const override {
-    if (!pair.tuple()) return Truth::open;
+    if (!pair.tuple()) return lost(context);
     return equal(apply(pair.tuple()->parts[0], context), pair.tuple()->parts[1], context);
   }
-  std::string text() const override { return name_->text; }
+  bool closed() const override { return zed::closed(arguments_); }
+  std::string spelled(Wording) const override { return name_->text; }
 
  private:
   Atom name_;

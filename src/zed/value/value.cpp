@@ -156,6 +156,14 @@ bool has_intensional(const Value& value) {
   return any_part(value, has_intensional);
 }
 
+bool closed(const Value& value) {
+  if (const Set* set = value.set()) return set->closed();
+  return !value.is_open() && !value.get<Unknown>() && !value.get<PolynomialPtr>() &&
+         !any_part(value, [](const Value& part) { return !closed(part); });
+}
+
+std::optional<Curve> Set::curve(Context&) const { return std::nullopt; }
+
 Value Set::unknown(Context& context) const { return Unknown{context.fresh()}; }
 
 Value Set::apply(const Value&, Context&) const { throw EvaluationError(text() + " cannot be applied"); }

@@ -14,7 +14,17 @@ bool all_pairs(const std::vector<Value>& values) {
   });
 }
 
-/// Writes a value of a type, or of one that is not known where that is null. A set of pairs is written as a function.
+/// Says whether sorted pairs are those of a sequence: their first parts are 1, 2, … in this order.
+bool is_sequence(const std::vector<Value>& pairs) {
+  double position = 0;
+  return std::all_of(pairs.begin(), pairs.end(), [&](const Value& pair) {
+    const Real* at = pair.tuple()->parts[0].real();
+    return at && *at == Real(++position);
+  });
+}
+
+/// Writes a value of a type, or of one that is not known where that is null. A set of pairs is written as a
+/// function, and as a sequence where it is one.
 struct Writer {
   const Value::Spelling& spelling;
   const Type* type = nullptr;
@@ -39,8 +49,9 @@ struct Writer {
   }
   std::string operator()(const SetPtr& set) const {
     const std::vector<Value>* members = set->members();
-    if (!members) return set->text();
+    if (!members) return set->spelled(Set::Wording::closed);
     if (members->empty()) return empty();
+    if (all_pairs(*members) && is_sequence(*members)) return "⟨" + items(*members) + "⟩";
     return "{" + (all_pairs(*members) ? maplets(*members) : listed(*members, Type::Kind::power)) + "}";
   }
 
@@ -63,6 +74,13 @@ struct Writer {
     std::string list;
     for (std::size_t i = 0; i < values.size(); ++i)
       list += (i > 0 ? ", " : "") + write(values[i], part(type, kind, kind == Type::Kind::power ? 0 : i));
+    return list;
+  }
+
+  std::string items(const std::vector<Value>& pairs) const {
+    const Type* item = part(part(type, Type::Kind::power, 0), Type::Kind::product, 1);
+    std::string list;
+    for (const Value& pair : pairs) list += (list.empty() ? "" : ", ") + write(pair.tuple()->parts[1], item);
     return list;
   }
 

@@ -55,12 +55,29 @@ class SchemaCheck {
   std::shared_ptr<const State> state_;
 };
 
+/// Compiles a schema once, and looks for values of some of its components that satisfy it with the others.
+class Completion {
+ public:
+  /// Returns the names of the components that are looked for.
+  const std::vector<Name>& sought() const;
+  /// Calls `visit`, which returns false to stop, for values of the sought components that satisfy the schema with these
+  /// values of the others, in their order; the same values may come again. The answer is no where there are none, yes
+  /// where all were found, and open where there may be others, as nothing determines or lists them.
+  Truth each(std::span<const Value> known, const std::function<bool(std::span<const Value> sought)>& visit) const;
+
+ private:
+  friend class Evaluator;
+  struct State;
+  std::shared_ptr<const State> state_;
+};
+
 /// Evaluates terms with the meaning that the paragraphs of some sections give to names.
 class Evaluator {
  public:
-  /// Evaluates on these sections. `given` has values of names that they declare and do not define; throws
-  /// EvaluationError for any other name. What is asked counts its steps, in `steps` where that is given, which outlives
-  /// the evaluator; all that follow then throw StepsSpent where they take too many.
+  /// Evaluates on these sections. `given` has values of names that they declare and do not define, and finite sets for
+  /// given sets, which have no other members then; throws EvaluationError for any other name. What is asked counts its
+  /// steps, in `steps` where that is given, which outlives the evaluator; all that follow then throw StepsSpent where
+  /// they take too many.
   explicit Evaluator(std::vector<Section> sections, const Given& given = {}, Steps* steps = nullptr);
   ~Evaluator();
   /// Takes over the other, which is then for its end or an assignment only. What that gave stays in use.
@@ -86,6 +103,8 @@ class Evaluator {
 
   /// Compiles the schema of this name. Throws EvaluationError where the name is no schema's.
   SchemaCheck schema(const Name& name) const;
+  /// Compiles it where these components of it are known, and the others sought.
+  Completion completion(const Name& schema, const std::vector<Name>& known) const;
 
  private:
   struct State;

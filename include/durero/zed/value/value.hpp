@@ -12,6 +12,7 @@
 #include <functional>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -181,9 +182,29 @@ struct Polynomial {
 /// The context has what is found out while a predicate is evaluated (Search).
 struct Context;
 
+/// The points of a curve, by the number t that leads to each (Set::curve).
+struct Curve {
+  Unknown t;     ///< it ranges over the reals
+  Value member;  ///< the point at t, where there is one
+  /// Says whether there is a point at this t, which is a number or the unknown itself.
+  std::function<Truth(const Value& t, const Value& member, Context& context)> admits;
+};
+
+/// Among which numbers the members of a set are known to be.
+enum class Numbers : std::uint8_t {
+  none,      ///< they are no numbers, or nobody says which
+  integers,  ///< whole numbers
+  reals      ///< real numbers
+};
+
 /// What is asked of a set, however it is made.
 class Set {
  public:
+  /// How a set is written: as a message names it, or as a term without free names.
+  enum class Wording : std::uint8_t {
+    message,  ///< short, in the words of the text
+    closed    ///< the names of the text that are bound elsewhere stand in a `let` before it, with their values
+  };
   virtual ~Set() = default;
   /// Says whether the value is a member. Throws EvaluationError where that cannot be decided.
   virtual Truth contains(const Value& value, Context& context) const = 0;
@@ -195,6 +216,13 @@ class Set {
   virtual bool total() const { return false; }
   /// Says whether this is a finite set of intensional sets: members may then repeat, as nobody can compare them.
   virtual bool family() const { return false; }
+  /// Says among which numbers every member is.
+  virtual Numbers numbers() const { return Numbers::none; }
+  /// Says whether nothing in the set depends on an unknown that is looked for.
+  virtual bool closed() const { return true; }
+  /// Of a set of sets that one real number t tells apart, each with one member at most: that member for an unknown t.
+  /// Nothing where the set is none, or that is not seen.
+  virtual std::optional<Curve> curve(Context& context) const;
   /// Makes a member with every part unknown.
   virtual Value unknown(Context& context) const;
   /// Applies the set as a function.
@@ -203,8 +231,10 @@ class Set {
   virtual Truth in_domain(const Value& argument, Context& context) const;
   /// Says whether some member of this set of sets contains the value.
   virtual Truth some_contains(const Value& value, Context& context) const;
-  /// Names the set, for messages and printing.
-  virtual std::string text() const = 0;
+  /// Names the set, for printing.
+  virtual std::string spelled(Wording wording) const = 0;
+  /// Names the set, for messages.
+  std::string text() const { return spelled(Wording::message); }
 };
 
 /// Orders values of one type by their structure, totally on those without unknown parts. Intensional sets are in an
@@ -215,6 +245,8 @@ inline bool same(const Value& a, const Value& b) { return compare(a, b) == 0; }
 
 /// Says whether the value is, or has a part that is, open, unknown or a polynomial. A set has no parts here.
 bool has_open(const Value& value);
+/// Says whether nothing in the value, and in the sets that it holds, depends on an unknown.
+bool closed(const Value& value);
 /// Says whether the value is, or has a part that is, an intensional set or a family of such.
 bool has_intensional(const Value& value);
 

@@ -1,0 +1,342 @@
+// durero spec run [FILES]: an animator. A command a line, from the terminal or from a pipe.
+#include "spec_run.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <iostream>
+#include <new>
+#include <optional>
+
+#include "durero/io/output_file.hpp"
+#include "durero/io/source.hpp"
+#include "durero/io/standard_output.hpp"
+#include "durero/text/nearest.hpp"
+#include "spec.hpp"
+
+namespace durero::cli {
+
+using oracle::spec::Animation;
+using oracle::spec::Found;
+using oracle::spec::Machine;
+using oracle::spec::MachineOperation;
+using oracle::spec::Transition;
+using oracle::spec::Tried;
+using zed::Truth;
+
+namespace {
+
+constexpr const char* help_text =
+    "  OPERATION [x? = VALUE; y? = VALUE]   goes on; inputs that are not given are looked for\n"
+    "  N            goes on by number N of the ways that were listed last\n"
+    "  ops          which operations there are, and one way to go on by each\n"
+    "  why OPERATION [x? = VALUE]   each of its predicates here, with its truth\n"
+    "  show         the state, beside the one before\n"
+    "  back         takes the last step back\n"
+    "  trace        the way so far\n"
+    "  save FILE    writes it;  replay FILE reads one, and checks each step\n"
+    "  try          the conjectures of the text, here\n"
+    "  explore [N]  goes all ways from here, to N states, and tries the conjectures in each\n"
+    "  restart      begins anew\n"
+    "  quit\n";
+
+/// What was typed cannot be done; the place is a column of the line.
+struct Refused {
+  std::string wrong, expected;
+  std::size_t column = 1;
+};
+
+std::string trimmed(const std::string& text) {
+  const auto blank = " \t\r";
+  const std::size_t from = text.find_first_not_of(blank);
+  return from == text.npos ? "" : text.substr(from, text.find_last_not_of(blank) - from + 1);
+}
+
+class Runner {
+ public:
+  Runner(const Machine& machine, const RunCall& call) : machine_(machine), call_(call), way_(machine) {}
+
+  /// Runs the commands of the standard input; the exit status.
+  int run() {
+    terminal_ = isatty(STDIN_FILENO) != 0;
+    attempt([this] { greet(); });
+    for (std::string typed; prompt(), std::getline(std::cin, typed);) {
+      ++line_;
+      const std::string command = trimmed(typed);
+      if (command == "quit") break;
+      if (command.empty() || command.front() == '#') continue;
+      attempt([&] { obey(command); });
+    }
+    return refuted_ || refused_ ? 1 : 0;
+  }
+
+ private:
+  template <class Work>
+  void attempt(Work&& work) {
+    try {
+      work();
+    } catch (const Refused& refused) {
+      complain(refused);
+    } catch (const zed::StepsSpent&) {
+      complain({"--steps did not do", "expected a smaller question, or a greater --steps"});
+    } catch (const std::bad_alloc&) {
+      complain({"--memory did not do", "expected a smaller question, or a greater --memory"});
+    } catch (const zed::EvaluationError& error) {
+      complain({std::string("this is not decided: ") + error.what(), "expected inputs, or equations for what is left"});
+    }
+  }
+
+  void greet() {
+    std::string said = fmt::format("state {}, initial schema {}, {} operations", machine_.state(),
+                                   machine_.init().empty() ? "none" : machine_.init(), machine_.operations().size());
+    for (const std::string& carrier : machine_.carriers()) said += "\n  " + carrier;
+    io::print(said + "\n");
+    if (call_.replay.empty()) {
+      begin();
+    } else {
+      replay(call_.replay);
+    }
+  }
+
+  void prompt() const {
+    if (terminal_) io::print("> ");
+  }
+
+  // On a terminal one goes on; a script ends here, as what follows it may mean something else now.
+  void complain(const Refused& refused) {
+    refused_ = !terminal_;
+    const io::InputError error("<stdin>", {std::max<std::size_t>(line_, 1), refused.column}, refused.wrong,
+                               refused.expected);
+    if (!terminal_) throw error;
+    io::complain(std::string("durero: ") + error.what() + "\n");
+  }
+
+  void begin() { go_on(machine_.initial(call_.choices), "no initial state is found"); }
+
+  void obey(const std::string& command) {
+    const std::size_t blank = command.find(' ');
+    const std::string word = command.substr(0, blank),
+                      rest = blank == command.npos ? "" : trimmed(command.substr(blank));
+    if (word == "help") return io::print(help_text);
+    if (word == "ops") return list_operations();
+    if (word == "why") return why(rest);
+    if (word == "show") return show();
+    if (word == "back") return back();
+    if (word == "trace") return io::print(way_story(machine_, way_.way()));
+    if (word == "save") return io::write_file(rest, way_.saved());
+    if (word == "replay") return replay(rest);
+    if (word == "try") return try_here();
+    if (word == "explore") return explore_from_here(rest);
+    if (word == "restart") return restart();
+    if (word.find_first_not_of("0123456789") == word.npos) return choose(word);
+    const MachineOperation& operation = found(word);
+    go_on(machine_.steps(here(), operation, inputs(operation, rest), call_.choices), word + " cannot go on here");
+  }
+
+  const zed::Given& here() const {
+    if (!way_.now()) throw Refused{"there is no state yet", "expected the number of an initial state"};
+    return *way_.now();
+  }
+
+  const MachineOperation& found(const std::string& word) const {
+    if (const MachineOperation* operation = machine_.find(word)) return *operation;
+    std::vector<std::string> names;
+    for (const auto& each : machine_.operations()) names.push_back(each.name);
+    throw Refused{"no operation or command " + word,
+                  "expected " + text::nearest(word, names).value_or("an operation; help lists the commands")};
+  }
+
+  /// x? = VALUE; y? = VALUE
+  zed::Given inputs(const MachineOperation& operation, const std::string& typed) const {
+    zed::Given given;
+    for (std::size_t from = 0; from < typed.size();) {
+      const std::size_t end = end_of_input(typed, from);
+      const std::string part = typed.substr(from, end - from);
+      from = end + 1;
+      const std::size_t sign = part.find('=');
+      const std::string name = trimmed(part.substr(0, sign));
+      const auto at = std::find_if(operation.inputs.begin(), operation.inputs.end(),
+                                   [&](const zed::Name& input) { return input.text() == name; });
+      if (sign == part.npos || at == operation.inputs.end())
+        throw Refused{name + " is no input of " + operation.name, "expected x? = VALUE for an input x?"};
+      try {
+        given.emplace_back(*at, machine_.typed(trimmed(part.substr(sign + 1)), *at));
+      } catch (const zed::ZError& error) {
+        throw Refused{name + ": " + error.what_is_wrong, error.expected};
+      }
+    }
+    return given;
+  }
+
+  /// The semicolon that stands in no bracket, or the end.
+  static std::size_t end_of_input(const std::string& typed, std::size_t from) {
+    int depth = 0;
+    for (std::size_t at = from; at < typed.size(); ++at) {
+      const std::string_view rest = std::string_view(typed).substr(at);
+      for (const char* open : {"(", "[", "{", "⦉", "⟨"}) depth += rest.starts_with(open) ? 1 : 0;
+      for (const char* close : {")", "]", "}", "⦊", "⟩"}) depth -= rest.starts_with(close) ? 1 : 0;
+      if (depth == 0 && typed[at] == ';') return at;
+    }
+    return typed.size();
+  }
+
+  void go_on(Found ways, const std::string& none) {
+    listed_ = std::move(ways.transitions);
+    const std::string left_out =
+        ways.bounded.empty() ? "" : fmt::format("  more may be found with a greater {}\n", ways.bounded);
+    const std::string open = ways.undecided ? "  there may be other ways: equations do not give them\n" : "";
+    if (listed_.empty())
+      throw Refused{none + (ways.undecided ? ", as far as equations give it" : "") +
+                        (ways.bounded.empty() ? "" : ", as far as " + ways.bounded + " goes"),
+                    "expected an operation that may; why OPERATION says its predicates"};
+    if (listed_.size() == 1) {
+      take(listed_.front());
+      return io::print(left_out + open);
+    }
+    std::string said = fmt::format("{} ways:\n", listed_.size());
+    for (std::size_t i = 0; i < listed_.size(); ++i)
+      said += fmt::format("{}. {}\n{}", i + 1, step_line(machine_, listed_[i]),
+                          state_table(machine_, way_.now(), listed_[i].after));
+    io::print(said + left_out + open);
+  }
+
+  void choose(const std::string& digits) {
+    const std::size_t number = digits.size() > 6 ? 0 : std::stoul(digits);
+    if (number == 0 || number > listed_.size())
+      throw Refused{"no way " + digits + " is listed", fmt::format("expected a number from 1 to {}", listed_.size())};
+    take(listed_[number - 1]);
+  }
+
+  void take(Transition step) {
+    way_.take(std::move(step));
+    listed_.clear();
+    show();
+  }
+
+  void show() const {
+    const auto& last = (here(), way_.way().back());
+    io::print(fmt::format("{}. {}\n{}{}", way_.way().size() - 1, step_line(machine_, last),
+                          state_table(machine_, way_.before(), last.after), outlook(machine_, last.after)));
+  }
+
+  void back() {
+    if (!way_.back()) throw Refused{"there is no step to take back", "expected one"};
+    show();
+  }
+
+  void restart() {
+    way_.restart();
+    begin();
+  }
+
+  void why(const std::string& rest) const {
+    const std::size_t blank = rest.find(' ');
+    const MachineOperation& operation = found(rest.substr(0, blank));
+    const auto given = inputs(operation, blank == rest.npos ? "" : rest.substr(blank));
+    io::print(findings_list(machine_.preconditions(here(), operation, given)));
+  }
+
+  void list_operations() const {
+    std::string said;
+    for (const MachineOperation& operation : machine_.operations()) {
+      try {
+        const Found one = machine_.steps(here(), operation, {}, 1);
+        said += one.transitions.empty() ? fmt::format("  no   {}{}\n", operation.name,
+                                                      one.undecided || !one.bounded.empty() ? " (none found)" : "")
+                                        : fmt::format("  yes  {}\n", step_line(machine_, one.transitions.front()));
+      } catch (const zed::EvaluationError& error) {
+        said += fmt::format("  open {}: {}\n", operation.name, error.what());
+      } catch (const zed::StepsSpent&) {
+        said += fmt::format("  open {}: --steps did not do\n", operation.name);
+      }
+    }
+    io::print(said);
+  }
+
+  void replay(const std::string& path) {
+    const io::Source source = io::read_source(path);
+    try {
+      way_.replay(std::string(source.text()));
+    } catch (const zed::ZError& error) {
+      throw io::InputError(source.name(), {error.place.line, error.place.column}, error.what_is_wrong, error.expected);
+    }
+    io::print(fmt::format("{} steps, each as the text says\n", way_.way().size()));
+    show();
+  }
+
+  static std::string said_of(const Tried& tried) {
+    const char* word = tried.truth == Truth::yes ? "true" : tried.truth == Truth::no ? "false" : "open";
+    return fmt::format("  {:<5}  {}: {}{}\n", word, tried.place, tried.claim, tried.of_states ? "  (here)" : "");
+  }
+
+  void try_here() {
+    const zed::Given none;
+    std::string said;
+    here();
+    for (const Tried& tried : machine_.conjectures(way_.before() ? *way_.before() : none, way_.way().back())) {
+      refuted_ = refuted_ || tried.truth == Truth::no;
+      said += said_of(tried);
+    }
+    io::print(said.empty() ? "the text has no conjecture of this state or step\n" : said);
+  }
+
+  void explore_from_here(const std::string& digits) {
+    if (digits.find_first_not_of("0123456789") != digits.npos || digits.size() > 9)
+      throw Refused{digits + " is no number", "expected how many states there may be"};
+    const std::size_t most = digits.empty() ? call_.states : std::stoul(digits);
+    const auto result = oracle::spec::explore(machine_, way_.way(), most);
+    std::string said = fmt::format("{} states, {} transitions; conjectures: {} tried, {} not decided\n", result.states,
+                                   result.transitions, result.claims, result.open);
+    for (const std::string& bound : result.bounded) said += "  bounded: " + bound + "\n";
+    if (result.refuted) {
+      refuted_ = true;
+      said += "false after this way:\n" + said_of(*result.refuted) + way_story(machine_, result.way);
+    }
+    io::print(said);
+  }
+
+  const Machine& machine_;
+  const RunCall& call_;
+  Animation way_;
+  std::vector<Transition> listed_;
+  std::size_t line_ = 0;
+  bool terminal_ = false, refuted_ = false, refused_ = false;
+};
+
+/// NAME=3 or NAME=ann,bob
+void add_given(const std::string& typed, oracle::spec::Setup& setup) {
+  const std::size_t sign = typed.find('=');
+  const std::string set = typed.substr(0, sign), rest = sign == typed.npos ? "" : typed.substr(sign + 1);
+  if (set.empty() || rest.empty())
+    throw io::InputError("--given", {1, 1}, typed + " gives no members", "expected SET=NUMBER or SET=WORD,WORD");
+  auto& members = setup.given[set];
+  if (rest.size() < 3 && rest.find_first_not_of("0123456789") == rest.npos) {
+    for (unsigned long i = 1; i <= std::stoul(rest); ++i) members.push_back(set + std::to_string(i));
+    return;
+  }
+  for (std::size_t from = 0; from <= rest.size();) {
+    const std::size_t comma = std::min(rest.find(',', from), rest.size());
+    members.push_back(rest.substr(from, comma - from));
+    from = comma + 1;
+  }
+}
+
+}  // namespace
+
+int spec_run(RunCall call) {
+  for (const std::string& typed : call.given) add_given(typed, call.setup);
+  std::optional<Machine> machine;
+  try {
+    machine.emplace(specification_of(call.files), call.setup);
+  } catch (const std::invalid_argument& error) {
+    const std::string said = error.what();
+    const std::size_t end = said.find("; expected");
+    throw io::InputError(call.files.empty() ? "spec" : call.files.front(), {1, 1}, said.substr(0, end),
+                         end == said.npos ? "expected a text without errors" : said.substr(end + 2));
+  }
+  bound_memory(call.memory);
+  return Runner(*machine, call).run();
+}
+
+}  // namespace durero::cli

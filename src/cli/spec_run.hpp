@@ -1,0 +1,33 @@
+#pragma once
+/// `durero spec run`: what it is asked, and how it writes states.
+
+#include <string>
+#include <vector>
+
+#include "durero/oracle/animation.hpp"
+
+namespace durero::cli {
+
+/// A call of `durero spec run`.
+struct RunCall {
+  std::vector<std::string> files, given;
+  oracle::spec::Setup setup;
+  std::size_t choices = 20;   ///< so many ways to go on are listed
+  std::size_t states = 1000;  ///< an exploration has so many at most
+  std::string replay;
+  std::uint64_t memory = 0;  ///< MiB; 0: as default_memory() says
+};
+int spec_run(RunCall call);
+
+/// The state before beside the state after, a component a line, with * where they differ; `before` may be null.
+std::string state_table(const oracle::spec::Machine& machine, const zed::Given* before, const zed::Given& after);
+/// The operation with its inputs and outputs, on one line.
+std::string step_line(const oracle::spec::Machine& machine, const oracle::spec::Transition& step);
+/// Conjuncts, one a line, with their truth.
+std::string findings_list(const std::vector<zed::Finding>& findings);
+/// Whether the invariant holds, and which operations the state alone refuses, with the first predicate that does.
+std::string outlook(const oracle::spec::Machine& machine, const zed::Given& state);
+/// A way, step by step, each with its state.
+std::string way_story(const oracle::spec::Machine& machine, const std::vector<oracle::spec::Transition>& way);
+
+}  // namespace durero::cli

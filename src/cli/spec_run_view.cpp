@@ -1,0 +1,110 @@
+// How durero spec run writes states, steps and predicates.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "spec_run.hpp"
+
+namespace durero::cli {
+
+using oracle::spec::Machine;
+using oracle::spec::Transition;
+using zed::Truth;
+
+namespace {
+
+std::size_t width(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+std::string padded(const std::string& text, std::size_t to) {
+  return text + std::string(std::max(to, width(text)) - width(text), ' ');
+}
+
+std::string word_of(Truth truth) { return truth == Truth::yes ? "true " : truth == Truth::no ? "false" : "open "; }
+
+const zed::Finding* first_false(const std::vector<zed::Finding>& findings) {
+  const auto at = std::find_if(findings.begin(), findings.end(), [](const auto& f) { return f.truth == Truth::no; });
+  return at == findings.end() ? nullptr : &*at;
+}
+
+}  // namespace
+
+std::string state_table(const Machine& machine, const zed::Given* before, const zed::Given& after) {
+  std::size_t names = 0, values = 0;
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    names = std::max(names, width(after[i].first.text()));
+    if (before) values = std::max(values, width(machine.written((*before)[i].first, (*before)[i].second)));
+  }
+  std::string said;
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    const auto& [name, value] = after[i];
+    const bool changed = before && !zed::same((*before)[i].second, value);
+    const std::string was = before ? padded(machine.written(name, (*before)[i].second), values) + "  →  " : "";
+    said += fmt::format("  {} {} == {}{}\n", changed ? "*" : " ", padded(name.text(), names), was,
+                        machine.written(name, value));
+  }
+  return said;
+}
+
+std::string step_line(const Machine& machine, const Transition& step) {
+  std::string said = step.operation;
+  for (const auto* values : {&step.inputs, &step.outputs})
+    for (const auto& [name, value] : *values)
+      said += fmt::format("{} {} = {}", said.size() == step.operation.size() ? " " : ";", name.text(),
+                          machine.written(name, value));
+  return said;
+}
+
+std::string findings_list(const std::vector<zed::Finding>& findings) {
+  std::string said;
+  for (const zed::Finding& finding : findings)
+    said += fmt::format("  {}  {}{}{}\n", word_of(finding.truth), finding.predicate,
+                        finding.label.empty() ? "" : "  % ", finding.label);
+  return said;
+}
+
+namespace {
+
+std::string invariant_line(const Machine& machine, const zed::Given& state) {
+  try {
+    const auto findings = machine.invariant(state);
+    const auto holds =
+        std::count_if(findings.begin(), findings.end(), [](const auto& f) { return f.truth == Truth::yes; });
+    if (const auto* broken = first_false(findings)) return fmt::format("  invariant: false: {}\n", broken->predicate);
+    return fmt::format("  invariant: {} of {} conjuncts hold{}\n", holds, findings.size(),
+                       static_cast<std::size_t>(holds) == findings.size() ? "" : ", the others are not decided");
+  } catch (const zed::EvaluationError& error) {
+    return fmt::format("  invariant: not decided: {}\n", error.what());
+  }
+}
+
+}  // namespace
+
+std::string outlook(const Machine& machine, const zed::Given& state) {
+  std::string may, cannot;
+  for (const auto& operation : machine.operations()) {
+    try {
+      const auto findings = machine.preconditions(state, operation, {});
+      const auto* refused = first_false(findings);
+      if (refused) {
+        cannot += fmt::format("  refused:   {}: {}\n", operation.name, refused->predicate);
+        continue;
+      }
+    } catch (const zed::EvaluationError&) {  // the inputs may be needed to say
+    }
+    may += (may.empty() ? "" : ", ") + operation.name;
+  }
+  return invariant_line(machine, state) + (may.empty() ? "" : fmt::format("  may go on: {}\n", may)) + cannot;
+}
+
+std::string way_story(const Machine& machine, const std::vector<Transition>& way) {
+  std::string said;
+  for (std::size_t i = 0; i < way.size(); ++i)
+    said += fmt::format("{}. {}\n{}", i, step_line(machine, way[i]),
+                        state_table(machine, i == 0 ? nullptr : &way[i - 1].after, way[i].after));
+  return said;
+}
+
+}  // namespace durero::cli

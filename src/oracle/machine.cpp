@@ -1,0 +1,268 @@
+/// How a text is read as a machine, and what its operations do.
+#include <algorithm>
+#include <stdexcept>
+
+#include "durero/oracle/animation.hpp"
+#include "durero/oracle/calculator.hpp"
+#include "machine_parts.hpp"
+
+namespace durero::oracle::spec {
+
+using zed::Given;
+using zed::Name;
+using zed::Truth;
+using zed::Type;
+using zed::Value;
+
+namespace {
+
+Name after_stroke(const Name& name) { return {name.word, name.strokes + "'"}; }
+
+bool has_name(const std::vector<Name>& names, const Name& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool has_all(const std::vector<Name>& names, const std::vector<Name>& wanted) {
+  return std::all_of(wanted.begin(), wanted.end(), [&](const Name& name) { return has_name(names, name); });
+}
+
+bool same_given(const Given& a, const Given& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const auto& x, const auto& y) { return x.first == y.first && zed::same(x.second, y.second); });
+}
+
+const Value* value_of(const Given& given, const Name& name) {
+  const auto at = std::find_if(given.begin(), given.end(), [&](const auto& each) { return each.first == name; });
+  return at == given.end() ? nullptr : &at->second;
+}
+
+}  // namespace
+
+bool Transition::operator==(const Transition& other) const {
+  return operation == other.operation && same_given(inputs, other.inputs) && same_given(outputs, other.outputs) &&
+         same_given(after, other.after);
+}
+
+Machine::Machine(const zed::Specification& specification, Setup setup)
+    : parts_(std::make_unique<Parts>(specification, std::move(setup))) {}
+Machine::~Machine() = default;
+
+const std::string& Machine::state() const { return parts_->state; }
+const std::string& Machine::init() const { return parts_->init; }
+const std::vector<Name>& Machine::components() const { return parts_->components; }
+const std::vector<MachineOperation>& Machine::operations() const { return parts_->operations; }
+
+const MachineOperation* Machine::find(const std::string& name) const {
+  const auto at = std::find_if(parts_->operations.begin(), parts_->operations.end(),
+                               [&](const auto& operation) { return operation.name == name; });
+  return at == parts_->operations.end() ? nullptr : &*at;
+}
+
+std::vector<std::string> Machine::carriers() const {
+  std::vector<std::string> said;
+  for (const auto& [set, members] : parts_->carriers) {
+    said.push_back(set + " == {");
+    for (std::size_t i = 0; i < members.size(); ++i) said.back() += (i > 0 ? ", " : "") + members[i];
+    said.back() += "}";
+  }
+  return said;
+}
+
+namespace {
+
+/// The transition that values of the components make; `after` is named as the state's components are.
+class Gatherer {
+ public:
+  Gatherer(const std::string& operation, const std::vector<Name>& components) {
+    transition_.operation = operation;
+    for (const Name& name : components) transition_.after.emplace_back(name, Value());
+  }
+  void give(const Name& name, const Value& value, bool plain_is_after) {
+    for (auto& [component, after] : transition_.after)
+      if (name == after_stroke(component) || (plain_is_after && name == component)) after = value;
+    if (name.strokes.ends_with("?")) transition_.inputs.emplace_back(name, value);
+    if (name.strokes.ends_with("!")) transition_.outputs.emplace_back(name, value);
+  }
+  Transition take() {
+    const auto by_name = [](const auto& a, const auto& b) { return a.first < b.first; };
+    std::sort(transition_.inputs.begin(), transition_.inputs.end(), by_name);
+    std::sort(transition_.outputs.begin(), transition_.outputs.end(), by_name);
+    return std::move(transition_);
+  }
+
+ private:
+  Transition transition_;
+};
+
+/// Adds to `found` what the schema admits with these values; says whether to go on.
+bool add_completions(const Machine::Parts& parts, const std::string& schema, const Given& known, std::size_t most,
+                     Found& found) {
+  std::vector<Name> names;
+  std::vector<Value> values;
+  for (const auto& [name, value] : known) {
+    names.push_back(name);
+    values.push_back(value);
+  }
+  const zed::Completion& completion = parts.completion(schema, names);
+  const bool plain_is_after = !has_name(names, parts.components.front());
+  const Truth all = completion.each(values, [&](std::span<const Value> sought) {
+    Gatherer gatherer(schema, parts.components);
+    for (const auto& [name, value] : known) gatherer.give(name, value, false);
+    for (std::size_t i = 0; i < sought.size(); ++i) gatherer.give(completion.sought()[i], sought[i], plain_is_after);
+    Transition transition = gatherer.take();
+    if (std::find(found.transitions.begin(), found.transitions.end(), transition) != found.transitions.end())
+      return true;
+    if (found.transitions.size() == most) {
+      found.bounded = "--choices";
+      return false;
+    }
+    found.transitions.push_back(std::move(transition));
+    return true;
+  });
+  if (all == Truth::open) found.undecided = true;
+  return found.bounded != "--choices";
+}
+
+}  // namespace
+
+Found Machine::initial(std::size_t most) const {
+  parts_->begin_question();
+  Found found;
+  add_completions(*parts_, init().empty() ? state() : init(), {}, most, found);
+  return found;
+}
+
+Found Machine::steps(const Given& before, const MachineOperation& operation, const Given& inputs,
+                     std::size_t most) const {
+  parts_->begin_question();
+  Found found;
+  Given known = before;
+  known.insert(known.end(), inputs.begin(), inputs.end());
+  std::vector<Name> looked_for;  // of the inputs that are not given, those that no finite set has
+  for (const Name& input : operation.inputs)
+    if (!value_of(inputs, input) && parts_->has_numbers(parts_->types.at(input))) looked_for.push_back(input);
+  std::vector<std::vector<Value>> samples;
+  for (const Name& input : looked_for) samples.push_back(parts_->samples(parts_->types.at(input)));
+  if (!samples.empty()) found.bounded = "--numbers";
+  std::size_t tried = 0;
+  std::vector<std::size_t> at(samples.size(), 0);
+  for (;;) {
+    if (tried++ == parts_->setup.inputs) {
+      found.bounded = "--inputs";
+      return found;
+    }
+    Given all = known;
+    for (std::size_t i = 0; i < samples.size(); ++i) all.emplace_back(looked_for[i], samples[i][at[i]]);
+    if (!add_completions(*parts_, operation.name, all, most, found)) return found;
+    std::size_t digit = samples.size();
+    while (digit > 0 && ++at[digit - 1] == samples[digit - 1].size()) at[--digit] = 0;
+    if (digit == 0) return found;
+  }
+}
+
+Truth Machine::is_step(const Given& before, const Transition& transition) const {
+  parts_->begin_question();
+  const zed::SchemaCheck& check = parts_->check(transition.operation);
+  Given all = parts_->named(before, transition);
+  if (!has_all(check.components(), {after_stroke(components().front())}))  // an initial schema of S itself
+    all.insert(all.end(), transition.after.begin(), transition.after.end());
+  return check.holds(in_order(check.components(), all));
+}
+
+std::vector<zed::Finding> Machine::invariant(const Given& state_now) const {
+  parts_->begin_question();
+  const zed::SchemaCheck& check = parts_->check(state());
+  return check.findings(in_order(check.components(), state_now));
+}
+
+std::vector<zed::Finding> Machine::preconditions(const Given& before, const MachineOperation& operation,
+                                                 const Given& inputs) const {
+  parts_->begin_question();
+  const zed::SchemaCheck& check = parts_->check(operation.name);
+  Given all = before;
+  all.insert(all.end(), inputs.begin(), inputs.end());
+  return check.findings(in_order(check.components(), all));
+}
+
+namespace {
+
+/// The names that the text before the • declares, where it includes schemas and no more.
+std::optional<std::vector<Name>> included_names(const zed::Typing& typing, const zed::Term& claim) {
+  if (claim->kind != zed::Kind::forall || claim->text->declarations.empty()) return std::nullopt;
+  std::vector<Name> names;
+  for (const zed::Declaration& declaration : claim->text->declarations) {
+    if (declaration.form != zed::Declaration::Form::included) return std::nullopt;
+    const auto type = typing.type_of(declaration.term);
+    if (!type || !type->is_schema_set()) return std::nullopt;
+    const auto& fields = type->parts()[0].fields();
+    names.insert(names.end(), fields.begin(), fields.end());
+  }
+  return names;
+}
+
+/// ∀ S | P • Q of names that have values: S ∧ P ⇒ Q.
+zed::Term instance(const zed::Term& claim) {
+  zed::Term left = zed::node(zed::Kind::truth, {});
+  const auto add = [&](const zed::Term& part) { left = zed::node(zed::Kind::conjunction, {left, part}); };
+  for (const zed::Declaration& declaration : claim->text->declarations) add(declaration.term);
+  for (const zed::Predicate& predicate : claim->text->predicates) add(predicate.term);
+  return zed::node(zed::Kind::implication, {left, claim->children[0]});
+}
+
+}  // namespace
+
+std::vector<Tried> Machine::conjectures(const Given& before, const Transition& transition) const {
+  std::vector<Tried> all;
+  for (Parts::Claim& claim : parts_->claims) {
+    Tried tried{claim.text, claim.place, Truth::open, false};
+    const auto names = included_names(parts_->typing, claim.term);
+    Given locals;
+    if (names) {
+      const Given available = has_all(components(), *names) ? transition.after : parts_->named(before, transition);
+      tried.of_states = true;
+      for (const Name& name : *names)
+        if (const Value* value = value_of(available, name); value && !value_of(locals, name))
+          locals.emplace_back(name, *value);
+      const bool all_known = std::all_of(names->begin(), names->end(),
+                                         [&](const Name& name) { return value_of(locals, name) != nullptr; });
+      if (!all_known) continue;  // it speaks of another transition
+    }
+    if (!names && claim.truth) {
+      tried.truth = *claim.truth;
+    } else {
+      parts_->begin_question();
+      try {
+        tried.truth = parts_->evaluator->holds(names ? instance(claim.term) : claim.term, locals);
+      } catch (const zed::EvaluationError&) {
+        tried.truth = Truth::open;
+      }
+      if (!names) claim.truth = tried.truth;
+    }
+    all.push_back(std::move(tried));
+  }
+  return all;
+}
+
+Value Machine::typed(const std::string& text, const Name& component) const {
+  const zed::Term right = parsed(text, parts_->markup);
+  const zed::Term equation = zed::relation({{"_=_", {}}}, {zed::reference(component, {}, right->place), right});
+  auto locals = zed::calculator_names();
+  locals.emplace_back(component, parts_->types.at(component));
+  const zed::Typing typing = zed::check_term(parts_->typing, Parts::section_name, equation, locals, "VALUE");
+  if (!typing.ok()) {
+    const zed::Defect& first = typing.defects.front();
+    throw zed::ZError(first.place, first.what, first.expected);
+  }
+  parts_->begin_question();
+  Value value = parts_->evaluator->value(right);
+  if (value.is_undefined() || value.is_open())
+    throw zed::ZError(right->place, "this has no value", "expected a value for " + component.text());
+  return value;
+}
+
+std::string Machine::written(const Name& component, const Value& value) const {
+  const auto spelling = [](const zed::AtomName& atom) { return atom.text; };
+  return value.text(parts_->types.at(component), spelling);
+}
+
+}  // namespace durero::oracle::spec

@@ -1,0 +1,63 @@
+#pragma once
+/// What a machine is made of.
+
+#include <map>
+#include <optional>
+#include <set>
+
+#include "durero/oracle/animation.hpp"
+#include "durero/oracle/spec.hpp"
+
+namespace durero::oracle::spec {
+
+struct Machine::Parts {
+  static constexpr const char* section_name = "run";
+
+  struct Claim {
+    zed::Term term;
+    std::string text, place;
+    std::optional<zed::Truth> truth{};  ///< of one that speaks of no state, once it was tried
+  };
+
+  Parts(const zed::Specification& text, Setup how);
+
+  Setup setup;
+  zed::Specification specification;
+  zed::Markup markup;
+  zed::Typing typing;
+  std::map<std::string, std::vector<std::string>> carriers{};
+  zed::Given given{};  ///< of the evaluator
+  std::string state{}, init{};
+  std::vector<zed::Name> components{};
+  std::map<zed::Name, zed::Type> types{};  ///< of the components of states and operations
+  std::vector<MachineOperation> operations{};
+  std::vector<Claim> claims{};
+  mutable zed::Steps steps{};
+  std::unique_ptr<zed::Evaluator> evaluator{};
+
+  /// Counts the steps from 0 again.
+  void begin_question() const { steps = zed::Steps(setup.steps); }
+  const zed::SchemaCheck& check(const std::string& schema) const;
+  const zed::Completion& completion(const std::string& schema, const std::vector<zed::Name>& known) const;
+  /// Every name that the transition gives a value: those of the state before, of the state after with ', and its own.
+  zed::Given named(const zed::Given& before, const Transition& transition) const;
+  /// Whether values of the type have numbers in them, of which there is no end.
+  bool has_numbers(const zed::Type& type) const;
+  /// Some values of the type, the same each time.
+  std::vector<zed::Value> samples(const zed::Type& type) const;
+
+ private:
+  using Fields = std::map<std::string, std::vector<zed::Name>>;
+  void declare_carriers();
+  Fields schemas() const;
+  void choose_state(const Fields& schemas);
+  void choose_init(const Fields& schemas);
+  void add_operations(const Fields& schemas);
+  void add_types(const std::string& schema);
+  void add_claims();
+
+  mutable std::map<std::string, zed::SchemaCheck> checks_{};
+  mutable std::map<std::pair<std::string, std::vector<zed::Name>>, zed::Completion> completions_{};
+};
+
+}  // namespace durero::oracle::spec

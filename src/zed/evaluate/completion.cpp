@@ -1,0 +1,64 @@
+#include <algorithm>
+
+#include "durero/zed/evaluate/evaluate.hpp"
+#include "zed/evaluate/evaluator_state.hpp"
+
+namespace durero::zed {
+
+struct Completion::State {
+  explicit State(Steps& counted) : steps(counted) {}
+  Steps& steps;
+  std::vector<Name> sought;
+  std::vector<unsigned> slots;  // in step with sought
+  std::size_t known = 0;        // these have the first slots
+  std::shared_ptr<Unit> unit = std::make_shared<Unit>();
+  std::vector<Search> sides;
+};
+
+const std::vector<Name>& Completion::sought() const { return state_->sought; }
+
+Truth Completion::each(std::span<const Value> known,
+                       const std::function<bool(std::span<const Value> sought)>& visit) const {
+  if (known.size() != state_->known) throw EvaluationError("a completion is given too many values, or too few");
+  Context context(state_->steps);
+  Frame frame(state_->unit->size, context);
+  std::copy(known.begin(), known.end(), frame.slots.begin());
+  Truth found = Truth::no;
+  bool stopped = false;
+  for (const Search& side : state_->sides) {
+    const Truth here = side.each(frame, [&](Frame& inside) {
+      std::vector<Value> values;
+      for (const unsigned slot : state_->slots) values.push_back(inside.slots[slot]);
+      stopped = !visit(values);
+      return !stopped;
+    });
+    if (here == Truth::open || found == Truth::no) found = here;
+    if (stopped) break;
+  }
+  return found;
+}
+
+Completion Evaluator::completion(const Name& schema, const std::vector<Name>& known) const {
+  const auto names = components(reference(schema), state_->definitions);
+  if (!names) throw EvaluationError(schema.text() + " is no schema");
+  auto state = std::make_shared<Completion::State>(state_->steps);
+  Scope scope{.unit = state->unit};
+  state->known = known.size();
+  for (const Name& name : known) scope.names[name] = {Slots::take(*state->unit), {}};
+  std::vector<Variable> variables;
+  for (const Name& name : *names) {
+    if (scope.names.contains(name)) continue;
+    const unsigned slot = Slots::take(*state->unit);
+    scope.names[name] = {slot, {}};
+    state->sought.push_back(name);
+    state->slots.push_back(slot);
+    variables.push_back({.name = name.text(), .slot = slot, .set = {}, .value = {}});
+  }
+  const Property property = state_->compiler.predicate(reference(schema), scope);
+  for (Property& side : sides_of(property)) state->sides.emplace_back(variables, std::move(side));
+  Completion completion;
+  completion.state_ = std::move(state);
+  return completion;
+}
+
+}  // namespace durero::zed

@@ -1,0 +1,46 @@
+#pragma once
+/// A truth that depends on one number t only by the signs of polynomials in t is the same between two neighbouring
+/// roots. So the roots cut the line of numbers into points and stretches, and what is so at one number of a stretch is
+/// so on all of it.
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "zed/value/context.hpp"
+
+namespace durero::zed {
+
+/// Numbers ascend, each once.
+using Cuts = std::vector<Real>;
+
+/// Returns the real roots of the polynomials, each of degree one or two. Nothing where the coefficients of one of
+/// degree two are irrational.
+std::optional<Cuts> roots(const std::vector<Polynomial>& polynomials);
+
+/// @{ Returns a rational number below this one, above it, or strictly between two. Precondition: low < high.
+Real below(const Real& high);
+Real above(const Real& low);
+Real between(const Real& low, const Real& high);
+/// @}
+
+/// Says whether something is so at a number, and is so at every number of the stretch in which it lies.
+using At = std::function<Truth(const Real& t)>;
+
+/// Says whether it is so at some of the numbers.
+Truth some_number(Numbers numbers, const Cuts& cuts, const At& at);
+
+/// Returns all numbers at which it is not denied, ascending. Nothing where they are infinitely many, or more than
+/// `most_numbers`.
+std::optional<std::vector<Real>> every_number(Numbers numbers, const Cuts& cuts, const At& at);
+inline constexpr int most_numbers = 1 << 20;
+
+/// Returns where `truth`, evaluated with an unknown number t, may change with t. Nothing where it depends on t in a way
+/// that is not followed.
+std::optional<Cuts> cuts_of(std::uint32_t t, Numbers numbers, Context& context, const std::function<Truth()>& truth);
+
+/// Returns the members that the sets have in common, where the first is a curve (Set::curve) and they are finitely
+/// many.
+std::optional<Value> points_in_common(const Set& curve, const Set& other, Steps& steps);
+
+}  // namespace durero::zed

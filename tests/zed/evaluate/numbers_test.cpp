@@ -1,0 +1,86 @@
+/// Numbers that no equation gives, and points of curves: found where polynomials change their sign.
+
+#include "durero/zed/evaluate/evaluate.hpp"
+#include "durero/zed/syntax/parser.hpp"
+#include "support/catch.hpp"
+#include "support/tree.hpp"
+
+namespace durero::zed {
+namespace {
+
+const Evaluator& text_of_spec() {
+  static const Evaluator evaluator(read_files({durero::test::source_dir() + "/spec/interseccion.tex"}).sections);
+  return evaluator;
+}
+
+std::string value(const std::string& expression) { return text_of_spec().value(parse_unicode(expression)).text(); }
+Truth truth_of(const std::string& predicate) { return text_of_spec().holds(parse_unicode(predicate)); }
+
+TEST_CASE("numbers that their predicates bound are listed") {
+  CHECK(value("{x : ℕ | x < 5}") == "{0, 1, 2, 3, 4}");
+  CHECK(value("{x : ℕ | x < 5 • x * x}") == "{0, 1, 4, 9, 16}");
+  CHECK(value("{x : ℤ | x * x ≤ 4}") == "{-2, -1, 0, 1, 2}");
+  CHECK(value("{x : ℤ | 2 * x > 3 ∧ x ≤ 4}") == "{2, 3, 4}");
+  CHECK(value("{x : ℝ | x * x = 2}") == "{-√2, √2}");
+  CHECK(value("{x, y : ℕ | x + y = 2 ∧ x ≤ 2}") == "{0 ↦ 2, 1 ↦ 1, 2 ↦ 0}");
+  CHECK(value("{x, y : ℕ | x < 2 ∧ y < 2}") == "{0 ↦ 0, 0 ↦ 1, 1 ↦ 0, 1 ↦ 1}");
+  CHECK(value("# {x : ℤ | 0 ≤ x ∧ x < 1000}") == "1000");
+  CHECK(value("{x : ℕ₁ | x < 3} ∪ {7}") == "{1, 2, 7}");
+  CHECK(value("{x : ℕ | x < 0}") == "∅");
+  CHECK(value("{x : ℕ | x < 3 ∨ x = 7}") == "{0, 1, 2, 7}");
+  CHECK(value("(μ x : ℕ | 3 * x = 12)") == "4");
+  CHECK(value("{x : ℕ | x > 5}") == "{ x : ℕ | x > 5 }");
+  CHECK(value("{x : ℝ | 0 < x ∧ x < 1}") == "{ x : ℝ | 0 < x ∧ x < 1 }");
+}
+
+TEST_CASE("quantifiers over numbers are decided where their truth changes") {
+  CHECK(truth_of("∀ x : ℕ | x < 5 • x * x < 25") == Truth::yes);
+  CHECK(truth_of("∀ x : ℕ | x ≤ 5 • x * x < 25") == Truth::no);
+  CHECK(truth_of("∃ x : ℤ • x * x = 49") == Truth::yes);
+  CHECK(truth_of("∃ x : ℤ • x * x = 50") == Truth::no);
+  CHECK(truth_of("∃ x : ℝ • x * x = 2") == Truth::yes);
+  CHECK(truth_of("∃ x : ℝ • x * x = -(2)") == Truth::no);
+  CHECK(truth_of("∃₁ x : ℝ | x > 0 • x * x = 2") == Truth::yes);
+  CHECK(truth_of("∀ x : ℕ • x ≥ 0") == Truth::yes);
+  CHECK(truth_of("∀ x : ℤ • x ≥ 0") == Truth::no);
+  CHECK(truth_of("∀ x : ℝ • x * x ≥ 0") == Truth::yes);
+  CHECK(truth_of("∀ x : ℝ • x * x > 0") == Truth::no);
+  CHECK(truth_of("∀ x : ℤ • x * x ≥ x") == Truth::yes);
+  CHECK(truth_of("∀ x : ℝ • x * x ≥ x") == Truth::no);
+  CHECK(truth_of("∃ x : ℤ • 2 * x = 3") == Truth::no);
+  CHECK(truth_of("∃ x : ℤ • 1 < 3 * x ∧ 3 * x < 3") == Truth::no);
+  CHECK(truth_of("∃ x : ℕ • x ∈ {3, 4} ∧ x * x = 16") == Truth::yes);
+  CHECK(truth_of("∀ x : ℕ | x < 1000000000000 • x ≥ 0") == Truth::yes);
+  // What is no polynomial of degree two, or depends on two numbers, is left open, and never guessed.
+  CHECK(truth_of("∃ x : ℝ • x * x * x = 8") == Truth::open);
+  CHECK(truth_of("∀ x, y : ℕ • x + y ≥ x") == Truth::open);
+}
+
+const std::string ray = "⦉p == ⦉x == 0, y == 0, z == -(5)⦊, v == ⦉x == 0, y == 0, z == 1⦊⦊";
+const std::string skew = "⦉p == ⦉x == 0, y == 1, z == -(5)⦊, v == ⦉x == 0, y == 0, z == 1⦊⦊";
+const std::string ball = "puntos_esfera(⦉x == 0, y == 0, z == 0⦊, 2)";
+
+TEST_CASE("the paper's question: the nearest point of a ray on an object") {
+  CHECK(value("interseccion(puntos_de_rayo(" + ray + "), " + ball + ")") ==
+        "{⦉x == 0, y == 0, z == -2⦊, ⦉x == 0, y == 0, z == 2⦊}");
+  CHECK(value("reduccion(interseccion(puntos_de_rayo(" + ray + "), " + ball + "), " + ray + ".p)") ==
+        "⦉x == 0, y == 0, z == -2⦊");
+  CHECK(value("reduccion(interseccion(" + ball + ", puntos_de_rayo(" + skew + ")), " + skew + ".p)") ==
+        "⦉x == 0, y == 1, z == -√3⦊");
+  const std::string away = "⦉p == ⦉x == 0, y == 0, z == 5⦊, v == ⦉x == 0, y == 0, z == 1⦊⦊";
+  CHECK(value("interseccion(puntos_de_rayo(" + away + "), " + ball + ")") == "∅");
+  CHECK(value("reduccion(interseccion(puntos_de_rayo(" + away + "), " + ball + "), " + away + ".p)") == "undefined");
+}
+
+TEST_CASE("a set of points is written without free names") {
+  CHECK(value("puntos_de_rayo(" + ray + ")") ==
+        "⋃ (let ray == ⦉p == ⦉x == 0, y == 0, z == -5⦊, v == ⦉x == 0, y == 0, z == 1⦊⦊ • { t : Rmas • { temp : Punto | "
+        "temp.x = ray.p.x + t * ray.v.x ∧ temp.y = ray.p.y + t * ray.v.y ∧ temp.z = ray.p.z + t * ray.v.z } })");
+  CHECK(value("⟨5, 7⟩") == "⟨5, 7⟩");
+  CHECK(value("{1 ↦ 5, 2 ↦ 7, 3 ↦ 5}") == "⟨5, 7, 5⟩");
+  CHECK(value("{0 ↦ 5, 1 ↦ 7}") == "{0 ↦ 5, 1 ↦ 7}");
+  CHECK(value("{1 ↦ 5, 1 ↦ 7}") == "{1 ↦ 5, 1 ↦ 7}");
+}
+
+}  // namespace
+}  // namespace durero::zed

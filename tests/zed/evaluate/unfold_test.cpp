@@ -1,0 +1,85 @@
+#include "durero/zed/evaluate/unfold.hpp"
+
+#include "durero/zed/evaluate/evaluate.hpp"
+#include "durero/zed/print/print.hpp"
+#include "durero/zed/syntax/parser.hpp"
+#include "durero/zed/syntax/reader.hpp"
+#include "support/catch.hpp"
+
+namespace durero::zed {
+namespace {
+
+const char* const counter = R"(
+\begin{schema}{Counter}
+  n, most : \nat
+\where
+  n \leq most
+\end{schema}
+\begin{schema}{Inc}
+  \Delta Counter \\
+  by? : \nat \\
+  r! : \nat
+\where
+  n' = n + by?
+\also
+  most' = most
+\also
+  r! = n'
+\end{schema}
+\begin{schema}{Some}
+  \Delta Counter
+\where
+  n' > n
+\also
+  most' = most
+\end{schema}
+\begin{zed}
+  Full == [~ \Xi Counter; by? : \nat; r! : \nat | n = most \land r! = n ~]
+\end{zed}
+\begin{zed}
+  TInc == Inc \lor Full
+\end{zed}
+)";
+
+const std::vector<Section>& sections() {
+  static const Specification read = read_text(counter, "counter.tex");
+  REQUIRE(read.ok());
+  return read.sections;
+}
+
+std::string unfolded_text(const std::string& typed) {
+  const auto term = unfolded(parse_unicode(typed), sections(), [](const Name&) { return reference({"𝔸", ""}); });
+  return term ? to_unicode(*term) : "nothing";
+}
+
+TEST_CASE("a precondition is calculated: what equations give is put in its place") {
+  CHECK(unfolded_text("pre Inc") == "[n, most, by? : ℕ | n ≤ most; n + by? ≤ most; n + by? ∈ ℕ; most ∈ ℕ]");
+  CHECK(unfolded_text("pre Some") == "[n, most : ℕ | n ≤ most; most ∈ ℕ; ∃ n' : ℕ • n' ≤ most ∧ n' > n]");
+  CHECK(unfolded_text("Counter '") == "[n', most' : ℕ | n' ≤ most']");
+  CHECK(unfolded_text("ΞCounter") == "[n, most, n', most' : ℕ | n ≤ most; n' ≤ most'; n' = n; most' = most]");
+  CHECK(unfolded_text("Counter[m/n] ⧹ (m)") == "[most : ℕ | ∃ m : ℕ • m ≤ most]");
+  CHECK(unfolded_text("¬ Counter") == "[n, most : 𝔸 | ¬ (n ∈ ℕ ∧ most ∈ ℕ ∧ n ≤ most)]");
+  CHECK(unfolded_text("Inc ⨟ Inc") == "nothing");
+}
+
+TEST_CASE("what is written out has the bindings of the schema") {
+  const Evaluator evaluator(sections());
+  for (const char* typed : {"pre Inc", "pre Some", "TInc", "pre TInc", "¬ Counter", "Inc ⇒ Full", "Inc ⧹ (by?)"}) {
+    CAPTURE(typed);
+    const Term schema = parse_unicode(typed);
+    const auto text = unfolded(schema, sections(), [](const Name&) { return reference({"𝔸", ""}); });
+    REQUIRE(text);
+    for (int n = -1; n <= 2; ++n)
+      for (int after = 0; after <= 2; ++after)
+        for (int by = 0; by <= 2; ++by) {
+          const auto value = [](int number) { return Value(Real(number)); };
+          const Given locals{{{"n", ""}, value(n)},     {{"most", ""}, value(2)}, {{"n", "'"}, value(after)},
+                             {{"most", "'"}, value(2)}, {{"by", "?"}, value(by)}, {{"r", "!"}, value(after)}};
+          CAPTURE(n, after, by);
+          CHECK(evaluator.holds(*text, locals) == evaluator.holds(schema, locals));
+        }
+  }
+}
+
+}  // namespace
+}  // namespace durero::zed
