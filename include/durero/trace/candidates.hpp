@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <mutex>
 #include <span>
+#include <vector>
 
 #include "durero/scene/hit.hpp"
 #include "durero/scene/query.hpp"
@@ -36,16 +37,22 @@ concept Candidates =
       { source.any(ray, limit, visit) } -> std::same_as<bool>;
     };
 
-/// A source that offers them for many rays at once too:
+/// A source that offers them for many rays at once too, in names of its own:
 ///   pairs(rays, limit, take, flush)
-///                     as any, with take(number, e) and the number of a ray in `rays` for each visit. A ray whose
+///                     as any, with take(number, own) and the number of a ray in `rays` for each visit. A ray whose
 ///                     limit(number) is 0 is passed over. After flush() the limits take account of all that was taken.
+///   visit(own, f)     f(shape) with the geometry of what was taken
+///   element(own)      which element of the scene that is; of the same type.
 /// Precondition: rays whose limit is not 0 are ordinary.
 template <class Source>
 concept PairCandidates =
-    Candidates<Source> && requires(const Source& source, std::span<const Ray> rays, double (&limit_of)(std::uint32_t),
-                                   void (&take)(std::uint32_t, scene::ElementRef),
-                                   void (&flush)()) { source.pairs(rays, limit_of, take, flush); };
+    Candidates<Source> &&
+    requires(const Source& source, std::span<const Ray> rays, double (&limit_of)(std::uint32_t),
+             void (&take)(std::uint32_t, scene::ElementRef), void (&flush)(), scene::ElementRef own) {
+      source.pairs(rays, limit_of, take, flush);
+      source.visit(own, [](const auto&) {});
+      { source.element(own) } -> std::same_as<scene::ElementRef>;
+    };
 
 /// visit(e, range) for every element of the scene, until it answers true. Whether it did.
 template <class Visit>
@@ -106,6 +113,16 @@ bool occluded_segment_among(const Source& source, const model::Rayo& rayo, Origi
                        [&](scene::ElementRef e, Search::Range range) { return search.blocks_segment(e, range); });
 }
 
+/// The order in which a source would rather answer, by source.order(queries): each query once; or empty, as they come.
+template <class Source>
+std::vector<std::uint32_t> order_of(const Source& source, std::span<const scene::Query> queries) {
+  if constexpr (requires { source.order(queries); }) {
+    return source.order(queries);
+  } else {
+    return {};
+  }
+}
+
 /// answer(begin, count) for blocks that make up `size` queries, on as many threads as the calling one may use.
 template <class Answer>
 void for_each_block(std::size_t size, Answer answer) {
@@ -126,10 +143,11 @@ template <PairCandidates Source>
 void first_hits_among(const Source& source, std::span<const scene::Query> queries, std::span<scene::Hit> hits,
                       Counts* counts) {
   std::mutex adding;
+  const std::vector<std::uint32_t> order = order_of(source, queries);
   for_each_block(queries.size(), [&](std::size_t begin, std::size_t count) {
     Counts of_block;
-    const auto block = queries.subspan(begin, count);
-    const auto answers = hits.subspan(begin, count);
+    const auto block = picked(queries, order, begin, count);
+    const auto answers = picked(hits, order, begin, count);
     Certified certified(source.scene(), block, answers, of_block);
     Batch batch(source, block, certified);
     batch.answer();
