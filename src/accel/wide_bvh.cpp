@@ -269,12 +269,18 @@ WideBvh::WideBvh(const scene::Scene& scene) : scene_(&scene) {
     if (!box.finite()) return unbounded_.push_back(e);
     items.push_back({box, e});
   });
-  if (items.empty()) return;
-  const Box32 all = box_of(items);
-  const double extent = std::max({all.width(0), all.width(1), all.width(2)});
-  spacing_ = extent / std::cbrt(static_cast<double>(items.size()));
-  build(nodes_, {items, all}, 0);
-  nodes_.shrink_to_fit();
+  if (!items.empty()) {
+    const Box32 all = box_of(items);
+    const double extent = std::max({all.width(0), all.width(1), all.width(2)});
+    spacing_ = extent / std::cbrt(static_cast<double>(items.size()));
+    build(nodes_, {items, all}, 0);
+    nodes_.shrink_to_fit();
+  }
+  leaves_.reserve(scene);
+  for (WideNode& node : nodes_)
+    for (WideChild& child : node.children)
+      if (child.kind == ChildKind::element) child.index = leaves_.push_back(scene, child.element()).index;
+  for (const scene::ElementRef e : unbounded_) unbounded_leaves_.push_back(leaves_.push_back(scene, e));
 }
 
 Size WideBvh::size() const {
@@ -285,8 +291,10 @@ Size WideBvh::size() const {
   size.apart = unbounded_.size() + extraordinary_.size();
   size.nodes = nodes_.size();
   size.depth = nodes_.empty() ? 0 : depth(nodes_, 0);
-  size.bytes = sizeof *this + nodes_.capacity() * sizeof(WideNode) +
-               (unbounded_.capacity() + extraordinary_.capacity()) * sizeof(scene::ElementRef);
+  size.bytes =
+      sizeof *this + nodes_.capacity() * sizeof(WideNode) +
+      (unbounded_.capacity() + unbounded_leaves_.capacity() + extraordinary_.capacity()) * sizeof(scene::ElementRef);
+  size.bytes += leaves_.bytes();
   return size;
 }
 

@@ -67,6 +67,9 @@ class Fast final : public Engine {
   void first_hits(std::span<const Query> queries, std::span<scene::Hit> hits) const override {
     trace::first_hits_among(tree_, queries, hits, nullptr);
   }
+  void first_elements(std::span<const Query> queries, std::span<trace::FirstElement> elements) const override {
+    trace::first_elements_among(tree_, queries, elements);
+  }
   void occluded_segments(std::span<const Query> queries, std::span<bool> occluded) const override {
     trace::occluded_segments_in_lanes(tree_, queries, occluded);
   }
@@ -115,6 +118,17 @@ std::span<const Row> engines() { return rows; }
 const Row* find(std::string_view name) {
   const auto* const found = std::ranges::find(rows, name, &Row::name);
   return found == rows.end() ? nullptr : found;
+}
+
+/// Through the whole answers, some at a time.
+void Engine::first_elements(std::span<const Query> queries, std::span<trace::FirstElement> elements) const {
+  constexpr std::size_t at_a_time = 1 << 16;
+  std::vector<scene::Hit> hits(std::min(queries.size(), at_a_time));
+  for (std::size_t begin = 0; begin < queries.size(); begin += at_a_time) {
+    const auto some = queries.subspan(begin, std::min(at_a_time, queries.size() - begin));
+    first_hits(some, std::span(hits).first(some.size()));
+    for (std::size_t i = 0; i < some.size(); ++i) elements[begin + i] = trace::first_element(hits[i]);
+  }
 }
 
 std::vector<scene::Hit> first_hits(const Engine& engine, std::span<const Query> queries) {

@@ -50,16 +50,19 @@ constexpr const char* open_variable =
 
 }  // namespace
 
-zed::Term parsed(const std::string& typed) { return parsed(typed, markup_of(text())); }
+zed::Term parsed(const std::string& typed) { return parsed(typed, notation_of(text())); }
 
-zed::Term parsed(const std::string& typed, const zed::Markup& markup) {
-  return is_latex(typed) ? zed::parse_latex(typed, markup) : zed::parse_unicode(typed);
+zed::Term parsed(const std::string& typed, const Notation& notation) {
+  return is_latex(typed) ? zed::parse_latex(typed, notation.markup, notation.operators)
+                         : zed::parse_unicode(typed, notation.operators);
 }
 
-zed::Markup markup_of(const zed::Specification& specification) {
-  zed::Markup markup;
-  for (const auto& [section, commands] : specification.markup) markup.insert(commands.begin(), commands.end());
-  return markup;
+Notation notation_of(const zed::Specification& specification) {
+  Notation notation;
+  for (const auto& [section, commands] : specification.markup)
+    notation.markup.insert(commands.begin(), commands.end());
+  for (const auto& [section, words] : specification.operators) notation.operators.insert(words.begin(), words.end());
+  return notation;
 }
 
 Calculator::Calculator() : Calculator(text()) {}
@@ -132,7 +135,7 @@ std::optional<std::string> Calculator::written_out(const zed::Term& schema, cons
 }
 
 Calculator::Result Calculator::evaluate(const std::string& typed, zed::Steps& steps) const {
-  zed::Term term = parsed(typed, markup_of(specification_));
+  zed::Term term = parsed(typed, notation_of(specification_));
   const zed::Typing typing = check(term);
   const zed::Evaluator evaluator(specification_.sections, given_, &steps);
   const std::optional<zed::Type> type = typing.type_of(term);

@@ -119,7 +119,7 @@ class Explainer {
 }  // namespace
 
 std::string Calculator::explain(const std::string& typed, zed::Steps& steps) const {
-  Term term = parsed(typed, markup_of(specification_));
+  Term term = parsed(typed, notation_of(specification_));
   const zed::Typing typing = check(term);
   const zed::Evaluator evaluator(specification_.sections, given_, &steps);
   Explainer explainer(evaluator, typing);

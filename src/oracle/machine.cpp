@@ -244,7 +244,7 @@ std::vector<Tried> Machine::conjectures(const Given& before, const Transition& t
 }
 
 Value Machine::typed(const std::string& text, const Name& component) const {
-  const zed::Term right = parsed(text, parts_->markup);
+  const zed::Term right = parsed(text, parts_->notation);
   const zed::Term equation = zed::relation({{"_=_", {}}}, {zed::reference(component, {}, right->place), right});
   auto locals = zed::calculator_names();
   locals.emplace_back(component, parts_->types.at(component));

@@ -45,7 +45,7 @@ constexpr std::size_t most_samples = 200;
 }  // namespace
 
 Machine::Parts::Parts(const zed::Specification& text, Setup how) : setup(std::move(how)), specification(text) {
-  markup = markup_of(specification);
+  notation = notation_of(specification);
   specification.sections.push_back(section_that_sees_all(specification, section_name));
   typing = zed::check(specification);
   if (!typing.ok()) throw std::invalid_argument(typing.defects.front().text());

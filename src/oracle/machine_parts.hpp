@@ -23,7 +23,7 @@ struct Machine::Parts {
 
   Setup setup;
   zed::Specification specification;
-  zed::Markup markup;
+  Notation notation;
   zed::Typing typing;
   std::map<std::string, std::vector<std::string>> carriers{};
   zed::Given given{};  ///< of the evaluator

@@ -106,7 +106,7 @@ std::vector<std::string> names_and_labels(const zed::Specification& specificatio
 std::string in_unicode(const zed::Specification& specification, const std::string& name) {
   if (name.find('\\') == name.npos) return name;
   try {
-    const zed::Term term = parsed(name, markup_of(specification));
+    const zed::Term term = parsed(name, notation_of(specification));
     return term->kind == zed::Kind::reference ? term->name.text() : name;
   } catch (const zed::ZError&) {
     return name;

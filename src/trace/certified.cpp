@@ -4,13 +4,6 @@
 
 namespace durero::trace {
 
-void Certified::hit(std::uint32_t number, const Ray& ray, scene::ElementRef e, const Point& point) {
-  Hits& hits = waiting_[static_cast<std::size_t>(e.tipo)];
-  hits.findings.set(hits.queue.count, point.finding);
-  hits.queue.push(scene_, number, ray, e);
-  if (hits.queue.full()) round(hits);
-}
-
 void Certified::finish() {
   for (Hits& hits : waiting_) round(hits);
 }

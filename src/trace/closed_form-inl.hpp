@@ -243,13 +243,28 @@ HWY_INLINE LanesFound first_in_lanes(const Quadratic<Lanes>& f) {
           root_of_D.error};
 }
 
-/// The same where A is 0.
-HWY_INLINE LanesFound first_of_linear_in_lanes(const Quadratic<Lanes>& f) {
-  const LaneMask known = abs(f.B) > 2 * f.B_error;
-  const Root<Lanes> root = root_of_linear(f);
+/// Where there is one root, in the lanes where it is known.
+HWY_INLINE LanesFound only_root(const Quadratic<Lanes>& f, LaneMask known, const Root<Lanes>& root, Lanes slope) {
   const Place<Lanes> at = place(f, root);
   const LaneMask hit = known & at.inside, miss = known & at.outside;
-  return {hit, !(hit | miss), root, f.B, f.B_error};
+  return {hit, !(hit | miss), root, slope, f.B_error};
+}
+
+/// The same where A is 0.
+HWY_INLINE LanesFound first_of_linear_in_lanes(const Quadratic<Lanes>& f) {
+  return only_root(f, abs(f.B) > 2 * f.B_error, root_of_linear(f), f.B);
+}
+
+/// As first_from_surface.
+HWY_INLINE LanesFound first_from_surface_in_lanes(const Quadratic<Lanes>& f) {
+  const Root<Lanes> root = quotient(-(f.B + f.B), 2 * f.B_error, f.A, f.A_error);
+  return only_root(f, abs(f.A) > 2 * f.A_error, root, -f.B);
+}
+
+/// As first_of_linear of a ray that starts on the element: the only root is 0, which is no point of the ray.
+HWY_INLINE LanesFound first_of_linear_from_surface_in_lanes(const Quadratic<Lanes>& f) {
+  const LaneMask known = abs(f.B) > 2 * f.B_error;
+  return {known & !known, !known, {}, f.B, f.B_error};
 }
 
 }  // namespace HWY_NAMESPACE

@@ -11,12 +11,13 @@ namespace durero::trace {
 namespace HWY_NAMESPACE {
 namespace {
 
-template <model::Tipo tipo>
-HWY_INLINE void triage_of(const Packet& packet, Findings& findings) {
+/// found(quadratic) in every lane.
+template <model::Tipo tipo, class Find>
+HWY_INLINE void find_in(const Packet& packet, Findings& findings, Find find) {
   findings.hit = findings.undecided = 0;
   for (std::size_t at = 0; at < Packet::size; at += lanes()) {
     const Quadratic<Lanes> f = quadratic<Lanes>(element<tipo>(packet, at), rays(packet, at));
-    const LanesFound found = is_linear(tipo) ? first_of_linear_in_lanes(f) : first_in_lanes(f);
+    const LanesFound found = find(f);
     found.root.t.store(&findings.t[at]);
     found.root.error.store(&findings.error[at]);
     found.slope.store(&findings.at_root[at]);
@@ -29,8 +30,19 @@ HWY_INLINE void triage_of(const Packet& packet, Findings& findings) {
 }
 
 void triage_packet(const Packet& packet, model::Tipo tipo, Findings& findings) {
-  scene::with_shape(tipo,
-                    [&]<class Shape>(std::type_identity<Shape>) HWY_ATTR { triage_of<Shape::tipo>(packet, findings); });
+  scene::with_shape(tipo, [&]<class Shape>(std::type_identity<Shape>) HWY_ATTR {
+    find_in<Shape::tipo>(packet, findings, [](const Quadratic<Lanes>& f) HWY_ATTR {
+      return is_linear(Shape::tipo) ? first_of_linear_in_lanes(f) : first_in_lanes(f);
+    });
+  });
+}
+
+void triage_packet_from(const Packet& packet, model::Tipo tipo, Findings& findings) {
+  scene::with_shape(tipo, [&]<class Shape>(std::type_identity<Shape>) HWY_ATTR {
+    find_in<Shape::tipo>(packet, findings, [](const Quadratic<Lanes>& f) HWY_ATTR {
+      return is_linear(Shape::tipo) ? first_of_linear_from_surface_in_lanes(f) : first_from_surface_in_lanes(f);
+    });
+  });
 }
 
 }  // namespace
@@ -43,11 +55,15 @@ namespace durero::trace {
 namespace {
 
 HWY_EXPORT(triage_packet);
+HWY_EXPORT(triage_packet_from);
 
 }  // namespace
 
 void triage(const Packet& packet, model::Tipo tipo, Findings& findings) {
   HWY_DYNAMIC_DISPATCH(triage_packet)(packet, tipo, findings);
+}
+void triage_from(const Packet& packet, model::Tipo tipo, Findings& findings) {
+  HWY_DYNAMIC_DISPATCH(triage_packet_from)(packet, tipo, findings);
 }
 
 }  // namespace durero::trace

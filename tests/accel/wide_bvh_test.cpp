@@ -50,8 +50,11 @@ bool all_within(const WideBvh& tree, std::size_t at, const surface::Box& box, st
       good = good && child.index > at && all_within(tree, child.index, own, found);
       continue;
     }
-    found.insert(child.element());
-    const surface::Box of_element = tree.scene().visit(child.element(), [](const auto& e) { return surface::box(e); });
+    const ElementRef e = tree.element(child.element());
+    found.insert(e);
+    const surface::Box of_element = tree.scene().visit(e, [](const auto& e) { return surface::box(e); });
+    const surface::Box of_leaf = tree.visit(child.element(), [](const auto& leaf) { return surface::box(leaf); });
+    good = good && of_leaf.low == of_element.low && of_leaf.high == of_element.high;
     good = good && within(of_element, own);
   }
   return good;
@@ -94,7 +97,7 @@ std::vector<Found> by_all(const WideBvh& tree, const std::vector<trace::Ray>& ra
   std::vector<Found> found(rays.size());
   tree.pairs(
       rays, [&](std::uint32_t) { return limit; },
-      [&](std::uint32_t number, ElementRef e) { CHECK(found[number].insert(e).second); }, [] {});
+      [&](std::uint32_t number, ElementRef leaf) { CHECK(found[number].insert(tree.element(leaf)).second); }, [] {});
   return found;
 }
 

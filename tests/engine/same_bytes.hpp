@@ -28,11 +28,15 @@ inline void check_same(const scene::Scene& scene, const Queries& queries, const 
     const auto engine = row.prepare(scene);
     const std::vector<scene::Hit> own = engine::first_hits(*engine, queries);
     const auto own_blocked = occluded(*engine, queries);
+    std::vector<trace::FirstElement> elements(queries.size());
+    engine->first_elements(queries, elements);
     for (std::size_t i = 0; i < queries.size(); ++i) {
-      if (own[i] == hits[i] && own_blocked[i] == blocked[i]) continue;
+      const trace::FirstElement first = trace::first_element(hits[i]);
+      if (own[i] == hits[i] && own_blocked[i] == blocked[i] && elements[i] == first) continue;
       INFO(row.name << ", " << replay << ", ray " << i);
       CHECK(own[i] == hits[i]);
       CHECK(own_blocked[i] == blocked[i]);
+      CHECK(elements[i] == first);
       break;
     }
     if (!queries.empty()) CHECK(engine::first_hit(*engine, queries.back()) == hits.back());

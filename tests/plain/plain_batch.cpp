@@ -124,12 +124,13 @@ struct Plain {
   static Point point(const Firsts& firsts, std::size_t lane) { return {firsts.t[lane]}; }
 
   void miss(std::uint32_t number) const { hits[number] = {}; }
-  void hit(std::uint32_t number, const Ray& ray, scene::ElementRef e, const Point& point) const {
+  void hit(std::uint32_t number, const Ray& ray, const Tables& tables, scene::ElementRef own,
+           const Point& point) const {
     scene::Hit& hit = hits[number];
     hit.resultado = model::Resultado::hit;
     hit.t = point.t;
     hit.punto = ray.p + point.t * ray.v;
-    hit.elementos.push_back(e);
+    hit.elementos.push_back(tables.element(own));
   }
 
   std::span<scene::Hit> hits;

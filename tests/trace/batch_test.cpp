@@ -27,10 +27,11 @@ struct Recorder {
   }
   static Point point(const Findings& findings, std::size_t lane) { return {findings.t[lane], findings.error[lane]}; }
   void miss(std::uint32_t number) { CHECK(missing.insert(number).second); }
-  void hit(std::uint32_t number, const trace::Ray& ray, ElementRef e, const Point& point) {
+  void hit(std::uint32_t number, const trace::Ray& ray, const trace::Tables& tables, ElementRef own,
+           const Point& point) {
     CHECK(rays.insert(number).second);
     CHECK(std::abs(ray.p.z + point.t * ray.v.z - 4) < 1e-9);
-    elements[number] = e;
+    elements[number] = tables.element(own);
   }
   std::set<std::uint32_t> rays, missing;
   std::map<std::uint32_t, ElementRef> elements;

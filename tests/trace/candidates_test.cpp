@@ -50,6 +50,9 @@ class Shuffled {
     }
   }
 
+  void visit(ElementRef own, auto visit) const { scene_->visit(own, visit); }
+  ElementRef element(ElementRef own) const { return own; }
+
  private:
   const scene::Scene* scene_;
   std::vector<ElementRef> elements_, extraordinary_;
@@ -122,6 +125,8 @@ struct Nothing {
   std::span<const ElementRef> extraordinary() const { return {}; }
   bool any(const trace::Ray&, auto, auto) const { return false; }
   void pairs(std::span<const trace::Ray>, auto, auto, auto) const {}
+  void visit(ElementRef own, auto visit) const { of.visit(own, visit); }
+  ElementRef element(ElementRef own) const { return own; }
 };
 static_assert(trace::Candidates<Nothing>);
 

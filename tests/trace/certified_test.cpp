@@ -1,6 +1,7 @@
 #include "durero/trace/certified.hpp"
 
 #include "durero/surface/exact.hpp"
+#include "durero/trace/tables.hpp"
 #include "support/catch.hpp"
 #include "support/elements.hpp"
 #include "support/property.hpp"
@@ -31,6 +32,7 @@ TEST_CASE("hits that the kernel is told of are written in their places, rounded 
     std::vector<scene::Hit> answers(queries.size());
     trace::Counts counts;
     trace::Certified certified(scene, queries, answers, counts);
+    const trace::Tables tables(scene);
     std::vector<ElementRef> told(queries.size());
     std::vector<bool> met(queries.size());
     for (std::uint32_t i = 0; i < queries.size(); ++i) {
@@ -38,7 +40,7 @@ TEST_CASE("hits that the kernel is told of are written in their places, rounded 
       scene.any_of([&](ElementRef e, const auto& shape) {
         const trace::Finding finding = triage(shape, traced, false);
         if (finding.verdict != trace::Verdict::hit) return false;
-        certified.hit(i, traced, told[i] = e, {finding});
+        certified.hit(i, traced, tables, told[i] = e, {finding});
         met[i] = true;
         return true;
       });

@@ -99,6 +99,15 @@ void check_triage(const Lanes<Element>& lanes, trace::Findings& findings, Tally&
   }
 }
 
+/// The same of rays that start on the element, of which the lanes need not be.
+template <class Element>
+void check_triage_from(const Lanes<Element>& lanes) {
+  trace::Findings findings;
+  trace::triage_from(lanes.packet, lanes.tipo, findings);
+  for (std::size_t lane = 0; lane < Packet::size; ++lane)
+    same_finding(findings[lane], trace::triage(lanes.elements[lane], lanes.traced[lane], true));
+}
+
 template <class Element>
 void check_rounding(const Lanes<Element>& lanes, const trace::Findings& findings, Tally& tally) {
   trace::RoundedPacket rounded;
@@ -138,6 +147,7 @@ void check(const rc::Gen<Element>& elements, const Reals& numbers, Tally& tally)
     const Only_Target only(target);
     trace::Findings findings;
     check_triage(lanes, findings, tally);
+    check_triage_from(lanes);
     check_rounding(lanes, findings, tally);
     check_plain(lanes);
   }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "durero/accel/structure.hpp"
+#include "durero/accel/wide_leaves.hpp"
 #include "durero/accel/wide_walk.hpp"
 
 namespace durero::accel {
@@ -29,7 +30,8 @@ class WideBvh {
   std::span<const scene::ElementRef> extraordinary() const noexcept { return extraordinary_; }
   /// The ordinary ones without a finite box, which every ray is tested against.
   std::span<const scene::ElementRef> unbounded() const noexcept { return unbounded_; }
-  /// The nodes, the root first and each before its children; none where no element is bounded.
+  /// The nodes, the root first and each before its children; none where no element is bounded. Their elements are
+  /// leaves.
   std::span<const WideNode> nodes() const noexcept { return nodes_; }
 
   /// @{ As a source of candidates has it; with `work`, as a structure.
@@ -42,9 +44,20 @@ class WideBvh {
     return walk(ray, limit, visit, [&](auto count) { count(work); });
   }
   /// @}
-  /// As a source of candidates has it for many rays.
+  /// @{ As a source of candidates has it for many rays.
   template <class Limit, class Take, class Flush>
   void pairs(std::span<const trace::Ray> rays, Limit limit, Take take, Flush flush) const;
+  template <class Visit>
+  decltype(auto) visit(scene::ElementRef leaf, Visit&& visit) const {
+    return leaves_.visit(leaf, visit);
+  }
+  scene::ElementRef element(scene::ElementRef leaf) const { return leaves_.element(leaf); }
+  /// @}
+  /// The order in which many segments are answered faster, as trace::order_of has it: those from one part of space
+  /// and into one octant together, where the tree is too large for the nearer memory, and else as they come.
+  std::vector<std::uint32_t> order(std::span<const scene::Query> queries) const;
+  /// The leaves of the nodes, and of unbounded().
+  const WideLeaves& leaves() const noexcept { return leaves_; }
 
   /// About as far apart as the elements lie: what is narrower among them is narrow.
   double spacing() const noexcept { return spacing_; }
@@ -57,8 +70,10 @@ class WideBvh {
 
   const scene::Scene* scene_;
   std::vector<WideNode> nodes_;
+  WideLeaves leaves_;  // of the nodes, then those of unbounded_
   double spacing_ = 0;
   std::vector<scene::ElementRef> unbounded_, extraordinary_;
+  std::vector<scene::ElementRef> unbounded_leaves_;  // in the order of unbounded_
 };
 
 /// count(f) adds up by f(work), where work is counted. All eight boxes of a node are tested, empty ones with them.
@@ -73,7 +88,7 @@ bool WideBvh::walk(const trace::Ray& ray, Limit limit, Visit visit, Count count)
   bool answered = false;
   while (!answered && walker.advance(nodes_.data(), limit(), WideWalker::Pace::steady) == WideWalker::Next::element) {
     count([](Work& work) { ++work.cells, ++work.candidates; });
-    answered = visit(walker.element);
+    answered = visit(element(walker.element));
   }
   count([&](Work& work) {
     work.nodes += walker.nodes;
@@ -89,7 +104,7 @@ void WideBvh::pairs(std::span<const trace::Ray> rays, Limit limit, Take take, Fl
   const auto of_each = [&](std::uint32_t number) { return limit(number) > 0; };
   for (std::uint32_t number = 0; !unbounded_.empty() && number < rays.size(); ++number)
     if (of_each(number))
-      for (const scene::ElementRef e : unbounded_) take(number, e);
+      for (const scene::ElementRef leaf : unbounded_leaves_) take(number, leaf);
   if (nodes_.empty()) return;
   WideWalk walk(*this, rays, limit, take, flush);
   walk.all();

@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "durero/accel/wide_leaves.hpp"
 #include "durero/accel/wide_walker.hpp"
 #include "durero/trace/finding.hpp"
 
@@ -48,13 +49,20 @@ class WideStack {
   std::size_t size_ = 0;
 };
 
-/// PairCandidates::pairs over a tree that has nodes() and spacing().
+/// PairCandidates::pairs over a tree that has nodes(), leaves() and spacing().
 template <class Tree, class Limit, class Take, class Flush>
 class WideWalk {
  public:
   /// All of these must outlive it. Precondition: the tree has a node.
   WideWalk(const Tree& tree, std::span<const trace::Ray> rays, Limit& limit, Take& take, Flush& flush)
-      : nodes_(tree.nodes()), narrow_(widest * tree.spacing()), rays_(rays), limit_(limit), take_(take), flush_(flush) {
+      : nodes_(tree.nodes()),
+        leaves_(tree.leaves()),
+        waits_for_leaves_(nodes_.size_bytes() > nearby),
+        narrow_(widest * tree.spacing()),
+        rays_(rays),
+        limit_(limit),
+        take_(take),
+        flush_(flush) {
     const std::size_t root = 0;
     for (int i = 0; i < 3; ++i) {
       const auto& low = nodes_[root].planes[static_cast<std::size_t>(i)];
@@ -87,7 +95,8 @@ class WideWalk {
   static constexpr double widest = 2;               // of a bundle, in spacings of the elements
   static constexpr std::size_t least = 6;           // rays of a bundle that is worth it
   static constexpr std::size_t at_a_time = 16;      // rays alone
-  static constexpr std::size_t in_cache = 1 << 14;  // bytes of nodes that need no waiting for
+  static constexpr std::size_t in_cache = 1 << 14;  // bytes of nodes that need no waiting for,
+  static constexpr std::size_t nearby = 1 << 18;    // and of those whose elements need none
   static constexpr std::size_t patience = 32;       // pairs, until the limits are brought up to date
 
   /// The bundle takes the ray, and stays narrow as far as the box of the scene.
@@ -163,6 +172,7 @@ class WideWalk {
     explicit Walking(const trace::Ray& ray) : walker(ray) {}
     WideWalker walker;
     std::uint32_t number = 0;
+    bool arrived = false;  // at an element, which memory was asked for
   };
 
   /// The rays alone: one by one where the nodes fit the cache, and else several in turns.
@@ -196,11 +206,20 @@ class WideWalk {
     }
   }
 
-  /// Takes the elements up to the next node. Whether there is one.
+  /// Goes on to the next node, and in a large tree to the next element, of which memory is asked for before another's
+  /// turn. Whether there is more.
   bool goes_on(Walking& one, WideWalker::Pace pace) {
+    if (one.arrived) take_(one.number, one.walker.element);
+    one.arrived = false;
     for (;;) {
       switch (one.walker.advance(nodes_.data(), limit_(one.number), pace)) {
         case WideWalker::Next::element:
+          if (waits_for_leaves_) {
+            const auto row = leaves_.row(one.walker.element);
+            __builtin_prefetch(&row.front());
+            __builtin_prefetch(&row.back());
+            return one.arrived = true;
+          }
           take_(one.number, one.walker.element);
           break;
         case WideWalker::Next::node:
@@ -218,6 +237,8 @@ class WideWalk {
   }
 
   std::span<const WideNode> nodes_;
+  const WideLeaves& leaves_;
+  bool waits_for_leaves_;
   double narrow_;
   std::span<const trace::Ray> rays_;
   Limit& limit_;

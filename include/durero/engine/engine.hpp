@@ -15,6 +15,7 @@
 #include "durero/scene/hit.hpp"
 #include "durero/scene/query.hpp"
 #include "durero/scene/scene.hpp"
+#include "durero/trace/first_element.hpp"
 
 namespace durero::engine {
 
@@ -26,6 +27,9 @@ class Engine {
   /// Primera_Interseccion of every query, in order. Preconditions: a place in `hits` for each query; the elements of
   /// every en are in the scene.
   virtual void first_hits(std::span<const scene::Query> queries, std::span<scene::Hit> hits) const = 0;
+
+  /// What first_hits says less t and point, which an engine need not find out then. Preconditions as above.
+  virtual void first_elements(std::span<const scene::Query> queries, std::span<trace::FirstElement> elements) const;
 
   /// occluded_segment of every query, in order: some element is met at some 0 < t < 1. Preconditions as above.
   virtual void occluded_segments(std::span<const scene::Query> queries, std::span<bool> occluded) const = 0;

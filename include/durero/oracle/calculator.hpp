@@ -15,10 +15,15 @@ namespace durero::oracle::spec {
 /// A term as one types it: in LaTeX where a command of LaTeX is in it, with the commands that the text names; else in
 /// Unicode. Throws zed::ZError.
 zed::Term parsed(const std::string& typed);
-/// The same with the commands of another text.
-zed::Term parsed(const std::string& typed, const zed::Markup& markup);
-/// The commands that the sections of a text name, together.
-zed::Markup markup_of(const zed::Specification& specification);
+/// What a text adds to how terms are written: commands of LaTeX, and the operators of its templates.
+struct Notation {
+  zed::Markup markup;
+  zed::Operators operators;
+};
+/// What the sections of a text add, together.
+Notation notation_of(const zed::Specification& specification);
+/// The same as above with the notation of another text.
+zed::Term parsed(const std::string& typed, const Notation& notation);
 
 /// Sees the whole text, and Escena's components and the elements of a scene where there is one. An element's name is
 /// written between quotation marks, `"a-b"`, or plainly where it is a word that the text leaves free. Numbers may be

@@ -16,7 +16,8 @@ namespace durero::trace {
 /// One block of rays against a source of candidates (trace/candidates.hpp). A Kernel has
 ///   Findings, the result of its triage(packet, tipo, findings) in lanes, with the bits hit and undecided;
 ///   Point, what it keeps of a hit, by point(findings, lane): its parameter is between low() and high(), ∞ by default;
-///   hit(number, ray, e, point), told the nearest point of a ray, by its number in the block, or miss(number).
+///   hit(number, ray, source, own, point), told the nearest point of a ray, by its number in the block, and the
+///   source's name of the element; or miss(number).
 template <class Source, class Kernel>
 class Batch {
  public:
@@ -35,14 +36,14 @@ class Batch {
   void answer() {
     source_.pairs(
         rays_, [&](std::uint32_t number) { return nearest_[number].alone ? 0 : nearest_[number].point.high(); },
-        [&](std::uint32_t number, scene::ElementRef e) { take(number, e); }, [&] { flush(); });
+        [&](std::uint32_t number, scene::ElementRef own) { take(number, own); }, [&] { flush(); });
     flush();
     for (std::uint32_t number = 0; number < nearest_.size(); ++number) {
       const Nearest& nearest = nearest_[number];
       if (nearest.alone) continue;
       decided_ += nearest.tested;
       if (nearest.point.low() < no_limit) {
-        kernel_.hit(number, rays_[number], nearest.e, nearest.point);
+        kernel_.hit(number, rays_[number], source_, nearest.own, nearest.point);
       } else {
         kernel_.miss(number);
       }
@@ -64,14 +65,14 @@ class Batch {
   /// Of one ray, so far.
   struct Nearest {
     typename Kernel::Point point{};
-    scene::ElementRef e{};
+    scene::ElementRef own{};
     std::uint32_t tested = 0;
     bool alone = false;
   };
 
-  void take(std::uint32_t number, scene::ElementRef e) {
-    Queue& queue = queues_[static_cast<std::size_t>(e.tipo)];
-    queue.push(source_.scene(), number, rays_[number], e);
+  void take(std::uint32_t number, scene::ElementRef own) {
+    Queue& queue = queues_[static_cast<std::size_t>(own.tipo)];
+    queue.push(source_, number, rays_[number], own);
     if (queue.full()) test(queue);
   }
 
@@ -94,11 +95,11 @@ class Batch {
     queue.count = 0;
   }
 
-  static void keep_nearest(Nearest& nearest, scene::ElementRef e, const typename Kernel::Point& point) {
+  static void keep_nearest(Nearest& nearest, scene::ElementRef own, const typename Kernel::Point& point) {
     if (point.low() > nearest.point.high()) return;
     if (!(point.high() < nearest.point.low())) nearest.alone = true;
     nearest.point = point;
-    nearest.e = e;
+    nearest.own = own;
   }
 
   const Source& source_;

@@ -36,16 +36,22 @@ concept Candidates =
       { source.any(ray, limit, visit) } -> std::same_as<bool>;
     };
 
-/// A source that offers them for many rays at once too:
+/// A source that offers them for many rays at once too, in names of its own:
 ///   pairs(rays, limit, take, flush)
-///                     as any, with take(number, e) and the number of a ray in `rays` for each visit. A ray whose
+///                     as any, with take(number, own) and the number of a ray in `rays` for each visit. A ray whose
 ///                     limit(number) is 0 is passed over. After flush() the limits take account of all that was taken.
+///   visit(own, f)     f(shape) with the geometry of what was taken
+///   element(own)      which element of the scene that is; of the same type.
 /// Precondition: rays whose limit is not 0 are ordinary.
 template <class Source>
 concept PairCandidates =
-    Candidates<Source> && requires(const Source& source, std::span<const Ray> rays, double (&limit_of)(std::uint32_t),
-                                   void (&take)(std::uint32_t, scene::ElementRef),
-                                   void (&flush)()) { source.pairs(rays, limit_of, take, flush); };
+    Candidates<Source> &&
+    requires(const Source& source, std::span<const Ray> rays, double (&limit_of)(std::uint32_t),
+             void (&take)(std::uint32_t, scene::ElementRef), void (&flush)(), scene::ElementRef own) {
+      source.pairs(rays, limit_of, take, flush);
+      source.visit(own, [](const auto&) {});
+      { source.element(own) } -> std::same_as<scene::ElementRef>;
+    };
 
 /// visit(e, range) for every element of the scene, until it answers true. Whether it did.
 template <class Visit>

@@ -39,7 +39,14 @@ class Certified {
   static Point point(const Findings& findings, std::size_t lane) { return {findings[lane]}; }
 
   void miss(std::uint32_t number) { hits_[number] = {}; }
-  void hit(std::uint32_t number, const Ray& ray, scene::ElementRef e, const Point& point);
+  template <class Source>
+  void hit(std::uint32_t number, const Ray& ray, const Source& source, scene::ElementRef own, const Point& point) {
+    Hits& hits = waiting_[static_cast<std::size_t>(own.tipo)];
+    hits.findings.set(hits.queue.count, point.finding);
+    hits.queue.push(source, number, ray, own);
+    hits.queue.elements[hits.queue.count - 1] = source.element(own);
+    if (hits.queue.full()) round(hits);
+  }
   /// @}
 
   /// To be called last: the hits that still wait for a packet to fill are written.

@@ -52,16 +52,18 @@ struct Packet {
   }
 };
 
-/// Pairs of a ray and an element of one type, which wait until there are enough for a packet.
+/// Pairs of a ray and an element of one type, which wait until there are enough for a packet. What names an element is
+/// the caller's.
 struct Queue {
   Packet packet;                                           ///< its first lanes are filled
   std::array<std::uint32_t, Packet::size> numbers{};       ///< of the rays
   std::array<scene::ElementRef, Packet::size> elements{};  ///< the elements
   std::size_t count = 0;                                   ///< how many wait
 
-  /// Adds a pair. Precondition: not full.
-  void push(const scene::Scene& scene, std::uint32_t number, const Ray& ray, scene::ElementRef e) {
-    scene.visit(e, [&](const auto& shape) { packet.set(count, ray, shape); });
+  /// Adds a pair; shapes.visit(e, f) gives f the geometry. Precondition: not full.
+  template <class Shapes>
+  void push(const Shapes& shapes, std::uint32_t number, const Ray& ray, scene::ElementRef e) {
+    shapes.visit(e, [&](const auto& shape) { packet.set(count, ray, shape); });
     numbers[count] = number;
     elements[count] = e;
     ++count;
@@ -103,6 +105,9 @@ struct Findings {
 /// triage in every lane, for rays that do not start on the element, without a limit. A lane may be undecided where the
 /// triage of one ray is not.
 void triage(const Packet& packet, model::Tipo tipo, Findings& findings);
+
+/// The same for rays that start on the element. Linear ones are never hit.
+void triage_from(const Packet& packet, model::Tipo tipo, Findings& findings);
 
 /// By lane, t and the point rounded once; only where certain.
 struct RoundedPacket {

@@ -5,11 +5,13 @@
 
 #include <bit>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "durero/trace/candidates.hpp"
 #include "durero/trace/packet.hpp"
+#include "durero/trace/picked.hpp"
 
 namespace durero::trace {
 
@@ -22,18 +24,19 @@ template <PairCandidates Source>
 class SegmentBatch {
  public:
   /// All of these must outlive it. Precondition: a place in `occluded` for each query.
-  SegmentBatch(const Source& source, std::span<const scene::Query> queries, std::span<bool> occluded)
+  SegmentBatch(const Source& source, Picked<const scene::Query> queries, Picked<bool> occluded)
       : source_(source), queries_(queries), occluded_(occluded), open_(queries.size(), true) {
     rays_.reserve(queries.size());
-    for (const scene::Query& query : queries) rays_.emplace_back(query.rayo);
+    for (std::size_t i = 0; i < queries.size(); ++i) rays_.emplace_back(queries[i].rayo);
   }
 
   /// Writes every answer.
   void answer() {
     for (std::uint32_t number = 0; number < queries_.size(); ++number) begin(number);
+    for (Queue& queue : starts_) test_starts(queue);
     source_.pairs(
         rays_, [&](std::uint32_t number) { return open_[number] ? 1.0 : 0.0; },
-        [&](std::uint32_t number, scene::ElementRef e) { take(number, e); }, [&] { flush(); });
+        [&](std::uint32_t number, scene::ElementRef own) { take(number, own); }, [&] { flush(); });
     flush();
     for (const scene::ElementRef e : source_.extraordinary())
       for (std::uint32_t number = 0; number < queries_.size(); ++number)
@@ -53,8 +56,16 @@ class SegmentBatch {
       open_[number] = false;
       return;
     }
-    for (const scene::ElementRef e : query.en)
-      if (open_[number]) test(number, e);
+    for (const scene::ElementRef e : query.en) begin_on(number, e);
+  }
+
+  /// In lanes where the element is ordinary: all are where none is known to be extraordinary.
+  void begin_on(std::uint32_t number, scene::ElementRef e) {
+    if (!open_[number]) return;
+    if (!source_.extraordinary().empty()) return test(number, e);
+    Queue& queue = starts_[static_cast<std::size_t>(e.tipo)];
+    queue.push(source_.scene(), number, rays_[number], e);
+    if (queue.full()) test_starts(queue);
   }
 
   void test(std::uint32_t number, scene::ElementRef e) {
@@ -66,49 +77,79 @@ class SegmentBatch {
     open_[number] = false;
   }
 
-  void take(std::uint32_t number, scene::ElementRef e) {
-    if (!open_[number] || starts_on(number, e)) return;
-    Queue& queue = queues_[static_cast<std::size_t>(e.tipo)];
-    queue.push(source_.scene(), number, rays_[number], e);
-    if (queue.full()) test(queue);
+  void take(std::uint32_t number, scene::ElementRef own) {
+    if (!open_[number]) return;
+    Queue& queue = queues_[static_cast<std::size_t>(own.tipo)];
+    queue.push(source_, number, rays_[number], own);
+    if (queue.full()) test_taken(queue);
   }
 
   void flush() {
-    for (Queue& queue : queues_) test(queue);
+    for (Queue& queue : queues_) test_taken(queue);
   }
 
-  // The ends of where the parameter lies may be rounded (Certified::Point).
-  void test(Queue& queue) {
+  void test_starts(Queue& queue) {
+    if (queue.count == 0) return;
+    triage_from(queue.packet, queue.elements[0].tipo, findings_);
+    decide(queue, [&](std::uint32_t, scene::ElementRef e) { return std::optional(e); });
+  }
+
+  /// What a ray starts on is known already; that it was tested as if it did not means nothing.
+  void test_taken(Queue& queue) {
     if (queue.count == 0) return;
     triage(queue.packet, queue.elements[0].tipo, findings_);
+    decide(queue, [&](std::uint32_t number, scene::ElementRef own) {
+      const scene::ElementRef e = source_.element(own);
+      return starts_on(number, e) ? std::nullopt : std::optional(e);
+    });
+  }
+
+  /// Of what the findings do not exclude, element(number, name) says which one it is, or nothing where it does not
+  /// count. The ends of where the parameter lies may be rounded (Certified::Point).
+  template <class Element>
+  void decide(Queue& queue, Element element) {
     for (unsigned left = (findings_.hit | findings_.undecided) & ((1u << queue.count) - 1); left != 0;
          left &= left - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(left));
       const std::uint32_t number = queue.numbers[lane];
+      if (!open_[number]) continue;
+      const std::optional<scene::ElementRef> e = element(number, queue.elements[lane]);
+      if (!e) continue;
       const bool hit = (findings_.hit >> lane & 1) != 0;
       if (hit && findings_.t[lane] + findings_.error[lane] < 1) {
         block(number);
-      } else if (open_[number] && !(hit && findings_.t[lane] - findings_.error[lane] > 1)) {
-        test(number, queue.elements[lane]);
+      } else if (!(hit && findings_.t[lane] - findings_.error[lane] > 1)) {
+        test(number, *e);
       }
     }
     queue.count = 0;
   }
 
   const Source& source_;
-  std::span<const scene::Query> queries_;
-  std::span<bool> occluded_;
+  Picked<const scene::Query> queries_;
+  Picked<bool> occluded_;
   std::vector<std::uint8_t> open_;  // not known to be occluded
   std::vector<Ray> rays_;
-  Queues queues_{};
+  Queues starts_{}, queues_{};  // of the elements that rays start on, by the scene's names; of what was taken
   Findings findings_{};
 };
+
+/// The order in which a source would rather answer, by source.order(queries): each query once; or empty, as they come.
+template <class Source>
+std::vector<std::uint32_t> order_of(const Source& source, std::span<const scene::Query> queries) {
+  if constexpr (requires { source.order(queries); }) {
+    return source.order(queries);
+  } else {
+    return {};
+  }
+}
 
 /// occluded_segment_among of every query, in order, in lanes. Threads and precondition as of first_hits_among.
 template <PairCandidates Source>
 void occluded_segments_in_lanes(const Source& source, std::span<const scene::Query> queries, std::span<bool> occluded) {
+  const std::vector<std::uint32_t> order = order_of(source, queries);
   for_each_block(queries.size(), [&](std::size_t begin, std::size_t count) {
-    SegmentBatch(source, queries.subspan(begin, count), occluded.subspan(begin, count)).answer();
+    SegmentBatch(source, picked(queries, order, begin, count), picked(occluded, order, begin, count)).answer();
   });
 }
 

@@ -56,6 +56,14 @@ class Tables {
     }
   }
 
+  /// @{ What pairs takes are the elements themselves.
+  template <class Visit>
+  decltype(auto) visit(scene::ElementRef own, Visit&& visit) const {
+    return scene_->visit(own, visit);
+  }
+  scene::ElementRef element(scene::ElementRef own) const { return own; }
+  /// @}
+
  private:
   static constexpr std::size_t chunk = 32 * Balls::block;
   using Passed = std::array<std::uint32_t, chunk>;

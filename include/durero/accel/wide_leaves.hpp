@@ -1,0 +1,80 @@
+#pragma once
+/// The elements of a wide hierarchy once more, a column for each type in the order of the tree: what lies side by side
+/// in space lies side by side in memory, and a ray that reaches an element needs no other page of the scene's tables.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <tuple>
+#include <vector>
+
+#include "durero/scene/scene.hpp"
+
+namespace durero::accel {
+
+/// Rows of elements of every type. A leaf is a type and a row of its column, written as an ElementRef of these columns.
+class WideLeaves {
+ public:
+  /// Makes room for every element of a scene.
+  void reserve(const scene::Scene& scene) {
+    scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
+      Column<Shape>& column = std::get<Column<Shape>>(columns_);
+      column.shapes.reserve(scene.shapes<Shape>().size());
+      column.elements.reserve(scene.shapes<Shape>().size());
+    });
+  }
+  /// Adds an element of a scene. Its leaf.
+  scene::ElementRef push_back(const scene::Scene& scene, scene::ElementRef e) {
+    return scene.visit(e, [&]<class Shape>(const Shape& shape) {
+      Column<Shape>& column = std::get<Column<Shape>>(columns_);
+      column.shapes.push_back(shape);
+      column.elements.push_back(e.index);
+      return scene::ElementRef{e.tipo, static_cast<std::uint32_t>(column.shapes.size() - 1)};
+    });
+  }
+
+  /// visit(shape) with the geometry of a leaf.
+  template <class Visit>
+  decltype(auto) visit(scene::ElementRef leaf, Visit&& visit) const {
+    return scene::with_shape(leaf.tipo, [&]<class Shape>(std::type_identity<Shape>) -> decltype(auto) {
+      return visit(std::get<Column<Shape>>(columns_).shapes[leaf.index]);
+    });
+  }
+  /// The bytes of a leaf's row, to ask memory for them ahead of time. (GCC drops a function that does nothing else.)
+  std::span<const std::byte> row(scene::ElementRef leaf) const {
+    return visit(leaf, [](const auto& shape) { return std::as_bytes(std::span(&shape, 1)); });
+  }
+  /// The element of the scene that a leaf is.
+  scene::ElementRef element(scene::ElementRef leaf) const {
+    return scene::with_shape(leaf.tipo, [&]<class Shape>(std::type_identity<Shape>) {
+      return scene::ElementRef{leaf.tipo, std::get<Column<Shape>>(columns_).elements[leaf.index]};
+    });
+  }
+  /// What the columns hold.
+  std::size_t bytes() const {
+    std::size_t sum = 0;
+    scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
+      const Column<Shape>& column = std::get<Column<Shape>>(columns_);
+      sum += column.shapes.capacity() * sizeof(Shape) + column.elements.capacity() * sizeof(std::uint32_t);
+    });
+    return sum;
+  }
+
+ private:
+  /// The leaves of one type.
+  template <class Shape>
+  struct Column {
+    std::vector<Shape> shapes;
+    std::vector<std::uint32_t> elements;  // each one's row in the scene
+  };
+  template <class List>
+  struct ColumnsOf;
+  template <class... Shape>
+  struct ColumnsOf<std::tuple<Shape...>> {
+    using type = std::tuple<Column<Shape>...>;
+  };
+
+  typename ColumnsOf<scene::Shapes>::type columns_;
+};
+
+}  // namespace durero::accel

@@ -1,0 +1,70 @@
+#pragma once
+/// What a ray first meets, without where: for whoever needs neither t nor the point, no root is improved and nothing is
+/// rounded.
+
+#include <cstdint>
+#include <span>
+
+#include "durero/scene/hit.hpp"
+#include "durero/trace/candidates.hpp"
+
+namespace durero::trace {
+
+/// A Hit less its numbers: plain, so that arrays of them take no memory beside their own.
+struct FirstElement {
+  model::Resultado resultado = model::Resultado::miss;  ///< resultado!
+  std::uint32_t count = 0;                              ///< how many elementos! there are; 0 of a miss
+  scene::ElementRef least{};                            ///< the least of elementos!; meaningless of a miss
+
+  bool operator==(const FirstElement&) const = default;
+};
+
+/// That of an answer.
+inline FirstElement first_element(const scene::Hit& hit) {
+  if (hit.elementos.empty()) return {hit.resultado};
+  return {hit.resultado, static_cast<std::uint32_t>(hit.elementos.size()), hit.elementos[0]};
+}
+
+/// A kernel of Batch that writes them, each in its place.
+class FirstElements {
+ public:
+  using Findings = trace::Findings;  ///< of its triage
+  using Point = Certified::Point;    ///< what it keeps of a hit
+
+  /// Precondition: a place in `elements` for each query. It must outlive this.
+  explicit FirstElements(std::span<FirstElement> elements) : elements_(elements) {}
+
+  /// @{ What Batch asks of a kernel.
+  static void triage(const Packet& packet, model::Tipo tipo, Findings& findings) {
+    trace::triage(packet, tipo, findings);
+  }
+  static Point point(const Findings& findings, std::size_t lane) { return {findings[lane]}; }
+  void miss(std::uint32_t number) { elements_[number] = {}; }
+  template <class Source>
+  void hit(std::uint32_t number, const Ray&, const Source& source, scene::ElementRef own, const Point&) {
+    elements_[number] = {model::Resultado::hit, 1, source.element(own)};
+  }
+  /// @}
+
+ private:
+  std::span<FirstElement> elements_;
+};
+
+/// first_element of first_hit_among of every query, in order. Threads and precondition as of first_hits_among.
+template <PairCandidates Source>
+void first_elements_among(const Source& source, std::span<const scene::Query> queries,
+                          std::span<FirstElement> elements) {
+  for_each_block(queries.size(), [&](std::size_t begin, std::size_t count) {
+    const auto block = queries.subspan(begin, count);
+    const auto answers = elements.subspan(begin, count);
+    FirstElements kernel(answers);
+    Batch batch(source, block, kernel);
+    batch.answer();
+    Counts unseen;
+    batch.for_each_alone([&](std::uint32_t number) {
+      answers[number] = first_element(first_hit_among(source, block[number].rayo, block[number].en, unseen));
+    });
+  });
+}
+
+}  // namespace durero::trace

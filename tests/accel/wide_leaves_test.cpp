@@ -1,0 +1,32 @@
+#include "durero/accel/wide_leaves.hpp"
+
+#include "support/catch.hpp"
+#include "support/scenes.hpp"
+
+using namespace durero;
+using namespace durero::test;
+using scene::ElementRef;
+
+TEST_CASE("each leaf is its element, whatever the order in which they came") {
+  Random random(1);
+  const scene::Scene scene = random_scene(random, 100);
+  std::vector<ElementRef> elements;
+  scene.for_each([&](ElementRef e, const auto&) { elements.push_back(e); });
+  std::reverse(elements.begin(), elements.end());
+  accel::WideLeaves leaves;
+  leaves.reserve(scene);
+  const std::size_t bytes = leaves.bytes();
+  for (const ElementRef e : elements) {
+    const ElementRef leaf = leaves.push_back(scene, e);
+    CHECK(leaf.tipo == e.tipo);
+    CHECK(leaves.element(leaf) == e);
+    leaves.visit(leaf, [&]<class Shape>(const Shape& shape) {
+      CHECK(leaves.row(leaf).data() == reinterpret_cast<const std::byte*>(&shape));
+      const Shape& own = scene.shapes<Shape>()[e.index];
+      scene::for_each_attribute<Shape>(
+          [&](const auto& attribute) { CHECK(shape.*attribute.field == own.*attribute.field); });
+    });
+  }
+  CHECK(leaves.bytes() == bytes);
+  CHECK(bytes >= 100 * (sizeof(scene::Sphere) + sizeof(std::uint32_t)));
+}

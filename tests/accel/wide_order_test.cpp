@@ -1,0 +1,76 @@
+// Large trees answer many segments in an order of their own: each answer must stand where its question does.
+#include <algorithm>
+#include <boost/container/vector.hpp>
+#include <numeric>
+
+#include "durero/accel/wide_bvh.hpp"
+#include "durero/trace/first_element.hpp"
+#include "durero/trace/segments.hpp"
+#include "support/catch.hpp"
+#include "support/scenes.hpp"
+#include "support/shapes.hpp"
+
+using namespace durero;
+using namespace durero::test;
+
+namespace {
+
+scene::Scene many_spheres(std::size_t count) {
+  Random random(7);
+  scene::Scene scene;
+  for (std::size_t i = 0; i < count; ++i) add(scene, scene::Sphere{random.in_cube(1), 0.01});
+  return scene;
+}
+
+std::vector<scene::Query> queries_from(Random& random, std::size_t count, double apart) {
+  std::vector<scene::Query> queries;
+  for (std::size_t i = 0; i < count; ++i)
+    queries.push_back({{model::Punto(random.in_cube(apart)), model::Vector(random.direction())}});
+  return queries;
+}
+
+}  // namespace
+
+TEST_CASE("every ray is in the order once, where the tree is large and the rays are many and from many points") {
+  const scene::Scene scene = many_spheres(30000);
+  const scene::Scene few = many_spheres(100);
+  const accel::WideBvh tree(scene), small(few);
+  Random random(8);
+  const std::vector<scene::Query> queries = queries_from(random, 3000, 1.5);
+  std::vector<std::uint32_t> order = tree.order(queries), all(queries.size());
+  CHECK(!std::ranges::is_sorted(order));
+  std::ranges::sort(order);
+  std::iota(all.begin(), all.end(), 0);
+  CHECK(order == all);
+  CHECK(small.order(queries).empty());
+  CHECK(tree.order(queries_from(random, 100, 1.5)).empty());
+  CHECK(tree.order(queries_from(random, 3000, 0)).empty());
+  CHECK(tree.order({}).empty());
+}
+
+TEST_CASE("answers of a large tree are those one by one, each in its place") {
+  const scene::Scene scene = many_spheres(30000);
+  const accel::WideBvh tree(scene);
+  Random random(9);
+  std::vector<scene::Query> queries = queries_from(random, 3000, 1.5);
+  trace::Counts unseen;
+  for (std::size_t i = 0; i < 500; ++i) {
+    const scene::Hit hit = trace::first_hit_among(tree, queries[i].rayo, {}, unseen);
+    if (hit.resultado == model::Resultado::hit)
+      queries.push_back({{model::Punto(hit.punto), model::Vector(random.direction())}, hit.elementos});
+  }
+  REQUIRE(!tree.order(queries).empty());
+  std::vector<scene::Hit> hits(queries.size());
+  std::vector<trace::FirstElement> elements(queries.size());
+  boost::container::vector<bool> occluded(queries.size());
+  trace::first_hits_among(tree, queries, hits, nullptr);
+  trace::first_elements_among(tree, queries, elements);
+  trace::occluded_segments_in_lanes(tree, queries, {occluded.data(), occluded.size()});
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    const scene::Query& query = queries[i];
+    const scene::Hit hit = trace::first_hit_among(tree, query.rayo, query.en, unseen);
+    CHECK(hits[i] == hit);
+    CHECK(elements[i] == trace::first_element(hit));
+    CHECK(occluded[i] == trace::occluded_segment_among(tree, query.rayo, query.en, unseen));
+  }
+}
