@@ -23,6 +23,7 @@ struct SpecOptions {
   CheckCall check;
   EvalCall eval;
   RunCall run;
+  std::vector<std::string> files;
   std::string name, scene, rays, hits;
   bool quiet = false;
 };
@@ -93,14 +94,15 @@ int spec_check(const CheckCall& call) {
   const zed::Specification read = read_texts_of(call.files);
   std::vector<zed::Defect> defects = zed::review(read);
   for (zed::Defect& defect : defects)
-    if (call.strict && defect.severity == zed::Defect::Severity::opinion) defect.severity = zed::Defect::Severity::error;
+    if (call.strict && defect.severity == zed::Defect::Severity::opinion)
+      defect.severity = zed::Defect::Severity::error;
   const std::string empty = has_error(defects) ? "" : empty_files(call.files, read);
   if (has_error(defects) || !empty.empty()) {
     progress.reset();
     io::print(defects_text(defects) + empty);
     return 1;
   }
-  const Tried conjectures = tried(read, own, call.states);
+  const TriedConjectures conjectures = tried(read, own, call.states);
   progress.reset();
   io::print(defects_text(defects) + sections_text(read) + conjectures.said);
   return conjectures.refuted ? 1 : 0;
@@ -180,7 +182,8 @@ void add_spec(CLI::App& app, int& status) {
 
   auto* eval = spec->add_subcommand("eval", "The value of an expression, or whether a predicate holds");
   eval->add_option("EXPR", options->eval.expression, "Z, in Unicode or in LaTeX mark-up")->required();
-  eval->add_option("FILES", options->eval.files, "Z text in LaTeX or Unicode mark-up; without it, the program's own text");
+  eval->add_option("FILES", options->eval.files,
+                   "Z text in LaTeX or Unicode mark-up; without it, the program's own text");
   eval->add_option("--scene", options->eval.scene, "Scene file: Escena's components and the elements are then names");
   eval->add_flag("--explain", options->eval.explain)
       ->description("Print each part of it with its value, and what makes a ∀ false or an ∃ true");

@@ -17,12 +17,12 @@ struct CheckCall {
   bool quiet = false;
 };
 /// What came of the conjectures: a line each, and whether one of them is false.
-struct Tried {
+struct TriedConjectures {
   std::string said;
   bool refuted = false;
 };
 /// Tries the conjectures of a text without defects; of the program's `own` it names the theorems.
-Tried tried(const zed::Specification& text, bool own, std::size_t states);
+TriedConjectures tried(const zed::Specification& text, bool own, std::size_t states);
 
 /// An expression, and how far its evaluation may go.
 struct EvalCall {

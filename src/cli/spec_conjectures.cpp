@@ -27,12 +27,12 @@ std::string verdict(const zed::Trial& trial) {
 
 }  // namespace
 
-Tried tried(const zed::Specification& text, bool own, std::size_t states) {
+TriedConjectures tried(const zed::Specification& text, bool own, std::size_t states) {
   zed::TrialBounds bounds;
   bounds.states = states;
   bounds.draws = 8 * states;
   const oracle::spec::LabelIndex index(own ? embedded::labels().begin()->second : "");
-  Tried all;
+  TriedConjectures all;
   for (const zed::Trial& trial :
        zed::try_conjectures(text, zed::check(text), own ? oracle::spec::samples() : zed::Samples(), bounds)) {
     const std::string theorem = trial.label.empty() ? "" : index.theorem(trial.label);

@@ -59,8 +59,7 @@ zed::Term parsed(const std::string& typed, const Notation& notation) {
 
 Notation notation_of(const zed::Specification& specification) {
   Notation notation;
-  for (const auto& [section, commands] : specification.markup)
-    notation.markup.insert(commands.begin(), commands.end());
+  for (const auto& [section, commands] : specification.markup) notation.markup.insert(commands.begin(), commands.end());
   for (const auto& [section, words] : specification.operators) notation.operators.insert(words.begin(), words.end());
   return notation;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "durero/oracle/calculator.hpp"
 #include "durero/zed/print/print.hpp"
 #include "durero/zed/syntax/paragraphs.hpp"
 

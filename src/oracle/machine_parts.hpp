@@ -6,6 +6,7 @@
 #include <set>
 
 #include "durero/oracle/animation.hpp"
+#include "durero/oracle/calculator.hpp"
 #include "durero/oracle/spec.hpp"
 
 namespace durero::oracle::spec {

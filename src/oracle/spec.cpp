@@ -77,7 +77,8 @@ struct Judge::Schemas {
 
   Value function(const char* name) const { return evaluator.value(Name{name, ""}); }
   bool contains(const Value& set, const Value& value) const {
-    return decided(evaluator.contains(set, value), "whether " + value.text() + " ∈ " + set.text());
+    const Truth truth = evaluator.contains(set, value);  // spelled only where it is open: to spell a set may list it
+    return decided(truth, truth == Truth::open ? "whether " + value.text() + " ∈ " + set.text() : "");
   }
 };
 

@@ -452,6 +452,18 @@ TEST_CASE("a hierarchy that is made by hand is honoured, and may cost less than 
   CHECK(cheaper);
 }
 
+TEST_CASE("by hand a group of groups is a node above them") {
+  scene::Scene scene;
+  for (int i = 0; i < 4; ++i) add(scene, scene::Sphere{{3.0 * i, 0, 0}, 1});
+  scene::Groups groups;
+  group(scene, groups, "pair", {{name_of(scene, 0), name_of(scene, 1)}, {}});
+  group(scene, groups, "three", {{name_of(scene, 2)}, {"pair"}});
+  const Bvh bvh(scene, groups);
+  check_describes(bvh);
+  CHECK(bvh.hierarchy().inner_nodes() == 3);
+  CHECK(bvh.hierarchy().depth() == 3);
+}
+
 TEST_CASE("by hand a group of one is its thing, one of nothing is no node, and what is in none is under the root") {
   scene::Scene scene;
   add(scene, scene::Sphere{{0, 0, 0}, 1});

@@ -17,8 +17,8 @@ namespace durero::oracle::spec {
 zed::Term parsed(const std::string& typed);
 /// What a text adds to how terms are written: commands of LaTeX, and the operators of its templates.
 struct Notation {
-  zed::Markup markup;
-  zed::Operators operators;
+  zed::Markup markup;        ///< commands, by their names
+  zed::Operators operators;  ///< by their words
 };
 /// What the sections of a text add, together.
 Notation notation_of(const zed::Specification& specification);

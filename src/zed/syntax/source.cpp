@@ -7,6 +7,7 @@
 
 #include "durero/text/utf8.hpp"
 #include "zed/syntax/characters.hpp"
+#include "zed/syntax/lexer.hpp"
 
 namespace durero::zed {
 namespace {
@@ -36,6 +37,15 @@ struct Cursor {
   std::string_view rest_of_line() const { return text.substr(at, text.find('\n', at) - at); }
 };
 
+/// What Unicode mark-up would read as more than a word, or as none, could not be written there.
+bool is_one_word(const std::string& meaning) {
+  const Operators none;
+  const std::vector<Token> tokens = lex_unicode(meaning, none);
+  const Token& first = tokens.front();
+  return tokens.size() == 2 && tokens.back().type == Token::Type::end && first.text == meaning &&
+         first.strokes.empty() && (first.type == Token::Type::word || first.type == Token::Type::symbol);
+}
+
 /// Reads `%%Zchar \real U+211D`, `%%Zword \foo foo` and their kin for the spacing around (which the lexer does not
 /// need).
 void directive(std::string_view line, Place place, Markup& into) {
@@ -55,6 +65,8 @@ void directive(std::string_view line, Place place, Markup& into) {
         end != digits.data() + digits.size() || !text::is_scalar(code) || code < 0x80)
       throw ZError(place, "malformed character " + meaning, "expected U+ and hexadecimal digits, beyond ASCII");
     meaning = text::encode(code);
+  } else if (!is_one_word(meaning)) {
+    throw ZError(place, "malformed word " + meaning, "expected one word of Z");
   }
   into[command.substr(1)] = meaning;
 }

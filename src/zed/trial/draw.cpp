@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::size_t names_of_a_given_set = 3, members_of_a_set = 3;
 
-Value pick(const std::vector<Value>& from, Numbers& numbers) { return from[numbers.below(from.size())]; }
+Value pick(const std::vector<Value>& from, Chances& numbers) { return from[numbers.below(from.size())]; }
 
 /// The constants of a free type. Its constructors are left out, so that no draw goes on for ever.
 std::vector<Value> constants(const FreeType& form) {
@@ -28,7 +28,7 @@ std::vector<Value> members(const Name& given) {
 }  // namespace
 
 // Steele, Lea and Flood, Fast splittable pseudorandom number generators (2014).
-std::size_t Numbers::below(std::size_t end) {
+std::size_t Chances::below(std::size_t end) {
   if (std::exchange(first_, false)) return draw_ % end;
   std::uint64_t z = state_ += 0x9E3779B97F4A7C15U;
   z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
@@ -46,13 +46,13 @@ Draw::Draw(const Specification& specification, const Samples& samples) : samples
     }
 }
 
-Value Draw::of(const Term& set, const Type& element, Numbers& numbers) const {
+Value Draw::of(const Term& set, const Type& element, Chances& numbers) const {
   if (set->kind == Kind::decoration) return of(set->children[0], element, numbers);
   const auto known = set->kind == Kind::reference ? samples_.find(set->name.text()) : samples_.end();
   return known == samples_.end() ? of_type(element, numbers) : pick(known->second, numbers);
 }
 
-Value Draw::of_type(const Type& type, Numbers& numbers) const {
+Value Draw::of_type(const Type& type, Chances& numbers) const {
   switch (type.kind()) {
     case Type::Kind::given: {
       static const std::vector<Value> small = {Real(0), Real(1), Real(2), Real(3), Real(-1), Real(0.5)};
@@ -81,7 +81,7 @@ Value Draw::of_type(const Type& type, Numbers& numbers) const {
   throw EvaluationError("values of the type " + type.text() + " are not known");
 }
 
-Value Draw::of_set(const Type& element, Numbers& numbers) const {
+Value Draw::of_set(const Type& element, Chances& numbers) const {
   std::vector<Value> members;
   for (std::size_t count = numbers.below(members_of_a_set + 1); count != 0; --count)
     members.push_back(of_type(element, numbers));

@@ -9,9 +9,9 @@ namespace durero::zed {
 
 /// The numbers that one draw is made of: a row of its own for each, so that no draw depends on another. The first is
 /// the draw's own, so that all samples of what is declared first are gone through.
-class Numbers {
+class Chances {
  public:
-  explicit Numbers(std::uint64_t draw) : draw_(draw), state_(draw) {}
+  explicit Chances(std::uint64_t draw) : draw_(draw), state_(draw) {}
   /// The next number below `end`, which is positive.
   std::size_t below(std::size_t end);
 
@@ -25,11 +25,11 @@ class Draw {
  public:
   Draw(const Specification& specification, const Samples& samples);
   /// A member of the set, or a binding of the schema, that a declaration names; of its type where there are no samples.
-  Value of(const Term& set, const Type& element, Numbers& numbers) const;
+  Value of(const Term& set, const Type& element, Chances& numbers) const;
 
  private:
-  Value of_type(const Type& type, Numbers& numbers) const;
-  Value of_set(const Type& element, Numbers& numbers) const;
+  Value of_type(const Type& type, Chances& numbers) const;
+  Value of_set(const Type& element, Chances& numbers) const;
 
   Samples samples_;  // by type too: the constants of free types, the names of given sets
 };

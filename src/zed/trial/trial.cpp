@@ -70,12 +70,12 @@ class Attempt {
  private:
   Given drawn(std::size_t draw) const {
     Given values;
-    Numbers numbers(draw);
+    Chances numbers(draw);
     for (const Declaration& declaration : claim_.assumed.declarations) declare(declaration, numbers, values);
     return values;
   }
 
-  void declare(const Declaration& declaration, Numbers& numbers, Given& values) const {
+  void declare(const Declaration& declaration, Chances& numbers, Given& values) const {
     const std::optional<Type> type = typing_.type_of(declaration.term);
     if (!type || !type->is(Type::Kind::power)) throw EvaluationError("the type of a declaration is not known");
     const Type element = type->settled().parts()[0];

@@ -47,6 +47,12 @@ TEST_CASE("what a directive cannot say is a defect at its place") {
   CHECK(said("%%Zchar real U+211D") == malformed);
   CHECK(said("%%Zchar \\real") == malformed);
   CHECK(said("%%Zword \\real real real") == malformed);
+  for (const char* word : {"a{b}", "a(b", "0.25", "1", "a'", "\\a", "\"a\""}) {
+    CAPTURE(word);
+    CHECK(said(std::string("%%Zword \\mine ") + word) ==
+          std::string("a.tex:2:1: malformed word ") + word + "; expected one word of Z");
+  }
+  for (const char* word : {"mine", "a_b", "=="}) CHECK(said(std::string("%%Zinword \\mine ") + word) == "");
   for (const char* character : {"211D", "U+", "U+41", "U+D800", "U+110000", "U+211G", "U+99999999999"}) {
     CAPTURE(character);
     CHECK(said(std::string("%%Zchar \\real ") + character) == std::string("a.tex:2:1: malformed character ") +
