@@ -5,6 +5,7 @@
 #include "zed/evaluate/compiler.hpp"
 #include "zed/evaluate/describe.hpp"
 #include "zed/evaluate/intensional.hpp"
+#include "zed/syntax/match.hpp"
 
 namespace durero::zed {
 
@@ -84,8 +85,14 @@ Code Compiler::comprehension(const Node& node, const Scope& scope) {
 
 Code Compiler::schema_set(const Term& term, const Scope& scope) {
   if (!components(term, definitions_)) cannot(*term, "a predicate stands in the place of an expression");
-  SchemaText text;
-  text.declarations.push_back({Declaration::Form::included, {}, {}, term, term->place});
+  // The tuple of an included S ′ is θ S ′, without the strokes; that of the set S ′ itself, as of [S ′], has them.
+  const auto including = [](const Term& schema) {
+    SchemaText text;
+    text.declarations.push_back({Declaration::Form::included, {}, {}, schema, schema->place});
+    return text;
+  };
+  const bool stroked = !match::characteristic_strokes(term).empty();
+  SchemaText text = including(stroked ? quantified(Kind::schema_text, including(term), {}, term->place) : term);
   Node node{.kind = Kind::comprehension, .place = term->place, .name = {}, .children = {}, .names = {}, .text = {}};
   node.text = std::make_shared<const SchemaText>(std::move(text));
   return comprehension(node, scope);

@@ -47,7 +47,7 @@ TEST_CASE("what a directive cannot say is a defect at its place") {
   CHECK(said("%%Zchar real U+211D") == malformed);
   CHECK(said("%%Zchar \\real") == malformed);
   CHECK(said("%%Zword \\real real real") == malformed);
-  for (const char* word : {"a{b}", "a(b", "0.25", "1", "a'", "\\a", "\"a\""}) {
+  for (const char* word : {"a{b}", "a(b", "0.25", "1", "a'", "\\a"}) {
     CAPTURE(word);
     CHECK(said(std::string("%%Zword \\mine ") + word) ==
           std::string("a.tex:2:1: malformed word ") + word + "; expected one word of Z");

@@ -67,7 +67,7 @@ TEST_CASE("of what exists a witness is looked for, and that none was met refutes
 
 TEST_CASE("what cannot be tried says why") {
   CHECK(trial("\\forall S | n = 9 @ n = 0").why_not == "none of the values drawn are a state");
-  const Trial open = trial("\\forall S @ (\\forall k : \\nat | k > n @ k * k > n)");
+  const Trial open = trial("\\forall S @ (\\forall k : \\nat | k > n @ k * k * k > n)");
   CHECK(open.tried == 0);
   CHECK_FALSE(open.why_not.empty());
   CHECK_THAT(trial("\\forall S @ n \\leq 3", {.states = 8, .draws = 64, .steps = 1}).why_not, Contains("steps"));
