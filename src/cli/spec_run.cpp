@@ -204,7 +204,9 @@ class Runner {
   void choose(const std::string& digits) {
     const std::size_t number = digits.size() > 6 ? 0 : std::stoul(digits);
     if (number == 0 || number > listed_.size())
-      throw Refused{"no way " + digits + " is listed", fmt::format("expected a number from 1 to {}", listed_.size())};
+      throw Refused{"no way " + digits + " is listed",
+                    listed_.empty() ? "expected ops before, which lists ways"
+                                    : fmt::format("expected a number from 1 to {}", listed_.size())};
     take(listed_[number - 1]);
   }
 

@@ -92,7 +92,7 @@ Code Compiler::schema_set(const Term& term, const Scope& scope) {
     return text;
   };
   const bool stroked = !match::characteristic_strokes(term).empty();
-  SchemaText text = including(stroked ? quantified(Kind::schema_text, including(term), {}, term->place) : term);
+  SchemaText text = including(stroked ? zed::quantified(Kind::schema_text, including(term), {}, term->place) : term);
   Node node{.kind = Kind::comprehension, .place = term->place, .name = {}, .children = {}, .names = {}, .text = {}};
   node.text = std::make_shared<const SchemaText>(std::move(text));
   return comprehension(node, scope);
