@@ -8,8 +8,8 @@ namespace {
 using namespace model;
 
 // Everything lies about the third axis, so that few small numbers make many meetings.
-const Punto origin(0, 0, 0), near_point(0, 0, 4), far_point(0, 0, 6), aside(1, 0, 5), above(3, 4, 5);
-const Vector up(0, 0, 1), along(1, 0, 0);
+const Punto origin(0, 0, 0), near_point(0, 0, 4), far_point(0, 0, 6), aside(1, 0, 5), high_point(3, 4, 5);
+const Vector up(0, 0, 1), sideways(1, 0, 0);
 
 std::vector<Operation> edits() {
   const auto e = [](const char* name) { return Elemento(name); };
@@ -22,7 +22,7 @@ std::vector<Operation> edits() {
       Agregar_Disco{e("e6"), far_point, 5, up},
       Agregar_Tronco{e("e7"), origin, 3, 0.5, up, 4},
       Agregar_Triangulo{e("e8"), Terna{Punto(-2, -2, 6), Punto(4, 0, 6), Punto(0, 8, 6)}},
-      Agregar_Plano{e("e9"), above, along},
+      Agregar_Plano{e("e9"), high_point, sideways},
       Eliminar_Esfera{e("e1")},
       Eliminar_Plano{e("e5")},
       Eliminar_Triangulo{e("e8")},
@@ -64,7 +64,7 @@ std::vector<zed::Value> lengths() {
 zed::Samples samples() {
   const std::vector<Rayo> rays = {{origin, up},
                                   {near_point, up},
-                                  {above, Vector(-3, -4, -1)},
+                                  {high_point, Vector(-3, -4, -1)},
                                   {origin, Vector(1, 0, 5)},
                                   {Punto(1, 0, -2), up},
                                   {Punto(5, 0, 5), Vector(-1, 0, 0)}};
@@ -72,9 +72,9 @@ zed::Samples samples() {
       {"Escena", scenes()},
       {"Elemento", names()},
       {"Rayo", values(rays)},
-      {"Punto", values<Punto>({near_point, far_point, aside, origin, above, Punto(0, 0, 8)})},
-      {"Vector", values<Vector>({up, along, Vector(0, 0, 2), Vector(0.6, 0, 0.8)})},
-      {"Terna", values<Terna>({{origin, aside, above}, {origin, near_point, far_point}})},
+      {"Punto", values<Punto>({near_point, far_point, aside, origin, high_point, Punto(0, 0, 8)})},
+      {"Vector", values<Vector>({up, sideways, Vector(0, 0, 2), Vector(0.6, 0, 0.8)})},
+      {"Terna", values<Terna>({{origin, aside, high_point}, {origin, near_point, far_point}})},
       {"ℝ", lengths()},
   };
 }

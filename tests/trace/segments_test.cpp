@@ -24,6 +24,7 @@ TEST_CASE("segments in lanes are occluded as they are one by one") {
       const glm::dvec3 p = queries.back().rayo.p().xyz();
       queries.push_back({ray(p, hit.punto - p)});  // ends about where it meets the first
       queries.push_back({ray(hit.punto, p - hit.punto), hit.elementos});
+      queries.push_back({ray(hit.punto, 2.0 * (hit.punto - p)), hit.elementos});  // may meet the element again
       queries.push_back({ray(p, (hit.punto - p) * 0x1p-200)});
     }
     boost::container::vector<bool> alone(queries.size()), in_lanes(queries.size());

@@ -53,6 +53,8 @@ TEST_CASE("quantifiers over numbers are decided where their truth changes") {
   CHECK(truth_of("∀ x : ℕ | x < 1000000000000 • x ≥ 0") == Truth::yes);
   // What is no polynomial of degree two, or depends on two numbers, is left open, and never guessed.
   CHECK(truth_of("∃ x : ℝ • x * x * x = 8") == Truth::open);
+  CHECK(truth_of("∃ x : ℝ • x < 5 ∧ x * x * x = 8") == Truth::open);
+  CHECK(truth_of("∃ x : ℝ • x * x * x = 8 ∧ x < 5") == Truth::open);
   CHECK(truth_of("∀ x, y : ℕ • x + y ≥ x") == Truth::open);
 }
 

@@ -117,7 +117,9 @@ TEST_CASE("a template holds in all of its section and in its children, and nowhe
                     declared = "\\begin{axdef} \\_ ~below~ \\_ : \\num \\rel \\num \\end{axdef}\n",
                     made = "\\begin{zed} \\relation (\\_ ~below~ \\_) \\end{zed}\n",
                     used = "\\begin{zed} \\vdash? 1~below~2 \\end{zed}\n";
-  CHECK(read_text(section + declared + used + made + child + used, "t.tex").ok());
+  const Specification inherited = read_text(section + declared + used + made + child + used, "t.tex");
+  REQUIRE(inherited.ok());
+  CHECK(inherited.operators.at("b").size() == 1);
   const Specification apart = read_text(section + declared + made + other + used, "t.tex");
   REQUIRE(apart.ok());  // there it is a name to which 1 is applied
   CHECK(apart.operators.at("c").empty());
