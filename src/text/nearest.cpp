@@ -40,10 +40,13 @@ std::size_t apart(std::string_view a, std::string_view b) {
 std::optional<std::string> nearest(std::string_view word, const std::vector<std::string>& list) {
   std::optional<std::string> best;
   std::size_t least = 0;
+  const std::size_t length = characters(word).size();
   for (const std::string& candidate : list) {
+    const std::size_t other = characters(candidate).size();
+    const std::size_t most = std::max<std::size_t>(1, other / 3);
+    if (std::max(length, other) - std::min(length, other) > most) continue;  // they are at least so far apart
     const std::size_t off = apart(word, candidate);
-    const std::size_t most = std::max<std::size_t>(1, characters(candidate).size() / 3);
-    if (off > most || 2 * off >= characters(candidate).size() || (best && off >= least)) continue;
+    if (off > most || 2 * off >= other || (best && off >= least)) continue;
     best = candidate;
     least = off;
   }
