@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <optional>
 
@@ -49,17 +50,17 @@ std::string sections_text(const zed::Specification& specification) {
   return said;
 }
 
-// A file of which nothing was read was meant to hold something.
-std::string empty_files(const std::vector<std::string>& files, const zed::Specification& read) {
-  std::string said;
-  for (const std::string& file : files) {
-    const auto here = [&](const zed::Section& section) { return section.file == file; };
-    if (std::none_of(read.sections.begin(), read.sections.end(), here))
-      said += fmt::format(
-          "{}:1:1: no Z paragraph; expected \\begin{{zed}}, axdef, schema, gendef or zsection, or a box of Unicode\n",
-          file);
-  }
-  return said;
+/// What a file is that holds no Z.
+constexpr const char *no_paragraph = "no Z paragraph",
+                     *any_paragraph = "expected \\begin{zed}, axdef, schema, gendef or zsection, or a box of Unicode";
+
+/// The files of which nothing was read: each was meant to hold something.
+std::vector<std::string> empty_files(const std::vector<std::string>& files, const zed::Specification& read) {
+  std::vector<std::string> empty;
+  std::ranges::copy_if(files, std::back_inserter(empty), [&](const std::string& file) {
+    return std::ranges::none_of(read.sections, [&](const zed::Section& section) { return section.file == file; });
+  });
+  return empty;
 }
 
 // Throws where a file cannot be read.
@@ -82,9 +83,8 @@ zed::Specification specification_of(const std::vector<std::string>& files) {
   for (const zed::Defect& defect : defects)
     if (defect.severity == zed::Defect::Severity::error)
       throw io::InputError(defect.file, {defect.place.line, defect.place.column}, defect.what, defect.expected);
-  if (const std::string empty = empty_files(files, read); !empty.empty())
-    throw io::InputError(empty.substr(0, empty.find(':')), {1, 1}, "no Z paragraph",
-                         "expected \\begin{zed}, axdef, schema, gendef or zsection");
+  if (const auto empty = empty_files(files, read); !empty.empty())
+    throw io::InputError(empty.front(), {1, 1}, no_paragraph, any_paragraph);
   return read;
 }
 
@@ -96,7 +96,10 @@ int spec_check(const CheckCall& call) {
   for (zed::Defect& defect : defects)
     if (call.strict && defect.severity == zed::Defect::Severity::opinion)
       defect.severity = zed::Defect::Severity::error;
-  const std::string empty = has_error(defects) ? "" : empty_files(call.files, read);
+  std::string empty;
+  if (!has_error(defects))
+    for (const std::string& file : empty_files(call.files, read))
+      empty += fmt::format("{}:1:1: {}; {}\n", file, no_paragraph, any_paragraph);
   if (has_error(defects) || !empty.empty()) {
     progress.reset();
     io::print(defects_text(defects) + empty);

@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::size_t names_of_a_given_set = 3, members_of_a_set = 3;
 
-Value pick(const std::vector<Value>& from, Chances& numbers) { return from[numbers.below(from.size())]; }
+Value pick(const std::vector<Value>& from, Chances& chances) { return from[chances.below(from.size())]; }
 
 /// The constants of a free type. Its constructors are left out, so that no draw goes on for ever.
 std::vector<Value> constants(const FreeType& form) {
@@ -46,31 +46,31 @@ Draw::Draw(const Specification& specification, const Samples& samples) : samples
     }
 }
 
-Value Draw::of(const Term& set, const Type& element, Chances& numbers) const {
-  if (set->kind == Kind::decoration) return of(set->children[0], element, numbers);
+Value Draw::of(const Term& set, const Type& element, Chances& chances) const {
+  if (set->kind == Kind::decoration) return of(set->children[0], element, chances);
   const auto known = set->kind == Kind::reference ? samples_.find(set->name.text()) : samples_.end();
-  return known == samples_.end() ? of_type(element, numbers) : pick(known->second, numbers);
+  return known == samples_.end() ? of_type(element, chances) : pick(known->second, chances);
 }
 
-Value Draw::of_type(const Type& type, Chances& numbers) const {
+Value Draw::of_type(const Type& type, Chances& chances) const {
   switch (type.kind()) {
     case Type::Kind::given: {
       static const std::vector<Value> small = {Real(0), Real(1), Real(2), Real(3), Real(-1), Real(0.5)};
       const auto known = samples_.find(type.name().text());
-      if (known != samples_.end() && !known->second.empty()) return pick(known->second, numbers);
-      if (type.name().text() == "𝔸") return pick(small, numbers);
+      if (known != samples_.end() && !known->second.empty()) return pick(known->second, chances);
+      if (type.name().text() == "𝔸") return pick(small, chances);
       throw EvaluationError("no member of " + type.text() + " is known to try it on");
     }
     case Type::Kind::power:
-      return of_set(type.parts()[0], numbers);
+      return of_set(type.parts()[0], chances);
     case Type::Kind::product: {
       std::vector<Value> parts;
-      for (const Type& part : type.parts()) parts.push_back(of_type(part, numbers));
+      for (const Type& part : type.parts()) parts.push_back(of_type(part, chances));
       return Value::tuple(std::move(parts));
     }
     case Type::Kind::schema: {
       std::vector<Value> parts;
-      for (const Type& part : type.parts()) parts.push_back(of_type(part, numbers));
+      for (const Type& part : type.parts()) parts.push_back(of_type(part, chances));
       return Value::binding(signature(type.fields()), std::move(parts));
     }
     case Type::Kind::formal:
@@ -81,10 +81,10 @@ Value Draw::of_type(const Type& type, Chances& numbers) const {
   throw EvaluationError("values of the type " + type.text() + " are not known");
 }
 
-Value Draw::of_set(const Type& element, Chances& numbers) const {
+Value Draw::of_set(const Type& element, Chances& chances) const {
   std::vector<Value> members;
-  for (std::size_t count = numbers.below(members_of_a_set + 1); count != 0; --count)
-    members.push_back(of_type(element, numbers));
+  for (std::size_t count = chances.below(members_of_a_set + 1); count != 0; --count)
+    members.push_back(of_type(element, chances));
   return Value::set(std::move(members));
 }
 

@@ -25,11 +25,11 @@ class Draw {
  public:
   Draw(const Specification& specification, const Samples& samples);
   /// A member of the set, or a binding of the schema, that a declaration names; of its type where there are no samples.
-  Value of(const Term& set, const Type& element, Chances& numbers) const;
+  Value of(const Term& set, const Type& element, Chances& chances) const;
 
  private:
-  Value of_type(const Type& type, Chances& numbers) const;
-  Value of_set(const Type& element, Chances& numbers) const;
+  Value of_type(const Type& type, Chances& chances) const;
+  Value of_set(const Type& element, Chances& chances) const;
 
   Samples samples_;  // by type too: the constants of free types, the names of given sets
 };

@@ -70,22 +70,22 @@ class Attempt {
  private:
   Given drawn(std::size_t draw) const {
     Given values;
-    Chances numbers(draw);
-    for (const Declaration& declaration : claim_.assumed.declarations) declare(declaration, numbers, values);
+    Chances chances(draw);
+    for (const Declaration& declaration : claim_.assumed.declarations) declare(declaration, chances, values);
     return values;
   }
 
-  void declare(const Declaration& declaration, Chances& numbers, Given& values) const {
+  void declare(const Declaration& declaration, Chances& chances, Given& values) const {
     const std::optional<Type> type = typing_.type_of(declaration.term);
     if (!type || !type->is(Type::Kind::power)) throw EvaluationError("the type of a declaration is not known");
     const Type element = type->settled().parts()[0];
     if (declaration.form == Declaration::Form::included) {
-      const Value binding = draw_.of(declaration.term, element, numbers);
+      const Value binding = draw_.of(declaration.term, element, chances);
       for (std::size_t i = 0; i < element.fields().size(); ++i)
         values.emplace_back(element.fields()[i], binding.binding()->values[i]);
     } else {
       for (const Name& name : declaration.names)
-        values.emplace_back(name, draw_.of(declaration.term, element, numbers));
+        values.emplace_back(name, draw_.of(declaration.term, element, chances));
     }
   }
 
