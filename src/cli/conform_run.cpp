@@ -128,6 +128,7 @@ Outcome run_one(const System& system, const std::string& asked, const ConformRun
 }
 
 int run(const ConformRunOptions& options) {
+  require_use_of_profile(options.names, options.profile);
   std::vector<System> systems;
   for (const std::string& name : options.names) systems.push_back(system_of(name, options.profile, options.systems));
   int status = 0;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -30,7 +31,16 @@ System system_of(const std::string& name, const std::string& profile, const std:
   return system;
 }
 
-System system_of(const SystemCall& call) { return system_of(call.system, call.profile, call.systems); }
+void require_use_of_profile(std::span<const std::string> names, const std::string& profile) {
+  if (!profile.empty() && std::ranges::none_of(names, [](const auto& name) { return name.starts_with(of_command); }))
+    throw std::runtime_error(
+        "--profile without command:PROGRAM; expected no profile: a system's own file says what it claims");
+}
+
+System system_of(const SystemCall& call) {
+  require_use_of_profile({&call.system, 1}, call.profile);
+  return system_of(call.system, call.profile, call.systems);
+}
 
 void add_system(CLI::App& command, SystemCall& call) {
   command.add_option("SYSTEM", call.system, "The name of a system, its file, or command:PROGRAM")->required();

@@ -2,6 +2,7 @@
 /// The systems that a call names.
 
 #include <CLI/CLI.hpp>
+#include <span>
 #include <string>
 
 #include "durero/conform/runner.hpp"
@@ -26,6 +27,8 @@ void add_system(CLI::App& command, SystemCall& call);
 inline constexpr const char* profile_help = "What command:PROGRAM claims: a system's name, or a file";
 /// The system of the call. Throws as the other does.
 conform::System system_of(const SystemCall& call);
+/// Throws std::runtime_error where there is a profile, and none of the names is command:PROGRAM, which alone needs one.
+void require_use_of_profile(std::span<const std::string> names, const std::string& profile);
 /// The words that name the same system in another call, as a shell reads them: SYSTEM, and --profile where it is
 /// needed.
 std::string words_of_system(const std::string& name, const std::string& profile);

@@ -15,6 +15,9 @@ has out 'bullet: absent: it is not set up'
 has out 'durero 0.1.0 analytic'
 refused 'no system "nothing"; expected one of ' conform run nothing
 refused 'command: without --profile' conform run command:cat
+refused '--profile without command:PROGRAM; expected no profile' conform run durero embree --profile durero
+refused '--profile without command:PROGRAM; expected no profile' \
+  conform minimise durero --case tiny/0000 --ray 0 --profile durero
 refused 'conform run: --continue: it says nothing alone; expected --report with it' conform run durero --continue
 
 # A program of one's own is asked as it is.
