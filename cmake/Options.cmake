@@ -21,6 +21,13 @@ if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   endif()
 endif()
 
+# Shared libraries find each other, and the program finds them, from where they stand: in whatever prefix that is.
+if(BUILD_SHARED_LIBS)
+  include(GNUInstallDirs)
+  file(RELATIVE_PATH to_libraries /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
+  set(CMAKE_INSTALL_RPATH $ORIGIN $ORIGIN/${to_libraries})
+endif()
+
 # What whoever includes the headers must compile with too; the warnings are for our own sources alone.
 add_library(durero_options INTERFACE)
 target_compile_features(durero_options INTERFACE cxx_std_20)
