@@ -1,4 +1,5 @@
-// durero render SCENE -o OUT.png [--engine E] [--hierarchy H] [--size WxH] [--crop X,Y,W,H]: Algorithm II.1.
+// durero render SCENE -o OUT.png [--engine E] [--hierarchy H] [--size WxH] [--crop X,Y,W,H] [--max-depth N]: Algorithm
+// II.1.
 #include "durero/render/render.hpp"
 
 #include <fmt/format.h>
@@ -23,6 +24,7 @@ struct RenderOptions {
   std::string scene, out, size, crop;
   std::string engine{engine::default_engine}, hierarchy{"automatic"};
   std::size_t threads = 0;
+  std::optional<std::uint32_t> max_depth;
   bool quiet = false;
 };
 
@@ -61,6 +63,7 @@ render::Frame frame_of(const RenderOptions& options) {
   if (const auto size = numbers_in<2>(options.size, 'x')) frame.size = {(*size)[0], (*size)[1]};
   if (const auto crop = numbers_in<4>(options.crop, ','))
     frame.crop = {(*crop)[0], (*crop)[1], {(*crop)[2], (*crop)[3]}};
+  frame.max_depth = options.max_depth;
   return frame;
 }
 
@@ -96,7 +99,7 @@ int run(const RenderOptions& options) {
 }  // namespace
 
 void add_render(CLI::App& app, int& status) {
-  auto* command = app.add_subcommand("render", "Draw the scene: camera, Lambert's law, shadows");
+  auto* command = app.add_subcommand("render", "Draw the scene: camera, lights and shadows, mirrors and glass");
   const auto options = std::make_shared<RenderOptions>();
   command->add_option("SCENE", options->scene, "Scene file (JSON), with a camera")->required();
   command->add_option("-o,--output", options->out, "The picture, OUT.png")->required();
@@ -104,6 +107,10 @@ void add_render(CLI::App& app, int& status) {
       ->check(CLI::Validator(check_size, ""));
   command->add_option("--crop", options->crop, "These pixels of the picture alone: upper left one, width and height")
       ->check(CLI::Validator(check_crop, ""));
+  command
+      ->add_option("--max-depth", options->max_depth,
+                   "Rays in a row from mirror to mirror; without it, the scene's, or else what its materials need")
+      ->check(whole_number(1, scene::greatest_depth));
   add_engine(*command, options->engine);
   add_hierarchy(*command, options->hierarchy);
   add_threads(*command, options->threads);

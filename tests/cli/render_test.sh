@@ -34,6 +34,23 @@ done
 absent new.png
 is old.png kept
 
+# How many rays in a row: as the materials need, or as the file or the call says.
+mirrors=$tree/demo/mirrors.json
+run 0 render "$mirrors" -o deep.png --size 64x36 --engine analytic
+run 0 render "$mirrors" -o exact.png --size 64x36 --engine exact
+same deep.png exact.png
+run 0 render "$mirrors" -o fifteen.png --size 64x36 --max-depth 15
+same deep.png fifteen.png
+run 0 render "$mirrors" -o one.png --size 64x36 --max-depth 1
+sed 's/^"materials"/"max_depth":1,&/' "$mirrors" >one.json
+run 0 render one.json -o said.png --size 64x36
+same one.png said.png
+checks=$((checks + 1))
+cmp -s deep.png one.png && fail 'no mirror is in the picture'
+refused 'render: --max-depth: 1000000' render "$mirrors" -o new.png --max-depth 1000000
+refused 'render: --max-depth: 0' render "$mirrors" -o new.png --max-depth 0
+absent new.png
+
 # --size draws in another size than the scene's, --crop a rectangle of the picture, pixel for pixel.
 run 0 render scene.json -o whole.png --size 40x30
 run 0 render scene.json -o crop.png --size 40x30 --crop 12,9,17,14

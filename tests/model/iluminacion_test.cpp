@@ -107,6 +107,7 @@ TEST_CASE("refraccion.def.1, where the root is rational") {
   CHECK(refraccion(i, up, Rational(3, 4), t));
   CHECK_FALSE(refraccion(i, up, Rational(3, 4), {Rational(-3, 5), 0, Rational(4, 5)}));   // on the near side
   CHECK_FALSE(refraccion(i, up, Rational(3, 4), {0, Rational(-3, 5), Rational(-4, 5)}));  // in another plane
+  CHECK_FALSE(refraccion(i, up, Rational(3, 4), {Rational(-3, 5), 0, Rational(-1, 2)}));  // by another angle
   CHECK_FALSE(refraccion(i, up, Rational(1, 2), t));
   CHECK_FALSE(refraccion(turned(i), up, Rational(3, 4), t));
 }
