@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <iterator>
 
+#include "durero/model/tipos.hpp"
 #include "durero/render/directions.hpp"
 #include "durero/surface/normal.hpp"
 #include "media.hpp"

@@ -1,6 +1,6 @@
 #pragma once
-/// spec/iluminacion.tex: where light goes at a surface. Each function is the definition of the same name, carried out in
-/// exact arithmetic; each set of the text is the predicate that its members satisfy.
+/// spec/iluminacion.tex: where light goes at a surface. Each function is the definition of the same name, carried out
+/// in exact arithmetic; each set of the text is the predicate that its members satisfy.
 
 #include <optional>
 
@@ -30,12 +30,12 @@ Surd coseno_cuadrado(const ExactDirection& i, const ExactDirection& n, const Rat
 /// (i, n, razon) ∈ reflexion_total (reflexion_total.def.1).
 bool reflexion_total(const ExactDirection& i, const ExactDirection& n, const Rational& razon);
 
-/// (i, n, razon, t) ∈ refraccion (refraccion.def.1). No root is taken: t has one part along −i, and what is left is to be
-/// along n with the cosine that is asked.
+/// (i, n, razon, t) ∈ refraccion (refraccion.def.1). No root is taken: t has one part along −i, and what is left is to
+/// be along n with the cosine that is asked.
 bool refraccion(const ExactDirection& i, const ExactDirection& n, const Rational& razon, const ExactDirection& t);
 
-/// The only t with (i, n, razon, t) ∈ refraccion; nothing in total reflection. Precondition: (i, n) ∈ incidencia. Throws
-/// std::domain_error where the square of its cosine is irrational: its root then has no name in our numbers.
+/// The only t with (i, n, razon, t) ∈ refraccion; nothing in total reflection. Precondition: (i, n) ∈ incidencia.
+/// Throws std::domain_error where the square of its cosine is irrational: its root then has no name in our numbers.
 std::optional<ExactDirection> refracted(const ExactDirection& i, const ExactDirection& n, const Rational& razon);
 
 }  // namespace durero::model
