@@ -3,7 +3,9 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <mutex>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -32,39 +34,54 @@ Crop crop_of(const Frame& frame, scene::Resolution size) {
   return crop;
 }
 
-/// Counts the rows that are done and tells, without making the threads wait for each other.
-class Counter {
+/// Gathers what the rows of a picture say, and tells how many are done.
+class Rows {
  public:
-  Counter(const Progress& progress, std::uint32_t rows) : progress_(progress), rows_(rows) {}
-  void row_done() {
-    if (!progress_) return;
+  Rows(const Progress& progress, std::uint32_t rows) : progress_(progress), rows_(rows) {}
+
+  void add(std::span<const Brought> row) {
     const std::lock_guard lock(mutex_);
-    progress_(double(++done_) / rows_);
+    for (const Brought& pixel : row) {
+      ++reach_.pixels;
+      reach_.rays += pixel.rays;
+      reach_.depths += pixel.depth;
+      reach_.left_out = std::max({reach_.left_out, pixel.left_out.x, pixel.left_out.y, pixel.left_out.z});
+    }
+    ++done_;
+    if (progress_) progress_(double(done_) / rows_);
   }
+
+  const Reach& reach() const { return reach_; }
 
  private:
   const Progress& progress_;
   std::mutex mutex_;
+  Reach reach_;
   std::uint32_t done_ = 0, rows_;
 };
 
 }  // namespace
 
-Image render(const scene::Scene& scene, const engine::Engine& engine, const Progress& progress, const Frame& frame) {
+Image render(const scene::Scene& scene, const engine::Engine& engine, const Progress& progress, const Frame& frame,
+             Reach* reach) {
   if (!scene.stage().camera) throw std::domain_error("the scene has no camera; expected one");
   const scene::Resolution size = frame.size.value_or(scene.stage().resolution.value_or(default_resolution));
   const scene::PrimaryRays rays(*scene.stage().camera, size);
   const Crop crop = crop_of(frame, size);
   Image image(crop.size);
-  const std::uint32_t max_depth = frame.max_depth.value_or(depth_of(scene.stage()));
-  Counter counter(progress, crop.size.height);
+  const Limits limits{frame.max_depth.value_or(depth_of(scene.stage())), frame.min_weight};
+  Rows all(progress, crop.size.height);
   tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, crop.size.height), [&](const auto& rows) {
     for (std::uint32_t y = rows.begin(); y != rows.end(); ++y) {
-      const std::vector<glm::dvec3> row = colors(scene, engine, row_of(rays, crop, y), max_depth);
-      for (std::uint32_t x = 0; x < crop.size.width; ++x) image.set(x, y, row[x]);
-      counter.row_done();
+      const std::vector<Brought> row = brought(scene, engine, row_of(rays, crop, y), limits);
+      for (std::uint32_t x = 0; x < crop.size.width; ++x) image.set(x, y, row[x].color);
+      all.add(row);
     }
   });
+  if (reach) {
+    *reach = all.reach();
+    reach->max_depth = limits.max_depth;
+  }
   return image;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/container/vector.hpp>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <iterator>
 
@@ -64,11 +65,11 @@ class Shadows {
     queries_.push_back(std::move(query));
   }
 
-  void add_light(const engine::Engine& engine, std::span<glm::dvec3> sums) const {
+  void add_light(const engine::Engine& engine, std::span<Brought> sums) const {
     boost::container::vector<bool> shadowed(queries_.size());
     engine.occluded_segments(queries_, {shadowed.data(), shadowed.size()});
     for (std::size_t i = 0; i < queries_.size(); ++i)
-      if (!shadowed[i]) sums[lights_[i].ray] += lights_[i].light;
+      if (!shadowed[i]) sums[lights_[i].ray].color += lights_[i].light;
   }
 
  private:
@@ -80,10 +81,31 @@ class Shadows {
   std::vector<scene::Query> queries_;
 };
 
+/// The shares of what comes from beyond that a material sends on, at most.
+glm::dvec3 sent_on(const scene::Material& m) { return m.k_ps * m.M_PS + m.k_t * m.M_T; }
+
+/// What a ray brings at most that may have so many in a row, itself the first. No cosine is above one: where it meets a
+/// surface, the sum of the terms of its material with all lights seen, and what is sent on of as much as a shorter row
+/// brings. Both that and the colour are sums of numbers that are not negative, of fewer than 2²⁰ terms, so that the
+/// rounding of each is below 2⁻³² of it: 2⁻³⁰ more than the sum is above what is computed.
+std::vector<glm::dvec3> most_brought(const scene::Stage& stage, const Limits& limits) {
+  glm::dvec3 lights(0), own = default_color, on(0);
+  for (const scene::Light& light : stage.lights) lights += light.color;
+  own *= lights;
+  for (const scene::Material& m : stage.materials) {
+    own = glm::max(own, m.emission + m.ambient + lights * (m.color * (m.k_a + m.k_d) + m.k_s));
+    on = glm::max(on, sent_on(m));
+  }
+  const glm::dvec3 background = stage.background.value_or(default_background);
+  std::vector<glm::dvec3> most{glm::dvec3(0)};
+  while (most.size() <= limits.max_depth) most.push_back((1 + 0x1p-30) * glm::max(background, own + on * most.back()));
+  return most;
+}
+
 class Tracer {
  public:
-  Tracer(const scene::Scene& scene, const engine::Engine& engine, std::uint32_t max_depth, std::span<glm::dvec3> sums)
-      : scene_(scene), engine_(engine), max_depth_(max_depth), sums_(sums) {}
+  Tracer(const scene::Scene& scene, const engine::Engine& engine, const Limits& limits, std::span<Brought> sums)
+      : scene_(scene), engine_(engine), limits_(limits), most_(most_brought(scene.stage(), limits)), sums_(sums) {}
 
   void follow(std::span<const scene::Query> rays) {
     waiting_.resize(rays.size());
@@ -117,8 +139,11 @@ class Tracer {
   }
 
   void meet(const Path& path, const scene::Hit& hit, Shadows& shadows) {
+    Brought& sum = sums_[path.ray];
+    ++sum.rays;
+    sum.depth = std::max(sum.depth, path.depth);
     if (hit.resultado != model::Resultado::hit) {
-      sums_[path.ray] += path.weight * scene_.stage().background.value_or(default_background);
+      sum.color += path.weight * scene_.stage().background.value_or(default_background);
       return;
     }
     const scene::ElementRef element = front(scene_, hit.elementos);
@@ -128,9 +153,9 @@ class Tracer {
     const bool enters = !(glm::dot(n, d) > 0);
     if (!enters) n = -n;  // the side that the ray sees: cylinders and cones are open
     const Meeting at{path, hit, material_of(scene_, index), n, d};
-    sums_[path.ray] += path.weight * (at.material.emission + at.material.ambient);
+    sum.color += path.weight * (at.material.emission + at.material.ambient);
     ask_lights(at, shadows);
-    if (path.depth == max_depth_ || !at.material.sends_rays_on()) return;
+    if (path.depth == limits_.max_depth || !at.material.sends_rays_on()) return;
     send_on(at, *index, enters);
   }
 
@@ -165,6 +190,10 @@ class Tracer {
   void send(const Meeting& at, const glm::dvec3& share, const glm::dvec3& v, Media media) {
     const glm::dvec3 weight = at.path.weight * share;
     if (weight == glm::dvec3(0)) return;
+    if (std::max({weight.x, weight.y, weight.z}) < limits_.min_weight) {
+      sums_[at.path.ray].left_out += weight * most_[limits_.max_depth - at.path.depth];
+      return;
+    }
     waiting_[at.path.ray].push_back({at.path.ray,
                                      weight,
                                      at.path.depth + 1,
@@ -174,8 +203,9 @@ class Tracer {
 
   const scene::Scene& scene_;
   const engine::Engine& engine_;
-  const std::uint32_t max_depth_;
-  const std::span<glm::dvec3> sums_;
+  const Limits limits_;
+  const std::vector<glm::dvec3> most_;  // that a ray brings, by how many it may still have in a row
+  const std::span<Brought> sums_;
   std::vector<std::vector<Path>> waiting_;  // of each ray, the next ones last
 };
 
@@ -187,19 +217,18 @@ std::uint32_t depth_of(const scene::Stage& stage) {
   constexpr double half_a_step = 1.0 / 510;
   double share = 0;  // the greatest that one meeting hands on
   for (const scene::Material& m : stage.materials) {
-    const glm::dvec3 sent_on = m.k_ps * m.M_PS + m.k_t * m.M_T;
-    share = std::max({share, sent_on.x, sent_on.y, sent_on.z});
+    const glm::dvec3 on = sent_on(m);
+    share = std::max({share, on.x, on.y, on.z});
   }
   std::uint32_t depth = 1;
   for (double weight = share; weight >= half_a_step && depth < most; weight *= share) ++depth;
   return depth;
 }
 
-std::vector<glm::dvec3> colors(const scene::Scene& scene, const engine::Engine& engine,
-                               std::span<const scene::Query> rays, std::uint32_t max_depth) {
-  std::vector<glm::dvec3> sums(rays.size(), glm::dvec3(0));
-  if (max_depth == 0) return sums;
-  Tracer(scene, engine, max_depth, sums).follow(rays);
+std::vector<Brought> brought(const scene::Scene& scene, const engine::Engine& engine,
+                             std::span<const scene::Query> rays, const Limits& limits) {
+  std::vector<Brought> sums(rays.size());
+  if (limits.max_depth > 0) Tracer(scene, engine, limits, sums).follow(rays);
   return sums;
 }
 

@@ -30,12 +30,23 @@ struct Frame {
   std::optional<scene::Resolution> size{};   ///< of the whole picture; else the scene's, else default_resolution
   std::optional<Crop> crop{};                ///< these pixels of the whole picture alone, and as they are in it
   std::optional<std::uint32_t> max_depth{};  ///< rays in a row; else as depth_of says
+  double min_weight = 0;                     ///< rays that count for less are not followed, as Limits says
+};
+
+/// How far the rays of a picture were followed.
+struct Reach {
+  std::uint32_t max_depth = 0;  ///< that they might have had
+  std::uint64_t pixels = 0;     ///< that were drawn
+  std::uint64_t rays = 0;       ///< that were followed for them, without those to the lights
+  std::uint64_t depths = 0;     ///< the sum over the pixels of the depth of the deepest one
+  double left_out = 0;          ///< the greatest error of a component of a pixel for min_weight, linear
 };
 
 /// Draws the scene. Rows are shared among threads; every pixel is the same whatever their number.
 /// Throws std::domain_error when the scene has no camera, or one that sees nothing, and std::out_of_range when the crop
-/// is empty or not inside the picture. Precondition: the engine honours origins.
+/// is empty or not inside the picture. Precondition: the engine honours origins. `reach`, where it is given, is told
+/// how far the rays were followed.
 Image render(const scene::Scene& scene, const engine::Engine& engine, const Progress& progress = {},
-             const Frame& frame = {});
+             const Frame& frame = {}, Reach* reach = nullptr);
 
 }  // namespace durero::render

@@ -22,7 +22,21 @@ inline constexpr glm::dvec3 default_color{0.8, 0.8, 0.8};
 /// else so many that what comes later weighs less than half a step of a picture's 255, and at most 15.
 std::uint32_t depth_of(const scene::Stage& stage);
 
-/// The colour that each ray brings, linear RGB; black where max_depth is 0. Background where it meets nothing or where
+/// How far rays are followed.
+struct Limits {
+  std::uint32_t max_depth;  ///< rays in a row, the first one being of depth 1; black where it is 0
+  double min_weight = 0;    ///< a ray is not sent where it would count for less than this share of red, green and blue
+};
+
+/// What a ray brings.
+struct Brought {
+  glm::dvec3 color{0};      ///< linear RGB
+  std::uint32_t depth = 0;  ///< of the deepest ray that was followed
+  std::uint64_t rays = 0;   ///< that were followed, itself among them
+  glm::dvec3 left_out{0};   ///< no more than this was lost of its colour for min_weight
+};
+
+/// What each ray brings, in order. Background where it meets nothing or where
 /// no nearest point exists; otherwise, of the material of the element hit, with n its unit normal on the side of the
 /// ray and v the unit vector against the ray:
 ///
@@ -30,8 +44,7 @@ std::uint32_t depth_of(const scene::Stage& stage);
 ///       + k_ps·M_PS·(colour from the mirrored direction) + k_t·M_T·(colour from the refracted direction)
 ///
 /// l is the unit vector to a light, r is l mirrored, S the light's colour where no element stands between, else 0:
-/// glass too casts a full shadow. In total reflection the share k_t goes the mirrored way. No ray is the max_depth-th's
-/// child.
+/// glass too casts a full shadow. In total reflection the share k_t goes the mirrored way.
 ///
 /// Which medium a ray is in follows from the surfaces that it crossed: against the outward normal it enters the
 /// element's material, along it it leaves the last such that it entered. A ray that leaves what it never entered, as
@@ -39,7 +52,7 @@ std::uint32_t depth_of(const scene::Stage& stage);
 ///
 /// Rays start on the elements hit, so a surface neither shadows nor mirrors itself by rounding. Of several elements at
 /// one point the first by name gives colour and normal. Precondition: the engine honours origins.
-std::vector<glm::dvec3> colors(const scene::Scene& scene, const engine::Engine& engine,
-                               std::span<const scene::Query> rays, std::uint32_t max_depth);
+std::vector<Brought> brought(const scene::Scene& scene, const engine::Engine& engine,
+                             std::span<const scene::Query> rays, const Limits& limits);
 
 }  // namespace durero::render
