@@ -19,7 +19,7 @@
     another name of a box == its declaration and predicates as statements f_decl and the labels', about any such f; and
                              f itself: what solves f * n = m, or Coq's sqrt
     { x : S | P }         == fun x => x ∈ S /\ P
-    { D | P } of several  == a Definition of the arguments, a Prop
+    { D | P } of several  == a Definition of the arguments, a Prop;  (x, y) ∈ S  == S x y
     λ D | P • E, E a set  == a Definition of the arguments; outside P the set is empty
     λ D | P • E, otherwise == the same with the set of E alone as value
     S                     == a Record S of carriers and a predicate S_ok with one field a declaration that says more than
@@ -410,6 +410,61 @@ Definition Hay_Interseccion_conj_1 : Prop :=
   forall (s s' : Escena) (rayo_in : Rayo) (en_in : set Elemento) (resultado_out : Resultado) (elementos_out : set
   Elemento) (t_out : R) (punto_out : Punto), Hay_Interseccion s s' rayo_in en_in resultado_out elementos_out t_out
   punto_out -> en_in ≡ ∅ -> elementos_out ≡ de_que_elemento s punto_out. (* Hay_Interseccion.conj.1 *)
+
+(** * iluminacion.tex *)
+
+Definition producto (u v : Vector) : R :=
+  Vector_x u * Vector_x v + Vector_y u * Vector_y v + Vector_z u * Vector_z v. (* producto.def.1 *)
+
+Definition reflexion (v n r : Vector) : Prop :=
+  producto n n > 0 /\ producto n n * (Vector_x r + Vector_x v) = 2 * producto v n * Vector_x n
+  /\ producto n n * (Vector_y r + Vector_y v) = 2 * producto v n * Vector_y n
+  /\ producto n n * (Vector_z r + Vector_z v) = 2 * producto v n * Vector_z n. (* reflexion.def.1 *)
+
+Definition incidencia (i n : Vector) : Prop :=
+  producto i i = 1 /\ producto n n = 1 /\ producto i n >= 0. (* incidencia.def.1 *)
+
+Definition coseno_cuadrado (i n : Vector) (razon : R) : R :=
+  1 - cuadrado razon * (1 - cuadrado (producto i n)). (* coseno_cuadrado.def.1 *)
+
+Definition reflexion_total (i n : Vector) (razon : R) : Prop :=
+  incidencia i n /\ coseno_cuadrado i n razon < 0. (* reflexion_total.def.1 *)
+
+Definition refraccion (i n : Vector) (razon : R) (t : Vector) : Prop :=
+  incidencia i n /\ coseno_cuadrado i n razon >= 0
+  /\ Vector_x t = (razon * producto i n - raizcuadrada (coseno_cuadrado i n razon)) * Vector_x n
+  - razon * Vector_x i /\ Vector_y t = (razon * producto i n
+  - raizcuadrada (coseno_cuadrado i n razon)) * Vector_y n - razon * Vector_y i
+  /\ Vector_z t = (razon * producto i n - raizcuadrada (coseno_cuadrado i n razon)) * Vector_z n
+  - razon * Vector_z i. (* refraccion.def.1 *)
+
+Definition reflexion_conj_1 : Prop :=
+  forall v n r : Vector, reflexion v n r -> producto r r = producto v v /\ producto r n = producto v n
+  /\ reflexion r n v. (* reflexion.conj.1 *)
+
+Definition refraccion_conj_1 : Prop :=
+  forall (i n : Vector) (razon : R) (t : Vector), razon ∈ Rmas -> refraccion i n razon t -> producto t t = 1
+  /\ producto t n <= 0. (* refraccion.conj.1 *)
+
+Definition refraccion_conj_2 : Prop :=
+  forall (i n : Vector) (razon : R) (t : Vector), razon ∈ Rmas -> refraccion i n razon t
+  -> 1 - cuadrado (producto t n) = cuadrado razon * (1 - cuadrado (producto i n))
+  /\ exists a b : R, Vector_x t = a * Vector_x n + b * Vector_x i /\ Vector_y t = a * Vector_y n + b * Vector_y i
+  /\ Vector_z t = a * Vector_z n + b * Vector_z i. (* refraccion.conj.2 *)
+
+Definition reflexion_total_conj_1 : Prop :=
+  forall (i n : Vector) (razon : R), razon ∈ Rmas -> incidencia i n
+  -> ((exists t : Vector, refraccion i n razon t) <-> ~ reflexion_total i n razon)
+  /\ (reflexion_total i n razon -> razon > 1). (* reflexion_total.conj.1 *)
+
+Definition refraccion_conj_3 : Prop :=
+  forall i n t : Vector, refraccion i n 1 t -> Vector_x t + Vector_x i = 0 /\ Vector_y t + Vector_y i = 0
+  /\ Vector_z t + Vector_z i = 0. (* refraccion.conj.3 *)
+
+Definition refraccion_conj_4 : Prop :=
+  forall (i n m t : Vector) (razon otra : R), razon ∈ Rmas -> otra ∈ Rmas -> refraccion i n razon t
+  -> razon * otra = 1 -> Vector_x m + Vector_x n = 0 -> Vector_y m + Vector_y n = 0 -> Vector_z m + Vector_z n = 0
+  -> refraccion t m otra i. (* refraccion.conj.4 *)
 
 (** * operaciones.tex *)
 

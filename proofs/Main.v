@@ -17,9 +17,9 @@
     tables_ok, retrieve  == the compact tables' invariant, and the scene they represent *)
 From Coq Require Import Reals List.
 From Durero Require Import Toolkit Especificacion.
-From Durero Require Tipos Escena Operaciones Errata Puntos Trazador Flat Interseccion Retrieve Recorrido Acceleration
-  Surd Quadratic Exacto ExactoEscena Slab Rounding Flotante.
-Import Escena Operaciones Errata Puntos Trazador Flat Interseccion Retrieve.
+From Durero Require Tipos Escena Operaciones Errata Puntos Trazador Flat Interseccion Retrieve Iluminacion Recorrido
+  Acceleration Surd Quadratic Exacto ExactoEscena Slab Rounding Flotante.
+Import Escena Operaciones Errata Puntos Trazador Flat Interseccion Retrieve Iluminacion.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
 
@@ -366,6 +366,18 @@ Proof.
     (Eliminar_Elemento_Total_is_total Elemento) (conj (precondition_of_Primera_Interseccion Elemento) (conj
     (printed_intersection_is_alcances Elemento) (conj (printed_elements_are_those_met Elemento)
     (printed_elements_are_the_answer Elemento))))))))))))))))))))).
+Qed.
+
+(** And of light at a surface: a mirror keeps length and angle; what refracts is a unit vector beyond the surface, in one
+    plane and by the law of Snell; it exists exactly where there is no total reflection; equal media leave it straight;
+    and it may be gone back. *)
+Theorem the_conjectures_of_light_hold :
+  reflexion_conj_1 /\ refraccion_conj_1 /\ refraccion_conj_2 /\ reflexion_total_conj_1 /\ refraccion_conj_3
+  /\ refraccion_conj_4.
+Proof.
+  exact (conj a_mirror_keeps_length_and_angle (conj the_refracted_direction_is_a_unit_vector_beyond (conj
+    the_refracted_direction_obeys_Snell (conj refraction_exists_but_in_total_reflection (conj
+    equal_indices_leave_the_direction light_goes_back_the_way_it_came))))).
 Qed.
 
 (** * 6. The executable oracle, extracted to OCaml and run in the tests *)

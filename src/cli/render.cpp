@@ -1,4 +1,5 @@
-// durero render SCENE -o OUT.png [--engine E] [--hierarchy H] [--size WxH] [--crop X,Y,W,H]: Algorithm II.1.
+// durero render SCENE -o OUT.png [--engine E] [--hierarchy H] [--size WxH] [--crop X,Y,W,H] [--max-depth N]
+// [--min-weight W]: Algorithm II.1.
 #include "durero/render/render.hpp"
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 #include "description.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/io/scene_file.hpp"
+#include "durero/io/standard_output.hpp"
 #include "engines.hpp"
 #include "progress.hpp"
 
@@ -23,6 +25,8 @@ struct RenderOptions {
   std::string scene, out, size, crop;
   std::string engine{engine::default_engine}, hierarchy{"automatic"};
   std::size_t threads = 0;
+  std::optional<std::uint32_t> max_depth;
+  std::optional<double> min_weight;
   bool quiet = false;
 };
 
@@ -61,7 +65,16 @@ render::Frame frame_of(const RenderOptions& options) {
   if (const auto size = numbers_in<2>(options.size, 'x')) frame.size = {(*size)[0], (*size)[1]};
   if (const auto crop = numbers_in<4>(options.crop, ','))
     frame.crop = {(*crop)[0], (*crop)[1], {(*crop)[2], (*crop)[3]}};
+  frame.max_depth = options.max_depth;
+  frame.min_weight = options.min_weight.value_or(0);
   return frame;
+}
+
+std::string reach_text(const render::Reach& reach) {
+  const auto pixels = static_cast<double>(reach.pixels);
+  return fmt::format("mean depth {:.3f} of {}, {:.3f} rays a pixel; left out: at most {:.3g} of a linear component\n",
+                     static_cast<double>(reach.depths) / pixels, reach.max_depth,
+                     static_cast<double>(reach.rays) / pixels, reach.left_out);
 }
 
 int run(const RenderOptions& options) {
@@ -75,10 +88,11 @@ int run(const RenderOptions& options) {
   const engine::Row& engine = *engine::find(options.engine);
   if (!engine.honours_origins) throw std::invalid_argument(without_origins(engine, "shadow rays start on elements"));
   Progress progress(options.quiet, "render");
+  render::Reach reach;
   const render::Image image = [&] {
     try {
       const auto show = [&](double share) { progress.set_share(share); };
-      return render::render(scene, *prepared(engine, options.hierarchy, of), show, frame_of(options));
+      return render::render(scene, *prepared(engine, options.hierarchy, of), show, frame_of(options), &reach);
     } catch (const std::domain_error& error) {
       throw std::domain_error(fmt::format("{}: {}", options.scene, error.what()));
     } catch (const std::out_of_range&) {
@@ -89,6 +103,7 @@ int run(const RenderOptions& options) {
     }
   }();
   out.write(render::encode_png(image));
+  if (options.min_weight) io::print(reach_text(reach));
   out.commit();
   return 0;
 }
@@ -96,7 +111,7 @@ int run(const RenderOptions& options) {
 }  // namespace
 
 void add_render(CLI::App& app, int& status) {
-  auto* command = app.add_subcommand("render", "Draw the scene: camera, Lambert's law, shadows");
+  auto* command = app.add_subcommand("render", "Draw the scene: camera, lights and shadows, mirrors and glass");
   const auto options = std::make_shared<RenderOptions>();
   command->add_option("SCENE", options->scene, "Scene file (JSON), with a camera")->required();
   command->add_option("-o,--output", options->out, "The picture, OUT.png")->required();
@@ -104,6 +119,14 @@ void add_render(CLI::App& app, int& status) {
       ->check(CLI::Validator(check_size, ""));
   command->add_option("--crop", options->crop, "These pixels of the picture alone: upper left one, width and height")
       ->check(CLI::Validator(check_crop, ""));
+  command
+      ->add_option("--max-depth", options->max_depth,
+                   "Rays in a row from mirror to mirror; without it, the scene's, or else what its materials need")
+      ->check(whole_number(1, scene::greatest_depth));
+  command
+      ->add_option("--min-weight", options->min_weight,
+                   "Do not follow rays that count for less than this share of a pixel; says how far rays were followed")
+      ->check(number(0, 1));
   add_engine(*command, options->engine);
   add_hierarchy(*command, options->hierarchy);
   add_threads(*command, options->threads);

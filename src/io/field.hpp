@@ -4,8 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
@@ -50,11 +52,16 @@ inline void read_json(json::Reader& in, std::string_view what, std::array<glm::d
   value = in.three_points(what);
 }
 
-/// Reads an object that has each field of the table and no others. `what` names it in messages.
+/// Every field of a table.
+inline constexpr std::size_t all_fields = std::numeric_limits<std::size_t>::max();
+
+/// Reads an object that has the first `required` fields of the table, perhaps the others, and none besides; what it
+/// lacks stays as it is. `what` names it in messages.
 template <class Part, class... Value>
-void read_fields(json::Reader& in, std::string_view what, const std::tuple<Field<Part, Value>...>& fields, Part& part) {
+void read_fields(json::Reader& in, std::string_view what, const std::tuple<Field<Part, Value>...>& fields, Part& part,
+                 std::size_t required = all_fields) {
   const auto keys = std::apply([](const auto&... field) { return std::array{field.key...}; }, fields);
-  in.object(what, keys, keys.size(), [&](std::size_t known) {
+  in.object(what, keys, std::min(required, keys.size()), [&](std::size_t known) {
     const auto read = [&](const auto& field) {
       if (field.key != keys[known]) return;
       const std::size_t at = in.offset();
@@ -65,11 +72,17 @@ void read_fields(json::Reader& in, std::string_view what, const std::tuple<Field
   });
 }
 
-/// Writes an object of the fields of the table.
+/// Writes an object of the fields of the table: of those behind the first `required`, what is not as in a new part.
 template <class Part, class... Value>
-void write_fields(json::Writer& out, const std::tuple<Field<Part, Value>...>& fields, const Part& part) {
+void write_fields(json::Writer& out, const std::tuple<Field<Part, Value>...>& fields, const Part& part,
+                  std::size_t required = all_fields) {
+  const Part fresh{};
+  std::size_t i = 0;
+  const auto write = [&](const auto& field) {
+    if (i++ < required || part.*field.member != fresh.*field.member) out.member(field.key, part.*field.member);
+  };
   out.begin_object();
-  std::apply([&](const auto&... field) { (out.member(field.key, part.*field.member), ...); }, fields);
+  std::apply([&](const auto&... field) { (write(field), ...); }, fields);
   out.end_object();
 }
 

@@ -33,8 +33,11 @@ class NffReader {
   }
 
  private:
+  /// Colour · Kd, Ks, Shine, T and index.
+  using Fill = std::tuple<double, double, double, double, double, double, double>;
+
   struct Counts {
-    std::size_t smooth = 0, inward = 0, shiny = 0, near_planes = 0;
+    std::size_t smooth = 0, inward = 0, near_planes = 0;
   };
 
   void read_entity() {
@@ -132,17 +135,31 @@ class NffReader {
   void read_fill() {
     const std::size_t at = in_.offset();
     const glm::dvec3 color = read_color("f");
-    const double kd = in_.number("f"), ks = in_.number("f");
-    in_.number("f");  // how sharp a highlight is, which without Ks there is not
-    const double transmitted = in_.number("f");
-    in_.number("f");  // the index of refraction of what is transmitted
-    const glm::dvec3 sent = color * kd;
-    check_rule(in_, at, "the colour of f, times Kd,", share, sent);
-    if (ks != 0 || transmitted != 0) ++counts_.shiny;
+    scene::Material look{.color = color * in_.number("f")};
+    check_rule(in_, at, "the colour of f, times Kd,", share, look.color);
+    look.k_s = look.k_ps = read_ruled("Ks", share_of_all);
+    // How sharp a highlight is that there is not, and what light is bent by where none shines through, is nobody's to
+    // ask.
+    const double shine = look.k_s > 0 ? read_ruled("Shine", exponent) : in_.number("f");
+    if (look.k_s > 0) look.e = shine;
+    look.k_t = read_ruled("T", share_of_all);
+    const double index = look.k_t > 0 ? read_ruled("the index of refraction", refractive_index) : in_.number("f");
+    if (look.k_t > 0) look.index = index;
     const auto [known, is_new] =
-        fills_.try_emplace(std::tuple{sent.x, sent.y, sent.z}, static_cast<std::uint32_t>(fills_.size()));
-    if (is_new) scene_.stage().materials.push_back({fmt::format("f{}", fills_.size()), sent});
+        fills_.try_emplace(Fill{look.color.x, look.color.y, look.color.z, look.k_s, look.e, look.k_t, look.index},
+                           static_cast<std::uint32_t>(fills_.size()));
+    if (is_new) {
+      look.name = fmt::format("f{}", fills_.size());
+      scene_.stage().materials.push_back(std::move(look));
+    }
     fill_ = known->second;
+  }
+
+  double read_ruled(std::string_view what, const Rule<double>& rule) {
+    const std::size_t at = in_.offset();
+    const double value = in_.number("f");
+    check_rule(in_, at, what, rule, value);
+    return value;
   }
 
   void read_sphere() {
@@ -233,7 +250,6 @@ class NffReader {
     polygons_.name_losses(lost);
     add_loss(lost, counts_.smooth, "polygon", "polygons", "with normals at its vertices: kept flat, without them");
     add_loss(lost, counts_.inward, "surface", "surfaces", "seen from inside only: kept, seen from both sides");
-    add_loss(lost, counts_.shiny, "fill", "fills", "with shine or transparency: only the diffuse colour was kept");
     add_loss(lost, counts_.near_planes, "near plane", "near planes", "(hither) left out: a scene's camera has none");
     return lost;
   }
@@ -242,9 +258,9 @@ class NffReader {
   scene::Scene scene_;
   Polygons polygons_{scene_, "p"};
   Counts counts_;
-  std::vector<std::size_t> colorless_;                                 // lights
-  std::map<std::tuple<double, double, double>, std::uint32_t> fills_;  // colours, to their order
-  std::optional<std::uint32_t> fill_;                                  // of what follows
+  std::vector<std::size_t> colorless_;   // lights
+  std::map<Fill, std::uint32_t> fills_;  // to their order
+  std::optional<std::uint32_t> fill_;    // of what follows
   std::array<std::size_t, 4> numbered_{};
 };
 

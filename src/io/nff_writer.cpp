@@ -34,7 +34,7 @@ class NffWriter {
       }
     }
     for (std::size_t i = 0; i < materials.size(); ++i) {
-      out_.text += fmt::format("f {} 1 0 0 0 1\n", text(materials[i].color));
+      write_fill(materials[i]);
       for (const ElementRef element : of_material[i]) write_element(element);
     }
     name_losses();
@@ -61,6 +61,16 @@ class NffWriter {
     for (const scene::Light& light : stage.lights) {
       out_.text += fmt::format("l {} {}\n", text(light.position), text(light.color));
     }
+  }
+
+  /// NFF has one share for highlight and mirror, and no colour but one.
+  void write_fill(const scene::Material& m) {
+    out_.text += fmt::format("f {} 1 {} {} {} {}\n", text(m.color), m.k_ps, m.k_ps > 0 ? m.e : 0, m.k_t,
+                             m.k_t > 0 ? m.index : 1);
+    scene::Material held{.name = m.name, .color = m.color, .k_s = m.k_ps, .k_ps = m.k_ps, .k_t = m.k_t};
+    if (held.k_ps > 0) held.e = m.e;
+    if (held.k_t > 0) held.index = m.index;
+    if (held != m) ++other_looks_;
   }
 
   void write_element(ElementRef element) {
@@ -106,6 +116,9 @@ class NffWriter {
     add_loss(out_.lost, scene_.size(), "name of an element", "names of elements", "left out: NFF has none");
     add_loss(out_.lost, scene_.stage().materials.size(), "name of a material", "names of materials",
              "left out: NFF has none");
+    add_loss(out_.lost, other_looks_, "material", "materials",
+             "written otherwise: NFF has one colour, and one share for highlight and mirror");
+    if (scene_.stage().max_depth) out_.lost.emplace_back("1 max_depth left out: NFF has none");
     add_loss(out_.lost, planes_, "plane", "planes", "left out: NFF has none");
     add_loss(out_.lost, discs_, "disc", "discs", "left out: NFF has none");
     add_loss(out_.lost, too_wide_, "element", "elements", "left out: the radius of its base is beyond binary64");
@@ -118,6 +131,7 @@ class NffWriter {
   const scene::Scene& scene_;
   Exported out_;
   std::size_t planes_ = 0, discs_ = 0, too_wide_ = 0, straight_ = 0, rounded_axes_ = 0, rounded_radii_ = 0;
+  std::size_t other_looks_ = 0;
 };
 
 }  // namespace

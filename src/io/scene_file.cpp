@@ -13,9 +13,20 @@
 namespace durero::io {
 namespace {
 
-enum Key : std::size_t { format, version, elementos, camera, resolution, background, lights, materials, groups };
-constexpr std::string_view scene_keys[] = {"format",     "version", "elementos", "camera", "resolution",
-                                           "background", "lights",  "materials", "groups"};
+enum Key : std::size_t {
+  format,
+  version,
+  elementos,
+  camera,
+  resolution,
+  background,
+  lights,
+  materials,
+  max_depth,
+  groups
+};
+constexpr std::string_view scene_keys[] = {"format",     "version", "elementos", "camera",    "resolution",
+                                           "background", "lights",  "materials", "max_depth", "groups"};
 constexpr std::size_t required_scene_keys = 3;
 
 class SceneReader {
@@ -93,6 +104,9 @@ class SceneReader {
         return;
       case materials:
         stage.materials = read_materials(in);
+        return;
+      case max_depth:
+        stage.max_depth = read_max_depth(in);
         return;
       case groups:
         groups_ = read_written_groups(in);

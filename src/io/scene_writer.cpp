@@ -24,10 +24,11 @@ void write_stage(json::Writer& out, const scene::Stage& stage) {
   if (!stage.materials.empty()) {
     out.new_line().key("materials").begin_object();
     for (const scene::Material& material : stage.materials) {
-      write_fields(out.new_line().key(material.name), material_fields, material);
+      write_fields(out.new_line().key(material.name), material_fields, material, required_of_material);
     }
     out.end_object();
   }
+  if (stage.max_depth) out.new_line().member("max_depth", std::uint64_t{*stage.max_depth});
 }
 
 void write_names(json::Writer& out, const char* key, const scene::Names& names) {

@@ -10,6 +10,9 @@ namespace durero::io {
 inline bool is_direction(const glm::dvec3& v) { return v != glm::dvec3{}; }
 inline bool is_view_angle(const double& angle) { return angle > 0 && angle < 180; }
 inline bool is_color(const glm::dvec3& c) { return c.x >= 0 && c.y >= 0 && c.z >= 0; }
+inline bool is_share_of_all(const double& k) { return k >= 0 && k <= 1; }
+inline bool is_exponent(const double& e) { return e >= 0; }
+inline bool is_index(const double& index) { return index > 0; }
 inline bool is_share(const glm::dvec3& c) { return is_color(c) && c.x <= 1 && c.y <= 1 && c.z <= 1; }
 
 /// The most pixels of a side of a picture: their square is past every picture that fits in memory.
@@ -19,6 +22,9 @@ inline constexpr Rule<glm::dvec3> direction{is_direction, "the null vector", "a 
 inline constexpr Rule<double> view_angle{is_view_angle, "", "an angle in degrees, above 0 and below 180"};
 inline constexpr Rule<glm::dvec3> light_color{is_color, "negative", "red, green and blue, each from 0"};
 inline constexpr Rule<glm::dvec3> share{is_share, "no share of light", "red, green and blue, each from 0 to 1"};
+inline constexpr Rule<double> share_of_all{is_share_of_all, "", "a share of light, 0 to 1"};
+inline constexpr Rule<double> exponent{is_exponent, "", "a number from 0"};
+inline constexpr Rule<double> refractive_index{is_index, "", "a number above 0"};
 
 using scene::Camera;
 using scene::Light;
@@ -34,7 +40,21 @@ inline constexpr std::tuple light_fields = {Field<Light, glm::dvec3>{"position",
                                             Field<Light, glm::dvec3>{"color", &Light::color, light_color}};
 
 /// Of a material but for its name, which is the key that it stands under.
-inline constexpr std::tuple material_fields = {Field<Material, glm::dvec3>{"color", &Material::color, share}};
+inline constexpr std::tuple material_fields = {
+    Field<Material, glm::dvec3>{"color", &Material::color, share},
+    Field<Material, double>{"k_a", &Material::k_a, share_of_all},
+    Field<Material, double>{"k_d", &Material::k_d, share_of_all},
+    Field<Material, double>{"k_s", &Material::k_s, share_of_all},
+    Field<Material, double>{"e", &Material::e, exponent},
+    Field<Material, double>{"k_ps", &Material::k_ps, share_of_all},
+    Field<Material, glm::dvec3>{"M_PS", &Material::M_PS, share},
+    Field<Material, double>{"k_t", &Material::k_t, share_of_all},
+    Field<Material, glm::dvec3>{"M_T", &Material::M_T, share},
+    Field<Material, double>{"index", &Material::index, refractive_index},
+    Field<Material, glm::dvec3>{"emission", &Material::emission, light_color},
+    Field<Material, glm::dvec3>{"ambient", &Material::ambient, light_color}};
+/// The first of them stands in every material.
+inline constexpr std::size_t required_of_material = 1;
 
 /// NFF's view, but for what is no part of a camera.
 inline constexpr std::tuple view_fields = {Field<Camera, glm::dvec3>{"from", &Camera::eye, any_triple},

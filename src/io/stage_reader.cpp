@@ -55,10 +55,15 @@ std::vector<scene::Material> read_materials(json::Reader& in) {
     }
     scene::Material& material = materials.emplace_back();
     material.name = key.name;
-    read_fields(in, "a material", material_fields, material);
+    read_fields(in, "a material", material_fields, material, required_of_material);
   });
   std::ranges::sort(materials, {}, &scene::Material::name);
   return materials;
+}
+
+std::uint32_t read_max_depth(json::Reader& in) {
+  return static_cast<std::uint32_t>(
+      json::whole_number(in, "max_depth", 1, scene::greatest_depth, "a whole number of rays in a row, 1 to 1000"));
 }
 
 }  // namespace durero::io

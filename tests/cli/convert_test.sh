@@ -43,9 +43,8 @@ c 0 0 0 2 0 0 3 1
 s 0 0 0 1
 TEXT
 run 0 import more.nff -o more.json
-lines err 2
+lines err 1
 has err 'durero: more.nff: 1 polygon left out: edges touch or cross'
-has err 'durero: more.nff: 1 fill with shine or transparency: only the diffuse colour was kept'
 run 0 check more.json
 has out '5 elementos: 1 esfera, 0 cilindro, 0 cono, 1 tronco, 0 plano, 0 disco, 3 triangulo'
 run 0 edit more.json --op 'Agregar_Disco e?=d centro?=(0,0,0) radio?=1 vector?=(0,0,1)' -o disc.json

@@ -1,4 +1,5 @@
 # durero render: the same picture by every engine that a picture can be drawn with, and the refusals.
+tree=$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd)
 . "$(dirname "$0")/harness.sh"
 sample >scene.json
 
@@ -33,6 +34,36 @@ for out in new.png old.png; do
 done
 absent new.png
 is old.png kept
+
+# How many rays in a row: as the materials need, or as the file or the call says.
+mirrors=$tree/demo/mirrors.json
+run 0 render "$mirrors" -o deep.png --size 64x36 --engine analytic
+run 0 render "$mirrors" -o exact.png --size 64x36 --engine exact
+same deep.png exact.png
+run 0 render "$mirrors" -o seven.png --size 64x36 --max-depth 7
+same deep.png seven.png
+run 0 render "$mirrors" -o one.png --size 64x36 --max-depth 1
+sed 's/"max_depth":7/"max_depth":1/' "$mirrors" >one.json
+run 0 render one.json -o said.png --size 64x36
+same one.png said.png
+checks=$((checks + 1))
+cmp -s deep.png one.png && fail 'no mirror is in the picture'
+refused 'render: --max-depth: 1000000' render "$mirrors" -o new.png --max-depth 1000000
+refused 'render: --max-depth: 0' render "$mirrors" -o new.png --max-depth 0
+absent new.png
+
+# What counts too little is not followed, and what that cost is said.
+run 0 render "$mirrors" -o light.png --size 64x36 --min-weight 0.05
+lines out 1
+has out ' of 7, '
+has out 'left out: at most 0.'
+checks=$((checks + 1))
+cmp -s deep.png light.png && fail 'nothing is left out'
+run 0 render "$mirrors" -o none.png --size 64x36 --min-weight 0
+has out 'left out: at most 0 of a linear component'
+same deep.png none.png
+refused 'render: --min-weight: 1.5' render "$mirrors" -o new.png --min-weight 1.5
+absent new.png
 
 # --size draws in another size than the scene's, --crop a rectangle of the picture, pixel for pixel.
 run 0 render scene.json -o whole.png --size 40x30

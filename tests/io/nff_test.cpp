@@ -82,7 +82,7 @@ TEST_CASE("Every entity of NFF becomes what a scene has for it") {
 {"position":[2,2,2],"color":[0.5,0.5,0.5]}],
 "materials":{
 "f1":{"color":[0.5,0.25,0]},
-"f2":{"color":[1,1,1]}},
+"f2":{"color":[1,1,1],"k_s":0.5,"e":100,"k_ps":0.5}},
 "elementos":[
 {"id":"c1","tipo":"cilindro","centro":[0,0,0],"radio":2,"vector":[0,0,1],"altura":3,"material":"f1"},
 {"id":"k1","tipo":"cono","centro":[1,2,3],"proporcion":0.125,"vector":[0,1,0],"altura":4,"material":"f2"},
@@ -113,7 +113,6 @@ TEST_CASE("What a scene cannot hold is counted and named") {
   CHECK(import_text(sample).lost ==
         std::vector<std::string>{"1 polygon with normals at its vertices: kept flat, without them",
                                  "1 surface seen from inside only: kept, seen from both sides",
-                                 "1 fill with shine or transparency: only the diffuse colour was kept",
                                  "1 near plane (hither) left out: a scene's camera has none"});
   CHECK(import_text("s 0 0 0 1\n").lost.empty());
 }
@@ -223,6 +222,39 @@ TEST_CASE("What NFF cannot hold of a scene is counted and named") {
             "1 plane left out: NFF has none", "1 axis rounded: NFF holds end points"});
 }
 
+TEST_CASE("Shine and transparency come back from NFF as they were; another look is named") {
+  scene::Scene scene;
+  scene.stage().materials = {
+      {.name = "f1", .color = {1, 0.5, 0}, .k_s = 0.25, .e = 30, .k_ps = 0.25, .k_t = 0.5, .index = 1.5},
+      {.name = "f2", .color = {1, 0.5, 0}}};
+  for (const char* name : {"s1", "s2"})
+    scene.apply(model::Agregar_Esfera{model::Elemento{name}, model::Punto{0, 0, 0}, 1});
+  scene.set_material(*scene.find("s1"), 0);
+  scene.set_material(*scene.find("s2"), 1);
+  const io::Exported exported = io::nff_text(scene);
+  CHECK(exported.text == "f 1 0.5 0 1 0.25 30 0.5 1.5\ns 0 0 0 1\nf 1 0.5 0 1 0 0 0 1\ns 0 0 0 1\n");
+  CHECK(import_text(exported.text).scene.stage().materials == scene.stage().materials);
+  const auto losses = [&](const scene::Material& look) {
+    scene.stage().materials[0] = look;
+    const auto lost = io::nff_text(scene).lost;
+    return std::ranges::count(
+        lost, "1 material written otherwise: NFF has one colour, and one share for highlight and mirror");
+  };
+  CHECK(losses({}) == 0);
+  CHECK(losses({.k_s = 0.5, .k_ps = 0.5}) == 0);
+  for (const scene::Material& look : std::vector<scene::Material>{{.k_a = 0.5},
+                                                                  {.k_d = 0.5},
+                                                                  {.k_s = 0.5},
+                                                                  {.e = 2},
+                                                                  {.k_ps = 0.5},
+                                                                  {.M_PS = {1, 1, 0}},
+                                                                  {.M_T = {1, 1, 0}},
+                                                                  {.index = 2},
+                                                                  {.emission = {1, 0, 0}},
+                                                                  {.ambient = {1, 0, 0}}})
+    CHECK(losses(look) == 1);
+}
+
 TEST_CASE("A truncated cone is exported by its two radii, and comes back; what they cannot hold is named") {
   const auto exported = [](double radio, double proporcion, double altura) {
     scene::Scene scene;
@@ -267,6 +299,10 @@ TEST_CASE("A malformed NFF file is an error with its place") {
       {"p 1e300 0 0 0^", "the text ends in p; expected a number"},
       {"f ^1 1 1 2 0 0 0 0",
        "the colour of f, times Kd, is no share of light; expected red, green and blue, each from 0 to 1"},
+      {"f 1 1 1 1 ^1.5 0 0 0", "Ks is 1.5; expected a share of light, 0 to 1"},
+      {"f 1 1 1 1 1 ^-1 0 0", "Shine is -1; expected a number from 0"},
+      {"f 1 1 1 1 0 0 ^-1 0", "T is -1; expected a share of light, 0 to 1"},
+      {"f 1 1 1 1 0 0 1 ^0", "the index of refraction is 0; expected a number above 0"},
       {"b ^-1 0 0", "the colour of b is negative; expected red, green and blue, each from 0"},
       {"b 0 0 0\n^b 0 0 0", "a second background; expected one"},
       {"v\nfrom 0 0 0\n^from 0 0 0",
@@ -294,11 +330,10 @@ TEST_CASE("Real scenes: the standard procedural databases") {
     std::vector<std::string> lost;  // of what is no element
   };
   const std::string near_plane = "1 near plane (hither) left out: a scene's camera has none";
-  const std::string shine = " with shine or transparency: only the diffuse colour was kept";
-  const Expected all[] = {{"balls", 7381, 0, 0, 2, {"1 fill" + shine, near_plane}},
-                          {"rings", 4200, 4200, 0, 2, {"840 fills" + shine, near_plane}},
-                          {"lattice", 1331, 3630, 0, 0, {"1331 fills" + shine}},
-                          {"jacks", 3510, 1755, 0, 0, {"1 fill" + shine, near_plane}},
+  const Expected all[] = {{"balls", 7381, 0, 0, 2, {near_plane}},
+                          {"rings", 4200, 4200, 0, 2, {near_plane}},
+                          {"lattice", 1331, 3630, 0, 0, {}},
+                          {"jacks", 3510, 1755, 0, 0, {near_plane}},
                           {"tree", 4095, 0, 4095, 2, {near_plane}}};
   for (const Expected& e : all) {
     if (!std::filesystem::exists(data(e.name))) {

@@ -71,8 +71,16 @@ inline void set_any_stage(scene::Stage& stage) {
   if (flip()) stage.background = any_share() * 3.0;
   for (int n = *rc::gen::inRange(0, 3); n > 0; --n) stage.lights.push_back({any_triple(), any_share() * 1e10});
   for (const char* name : {"\"\\\n", "a", "rojo ñ", "zz"}) {
-    if (flip()) stage.materials.push_back({name, any_share()});
+    if (!flip()) continue;
+    scene::Material& m = stage.materials.emplace_back(name, any_share());
+    if (flip()) continue;
+    const auto share = [] { return *rc::gen::inRange(0, 1001) / 1000.0; };
+    for (double* k : {&m.k_a, &m.k_d, &m.k_s, &m.k_ps, &m.k_t}) *k = share();
+    for (glm::dvec3* color : {&m.M_PS, &m.M_T, &m.emission, &m.ambient}) *color = any_share();
+    m.e = share() * 100;
+    m.index = share() + 0.5;
   }
+  if (flip()) stage.max_depth = *rc::gen::inRange(1U, 1001U);
 }
 
 /// Up to `most` elements, some with a material.

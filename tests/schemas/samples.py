@@ -4,7 +4,8 @@ AXIS = '"vector":[0,1,0]'
 SCENE = f"""{{"format":"durero-scene","version":1,
 "camera":{{"eye":[0,1,-8],"look_at":[0,0,0],"up":[0,1,0],"fov_y":45}},
 "resolution":[8,6],"background":[0,0.5,2],"lights":[{{"position":[5,5,-5],"color":[1,1,1]}}],
-"materials":{{"red":{{"color":[1,0,0]}},"azul ñ":{{"color":[0,0,1]}}}},
+"materials":{{"red":{{"color":[1,0,0]}},"azul ñ":{{"color":[0,0,1],"k_a":0.1,"k_d":0.7,"k_s":0.2,"e":50,"k_ps":0.3,"M_PS":[1,0.9,0.8],
+"k_t":0.6,"M_T":[0.9,1,1],"index":1.5,"emission":[0,2,0],"ambient":[0.1,0.2,0.3]}}}},"max_depth":9,
 "groups":{{"all":{{"elementos":["s1"],"groups":["pair"]}},"pair":{{"elementos":["c1","k1"]}},"none":{{}}}},"elementos":[
 {{"id":"s1","tipo":"esfera","centro":[0,0,0],"radio":1,"material":"red"}},
 {{"id":"c1","tipo":"cilindro","centro":[3,0,0],"radio":1,{AXIS},"altura":2}},
@@ -67,6 +68,14 @@ CHANGES = {
 [8,6] | [1,1] | [0,1]
 [8,6] | [8.0,6] | [8.5,6]
 [1,0,0] | [1,0,1] | [1,0,1.0000000000000002]
+"k_ps":0.3 | "k_ps":1 | "k_ps":1.0000000000000002
+"k_t":0.6 | "k_t":0 | "k_t":-5e-324
+"e":50 | "e":0 | "e":-5e-324
+"index":1.5 | "index":5e-324 | "index":0
+"M_T":[0.9,1,1] | "M_T":[0,0,1] | "M_T":[0,0,1.0000000000000002]
+"emission":[0,2,0] | "emission":[0,0,0] | "emission":[0,-5e-324,0]
+"max_depth":9 | "max_depth":1000 | "max_depth":1001
+"max_depth":9 | "max_depth":1.0 | "max_depth":0
 [0,0.5,2] | [0,0,0] | [0,0,-5e-324]
 "up":[0,1,0] | "up":[0,5e-324,0] | "up":[0,-0.0,0]
 "red": | "\u0000": | "":

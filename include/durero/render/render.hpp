@@ -1,15 +1,11 @@
 #pragma once
-/// Algorithm II.1 of the source paper with the colour of its sections II-D and II-E: for each pixel a ray, its closest
-/// intersection, Lambert's law for each light that the point sees.
+/// Algorithm II.1 of the source paper: for each pixel a ray, its closest intersection, and the colour that it brings.
 
+#include <cstdint>
 #include <functional>
-#include <glm/vec3.hpp>
 #include <optional>
-#include <span>
-#include <vector>
 
 #include "durero/engine/engine.hpp"
-#include "durero/model/tipos.hpp"
 #include "durero/render/image.hpp"
 #include "durero/scene/camera.hpp"
 #include "durero/scene/scene.hpp"
@@ -21,17 +17,6 @@ using Progress = std::function<void(double)>;
 
 /// Of a stage that names none.
 using scene::default_resolution;
-/// @{ What a stage that leaves something open is drawn with.
-inline constexpr glm::dvec3 default_background{0, 0, 0};
-inline constexpr glm::dvec3 default_color{0.8, 0.8, 0.8};
-/// @}
-
-/// The colour that each ray brings: background where it meets nothing or where no nearest point exists; otherwise the
-/// element's colour times the sum over the lights of max(0, L·N)·colour, each light only where no element stands
-/// between. Shadow rays start on the elements hit, so a surface does not shadow itself by rounding. Of several
-/// elements at one point the first by name gives colour and normal. Precondition: the engine honours origins.
-std::vector<glm::dvec3> colors(const scene::Scene& scene, const engine::Engine& engine,
-                               std::span<const scene::Query> rays);
 
 /// A rectangle of pixels.
 struct Crop {
@@ -42,14 +27,26 @@ struct Crop {
 
 /// What of the scene is drawn.
 struct Frame {
-  std::optional<scene::Resolution> size{};  ///< of the whole picture; else the scene's, else default_resolution
-  std::optional<Crop> crop{};               ///< these pixels of the whole picture alone, and as they are in it
+  std::optional<scene::Resolution> size{};   ///< of the whole picture; else the scene's, else default_resolution
+  std::optional<Crop> crop{};                ///< these pixels of the whole picture alone, and as they are in it
+  std::optional<std::uint32_t> max_depth{};  ///< rays in a row; else as depth_of says
+  double min_weight = 0;                     ///< rays that count for less are not followed, as Limits says
+};
+
+/// How far the rays of a picture were followed.
+struct Reach {
+  std::uint32_t max_depth = 0;  ///< that they might have had
+  std::uint64_t pixels = 0;     ///< that were drawn
+  std::uint64_t rays = 0;       ///< that were followed for them, without those to the lights
+  std::uint64_t depths = 0;     ///< the sum over the pixels of the depth of the deepest one
+  double left_out = 0;          ///< the greatest error of a component of a pixel for min_weight, linear
 };
 
 /// Draws the scene. Rows are shared among threads; every pixel is the same whatever their number.
 /// Throws std::domain_error when the scene has no camera, or one that sees nothing, and std::out_of_range when the crop
-/// is empty or not inside the picture. Precondition as above.
+/// is empty or not inside the picture. Precondition: the engine honours origins. `reach`, where it is given, is told
+/// how far the rays were followed.
 Image render(const scene::Scene& scene, const engine::Engine& engine, const Progress& progress = {},
-             const Frame& frame = {});
+             const Frame& frame = {}, Reach* reach = nullptr);
 
 }  // namespace durero::render

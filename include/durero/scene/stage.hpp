@@ -26,11 +26,27 @@ struct Light {
   bool operator==(const Light&) const = default;
 };
 
-/// The look of an element under Lambert's law: the share of each colour that it sends back, in [0, 1].
+/// The look of an element: what it sends towards the eye of each light that it sees, of what a mirror would show, of
+/// what lies behind it, and of its own. Shares lie in [0, 1]; the names are those of the source text's formulas. What a
+/// file leaves out is as here: Lambert's law alone.
 struct Material {
-  std::string name;  ///< in files
-  glm::dvec3 color;  ///< red, green and blue
+  std::string name{};     ///< in files
+  glm::dvec3 color{};     ///< C: the shares of red, green and blue that it sends back
+  double k_a = 0;         ///< of each light that reaches it, whatever the angle
+  double k_d = 1;         ///< of each light, by Lambert's law
+  double k_s = 0;         ///< of each light, as a highlight of the light's own colour
+  double e = 1;           ///< how narrow the highlight is, from 0
+  double k_ps = 0;        ///< of what a mirror would show
+  glm::dvec3 M_PS{1};     ///< the colour of the mirror
+  double k_t = 0;         ///< of what lies behind
+  glm::dvec3 M_T{1};      ///< the colour of what shines through
+  double index = 1;       ///< of refraction, above 0
+  glm::dvec3 emission{};  ///< M_E: what it shines of itself, each from 0
+  glm::dvec3 ambient{};   ///< A_G: what reaches it from nowhere in particular and is sent on, each from 0
   bool operator==(const Material&) const = default;
+
+  /// Whether the picture follows rays beyond it.
+  bool sends_rays_on() const noexcept { return k_ps > 0 || k_t > 0; }
 };
 
 /// The size of a picture, in pixels.
@@ -40,13 +56,17 @@ struct Resolution {
   bool operator==(const Resolution&) const = default;
 };
 
+/// The most rays in a row that a picture may follow.
+inline constexpr std::uint32_t greatest_depth = 1000;
+
 /// Every part is optional in a scene file; what is absent stays absent when the file is written again.
 struct Stage {
-  std::optional<Camera> camera;          ///< where the picture is seen from
-  std::optional<Resolution> resolution;  ///< of the picture
-  std::optional<glm::dvec3> background;  ///< the linear colour of rays that meet nothing
-  std::vector<Light> lights;             ///< in the order of the file
-  std::vector<Material> materials;       ///< ascending by name
+  std::optional<Camera> camera;            ///< where the picture is seen from
+  std::optional<Resolution> resolution;    ///< of the picture
+  std::optional<glm::dvec3> background;    ///< the linear colour of rays that meet nothing
+  std::vector<Light> lights;               ///< in the order of the file
+  std::vector<Material> materials;         ///< ascending by name
+  std::optional<std::uint32_t> max_depth;  ///< of the rays that a pixel follows, the first one being of depth 1
   bool operator==(const Stage&) const = default;
 };
 

@@ -27,7 +27,7 @@ constexpr const char* head =
     another name of a box == its declaration and predicates as statements f_decl and the labels', about any such f; and
                              f itself: what solves f * n = m, or Coq's sqrt
     { x : S | P }         == fun x => x ∈ S /\ P
-    { D | P } of several  == a Definition of the arguments, a Prop
+    { D | P } of several  == a Definition of the arguments, a Prop;  (x, y) ∈ S  == S x y
     λ D | P • E, E a set  == a Definition of the arguments; outside P the set is empty
     λ D | P • E, otherwise == the same with the set of E alone as value
     S                     == a Record S of carriers and a predicate S_ok with one field a declaration that says more than

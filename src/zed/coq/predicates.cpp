@@ -129,6 +129,14 @@ Expr Translator::one_relation(const Name& by, const Term& left, const Term& righ
   };
   const bool sets = is_set(left);
   if (word == "_≠_" && sets) return {"~ " + against(operator_row("_=_")->coq.of_sets).at(applied), negated, {}};
+  if (const Symbol* set = right->kind == Kind::reference && left->kind == Kind::tuple ? find(right->name) : nullptr;
+      set && set->form == Symbol::Form::operation) {
+    // (a, b) ∈ S, where S is { D | P } of several: a predicate on its arguments.
+    Expr holds{set->text, applied, {}};
+    for (const Term& part : left->children) holds.text += " " + term(part, scope, frame).at(applied - 1);
+    if (word == "_∈_") return holds;
+    if (word == "_∉_") return {"~ " + holds.at(applied), negated, {}};
+  }
   if (word == "_∈_" && whole(right)) {
     // To be in a whole type is to have a value.
     const std::string c = fresh("c", scope);

@@ -98,6 +98,13 @@ TEST_CASE("sets: a whole type says nothing, a variable in scope is not hidden") 
         "Definition P : set (set E) := fun A => exists B : set E, B ∈ ℙ A /\\ ~ (B ≡ A).\n");
 }
 
+TEST_CASE("a set of tuples is a predicate: a tuple is its member where it holds of the parts") {
+  CHECK(more("\\begin{zed} P == \\{~ x, y : \\real | x > y ~\\}\n\\also\n"
+             "Q == \\{~ x : \\real | (x + 1, 2) \\in P \\land (x, 3) \\notin P ~\\} \\end{zed}\n") ==
+        "Definition P (x y : R) : Prop := x > y.\n\n"
+        "Definition Q : set R := fun x => P (x + 1) 2 /\\ ~ P x 3.\n");
+}
+
 TEST_CASE("operations: components in their order, what is hidden behind exists") {
   CHECK(more("\\begin{schema}{O} \\Delta S \\\\ e? : E \\\\ r! : \\real \\where f(e?) = r! % O.pre.1\n\\end{schema}\n"
              "\\begin{zed} H == O \\hide (r!) \\lor [~ e? : E | e? = e? ~] \\end{zed}\n") ==

@@ -1,0 +1,58 @@
+#pragma once
+/// The colour that a ray brings, by the algorithm of Whitted: the local model of the realism seed at each point,
+/// mirrors and what shines through followed by rays of their own.
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "durero/engine/engine.hpp"
+#include "durero/scene/query.hpp"
+#include "durero/scene/scene.hpp"
+
+namespace durero::render {
+
+/// @{ What a stage that leaves something open is drawn with.
+inline constexpr glm::dvec3 default_background{0, 0, 0};
+inline constexpr glm::dvec3 default_color{0.8, 0.8, 0.8};
+/// @}
+
+/// The rays in a row that a picture of this stage needs, where it names no number: one where no material sends rays on;
+/// else so many that what comes later weighs less than half a step of a picture's 255, and at most 15.
+std::uint32_t depth_of(const scene::Stage& stage);
+
+/// How far rays are followed.
+struct Limits {
+  std::uint32_t max_depth;  ///< rays in a row, the first one being of depth 1; black where it is 0
+  double min_weight = 0;    ///< a ray is not sent where it would count for less than this share of red, green and blue
+};
+
+/// What a ray brings.
+struct Brought {
+  glm::dvec3 color{0};      ///< linear RGB
+  std::uint32_t depth = 0;  ///< of the deepest ray that was followed
+  std::uint64_t rays = 0;   ///< that were followed, itself among them
+  glm::dvec3 left_out{0};   ///< no more than this was lost of its colour for min_weight
+};
+
+/// What each ray brings, in order. Background where it meets nothing or where
+/// no nearest point exists; otherwise, of the material of the element hit, with n its unit normal on the side of the
+/// ray and v the unit vector against the ray:
+///
+///   M_E + A_G + Σ over the lights of S·(k_a·C + k_d·C·max(0, n·l) + k_s·max(0, r·v)^e, where n·l > 0)
+///       + k_ps·M_PS·(colour from the mirrored direction) + k_t·M_T·(colour from the refracted direction)
+///
+/// l is the unit vector to a light, r is l mirrored, S the light's colour where no element stands between, else 0:
+/// glass too casts a full shadow. In total reflection the share k_t goes the mirrored way.
+///
+/// Which medium a ray is in follows from the surfaces that it crossed: against the outward normal it enters the
+/// element's material, along it it leaves the last such that it entered. A ray that leaves what it never entered, as
+/// one that starts inside, was in that material. So what an open surface bounds is what lies behind it, for ever.
+///
+/// Rays start on the elements hit, so a surface neither shadows nor mirrors itself by rounding. Of several elements at
+/// one point the first by name gives colour and normal. Precondition: the engine honours origins.
+std::vector<Brought> brought(const scene::Scene& scene, const engine::Engine& engine,
+                             std::span<const scene::Query> rays, const Limits& limits);
+
+}  // namespace durero::render

@@ -1,0 +1,26 @@
+#include "durero/render/directions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace durero::render {
+
+glm::dvec3 unit(const glm::dvec3& v) {
+  // By a power of two, so that no digit is lost.
+  const int exponent = std::ilogb(std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}));
+  const glm::dvec3 scaled{std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent)};
+  return scaled / glm::length(scaled);
+}
+
+glm::dvec3 mirrored(const glm::dvec3& d, const glm::dvec3& n) { return d - 2 * glm::dot(d, n) * n; }
+
+std::optional<glm::dvec3> refracted(const glm::dvec3& d, const glm::dvec3& n, double ratio) {
+  if (ratio == 1) return d;
+  const double cosine = -glm::dot(d, n);
+  const double squared = 1 - ratio * ratio * (1 - cosine * cosine);
+  if (squared < 0) return std::nullopt;
+  return (ratio * cosine - std::sqrt(squared)) * n + ratio * d;
+}
+
+}  // namespace durero::render
