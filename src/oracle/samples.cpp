@@ -100,6 +100,7 @@ zed::Samples samples() {
   Tables of_edits = tables();
   return {
       {"Escena", scenes()},
+      {"Init_Tablas", {of_edits.alone.front()}},
       {"Tablas", std::move(of_edits.alone)},
       {"Retrieve", std::move(of_edits.with_scene)},
       {"Elemento", names()},

@@ -78,18 +78,31 @@ class Attempt {
     return values;
   }
 
+  // A schema without samples is drawn declaration by declaration, so that each input comes from the set that is named.
   void declare(const Declaration& declaration, Chances& chances, Given& values) const {
+    const bool included = declaration.form == Declaration::Form::included;
+    const SchemaText* text = included && !draw_.has_samples(declaration.term) ? draw_.text(declaration.term) : nullptr;
+    if (text) {
+      for (const Declaration& each : text->declarations) declare(each, chances, values);
+      return;
+    }
     const std::optional<Type> type = typing_.type_of(declaration.term);
     if (!type || !type->is(Type::Kind::power)) throw EvaluationError("the type of a declaration is not known");
     const Type element = type->settled().parts()[0];
-    if (declaration.form == Declaration::Form::included) {
-      const Value binding = draw_.of(declaration.term, element, chances);
-      for (std::size_t i = 0; i < element.fields().size(); ++i)
-        values.emplace_back(element.fields()[i], binding.binding()->values[i]);
-    } else {
-      for (const Name& name : declaration.names)
-        values.emplace_back(name, draw_.of(declaration.term, element, chances));
-    }
+    if (included) return include(declaration.term, element, chances, values);
+    for (const Name& name : declaration.names) values.emplace_back(name, draw_.of(declaration.term, element, chances));
+  }
+
+  // Of ΔS, and ΞS, the state before is drawn where S has samples: the other is what an operation makes of it.
+  void include(const Term& schema, const Type& element, Chances& chances, Given& values) const {
+    const std::string& word = schema->name.word;
+    const bool change = schema->kind == Kind::reference && (word.starts_with("Δ") || word.starts_with("Ξ"));
+    const Term before = change ? reference({word.substr(std::string("Δ").size()), ""}) : schema;
+    const bool sampled = change && draw_.has_samples(before);
+    const Value binding = draw_.of(sampled ? before : schema, element, chances);
+    std::size_t next = 0;
+    for (const Name& name : element.fields())
+      if (!sampled || !is_result(name)) values.emplace_back(name, binding.binding()->values[next++]);
   }
 
   // An after-state and outputs are what an operation makes of the rest; by chance few values drawn are that. So where
