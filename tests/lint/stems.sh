@@ -1,14 +1,15 @@
 #!/bin/sh
 # Five folders, one stem: what spec/STEM.tex says is carried out, tested and proved under the same name. And each public
 # header, include/durero/LAYER/STEM.hpp of any layer, has one test, tests/LAYER/STEM_test.cpp, and one source,
-# src/LAYER/STEM.cpp. The test is asked for always; the source where the header declares what one must define, which the
+# src/LAYER/STEM.cpp. A text of a refinement stands in the layer that it describes, and nothing of it was printed. The test is asked for always; the source where the header declares what one must define, which the
 # linker tells: a header of templates, inline functions and values has none.
 capital() { printf '%s' "$1" | cut -c1 | tr '[:lower:]' '[:upper:]' | tr -d '\n'; printf '%s' "$1" | cut -c2-; }
 {
   for text in spec/*.tex; do
     stem=$(basename "$text" .tex)
-    for file in "spec/impresa/$stem.tex" "include/durero/model/$stem.hpp" "src/model/$stem.cpp" \
-      "tests/model/${stem}_test.cpp" "proofs/$(capital "$stem").v"; do
+    case $stem in tablas) layer=scene printed= ;; *) layer=model printed=spec/impresa/$stem.tex ;; esac
+    for file in $printed "include/durero/$layer/$stem.hpp" "src/$layer/$stem.cpp" "tests/$layer/${stem}_test.cpp" \
+      "proofs/$(capital "$stem").v"; do
       [ -f "$file" ] || echo "$text:1: its counterpart $file is missing"
     done
   done
