@@ -98,6 +98,8 @@ endfunction()
 function(durero_embed_labels TARGET)
   file(GLOB_RECURSE labelled CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/spec/*.tex
     ${PROJECT_SOURCE_DIR}/include/durero/model/*.hpp ${PROJECT_SOURCE_DIR}/src/model/*.cpp
+    ${PROJECT_SOURCE_DIR}/include/durero/scene/*.hpp ${PROJECT_SOURCE_DIR}/src/scene/*.cpp
+    ${PROJECT_SOURCE_DIR}/include/durero/surface/*.hpp ${PROJECT_SOURCE_DIR}/src/surface/*.cpp
     ${PROJECT_SOURCE_DIR}/tests/*.cpp ${PROJECT_SOURCE_DIR}/proofs/*.v)
   set(index ${CMAKE_CURRENT_BINARY_DIR}/embedded/labels.txt)
   add_custom_command(OUTPUT ${index} COMMAND sh ${PROJECT_SOURCE_DIR}/cmake/label_index.sh > ${index}

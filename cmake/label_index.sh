@@ -2,7 +2,8 @@
 # label_index.sh: where each label of the Z text stands, one place a line:
 #   LABEL<tab>KIND<tab>FILE:LINE[<tab>NAME]    KIND one of text, clause, function, test, theorem
 # Run at the root. A clause is a quoted label in model; a function names the definition that it carries out; a theorem
-# names, in the comment before it, the labels that it discharges.
+# names, in the comment before it, the labels that it discharges. What spec/tablas.tex says of the program's own state is
+# no clause: the functions of scene and surface that carry it out name it.
 LC_ALL=C
 export LC_ALL
 label='[A-Za-z_]+\.(pre|post|inv|def|conj)\.[0-9]+'
@@ -13,6 +14,10 @@ places() { # places KIND: `FILE:LINE:LABEL` to index lines
   grep -onHE "% $label$" spec/*.tex | places text
   grep -onHE "\"$label\"" -r include/durero/model src/model | places clause
   grep -onHE "\b[A-Za-z_]+\.def\.[0-9]+" -r include/durero/model | places function
+  grep -onHE "\b$label\b" -r include/durero/scene src/scene include/durero/surface src/surface |
+    while IFS= read -r place; do
+      grep -qE "% ${place##*:}\$" spec/tablas.tex && printf '%s\n' "$place"
+    done | places function
   find tests -name '*.cpp' -exec grep -onHE "\b$label\b" {} + | places test
   find proofs -name '*.v' ! -name Especificacion.v | sort | while read -r file; do
     awk -v file="$file" '

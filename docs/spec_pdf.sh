@@ -6,13 +6,16 @@ sources=$(CDPATH='' cd -- "$1" && pwd)
 mkdir -p "$2"
 cd "$2"
 for text in "$sources"/spec/*.tex; do
-  # The label in the comment that ends a line becomes one that is seen; what a box declares goes into the index.
+  # The label in the comment that ends a line becomes one that is seen; what a box declares goes into the index. A box is
+  # of the paragraph before it, so that no page ends between the two.
   awk '
     function plain(name) { gsub(/\\_/, "", name); gsub(/\\/, "", name); return name }
     function declares(name,   shown) {
       gsub(/ /, "", name); shown = name; gsub(/\\_/, "\\protect\\_", shown)
       printf "\\zname{%s}{%s}", shown, plain(name)
     }
+    NF == 0 { empty = 1; next }
+    empty { if (!/^\\begin\{(schema|axdef|zed)\}/) print ""; empty = 0 }
     /^\\begin\{schema\}/ { name = $0; sub(/^\\begin\{schema\}\{/, "", name); sub(/\}.*/, "", name); declares(name); printf "%%\n" }
     /^\\begin\{axdef\}/ { axdef = 1 } /^\\where/ { axdef = 0 } /^\\end\{/ { axdef = 0; zed = 0 } /^\\begin\{zed\}/ { zed = 1 }
     { line = $0; found = ""

@@ -18,7 +18,7 @@
 From Coq Require Import Reals List.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require Tipos Escena Operaciones Errata Puntos Trazador Flat Interseccion Retrieve Iluminacion Recorrido
-  Acceleration Surd Quadratic Exacto ExactoEscena Slab Rounding Flotante.
+  Acceleration Surd Quadratic Exacto ExactoEscena Slab Rounding Flotante Tablas.
 Import Escena Operaciones Errata Puntos Trazador Flat Interseccion Retrieve Iluminacion.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -421,6 +421,90 @@ Proof.
   destruct (add_total T e t c r d h k abc), (remove_total T e). exact (conj A R).
 Qed.
 End Refinement.
+
+(** The refinement as the text has it: the obligations of spec/tablas.tex, as Tablas.v states them *)
+
+Theorem the_obligations_of_the_tables_hold Elemento :
+  Tablas.Retrieve_conj_1 Elemento
+  /\ Tablas.Retrieve_conj_2 Elemento
+  /\ Tablas.Retrieve_conj_3 Elemento
+  /\ Tablas.Init_Tablas_conj_1 Elemento
+  /\ Tablas.Init_Tablas_conj_2 Elemento
+  /\ Tablas.Agregar_Esfera_Tablas_conj_1 Elemento
+  /\ Tablas.Agregar_Esfera_Tablas_conj_2 Elemento
+  /\ Tablas.Agregar_Cilindro_Tablas_conj_1 Elemento
+  /\ Tablas.Agregar_Cilindro_Tablas_conj_2 Elemento
+  /\ Tablas.Agregar_Cono_Tablas_conj_1 Elemento
+  /\ Tablas.Agregar_Cono_Tablas_conj_2 Elemento
+  /\ Tablas.Agregar_Tronco_Tablas_conj_1 Elemento
+  /\ Tablas.Agregar_Tronco_Tablas_conj_2 Elemento
+  /\ Tablas.Agregar_Plano_Tablas_conj_1 Elemento
+  /\ Tablas.Agregar_Plano_Tablas_conj_2 Elemento
+  /\ Tablas.Agregar_Disco_Tablas_conj_1 Elemento
+  /\ Tablas.Agregar_Disco_Tablas_conj_2 Elemento
+  /\ Tablas.Agregar_Triangulo_Tablas_conj_1 Elemento
+  /\ Tablas.Agregar_Triangulo_Tablas_conj_2 Elemento
+  /\ Tablas.Eliminar_Esfera_Tablas_conj_1 Elemento
+  /\ Tablas.Eliminar_Esfera_Tablas_conj_2 Elemento
+  /\ Tablas.Eliminar_Cilindro_Tablas_conj_1 Elemento
+  /\ Tablas.Eliminar_Cilindro_Tablas_conj_2 Elemento
+  /\ Tablas.Eliminar_Cono_Tablas_conj_1 Elemento
+  /\ Tablas.Eliminar_Cono_Tablas_conj_2 Elemento
+  /\ Tablas.Eliminar_Tronco_Tablas_conj_1 Elemento
+  /\ Tablas.Eliminar_Tronco_Tablas_conj_2 Elemento
+  /\ Tablas.Eliminar_Plano_Tablas_conj_1 Elemento
+  /\ Tablas.Eliminar_Plano_Tablas_conj_2 Elemento
+  /\ Tablas.Eliminar_Disco_Tablas_conj_1 Elemento
+  /\ Tablas.Eliminar_Disco_Tablas_conj_2 Elemento
+  /\ Tablas.Eliminar_Triangulo_Tablas_conj_1 Elemento
+  /\ Tablas.Eliminar_Triangulo_Tablas_conj_2 Elemento.
+Proof.
+  exact (conj (Tablas.tables_stand_for_one_scene Elemento)
+    (conj (Tablas.tables_that_stay_stand_for_a_scene_that_stays Elemento)
+    (conj (Tablas.the_index_knows_the_elements Elemento)
+    (conj (Tablas.first_tables_stand_for_the_first_scene Elemento)
+    (conj (Tablas.first_tables_exist Elemento)
+    (conj (Tablas.Agregar_Esfera_Tablas_applicable Elemento)
+    (conj (Tablas.Agregar_Esfera_Tablas_correct Elemento)
+    (conj (Tablas.Agregar_Cilindro_Tablas_applicable Elemento)
+    (conj (Tablas.Agregar_Cilindro_Tablas_correct Elemento)
+    (conj (Tablas.Agregar_Cono_Tablas_applicable Elemento)
+    (conj (Tablas.Agregar_Cono_Tablas_correct Elemento)
+    (conj (Tablas.Agregar_Tronco_Tablas_applicable Elemento)
+    (conj (Tablas.Agregar_Tronco_Tablas_correct Elemento)
+    (conj (Tablas.Agregar_Plano_Tablas_applicable Elemento)
+    (conj (Tablas.Agregar_Plano_Tablas_correct Elemento)
+    (conj (Tablas.Agregar_Disco_Tablas_applicable Elemento)
+    (conj (Tablas.Agregar_Disco_Tablas_correct Elemento)
+    (conj (Tablas.Agregar_Triangulo_Tablas_applicable Elemento)
+    (conj (Tablas.Agregar_Triangulo_Tablas_correct Elemento)
+    (conj (Tablas.Eliminar_Esfera_Tablas_applicable Elemento)
+    (conj (Tablas.Eliminar_Esfera_Tablas_correct Elemento)
+    (conj (Tablas.Eliminar_Cilindro_Tablas_applicable Elemento)
+    (conj (Tablas.Eliminar_Cilindro_Tablas_correct Elemento)
+    (conj (Tablas.Eliminar_Cono_Tablas_applicable Elemento)
+    (conj (Tablas.Eliminar_Cono_Tablas_correct Elemento)
+    (conj (Tablas.Eliminar_Tronco_Tablas_applicable Elemento)
+    (conj (Tablas.Eliminar_Tronco_Tablas_correct Elemento)
+    (conj (Tablas.Eliminar_Plano_Tablas_applicable Elemento)
+    (conj (Tablas.Eliminar_Plano_Tablas_correct Elemento)
+    (conj (Tablas.Eliminar_Disco_Tablas_applicable Elemento)
+    (conj (Tablas.Eliminar_Disco_Tablas_correct Elemento)
+    (conj (Tablas.Eliminar_Triangulo_Tablas_applicable Elemento)
+    (Tablas.Eliminar_Triangulo_Tablas_correct Elemento))))))))))))))))))))))))))))))))).
+Qed.
+
+Theorem the_closed_form_of_the_text_is_alcance Elemento :
+  Tablas.raices_conj_1 Elemento
+  /\ Tablas.raices_conj_2 Elemento
+  /\ Tablas.raices_conj_3 Elemento
+  /\ Tablas.raices_conj_4 Elemento.
+Proof.
+  exact (conj (Tablas.the_closed_form_of_a_sphere_is_alcance Elemento)
+    (conj (Tablas.the_closed_form_of_a_cylinder_is_alcance Elemento)
+    (conj (Tablas.the_closed_form_of_a_cone_is_alcance Elemento)
+    (Tablas.the_closed_form_of_a_truncated_cone_is_alcance Elemento)))).
+Qed.
 
 (** * 8. Acceleration: visiting cells in any order, and skipping those beyond the best, loses nothing *)
 Section Acceleration.

@@ -1,6 +1,7 @@
 #include "durero/oracle/samples.hpp"
 
 #include "durero/oracle/spec.hpp"
+#include "durero/scene/retrieve.hpp"
 
 namespace durero::oracle::spec {
 namespace {
@@ -46,6 +47,28 @@ std::vector<zed::Value> scenes() {
   return found;
 }
 
+/// The tables that the same edits make, and with the scenes that they stand for.
+struct Tables {
+  std::vector<zed::Value> alone, with_scene;
+  void add(const scene::Scene& scene) {
+    Named both = components(tablas(scene));
+    alone.push_back(binding(both));
+    for (auto& component : components(retrieve(scene))) both.push_back(std::move(component));
+    with_scene.push_back(binding(std::move(both)));
+  }
+};
+
+Tables tables() {
+  scene::Scene scene;
+  Tables found;
+  found.add(scene);
+  for (const Operation& edit : edits()) {
+    scene.apply(edit);
+    found.add(scene);
+  }
+  return found;
+}
+
 std::vector<zed::Value> names() {
   std::vector<zed::Value> found;
   for (int i = 1; i <= 9; ++i) found.push_back(value(Elemento("e" + std::to_string(i))));
@@ -59,6 +82,12 @@ std::vector<zed::Value> lengths() {
   return found;
 }
 
+std::vector<zed::Value> parameters() {
+  std::vector<zed::Value> found;
+  for (const double t : {4.0, 1.0, 6.0, 2.0, 0.5, 7.0}) found.emplace_back(zed::Real(t));
+  return found;
+}
+
 }  // namespace
 
 zed::Samples samples() {
@@ -68,14 +97,19 @@ zed::Samples samples() {
                                   {origin, Vector(1, 0, 5)},
                                   {Punto(1, 0, -2), up},
                                   {Punto(5, 0, 5), Vector(-1, 0, 0)}};
+  Tables of_edits = tables();
   return {
       {"Escena", scenes()},
+      {"Init_Tablas", {of_edits.alone.front()}},
+      {"Tablas", std::move(of_edits.alone)},
+      {"Retrieve", std::move(of_edits.with_scene)},
       {"Elemento", names()},
       {"Rayo", values(rays)},
       {"Punto", values<Punto>({near_point, far_point, aside, origin, high_point, Punto(0, 0, 8)})},
       {"Vector", values<Vector>({up, sideways, Vector(0, 0, 2), Vector(0.6, 0, 0.8)})},
       {"Terna", values<Terna>({{origin, aside, high_point}, {origin, near_point, far_point}})},
       {"ℝ", lengths()},
+      {"Rmas", parameters()},
   };
 }
 

@@ -51,6 +51,8 @@ class Names {
 
 Name input(std::string_view word) { return {std::string(word), "?"}; }
 
+Value number(std::uint32_t n) { return Real(static_cast<double>(n)); }
+
 Value image(const model::Rmas& x) { return Real(x.value()); }
 Value image(const model::Punto& p) { return value(p); }
 Value image(const model::Vector& v) { return value(v); }
@@ -68,6 +70,20 @@ Value attribute_value(const std::optional<model::Vector>& v) { return value(v.va
 Value attribute_value(const std::optional<model::Terna>& v) {
   const model::Punto origin(0, 0, 0);
   return value(v.value_or(model::Terna{origin, origin, origin}));
+}
+
+void in_name_order(Named& parts) {
+  std::sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+}
+std::vector<Name> names_of(const Named& parts) {
+  std::vector<Name> names;
+  for (const auto& [name, part] : parts) names.push_back(name);
+  return names;
+}
+std::vector<Value> values_of(Named parts) {
+  std::vector<Value> values;
+  for (auto& [name, part] : parts) values.push_back(std::move(part));
+  return values;
 }
 
 template <class Op>
@@ -130,17 +146,37 @@ Named components(const model::Escena& escena) {
   return named;
 }
 
+Value binding(Named parts) {
+  in_name_order(parts);
+  const zed::Signature names = zed::signature(names_of(parts));
+  return Value::binding(names, values_of(std::move(parts)));
+}
+
 Value value(const model::Escena& escena) {
   Named parts = components(escena);
-  std::sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  static const zed::Signature names = [&] {
-    std::vector<Name> names_of_parts;
-    for (const auto& [name, part] : parts) names_of_parts.push_back(name);
-    return zed::signature(std::move(names_of_parts));
-  }();
-  std::vector<Value> values;
-  for (auto& [name, part] : parts) values.push_back(std::move(part));
-  return Value::binding(names, std::move(values));
+  in_name_order(parts);
+  static const zed::Signature names = zed::signature(names_of(parts));
+  return Value::binding(names, values_of(std::move(parts)));
+}
+
+Value value(scene::ElementRef place) { return Value::pair(value(place.tipo), number(place.index)); }
+
+Named components(const scene::Tablas& tables) {
+  const auto function = [](const auto& pairs, auto&& argument, auto&& result) {
+    std::vector<Value> members;
+    members.reserve(pairs.size());
+    for (const auto& [from, to] : pairs) members.push_back(Value::pair(argument(from), result(to)));
+    return Value::set(std::move(members));
+  };
+  const auto name_value = [](const auto& x) { return value(x); };
+  const auto of_each = [](const auto& x) { return image(x); };
+  Named named{{{"lugar", ""}, function(tables.lugar, name_value, name_value)},
+              {{"cuantos", ""}, function(tables.cuantos, name_value, [](std::uint32_t n) { return number(n); })},
+              {{"nombres", ""}, function(tables.nombres, name_value, name_value)}};
+  scene::for_each_column([&](const auto& column) {
+    named.emplace_back(Name{std::string(column.word), ""}, function(tables.*column.values, name_value, of_each));
+  });
+  return named;
 }
 
 Named inputs(const model::Operation& operation) {

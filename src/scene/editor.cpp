@@ -129,6 +129,11 @@ class Editor {
       return remove(in, key, before);
   }
 
+  /// Agregar_Fila: e? has no place (Agregar_Fila.pre.1); the index learns the one behind the last row
+  /// (Agregar_Fila.post.1), and there is a row more (Agregar_Fila.post.2). What each type puts in its columns is its
+  /// Shape: Agregar_Esfera_Tablas.def.1, Agregar_Cilindro_Tablas.def.1, Agregar_Cono_Tablas.def.1,
+  /// Agregar_Tronco_Tablas.def.1, Agregar_Plano_Tablas.def.1, Agregar_Disco_Tablas.def.1 and
+  /// Agregar_Triangulo_Tablas.def.1.
   template <class Op>
   Respuesta add(const Op& in, NameIndex::hash_type hash, const OldState& before) {
     using Shape = ShapeAddedBy<Op>;
@@ -165,6 +170,12 @@ class Editor {
     });
   }
 
+  /// Quitar_Fila: e? has a place (Quitar_Fila.pre.1); the last row moves into it (mudanza.def.1), in the index
+  /// (Quitar_Fila.post.1) and with every column at once, since they are one row here (Quitar_Fila.post.3,
+  /// Quitar_Fila.post.4, Quitar_Fila.post.5, Quitar_Fila.post.6, Quitar_Fila.post.7, Quitar_Fila.post.8); there is a row
+  /// less (Quitar_Fila.post.2). The type says the operation: Eliminar_Esfera_Tablas.def.1,
+  /// Eliminar_Cilindro_Tablas.def.1, Eliminar_Cono_Tablas.def.1, Eliminar_Tronco_Tablas.def.1,
+  /// Eliminar_Plano_Tablas.def.1, Eliminar_Disco_Tablas.def.1 and Eliminar_Triangulo_Tablas.def.1.
   template <class Shape, class Op>
   Respuesta remove_from(Table<Shape>& table, const Op& in, const Key& key, const OldState& before) {
     const Sizes sizes_before = sizes();

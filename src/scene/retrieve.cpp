@@ -6,6 +6,8 @@
 
 namespace durero::scene {
 
+// The type of a row is that of its table (Retrieve.inv.1), and an attribute what the column has at the row
+// (Retrieve.inv.2, Retrieve.inv.3, Retrieve.inv.4, Retrieve.inv.5, Retrieve.inv.6, Retrieve.inv.7).
 model::Escena retrieve(const Scene& scene) {
   // In the order of the names, each component grows at its end, which takes no search.
   std::vector<std::pair<const model::Elemento*, ElementRef>> rows;

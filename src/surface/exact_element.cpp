@@ -134,6 +134,7 @@ Reach reach(scene::ShapeView view, const model::Rayo& rayo, bool on) {
   return missed ? Reach{} : reach(coefficients(view, rayo, on));
 }
 
+// The quotients of raices.def.1, as numbers x + y√Δ.
 Roots roots(const Coefficients& f) {
   const int of_A = sign(f.A);
   if (of_A == 0) {
@@ -154,6 +155,7 @@ Roots roots(const Coefficients& f) {
   return {.count = 2, .t = {Parameter{-f.B, -of_A, D, f.A}, Parameter{-f.B, of_A, D, f.A}}};
 }
 
+// recorte.def.1, and the bounds of a disc and a triangle.
 bool within_clip(const Coefficients& f, const Parameter& t) {
   if (f.altura &&
       (number::sign(number::linear(f.s0, f.s1, t)) < 0 || number::sign(number::linear(*f.altura - f.s0, -f.s1, t)) < 0))

@@ -3,7 +3,9 @@
 # definition, the function that carries it out), the test that names it and the theorem that uses it are found by it.
 # A label on one side that the others lack fails, both ways. An axiom is evaluated by nobody; that it is true of the numbers
 # of the proofs is a theorem. Nor is a conjecture, which `spec check` tries; the theorem that it leads to states it. Both
-# stand as statements in Especificacion.v, which exports them, and Main.v proves them by that name.
+# stand as statements in Especificacion.v, which exports them, and Main.v proves them by that name. Those of
+# spec/tablas.tex, which speaks of the program's own state, stand in Tablas.v; what it says is no clause of model, and the
+# functions of scene and surface that carry it out name it.
 kinds='pre|post|inv|def'
 label="[A-Za-z_]+\.($kinds)\.[0-9]+"
 tmp=$(mktemp -d) && trap 'rm -rf "$tmp"' EXIT
@@ -17,6 +19,9 @@ grep -ohE "\bclause [A-Za-z_]+_(pre|post|inv)_[0-9]+" -r include/durero/model | 
 grep -rh '' include/durero/model src/model | grep -v '^inline constexpr ' |
   grep -ohE "\b[A-Za-z_]+_(pre|post|inv)_[0-9]+\b" | constants >"$tmp/evaluated"
 grep -ohE "\b[A-Za-z_]+\.def\.[0-9]+" -r include/durero/model | sort -u >"$tmp/defs"
+grep -ohE "% $label" spec/tablas.tex | cut -c3- | sort -u >"$tmp/refined"
+grep -ohE "\b$label" -r include/durero/scene src/scene include/durero/surface src/surface | sort -u |
+  comm -12 - "$tmp/refined" >"$tmp/carried"
 grep -ohE "\b$label" -r tests --include=*.cpp | sort -u >"$tmp/tests"
 grep -vE '^(#|$)' tests/lint/labels-without-clause.txt | cut -d' ' -f1 | sort >"$tmp/excluded"
 
@@ -24,8 +29,10 @@ missing() { comm -23 "$1" "$2" | sed "s|\$|: $3|"; }
 {
   uniq -d "$tmp/all" | sed 's/$/: stands twice in spec/'
   uniq -d "$tmp/clauses.all" | sed 's/$/: has two clauses/'
-  grep '\.def\.' "$tmp/spec" >"$tmp/spec.def"
-  grep -v '\.def\.' "$tmp/spec" >"$tmp/spec.clause"
+  comm -23 "$tmp/spec" "$tmp/refined" >"$tmp/spec.model"
+  grep '\.def\.' "$tmp/spec.model" >"$tmp/spec.def"
+  grep -v '\.def\.' "$tmp/spec.model" >"$tmp/spec.clause"
+  missing "$tmp/refined" "$tmp/carried" 'is named by no function of scene or surface'
   comm -23 "$tmp/spec.clause" "$tmp/clauses" | comm -23 - "$tmp/excluded" | sed 's/$/: has no clause in model/'
   comm -12 "$tmp/excluded" "$tmp/clauses" | sed 's/$/: has a clause, so its line in labels-without-clause.txt must go/'
   missing "$tmp/excluded" "$tmp/spec.clause" 'stands in labels-without-clause.txt but not in spec'
@@ -62,8 +69,8 @@ missing() { comm -23 "$1" "$2" | sed "s|\$|: $3|"; }
     sed 's/(\*.*\*)//' proofs/Main.v >"$tmp/main"
     cat "$tmp/axioms" "$tmp/conjectures" | while read -r named; do
       statement=$(echo "$named" | tr . _)
-      grep -q "^Definition $statement : Prop :=" proofs/Especificacion.v ||
-        echo "$named: Especificacion.v does not state it"
+      grep -q "^Definition $statement : Prop :=" proofs/Especificacion.v proofs/Tablas.v ||
+        echo "$named: neither Especificacion.v nor Tablas.v states it"
       grep -qw "$statement" "$tmp/main" || echo "$named: no theorem of Main.v states $statement"
     done
   fi

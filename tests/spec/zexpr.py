@@ -46,6 +46,16 @@ def sequences(c, scope, node):
     return power(relation(ARITHMOS, c.member(scope, node.kids[0])))
 
 
+def identity(c, scope, node):
+    x = c.member(scope, node.kids[0])
+    return power(pair(x, x))
+
+
+def interval(c, scope, node):
+    arithmetic(c, scope, node)
+    return power(ARITHMOS)
+
+
 def binding(c, scope, node):
     return ("schema", tuple(sorted((n, c.type(scope, kid)) for n, kid in node.kids)))
 
@@ -215,7 +225,8 @@ RULES = {
     "+": arithmetic, "-": arithmetic, "*": arithmetic, "prefix-": negative,
     r"prefix\power": power_set, r"prefix\power_1": power_set,
     r"prefix\finset": power_set, r"prefix\finset_1": power_set,
-    r"\cross": cross, r"\fun": functions, r"\pfun": functions, r"\rel": functions, r"\mapsto": maplet,
+    r"\cross": cross, r"\fun": functions, r"\pfun": functions, r"\ffun": functions, r"\rel": functions,
+    r"\mapsto": maplet, r"\upto": interval, r"prefix\id": identity,
     r"\cup": alike, r"\cap": alike, r"\setminus": alike, r"\oplus": alike,
     r"\dres": restrict_domain, r"\ndres": restrict_domain, r"\rres": restrict_range, r"\nrres": restrict_range,
     "instance": instance, "sequence": sequence, r"prefix\seq": sequences, "binding": binding, "closure": closure,

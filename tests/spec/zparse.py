@@ -11,13 +11,14 @@ LOGIC = [{r"\iff"}, {r"\implies"}, {r"\lor"}, {r"\land"}]  # loosest first
 RELATIONS = {"=", "<", ">", r"\in", r"\notin", r"\neq", r"\leq", r"\geq", r"\subseteq", r"\subset"}
 # Infix expression operators: binding power (ISO Z toolkit, annex B) and whether they associate to the right.
 BINARY = {
-    r"\fun": (5, True), r"\pfun": (5, True), r"\rel": (5, True), r"\cross": (8, False), r"\mapsto": (10, False),
+    r"\fun": (5, True), r"\pfun": (5, True), r"\ffun": (5, True), r"\rel": (5, True), r"\cross": (8, False),
+    r"\mapsto": (10, False), r"\upto": (20, False),
     "+": (30, False), "-": (30, False), r"\cup": (30, False), r"\setminus": (30, False),
     "*": (40, False), r"\comp": (40, False), r"\cap": (40, False), r"\oplus": (50, False),
     r"\rres": (60, False), r"\nrres": (60, False), r"\dres": (65, False), r"\ndres": (65, False),
 }
 ARITHMETIC = {"+", "-", "*"}
-PREFIX = {r"\seq", r"\power", r"\power_1", r"\finset", r"\finset_1", "-"}
+PREFIX = {r"\seq", r"\id", r"\power", r"\power_1", r"\finset", r"\finset_1", "-"}
 CONSTANTS = {r"\emptyset", r"\num", r"\nat", r"\arithmos", r"\real", r"\dom", r"\ran", r"\bigcup", r"\bigcap", r"\#"}
 
 

@@ -13,6 +13,7 @@
 #include "durero/model/escena.hpp"
 #include "durero/model/exact_point.hpp"
 #include "durero/model/operaciones.hpp"
+#include "durero/scene/tablas.hpp"
 #include "durero/zed/evaluate/evaluate.hpp"
 
 namespace durero::oracle::spec {
@@ -32,14 +33,19 @@ zed::Value value(const model::Punto& p);
 zed::Value value(const model::Vector& v);
 zed::Value value(const model::Terna& v);
 zed::Value value(const model::Rayo& rayo);
+zed::Value value(scene::ElementRef place);
 /// @}
 /// θEscena
 zed::Value value(const model::Escena& escena);
 
 /// Components by name: of a state, of an operation.
 using Named = zed::Given;
-/// The components of Escena.
+/// @{ The components of Escena, and of Tablas.
 Named components(const model::Escena& escena);
+Named components(const scene::Tablas& tables);
+/// @}
+/// The binding of these components.
+zed::Value binding(Named parts);
 /// The inputs of an operation, `e?` and the others.
 Named inputs(const model::Operation& operation);
 

@@ -101,14 +101,14 @@ struct Point {
   T x, y, z;  ///< the coordinates
 };
 
-/// The points of a ray: p + t·v.
+/// The points of a ray: p + t·v (punto_en.def.1).
 template <class N>
 Point<Linear<N>> along(const model::Rayo& rayo) {
   const glm::dvec3 &p = rayo.p().xyz(), &v = rayo.v().xyz();
   return {{N(p.x), N(v.x)}, {N(p.y), N(v.y)}, {N(p.z), N(v.z)}};
 }
 
-/// q = w − centro
+/// q = w − centro (desde.def.1)
 template <class T>
 Point<T> from(const glm::dvec3& centro, const Point<T>& w) {
   using C = Constant<T>;
@@ -121,7 +121,7 @@ auto squared_length(const Point<T>& q) {
   return square(q.x) + square(q.y) + square(q.z);
 }
 
-/// q·d
+/// q·d (producto.def.1)
 template <class T>
 T dot(const Point<T>& q, const glm::dvec3& d) {
   using C = Constant<T>;

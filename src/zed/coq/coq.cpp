@@ -6,8 +6,8 @@ namespace durero::zed {
 namespace {
 
 constexpr const char* head =
-    R"((** The Z text of spec/*.tex in Coq, written by `durero spec export --coq` of its sections: change the text, not this file.
-    Nothing is proved here. The rules:
+    R"((** The Z text of spec/*.tex, tablas.tex apart, in Coq, written by `durero spec export --coq` of its sections: change the
+    text, not this file. Nothing is proved here. The rules:
 
     ℝ, ℤ                  == Coq's R and Z; what the text assumes of them are statements, proved in Tipos.v
     a given set           == a Type, a section variable

@@ -43,7 +43,20 @@ Draw::Draw(const Specification& specification, const Samples& samples) : samples
         samples_.try_emplace(form->name.text(), constants(*form));
       if (const auto* form = std::get_if<GivenTypes>(&paragraph.form))
         for (const Name& name : form->names) samples_.try_emplace(name.text(), members(name));
+      if (const auto* form = std::get_if<Schema>(&paragraph.form)) texts_[form->name.text()] = &form->text;
+      if (const auto* form = std::get_if<Definition>(&paragraph.form); form && form->value->kind == Kind::schema_text)
+        texts_[form->name.text()] = form->value->text.get();
     }
+}
+
+bool Draw::has_samples(const Term& set) const {
+  if (set->kind == Kind::decoration) return has_samples(set->children[0]);
+  return set->kind == Kind::reference && samples_.contains(set->name.text());
+}
+
+const SchemaText* Draw::text(const Term& schema) const {
+  const auto found = schema->kind == Kind::reference ? texts_.find(schema->name.text()) : texts_.end();
+  return found == texts_.end() ? nullptr : found->second;
 }
 
 Value Draw::of(const Term& set, const Type& element, Chances& chances) const {

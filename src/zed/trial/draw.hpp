@@ -2,6 +2,8 @@
 /// Values of a type, for conjectures to be tried on.
 
 #include <cstdint>
+#include <map>
+#include <string>
 
 #include "durero/zed/trial/trial.hpp"
 
@@ -26,12 +28,17 @@ class Draw {
   Draw(const Specification& specification, const Samples& samples);
   /// A member of the set, or a binding of the schema, that a declaration names; of its type where there are no samples.
   Value of(const Term& set, const Type& element, Chances& chances) const;
+  /// Whether there are samples of the set, or bindings of the schema, that this term names.
+  bool has_samples(const Term& set) const;
+  /// The declarations of the schema that this term names; null where it names none that is written with declarations.
+  const SchemaText* text(const Term& schema) const;
 
  private:
   Value of_type(const Type& type, Chances& chances) const;
   Value of_set(const Type& element, Chances& chances) const;
 
-  Samples samples_;  // by type too: the constants of free types, the names of given sets
+  std::map<std::string, const SchemaText*> texts_;  // of the specification, which outlives it
+  Samples samples_;                                 // by type too: the constants of free types, the names of given sets
 };
 
 }  // namespace durero::zed

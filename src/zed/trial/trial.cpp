@@ -49,11 +49,14 @@ class Attempt {
   void run(Trial& trial) {
     const SchemaCheck assumed = evaluator_->schema({assumed_name, ""}),
                       claimed = evaluator_->schema({claimed_name, ""});
+    for (const Name& name : assumed.components())
+      if (!is_result(name)) known_.push_back(name);
+    if (known_.size() != assumed.components().size()) results_ = evaluator_->completion({assumed_name, ""}, known_);
     const bool closed = claim_.assumed.declarations.empty();
     const std::size_t draws = closed ? 1 : bounds_.draws, most = claim_.wants_witness ? draws : bounds_.states;
     for (std::size_t draw = 0; draw < draws && trial.tried < most && trial.counterexample.empty(); ++draw) {
       try {
-        on(in_order(assumed.components(), drawn(draw)), assumed, claimed, trial);
+        on(state(assumed, drawn(draw)), assumed, claimed, trial);
       } catch (const EvaluationError& error) {
         if (undecided_.empty()) undecided_ = error.what();
       }
@@ -75,19 +78,50 @@ class Attempt {
     return values;
   }
 
+  // A schema without samples is drawn declaration by declaration, so that each input comes from the set that is named.
   void declare(const Declaration& declaration, Chances& chances, Given& values) const {
+    const bool included = declaration.form == Declaration::Form::included;
+    const SchemaText* text = included && !draw_.has_samples(declaration.term) ? draw_.text(declaration.term) : nullptr;
+    if (text) {
+      for (const Declaration& each : text->declarations) declare(each, chances, values);
+      return;
+    }
     const std::optional<Type> type = typing_.type_of(declaration.term);
     if (!type || !type->is(Type::Kind::power)) throw EvaluationError("the type of a declaration is not known");
     const Type element = type->settled().parts()[0];
-    if (declaration.form == Declaration::Form::included) {
-      const Value binding = draw_.of(declaration.term, element, chances);
-      for (std::size_t i = 0; i < element.fields().size(); ++i)
-        values.emplace_back(element.fields()[i], binding.binding()->values[i]);
-    } else {
-      for (const Name& name : declaration.names)
-        values.emplace_back(name, draw_.of(declaration.term, element, chances));
-    }
+    if (included) return include(declaration.term, element, chances, values);
+    for (const Name& name : declaration.names) values.emplace_back(name, draw_.of(declaration.term, element, chances));
   }
+
+  // Of ΔS, and ΞS, the state before is drawn where S has samples: the other is what an operation makes of it.
+  void include(const Term& schema, const Type& element, Chances& chances, Given& values) const {
+    const std::string& word = schema->name.word;
+    const bool change = schema->kind == Kind::reference && (word.starts_with("Δ") || word.starts_with("Ξ"));
+    const Term before = change ? reference({word.substr(std::string("Δ").size()), ""}) : schema;
+    const bool sampled = change && draw_.has_samples(before);
+    const Value binding = draw_.of(sampled ? before : schema, element, chances);
+    std::size_t next = 0;
+    for (const Name& name : element.fields())
+      if (!sampled || !is_result(name)) values.emplace_back(name, binding.binding()->values[next++]);
+  }
+
+  // An after-state and outputs are what an operation makes of the rest; by chance few values drawn are that. So where
+  // they are no state, the first that the text gives for the rest takes their place.
+  std::vector<Value> state(const SchemaCheck& assumed, const Given& values) const {
+    std::vector<Value> found = in_order(assumed.components(), values);
+    if (!results_ || assumed.holds(found) == Truth::yes) return found;
+    results_->each(in_order(known_, values), [&](std::span<const Value> sought) {
+      Given all = values;
+      all.erase(std::remove_if(all.begin(), all.end(), [](const auto& value) { return is_result(value.first); }),
+                all.end());
+      for (std::size_t i = 0; i < sought.size(); ++i) all.emplace_back(results_->sought()[i], sought[i]);
+      found = in_order(assumed.components(), all);
+      return false;
+    });
+    return found;
+  }
+
+  static bool is_result(const Name& name) { return name.strokes.find_first_of("'!") != std::string::npos; }
 
   // A name that two declarations share has the value of the first.
   static std::vector<Value> in_order(const std::vector<Name>& names, const Given& values) {
@@ -122,7 +156,9 @@ class Attempt {
   TrialBounds bounds_;
   Steps steps_;
   std::optional<Evaluator> evaluator_;
-  std::string undecided_;  // the first reason why some state decided nothing
+  std::vector<Name> known_;            // what an operation begins with, its state and inputs
+  std::optional<Completion> results_;  // gives the rest, where the claim is of an operation
+  std::string undecided_;              // the first reason why some state decided nothing
   bool witness_ = false;
 };
 

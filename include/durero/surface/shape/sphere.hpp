@@ -9,7 +9,7 @@
 
 namespace durero::surface {
 
-/// |q|² − radio² (potencia_esfera.def.1)
+/// |q|² − radio² (potencia_esfera.def.1; along a ray, cuadratica_esfera.def.1)
 template <class T>
 auto potencia(const scene::Sphere& sphere, const Point<T>& w) {
   return squared_length(from(sphere.centro, w)) - square(Constant<T>(sphere.radio));

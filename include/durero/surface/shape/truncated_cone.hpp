@@ -6,7 +6,7 @@
 
 namespace durero::surface {
 
-/// |q − s·d|² − (radio + proporcion·(altura − s))² (potencia_tronco.def.1)
+/// |q − s·d|² − (radio + proporcion·(altura − s))² (potencia_tronco.def.1; along a ray, cuadratica_tronco.def.1)
 template <class T>
 auto potencia(const scene::TruncatedCone& e, const Point<T>& w) {
   using C = Constant<T>;

@@ -1,0 +1,27 @@
+#include "durero/scene/tablas.hpp"
+
+#include <type_traits>
+
+namespace durero::scene {
+
+Tablas tablas(const Scene& scene) {
+  Tablas tables;
+  for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
+    tables.cuantos.emplace(Shape::tipo, static_cast<std::uint32_t>(scene.shapes<Shape>().size()));
+  });
+  scene.for_each([&]<class Shape>(ElementRef place, const Shape& shape) {
+    const model::Elemento& e = scene.name(place);
+    tables.nombres.emplace(place, e);
+    if (const auto known = scene.find(e.name())) tables.lugar.emplace(e, *known);
+    for_each_attribute<Shape>([&]<class Row>(const Row& attribute) {
+      for_each_column([&](const auto& column) {
+        if constexpr (std::is_same_v<decltype(column.component), decltype(attribute.component)>)
+          if (column.component == attribute.component)
+            (tables.*column.values).emplace(place, input_of<typename Row::Input>(shape.*attribute.field));
+      });
+    });
+  });
+  return tables;
+}
+
+}  // namespace durero::scene
