@@ -60,6 +60,24 @@ lines out 6
 run 0 stats scene.json --engine bvh --hierarchy hand --format json --no-times
 has out '"made":"by hand"'
 
+# Bounding volumes where they are asked for: each kind and what is chosen, then each element that has one.
+run 0 stats scene.json --engine volumes --bounds --no-times
+cp out said
+has out 'I = 51.0 ns'
+has out 'chosen                       m/ray    mean fit   void area  T foretold'
+run 0 stats scene.json --engine volumes --bounds --no-times
+same out said
+grep -q measured out && fail 'what was measured where no times were asked for'
+run 0 stats scene.json --engine volumes --bounds
+has out 'measured ns'
+run 0 stats scene.json --engine volumes --bounds --format json --no-times
+has out '{"volumes":"slabs-13","n":3000,'
+has out '"kinds":[{"kind":"ball","m":'
+[ "$(grep -c '^{"volumes":' out)" -eq 8 ] || fail 'not seven kinds and what is chosen'
+[ "$(grep -c '^{"id":' out)" -eq 3 ] || fail 'not an entry for each element'
+run 0 stats scene.json --engine volumes --format json --no-times
+grep -q bounds out && fail 'bounding volumes that nobody asked for'
+
 echo '{"format":"durero-scene","version":1,"elementos":[]}' >empty.json
 run 0 stats empty.json
 has out 'empty.json: 0 elementos, 0 rays'
