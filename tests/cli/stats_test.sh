@@ -60,6 +60,20 @@ lines out 6
 run 0 stats scene.json --engine bvh --hierarchy hand --format json --no-times
 has out '"made":"by hand"'
 
+# A hierarchy of many elements is paid for, after as many rays as the seconds say: built longer, over saved for a ray.
+awk 'BEGIN {
+  printf "{\"format\":\"durero-scene\",\"version\":1,\"elementos\":["
+  for (i = 0; i < 8000; ++i)
+    printf "%s{\"id\":\"s%d\",\"tipo\":\"esfera\",\"centro\":[%d,%d,%d],\"radio\":0.3}", i ? "," : "", i, i % 20, i / 20 % 20, i / 400
+  print "]}" }' >many.json
+run 0 stats many.json --engine analytic --engine bvh --format json
+sed -n 's/.*"seconds":{"building":\([^,]*\),"answering":\([^}]*\)}\(,"break_even":\([0-9]*\)\)\{0,1\}.*/\1 \2 \4/p' out >seconds
+lines seconds 2
+checks=$((checks + 1))
+awk 'NR == 1 { built = $1; answered = $2 }
+  NR == 2 { rays = 1000 * ($1 - built) / (answered - $2); wrong = $3 == "" || $3 < rays - 1 || $3 > rays + 2 }
+  END { exit NR != 2 || wrong }' seconds || fail "$called: not the rays that pay for it: $(cat seconds)"
+
 # Bounding volumes where they are asked for: each kind and what is chosen, then each element that has one.
 run 0 stats scene.json --engine volumes --bounds --no-times
 cp out said
