@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "durero/io/groups_file.hpp"
 #include "durero/io/nff.hpp"
 #include "durero/io/obj.hpp"
 #include "durero/io/ply.hpp"
@@ -11,7 +12,11 @@
 namespace durero::io {
 namespace {
 
-Imported read_json(const Source& source) { return {read_scene(source), {}}; }
+Imported read_json(const Source& source) {
+  Imported read{read_scene(source), {}};
+  read.groups = read_groups(source, read.scene);
+  return read;
+}
 Exported write_json(const scene::Scene& scene) { return {scene_text(scene), {}}; }
 
 constexpr Format all[] = {
