@@ -44,9 +44,7 @@ int export_scene(const ConvertOptions& options) {
   const io::Format& format = io::format_to_write(options.to);
   io::OutputFile out(options.to);
   std::optional<Progress> progress(std::in_place, options.quiet, "export");
-  const io::Source source = io::read_source(options.from);
-  const scene::Scene scene = io::read_scene(source);
-  const scene::Groups groups = io::read_groups(source, scene);
+  const auto [scene, groups] = io::read_grouped_scene(io::read_source(options.from));
   io::Exported exported = format.write(scene);
   if (has_groups(format)) {
     exported.text = io::scene_text(scene, groups);

@@ -14,8 +14,8 @@
 #include "durero/conform/format_versions.hpp"
 #include "durero/conform/rays_towards.hpp"
 #include "durero/engine/engine.hpp"
+#include "durero/io/groups_file.hpp"
 #include "durero/io/rays_file.hpp"
-#include "durero/io/scene_file.hpp"
 #include "durero/io/standard_output.hpp"
 #include "durero/text/shown.hpp"
 #include "engines.hpp"
@@ -72,7 +72,7 @@ bool is_wanted_by_hand(const StatsOptions& options, const scene::Groups& groups)
   return options.hierarchy.empty() ? !groups.empty() : options.hierarchy == "hand";
 }
 
-std::vector<Measured> measured(const StatsOptions& options, const SceneInput& input,
+std::vector<Measured> measured(const StatsOptions& options, const scene::GroupedScene& input,
                                std::span<const scene::Query> rays) {
   const scene::Scene& scene = input.scene;
   const auto& asked = options.engines;
@@ -212,7 +212,7 @@ void print_json(const StatsOptions& options, const scene::Scene& scene, std::siz
 }
 
 int run(const StatsOptions& options) {
-  const SceneInput input = read_input(options.scene);
+  const scene::GroupedScene input = io::read_grouped_scene(io::read_source(options.scene));
   const scene::Scene& scene = input.scene;
   const std::vector<scene::Query> rays = rays_of(options, scene);
   const std::vector<Measured> all = measured(options, input, rays);

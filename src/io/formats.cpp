@@ -13,9 +13,8 @@ namespace durero::io {
 namespace {
 
 Imported read_json(const Source& source) {
-  Imported read{read_scene(source), {}};
-  read.groups = read_groups(source, read.scene);
-  return read;
+  scene::GroupedScene read = read_grouped_scene(source);
+  return {std::move(read.scene), {}, std::move(read.groups)};
 }
 Exported write_json(const scene::Scene& scene) { return {scene_text(scene), {}}; }
 

@@ -18,15 +18,15 @@ constexpr std::size_t line_count = 1024;
 using Met = std::bitset<line_count>;
 
 /// A line through the ball of radius 1 about 0, and the point on it that is nearest to 0.
-struct Line {
+struct Chord {
   glm::dvec3 along, aside;
 };
 
 /// Isotropic lines: four coordinates that fill the cube evenly (the multiples of the powers of the root of x⁵ = x + 1)
 /// give the direction, and the place across it.
-std::array<Line, line_count> isotropic_lines() {
+std::array<Chord, line_count> isotropic_lines() {
   constexpr double root = 1.1673039782614187;
-  std::array<Line, line_count> lines;
+  std::array<Chord, line_count> lines;
   for (std::size_t i = 0; i < line_count; ++i) {
     const auto coordinate = [&](int power) { return std::fmod(0.5 + double(i) / std::pow(root, power), 1); };
     const double z = 1 - 2 * coordinate(1), around_z = 2 * pi * coordinate(2), flat = std::sqrt(1 - z * z);
@@ -65,7 +65,7 @@ class Trial {
     return *known;
   }
   Met met(const Simple& volume) {
-    static const std::array<Line, line_count> lines = isotropic_lines();
+    static const std::array<Chord, line_count> lines = isotropic_lines();
     const auto* const slabs = std::get_if<Slabs>(&volume);
     const std::size_t directions = slabs == nullptr ? 0 : slabs->along.size();
     Met result;
