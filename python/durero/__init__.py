@@ -30,7 +30,7 @@ The exact value is there too, a number x + y√Δ, and the specification itself 
 >>> durero.spec.eval("#elementos = 2", scene)
 True
 
-Scene           help(durero.Scene): load, save, apply, add, remove, trace, occluded, exact, render
+Scene           help(durero.Scene): load, save, apply, add, remove, group, trace, occluded, exact, render
 Esfera …        the elements: Esfera, Cilindro, Cono, Tronco, Plano, Disco, Triangulo
 spec            help(durero.spec): the Z text evaluates and checks
 conform         help(durero.conform): judges the hits of other programs
@@ -43,7 +43,7 @@ from .elements import Cilindro, Cono, Disco, Element, Esfera, Plano, Triangulo, 
 from .errors import InputError, Refused, Undecided
 from .exact import ExactHit, Surd
 from .hits import HIT, Resultado
-from .scene import HitsWithElements, Scene
+from .scene import Group, HitsWithElements, Scene
 
 __version__ = _durero.version
 
@@ -76,6 +76,7 @@ __all__ = [
     "Engine",
     "Esfera",
     "ExactHit",
+    "Group",
     "HIT",
     "HitsWithElements",
     "InputError",

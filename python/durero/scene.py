@@ -31,6 +31,13 @@ class HitsWithElements(NamedTuple):
     elements: npt.NDArray[np.int32]
 
 
+class Group(NamedTuple):
+    """What is directly in a group, by name, ascending."""
+
+    elementos: Tuple[str, ...]
+    groups: Tuple[str, ...]
+
+
 class Scene(Mapping[str, Element]):
     """A scene of the specification: a mapping from names to elements, which operations edit.
 
@@ -103,9 +110,31 @@ class Scene(Mapping[str, Element]):
         """Removes the element of that name, by the general operation, and answers its r!. Raises Refused."""
         return self._operate({"op": "Eliminar_Elemento", "e": e})
 
+    def group(self, g: str, elementos: Iterable[str] = (), groups: Iterable[str] = ()) -> str:
+        """Makes a group of elements and groups that are in none yet, and answers its r!. Raises Refused.
+
+        >>> import durero
+        >>> scene = durero.Scene()
+        >>> scene.add("s1", durero.Esfera(centro=(0, 0, 5), radio=1))
+        'esfera_agregada'
+        >>> scene.group("alone", ["s1"]), scene.groups["alone"].elementos
+        ('grouped', ('s1',))
+        """
+        return self._operate({"op": "group", "g": g, "elementos": list(elementos), "groups": list(groups)})
+
+    def ungroup(self, g: str) -> str:
+        """Takes a group away, what was in it is then in the group around it, and answers its r!. Raises Refused."""
+        return self._operate({"op": "ungroup", "g": g})
+
+    @property
+    def groups(self) -> dict[str, Group]:
+        """The groups by their names: no answer depends on them, and what is in no group is just that."""
+        return {name: Group(tuple(elementos), tuple(groups)) for name, (elementos, groups) in self._scene.groups().items()}
+
     def _operate(self, operation: dict[str, object]) -> str:
-        if not isinstance(operation["e"], str):
-            raise TypeError(f"e is {operation['e']!r}; expected a name")
+        named = "e" if "e" in operation else "g"
+        if not isinstance(operation[named], str):
+            raise TypeError(f"{named} is {operation[named]!r}; expected a name")
         return self._scene.apply(json.dumps(operation), "operation")[0]
 
     def __len__(self) -> int:

@@ -139,7 +139,7 @@ py::list suite(const std::string& family_name, std::size_t rays, std::uint64_t s
   const std::size_t count = cases(options, *family);
   for (std::size_t number = 0; number < count; ++number) {
     const SuiteCase of = suite_case(options, *family, number);
-    all.append(py::make_tuple(of.name(), Scene(of.the_case.scene), rays_of(of)));
+    all.append(py::make_tuple(of.name(), Scene(scene::GroupedScene{of.the_case.scene}), rays_of(of)));
   }
   return all;
 }

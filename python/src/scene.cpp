@@ -5,9 +5,9 @@
 #include <stdexcept>
 
 #include "bindings.hpp"
+#include "durero/io/groups_file.hpp"
 #include "durero/io/operations_file.hpp"
 #include "durero/io/output_file.hpp"
-#include "durero/io/scene_file.hpp"
 #include "durero/render/render.hpp"
 #include "errors.hpp"
 #include "state.hpp"
@@ -54,21 +54,44 @@ py::dict inputs_of(const model::Operation& operation) {
   return inputs;
 }
 
-std::string done(scene::Scene& scene, const io::Instruction& instruction) {
-  const model::Answer answer = scene.apply_total(instruction.edit);
-  if (answer.ok()) return std::string(model::name(answer.r));
-  const model::Operation& operation = instruction.edit.operation;
-  raise("Refused", std::string(answer.violated->label), std::string(answer.violated->predicate),
-        std::string(model::name(answer.r)), operation_name(operation), inputs_of(operation), instruction.line);
+std::string operation_name(const scene::GroupEdit& edit) {
+  return std::holds_alternative<scene::Grouping>(edit) ? "group" : "ungroup";
+}
+
+py::dict inputs_of(const scene::GroupEdit& edit) {
+  py::dict inputs;
+  std::visit([&](const auto& in) { inputs["g"] = in.g; }, edit);
+  if (const auto* in = std::get_if<scene::Grouping>(&edit)) {
+    inputs["elementos"] = std::vector(in->of.elementos.begin(), in->of.elementos.end());
+    inputs["groups"] = std::vector(in->of.groups.begin(), in->of.groups.end());
+  }
+  return inputs;
+}
+
+const model::Operation& asked(const scene::Edit& edit) { return edit.operation; }
+const scene::GroupEdit& asked(const scene::GroupEdit& edit) { return edit; }
+
+std::string_view word(model::Respuesta r) { return model::name(r); }
+std::string_view word(std::string_view r) { return r; }
+
+std::string done(scene::GroupedScene& scene, const io::Step& step) {
+  return std::visit(
+      [&](const auto& edit) {
+        const auto answer = scene.apply_total(edit);
+        if (answer.ok()) return std::string(word(answer.r));
+        raise("Refused", std::string(answer.violated->label), std::string(answer.violated->predicate),
+              std::string(word(answer.r)), operation_name(asked(edit)), inputs_of(asked(edit)), step.line);
+      },
+      step.edit);
 }
 
 /// Every operation of the text, or none of them.
 std::vector<std::string> apply(Scene& scene, const std::string& text, const std::string& name) {
-  const auto script = io::read_operations(io::Source(name, text), scene.value().stage());
+  const auto script = io::read_script(io::Source(name, text), scene.value().stage());
   if (script.size() == 1) return {done(scene.edited(), script.front())};
   std::vector<std::string> answers;
-  scene::Scene edited = scene.value();
-  for (const io::Instruction& instruction : script) answers.push_back(done(edited, instruction));
+  scene::GroupedScene edited = scene.grouped();
+  for (const io::Step& step : script) answers.push_back(done(edited, step));
   scene.assign(std::move(edited));
   return answers;
 }
@@ -76,7 +99,17 @@ std::vector<std::string> apply(Scene& scene, const std::string& text, const std:
 Scene read(const py::bytes& text, const std::string& name) {
   const io::Source source(name, text);
   const py::gil_scoped_release released;
-  return Scene(io::read_scene(source));
+  return Scene(io::read_grouped_scene(source));
+}
+
+std::string text(const Scene& scene) { return io::scene_text(scene.grouped().scene, scene.grouped().groups); }
+
+/// By name what is directly in each.
+std::map<std::string, std::pair<std::vector<std::string>, std::vector<std::string>>> groups(const Scene& scene) {
+  std::map<std::string, std::pair<std::vector<std::string>, std::vector<std::string>>> all;
+  for (const auto& [name, group] : scene.grouped().groups.table())
+    all[name] = {{group.elementos.begin(), group.elementos.end()}, {group.groups.begin(), group.groups.end()}};
+  return all;
 }
 
 std::vector<std::string> names(const Scene& scene) {
@@ -128,7 +161,7 @@ py::array render(const Scene& scene, const Size& size, const std::string& engine
 
 void add_scene(py::module_& module) {
   py::class_<Scene>(module, "Scene")
-      .def(py::init([] { return Scene(scene::Scene()); }))
+      .def(py::init([] { return Scene(scene::GroupedScene()); }))
       .def("size", [](const Scene& scene) { return scene.value().size(); })
       .def("contains", [](const Scene& scene, const std::string& name) { return scene.value().find(name).has_value(); })
       .def("names", names)
@@ -141,9 +174,9 @@ void add_scene(py::module_& module) {
            })
       .def("copy", [](const Scene& scene) { return scene; })
       .def("apply", apply)
-      .def("text", [](const Scene& scene) { return io::scene_text(scene.value()); })
-      .def("save",
-           [](const Scene& scene, const std::string& path) { io::write_file(path, io::scene_text(scene.value())); })
+      .def("groups", groups)
+      .def("text", text)
+      .def("save", [](const Scene& scene, const std::string& path) { io::write_file(path, text(scene)); })
       .def("render", render);
   module.def("read_scene", read);
 }

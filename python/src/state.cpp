@@ -25,25 +25,25 @@ Numbering::Numbering(const scene::Scene& scene) {
 
 const Numbering& State::numbering() const {
   const std::scoped_lock lock(making_);
-  if (!numbering_) numbering_ = std::make_unique<const Numbering>(scene_);
+  if (!numbering_) numbering_ = std::make_unique<const Numbering>(grouped_.scene);
   return *numbering_;
 }
 
 const engine::Engine& State::prepared(const engine::Row& engine) const {
   const std::scoped_lock lock(making_);
   auto& prepared = engines_[engine.name];
-  if (!prepared) prepared = engine.prepare(scene_);
+  if (!prepared) prepared = engine.prepare(grouped_.scene);
   return *prepared;
 }
 
-scene::Scene& State::edited() {
+scene::GroupedScene& State::edited() {
   numbering_.reset();
   engines_.clear();
-  return scene_;
+  return grouped_;
 }
 
-scene::Scene& Scene::edited() {
-  if (state_.use_count() > 1) assign(value());
+scene::GroupedScene& Scene::edited() {
+  if (state_.use_count() > 1) assign(grouped());
   return state_->edited();
 }
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "durero/engine/engine.hpp"
-#include "durero/scene/scene.hpp"
+#include "durero/scene/grouped_scene.hpp"
 
 namespace durero::python {
 
@@ -33,17 +33,18 @@ class Numbering {
 /// A scene, and what answers need beside it, which is made when it is first asked for. Any thread may ask.
 class State {
  public:
-  explicit State(scene::Scene scene) : scene_(std::move(scene)) {}
+  explicit State(scene::GroupedScene grouped) : grouped_(std::move(grouped)) {}
 
-  const scene::Scene& scene() const noexcept { return scene_; }
+  const scene::GroupedScene& grouped() const noexcept { return grouped_; }
+  const scene::Scene& scene() const noexcept { return grouped_.scene; }
   const Numbering& numbering() const;
   const engine::Engine& prepared(const engine::Row& engine) const;
 
   /// For an edit, which nobody may read beside: what was made of the scene is forgotten.
-  scene::Scene& edited();
+  scene::GroupedScene& edited();
 
  private:
-  scene::Scene scene_;
+  scene::GroupedScene grouped_;
   mutable std::mutex making_;
   mutable std::unique_ptr<const Numbering> numbering_;
   mutable std::map<std::string_view, std::unique_ptr<const engine::Engine>> engines_;
@@ -54,15 +55,16 @@ class State {
 /// answers for the scene as it was when it began. Whoever calls holds Python's lock, which orders the two.
 class Scene {
  public:
-  explicit Scene(scene::Scene scene) : state_(std::make_shared<State>(std::move(scene))) {}
+  explicit Scene(scene::GroupedScene grouped) : state_(std::make_shared<State>(std::move(grouped))) {}
 
   std::shared_ptr<const State> state() const noexcept { return state_; }
   const scene::Scene& value() const noexcept { return state_->scene(); }
+  const scene::GroupedScene& grouped() const noexcept { return state_->grouped(); }
 
-  /// The scene, to be edited in place.
-  scene::Scene& edited();
-  /// Puts another in its place.
-  void assign(scene::Scene scene) { state_ = std::make_shared<State>(std::move(scene)); }
+  /// The scene and its groups, to be edited in place.
+  scene::GroupedScene& edited();
+  /// Puts others in their place.
+  void assign(scene::GroupedScene grouped) { state_ = std::make_shared<State>(std::move(grouped)); }
 
  private:
   std::shared_ptr<State> state_;

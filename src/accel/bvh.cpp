@@ -12,11 +12,13 @@ namespace durero::accel {
 Bvh::Bvh(const scene::Scene& scene, Build build, unsigned most_children)
     : scene_(&scene), most_children_(most_children) {
   grow(build, take_elements());
+  arrange();
 }
 
 Bvh::Bvh(const scene::Scene& scene, const scene::Groups& by_hand) : scene_(&scene), most_children_(usual_children) {
   const std::vector<Number> leaves = take_elements();
   if (!leaves.empty()) tree_.set_root(join_groups(by_hand, leaves));
+  arrange();
 }
 
 std::vector<Hierarchy::Number> Bvh::take_elements() {
@@ -55,6 +57,12 @@ void Bvh::grow(Build build, std::vector<Number> leaves) {
     Insertion<double> insertion(tree_, tree_[leaf].box, most_children_);
     put(tree_, build == Build::incremental ? insertion.downwards() : insertion.of_all(), leaf);
   }
+}
+
+void Bvh::arrange() {
+  tree_.arrange();
+  for (Number node = 0; node < tree_.numbers(); ++node)
+    if (tree_[node].is_leaf()) place(tree_[node].element).number = node;
 }
 
 void Bvh::put_apart(scene::ElementRef e) {

@@ -2,15 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 
 namespace durero::accel {
-
-surface::Box around(const surface::Box& a, const surface::Box& b) {
-  return {glm::min(a.low, b.low), glm::max(a.high, b.high)};
-}
-
 namespace {
 
 /// Of a box within another.
@@ -22,6 +16,8 @@ bool reaches_a_face(const surface::Box& inner, const surface::Box& outer) {
 
 Hierarchy::Number Hierarchy::add(const Node& node) {
   if (free_.empty()) {
+    // By a quarter, not twofold: what stands ready and is not used is memory that is told of.
+    if (nodes_.size() == nodes_.capacity()) nodes_.reserve(nodes_.size() + nodes_.size() / 4 + 16);
     nodes_.push_back(node);
     return static_cast<Number>(nodes_.size() - 1);
   }
@@ -153,6 +149,31 @@ void Hierarchy::shrink_upwards(Number node, surface::Box gone) {
 
 void Hierarchy::fit_upwards(Number node) {
   for (; node != none; node = nodes_[node].parent) fit(node);
+}
+
+/// Family by family, each before those of its members, and of these the first before all below the second: `arranged`
+/// has the new numbers, but for the children of the nodes that are left, which are still those of before.
+void Hierarchy::arrange() {
+  Nodes arranged;
+  arranged.reserve(nodes_.size() - free_.size());
+  std::vector<Number> left;
+  if (!empty()) {
+    arranged.push_back(nodes_[root_]);
+    left.push_back(root_ = 0);
+  }
+  while (!left.empty()) {
+    const Number parent = left.back(), first = static_cast<Number>(arranged.size());
+    left.pop_back();
+    for (Number old = arranged[parent].child; old != none; old = nodes_[old].next) {
+      arranged.push_back(nodes_[old]);
+      arranged.back().parent = parent;
+      arranged.back().next = nodes_[old].next == none ? none : static_cast<Number>(arranged.size());
+    }
+    if (first != arranged.size()) arranged[parent].child = first;
+    for (Number node = static_cast<Number>(arranged.size()); node > first; --node) left.push_back(node - 1);
+  }
+  nodes_ = std::move(arranged);
+  free_ = {};
 }
 
 std::size_t Hierarchy::depth() const {

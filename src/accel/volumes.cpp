@@ -1,9 +1,11 @@
 #include "durero/accel/volumes.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include "accel/finite_box.hpp"
 #include "durero/accel/hierarchy.hpp"
+#include "durero/accel/volume/choice.hpp"
 
 namespace durero::accel {
 
@@ -11,22 +13,28 @@ template <class Choose>
 void Volumes::bound(Choose choose) {
   scene_->for_each([&](scene::ElementRef e, const auto& shape) {
     if (!finite_box(*scene_, e)) return apart_.push_back(e);
-    const scene::ShapeView element(shape);
-    bounded_.push_back({e, {{choose(element).around(element, outline(element))}}});
+    bounded_.push_back({e, choose(scene::ShapeView(shape))});
   });
-  std::ranges::stable_sort(bounded_, {}, [](const Bounded& one) { return one.volume.parts[0].index(); });
+  std::ranges::stable_sort(bounded_, {}, [](const Bounded& one) {
+    const std::vector<Simple>& parts = one.volume.parts;
+    return std::tuple(parts.size(), one.volume.rule, parts.front().index(), parts.back().index());
+  });
 }
 
 Volumes::Volumes(const scene::Scene& scene, const Kind& kind) : scene_(&scene) {
-  bound([&](scene::ShapeView) -> const Kind& { return kind; });
+  bound([&](scene::ShapeView element) { return Volume{{kind.around(element, outline(element))}}; });
 }
 
 Volumes::Volumes(const scene::Scene& scene) : scene_(&scene) {
+  bound([all = region(scene)](scene::ShapeView element) { return choose(element, all).volume; });
+}
+
+double Volumes::region(const scene::Scene& scene) {
   std::optional<surface::Box> all;
   scene.for_each([&](scene::ElementRef e, const auto&) {
     if (const auto box = finite_box(scene, e)) all = all ? around(*all, *box) : *box;
   });
-  bound([&](scene::ShapeView element) -> const Kind& { return cheapest(element, area<double>(*all)); });
+  return all ? area<double>(*all) : 0;
 }
 
 Size Volumes::size() const {

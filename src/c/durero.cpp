@@ -10,15 +10,16 @@
 
 #include "durero/contract/contract.hpp"
 #include "durero/engine/engine.hpp"
+#include "durero/io/groups_file.hpp"
 #include "durero/io/operations_file.hpp"
-#include "durero/io/scene_file.hpp"
+#include "durero/io/output_file.hpp"
 #include "durero/model/tipos.hpp"
-#include "durero/scene/scene.hpp"
+#include "durero/scene/grouped_scene.hpp"
 
 using namespace durero;
 
 struct durero_scene {
-  scene::Scene value;
+  scene::GroupedScene value;
 };
 
 struct durero_engine {
@@ -88,21 +89,33 @@ durero_scene* durero_scene_new(void) {
 }
 
 durero_scene* durero_scene_read(const char* path) {
-  return guarded<durero_scene*>(nullptr, [&] { return new durero_scene{io::read_scene(io::read_source(path))}; });
+  return guarded<durero_scene*>(nullptr,
+                                [&] { return new durero_scene{io::read_grouped_scene(io::read_source(path))}; });
+}
+
+durero_answer durero_scene_write(const durero_scene* scene, const char* path) {
+  return guarded(DURERO_FAILED, [&] {
+    io::write_file(path, io::scene_text(scene->value.scene, scene->value.groups));
+    return DURERO_DONE;
+  });
 }
 
 void durero_scene_free(durero_scene* scene) { delete scene; }
 
-size_t durero_scene_size(const durero_scene* scene) { return scene->value.size(); }
+size_t durero_scene_size(const durero_scene* scene) { return scene->value.scene.size(); }
 
 durero_answer durero_apply(durero_scene* scene, const char* operation) {
   return guarded(DURERO_FAILED, [&] {
-    const auto script = io::read_operations(io::Source("operation", operation), scene->value.stage());
+    const auto script = io::read_script(io::Source("operation", operation), scene->value.scene.stage());
     if (script.size() != 1) throw std::invalid_argument("operation: no single operation; expected one");
-    const model::Answer answer = scene->value.apply_total(script.front().edit);
-    if (answer.ok()) return DURERO_DONE;
-    last_error.assign(answer.violated->label).append(": ").append(answer.violated->predicate);
-    return DURERO_REFUSED;
+    return std::visit(
+        [&](const auto& edit) {
+          const auto answer = scene->value.apply_total(edit);
+          if (answer.ok()) return DURERO_DONE;
+          last_error.assign(answer.violated->label).append(": ").append(answer.violated->predicate);
+          return DURERO_REFUSED;
+        },
+        script.front().edit);
   });
 }
 
@@ -111,7 +124,7 @@ durero_engine* durero_engine_new(const durero_scene* scene, const char* name) {
     const std::string_view asked = name == nullptr ? engine::default_engine : std::string_view(name);
     const engine::Row* row = engine::find(asked);
     if (row == nullptr) throw std::invalid_argument("no engine " + std::string(asked));
-    return new durero_engine{&scene->value, row->prepare(scene->value)};
+    return new durero_engine{&scene->value.scene, row->prepare(scene->value.scene)};
   });
 }
 

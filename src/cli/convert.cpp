@@ -25,17 +25,15 @@ void name_losses(const std::string& path, const std::vector<std::string>& lost) 
   for (const std::string& line : lost) io::complain(fmt::format("durero: {}: {}\n", text::escaped(path), line));
 }
 
-/// Of all formats JSON alone has groups.
+/// Of the formats that are written JSON alone has groups.
 bool has_groups(const io::Format& format) { return format.ending == ".json"; }
 
 int import_scene(const ConvertOptions& options) {
   const io::Format& format = io::format_to_read(options.from);
   io::OutputFile out(options.to);
   std::optional<Progress> progress(std::in_place, options.quiet, "import");
-  const io::Source source = io::read_source(options.from);
-  const io::Imported imported = format.read(source);
-  const scene::Groups groups = has_groups(format) ? io::read_groups(source, imported.scene) : scene::Groups();
-  out.write(io::scene_text(imported.scene, groups));
+  const io::Imported imported = format.read(io::read_source(options.from));
+  out.write(io::scene_text(imported.scene, imported.groups));
   out.commit();
   progress.reset();
   name_losses(options.from, imported.lost);
@@ -46,9 +44,7 @@ int export_scene(const ConvertOptions& options) {
   const io::Format& format = io::format_to_write(options.to);
   io::OutputFile out(options.to);
   std::optional<Progress> progress(std::in_place, options.quiet, "export");
-  const io::Source source = io::read_source(options.from);
-  const scene::Scene scene = io::read_scene(source);
-  const scene::Groups groups = io::read_groups(source, scene);
+  const auto [scene, groups] = io::read_grouped_scene(io::read_source(options.from));
   io::Exported exported = format.write(scene);
   if (has_groups(format)) {
     exported.text = io::scene_text(scene, groups);

@@ -56,9 +56,8 @@ void agree_by_text(const oracle::spec::Judge& judge, const model::Escena& before
 
 /// What steps are carried out on, and the text as their judge, if it is asked.
 struct Edited {
-  scene::Scene scene;
-  scene::Groups groups;
-  std::optional<oracle::spec::Judge> judge;
+  scene::GroupedScene of;
+  std::optional<oracle::spec::Judge> judge = {};
 
   /// Answers in a line of JSON, and whether it was done.
   struct Done {
@@ -68,16 +67,15 @@ struct Edited {
 
   Done carry_out(std::size_t line, const scene::Edit& edit) {
     std::optional<model::Escena> before;
-    if (judge) before = scene::retrieve(scene);
-    const model::Answer answer = scene.apply_total(edit);
-    if (judge) agree_by_text(*judge, *before, line, edit.operation, answer, scene::retrieve(scene));
-    if (answer.ok()) groups.follow(edit.operation);
+    if (judge) before = scene::retrieve(of.scene);
+    const model::Answer answer = of.apply_total(edit);
+    if (judge) agree_by_text(*judge, *before, line, edit.operation, answer, scene::retrieve(of.scene));
     return {io::answer_text(line, answer), answer.ok()};
   }
 
   /// Of groups the text does not speak.
   Done carry_out(std::size_t line, const scene::GroupEdit& edit) {
-    const scene::Outcome answer = groups.apply_total(edit, scene);
+    const scene::Outcome answer = of.apply_total(edit);
     return {io::answer_text(line, answer), answer.ok()};
   }
 };
@@ -86,10 +84,8 @@ int edit(const EditOptions& options) {
   if (options.audit) contract::set_semantic(contract::cost::audit, contract::evaluation_semantic::enforce);
   std::optional<io::OutputFile> out;
   if (!options.out.empty()) out.emplace(options.out);
-  const io::Source file = io::read_source(options.scene);
-  Edited edited{.scene = io::read_scene(file)};
-  edited.groups = io::read_groups(file, edited.scene);
-  const std::vector<io::Step> script = read_script(options, edited.scene.stage());
+  Edited edited{.of = io::read_grouped_scene(io::read_source(options.scene))};
+  const std::vector<io::Step> script = read_script(options, edited.of.scene.stage());
   if (options.by_spec) edited.judge.emplace();
   int status = 0;
   std::string answers;
@@ -102,7 +98,7 @@ int edit(const EditOptions& options) {
     progress.add();
   }
   if (out) {
-    out->write(io::scene_text(edited.scene, edited.groups));
+    out->write(io::scene_text(edited.of.scene, edited.of.groups));
     out->commit();
   }
   io::print(answers);

@@ -94,15 +94,8 @@ void add_hierarchy(CLI::App& command, std::string& hierarchy) {
       ->capture_default_str();
 }
 
-SceneInput read_input(const std::string& file) {
-  const io::Source source = io::read_source(file);
-  SceneInput input{io::read_scene(source), {}};
-  input.groups = io::read_groups(source, input.scene);
-  return input;
-}
-
 std::unique_ptr<const engine::Engine> prepared(const engine::Row& engine, std::string_view hierarchy,
-                                               const SceneInput& input) {
+                                               const scene::GroupedScene& input) {
   if (hierarchy != "hand") return engine.prepare(input.scene);
   if (engine.prepare_by_hand != nullptr) return engine.prepare_by_hand(input.scene, input.groups);
   throw std::invalid_argument(

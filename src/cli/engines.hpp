@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "durero/engine/engine.hpp"
+#include "durero/scene/grouped_scene.hpp"
 
 namespace durero::cli {
 
@@ -16,19 +17,10 @@ void add_engine(CLI::App& command, std::string& name);
 /// Adds the option --hierarchy; what it holds is then `automatic` or `hand`.
 void add_hierarchy(CLI::App& command, std::string& hierarchy);
 
-/// A scene as a command reads it: with its groups, where a hierarchy may be made of them.
-struct SceneInput {
-  scene::Scene scene;    ///< what the file is about
-  scene::Groups groups;  ///< of its elements
-};
-
-/// Reads both. Throws what io::read_scene throws.
-SceneInput read_input(const std::string& file);
-
 /// The engine, ready for the scene, with its hierarchy made so. Throws std::invalid_argument where it is to be by hand
 /// and the engine follows no groups.
 std::unique_ptr<const engine::Engine> prepared(const engine::Row& engine, std::string_view hierarchy,
-                                               const SceneInput& input);
+                                               const scene::GroupedScene& input);
 
 /// What to say where an engine that knows no origins is asked for rays that have one.
 std::string without_origins(const engine::Row& engine, std::string_view why);

@@ -12,8 +12,8 @@
 
 #include "commands.hpp"
 #include "description.hpp"
+#include "durero/io/groups_file.hpp"
 #include "durero/io/output_file.hpp"
-#include "durero/io/scene_file.hpp"
 #include "durero/io/standard_output.hpp"
 #include "engines.hpp"
 #include "progress.hpp"
@@ -82,7 +82,7 @@ int run(const RenderOptions& options) {
     throw std::invalid_argument(fmt::format("{}: not a picture's name; expected OUT.png", options.out));
   const ThreadLimit limit(options.threads);
   io::OutputFile out(options.out);
-  SceneInput of = read_input(options.scene);
+  scene::GroupedScene of = io::read_grouped_scene(io::read_source(options.scene));
   scene::Scene& scene = of.scene;
   if (const auto size = frame_of(options).size) scene.stage().resolution = size;  // engines know pixels by the stage
   const engine::Row& engine = *engine::find(options.engine);

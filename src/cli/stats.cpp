@@ -1,5 +1,5 @@
-// durero stats SCENE [RAYS] [--engine E]… [--hierarchy H] [--format F] [--no-times]: what each structure costs, and
-// what it saves.
+// durero stats SCENE [RAYS] [--engine E]… [--hierarchy H] [--bounds] [--format F] [--no-times]: what each structure
+// costs, and what it saves.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,12 +14,13 @@
 #include "durero/conform/format_versions.hpp"
 #include "durero/conform/rays_towards.hpp"
 #include "durero/engine/engine.hpp"
+#include "durero/io/groups_file.hpp"
 #include "durero/io/rays_file.hpp"
-#include "durero/io/scene_file.hpp"
 #include "durero/io/standard_output.hpp"
 #include "durero/text/shown.hpp"
 #include "engines.hpp"
 #include "progress.hpp"
+#include "stats_bounds.hpp"
 
 namespace durero::cli {
 namespace {
@@ -29,7 +30,7 @@ using engine::Figures;
 struct StatsOptions {
   std::string scene, rays, format = "text", hierarchy;
   std::vector<std::string> engines;
-  bool no_times = false, quiet = false;
+  bool bounds = false, no_times = false, quiet = false;
 };
 
 /// Rays of its own, where no file is named.
@@ -71,7 +72,7 @@ bool is_wanted_by_hand(const StatsOptions& options, const scene::Groups& groups)
   return options.hierarchy.empty() ? !groups.empty() : options.hierarchy == "hand";
 }
 
-std::vector<Measured> measured(const StatsOptions& options, const SceneInput& input,
+std::vector<Measured> measured(const StatsOptions& options, const scene::GroupedScene& input,
                                std::span<const scene::Query> rays) {
   const scene::Scene& scene = input.scene;
   const auto& asked = options.engines;
@@ -122,8 +123,11 @@ std::string branchings(const std::vector<Measured>& all) {
   return text;
 }
 
+/// Of bounding volumes, where that is asked for.
+using Bounds = std::optional<engine::BoundsFigures>;
+
 void print_text(const StatsOptions& options, const scene::Scene& scene, std::size_t rays,
-                const std::vector<Measured>& all) {
+                const std::vector<Measured>& all, const Bounds& bounds) {
   constexpr auto head = "{:<19}{:<14}{:>8}{:>8}{:>11}{:>10}{:>10}{:>11}{:>11}";
   std::string text = fmt::format("{}: {} elementos, {} rays\n", text::escaped(options.scene), scene.size(), rays);
   text += fmt::format(head, "engine", "asked", "nodes", "cells", "bytes", "n/ray", "m/ray", "nodes/ray", "cells/ray");
@@ -136,7 +140,7 @@ void print_text(const StatsOptions& options, const scene::Scene& scene, std::siz
                         per_ray(work.nodes, work.rays), per_ray(work.cells, work.rays));
     text += options.no_times ? "\n" : times(of) + "\n";
   }
-  io::print(text + branchings(all));
+  io::print(text + branchings(all) + (bounds ? bounds_text(*bounds, scene, options.no_times) : ""));
 }
 
 struct Count {
@@ -188,7 +192,7 @@ void write(io::json::Writer& out, const Measured& of, bool no_times) {
 }
 
 void print_json(const StatsOptions& options, const scene::Scene& scene, std::size_t rays,
-                const std::vector<Measured>& all) {
+                const std::vector<Measured>& all, const Bounds& bounds) {
   std::string text;
   io::json::Writer out(text);
   write_version(out.begin_object(), conform::stats_format);
@@ -201,16 +205,19 @@ void print_json(const StatsOptions& options, const scene::Scene& scene, std::siz
   }
   out.end_object().new_line().key("engines").begin_array();
   for (const Measured& of : all) write(out, of, options.no_times);
-  out.end_array().end_object();
+  out.end_array();
+  if (bounds) write_bounds(out, *bounds, scene, options.no_times);
+  out.end_object();
   io::print(text + "\n");
 }
 
 int run(const StatsOptions& options) {
-  const SceneInput input = read_input(options.scene);
+  const scene::GroupedScene input = io::read_grouped_scene(io::read_source(options.scene));
   const scene::Scene& scene = input.scene;
   const std::vector<scene::Query> rays = rays_of(options, scene);
   const std::vector<Measured> all = measured(options, input, rays);
-  (options.format == "json" ? print_json : print_text)(options, scene, rays.size(), all);
+  const Bounds bounds = options.bounds ? Bounds(engine::bounds_figures(scene, rays, !options.no_times)) : std::nullopt;
+  (options.format == "json" ? print_json : print_text)(options, scene, rays.size(), all, bounds);
   return 0;
 }
 
@@ -226,6 +233,7 @@ void add_stats(CLI::App& app, int& status) {
       ->allow_extra_args(false);
   command->add_option("--hierarchy", options->hierarchy, "Of bvh: this alone; without it, both where there are groups")
       ->check(one_of("hierarchy", {"automatic", "hand"}));
+  command->add_flag("--bounds", options->bounds, "Of bounding volumes besides: fit, choice and cost of each element's");
   command->add_option("--format", options->format, "How the answer is printed")
       ->check(one_of("format", {"text", "json"}))
       ->capture_default_str();
@@ -237,7 +245,10 @@ void add_stats(CLI::App& app, int& status) {
       "chosen at random, and are always the same: {} of seed {}. n counts tests of volumes and planes, m elements\n"
       "whose surface is tested; break-even is the number of rays from which on the time to build it has been won\n"
       "back, against {}, which tries the ball of every element. The cost of a hierarchy is that of Goldsmith and\n"
-      "Salmon, the tests of a line that meets its root; arity is the mean number of children.\n\n{}{}",
+      "Salmon, the tests of a line that meets its root; arity is the mean number of children. Of bounding volumes B "
+      "and\n"
+      "I are what a test of a volume and of an element takes, T is n·B + m·I for a ray; void area is what the volume\n"
+      "covers and the element's hull does not, in the mean over directions of the rays, mean fit over all.\n\n{}{}",
       own_rays, own_seed, without, exit_status("the figures are printed", "the call or a file is bad"),
       examples({"stats demo/still-life.json", "stats demo/still-life.json demo/rays.txt --format json --no-times"})));
   command->callback([options, &status] { status = run(*options); });

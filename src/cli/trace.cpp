@@ -8,9 +8,9 @@
 
 #include "commands.hpp"
 #include "description.hpp"
+#include "durero/io/groups_file.hpp"
 #include "durero/io/hits_file.hpp"
 #include "durero/io/rays_file.hpp"
-#include "durero/io/scene_file.hpp"
 #include "engines.hpp"
 #include "progress.hpp"
 
@@ -33,7 +33,7 @@ void set_share(Progress& progress, const io::Input& input, std::optional<std::ui
 int run(const TraceOptions& options) {
   const ThreadLimit limit(options.threads);
   io::HitWriter out(options.out);
-  const SceneInput of = read_input(options.scene);
+  const scene::GroupedScene of = io::read_grouped_scene(io::read_source(options.scene));
   const scene::Scene& scene = of.scene;
   const engine::Row& engine = *engine::find(options.engine);
   const auto ready = prepared(engine, options.hierarchy, of);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "durero/io/groups_file.hpp"
 #include "durero/io/nff.hpp"
 #include "durero/io/obj.hpp"
 #include "durero/io/ply.hpp"
@@ -11,7 +12,10 @@
 namespace durero::io {
 namespace {
 
-Imported read_json(const Source& source) { return {read_scene(source), {}}; }
+Imported read_json(const Source& source) {
+  scene::GroupedScene read = read_grouped_scene(source);
+  return {std::move(read.scene), {}, std::move(read.groups)};
+}
 Exported write_json(const scene::Scene& scene) { return {scene_text(scene), {}}; }
 
 constexpr Format all[] = {

@@ -7,6 +7,7 @@
 #include <set>
 #include <string_view>
 
+#include "durero/io/scene_file.hpp"
 #include "durero/model/tipos.hpp"
 #include "durero/text/shown.hpp"
 #include "groups_reader.hpp"
@@ -111,6 +112,12 @@ scene::Groups read_groups(const Source& source, const scene::Scene& scene) {
   const json::Reader in(document);
   auto groups = in.member("groups");
   return groups ? make_groups(in, read_written_groups(*groups), scene) : scene::Groups();
+}
+
+scene::GroupedScene read_grouped_scene(const Source& source) {
+  scene::GroupedScene read{read_scene(source)};
+  read.groups = read_groups(source, read.scene);
+  return read;
 }
 
 }  // namespace durero::io

@@ -26,6 +26,9 @@ class ObjLines {
  public:
   ObjLines(const Source& source, const PolygonSoup& soup) : source_(source), soup_(soup) {}
 
+  /// The groups of the faces, after read().
+  const FaceGroups& groups() const { return groups_; }
+
   /// What is lost. Throws InputError.
   std::vector<std::string> read() {
     Lines lines(source_.text());
@@ -53,7 +56,7 @@ class ObjLines {
     } else if (statement == "usemtl" || statement == "mtllib") {
       ++materials_;
     } else if (statement == "o" || statement == "g") {
-      ++groups_;
+      read_group(in);
     } else if (std::ranges::find(others, statement) != std::end(others)) {
       ++others_;
     } else {
@@ -81,6 +84,22 @@ class ObjLines {
     }
   }
 
+  // The faces that follow are in the group of the first name, whatever was named before; in none where there is none,
+  // or none that a group can have.
+  void read_group(Cursor& in) {
+    group_ = FaceGroups::none;
+    for (bool first = true; !in.done(); first = false) {
+      const std::string_view name = in.word("#");
+      in.skip_blanks();
+      if (!first)
+        ++further_names_;
+      else if (model::Elemento::is_name(std::string(name)))
+        group_ = groups_.group(name);
+      else
+        ++no_names_;
+    }
+  }
+
   void read_face(Cursor& in, std::size_t at) {
     const Face& face = faces_ < soup_.faces.size() ? soup_.faces[faces_] : none_;
     std::size_t corners = 0;
@@ -97,6 +116,7 @@ class ObjLines {
     if (corners != face.size())
       in.fail(at, "f with numbers in a comment or too long", "expected spaces before a comment");
     ++faces_;
+    groups_.of_face.push_back(group_);
   }
 
   void check_vertex(const Cursor& in, std::size_t at, std::string_view corner, std::int64_t vertex) const {
@@ -131,7 +151,10 @@ class ObjLines {
     add_loss(lost, weighted_, "weight or colour of a vertex", "weights or colours of vertices",
              "left out: a scene has none");
     add_loss(lost, materials_, "use of a material", "uses of materials", "left out: OBJ keeps them in another file");
-    add_loss(lost, groups_, "name of a group", "names of groups", "left out: a scene has none");
+    add_loss(lost, no_names_, "name of a group", "names of groups",
+             "left out: expected 1 to 128 of A-Z a-z 0-9 _ . : -");
+    add_loss(lost, further_names_, "further name of a group", "further names of groups",
+             "left out: a triangle is in one group");
     add_loss(lost, others_, "other statement", "other statements", "left out: no vertex, no face");
     return lost;
   }
@@ -140,7 +163,10 @@ class ObjLines {
   const PolygonSoup& soup_;
   const Face none_;
   std::size_t vertices_ = 0, faces_ = 0;  // passed
-  std::size_t normals_ = 0, texture_coordinates_ = 0, weighted_ = 0, materials_ = 0, groups_ = 0, others_ = 0;
+  std::size_t normals_ = 0, texture_coordinates_ = 0, weighted_ = 0, materials_ = 0, others_ = 0;
+  std::size_t no_names_ = 0, further_names_ = 0;  // of groups
+  FaceGroups groups_;
+  FaceGroups::Number group_{FaceGroups::none};  // of the faces that follow
 };
 
 }  // namespace
@@ -150,7 +176,9 @@ Imported read_obj(const Source& source) {
   plain.reserve(source.text().size());
   append_plain(plain, source.text());
   const PolygonSoup soup = obj_soup(plain);
-  return mesh_scene(source, soup, ObjLines(source, soup).read());
+  ObjLines lines(source, soup);
+  std::vector<std::string> lost = lines.read();
+  return mesh_scene(source, soup, std::move(lost), lines.groups());
 }
 
 }  // namespace durero::io

@@ -12,13 +12,14 @@ void Polygons::add(std::span<const glm::dvec3> polygon, std::optional<std::uint3
     return;
   }
   for (const auto& [a, b, c] : *triangles) {
-    const model::Answer answer =
-        scene_.apply_total(scene::Edit{scene::addition(model::Elemento{fmt::format("{}{}", prefix_, ++number_)},
-                                                       scene::Triangle{{polygon[a], polygon[b], polygon[c]}}),
-                                       material});
+    const model::Answer answer = scene_.apply_total(scene::Edit{
+        scene::addition(model::Elemento{name(++number_)}, scene::Triangle{{polygon[a], polygon[b], polygon[c]}}),
+        material});
     if (!answer.ok()) ++aligned_;  // the name is new, so that nothing else can be wrong
   }
 }
+
+std::string Polygons::name(std::size_t number) const { return fmt::format("{}{}", prefix_, number); }
 
 void Polygons::name_losses(std::vector<std::string>& lost) const {
   add_loss(lost, aligned_, "triangle", "triangles", "left out: the vertices lie on one line");

@@ -20,6 +20,10 @@ class Polygons {
 
   /// Precondition: three vertices or more, finite; the material is one of the stage's.
   void add(std::span<const glm::dvec3> polygon, std::optional<std::uint32_t> material = {});
+  /// How many triangles have been added or left out: the number of the last one.
+  std::size_t number() const noexcept { return number_; }
+  /// The name that a triangle has, were it left out.
+  std::string name(std::size_t number) const;
   /// Appends a line for each kind of thing that was left out.
   void name_losses(std::vector<std::string>& lost) const;
 

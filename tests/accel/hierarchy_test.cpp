@@ -1,6 +1,8 @@
 #include "durero/accel/hierarchy.hpp"
 
 #include <array>
+#include <tuple>
+#include <vector>
 
 #include "durero/number/rational.hpp"
 #include "support/catch.hpp"
@@ -136,4 +138,41 @@ TEST_CASE("children of a node that gives way are its parent's") {
   CHECK(tree[tree.root()].leaves == 3);
   for (const Hierarchy::Number leaf : both) CHECK(tree[leaf].parent == tree.root());
   CHECK(tree.depth() == 1);
+}
+
+TEST_CASE("arranged, it is the same tree, without gaps, and the children of a node stand together") {
+  Hierarchy tree;
+  std::vector<Hierarchy::Number> all;
+  for (int i = 0; i < 4; ++i) all.push_back(group(tree, box({0, 3.0 * i, 0}, {2, 2, 2}), 2 + i));
+  tree.set_root(tree.join(all));
+  tree.dissolve(all[1]);
+  tree.take_out(tree[all[3]].child);
+  // Of each node, in the order of the tree: its box, and what it is.
+  const auto described = [&] {
+    std::vector<std::tuple<double, double, std::uint32_t, std::uint32_t, std::uint32_t>> nodes;
+    tree.for_each([&](const Hierarchy::Node& node) {
+      nodes.emplace_back(node.box.low.x, node.box.high.y, node.arity, node.leaves, node.element.index);
+    });
+    return nodes;
+  };
+  const auto before = described();
+  tree.arrange();
+  CHECK(described() == before);
+  CHECK(tree.numbers() == before.size());
+  CHECK(tree.inner_nodes() == 4);
+  CHECK(tree[tree.root()].parent == Hierarchy::none);
+  for (Hierarchy::Number node = 0; node < tree.numbers(); ++node) {
+    const std::vector<Hierarchy::Number> family = children(tree, node);
+    CHECK(family.size() == tree[node].arity);
+    for (std::size_t i = 0; i < family.size(); ++i) {
+      CHECK(family[i] == family[0] + i);
+      CHECK(tree[family[i]].parent == node);
+    }
+  }
+  // Edits go on.
+  tree.put_under(tree.root(), tree.leaf(sphere(9), box({0, 0, 5}, {1, 1, 1})));
+  CHECK(tree[tree.root()].box.high.z == 6);
+  Hierarchy none;
+  none.arrange();
+  CHECK(none.empty());
 }

@@ -1,6 +1,7 @@
 // Checked edits of a scene: pairs of one removal and one addition, in scenes of 10³ and of 10⁶ elements, with contracts
 // at their default and ignored. A pair takes away an element drawn at random and puts it back; or, where the hierarchy
-// `bvh` follows, puts it anywhere else, so that the hierarchy is ever less the one that was built.
+// `bvh` follows, puts it anywhere else, so that the hierarchy is ever less the one that was built. Items are edits, two
+// a pair, and their rate is by the processor's time.
 //
 // DURERO_PAIRS=N runs each benchmark for N pairs exactly; tests/bench/instructions.sh counts with it.
 
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <ctime>
 #include <map>
 #include <numeric>
 #include <random>
@@ -77,19 +79,29 @@ void pairs(benchmark::State& state, evaluation_semantic contracts) {
     edit_pair(w.scene, w.pairs[i]);
     i = (i + 1) % w.pairs.size();
   }
-  state.SetItemsProcessed(state.iterations());
+  state.SetItemsProcessed(2 * state.iterations());
 }
 
 scene::ElementRef place(const scene::Scene& scene, const model::Operation& operation) {
   return *scene.find(scene::name_of(operation).name());
 }
 
-/// With the bytes an element that the hierarchy takes at the end, and how much its cost has grown.
+/// Of the processor, for one edit of a scene that nothing follows.
+double seconds_alone(Workload& w) {
+  const std::clock_t start = std::clock();
+  for (const Pair& pair : w.pairs) edit_pair(w.scene, pair);
+  return double(std::clock() - start) / CLOCKS_PER_SEC / double(2 * w.pairs.size());
+}
+
+/// With the bytes an element that the hierarchy takes at the end, how much its cost has grown, and how many times what
+/// the edits alone take they take where it follows.
 void followed(benchmark::State& state) {
   Workload& w = workload(static_cast<int>(state.range(0)), true);
+  const double alone = seconds_alone(w);
   accel::Bvh bvh(w.scene);
   const double cost = accel::weight<double>(bvh.hierarchy());
   std::size_t i = 0;
+  const std::clock_t start = std::clock();
   for (auto _ : state) {
     const auto& [removal, addition] = w.pairs[i];
     const scene::ElementRef gone = place(w.scene, removal);
@@ -99,7 +111,9 @@ void followed(benchmark::State& state) {
     bvh.added(place(w.scene, addition));
     i = (i + 1) % w.pairs.size();
   }
-  state.SetItemsProcessed(state.iterations());
+  const double edits = 2 * double(state.iterations());
+  state.counters["ratio"] = double(std::clock() - start) / CLOCKS_PER_SEC / edits / alone;
+  state.SetItemsProcessed(2 * state.iterations());
   state.counters["bytes"] = static_cast<double>(bvh.size().bytes) / static_cast<double>(w.scene.size());
   state.counters["cost"] = accel::weight<double>(bvh.hierarchy()) / cost;
 }

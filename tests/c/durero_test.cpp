@@ -1,5 +1,9 @@
 #include "durero/c/durero.h"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <string>
@@ -39,6 +43,27 @@ TEST_CASE("a scene is edited under contract, and a refusal names the clause") {
   CHECK(durero_apply(scene.get(), "Eliminar_Esfera e?=same\nEliminar_Esfera e?=near") == DURERO_FAILED);
   CHECK(durero_apply(scene.get(), "Eliminar_Esfera e?=same") == DURERO_DONE);
   CHECK(durero_scene_size(scene.get()) == 1);
+}
+
+TEST_CASE("groups are edited under contract, written and read") {
+  const Scene scene = two_spheres();
+  CHECK(durero_apply(scene.get(), "group g?=pair elementos?=near,same") == DURERO_DONE);
+  CHECK(durero_apply(scene.get(), "group g?=pair elementos?=") == DURERO_FAILED);
+  CHECK(durero_apply(scene.get(), "group g?=pair groups?=pair") == DURERO_REFUSED);
+  CHECK(std::string(durero_error()) == "group.pre.1: g? ∉ dom groups");
+  CHECK(durero_apply(scene.get(), "Eliminar_Esfera e?=same") == DURERO_DONE);
+  const std::string path = std::filesystem::temp_directory_path() / fmt::format("durero_test_{}.json", getpid());
+  REQUIRE(durero_scene_write(scene.get(), path.c_str()) == DURERO_DONE);
+  const Scene again(durero_scene_read(path.c_str()), durero_scene_free);
+  std::filesystem::remove(path);
+  REQUIRE(again);
+  CHECK(durero_scene_size(again.get()) == 1);
+  CHECK(durero_apply(again.get(), "group g?=new elementos?=near") == DURERO_REFUSED);
+  CHECK(std::string(durero_error()).starts_with("group.pre.4: "));
+  CHECK(durero_apply(again.get(), "ungroup g?=pair") == DURERO_DONE);
+  CHECK(durero_apply(again.get(), "group g?=new elementos?=near") == DURERO_DONE);
+  CHECK(durero_scene_write(again.get(), "no/such/folder/scene.json") == DURERO_FAILED);
+  CHECK(std::string(durero_error()).starts_with("no/such/folder/scene.json: "));
 }
 
 TEST_CASE("rays are answered in order, with every element at the first point") {

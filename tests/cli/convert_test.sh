@@ -68,6 +68,14 @@ f 1 2 4
 f 2 3 4
 f 3 1 4
 TEXT
+# Groups come with it, and are the hierarchy where that is asked for.
+{ sed '/^f/d' meshes/solid.obj; printf 'g base\nf 1 3 2\ng sides\nf 1 2 4\nf 2 3 4\nf 3 1 4\n'; } >grouped.obj
+run 0 import grouped.obj -o grouped.json
+empty err
+has grouped.json '"base":{"elementos":["grouped.obj:1"]'
+has grouped.json '"sides":{"elementos":["grouped.obj:2","grouped.obj:3","grouped.obj:4"]'
+run 0 stats grouped.json --engine bvh --hierarchy hand --no-times
+has out 'bvh by hand'
 run 0 import meshes/solid.obj -o solid.json
 is err 'durero: meshes/solid.obj: 1 triangle left out: the vertices lie on one line'
 is solid.json '{"format":"durero-scene","version":1,

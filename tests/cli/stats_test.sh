@@ -60,6 +60,38 @@ lines out 6
 run 0 stats scene.json --engine bvh --hierarchy hand --format json --no-times
 has out '"made":"by hand"'
 
+# A hierarchy of many elements is paid for, after as many rays as the seconds say: built longer, over saved for a ray.
+awk 'BEGIN {
+  printf "{\"format\":\"durero-scene\",\"version\":1,\"elementos\":["
+  for (i = 0; i < 8000; ++i)
+    printf "%s{\"id\":\"s%d\",\"tipo\":\"esfera\",\"centro\":[%d,%d,%d],\"radio\":0.3}", i ? "," : "", i, i % 20, i / 20 % 20, i / 400
+  print "]}" }' >many.json
+run 0 stats many.json --engine analytic --engine bvh --format json
+sed -n 's/.*"seconds":{"building":\([^,]*\),"answering":\([^}]*\)}\(,"break_even":\([0-9]*\)\)\{0,1\}.*/\1 \2 \4/p' out >seconds
+lines seconds 2
+checks=$((checks + 1))
+awk 'NR == 1 { built = $1; answered = $2 }
+  NR == 2 { rays = 1000 * ($1 - built) / (answered - $2); wrong = $3 == "" || $3 < rays - 1 || $3 > rays + 2 }
+  END { exit NR != 2 || wrong }' seconds || fail "$called: not the rays that pay for it: $(cat seconds)"
+
+# Bounding volumes where they are asked for: each kind and what is chosen, then each element that has one.
+run 0 stats scene.json --engine volumes --bounds --no-times
+cp out said
+has out 'I = 51.0 ns'
+has out 'chosen                       m/ray    mean fit   void area  T foretold'
+run 0 stats scene.json --engine volumes --bounds --no-times
+same out said
+grep -q measured out && fail 'what was measured where no times were asked for'
+run 0 stats scene.json --engine volumes --bounds
+has out 'measured ns'
+run 0 stats scene.json --engine volumes --bounds --format json --no-times
+has out '{"volumes":"slabs-13","n":3000,'
+has out '"kinds":[{"kind":"ball","m":'
+[ "$(grep -c '^{"volumes":' out)" -eq 8 ] || fail 'not seven kinds and what is chosen'
+[ "$(grep -c '^{"id":' out)" -eq 3 ] || fail 'not an entry for each element'
+run 0 stats scene.json --engine volumes --format json --no-times
+grep -q bounds out && fail 'bounding volumes that nobody asked for'
+
 echo '{"format":"durero-scene","version":1,"elementos":[]}' >empty.json
 run 0 stats empty.json
 has out 'empty.json: 0 elementos, 0 rays'

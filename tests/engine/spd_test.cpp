@@ -1,9 +1,7 @@
 // The Standard Procedural Databases (Haines), which the literature on acceleration measures by: every engine has the
 // bytes of `exact` on them, for rays of the camera, towards the lights from what those meet, from there anywhere, and
-// from anywhere. DURERO_SPD names their folder; without it, they are looked for beside the sources.
-#include <cstdlib>
-#include <filesystem>
-#include <iostream>
+// from anywhere.
+#include "support/spd.hpp"
 
 #include "durero/conform/rays_towards.hpp"
 #include "durero/io/nff.hpp"
@@ -13,7 +11,6 @@
 #include "support/sanitized.hpp"
 #include "support/scenes.hpp"
 #include "support/shapes.hpp"
-#include "support/tree.hpp"
 
 using namespace durero;
 using namespace durero::test;
@@ -22,19 +19,11 @@ namespace {
 
 constexpr std::array names{"balls", "rings", "lattice", "jacks", "tree"};
 
-std::string path_of(const std::string& name) {
-  const char* const named = std::getenv("DURERO_SPD");
-  return (named != nullptr ? std::string(named) : source_dir() + "/../shared/data/spd") + "/" + name + ".nff";
-}
-
-/// Nothing where the file is absent, which is said.
+/// Nothing where the file is absent.
 std::optional<scene::Scene> spd(const std::string& name) {
-  const std::string path = path_of(name);
-  if (!std::filesystem::exists(path)) {
-    std::cout << "skipped: absent: " << path << '\n';
-    return {};
-  }
-  return std::move(io::read_nff(io::read_source(path)).scene);
+  const auto path = spd_path(name);
+  if (!path) return std::nullopt;
+  return std::move(io::read_nff(io::read_source(*path)).scene);
 }
 
 Queries primary(scene::Scene& scene, std::uint32_t side) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <glm/geometric.hpp>
 #include <set>
 
@@ -13,7 +12,7 @@
 #include "random_scene.hpp"
 #include "support/catch.hpp"
 #include "support/property.hpp"
-#include "support/tree.hpp"
+#include "support/spd.hpp"
 
 using namespace durero;
 
@@ -55,10 +54,6 @@ pp 3
 c 0 0 0 2 0 0 3 1
 s 0 0 0 -2
 )";
-
-std::string data(const std::string& name) {
-  return durero::test::source_dir() + "/../shared/data/spd/" + name + ".nff";
-}
 
 std::size_t count(const io::Imported& i, model::Tipo tipo) {
   std::size_t count = 0;
@@ -336,12 +331,10 @@ TEST_CASE("Real scenes: the standard procedural databases") {
                           {"jacks", 3510, 1755, 0, 0, {near_plane}},
                           {"tree", 4095, 0, 4095, 2, {near_plane}}};
   for (const Expected& e : all) {
-    if (!std::filesystem::exists(data(e.name))) {
-      WARN("skipped: " << data(e.name) << " is not there");
-      continue;
-    }
+    const auto path = test::spd_path(e.name);
+    if (!path) continue;
     INFO(e.name);
-    const io::Imported i = io::read_nff(io::read_source(data(e.name)));
+    const io::Imported i = io::read_nff(io::read_source(*path));
     CHECK(count(i, model::Tipo::soy_esfera) == e.spheres);
     CHECK(count(i, model::Tipo::soy_cilindro) == e.cylinders);
     CHECK(count(i, model::Tipo::soy_cono) == 0);

@@ -49,11 +49,13 @@ TEST_CASE("The faces of an OBJ become triangles, named by file and number") {
 {"id":"sheet.obj:5","tipo":"triangulo","vertices":[[0,0,0],[2,0,0],[0,2,0]]}
 ]}
 )");
+  const scene::Names all{"sheet.obj:1", "sheet.obj:2", "sheet.obj:3", "sheet.obj:4", "sheet.obj:5"};
+  CHECK(i.groups.table() == scene::Groups::Table{{"sheet", {all, {}}}});
   CHECK(i.lost == std::vector<std::string>{
                       "1 normal left out: a triangle has its own", "2 texture coordinates left out: a scene has none",
                       "2 weights or colours of vertices left out: a scene has none",
                       "2 uses of materials left out: OBJ keeps them in another file",
-                      "1 name of a group left out: a scene has none", "1 other statement left out: no vertex, no face",
+                      "1 other statement left out: no vertex, no face",
                       "1 triangle left out: the vertices lie on one line", "1 polygon left out: edges touch or cross"});
 }
 
@@ -95,6 +97,59 @@ TEST_CASE("A file's name that no element could have is changed, and that is said
   const io::Imported longer = import_text(text, most + "x");
   CHECK(longer.scene.find(first).has_value());
   CHECK(longer.lost.size() == 1);
+}
+
+TEST_CASE("Names of groups and objects are groups of the triangles that follow, one of each name") {
+  // As a modelling program writes two objects, of which the second has faces of two materials.
+  const io::Imported i = import_text(R"(# www.example.org
+mtllib rooms.mtl
+o Floor_Plane.001
+v -1 0 1
+v 1 0 1
+v -1 0 -1
+v 1 0 -1
+vn 0 1 0
+usemtl Wood
+s off
+f 1//1 2//1 4//1 3//1
+o Lamp
+v 0 2 0
+v 0.5 2 0
+v 0 2 0.5
+v 0 3 0
+g Lamp_Shade upper all
+usemtl Paper
+f 5 6 8
+f 6 7 8
+f 5 5 6
+g Lamp_Base
+f 5 7 6
+g
+f 7 5 8
+g Lamp_Shade
+f -4 -1 -2
+g a+b
+f 1 2 3
+o Nothing_of_it
+)",
+                                     "rooms.obj");
+  const scene::Groups::Table expected{
+      {"Floor_Plane.001", {{"rooms.obj:1", "rooms.obj:2"}, {}}},
+      {"Lamp_Base", {{"rooms.obj:6"}, {}}},
+      {"Lamp_Shade", {{"rooms.obj:3", "rooms.obj:4", "rooms.obj:8"}, {}}},
+  };
+  CHECK(i.groups.table() == expected);
+  CHECK(i.scene.find("rooms.obj:7").has_value());
+  CHECK(i.scene.find("rooms.obj:9").has_value());
+  CHECK(i.lost == std::vector<std::string>{
+                      "1 normal left out: a triangle has its own",
+                      "3 uses of materials left out: OBJ keeps them in another file",
+                      "1 name of a group left out: expected 1 to 128 of A-Z a-z 0-9 _ . : -",
+                      "2 further names of groups left out: a triangle is in one group",
+                      "1 other statement left out: no vertex, no face",
+                      "1 triangle left out: the vertices lie on one line",
+                      "2 groups left out: no triangle is in it",
+                  });
 }
 
 TEST_CASE("A malformed OBJ file is an error with its place") {

@@ -40,6 +40,35 @@ def test_each_element_is_added_and_read_back() -> None:
     assert len(scene) == 0 and scene == durero.Scene()
 
 
+def test_groups_are_kept_and_edited_as_the_program_does(tmp_path: pathlib.Path) -> None:
+    path = ROOT / "demo" / "groups.json"
+    scene = durero.Scene.load(path)
+    assert durero.Scene.loads(scene.dumps()).groups == scene.groups and scene.groups
+    scene.save(tmp_path / "python.json")
+    run("import", path, "-o", tmp_path / "program.json")
+    assert (tmp_path / "python.json").read_bytes() == (tmp_path / "program.json").read_bytes()
+    for name in list(scene.groups):
+        assert scene.ungroup(name) == "ungrouped"
+    assert scene.groups == {}
+    one, other, *_ = scene.names
+    assert scene.group("pair", [other, one]) == "grouped"
+    assert scene.group("outer", groups=["pair"]) == "grouped"
+    assert scene.groups == {"outer": ((), ("pair",)), "pair": ((one, other), ())}
+    before = copy.copy(scene)
+    with pytest.raises(durero.Refused) as refused:
+        scene.group("again", [one])
+    assert refused.value.label == "group.pre.4" and refused.value.r == "element_in_a_group"
+    assert refused.value.operation == "group"
+    assert refused.value.values == {"g": "again", "elementos": [one], "groups": []}
+    with pytest.raises(durero.Refused):
+        scene.apply_all(["ungroup g?=outer", "ungroup g?=outer"])
+    assert scene == before
+    scene.remove(one)
+    assert scene.groups["pair"].elementos == (other,) and before.groups["pair"].elementos == (one, other)
+    with pytest.raises(TypeError):
+        scene.ungroup(3)  # type: ignore[arg-type]
+
+
 def test_a_file_is_read_and_written_as_the_program_does(tmp_path: pathlib.Path) -> None:
     scene = durero.Scene.load(STILL_LIFE)
     assert {"apple", "table"} <= set(scene) and "apple" in scene and "moon" not in scene and 3 not in scene.keys()  # type: ignore[comparison-overlap]

@@ -81,6 +81,8 @@ class Bvh {
   /// Makes a leaf or a place apart for each element; the leaves.
   std::vector<Number> take_elements();
   void grow(Build build, std::vector<Number> leaves);
+  /// Puts what is near in the tree near in memory.
+  void arrange();
   /// The root over the groups. Precondition: a leaf or more.
   Number join_groups(const scene::Groups& groups, std::span<const Number> leaves);
 

@@ -4,17 +4,21 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/common.hpp>
 #include <limits>
 #include <span>
 #include <vector>
 
+#include "durero/accel/large_pages.hpp"
 #include "durero/scene/element_ref.hpp"
 #include "durero/surface/bounds.hpp"
 
 namespace durero::accel {
 
 /// The least box around two.
-surface::Box around(const surface::Box& a, const surface::Box& b);
+inline surface::Box around(const surface::Box& a, const surface::Box& b) {
+  return {glm::min(a.low, b.low), glm::max(a.high, b.high)};
+}
 
 /// The surface of a box, over the numbers N: exact where those are.
 template <class N>
@@ -97,6 +101,12 @@ class Hierarchy {
   /// The leaf's element has another box: those above are made anew.
   void refit(Number leaf, const surface::Box& box);
 
+  /// Numbers the nodes anew, from 0 on without a gap: the children of a node stand together, and what is near in the
+  /// tree is near in memory. Numbers of before name nothing any more. Precondition: every node has a place.
+  void arrange();
+  /// The numbers of nodes are less than this. Right after arrange() each of them is one of a node.
+  Number numbers() const noexcept { return static_cast<Number>(nodes_.size()); }
+
   /// The longest way from the root to a leaf, in steps.
   std::size_t depth() const;
   /// Inner nodes.
@@ -114,7 +124,9 @@ class Hierarchy {
   void grow_upwards(Number node, const surface::Box& by, std::uint32_t leaves);
   void shrink_upwards(Number node, surface::Box gone);
 
-  std::vector<Node> nodes_;
+  using Nodes = std::vector<Node, LargePages<Node>>;
+
+  Nodes nodes_;
   std::vector<Number> free_;
   Number root_ = none;
 };

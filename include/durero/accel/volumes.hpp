@@ -14,11 +14,14 @@ namespace durero::accel {
 /// Each element of a scene in a volume of its own kind.
 class Volumes {
  public:
-  /// The kind that is cheapest for isotropic rays through the scene, for each element. The scene must outlive it
-  /// unedited.
+  /// For each element the volume, of one kind or composed, that is cheapest for isotropic rays through the box about
+  /// the scene. The scene must outlive it unedited.
   explicit Volumes(const scene::Scene& scene);
   /// One kind for all.
   Volumes(const scene::Scene& scene, const Kind& kind);
+
+  /// The surface of the box about all elements of a scene that have one; 0 where none has.
+  static double region(const scene::Scene& scene);
 
   /// What it is made of.
   const scene::Scene& scene() const noexcept { return *scene_; }
@@ -32,8 +35,8 @@ class Volumes {
     scene::ElementRef element;  ///< what is within
     Volume volume;              ///< one kind, or composed
   };
-  /// All of them, those of one kind together, so that the processor foresees what comes next. A volume may be replaced
-  /// by another that contains the element.
+  /// All of them, those that are made alike together, so that the processor foresees what comes next. A volume may be
+  /// replaced by another that contains the element.
   std::span<Bounded> bounded() noexcept { return bounded_; }
   /// The same, to look at.
   std::span<const Bounded> bounded() const noexcept { return bounded_; }

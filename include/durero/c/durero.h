@@ -49,14 +49,17 @@ const char *durero_version(void);
 
 /** A scene without elements; NULL where memory runs out. */
 durero_scene *durero_scene_new(void);
-/** Reads a scene file; NULL where it is none, with its file, line and column. */
+/** Reads a scene file, with its groups; NULL where it is none, with its file, line and column. */
 durero_scene *durero_scene_read(const char *path);
+/** Writes a scene file, which appears whole or not at all. DURERO_FAILED where it cannot be written. */
+durero_answer durero_scene_write(const durero_scene *scene, const char *path);
 /** Nothing may use the scene any more, no engine either. NULL is permitted. */
 void durero_scene_free(durero_scene *scene);
 /** How many elements it has. */
 size_t durero_scene_size(const durero_scene *scene);
 
-/** Runs one operation, as `durero edit` reads it: "Agregar_Esfera e?=s1 centro?=(0,0,5) radio?=1". DURERO_REFUSED where
+/** Runs one operation, as `durero edit` reads it: "Agregar_Esfera e?=s1 centro?=(0,0,5) radio?=1", or an edit of the
+ * scene's groups: "group g?=pair elementos?=s1,s2", "ungroup g?=pair". DURERO_REFUSED where
  * a precondition does not hold: the scene is as it was, and durero_error() is "LABEL: PREDICATE", the clause of the
  * specification. DURERO_FAILED where the text is no operation. */
 durero_answer durero_apply(durero_scene *scene, const char *operation);

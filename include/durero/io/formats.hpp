@@ -7,14 +7,16 @@
 #include <vector>
 
 #include "durero/io/source.hpp"
+#include "durero/scene/groups.hpp"
 #include "durero/scene/scene.hpp"
 
 namespace durero::io {
 
-/// A scene read from a format, and one line for each kind of thing that it does not keep.
+/// A scene read from a format with its groups, and one line for each kind of thing that it does not keep.
 struct Imported {
   scene::Scene scene;             ///< what could be kept
   std::vector<std::string> lost;  ///< to be shown to the user; empty where all was kept
+  scene::Groups groups = {};      ///< of its elements; JSON and OBJ have some
 };
 
 /// A text in a format, and one line for each kind of thing of the scene that it does not keep.

@@ -191,7 +191,7 @@ double void_area(const Simple& volume, const Outline& outline, const glm::dvec3&
 }
 double mean_fit(const Simple& volume, const Outline& outline) { return (surface_of(volume) - outline.surface()) / 4; }
 
-std::span<const Kind> kinds() { return all_kinds; }
+std::span<const Kind, kind_count> kinds() { return all_kinds; }
 
 const Kind& cheapest(std::span<const double> shares) {
   return cheapest_by([&](const Kind& kind) { return shares[std::size_t(&kind - all_kinds.data())]; });

@@ -59,8 +59,10 @@ struct Kind {
   double B;               ///< what a test costs, in nanoseconds on the machine of docs/acceleration.md
   Simple (*around)(scene::ShapeView element, const Outline& outline);  ///< the volume around an element
 };
+/// How many there are.
+inline constexpr std::size_t kind_count = 7;
 /// All of them: ball, box, oriented-box, ellipsoid, and three, seven and thirteen slabs.
-std::span<const Kind> kinds();
+std::span<const Kind, kind_count> kinds();
 /// What a test of an element costs, as B.
 inline constexpr double I = 51;
 

@@ -1,0 +1,155 @@
+#include "durero/accel/volume/choice.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bitset>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <optional>
+
+namespace durero::accel {
+namespace {
+
+using std::numbers::pi;
+
+constexpr std::size_t line_count = 1024;
+/// Which of the lines meet a volume.
+using Met = std::bitset<line_count>;
+
+/// A line through the ball of radius 1 about 0, and the point on it that is nearest to 0.
+struct Chord {
+  glm::dvec3 along, aside;
+};
+
+/// Isotropic lines: four coordinates that fill the cube evenly (the multiples of the powers of the root of x⁵ = x + 1)
+/// give the direction, and the place across it.
+std::array<Chord, line_count> isotropic_lines() {
+  constexpr double root = 1.1673039782614187;
+  std::array<Chord, line_count> lines;
+  for (std::size_t i = 0; i < line_count; ++i) {
+    const auto coordinate = [&](int power) { return std::fmod(0.5 + double(i) / std::pow(root, power), 1); };
+    const double z = 1 - 2 * coordinate(1), around_z = 2 * pi * coordinate(2), flat = std::sqrt(1 - z * z);
+    const glm::dvec3 v(flat * std::cos(around_z), flat * std::sin(around_z), z);
+    const glm::dvec3 x = glm::normalize(glm::cross(v, std::abs(z) < 0.6 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0)));
+    const double angle = 2 * pi * coordinate(3), off = std::sqrt(coordinate(4));
+    lines[i] = {v, off * (std::cos(angle) * x + std::sin(angle) * glm::cross(v, x))};
+  }
+  return lines;
+}
+
+/// The volumes of an element and how many lines meet them, each found out when it is asked for.
+class Trial {
+ public:
+  Trial(scene::ShapeView element, double surface_of_region)
+      : element_(element), outline_(accel::outline(element)), region_(surface_of_region) {}
+
+  const Outline& outline() const { return outline_; }
+  const Simple& volume(std::size_t kind) {
+    auto& known = volumes_[kind];
+    if (!known) known = kinds()[kind].around(element_, outline_);
+    return *known;
+  }
+  /// Rays that meet a volume of one kind, of one that crosses the region, by Cauchy: more than 1 where it reaches
+  /// beyond.
+  double rays(std::size_t kind) {
+    auto& known = rays_[kind];
+    if (!known) known = surface_of(volume(kind)) / region_;
+    return *known;
+  }
+  /// No volume is met by fewer.
+  double share_of_hull() const { return std::min(1.0, outline_.surface() / region_); }
+  const Met& met(std::size_t kind) {
+    auto& known = met_[kind];
+    if (!known) known = met(volume(kind));
+    return *known;
+  }
+  Met met(const Simple& volume) {
+    static const std::array<Chord, line_count> lines = isotropic_lines();
+    const auto* const slabs = std::get_if<Slabs>(&volume);
+    const std::size_t directions = slabs == nullptr ? 0 : slabs->along.size();
+    Met result;
+    for (std::size_t i = 0; i < line_count; ++i) {
+      const auto& [along, aside] = lines[i];
+      const glm::dvec3 from = ball().centre + reach * ball().radius * (aside - 2.0 * along);
+      const trace::Ray line(model::Rayo{model::Punto(from), model::Vector(along)});
+      result[i] = verdict(volume, Asked(line, directions), never) == Verdict::met;
+    }
+    return result;
+  }
+
+ private:
+  /// Of the ball that the lines go through, in radii of the ball about the element: no kind reaches beyond √3 of them.
+  static constexpr double reach = 1.75;
+
+  const surface::Ball& ball() { return std::get<surface::Ball>(volume(0)); }
+
+  scene::ShapeView element_;
+  Outline outline_;
+  double region_;
+  std::array<std::optional<Simple>, kind_count> volumes_;
+  std::array<std::optional<double>, kind_count> rays_;
+  std::array<std::optional<Met>, kind_count> met_;
+};
+
+/// The least so far. What can save less than a hundredth is not tried: the lines do not tell it.
+class Least {
+ public:
+  explicit Least(Choice first) : best_(std::move(first)) {}
+
+  /// Whether something that costs no less than this may be taken.
+  bool may_be_beaten_by(double bound) const { return bound < 0.99 * best_.T; }
+  void consider(Choice choice) {
+    if (choice.T < best_.T) best_ = std::move(choice);
+  }
+  Choice take() { return std::move(best_); }
+
+ private:
+  Choice best_;
+};
+
+Choice made(Volume volume, double tests, double m) { return {std::move(volume), tests, m, tests + m * I}; }
+
+void consider_intersections(Trial& trial, Least& least) {
+  const double hull = trial.share_of_hull() * I;
+  for (std::size_t i = 0; i < kinds().size(); ++i) {
+    if (!least.may_be_beaten_by(kinds()[i].B + hull)) continue;
+    const double first = std::min(1.0, trial.rays(i));
+    for (std::size_t j = 0; j < kinds().size(); ++j) {
+      const double tests = kinds()[i].B + first * kinds()[j].B;
+      if (i == j || !least.may_be_beaten_by(tests + hull) || trial.met(i).none()) continue;
+      const double let_through = double((trial.met(i) & trial.met(j)).count()) / double(trial.met(i).count());
+      const double m = std::min(1.0, trial.rays(i) * let_through);
+      least.consider(made({{trial.volume(i), trial.volume(j)}}, tests, m));
+    }
+  }
+}
+
+}  // namespace
+
+Choice choose(scene::ShapeView element, double surface_of_region) {
+  Trial trial(element, surface_of_region);
+  const Kind& single = cheapest(element, surface_of_region);
+  const auto i = static_cast<std::size_t>(&single - kinds().data());
+  Least least(made({{trial.volume(i)}}, single.B, std::min(1.0, trial.rays(i))));
+  consider_intersections(trial, least);
+  return least.take();
+}
+
+const Kind& kind_of(const Simple& volume) {
+  const auto* const slabs = std::get_if<Slabs>(&volume);
+  std::size_t i = volume.index();
+  if (slabs != nullptr) i += slabs->along.size() == 3 ? 0 : slabs->along.size() == 7 ? 1 : 2;
+  return kinds()[i];
+}
+
+std::string described(const Volume& volume) {
+  std::string text;
+  for (const Simple& part : volume.parts) {
+    if (!text.empty()) text += volume.rule == Volume::Rule::intersection ? " ∩ " : " ∪ ";
+    text += kind_of(part).name;
+  }
+  return text;
+}
+
+}  // namespace durero::accel
