@@ -1,4 +1,5 @@
-// durero render SCENE -o OUT.png [--engine E] [--hierarchy H] [--size WxH] [--crop X,Y,W,H]: Algorithm II.1.
+// durero render SCENE -o OUT.png [--engine E] [--hierarchy H] [--with FILE] [--size WxH] [--crop X,Y,W,H]: Algorithm
+// II.1.
 #include "durero/render/render.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +22,7 @@ namespace {
 
 struct RenderOptions {
   std::string scene, out, size, crop;
-  std::string engine{engine::default_engine}, hierarchy{"automatic"};
+  std::string engine{engine::default_engine}, hierarchy{"automatic"}, with;
   std::size_t threads = 0;
   bool quiet = false;
 };
@@ -69,16 +70,14 @@ int run(const RenderOptions& options) {
     throw std::invalid_argument(fmt::format("{}: not a picture's name; expected OUT.png", options.out));
   const ThreadLimit limit(options.threads);
   io::OutputFile out(options.out);
-  SceneInput of = read_input(options.scene);
-  scene::Scene& scene = of.scene;
-  if (const auto size = frame_of(options).size) scene.stage().resolution = size;  // engines know pixels by the stage
-  const engine::Row& engine = *engine::find(options.engine);
-  if (!engine.honours_origins) throw std::invalid_argument(without_origins(engine, "shadow rays start on elements"));
+  const Asked asked = asked_of(options.scene, options.engine, options.hierarchy, options.with, frame_of(options).size);
+  const scene::Scene& scene = asked.scene();
+  asked.require_origins("shadow rays start on elements");
   Progress progress(options.quiet, "render");
   const render::Image image = [&] {
     try {
       const auto show = [&](double share) { progress.set_share(share); };
-      return render::render(scene, *prepared(engine, options.hierarchy, of), show, frame_of(options));
+      return render::render(scene, asked.engine(), show, frame_of(options));
     } catch (const std::domain_error& error) {
       throw std::domain_error(fmt::format("{}: {}", options.scene, error.what()));
     } catch (const std::out_of_range&) {
@@ -106,11 +105,13 @@ void add_render(CLI::App& app, int& status) {
       ->check(CLI::Validator(check_crop, ""));
   add_engine(*command, options->engine);
   add_hierarchy(*command, options->hierarchy);
+  add_with(*command, options->with);
   add_threads(*command, options->threads);
   add_quiet(*command, options->quiet);
   command->footer(exit_status("the picture is written", "the call or the scene is bad") +
                   examples({"render demo/still-life.json -o still-life.png",
-                            "render demo/still-life.json -o middle.png --size 1920x1080 --crop 480,270,960,540"}));
+                            "render demo/still-life.json -o middle.png --size 1920x1080 --crop 480,270,960,540",
+                            "render demo/surfaces/torus.json -o torus.png --with demo/surfaces/torus.tex"}));
   command->callback([options, &status] { status = run(*options); });
 }
 

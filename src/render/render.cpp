@@ -11,7 +11,6 @@
 #include <stdexcept>
 
 #include "durero/scene/camera.hpp"
-#include "durero/surface/normal.hpp"
 
 namespace durero::render {
 namespace {
@@ -36,10 +35,10 @@ struct Contribution {
 /// The points that rays hit, and the questions of what stands between them and the lights.
 class Shading {
  public:
-  explicit Shading(const scene::Scene& scene) : scene_(scene) {}
+  Shading(const scene::Scene& scene, const engine::Engine& engine) : scene_(scene), engine_(engine) {}
 
   void add(std::size_t ray, const glm::dvec3& v, const scene::Hit& hit, scene::ElementRef element) {
-    glm::dvec3 n = surface::normal(scene_, element, hit.punto);
+    glm::dvec3 n = engine_.normal(scene_, element, hit.punto);
     if (glm::dot(n, v) > 0) n = -n;  // the side that the ray sees: cylinders and cones are open
     for (const scene::Light& light : scene_.stage().lights) {
       const glm::dvec3 to_light = light.position - hit.punto;
@@ -51,15 +50,16 @@ class Shading {
   }
 
   /// Adds to each ray's sum what reaches its point.
-  void add_light(const engine::Engine& engine, std::span<glm::dvec3> sums) const {
+  void add_light(std::span<glm::dvec3> sums) const {
     boost::container::vector<bool> shadowed(shadows_.size());
-    engine.occluded_segments(shadows_, {shadowed.data(), shadowed.size()});
+    engine_.occluded_segments(shadows_, {shadowed.data(), shadowed.size()});
     for (std::size_t i = 0; i < shadows_.size(); ++i)
       if (!shadowed[i]) sums[contributions_[i].ray] += contributions_[i].light;
   }
 
  private:
   const scene::Scene& scene_;
+  const engine::Engine& engine_;
   std::vector<Contribution> contributions_;
   std::vector<scene::Query> shadows_;
 };
@@ -104,7 +104,7 @@ class Counter {
 std::vector<glm::dvec3> colors(const scene::Scene& scene, const engine::Engine& engine,
                                std::span<const scene::Query> rays) {
   const std::vector<scene::Hit> hits = engine::first_hits(engine, rays);
-  Shading shading(scene);
+  Shading shading(scene, engine);
   std::vector<std::optional<scene::ElementRef>> fronts(rays.size());
   for (std::size_t i = 0; i < rays.size(); ++i) {
     if (hits[i].resultado != model::Resultado::hit) continue;
@@ -112,7 +112,7 @@ std::vector<glm::dvec3> colors(const scene::Scene& scene, const engine::Engine& 
     shading.add(i, rays[i].rayo.v().xyz(), hits[i], *fronts[i]);
   }
   std::vector<glm::dvec3> colors(rays.size(), glm::dvec3(0));
-  shading.add_light(engine, colors);
+  shading.add_light(colors);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     colors[i] =
         fronts[i] ? own_color(scene, *fronts[i]) * colors[i] : scene.stage().background.value_or(default_background);
