@@ -32,12 +32,12 @@ class Search {
   }
 
   /// A point at t is nearest where no stretch begins before t: one that begins behind t, or at t itself, leaves it so.
-  scene::Hit hit() && {
+  scene::Hit hit() const {
     const bool is_nearest = nearest_ && (without_.empty() || (bound_ && algebra::compare(*nearest_, *bound_) <= 0));
     if (is_nearest) return at(*nearest_);
     scene::Hit none;
     none.resultado = without_.empty() ? model::Resultado::miss : model::Resultado::no_minimum;
-    none.elementos = std::move(without_);
+    none.elementos.assign(without_.begin(), without_.end());
     return none;
   }
 
@@ -58,14 +58,14 @@ class Search {
     without_.push_back(place);
   }
 
-  scene::Hit at(const Root& t) {
+  scene::Hit at(const Root& t) const {
     const auto& p = query_.rayo.p().xyz();
     const auto& v = query_.rayo.v().xyz();
     scene::Hit hit;
     hit.resultado = model::Resultado::hit;
     hit.t = algebra::rounded_linear(Dyadic(), Dyadic(1), t);
     for (int i = 0; i < 3; ++i) hit.punto[i] = algebra::rounded_linear(Dyadic(p[i]), Dyadic(v[i]), t);
-    hit.elementos = std::move(met_);
+    hit.elementos.assign(met_.begin(), met_.end());
     return hit;
   }
 
@@ -82,7 +82,7 @@ class WrittenEngine final : public engine::Engine {
     tbb::parallel_for(std::size_t{0}, queries.size(), [&](std::size_t i) {
       Search search(queries[i]);
       for (const Element& element : elements_) search.ask(element);
-      hits[i] = std::move(search).hit();
+      hits[i] = search.hit();
     });
   }
 
@@ -130,19 +130,34 @@ Surface surface_of(const io::Source& source, const Text& text, const io::Written
   }
 }
 
+Surface surface_of(const Text& text, const scene::Scene& scene, ElementRef element) {
+  return text.surface(std::string(word_of(element)), attributes_of(scene, element));
+}
+
 Surface surface_of(const io::Source& source, const Text& text, const scene::Scene& scene, ElementRef element) {
   try {
-    return text.surface(std::string(word_of(element)), attributes_of(scene, element));
+    return surface_of(text, scene, element);
   } catch (const NotInDomain& refused) {
     const std::string& name = scene.name(element).name();
-    const io::Place place = io::element_place(source, name).place;
-    throw io::InputError(source.name(), place,
+    throw io::InputError(source.name(), io::element_place(source, name).place,
                          fmt::format("{} is not in the domain of puntos_{}", name, word_of(element)),
                          fmt::format("expected {}", refused.expected));
   }
 }
 
+template <class SurfaceOf>
+std::unique_ptr<const engine::Engine> engine_of(const scene::Scene& scene, SurfaceOf surface) {
+  std::vector<Element> elements;
+  elements.reserve(scene.size());
+  scene.for_each([&](ElementRef place, const auto&) { elements.push_back({place, surface(place)}); });
+  return std::make_unique<const WrittenEngine>(std::move(elements));
+}
+
 }  // namespace
+
+std::unique_ptr<const engine::Engine> prepared(const scene::Scene& scene, const Text& text) {
+  return engine_of(scene, [&](ElementRef place) { return surface_of(text, scene, place); });
+}
 
 Written read(const io::Source& source, const Text& text) {
   std::vector<io::WrittenElement> own;
@@ -150,14 +165,11 @@ Written read(const io::Source& source, const Text& text) {
   const scene::Scene& scene = result.scene;
   std::map<ElementRef, const io::WrittenElement*> by_place;
   for (const io::WrittenElement& element : own) by_place.emplace(scene.find(element.id).value(), &element);
-  std::vector<Element> elements;
-  elements.reserve(scene.size());
-  scene.for_each([&](ElementRef place, const auto&) {
+  result.engine = engine_of(scene, [&](ElementRef place) {
     const auto written = by_place.find(place);
-    elements.push_back({place, written == by_place.end() ? surface_of(source, text, scene, place)
-                                                         : surface_of(source, text, *written->second)});
+    return written == by_place.end() ? surface_of(source, text, scene, place)
+                                     : surface_of(source, text, *written->second);
   });
-  result.engine = std::make_unique<const WrittenEngine>(std::move(elements));
   return result;
 }
 

@@ -96,7 +96,28 @@ std::optional<Parameters> Symbolic::parameters(const std::string& section, const
 }
 
 Value Symbolic::apply(const std::string& section, const Name& function, const Tuple& arguments) {
+  steps_ = zed::Steps(most_steps);
+  depth_ = 0;
   return call(parameters(section, function).value(), arguments, {});
+}
+
+Outside Symbolic::outside(const Fields& names, const Term& schema, const ScopePtr& scope) {
+  const zed::Global* const known = schema->kind == Kind::reference ? global(scope, schema->name) : nullptr;
+  const zed::Paragraph* const paragraph = known ? paragraph_of(*known) : nullptr;
+  const auto* const box = paragraph ? std::get_if<zed::Schema>(&paragraph->form) : nullptr;
+  if (box == nullptr) return {{}, zed::to_unicode(schema)};
+  const ScopePtr there = global_scope(known->section);
+  for (const zed::Declaration& declaration : box->text.declarations) {
+    for (const Name& name : declaration.names)
+      if (!member_of(names.at(name), declaration.term, there).is(true))
+        return {name, fmt::format("{} ∈ {}", name.text(), zed::to_unicode(declaration.term))};
+    if (declaration.form == zed::Declaration::Form::included && !member_of({names}, declaration.term, there).is(true))
+      return outside(names, declaration.term, there);
+  }
+  const ScopePtr inner = std::make_shared<const Scope>(Scope{names, there, there->section});
+  for (const zed::Predicate& predicate : box->text.predicates)
+    if (!condition(predicate.term, inner).is(true)) return {{}, zed::to_unicode(predicate.term)};
+  return {{}, zed::to_unicode(schema)};
 }
 
 /// The names of the parameters have the arguments as values, which are in the sets of the head and satisfy it.
@@ -115,12 +136,14 @@ Value Symbolic::call(const Parameters& function, const Tuple& arguments, const F
   }
   for (const zed::Declaration& declaration : function.head.declarations) {
     if (declaration.form == zed::Declaration::Form::included) {
-      if (!member_of(Value{names}, declaration.term, outer).is(true))
-        throw Outside{{}, zed::to_unicode(declaration.term)};
+      if (!member_of(Value{names}, declaration.term, outer).is(true)) throw outside(names, declaration.term, outer);
     }
-    for (const Name& name : declaration.names)
-      if (names.contains(name) && !member_of(names.at(name), declaration.term, outer).is(true))
-        throw Outside{name, fmt::format("{} ∈ {}", name.text(), zed::to_unicode(declaration.term))};
+    for (const Name& name : declaration.names) {
+      if (!names.contains(name) || member_of(names.at(name), declaration.term, outer).is(true)) continue;
+      const auto* const fields = std::get_if<Fields>(&names.at(name).form);
+      if (fields != nullptr && function.formal.size() == 1) throw outside(*fields, declaration.term, outer);
+      throw Outside{name, fmt::format("{} ∈ {}", name.text(), zed::to_unicode(declaration.term))};
+    }
   }
   const ScopePtr scope = std::make_shared<const Scope>(Scope{names, outer, function.section});
   for (const zed::Predicate& predicate : function.head.predicates)
@@ -289,6 +312,9 @@ Value Symbolic::application(const Term& term, const ScopePtr& scope) {
   } catch (const Outside& outside) {
     refuse(scope, term->place, fmt::format("{} may be applied outside its domain", zed::to_unicode(of)),
            fmt::format("expected {}", outside.expected));
+  } catch (const Refusal& refusal) {  // in a definition of another file: it is told where this one uses it
+    if (refusal.defect.file == specification_.find(scope->section)->file) throw;
+    refuse(scope, term->place, refusal.defect.what, refusal.defect.expected);
   }
 }
 

@@ -85,6 +85,8 @@ class Symbolic {
   Value application(const zed::Term& term, const ScopePtr& scope);
   Value arithmetic(const zed::Term& term, const ScopePtr& scope);
   Value call(const Parameters& function, const Tuple& arguments, const Fields& around);
+  /// Which part of a schema the binding does not satisfy.
+  Outside outside(const Fields& names, const zed::Term& schema, const ScopePtr& scope);
   ScopePtr let_scope(const zed::Term& term, const ScopePtr& scope);
   const Formula& formula(const Value& value, const zed::Term& term, const ScopePtr& scope) const;
 

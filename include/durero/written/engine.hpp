@@ -17,6 +17,10 @@ struct Written {
   std::unique_ptr<const engine::Engine> engine;  ///< exact, and honours origins; it does not refer to the scene
 };
 
+/// What answers rays on a scene by the text, where the program has shapes for all its elements; it does not refer to
+/// the scene. Throws NotInDomain, and io::InputError at what is wrong in the text.
+std::unique_ptr<const engine::Engine> prepared(const scene::Scene& scene, const Text& text);
+
 /// Reads a scene by the text. Throws io::InputError at the first thing that is wrong, in the scene or in the text.
 Written read(const io::Source& source, const Text& text);
 
