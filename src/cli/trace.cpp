@@ -73,7 +73,7 @@ void add_trace(CLI::App& app, int& status) {
       exit_status("every ray is answered", "the call or a file is bad") +
       examples({"trace demo/still-life.json demo/rays.txt",
                 "trace demo/still-life.json demo/rays.txt --engine exact -o hits.jsonl",
-                "trace demo/surfaces/torus.json demo/rays.txt --with demo/surfaces/torus.tex"}));
+                "trace demo/surfaces/torus.json demo/surfaces/rays.txt --with demo/surfaces/torus.tex"}));
   command->callback([options, &status] { status = run(*options); });
 }
 

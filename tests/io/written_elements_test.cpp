@@ -1,5 +1,6 @@
 #include "durero/io/written_elements.hpp"
 
+#include "durero/io/scene_file.hpp"
 #include "malformed.hpp"
 #include "support/catch.hpp"
 

@@ -131,11 +131,15 @@ TEST_CASE("A degree that is too high ends in one line, and so do too many steps"
   for (int i = 0; i < 5; ++i) power = "cuadrado(" + power + ")";
   CHECK(error_of_cosa(power + " = 1").find("is a polynomial of too high a degree; expected a degree of 24 at most") !=
         std::string::npos);
-  std::string sum = "w.x";
-  for (int i = 0; i < 30; ++i) sum = "doble(" + sum + ")";
-  const Written many("\\begin{axdef}\n  doble : \\real \\fun \\real\n\\where\n  \\forall r : \\real @ doble(r) = r + r\n"
-                     "\\end{axdef}\n" + cosa(sum + " = 1"));
-  CHECK_NOTHROW(many.text().surface("cosa", {glm::dvec3(0), 1.0}));
+  std::string twice = "\\begin{zed}\n  f0 == \\lambda r : \\real @ r + r\n\\end{zed}\n";  // each applies that before it twice
+  for (int i = 1; i <= 20; ++i) {
+    const std::string f = "f" + std::to_string(i), before = "f" + std::to_string(i - 1);
+    twice += "\\begin{zed}\n  " + f + " == \\lambda r : \\real @ " + before + "(r) + " + before + "(r)\n\\end{zed}\n";
+  }
+  const Written many(twice + cosa("f20(w.x) = 1")), few(twice + cosa("f9(w.x) = 1"));
+  CHECK(error_of(many, [&] { many.text().surface("cosa", {glm::dvec3(0), 1.0}); })
+            .ends_with("puntos_cosa takes more steps than it may; expected a shorter text"));
+  CHECK_NOTHROW(few.text().surface("cosa", {glm::dvec3(0), 1.0}));
   const Written endless("\\begin{axdef}\n  sin : \\real \\fun \\real\n\\where\n  \\forall r : \\real @ sin(r) = sin(r) + r\n"
                         "\\end{axdef}\n" + cosa("sin(w.x) = 1"));
   CHECK(error_of(endless, [&] { endless.text().surface("cosa", {glm::dvec3(0), 1.0}); })

@@ -1,14 +1,15 @@
 #pragma once
 /// Elements of types that the program has no shape for, in scene files: a Z text says what their points are.
+/// read_scene(source, types, elements) of scene_file.hpp reads them.
 
+#include <cstddef>
+#include <cstdint>
 #include <glm/vec3.hpp>
-#include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "durero/io/source.hpp"
-#include "durero/scene/scene.hpp"
+#include "durero/scene/shape/attribute.hpp"
 
 namespace durero::io {
 
@@ -41,11 +42,5 @@ struct WrittenElement {
   std::vector<WrittenValue> values;  ///< in step with the attributes of its type
   std::vector<std::size_t> offsets;  ///< where these stand
 };
-
-/// Reads a scene whose elements may be of these types too; they go to `elements`, in the order of the file. In the
-/// scene each of them has its name and its material, and stands in the tables as a sphere, which says nothing of where
-/// it is. Throws InputError as read_scene(source) does.
-scene::Scene read_scene(const Source& source, std::span<const WrittenType> types,
-                        std::vector<WrittenElement>& elements);
 
 }  // namespace durero::io
