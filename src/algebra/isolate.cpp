@@ -1,6 +1,7 @@
-/// Bisection by Descartes' rule of signs (Vincent, Collins and Akritas): a polynomial has at most as many positive roots
-/// as its coefficients change their sign, and the difference is even. So no change means no root, and one change means
-/// one root, and a simple one. Where the roots are simple, an interval that is short enough has at most one change.
+/// Bisection by Descartes' rule of signs (Vincent, Collins and Akritas): a polynomial has at most as many positive
+/// roots as its coefficients change their sign, and the difference is even. So no change means no root, and one change
+/// means one root, and a simple one. Where the roots are simple, an interval that is short enough has at most one
+/// change.
 #include "isolate.hpp"
 
 #include <algorithm>
@@ -46,8 +47,7 @@ IntegerPolynomial stretched(const IntegerPolynomial& p, std::int64_t k) {
 
 class Bisection {
  public:
-  explicit Bisection(const IntegerPolynomial& simple)
-      : simple_(std::make_shared<const IntegerPolynomial>(simple)) {
+  explicit Bisection(const IntegerPolynomial& simple) : simple_(std::make_shared<const IntegerPolynomial>(simple)) {
     fmpz_poly_derivative(derivative_.get(), simple_->get());
   }
 

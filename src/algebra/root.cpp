@@ -105,8 +105,7 @@ std::strong_ordering compare_isolated(Isolated a, Isolated b) {
   for (;;) {
     if (a.high <= b.low) return std::strong_ordering::less;
     if (b.high <= a.low) return std::strong_ordering::greater;
-    if (may_be_equal &&
-        has_common_root(*a.polynomial, *b.polynomial, std::max(a.low, b.low), std::min(a.high, b.high)))
+    if (may_be_equal && has_common_root(*a.polynomial, *b.polynomial, std::max(a.low, b.low), std::min(a.high, b.high)))
       return std::strong_ordering::equal;
     may_be_equal = false;
     if (const auto exact = refine(a, some_times)) return compare(DyadicSurd{*exact}, b);
@@ -214,8 +213,7 @@ Dyadic between(const Root& low, const Root& high) {
 
 Dyadic below(const Root& high) {
   return above_and_below(
-      Dyadic(), [](const Dyadic&) { return true; },
-      [&](const Dyadic& t) { return compare(high, DyadicSurd{t}) > 0; });
+      Dyadic(), [](const Dyadic&) { return true; }, [&](const Dyadic& t) { return compare(high, DyadicSurd{t}) > 0; });
 }
 
 Dyadic above(const Root& low) {

@@ -95,7 +95,8 @@ void add_hierarchy(CLI::App& command, std::string& hierarchy) {
 }
 
 void add_with(CLI::App& command, std::string& file) {
-  auto* const option = command.add_option("--with", file, "A Z text that says what the elements are: each is puntos_TIPO");
+  auto* const option =
+      command.add_option("--with", file, "A Z text that says what the elements are: each is puntos_TIPO");
   for (const char* other : {"--engine", "--hierarchy"}) option->excludes(command.get_option(other));
 }
 

@@ -3,10 +3,9 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
-
-#include <optional>
 
 #include "durero/engine/engine.hpp"
 #include "durero/written/engine.hpp"

@@ -176,8 +176,7 @@ std::string_view read_id(json::Reader& in) {
 
 void read_element(json::Reader& in, scene::Scene& scene, std::vector<MaterialUse>& uses,
                   const WrittenElements& written) {
-  if (const auto type = written_type(in, written.types))
-    return read_written_element(in, *type, scene, uses, written);
+  if (const auto type = written_type(in, written.types)) return read_written_element(in, *type, scene, uses, written);
   Fields f;
   f.at = in.offset();
   in.object("an element", keys, required, [&](std::size_t key) { read_field(in, key, written.types, f); });

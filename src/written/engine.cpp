@@ -106,8 +106,7 @@ class WrittenEngine final : public engine::Engine {
 std::vector<io::WrittenValue> attributes_of(const scene::Scene& scene, ElementRef element) {
   std::vector<io::WrittenValue> values;
   scene.visit(element, [&]<class Shape>(const Shape& shape) {
-    scene::for_each_attribute<Shape>(
-        [&](const auto& attribute) { values.emplace_back(shape.*attribute.field); });
+    scene::for_each_attribute<Shape>([&](const auto& attribute) { values.emplace_back(shape.*attribute.field); });
   });
   return values;
 }

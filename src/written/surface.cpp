@@ -163,7 +163,8 @@ class RayOnSurface {
   std::vector<Root> ends_of_clips() {
     std::vector<Root> ends;
     for (std::size_t i = 0; i < comparisons_.size(); ++i)
-      if (const Polynomial& p = comparison(i); !p.empty()) std::ranges::move(algebra::positive_roots(p), std::back_inserter(ends));
+      if (const Polynomial& p = comparison(i); !p.empty())
+        std::ranges::move(algebra::positive_roots(p), std::back_inserter(ends));
     std::ranges::sort(ends, [](const Root& a, const Root& b) { return algebra::compare(a, b) < 0; });
     const auto repeated =
         std::ranges::unique(ends, [](const Root& a, const Root& b) { return algebra::compare(a, b) == 0; });

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "durero/zed/print/print.hpp"
 #include "durero/zed/syntax/paragraphs.hpp"
@@ -43,7 +44,8 @@ std::optional<Parameters> clause(const zed::Axiomatic& form, const Name& functio
     if (predicate.term->kind != Kind::forall || !is_equation(predicate.term->children[0])) continue;
     const Term& left = predicate.term->children[0]->children[0];
     if (left->kind != Kind::application || left->children[0]->kind != Kind::reference ||
-        left->children[0]->name != function) continue;
+        left->children[0]->name != function)
+      continue;
     return Parameters{*predicate.term->text, parts_of(left->children[1]), predicate.term->children[0]->children[1], ""};
   }
   return std::nullopt;

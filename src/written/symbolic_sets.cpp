@@ -155,8 +155,7 @@ Condition Symbolic::satisfies(const Value& value, const zed::SchemaText& text, b
   for (const zed::Declaration& declaration : text.declarations)
     all = both(std::move(all), declared(declaration, names, set, scope));
   const ScopePtr inner = std::make_shared<const Scope>(Scope{names, scope, scope->section});
-  for (const zed::Predicate& predicate : text.predicates)
-    all = both(std::move(all), condition(predicate.term, inner));
+  for (const zed::Predicate& predicate : text.predicates) all = both(std::move(all), condition(predicate.term, inner));
   return all;
 }
 

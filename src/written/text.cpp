@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "durero/io/source.hpp"
 #include "durero/oracle/spec.hpp"
@@ -30,8 +31,7 @@ zed::Specification read_with_own(const std::string& file) {
   for (const zed::Section& own : oracle::spec::text().sections)
     if (!alone.find(own.name)) sources.emplace_back(own.file, oracle::spec::files().at(own.file));
   zed::Specification read = zed::read_sources(sources);
-  const bool is_own_parent_missing = !alone.defects.empty();
-  if (!read.defects.empty()) fail(is_own_parent_missing ? read.defects[0] : read.defects[0]);
+  if (!read.defects.empty()) fail(read.defects[0]);
   return read;
 }
 
@@ -107,7 +107,24 @@ struct Text::State {
     has_points = true;
     const std::string word = declared.word.substr(prefix.size());
     auto attributes = attributes_of(*parameters);
-    if (attributes && !is_shape(word)) types.push_back({word, std::move(*attributes)});
+    if (!attributes || is_shape(word)) return;
+    check_keys(*attributes, *parameters, declared);
+    types.push_back({word, std::move(*attributes)});
+  }
+
+  /// An element of a scene file has keys of its own, and not too many.
+  void check_keys(const std::vector<io::WrittenAttribute>& attributes, const Parameters& of, const Name& name) const {
+    constexpr std::size_t most = 32;
+    const auto refuse = [&](const std::string& what, const std::string& expected) {
+      fail({specification.find(of.section)->file, of.body->place, what, expected});
+    };
+    if (attributes.size() > most)
+      refuse(fmt::format("{} has {} parameters", name.text(), attributes.size()),
+             fmt::format("expected {} at most", most));
+    for (const std::string_view key : {"id", "tipo", "material"})
+      if (std::ranges::find(attributes, key, &io::WrittenAttribute::word) != attributes.end())
+        refuse(fmt::format("a parameter of {} is called {}", name.text(), key),
+               "expected another name: every element has that key");
   }
 
   /// Whether its values are sets of points: its type is ℙ (A × ℙ Punto).
@@ -204,6 +221,9 @@ Surface Text::surface(const std::string& type, const std::vector<io::WrittenValu
     fail(refusal.defect);
   } catch (const Outside& outside) {
     throw NotInDomain{outside.parameter.text(), outside.expected};
+  } catch (const std::length_error& error) {
+    fail({where, place, fmt::format("{} comes to {}", function.text(), error.what()),
+          fmt::format("expected a degree of {} at most, and fewer digits", Formula::max_degree)});
   } catch (const zed::StepsSpent&) {
     fail({where, place, fmt::format("{} takes more steps than it may", function.text()), "expected a shorter text"});
   }

@@ -34,9 +34,9 @@ std::vector<double> rounded(const std::vector<Root>& roots) {
 
 /// A fraction in tenths or so, that repeats often.
 rc::Gen<Rational> fraction() {
-  return rc::gen::map(rc::gen::pair(rc::gen::resize(100, rc::gen::inRange(-30, 60)),
-                                    rc::gen::resize(100, rc::gen::inRange(1, 12))),
-                      [](const auto& pair) { return Rational(pair.first, pair.second); });
+  return rc::gen::map(
+      rc::gen::pair(rc::gen::resize(100, rc::gen::inRange(-30, 60)), rc::gen::resize(100, rc::gen::inRange(1, 12))),
+      [](const auto& pair) { return Rational(pair.first, pair.second); });
 }
 
 TEST_CASE("A polynomial has the positive roots that it was made of, each once, and they are rounded once") {

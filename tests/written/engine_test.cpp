@@ -38,8 +38,7 @@ TEST_CASE("The types that the program has formulas for have the same bytes by th
 }
 
 Written read_text(const std::string& elements, const std::string& text) {
-  const io::Source source("scene.json",
-                          R"({"format":"durero-scene","version":1,"elementos":[)" + elements + "]}");
+  const io::Source source("scene.json", R"({"format":"durero-scene","version":1,"elementos":[)" + elements + "]}");
   return read(source, Text(text));
 }
 

@@ -27,7 +27,11 @@ TEST_CASE("A degree that is too high is refused, and so is a number that is too 
   CHECK(power.degree() == Formula::max_degree);
   CHECK_THROWS_AS(power * y, std::length_error);
   Formula number(3);
-  CHECK_THROWS_AS([&] { for (int i = 0; i < 60; ++i) number = number * number; }(), std::length_error);
+  CHECK_THROWS_AS(
+      [&] {
+        for (int i = 0; i < 60; ++i) number = number * number;
+      }(),
+      std::length_error);
 }
 
 TEST_CASE("What is known of a condition is seen in it, and a negation asks for the other signs") {

@@ -33,7 +33,8 @@ const Condition torus = [] {
 const Condition plane = compared(y, is_zero);
 
 TEST_CASE("A surface is met at the least root that its clips take") {
-  const Surface whole(ball), half(both(ball, compared(x, not_negative))), none(both(ball, compared(x * x - Formula(2), is_positive)));
+  const Surface whole(ball), half(both(ball, compared(x, not_negative))),
+      none(both(ball, compared(x * x - Formula(2), is_positive)));
   CHECK(at(whole.first(ray({-3, 0, 0}, {1, 0, 0}), false)) == 2);
   CHECK(at(half.first(ray({-3, 0, 0}, {1, 0, 0}), false)) == 4);
   CHECK(is_nowhere(none.first(ray({-3, 0, 0}, {1, 0, 0}), false)));

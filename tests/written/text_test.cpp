@@ -87,19 +87,18 @@ TEST_CASE("What the program has shapes for is no type of the text's own, and has
 }
 
 TEST_CASE("A predicate may be written in many ways") {
-  for (const char* predicate :
-       {"(w.x - centro.x) * (w.x - centro.x) + w.y * w.y + w.z * w.z = radio * radio",
-        "potencia\\_esfera(w, centro, radio) = 0", "w \\in puntos\\_esfera(centro, radio)",
-        "\\lnot w \\notin puntos\\_esfera(centro, radio)",
-        "(\\LET p == potencia\\_esfera(w, centro, radio) @ 0 \\leq p \\land p = 0)",
-        "w \\in puntos\\_esfera(centro, radio) \\cap puntos\\_esfera(centro, radio)",
-        "w \\in puntos\\_esfera(centro, radio) \\setminus \\{~ u : Punto | u.x > 100 ~\\}",
-        "w \\in \\{~ u : Punto | potencia\\_esfera(u, centro, radio) = 0 ~\\}",
-        "(\\lambda u : Punto @ potencia\\_esfera(u, centro, radio))(w) = 0",
-        "(\\IF radio > 1 \\THEN potencia\\_esfera(w, centro, radio) \\ELSE w.x) = 0",
-        "potencia\\_esfera(\\lblot x == w.x, y == w.y, z == w.z \\rblot, centro, radio) = 0",
-        "(w, potencia\\_esfera(w, centro, radio)).2 = 0 \\land (w.x < 100 \\implies w.x < 50)",
-        "potencia\\_esfera(w, centro, radio) * 2251799813685248 * tolerancia\\_unidad = 0"}) {
+  for (const char* predicate : {"(w.x - centro.x) * (w.x - centro.x) + w.y * w.y + w.z * w.z = radio * radio",
+                                "potencia\\_esfera(w, centro, radio) = 0", "w \\in puntos\\_esfera(centro, radio)",
+                                "\\lnot w \\notin puntos\\_esfera(centro, radio)",
+                                "(\\LET p == potencia\\_esfera(w, centro, radio) @ 0 \\leq p \\land p = 0)",
+                                "w \\in puntos\\_esfera(centro, radio) \\cap puntos\\_esfera(centro, radio)",
+                                "w \\in puntos\\_esfera(centro, radio) \\setminus \\{~ u : Punto | u.x > 100 ~\\}",
+                                "w \\in \\{~ u : Punto | potencia\\_esfera(u, centro, radio) = 0 ~\\}",
+                                "(\\lambda u : Punto @ potencia\\_esfera(u, centro, radio))(w) = 0",
+                                "(\\IF radio > 1 \\THEN potencia\\_esfera(w, centro, radio) \\ELSE w.x) = 0",
+                                "potencia\\_esfera(\\lblot x == w.x, y == w.y, z == w.z \\rblot, centro, radio) = 0",
+                                "(w, potencia\\_esfera(w, centro, radio)).2 = 0 \\land (w.x < 100 \\implies w.x < 50)",
+                                "potencia\\_esfera(w, centro, radio) * 2251799813685248 * tolerancia\\_unidad = 0"}) {
     CAPTURE(predicate);
     CHECK(met(predicate) == -1);
   }
@@ -110,8 +109,7 @@ TEST_CASE("A predicate may be written in many ways") {
 }
 
 TEST_CASE("What is no algebraic surface is refused at its place") {
-  CHECK(error_of_cosa("distancia(w, centro) = radio") ==
-        "8:1: distancia is not declared; expected a declared name");
+  CHECK(error_of_cosa("distancia(w, centro) = radio") == "8:1: distancia is not declared; expected a declared name");
   CHECK(error_of_cosa("raizcuadrada(w.x) = radio").starts_with("8:1: raizcuadrada is defined by no equation that "));
   CHECK(error_of_cosa("w.x \\div 2 = 0").starts_with("8:1: "));
   CHECK(error_of_cosa("\\exists t : \\real @ w.x = t * t").ends_with("joined by ∧, ∨, ¬, ⇒ and ⇔"));
@@ -131,19 +129,24 @@ TEST_CASE("A degree that is too high ends in one line, and so do too many steps"
   for (int i = 0; i < 5; ++i) power = "cuadrado(" + power + ")";
   CHECK(error_of_cosa(power + " = 1").find("is a polynomial of too high a degree; expected a degree of 24 at most") !=
         std::string::npos);
-  std::string twice = "\\begin{zed}\n  f0 == \\lambda r : \\real @ r + r\n\\end{zed}\n";  // each applies that before it twice
+  std::string twice =
+      "\\begin{zed}\n  f0 == \\lambda r : \\real @ r + r\n\\end{zed}\n";  // each applies that before it twice
   for (int i = 1; i <= 20; ++i) {
     const std::string f = "f" + std::to_string(i), before = "f" + std::to_string(i - 1);
     twice += "\\begin{zed}\n  " + f + " == \\lambda r : \\real @ " + before + "(r) + " + before + "(r)\n\\end{zed}\n";
   }
   const Written many(twice + cosa("f20(w.x) = 1")), few(twice + cosa("f9(w.x) = 1"));
-  CHECK(error_of(many, [&] { many.text().surface("cosa", {glm::dvec3(0), 1.0}); })
-            .ends_with("puntos_cosa takes more steps than it may; expected a shorter text"));
+  CHECK(error_of(many, [&] {
+          many.text().surface("cosa", {glm::dvec3(0), 1.0});
+        }).ends_with("puntos_cosa takes more steps than it may; expected a shorter text"));
   CHECK_NOTHROW(few.text().surface("cosa", {glm::dvec3(0), 1.0}));
-  const Written endless("\\begin{axdef}\n  sin : \\real \\fun \\real\n\\where\n  \\forall r : \\real @ sin(r) = sin(r) + r\n"
-                        "\\end{axdef}\n" + cosa("sin(w.x) = 1"));
-  CHECK(error_of(endless, [&] { endless.text().surface("cosa", {glm::dvec3(0), 1.0}); })
-            .ends_with("definitions are nested too deeply; expected fewer"));
+  const Written endless(
+      "\\begin{axdef}\n  sin : \\real \\fun \\real\n\\where\n  \\forall r : \\real @ sin(r) = sin(r) + r\n"
+      "\\end{axdef}\n" +
+      cosa("sin(w.x) = 1"));
+  CHECK(error_of(endless, [&] {
+          endless.text().surface("cosa", {glm::dvec3(0), 1.0});
+        }).ends_with("definitions are nested too deeply; expected fewer"));
 }
 
 TEST_CASE("Attributes outside the domain of the function are refused by name") {
@@ -170,10 +173,17 @@ TEST_CASE("A text without points of a type is refused, and so is one that is wro
   const Written wrong("\\begin{zed}\n  uno == dos\n\\end{zed}\n");
   CHECK(error_of(wrong, [&] { wrong.text(); }).starts_with("5:10: dos is not declared; "));
   CHECK_THROWS_AS(Text("no/such/file.tex"), io::FileError);
+  const Written key(
+      "\\begin{axdef}\n  puntos\\_x : Punto \\fun \\power Punto\n\\where\n"
+      "  \\forall id : Punto @ puntos\\_x(id) = \\{~ w : Punto | w = id ~\\}\n\\end{axdef}\n");
+  CHECK(error_of(key, [&] {
+          key.text();
+        }).ends_with("a parameter of puntos_x is called id; expected another name: every element has that key"));
   const Written points(cosa("w = centro"));
   CHECK(error_of(points, [&] { points.text().surface("nada", {}); }).starts_with("1:1: no equation gives puntos_nada"));
-  CHECK(error_of(points, [&] { points.text().surface("cosa", {1.0}); })
-            .ends_with("puntos_cosa takes 2 arguments; expected 1, the attributes of cosa"));
+  CHECK(error_of(points, [&] {
+          points.text().surface("cosa", {1.0});
+        }).ends_with("puntos_cosa takes 2 arguments; expected 1, the attributes of cosa"));
 }
 
 }  // namespace

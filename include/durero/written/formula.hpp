@@ -69,11 +69,11 @@ struct Condition {
     all,         ///< of `parts`, two or more
     any          ///< of `parts`, two or more
   };
-  Kind kind = Kind::constant;          ///< says which members are in use
-  bool truth = true;                   ///< of a constant
-  Formula formula{};                   ///< not constant
-  Signs signs{};                       ///< of a comparison
-  std::vector<Condition> parts{};      ///< none of them a constant, nor of the same kind
+  Kind kind = Kind::constant;      ///< says which members are in use
+  bool truth = true;               ///< of a constant
+  Formula formula{};               ///< not constant
+  Signs signs{};                   ///< of a comparison
+  std::vector<Condition> parts{};  ///< none of them a constant, nor of the same kind
 
   /// Whether it holds everywhere, or nowhere.
   bool is(bool everywhere) const { return kind == Kind::constant && truth == everywhere; }

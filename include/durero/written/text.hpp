@@ -18,12 +18,12 @@ namespace durero::written {
 /// A Z text with types of elements. Not for use by two threads at once.
 class Text {
  public:
-  /// Reads a file, and its parents: from its folder, or the program's own text. Throws io::FileError, and io::InputError
-  /// at its first error.
+  /// Reads a file, and its parents: from its folder, or the program's own text. Throws io::FileError, and
+  /// io::InputError at its first error.
   explicit Text(const std::string& file);
   ~Text();
-  Text(Text&&) noexcept;
-  Text& operator=(Text&&) noexcept;
+  Text(Text&&) noexcept;             ///< takes over the other, which is then for its end or an assignment only
+  Text& operator=(Text&&) noexcept;  ///< likewise
 
   /// The file.
   const std::string& file() const;
