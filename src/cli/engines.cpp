@@ -1,4 +1,4 @@
-// durero engines, and the options --engine and --hierarchy.
+// durero engines, and the options --engine, --hierarchy and --with.
 #include "engines.hpp"
 
 #include <fmt/format.h>
@@ -92,6 +92,32 @@ void add_hierarchy(CLI::App& command, std::string& hierarchy) {
   command.add_option("--hierarchy", hierarchy, "How --engine bvh groups elements: by itself, or as the scene does")
       ->check(one_of("hierarchy", {"automatic", "hand"}))
       ->capture_default_str();
+}
+
+void add_with(CLI::App& command, std::string& file) {
+  auto* const option =
+      command.add_option("--with", file, "A Z text that says what the elements are: each is puntos_TIPO");
+  for (const char* other : {"--engine", "--hierarchy"}) option->excludes(command.get_option(other));
+}
+
+Asked asked_of(const std::string& file, std::string_view engine, std::string_view hierarchy, const std::string& with,
+               std::optional<scene::Resolution> resolution) {
+  Asked asked;
+  if (!with.empty()) {
+    asked.written_ = written::read(io::read_source(file), written::Text(with));
+    if (resolution) asked.written_->scene.stage().resolution = resolution;
+    return asked;
+  }
+  auto input = std::make_unique<scene::GroupedScene>(io::read_grouped_scene(io::read_source(file)));
+  if (resolution) input->scene.stage().resolution = resolution;
+  asked.row_ = engine::find(engine);
+  asked.ready_ = prepared(*asked.row_, hierarchy, *input);
+  asked.input_ = std::move(input);
+  return asked;
+}
+
+void Asked::require_origins(std::string_view why) const {
+  if (row_ != nullptr && !row_->honours_origins) throw std::invalid_argument(without_origins(*row_, why));
 }
 
 std::unique_ptr<const engine::Engine> prepared(const engine::Row& engine, std::string_view hierarchy,

@@ -1,5 +1,5 @@
-// durero render SCENE -o OUT.png [--engine E] [--hierarchy H] [--size WxH] [--crop X,Y,W,H] [--max-depth N]
-// [--min-weight W]: Algorithm II.1.
+// durero render SCENE -o OUT.png [--engine E] [--hierarchy H] [--with FILE] [--size WxH] [--crop X,Y,W,H]
+// [--max-depth N] [--min-weight W]: Algorithm II.1.
 #include "durero/render/render.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +12,6 @@
 
 #include "commands.hpp"
 #include "description.hpp"
-#include "durero/io/groups_file.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/io/standard_output.hpp"
 #include "engines.hpp"
@@ -23,7 +22,7 @@ namespace {
 
 struct RenderOptions {
   std::string scene, out, size, crop;
-  std::string engine{engine::default_engine}, hierarchy{"automatic"};
+  std::string engine{engine::default_engine}, hierarchy{"automatic"}, with;
   std::size_t threads = 0;
   std::optional<std::uint32_t> max_depth;
   std::optional<double> min_weight;
@@ -82,17 +81,15 @@ int run(const RenderOptions& options) {
     throw std::invalid_argument(fmt::format("{}: not a picture's name; expected OUT.png", options.out));
   const ThreadLimit limit(options.threads);
   io::OutputFile out(options.out);
-  scene::GroupedScene of = io::read_grouped_scene(io::read_source(options.scene));
-  scene::Scene& scene = of.scene;
-  if (const auto size = frame_of(options).size) scene.stage().resolution = size;  // engines know pixels by the stage
-  const engine::Row& engine = *engine::find(options.engine);
-  if (!engine.honours_origins) throw std::invalid_argument(without_origins(engine, "shadow rays start on elements"));
+  const Asked asked = asked_of(options.scene, options.engine, options.hierarchy, options.with, frame_of(options).size);
+  const scene::Scene& scene = asked.scene();
+  asked.require_origins("shadow rays start on elements");
   Progress progress(options.quiet, "render");
   render::Reach reach;
   const render::Image image = [&] {
     try {
       const auto show = [&](double share) { progress.set_share(share); };
-      return render::render(scene, *prepared(engine, options.hierarchy, of), show, frame_of(options), &reach);
+      return render::render(scene, asked.engine(), show, frame_of(options), &reach);
     } catch (const std::domain_error& error) {
       throw std::domain_error(fmt::format("{}: {}", options.scene, error.what()));
     } catch (const std::out_of_range&) {
@@ -129,11 +126,13 @@ void add_render(CLI::App& app, int& status) {
       ->check(number(0, 1));
   add_engine(*command, options->engine);
   add_hierarchy(*command, options->hierarchy);
+  add_with(*command, options->with);
   add_threads(*command, options->threads);
   add_quiet(*command, options->quiet);
   command->footer(exit_status("the picture is written", "the call or the scene is bad") +
                   examples({"render demo/still-life.json -o still-life.png",
-                            "render demo/still-life.json -o middle.png --size 1920x1080 --crop 480,270,960,540"}));
+                            "render demo/still-life.json -o middle.png --size 1920x1080 --crop 480,270,960,540",
+                            "render demo/surfaces/torus.json -o torus.png --with demo/surfaces/torus.tex"}));
   command->callback([options, &status] { status = run(*options); });
 }
 

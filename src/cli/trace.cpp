@@ -1,5 +1,5 @@
-// durero trace SCENE RAYS [--engine E] [--hierarchy H] [--threads N] [-o OUT] [--quiet]: the first hit of every ray, as
-// rays arrive.
+// durero trace SCENE RAYS [--engine E] [--hierarchy H] [--with FILE] [--threads N] [-o OUT] [--quiet]: the first hit
+// of every ray, as rays arrive.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -8,7 +8,6 @@
 
 #include "commands.hpp"
 #include "description.hpp"
-#include "durero/io/groups_file.hpp"
 #include "durero/io/hits_file.hpp"
 #include "durero/io/rays_file.hpp"
 #include "engines.hpp"
@@ -19,7 +18,7 @@ namespace {
 
 struct TraceOptions {
   std::string scene, rays, out = "-";
-  std::string engine{engine::default_engine}, hierarchy{"automatic"};
+  std::string engine{engine::default_engine}, hierarchy{"automatic"}, with;
   std::size_t threads = 0;  // 0: as many as the machine has
   bool quiet = false;
 };
@@ -33,10 +32,8 @@ void set_share(Progress& progress, const io::Input& input, std::optional<std::ui
 int run(const TraceOptions& options) {
   const ThreadLimit limit(options.threads);
   io::HitWriter out(options.out);
-  const scene::GroupedScene of = io::read_grouped_scene(io::read_source(options.scene));
-  const scene::Scene& scene = of.scene;
-  const engine::Row& engine = *engine::find(options.engine);
-  const auto ready = prepared(engine, options.hierarchy, of);
+  const Asked asked = asked_of(options.scene, options.engine, options.hierarchy, options.with);
+  const scene::Scene& scene = asked.scene();
   io::Input input(options.rays);
   const auto size = input.left();
   const bool is_in_the_way = options.out == "-" && ::isatty(STDOUT_FILENO) == 1;  // of the hits
@@ -44,9 +41,9 @@ int run(const TraceOptions& options) {
   io::RayReader reader(input, scene);
   std::vector<io::Ray> rays;
   while (reader.next(rays)) {
-    if (!engine.honours_origins && std::ranges::any_of(rays, [](const scene::Query& ray) { return !ray.en.empty(); }))
-      throw std::invalid_argument(without_origins(engine, options.rays + " has rays that start on elements"));
-    out.write(engine::first_hits(*ready, rays), scene);
+    if (std::ranges::any_of(rays, [](const scene::Query& ray) { return !ray.en.empty(); }))
+      asked.require_origins(options.rays + " has rays that start on elements");
+    out.write(engine::first_hits(asked.engine(), rays), scene);
     progress.add(rays.size());
     set_share(progress, input, size);
   }
@@ -64,6 +61,7 @@ void add_trace(CLI::App& app, int& status) {
       ->required();
   add_engine(*command, options->engine);
   add_hierarchy(*command, options->hierarchy);
+  add_with(*command, options->with);
   add_threads(*command, options->threads);
   command->add_option("-o,--output", options->out, "Where the hits go: JSON lines, or .npy by the name");
   add_quiet(*command, options->quiet);
@@ -73,7 +71,8 @@ void add_trace(CLI::App& app, int& status) {
       "been answered, and the file OUT does not appear.\n\n" +
       exit_status("every ray is answered", "the call or a file is bad") +
       examples({"trace demo/still-life.json demo/rays.txt",
-                "trace demo/still-life.json demo/rays.txt --engine exact -o hits.jsonl"}));
+                "trace demo/still-life.json demo/rays.txt --engine exact -o hits.jsonl",
+                "trace demo/surfaces/torus.json demo/surfaces/rays.txt --with demo/surfaces/torus.tex"}));
   command->callback([options, &status] { status = run(*options); });
 }
 

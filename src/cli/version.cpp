@@ -1,5 +1,6 @@
 // durero version [--json]: what this program is made of.
 #include <CGAL/version.h>
+#include <flint/flint.h>
 #include <fmt/core.h>
 #include <fmt/format.h>
 #include <gmp.h>
@@ -73,7 +74,8 @@ Pairs libraries() {
           {"libpng", png_get_libpng_ver(nullptr)},
           {"RapidJSON", RAPIDJSON_VERSION_STRING},
           {"CLI11", CLI11_VERSION},
-          {"CGAL", CGAL_VERSION_STR}};
+          {"CGAL", CGAL_VERSION_STR},
+          {"FLINT", FLINT_VERSION}};
 }
 
 void write_words(io::json::Writer& out, std::string_view key, const std::vector<std::string>& words) {

@@ -15,6 +15,7 @@
 #include "durero/accel/wide_bvh.hpp"
 #include "durero/oracle/sampled.hpp"
 #include "durero/surface/exact.hpp"
+#include "durero/surface/normal.hpp"
 #include "durero/trace/analytic.hpp"
 #include "durero/trace/segments.hpp"
 #include "one_by_one.hpp"
@@ -129,6 +130,10 @@ void Engine::first_elements(std::span<const Query> queries, std::span<trace::Fir
     first_hits(some, std::span(hits).first(some.size()));
     for (std::size_t i = 0; i < some.size(); ++i) elements[begin + i] = trace::first_element(hits[i]);
   }
+}
+
+glm::dvec3 Engine::normal(const Scene& scene, scene::ElementRef element, const glm::dvec3& point) const {
+  return surface::normal(scene, element, point);
 }
 
 std::vector<scene::Hit> first_hits(const Engine& engine, std::span<const Query> queries) {

@@ -46,7 +46,7 @@ struct Fields {
   }
 };
 
-Tipo read_tipo(json::Reader& in) {
+Tipo read_tipo(json::Reader& in, std::span<const WrittenType> written) {
   const std::size_t at = in.offset();
   const std::string_view name = in.string("tipo");
   std::optional<Tipo> known;
@@ -55,20 +55,12 @@ Tipo read_tipo(json::Reader& in) {
     words.push_back(Shape::word);
     if (name == Shape::word) known = Shape::tipo;
   });
+  for (const WrittenType& type : written) words.push_back(type.word);
   if (!known) {
     in.fail(at, fmt::format("tipo is {}", text::shown(name)),
             fmt::format("expected one of {}", fmt::join(words, ", ")));
   }
   return *known;
-}
-
-std::string_view read_id(json::Reader& in) {
-  const std::size_t at = in.offset();
-  const std::string_view name = in.string("id");
-  if (!model::Elemento::is_name(name)) {
-    in.fail(at, fmt::format("id is {}", text::shown(name)), "expected 1 to 128 of A-Z a-z 0-9 _ . : -");
-  }
-  return name;
 }
 
 Read read_attribute(json::Reader& in, std::string_view word) {
@@ -81,12 +73,12 @@ Read read_attribute(json::Reader& in, std::string_view word) {
   return read;
 }
 
-void read_field(json::Reader& in, std::size_t key, Fields& f) {
+void read_field(json::Reader& in, std::size_t key, std::span<const WrittenType> written, Fields& f) {
   const std::size_t at = in.offset();
   if (key == id) {
     f.id = {read_id(in), at};
   } else if (key == tipo) {
-    f.tipo = read_tipo(in);
+    f.tipo = read_tipo(in, written);
   } else if (key == material) {
     f.material = {in.string("material"), at};
   } else {
@@ -173,10 +165,21 @@ template <class Shape>
 
 }  // namespace
 
-void read_element(json::Reader& in, scene::Scene& scene, std::vector<MaterialUse>& uses) {
+std::string_view read_id(json::Reader& in) {
+  const std::size_t at = in.offset();
+  const std::string_view name = in.string("id");
+  if (!model::Elemento::is_name(name)) {
+    in.fail(at, fmt::format("id is {}", text::shown(name)), "expected 1 to 128 of A-Z a-z 0-9 _ . : -");
+  }
+  return name;
+}
+
+void read_element(json::Reader& in, scene::Scene& scene, std::vector<MaterialUse>& uses,
+                  const WrittenElements& written) {
+  if (const auto type = written_type(in, written.types)) return read_written_element(in, *type, scene, uses, written);
   Fields f;
   f.at = in.offset();
-  in.object("an element", keys, required, [&](std::size_t key) { read_field(in, key, f); });
+  in.object("an element", keys, required, [&](std::size_t key) { read_field(in, key, written.types, f); });
   scene::with_shape(f.tipo, [&]<class Shape>(std::type_identity<Shape>) {
     check_attributes<Shape>(in, f);
     const model::Answer answer = scene.apply_total(

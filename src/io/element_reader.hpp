@@ -1,7 +1,11 @@
 #pragma once
 /// One item of a scene file's `elementos`.
 
+#include <optional>
+#include <span>
+
 #include "durero/io/json.hpp"
+#include "durero/io/written_elements.hpp"
 #include "durero/scene/scene.hpp"
 
 namespace durero::io {
@@ -20,7 +24,23 @@ struct MaterialUse {
   Placed<std::string_view> material;
 };
 
+/// Elements of types that a Z text declares: the types, and where the elements go.
+struct WrittenElements {
+  std::span<const WrittenType> types{};
+  std::vector<WrittenElement>* elements = nullptr;  // not null where there are types
+};
+
 /// Reads an element and adds it to the scene by its operation.
-void read_element(json::Reader& in, scene::Scene& scene, std::vector<MaterialUse>& uses);
+void read_element(json::Reader& in, scene::Scene& scene, std::vector<MaterialUse>& uses,
+                  const WrittenElements& written);
+
+/// The name of an element.
+std::string_view read_id(json::Reader& in);
+
+/// The type of the element that stands here, among these; nothing where it is none of them.
+std::optional<std::size_t> written_type(const json::Reader& in, std::span<const WrittenType> types);
+/// Reads an element of that type. Precondition: it stands here.
+void read_written_element(json::Reader& in, std::size_t type, scene::Scene& scene, std::vector<MaterialUse>& uses,
+                          const WrittenElements& written);
 
 }  // namespace durero::io

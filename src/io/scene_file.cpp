@@ -32,7 +32,8 @@ constexpr std::size_t required_scene_keys = 3;
 class SceneReader {
  public:
   /// Null: the first error is thrown.
-  explicit SceneReader(std::vector<InputError>* errors) : errors_(errors) {}
+  explicit SceneReader(std::vector<InputError>* errors, WrittenElements written = {})
+      : errors_(errors), written_(written) {}
 
   scene::Scene read(const Source& source) {
     scene_.put_off_audits();
@@ -88,7 +89,7 @@ class SceneReader {
         return in.skip();
       case elementos:
         return in.array("elementos", [&] {
-          if (!read_or_pass(in, [&] { read_element(in, scene_, uses_); })) elements_are_known_ = false;
+          if (!read_or_pass(in, [&] { read_element(in, scene_, uses_, written_); })) elements_are_known_ = false;
         });
       case camera:
         stage.camera = read_camera(in);
@@ -124,6 +125,7 @@ class SceneReader {
   }
 
   std::vector<InputError>* errors_;
+  WrittenElements written_;
   scene::Scene scene_;
   std::vector<MaterialUse> uses_;
   std::vector<WrittenGroup> groups_;
@@ -136,6 +138,11 @@ scene::Scene read_scene(const Source& source) { return SceneReader(nullptr).read
 
 scene::Scene read_scene(const Source& source, std::vector<InputError>& errors) {
   return SceneReader(&errors).read(source);
+}
+
+scene::Scene read_scene(const Source& source, std::span<const WrittenType> types,
+                        std::vector<WrittenElement>& elements) {
+  return SceneReader(nullptr, {types, &elements}).read(source);
 }
 
 ElementPlace element_place(const Source& source, std::string_view name) {

@@ -9,7 +9,6 @@
 
 #include "durero/model/tipos.hpp"
 #include "durero/render/directions.hpp"
-#include "durero/surface/normal.hpp"
 #include "media.hpp"
 
 namespace durero::render {
@@ -148,7 +147,7 @@ class Tracer {
     }
     const scene::ElementRef element = front(scene_, hit.elementos);
     const auto index = scene_.material(element);
-    glm::dvec3 n = surface::normal(scene_, element, hit.punto);
+    glm::dvec3 n = engine_.normal(scene_, element, hit.punto);
     const glm::dvec3 d = unit(path.query.rayo.v().xyz());
     const bool enters = !(glm::dot(n, d) > 0);
     if (!enters) n = -n;  // the side that the ray sees: cylinders and cones are open

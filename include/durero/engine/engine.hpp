@@ -34,6 +34,10 @@ class Engine {
   /// occluded_segment of every query, in order: some element is met at some 0 < t < 1. Preconditions as above.
   virtual void occluded_segments(std::span<const scene::Query> queries, std::span<bool> occluded) const = 0;
 
+  /// The unit normal of an element of the scene at a point of it, for its look: on either side, and null where there is
+  /// none.
+  virtual glm::dvec3 normal(const scene::Scene& scene, scene::ElementRef element, const glm::dvec3& point) const;
+
  protected:
   Engine() = default;
   Engine(const Engine&) = default;

@@ -1,12 +1,14 @@
 #pragma once
 /// Scene files: JSON, `{"format":"durero-scene","version":1,…,"elementos":[…]}`.
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "durero/io/format_version.hpp"
 #include "durero/io/source.hpp"
+#include "durero/io/written_elements.hpp"
 #include "durero/scene/scene.hpp"
 
 namespace durero::io {
@@ -22,6 +24,12 @@ scene::Scene read_scene(const Source& source);
 /// Reads what there is of a scene: an element, or another member of the file, that is wrong is passed over, and its
 /// error goes to the others. The first of them is what read_scene(source) throws.
 scene::Scene read_scene(const Source& source, std::vector<InputError>& errors);
+
+/// Reads a scene whose elements may be of these types too; they go to `elements`, in the order of the file. In the
+/// scene each of them has its name and its material, and stands in the tables as a sphere, which says nothing of where
+/// it is. Throws InputError as read_scene(source) does.
+scene::Scene read_scene(const Source& source, std::span<const WrittenType> types,
+                        std::vector<WrittenElement>& elements);
 
 /// Where an element stands in its file.
 struct ElementPlace {

@@ -1,0 +1,27 @@
+#pragma once
+/// Rays answered by a Z text: each element is the set that its `puntos_…` says.
+
+#include <memory>
+#include <span>
+
+#include "durero/engine/engine.hpp"
+#include "durero/io/source.hpp"
+#include "durero/written/text.hpp"
+
+namespace durero::written {
+
+/// A scene whose elements are what a Z text says, those too that the program has shapes for, and what answers rays on
+/// it.
+struct Written {
+  scene::Scene scene;                            ///< read by io::read_scene(source, types, elements)
+  std::unique_ptr<const engine::Engine> engine;  ///< exact, and honours origins; it does not refer to the scene
+};
+
+/// What answers rays on a scene by the text, where the program has shapes for all its elements; it does not refer to
+/// the scene. Throws NotInDomain, and io::InputError at what is wrong in the text.
+std::unique_ptr<const engine::Engine> prepared(const scene::Scene& scene, const Text& text);
+
+/// Reads a scene by the text. Throws io::InputError at the first thing that is wrong, in the scene or in the text.
+Written read(const io::Source& source, const Text& text);
+
+}  // namespace durero::written

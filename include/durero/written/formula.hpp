@@ -1,0 +1,92 @@
+#pragma once
+/// What a predicate over the coordinates of a point comes to, once its attributes are known: polynomials in x, y and z
+/// over the rationals, of which signs are asked.
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "durero/number/rational.hpp"
+
+namespace durero::written {
+
+/// How often x, y and z stand in a product.
+using Exponents = std::array<std::uint8_t, 3>;
+
+/// A polynomial in x, y and z.
+class Formula {
+ public:
+  /// No product of more than so many coordinates is followed.
+  static constexpr int max_degree = 24;
+  /// No coefficient of more bits is.
+  static constexpr std::size_t max_bits = 1 << 16;
+
+  Formula() = default;  ///< 0
+  /// A constant.
+  Formula(const number::Rational& value);
+  /// The coordinate x (0), y (1) or z (2).
+  static Formula coordinate(std::size_t axis);
+
+  /// Its coefficients, none of which is 0, by their exponents.
+  const std::map<Exponents, number::Rational>& terms() const { return terms_; }
+  /// Whether no coordinate stands in it.
+  bool is_constant() const { return terms_.empty() || (terms_.size() == 1 && terms_.begin()->first == Exponents{}); }
+  /// The constant term: the value, where it is constant.
+  number::Rational constant() const;
+  /// The greatest sum of exponents; 0 of a constant.
+  int degree() const;
+  /// The derivative by that coordinate.
+  Formula derivative(std::size_t axis) const;
+
+  /// @{ Throws std::length_error where the result is beyond max_degree or max_bits.
+  friend Formula operator+(const Formula& a, const Formula& b);
+  friend Formula operator-(const Formula& a, const Formula& b);
+  friend Formula operator*(const Formula& a, const Formula& b);
+  /// @}
+  bool operator==(const Formula&) const = default;
+
+ private:
+  void add(const Exponents& exponents, const number::Rational& coefficient);
+  std::map<Exponents, number::Rational> terms_;
+};
+
+/// Some of the signs −1, 0 and 1.
+struct Signs {
+  bool negative = false, zero = false, positive = false;  ///< which of them
+  /// Whether this one is among them.
+  bool contains(int sign) const { return sign < 0 ? negative : sign > 0 ? positive : zero; }
+  bool operator==(const Signs&) const = default;
+};
+
+/// A predicate without quantifiers: comparisons of formulas with 0, joined.
+struct Condition {
+  /// How it is made.
+  enum class Kind : std::uint8_t {
+    constant,    ///< `truth`
+    comparison,  ///< the sign of `formula` is among `signs`
+    all,         ///< of `parts`, two or more
+    any          ///< of `parts`, two or more
+  };
+  Kind kind = Kind::constant;      ///< says which members are in use
+  bool truth = true;               ///< of a constant
+  Formula formula{};               ///< not constant
+  Signs signs{};                   ///< of a comparison
+  std::vector<Condition> parts{};  ///< none of them a constant, nor of the same kind
+
+  /// Whether it holds everywhere, or nowhere.
+  bool is(bool everywhere) const { return kind == Kind::constant && truth == everywhere; }
+};
+
+/// Makes a constant.
+Condition always(bool truth);
+/// Makes a comparison; a constant where the formula is one.
+Condition compared(Formula formula, Signs signs);
+/// @{ Makes a connective of conditions.
+Condition both(Condition a, Condition b);
+Condition either(Condition a, Condition b);
+Condition negated(const Condition& of);
+/// @}
+
+}  // namespace durero::written

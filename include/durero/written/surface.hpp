@@ -1,0 +1,80 @@
+#pragma once
+/// An algebraic surface with inequalities as clips, and where a ray meets it first.
+///
+/// Along a ray p + t·v each polynomial in x, y and z is one in t. Where an equation p = 0 of the surface is not 0 = 0
+/// along the ray, the ray meets it at roots of that polynomial alone, and each of them is asked for the rest. Where all
+/// its equations are 0 = 0, the ray lies in the surface, and the clips decide: between neighbouring roots of theirs
+/// none changes its sign, so that what they say at one point of such a stretch they say on all of it.
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "durero/algebra/root.hpp"
+#include "durero/model/tipos.hpp"
+#include "durero/written/formula.hpp"
+
+namespace durero::written {
+
+/// The points of a ray on a surface have no least t: they come as near to this one as one likes.
+struct After {
+  std::optional<algebra::Root> t;  ///< nothing: to 0
+};
+/// Where a ray meets a surface first: nowhere, at some t > 0, or at no first t.
+using First = std::variant<std::monostate, algebra::Root, After>;
+
+/// A polynomial in x, y and z with dyadic coefficients, for Horner's rule.
+class AlongRays {
+ public:
+  /// The formula times a positive number: it has the same signs.
+  explicit AlongRays(const Formula& formula);
+  /// The polynomial in t that it is on the ray.
+  algebra::Polynomial along(const model::Rayo& rayo) const;
+
+ private:
+  using InZ = algebra::Polynomial;
+  std::vector<std::vector<InZ>> coefficients_;  // [i][j][k] of xⁱ·yʲ·zᵏ
+};
+
+/// The set { w : Punto | p₁ = 0 ∧ … ∧ clips }, of which there is at least one equation.
+class Surface {
+ public:
+  /// Precondition: has_equation(of).
+  explicit Surface(const Condition& of);
+  /// Whether every point satisfies an equation: one is a conjunct.
+  static bool has_equation(const Condition& of);
+
+  /// Where the ray meets it first. A ray that starts on the surface sees the points at which the equations have the
+  /// value that they have at its stored origin (puntos_desde); the clips are those of the surface all the same.
+  First first(const model::Rayo& rayo, bool starts_on) const;
+  /// Whether the ray meets it at some 0 < t < 1.
+  bool hides(const model::Rayo& rayo, bool starts_on) const;
+
+  /// The direction in which the first equation grows most at a point, to some digits: a unit vector, or null where it
+  /// grows in none.
+  glm::dvec3 normal(const glm::dvec3& w) const;
+
+ private:
+  friend class RayOnSurface;
+
+  /// A condition whose comparisons are known by their numbers.
+  struct Clip {
+    Condition::Kind kind;
+    bool truth;
+    std::size_t comparison;
+    std::vector<Clip> parts;
+  };
+  Clip clip_of(const Condition& condition);
+
+  struct Comparison {
+    AlongRays polynomial;
+    Signs signs;
+  };
+  std::vector<AlongRays> equations_;
+  std::vector<Comparison> comparisons_;
+  Clip clips_;
+  std::array<Formula, 3> gradient_;
+};
+
+}  // namespace durero::written

@@ -1,0 +1,50 @@
+#pragma once
+/// Types of elements that a Z text declares: `puntos_toro` says what the points of an element of type `toro` are.
+///
+/// The parameters of the function are the attributes of the type, by their names: those of the ∀, or λ, that defines
+/// it, or the components of a schema that is its only one. An attribute is a number, a point or vector, or three
+/// points. docs/surfaces.md tells how a text is written.
+
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "durero/io/written_elements.hpp"
+#include "durero/written/surface.hpp"
+
+namespace durero::written {
+
+/// A Z text with types of elements. Not for use by two threads at once.
+class Text {
+ public:
+  /// Reads a file, and its parents: from its folder, or the program's own text. Throws io::FileError, and
+  /// io::InputError at its first error.
+  explicit Text(const std::string& file);
+  ~Text();
+  Text(Text&&) noexcept;             ///< takes over the other, which is then for its end or an assignment only
+  Text& operator=(Text&&) noexcept;  ///< likewise
+
+  /// The file.
+  const std::string& file() const;
+  /// Every type that a section of the file declares, as scene files are to have its elements; those that the program
+  /// has shapes for are not among them.
+  const std::vector<io::WrittenType>& types() const;
+
+  /// The points of an element of that type, whose attributes have these values, in the order of the parameters. Throws
+  /// NotInDomain where the text defines none for them, and io::InputError at the place of the text that is no algebraic
+  /// surface, or declares no such function.
+  Surface surface(const std::string& type, const std::vector<io::WrittenValue>& attributes) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// The attributes of an element are not in the domain of its function.
+struct NotInDomain {
+  std::string attribute;  ///< which of them; empty where it is several together
+  std::string expected;   ///< what is to hold, in Z
+};
+
+}  // namespace durero::written

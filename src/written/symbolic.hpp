@@ -1,0 +1,116 @@
+#pragma once
+/// Z terms whose numbers are formulas in the coordinates of a point: an expression is a value made of such, a predicate
+/// a condition on them. What cannot be followed so is an error at its place, and never a guess.
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "durero/written/formula.hpp"
+#include "durero/zed/evaluate/evaluate.hpp"
+#include "durero/zed/syntax/reader.hpp"
+#include "durero/zed/types/typecheck.hpp"
+
+namespace durero::written {
+
+struct Scope;
+using ScopePtr = std::shared_ptr<const Scope>;
+
+/// A set or a function as the text writes it, with the names around it.
+struct Suspended {
+  zed::Term term;
+  ScopePtr scope;
+};
+
+struct Value;
+using Tuple = std::vector<Value>;
+using Fields = std::map<zed::Name, Value>;
+
+struct Value {
+  std::variant<Formula, Tuple, Fields, Suspended> form;
+};
+
+/// The names that a term sees: local ones, and behind the last of these the globals of a section.
+struct Scope {
+  Fields names;
+  ScopePtr outer;       ///< null: the globals come next
+  std::string section;  ///< whose globals they are
+};
+
+/// What is wrong with a text, in a file of it.
+struct Refusal {
+  zed::Defect defect;
+};
+
+/// Says that a predicate of the head of a function is not true of an argument.
+struct Outside {
+  zed::Name parameter;   ///< empty: of several together
+  std::string expected;  ///< Z, in Unicode
+};
+
+/// What is known of a function of the text: its parameters, in the order in which it takes them.
+struct Parameters {
+  zed::SchemaText head;           ///< it declares them, and may state more of them
+  std::vector<zed::Term> formal;  ///< the argument, or its parts: references, or θ S of an included S
+  zed::Term body;                 ///< its value
+  std::string section;            ///< where this stands
+};
+
+class Symbolic {
+ public:
+  /// Both must outlive it.
+  Symbolic(const zed::Specification& specification, const zed::Typing& typing);
+
+  /// The parameters of a global that the section sees; nothing where no equation defines it as a function.
+  std::optional<Parameters> parameters(const std::string& section, const zed::Name& function) const;
+  /// What f(arguments) is. Throws Outside where an argument is not in its set, Refusal where that cannot be followed.
+  Value apply(const std::string& section, const zed::Name& function, const Tuple& arguments);
+  /// Whether the value is a member of the set. Throws Refusal.
+  Condition member(const Value& value, const Suspended& set) { return member_of(value, set.term, set.scope); }
+
+ private:
+  [[noreturn]] void refuse(const ScopePtr& scope, const zed::Place& place, const std::string& what,
+                           const std::string& expected) const;
+
+  // Expressions: symbolic.cpp.
+  Value value(const zed::Term& term, const ScopePtr& scope);
+  Value reference(const zed::Term& term, const ScopePtr& scope);
+  Value constant(const zed::Term& term, const ScopePtr& scope);
+  Value converted(const zed::Value& known, const zed::Term& term, const ScopePtr& scope) const;
+  Value theta(const zed::Term& term, const ScopePtr& scope);
+  Value selected(const zed::Term& term, const ScopePtr& scope);
+  Value application(const zed::Term& term, const ScopePtr& scope);
+  Value arithmetic(const zed::Term& term, const ScopePtr& scope);
+  Value call(const Parameters& function, const Tuple& arguments, const Fields& around);
+  /// Which part of a schema the binding does not satisfy.
+  Outside outside(const Fields& names, const zed::Term& schema, const ScopePtr& scope);
+  ScopePtr let_scope(const zed::Term& term, const ScopePtr& scope);
+  const Formula& formula(const Value& value, const zed::Term& term, const ScopePtr& scope) const;
+
+  // Predicates and sets: symbolic_sets.cpp.
+  Condition condition(const zed::Term& term, const ScopePtr& scope);
+  Condition relation(const std::string& word, const zed::Term& a, const zed::Term& b, const ScopePtr& scope);
+  Condition equal(const Value& a, const Value& b, const zed::Term& term, const ScopePtr& scope) const;
+  Condition member_of(const Value& value, const zed::Term& set, const ScopePtr& scope);
+  Condition member_of_name(const Value& value, const zed::Term& set, const ScopePtr& scope);
+  Condition member_of_application(const Value& value, const zed::Term& set, const ScopePtr& scope);
+  /// Of the characteristic tuple of a comprehension, or a schema's binding.
+  Condition satisfies(const Value& value, const zed::SchemaText& text, bool is_schema, const zed::Term& set,
+                      const ScopePtr& scope);
+  Condition declared(const zed::Declaration& declaration, const Fields& names, const zed::Term& set,
+                     const ScopePtr& scope);
+
+  const zed::Paragraph* paragraph_of(const zed::Global& global) const;
+  const zed::Global* global(const ScopePtr& scope, const zed::Name& name) const;
+
+  const zed::Specification& specification_;
+  const zed::Typing& typing_;
+  zed::Steps steps_;
+  zed::Evaluator evaluator_;
+  unsigned depth_ = 0;
+};
+
+}  // namespace durero::written

@@ -1,0 +1,232 @@
+#include "durero/written/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "durero/io/source.hpp"
+#include "durero/oracle/spec.hpp"
+#include "durero/zed/print/print.hpp"
+#include "durero/zed/syntax/paragraphs.hpp"
+#include "symbolic.hpp"
+
+namespace durero::written {
+namespace {
+
+using zed::Name;
+using zed::Type;
+
+constexpr std::string_view prefix = "puntos_";
+
+[[noreturn]] void fail(const zed::Defect& defect) {
+  throw io::InputError(defect.file, {defect.place.line, defect.place.column}, defect.what, defect.expected);
+}
+
+/// The file, and those sections of the program's own text that it does not have itself.
+zed::Specification read_with_own(const std::string& file) {
+  const std::string text(io::read_source(file).text());
+  const zed::Specification alone = zed::read_sources({{file, text}});
+  std::vector<std::pair<std::string, std::string>> sources{{file, text}};
+  for (const zed::Section& own : oracle::spec::text().sections)
+    if (!alone.find(own.name)) sources.emplace_back(own.file, oracle::spec::files().at(own.file));
+  zed::Specification read = zed::read_sources(sources);
+  if (!read.defects.empty()) fail(read.defects[0]);
+  return read;
+}
+
+bool is_number(const Type& type) { return type.is(Type::Kind::given) && type.name().text() == "𝔸"; }
+
+bool has_fields(const Type& type, std::string_view names, bool (*is_right)(const Type&)) {
+  if (!type.is(Type::Kind::schema) || type.fields().size() != names.size()) return false;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (type.fields()[i].text() != names.substr(i, 1) || !is_right(type.parts()[i])) return false;
+  return true;
+}
+
+bool is_triple(const Type& type) { return has_fields(type, "xyz", is_number); }
+bool is_three_points(const Type& type) { return has_fields(type, "abc", is_triple); }
+
+std::optional<io::WrittenKind> kind_of(const Type& type) {
+  if (is_number(type)) return io::WrittenKind::number;
+  if (is_triple(type)) return io::WrittenKind::triple;
+  if (is_three_points(type)) return io::WrittenKind::three_points;
+  return std::nullopt;
+}
+
+Value number_value(double x) { return {Formula(number::exact(x))}; }
+
+Value triple_value(const glm::dvec3& v) {
+  return {Fields{{{"x", ""}, number_value(v.x)}, {{"y", ""}, number_value(v.y)}, {{"z", ""}, number_value(v.z)}}};
+}
+
+Value value_of(const io::WrittenValue& value) {
+  if (const auto* const x = std::get_if<double>(&value)) return number_value(*x);
+  if (const auto* const v = std::get_if<glm::dvec3>(&value)) return triple_value(*v);
+  const auto& corners = std::get<scene::Corners>(value);
+  return {Fields{{{"a", ""}, triple_value(corners[0])},
+                 {{"b", ""}, triple_value(corners[1])},
+                 {{"c", ""}, triple_value(corners[2])}}};
+}
+
+Value any_point() {
+  return {Fields{{{"x", ""}, {Formula::coordinate(0)}},
+                 {{"y", ""}, {Formula::coordinate(1)}},
+                 {{"z", ""}, {Formula::coordinate(2)}}}};
+}
+
+bool is_shape(std::string_view word) {
+  bool is = false;
+  scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) { is = is || Shape::word == word; });
+  return is;
+}
+
+}  // namespace
+
+struct Text::State {
+  explicit State(const std::string& name) : file(name), specification(read_with_own(name)) {
+    typing = zed::check(specification);
+    if (!typing.ok()) fail(typing.defects[0]);
+    for (const zed::Section& each : specification.sections) {
+      if (each.file != file) continue;
+      section = each.name;
+      for (const zed::Paragraph& paragraph : each.paragraphs)
+        for (const Name& declared : zed::names_of(paragraph)) add_type(declared);
+    }
+    symbolic = std::make_unique<Symbolic>(specification, typing);
+    if (!has_points)
+      throw io::InputError(file, {1, 1}, "no section of it declares points of a type of elements",
+                           fmt::format("expected a function such as {}toro, to ℙ Punto", prefix));
+  }
+
+  void add_type(const Name& declared) {
+    if (!declared.word.starts_with(prefix)) return;
+    const Symbolic reader(specification, typing);
+    const auto parameters = reader.parameters(section, declared);
+    if (!parameters || !gives_points(declared)) return;
+    has_points = true;
+    const std::string word = declared.word.substr(prefix.size());
+    auto attributes = attributes_of(*parameters);
+    if (!attributes || is_shape(word)) return;
+    check_keys(*attributes, *parameters, declared);
+    types.push_back({word, std::move(*attributes)});
+  }
+
+  /// An element of a scene file has keys of its own, and not too many.
+  void check_keys(const std::vector<io::WrittenAttribute>& attributes, const Parameters& of, const Name& name) const {
+    constexpr std::size_t most = 32;
+    const auto refuse = [&](const std::string& what, const std::string& expected) {
+      fail({specification.find(of.section)->file, of.body->place, what, expected});
+    };
+    if (attributes.size() > most)
+      refuse(fmt::format("{} has {} parameters", name.text(), attributes.size()),
+             fmt::format("expected {} at most", most));
+    for (const std::string_view key : {"id", "tipo", "material"})
+      if (std::ranges::find(attributes, key, &io::WrittenAttribute::word) != attributes.end())
+        refuse(fmt::format("a parameter of {} is called {}", name.text(), key),
+               "expected another name: every element has that key");
+  }
+
+  /// Whether its values are sets of points: its type is ℙ (A × ℙ Punto).
+  bool gives_points(const Name& function) const {
+    const Type type = typing.find(section, function)->scheme.type.settled();
+    if (!type.is(Type::Kind::power) || !type.parts()[0].is(Type::Kind::product)) return false;
+    const Type& result = type.parts()[0].parts().back();
+    return result.is(Type::Kind::power) && is_triple(result.parts()[0]);
+  }
+
+  std::optional<Type> type_of(const Parameters& function, const zed::Term& formal) const {
+    zed::Term set;
+    if (formal->kind == zed::Kind::theta) set = formal->children[0];
+    for (const zed::Declaration& declaration : function.head.declarations)
+      if (std::ranges::find(declaration.names, formal->name) != declaration.names.end()) set = declaration.term;
+    const auto type = set ? typing.type_of(set) : std::nullopt;
+    if (!type || !type->is(Type::Kind::power)) return std::nullopt;
+    return type->settled().parts()[0];
+  }
+
+  /// Nothing where an attribute would be none that scene files have.
+  std::optional<std::vector<io::WrittenAttribute>> attributes_of(const Parameters& function) const {
+    std::vector<io::WrittenAttribute> attributes;
+    const auto add = [&](const Name& name, const Type& type) {
+      const auto kind = kind_of(type);
+      if (kind) attributes.push_back({name.text(), *kind});
+      return kind.has_value();
+    };
+    for (const zed::Term& formal : function.formal) {
+      const auto type = type_of(function, formal);
+      if (!type) return std::nullopt;
+      if (is_whole(function, *type)) {
+        for (std::size_t i = 0; i < type->fields().size(); ++i)
+          if (!add(type->fields()[i], type->parts()[i])) return std::nullopt;
+      } else if (formal->kind != zed::Kind::reference || !add(formal->name, *type)) {
+        return std::nullopt;
+      }
+    }
+    return attributes;
+  }
+
+  /// Whether the one parameter is a schema whose components are the attributes.
+  static bool is_whole(const Parameters& function, const Type& type) {
+    return function.formal.size() == 1 && type.is(Type::Kind::schema) && !kind_of(type);
+  }
+
+  Tuple arguments(const Parameters& function, const std::vector<io::WrittenValue>& attributes) const {
+    Tuple values;
+    for (const io::WrittenValue& attribute : attributes) values.push_back(value_of(attribute));
+    const auto type = type_of(function, function.formal[0]);
+    if (!type || !is_whole(function, *type)) return values;
+    Fields fields;
+    for (std::size_t i = 0; i < values.size(); ++i) fields.emplace(type->fields()[i], values[i]);
+    return {Value{std::move(fields)}};
+  }
+
+  std::string file, section;
+  zed::Specification specification;
+  zed::Typing typing;
+  std::unique_ptr<Symbolic> symbolic;
+  std::vector<io::WrittenType> types;
+  bool has_points = false;
+};
+
+Text::Text(const std::string& file) : state_(std::make_unique<State>(file)) {}
+Text::~Text() = default;
+Text::Text(Text&&) noexcept = default;
+Text& Text::operator=(Text&&) noexcept = default;
+
+const std::string& Text::file() const { return state_->file; }
+const std::vector<io::WrittenType>& Text::types() const { return state_->types; }
+
+Surface Text::surface(const std::string& type, const std::vector<io::WrittenValue>& attributes) const {
+  const Name function{std::string(prefix) + type, ""};
+  const auto parameters = state_->symbolic->parameters(state_->section, function);
+  if (!parameters)
+    throw io::InputError(file(), {1, 1}, fmt::format("no equation gives {} a value", function.text()),
+                         fmt::format("expected ∀ … • {}(…) = {{ w : Punto | … }}", function.text()));
+  const Tuple arguments = state_->arguments(*parameters, attributes);
+  const zed::Place place = parameters->body->place;
+  const std::string& where = state_->specification.find(parameters->section)->file;
+  if (arguments.size() != parameters->formal.size())
+    fail({where, place, fmt::format("{} takes {} arguments", function.text(), parameters->formal.size()),
+          fmt::format("expected {}, the attributes of {}", arguments.size(), type)});
+  try {
+    const Value set = state_->symbolic->apply(state_->section, function, arguments);
+    const auto* const suspended = std::get_if<Suspended>(&set.form);
+    const Condition points = suspended ? state_->symbolic->member(any_point(), *suspended) : always(true);
+    if (!Surface::has_equation(points))
+      fail({where, place, fmt::format("the points of {} satisfy no equation", function.text()),
+            "expected p = q ∧ clips, where p and q are polynomials"});
+    return Surface(points);
+  } catch (const Refusal& refusal) {
+    fail(refusal.defect);
+  } catch (const Outside& outside) {
+    throw NotInDomain{outside.parameter.text(), outside.expected};
+  } catch (const std::length_error& error) {
+    fail({where, place, fmt::format("{} comes to {}", function.text(), error.what()),
+          fmt::format("expected a degree of {} at most, and fewer digits", Formula::max_degree)});
+  } catch (const zed::StepsSpent&) {
+    fail({where, place, fmt::format("{} takes more steps than it may", function.text()), "expected a shorter text"});
+  }
+}
+
+}  // namespace durero::written

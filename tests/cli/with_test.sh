@@ -1,0 +1,75 @@
+# durero trace and render --with: what a Z text says of the elements, the bytes of the program's own formulas where it has
+# them, and the refusals.
+surfaces=$(cd "$(dirname "$0")/../../demo/surfaces" && pwd) spec=$(cd "$(dirname "$0")/../../spec" && pwd)
+. "$(dirname "$0")/harness.sh"
+sample >scene.json
+cat >rays.txt <<'RAYS'
+0 0 -5   0 0 1
+3 1 -5   0 0 1
+-3 0.5 -5   0.01 0 1
+0 0 -1   0 0 1   @s1
+9 9 9   1 1 1
+3 0 -1   0 1 0   @c1
+RAYS
+
+# The text of spec/ gives the same bytes, of hits and of a picture.
+run 0 trace scene.json rays.txt -o own.jsonl
+run 0 trace scene.json rays.txt --with "$spec/puntos.tex" -o text.jsonl
+same own.jsonl text.jsonl
+lines text.jsonl 6
+run 0 render scene.json -o own.png
+run 0 render scene.json -o text.png --with "$spec/puntos.tex" --threads 3
+same own.png text.png
+
+# A torus of the radii 2 and 0.75.
+run 0 trace "$surfaces/torus.json" "$surfaces/rays.txt" --with "$surfaces/torus.tex"
+has out '{"ray":0,"outcome":"hit","elementos":["ring"],"t":2.25,"point":[-2.75,0,0]}'
+lines out 5
+echo '-2.75 0 0 1 0 0 @ring' >start.txt
+run 0 trace "$surfaces/torus.json" start.txt --with "$surfaces/torus.tex"
+has out '"elementos":["ring"],"t":1.5,"point":[-1.25,0,0]}'
+run 0 render "$surfaces/torus.json" -o torus.png --with "$surfaces/torus.tex" --size 24x15
+for threads in 1 3; do
+  run 0 render "$surfaces/torus.json" -o again.png --with "$surfaces/torus.tex" --size 24x15 --threads $threads
+  same torus.png again.png
+done
+
+# Without the text there is no such type, and with it an element has the attributes of its type, which satisfy it.
+refused "$surfaces/torus.json:9:21: tipo is \"toro\"; expected one of esfera," trace "$surfaces/torus.json" rays.txt
+toro() { printf '{"format":"durero-scene","version":1,"elementos":[\n{"id":"t","tipo":"toro",%s}]}\n' "$1" >bad.json; }
+bad() {
+  toro "$1"
+  refused "bad.json:$2" trace bad.json rays.txt --with "$surfaces/torus.tex"
+  refused "bad.json:$2" render bad.json -o bad.png --with "$surfaces/torus.tex"
+  absent bad.png
+}
+bad '"centro":[0,0,0],"mayor":2' '2:1: key "menor" is missing in an element of tipo toro; '
+bad '"centro":[0,0,0],"mayor":2,"menor":1,"radio":1' '2:62: unknown key "radio" in an element of tipo toro; '
+bad '"centro":[0,0],"mayor":2,"menor":1' '2:34: centro has 2 items; '
+bad '"centro":[0,0,0],"mayor":2,"menor":-1' '2:60: t is not in the domain of puntos_toro; expected menor ∈ Rmas'
+bad '"centro":[0,0,0],"mayor":2,"menor":3' '2:1: t is not in the domain of puntos_toro; expected menor < mayor'
+
+# What is wrong with the text has a place in it.
+refused 'none.tex: cannot be read' trace scene.json rays.txt --with none.tex
+printf '\\begin{zed}\n  uno == 1\n\\end{zed}\n' >none.tex
+refused 'none.tex:1:1: no section of it declares points' trace scene.json rays.txt --with none.tex
+printf '\\begin{zed}\n  uno == dos\n\\end{zed}\n' >none.tex
+refused 'none.tex:2:10: dos is not declared; ' render scene.json -o bad.png --with none.tex
+cat >root.tex <<'TEX'
+\begin{zsection}
+  \SECTION raiz \parents puntos
+\end{zsection}
+\begin{axdef}
+  puntos\_bola : Punto \fun \power Punto
+\where
+  \forall c : Punto @ puntos\_bola(c) =
+    \{~ w : Punto | raizcuadrada(w.x) = 1 ~\}
+\end{axdef}
+TEX
+echo '{"format":"durero-scene","version":1,"elementos":[{"id":"b","tipo":"bola","c":[0,0,0]}]}' >bola.json
+refused 'root.tex:8:21: raizcuadrada is defined by no equation that gives its value; ' \
+  trace bola.json rays.txt --with root.tex
+refused 'trace: --engine excludes --with; ' trace scene.json rays.txt --with "$spec/puntos.tex" --engine fast
+refused 'render: --hierarchy excludes --with; ' render scene.json -o bad.png --with "$spec/puntos.tex" --hierarchy hand
+absent bad.png
+finish
