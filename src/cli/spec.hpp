@@ -42,6 +42,9 @@ void bound_memory(std::uint64_t mebibytes);
 /// Throws io::InputError at the first error of reading or of types, io::FileError where a file cannot be read.
 zed::Specification specification_of(const std::vector<std::string>& files);
 
+/// Throws io::InputError at the first defect that reading found in these files, or where one of them holds no Z.
+void refuse_unread(const std::vector<std::string>& files, const zed::Specification& read);
+
 int spec_check(const CheckCall& call);
 int spec_eval(const EvalCall& call);
 int spec_show(const std::string& name, const std::vector<std::string>& files);
