@@ -99,7 +99,8 @@ int spec_check(const CheckCall& call) {
   std::optional<Progress> progress(std::in_place, call.quiet, "spec check");
   const bool own = call.files.empty();
   const zed::Specification read = read_texts_of(call.files);
-  std::vector<zed::Defect> defects = zed::review(read);
+  const zed::Typing typing = zed::check(read);
+  std::vector<zed::Defect> defects = zed::review(read, typing);
   for (zed::Defect& defect : defects)
     if (call.strict && defect.severity == zed::Defect::Severity::opinion)
       defect.severity = zed::Defect::Severity::error;
@@ -112,7 +113,7 @@ int spec_check(const CheckCall& call) {
     io::print(defects_text(defects) + empty);
     return 1;
   }
-  const TriedConjectures conjectures = tried(read, own, call.states);
+  const TriedConjectures conjectures = tried(read, typing, own, call.states);
   progress.reset();
   io::print(defects_text(defects) + sections_text(read) + conjectures.said);
   return conjectures.refuted ? 1 : 0;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "durero/zed/syntax/reader.hpp"
+#include "durero/zed/types/typecheck.hpp"
 
 namespace durero::cli {
 
@@ -22,7 +23,7 @@ struct TriedConjectures {
   bool refuted = false;
 };
 /// Tries the conjectures of a text without defects; of the program's `own` it names the theorems.
-TriedConjectures tried(const zed::Specification& text, bool own, std::size_t states);
+TriedConjectures tried(const zed::Specification& text, const zed::Typing& typing, bool own, std::size_t states);
 
 /// An expression, and how far its evaluation may go.
 struct EvalCall {
