@@ -135,6 +135,8 @@ class TextWriter {
 
   /// All of what was written is cut into as many paragraphs as there were.
   void agree(std::size_t count) const {
+    if (out_.size() > max_bytes)
+      throw ZError({1, 1}, "the text would be too large to be read", "expected one of less than a MiB when written");
     if (cut_of(out_).size() != count || form_of(out_) != to_)
       throw ZError({1, 1}, "the prose would be read as Z in the other mark-up", "expected prose without its signs");
   }
