@@ -41,7 +41,8 @@ void add_conform(CLI::App& app, int& status);
 void add_import(CLI::App& app, int& status);
 void add_export(CLI::App& app, int& status);
 void add_spec(CLI::App& app, int& status);
-void add_spec_export(CLI::App& spec, int& status);  ///< of spec: export
+void add_spec_export(CLI::App& spec, int& status);   ///< of spec: export
+void add_spec_convert(CLI::App& spec, int& status);  ///< of spec: convert
 void add_version(CLI::App& app, int& status);
 void add_man(CLI::App& app, int& status);
 void add_completion(CLI::App& app, int& status);

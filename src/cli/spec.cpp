@@ -74,17 +74,24 @@ zed::Specification read_texts_of(const std::vector<std::string>& files) {
   return files.empty() ? oracle::spec::text() : zed::read_sources(sources(files));
 }
 
-}  // namespace
-
-zed::Specification specification_of(const std::vector<std::string>& files) {
-  zed::Specification read = read_texts_of(files);
-  std::vector<zed::Defect> defects = read.defects;
-  if (defects.empty() && !files.empty()) defects = zed::check(read).defects;
+void refuse_error(const std::vector<zed::Defect>& defects) {
   for (const zed::Defect& defect : defects)
     if (defect.severity == zed::Defect::Severity::error)
       throw io::InputError(defect.file, {defect.place.line, defect.place.column}, defect.what, defect.expected);
+}
+
+}  // namespace
+
+void refuse_unread(const std::vector<std::string>& files, const zed::Specification& read) {
+  refuse_error(read.defects);
   if (const auto empty = empty_files(files, read); !empty.empty())
     throw io::InputError(empty.front(), {1, 1}, no_paragraph, any_paragraph);
+}
+
+zed::Specification specification_of(const std::vector<std::string>& files) {
+  zed::Specification read = read_texts_of(files);
+  if (read.defects.empty() && !files.empty()) refuse_error(zed::check(read).defects);
+  refuse_unread(files, read);
   return read;
 }
 
@@ -92,7 +99,8 @@ int spec_check(const CheckCall& call) {
   std::optional<Progress> progress(std::in_place, call.quiet, "spec check");
   const bool own = call.files.empty();
   const zed::Specification read = read_texts_of(call.files);
-  std::vector<zed::Defect> defects = zed::review(read);
+  const zed::Typing typing = zed::check(read);
+  std::vector<zed::Defect> defects = zed::review(read, typing);
   for (zed::Defect& defect : defects)
     if (call.strict && defect.severity == zed::Defect::Severity::opinion)
       defect.severity = zed::Defect::Severity::error;
@@ -105,7 +113,7 @@ int spec_check(const CheckCall& call) {
     io::print(defects_text(defects) + empty);
     return 1;
   }
-  const TriedConjectures conjectures = tried(read, own, call.states);
+  const TriedConjectures conjectures = tried(read, typing, own, call.states);
   progress.reset();
   io::print(defects_text(defects) + sections_text(read) + conjectures.said);
   return conjectures.refuted ? 1 : 0;
@@ -162,6 +170,7 @@ void add_spec(CLI::App& app, int& status) {
   spec->require_subcommand(1);
   spec->footer(examples({"spec check", "spec eval '1 + 2 * 3'", "spec show Escena"}));
   add_spec_export(*spec, status);
+  add_spec_convert(*spec, status);
   const auto options = std::make_shared<SpecOptions>();
 
   auto* check = spec->add_subcommand("check", "Read and type-check Z text; each defect at its line");

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "durero/zed/syntax/reader.hpp"
+#include "durero/zed/types/typecheck.hpp"
 
 namespace durero::cli {
 
@@ -22,7 +23,7 @@ struct TriedConjectures {
   bool refuted = false;
 };
 /// Tries the conjectures of a text without defects; of the program's `own` it names the theorems.
-TriedConjectures tried(const zed::Specification& text, bool own, std::size_t states);
+TriedConjectures tried(const zed::Specification& text, const zed::Typing& typing, bool own, std::size_t states);
 
 /// An expression, and how far its evaluation may go.
 struct EvalCall {
@@ -41,6 +42,9 @@ void bound_memory(std::uint64_t mebibytes);
 /// Reads the texts of these files, or the program's own where there are none: the one way by which every command does.
 /// Throws io::InputError at the first error of reading or of types, io::FileError where a file cannot be read.
 zed::Specification specification_of(const std::vector<std::string>& files);
+
+/// Throws io::InputError at the first defect that reading found in these files, or where one of them holds no Z.
+void refuse_unread(const std::vector<std::string>& files, const zed::Specification& read);
 
 int spec_check(const CheckCall& call);
 int spec_eval(const EvalCall& call);

@@ -27,14 +27,14 @@ std::string verdict(const zed::Trial& trial) {
 
 }  // namespace
 
-TriedConjectures tried(const zed::Specification& text, bool own, std::size_t states) {
+TriedConjectures tried(const zed::Specification& text, const zed::Typing& typing, bool own, std::size_t states) {
   zed::TrialBounds bounds;
   bounds.states = states;
   bounds.draws = 32 * states;
   const oracle::spec::LabelIndex index(own ? embedded::labels().begin()->second : "");
   TriedConjectures all;
   for (const zed::Trial& trial :
-       zed::try_conjectures(text, zed::check(text), own ? oracle::spec::samples() : zed::Samples(), bounds)) {
+       zed::try_conjectures(text, typing, own ? oracle::spec::samples() : zed::Samples(), bounds)) {
     const std::string theorem = trial.label.empty() ? "" : index.theorem(trial.label);
     std::string said = verdict(trial);
     if (!theorem.empty() && trial.counterexample.empty()) said = fmt::format("proved as {}; {}", theorem, said);

@@ -1,5 +1,6 @@
-/// libFuzzer's entry to the reader of Z: `zed_fuzz tests/zed/corpus/right tests/zed/corpus/wrong spec` (with
-/// -DDURERO_FUZZ=ON and Clang). A crash, a hang, memory without bound or a broken round trip is a finding.
+/// libFuzzer's entry to the reader of Z: `zed_fuzz -dict=tests/fuzz/zed.dict tests/zed/corpus/right
+/// tests/zed/corpus/wrong spec` (with -DDURERO_FUZZ=ON and Clang). A crash, a hang, memory without bound or a broken
+/// round trip is a finding.
 
 #include <cstdint>
 

@@ -1,8 +1,11 @@
 // The table of operators: its rows are complete, agree with each other, and are what the readers know.
+#include <fmt/core.h>
+
 #include <map>
 #include <set>
 
 #include "support/catch.hpp"
+#include "zed/lines.hpp"
 #include "zed/operators.hpp"
 #include "zed/syntax/symbols.hpp"
 #include "zed/types/toolkit.hpp"
@@ -33,6 +36,19 @@ TEST_CASE("an operator is found by its symbol, and its command gives the symbol"
     CHECK(op->precedence == row.binding.precedence);
     const bool binds = *row.fixity() == Fixity::infix && *row.binding.role != Role::relation;
     CHECK((row.binding.precedence > 0) == binds);
+  }
+}
+
+TEST_CASE("the fuzzer's dictionary has each operator's command and sign") {
+  const std::string words = test::contents(durero::test::source_dir() + "/tests/fuzz/zed.dict");
+  for (const OperatorRow& row : operator_rows()) {
+    CAPTURE(row.name);
+    std::string sign;
+    for (const char byte : row.symbol())
+      sign += static_cast<unsigned char>(byte) < 0x80 ? std::string(1, byte)
+                                                      : fmt::format("\\x{:02X}", static_cast<unsigned char>(byte));
+    CHECK(words.find("\"" + sign + "\"\n") != words.npos);
+    if (!row.command.empty()) CHECK(words.find(fmt::format("\"\\\\{}\"\n", row.command)) != words.npos);
   }
 }
 

@@ -2,54 +2,12 @@
 
 #include <algorithm>
 
+#include "zed/evaluate/flat.hpp"
 #include "zed/evaluate/substitute.hpp"
 #include "zed/syntax/match.hpp"
 
 namespace durero::zed {
 namespace {
-
-/// A schema text without inclusions: each name with its set, and what holds of them.
-struct Flat {
-  std::vector<std::pair<Name, Term>> declared;
-  std::vector<Term> facts;
-
-  const Term* set_of(const Name& name) const {
-    for (const auto& [each, set] : declared)
-      if (each == name) return &set;
-    return nullptr;
-  }
-};
-
-Term member(const Name& name, const Term& set) { return relation({{"_∈_", {}}}, {reference(name), set}); }
-
-void add_fact(std::vector<Term>& facts, const Term& fact) {
-  if (fact->kind == Kind::conjunction) {
-    for (const Term& part : fact->children) add_fact(facts, part);
-  } else if (fact->kind != Kind::truth && std::find(facts.begin(), facts.end(), fact) == facts.end()) {
-    facts.push_back(fact);
-  }
-}
-
-Term all_of_facts(const std::vector<Term>& facts) {
-  if (facts.empty()) return node(Kind::truth, {});
-  Term all = facts[0];
-  for (std::size_t i = 1; i < facts.size(); ++i) all = node(Kind::conjunction, {all, facts[i]});
-  return all;
-}
-
-/// A name that both declare is in both sets.
-Flat merged(Flat a, const Flat& b) {
-  for (const auto& [name, set] : b.declared) {
-    const Term* known = a.set_of(name);
-    if (!known) {
-      a.declared.emplace_back(name, set);
-    } else if (!(*known == set)) {
-      add_fact(a.facts, member(name, set));
-    }
-  }
-  for (const Term& fact : b.facts) add_fact(a.facts, fact);
-  return a;
-}
 
 class Unfolder {
  public:
@@ -70,7 +28,7 @@ class Unfolder {
   Result flat_of(const Node& term) {
     switch (term.kind) {
       case Kind::reference:
-        return term.children.empty() ? named(term.name) : std::nullopt;
+        return term.children.empty() ? named(term.name) : instance(term);
       case Kind::schema_text:
         return text(*term.text);
       case Kind::decoration:
@@ -82,9 +40,19 @@ class Unfolder {
           return name;
         });
       case Kind::hiding:
-        return hidden(flat(term.children[0]), term.names);
+        return without(flat(term.children[0]), term.names);
       case Kind::precondition:
-        return hidden(flat(term.children[0]), hidden_by_pre(term.children[0], definitions_));
+        return without(flat(term.children[0]), hidden_by_pre(term.children[0], definitions_));
+      case Kind::composition:
+        return linked(term, "'", "");
+      case Kind::piping:
+        return linked(term, "!", "?");
+      case Kind::projection:
+        return projection(flat(term.children[0]), flat(term.children[1]));
+      case Kind::exists: {
+        const Result bound = text(*term.text), of = flat(term.children[0]);
+        return bound && of ? without(merged(*bound, *of), components(*term.text, definitions_)) : std::nullopt;
+      }
       case Kind::conjunction: {
         const Result left = flat(term.children[0]), right = flat(term.children[1]);
         return left && right ? Result(merged(*left, *right)) : std::nullopt;
@@ -120,6 +88,62 @@ class Unfolder {
       return both;
     }
     return std::nullopt;
+  }
+
+  /// Of a generic schema: the actuals stand for the formals.
+  Result instance(const Node& term) {
+    const Meaning* meaning = definitions_.find(term.name);
+    if (!meaning) return std::nullopt;
+    const auto* box = std::get_if<Schema>(&meaning->paragraph->form);
+    const auto* definition = std::get_if<Definition>(&meaning->paragraph->form);
+    if (!box && !definition) return std::nullopt;
+    const std::vector<Name>& formals = box ? box->formals : definition->formals;
+    if (formals.size() != term.children.size()) return std::nullopt;
+    std::map<Name, Term> by;
+    for (std::size_t i = 0; i < formals.size(); ++i) by.emplace(formals[i], term.children[i]);
+    const auto now =
+        substituted(box ? quantified(Kind::schema_text, box->text, {}) : definition->value, by, definitions_);
+    return now ? flat(*now) : std::nullopt;
+  }
+
+  Result without(const Result& of, const Components& names) const {
+    return of ? Result(hidden(*of, names, definitions_)) : std::nullopt;
+  }
+
+  /// S ⨡ T is S ∧ T without the components that only S has.
+  Result projection(const Result& left, const Result& right) const {
+    if (!left || !right) return std::nullopt;
+    Components gone;
+    for (const auto& [name, set] : left->declared)
+      if (!right->set_of(name)) gone.push_back(name);
+    return without(merged(*left, *right), gone);
+  }
+
+  /// S ⨟ T is ∃ x'' • S[x''/x'] ∧ T[x''/x] for the names x that they join, and S ⨠ T has x! and x? for x' and x. There
+  /// are more strokes where x'' is a component already.
+  Result linked(const Node& node, const std::string& stroke, const std::string& to) {
+    const Term &left = node.children[0], &right = node.children[1];
+    const std::vector<Name> names = joined(left, stroke, right, to, definitions_);
+    const auto is_one = [&](const Name& name, const std::string& strokes) {
+      return std::any_of(names.begin(), names.end(),
+                         [&](const Name& each) { return name == decorated(each, strokes); });
+    };
+    std::string fresh = "''";
+    for (const Term& side : {left, right})
+      for (const Name& name : components(side, definitions_).value_or(Components{}))
+        while (is_one(name, fresh)) fresh += "'";
+    const auto link = [&](const std::string& strokes) {
+      return [&, strokes](const Name& name) {
+        const auto one = std::find_if(names.begin(), names.end(),
+                                      [&](const Name& each) { return name == decorated(each, strokes); });
+        return one == names.end() ? name : decorated(*one, fresh);
+      };
+    };
+    const Result before = renamed(left, link(stroke)), behind = renamed(right, link(to));
+    if (!before || !behind) return std::nullopt;
+    Components between;
+    for (const Name& name : names) between.push_back(decorated(name, fresh));
+    return without(merged(*before, *behind), between);
   }
 
   Result text(const SchemaText& text) {
@@ -179,82 +203,12 @@ class Unfolder {
     return substituted(fact, by, definitions_);
   }
 
-  /// ∃ names • the schema.
-  Result hidden(Result of, const Components& names) {
-    if (!of) return of;
-    Flat rest;
-    std::vector<std::pair<Name, Term>> inside;
-    for (const auto& each : of->declared) {
-      const bool hides = std::find(names.begin(), names.end(), each.first) != names.end();
-      (hides ? inside : rest.declared).push_back(each);
-    }
-    std::vector<Term> facts = of->facts;
-    while (eliminate_one(inside, facts)) {
-    }
-    SchemaText bound;
-    std::vector<Term> under;
-    for (const auto& [name, set] : inside)
-      bound.declarations.push_back({Declaration::Form::typed, {name}, {Place{}}, set, {}});
-    for (const Term& fact : facts) {
-      const bool about = std::any_of(inside.begin(), inside.end(), [&, &each_fact = fact](const auto& each) {
-        return depends_on(each_fact, each.first, definitions_);
-      });
-      about ? add_fact(under, fact) : add_fact(rest.facts, fact);
-    }
-    if (!inside.empty()) rest.facts.push_back(quantified(Kind::exists, std::move(bound), {all_of_facts(under)}));
-    return rest;
-  }
-
-  /// ∃ x : T • x = e ∧ P is e ∈ T ∧ P with e for x, where e does not depend on x.
-  bool eliminate_one(std::vector<std::pair<Name, Term>>& inside, std::vector<Term>& facts) const {
-    for (std::size_t i = 0; i < inside.size(); ++i)
-      for (std::size_t j = 0; j < facts.size(); ++j) {
-        if (!match::is_equation(facts[j])) continue;
-        for (const std::size_t side : {0U, 1U}) {
-          const Term value = facts[j]->children[1 - side];
-          const Name name = inside[i].first;
-          if (!match::is_reference(facts[j]->children[side], name) || depends_on(value, name, definitions_)) continue;
-          if (replace(name, value, inside[i].second, j, facts)) {
-            inside.erase(inside.begin() + static_cast<std::ptrdiff_t>(i));
-            return true;
-          }
-        }
-      }
-    return false;
-  }
-
-  bool replace(const Name& name, const Term& value, const Term& set, std::size_t at, std::vector<Term>& facts) const {
-    std::vector<Term> now;
-    for (std::size_t j = 0; j < facts.size(); ++j) {
-      if (j == at) {
-        if (!is_whole_type(set)) add_fact(now, relation({{"_∈_", {}}}, {value, set}));
-        continue;
-      }
-      const auto fact = substituted(facts[j], {{name, value}}, definitions_);
-      if (!fact) return false;
-      if (!match::is_equation(*fact) || !((*fact)->children[0] == (*fact)->children[1])) add_fact(now, *fact);
-    }
-    facts = std::move(now);
-    return true;
-  }
-
-  /// Every value of its type is a member: of a given set, of a free type, of 𝔸, and of what ℙ and × make of these.
-  bool is_whole_type(const Term& set) const {
-    if (set->kind == Kind::power || set->kind == Kind::product)
-      return std::all_of(set->children.begin(), set->children.end(),
-                         [this](const Term& part) { return is_whole_type(part); });
-    if (set->kind != Kind::reference || !set->children.empty()) return false;
-    const Meaning* meaning = definitions_.find(set->name);
-    return meaning ? meaning->kind == Meaning::Kind::given || meaning->kind == Meaning::Kind::free_type
-                   : set->name.text() == "𝔸";
-  }
-
   /// What the sets of its declarations say is a part of what the schema says where it is negated, and where the other
   /// side declares the name otherwise.
   std::optional<Term> said_by(const Flat& flat, const Flat& declared) const {
     std::vector<Term> facts;
     for (const auto& [name, set] : flat.declared)
-      if (!(*declared.set_of(name) == set) && !is_whole_type(set)) add_fact(facts, member(name, set));
+      if (!(*declared.set_of(name) == set) && !is_whole_type(set, definitions_)) add_fact(facts, member(name, set));
     for (const Term& fact : flat.facts) add_fact(facts, fact);
     return all_of_facts(facts);
   }
@@ -266,7 +220,7 @@ class Unfolder {
         if (wide.set_of(name)) continue;
         const Term *in_a = a.set_of(name), *in_b = b.set_of(name);
         const bool common = keep_common && in_a && in_b && *in_a == *in_b;
-        const Term whole = common || is_whole_type(set) ? set : carriers_(name);
+        const Term whole = common || is_whole_type(set, definitions_) ? set : carriers_(name);
         if (!whole) return std::nullopt;
         wide.declared.emplace_back(name, whole);
       }

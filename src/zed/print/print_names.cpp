@@ -82,7 +82,10 @@ void Printer::name(const Name& name) {
     return;
   }
   symbol(name.word);
-  std::string_view rest = name.strokes;
+  strokes(name.strokes);
+}
+
+void Printer::strokes(std::string_view rest) {
   while (!rest.empty()) {
     const std::string_view character = text::first(rest);
     rest.remove_prefix(character.size());

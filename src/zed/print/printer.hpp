@@ -27,6 +27,7 @@ class Printer {
   void declared(const Name& name, const std::vector<Name>& formals = {});
   void symbol(std::string_view unicode);  ///< prints a space before it, where it needs one
   void tight(std::string_view unicode);   ///< prints no space before it
+  void strokes(std::string_view rest);    ///< prints them as those of a name
   void raw(std::string_view text) { out_ += text; }
 
   std::string take() { return std::move(out_); }

@@ -1,6 +1,7 @@
 #include "zed/review/determine.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "zed/operators.hpp"
 #include "zed/syntax/match.hpp"
@@ -131,22 +132,27 @@ void Determiner::by_body(std::set<Name>& open, const Node& node) {
   std::erase_if(open, [&inside](const Name& name) { return !inside.contains(name); });
 }
 
-/// A schema as a predicate says what its text does, and so does Ξ.
+/// A schema as a predicate says what its text does, and so does Ξ. What cannot be written out of it may determine any
+/// of its components, so that nothing is said of those.
 void Determiner::by_schema(std::set<Name>& open, const Term& schema) {
   if (schemas_ == max_schemas) return;
   const Expansion whole = expander_.schema(schema);
   budget_.spend(100 * whole.facts.size());
-  if (whole.opaque) return;
   ++schemas_;
   determine(open, whole.facts);
   --schemas_;
+  if (!whole.opaque) return;
+  const std::set<Name> spoken_of = expander_.spoken_of(schema);
+  std::erase_if(open, [&](const Name& name) { return spoken_of.empty() || spoken_of.contains(name); });
 }
 
 void Determiner::by_fact(std::set<Name>& open, const Term& fact) {
   if (match::is_equation(fact)) by_equation(open, fact->children[0], fact->children[1]);
   if (fact->kind == Kind::disjunction) by_sides(open, fact->children);
   if (fact->kind == Kind::exists || fact->kind == Kind::let) by_body(open, *fact);
-  if (fact->kind == Kind::reference) by_schema(open, fact);
+  static constexpr std::array schemas = {Kind::reference,  Kind::decoration,  Kind::renaming, Kind::hiding,
+                                         Kind::projection, Kind::composition, Kind::piping};
+  if (std::find(schemas.begin(), schemas.end(), fact->kind) != schemas.end()) by_schema(open, fact);
 }
 
 void Determiner::determine(std::set<Name>& open, const std::vector<Term>& conjunctions) {

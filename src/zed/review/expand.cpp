@@ -92,6 +92,16 @@ std::set<Name> Expander::components(const Name& schema) const {
   return names;
 }
 
+std::set<Name> Expander::spoken_of(const Term& schema) const {
+  if (schema->kind != Kind::reference) return {};
+  const Name& name = schema->name;
+  std::set<Name> names = components(name);
+  if (!names.empty() || !(name.word.starts_with("Δ") || name.word.starts_with("Ξ"))) return names;
+  names = components({name.word.substr(std::string_view("Δ").size()), name.strokes});
+  for (const Name& each : std::set<Name>(names)) names.insert({each.word, each.strokes + "'"});
+  return names;
+}
+
 std::set<Name> Expander::siblings(const Name& constant) const {
   const auto entry = siblings_.find(constant);
   return entry == siblings_.end() ? std::set<Name>() : entry->second;

@@ -30,6 +30,9 @@ class Expander {
   /// Returns the components of a schema, by its name.
   std::set<Name> components(const Name& schema) const;
 
+  /// Returns the components of a schema that is a name, Δ and Ξ of one among them; nothing of any other.
+  std::set<Name> spoken_of(const Term& schema) const;
+
   /// Returns the constants of the free type that this one belongs to; none if it is not a constant, or its type has
   /// constructors.
   std::set<Name> siblings(const Name& constant) const;

@@ -2,9 +2,10 @@
 
 namespace durero::zed {
 
-std::vector<Defect> review(const Specification& specification) {
+std::vector<Defect> review(const Specification& specification) { return review(specification, check(specification)); }
+
+std::vector<Defect> review(const Specification& specification, const Typing& typing) {
   std::vector<Defect> defects = specification.defects;
-  const Typing typing = check(specification);
   defects.insert(defects.end(), typing.defects.begin(), typing.defects.end());
   const bool right = defects.empty();
   defects.insert(defects.end(), specification.warnings.begin(), specification.warnings.end());

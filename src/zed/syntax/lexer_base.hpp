@@ -80,7 +80,16 @@ class Lexer {
     if (newline_ && !tokens_.empty() && ends(tokens_.back()) && begins(token))
       tokens_.push_back({Type::newline, "\n", {}, *newline_, {}, nullptr, false});
     newline_.reset();
+    token.from = static_cast<std::uint32_t>(start_);
     tokens_.push_back(std::move(token));
+    ends_here();
+  }
+
+  /// The last token goes to here, but for blanks, which TeX takes behind a command.
+  void ends_here() {
+    std::size_t end = at_;
+    while (end > start_ && is_space(text_[end - 1])) --end;
+    tokens_.back().to = static_cast<std::uint32_t>(end);
     behind_ = place_;
   }
 
@@ -107,9 +116,9 @@ class Lexer {
     emit(Type::numeral, std::move(number), place);
   }
 
-  /// Returns `::=`, `==` or one ASCII character, whichever is here; nothing where it means nothing in Z.
+  /// Returns `::=`, `==`, `,,` or one ASCII character, whichever is here; nothing where it means nothing in Z.
   std::string_view ascii_symbol() const {
-    for (const std::string_view longer : {"::=", "=="})
+    for (const std::string_view longer : {"::=", "==", ",,"})
       if (sees(longer)) return longer;
     static constexpr std::string_view singles = ":;,.()[]|=<>+-*/&";
     return singles.find(here()) != singles.npos && here() != '\0' ? text_.substr(at_, 1) : std::string_view();
@@ -133,7 +142,10 @@ class Lexer {
   template <class TakeToken>
   std::vector<Token> tokens(TakeToken&& token) {
     try {
-      while (!done()) token();
+      while (!done()) {
+        start_ = at_;
+        token();
+      }
       tokens_.push_back({Type::end, {}, {}, behind_, {}, nullptr, false});
       return std::move(tokens_);
     } catch (const ZError& error) {
@@ -161,6 +173,7 @@ class Lexer {
 
   std::string_view text_;
   std::size_t at_ = 0;
+  std::size_t start_ = 0;          // what is being taken begins here
   Place place_, behind_ = place_;  // behind_ is where the last token ends
   const Operators& operators_;     // the tokens point into them
   std::vector<Token> tokens_;

@@ -42,7 +42,7 @@ class Unicode : Lexer {
     if (selects || here() != '.' || !is_digit(here(1))) return;
     tokens_.back().text += take();
     while (is_digit(here())) tokens_.back().text += take();
-    behind_ = place_;
+    ends_here();
   }
 
   /// Takes `"a-b"`, a name of letters, digits and `_ . : -`; its word keeps the quotation marks.

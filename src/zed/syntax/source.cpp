@@ -7,35 +7,13 @@
 
 #include "durero/text/utf8.hpp"
 #include "zed/syntax/characters.hpp"
+#include "zed/syntax/cursor.hpp"
 #include "zed/syntax/lexer.hpp"
 
 namespace durero::zed {
 namespace {
 
 constexpr std::array<std::string_view, 5> environments = {"zsection", "zed", "axdef", "gendef", "schema"};
-
-/// Walks over a text and knows its place.
-struct Cursor {
-  std::string_view text;
-  std::size_t at = 0;
-  Place place{1, 1};
-
-  bool done() const { return at >= text.size(); }
-  bool sees(std::string_view what) const { return text.substr(at, what.size()) == what; }
-  void step() {
-    if (text[at] == '\n') {
-      ++place.line;
-      place.column = 0;
-    }
-    ++at;
-    while (!done() && text::continues(text[at])) ++at;
-    ++place.column;
-  }
-  void skip(std::size_t bytes) {
-    for (const std::size_t end = std::min(at + bytes, text.size()); at < end;) step();
-  }
-  std::string_view rest_of_line() const { return text.substr(at, text.find('\n', at) - at); }
-};
 
 /// What Unicode mark-up would read as more than a word, or as none, could not be written there.
 bool is_one_word(const std::string& meaning) {
@@ -71,10 +49,27 @@ void directive(std::string_view line, Place place, Markup& into) {
   into[command.substr(1)] = meaning;
 }
 
+}  // namespace
+
+void take_directive(const Cursor& at, const std::string& file, Markup& into, std::vector<Defect>& defects) {
+  const std::string_view line = at.rest_of_line();
+  if (!line.starts_with("%%Z")) return;
+  try {
+    directive(line, at.place, into);
+  } catch (const ZError& error) {
+    defects.push_back(error.in(file));
+  }
+}
+
+namespace {
+
 class Cutter {
  public:
   Cutter(std::string_view text, const std::string& file, std::vector<Defect>& defects)
       : cursor_{text}, file_(file), defects_(defects) {}
+
+  /// Says whether a paragraph began, be it that it did not end.
+  bool began() const { return began_; }
 
   std::vector<Block> run() {
     while (!cursor_.done()) {
@@ -94,13 +89,7 @@ class Cutter {
  private:
   void comment() {
     const std::string_view line = cursor_.rest_of_line();
-    if (line.starts_with("%%Z") && cursor_.place.column == 1) {
-      try {
-        directive(line, cursor_.place, pending_);
-      } catch (const ZError& error) {
-        defects_.push_back(error.in(file_));
-      }
-    }
+    if (cursor_.place.column == 1) take_directive(cursor_, file_, pending_, defects_);
     cursor_.skip(line.size());
   }
 
@@ -111,6 +100,7 @@ class Cutter {
     const std::string_view rest = cursor_.rest_of_line();
     block.environment = rest.substr(0, rest.find('}'));
     if (std::find(environments.begin(), environments.end(), block.environment) == environments.end()) return;
+    began_ = true;
     cursor_.skip(block.environment.size() + 1);
     block.place = cursor_.place;
     const std::size_t start = cursor_.at;
@@ -149,90 +139,20 @@ class Cutter {
   std::vector<Defect>& defects_;
   std::vector<Block> blocks_;
   Markup pending_;
+  bool began_ = false;
 };
 
 }  // namespace
 
-namespace {
-
-constexpr std::array<std::string_view, 4> openers = {"─", "╷", "═", "┌"};
-
-std::string_view opener(std::string_view line) {
-  for (const std::string_view sign : openers)
-    if (line.starts_with(sign)) return sign;
-  return {};
-}
-
-/// Cuts a text in Unicode mark-up (ISO/IEC 13568, 8.2, and the boxes of to_unicode()): a paragraph begins with a line
-/// that begins with ─ (what \begin{zed} is in LaTeX), ╷ or ┌ alone (axdef), ═ or ┌ [ (gendef) or ┌ NAME (schema), and
-/// ends at a line that begins with └.
-class UnicodeCutter {
- public:
-  UnicodeCutter(std::string_view text, const std::string& file, std::vector<Defect>& defects)
-      : cursor_{text}, file_(file), defects_(defects) {}
-
-  std::vector<Block> run() {
-    while (!cursor_.done()) {
-      if (const std::string_view sign = opener(cursor_.rest_of_line()); !sign.empty()) {
-        paragraph(sign);
-      } else {
-        next_line();
-      }
-    }
-    return std::move(blocks_);
-  }
-
- private:
-  void next_line() { cursor_.skip(cursor_.rest_of_line().size() + 1); }
-
-  static std::string environment(std::string_view sign, std::string_view title) {
-    if (sign == "─") return title.starts_with("section") ? "zsection" : "zed";
-    if (sign == "┌" && !title.empty()) return title[0] == '[' ? "gendef" : "schema";
-    return sign == "═" || title.starts_with("[") ? "gendef" : "axdef";
-  }
-
-  void paragraph(std::string_view sign) {
-    Block block;
-    block.unicode = true;
-    block.begin = cursor_.place;
-    while (cursor_.sees("─") || cursor_.sees("═") || cursor_.sees("╷") || cursor_.sees("┌") || cursor_.sees(" "))
-      cursor_.step();
-    std::string_view title = cursor_.rest_of_line();
-    if (title.empty() && sign == "─") title = cursor_.text.substr(std::min(cursor_.at + 1, cursor_.text.size()));
-    title.remove_prefix(std::min(title.find_first_not_of(" \r"), title.size()));
-    block.environment = environment(sign, title);
-    block.place = cursor_.place;
-    const std::size_t start = cursor_.at;
-    next_line();
-    while (!cursor_.done() && !cursor_.sees("└") && opener(cursor_.rest_of_line()).empty()) next_line();
-    block.body = cursor_.text.substr(start, cursor_.at - start);
-    block.end = cursor_.place;
-    if (cursor_.sees("└")) {
-      next_line();
-      blocks_.push_back(std::move(block));
-    } else {
-      defects_.push_back({file_, block.begin, "the paragraph does not end", "expected a line that begins with └", {}});
-    }
-  }
-
-  Cursor cursor_;
-  const std::string& file_;
-  std::vector<Defect>& defects_;
-  std::vector<Block> blocks_;
-};
-
-/// Says whether a text is in Unicode mark-up: it has a box, and no environment of LaTeX.
 bool is_unicode(std::string_view text) {
-  if (text.find("\\begin{") != text.npos) return false;
-  for (std::size_t at = 0; at < text.size(); at = text.find('\n', at), at += at == text.npos ? 0 : 1)
-    if (!opener(text.substr(at)).empty()) return true;
-  return false;
+  std::vector<Defect> defects;
+  const std::string file;
+  Cutter latex(text, file, defects);
+  return has_box(text) && (latex.run(), !latex.began());
 }
-
-}  // namespace
 
 std::vector<Block> cut(std::string_view text, const std::string& file, std::vector<Defect>& defects) {
-  if (is_unicode(text)) return UnicodeCutter(text, file, defects).run();
+  if (is_unicode(text)) return cut_unicode(text, file, defects);
   return Cutter(text, file, defects).run();
 }
 

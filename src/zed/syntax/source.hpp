@@ -26,6 +26,9 @@ struct Block {
 /// Returns the places of braces in a block of LaTeX mark-up that only group, and may be meant for a set.
 std::vector<Place> grouping_braces(const Block& block);
 
+/// Says whether a text is in Unicode mark-up: it has a box, and no paragraph of LaTeX begins in it.
+bool is_unicode(std::string_view text);
+
 /// Cuts a text into blocks. `text` must outlive them. A defect, such as an environment that does not end, is added
 /// to `defects`, and what can be cut is.
 std::vector<Block> cut(std::string_view text, const std::string& file, std::vector<Defect>& defects);

@@ -1,6 +1,7 @@
 #pragma once
 /// The tokens of Z are the same from either mark-up.
 
+#include <cstdint>
 #include <string>
 
 #include "durero/zed/syntax/ast.hpp"
@@ -25,6 +26,7 @@ struct Token {
   std::string label;                  ///< the last token of a line has the label in the comment that ends it
   const OperatorWord* own = nullptr;  ///< a template in scope makes the word one of an operator
   bool only_infix = false;            ///< LaTeX mark-up reserves such a `-` for the difference; the sign is \negate
+  std::uint32_t from = 0, to = 0;     ///< its bytes in the text that was read, but for blanks behind it
 
   bool is(std::string_view symbol) const {
     return (type == Type::symbol || (type == Type::word && strokes.empty())) && text == symbol;

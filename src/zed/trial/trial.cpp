@@ -9,11 +9,8 @@
 namespace durero::zed {
 namespace {
 
-/// No text can write these names.
-constexpr const char *assumed_name = " assumed", *claimed_name = " claimed";
-
-Paragraph definition(const char* name, SchemaText text) {
-  return {{}, Definition{{name, ""}, {}, quantified(Kind::schema_text, std::move(text), {}), {}}};
+Paragraph definition(const Name& name, SchemaText text) {
+  return {{}, Definition{name, {}, quantified(Kind::schema_text, std::move(text), {}), {}}};
 }
 
 /// The schemas [ D | P ] and [ D | P; Q ] of ∀ D | P • Q, or of ∃; where the claim begins with no quantifier D and P
@@ -21,8 +18,10 @@ Paragraph definition(const char* name, SchemaText text) {
 struct Claim {
   SchemaText assumed, claimed;
   bool wants_witness = false;
+  Name assumed_name, claimed_name;  // no text can write them
 
-  explicit Claim(const Term& term) {
+  Claim(const Term& term, std::size_t number)
+      : assumed_name{" assumed " + std::to_string(number), ""}, claimed_name{" claimed " + std::to_string(number), ""} {
     const bool quantified = term->kind == Kind::forall || term->kind == Kind::exists;
     if (quantified) assumed = *term->text;
     wants_witness = term->kind == Kind::exists;
@@ -34,24 +33,14 @@ struct Claim {
 /// Tries one conjecture.
 class Attempt {
  public:
-  Attempt(const Specification& specification, const Typing& typing, const Draw& draw, const Section& section,
-          const Term& term, const TrialBounds& bounds)
-      : typing_(typing), draw_(draw), claim_(term), bounds_(bounds), steps_(bounds.steps) {
-    Section own;
-    own.name = "trial";
-    own.parents = {section.name};
-    own.paragraphs = {definition(assumed_name, claim_.assumed), definition(claimed_name, claim_.claimed)};
-    std::vector<Section> sections = specification.sections;
-    sections.push_back(std::move(own));
-    evaluator_.emplace(std::move(sections), Given{}, &steps_);
-  }
+  Attempt(const Typing& typing, const Draw& draw, const Claim& claim, const TrialBounds& bounds)
+      : typing_(typing), draw_(draw), claim_(claim), bounds_(bounds) {}
 
-  void run(Trial& trial) {
-    const SchemaCheck assumed = evaluator_->schema({assumed_name, ""}),
-                      claimed = evaluator_->schema({claimed_name, ""});
+  void run(const Evaluator& evaluator, Trial& trial) {
+    const SchemaCheck assumed = evaluator.schema(claim_.assumed_name), claimed = evaluator.schema(claim_.claimed_name);
     for (const Name& name : assumed.components())
       if (!is_result(name)) known_.push_back(name);
-    if (known_.size() != assumed.components().size()) results_ = evaluator_->completion({assumed_name, ""}, known_);
+    if (known_.size() != assumed.components().size()) results_ = evaluator.completion(claim_.assumed_name, known_);
     const bool closed = claim_.assumed.declarations.empty();
     const std::size_t draws = closed ? 1 : bounds_.draws, most = claim_.wants_witness ? draws : bounds_.states;
     for (std::size_t draw = 0; draw < draws && trial.tried < most && trial.counterexample.empty(); ++draw) {
@@ -152,38 +141,55 @@ class Attempt {
 
   const Typing& typing_;
   const Draw& draw_;
-  Claim claim_;
-  TrialBounds bounds_;
-  Steps steps_;
-  std::optional<Evaluator> evaluator_;
+  const Claim& claim_;
+  const TrialBounds& bounds_;
   std::vector<Name> known_;            // what an operation begins with, its state and inputs
   std::optional<Completion> results_;  // gives the rest, where the claim is of an operation
   std::string undecided_;              // the first reason why some state decided nothing
   bool witness_ = false;
 };
 
+/// One evaluator serves all, as what the text's own names stand for is the same for each; every conjecture has the
+/// steps for itself.
+void try_claims(std::vector<Section> sections, const Draw& draw, const std::vector<Claim>& claims, const Typing& typing,
+                const TrialBounds& bounds, std::vector<Trial>& trials) {
+  Steps steps(bounds.steps);
+  const Evaluator evaluator(std::move(sections), Given{}, &steps);
+  for (std::size_t i = 0; i < claims.size(); ++i) {
+    Trial& trial = trials[i];
+    steps = Steps(bounds.steps);
+    try {
+      Attempt(typing, draw, claims[i], bounds).run(evaluator, trial);
+    } catch (const EvaluationError& error) {
+      if (trial.tried == 0) trial.why_not = error.what();
+    } catch (const StepsSpent&) {
+      if (trial.tried == 0) trial.why_not = "it takes more than " + std::to_string(bounds.steps) + " steps";
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Trial> try_conjectures(const Specification& specification, const Typing& typing, const Samples& samples,
                                    const TrialBounds& bounds) {
-  const Draw draw(specification, samples);
   std::vector<Trial> trials;
-  for (const Section& section : specification.sections)
-    for (const Paragraph& paragraph : section.paragraphs) {
-      const auto* conjecture = std::get_if<Conjecture>(&paragraph.form);
-      if (!conjecture) continue;
-      Trial& trial = trials.emplace_back();
-      trial.file = section.file;
-      trial.place = paragraph.place;
-      trial.label = conjecture->claim.label;
-      try {
-        Attempt(specification, typing, draw, section, conjecture->claim.term, bounds).run(trial);
-      } catch (const EvaluationError& error) {
-        if (trial.tried == 0) trial.why_not = error.what();
-      } catch (const StepsSpent&) {
-        if (trial.tried == 0) trial.why_not = "it takes more than " + std::to_string(bounds.steps) + " steps";
+  std::vector<Claim> claims;
+  std::vector<Section> sections = specification.sections;
+  for (const Section& section : specification.sections) {
+    Section own{section.file, "trial of " + section.name, {section.name}, {}, section.place, {}};
+    for (const Paragraph& paragraph : section.paragraphs)
+      if (const auto* conjecture = std::get_if<Conjecture>(&paragraph.form)) {
+        trials.push_back({section.file, paragraph.place, conjecture->claim.label, 0, {}, {}});
+        const Claim& claim = claims.emplace_back(conjecture->claim.term, claims.size());
+        own.paragraphs.push_back(definition(claim.assumed_name, claim.assumed));
+        own.paragraphs.push_back(definition(claim.claimed_name, claim.claimed));
       }
-    }
+    sections.push_back(std::move(own));
+  }
+  if (bounds.states == 0)
+    for (Trial& trial : trials) trial.why_not = "no state is asked for";
+  if (bounds.states > 0 && !trials.empty())
+    try_claims(std::move(sections), Draw(specification, samples), claims, typing, bounds, trials);
   return trials;
 }
 

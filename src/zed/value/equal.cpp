@@ -95,8 +95,12 @@ Truth equal_sets(const Set& a, const Set& b) {
   const auto *x = a.members(), *y = b.members();
   if (x && y && x->empty() != y->empty()) return Truth::no;
   if (!x || !y || a.family() || b.family()) {
-    throw EvaluationError("whether " + a.text() + " = " + b.text() + " cannot be decided: the members of " +
-                          (x && !a.family() ? b : a).text() + " cannot be enumerated");
+    const std::string left = a.text(), right = b.text();
+    if (left == right)
+      throw EvaluationError("whether two sets are equal cannot be decided: the members of neither, " + left +
+                            ", can be enumerated");
+    throw EvaluationError("whether " + left + " = " + right + " cannot be decided: the members of " +
+                          (x && !a.family() ? right : left) + " cannot be enumerated");
   }
   if (x->size() != y->size()) return Truth::no;
   for (std::size_t i = 0; i < x->size(); ++i) {

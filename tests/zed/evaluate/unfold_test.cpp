@@ -39,6 +39,20 @@ const char* const counter = R"(
 \begin{zed}
   TInc == Inc \lor Full
 \end{zed}
+\begin{schema}{Half}
+  \Xi Counter \\
+  r? : \nat
+\where
+  r? + r? = n
+\end{schema}
+\begin{schema}{Pair}[X]
+  n, most : X
+\where
+  n \neq most
+\end{schema}
+\begin{zed}
+  Both[X] == [~ Pair[X]; by? : X ~]
+\end{zed}
 )";
 
 const std::vector<Section>& sections() {
@@ -59,16 +73,37 @@ TEST_CASE("a precondition is calculated: what equations give is put in its place
   CHECK(unfolded_text("ΞCounter") == "[n, most, n', most' : ℕ | n ≤ most; n' ≤ most'; n' = n; most' = most]");
   CHECK(unfolded_text("Counter[m/n] ⧹ (m)") == "[most : ℕ | ∃ m : ℕ • m ≤ most]");
   CHECK(unfolded_text("¬ Counter") == "[n, most : 𝔸 | ¬ (n ∈ ℕ ∧ most ∈ ℕ ∧ n ≤ most)]");
-  CHECK(unfolded_text("Inc ⨟ Inc") == "nothing");
+  CHECK(unfolded_text("∀ by? : ℕ • Inc") == "nothing");
+}
+
+TEST_CASE("compositions, pipings and generic schemas are written out") {
+  CHECK(unfolded_text("Inc ⨟ Inc") ==
+        "[n, most, by?, r!, n', most' : ℕ | n ≤ most; n + by? ≤ most; n + by? ∈ ℕ; most ∈ ℕ; r! = n + by?; "
+        "n' ≤ most'; n' = n + by? + by?; most' = most; r! = n']");
+  CHECK(unfolded_text("Pair[ℕ]") == "[n, most : ℕ | n ≠ most]");
+  CHECK(unfolded_text("Both[ℤ]") == "[n, most, by? : ℤ | n ≠ most]");
+  CHECK(unfolded_text("Pair") == "nothing");
+  CHECK(unfolded_text("Inc ⨡ Counter") ==
+        "[n, most : ℕ | n ≤ most; most ∈ ℕ; ∃ by? : ℕ • n + by? ≤ most ∧ n + by? ∈ ℕ]");
+  CHECK(unfolded_text("∃ by? : ℕ • Pair[ℕ]") == "[n, most : ℕ | n ≠ most; ∃ by? : ℕ • true]");
+  CHECK(
+      unfolded_text("Inc ⨠ Half") ==
+      "[n, most, n', most', by? : ℕ | n ≤ most; n' ≤ most'; n' = n + by?; most' = most; n' ∈ ℕ; n' = n; n' + n' = n]");
+  // the name between is none that is there already
+  CHECK(unfolded_text("[n, n', n'' : ℕ | n' = n''] ⨟ [n, n' : ℕ | n' = 2 * n]") ==
+        "[n : ℕ | ∃ n'''' : ℕ • n'''' ∈ ℕ ∧ n'''' = 2 * n'''']");
 }
 
 TEST_CASE("what is written out has the bindings of the schema") {
   const Evaluator evaluator(sections());
-  for (const char* typed : {"pre Inc", "pre Some", "TInc", "pre TInc", "¬ Counter", "Inc ⇒ Full", "Inc ⧹ (by?)"}) {
+  for (const char* typed : {"pre Inc", "pre Some", "TInc", "pre TInc", "¬ Counter", "Inc ⇒ Full", "Inc ⧹ (by?)",
+                            "Inc ⨟ Inc", "TInc ⨟ Some", "Some ⨟ Inc", "Inc ⨠ Half", "Inc ⨡ Counter", "Pair[ℕ]",
+                            "Both[1 ‥ 2]", "∃ by? : 1 ‥ 2 • Inc", "pre (Inc ⨟ Inc)"}) {
     CAPTURE(typed);
     const Term schema = parse_unicode(typed);
     const auto text = unfolded(schema, sections(), [](const Name&) { return reference({"𝔸", ""}); });
     REQUIRE(text);
+    int compared = 0;
     for (int n = -1; n <= 2; ++n)
       for (int after = 0; after <= 2; ++after)
         for (int by = 0; by <= 2; ++by) {
@@ -76,8 +111,12 @@ TEST_CASE("what is written out has the bindings of the schema") {
           const Given locals{{{"n", ""}, value(n)},     {{"most", ""}, value(2)}, {{"n", "'"}, value(after)},
                              {{"most", "'"}, value(2)}, {{"by", "?"}, value(by)}, {{"r", "!"}, value(after)}};
           CAPTURE(n, after, by);
-          CHECK(evaluator.holds(*text, locals) == evaluator.holds(schema, locals));
+          const Truth written = evaluator.holds(*text, locals), meant = evaluator.holds(schema, locals);
+          if (written == Truth::open || meant == Truth::open) continue;  // one of them asks for more than can be found
+          CHECK(written == meant);
+          ++compared;
         }
+    CHECK(compared > 0);
   }
 }
 

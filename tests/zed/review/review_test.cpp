@@ -95,6 +95,22 @@ TEST_CASE("E06: disjunctions, quantifiers and chains determine what every way to
   CHECK(said(state + "\\begin{zed} O == [ \\Xi S | a = 1 ] \\end{zed}") == Said{});
 }
 
+TEST_CASE("E06: a schema that cannot be written out may determine what it speaks of, and nothing else") {
+  const auto with = [](const std::string& predicate) {
+    const std::string state =
+        "\\begin{schema}{S} a, b : \\num \\end{schema}\n"
+        "\\begin{zed} H == S \\hide (b) \\\\ K == [ \\Delta S | a' = a ] \\hide (b, b') \\end{zed}\n";
+    return said(state + "\\begin{schema}{O} \\Delta S \\where " + predicate + " \\end{schema}");
+  };
+  CHECK(with("\\Xi H \\land b' = b") == Said{});
+  CHECK(with("\\Xi H") == Said{"O leaves b' open"});
+  CHECK(with("\\Delta H \\land b' = 1") == Said{});
+  CHECK(with("K \\land b' = 1") == Said{});
+  CHECK(with("H~' \\land b' = 1") == Said{});
+  CHECK(with("K") == Said{"O leaves b' open"});
+  CHECK(with("a = 1 \\land b' = 1") == Said{"O leaves a' open"});
+}
+
 TEST_CASE("E06: bindings, tuples, sums and schemas as predicates determine what they state") {
   const auto with = [](const std::string& predicate) {
     const std::string state =

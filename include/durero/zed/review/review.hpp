@@ -49,7 +49,9 @@ std::vector<Defect> doubled_operations(const Specification& specification, const
 std::vector<Defect> repeated_parents(const Specification& specification, const Typing& typing);
 
 /// Gives the defects of reading, of types and of the checks above, but those of partial_applications() only where
-/// there are no errors.
+/// there are no errors. Precondition: `typing` is check(specification).
+std::vector<Defect> review(const Specification& specification, const Typing& typing);
+/// Checks the types first.
 std::vector<Defect> review(const Specification& specification);
 
 }  // namespace durero::zed
