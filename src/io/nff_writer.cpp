@@ -118,6 +118,8 @@ class NffWriter {
              "left out: NFF has none");
     add_loss(out_.lost, other_looks_, "material", "materials",
              "written otherwise: NFF has one colour, and one share for highlight and mirror");
+    add_loss(out_.lost, scene_.stage().directional_lights.size(), "directional light", "directional lights",
+             "left out: NFF has none");
     if (scene_.stage().max_depth) out_.lost.emplace_back("1 max_depth left out: NFF has none");
     add_loss(out_.lost, planes_, "plane", "planes", "left out: NFF has none");
     add_loss(out_.lost, discs_, "disc", "discs", "left out: NFF has none");

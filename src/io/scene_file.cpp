@@ -21,13 +21,14 @@ enum Key : std::size_t {
   resolution,
   background,
   lights,
+  directional_lights,
   materials,
   max_depth,
   groups
 };
-constexpr std::string_view scene_keys[] = {"format",     "version", "elementos", "camera",    "resolution",
-                                           "background", "lights",  "materials", "max_depth", "groups"};
-constexpr std::size_t required_scene_keys = 3;
+constexpr std::string_view scene_keys[] = {"format",     "version",    "elementos", "camera",
+                                           "resolution", "background", "lights",    "directional_lights",
+                                           "materials",  "max_depth",  "groups"};
 
 class SceneReader {
  public:
@@ -102,6 +103,9 @@ class SceneReader {
         return;
       case lights:
         stage.lights = read_lights(in);
+        return;
+      case directional_lights:
+        stage.directional_lights = read_directional_lights(in);
         return;
       case materials:
         stage.materials = read_materials(in);

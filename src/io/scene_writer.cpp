@@ -9,6 +9,15 @@ namespace {
 
 using scene::ElementRef;
 
+/// Nothing where there is none.
+template <class Lights, class Fields>
+void write_lights(json::Writer& out, const char* key, const Lights& lights, const Fields& fields) {
+  if (lights.empty()) return;
+  out.new_line().key(key).begin_array();
+  for (const auto& light : lights) write_fields(out.new_line(), fields, light);
+  out.end_array();
+}
+
 void write_stage(json::Writer& out, const scene::Stage& stage) {
   if (stage.camera) write_fields(out.new_line().key("camera"), camera_fields, *stage.camera);
   if (stage.resolution) {
@@ -16,11 +25,8 @@ void write_stage(json::Writer& out, const scene::Stage& stage) {
     out.new_line().key("resolution").begin_array().value(std::uint64_t{width}).value(std::uint64_t{height}).end_array();
   }
   if (stage.background) out.new_line().member("background", *stage.background);
-  if (!stage.lights.empty()) {
-    out.new_line().key("lights").begin_array();
-    for (const scene::Light& light : stage.lights) write_fields(out.new_line(), light_fields, light);
-    out.end_array();
-  }
+  write_lights(out, "lights", stage.lights, light_fields);
+  write_lights(out, "directional_lights", stage.directional_lights, directional_light_fields);
   if (!stage.materials.empty()) {
     out.new_line().key("materials").begin_object();
     for (const scene::Material& material : stage.materials) {

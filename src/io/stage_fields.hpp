@@ -27,6 +27,7 @@ inline constexpr Rule<double> exponent{is_exponent, "", "a number from 0"};
 inline constexpr Rule<double> refractive_index{is_index, "", "a number above 0"};
 
 using scene::Camera;
+using scene::DirectionalLight;
 using scene::Light;
 using scene::Material;
 using scene::Stage;
@@ -38,6 +39,10 @@ inline constexpr std::tuple camera_fields = {Field<Camera, glm::dvec3>{"eye", &C
 
 inline constexpr std::tuple light_fields = {Field<Light, glm::dvec3>{"position", &Light::position, any_triple},
                                             Field<Light, glm::dvec3>{"color", &Light::color, light_color}};
+
+inline constexpr std::tuple directional_light_fields = {
+    Field<DirectionalLight, glm::dvec3>{"direction", &DirectionalLight::direction, direction},
+    Field<DirectionalLight, glm::dvec3>{"color", &DirectionalLight::color, light_color}};
 
 /// Of a material but for its name, which is the key that it stands under.
 inline constexpr std::tuple material_fields = {

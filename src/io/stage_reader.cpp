@@ -45,6 +45,13 @@ std::vector<scene::Light> read_lights(json::Reader& in) {
   return lights;
 }
 
+std::vector<scene::DirectionalLight> read_directional_lights(json::Reader& in) {
+  std::vector<scene::DirectionalLight> lights;
+  in.array("directional_lights",
+           [&] { read_fields(in, "a directional light", directional_light_fields, lights.emplace_back()); });
+  return lights;
+}
+
 std::vector<scene::Material> read_materials(json::Reader& in) {
   std::vector<scene::Material> materials;
   std::set<std::string_view> names;

@@ -55,20 +55,29 @@ glm::dvec3 sent(const Meeting& at, const glm::dvec3& l, double cosine) {
   return sum;
 }
 
-/// Colours that wait for the answer whether a light is seen.
+/// Colours that wait for the answer whether a light is seen: a point light at the end of a segment, a directional one
+/// along the whole ray.
 class Shadows {
  public:
-  void add(std::size_t ray, const glm::dvec3& light, scene::Query query) {
+  enum class Way { segment, ray };
+
+  void add(std::size_t ray, const glm::dvec3& light, scene::Query query, Way way) {
     if (light == glm::dvec3(0)) return;
-    lights_.push_back({ray, light});
-    queries_.push_back(std::move(query));
+    Asked& asked = way == Way::segment ? segments_ : rays_;
+    asked.lights.push_back({ray, light});
+    asked.queries.push_back(std::move(query));
   }
 
   void add_light(const engine::Engine& engine, std::span<Brought> sums) const {
-    boost::container::vector<bool> shadowed(queries_.size());
-    engine.occluded_segments(queries_, {shadowed.data(), shadowed.size()});
-    for (std::size_t i = 0; i < queries_.size(); ++i)
-      if (!shadowed[i]) sums[lights_[i].ray].color += lights_[i].light;
+    boost::container::vector<bool> shadowed(segments_.queries.size());
+    engine.occluded_segments(segments_.queries, {shadowed.data(), shadowed.size()});
+    for (std::size_t i = 0; i < shadowed.size(); ++i)
+      if (!shadowed[i]) sums[segments_.lights[i].ray].color += segments_.lights[i].light;
+    // occluded.def.1: something is met, be there a nearest point of it or not.
+    std::vector<trace::FirstElement> met(rays_.queries.size());
+    engine.first_elements(rays_.queries, met);
+    for (std::size_t i = 0; i < met.size(); ++i)
+      if (met[i].resultado == model::Resultado::miss) sums[rays_.lights[i].ray].color += rays_.lights[i].light;
   }
 
  private:
@@ -76,8 +85,11 @@ class Shadows {
     std::size_t ray;
     glm::dvec3 light;
   };
-  std::vector<Waiting> lights_;
-  std::vector<scene::Query> queries_;
+  struct Asked {
+    std::vector<Waiting> lights;
+    std::vector<scene::Query> queries;
+  };
+  Asked segments_, rays_;
 };
 
 /// The shares of what comes from beyond that a material sends on, at most.
@@ -90,6 +102,7 @@ glm::dvec3 sent_on(const scene::Material& m) { return m.k_ps * m.M_PS + m.k_t * 
 std::vector<glm::dvec3> most_brought(const scene::Stage& stage, const Limits& limits) {
   glm::dvec3 lights(0), own = default_color, on(0);
   for (const scene::Light& light : stage.lights) lights += light.color;
+  for (const scene::DirectionalLight& light : stage.directional_lights) lights += light.color;
   own *= lights;
   for (const scene::Material& m : stage.materials) {
     own = glm::max(own, m.emission + m.ambient + lights * (m.color * (m.k_a + m.k_d) + m.k_s));
@@ -165,7 +178,12 @@ class Tracer {
       const double length = glm::length(to_light);
       const glm::dvec3 seen = sent(at, to_light / length, glm::dot(to_light, at.normal) / length);
       shadows.add(at.path.ray, at.path.weight * (light.color * seen),
-                  {{model::Punto(at.hit.punto), model::Vector(to_light)}, at.hit.elementos});
+                  {{model::Punto(at.hit.punto), model::Vector(to_light)}, at.hit.elementos}, Shadows::Way::segment);
+    }
+    for (const scene::DirectionalLight& light : scene_.stage().directional_lights) {
+      const glm::dvec3 l = -unit(light.direction);
+      shadows.add(at.path.ray, at.path.weight * (light.color * sent(at, l, glm::dot(l, at.normal))),
+                  {{model::Punto(at.hit.punto), model::Vector(-light.direction)}, at.hit.elementos}, Shadows::Way::ray);
     }
   }
 

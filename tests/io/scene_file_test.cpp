@@ -34,6 +34,8 @@ const std::string sample = R"({"format":"durero-scene","version":1,
 "lights":[
 {"position":[1,2,3],"color":[1,1,1]},
 {"position":[-1e+300,2,3],"color":[0,0,0.5]}],
+"directional_lights":[
+{"direction":[0,-1,2],"color":[0.5,0,1]}],
 "materials":{
 "red":{"color":[1,0,0]},
 "rojo ñ":{"color":[1,0,0],"k_a":0.1,"k_d":0.2,"k_s":0.3,"e":20,"k_ps":0.4,"M_PS":[1,0.5,0],"k_t":0.5,"M_T":[0,1,1],"index":1.5,"emission":[2,0,0],"ambient":[0,0.1,0]}},
@@ -185,7 +187,7 @@ TEST_CASE("Errors of the other parts stand at their value or key") {
       {R"({"format":"durero-scene","version":1,"elementos":^{}})", "elementos is an object; expected an array"},
       {with_part(R"(^"elements":[])"),
        "unknown key \"elements\" in a scene; expected one of format, version, elementos, camera, resolution, "
-       "background, lights, materials, max_depth, groups"},
+       "background, lights, directional_lights, materials, max_depth, groups"},
       {with_part(camera + "^180}"), "fov_y is 180; expected an angle in degrees, above 0 and below 180"},
       {with_part(camera + "^0}"), "fov_y is 0; expected an angle in degrees, above 0 and below 180"},
       {with_part(R"("camera":^{"eye":[0,0,0]})"), "key \"look_at\" is missing in camera; expected it"},
@@ -208,6 +210,10 @@ TEST_CASE("Errors of the other parts stand at their value or key") {
        "color is no share of light; expected red, green and blue, each from 0 to 1"},
       {with_part(R"("materials":{"a":{"color":[0,0,0]},^"a":{"color":[0,0,0]}})"),
        "material \"a\" stands twice; expected it once"},
+      {with_part(R"("directional_lights":[{"direction":^[0,-0,0],"color":[1,1,1]}])"),
+       "direction is the null vector; expected a direction"},
+      {with_part(R"("directional_lights":[^{"color":[1,1,1]}])"),
+       "key \"direction\" is missing in a directional light; expected it"},
       {with_part(R"("materials":{"a":{"color":[0,0,0],"k_ps":^1.5}})"),
        "k_ps is 1.5; expected a share of light, 0 to 1"},
       {with_part(R"("materials":{"a":{"color":[0,0,0],"k_t":^-0.5}})"),

@@ -357,3 +357,22 @@ TEST_CASE("the depth that the materials need") {
   stage.max_depth = 7;
   CHECK(render::depth_of(stage) == 7);
 }
+
+TEST_CASE("a directional light is a point light far away, and any element on the way hides it") {
+  scene::Scene scene = lit_ball();
+  scene.stage().materials[0] = {.color = {1, 0.5, 0.25}, .k_a = 0.1, .k_d = 0.7, .k_s = 0.2, .e = 9};
+  scene.apply(model::Agregar_Esfera{model::Elemento("blocker"), {3, 30, 0}, 1});
+  scene.stage().lights = {{{1e9, 1e10, 0}, {1, 1, 1}}};
+  scene::Scene directional = scene;
+  directional.stage().lights = {};
+  directional.stage().directional_lights = {{{-0.5, -5, 0}, {1, 1, 1}}};
+  std::size_t lit = 0, dark = 0;
+  for (int i = 0; i < 100; ++i) {
+    const model::Rayo ray({-0.99 + 0.02 * i, 5, 0.1}, {0, -1, 0});
+    const glm::dvec3 far = traced(scene, ray, 1).color, sun = traced(directional, ray, 1).color;
+    for (int c = 0; c < 3; ++c) CHECK(std::abs(far[c] - sun[c]) < 1e-6);
+    ++(sun == black ? dark : lit);
+  }
+  CHECK(lit > 10);
+  CHECK(dark > 10);
+}

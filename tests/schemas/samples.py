@@ -4,7 +4,7 @@ AXIS = '"vector":[0,1,0]'
 SCENE = f"""{{"format":"durero-scene","version":1,
 "camera":{{"eye":[0,1,-8],"look_at":[0,0,0],"up":[0,1,0],"fov_y":45}},
 "resolution":[8,6],"background":[0,0.5,2],"lights":[{{"position":[5,5,-5],"color":[1,1,1]}}],
-"materials":{{"red":{{"color":[1,0,0]}},"azul ñ":{{"color":[0,0,1],"k_a":0.1,"k_d":0.7,"k_s":0.2,"e":50,"k_ps":0.3,"M_PS":[1,0.9,0.8],
+"directional_lights":[{{"direction":[0,-1,0],"color":[0.5,0.5,1]}}],"materials":{{"red":{{"color":[1,0,0]}},"azul ñ":{{"color":[0,0,1],"k_a":0.1,"k_d":0.7,"k_s":0.2,"e":50,"k_ps":0.3,"M_PS":[1,0.9,0.8],
 "k_t":0.6,"M_T":[0.9,1,1],"index":1.5,"emission":[0,2,0],"ambient":[0.1,0.2,0.3]}}}},"max_depth":9,
 "groups":{{"all":{{"elementos":["s1"],"groups":["pair"]}},"pair":{{"elementos":["c1","k1"]}},"none":{{}}}},"elementos":[
 {{"id":"s1","tipo":"esfera","centro":[0,0,0],"radio":1,"material":"red"}},
@@ -79,6 +79,8 @@ CHANGES = {
 [0,0.5,2] | [0,0,0] | [0,0,-5e-324]
 "up":[0,1,0] | "up":[0,5e-324,0] | "up":[0,-0.0,0]
 "red": | "\u0000": | "":
+"direction":[0,-1,0] | "direction":[0,5e-324,0] | "direction":[0,-0.0,0]
+"direction":[0,-1,0] | "direction":[0,1,0] | "direction":[0,1]
 "version":1 | "version":1.0 | "version":true
 "groups":["pair"] | "groups":["all"] | "groups":["pair","pair"] | "groups":["nobody"] | "groups":["a b"]
 ["c1","k1"] | ["c1","c1"] | ["c1","s1"] | ["c1","x1"] | [] | "c1"

@@ -26,6 +26,13 @@ struct Light {
   bool operator==(const Light&) const = default;
 };
 
+/// A light so far away that it comes from one direction everywhere. Colours as of a point light.
+struct DirectionalLight {
+  glm::dvec3 direction;  ///< in which it shines, of any length but 0
+  glm::dvec3 color;      ///< how bright it is
+  bool operator==(const DirectionalLight&) const = default;
+};
+
 /// The look of an element: what it sends towards the eye of each light that it sees, of what a mirror would show, of
 /// what lies behind it, and of its own. Shares lie in [0, 1]; the names are those of the source text's formulas. What a
 /// file leaves out is as here: Lambert's law alone.
@@ -61,11 +68,12 @@ inline constexpr std::uint32_t greatest_depth = 1000;
 
 /// Every part is optional in a scene file; what is absent stays absent when the file is written again.
 struct Stage {
-  std::optional<Camera> camera;            ///< where the picture is seen from
-  std::optional<Resolution> resolution;    ///< of the picture
-  std::optional<glm::dvec3> background;    ///< the linear colour of rays that meet nothing
-  std::vector<Light> lights;               ///< in the order of the file
-  std::vector<Material> materials;         ///< ascending by name
+  std::optional<Camera> camera;                        ///< where the picture is seen from
+  std::optional<Resolution> resolution;                ///< of the picture
+  std::optional<glm::dvec3> background;                ///< the linear colour of rays that meet nothing
+  std::vector<Light> lights;                           ///< in the order of the file
+  std::vector<DirectionalLight> directional_lights{};  ///< in the order of the file
+  std::vector<Material> materials;                     ///< ascending by name
   std::optional<std::uint32_t> max_depth;  ///< of the rays that a pixel follows, the first one being of depth 1
   bool operator==(const Stage&) const = default;
 };
