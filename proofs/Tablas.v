@@ -864,8 +864,6 @@ End Tablas.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
 
-Definition producto (u v : Vector) : R :=
-  Vector_x u * Vector_x v + Vector_y u * Vector_y v + Vector_z u * Vector_z v.
 Definition desde (c p : Punto) : Vector :=
   mk_Vector (Punto_x p - Punto_x c) (Punto_y p - Punto_y c) (Punto_z p - Punto_z c).
 Record Cuadratica := mk_Cuadratica { Cuadratica_a : R; Cuadratica_b : R; Cuadratica_c : R }.

@@ -14,8 +14,6 @@ ExactDirection combination(const Surd& a, const ExactDirection& u, const Surd& b
 
 }  // namespace
 
-Surd producto(const ExactDirection& u, const ExactDirection& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
-
 bool reflexion(const ExactDirection& v, const ExactDirection& n, const ExactDirection& r) {
   const Surd nn = producto(n, n);
   return nn > 0 && combination(nn, r, nn, v) == combination(Surd(2) * producto(v, n), n, 0, n);

@@ -22,6 +22,8 @@ Surd alejamiento(const ExactPoint& w, const Punto& centro, const Vector& dir) {
          cuadrado(w.z - (centro.z() + s * dir.z()));
 }
 
+Surd producto(const ExactPoint& u, const ExactPoint& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
+
 Puntos big_union(std::vector<Puntos> sets) {
   const auto shared = std::make_shared<const std::vector<Puntos>>(std::move(sets));
   const auto member = [=](const ExactPoint& w) {

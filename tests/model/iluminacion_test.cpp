@@ -4,6 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "durero/model/puntos.hpp"
 #include "escenas.hpp"
 #include "support/catch.hpp"
 #include "support/points_gen.hpp"
@@ -44,11 +45,6 @@ ExactDirection turned(const ExactDirection& v) { return {-v.x, -v.y, -v.z}; }
 const ExactDirection up{0, 0, 1};
 
 }  // namespace
-
-TEST_CASE("producto.def.1") {
-  CHECK(producto({1, 2, 3}, {4, -5, 6}) == 12);
-  CHECK(producto({Surd(0, 1, 2), 0, 1}, {Surd(0, 1, 2), 7, 1}) == 3);
-}
 
 TEST_CASE("reflexion.def.1: a mirror of any normal but zero, from either side") {
   CHECK(reflexion({1, 2, 3}, up, {-1, -2, 3}));

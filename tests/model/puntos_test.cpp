@@ -52,6 +52,11 @@ TEST_CASE("avance.def.1 and alejamiento.def.1") {
   });
 }
 
+TEST_CASE("producto.def.1") {
+  CHECK(producto({1, 2, 3}, {4, -5, 6}) == 12);
+  CHECK(producto({root2, 0, 1}, {root2, 7, 1}) == 3);
+}
+
 TEST_CASE("puntos_de_rayo.def.1: every positive parameter, and not the origin") {
   const Rayo ray(Punto(1, 2, 3), Vector(0, 2, -1));
   const Puntos points = puntos_de_rayo(ray);

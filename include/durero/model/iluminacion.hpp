@@ -11,8 +11,7 @@ namespace durero::model {
 /// A vector whose components are named exactly; Z sees one type in points and vectors (E28).
 using ExactDirection = ExactPoint;
 
-/// The scalar product (producto.def.1). Precondition: u and v lie in one field, as in all that follows.
-Surd producto(const ExactDirection& u, const ExactDirection& v);
+// Precondition of all that follows: the components lie in one field.
 
 /// (v, n, r) ∈ reflexion: a mirror of normal n shows towards v what lies in the direction r (reflexion.def.1).
 bool reflexion(const ExactDirection& v, const ExactDirection& n, const ExactDirection& r);

@@ -24,6 +24,9 @@ Surd avance(const ExactPoint& w, const Punto& centro, const Vector& dir);
 /// The squared distance of w from the foot at its advance (alejamiento.def.1).
 Surd alejamiento(const ExactPoint& w, const Punto& centro, const Vector& dir);
 
+/// The scalar product of two vectors, which Z cannot tell from points (producto.def.1, E28).
+Surd producto(const ExactPoint& u, const ExactPoint& v);
+
 /// What random points are drawn from.
 using Random = std::mt19937_64;
 
