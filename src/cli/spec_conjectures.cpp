@@ -30,7 +30,7 @@ std::string verdict(const zed::Trial& trial) {
 TriedConjectures tried(const zed::Specification& text, const zed::Typing& typing, bool own, std::size_t states) {
   zed::TrialBounds bounds;
   bounds.states = states;
-  bounds.draws = 32 * states;
+  bounds.draws = 16 * states;
   const oracle::spec::LabelIndex index(own ? embedded::labels().begin()->second : "");
   TriedConjectures all;
   for (const zed::Trial& trial :

@@ -172,8 +172,8 @@ class Editor {
 
   /// Quitar_Fila: e? has a place (Quitar_Fila.pre.1); the last row moves into it (mudanza.def.1), in the index
   /// (Quitar_Fila.post.1) and with every column at once, since they are one row here (Quitar_Fila.post.3,
-  /// Quitar_Fila.post.4, Quitar_Fila.post.5, Quitar_Fila.post.6, Quitar_Fila.post.7, Quitar_Fila.post.8); there is a row
-  /// less (Quitar_Fila.post.2). The type says the operation: Eliminar_Esfera_Tablas.def.1,
+  /// Quitar_Fila.post.4, Quitar_Fila.post.5, Quitar_Fila.post.6, Quitar_Fila.post.7, Quitar_Fila.post.8); there is a
+  /// row less (Quitar_Fila.post.2). The type says the operation: Eliminar_Esfera_Tablas.def.1,
   /// Eliminar_Cilindro_Tablas.def.1, Eliminar_Cono_Tablas.def.1, Eliminar_Tronco_Tablas.def.1,
   /// Eliminar_Plano_Tablas.def.1, Eliminar_Disco_Tablas.def.1 and Eliminar_Triangulo_Tablas.def.1.
   template <class Shape, class Op>

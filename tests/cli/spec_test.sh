@@ -9,8 +9,11 @@ run 0 spec check
 has out 'spec/interseccion.tex: section interseccion ok'
 has out 'conjecture Init.conj.1 proved as Init_exists; tried on 1 state'
 has out 'conjecture alcances.conj.1 proved as printed_intersection_is_alcances; tried on 8 states'
-has out 'conjecture Hay_Interseccion.conj.1 proved as printed_elements_are_the_answer; not tried: '
-lines out 26
+has out 'conjecture Hay_Interseccion.conj.1 proved as printed_elements_are_the_answer; tried on '
+has out 'spec/tablas.tex: section tablas ok'
+has out 'conjecture Agregar_Tronco_Tablas.conj.2 proved as Agregar_Tronco_Tablas_correct; tried on '
+has out 'conjecture raices.conj.3 proved as the_closed_form_of_a_cone_is_alcance; tried on '
+lines out 64
 run 0 spec check --states 0
 has out 'conjecture alcances.conj.1 proved as printed_intersection_is_alcances; not tried: '
 cat >claims.tex <<'TEX'

@@ -13,9 +13,10 @@
 namespace durero::scene {
 
 /// Tablas. A place, Lugar.def.1, is an ElementRef, and tabla.def.1 its `tipo`. Scene() is Init_Tablas
-/// (Init_Tablas.post.1). Of every Scene the invariant holds, because a row is appended or taken as a whole and the index
-/// follows in the same step: tables have no gap (Tablas.inv.1), names and index say the same (Tablas.inv.2), and a table
-/// has the columns of its type (Tablas.inv.3, Tablas.inv.4, Tablas.inv.5, Tablas.inv.6, Tablas.inv.7, Tablas.inv.8).
+/// (Init_Tablas.post.1). Of every Scene the invariant holds, because a row is appended or taken as a whole and the
+/// index follows in the same step: tables have no gap (Tablas.inv.1), names and index say the same (Tablas.inv.2), and
+/// a table has the columns of its type (Tablas.inv.3, Tablas.inv.4, Tablas.inv.5, Tablas.inv.6, Tablas.inv.7,
+/// Tablas.inv.8).
 struct Tablas {
   /// @{ The component of that name in the text.
   std::map<model::Elemento, ElementRef> lugar;

@@ -48,33 +48,41 @@ std::size_t end_of_line(const std::vector<std::string>& words, std::size_t from,
   return good > from ? good : to;
 }
 
-/// Returns the schema that is the state of the text: some box includes Δ or Ξ of it, or the decorated schema.
-std::string state_of(const Specification& specification) {
-  std::string state;
-  for (const Section& section : specification.sections)
-    for (const Paragraph& paragraph : section.paragraphs) {
-      const Schema* form = std::get_if<Schema>(&paragraph.form);
-      if (!form) continue;
-      for (const Declaration& declaration : form->text.declarations) {
-        const auto name =
-            declaration.form == Declaration::Form::included ? schema_name(declaration.term) : std::nullopt;
-        if (!name) continue;
-        std::string word = name->word;
-        const bool sign = word.starts_with("Δ") || word.starts_with("Ξ");
-        if (sign) word.erase(0, 2);
-        if (!sign && name->strokes != "'") continue;
-        if (!state.empty() && state != word)
-          uncovered(declaration.place, fmt::format("a second state, {} beside {},", word, state));
-        state = word;
-      }
+/// Returns the schema that is the state of the text, which may be known from the sections before: some box includes Δ
+/// or Ξ of it, or the decorated schema.
+std::string state_of(const Section& section, std::string state) {
+  for (const Paragraph& paragraph : section.paragraphs) {
+    const Schema* form = std::get_if<Schema>(&paragraph.form);
+    if (!form) continue;
+    for (const Declaration& declaration : form->text.declarations) {
+      const auto name = declaration.form == Declaration::Form::included ? schema_name(declaration.term) : std::nullopt;
+      if (!name) continue;
+      std::string word = name->word;
+      const bool sign = word.starts_with("Δ") || word.starts_with("Ξ");
+      if (sign) word.erase(0, 2);
+      if (!sign && name->strokes != "'") continue;
+      if (!state.empty() && state != word)
+        uncovered(declaration.place, fmt::format("a second state, {} beside {},", word, state));
+      state = word;
     }
+  }
   return state;
+}
+
+/// Says of what is done in a section which file it stands in, where that has no rule.
+template <class Do>
+void in_file_of(const Section& section, Do&& what) {
+  try {
+    what();
+  } catch (const ZError& error) {
+    throw ExportError(error.in(section.file).text());
+  }
 }
 
 }  // namespace
 
 Writer::Writer(const Specification& specification, const Typing& typing) : in_(typing) {
-  in_.state = state_of(specification);
+  for (const Section& each : specification.sections) in_file_of(each, [&] { in_.state = state_of(each, in_.state); });
   // Coq has these sets already. The text's axioms for them are exported as statements, to be proved.
   for (const auto& [z, coq] : {std::pair{"ℝ", "R"}, std::pair{"ℤ", "Z"}}) {
     Symbol symbol;
@@ -89,12 +97,8 @@ void Writer::section(const Section& section) {
   if (section.paragraphs.empty()) return;
   out_ += fmt::format("(** * {} *)\n", std::filesystem::path(section.file).filename().string());
   for (const Paragraph& each : section.paragraphs) {
-    try {
-      out_ += "\n";
-      paragraph(each);
-    } catch (const ZError& error) {
-      throw ExportError(error.in(section.file).text());
-    }
+    out_ += "\n";
+    in_file_of(section, [&] { paragraph(each); });
   }
   out_ += "\n";
 }
