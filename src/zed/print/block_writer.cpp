@@ -106,9 +106,7 @@ class BlockWriter {
   }
 
   /// Says whether an operand stands before a token, so that its `-` is the difference.
-  bool takes_operand(std::size_t i) const {
-    return i > 0 && (lexing::ends(tokens_[i - 1]) || tokens_[i - 1].is("_"));
-  }
+  bool takes_operand(std::size_t i) const { return i > 0 && (lexing::ends(tokens_[i - 1]) || tokens_[i - 1].is("_")); }
 
   std::string spelled(std::size_t i) const {
     if (i == where_) return to_latex() ? "\\where" : "|";

@@ -65,7 +65,6 @@ bool Spelling::joins(const Token& left, const Token& right) const {
 }
 
 bool Spelling::separates(const Token& left, const Token& right, bool left_negates) const {
-  if (joins(left, right)) return true;
   const std::string before = unicode(left), behind = unicode(right);
   if (is_of_word(left.text, before.back()) && is_of_word(right.text, behind.front())) return true;
   const std::string command = latex(left, !left_negates), next = latex(right, true);
