@@ -7,6 +7,7 @@
 
 #include "durero/io/source.hpp"
 #include "durero/oracle/spec.hpp"
+#include "durero/scene/shapes.hpp"
 #include "durero/zed/print/print.hpp"
 #include "durero/zed/syntax/paragraphs.hpp"
 #include "symbolic.hpp"
