@@ -32,11 +32,12 @@ class FirstElements {
   /// What it keeps of a hit: between which its parameter lies, as in Certified::Point.
   class Point {
    public:
-    Point() = default;
+    Point() = default;  ///< of nothing: beyond every limit
+    /// Of a hit.
     explicit Point(const Finding& by_triage)
         : low_(by_triage.hi - by_triage.error), high_(by_triage.hi + by_triage.error) {}
-    double low() const { return low_; }
-    double high() const { return high_; }
+    double low() const { return low_; }    ///< not after it
+    double high() const { return high_; }  ///< not before it
 
    private:
     double low_ = no_limit, high_ = no_limit;

@@ -58,7 +58,7 @@ std::vector<std::uint32_t> order_of(const Source& source, std::span<const scene:
   }
 }
 
-/// Asks memory for what will be needed soon.
+/// @{ Asks memory for what will be needed soon.
 inline void ask_for(std::span<const std::byte> bytes) {
   constexpr std::size_t line = 64;  // of the cache, or a multiple of it
   for (std::size_t at = 0; at < bytes.size(); at += line) __builtin_prefetch(&bytes[at]);
@@ -68,6 +68,7 @@ template <class T>
 void ask_for(const T& object) {
   ask_for(std::as_bytes(std::span(&object, 1)));
 }
+/// @}
 
 /// The rays of some queries, in order. Memory is asked for each query some time before its turn.
 inline std::vector<Ray> rays_of(Picked<const scene::Query> queries) {
