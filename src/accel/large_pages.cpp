@@ -7,7 +7,7 @@
 namespace durero::accel {
 
 void* allocate_on_large_pages(std::size_t bytes) {
-  if (bytes < large_page) return ::operator new(bytes);
+  if (bytes < large_page) return ::operator new(bytes, std::align_val_t{cache_line});
   void* const memory = ::operator new(bytes, std::align_val_t{large_page});
 #ifdef MADV_HUGEPAGE
   // Advice: where it is not taken, the pages are small, and nothing else is different.
@@ -17,7 +17,7 @@ void* allocate_on_large_pages(std::size_t bytes) {
 }
 
 void free_on_large_pages(void* memory, std::size_t bytes) noexcept {
-  if (bytes < large_page) return ::operator delete(memory);
+  if (bytes < large_page) return ::operator delete(memory, std::align_val_t{cache_line});
   ::operator delete(memory, std::align_val_t{large_page});
 }
 

@@ -273,8 +273,9 @@ WideBvh::WideBvh(const scene::Scene& scene) : scene_(&scene) {
     const Box32 all = box_of(items);
     const double extent = std::max({all.width(0), all.width(1), all.width(2)});
     spacing_ = extent / std::cbrt(static_cast<double>(items.size()));
-    build(nodes_, {items, all}, 0);
-    nodes_.shrink_to_fit();
+    std::vector<WideNode> nodes;
+    build(nodes, {items, all}, 0);
+    nodes_.assign(nodes.begin(), nodes.end());
   }
   leaves_.reserve(scene);
   for (WideNode& node : nodes_)

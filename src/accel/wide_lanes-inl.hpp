@@ -9,6 +9,9 @@
 
 #include <hwy/highway.h>
 
+#include <array>
+#include <cstdint>
+
 #include "durero/accel/wide_node.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -45,6 +48,28 @@ HWY_INLINE unsigned bits(hn::Mask<Tag> mask) {
   std::uint8_t stored[8] = {};
   hn::StoreMaskBits(Tag(), mask, stored);
   return stored[0];
+}
+
+/// For each set of places, those that are in it, the first lowest, in four bits each. (Highway's Compress copies its
+/// table at every call.)
+inline constexpr std::array<std::uint64_t, 256> first_places = [] {
+  std::array<std::uint64_t, 256> packed{};
+  for (std::size_t set = 0; set < packed.size(); ++set) {
+    unsigned shift = 0;
+    for (std::uint64_t place = 0; place < 8; ++place) {
+      if ((set >> place & 1) == 0) continue;
+      packed[set] |= place << shift;
+      shift += 4;
+    }
+  }
+  return packed;
+}();
+
+/// Which lane to take for each, so that those of a set stand in front.
+HWY_INLINE auto in_front(unsigned set) {
+  const hn::Rebind<std::uint64_t, Tag> tag;
+  const auto shifts = hn::ShiftLeft<2>(hn::Iota(tag, 0));
+  return hn::IndicesFromVec(Tag(), hn::And(hn::Shr(hn::Set(tag, first_places[set]), shifts), hn::Set(tag, 7)));
 }
 
 }  // namespace HWY_NAMESPACE

@@ -4,9 +4,6 @@
 //
 #include "accel/wide_lanes-inl.hpp"
 //
-#include <algorithm>
-#include <cmath>
-
 #include "durero/accel/wide_node.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -65,27 +62,6 @@ namespace {
 HWY_EXPORT(met_by_bundle);
 HWY_EXPORT(met_by_each);
 }  // namespace
-
-bool WideBundle::takes(const Beam& beam) const {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double inverse_of = beam.inverse[static_cast<int>(axis)];
-    if (std::isinf(inverse_of) || (count > 0 && (inverse_of < 0) != (inverse_low[axis] < 0))) return false;
-  }
-  return true;
-}
-
-void WideBundle::push(const Beam& beam) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double p_of = beam.p[static_cast<int>(axis)], inverse_of = beam.inverse[static_cast<int>(axis)];
-    p[axis][count] = p_of;
-    inverse[axis][count] = inverse_of;
-    p_low[axis] = count == 0 ? p_of : std::min(p_low[axis], p_of);
-    p_high[axis] = count == 0 ? p_of : std::max(p_high[axis], p_of);
-    inverse_low[axis] = count == 0 ? inverse_of : std::min(inverse_low[axis], inverse_of);
-    inverse_high[axis] = count == 0 ? inverse_of : std::max(inverse_high[axis], inverse_of);
-  }
-  ++count;
-}
 
 unsigned met(const WideNode& node, const WideBundle& bundle, double limit, WideNode::Entries& entries) {
   return HWY_DYNAMIC_DISPATCH(met_by_bundle)(node, bundle, limit, entries);

@@ -16,27 +16,6 @@ namespace {
 using Next = WideWalker::Next;
 using Pace = WideWalker::Pace;
 
-/// For each set of places, those that are in it, the first lowest, in four bits each. (Highway's Compress copies its
-/// table at every call.)
-constexpr std::array<std::uint64_t, 256> first_places = [] {
-  std::array<std::uint64_t, 256> packed{};
-  for (std::size_t set = 0; set < packed.size(); ++set) {
-    unsigned shift = 0;
-    for (std::uint64_t place = 0; place < 8; ++place) {
-      if ((set >> place & 1) == 0) continue;
-      packed[set] |= place << shift;
-      shift += 4;
-    }
-  }
-  return packed;
-}();
-
-/// 0, 4, 8 … in the lanes.
-template <class D>
-HWY_INLINE hn::Vec<D> shifts(D tag) {
-  return hn::ShiftLeft<2>(hn::Iota(tag, 0));
-}
-
 /// A ray in every lane.
 struct LaneBeam {
   HWY_INLINE explicit LaneBeam(const Beam& beam) {
@@ -83,9 +62,7 @@ HWY_INLINE void open(WideWalker& walker, const WideNode& node, const LaneBeam& b
     exit = sooner(exit, crossing(beam.far[1], beam.y, beam.iy));
     exit = sooner(exit, crossing(beam.far[2], beam.z, beam.iz));
     const unsigned places = bits(meets(entry, exit));
-    const auto order = hn::IndicesFromVec(
-        tag, hn::And(hn::Shr(hn::Set(tag_of_children, first_places[places]), shifts(tag_of_children)),
-                     hn::Set(tag_of_children, 7)));
+    const auto order = in_front(places);
     const auto own = hn::BitCast(tag, hn::LoadU(tag_of_children, children + at));
     hn::StoreU(hn::TableLookupLanes(entry, order), tag, &walker.entries[walker.size]);
     hn::StoreU(hn::BitCast(tag_of_children, hn::TableLookupLanes(own, order)), tag_of_children,

@@ -29,6 +29,7 @@ enum Key : std::size_t {
 constexpr std::string_view scene_keys[] = {"format",     "version",    "elementos", "camera",
                                            "resolution", "background", "lights",    "directional_lights",
                                            "materials",  "max_depth",  "groups"};
+constexpr std::size_t required_scene_keys = 3;
 
 class SceneReader {
  public:

@@ -12,6 +12,7 @@
 
 using namespace durero;
 using namespace durero::test;
+using trace::Asked;
 
 namespace {
 
@@ -37,19 +38,20 @@ TEST_CASE("every ray is in the order once, where the tree is large and the rays 
   const accel::WideBvh tree(scene), small(few);
   Random random(8);
   const std::vector<scene::Query> queries = queries_from(random, 3000, 1.5);
-  std::vector<std::uint32_t> order = tree.order(queries), all(queries.size());
+  std::vector<std::uint32_t> order = tree.order(queries, Asked::segment), all(queries.size());
   CHECK(!std::ranges::is_sorted(order));
   std::ranges::sort(order);
   std::iota(all.begin(), all.end(), 0);
   CHECK(order == all);
-  CHECK(small.order(queries).empty());
-  CHECK(tree.order(queries_from(random, 100, 1.5)).empty());
-  CHECK(tree.order(queries_from(random, 3000, 0)).empty());
-  CHECK(tree.order({}).empty());
+  CHECK(tree.order(queries, Asked::first).empty());
+  CHECK(small.order(queries, Asked::segment).empty());
+  CHECK(tree.order(queries_from(random, 100, 1.5), Asked::segment).empty());
+  CHECK(tree.order(queries_from(random, 3000, 0), Asked::segment).empty());
+  CHECK(tree.order({}, Asked::segment).empty());
 }
 
 TEST_CASE("answers of a large tree are those one by one, each in its place") {
-  const scene::Scene scene = many_spheres(30000);
+  const scene::Scene scene = many_spheres(200000);
   const accel::WideBvh tree(scene);
   Random random(9);
   std::vector<scene::Query> queries = queries_from(random, 3000, 1.5);
@@ -59,7 +61,7 @@ TEST_CASE("answers of a large tree are those one by one, each in its place") {
     if (hit.resultado == model::Resultado::hit)
       queries.push_back({{model::Punto(hit.punto), model::Vector(random.direction())}, hit.elementos});
   }
-  REQUIRE(!tree.order(queries).empty());
+  for (const Asked asked : {Asked::first, Asked::segment}) REQUIRE(!tree.order(queries, asked).empty());
   std::vector<scene::Hit> hits(queries.size());
   std::vector<trace::FirstElement> elements(queries.size());
   boost::container::vector<bool> occluded(queries.size());

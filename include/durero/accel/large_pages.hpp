@@ -3,13 +3,17 @@
 /// processor keeps a part; of large pages there are so few that it keeps all.
 
 #include <cstddef>
+#include <vector>
 
 namespace durero::accel {
 
 /// From so many bytes on an array begins on a large page, and the system is asked for such.
 inline constexpr std::size_t large_page = std::size_t{1} << 21;
 
-/// @{ Memory of so many bytes, aligned as every type asks for that asks for no more than usual. It comes on large pages
+/// What a shorter one is aligned to, in bytes.
+inline constexpr std::size_t cache_line = 64;
+
+/// @{ Memory of so many bytes, aligned to a cache line at least. It comes on large pages
 /// where the system gives them, which is no promise. Throws std::bad_alloc; is given back with the same number.
 void* allocate_on_large_pages(std::size_t bytes);
 void free_on_large_pages(void* memory, std::size_t bytes) noexcept;
@@ -19,7 +23,7 @@ void free_on_large_pages(void* memory, std::size_t bytes) noexcept;
 template <class T>
 struct LargePages {
   using value_type = T;  ///< what is allocated
-  static_assert(alignof(T) <= alignof(std::max_align_t));
+  static_assert(alignof(T) <= cache_line);
 
   LargePages() = default;
   /// All of them share one memory.
@@ -32,5 +36,9 @@ struct LargePages {
   bool operator==(const LargePages&) const noexcept { return true; }
   /// @}
 };
+
+/// A vector in such memory.
+template <class T>
+using LargeVector = std::vector<T, LargePages<T>>;
 
 }  // namespace durero::accel

@@ -14,6 +14,7 @@
 #include "durero/accel/structure.hpp"
 #include "durero/accel/wide_leaves.hpp"
 #include "durero/accel/wide_walk.hpp"
+#include "durero/trace/picked.hpp"
 
 namespace durero::accel {
 
@@ -53,9 +54,9 @@ class WideBvh {
   }
   scene::ElementRef element(scene::ElementRef leaf) const { return leaves_.element(leaf); }
   /// @}
-  /// The order in which many segments are answered faster, as trace::order_of has it: those from one part of space
-  /// and into one octant together, where the tree is too large for the nearer memory, and else as they come.
-  std::vector<std::uint32_t> order(std::span<const scene::Query> queries) const;
+  /// The order in which many rays are answered faster, as trace::order_of has it: those into one octant and from one
+  /// part of space together, where the tree is too large for the nearer memory, and else as they come.
+  std::vector<std::uint32_t> order(std::span<const scene::Query> queries, trace::Asked asked) const;
   /// The leaves of the nodes, and of unbounded().
   const WideLeaves& leaves() const noexcept { return leaves_; }
 
@@ -69,7 +70,7 @@ class WideBvh {
   bool walk(const trace::Ray& ray, Limit limit, Visit visit, Count count) const;
 
   const scene::Scene* scene_;
-  std::vector<WideNode> nodes_;
+  LargeVector<WideNode> nodes_;
   WideLeaves leaves_;  // of the nodes, then those of unbounded_
   double spacing_ = 0;
   std::vector<scene::ElementRef> unbounded_, extraordinary_;
@@ -105,7 +106,7 @@ void WideBvh::pairs(std::span<const trace::Ray> rays, Limit limit, Take take, Fl
   for (std::uint32_t number = 0; !unbounded_.empty() && number < rays.size(); ++number)
     if (of_each(number))
       for (const scene::ElementRef leaf : unbounded_leaves_) take(number, leaf);
-  if (nodes_.empty()) return;
+  if (nodes_.empty() || rays.empty()) return;
   WideWalk walk(*this, rays, limit, take, flush);
   walk.all();
 }

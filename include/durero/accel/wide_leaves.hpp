@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <span>
 #include <tuple>
-#include <vector>
 
+#include "durero/accel/large_pages.hpp"
 #include "durero/scene/scene.hpp"
 
 namespace durero::accel {
@@ -64,8 +64,8 @@ class WideLeaves {
   /// The leaves of one type.
   template <class Shape>
   struct Column {
-    std::vector<Shape> shapes;
-    std::vector<std::uint32_t> elements;  // each one's row in the scene
+    LargeVector<Shape> shapes;
+    LargeVector<std::uint32_t> elements;  // each one's row in the scene
   };
   template <class List>
   struct ColumnsOf;

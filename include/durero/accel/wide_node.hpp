@@ -6,7 +6,9 @@
 /// has waited) holds in every lane. Its conditions hold: the planes are finite, hence of magnitude below 2¹²⁸, and the
 /// rays ordinary; an empty child alone has infinite planes, and no ray meets it.
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -65,9 +67,28 @@ struct WideBundle {
   std::size_t count = 0;  ///< how many rays
 
   /// Whether a ray may be added to those that are there: it is of their signs.
-  bool takes(const Beam& beam) const;
+  bool takes(const Beam& beam) const {
+    bool takes = true;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double inverse_of = beam.inverse[static_cast<int>(axis)];
+      const bool other = (inverse_of < 0) != (inverse_low[axis] < 0);
+      takes &= !std::isinf(inverse_of) & !((count > 0) & other);
+    }
+    return takes;
+  }
   /// Adds a ray. Precondition: it takes it, and is not full.
-  void push(const Beam& beam);
+  void push(const Beam& beam) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double p_of = beam.p[static_cast<int>(axis)], inverse_of = beam.inverse[static_cast<int>(axis)];
+      p[axis][count] = p_of;
+      inverse[axis][count] = inverse_of;
+      p_low[axis] = count == 0 ? p_of : std::min(p_low[axis], p_of);
+      p_high[axis] = count == 0 ? p_of : std::max(p_high[axis], p_of);
+      inverse_low[axis] = count == 0 ? inverse_of : std::min(inverse_low[axis], inverse_of);
+      inverse_high[axis] = count == 0 ? inverse_of : std::max(inverse_high[axis], inverse_of);
+    }
+    ++count;
+  }
 };
 
 /// A bit for each child whose box some ray of the bundle may meet at 0 < t ≤ limit, the first child's lowest; `entries`

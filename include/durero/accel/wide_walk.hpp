@@ -1,8 +1,9 @@
 #pragma once
 /// Many rays through the wide hierarchy. Consecutive rays that stay close together walk it as one bundle, and each of
-/// them is tested against the box of an element that the bundle reaches; the others walk alone, several in turns, so
-/// that the memory which one waits for comes while the others walk. Which rays are bundled costs time only: the tests
-/// of bundles pass over nothing that those of single rays do not (wide_node.hpp).
+/// them is tested against the box of an element that the bundle reaches. The others walk in streams, an octant of
+/// directions in each, or alone, several in turns, so that the memory which one waits for comes while the others walk.
+/// Which rays are bundled costs time only: the tests of bundles pass over nothing that those of single rays do not
+/// (wide_node.hpp).
 
 #include <algorithm>
 #include <array>
@@ -14,8 +15,10 @@
 #include <vector>
 
 #include "durero/accel/wide_leaves.hpp"
+#include "durero/accel/wide_stream.hpp"
 #include "durero/accel/wide_walker.hpp"
 #include "durero/trace/finding.hpp"
+#include "durero/trace/picked.hpp"
 
 namespace durero::accel {
 
@@ -53,7 +56,7 @@ class WideStack {
 template <class Tree, class Limit, class Take, class Flush>
 class WideWalk {
  public:
-  /// All of these must outlive it. Precondition: the tree has a node.
+  /// All of these must outlive it. Preconditions: the tree has a node; there is a ray.
   WideWalk(const Tree& tree, std::span<const trace::Ray> rays, Limit& limit, Take& take, Flush& flush)
       : nodes_(tree.nodes()),
         leaves_(tree.leaves()),
@@ -62,7 +65,8 @@ class WideWalk {
         rays_(rays),
         limit_(limit),
         take_(take),
-        flush_(flush) {
+        flush_(flush),
+        first_(rays.front()) {
     const std::size_t root = 0;
     for (int i = 0; i < 3; ++i) {
       const auto& low = nodes_[root].planes[static_cast<std::size_t>(i)];
@@ -88,12 +92,16 @@ class WideWalk {
       bundle_.push(beam);
     }
     release();
-    walk_alone();
+    // In a large tree too few of the rays come to the same node, and none is asked of memory ahead.
+    if (alone_.size() < least_stream || nodes_.size_bytes() > nearby) return walk_alone();
+    walk_streams();
   }
 
  private:
   static constexpr double widest = 2;               // of a bundle, in spacings of the elements
+  static constexpr double unknown = -1;             // no reach
   static constexpr std::size_t least = 6;           // rays of a bundle that is worth it
+  static constexpr std::size_t least_stream = 64;   // rays alone that walk as streams
   static constexpr std::size_t at_a_time = 16;      // rays alone
   static constexpr std::size_t in_cache = 1 << 14;  // bytes of nodes that need no waiting for,
   static constexpr std::size_t nearby = 1 << 18;    // and of those whose elements need none
@@ -103,18 +111,25 @@ class WideWalk {
   bool joins(const trace::Ray& ray, const Beam& beam) {
     if (bundle_.count == WideBundle::size || !bundle_.takes(beam)) return false;
     if (bundle_.count == 0) {
-      reach_ = stretch(all_, beam, trace::no_limit).exit;
+      first_ = beam;
+      reach_ = unknown;
       v_low_ = v_high_ = ray.v;
       return true;
     }
-    const glm::dvec3 v_low = glm::min(v_low_, ray.v), v_high = glm::max(v_high_, ray.v);
+    glm::dvec3 apart;
     for (int i = 0; i < 3; ++i) {
       const auto axis = static_cast<std::size_t>(i);
-      const double of_p = std::max(bundle_.p_high[axis], ray.p[i]) - std::min(bundle_.p_low[axis], ray.p[i]);
-      if (!(of_p + reach_ * (v_high[i] - v_low[i]) <= narrow_)) return false;
+      apart[i] = std::max(bundle_.p_high[axis], ray.p[i]) - std::min(bundle_.p_low[axis], ray.p[i]);
     }
+    if (!within(apart)) return false;
+    if (reach_ == unknown) reach_ = stretch(all_, first_, trace::no_limit).exit;
+    const glm::dvec3 v_low = glm::min(v_low_, ray.v), v_high = glm::max(v_high_, ray.v);
+    if (!within(apart + reach_ * (v_high - v_low))) return false;
     v_low_ = v_low, v_high_ = v_high;
     return true;
+  }
+  bool within(const glm::dvec3& apart) const {
+    return (apart.x <= narrow_) & (apart.y <= narrow_) & (apart.z <= narrow_);
   }
 
   void release() {
@@ -175,6 +190,19 @@ class WideWalk {
     bool arrived = false;  // at an element, which memory was asked for
   };
 
+  /// The rays alone, those of each octant together.
+  void walk_streams() {
+    std::array<std::vector<WideStreamRay>, 8> octants;
+    for (const std::uint32_t number : alone_) {
+      const Beam beam(rays_[number]);
+      const int octant =
+          std::signbit(beam.inverse.x) + 2 * std::signbit(beam.inverse.y) + 4 * std::signbit(beam.inverse.z);
+      octants[static_cast<std::size_t>(octant)].push_back({beam, trace::no_limit, number});
+    }
+    WideStream stream(nodes_, limit_, take_);
+    for (std::vector<WideStreamRay>& octant : octants) stream.walk(octant);
+  }
+
   /// The rays alone: one by one where the nodes fit the cache, and else several in turns.
   void walk_alone() {
     const bool few = nodes_.size_bytes() <= in_cache;
@@ -215,9 +243,7 @@ class WideWalk {
       switch (one.walker.advance(nodes_.data(), limit_(one.number), pace)) {
         case WideWalker::Next::element:
           if (waits_for_leaves_) {
-            const auto row = leaves_.row(one.walker.element);
-            __builtin_prefetch(&row.front());
-            __builtin_prefetch(&row.back());
+            ask_for({one.walker.element.index, one.walker.element.tipo, WideChild::Kind::element});
             return one.arrived = true;
           }
           take_(one.number, one.walker.element);
@@ -233,7 +259,16 @@ class WideWalk {
   void open(WideStack& waiting, std::uint32_t node, double limit) const {
     WideNode::Entries entries;
     const unsigned bits = met(nodes_[node], bundle_, limit, entries);
+    if (waits_for_leaves_)
+      for (unsigned left = bits; left != 0; left &= left - 1)
+        ask_for(nodes_[node].children[static_cast<std::size_t>(std::countr_zero(left))]);
     waiting.push(node, bits, entries);
+  }
+
+  /// Asks memory for what a child is.
+  void ask_for(const WideChild& child) const {
+    if (child.kind == WideChild::Kind::node) return trace::ask_for(nodes_[child.index]);
+    trace::ask_for(leaves_.row(child.element()));
   }
 
   std::span<const WideNode> nodes_;
@@ -247,8 +282,9 @@ class WideWalk {
   surface::Box all_{};
   WideBundle bundle_;
   std::array<std::uint32_t, WideBundle::size> numbers_;
+  Beam first_;                     // of the bundle
   glm::dvec3 v_low_{}, v_high_{};  // between which the directions of the bundle lie
-  double reach_ = 0;               // up to where it has to be narrow
+  double reach_ = unknown;         // up to where it has to be narrow: not known before a second ray asks
   std::vector<std::uint32_t> alone_;
 };
 

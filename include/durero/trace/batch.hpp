@@ -10,6 +10,7 @@
 
 #include "durero/scene/query.hpp"
 #include "durero/trace/packet.hpp"
+#include "durero/trace/picked.hpp"
 
 namespace durero::trace {
 
@@ -22,14 +23,10 @@ template <class Source, class Kernel>
 class Batch {
  public:
   /// All of these must outlive it.
-  Batch(const Source& source, std::span<const scene::Query> queries, Kernel& kernel)
-      : source_(source), kernel_(kernel), nearest_(queries.size()) {
-    rays_.reserve(queries.size());
-    for (const scene::Query& query : queries) {
-      Nearest& nearest = nearest_[rays_.size()];
-      rays_.emplace_back(query.rayo);
-      nearest.alone = !rays_.back().ordinary || !query.en.empty() || !source.extraordinary().empty();
-    }
+  Batch(const Source& source, Picked<const scene::Query> queries, Kernel& kernel)
+      : source_(source), kernel_(kernel), rays_(rays_of(queries)), nearest_(queries.size()) {
+    for (std::size_t i = 0; i < queries.size(); ++i)
+      nearest_[i].alone = !rays_[i].ordinary || !queries[i].en.empty() || !source.extraordinary().empty();
   }
 
   /// Tells the kernel of all rays but those that are left alone.

@@ -112,10 +112,11 @@ bool occluded_segment_among(const Source& source, const model::Rayo& rayo, Origi
                        [&](scene::ElementRef e, Search::Range range) { return search.blocks_segment(e, range); });
 }
 
-/// answer(begin, count) for blocks that make up `size` queries, on as many threads as the calling one may use.
+/// answer(begin, count) for blocks that make up `size` queries, on as many threads as the calling one may use: the more
+/// queries the larger, as more rays find company in a larger one, and so many that threads have some each.
 template <class Answer>
 void for_each_block(std::size_t size, Answer answer) {
-  constexpr std::size_t block_size = 256;
+  const std::size_t block_size = std::clamp<std::size_t>(size / 64, 256, 4096);
   const std::size_t blocks = (size + block_size - 1) / block_size;
   const auto answer_block = [&](std::size_t block) {
     const std::size_t begin = block * block_size;
@@ -132,10 +133,11 @@ template <PairCandidates Source>
 void first_hits_among(const Source& source, std::span<const scene::Query> queries, std::span<scene::Hit> hits,
                       Counts* counts) {
   std::mutex adding;
+  const std::vector<std::uint32_t> order = order_of(source, queries, Asked::first);
   for_each_block(queries.size(), [&](std::size_t begin, std::size_t count) {
     Counts of_block;
-    const auto block = queries.subspan(begin, count);
-    const auto answers = hits.subspan(begin, count);
+    const auto block = picked(queries, order, begin, count);
+    const auto answers = picked(hits, order, begin, count);
     Certified certified(source.scene(), block, answers, of_block);
     Batch batch(source, block, certified);
     batch.answer();

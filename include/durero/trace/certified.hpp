@@ -10,6 +10,7 @@
 #include "durero/scene/scene.hpp"
 #include "durero/trace/counts.hpp"
 #include "durero/trace/packet.hpp"
+#include "durero/trace/picked.hpp"
 
 namespace durero::trace {
 
@@ -28,8 +29,7 @@ class Certified {
   };
 
   /// All of these must outlive it. Precondition: a place in `hits` for each query.
-  Certified(const scene::Scene& scene, std::span<const scene::Query> queries, std::span<scene::Hit> hits,
-            Counts& counts)
+  Certified(const scene::Scene& scene, Picked<const scene::Query> queries, Picked<scene::Hit> hits, Counts& counts)
       : scene_(scene), queries_(queries), hits_(hits), counts_(counts) {}
 
   /// @{ What Batch asks of a kernel.
@@ -64,8 +64,8 @@ class Certified {
   Rounded rounded(const Hits& hits, std::size_t lane);
 
   const scene::Scene& scene_;
-  std::span<const scene::Query> queries_;
-  std::span<scene::Hit> hits_;
+  Picked<const scene::Query> queries_;
+  Picked<scene::Hit> hits_;
   Counts& counts_;
   std::array<Hits, scene::shape_count> waiting_{};
   RoundedPacket rounded_;

@@ -29,16 +29,28 @@ inline FirstElement first_element(const scene::Hit& hit) {
 class FirstElements {
  public:
   using Findings = trace::Findings;  ///< of its triage
-  using Point = Certified::Point;    ///< what it keeps of a hit
+  /// What it keeps of a hit: between which its parameter lies, as in Certified::Point.
+  class Point {
+   public:
+    Point() = default;  ///< of nothing: beyond every limit
+    /// Of a hit.
+    explicit Point(const Finding& by_triage)
+        : low_(by_triage.hi - by_triage.error), high_(by_triage.hi + by_triage.error) {}
+    double low() const { return low_; }    ///< not after it
+    double high() const { return high_; }  ///< not before it
+
+   private:
+    double low_ = no_limit, high_ = no_limit;
+  };
 
   /// Precondition: a place in `elements` for each query. It must outlive this.
-  explicit FirstElements(std::span<FirstElement> elements) : elements_(elements) {}
+  explicit FirstElements(Picked<FirstElement> elements) : elements_(elements) {}
 
   /// @{ What Batch asks of a kernel.
   static void triage(const Packet& packet, model::Tipo tipo, Findings& findings) {
     trace::triage(packet, tipo, findings);
   }
-  static Point point(const Findings& findings, std::size_t lane) { return {findings[lane]}; }
+  static Point point(const Findings& findings, std::size_t lane) { return Point(findings[lane]); }
   void miss(std::uint32_t number) { elements_[number] = {}; }
   template <class Source>
   void hit(std::uint32_t number, const Ray&, const Source& source, scene::ElementRef own, const Point&) {
@@ -47,16 +59,17 @@ class FirstElements {
   /// @}
 
  private:
-  std::span<FirstElement> elements_;
+  Picked<FirstElement> elements_;
 };
 
 /// first_element of first_hit_among of every query, in order. Threads and precondition as of first_hits_among.
 template <PairCandidates Source>
 void first_elements_among(const Source& source, std::span<const scene::Query> queries,
                           std::span<FirstElement> elements) {
+  const std::vector<std::uint32_t> order = order_of(source, queries, Asked::first);
   for_each_block(queries.size(), [&](std::size_t begin, std::size_t count) {
-    const auto block = queries.subspan(begin, count);
-    const auto answers = elements.subspan(begin, count);
+    const auto block = picked(queries, order, begin, count);
+    const auto answers = picked(elements, order, begin, count);
     FirstElements kernel(answers);
     Batch batch(source, block, kernel);
     batch.answer();

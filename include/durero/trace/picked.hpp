@@ -1,11 +1,15 @@
 #pragma once
 /// Some of the entries of an array, in an order of their own: so many rays can be answered in an order that suits a
-/// structure, and each answer stands where its question does.
+/// structure, and each answer stands where its question does. And their rays.
 
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
+
+#include "durero/scene/query.hpp"
+#include "durero/trace/ray.hpp"
 
 namespace durero::trace {
 
@@ -38,6 +42,44 @@ Picked<T> picked(std::span<T> all, std::span<const std::uint32_t> order, std::si
   if (!order.empty()) return {all, order.subspan(begin, count)};
   std::span<T> part = all.subspan(begin, count);
   return Picked<T>(part);
+}
+
+/// What queries are asked for: what is met first, or whether something is met before their ends.
+enum class Asked : std::uint8_t { first, segment };
+
+/// The order in which a source would rather answer, by source.order(queries, asked): each query once; or empty, as they
+/// come.
+template <class Source>
+std::vector<std::uint32_t> order_of(const Source& source, std::span<const scene::Query> queries, Asked asked) {
+  if constexpr (requires { source.order(queries, asked); }) {
+    return source.order(queries, asked);
+  } else {
+    return {};
+  }
+}
+
+/// @{ Asks memory for what will be needed soon.
+inline void ask_for(std::span<const std::byte> bytes) {
+  constexpr std::size_t line = 64;  // of the cache, or a multiple of it
+  for (std::size_t at = 0; at < bytes.size(); at += line) __builtin_prefetch(&bytes[at]);
+  if (!bytes.empty()) __builtin_prefetch(&bytes.back());
+}
+template <class T>
+void ask_for(const T& object) {
+  ask_for(std::as_bytes(std::span(&object, 1)));
+}
+/// @}
+
+/// The rays of some queries, in order. Memory is asked for each query some time before its turn.
+inline std::vector<Ray> rays_of(Picked<const scene::Query> queries) {
+  constexpr std::size_t ahead = 16;
+  std::vector<Ray> rays;
+  rays.reserve(queries.size());
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    if (i + ahead < queries.size()) ask_for(queries[i + ahead]);
+    rays.emplace_back(queries[i].rayo);
+  }
+  return rays;
 }
 
 }  // namespace durero::trace

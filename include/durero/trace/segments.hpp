@@ -25,13 +25,13 @@ class SegmentBatch {
  public:
   /// All of these must outlive it. Precondition: a place in `occluded` for each query.
   SegmentBatch(const Source& source, Picked<const scene::Query> queries, Picked<bool> occluded)
-      : source_(source), queries_(queries), occluded_(occluded), open_(queries.size(), true) {
-    rays_.reserve(queries.size());
-    for (std::size_t i = 0; i < queries.size(); ++i) rays_.emplace_back(queries[i].rayo);
-  }
+      : source_(source), queries_(queries), occluded_(occluded), open_(queries.size(), true), rays_(rays_of(queries)) {}
 
   /// Writes every answer.
   void answer() {
+    for (std::size_t number = 0; number < queries_.size(); ++number)
+      for (const scene::ElementRef e : queries_[number].en)
+        source_.scene().visit(e, [](const auto& shape) { ask_for(shape); });
     for (std::uint32_t number = 0; number < queries_.size(); ++number) begin(number);
     for (Queue& queue : starts_) test_starts(queue);
     source_.pairs(
@@ -134,20 +134,10 @@ class SegmentBatch {
   Findings findings_{};
 };
 
-/// The order in which a source would rather answer, by source.order(queries): each query once; or empty, as they come.
-template <class Source>
-std::vector<std::uint32_t> order_of(const Source& source, std::span<const scene::Query> queries) {
-  if constexpr (requires { source.order(queries); }) {
-    return source.order(queries);
-  } else {
-    return {};
-  }
-}
-
 /// occluded_segment_among of every query, in order, in lanes. Threads and precondition as of first_hits_among.
 template <PairCandidates Source>
 void occluded_segments_in_lanes(const Source& source, std::span<const scene::Query> queries, std::span<bool> occluded) {
-  const std::vector<std::uint32_t> order = order_of(source, queries);
+  const std::vector<std::uint32_t> order = order_of(source, queries, Asked::segment);
   for_each_block(queries.size(), [&](std::size_t begin, std::size_t count) {
     SegmentBatch(source, picked(queries, order, begin, count), picked(occluded, order, begin, count)).answer();
   });
