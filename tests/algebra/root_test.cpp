@@ -116,6 +116,8 @@ TEST_CASE("A value half-way between two numbers goes to the even one, and a sum 
   CHECK(rounded_linear(1, half_gap * Dyadic(3), cubic[0]) == 1);
   CHECK(rounded_linear(after, half_gap * Dyadic(3), cubic[0]) == std::nextafter(after, 2.0));
   CHECK(rounded_linear(Dyadic(1) + number::shifted(Dyadic(1), -200), half_gap * Dyadic(3), cubic[0]) == after);
+  CHECK(rounded_linear(after, -(half_gap * Dyadic(3)), cubic[0]) == 1);
+  CHECK(rounded_linear(1, -3, cubic[0]) == 0);
   CHECK_FALSE(std::signbit(rounded_linear(-1, 3, cubic[0])));
   CHECK(rounded_linear(-1, 3, cubic[0]) == 0);
   const Dyadic tiny = number::shifted(Dyadic(1), -2000), huge = number::shifted(Dyadic(1), 1024);
