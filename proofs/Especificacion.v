@@ -247,6 +247,9 @@ Definition escalar (p q r s1 : Punto) : R :=
   (Punto_x q - Punto_x p) * (Punto_x s1 - Punto_x r) + (Punto_y q - Punto_y p) * (Punto_y s1 - Punto_y r)
   + (Punto_z q - Punto_z p) * (Punto_z s1 - Punto_z r). (* escalar.def.1 *)
 
+Definition producto (u v : Vector) : R :=
+  Vector_x u * Vector_x v + Vector_y u * Vector_y v + Vector_z u * Vector_z v. (* producto.def.1 *)
+
 Definition lado (w a b c : Punto) : R :=
   escalar a b a b * escalar a w a c - escalar a b a c * escalar a w a b. (* lado.def.1 *)
 
@@ -412,9 +415,6 @@ Definition Hay_Interseccion_conj_1 : Prop :=
   punto_out -> en_in ≡ ∅ -> elementos_out ≡ de_que_elemento s punto_out. (* Hay_Interseccion.conj.1 *)
 
 (** * iluminacion.tex *)
-
-Definition producto (u v : Vector) : R :=
-  Vector_x u * Vector_x v + Vector_y u * Vector_y v + Vector_z u * Vector_z v. (* producto.def.1 *)
 
 Definition reflexion (v n r : Vector) : Prop :=
   producto n n > 0 /\ producto n n * (Vector_x r + Vector_x v) = 2 * producto v n * Vector_x n
