@@ -34,7 +34,7 @@ constexpr std::array rows = {
     Row{"--size", Kind::text, "WxH"},          Row{"--crop", Kind::text, "X,Y,W,H"},
     Row{"--state", Kind::text, "SCHEMA"},      Row{"--init", Kind::text, "SCHEMA"},
     Row{"--given", Kind::text, "SET=MEMBERS"}, Row{"--replay", Kind::file, "TRACE"},
-    Row{"--with", Kind::file, "TEXT"},
+    Row{"--with", Kind::file, "FILE"},         Row{"--with", Kind::file, "TEXT"},
 };
 
 /// What CLI11 says of the option: its type, and behind a colon what each of its checks says.

@@ -48,8 +48,8 @@ run 0 render one.json -o said.png --size 64x36
 same one.png said.png
 checks=$((checks + 1))
 cmp -s deep.png one.png && fail 'no mirror is in the picture'
-refused 'render: --max-depth: 1000000' render "$mirrors" -o new.png --max-depth 1000000
-refused 'render: --max-depth: 0' render "$mirrors" -o new.png --max-depth 0
+refused 'render: --max-depth 1000000: no whole number from 1 to 1000' render "$mirrors" -o new.png --max-depth 1000000
+refused 'render: --max-depth 0: no whole number' render "$mirrors" -o new.png --max-depth 0
 absent new.png
 
 # What counts too little is not followed, and what that cost is said.
@@ -62,7 +62,7 @@ cmp -s deep.png light.png && fail 'nothing is left out'
 run 0 render "$mirrors" -o none.png --size 64x36 --min-weight 0
 has out 'left out: at most 0 of a linear component'
 same deep.png none.png
-refused 'render: --min-weight: 1.5' render "$mirrors" -o new.png --min-weight 1.5
+refused 'render: --min-weight 1.5: no number from 0 to 1' render "$mirrors" -o new.png --min-weight 1.5
 absent new.png
 
 # --size draws in another size than the scene's, --crop a rectangle of the picture, pixel for pixel.

@@ -361,7 +361,7 @@ TEST_CASE("the depth that the materials need") {
 TEST_CASE("a directional light is a point light far away, and any element on the way hides it") {
   scene::Scene scene = lit_ball();
   scene.stage().materials[0] = {.color = {1, 0.5, 0.25}, .k_a = 0.1, .k_d = 0.7, .k_s = 0.2, .e = 9};
-  scene.apply(model::Agregar_Esfera{model::Elemento("blocker"), {3, 30, 0}, 1});
+  scene.apply(model::Agregar_Esfera{model::Elemento("blocker"), {3.5, 30, 0}, 1});
   scene.stage().lights = {{{1e9, 1e10, 0}, {1, 1, 1}}};
   scene::Scene directional = scene;
   directional.stage().lights = {};
