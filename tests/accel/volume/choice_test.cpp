@@ -77,7 +77,7 @@ const scene::Sphere ball{{0, 0, 0}, 1};
 }  // namespace
 
 TEST_CASE("what costs least is chosen of single volumes and intersections, and costs what is foretold") {
-  const std::size_t lines = fewer_when_sanitized(20000);
+  constexpr std::size_t lines = 20000;  // of fewer, a share is not within 5 % of what is foretold
   for (const auto& [element, radius, expected] :
        {Case{ball, 1.0, "ball"}, Case{ball, 9.0, "ball"}, Case{upright, 2.0, "box"}, Case{upright, 9.0, "box"},
         Case{needle, 1.8, "box ∩ ellipsoid"}, Case{column, 1.8, "ball ∩ ellipsoid"}}) {
