@@ -1,11 +1,9 @@
 // Large trees answer many segments in an order of their own: each answer must stand where its question does.
 #include <algorithm>
-#include <boost/container/vector.hpp>
 #include <numeric>
 
+#include "accel/each_alone.hpp"
 #include "durero/accel/wide_bvh.hpp"
-#include "durero/trace/first_element.hpp"
-#include "durero/trace/segments.hpp"
 #include "support/catch.hpp"
 #include "support/scenes.hpp"
 #include "support/shapes.hpp"
@@ -62,17 +60,5 @@ TEST_CASE("answers of a large tree are those one by one, each in its place") {
       queries.push_back({{model::Punto(hit.punto), model::Vector(random.direction())}, hit.elementos});
   }
   for (const Asked asked : {Asked::first, Asked::segment}) REQUIRE(!tree.order(queries, asked).empty());
-  std::vector<scene::Hit> hits(queries.size());
-  std::vector<trace::FirstElement> elements(queries.size());
-  boost::container::vector<bool> occluded(queries.size());
-  trace::first_hits_among(tree, queries, hits, nullptr);
-  trace::first_elements_among(tree, queries, elements);
-  trace::occluded_segments_in_lanes(tree, queries, {occluded.data(), occluded.size()});
-  for (std::size_t i = 0; i < queries.size(); ++i) {
-    const scene::Query& query = queries[i];
-    const scene::Hit hit = trace::first_hit_among(tree, query.rayo, query.en, unseen);
-    CHECK(hits[i] == hit);
-    CHECK(elements[i] == trace::first_element(hit));
-    CHECK(occluded[i] == trace::occluded_segment_among(tree, query.rayo, query.en, unseen));
-  }
+  check_each_alone(tree, queries);
 }

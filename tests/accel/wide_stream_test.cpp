@@ -5,9 +5,8 @@
 #include <set>
 #include <utility>
 
+#include "accel/each_alone.hpp"
 #include "durero/accel/wide_bvh.hpp"
-#include "durero/trace/first_element.hpp"
-#include "durero/trace/segments.hpp"
 #include "support/catch.hpp"
 #include "support/scenes.hpp"
 #include "support/shapes.hpp"
@@ -130,17 +129,5 @@ TEST_CASE("many rays into all directions get the answers that each gets alone") 
     if (hit.resultado == model::Resultado::hit)
       queries.push_back({{model::Punto(hit.punto), model::Vector(random.direction())}, hit.elementos});
   }
-  std::vector<scene::Hit> hits(queries.size());
-  std::vector<trace::FirstElement> elements(queries.size());
-  const auto occluded = std::make_unique<bool[]>(queries.size());
-  trace::first_hits_among(tree, queries, hits, nullptr);
-  trace::first_elements_among(tree, queries, elements);
-  trace::occluded_segments_in_lanes(tree, queries, {occluded.get(), queries.size()});
-  for (std::size_t i = 0; i < queries.size(); ++i) {
-    const scene::Query& query = queries[i];
-    const scene::Hit hit = trace::first_hit_among(tree, query.rayo, query.en, unseen);
-    CHECK(hits[i] == hit);
-    CHECK(elements[i] == trace::first_element(hit));
-    CHECK(occluded[i] == trace::occluded_segment_among(tree, query.rayo, query.en, unseen));
-  }
+  check_each_alone(tree, queries);
 }

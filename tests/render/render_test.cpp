@@ -4,21 +4,13 @@
 #include <set>
 #include <stdexcept>
 
+#include "render/lit_ball.hpp"
 #include "support/catch.hpp"
 
 using namespace durero;
+using durero::test::lit_ball;
 
 namespace {
-
-/// A unit ball at the origin, red, lit from above.
-scene::Scene lit_ball() {
-  scene::Scene scene;
-  scene.stage().materials = {{"red", {1, 0, 0}}};
-  scene.stage().lights = {{{0, 10, 0}, {1, 0.5, 0.25}}};
-  scene.apply(model::Agregar_Esfera{model::Elemento("ball"), {0, 0, 0}, 1});
-  scene.set_material(*scene.find("ball"), 0);
-  return scene;
-}
 
 /// Answers that every ray meets nothing.
 struct Nothing : engine::Engine {

@@ -4,23 +4,15 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "render/lit_ball.hpp"
 #include "support/catch.hpp"
 
 using namespace durero;
+using durero::test::lit_ball;
 
 namespace {
 
 const scene::ElementRef ball{model::Tipo::soy_esfera, 0}, blocker{model::Tipo::soy_esfera, 1};
-
-/// A unit ball at the origin, red, lit from above.
-scene::Scene lit_ball() {
-  scene::Scene scene;
-  scene.stage().materials = {{"red", {1, 0, 0}}};
-  scene.stage().lights = {{{0, 10, 0}, {1, 0.5, 0.25}}};
-  scene.apply(model::Agregar_Esfera{model::Elemento("ball"), {0, 0, 0}, 1});
-  scene.set_material(*scene.find("ball"), 0);
-  return scene;
-}
 
 /// Answers every ray with one hit, and every shadow ray with one word; remembers what the shadow rays started on.
 struct Fake : engine::Engine {

@@ -13,8 +13,8 @@ inline constexpr std::size_t large_page = std::size_t{1} << 21;
 /// What a shorter one is aligned to, in bytes.
 inline constexpr std::size_t cache_line = 64;
 
-/// @{ Memory of so many bytes, aligned to a cache line at least. It comes on large pages
-/// where the system gives them, which is no promise. Throws std::bad_alloc; is given back with the same number.
+/// @{ Memory of so many bytes, aligned to a cache line at least. It comes on large pages where the system gives them,
+/// which is no promise. Throws std::bad_alloc; is given back with the same number.
 void* allocate_on_large_pages(std::size_t bytes);
 void free_on_large_pages(void* memory, std::size_t bytes) noexcept;
 /// @}
