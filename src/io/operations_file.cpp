@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <span>
 
 #include "attribute_words.hpp"
 #include "durero/io/json_writer.hpp"
@@ -109,17 +108,10 @@ std::vector<Schema> all_schemas() {
   return all;
 }
 
-/// What a script may hold: the last two edit groups.
-enum class Scope : std::uint8_t { operations, groups_too };
-
-std::span<const Schema> schemas(Scope scope) {
+const Schema& schema_of(const Source& source, const Call& call) {
   static const std::vector<Schema> all = all_schemas();
-  return std::span(all).first(all.size() - (scope == Scope::operations ? 2 : 0));
-}
-
-const Schema& schema_of(const Source& source, const Call& call, Scope scope) {
   std::vector<std::string_view> known;
-  for (const Schema& schema : schemas(scope)) {
+  for (const Schema& schema : all) {
     if (schema.signature.name == call.schema) return schema;
     known.push_back(schema.signature.name);
   }
@@ -127,29 +119,18 @@ const Schema& schema_of(const Source& source, const Call& call, Scope scope) {
               fmt::format("expected one of {}", fmt::join(known, ", ")));
 }
 
-std::vector<Step> read_steps(const Source& source, const scene::Stage& stage, Scope scope) {
+}  // namespace
+
+std::vector<Step> read_script(const Source& source, const scene::Stage& stage) {
   std::vector<Step> script;
   Lines lines(source.text());
   while (const auto line = lines.next()) {
     const auto call = read_call(source, *line);
     if (!call) continue;
-    const Schema& schema = schema_of(source, *call, scope);
+    const Schema& schema = schema_of(source, *call);
     script.push_back({line->number, schema.read(Inputs(source, *call, schema.signature), stage)});
   }
   return script;
-}
-
-}  // namespace
-
-std::vector<Instruction> read_operations(const Source& source, const scene::Stage& stage) {
-  std::vector<Instruction> script;
-  for (Step& step : read_steps(source, stage, Scope::operations))
-    script.push_back({step.line, std::get<scene::Edit>(std::move(step.edit))});
-  return script;
-}
-
-std::vector<Step> read_script(const Source& source, const scene::Stage& stage) {
-  return read_steps(source, stage, Scope::groups_too);
 }
 
 std::string answer_text(std::size_t line, const model::Answer& answer) {

@@ -1,6 +1,6 @@
 # durero version: every version, in words and as JSON with keys that stay.
+sources=$(cd "$(dirname "$0")/../.." && pwd)  # before the harness goes elsewhere
 . "$(dirname "$0")/harness.sh"
-sources=$(cd "$(dirname "$0")/../.." && pwd)
 
 run 0 --version
 cp out line

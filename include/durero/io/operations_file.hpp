@@ -4,6 +4,9 @@
 ///   Agregar_Esfera e?=s1 centro?=(0,0,5) radio?=1        one a line; the ? is optional; # starts a comment
 ///   {"op":"Agregar_Esfera","e":"s1","centro":[0,0,5],"radio":1}
 ///
+///   group g?=pair elementos?=s1,s2 groups?=others        an edit of the groups
+///   ungroup g?=pair
+///
 /// The additions also take `material`, a name among the scene's materials, which the new element gets. Numbers are
 /// decimal or, as text, C's hexadecimal. What an operation refuses (radius 0, a name that is taken) is no error of the
 /// text: it is answered. An error is what no operation could be made of.
@@ -19,21 +22,13 @@
 namespace durero::io {
 
 /// One line of a script: the edit that it asks for.
-struct Instruction {
-  std::size_t line;  ///< from 1
-  scene::Edit edit;  ///< its material is a place in the stage that the script was read with
-};
-
-/// The same, where it may be an edit of the groups too.
 struct Step {
-  std::size_t line;                                  ///< from 1
-  std::variant<scene::Edit, scene::GroupEdit> edit;  ///< as Instruction::edit
+  std::size_t line;  ///< from 1
+  /// A material is a place in the stage that the script was read with.
+  std::variant<scene::Edit, scene::GroupEdit> edit;
 };
 
 /// Reads a whole script, so that a malformed line stops it before anything is done. Throws InputError.
-std::vector<Instruction> read_operations(const Source& source, const scene::Stage& stage);
-/// The same, with edits of the groups among the operations: `group g?=pair elementos?=s1,s2 groups?=others` and
-/// `ungroup g?=pair`.
 std::vector<Step> read_script(const Source& source, const scene::Stage& stage);
 
 /// @{ `{"line":1,"ok":true,"r":"esfera_agregada"}`, or with what was violated; without line end.
