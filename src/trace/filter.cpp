@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "durero/trace/filter.hpp"
+#include "trace/optimised.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace durero::trace {

@@ -4,6 +4,7 @@
 #include <hwy/foreach_target.h>
 //
 #include "trace/closed_form-inl.hpp"
+#include "trace/optimised.hpp"
 #include "trace/packet_lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();

@@ -4,6 +4,7 @@
 #define HWY_TARGET_INCLUDE "trace/rounding.cpp"  // as seen from src/
 #include <hwy/foreach_target.h>
 //
+#include "trace/optimised.hpp"
 #include "trace/packet_lanes-inl.hpp"
 #include "trace/rounding-inl.hpp"
 #include "trace/shapes-inl.hpp"

@@ -3,6 +3,7 @@
 #include <hwy/foreach_target.h>
 //
 #include "trace/closed_form-inl.hpp"
+#include "trace/optimised.hpp"
 #include "trace/steps.hpp"
 
 HWY_BEFORE_NAMESPACE();

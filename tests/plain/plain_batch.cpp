@@ -5,6 +5,7 @@
 //
 #include "durero/trace/candidates.hpp"
 #include "plain/plain.hpp"
+#include "trace/optimised.hpp"
 #include "trace/packet_lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
