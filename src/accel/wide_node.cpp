@@ -3,7 +3,6 @@
 #include <hwy/foreach_target.h>
 //
 #include "accel/wide_lanes-inl.hpp"
-#include "trace/optimised.hpp"
 //
 #include "durero/accel/wide_node.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-/// For each source that is compiled for several instruction sets. GCC 12 without optimisation passes vectors wider than
+/// For each source of this layer that is compiled for several instruction sets. GCC 12 without optimisation passes vectors wider than
 /// the baseline's wrongly and stores them where they are not aligned: lanes then hold other numbers, or the program
 /// stops. So such a source is compiled with -Og at least (CMakeLists.txt), and else not at all.
 

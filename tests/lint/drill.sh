@@ -23,7 +23,7 @@ sees() {
 clean=$(git write-tree)  # the tree without any fault
 
 for rule in layers edges independence stems house labels mutants z_text specified draws requirements standard_output packages \
-  versions reference; do
+  versions reference optimised; do
   sh "$here/$rule.sh" >/dev/null 2>&1 || { echo "drill: $rule.sh fails before any fault is planted"; missed=$((missed + 1)); }
 done
 
@@ -37,6 +37,10 @@ echo '#include "trace/steps.hpp"' >>src/engine/engine.cpp
 sees layers "engine including an internal header of trace"
 echo '#include "trace/steps.hpp"' >>include/durero/trace/analytic.hpp
 sees layers "a public header including an internal one"
+sed -i '/"trace\/optimised.hpp"/d' src/trace/stable.cpp
+sees optimised "lanes compiled without optimisation"
+sed -i 's/ src\/trace\/rounding.cpp//' CMakeLists.txt
+sees optimised "lanes not optimised in Debug"
 sed -i 's/^durero_layer(zed DEPENDS /&contract /' CMakeLists.txt
 sees edges "an edge that no include needs"
 sed -i 's/^durero_layer(render DEPENDS model/durero_layer(render DEPENDS/' CMakeLists.txt
