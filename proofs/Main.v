@@ -18,7 +18,8 @@
 From Coq Require Import Reals List.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require Tipos Escena Operaciones Errata Puntos Trazador Flat Interseccion Retrieve Iluminacion Recorrido
-  Acceleration Surd Quadratic Exacto ExactoEscena Slab Rounding Flotante Tablas.
+  Acceleration Surd Quadratic Exacto ExactoEscena Slab Bundles Rounding Flotante Tablas
+  Walk Limits Search Boxes Chain.
 Import Escena Operaciones Errata Puntos Trazador Flat Interseccion Retrieve Iluminacion.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -582,14 +583,14 @@ Proof. exact (Slab.slab32_never_rejects box best t). Qed.
 (** Rays that are tested together, by the ends between which they lie: none enters earlier, none leaves later, so that the
     bundle passes where one of them does. *)
 Theorem a_bundle_is_entered_no_later plane p0 p1 a b p i : p0 <= p <= p1 -> a <= i <= b ->
-  (0 < a -> Rmin (Slab.crossed 53 1024 plane p1 a) (Slab.crossed 53 1024 plane p1 b) <= Slab.crossed 53 1024 plane p i) /\
-  (b < 0 -> Rmin (Slab.crossed 53 1024 plane p0 a) (Slab.crossed 53 1024 plane p0 b) <= Slab.crossed 53 1024 plane p i).
-Proof. exact (Slab.bundle_entry 53 1024 Slab.prec64 plane p0 p1 a b p i). Qed.
+  (0 < a -> Rmin (Bundles.crossed 53 1024 plane p1 a) (Bundles.crossed 53 1024 plane p1 b) <= Bundles.crossed 53 1024 plane p i) /\
+  (b < 0 -> Rmin (Bundles.crossed 53 1024 plane p0 a) (Bundles.crossed 53 1024 plane p0 b) <= Bundles.crossed 53 1024 plane p i).
+Proof. exact (Bundles.bundle_entry 53 1024 Slab.prec64 plane p0 p1 a b p i). Qed.
 
 Theorem a_bundle_is_left_no_earlier plane p0 p1 a b p i : p0 <= p <= p1 -> a <= i <= b ->
-  (0 < a -> Slab.crossed 53 1024 plane p i <= Rmax (Slab.crossed 53 1024 plane p0 a) (Slab.crossed 53 1024 plane p0 b)) /\
-  (b < 0 -> Slab.crossed 53 1024 plane p i <= Rmax (Slab.crossed 53 1024 plane p1 a) (Slab.crossed 53 1024 plane p1 b)).
-Proof. exact (Slab.bundle_exit 53 1024 Slab.prec64 plane p0 p1 a b p i). Qed.
+  (0 < a -> Bundles.crossed 53 1024 plane p i <= Rmax (Bundles.crossed 53 1024 plane p0 a) (Bundles.crossed 53 1024 plane p0 b)) /\
+  (b < 0 -> Bundles.crossed 53 1024 plane p i <= Rmax (Bundles.crossed 53 1024 plane p1 a) (Bundles.crossed 53 1024 plane p1 b)).
+Proof. exact (Bundles.bundle_exit 53 1024 Slab.prec64 plane p0 p1 a b p i). Qed.
 
 (** What the certified tracer decides on a sphere, in binary64: F, S, … computed as trace/closed_form does. *)
 Section Sphere.
@@ -653,3 +654,72 @@ Proof.
   - intros HN. destruct (H2 HN) as [t [Ht Hb]]. exists t. split; [now rewrite E | exact Hb].
 Qed.
 End Sphere.
+
+(** * 10. From the Z text to what is printed: the search as it runs *)
+Section Chain.
+Variable Elemento : Type.
+Hypothesis Elemento_dec : forall e e' : Elemento, {e = e'} + {e <> e'}.
+Notation Escena := (Escena Elemento).
+
+(** The scene, its numbers integers over S; the question; and the elements, each with its shape and whether the ray is said
+    to start on it. *)
+Variables (S : BinNums.Z) (s s' : Escena) (en : set Elemento) (p v : Exacto.vec3).
+Notation ray := (ExactoEscena.the_ray S p v).
+Hypothesis S_positive : (0 < S)%Z.
+Hypothesis ok : Escena_ok s.
+Hypothesis ray_ok : Rayo_ok ray.
+Hypothesis same : Xi_Escena s s'.
+Hypothesis known : en ⊆ elementos s.
+Variables (elements : list Elemento) (shape_of : Elemento -> Exacto.shape) (on : Elemento -> bool).
+Hypothesis described : ExactoEscena.describes Elemento S s en (map (fun e => (e, shape_of e, on e)) elements).
+Notation met := (met ray Elemento s en).
+
+(** The steps in floating point, of which nothing is assumed but [Search.steps_right]: a miss is one, a hit has the first
+    parameter within its error, the ends lie around it, and what is certain is rounded. *)
+Variables (Finding : Type) (in_range : Elemento -> bool)
+  (triage stable : Elemento -> Limits.binary64 -> Search.verdict Finding)
+  (improved : Elemento -> Finding -> Search.verdict Finding) (near : Finding -> set R)
+  (low high : Search.evidence Finding -> Limits.binary64) (certainly_less ahead : Finding -> Finding -> bool)
+  (rounded : Finding -> option Chain.printed) (round_exact : Surd.surd -> Chain.printed).
+Hypothesis right : Search.steps_right Elemento Finding Chain.printed met elements (Chain.rounds ray) in_range triage stable
+  improved near low high certainly_less rounded round_exact.
+
+Notation found := (Search.found Elemento Finding).
+Notation limit := (Search.limit Elemento Finding).
+Notation reach_of := (Chain.reach_of Elemento S p v shape_of on).
+Notation take := (Search.take Elemento Finding reach_of in_range triage stable low high).
+Notation start := (Search.start Elemento Finding).
+Notation published := (Search.published Elemento Finding Chain.printed reach_of stable improved certainly_less ahead rounded
+  round_exact).
+Notation says := (Chain.says Elemento s s' ray en).
+
+(** Whatever walks over the elements: cells passed over by any rule that passes over nothing that the ray meets up to the
+    limit, in any order; some elements apart. What is published at the end is Primera_Interseccion: outcome, elements, and
+    the parameter and the point rounded once. *)
+Theorem the_printed_hit_is_the_texts_hit (prunable : found -> Walk.cell Elemento -> Prop) apart cs taken st :
+  (forall st c, prunable st c -> forall e t, Walk.leads c e t -> met e t -> ~ Limits.at_least (limit st) t) ->
+  incl apart elements -> Forall (Walk.lists_from elements) cs ->
+  (forall e t, In e elements -> ~ In e apart -> met e t -> exists c, In c cs /\ Walk.leads c e t) ->
+  Walk.walks Elemento found Elemento_dec take prunable (Walk.plan apart cs, (nil, start)) (nil, (taken, st)) ->
+  says (published st).
+Proof.
+  intros prunable_right. exact (Chain.search_is_Primera_Interseccion Elemento Elemento_dec S S_positive s s' ok same en known p
+    v ray_ok elements shape_of on described Finding in_range triage stable improved near low high certainly_less ahead rounded
+    round_exact right prunable prunable_right apart cs taken st).
+Qed.
+
+(** In a tree of boxes under the tests of Slab.v, in IEEE 754 arithmetic: the elements that the ray starts on are tested
+    apart, and of each of the others the boxes above it contain its points. *)
+Theorem bounding_volumes_as_they_run r apart a taken st : Boxes.of_beam r = ray ->
+  incl apart elements -> (forall e, In e elements -> en e -> In e apart) ->
+  Walk.lists_from elements (Boxes.cell_of Elemento r a) ->
+  (forall e, In e elements -> ~ In e apart -> Boxes.under Elemento (puntos_de_elemento s) e a) ->
+  Walk.walks Elemento found Elemento_dec take (Boxes.prunable Elemento found limit r)
+    (Walk.plan apart (Boxes.cell_of Elemento r a :: nil), (nil, start)) (nil, (taken, st)) ->
+  says (published st).
+Proof.
+  exact (Chain.boxes_find_Primera_Interseccion Elemento Elemento_dec S S_positive s s' ok same en known p
+    v ray_ok elements shape_of on described Finding in_range triage stable improved near low high certainly_less ahead rounded
+    round_exact right r apart a taken st).
+Qed.
+End Chain.
