@@ -19,7 +19,8 @@ From Coq Require Import Reals List.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require Tipos Escena Operaciones Errata Puntos Trazador Flat Interseccion Retrieve Iluminacion Recorrido
   Acceleration Surd Quadratic Exacto ExactoEscena Slab Bundles Rounding Flotante Tablas
-  Walk Limits Search Boxes Chain Firsts Occlusion.
+  Walk Limits Search Boxes Chain Firsts Occlusion
+  Lattice Grid.
 Import Escena Operaciones Errata Puntos Trazador Flat Interseccion Retrieve Iluminacion.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -769,6 +770,23 @@ Proof.
     v ray_ok elements shape_of on described Finding in_range triage stable improved near low high certainly_less ahead rounded
     round_exact right r apart a taken st).
 Qed.
+
+(** In a grid: what is walked are the cells that hold a point of the ray, each with its entry, by crossings that are ordered
+    exactly; what is passed over lies beyond the limit, or outside the box of all. These are the premises above, where every
+    cube lists what has a point in it. *)
+Theorem grids_as_they_run corner h count lists (whole : set R) apart m c l :
+  let p i := Chain.along (Rayo_p ray) i in let v i := Chain.component (Rayo_v ray) i in
+  0 < h -> (forall e, In e elements -> en e -> In e apart) ->
+  (forall e t, In e elements -> ~ In e apart -> puntos_de_elemento s e (point_at ray t) ->
+   whole t /\ Lattice.in_box p v corner h count (t, false)
+   /\ forall d, Lattice.in_range count d -> Grid.in_cube p v corner h d t -> In e (lists d)) ->
+  Lattice.way_in p v corner h count m -> Lattice.in_cell p v corner h c m -> Lattice.in_range count c ->
+  Lattice.path p v corner h count m c l ->
+  (forall st k, Grid.prunable p v corner h Elemento found limit whole lists st k ->
+   forall e t, Walk.leads k e t -> met e t -> ~ Limits.at_least (limit st) t)
+  /\ forall e t, In e elements -> ~ In e apart -> met e t ->
+     exists k, In k (map (Grid.cell_of p v corner h Elemento whole lists) l) /\ Walk.leads k e t.
+Proof. exact (Chain.grid_is_walked Elemento s ray en elements found limit corner h count lists whole apart m c l). Qed.
 
 (** A shadow ray: over a walk that may end once something blocks, or pass over what is met at or beyond the other end. *)
 Theorem the_answer_to_a_shadow_ray_is_the_texts (prunable prunable1 : bool -> Walk.cell Elemento -> Prop) apart cs taken st
