@@ -24,8 +24,7 @@
     entry, exit, visit    == as above;  later, sooner == one step of entry, of exit
     slab_ok a             == the conditions above, along one axis
     covers a t            == lo <= p + t v <= hi, exactly
-    not_before best t     == best is +∞, or at least t rounded
-    crossed plane p i     == (plane - p) * i, each operation rounded, of real numbers *)
+    not_before best t     == best is +∞, or at least t rounded *)
 From Coq Require Import Reals ZArith List Bool Lra Lia Psatz.
 From Flocq Require Import Core Relative Plus_error BinarySingleNaN.
 Import ListNotations.
@@ -84,8 +83,9 @@ Variables grow tiny : float.
 Hypothesis grow_value : is_finite grow = true /\ B2R grow = 1 + 16 * u.
 Hypothesis tiny_value : is_finite tiny = true /\ B2R tiny = bpow radix2 (emin + prec - 1).
 
-Definition visit (box : list slab) (best : float) : bool :=
-  Bleb (entry box) (Bplus NE (Bmult NE (exit box best) grow) tiny).
+(** The comparison; and the whole test. *)
+Definition passes (enter leave : float) : bool := Bleb enter (Bplus NE (Bmult NE leave grow) tiny).
+Definition visit (box : list slab) (best : float) : bool := passes (entry box) (exit box best).
 
 Definition moderate (x : float) : Prop := is_finite x = true /\ Rabs (B2R x) <= big.
 Definition slab_ok (a : slab) : Prop :=
@@ -409,72 +409,20 @@ Qed.
 
 (** A box that waits may be tested again by its stored entry, once the best is nearer. *)
 Theorem entry_never_rejects box best t : Forall slab_ok box -> 0 <= t -> Forall (fun a => covers a t) box ->
-  not_before best t -> Bleb (entry box) (Bplus NE (Bmult NE best grow) tiny) = true.
+  not_before best t -> passes (entry box) best = true.
 Proof. intros Hok Ht Hcov Hbest; apply (in_order _ _ t Ht); [now apply entry_before | now apply best_lower]. Qed.
 
-(** ** Bundles
-
-    Rays that walk a tree together are tested at once, by the ends between which their origins and the inverses of their
-    directions lie, all of one sign along an axis: rounding is monotonic, so no entry that is computed so is later, and no
-    exit earlier, than that of any of them. The numbers are those of finite operations: where nothing overflows, each is
-    the exact result rounded. *)
-Definition crossed (plane p i : R) : R := rnd (rnd (plane - p) * i).
-
-Lemma product_below d e a b i : 0 < a -> a <= i <= b -> d <= e -> Rmin (rnd (d * a)) (rnd (d * b)) <= rnd (e * i).
+(** So may its stretch, computed without a best, and then cut off at it. *)
+Theorem stretch_never_rejects box best t : Forall slab_ok box -> 0 <= t -> Forall (fun a => covers a t) box ->
+  not_before best t -> passes (entry box) (sooner best (exit box (B754_infinity false))) = true.
 Proof.
-  intros Ha Hi Hd; destruct (Rle_or_lt 0 d).
-  - apply Rle_trans with (1 := Rmin_l _ _); apply rnd_le; nra.
-  - apply Rle_trans with (1 := Rmin_r _ _); apply rnd_le; nra.
-Qed.
-
-Lemma product_above d e a b i : 0 < a -> a <= i <= b -> e <= d -> rnd (e * i) <= Rmax (rnd (d * a)) (rnd (d * b)).
-Proof.
-  intros Ha Hi Hd; destruct (Rle_or_lt 0 d).
-  - apply Rle_trans with (2 := Rmax_r _ _); apply rnd_le; nra.
-  - apply Rle_trans with (2 := Rmax_l _ _); apply rnd_le; nra.
-Qed.
-
-Lemma product_below_backwards d e a b i : b < 0 -> a <= i <= b -> e <= d ->
-  Rmin (rnd (d * a)) (rnd (d * b)) <= rnd (e * i).
-Proof.
-  intros Hb Hi Hd; destruct (Rle_or_lt 0 d).
-  - apply Rle_trans with (1 := Rmin_l _ _); apply rnd_le; nra.
-  - apply Rle_trans with (1 := Rmin_r _ _); apply rnd_le; nra.
-Qed.
-
-Lemma product_above_backwards d e a b i : b < 0 -> a <= i <= b -> d <= e ->
-  rnd (e * i) <= Rmax (rnd (d * a)) (rnd (d * b)).
-Proof.
-  intros Hb Hi Hd; destruct (Rle_or_lt 0 d).
-  - apply Rle_trans with (2 := Rmax_r _ _); apply rnd_le; nra.
-  - apply Rle_trans with (2 := Rmax_l _ _); apply rnd_le; nra.
-Qed.
-
-(** Along an axis: origins between p0 and p1, inverses between a and b. *)
-Theorem bundle_entry plane p0 p1 a b p i : p0 <= p <= p1 -> a <= i <= b ->
-  (0 < a -> Rmin (crossed plane p1 a) (crossed plane p1 b) <= crossed plane p i) /\
-  (b < 0 -> Rmin (crossed plane p0 a) (crossed plane p0 b) <= crossed plane p i).
-Proof.
-  intros Hp Hi; split; intros Hs.
-  - apply product_below; [assumption.. | apply rnd_le; lra].
-  - apply product_below_backwards; [assumption.. | apply rnd_le; lra].
-Qed.
-
-Theorem bundle_exit plane p0 p1 a b p i : p0 <= p <= p1 -> a <= i <= b ->
-  (0 < a -> crossed plane p i <= Rmax (crossed plane p0 a) (crossed plane p0 b)) /\
-  (b < 0 -> crossed plane p i <= Rmax (crossed plane p1 a) (crossed plane p1 b)).
-Proof.
-  intros Hp Hi; split; intros Hs.
-  - apply product_above; [assumption.. | apply rnd_le; lra].
-  - apply product_above_backwards; [assumption.. | apply rnd_le; lra].
-Qed.
-
-(** And the comparison: what passes with a later entry and an earlier exit passes. *)
-Theorem bundle_visit entry0 entry1 exit0 exit1 g n : entry0 <= entry1 -> exit1 <= exit0 -> 0 <= g ->
-  entry1 <= rnd (rnd (exit1 * g) + n) -> entry0 <= rnd (rnd (exit0 * g) + n).
-Proof.
-  intros He Hx Hg H; apply Rle_trans with (1 := He), Rle_trans with (1 := H), rnd_le, Rplus_le_compat_r, rnd_le.
-  now apply Rmult_le_compat_r.
+  intros Hok Ht Hcov Hbest; apply (in_order _ _ t Ht); [now apply entry_before|].
+  destruct (best_lower best t Ht Hbest) as [Hnan Hlow].
+  destruct (exit_lower box (B754_infinity false) (t * ((1 - u) * (1 - u) * (1 - u)) - eta)) as [Hnan' Hlow'].
+  - discriminate.
+  - right; now left.
+  - rewrite Forall_forall in *; intros a Ha; apply far_lower; auto.
+  - unfold sooner; destruct (Bltb _ best); now split.
 Qed.
 
 End Slab.
@@ -491,16 +439,32 @@ Definition less32 : Prec_lt_emax 24 128 := eq_refl.
 Definition grow32 : binary_float 24 128 := @B754_finite 24 128 false (2 ^ 23 + 8) (-23) eq_refl. (* 1 + 2^-20 *)
 Definition tiny32 : binary_float 24 128 := @B754_finite 24 128 false (2 ^ 23) (-149) eq_refl. (* 2^-126 *)
 
+Lemma grow64_value : is_finite grow64 = true /\ B2R grow64 = 1 + 16 * (/ 2 * bpow radix2 (- (53) + 1)).
+Proof. split; [reflexivity|]; unfold grow64, B2R, F2R; simpl; lra. Qed.
+Lemma tiny64_value : is_finite tiny64 = true /\ B2R tiny64 = bpow radix2 (3 - 1024 - 53 + 53 - 1).
+Proof.
+  split; [reflexivity|]; unfold tiny64, B2R, F2R; cbn [Fnum Fexp cond_Zopp].
+  replace (IZR (Z.pos (2 ^ 52))) with (bpow radix2 52) by reflexivity; now rewrite <- bpow_plus.
+Qed.
+
 Theorem slab64_never_rejects box best t :
   Forall (slab_ok 53 1024) box -> 0 <= t -> Forall (fun a => covers 53 1024 a t) box ->
   not_before 53 1024 best t ->
   visit 53 1024 prec64 less64 grow64 tiny64 box best = true.
-Proof.
-  apply slab_never_rejects; [lia | split; [reflexivity|] | split; [reflexivity|]].
-  - unfold grow64, B2R, F2R; simpl; lra.
-  - unfold tiny64, B2R, F2R; cbn [Fnum Fexp cond_Zopp].
-    replace (IZR (Z.pos (2 ^ 52))) with (bpow radix2 52) by reflexivity; now rewrite <- bpow_plus.
-Qed.
+Proof. exact (slab_never_rejects 53 1024 prec64 less64 ltac:(lia) grow64 tiny64 grow64_value tiny64_value box best t). Qed.
+
+Theorem stretch64_never_rejects box best t :
+  Forall (slab_ok 53 1024) box -> 0 <= t -> Forall (fun a => covers 53 1024 a t) box ->
+  not_before 53 1024 best t ->
+  passes 53 1024 prec64 less64 grow64 tiny64 (entry 53 1024 prec64 less64 box)
+    (sooner 53 1024 best (exit 53 1024 prec64 less64 box (B754_infinity false))) = true.
+Proof. exact (stretch_never_rejects 53 1024 prec64 less64 ltac:(lia) grow64 tiny64 grow64_value tiny64_value box best t). Qed.
+
+Theorem entry64_never_rejects box best t :
+  Forall (slab_ok 53 1024) box -> 0 <= t -> Forall (fun a => covers 53 1024 a t) box ->
+  not_before 53 1024 best t ->
+  passes 53 1024 prec64 less64 grow64 tiny64 (entry 53 1024 prec64 less64 box) best = true.
+Proof. exact (entry_never_rejects 53 1024 prec64 less64 ltac:(lia) grow64 tiny64 grow64_value tiny64_value box best t). Qed.
 
 Theorem slab32_never_rejects box best t :
   Forall (slab_ok 24 128) box -> 0 <= t -> Forall (fun a => covers 24 128 a t) box ->
