@@ -18,7 +18,7 @@
 From Coq Require Import Reals List.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require Tipos Escena Operaciones Errata Puntos Trazador Flat Interseccion Retrieve Iluminacion Recorrido
-  Acceleration Surd Quadratic Exacto ExactoEscena Slab Bundles Rounding Flotante Tablas
+  Acceleration Surd Quadratic Exacto ExactoEscena Slab Bundles Rounding Vectors Formas Decision Flotante Sphere Tablas
   Walk Limits Search Boxes Chain Firsts Occlusion
   Lattice Grid.
 Import Escena Operaciones Errata Puntos Trazador Flat Interseccion Retrieve Iluminacion.
@@ -638,66 +638,55 @@ Theorem a_bundle_is_left_no_earlier plane p0 p1 a b p i : p0 <= p <= p1 -> a <= 
   (b < 0 -> Bundles.crossed 53 1024 plane p i <= Rmax (Bundles.crossed 53 1024 plane p1 a) (Bundles.crossed 53 1024 plane p1 b)).
 Proof. exact (Bundles.bundle_exit 53 1024 Slab.prec64 plane p0 p1 a b p i). Qed.
 
-(** What the certified tracer decides on a sphere, in binary64: F, S, … computed as trace/closed_form does. *)
+(** What the certified tracer decides on a sphere, in binary64. Formas.v has what its C++ templates compute, written by
+    them: recorded is the quadratic of the ray and the sphere, first_in_lanes the decision for rays in a batch. *)
 Section Sphere.
-Variables (p v centro : Flotante.vec) (r : R).
+Variables (p v centro : Vectors.vec) (r : R).
 Hypothesis p_ordinary : Flotante.ordinary_vec p.
 Hypothesis v_ordinary : Flotante.ordinary_vec v.
 Hypothesis centro_ordinary : Flotante.ordinary_vec centro.
 Hypothesis r_ordinary : Flotante.ordinary r.
 Hypothesis r_positive : 0 < r.
-Hypothesis v_not_zero : 0 < Flotante.norm v.
-Let point (a : Flotante.vec) := mk_Punto (Flotante.cx a) (Flotante.cy a) (Flotante.cz a).
-Let direction (a : Flotante.vec) := mk_Vector (Flotante.cx a) (Flotante.cy a) (Flotante.cz a).
+Hypothesis v_not_zero : 0 < Vectors.norm v.
+Let point (a : Vectors.vec) := mk_Punto (Vectors.cx a) (Vectors.cy a) (Vectors.cz a).
+Let direction (a : Vectors.vec) := mk_Vector (Vectors.cx a) (Vectors.cy a) (Vectors.cz a).
 Let ray := mk_Rayo (point p) (direction v).
 Let f := of_esfera ray (point centro) r.
-Notation F_fl := (Flotante.F_fl p v centro r).
-Notation S_fl := (Flotante.S_fl p v centro r).
-Notation A_fl := (Flotante.A_fl v).
-Notation C_fl := (Flotante.C_fl p centro r).
-Notation q_num := (Flotante.q_num p v centro r).
-Notation A_error := (Flotante.A_error v).
-Notation B_error := (Flotante.B_error p v centro r).
-Notation C_error := (Flotante.C_error p centro r).
-Notation S_error := (Flotante.S_error p v centro r).
-Notation q_error := (Flotante.q_error p v centro r).
+Let recorded := Formas.esfera p v (Vectors.extent_fl v) centro r.
 
 (** A certified miss is one: no point of the line lies on the sphere. *)
-Theorem a_certified_miss_is_a_miss t : F_fl < - B_error -> point_at ray t ∉ puntos_esfera (point centro) r.
+Theorem a_certified_miss_is_a_miss t :
+  Formas.F recorded < - Formas.B_error recorded -> point_at ray t ∉ puntos_esfera (point centro) r.
 Proof.
-  intros H. rewrite esfera_along. fold f. intros V.
-  apply (Flotante.triage_miss p v centro r p_ordinary v_ordinary centro_ordinary r_ordinary r_positive v_not_zero t H).
-  rewrite <- V. unfold value, f, of_esfera, Tipos.sq, Tipos.dot, from, Flotante.dot, Flotante.minus; cbn. ring.
+  exact (Sphere.certified_miss p v centro r p_ordinary v_ordinary centro_ordinary r_ordinary r_positive v_not_zero t).
 Qed.
 
 (** A certified pair of points is one, and the computed root of the discriminant is within its bound. *)
-Theorem a_certified_root_of_the_discriminant : B_error < F_fl ->
-  0 < discriminant f /\ Rabs (S_fl - sqrt (discriminant f)) <= S_error.
+Theorem a_certified_root_of_the_discriminant : Formas.B_error recorded < Formas.F recorded ->
+  let S := Formas.root_of_discriminant recorded in
+  0 < discriminant f /\ Rabs (Formas.value S - sqrt (discriminant f)) <= Formas.error S.
 Proof.
-  intros H. destruct (Flotante.triage_meets p v centro r p_ordinary v_ordinary centro_ordinary r_ordinary r_positive
-    v_not_zero H) as [HD [_ [HS H0]]]. split; [exact HD |]. apply Rle_trans with (1 := HS). Lra.lra.
+  exact (Sphere.certified_discriminant p v centro r p_ordinary v_ordinary centro_ordinary r_ordinary r_positive v_not_zero).
 Qed.
 
-(** Each computed parameter is within its bound of an exact one, where the conditions of its quotient hold. *)
-Theorem certified_roots widen : 1 + Raux.bpow Zaux.radix2 (-24) <= widen <= 2 ->
-  B_error < F_fl -> 2 * q_error < Rabs q_num ->
-  (2 * A_error < Rabs A_fl -> Flotante.quotient_normal widen q_num q_error A_fl A_error ->
-   exists t, value f t = 0
-   /\ Rabs (Rounding.rnd (q_num / A_fl) - t)
-      <= Flotante.quotient_error widen q_error A_fl A_error (Rounding.rnd (q_num / A_fl)))
-  /\ (Flotante.quotient_normal widen C_fl C_error q_num q_error ->
-   exists t, value f t = 0
-   /\ Rabs (Rounding.rnd (C_fl / q_num) - t)
-      <= Flotante.quotient_error widen C_error q_num q_error (Rounding.rnd (C_fl / q_num))).
+(** Where both roots are computed, they are the two there are, in their order, each within its bound. *)
+Theorem certified_roots : Decision.has_roots recorded = true ->
+  exists t0 t1, t0 < t1 /\ (forall t, value f t = 0 <-> t = t0 \/ t = t1)
+  /\ Rabs (Formas.value (Decision.nearer recorded) - t0) <= Formas.error (Decision.nearer recorded)
+  /\ Rabs (Formas.value (Decision.farther recorded) - t1) <= Formas.error (Decision.farther recorded).
 Proof.
-  intros Hw HF Hq. destruct (Flotante.triage_roots p v centro r p_ordinary v_ordinary centro_ordinary r_ordinary
-    r_positive v_not_zero widen Hw HF Hq) as [H1 H2].
-  assert (E : forall t, value f t = Flotante.dot v v * t * t + 2 * Flotante.dot (Flotante.minus p centro) v * t
-    + (Flotante.dot (Flotante.minus p centro) (Flotante.minus p centro) - r * r)).
-  { intros t. unfold value, f, of_esfera, Tipos.sq, Tipos.dot, from, Flotante.dot, Flotante.minus; cbn. ring. }
-  split.
-  - intros HA HN. destruct (H1 HA HN) as [t [Ht Hb]]. exists t. split; [now rewrite E | exact Hb].
-  - intros HN. destruct (H2 HN) as [t [Ht Hb]]. exists t. split; [now rewrite E | exact Hb].
+  exact (Sphere.certified_roots p v centro r p_ordinary v_ordinary centro_ordinary r_ordinary r_positive v_not_zero).
+Qed.
+
+(** The whole decision: a hit is within its error of the least parameter of a point, and a miss is one. *)
+Theorem the_decision_on_a_sphere_is_right :
+  let met t := 0 < t /\ point_at ray t ∈ puntos_esfera (point centro) r in
+  let d := Formas.first_in_lanes recorded in
+  (Formas.hit d = true ->
+   exists t, is_least met t /\ Rabs (Formas.value (Formas.root d) - t) <= Formas.error (Formas.root d))
+  /\ (Formas.hit d = false -> Formas.undecided d = false -> forall t, ~ met t).
+Proof.
+  exact (Sphere.decision_in_lanes p v centro r p_ordinary v_ordinary centro_ordinary r_ordinary r_positive v_not_zero).
 Qed.
 End Sphere.
 

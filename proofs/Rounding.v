@@ -6,7 +6,7 @@
     grid k x        == x is an integer times 2^k: so is what is computed from such numbers, and 0 or at least 2^k
     near n a x m    == a is computed for x, |x| <= m, with at most n roundings: |a - x| <= ((1 + u)^n - 1) m *)
 From Coq Require Import Reals ZArith Lra Lia Psatz.
-From Flocq Require Import Core Relative Plus_error.
+From Flocq Require Import Core Relative Plus_error Mult_error.
 Local Open Scope R_scope.
 
 Notation fexp := (FLT_exp (-1074) 53).
@@ -241,6 +241,15 @@ Proof.
   apply Rle_trans with (2 := Hm), Rabs_pos.
 Qed.
 
+Lemma computed_size n k a x m : (n <= 64)%nat -> computed n k a x m -> Rabs a <= 2 * m.
+Proof.
+  intros Hn (H & _); pose proof (near_size _ _ _ _ H) as Hs; destruct H as [_ Hm].
+  pose proof (pow_bound n Hn) as Hp; pose proof u_bounds; assert (INR n <= 64).
+  { replace 64 with (INR 64) by (simpl; lra); now apply le_INR. }
+  assert (INR n * u <= 64 * / 1000000000000) by (apply Rmult_le_compat; lra || apply pos_INR).
+  apply Rle_trans with (1 := Hs), Rmult_le_compat_r; [apply Rle_trans with (2 := Hm), Rabs_pos | lra].
+Qed.
+
 (** A binary64 that is not small lies on a grid. *)
 Lemma format_grid k x : (-1022 <= k)%Z -> format x -> x = 0 \/ bpow radix2 k <= Rabs x -> grid (k - 52) x.
 Proof.
@@ -249,4 +258,50 @@ Proof.
   - unfold cexp, FLT_exp; pose proof (mag_ge_bpow radix2 x (k + 1)) as Hm.
     replace (k + 1 - 1)%Z with k in Hm by ring; specialize (Hm Hx); lia.
   - exists (Ztrunc (scaled_mantissa radix2 fexp x)); exact F.
+Qed.
+
+(** ** Sizes: how small, and how large, what is computed can be *)
+
+Lemma rnd_format x : format x -> rnd x = x.
+Proof. intros; apply round_generic; auto with typeclass_instances. Qed.
+
+Lemma format_bpow e : (-1074 <= e)%Z -> format (bpow radix2 e).
+Proof. intros He; apply generic_format_bpow; unfold FLT_exp; lia. Qed.
+
+Lemma rnd_ge_bpow e x : (-1074 <= e)%Z -> bpow radix2 e <= x -> bpow radix2 e <= rnd x.
+Proof. intros He Hx; rewrite <- (rnd_format _ (format_bpow e He)); now apply rnd_le. Qed.
+
+Lemma rnd_le_bpow e x : (-1074 <= e)%Z -> x <= bpow radix2 e -> rnd x <= bpow radix2 e.
+Proof. intros He Hx; rewrite <- (rnd_format _ (format_bpow e He)); now apply rnd_le. Qed.
+
+Lemma rnd_nonneg x : 0 <= x -> 0 <= rnd x.
+Proof. intros; rewrite <- rnd_0; now apply rnd_le. Qed.
+
+Lemma at_least_normal e x : (-1022 <= e)%Z -> bpow radix2 e <= Rabs x -> normal x.
+Proof. intros He Hx; right; apply Rle_trans with (2 := Hx); now apply bpow_le. Qed.
+
+Lemma grid_at_least k x : grid k x -> x <> 0 -> bpow radix2 k <= Rabs x.
+Proof.
+  intros [m ->] H; rewrite Rabs_mult, (Rabs_pos_eq (bpow _ _)) by apply bpow_ge_0.
+  rewrite <- (Rmult_1_l (bpow radix2 k)) at 1; apply Rmult_le_compat_r; [apply bpow_ge_0|].
+  rewrite <- abs_IZR; apply IZR_le; enough (m <> 0)%Z by lia; intros ->; apply H; ring.
+Qed.
+
+(** Whatever underflows: the least of all binary64 is added. *)
+Lemma rnd_any x : Rabs (rnd x - x) <= u * Rabs x + bpow radix2 (-1074).
+Proof.
+  destruct (error_N_FLT radix2 (-1074) 53 eq_refl (fun n => negb (Z.even n)) x) as (e & d & He & Hd & _ & ->).
+  replace (x * (1 + e) + d - x) with (e * x + d) by ring; apply Rle_trans with (1 := Rabs_triang _ _).
+  apply Rplus_le_compat.
+  - rewrite Rabs_mult; apply Rmult_le_compat_r; [apply Rabs_pos|]; apply Rle_trans with (1 := He).
+    rewrite half_ulp; lra.
+  - apply Rle_trans with (1 := Hd); pose proof (bpow_gt_0 radix2 (-1074)); lra.
+Qed.
+
+(** Doubling is exact. *)
+Lemma rnd_double x : format x -> rnd (2 * x) = 2 * x.
+Proof.
+  intros Fx; apply rnd_format; replace (2 * x) with (x * bpow radix2 1) by (replace (bpow radix2 1) with 2 by
+    reflexivity; ring).
+  now apply mult_bpow_pos_exact_FLT.
 Qed.

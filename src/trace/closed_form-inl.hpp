@@ -47,7 +47,7 @@ struct Root {
 
 /// The difference is rounded once, so its sign is right; with an infinite limit it is −∞ or NaN, and the answer false.
 template <class T>
-HWY_INLINE bool beyond(const Root<T>& root, double limit) {
+HWY_INLINE Truth<T> beyond(const Root<T>& root, Bound<T> limit) {
   return leading(T(root.t - T(limit))) > root.error;
 }
 
@@ -89,14 +89,14 @@ HWY_INLINE Place<T> place(const Quadratic<T>& f, const Root<T>& root) {
 template <class T>
 struct Found {
   Verdict verdict;
-  T t{};
-  double error = 0;
-  Slope slope{};
+  Root<T> root{};
+  Bound<T> slope{}, slope_error{};  ///< A·t + B, and how far it may be off
+  Bound<T> A{}, A_error{};
 };
 
 template <class T>
-HWY_INLINE Found<T> found_at(const Quadratic<T>& f, const Root<T>& root, const T& slope, double slope_error) {
-  return {Verdict::hit, root.t, root.error, {leading(slope), slope_error, leading(f.A), f.A_error}};
+HWY_INLINE Found<T> found_at(const Quadratic<T>& f, const Root<T>& root, const T& slope, Bound<T> slope_error) {
+  return {Verdict::hit, root, leading(slope), slope_error, leading(f.A), f.A_error};
 }
 
 /// x/y where each is known to its error: |x/y − x̂/ŷ| ≤ (x_error + |x̂/ŷ|·y_error)/(|ŷ| − y_error), and a rounding.
@@ -130,22 +130,23 @@ HWY_INLINE Stable<T> stable_sum(const Quadratic<T>& f, const Known<T>& root) {
 /// The first of the two roots that is a point of the element, the nearer one first; beyond `limit` nothing matters.
 /// Precondition: the discriminant is positive.
 template <class T>
-HWY_INLINE Found<T> first_of(const Quadratic<T>& f, double limit) {
+HWY_INLINE Found<T> first_of(const Quadratic<T>& f, Bound<T> limit) {
+  using std::abs;
   const Known<T> root_of_D = root_of_discriminant(f);
   const auto [positive, S, q] = stable_sum(f, root_of_D);
-  const double size = magnitude(q.value), A = leading(f.A);
+  const Bound<T> size = magnitude(q.value), A = leading(f.A);
   if (!(size > 2 * q.error)) return {Verdict::undecided};
 
-  const bool A_known = std::abs(A) > 2 * f.A_error;
+  const bool A_known(abs(A) > 2 * f.A_error);
   // Where A may be 0, |q/A| is at least this, which may already be beyond the element or the limit.
   bool far_away = false;
   if (!A_known) {
-    const double least = 0.9999999 * (size - q.error) / (std::abs(A) + f.A_error);
-    const double rate = magnitude(f.s1) - 4 * Numbers<T>::roundoff * f.speed;
+    const Bound<T> least = 0.9999999 * (size - q.error) / (abs(A) + f.A_error);
+    const Bound<T> rate = magnitude(f.s1) - 4 * Numbers<T>::roundoff * f.speed;
     far_away = least > limit || (f.bounded && least * rate > 2 * f.reach);
     if (!far_away) return {Verdict::undecided};
   }
-  const bool A_root_first = (A > 0) == positive;
+  const bool A_root_first((A > 0) == positive);
   for (int turn = 0; turn < 2; ++turn) {
     const bool A_root = (turn == 0) == A_root_first;
     if (A_root && far_away) continue;
@@ -161,7 +162,7 @@ HWY_INLINE Found<T> first_of(const Quadratic<T>& f, double limit) {
 
 /// The ray starts on the element, so C = 0: the roots are 0, which is no point of the ray, and −2B/A.
 template <class T>
-HWY_INLINE Found<T> first_from_surface(const Quadratic<T>& f, double limit) {
+HWY_INLINE Found<T> first_from_surface(const Quadratic<T>& f, Bound<T> limit) {
   if (!(magnitude(f.A) > 2 * f.A_error)) return {Verdict::undecided};
   const Root<T> root = quotient(T(-(f.B + f.B)), 2 * f.B_error, f.A, f.A_error);
   if (beyond(root, limit)) return {Verdict::miss};
@@ -179,7 +180,7 @@ HWY_INLINE Root<T> root_of_linear(const Quadratic<T>& f) {
 /// A is 0. Where B may be 0 as well the ray may lie in the surface, which this T cannot tell; where it starts on the
 /// element C is 0, and so is the only root.
 template <class T>
-HWY_INLINE Found<T> first_of_linear(const Quadratic<T>& f, bool on, double limit) {
+HWY_INLINE Found<T> first_of_linear(const Quadratic<T>& f, bool on, Bound<T> limit) {
   if (!(magnitude(f.B) > 2 * f.B_error)) return {Verdict::undecided};
   if (on) return {Verdict::miss};
   const Root<T> root = root_of_linear(f);
@@ -189,53 +190,62 @@ HWY_INLINE Found<T> first_of_linear(const Quadratic<T>& f, bool on, double limit
   return {where.outside ? Verdict::miss : Verdict::undecided};
 }
 
-/// The first point of the ray on the element, or none (none up to the limit), or that this T cannot tell.
-/// on: the ray starts on the element. Precondition: element and ray are ordinary.
-template <class T, class Element>
-HWY_INLINE Found<T> closed_form(const Element& element, const Ray& ray, bool on, double limit) {
-  const Quadratic<T> f = quadratic<T>(element, ray);
-  if constexpr (is_linear(Element::tipo)) return first_of_linear(f, on, limit);
+/// A is not 0 whatever the ray. on: as below.
+template <class T>
+HWY_INLINE Found<T> first_of_curved(const Quadratic<T>& f, bool on, Bound<T> limit) {
   if (on) return first_from_surface(f, limit);
   if (leading(f.F) < -f.B_error) return {Verdict::miss};
   if (!(leading(f.F) > f.B_error)) return {Verdict::undecided};
   return first_of(f, limit);
 }
 
+/// The first point of the ray on the element, or none (none up to the limit), or that this T cannot tell.
+/// on: the ray starts on the element. Precondition: element and ray are ordinary.
+template <class T, class Element>
+HWY_INLINE Found<T> closed_form(const Element& element, const Ray& ray, bool on, double limit) {
+  const Quadratic<T> f = quadratic<T>(element, ray);
+  if constexpr (is_linear(Element::tipo)) return first_of_linear<T>(f, on, limit);
+  return first_of_curved<T>(f, on, limit);
+}
+
 /// The slope is of use to the triage's root alone; cut to its leading part it would be far from its error of the
 /// stable.
 template <class T>
 HWY_INLINE Finding published(const Found<T>& found) {
-  if constexpr (requires { found.t.lo; }) {
-    return {found.verdict, found.t.hi, found.t.lo, found.error};
+  const auto& [t, error] = found.root;
+  if constexpr (requires { t.lo; }) {
+    return {found.verdict, t.hi, t.lo, error};
   } else {
-    return {found.verdict, found.t, 0, found.error, found.slope};
+    return {found.verdict, t, 0, error, {found.slope, found.slope_error, found.A, found.A_error}};
   }
 }
 
 /// The same in lanes, for rays that do not start on the element and without a limit: both roots are always taken, and
-/// a lane where A may be 0 is undecided.
+/// a lane where A may be 0 is undecided. L is Lanes; proofs/Formas.v is written from what another L is asked.
+template <class L>
 struct LanesFound {
-  LaneMask hit, undecided;
-  Root<Lanes> root;
-  Lanes slope, slope_error;
+  Truth<L> hit, undecided;
+  Root<L> root;
+  L slope, slope_error;
 };
-HWY_INLINE LanesFound first_in_lanes(const Quadratic<Lanes>& f) {
-  const LaneMask missed = f.F < -f.B_error;
-  const LaneMask met = f.F > f.B_error;
-  const Known<Lanes> root_of_D = root_of_discriminant(f);
+template <class L>
+HWY_INLINE LanesFound<L> first_in_lanes(const Quadratic<L>& f) {
+  const Truth<L> missed = f.F < -f.B_error;
+  const Truth<L> met = f.F > f.B_error;
+  const Known<L> root_of_D = root_of_discriminant(f);
   const auto [positive, S, q] = stable_sum(f, root_of_D);
-  const LaneMask known = met & (abs(q.value) > 2 * q.error) & (abs(f.A) > 2 * f.A_error);
+  const Truth<L> known = met & (abs(q.value) > 2 * q.error) & (abs(f.A) > 2 * f.A_error);
 
-  const Root<Lanes> of_A = quotient(q.value, q.error, f.A, f.A_error);
-  const Root<Lanes> of_C = quotient(f.C, f.C_error, q.value, q.error);
-  const LaneMask A_root_first = (f.A > 0) == positive;
-  const Root<Lanes> near{choose(A_root_first, of_A.t, of_C.t), choose(A_root_first, of_A.error, of_C.error)};
-  const Root<Lanes> far{choose(A_root_first, of_C.t, of_A.t), choose(A_root_first, of_C.error, of_A.error)};
-  const Place<Lanes> at_near = place(f, near), at_far = place(f, far);
-  const LaneMask far_one = at_near.outside & at_far.inside;
+  const Root<L> of_A = quotient(q.value, q.error, f.A, f.A_error);
+  const Root<L> of_C = quotient(f.C, f.C_error, q.value, q.error);
+  const Truth<L> A_root_first = (f.A > 0) == positive;
+  const Root<L> near{choose(A_root_first, of_A.t, of_C.t), choose(A_root_first, of_A.error, of_C.error)};
+  const Root<L> far{choose(A_root_first, of_C.t, of_A.t), choose(A_root_first, of_C.error, of_A.error)};
+  const Place<L> at_near = place(f, near), at_far = place(f, far);
+  const Truth<L> far_one = at_near.outside & at_far.inside;
 
-  const LaneMask hit = known & (at_near.inside | far_one);
-  const LaneMask miss = missed | (known & at_near.outside & at_far.outside);
+  const Truth<L> hit = known & (at_near.inside | far_one);
+  const Truth<L> miss = missed | (known & at_near.outside & at_far.outside);
   return {hit,
           !(hit | miss),
           {choose(far_one, far.t, near.t), choose(far_one, far.error, near.error)},
@@ -244,27 +254,41 @@ HWY_INLINE LanesFound first_in_lanes(const Quadratic<Lanes>& f) {
 }
 
 /// Where there is one root, in the lanes where it is known.
-HWY_INLINE LanesFound only_root(const Quadratic<Lanes>& f, LaneMask known, const Root<Lanes>& root, Lanes slope) {
-  const Place<Lanes> at = place(f, root);
-  const LaneMask hit = known & at.inside, miss = known & at.outside;
+template <class L>
+HWY_INLINE LanesFound<L> only_root(const Quadratic<L>& f, Truth<L> known, const Root<L>& root, L slope) {
+  const Place<L> at = place(f, root);
+  const Truth<L> hit = known & at.inside, miss = known & at.outside;
   return {hit, !(hit | miss), root, slope, f.B_error};
 }
 
 /// The same where A is 0.
-HWY_INLINE LanesFound first_of_linear_in_lanes(const Quadratic<Lanes>& f) {
-  return only_root(f, abs(f.B) > 2 * f.B_error, root_of_linear(f), f.B);
+template <class L>
+HWY_INLINE LanesFound<L> first_of_linear_in_lanes(const Quadratic<L>& f) {
+  return only_root<L>(f, abs(f.B) > 2 * f.B_error, root_of_linear(f), f.B);
 }
 
 /// As first_from_surface.
-HWY_INLINE LanesFound first_from_surface_in_lanes(const Quadratic<Lanes>& f) {
-  const Root<Lanes> root = quotient(-(f.B + f.B), 2 * f.B_error, f.A, f.A_error);
-  return only_root(f, abs(f.A) > 2 * f.A_error, root, -f.B);
+template <class L>
+HWY_INLINE LanesFound<L> first_from_surface_in_lanes(const Quadratic<L>& f) {
+  const Root<L> root = quotient(-(f.B + f.B), 2 * f.B_error, f.A, f.A_error);
+  return only_root<L>(f, abs(f.A) > 2 * f.A_error, root, -f.B);
 }
 
 /// As first_of_linear of a ray that starts on the element: the only root is 0, which is no point of the ray.
-HWY_INLINE LanesFound first_of_linear_from_surface_in_lanes(const Quadratic<Lanes>& f) {
-  const LaneMask known = abs(f.B) > 2 * f.B_error;
+template <class L>
+HWY_INLINE LanesFound<L> first_of_linear_from_surface_in_lanes(const Quadratic<L>& f) {
+  const Truth<L> known = abs(f.B) > 2 * f.B_error;
   return {known & !known, !known, {}, f.B, f.B_error};
+}
+
+/// What is found in lanes of rays that do not start on their elements, of one type, and of rays that do.
+template <model::Tipo tipo, class L>
+HWY_INLINE LanesFound<L> found_in_lanes(const Quadratic<L>& f) {
+  return is_linear(tipo) ? first_of_linear_in_lanes(f) : first_in_lanes(f);
+}
+template <model::Tipo tipo, class L>
+HWY_INLINE LanesFound<L> found_in_lanes_from(const Quadratic<L>& f) {
+  return is_linear(tipo) ? first_of_linear_from_surface_in_lanes(f) : first_from_surface_in_lanes(f);
 }
 
 }  // namespace HWY_NAMESPACE

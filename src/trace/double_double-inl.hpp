@@ -20,6 +20,7 @@
 #include <hwy/highway.h>
 
 #include <cmath>
+#include <type_traits>
 
 #include "trace/lanes-inl.hpp"
 
@@ -48,9 +49,26 @@ HWY_INLINE Twofold<R> two_sum(R a, R b) {
 }
 
 /// a + b, exactly. Precondition: |a| ≥ |b| or a = 0.
-HWY_INLINE DoubleDouble fast_two_sum(double a, double b) {
-  const double sum = a + b;
+template <class R>
+HWY_INLINE Twofold<R> fast_two_sum(R a, R b) {
+  const R sum = a + b;
   return {sum, b - (sum - a)};
+}
+
+/// a as a sum of two numbers of 26 bits (Veltkamp). Precondition: |a| < 2⁹⁹⁵.
+template <class R>
+HWY_INLINE Twofold<R> split(R a) {
+  const R shifted = R(0x1.0000002p27) * a;
+  const R high = shifted - (shifted - a);
+  return {high, a - high};
+}
+
+/// a·b, exactly (Dekker).
+template <class R>
+HWY_INLINE Twofold<R> two_prod_of_halves(R a, R b) {
+  const R product = a * b;
+  const Twofold<R> x = split(a), y = split(b);
+  return {product, ((x.hi * y.hi - product) + x.hi * y.lo + x.lo * y.hi) + x.lo * y.lo};
 }
 
 /// fused_multiply_subtract: a·b − c rounded once. The one place where it is asked for; only where the hardware has it.
@@ -65,52 +83,54 @@ HWY_INLINE Twofold<R> two_prod(R a, R b) {
   return {product, fused_multiply_subtract(a, b, product)};
 }
 #else
-/// a as a sum of two numbers of 26 bits (Veltkamp). Precondition: |a| < 2⁹⁹⁵.
-template <class R>
-HWY_INLINE Twofold<R> split(R a) {
-  const R shifted = R(0x1.0000002p27) * a;
-  const R high = shifted - (shifted - a);
-  return {high, a - high};
-}
-
-/// a·b, exactly (Dekker).
+/// a·b, exactly.
 template <class R>
 HWY_INLINE Twofold<R> two_prod(R a, R b) {
-  const R product = a * b;
-  const Twofold<R> x = split(a), y = split(b);
-  return {product, ((x.hi * y.hi - product) + x.hi * y.lo + x.lo * y.hi) + x.lo * y.lo};
+  return two_prod_of_halves(a, b);
 }
 #endif
 
-HWY_INLINE DoubleDouble operator-(const DoubleDouble& a) { return {-a.hi, -a.lo}; }
+template <class R>
+HWY_INLINE Twofold<R> operator-(const Twofold<R>& a) {
+  return {-a.hi, -a.lo};
+}
 
-HWY_INLINE DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
-  const DoubleDouble high = two_sum(a.hi, b.hi), low = two_sum(a.lo, b.lo);
-  const DoubleDouble sum = fast_two_sum(high.hi, high.lo + low.hi);
+template <class R>
+HWY_INLINE Twofold<R> operator+(const Twofold<R>& a, const Twofold<R>& b) {
+  const Twofold<R> high = two_sum(a.hi, b.hi), low = two_sum(a.lo, b.lo);
+  const Twofold<R> sum = fast_two_sum(high.hi, high.lo + low.hi);
   return fast_two_sum(sum.hi, low.lo + sum.lo);
 }
-HWY_INLINE DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) { return a + -b; }
+template <class R>
+HWY_INLINE Twofold<R> operator-(const Twofold<R>& a, const Twofold<R>& b) {
+  return a + -b;
+}
 
-HWY_INLINE DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
-  const DoubleDouble high = two_prod(a.hi, b.hi);
+template <class R>
+HWY_INLINE Twofold<R> operator*(const Twofold<R>& a, const Twofold<R>& b) {
+  const Twofold<R> high = two_prod(a.hi, b.hi);
   return fast_two_sum(high.hi, high.lo + (a.lo * b.lo + (a.hi * b.lo + a.lo * b.hi)));
 }
-HWY_INLINE DoubleDouble operator*(const DoubleDouble& a, double b) {
-  const DoubleDouble high = two_prod(a.hi, b);
+template <class R>
+HWY_INLINE Twofold<R> operator*(const Twofold<R>& a, std::type_identity_t<R> b) {
+  const Twofold<R> high = two_prod(a.hi, b);
   return fast_two_sum(high.hi, high.lo + a.lo * b);
 }
 
-HWY_INLINE DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
-  const double high = a.hi / b.hi;
-  const DoubleDouble rest = a - b * high;
+template <class R>
+HWY_INLINE Twofold<R> operator/(const Twofold<R>& a, const Twofold<R>& b) {
+  const R high = a.hi / b.hi;
+  const Twofold<R> rest = a - b * high;
   return fast_two_sum(high, rest.hi / b.hi);
 }
 
 /// Precondition: a ≥ 0.
-HWY_INLINE DoubleDouble sqrt(const DoubleDouble& a) {
+template <class R>
+HWY_INLINE Twofold<R> sqrt(const Twofold<R>& a) {
+  using std::sqrt;
   if (a.hi <= 0) return {};
-  const double high = std::sqrt(a.hi);
-  const DoubleDouble rest = a - two_prod(high, high);
+  const R high = sqrt(a.hi);
+  const Twofold<R> rest = a - two_prod(high, high);
   return fast_two_sum(high, rest.hi / (2 * high));
 }
 

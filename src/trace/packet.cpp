@@ -18,7 +18,7 @@ HWY_INLINE void find_in(const Packet& packet, Findings& findings, Find find) {
   findings.hit = findings.undecided = 0;
   for (std::size_t at = 0; at < Packet::size; at += lanes()) {
     const Quadratic<Lanes> f = quadratic<Lanes>(element<tipo>(packet, at), rays(packet, at));
-    const LanesFound found = find(f);
+    const LanesFound<Lanes> found = find(f);
     found.root.t.store(&findings.t[at]);
     found.root.error.store(&findings.error[at]);
     found.slope.store(&findings.at_root[at]);
@@ -32,17 +32,15 @@ HWY_INLINE void find_in(const Packet& packet, Findings& findings, Find find) {
 
 void triage_packet(const Packet& packet, model::Tipo tipo, Findings& findings) {
   scene::with_shape(tipo, [&]<class Shape>(std::type_identity<Shape>) HWY_ATTR {
-    find_in<Shape::tipo>(packet, findings, [](const Quadratic<Lanes>& f) HWY_ATTR {
-      return is_linear(Shape::tipo) ? first_of_linear_in_lanes(f) : first_in_lanes(f);
-    });
+    find_in<Shape::tipo>(packet, findings,
+                         [](const Quadratic<Lanes>& f) HWY_ATTR { return found_in_lanes<Shape::tipo>(f); });
   });
 }
 
 void triage_packet_from(const Packet& packet, model::Tipo tipo, Findings& findings) {
   scene::with_shape(tipo, [&]<class Shape>(std::type_identity<Shape>) HWY_ATTR {
-    find_in<Shape::tipo>(packet, findings, [](const Quadratic<Lanes>& f) HWY_ATTR {
-      return is_linear(Shape::tipo) ? first_of_linear_from_surface_in_lanes(f) : first_from_surface_in_lanes(f);
-    });
+    find_in<Shape::tipo>(packet, findings,
+                         [](const Quadratic<Lanes>& f) HWY_ATTR { return found_in_lanes_from<Shape::tipo>(f); });
   });
 }
 

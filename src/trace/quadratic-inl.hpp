@@ -25,7 +25,8 @@
 /// roundings that all go one way, and lengths by the sum of their components. Of double-double it is 1/750 and 1/150,
 /// as its operations are taken to err by 16u² where they mostly err by less than one. A narrower bound would change no
 /// answer, only spare the next step some rays, and of four million ordinary ones none comes there (tests/bench, steps);
-/// and for the sphere it is these 64 that are proved (proofs/Flotante.v).
+/// and for the sphere it is these 64 that are proved (proofs/Flotante.v), of what this header computes
+/// (proofs/Formas.v).
 ///
 /// Range. Every number of the element and of the ray is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰ (`ordinary`), so no value
 /// exceeds 2⁹⁰⁰ and none overflows. An operation that underflows adds at most 2⁻¹⁰⁷⁴, and later factors make that less
@@ -87,18 +88,20 @@ constexpr bool is_linear(model::Tipo tipo) {
 }
 
 /// Rays and elements of one type in lanes, with the letters of the shapes of scene. What the type has not is 0.
-struct LaneRay {
-  Vec<Lanes> p, v;
-  Lanes speed;
+template <class L>
+struct RayIn {
+  Vec<L> p, v;
+  L speed;
 };
-template <model::Tipo of_all>
+using LaneRay = RayIn<Lanes>;
+template <model::Tipo of_all, class L = Lanes>
 struct LaneElement {
   static constexpr model::Tipo tipo = of_all;
-  Vec<Lanes> centro;
-  Lanes radio, proporcion;
-  Vec<Lanes> vector;
-  Lanes altura;
-  std::array<Vec<Lanes>, 3> vertices;
+  Vec<L> centro;
+  L radio, proporcion;
+  Vec<L> vector;
+  L altura;
+  std::array<Vec<L>, 3> vertices;
 };
 
 /// What the shapes along an axis share.

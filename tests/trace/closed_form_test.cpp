@@ -114,10 +114,9 @@ void measure_from_surface(Random& random, const std::string& step, Worst_Ratios&
   const auto found = steps::first_from_surface(f, trace::no_limit);
   if (found.verdict != Verdict::hit) return;
   const Dyadic A = exact(f.A) + Dyadic(off_A), B = exact(f.B) + Dyadic(off_B);
-  worst.note(step + " root from the surface", Fraction{shifted(-B, 1), A}.ratio(exact(found.t), found.error));
+  worst.note(step + " root from the surface", Fraction{shifted(-B, 1), A}.ratio(exact(found.root.t), found.root.error));
   if constexpr (std::is_same_v<T, double>) {
-    worst.note(step + " slope from the surface",
-               ratio(Dyadic(found.slope.at_root) + B, Dyadic(found.slope.at_root_error)));
+    worst.note(step + " slope from the surface", ratio(Dyadic(found.slope) + B, Dyadic(found.slope_error)));
   }
 }
 

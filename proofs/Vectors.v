@@ -1,0 +1,136 @@
+(** * Vectors: of real numbers, exact and computed, with bounds on what is computed of them
+
+    vec, minus, dot, cross, norm == exact vectors;  extent == the sum of the components' sizes
+    X_fl                         == the same, each operation rounded once, as src/trace/numbers-inl.hpp computes it
+    on_grid k a                  == each component is a binary64 and an integer times 2^k
+    close n k a x                == each component of a is computed for x's, with at most n roundings *)
+From Coq Require Import Reals ZArith Lra Lia Psatz.
+From Flocq Require Import Core.
+From Durero Require Import Rounding.
+Local Open Scope R_scope.
+Local Opaque bpow.
+
+Record vec := Vec { cx : R; cy : R; cz : R }.
+
+Definition dot (a b : vec) : R := cx a * cx b + cy a * cy b + cz a * cz b.
+Definition cross (a b : vec) : vec :=
+  Vec (cy a * cz b - cz a * cy b) (cz a * cx b - cx a * cz b) (cx a * cy b - cy a * cx b).
+Definition norm (a : vec) : R := sqrt (dot a a).
+Definition extent (a : vec) : R := Rabs (cx a) + Rabs (cy a) + Rabs (cz a).
+Definition minus (a b : vec) : vec := Vec (cx a - cx b) (cy a - cy b) (cz a - cz b).
+
+Definition dot_fl (a b : vec) : R := rnd (rnd (rnd (cx a * cx b) + rnd (cy a * cy b)) + rnd (cz a * cz b)).
+Definition cross_fl (a b : vec) : vec :=
+  Vec (rnd (rnd (cy a * cz b) - rnd (cz a * cy b))) (rnd (rnd (cz a * cx b) - rnd (cx a * cz b)))
+    (rnd (rnd (cx a * cy b) - rnd (cy a * cx b))).
+Definition norm_fl (a : vec) : R := rnd (sqrt (dot_fl a a)).
+Definition extent_fl (a : vec) : R := rnd (rnd (Rabs (cx a) + Rabs (cy a)) + Rabs (cz a)).
+Definition minus_fl (a b : vec) : vec := Vec (rnd (cx a - cx b)) (rnd (cy a - cy b)) (rnd (cz a - cz b)).
+
+(** ** Vectors *)
+
+Definition on_grid (k : Z) (a : vec) : Prop :=
+  format (cx a) /\ format (cy a) /\ format (cz a) /\ grid k (cx a) /\ grid k (cy a) /\ grid k (cz a).
+
+(** Each component is computed, relative to the exact one's size. *)
+Definition close (n : nat) (k : Z) (a x : vec) : Prop :=
+  computed n k (cx a) (cx x) (Rabs (cx x)) /\ computed n k (cy a) (cy x) (Rabs (cy x)) /\
+  computed n k (cz a) (cz x) (Rabs (cz x)).
+
+Lemma close_exact k a : on_grid k a -> close 0 k a a.
+Proof. intros (? & ? & ? & ? & ? & ?); repeat split; try assumption; apply near_exact. Qed.
+
+(** The dot product of the magnitudes. *)
+Definition size_of_dot (a b : vec) : R :=
+  Rabs (cx a) * Rabs (cx b) + Rabs (cy a) * Rabs (cy b) + Rabs (cz a) * Rabs (cz b).
+
+Lemma dot_computed i j k l a b x y : (-1022 <= k + l)%Z -> close i k a x -> close j l b y ->
+  computed (S (S (S (i + j)))) (k + l) (dot_fl a b) (dot x y) (size_of_dot x y).
+Proof.
+  intros Hk (Ax & Ay & Az) (Bx & By & Bz); apply computed_plus; [assumption | |].
+  - apply computed_plus; [assumption | |]; now apply computed_mult.
+  - apply (computed_more (S (i + j))); [lia|]; now apply computed_mult.
+Qed.
+
+Lemma extent_computed n k a x : (-1022 <= k)%Z -> close n k a x ->
+  computed (S (S n)) k (extent_fl a) (extent x) (extent x).
+Proof.
+  intros Hk (Ax & Ay & Az); apply computed_plus; [assumption | |].
+  - apply computed_plus; [assumption | |]; now apply computed_abs.
+  - apply (computed_more n); [lia|]; now apply computed_abs.
+Qed.
+
+Lemma abs_sum_squares x y z : 0 <= x * x + y * y + z * z.
+Proof. nra. Qed.
+
+Lemma norm_nonneg a : 0 <= norm a. Proof. apply sqrt_pos. Qed.
+Lemma norm_square a : norm a * norm a = dot a a. Proof. apply sqrt_sqrt, abs_sum_squares. Qed.
+
+Lemma extent_nonneg a : 0 <= extent a.
+Proof. unfold extent; pose proof (Rabs_pos (cx a)); pose proof (Rabs_pos (cy a)); pose proof (Rabs_pos (cz a));
+  lra. Qed.
+
+(** The norm moves no more than the components do. *)
+Lemma norm_lipschitz a b : Rabs (norm a - norm b) <= extent (minus a b).
+Proof.
+  destruct a as [x y z], b as [x' y' z']; unfold norm, dot, extent, minus; simpl.
+  pose proof (sqrt_lipschitz x x' (y * y + z * z) ltac:(nra)) as H1.
+  pose proof (sqrt_lipschitz y y' (x' * x' + z * z) ltac:(nra)) as H2.
+  pose proof (sqrt_lipschitz z z' (x' * x' + y' * y') ltac:(nra)) as H3.
+  replace (x * x + (y * y + z * z)) with (x * x + y * y + z * z) in H1 by ring.
+  replace (y * y + (x' * x' + z * z)) with (x' * x' + (y * y + z * z)) in H2 by ring.
+  replace (y' * y' + (x' * x' + z * z)) with (z * z + (x' * x' + y' * y')) in H2 by ring.
+  replace (z' * z' + (x' * x' + y' * y')) with (x' * x' + y' * y' + z' * z') in H3 by ring.
+  apply Rabs_le_inv in H1, H2, H3; apply Rabs_le; lra.
+Qed.
+
+Lemma norm_le_extent a : norm a <= extent a.
+Proof.
+  pose proof (norm_lipschitz a (Vec 0 0 0)) as H; unfold norm at 2, dot in H; simpl in H.
+  replace (0 * 0 + 0 * 0 + 0 * 0) with 0 in H by ring; rewrite sqrt_0 in H.
+  unfold extent, minus in *; simpl in H; rewrite !Rminus_0_r in H; apply Rabs_le_inv in H; lra.
+Qed.
+
+Lemma size_of_dot_le a b : size_of_dot a b <= extent a * extent b.
+Proof.
+  unfold size_of_dot, extent; pose proof (Rabs_pos (cx a)); pose proof (Rabs_pos (cy a)); pose proof (Rabs_pos (cz a)).
+  pose proof (Rabs_pos (cx b)); pose proof (Rabs_pos (cy b)); pose proof (Rabs_pos (cz b)); nra.
+Qed.
+
+(** Eight units for a computed length: six for the square's three roundings, one for the root's, one to spare. *)
+Lemma norm_computed k a : (-511 <= k)%Z -> on_grid k a ->
+  Rabs (norm_fl a - norm a) <= 8 * u * norm a /\ (norm_fl a = 0 \/ bpow radix2 k <= norm_fl a).
+Proof.
+  intros Hk Ha; pose proof u_bounds; pose proof (norm_nonneg a) as Hn.
+  pose proof (dot_computed 0 0 k k a a a a ltac:(lia) (close_exact k a Ha) (close_exact k a Ha)) as Hc.
+  replace (size_of_dot a a) with (norm a * norm a) in Hc.
+  2: { rewrite norm_square; unfold size_of_dot, dot; rewrite <- !Rabs_mult, !Rabs_pos_eq; [reflexivity | nra..]. }
+  pose proof (computed_error 3 _ _ _ _ ltac:(lia) Hc) as He; rewrite <- norm_square in He; simpl INR in He.
+  destruct Hc as (_ & _ & HG); unfold norm_fl; set (G := dot_fl a a) in *.
+  assert (HG0 : 0 <= G) by (apply Rabs_le_inv in He; nra).
+  assert (HGk : G = 0 \/ bpow radix2 k * bpow radix2 k <= G).
+  { destruct HG as [m Hm]; rewrite <- bpow_plus; destruct (Z_lt_le_dec 0 m) as [Hp|Hp]; [right | left].
+    - rewrite Hm; rewrite <- (Rmult_1_l (bpow radix2 (k + k))) at 1.
+      apply Rmult_le_compat_r; [apply bpow_ge_0 | apply IZR_le; lia].
+    - apply IZR_le in Hp; pose proof (bpow_gt_0 radix2 (k + k)); nra. }
+  assert (Hroot : sqrt G = 0 \/ bpow radix2 k <= sqrt G).
+  { destruct HGk as [->|HGk]; [left; apply sqrt_0 | right].
+    rewrite <- (sqrt_square (bpow radix2 k)) by apply bpow_ge_0; now apply sqrt_le_1_alt. }
+  split.
+  - assert (Hd : Rabs (sqrt G - norm a) <= 6 * u * norm a).
+    { destruct (Req_dec (norm a) 0) as [Z0|N0].
+      - rewrite Z0 in *; assert (G = 0) as -> by (apply Rabs_le_inv in He; nra).
+        rewrite sqrt_0, Rminus_0_r, Rabs_R0; lra.
+      - rewrite Rabs_minus_sym; unfold norm at 1.
+        apply Rle_trans with (1 := sqrt_distance (dot a a) G ltac:(rewrite <- norm_square; nra) HG0).
+        fold (norm a); rewrite Rabs_minus_sym, <- norm_square; apply Rmult_le_reg_r with (norm a); [lra|].
+        unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra; lra. }
+    assert (Hr : Rabs (rnd (sqrt G) - sqrt G) <= u * Rabs (sqrt G)).
+    { apply rnd_rel; destruct Hroot as [->|Hroot]; [now left | right].
+      rewrite Rabs_pos_eq by apply sqrt_pos; apply Rle_trans with (2 := Hroot), bpow_le; lia. }
+    rewrite (Rabs_pos_eq (sqrt G)) in Hr by apply sqrt_pos.
+    apply Rabs_le_inv in Hd, Hr; apply Rabs_le; nra.
+  - destruct Hroot as [->|Hroot]; [left; apply rnd_0 | right].
+    replace (bpow radix2 k) with (rnd (bpow radix2 k)); [now apply rnd_le|].
+    apply round_generic; [auto with typeclass_instances | apply generic_format_bpow; unfold FLT_exp; lia].
+Qed.

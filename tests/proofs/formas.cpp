@@ -1,0 +1,251 @@
+/// Writes proofs/Formas.v: what the templates of the tracer compute, as terms of Coq. It is compiled from the same
+/// headers as the tracer, over a number type that records (recorded.hpp).
+///   formas >proofs/Formas.v
+#include <cstdio>
+#include <string>
+
+#include "durero/scene/shapes.hpp"
+#include "proofs/recorder.hpp"
+
+namespace durero::trace::HWY_NAMESPACE {
+namespace {
+
+constexpr const char* head = R"((** * Formas: the formulas of the tracer, as its C++ templates compute them
+
+    Written from src/trace by tests/proofs/formas.cpp, and not by hand; the test trace/formas fails where it is not what
+    that writes. Each operation that the program rounds is a [rnd]; what the program computes once stands once. The names
+    are those of the headers quadratic-inl.hpp, closed_form-inl.hpp, double_double-inl.hpp and of the words in files.
+
+    quadratic T        == what is computed of a ray and an element, over the numbers T: R is binary64, twofold is Pairs
+    X_axial, X_edged   == X where the element is bounded by a stretch of its axis, by the edge of a part of a plane
+    X_in_lanes         == the decision for many rays, without branches; first_of_X: for one ray, up to a limit
+    X_on               == X of a ray that starts on the element
+    Pairs              == the same over double-double, the second step, and its operations over binary64 *)
+From Coq Require Import Reals ZArith Bool.
+From Flocq Require Import Core.
+From Durero Require Import Rounding Vectors.
+Local Open Scope R_scope.
+
+Record quadratic (T : Type) := Quadratic { A : T; B : T; C : T; F : T; H : T; A_error : R; B_error : R; C_error : R;
+  s0 : T; s1 : T; altura : R; reach : R; speed : R; margin : R; margin_error : R }.
+Arguments Quadratic {T}. Arguments A {T}. Arguments B {T}. Arguments C {T}. Arguments F {T}. Arguments H {T}.
+Arguments A_error {T}. Arguments B_error {T}. Arguments C_error {T}. Arguments s0 {T}. Arguments s1 {T}.
+Arguments altura {T}. Arguments reach {T}. Arguments speed {T}. Arguments margin {T}. Arguments margin_error {T}.
+Record known (T : Type) := Known { value : T; error : R }.
+Arguments Known {T}. Arguments value {T}. Arguments error {T}.
+Record stable (T : Type) := Stable { positive : bool; signed_root : T; q : known T }.
+Arguments Stable {T}. Arguments positive {T}. Arguments signed_root {T}. Arguments q {T}.
+Record placed := Placed { outside : bool; inside : bool }.
+Record in_lanes := In_lanes { hit : bool; undecided : bool; root : known R; slope : known R }.
+Inductive answer (T : Type) := Miss | Undecided | Hit (root : known T) (slope : known R) (curvature : known R).
+Arguments Miss {T}. Arguments Undecided {T}. Arguments Hit {T}.
+)";
+
+/// A part of what is defined, by a form without operands.
+Node built(const std::string& constructor, const std::vector<Node>& parts) {
+  Form form{constructor, Tightness::application};
+  for (std::size_t i = 0; i < parts.size(); ++i) form.text += " %" + std::to_string(i);
+  return record(form, parts);
+}
+template <class T>
+Node known(const T& value, Term error) {
+  return built("Known", {value.node, error.node});
+}
+
+// Names of what the definitions are of.
+
+Term real(const std::string& name) { return Term(name); }
+template <class T>
+T variable(const std::string& name) {
+  return T(called(name), {});
+}
+Vec<Term> vector(const std::string& name) { return {real("cx " + name), real("cy " + name), real("cz " + name)}; }
+
+template <model::Tipo tipo>
+LaneElement<tipo, Term> element() {
+  return {vector("centro"), real("radio"),  real("proporcion"),
+          vector("vector"), real("altura"), {vector("a"), vector("b"), vector("c")}};
+}
+RayIn<Term> ray() { return {vector("p"), vector("v"), real("speed")}; }
+
+/// What a shape is stored as, as the variables of a definition.
+std::string variables(std::string_view word, double) { return " (" + std::string(word) + " : R)"; }
+std::string variables(std::string_view word, const glm::dvec3&) { return " (" + std::string(word) + " : vec)"; }
+std::string variables(std::string_view, const scene::Corners&) { return " (a b c : vec)"; }
+
+/// Any quadratic of that kind, its parts by their names.
+enum class Kind { free, axial, edged };
+template <class T>
+Quadratic<T> any_quadratic(Kind kind) {
+  const auto of = [](const char* name) { return variable<T>(std::string(name) + " f"); };
+  const auto bound = [](const char* name) { return real(std::string(name) + " f"); };
+  Quadratic<T> f;
+  f.A = of("A"), f.B = of("B"), f.C = of("C"), f.F = of("F"), f.H = of("H"), f.s0 = of("s0"), f.s1 = of("s1");
+  f.A_error = bound("A_error"), f.B_error = bound("B_error"), f.C_error = bound("C_error");
+  f.altura = bound("altura"), f.reach = bound("reach"), f.speed = bound("speed");
+  f.margin = bound("margin"), f.margin_error = bound("margin_error");
+  f.bounded = kind == Kind::axial, f.edged = kind == Kind::edged;
+  return f;
+}
+std::string suffix(Kind kind) {
+  switch (kind) {
+    case Kind::free:
+      return "";
+    case Kind::axial:
+      return "_axial";
+    case Kind::edged:
+      return "_edged";
+  }
+  __builtin_unreachable();
+}
+
+template <class T>
+Built of_quadratic(const Quadratic<T>& f) {
+  return {"Quadratic",
+          {f.A.node, f.B.node, f.C.node, f.F.node, f.H.node, f.A_error.node, f.B_error.node, f.C_error.node, f.s0.node,
+           f.s1.node, f.altura.node, f.reach.node, f.speed.node, f.margin.node, f.margin_error.node},
+          {"A", "B", "C", "F", "H", "A_error", "B_error", "C_error", "s0", "s1", "altura", "reach", "speed", "margin",
+           "margin_error"}};
+}
+
+Built of_lanes(const LanesFound<Term>& found) {
+  return {"In_lanes",
+          {found.hit.node, found.undecided.node, known(found.root.t, found.root.error),
+           known(found.slope, found.slope_error)},
+          {"hit", "undecided", "root", "slope"}};
+}
+
+template <class T>
+Built of_found(const Found<T>& found) {
+  switch (found.verdict) {
+    case Verdict::miss:
+      return {"Miss", {}};
+    case Verdict::undecided:
+      return {"Undecided", {}};
+    case Verdict::hit:
+      return {"Hit",
+              {known(found.root.t, found.root.error), known(found.slope, found.slope_error),
+               known(found.A, found.A_error)}};
+  }
+  __builtin_unreachable();
+}
+
+/// The quadratic of each shape.
+template <class T>
+void of_shapes(const std::string& type) {
+  scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
+    std::string given = " (p v : vec) (speed : R)";
+    scene::for_each_attribute<Shape>(
+        [&](const auto& attribute) { given += variables(attribute.word, Shape().*attribute.field); });
+    define("", std::string(Shape::word) + given + " : quadratic " + type,
+           [&] { return of_quadratic(quadratic<T>(element<Shape::tipo>(), ray())); });
+  });
+}
+
+/// What the decisions are made of, over T.
+template <class T>
+void steps(const std::string& type) {
+  const auto f = any_quadratic<T>(Kind::free);
+  const std::string of_f = " (f : quadratic " + type + ")";
+  const std::string result = " : known " + type;
+  const Known<T> D{variable<T>("value D"), real("error D")};
+  const Root<T> root{variable<T>("value t"), real("error t")};
+  define("", "root_of_discriminant" + of_f + result, [&] {
+    const auto found = root_of_discriminant(f);
+    return Built{"Known", {found.value.node, found.error.node}};
+  });
+  define("", "stable_sum" + of_f + " (D : known " + type + ") : stable " + type, [&] {
+    const auto [positive, S, sum] = stable_sum(f, D);
+    return Built{"Stable", {positive.node, S.node, known(sum.value, sum.error)}};
+  });
+  define("", "quotient (x : " + type + ") (x_error : R) (y : " + type + ") (y_error : R)" + result, [&] {
+    const auto found = quotient(variable<T>("x"), real("x_error"), variable<T>("y"), real("y_error"));
+    return Built{"Known", {found.t.node, found.error.node}};
+  });
+  define("", "advance" + of_f + " (t : known " + type + ")" + result, [&] {
+    const auto found = advance(f, root);
+    return Built{"Known", {found.value.node, found.error.node}};
+  });
+  define("", "beyond (t : known " + type + ") (limit : R) : bool", [&] {
+    return Built{"", {beyond(root, real("limit")).node}};
+  });
+  for (const Kind kind : {Kind::free, Kind::axial, Kind::edged}) {
+    define("", "place" + suffix(kind) + of_f + " (t : known " + type + ") : placed", [&] {
+      const auto [outside, inside] = place(any_quadratic<T>(kind), root);
+      return Built{"Placed", {outside.node, inside.node}};
+    });
+  }
+}
+
+/// The decisions in lanes, whole.
+void in_lanes() {
+  const auto decision = [](const std::string& name, Kind kind, const auto& decide) {
+    define("", name + suffix(kind) + " (f : quadratic R) : in_lanes",
+           [&] { return of_lanes(decide(any_quadratic<Term>(kind))); });
+  };
+  for (const Kind kind : {Kind::free, Kind::axial}) {
+    decision("first_in_lanes", kind, [](const auto& f) { return first_in_lanes(f); });
+    decision("first_in_lanes_on", kind, [](const auto& f) { return first_from_surface_in_lanes(f); });
+  }
+  for (const Kind kind : {Kind::free, Kind::edged}) {
+    decision("linear_in_lanes", kind, [](const auto& f) { return first_of_linear_in_lanes(f); });
+  }
+  decision("linear_in_lanes_on", Kind::free, [](const auto& f) { return first_of_linear_from_surface_in_lanes(f); });
+}
+
+/// The decisions for one ray, whole.
+template <class T>
+void for_one_ray(const std::string& type) {
+  const auto decision = [&](const std::string& name, Kind kind, const auto& decide) {
+    define("", name + suffix(kind) + " (f : quadratic " + type + ") (limit : R) : answer " + type,
+           [&] { return of_found(decide(any_quadratic<T>(kind), real("limit"))); });
+  };
+  for (const Kind kind : {Kind::free, Kind::axial}) {
+    decision("first_of_curved", kind, [](const auto& f, Term limit) { return first_of_curved<T>(f, false, limit); });
+    decision("first_of_curved_on", kind, [](const auto& f, Term limit) { return first_of_curved<T>(f, true, limit); });
+  }
+  for (const Kind kind : {Kind::free, Kind::edged}) {
+    decision("first_of_linear", kind, [](const auto& f, Term limit) { return first_of_linear<T>(f, false, limit); });
+  }
+  decision("first_of_linear_on", Kind::free,
+           [](const auto& f, Term limit) { return first_of_linear<T>(f, true, limit); });
+}
+
+/// Double-double: its operations, over binary64.
+void twofold() {
+  const auto built = [](const Twofold<Term>& x) { return Built{"Twofold", {x.hi.node, x.lo.node}}; };
+  const Twofold<Term> x{real("hi x"), real("lo x")}, y{real("hi y"), real("lo y")};
+  const Term a = real("a"), b = real("b");
+  std::printf("\n(** * Double-double *)\n\nModule Pairs.\n\nRecord twofold := Twofold { hi : R; lo : R }.\n");
+  define("", "exactly (a : R) : twofold", [&] { return built(a); });
+  define("", "two_sum (a b : R) : twofold", [&] { return built(two_sum(a, b)); });
+  define("", "fast_two_sum (a b : R) : twofold", [&] { return built(fast_two_sum(a, b)); });
+  define("A product and what it lacks: where the hardware multiplies and subtracts in one, and where not.",
+         "two_prod (a b : R) : twofold", [&] { return built(two_prod(a, b)); });
+  define("", "two_prod_of_halves (a b : R) : twofold", [&] { return built(two_prod_of_halves(a, b)); });
+  define("", "opposite (x : twofold) : twofold", [&] { return built(-x); });
+  define("", "sum (x y : twofold) : twofold", [&] { return built(x + y); });
+  define("", "difference (x y : twofold) : twofold", [&] { return built(x - y); });
+  define("", "product (x y : twofold) : twofold", [&] { return built(x * y); });
+  define("", "ratio (x y : twofold) : twofold", [&] { return built(x / y); });
+  define("", "root_of (x : twofold) : twofold", [&] { return built(sqrt(x)); });
+}
+
+void write() {
+  std::fputs(head, stdout);
+  std::printf("\n(** * Binary64 *)\n");
+  of_shapes<Term>("R");
+  steps<Term>("R");
+  in_lanes();
+  for_one_ray<Term>("R");
+  twofold();
+  of_shapes<PairTerm>("twofold");
+  steps<PairTerm>("twofold");
+  for_one_ray<PairTerm>("twofold");
+  std::printf("\nEnd Pairs.\n");
+}
+
+}  // namespace
+}  // namespace durero::trace::HWY_NAMESPACE
+
+int main() { durero::trace::HWY_NAMESPACE::write(); }
