@@ -180,26 +180,29 @@ class Parser(Operators):
         return self.application()
 
     def application(self):
-        left = self.postfix()
-        while self.next.kind in ("name", "number") or self.next.text in CONSTANTS or self.sees("(", r"\{", r"\theta"):
-            left = Node("apply", (left, self.postfix()), left.line)
-        return left
-
-    def postfix(self):
-        left = self.atom()
-        while self.sees(".", r"\inv", r"\limg", r"\plus", r"\star", "'"):
-            op = self.take()
-            if op.text == "'":
-                left = Node("decorate", (left,), op.line)
-            elif op.text == ".":
-                left = Node("select", (left, self.take().text if self.next.kind == "number" else self.name()), op.line)
-            elif op.text == r"\inv":
+        """f a \inv: an application binds tighter than what stands behind it, and all go on to the left."""
+        left = self.selection()
+        while True:
+            if self.next.kind in ("name", "number") or self.next.text in CONSTANTS or self.sees("(", r"\{", r"\theta"):
+                left = Node("apply", (left, self.selection()), left.line)
+            elif op := self.accept(r"\inv"):
                 left = Node("inverse", (left,), op.line)
-            elif op.text in (r"\plus", r"\star"):
+            elif op := self.accept(r"\plus", r"\star"):
                 left = Node("closure", (left,), op.line)
-            else:
+            elif op := self.accept(r"\limg"):
                 left = Node("image", (left, self.expression()), op.line)
                 self.take(r"\rimg")
+            else:
+                return left
+
+    def selection(self):
+        """What binds tighter still: b.x and S~'."""
+        left = self.atom()
+        while op := self.accept(".", "'"):
+            if op.text == "'":
+                left = Node("decorate", (left,), op.line)
+            else:
+                left = Node("select", (left, self.take().text if self.next.kind == "number" else self.name()), op.line)
         return left
 
     def atom(self):
