@@ -80,20 +80,19 @@ class Terms(Operators):
         return self.application()
 
     def application(self):
-        """f a \inv: an application binds tighter than what stands behind it, and all go on to the left."""
+        """f a \inv: applications go on to the left, and bind tighter than what stands behind them."""
         left = self.selection()
-        while True:
-            if self.next.kind in ("name", "number") or self.next.text in CONSTANTS or self.sees("(", r"\{", r"\theta"):
-                left = Node("apply", (left, self.selection()), left.line)
-            elif op := self.accept(r"\inv"):
+        while self.next.kind in ("name", "number") or self.next.text in CONSTANTS or self.sees("(", r"\{", r"\theta"):
+            left = Node("apply", (left, self.selection()), left.line)
+        while op := self.accept(r"\inv", r"\limg", r"\plus", r"\star"):
+            if op.text == r"\inv":
                 left = Node("inverse", (left,), op.line)
-            elif op := self.accept(r"\plus", r"\star"):
-                left = Node("closure", (left,), op.line)
-            elif op := self.accept(r"\limg"):
+            elif op.text == r"\limg":
                 left = Node("image", (left, self.expression()), op.line)
                 self.take(r"\rimg")
             else:
-                return left
+                left = Node("closure", (left,), op.line)
+        return left
 
     def selection(self):
         """What binds tighter still: b.x and S~'."""

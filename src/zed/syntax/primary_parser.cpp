@@ -17,21 +17,21 @@ bool TermParser::begins_primary() const {
   return false;
 }
 
-/// In f a ∼ b ⦇ S ⦈ applications and postfix operators go on to the left, each of what stands before it.
+/// In f a b ∼ ⦇ S ⦈ the applications associate to the left, then come the postfix operators.
 Term TermParser::application() {
   Term term = primary();
-  for (;;) {
+  while (begins_primary()) {
+    Term argument = primary();
     const Place place = term->place;
-    if (begins_primary()) {
-      Term argument = primary();
-      term = checked(apply(std::move(term), std::move(argument), place));
-      continue;
-    }
+    term = checked(apply(std::move(term), std::move(argument), place));
+  }
+  for (;;) {
     const Token& token = in_.peek();
-    if (token.own) return term;
     const Operator* op = token.type == Token::Type::symbol ? find_operator(token.text, Fixity::postfix) : nullptr;
+    if (token.own) return term;
     if (op) {
       in_.next();
+      const Place place = term->place;
       term = checked(operation(op->name(), {std::move(term)}, place));
     } else if (token.is("⦇")) {
       term = image(std::move(term));

@@ -1,6 +1,7 @@
 #include "durero/zed/trial/trial.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include "durero/zed/evaluate/evaluate.hpp"
@@ -30,6 +31,40 @@ struct Claim {
   }
 };
 
+/// The conjuncts of what a schema text says of its names.
+void add_conjuncts(const Term& term, std::vector<Term>& to) {
+  if (term->kind != Kind::conjunction) return to.push_back(term);
+  for (const Term& part : term->children) add_conjuncts(part, to);
+}
+
+/// The names in a term, in the order in which they are written; outside of schema texts, which bind others.
+void add_names(const Term& term, std::vector<Name>& to) {
+  if (term->kind == Kind::reference) to.push_back(term->name);
+  for (const Term& part : term->children) add_names(part, to);
+}
+
+/// Of each conjunct the name written last of those that no conjunct before it has: what relates values names those that
+/// it starts from before those that it makes of them, as `(i, n, t) ∈ refraction` and `m = 2 * n + k` do.
+std::vector<Name> made_by_conjuncts(const SchemaText& text) {
+  std::vector<Name> met, made;
+  const auto is_new = [&](const Name& name) {
+    return std::find(met.begin(), met.end(), name) == met.end() &&
+           std::any_of(text.declarations.begin(), text.declarations.end(), [&](const Declaration& declaration) {
+             return std::find(declaration.names.begin(), declaration.names.end(), name) != declaration.names.end();
+           });
+  };
+  std::vector<Term> conjuncts;
+  for (const Predicate& predicate : text.predicates) add_conjuncts(predicate.term, conjuncts);
+  for (const Term& conjunct : conjuncts) {
+    std::vector<Name> names;
+    add_names(conjunct, names);
+    const auto last = std::find_if(names.rbegin(), names.rend(), is_new);
+    if (last != names.rend()) made.push_back(*last);
+    met.insert(met.end(), names.begin(), names.end());
+  }
+  return made;
+}
+
 /// Tries one conjecture.
 class Attempt {
  public:
@@ -38,9 +73,10 @@ class Attempt {
 
   void run(const Evaluator& evaluator, Trial& trial) {
     const SchemaCheck assumed = evaluator.schema(claim_.assumed_name), claimed = evaluator.schema(claim_.claimed_name);
+    made_ = results_of(assumed.components());
     for (const Name& name : assumed.components())
-      if (!is_result(name)) known_.push_back(name);
-    if (known_.size() != assumed.components().size()) results_ = evaluator.completion(claim_.assumed_name, known_);
+      if (!is_made(name)) known_.push_back(name);
+    if (!made_.empty()) results_ = evaluator.completion(claim_.assumed_name, known_);
     const bool closed = claim_.assumed.declarations.empty();
     const std::size_t draws = closed ? 1 : bounds_.draws, most = claim_.wants_witness ? draws : bounds_.states;
     for (std::size_t draw = 0; draw < draws && trial.tried < most && trial.counterexample.empty(); ++draw) {
@@ -94,20 +130,37 @@ class Attempt {
       if (!sampled || !is_result(name)) values.emplace_back(name, binding.binding()->values[next++]);
   }
 
-  // An after-state and outputs are what an operation makes of the rest; by chance few values drawn are that. So where
-  // they are no state, the first that the text gives for the rest takes their place.
-  std::vector<Value> state(const SchemaCheck& assumed, const Given& values) const {
+  std::vector<Name> results_of(const std::vector<Name>& names) const {
+    std::vector<Name> results;
+    std::copy_if(names.begin(), names.end(), std::back_inserter(results), is_result);
+    return results.empty() ? made_by_conjuncts(claim_.assumed) : results;
+  }
+
+  bool is_made(const Name& name) const { return std::find(made_.begin(), made_.end(), name) != made_.end(); }
+
+  // An after-state and outputs are what an operation makes of the rest, as other values are what a conjunct makes of
+  // those that it starts from; by chance few values drawn are that. So where they are no state, the first that the text
+  // gives for the rest takes their place.
+  std::vector<Value> state(const SchemaCheck& assumed, const Given& values) {
     std::vector<Value> found = in_order(assumed.components(), values);
     if (!results_ || assumed.holds(found) == Truth::yes) return found;
+    try {
+      complete(values, assumed, found);
+    } catch (const EvaluationError& error) {  // the values drawn are what there is
+      if (undecided_.empty()) undecided_ = error.what();
+    }
+    return found;
+  }
+
+  void complete(const Given& values, const SchemaCheck& assumed, std::vector<Value>& found) const {
     results_->each(in_order(known_, values), [&](std::span<const Value> sought) {
       Given all = values;
-      all.erase(std::remove_if(all.begin(), all.end(), [](const auto& value) { return is_result(value.first); }),
+      all.erase(std::remove_if(all.begin(), all.end(), [this](const auto& value) { return is_made(value.first); }),
                 all.end());
       for (std::size_t i = 0; i < sought.size(); ++i) all.emplace_back(results_->sought()[i], sought[i]);
       found = in_order(assumed.components(), all);
       return false;
     });
-    return found;
   }
 
   static bool is_result(const Name& name) { return name.strokes.find_first_of("'!") != std::string::npos; }
@@ -143,8 +196,9 @@ class Attempt {
   const Draw& draw_;
   const Claim& claim_;
   const TrialBounds& bounds_;
-  std::vector<Name> known_;            // what an operation begins with, its state and inputs
-  std::optional<Completion> results_;  // gives the rest, where the claim is of an operation
+  std::vector<Name> made_;             // an operation makes these of the rest, or conjuncts do
+  std::vector<Name> known_;            // the rest
+  std::optional<Completion> results_;  // gives what is made
   std::string undecided_;              // the first reason why some state decided nothing
   bool witness_ = false;
 };
