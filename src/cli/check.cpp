@@ -1,4 +1,5 @@
-// durero check SCENE [--format F] [--with TEXT]: reads a scene, and evaluates every invariant of Escena on what it stands for.
+// durero check SCENE [--format F] [--with TEXT]: reads a scene, and evaluates every invariant of Escena on what it
+// stands for.
 #include <unistd.h>
 
 #include <memory>

@@ -120,7 +120,8 @@ class Runner {
     if (word == "restart") return restart();
     if (word.find_first_not_of("0123456789") == word.npos) return choose(word);
     const MachineOperation& operation = found(word);
-    go_on(machine_.steps(here(), operation, typed_inputs(machine_, operation, rest), call_.choices), word + " cannot go on here");
+    go_on(machine_.steps(here(), operation, typed_inputs(machine_, operation, rest), call_.choices),
+          word + " cannot go on here");
   }
 
   const zed::Given& here() const {

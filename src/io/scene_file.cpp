@@ -150,8 +150,8 @@ scene::Scene read_scene(const Source& source, std::span<const WrittenType> types
   return SceneReader(nullptr, {types, &elements}).read(source);
 }
 
-scene::Scene read_scene(const Source& source, std::span<const WrittenType> types,
-                        std::vector<WrittenElement>& elements, std::vector<InputError>& errors) {
+scene::Scene read_scene(const Source& source, std::span<const WrittenType> types, std::vector<WrittenElement>& elements,
+                        std::vector<InputError>& errors) {
   return SceneReader(&errors, {types, &elements}).read(source);
 }
 

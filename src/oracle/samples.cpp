@@ -80,7 +80,8 @@ std::vector<zed::Value> names() {
 std::vector<zed::Value> vectors() {
   auto found = values<Vector>({up, sideways, Vector(0, 0, 2), Vector(0.6, 0, 0.8)});
   const auto fifths = [](int n) { return zed::Real(n) / zed::Real(5); };
-  found.push_back(zed::Value::point(zed::signature({{"x", ""}, {"y", ""}, {"z", ""}}), fifths(3), fifths(0), fifths(4)));
+  found.push_back(
+      zed::Value::point(zed::signature({{"x", ""}, {"y", ""}, {"z", ""}}), fifths(3), fifths(0), fifths(4)));
   return found;
 }
 

@@ -1,7 +1,7 @@
-#include "durero/written/surface.hpp"
-
 #include <algorithm>
 #include <functional>
+
+#include "durero/written/surface.hpp"
 
 namespace durero::written {
 
@@ -49,7 +49,9 @@ Dyadic magnitude_of(const Dyadic& value) { return sign(value) < 0 ? -value : val
 
 /// As much as a number may miss its rounding to binary64 by, or more: half an ulp is 2⁻⁵³ of the number at most where
 /// it is normal, and 2⁻¹⁰⁷⁵ where it is not.
-Dyadic rounding_of(const Dyadic& value) { return number::shifted(magnitude_of(value), -53) + Dyadic(number::Integer(1), -1075); }
+Dyadic rounding_of(const Dyadic& value) {
+  return number::shifted(magnitude_of(value), -53) + Dyadic(number::Integer(1), -1075);
+}
 
 }  // namespace
 
@@ -224,8 +226,6 @@ class RayOnPiece {
   std::vector<std::optional<Polynomial>> comparisons_;
 };
 
-First Piece::first(const model::Rayo& rayo, bool starts_on) const {
-  return RayOnPiece(*this, rayo, starts_on).first();
-}
+First Piece::first(const model::Rayo& rayo, bool starts_on) const { return RayOnPiece(*this, rayo, starts_on).first(); }
 
 }  // namespace durero::written

@@ -45,7 +45,8 @@ std::optional<std::vector<Condition>> pieces_of(const Condition& of) {
     case Condition::Kind::comparison:
       return of.is_equation() ? std::optional(std::vector{of}) : std::nullopt;
     case Condition::Kind::all:
-      return std::ranges::any_of(of.parts, &Condition::is_equation) ? std::optional(std::vector{of}) : distributed(of.parts);
+      return std::ranges::any_of(of.parts, &Condition::is_equation) ? std::optional(std::vector{of})
+                                                                    : distributed(of.parts);
     case Condition::Kind::any:
       return pieces_of_each(of.parts);
   }
@@ -59,7 +60,6 @@ double value_at(const Formula& formula, const glm::dvec3& w) {
            std::pow(w.z, exponents[2]);
   return sum;
 }
-
 
 glm::dvec3 gradient_at(const Piece& piece, const glm::dvec3& w) {
   const auto& gradient = piece.gradient();

@@ -122,7 +122,8 @@ TEST_CASE("a scene that is read by a Z text is answered by the text, and neither
   REQUIRE(durero_first_hits(engine.get(), &ray, 1, &hit) == DURERO_DONE);
   CHECK(hit.outcome == DURERO_HIT);
   CHECK(durero_apply(scene.get(), "Eliminar_Elemento e?=ring") == DURERO_FAILED);
-  CHECK(std::string(durero_error()) == "the scene was read by a Z text; expected one that was not, to be edited or written");
+  CHECK(std::string(durero_error()) ==
+        "the scene was read by a Z text; expected one that was not, to be edited or written");
   CHECK(durero_scene_write(scene.get(), "torus_again.json") == DURERO_FAILED);
   CHECK_FALSE(engine_of(scene, "exact"));
   CHECK_FALSE(read("torus.json", durero::test::source_dir() + "/spec/puntos.tex"));

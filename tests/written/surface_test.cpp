@@ -141,12 +141,12 @@ TEST_CASE("A union is met where one of its pieces is, and at the first of these"
 
 TEST_CASE("A ray that starts on a union starts on the pieces that its origin may be the rounding of a point of") {
   const Surface surface(can);
-  CHECK(at(surface.first(ray({0, 1, 0}, {0, -1, 0}), true)) == 2);           // from lid to lid
-  CHECK(at(surface.first(ray({0, 1, 0}, {0.5, -0.5, 0}), true)) == 2);       // from lid to wall
-  CHECK(at(surface.first(ray({1, 0, 0}, {-1, 1, 0}), true)) == 1);           // from wall to lid
+  CHECK(at(surface.first(ray({0, 1, 0}, {0, -1, 0}), true)) == 2);            // from lid to lid
+  CHECK(at(surface.first(ray({0, 1, 0}, {0.5, -0.5, 0}), true)) == 2);        // from lid to wall
+  CHECK(at(surface.first(ray({1, 0, 0}, {-1, 1, 0}), true)) == 1);            // from wall to lid
   CHECK(is_nowhere(surface.first(ray({0.6, 0, 0.8}, {0.6, 0, 0.8}), true)));  // the rounding of a point of the wall
   CHECK(at(surface.first(ray({0.6, 0, 0.8}, {-0.6, 0, -0.8}), true)) == Approx(2));
-  CHECK(is_nowhere(surface.first(ray({1, 1, 0}, {1, 1, 0}), true)));         // from the rim
+  CHECK(is_nowhere(surface.first(ray({1, 1, 0}, {1, 1, 0}), true)));  // from the rim
   // far from all of it, it starts on none
   CHECK(at(surface.first(ray({-3, 0, 0}, {1, 0, 0}), true)) == 2);
 }

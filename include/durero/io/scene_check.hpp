@@ -31,8 +31,8 @@ struct Finding {
 
 /// What check_scene() has found.
 struct SceneCheck {
-  std::string file;                  ///< the name of the source
-  scene::Scene scene{};              ///< without what is wrong
+  std::string file;      ///< the name of the source
+  scene::Scene scene{};  ///< without what is wrong
   /// How many there are of each type that a Z text declares; in the scene they stand as spheres.
   std::map<std::string, std::size_t> written{};
   std::vector<InputError> errors{};  ///< as they were met: the first is what read_scene throws

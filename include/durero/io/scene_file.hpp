@@ -31,8 +31,8 @@ scene::Scene read_scene(const Source& source, std::vector<InputError>& errors);
 scene::Scene read_scene(const Source& source, std::span<const WrittenType> types,
                         std::vector<WrittenElement>& elements);
 /// Reads what there is of one; the errors go to the others, as above.
-scene::Scene read_scene(const Source& source, std::span<const WrittenType> types,
-                        std::vector<WrittenElement>& elements, std::vector<InputError>& errors);
+scene::Scene read_scene(const Source& source, std::span<const WrittenType> types, std::vector<WrittenElement>& elements,
+                        std::vector<InputError>& errors);
 
 /// Where an element stands in its file.
 struct ElementPlace {

@@ -93,8 +93,9 @@ bool Connectives::captures(const Flat& bound, const Flat& of) const {
   for (const auto& [name, set] : of.declared) {
     const auto in_bound = [&, &component = name](const auto& each) { return depends(each.second, component); };
     if (std::any_of(bound.declared.begin(), bound.declared.end(), in_bound)) return true;
-    if (!bound.set_of(name) && std::any_of(bound.facts.begin(), bound.facts.end(),
-                                           [&, &component = name](const Term& fact) { return depends(fact, component); }))
+    if (!bound.set_of(name) &&
+        std::any_of(bound.facts.begin(), bound.facts.end(),
+                    [&, &component = name](const Term& fact) { return depends(fact, component); }))
       return true;
     for (const auto& [each, of_bound] : bound.declared)
       if (depends(set, each)) return true;
@@ -102,8 +103,8 @@ bool Connectives::captures(const Flat& bound, const Flat& of) const {
   return false;
 }
 
-// Under ∀ nothing is said of the components where nothing is bound, so they are declared from whole types. Under ∃₁ they
-// are in their sets, as there is one that makes it so.
+// Under ∀ nothing is said of the components where nothing is bound, so they are declared from whole types. Under ∃₁
+// they are in their sets, as there is one that makes it so.
 Connectives::Result Connectives::quantified(Kind kind, const Flat& bound, const Flat& of) const {
   if (captures(bound, of)) return std::nullopt;
   if (kind == Kind::exists) {
@@ -120,7 +121,7 @@ Connectives::Result Connectives::quantified(Kind kind, const Flat& bound, const 
     known.declared.emplace_back(name, from);
   }
   SchemaText text = declarations_of(bound.declared);
-  for (const Term& fact : bound.facts) text.predicates.push_back({fact, {}, {}});
+  if (!bound.facts.empty()) text.predicates.push_back({all_of_facts(bound.facts), {}, {}});
   rest.facts.push_back(zed::quantified(kind, std::move(text), {all_of_facts(said_by(of, known))}));
   return rest;
 }

@@ -86,7 +86,8 @@ TEST_CASE("the paper's question from within: of the two meetings of a line one l
   const std::string rest_of = ", 2, " + up + ", 5)";
   CHECK(nearest(rising, "puntos_cilindro(" + origin + rest_of) ==
         "⦉x == -2/5+√(19/25), y == 1/5+2*√(19/25), z == -6/5+3*√(19/25)⦊");
-  CHECK(nearest(rising, "puntos_cono(" + origin + rest_of) == "⦉x == 2-√(25/31), y == 5-2*√(25/31), z == 6-3*√(25/31)⦊");
+  CHECK(nearest(rising, "puntos_cono(" + origin + rest_of) ==
+        "⦉x == 2-√(25/31), y == 5-2*√(25/31), z == 6-3*√(25/31)⦊");
   CHECK(nearest(level, "puntos_cono(" + origin + rest_of) == "⦉x == -2/5+√(319/25), y == 1/5+2*√(319/25), z == 1⦊");
   CHECK(nearest(level, "puntos_tronco(" + origin + ", 1, 2, " + up + ", 5)") ==
         "⦉x == -2/5+√(404/25), y == 1/5+2*√(404/25), z == 1⦊");

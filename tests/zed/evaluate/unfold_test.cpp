@@ -91,7 +91,10 @@ TEST_CASE("schemas quantified by ∀ and ∃₁ are written out") {
 TEST_CASE("a generic schema without actuals is written out where they are known") {
   const auto text = [](const char* typed) {
     const auto term = unfolded(
-        parse_unicode(typed), sections(), [](const Name&) { return reference({"𝔸", ""}); },
+        parse_unicode(typed), sections(),
+        [](const Name&) {
+          return reference({"𝔸", ""});
+        },
         [](const Term& generic) -> std::optional<std::vector<Term>> {
           if (generic->name.text() == "Pair") return std::vector{reference({"ℤ", ""})};
           return std::nullopt;
@@ -123,10 +126,25 @@ TEST_CASE("compositions, pipings and generic schemas are written out") {
 
 TEST_CASE("what is written out has the bindings of the schema") {
   const Evaluator evaluator(sections());
-  for (const char* typed : {"pre Inc", "pre Some", "TInc", "pre TInc", "¬ Counter", "Inc ⇒ Full", "Inc ⧹ (by?)",
-                            "Inc ⨟ Inc", "TInc ⨟ Some", "Some ⨟ Inc", "Inc ⨠ Half", "Inc ⨡ Counter", "Pair[ℕ]",
-                            "Both[1 ‥ 2]", "∃ by? : 1 ‥ 2 • Inc", "pre (Inc ⨟ Inc)",
-                            "∀ by? : 0 ‥ 1 • TInc", "∀ by? : 2 ‥ 1 • Inc", "∃₁ by? : 0 ‥ 2 • TInc",
+  for (const char* typed : {"pre Inc",
+                            "pre Some",
+                            "TInc",
+                            "pre TInc",
+                            "¬ Counter",
+                            "Inc ⇒ Full",
+                            "Inc ⧹ (by?)",
+                            "Inc ⨟ Inc",
+                            "TInc ⨟ Some",
+                            "Some ⨟ Inc",
+                            "Inc ⨠ Half",
+                            "Inc ⨡ Counter",
+                            "Pair[ℕ]",
+                            "Both[1 ‥ 2]",
+                            "∃ by? : 1 ‥ 2 • Inc",
+                            "pre (Inc ⨟ Inc)",
+                            "∀ by? : 0 ‥ 1 • TInc",
+                            "∀ by? : 2 ‥ 1 • Inc",
+                            "∃₁ by? : 0 ‥ 2 • TInc",
                             "∀ n' : 1 ‥ 2 | n' ≤ by? • [n, n' : ℕ | n ≤ n']"}) {
     CAPTURE(typed);
     const Term schema = parse_unicode(typed);

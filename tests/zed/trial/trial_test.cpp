@@ -79,7 +79,8 @@ TEST_CASE("what conjuncts make of other values is looked for where no values dra
   CHECK_THAT(trial("\\forall a, b : \\num | b = a + 1000 @ b < 1000").counterexample, Contains("  b = 100"));
   CHECK(trial("\\forall p, q : \\num \\cross \\num | (p.1 + q.1, q.2) = (50, p.2) @ q.2 = p.2").tried >= 1);
   // no number is made so, and what is looked for that way is not found
-  CHECK(trial("\\forall a, b : \\num | b * b = 0 - 1 - a * a @ a = b").why_not == "none of the values drawn are a state");
+  CHECK(trial("\\forall a, b : \\num | b * b = 0 - 1 - a * a @ a = b").why_not ==
+        "none of the values drawn are a state");
 }
 
 TEST_CASE("samples stand for what they are named after, and the states are the same at every call") {

@@ -16,17 +16,17 @@ TEST_CASE("roots are exact, ascend, and stand there once") {
                                         polynomial(1, 0, 1)};
   const auto found = roots(some);
   REQUIRE(found);
-  CHECK(*found == Cuts{-square_root(2), square_root(2), 2});
+  CHECK(*found == Cuts{-square_root(Real(2)), square_root(Real(2)), 2});
 }
 
 TEST_CASE("a constant has no root, and a square with irrational coefficients has none that is told") {
   CHECK(roots(std::vector{polynomial(3, 0, 0)}) == Cuts{});
-  CHECK_FALSE(roots(std::vector{polynomial(square_root(2), 0, -1)}));
-  CHECK(roots(std::vector{polynomial(square_root(2), -1, 0)}) == Cuts{square_root(2)});
+  CHECK_FALSE(roots(std::vector{polynomial(square_root(Real(2)), 0, -1)}));
+  CHECK(roots(std::vector{polynomial(square_root(Real(2)), -1, 0)}) == Cuts{square_root(Real(2))});
 }
 
 TEST_CASE("numbers below, above and between, however near and large") {
-  const Real root = square_root(2), far = Real(1e300), near = Real(1) + Real(1e-300);
+  const Real root = square_root(Real(2)), far = Real(1e300), near = Real(1) + Real(1e-300);
   CHECK(floor_of(root) == 1);
   CHECK(floor_of(-root) == -2);
   CHECK(floor_of(Real(-3)) == -3);
