@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <memory>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -15,16 +16,18 @@
 #include "durero/io/output_file.hpp"
 #include "durero/model/tipos.hpp"
 #include "durero/scene/grouped_scene.hpp"
+#include "durero/written/engine.hpp"
 
 using namespace durero;
 
 struct durero_scene {
   scene::GroupedScene value;
+  std::shared_ptr<const engine::Engine> by_text{};  // null where the program's own shapes answer
 };
 
 struct durero_engine {
   const scene::Scene* scene;
-  std::unique_ptr<const engine::Engine> value;
+  std::shared_ptr<const engine::Engine> value;
 };
 
 namespace {
@@ -46,6 +49,12 @@ Result guarded(Result failed, Call call) noexcept {
     last_error.clear();
   }
   return failed;
+}
+
+/// An element that a text alone knows stands in the scene as something else.
+void require_own_shapes(const durero_scene& scene) {
+  if (scene.by_text)
+    throw std::invalid_argument("the scene was read by a Z text; expected one that was not, to be edited or written");
 }
 
 scene::Query query(const durero_ray& ray, std::size_t number) {
@@ -93,8 +102,16 @@ durero_scene* durero_scene_read(const char* path) {
                                 [&] { return new durero_scene{io::read_grouped_scene(io::read_source(path))}; });
 }
 
+durero_scene* durero_scene_read_with(const char* path, const char* text) {
+  return guarded<durero_scene*>(nullptr, [&] {
+    written::Written read = written::read(io::read_source(path), written::Text(text));
+    return new durero_scene{{std::move(read.scene), {}}, std::move(read.engine)};
+  });
+}
+
 durero_answer durero_scene_write(const durero_scene* scene, const char* path) {
   return guarded(DURERO_FAILED, [&] {
+    require_own_shapes(*scene);
     io::write_file(path, io::scene_text(scene->value.scene, scene->value.groups));
     return DURERO_DONE;
   });
@@ -106,6 +123,7 @@ size_t durero_scene_size(const durero_scene* scene) { return scene->value.scene.
 
 durero_answer durero_apply(durero_scene* scene, const char* operation) {
   return guarded(DURERO_FAILED, [&] {
+    require_own_shapes(*scene);
     const auto script = io::read_script(io::Source("operation", operation), scene->value.scene.stage());
     if (script.size() != 1) throw std::invalid_argument("operation: no single operation; expected one");
     return std::visit(
@@ -121,6 +139,9 @@ durero_answer durero_apply(durero_scene* scene, const char* operation) {
 
 durero_engine* durero_engine_new(const durero_scene* scene, const char* name) {
   return guarded<durero_engine*>(nullptr, [&] {
+    if (scene->by_text && name != nullptr)
+      throw std::invalid_argument("the scene was read by a Z text, which answers; expected no engine's name");
+    if (scene->by_text) return new durero_engine{&scene->value.scene, scene->by_text};
     const std::string_view asked = name == nullptr ? engine::default_engine : std::string_view(name);
     const engine::Row* row = engine::find(asked);
     if (row == nullptr) throw std::invalid_argument("no engine " + std::string(asked));

@@ -1,4 +1,5 @@
-// durero check SCENE [--format F]: reads a scene, and evaluates every invariant of Escena on what it stands for.
+// durero check SCENE [--format F] [--with TEXT]: reads a scene, and evaluates every invariant of Escena on what it
+// stands for.
 #include <unistd.h>
 
 #include <memory>
@@ -10,6 +11,7 @@
 #include "description.hpp"
 #include "durero/io/scene_check.hpp"
 #include "durero/io/standard_output.hpp"
+#include "durero/written/engine.hpp"
 #include "numbers.hpp"
 #include "progress.hpp"
 
@@ -17,14 +19,22 @@ namespace durero::cli {
 namespace {
 
 struct CheckOptions {
-  std::string scene, format = "text";
+  std::string scene, with, format = "text";
   bool quiet = false;
 };
+
+/// By a Z text, each element is asked whether the text says what its points are.
+io::SceneCheck checked(const CheckOptions& options) {
+  const io::Source source = io::read_source(options.scene);
+  if (options.with.empty()) return io::check_scene(source);
+  const written::Text text(options.with);
+  return io::check_scene(source, text.types(), [&] { written::read(source, text); });
+}
 
 /// A file that is wrong is an error whatever the format. For programs, all that is wrong with it is printed before.
 int run(const CheckOptions& options) {
   std::optional<Progress> progress(std::in_place, options.quiet, "check");
-  const io::SceneCheck check = io::check_scene(io::read_source(options.scene));
+  const io::SceneCheck check = checked(options);
   progress.reset();
   if (options.format == "json") io::print(check_json(check));
   if (options.format == "sarif") io::print(check_sarif(check));
@@ -42,10 +52,11 @@ void add_check(CLI::App& app, int& status) {
   command->add_option("--format", options->format, "How the answer is printed; sarif is SARIF 2.1.0")
       ->check(one_of("format", {"text", "json", "sarif"}))
       ->capture_default_str();
+  command->add_option("--with", options->with, "A Z text that says what the elements are: each is puntos_TIPO");
   add_quiet(*command, options->quiet);
   command->footer(
       "As JSON and SARIF all that is wrong with the file is printed, each with its label, its JSON pointer and its\n"
-      "place; the first is the error on stderr.\n\n" +
+      "place; the first is the error on stderr. --with asks the text besides what the points of each element are.\n\n" +
       exit_status("every invariant holds", "one does not", "the call or the file is bad") +
       examples({"check demo/still-life.json", "check demo/still-life.json --format json"}));
   command->callback([options, &status] { status = run(*options); });

@@ -14,6 +14,7 @@
 #include "durero/io/standard_output.hpp"
 #include "durero/text/nearest.hpp"
 #include "spec.hpp"
+#include "spec_run_typed.hpp"
 
 namespace durero::cli {
 
@@ -40,18 +41,6 @@ constexpr const char* help_text =
     "  explore [N]  goes all ways from here, to N states, and tries the conjectures in each\n"
     "  restart      begins anew\n"
     "  quit\n";
-
-/// What was typed cannot be done; the place is a column of the line.
-struct Refused {
-  std::string wrong, expected;
-  std::size_t column = 1;
-};
-
-std::string trimmed(const std::string& text) {
-  const auto blank = " \t\r";
-  const std::size_t from = text.find_first_not_of(blank);
-  return from == text.npos ? "" : text.substr(from, text.find_last_not_of(blank) - from + 1);
-}
 
 class Runner {
  public:
@@ -119,7 +108,7 @@ class Runner {
     const std::string word = command.substr(0, blank),
                       rest = blank == command.npos ? "" : trimmed(command.substr(blank));
     if (word == "help") return io::print(help_text);
-    if (word == "ops") return list_operations();
+    if (word == "ops") return io::print(operations_list(machine_, here()));
     if (word == "why") return why(rest);
     if (word == "show") return show();
     if (word == "back") return back();
@@ -131,7 +120,8 @@ class Runner {
     if (word == "restart") return restart();
     if (word.find_first_not_of("0123456789") == word.npos) return choose(word);
     const MachineOperation& operation = found(word);
-    go_on(machine_.steps(here(), operation, inputs(operation, rest), call_.choices), word + " cannot go on here");
+    go_on(machine_.steps(here(), operation, typed_inputs(machine_, operation, rest), call_.choices),
+          word + " cannot go on here");
   }
 
   const zed::Given& here() const {
@@ -145,40 +135,6 @@ class Runner {
     for (const auto& each : machine_.operations()) names.push_back(each.name);
     throw Refused{"no operation or command " + word,
                   "expected " + text::nearest(word, names).value_or("an operation; help lists the commands")};
-  }
-
-  /// x? = VALUE; y? = VALUE
-  zed::Given inputs(const MachineOperation& operation, const std::string& typed) const {
-    zed::Given given;
-    for (std::size_t from = 0; from < typed.size();) {
-      const std::size_t end = end_of_input(typed, from);
-      const std::string part = typed.substr(from, end - from);
-      from = end + 1;
-      const std::size_t sign = part.find('=');
-      const std::string name = trimmed(part.substr(0, sign));
-      const auto at = std::find_if(operation.inputs.begin(), operation.inputs.end(),
-                                   [&](const zed::Name& input) { return input.text() == name; });
-      if (sign == part.npos || at == operation.inputs.end())
-        throw Refused{name + " is no input of " + operation.name, "expected x? = VALUE for an input x?"};
-      try {
-        given.emplace_back(*at, machine_.typed(trimmed(part.substr(sign + 1)), *at));
-      } catch (const zed::ZError& error) {
-        throw Refused{name + ": " + error.what_is_wrong, error.expected};
-      }
-    }
-    return given;
-  }
-
-  /// The semicolon that stands in no bracket, or the end.
-  static std::size_t end_of_input(const std::string& typed, std::size_t from) {
-    int depth = 0;
-    for (std::size_t at = from; at < typed.size(); ++at) {
-      const std::string_view rest = std::string_view(typed).substr(at);
-      for (const char* open : {"(", "[", "{", "⦉", "⟨"}) depth += rest.starts_with(open) ? 1 : 0;
-      for (const char* close : {")", "]", "}", "⦊", "⟩"}) depth -= rest.starts_with(close) ? 1 : 0;
-      if (depth == 0 && typed[at] == ';') return at;
-    }
-    return typed.size();
   }
 
   void go_on(Found ways, const std::string& none) {
@@ -235,25 +191,8 @@ class Runner {
   void why(const std::string& rest) const {
     const std::size_t blank = rest.find(' ');
     const MachineOperation& operation = found(rest.substr(0, blank));
-    const auto given = inputs(operation, blank == rest.npos ? "" : rest.substr(blank));
+    const auto given = typed_inputs(machine_, operation, blank == rest.npos ? "" : rest.substr(blank));
     io::print(findings_list(machine_.preconditions(here(), operation, given)));
-  }
-
-  void list_operations() const {
-    std::string said;
-    for (const MachineOperation& operation : machine_.operations()) {
-      try {
-        const Found one = machine_.steps(here(), operation, {}, 1);
-        said += one.transitions.empty() ? fmt::format("  no   {}{}\n", operation.name,
-                                                      one.undecided || !one.bounded.empty() ? " (none found)" : "")
-                                        : fmt::format("  yes  {}\n", step_line(machine_, one.transitions.front()));
-      } catch (const zed::EvaluationError& error) {
-        said += fmt::format("  open {}: {}\n", operation.name, error.what());
-      } catch (const zed::StepsSpent&) {
-        said += fmt::format("  open {}: --steps did not do\n", operation.name);
-      }
-    }
-    io::print(said);
   }
 
   void replay(const std::string& path) {
@@ -267,18 +206,13 @@ class Runner {
     show();
   }
 
-  static std::string said_of(const Tried& tried) {
-    const char* word = tried.truth == Truth::yes ? "true" : tried.truth == Truth::no ? "false" : "open";
-    return fmt::format("  {:<5}  {}: {}{}\n", word, tried.place, tried.claim, tried.of_states ? "  (here)" : "");
-  }
-
   void try_here() {
     const zed::Given none;
     std::string said;
     here();
     for (const Tried& tried : machine_.conjectures(way_.before() ? *way_.before() : none, way_.way().back())) {
       refuted_ = refuted_ || tried.truth == Truth::no;
-      said += said_of(tried);
+      said += claim_line(tried);
     }
     io::print(said.empty() ? "the text has no conjecture of this state or step\n" : said);
   }
@@ -293,7 +227,7 @@ class Runner {
     for (const std::string& bound : result.bounded) said += "  bounded: " + bound + "\n";
     if (result.refuted) {
       refuted_ = true;
-      said += "false after this way:\n" + said_of(*result.refuted) + way_story(machine_, result.way);
+      said += "false after this way:\n" + claim_line(*result.refuted) + way_story(machine_, result.way);
     }
     io::print(said);
   }
@@ -306,28 +240,10 @@ class Runner {
   bool terminal_ = false, refuted_ = false, refused_ = false;
 };
 
-/// NAME=3 or NAME=ann,bob
-void add_given(const std::string& typed, oracle::spec::Setup& setup) {
-  const std::size_t sign = typed.find('=');
-  const std::string set = typed.substr(0, sign), rest = sign == typed.npos ? "" : typed.substr(sign + 1);
-  if (set.empty() || rest.empty())
-    throw io::InputError("--given", {1, 1}, typed + " gives no members", "expected SET=NUMBER or SET=WORD,WORD");
-  auto& members = setup.given[set];
-  if (rest.size() < 3 && rest.find_first_not_of("0123456789") == rest.npos) {
-    for (unsigned long i = 1; i <= std::stoul(rest); ++i) members.push_back(set + std::to_string(i));
-    return;
-  }
-  for (std::size_t from = 0; from <= rest.size();) {
-    const std::size_t comma = std::min(rest.find(',', from), rest.size());
-    members.push_back(rest.substr(from, comma - from));
-    from = comma + 1;
-  }
-}
-
 }  // namespace
 
 int spec_run(RunCall call) {
-  for (const std::string& typed : call.given) add_given(typed, call.setup);
+  for (const std::string& typed : call.given) add_typed_members(typed, call.setup);
   std::optional<Machine> machine;
   try {
     machine.emplace(specification_of(call.files), call.setup);

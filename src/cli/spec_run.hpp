@@ -27,6 +27,10 @@ std::string step_line(const oracle::spec::Machine& machine, const oracle::spec::
 std::string findings_list(const std::vector<zed::Finding>& findings);
 /// Whether the invariant holds, and which operations the state alone refuses, with the first predicate that does.
 std::string outlook(const oracle::spec::Machine& machine, const zed::Given& state);
+/// Each operation, and one way to go on by it from the state.
+std::string operations_list(const oracle::spec::Machine& machine, const zed::Given& state);
+/// A conjecture, its place, and what came of it.
+std::string claim_line(const oracle::spec::Tried& tried);
 /// A way, step by step, each with its state.
 std::string way_story(const oracle::spec::Machine& machine, const std::vector<oracle::spec::Transition>& way);
 

@@ -7,8 +7,11 @@
 
 namespace durero::cli {
 
+using oracle::spec::Found;
 using oracle::spec::Machine;
+using oracle::spec::MachineOperation;
 using oracle::spec::Transition;
+using oracle::spec::Tried;
 using zed::Truth;
 
 namespace {
@@ -105,6 +108,28 @@ std::string way_story(const Machine& machine, const std::vector<Transition>& way
     said += fmt::format("{}. {}\n{}", i, step_line(machine, way[i]),
                         state_table(machine, i == 0 ? nullptr : &way[i - 1].after, way[i].after));
   return said;
+}
+
+std::string operations_list(const Machine& machine, const zed::Given& state) {
+  std::string said;
+  for (const MachineOperation& operation : machine.operations()) {
+    try {
+      const Found one = machine.steps(state, operation, {}, 1);
+      said += one.transitions.empty() ? fmt::format("  no   {}{}\n", operation.name,
+                                                    one.undecided || !one.bounded.empty() ? " (none found)" : "")
+                                      : fmt::format("  yes  {}\n", step_line(machine, one.transitions.front()));
+    } catch (const zed::EvaluationError& error) {
+      said += fmt::format("  open {}: {}\n", operation.name, error.what());
+    } catch (const zed::StepsSpent&) {
+      said += fmt::format("  open {}: --steps did not do\n", operation.name);
+    }
+  }
+  return said;
+}
+
+std::string claim_line(const Tried& tried) {
+  const char* word = tried.truth == Truth::yes ? "true" : tried.truth == Truth::no ? "false" : "open";
+  return fmt::format("  {:<5}  {}: {}{}\n", word, tried.place, tried.claim, tried.of_states ? "  (here)" : "");
 }
 
 }  // namespace durero::cli

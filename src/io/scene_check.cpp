@@ -39,9 +39,14 @@ std::vector<Finding> findings_of(const Source& file, std::vector<InputError> err
 }
 
 template <class Visit>
-void for_each_count(const scene::Scene& scene, Visit&& visit) {
-  scene::for_each_shape(
-      [&]<class Shape>(std::type_identity<Shape>) { visit(Shape::word, scene.shapes<Shape>().size()); });
+void for_each_count(const SceneCheck& check, Visit&& visit) {
+  std::size_t written = 0;
+  for (const auto& [word, count] : check.written) written += count;
+  scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
+    const std::size_t stand_ins = std::is_same_v<Shape, scene::Sphere> ? written : 0;
+    visit(Shape::word, check.scene.shapes<Shape>().size() - stand_ins);
+  });
+  for (const auto& [word, count] : check.written) visit(word, count);
 }
 
 void write_finding(json::Writer& out, const Finding& finding) {
@@ -102,8 +107,22 @@ void write_result(json::Writer& out, std::string_view uri, const Finding& findin
 }  // namespace
 
 SceneCheck check_scene(const Source& file) {
+  return check_scene(file, {}, [] {});
+}
+
+SceneCheck check_scene(const Source& file, std::span<const WrittenType> types, const std::function<void()>& judge) {
   SceneCheck check{.file = file.name()};
-  check.scene = read_scene(file, check.errors);
+  std::vector<WrittenElement> written;
+  check.scene = read_scene(file, types, written, check.errors);
+  if (check.errors.empty()) {
+    for (const WrittenElement& element : written) ++check.written[types[element.type].word];
+    try {
+      judge();
+    } catch (const InputError& error) {
+      if (!std::string_view(error.what()).starts_with(text::escaped(file.name()) + ":")) throw;
+      check.errors.push_back(error);
+    }
+  }
   if (!check.errors.empty()) {
     check.findings = findings_of(file, check.errors);
     return check;
@@ -129,7 +148,7 @@ std::vector<Finding> broken_invariants(const Source& file, const model::Escena& 
 
 std::string check_text(const SceneCheck& check, std::string_view fails) {
   std::string counts;
-  for_each_count(check.scene, [&](std::string_view word, std::size_t count) {
+  for_each_count(check, [&](std::string_view word, std::size_t count) {
     counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", count, word);
   });
   std::string text = fmt::format("{}: {} elementos: {}\n", text::escaped(check.file), check.scene.size(), counts);
@@ -145,7 +164,7 @@ std::string check_json(const SceneCheck& check) {
   out.member("file", text::escaped(check.file)).member("ok", check.findings.empty());
   if (check.errors.empty()) {
     out.new_line().key("elementos").begin_object();
-    for_each_count(check.scene, [&](std::string_view word, std::size_t n) { out.member(word, std::uint64_t{n}); });
+    for_each_count(check, [&](std::string_view word, std::size_t n) { out.member(word, std::uint64_t{n}); });
     out.end_object().new_line().key("invariants").begin_array();
     for (const auto& [what, holds] : check.invariants) {
       out.new_line().begin_object().member("label", what->label).member("predicate", what->predicate);

@@ -150,6 +150,11 @@ scene::Scene read_scene(const Source& source, std::span<const WrittenType> types
   return SceneReader(nullptr, {types, &elements}).read(source);
 }
 
+scene::Scene read_scene(const Source& source, std::span<const WrittenType> types, std::vector<WrittenElement>& elements,
+                        std::vector<InputError>& errors) {
+  return SceneReader(&errors, {types, &elements}).read(source);
+}
+
 ElementPlace element_place(const Source& source, std::string_view name) {
   const json::Document document(source);
   json::Reader in = json::Reader(document).member("elementos").value();

@@ -124,12 +124,33 @@ std::string Calculator::spelled(const zed::AtomName& atom) const {
   return atom.type == elements && !plain_.contains(atom.text) ? quoted(atom.text) : atom.text;
 }
 
-std::optional<std::string> Calculator::written_out(const zed::Term& schema, const zed::Type& type) const {
+/// A generic has the type of its declaration, with other types for the formals: unification gives these.
+std::optional<std::vector<zed::Term>> Calculator::actuals_of(const zed::Term& generic,
+                                                             const zed::Typing& typing) const {
+  const zed::Global* const declared = typing_.find(section_name, generic->name);
+  auto type = typing.type_of(generic);
+  if (!type) type = typing_.type_of(generic);
+  if (!declared || !type) return std::nullopt;
+  std::vector<zed::Type> found;
+  for (std::size_t i = 0; i < declared->scheme.formals.size(); ++i) found.push_back(zed::Type::variable());
+  if (!unify(declared->scheme.type.substitute(declared->scheme.formals, found), *type)) return std::nullopt;
+  std::vector<zed::Term> actuals;
+  for (const zed::Type& each : found) {
+    const zed::Type actual = each.settled();
+    if (!actual.is_known()) return std::nullopt;
+    actuals.push_back(zed::parse_unicode(actual.text(zed::Type::max_size)));
+  }
+  return actuals;
+}
+
+std::optional<std::string> Calculator::written_out(const zed::Term& schema, const zed::Type& type,
+                                                   const zed::Typing& typing) const {
   const auto carrier = [&](const Name& component) {
     const zed::Type* of = type.parts()[0].field(component);
     return of && of->is_known() ? zed::parse_unicode(of->text(zed::Type::max_size)) : zed::Term();
   };
-  const auto text = zed::unfolded(schema, specification_.sections, carrier);
+  const auto text = zed::unfolded(schema, specification_.sections, carrier,
+                                  [&](const zed::Term& generic) { return actuals_of(generic, typing); });
   return text ? std::optional(zed::to_unicode(*text)) : std::nullopt;
 }
 
@@ -147,7 +168,7 @@ Calculator::Result Calculator::evaluate(const std::string& typed, zed::Steps& st
   if (result.is_open()) throw zed::EvaluationError(open_variable);
   const bool listed = !result.set() || result.set()->members();
   if (!listed && type->is_schema_set())
-    if (auto text = written_out(term, type->settled())) return {std::move(*text), true};
+    if (auto text = written_out(term, type->settled(), typing)) return {std::move(*text), true};
   const auto spelling = [this](const zed::AtomName& atom) { return spelled(atom); };
   return {result.text(type->settled(), spelling), !result.is_undefined()};
 }

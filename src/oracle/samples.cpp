@@ -76,6 +76,15 @@ std::vector<zed::Value> names() {
   return found;
 }
 
+/// With a unit vector, exactly, that is no axis: binary64 has none such.
+std::vector<zed::Value> vectors() {
+  auto found = values<Vector>({up, sideways, Vector(0, 0, 2), Vector(0.6, 0, 0.8)});
+  const auto fifths = [](int n) { return zed::Real(n) / zed::Real(5); };
+  found.push_back(
+      zed::Value::point(zed::signature({{"x", ""}, {"y", ""}, {"z", ""}}), fifths(3), fifths(0), fifths(4)));
+  return found;
+}
+
 std::vector<zed::Value> lengths() {
   std::vector<zed::Value> found;
   for (const double length : {1.0, 0.5, 3.0, 0.0, -2.0}) found.emplace_back(zed::Real(length));
@@ -106,7 +115,7 @@ zed::Samples samples() {
       {"Elemento", names()},
       {"Rayo", values(rays)},
       {"Punto", values<Punto>({near_point, far_point, aside, origin, high_point, Punto(0, 0, 8)})},
-      {"Vector", values<Vector>({up, sideways, Vector(0, 0, 2), Vector(0.6, 0, 0.8)})},
+      {"Vector", vectors()},
       {"Terna", values<Terna>({{origin, aside, high_point}, {origin, near_point, far_point}})},
       {"ℝ", lengths()},
       {"Rmas", parameters()},

@@ -216,7 +216,8 @@ Surface Text::surface(const std::string& type, const std::vector<io::WrittenValu
     const Condition points = suspended ? state_->symbolic->member(any_point(), *suspended) : always(true);
     if (!Surface::has_equation(points))
       fail({where, place, fmt::format("the points of {} satisfy no equation", function.text()),
-            "expected p = q ∧ clips, where p and q are polynomials"});
+            fmt::format("expected p = q ∧ clips, where p and q are polynomials, or a union of {} such at most",
+                        Surface::most_pieces)});
     return Surface(points);
   } catch (const Refusal& refusal) {
     fail(refusal.defect);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "support/catch.hpp"
+#include "support/tree.hpp"
 
 namespace {
 
@@ -105,4 +106,27 @@ TEST_CASE("what is no ray, no engine or no file fails with a line, and writes no
   CHECK(std::string(durero_error()) == "no engine none");
   CHECK(durero_scene_read("no/such/file") == nullptr);
   CHECK(std::string(durero_error()).starts_with("no/such/file: "));
+}
+
+TEST_CASE("a scene that is read by a Z text is answered by the text, and neither edited nor written") {
+  const std::string surfaces = durero::test::source_dir() + "/demo/surfaces/";
+  const auto read = [&](const std::string& scene, const std::string& text) {
+    return Scene(durero_scene_read_with((surfaces + scene).c_str(), text.c_str()), durero_scene_free);
+  };
+  const Scene scene = read("torus.json", surfaces + "torus.tex");
+  REQUIRE(scene);
+  const Engine engine = engine_of(scene);
+  REQUIRE(engine);
+  const durero_ray ray{{0, 0, 0}, {1, 0, 0}};
+  durero_hit hit;
+  REQUIRE(durero_first_hits(engine.get(), &ray, 1, &hit) == DURERO_DONE);
+  CHECK(hit.outcome == DURERO_HIT);
+  CHECK(durero_apply(scene.get(), "Eliminar_Elemento e?=ring") == DURERO_FAILED);
+  CHECK(std::string(durero_error()) ==
+        "the scene was read by a Z text; expected one that was not, to be edited or written");
+  CHECK(durero_scene_write(scene.get(), "torus_again.json") == DURERO_FAILED);
+  CHECK_FALSE(engine_of(scene, "exact"));
+  CHECK_FALSE(read("torus.json", durero::test::source_dir() + "/spec/puntos.tex"));
+  CHECK(std::string(durero_error()).find("torus.json:") != std::string::npos);
+  CHECK_FALSE(read("torus.json", "none.tex"));
 }

@@ -5,47 +5,66 @@ import select
 import sys
 import time
 
-durero, book = sys.argv[1:3]
 PATIENCE = 120  # seconds, on a machine that does much else
 
 
-def expect(terminal, text, said=b""):
-    """Reads until the text has come, and returns what came with it."""
-    end = time.monotonic() + PATIENCE
-    while text.encode() not in said:
-        ready, _, _ = select.select([terminal], [], [], max(0, end - time.monotonic()))
-        if not ready:
-            sys.exit(f"never came: {text}\nbut: {said.decode()}")
+class Terminal:
+    """A run of `durero spec run` that a terminal drives."""
+
+    def __init__(self, durero, *arguments):
+        self.said = b""
+        self.child, self.terminal = pty.fork()
+        if self.child == 0:
+            os.execv(durero, [durero, "spec", "run", *arguments])
+
+    def expect(self, text):
+        """Reads until the text has come; what came behind it is read next."""
+        end = time.monotonic() + PATIENCE
+        while text.encode() not in self.said:
+            ready, _, _ = select.select([self.terminal], [], [], max(0, end - time.monotonic()))
+            if not ready:
+                sys.exit(f"never came: {text}\nbut: {self.said.decode()}")
+            try:
+                self.said += os.read(self.terminal, 4096)
+            except OSError:  # the other side has ended
+                sys.exit(f"ended before: {text}\nbut: {self.said.decode()}")
+        self.said = self.said.split(text.encode(), 1)[1]
+
+    def type(self, command, answers):
+        """Types a command, and expects the answers in their order, and that the next may be typed."""
+        os.write(self.terminal, command.encode() + b"\n")
+        for answer in answers:
+            self.expect(answer)
+        self.expect("\n> ")
+
+    def quit(self, status):
+        """Ends the run, which is to end with that status."""
+        os.write(self.terminal, b"quit\n")
         try:
-            said += os.read(terminal, 4096)
-        except OSError:  # the other side has ended
-            sys.exit(f"ended before: {text}\nbut: {said.decode()}")
-    return said.split(text.encode(), 1)[1]
+            while os.read(self.terminal, 4096):
+                pass
+        except OSError:
+            pass
+        got = os.waitstatus_to_exitcode(os.waitpid(self.child, 0)[1])
+        if got != status:
+            sys.exit(f"status {got}, expected {status}")
 
 
-child, terminal = pty.fork()
-if child == 0:
-    os.execv(durero, [durero, "spec", "run", book, "--members", "2", "--given", "NAME=ann,bob"])
-rest = expect(terminal, "0. InitBirthdayBook")
-rest = expect(terminal, "> ", rest)
-for command, answers in [
-        ("FindBirthday", ["FindBirthday cannot go on here"]),
-        ("AddBirthday name? = ann", ["2 ways:", "2. AddBirthday"]),
-        ("2", ["1. AddBirthday", "→  {ann ↦ DATE2}", "invariant: 3 of 3"]),
-        ("FindBirthday", ["date! = DATE2"]),
-        ("back", ["1. AddBirthday"]),
-        ("explore 50", ["false after this way:", "NAME ⤔ DATE"]),
-]:
-    os.write(terminal, command.encode() + b"\n")
-    for answer in answers:
-        rest = expect(terminal, answer, rest)
-    rest = expect(terminal, "\n> ", rest)
-os.write(terminal, b"quit\n")
-try:
-    while os.read(terminal, 4096):
-        pass
-except OSError:
-    pass
-status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
-if status != 1:
-    sys.exit(f"status {status}, expected 1: a conjecture is false")
+def steps_through_the_book(durero, book):
+    terminal = Terminal(durero, book, "--members", "2", "--given", "NAME=ann,bob")
+    terminal.expect("0. InitBirthdayBook")
+    terminal.expect("> ")
+    for command, answers in [
+            ("FindBirthday", ["FindBirthday cannot go on here"]),
+            ("AddBirthday name? = ann", ["2 ways:", "2. AddBirthday"]),
+            ("2", ["1. AddBirthday", "→  {ann ↦ DATE2}", "invariant: 3 of 3"]),
+            ("FindBirthday", ["date! = DATE2"]),
+            ("back", ["1. AddBirthday"]),
+            ("explore 50", ["false after this way:", "NAME ⤔ DATE"]),
+    ]:
+        terminal.type(command, answers)
+    terminal.quit(1)  # a conjecture is false
+
+
+if __name__ == "__main__":
+    steps_through_the_book(*sys.argv[1:3])

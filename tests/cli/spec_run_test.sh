@@ -71,7 +71,9 @@ has err 'durero: wrong.txt:8:6: AddBirthday does not allow this step; expected o
 checks=$((checks + 1))
 python3 "$home/spec_run.py" "$durero" "$book" >err 2>&1 || fail spec_run.py
 
-# The program's own text steps too.
+# The program's own text steps too, for a session of some length.
+checks=$((checks + 1))
+python3 "$home/spec_run_own.py" "$durero" >err 2>&1 || fail spec_run_own.py
 printf 'Agregar_Esfera e? = bola; centro? = ⦉x == 0, y == 0, z == 5⦊; radio? = 1\nEliminar_Esfera\n' |
   "$durero" spec run --given Elemento=bola >out 2>err || fail "spec run of the program's own text"
 has out '* mi_radio'

@@ -41,6 +41,7 @@ bad() {
   toro "$1"
   refused "bad.json:$2" trace bad.json rays.txt --with "$surfaces/torus.tex"
   refused "bad.json:$2" render bad.json -o bad.png --with "$surfaces/torus.tex"
+  refused "bad.json:$2" check bad.json --with "$surfaces/torus.tex"
   absent bad.png
 }
 bad '"centro":[0,0,0],"mayor":2' '2:1: key "menor" is missing in an element of tipo toro; '
@@ -48,6 +49,41 @@ bad '"centro":[0,0,0],"mayor":2,"menor":1,"radio":1' '2:62: unknown key "radio" 
 bad '"centro":[0,0],"mayor":2,"menor":1' '2:34: centro has 2 items; '
 bad '"centro":[0,0,0],"mayor":2,"menor":-1' '2:60: t is not in the domain of puntos_toro; expected menor ∈ Rmas'
 bad '"centro":[0,0,0],"mayor":2,"menor":3' '2:1: t is not in the domain of puntos_toro; expected menor < mayor'
+
+run 2 check bad.json --with "$surfaces/torus.tex" --format json
+has out '"message":"t is not in the domain of puntos_toro; expected menor < mayor","pointer":"/elementos/0","line":2'
+run 0 check "$surfaces/torus.json" --with "$surfaces/torus.tex"
+has out 'torus.json: 3 elementos: 1 esfera, 0 cilindro, 0 cono, 0 tronco, 1 plano, 0 disco, 0 triangulo, 1 toro'
+has out 'Escena.inv.1 ok'
+run 0 check "$surfaces/torus.json" --with "$surfaces/torus.tex" --format json
+has out '"triangulo":0,"toro":1}'
+refused "$surfaces/torus.json:9:21: tipo is \"toro\"; " check "$surfaces/torus.json"
+
+# A union: a can with its lids, from within and from its own lid.
+cat >can.tex <<'TEX'
+\begin{zsection}
+  \SECTION lata \parents puntos
+\end{zsection}
+\begin{axdef}
+  puntos\_lata : Punto \cross Rmas \cross Unitario \cross Rmas \fun \power Punto
+\where
+  \forall centro : Punto; radio : Rmas; vector : Unitario; altura : Rmas @ \\
+  \t1 puntos\_lata(centro, radio, vector, altura) = \\
+  \t1 (\LET cima == \lblot x == centro.x + altura * vector.x, y == centro.y + altura * vector.y, \\
+  \t2 z == centro.z + altura * vector.z \rblot @ \\
+  \t1 puntos\_cilindro(centro, radio, vector, altura) \cup \\
+  \t2 puntos\_disco(centro, radio, vector) \cup puntos\_disco(cima, radio, vector))
+\end{axdef}
+TEX
+echo '{"format":"durero-scene","version":1,"elementos":[
+{"id":"can","tipo":"lata","centro":[0,0,0],"radio":1,"vector":[0,0,1],"altura":2}]}' >can.json
+printf '0 0 1 0 0 1\n0 0 -3 0 0 1\n0 0 0 0 0 1 @can\n0 0 0 1 0 1 @can\n1 0 1 1 0 0 @can\n' >can.txt
+run 0 trace can.json can.txt --with can.tex
+has out '{"ray":0,"outcome":"hit","elementos":["can"],"t":1,"point":[0,0,2]}'
+has out '{"ray":1,"outcome":"hit","elementos":["can"],"t":3,"point":[0,0,0]}'
+has out '{"ray":2,"outcome":"hit","elementos":["can"],"t":2,"point":[0,0,2]}'
+has out '{"ray":3,"outcome":"hit","elementos":["can"],"t":1,"point":[1,0,1]}'
+has out '{"ray":4,"outcome":"miss"'
 
 # What is wrong with the text has a place in it.
 refused 'none.tex: cannot be read' trace scene.json rays.txt --with none.tex

@@ -18,8 +18,7 @@ TEST_CASE("the samples are states of the text") {
     }
 }
 
-// What refraccion relates is four values of which three give the fourth, with its root: chance draws no such t.
-TEST_CASE("no conjecture of the text is false on the samples, and each is tried but those of refraccion") {
+TEST_CASE("no conjecture of the text is false on the samples, and each is tried") {
   const auto trials =
       zed::try_conjectures(spec::text(), zed::check(spec::text()), spec::samples(), {.states = 8, .draws = 128});
   CHECK(trials.size() == 64);
@@ -28,7 +27,7 @@ TEST_CASE("no conjecture of the text is false on the samples, and each is tried 
     CHECK(trial.counterexample.empty());
     CHECK_FALSE(trial.label.empty());
     INFO(trial.why_not);
-    CHECK((trial.tried >= 1 || trial.label.starts_with("refraccion.")));
+    CHECK(trial.tried >= 1);
   }
 }
 

@@ -10,8 +10,10 @@ import sys
 import zlex
 import ztemplate
 from zlex import ZError
-from zparse import Node, Parser
-from ztype import FORMAL, Checker, generic, power
+from ztemplate import Node
+from zparse import Parser
+from ztype import FORMAL, Checker
+from zunify import generic, power
 
 
 def section(path):

@@ -1,6 +1,7 @@
 """The typing rules of Z's expressions, one an operator: rule(checker, scope, node) gives the type."""
-from zparse import Node
-from ztype import ARITHMOS, pair, power, relation
+from ztemplate import Node
+from ztype import ARITHMOS
+from zunify import pair, power, relation
 
 
 def number(c, scope, node):

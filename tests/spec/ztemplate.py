@@ -38,13 +38,13 @@ class Template:
         begin, operands = at, []
         for part in self.parts:
             token = tokens[at]
-            if part == ",,":
+            if part == ",," and token.text != r"\listarg":
                 if (token.text, tokens[at + 1].text) != (",", ","):
                     return None
                 at += 1
             elif part == "_" and token.kind == "name":
                 operands.append(token.text)
-            elif token.text != (r"\_" if part == "_" else part):
+            elif token.text != {"_": r"\_", ",,": r"\listarg"}.get(part, part):
                 return None
             at += 1
         return at - begin, operands
@@ -68,7 +68,7 @@ def read(p, known):
             p.take(",")
             parts.append(",,")
         else:
-            parts.append("_" if token.text == r"\_" else token.text)
+            parts.append({r"\_": "_", r"\listarg": ",,"}.get(token.text, token.text))
     p.take(")")
     if role != "relation" and binds != (len(parts) > 2 and parts[0] == parts[-1] == "_"):
         raise ZError(line, "a precedence belongs to an infix operator")

@@ -120,5 +120,58 @@ TEST_CASE("The normal is the gradient, and null at a point without one") {
   CHECK(Surface(compared(x * x + y * y - z * z, is_zero)).normal({0, 0, 0}) == glm::dvec3(0));
 }
 
+/// A can about y: its wall x² + z² = 1 and its lids y = 1 and y = -1.
+const Condition can = [] {
+  const Formula inside = x * x + z * z - Formula(1), between = y * y - Formula(1);
+  return either(both(compared(inside, is_zero), compared(between, not_positive)),
+                both(compared(between, is_zero), compared(inside, not_positive)));
+}();
+
+TEST_CASE("A union is met where one of its pieces is, and at the first of these") {
+  const Surface surface(can);
+  CHECK(at(surface.first(ray({-3, 0, 0}, {1, 0, 0}), false)) == 2);
+  CHECK(at(surface.first(ray({0.5, 4, 0}, {0, -1, 0}), false)) == 3);
+  CHECK(at(surface.first(ray({0, 0, 0}, {0, -2, 0}), false)) == 0.5);  // from within, to the lid
+  CHECK(at(surface.first(ray({-3, 1, 0}, {1, 0, 0}), false)) == 2);    // the rim is before the lid, in which it goes on
+  CHECK(is_nowhere(surface.first(ray({-3, 1.5, 0}, {1, 0, 0}), false)));
+  CHECK(after(surface.first(ray({0, 1, 0}, {1, 0, 0}), false)) == 0);  // in the lid
+  CHECK(surface.hides(ray({0, 0, 0}, {0, 2, 0}), false));
+  CHECK_FALSE(surface.hides(ray({0, 0, 0}, {0, 1, 0}), false));
+}
+
+TEST_CASE("A ray that starts on a union starts on the pieces that its origin may be the rounding of a point of") {
+  const Surface surface(can);
+  CHECK(at(surface.first(ray({0, 1, 0}, {0, -1, 0}), true)) == 2);            // from lid to lid
+  CHECK(at(surface.first(ray({0, 1, 0}, {0.5, -0.5, 0}), true)) == 2);        // from lid to wall
+  CHECK(at(surface.first(ray({1, 0, 0}, {-1, 1, 0}), true)) == 1);            // from wall to lid
+  CHECK(is_nowhere(surface.first(ray({0.6, 0, 0.8}, {0.6, 0, 0.8}), true)));  // the rounding of a point of the wall
+  CHECK(at(surface.first(ray({0.6, 0, 0.8}, {-0.6, 0, -0.8}), true)) == Approx(2));
+  CHECK(is_nowhere(surface.first(ray({1, 1, 0}, {1, 1, 0}), true)));  // from the rim
+  // far from all of it, it starts on none
+  CHECK(at(surface.first(ray({-3, 0, 0}, {1, 0, 0}), true)) == 2);
+}
+
+TEST_CASE("What satisfies no equation on some side is no union of surfaces, nor is one of too many") {
+  const Condition inside = compared(x, not_negative);
+  CHECK(Surface::has_equation(either(ball, plane)));
+  CHECK(Surface::has_equation(both(either(ball, plane), inside)));
+  CHECK_FALSE(Surface::has_equation(either(ball, inside)));
+  CHECK_FALSE(Surface::has_equation(both(inside, either(inside, plane))));
+  Condition many = plane;
+  for (int i = 1; i <= static_cast<int>(Surface::most_pieces); ++i) {
+    CHECK(Surface::has_equation(many));
+    many = either(std::move(many), compared(y - Formula(i), is_zero));
+  }
+  CHECK_FALSE(Surface::has_equation(many));
+  CHECK(at(Surface(both(either(ball, plane), inside)).first(ray({-3, 0.5, 0}, {1, 0, 0}), false)) == Approx(3.8660254));
+}
+
+TEST_CASE("The normal of a union is that of the piece on which the point lies") {
+  const Surface surface(can);
+  CHECK(surface.normal({1, 0.5, 0}) == glm::dvec3(1, 0, 0));
+  CHECK(surface.normal({0.25, 1, 0}) == glm::dvec3(0, 1, 0));
+  CHECK(surface.normal({0, -1, 0.5}) == glm::dvec3(0, -1, 0));
+}
+
 }  // namespace
 }  // namespace durero::written

@@ -51,6 +51,9 @@ const char *durero_version(void);
 durero_scene *durero_scene_new(void);
 /** Reads a scene file, with its groups; NULL where it is none, with its file, line and column. */
 durero_scene *durero_scene_read(const char *path);
+/** Reads a scene file by a Z text, another file, that says what the points of each element are, as `durero trace --with`
+ * does. Such a scene is asked and no more: to edit it or to write it is DURERO_FAILED. NULL where a file is wrong. */
+durero_scene *durero_scene_read_with(const char *path, const char *text);
 /** Writes a scene file, which appears whole or not at all. DURERO_FAILED where it cannot be written. */
 durero_answer durero_scene_write(const durero_scene *scene, const char *path);
 /** Nothing may use the scene any more, no engine either. NULL is permitted. */
@@ -65,7 +68,8 @@ size_t durero_scene_size(const durero_scene *scene);
 durero_answer durero_apply(durero_scene *scene, const char *operation);
 
 /** Makes the engine of that name ready for the scene (`durero engines` lists them; NULL is the usual one). The scene must
- * outlive it, unedited. NULL where there is no such engine. */
+ * outlive it, unedited. NULL where there is no such engine. A scene that was read by a Z text has the text answer, and
+ * takes no name but NULL. */
 durero_engine *durero_engine_new(const durero_scene *scene, const char *name);
 /** NULL is permitted. The scene stays. */
 void durero_engine_free(durero_engine *engine);

@@ -2,13 +2,17 @@
 /// What there is to say of a scene file: all that is wrong with it, or, of a file that is right, each invariant of
 /// Escena. As text, and for programs as JSON and as SARIF 2.1.0.
 
+#include <functional>
+#include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "durero/io/format_version.hpp"
 #include "durero/io/source.hpp"
+#include "durero/io/written_elements.hpp"
 #include "durero/model/escena.hpp"
 #include "durero/scene/scene.hpp"
 
@@ -27,8 +31,10 @@ struct Finding {
 
 /// What check_scene() has found.
 struct SceneCheck {
-  std::string file;                  ///< the name of the source
-  scene::Scene scene{};              ///< without what is wrong
+  std::string file;      ///< the name of the source
+  scene::Scene scene{};  ///< without what is wrong
+  /// How many there are of each type that a Z text declares; in the scene they stand as spheres.
+  std::map<std::string, std::size_t> written{};
   std::vector<InputError> errors{};  ///< as they were met: the first is what read_scene throws
   model::Judgements invariants{};    ///< none where there is an error: then there is no scene to judge
   std::vector<Finding> findings{};   ///< in the order of the file
@@ -36,6 +42,10 @@ struct SceneCheck {
 
 /// Reads the whole file and judges the scene. What is wrong with the file is found, not thrown.
 SceneCheck check_scene(const Source& file);
+
+/// The same of a scene whose elements may be of these types too. Where the file is right otherwise, `judge` is called:
+/// the InputError that it throws of this file is found, any other thrown on.
+SceneCheck check_scene(const Source& file, std::span<const WrittenType> types, const std::function<void()>& judge);
 
 /// A finding for each element that breaks an invariant. A scene that was read breaks none, unless the program is wrong.
 std::vector<Finding> broken_invariants(const Source& file, const model::Escena& escena);

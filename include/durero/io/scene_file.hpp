@@ -30,6 +30,9 @@ scene::Scene read_scene(const Source& source, std::vector<InputError>& errors);
 /// it is. Throws InputError as read_scene(source) does.
 scene::Scene read_scene(const Source& source, std::span<const WrittenType> types,
                         std::vector<WrittenElement>& elements);
+/// Reads what there is of one; the errors go to the others, as above.
+scene::Scene read_scene(const Source& source, std::span<const WrittenType> types, std::vector<WrittenElement>& elements,
+                        std::vector<InputError>& errors);
 
 /// Where an element stands in its file.
 struct ElementPlace {

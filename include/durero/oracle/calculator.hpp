@@ -61,7 +61,10 @@ class Calculator {
   zed::Typing check(zed::Term& term) const;
   std::string spelled(const zed::AtomName& atom) const;
   /// The schema as one text without others in it, as `pre Op`; nothing where that cannot be.
-  std::optional<std::string> written_out(const zed::Term& schema, const zed::Type& type) const;
+  std::optional<std::string> written_out(const zed::Term& schema, const zed::Type& type,
+                                         const zed::Typing& typing) const;
+  /// What stands for the formals of a generic schema that is named without actuals, by the types that were found.
+  std::optional<std::vector<zed::Term>> actuals_of(const zed::Term& generic, const zed::Typing& typing) const;
 
   zed::Specification specification_;
   zed::Typing typing_;

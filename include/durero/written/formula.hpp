@@ -77,6 +77,8 @@ struct Condition {
 
   /// Whether it holds everywhere, or nowhere.
   bool is(bool everywhere) const { return kind == Kind::constant && truth == everywhere; }
+  /// Whether it is a comparison by =.
+  bool is_equation() const { return kind == Kind::comparison && signs == Signs{false, true, false}; }
 };
 
 /// Makes a constant.

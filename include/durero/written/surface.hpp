@@ -4,8 +4,10 @@
 /// Along a ray p + t·v each polynomial in x, y and z is one in t. Where an equation p = 0 of the surface is not 0 = 0
 /// along the ray, the ray meets it at roots of that polynomial alone, and each of them is asked for the rest. Where all
 /// its equations are 0 = 0, the ray lies in the surface, and the clips decide: between neighbouring roots of theirs
-/// none changes its sign, so that what they say at one point of such a stretch they say on all of it.
+/// none changes its sign, so that what they say at one point of such a stretch they say on all of it. A union of such
+/// surfaces is met where one of them is.
 
+#include <array>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <variant>
@@ -31,32 +33,32 @@ class AlongRays {
   explicit AlongRays(const Formula& formula);
   /// The polynomial in t that it is on the ray.
   algebra::Polynomial along(const model::Rayo& rayo) const;
+  /// Its value at a point.
+  number::Dyadic at(const std::array<number::Dyadic, 3>& w) const;
 
  private:
   using InZ = algebra::Polynomial;
   std::vector<std::vector<InZ>> coefficients_;  // [i][j][k] of xⁱ·yʲ·zᵏ
 };
 
-/// The set { w : Punto | p₁ = 0 ∧ … ∧ clips }, of which there is at least one equation.
-class Surface {
+/// A part of a surface: the set { w : Punto | p₁ = 0 ∧ … ∧ clips }, of which there is at least one equation.
+class Piece {
  public:
-  /// Precondition: has_equation(of).
-  explicit Surface(const Condition& of);
-  /// Whether every point satisfies an equation: one is a conjunct.
-  static bool has_equation(const Condition& of);
+  /// Precondition: an equation is among the conjuncts, or it is nowhere true.
+  explicit Piece(const Condition& of);
 
-  /// Where the ray meets it first. A ray that starts on the surface sees the points at which the equations have the
-  /// value that they have at its stored origin (puntos_desde); the clips are those of the surface all the same.
+  /// Where the ray meets it first. A ray that starts on it sees the points at which the equations have the value that
+  /// they have at its stored origin (puntos_desde); the clips are those of the piece all the same.
   First first(const model::Rayo& rayo, bool starts_on) const;
-  /// Whether the ray meets it at some 0 < t < 1.
-  bool hides(const model::Rayo& rayo, bool starts_on) const;
+  /// Whether its equations may be true of a point whose rounding this is. False is certain.
+  bool may_hold_near(const glm::dvec3& rounded) const;
 
-  /// The direction in which the first equation grows most at a point, to some digits: a unit vector, or null where it
-  /// grows in none.
-  glm::dvec3 normal(const glm::dvec3& w) const;
+  /// The first equation, and its derivatives.
+  const Formula& equation() const { return equation_; }
+  const std::array<Formula, 3>& gradient() const { return gradient_; }
 
  private:
-  friend class RayOnSurface;
+  friend class RayOnPiece;
 
   /// A condition whose comparisons are known by their numbers.
   struct Clip {
@@ -71,10 +73,37 @@ class Surface {
     AlongRays polynomial;
     Signs signs;
   };
-  std::vector<AlongRays> equations_;
+  std::vector<AlongRays> equations_, magnitudes_;  // in step: of the magnitudes all coefficients are positive
   std::vector<Comparison> comparisons_;
   Clip clips_;
+  Formula equation_;
   std::array<Formula, 3> gradient_;
+};
+
+/// A set of points that is a union of pieces, as a solid with its caps is; of most there is one.
+class Surface {
+ public:
+  /// No condition is followed that comes to more of them.
+  static constexpr std::size_t most_pieces = 64;
+
+  /// Precondition: has_equation(of).
+  explicit Surface(const Condition& of);
+  /// Whether every point satisfies an equation: one is a conjunct of it, or of each side of an ∨ among the conjuncts,
+  /// which makes most_pieces at most.
+  static bool has_equation(const Condition& of);
+
+  /// Where the ray meets it first. A ray that starts on the surface starts on every piece whose equations may be true
+  /// of the point that its origin is the rounding of; of one piece alone, on that.
+  First first(const model::Rayo& rayo, bool starts_on) const;
+  /// Whether the ray meets it at some 0 < t < 1.
+  bool hides(const model::Rayo& rayo, bool starts_on) const;
+
+  /// The direction in which the first equation of the piece that is nearest to a point grows most there, to some
+  /// digits: a unit vector, or null where it grows in none.
+  glm::dvec3 normal(const glm::dvec3& w) const;
+
+ private:
+  std::vector<Piece> pieces_;
 };
 
 }  // namespace durero::written

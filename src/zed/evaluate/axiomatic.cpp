@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "zed/evaluate/compiler.hpp"
-#include "zed/evaluate/describe.hpp"
 #include "zed/evaluate/intensional.hpp"
 #include "zed/syntax/match.hpp"
 #include "zed/value/sets.hpp"
@@ -84,7 +83,7 @@ std::optional<Closure> clause(Compiler& compiler, const Name& function, const st
   head.groups = *groups;
   Code value = compiler.expression(right, inner);
   if (squared) value = [of = std::move(value)](Frame& frame) { return functions::root(of(frame), frame.context); };
-  return Closure{unit, {}, std::move(head), std::move(value), describe(forall)};
+  return Closure{unit, {}, std::move(head), std::move(value), std::make_shared<const Node>(forall)};
 }
 
 Value evaluated(Compiler& compiler, const Term& term, Context& context) {

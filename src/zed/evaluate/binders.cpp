@@ -3,7 +3,6 @@
 #include <set>
 
 #include "zed/evaluate/compiler.hpp"
-#include "zed/evaluate/describe.hpp"
 #include "zed/evaluate/intensional.hpp"
 #include "zed/syntax/match.hpp"
 
@@ -69,10 +68,10 @@ Code Compiler::comprehension(const Node& node, const Scope& scope) {
   const Head head = this->head(*node.text, scope, inner);
   Code term;
   if (!node.children.empty()) term = expression(node.children[0], inner);
-  return [head, term, base, unit = scope.unit, text = describe(node),
+  return [head, term, base, unit = scope.unit, written = std::make_shared<const Node>(node),
           free = free_names(before, base, scope)](Frame& frame) -> Value {
     if (!head.search->enumerable(frame))
-      return intensional_set({unit, captured(frame, base), head, term, text, free}, frame.context.steps);
+      return intensional_set({unit, captured(frame, base), head, term, written, free}, frame.context.steps);
     std::vector<Value> values;
     const Necessary no(frame.context, false);
     const Truth some = head.search->each(frame, [&](Frame& inside) {
@@ -105,9 +104,9 @@ Code Compiler::lambda(const Node& node, const Scope& scope) {
   Scope inner{.outer = &scope, .unit = scope.unit};
   const Head head = this->head(*node.text, scope, inner);
   Code term = expression(node.children[0], inner);
-  return [head, term = std::move(term), base, unit = scope.unit, text = describe(node),
+  return [head, term = std::move(term), base, unit = scope.unit, written = std::make_shared<const Node>(node),
           free = free_names(before, base, scope)](Frame& frame) {
-    return lambda_function({unit, captured(frame, base), head, term, text, free}, frame.context.steps);
+    return lambda_function({unit, captured(frame, base), head, term, written, free}, frame.context.steps);
   };
 }
 

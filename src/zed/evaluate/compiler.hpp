@@ -119,7 +119,10 @@ class Compiler {
                           const Scope& scope);
   Property declaration(const Declaration& declaration, const Scope& scope);
   Property inclusion(const Declaration& included, unsigned whole, const Scope& scope, const Scope& inner);
-  void equations(const Node& relation, const Scope& scope, Property& into);
+  /// Adds what an equation says of names, and of the parts of tuples, bindings and θ S.
+  void equations(const Term& left, const Term& right, const Scope& scope, Property& into);
+  /// The parts of two tuples, two bindings or θ S and θ S ′ that are equal where these are.
+  std::vector<std::pair<Term, Term>> parts_of(const Term& left, const Term& right) const;
 
   // Paragraphs are compiled in axiomatic.cpp.
   Value axiomatic(const Meaning& global, Context& context);

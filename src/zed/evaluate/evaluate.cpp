@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "zed/evaluate/describe.hpp"
 #include "zed/evaluate/evaluator_state.hpp"
 #include "zed/value/functions.hpp"
 #include "zed/value/sets.hpp"
@@ -49,8 +50,22 @@ Frame frame_of(const Given& locals, const Unit& unit, Context& context) {
   return frame;
 }
 
+std::string text_of(const Property& property) {
+  switch (property.written) {
+    case Property::Written::no:
+      return {};
+    case Property::Written::term:
+      return describe(*property.term);
+    case Property::Written::member:
+      return property.declares.text() + " ∈ " + describe(*property.term);
+    case Property::Written::equal:
+      return property.declares.text() + " = " + describe(*property.term);
+  }
+  __builtin_unreachable();  // it is written in one of these ways
+}
+
 Finding finding(const Property& property, Truth here) {
-  Finding finding{property.label, property.text, property.strokes, {}, here};
+  Finding finding{property.label, text_of(property), property.strokes, {}, here};
   if (property.term) finding.place = property.term->place;
   return finding;
 }
@@ -75,7 +90,7 @@ std::vector<Finding> best_side(const Property& property, Frame& frame) {
 }
 
 std::vector<Finding> findings(const Property& property, Frame& frame) {
-  const bool composed = property.text.empty();
+  const bool composed = property.written == Property::Written::no;
   if (composed && property.kind == Property::Kind::any) return best_side(property, frame);
   if (composed && property.kind == Property::Kind::exists && property.search->determined()) {
     property.search->determine(frame);
@@ -100,6 +115,18 @@ Truth SchemaCheck::holds(std::span<const Value> values) const {
   Context context(state_->steps);
   Frame frame = state_->frame(values, context);
   return evaluate(state_->property, frame);
+}
+
+SchemaCheck::Apart SchemaCheck::apart(std::span<const Value> values) const {
+  Context context(state_->steps);
+  Frame frame = state_->frame(values, context);
+  const auto& parts = state_->property.parts;
+  if (state_->property.kind != Property::Kind::all || parts.empty()) return {Truth::yes, holds(values)};
+  Apart found{Truth::yes, Truth::open};
+  for (std::size_t i = 0; i + 1 < parts.size() && found.before != Truth::no; ++i)
+    found.before = both(found.before, evaluate(parts[i], frame));
+  if (found.before == Truth::yes) found.last = evaluate(parts.back(), frame);
+  return found;
 }
 
 std::vector<Finding> SchemaCheck::findings(std::span<const Value> values) const {

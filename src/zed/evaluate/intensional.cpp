@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "zed/evaluate/describe.hpp"
 #include "zed/value/functions.hpp"
 
 namespace durero::zed {
@@ -260,6 +261,7 @@ bool Closure::closed() const {
 }
 
 std::string Closure::spelled(Set::Wording wording) const {
+  std::string text = describe(*written);
   if (wording == Set::Wording::message || free.empty()) return text;
   std::string values;
   for (const auto& [name, slot] : free) values += (values.empty() ? "" : "; ") + name + " == " + captured[slot].text();

@@ -10,8 +10,8 @@ struct Closure {
   std::shared_ptr<const Unit> unit;
   std::vector<Value> captured;
   Head head;
-  Code term;  ///< it is null where the characteristic tuple is the value
-  std::string text;
+  Code term;                            ///< it is null where the characteristic tuple is the value
+  std::shared_ptr<const Node> written;  ///< as the text has it
   /// The slots around it that it reads, each with the name by which the text knows it.
   std::vector<std::pair<std::string, unsigned>> free{};
 

@@ -89,8 +89,13 @@ std::vector<Property> sides_of(const Property& property) {
   if (property.kind != Property::Kind::all) return {property};
   std::vector<Property> sides{Property()};
   for (const Property& part : property.parts) {
-    const auto of_part = sides_of(part);
+    auto of_part = sides_of(part);
     if (sides.size() * of_part.size() > most_sides) return {property};
+    if (of_part.size() == 1) {
+      for (std::size_t i = 1; i < sides.size(); ++i) sides[i].parts.push_back(of_part[0]);
+      sides[0].parts.push_back(std::move(of_part[0]));
+      continue;
+    }
     std::vector<Property> more;
     for (const Property& side : sides)
       for (const Property& one : of_part) {

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "zed/evaluate/compiler.hpp"
-#include "zed/evaluate/describe.hpp"
 
 namespace durero::zed {
 namespace {
@@ -53,8 +52,9 @@ Property Compiler::declaration(const Declaration& declaration, const Scope& scop
       }
     }
     property.term = declaration.term;
-    property.text = decorated(name, strokes_).text() +
-                    (declaration.form == Declaration::Form::defined ? " = " : " ∈ ") + describe(*declaration.term);
+    property.written =
+        declaration.form == Declaration::Form::defined ? Property::Written::equal : Property::Written::member;
+    property.declares = decorated(name, strokes_);
     property.strokes = strokes_;
     parts.push_back(std::move(property));
   }
@@ -73,7 +73,7 @@ Property Compiler::text(const SchemaText& text, const Scope& scope) {
     part.label = conjunct.label.empty() ? label_ : conjunct.label;
     part.term = conjunct.term;
     part.strokes = strokes_;
-    part.text = describe(*conjunct.term);
+    part.written = Property::Written::term;
     property.parts.push_back(std::move(part));
   }
   return property;
@@ -174,7 +174,7 @@ Property Compiler::change(const Name& of, bool unchanged, const Scope& scope) {
       return make(std::move(node));
     };
     parts.push_back(relation(zed::relation({{"_=_", {}}}, {theta(""), theta("'")}), scope));
-    parts.back().text = describe(*parts.back().term);
+    parts.back().written = Property::Written::term;
   }
   return all_of(std::move(parts));
 }

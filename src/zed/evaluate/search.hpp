@@ -42,7 +42,10 @@ struct Property {
   std::string label;
   Term term;            ///< it is null for what is not written as a predicate of its own
   std::string strokes;  ///< the state that it speaks of has them: `'` under Escena '
-  std::string text;     ///< a conjunct of a schema is written in Unicode, other properties are not
+  /// A conjunct of a schema is written as its term, or as `declares ∈ term` or `declares = term`.
+  enum class Written : std::uint8_t { no, term, member, equal };
+  Written written = Written::no;
+  Name declares;
 };
 
 Property all_of(std::vector<Property> parts);

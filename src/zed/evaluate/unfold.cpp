@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "zed/evaluate/flat.hpp"
+#include "zed/evaluate/connectives.hpp"
 #include "zed/evaluate/substitute.hpp"
 #include "zed/syntax/match.hpp"
 
@@ -11,13 +11,14 @@ namespace {
 
 class Unfolder {
  public:
-  Unfolder(const Definitions& definitions, const Carriers& carriers) : definitions_(definitions), carriers_(carriers) {}
+  Unfolder(const Definitions& definitions, const Carriers& carriers, const Actuals& actuals)
+      : definitions_(definitions), actuals_(actuals), connectives_(definitions, carriers) {}
 
   using Result = std::optional<Flat>;
 
   Result flat(const Term& term) {
     if (++depth_ > most_inclusions) return std::nullopt;
-    Result result = flat_of(*term);
+    Result result = flat_of(term);
     --depth_;
     return result;
   }
@@ -25,10 +26,11 @@ class Unfolder {
  private:
   static constexpr int most_inclusions = 100;
 
-  Result flat_of(const Node& term) {
+  Result flat_of(const Term& whole) {
+    const Node& term = *whole;
     switch (term.kind) {
       case Kind::reference:
-        return term.children.empty() ? named(term.name) : instance(term);
+        return term.children.empty() ? named(whole) : instance(term.name, term.children);
       case Kind::schema_text:
         return text(*term.text);
       case Kind::decoration:
@@ -48,32 +50,47 @@ class Unfolder {
       case Kind::piping:
         return linked(term, "!", "?");
       case Kind::projection:
-        return projection(flat(term.children[0]), flat(term.children[1]));
-      case Kind::exists: {
+        return joined_by(&Connectives::projection, term);
+      case Kind::forall:
+      case Kind::exists:
+      case Kind::exists_one: {
         const Result bound = text(*term.text), of = flat(term.children[0]);
-        return bound && of ? without(merged(*bound, *of), components(*term.text, definitions_)) : std::nullopt;
+        return bound && of ? connectives_.quantified(term.kind, *bound, *of) : std::nullopt;
       }
       case Kind::conjunction: {
         const Result left = flat(term.children[0]), right = flat(term.children[1]);
         return left && right ? Result(merged(*left, *right)) : std::nullopt;
       }
       case Kind::disjunction:
+        return joined_by(&Connectives::disjunction, term);
       case Kind::implication:
+        return joined_by(&Connectives::implication, term);
       case Kind::equivalence:
-        return joined_by(term.kind, flat(term.children[0]), flat(term.children[1]));
-      case Kind::negation:
-        return negated(flat(term.children[0]));
+        return joined_by(&Connectives::equivalence, term);
+      case Kind::negation: {
+        const Result of = flat(term.children[0]);
+        return of ? connectives_.negation(*of) : std::nullopt;
+      }
       default:
         return std::nullopt;
     }
   }
 
-  Result named(const Name& name) {
+  using Connective = Result (Connectives::*)(const Flat&, const Flat&) const;
+  Result joined_by(Connective connective, const Node& term) {
+    const Result left = flat(term.children[0]), right = flat(term.children[1]);
+    return left && right ? (connectives_.*connective)(*left, *right) : std::nullopt;
+  }
+
+  Result named(const Term& term) {
+    const Name& name = term->name;
     if (const Meaning* meaning = definitions_.find(name)) {
-      if (const auto* box = std::get_if<Schema>(&meaning->paragraph->form))
-        return box->formals.empty() ? text(box->text) : std::nullopt;
+      const auto* box = std::get_if<Schema>(&meaning->paragraph->form);
       const auto* definition = std::get_if<Definition>(&meaning->paragraph->form);
-      return definition && definition->formals.empty() ? flat(definition->value) : std::nullopt;
+      if (!box && !definition) return std::nullopt;
+      if ((box ? box->formals : definition->formals).empty()) return box ? text(box->text) : flat(definition->value);
+      const auto actuals = actuals_ ? actuals_(term) : std::nullopt;
+      return actuals ? instance(name, *actuals) : std::nullopt;
     }
     for (const bool unchanged : {false, true}) {
       const auto of = implicit(name, unchanged ? "Ξ" : "Δ", definitions_);
@@ -91,16 +108,16 @@ class Unfolder {
   }
 
   /// Of a generic schema: the actuals stand for the formals.
-  Result instance(const Node& term) {
-    const Meaning* meaning = definitions_.find(term.name);
+  Result instance(const Name& name, const std::vector<Term>& actuals) {
+    const Meaning* meaning = definitions_.find(name);
     if (!meaning) return std::nullopt;
     const auto* box = std::get_if<Schema>(&meaning->paragraph->form);
     const auto* definition = std::get_if<Definition>(&meaning->paragraph->form);
     if (!box && !definition) return std::nullopt;
     const std::vector<Name>& formals = box ? box->formals : definition->formals;
-    if (formals.size() != term.children.size()) return std::nullopt;
+    if (formals.size() != actuals.size()) return std::nullopt;
     std::map<Name, Term> by;
-    for (std::size_t i = 0; i < formals.size(); ++i) by.emplace(formals[i], term.children[i]);
+    for (std::size_t i = 0; i < formals.size(); ++i) by.emplace(formals[i], actuals[i]);
     const auto now =
         substituted(box ? quantified(Kind::schema_text, box->text, {}) : definition->value, by, definitions_);
     return now ? flat(*now) : std::nullopt;
@@ -108,15 +125,6 @@ class Unfolder {
 
   Result without(const Result& of, const Components& names) const {
     return of ? Result(hidden(*of, names, definitions_)) : std::nullopt;
-  }
-
-  /// S ⨡ T is S ∧ T without the components that only S has.
-  Result projection(const Result& left, const Result& right) const {
-    if (!left || !right) return std::nullopt;
-    Components gone;
-    for (const auto& [name, set] : left->declared)
-      if (!right->set_of(name)) gone.push_back(name);
-    return without(merged(*left, *right), gone);
   }
 
   /// S ⨟ T is ∃ x'' • S[x''/x'] ∧ T[x''/x] for the names x that they join, and S ⨠ T has x! and x? for x' and x. There
@@ -203,82 +211,20 @@ class Unfolder {
     return substituted(fact, by, definitions_);
   }
 
-  /// What the sets of its declarations say is a part of what the schema says where it is negated, and where the other
-  /// side declares the name otherwise.
-  std::optional<Term> said_by(const Flat& flat, const Flat& declared) const {
-    std::vector<Term> facts;
-    for (const auto& [name, set] : flat.declared)
-      if (!(*declared.set_of(name) == set) && !is_whole_type(set, definitions_)) add_fact(facts, member(name, set));
-    for (const Term& fact : flat.facts) add_fact(facts, fact);
-    return all_of_facts(facts);
-  }
-
-  Result declared_widely(const Flat& a, const Flat& b, bool keep_common) const {
-    Flat wide;
-    for (const Flat* side : {&a, &b})
-      for (const auto& [name, set] : side->declared) {
-        if (wide.set_of(name)) continue;
-        const Term *in_a = a.set_of(name), *in_b = b.set_of(name);
-        const bool common = keep_common && in_a && in_b && *in_a == *in_b;
-        const Term whole = common || is_whole_type(set, definitions_) ? set : carriers_(name);
-        if (!whole) return std::nullopt;
-        wide.declared.emplace_back(name, whole);
-      }
-    return wide;
-  }
-
-  Result joined_by(Kind kind, const Result& left, const Result& right) const {
-    if (!left || !right) return std::nullopt;
-    Result whole = declared_widely(*left, *right, kind == Kind::disjunction);
-    if (!whole) return whole;
-    const auto a = said_by(*left, *whole), b = said_by(*right, *whole);
-    Flat common;
-    std::vector<Term> facts_a, facts_b;
-    add_fact(facts_a, *a);
-    add_fact(facts_b, *b);
-    if (kind == Kind::disjunction) {  // what both sides say stands before them
-      for (const Term& fact : facts_a)
-        if (std::find(facts_b.begin(), facts_b.end(), fact) != facts_b.end()) whole->facts.push_back(fact);
-      const auto in_both = [&](const Term& fact) {
-        return std::find(whole->facts.begin(), whole->facts.end(), fact) != whole->facts.end();
-      };
-      std::erase_if(facts_a, in_both);
-      std::erase_if(facts_b, in_both);
-      if (facts_a.empty() || facts_b.empty()) return whole;
-    }
-    whole->facts.push_back(node(kind, {all_of_facts(facts_a), all_of_facts(facts_b)}));
-    return whole;
-  }
-
-  Result negated(const Result& of) const {
-    if (!of) return of;
-    Result whole = declared_widely(*of, *of, false);
-    if (!whole) return whole;
-    whole->facts.push_back(node(Kind::negation, {*said_by(*of, *whole)}));
-    return whole;
-  }
-
   const Definitions& definitions_;
-  const Carriers& carriers_;
+  const Actuals& actuals_;
+  Connectives connectives_;
   int depth_ = 0;
 };
 
 }  // namespace
 
-std::optional<Term> unfolded(const Term& schema, const std::vector<Section>& sections, const Carriers& carriers) {
+std::optional<Term> unfolded(const Term& schema, const std::vector<Section>& sections, const Carriers& carriers,
+                             const Actuals& actuals) {
   const Definitions definitions(sections);
-  const auto flat = Unfolder(definitions, carriers).flat(schema);
+  const auto flat = Unfolder(definitions, carriers, actuals).flat(schema);
   if (!flat) return std::nullopt;
-  SchemaText text;
-  for (const auto& [name, set] : flat->declared) {
-    auto* last = text.declarations.empty() ? nullptr : &text.declarations.back();
-    if (last && last->term == set) {
-      last->names.push_back(name);
-      last->places.emplace_back();
-    } else {
-      text.declarations.push_back({Declaration::Form::typed, {name}, {Place{}}, set, {}});
-    }
-  }
+  SchemaText text = declarations_of(flat->declared);
   for (const Term& fact : flat->facts) text.predicates.push_back({fact, {}, {}});
   return quantified(Kind::schema_text, std::move(text), {});
 }

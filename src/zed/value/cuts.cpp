@@ -1,32 +1,13 @@
 #include "zed/value/cuts.hpp"
 
-#include <algorithm>
-
 #include "zed/value/sets.hpp"
 
 namespace durero::zed {
 namespace {
 
 using number::Integer;
-using number::Rational;
-using number::Surd;
 
-bool is_rational(const Real& value) { return value.is_surd() && value.surd().y.is_zero(); }
-
-Real whole(const Integer& value) { return Real(Surd(Rational(value))); }
-
-/// ⌊value⌋
-Integer floor_of(const Real& value) {
-  Integer low = -1, high = 1;
-  while (whole(low) > value) low *= 2;
-  while (whole(high) <= value) high *= 2;
-  while (high - low > 1) {  // low ≤ value < high
-    Integer middle = (low + high) / 2;
-    if (middle <= low) middle = low + 1;
-    (whole(middle) <= value ? low : high) = middle;
-  }
-  return low;
-}
+Real whole(const Integer& value) { return Real(number::Surd(number::Rational(value))); }
 
 /// A stretch of the line between two cuts; null: it has no end on that side.
 struct Stretch {
@@ -64,44 +45,6 @@ std::optional<Real> sample(Numbers numbers, const Stretch& stretch) {
 bool is_among(Numbers numbers, const Real& cut) { return numbers == Numbers::reals || cut.is_integer(); }
 
 }  // namespace
-
-std::optional<Cuts> roots(const std::vector<Polynomial>& polynomials) {
-  Cuts cuts;
-  for (const Polynomial& polynomial : polynomials) {
-    if (sign(polynomial.square) == 0) {
-      cuts.push_back((Real() - polynomial.constant) / polynomial.slope);
-      continue;
-    }
-    if (!is_rational(polynomial.constant) || !is_rational(polynomial.slope) || !is_rational(polynomial.square))
-      return std::nullopt;
-    const Rational c = polynomial.constant.surd().x, b = polynomial.slope.surd().x, a = polynomial.square.surd().x;
-    const Rational discriminant = b * b - 4 * a * c;
-    if (discriminant < 0) continue;
-    const Rational radicand = discriminant / (4 * a * a);
-    for (const int side : {-1, 1}) cuts.emplace_back(Surd(Rational(-b / (2 * a)), side, radicand));
-  }
-  std::sort(cuts.begin(), cuts.end());
-  cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
-  return cuts;
-}
-
-Real below(const Real& high) { return whole(floor_of(high) - 1); }
-Real above(const Real& low) { return whole(floor_of(low) + 1); }
-
-Real between(const Real& low, const Real& high) {
-  Rational from = floor_of(low), to = floor_of(high) + 1;
-  for (;;) {
-    const Rational middle = (from + to) / 2;
-    const Real here{Surd(middle)};
-    if (here <= low) {
-      from = middle;
-    } else if (here >= high) {
-      to = middle;
-    } else {
-      return here;
-    }
-  }
-}
 
 Truth some_number(Numbers numbers, const Cuts& cuts, const At& at) {
   Truth some = Truth::no;

@@ -7,22 +7,10 @@
 #include <optional>
 #include <vector>
 
+#include "durero/zed/value/roots.hpp"
 #include "zed/value/context.hpp"
 
 namespace durero::zed {
-
-/// Numbers ascend, each once.
-using Cuts = std::vector<Real>;
-
-/// Returns the real roots of the polynomials, each of degree one or two. Nothing where the coefficients of one of
-/// degree two are irrational.
-std::optional<Cuts> roots(const std::vector<Polynomial>& polynomials);
-
-/// @{ Returns a rational number below this one, above it, or strictly between two. Precondition: low < high.
-Real below(const Real& high);
-Real above(const Real& low);
-Real between(const Real& low, const Real& high);
-/// @}
 
 /// Says whether something is so at a number, and is so at every number of the stretch in which it lies.
 using At = std::function<Truth(const Real& t)>;

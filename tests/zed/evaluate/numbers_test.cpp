@@ -74,6 +74,28 @@ TEST_CASE("the paper's question: the nearest point of a ray on an object") {
   CHECK(value("reduccion(interseccion(puntos_de_rayo(" + away + "), " + ball + "), " + away + ".p)") == "undefined");
 }
 
+TEST_CASE("the paper's question from within: of the two meetings of a line one lies behind the eye") {
+  const std::string origin = "⦉x == 0, y == 0, z == 0⦊", up = "⦉x == 0, y == 0, z == 1⦊";
+  const std::string rising = "⦉p == ⦉x == 0, y == 1, z == 0⦊, v == ⦉x == 1, y == 2, z == 3⦊⦊",
+                    level = "⦉p == ⦉x == 0, y == 1, z == 1⦊, v == ⦉x == 1, y == 2, z == 0⦊⦊";
+  const auto nearest = [](const std::string& ray_here, const std::string& set) {
+    return value("reduccion(interseccion(puntos_de_rayo(" + ray_here + "), " + set + "), " + ray_here + ".p)");
+  };
+  CHECK(nearest(rising, ball) == "⦉x == -1/7+√(23/98), y == 5/7+2*√(23/98), z == -3/7+3*√(23/98)⦊");
+  CHECK(nearest(level, ball) == "⦉x == -2/5+√(14/25), y == 1/5+2*√(14/25), z == 1⦊");
+  const std::string rest_of = ", 2, " + up + ", 5)";
+  CHECK(nearest(rising, "puntos_cilindro(" + origin + rest_of) ==
+        "⦉x == -2/5+√(19/25), y == 1/5+2*√(19/25), z == -6/5+3*√(19/25)⦊");
+  CHECK(nearest(rising, "puntos_cono(" + origin + rest_of) ==
+        "⦉x == 2-√(25/31), y == 5-2*√(25/31), z == 6-3*√(25/31)⦊");
+  CHECK(nearest(level, "puntos_cono(" + origin + rest_of) == "⦉x == -2/5+√(319/25), y == 1/5+2*√(319/25), z == 1⦊");
+  CHECK(nearest(level, "puntos_tronco(" + origin + ", 1, 2, " + up + ", 5)") ==
+        "⦉x == -2/5+√(404/25), y == 1/5+2*√(404/25), z == 1⦊");
+  // out through the open end
+  const std::string out = "⦉p == ⦉x == 0, y == 1, z == 4⦊, v == ⦉x == 0, y == 0, z == 1⦊⦊";
+  CHECK(nearest(out, "puntos_cilindro(" + origin + rest_of) == "undefined");
+}
+
 TEST_CASE("a set of points is written without free names") {
   CHECK(value("puntos_de_rayo(" + ray + ")") ==
         "⋃ (let ray == ⦉p == ⦉x == 0, y == 0, z == -5⦊, v == ⦉x == 0, y == 0, z == 1⦊⦊ • { t : Rmas • { temp : Punto | "

@@ -73,7 +73,37 @@ TEST_CASE("a precondition is calculated: what equations give is put in its place
   CHECK(unfolded_text("ΞCounter") == "[n, most, n', most' : ℕ | n ≤ most; n' ≤ most'; n' = n; most' = most]");
   CHECK(unfolded_text("Counter[m/n] ⧹ (m)") == "[most : ℕ | ∃ m : ℕ • m ≤ most]");
   CHECK(unfolded_text("¬ Counter") == "[n, most : 𝔸 | ¬ (n ∈ ℕ ∧ most ∈ ℕ ∧ n ≤ most)]");
-  CHECK(unfolded_text("∀ by? : ℕ • Inc") == "nothing");
+}
+
+TEST_CASE("schemas quantified by ∀ and ∃₁ are written out") {
+  CHECK(unfolded_text("∀ k : ℕ | k < 3 • [n : ℕ; k : ℤ | n ≠ k]") ==
+        "[n : 𝔸 | ∀ k : ℕ | k < 3 • n ∈ ℕ ∧ k ∈ ℤ ∧ n ≠ k]");
+  CHECK(unfolded_text("∃₁ k : ℕ • [n, k : ℕ | n = k * k]") == "[n : ℕ | ∃₁ k : ℕ • n = k * k]");
+  CHECK(unfolded_text("∃₁ Counter | most = 3 • Pair[ℤ] ∧ [k : ℕ | k < n]") ==
+        "[k : ℕ | ∃₁ n, most : ℕ | n ≤ most ∧ most = 3 • n ∈ ℤ ∧ most ∈ ℤ ∧ n ≠ most ∧ k < n]");
+  // what is bound would be captured by a component, or would capture what a component's set names
+  CHECK(unfolded_text("∀ k : {n} • Counter") == "nothing");
+  CHECK(unfolded_text("∃ k : 1 ‥ n • Counter") == "nothing");
+  CHECK(unfolded_text("∃₁ k : ℕ | k = n • [n : ℕ]") == "nothing");
+  CHECK(unfolded_text("∀ k : ℕ • [n : {k}]") == "nothing");
+}
+
+TEST_CASE("a generic schema without actuals is written out where they are known") {
+  const auto text = [](const char* typed) {
+    const auto term = unfolded(
+        parse_unicode(typed), sections(),
+        [](const Name&) {
+          return reference({"𝔸", ""});
+        },
+        [](const Term& generic) -> std::optional<std::vector<Term>> {
+          if (generic->name.text() == "Pair") return std::vector{reference({"ℤ", ""})};
+          return std::nullopt;
+        });
+    return term ? to_unicode(*term) : "nothing";
+  };
+  CHECK(text("Pair") == "[n, most : ℤ | n ≠ most]");
+  CHECK(text("Pair ∧ [k : ℕ | k = n]") == "[n, most : ℤ; k : ℕ | n ≠ most; k = n]");
+  CHECK(text("Both") == "nothing");
 }
 
 TEST_CASE("compositions, pipings and generic schemas are written out") {
@@ -96,9 +126,26 @@ TEST_CASE("compositions, pipings and generic schemas are written out") {
 
 TEST_CASE("what is written out has the bindings of the schema") {
   const Evaluator evaluator(sections());
-  for (const char* typed : {"pre Inc", "pre Some", "TInc", "pre TInc", "¬ Counter", "Inc ⇒ Full", "Inc ⧹ (by?)",
-                            "Inc ⨟ Inc", "TInc ⨟ Some", "Some ⨟ Inc", "Inc ⨠ Half", "Inc ⨡ Counter", "Pair[ℕ]",
-                            "Both[1 ‥ 2]", "∃ by? : 1 ‥ 2 • Inc", "pre (Inc ⨟ Inc)"}) {
+  for (const char* typed : {"pre Inc",
+                            "pre Some",
+                            "TInc",
+                            "pre TInc",
+                            "¬ Counter",
+                            "Inc ⇒ Full",
+                            "Inc ⧹ (by?)",
+                            "Inc ⨟ Inc",
+                            "TInc ⨟ Some",
+                            "Some ⨟ Inc",
+                            "Inc ⨠ Half",
+                            "Inc ⨡ Counter",
+                            "Pair[ℕ]",
+                            "Both[1 ‥ 2]",
+                            "∃ by? : 1 ‥ 2 • Inc",
+                            "pre (Inc ⨟ Inc)",
+                            "∀ by? : 0 ‥ 1 • TInc",
+                            "∀ by? : 2 ‥ 1 • Inc",
+                            "∃₁ by? : 0 ‥ 2 • TInc",
+                            "∀ n' : 1 ‥ 2 | n' ≤ by? • [n, n' : ℕ | n ≤ n']"}) {
     CAPTURE(typed);
     const Term schema = parse_unicode(typed);
     const auto text = unfolded(schema, sections(), [](const Name&) { return reference({"𝔸", ""}); });

@@ -73,6 +73,16 @@ TEST_CASE("what cannot be tried says why") {
   CHECK_THAT(trial("\\forall S @ n \\leq 3", {.states = 8, .draws = 64, .steps = 1}).why_not, Contains("steps"));
 }
 
+TEST_CASE("what conjuncts make of other values is looked for where no values drawn satisfy them") {
+  CHECK(trial("\\forall a, b, c, d : \\num | c = 100 * a + b \\land d = c * c + 70 @ d \\geq 70").tried ==
+        TrialBounds{}.states);
+  CHECK_THAT(trial("\\forall a, b : \\num | b = a + 1000 @ b < 1000").counterexample, Contains("  b = 100"));
+  CHECK(trial("\\forall p, q : \\num \\cross \\num | (p.1 + q.1, q.2) = (50, p.2) @ q.2 = p.2").tried >= 1);
+  // no number is made so, and what is looked for that way is not found
+  CHECK(trial("\\forall a, b : \\num | b * b = 0 - 1 - a * a @ a = b").why_not ==
+        "none of the values drawn are a state");
+}
+
 TEST_CASE("samples stand for what they are named after, and the states are the same at every call") {
   const Specification read =
       read_text(before + "\\begin{zed} \\vdash? \\forall c : Cosa; k : \\nat @ k = 7 \\end{zed}\n", "here");

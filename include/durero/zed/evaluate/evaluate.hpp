@@ -45,6 +45,13 @@ class SchemaCheck {
   /// Says whether the values, one for each component, satisfy the schema. A component that is not known is `Open`.
   /// Throws EvaluationError where the values are not as many as the components.
   Truth holds(std::span<const Value> values) const;
+  /// What holds of the last predicate, and of all that stands before it.
+  struct Apart {
+    Truth before;  ///< the declarations, and the predicates but one
+    Truth last;    ///< asked where these hold, and open elsewhere
+  };
+  /// Says both apart. Precondition: the schema is a text [ D | P ] with a predicate. Throws as holds() does.
+  Apart apart(std::span<const Value> values) const;
   /// Returns every conjunct with its truth. A disjunction gives those of a side that holds; else those of the side
   /// with the fewest false conjuncts.
   std::vector<Finding> findings(std::span<const Value> values) const;

@@ -14,8 +14,13 @@ namespace durero::zed {
 /// The set of all values of the type of a component of the schema; a null term where it has no such component.
 using Carriers = std::function<Term(const Name& component)>;
 
-/// Returns the schema as a schema text; nothing where something in it is not written out: generic schemas without
-/// actuals, schemas quantified by ∀ and ∃₁, and where a name would be captured. It has the same bindings.
-std::optional<Term> unfolded(const Term& schema, const std::vector<Section>& sections, const Carriers& carriers);
+/// The sets that stand for the formals of a generic schema where a reference to it leaves its actuals out: those of all
+/// values of the types that they are found to have. Nothing where they are not known.
+using Actuals = std::function<std::optional<std::vector<Term>>(const Term& reference)>;
+
+/// Returns the schema as a schema text; nothing where something in it is not written out: generic schemas whose actuals
+/// are not known, and where a name would be captured. It has the same bindings.
+std::optional<Term> unfolded(const Term& schema, const std::vector<Section>& sections, const Carriers& carriers,
+                             const Actuals& actuals = {});
 
 }  // namespace durero::zed

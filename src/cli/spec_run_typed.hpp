@@ -1,0 +1,26 @@
+#pragma once
+/// What one types for durero spec run, taken apart.
+
+#include <string>
+
+#include "durero/oracle/animation.hpp"
+
+namespace durero::cli {
+
+/// What was typed cannot be done; the place is a column of the line.
+struct Refused {
+  std::string wrong, expected;
+  std::size_t column = 1;
+};
+
+/// Without the blanks around it.
+std::string trimmed(const std::string& text);
+
+/// The inputs of `x? = VALUE; y? = VALUE`. Throws Refused where one is none of the operation, or has no value.
+zed::Given typed_inputs(const oracle::spec::Machine& machine, const oracle::spec::MachineOperation& operation,
+                        const std::string& typed);
+
+/// Adds the members of `NAME=3` or `NAME=ann,bob`, as --given has them. Throws io::InputError where there are none.
+void add_typed_members(const std::string& typed, oracle::spec::Setup& setup);
+
+}  // namespace durero::cli

@@ -1,0 +1,231 @@
+#include <algorithm>
+#include <functional>
+
+#include "durero/written/surface.hpp"
+
+namespace durero::written {
+
+using algebra::Polynomial;
+using algebra::Root;
+using number::Dyadic;
+
+namespace {
+
+/// The conjuncts of a condition.
+std::vector<Condition> conjuncts(const Condition& of) {
+  return of.kind == Condition::Kind::all ? of.parts : std::vector{of};
+}
+
+Formula first_equation(const Condition& of) {
+  const std::vector<Condition> all = conjuncts(of);
+  const auto found = std::ranges::find_if(all, &Condition::is_equation);
+  return found == all.end() ? Formula() : found->formula;
+}
+
+/// p·(m + n·t) + q
+Polynomial horner_step(const Polynomial& p, const Dyadic& m, const Dyadic& n, const Polynomial& q) {
+  Polynomial result(std::max(p.empty() ? 0 : p.size() + 1, q.size()));
+  std::ranges::copy(q, result.begin());
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    result[i] += p[i] * m;
+    result[i + 1] += p[i] * n;
+  }
+  return result;
+}
+
+/// The same with the magnitude of each coefficient.
+Formula magnitude_of(const Formula& formula) {
+  Formula sum;
+  for (const auto& [exponents, coefficient] : formula.terms()) {
+    Formula term(number::Rational(abs(coefficient)));
+    for (std::size_t axis = 0; axis < exponents.size(); ++axis)
+      for (int i = 0; i < exponents[axis]; ++i) term = term * Formula::coordinate(axis);
+    sum = sum + term;
+  }
+  return sum;
+}
+
+Dyadic magnitude_of(const Dyadic& value) { return sign(value) < 0 ? -value : value; }
+
+/// As much as a number may miss its rounding to binary64 by, or more: half an ulp is 2⁻⁵³ of the number at most where
+/// it is normal, and 2⁻¹⁰⁷⁵ where it is not.
+Dyadic rounding_of(const Dyadic& value) {
+  return number::shifted(magnitude_of(value), -53) + Dyadic(number::Integer(1), -1075);
+}
+
+}  // namespace
+
+AlongRays::AlongRays(const Formula& formula) {
+  number::Integer common = 1;
+  for (const auto& [exponents, coefficient] : formula.terms()) common = lcm(common, denominator(coefficient));
+  for (const auto& [exponents, coefficient] : formula.terms()) {
+    const auto [i, j, k] = exponents;
+    if (coefficients_.size() <= i) coefficients_.resize(i + 1U);
+    if (coefficients_[i].size() <= j) coefficients_[i].resize(j + 1U);
+    InZ& row = coefficients_[i][j];
+    if (row.size() <= k) row.resize(k + 1U);
+    row[k] = Dyadic(number::Integer(numerator(coefficient) * (common / denominator(coefficient))), 0);
+  }
+}
+
+Dyadic AlongRays::at(const std::array<Dyadic, 3>& w) const {
+  Dyadic whole;
+  for (std::size_t i = coefficients_.size(); i-- > 0;) {
+    Dyadic in_y;
+    for (std::size_t j = coefficients_[i].size(); j-- > 0;) {
+      Dyadic in_z;
+      const InZ& row = coefficients_[i][j];
+      for (std::size_t k = row.size(); k-- > 0;) in_z = in_z * w[2] + row[k];
+      in_y = in_y * w[1] + in_z;
+    }
+    whole = whole * w[0] + in_y;
+  }
+  return whole;
+}
+
+Polynomial AlongRays::along(const model::Rayo& rayo) const {
+  const std::array<Dyadic, 3> p{rayo.p().x(), rayo.p().y(), rayo.p().z()}, v{rayo.v().x(), rayo.v().y(), rayo.v().z()};
+  Polynomial whole;
+  for (std::size_t i = coefficients_.size(); i-- > 0;) {
+    Polynomial in_y;
+    for (std::size_t j = coefficients_[i].size(); j-- > 0;) {
+      Polynomial in_z;
+      const InZ& row = coefficients_[i][j];
+      for (std::size_t k = row.size(); k-- > 0;) in_z = horner_step(in_z, p[2], v[2], {row[k]});
+      in_y = horner_step(in_y, p[1], v[1], in_z);
+    }
+    whole = horner_step(whole, p[0], v[0], in_y);
+  }
+  algebra::normalise(whole);
+  return whole;
+}
+
+Piece::Piece(const Condition& of) {
+  Condition rest = always(true);
+  for (const Condition& conjunct : conjuncts(of)) {
+    if (conjunct.is_equation()) {
+      equations_.emplace_back(conjunct.formula);
+      magnitudes_.emplace_back(magnitude_of(conjunct.formula));
+    } else {
+      rest = both(std::move(rest), conjunct);
+    }
+  }
+  clips_ = clip_of(rest);
+  equation_ = first_equation(of);
+  for (std::size_t axis = 0; axis < gradient_.size(); ++axis) gradient_[axis] = equation_.derivative(axis);
+}
+
+Piece::Clip Piece::clip_of(const Condition& condition) {
+  Clip clip{condition.kind, condition.truth, comparisons_.size(), {}};
+  if (condition.kind == Condition::Kind::comparison)
+    comparisons_.push_back({AlongRays(condition.formula), condition.signs});
+  for (const Condition& part : condition.parts) clip.parts.push_back(clip_of(part));
+  return clip;
+}
+
+// Of p = Σ c·w₁^e₁·w₂^e₂·w₃^e₃ and |dᵢ| ≤ δᵢ, |p(w + d) − p(w)| ≤ P(|w| + δ) − P(|w|) where P has the magnitudes of the
+// coefficients: multiplied out, each product that p(w + d) has and p(w) has not stands in the difference with its
+// magnitude or more.
+bool Piece::may_hold_near(const glm::dvec3& rounded) const {
+  std::array<Dyadic, 3> w, size, beyond;
+  for (int i = 0; i < 3; ++i) {
+    const auto axis = static_cast<std::size_t>(i);
+    w[axis] = rounded[i];
+    size[axis] = magnitude_of(w[axis]);
+    beyond[axis] = size[axis] + rounding_of(w[axis]);
+  }
+  for (std::size_t i = 0; i < equations_.size(); ++i)
+    if (magnitude_of(equations_[i].at(w)) > magnitudes_[i].at(beyond) - magnitudes_[i].at(size)) return false;
+  return true;
+}
+
+/// The polynomials of a piece on one ray, each made when it is first asked for.
+class RayOnPiece {
+ public:
+  RayOnPiece(const Piece& piece, const model::Rayo& rayo, bool starts_on)
+      : piece_(piece), rayo_(rayo), comparisons_(piece.comparisons_.size()) {
+    for (const AlongRays& equation : piece.equations_) {
+      Polynomial p = equation.along(rayo);
+      if (starts_on && !p.empty()) {
+        p[0] = 0;
+        algebra::normalise(p);
+      }
+      if (!p.empty()) equations_.push_back(std::move(p));
+    }
+    std::ranges::sort(equations_, {}, &Polynomial::size);
+  }
+
+  First first() {
+    if (is_nowhere()) return {};
+    if (equations_.empty()) return first_of_stretches();
+    for (Root& root : algebra::positive_roots(equations_[0]))
+      if (is_on(root)) return std::move(root);
+    return {};
+  }
+
+ private:
+  bool is_nowhere() const { return piece_.clips_.kind == Condition::Kind::constant && !piece_.clips_.truth; }
+
+  bool is_on(const Root& root) {
+    const auto is_zero = [&](const Polynomial& p) { return algebra::sign_at(p, root) == 0; };
+    return std::all_of(equations_.begin() + 1, equations_.end(), is_zero) &&
+           holds(piece_.clips_, [&](const Polynomial& p) { return algebra::sign_at(p, root); });
+  }
+
+  /// Root by root, and what is before it first.
+  First first_of_stretches() {
+    const std::vector<Root> ends = ends_of_clips();
+    const auto holds_at = [&](const auto& t) {
+      return holds(piece_.clips_, [&](const Polynomial& p) { return algebra::sign_at(p, t); });
+    };
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      const bool is_first = i == 0;
+      if (holds_at(is_first ? algebra::below(ends[0]) : algebra::between(ends[i - 1], ends[i])))
+        return After{is_first ? std::nullopt : std::optional(ends[i - 1])};
+      if (holds_at(ends[i])) return ends[i];
+    }
+    if (!holds_at(ends.empty() ? Dyadic(1) : algebra::above(ends.back()))) return {};
+    return After{ends.empty() ? std::nullopt : std::optional(ends.back())};
+  }
+
+  std::vector<Root> ends_of_clips() {
+    std::vector<Root> ends;
+    for (std::size_t i = 0; i < comparisons_.size(); ++i)
+      if (const Polynomial& p = comparison(i); !p.empty())
+        std::ranges::move(algebra::positive_roots(p), std::back_inserter(ends));
+    std::ranges::sort(ends, [](const Root& a, const Root& b) { return algebra::compare(a, b) < 0; });
+    const auto repeated =
+        std::ranges::unique(ends, [](const Root& a, const Root& b) { return algebra::compare(a, b) == 0; });
+    ends.erase(repeated.begin(), repeated.end());
+    return ends;
+  }
+
+  const Polynomial& comparison(std::size_t i) {
+    if (!comparisons_[i]) comparisons_[i] = piece_.comparisons_[i].polynomial.along(rayo_);
+    return *comparisons_[i];
+  }
+
+  bool holds(const Piece::Clip& clip, const std::function<int(const Polynomial&)>& sign) {
+    const auto part_holds = [&](const Piece::Clip& part) { return holds(part, sign); };
+    switch (clip.kind) {
+      case Condition::Kind::constant:
+        return clip.truth;
+      case Condition::Kind::comparison:
+        return piece_.comparisons_[clip.comparison].signs.contains(sign(comparison(clip.comparison)));
+      case Condition::Kind::all:
+        return std::ranges::all_of(clip.parts, part_holds);
+      case Condition::Kind::any:
+        return std::ranges::any_of(clip.parts, part_holds);
+    }
+    __builtin_unreachable();  // a kind is one of its enumerators
+  }
+
+  const Piece& piece_;
+  const model::Rayo& rayo_;
+  std::vector<Polynomial> equations_;  // those that are not 0 = 0, the lowest degree first
+  std::vector<std::optional<Polynomial>> comparisons_;
+};
+
+First Piece::first(const model::Rayo& rayo, bool starts_on) const { return RayOnPiece(*this, rayo, starts_on).first(); }
+
+}  // namespace durero::written
