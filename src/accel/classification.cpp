@@ -144,7 +144,7 @@ std::optional<Classification::Start> Classification::start(const trace::Ray& ray
                                                            const Stretch& stretch) const {
   if (stretch.entry == 0) return Start{0, ray.p};
   const double t = stretch.entry * (1 - 0x1p-40);
-  if (!(t * ray.length <= 0x1p8 * reach_)) return std::nullopt;
+  if (!(t * ray.length() <= 0x1p8 * reach_)) return std::nullopt;
   return Start{t, glm::clamp(beam.p + t * ray.v, bounds_.low, bounds_.high)};
 }
 

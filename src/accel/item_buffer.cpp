@@ -124,7 +124,7 @@ ItemBuffer::Pixel ItemBuffer::pixel(std::vector<scene::ElementRef>& items, const
   double nearest = trace::no_limit, beyond = trace::no_limit;
   for (const Candidate& candidate : seen) {
     // |v|·t is not less than the least distance, and `length` greater than |v| by more than the division's rounding.
-    const double least = candidate.seen.near / search.ray().length;
+    const double least = candidate.seen.near / search.ray().length();
     if (least > nearest) {
       beyond = least;
       break;

@@ -189,7 +189,7 @@ bool LightBuffer::is_certainly_occluded(const trace::Ray& ray, scene::Origin en)
   const LightCube* const cube = ray.ordinary ? cube_of(ray) : nullptr;
   if (cube == nullptr) return false;
   const LightCube::Record& record = cube->list(ray).record;
-  return record.from <= ray.length && ray.length * outer <= record.to && !en.contains(record.e);
+  return record.from <= ray.length() && ray.length() * outer <= record.to && !en.contains(record.e);
 }
 
 Size LightBuffer::size() const {

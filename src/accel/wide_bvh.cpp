@@ -4,14 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
+#include "accel/wide_split.hpp"
 #include "durero/surface/surfaces.hpp"
 
 namespace durero::accel {
 namespace {
 
-using Corner = std::array<float, 3>;
 using ChildKind = WideChild::Kind;
+using wide::Box32;
+using wide::Item;
+using wide::Part;
+using wide::parts_of;
 
 /// The greatest number of binary32 that is not above x, and the least that is not below it.
 float below(double x) {
@@ -20,181 +25,10 @@ float below(double x) {
 }
 float above(double x) { return -below(-x); }
 
-/// A box of binary32; that of nothing holds no point, and joined to another leaves it as it is.
-struct Box32 {
-  Corner low{HUGE_VALF, HUGE_VALF, HUGE_VALF}, high{-HUGE_VALF, -HUGE_VALF, -HUGE_VALF};
-
-  void join(const Box32& other) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      low[i] = std::min(low[i], other.low[i]);
-      high[i] = std::max(high[i], other.high[i]);
-    }
-  }
-  /// Half the area of its surface; of nothing, 0. In binary64 none overflows.
-  double area() const {
-    const double x = width(0), y = width(1), z = width(2);
-    return x < 0 ? 0 : x * y + y * z + z * x;
-  }
-  double width(std::size_t axis) const { return static_cast<double>(high[axis]) - static_cast<double>(low[axis]); }
-  bool finite() const {
-    return std::ranges::all_of(low, [](float x) { return std::isfinite(x); }) &&
-           std::ranges::all_of(high, [](float x) { return std::isfinite(x); });
-  }
-};
-
 /// Rounded outwards: it holds all points of the other.
 Box32 outwards(const surface::Box& box) {
   return {{below(box.low.x), below(box.low.y), below(box.low.z)},
           {above(box.high.x), above(box.high.y), above(box.high.z)}};
-}
-
-struct Item {
-  Box32 box;
-  scene::ElementRef e;
-
-  /// The middle of its box, about: it tells items apart, and bounds nothing. It does not overflow.
-  float middle(std::size_t axis) const { return 0.5F * box.low[axis] + 0.5F * box.high[axis]; }
-};
-using Items = std::span<Item>;
-
-Box32 box_of(std::span<const Item> items) {
-  Box32 box;
-  for (const Item& item : items) box.join(item.box);
-  return box;
-}
-
-/// Some items and their box.
-struct Part {
-  Items items;
-  Box32 box;
-  double area = box.area();
-};
-
-/// Where the middles of some items lie along each axis, in equal bins.
-class Bins {
- public:
-  static constexpr std::size_t count = 16;
-
-  explicit Bins(std::span<const Item> items) {
-    Box32 middles;
-    for (const Item& item : items)
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        middles.low[axis] = std::min(middles.low[axis], item.middle(axis));
-        middles.high[axis] = std::max(middles.high[axis], item.middle(axis));
-      }
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      low_[axis] = middles.low[axis];
-      const float scale = count * (1 - 0x1p-18F) / (middles.high[axis] - middles.low[axis]);
-      scale_[axis] = std::isfinite(scale) ? scale : 0;
-    }
-  }
-  /// Whether the middles differ along an axis, by more than next to nothing and less than overflows.
-  bool differ(std::size_t axis) const { return scale_[axis] > 0; }
-  /// In which bin of the axis the item is.
-  std::size_t of(const Item& item, std::size_t axis) const {
-    if (!differ(axis)) return 0;
-    const auto bin = static_cast<std::size_t>((item.middle(axis) - low_[axis]) * scale_[axis]);
-    return std::min(bin, count - 1);
-  }
-
- private:
-  std::array<float, 3> low_{}, scale_{};
-};
-
-/// A bin of an axis: how many items, and their box.
-struct Bin {
-  Box32 box;
-  std::size_t count = 0;
-
-  void join(const Bin& other) {
-    box.join(other.box);
-    count += other.count;
-  }
-  double cost() const { return count == 0 ? HUGE_VAL : box.area() * static_cast<double>(count); }
-};
-using Row = std::array<Bin, Bins::count>;
-
-/// A way to part items by the bins of an axis: the first `bin` of them from the rest.
-struct Split {
-  double cost = HUGE_VAL;  ///< the sum of area times number; ∞ where there is no way
-  std::size_t axis = 0, bin = 0;
-  Bin first{}, second{};
-};
-
-void keep_best(Split& best, const Row& row, std::size_t axis) {
-  Row first;  // of the bins before each
-  for (std::size_t bin = 1; bin < Bins::count; ++bin) {
-    first[bin] = first[bin - 1];
-    first[bin].join(row[bin - 1]);
-  }
-  Bin second;
-  for (std::size_t bin = Bins::count - 1; bin > 0; --bin) {
-    second.join(row[bin]);
-    const double cost = first[bin].cost() + second.cost();
-    if (cost < best.cost) best = {cost, axis, bin, first[bin], second};
-  }
-}
-
-std::pair<Part, Part> in_the_middle(Items items) {
-  const Items first = items.first(items.size() / 2), second = items.subspan(items.size() / 2);
-  return {{first, box_of(first)}, {second, box_of(second)}};
-}
-
-/// The items in two, neither empty: where the surface areas promise least work; in the middle where the middles of all
-/// boxes are one, or where nothing but the depth matters any more. Precondition: two items or more.
-std::pair<Part, Part> split(Items items, bool evenly) {
-  if (evenly) return in_the_middle(items);
-  const Bins bins(items);
-  std::array<Row, 3> rows;
-  for (const Item& item : items)
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      Bin& bin = rows[axis][bins.of(item, axis)];
-      bin.box.join(item.box);
-      ++bin.count;
-    }
-  Split best;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (bins.differ(axis)) keep_best(best, rows[axis], axis);
-  if (best.bin == 0) return in_the_middle(items);
-  std::ranges::partition(items, [&](const Item& item) { return bins.of(item, best.axis) < best.bin; });
-  return {{items.first(best.first.count), best.first.box}, {items.subspan(best.first.count), best.second.box}};
-}
-
-/// The greatest of some parts by rank(part), of which 0 takes none; null where all take none.
-template <class Rank>
-Part* greatest(std::vector<Part>& parts, Rank rank) {
-  const auto found = std::ranges::max_element(parts, {}, rank);
-  return rank(*found) > 0 ? &*found : nullptr;
-}
-
-/// Eight parts of a part or fewer, none empty: the one with the greatest surface is split again and again, or where
-/// `evenly` that of most items, until none is left that a node could not hold; then such as fit go to their items.
-std::vector<Part> parts_of(const Part& whole, bool evenly) {
-  constexpr std::size_t width = WideNode::width;
-  std::vector<Part> parts;
-  parts.reserve(width);
-  parts.push_back(whole);
-  const auto too_large = [&](const Part& part) {
-    if (part.items.size() <= width) return 0.0;
-    return evenly ? static_cast<double>(part.items.size()) : part.area + 0x1p-1000;
-  };
-  while (parts.size() < width) {
-    Part* const largest = greatest(parts, too_large);
-    if (largest == nullptr) break;
-    auto [first, second] = split(largest->items, evenly);
-    *largest = first;
-    parts.push_back(second);
-  }
-  const auto fits = [&](const Part& part) {
-    const std::size_t n = part.items.size();
-    return n > 1 && parts.size() + n - 1 <= width ? part.area + 0x1p-1000 : 0.0;
-  };
-  while (Part* const fitting = greatest(parts, fits)) {
-    const Items items = fitting->items;
-    *fitting = {items.first(1), items[0].box};
-    for (std::size_t i = 1; i < items.size(); ++i) parts.push_back({items.subspan(i, 1), items[i].box});
-  }
-  return parts;
 }
 
 /// Beyond this level a node parts its items evenly, so that 2³² of them take eleven levels more.
@@ -251,6 +85,16 @@ void build(std::vector<WideNode>& nodes, const Part& whole, std::size_t level) {
   }
 }
 
+/// So many nodes ahead memory is asked for their elements, which lie anywhere in the tables of the scene.
+constexpr std::size_t nodes_ahead = 4;
+
+void ask_for_elements(const scene::Scene& scene, const WideNode& node) {
+  for (const WideChild& child : node.children)
+    if (child.kind == ChildKind::element)
+      trace::ask_for(
+          scene.visit(child.element(), [](const auto& shape) { return std::as_bytes(std::span(&shape, 1)); }));
+}
+
 std::size_t depth(std::span<const WideNode> nodes, std::size_t at) {
   std::size_t deepest = 0;
   for (const WideChild& child : nodes[at].children)
@@ -270,7 +114,7 @@ WideBvh::WideBvh(const scene::Scene& scene) : scene_(&scene) {
     items.push_back({box, e});
   });
   if (!items.empty()) {
-    const Box32 all = box_of(items);
+    const Box32 all = wide::box_of(items);
     const double extent = std::max({all.width(0), all.width(1), all.width(2)});
     spacing_ = extent / std::cbrt(static_cast<double>(items.size()));
     std::vector<WideNode> nodes;
@@ -278,9 +122,11 @@ WideBvh::WideBvh(const scene::Scene& scene) : scene_(&scene) {
     nodes_.assign(nodes.begin(), nodes.end());
   }
   leaves_.reserve(scene);
-  for (WideNode& node : nodes_)
-    for (WideChild& child : node.children)
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (i + nodes_ahead < nodes_.size()) ask_for_elements(scene, nodes_[i + nodes_ahead]);
+    for (WideChild& child : nodes_[i].children)
       if (child.kind == ChildKind::element) child.index = leaves_.push_back(scene, child.element()).index;
+  }
   for (const scene::ElementRef e : unbounded_) unbounded_leaves_.push_back(leaves_.push_back(scene, e));
 }
 

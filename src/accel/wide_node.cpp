@@ -11,6 +11,50 @@ namespace durero::accel {
 namespace HWY_NAMESPACE {
 namespace {
 
+void invert_lanes(WideBundle& bundle, std::size_t count) {
+  const Tag tag;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (std::size_t at = 0; at < count; at += hn::Lanes(tag))
+      hn::StoreU(hn::Div(hn::Set(tag, 1), hn::LoadU(tag, &bundle.rays.v[axis][at])), tag, &bundle.inverse[axis][at]);
+}
+
+/// Between which the numbers of a column lie.
+HWY_INLINE void enclose(const WideBundle& bundle, const WideBundle::Column& column, double& low, double& high) {
+  const Tag tag;
+  Lanes least = hn::LoadU(tag, &column[bundle.begin]), greatest = least;
+  for (std::size_t at = bundle.begin; at < bundle.end; at += hn::Lanes(tag)) {
+    const Lanes some = hn::LoadU(tag, &column[at]);
+    least = hn::Min(least, some);
+    greatest = hn::Max(greatest, some);
+  }
+  low = hn::GetLane(hn::MinOfLanes(tag, least));
+  high = hn::GetLane(hn::MaxOfLanes(tag, greatest));
+}
+
+bool gather_lanes(WideBundle& bundle, std::size_t begin, std::size_t end) {
+  bundle.begin = begin, bundle.end = end;
+  bool together = true;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double &low = bundle.inverse_low[axis], &high = bundle.inverse_high[axis];
+    enclose(bundle, bundle.inverse[axis], low, high);
+    together &= (low < 0) == (high < 0) && !std::isinf(low) && !std::isinf(high);
+  }
+  if (!together) return false;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    enclose(bundle, bundle.rays.p[axis], bundle.p_low[axis], bundle.p_high[axis]);
+    enclose(bundle, bundle.rays.v[axis], bundle.v_low[axis], bundle.v_high[axis]);
+  }
+  return true;
+}
+
+double farthest_lane(const WideBundle& bundle) {
+  const Tag tag;
+  Lanes farthest = hn::Zero(tag);
+  for (std::size_t at = bundle.begin; at < bundle.end; at += hn::Lanes(tag))
+    farthest = hn::Max(farthest, hn::LoadU(tag, &bundle.limit[at]));
+  return hn::GetLane(hn::MaxOfLanes(tag, farthest));
+}
+
 unsigned met_by_bundle(const WideNode& node, const WideBundle& bundle, double limit, WideNode::Entries& entries) {
   const Tag tag;
   unsigned met = 0;
@@ -35,20 +79,20 @@ unsigned met_by_bundle(const WideNode& node, const WideBundle& bundle, double li
 std::uint64_t met_by_each(const WideNode& node, std::size_t child, const WideBundle& bundle) {
   const Tag tag;
   std::uint64_t met = 0;
-  for (std::size_t at = 0; at < bundle.count; at += hn::Lanes(tag)) {
+  for (std::size_t at = bundle.begin; at < bundle.end; at += hn::Lanes(tag)) {
     Lanes entry = hn::Zero(tag), exit = hn::LoadU(tag, &bundle.limit[at]);
     for (std::size_t low = 0; low < 3; ++low) {
       const std::size_t high = low + 3;
       const bool backwards = bundle.inverse_high[low] < 0;
       const Lanes near = hn::Set(tag, static_cast<double>(node.planes[backwards ? high : low][child]));
       const Lanes far = hn::Set(tag, static_cast<double>(node.planes[backwards ? low : high][child]));
-      const Lanes p = hn::LoadU(tag, &bundle.p[low][at]), inverse = hn::LoadU(tag, &bundle.inverse[low][at]);
+      const Lanes p = hn::LoadU(tag, &bundle.rays.p[low][at]), inverse = hn::LoadU(tag, &bundle.inverse[low][at]);
       entry = later(entry, hn::Mul(hn::Sub(near, p), inverse));
       exit = sooner(exit, hn::Mul(hn::Sub(far, p), inverse));
     }
     met |= std::uint64_t{bits(meets(entry, exit))} << at;
   }
-  return met & (~std::uint64_t{0} >> (WideBundle::size - bundle.count));
+  return met;
 }
 
 }  // namespace
@@ -59,10 +103,18 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace durero::accel {
 namespace {
+HWY_EXPORT(invert_lanes);
+HWY_EXPORT(gather_lanes);
+HWY_EXPORT(farthest_lane);
 HWY_EXPORT(met_by_bundle);
 HWY_EXPORT(met_by_each);
 }  // namespace
 
+void invert(WideBundle& bundle, std::size_t count) { HWY_DYNAMIC_DISPATCH(invert_lanes)(bundle, count); }
+bool gather(WideBundle& bundle, std::size_t begin, std::size_t end) {
+  return HWY_DYNAMIC_DISPATCH(gather_lanes)(bundle, begin, end);
+}
+double farthest(const WideBundle& bundle) { return HWY_DYNAMIC_DISPATCH(farthest_lane)(bundle); }
 unsigned met(const WideNode& node, const WideBundle& bundle, double limit, WideNode::Entries& entries) {
   return HWY_DYNAMIC_DISPATCH(met_by_bundle)(node, bundle, limit, entries);
 }

@@ -25,7 +25,7 @@ std::vector<glm::dvec3> some_directions(Queries queries) {
   const std::size_t count = std::min(directions_asked, queries.size());
   for (std::size_t i = 0; i < count; ++i) {
     const trace::Ray ray(queries[i * queries.size() / count].rayo);
-    if (ray.ordinary) some.push_back(ray.v / ray.length);
+    if (ray.ordinary) some.push_back(ray.v / ray.length());
   }
   return some;
 }

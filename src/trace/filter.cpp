@@ -32,9 +32,9 @@ std::size_t passed_by(const Balls& balls, const Ray& ray, double limit, std::siz
   const Tag tag;
   const Components p{hn::Set(tag, ray.p.x), hn::Set(tag, ray.p.y), hn::Set(tag, ray.p.z)};
   const Components v{hn::Set(tag, ray.v.x), hn::Set(tag, ray.v.y), hn::Set(tag, ray.v.z)};
-  const Lanes length_squared = hn::Set(tag, ray.length_squared), length = hn::Set(tag, ray.length);
-  const Lanes allowance = hn::Set(tag, ray.allowance);
-  const Lanes farthest = hn::Set(tag, limit * ray.length_squared);
+  const Lanes length_squared = hn::Set(tag, ray.length_squared()), length = hn::Set(tag, ray.length());
+  const Lanes allowance = hn::Set(tag, ray.allowance());
+  const Lanes farthest = hn::Set(tag, limit * ray.length_squared());
   std::size_t count = 0;
   for (std::size_t i = begin; i < end; i += hn::Lanes(tag)) {
     const Components q{hn::Sub(p.x, hn::LoadU(tag, &balls.x[i])), hn::Sub(p.y, hn::LoadU(tag, &balls.y[i])),

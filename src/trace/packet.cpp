@@ -12,21 +12,25 @@ namespace durero::trace {
 namespace HWY_NAMESPACE {
 namespace {
 
+/// What is found of a quadratic, to the lanes from one on.
+HWY_INLINE void keep(const Quadratic<Lanes>& f, const LanesFound<Lanes>& found, std::size_t at, Findings& findings) {
+  found.root.t.store(&findings.t[at]);
+  found.root.error.store(&findings.error[at]);
+  found.slope.store(&findings.at_root[at]);
+  found.slope_error.store(&findings.at_root_error[at]);
+  f.A.store(&findings.A[at]);
+  f.A_error.store(&findings.A_error[at]);
+  findings.hit |= bits(found.hit) << at;
+  findings.undecided |= bits(found.undecided) << at;
+}
+
 /// found(quadratic) in every lane.
 template <model::Tipo tipo, class Find>
 HWY_INLINE void find_in(const Packet& packet, Findings& findings, Find find) {
   findings.hit = findings.undecided = 0;
   for (std::size_t at = 0; at < Packet::size; at += lanes()) {
     const Quadratic<Lanes> f = quadratic<Lanes>(element<tipo>(packet, at), rays(packet, at));
-    const LanesFound<Lanes> found = find(f);
-    found.root.t.store(&findings.t[at]);
-    found.root.error.store(&findings.error[at]);
-    found.slope.store(&findings.at_root[at]);
-    found.slope_error.store(&findings.at_root_error[at]);
-    f.A.store(&findings.A[at]);
-    f.A_error.store(&findings.A_error[at]);
-    findings.hit |= bits(found.hit) << at;
-    findings.undecided |= bits(found.undecided) << at;
+    keep(f, find(f), at, findings);
   }
 }
 
@@ -34,6 +38,23 @@ void triage_packet(const Packet& packet, model::Tipo tipo, Findings& findings) {
   scene::with_shape(tipo, [&]<class Shape>(std::type_identity<Shape>) HWY_ATTR {
     find_in<Shape::tipo>(packet, findings,
                          [](const Quadratic<Lanes>& f) HWY_ATTR { return found_in_lanes<Shape::tipo>(f); });
+  });
+}
+
+void triage_columns(const RayColumns& rays, std::uint64_t which, scene::ShapeView of, ColumnFindings& findings) {
+  of.visit([&]<class Shape>(const Shape& shape) HWY_ATTR {
+    const LaneElement<Shape::tipo> element = in_every_lane(shape);
+    for (std::size_t eight = 0; which != 0; ++eight, which >>= Packet::size) {
+      if ((which & ((1u << Packet::size) - 1)) == 0) continue;
+      Findings& own = findings[eight];
+      own.hit = own.undecided = 0;
+      for (std::size_t at = 0; at < Packet::size; at += lanes()) {
+        const std::size_t place = eight * Packet::size + at;
+        const LaneRay some{load(rays.p, place), load(rays.v, place), Lanes::load(&rays.speed[place])};
+        const Quadratic<Lanes> f = quadratic<Lanes>(element, some);
+        keep(f, found_in_lanes<Shape::tipo>(f), at, own);
+      }
+    }
   });
 }
 
@@ -54,12 +75,16 @@ namespace durero::trace {
 namespace {
 
 HWY_EXPORT(triage_packet);
+HWY_EXPORT(triage_columns);
 HWY_EXPORT(triage_packet_from);
 
 }  // namespace
 
 void triage(const Packet& packet, model::Tipo tipo, Findings& findings) {
   HWY_DYNAMIC_DISPATCH(triage_packet)(packet, tipo, findings);
+}
+void triage(const RayColumns& rays, std::uint64_t which, scene::ShapeView element, ColumnFindings& findings) {
+  HWY_DYNAMIC_DISPATCH(triage_columns)(rays, which, element, findings);
 }
 void triage_from(const Packet& packet, model::Tipo tipo, Findings& findings) {
   HWY_DYNAMIC_DISPATCH(triage_packet_from)(packet, tipo, findings);

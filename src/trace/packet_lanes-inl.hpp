@@ -15,7 +15,8 @@ HWY_BEFORE_NAMESPACE();
 namespace durero::trace {
 namespace HWY_NAMESPACE {
 
-HWY_INLINE Vec<Lanes> load(const Packet::Columns& columns, std::size_t at) {
+template <class Column>
+HWY_INLINE Vec<Lanes> load(const std::array<Column, 3>& columns, std::size_t at) {
   return {Lanes::load(&columns[0][at]), Lanes::load(&columns[1][at]), Lanes::load(&columns[2][at])};
 }
 
@@ -33,6 +34,23 @@ HWY_INLINE LaneElement<tipo> element(const Packet& packet, std::size_t at) {
           load(packet.vector, at),
           Lanes::load(&packet.altura[at]),
           {load(packet.vertices[0], at), load(packet.vertices[1], at), load(packet.vertices[2], at)}};
+}
+
+/// A vector in every lane.
+HWY_INLINE Vec<Lanes> in_every_lane(const glm::dvec3& x) { return {Lanes(x.x), Lanes(x.y), Lanes(x.z)}; }
+
+/// An element in every lane.
+template <class Shape>
+HWY_INLINE LaneElement<Shape::tipo> in_every_lane(const Shape& shape) {
+  LaneElement<Shape::tipo> element{};
+  if constexpr (requires { shape.centro; }) element.centro = in_every_lane(shape.centro);
+  if constexpr (requires { shape.radio; }) element.radio = Lanes(shape.radio);
+  if constexpr (requires { shape.proporcion; }) element.proporcion = Lanes(shape.proporcion);
+  if constexpr (requires { shape.vector; }) element.vector = in_every_lane(shape.vector);
+  if constexpr (requires { shape.altura; }) element.altura = Lanes(shape.altura);
+  if constexpr (requires { shape.vertices; })
+    for (std::size_t i = 0; i < element.vertices.size(); ++i) element.vertices[i] = in_every_lane(shape.vertices[i]);
+  return element;
 }
 
 }  // namespace HWY_NAMESPACE

@@ -25,9 +25,6 @@ Ray::Ray(const model::Rayo& rayo)
     : p(rayo.p().xyz()),
       v(rayo.v().xyz()),
       speed(extent(v)),
-      length_squared((v.x * v.x + v.y * v.y + v.z * v.z) * (1 + 0x1p-47 + 0x1p-50)),
-      length(std::sqrt(length_squared)),
-      allowance(0x1p-49 * extent(p)),
       ordinary(in_range(p) && in_range(v)) {}
 
 bool ordinary(scene::ShapeView element) {

@@ -1,5 +1,6 @@
 #include "durero/accel/wide_node.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -41,48 +42,77 @@ WideNode random_node(Random& random) {
 
 }  // namespace
 
+namespace {
+
+/// The first eights of a bundle filled with rays about one, in whose directions no component is 0.
+void fill(accel::WideBundle& bundle, std::size_t count, Random& random) {
+  const glm::dvec3 p = random.in_cube(12), v = random.in_cube(1);
+  for (std::size_t place = 0; place < count; ++place) {
+    const glm::dvec3 from = p + random.in_cube(0.3);
+    bundle.set(place, trace::Ray(ray(from, v + random.in_cube(0.1))),
+               place % 3 == 0   ? 5
+               : place % 7 == 0 ? -1
+                                : infinity);
+  }
+  invert(bundle, count);
+}
+
+accel::Beam beam_at(const accel::WideBundle& bundle, std::size_t place) {
+  const auto of = [&](const auto& columns) {
+    return glm::dvec3(columns[0][place], columns[1][place], columns[2][place]);
+  };
+  return accel::Beam(trace::Ray(ray(of(bundle.rays.p), of(bundle.rays.v))));
+}
+
+}  // namespace
+
 TEST_CASE("a bundle tests as its rays do, or passes more") {
   Random random(6);
   std::vector<WideNode> nodes(20);
   for (WideNode& node : nodes) node = random_node(random);
-  for (std::size_t turn = 0; turn < fewer_when_sanitized(200); ++turn) {
+  std::size_t gathered = 0;
+  for (std::size_t turn = 0; turn < fewer_when_sanitized(300); ++turn) {
     accel::WideBundle bundle;
-    const glm::dvec3 p = random.in_cube(12), v = random.in_cube(1);
-    while (bundle.count < 1 + turn % accel::WideBundle::size) {
-      const glm::dvec3 from = p + random.in_cube(0.3);
-      const accel::Beam beam{trace::Ray(ray(from, v + random.in_cube(0.1)))};
-      if (!bundle.takes(beam)) continue;
-      bundle.limit[bundle.count] = bundle.count % 3 == 0 ? 5 : infinity;
-      bundle.push(beam);
-    }
+    fill(bundle, accel::WideBundle::size, random);
+    const std::size_t begin = 8 * (turn % 4), end = begin + 8 * (1 + turn % 5);
+    if (!gather(bundle, begin, std::min(end, accel::WideBundle::size))) continue;
+    ++gathered;
+    double farthest = 0;
+    for (std::size_t place = bundle.begin; place < bundle.end; ++place)
+      farthest = std::max(farthest, bundle.limit[place]);
+    CHECK(accel::farthest(bundle) == farthest);
     for (const WideNode& node : nodes) {
       WideNode::Entries entries{};
       const unsigned met = accel::met(node, bundle, infinity, entries);
-      for (std::size_t place = 0; place < WideNode::width; ++place) {
+      for (std::size_t child = 0; child < WideNode::width; ++child) {
         std::uint64_t of_each = 0;
-        for (std::size_t i = 0; i < bundle.count; ++i) {
-          accel::Beam beam{trace::Ray(ray({0, 0, 0}, {1, 1, 1}))};
-          beam.p = {bundle.p[0][i], bundle.p[1][i], bundle.p[2][i]};
-          beam.inverse = {bundle.inverse[0][i], bundle.inverse[1][i], bundle.inverse[2][i]};
-          const accel::Stretch own = stretch(box_at(node, place), beam, bundle.limit[i]);
-          if (!own.meets()) continue;
-          of_each |= std::uint64_t{1} << i;
-          CHECK(entries[place] <= own.entry);
+        for (std::size_t place = bundle.begin; place < bundle.end; ++place) {
+          const double limit = bundle.limit[place];
+          const accel::Stretch own = stretch(box_at(node, child), beam_at(bundle, place), std::max(limit, 0.0));
+          if (limit < 0 || !own.meets()) continue;
+          of_each |= std::uint64_t{1} << place;
+          CHECK(entries[child] <= own.entry);
         }
-        CHECK(met_by(node, place, bundle) == of_each);
-        if (of_each != 0) CHECK((met >> place & 1) != 0);
+        CHECK(met_by(node, child, bundle) == of_each);
+        if (of_each != 0) CHECK((met >> child & 1) != 0);
       }
     }
   }
+  CHECK(gathered > 50);
 }
 
-TEST_CASE("rays of other signs, or along a plane of the axes, are in no bundle") {
-  const auto beam = [](const glm::dvec3& v) { return accel::Beam(trace::Ray(ray({0, 0, 0}, v))); };
-  accel::WideBundle bundle;
-  CHECK_FALSE(bundle.takes(beam({1, 0, 1})));
-  CHECK_FALSE(bundle.takes(beam({-0.0, 1, 1})));
-  bundle.push(beam({1, -1, 1}));
-  CHECK(bundle.takes(beam({2, -3, 4})));
-  CHECK_FALSE(bundle.takes(beam({1, 1, 1})));
-  CHECK_FALSE(bundle.takes(beam({1, -1, -1})));
+TEST_CASE("rays of other signs, or along a plane of the axes, walk in no bundle") {
+  const auto together = [](const glm::dvec3& one, const glm::dvec3& other) {
+    accel::WideBundle bundle;
+    for (std::size_t place = 0; place < 8; ++place)
+      bundle.set(place, trace::Ray(ray({0, 0, 0}, place == 5 ? other : one)), infinity);
+    invert(bundle, 8);
+    return gather(bundle, 0, 8);
+  };
+  CHECK_FALSE(together({1, 0, 1}, {1, 0, 1}));
+  CHECK_FALSE(together({1, 1, 1}, {1, 1, 0}));
+  CHECK_FALSE(together({-0.0, 1, 1}, {-0.0, 1, 1}));
+  CHECK(together({1, -1, 1}, {2, -3, 4}));
+  CHECK_FALSE(together({1, -1, 1}, {1, 1, 1}));
+  CHECK_FALSE(together({1, -1, 1}, {1, -1, -1}));
 }

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "accel/each_alone.hpp"
 #include "durero/accel/wide_bvh.hpp"
 #include "support/catch.hpp"
 #include "support/scenes.hpp"
@@ -35,5 +36,27 @@ TEST_CASE("a walk takes of each ray, bundled or not, nothing twice, and nothing 
           });
       CHECK(taken[number] == (number % 5 == 0 ? 0 : alone));
     }
+  }
+}
+
+TEST_CASE("rays that walk together, and segments from where they hit, are answered as each alone") {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    Random random(seed);
+    const scene::Scene scene = random_scene(random, 60);
+    const accel::WideBvh tree(scene);
+    std::vector<scene::Query> queries;
+    const glm::dvec3 eye(0.1, 0.2, -6);
+    for (int y = 0; y < 24; ++y)
+      for (int x = 0; x < 24; ++x) queries.push_back({ray(eye, glm::dvec3(x - 12, y - 12, 240) / 240.0)});
+    trace::Counts unseen;
+    std::size_t hits = 0;
+    for (std::size_t i = 0; i < 24 * 24; ++i) {
+      const scene::Hit hit = trace::first_hit_among(tree, queries[i].rayo, {}, unseen);
+      if (hit.resultado != model::Resultado::hit) continue;
+      ++hits;
+      queries.push_back({ray(hit.punto, glm::dvec3(1, 9, -4) - hit.punto), hit.elementos});
+    }
+    CHECK(hits > 50);
+    check_each_alone(tree, queries);
   }
 }

@@ -57,9 +57,9 @@ double least(double low, double high, Yes yes) {
 /// What the filter adds to a radius, and to the way to a limit, times |v|: parts for both places, and for a longer v.
 Dyadic allowance(const Encounter& encounter, double radius, double limit = 0) {
   const Dyadic added =
-      Dyadic(encounter.traced.allowance) + Dyadic(balls_of(encounter.centre, radius).radius[0]) - Dyadic(radius);
-  const Dyadic by_length = Dyadic(radius) * (Dyadic(encounter.traced.length) - encounter.speed);
-  const Dyadic by_square = Dyadic(limit) * (Dyadic(encounter.traced.length_squared) - square(encounter.speed));
+      Dyadic(encounter.traced.allowance()) + Dyadic(balls_of(encounter.centre, radius).radius[0]) - Dyadic(radius);
+  const Dyadic by_length = Dyadic(radius) * (Dyadic(encounter.traced.length()) - encounter.speed);
+  const Dyadic by_square = Dyadic(limit) * (Dyadic(encounter.traced.length_squared()) - square(encounter.speed));
   return added * encounter.speed + by_length + by_square;
 }
 

@@ -108,6 +108,37 @@ void check_triage_from(const Lanes<Element>& lanes) {
     same_finding(findings[lane], trace::triage(lanes.elements[lane], lanes.traced[lane], true));
 }
 
+/// Of the same rays in columns, those that have a bit get of one element what it finds alone; the others' eights stay
+/// as they are.
+template <class Element>
+void check_columns(const Lanes<Element>& lanes) {
+  trace::RayColumns rays;
+  std::uint64_t which = 0;
+  for (const std::size_t eight : {std::size_t{0}, std::size_t{3}, std::size_t{7}})
+    for (std::size_t lane = 0; lane < Packet::size; ++lane) {
+      rays.set(8 * eight + lane, lanes.traced[lane]);
+      if (lane != eight) which |= std::uint64_t{1} << (8 * eight + lane);
+    }
+  for (const Element& element : lanes.elements) {
+    trace::ColumnFindings findings;
+    findings[4].hit = 0x5a;
+    trace::triage(rays, which, element, findings);
+    RC_ASSERT(findings[4].hit == 0x5a);
+    for (std::size_t place = 0; place < trace::RayColumns::size; ++place) {
+      if ((which >> place & 1) == 0) continue;
+      const Finding found = findings[place / 8][place % 8];
+      if (found.verdict != Verdict::undecided)
+        same_finding(found, trace::triage(element, lanes.traced[place % 8], false));
+    }
+    Packet one;
+    for (std::size_t lane = 0; lane < Packet::size; ++lane) one.set(lane, lanes.traced[lane], element);
+    trace::Findings of_packet;
+    trace::triage(one, lanes.tipo, of_packet);
+    RC_ASSERT(findings[3].hit == of_packet.hit);
+    RC_ASSERT(findings[3].undecided == of_packet.undecided);
+  }
+}
+
 template <class Element>
 void check_rounding(const Lanes<Element>& lanes, const trace::Findings& findings, Tally& tally) {
   trace::RoundedPacket rounded;
@@ -148,6 +179,7 @@ void check(const rc::Gen<Element>& elements, const Reals& numbers, Tally& tally)
     trace::Findings findings;
     check_triage(lanes, findings, tally);
     check_triage_from(lanes);
+    check_columns(lanes);
     check_rounding(lanes, findings, tally);
     check_plain(lanes);
   }

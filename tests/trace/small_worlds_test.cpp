@@ -109,7 +109,7 @@ bool holds(const Shape& shape, const trace::Ray& ray, const Truth& truth, double
     case Verdict::miss:
       return truth.none_up_to(limit);
     case Verdict::hit:
-      return !truth.reach.empty() && !truth.reach.segment && truth.within(found.error, found.t.value);
+      return !truth.reach.empty() && !truth.reach.segment && truth.within(found.root.error, found.root.t.value);
   }
   return false;
 }

@@ -97,7 +97,7 @@ bool Classification::any(const trace::Ray& ray, Limit limit, Visit visit, Work& 
   for (const Entry& entry : list(from->place, ray, work)) {
     // |v|·(t − from.t) is not less than entry.near, and `length` not less than |v|; the factor pays for three
     // roundings.
-    if ((from->t + entry.near / ray.length) * (1 - 0x1p-50) > limit()) {
+    if ((from->t + entry.near / ray.length()) * (1 - 0x1p-50) > limit()) {
       ++work.by_distance;
       return false;
     }

@@ -63,7 +63,7 @@ class LightCube {
   /// The middle of the cube.
   const glm::dvec3& light() const noexcept { return light_; }
   /// The segment of the ray ends at the light, and is not too long to be looked up. Precondition: the ray is ordinary.
-  bool serves(const trace::Ray& ray) const noexcept { return ray.v == light_ - ray.p && ray.length <= longest_; }
+  bool serves(const trace::Ray& ray) const noexcept { return ray.v == light_ - ray.p && ray.length() <= longest_; }
   /// The list of a ray that it serves.
   List list(const trace::Ray& ray) const;
   /// Of a number in a list.
@@ -137,12 +137,12 @@ bool LightBuffer::any(const trace::Ray& ray, Limit limit, Visit visit, Work& wor
   const LightCube* const cube = limit() <= 1 ? cube_of(ray) : nullptr;
   if (cube == nullptr) return Linear::any(ray, limit, visit, work);
   const LightCube::List list = cube->list(ray);
-  if (!(ray.length < list.record.from)) return Linear::any(ray, limit, visit, work);
+  if (!(ray.length() < list.record.from)) return Linear::any(ray, limit, visit, work);
   ++work.cells;
   const Beam beam(ray);
   for (const std::uint32_t number : list.items) {
     const LightCube::Item& item = cube->item(number);
-    if (item.seen.near > ray.length) {  // the segment's points are within |v₀|(1 + u) of the light
+    if (item.seen.near > ray.length()) {  // the segment's points are within |v₀|(1 + u) of the light
       ++work.by_distance;
       return false;
     }

@@ -40,7 +40,7 @@ class WideLeaves {
       return visit(std::get<Column<Shape>>(columns_).shapes[leaf.index]);
     });
   }
-  /// The bytes of a leaf's row, to ask memory for them ahead of time. (GCC drops a function that does nothing else.)
+  /// The bytes of a leaf's row, to ask memory for them ahead of time.
   std::span<const std::byte> row(scene::ElementRef leaf) const {
     return visit(leaf, [](const auto& shape) { return std::as_bytes(std::span(&shape, 1)); });
   }

@@ -6,15 +6,14 @@
 /// has waited) holds in every lane. Its conditions hold: the planes are finite, hence of magnitude below 2¹²⁸, and the
 /// rays ordinary; an empty child alone has infinite planes, and no ray meets it.
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 
 #include "durero/accel/slab.hpp"
 #include "durero/scene/element_ref.hpp"
+#include "durero/trace/packet.hpp"
 
 namespace durero::accel {
 
@@ -51,45 +50,35 @@ inline double latest_entry(double limit) { return limit * grow + tiny; }
 /// Rays in columns that walk the tree together: ordinary ones, in whose directions no component is 0 and all those
 /// along an axis are of one sign.
 struct WideBundle {
-  static constexpr std::size_t size = 64;   ///< how many rays at most
-  using Column = std::array<double, size>;  ///< a number of each ray
-  /// @{ As in Beam, by axis.
-  alignas(64) std::array<Column, 3> p{};
-  std::array<Column, 3> inverse{};
-  /// @}
-  Column limit{};  ///< of each ray; below 0 of one that takes no part
-  /// @{ Between which the origins and the inverses lie.
-  std::array<double, 3> p_low{};
-  std::array<double, 3> p_high{};
-  std::array<double, 3> inverse_low{};
-  std::array<double, 3> inverse_high{};
-  /// @}
-  std::size_t count = 0;  ///< how many rays
+  static constexpr std::size_t size = trace::RayColumns::size;  ///< how many rays at most
+  static constexpr std::size_t eight = trace::Packet::size;     ///< rays that are tested side by side
+  using Column = trace::RayColumns::Column;                     ///< a number of each ray
+  using Ends = std::array<double, 3>;                           ///< a number of each axis
 
-  /// Whether a ray may be added to those that are there: it is of their signs.
-  bool takes(const Beam& beam) const {
-    bool takes = true;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double inverse_of = beam.inverse[static_cast<int>(axis)];
-      const bool other = (inverse_of < 0) != (inverse_low[axis] < 0);
-      takes &= !std::isinf(inverse_of) & !((count > 0) & other);
-    }
-    return takes;
+  /// Fills a place.
+  void set(std::size_t place, const trace::Ray& ray, double limit_of) {
+    rays.set(place, ray);
+    limit[place] = limit_of;
   }
-  /// Adds a ray. Precondition: it takes it, and is not full.
-  void push(const Beam& beam) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double p_of = beam.p[static_cast<int>(axis)], inverse_of = beam.inverse[static_cast<int>(axis)];
-      p[axis][count] = p_of;
-      inverse[axis][count] = inverse_of;
-      p_low[axis] = count == 0 ? p_of : std::min(p_low[axis], p_of);
-      p_high[axis] = count == 0 ? p_of : std::max(p_high[axis], p_of);
-      inverse_low[axis] = count == 0 ? inverse_of : std::min(inverse_low[axis], inverse_of);
-      inverse_high[axis] = count == 0 ? inverse_of : std::max(inverse_high[axis], inverse_of);
-    }
-    ++count;
-  }
+
+  trace::RayColumns rays;                       ///< all of them
+  alignas(64) std::array<Column, 3> inverse{};  ///< as in Beam, by axis
+  Column limit{};                               ///< of each ray; below 0 of one that takes no part
+  std::size_t begin = 0, end = 0;               ///< which places walk: whole eights
+  /// @{ Between which their origins, directions and inverses lie.
+  Ends p_low{}, p_high{}, v_low{}, v_high{}, inverse_low{}, inverse_high{};
+  /// @}
 };
+
+/// Computes the inverses of the first rays of a bundle: of whole eights.
+void invert(WideBundle& bundle, std::size_t count);
+
+/// Makes those at begin … end, whole eights, the ones that walk. Whether they can together; if not, the ends mean
+/// nothing. Precondition: their inverses are computed.
+bool gather(WideBundle& bundle, std::size_t begin, std::size_t end);
+
+/// The greatest limit of those that walk; 0 where none takes part.
+double farthest(const WideBundle& bundle);
 
 /// A bit for each child whose box some ray of the bundle may meet at 0 < t ≤ limit, the first child's lowest; `entries`
 /// gets a parameter before which none enters each. Subtraction and multiplication, rounded, are monotonic: so what is
@@ -98,8 +87,8 @@ struct WideBundle {
 /// that of some ray does.
 unsigned met(const WideNode& node, const WideBundle& bundle, double limit, WideNode::Entries& entries);
 
-/// A bit for each ray of the bundle that may meet the box of one child up to its own limit, as `stretch` finds it of
-/// each. Precondition: the bundle is not empty.
+/// A bit for each place of the bundle, of those that walk, whose ray may meet the box of one child up to its own limit,
+/// as `stretch` finds it of each.
 std::uint64_t met_by(const WideNode& node, std::size_t child, const WideBundle& bundle);
 
 }  // namespace durero::accel

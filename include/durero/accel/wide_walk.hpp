@@ -9,8 +9,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
-#include <glm/common.hpp>
 #include <span>
 #include <vector>
 
@@ -65,8 +65,7 @@ class WideWalk {
         rays_(rays),
         limit_(limit),
         take_(take),
-        flush_(flush),
-        first_(rays.front()) {
+        flush_(flush) {
     const std::size_t root = 0;
     for (int i = 0; i < 3; ++i) {
       const auto& low = nodes_[root].planes[static_cast<std::size_t>(i)];
@@ -79,17 +78,11 @@ class WideWalk {
   /// Every ray.
   void all() {
     for (std::uint32_t number = 0; number < rays_.size(); ++number) {
-      if (!(limit_(number) > 0)) continue;
-      const Beam beam(rays_[number]);
-      if (!joins(rays_[number], beam)) {
-        release();
-        if (!joins(rays_[number], beam)) {
-          alone_.push_back(number);
-          continue;
-        }
-      }
-      numbers_[bundle_.count] = number;
-      bundle_.push(beam);
+      const double limit = limit_(number);
+      if (!(limit > 0)) continue;
+      numbers_[count_] = number;
+      bundle_.set(count_++, rays_[number], limit);
+      if (count_ == WideBundle::size) release();
     }
     release();
     // In a large tree too few of the rays come to the same node, and none is asked of memory ahead.
@@ -99,53 +92,52 @@ class WideWalk {
 
  private:
   static constexpr double widest = 2;               // of a bundle, in spacings of the elements
-  static constexpr double unknown = -1;             // no reach
   static constexpr std::size_t least = 6;           // rays of a bundle that is worth it
   static constexpr std::size_t least_stream = 64;   // rays alone that walk as streams
   static constexpr std::size_t at_a_time = 16;      // rays alone
   static constexpr std::size_t in_cache = 1 << 14;  // bytes of nodes that need no waiting for,
   static constexpr std::size_t nearby = 1 << 18;    // and of those whose elements need none
   static constexpr std::size_t patience = 32;       // pairs, until the limits are brought up to date
+  static constexpr int dense_from = 2;              // bits of an eight
 
-  /// The bundle takes the ray, and stays narrow as far as the box of the scene.
-  bool joins(const trace::Ray& ray, const Beam& beam) {
-    if (bundle_.count == WideBundle::size || !bundle_.takes(beam)) return false;
-    if (bundle_.count == 0) {
-      first_ = beam;
-      reach_ = unknown;
-      v_low_ = v_high_ = ray.v;
-      return true;
-    }
-    glm::dvec3 apart;
-    for (int i = 0; i < 3; ++i) {
-      const auto axis = static_cast<std::size_t>(i);
-      apart[i] = std::max(bundle_.p_high[axis], ray.p[i]) - std::min(bundle_.p_low[axis], ray.p[i]);
-    }
-    if (!within(apart)) return false;
-    if (reach_ == unknown) reach_ = stretch(all_, first_, trace::no_limit).exit;
-    const glm::dvec3 v_low = glm::min(v_low_, ray.v), v_high = glm::max(v_high_, ray.v);
-    if (!within(apart + reach_ * (v_high - v_low))) return false;
-    v_low_ = v_low, v_high_ = v_high;
-    return true;
-  }
-  bool within(const glm::dvec3& apart) const {
-    return (apart.x <= narrow_) & (apart.y <= narrow_) & (apart.z <= narrow_);
-  }
-
+  /// The rays that are there go their ways. The last eight is filled up by rays that take no part.
   void release() {
-    if (bundle_.count >= least) {
-      walk_bundle();
-    } else {
-      for (std::size_t i = 0; i < bundle_.count; ++i) alone_.push_back(numbers_[i]);
+    if (count_ == 0) return;
+    const std::size_t places = (count_ + WideBundle::eight - 1) / WideBundle::eight * WideBundle::eight;
+    for (std::size_t place = count_; place < places; ++place) bundle_.set(place, rays_[numbers_[count_ - 1]], -1);
+    invert(bundle_, places);
+    part(0, places);
+    count_ = 0;
+  }
+
+  /// Those at begin … end together where they stay narrow, and else each half of them; few are alone.
+  void part(std::size_t begin, std::size_t end) {
+    const std::size_t last = std::min(end, count_);
+    if (last - begin >= least && gather(bundle_, begin, end) && narrow()) return walk_bundle();
+    if (end - begin > WideBundle::eight) {
+      const std::size_t eights = (end - begin) / WideBundle::eight, middle = begin + eights / 2 * WideBundle::eight;
+      part(begin, middle);
+      return part(middle, end);
     }
-    bundle_.count = 0;
+    for (std::size_t place = begin; place < last; ++place) alone_.push_back(numbers_[place]);
+  }
+
+  /// As far as the box of the scene, or to the limit.
+  bool narrow() const {
+    const Beam first(rays_[numbers_[bundle_.begin]]);
+    const double reach = stretch(all_, first, bundle_.limit[bundle_.begin]).exit;
+    bool narrow = true;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double apart = bundle_.p_high[axis] - bundle_.p_low[axis];
+      narrow &= apart + std::max(reach, 0.0) * (bundle_.v_high[axis] - bundle_.v_low[axis]) <= narrow_;
+    }
+    return narrow;
   }
 
   void walk_bundle() {
-    for (std::size_t i = 0; i < bundle_.count; ++i) bundle_.limit[i] = limit_of(i);
     std::uint64_t taken = 0;
     std::size_t pending = 0;
-    double limit = farthest();
+    double limit = farthest(bundle_);
     WideStack waiting;
     open(waiting, 0, limit);
     while (!waiting.empty()) {
@@ -157,29 +149,52 @@ class WideWalk {
         continue;
       }
       const std::uint64_t meeting = met_by(nodes_[node], place, bundle_);
+      if (meeting == 0) continue;
+      if constexpr (takes_many) {
+        if (dense(meeting)) {
+          const std::uint64_t changed = take_(bundle_.rays, numbers_, meeting, child.element());
+          if (changed == 0) continue;
+          bring_up_to_date(changed);
+          limit = farthest(bundle_);
+          continue;
+        }
+      }
       for (std::uint64_t left = meeting; left != 0; left &= left - 1)
         take_(numbers_[static_cast<std::size_t>(std::countr_zero(left))], child.element());
       taken |= meeting;
       pending += static_cast<std::size_t>(std::popcount(meeting));
       if (pending < patience) continue;
       flush_();
-      for (; taken != 0; taken &= taken - 1) {
-        const auto i = static_cast<std::size_t>(std::countr_zero(taken));
-        bundle_.limit[i] = limit_of(i);
-      }
+      bring_up_to_date(taken);
+      taken = 0;
       pending = 0;
-      limit = farthest();
+      limit = farthest(bundle_);
     }
   }
 
-  double limit_of(std::size_t i) const {
-    const double limit = limit_(numbers_[i]);
-    return limit > 0 ? limit : -1;
+  /// What is taken of rays in columns may be told together: take(columns, numbers, which, element) answers a bit for
+  /// each ray whose limit has changed.
+  using Numbers = std::array<std::uint32_t, WideBundle::size>;
+  static constexpr bool takes_many =
+      requires(Take& take, const trace::RayColumns& rays, const Numbers& numbers, scene::ElementRef element) {
+        { take(rays, numbers, std::uint64_t{}, element) } -> std::same_as<std::uint64_t>;
+      };
+
+  /// So many bits in each eight that has some that their rays are better tested where they stand.
+  static bool dense(std::uint64_t which) {
+    std::uint64_t eights = which | which >> 4;
+    eights |= eights >> 2;
+    eights = (eights | eights >> 1) & 0x0101010101010101;
+    return std::popcount(which) >= dense_from * std::popcount(eights);
   }
-  double farthest() const {
-    double farthest = 0;
-    for (std::size_t i = 0; i < bundle_.count; ++i) farthest = std::max(farthest, bundle_.limit[i]);
-    return farthest;
+
+  /// The limits of those that have a bit.
+  void bring_up_to_date(std::uint64_t which) {
+    for (; which != 0; which &= which - 1) {
+      const auto place = static_cast<std::size_t>(std::countr_zero(which));
+      const double limit = limit_(numbers_[place]);
+      bundle_.limit[place] = limit > 0 ? limit : -1;
+    }
   }
 
   /// A walker, and the number of its ray.
@@ -281,10 +296,8 @@ class WideWalk {
   Flush& flush_;
   surface::Box all_{};
   WideBundle bundle_;
-  std::array<std::uint32_t, WideBundle::size> numbers_;
-  Beam first_;                     // of the bundle
-  glm::dvec3 v_low_{}, v_high_{};  // between which the directions of the bundle lie
-  double reach_ = unknown;         // up to where it has to be narrow: not known before a second ray asks
+  Numbers numbers_;        // of the rays in it
+  std::size_t count_ = 0;  // how many
   std::vector<std::uint32_t> alone_;
 };
 

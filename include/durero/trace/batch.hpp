@@ -3,6 +3,7 @@
 /// than that (numbers out of the ordinary, a start on elements, doubt about one element, or two elements whose points
 /// are not told apart) is left to be answered alone, from the beginning.
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <span>
@@ -17,6 +18,7 @@ namespace durero::trace {
 /// One block of rays against a source of candidates (trace/candidates.hpp). A Kernel has
 ///   Findings, the result of its triage(packet, tipo, findings) in lanes, with the bits hit and undecided;
 ///   Point, what it keeps of a hit, by point(findings, lane): its parameter is between low() and high(), ∞ by default;
+///   triage(columns, which, shape, findings by eights) too, for a source that takes rays in columns;
 ///   hit(number, ray, source, own, point), told the nearest point of a ray, by its number in the block, and the
 ///   source's name of the element; or miss(number).
 template <class Source, class Kernel>
@@ -33,7 +35,7 @@ class Batch {
   void answer() {
     source_.pairs(
         rays_, [&](std::uint32_t number) { return nearest_[number].alone ? 0 : nearest_[number].point.high(); },
-        [&](std::uint32_t number, scene::ElementRef own) { take(number, own); }, [&] { flush(); });
+        Take{*this}, [&] { flush(); });
     flush();
     for (std::uint32_t number = 0; number < nearest_.size(); ++number) {
       const Nearest& nearest = nearest_[number];
@@ -67,6 +69,17 @@ class Batch {
     bool alone = false;
   };
 
+  /// What is taken, one by one or of rays in columns.
+  struct Take {
+    Batch& batch;
+    void operator()(std::uint32_t number, scene::ElementRef own) const { batch.take(number, own); }
+    template <class Numbers>
+    std::uint64_t operator()(const RayColumns& rays, const Numbers& numbers, std::uint64_t which,
+                             scene::ElementRef own) const {
+      return batch.test(rays, numbers, which, own);
+    }
+  };
+
   void take(std::uint32_t number, scene::ElementRef own) {
     Queue& queue = queues_[static_cast<std::size_t>(own.tipo)];
     queue.push(source_, number, rays_[number], own);
@@ -82,14 +95,36 @@ class Batch {
     kernel_.triage(queue.packet, queue.elements[0].tipo, findings_);
     const unsigned used = (1u << queue.count) - 1;
     for (std::size_t lane = 0; lane < queue.count; ++lane) ++nearest_[queue.numbers[lane]].tested;
-    for (unsigned left = findings_.undecided & used; left != 0; left &= left - 1) {
-      nearest_[queue.numbers[static_cast<std::size_t>(std::countr_zero(left))]].alone = true;
-    }
-    for (unsigned left = findings_.hit & used; left != 0; left &= left - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-      keep_nearest(nearest_[queue.numbers[lane]], queue.elements[lane], kernel_.point(findings_, lane));
-    }
+    keep(findings_, used, queue.numbers.data(), [&](std::size_t lane) { return queue.elements[lane]; });
     queue.count = 0;
+  }
+
+  /// The rays that have a bit against one element, eight by eight. A bit for each whose limit may have changed.
+  std::uint64_t test(const RayColumns& rays, std::span<const std::uint32_t> numbers, std::uint64_t which,
+                     scene::ElementRef own) {
+    source_.visit(own, [&](const auto& shape) { kernel_.triage(rays, which, shape, of_columns_); });
+    std::uint64_t changed = 0;
+    for (std::size_t at = 0; at < RayColumns::size; at += Packet::size) {
+      const auto used = static_cast<unsigned>(which >> at & ((1u << Packet::size) - 1));
+      if (used == 0) continue;
+      for (unsigned left = used; left != 0; left &= left - 1)
+        ++nearest_[numbers[at + static_cast<std::size_t>(std::countr_zero(left))]].tested;
+      const auto& findings = of_columns_[at / Packet::size];
+      keep(findings, used, &numbers[at], [&](std::size_t) { return own; });
+      changed |= std::uint64_t{(findings.hit | findings.undecided) & used} << at;
+    }
+    return changed;
+  }
+
+  /// Of the lanes that are used, what was found of the rays of those numbers and the elements of that name.
+  template <class Name>
+  void keep(const typename Kernel::Findings& findings, unsigned used, const std::uint32_t* numbers, Name name) {
+    for (unsigned left = findings.undecided & used; left != 0; left &= left - 1)
+      nearest_[numbers[std::countr_zero(left)]].alone = true;
+    for (unsigned left = findings.hit & used; left != 0; left &= left - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+      keep_nearest(nearest_[numbers[lane]], name(lane), kernel_.point(findings, lane));
+    }
   }
 
   static void keep_nearest(Nearest& nearest, scene::ElementRef own, const typename Kernel::Point& point) {
@@ -105,6 +140,7 @@ class Batch {
   std::vector<Nearest> nearest_;
   Queues queues_{};
   typename Kernel::Findings findings_{};
+  std::array<typename Kernel::Findings, RayColumns::size / Packet::size> of_columns_{};
   std::uint64_t decided_ = 0;
 };
 

@@ -36,6 +36,9 @@ class Certified {
   static void triage(const Packet& packet, model::Tipo tipo, Findings& findings) {
     trace::triage(packet, tipo, findings);
   }
+  static void triage(const RayColumns& rays, std::uint64_t which, scene::ShapeView shape, ColumnFindings& findings) {
+    trace::triage(rays, which, shape, findings);
+  }
   static Point point(const Findings& findings, std::size_t lane) { return {findings[lane]}; }
 
   void miss(std::uint32_t number) { hits_[number] = {}; }

@@ -50,6 +50,9 @@ class FirstElements {
   static void triage(const Packet& packet, model::Tipo tipo, Findings& findings) {
     trace::triage(packet, tipo, findings);
   }
+  static void triage(const RayColumns& rays, std::uint64_t which, scene::ShapeView shape, ColumnFindings& findings) {
+    trace::triage(rays, which, shape, findings);
+  }
   static Point point(const Findings& findings, std::size_t lane) { return Point(findings[lane]); }
   void miss(std::uint32_t number) { elements_[number] = {}; }
   template <class Source>

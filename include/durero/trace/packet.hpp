@@ -1,11 +1,13 @@
 #pragma once
-/// Eight rays side by side, each against one element of the same type: what steps over lanes take and give.
+/// Eight rays side by side, each against one element of the same type, or many of them against the same element: what
+/// steps over lanes take and give.
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 
 #include "durero/scene/scene.hpp"
+#include "durero/scene/shape_view.hpp"
 #include "durero/trace/finding.hpp"
 #include "durero/trace/ray.hpp"
 
@@ -106,7 +108,33 @@ struct Findings {
 /// triage of one ray is not.
 void triage(const Packet& packet, model::Tipo tipo, Findings& findings);
 
-/// The same for rays that start on the element. Linear ones are never hit.
+/// Rays in columns, for tests of many of them against one element. Every one must be ordinary or zeros.
+struct RayColumns {
+  static constexpr std::size_t size = 64;   ///< how many at most
+  using Column = std::array<double, size>;  ///< a number of each ray
+
+  /// @{ The member of that name of Ray, by axis.
+  alignas(64) std::array<Column, 3> p{};
+  std::array<Column, 3> v{};
+  Column speed{};
+  /// @}
+
+  /// Fills a place.
+  void set(std::size_t place, const Ray& ray) {
+    p[0][place] = ray.p.x, p[1][place] = ray.p.y, p[2][place] = ray.p.z;
+    v[0][place] = ray.v.x, v[1][place] = ray.v.y, v[2][place] = ray.v.z;
+    speed[place] = ray.speed;
+  }
+};
+
+/// What the triage finds of rays in columns, by eights.
+using ColumnFindings = std::array<Findings, RayColumns::size / Packet::size>;
+
+/// The same for the rays that have a bit, and one element: in the lanes that they fill, what it finds in those of a
+/// packet. Eights of which none has a bit are left as they are; what other rays get means nothing.
+void triage(const RayColumns& rays, std::uint64_t which, scene::ShapeView element, ColumnFindings& findings);
+
+/// triage of a packet for rays that start on the element. Linear ones are never hit.
 void triage_from(const Packet& packet, model::Tipo tipo, Findings& findings);
 
 /// By lane, t and the point rounded once; only where certain.

@@ -1,6 +1,7 @@
 #pragma once
 /// A ray in the numbers that the steps of the tracer use, and the range of numbers within which their bounds hold.
 
+#include <cmath>
 #include <glm/vec3.hpp>
 
 #include "durero/model/tipos.hpp"
@@ -8,17 +9,21 @@
 
 namespace durero::trace {
 
-/// A ray and what each element would compute of it again.
-struct Ray {
+/// A ray and what each element would compute of it again. A line of the cache.
+struct alignas(64) Ray {
   /// Of a ray of the specification.
   explicit Ray(const model::Rayo& rayo);
 
-  glm::dvec3 p, v;        ///< origin and direction, as they are
-  double speed;           ///< V ≥ |v|
-  double length_squared;  ///< |v|², greater by 60u to 80u
-  double length;          ///< |v|, greater by 30u to 40u
-  double allowance;       ///< 16u·(|p.x| + |p.y| + |p.z|), for the filter (trace/filter.hpp)
-  bool ordinary;          ///< every component is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰
+  /// |v|², greater by 60u to 80u.
+  double length_squared() const { return (v.x * v.x + v.y * v.y + v.z * v.z) * (1 + 0x1p-47 + 0x1p-50); }
+  /// |v|, greater by 30u to 40u.
+  double length() const { return std::sqrt(length_squared()); }
+  /// 16u·(|p.x| + |p.y| + |p.z|), for the filter (trace/filter.hpp).
+  double allowance() const { return 0x1p-49 * (std::abs(p.x) + std::abs(p.y) + std::abs(p.z)); }
+
+  glm::dvec3 p, v;  ///< origin and direction, as they are
+  double speed;     ///< V ≥ |v|
+  bool ordinary;    ///< every component is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰
 };
 
 /// Every number of the element is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰: the bounds hold, and nothing over- or underflows.

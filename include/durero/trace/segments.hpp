@@ -35,8 +35,7 @@ class SegmentBatch {
     for (std::uint32_t number = 0; number < queries_.size(); ++number) begin(number);
     for (Queue& queue : starts_) test_starts(queue);
     source_.pairs(
-        rays_, [&](std::uint32_t number) { return open_[number] ? 1.0 : 0.0; },
-        [&](std::uint32_t number, scene::ElementRef own) { take(number, own); }, [&] { flush(); });
+        rays_, [&](std::uint32_t number) { return open_[number] ? 1.0 : 0.0; }, Take{*this}, [&] { flush(); });
     flush();
     for (const scene::ElementRef e : source_.extraordinary())
       for (std::uint32_t number = 0; number < queries_.size(); ++number)
@@ -77,6 +76,17 @@ class SegmentBatch {
     open_[number] = false;
   }
 
+  /// As of Batch.
+  struct Take {
+    SegmentBatch& batch;
+    void operator()(std::uint32_t number, scene::ElementRef own) const { batch.take(number, own); }
+    template <class Numbers>
+    std::uint64_t operator()(const RayColumns& rays, const Numbers& numbers, std::uint64_t which,
+                             scene::ElementRef own) const {
+      return batch.test_columns(rays, numbers, which, own);
+    }
+  };
+
   void take(std::uint32_t number, scene::ElementRef own) {
     if (!open_[number]) return;
     Queue& queue = queues_[static_cast<std::size_t>(own.tipo)];
@@ -104,8 +114,31 @@ class SegmentBatch {
     });
   }
 
+  /// The rays that have a bit and do not start on the element against it, eight by eight. A bit for each that it
+  /// blocks.
+  std::uint64_t test_columns(const RayColumns& rays, std::span<const std::uint32_t> numbers, std::uint64_t which,
+                             scene::ElementRef own) {
+    const scene::ElementRef e = source_.element(own);
+    for (std::uint64_t left = which; left != 0; left &= left - 1)
+      if (starts_on(numbers[static_cast<std::size_t>(std::countr_zero(left))], e)) which &= ~(left & -left);
+    if (which == 0) return 0;
+    source_.visit(own, [&](const auto& shape) { triage(rays, which, shape, of_columns_); });
+    std::uint64_t blocked = 0;
+    for (std::size_t at = 0; at < RayColumns::size; at += Packet::size) {
+      const auto used = static_cast<unsigned>(which >> at & ((1u << Packet::size) - 1));
+      if (used == 0) continue;
+      const Findings& findings = of_columns_[at / Packet::size];
+      for (unsigned left = (findings.hit | findings.undecided) & used; left != 0; left &= left - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+        decide(findings, lane, numbers[at + lane], e);
+        blocked |= std::uint64_t{!open_[numbers[at + lane]]} << (at + lane);
+      }
+    }
+    return blocked;
+  }
+
   /// Of what the findings do not exclude, element(number, name) says which one it is, or nothing where it does not
-  /// count. The ends of where the parameter lies may be rounded (Certified::Point).
+  /// count.
   template <class Element>
   void decide(Queue& queue, Element element) {
     for (unsigned left = (findings_.hit | findings_.undecided) & ((1u << queue.count) - 1); left != 0;
@@ -114,15 +147,20 @@ class SegmentBatch {
       const std::uint32_t number = queue.numbers[lane];
       if (!open_[number]) continue;
       const std::optional<scene::ElementRef> e = element(number, queue.elements[lane]);
-      if (!e) continue;
-      const bool hit = (findings_.hit >> lane & 1) != 0;
-      if (hit && findings_.t[lane] + findings_.error[lane] < 1) {
-        block(number);
-      } else if (!(hit && findings_.t[lane] - findings_.error[lane] > 1)) {
-        test(number, *e);
-      }
+      if (e) decide(findings_, lane, number, *e);
     }
     queue.count = 0;
+  }
+
+  /// Precondition: the lane is hit or undecided. The ends of where the parameter lies may be rounded
+  /// (Certified::Point).
+  void decide(const Findings& findings, std::size_t lane, std::uint32_t number, scene::ElementRef e) {
+    const bool hit = (findings.hit >> lane & 1) != 0;
+    if (hit && findings.t[lane] + findings.error[lane] < 1) {
+      block(number);
+    } else if (!(hit && findings.t[lane] - findings.error[lane] > 1)) {
+      test(number, e);
+    }
   }
 
   const Source& source_;
@@ -132,6 +170,7 @@ class SegmentBatch {
   std::vector<Ray> rays_;
   Queues starts_{}, queues_{};  // of the elements that rays start on, by the scene's names; of what was taken
   Findings findings_{};
+  ColumnFindings of_columns_{};
 };
 
 /// occluded_segment_among of every query, in order, in lanes. Threads and precondition as of first_hits_among.

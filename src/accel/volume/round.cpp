@@ -24,7 +24,7 @@ glm::dvec3 stretched(const Ellipsoid& ellipsoid, const glm::dvec3& x) {
 }  // namespace
 
 Verdict verdict(const surface::Ball& ball, const trace::Ray& ray, double limit) {
-  return round(ray.p - ball.centre, ray.v, ball.radius + 0x1p-49 * norm_1(ball.centre) + ray.allowance, limit);
+  return round(ray.p - ball.centre, ray.v, ball.radius + 0x1p-49 * norm_1(ball.centre) + ray.allowance(), limit);
 }
 
 Verdict verdict(const Ellipsoid& ellipsoid, const trace::Ray& ray, double limit) {
