@@ -608,8 +608,8 @@ Let f := of_esfera ray (point centro) r.
 Let recorded := Formas.esfera p v (Vectors.extent_fl v) centro r.
 
 (** A certified miss is one: no point of the line lies on the sphere. *)
-Theorem a_certified_miss_is_a_miss t :
-  Formas.F recorded < - Formas.B_error recorded -> point_at ray t ∉ puntos_esfera (point centro) r.
+Theorem a_certified_miss_is_a_miss t : Formas.F recorded < - Formas.B_error recorded ->
+  point_at ray t ∉ puntos_esfera (point centro) r.
 Proof.
   exact (Certified.certified_miss p v centro r p_ordinary v_ordinary centro_ordinary r_ordinary r_positive v_not_zero t).
 Qed.
