@@ -19,7 +19,7 @@ From Coq Require Import Reals List.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require Tipos Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve TotalTables
   Tablas RowsAdded RowsRemoved ClosedForm Iluminacion Recorrido Acceleration Firsts Surd Quadratic Exacto ExactoEscena Slab
-  Bundles Rounding Vectors Formas Decision Flotante Sphere Walk Limits Search Boxes Lattice Grid Chain
+  Bundles Rounding Vectors Formas Decision Flotante Certified Walk Limits Search Boxes Lattice Grid Chain
   Occlusion.
 Import Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion.
 Local Open Scope R_scope.
@@ -663,10 +663,10 @@ Let f := of_esfera ray (point centro) r.
 Let recorded := Formas.esfera p v (Vectors.extent_fl v) centro r.
 
 (** A certified miss is one: no point of the line lies on the sphere. *)
-Theorem a_certified_miss_is_a_miss t :
-  Formas.F recorded < - Formas.B_error recorded -> point_at ray t ∉ puntos_esfera (point centro) r.
+Theorem a_certified_miss_is_a_miss t : Formas.F recorded < - Formas.B_error recorded ->
+  point_at ray t ∉ puntos_esfera (point centro) r.
 Proof.
-  exact (Sphere.certified_miss p v centro r p_ordinary v_ordinary centro_ordinary r_ordinary r_positive v_not_zero t).
+  exact (Certified.certified_miss p v centro r p_ordinary v_ordinary centro_ordinary r_ordinary r_positive v_not_zero t).
 Qed.
 
 (** A certified pair of points is one, and the computed root of the discriminant is within its bound. *)
@@ -674,7 +674,7 @@ Theorem a_certified_root_of_the_discriminant : Formas.B_error recorded < Formas.
   let S := Formas.root_of_discriminant recorded in
   0 < discriminant f /\ Rabs (Formas.value S - sqrt (discriminant f)) <= Formas.error S.
 Proof.
-  exact (Sphere.certified_discriminant p v centro r p_ordinary v_ordinary centro_ordinary r_ordinary r_positive v_not_zero).
+  exact (Certified.certified_discriminant p v centro r p_ordinary v_ordinary centro_ordinary r_ordinary r_positive v_not_zero).
 Qed.
 
 (** Where both roots are computed, they are the two there are, in their order, each within its bound. *)
@@ -683,7 +683,7 @@ Theorem certified_roots : Decision.has_roots recorded = true ->
   /\ Rabs (Formas.value (Decision.nearer recorded) - t0) <= Formas.error (Decision.nearer recorded)
   /\ Rabs (Formas.value (Decision.farther recorded) - t1) <= Formas.error (Decision.farther recorded).
 Proof.
-  exact (Sphere.certified_roots p v centro r p_ordinary v_ordinary centro_ordinary r_ordinary r_positive v_not_zero).
+  exact (Certified.certified_roots p v centro r p_ordinary v_ordinary centro_ordinary r_ordinary r_positive v_not_zero).
 Qed.
 
 (** The whole decision: a hit is within its error of the least parameter of a point, and a miss is one. *)
@@ -694,9 +694,45 @@ Theorem the_decision_on_a_sphere_is_right :
    exists t, is_least met t /\ Rabs (Formas.value (Formas.root d) - t) <= Formas.error (Formas.root d))
   /\ (Formas.hit d = false -> Formas.undecided d = false -> forall t, ~ met t).
 Proof.
-  exact (Sphere.decision_in_lanes p v centro r p_ordinary v_ordinary centro_ordinary r_ordinary r_positive v_not_zero).
+  exact (Certified.decision_in_lanes p v centro r p_ordinary v_ordinary centro_ordinary r_ordinary r_positive v_not_zero).
 Qed.
 End Sphere.
+
+(** The same of a cylinder, up to its clip: recorded is the quadratic of the ray and its unbounded surface. *)
+Section Cylinder.
+Variables (p v centro d : Vectors.vec) (r h : R).
+Hypothesis p_ordinary : Flotante.ordinary_vec p.
+Hypothesis v_ordinary : Flotante.ordinary_vec v.
+Hypothesis centro_ordinary : Flotante.ordinary_vec centro.
+Hypothesis d_ordinary : Flotante.ordinary_vec d.
+Hypothesis r_ordinary : Flotante.ordinary r.
+Hypothesis r_positive : 0 < r.
+Hypothesis v_not_zero : 0 < Vectors.norm v.
+Let point (a : Vectors.vec) := mk_Punto (Vectors.cx a) (Vectors.cy a) (Vectors.cz a).
+Let direction (a : Vectors.vec) := mk_Vector (Vectors.cx a) (Vectors.cy a) (Vectors.cz a).
+Hypothesis d_unit : direction d ∈ Unitario.
+Let ray := mk_Rayo (point p) (direction v).
+Let f := of_cilindro ray (point centro) r (direction d) h.
+Let recorded := Formas.cilindro p v (Vectors.extent_fl v) centro r d h.
+
+(** A certified miss is one: no point of the line lies on the surface. *)
+Theorem a_certified_miss_of_a_cylinder_is_a_miss t : Formas.F recorded < - Formas.B_error recorded ->
+  potencia_cilindro (point_at ray t) (point centro) r (direction d) <> 0.
+Proof.
+  exact (Certified.cylinder_miss p v centro d r h p_ordinary v_ordinary centro_ordinary d_ordinary r_ordinary r_positive
+    v_not_zero d_unit t).
+Qed.
+
+(** Where both roots are computed, they are the two there are, in their order, each within its bound. *)
+Theorem certified_roots_of_a_cylinder : Decision.has_roots recorded = true ->
+  exists t0 t1, t0 < t1 /\ (forall t, value f t = 0 <-> t = t0 \/ t = t1)
+  /\ Rabs (Formas.value (Decision.nearer recorded) - t0) <= Formas.error (Decision.nearer recorded)
+  /\ Rabs (Formas.value (Decision.farther recorded) - t1) <= Formas.error (Decision.farther recorded).
+Proof.
+  exact (Certified.cylinder_roots p v centro d r h p_ordinary v_ordinary centro_ordinary d_ordinary r_ordinary r_positive
+    v_not_zero d_unit).
+Qed.
+End Cylinder.
 
 (** * 10. From the Z text to what is printed: the search as it runs *)
 Section Chain.

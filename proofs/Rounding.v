@@ -305,3 +305,24 @@ Proof.
     reflexivity; ring).
   now apply mult_bpow_pos_exact_FLT.
 Qed.
+
+(** ** Counting roundings, without the factor of two *)
+
+Lemma pow_bound_near n : (n <= 64)%nat -> (1 + u) ^ n - 1 <= 1001 / 1000 * INR n * u.
+Proof.
+  pose proof u_bounds; induction n as [|n IH]; intros Hn; [simpl; lra|].
+  rewrite S_INR; simpl pow; specialize (IH ltac:(lia)); assert (0 <= INR n <= 64).
+  { split; [apply pos_INR | replace 64 with (INR 64) by (simpl; lra); apply le_INR; lia]. }
+  assert (INR n * u <= 64 * / 1000000000000) by (apply Rmult_le_compat; lra).
+  assert (1001 / 1000 * (INR n * u) * u <= / 1000 * u) by (apply Rmult_le_compat_r; lra).
+  assert ((1 + u) * (1 + u) ^ n <= (1 + u) * (1 + 1001 / 1000 * INR n * u)) by (apply Rmult_le_compat_l; lra); lra.
+Qed.
+
+Lemma computed_error_near n k a x m : (n <= 64)%nat -> computed n k a x m -> Rabs (a - x) <= 1001 / 1000 * INR n * u * m.
+Proof.
+  intros Hn ((H & Hm) & _); apply Rle_trans with (1 := H); apply Rmult_le_compat_r; [|now apply pow_bound_near].
+  apply Rle_trans with (2 := Hm), Rabs_pos.
+Qed.
+
+Lemma computed_coarser n j k a x m : (j <= k)%Z -> computed n k a x m -> computed n j a x m.
+Proof. intros Hj (N & F & G); split; [exact N | split; [exact F | now apply (grid_coarser j k)]]. Qed.

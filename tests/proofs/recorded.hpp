@@ -104,7 +104,7 @@ inline Term choose(Condition condition, Term yes, Term no) {
 template <>
 struct Numbers<Term> : Binary64<Term> {};
 
-/// a·b − c, rounded once.
+/// a·b and what it lacks, as where the hardware multiplies and subtracts in one.
 inline Twofold<Term> two_prod(Term a, Term b) {
   const Term product = a * b;
   return {product,

@@ -1,9 +1,10 @@
-(** * Sphere: what the tracer decides of a sphere is what the text says of it
+(** * Certified: what the tracer decides is what the text says
 
-    Flotante.v and Decision.v speak of a quadratic; here its roots are the points of the ray on the sphere of the text. *)
+    Flotante.v, Cylinder.v and Decision.v speak of a quadratic; here its roots are points of the ray on an element of the
+    text: on a sphere, and on the unbounded surface of a cylinder. *)
 From Coq Require Import Reals Lra.
-From Durero Require Import Toolkit Especificacion Puntos Trazador Interseccion Vectors Decision Flotante.
-From Durero Require Formas Tipos.
+From Durero Require Import Toolkit Especificacion Puntos Trazador Interseccion Vectors Across Decision Flotante.
+From Durero Require Formas Tipos Cylinder.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
 
@@ -74,3 +75,55 @@ Proof.
   - intros H U t [H0 H']; apply (Hm H U t); [apply root_on_sphere, H' | exact H0].
 Qed.
 End Sphere.
+
+Section Cylinder.
+Variables (p v centro d : vec) (r h : R).
+Hypothesis p_ordinary : ordinary_vec p.
+Hypothesis v_ordinary : ordinary_vec v.
+Hypothesis centro_ordinary : ordinary_vec centro.
+Hypothesis d_ordinary : ordinary_vec d.
+Hypothesis r_ordinary : ordinary r.
+Hypothesis r_positive : 0 < r.
+Hypothesis v_not_zero : 0 < norm v.
+Let point (a : vec) := mk_Punto (cx a) (cy a) (cz a).
+Let direction (a : vec) := mk_Vector (cx a) (cy a) (cz a).
+Hypothesis d_unit : direction d ∈ Unitario.
+Let ray := mk_Rayo (point p) (direction v).
+Let f := of_cilindro ray (point centro) r (direction d) h.
+Let recorded := Formas.cilindro p v (extent_fl v) centro r d h.
+Let q := minus p centro.
+Let a := across v d.
+Let b := across q d.
+Let root := is_root (dot a a) (dot b a) (dot b b - r * r).
+
+Lemma axis_unit : Rabs (dot d d - 1) <= / 1000000.
+Proof. destruct d_unit as [L H]; unfold tolerancia_unidad in *; cbn in L, H; unfold dot; apply Rabs_le; lra. Qed.
+
+Let is_sound : sound recorded (dot a a) (dot b a) (dot b b - r * r) (r * norm a - norm (cross b a))
+  (r * norm a + norm (cross b a)) := Cylinder.cylinder_sound p v centro d r h p_ordinary v_ordinary centro_ordinary
+  d_ordinary r_ordinary r_positive v_not_zero axis_unit.
+
+Lemma cylinder_root_value t : root t <-> value f t = 0.
+Proof.
+  unfold root, is_root.
+  replace (dot a a * t * t + 2 * dot b a * t + (dot b b - r * r)) with (value f t); [reflexivity|].
+  unfold value, f, of_cilindro, a, b, q, across, scale, Tipos.sq, Tipos.dot, from, dot, minus; cbn; ring.
+Qed.
+
+Lemma cylinder_miss t : Formas.F recorded < - Formas.B_error recorded ->
+  potencia_cilindro (point_at ray t) (point centro) r (direction d) <> 0.
+Proof.
+  intros H V; rewrite (potencia_cilindro_along ray (point centro) r (direction d) h) in V; apply cylinder_root_value in V.
+  exact (no_root _ _ _ _ _ _ is_sound t H V).
+Qed.
+
+Lemma cylinder_roots : has_roots recorded = true ->
+  exists t0 t1, t0 < t1 /\ (forall t, value f t = 0 <-> t = t0 \/ t = t1)
+  /\ Rabs (Formas.value (nearer recorded) - t0) <= Formas.error (nearer recorded)
+  /\ Rabs (Formas.value (farther recorded) - t1) <= Formas.error (farther recorded).
+Proof.
+  intros H; destruct (two_roots _ _ _ _ _ _ is_sound H) as (t0 & t1 & Hlt & Hall & Hnear).
+  exists t0, t1; split; [exact Hlt|]; split; [intros t; rewrite <- cylinder_root_value; apply Hall|].
+  split; [apply (Hnear (nearer recorded) t0) | apply (Hnear (farther recorded) t1)]; tauto.
+Qed.
+End Cylinder.
