@@ -93,7 +93,7 @@ bool Surface::has_equation(const Condition& of) { return pieces_of(of).has_value
 
 Surface::Surface(const Condition& of) {
   const std::vector<Condition> pieces = pieces_of(of).value();
-  pieces_.assign(pieces.begin(), pieces.end());
+  for (const Condition& piece : pieces) pieces_.emplace_back(piece);
 }
 
 First Surface::first(const model::Rayo& rayo, bool starts_on) const {
