@@ -92,7 +92,8 @@ bool is_before(const First& a, const First& b) {
 bool Surface::has_equation(const Condition& of) { return pieces_of(of).has_value(); }
 
 Surface::Surface(const Condition& of) {
-  for (const Condition& piece : pieces_of(of).value()) pieces_.emplace_back(piece);
+  const std::vector<Condition> pieces = pieces_of(of).value();
+  for (const Condition& piece : pieces) pieces_.emplace_back(piece);
 }
 
 First Surface::first(const model::Rayo& rayo, bool starts_on) const {

@@ -1,5 +1,6 @@
 /// Evaluates compiled predicates, and tells what their conjuncts state.
 
+#include <algorithm>
 #include <iterator>
 
 #include "zed/evaluate/search.hpp"
@@ -67,6 +68,24 @@ Truth evaluate(const Property& property, Frame& frame) {
   return property.whole ? evaluate_whole(property, frame) : evaluate_all(property, frame);
 }
 
+namespace {
+
+// Where ∃ y • x = e ∧ P holds and e does not depend on y, x = e does.
+void collect_outer(const Search& search, std::vector<const Equation*>& equations) {
+  std::vector<const Equation*> inside;
+  std::vector<const Property*> declared;
+  collect(search.goal(), inside, declared);
+  for (const Equation* equation : inside) {
+    const auto is_about = [equation](const Variable& variable) {
+      return equation->slot == variable.slot ||
+             std::find(equation->reads.begin(), equation->reads.end(), variable.slot) != equation->reads.end();
+    };
+    if (std::none_of(search.variables().begin(), search.variables().end(), is_about)) equations.push_back(equation);
+  }
+}
+
+}  // namespace
+
 void collect(const Property& property, std::vector<const Equation*>& equations,
              std::vector<const Property*>& declared) {
   if (property.kind == Property::Kind::all) {
@@ -74,6 +93,8 @@ void collect(const Property& property, std::vector<const Equation*>& equations,
   } else if (property.kind == Property::Kind::test) {
     for (const Equation& equation : property.equations) equations.push_back(&equation);
     if (property.set) declared.push_back(&property);
+  } else if (property.kind == Property::Kind::exists) {
+    collect_outer(*property.search, equations);
   }
 }
 
