@@ -1,23 +1,24 @@
 (** The Z text of spec/*.tex, tablas.tex apart, in Coq, written by `durero spec export --coq` of its sections: change the
     text, not this file. Nothing is proved here. The rules:
 
-    ℝ, ℤ                  == Coq's R and Z; what the text assumes of them are statements, proved in Tipos.v
+    ℝ, ℤ                  == Coq's R, and those of it that are integers (Toolkit.integers); what the text assumes of
+                             them are statements, proved in Tipos.v
     a given set           == a Type, a section variable
     a free type           == an Inductive
     a set, ℙ T            == a predicate on the carrier of T (Toolkit.set); univ where the set is the whole carrier
     x ∈ T, T a whole type == x has a value: exists c : T, c = x
-    S ⊆ T, whole types    == an injection of S into T
     a partial function    == a set of pairs (Toolkit.rel)
     (_ + _), and − and *  == the set of pairs of Coq's operation (Toolkit.graph)
-    S × T, whole types    == univ;  S → T == the set of total functions, S ⟶ T
+    S × T                 == univ of whole types, else cross S T;  S → T == the set of total functions, S ⟶ T
     f(e) within a predicate P  == exists v, (e, v) ∈ f /\ P: an application outside the domain makes P false. P is the
                              relation that f(e) stands in, a chain counting as one; in a condition, all of its IF
     A = B, sets           == A ≡ B
-    IF P THEN E ELSE F    == y is E or F: P /\ y = E \/ ~ P /\ y = F; of sets, with y ∈
+    IF P THEN E ELSE F    == y is E or F: P /\ y = E \/ ~ P /\ y = F; of sets, with y ∈; within a sum or a product,
+                             where P compares two reals: if Rle_dec a b then E else F, for ≤
     a function with ∀ … f(x) = E     == a Definition; arguments are taken from the carriers
     a partial function with dom f = S and ∀ … | … f(x) = E  == the relation "x ∈ S and y is E"
     another name of a box == its declaration and predicates as statements f_decl and the labels', about any such f; and
-                             f itself: what solves f * n = m, or Coq's sqrt
+                             f itself: what solves f * n = m, or Coq's sqrt, or Toolkit.power_of
     { x : S | P }         == fun x => x ∈ S /\ P
     { D | P } of several  == a Definition of the arguments, a Prop;  (x, y) ∈ S  == S x y
     λ D | P • E, E a set  == a Definition of the arguments; outside P the set is empty
@@ -41,7 +42,7 @@ Section Especificacion.
 
 (** * tipos.tex *)
 
-Definition real_axiom_1 : Prop := exists f : Z -> R, forall m n, f m = f n -> m = n. (* real.axiom.1 *)
+Definition real_axiom_1 : Prop := integers ⊆ univ. (* real.axiom.1 *)
 Definition real_axiom_2 : Prop :=
   dres univ (graph Rplus) ∈ univ ⟶ univ /\ dres univ (graph Rminus) ∈ univ ⟶ univ
   /\ dres univ (graph Rmult) ∈ univ ⟶ univ. (* real.axiom.2 *)
@@ -192,7 +193,7 @@ Definition Init_conj_1 : Prop := exists s' : Escena, Escena_ok s' /\ Init s'. (*
 
 Definition cuadrado (r : R) : R := r * r. (* cuadrado.def.1 *)
 
-Definition raizcuadrada_decl (raizcuadrada : R -> R) : Prop := forall x1 : R, x1 >= 0 -> raizcuadrada x1 >= 0.
+Definition raizcuadrada_decl (raizcuadrada : R -> R) : Prop := forall (x1 : R), x1 >= 0 -> raizcuadrada x1 >= 0.
 Definition raizcuadrada_def_1 (raizcuadrada : R -> R) : Prop :=
   forall r : R, r >= 0 -> raizcuadrada r * raizcuadrada r = r. (* raizcuadrada.def.1 *)
 Definition raizcuadrada : R -> R := sqrt.
@@ -283,6 +284,26 @@ Definition puntos_de_elemento (s : Escena) (e : Elemento) : set Punto :=
 
 Definition puntos_de_escena (s : Escena) : set Punto :=
   ⋃[elementos s] (fun e => puntos_de_elemento s e). (* puntos_de_escena.def.1 *)
+
+Definition potencia_esfera_conj_1 : Prop :=
+  forall (w u o centro : Punto) (r : R), r ∈ Rmas -> Punto_x o = 0 -> Punto_y o = 0 -> Punto_z o = 0
+  -> r * Punto_x u = Punto_x w - Punto_x centro -> r * Punto_y u = Punto_y w - Punto_y centro
+  -> r * Punto_z u = Punto_z w - Punto_z centro
+  -> potencia_esfera u o 1 = cuadrado (Punto_x u) + cuadrado (Punto_y u) + cuadrado (Punto_z u) - 1
+  /\ potencia_esfera w centro r = cuadrado r * potencia_esfera u o 1
+  /\ (w ∈ puntos_esfera centro r <-> u ∈ puntos_esfera o 1). (* potencia_esfera.conj.1 *)
+
+Definition potencia_cilindro_conj_1 : Prop :=
+  forall (w o : Punto) (d : Vector), d ∈ Unitario -> Punto_x o = 0 -> Punto_y o = 0 -> Punto_z o = 0
+  -> Vector_x d = 0 -> Vector_y d = 0 -> Vector_z d = 1
+  -> w ∈ puntos_cilindro o 1 d 1 <-> cuadrado (Punto_x w) + cuadrado (Punto_y w) - 1 = 0
+  /\ 0 <= Punto_z w <= 1. (* potencia_cilindro.conj.1 *)
+
+Definition potencia_cono_conj_1 : Prop :=
+  forall (w o : Punto) (d : Vector), d ∈ Unitario -> Punto_x o = 0 -> Punto_y o = 0 -> Punto_z o = 0
+  -> Vector_x d = 0 -> Vector_y d = 0 -> Vector_z d = 1
+  -> w ∈ puntos_cono o 1 d 1 <-> cuadrado (Punto_x w) + cuadrado (Punto_y w) - cuadrado (1 - Punto_z w) = 0
+  /\ 0 <= Punto_z w <= 1. (* potencia_cono.conj.1 *)
 
 (** * interseccion.tex *)
 
@@ -465,6 +486,255 @@ Definition refraccion_conj_4 : Prop :=
   forall (i n m t : Vector) (razon otra : R), razon ∈ Rmas -> otra ∈ Rmas -> refraccion i n razon t
   -> razon * otra = 1 -> Vector_x m + Vector_x n = 0 -> Vector_y m + Vector_y n = 0 -> Vector_z m + Vector_z n = 0
   -> refraccion t m otra i. (* refraccion.conj.4 *)
+
+(** * luz.tex *)
+
+Definition Parte : set R := fun k => 0 <= k <= 1. (* Parte.inv.1 *)
+
+Definition Cantidad : set R := fun r => r >= 0. (* Cantidad.inv.1 *)
+
+Definition mayor (a b : R) : R := if Rle_dec a b then b else a. (* mayor.def.1 *)
+
+Definition elevado_decl (elevado : R -> R -> R) : Prop :=
+  forall (x1 : R) (x2 : R), x1 ∈ Cantidad -> x2 ∈ Cantidad -> elevado x1 x2 ∈ Cantidad.
+Definition elevado_def_1 (elevado : R -> R -> R) : Prop :=
+  forall x : R, x ∈ Cantidad -> elevado x 0 = 1 /\ elevado x 1 = x /\ elevado 1 x = 1. (* elevado.def.1 *)
+Definition elevado_def_2 (elevado : R -> R -> R) : Prop :=
+  forall x a b : R, x ∈ Cantidad -> a ∈ Cantidad -> b ∈ Cantidad
+  -> elevado x (a + b) = elevado x a * elevado x b. (* elevado.def.2 *)
+Definition elevado_def_3 (elevado : R -> R -> R) : Prop :=
+  forall x y a : R, x ∈ Cantidad -> y ∈ Cantidad -> a ∈ Cantidad -> x <= y
+  -> elevado x a <= elevado y a. (* elevado.def.3 *)
+Definition elevado : R -> R -> R := power_of.
+
+Record Material := mk_Material {
+  Material_k_a : R;
+  Material_k_d : R;
+  Material_k_s : R;
+  Material_k_ps : R;
+  Material_k_t : R;
+  Material_C : R;
+  Material_M_PS : R;
+  Material_M_T : R;
+  Material_emisividad : R;
+  Material_A_G : R;
+  Material_e : R;
+  Material_indice : R
+}.
+
+Record Material_ok (s : Material) : Prop := {
+  Material_inv_1 : Material_k_a s ∈ Parte; (* Material.inv.1 *)
+  Material_inv_2 : Material_k_d s ∈ Parte; (* Material.inv.2 *)
+  Material_inv_3 : Material_k_s s ∈ Parte; (* Material.inv.3 *)
+  Material_inv_4 : Material_k_ps s ∈ Parte; (* Material.inv.4 *)
+  Material_inv_5 : Material_k_t s ∈ Parte; (* Material.inv.5 *)
+  Material_inv_6 : Material_C s ∈ Parte; (* Material.inv.6 *)
+  Material_inv_7 : Material_M_PS s ∈ Parte; (* Material.inv.7 *)
+  Material_inv_8 : Material_M_T s ∈ Parte; (* Material.inv.8 *)
+  Material_inv_9 : Material_emisividad s ∈ Cantidad; (* Material.inv.9 *)
+  Material_inv_10 : Material_A_G s ∈ Cantidad; (* Material.inv.10 *)
+  Material_inv_11 : Material_e s ∈ Cantidad; (* Material.inv.11 *)
+  Material_inv_12 : Material_indice s ∈ Rmas (* Material.inv.12 *)
+}.
+
+Definition conserva : set Material :=
+  fun m => m ∈ Material_ok /\ Material_k_ps m * Material_M_PS m + Material_k_t m * Material_M_T m
+  <= 1. (* conserva.def.1 *)
+
+Record Fuente := mk_Fuente {
+  Fuente_l : Vector;
+  Fuente_S : R;
+  Fuente_V : R
+}.
+
+Record Fuente_ok (s : Fuente) : Prop := {
+  Fuente_inv_1 : Fuente_S s ∈ Cantidad; (* Fuente.inv.1 *)
+  Fuente_inv_2 : Fuente_V s = 0 \/ Fuente_V s = 1 (* Fuente.inv.2 *)
+}.
+
+Definition visible (s : Escena) (p q : Punto) (en : set Elemento) : Prop :=
+  exists rayo : Rayo, rayo ∈ Rayo_ok /\ Rayo_p rayo = p /\ Vector_x (Rayo_v rayo) = Punto_x q - Punto_x p
+  /\ Vector_y (Rayo_v rayo) = Punto_y q - Punto_y p /\ Vector_z (Rayo_v rayo) = Punto_z q - Punto_z p
+  /\ ~ occluded_segment s rayo en. (* visible.def.1 *)
+
+Definition visible_lejos (s : Escena) (p : Punto) (l : Vector) (en : set Elemento) : Prop :=
+  exists rayo : Rayo, rayo ∈ Rayo_ok /\ Rayo_p rayo = p /\ Vector_x (Rayo_v rayo) = Vector_x l
+  /\ Vector_y (Rayo_v rayo) = Vector_y l /\ Vector_z (Rayo_v rayo) = Vector_z l
+  /\ ~ occluded s rayo en. (* visible_lejos.def.1 *)
+
+Definition especular (l n v : Vector) : R := 2 * producto l n * producto v n - producto l v. (* especular.def.1 *)
+
+Definition directa (m : Material) (n v l : Vector) : R :=
+  Material_k_a m * Material_C m + Material_k_d m * Material_C m * mayor 0 (producto n l)
+  + (if Rgt_dec (producto n l) 0 then Material_k_s m * elevado (mayor 0 (especular l n v)) (Material_e m) else 0).
+  (* directa.def.1 *)
+
+Definition aportacion (m : Material) (n v : Vector) (f : Fuente) : R :=
+  Fuente_V f * Fuente_S f * directa m n v (Fuente_l f). (* aportacion.def.1 *)
+
+Definition indirecta (m : Material) (r t : R) : R :=
+  Material_A_G m + Material_k_ps m * Material_M_PS m * r + Material_k_t m * Material_M_T m * t. (* indirecta.def.1 *)
+
+Definition radiancia (m : Material) (suma r t : R) : R :=
+  Material_emisividad m + indirecta m r t + suma. (* radiancia.def.1 *)
+
+Definition acumulado (dada suma : rel R R) : Prop :=
+  (exists v1, (0, v1) ∈ suma /\ v1 = 0) /\ forall i : R, i ∈ integers -> i >= 0
+  -> exists v1 v2 v3, (i + 1, v1) ∈ suma /\ (i, v2) ∈ suma /\ (i, v3) ∈ dada /\ v1 = v2 + v3. (* acumulado.def.1 *)
+
+Variable Camino : Type.
+
+Record Trazado := mk_Trazado {
+  Trazado_llega : set Camino;
+  Trazado_fondo : rel Camino R;
+  Trazado_material : rel Camino Material;
+  Trazado_de_luces : rel Camino R;
+  Trazado_reflejado : rel Camino Camino;
+  Trazado_refractado : rel Camino Camino
+}.
+
+Record Trazado_ok (s : Trazado) : Prop := {
+  Trazado_decl_llega : Trazado_llega s ∈ ℙ univ;
+  Trazado_decl_fondo : Trazado_fondo s ∈ univ ⟶ univ;
+  Trazado_decl_material : Trazado_material s ∈ univ ⟶ Material_ok;
+  Trazado_decl_de_luces : Trazado_de_luces s ∈ univ ⟶ univ;
+  Trazado_decl_reflejado : Trazado_reflejado s ∈ univ ⟶ univ;
+  Trazado_decl_refractado : Trazado_refractado s ∈ univ ⟶ univ
+}.
+
+Definition trazador (t : Trazado) (maximo : R) (L : rel (R * Camino) R) : Prop :=
+  (forall (n : R) (c : Camino), n ∈ integers -> n > maximo -> exists v1, ((n, c), v1) ∈ L /\ v1 = 0)
+  /\ (forall (n : R) (c : Camino), n ∈ integers -> n <= maximo -> c ∉ Trazado_llega t
+  -> exists v1 v2, ((n, c), v1) ∈ L /\ (c, v2) ∈ Trazado_fondo t /\ v1 = v2)
+  /\ forall (n : R) (c : Camino), n ∈ integers -> n <= maximo -> c ∈ Trazado_llega t
+  -> exists v1 v2 v3 v4 v5 v6 v7, ((n, c), v1) ∈ L /\ (c, v2) ∈ Trazado_material t /\ (c, v3) ∈ Trazado_de_luces t
+  /\ (c, v4) ∈ Trazado_reflejado t /\ ((n + 1, v4), v5) ∈ L /\ (c, v6) ∈ Trazado_refractado t
+  /\ ((n + 1, v6), v7) ∈ L /\ v1 = radiancia v2 v3 v5 v7. (* trazador.def.1 *)
+
+Record Ventana := mk_Ventana {
+  Ventana_ojo : Punto;
+  Ventana_esquina : Punto;
+  Ventana_ancho : Vector;
+  Ventana_alto : Vector;
+  Ventana_H : R;
+  Ventana_V : R
+}.
+
+Record Ventana_ok (s : Ventana) : Prop := {
+  Ventana_decl_H : Ventana_H s ∈ integers;
+  Ventana_decl_V : Ventana_V s ∈ integers;
+  Ventana_inv_1 : Ventana_H s >= 1; (* Ventana.inv.1 *)
+  Ventana_inv_2 : Ventana_V s >= 1 (* Ventana.inv.2 *)
+}.
+
+Definition centro_de_pixel (w : Ventana) (x y : R) (q : Punto) : Prop :=
+  0 <= x < Ventana_H w /\ 0 <= y < Ventana_V w
+  /\ 2 * Ventana_H w * Ventana_V w * (Punto_x q - Punto_x (Ventana_esquina w))
+  = (2 * x + 1) * Ventana_V w * Vector_x (Ventana_ancho w) + (2 * y + 1) * Ventana_H w * Vector_x (Ventana_alto w)
+  /\ 2 * Ventana_H w * Ventana_V w * (Punto_y q - Punto_y (Ventana_esquina w))
+  = (2 * x + 1) * Ventana_V w * Vector_y (Ventana_ancho w) + (2 * y + 1) * Ventana_H w * Vector_y (Ventana_alto w)
+  /\ 2 * Ventana_H w * Ventana_V w * (Punto_z q - Punto_z (Ventana_esquina w))
+  = (2 * x + 1) * Ventana_V w * Vector_z (Ventana_ancho w)
+  + (2 * y + 1) * Ventana_H w * Vector_z (Ventana_alto w). (* centro_de_pixel.def.1 *)
+
+Definition rayo_de_pixel (w : Ventana) (x y : R) (rayo : Rayo) : Prop :=
+  Rayo_p rayo = Ventana_ojo w /\ exists q : Punto, q ∈ puntos_de_rayo rayo
+  /\ centro_de_pixel w x y q. (* rayo_de_pixel.def.1 *)
+
+Definition visible_conj_1 : Prop :=
+  forall (s : Escena) (p q : Punto) (l : Vector) (en : set Elemento), Escena_ok s
+  -> Vector_x l = Punto_x q - Punto_x p -> Vector_y l = Punto_y q - Punto_y p -> Vector_z l = Punto_z q - Punto_z p
+  -> visible_lejos s p l en -> visible s p q en. (* visible.conj.1 *)
+
+Definition Material_conj_1 : Prop :=
+  forall m n : Material, m ∈ Material_ok -> n ∈ Material_ok -> exists! razon : R, razon ∈ Rmas
+  /\ razon * Material_indice n = Material_indice m. (* Material.conj.1 *)
+
+Definition elevado_conj_1 : Prop :=
+  forall m : R, 2 * m = 1 -> 20 * elevado m 5 < 1 <= 20 * elevado m 4. (* elevado.conj.1 *)
+
+Definition elevado_conj_2 : Prop :=
+  forall c a : R, c ∈ Parte -> a ∈ Cantidad -> elevado c a <= 1. (* elevado.conj.2 *)
+
+Definition coseno_cuadrado_conj_1 : Prop :=
+  forall (i n : Vector) (razon : R), razon ∈ Rmas -> incidencia i n -> 2 * cuadrado (producto i n) = 1
+  -> 3 * razon = 2 -> 9 * coseno_cuadrado i n razon = 7. (* coseno_cuadrado.conj.1 *)
+
+Definition reflexion_total_conj_2 : Prop :=
+  forall (i n : Vector) (razon : R), razon ∈ Rmas -> incidencia i n
+  -> (2 * razon = 3 -> reflexion_total i n razon <-> 9 * (1 - cuadrado (producto i n)) > 4)
+  /\ (100 * razon = 133 -> reflexion_total i n razon <-> 17689 * (1
+  - cuadrado (producto i n)) > 10000). (* reflexion_total.conj.2 *)
+
+Definition especular_conj_1 : Prop :=
+  forall l n r v : Vector, reflexion l n r -> producto n n = 1
+  -> especular l n v = producto r v. (* especular.conj.1 *)
+
+Definition especular_conj_2 : Prop := forall l n v : Vector, especular l n v = especular v n l. (* especular.conj.2 *)
+
+Definition directa_conj_1 : Prop :=
+  forall (m : Material) (n v l : Vector), m ∈ Material_ok -> producto n l <= 0
+  -> directa m n v l = Material_k_a m * Material_C m. (* directa.conj.1 *)
+
+Definition directa_conj_2 : Prop :=
+  forall (m : Material) (n v l : Vector), m ∈ Material_ok -> Material_k_s m = 0 -> producto n l >= 0
+  -> directa m n v l = Material_C m * (Material_k_a m + Material_k_d m * producto n l). (* directa.conj.2 *)
+
+Definition directa_conj_3 : Prop :=
+  forall (m : Material) (n v l : Vector), m ∈ Material_ok -> Material_C m = 0 -> producto n l > 0
+  -> (especular l n v >= 0 -> directa m n v l = Material_k_s m * elevado (especular l n v) (Material_e m))
+  /\ (especular l n v <= 0 /\ Material_e m > 0 -> directa m n v l = 0). (* directa.conj.3 *)
+
+Definition directa_conj_4 : Prop :=
+  forall (m : Material) (n v l : Vector), m ∈ Material_ok -> producto n n = 1 -> producto v v = 1
+  -> producto l l = 1 -> 0 <= directa m n v l <= Material_C m * (Material_k_a m + Material_k_d m)
+  + Material_k_s m. (* directa.conj.4 *)
+
+Definition aportacion_conj_1 : Prop :=
+  forall (m : Material) (n v : Vector) (f g : Fuente) (dada suma : rel R R), m ∈ Material_ok -> f ∈ Fuente_ok
+  -> g ∈ Fuente_ok -> dada ∈ integers ⟶ univ -> suma ∈ integers ⟶ univ -> Material_k_d m = 0 -> Material_k_s m = 0
+  -> acumulado dada suma -> (exists v1, (0, v1) ∈ dada /\ v1 = aportacion m n v f)
+  -> (exists v1, (1, v1) ∈ dada /\ v1 = aportacion m n v g) -> exists v1, (2, v1) ∈ suma
+  /\ radiancia m v1 0 0 = Material_emisividad m + Material_A_G m
+  + (Fuente_V f * Fuente_S f + Fuente_V g * Fuente_S g) * Material_k_a m * Material_C m. (* aportacion.conj.1 *)
+
+Definition acumulado_conj_1 : Prop :=
+  forall (dada suma otra : rel R R) (i : R), dada ∈ integers ⟶ univ -> suma ∈ integers ⟶ univ
+  -> otra ∈ integers ⟶ univ -> i ∈ integers -> acumulado dada suma -> acumulado dada otra -> i >= 0
+  -> exists v1 v2, (i, v1) ∈ suma /\ (i, v2) ∈ otra /\ v1 = v2. (* acumulado.conj.1 *)
+
+Definition conserva_conj_1 : Prop :=
+  forall (m : Material) (r t : R), m ∈ conserva -> r ∈ Cantidad -> t ∈ Cantidad
+  -> indirecta m r t <= Material_A_G m + mayor r t. (* conserva.conj.1 *)
+
+Definition trazador_conj_1 : Prop :=
+  forall (t : Trazado) (maximo : R), t ∈ Trazado_ok -> maximo ∈ integers
+  -> exists L : rel (R * Camino) R, L ∈ cartesian integers univ ⟶ univ /\ trazador t maximo L. (* trazador.conj.1 *)
+
+Definition trazador_conj_2 : Prop :=
+  forall (t : Trazado) (maximo : R) (L M : rel (R * Camino) R), t ∈ Trazado_ok -> maximo ∈ integers
+  -> L ∈ cartesian integers univ ⟶ univ -> M ∈ cartesian integers univ ⟶ univ -> trazador t maximo L -> trazador t maximo M
+  -> L ≡ M. (* trazador.conj.2 *)
+
+Definition trazador_conj_3 : Prop :=
+  forall (t : Trazado) (L M : rel (R * Camino) R) (c : Camino), t ∈ Trazado_ok -> L ∈ cartesian integers univ ⟶ univ
+  -> M ∈ cartesian integers univ ⟶ univ -> trazador t 0 L -> trazador t 1 M -> c ∈ Trazado_llega t
+  -> (exists v1, ((1, c), v1) ∈ L /\ v1 = 0) /\ exists v1 v2 v3, ((1, c), v1) ∈ M /\ (c, v2) ∈ Trazado_material t
+  /\ (c, v3) ∈ Trazado_de_luces t /\ v1 = radiancia v2 v3 0 0. (* trazador.conj.3 *)
+
+Definition centro_de_pixel_conj_1 : Prop :=
+  forall (w : Ventana) (x y j k : R) (p q : Punto), w ∈ Ventana_ok -> x ∈ integers -> y ∈ integers -> j ∈ integers
+  -> k ∈ integers -> centro_de_pixel w x y p -> centro_de_pixel w j k q -> x + j + 1 = Ventana_H w
+  -> y + k + 1 = Ventana_V w -> Punto_x p + Punto_x q = 2 * Punto_x (Ventana_esquina w) + Vector_x (Ventana_ancho w)
+  + Vector_x (Ventana_alto w) /\ Punto_y p + Punto_y q = 2 * Punto_y (Ventana_esquina w)
+  + Vector_y (Ventana_ancho w) + Vector_y (Ventana_alto w)
+  /\ Punto_z p + Punto_z q = 2 * Punto_z (Ventana_esquina w) + Vector_z (Ventana_ancho w)
+  + Vector_z (Ventana_alto w). (* centro_de_pixel.conj.1 *)
+
+Definition rayo_de_pixel_conj_1 : Prop :=
+  forall (w : Ventana) (x y : R) (q : Punto), w ∈ Ventana_ok -> x ∈ integers -> y ∈ integers
+  -> centro_de_pixel w x y q -> q <> Ventana_ojo w -> exists rayo : Rayo, rayo ∈ Rayo_ok
+  /\ rayo_de_pixel w x y rayo. (* rayo_de_pixel.conj.1 *)
 
 (** * operaciones.tex *)
 

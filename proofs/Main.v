@@ -18,7 +18,7 @@
 From Coq Require Import Reals List.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require Tipos Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve TotalTables
-  Tablas RowsAdded RowsRemoved ClosedForm Iluminacion Recorrido Acceleration Firsts Surd Quadratic Exacto ExactoEscena Slab
+  Tablas RowsAdded RowsRemoved ClosedForm Iluminacion Luz Recorrido Acceleration Firsts Surd Quadratic Exacto ExactoEscena Slab
   Bundles Rounding Vectors Formas Decision Flotante Certified Walk Limits Search Boxes Lattice Grid Chain
   Occlusion.
 Import Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion.
@@ -374,6 +374,11 @@ Proof.
     (printed_elements_are_the_answer Elemento))))))))))))))))))))).
 Qed.
 
+(** And of the surfaces of radius and height one, which have the fields of the textbooks: every sphere is that of one, seen
+    from its own space; the cone of one keeps one nappe. *)
+Theorem the_surfaces_of_one : potencia_esfera_conj_1 /\ potencia_cilindro_conj_1 /\ potencia_cono_conj_1.
+Proof. exact (conj every_sphere_is_that_of_one (conj the_cylinder_of_one the_cone_of_one)). Qed.
+
 (** And of light at a surface: a mirror keeps length and angle; what refracts is a unit vector beyond the surface, in one
     plane and by the law of Snell; it exists exactly where there is no total reflection; equal media leave it straight;
     and it may be gone back. *)
@@ -384,6 +389,38 @@ Proof.
   exact (conj a_mirror_keeps_length_and_angle (conj the_refracted_direction_is_a_unit_vector_beyond (conj
     the_refracted_direction_obeys_Snell (conj refraction_exists_but_in_total_reflection (conj
     equal_indices_leave_the_direction light_goes_back_the_way_it_came))))).
+Qed.
+
+(** Of the power: it has the laws of the text, and whatever has them is it. *)
+Theorem the_power_of_the_text_exists_and_is_one :
+  (elevado_decl elevado /\ elevado_def_1 elevado /\ elevado_def_2 elevado /\ elevado_def_3 elevado)
+  /\ forall f, elevado_decl f -> elevado_def_1 f -> elevado_def_2 f -> elevado_def_3 f ->
+     forall x a, Cantidad x -> Cantidad a -> f x a = elevado x a.
+Proof. exact (conj Luz.the_power_has_the_laws Luz.the_power_is_one). Qed.
+
+(** Of the local model: the numbers of the source text; each of its terms alone; its bound; the sum over the lights. *)
+Theorem the_conjectures_of_the_local_model_hold :
+  elevado_conj_1 /\ elevado_conj_2 /\ coseno_cuadrado_conj_1 /\ reflexion_total_conj_2 /\ especular_conj_1
+  /\ especular_conj_2 /\ directa_conj_1 /\ directa_conj_2 /\ directa_conj_3 /\ directa_conj_4 /\ aportacion_conj_1
+  /\ acumulado_conj_1 /\ conserva_conj_1 /\ Material_conj_1.
+Proof.
+  exact (conj Luz.half_five_times_is_below_a_twentieth (conj Luz.no_power_of_a_share_is_above_one (conj
+    Luz.into_glass_at_45_degrees (conj Luz.out_of_glass_and_out_of_water (conj Luz.a_highlight_is_the_mirrored_light (conj
+    Luz.either_may_be_mirrored (conj Luz.behind_the_surface_the_first_term_is_left (conj
+    Luz.without_a_highlight_it_is_Lamberts_law (conj Luz.a_highlight_has_no_colour_and_no_back (conj
+    Luz.a_light_is_sent_back_by_its_shares_at_most (conj Luz.the_first_term_counts_for_each_light (conj Luz.a_sum_is_one
+    (conj Luz.what_conserves_shines_no_brighter Luz.two_media_have_one_ratio))))))))))))).
+Qed.
+
+(** Of Whitted's recursion: whatever there is to follow, there is an answer, and one. Of the lights and of the window of
+    the picture: what hides nothing without end hides nothing nearer, and each pixel has its ray, evenly. *)
+Theorem the_recursion_ends_in_one_answer (Camino Elemento : Type) :
+  trazador_conj_1 Camino /\ trazador_conj_2 Camino /\ trazador_conj_3 Camino /\ visible_conj_1 Elemento
+  /\ centro_de_pixel_conj_1 /\ rayo_de_pixel_conj_1.
+Proof.
+  exact (conj (Luz.the_recursion_ends Camino) (conj (Luz.there_is_one_answer Camino) (conj
+    (Luz.no_depth_is_black_and_one_goes_not_on Camino) (conj (Luz.a_light_without_end_is_visible_nearer Elemento) (conj
+    Luz.opposite_pixels_lie_about_the_middle Luz.every_pixel_has_its_ray))))).
 Qed.
 
 (** * 6. The executable oracle, extracted to OCaml and run in the tests *)

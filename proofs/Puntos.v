@@ -225,3 +225,43 @@ Proof. intros Hk [_ H]. apply Rmult_le_pos; lra. Qed.
 Theorem clip_keeps_no_apex w c r k d h : r > 0 -> k > 0 -> w ∈ puntos_tronco c r k d h ->
   0 < r <= r + k * (h - avance w c d).
 Proof. intros Hr Hk [_ H]. pose proof (Rmult_le_pos k (h - avance w c d)). lra. Qed.
+
+(** ** The surfaces of radius and height one *)
+
+(** Discharges potencia_esfera.conj.1. *)
+Theorem every_sphere_is_that_of_one : potencia_esfera_conj_1.
+Proof.
+  intros [wx wy wz] [ux uy uz] [ox oy oz] [cx cy cz] r Hr Ox Oy Oz Hx Hy Hz.
+  unfold puntos_esfera, potencia_esfera, cuadrado. cbn in *. subst ox oy oz. rewrite <- Hx, <- Hy, <- Hz.
+  assert (E : r * ux * (r * ux) + r * uy * (r * uy) + r * uz * (r * uz) - r * r =
+    r * r * ((ux - 0) * (ux - 0) + (uy - 0) * (uy - 0) + (uz - 0) * (uz - 0) - 1 * 1)) by ring.
+  split; [ring | split; [exact E |]]. rewrite E. unfold Rmas in Hr.
+  assert (0 < r * r) by (apply Rmult_lt_0_compat; lra).
+  split; intros H0.
+  - apply Rmult_integral in H0. destruct H0; lra.
+  - rewrite H0. ring.
+Qed.
+
+Ltac of_one := unfold puntos_cilindro, puntos_cono, potencia_cilindro, potencia_cono, alejamiento, avance, cuadrado;
+  cbn; repeat match goal with |- context [?a - 0] => replace (a - 0) with a by ring end.
+
+(** Discharges potencia_cilindro.conj.1. *)
+Theorem the_cylinder_of_one : potencia_cilindro_conj_1.
+Proof.
+  intros [x y z] [ox oy oz] [dx dy dz] _ Ox Oy Oz Dx Dy Dz. cbn in *. subst. of_one.
+  replace (x * 0 + y * 0 + z * 1) with z by ring.
+  replace ((x - (0 + z * 0)) * (x - (0 + z * 0)) + (y - (0 + z * 0)) * (y - (0 + z * 0))
+           + (z - (0 + z * 1)) * (z - (0 + z * 1)) - 1 * 1) with (x * x + y * y - 1) by ring.
+  tauto.
+Qed.
+
+(** Discharges potencia_cono.conj.1. *)
+Theorem the_cone_of_one : potencia_cono_conj_1.
+Proof.
+  intros [x y z] [ox oy oz] [dx dy dz] _ Ox Oy Oz Dx Dy Dz. cbn in *. subst. of_one.
+  replace (x * 0 + y * 0 + z * 1) with z by ring.
+  replace ((x - (0 + z * 0)) * (x - (0 + z * 0)) + (y - (0 + z * 0)) * (y - (0 + z * 0))
+           + (z - (0 + z * 1)) * (z - (0 + z * 1)) - (1 * z - 1 * 1) * (1 * z - 1 * 1))
+    with (x * x + y * y - (1 - z) * (1 - z)) by ring.
+  tauto.
+Qed.

@@ -6,10 +6,13 @@
     X ⇸ Y, X ⟶ Y    == the sets of partial and of total functions from X to Y
     𝔽 X, ℙ X        == the sets of finite subsets, of subsets
     graph f         == the pairs ((x, y), f x y) of a function of two arguments
+    cartesian A B       == the pairs of an element of A and one of B
+    integers        == the reals that are integers
+    power_of x a    == x to the a, for x and a that are not negative, and 1 where both are zero
     ndres S f      == S ⩤ f, domain subtraction;  dres S f == S ◁ f
     ⋃[S] F         == the union of F i over i ∈ S
     is_mu S x      == x = μ S: x is the only element of S *)
-From Coq Require Import List.
+From Coq Require Import List Reals.
 
 Declare Scope zed_scope.
 Delimit Scope zed_scope with zed.
@@ -54,6 +57,9 @@ Definition pfun {X Y} (A : set X) (B : set Y) : set (rel X Y) :=
 Definition tfun {X Y} (A : set X) (B : set Y) : set (rel X Y) :=
   fun f => functional f /\ seteq (dom f) A /\ subset (ran f) B.
 Definition graph {X Y Z} (f : X -> Y -> Z) : rel (X * Y) Z := fun p => snd p = f (fst (fst p)) (snd (fst p)).
+Definition cartesian {X Y} (A : set X) (B : set Y) : set (X * Y) := fun p => A (fst p) /\ B (snd p).
+Definition integers : set R := fun x => exists z, x = IZR z.
+Definition power_of (x a : R) : R := if Req_EM_T a 0 then 1%R else if Rle_dec x 0 then 0%R else Rpower x a.
 Notation "'𝔽' A" := (finset A) (at level 30) : zed_scope.
 Notation "'ℙ' A" := (power A) (at level 30) : zed_scope.
 Notation "A ⇸ B" := (pfun A B) (at level 55) : zed_scope.

@@ -12,6 +12,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include "durero/contract/contract.hpp"
 #include "durero/io/json.hpp"
 #include "durero/io/json_writer.hpp"
 
@@ -32,17 +33,21 @@ struct Field {
   std::string_view key;
   Value Part::*member;
   Rule<Value> rule;
+  const contract::clause* clause = nullptr;  ///< of the text that the rule is, if it is one
 };
 
-/// Fails at that byte where the value of a key breaks the rule. `In` is what reads: it has fail().
+/// Fails at that byte where the value of a key breaks the rule, which is that clause. `In` is what reads: it has
+/// fail().
 template <class In, class Value>
-void check_rule(const In& in, std::size_t at, std::string_view key, const Rule<Value>& rule, const Value& value) {
+void check_rule(const In& in, std::size_t at, std::string_view key, const Rule<Value>& rule, const Value& value,
+                const contract::clause* clause = nullptr) {
   if (rule.holds(value)) return;
-  const std::string expected = fmt::format("expected {}", rule.expected);
+  const std::string label = clause == nullptr ? "" : fmt::format(" ({})", clause->label);
+  const std::string expected = fmt::format("expected {}{}", rule.expected, label);
   if constexpr (std::is_same_v<Value, double>) {
-    in.fail(at, fmt::format("{} is {}", key, value), expected);
+    in.fail(at, fmt::format("{} is {}", key, value), expected, clause);
   } else {
-    in.fail(at, fmt::format("{} is {}", key, rule.wrong), expected);
+    in.fail(at, fmt::format("{} is {}", key, rule.wrong), expected, clause);
   }
 }
 
@@ -66,7 +71,7 @@ void read_fields(json::Reader& in, std::string_view what, const std::tuple<Field
       if (field.key != keys[known]) return;
       const std::size_t at = in.offset();
       read_json(in, field.key, part.*field.member);
-      check_rule(in, at, field.key, field.rule, part.*field.member);
+      check_rule(in, at, field.key, field.rule, part.*field.member, field.clause);
     };
     std::apply([&](const auto&... field) { (read(field), ...); }, fields);
   });

@@ -12,19 +12,20 @@ struct Level {
   std::string_view key{};
 };
 
-std::string escaped(std::string_view key) {
-  std::string text;
-  for (const char c : key) text += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
-  return text;
-}
-
 std::string text_of(const std::vector<Level>& path) {
   std::string text;
-  for (const Level& level : path) text += "/" + (level.is_array ? std::to_string(level.items - 1) : escaped(level.key));
+  for (const Level& level : path)
+    text += "/" + (level.is_array ? std::to_string(level.items - 1) : pointer_token(level.key));
   return text;
 }
 
 }  // namespace
+
+std::string pointer_token(std::string_view key) {
+  std::string text;
+  for (const char c : key) text += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
+  return text;
+}
 
 std::vector<std::string> pointers(const Document& document, std::span<const std::size_t> offsets) {
   std::vector<std::string> all;

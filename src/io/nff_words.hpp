@@ -22,8 +22,9 @@ class NffWords {
   /// A finite number. `what` names it in messages.
   double number(std::string_view what);
   glm::dvec3 triple(std::string_view what);
-  [[noreturn]] void fail(std::size_t offset, const std::string& wrong, const std::string& expected) const {
-    source_.fail(offset, wrong, expected);
+  [[noreturn]] void fail(std::size_t offset, const std::string& wrong, const std::string& expected,
+                         const contract::clause* broken = nullptr) const {
+    source_.fail(offset, wrong, expected, broken);
   }
 
  private:

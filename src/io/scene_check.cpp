@@ -14,6 +14,7 @@ namespace durero::io {
 namespace {
 
 constexpr std::string_view malformed = "malformed";
+constexpr std::string_view sends_on_too_much = "conserva.def.1";
 
 /// Of errors in the order of the file; none of a text that is no JSON.
 std::vector<std::string> pointers_of(const Source& file, const std::vector<InputError>& errors) {
@@ -73,6 +74,8 @@ std::vector<SarifRule> rules_of(const SceneCheck& check) {
   for (const model::Judgement& judgement : model::inv(model::Escena{})) add(*judgement.what);
   for (const Finding& finding : check.findings)
     if (finding.broken != nullptr) add(*finding.broken);
+  if (!check.warnings.empty())
+    rules.push_back({sends_on_too_much, "A surface sends on no more light than it receives."});
   return rules;
 }
 
@@ -104,6 +107,15 @@ void write_result(json::Writer& out, std::string_view uri, const Finding& findin
   out.end_object().end_array().end_object();
 }
 
+void write_warning(json::Writer& out, std::string_view uri, const Warning& warning) {
+  out.new_line().begin_object().member("ruleId", sends_on_too_much).member("level", "warning");
+  write_sarif_message(out, "message", warning.message);
+  out.key("locations").begin_array().begin_object().key("physicalLocation").begin_object();
+  out.key("artifactLocation").begin_object().member("uri", uri).end_object().end_object();
+  out.key("logicalLocations").begin_array().begin_object().member("fullyQualifiedName", warning.pointer).end_object();
+  out.end_array().end_object().end_array().end_object();
+}
+
 }  // namespace
 
 SceneCheck check_scene(const Source& file) {
@@ -130,6 +142,10 @@ SceneCheck check_scene(const Source& file, std::span<const WrittenType> types, c
   const model::Escena escena = scene::retrieve(check.scene);
   check.invariants = model::inv(escena);
   if (!model::all_hold(check.invariants)) check.findings = broken_invariants(file, escena);
+  const model::Judgements of_stage = stage_invariants(check.scene.stage());
+  model::check(of_stage, contract::cost::normal);  // the reader has refused what would break them
+  check.invariants.insert(check.invariants.end(), of_stage.begin(), of_stage.end());
+  check.warnings = stage_warnings(check.scene.stage());
   return check;
 }
 
@@ -154,6 +170,7 @@ std::string check_text(const SceneCheck& check, std::string_view fails) {
   std::string text = fmt::format("{}: {} elementos: {}\n", text::escaped(check.file), check.scene.size(), counts);
   for (const auto& [what, holds] : check.invariants)
     text += fmt::format("{} {}: {}\n", what->label, holds ? "ok" : fails, what->predicate);
+  for (const Warning& warning : check.warnings) text += fmt::format("warning: {}\n", warning.message);
   return text;
 }
 
@@ -174,7 +191,14 @@ std::string check_json(const SceneCheck& check) {
   }
   out.new_line().key("findings").begin_array();
   for (const Finding& finding : check.findings) write_finding(out, finding);
-  out.end_array().end_object();
+  out.end_array();
+  if (!check.warnings.empty()) {
+    out.new_line().key("warnings").begin_array();
+    for (const Warning& warning : check.warnings)
+      out.new_line().begin_object().member("message", warning.message).member("pointer", warning.pointer).end_object();
+    out.end_array();
+  }
+  out.end_object();
   return text + "\n";
 }
 
@@ -185,6 +209,7 @@ std::string check_sarif(const SceneCheck& check) {
   out.member("columnKind", "unicodeCodePoints").key("results").begin_array();
   const std::string uri = uri_of(check.file);
   for (const Finding& finding : check.findings) write_result(out, uri, finding);
+  for (const Warning& warning : check.warnings) write_warning(out, uri, warning);
   end_sarif(out);
   return text + "\n";
 }

@@ -2,6 +2,7 @@
 /// Camera, light and material as tables of fields: what a scene file holds of them, read and written, and what the
 /// numbers must be, whatever file they come from.
 
+#include "durero/model/luz.hpp"
 #include "durero/scene/stage.hpp"
 #include "field.hpp"
 
@@ -37,27 +38,28 @@ inline constexpr std::tuple camera_fields = {Field<Camera, glm::dvec3>{"eye", &C
                                              Field<Camera, glm::dvec3>{"up", &Camera::up, direction},
                                              Field<Camera, double>{"fov_y", &Camera::fov_y, view_angle}};
 
-inline constexpr std::tuple light_fields = {Field<Light, glm::dvec3>{"position", &Light::position, any_triple},
-                                            Field<Light, glm::dvec3>{"color", &Light::color, light_color}};
+inline constexpr std::tuple light_fields = {
+    Field<Light, glm::dvec3>{"position", &Light::position, any_triple},
+    Field<Light, glm::dvec3>{"color", &Light::color, light_color, &model::Fuente_inv_1}};
 
 inline constexpr std::tuple directional_light_fields = {
     Field<DirectionalLight, glm::dvec3>{"direction", &DirectionalLight::direction, direction},
-    Field<DirectionalLight, glm::dvec3>{"color", &DirectionalLight::color, light_color}};
+    Field<DirectionalLight, glm::dvec3>{"color", &DirectionalLight::color, light_color, &model::Fuente_inv_1}};
 
 /// Of a material but for its name, which is the key that it stands under.
 inline constexpr std::tuple material_fields = {
-    Field<Material, glm::dvec3>{"color", &Material::color, share},
-    Field<Material, double>{"k_a", &Material::k_a, share_of_all},
-    Field<Material, double>{"k_d", &Material::k_d, share_of_all},
-    Field<Material, double>{"k_s", &Material::k_s, share_of_all},
-    Field<Material, double>{"e", &Material::e, exponent},
-    Field<Material, double>{"k_ps", &Material::k_ps, share_of_all},
-    Field<Material, glm::dvec3>{"M_PS", &Material::M_PS, share},
-    Field<Material, double>{"k_t", &Material::k_t, share_of_all},
-    Field<Material, glm::dvec3>{"M_T", &Material::M_T, share},
-    Field<Material, double>{"index", &Material::index, refractive_index},
-    Field<Material, glm::dvec3>{"emission", &Material::emission, light_color},
-    Field<Material, glm::dvec3>{"ambient", &Material::ambient, light_color}};
+    Field<Material, glm::dvec3>{"color", &Material::color, share, &model::Material_inv_6},
+    Field<Material, double>{"k_a", &Material::k_a, share_of_all, &model::Material_inv_1},
+    Field<Material, double>{"k_d", &Material::k_d, share_of_all, &model::Material_inv_2},
+    Field<Material, double>{"k_s", &Material::k_s, share_of_all, &model::Material_inv_3},
+    Field<Material, double>{"e", &Material::e, exponent, &model::Material_inv_11},
+    Field<Material, double>{"k_ps", &Material::k_ps, share_of_all, &model::Material_inv_4},
+    Field<Material, glm::dvec3>{"M_PS", &Material::M_PS, share, &model::Material_inv_7},
+    Field<Material, double>{"k_t", &Material::k_t, share_of_all, &model::Material_inv_5},
+    Field<Material, glm::dvec3>{"M_T", &Material::M_T, share, &model::Material_inv_8},
+    Field<Material, double>{"index", &Material::index, refractive_index, &model::Material_inv_12},
+    Field<Material, glm::dvec3>{"emission", &Material::emission, light_color, &model::Material_inv_9},
+    Field<Material, glm::dvec3>{"ambient", &Material::ambient, light_color, &model::Material_inv_10}};
 /// The first of them stands in every material.
 inline constexpr std::size_t required_of_material = 1;
 

@@ -4,11 +4,15 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "durero/io/json.hpp"
 
 namespace durero::io::json {
+
+/// A key as it stands between the slashes of a pointer.
+std::string pointer_token(std::string_view key);
 
 /// For each byte of the document's source the pointer to the value that stands there, or whose key does; of a bracket,
 /// to what it opens or closes. Precondition: the offsets ascend. One walk over the document answers them all.

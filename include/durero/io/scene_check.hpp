@@ -1,6 +1,6 @@
 #pragma once
 /// What there is to say of a scene file: all that is wrong with it, or, of a file that is right, each invariant of
-/// Escena. As text, and for programs as JSON and as SARIF 2.1.0.
+/// Escena, of its materials and of its lights. As text, and for programs as JSON and as SARIF 2.1.0.
 
 #include <functional>
 #include <map>
@@ -12,6 +12,7 @@
 
 #include "durero/io/format_version.hpp"
 #include "durero/io/source.hpp"
+#include "durero/io/stage_check.hpp"
 #include "durero/io/written_elements.hpp"
 #include "durero/model/escena.hpp"
 #include "durero/scene/scene.hpp"
@@ -38,6 +39,7 @@ struct SceneCheck {
   std::vector<InputError> errors{};  ///< as they were met: the first is what read_scene throws
   model::Judgements invariants{};    ///< none where there is an error: then there is no scene to judge
   std::vector<Finding> findings{};   ///< in the order of the file
+  std::vector<Warning> warnings{};   ///< of what is right, and may not be meant
 };
 
 /// Reads the whole file and judges the scene. What is wrong with the file is found, not thrown.
@@ -50,7 +52,8 @@ SceneCheck check_scene(const Source& file, std::span<const WrittenType> types, c
 /// A finding for each element that breaks an invariant. A scene that was read breaks none, unless the program is wrong.
 std::vector<Finding> broken_invariants(const Source& file, const model::Escena& escena);
 
-/// The elements by shape, and a line for each invariant; `fails` is the word for one that does not hold.
+/// The elements by shape, a line for each invariant and one for each warning; `fails` is the word for one that does not
+/// hold.
 std::string check_text(const SceneCheck& check, std::string_view fails = "fails");
 /// One JSON object: the findings and, of a file without errors, what check_text() says. Ends its line.
 std::string check_json(const SceneCheck& check);

@@ -13,12 +13,17 @@ namespace {
 /// Some functions the text describes by what they do, and Coq has by a name of its own. The description is exported as
 /// a statement about any such function, to be proved of this one.
 const std::unordered_map<std::string, std::string>& witnesses() {
-  static const std::unordered_map<std::string, std::string> known = {{"raizcuadrada", "sqrt"}};
+  static const std::unordered_map<std::string, std::string> known = {{"raizcuadrada", "sqrt"}, {"elevado", "power_of"}};
   return known;
 }
 
 bool is_arrow(const Term& set, std::string_view arrow) {
   return set->kind == Kind::reference && set->name.word == arrow && set->children.size() == 2;
+}
+
+/// The sets of the arguments of a function from this set.
+std::vector<Term> factors(const Term& from) {
+  return from->kind == Kind::product ? from->children : std::vector<Term>{from};
 }
 
 /// The equation f(x, y) = E stands under ∀ x : S; y : T | P, where x and y are all the variables in their order.
@@ -77,8 +82,7 @@ void Writer::declare_axiom(const Declaration& declaration) {
     if (is_arrow(declaration.term, "_→_")) {
       symbol.form = Symbol::Form::function;
       symbol.type = in_.carrier(declaration.term->children[1]);
-      const Term& from = declaration.term->children[0];
-      symbol.arity = from->kind == Kind::product ? from->children.size() : 1;
+      symbol.arity = factors(declaration.term->children[0]).size();
     } else {
       symbol.type = in_.carrier(declaration.term);
     }
@@ -176,15 +180,24 @@ void Writer::implicit_definition(const Name& name, const Term& set, const std::v
   const std::string f = variable(name);
   std::string type, witness, declaration;
   Scope scope;
-  scope.variables = {f, "x1"};
+  scope.variables = {f};
   if (is_arrow(set, "_→_")) {
-    const Carrier from = in_.carrier(set->children[0]), to = in_.carrier(set->children[1]);
-    type = from.text(true) + " -> " + to.text();
-    const std::vector<Expr> left = in_.constraint({"x1", atomic, from}, set->children[0], scope);
-    const std::vector<Expr> right = in_.constraint({f + " x1", applied, to}, set->children[1], scope);
+    std::string value = f, given;
+    Signature arguments;
+    for (const Term& part : factors(set->children[0])) {
+      const std::string x = in_.fresh("x", scope);
+      scope.variables.insert(x);
+      const Carrier from = in_.carrier(part);
+      type += from.text(true) + " -> ";
+      value += " " + x;
+      arguments.push_back({{x, {}}, x, from, false, {}});
+      for (const Expr& asked : in_.constraint({x, atomic, from}, part, scope)) given += asked.at(implied - 1) + " -> ";
+    }
+    const Carrier to = in_.carrier(set->children[1]);
+    type += to.text();
+    const std::vector<Expr> right = in_.constraint({value, applied, to}, set->children[1], scope);
     if (!right.empty())
-      declaration = fmt::format("forall x1 : {}, {}{}", from.text(),
-                                left.empty() ? "" : all_of(left).at(implied - 1) + " -> ", all_of(right).text);
+      declaration = fmt::format("forall {}, {}{}", binders(arguments, true), given, all_of(right).text);
   } else {
     const Carrier of = in_.carrier(set);
     type = of.text();

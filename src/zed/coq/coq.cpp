@@ -9,23 +9,24 @@ constexpr const char* head =
     R"((** The Z text of spec/*.tex, tablas.tex apart, in Coq, written by `durero spec export --coq` of its sections: change the
     text, not this file. Nothing is proved here. The rules:
 
-    ℝ, ℤ                  == Coq's R and Z; what the text assumes of them are statements, proved in Tipos.v
+    ℝ, ℤ                  == Coq's R, and those of it that are integers (Toolkit.integers); what the text assumes of
+                             them are statements, proved in Tipos.v
     a given set           == a Type, a section variable
     a free type           == an Inductive
     a set, ℙ T            == a predicate on the carrier of T (Toolkit.set); univ where the set is the whole carrier
     x ∈ T, T a whole type == x has a value: exists c : T, c = x
-    S ⊆ T, whole types    == an injection of S into T
     a partial function    == a set of pairs (Toolkit.rel)
     (_ + _), and − and *  == the set of pairs of Coq's operation (Toolkit.graph)
-    S × T, whole types    == univ;  S → T == the set of total functions, S ⟶ T
+    S × T                 == univ of whole types, else cartesian S T;  S → T == the set of total functions, S ⟶ T
     f(e) within a predicate P  == exists v, (e, v) ∈ f /\ P: an application outside the domain makes P false. P is the
                              relation that f(e) stands in, a chain counting as one; in a condition, all of its IF
     A = B, sets           == A ≡ B
-    IF P THEN E ELSE F    == y is E or F: P /\ y = E \/ ~ P /\ y = F; of sets, with y ∈
+    IF P THEN E ELSE F    == y is E or F: P /\ y = E \/ ~ P /\ y = F; of sets, with y ∈; within a sum or a product,
+                             where P compares two reals: if Rle_dec a b then E else F, for ≤
     a function with ∀ … f(x) = E     == a Definition; arguments are taken from the carriers
     a partial function with dom f = S and ∀ … | … f(x) = E  == the relation "x ∈ S and y is E"
     another name of a box == its declaration and predicates as statements f_decl and the labels', about any such f; and
-                             f itself: what solves f * n = m, or Coq's sqrt
+                             f itself: what solves f * n = m, or Coq's sqrt, or Toolkit.power_of
     { x : S | P }         == fun x => x ∈ S /\ P
     { D | P } of several  == a Definition of the arguments, a Prop;  (x, y) ∈ S  == S x y
     λ D | P • E, E a set  == a Definition of the arguments; outside P the set is empty

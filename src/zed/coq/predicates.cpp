@@ -142,10 +142,6 @@ Expr Translator::one_relation(const Name& by, const Term& left, const Term& righ
     const std::string c = fresh("c", scope);
     return {fmt::format("exists {} : {}, {} = {}", c, carrier(right).text(), c, a.at(related - 1)), binder, {}};
   }
-  if (word == "_⊆_" && whole(left) && whole(right) && carrier(left).text() != carrier(right).text()) {
-    const std::string from = carrier(left).text(), to = carrier(right).text();
-    return {fmt::format("exists f : {} -> {}, forall m n, f m = f n -> m = n", from, to), binder, {}};
-  }
   const OperatorRow* row = operator_row(word);
   if (!row || row->coq.text.empty()) uncovered(left->place, "the relation " + word);
   return against(sets && !row->coq.of_sets.empty() ? row->coq.of_sets : row->coq.text);

@@ -41,11 +41,11 @@ void Translator::declare(const Slot& slot, Scope& scope) const {
 // Says whether a variable of this name would hide what is written under it: another variable, a component, a word of
 // Coq.
 bool Translator::taken(const std::string& variable, const Scope& scope) const {
-  static const std::set<std::string> words = {"s",    "s'",    "R",       "Z",     "sqrt",  "set",  "rel",    "univ",
-                                              "dom",  "ran",   "inverse", "image", "ndres", "dres", "graph",  "is_mu",
-                                              "True", "False", "Prop",    "Type",  "Set",   "fun",  "exists", "forall",
-                                              "in",   "as",    "at",      "if",    "then",  "else", "match",  "with",
-                                              "end",  "let",   "return",  "fix",   "cofix"};
+  static const std::set<std::string> words = {
+      "s",        "s'",    "R",     "Z",     "sqrt",  "set",    "rel",    "univ",   "dom",       "ran",
+      "inverse",  "image", "ndres", "dres",  "graph", "is_mu",  "True",   "False",  "cartesian", "integers",
+      "power_of", "Prop",  "Type",  "Set",   "fun",   "exists", "forall", "in",     "as",        "at",
+      "if",       "then",  "else",  "match", "with",  "end",    "let",    "return", "fix",       "cofix"};
   if (words.contains(variable) || scope.variables.contains(variable)) return true;
   for (const auto& [name, symbol] : symbols)
     if (symbol.form == Symbol::Form::carrier)

@@ -20,6 +20,15 @@ Carrier type_of_operation(const std::string& word, const std::vector<Expr>& of) 
   return of[0].type;
 }
 
+/// The function of Coq that decides an order of the reals; empty for another relation.
+std::string_view decision(std::string_view relation) {
+  if (relation == "_≤_") return "Rle_dec";
+  if (relation == "_<_") return "Rlt_dec";
+  if (relation == "_≥_") return "Rge_dec";
+  if (relation == "_>_") return "Rgt_dec";
+  return {};
+}
+
 }  // namespace
 
 void uncovered(Place place, const std::string& what) {
@@ -75,10 +84,8 @@ Expr Translator::term(const Term& term, Scope& scope, Frame& frame) const {
     case Kind::power:
       return {"ℙ " + this->term(node.children[0], scope, frame).at(applied), applied + 20,
               Carrier::set(Carrier::set(carrier(node.children[0], scope)))};
-    case Kind::product: {  // only a product of whole types has a carrier
-      if (!whole(term)) uncovered(node.place, "a product of parts of types");
-      return {"univ", atomic, Carrier::set(carrier(term, scope))};
-    }
+    case Kind::product:
+      return product(term, scope, frame);
     case Kind::theta: {
       const auto entry = scope.states.find({node.children[0]->name.word, node.name.strokes});
       if (node.children[0]->kind != Kind::reference || entry == scope.states.end()) uncovered(node.place, "this θ");
@@ -93,7 +100,7 @@ Expr Translator::term(const Term& term, Scope& scope, Frame& frame) const {
     case Kind::comprehension:
       return comprehension(node, scope);
     case Kind::conditional:
-      return conditional_set(term, scope);
+      return is_set(term) ? conditional_set(term, scope) : conditional_number(node, scope, frame);
     case Kind::mu:
       return apply_partial(node, nullptr, scope, frame);
     default:
@@ -130,9 +137,29 @@ Expr Translator::set_extension(const Node& node, Scope& scope, Frame& frame) con
   return out;
 }
 
+Expr Translator::product(const Term& product, Scope& scope, Frame& frame) const {
+  const Carrier of = Carrier::set(carrier(product, scope));
+  if (whole(product)) return {"univ", atomic, of};
+  if (product->children.size() != 2) uncovered(product->place, "a product of several parts of types");
+  const Expr left = term(product->children[0], scope, frame), right = term(product->children[1], scope, frame);
+  return {fmt::format("cartesian {} {}", left.at(applied - 1), right.at(applied - 1)), applied, of};
+}
+
+/// A conditional on how two reals compare, which Coq decides, is a number where both branches are.
+Expr Translator::conditional_number(const Node& node, Scope& scope, Frame& frame) const {
+  const Node& condition = *node.children[0];
+  const std::string_view decided =
+      condition.kind == Kind::relation && condition.names.size() == 1 ? decision(condition.names[0].word) : "";
+  if (decided.empty()) uncovered(node.place, "a conditional inside a term on more than how two numbers compare");
+  const Expr a = term(condition.children[0], scope, frame), b = term(condition.children[1], scope, frame);
+  const Expr yes = term(node.children[1], scope, frame), no = term(node.children[2], scope, frame);
+  if (yes.type.text() != "R") uncovered(node.place, "a conditional inside a term that is no number");
+  return {fmt::format("if {} {} {} then {} else {}", decided, a.at(applied - 1), b.at(applied - 1), yes.text, no.text),
+          binder, yes.type};
+}
+
 /// A conditional whose branches are sets is the set of what is in the branch that is meant.
 Expr Translator::conditional_set(const Term& conditional, const Scope& scope) const {
-  if (!is_set(conditional)) uncovered(conditional->place, "a conditional that is no set, inside a term,");
   const std::string x = fresh("x", scope);
   Scope inside = scope;
   inside.variables.insert(x);

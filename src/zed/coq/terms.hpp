@@ -140,6 +140,8 @@ class Translator {
   Expr tuple(const Node& node, Scope& scope, Frame& frame) const;
   Expr set_extension(const Node& node, Scope& scope, Frame& frame) const;
   Expr conditional_set(const Term& conditional, const Scope& scope) const;
+  Expr conditional_number(const Node& node, Scope& scope, Frame& frame) const;
+  Expr product(const Term& product, Scope& scope, Frame& frame) const;
   Expr generalized_union(const Term& family, Scope& scope, Frame& frame) const;
   Expr partial(const std::string& in, const std::string& before, const Carrier& type, Scope& scope, Frame& frame) const;
   Expr apply_partial(const Node& node, const Expr* y, Scope& scope, Frame& frame) const;

@@ -84,10 +84,11 @@ void in_file_of(const Section& section, Do&& what) {
 Writer::Writer(const Specification& specification, const Typing& typing) : in_(typing) {
   for (const Section& each : specification.sections) in_file_of(each, [&] { in_.state = state_of(each, in_.state); });
   // Coq has these sets already. The text's axioms for them are exported as statements, to be proved.
-  for (const auto& [z, coq] : {std::pair{"ℝ", "R"}, std::pair{"ℤ", "Z"}}) {
+  for (const auto& [z, ok] : {std::pair{"ℝ", ""}, std::pair{"ℤ", "integers"}}) {
     Symbol symbol;
     symbol.form = Symbol::Form::carrier;
-    symbol.type = Carrier::named(coq);
+    symbol.type = Carrier::named("R");
+    symbol.ok = ok;
     in_.symbols[{z, {}}] = symbol;
   }
   for (const Section& each : specification.sections) section(each);

@@ -1,12 +1,14 @@
 /// Compiles paragraphs to values. An axiomatic description gives a name a value where one of its predicates is an
-/// equation for it: `f(x) = e` under ∀ and its guard, `dom f = S`, `c = e`, a linear equation, or `f(x) * f(x) = x` for
-/// the root.
+/// equation for it: `f(x) = e` under ∀ and its guard, `dom f = S`, `c = e`, a linear equation, `f(x) * f(x) = x` for
+/// the root, or the laws of a power (powers.hpp).
 
 #include <algorithm>
 
 #include "zed/evaluate/compiler.hpp"
 #include "zed/evaluate/intensional.hpp"
+#include "zed/evaluate/powers.hpp"
 #include "zed/syntax/match.hpp"
+#include "zed/value/functions.hpp"
 #include "zed/value/sets.hpp"
 #include "zed/value/toolkit_functions.hpp"
 
@@ -86,6 +88,16 @@ std::optional<Closure> clause(Compiler& compiler, const Name& function, const st
   return Closure{unit, {}, std::move(head), std::move(value), std::make_shared<const Node>(forall)};
 }
 
+/// Returns the clause of a function whose box states the laws of a power.
+Closure power_clause(Compiler& compiler, const Name& name, const Axiomatic& form) {
+  Closure closure = clause(compiler, name, {}, *power_head(name, form)).value();
+  closure.term = [arguments = std::move(closure.term)](Frame& frame) {
+    const Value of = arguments(frame);
+    return functions::power(first(of), second(of), frame.context);
+  };
+  return closure;
+}
+
 Value evaluated(Compiler& compiler, const Term& term, Context& context) {
   const auto unit = std::make_shared<Unit>();
   const Scope scope{.unit = unit};
@@ -140,6 +152,13 @@ Value Compiler::axiomatic(const Meaning& global, Context& context) {
   const auto& form = std::get<Axiomatic>(global.paragraph->form);
   const Name& name = global.name;
   if (name.text() == "ℝ") return reals("ℝ");  // the axioms of the reals are assumed, not evaluated
+  if (states_power(name, form)) {
+    return axiomatic_function(name.text(), [this, &form, name](Context&) {
+      Clauses clauses;
+      clauses.clauses.push_back(power_clause(*this, name, form));
+      return clauses;
+    });
+  }
   if (defines_function(name, form)) {
     return axiomatic_function(name.text(), [this, &form, name](Context& inside) {
       Clauses clauses;

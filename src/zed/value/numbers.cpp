@@ -1,5 +1,7 @@
 /// The toolkit has sets of numbers, and their arithmetic and order.
 
+#include <fmt/format.h>
+
 #include "zed/value/functions.hpp"
 #include "zed/value/sets.hpp"
 #include "zed/value/toolkit_functions.hpp"
@@ -7,6 +9,7 @@
 namespace durero::zed {
 namespace {
 
+constexpr int greatest_exponent = 1 << 20;    // of a power: a greater one would fill the memory
 constexpr int most_listed_numbers = 1 << 20;  // an interval with more members is not listed
 
 /// Returns the least or the greatest member of a set of numbers; undefined for the empty set.
@@ -27,6 +30,19 @@ Value divided(const Value& a, const Value& b, Result&& result) {
     if (sign(d) == 0 || !n.is_integer() || !d.is_integer()) return {};
     return result(n, d, integer_quotient(n, d));
   });
+}
+
+/// Returns base to a whole exponent that is not negative, by its binary digits.
+Real whole_power(Real base, Real exponent, Context& context) {
+  Real product(1);
+  while (sign(exponent) > 0) {
+    const Real half = integer_quotient(exponent, Real(2));
+    if (!(exponent == half + half)) product = product * base;
+    if (sign(half) > 0) base = base * base;
+    context.steps.take(1 + product.words() + base.words());
+    exponent = half;
+  }
+  return product;
 }
 
 }  // namespace
@@ -63,6 +79,22 @@ Value root(const Value& a, Context&) {
   return with(a, [&]() -> Value {
     if (!a.real()) throw EvaluationError("the root of what is no number");
     return exactly([&] { return square_root(*a.real()); });
+  });
+}
+
+Value power(const Value& base, const Value& exponent, Context& context) {
+  return with(base, exponent, [&]() -> Value {
+    if (!base.real() || !exponent.real()) throw EvaluationError("the power of what is no number");
+    if (*base.real() == Real(1)) return Real(1);
+    const Real twice = *exponent.real() * Real(2);
+    if (!twice.is_integer() || sign(twice) < 0 || twice > Real(2 * greatest_exponent))
+      throw EvaluationError(
+          fmt::format("a power with the exponent {} is not evaluated; a whole number up to {}, or half of one, is",
+                      exponent.text(), greatest_exponent));
+    return exactly([&] {
+      if (exponent.real()->is_integer()) return whole_power(*base.real(), *exponent.real(), context);
+      return square_root(whole_power(*base.real(), twice, context));
+    });
   });
 }
 

@@ -19,6 +19,9 @@ Value quotient(const Value& a, const Value& b, Context& context);
 Value remainder(const Value& a, const Value& b, Context& context);
 Value fraction(const Value& a, const Value& b, Context& context);
 Value root(const Value& a, Context& context);
+/// Returns base^exponent, which no row names. Throws EvaluationError where twice the exponent is not whole, or is
+/// beyond 2^21: such a power has no exact name here, or too long a one.
+Value power(const Value& base, const Value& exponent, Context& context);
 Value successor(const Value& number, Context& context);
 Value interval(const Value& from, const Value& to, Context& context);
 Value minimum(const Value& set, Context& context);

@@ -92,6 +92,34 @@ TEST_CASE("a conditional: what its condition asks for is known in both branches"
         "((v1 = 0 /\\ (e, y1) ∈ g s) \\/ (v1 <> 0 /\\ y1 = v1 + 1)).\n");
 }
 
+TEST_CASE("the integers are reals") {
+  CHECK(body("%%Zchar \\real U+211D\n" + state).find("Definition real_axiom_1 : Prop := integers ⊆ univ.") !=
+        std::string::npos);
+  CHECK(definition("P == \\{~ n : \\num | n + 1 > 2 ~\\}") ==
+        "Definition P : set R := fun n => n ∈ integers /\\ n + 1 > 2.\n");
+}
+
+TEST_CASE("within a sum a conditional on an order is Coq's own decision") {
+  CHECK(definition("P == \\{~ r : \\real | r = 1 + (\\IF r \\leq 2 \\THEN r \\ELSE 3) ~\\}") ==
+        "Definition P : set R := fun r => r = 1 + (if Rle_dec r 2 then r else 3).\n");
+  CHECK_THROWS_WITH(definition("P == \\{~ r : \\real | r = 1 + (\\IF r = 2 \\THEN r \\ELSE 3) ~\\}"),
+                    Contains("a conditional inside a term on more than how two numbers compare"));
+  CHECK_THROWS_WITH(definition("P == \\{~ e : E | (\\IF 1 < 2 \\THEN e \\ELSE e) = e ~\\}"),
+                    Contains("a conditional inside a term that is no number"));
+}
+
+TEST_CASE("a box of laws about a function of two arguments is a statement of each, and the function") {
+  const std::string box =
+      "\\begin{axdef} elevado : \\real \\cross \\num \\fun \\num \\where \\forall r : \\real @ elevado(r, 0) = 1 % "
+      "elevado.def.1\n\\end{axdef}\n";
+  CHECK(
+      more(box) ==
+      "Definition elevado_decl (elevado : R -> R -> R) : Prop :=\n"
+      "  forall x1 x2 : R, x2 ∈ integers -> elevado x1 x2 ∈ integers.\n"
+      "Definition elevado_def_1 (elevado : R -> R -> R) : Prop := forall r : R, elevado r 0 = 1. (* elevado.def.1 *)\n"
+      "Definition elevado : R -> R -> R := power_of.\n");
+}
+
 TEST_CASE("sets: a whole type says nothing, a variable in scope is not hidden") {
   CHECK(definition("P == \\lambda S; e : E @ \\{~ d : es | \\exists e : \\dom f @ e = d ~\\}") ==
         "Definition P (s : S) (e : E) : set E := fun d => d ∈ es s /\\ exists e1 : E, e1 ∈ dom (f s) /\\ e1 = d.\n");
@@ -120,8 +148,10 @@ TEST_CASE("an operator as a set is its graph, and a product of whole types is al
         "Definition P : rel (R * R) R := dres univ (graph Rmult).\n");
   CHECK(definition("P == \\{~ e : E | (\\real \\cross \\real) \\dres (\\_ + \\_) \\in \\real \\cross \\real \\fun "
                    "\\real ~\\}") == "Definition P : set E := fun e => dres univ (graph Rplus) ∈ univ ⟶ univ.\n");
-  CHECK_THROWS_WITH(definition("P == \\lambda S @ \\{~ e : E | es \\cross es = es \\cross es ~\\}"),
-                    Contains("a product of parts of types"));
+  CHECK(definition("P == \\lambda S @ \\{~ e : E | (e, 1) \\in es \\cross \\num ~\\}") ==
+        "Definition P (s : S) : set E := fun e => (e, 1) ∈ cartesian (es s) integers.\n");
+  CHECK_THROWS_WITH(definition("P == \\lambda S @ \\{~ e : E | es \\cross es \\cross es = \\emptyset ~\\}"),
+                    Contains("a product of several parts of types"));
 }
 
 TEST_CASE("a conjecture is a statement: what it includes is asked first, and pre asks for an after-state and outputs") {

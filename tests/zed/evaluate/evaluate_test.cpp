@@ -9,8 +9,9 @@ namespace {
 
 std::vector<Section> specification() {
   const std::string folder = durero::test::source_dir() + "/spec/";
-  const auto read = read_files({folder + "tipos.tex", folder + "escena.tex", folder + "operaciones.tex",
-                                folder + "puntos.tex", folder + "interseccion.tex"});
+  const auto read =
+      read_files({folder + "tipos.tex", folder + "escena.tex", folder + "operaciones.tex", folder + "puntos.tex",
+                  folder + "interseccion.tex", folder + "iluminacion.tex", folder + "luz.tex"});
   REQUIRE(read.ok());
   return read.sections;
 }
@@ -42,6 +43,21 @@ TEST_CASE("numbers, tuples and bindings") {
   CHECK(value("raizcuadrada(raizcuadrada(2)) * raizcuadrada(raizcuadrada(2))") == "√2");
   CHECK(value("cuadrado(raizcuadrada(2))") == "2");
   CHECK(holds("raizcuadrada(1 + raizcuadrada(2)) < raizcuadrada(3)"));
+}
+
+// elevado.def.1, elevado.def.2, elevado.def.3: known by its laws, at whole exponents and at their halves.
+TEST_CASE("a power is evaluated by its laws") {
+  CHECK(value("elevado(3, 4)") == "81");
+  CHECK(value("elevado(raizcuadrada(2), 5)") == "4*√2");
+  CHECK(value("elevado(0, 0)") == "1");
+  CHECK(value("elevado(0, 3)") == "0");
+  CHECK(value("20 * elevado(2, 10)") == "20480");
+  CHECK(holds("∃ h : ℝ | 2 * h = 1 • elevado(9, h) = 3 ∧ elevado(4, 1 + h) = 8 ∧ elevado(h, 5) * 32 = 1"));
+  CHECK(holds("∃ h : ℝ | 3 * h = 1 • elevado(1, h) = 1"));
+  CHECK(value("elevado(- 1, 2)") == "undefined");
+  CHECK(value("elevado(2, - 1)") == "undefined");
+  CHECK_THROWS_AS(holds("∃ h : ℝ | 3 * h = 1 • elevado(2, h) = 3"), EvaluationError);
+  CHECK_THROWS_AS(value("elevado(2, 1048577)"), EvaluationError);
 }
 
 TEST_CASE("sets and functions") {

@@ -7,7 +7,7 @@
 /// sets, or are determined by the one-point rule: `x = e` determines x, and so does an equation that is linear in x, a
 /// number; the rule sees through definitions, so `p ∈ ⋃ { t : Rmas • E }` finds t. What neither gives is an error
 /// that says so, never a guess. Numbers are exact: `Real`. The root of a number is known to be one by its axiom,
-/// `f(r) * f(r) = r`.
+/// `f(r) * f(r) = r`; a power by its laws, where twice its exponent is whole.
 ///
 /// An evaluator compiles each paragraph when it is first used, and is not for use by two threads at once. The
 /// intensional sets, functions and schema checks that it gave are not for use after its end.
