@@ -9,6 +9,7 @@
 #include "durero/io/operations_file.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/render/render.hpp"
+#include "durero/render/tone.hpp"
 #include "errors.hpp"
 #include "state.hpp"
 
@@ -146,10 +147,13 @@ py::array render(const Scene& scene, const Size& size, const std::string& engine
   const auto state = scene.state();
   const auto image = [&] {
     const py::gil_scoped_release released;
-    if (!size) return std::make_unique<render::Image>(render::render(state->scene(), state->prepared(row)));
+    if (!size)
+      return std::make_unique<render::Image>(
+          render::toned(render::render(state->scene(), state->prepared(row)), render::Tone::clamp));
     scene::Scene sized = state->scene();
     sized.stage().resolution = scene::Resolution{size->first, size->second};
-    return std::make_unique<render::Image>(render::render(sized, *row.prepare(sized)));
+    return std::make_unique<render::Image>(
+        render::toned(render::render(sized, *row.prepare(sized)), render::Tone::clamp));
   }();
   const py::ssize_t height = image->resolution.height, width = image->resolution.width;
   auto* const pixels = new std::vector<std::uint8_t>(std::move(image->rgb));

@@ -2,7 +2,6 @@
 /// The subcommands of `durero conform`.
 
 #include <CLI/CLI.hpp>
-#include <atomic>
 #include <string>
 
 namespace durero::cli {
@@ -22,8 +21,5 @@ void add_conform_compare(CLI::App& conform, int& status);
 
 /// The option --systems of a command.
 void add_systems(CLI::App& command, std::string& systems);
-
-/// Is set when the user interrupts the program (SIGINT, SIGTERM, SIGHUP), from this call on.
-const std::atomic<bool>& interrupted();
 
 }  // namespace durero::cli

@@ -12,6 +12,7 @@
 #include "durero/conform/least_findings.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/io/standard_output.hpp"
+#include "interrupted.hpp"
 #include "progress.hpp"
 
 namespace durero::cli {

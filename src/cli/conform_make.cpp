@@ -10,6 +10,7 @@
 #include "description.hpp"
 #include "durero/conform/suite_file.hpp"
 #include "durero/io/standard_output.hpp"
+#include "interrupted.hpp"
 #include "progress.hpp"
 
 namespace durero::cli {

@@ -17,6 +17,7 @@
 #include "durero/conform/runner.hpp"
 #include "durero/conform/setup.hpp"
 #include "durero/io/standard_output.hpp"
+#include "interrupted.hpp"
 #include "numbers.hpp"
 #include "progress.hpp"
 

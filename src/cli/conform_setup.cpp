@@ -1,7 +1,6 @@
 // durero conform setup SYSTEM…: installs systems, each into a folder of its own.
 #include <fmt/format.h>
 
-#include <csignal>
 #include <memory>
 #include <optional>
 
@@ -10,6 +9,7 @@
 #include "durero/conform/setup.hpp"
 #include "durero/conform/system_file.hpp"
 #include "durero/io/standard_output.hpp"
+#include "interrupted.hpp"
 #include "progress.hpp"
 
 namespace durero::cli {
@@ -20,8 +20,6 @@ struct ConformSetupOptions {
   std::string systems = conform::default_systems();
   bool quiet = false;
 };
-
-std::atomic<bool> was_interrupted = false;
 
 int set_up(const ConformSetupOptions& options) {
   for (const std::string& name : options.names) {
@@ -41,14 +39,6 @@ int set_up(const ConformSetupOptions& options) {
 }
 
 }  // namespace
-
-const std::atomic<bool>& interrupted() {
-  static_assert(std::atomic<bool>::is_always_lock_free);  // so a signal handler may set it
-  const auto interrupt = [](int) { was_interrupted = true; };
-  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, interrupt);
-  if (std::signal(SIGHUP, interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // as nohup starts it
-  return was_interrupted;
-}
 
 void add_systems(CLI::App& command, std::string& systems) {
   command.add_option("--systems", systems, "The folder of systems; without it, the one that comes with durero");

@@ -14,6 +14,7 @@
 #include "durero/conform/runner.hpp"
 #include "durero/conform/shard.hpp"
 #include "durero/io/output_file.hpp"
+#include "interrupted.hpp"
 #include "numbers.hpp"
 #include "progress.hpp"
 

@@ -1,5 +1,6 @@
 // durero version [--json]: what this program is made of.
 #include <CGAL/version.h>
+#include <OpenEXRConfig.h>
 #include <flint/flint.h>
 #include <fmt/core.h>
 #include <fmt/format.h>
@@ -72,6 +73,7 @@ Pairs libraries() {
           {"Highway", fmt::format("{}.{}.{}", HWY_MAJOR, HWY_MINOR, HWY_PATCH)},
           {"fmt", of_parts(FMT_VERSION, 10'000, 100, 100)},
           {"libpng", png_get_libpng_ver(nullptr)},
+          {"OpenEXR", OPENEXR_VERSION_STRING},
           {"RapidJSON", RAPIDJSON_VERSION_STRING},
           {"CLI11", CLI11_VERSION},
           {"CGAL", CGAL_VERSION_STR},

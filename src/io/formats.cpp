@@ -7,6 +7,7 @@
 #include "durero/io/nff.hpp"
 #include "durero/io/obj.hpp"
 #include "durero/io/ply.hpp"
+#include "durero/io/pov.hpp"
 #include "durero/io/scene_file.hpp"
 
 namespace durero::io {
@@ -18,10 +19,13 @@ Imported read_json(const Source& source) {
 }
 Exported write_json(const scene::Scene& scene) { return {scene_text(scene), {}}; }
 
-constexpr Format all[] = {
-    {".json", read_json, write_json}, {".nff", read_nff, nff_text}, {".obj", read_obj}, {".ply", read_ply}};
+constexpr Format all[] = {{".json", read_json, write_json},
+                          {".nff", read_nff, nff_text},
+                          {".obj", read_obj},
+                          {".ply", read_ply},
+                          {".pov", nullptr, pov_text}};
 
-bool is_read(const Format&) { return true; }
+bool is_read(const Format& format) { return format.read != nullptr; }
 bool is_written(const Format& format) { return format.write != nullptr; }
 
 std::string endings(bool (*is_meant)(const Format&)) {

@@ -34,7 +34,9 @@ PrimaryRays::PrimaryRays(const Camera& camera, Resolution resolution) : resoluti
   upper_left_ = forward - step_x_ * ((width - 1) / 2) - step_y_ * ((height - 1) / 2);
 }
 
-model::Rayo PrimaryRays::ray(std::uint32_t x, std::uint32_t y) const {
+model::Rayo PrimaryRays::ray(std::uint32_t x, std::uint32_t y) const { return ray_at(x, y); }
+
+model::Rayo PrimaryRays::ray_at(double x, double y) const {
   return {model::Punto(eye_), model::Vector(direction(x, y))};
 }
 

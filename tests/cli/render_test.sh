@@ -43,8 +43,9 @@ same deep.png exact.png
 run 0 render "$mirrors" -o seven.png --size 64x36 --max-depth 7
 same deep.png seven.png
 run 0 render "$mirrors" -o one.png --size 64x36 --max-depth 1
-sed 's/"max_depth":7/"max_depth":1/' "$mirrors" >one.json
-run 0 render one.json -o said.png --size 64x36
+mkdir said
+sed 's/"max_depth":7/"max_depth":1/' "$mirrors" >said/mirrors.json
+run 0 render said/mirrors.json -o said.png --size 64x36
 same one.png said.png
 checks=$((checks + 1))
 cmp -s deep.png one.png && fail 'no mirror is in the picture'
@@ -115,4 +116,75 @@ for crop in 8,0,1,1 0,6,1,1 1,0,8,1 0,1,1,6 65535,65535,65535,65535; do
     render scene.json -o new.png --crop "$crop"
 done
 absent new.png
+
+# A picture carries along what draws it again: no folder, no time, no engine, and what is left open as it was.
+run 0 render scene.json -o analytic.png --size 8x6 --engine analytic --threads 2 --min-weight 0 --tone clamp --samples 1
+has analytic.png 'durero render scene.json --size 8x6 --max-depth 1'
+run 0 render scene.json -o again.png --size 8x6 --max-depth 1
+same analytic.png again.png
+cp scene.json "it's mine.json"
+run 0 render ./"it's mine.json" -o crop.png --size 40x30 --crop 12,9,17,14 --tone reinhard
+has crop.png "durero render 'it'\\''s mine.json' --size 40x30 --crop 12,9,17,14 --max-depth 1 --tone reinhard"
+
+# The tones differ, and OpenEXR has none.
+for tone in max reinhard; do
+  run 0 render "$mirrors" -o $tone.png --size 64x36 --tone $tone
+  checks=$((checks + 1))
+  cmp -s $tone.png deep.png && fail "--tone $tone is no other"
+done
+refused 'render: --tone dim: no such tone; expected one of clamp, max, reinhard' \
+  render scene.json -o new.png --tone dim
+refused '--tone max: new.exr holds linear light; expected OUT.png' render scene.json -o new.exr --tone max
+refused '--aov: new.png has no such channels; expected OUT.exr' render scene.json -o new.png --aov
+run 0 render scene.json -o one.exr --aov
+run 0 render scene.json -o two.exr --aov --engine exact --threads 3
+same one.exr two.exr
+run 0 render scene.json -o plain.exr
+checks=$((checks + 1))
+[ "$(wc -c <plain.exr)" -lt "$(wc -c <one.exr)" ] || fail 'the channels are not in the file'
+absent new.exr
+
+# Samples: the same bytes whatever the threads and the engine; and calls that make no sense.
+for how in '--samples 4' '--sampling stratified --samples 4' '--sampling statistical --samples 40 --width 0.2'; do
+  run 0 render scene.json -o one.png $how --threads 1
+  run 0 render scene.json -o three.png $how --threads 3 --engine exact
+  same one.png three.png
+  checks=$((checks + 1))
+  cmp -s one.png analytic.png && fail "$how: no other picture"
+done
+lines out 1
+has out ' rays from the eye a pixel; '
+has out ' of 48 pixels not known within 0.2 with confidence 0.95'
+refused '--samples 5: no square number; expected 1, 4, 9' render scene.json -o new.png --samples 5
+refused '--samples 4: too few to tell anything; expected 5 or more' \
+  render scene.json -o new.png --samples 4 --sampling statistical
+refused '--width: of one sampling alone; expected --sampling statistical' render scene.json -o new.png --width 0.1
+refused '--confidence: of one sampling alone' render scene.json -o new.png --confidence 0.9
+for width in 0 1 -1 nan x; do
+  refused "render: --width $width: no number above 0 and below 1; expected one" \
+    render scene.json -o new.png --sampling statistical --width $width
+done
+
+# A preview: k passes are the same picture whenever it ends, the file is whole at any time, and an interrupted one is kept.
+run 0 render scene.json -o first.png --preview --samples 1
+is out '1 pass'
+run 0 render scene.json -o passes.png --preview --samples 3
+is out '3 passes'
+has passes.png '--preview --samples 3'
+refused 'render: --sampling excludes --preview' render scene.json -o new.png --preview --sampling grid
+absent new.png
+"$durero" render scene.json -o shown.png --preview >out 2>err </dev/null &
+preview=$!
+tries=0
+until [ -s shown.png ] || [ $tries -ge 300 ]; do sleep 0.1; tries=$((tries + 1)); done
+kill -INT $preview
+wait $preview
+got=$?
+called='render --preview, interrupted'
+checks=$((checks + 1))
+[ $got = 0 ] || fail "$called: status $got, expected 0"
+passes=$(sed -n 's/ pass.*//p' out)
+run 0 render scene.json -o counted.png --preview --samples "${passes:-0}"
+same shown.png counted.png
+for left in shown.png.*; do absent "$left"; done
 finish

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "support/catch.hpp"
 
@@ -40,12 +41,44 @@ TEST_CASE("a component out of range is cut, and no number is black") {
   CHECK(image.rgb == std::vector<std::uint8_t>{0, 255, 124, 255, 0, 0});
 }
 
+TEST_CASE("every byte is that whose step holds the value: no linear component is farther than half a step off") {
+  // Steps of the curve, in long double by its inverse: byte b is for values in [(b − ½)/255, (b + ½)/255).
+  const auto linear = [](long double value) {
+    return value <= 0.04045L ? value / 12.92L : std::pow((value + 0.055L) / 1.055L, 2.4L);
+  };
+  for (int byte = 0; byte < 255; ++byte) {
+    const auto border = static_cast<double>(linear((byte + 0.5L) / 255));
+    CHECK(render::srgb_byte(border * (1 - 1e-7)) == byte);
+    CHECK(render::srgb_byte(border * (1 + 1e-7)) == byte + 1);
+  }
+}
+
 TEST_CASE("a PNG says that its pixels are sRGB") {
   const std::string bytes = render::encode_png(render::Image({1, 1}));
   const std::size_t chunk = bytes.find("sRGB");
   REQUIRE(chunk != bytes.npos);
   CHECK(bytes.substr(chunk - 4, 9) == std::string("\0\0\0\1sRGB\0", 9));  // one byte: the perceptual intent
   CHECK(chunk < bytes.find("IDAT"));
+  // For readers that do not know it, the nearest gamma, 1/2.2 in 100000ths, and the primaries.
+  CHECK(bytes.find(std::string("gAMA\0\0\xB1\x8F", 8)) < bytes.find("IDAT"));
+  CHECK(bytes.find("cHRM") < bytes.find("IDAT"));
+}
+
+TEST_CASE("a PNG carries its notes along: ASCII in tEXt, other text in iTXt, and nothing else") {
+  const render::Image image({1, 1});
+  const render::Note notes[] = {{"Software", "Durero"}, {"Comment", "durero render größer.json"}};
+  const std::string bytes = render::encode_png(image, notes);
+  CHECK(bytes.find(std::string("\0\0\0\x0FtEXtSoftware\0Durero", 23)) < bytes.find("IDAT"));
+  CHECK(bytes.find(std::string("iTXtComment\0\0\0\0\0", 16) + notes[1].text) < bytes.find("IDAT"));
+  CHECK(bytes.find("tIME") == bytes.npos);
+  CHECK(bytes == render::encode_png(image, notes));
+  const std::string without = render::encode_png(image);
+  CHECK(without.find("EXt") == without.npos);
+  CHECK(without.find("TXt") == without.npos);
+}
+
+TEST_CASE("what libpng refuses is said") {
+  CHECK_THROWS_AS(render::encode_png(render::Image({0, 1})), std::runtime_error);
 }
 
 TEST_CASE("a PNG reads back to the same pixels, and the same image gives the same bytes") {

@@ -32,6 +32,16 @@ TEST_CASE("fov_y spans the height from edge to edge; pixels are square; y goes d
   CHECK(top.x > next.x);  // looking along +z with y up, the right hand points to −x
 }
 
+TEST_CASE("rays go through any point of the window: at whole numbers those of pixels, halfway between them the means") {
+  const scene::PrimaryRays rays(camera, {40, 20});
+  CHECK(rays.ray_at(7, 3) == rays.ray(7, 3));
+  const glm::dvec3 half = rays.ray_at(7.5, 3.25).v().xyz();
+  const glm::dvec3 across = rays.ray(7, 3).v().xyz() + rays.ray(8, 3).v().xyz();
+  const glm::dvec3 down = rays.ray(7, 4).v().xyz() - rays.ray(7, 3).v().xyz();
+  CHECK(glm::length(half - (across / 2.0 + down / 4.0)) < 1e-15);
+  CHECK(rays.ray_at(-0.5, -0.5).v().y() == Approx(1));  // the corner of the picture
+}
+
 TEST_CASE("a camera that sees nothing is refused in words") {
   const auto refuses = [](scene::Camera bad, scene::Resolution size = {2, 2}) {
     CHECK_THROWS_AS(scene::PrimaryRays(bad, size), std::domain_error);

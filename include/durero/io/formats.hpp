@@ -27,8 +27,9 @@ struct Exported {
 
 /// A row of the table: how a scene format is known by a name, read and written.
 struct Format {
-  std::string_view ending;                 ///< of the file's name: ".nff"
-  Imported (*read)(const Source& source);  ///< throws InputError
+  std::string_view ending;  ///< of the file's name: ".nff"
+  /// Throws InputError. Null where the format is only written.
+  Imported (*read)(const Source& source);
   /// Null where the format is only read.
   Exported (*write)(const scene::Scene&){};
 };

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,15 @@ struct Image {
   std::vector<std::uint8_t> rgb;  ///< rows from the top, three bytes a pixel
 };
 
-/// The bytes of a PNG file, which declares its pixels to be sRGB. Same image, same bytes. Throws std::runtime_error
-/// when libpng refuses.
-std::string encode_png(const Image& image);
+/// A line of text that a file of a picture carries along: in PNG a chunk, in OpenEXR an attribute.
+struct Note {
+  std::string keyword;  ///< as PNG has them: `Software`; 1 to 79 characters of ASCII
+  std::string text;     ///< UTF-8
+};
+
+/// The bytes of a PNG file, which declares its pixels to be sRGB: by the chunk sRGB, and for readers that do not know
+/// it by the chunks gAMA and cHRM that come nearest. Notes of ASCII are chunks tEXt, others iTXt. Same image and notes,
+/// same bytes. Throws std::runtime_error when libpng refuses.
+std::string encode_png(const Image& image, std::span<const Note> notes = {});
 
 }  // namespace durero::render

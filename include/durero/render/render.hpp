@@ -6,13 +6,15 @@
 #include <optional>
 
 #include "durero/engine/engine.hpp"
-#include "durero/render/image.hpp"
+#include "durero/render/picture.hpp"
+#include "durero/render/sampling.hpp"
 #include "durero/scene/camera.hpp"
 #include "durero/scene/scene.hpp"
 
 namespace durero::render {
 
-/// Called now and then, from one thread at a time, with the share of rows that are done, 0 to 1.
+/// Called now and then, from one thread at a time, with the share of rows that are done, 0 to 1. What it throws ends
+/// the work, and leaves it.
 using Progress = std::function<void(double)>;
 
 /// Of a stage that names none.
@@ -31,22 +33,25 @@ struct Frame {
   std::optional<Crop> crop{};                ///< these pixels of the whole picture alone, and as they are in it
   std::optional<std::uint32_t> max_depth{};  ///< rays in a row; else as depth_of says
   double min_weight = 0;                     ///< rays that count for less are not followed, as Limits says
+  Samples samples{};                         ///< through which points of a pixel
 };
 
 /// How far the rays of a picture were followed.
 struct Reach {
   std::uint32_t max_depth = 0;  ///< that they might have had
   std::uint64_t pixels = 0;     ///< that were drawn
+  std::uint64_t samples = 0;    ///< rays from the eye, for all of them
   std::uint64_t rays = 0;       ///< that were followed for them, without those to the lights
   std::uint64_t depths = 0;     ///< the sum over the pixels of the depth of the deepest one
   double left_out = 0;          ///< the greatest error of a component of a pixel for min_weight, linear
+  std::uint64_t in_doubt = 0;   ///< pixels that had the most samples and are not known within the width
 };
 
 /// Draws the scene. Rows are shared among threads; every pixel is the same whatever their number.
 /// Throws std::domain_error when the scene has no camera, or one that sees nothing, and std::out_of_range when the crop
-/// is empty or not inside the picture. Precondition: the engine honours origins. `reach`, where it is given, is told
-/// how far the rays were followed.
-Image render(const scene::Scene& scene, const engine::Engine& engine, const Progress& progress = {},
-             const Frame& frame = {}, Reach* reach = nullptr);
+/// is empty or not inside the picture. Preconditions: the engine honours origins; the samples are as they say. `reach`,
+/// where it is given, is told how far the rays were followed.
+Picture render(const scene::Scene& scene, const engine::Engine& engine, const Progress& progress = {},
+               const Frame& frame = {}, Reach* reach = nullptr);
 
 }  // namespace durero::render

@@ -31,6 +31,10 @@ class PrimaryRays {
   /// the distance from the eye to the window's plane.
   model::Rayo ray(std::uint32_t x, std::uint32_t y) const;
 
+  /// The ray through a point of the window: x pixels to the right of the centre of pixel (0, 0) and y below it. At
+  /// whole numbers it is that of the pixel.
+  model::Rayo ray_at(double x, double y) const;
+
   /// The pixel whose ray has this origin and this direction, both of them exactly; nothing where none has.
   std::optional<Pixel> pixel_of(const glm::dvec3& p, const glm::dvec3& v) const;
 

@@ -1,0 +1,42 @@
+#pragma once
+/// Through which points of a pixel rays are sent. Its colour is the mean of what they bring.
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace durero::render {
+
+/// How the points are chosen. They depend on the pixel's place in the whole picture and on nothing else.
+enum class Sampling {
+  grid,        ///< the centres of equal squares, of one the centre of the pixel
+  stratified,  ///< one in each of equal squares, at a place of its own
+  statistical  ///< as many as it takes until the mean is known within a width, with a confidence
+};
+
+/// Their names, in the order of Sampling.
+inline constexpr std::array<std::string_view, 3> sampling_names{"grid", "stratified", "statistical"};
+
+/// The points of each pixel.
+struct Samples {
+  Sampling sampling = Sampling::grid;  ///< how they are chosen
+  /// How many: a square number for grid and stratified; for statistical the most, at least replicas.
+  std::uint32_t most = 1;
+  double width = 0.05;       ///< statistical: of half the confidence interval of each linear component, above 0
+  double confidence = 0.95;  ///< statistical: that the three components are within it, above 0 and below 1
+};
+
+/// Statistical sampling takes so many nets of points, each scrambled for itself: their means are what the spread is
+/// estimated from.
+inline constexpr std::uint32_t replicas = 5;
+
+/// The greatest number of points of a pixel.
+inline constexpr std::uint32_t greatest_samples = 65536;
+
+/// What an estimate of the mean is in doubt by, above and below, in units of its replicas' standard deviation:
+/// Student's t of their degrees of freedom over √replicas. The doubt 1 − confidence is shared out evenly over three
+/// components and `looks`, the times that the question is asked, so that by the union bound it holds for all of them
+/// together where the means of nets are normal. Preconditions: 0 < confidence < 1, looks ≥ 1.
+double half_width_factor(double confidence, std::uint32_t looks);
+
+}  // namespace durero::render

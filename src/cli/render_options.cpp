@@ -1,0 +1,232 @@
+#include "render_options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+
+#include "commands.hpp"
+#include "durero/render/sampling.hpp"
+#include "durero/render/whitted.hpp"
+#include "durero/text/shown.hpp"
+#include "engines.hpp"
+#include "numbers.hpp"
+#include "progress.hpp"
+
+namespace durero::cli {
+namespace {
+
+/// The most pixels of a side, as in scene files.
+constexpr std::uint32_t greatest_side = 65535;
+
+/// Statistical sampling that names no number: 2⁸ points of each replica.
+constexpr std::uint32_t statistical_samples = 256 * render::replicas;
+
+/// As many whole numbers, with separators between them; nothing where the text is no such.
+template <std::size_t count>
+std::optional<std::array<std::uint32_t, count>> numbers_in(std::string_view text, char separator) {
+  std::array<std::uint32_t, count> numbers{};
+  for (std::uint32_t& number : numbers) {
+    const bool is_last = &number == &numbers.back();
+    const std::size_t end = is_last ? text.size() : text.find(separator);
+    const auto value = read_whole_number(text.substr(0, end));
+    if (end == text.npos || !value || *value > greatest_side) return std::nullopt;
+    number = static_cast<std::uint32_t>(*value);
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return numbers;
+}
+
+std::string check_size(const std::string& text) {
+  const auto size = numbers_in<2>(text, 'x');
+  if (size && (*size)[0] > 0 && (*size)[1] > 0) return "";
+  return fmt::format("{}: no size; expected WxH, two whole numbers from 1 to {}", text, greatest_side);
+}
+
+std::string check_crop(const std::string& text) {
+  const auto crop = numbers_in<4>(text, ',');
+  if (crop && (*crop)[2] > 0 && (*crop)[3] > 0) return "";
+  return fmt::format("{}: no rectangle; expected X,Y,W,H, whole numbers up to {}, W and H from 1", text, greatest_side);
+}
+
+/// A number strictly between two.
+CLI::Validator number_between(double low, double high) {
+  const auto check = [=](const std::string& text) -> std::string {
+    const std::optional<double> value = io::read_number(text);
+    if (value && low < *value && *value < high) return "";
+    return fmt::format("{}: no number above {} and below {}; expected one", text, low, high);
+  };
+  return {check, fmt::format("above {}, below {}", low, high)};
+}
+
+template <std::size_t count>
+std::vector<std::string> words(const std::array<std::string_view, count>& names) {
+  return {names.begin(), names.end()};
+}
+
+/// The place of a name; the first one's where none is given.
+template <class Value, std::size_t count>
+Value value_of_name(const std::array<std::string_view, count>& names, const std::string& name) {
+  if (name.empty()) return Value{};
+  return static_cast<Value>(std::ranges::find(names, name) - names.begin());
+}
+
+void add_size_options(CLI::App& command, RenderOptions& options) {
+  command.add_option("--size", options.size, "Width and height in pixels; without it, the scene's, or else 640x360")
+      ->check(CLI::Validator(check_size, ""));
+  command.add_option("--crop", options.crop, "These pixels of the picture alone: upper left one, width and height")
+      ->check(CLI::Validator(check_crop, ""));
+}
+
+void add_depth_options(CLI::App& command, RenderOptions& options) {
+  command
+      .add_option("--max-depth", options.max_depth,
+                  "Rays in a row from mirror to mirror; without it, the scene's, or else what its materials need")
+      ->check(whole_number(1, scene::greatest_depth));
+  command
+      .add_option("--min-weight", options.min_weight,
+                  "Do not follow rays that count for less than this share of a pixel; says how far rays were followed")
+      ->check(number(0, 1));
+}
+
+void add_sample_options(CLI::App& command, RenderOptions& options) {
+  command
+      .add_option(
+          "--sampling", options.sampling,
+          "Points of a pixel that rays go through: a grid, one in each square of a grid, or as many as it takes; "
+          "without it, grid")
+      ->check(one_of("sampling", words(render::sampling_names)));
+  command
+      .add_option("--samples", options.samples,
+                  fmt::format("How many: a square number, 1 without it; of statistical the most, {} without it; of a "
+                              "preview how many passes",
+                              statistical_samples))
+      ->check(whole_number(1, render::greatest_samples));
+  command
+      .add_option("--width", options.width, "Of statistical: how far off a linear component may be; without it, 0.05")
+      ->check(number_between(0, 1));
+  command
+      .add_option("--confidence", options.confidence,
+                  "Of statistical: how likely a pixel is no farther off; without it, 0.95")
+      ->check(number_between(0, 1));
+}
+
+void add_file_options(CLI::App& command, RenderOptions& options) {
+  command
+      .add_option("--tone", options.tone,
+                  "What becomes of linear colours in OUT.png: above 1 cut, divided by the greatest one, or c/(1 + c); "
+                  "without it, clamp")
+      ->check(one_of("tone", words(render::tone_names)));
+  command.add_flag("--aov", options.aov, "Write depth, normal, element and deciding level into OUT.exr besides");
+}
+
+/// A word as a shell reads it.
+std::string shell_word(const std::string& text) {
+  const auto plain = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+           std::string_view("_./:@%+=,-").find(c) != std::string_view::npos;
+  };
+  if (!text.empty() && std::ranges::all_of(text, plain)) return text;
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
+std::string name_without_folder(const std::string& path) {
+  return shell_word(text::escaped(path.substr(path.rfind('/') + 1)));
+}
+
+}  // namespace
+
+void add_render_options(CLI::App& command, RenderOptions& options) {
+  command.add_option("SCENE", options.scene, "Scene file (JSON), with a camera")->required();
+  command.add_option("-o,--output", options.out, "The picture, OUT.png, or OUT.exr in linear light")->required();
+  add_size_options(command, options);
+  add_depth_options(command, options);
+  add_sample_options(command, options);
+  add_file_options(command, options);
+  auto* const preview =
+      command.add_flag("--preview", options.preview,
+                       "Write the picture after one ray a pixel, and again after each further one, until interrupted");
+  preview->excludes(command.get_option("--sampling"));
+  add_engine(command, options.engine);
+  add_hierarchy(command, options.hierarchy);
+  add_with(command, options.with);
+  command.get_option("--aov")->excludes(command.get_option("--with"));
+  add_threads(command, options.threads);
+  add_quiet(command, options.quiet);
+}
+
+void check_together(const RenderOptions& options) {
+  const auto refuse = [](bool wrong, const std::string& what) {
+    if (wrong) throw std::invalid_argument(what);
+  };
+  refuse(!options.out.ends_with(".png") && !options.is_exr(),
+         fmt::format("{}: not a picture's name; expected OUT.png or OUT.exr", options.out));
+  refuse(options.is_exr() && !options.tone.empty(),
+         fmt::format("--tone {}: {} holds linear light; expected OUT.png", options.tone, options.out));
+  refuse(options.aov && !options.is_exr(),
+         fmt::format("--aov: {} has no such channels; expected OUT.exr", options.out));
+  refuse(options.width && !options.is_statistical(), "--width: of one sampling alone; expected --sampling statistical");
+  refuse(options.confidence && !options.is_statistical(),
+         "--confidence: of one sampling alone; expected --sampling statistical");
+  if (options.preview || !options.samples) return;
+  const double side = std::sqrt(*options.samples);
+  refuse(
+      !options.is_statistical() && side != std::floor(side),
+      fmt::format("--samples {}: no square number; expected 1, 4, 9, … or --sampling statistical", *options.samples));
+  refuse(options.is_statistical() && *options.samples < render::replicas,
+         fmt::format("--samples {}: too few to tell anything; expected {} or more with --sampling statistical",
+                     *options.samples, render::replicas));
+}
+
+render::Frame frame_of(const RenderOptions& options) {
+  render::Frame frame;
+  if (const auto size = numbers_in<2>(options.size, 'x')) frame.size = {(*size)[0], (*size)[1]};
+  if (const auto crop = numbers_in<4>(options.crop, ','))
+    frame.crop = {(*crop)[0], (*crop)[1], {(*crop)[2], (*crop)[3]}};
+  frame.max_depth = options.max_depth;
+  frame.min_weight = options.min_weight.value_or(0);
+  frame.samples.sampling = value_of_name<render::Sampling>(render::sampling_names, options.sampling);
+  frame.samples.most = options.samples.value_or(options.is_statistical() ? statistical_samples : 1);
+  frame.samples.width = options.width.value_or(frame.samples.width);
+  frame.samples.confidence = options.confidence.value_or(frame.samples.confidence);
+  return frame;
+}
+
+render::Tone tone_of(const RenderOptions& options) {
+  return value_of_name<render::Tone>(render::tone_names, options.tone);
+}
+
+scene::Resolution size_of(const RenderOptions& options, const scene::Stage& stage) {
+  return frame_of(options).size.value_or(stage.resolution.value_or(render::default_resolution));
+}
+
+std::vector<render::Note> notes_of(const RenderOptions& options, const scene::Stage& stage,
+                                   std::optional<std::uint32_t> passes) {
+  const render::Frame frame = frame_of(options);
+  const scene::Resolution size = size_of(options, stage);
+  std::string call = "durero render " + name_without_folder(options.scene);
+  if (!options.with.empty()) call += " --with " + name_without_folder(options.with);
+  call += fmt::format(" --size {}x{}", size.width, size.height);
+  if (const auto& crop = frame.crop; crop && crop->size != size)
+    call += fmt::format(" --crop {},{},{},{}", crop->x, crop->y, crop->size.width, crop->size.height);
+  call += fmt::format(" --max-depth {}", frame.max_depth.value_or(render::depth_of(stage)));
+  if (frame.min_weight > 0) call += fmt::format(" --min-weight {}", frame.min_weight);
+  const render::Samples& samples = frame.samples;
+  if (passes) {
+    call += fmt::format(" --preview --samples {}", *passes);
+  } else if (samples.sampling != render::Sampling::grid || samples.most != 1) {
+    call +=
+        fmt::format(" --sampling {} --samples {}", render::sampling_names[std::size_t(samples.sampling)], samples.most);
+    if (options.is_statistical()) call += fmt::format(" --width {} --confidence {}", samples.width, samples.confidence);
+  }
+  if (tone_of(options) != render::Tone::clamp) call += " --tone " + options.tone;
+  if (options.aov) call += " --aov";
+  return {{"Software", std::string("Durero ") + DURERO_VERSION}, {"Comment", call}};
+}
+
+}  // namespace durero::cli

@@ -1,0 +1,50 @@
+#pragma once
+/// The options of `durero render`.
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "durero/engine/engine.hpp"
+#include "durero/render/image.hpp"
+#include "durero/render/render.hpp"
+#include "durero/render/tone.hpp"
+#include "durero/scene/stage.hpp"
+
+namespace durero::cli {
+
+/// As they stand in the call.
+struct RenderOptions {
+  std::string scene, out, size, crop;
+  std::string engine{engine::default_engine}, hierarchy{"automatic"}, with;
+  std::string tone, sampling;
+  std::optional<std::uint32_t> samples, max_depth;
+  std::optional<double> min_weight, width, confidence;
+  std::size_t threads = 0;
+  bool aov = false, preview = false, quiet = false;
+
+  bool is_exr() const { return out.ends_with(".exr"); }
+  bool is_statistical() const { return sampling == "statistical"; }
+};
+
+/// Declares them.
+void add_render_options(CLI::App& command, RenderOptions& options);
+
+/// Throws std::invalid_argument, one line, where one does not go with another.
+void check_together(const RenderOptions& options);
+
+/// What they ask for.
+render::Frame frame_of(const RenderOptions& options);
+render::Tone tone_of(const RenderOptions& options);
+
+/// The size of the whole picture.
+scene::Resolution size_of(const RenderOptions& options, const scene::Stage& stage);
+
+/// What a file carries along: the program, and a call that draws the same picture again of a scene of that name. It has
+/// no folder and no time, nor an option that does not change the picture; what it leaves open is as the program has
+/// it. `passes` of a preview.
+std::vector<render::Note> notes_of(const RenderOptions& options, const scene::Stage& stage,
+                                   std::optional<std::uint32_t> passes = {});
+
+}  // namespace durero::cli

@@ -1,0 +1,133 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "axis.hpp"
+#include "durero/io/pov.hpp"
+#include "durero/scene/camera.hpp"
+#include "losses.hpp"
+#include "pov_texture.hpp"
+#include "scene_elements.hpp"
+
+namespace durero::io {
+namespace {
+
+std::string text(const glm::dvec3& v) { return fmt::format("<{}, {}, {}>", v.x, v.y, v.z); }
+
+/// So far away that a parallel light stands before all that a scene has: as far as POV-Ray sees, but for a tenth.
+constexpr double far_away = 1e6;
+
+/// Rays in a row of a scene that names no number: the most that its materials may need (docs/rendering.md).
+constexpr std::uint32_t most_depth = 15;
+
+class PovWriter {
+ public:
+  explicit PovWriter(const scene::Scene& scene) : scene_(scene) {}
+
+  Exported write() {
+    const scene::Stage& stage = scene_.stage();
+    const scene::Resolution size = stage.resolution.value_or(scene::default_resolution);
+    out_.text = fmt::format("// povray +W{} +H{} -A File_Gamma=sRGB\n#version 3.7;\n", size.width, size.height);
+    // POV-Ray's first ray has level 0.
+    out_.text += fmt::format("global_settings {{ assumed_gamma 1 max_trace_level {} adc_bailout 0 }}\n",
+                             stage.max_depth.value_or(most_depth));
+    write_camera(size);
+    if (stage.background) out_.text += fmt::format("background {{ rgb {} }}\n", text(*stage.background));
+    write_lights();
+    for (const scene::Material& material : stage.materials) looks_.push_back(pov_attributes(material));
+    for (const scene::ElementRef element : elements_by_name(scene_)) write_element(element);
+    name_losses();
+    return std::move(out_);
+  }
+
+ private:
+  /// By the rays through the middles of the edges of the picture, so that every pixel has the ray that it has here.
+  void write_camera(scene::Resolution size) {
+    if (!scene_.stage().camera) {
+      out_.lost.emplace_back("no camera in the scene: no view was written");
+      return;
+    }
+    const scene::PrimaryRays rays(*scene_.stage().camera, size);
+    const double right = size.width - 0.5, bottom = size.height - 0.5, x = (size.width - 1) / 2.0,
+                 y = (size.height - 1) / 2.0;
+    const auto direction = [&](double across, double down) { return rays.ray_at(across, down).v().xyz(); };
+    out_.text += fmt::format("camera {{ location {} direction {} right {} up {} }}\n", text(scene_.stage().camera->eye),
+                             text(direction(x, y)), text(direction(right, y) - direction(-0.5, y)),
+                             text(direction(x, -0.5) - direction(x, bottom)));
+  }
+
+  void write_lights() {
+    for (const scene::Light& light : scene_.stage().lights)
+      out_.text += fmt::format("light_source {{ {}, rgb {} }}\n", text(light.position), text(light.color));
+    for (const scene::DirectionalLight& light : scene_.stage().directional_lights) {
+      const glm::dvec3& d = light.direction;
+      const double greatest = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});  // whose square may overflow
+      const glm::dvec3 from = -far_away * glm::normalize(d / greatest);
+      out_.text +=
+          fmt::format("light_source {{ {}, rgb {} parallel point_at <0, 0, 0> }}\n", text(from), text(light.color));
+    }
+  }
+
+  void write_element(scene::ElementRef element) {
+    const std::string shape = scene_.visit(element, [&](const auto& geometry) { return shape_text(geometry); });
+    if (shape.empty()) return;
+    const auto material = scene_.material(element);
+    const bool is_glass = material && scene_.stage().materials[*material].k_t > 0;
+    static const std::string plain = pov_attributes({.color = glm::dvec3(0.8)});
+    out_.text += fmt::format("object {{ {} {}{} }}  // {}\n", shape, material ? looks_[*material] : plain,
+                             is_glass ? " no_shadow" : "", scene_.name(element).name());
+    if (is_glass) out_.text += fmt::format("object {{ {} no_image no_reflection }}  // its shadow\n", shape);
+  }
+
+  std::string shape_text(const scene::Sphere& s) { return fmt::format("sphere {{ {}, {} }}", text(s.centro), s.radio); }
+  std::string shape_text(const scene::Plane& p) {
+    return fmt::format("plane {{ {}, 0 translate {} }}", text(p.vector), text(p.centro));
+  }
+  std::string shape_text(const scene::Disc& d) {
+    return fmt::format("disc {{ {}, {}, {} }}", text(d.centro), text(d.vector), d.radio);
+  }
+  std::string shape_text(const scene::Triangle& t) {
+    return fmt::format("triangle {{ {}, {}, {} }}", text(t.vertices[0]), text(t.vertices[1]), text(t.vertices[2]));
+  }
+  std::string shape_text(const scene::Cylinder& c) {
+    return fmt::format("cylinder {{ {}, {}, {} open }}", text(c.centro), text(end_of(c.centro, axis_of(c))), c.radio);
+  }
+  std::string shape_text(const scene::Cone& c) { return cone_text(c, 0, c.proporcion * c.altura); }
+  std::string shape_text(const scene::TruncatedCone& c) {
+    return cone_text(c, c.radio, c.radio + c.proporcion * c.altura);
+  }
+
+  template <class Shape>
+  static Axis axis_of(const Shape& shape) {
+    return {shape.vector, shape.altura};
+  }
+
+  template <class Shape>
+  std::string cone_text(const Shape& c, double narrow, double wide) {
+    if (!std::isfinite(wide)) {
+      ++too_wide_;
+      return "";
+    }
+    return fmt::format("cone {{ {}, {}, {}, {} open }}", text(c.centro), wide, text(end_of(c.centro, axis_of(c))),
+                       narrow);
+  }
+
+  void name_losses() {
+    add_loss(out_.lost, scene_.stage().directional_lights.size(), "directional light", "directional lights",
+             "written as parallel ones, 1000000 away: POV-Ray has none without a place");
+    add_loss(out_.lost, too_wide_, "element", "elements", "left out: the radius of its base is beyond binary64");
+  }
+
+  const scene::Scene& scene_;
+  Exported out_;
+  std::vector<std::string> looks_;  // of the materials
+  std::size_t too_wide_ = 0;
+};
+
+}  // namespace
+
+Exported pov_text(const scene::Scene& scene) { return PovWriter(scene).write(); }
+
+}  // namespace durero::io

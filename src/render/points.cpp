@@ -1,0 +1,70 @@
+#include "points.hpp"
+
+namespace durero::render {
+namespace {
+
+/// The mixing function of SplitMix64 (Steele, Lea and Flood, 2014): a bijection whose bits look independent.
+std::uint64_t mixed(std::uint64_t key) {
+  key += 0x9E3779B97F4A7C15;
+  key = (key ^ (key >> 30)) * 0xBF58476D1CE4E5B9;
+  key = (key ^ (key >> 27)) * 0x94D049BB133111EB;
+  return key ^ (key >> 31);
+}
+
+std::uint32_t high(std::uint64_t bits) { return static_cast<std::uint32_t>(bits >> 32); }
+
+/// From −1/2: a fraction of 32 binary digits, in the middle of the interval that it begins.
+double coordinate(std::uint32_t digits) { return (digits + 0.5) * 0x1p-32 - 0.5; }
+
+/// Owen's scrambling: each digit is turned or not by a coin of its own for the digits before it. No two of fewer than
+/// 2¹⁶ points have the same first 16 digits in one coordinate, so that one draw of coins is for all that follow those.
+std::uint32_t scrambled(std::uint32_t digits, std::uint64_t key) {
+  constexpr int apart = 16;
+  std::uint32_t turned = 0;
+  for (int place = 0; place < apart; ++place) {
+    const std::uint32_t before = place == 0 ? 0 : digits >> (32 - place);
+    const std::uint32_t node = (1U << place) | before;  // of the binary tree of all beginnings
+    turned |= (high(mixed(key ^ node)) & 1U) << (31 - place);
+  }
+  const std::uint32_t leaf = (1U << apart) | (digits >> (32 - apart));
+  return digits ^ (turned | (high(mixed(key ^ leaf)) >> apart));
+}
+
+/// Van der Corput's: the binary digits of i behind the point.
+std::uint32_t mirrored_digits(std::uint32_t i) {
+  std::uint32_t digits = 0;
+  for (std::uint32_t place = 1U << 31; i != 0; i >>= 1, place >>= 1)
+    if (i & 1) digits |= place;
+  return digits;
+}
+
+/// Those of i times Pascal's triangle modulo 2, the second coordinate of Sobol'.
+std::uint32_t pascal_digits(std::uint32_t i) {
+  std::uint32_t digits = 0;
+  for (std::uint32_t column = 1U << 31; i != 0; i >>= 1, column ^= column >> 1)
+    if (i & 1) digits ^= column;
+  return digits;
+}
+
+}  // namespace
+
+std::uint64_t key_of(std::uint32_t x, std::uint32_t y, std::uint32_t set) {
+  return mixed(mixed((std::uint64_t(x) << 32) | y) + set);
+}
+
+glm::dvec2 in_grid(std::uint32_t side, std::uint32_t i) {
+  const auto centre = [&](std::uint32_t part) { return (2.0 * part + 1 - side) / (2.0 * side); };
+  return {centre(i % side), centre(i / side)};
+}
+
+glm::dvec2 in_strata(std::uint32_t side, std::uint32_t i, std::uint64_t key) {
+  const std::uint64_t across = mixed(key ^ i), down = mixed(across);
+  const glm::dvec2 in_part(coordinate(high(across)), coordinate(high(down)));
+  return in_grid(side, i) + in_part / double(side);
+}
+
+glm::dvec2 in_net(std::uint32_t i, std::uint64_t key) {
+  return {coordinate(scrambled(mirrored_digits(i), key)), coordinate(scrambled(pascal_digits(i), mixed(key)))};
+}
+
+}  // namespace durero::render

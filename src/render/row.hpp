@@ -1,0 +1,28 @@
+#pragma once
+/// A row of a picture, of as many rays a pixel as are asked for.
+
+#include <cstdint>
+#include <vector>
+
+#include "durero/render/sampling.hpp"
+#include "durero/render/whitted.hpp"
+#include "view.hpp"
+
+namespace durero::render {
+
+/// What the rays of each pixel of a row brought.
+struct Row {
+  std::vector<Brought> pixels;  ///< color and left_out are the means of its rays, rays all that were followed for it
+  std::uint64_t samples = 0;    ///< rays from the eye, of all pixels
+  std::uint64_t in_doubt = 0;   ///< pixels whose mean is not known within the width that was asked for
+};
+
+/// Adds what one more ray of a pixel brought.
+void add(Brought& sum, const Brought& more);
+/// Makes sums of so many rays their means. Of one they stay as they are.
+void divide(Brought& sum, std::uint32_t rays);
+
+/// Row y of the crop by a grid or stratified. Precondition: not statistical.
+Row sampled_row(const View& view, const Samples& samples, std::uint32_t y);
+
+}  // namespace durero::render

@@ -1,0 +1,15 @@
+#include "durero/render/sampling.hpp"
+
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+
+namespace durero::render {
+
+double half_width_factor(double confidence, std::uint32_t looks) {
+  constexpr double components = 3;
+  const double each_tail = (1 - confidence) / (2 * components * looks);
+  const boost::math::students_t_distribution<double> t(replicas - 1);
+  return boost::math::quantile(boost::math::complement(t, each_tail)) / std::sqrt(double(replicas));
+}
+
+}  // namespace durero::render

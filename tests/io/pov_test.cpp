@@ -1,0 +1,82 @@
+#include "durero/io/pov.hpp"
+
+#include "durero/io/scene_file.hpp"
+#include "support/catch.hpp"
+
+using namespace durero;
+
+namespace {
+
+io::Exported exported(const std::string& scene) {
+  return io::pov_text(io::read_scene(io::Source("f", R"({"format":"durero-scene","version":1,)" + scene + "}")));
+}
+
+bool has(const io::Exported& out, const std::string& text) { return out.text.find(text) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("every element becomes the object of POV-Ray that has its points") {
+  const io::Exported out = exported(R"("elementos":[
+    {"id":"s","tipo":"esfera","centro":[1,2,3],"radio":0.5},
+    {"id":"c","tipo":"cilindro","centro":[0,0,0],"radio":2,"vector":[0,0,1],"altura":3},
+    {"id":"k","tipo":"cono","centro":[1,0,0],"proporcion":0.5,"vector":[0,1,0],"altura":4},
+    {"id":"t","tipo":"tronco","centro":[0,0,0],"radio":1,"proporcion":0.25,"vector":[1,0,0],"altura":4},
+    {"id":"p","tipo":"plano","centro":[0,-1,0],"vector":[0,1,0]},
+    {"id":"d","tipo":"disco","centro":[0,0,9],"radio":3,"vector":[0,0,-1]},
+    {"id":"v","tipo":"triangulo","vertices":[[0,0,0],[1,0,0],[0,1,0]]}])");
+  for (const char* object : {"sphere { <1, 2, 3>, 0.5 }", "cylinder { <0, 0, 0>, <0, 0, 3>, 2 open }",
+                             "cone { <1, 0, 0>, 2, <1, 4, 0>, 0 open }", "cone { <0, 0, 0>, 2, <4, 0, 0>, 1 open }",
+                             "plane { <0, 1, 0>, 0 translate <0, -1, 0> }", "disc { <0, 0, 9>, <0, 0, -1>, 3 }",
+                             "triangle { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> }"}) {
+    CAPTURE(object);
+    CHECK(has(out, std::string("object { ") + object +
+                       " texture { pigment { rgb <0.8, 0.8, 0.8> } finish { ambient 0 "
+                       "diffuse 1 } } }  // "));
+  }
+  CHECK(out.lost == std::vector<std::string>{"no camera in the scene: no view was written"});
+}
+
+TEST_CASE("the view is that of the camera, pixel for pixel, and lights, background and depth are as they were") {
+  const io::Exported out = exported(R"("camera":{"eye":[0,0,-5],"look_at":[0,0,0],"up":[0,1,0],"fov_y":90},
+    "resolution":[40,20],"max_depth":3,"background":[0.1,0.2,0.3],
+    "lights":[{"position":[1,2,3],"color":[0.5,0.25,1]}],
+    "directional_lights":[{"direction":[0,-1e-200,0],"color":[1,1,1]}],"elementos":[])");
+  CHECK(out.text.starts_with("// povray +W40 +H20 -A File_Gamma=sRGB\n#version 3.7;\n"));
+  CHECK(has(out, "global_settings { assumed_gamma 1 max_trace_level 3 adc_bailout 0 }\n"));
+  CHECK(has(out, "camera { location <0, 0, -5> direction <"));
+  CHECK(has(out, "background { rgb <0.1, 0.2, 0.3> }\n"));
+  CHECK(has(out, "light_source { <1, 2, 3>, rgb <0.5, 0.25, 1> }\n"));
+  CHECK(has(out, "rgb <1, 1, 1> parallel point_at <0, 0, 0> }\n"));
+  CHECK(has(out, ", 1000000, "));
+  CHECK(out.lost.size() == 1);
+}
+
+TEST_CASE("a term of a material is a texture of an average, so many times itself; glass has an opaque twin") {
+  const std::string ball = R"("elementos":[{"id":"b","tipo":"esfera","centro":[0,0,0],"radio":1,"material":"m"}])";
+  const auto of = [&](const std::string& material) {
+    return exported(R"("materials":{"m":{)" + material + "}}," + ball);
+  };
+  CHECK(
+      has(of(R"("color":[0.5,0.25,0],"k_s":0.5,"e":20,"k_ps":0.25,"M_PS":[1,0,1])"),
+          "texture { pigment { rgb <0.5, 0.25, 0> } finish { ambient 0 diffuse 1 phong 0.5 phong_size 20 reflection { "
+          "rgb <0.25, 0, 0.25> } } } }"));
+  CHECK(has(
+      of(R"("color":[0.5,0.25,0],"k_a":0.125,"k_d":0.5,"k_ps":0.25)"),
+      "texture { average texture_map { [1 pigment { rgb <1, 0.5, 0> } finish { ambient 0 diffuse 0.5 reflection { rgb "
+      "<0.5, 0.5, 0.5> } }] [1 pigment { rgb <1, 0.5, 0> } finish { ambient 0 diffuse 0.125 brilliance 0 }] } }"));
+  CHECK(has(of(R"("color":[0,0,0],"emission":[1,2,0],"ambient":[0,1,0])"),
+            "texture { pigment { rgb <1, 3, 0> } finish { ambient 0 diffuse 0 emission 1 } }"));
+  CHECK(has(of(R"("color":[0,0,0])"), "texture { pigment { rgb <0, 0, 0> } finish { ambient 0 diffuse 0 } }"));
+  const io::Exported glass = of(R"("color":[0,0,0],"k_t":0.75,"M_T":[1,0.5,1],"index":1.5)");
+  CHECK(has(glass,
+            "object { sphere { <0, 0, 0>, 1 } texture { pigment { rgb <1, 0.5, 1> filter 0.75 } finish { ambient 0 "
+            "diffuse 0 } } interior { ior 1.5 } no_shadow }  // b\n"));
+  CHECK(has(glass, "object { sphere { <0, 0, 0>, 1 } no_image no_reflection }  // its shadow\n"));
+}
+
+TEST_CASE("a base beyond binary64 is counted, and what POV-Ray has no place for") {
+  const io::Exported out = exported(R"("camera":{"eye":[0,0,-5],"look_at":[0,0,0],"up":[0,1,0],"fov_y":90},"elementos":[
+    {"id":"k","tipo":"cono","centro":[1,0,0],"proporcion":1e300,"vector":[0,1,0],"altura":1e300}])");
+  CHECK(out.lost == std::vector<std::string>{"1 element left out: the radius of its base is beyond binary64"});
+  CHECK_FALSE(has(out, "object"));
+}

@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+"""povray_pictures.py DURERO ROOT: POV-Ray draws what `durero export` writes for it as `durero render` draws the scene.
+
+Both draw one ray a pixel through its centre and go through the curve of sRGB. What may differ, and does:
+- a pixel whose ray comes near an edge, in sight, in a mirror or in glass, or whose shadow ray does: POV-Ray's rays have other
+  last digits, start off their surface by a distance of its own, and miss what is nearer than that;
+- a byte by one, where a component lies near the middle of two.
+So the share of the pixels with a component that is off by more than OFF steps of 255 must be below FEW, and all others
+are alike; where they stand is said, and with a third argument drawn there, as a grey PGM. Exit status 77 (skipped) where
+POV-Ray is absent (Debian: povray).
+"""
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import zlib
+
+OFF, FEW = 2, 0.01
+WIDTH, HEIGHT = 320, 180
+SCENES = ["mirrors", "still-life"]
+
+
+def png_pixels(data):
+    """The bytes of an 8-bit RGB PNG without its filters (PNG, 9.2)."""
+    at, packed, width, height = 8, b"", 0, 0
+    while at < len(data):
+        length, kind = int.from_bytes(data[at : at + 4], "big"), data[at + 4 : at + 8]
+        body = data[at + 8 : at + 8 + length]
+        if kind == b"IHDR":
+            width, height = int.from_bytes(body[:4], "big"), int.from_bytes(body[4:8], "big")
+        packed += body if kind == b"IDAT" else b""
+        at += 12 + length
+    raw, pixels, before, size = zlib.decompress(packed), bytearray(), bytes(3 * width), 3 * width
+    for y in range(height):
+        how, row = raw[y * (size + 1)], bytearray(raw[y * (size + 1) + 1 : (y + 1) * (size + 1)])
+        for i in range(size):
+            a, b, c = (row[i - 3] if i >= 3 else 0), before[i], (before[i - 3] if i >= 3 else 0)
+            paeth = min((abs(b - c), 0, a), (abs(a - c), 1, b), (abs(a + b - 2 * c), 2, c))[2]
+            row[i] = (row[i] + (0, a, b, (a + b) // 2, paeth)[how]) % 256
+        pixels += row
+        before = row
+    return bytes(pixels)
+
+
+def ppm_pixels(data):
+    return data[-3 * WIDTH * HEIGHT :]
+
+
+def drawn(durero, scene, folder):
+    size = f"{WIDTH}x{HEIGHT}"
+    subprocess.run([durero, "render", scene, "-o", folder / "here.png", "--size", size], check=True)
+    subprocess.run([durero, "export", scene, "-o", folder / "scene.pov"], check=True, capture_output=True)
+    call = ["povray", "+Iscene.pov", "+Othere.ppm", "+FP8", f"+W{WIDTH}", f"+H{HEIGHT}", "-A", "-D", "File_Gamma=sRGB"]
+    said = subprocess.run(call, cwd=folder, capture_output=True, text=True)
+    if said.returncode != 0:
+        sys.exit(f"{scene}: povray refuses what was exported:\n{said.stderr[-3000:]}")
+    return png_pixels((folder / "here.png").read_bytes()), ppm_pixels((folder / "there.ppm").read_bytes())
+
+
+def compare(name, here, there, into):
+    steps = [max(abs(here[i + k] - there[i + k]) for k in range(3)) for i in range(0, len(here), 3)]
+    off = [i for i, step in enumerate(steps) if step > OFF]
+    share = len(off) / len(steps)
+    print(f"{name}: {len(off)} of {len(steps)} pixels off by more than {OFF} of 255 ({100 * share:.2f} %), {sum(s > 0 for s in steps)} not the same")
+    for i in off[:8]:
+        print(f"  ({i % WIDTH}, {i // WIDTH}): here {tuple(here[3 * i : 3 * i + 3])}, POV-Ray {tuple(there[3 * i : 3 * i + 3])}")
+    if into:
+        pathlib.Path(into, f"{name}.pgm").write_bytes(b"P5 %d %d 255\n" % (WIDTH, HEIGHT) + bytes(steps))
+    return share < FEW and len(set(here)) > 50
+
+
+def main():
+    if shutil.which("povray") is None:
+        print("skipped: POV-Ray is absent (Debian: povray)")
+        sys.exit(77)
+    alike = True
+    for name in SCENES:
+        with tempfile.TemporaryDirectory() as folder:
+            here, there = drawn(sys.argv[1], pathlib.Path(sys.argv[2], "demo", name + ".json"), pathlib.Path(folder))
+        alike &= compare(name, here, there, sys.argv[3] if len(sys.argv) > 3 else None)
+    sys.exit(0 if alike else 1)
+
+
+main()

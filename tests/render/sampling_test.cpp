@@ -1,0 +1,186 @@
+#include "durero/render/sampling.hpp"
+
+#include <tbb/global_control.h>
+
+#include <cmath>
+#include <glm/common.hpp>
+#include <set>
+
+#include "durero/render/render.hpp"
+#include "render/lit_ball.hpp"
+#include "render/points.hpp"
+#include "render/statistical.hpp"
+#include "support/catch.hpp"
+
+using namespace durero;
+using render::Sampling;
+
+namespace {
+
+/// A lit ball and a mirror over a floor, before a background: edges, a shadow's edge, and smooth shades.
+scene::Scene stage() {
+  scene::Scene scene = test::lit_ball();
+  scene.stage().materials.push_back({.name = "silver", .color = {0.2, 0.2, 0.2}, .k_ps = 0.7});
+  scene.apply(model::Agregar_Esfera{model::Elemento("mirror"), {1.6, -0.4, 0.4}, 0.6});
+  scene.set_material(*scene.find("mirror"), 1);
+  scene.apply(model::Agregar_Plano{model::Elemento("floor"), {0, -1, 0}, {0, 1, 0}});
+  scene.stage().background = glm::dvec3(0.2, 0.4, 0.8);
+  scene.stage().camera = scene::Camera{{0, 1, -6}, {0.4, -0.2, 0}, {0, 1, 0}, 45};
+  scene.stage().resolution = scene::Resolution{64, 48};
+  return scene;
+}
+
+double squared_error(const render::Picture& picture, const render::Picture& truth) {
+  double squares = 0;
+  for (std::size_t i = 0; i < truth.rgb.size(); ++i)
+    for (int k = 0; k < 3; ++k) squares += std::pow(picture.rgb[i][k] - truth.rgb[i][k], 2);
+  return squares / (3 * double(truth.rgb.size()));
+}
+
+}  // namespace
+
+TEST_CASE("a grid has the centres of equal squares, of one the centre exactly") {
+  CHECK(render::in_grid(1, 0) == glm::dvec2(0));
+  CHECK(render::in_grid(2, 0) == glm::dvec2(-0.25, -0.25));
+  CHECK(render::in_grid(2, 1) == glm::dvec2(0.25, -0.25));
+  CHECK(render::in_grid(3, 4) == glm::dvec2(0));
+  CHECK(render::in_grid(4, 15) == glm::dvec2(0.375, 0.375));
+}
+
+TEST_CASE("strata have a point in each square, elsewhere in each pixel") {
+  std::set<double> places;
+  for (std::uint32_t pixel = 0; pixel < 50; ++pixel)
+    for (std::uint32_t i = 0; i < 16; ++i) {
+      const glm::dvec2 p = render::in_strata(4, i, render::key_of(pixel, 3, 0)), from = p - render::in_grid(4, i);
+      CHECK((std::abs(from.x) <= 0.125 && std::abs(from.y) <= 0.125));
+      places.insert(from.x);
+    }
+  CHECK(places.size() == 800);
+}
+
+TEST_CASE("of the first 2^m points of a net one lies in each rectangle of 2^-a by 2^-b, a + b = m") {
+  for (std::uint32_t set = 0; set < 20; ++set) {
+    const std::uint64_t key = render::key_of(7, set, set);
+    for (std::uint32_t m = 0; m <= 10; ++m)
+      for (std::uint32_t a = 0; a <= m; ++a) {
+        std::set<std::pair<double, double>> taken;
+        for (std::uint32_t i = 0; i < 1U << m; ++i) {
+          const glm::dvec2 p = render::in_net(i, key) + 0.5;
+          taken.emplace(std::floor(std::ldexp(p.x, int(a))), std::floor(std::ldexp(p.y, int(m - a))));
+        }
+        CHECK(taken.size() == 1U << m);
+      }
+  }
+}
+
+TEST_CASE("a scrambled point is anywhere: its mean and its spread over the keys are those of the square") {
+  for (const std::uint32_t i : {0U, 1U, 5U, 1000U}) {
+    glm::dvec2 sum(0), squares(0);
+    constexpr std::uint32_t keys = 20000;
+    for (std::uint32_t key = 0; key < keys; ++key) {
+      const glm::dvec2 p = render::in_net(i, render::key_of(key, 1, 2));
+      sum += p;
+      squares += p * p;
+    }
+    // Standard errors: of the mean √(1/12/20000) = 0.00204, of the mean square √(1/180/20000) = 0.00053; four of each.
+    for (int k = 0; k < 2; ++k) {
+      CHECK(std::abs(sum[k] / keys) < 0.0082);
+      CHECK(std::abs(squares[k] / keys - 1.0 / 12) < 0.0021);
+    }
+  }
+}
+
+TEST_CASE("the factor is Student's t of four degrees of freedom over the root of five") {
+  // One look, no more: a tail of 0.05/6 for each component. Tables: t(4, 0.005) = 4.604, t(4, 0.01) = 3.747.
+  const double factor = render::half_width_factor(0.95, 1);
+  CHECK(factor * std::sqrt(5) > 3.747);
+  CHECK(factor * std::sqrt(5) < 4.604);
+  CHECK(render::half_width_factor(1 - 0.06, 1) * std::sqrt(5) == Approx(3.747).epsilon(1e-3));
+  CHECK(render::half_width_factor(1 - 0.06, 2) * std::sqrt(5) == Approx(4.604).epsilon(1e-3));
+}
+
+TEST_CASE("the deviation of five means is that of the textbook, by component") {
+  render::Estimate estimate{.points = 2};
+  for (std::uint32_t r = 0; r < render::replicas; ++r) estimate.sums[r] = {2.0 * r, 7, 0.2 * r};
+  // 0, 1, 2, 3, 4: the squares about the mean sum to 10, over 4.
+  CHECK(render::deviation(estimate).x == Approx(std::sqrt(2.5)));
+  CHECK(render::deviation(estimate).y == 0);
+  CHECK(render::deviation(estimate).z == Approx(0.1 * std::sqrt(2.5)));
+}
+
+TEST_CASE("one sample in a grid is the picture of one ray, and more are the mean of theirs") {
+  const scene::Scene scene = stage();
+  const auto engine = engine::find("analytic")->prepare(scene);
+  render::Reach reach;
+  const render::Frame four{.size = scene::Resolution{8, 6}, .samples = {.most = 4}};
+  const render::Picture picture = render::render(scene, *engine, {}, four, &reach);
+  CHECK(reach.samples == 8 * 6 * 4);
+  const render::Picture fine = render::render(scene, *engine, {}, {.size = scene::Resolution{16, 12}});
+  for (std::size_t y = 0; y < 6; ++y)
+    for (std::size_t x = 0; x < 8; ++x) {
+      const auto of = [&](std::size_t dx, std::size_t dy) { return fine.rgb[(2 * y + dy) * 16 + 2 * x + dx].y; };
+      CHECK(picture.rgb[y * 8 + x].y == Approx((of(0, 0) + of(1, 0) + of(0, 1) + of(1, 1)) / 4).margin(1e-9));
+    }
+}
+
+TEST_CASE("every sampling gives a pixel the same bytes, whatever the threads, the engine and the crop") {
+  const scene::Scene scene = stage();
+  const auto engine = engine::find("exact")->prepare(scene), other = engine::find("fast")->prepare(scene);
+  for (const Sampling sampling : {Sampling::grid, Sampling::stratified, Sampling::statistical}) {
+    const render::Samples samples{.sampling = sampling, .most = 16, .width = 0.1};
+    const render::Frame whole{.size = scene::Resolution{24, 18}, .samples = samples};
+    const render::Picture picture = render::render(scene, *engine, {}, whole);
+    for (const std::size_t threads : {1, 3}) {
+      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+      CHECK(render::render(scene, *other, {}, whole).rgb == picture.rgb);
+    }
+    const render::Frame part{.size = whole.size, .crop = render::Crop{5, 7, {9, 4}}, .samples = samples};
+    const render::Picture crop = render::render(scene, *other, {}, part);
+    for (std::size_t y = 0; y < 4; ++y)
+      for (std::size_t x = 0; x < 9; ++x) CHECK(crop.rgb[y * 9 + x] == picture.rgb[(7 + y) * 24 + 5 + x]);
+  }
+}
+
+TEST_CASE("what is even takes one ray of each replica and the corners, and what never settles is in doubt") {
+  scene::Scene scene = test::lit_ball();
+  scene.stage().camera = scene::Camera{{0, 0, -5}, {0, 0, -9}, {0, 1, 0}, 45};  // away from it
+  const auto engine = engine::find("analytic")->prepare(scene);
+  render::Frame frame{.size = scene::Resolution{8, 4}, .samples = {.sampling = Sampling::statistical, .most = 40}};
+  render::Reach reach;
+  render::render(scene, *engine, {}, frame, &reach);
+  CHECK(reach.samples == 8 * 4 * render::replicas + 9 * 5);
+  CHECK(reach.in_doubt == 0);
+  scene.stage().camera = scene::Camera{{0, 2, -5}, {0, 0, 0}, {0, 1, 0}, 45};
+  frame.samples.width = 1e-9;
+  render::render(scene, *engine, {}, frame, &reach);
+  CHECK(reach.in_doubt > 0);
+  CHECK(reach.in_doubt < reach.pixels);
+  CHECK(reach.samples <= reach.pixels * 40 + 9 * 5);
+}
+
+TEST_CASE("as many pixels as the confidence says are within the width, and it takes less than four tenths of a grid") {
+  const scene::Scene scene = stage();
+  const auto engine = engine::find("fast")->prepare(scene);
+  const auto drawn = [&](const render::Samples& samples, render::Reach* reach = nullptr) {
+    return render::render(scene, *engine, {}, {.crop = render::Crop{12, 10, {40, 32}}, .samples = samples}, reach);
+  };
+  const render::Picture truth = drawn({.most = 4096});
+  const double grid = squared_error(drawn({.most = 64}), truth);
+  const render::Samples samples{.sampling = Sampling::statistical, .most = 1280, .width = 0.12, .confidence = 0.95};
+  render::Reach reach;
+  const render::Picture picture = drawn(samples, &reach);
+  const double rays = double(reach.samples) / double(reach.pixels), error = squared_error(picture, truth);
+  std::size_t off = 0;
+  for (std::size_t i = 0; i < truth.rgb.size(); ++i) {
+    const glm::dvec3 by = glm::abs(picture.rgb[i] - truth.rgb[i]);
+    off += by.x > samples.width || by.y > samples.width || by.z > samples.width;
+  }
+  INFO("RMS error of 64 rays in a grid " << std::sqrt(grid) << ", of " << rays << " by statistics " << std::sqrt(error)
+                                         << "; " << off << " of " << truth.rgb.size() << " pixels off by more than "
+                                         << samples.width);
+  CHECK(error <= grid);
+  CHECK(rays <= 0.4 * 64);
+  // At most 5 in 100, and three standard errors of the count.
+  const double pixels = double(truth.rgb.size());
+  CHECK(double(off) <= 0.05 * pixels + 3 * std::sqrt(0.05 * 0.95 * pixels));
+}
