@@ -81,7 +81,8 @@ int run(const RenderOptions& options) {
     throw std::invalid_argument(fmt::format("{}: not a picture's name; expected OUT.png", options.out));
   const ThreadLimit limit(options.threads);
   io::OutputFile out(options.out);
-  const Asked asked = asked_of(options.scene, options.engine, options.hierarchy, options.with, frame_of(options).size);
+  const Asked asked =
+      asked_of(options.scene, options.engine, options.hierarchy, options.with, frame_of(options).size, Pictures::read);
   const scene::Scene& scene = asked.scene();
   asked.require_origins("shadow rays start on elements");
   Progress progress(options.quiet, "render");
