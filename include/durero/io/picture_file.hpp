@@ -24,8 +24,8 @@ double linear_light(std::uint8_t srgb) noexcept;
 
 /// The picture in the bytes of a PNG or JPEG file, by its first bytes. Of 8 bits its values are read by the curve:
 /// `linear` takes them as they stand, of 255. Of 16 bits they are what libpng takes for linear light, whatever the
-/// curve. What is transparent lies before black. Throws PictureError where the bytes are neither, where they end early,
-/// and where they are more than most_texels.
+/// curve. What is transparent lies before black. Throws PictureError where the bytes are neither, where texels are
+/// missing, and where they are more than most_texels.
 scene::Picture picture_of(std::string_view bytes, scene::Curve curve);
 
 /// Reads every picture that the textures and the environment of a scene name, from the folder that the scene's file is

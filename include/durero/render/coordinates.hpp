@@ -19,15 +19,15 @@ namespace durero::render {
 
 /// Where on its surface a point lies.
 struct Coordinates {
-  double u;
-  double v;
+  double u;  ///< across, or around
+  double v;  ///< upwards, or along
   bool operator==(const Coordinates&) const = default;
 };
 
 /// ∂f_p/∂u and ∂f_p/∂v: tangent and bitangent. Their cross product is on the outer side, and null at a pole.
 struct Tangents {
-  glm::dvec3 u;
-  glm::dvec3 v;
+  glm::dvec3 u;  ///< where u grows
+  glm::dvec3 v;  ///< where v grows
 };
 
 /// Two unit vectors across d that make a right-handed frame with it, first the direction of angle 0: of the axes of

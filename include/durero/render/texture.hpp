@@ -13,8 +13,8 @@ namespace durero::render {
 
 /// How the texels of a picture go on beyond its edges, across and upwards.
 struct Beyond {
-  scene::Edges across = scene::Edges::repeat;
-  scene::Edges upwards = scene::Edges::repeat;
+  scene::Edges across = scene::Edges::repeat;   ///< to the left and right
+  scene::Edges upwards = scene::Edges::repeat;  ///< above and below
 };
 
 /// The texel that (x, y) lies in, a unit square being the picture, y upwards. Precondition: the picture has texels.
