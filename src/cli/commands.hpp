@@ -33,6 +33,7 @@ void add_check(CLI::App& app, int& status);
 void add_edit(CLI::App& app, int& status);
 void add_trace(CLI::App& app, int& status);
 void add_render(CLI::App& app, int& status);
+void add_environment(CLI::App& app, int& status);
 void add_stats(CLI::App& app, int& status);
 void add_voxelise(CLI::App& app, int& status);
 void add_engines(CLI::App& app, int& status);

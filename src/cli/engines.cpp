@@ -11,6 +11,7 @@
 #include "commands.hpp"
 #include "description.hpp"
 #include "durero/io/groups_file.hpp"
+#include "durero/io/picture_file.hpp"
 #include "durero/io/scene_file.hpp"
 #include "durero/io/standard_output.hpp"
 #include "numbers.hpp"
@@ -101,14 +102,20 @@ void add_with(CLI::App& command, std::string& file) {
 }
 
 Asked asked_of(const std::string& file, std::string_view engine, std::string_view hierarchy, const std::string& with,
-               std::optional<scene::Resolution> resolution) {
+               std::optional<scene::Resolution> resolution, Pictures pictures) {
   Asked asked;
+  const io::Source source = io::read_source(file);
+  const auto read_pictures = [&](scene::Scene& scene) {
+    if (pictures == Pictures::read) io::read_pictures(source, scene.stage());
+  };
   if (!with.empty()) {
-    asked.written_ = written::read(io::read_source(file), written::Text(with));
+    asked.written_ = written::read(source, written::Text(with));
+    read_pictures(asked.written_->scene);
     if (resolution) asked.written_->scene.stage().resolution = resolution;
     return asked;
   }
-  auto input = std::make_unique<scene::GroupedScene>(io::read_grouped_scene(io::read_source(file)));
+  auto input = std::make_unique<scene::GroupedScene>(io::read_grouped_scene(source));
+  read_pictures(input->scene);
   if (resolution) input->scene.stage().resolution = resolution;
   asked.row_ = engine::find(engine);
   asked.ready_ = prepared(*asked.row_, hierarchy, *input);

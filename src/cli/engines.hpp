@@ -28,6 +28,12 @@ void add_with(CLI::App& command, std::string& file);
 std::unique_ptr<const engine::Engine> prepared(const engine::Row& engine, std::string_view hierarchy,
                                                const scene::GroupedScene& input);
 
+/// What is done with the pictures that a scene names.
+enum class Pictures : bool {
+  left,  ///< nothing: no ray needs them
+  read   ///< they are read, for colours
+};
+
 /// A scene, and what answers rays on it: an engine of the table, or a Z text.
 class Asked {
  public:
@@ -40,7 +46,7 @@ class Asked {
 
  private:
   friend Asked asked_of(const std::string&, std::string_view, std::string_view, const std::string&,
-                        std::optional<scene::Resolution>);
+                        std::optional<scene::Resolution>, Pictures);
   std::unique_ptr<const scene::GroupedScene> input_{};
   const engine::Row* row_ = nullptr;
   std::unique_ptr<const engine::Engine> ready_{};
@@ -50,7 +56,7 @@ class Asked {
 /// Reads the scene of that file and makes the engine ready for it, or the Z text `with`, where one is named. The
 /// resolution is the scene's where one is given: engines know pixels by it.
 Asked asked_of(const std::string& file, std::string_view engine, std::string_view hierarchy, const std::string& with,
-               std::optional<scene::Resolution> resolution = {});
+               std::optional<scene::Resolution> resolution = {}, Pictures pictures = Pictures::left);
 
 /// What to say where an engine that knows no origins is asked for rays that have one.
 std::string without_origins(const engine::Row& engine, std::string_view why);

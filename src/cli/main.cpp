@@ -45,7 +45,8 @@ int answer(const CLI::App& app, const CLI::Success& asked) {
 void add_commands(CLI::App& app, int& status) {
   using namespace durero::cli;
   for (const auto add : {add_check, add_edit, add_import, add_export}) add(app, status);
-  for (const auto add : {add_trace, add_render, add_engines, add_stats, add_voxelise, add_agree}) add(app, status);
+  for (const auto add : {add_trace, add_render, add_environment, add_engines, add_stats, add_voxelise, add_agree})
+    add(app, status);
   for (const auto add : {add_conform, add_spec}) add(app, status);
   for (const auto add : {add_version, add_man, add_completion}) add(app, status);
 }
@@ -56,7 +57,7 @@ void group_commands(CLI::App& app) {
     for (const char* name : names) app.get_subcommand(name)->group(title);
   };
   group("Scenes", {"check", "edit", "import", "export"});
-  group("Rays and pictures", {"trace", "render", "engines", "stats", "voxelise", "agree"});
+  group("Rays and pictures", {"trace", "render", "environment", "engines", "stats", "voxelise", "agree"});
   group("Other programs, and the specification", {"conform", "spec"});
   group("This program", {"version", "man", "completion"});
 }

@@ -46,7 +46,7 @@ class Drawing {
   explicit Drawing(const RenderOptions& options)
       : options_(options),
         frame_(frame_of(options)),
-        asked_(asked_of(options.scene, options.engine, options.hierarchy, options.with, frame_.size)) {
+        asked_(asked_of(options.scene, options.engine, options.hierarchy, options.with, frame_.size, Pictures::read)) {
     asked_.require_origins("shadow rays start on elements");
   }
 

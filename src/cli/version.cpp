@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <gmp.h>
 #include <hwy/highway.h>
+#include <jconfig.h>
 #include <png.h>
 #include <rapidjson/rapidjson.h>
 #include <tbb/version.h>
@@ -74,6 +75,7 @@ Pairs libraries() {
           {"fmt", of_parts(FMT_VERSION, 10'000, 100, 100)},
           {"libpng", png_get_libpng_ver(nullptr)},
           {"OpenEXR", OPENEXR_VERSION_STRING},
+          {"libjpeg-turbo", of_parts(LIBJPEG_TURBO_VERSION_NUMBER, 1'000'000, 1000, 1000)},
           {"RapidJSON", RAPIDJSON_VERSION_STRING},
           {"CLI11", CLI11_VERSION},
           {"CGAL", CGAL_VERSION_STR},

@@ -15,6 +15,7 @@
 #include "durero/contract/contract.hpp"
 #include "durero/io/json.hpp"
 #include "durero/io/json_writer.hpp"
+#include "texture_fields.hpp"
 
 namespace durero::io {
 
@@ -57,6 +58,12 @@ inline void read_json(json::Reader& in, std::string_view what, std::array<glm::d
   value = in.three_points(what);
 }
 
+/// Writes a member of an object. What is no value of JSON alone has one of its own.
+template <class Value>
+void write_member(json::Writer& out, std::string_view key, const Value& value) {
+  out.member(key, value);
+}
+
 /// Every field of a table.
 inline constexpr std::size_t all_fields = std::numeric_limits<std::size_t>::max();
 
@@ -84,7 +91,7 @@ void write_fields(json::Writer& out, const std::tuple<Field<Part, Value>...>& fi
   const Part fresh{};
   std::size_t i = 0;
   const auto write = [&](const auto& field) {
-    if (i++ < required || part.*field.member != fresh.*field.member) out.member(field.key, part.*field.member);
+    if (i++ < required || part.*field.member != fresh.*field.member) write_member(out, field.key, part.*field.member);
   };
   out.begin_object();
   std::apply([&](const auto&... field) { (write(field), ...); }, fields);

@@ -9,6 +9,7 @@
 #include "element_reader.hpp"
 #include "groups_reader.hpp"
 #include "stage_reader.hpp"
+#include "texture_fields.hpp"
 
 namespace durero::io {
 namespace {
@@ -24,11 +25,13 @@ enum Key : std::size_t {
   directional_lights,
   materials,
   max_depth,
-  groups
+  groups,
+  textures,
+  environment
 };
-constexpr std::string_view scene_keys[] = {"format",     "version",    "elementos", "camera",
-                                           "resolution", "background", "lights",    "directional_lights",
-                                           "materials",  "max_depth",  "groups"};
+constexpr std::string_view scene_keys[] = {"format",     "version",  "elementos",          "camera",    "resolution",
+                                           "background", "lights",   "directional_lights", "materials", "max_depth",
+                                           "groups",     "textures", "environment"};
 constexpr std::size_t required_scene_keys = 3;
 
 class SceneReader {
@@ -52,10 +55,12 @@ class SceneReader {
     in.object("a scene", scene_keys, required_scene_keys, [&](std::size_t key) {
       const bool is_right = read_or_pass(in, [&] { read_part(in, static_cast<Key>(key)); });
       if (key == materials) materials_are_known_ = is_right;
+      if (key == textures) textures_are_known_ = is_right;
     });
     if (elements_are_known_) attempt([&] { make_groups(in, groups_, scene_); });
     if (!materials_are_known_) return;
     for (const MaterialUse& use : uses_) attempt([&] { set_material(in, use); });
+    if (textures_are_known_) attempt([&] { check_texture_names(document, scene_.stage()); });
   }
 
   /// False where what is read is wrong.
@@ -116,6 +121,12 @@ class SceneReader {
         return;
       case groups:
         groups_ = read_written_groups(in);
+        return;
+      case textures:
+        stage.textures = read_textures(in);
+        return;
+      case environment:
+        stage.environment = read_environment(in);
     }
   }
 
@@ -126,7 +137,17 @@ class SceneReader {
       in.fail(use.material.offset, fmt::format("unknown material {}", text::shown(use.material.value)),
               "expected one of the scene's materials");
     }
+    if ((found->textures.any() || found->bump) && is_written(use.element)) {
+      in.fail(use.material.offset, fmt::format("material {} has textures", text::shown(use.material.value)),
+              "expected one without: what a text declares has no coordinates (u, v)");
+    }
     scene_.set_material(scene_.find(use.element).value(), static_cast<std::uint32_t>(found - all.begin()));
+  }
+
+  /// Whether the element is of a type that a Z text declares.
+  bool is_written(std::string_view element) const {
+    return written_.elements != nullptr &&
+           std::ranges::find(*written_.elements, element, &WrittenElement::id) != written_.elements->end();
   }
 
   std::vector<InputError>* errors_;
@@ -134,7 +155,8 @@ class SceneReader {
   scene::Scene scene_;
   std::vector<MaterialUse> uses_;
   std::vector<WrittenGroup> groups_;
-  bool materials_are_known_ = true, elements_are_known_ = true;  // otherwise nothing is said of who names them
+  bool materials_are_known_ = true, textures_are_known_ = true,
+       elements_are_known_ = true;  // otherwise nothing is said of who names them
 };
 
 }  // namespace

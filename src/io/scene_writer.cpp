@@ -27,6 +27,12 @@ void write_stage(json::Writer& out, const scene::Stage& stage) {
   if (stage.background) out.new_line().member("background", *stage.background);
   write_lights(out, "lights", stage.lights, light_fields);
   write_lights(out, "directional_lights", stage.directional_lights, directional_light_fields);
+  if (stage.environment) write_environment(out.new_line().key("environment"), *stage.environment);
+  if (!stage.textures.empty()) {
+    out.new_line().key("textures").begin_object();
+    for (const scene::Texture& texture : stage.textures) write_texture(out.new_line().key(texture.name), texture);
+    out.end_object();
+  }
   if (!stage.materials.empty()) {
     out.new_line().key("materials").begin_object();
     for (const scene::Material& material : stage.materials) {

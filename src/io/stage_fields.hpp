@@ -20,6 +20,14 @@ inline bool is_share(const glm::dvec3& c) { return is_color(c) && c.x <= 1 && c.
 inline constexpr int most_pixels = 65535;
 
 inline constexpr Rule<glm::dvec3> direction{is_direction, "the null vector", "a direction"};
+template <class Value>
+bool is_any(const Value&) {
+  return true;
+}
+/// Of what is read whole, with its own errors.
+template <class Value>
+inline constexpr Rule<Value> as_read{is_any<Value>, "", ""};
+
 inline constexpr Rule<double> view_angle{is_view_angle, "", "an angle in degrees, above 0 and below 180"};
 inline constexpr Rule<glm::dvec3> light_color{is_color, "negative", "red, green and blue, each from 0"};
 inline constexpr Rule<glm::dvec3> share{is_share, "no share of light", "red, green and blue, each from 0 to 1"};
@@ -59,7 +67,9 @@ inline constexpr std::tuple material_fields = {
     Field<Material, glm::dvec3>{"M_T", &Material::M_T, share, &model::Material_inv_8},
     Field<Material, double>{"index", &Material::index, refractive_index, &model::Material_inv_12},
     Field<Material, glm::dvec3>{"emission", &Material::emission, light_color, &model::Material_inv_9},
-    Field<Material, glm::dvec3>{"ambient", &Material::ambient, light_color, &model::Material_inv_10}};
+    Field<Material, glm::dvec3>{"ambient", &Material::ambient, light_color, &model::Material_inv_10},
+    Field<Material, scene::TextureUses>{"textures", &Material::textures, as_read<scene::TextureUses>},
+    Field<Material, std::optional<scene::Bump>>{"bump", &Material::bump, as_read<std::optional<scene::Bump>>}};
 /// The first of them stands in every material.
 inline constexpr std::size_t required_of_material = 1;
 

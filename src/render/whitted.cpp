@@ -9,6 +9,8 @@
 
 #include "durero/model/tipos.hpp"
 #include "durero/render/directions.hpp"
+#include "durero/render/environment.hpp"
+#include "looks.hpp"
 #include "media.hpp"
 
 namespace durero::render {
@@ -21,6 +23,7 @@ struct Path {
   std::uint32_t depth;
   scene::Query query;
   Media media;
+  double way = 0;  ///< how long it is from the eye to where this ray starts
 };
 
 /// Where a path meets a surface.
@@ -29,7 +32,9 @@ struct Meeting {
   const scene::Hit& hit;
   const scene::Material& material;
   glm::dvec3 normal;  ///< the unit normal on the side of the ray
+  glm::dvec3 facing;  ///< the same, as a relief turns it
   glm::dvec3 d;       ///< the unit direction of the ray
+  double way;         ///< how long it is from the eye to here
 };
 
 /// The element whose look a point has: the first by name.
@@ -43,13 +48,15 @@ const scene::Material& material_of(const scene::Scene& scene, std::optional<std:
   return index ? scene.stage().materials[*index] : plain;
 }
 
-/// S's factor in the local model: what of a light of that unit direction is sent towards the ray.
+/// S's factor in the local model: what of a light of that unit direction is sent towards the ray. No relief sees a
+/// light that the surface has its back to.
 glm::dvec3 sent(const Meeting& at, const glm::dvec3& l, double cosine) {
   const scene::Material& m = at.material;
+  if (!(glm::dot(l, at.normal) > 0)) cosine = 0;
   glm::dvec3 sum = m.color * (m.k_a + m.k_d * std::max(0.0, cosine));
   if (m.k_s > 0 && cosine > 0) {
     // r·v, both taken the other way around: l goes on from the mirror as −r, and d is −v.
-    const double towards = glm::dot(mirrored(l, at.normal), at.d);
+    const double towards = glm::dot(mirrored(l, at.facing), at.d);
     sum += glm::dvec3(m.k_s * std::pow(std::max(0.0, towards), m.e));
   }
   return sum;
@@ -108,7 +115,8 @@ std::vector<glm::dvec3> most_brought(const scene::Stage& stage, const Limits& li
     own = glm::max(own, m.emission + m.ambient + lights * (m.color * (m.k_a + m.k_d) + m.k_s));
     on = glm::max(on, sent_on(m));
   }
-  const glm::dvec3 background = stage.background.value_or(default_background);
+  const glm::dvec3 background =
+      stage.environment ? most_of(*stage.environment) : stage.background.value_or(default_background);
   std::vector<glm::dvec3> most{glm::dvec3(0)};
   while (most.size() <= limits.max_depth) most.push_back((1 + 0x1p-30) * glm::max(background, own + on * most.back()));
   return most;
@@ -117,7 +125,12 @@ std::vector<glm::dvec3> most_brought(const scene::Stage& stage, const Limits& li
 class Tracer {
  public:
   Tracer(const scene::Scene& scene, const engine::Engine& engine, const Limits& limits, std::span<Brought> sums)
-      : scene_(scene), engine_(engine), limits_(limits), most_(most_brought(scene.stage(), limits)), sums_(sums) {}
+      : scene_(scene),
+        engine_(engine),
+        limits_(limits),
+        looks_(scene.stage()),
+        most_(most_brought(scene.stage(), limits)),
+        sums_(sums) {}
 
   void follow(std::span<const scene::Query> rays) {
     waiting_.resize(rays.size());
@@ -155,7 +168,7 @@ class Tracer {
     ++sum.rays;
     sum.depth = std::max(sum.depth, path.depth);
     if (hit.resultado != model::Resultado::hit) {
-      sum.color += path.weight * scene_.stage().background.value_or(default_background);
+      sum.color += path.weight * from_nowhere(path.query.rayo.v().xyz());
       return;
     }
     const scene::ElementRef element = front(scene_, hit.elementos);
@@ -163,12 +176,26 @@ class Tracer {
     glm::dvec3 n = engine_.normal(scene_, element, hit.punto);
     const glm::dvec3 d = unit(path.query.rayo.v().xyz());
     const bool enters = !(glm::dot(n, d) > 0);
-    if (!enters) n = -n;  // the side that the ray sees: cylinders and cones are open
-    const Meeting at{path, hit, material_of(scene_, index), n, d};
+    const double way = path.way + glm::distance(path.query.rayo.p().xyz(), hit.punto);
+    std::optional<scene::Material> look;
+    glm::dvec3 facing = n;
+    if (const Worn* worn = looks_.of(index)) {
+      const Coordinates coordinates = render::coordinates(scene_, element, hit.punto);
+      look = worn->look(coordinates, way);
+      facing = worn->normal(tangents(scene_, element, coordinates), n, coordinates);
+    }
+    if (!enters) n = -n, facing = -facing;       // the side that the ray sees: cylinders and cones are open
+    if (!(glm::dot(facing, d) < 0)) facing = n;  // a slope that is turned away is not seen
+    const Meeting at{path, hit, look ? *look : material_of(scene_, index), n, facing, d, way};
     sum.color += path.weight * (at.material.emission + at.material.ambient);
     ask_lights(at, shadows);
     if (path.depth == limits_.max_depth || !at.material.sends_rays_on()) return;
     send_on(at, *index, enters);
+  }
+
+  glm::dvec3 from_nowhere(const glm::dvec3& v) const {
+    const scene::Stage& stage = scene_.stage();
+    return stage.environment ? environment_at(*stage.environment, v) : stage.background.value_or(default_background);
   }
 
   void ask_lights(const Meeting& at, Shadows& shadows) const {
@@ -176,13 +203,13 @@ class Tracer {
       const glm::dvec3 to_light = light.position - at.hit.punto;
       if (to_light == glm::dvec3(0)) continue;  // a light in the very point
       const double length = glm::length(to_light);
-      const glm::dvec3 seen = sent(at, to_light / length, glm::dot(to_light, at.normal) / length);
+      const glm::dvec3 seen = sent(at, to_light / length, glm::dot(to_light, at.facing) / length);
       shadows.add(at.path.ray, at.path.weight * (light.color * seen),
                   {{model::Punto(at.hit.punto), model::Vector(to_light)}, at.hit.elementos}, Shadows::Way::segment);
     }
     for (const scene::DirectionalLight& light : scene_.stage().directional_lights) {
       const glm::dvec3 l = -unit(light.direction);
-      shadows.add(at.path.ray, at.path.weight * (light.color * sent(at, l, glm::dot(l, at.normal))),
+      shadows.add(at.path.ray, at.path.weight * (light.color * sent(at, l, glm::dot(l, at.facing))),
                   {{model::Punto(at.hit.punto), model::Vector(-light.direction)}, at.hit.elementos}, Shadows::Way::ray);
     }
   }
@@ -196,12 +223,20 @@ class Tracer {
       const bool was_in = enters || beyond.leave(material);
       if (enters) beyond.enter(material);
       const double ratio = (was_in ? here : m.index) / beyond.index(scene_.stage());
-      if (const auto t = refracted(at.d, at.normal, ratio))
+      if (const auto t = through(at, ratio))
         send(at, m.k_t * m.M_T, *t, std::move(beyond));
       else
         mirror += m.k_t * m.M_T;
     }
-    send(at, mirror, mirrored(at.d, at.normal), at.path.media);
+    const glm::dvec3 r = mirrored(at.d, at.facing);
+    send(at, mirror, glm::dot(r, at.normal) > 0 ? r : mirrored(at.d, at.normal), at.path.media);
+  }
+
+  /// The refracted direction. Where a relief sends it back through the surface, as the surface alone has it; likewise
+  /// the mirrored one.
+  static std::optional<glm::dvec3> through(const Meeting& at, double ratio) {
+    const auto t = refracted(at.d, at.facing, ratio);
+    return t && !(glm::dot(*t, at.normal) < 0) ? refracted(at.d, at.normal, ratio) : t;
   }
 
   void send(const Meeting& at, const glm::dvec3& share, const glm::dvec3& v, Media media) {
@@ -215,12 +250,14 @@ class Tracer {
                                      weight,
                                      at.path.depth + 1,
                                      {{model::Punto(at.hit.punto), model::Vector(v)}, at.hit.elementos},
-                                     std::move(media)});
+                                     std::move(media),
+                                     at.way});
   }
 
   const scene::Scene& scene_;
   const engine::Engine& engine_;
   const Limits limits_;
+  const Looks looks_;
   const std::vector<glm::dvec3> most_;  // that a ray brings, by how many it may still have in a row
   const std::span<Brought> sums_;
   std::vector<std::vector<Path>> waiting_;  // of each ray, the next ones last

@@ -60,6 +60,39 @@ inline glm::dvec3 any_share() {
   return {share(), share(), share()};
 }
 
+inline void set_any_textures(scene::Stage& stage) {
+  const auto flip = [] { return *rc::gen::arbitrary<bool>(); };
+  const auto number = [] { return *rc::gen::inRange(1, 1001) / 64.0; };
+  for (const char* name : {"\"", "b", "ñ"}) {
+    if (!flip()) continue;
+    scene::Texture& t = stage.textures.emplace_back();
+    t.name = name;
+    t.pattern = static_cast<scene::Pattern>(*rc::gen::inRange<std::size_t>(0, scene::pattern_words.size()));
+    t.repeat = {number(), number()};
+    if (t.pattern != scene::Pattern::image) {
+      t.colors = {any_share(), any_share()};
+      continue;
+    }
+    t.image.file = "a\\b.png";
+    t.filter = static_cast<scene::Filter>(*rc::gen::inRange<std::size_t>(0, scene::filter_words.size()));
+    if (t.filter == scene::Filter::mipmap) t.near = number();
+    if (flip()) t.edges = scene::Edges::clamp;
+    if (flip()) t.curve = scene::Curve::linear;
+  }
+  for (scene::Material& m : stage.materials) {
+    for (const scene::Texture& t : stage.textures) {
+      if (flip()) m.textures.names[*rc::gen::inRange<std::size_t>(0, m.textures.names.size())] = t.name;
+      if (flip()) m.bump = scene::Bump{t.name, number() - 8, flip() ? std::optional(number()) : std::nullopt};
+    }
+  }
+  if (flip()) {
+    scene::Environment& e = stage.environment.emplace();
+    e.kind = static_cast<scene::Surroundings>(*rc::gen::inRange<std::size_t>(0, scene::surroundings_words.size()));
+    if (e.kind == scene::Surroundings::gradient) e.colors = {any_share(), 2.0 * any_share()};
+    e.pictures.assign(pictures_of(e.kind), {"sky.jpg"});
+  }
+}
+
 inline void set_any_stage(scene::Stage& stage) {
   const auto flip = [] { return *rc::gen::arbitrary<bool>(); };
   if (flip()) {
@@ -84,6 +117,7 @@ inline void set_any_stage(scene::Stage& stage) {
     m.e = share() * 100;
     m.index = share() + 0.5;
   }
+  set_any_textures(stage);
   if (flip()) stage.max_depth = *rc::gen::inRange(1U, 1001U);
 }
 

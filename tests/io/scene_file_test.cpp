@@ -36,9 +36,13 @@ const std::string sample = R"({"format":"durero-scene","version":1,
 {"position":[-1e+300,2,3],"color":[0,0,0.5]}],
 "directional_lights":[
 {"direction":[0,-1,2],"color":[0.5,0,1]}],
+"environment":{"gradient":[[0,0,0],[0.5,0.5,2]]},
+"textures":{
+"a":{"image":"a.png","repeat":[2,0.5],"filter":"mipmap","edges":"clamp","curve":"linear","near":3},
+"b":{"p6m":[[1,1,1],[0,0,0]]}},
 "materials":{
 "red":{"color":[1,0,0]},
-"rojo ñ":{"color":[1,0,0],"k_a":0.1,"k_d":0.2,"k_s":0.3,"e":20,"k_ps":0.4,"M_PS":[1,0.5,0],"k_t":0.5,"M_T":[0,1,1],"index":1.5,"emission":[2,0,0],"ambient":[0,0.1,0]}},
+"rojo ñ":{"color":[1,0,0],"k_a":0.1,"k_d":0.2,"k_s":0.3,"e":20,"k_ps":0.4,"M_PS":[1,0.5,0],"k_t":0.5,"M_T":[0,1,1],"index":1.5,"emission":[2,0,0],"ambient":[0,0.1,0],"textures":{"color":"a","k_s":"b"},"bump":{"texture":"a","height":-0.5,"delta":0.25}}},
 "max_depth":7,
 "elementos":[
 {"id":"c1","tipo":"cilindro","centro":[0,0,0],"radio":0.5,"vector":[0,1,0],"altura":2},
@@ -187,7 +191,7 @@ TEST_CASE("Errors of the other parts stand at their value or key") {
       {R"({"format":"durero-scene","version":1,"elementos":^{}})", "elementos is an object; expected an array"},
       {with_part(R"(^"elements":[])"),
        "unknown key \"elements\" in a scene; expected one of format, version, elementos, camera, resolution, "
-       "background, lights, directional_lights, materials, max_depth, groups"},
+       "background, lights, directional_lights, materials, max_depth, groups, textures, environment"},
       {with_part(camera + "^180}"), "fov_y is 180; expected an angle in degrees, above 0 and below 180"},
       {with_part(camera + "^0}"), "fov_y is 0; expected an angle in degrees, above 0 and below 180"},
       {with_part(R"("camera":^{"eye":[0,0,0]})"), "key \"look_at\" is missing in camera; expected it"},
@@ -266,4 +270,45 @@ TEST_CASE("Nesting a million deep is an error line") {
   CHECK(error_of(with_elements(closed)) == "f:2:14: an element is an array; expected an object");
   CHECK(error_of(with_elements(R"({"id":"a","tipo":"esfera","centro":)" + closed + "}")) ==
         "f:2:50: centro is an array; expected a number");
+}
+
+TEST_CASE("what is wrong with a texture, an environment or what a material has of them") {
+  const auto at = [](const std::string& part) {
+    return error_at("{\"format\":\"durero-scene\",\"version\":1,\"elementos\":[],\n" + part + "}");
+  };
+  const auto texture = [&](const std::string& text) { return at("\"textures\":{\"a\":" + text + "}"); };
+  const auto environment = [&](const std::string& text) { return at("\"environment\":" + text); };
+  const auto material = [&](const std::string& text) {
+    return at(R"("textures":{"a":{"checker":[[1,1,1],[0,0,0]]}},"materials":{"m":{"color":[1,1,1],)" + text + "}}");
+  };
+  CHECK(texture("^{}") == "a texture is made of nothing; expected one of image, checker, stripes, p6m, waves");
+  CHECK(texture(R"({"image":"a.png",^"waves":[[0,0,0],[1,1,1]]})") == "a texture is made of two things; expected one");
+  CHECK(texture(R"({"image":^""})") == "image is empty; expected the name of a PNG or JPEG file");
+  CHECK(texture(R"({"checker":[[1,1,1],[0,0,0]],^"filter":"linear"})") ==
+        "only an image has this key; expected none but repeat");
+  CHECK(texture(R"(^{"image":"a.png","filter":"mipmap"})") ==
+        "a mipmap lacks near; expected the distance up to which it is M₀");
+  CHECK(texture(R"(^{"image":"a.png","near":1})") == "near without a mipmap; expected \"filter\":\"mipmap\"");
+  CHECK(texture(R"({"image":"a.png","filter":^"cubic"})") ==
+        "filter is \"cubic\"; expected one of nearest, linear, mipmap");
+  CHECK(texture(R"({"image":"a.png","edges":^"mirror"})") == "edges is \"mirror\"; expected one of repeat, clamp");
+  CHECK(texture(R"({"image":"a.png","curve":^"gamma"})") == "curve is \"gamma\"; expected one of srgb, linear");
+  CHECK(texture(R"({"checker":[[1,1,1],^[0,0,2]]})") ==
+        "checker is no share of light; expected red, green and blue, each from 0 to 1");
+  CHECK(texture(R"({"checker":^[[1,1,1]]})") == "checker has 1 items; expected two colours");
+  CHECK(texture(R"({"checker":[[1,1,1],[1,1,1],^[1,1,1]]})") == "checker has a third item; expected two colours");
+  CHECK(texture(R"({"image":"a.png","repeat":[1,^0]})") == "repeat is 0; expected a number above 0");
+  CHECK(texture(R"({"image":"a.png","repeat":^[1]})") == "repeat has 1 items; expected two numbers above 0");
+  CHECK(at(R"("textures":{"a":{"image":"b"},^"a":{"image":"b"}})") == "texture \"a\" stands twice; expected it once");
+  CHECK(at(R"("textures":{^"":{"image":"b"}})") == "the name of a texture is empty; expected a name");
+  CHECK(environment("^{}") == "environment is nothing; expected one of gradient, box, spherical, equirectangular");
+  CHECK(environment(R"({"spherical":"a",^"box":[]})") == "environment is two things; expected one");
+  CHECK(environment(R"({"box":^["a","b"]})") == "box has 2 items; expected six pictures, +x, -x, +y, -y, +z, -z");
+  CHECK(environment(R"({"gradient":[[0,0,0],^[0,-1,0]]})") ==
+        "gradient is negative; expected red, green and blue, each from 0");
+  CHECK(material(R"("textures":{"color":^"b"})") == "unknown texture \"b\"; expected one of the scene's textures");
+  CHECK(material(R"("bump":{"texture":^"b"})") == "unknown texture \"b\"; expected one of the scene's textures");
+  CHECK(material(R"("bump":^{"height":1})") == "key \"texture\" is missing in bump; expected it");
+  CHECK(material(R"("bump":{"texture":"a","delta":^0})") == "delta is 0; expected a number above 0");
+  CHECK(material(R"("textures":{"k_a":^""})") == "k_a is empty; expected the name of a texture");
 }

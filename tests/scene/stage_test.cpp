@@ -46,4 +46,8 @@ TEST_CASE("stages are equal where every number of every part is") {
   CHECK(differs([](Stage& s) { s.lights.clear(); }));
   CHECK(differs([](Stage& s) { s.materials[0].name = "rot"; }));
   CHECK(differs([](Stage& s) { s.materials[0].color.x = 0; }));
+  CHECK(differs([](Stage& s) { s.materials[0].textures.names[0] = "a"; }));
+  CHECK(differs([](Stage& s) { s.materials[0].bump = Bump{"a"}; }));
+  CHECK(differs([](Stage& s) { s.textures = {{.name = "a"}}; }));
+  CHECK(differs([](Stage& s) { s.environment = Environment{}; }));
 }

@@ -43,6 +43,14 @@ def unknown_material(value):
     return any(material not in value.get("materials", {}) for material in values(value, "material"))
 
 
+def unknown_texture(value):
+    known = value.get("textures", {})
+    materials = value.get("materials", {}).values()
+    used = [name for material in materials for name in material.get("textures", {}).values()]
+    used += [material["bump"]["texture"] for material in materials if "bump" in material]
+    return any(name not in known for name in used)
+
+
 def no_forest(value):
     """Some member of a group is none of the scene's, or in two, or a group lies within itself."""
     groups = value.get("groups", {})
@@ -76,6 +84,7 @@ def classes(claim_ids, families):
             "vertices on one line": lambda s: any(map(on_one_line, values(s, "vertices"))),
             "eye at look_at": lambda s: "camera" in s and s["camera"]["eye"] == s["camera"]["look_at"],
             "unknown material": unknown_material,
+            "unknown texture": unknown_texture,
             "groups that are no forest": no_forest},
         "operation": {"unknown material": unknown_material_of_edit},
         "hit": {"unknown element": lambda h: not set(h["elementos"]) <= set(SCENE_IDS),

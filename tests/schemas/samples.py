@@ -5,7 +5,10 @@ SCENE = f"""{{"format":"durero-scene","version":1,
 "camera":{{"eye":[0,1,-8],"look_at":[0,0,0],"up":[0,1,0],"fov_y":45}},
 "resolution":[8,6],"background":[0,0.5,2],"lights":[{{"position":[5,5,-5],"color":[1,1,1]}}],
 "directional_lights":[{{"direction":[0,-1,0],"color":[0.5,0.5,1]}}],"materials":{{"red":{{"color":[1,0,0]}},"azul ñ":{{"color":[0,0,1],"k_a":0.1,"k_d":0.7,"k_s":0.2,"e":50,"k_ps":0.3,"M_PS":[1,0.9,0.8],
-"k_t":0.6,"M_T":[0.9,1,1],"index":1.5,"emission":[0,2,0],"ambient":[0.1,0.2,0.3]}}}},"max_depth":9,
+"k_t":0.6,"M_T":[0.9,1,1],"index":1.5,"emission":[0,2,0],"ambient":[0.1,0.2,0.3],"textures":{{"color":"pic","k_s":"p"}},
+"bump":{{"texture":"w","height":-0.5,"delta":0.25}}}}}},"max_depth":9,
+"textures":{{"pic":{{"image":"a.png","repeat":[2,3],"filter":"mipmap","near":4,"edges":"clamp","curve":"linear"}},"p":{{"p6m":[[0,0,1],[1,1,0]]}},
+"w":{{"waves":[[0,0,0],[1,1,1]]}}}},"environment":{{"gradient":[[0,0,0.25],[3,0,0]]}},
 "groups":{{"all":{{"elementos":["s1"],"groups":["pair"]}},"pair":{{"elementos":["c1","k1"]}},"none":{{}}}},"elementos":[
 {{"id":"s1","tipo":"esfera","centro":[0,0,0],"radio":1,"material":"red"}},
 {{"id":"c1","tipo":"cilindro","centro":[3,0,0],"radio":1,{AXIS},"altura":2}},
@@ -76,6 +79,23 @@ CHANGES = {
 "emission":[0,2,0] | "emission":[0,0,0] | "emission":[0,-5e-324,0]
 "max_depth":9 | "max_depth":1000 | "max_depth":1001
 "max_depth":9 | "max_depth":1.0 | "max_depth":0
+"k_s":"p" | "k_s":"w" | "k_s":"q"
+"texture":"w" | "texture":"pic" | "texture":"q"
+"delta":0.25 | "delta":5e-324 | "delta":0
+"height":-0.5 | "height":0 | "height":"0"
+[2,3] | [5e-324,3] | [0,3]
+"near":4 | "near":5e-324 | "near":0
+"filter":"mipmap","near":4 | "filter":"linear" | "filter":"linear","near":4
+"filter":"mipmap","near":4 | "filter":"nearest" | "filter":"mipmap"
+"edges":"clamp" | "edges":"repeat" | "edges":"Clamp"
+"image":"a.png" | "image":"b/c.jpg" | "image":""
+{{"p6m":[[0,0,1],[1,1,0]]}} | {{"stripes":[[0,0,1],[1,1,0]]}} | {{"stripes":[[0,0,1],[1,1,0]],"edges":"clamp"}}
+{{"p6m":[[0,0,1],[1,1,0]]}} | {{"checker":[[0,0,1],[1,1,1]]}} | {{}}
+[[0,0,1],[1,1,0]] | [[0,0,0],[1,1,1]] | [[0,0,0],[1,1,1.0000000000000002]]
+[[0,0,0.25],[3,0,0]] | [[0,0,0],[0,0,1e300]] | [[0,0,-5e-324],[0,0,0]]
+{{"gradient":[[0,0,0.25],[3,0,0]]}} | {{"box":["a","b","c","d","e","f"]}} | {{"box":["a","b","c","d","e"]}}
+{{"gradient":[[0,0,0.25],[3,0,0]]}} | {{"spherical":"a"}} | {{"spherical":"a","equirectangular":"b"}}
+"pic":{{ | "pic":{{ | "":{{
 [0,0.5,2] | [0,0,0] | [0,0,-5e-324]
 "up":[0,1,0] | "up":[0,5e-324,0] | "up":[0,-0.0,0]
 "red": | "\u0000": | "":

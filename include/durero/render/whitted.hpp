@@ -36,9 +36,9 @@ struct Brought {
   glm::dvec3 left_out{0};   ///< no more than this was lost of its colour for min_weight
 };
 
-/// What each ray brings, in order. Background where it meets nothing or where
-/// no nearest point exists; otherwise, of the material of the element hit, with n its unit normal on the side of the
-/// ray and v the unit vector against the ray:
+/// What each ray brings, in order. What the environment has in its direction, or the background, where it meets nothing
+/// or where no nearest point exists; otherwise, of the material of the element hit, with n its unit normal on the side
+/// of the ray and v the unit vector against the ray:
 ///
 ///   M_E + A_G + Σ over the lights of S·(k_a·C + k_d·C·max(0, n·l) + k_s·max(0, r·v)^e, where n·l > 0)
 ///       + k_ps·M_PS·(colour from the mirrored direction) + k_t·M_T·(colour from the refracted direction)
@@ -50,8 +50,12 @@ struct Brought {
 /// element's material, along it it leaves the last such that it entered. A ray that leaves what it never entered, as
 /// one that starts inside, was in that material. So what an open surface bounds is what lies behind it, for ever.
 ///
+/// A material's textures multiply its coefficients, and its relief turns n: towards the lights, in r, and for the rays
+/// sent on; but no light is seen through the surface, nor a ray sent through it the wrong way.
+///
 /// Rays start on the elements hit, so a surface neither shadows nor mirrors itself by rounding. Of several elements at
-/// one point the first by name gives colour and normal. Precondition: the engine honours origins.
+/// one point the first by name gives colour and normal. Throws std::domain_error where a picture of the stage has not
+/// been read. Precondition: the engine honours origins.
 std::vector<Brought> brought(const scene::Scene& scene, const engine::Engine& engine,
                              std::span<const scene::Query> rays, const Limits& limits);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What a picture needs beside the elements: camera, resolution, background, lights and materials. None of it takes
+/// What a picture needs beside the elements: camera, resolution, surroundings, lights and materials. None of it takes
 /// part in the meaning of an intersection.
 
 #include <cstdint>
@@ -7,6 +7,9 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "durero/scene/environment.hpp"
+#include "durero/scene/texture.hpp"
 
 namespace durero::scene {
 
@@ -37,19 +40,21 @@ struct DirectionalLight {
 /// what lies behind it, and of its own. Shares lie in [0, 1]; the names are those of the source text's formulas. What a
 /// file leaves out is as here: Lambert's law alone.
 struct Material {
-  std::string name{};     ///< in files
-  glm::dvec3 color{};     ///< C: the shares of red, green and blue that it sends back
-  double k_a = 0;         ///< of each light that reaches it, whatever the angle
-  double k_d = 1;         ///< of each light, by Lambert's law
-  double k_s = 0;         ///< of each light, as a highlight of the light's own colour
-  double e = 1;           ///< how narrow the highlight is, from 0
-  double k_ps = 0;        ///< of what a mirror would show
-  glm::dvec3 M_PS{1};     ///< the colour of the mirror
-  double k_t = 0;         ///< of what lies behind
-  glm::dvec3 M_T{1};      ///< the colour of what shines through
-  double index = 1;       ///< of refraction, above 0
-  glm::dvec3 emission{};  ///< M_E: what it shines of itself, each from 0
-  glm::dvec3 ambient{};   ///< A_G: what reaches it from nowhere in particular and is sent on, each from 0
+  std::string name{};          ///< in files
+  glm::dvec3 color{};          ///< C: the shares of red, green and blue that it sends back
+  double k_a = 0;              ///< of each light that reaches it, whatever the angle
+  double k_d = 1;              ///< of each light, by Lambert's law
+  double k_s = 0;              ///< of each light, as a highlight of the light's own colour
+  double e = 1;                ///< how narrow the highlight is, from 0
+  double k_ps = 0;             ///< of what a mirror would show
+  glm::dvec3 M_PS{1};          ///< the colour of the mirror
+  double k_t = 0;              ///< of what lies behind
+  glm::dvec3 M_T{1};           ///< the colour of what shines through
+  double index = 1;            ///< of refraction, above 0
+  glm::dvec3 emission{};       ///< M_E: what it shines of itself, each from 0
+  glm::dvec3 ambient{};        ///< A_G: what reaches it from nowhere in particular and is sent on, each from 0
+  TextureUses textures{};      ///< what multiplies the above from point to point
+  std::optional<Bump> bump{};  ///< its relief
   bool operator==(const Material&) const = default;
 
   /// Whether the picture follows rays beyond it.
@@ -74,7 +79,9 @@ struct Stage {
   std::vector<Light> lights;                           ///< in the order of the file
   std::vector<DirectionalLight> directional_lights{};  ///< in the order of the file
   std::vector<Material> materials;                     ///< ascending by name
-  std::optional<std::uint32_t> max_depth;  ///< of the rays that a pixel follows, the first one being of depth 1
+  std::optional<std::uint32_t> max_depth;    ///< of the rays that a pixel follows, the first one being of depth 1
+  std::vector<Texture> textures{};           ///< ascending by name
+  std::optional<Environment> environment{};  ///< what rays that meet nothing bring, in place of a background
   bool operator==(const Stage&) const = default;
 };
 

@@ -1,0 +1,36 @@
+#pragma once
+/// Pictures in files: PNG, by libpng, and JPEG, by libjpeg.
+
+#include <stdexcept>
+#include <string_view>
+
+#include "durero/io/source.hpp"
+#include "durero/scene/stage.hpp"
+
+namespace durero::io {
+
+/// What is wrong with a picture; what() is the half of a message before its semicolon.
+class PictureError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The most texels of a picture: as many as 8192 by 4096.
+inline constexpr std::size_t most_texels = std::size_t{1} << 25U;
+
+/// The linear light of a byte on the sRGB curve (IEC 61966-2-1), x = byte/255: x/12.92 up to 0.04045, and
+/// ((x + 0.055)/1.055)^2.4 above.
+double linear_light(std::uint8_t srgb) noexcept;
+
+/// The picture in the bytes of a PNG or JPEG file, by its first bytes. Of 8 bits its values are read by the curve:
+/// `linear` takes them as they stand, of 255. Of 16 bits they are what libpng takes for linear light, whatever the
+/// curve. What is transparent lies before black. Throws PictureError where the bytes are neither, where texels are
+/// missing, and where they are more than most_texels.
+scene::Picture picture_of(std::string_view bytes, scene::Curve curve);
+
+/// Reads every picture that the textures and the environment of a scene name, from the folder that the scene's file is
+/// in, and makes the mipmaps. Throws InputError at the first name whose file cannot be read or holds no such picture.
+/// Precondition: the stage is what read_scene() read from the source.
+void read_pictures(const Source& source, scene::Stage& stage);
+
+}  // namespace durero::io

@@ -1,0 +1,19 @@
+#pragma once
+/// Bump maps (realism seed, 1.2): a relief turns the normal of a surface.
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "durero/render/coordinates.hpp"
+
+namespace durero::render {
+
+/// n'' = t'_u × t'_v, of any length, with t'_u = t_u + d_u·n and t'_v = t_v + d_v·n: the normal of a surface of unit
+/// normal n whose relief rises by `slope` in units of u and v.
+glm::dvec3 normal_of_relief(const Tangents& t, const glm::dvec3& n, const glm::dvec2& slope);
+
+/// n' = n''/‖n''‖ on the outer side. Where there is no slope it is n as it stands; and where the surface has no
+/// tangents, at a pole, or the relief is so steep that n'' is not finite, likewise.
+glm::dvec3 bumped(const Tangents& t, const glm::dvec3& n, const glm::dvec2& slope);
+
+}  // namespace durero::render

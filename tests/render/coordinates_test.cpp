@@ -1,0 +1,106 @@
+#include "durero/render/coordinates.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "durero/surface/normal.hpp"
+#include "support/catch.hpp"
+#include "support/property.hpp"
+
+using namespace durero;
+using render::Coordinates;
+
+namespace {
+
+const glm::dvec3 tilted{0.36, 0.48, -0.8};
+
+/// One of each surface, none of them at the origin nor along an axis of space.
+scene::Scene one_of_each() {
+  using model::Elemento;
+  scene::Scene scene;
+  scene.apply(model::Agregar_Esfera{Elemento("esfera"), {1, 2, 3}, 2.5});
+  scene.apply(model::Agregar_Cilindro{Elemento("cilindro"), {1, 2, 3}, 0.75, model::Vector(tilted), 3});
+  scene.apply(model::Agregar_Cono{Elemento("cono"), {1, -2, 3}, 0.5, model::Vector(tilted), 2});
+  scene.apply(model::Agregar_Tronco{Elemento("tronco"), {-1, 2, 3}, 0.5, 0.25, model::Vector(tilted), 2});
+  scene.apply(model::Agregar_Plano{Elemento("plano"), {1, 2, -3}, model::Vector(tilted)});
+  scene.apply(model::Agregar_Disco{Elemento("disco"), {1, 2, 3}, 1.5, model::Vector(tilted)});
+  scene.apply(model::Agregar_Triangulo{Elemento("triangulo"), {{1, 0, 0}, {3, 1, 0.5}, {0.5, 2, -1}}});
+  return scene;
+}
+
+/// Away from seams and poles, of a disc within the rim and of a triangle within it.
+Coordinates any_coordinates() {
+  const double u = *rc::gen::inRange(5, 60) / 128.0, v = *rc::gen::inRange(5, 60) / 128.0;
+  return {u + 0.1, v};
+}
+
+}  // namespace
+
+TEST_CASE("(u, v) to the point and back, on every surface, to 10^-12") {
+  const scene::Scene scene = one_of_each();
+  test::property("and the point lies on the surface", [&] {
+    const Coordinates at = any_coordinates();
+    scene.for_each([&](scene::ElementRef element, const auto&) {
+      const Coordinates back = render::coordinates(scene, element, render::point_at(scene, element, at));
+      RC_ASSERT(std::abs(back.u - at.u) < 1e-12);
+      RC_ASSERT(std::abs(back.v - at.v) < 1e-12);
+    });
+  });
+}
+
+TEST_CASE("tangents are the slopes of f_p to 10^-8, and their product lies on the outer side") {
+  const scene::Scene scene = one_of_each();
+  test::property("central differences of 2^-17", [&] {
+    const Coordinates at = any_coordinates();
+    scene.for_each([&](scene::ElementRef element, const auto&) {
+      // Their error is h²/6 of a third derivative, at most (2π)³·2.5/6 of 2⁻³⁴, and of rounding 2⁻⁵⁰/h.
+      constexpr double h = 0x1p-17;
+      const auto p = [&](double u, double v) { return render::point_at(scene, element, {u, v}); };
+      const auto [t_u, t_v] = render::tangents(scene, element, at);
+      RC_ASSERT(glm::distance(t_u, (p(at.u + h, at.v) - p(at.u - h, at.v)) / (2 * h)) < 1e-8);
+      RC_ASSERT(glm::distance(t_v, (p(at.u, at.v + h) - p(at.u, at.v - h)) / (2 * h)) < 1e-8);
+      const glm::dvec3 n = surface::normal(scene, element, p(at.u, at.v));
+      RC_ASSERT(glm::dot(glm::normalize(glm::cross(t_u, t_v)), n) > 1 - 1e-12);
+    });
+  });
+}
+
+TEST_CASE("at a pole u is 0 and the tangents have no product") {
+  scene::Scene scene;
+  scene.apply(model::Agregar_Esfera{model::Elemento("s"), {1, 2, 3}, 2});
+  scene.apply(model::Agregar_Cono{model::Elemento("k"), {0, 0, 0}, 0.5, {0, 1, 0}, 2});
+  const auto pole = [&](const char* name, const glm::dvec3& p, double v) {
+    const scene::ElementRef element = *scene.find(name);
+    const Coordinates at = render::coordinates(scene, element, p);
+    CHECK(at == Coordinates{0, v});
+    const auto t = render::tangents(scene, element, at);
+    CHECK(glm::cross(t.u, t.v) == glm::dvec3(0));
+  };
+  pole("s", {1, 4, 3}, 1);
+  pole("s", {1, 0, 3}, 0);
+  pole("k", {0, 2, 0}, 1);
+}
+
+TEST_CASE("the seam is at angle 0: u is 0 there, and below 1 just before it") {
+  scene::Scene scene;
+  scene.apply(model::Agregar_Cilindro{model::Elemento("c"), {0, 0, 0}, 1, {0, 1, 0}, 2});
+  const auto u = [&](double x, double z) { return render::coordinates(scene, *scene.find("c"), {x, 1, z}).u; };
+  CHECK(u(1, 0) == 0);
+  CHECK(u(0, -1) == 0.25);
+  CHECK(u(-1, 0) == 0.5);
+  CHECK(u(0, 1) == 0.75);
+  CHECK(u(1, 1e-9) < 1);
+  CHECK(u(1, 1e-9) > 0.999);
+  CHECK(u(1, 1e-300) == 0);  // its angle rounds to a whole turn
+}
+
+TEST_CASE("axes across a direction: the least component's axis, of equal ones the first, and right-handed") {
+  CHECK(render::axes_across({0, 1, 0}).u == glm::dvec3(1, 0, 0));
+  CHECK(render::axes_across({0, 1, 0}).v == glm::dvec3(0, 0, -1));
+  CHECK(render::axes_across({0, 0, 1}).u == glm::dvec3(1, 0, 0));
+  CHECK(render::axes_across({0, 0, 1}).v == glm::dvec3(0, 1, 0));
+  CHECK(render::axes_across({1, 0, 0}).u == glm::dvec3(0, 1, 0));
+  const auto [a, b] = render::axes_across(tilted);
+  CHECK(std::abs(glm::dot(a, tilted)) < 1e-15);
+  CHECK(glm::distance(glm::cross(a, b), tilted) < 1e-15);
+}

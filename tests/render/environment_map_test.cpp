@@ -1,0 +1,118 @@
+#include "durero/render/environment_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "durero/io/picture_file.hpp"
+#include "durero/render/environment.hpp"
+#include "durero/render/render.hpp"
+#include "support/catch.hpp"
+
+using namespace durero;
+using scene::Surroundings;
+
+namespace {
+
+constexpr std::uint32_t width = 64;
+constexpr Surroundings with_pictures[] = {Surroundings::box, Surroundings::spherical, Surroundings::equirectangular};
+
+/// Balls of different colours all around the origin, and a sky.
+scene::Scene crowd(double distance) {
+  scene::Scene scene;
+  scene.stage().environment = {
+      {.kind = Surroundings::gradient, .colors = {glm::dvec3(0.3, 0.2, 0.1), glm::dvec3(0.4, 0.6, 1)}}};
+  const auto add = [&](const char* name, const glm::dvec3& at, const glm::dvec3& color) {
+    const auto index = static_cast<std::uint32_t>(scene.stage().materials.size());
+    scene.stage().materials.push_back({.name = name, .color = {0, 0, 0}, .emission = color});
+    scene.apply(model::Agregar_Esfera{model::Elemento(name), model::Punto(distance * at), 0.5 * distance});
+    scene.set_material(*scene.find(name), index);
+  };
+  add("a", {1, 0.2, 0}, {1, 0, 0});
+  add("b", {-1, 0, 0.3}, {0, 1, 0});
+  add("c", {0.1, 1, 0}, {0, 0, 1});
+  add("d", {0, -1, 0.4}, {1, 1, 0});
+  add("e", {0, 0.3, 1}, {0, 1, 1});
+  add("f", {0.3, 0, -1}, {1, 0, 1});
+  return scene;
+}
+
+scene::Environment read(const std::vector<render::Image>& images, Surroundings kind) {
+  scene::Environment environment{.kind = kind};
+  for (const render::Image& image : images)
+    environment.pictures.push_back({"", std::make_shared<const std::vector<scene::Picture>>(
+                                            1, io::picture_of(render::encode_png(image), scene::Curve::srgb))});
+  return environment;
+}
+
+}  // namespace
+
+TEST_CASE("each face of a box is the picture of a camera of 90 degrees, to 1/255") {
+  scene::Scene scene = crowd(4);
+  const auto engine = engine::find("exact")->prepare(scene);
+  const glm::dvec3 from(0.2, 0.1, -0.3);
+  const auto faces = render::environment_map(scene, *engine, Surroundings::box, width, from, {1});
+  REQUIRE(faces.size() == 6);
+  const glm::dvec3 forward[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  const glm::dvec3 up[] = {{0, 1, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}, {0, 1, 0}, {0, 1, 0}};
+  for (std::size_t i = 0; i < 6; ++i) {
+    scene.stage().camera = {from, from + forward[i], up[i], 90};
+    const render::Image seen =
+        render::render(scene, *engine, {}, {.size = scene::Resolution{width, width}, .max_depth = 1});
+    int off = 0;
+    for (std::size_t j = 0; j < seen.rgb.size(); ++j) off += std::abs(seen.rgb[j] - faces[i].rgb[j]) > 1;
+    // On the outline of a ball a ray of another rounding may pass by: few pixels.
+    CHECK(off <= 9);
+    CHECK(std::adjacent_find(seen.rgb.begin(), seen.rgb.end(), std::not_equal_to<>()) != seen.rgb.end());
+  }
+}
+
+TEST_CASE("a map in place of what it was drawn of brings the same colours, but for its texels") {
+  const scene::Scene scene = crowd(4);
+  const auto engine = engine::find("exact")->prepare(scene);
+  for (const Surroundings kind : with_pictures) {
+    const auto environment = read(render::environment_map(scene, *engine, kind, 512, glm::dvec3(0), {1}), kind);
+    int off = 0, count = 0;
+    for (double a = 0.05; a < 6.2; a += 0.1)
+      for (double b = -1.5; b < 1.5; b += 0.1, ++count) {
+        const glm::dvec3 d(std::cos(b) * std::cos(a), std::sin(b), std::cos(b) * std::sin(a));
+        const scene::Query query{{model::Punto(0, 0, 0), model::Vector(d)}};
+        const glm::dvec3 truth = render::brought(scene, *engine, {&query, 1}, {1}).at(0).color;
+        const glm::dvec3 seen = render::environment_at(environment, d);
+        off += std::max({std::abs(truth.x - seen.x), std::abs(truth.y - seen.y), std::abs(truth.z - seen.z)}) > 0.02;
+      }
+    CHECK(off < count / 12);  // those next to an outline
+  }
+}
+
+TEST_CASE("a mirror ball among things that are far shows what a map of them shows, and the better the farther") {
+  double before = 1;
+  for (const double distance : {10.0, 100.0, 1000.0}) {
+    scene::Scene scene = crowd(distance);
+    const auto bare = engine::find("exact")->prepare(scene);
+    const glm::dvec3 n = glm::dvec3(0.36, 0.48, 0.8);
+    // What a ball of radius 1 mirrors at n starts there, and not in its middle: the directions to what is seen differ
+    // by at most 1/distance or so. The outlines that this moves are counted.
+    int off = 0, count = 0;
+    for (double a = 0; a < 6.28; a += 0.02)
+      for (double b = -1.5; b < 1.5; b += 0.02, ++count) {
+        const model::Vector d(std::cos(b) * std::cos(a), std::sin(b), std::cos(b) * std::sin(a));
+        const scene::Query traced{{model::Punto(n), d}}, mapped{{model::Punto(0, 0, 0), d}};
+        off += render::brought(scene, *bare, {&traced, 1}, {1}).at(0).color !=
+               render::brought(scene, *bare, {&mapped, 1}, {1}).at(0).color;
+      }
+    const double share = double(off) / count;
+    CHECK(share < before / 2);
+    before = share;
+  }
+}
+
+TEST_CASE("sizes, and what has no pictures") {
+  CHECK(render::size_of(Surroundings::equirectangular, 64) == scene::Resolution{64, 32});
+  CHECK(render::size_of(Surroundings::equirectangular, 1) == scene::Resolution{1, 1});
+  CHECK(render::size_of(Surroundings::box, 64) == scene::Resolution{64, 64});
+  const scene::Scene none;
+  const auto engine = engine::find("exact")->prepare(none);
+  CHECK_THROWS_AS(render::environment_map(none, *engine, Surroundings::gradient, 4, glm::dvec3(0), {1}),
+                  std::domain_error);
+}
