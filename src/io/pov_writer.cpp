@@ -117,6 +117,8 @@ class PovWriter {
   void name_losses() {
     add_loss(out_.lost, scene_.stage().directional_lights.size(), "directional light", "directional lights",
              "written as parallel ones, 1000000 away: POV-Ray has none without a place");
+    add_loss(out_.lost, scene_.stage().textures.size(), "texture", "textures", "left out: none is written");
+    if (scene_.stage().environment) out_.lost.emplace_back("1 environment left out: none is written");
     add_loss(out_.lost, too_wide_, "element", "elements", "left out: the radius of its base is beyond binary64");
   }
 

@@ -80,3 +80,10 @@ TEST_CASE("a base beyond binary64 is counted, and what POV-Ray has no place for"
   CHECK(out.lost == std::vector<std::string>{"1 element left out: the radius of its base is beyond binary64"});
   CHECK_FALSE(has(out, "object"));
 }
+
+TEST_CASE("textures and surroundings are counted as left out") {
+  const io::Exported out = exported(R"("camera":{"eye":[0,0,-5],"look_at":[0,0,0],"up":[0,1,0],"fov_y":90},
+    "textures":{"squares":{"checker":[[0,0,0],[1,1,1]]}},"environment":{"gradient":[[0,0,0],[1,1,1]]},"elementos":[])");
+  CHECK(out.lost ==
+        std::vector<std::string>{"1 texture left out: none is written", "1 environment left out: none is written"});
+}
