@@ -41,7 +41,7 @@ Hypothesis hit_on_surface : forall e t, hit_of e = Some t -> surface e (ray t).
 Local Notation cell := (cell T E).
 Local Notation Cell := (Cell T E).
 Local Notation leads := (leads T le E).
-Local Notation walks := (walks T le E hit_of).
+Local Notation walks := (walks T le E hit_of (entered_beyond T le E)).
 Local Notation first_hit := (first_hit T le E hit_of).
 Local Notation lists_from := (lists_from T E).
 
@@ -51,7 +51,8 @@ Definition conservative (region : point -> Prop) (a : option T) : Prop :=
 Lemma first_hit_of_cell es c best : lists_from es c ->
   (forall e t, In e es -> hit_of e = Some t -> leads c e t) -> walks ([c], None) ([], best) -> first_hit es best.
 Proof.
-  intros Hl Hc; apply traversal_first_hit; auto.
+  intros Hl Hc; apply (traversal_first_hit T le le_total le_trans le_antisym E hit_of (entered_beyond T le E));
+    [exact (entered_beyond_right T le le_trans E hit_of) | now constructor |].
   intros e t He Ht; exists c; split; [now left | auto].
 Qed.
 

@@ -7,6 +7,7 @@
     reach_of e             == the exact first hit of an element
     rounds ray out t       == out is t and the point at t, each number rounded once
     says s s' ray en a     == the answer a is the text's *)
+From Durero Require Acceleration Lattice Grid.
 From Coq Require Import ZArith Reals List Bool Lra.
 From Flocq Require Import Core BinarySingleNaN.
 From Durero Require Import Toolkit Especificacion Escena Puntos Trazador Interseccion Surd Quadratic Exacto ExactoEscena
@@ -71,6 +72,33 @@ End Text.
 Lemma met_of_another Elemento (s : Especificacion.Escena Elemento) ray en e t : ~ en e -> met ray Elemento s en e t ->
   0 < t /\ puntos_de_elemento s e (point_at ray t).
 Proof. intros Hen [Ht [_ [_ [[H _] | [_ H]]]]]; [contradiction | now split]. Qed.
+
+(** So a grid whose cubes list what has a point in them leads to each. *)
+Definition along (w : Punto) (i : Acceleration.axis) : R :=
+  match i with Acceleration.X => Punto_x w | Acceleration.Y => Punto_y w | Acceleration.Z => Punto_z w end.
+Definition component (v : Vector) (i : Acceleration.axis) : R :=
+  match i with Acceleration.X => Vector_x v | Acceleration.Y => Vector_y v | Acceleration.Z => Vector_z v end.
+
+Theorem grid_is_walked Elemento (s : Especificacion.Escena Elemento) ray en elements State (limit_of : State -> binary64)
+  corner h count lists (whole : set R) apart m c l :
+  let p i := along (Rayo_p ray) i in let v i := component (Rayo_v ray) i in let met := met ray Elemento s en in
+  0 < h -> (forall e, In e elements -> en e -> In e apart) ->
+  (forall e t, In e elements -> ~ In e apart -> puntos_de_elemento s e (point_at ray t) ->
+   whole t /\ Lattice.in_box p v corner h count (t, false)
+   /\ forall d, Lattice.in_range count d -> Grid.in_cube p v corner h d t -> In e (lists d)) ->
+  Lattice.way_in p v corner h count m -> Lattice.in_cell p v corner h c m -> Lattice.in_range count c ->
+  Lattice.path p v corner h count m c l ->
+  (forall st k, Grid.prunable p v corner h Elemento State limit_of whole lists st k ->
+   forall e t, leads k e t -> met e t -> ~ at_least (limit_of st) t)
+  /\ forall e t, In e elements -> ~ In e apart -> met e t ->
+     exists k, In k (map (Grid.cell_of p v corner h Elemento whole lists) l) /\ leads k e t.
+Proof.
+  intros p v met' Hh Hen Hlisted Hw Hc Hr Hp. split.
+  - exact (Grid.prunable_right p v corner h Elemento State limit_of met' whole lists).
+  - intros e t He Ha Ht. destruct (met_of_another Elemento s ray en e t (fun N => Ha (Hen e He N)) Ht) as [Hpos Hpoint].
+    destruct (Hlisted e t He Ha Hpoint) as [Hwhole [Hbox Hlists]].
+    exact (Grid.walk_leads p v corner h count Hh Elemento whole lists m c l e t Hw Hc Hr Hp Hpos Hbox Hwhole Hlists).
+Qed.
 
 (** ** The search over a scene of integers over S *)
 Section Chain.

@@ -19,7 +19,8 @@ From Coq Require Import Reals List.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require Tipos Escena Operaciones Errata Puntos Trazador Flat Interseccion Retrieve Iluminacion Recorrido
   Acceleration Surd Quadratic Exacto ExactoEscena Slab Bundles Rounding Flotante Tablas
-  Walk Limits Search Boxes Chain.
+  Walk Limits Search Boxes Chain Firsts Occlusion
+  Lattice Grid.
 Import Escena Operaciones Errata Puntos Trazador Flat Interseccion Retrieve Iluminacion.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -325,6 +326,10 @@ Proof.
   exact (conj (Primera_Interseccion_is_total ray ray_ok _ s ok en s' same known)
     (Primera_Interseccion_deterministic ray ray_ok _ s ok en s' same known)).
 Qed.
+
+Theorem a_shadow_ray_is_occluded_where_it_meets_something :
+  (occluded s ray en <-> exists t, met_scene t) /\ (occluded_segment s ray en <-> exists t, met_scene t /\ t < 1).
+Proof. exact (occluded_computed ray _ s en). Qed.
 End FirstHit.
 
 Theorem the_elements_of_a_hit_are_de_que_elemento ray Elemento (s s' : Escena Elemento) resultado els t w :
@@ -515,15 +520,33 @@ Hypothesis trans : forall a b c, le a b = true -> le b c = true -> le a c = true
 Hypothesis antisym : forall a b, le a b = true -> le b a = true -> a = b.
 Variables (E : Type) (hit_of : E -> option T).
 Notation first_hit := (Recorrido.first_hit T le E hit_of).
-Notation walks := (Recorrido.walks T le E hit_of).
+Notation walks := (Recorrido.walks T le E hit_of (Recorrido.entered_beyond T le E)).
 
 Theorem the_scan_finds_the_first_hit es : first_hit es (Recorrido.scan T le E hit_of es).
 Proof. exact (Recorrido.scan_first_hit T le total trans antisym E hit_of es). Qed.
 
-Theorem every_traversal_finds_the_first_hit es cs best :
+(** Whatever rule skips cells, if it skips only what leads to no hit up to the best. *)
+Theorem every_traversal_finds_the_first_hit (prunable : Recorrido.best_so_far T E -> Recorrido.cell T E -> Prop) es cs best :
+  (forall best c, prunable best c -> forall e t, Recorrido.leads T le E c e t -> hit_of e = Some t ->
+   exists b gs, best = Some (b, gs) /\ le t b = false) ->
   Forall (Recorrido.lists_from T E es) cs -> Recorrido.reachable T le E hit_of es cs ->
-  walks (cs, None) (nil, best) -> first_hit es best.
-Proof. exact (Recorrido.traversal_first_hit T le total trans antisym E hit_of es cs best). Qed.
+  Recorrido.walks T le E hit_of prunable (cs, None) (nil, best) -> first_hit es best.
+Proof.
+  intros prunable_right.
+  exact (Recorrido.traversal_first_hit T le total trans antisym E hit_of prunable prunable_right es cs best).
+Qed.
+
+(** There is such a traversal, and its end is one: the same parameter and the same set of elements. *)
+Theorem every_walk_can_end prunable cs best : exists best', Recorrido.walks T le E hit_of prunable (cs, best) (nil, best').
+Proof. exact (Recorrido.walk_exists T le E hit_of prunable cs best). Qed.
+
+Theorem the_first_hit_is_one es es' r r' : (forall e, In e es <-> In e es') -> first_hit es r -> first_hit es' r' ->
+  match r, r' with
+  | None, None => True
+  | Some (b, gs), Some (b', gs') => b = b' /\ forall e, In e gs <-> In e gs'
+  | _, _ => False
+  end.
+Proof. exact (Recorrido.first_hit_unique T le antisym E hit_of es es' r r'). Qed.
 
 Variables (ray : T -> Acceleration.point) (surface : E -> Acceleration.point -> Prop).
 Hypothesis hits_on_surface : forall e t, hit_of e = Some t -> surface e (ray t).
@@ -564,6 +587,29 @@ Theorem grids_find_the_first_hit es (path : list (Acceleration.box * Recorrido.s
   first_hit es (Recorrido.front_to_back T le E hit_of true cs None).
 Proof. exact (Acceleration.grid_first_hit T le total trans antisym E hit_of ray surface hits_on_surface es path). Qed.
 End Acceleration.
+
+(** The parameters that these are about: reals, and below all of them "no minimum". The first hit that a traversal finds of
+    the first hits of the elements is that of the text. *)
+Theorem the_first_hit_of_a_traversal_is_Primera_Interseccion Elemento (s s' : Escena Elemento) ray en elements
+  (hit_of : Elemento -> option Firsts.first) best :
+  Escena_ok s -> Rayo_ok ray -> Xi_Escena s s' -> en ⊆ elementos s -> (forall e, In e elements <-> e ∈ elementos s) ->
+  (forall e, In e elements -> Firsts.is_first_of (met ray Elemento s en e) (hit_of e)) ->
+  Recorrido.first_hit Firsts.first Firsts.le Elemento hit_of elements best ->
+  match best with
+  | None => No_Hay_Interseccion s s' ray en miss ∅
+  | Some (None, l) => No_Hay_Minimo s s' ray en no_minimum (fun e => In e l)
+  | Some (Some t, l) => Hay_Interseccion s s' ray en hit (fun e => In e l) t (point_at ray t)
+  end.
+Proof.
+  intros ok ray_ok same known all firsts.
+  exact (Firsts.first_hit_says Elemento s s' ray en ok ray_ok same known elements all hit_of firsts best).
+Qed.
+
+Theorem those_parameters_are_totally_ordered :
+  (forall a b, Firsts.le a b = true \/ Firsts.le b a = true)
+  /\ (forall a b c, Firsts.le a b = true -> Firsts.le b c = true -> Firsts.le a c = true)
+  /\ forall a b, Firsts.le a b = true -> Firsts.le b a = true -> a = b.
+Proof. exact (conj Firsts.le_total (conj Firsts.le_trans Firsts.le_antisym)). Qed.
 
 (** * 9. Floating point *)
 
@@ -692,6 +738,8 @@ Notation start := (Search.start Elemento Finding).
 Notation published := (Search.published Elemento Finding Chain.printed reach_of stable improved certainly_less ahead rounded
   round_exact).
 Notation says := (Chain.says Elemento s s' ray en).
+Notation blocks := (Occlusion.blocks Elemento Finding reach_of in_range triage stable).
+Notation blocks_segment := (Occlusion.blocks_segment Elemento Finding reach_of in_range triage stable low high).
 
 (** Whatever walks over the elements: cells passed over by any rule that passes over nothing that the ray meets up to the
     limit, in any order; some elements apart. What is published at the end is Primera_Interseccion: outcome, elements, and
@@ -721,5 +769,43 @@ Proof.
   exact (Chain.boxes_find_Primera_Interseccion Elemento Elemento_dec S S_positive s s' ok same en known p
     v ray_ok elements shape_of on described Finding in_range triage stable improved near low high certainly_less ahead rounded
     round_exact right r apart a taken st).
+Qed.
+
+(** In a grid: what is walked are the cells that hold a point of the ray, each with its entry, by crossings that are ordered
+    exactly; what is passed over lies beyond the limit, or outside the box of all. These are the premises above, where every
+    cube lists what has a point in it. *)
+Theorem grids_as_they_run corner h count lists (whole : set R) apart m c l :
+  let p i := Chain.along (Rayo_p ray) i in let v i := Chain.component (Rayo_v ray) i in
+  0 < h -> (forall e, In e elements -> en e -> In e apart) ->
+  (forall e t, In e elements -> ~ In e apart -> puntos_de_elemento s e (point_at ray t) ->
+   whole t /\ Lattice.in_box p v corner h count (t, false)
+   /\ forall d, Lattice.in_range count d -> Grid.in_cube p v corner h d t -> In e (lists d)) ->
+  Lattice.way_in p v corner h count m -> Lattice.in_cell p v corner h c m -> Lattice.in_range count c ->
+  Lattice.path p v corner h count m c l ->
+  (forall st k, Grid.prunable p v corner h Elemento found limit whole lists st k ->
+   forall e t, Walk.leads k e t -> met e t -> ~ Limits.at_least (limit st) t)
+  /\ forall e t, In e elements -> ~ In e apart -> met e t ->
+     exists k, In k (map (Grid.cell_of p v corner h Elemento whole lists) l) /\ Walk.leads k e t.
+Proof. exact (Chain.grid_is_walked Elemento s ray en elements found limit corner h count lists whole apart m c l). Qed.
+
+(** A shadow ray: over a walk that may end once something blocks, or pass over what is met at or beyond the other end. *)
+Theorem the_answer_to_a_shadow_ray_is_the_texts (prunable prunable1 : bool -> Walk.cell Elemento -> Prop) apart cs taken st
+  taken1 st1 :
+  (forall c e t, prunable false c -> Walk.leads c e t -> ~ met e t) ->
+  (forall c e t, prunable1 false c -> Walk.leads c e t -> met e t -> 1 <= t) ->
+  incl apart elements -> Forall (Walk.lists_from elements) cs ->
+  (forall e t, In e elements -> ~ In e apart -> met e t -> exists c, In c cs /\ Walk.leads c e t) ->
+  (Walk.walks Elemento bool Elemento_dec (Occlusion.take Elemento blocks) prunable (Walk.plan apart cs, (nil, false))
+     (nil, (taken, st)) -> st = true <-> occluded s ray en)
+  /\ (Walk.walks Elemento bool Elemento_dec (Occlusion.take Elemento blocks_segment) prunable1
+     (Walk.plan apart cs, (nil, false)) (nil, (taken1, st1)) -> st1 = true <-> occluded_segment s ray en).
+Proof.
+  intros right0 right1 Ha Hl Hr. split.
+  - exact (Occlusion.blocked_is_occluded Elemento Elemento_dec S S_positive s ok en p v elements shape_of on described
+      Finding in_range triage stable improved near low high certainly_less rounded round_exact right prunable apart cs
+      taken st right0 Ha Hl Hr).
+  - exact (Occlusion.blocked_segment_is_occluded Elemento Elemento_dec S S_positive s ok en p v elements shape_of on described
+      Finding in_range triage stable improved near low high certainly_less rounded round_exact right prunable1 apart cs
+      taken1 st1 right1 Ha Hl Hr).
 Qed.
 End Chain.

@@ -4,8 +4,9 @@
     cells are visited, nor on the cells that are skipped. What it needs is stated once ([reachable]): on the way to
     each hit, no cell's entry lies beyond the hit.
 
-    le a b (a <= b)        == the total order of the parameters T (binary64, exact numbers, or these with a least
-                              value that stands for "no minimum": nothing here needs more than the order)
+    le a b (a <= b)        == the total order of the parameters T: exact numbers, or these with a least value that
+                              stands for "no minimum" (Firsts.v). Binary64 is no instance: its comparison is neither
+                              total, for NaN, nor antisymmetric, for the zeros. What runs compares binary64 limits: Walk.v
     hit_of e               == the parameter of the nearest hit of the element e, if it has one
     best_so_far            == nothing, or a parameter and the elements that attain it
     add best e             == the best once e has been tested
@@ -14,7 +15,8 @@
     cell                   == an entry bound (none: the ray misses the cell), elements listed in it, cells below it
     leads c e t            == a path from c to a cell that lists e, on which every entry is <= t
     reachable es cs        == each hit of each element of es is led to from one of the cells cs
-    prunable best c        == c may be skipped: the ray misses it, or enters it strictly beyond the best
+    prunable best c        == c may be skipped: any rule that skips only what leads to no hit up to the best
+    entered_beyond best c  == such a rule: the ray misses c, or enters it strictly beyond the best
     step (cs, b) (cs', b') == one cell of cs, any of them, is skipped or opened
     walks                  == any number of steps *)
 From Coq Require Import List Bool Arith Lia Relations Permutation.
@@ -179,13 +181,10 @@ Definition reachable (es : list E) (cs : list cell) : Prop :=
 Inductive lists_from (es : list E) : cell -> Prop :=
 | lists_from_cell c : incl (elements c) es -> (forall c', In c' (children c) -> lists_from es c') -> lists_from es c.
 
-(** A tie is kept: a cell whose entry equals the best is not skipped. *)
-Definition prunable (best : best_so_far) (c : cell) : Prop :=
-  match entry c, best with
-  | None, _ => True
-  | Some a, Some (b, _) => b < a
-  | Some _, None => False
-  end.
+(** A rule that skips cells; a tie is kept. *)
+Variable prunable : best_so_far -> cell -> Prop.
+Hypothesis prunable_right : forall best c, prunable best c ->
+  forall e t, leads c e t -> hit_of e = Some t -> exists b gs, best = Some (b, gs) /\ b < t.
 
 Inductive step : list cell * best_so_far -> list cell * best_so_far -> Prop :=
 | prune cs c cs' best : prunable best c -> step (cs ++ c :: cs', best) (cs ++ cs', best)
@@ -199,13 +198,10 @@ Definition invariant (es : list E) (state : list cell * best_so_far) : Prop :=
   sound es best /\ Forall (lists_from es) cs /\
   forall e t, In e es -> hit_of e = Some t -> counted best e t \/ exists c, In c cs /\ leads c e t.
 
-Lemma prunable_counted es c best e t : sound es best -> prunable best c -> leads c e t -> counted best e t.
+Lemma prunable_counted c best e t : prunable best c -> leads c e t -> hit_of e = Some t -> counted best e t.
 Proof.
-  intros Hv Hp Hc.
-  assert (exists a, entry c = Some a /\ a <= t) as (a & Ha & Hat) by (destruct Hc; eauto).
-  unfold prunable in Hp; rewrite Ha in Hp; destruct best as [[b gs]|]; [|contradiction].
-  exists b, gs; repeat split; [now apply (le_trans _ a); [apply lt_le|]|].
-  intros Htb; rewrite (le_trans a t b) in Hp; congruence.
+  intros Hp Hc Ht; destruct (prunable_right best c Hp e t Hc Ht) as (b & gs & -> & Hlt).
+  exists b, gs; repeat split; [now apply lt_le | congruence].
 Qed.
 
 Lemma step_invariant es s s' : step s s' -> invariant es s -> invariant es s'.
@@ -257,6 +253,24 @@ Proof.
   pose proof (open [] c cs best) as Hp.
   destruct (IH _ (step_terminates _ _ Hp) _ (fold_left add (elements c) best) eq_refl) as (b' & Hb').
   exists b'; eapply Relation_Operators.rt1n_trans; [exact Hp | exact Hb'].
+Qed.
+
+(** A cell whose entry equals the best is not skipped; one that is entered beyond it is, and one that is missed. *)
+Definition entered_beyond (best : best_so_far) (c : cell) : Prop :=
+  match entry c, best with
+  | None, _ => True
+  | Some a, Some (b, _) => b < a
+  | Some _, None => False
+  end.
+
+Lemma entered_beyond_right best c : entered_beyond best c ->
+  forall e t, leads c e t -> hit_of e = Some t -> exists b gs, best = Some (b, gs) /\ b < t.
+Proof.
+  intros Hp e t Hc _.
+  assert (exists a, entry c = Some a /\ a <= t) as (a & Ha & Hat) by (destruct Hc; eauto).
+  unfold entered_beyond in Hp; rewrite Ha in Hp; destruct best as [[b gs]|]; [|contradiction].
+  exists b, gs; split; [reflexivity|]; destruct (t <=? b) eqn:Htb; [|reflexivity].
+  rewrite (le_trans a t b) in Hp; congruence.
 Qed.
 
 (** ** Cells met in order along the ray: grids, and trees read front to back
