@@ -76,3 +76,15 @@ Proof.
   pose proof (K m (or_introl eq_refl)) as Km.
   destruct Ha as [<- | [<- | Ha]]; [lra | lra | apply K; now right].
 Qed.
+
+(** ** Lists that name each once *)
+
+Lemma once_more {A} (e : A) (l taken : list A) : (forall x, In x l -> In x taken) -> ~ In e taken -> NoDup l ->
+  NoDup (e :: l).
+Proof. intros H N D. constructor; [intros Hl; now apply N, H | exact D]. Qed.
+Lemma NoDup_filter {A B} (f : A -> B) p l : NoDup (map f l) -> NoDup (map f (filter p l)).
+Proof.
+  induction l as [| x l IH]; intros H; [constructor |]. cbn in *. inversion_clear H as [| ? ? Hn Hd].
+  destruct (p x); [cbn; constructor | now apply IH]; [| now apply IH].
+  intros Hin. apply Hn. apply in_map_iff in Hin as [y [<- Hy]]. apply filter_In in Hy as [Hy _]. now apply in_map.
+Qed.

@@ -17,11 +17,10 @@
     tables_ok, retrieve  == the compact tables' invariant, and the scene they represent *)
 From Coq Require Import Reals List.
 From Durero Require Import Toolkit Especificacion.
-From Durero Require Tipos Escena Operaciones Errata Puntos Trazador Flat Interseccion Retrieve Iluminacion Recorrido
-  Acceleration Surd Quadratic Exacto ExactoEscena Slab Bundles Rounding Flotante Tablas
-  Walk Limits Search Boxes Chain Firsts Occlusion
-  Lattice Grid.
-Import Escena Operaciones Errata Puntos Trazador Flat Interseccion Retrieve Iluminacion.
+From Durero Require Tipos Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve TotalTables
+  Tablas RowsAdded RowsRemoved ClosedForm Iluminacion Recorrido Acceleration Firsts Surd Quadratic Exacto ExactoEscena Slab
+  Bundles Rounding Flotante Walk Limits Search Boxes Lattice Grid Chain Occlusion.
+Import Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
 
@@ -105,7 +104,7 @@ Theorem total_operations_are_total s e t c r d h k abc : Escena_ok s ->
   /\ (exists s' r_out, Eliminar_Triangulo_Total s s' e r_out)
   /\ (exists s' r_out, Agregar_Elemento_Total s s' e t c r d h k abc r_out)
   /\ (exists s' r_out, Eliminar_Elemento_Total s s' e r_out).
-Proof. exact (Operaciones.total_operations_are_total _ s e t c r d h k abc). Qed.
+Proof. exact (Totals.total_operations_are_total _ s e t c r d h k abc). Qed.
 
 Theorem adding_then_removing_is_the_identity s s1 e t c r d h k abc r1 : Elemento_Agregado s s1 e t c r d h k abc r1 ->
   (exists s2 r2, Elemento_Eliminado s1 s2 e r2)
@@ -408,8 +407,8 @@ Proof. intros. now apply ExactoEscena.first_hit_is_Primera_Interseccion. Qed.
 Section Refinement.
 Variable Elemento : Type.
 Hypothesis Elemento_dec : forall e e' : Elemento, {e = e'} + {e <> e'}.
-Notation add_total := (add_total Elemento Elemento_dec).
-Notation remove_total := (remove_total Elemento Elemento_dec).
+Notation add_total := (TotalTables.add_total Elemento Elemento_dec).
+Notation remove_total := (TotalTables.remove_total Elemento Elemento_dec).
 
 Theorem tables_represent_scenes :
   (tables_ok _ (empty_tables Elemento) /\ Init (retrieve _ (empty_tables Elemento)))
@@ -421,83 +420,91 @@ Theorem operations_on_tables_commute T e t c r d h k abc : tables_ok Elemento T 
    tables_ok _ T' /\ Agregar_Elemento_Total (retrieve _ T) (retrieve _ T') e t c r d h k abc answer)
   /\ (let (T', answer) := remove_total T e in
    tables_ok _ T' /\ Eliminar_Elemento_Total (retrieve _ T) (retrieve _ T') e answer).
+Proof. exact (TotalTables.general_operations_refine Elemento Elemento_dec T e t c r d h k abc). Qed.
+
+(** And of one type: their t? is hidden, an element that is there is told first, then the first clause that does not hold;
+    a removal that names another type than the element's leaves the tables as they are. *)
+Theorem operations_of_one_type_commute T e t c r d h k abc : tables_ok Elemento T ->
+  (let (T', answer) := TotalTables.add_total_of Elemento Elemento_dec t T e c r d h k abc in
+   tables_ok _ T' /\ TotalTables.Agregar_Total Elemento t (retrieve _ T) (retrieve _ T') e answer c r d h k abc)
+  /\ (let (T', answer) := TotalTables.remove_total_of Elemento Elemento_dec t T e in
+   tables_ok _ T' /\ TotalTables.Eliminar_Total Elemento t (retrieve _ T) (retrieve _ T') e answer).
 Proof.
-  intros ok. pose proof (add_total_refines Elemento Elemento_dec T e t c r d h k abc ok) as A.
-  pose proof (remove_total_refines Elemento Elemento_dec T e ok) as R.
-  destruct (add_total T e t c r d h k abc), (remove_total T e). exact (conj A R).
+  intros ok. exact (conj (TotalTables.add_total_of_refines Elemento Elemento_dec t T e c r d h k abc ok)
+    (TotalTables.remove_total_of_refines Elemento Elemento_dec t T e ok)).
 Qed.
 End Refinement.
 
 (** The refinement as the text has it: the obligations of spec/tablas.tex, as Tablas.v states them *)
 
 Theorem the_obligations_of_the_tables_hold Elemento :
-  Tablas.Retrieve_conj_1 Elemento
-  /\ Tablas.Retrieve_conj_2 Elemento
-  /\ Tablas.Retrieve_conj_3 Elemento
-  /\ Tablas.Init_Tablas_conj_1 Elemento
-  /\ Tablas.Init_Tablas_conj_2 Elemento
-  /\ Tablas.Agregar_Esfera_Tablas_conj_1 Elemento
-  /\ Tablas.Agregar_Esfera_Tablas_conj_2 Elemento
-  /\ Tablas.Agregar_Cilindro_Tablas_conj_1 Elemento
-  /\ Tablas.Agregar_Cilindro_Tablas_conj_2 Elemento
-  /\ Tablas.Agregar_Cono_Tablas_conj_1 Elemento
-  /\ Tablas.Agregar_Cono_Tablas_conj_2 Elemento
-  /\ Tablas.Agregar_Tronco_Tablas_conj_1 Elemento
-  /\ Tablas.Agregar_Tronco_Tablas_conj_2 Elemento
-  /\ Tablas.Agregar_Plano_Tablas_conj_1 Elemento
-  /\ Tablas.Agregar_Plano_Tablas_conj_2 Elemento
-  /\ Tablas.Agregar_Disco_Tablas_conj_1 Elemento
-  /\ Tablas.Agregar_Disco_Tablas_conj_2 Elemento
-  /\ Tablas.Agregar_Triangulo_Tablas_conj_1 Elemento
-  /\ Tablas.Agregar_Triangulo_Tablas_conj_2 Elemento
-  /\ Tablas.Eliminar_Esfera_Tablas_conj_1 Elemento
-  /\ Tablas.Eliminar_Esfera_Tablas_conj_2 Elemento
-  /\ Tablas.Eliminar_Cilindro_Tablas_conj_1 Elemento
-  /\ Tablas.Eliminar_Cilindro_Tablas_conj_2 Elemento
-  /\ Tablas.Eliminar_Cono_Tablas_conj_1 Elemento
-  /\ Tablas.Eliminar_Cono_Tablas_conj_2 Elemento
-  /\ Tablas.Eliminar_Tronco_Tablas_conj_1 Elemento
-  /\ Tablas.Eliminar_Tronco_Tablas_conj_2 Elemento
-  /\ Tablas.Eliminar_Plano_Tablas_conj_1 Elemento
-  /\ Tablas.Eliminar_Plano_Tablas_conj_2 Elemento
-  /\ Tablas.Eliminar_Disco_Tablas_conj_1 Elemento
-  /\ Tablas.Eliminar_Disco_Tablas_conj_2 Elemento
-  /\ Tablas.Eliminar_Triangulo_Tablas_conj_1 Elemento
-  /\ Tablas.Eliminar_Triangulo_Tablas_conj_2 Elemento.
+  @Tablas.Retrieve_conj_1 Elemento
+  /\ @Tablas.Retrieve_conj_2 Elemento
+  /\ @Tablas.Retrieve_conj_3 Elemento
+  /\ @Tablas.Init_Tablas_conj_1 Elemento
+  /\ @Tablas.Init_Tablas_conj_2 Elemento
+  /\ @Tablas.Agregar_Esfera_Tablas_conj_1 Elemento
+  /\ @Tablas.Agregar_Esfera_Tablas_conj_2 Elemento
+  /\ @Tablas.Agregar_Cilindro_Tablas_conj_1 Elemento
+  /\ @Tablas.Agregar_Cilindro_Tablas_conj_2 Elemento
+  /\ @Tablas.Agregar_Cono_Tablas_conj_1 Elemento
+  /\ @Tablas.Agregar_Cono_Tablas_conj_2 Elemento
+  /\ @Tablas.Agregar_Tronco_Tablas_conj_1 Elemento
+  /\ @Tablas.Agregar_Tronco_Tablas_conj_2 Elemento
+  /\ @Tablas.Agregar_Plano_Tablas_conj_1 Elemento
+  /\ @Tablas.Agregar_Plano_Tablas_conj_2 Elemento
+  /\ @Tablas.Agregar_Disco_Tablas_conj_1 Elemento
+  /\ @Tablas.Agregar_Disco_Tablas_conj_2 Elemento
+  /\ @Tablas.Agregar_Triangulo_Tablas_conj_1 Elemento
+  /\ @Tablas.Agregar_Triangulo_Tablas_conj_2 Elemento
+  /\ @Tablas.Eliminar_Esfera_Tablas_conj_1 Elemento
+  /\ @Tablas.Eliminar_Esfera_Tablas_conj_2 Elemento
+  /\ @Tablas.Eliminar_Cilindro_Tablas_conj_1 Elemento
+  /\ @Tablas.Eliminar_Cilindro_Tablas_conj_2 Elemento
+  /\ @Tablas.Eliminar_Cono_Tablas_conj_1 Elemento
+  /\ @Tablas.Eliminar_Cono_Tablas_conj_2 Elemento
+  /\ @Tablas.Eliminar_Tronco_Tablas_conj_1 Elemento
+  /\ @Tablas.Eliminar_Tronco_Tablas_conj_2 Elemento
+  /\ @Tablas.Eliminar_Plano_Tablas_conj_1 Elemento
+  /\ @Tablas.Eliminar_Plano_Tablas_conj_2 Elemento
+  /\ @Tablas.Eliminar_Disco_Tablas_conj_1 Elemento
+  /\ @Tablas.Eliminar_Disco_Tablas_conj_2 Elemento
+  /\ @Tablas.Eliminar_Triangulo_Tablas_conj_1 Elemento
+  /\ @Tablas.Eliminar_Triangulo_Tablas_conj_2 Elemento.
 Proof.
-  exact (conj (Tablas.tables_stand_for_one_scene Elemento)
-    (conj (Tablas.tables_that_stay_stand_for_a_scene_that_stays Elemento)
-    (conj (Tablas.the_index_knows_the_elements Elemento)
-    (conj (Tablas.first_tables_stand_for_the_first_scene Elemento)
-    (conj (Tablas.first_tables_exist Elemento)
-    (conj (Tablas.Agregar_Esfera_Tablas_applicable Elemento)
-    (conj (Tablas.Agregar_Esfera_Tablas_correct Elemento)
-    (conj (Tablas.Agregar_Cilindro_Tablas_applicable Elemento)
-    (conj (Tablas.Agregar_Cilindro_Tablas_correct Elemento)
-    (conj (Tablas.Agregar_Cono_Tablas_applicable Elemento)
-    (conj (Tablas.Agregar_Cono_Tablas_correct Elemento)
-    (conj (Tablas.Agregar_Tronco_Tablas_applicable Elemento)
-    (conj (Tablas.Agregar_Tronco_Tablas_correct Elemento)
-    (conj (Tablas.Agregar_Plano_Tablas_applicable Elemento)
-    (conj (Tablas.Agregar_Plano_Tablas_correct Elemento)
-    (conj (Tablas.Agregar_Disco_Tablas_applicable Elemento)
-    (conj (Tablas.Agregar_Disco_Tablas_correct Elemento)
-    (conj (Tablas.Agregar_Triangulo_Tablas_applicable Elemento)
-    (conj (Tablas.Agregar_Triangulo_Tablas_correct Elemento)
-    (conj (Tablas.Eliminar_Esfera_Tablas_applicable Elemento)
-    (conj (Tablas.Eliminar_Esfera_Tablas_correct Elemento)
-    (conj (Tablas.Eliminar_Cilindro_Tablas_applicable Elemento)
-    (conj (Tablas.Eliminar_Cilindro_Tablas_correct Elemento)
-    (conj (Tablas.Eliminar_Cono_Tablas_applicable Elemento)
-    (conj (Tablas.Eliminar_Cono_Tablas_correct Elemento)
-    (conj (Tablas.Eliminar_Tronco_Tablas_applicable Elemento)
-    (conj (Tablas.Eliminar_Tronco_Tablas_correct Elemento)
-    (conj (Tablas.Eliminar_Plano_Tablas_applicable Elemento)
-    (conj (Tablas.Eliminar_Plano_Tablas_correct Elemento)
-    (conj (Tablas.Eliminar_Disco_Tablas_applicable Elemento)
-    (conj (Tablas.Eliminar_Disco_Tablas_correct Elemento)
-    (conj (Tablas.Eliminar_Triangulo_Tablas_applicable Elemento)
-    (Tablas.Eliminar_Triangulo_Tablas_correct Elemento))))))))))))))))))))))))))))))))).
+  exact (conj RowsAdded.tables_stand_for_one_scene
+    (conj RowsAdded.tables_that_stay_stand_for_a_scene_that_stays
+    (conj RowsAdded.the_index_knows_the_elements
+    (conj RowsAdded.first_tables_stand_for_the_first_scene
+    (conj RowsAdded.first_tables_exist
+    (conj RowsAdded.Agregar_Esfera_Tablas_applicable
+    (conj RowsAdded.Agregar_Esfera_Tablas_correct
+    (conj RowsAdded.Agregar_Cilindro_Tablas_applicable
+    (conj RowsAdded.Agregar_Cilindro_Tablas_correct
+    (conj RowsAdded.Agregar_Cono_Tablas_applicable
+    (conj RowsAdded.Agregar_Cono_Tablas_correct
+    (conj RowsAdded.Agregar_Tronco_Tablas_applicable
+    (conj RowsAdded.Agregar_Tronco_Tablas_correct
+    (conj RowsAdded.Agregar_Plano_Tablas_applicable
+    (conj RowsAdded.Agregar_Plano_Tablas_correct
+    (conj RowsAdded.Agregar_Disco_Tablas_applicable
+    (conj RowsAdded.Agregar_Disco_Tablas_correct
+    (conj RowsAdded.Agregar_Triangulo_Tablas_applicable
+    (conj RowsAdded.Agregar_Triangulo_Tablas_correct
+    (conj RowsRemoved.Eliminar_Esfera_Tablas_applicable
+    (conj RowsRemoved.Eliminar_Esfera_Tablas_correct
+    (conj RowsRemoved.Eliminar_Cilindro_Tablas_applicable
+    (conj RowsRemoved.Eliminar_Cilindro_Tablas_correct
+    (conj RowsRemoved.Eliminar_Cono_Tablas_applicable
+    (conj RowsRemoved.Eliminar_Cono_Tablas_correct
+    (conj RowsRemoved.Eliminar_Tronco_Tablas_applicable
+    (conj RowsRemoved.Eliminar_Tronco_Tablas_correct
+    (conj RowsRemoved.Eliminar_Plano_Tablas_applicable
+    (conj RowsRemoved.Eliminar_Plano_Tablas_correct
+    (conj RowsRemoved.Eliminar_Disco_Tablas_applicable
+    (conj RowsRemoved.Eliminar_Disco_Tablas_correct
+    (conj RowsRemoved.Eliminar_Triangulo_Tablas_applicable
+    RowsRemoved.Eliminar_Triangulo_Tablas_correct)))))))))))))))))))))))))))))))).
 Qed.
 
 Theorem the_closed_form_of_the_text_is_alcance Elemento :
@@ -506,10 +513,10 @@ Theorem the_closed_form_of_the_text_is_alcance Elemento :
   /\ Tablas.raices_conj_3 Elemento
   /\ Tablas.raices_conj_4 Elemento.
 Proof.
-  exact (conj (Tablas.the_closed_form_of_a_sphere_is_alcance Elemento)
-    (conj (Tablas.the_closed_form_of_a_cylinder_is_alcance Elemento)
-    (conj (Tablas.the_closed_form_of_a_cone_is_alcance Elemento)
-    (Tablas.the_closed_form_of_a_truncated_cone_is_alcance Elemento)))).
+  exact (conj (ClosedForm.the_closed_form_of_a_sphere_is_alcance Elemento)
+    (conj (ClosedForm.the_closed_form_of_a_cylinder_is_alcance Elemento)
+    (conj (ClosedForm.the_closed_form_of_a_cone_is_alcance Elemento)
+    (ClosedForm.the_closed_form_of_a_truncated_cone_is_alcance Elemento)))).
 Qed.
 
 (** * 8. Acceleration: visiting cells in any order, and skipping those beyond the best, loses nothing *)

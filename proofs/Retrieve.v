@@ -7,8 +7,7 @@
                             table of its type, its attributes are in their ranges
     row T e x            == some table of T holds the shape x under the name e
     retrieve T           == the scene of the Z text that T represents
-    add T e x            == append a row;  remove T e == move the last row of the table into the gap
-    add_total, remove_total == the same, or the first error *)
+    add T e x            == append a row;  remove T e == move the last row of the table into the gap *)
 From Coq Require Import Reals List Lia Arith.
 From Durero Require Import Toolkit Especificacion Escena Operaciones.
 Import ListNotations.
@@ -466,90 +465,5 @@ Proof.
   destruct t; [apply Eliminar_Esfera_computed | apply Eliminar_Cilindro_computed | apply Eliminar_Cono_computed |
     apply Eliminar_Tronco_computed | apply Eliminar_Plano_computed | apply Eliminar_Disco_computed |
     apply Eliminar_Triangulo_computed]; auto.
-Qed.
-
-(** ** The total operations on the tables *)
-
-Definition Rmas_dec (r : R) : {Rmas r} + {~ Rmas r} := Rgt_dec r 0.
-Definition Unitario_dec d : {Unitario d} + {~ Unitario d}.
-Proof.
-  unfold Unitario. set (q := (Vector_x d * Vector_x d + Vector_y d * Vector_y d + Vector_z d * Vector_z d)%R).
-  destruct (Rle_dec (1 - tolerancia_unidad) q), (Rle_dec q (1 + tolerancia_unidad)); [left | right | right | right]; tauto.
-Defined.
-Definition Vertices_dec abc : {Vertices abc} + {~ Vertices abc} :=
-  not_dec (and_dec (Req_EM_T _ _) (and_dec (Req_EM_T _ _) (Req_EM_T _ _))).
-Definition shape_of (t : Tipo) c r d h k abc : Shape :=
-  match t with
-  | soy_esfera => Sphere c r
-  | soy_cilindro => Cylinder c r d h
-  | soy_cono => Cone c k d h
-  | soy_tronco => TruncatedCone c r k d h
-  | soy_plano => Plane c d
-  | soy_disco => Disc c r d
-  | soy_triangulo => Triangle abc
-  end.
-(** The first clause of the type t that does not hold, in the order of the text. *)
-Definition first_error (t : Tipo) (r : R) (d : Vector) (h k : R) (abc : Terna) : option Respuesta :=
-  let axis_and_height := if Unitario_dec d then if Rmas_dec h then None else Some altura_no_positiva
-                         else Some vector_no_unitario in
-  match t with
-  | soy_esfera => if Rmas_dec r then None else Some radio_no_positivo
-  | soy_cilindro => if Rmas_dec r then axis_and_height else Some radio_no_positivo
-  | soy_cono => if Rmas_dec k then axis_and_height else Some proporcion_no_positiva
-  | soy_tronco => if Rmas_dec r then if Rmas_dec k then axis_and_height else Some proporcion_no_positiva
-                  else Some radio_no_positivo
-  | soy_plano => if Unitario_dec d then None else Some vector_no_unitario
-  | soy_disco => if Rmas_dec r then if Unitario_dec d then None else Some vector_no_unitario
-                 else Some radio_no_positivo
-  | soy_triangulo => if Vertices_dec abc then None else Some vertices_alineados
-  end.
-Definition add_total (T : Tables) e t c r d h k abc : Tables * Respuesta :=
-  match index T e with
-  | Some _ => (T, elemento_ya_existe)
-  | None => match first_error t r d h k abc with
-            | Some a => (T, a)
-            | None => (add T e (shape_of t c r d h k abc), elemento_agregado)
-            end
-  end.
-Definition remove_total (T : Tables) e : Tables * Respuesta :=
-  match index T e with None => (T, elemento_no_existe) | Some _ => (remove T e, elemento_eliminado) end.
-
-(** What holds of one type holds of one of them. *)
-Ltac one_of H := first [exact H | left; exact H | right; one_of H].
-
-(** The program's total addition on tables is a total addition of the Z text. *)
-Theorem add_total_refines T e t c r d h k abc : tables_ok T ->
-  tables_ok (fst (add_total T e t c r d h k abc)) /\
-  Agregar_Elemento_Total (retrieve T) (retrieve (fst (add_total T e t c r d h k abc))) e t c r d h k abc
-    (snd (add_total T e t c r d h k abc)).
-Proof.
-  intros ok. pose proof (Xi_refl _ _ (retrieve_ok T ok)) as X. unfold add_total, Agregar_Elemento_Total.
-  destruct (index T e) as [p |] eqn:E.
-  - split; [exact ok |]. right; left. cbn. split; [exact X | | reflexivity].
-    apply (find_correct T e ok). congruence.
-  - unfold first_error. cbn.
-    assert (A : valid (shape_of t c r d h k abc) -> tables_ok (add T e (shape_of t c r d h k abc)) /\
-      Elemento_Agregado (retrieve T) (retrieve (add T e (shape_of t c r d h k abc))) e t c r d h k abc elemento_agregado).
-    { intros V. pose proof (add_commutes T e _ ok E V) as [ok' H]. split; [exact ok' |]. split; [| reflexivity].
-      destruct t; eexists; one_of H. }
-    unfold Con_Radio, Con_Vector, Con_Altura, Con_Proporcion, Con_Vertices, union, single.
-    destruct t; cbn in *; repeat match goal with |- context [if ?c then _ else _] => destruct c; cbn end;
-      first [destruct A as [ok' A]; [now auto |]; split; [exact ok' | left; exact A] | split; [exact ok |]];
-      right; right;
-      first [ solve [left; split; [now split | auto]] | solve [right; left; split; [now split | auto]]
-        | solve [do 2 right; left; split; [now split | auto]] | solve [do 3 right; left; split; [now split | auto]]
-        | do 4 right; split; [now split | auto] ].
-Qed.
-
-(** The program's total removal on tables is a total removal of the Z text. *)
-Theorem remove_total_refines T e : tables_ok T ->
-  tables_ok (fst (remove_total T e)) /\
-  Eliminar_Elemento_Total (retrieve T) (retrieve (fst (remove_total T e))) e (snd (remove_total T e)).
-Proof.
-  intros ok. unfold remove_total, Eliminar_Elemento_Total. destruct (index T e) as [[t i] |] eqn:E; cbn.
-  - destruct (remove_commutes T e t i ok E) as [ok' H]. split; [exact ok' |]. left. split; [| reflexivity].
-    destruct t; eexists; one_of H.
-  - split; [exact ok |]. right. split; [apply Xi_refl, retrieve_ok, ok | | reflexivity].
-    rewrite (proj1 (find_correct T e ok)). tauto.
 Qed.
 End Retrieve.

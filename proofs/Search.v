@@ -182,19 +182,17 @@ Lemma no_start e t : is_least (met e) t -> ~ starts_in (met e).
 Proof. intros H S. apply (starts_in_no_least (met e) S); [apply met_positive | now exists t]. Qed.
 
 (** What a meeting says of its element. *)
-Lemma meeting_right e x : In e es ->
-  match meeting e x with
+Definition meets_right (e : E) (x : binary64) (m : meeting_kind) : Prop :=
+  match m with
   | None_met => forall t, met e t -> ~ at_least x t
   | Point v => exists t, is_least (met e) t /\ tells e v t
   | No_minimum_met => starts_in (met e)
   end.
+
+Lemma meeting_right e x : In e es -> meets_right e x (meeting e x).
 Proof.
   intros He.
-  assert (X : match exact_meeting e with
-    | None_met => forall t, met e t -> ~ at_least x t
-    | Point v => exists t, is_least (met e) t /\ tells e v t
-    | No_minimum_met => starts_in (met e)
-    end).
+  assert (X : meets_right e x (exact_meeting e)).
   { pose proof (exact_step e He) as H. unfold exact_meeting. destruct (reach_of e) as [| y |]; cbn in H.
     - intros t Ht. now destruct (H t).
     - destruct H as [Hv [Hy Hl]]. exists (val y). split; [now split | now split].
@@ -259,19 +257,9 @@ Proof.
   - intros x t [<- | Hx] Ht Hl; [now destruct (Hfar t Ht) | now apply K with t].
 Qed.
 
-Lemma once_more {A} (e : A) (l taken : list A) : (forall x, In x l -> In x taken) -> ~ In e taken -> NoDup l ->
-  NoDup (e :: l).
-Proof. intros H N D. constructor; [intros Hl; now apply N, H | exact D]. Qed.
-Lemma NoDup_filter {A B} (f : A -> B) p l : NoDup (map f l) -> NoDup (map f (filter p l)).
-Proof.
-  induction l as [| x l IH]; intros H; [constructor |]. cbn in *. inversion_clear H as [| ? ? Hn Hd].
-  destruct (p x); [cbn; constructor | now apply IH]; [| now apply IH].
-  intros Hin. apply Hn. apply in_map_iff in Hin as [y [<- Hy]]. apply filter_In in Hy as [Hy _]. now apply in_map.
-Qed.
-
 Lemma take_invariant e taken st : In e es -> ~ In e taken -> invariant taken st -> invariant (e :: taken) (take e st).
 Proof.
-  intros He Hnew H. pose proof (meeting_right e (limit st) He) as M. unfold take.
+  intros He Hnew H. pose proof (meeting_right e (limit st) He) as M. unfold meets_right in M. unfold take.
   destruct (meeting e (limit st)) as [| v |].
   - apply take_nothing; [exact H | intros t [Ht _]; now apply M |].
     intros S. destruct (starts_within _ _ e H S) as [t [Ht Hl]]. now apply (M t).

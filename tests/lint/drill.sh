@@ -102,7 +102,7 @@ if [ -f proofs/Main.v ]; then
   sees labels "an axiom that Main.v does not state"
   sed -i 's/^  .vdash. .exists Escena.*% Init.conj.1$/  \\vdash? true/' spec/escena.tex
   sees labels "a conjecture without a label"
-  sed -i 's/Agregar_Cono_Total\.def\.1//g' proofs/Operaciones.v
+  sed -i 's/Agregar_Cono_Total\.def\.1//g' proofs/Totals.v
   sees labels "a total operation that no theorem is about"
 fi
 sed -i '0,/^file src\/trace/s/^file src\/trace/file src\/elsewhere/' tests/mutants/mutants.txt
