@@ -6,7 +6,7 @@
     the exact result rounded.
 
     crossed plane p i     == (plane - p) * i, each operation rounded, of real numbers *)
-From Coq Require Import Reals ZArith Lra Psatz.
+From Coq Require Import Reals ZArith Lra.
 From Flocq Require Import Core.
 Local Open Scope R_scope.
 
@@ -20,34 +20,44 @@ Proof. apply round_le; auto with typeclass_instances. Qed.
 
 Definition crossed (plane p i : R) : R := rnd (rnd (plane - p) * i).
 
+(** What a product loses where one factor does, of the other's sign. *)
+Lemma left_le d e i : 0 <= i -> d <= e -> d * i <= e * i.
+Proof. intros Hi H; now apply Rmult_le_compat_r. Qed.
+Lemma left_ge d e i : i <= 0 -> e <= d -> d * i <= e * i.
+Proof. intros Hi H; rewrite !(Rmult_comm _ i); now apply Rmult_le_compat_neg_l. Qed.
+Lemma right_le d i j : 0 <= d -> i <= j -> d * i <= d * j.
+Proof. intros Hd H; now apply Rmult_le_compat_l. Qed.
+Lemma right_ge d i j : d <= 0 -> j <= i -> d * i <= d * j.
+Proof. intros Hd H; now apply Rmult_le_compat_neg_l. Qed.
+
 Lemma product_below d e a b i : 0 < a -> a <= i <= b -> d <= e -> Rmin (rnd (d * a)) (rnd (d * b)) <= rnd (e * i).
 Proof.
-  intros Ha Hi Hd; destruct (Rle_or_lt 0 d).
-  - apply Rle_trans with (1 := Rmin_l _ _); apply rnd_le; nra.
-  - apply Rle_trans with (1 := Rmin_r _ _); apply rnd_le; nra.
+  intros Ha Hi Hd; assert (Hleft : d * i <= e * i) by (apply left_le; lra); destruct (Rle_or_lt 0 d).
+  - apply Rle_trans with (1 := Rmin_l _ _), rnd_le, Rle_trans with (2 := Hleft), right_le; lra.
+  - apply Rle_trans with (1 := Rmin_r _ _), rnd_le, Rle_trans with (2 := Hleft), right_ge; lra.
 Qed.
 
 Lemma product_above d e a b i : 0 < a -> a <= i <= b -> e <= d -> rnd (e * i) <= Rmax (rnd (d * a)) (rnd (d * b)).
 Proof.
-  intros Ha Hi Hd; destruct (Rle_or_lt 0 d).
-  - apply Rle_trans with (2 := Rmax_r _ _); apply rnd_le; nra.
-  - apply Rle_trans with (2 := Rmax_l _ _); apply rnd_le; nra.
+  intros Ha Hi Hd; assert (Hleft : e * i <= d * i) by (apply left_le; lra); destruct (Rle_or_lt 0 d).
+  - apply Rle_trans with (2 := Rmax_r _ _), rnd_le, Rle_trans with (1 := Hleft), right_le; lra.
+  - apply Rle_trans with (2 := Rmax_l _ _), rnd_le, Rle_trans with (1 := Hleft), right_ge; lra.
 Qed.
 
 Lemma product_below_backwards d e a b i : b < 0 -> a <= i <= b -> e <= d ->
   Rmin (rnd (d * a)) (rnd (d * b)) <= rnd (e * i).
 Proof.
-  intros Hb Hi Hd; destruct (Rle_or_lt 0 d).
-  - apply Rle_trans with (1 := Rmin_l _ _); apply rnd_le; nra.
-  - apply Rle_trans with (1 := Rmin_r _ _); apply rnd_le; nra.
+  intros Hb Hi Hd; assert (Hleft : d * i <= e * i) by (apply left_ge; lra); destruct (Rle_or_lt 0 d).
+  - apply Rle_trans with (1 := Rmin_l _ _), rnd_le, Rle_trans with (2 := Hleft), right_le; lra.
+  - apply Rle_trans with (1 := Rmin_r _ _), rnd_le, Rle_trans with (2 := Hleft), right_ge; lra.
 Qed.
 
 Lemma product_above_backwards d e a b i : b < 0 -> a <= i <= b -> d <= e ->
   rnd (e * i) <= Rmax (rnd (d * a)) (rnd (d * b)).
 Proof.
-  intros Hb Hi Hd; destruct (Rle_or_lt 0 d).
-  - apply Rle_trans with (2 := Rmax_r _ _); apply rnd_le; nra.
-  - apply Rle_trans with (2 := Rmax_l _ _); apply rnd_le; nra.
+  intros Hb Hi Hd; assert (Hleft : e * i <= d * i) by (apply left_ge; lra); destruct (Rle_or_lt 0 d).
+  - apply Rle_trans with (2 := Rmax_r _ _), rnd_le, Rle_trans with (1 := Hleft), right_le; lra.
+  - apply Rle_trans with (2 := Rmax_l _ _), rnd_le, Rle_trans with (1 := Hleft), right_ge; lra.
 Qed.
 
 (** Along an axis: origins between p0 and p1, inverses between a and b. *)

@@ -94,8 +94,8 @@ struct WideBundle {
 /// A bit for each child whose box some ray of the bundle may meet at 0 < t ≤ limit, the first child's lowest; `entries`
 /// gets a parameter before which none enters each. Subtraction and multiplication, rounded, are monotonic: so what is
 /// computed of the ends between which origins and inverses lie is no later an entry, and no earlier an exit, than what
-/// `stretch` computes of any ray between them (proofs/Bundles.v: bundle_entry, bundle_exit), and the test passes wherever
-/// that of some ray does.
+/// `stretch` computes of any ray between them (proofs/Bundles.v: bundle_entry, bundle_exit), and the test passes
+/// wherever that of some ray does.
 unsigned met(const WideNode& node, const WideBundle& bundle, double limit, WideNode::Entries& entries);
 
 /// A bit for each ray of the bundle that may meet the box of one child up to its own limit, as `stretch` finds it of
