@@ -14,7 +14,9 @@
     met ray s en e       == the parameters t > 0 at which the ray meets the element e, the ray starting on the elements en
     met_scene ray s en   == the same for the whole scene
     is_least T t         == t is the least of T;  starts_in T == T holds every parameter from 0 up to some ε > 0
-    tables_ok, retrieve  == the compact tables' invariant, and the scene they represent *)
+    tables_ok, retrieve  == the compact tables' invariant, and the scene they represent
+    Walk.walks, Walk.leads == a traversal as it runs; a path of cells, each of which holds the parameter, to an element
+    Search.published st  == what the search publishes; Chain.says a == it is the text's answer, each number rounded once *)
 From Coq Require Import Reals List.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require Tipos Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve TotalTables
