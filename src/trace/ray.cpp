@@ -22,10 +22,7 @@ double extent(const glm::dvec3& x) { return std::abs(x.x) + std::abs(x.y) + std:
 }  // namespace
 
 Ray::Ray(const model::Rayo& rayo)
-    : p(rayo.p().xyz()),
-      v(rayo.v().xyz()),
-      speed(extent(v)),
-      ordinary(in_range(p) && in_range(v)) {}
+    : p(rayo.p().xyz()), v(rayo.v().xyz()), speed(extent(v)), ordinary(in_range(p) && in_range(v)) {}
 
 bool ordinary(scene::ShapeView element) {
   return element.visit([]<class Shape>(const Shape& shape) {
