@@ -37,7 +37,9 @@ class RayKeys {
     }
     const double widest = *std::ranges::max_element(width);
     while (bits_ < most_bits && std::ldexp(spacing, static_cast<int>(bits_)) < widest) ++bits_;
-    if (widest > 0) scale_ = std::ldexp(1, static_cast<int>(bits_)) / widest;
+    const double cells = std::ldexp(1, static_cast<int>(bits_));
+    last_ = cells - 1;
+    if (widest > 0) scale_ = cells / widest;
   }
   /// No key has more bits.
   unsigned bits() const { return 3 * bits_ + 3; }
@@ -57,7 +59,7 @@ class RayKeys {
   /// In which cell an origin lies; whatever lies in none counts to the first or the last.
   std::uint32_t cell(double from_low) const {
     const double at = from_low * scale_;
-    return at > 0 ? static_cast<std::uint32_t>(std::min(at, std::ldexp(1, static_cast<int>(bits_)) - 1)) : 0;
+    return at > 0 ? static_cast<std::uint32_t>(std::min(at, last_)) : 0;
   }
   /// The nine bits of a number, two of 0 between each.
   static std::uint32_t apart(std::uint32_t x) {
@@ -68,7 +70,7 @@ class RayKeys {
   }
 
   std::array<double, 3> low_{};
-  double scale_ = 0;
+  double scale_ = 0, last_ = 0;  // cells by length; the last cell
   unsigned bits_ = 0;
 };
 

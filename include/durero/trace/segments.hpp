@@ -5,6 +5,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -25,7 +26,12 @@ class SegmentBatch {
  public:
   /// All of these must outlive it. Precondition: a place in `occluded` for each query.
   SegmentBatch(const Source& source, Picked<const scene::Query> queries, Picked<bool> occluded)
-      : source_(source), queries_(queries), occluded_(occluded), open_(queries.size(), true), rays_(rays_of(queries)) {}
+      : source_(source),
+        queries_(queries),
+        occluded_(occluded),
+        open_(queries.size(), true),
+        rays_(rays_of(queries)),
+        start_(queries.size()) {}
 
   /// Writes every answer.
   void answer() {
@@ -43,11 +49,20 @@ class SegmentBatch {
   }
 
  private:
-  bool starts_on(std::uint32_t number, scene::ElementRef e) const { return Origin(queries_[number].en).contains(e); }
+  /// What a ray starts on: mostly one element, which is at hand.
+  struct Start {
+    scene::ElementRef first{{}, std::numeric_limits<std::uint32_t>::max()};
+    bool more = false;  // the others are asked of the query
+  };
+  bool starts_on(std::uint32_t number, scene::ElementRef e) const {
+    const Start& start = start_[number];
+    return start.first == e || (start.more && Origin(queries_[number].en).contains(e));
+  }
 
   /// Rays out of the ordinary are answered alone; the elements that a ray starts on, the source does not know of.
   void begin(std::uint32_t number) {
     const scene::Query& query = queries_[number];
+    if (!query.en.empty()) start_[number] = {query.en[0], query.en.size() > 1};
     occluded_[number] = false;
     if (!rays_[number].ordinary) {
       Counts unseen;
@@ -168,6 +183,7 @@ class SegmentBatch {
   Picked<bool> occluded_;
   std::vector<std::uint8_t> open_;  // not known to be occluded
   std::vector<Ray> rays_;
+  std::vector<Start> start_;
   Queues starts_{}, queues_{};  // of the elements that rays start on, by the scene's names; of what was taken
   Findings findings_{};
   ColumnFindings of_columns_{};
