@@ -1,4 +1,4 @@
-"""spec_run_own.py DURERO: thirty-odd commands of a session with the program's own text, as a terminal sees them."""
+"""spec_run_own.py DURERO: thirty-four commands of a session with the program's own text, as a terminal sees them."""
 import sys
 
 from spec_run import Terminal
