@@ -53,8 +53,9 @@ class Piece {
   /// Whether its equations may be true of a point whose rounding this is. False is certain.
   bool may_hold_near(const glm::dvec3& rounded) const;
 
-  /// The first equation, and its derivatives.
+  /// The first equation: of its points p = 0, for this p.
   const Formula& equation() const { return equation_; }
+  /// The derivatives of that by x, y and z.
   const std::array<Formula, 3>& gradient() const { return gradient_; }
 
  private:
