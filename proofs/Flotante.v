@@ -269,27 +269,11 @@ Proof.
   rewrite !norm_square; unfold dot, cross; simpl; ring.
 Qed.
 
-Lemma H_positive : 0 < H.
-Proof. unfold H; pose proof (norm_nonneg (cross q v)); assert (0 < r * norm v) by (apply Rmult_lt_0_compat; lra);
-  lra. Qed.
-
-(** 63 of the 64 units of B_error, of which F and H use 18. *)
-Lemma B_error_bound : 63 * u * (V * E) <= B_error /\ 0 < u * (V * E) /\ format B_error /\ grid (-351) B_error.
-Proof.
-  pose proof V_positive; pose proof E_positive; pose proof u_bounds.
-  destruct (error_bound B_error (64 * u * V * E) V V_fl E E_fl) as (Hm & _ & ? & ?); auto; try lra;
-    try (apply (computed_more 2); [lia | exact V_computed]); try exact E_computed.
-  split; [lra | split; [|now split]]; apply Rmult_lt_0_compat; [lra | apply Rmult_lt_0_compat; lra].
-Qed.
-
 (** ** The recorded term *)
 
 Theorem recorded : Formas.esfera p v V_fl centro r =
   Formas.Quadratic A_fl B_fl C_fl F_fl H_fl A_error B_error C_error 0 0 0 0 0 0 0.
 Proof. reflexivity. Qed.
-
-Lemma A_positive : 0 < A.
-Proof. unfold A; rewrite <- norm_square; now apply Rmult_lt_0_compat. Qed.
 
 Lemma ordinary_size x : ordinary x -> Rabs x <= bpow radix2 100.
 Proof. intros [_ [->|[_ H0]]]; [rewrite Rabs_R0; apply bpow_ge_0 | assumption]. Qed.

@@ -271,9 +271,6 @@ Proof. intros He; apply generic_format_bpow; unfold FLT_exp; lia. Qed.
 Lemma rnd_ge_bpow e x : (-1074 <= e)%Z -> bpow radix2 e <= x -> bpow radix2 e <= rnd x.
 Proof. intros He Hx; rewrite <- (rnd_format _ (format_bpow e He)); now apply rnd_le. Qed.
 
-Lemma rnd_le_bpow e x : (-1074 <= e)%Z -> x <= bpow radix2 e -> rnd x <= bpow radix2 e.
-Proof. intros He Hx; rewrite <- (rnd_format _ (format_bpow e He)); now apply rnd_le. Qed.
-
 Lemma rnd_nonneg x : 0 <= x -> 0 <= rnd x.
 Proof. intros; rewrite <- rnd_0; now apply rnd_le. Qed.
 
