@@ -154,10 +154,20 @@ class Errata(unittest.TestCase):
         down = (0, 0, -1)
         self.assertGreater(dot(printed(down), UP), 0)  # on the side of i: no refraction
 
+    def test_ER13_irradiance_has_no_direction(self):
+        """Two surroundings of one irradiance, light from the left or from the right: a mirror shows them apart."""
+        left, right = (Fraction(-3, 5), 0, Fraction(4, 5)), SLANTED
+
+        def irradiance(radiance):
+            return sum(value * max(0, dot(way, UP)) for way, value in radiance.items())
+        one, other = {left: 1, right: 0}, {left: 0, right: 1}
+        self.assertEqual(irradiance(one), irradiance(other))
+        self.assertNotEqual(one[mirrored(left, UP)], other[mirrored(left, UP)])
+
     def test_each_has_its_place(self):
-        """docs/rendering.md has a row of each of the twelve, and no test is without one."""
+        """docs/rendering.md has a row of each, and no test is without one."""
         text = (SPEC.parent / "docs" / "rendering.md").read_text(encoding="utf-8")
-        for k in range(1, 13):
+        for k in range(1, 14):
             self.assertIn(f"| ER{k} |", text)
             self.assertTrue(any(name.startswith(f"test_ER{k:02}_") for name in dir(self)), k)
 
