@@ -45,9 +45,9 @@ TEST_CASE("rays that walk together, and segments from where they hit, are answer
     const scene::Scene scene = random_scene(random, 60);
     const accel::WideBvh tree(scene);
     std::vector<scene::Query> queries;
-    const glm::dvec3 eye(0.1, 0.2, -6);
+    const glm::dvec3 eye(-0.3, -0.3, -6);  // every direction is of one sign along each axis
     for (int y = 0; y < 24; ++y)
-      for (int x = 0; x < 24; ++x) queries.push_back({ray(eye, glm::dvec3(x - 12, y - 12, 240) / 240.0)});
+      for (int x = 0; x < 24; ++x) queries.push_back({ray(eye, glm::dvec3(x + 0.5, y + 0.5, 240) / 240.0)});
     trace::Counts unseen;
     std::size_t hits = 0;
     for (std::size_t i = 0; i < 24 * 24; ++i) {
