@@ -110,7 +110,8 @@ TEST_CASE("radiancia.def.1: with one light, over materials, directions and whole
     const double seen = render::brought(scene, *exact, {&query, 1}, {1}).at(0).color.x;
     const bool lit = l.z > 0;
     highlights += lit && m.k_s > 0 ? 1 : 0;
-    const std::string fuente = fmt::format("⦉l == {}, S == {}, V == {}⦊", l.unit(), typed(brightness), lit ? "1" : "0");
+    // From below nothing stands before the light but the floor that the ray starts on: it is visible, and k_a counts.
+    const std::string fuente = fmt::format("⦉l == {}, S == {}, V == 1⦊", l.unit(), typed(brightness));
     const std::string expression = fmt::format("radiancia({0}, aportacion({0}, {1}, {2}, {3}), 0, 0)", material(m),
                                                vector(0, 0, 1), v.unit(), fuente);
     CHECK(within(expression, seen, (7 * m.e + 32) * u));
@@ -194,7 +195,10 @@ TEST_CASE("rayo_de_pixel.def.1: the rays of a dyadic camera are those of the tex
       const model::Rayo ray = rays.ray(x, y);
       const std::string typed_ray = fmt::format("⦉p == {}, v == {}⦊", vector(1, -2, exact(0.5)),
                                                 vector(exact(ray.v().x()), exact(ray.v().y()), exact(ray.v().z())));
-      CHECK(so(fmt::format("({}, {}, {}, {}) ∈ rayo_de_pixel", window, x, y, typed_ray)));
-      CHECK_FALSE(so(fmt::format("({}, {}, {}, {}) ∈ rayo_de_pixel", window, (x + 1) % 5, y, typed_ray)));
+      const std::string centre =
+          vector(1 + exact(ray.v().x()), -2 + exact(ray.v().y()), exact(0.5) + exact(ray.v().z()));
+      CHECK(so(fmt::format("({}, {}, {}, {}) ∈ centro_de_pixel", window, x, y, centre)));
+      CHECK_FALSE(so(fmt::format("({}, {}, {}, {}) ∈ centro_de_pixel", window, (x + 1) % 5, y, centre)));
+      CHECK(so(fmt::format("{} ∈ puntos_de_rayo({})", centre, typed_ray)));
     }
 }
