@@ -9,7 +9,7 @@
     x ∈ T, T a whole type == x has a value: exists c : T, c = x
     a partial function    == a set of pairs (Toolkit.rel)
     (_ + _), and − and *  == the set of pairs of Coq's operation (Toolkit.graph)
-    S × T                 == univ of whole types, else cross S T;  S → T == the set of total functions, S ⟶ T
+    S × T                 == univ of whole types, else cartesian S T;  S → T == the set of total functions, S ⟶ T
     f(e) within a predicate P  == exists v, (e, v) ∈ f /\ P: an application outside the domain makes P false. P is the
                              relation that f(e) stands in, a chain counting as one; in a condition, all of its IF
     A = B, sets           == A ≡ B
@@ -193,7 +193,7 @@ Definition Init_conj_1 : Prop := exists s' : Escena, Escena_ok s' /\ Init s'. (*
 
 Definition cuadrado (r : R) : R := r * r. (* cuadrado.def.1 *)
 
-Definition raizcuadrada_decl (raizcuadrada : R -> R) : Prop := forall (x1 : R), x1 >= 0 -> raizcuadrada x1 >= 0.
+Definition raizcuadrada_decl (raizcuadrada : R -> R) : Prop := forall x1 : R, x1 >= 0 -> raizcuadrada x1 >= 0.
 Definition raizcuadrada_def_1 (raizcuadrada : R -> R) : Prop :=
   forall r : R, r >= 0 -> raizcuadrada r * raizcuadrada r = r. (* raizcuadrada.def.1 *)
 Definition raizcuadrada : R -> R := sqrt.
@@ -496,7 +496,7 @@ Definition Cantidad : set R := fun r => r >= 0. (* Cantidad.inv.1 *)
 Definition mayor (a b : R) : R := if Rle_dec a b then b else a. (* mayor.def.1 *)
 
 Definition elevado_decl (elevado : R -> R -> R) : Prop :=
-  forall (x1 : R) (x2 : R), x1 ∈ Cantidad -> x2 ∈ Cantidad -> elevado x1 x2 ∈ Cantidad.
+  forall x1 x2 : R, x1 ∈ Cantidad -> x2 ∈ Cantidad -> elevado x1 x2 ∈ Cantidad.
 Definition elevado_def_1 (elevado : R -> R -> R) : Prop :=
   forall x : R, x ∈ Cantidad -> elevado x 0 = 1 /\ elevado x 1 = x /\ elevado 1 x = 1. (* elevado.def.1 *)
 Definition elevado_def_2 (elevado : R -> R -> R) : Prop :=
@@ -713,14 +713,14 @@ Definition trazador_conj_1 : Prop :=
 
 Definition trazador_conj_2 : Prop :=
   forall (t : Trazado) (maximo : R) (L M : rel (R * Camino) R), t ∈ Trazado_ok -> maximo ∈ integers
-  -> L ∈ cartesian integers univ ⟶ univ -> M ∈ cartesian integers univ ⟶ univ -> trazador t maximo L -> trazador t maximo M
-  -> L ≡ M. (* trazador.conj.2 *)
+  -> L ∈ cartesian integers univ ⟶ univ -> M ∈ cartesian integers univ ⟶ univ -> trazador t maximo L
+  -> trazador t maximo M -> L ≡ M. (* trazador.conj.2 *)
 
 Definition trazador_conj_3 : Prop :=
-  forall (t : Trazado) (L M : rel (R * Camino) R) (c : Camino), t ∈ Trazado_ok -> L ∈ cartesian integers univ ⟶ univ
-  -> M ∈ cartesian integers univ ⟶ univ -> trazador t 0 L -> trazador t 1 M -> c ∈ Trazado_llega t
-  -> (exists v1, ((1, c), v1) ∈ L /\ v1 = 0) /\ exists v1 v2 v3, ((1, c), v1) ∈ M /\ (c, v2) ∈ Trazado_material t
-  /\ (c, v3) ∈ Trazado_de_luces t /\ v1 = radiancia v2 v3 0 0. (* trazador.conj.3 *)
+  forall (t : Trazado) (L M : rel (R * Camino) R) (c : Camino), t ∈ Trazado_ok
+  -> L ∈ cartesian integers univ ⟶ univ -> M ∈ cartesian integers univ ⟶ univ -> trazador t 0 L -> trazador t 1 M
+  -> c ∈ Trazado_llega t -> (exists v1, ((1, c), v1) ∈ L /\ v1 = 0) /\ exists v1 v2 v3, ((1, c), v1) ∈ M
+  /\ (c, v2) ∈ Trazado_material t /\ (c, v3) ∈ Trazado_de_luces t /\ v1 = radiancia v2 v3 0 0. (* trazador.conj.3 *)
 
 Definition centro_de_pixel_conj_1 : Prop :=
   forall (w : Ventana) (x y j k : R) (p q : Punto), w ∈ Ventana_ok -> x ∈ integers -> y ∈ integers -> j ∈ integers

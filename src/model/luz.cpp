@@ -18,12 +18,13 @@ bool sees(const Punto& p, const Vector& v, const auto& is_occluded) {
 }  // namespace
 
 Judgements inv(const Material& m) {
-  return {{&Material_inv_1, Parte::contains(m.k_a).holds},    {&Material_inv_2, Parte::contains(m.k_d).holds},
-          {&Material_inv_3, Parte::contains(m.k_s).holds},    {&Material_inv_4, Parte::contains(m.k_ps).holds},
-          {&Material_inv_5, Parte::contains(m.k_t).holds},    {&Material_inv_6, Parte::contains(m.C).holds},
-          {&Material_inv_7, Parte::contains(m.M_PS).holds},   {&Material_inv_8, Parte::contains(m.M_T).holds},
-          {&Material_inv_9, Cantidad::contains(m.emisividad).holds}, {&Material_inv_10, Cantidad::contains(m.A_G).holds},
-          {&Material_inv_11, Cantidad::contains(m.e).holds},  {&Material_inv_12, m.indice > 0}};
+  return {
+      {&Material_inv_1, Parte::contains(m.k_a).holds},           {&Material_inv_2, Parte::contains(m.k_d).holds},
+      {&Material_inv_3, Parte::contains(m.k_s).holds},           {&Material_inv_4, Parte::contains(m.k_ps).holds},
+      {&Material_inv_5, Parte::contains(m.k_t).holds},           {&Material_inv_6, Parte::contains(m.C).holds},
+      {&Material_inv_7, Parte::contains(m.M_PS).holds},          {&Material_inv_8, Parte::contains(m.M_T).holds},
+      {&Material_inv_9, Cantidad::contains(m.emisividad).holds}, {&Material_inv_10, Cantidad::contains(m.A_G).holds},
+      {&Material_inv_11, Cantidad::contains(m.e).holds},         {&Material_inv_12, m.indice > 0}};
 }
 
 bool conserva(const Material& m) { return m.k_ps * m.M_PS + m.k_t * m.M_T <= 1; }

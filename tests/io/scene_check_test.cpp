@@ -99,7 +99,7 @@ TEST_CASE("Other members that are wrong are passed over too; a file that cannot 
 TEST_CASE("Where the materials are wrong, nothing is said of who names them") {
   const std::string wrong = R"("materials":{"m":{"color":[2,0,0]}},)";
   CHECK(found_in(scene_of(sphere("a", R"("radio":1,"material":"m")"), wrong)) ==
-        Found{"malformed /materials/m/color 1"});
+        Found{"Material.inv.6 /materials/m/color 1"});
 }
 
 TEST_CASE("The first error that is met is the one that reading throws") {

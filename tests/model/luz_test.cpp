@@ -63,8 +63,9 @@ TEST_CASE("Material.inv.1 to Material.inv.12: each is broken alone") {
     CHECK(broken_by(component, 1 + little) == Labels{label});
     CHECK(broken_by(component, 1).empty());
   }
-  const std::pair<Rational Material::*, const char*> amounts[] = {
-      {&Material::emisividad, "Material.inv.9"}, {&Material::A_G, "Material.inv.10"}, {&Material::e, "Material.inv.11"}};
+  const std::pair<Rational Material::*, const char*> amounts[] = {{&Material::emisividad, "Material.inv.9"},
+                                                                  {&Material::A_G, "Material.inv.10"},
+                                                                  {&Material::e, "Material.inv.11"}};
   for (const auto& [component, label] : amounts) {
     CHECK(broken_by(component, -little) == Labels{label});
     CHECK(broken_by(component, 0).empty());

@@ -74,12 +74,12 @@ TEST_CASE("F and C of any type of element give the bytes of its own equations") 
 TEST_CASE("a sphere by the one of radius one: the ray is moved to its space, and t stays what it is, byte for byte") {
   property("of any centre and radius", [] {
     const model::Punto centro = *any_point();
-    const model::Rmas radio = *any_rmas();
+    const double radio = *any_length();
     const model::Rayo rayo = *any_ray();
     scene::Scene scene;
     scene.apply(model::Agregar_Esfera{Elemento("ball"), centro, radio});
     const scene::ElementRef ball = *scene.find("ball");
-    const Rational r = number::exact(double(radio)), scale = 1 / r;
+    const Rational r = number::exact(radio), scale = 1 / r;
     const ExactPoint c(centro), p(rayo.p());
     const ExactVector v(rayo.v());
     const auto t = intersect(unit_sphere, anywhere,

@@ -114,8 +114,8 @@ TEST_CASE("a box of laws about a function of two arguments is a statement of eac
       "elevado.def.1\n\\end{axdef}\n";
   CHECK(
       more(box) ==
-      "Definition elevado_decl (elevado : R -> R -> R) : Prop :=\n"
-      "  forall x1 x2 : R, x2 ∈ integers -> elevado x1 x2 ∈ integers.\n"
+      "Definition elevado_decl (elevado : R -> R -> R) : Prop := forall x1 x2 : R, x2 ∈ integers -> elevado x1 x2 ∈ "
+      "integers.\n"
       "Definition elevado_def_1 (elevado : R -> R -> R) : Prop := forall r : R, elevado r 0 = 1. (* elevado.def.1 *)\n"
       "Definition elevado : R -> R -> R := power_of.\n");
 }
