@@ -57,18 +57,15 @@ struct Place {
   Truth<T> outside, inside;
 };
 
-/// avance at the root. It errs by what s0 and s1 bring, 4ε|q| + 3ε|t|V, by |s1|·error, and by the roundings of t·s1, of
-/// the sum and, where the caller takes it, of altura − avance, which make that 6ε|q| + 6ε|t|V + ε·altura. The s1 at hand
-/// errs, too: by 3εV·error more. Of q/A and −2B/A an error is at most 2|t|, as the numbers divided are more than twice
-/// their own, which makes that 6ε|t|V. Of C/q it is at most |t| + 2C_error/|q|, and where |t| is less than that the line
-/// is near the element's surface: then either |q|, with altura, is as large as E up to κ, or the line runs so nearly
-/// along the axis that what is added to |s1| below, 2⁻²³ of it, is more. In all it is less than
-/// 16ε(|q| + altura + |t|V) + |s1|·error.
+/// avance at the root. It errs by what s0 and s1 bring, 4ε|q| + 3ε(|t| + error)V, by |s1|·error, and by the roundings
+/// of t·s1, of the sum and, where the caller takes it, of altura − avance, which make that 6ε|q| + 6ε(|t| + error)V +
+/// ε·altura: in all less than 16ε(|q| + altura + (|t| + error)V) + |s1|·error.
 constexpr double advance_units = 16;
 template <class T>
 HWY_INLINE Known<T> advance(const Quadratic<T>& f, const Root<T>& root) {
-  return {f.s0 + root.t * f.s1, advance_units * Numbers<T>::roundoff * (f.reach + magnitude(root.t) * f.speed) +
-                                    (magnitude(f.s1) * 1.0000001) * root.error};
+  return {f.s0 + root.t * f.s1,
+          advance_units * Numbers<T>::roundoff * (f.reach + (magnitude(root.t) + root.error) * f.speed) +
+              (magnitude(f.s1) * 1.0000001) * root.error};
 }
 
 /// t > 0, and 0 ≤ avance ≤ altura or margin ≥ 0 where the element is so bounded.
