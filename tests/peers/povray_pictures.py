@@ -14,33 +14,13 @@ import shutil
 import subprocess
 import sys
 import tempfile
-import zlib
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from png import png_pixels  # noqa: E402
 
 OFF, FEW = 2, 0.01
 WIDTH, HEIGHT = 320, 180
 SCENES = ["mirrors", "still-life"]
-
-
-def png_pixels(data):
-    """The bytes of an 8-bit RGB PNG without its filters (PNG, 9.2)."""
-    at, packed, width, height = 8, b"", 0, 0
-    while at < len(data):
-        length, kind = int.from_bytes(data[at : at + 4], "big"), data[at + 4 : at + 8]
-        body = data[at + 8 : at + 8 + length]
-        if kind == b"IHDR":
-            width, height = int.from_bytes(body[:4], "big"), int.from_bytes(body[4:8], "big")
-        packed += body if kind == b"IDAT" else b""
-        at += 12 + length
-    raw, pixels, before, size = zlib.decompress(packed), bytearray(), bytes(3 * width), 3 * width
-    for y in range(height):
-        how, row = raw[y * (size + 1)], bytearray(raw[y * (size + 1) + 1 : (y + 1) * (size + 1)])
-        for i in range(size):
-            a, b, c = (row[i - 3] if i >= 3 else 0), before[i], (before[i - 3] if i >= 3 else 0)
-            paeth = min((abs(b - c), 0, a), (abs(a - c), 1, b), (abs(a + b - 2 * c), 2, c))[2]
-            row[i] = (row[i] + (0, a, b, (a + b) // 2, paeth)[how]) % 256
-        pixels += row
-        before = row
-    return bytes(pixels)
 
 
 def ppm_pixels(data):
@@ -55,7 +35,7 @@ def drawn(durero, scene, folder):
     said = subprocess.run(call, cwd=folder, capture_output=True, text=True)
     if said.returncode != 0:
         sys.exit(f"{scene}: povray refuses what was exported:\n{said.stderr[-3000:]}")
-    return png_pixels((folder / "here.png").read_bytes()), ppm_pixels((folder / "there.ppm").read_bytes())
+    return png_pixels((folder / "here.png").read_bytes())[2], ppm_pixels((folder / "there.ppm").read_bytes())
 
 
 def compare(name, here, there, into):
