@@ -292,8 +292,8 @@ Definition quotient (x : R) (x_error : R) (y : R) (y_error : R) : known R :=
       radix2 (-52))) + rnd (bpow radix2 (-51) * x2))).
 
 Definition advance (f : quadratic R) (t : known R) : known R :=
-  Known (rnd (s0 f + rnd (value t * s1 f))) (rnd (rnd (bpow radix2 (-49) * rnd (reach f + rnd (Rabs (value t) * speed
-      f))) + rnd (rnd (Rabs (s1 f) * (4503600077730459 * bpow radix2 (-52))) * error t))).
+  Known (rnd (s0 f + rnd (value t * s1 f))) (rnd (rnd (bpow radix2 (-49) * rnd (reach f + rnd (rnd (Rabs (value t) +
+      error t) * speed f))) + rnd (rnd (Rabs (s1 f) * (4503600077730459 * bpow radix2 (-52))) * error t))).
 
 Definition beyond (t : known R) (limit : R) : bool :=
   (Rlt_bool (error t) (rnd (value t - limit))).
@@ -303,8 +303,8 @@ Definition place (f : quadratic R) (t : known R) : placed :=
 
 Definition place_axial (f : quadratic R) (t : known R) : placed :=
   let x1 := rnd (s0 f + rnd (value t * s1 f)) in
-  let x2 := rnd (rnd (bpow radix2 (-49) * rnd (reach f + rnd (Rabs (value t) * speed f))) + rnd (rnd (Rabs (s1 f) *
-      (4503600077730459 * bpow radix2 (-52))) * error t)) in
+  let x2 := rnd (rnd (bpow radix2 (-49) * rnd (reach f + rnd (rnd (Rabs (value t) + error t) * speed f))) + rnd (rnd
+      (Rabs (s1 f) * (4503600077730459 * bpow radix2 (-52))) * error t)) in
   let x3 := - x2 in
   let x4 := rnd (altura f - x1) in
   Placed (orb (orb (Rlt_bool (value t) (- error t)) (Rlt_bool x1 x3)) (Rlt_bool x4 x3)) (andb (andb (Rlt_bool (error t)
@@ -380,14 +380,14 @@ Definition first_in_lanes_axial (f : quadratic R) : in_lanes :=
   let x17 := if x10 then x13 else x16 in
   let x18 := if x10 then x11 else x14 in
   let x19 := rnd (Rabs (s1 f) * (4503600077730459 * bpow radix2 (-52))) in
-  let x20 := rnd (rnd (bpow radix2 (-49) * rnd (reach f + rnd (Rabs x18 * speed f))) + rnd (x19 * x17)) in
+  let x20 := rnd (rnd (bpow radix2 (-49) * rnd (reach f + rnd (rnd (Rabs x18 + x17) * speed f))) + rnd (x19 * x17)) in
   let x21 := rnd (s0 f + rnd (x18 * s1 f)) in
   let x22 := rnd (altura f - x21) in
   let x23 := - x20 in
   let x24 := orb (orb (Rlt_bool x18 (- x17)) (Rlt_bool x21 x23)) (Rlt_bool x22 x23) in
   let x25 := if x10 then x16 else x13 in
   let x26 := if x10 then x14 else x11 in
-  let x27 := rnd (rnd (bpow radix2 (-49) * rnd (reach f + rnd (Rabs x26 * speed f))) + rnd (x19 * x25)) in
+  let x27 := rnd (rnd (bpow radix2 (-49) * rnd (reach f + rnd (rnd (Rabs x26 + x25) * speed f))) + rnd (x19 * x25)) in
   let x28 := rnd (s0 f + rnd (x26 * s1 f)) in
   let x29 := rnd (altura f - x28) in
   let x30 := andb x24 (andb (andb (Rlt_bool x25 x26) (Rlt_bool x27 x28)) (Rlt_bool x27 x29)) in
@@ -406,7 +406,7 @@ Definition first_in_lanes_on_axial (f : quadratic R) : in_lanes :=
   let x4 := Rabs x3 in
   let x5 := rnd (rnd (rnd (rnd (rnd (2 * B_error f) + rnd (x4 * A_error f)) / rnd (x1 - A_error f)) * (4503600077730459
       * bpow radix2 (-52))) + rnd (bpow radix2 (-51) * x4)) in
-  let x6 := rnd (rnd (bpow radix2 (-49) * rnd (reach f + rnd (x4 * speed f))) + rnd (rnd (Rabs (s1 f) *
+  let x6 := rnd (rnd (bpow radix2 (-49) * rnd (reach f + rnd (rnd (x4 + x5) * speed f))) + rnd (rnd (Rabs (s1 f) *
       (4503600077730459 * bpow radix2 (-52))) * x5)) in
   let x7 := rnd (s0 f + rnd (x3 * s1 f)) in
   let x8 := rnd (altura f - x7) in
@@ -568,7 +568,7 @@ Definition first_of_curved_axial (f : quadratic R) (limit : R) : answer R :=
   let x13 := Rlt_bool x12 (rnd (x10 - limit)) in
   let x14 := Rabs (s1 f) in
   let x15 := rnd (x14 * (4503600077730459 * bpow radix2 (-52))) in
-  let x16 := rnd (rnd (bpow radix2 (-49) * rnd (reach f + rnd (x11 * speed f))) + rnd (x15 * x12)) in
+  let x16 := rnd (rnd (bpow radix2 (-49) * rnd (reach f + rnd (rnd (x11 + x12) * speed f))) + rnd (x15 * x12)) in
   let x17 := rnd (s0 f + rnd (x10 * s1 f)) in
   let x18 := rnd (altura f - x17) in
   let x19 := andb (andb (Rlt_bool x12 x10) (Rlt_bool x16 x17)) (Rlt_bool x16 x18) in
@@ -583,7 +583,7 @@ Definition first_of_curved_axial (f : quadratic R) (limit : R) : answer R :=
   let x28 := rnd (rnd (rnd (rnd (C_error f + rnd (x26 * x7)) / x27) * (4503600077730459 * bpow radix2 (-52))) + rnd
       (bpow radix2 (-51) * x26)) in
   let x29 := Rlt_bool x28 (rnd (x25 - limit)) in
-  let x30 := rnd (rnd (bpow radix2 (-49) * rnd (reach f + rnd (x26 * speed f))) + rnd (x15 * x28)) in
+  let x30 := rnd (rnd (bpow radix2 (-49) * rnd (reach f + rnd (rnd (x26 + x28) * speed f))) + rnd (x15 * x28)) in
   let x31 := rnd (s0 f + rnd (x25 * s1 f)) in
   let x32 := rnd (altura f - x31) in
   let x33 := andb (andb (Rlt_bool x28 x25) (Rlt_bool x30 x31)) (Rlt_bool x30 x32) in
@@ -666,7 +666,7 @@ Definition first_of_curved_on_axial (f : quadratic R) (limit : R) : answer R :=
   let x3 := Rabs x2 in
   let x4 := rnd (rnd (rnd (rnd (rnd (2 * B_error f) + rnd (x3 * A_error f)) / rnd (x1 - A_error f)) * (4503600077730459
       * bpow radix2 (-52))) + rnd (bpow radix2 (-51) * x3)) in
-  let x5 := rnd (rnd (bpow radix2 (-49) * rnd (reach f + rnd (x3 * speed f))) + rnd (rnd (Rabs (s1 f) *
+  let x5 := rnd (rnd (bpow radix2 (-49) * rnd (reach f + rnd (rnd (x3 + x4) * speed f))) + rnd (rnd (Rabs (s1 f) *
       (4503600077730459 * bpow radix2 (-52))) * x4)) in
   let x6 := rnd (s0 f + rnd (x2 * s1 f)) in
   let x7 := rnd (altura f - x6) in
@@ -1133,8 +1133,8 @@ Definition quotient (x : twofold) (x_error : R) (y : twofold) (y_error : R) : kn
       radix2 (-52))) + rnd (bpow radix2 (-100) * x2))).
 
 Definition advance (f : quadratic twofold) (t : known twofold) : known twofold :=
-  Known (sum (s0 f) (product (value t) (s1 f))) (rnd (rnd (bpow radix2 (-98) * rnd (reach f + rnd (Rabs (hi (value t)) *
-      speed f))) + rnd (rnd (Rabs (hi (s1 f)) * (4503600077730459 * bpow radix2 (-52))) * error t))).
+  Known (sum (s0 f) (product (value t) (s1 f))) (rnd (rnd (bpow radix2 (-98) * rnd (reach f + rnd (rnd (Rabs (hi (value
+      t)) + error t) * speed f))) + rnd (rnd (Rabs (hi (s1 f)) * (4503600077730459 * bpow radix2 (-52))) * error t))).
 
 Definition beyond (t : known twofold) (limit : R) : bool :=
   (Rlt_bool (error t) (hi (difference (value t) (exactly limit)))).
@@ -1147,8 +1147,8 @@ Definition place_axial (f : quadratic twofold) (t : known twofold) : placed :=
   let x1 := hi (value t) in
   let x2 := sum (s0 f) (product (value t) (s1 f)) in
   let x3 := hi x2 in
-  let x4 := rnd (rnd (bpow radix2 (-98) * rnd (reach f + rnd (Rabs x1 * speed f))) + rnd (rnd (Rabs (hi (s1 f)) *
-      (4503600077730459 * bpow radix2 (-52))) * error t)) in
+  let x4 := rnd (rnd (bpow radix2 (-98) * rnd (reach f + rnd (rnd (Rabs x1 + error t) * speed f))) + rnd (rnd (Rabs (hi
+      (s1 f)) * (4503600077730459 * bpow radix2 (-52))) * error t)) in
   let x5 := - x4 in
   let x6 := hi (difference (exactly (altura f)) x2) in
   Placed (orb (orb (Rlt_bool x1 (- error t)) (Rlt_bool x3 x5)) (Rlt_bool x6 x5)) (andb (andb (Rlt_bool (error t) x1)
@@ -1287,7 +1287,7 @@ Definition first_of_curved_axial (f : quadratic twofold) (limit : R) : answer tw
   let x18 := Rlt_bool x16 (hi (difference x13 x17)) in
   let x19 := Rabs (hi (s1 f)) in
   let x20 := rnd (x19 * (4503600077730459 * bpow radix2 (-52))) in
-  let x21 := rnd (rnd (bpow radix2 (-98) * rnd (reach f + rnd (x15 * speed f))) + rnd (x20 * x16)) in
+  let x21 := rnd (rnd (bpow radix2 (-98) * rnd (reach f + rnd (rnd (x15 + x16) * speed f))) + rnd (x20 * x16)) in
   let x22 := sum (s0 f) (product x13 (s1 f)) in
   let x23 := hi x22 in
   let x24 := exactly (altura f) in
@@ -1305,7 +1305,7 @@ Definition first_of_curved_axial (f : quadratic twofold) (limit : R) : answer tw
   let x36 := rnd (rnd (rnd (rnd (C_error f + rnd (x34 * x9)) / x35) * (4503600077730459 * bpow radix2 (-52))) + rnd
       (bpow radix2 (-100) * x34)) in
   let x37 := Rlt_bool x36 (hi (difference x32 x17)) in
-  let x38 := rnd (rnd (bpow radix2 (-98) * rnd (reach f + rnd (x34 * speed f))) + rnd (x20 * x36)) in
+  let x38 := rnd (rnd (bpow radix2 (-98) * rnd (reach f + rnd (rnd (x34 + x36) * speed f))) + rnd (x20 * x36)) in
   let x39 := sum (s0 f) (product x32 (s1 f)) in
   let x40 := hi x39 in
   let x41 := hi (difference x24 x39) in
@@ -1391,7 +1391,7 @@ Definition first_of_curved_on_axial (f : quadratic twofold) (limit : R) : answer
   let x5 := Rabs x4 in
   let x6 := rnd (rnd (rnd (rnd (rnd (2 * B_error f) + rnd (x5 * A_error f)) / rnd (x2 - A_error f)) * (4503600077730459
       * bpow radix2 (-52))) + rnd (bpow radix2 (-100) * x5)) in
-  let x7 := rnd (rnd (bpow radix2 (-98) * rnd (reach f + rnd (x5 * speed f))) + rnd (rnd (Rabs (hi (s1 f)) *
+  let x7 := rnd (rnd (bpow radix2 (-98) * rnd (reach f + rnd (rnd (x5 + x6) * speed f))) + rnd (rnd (Rabs (hi (s1 f)) *
       (4503600077730459 * bpow radix2 (-52))) * x6)) in
   let x8 := sum (s0 f) (product x3 (s1 f)) in
   let x9 := hi x8 in
