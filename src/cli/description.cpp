@@ -35,6 +35,7 @@ constexpr std::array rows = {
     Row{"--state", Kind::text, "SCHEMA"},      Row{"--init", Kind::text, "SCHEMA"},
     Row{"--given", Kind::text, "SET=MEMBERS"}, Row{"--replay", Kind::file, "TRACE"},
     Row{"--with", Kind::file, "FILE"},         Row{"--with", Kind::file, "TEXT"},
+    Row{"--from", Kind::text, "X,Y,Z"},
 };
 
 /// What CLI11 says of the option: its type, and behind a colon what each of its checks says.

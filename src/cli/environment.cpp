@@ -95,8 +95,7 @@ void add_environment(CLI::App& app, int& status) {
   command->add_option("--as", options->kind, "What is drawn")->required()->check(one_of("environment", kinds));
   command->add_option("--width", options->width, "Texels of a row of each picture; without it, 512")
       ->check(whole_number(1, greatest_width));
-  command->add_option("--from", options->from, "The point, X,Y,Z; without it, 0,0,0")
-      ->check(CLI::Validator(check_point, ""));
+  command->add_option("--from", options->from, "The point; without it, 0,0,0")->check(CLI::Validator(check_point, ""));
   command
       ->add_option("--max-depth", options->max_depth,
                    "Rays in a row from mirror to mirror; without it, the scene's, or else what its materials need")

@@ -57,7 +57,7 @@ CLI::Validator number_between(double low, double high) {
   const auto check = [=](const std::string& text) -> std::string {
     const std::optional<double> value = io::read_number(text);
     if (value && low < *value && *value < high) return "";
-    return fmt::format("{}: no number above {} and below {}; expected one", text, low, high);
+    return fmt::format("{}: no number from {} to {}, neither of them; expected one", text, low, high);
   };
   return {check, fmt::format("above {}, below {}", low, high)};
 }

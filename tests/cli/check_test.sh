@@ -3,15 +3,17 @@
 sample >scene.json
 run 0 check scene.json
 empty err
-lines out 10
+lines out 23
 has out 'scene.json: 3 elementos: 1 esfera, 1 cilindro, 1 cono, 0 tronco, 0 plano, 0 disco, 0 triangulo'
 for n in 1 2 3 4 5 6 7 8 9; do has out "Escena.inv.$n ok: "; done
+for n in 1 2 3 4 5 6 7 8 9 10 11 12; do has out "Material.inv.$n ok: "; done
+has out 'Fuente.inv.1 ok: '
 "$durero" check - <scene.json >out || fail "check -"
 has out '<stdin>: 3 elementos'
 
 # For programs: the same as JSON and as SARIF. What is wrong with a file is printed, and is an error all the same.
 run 0 check scene.json --format text
-lines out 10
+lines out 23
 run 0 check scene.json --format json
 empty err
 has out '{"format":"durero-check","version":1,"file":"scene.json","ok":true,'

@@ -161,7 +161,7 @@ refused '--samples 4: too few to tell anything; expected 5 or more' \
 refused '--width: of one sampling alone; expected --sampling statistical' render scene.json -o new.png --width 0.1
 refused '--confidence: of one sampling alone' render scene.json -o new.png --confidence 0.9
 for width in 0 1 -1 nan x; do
-  refused "render: --width $width: no number above 0 and below 1; expected one" \
+  refused "render: --width $width: no number from 0 to 1, neither of them; expected one" \
     render scene.json -o new.png --sampling statistical --width $width
 done
 

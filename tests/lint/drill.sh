@@ -43,7 +43,7 @@ sed -i 's/ src\/trace\/rounding.cpp//' CMakeLists.txt
 sees optimised "lanes not optimised in Debug"
 sed -i 's/^durero_layer(zed DEPENDS /&contract /' CMakeLists.txt
 sees edges "an edge that no include needs"
-sed -i 's/^durero_layer(render DEPENDS model/durero_layer(render DEPENDS/' CMakeLists.txt
+sed -i 's/^durero_layer(render DEPENDS contract model/durero_layer(render DEPENDS contract/' CMakeLists.txt
 sees edges "an include that no edge names"
 sed -i 's/PRIVATE durero::text /PRIVATE /' CMakeLists.txt
 sees edges "a layer that the program includes and does not link"
