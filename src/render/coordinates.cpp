@@ -9,8 +9,14 @@
 namespace durero::render {
 namespace {
 
-using namespace scene;
-constexpr double pi = std::numbers::pi;
+using scene::Cone;
+using scene::Cylinder;
+using scene::Disc;
+using scene::Plane;
+using scene::Sphere;
+using scene::Triangle;
+using scene::TruncatedCone;
+using std::numbers::pi;
 
 /// The part of a whole turn, in [0, 1), from the first of two axes towards the second.
 double turn(double first, double second) {
@@ -134,15 +140,15 @@ Tangents axes_across(const glm::dvec3& d) {
   return {first, glm::cross(d, first)};
 }
 
-Coordinates coordinates(const Scene& scene, ElementRef element, const glm::dvec3& point) {
+Coordinates coordinates(const scene::Scene& scene, scene::ElementRef element, const glm::dvec3& point) {
   return scene.visit(element, [&](const auto& shape) { return coordinates_of(shape, point); });
 }
 
-glm::dvec3 point_at(const Scene& scene, ElementRef element, const Coordinates& at) {
+glm::dvec3 point_at(const scene::Scene& scene, scene::ElementRef element, const Coordinates& at) {
   return scene.visit(element, [&](const auto& shape) { return point_of(shape, at); });
 }
 
-Tangents tangents(const Scene& scene, ElementRef element, const Coordinates& at) {
+Tangents tangents(const scene::Scene& scene, scene::ElementRef element, const Coordinates& at) {
   return scene.visit(element, [&](const auto& shape) { return tangents_of(shape, at); });
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 using scene::Environment;
 using scene::Surroundings;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// What the camera of a face looks at, and its right and upper side.
 struct Face {

@@ -12,7 +12,6 @@ namespace {
 using scene::Edges;
 using scene::Filter;
 using scene::Pattern;
-using scene::Picture;
 using scene::Texture;
 
 /// The texel of a row of n that number i is. A double, so that what is far away is not out of range.
@@ -26,7 +25,7 @@ std::uint32_t wrapped(double i, std::uint32_t n, Edges edges) {
   return static_cast<std::uint32_t>(std::clamp(i, 0.0, n - 1.0));
 }
 
-const std::vector<Picture>& levels_of(const Texture& texture) {
+const std::vector<scene::Picture>& levels_of(const Texture& texture) {
   if (!texture.image.levels) throw std::domain_error("the pictures of the scene have not been read");
   return *texture.image.levels;
 }
@@ -36,7 +35,7 @@ bool is_even(double whole) { return std::fmod(whole, 2) == 0; }
 glm::dvec3 mixed(const glm::dvec3& a, const glm::dvec3& b, double share) { return a * (1 - share) + b * share; }
 
 glm::dvec3 image_at(const Texture& texture, const glm::dvec2& at, double distance) {
-  const std::vector<Picture>& levels = levels_of(texture);
+  const std::vector<scene::Picture>& levels = levels_of(texture);
   const Beyond beyond{texture.edges, texture.edges};
   switch (texture.filter) {
     case Filter::nearest:
@@ -79,12 +78,12 @@ glm::dvec2 differences(const Texture& texture, const Coordinates& at, const glm:
 
 }  // namespace
 
-glm::dvec3 nearest_texel(const Picture& picture, const glm::dvec2& at, Beyond beyond) {
+glm::dvec3 nearest_texel(const scene::Picture& picture, const glm::dvec2& at, Beyond beyond) {
   return picture.at(wrapped(std::floor(at.x * picture.width), picture.width, beyond.across),
                     wrapped(picture.height - 1 - std::floor(at.y * picture.height), picture.height, beyond.upwards));
 }
 
-glm::dvec3 linear_texels(const Picture& picture, const glm::dvec2& at, Beyond beyond) {
+glm::dvec3 linear_texels(const scene::Picture& picture, const glm::dvec2& at, Beyond beyond) {
   const double x = at.x * picture.width - 0.5, y = (1 - at.y) * picture.height - 0.5;
   const double left = std::floor(x), top = std::floor(y);
   const auto row = [&](double k) {
