@@ -6,6 +6,8 @@ sources=$(CDPATH='' cd -- "$1" && pwd)
 mkdir -p "$2"
 cd "$2"
 for text in "$sources"/spec/*.tex; do
+  grep -qF "\\input{$(basename "$text" .tex)}" "$sources/docs/spec.tex" ||
+    { echo "docs/spec.tex has no section of $(basename "$text")" >&2; exit 1; }
   # The label in the comment that ends a line becomes one that is seen; what a box declares goes into the index. A box is
   # of the paragraph before it, so that no page ends between the two.
   awk '
