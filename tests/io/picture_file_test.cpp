@@ -121,6 +121,8 @@ TEST_CASE("what is no picture, and what ends early, is refused") {
   for (const std::string& whole : {whole_png, whole_jpeg})
     for (const std::size_t tenths : {3U, 6U})
       CHECK_THROWS_AS(picture_of(whole.substr(0, whole.size() * tenths / 10), Curve::srgb), io::PictureError);
+  // Of the latter libjpeg would make up what is missing, and warn.
+  CHECK_THROWS_AS(picture_of(whole_jpeg.substr(0, whole_jpeg.size() - 8), Curve::srgb), io::PictureError);
 }
 
 TEST_CASE("a picture of too many texels is refused before it is decoded") {

@@ -158,9 +158,9 @@ TEST_CASE("directa.def.1: each term alone") {
   m.k_s = part(1, 2);
   m.e = 3;
   CHECK(directa(m, up, mirrored, slanted) == Surd(part(1, 2)));
-  CHECK(directa(m, up, up, slanted) == Surd(part(32, 125)));           // ½ · (4/5)³
-  CHECK(directa(m, up, slanted, slanted) == Surd(part(343, 31250)));   // ½ · (7/25)³
-  CHECK(directa(m, up, {part(4, 5), 0, part(3, 5)}, {1, 0, 0}) == 0);  // along the surface there is no highlight
+  CHECK(directa(m, up, up, slanted) == Surd(part(32, 125)));            // ½ · (4/5)³
+  CHECK(directa(m, up, slanted, slanted) == Surd(part(343, 31250)));    // ½ · (7/25)³
+  CHECK(directa(m, up, {part(-4, 5), 0, part(3, 5)}, {1, 0, 0}) == 0);  // along the surface there is no highlight
   m.e = 0;
   CHECK(directa(m, up, {1, 0, 0}, slanted) == Surd(part(1, 2)));  // a power of zero is one, behind the mirror too
 }

@@ -109,14 +109,14 @@ void check_triage_from(const Lanes<Element>& lanes) {
 }
 
 /// Of the same rays in columns, those that have a bit get of one element what it finds alone; the others' eights stay
-/// as they are.
+/// as they are. Each eight has the rays in an order of its own.
 template <class Element>
 void check_columns(const Lanes<Element>& lanes) {
   trace::RayColumns rays;
   std::uint64_t which = 0;
   for (const std::size_t eight : {std::size_t{0}, std::size_t{3}, std::size_t{7}})
     for (std::size_t lane = 0; lane < Packet::size; ++lane) {
-      rays.set(8 * eight + lane, lanes.traced[lane]);
+      rays.set(8 * eight + lane, lanes.traced[(eight + lane) % Packet::size]);
       if (lane != eight) which |= std::uint64_t{1} << (8 * eight + lane);
     }
   for (const Element& element : lanes.elements) {
@@ -128,10 +128,11 @@ void check_columns(const Lanes<Element>& lanes) {
       if ((which >> place & 1) == 0) continue;
       const Finding found = findings[place / 8][place % 8];
       if (found.verdict != Verdict::undecided)
-        same_finding(found, trace::triage(element, lanes.traced[place % 8], false));
+        same_finding(found, trace::triage(element, lanes.traced[(place / 8 + place) % Packet::size], false));
     }
     Packet one;
-    for (std::size_t lane = 0; lane < Packet::size; ++lane) one.set(lane, lanes.traced[lane], element);
+    for (std::size_t lane = 0; lane < Packet::size; ++lane)
+      one.set(lane, lanes.traced[(3 + lane) % Packet::size], element);
     trace::Findings of_packet;
     trace::triage(one, lanes.tipo, of_packet);
     RC_ASSERT(findings[3].hit == of_packet.hit);

@@ -159,6 +159,8 @@ TEST_CASE("schemas as sets of bindings, θ, and quantification over them") {
   CHECK(holds("∃ Contador • n = 2 ∧ limite = n - 1") == Truth::no);
   CHECK(value("{Contador | n = 2 ∧ limite = 3}") == "{⦉limite == 3, n == 2⦊}");
   CHECK(value("{Contador | n = 2 ∧ limite = 3 • θ Contador}") == "{⦉limite == 3, n == 2⦊}");
+  // An equation of two θ determines each component.
+  CHECK(value("{Contador; Contador ′ | n = 2 ∧ limite = 3 ∧ θ Contador ′ = θ Contador • limite′ - n′}") == "{1}");
   CHECK(value("(λ Contador • limite - n) ⦉n == 1, limite == 5⦊") == "4");
   CHECK(value("(λ Contador • limite - n) ⦉n == 6, limite == 5⦊") == "undefined");
   CHECK(value("# [a, b : 1‥3 | a < b]") == "3");
