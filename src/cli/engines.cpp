@@ -89,6 +89,13 @@ void add_engine(CLI::App& command, std::string& name) {
       ->capture_default_str();
 }
 
+void add_max_depth(CLI::App& command, std::optional<std::uint32_t>& max_depth) {
+  command
+      .add_option("--max-depth", max_depth,
+                  "Rays in a row from mirror to mirror; without it, the scene's, or else what its materials need")
+      ->check(whole_number(1, scene::greatest_depth));
+}
+
 void add_hierarchy(CLI::App& command, std::string& hierarchy) {
   command.add_option("--hierarchy", hierarchy, "How --engine bvh groups elements: by itself, or as the scene does")
       ->check(one_of("hierarchy", {"automatic", "hand"}))

@@ -15,6 +15,8 @@ namespace durero::cli {
 
 /// Adds the option; what it holds is then the name of an engine.
 void add_engine(CLI::App& command, std::string& name);
+/// The option --max-depth of a command that draws.
+void add_max_depth(CLI::App& command, std::optional<std::uint32_t>& max_depth);
 
 /// Adds the option --hierarchy; what it holds is then `automatic` or `hand`.
 void add_hierarchy(CLI::App& command, std::string& hierarchy);

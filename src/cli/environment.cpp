@@ -37,15 +37,9 @@ scene::Surroundings kind_of(std::string_view word) {
 
 /// Three finite numbers, with commas between them.
 std::optional<glm::dvec3> point_in(std::string_view text) {
-  glm::dvec3 point(0);
-  for (int i = 0; i < 3; ++i) {
-    const std::size_t end = i == 2 ? text.size() : text.find(',');
-    const auto value = io::read_finite(text.substr(0, end));
-    if (end == text.npos || !value) return std::nullopt;
-    point[i] = *value;
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return point;
+  const auto numbers = numbers_in<3>(text, ',', io::read_finite);
+  if (!numbers) return std::nullopt;
+  return glm::dvec3((*numbers)[0], (*numbers)[1], (*numbers)[2]);
 }
 
 std::string check_point(const std::string& text) {
@@ -96,15 +90,12 @@ void add_environment(CLI::App& app, int& status) {
   command->add_option("--width", options->width, "Texels of a row of each picture; without it, 512")
       ->check(whole_number(1, greatest_width));
   command->add_option("--from", options->from, "The point; without it, 0,0,0")->check(CLI::Validator(check_point, ""));
-  command
-      ->add_option("--max-depth", options->max_depth,
-                   "Rays in a row from mirror to mirror; without it, the scene's, or else what its materials need")
-      ->check(whole_number(1, scene::greatest_depth));
+  add_max_depth(*command, options->max_depth);
   add_engine(*command, options->engine);
   add_threads(*command, options->threads);
   command->footer(exit_status("the pictures are written", "the call or the scene is bad") +
-                  examples({"environment demo/gallery/still-life.json -o around.png --as equirectangular --from 0,1,0",
-                            "environment demo/gallery/sky.json -o sky.png --as box --width 256"}));
+                  examples({"environment demo/gallery/everything.json -o around.png --as equirectangular --from 0,1,-4",
+                            "environment demo/mirrors.json -o sky.png --as box --width 256"}));
   command->callback([options, &status] { status = run(*options); });
 }
 

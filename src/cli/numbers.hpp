@@ -6,9 +6,13 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "durero/io/number_text.hpp"
@@ -22,6 +26,21 @@ inline std::optional<std::uint64_t> read_whole_number(std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return value;
+}
+
+/// As many numbers, with separators between them, each what read(text) gives; nothing where the text is no such.
+template <std::size_t count, class Read>
+auto numbers_in(std::string_view text, char separator, const Read& read) {
+  using Number = typename decltype(read(text))::value_type;
+  std::optional<std::array<Number, count>> numbers(std::in_place);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t end = i + 1 == count ? text.size() : text.find(separator);
+    const std::optional<Number> number = read(text.substr(0, end));
+    if (end == text.npos || !number) return decltype(numbers)();
+    (*numbers)[i] = *number;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return numbers;
 }
 
 /// A whole number in decimal digits, from least to greatest.

@@ -25,29 +25,21 @@ constexpr std::uint32_t greatest_side = 65535;
 /// Statistical sampling that names no number: 2⁸ points of each replica.
 constexpr std::uint32_t statistical_samples = 256 * render::replicas;
 
-/// As many whole numbers, with separators between them; nothing where the text is no such.
-template <std::size_t count>
-std::optional<std::array<std::uint32_t, count>> numbers_in(std::string_view text, char separator) {
-  std::array<std::uint32_t, count> numbers{};
-  for (std::uint32_t& number : numbers) {
-    const bool is_last = &number == &numbers.back();
-    const std::size_t end = is_last ? text.size() : text.find(separator);
-    const auto value = read_whole_number(text.substr(0, end));
-    if (end == text.npos || !value || *value > greatest_side) return std::nullopt;
-    number = static_cast<std::uint32_t>(*value);
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return numbers;
+/// Pixels of a side.
+std::optional<std::uint32_t> read_side(std::string_view text) {
+  const auto value = read_whole_number(text);
+  if (!value || *value > greatest_side) return std::nullopt;
+  return static_cast<std::uint32_t>(*value);
 }
 
 std::string check_size(const std::string& text) {
-  const auto size = numbers_in<2>(text, 'x');
+  const auto size = numbers_in<2>(text, 'x', read_side);
   if (size && (*size)[0] > 0 && (*size)[1] > 0) return "";
   return fmt::format("{}: no size; expected WxH, two whole numbers from 1 to {}", text, greatest_side);
 }
 
 std::string check_crop(const std::string& text) {
-  const auto crop = numbers_in<4>(text, ',');
+  const auto crop = numbers_in<4>(text, ',', read_side);
   if (crop && (*crop)[2] > 0 && (*crop)[3] > 0) return "";
   return fmt::format("{}: no rectangle; expected X,Y,W,H, whole numbers up to {}, W and H from 1", text, greatest_side);
 }
@@ -82,10 +74,7 @@ void add_size_options(CLI::App& command, RenderOptions& options) {
 }
 
 void add_depth_options(CLI::App& command, RenderOptions& options) {
-  command
-      .add_option("--max-depth", options.max_depth,
-                  "Rays in a row from mirror to mirror; without it, the scene's, or else what its materials need")
-      ->check(whole_number(1, scene::greatest_depth));
+  add_max_depth(command, options.max_depth);
   command
       .add_option("--min-weight", options.min_weight,
                   "Do not follow rays that count for less than this share of a pixel; says how far rays were followed")
@@ -185,8 +174,8 @@ void check_together(const RenderOptions& options) {
 
 render::Frame frame_of(const RenderOptions& options) {
   render::Frame frame;
-  if (const auto size = numbers_in<2>(options.size, 'x')) frame.size = {(*size)[0], (*size)[1]};
-  if (const auto crop = numbers_in<4>(options.crop, ','))
+  if (const auto size = numbers_in<2>(options.size, 'x', read_side)) frame.size = {(*size)[0], (*size)[1]};
+  if (const auto crop = numbers_in<4>(options.crop, ',', read_side))
     frame.crop = {(*crop)[0], (*crop)[1], {(*crop)[2], (*crop)[3]}};
   frame.max_depth = options.max_depth;
   frame.min_weight = options.min_weight.value_or(0);

@@ -1,4 +1,5 @@
 # durero man and durero completion: every command and option that --help shows is in each, and each is well made.
+sources=$(cd "$(dirname "$0")/../.." && pwd)  # before the harness goes elsewhere
 . "$(dirname "$0")/harness.sh"
 . "$(dirname "$0")/commands.sh"
 
@@ -36,6 +37,11 @@ while read -r path; do
   done
 done <paths
 [ "$options" -ge 60 ] || fail "only $options options"
+
+# What an example reads of demo/ is there.
+sed 's/\\-/-/g; s/\\//g' man1/* | grep -oE 'demo/[A-Za-z0-9._/-]+' | sort -u >examples
+[ -s examples ] || fail 'no example reads a file of demo/'
+while read -r file; do [ -e "$sources/$file" ] || fail "an example reads $file, which is not there"; done <examples
 
 # Each description begins with a capital and ends without a full stop.
 for page in man1/*; do
