@@ -14,6 +14,7 @@
 #include "durero/io/groups_file.hpp"
 #include "durero/io/operations_file.hpp"
 #include "durero/io/output_file.hpp"
+#include "durero/model/operaciones.hpp"
 #include "durero/model/tipos.hpp"
 #include "durero/scene/grouped_scene.hpp"
 #include "durero/written/engine.hpp"

@@ -14,6 +14,7 @@
 #include "durero/io/output_file.hpp"
 #include "durero/io/scene_file.hpp"
 #include "durero/io/standard_output.hpp"
+#include "durero/model/operaciones.hpp"
 #include "durero/oracle/spec.hpp"
 #include "durero/scene/retrieve.hpp"
 #include "progress.hpp"

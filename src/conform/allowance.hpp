@@ -13,6 +13,7 @@
 
 #include "durero/conform/profile.hpp"
 #include "durero/number/dyadic.hpp"
+#include "durero/scene/attributes.hpp"
 #include "durero/scene/query.hpp"
 #include "durero/scene/shapes.hpp"
 

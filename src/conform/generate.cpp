@@ -5,6 +5,7 @@
 
 #include "conform/family_table.hpp"
 #include "durero/conform/families.hpp"
+#include "durero/model/operaciones.hpp"
 
 namespace durero::conform {
 namespace {

@@ -8,6 +8,7 @@
 #include "conform/framed_shape.hpp"
 #include "conform/trial.hpp"
 #include "durero/conform/judge.hpp"
+#include "durero/scene/attributes.hpp"
 
 namespace durero::conform {
 namespace {

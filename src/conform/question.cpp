@@ -7,6 +7,7 @@
 #include "conform/solids.hpp"
 #include "conform/words.hpp"
 #include "durero/io/number_text.hpp"
+#include "durero/scene/attributes.hpp"
 #include "durero/text/shown.hpp"
 
 namespace durero::conform {

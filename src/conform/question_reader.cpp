@@ -8,6 +8,7 @@
 #include "durero/conform/question.hpp"
 #include "durero/io/number_text.hpp"
 #include "durero/io/source.hpp"
+#include "durero/scene/attributes.hpp"
 #include "durero/text/shown.hpp"
 
 namespace durero::conform {

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "conform/lattice.hpp"
+#include "durero/scene/attributes.hpp"
 
 namespace durero::conform {
 namespace {

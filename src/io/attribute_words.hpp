@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "durero/scene/attributes.hpp"
 #include "durero/scene/shapes.hpp"
 
 namespace durero::io {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "attribute_words.hpp"
+#include "durero/scene/attributes.hpp"
 #include "durero/text/shown.hpp"
 #include "field.hpp"
 

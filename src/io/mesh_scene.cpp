@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "durero/model/operaciones.hpp"
 #include "losses.hpp"
 #include "polygons.hpp"
 

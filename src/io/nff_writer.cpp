@@ -6,6 +6,7 @@
 #include "axis.hpp"
 #include "durero/io/nff.hpp"
 #include "durero/io/number_text.hpp"
+#include "durero/scene/attributes.hpp"
 #include "losses.hpp"
 #include "scene_elements.hpp"
 #include "stage_fields.hpp"

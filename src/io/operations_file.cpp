@@ -9,6 +9,7 @@
 #include "attribute_words.hpp"
 #include "durero/io/json_writer.hpp"
 #include "durero/io/lines.hpp"
+#include "durero/scene/attributes.hpp"
 #include "durero/text/shown.hpp"
 #include "operation_inputs.hpp"
 

@@ -1,5 +1,6 @@
 #include "polygons.hpp"
 
+#include "durero/scene/attributes.hpp"
 #include "losses.hpp"
 #include "triangulation.hpp"
 

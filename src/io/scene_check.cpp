@@ -7,6 +7,7 @@
 #include "durero/io/json_pointer.hpp"
 #include "durero/io/sarif.hpp"
 #include "durero/io/scene_file.hpp"
+#include "durero/model/operaciones.hpp"
 #include "durero/scene/retrieve.hpp"
 #include "durero/text/shown.hpp"
 

@@ -1,6 +1,7 @@
 #include "durero/io/groups_file.hpp"
 #include "durero/io/json_writer.hpp"
 #include "durero/io/scene_file.hpp"
+#include "durero/scene/attributes.hpp"
 #include "scene_elements.hpp"
 #include "stage_fields.hpp"
 

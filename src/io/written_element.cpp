@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "durero/scene/attributes.hpp"
 #include "durero/text/shown.hpp"
 #include "element_reader.hpp"
 #include "field.hpp"

@@ -1,5 +1,6 @@
 #include "durero/oracle/samples.hpp"
 
+#include "durero/model/operaciones.hpp"
 #include "durero/oracle/spec.hpp"
 #include "durero/scene/retrieve.hpp"
 

@@ -4,6 +4,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "durero/model/operaciones.hpp"
+
 namespace durero::embedded {
 const std::map<std::string, std::string>& z_text();
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "durero/model/operaciones.hpp"
 #include "durero/zed/value/roots.hpp"
 
 namespace durero::oracle::spec {

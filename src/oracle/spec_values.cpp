@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "durero/model/operaciones.hpp"
 #include "durero/oracle/spec.hpp"
 
 namespace durero::oracle::spec {

@@ -1,5 +1,7 @@
 #include "durero/scene/grouped_scene.hpp"
 
+#include "durero/scene/edit.hpp"
+
 namespace durero::scene {
 
 model::Answer GroupedScene::apply_total(const Edit& edit) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "durero/scene/edit.hpp"
 #include "durero/scene/scene.hpp"
 
 namespace durero::scene {

@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "durero/scene/attributes.hpp"
+
 namespace durero::scene {
 
 // The type of a row is that of its table (Retrieve.inv.1), and an attribute what the column has at the row

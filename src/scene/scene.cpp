@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "durero/scene/edit.hpp"
 #include "durero/scene/retrieve.hpp"
 
 namespace durero::scene {

@@ -2,6 +2,8 @@
 
 #include <type_traits>
 
+#include "durero/scene/attributes.hpp"
+
 namespace durero::scene {
 
 Tablas tablas(const Scene& scene) {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "durero/scene/attributes.hpp"
+
 namespace durero::trace {
 namespace {
 

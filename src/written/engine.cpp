@@ -7,6 +7,7 @@
 #include <map>
 
 #include "durero/io/scene_file.hpp"
+#include "durero/scene/attributes.hpp"
 
 namespace durero::written {
 namespace {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "durero/accel/structure.hpp"
+#include "durero/model/operaciones.hpp"
 #include "durero/surface/surfaces.hpp"
 #include "durero/trace/analytic.hpp"
 #include "support/catch.hpp"

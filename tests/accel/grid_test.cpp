@@ -5,6 +5,7 @@
 
 #include "accel/counted.hpp"
 #include "durero/accel/structure.hpp"
+#include "durero/model/operaciones.hpp"
 #include "durero/surface/exact.hpp"
 #include "support/catch.hpp"
 #include "support/sanitized.hpp"

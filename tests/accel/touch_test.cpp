@@ -4,6 +4,7 @@
 #include <map>
 #include <numbers>
 
+#include "durero/model/operaciones.hpp"
 #include "durero/number/rational.hpp"
 #include "durero/surface/surfaces.hpp"
 #include "support/catch.hpp"

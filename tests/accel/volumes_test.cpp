@@ -7,6 +7,7 @@
 
 #include "durero/accel/structure.hpp"
 #include "durero/accel/volume/choice.hpp"
+#include "durero/model/operaciones.hpp"
 #include "durero/trace/analytic.hpp"
 #include "support/catch.hpp"
 #include "support/sanitized.hpp"

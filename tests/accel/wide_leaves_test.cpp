@@ -1,5 +1,6 @@
 #include "durero/accel/wide_leaves.hpp"
 
+#include "durero/scene/attributes.hpp"
 #include "support/catch.hpp"
 #include "support/scenes.hpp"
 

@@ -2,6 +2,7 @@
 // scene of ten elements (target 20 000/s), with and without making the text's values of the program's.
 #include <benchmark/benchmark.h>
 
+#include "durero/model/operaciones.hpp"
 #include "durero/oracle/spec.hpp"
 #include "durero/scene/retrieve.hpp"
 #include "durero/zed/types/typecheck.hpp"

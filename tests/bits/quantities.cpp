@@ -90,6 +90,7 @@ HWY_AFTER_NAMESPACE();
 #include <fmt/core.h>
 
 #include "durero/conform/random.hpp"
+#include "durero/model/operaciones.hpp"
 #include "support/shapes.hpp"
 #include "support/targets.hpp"
 

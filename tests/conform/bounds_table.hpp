@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bounds_exact.hpp"
+#include "durero/scene/attributes.hpp"
 
 namespace durero::test {
 

@@ -1,5 +1,6 @@
 #include "durero/conform/explanation.hpp"
 
+#include "durero/model/operaciones.hpp"
 #include "support/catch.hpp"
 
 using namespace durero;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "conform/surface_point.hpp"
+#include "durero/model/operaciones.hpp"
 #include "durero/scene/scene.hpp"
 #include "durero/surface/surfaces.hpp"
 #include "support/catch.hpp"

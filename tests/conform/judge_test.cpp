@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 
+#include "durero/scene/attributes.hpp"
 #include "hits.hpp"
 #include "perturbed.hpp"
 #include "support/catch.hpp"

@@ -2,6 +2,7 @@
 /// Small answered cases, and systems that answer them: right ones and wrong ones.
 
 #include "durero/conform/tally.hpp"
+#include "durero/scene/attributes.hpp"
 
 namespace durero::test {
 

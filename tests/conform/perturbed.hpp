@@ -12,6 +12,7 @@
 #include "durero/conform/claim.hpp"
 #include "durero/conform/profile.hpp"
 #include "durero/conform/suite.hpp"
+#include "durero/scene/attributes.hpp"
 #include "durero/surface/exact.hpp"
 #include "support/shapes.hpp"
 

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "durero/io/source.hpp"
+#include "durero/model/operaciones.hpp"
 #include "support/catch.hpp"
 
 using namespace durero;

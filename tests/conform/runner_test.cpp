@@ -11,6 +11,7 @@
 #include "durero/conform/question.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/io/source.hpp"
+#include "durero/model/operaciones.hpp"
 #include "support/catch.hpp"
 #include "support/tree.hpp"
 

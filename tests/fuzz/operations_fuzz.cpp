@@ -1,6 +1,7 @@
 // Scripts of operations: each is answered, under every contract.
 #include "durero/contract/contract.hpp"
 #include "durero/io/operations_file.hpp"
+#include "durero/model/operaciones.hpp"
 #include "durero/scene/grouped_scene.hpp"
 #include "fuzz/fuzz.hpp"
 

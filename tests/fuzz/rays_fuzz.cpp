@@ -1,5 +1,6 @@
 // Ray files, as text and as .npy: what was read is written so that it reads back.
 #include "durero/io/rays_file.hpp"
+#include "durero/model/operaciones.hpp"
 #include "fuzz/fuzz.hpp"
 
 using namespace durero;

@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "durero/model/operaciones.hpp"
 #include "random_scene.hpp"
 #include "support/catch.hpp"
 

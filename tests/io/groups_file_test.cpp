@@ -1,6 +1,7 @@
 #include "durero/io/groups_file.hpp"
 
 #include "durero/io/scene_file.hpp"
+#include "durero/model/operaciones.hpp"
 #include "random_scene.hpp"
 #include "support/catch.hpp"
 #include "support/property.hpp"

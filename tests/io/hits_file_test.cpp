@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "durero/model/operaciones.hpp"
 #include "malformed.hpp"
 #include "random_scene.hpp"
 #include "support/catch.hpp"

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "durero/io/scene_file.hpp"
+#include "durero/model/operaciones.hpp"
 #include "malformed.hpp"
 #include "random_scene.hpp"
 #include "support/catch.hpp"

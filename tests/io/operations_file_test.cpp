@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "durero/model/operaciones.hpp"
 #include "malformed.hpp"
 #include "random_scene.hpp"
 #include "support/catch.hpp"

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "durero/scene/attributes.hpp"
 #include "durero/scene/scene.hpp"
 #include "support/doubles.hpp"
 

@@ -6,6 +6,7 @@
 
 #include "arriving.hpp"
 #include "durero/io/npy.hpp"
+#include "durero/model/operaciones.hpp"
 #include "malformed.hpp"
 #include "random_scene.hpp"
 #include "support/catch.hpp"

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "durero/io/scene_file.hpp"
+#include "durero/model/operaciones.hpp"
 #include "support/catch.hpp"
 
 using namespace durero;

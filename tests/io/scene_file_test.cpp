@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "durero/model/operaciones.hpp"
 #include "malformed.hpp"
 #include "random_scene.hpp"
 #include "support/catch.hpp"

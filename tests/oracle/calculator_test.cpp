@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "durero/model/operaciones.hpp"
 #include "durero/scene/retrieve.hpp"
 #include "support/catch.hpp"
 #include "support/property.hpp"

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "durero/model/operaciones.hpp"
 #include "durero/surface/exact.hpp"
 #include "support/catch.hpp"
 #include "support/sanitized.hpp"

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "durero/model/operaciones.hpp"
 #include "durero/surface/exact.hpp"
 #include "support/catch.hpp"
 #include "support/scenes.hpp"

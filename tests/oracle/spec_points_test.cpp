@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "durero/model/interseccion.hpp"
+#include "durero/model/operaciones.hpp"
 #include "durero/oracle/spec.hpp"
 #include "durero/scene/retrieve.hpp"
 #include "durero/surface/exact.hpp"

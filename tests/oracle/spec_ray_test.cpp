@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "durero/model/operaciones.hpp"
 #include "durero/scene/retrieve.hpp"
 #include "durero/surface/exact.hpp"
 #include "support/catch.hpp"

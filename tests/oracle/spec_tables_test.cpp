@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "durero/model/operaciones.hpp"
 #include "durero/oracle/spec.hpp"
 #include "durero/scene/retrieve.hpp"
 #include "support/catch.hpp"

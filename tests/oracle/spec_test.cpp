@@ -3,6 +3,7 @@
 #include <map>
 
 #include "durero/model/interseccion.hpp"
+#include "durero/model/operaciones.hpp"
 #include "durero/model/operaciones_clauses.hpp"
 #include "durero/model/operaciones_errors.hpp"
 #include "durero/scene/retrieve.hpp"

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <string>
 
+#include "durero/scene/attributes.hpp"
 #include "durero/scene/shapes.hpp"
 #include "proofs/recorder.hpp"
 

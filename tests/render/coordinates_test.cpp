@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "durero/model/operaciones.hpp"
 #include "durero/surface/normal.hpp"
 #include "support/catch.hpp"
 #include "support/property.hpp"

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "durero/io/picture_file.hpp"
+#include "durero/model/operaciones.hpp"
 #include "durero/render/environment.hpp"
 #include "durero/render/render.hpp"
 #include "durero/render/tone.hpp"

@@ -1,6 +1,7 @@
 #pragma once
 /// The scene that most pictures of the tests are of.
 
+#include "durero/model/operaciones.hpp"
 #include "durero/scene/scene.hpp"
 
 namespace durero::test {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "durero/model/operaciones.hpp"
 #include "durero/render/image.hpp"
 #include "durero/render/render.hpp"
 #include "durero/render/whitted.hpp"

@@ -4,6 +4,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "durero/model/operaciones.hpp"
 #include "render/lit_ball.hpp"
 #include "support/catch.hpp"
 

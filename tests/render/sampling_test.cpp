@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <set>
 
+#include "durero/model/operaciones.hpp"
 #include "durero/render/render.hpp"
 #include "render/lit_ball.hpp"
 #include "render/points.hpp"

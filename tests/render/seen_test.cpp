@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "durero/model/operaciones.hpp"
 #include "render/lit_ball.hpp"
 #include "support/catch.hpp"
 

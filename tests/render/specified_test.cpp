@@ -8,6 +8,7 @@
 #include <random>
 
 #include "durero/model/luz.hpp"
+#include "durero/model/operaciones.hpp"
 #include "durero/oracle/calculator.hpp"
 #include "durero/render/directions.hpp"
 #include "durero/render/whitted.hpp"

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <random>
 
+#include "durero/model/operaciones.hpp"
 #include "durero/render/render.hpp"
 #include "durero/render/whitted.hpp"
 #include "support/catch.hpp"

@@ -1,5 +1,6 @@
 #include "durero/scene/grouped_scene.hpp"
 
+#include "durero/model/operaciones.hpp"
 #include "support/catch.hpp"
 
 using namespace durero;

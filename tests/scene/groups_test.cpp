@@ -1,5 +1,6 @@
 #include "durero/scene/groups.hpp"
 
+#include "durero/model/operaciones.hpp"
 #include "durero/scene/scene.hpp"
 #include "support/catch.hpp"
 

@@ -1,5 +1,6 @@
 #include "durero/scene/retrieve.hpp"
 
+#include "durero/model/operaciones.hpp"
 #include "support/catch.hpp"
 #include "support/model_gen.hpp"
 #include "support/property.hpp"

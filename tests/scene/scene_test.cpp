@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "durero/model/operaciones_clauses.hpp"
+#include "durero/scene/attributes.hpp"
 #include "durero/scene/groups.hpp"
 #include "durero/scene/retrieve.hpp"
 #include "support/catch.hpp"

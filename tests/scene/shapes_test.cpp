@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "durero/scene/attributes.hpp"
 #include "support/catch.hpp"
 
 using namespace durero;

@@ -1,5 +1,6 @@
 #include "durero/scene/tablas.hpp"
 
+#include "durero/model/operaciones.hpp"
 #include "durero/scene/retrieve.hpp"
 #include "support/catch.hpp"
 

@@ -67,7 +67,8 @@ inline rc::Gen<scene::Triangle> triangles(const Reals& x) {
     return scene::Triangle{{std::get<0>(v), std::get<1>(v), std::get<2>(v)}};
   });
   return rc::gen::suchThat(corners, [](const scene::Triangle& t) {
-    return model::Vertices::contains(scene::input_of<model::Terna>(t.vertices));
+    const auto& [a, b, c] = t.vertices;
+    return model::Vertices::contains({model::Punto(a), model::Punto(b), model::Punto(c)});
   });
 }
 

@@ -12,6 +12,7 @@
 
 #include "durero/scene/scene.hpp"
 #include "support/scenes.hpp"
+#include "support/shapes.hpp"
 
 namespace durero::test {
 
@@ -67,7 +68,7 @@ inline scene::Scene scene_of(const Mesh& mesh) {
   scene::Scene scene;
   scene.put_off_audits();
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-    scene.apply(scene::addition(model::Elemento("t" + std::to_string(i)), mesh.triangle(i)));
+    add(scene, model::Elemento("t" + std::to_string(i)), mesh.triangle(i));
   return scene;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// RapidCheck generators of exact points, rays, and scenes of few elements that touch and cross.
 
+#include "durero/model/operaciones.hpp"
 #include "durero/model/puntos.hpp"
 #include "support/model_gen.hpp"
 

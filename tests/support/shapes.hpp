@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <string>
 
+#include "durero/model/operation.hpp"
 #include "durero/scene/scene.hpp"
 
 namespace durero::test {
@@ -18,9 +19,13 @@ inline scene::ElementRef added(scene::Scene& scene, const model::Operation& oper
   return *scene.find(name);
 }
 
+/// Of every shape: shapes.cpp. A test that adds shapes need not read the operations.
+template <class Shape>
+scene::ElementRef add(scene::Scene& scene, const model::Elemento& name, const Shape& shape);
+
 template <class Shape>
 scene::ElementRef add(scene::Scene& scene, const Shape& shape) {
-  return added(scene, scene::addition(next_name(scene), shape));
+  return add(scene, next_name(scene), shape);
 }
 
 inline model::Rayo ray(const glm::dvec3& p, const glm::dvec3& v) { return {model::Punto(p), model::Vector(v)}; }

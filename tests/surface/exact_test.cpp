@@ -4,6 +4,7 @@
 #include "durero/surface/exact.hpp"
 
 #include "durero/model/interseccion.hpp"
+#include "durero/model/operaciones.hpp"
 #include "durero/scene/retrieve.hpp"
 #include "support/catch.hpp"
 #include "support/points_gen.hpp"

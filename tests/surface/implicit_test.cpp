@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "durero/model/interseccion.hpp"
+#include "durero/model/operaciones.hpp"
 #include "durero/scene/retrieve.hpp"
 #include "durero/surface/exact.hpp"
 #include "support/catch.hpp"

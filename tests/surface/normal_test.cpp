@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "durero/model/operaciones.hpp"
 #include "support/catch.hpp"
 
 using namespace durero;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "durero/conform/random.hpp"
+#include "durero/scene/attributes.hpp"
 #include "support/catch.hpp"
 #include "support/exact_vector.hpp"
 #include "support/shapes.hpp"

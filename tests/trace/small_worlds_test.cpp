@@ -12,6 +12,7 @@
 #include <map>
 #include <vector>
 
+#include "durero/model/operaciones.hpp"
 #include "durero/surface/exact_element.hpp"
 #include "support/catch.hpp"
 #include "support/shapes.hpp"

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "durero/io/source.hpp"
+#include "durero/scene/edit.hpp"
 #include "durero/scene/groups.hpp"
 #include "durero/scene/scene.hpp"
 

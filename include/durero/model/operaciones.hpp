@@ -9,6 +9,7 @@
 #include <string_view>
 #include <variant>
 
+#include "durero/model/operation.hpp"
 #include "durero/model/type_list.hpp"
 
 namespace durero::model {
@@ -60,8 +61,8 @@ using Addition = Operations<Types>::Addition;
 using Removal = Operations<Types>::Removal;
 /// @}
 
-/// Any operation.
-using Operation = Operations<Types>::Any;
+// The operations that operation.hpp names are those of the types, in order.
+static_assert(std::is_same_v<Operation, Operations<Types>::Any>);
 
 /// The addition of its type that a general addition stands for. Throws std::invalid_argument where an attribute of
 /// the type is absent.

@@ -12,7 +12,7 @@
 
 #include "durero/model/escena.hpp"
 #include "durero/model/exact_point.hpp"
-#include "durero/model/operaciones.hpp"
+#include "durero/model/operation.hpp"
 #include "durero/scene/tablas.hpp"
 #include "durero/zed/evaluate/evaluate.hpp"
 

@@ -1,7 +1,6 @@
 #pragma once
 /// A scene with the groups of its elements, as a scene file has both.
 
-#include "durero/scene/edit.hpp"
 #include "durero/scene/groups.hpp"
 #include "durero/scene/scene.hpp"
 

@@ -10,7 +10,8 @@
 #include <variant>
 #include <vector>
 
-#include "durero/model/operaciones.hpp"
+#include "durero/contract/contract.hpp"
+#include "durero/model/operation.hpp"
 
 namespace durero::scene {
 

@@ -9,8 +9,7 @@
 #include <span>
 #include <string_view>
 
-#include "durero/model/operaciones.hpp"
-#include "durero/scene/edit.hpp"
+#include "durero/model/operation.hpp"
 #include "durero/scene/element_ref.hpp"
 #include "durero/scene/name_index.hpp"
 #include "durero/scene/shapes.hpp"
@@ -18,6 +17,8 @@
 #include "durero/scene/table.hpp"
 
 namespace durero::scene {
+
+struct Edit;
 
 /// Elements, and the stage that a picture of them needs. Many threads may read it while none edits it.
 class Scene {

@@ -88,10 +88,4 @@ static_assert([] {
   return in_order;
 }());
 
-/// visit(attribute) for each attribute of each shape; one that several shapes have is visited for each.
-template <class Visit>
-constexpr void for_each_attribute_of_all(Visit&& visit) {
-  for_each_shape([&]<class Shape>(std::type_identity<Shape>) { for_each_attribute<Shape>(visit); });
-}
-
 }  // namespace durero::scene

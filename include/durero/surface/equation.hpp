@@ -130,7 +130,7 @@ T dot(const Point<T>& q, const glm::dvec3& d) {
 
 /// A shape along an axis: it is clipped to 0 ≤ avance ≤ altura.
 template <class Shape>
-concept Axial = scene::has_attribute<Shape, &model::Escena::mi_altura>();
+concept Axial = requires(const Shape& shape) { shape.altura; };
 
 /// s = q·d (avance.def.1)
 template <class T, Axial Shape>

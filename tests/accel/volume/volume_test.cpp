@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "durero/model/operaciones.hpp"
 #include "durero/trace/analytic.hpp"
 #include "durero/trace/search.hpp"
 #include "support/catch.hpp"

@@ -1,5 +1,6 @@
 // A scene edited under contract, with a violation handler of one's own.
 #include <durero/contract/contract.hpp>
+#include <durero/model/operaciones.hpp>
 #include <durero/scene/scene.hpp>
 #include <iostream>
 

@@ -1,6 +1,7 @@
 #include "durero/scene/shape/triangle.hpp"
 
 #include "attributes_of.hpp"
+#include "durero/scene/attributes.hpp"
 #include "support/catch.hpp"
 #include "support/elements.hpp"
 #include "support/property.hpp"

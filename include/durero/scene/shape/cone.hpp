@@ -16,11 +16,13 @@ struct Cone {
   using Removal = model::Eliminar_Cono;
   static constexpr model::Tipo tipo = model::Tipo::soy_cono;
   static constexpr std::string_view word = "cono";
+  /// Whoever looks into them names their types, which are complete in model/operaciones.hpp (scene/attributes.hpp).
+  template <class Addition, class Escena>
   static constexpr auto attributes =
-      std::tuple{Attribute{"centro", &Cone::centro, &Addition::centro, &model::Escena::mi_centro},
-                 Attribute{"proporcion", &Cone::proporcion, &Addition::proporcion, &model::Escena::mi_proporcion},
-                 Attribute{"vector", &Cone::vector, &Addition::vector, &model::Escena::mi_vector},
-                 Attribute{"altura", &Cone::altura, &Addition::altura, &model::Escena::mi_altura}};
+      std::tuple{Attribute{"centro", &Cone::centro, &Addition::centro, &Escena::mi_centro},
+                 Attribute{"proporcion", &Cone::proporcion, &Addition::proporcion, &Escena::mi_proporcion},
+                 Attribute{"vector", &Cone::vector, &Addition::vector, &Escena::mi_vector},
+                 Attribute{"altura", &Cone::altura, &Addition::altura, &Escena::mi_altura}};
 };
 
 }  // namespace durero::scene

@@ -16,11 +16,13 @@ struct Cylinder {
   using Removal = model::Eliminar_Cilindro;
   static constexpr model::Tipo tipo = model::Tipo::soy_cilindro;
   static constexpr std::string_view word = "cilindro";
+  /// Whoever looks into them names their types, which are complete in model/operaciones.hpp (scene/attributes.hpp).
+  template <class Addition, class Escena>
   static constexpr auto attributes =
-      std::tuple{Attribute{"centro", &Cylinder::centro, &Addition::centro, &model::Escena::mi_centro},
-                 Attribute{"radio", &Cylinder::radio, &Addition::radio, &model::Escena::mi_radio},
-                 Attribute{"vector", &Cylinder::vector, &Addition::vector, &model::Escena::mi_vector},
-                 Attribute{"altura", &Cylinder::altura, &Addition::altura, &model::Escena::mi_altura}};
+      std::tuple{Attribute{"centro", &Cylinder::centro, &Addition::centro, &Escena::mi_centro},
+                 Attribute{"radio", &Cylinder::radio, &Addition::radio, &Escena::mi_radio},
+                 Attribute{"vector", &Cylinder::vector, &Addition::vector, &Escena::mi_vector},
+                 Attribute{"altura", &Cylinder::altura, &Addition::altura, &Escena::mi_altura}};
 };
 
 }  // namespace durero::scene

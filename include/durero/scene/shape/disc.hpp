@@ -15,10 +15,12 @@ struct Disc {
   using Removal = model::Eliminar_Disco;
   static constexpr model::Tipo tipo = model::Tipo::soy_disco;
   static constexpr std::string_view word = "disco";
+  /// Whoever looks into them names their types, which are complete in model/operaciones.hpp (scene/attributes.hpp).
+  template <class Addition, class Escena>
   static constexpr auto attributes =
-      std::tuple{Attribute{"centro", &Disc::centro, &Addition::centro, &model::Escena::mi_centro},
-                 Attribute{"radio", &Disc::radio, &Addition::radio, &model::Escena::mi_radio},
-                 Attribute{"vector", &Disc::vector, &Addition::vector, &model::Escena::mi_vector}};
+      std::tuple{Attribute{"centro", &Disc::centro, &Addition::centro, &Escena::mi_centro},
+                 Attribute{"radio", &Disc::radio, &Addition::radio, &Escena::mi_radio},
+                 Attribute{"vector", &Disc::vector, &Addition::vector, &Escena::mi_vector}};
 };
 
 }  // namespace durero::scene

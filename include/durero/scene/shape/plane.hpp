@@ -14,9 +14,11 @@ struct Plane {
   using Removal = model::Eliminar_Plano;
   static constexpr model::Tipo tipo = model::Tipo::soy_plano;
   static constexpr std::string_view word = "plano";
+  /// Whoever looks into them names their types, which are complete in model/operaciones.hpp (scene/attributes.hpp).
+  template <class Addition, class Escena>
   static constexpr auto attributes =
-      std::tuple{Attribute{"centro", &Plane::centro, &Addition::centro, &model::Escena::mi_centro},
-                 Attribute{"vector", &Plane::vector, &Addition::vector, &model::Escena::mi_vector}};
+      std::tuple{Attribute{"centro", &Plane::centro, &Addition::centro, &Escena::mi_centro},
+                 Attribute{"vector", &Plane::vector, &Addition::vector, &Escena::mi_vector}};
 };
 
 }  // namespace durero::scene

@@ -13,8 +13,10 @@ struct Triangle {
   using Removal = model::Eliminar_Triangulo;
   static constexpr model::Tipo tipo = model::Tipo::soy_triangulo;
   static constexpr std::string_view word = "triangulo";
+  /// Whoever looks into them names their types, which are complete in model/operaciones.hpp (scene/attributes.hpp).
+  template <class Addition, class Escena>
   static constexpr auto attributes =
-      std::tuple{Attribute{"vertices", &Triangle::vertices, &Addition::vertices, &model::Escena::mi_vertices}};
+      std::tuple{Attribute{"vertices", &Triangle::vertices, &Addition::vertices, &Escena::mi_vertices}};
 };
 
 }  // namespace durero::scene

@@ -18,12 +18,14 @@ struct TruncatedCone {
   using Removal = model::Eliminar_Tronco;
   static constexpr model::Tipo tipo = model::Tipo::soy_tronco;
   static constexpr std::string_view word = "tronco";
-  static constexpr auto attributes = std::tuple{
-      Attribute{"centro", &TruncatedCone::centro, &Addition::centro, &model::Escena::mi_centro},
-      Attribute{"radio", &TruncatedCone::radio, &Addition::radio, &model::Escena::mi_radio},
-      Attribute{"proporcion", &TruncatedCone::proporcion, &Addition::proporcion, &model::Escena::mi_proporcion},
-      Attribute{"vector", &TruncatedCone::vector, &Addition::vector, &model::Escena::mi_vector},
-      Attribute{"altura", &TruncatedCone::altura, &Addition::altura, &model::Escena::mi_altura}};
+  /// Whoever looks into them names their types, which are complete in model/operaciones.hpp (scene/attributes.hpp).
+  template <class Addition, class Escena>
+  static constexpr auto attributes =
+      std::tuple{Attribute{"centro", &TruncatedCone::centro, &Addition::centro, &Escena::mi_centro},
+                 Attribute{"radio", &TruncatedCone::radio, &Addition::radio, &Escena::mi_radio},
+                 Attribute{"proporcion", &TruncatedCone::proporcion, &Addition::proporcion, &Escena::mi_proporcion},
+                 Attribute{"vector", &TruncatedCone::vector, &Addition::vector, &Escena::mi_vector},
+                 Attribute{"altura", &TruncatedCone::altura, &Addition::altura, &Escena::mi_altura}};
 };
 
 }  // namespace durero::scene

@@ -1,0 +1,41 @@
+#pragma once
+/// The operations of spec/operaciones.tex by their names alone, for whoever hands them on and looks into none. What each
+/// is, stands in model/operaciones.hpp; whoever makes one or looks into one includes that.
+
+#include <variant>
+
+namespace durero::model {
+
+struct Escena;
+struct Answer;
+
+/// @{ The additions, a type each, and the general one.
+struct Agregar_Esfera;
+struct Agregar_Cilindro;
+struct Agregar_Cono;
+struct Agregar_Tronco;
+struct Agregar_Plano;
+struct Agregar_Disco;
+struct Agregar_Triangulo;
+struct Agregar_Elemento;
+/// @}
+
+/// @{ The removals, a type each, and the general one.
+struct Eliminar_Esfera;
+struct Eliminar_Cilindro;
+struct Eliminar_Cono;
+struct Eliminar_Tronco;
+struct Eliminar_Plano;
+struct Eliminar_Disco;
+struct Eliminar_Triangulo;
+struct Eliminar_Elemento;
+/// @}
+
+/// Any operation: the additions and the removals, each in the order of Tipo with the general one last. Where a type
+/// has no line here, model/operaciones.hpp does not compile.
+using Operation =
+    std::variant<Agregar_Esfera, Agregar_Cilindro, Agregar_Cono, Agregar_Tronco, Agregar_Plano, Agregar_Disco,
+                 Agregar_Triangulo, Agregar_Elemento, Eliminar_Esfera, Eliminar_Cilindro, Eliminar_Cono, Eliminar_Tronco,
+                 Eliminar_Plano, Eliminar_Disco, Eliminar_Triangulo, Eliminar_Elemento>;
+
+}  // namespace durero::model

@@ -1,0 +1,93 @@
+#pragma once
+/// The attributes of the shapes: what a table stores of the inputs of an addition, and walks over the rows of a shape.
+
+#include <cstddef>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+
+#include "durero/model/escena.hpp"
+#include "durero/model/operaciones.hpp"
+#include "durero/scene/shapes.hpp"
+
+namespace durero::scene {
+
+/// The table of a shape's attributes.
+template <class Shape>
+inline constexpr auto attributes_of = Shape::template attributes<typename Shape::Addition, model::Escena>;
+
+/// @{ What a table stores of an input.
+inline double stored(double x) { return x; }
+inline const glm::dvec3& stored(const model::Punto& p) { return p.xyz(); }
+inline const glm::dvec3& stored(const model::Vector& v) { return v.xyz(); }
+inline Corners stored(const model::Terna& v) { return {v.a.xyz(), v.b.xyz(), v.c.xyz()}; }
+/// @}
+
+/// The input that is stored so.
+template <class Input, class Stored>
+Input input_of(const Stored& value) {
+  return Input(value);
+}
+/// The three vertices that are stored so.
+template <>
+inline model::Terna input_of(const Corners& value) {
+  return {model::Punto(value[0]), model::Punto(value[1]), model::Punto(value[2])};
+}
+
+/// visit(attribute) for each attribute of the shape, in the order of the text.
+template <class Shape, class Visit>
+constexpr void for_each_attribute(Visit&& visit) {
+  std::apply([&](const auto&... attribute) { (visit(attribute), ...); }, attributes_of<Shape>);
+}
+
+/// visit(attribute) for each attribute of each shape; one that several shapes have is visited for each.
+template <class Visit>
+constexpr void for_each_attribute_of_all(Visit&& visit) {
+  for_each_shape([&]<class Shape>(std::type_identity<Shape>) { for_each_attribute<Shape>(visit); });
+}
+
+/// The geometry that an addition describes.
+template <class Shape>
+Shape shape_of(const typename Shape::Addition& in) {
+  return std::apply([&](const auto&... attribute) { return Shape{stored(in.*attribute.input)...}; }, attributes_of<Shape>);
+}
+
+/// The addition that puts this geometry under a name.
+template <class Shape>
+typename Shape::Addition addition(const model::Elemento& e, const Shape& shape) {
+  const auto input = [&]<class Row>(const Row& attribute) {
+    return input_of<typename Row::Input>(shape.*attribute.field);
+  };
+  return std::apply(
+      [&](const auto&... attribute) {
+        return typename Shape::Addition{e, input(attribute)...};
+      },
+      attributes_of<Shape>);
+}
+
+/// The place in the shape's table of the attribute that this component of the specification holds, such as
+/// &Escena::mi_radio; the size of the table where the shape has none such.
+template <class Shape, auto component>
+consteval std::size_t place_of_attribute() {
+  std::size_t place = std::tuple_size_v<decltype(attributes_of<Shape>)>, at = 0;
+  for_each_attribute<Shape>([&]<class Row>(const Row& attribute) {
+    if constexpr (std::is_same_v<decltype(attribute.component), std::remove_const_t<decltype(component)>>)
+      if (attribute.component == component) place = at;
+    ++at;
+  });
+  return place;
+}
+
+/// Whether the shape has that attribute.
+template <class Shape, auto component>
+constexpr bool has_attribute() {
+  return place_of_attribute<Shape, component>() < std::tuple_size_v<decltype(attributes_of<Shape>)>;
+}
+
+/// Its value, as the tables hold it.
+template <auto component, class Shape>
+constexpr const auto& attribute_value(const Shape& shape) {
+  return shape.*std::get<place_of_attribute<Shape, component>()>(attributes_of<Shape>).field;
+}
+
+}  // namespace durero::scene
