@@ -1,5 +1,6 @@
 // A million rays by one call.
 #include <durero/engine/engine.hpp>
+#include <durero/model/operaciones.hpp>
 #include <iostream>
 
 using namespace durero;

@@ -1,4 +1,5 @@
 // A predicate that the specification evaluates itself.
+#include <durero/model/operaciones.hpp>
 #include <durero/oracle/calculator.hpp>
 #include <durero/scene/retrieve.hpp>
 #include <iostream>
