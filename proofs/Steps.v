@@ -8,7 +8,7 @@
 From Coq Require Import Reals List Lra.
 From Durero Require Import Toolkit Especificacion Puntos Trazador.
 From Durero Require Tipos Certified Cylinder Formas.
-From Durero Require Import Vectors Across Decision Flotante Verdict Advance.
+From Durero Require Import Vectors Across Decision Flotante Verdict Advance Linear Plane.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
 
@@ -24,6 +24,13 @@ Definition unbounded (f : Formas.quadratic R) : decisions :=
 Definition axial (f : Formas.quadratic R) : decisions :=
   Decisions (Formas.first_in_lanes_axial f) (Formas.first_in_lanes_on_axial f) (Formas.first_of_curved_axial f)
     (Formas.first_of_curved_on_axial f).
+
+(** Of what is flat, without an edge and with one. *)
+Definition flat (f : Formas.quadratic R) : decisions :=
+  Decisions (Formas.linear_in_lanes f) (Formas.linear_in_lanes_on f) (Formas.first_of_linear f) (Formas.first_of_linear_on f).
+Definition edged (f : Formas.quadratic R) : decisions :=
+  Decisions (Formas.linear_in_lanes_edged f) (Formas.linear_in_lanes_on f) (Formas.first_of_linear_edged f)
+    (Formas.first_of_linear_on f).
 
 Definition decisions_right (f : coefficients) (d : decisions) : Prop :=
   right_in_lanes (reach f) (in_lanes d) /\ right_in_lanes (reach (launched f)) (in_lanes_from d) /\
@@ -94,6 +101,54 @@ Proof.
 Qed.
 End Curved.
 
+Section Flat.
+Variable f : Formas.quadratic R.
+Variables B C : R.
+Hypothesis f_sound : sound_flat f B C.
+Variable text : coefficients.
+Hypothesis same : forall t, 2 * B * t + C = value text t.
+Hypothesis same_from : forall t, 2 * B * t + 0 = value (launched text) t.
+
+Lemma flat_is_reached t : flat_points B C (fun t => 0 < t /\ within text t) t <-> reach text t.
+Proof. unfold flat_points, reach; rewrite same; tauto. Qed.
+
+Lemma flat_from_is_reached t : flat_points_from B (fun t => 0 < t /\ within text t) t <-> reach (launched text) t.
+Proof. unfold flat_points_from, reach; rewrite same_from; unfold within, launched; cbn; tauto. Qed.
+
+Lemma of_placed lanes from alone_one place : (forall t, flat_known f = true -> 2 * B * t + C = 0 -> is_near (only_root f) t ->
+   (Formas.outside (place (only_root f)) = true -> ~ (0 < t /\ within text t)) /\
+   (Formas.inside (place (only_root f)) = true -> 0 < t /\ within text t)) ->
+  lanes = flat_in_lanes f place -> from = Formas.linear_in_lanes_on f -> (forall limit, alone_one limit = flat_alone f place limit) ->
+  decisions_right text (Decisions lanes from alone_one (Formas.first_of_linear_on f)).
+Proof.
+  intros P El Ef Ea; pose proof (fun t (On : 0 < t /\ within text t) => proj1 On) as Pos.
+  split; [|split; [|intros limit; split]]; cbn [in_lanes in_lanes_from alone alone_from].
+  - rewrite El; exact (right_in_lanes_equal _ _ _ flat_is_reached (flat_in_lanes_right f B C f_sound _ _ P)).
+  - rewrite Ef; apply (right_in_lanes_equal _ _ _ flat_from_is_reached), (flat_from_right f B C f_sound _ 0 Pos).
+  - rewrite Ea; exact (right_up_to_equal _ _ _ _ flat_is_reached (flat_alone_right f B C f_sound _ _ P limit)).
+  - apply (right_up_to_equal _ _ _ _ flat_from_is_reached), (flat_from_right f B C f_sound _ limit Pos).
+Qed.
+
+Lemma flat_right : (forall t, within text t) -> decisions_right text (flat f).
+Proof.
+  intros W; apply (of_placed _ _ _ (Formas.place f)).
+  - intros t _ _ N; destruct (free_placed f t N) as [Out In]; split; [intros O [Ht _]; now apply Out | auto].
+  - apply (flat_is_recorded f 0).
+  - reflexivity.
+  - intros limit; apply (flat_is_recorded f limit).
+Qed.
+
+Lemma edged_right : (flat_known f = true -> exists m, Rabs (Formas.margin f - m) <= Formas.margin_error f /\
+  forall t, 2 * B * t + C = 0 -> (0 <= m <-> within text t)) -> decisions_right text (edged f).
+Proof.
+  intros Hm; apply (of_placed _ _ _ (Formas.place_edged f)).
+  - intros t K E N; destruct (Hm K) as (m & Nm & Tells); exact (edged_placed f _ m t Nm (Tells t E) N).
+  - apply (flat_is_recorded f 0).
+  - reflexivity.
+  - intros limit; apply (flat_is_recorded f limit).
+Qed.
+End Flat.
+
 (** ** The shapes *)
 
 Definition point (a : vec) : Punto := mk_Punto (cx a) (cy a) (cz a).
@@ -138,5 +193,33 @@ Proof.
     unfold ray_of, point, direction, value, launched, of_cilindro, Across.across, Across.scale, Tipos.sq, Tipos.dot, from, dot, minus; cbn; ring.
   - repeat split.
   - intros t; apply within_stretch.
+Qed.
+
+Theorem plane_right centro d : ordinary_vec centro -> ordinary_vec d -> direction d ∈ Unitario ->
+  decisions_right (of_plano ray (point centro) (direction d)) (flat (Formas.plano p v V centro d)).
+Proof.
+  intros Hc Hd Hu; pose proof (Certified.axis_unit d Hu) as Hdd.
+  apply (flat_right _ (dot v d / 2) (dot (minus p centro) d)).
+  - apply (plane_sound p v centro d p_ordinary v_ordinary Hc Hd v_not_zero Hdd); repeat split.
+  - intros t; unfold ray_of, point, direction, value, of_plano, Tipos.dot, from, dot, minus; cbn; ring.
+  - intros t; unfold ray_of, point, direction, value, launched, of_plano, Tipos.dot, from, dot, minus; cbn; ring.
+  - constructor.
+Qed.
+
+Theorem disc_right centro r d : ordinary_vec centro -> ordinary r -> 0 < r -> ordinary_vec d -> direction d ∈ Unitario ->
+  decisions_right (of_disco ray (point centro) r (direction d)) (edged (Formas.disco p v V centro r d)).
+Proof.
+  intros Hc Hr Hr0 Hd Hu; pose proof (Certified.axis_unit d Hu) as Hdd.
+  destruct (disc_recorded p v centro d r) as (Ha & Em & Ee).
+  pose proof (plane_sound p v centro d p_ordinary v_ordinary Hc Hd v_not_zero Hdd _ Ha) as S.
+  apply (edged_right _ (dot v d / 2) (dot (minus p centro) d) S).
+  - intros t; unfold ray_of, point, direction, value, of_disco, Tipos.dot, from, dot, minus; cbn; ring.
+  - intros t; unfold ray_of, point, direction, value, launched, of_disco, Tipos.dot, from, dot, minus; cbn; ring.
+  - intros K; destruct (known_means _ _ _ S K) as [_ HB]; exists (margin p v centro d r); rewrite Em, Ee.
+    split; [exact (margin_near p v centro d p_ordinary v_ordinary Hc Hd v_not_zero Hdd r Hr Hr0)|]; intros t Ht.
+    rewrite (margin_tells p v centro d r Hr0 t) by lra.
+    unfold within; cbn [clip of_disco]; rewrite Forall_cons_iff.
+    unfold excess, ray_of, point, direction, Tipos.sq, Tipos.dot, from, dot, minus; cbn.
+    split; [intros Hle; split; [exact Hle | constructor] | intros [Hle _]; exact Hle].
 Qed.
 End Shapes.
