@@ -345,8 +345,8 @@ Proof.
   pose proof (Hsize (of_surface - of_line) ltac:(rewrite W_sum in *; lra)).
   pose proof (Hsize (of_surface + of_line) ltac:(rewrite W_sum in *; lra)).
   apply Rabs_le_inv in RF, RH.
-  assert (NF : Rabs (rnd (of_surface - of_line) - F) <= 2 / 3 * B_error) by (unfold F; apply Rabs_le; lra).
-  assert (NH : Rabs (rnd (of_surface + of_line) - H) <= 2 / 3 * B_error) by (unfold H; apply Rabs_le; lra).
+  assert (NF : Rabs (rnd (of_surface - of_line) - F) <= 5 / 6 * B_error) by (unfold F; apply Rabs_le; lra).
+  assert (NH : Rabs (rnd (of_surface + of_line) - H) <= 5 / 6 * B_error) by (unfold H; apply Rabs_le; lra).
   constructor; cbn [Formas.A Formas.B Formas.C Formas.F Formas.H Formas.A_error Formas.B_error Formas.C_error].
   - pose proof (Rmult_le_pos u (V * V) ltac:(lra) ltac:(apply Rmult_le_pos; lra)); apply Rle_trans with (1 := NA); lra.
   - apply Rle_trans with (1 := NB); lra.
@@ -366,6 +366,7 @@ Proof.
     + apply (Hlift 204%Z); [lia | lra].
     + apply (Hlift 205%Z); [lia | rewrite W_sum in PB; lra].
     + apply (Hlift 205%Z); [lia | rewrite W_sum in *; lra].
+  - exact (A_error_computed p v centro r p_ordinary v_ordinary centro_ordinary r_ordinary r_positive v_not_zero).
 Qed.
 
 End Cylinder.

@@ -31,17 +31,18 @@ Notation C_error := (Formas.C_error f).
 
 Record sound : Prop := Sound {
   A_near : Rabs (A_fl - A) <= A_error;
-  B_near : Rabs (B_fl - B) <= 2 / 3 * B_error;
+  B_near : Rabs (B_fl - B) <= 5 / 6 * B_error;
   C_near : Rabs (C_fl - C) <= C_error;
-  F_near : Rabs (F_fl - F) <= 2 / 3 * B_error;
-  H_near : Rabs (H_fl - H) <= 2 / 3 * B_error;
+  F_near : Rabs (F_fl - F) <= 5 / 6 * B_error;
+  H_near : Rabs (H_fl - H) <= 5 / 6 * B_error;
   F_times_H : B * B - A * C = F * H;
   F_below : Rabs F <= H;
   F_fl_below : F_fl <= H_fl;
   binary64 : format A_fl /\ format B_fl /\ format A_error /\ format B_error /\ format C_error;
   B_grid : grid (-912) B_fl;
   errors_least : bpow radix2 (-360) <= A_error /\ bpow radix2 (-360) <= B_error /\ bpow radix2 (-360) <= C_error;
-  sizes : Rabs A_fl <= bpow radix2 450 /\ Rabs B_fl <= bpow radix2 440 /\ H_fl <= bpow radix2 440 }.
+  sizes : Rabs A_fl <= bpow radix2 450 /\ Rabs B_fl <= bpow radix2 440 /\ H_fl <= bpow radix2 440;
+  A_error_size : A_error <= bpow radix2 450 }.
 
 Hypothesis f_sound : sound.
 Let D := B * B - A * C.
@@ -102,8 +103,8 @@ Qed.
 
 (** S as a number: e stands for B_error, X for F_fl·H_fl. *)
 Lemma root_of_product e a h d X P s : 0 < e -> 0 <= d -> e < a -> a <= h ->
-  X = a * h -> Rabs (X - d) <= 9 / 5 * (e * h) -> Rabs (P - X) <= u * X -> Rabs (s - sqrt P) <= u * sqrt P ->
-  0 < s /\ s <= 2 * h /\ Rabs (s - sqrt d) <= 2 * (e * h / s) + 3 * u * s.
+  X = a * h -> Rabs (X - d) <= 237 / 100 * (e * h) -> Rabs (P - X) <= u * X -> Rabs (s - sqrt P) <= u * sqrt P ->
+  0 < s /\ s <= 2 * h /\ Rabs (s - sqrt d) <= 24 / 10 * (e * h / s) + 3 * u * s.
 Proof.
   intros He Hd Hf Hh HX Hd' HP HS; pose proof u_bounds.
   assert (HX0 : 0 < X) by (rewrite HX; apply Rmult_lt_0_compat; lra); pose proof (sqrt_lt_R0 X HX0) as HsX.
@@ -118,13 +119,13 @@ Proof.
   assert (HS0 : 0 < s) by nra; split; [assumption|].
   assert (Hxh : x <= h) by (unfold x; rewrite <- (sqrt_square h) by lra; apply sqrt_le_1_alt; nra).
   split; [nra|].
-  assert (H3 : Rabs (X - d) / x <= 19 / 10 * (e * h / s)).
-  { apply Rle_trans with (9 / 5 * (e * h) / x); [apply Rmult_le_compat_r; [apply Rlt_le, Rinv_0_lt_compat|]; assumption|].
-    replace (19 / 10 * (e * h / s)) with (e * h * (19 / 10 * / s)) by (unfold Rdiv; ring).
-    replace (9 / 5 * (e * h) / x) with (e * h * (9 / 5 * / x)) by (unfold Rdiv; ring).
+  assert (H3 : Rabs (X - d) / x <= 239 / 100 * (e * h / s)).
+  { apply Rle_trans with (237 / 100 * (e * h) / x); [apply Rmult_le_compat_r; [apply Rlt_le, Rinv_0_lt_compat|]; assumption|].
+    replace (239 / 100 * (e * h / s)) with (e * h * (239 / 100 * / s)) by (unfold Rdiv; ring).
+    replace (237 / 100 * (e * h) / x) with (e * h * (237 / 100 * / x)) by (unfold Rdiv; ring).
     apply Rmult_le_compat_l; [nra|]; apply Rmult_le_reg_r with (x * s); [nra|].
-    replace (9 / 5 * / x * (x * s)) with (9 / 5 * s) by (field; lra);
-      replace (19 / 10 * / s * (x * s)) with (19 / 10 * x) by (field; lra); nra. }
+    replace (237 / 100 * / x * (x * s)) with (237 / 100 * s) by (field; lra);
+      replace (239 / 100 * / s * (x * s)) with (239 / 100 * x) by (field; lra); nra. }
   assert (0 < e * h / s) by (apply Rdiv_lt_0_compat; [nra | assumption]).
   replace (s - sqrt d) with ((s - x) + (x - sqrt d)) by ring.
   apply Rle_trans with (1 := Rabs_triang _ _); assert (Rabs (s - x) <= 3 * u * s) by (apply Rabs_le; nra); lra.
@@ -139,14 +140,14 @@ Proof.
   apply Rabs_le_inv in HbF, HbH, HFH.
   assert (HF0 : 0 < F) by lra; assert (HH0 : 0 < H) by lra.
   assert (HD : 0 < D) by (unfold D; rewrite (F_times_H f_sound); apply Rmult_lt_0_compat; lra); split; [assumption|].
-  assert (HX : Rabs (F_fl * H_fl - D) <= 9 / 5 * (B_error * H_fl)).
+  assert (HX : Rabs (F_fl * H_fl - D) <= 237 / 100 * (B_error * H_fl)).
   { unfold D; rewrite (F_times_H f_sound).
     replace (F_fl * H_fl - F * H) with (F_fl * (H_fl - H) + H * (F_fl - F)) by ring.
     assert (Hm : forall a b c, 0 <= a -> - c <= b <= c -> - (a * c) <= a * b <= a * c) by (intros; split; nra).
-    pose proof (Hm F_fl (H_fl - H) (2 / 3 * B_error) ltac:(lra) HbH).
-    pose proof (Hm H (F_fl - F) (2 / 3 * B_error) ltac:(lra) HbF).
-    assert (F_fl * (2 / 3 * B_error) <= H_fl * (2 / 3 * B_error)) by (apply Rmult_le_compat_r; lra).
-    assert (H * (2 / 3 * B_error) <= 5 / 3 * H_fl * (2 / 3 * B_error)) by (apply Rmult_le_compat_r; lra).
+    pose proof (Hm F_fl (H_fl - H) (5 / 6 * B_error) ltac:(lra) HbH).
+    pose proof (Hm H (F_fl - F) (5 / 6 * B_error) ltac:(lra) HbF).
+    assert (F_fl * (5 / 6 * B_error) <= H_fl * (5 / 6 * B_error)) by (apply Rmult_le_compat_r; lra).
+    assert (H * (5 / 6 * B_error) <= 11 / 6 * H_fl * (5 / 6 * B_error)) by (apply Rmult_le_compat_r; lra).
     apply Rabs_le; split; lra. }
   assert (Hnormal : forall x, bpow radix2 (-720) <= x -> Rabs (rnd x - x) <= u * x).
   { intros x Hx; pose proof (bpow_gt_0 radix2 (-720)); rewrite <- (Rabs_pos_eq x) at 3 by lra; apply rnd_rel.
@@ -167,12 +168,12 @@ Proof.
   { intros a Ha; pose proof (Hnormal a Ha) as Hr; apply Rabs_le_inv in Hr; pose proof (bpow_gt_0 radix2 (-720)).
     assert (u * a <= / 1000000 * a) by (apply Rmult_le_compat_r; lra); lra. }
   pose proof (Hlow (3 * B_error) (Hmore (3 * B_error) ltac:(lra))) as E1; set (e1 := rnd (3 * B_error)) in *.
-  assert (Hbig : 2.9 * B_error <= e1) by lra.
+  assert (Hbig : 2.99 * B_error <= e1) by lra.
   pose proof (Hlow (e1 * H_fl) (Hsq e1 H_fl ltac:(lra) ltac:(lra))) as E2; set (e2 := rnd (e1 * H_fl)) in *.
-  assert (Hbig2 : 2.8 * (B_error * H_fl) <= e2).
-  { assert (2.9 * B_error * H_fl <= e1 * H_fl) by (apply Rmult_le_compat_r; lra).
+  assert (Hbig2 : 2.98 * (B_error * H_fl) <= e2).
+  { assert (2.99 * B_error * H_fl <= e1 * H_fl) by (apply Rmult_le_compat_r; lra).
     assert (0 < B_error * H_fl) by (apply Rmult_lt_0_compat; lra); lra. }
-  assert (HeS : 2.8 * (B_error * H_fl / S) <= e2 / S).
+  assert (HeS : 2.98 * (B_error * H_fl / S) <= e2 / S).
   { unfold Rdiv; rewrite <- !Rmult_assoc; apply Rmult_le_compat_r; [apply Rlt_le, Rinv_0_lt_compat, HS0 | lra]. }
   assert (Hquo : B_error <= 2 * (B_error * H_fl / S)).
   { apply Rmult_le_reg_r with S; [assumption|];
@@ -187,7 +188,7 @@ Proof.
   pose proof (Hlow _ H4u) as E4; rewrite H51 in E4 at 1; set (e4 := rnd (bpow radix2 (-51) * S)) in *.
   set (y := B_error * H_fl / S) in *.
   assert (0 < u * S) by (apply Rmult_lt_0_compat; lra).
-  assert (Hsum : 2.5 * y + 3.9 * (u * S) <= e3 + e4) by lra.
+  assert (Hsum : 2.9 * y + 3.9 * (u * S) <= e3 + e4) by lra.
   pose proof (Hlow (e3 + e4) (Hmore (e3 + e4) ltac:(lra))) as E5.
   split; [assumption|]; split; [apply Rle_trans with (1 := Hb)|]; lra.
 Qed.
@@ -198,7 +199,8 @@ Qed.
 Definition q_exact : R := - (B + if Rle_bool 0 B_fl then sqrt D else - sqrt D).
 
 Lemma q_bound : B_error < F_fl ->
-  Rabs (q - q_exact) <= q_error /\ bpow radix2 (-360) <= q_error /\ Rabs q <= bpow radix2 450 /\ format q /\ format q_error.
+  Rabs (q - q_exact) <= q_error /\ bpow radix2 (-360) <= q_error /\ Rabs q <= bpow radix2 450 /\ format q /\ format q_error /\
+  98 / 100 * B_error <= q_error.
 Proof.
   intros HF; destruct (meets HF) as (HD & HS360 & HS & HS0 & HSH); pose proof (B_near f_sound) as HB.
   destruct (errors_least f_sound) as (_ & He360 & _), (binary64 f_sound) as (_ & FB & _ & Fe & _).
@@ -242,7 +244,7 @@ Proof.
   assert (0 <= u * Rabs (rnd y)) by (apply Rmult_le_pos; lra).
   pose proof (Hlow (rnd (B_error + S_error) + rnd (bpow radix2 (-52) * Rabs (rnd y))) ltac:(lra)
     (rnd_plus _ _ (format_rnd _) (format_rnd _))) as E3.
-  split; [|split; [|split; [|split; [apply generic_format_opp|]; apply format_rnd]]].
+  split; [|split; [|split; [|split; [apply generic_format_opp, format_rnd | split; [apply format_rnd | lra]]]]].
   - apply Rabs_le_inv in HB, Hr, Hs; apply Rabs_le; unfold y in *; lra.
   - apply rnd_ge_bpow; [lia | lra].
   - pose proof (Rabs_triang B_fl s) as Ht; fold y in Ht.
@@ -264,7 +266,7 @@ Lemma has_roots_spec : has_roots = true -> B_error < F_fl /\ 2 * q_error < Rabs 
 Proof.
   unfold has_roots; rewrite !andb_true_iff; intros [[HF Hq] HA].
   destruct (Rlt_bool_spec B_error F_fl); [|discriminate]; destruct (binary64 f_sound) as (_ & _ & FA & _).
-  destruct (q_bound ltac:(assumption)) as (_ & _ & _ & _ & Fq).
+  destruct (q_bound ltac:(assumption)) as (_ & _ & _ & _ & Fq & _).
   rewrite (rnd_double _ Fq) in Hq; rewrite (rnd_double _ FA) in HA.
   destruct (Rlt_bool_spec (2 * q_error) (Rabs q)); [|discriminate].
   destruct (Rlt_bool_spec (2 * A_error) (Rabs A_fl)); [|discriminate]; tauto.
@@ -276,7 +278,7 @@ Lemma two_roots : has_roots = true -> exists t0 t1, t0 < t1 /\ (forall t, is_roo
    format (Formas.value root) /\ format (Formas.error root) /\ bpow radix2 (-900) <= Formas.error root).
 Proof.
   intros HR; destruct (has_roots_spec HR) as (HF & Hq & HA); destruct (meets HF) as (HD & _).
-  destruct (q_bound HF) as (Hqb & Hqe & Hq450 & Fq & Fqe); pose proof (sqrt_lt_R0 D HD) as Hs.
+  destruct (q_bound HF) as (Hqb & Hqe & Hq450 & Fq & Fqe & _); pose proof (sqrt_lt_R0 D HD) as Hs.
   destruct (binary64 f_sound) as (FA & _ & FAe & _ & FCe), (errors_least f_sound) as (HA360 & _ & HC360).
   destruct (sizes f_sound) as (HA450 & _); pose proof (bpow_gt_0 radix2 (-360)); pose proof (A_near f_sound) as HAn.
   destruct (quotient_bound _ _ _ _ _ _ Fqe FA FAe Hqe Hqb HAn (conj HA HA450)) as (HtA & LtA & FtA & FeA).

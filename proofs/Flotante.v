@@ -310,10 +310,21 @@ Proof.
   apply Rle_trans with (2 := Hl), bpow_le; lia.
 Qed.
 
+Lemma A_error_computed : A_error <= bpow radix2 450.
+Proof.
+  pose proof V_positive as HV; pose proof u_bounds as Hu; pose proof (computed_more 2 4 _ _ _ _ ltac:(lia) V_computed) as HVc.
+  destruct (error_bound A_error (64 * u * V * V) V V_fl V V_fl) as (_ & Hc); auto; try lra.
+  pose proof (computed_size 10 _ _ _ _ ltac:(lia) Hc) as Hs; apply Rle_trans with (1 := Rle_abs _), Rle_trans with (1 := Hs).
+  destruct products_size as (SA & _); assert (HVV : 0 <= V * V) by (apply Rmult_le_pos; lra).
+  assert (u * (V * V) <= / 1000000000000 * (V * V)) by (apply Rmult_le_compat_r; lra).
+  apply Rle_trans with (bpow radix2 204); [lra | apply bpow_le; lia].
+Qed.
+
 Theorem sphere_sound : sound (Formas.esfera p v V_fl centro r) A B C F H.
 Proof.
   rewrite recorded; pose proof V_positive as HV; pose proof E_positive as HE; pose proof u_bounds as Hu.
   pose proof (computed_more 2 4 _ _ _ _ ltac:(lia) V_computed) as HVc; pose proof E_computed as HEc.
+  pose proof A_error_computed as Aec.
   destruct (error_bound A_error (64 * u * V * V) V V_fl V V_fl) as (HA & _ & FA & GA); auto; try lra.
   destruct (error_bound B_error (64 * u * V * E) V V_fl E E_fl) as (HB & _ & FB & GB); auto; try lra.
   destruct (error_bound C_error (64 * u * E * E) E E_fl E E_fl) as (HC & _ & FC & GC); auto; try lra.
@@ -353,6 +364,7 @@ Proof.
       apply Rle_trans with (2 * bpow radix2 205); [lra|]; rewrite <- (bpow_plus radix2 1); apply bpow_le; lia.
     + apply Rabs_le_inv in HH; unfold H in HH.
       apply Rle_trans with (2 * bpow radix2 205); [lra|]; rewrite <- (bpow_plus radix2 1); apply bpow_le; lia.
+  - exact Aec.
 Qed.
 
 (** The decision in lanes on a sphere: a hit is within its error of the first point, and a miss is one. *)

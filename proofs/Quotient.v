@@ -1,8 +1,8 @@
 (** * Quotient: the bound that the tracer computes for a quotient of two computed numbers
 
     Formas.quotient x x_error y y_error is what src/trace/closed_form-inl.hpp computes of x/y, with its bound. Nothing is
-    asked of the quotient itself: where it, or a product of it, underflows, the bound is larger than what is lost, as the
-    errors are not below 2^-360 and y is at most 2^450. *)
+    asked of the quotient itself: where it, or a product of it, underflows, the bound is larger than what is lost, as x's
+    error is not below 2^-900, nor below as much of y. *)
 From Coq Require Import Reals ZArith Lra Lia Psatz.
 From Flocq Require Import Core.
 From Durero Require Import Rounding.
@@ -39,17 +39,17 @@ Proof.
   - apply Rmult_le_compat; auto using bpow_ge_0.
 Qed.
 
-Theorem quotient_bound x x_fl x_error y y_fl y_error :
-  format x_error -> format y_fl -> format y_error -> bpow radix2 (-360) <= x_error ->
-  Rabs (x_fl - x) <= x_error -> Rabs (y_fl - y) <= y_error -> 2 * y_error < Rabs y_fl <= bpow radix2 450 ->
+Theorem quotient_bound_any x x_fl x_error y y_fl y_error :
+  format x_error -> format y_fl -> format y_error -> bpow radix2 (-900) <= x_error -> bpow radix2 (-900) * Rabs y_fl <= x_error ->
+  Rabs (x_fl - x) <= x_error -> Rabs (y_fl - y) <= y_error -> 2 * y_error < Rabs y_fl ->
   let t := Formas.quotient x_fl x_error y_fl y_error in
   Rabs (Formas.value t - x / y) <= Formas.error t /\ bpow radix2 (-900) <= Formas.error t /\ format (Formas.value t) /\
   format (Formas.error t).
 Proof.
-  intros Fx Fy Fye Hleast Hx Hy [Hbig Hlarge]; unfold Formas.quotient; set (widen := 4503600077730459 * _).
+  intros Fx Fy Fye Hleast Hratio Hx Hy Hbig; unfold Formas.quotient; set (widen := 4503600077730459 * _).
   cbn [Formas.value Formas.error]; set (t := rnd (x_fl / y_fl)).
   set (top := rnd (x_error + rnd (Rabs t * y_error))); set (bottom := rnd (Rabs y_fl - y_error)).
-  pose proof u_bounds as Hu; pose proof (bpow_gt_0 radix2 (-360)) as H360; pose proof (bpow_gt_0 radix2 (-1074)) as Hz.
+  pose proof u_bounds as Hu; pose proof (bpow_gt_0 radix2 (-900)) as H900; pose proof (bpow_gt_0 radix2 (-1074)) as Hz.
   set (z := bpow radix2 (-1074)) in *; set (e := / 1000000000000) in *.
   assert (He : 0 < e < / 1000000) by (unfold e; lra).
   assert (Hwiden : 1 + / 16777216 <= widen).
@@ -73,13 +73,11 @@ Proof.
   set (W := (x_error + Rabs t * y_error) / g).
   assert (HWg : W * g = x_error + Rabs t * y_error) by (unfold W; field; lra).
   pose proof (Rmult_le_pos (Rabs t) y_error ltac:(lra) Hy0) as Hty.
-  assert (HglL : g <= bpow radix2 450) by (unfold g; lra).
-  assert (HW : bpow radix2 (-810) <= W).
-  { apply Rmult_le_reg_r with g; [assumption|]; rewrite HWg; apply Rle_trans with (bpow radix2 (-810) * bpow radix2 450).
-    - apply Rmult_le_compat_l; [apply bpow_ge_0 | assumption].
-    - rewrite <- bpow_plus; change (-810 + 450)%Z with (-360)%Z; lra. }
-  pose proof (least_below (-810) W ltac:(lia) HW) as HzW; fold z e in HzW.
-  assert (HW0 : 0 < W) by (pose proof (bpow_gt_0 radix2 (-810)); lra).
+  assert (HW : bpow radix2 (-900) <= W).
+  { apply Rmult_le_reg_r with g; [assumption|]; rewrite HWg; apply Rle_trans with (bpow radix2 (-900) * Rabs y_fl); [|lra].
+    apply Rmult_le_compat_l; [apply bpow_ge_0 | unfold g; lra]. }
+  pose proof (least_below (-900) W ltac:(lia) HW) as HzW; fold z e in HzW.
+  assert (HW0 : 0 < W) by (pose proof (bpow_gt_0 radix2 (-900)); lra).
   assert (Hexact : Rabs (T - x / y) <= (1 + 2 * e) * W + 2 * z).
   { apply Rmult_le_reg_r with g; [assumption|].
     apply Rle_trans with (Rabs (T - x / y) * Rabs y); [apply Rmult_le_compat_l; [apply Rabs_pos | assumption]|].
@@ -94,7 +92,7 @@ Proof.
   pose proof (rnd_low_any _ Hty) as E1; fold e z in E1.
   pose proof (rnd_nonneg _ Hty) as E0.
   pose proof (rnd_low_sum x_error _ Fx (format_rnd (Rabs t * y_error)) ltac:(lra)) as E2; fold e top in E2.
-  pose proof (least_below (-360) x_error ltac:(lia) Hleast) as Hzx; fold z e in Hzx.
+  pose proof (least_below (-900) x_error ltac:(lia) Hleast) as Hzx; fold z e in Hzx.
   assert (Htop : (1 - 3 * e) * (x_error + Rabs t * y_error) <= top).
   { assert (0 <= e * e) by nra; assert (0 <= e * (Rabs t * y_error)) by (apply Rmult_le_pos; lra).
     assert (0 <= e * x_error) by (apply Rmult_le_pos; lra).
@@ -121,8 +119,8 @@ Proof.
     - replace ((1 - 5 * e) * W * ((1 + e) * g)) with ((1 - 5 * e) * (1 + e) * (W * g)) by ring; rewrite HWg.
       apply Rmult_le_compat_r; lra. }
   assert (Hnormal : forall a, / 2 * W <= a -> normal a).
-  { intros a Ha; apply (at_least_normal (-811)); [lia|]; rewrite Rabs_pos_eq by lra.
-    apply Rle_trans with (2 := Ha); change (-811)%Z with (-1 + -810)%Z; rewrite bpow_plus.
+  { intros a Ha; apply (at_least_normal (-901)); [lia|]; rewrite Rabs_pos_eq by lra.
+    apply Rle_trans with (2 := Ha); change (-901)%Z with (-1 + -900)%Z; rewrite bpow_plus.
     replace (bpow radix2 (-1)) with (/ 2) by reflexivity; lra. }
   pose proof (rnd_low (top / bottom) ltac:(lra) (Hnormal (top / bottom) ltac:(lra))) as E4; fold e in E4.
   assert ((1 - e) * ((1 - 5 * e) * W) <= (1 - e) * (top / bottom)) by (apply Rmult_le_compat_l; lra).
@@ -151,6 +149,20 @@ Proof.
     assert (u * z <= 1 * z) by (apply Rmult_le_compat_r; lra).
     assert (e * (u * Rabs t) <= 1 * (u * Rabs t)) by (apply Rmult_le_compat_r; lra).
     unfold e in *; lra.
-  - apply Rle_trans with (bpow radix2 (-810)); [apply bpow_le; lia|].
-    apply Rle_trans with (1 := HW), Rle_trans with (2 := Hbound); lra.
+  - apply Rle_trans with (1 := HW), Rle_trans with (2 := Hbound); lra.
+Qed.
+
+(** As the curved shapes need it. *)
+Theorem quotient_bound x x_fl x_error y y_fl y_error :
+  format x_error -> format y_fl -> format y_error -> bpow radix2 (-360) <= x_error ->
+  Rabs (x_fl - x) <= x_error -> Rabs (y_fl - y) <= y_error -> 2 * y_error < Rabs y_fl <= bpow radix2 450 ->
+  let t := Formas.quotient x_fl x_error y_fl y_error in
+  Rabs (Formas.value t - x / y) <= Formas.error t /\ bpow radix2 (-900) <= Formas.error t /\ format (Formas.value t) /\
+  format (Formas.error t).
+Proof.
+  intros Fx Fy Fye Hleast Hx Hy [Hbig Hlarge]; apply quotient_bound_any; auto.
+  - apply Rle_trans with (2 := Hleast), bpow_le; lia.
+  - apply Rle_trans with (bpow radix2 (-900) * bpow radix2 450).
+    + apply Rmult_le_compat_l; [apply bpow_ge_0 | assumption].
+    + rewrite <- bpow_plus; apply Rle_trans with (2 := Hleast), bpow_le; lia.
 Qed.

@@ -1,0 +1,225 @@
+(** * Steps: what the tracer decides of a ray and an element in binary64 is what the text says
+
+    Of each shape, the four decisions of trace/closed_form-inl.hpp: in lanes and for one ray up to a limit, of a ray that
+    starts elsewhere and of one that starts on the element. Trazador.reach has the parameters of the text's points, of
+    the coefficients of Puntos.v, and of those with the constant term 0 where the ray starts on the element.
+
+    Decisions, decisions_right f == the four, and that they are right for the coefficients f *)
+From Coq Require Import Reals List Lra.
+From Durero Require Import Toolkit Especificacion Puntos Trazador.
+From Durero Require Tipos Certified Cylinder Formas.
+From Durero Require Import Vectors Across Decision Flotante Verdict Advance Linear Plane.
+Local Open Scope R_scope.
+Local Open Scope zed_scope.
+
+Record decisions := Decisions {
+  in_lanes : Formas.in_lanes;
+  in_lanes_from : Formas.in_lanes;
+  alone : R -> Formas.answer R;
+  alone_from : R -> Formas.answer R }.
+
+(** The decisions on a quadratic that nothing bounds, and on one that a stretch of its axis does. *)
+Definition unbounded (f : Formas.quadratic R) : decisions :=
+  Decisions (Formas.first_in_lanes f) (Formas.first_in_lanes_on f) (Formas.first_of_curved f) (Formas.first_of_curved_on f).
+Definition axial (f : Formas.quadratic R) : decisions :=
+  Decisions (Formas.first_in_lanes_axial f) (Formas.first_in_lanes_on_axial f) (Formas.first_of_curved_axial f)
+    (Formas.first_of_curved_on_axial f).
+
+(** Of what is flat, without an edge and with one. *)
+Definition flat (f : Formas.quadratic R) : decisions :=
+  Decisions (Formas.linear_in_lanes f) (Formas.linear_in_lanes_on f) (Formas.first_of_linear f) (Formas.first_of_linear_on f).
+Definition edged (f : Formas.quadratic R) : decisions :=
+  Decisions (Formas.linear_in_lanes_edged f) (Formas.linear_in_lanes_on f) (Formas.first_of_linear_edged f)
+    (Formas.first_of_linear_on f).
+
+Definition decisions_right (f : coefficients) (d : decisions) : Prop :=
+  right_in_lanes (reach f) (in_lanes d) /\ right_in_lanes (reach (launched f)) (in_lanes_from d) /\
+  forall limit, right_up_to (reach f) limit (alone d limit) /\ right_up_to (reach (launched f)) limit (alone_from d limit).
+
+Section Curved.
+Variable f : Formas.quadratic R.
+Variables A B C F H : R.
+Hypothesis f_sound : sound f A B C F H.
+Variable text : coefficients.
+Hypothesis same : forall t, is_root A B C t <-> value text t = 0.
+Hypothesis same_from : forall t, is_root A B 0 t <-> value (launched text) t = 0.
+
+Lemma points_are_reached (on : R -> Prop) t : (on t <-> 0 < t /\ within text t) -> (points A B C on t <-> reach text t).
+Proof. intros E; unfold points, reach; rewrite same, E; tauto. Qed.
+
+Lemma points_from_are_reached (on : R -> Prop) t : (on t <-> 0 < t /\ within text t) ->
+  (points_from A B on t <-> reach (launched text) t).
+Proof. intros E; unfold points_from, reach; rewrite same_from, E; unfold within, launched; cbn; tauto. Qed.
+
+Lemma unbounded_right : (forall t, within text t) -> decisions_right text (unbounded f).
+Proof.
+  intros W; pose proof (place_right f) as P; assert (On : forall t, 0 < t <-> 0 < t /\ within text t) by (intros t; pose proof (W t); tauto).
+  pose proof (fun t => points_are_reached (fun t => 0 < t) t (On t)) as E.
+  pose proof (fun t => points_from_are_reached (fun t => 0 < t) t (On t)) as E0.
+  split; [|split; [|intros limit; split]]; cbn [in_lanes in_lanes_from alone alone_from unbounded].
+  - rewrite free_is_recorded; exact (right_in_lanes_equal _ _ _ E (lanes_right f A B C F H f_sound _ _ P)).
+  - destruct (from_is_recorded f 0) as (_ & _ & -> & _).
+    exact (right_in_lanes_equal _ _ _ E0 (lanes_from_right f A B C F H f_sound _ _ P (fun t Ht => Ht))).
+  - rewrite single_is_recorded; apply (right_up_to_equal _ _ limit _ E).
+    apply (single_right f A B C F H f_sound _ _ _ limit P (fun t Ht => Ht)).
+    intros HF Hq; exact (past_limit_right f A B C F H f_sound _ limit (fun t Ht => Ht) HF Hq).
+  - destruct (from_is_recorded f limit) as (-> & _); apply (right_up_to_equal _ _ limit _ E0).
+    exact (single_from_right f A B C F H f_sound _ _ limit P (fun t Ht => Ht)).
+Qed.
+
+Variables p v centro d : vec.
+Variable h : R.
+Hypothesis p_ordinary : ordinary_vec p.
+Hypothesis v_ordinary : ordinary_vec v.
+Hypothesis centro_ordinary : ordinary_vec centro.
+Hypothesis d_ordinary : ordinary_vec d.
+Hypothesis h_ordinary : ordinary h.
+Hypothesis h_positive : 0 < h.
+Hypothesis v_not_zero : 0 < norm v.
+Hypothesis d_unit : Rabs (dot d d - 1) <= / 1000000.
+
+Lemma axial_right : ends p v centro d h f ->
+  (forall t, within text t <-> 0 <= dot (minus p centro) d + t * dot v d <= h) -> decisions_right text (axial f).
+Proof.
+  intros Ends W.
+  pose proof (axial_places p v centro d h p_ordinary v_ordinary centro_ordinary d_ordinary h_ordinary h_positive v_not_zero
+    d_unit f Ends) as P.
+  assert (On : forall t, on_stretch p v centro d h t <-> 0 < t /\ within text t) by (intros t; rewrite W; reflexivity).
+  assert (Pos : forall t, on_stretch p v centro d h t -> 0 < t) by (intros t [Ht _]; exact Ht).
+  pose proof (fun t => points_are_reached (on_stretch p v centro d h) t (On t)) as E.
+  pose proof (fun t => points_from_are_reached (on_stretch p v centro d h) t (On t)) as E0.
+  split; [|split; [|intros limit; split]]; cbn [in_lanes in_lanes_from alone alone_from axial].
+  - rewrite axial_is_recorded; exact (right_in_lanes_equal _ _ _ E (lanes_right f A B C F H f_sound _ _ P)).
+  - destruct (from_is_recorded f 0) as (_ & _ & _ & ->).
+    exact (right_in_lanes_equal _ _ _ E0 (lanes_from_right f A B C F H f_sound _ _ P Pos)).
+  - rewrite single_axial_is_recorded; apply (right_up_to_equal _ _ limit _ E).
+    apply (single_right f A B C F H f_sound _ _ _ limit P Pos); intros HF Hq.
+    exact (past_stretch_right p v centro d h p_ordinary v_ordinary centro_ordinary d_ordinary h_ordinary h_positive v_not_zero
+      d_unit f A B C F H limit f_sound Ends HF Hq).
+  - destruct (from_is_recorded f limit) as (_ & -> & _); apply (right_up_to_equal _ _ limit _ E0).
+    exact (single_from_right f A B C F H f_sound _ _ limit P Pos).
+Qed.
+End Curved.
+
+Section Flat.
+Variable f : Formas.quadratic R.
+Variables B C : R.
+Hypothesis f_sound : sound_flat f B C.
+Variable text : coefficients.
+Hypothesis same : forall t, 2 * B * t + C = value text t.
+Hypothesis same_from : forall t, 2 * B * t + 0 = value (launched text) t.
+
+Lemma flat_is_reached t : flat_points B C (fun t => 0 < t /\ within text t) t <-> reach text t.
+Proof. unfold flat_points, reach; rewrite same; tauto. Qed.
+
+Lemma flat_from_is_reached t : flat_points_from B (fun t => 0 < t /\ within text t) t <-> reach (launched text) t.
+Proof. unfold flat_points_from, reach; rewrite same_from; unfold within, launched; cbn; tauto. Qed.
+
+Lemma of_placed lanes from alone_one place : (forall t, flat_known f = true -> 2 * B * t + C = 0 -> is_near (only_root f) t ->
+   (Formas.outside (place (only_root f)) = true -> ~ (0 < t /\ within text t)) /\
+   (Formas.inside (place (only_root f)) = true -> 0 < t /\ within text t)) ->
+  lanes = flat_in_lanes f place -> from = Formas.linear_in_lanes_on f -> (forall limit, alone_one limit = flat_alone f place limit) ->
+  decisions_right text (Decisions lanes from alone_one (Formas.first_of_linear_on f)).
+Proof.
+  intros P El Ef Ea; pose proof (fun t (On : 0 < t /\ within text t) => proj1 On) as Pos.
+  split; [|split; [|intros limit; split]]; cbn [in_lanes in_lanes_from alone alone_from].
+  - rewrite El; exact (right_in_lanes_equal _ _ _ flat_is_reached (flat_in_lanes_right f B C f_sound _ _ P)).
+  - rewrite Ef; apply (right_in_lanes_equal _ _ _ flat_from_is_reached), (flat_from_right f B C f_sound _ 0 Pos).
+  - rewrite Ea; exact (right_up_to_equal _ _ _ _ flat_is_reached (flat_alone_right f B C f_sound _ _ P limit)).
+  - apply (right_up_to_equal _ _ _ _ flat_from_is_reached), (flat_from_right f B C f_sound _ limit Pos).
+Qed.
+
+Lemma flat_right : (forall t, within text t) -> decisions_right text (flat f).
+Proof.
+  intros W; apply (of_placed _ _ _ (Formas.place f)).
+  - intros t _ _ N; destruct (free_placed f t N) as [Out In]; split; [intros O [Ht _]; now apply Out | auto].
+  - apply (flat_is_recorded f 0).
+  - reflexivity.
+  - intros limit; apply (flat_is_recorded f limit).
+Qed.
+
+Lemma edged_right : (flat_known f = true -> exists m, Rabs (Formas.margin f - m) <= Formas.margin_error f /\
+  forall t, 2 * B * t + C = 0 -> (0 <= m <-> within text t)) -> decisions_right text (edged f).
+Proof.
+  intros Hm; apply (of_placed _ _ _ (Formas.place_edged f)).
+  - intros t K E N; destruct (Hm K) as (m & Nm & Tells); exact (edged_placed f _ m t Nm (Tells t E) N).
+  - apply (flat_is_recorded f 0).
+  - reflexivity.
+  - intros limit; apply (flat_is_recorded f limit).
+Qed.
+End Flat.
+
+(** ** The shapes *)
+
+Definition point (a : vec) : Punto := mk_Punto (cx a) (cy a) (cz a).
+Definition direction (a : vec) : Vector := mk_Vector (cx a) (cy a) (cz a).
+Definition ray_of (p v : vec) : Rayo := mk_Rayo (point p) (direction v).
+
+Section Shapes.
+Variables p v : vec.
+Hypothesis p_ordinary : ordinary_vec p.
+Hypothesis v_ordinary : ordinary_vec v.
+Hypothesis v_not_zero : 0 < norm v.
+Notation ray := (ray_of p v).
+Notation V := (extent_fl v).
+
+Theorem sphere_right centro r : ordinary_vec centro -> ordinary r -> 0 < r ->
+  decisions_right (of_esfera ray (point centro) r) (unbounded (Formas.esfera p v V centro r)).
+Proof.
+  intros Hc Hr Hr0.
+  apply (unbounded_right _ _ _ _ _ _ (sphere_sound p v centro r p_ordinary v_ordinary Hc Hr Hr0 v_not_zero)).
+  - intros t; exact (Certified.root_value p v centro r t).
+  - intros t; unfold is_root; replace (dot v v * t * t + 2 * dot (minus p centro) v * t + 0)
+      with (value (launched (of_esfera ray (point centro) r)) t); [reflexivity|].
+    unfold ray_of, point, direction, value, launched, of_esfera, Tipos.sq, Tipos.dot, from, dot, minus; cbn; ring.
+  - constructor.
+Qed.
+
+Lemma within_stretch centro d h t :
+  Forall (fun g => excess g t <= 0) (between (Tipos.dot (from (point centro) (point p)) (direction d))
+    (Tipos.dot (direction v) (direction d)) h) <-> 0 <= dot (minus p centro) d + t * dot v d <= h.
+Proof. rewrite between_holds; reflexivity. Qed.
+
+Theorem cylinder_right centro r d h : ordinary_vec centro -> ordinary r -> 0 < r -> ordinary_vec d -> direction d ∈ Unitario ->
+  ordinary h -> 0 < h ->
+  decisions_right (of_cilindro ray (point centro) r (direction d) h) (axial (Formas.cilindro p v V centro r d h)).
+Proof.
+  intros Hc Hr Hr0 Hd Hu Hh Hh0; pose proof (Certified.axis_unit d Hu) as Hdd.
+  apply (axial_right _ _ _ _ _ _ (Cylinder.cylinder_sound p v centro d r h p_ordinary v_ordinary Hc Hd Hr Hr0 v_not_zero Hdd) _
+    (fun t => Certified.cylinder_root_value p v centro d r h t)) with (p := p) (v := v) (centro := centro) (d := d) (h := h); auto.
+  - intros t; unfold is_root.
+    replace (dot (Across.across v d) (Across.across v d) * t * t + 2 * dot (Across.across (minus p centro) d) (Across.across v d) * t + 0)
+      with (value (launched (of_cilindro ray (point centro) r (direction d) h)) t); [reflexivity|].
+    unfold ray_of, point, direction, value, launched, of_cilindro, Across.across, Across.scale, Tipos.sq, Tipos.dot, from, dot, minus; cbn; ring.
+  - repeat split.
+  - intros t; apply within_stretch.
+Qed.
+
+Theorem plane_right centro d : ordinary_vec centro -> ordinary_vec d -> direction d ∈ Unitario ->
+  decisions_right (of_plano ray (point centro) (direction d)) (flat (Formas.plano p v V centro d)).
+Proof.
+  intros Hc Hd Hu; pose proof (Certified.axis_unit d Hu) as Hdd.
+  apply (flat_right _ (dot v d / 2) (dot (minus p centro) d)).
+  - apply (plane_sound p v centro d p_ordinary v_ordinary Hc Hd v_not_zero Hdd); repeat split.
+  - intros t; unfold ray_of, point, direction, value, of_plano, Tipos.dot, from, dot, minus; cbn; ring.
+  - intros t; unfold ray_of, point, direction, value, launched, of_plano, Tipos.dot, from, dot, minus; cbn; ring.
+  - constructor.
+Qed.
+
+Theorem disc_right centro r d : ordinary_vec centro -> ordinary r -> 0 < r -> ordinary_vec d -> direction d ∈ Unitario ->
+  decisions_right (of_disco ray (point centro) r (direction d)) (edged (Formas.disco p v V centro r d)).
+Proof.
+  intros Hc Hr Hr0 Hd Hu; pose proof (Certified.axis_unit d Hu) as Hdd.
+  destruct (disc_recorded p v centro d r) as (Ha & Em & Ee).
+  pose proof (plane_sound p v centro d p_ordinary v_ordinary Hc Hd v_not_zero Hdd _ Ha) as S.
+  apply (edged_right _ (dot v d / 2) (dot (minus p centro) d) S).
+  - intros t; unfold ray_of, point, direction, value, of_disco, Tipos.dot, from, dot, minus; cbn; ring.
+  - intros t; unfold ray_of, point, direction, value, launched, of_disco, Tipos.dot, from, dot, minus; cbn; ring.
+  - intros K; destruct (known_means _ _ _ S K) as [_ HB]; exists (margin p v centro d r); rewrite Em, Ee.
+    split; [exact (margin_near p v centro d p_ordinary v_ordinary Hc Hd v_not_zero Hdd r Hr Hr0)|]; intros t Ht.
+    rewrite (margin_tells p v centro d r Hr0 t) by lra.
+    unfold within; cbn [clip of_disco]; rewrite Forall_cons_iff.
+    unfold excess, ray_of, point, direction, Tipos.sq, Tipos.dot, from, dot, minus; cbn.
+    split; [intros Hle; split; [exact Hle | constructor] | intros [Hle _]; exact Hle].
+Qed.
+End Shapes.
