@@ -83,8 +83,14 @@ std::string classification() {
   return text;
 }
 
+/// What there is to count of an engine that has a structure.
+constexpr std::string_view counters =
+    "\nof each in this list durero stats counts nodes, cells and bytes held; volumes (n), elements (m), nodes and "
+    "cells a "
+    "ray;\nand takes the time to build it, and the number of rays from which on it pays\n";
+
 int run() {
-  io::print(promises() + classification());
+  io::print(promises() + classification() + std::string(counters));
   return 0;
 }
 

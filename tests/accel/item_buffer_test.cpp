@@ -77,6 +77,7 @@ TEST_CASE("a primary ray tests little more than the element that it hits") {
   CHECK(work.cells == 160 * 90);
   CHECK(static_cast<double>(work.candidates) <= 1.1 * 160 * 90);
   CHECK(work.volumes == 0);
+  CHECK(work.untested > 160 * 90 / 10);  // pixels that see nothing, and are told so without a test
   Work others;
   for (int i = 0; i < 200; ++i) {
     const glm::dvec3 from = random.in_cube(9), towards = random.direction();

@@ -63,6 +63,7 @@ done <<'TECHNIQUES'
 TECHNIQUES
 [ "$(grep -c '^  .* (A §' listed)" -eq 10 ] || fail 'durero engines has a technique that is not in the list here'
 grep -A1 '^rays that are more than lines:' listed | grep -q '^  none$' || fail 'rays that are more than lines'
+grep -q '^of each in this list durero stats counts nodes, cells and bytes' listed || fail 'durero engines says nothing of counters'
 run 0 render --help
 cp out rendering
 sed -n 's/.*: render \(--[a-z-]*\).*/\1/p' listed >options
