@@ -194,11 +194,18 @@ class Scene(Mapping[str, Element]):
         *,
         en: Optional[Origins] = ...,
         elements: Literal["first"] = ...,
+        hierarchy: str = ...,
     ) -> npt.NDArray[np.void]: ...
 
     @overload
     def trace(
-        self, rays: npt.NDArray[np.float64], engine: str = ..., *, en: Optional[Origins] = ..., elements: Literal["all"]
+        self,
+        rays: npt.NDArray[np.float64],
+        engine: str = ...,
+        *,
+        en: Optional[Origins] = ...,
+        elements: Literal["all"],
+        hierarchy: str = ...,
     ) -> HitsWithElements: ...
 
     def trace(
@@ -208,13 +215,16 @@ class Scene(Mapping[str, Element]):
         *,
         en: Optional[Origins] = None,
         elements: str = "first",
+        hierarchy: str = "automatic",
     ) -> Union[npt.NDArray[np.void], HitsWithElements]:
         """The first hit of every ray: an array of durero.HIT, a row a ray.
 
         Rays are float64 of shape (n, 6), px py pz vx vy vz, C-contiguous and finite, with v other than 0; v need not be
         a unit vector. They are read where they lie; whatever else is given raises TypeError or ValueError, which says
         what is wrong, and nothing is converted. `en` says which elements each ray starts on: those are met there no
-        more, so that a surface does not shadow itself. With elements="all" every element of a tie is told.
+        more, so that a surface does not shadow itself. With elements="all" every element of a tie is told. With
+        hierarchy="hand" the engine "bvh" groups the elements as the groups of the scene do, and no engine else does: no
+        answer depends on it.
 
         >>> import numpy as np
         >>> scene = Scene.loads('{"format":"durero-scene","version":1,"elementos":'
@@ -226,22 +236,32 @@ class Scene(Mapping[str, Element]):
         It runs on every processor, without Python's lock.
         """
         if elements == "first":
-            return _durero.first_hits(self._scene, rays, engine, en)
+            return _durero.first_hits(self._scene, rays, engine, en, hierarchy)
         if elements == "all":
-            return HitsWithElements(*_durero.first_hits_with_elements(self._scene, rays, engine, en))
+            return HitsWithElements(*_durero.first_hits_with_elements(self._scene, rays, engine, en, hierarchy))
         raise ValueError(f'elements is {elements!r}; expected "first" or "all"')
 
     def occluded(
-        self, rays: npt.NDArray[np.float64], engine: str = _durero.default_engine, *, en: Optional[Origins] = None
+        self,
+        rays: npt.NDArray[np.float64],
+        engine: str = _durero.default_engine,
+        *,
+        en: Optional[Origins] = None,
+        hierarchy: str = "automatic",
     ) -> npt.NDArray[np.bool_]:
         """Whether each ray meets some element at some t > 0. Arguments are those of trace."""
-        return _durero.occluded(self._scene, rays, engine, en)
+        return _durero.occluded(self._scene, rays, engine, en, hierarchy)
 
     def occluded_segment(
-        self, rays: npt.NDArray[np.float64], engine: str = _durero.default_engine, *, en: Optional[Origins] = None
+        self,
+        rays: npt.NDArray[np.float64],
+        engine: str = _durero.default_engine,
+        *,
+        en: Optional[Origins] = None,
+        hierarchy: str = "automatic",
     ) -> npt.NDArray[np.bool_]:
         """Whether each ray meets some element at some 0 < t < 1, between p and p + v. Arguments are those of trace."""
-        return _durero.occluded_segment(self._scene, rays, engine, en)
+        return _durero.occluded_segment(self._scene, rays, engine, en, hierarchy)
 
     def exact(self, ray: Union[Sequence[float], npt.NDArray[np.float64]], en: Iterable[str] = ()) -> ExactHit:
         """The first hit of one ray, by exact arithmetic and not rounded: t and each coordinate as x + y√delta.
@@ -265,13 +285,17 @@ class Scene(Mapping[str, Element]):
         return ExactHit(Resultado(outcome), tuple(elements), surd(t), (x, y, z))
 
     def render(
-        self, size: Optional[Tuple[int, int]] = None, engine: str = _durero.default_engine
+        self,
+        size: Optional[Tuple[int, int]] = None,
+        engine: str = _durero.default_engine,
+        *,
+        hierarchy: str = "automatic",
     ) -> npt.NDArray[np.uint8]:
         """The picture that the scene's camera sees, as sRGB of shape (height, width, 3), the upper row first.
 
-        `size` is (width, height), by default the scene's resolution. Raises ValueError without a camera.
+        `size` is (width, height), by default the scene's resolution; `hierarchy` as of trace. Raises ValueError without a camera.
         """
-        return self._scene.render(size, engine)
+        return self._scene.render(size, engine, hierarchy)
 
 
 def _single(line: str) -> str:

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "bindings.hpp"
+#include "durero/engine/prepared.hpp"
 #include "durero/io/groups_file.hpp"
 #include "durero/io/operations_file.hpp"
 #include "durero/io/output_file.hpp"
@@ -139,7 +140,7 @@ py::object element(const Scene& scene, const std::string& name) {
 
 using Size = std::optional<std::pair<std::uint32_t, std::uint32_t>>;
 
-py::array render(const Scene& scene, const Size& size, const std::string& engine_name) {
+py::array render(const Scene& scene, const Size& size, const std::string& engine_name, const std::string& hierarchy) {
   const engine::Row& row = engine_named(engine_name);
   if (!row.honours_origins)
     throw std::invalid_argument("engine " + engine_name +
@@ -149,11 +150,11 @@ py::array render(const Scene& scene, const Size& size, const std::string& engine
     const py::gil_scoped_release released;
     if (!size)
       return std::make_unique<render::Image>(
-          render::toned(render::render(state->scene(), state->prepared(row)), render::Tone::clamp));
-    scene::Scene sized = state->scene();
-    sized.stage().resolution = scene::Resolution{size->first, size->second};
+          render::toned(render::render(state->scene(), state->prepared(row, hierarchy)), render::Tone::clamp));
+    scene::GroupedScene sized = state->grouped();
+    sized.scene.stage().resolution = scene::Resolution{size->first, size->second};
     return std::make_unique<render::Image>(
-        render::toned(render::render(sized, *row.prepare(sized)), render::Tone::clamp));
+        render::toned(render::render(sized.scene, *engine::prepared(row, hierarchy, sized)), render::Tone::clamp));
   }();
   const py::ssize_t height = image->resolution.height, width = image->resolution.width;
   auto* const pixels = new std::vector<std::uint8_t>(std::move(image->rgb));

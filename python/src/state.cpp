@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "durero/engine/prepared.hpp"
 #include "durero/text/shown.hpp"
 
 namespace durero::python {
@@ -29,10 +30,10 @@ const Numbering& State::numbering() const {
   return *numbering_;
 }
 
-const engine::Engine& State::prepared(const engine::Row& engine) const {
+const engine::Engine& State::prepared(const engine::Row& engine, const std::string& hierarchy) const {
   const std::scoped_lock lock(making_);
-  auto& prepared = engines_[engine.name];
-  if (!prepared) prepared = engine.prepare(grouped_.scene);
+  auto& prepared = engines_[{engine.name, hierarchy}];
+  if (!prepared) prepared = engine::prepared(engine, hierarchy, grouped_);
   return *prepared;
 }
 

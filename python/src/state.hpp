@@ -7,6 +7,7 @@
 #include <mutex>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "durero/engine/engine.hpp"
@@ -38,7 +39,8 @@ class State {
   const scene::GroupedScene& grouped() const noexcept { return grouped_; }
   const scene::Scene& scene() const noexcept { return grouped_.scene; }
   const Numbering& numbering() const;
-  const engine::Engine& prepared(const engine::Row& engine) const;
+  /// With its hierarchy made as engine::prepared says, which throws where it cannot be.
+  const engine::Engine& prepared(const engine::Row& engine, const std::string& hierarchy) const;
 
   /// For an edit, which nobody may read beside: what was made of the scene is forgotten.
   scene::GroupedScene& edited();
@@ -47,7 +49,8 @@ class State {
   scene::GroupedScene grouped_;
   mutable std::mutex making_;
   mutable std::unique_ptr<const Numbering> numbering_;
-  mutable std::map<std::string_view, std::unique_ptr<const engine::Engine>> engines_;
+  mutable std::map<std::pair<std::string_view, std::string>, std::unique_ptr<const engine::Engine>>
+      engines_;  // by name and hierarchy
 };
 
 /// The scene of Python's object. An answer holds the state that it is asked of; an edit changes a state that nobody

@@ -26,7 +26,8 @@ struct HitRow {
 /// Rays of a scene, asked of one engine: the state is held, whatever becomes of the scene meanwhile.
 class Question {
  public:
-  Question(const Scene& scene, const py::object& rays, const std::string& engine, const py::object& en)
+  Question(const Scene& scene, const py::object& rays, const std::string& engine, const py::object& en,
+           const std::string& hierarchy)
       : state_(scene.state()),
         row_(engine_named(engine)),
         numbering_(state_->numbering()),
@@ -36,7 +37,7 @@ class Question {
       throw std::invalid_argument(
           fmt::format("engine {}: it knows nothing of the elements that a ray starts on; expected no en", engine));
     const py::gil_scoped_release released;
-    engine_ = &state_->prepared(row_);
+    engine_ = &state_->prepared(row_, hierarchy);
   }
 
   std::size_t size() const { return rays_.size(); }
@@ -91,8 +92,8 @@ HitRow row_of(const scene::Hit& hit, const Numbering& numbering) {
 }
 
 py::array_t<HitRow> first_hits(const Scene& scene, const py::object& rays, const std::string& engine,
-                               const py::object& en) {
-  const Question question(scene, rays, engine, en);
+                               const py::object& en, const std::string& hierarchy) {
+  const Question question(scene, rays, engine, en, hierarchy);
   py::array_t<HitRow> answers(static_cast<py::ssize_t>(question.size()));
   HitRow* const rows = answers.mutable_data();
   question.for_each_hit([&](std::size_t i, const scene::Hit& hit) { rows[i] = row_of(hit, question.numbering()); });
@@ -101,8 +102,8 @@ py::array_t<HitRow> first_hits(const Scene& scene, const py::object& rays, const
 
 /// The same, and every element of each: ray i has those from offsets[i] to offsets[i + 1].
 py::tuple first_hits_with_elements(const Scene& scene, const py::object& rays, const std::string& engine,
-                                   const py::object& en) {
-  const Question question(scene, rays, engine, en);
+                                   const py::object& en, const std::string& hierarchy) {
+  const Question question(scene, rays, engine, en, hierarchy);
   const std::size_t size = question.size();
   py::array_t<HitRow> answers(static_cast<py::ssize_t>(size));
   py::array_t<std::int64_t> offsets(static_cast<py::ssize_t>(size + 1));
@@ -125,9 +126,9 @@ py::tuple first_hits_with_elements(const Scene& scene, const py::object& rays, c
 }
 
 /// alcances ≠ ∅: a first hit, or points without a nearest.
-py::array_t<bool> occluded(const Scene& scene, const py::object& rays, const std::string& engine,
-                           const py::object& en) {
-  const Question question(scene, rays, engine, en);
+py::array_t<bool> occluded(const Scene& scene, const py::object& rays, const std::string& engine, const py::object& en,
+                           const std::string& hierarchy) {
+  const Question question(scene, rays, engine, en, hierarchy);
   py::array_t<bool> answers(static_cast<py::ssize_t>(question.size()));
   bool* const occluded = answers.mutable_data();
   question.for_each_hit(
@@ -136,8 +137,8 @@ py::array_t<bool> occluded(const Scene& scene, const py::object& rays, const std
 }
 
 py::array_t<bool> occluded_segment(const Scene& scene, const py::object& rays, const std::string& engine,
-                                   const py::object& en) {
-  const Question question(scene, rays, engine, en);
+                                   const py::object& en, const std::string& hierarchy) {
+  const Question question(scene, rays, engine, en, hierarchy);
   py::array_t<bool> answers(static_cast<py::ssize_t>(question.size()));
   bool* const occluded = answers.mutable_data();
   for_each_block(question.size(), [&](std::size_t begin, std::size_t end) {

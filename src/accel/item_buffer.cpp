@@ -60,7 +60,10 @@ std::optional<Cone> cone_of(const scene::PrimaryRays& rays, const Tile& tile) {
 
 }  // namespace
 
-ItemBuffer::ItemBuffer(const scene::Scene& scene) : Linear(scene), rays_(primary_rays(scene.stage())) {
+ItemBuffer::ItemBuffer(const scene::Scene& scene) : others_(scene), rays_(primary_rays(scene.stage())) {
+  for (const scene::ElementRef e : others_.extraordinary())
+    (scene.visit(e, [](const auto& shape) { return trace::ordinary(shape); }) ? boundless_ : extraordinary_)
+        .push_back(e);
   if (!rays_) return;
   std::vector<Candidate> all;
   scene.for_each([&](scene::ElementRef e, const auto& shape) {
@@ -154,13 +157,14 @@ const ItemBuffer::Pixel* ItemBuffer::pixel_of(const trace::Ray& ray) const {
 }
 
 Size ItemBuffer::size() const {
-  const std::size_t apart = extraordinary().size(), elements = scene().size() - apart;
-  return {.elements = elements,
-          .apart = apart,
-          .cells = pixels_.size(),
-          .references = items_.size(),
-          .bytes = elements * (4 * sizeof(double) + sizeof(scene::ElementRef)) + pixels_.size() * sizeof(Pixel) +
-                   items_.size() * sizeof(scene::ElementRef)};
+  Size size = others_.size();
+  size.elements += boundless_.size();
+  size.apart = extraordinary_.size();
+  size.cells = pixels_.size();
+  size.references = items_.size();
+  size.bytes += pixels_.size() * sizeof(Pixel) +
+                (items_.size() + boundless_.size() + extraordinary_.size()) * sizeof(scene::ElementRef);
+  return size;
 }
 
 }  // namespace durero::accel

@@ -11,6 +11,7 @@
 
 #include "durero/contract/contract.hpp"
 #include "durero/engine/engine.hpp"
+#include "durero/engine/prepared.hpp"
 #include "durero/io/groups_file.hpp"
 #include "durero/io/operations_file.hpp"
 #include "durero/io/output_file.hpp"
@@ -81,6 +82,12 @@ durero_outcome outcome(model::Resultado resultado) {
   contract::unreachable();
 }
 
+durero_engine* ready(const durero_scene& scene, std::string_view name, std::string_view hierarchy) {
+  const engine::Row* row = engine::find(name);
+  if (row == nullptr) throw std::invalid_argument("no engine " + std::string(name));
+  return new durero_engine{&scene.value.scene, engine::prepared(*row, hierarchy, scene.value)};
+}
+
 durero_hit published(const scene::Hit& hit) {
   return {outcome(hit.resultado),
           static_cast<std::uint32_t>(hit.elementos.size()),
@@ -143,10 +150,15 @@ durero_engine* durero_engine_new(const durero_scene* scene, const char* name) {
     if (scene->by_text && name != nullptr)
       throw std::invalid_argument("the scene was read by a Z text, which answers; expected no engine's name");
     if (scene->by_text) return new durero_engine{&scene->value.scene, scene->by_text};
-    const std::string_view asked = name == nullptr ? engine::default_engine : std::string_view(name);
-    const engine::Row* row = engine::find(asked);
-    if (row == nullptr) throw std::invalid_argument("no engine " + std::string(asked));
-    return new durero_engine{&scene->value.scene, row->prepare(scene->value.scene)};
+    return ready(*scene, name == nullptr ? engine::default_engine : std::string_view(name), engine::automatic);
+  });
+}
+
+durero_engine* durero_engine_new_by_hand(const durero_scene* scene, const char* name) {
+  return guarded<durero_engine*>(nullptr, [&] {
+    if (scene->by_text)
+      throw std::invalid_argument("the scene was read by a Z text, which answers; expected one with groups");
+    return ready(*scene, name, engine::by_hand);
   });
 }
 

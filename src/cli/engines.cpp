@@ -10,6 +10,7 @@
 
 #include "commands.hpp"
 #include "description.hpp"
+#include "durero/engine/prepared.hpp"
 #include "durero/io/groups_file.hpp"
 #include "durero/io/picture_file.hpp"
 #include "durero/io/scene_file.hpp"
@@ -26,20 +27,26 @@ std::vector<std::string> names(bool with_origins_only = false) {
   return names;
 }
 
-/// The seed's classification (A §1.1): what each way to be faster is about, and the sections that describe it.
+/// The seed's classification (A §1.1): what each way to be faster is about, the section that describes it, and what has
+/// it: these engines and options, or, where none is named, the engines of that section and of those below.
 struct Technique {
   std::string_view head, name, section;
+  std::string_view by = {};
 };
 constexpr std::string_view cheaper = "faster search, by cheaper tests", fewer = "faster search, by fewer tests",
                            fewer_rays = "fewer rays", wider_rays = "rays that are more than lines";
 constexpr std::array heads = {cheaper, fewer, fewer_rays, wider_rays};
 constexpr std::array techniques = {
+    Technique{cheaper, "intersections of fewer operations", "A §1.1", "analytic"},
     Technique{cheaper, "bounding volumes", "A §1.2"},
     Technique{fewer, "hierarchies of bounding volumes", "A §1.3"},
     Technique{fewer, "adaptive subdivision of space", "A §1.4.2"},
     Technique{fewer, "uniform subdivision of space", "A §1.4.3"},
     Technique{fewer, "item buffer", "A §1.5"},
-    Technique{fewer, "directional techniques", "A §1.6"},
+    Technique{fewer, "light buffer", "A §1.6.1"},
+    Technique{fewer, "ray classification", "A §1.6", "classification"},
+    Technique{fewer_rays, "statistical antialiasing", "A §1.1", "render --sampling statistical"},
+    Technique{fewer_rays, "adaptive depth control", "A §1.7", "render --min-weight"},
 };
 
 /// Every engine, one a line, with what it promises.
@@ -53,31 +60,37 @@ std::string promises() {
   return text;
 }
 
-/// The engines of a technique: those of its section and of the sections below.
-std::vector<std::string_view> engines_of(const Technique& technique) {
+/// What has a technique, in words.
+std::string had_by(const Technique& technique) {
+  if (!technique.by.empty()) return std::string(technique.by);
   std::vector<std::string_view> names;
   for (const engine::Row& row : engine::engines())
     if (row.section.starts_with(technique.section)) names.push_back(row.name);
-  return names;
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// Every technique that an engine has, under its head.
+/// Every technique, under its head.
 std::string classification() {
   std::string text;
   for (const std::string_view head : heads) {
     std::string below;
     for (const Technique& technique : techniques) {
-      const auto names = engines_of(technique);
-      if (technique.head == head && !names.empty())
-        below += fmt::format("  {} ({}): {}\n", technique.name, technique.section, fmt::join(names, ", "));
+      if (technique.head == head)
+        below += fmt::format("  {} ({}): {}\n", technique.name, technique.section, had_by(technique));
     }
     text += fmt::format("\n{}:\n{}", head, below.empty() ? "  none\n" : below);
   }
   return text;
 }
 
+/// What there is to count of an engine that has a structure.
+constexpr std::string_view counters =
+    "\nof each in this list durero stats counts nodes, cells and bytes held; volumes (n), elements (m), nodes and "
+    "cells a "
+    "ray;\nand takes the time to build it, and the number of rays from which on it pays\n";
+
 int run() {
-  io::print(promises() + classification());
+  io::print(promises() + classification() + std::string(counters));
   return 0;
 }
 
@@ -98,7 +111,7 @@ void add_max_depth(CLI::App& command, std::optional<std::uint32_t>& max_depth) {
 
 void add_hierarchy(CLI::App& command, std::string& hierarchy) {
   command.add_option("--hierarchy", hierarchy, "How --engine bvh groups elements: by itself, or as the scene does")
-      ->check(one_of("hierarchy", {"automatic", "hand"}))
+      ->check(one_of("hierarchy", {std::string(engine::automatic), std::string(engine::by_hand)}))
       ->capture_default_str();
 }
 
@@ -125,21 +138,13 @@ Asked asked_of(const std::string& file, std::string_view engine, std::string_vie
   read_pictures(input->scene);
   if (resolution) input->scene.stage().resolution = resolution;
   asked.row_ = engine::find(engine);
-  asked.ready_ = prepared(*asked.row_, hierarchy, *input);
+  asked.ready_ = engine::prepared(*asked.row_, hierarchy, *input);
   asked.input_ = std::move(input);
   return asked;
 }
 
 void Asked::require_origins(std::string_view why) const {
   if (row_ != nullptr && !row_->honours_origins) throw std::invalid_argument(without_origins(*row_, why));
-}
-
-std::unique_ptr<const engine::Engine> prepared(const engine::Row& engine, std::string_view hierarchy,
-                                               const scene::GroupedScene& input) {
-  if (hierarchy != "hand") return engine.prepare(input.scene);
-  if (engine.prepare_by_hand != nullptr) return engine.prepare_by_hand(input.scene, input.groups);
-  throw std::invalid_argument(
-      fmt::format("--hierarchy hand: {} follows no groups; expected --engine bvh", engine.name));
 }
 
 std::string without_origins(const engine::Row& engine, std::string_view why) {
@@ -152,7 +157,8 @@ void add_engines(CLI::App& app, int& status) {
   command->footer(
       "Each technique stands under the head that the literature on acceleration gives it, with its section in the "
       "text\n"
-      "that this program follows (A: Ramos, Tema VI); durero stats shows what each costs and saves.\n\n" +
+      "that this program follows (A: Ramos, Tema VI), and the engines or the options that have it; durero stats shows\n"
+      "what structures cost and save.\n\n" +
       exit_status("they are listed", "the call is bad") + examples({"engines"}));
   command->callback([&status] { status = run(); });
 }

@@ -25,11 +25,6 @@ void add_hierarchy(CLI::App& command, std::string& hierarchy);
 /// it excludes.
 void add_with(CLI::App& command, std::string& file);
 
-/// The engine, ready for the scene, with its hierarchy made so. Throws std::invalid_argument where it is to be by hand
-/// and the engine follows no groups.
-std::unique_ptr<const engine::Engine> prepared(const engine::Row& engine, std::string_view hierarchy,
-                                               const scene::GroupedScene& input);
-
 /// What is done with the pictures that a scene names.
 enum class Pictures : bool {
   left,  ///< nothing: no ray needs them

@@ -14,6 +14,7 @@
 #include "durero/conform/format_versions.hpp"
 #include "durero/conform/rays_towards.hpp"
 #include "durero/engine/engine.hpp"
+#include "durero/engine/prepared.hpp"
 #include "durero/io/groups_file.hpp"
 #include "durero/io/rays_file.hpp"
 #include "durero/io/standard_output.hpp"
@@ -69,7 +70,7 @@ std::optional<double> break_even(const Figures& own, const Figures& linear) {
 
 /// Where nobody says, the groups of a scene that has some stand beside the automatic hierarchy.
 bool is_wanted_by_hand(const StatsOptions& options, const scene::Groups& groups) {
-  return options.hierarchy.empty() ? !groups.empty() : options.hierarchy == "hand";
+  return options.hierarchy.empty() ? !groups.empty() : options.hierarchy == engine::by_hand;
 }
 
 std::vector<Measured> measured(const StatsOptions& options, const scene::GroupedScene& input,
@@ -87,7 +88,7 @@ std::vector<Measured> measured(const StatsOptions& options, const scene::Grouped
       all.push_back({&row, by_hand, figures, is_linear ? std::nullopt : break_even(figures, linear)});
     };
     const bool has_hand = row.measure_by_hand != nullptr;
-    if (!has_hand || options.hierarchy != "hand") add(false, is_linear ? linear : row.measure(scene, rays));
+    if (!has_hand || options.hierarchy != engine::by_hand) add(false, is_linear ? linear : row.measure(scene, rays));
     if (has_hand && is_wanted_by_hand(options, input.groups)) add(true, row.measure_by_hand(scene, rays, input.groups));
     progress.add();
   }
@@ -232,7 +233,7 @@ void add_stats(CLI::App& app, int& status) {
       ->check(one_of("engine", measurable()))
       ->allow_extra_args(false);
   command->add_option("--hierarchy", options->hierarchy, "Of bvh: this alone; without it, both where there are groups")
-      ->check(one_of("hierarchy", {"automatic", "hand"}));
+      ->check(one_of("hierarchy", {std::string(engine::automatic), std::string(engine::by_hand)}));
   command->add_flag("--bounds", options->bounds, "Of bounding volumes besides: fit, choice and cost of each element's");
   command->add_option("--format", options->format, "How the answer is printed")
       ->check(one_of("format", {"text", "json"}))

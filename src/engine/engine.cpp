@@ -102,7 +102,7 @@ constexpr std::array rows = {
         structured<accel::BspMedian>, "A §1.4.2", measured<accel::BspMedian>},
     Row{"grid", "equal cubes, of which a ray visits those that it crosses (SEADS, 3DDDA)", true, true,
         structured<accel::Grid>, "A §1.4.3", measured<accel::Grid>},
-    Row{"item-buffer", "what each pixel of the camera sees, for primary rays; other rays as analytic", true, true,
+    Row{"item-buffer", "what each pixel of the camera sees, for primary rays; other rays as bvh", true, true,
         structured<accel::ItemBuffer>, "A §1.5", measured_item_buffer},
     Row{"light-buffer", "lists about each light, for shadow rays; other rays as analytic", true, true, light_buffer,
         "A §1.6.1", measured_light_buffer},

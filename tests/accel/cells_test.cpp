@@ -1,8 +1,14 @@
 #include "durero/accel/cells.hpp"
 
 #include <set>
+#include <string>
 
+#include "accel/both_ways.hpp"
+#include "durero/accel/bsp.hpp"
+#include "durero/accel/grid.hpp"
+#include "durero/accel/octree.hpp"
 #include "support/catch.hpp"
+#include "support/sanitized.hpp"
 #include "support/scenes.hpp"
 #include "support/shapes.hpp"
 
@@ -50,4 +56,44 @@ TEST_CASE("what is not ordinary, and what has no finite box, is kept apart") {
   CHECK(contents.box.low.x < -0.5);
   CHECK(contents.box.high.z > 4);
   CHECK(accel::Contents(scene::Scene()).elements.empty());
+}
+
+namespace {
+
+/// One element more or less at random, a dozen of them at most.
+void edit(scene::Scene& scene, std::vector<std::string>& names, std::size_t number, Random& random) {
+  if (names.size() > 12 || (!names.empty() && random.chance(1, 3))) {
+    const std::size_t at = random.below(names.size());
+    const scene::ElementRef e = *scene.find(names[at]);
+    scene::with_shape(e.tipo, [&]<class Shape>(std::type_identity<Shape>) {
+      scene.apply(typename Shape::Removal{model::Elemento(names[at])});
+    });
+    names.erase(names.begin() + static_cast<std::ptrdiff_t>(at));
+  } else {
+    names.push_back("n" + std::to_string(number));
+    scene.apply(random_addition(random, names.back()));
+  }
+}
+
+/// These structures are made anew of the edited scene.
+void check_after_edits(std::size_t edits) {
+  Random random(7);
+  scene::Scene scene;
+  std::vector<std::string> names;
+  for (std::size_t number = 0; number < edits; ++number) {
+    edit(scene, names, number, random);
+    check_both_ways(accel::Grid(scene));
+    check_both_ways(accel::Octree(scene));
+    check_both_ways(accel::Bsp(scene));
+    check_both_ways(accel::BspMedian(scene));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("after every edit of a scene the cells of the elements and the elements of the cells agree") {
+  check_after_edits(fewer_when_sanitized(500));
+}
+TEST_CASE("after each of ten thousand edits the cells of the elements and the elements of the cells agree", "[long]") {
+  check_after_edits(10'000);
 }

@@ -29,9 +29,10 @@ glm::dvec3 random_direction(conform::Random& random, int number) {
 
 }  // namespace
 
-TEST_CASE("every direction lies in exactly one quarter of the square that it lies in, at any depth") {
+/// Of so many directions: each lies in one quarter of the square that it lies in.
+static void check_quarters(int directions) {
   conform::Random random(1);
-  for (int i = 0; i < static_cast<int>(fewer_when_sanitized(20'000)); ++i) {
+  for (int i = 0; i < directions; ++i) {
     const Place place = accel::place_of(random_direction(random, i));
     Square square = accel::whole(place.face);
     for (int depth = 0; depth < 12; ++depth) {
@@ -42,6 +43,13 @@ TEST_CASE("every direction lies in exactly one quarter of the square that it lie
       if (holding != 1 || !holds(square, place)) FAIL(i << ": " << holding << " quarters");
     }
   }
+}
+
+TEST_CASE("every direction lies in exactly one quarter of the square that it lies in, at any depth") {
+  check_quarters(static_cast<int>(fewer_when_sanitized(20'000)));
+}
+TEST_CASE("each of ten million directions lies in exactly one square, at any depth", "[long]") {
+  check_quarters(10'000'000);
 }
 
 TEST_CASE("faces are those of the greatest component, the first of equal ones") {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "accel/both_ways.hpp"
 #include "accel/counted.hpp"
 #include "durero/accel/structure.hpp"
 #include "durero/model/operaciones.hpp"
@@ -42,18 +43,6 @@ scene::Scene lattice_of_balls(int half, const glm::dvec3& moved = {0, 0, 0}) {
     for (int y = -half; y <= half; ++y)
       for (int z = -half; z <= half; ++z) add(scene, scene::Sphere{moved + glm::dvec3(x, y, z), 0.25});
   return scene;
-}
-
-/// The references and their inverse are those of the elements' surfaces, each listed once and in order.
-void check_lists(const Grid& grid) {
-  const accel::Lists cells_of = grid.lists().inverse(grid.contents().elements.size());
-  std::size_t references = 0;
-  for (std::uint32_t e = 0; e < cells_of.rows(); ++e) {
-    references += cells_of[e].size();
-    REQUIRE_FALSE(cells_of[e].empty());
-    for (const std::uint32_t cell : cells_of[e]) REQUIRE(std::ranges::count(grid.lists()[cell], e) == 1);
-  }
-  REQUIRE(references == grid.lists().references());
 }
 
 /// What the first hits of rays take in a grid of so many cubes an element.
@@ -149,27 +138,7 @@ TEST_CASE("a cell lists what touches it, and nothing that lies around it") {
     CHECK(grid.lists()[grid.lattice().number(cell)].empty());
   }
   CHECK(inside > 5);
-  check_lists(grid);
-}
-
-TEST_CASE("after every edit of a scene the cells of the elements and the elements of the cells agree") {
-  Random random(7);
-  scene::Scene scene;
-  std::vector<std::string> names;
-  for (std::size_t edit = 0; edit < fewer_when_sanitized(2000); ++edit) {
-    if (names.size() > 12 || (!names.empty() && random.chance(1, 3))) {
-      const std::size_t at = random.below(names.size());
-      const scene::ElementRef e = *scene.find(names[at]);
-      scene::with_shape(e.tipo, [&]<class Shape>(std::type_identity<Shape>) {
-        scene.apply(typename Shape::Removal{model::Elemento(names[at])});
-      });
-      names.erase(names.begin() + static_cast<std::ptrdiff_t>(at));
-    } else {
-      names.push_back("n" + std::to_string(edit));
-      scene.apply(random_addition(random, names.back()));
-    }
-    check_lists(Grid(scene));
-  }
+  check_both_ways(grid);
 }
 
 TEST_CASE("an element in many cells is tested once, and found again in the others") {

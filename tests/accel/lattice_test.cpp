@@ -67,7 +67,7 @@ TEST_CASE("the walk visits exactly the cells that hold points of the ray, each o
 
 TEST_CASE("the walk is that of the exact line, at length", "[long]") {
   conform::Random random(2);
-  for (std::size_t i = 0; i < 300000; ++i) {
+  for (std::size_t i = 0; i < 1'000'000; ++i) {
     const Lattice lattice{{random.integer(-4, 0) * 0.75, random.integer(-4, 0) * 0.75, -1.5},
                           0.75,
                           {random.integer(1, 7), random.integer(1, 7), random.integer(1, 7)}};

@@ -68,15 +68,15 @@ void add_lights(Scene& scene, Random& random) {
 
 }  // namespace
 
-/// Scenes of these seeds; true where lists and records were of use in many cases.
-static bool lists_are_complete(std::uint64_t first, std::uint64_t last) {
+/// Scenes of these seeds, so many rays in each; true where lists and records were of use in many cases.
+static bool lists_are_complete(std::uint64_t first, std::uint64_t last, int rays = 100) {
   std::uint64_t looked_up = 0, untested = 0;
   for (std::uint64_t seed = first; seed <= last; ++seed) {
     Random random(seed);
     Scene scene = random_scene(random, seed % 40);
     add_lights(scene, random);
     const LightBuffer buffer(scene);
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < rays; ++i) {
       const glm::dvec3 end = random.any_of(scene.stage().lights).position;
       const glm::dvec3 from = i % 3 == 0 ? end + random.lattice_vector(3) * 0.75 : random.in_cube(3);
       if (from == end) continue;
@@ -99,7 +99,7 @@ TEST_CASE("what a segment that ends at a light meets is in its list") {
   CHECK(lists_are_complete(1, sanitized ? 5 : 40));
 }
 TEST_CASE("what a segment that ends at a light meets is in its list, at length", "[long]") {
-  CHECK(lists_are_complete(1000, 11000));
+  CHECK(lists_are_complete(1000, 11000, 1000));  // ten million rays and more
 }
 
 // The cube is built of few elements here, so that its squares are small; what lies close to the light is seen from it

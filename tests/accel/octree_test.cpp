@@ -139,7 +139,9 @@ TEST_CASE("both walks agree on very many rays", "[long]") {
   CHECK(groups > 10'000'000);
 }
 
-TEST_CASE("the leaves make up the root, and each point is in one of them, found in three ways") {
+/// The leaves make up the root; each of so many points is in one of them, which is found in three ways, with as many
+/// looks as it is deep.
+static void check_leaves(std::size_t points) {
   Random random(4);
   const scene::Scene scene = random_scene(random, 40);
   const Octree octree(scene);
@@ -151,7 +153,7 @@ TEST_CASE("the leaves make up the root, and each point is in one of them, found 
   }
   CHECK(volume == finest.size());
   std::size_t deepest = 0;
-  for (std::size_t i = 0; i < fewer_when_sanitized(20000); ++i) {
+  for (std::size_t i = 0; i < points; ++i) {
     glm::dvec3 point;
     accel::Cell cell;
     for (int axis = 0; axis < 3; ++axis) {
@@ -169,6 +171,43 @@ TEST_CASE("the leaves make up the root, and each point is in one of them, found 
     for (int axis = 0; axis < 3; ++axis) REQUIRE((box.low[axis] <= point[axis] && point[axis] < box.high[axis]));
   }
   CHECK(deepest <= octree.size().depth);
+}
+
+TEST_CASE("the leaves make up the root, and each point is in one of them, found in three ways") {
+  check_leaves(fewer_when_sanitized(20000));
+}
+TEST_CASE("each of a million points is in one of the leaves, found in three ways", "[long]") {
+  check_leaves(1'000'000);
+}
+
+/// The elements that a visited leaf has, in the mean, where balls stand in a lattice of that many on a side.
+static double elements_a_leaf(int side, int rays) {
+  scene::Scene scene;
+  scene.put_off_audits();
+  for (int x = 0; x < side; ++x)
+    for (int y = 0; y < side; ++y)
+      for (int z = 0; z < side; ++z) add(scene, scene::Sphere{glm::dvec3(x, y, z), 0.25});
+  const Octree octree(scene);
+  Random random(9);
+  Work work;
+  for (int i = 0; i < rays; ++i) {
+    const glm::dvec3 from = random.in_cube(2.0 * side), to = (random.in_cube(0.5) + 0.5) * double(side);
+    octree.any(
+        trace::Ray(ray(from, to - from)), no_limit, [](scene::ElementRef) { return false; }, work);
+  }
+  const double mean = static_cast<double>(work.candidates + work.repeated) / static_cast<double>(work.cells);
+  UNSCOPED_INFO(scene.size() << " elements: " << mean << " in a visited leaf");
+  return mean;
+}
+
+TEST_CASE("a leaf that a ray visits has one element or two, however many there are") {
+  for (const int side : {5, 10, 20}) CHECK(elements_a_leaf(side, 200) <= 3);
+}
+TEST_CASE("a leaf that a ray visits has one element or two, up to a million of them", "[long]") {
+  std::vector<double> means;
+  for (const int side : {10, 22, 46, 100}) means.push_back(elements_a_leaf(side, 1000));
+  for (const double mean : means) CHECK(mean <= 3);
+  CHECK(means.back() < 1.25 * means.front());
 }
 
 TEST_CASE("each leaf lists what touches it, and is one for the reason that it says") {

@@ -67,6 +67,22 @@ TEST_CASE("groups are edited under contract, written and read") {
   CHECK(std::string(durero_error()).starts_with("no/such/folder/scene.json: "));
 }
 
+TEST_CASE("an engine that follows groups searches by them, and no other does") {
+  const Scene scene = two_spheres();
+  REQUIRE(durero_apply(scene.get(), "Agregar_Esfera e?=far centro?=(0,0,9) radio?=1") == DURERO_DONE);
+  REQUIRE(durero_apply(scene.get(), "group g?=pair elementos?=near,far") == DURERO_DONE);
+  const Engine by_hand(durero_engine_new_by_hand(scene.get(), "bvh"), durero_engine_free);
+  REQUIRE(by_hand);
+  durero_hit hit;
+  REQUIRE(durero_first_hits(by_hand.get(), &ahead, 1, &hit) == DURERO_DONE);
+  CHECK(hit.t == 2);
+  CHECK(hit.elements == 2);
+  CHECK(durero_engine_new_by_hand(scene.get(), "fast") == nullptr);
+  CHECK(std::string(durero_error()) == "hierarchy hand: fast follows no groups; expected engine bvh");
+  CHECK(durero_engine_new_by_hand(scene.get(), "none") == nullptr);
+  CHECK(std::string(durero_error()) == "no engine none");
+}
+
 TEST_CASE("rays are answered in order, with every element at the first point") {
   const Scene scene = two_spheres();
   for (const char* name : {static_cast<const char*>(nullptr), "exact", "analytic", "fast"}) {
@@ -126,6 +142,7 @@ TEST_CASE("a scene that is read by a Z text is answered by the text, and neither
         "the scene was read by a Z text; expected one that was not, to be edited or written");
   CHECK(durero_scene_write(scene.get(), "torus_again.json") == DURERO_FAILED);
   CHECK_FALSE(engine_of(scene, "exact"));
+  CHECK(durero_engine_new_by_hand(scene.get(), "bvh") == nullptr);
   CHECK_FALSE(read("torus.json", durero::test::source_dir() + "/spec/puntos.tex"));
   CHECK(std::string(durero_error()).find("torus.json:") != std::string::npos);
   CHECK_FALSE(read("torus.json", "none.tex"));

@@ -45,6 +45,34 @@ while read -r name; do
   grep -qE "^  .* \(A §1[.0-9]*\): (.*, )?$name(,|\$)" listed || fail "durero engines has $name under no head"
 done <names
 
+# Every technique of the text's classification is there, had by something; what is had by an option, by one that there is.
+while read -r section technique; do
+  grep -qE "^  $technique \\(A §$section\\): [a-z]" listed || fail "durero engines lacks $technique (A §$section)"
+  checks=$((checks + 1))
+done <<'TECHNIQUES'
+1.1 intersections of fewer operations
+1.2 bounding volumes
+1.3 hierarchies of bounding volumes
+1.4.2 adaptive subdivision of space
+1.4.3 uniform subdivision of space
+1.5 item buffer
+1.6.1 light buffer
+1.6 ray classification
+1.1 statistical antialiasing
+1.7 adaptive depth control
+TECHNIQUES
+[ "$(grep -c '^  .* (A §' listed)" -eq 10 ] || fail 'durero engines has a technique that is not in the list here'
+grep -A1 '^rays that are more than lines:' listed | grep -q '^  none$' || fail 'rays that are more than lines'
+grep -q '^of each in this list durero stats counts nodes, cells and bytes' listed || fail 'durero engines says nothing of counters'
+run 0 render --help
+cp out rendering
+sed -n 's/.*: render \(--[a-z-]*\).*/\1/p' listed >options
+lines options 2
+while read -r option; do
+  checks=$((checks + 1))
+  grep -q -e "$option " rendering || fail "durero engines names $option, which durero render has not"
+done <options
+
 # Groups made by hand stand beside the automatic hierarchy, and may cost less; each alone where it is asked for.
 run 0 stats "$demo/groups.json" --engine bvh --no-times
 lines out 8

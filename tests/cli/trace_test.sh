@@ -39,7 +39,7 @@ run 0 trace grouped.json rays --engine bvh
 cp out said
 run 0 trace grouped.json rays --engine bvh --hierarchy hand
 same out said
-refused '--hierarchy hand: fast follows no groups; expected --engine bvh' trace grouped.json rays --hierarchy hand
+refused 'hierarchy hand: fast follows no groups; expected engine bvh' trace grouped.json rays --hierarchy hand
 refused 'trace: --hierarchy none: no such hierarchy; expected one of automatic, hand' trace grouped.json rays --hierarchy none
 absent hits
 

@@ -3,6 +3,11 @@
 // from anywhere.
 #include "support/spd.hpp"
 
+#include <iostream>
+
+#include "durero/accel/bvh.hpp"
+#include "durero/accel/structure.hpp"
+#include "durero/accel/volumes.hpp"
 #include "durero/conform/rays_towards.hpp"
 #include "durero/io/nff.hpp"
 #include "durero/scene/camera.hpp"
@@ -75,4 +80,84 @@ TEST_CASE("on the small databases") {
 
 TEST_CASE("on the databases as they are", "[long]") {
   for (const std::string name : names) check_database(name, 128, 500);
+}
+
+namespace {
+
+/// A hierarchy that does not know how near the nearest hit is.
+struct Unpruned {
+  const accel::Bvh& bvh;
+  accel::Work& work;
+
+  const scene::Scene& scene() const { return bvh.scene(); }
+  std::span<const scene::ElementRef> extraordinary() const { return bvh.extraordinary(); }
+  template <class Limit, class Visit>
+  bool any(const trace::Ray& ray, Limit, Visit visit) const {
+    return bvh.any(
+        ray, [] { return trace::no_limit; }, visit, work);
+  }
+};
+
+void check_pruning(const std::string& name, std::uint32_t side) {
+  std::optional<scene::Scene> scene = spd(name);
+  if (!scene) return;
+  const accel::Bvh bvh(*scene);
+  accel::Work pruned, all;
+  trace::Counts unseen;
+  for (const auto& [rayo, en] : primary(*scene, side))
+    CHECK(trace::first_hit_among(accel::Counted(bvh, pruned), rayo, en, unseen) ==
+          trace::first_hit_among(Unpruned{bvh, all}, rayo, en, unseen));
+  INFO(name << ": " << pruned.volumes + pruned.candidates << " tests of " << all.volumes + all.candidates);
+  CHECK(pruned.volumes + pruned.candidates < all.volumes + all.candidates);
+  CHECK(pruned.candidates < all.candidates);
+  CHECK(pruned.by_distance > 0);
+  CHECK(all.by_distance == 0);
+}
+
+/// Of the elements whose volumes some rays meet, the share that they meet themselves, wherever on the ray.
+double met_of_tried(const accel::Volumes& volumes, const Queries& queries) {
+  std::uint64_t tried = 0, met = 0;
+  trace::Counts unseen;
+  for (const auto& [rayo, en] : queries) {
+    const trace::Ray ray(rayo);
+    const trace::Search search(volumes.scene(), rayo, en, unseen);
+    accel::Source(volumes).any(
+        ray, [] { return trace::no_limit; },
+        [&](scene::ElementRef e) {
+          ++tried;
+          met += search.blocks(e);
+          return false;
+        });
+  }
+  return static_cast<double>(met) / static_cast<double>(tried);
+}
+
+/// Prints the shares of balls, of boxes and of what is chosen.
+void check_met(const std::string& name, std::size_t rays) {
+  const std::optional<scene::Scene> scene = spd(name);
+  if (!scene) return;
+  const Queries queries = conform::rays_towards(*scene, rays, 2);
+  const double balls = met_of_tried({*scene, accel::kinds()[0]}, queries),
+               boxes = met_of_tried({*scene, accel::kinds()[1]}, queries),
+               chosen = met_of_tried(accel::Volumes(*scene), queries);
+  std::cout << name << ", met of those whose volume is met: balls " << balls << ", boxes " << boxes << ", chosen "
+            << chosen << '\n';
+  for (const double share : {balls, boxes, chosen}) {
+    CHECK(share > 0);
+    CHECK(share <= 1);
+  }
+  CHECK(chosen >= 0.99 * balls);
+}
+
+}  // namespace
+
+TEST_CASE("on the small databases a hierarchy tests less where it knows the nearest hit") {
+  for (const std::string name : names) check_pruning(name + "-small", sanitized ? 8 : 32);
+}
+
+TEST_CASE("on the small databases the volumes that are chosen let through no more than balls") {
+  for (const std::string name : names) check_met(name + "-small", fewer_when_sanitized(300));
+}
+TEST_CASE("of the elements of the databases whose volume a ray meets some are met", "[long]") {
+  for (const std::string name : names) check_met(name, 1000);
 }

@@ -69,6 +69,23 @@ def test_groups_are_kept_and_edited_as_the_program_does(tmp_path: pathlib.Path) 
         scene.ungroup(3)  # type: ignore[arg-type]
 
 
+def test_engines_that_follow_groups_search_by_them() -> None:
+    scene = durero.Scene.load(ROOT / "demo" / "groups.json")
+    rays = np.array([[0, 0, -50, x / 8, y / 8, 9] for x in range(-8, 9) for y in range(-8, 9)], float)
+    for ask in (scene.trace, scene.occluded, scene.occluded_segment):
+        answers = ask(rays, "bvh", hierarchy="hand")
+        assert answers.tobytes() == ask(rays, "bvh").tobytes() == ask(rays).tobytes()
+        with pytest.raises(ValueError, match="hierarchy hand: fast follows no groups; expected engine bvh"):
+            ask(rays, hierarchy="hand")
+        with pytest.raises(ValueError, match="expected automatic or hand"):
+            ask(rays, "bvh", hierarchy="none")
+    assert (scene.trace(rays)["element"] >= 0).any()
+    all_of_ties = scene.trace(rays, "bvh", elements="all", hierarchy="hand")
+    assert all_of_ties.hits.tobytes() == scene.trace(rays).tobytes()
+    scene.ungroup(next(name for name in scene.groups if all(name not in of.groups for of in scene.groups.values())))
+    assert scene.trace(rays, "bvh", hierarchy="hand").tobytes() == scene.trace(rays).tobytes()
+
+
 def test_a_file_is_read_and_written_as_the_program_does(tmp_path: pathlib.Path) -> None:
     scene = durero.Scene.load(STILL_LIFE)
     assert {"apple", "table"} <= set(scene) and "apple" in scene and "moon" not in scene and 3 not in scene.keys()  # type: ignore[comparison-overlap]

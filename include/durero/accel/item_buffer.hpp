@@ -4,9 +4,10 @@
 ///
 /// Why the answer is still exact: the pass keeps of each pixel's ray, which is the very ray that is asked later, each
 /// element that may be the first by the certified steps, and a parameter `beyond` that nothing else which it meets lies
-/// before. The search certifies what was kept; where its limit has not fallen below `beyond`, all others are tried too.
-/// So an identity that was wrong would cost time and no answer: what it stands for is not met, or met no nearer than
-/// `beyond`. Other rays, and rays that start on elements, are tried against every element.
+/// before. The search certifies what was kept; where its limit has not fallen below `beyond`, it goes through the
+/// hierarchy of all elements too. So an identity that was wrong would cost time and no answer: what it stands for is
+/// not met, or met no nearer than `beyond`. Other rays, and rays that start on elements, go through the hierarchy at
+/// once.
 
 #include <algorithm>
 #include <cstdint>
@@ -14,7 +15,7 @@
 #include <span>
 #include <vector>
 
-#include "durero/accel/linear.hpp"
+#include "durero/accel/bvh.hpp"
 #include "durero/accel/seen.hpp"
 #include "durero/accel/structure.hpp"
 #include "durero/scene/camera.hpp"
@@ -26,12 +27,14 @@ namespace durero::accel {
 std::optional<scene::PrimaryRays> primary_rays(const scene::Stage& stage);
 
 /// Of the camera and the resolution of the stage; without primary_rays, of no pixel.
-class ItemBuffer : public Linear {
+class ItemBuffer {
  public:
   /// Of a scene, which must outlive it unedited. On as many threads as the calling one may use.
   explicit ItemBuffer(const scene::Scene& scene);
 
   /// @{ As every Structure has it.
+  const scene::Scene& scene() const noexcept { return others_.scene(); }
+  std::span<const scene::ElementRef> extraordinary() const noexcept { return extraordinary_; }
   Size size() const;
   template <class Limit, class Visit>
   bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const;
@@ -57,7 +60,14 @@ class ItemBuffer : public Linear {
   void fill(Band& band, const Tile& tile, std::vector<Candidate> seen) const;
   Pixel pixel(std::vector<scene::ElementRef>& items, const model::Rayo& rayo, std::span<const Candidate> seen) const;
   const Pixel* pixel_of(const trace::Ray& ray) const;
+  /// What is not kept of a ray, through the hierarchy.
+  template <class Limit, class Visit>
+  bool any_other(const trace::Ray& ray, std::span<const scene::ElementRef> kept, Limit limit, Visit visit,
+                 Work& work) const;
 
+  Bvh others_;
+  std::vector<scene::ElementRef> boundless_;  // ordinary, as a plane may be: in no hierarchy, and kept of pixels
+  std::vector<scene::ElementRef> extraordinary_;
   std::optional<scene::PrimaryRays> rays_;
   std::vector<Pixel> pixels_;  // row by row
   std::vector<scene::ElementRef> items_;
@@ -76,12 +86,27 @@ bool ItemBuffer::any(const trace::Ray& ray, Limit limit, Visit visit, Work& work
     }
     if (kept.empty() ? pixel->beyond > 0 : limit() < pixel->beyond) return false;
   }
-  work.volumes += scene().size() - extraordinary().size();
-  return tables().any(ray, limit, [&](scene::ElementRef e) {
-    if (std::ranges::find(kept, e) != kept.end()) return false;
+  return any_other(ray, kept, limit, visit, work);
+}
+
+template <class Limit, class Visit>
+bool ItemBuffer::any_other(const trace::Ray& ray, std::span<const scene::ElementRef> kept, Limit limit, Visit visit,
+                           Work& work) const {
+  const auto is_kept = [&](scene::ElementRef e) { return std::ranges::find(kept, e) != kept.end(); };
+  for (const scene::ElementRef e : boundless_) {
+    if (is_kept(e)) continue;
     ++work.candidates;
-    return visit(e);
-  });
+    if (visit(e)) return true;
+  }
+  Work found;  // whose leaves are no pixels
+  std::uint64_t again = 0;
+  const bool over = others_.any(
+      ray, limit, [&](scene::ElementRef e) { return is_kept(e) ? ++again, false : visit(e); }, found);
+  found.cells = 0;
+  found.candidates -= again;
+  found.repeated += again;
+  work += found;
+  return over;
 }
 
 }  // namespace durero::accel

@@ -71,6 +71,9 @@ durero_answer durero_apply(durero_scene *scene, const char *operation);
  * outlive it, unedited. NULL where there is no such engine. A scene that was read by a Z text has the text answer, and
  * takes no name but NULL. */
 durero_engine *durero_engine_new(const durero_scene *scene, const char *name);
+/** The same, its hierarchy that of the scene's groups. NULL also where the engine follows no groups, as all but "bvh",
+ * and of a scene that was read by a Z text. name is not NULL. */
+durero_engine *durero_engine_new_by_hand(const durero_scene *scene, const char *name);
 /** NULL is permitted. The scene stays. */
 void durero_engine_free(durero_engine *engine);
 
