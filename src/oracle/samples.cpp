@@ -1,5 +1,7 @@
 #include "durero/oracle/samples.hpp"
 
+#include <initializer_list>
+
 #include "durero/model/operaciones.hpp"
 #include "durero/oracle/spec.hpp"
 #include "durero/scene/retrieve.hpp"
@@ -78,24 +80,85 @@ std::vector<zed::Value> names() {
 }
 
 /// With a unit vector, exactly, that is no axis: binary64 has none such.
+zed::Value exact_vector(const zed::Real& x, const zed::Real& y, const zed::Real& z) {
+  return zed::Value::point(zed::signature({{"x", ""}, {"y", ""}, {"z", ""}}), x, y, z);
+}
+
+/// With unit vectors, exactly, that are no axes: binary64 has none such. The last has 45 degrees to `up` and
+/// `sideways`.
 std::vector<zed::Value> vectors() {
   auto found = values<Vector>({up, sideways, Vector(0, 0, 2), Vector(0.6, 0, 0.8)});
-  const auto fifths = [](int n) { return zed::Real(n) / zed::Real(5); };
-  found.push_back(
-      zed::Value::point(zed::signature({{"x", ""}, {"y", ""}, {"z", ""}}), fifths(3), fifths(0), fifths(4)));
+  const zed::Real none(0), fifth = zed::Real(1) / zed::Real(5), slant = square_root(zed::Real(0.5));
+  found.push_back(exact_vector(zed::Real(3) * fifth, none, zed::Real(4) * fifth));
+  found.push_back(exact_vector(slant, none, slant));
   return found;
 }
 
-std::vector<zed::Value> lengths() {
+std::vector<zed::Value> numbers(std::initializer_list<double> from) {
   std::vector<zed::Value> found;
-  for (const double length : {1.0, 0.5, 3.0, 0.0, -2.0}) found.emplace_back(zed::Real(length));
+  for (const double each : from) found.emplace_back(zed::Real(each));
   return found;
 }
 
-std::vector<zed::Value> parameters() {
+struct Look {
+  double k_a, k_d, k_s, k_ps, k_t, C, M_PS, M_T, emisividad, A_G, e, indice;
+};
+
+/// Surfaces that are dull, without colour, without highlight, and that send on all of what they receive or more. The
+/// exponents are such that a power has a name in our numbers.
+constexpr Look looks[] = {
+    {0.25, 0.5, 0.25, 0.5, 0.5, 1, 1, 0.5, 0, 0.5, 2, 1.5},
+    {0.5, 0.5, 0.5, 0, 0, 0, 1, 1, 0, 0, 4, 1},
+    {0.5, 0.5, 0, 0.25, 0.25, 0.5, 1, 1, 2, 0.25, 1, 1.25},
+    {0.5, 0, 0, 0, 1, 0.5, 0, 1, 1, 0.5, 0, 2},
+    {0, 0.25, 1, 1, 1, 0, 1, 1, 0.5, 0, 1, 0.5},
+    {1, 1, 1, 1, 0, 1, 1, 1, 0, 0, 3, 1.5},
+};
+
+zed::Value material(const Look& m) {
+  return binding({{{"k_a", ""}, zed::Real(m.k_a)},
+                  {{"k_d", ""}, zed::Real(m.k_d)},
+                  {{"k_s", ""}, zed::Real(m.k_s)},
+                  {{"k_ps", ""}, zed::Real(m.k_ps)},
+                  {{"k_t", ""}, zed::Real(m.k_t)},
+                  {{"C", ""}, zed::Real(m.C)},
+                  {{"M_PS", ""}, zed::Real(m.M_PS)},
+                  {{"M_T", ""}, zed::Real(m.M_T)},
+                  {{"emisividad", ""}, zed::Real(m.emisividad)},
+                  {{"A_G", ""}, zed::Real(m.A_G)},
+                  {{"e", ""}, zed::Real(m.e)},
+                  {{"indice", ""}, zed::Real(m.indice)}});
+}
+
+std::vector<zed::Value> materials(bool (*admits)(const Look&)) {
   std::vector<zed::Value> found;
-  for (const double t : {4.0, 1.0, 6.0, 2.0, 0.5, 7.0}) found.emplace_back(zed::Real(t));
+  for (const Look& look : looks)
+    if (admits(look)) found.push_back(material(look));
   return found;
+}
+
+/// Windows of two by one, three by two and one by one pixels: upright before the eye, and slanting past it.
+std::vector<zed::Value> windows() {
+  const auto window = [](const Punto& ojo, const Punto& esquina, const Vector& ancho, const Vector& alto, int H,
+                         int V) {
+    return binding({{{"ojo", ""}, spec::value(ojo)},
+                    {{"esquina", ""}, spec::value(esquina)},
+                    {{"ancho", ""}, spec::value(ancho)},
+                    {{"alto", ""}, spec::value(alto)},
+                    {{"H", ""}, zed::Real(H)},
+                    {{"V", ""}, zed::Real(V)}});
+  };
+  return {window(origin, Punto(-2, 1, 4), Vector(4, 0, 0), Vector(0, -2, 0), 2, 1),
+          window(near_point, Punto(-3, 2, 5), Vector(6, 0, 0.5), Vector(0, -4, 1), 3, 2),
+          window(aside, origin, sideways, up, 1, 1)};
+}
+
+/// Lights that are seen, and one that is not.
+std::vector<zed::Value> lights() {
+  const auto light = [](const Vector& l, double S, double V) {
+    return binding({{{"l", ""}, spec::value(l)}, {{"S", ""}, zed::Real(S)}, {{"V", ""}, zed::Real(V)}});
+  };
+  return {light(up, 1, 1), light(sideways, 0.5, 1), light(Vector(0, 0, -1), 2, 0)};
 }
 
 }  // namespace
@@ -118,8 +181,14 @@ zed::Samples samples() {
       {"Punto", values<Punto>({near_point, far_point, aside, origin, high_point, Punto(0, 0, 8)})},
       {"Vector", vectors()},
       {"Terna", values<Terna>({{origin, aside, high_point}, {origin, near_point, far_point}})},
-      {"ℝ", lengths()},
-      {"Rmas", parameters()},
+      {"ℝ", numbers({1, 0.5, 3, 0, -2})},
+      {"Rmas", numbers({4, 1, 6, 2, 0.5, 7})},
+      {"Parte", numbers({0, 0.25, 0.5, 1})},
+      {"Cantidad", numbers({0, 0.5, 1, 2, 5})},
+      {"Material", materials([](const Look&) { return true; })},
+      {"conserva", materials([](const Look& m) { return m.k_ps * m.M_PS + m.k_t * m.M_T <= 1; })},  // exact: eighths
+      {"Fuente", lights()},
+      {"Ventana", windows()},
   };
 }
 

@@ -216,7 +216,7 @@ Paragraph any_paragraph(int size) {
     case 4:
       return {{}, Schema{any_name(), formals, any_text(size, 0, true)}};
     default:
-      return {{}, Conjecture{{any(size), "N.axiom.2", {}}}};
+      return {{}, Conjecture{{any(size), "N.axiom.2", {}}, formals}};
   }
 }
 

@@ -8,7 +8,7 @@ namespace durero::oracle::spec {
 /// Scenes of none to nine elements, which the model's own operations made, with each type among them, elements that
 /// touch, and some removed again, and the tables that the program keeps of them; rays through points of theirs, along
 /// generators and past them; such points and others; axes and vectors that are none; lengths that are positive and that
-/// are not; and parameters. The same at every call.
+/// are not; parameters; and materials, lights and windows. The same at every call.
 zed::Samples samples();
 
 }  // namespace durero::oracle::spec

@@ -80,6 +80,10 @@ class Compiler {
 
   Value global(Meaning& global, Context& context);
   Definitions& definitions() { return definitions_; }
+  /// Makes a binding that stands for θ S, or gives the one of the same values that was made or remembered before: it
+  /// may be known of that one that it satisfies S.
+  Value binding_of(const Signature& names, std::vector<Value> values);
+  void remember(const BindingPtr& binding);
 
  private:
   // Expressions are compiled in expressions.cpp, names.cpp and binders.cpp.
@@ -134,10 +138,11 @@ class Compiler {
   Local component(const Name& name, const Scope& scope);
 
   Definitions& definitions_;
-  std::deque<Value> constants_;  // closed expressions have these values, each computed when first asked for
-  std::vector<unsigned> reads_;  // the code that is being compiled reads these slots, in order of compilation
-  std::string label_;            // the definition that is being compiled has this label
-  std::string strokes_;          // the decorations around what is being compiled have these strokes
+  std::deque<BindingPtr> bindings_;  // those of the last θ; an evaluation has few states at once
+  std::deque<Value> constants_;      // closed expressions have these values, each computed when first asked for
+  std::vector<unsigned> reads_;      // the code that is being compiled reads these slots, in order of compilation
+  std::string label_;                // the definition that is being compiled has this label
+  std::string strokes_;              // the decorations around what is being compiled have these strokes
 };
 
 /// Takes slots for a scope, and gives them back at its end.

@@ -10,11 +10,34 @@
 namespace durero::zed {
 
 struct SchemaCheck::State {
-  explicit State(Steps& counted) : steps(counted) {}
+  State(Steps& counted, Compiler& of) : steps(counted), compiler(of) {}
   Steps& steps;
+  Compiler& compiler;
   std::vector<Name> names;
   std::shared_ptr<Unit> unit;
   Property property;
+  /// A conjunct before the last predicate, and which declaration or predicate of the schema it is a part of.
+  struct Conjunct {
+    const Property* property;
+    std::size_t part;
+  };
+  std::vector<Conjunct> before{};
+  mutable std::size_t refuting = 0;  // the conjunct that was last found false
+
+  void split() {
+    if (property.kind != Property::Kind::all || property.parts.empty()) return;
+    for (std::size_t i = 0; i + 1 < property.parts.size(); ++i) split(property.parts[i], i);
+  }
+
+  bool refutes(std::size_t i, Frame& frame) const {
+    try {
+      if (evaluate(*before[i].property, frame) != Truth::no) return false;
+    } catch (const EvaluationError&) {
+      return false;
+    }
+    refuting = i;
+    return true;
+  }
 
   Frame frame(std::span<const Value> values, Context& context) const {
     if (values.size() != names.size()) {
@@ -24,6 +47,12 @@ struct SchemaCheck::State {
     Frame frame(unit->size, context);
     std::copy(values.begin(), values.end(), frame.slots.begin());
     return frame;
+  }
+
+ private:
+  void split(const Property& conjunct, std::size_t part) {
+    if (conjunct.kind != Property::Kind::all || conjunct.whole) return before.push_back({&conjunct, part});
+    for (const Property& each : conjunct.parts) split(each, part);
   }
 };
 
@@ -117,16 +146,45 @@ Truth SchemaCheck::holds(std::span<const Value> values) const {
   return evaluate(state_->property, frame);
 }
 
-SchemaCheck::Apart SchemaCheck::apart(std::span<const Value> values) const {
+SchemaCheck::Apart SchemaCheck::apart(std::span<const Value> values, const Known& known) const {
   Context context(state_->steps);
+  for (const BindingPtr& binding : known.bindings) state_->compiler.remember(binding);
   Frame frame = state_->frame(values, context);
-  const auto& parts = state_->property.parts;
-  if (state_->property.kind != Property::Kind::all || parts.empty()) return {Truth::yes, holds(values)};
+  const auto& before = state_->before;
+  const auto is_known = [&](std::size_t i) { return !known.parts.empty() && known.parts[before[i].part]; };
+  if (state_->refuting < before.size() && !is_known(state_->refuting) && state_->refutes(state_->refuting, frame))
+    return {Truth::no, Truth::open};
   Apart found{Truth::yes, Truth::open};
-  for (std::size_t i = 0; i + 1 < parts.size() && found.before != Truth::no; ++i)
-    found.before = both(found.before, evaluate(parts[i], frame));
-  if (found.before == Truth::yes) found.last = evaluate(parts.back(), frame);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (is_known(i)) continue;
+    found.before = both(found.before, evaluate(*before[i].property, frame));
+    if (found.before != Truth::no) continue;
+    state_->refuting = i;
+    return found;
+  }
+  if (found.before == Truth::yes) found.last = evaluate(state_->property.parts.back(), frame);
   return found;
+}
+
+bool SchemaCheck::refuted(std::span<const Value> values, const Known& known) const {
+  Context context(state_->steps);
+  for (const BindingPtr& binding : known.bindings) state_->compiler.remember(binding);
+  Frame frame = state_->frame(values, context);
+  const auto& before = state_->before;
+  const auto refutes = [&](std::size_t i) {
+    return (known.parts.empty() || !known.parts[before[i].part]) && state_->refutes(i, frame);
+  };
+  if (state_->refuting < before.size() && refutes(state_->refuting)) return true;
+  for (std::size_t i = 0; i < before.size(); ++i)
+    if (refutes(i)) return true;
+  return false;
+}
+
+Truth SchemaCheck::last(std::span<const Value> values, const Known& known) const {
+  Context context(state_->steps);
+  for (const BindingPtr& binding : known.bindings) state_->compiler.remember(binding);
+  Frame frame = state_->frame(values, context);
+  return evaluate(state_->property.parts.back(), frame);
 }
 
 std::vector<Finding> SchemaCheck::findings(std::span<const Value> values) const {
@@ -193,9 +251,10 @@ SchemaCheck Evaluator::schema(const Name& name) const {
   const auto names = components(reference(name), state_->definitions);
   if (!names) throw EvaluationError(name.text() + " is no schema");
   const Locals locals(*names);
-  auto state = std::make_shared<SchemaCheck::State>(state_->steps);
+  auto state = std::make_shared<SchemaCheck::State>(state_->steps, state_->compiler);
   state->names = *names;
   state->property = state_->compiler.predicate(reference(name), locals.scope);
+  state->split();
   state->unit = locals.unit;
   SchemaCheck check;
   check.state_ = std::move(state);

@@ -123,6 +123,41 @@ Code Compiler::selection(const Node& node, const Scope& scope) {
   };
 }
 
+namespace {
+
+/// Says whether two values are one: the same number, or shared.
+bool identical(const Value& a, const Value& b) {
+  if (a.form().index() != b.form().index()) return false;
+  return std::visit(
+      [&b](const auto& x) {
+        using Form = std::decay_t<decltype(x)>;
+        if constexpr (requires { x.get(); } || std::is_same_v<Form, Real>)
+          return x == *b.get<Form>();
+        else
+          return false;
+      },
+      a.form());
+}
+
+}  // namespace
+
+void Compiler::remember(const BindingPtr& binding) {
+  constexpr std::size_t most = 4;
+  if (std::find(bindings_.begin(), bindings_.end(), binding) != bindings_.end()) return;
+  if (bindings_.size() == most) bindings_.pop_back();
+  bindings_.push_front(binding);
+}
+
+Value Compiler::binding_of(const Signature& names, std::vector<Value> values) {
+  for (const BindingPtr& known : bindings_)
+    if ((known->names == names || *known->names == *names) &&
+        std::equal(values.begin(), values.end(), known->values.begin(), known->values.end(), identical))
+      return known;
+  Value made = Value::binding(names, std::move(values));
+  if (const auto* binding = made.get<BindingPtr>()) remember(*binding);
+  return made;
+}
+
 Code Compiler::theta(const Node& node, const Scope& scope) {
   const Term& schema = node.children[0];
   auto names = components(schema, definitions_);
@@ -142,12 +177,12 @@ Code Compiler::theta(const Node& node, const Scope& scope) {
         break;
     }
   }
-  return [names = signature(*names), codes = std::move(codes), whole](Frame& frame) {
+  return [this, names = signature(*names), codes = std::move(codes), whole](Frame& frame) {
     if (whole && !frame.slots[*whole].is_undefined()) return frame.slots[*whole];
     std::vector<Value> values;
     values.reserve(codes.size());
     for (const Code& code : codes) values.push_back(code(frame));
-    return Value::binding(names, std::move(values));
+    return binding_of(names, std::move(values));
   };
 }
 

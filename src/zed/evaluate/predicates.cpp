@@ -164,14 +164,20 @@ Property Compiler::relation(const Term& term, const Scope& scope) {
       cannot(node, "the evaluator knows no relation " + name.word);
     relations.push_back(row->evaluation.relation);
   }
-  if (relations.size() > 1)
-    return test_of([operands, relations](Frame& frame) { return chained(operands, relations, frame); }, term);
+  std::vector<unsigned> depends;
+  for (const std::vector<unsigned>& each : reads) depends.insert(depends.end(), each.begin(), each.end());
+  if (relations.size() > 1) {
+    Property chain = test_of([operands, relations](Frame& frame) { return chained(operands, relations, frame); }, term);
+    chain.depends = std::move(depends);
+    return chain;
+  }
   Property property = test_of(
       [left = operands[0], right = operands[1], holds = relations[0]](Frame& frame) {
         const Value a = left(frame);
         return asked(holds, a, right(frame), frame.context);
       },
       term);
+  property.depends = std::move(depends);
   if (!match::is_equation(term)) return property;
   for (const std::size_t side : {0U, 1U}) {
     const Node& variable = *node.children[side];

@@ -133,6 +133,12 @@ Property exists_property(std::vector<Variable> variables, Property property) {
     for (Property& part : property.parts) part = exists_property(variables, std::move(part));
     return property;
   }
+  if (auto sides = sides_of(property); sides.size() > 1) {
+    Property any;
+    any.kind = Property::Kind::any;
+    for (Property& side : sides) any.parts.push_back(exists_property(variables, std::move(side)));
+    return any;
+  }
   Property conjunct;
   conjunct.kind = Property::Kind::exists;
   conjunct.search = std::make_shared<const Search>(std::move(variables), std::move(property));

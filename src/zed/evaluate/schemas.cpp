@@ -37,6 +37,8 @@ Property Compiler::declaration(const Declaration& declaration, const Scope& scop
   const std::vector<unsigned> reads(reads_.begin() + static_cast<std::ptrdiff_t>(before), reads_.end());
   for (const Name& name : declaration.names) {
     const Local local = component(name, scope);
+    reads_.insert(reads_.end(), local.reads.begin(), local.reads.end());
+    if (local.slot) reads_.push_back(*local.slot);
     const Code value = local.slot ? Code([slot = *local.slot](Frame& frame) { return frame.slots[slot]; }) : local.code;
     Property property;
     if (declaration.form == Declaration::Form::defined) {

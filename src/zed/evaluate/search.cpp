@@ -88,6 +88,16 @@ Code set_of(const Property& property, unsigned slot, const std::vector<unsigned>
   return stated ? property.set : Code();
 }
 
+/// Adds each conjunct of the goal that is known to depend on none of these slots.
+void add_apart(const Property& goal, const std::vector<unsigned>& slots, std::vector<Test>& to) {
+  if (goal.kind == Property::Kind::all)
+    for (const Property& part : goal.parts) add_apart(part, slots, to);
+  const auto is_sought = [&](unsigned slot) { return contains(slots, slot); };
+  if (goal.kind == Property::Kind::test && goal.depends &&
+      std::none_of(goal.depends->begin(), goal.depends->end(), is_sought))
+    to.push_back(goal.test);
+}
+
 }  // namespace
 
 Search::Search(std::vector<Variable> variables, Property goal, std::vector<unsigned> wholes)
@@ -101,6 +111,9 @@ Search::Search(std::vector<Variable> variables, Property goal, std::vector<unsig
     variable.checked = bool(variable.set);
   }
   order_ = ordered(variables_, equations);
+  std::vector<unsigned> slots;
+  for (const Variable& variable : variables_) slots.push_back(variable.slot);
+  add_apart(goal_, slots, apart_);
   collect_spans(goal_, spans_);
 }
 
@@ -276,7 +289,21 @@ struct Search::Run {
   }
 };
 
+/// Says whether the goal is false whatever the variables are. What cannot be decided refutes nothing here: it is asked
+/// again with the rest of the goal.
+bool Search::refuted(Frame& frame) const {
+  const Necessary not_here(frame.context, false);
+  return std::any_of(apart_.begin(), apart_.end(), [&](const Test& test) {
+    try {
+      return test(frame) == Truth::no;
+    } catch (const EvaluationError&) {
+      return false;
+    }
+  });
+}
+
 Truth Search::each(Frame& frame, const Visit& visit, const Test& extra) const {
+  if (refuted(frame)) return Truth::no;
   Run run{*this, frame, visit, extra};
   for (const unsigned slot : wholes_) frame.slots[slot] = Value();
   run.first_unknown = static_cast<std::uint32_t>(frame.context.values_found.size());

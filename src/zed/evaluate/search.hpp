@@ -32,6 +32,8 @@ struct Property {
   unsigned declared = 0;                 ///< a declaration declares the variable in this slot
   Code set;                              ///< a declaration has a set, and no other property has
   std::vector<unsigned> reads;           ///< this set depends on these slots
+  /// A relation depends on these slots, those of what its operands bind among them; of no other property is it said.
+  std::optional<std::vector<unsigned>> depends{};
 
   /// The property of a whole closed schema names the slot that may hold its binding, and the schema. A binding
   /// remembers the schema that it was found to satisfy.
@@ -107,9 +109,12 @@ class Search {
 
  private:
   struct Run;
+  bool refuted(Frame& frame) const;
   std::vector<Variable> variables_;
   std::vector<std::size_t> order_;  // each determined variable stands behind what it depends on
   Property goal_;
+  std::vector<Test>
+      apart_;  // these conjuncts of the goal depend on no variable, so they are asked before any is sought
   std::vector<Equation> spans_;
   std::vector<unsigned> wholes_;
 };
@@ -123,7 +128,8 @@ void collect_spans(const Property& property, std::vector<Equation>& spans);
 /// Adds every equation, and every declared set, among the conjuncts of a property.
 void collect(const Property& property, std::vector<const Equation*>& equations, std::vector<const Property*>& declared);
 
-/// Makes ∃ variables • property, distributed over ∨, so that each side may determine them by its own equations.
+/// Makes ∃ variables • property, distributed over ∨ as sides_of() does, so that each side may determine them by its own
+/// equations.
 Property exists_property(std::vector<Variable> variables, Property property);
 
 /// Returns properties of which one at least holds where this one does, with ∧ distributed over ∨ as far as there are at

@@ -1,6 +1,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <optional>
+#include <ranges>
+#include <unordered_map>
 
 #include "durero/zed/print/print.hpp"
 #include "durero/zed/review/review.hpp"
@@ -21,7 +24,8 @@ bool is_partial_arrow(const Term& set) {
 class Walker {
  public:
   Walker(const Expander& expander, std::vector<Defect>& defects) : expander_(expander), defects_(defects) {
-    join(context_, expander.axioms());
+    Before none;
+    join(expander.axioms(), none);
   }
 
   void section(const Section& section) {
@@ -35,9 +39,46 @@ class Walker {
   }
 
  private:
-  static void join(Facts& context, const Expansion& more) {
-    context.facts.insert(context.facts.end(), more.facts.begin(), more.facts.end());
-    for (const auto& [name, set] : more.declared) context.declared.insert_or_assign(name, set);
+  /// What names were declared from before; nothing for those that were not.
+  using Before = std::vector<std::pair<Name, std::optional<Term>>>;
+
+  void join(const Expansion& more, Before& before) {
+    context_.facts.insert(context_.facts.end(), more.facts.begin(), more.facts.end());
+    for (const auto& [name, set] : more.declared) {
+      forget(name, before);
+      context_.declared.insert_or_assign(name, set);
+    }
+  }
+
+  void forget(const Name& name, Before& before) {
+    const auto entry = context_.declared.find(name);
+    if (entry == context_.declared.end()) {
+      before.emplace_back(name, std::nullopt);
+      return;
+    }
+    before.emplace_back(name, std::move(entry->second));
+    context_.declared.erase(entry);
+  }
+
+  void restore(Before& before) {
+    for (auto& [name, set] : std::views::reverse(before)) {
+      if (set)
+        context_.declared.insert_or_assign(name, std::move(*set));
+      else
+        context_.declared.erase(name);
+    }
+  }
+
+  static std::uint64_t bit_of(const Name& name) { return std::uint64_t{1} << (std::hash<Name>()(name) % 64); }
+
+  /// Has the bit of each name that the fact mentions, and maybe others. Most facts are asked for again and again.
+  std::uint64_t bits_of(const Term& fact) {
+    auto& [kept, bits] = bits_[fact.get()];
+    if (!kept) {
+      kept = fact;  // so that no other fact comes to lie where this one does
+      match::each_name(fact, [&bits](const Name& name) { bits |= bit_of(name); });
+    }
+    return bits;
   }
 
   /// Walks a term where more holds.
@@ -66,19 +107,24 @@ class Walker {
   void text(const SchemaText& text, const std::vector<Term>& behind) {
     for (const Declaration& declaration : text.declarations)
       if (declaration.form != Declaration::Form::included) term(declaration.term);
-    Facts outer = context_;
-    budget_.spend(100 * outer.facts.size());
+    std::vector<Term> outer = context_.facts;
+    Before before;
+    budget_.spend(100 * outer.size());
     const Expansion whole = expander_.text(text);
     std::set<Name> bound;
     for (const auto& [name, set] : whole.declared) bound.insert(name);
     for (const Declaration& declared : text.declarations) bound.insert(declared.names.begin(), declared.names.end());
-    std::erase_if(context_.facts, [&bound](const Term& fact) { return match::mentions(fact, bound); });
-    for (const Name& name : bound) context_.declared.erase(name);
-    join(context_, whole);
+    std::uint64_t bits = 0;
+    for (const Name& name : bound) bits |= bit_of(name);
+    std::erase_if(context_.facts,
+                  [&](const Term& fact) { return (bits_of(fact) & bits) != 0 && match::mentions(fact, bound); });
+    for (const Name& name : bound) forget(name, before);
+    join(whole, before);
     budget_.spend(100 * whole.facts.size());
     for (const Predicate& predicate : text.predicates) term(predicate.term);
     for (const Term& part : behind) term(part);
-    context_ = std::move(outer);
+    context_.facts = std::move(outer);
+    restore(before);
   }
 
   void term(const Term& term) {
@@ -121,6 +167,7 @@ class Walker {
   std::vector<Defect>& defects_;
   std::string file_;
   Facts context_;
+  std::unordered_map<const Node*, std::pair<Term, std::uint64_t>> bits_;
   Budget budget_;
 };
 

@@ -158,6 +158,19 @@ void Expander::add_decorated(const Name& base, const std::string& stroke, Expans
     to.opaque = true;
     return;
   }
+  auto known = decorated_.find({base, stroke});
+  if (known == decorated_.end()) {
+    Expansion made;
+    add_decorated_anew(base, stroke, made, depth);
+    known = decorated_.emplace(std::pair(base, stroke), std::move(made)).first;
+  }
+  const Expansion& whole = known->second;
+  to.facts.insert(to.facts.end(), whole.facts.begin(), whole.facts.end());
+  to.declared.insert(to.declared.end(), whole.declared.begin(), whole.declared.end());
+  to.opaque = to.opaque || whole.opaque;
+}
+
+void Expander::add_decorated_anew(const Name& base, const std::string& stroke, Expansion& to, unsigned depth) const {
   Expansion inner;
   add_named(base, inner, depth + 1);
   const std::set<Name> names = components(base);

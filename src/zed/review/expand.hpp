@@ -45,12 +45,15 @@ class Expander {
   void add(const SchemaText& text, Expansion& to, unsigned depth) const;
   void add_named(const Name& name, Expansion& to, unsigned depth) const;
   void add_decorated(const Name& base, const std::string& stroke, Expansion& to, unsigned depth) const;
+  void add_decorated_anew(const Name& base, const std::string& stroke, Expansion& to, unsigned depth) const;
 
   const Typing& typing_;
   std::unordered_map<Name, const SchemaText*> boxes_;
   std::unordered_map<Name, Term> definitions_;
   std::map<Name, std::set<Name>> siblings_;
   Expansion axioms_;
+  /// What schemas say under strokes, S ' by S and the stroke: written out once.
+  mutable std::map<std::pair<Name, std::string>, Expansion> decorated_;
 };
 
 /// Counts the work of a check, so that no text makes it hang: spec/ takes 10^6 steps, some comparisons each.

@@ -49,9 +49,10 @@ Draw::Draw(const Specification& specification, const Samples& samples) : samples
     }
 }
 
-bool Draw::has_samples(const Term& set) const {
-  if (set->kind == Kind::decoration) return has_samples(set->children[0]);
-  return set->kind == Kind::reference && samples_.contains(set->name.text());
+const std::string* Draw::samples_of(const Term& set) const {
+  if (set->kind == Kind::decoration) return samples_of(set->children[0]);
+  const auto known = set->kind == Kind::reference ? samples_.find(set->name.text()) : samples_.end();
+  return known == samples_.end() || known->second.empty() ? nullptr : &known->first;
 }
 
 const SchemaText* Draw::text(const Term& schema) const {
@@ -60,9 +61,8 @@ const SchemaText* Draw::text(const Term& schema) const {
 }
 
 Value Draw::of(const Term& set, const Type& element, Chances& chances) const {
-  if (set->kind == Kind::decoration) return of(set->children[0], element, chances);
-  const auto known = set->kind == Kind::reference ? samples_.find(set->name.text()) : samples_.end();
-  return known == samples_.end() ? of_type(element, chances) : pick(known->second, chances);
+  const std::string* known = samples_of(set);
+  return known ? pick(samples(*known), chances) : of_type(element, chances);
 }
 
 Value Draw::of_type(const Type& type, Chances& chances) const {

@@ -28,8 +28,10 @@ class Draw {
   Draw(const Specification& specification, const Samples& samples);
   /// A member of the set, or a binding of the schema, that a declaration names; of its type where there are no samples.
   Value of(const Term& set, const Type& element, Chances& chances) const;
-  /// Whether there are samples of the set, or bindings of the schema, that this term names.
-  bool has_samples(const Term& set) const;
+  /// The name of the set, or schema, that this term names, where there are samples of it; else null.
+  const std::string* samples_of(const Term& set) const;
+  /// The samples of the set of this name. Precondition: samples_of() has given it.
+  const std::vector<Value>& samples(const std::string& set) const { return samples_.at(set); }
   /// The declarations of the schema that this term names; null where it names none that is written with declarations.
   const SchemaText* text(const Term& schema) const;
 

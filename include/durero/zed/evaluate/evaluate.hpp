@@ -50,8 +50,19 @@ class SchemaCheck {
     Truth before;  ///< the declarations, and the predicates but one
     Truth last;    ///< asked where these hold, and open elsewhere
   };
-  /// Says both apart. Precondition: the schema is a text [ D | P ] with a predicate. Throws as holds() does.
-  Apart apart(std::span<const Value> values) const;
+  /// What is known of the values.
+  struct Known {
+    std::vector<bool> parts;  ///< which declarations and predicates hold, in their order; none where it is empty
+    std::vector<BindingPtr> bindings;  ///< the values of some components are those of this binding
+  };
+  /// Says both apart. What was found false last is asked first, as it is likely to be false again. Precondition: the
+  /// schema is a text [ D | P ] with a predicate. Throws as holds() does.
+  Apart apart(std::span<const Value> values, const Known& known) const;
+  /// Says whether something before the last predicate is false, whatever values stand for those that are open. What
+  /// cannot be decided refutes nothing. Preconditions: those of apart().
+  bool refuted(std::span<const Value> values, const Known& known) const;
+  /// Returns the truth of the last predicate alone. Precondition and errors: those of apart().
+  Truth last(std::span<const Value> values, const Known& known) const;
   /// Returns every conjunct with its truth. A disjunction gives those of a side that holds; else those of the side
   /// with the fewest false conjuncts.
   std::vector<Finding> findings(std::span<const Value> values) const;

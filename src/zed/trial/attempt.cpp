@@ -1,0 +1,233 @@
+#include "zed/trial/attempt.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace durero::zed {
+namespace {
+
+bool is_result(const Name& name) { return name.strokes.find_first_of("'!") != std::string::npos; }
+
+/// So many states may be looked at to find which names conjuncts make of others.
+constexpr std::size_t most_narrowings = 4;
+
+void refute(Trial& trial, const std::vector<Name>& names, const std::vector<Value>& state) {
+  for (std::size_t i = 0; i < names.size(); ++i)
+    trial.counterexample += "  " + names[i].text() + " = " + state[i].text() + "\n";
+  if (names.empty()) trial.counterexample = "  it has no variables\n";
+}
+
+}  // namespace
+
+bool Members::knows(const std::string& set, std::size_t index) {
+  const std::vector<Value>& samples = draw_.samples(set);
+  std::vector<std::optional<bool>>& known = known_[set];
+  known.resize(samples.size());
+  if (!known[index]) {
+    try {
+      known[index] = evaluator_.contains(evaluator_.value(Name{set, ""}), samples[index]) == Truth::yes;
+    } catch (const EvaluationError&) {
+      known[index] = false;
+    }
+  }
+  return *known[index];
+}
+
+Attempt::Attempt(const Ground& ground, const Claim& claim)
+    : ground_(ground),
+      claim_(claim),
+      check_(ground.evaluator.schema(claim.claimed_name)),
+      placed_(check_.components().size()) {
+  const auto& declarations = claim.assumed.declarations;
+  for (std::size_t i = 0; i < declarations.size(); ++i) add_sources(declarations[i], i, true);
+  const auto& names = check_.components();
+  std::vector<Name> results;
+  std::copy_if(names.begin(), names.end(), std::back_inserter(results), is_result);
+  narrowings_ = results.empty() ? most_narrowings : 0;
+  make(results.empty() ? made_by_conjuncts(claim.assumed) : std::move(results));
+}
+
+/// From now on these names are made of the rest.
+void Attempt::make(std::vector<Name> names) {
+  made_ = std::move(names);
+  made_places_.clear();
+  results_.reset();
+  const auto& all = check_.components();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (std::find(made_.begin(), made_.end(), all[i]) != made_.end()) made_places_.push_back(i);
+}
+
+void Attempt::note(const std::string& undecided) {
+  if (undecided_.empty()) undecided_ = undecided;
+}
+
+void Attempt::run(Trial& trial) {
+  const TrialBounds& bounds = ground_.bounds;
+  const bool closed = claim_.assumed.declarations.empty();
+  const std::size_t draws = closed ? 1 : bounds.draws, most = claim_.wants_witness ? draws : bounds.states;
+  for (std::size_t draw = 0; draw < draws && trial.tried < most && trial.counterexample.empty() && !witness_; ++draw) {
+    try {
+      on(drawn(draw), trial);
+    } catch (const EvaluationError& error) {
+      note(error.what());
+    }
+  }
+  if (claim_.wants_witness && !witness_) {
+    trial.why_not = "none of " + std::to_string(trial.tried) + " states is a witness";
+    trial.tried = 0;
+  }
+  if (trial.tried == 0 && trial.why_not.empty())
+    trial.why_not = undecided_.empty() ? "none of the values drawn are a state" : undecided_;
+}
+
+// A schema without samples is drawn declaration by declaration, so that each input comes from the set that is named.
+void Attempt::add_sources(const Declaration& declaration, std::size_t number, bool outermost) {
+  const bool included = declaration.form == Declaration::Form::included;
+  const std::string* samples = ground_.draw.samples_of(declaration.term);
+  if (const SchemaText* text = included && !samples ? ground_.draw.text(declaration.term) : nullptr) {
+    for (const Declaration& each : text->declarations) add_sources(each, number, false);
+    return;
+  }
+  Source source{declaration.term, element_of(declaration.term), samples};
+  source.declaration = number;
+  source.is_declaration = outermost;
+  if (included) return add_included(declaration.term, std::move(source));
+  for (const Name& name : declaration.names) source.places.push_back(place_of(name));
+  sources_.push_back(std::move(source));
+}
+
+// Of ΔS, and ΞS, the state before is drawn where S has samples: the other is what an operation makes of it.
+void Attempt::add_included(const Term& schema, Source source) {
+  const std::string& word = schema->name.word;
+  const bool change = schema->kind == Kind::reference && (word.starts_with("Δ") || word.starts_with("Ξ"));
+  const Term before = change ? reference({word.substr(std::string("Δ").size()), ""}) : schema;
+  const bool sampled = change && ground_.draw.samples_of(before);
+  if (sampled) {
+    source.set = before;
+    source.samples = ground_.draw.samples_of(before);
+    source.is_declaration = false;
+  }
+  source.is_binding = true;
+  for (const Name& name : source.element.fields())
+    if (!sampled || !is_result(name)) source.places.push_back(place_of(name));
+  sources_.push_back(std::move(source));
+}
+
+std::size_t Attempt::place_of(const Name& name) {
+  const auto& names = check_.components();
+  const auto at = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+  if (at == names.size() || placed_[at]) return nowhere;
+  placed_[at] = true;
+  return at;
+}
+
+const Type& Attempt::element_of(const Term& set) {
+  const auto known = elements_.find(set.get());
+  if (known != elements_.end()) return known->second;
+  const std::optional<Type> type = ground_.typing.type_of(set);
+  if (!type || !type->is(Type::Kind::power)) throw EvaluationError("the type of a declaration is not known");
+  return elements_.emplace(set.get(), type->settled().parts()[0]).first->second;
+}
+
+Attempt::State Attempt::drawn(std::size_t draw) {
+  State state{std::vector<Value>(placed_.size(), Value(Open{})),
+              {std::vector<bool>(claim_.assumed.declarations.size() + claim_.assumed.predicates.size() + 1), {}}};
+  Chances chances(draw);
+  for (const Source& source : sources_) draw_from(source, chances, state);
+  return state;
+}
+
+void Attempt::draw_from(const Source& source, Chances& chances, State& state) {
+  bool known = source.is_declaration && source.samples;
+  const auto one = [&] {
+    if (!source.samples) return ground_.draw.of(source.set, source.element, chances);
+    const std::vector<Value>& samples = ground_.draw.samples(*source.samples);
+    const std::size_t index = chances.below(samples.size());
+    known = known && ground_.members.knows(*source.samples, index);
+    return samples[index];
+  };
+  const auto put = [&](std::size_t place, const Value& value) {
+    if (place == nowhere) known = false;
+    if (place != nowhere) state.values[place] = value;
+  };
+  if (source.is_binding) {
+    const Value binding = one();
+    for (std::size_t i = 0; i < source.places.size(); ++i) put(source.places[i], binding.binding()->values[i]);
+    state.known.bindings.push_back(*binding.get<BindingPtr>());
+  } else {
+    for (const std::size_t place : source.places) put(place, one());
+  }
+  state.known.parts[source.declaration] = known;
+}
+
+/// Looks for values of what is made of the rest. The answer is that of Completion::each, and open where it cannot say.
+Truth Attempt::completed(const State& drawn, std::vector<Value>& found) {
+  const auto& names = check_.components();
+  const auto is_made = [&](std::size_t i) {
+    return std::find(made_places_.begin(), made_places_.end(), i) != made_places_.end();
+  };
+  std::vector<Name> known;
+  std::vector<Value> given;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (!is_made(i)) {
+      known.push_back(names[i]);
+      given.push_back(drawn.values[i]);
+    }
+  try {
+    if (!results_) results_ = ground_.evaluator.completion(claim_.assumed_name, known);
+    return results_->each(given, [&](std::span<const Value> sought) {
+      found = drawn.values;
+      for (std::size_t i = 0; i < made_places_.size(); ++i) found[made_places_[i]] = sought[i];
+      return false;
+    });
+  } catch (const EvaluationError& error) {
+    note(error.what());
+    if (!results_) make({});  // what cannot be compiled is not tried again
+    return Truth::open;
+  }
+}
+
+// An after-state and outputs are what an operation makes of the rest, as other values are what a conjunct makes of
+// those that it starts from; by chance few values drawn are that. So where they are no state, the first that the text
+// gives for the rest takes their place. Which names conjuncts make is a guess: where it cannot be said what they are,
+// one of them may be none that is made.
+bool Attempt::complete(const State& drawn, std::vector<Value>& found) {
+  const Truth all_said = completed(drawn, found);
+  if (!found.empty()) narrowings_ = 0;
+  if (all_said != Truth::open || narrowings_ == 0) return !found.empty();
+  --narrowings_;
+  const std::vector<Name> all = made_;
+  for (std::size_t i = 0; i < all.size() && all.size() > 1; ++i) {
+    std::vector<Name> fewer = all;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+    make(std::move(fewer));
+    if (completed(drawn, found) != Truth::open || !found.empty()) {
+      narrowings_ = 0;
+      return !found.empty();
+    }
+  }
+  make(all);
+  return false;
+}
+
+void Attempt::on(const State& drawn, Trial& trial) {
+  const SchemaCheck::Apart truth = check_.apart(drawn.values, drawn.known);
+  if (truth.before == Truth::yes) return judge(drawn.values, truth.last, trial);
+  if (truth.before == Truth::open) note("a variable is not determined");
+  if (made_.empty()) return;
+  State rest = drawn;
+  for (const std::size_t place : made_places_) rest.values[place] = Open{};
+  std::vector<Value> found;
+  if (!check_.refuted(rest.values, rest.known) && complete(drawn, found))
+    judge(found, check_.last(found, drawn.known), trial);
+}
+
+void Attempt::judge(const std::vector<Value>& values, Truth last, Trial& trial) {
+  if (last == Truth::open) return note("a variable is not determined");
+  if (last == Truth::no && !claim_.wants_witness) return refute(trial, check_.components(), values);
+  ++trial.tried;
+  witness_ = claim_.wants_witness && last == Truth::yes;
+}
+
+}  // namespace durero::zed
