@@ -11,7 +11,7 @@ for text in "$sources"/spec/*.tex; do
   # The label in the comment that ends a line becomes one that is seen; what a box declares goes into the index. A box is
   # of the paragraph before it, so that no page ends between the two.
   awk '
-    function plain(name) { gsub(/\\_/, "", name); gsub(/\\/, "", name); return name }
+    function plain(name) { gsub(/\\/, "", name); return name }
     function declares(name,   shown) {
       gsub(/ /, "", name); shown = name; gsub(/\\_/, "\\protect\\_", shown)
       printf "\\zname{%s}{%s}", shown, plain(name)
@@ -24,8 +24,9 @@ for text in "$sources"/spec/*.tex; do
       if (match(line, /  % [A-Za-z_]+\.(pre|post|inv|def|axiom|conj)\.[0-9]+$/)) {
         label = substr(line, RSTART + 4); line = substr(line, 1, RSTART - 1)
         shown = label; gsub(/_/, "\\protect\\_", shown)
-        line = line "\\zlabel{" shown "}"
+        line = line "\\zlabel{" shown "}{" label "}"
       }
+      if (line ~ /([-+*]|\\oplus|\\cap) *\\\\$/) { sub(/ *\\\\$/, "", line); line = line "{} \\\\" }  # spaced as between two terms
       if (axdef && match(line, /^  [A-Za-z\\_]+ :/)) found = substr(line, 3, RLENGTH - 4)
       if (zed && match(line, /^  [A-Za-z\\_]+ (==|::=)/)) { found = substr(line, 3); sub(/ .*/, "", found) }
       print line

@@ -20,7 +20,7 @@
 From Coq Require Import Reals List.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require Tipos Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve TotalTables
-  Tablas RowsAdded RowsRemoved ClosedForm Iluminacion Luz Recorrido Acceleration Firsts Surd Quadratic Exacto ExactoEscena Slab
+  Tablas RowsAdded RowsRemoved TablasOfRows ClosedForm Iluminacion Luz Recorrido Acceleration Firsts Surd Quadratic Exacto ExactoEscena Slab
   Bundles Rounding Vectors Formas Decision Flotante Certified Walk Limits Search Boxes Lattice Grid Chain
   Occlusion.
 Import Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion.
@@ -472,6 +472,31 @@ Theorem operations_of_one_type_commute T e t c r d h k abc : tables_ok Elemento 
 Proof.
   intros ok. exact (conj (TotalTables.add_total_of_refines Elemento Elemento_dec t T e c r d h k abc ok)
     (TotalTables.remove_total_of_refines Elemento Elemento_dec t T e ok)).
+Qed.
+
+(** The lists of rows are the tables of spec/tablas.tex, as Tablas.v states them: they stand for the scene that the text
+    says, and what appends a row or moves the last one into the gap is the text's addition and removal, which leave no
+    other next state. *)
+Notation tablas_of := (TablasOfRows.tablas_of Elemento).
+Notation texts_addition := (TablasOfRows.texts_addition Elemento).
+Notation texts_removal := (TablasOfRows.texts_removal Elemento).
+Notation add := (Retrieve.add Elemento Elemento_dec).
+Notation remove := (Retrieve.remove Elemento Elemento_dec).
+
+Theorem rows_are_the_tables_of_the_text :
+  Tablas.Init_Tablas (tablas_of (empty_tables Elemento))
+  /\ forall T, tables_ok Elemento T -> Tablas.Retrieve (retrieve _ T) (tablas_of T)
+  /\ (forall e x, index Elemento T e = None -> valid x -> texts_addition x (tablas_of T) (tablas_of (add T e x)) e
+      /\ forall U, texts_addition x (tablas_of T) U e -> Tablas.Tablas_eq (tablas_of (add T e x)) U)
+  /\ (forall e t i, index Elemento T e = Some (t, i) -> texts_removal t (tablas_of T) (tablas_of (remove T e)) e
+      /\ forall U, texts_removal t (tablas_of T) U e -> Tablas.Tablas_eq (tablas_of (remove T e)) U).
+Proof.
+  split; [apply TablasOfRows.empty_rows_are_the_first_tables |]. intros T ok.
+  split; [now apply TablasOfRows.rows_retrieve_as_the_text | split].
+  - intros e x new good. pose proof (TablasOfRows.add_is_the_texts Elemento Elemento_dec T e x ok new good) as A.
+    split; [exact A | intros U H; exact (TablasOfRows.an_addition_has_one_outcome _ _ _ _ _ _ A H)].
+  - intros e t i found. pose proof (TablasOfRows.remove_is_the_texts Elemento Elemento_dec T e t i ok found) as A.
+    split; [exact A | intros U H; exact (TablasOfRows.a_removal_has_one_outcome _ _ _ _ _ _ A H)].
 Qed.
 End Refinement.
 

@@ -31,7 +31,7 @@ The exact value is there too, a number x + y√Δ, and the specification itself 
 True
 
 Scene           help(durero.Scene): load, save, apply, add, remove, group, trace, occluded, exact, render
-Esfera …        the elements: Esfera, Cilindro, Cono, Tronco, Plano, Disco, Triangulo
+Esfera …        the elements: Esfera, Cilindro, Cono, Tronco, Plano, Disco, Triangulo; Written, of a type of a Z text
 spec            help(durero.spec): the Z text evaluates and checks
 conform         help(durero.conform): judges the hits of other programs
 Refused …       what goes wrong: Refused, InputError, Undecided
@@ -39,7 +39,7 @@ Refused …       what goes wrong: Refused, InputError, Undecided
 from typing import NamedTuple
 
 from . import _durero, conform, spec
-from .elements import Cilindro, Cono, Disco, Element, Esfera, Plano, Triangulo, Tronco
+from .elements import Cilindro, Cono, Disco, Element, Esfera, Plano, Triangulo, Tronco, Written
 from .errors import InputError, Refused, Undecided
 from .exact import ExactHit, Surd
 from .hits import HIT, Resultado
@@ -88,6 +88,7 @@ __all__ = [
     "Triangulo",
     "Tronco",
     "Undecided",
+    "Written",
     "__version__",
     "conform",
     "engines",

@@ -4,6 +4,7 @@ from __future__ import annotations
 import dataclasses
 import math
 import numbers
+from collections.abc import Mapping
 from typing import Any, ClassVar, Optional, Tuple, Union
 
 Triple = Tuple[float, float, float]
@@ -132,9 +133,23 @@ class Triangulo(_Element):
     material: Optional[str] = None
 
 
-Element = Union[Esfera, Cilindro, Cono, Tronco, Plano, Disco, Triangulo]
+@dataclasses.dataclass(frozen=True)
+class Written:
+    """An element of a type that a Z text declares (Scene.load with surfaces), with the attributes that it gives it.
 
-_CLASSES: Tuple[type[Element], ...] = (Esfera, Cilindro, Cono, Tronco, Plano, Disco, Triangulo)
+    >>> Written("toro", {"centro": (0.0, 0.0, 0.0), "mayor": 2.0, "menor": 0.75}).attributes["mayor"]
+    2.0
+    """
+
+    tipo: str
+    attributes: Mapping[str, Union[float, Triple, Tuple[Triple, Triple, Triple]]]
+    material: Optional[str] = None
+
+
+_Shape = Union[Esfera, Cilindro, Cono, Tronco, Plano, Disco, Triangulo]
+Element = Union[Esfera, Cilindro, Cono, Tronco, Plano, Disco, Triangulo, Written]
+
+_CLASSES: Tuple[type[_Shape], ...] = (Esfera, Cilindro, Cono, Tronco, Plano, Disco, Triangulo)
 
 TYPES = {kind.tipo: kind for kind in _CLASSES}
 """The class of each type, by its word."""

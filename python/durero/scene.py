@@ -13,10 +13,11 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _durero
-from .elements import TYPES, Element
+from .elements import TYPES, Element, Written
 from .exact import ExactHit, surd
 from .hits import Resultado
 
+_Path = Union[str, os.PathLike[str]]
 _Numbers = Union[npt.NDArray[np.int32], npt.NDArray[np.int64]]
 Origins = Union[_Numbers, Tuple[_Numbers, _Numbers]]
 """The elements that rays start on: for each ray the number of one in scene.names, -1 for none; or offsets and numbers,
@@ -56,20 +57,31 @@ class Scene(Mapping[str, Element]):
         self._scene = _durero.Scene()
 
     @classmethod
-    def load(cls, path: Union[str, os.PathLike[str]]) -> Scene:
-        """Reads a scene file (JSON). Raises OSError, and InputError at the first thing that is wrong."""
-        return cls._read(pathlib.Path(path).read_bytes(), os.fspath(path))
+    def load(cls, path: Union[str, os.PathLike[str]], *, surfaces: Optional[_Path] = None) -> Scene:
+        """Reads a scene file (JSON). Raises OSError, and InputError at the first thing that is wrong.
+
+        `surfaces` is a Z text, another file, that says what the points of each element are: an element of a type that
+        it declares is a durero.Written, trace, occluded and render ask the text, whatever engine is usual, and an
+        addition that it gives no points is refused. exact, spec and conform know the types of the specification alone,
+        and raise ValueError.
+        """
+        return cls._read(pathlib.Path(path).read_bytes(), os.fspath(path), surfaces)
 
     @classmethod
-    def loads(cls, text: str, name: str = "<text>") -> Scene:
-        """Reads a scene from the text of a scene file; messages call it by the name."""
-        return cls._read(text.encode("utf-8", "surrogateescape"), name)
+    def loads(cls, text: str, name: str = "<text>", *, surfaces: Optional[_Path] = None) -> Scene:
+        """Reads a scene from the text of a scene file; messages call it by the name. For `surfaces` see load."""
+        return cls._read(text.encode("utf-8", "surrogateescape"), name, surfaces)
 
     @classmethod
-    def _read(cls, text: bytes, name: str) -> Scene:
+    def _read(cls, text: bytes, name: str, surfaces: Optional[_Path]) -> Scene:
         scene = cls()
-        scene._scene = _durero.read_scene(text, name)
+        scene._scene = _durero.read_scene(text, name, None if surfaces is None else os.fspath(surfaces))
         return scene
+
+    @property
+    def surfaces(self) -> Optional[str]:
+        """The Z text that the scene was read by, a file; None where there is none."""
+        return self._scene.surfaces()
 
     def save(self, path: Union[str, os.PathLike[str]]) -> None:
         """Writes a scene file, which appears whole or not at all. Raises OSError."""
@@ -103,8 +115,14 @@ class Scene(Mapping[str, Element]):
 
     def add(self, e: str, element: Element) -> str:
         """Adds an element under a name, by the operation of its type, and answers its r!. Raises Refused."""
-        inputs = {name: value for name, value in dataclasses.asdict(element).items() if value is not None}
-        return self._operate({"op": "Agregar_" + type(element).__name__, "e": e, **inputs})
+        if isinstance(element, Written):
+            inputs: dict[str, object] = {**element.attributes}
+            if element.material is not None:
+                inputs["material"] = element.material
+        else:
+            inputs = {name: value for name, value in dataclasses.asdict(element).items() if value is not None}
+        tipo = element.tipo
+        return self._operate({"op": f"Agregar_{tipo[:1].upper()}{tipo[1:]}", "e": e, **inputs})
 
     def remove(self, e: str) -> str:
         """Removes the element of that name, by the general operation, and answers its r!. Raises Refused."""
@@ -148,6 +166,8 @@ class Scene(Mapping[str, Element]):
 
     def __getitem__(self, name: str) -> Element:
         word, attributes, material = self._scene.element(name)
+        if word not in TYPES:
+            return Written(word, attributes, material)  # type: ignore[arg-type]
         return TYPES[word](**attributes, material=material)  # type: ignore[arg-type]
 
     @property
@@ -180,11 +200,12 @@ class Scene(Mapping[str, Element]):
     def __deepcopy__(self, memo: dict[int, object]) -> Scene:
         return copy.copy(self)
 
-    def __getstate__(self) -> str:
-        return self.dumps()
+    def __getstate__(self) -> Tuple[str, Optional[str]]:
+        return self.dumps(), self.surfaces
 
-    def __setstate__(self, text: str) -> None:
-        self._scene = _durero.read_scene(text.encode(), "pickle")
+    def __setstate__(self, state: Tuple[str, Optional[str]]) -> None:
+        text, surfaces = state
+        self._scene = _durero.read_scene(text.encode(), "pickle", surfaces)
 
     @overload
     def trace(

@@ -67,6 +67,7 @@ SuiteCase case_of(const scene::Scene& scene, const Rays& rays) {
 
 py::list judge(const Scene& scene, const py::object& given, const Claims& claims, const io::Source& profile_source) {
   const auto state = scene.state();
+  require_own_shapes(*state, "judge");
   const conform::Profile profile = conform::read_profile(profile_source);
   const Rays rays(given);
   SuiteCase of = case_of(state->scene(), rays);
@@ -90,6 +91,7 @@ py::list judge(const Scene& scene, const py::object& given, const Claims& claims
 
 std::string explain(const Scene& scene, const py::object& ray) {
   const auto state = scene.state();
+  require_own_shapes(*state, "explain");
   const Rays rays(ray);
   single_ray(rays);
   SuiteCase of = case_of(state->scene(), rays);

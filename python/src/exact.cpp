@@ -67,6 +67,7 @@ scene::ElementSet elements(const scene::Scene& scene, const std::vector<std::str
 /// (outcome, names, t, point), the last two for a hit alone: the nearest of all crossings.
 py::tuple first_hit(const Scene& scene, const py::object& ray, const std::vector<std::string>& en) {
   const auto state = scene.state();
+  require_own_shapes(*state, "exact");
   const model::Rayo rayo = single_ray(Rays(ray));
   const scene::ElementSet origin = elements(state->scene(), en);
   scene::Hit hit;

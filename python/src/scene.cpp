@@ -7,7 +7,6 @@
 #include "bindings.hpp"
 #include "durero/engine/prepared.hpp"
 #include "durero/io/groups_file.hpp"
-#include "durero/io/operations_file.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/render/render.hpp"
 #include "durero/render/tone.hpp"
@@ -70,41 +69,69 @@ py::dict inputs_of(const scene::GroupEdit& edit) {
   return inputs;
 }
 
-const model::Operation& asked(const scene::Edit& edit) { return edit.operation; }
-const scene::GroupEdit& asked(const scene::GroupEdit& edit) { return edit; }
+/// What was asked: its operation, and that one's inputs.
+using Asked = std::pair<std::string, py::dict>;
 
-std::string_view word(model::Respuesta r) { return model::name(r); }
-std::string_view word(std::string_view r) { return r; }
+Asked asked(const scene::Edit& edit, const written::Edited&) {
+  return {operation_name(edit.operation), inputs_of(edit.operation)};
+}
 
-std::string done(scene::GroupedScene& scene, const io::Step& step) {
-  return std::visit(
-      [&](const auto& edit) {
-        const auto answer = scene.apply_total(edit);
-        if (answer.ok()) return std::string(word(answer.r));
-        raise("Refused", std::string(answer.violated->label), std::string(answer.violated->predicate),
-              std::string(word(answer.r)), operation_name(asked(edit)), inputs_of(asked(edit)), step.line);
-      },
-      step.edit);
+Asked asked(const scene::GroupEdit& edit, const written::Edited&) { return {operation_name(edit), inputs_of(edit)}; }
+
+py::dict attributes_of(const io::WrittenElement& element, const io::WrittenType& type) {
+  py::dict attributes;
+  for (std::size_t i = 0; i < type.attributes.size(); ++i)
+    std::visit([&](const auto& value) { attributes[py::str(type.attributes[i].word)] = as_python(value); },
+               element.values[i]);
+  return attributes;
+}
+
+Asked asked(const io::WrittenEdit& edit, const written::Edited& scene) {
+  if (const auto* const out = std::get_if<io::WrittenRemoval>(&edit)) {
+    py::dict inputs;
+    inputs["e"] = out->e;
+    return {io::removal_name(scene.types()[out->type].word), inputs};
+  }
+  const io::WrittenElement& element = std::get<io::WrittenAddition>(edit).element;
+  const io::WrittenType& type = scene.types()[element.type];
+  py::dict inputs = attributes_of(element, type);
+  inputs["e"] = element.id;
+  return {io::addition_name(type.word), inputs};
+}
+
+std::string done(written::Edited& scene, const io::Step& step) {
+  const io::EditAnswer answer = scene.apply_total(step);
+  if (answer.ok()) return answer.r;
+  const auto [operation, inputs] = std::visit([&](const auto& edit) { return asked(edit, scene); }, step.edit);
+  raise("Refused", answer.violated, answer.predicate, answer.r, operation, inputs, step.line);
 }
 
 /// Every operation of the text, or none of them.
 std::vector<std::string> apply(Scene& scene, const std::string& text, const std::string& name) {
-  const auto script = io::read_script(io::Source(name, text), scene.value().stage());
+  const auto script = io::read_script(io::Source(name, text), scene.value().stage(), scene.whole().types());
   if (script.size() == 1) return {done(scene.edited(), script.front())};
   std::vector<std::string> answers;
-  scene::GroupedScene edited = scene.grouped();
+  written::Edited edited = scene.whole();
   for (const io::Step& step : script) answers.push_back(done(edited, step));
   scene.assign(std::move(edited));
   return answers;
 }
 
-Scene read(const py::bytes& text, const std::string& name) {
+/// Of the program's own shapes, or by a Z text.
+Scene read(const py::bytes& text, const std::string& name, const std::optional<std::string>& surfaces) {
   const io::Source source(name, text);
   const py::gil_scoped_release released;
-  return Scene(io::read_grouped_scene(source));
+  if (!surfaces) return Scene(io::read_grouped_scene(source));
+  return Scene(written::Edited(source, std::make_shared<const written::Text>(*surfaces)));
 }
 
-std::string text(const Scene& scene) { return io::scene_text(scene.grouped().scene, scene.grouped().groups); }
+std::string text(const Scene& scene) { return scene.whole().scene_text(); }
+
+/// The file of the Z text that it was read by.
+std::optional<std::string> surfaces(const Scene& scene) {
+  if (scene.whole().text() == nullptr) return std::nullopt;
+  return scene.whole().text()->file();
+}
 
 /// By name what is directly in each.
 std::map<std::string, std::pair<std::vector<std::string>, std::vector<std::string>>> groups(const Scene& scene) {
@@ -122,17 +149,26 @@ std::vector<std::string> names(const Scene& scene) {
   return names;
 }
 
+std::pair<std::string, py::dict> word_and_attributes(const written::Edited& scene, const std::string& name,
+                                                     scene::ElementRef element) {
+  if (const io::WrittenElement* const own = scene.written(name)) {
+    const io::WrittenType& type = scene.types()[own->type];
+    return {type.word, attributes_of(*own, type)};
+  }
+  return scene.of().scene.visit(element, [&]<class Shape>(const Shape& shape) {
+    py::dict attributes;
+    scene::for_each_attribute<Shape>([&](const auto& attribute) {
+      attributes[py::str(std::string(attribute.word))] = as_python(shape.*attribute.field);
+    });
+    return std::pair(std::string(Shape::word), attributes);
+  });
+}
+
 /// Its word, its attributes and its material.
 py::object element(const Scene& scene, const std::string& name) {
   const auto found = scene.value().find(name);
   if (!found) throw py::key_error(name);
-  py::dict attributes;
-  const std::string word = scene.value().visit(*found, [&]<class Shape>(const Shape& shape) {
-    scene::for_each_attribute<Shape>([&](const auto& attribute) {
-      attributes[py::str(std::string(attribute.word))] = as_python(shape.*attribute.field);
-    });
-    return std::string(Shape::word);
-  });
+  const auto [word, attributes] = word_and_attributes(scene.whole(), name, *found);
   const auto material = scene.value().material(*found);
   const py::object look = material ? py::object(py::str(scene.value().stage().materials[*material].name)) : py::none();
   return py::make_tuple(word, attributes, look);
@@ -141,11 +177,11 @@ py::object element(const Scene& scene, const std::string& name) {
 using Size = std::optional<std::pair<std::uint32_t, std::uint32_t>>;
 
 py::array render(const Scene& scene, const Size& size, const std::string& engine_name, const std::string& hierarchy) {
-  const engine::Row& row = engine_named(engine_name);
+  const auto state = scene.state();
+  const engine::Row& row = engine_named(*state, engine_name);
   if (!row.honours_origins)
     throw std::invalid_argument("engine " + engine_name +
                                 ": shadow rays start on elements, of which it knows nothing; expected another");
-  const auto state = scene.state();
   const auto image = [&] {
     const py::gil_scoped_release released;
     if (!size)
@@ -153,8 +189,10 @@ py::array render(const Scene& scene, const Size& size, const std::string& engine
           render::toned(render::render(state->scene(), state->prepared(row, hierarchy)), render::Tone::clamp));
     scene::GroupedScene sized = state->grouped();
     sized.scene.stage().resolution = scene::Resolution{size->first, size->second};
-    return std::make_unique<render::Image>(
-        render::toned(render::render(sized.scene, *engine::prepared(row, hierarchy, sized)), render::Tone::clamp));
+    const bool by_text = state->value().text() != nullptr;  // what answers by it refers to no scene
+    const auto of_pixels = by_text ? nullptr : engine::prepared(row, hierarchy, sized);
+    return std::make_unique<render::Image>(render::toned(
+        render::render(sized.scene, by_text ? state->prepared(row, hierarchy) : *of_pixels), render::Tone::clamp));
   }();
   const py::ssize_t height = image->resolution.height, width = image->resolution.width;
   auto* const pixels = new std::vector<std::uint8_t>(std::move(image->rgb));
@@ -180,6 +218,7 @@ void add_scene(py::module_& module) {
       .def("copy", [](const Scene& scene) { return scene; })
       .def("apply", apply)
       .def("groups", groups)
+      .def("surfaces", surfaces)
       .def("text", text)
       .def("save", [](const Scene& scene, const std::string& path) { io::write_file(path, text(scene)); })
       .def("render", render);

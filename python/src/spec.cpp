@@ -28,6 +28,7 @@ Calculator::Result evaluated(const scene::Scene* scene, const std::string& typed
 /// (its text, whether there is a value or the predicate holds)
 std::pair<std::string, bool> evaluate(const std::string& typed, const Scene* scene) {
   const auto state = scene == nullptr ? nullptr : scene->state();
+  if (state) require_own_shapes(*state, "eval");
   try {
     const Calculator::Result result = evaluated(state ? &state->scene() : nullptr, typed);
     return {result.text, result.yes};

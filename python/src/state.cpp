@@ -26,29 +26,43 @@ Numbering::Numbering(const scene::Scene& scene) {
 
 const Numbering& State::numbering() const {
   const std::scoped_lock lock(making_);
-  if (!numbering_) numbering_ = std::make_unique<const Numbering>(grouped_.scene);
+  if (!numbering_) numbering_ = std::make_unique<const Numbering>(scene());
   return *numbering_;
 }
 
 const engine::Engine& State::prepared(const engine::Row& engine, const std::string& hierarchy) const {
+  if (value_.text() != nullptr && hierarchy != engine::automatic)
+    throw std::invalid_argument(
+        fmt::format("hierarchy {}: the scene was read by {}, which answers; expected no hierarchy",
+                    text::shown(hierarchy), value_.text()->file()));
   const std::scoped_lock lock(making_);
   auto& prepared = engines_[{engine.name, hierarchy}];
-  if (!prepared) prepared = engine::prepared(engine, hierarchy, grouped_);
+  if (!prepared) prepared = value_.text() == nullptr ? engine::prepared(engine, hierarchy, grouped()) : value_.engine();
   return *prepared;
 }
 
-scene::GroupedScene& State::edited() {
+written::Edited& State::edited() {
   numbering_.reset();
   engines_.clear();
-  return grouped_;
+  return value_;
 }
 
-scene::GroupedScene& Scene::edited() {
-  if (state_.use_count() > 1) assign(grouped());
+written::Edited& Scene::edited() {
+  if (state_.use_count() > 1) assign(whole());
   return state_->edited();
 }
 
-const engine::Row& engine_named(std::string_view name) {
+void require_own_shapes(const State& state, std::string_view what) {
+  if (state.value().text() != nullptr)
+    throw std::invalid_argument(
+        fmt::format("the scene was read by {}; expected one without surfaces: {} knows the program's own shapes alone",
+                    state.value().text()->file(), what));
+}
+
+const engine::Row& engine_named(const State& state, std::string_view name) {
+  if (state.value().text() != nullptr && name != engine::default_engine)
+    throw std::invalid_argument(fmt::format("engine {}: the scene was read by {}, which answers; expected no engine",
+                                            text::shown(name), state.value().text()->file()));
   if (const engine::Row* row = engine::find(name)) return *row;
   std::vector<std::string_view> known;
   for (const engine::Row& row : engine::engines()) known.push_back(row.name);

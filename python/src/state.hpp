@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "durero/engine/engine.hpp"
-#include "durero/scene/grouped_scene.hpp"
+#include "durero/written/edited.hpp"
 
 namespace durero::python {
 
@@ -34,19 +34,21 @@ class Numbering {
 /// A scene, and what answers need beside it, which is made when it is first asked for. Any thread may ask.
 class State {
  public:
-  explicit State(scene::GroupedScene grouped) : grouped_(std::move(grouped)) {}
+  explicit State(written::Edited value) : value_(std::move(value)) {}
 
-  const scene::GroupedScene& grouped() const noexcept { return grouped_; }
-  const scene::Scene& scene() const noexcept { return grouped_.scene; }
+  const written::Edited& value() const noexcept { return value_; }
+  const scene::GroupedScene& grouped() const noexcept { return value_.of(); }
+  const scene::Scene& scene() const noexcept { return grouped().scene; }
   const Numbering& numbering() const;
-  /// With its hierarchy made as engine::prepared says, which throws where it cannot be.
+  /// With its hierarchy made as engine::prepared says, which throws where it cannot be. A Z text that the scene was
+  /// read by answers in its place, and knows the elements that rays start on; it has no hierarchy to make.
   const engine::Engine& prepared(const engine::Row& engine, const std::string& hierarchy) const;
 
   /// For an edit, which nobody may read beside: what was made of the scene is forgotten.
-  scene::GroupedScene& edited();
+  written::Edited& edited();
 
  private:
-  scene::GroupedScene grouped_;
+  written::Edited value_;
   mutable std::mutex making_;
   mutable std::unique_ptr<const Numbering> numbering_;
   mutable std::map<std::pair<std::string_view, std::string>, std::unique_ptr<const engine::Engine>>
@@ -58,22 +60,28 @@ class State {
 /// answers for the scene as it was when it began. Whoever calls holds Python's lock, which orders the two.
 class Scene {
  public:
-  explicit Scene(scene::GroupedScene grouped) : state_(std::make_shared<State>(std::move(grouped))) {}
+  explicit Scene(scene::GroupedScene grouped) : Scene(written::Edited(std::move(grouped))) {}
+  explicit Scene(written::Edited value) : state_(std::make_shared<State>(std::move(value))) {}
 
   std::shared_ptr<const State> state() const noexcept { return state_; }
   const scene::Scene& value() const noexcept { return state_->scene(); }
   const scene::GroupedScene& grouped() const noexcept { return state_->grouped(); }
+  const written::Edited& whole() const noexcept { return state_->value(); }
 
   /// The scene and its groups, to be edited in place.
-  scene::GroupedScene& edited();
+  written::Edited& edited();
   /// Puts others in their place.
-  void assign(scene::GroupedScene grouped) { state_ = std::make_shared<State>(std::move(grouped)); }
+  void assign(written::Edited value) { state_ = std::make_shared<State>(std::move(value)); }
 
  private:
   std::shared_ptr<State> state_;
 };
 
-/// Throws std::invalid_argument, which lists the engines, where none has the name.
-const engine::Row& engine_named(std::string_view name);
+/// Throws std::invalid_argument, which lists the engines, where none has the name; and where a Z text answers in their
+/// place, and the name is not that of whoever names none.
+const engine::Row& engine_named(const State& state, std::string_view name);
+
+/// Throws std::invalid_argument where the scene was read by a Z text: `what` knows the program's own shapes alone.
+void require_own_shapes(const State& state, std::string_view what);
 
 }  // namespace durero::python

@@ -29,7 +29,7 @@ class Question {
   Question(const Scene& scene, const py::object& rays, const std::string& engine, const py::object& en,
            const std::string& hierarchy)
       : state_(scene.state()),
-        row_(engine_named(engine)),
+        row_(engine_named(*state_, engine)),
         numbering_(state_->numbering()),
         rays_(rays),
         origins_(en, rays_.size(), numbering_.size()) {

@@ -18,13 +18,12 @@
 #include "durero/model/operaciones.hpp"
 #include "durero/model/tipos.hpp"
 #include "durero/scene/grouped_scene.hpp"
-#include "durero/written/engine.hpp"
+#include "durero/written/edited.hpp"
 
 using namespace durero;
 
 struct durero_scene {
-  scene::GroupedScene value;
-  std::shared_ptr<const engine::Engine> by_text{};  // null where the program's own shapes answer
+  written::Edited value;
 };
 
 struct durero_engine {
@@ -53,12 +52,6 @@ Result guarded(Result failed, Call call) noexcept {
   return failed;
 }
 
-/// An element that a text alone knows stands in the scene as something else.
-void require_own_shapes(const durero_scene& scene) {
-  if (scene.by_text)
-    throw std::invalid_argument("the scene was read by a Z text; expected one that was not, to be edited or written");
-}
-
 scene::Query query(const durero_ray& ray, std::size_t number) {
   const glm::dvec3 p{ray.p[0], ray.p[1], ray.p[2]}, v{ray.v[0], ray.v[1], ray.v[2]};
   const auto is_finite = [](const glm::dvec3& a) {
@@ -85,7 +78,7 @@ durero_outcome outcome(model::Resultado resultado) {
 durero_engine* ready(const durero_scene& scene, std::string_view name, std::string_view hierarchy) {
   const engine::Row* row = engine::find(name);
   if (row == nullptr) throw std::invalid_argument("no engine " + std::string(name));
-  return new durero_engine{&scene.value.scene, engine::prepared(*row, hierarchy, scene.value)};
+  return new durero_engine{&scene.value.of().scene, engine::prepared(*row, hierarchy, scene.value.of())};
 }
 
 durero_hit published(const scene::Hit& hit) {
@@ -106,57 +99,53 @@ durero_scene* durero_scene_new(void) {
 }
 
 durero_scene* durero_scene_read(const char* path) {
-  return guarded<durero_scene*>(nullptr,
-                                [&] { return new durero_scene{io::read_grouped_scene(io::read_source(path))}; });
+  return guarded<durero_scene*>(
+      nullptr, [&] { return new durero_scene{written::Edited(io::read_grouped_scene(io::read_source(path)))}; });
 }
 
 durero_scene* durero_scene_read_with(const char* path, const char* text) {
   return guarded<durero_scene*>(nullptr, [&] {
-    written::Written read = written::read(io::read_source(path), written::Text(text));
-    return new durero_scene{{std::move(read.scene), {}}, std::move(read.engine)};
+    return new durero_scene{written::Edited(io::read_source(path), std::make_shared<const written::Text>(text))};
   });
 }
 
 durero_answer durero_scene_write(const durero_scene* scene, const char* path) {
   return guarded(DURERO_FAILED, [&] {
-    require_own_shapes(*scene);
-    io::write_file(path, io::scene_text(scene->value.scene, scene->value.groups));
+    io::write_file(path, scene->value.scene_text());
     return DURERO_DONE;
   });
 }
 
 void durero_scene_free(durero_scene* scene) { delete scene; }
 
-size_t durero_scene_size(const durero_scene* scene) { return scene->value.scene.size(); }
+size_t durero_scene_size(const durero_scene* scene) { return scene->value.of().scene.size(); }
 
 durero_answer durero_apply(durero_scene* scene, const char* operation) {
   return guarded(DURERO_FAILED, [&] {
-    require_own_shapes(*scene);
-    const auto script = io::read_script(io::Source("operation", operation), scene->value.scene.stage());
+    const auto script =
+        io::read_script(io::Source("operation", operation), scene->value.of().scene.stage(), scene->value.types());
     if (script.size() != 1) throw std::invalid_argument("operation: no single operation; expected one");
-    return std::visit(
-        [&](const auto& edit) {
-          const auto answer = scene->value.apply_total(edit);
-          if (answer.ok()) return DURERO_DONE;
-          last_error.assign(answer.violated->label).append(": ").append(answer.violated->predicate);
-          return DURERO_REFUSED;
-        },
-        script.front().edit);
+    const io::EditAnswer answer = scene->value.apply_total(script.front());
+    if (answer.ok()) return DURERO_DONE;
+    last_error.assign(answer.violated).append(": ").append(answer.predicate);
+    return DURERO_REFUSED;
   });
 }
 
 durero_engine* durero_engine_new(const durero_scene* scene, const char* name) {
   return guarded<durero_engine*>(nullptr, [&] {
-    if (scene->by_text && name != nullptr)
+    const bool by_text = scene->value.text() != nullptr;
+    if (by_text && name != nullptr)
       throw std::invalid_argument("the scene was read by a Z text, which answers; expected no engine's name");
-    if (scene->by_text) return new durero_engine{&scene->value.scene, scene->by_text};
+    const scene::Scene& of = scene->value.of().scene;
+    if (by_text) return new durero_engine{&of, scene->value.engine()};
     return ready(*scene, name == nullptr ? engine::default_engine : std::string_view(name), engine::automatic);
   });
 }
 
 durero_engine* durero_engine_new_by_hand(const durero_scene* scene, const char* name) {
   return guarded<durero_engine*>(nullptr, [&] {
-    if (scene->by_text)
+    if (scene->value.text() != nullptr)
       throw std::invalid_argument("the scene was read by a Z text, which answers; expected one with groups");
     return ready(*scene, name, engine::by_hand);
   });

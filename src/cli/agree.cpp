@@ -1,5 +1,5 @@
-// durero agree SCENE [--rays N] [--seed S] [--engine E] [--format F]: an engine against the sampled oracle on random
-// rays.
+// durero agree SCENE [--rays N] [--seed S] [--engine E | --with TEXT] [--format F]: an engine, or a Z text, against the
+// sampled oracle on random rays.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -29,7 +29,7 @@ using oracle::sampled::Verdict;
 
 struct AgreeOptions {
   std::string scene, format = "text";
-  std::string engine{engine::default_engine};
+  std::string engine{engine::default_engine}, with;
   std::uint64_t rays = 100'000, seed = 1;
   double fineness = oracle::sampled::default_fineness;
   std::size_t threads = 0;
@@ -53,20 +53,41 @@ void print_text(const Agreement& agreement, const AgreeOptions& options, const s
 
 int report(const Agreement& agreement, const AgreeOptions& options, const io::Source& file, const scene::Scene& scene) {
   if (options.format == "json") {
-    io::print(conform::agreement_json(agreement, {file, scene, options.engine, options.seed}));
+    const std::string& answers = options.with.empty() ? options.engine : options.with;
+    io::print(conform::agreement_json(agreement, {file, scene, answers, options.seed}));
   } else {
     print_text(agreement, options, scene);
   }
   return agreement.first ? 1 : 0;
 }
 
+/// The samples know the program's shapes, and no text.
+void require_samples(const io::Source& file, const written::Text& text, const io::WrittenByName& elements) {
+  if (elements.empty()) return;
+  const auto& [name, element] = *elements.begin();
+  const std::string& type = text.types()[element.type].word;
+  throw io::InputError(file.name(), io::element_place(file, name).place,
+                       fmt::format("{} is of the type {}", name, type),
+                       "expected one that the program has samples of: no text says where points of a surface are");
+}
+
+/// A scene, and what answers rays on it.
+written::Written read(const AgreeOptions& options, const io::Source& file) {
+  if (options.with.empty()) return {io::read_scene(file), {}, nullptr};
+  const written::Text text(options.with);
+  written::Written read = written::read(file, text);
+  require_samples(file, text, read.elements);
+  return read;
+}
+
 int run(const AgreeOptions& options) {
   const ThreadLimit limit(options.threads);
   const io::Source file = io::read_source(options.scene);
-  const scene::Scene scene = io::read_scene(file);
+  written::Written asked = read(options, file);
+  const scene::Scene& scene = asked.scene;
   try {
     const oracle::sampled::Oracle oracle(scene, options.fineness);
-    const auto engine = engine::find(options.engine)->prepare(scene);
+    const auto engine = asked.engine ? std::move(asked.engine) : engine::find(options.engine)->prepare(scene);
     std::optional<Progress> progress(std::in_place, options.quiet, "agree", "rays", options.rays);
     const auto first_hits = [&](std::span<const scene::Query> queries) {
       progress->add(queries.size());
@@ -85,7 +106,7 @@ int run(const AgreeOptions& options) {
 }  // namespace
 
 void add_agree(CLI::App& app, int& status) {
-  auto* command = app.add_subcommand("agree", "Hold an engine against the sampled oracle on random rays");
+  auto* command = app.add_subcommand("agree", "Hold an engine, or a Z text, against the sampled oracle on random rays");
   const auto options = std::make_shared<AgreeOptions>();
   command->add_option("SCENE", options->scene, "Scene file (JSON)")->required();
   command->add_option("--rays", options->rays, "How many rays")
@@ -95,6 +116,7 @@ void add_agree(CLI::App& app, int& status) {
       ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
       ->capture_default_str();
   add_engine(*command, options->engine);
+  add_with(*command, options->with);
   command
       ->add_option("--fineness", options->fineness, "Covering radius of the samples, as a share of an element's radius")
       ->check(number(0x1p-10, 1.0))
@@ -104,10 +126,13 @@ void add_agree(CLI::App& app, int& status) {
       ->capture_default_str();
   command->footer(fmt::format(
       "The oracle knows each surface as points. It takes elements with lengths from {} to {}, and centres\n"
-      "with coordinates up to {}; other scenes are refused.\n\n{}{}",
+      "with coordinates up to {}; other scenes are refused. With --with it is the text\n"
+      "that is held against the points: the types are the program's, their surfaces what the text says of "
+      "them.\n\n{}{}",
       oracle::sampled::least_length, oracle::sampled::greatest_length, oracle::sampled::greatest_length,
       exit_status("no hit is wrong", "some hit is, and the first such ray is printed", "the call or the scene is bad"),
-      examples({"agree demo/still-life.json --rays 10000"})));
+      examples({"agree demo/still-life.json --rays 10000",
+                "agree demo/still-life.json --rays 1000 --with spec/puntos.tex"})));
   add_threads(*command, options->threads);
   add_quiet(*command, options->quiet);
   command->callback([options, &status] { status = run(*options); });

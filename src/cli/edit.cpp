@@ -1,4 +1,5 @@
-// durero edit SCENE [--script FILE] [--op TEXT]… [-o OUT] [--audit]: runs operations, answers each in one JSON line.
+// durero edit SCENE [--script FILE] [--op TEXT]… [-o OUT] [--audit] [--by-spec | --with TEXT]: runs operations, answers
+// each in one JSON line.
 #include <fmt/format.h>
 
 #include <optional>
@@ -12,34 +13,35 @@
 #include "durero/io/lines.hpp"
 #include "durero/io/operations_file.hpp"
 #include "durero/io/output_file.hpp"
-#include "durero/io/scene_file.hpp"
 #include "durero/io/standard_output.hpp"
 #include "durero/model/operaciones.hpp"
 #include "durero/oracle/spec.hpp"
 #include "durero/scene/retrieve.hpp"
+#include "durero/written/edited.hpp"
 #include "progress.hpp"
 
 namespace durero::cli {
 namespace {
 
 struct EditOptions {
-  std::string scene, script, out;
+  std::string scene, script, out, with;
   std::vector<std::string> operations;
   bool audit = false, by_spec = false, quiet = false;
 };
 
 // The script's operations, then those of --op, numbered as lines after the script's last.
-std::vector<io::Step> read_script(const EditOptions& options, const scene::Stage& stage) {
+std::vector<io::Step> read_script(const EditOptions& options, const written::Edited& edited) {
+  const scene::Stage& stage = edited.of().scene.stage();
   std::vector<io::Step> steps;
   std::size_t lines = 0;
   if (!options.script.empty() || options.operations.empty()) {
     const io::Source script = io::read_source(options.script.empty() ? "-" : options.script);
-    steps = io::read_script(script, stage);
+    steps = io::read_script(script, stage, edited.types());
     lines = io::count_lines(script.text());
   }
   std::string joined;
   for (const std::string& operation : options.operations) joined.append(operation).append("\n");
-  for (io::Step& step : io::read_script(io::Source("--op", joined), stage)) {
+  for (io::Step& step : io::read_script(io::Source("--op", joined), stage, edited.types())) {
     step.line += lines;
     steps.push_back(std::move(step));
   }
@@ -55,51 +57,41 @@ void agree_by_text(const oracle::spec::Judge& judge, const model::Escena& before
                                      line, *difference));
 }
 
-/// What steps are carried out on, and the text as their judge, if it is asked.
-struct Edited {
-  scene::GroupedScene of;
-  std::optional<oracle::spec::Judge> judge = {};
+/// Judged by the text of spec/, which does not speak of groups.
+io::EditAnswer carry_out(written::Edited& edited, const io::Step& step, const oracle::spec::Judge& judge) {
+  const auto* const edit = std::get_if<scene::Edit>(&step.edit);
+  if (edit == nullptr) return edited.apply_total(step);
+  const model::Escena before = scene::retrieve(edited.of().scene);
+  const model::Answer answer = edited.apply_own(*edit);
+  agree_by_text(judge, before, step.line, edit->operation, answer, scene::retrieve(edited.of().scene));
+  return io::edit_answer(answer);
+}
 
-  /// Answers in a line of JSON, and whether it was done.
-  struct Done {
-    std::string answer;
-    bool ok;
-  };
-
-  Done carry_out(std::size_t line, const scene::Edit& edit) {
-    std::optional<model::Escena> before;
-    if (judge) before = scene::retrieve(of.scene);
-    const model::Answer answer = of.apply_total(edit);
-    if (judge) agree_by_text(*judge, *before, line, edit.operation, answer, scene::retrieve(of.scene));
-    return {io::answer_text(line, answer), answer.ok()};
-  }
-
-  /// Of groups the text does not speak.
-  Done carry_out(std::size_t line, const scene::GroupEdit& edit) {
-    const scene::Outcome answer = of.apply_total(edit);
-    return {io::answer_text(line, answer), answer.ok()};
-  }
-};
+written::Edited read(const EditOptions& options) {
+  const io::Source source = io::read_source(options.scene);
+  if (options.with.empty()) return written::Edited(io::read_grouped_scene(source));
+  return {source, std::make_shared<const written::Text>(options.with)};
+}
 
 int edit(const EditOptions& options) {
   if (options.audit) contract::set_semantic(contract::cost::audit, contract::evaluation_semantic::enforce);
   std::optional<io::OutputFile> out;
   if (!options.out.empty()) out.emplace(options.out);
-  Edited edited{.of = io::read_grouped_scene(io::read_source(options.scene))};
-  const std::vector<io::Step> script = read_script(options, edited.of.scene.stage());
-  if (options.by_spec) edited.judge.emplace();
+  written::Edited edited = read(options);
+  const std::vector<io::Step> script = read_script(options, edited);
+  std::optional<oracle::spec::Judge> judge;
+  if (options.by_spec) judge.emplace();
   int status = 0;
   std::string answers;
   Progress progress(options.quiet, "edit", "operations", script.size());
   for (const io::Step& step : script) {
-    const Edited::Done done =
-        std::visit([&](const auto& edit) { return edited.carry_out(step.line, edit); }, step.edit);
-    answers.append(done.answer).append("\n");
-    if (!done.ok) status = 1;
+    const io::EditAnswer answer = judge ? carry_out(edited, step, *judge) : edited.apply_total(step);
+    answers.append(io::answer_text(step.line, answer)).append("\n");
+    if (!answer.ok()) status = 1;
     progress.add();
   }
   if (out) {
-    out->write(io::scene_text(edited.of.scene, edited.of.groups));
+    out->write(edited.scene_text());
     out->commit();
   }
   io::print(answers);
@@ -116,13 +108,21 @@ void add_edit(CLI::App& app, int& status) {
   command->add_option("--op", options->operations, "An operation; may be given again")->allow_extra_args(false);
   command->add_option("-o,--output", options->out, "Where the edited scene goes; without it nothing is written");
   command->add_flag("--audit", options->audit, "Check whole predicates, with a copy of the old state");
-  command->add_flag("--by-spec", options->by_spec, "Let the Z text decide each step too; a difference is a defect");
+  auto* const by_spec =
+      command->add_flag("--by-spec", options->by_spec, "Let the Z text decide each step too; a difference is a defect");
+  command->add_option("--with", options->with, "A Z text that says what the elements are: each is puntos_TIPO")
+      ->excludes(by_spec);
   add_quiet(*command, options->quiet);
-  command->footer("Without --script and --op, operations are read from the standard input.\n\n" +
-                  exit_status("every operation was carried out", "one was refused",
-                              "the call or a file is bad, and nothing is written") +
-                  examples({"edit demo/still-life.json --op \"Agregar_Esfera e?=moon centro?=(0,3,4) radio?=0.5\" -o "
-                            "edited.json"}));
+  command->footer(
+      "Without --script and --op, operations are read from the standard input. With --with, the types that the text\n"
+      "declares have operations too: puntos_toro gives Agregar_Toro and Eliminar_Toro; what the text gives\n"
+      "no points is refused with the predicate that does not hold.\n\n" +
+      exit_status("every operation was carried out", "one was refused",
+                  "the call or a file is bad, and nothing is written") +
+      examples({"edit demo/still-life.json --op \"Agregar_Esfera e?=moon centro?=(0,3,4) radio?=0.5\" -o "
+                "edited.json",
+                "edit demo/surfaces/torus.json --with demo/surfaces/torus.tex --op \"Agregar_Toro e?=small "
+                "centro?=(0,2,0) mayor?=1 menor?=0.25\" -o edited.json"}));
   command->callback([options, &status] { status = edit(*options); });
 }
 

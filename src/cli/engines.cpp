@@ -118,7 +118,8 @@ void add_hierarchy(CLI::App& command, std::string& hierarchy) {
 void add_with(CLI::App& command, std::string& file) {
   auto* const option =
       command.add_option("--with", file, "A Z text that says what the elements are: each is puntos_TIPO");
-  for (const char* other : {"--engine", "--hierarchy"}) option->excludes(command.get_option(other));
+  for (const char* other : {"--engine", "--hierarchy"})
+    if (auto* const named = command.get_option_no_throw(other)) option->excludes(named);
 }
 
 Asked asked_of(const std::string& file, std::string_view engine, std::string_view hierarchy, const std::string& with,

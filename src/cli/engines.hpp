@@ -21,8 +21,8 @@ void add_max_depth(CLI::App& command, std::optional<std::uint32_t>& max_depth);
 /// Adds the option --hierarchy; what it holds is then `automatic` or `hand`.
 void add_hierarchy(CLI::App& command, std::string& hierarchy);
 
-/// Adds the option --with, a Z text by which the scene is read and its rays are answered; behind the two above, which
-/// it excludes.
+/// Adds the option --with, a Z text by which the scene is read and its rays are answered; behind those of the two above
+/// that the command has, which it excludes.
 void add_with(CLI::App& command, std::string& file);
 
 /// What is done with the pictures that a scene names.

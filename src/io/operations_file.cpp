@@ -12,6 +12,8 @@
 #include "durero/scene/attributes.hpp"
 #include "durero/text/shown.hpp"
 #include "operation_inputs.hpp"
+#include "texture_fields.hpp"
+#include "written_value.hpp"
 
 namespace durero::io {
 namespace {
@@ -109,40 +111,110 @@ std::vector<Schema> all_schemas() {
   return all;
 }
 
-const Schema& schema_of(const Source& source, const Call& call) {
+const std::vector<Schema>& schemas() {
   static const std::vector<Schema> all = all_schemas();
-  std::vector<std::string_view> known;
-  for (const Schema& schema : all) {
-    if (schema.signature.name == call.schema) return schema;
-    known.push_back(schema.signature.name);
+  return all;
+}
+
+std::string operation_name(std::string_view verb, std::string_view word) {
+  std::string name = fmt::format("{}_{}", verb, word);
+  char& first = name[verb.size() + 1];
+  if ('a' <= first && first <= 'z') first = static_cast<char>(first - 'a' + 'A');
+  return name;
+}
+
+/// Of such an element no material has textures, as in a scene file.
+std::optional<std::uint32_t> read_plain_material(const Inputs& in, const scene::Stage& stage) {
+  const auto place = read_material(in, stage);
+  if (place && has_textures(stage.materials[*place]))
+    in.fail(material, fmt::format("material {} has textures", text::shown(in.word(material))),
+            "expected one without: what a text declares has no coordinates (u, v)");
+  return place;
+}
+
+/// The operations of one type that a Z text declares.
+class WrittenSchemas {
+ public:
+  WrittenSchemas(const WrittenType& type, std::size_t place)
+      : type_(type), place_(place), addition_(addition_name(type.word)), removal_(removal_name(type.word)) {}
+
+  void list(std::vector<std::string_view>& known) const {
+    known.push_back(addition_);
+    known.push_back(removal_);
   }
+
+  /// Nothing where the call is of another type.
+  std::optional<AnyEdit> read(const Source& source, const Call& call, const scene::Stage& stage) const {
+    if (call.schema == addition_) return read_addition(source, call, stage);
+    if (call.schema != removal_) return std::nullopt;
+    const Signature signature{removal_, {"e"}, {}};
+    return WrittenEdit(WrittenRemoval{Inputs(source, call, signature).element().name(), place_});
+  }
+
+ private:
+  AnyEdit read_addition(const Source& source, const Call& call, const scene::Stage& stage) const {
+    Signature signature{addition_, {"e"}, {material}};
+    for (const WrittenAttribute& attribute : type_.attributes) signature.required.push_back(attribute.word);
+    const Inputs in(source, call, signature);
+    WrittenElement element{in.element().name(), place_, call.offset, {}, {}};
+    for (const WrittenAttribute& attribute : type_.attributes)
+      element.values.push_back(read_written_value(attribute.kind, [&](auto& to) { in.read(attribute.word, to); }));
+    return WrittenEdit(WrittenAddition{std::move(element), read_plain_material(in, stage)});
+  }
+
+  const WrittenType& type_;
+  std::size_t place_;
+  std::string addition_, removal_;
+};
+
+[[noreturn]] void refuse_unknown(const Source& source, const Call& call, const std::vector<WrittenSchemas>& written) {
+  std::vector<std::string_view> known;
+  for (const Schema& schema : schemas()) known.push_back(schema.signature.name);
+  for (const WrittenSchemas& of : written) of.list(known);
   source.fail(call.offset, fmt::format("unknown operation {}", text::shown(call.schema)),
               fmt::format("expected one of {}", fmt::join(known, ", ")));
 }
 
+AnyEdit edit_of(const Source& source, const Call& call, const scene::Stage& stage,
+                const std::vector<WrittenSchemas>& written) {
+  for (const Schema& schema : schemas())
+    if (schema.signature.name == call.schema) return schema.read(Inputs(source, call, schema.signature), stage);
+  for (const WrittenSchemas& of : written)
+    if (auto edit = of.read(source, call, stage)) return *std::move(edit);
+  refuse_unknown(source, call, written);
+}
+
 }  // namespace
 
-std::vector<Step> read_script(const Source& source, const scene::Stage& stage) {
+std::string addition_name(std::string_view word) { return operation_name("Agregar", word); }
+std::string removal_name(std::string_view word) { return operation_name("Eliminar", word); }
+
+std::vector<Step> read_script(const Source& source, const scene::Stage& stage, std::span<const WrittenType> types) {
+  std::vector<WrittenSchemas> written;
+  for (std::size_t i = 0; i < types.size(); ++i) written.emplace_back(types[i], i);
   std::vector<Step> script;
   Lines lines(source.text());
   while (const auto line = lines.next()) {
     const auto call = read_call(source, *line);
-    if (!call) continue;
-    const Schema& schema = schema_of(source, *call);
-    script.push_back({line->number, schema.read(Inputs(source, *call, schema.signature), stage)});
+    if (call) script.push_back({line->number, edit_of(source, *call, stage, written)});
   }
   return script;
 }
 
-std::string answer_text(std::size_t line, const model::Answer& answer) {
-  return answer_text(line, scene::Outcome{model::name(answer.r), answer.violated});
+EditAnswer edit_answer(const model::Answer& answer) {
+  return edit_answer(scene::Outcome{model::name(answer.r), answer.violated});
 }
 
-std::string answer_text(std::size_t line, const scene::Outcome& answer) {
+EditAnswer edit_answer(const scene::Outcome& answer) {
+  if (answer.ok()) return {std::string(answer.r)};
+  return {std::string(answer.r), std::string(answer.violated->label), std::string(answer.violated->predicate)};
+}
+
+std::string answer_text(std::size_t line, const EditAnswer& answer) {
   std::string text;
   json::Writer out(text);
   out.begin_object().member("line", line).member("ok", answer.ok()).member("r", answer.r);
-  if (!answer.ok()) out.member("violated", answer.violated->label).member("predicate", answer.violated->predicate);
+  if (!answer.ok()) out.member("violated", answer.violated).member("predicate", answer.predicate);
   out.end_object();
   return text;
 }

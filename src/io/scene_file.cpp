@@ -137,7 +137,7 @@ class SceneReader {
       in.fail(use.material.offset, fmt::format("unknown material {}", text::shown(use.material.value)),
               "expected one of the scene's materials");
     }
-    if ((found->textures.any() || found->bump) && is_written(use.element)) {
+    if (has_textures(*found) && is_written(use.element)) {
       in.fail(use.material.offset, fmt::format("material {} has textures", text::shown(use.material.value)),
               "expected one without: what a text declares has no coordinates (u, v)");
     }

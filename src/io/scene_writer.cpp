@@ -63,13 +63,35 @@ void write_groups(json::Writer& out, const scene::Groups& groups) {
   out.end_object();
 }
 
-void write_element(json::Writer& out, const scene::Scene& scene, ElementRef element) {
-  out.begin_object().member("id", scene.name(element).name());
+void write_attributes(json::Writer& out, const WrittenType& type, const WrittenElement& element) {
+  out.member("tipo", type.word);
+  for (std::size_t i = 0; i < type.attributes.size(); ++i)
+    std::visit([&](const auto& value) { out.member(type.attributes[i].word, value); }, element.values[i]);
+}
+
+void write_attributes(json::Writer& out, const scene::Scene& scene, ElementRef element) {
   scene.visit(element, [&]<class Shape>(const Shape& shape) {
     out.member("tipo", Shape::word);
     scene::for_each_attribute<Shape>(
         [&](const auto& attribute) { out.member(attribute.word, shape.*attribute.field); });
   });
+}
+
+/// Of a type that a Z text declares; null where it is none.
+const WrittenElement* written_element(const WrittenPart& written, const std::string& name) {
+  if (written.types.empty()) return nullptr;
+  const auto found = written.by_name->find(name);
+  return found == written.by_name->end() ? nullptr : &found->second;
+}
+
+void write_element(json::Writer& out, const scene::Scene& scene, const WrittenPart& written, ElementRef element) {
+  const std::string& name = scene.name(element).name();
+  out.begin_object().member("id", name);
+  if (const WrittenElement* own = written_element(written, name)) {
+    write_attributes(out, written.types[own->type], *own);
+  } else {
+    write_attributes(out, scene, element);
+  }
   if (const auto material = scene.material(element)) {
     out.member("material", scene.stage().materials[*material].name);
   }
@@ -80,14 +102,16 @@ void write_element(json::Writer& out, const scene::Scene& scene, ElementRef elem
 
 std::string scene_text(const scene::Scene& scene) { return scene_text(scene, {}); }
 
-std::string scene_text(const scene::Scene& scene, const scene::Groups& groups) {
+std::string scene_text(const scene::Scene& scene, const scene::Groups& groups) { return scene_text(scene, groups, {}); }
+
+std::string scene_text(const scene::Scene& scene, const scene::Groups& groups, const WrittenPart& written) {
   std::string text;
   json::Writer out(text);
   write_version(out.begin_object(), scene_format);
   write_stage(out, scene.stage());
   write_groups(out, groups);
   out.new_line().key("elementos").begin_array();
-  for (const ElementRef element : elements_by_name(scene)) write_element(out.new_line(), scene, element);
+  for (const ElementRef element : elements_by_name(scene)) write_element(out.new_line(), scene, written, element);
   if (scene.size() > 0) out.new_line();
   out.end_array().end_object();
   return text + "\n";

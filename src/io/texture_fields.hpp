@@ -19,6 +19,11 @@ void write_member(json::Writer& out, std::string_view key, const scene::TextureU
 void write_member(json::Writer& out, std::string_view key, const std::optional<scene::Bump>& bump);
 /// @}
 
+/// Whether it needs the coordinates (u, v) of what has it.
+inline bool has_textures(const scene::Material& material) {
+  return material.textures.any() || material.bump.has_value();
+}
+
 /// Fails where a material names a texture that the stage has not. Precondition: the stage is that of the document.
 void check_texture_names(const json::Document& document, const scene::Stage& stage);
 

@@ -6,38 +6,25 @@
 #include "durero/text/shown.hpp"
 #include "element_reader.hpp"
 #include "field.hpp"
+#include "written_value.hpp"
 
 namespace durero::io {
 namespace {
 
 constexpr std::size_t id = 0, tipo = 1, first_attribute = 2;
 
-WrittenValue read_value(json::Reader& in, const WrittenAttribute& attribute) {
-  const auto read = [&](auto value) {
-    read_json(in, attribute.word, value);
-    return WrittenValue(value);
-  };
-  switch (attribute.kind) {
-    case WrittenKind::number:
-      return read(0.0);
-    case WrittenKind::triple:
-      return read(glm::dvec3());
-    case WrittenKind::three_points:
-      return read(scene::Corners());
-  }
-  __builtin_unreachable();  // a kind is one of its enumerators
-}
-
-/// The element has a place in the tables, as a sphere.
 void add_name(const json::Reader& in, scene::Scene& scene, const Placed<std::string_view>& name) {
-  const model::Answer answer = scene.apply_total(
-      model::Operation(scene::addition(model::Elemento{std::string(name.value)}, scene::Sphere{{}, 1})));
+  const model::Answer answer = scene.apply_total(stand_in(name.value));
   if (answer.ok()) return;
   in.fail(name.offset, fmt::format("id is {}: {}", text::shown(name.value), model::name(answer.r)),
           fmt::format("expected {} ({})", answer.violated->predicate, answer.violated->label), answer.violated);
 }
 
 }  // namespace
+
+model::Operation stand_in(std::string_view name) {
+  return scene::addition(model::Elemento{std::string(name)}, scene::Sphere{{}, 1});
+}
 
 std::optional<std::size_t> written_type(const json::Reader& in, std::span<const WrittenType> types) {
   auto tipo_here = in.member("tipo");
@@ -67,8 +54,10 @@ void read_written_element(json::Reader& in, std::size_t type, scene::Scene& scen
     } else if (key == material) {
       of = {in.string("material"), at};
     } else {
+      const WrittenAttribute& attribute = attributes[key - first_attribute];
       element.offsets[key - first_attribute] = at;
-      element.values[key - first_attribute] = read_value(in, attributes[key - first_attribute]);
+      element.values[key - first_attribute] =
+          read_written_value(attribute.kind, [&](auto& to) { read_json(in, attribute.word, to); });
     }
   };
   in.object(fmt::format("an element of tipo {}", written.types[type].word), keys, required, read_field);

@@ -4,7 +4,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <map>
 
 #include "durero/io/scene_file.hpp"
 #include "durero/scene/attributes.hpp"
@@ -120,7 +119,7 @@ std::string_view word_of(ElementRef element) {
 Surface surface_of(const io::Source& source, const Text& text, const io::WrittenElement& element) {
   const io::WrittenType& type = text.types()[element.type];
   try {
-    return text.surface(type.word, element.values);
+    return surface_of(text, element);
   } catch (const NotInDomain& refused) {
     std::size_t offset = element.offset;
     for (std::size_t i = 0; i < type.attributes.size(); ++i)
@@ -128,10 +127,6 @@ Surface surface_of(const io::Source& source, const Text& text, const io::Written
     source.fail(offset, fmt::format("{} is not in the domain of puntos_{}", element.id, type.word),
                 fmt::format("expected {}", refused.expected));
   }
-}
-
-Surface surface_of(const Text& text, const scene::Scene& scene, ElementRef element) {
-  return text.surface(std::string(word_of(element)), attributes_of(scene, element));
 }
 
 Surface surface_of(const io::Source& source, const Text& text, const scene::Scene& scene, ElementRef element) {
@@ -155,20 +150,38 @@ std::unique_ptr<const engine::Engine> engine_of(const scene::Scene& scene, Surfa
 
 }  // namespace
 
+Surface surface_of(const Text& text, const scene::Scene& scene, ElementRef element) {
+  return text.surface(std::string(word_of(element)), attributes_of(scene, element));
+}
+
+Surface surface_of(const Text& text, const io::WrittenElement& element) {
+  return text.surface(text.types()[element.type].word, element.values);
+}
+
 std::unique_ptr<const engine::Engine> prepared(const scene::Scene& scene, const Text& text) {
-  return engine_of(scene, [&](ElementRef place) { return surface_of(text, scene, place); });
+  return prepared(scene, {}, text);
+}
+
+std::unique_ptr<const engine::Engine> prepared(const scene::Scene& scene, const io::WrittenByName& elements,
+                                               const Text& text) {
+  return engine_of(scene, [&](ElementRef place) {
+    const auto written = elements.find(scene.name(place).name());
+    return written == elements.end() ? surface_of(text, scene, place) : surface_of(text, written->second);
+  });
 }
 
 Written read(const io::Source& source, const Text& text) {
   std::vector<io::WrittenElement> own;
-  Written result{io::read_scene(source, text.types(), own), nullptr};
+  Written result{io::read_scene(source, text.types(), own), {}, nullptr};
+  for (io::WrittenElement& element : own) {
+    std::string id = element.id;
+    result.elements.emplace(std::move(id), std::move(element));
+  }
   const scene::Scene& scene = result.scene;
-  std::map<ElementRef, const io::WrittenElement*> by_place;
-  for (const io::WrittenElement& element : own) by_place.emplace(scene.find(element.id).value(), &element);
   result.engine = engine_of(scene, [&](ElementRef place) {
-    const auto written = by_place.find(place);
-    return written == by_place.end() ? surface_of(source, text, scene, place)
-                                     : surface_of(source, text, *written->second);
+    const auto written = result.elements.find(scene.name(place).name());
+    return written == result.elements.end() ? surface_of(source, text, scene, place)
+                                            : surface_of(source, text, written->second);
   });
   return result;
 }

@@ -11,14 +11,14 @@ using number::DyadicSurd;
 
 namespace {
 
-/// Those whose union it is, each with an equation; nothing where some part has none, or they are too many.
+/// Those whose union it is, each with an equation; nothing where some part has none. They are no more than its parts.
 std::optional<std::vector<Condition>> pieces_of(const Condition& of);
 
 std::optional<std::vector<Condition>> pieces_of_each(const std::vector<Condition>& sides) {
   std::vector<Condition> all;
   for (const Condition& side : sides) {
     const auto pieces = pieces_of(side);
-    if (!pieces || all.size() + pieces->size() > Surface::most_pieces) return std::nullopt;
+    if (!pieces) return std::nullopt;
     all.insert(all.end(), pieces->begin(), pieces->end());
   }
   return all;
@@ -89,7 +89,10 @@ bool is_before(const First& a, const First& b) {
 
 }  // namespace
 
-bool Surface::has_equation(const Condition& of) { return pieces_of(of).has_value(); }
+std::size_t Surface::pieces(const Condition& of) {
+  const auto pieces = pieces_of(of);
+  return pieces ? pieces->size() : 0;
+}
 
 Surface::Surface(const Condition& of) {
   const std::vector<Condition> pieces = pieces_of(of).value();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <mutex>
 #include <stdexcept>
 
 #include "durero/io/source.hpp"
@@ -122,10 +123,10 @@ struct Text::State {
     if (attributes.size() > most)
       refuse(fmt::format("{} has {} parameters", name.text(), attributes.size()),
              fmt::format("expected {} at most", most));
-    for (const std::string_view key : {"id", "tipo", "material"})
+    for (const std::string_view key : {"id", "tipo", "material", "e"})
       if (std::ranges::find(attributes, key, &io::WrittenAttribute::word) != attributes.end())
         refuse(fmt::format("a parameter of {} is called {}", name.text(), key),
-               "expected another name: every element has that key");
+               "expected another name: every element has that of its own");
   }
 
   /// Whether its values are sets of points: its type is ℙ (A × ℙ Punto).
@@ -188,6 +189,7 @@ struct Text::State {
   std::unique_ptr<Symbolic> symbolic;
   std::vector<io::WrittenType> types;
   bool has_points = false;
+  std::mutex asking;  // of `symbolic`, which counts its steps
 };
 
 Text::Text(const std::string& file) : state_(std::make_unique<State>(file)) {}
@@ -199,6 +201,7 @@ const std::string& Text::file() const { return state_->file; }
 const std::vector<io::WrittenType>& Text::types() const { return state_->types; }
 
 Surface Text::surface(const std::string& type, const std::vector<io::WrittenValue>& attributes) const {
+  const std::scoped_lock lock(state_->asking);
   const Name function{std::string(prefix) + type, ""};
   const auto parameters = state_->symbolic->parameters(state_->section, function);
   if (!parameters)
@@ -214,15 +217,18 @@ Surface Text::surface(const std::string& type, const std::vector<io::WrittenValu
     const Value set = state_->symbolic->apply(state_->section, function, arguments);
     const auto* const suspended = std::get_if<Suspended>(&set.form);
     const Condition points = suspended ? state_->symbolic->member(any_point(), *suspended) : always(true);
-    if (!Surface::has_equation(points))
-      fail({where, place, fmt::format("the points of {} satisfy no equation", function.text()),
-            fmt::format("expected p = q ∧ clips, where p and q are polynomials, or a union of {} such at most",
-                        Surface::most_pieces)});
+    const std::size_t pieces = Surface::pieces(points);
+    if (pieces == 0)
+      fail({where, place, fmt::format("not all points of {} satisfy an equation", function.text()),
+            "expected p = q ∧ clips, where p and q are polynomials, or a union of such"});
+    if (pieces > Surface::most_pieces)
+      fail({where, place, fmt::format("{} is a union of {} pieces", function.text(), pieces),
+            fmt::format("expected {} at most", Surface::most_pieces)});
     return Surface(points);
   } catch (const Refusal& refusal) {
     fail(refusal.defect);
   } catch (const Outside& outside) {
-    throw NotInDomain{outside.parameter.text(), outside.expected};
+    throw NotInDomain{type, outside.parameter.text(), outside.expected};
   } catch (const std::length_error& error) {
     fail({where, place, fmt::format("{} comes to {}", function.text(), error.what()),
           fmt::format("expected a degree of {} at most, and fewer digits", Formula::max_degree)});

@@ -1,5 +1,5 @@
-# durero trace and render --with: what a Z text says of the elements, the bytes of the program's own formulas where it has
-# them, and the refusals.
+# durero trace, render, check, edit and agree --with: what a Z text says of the elements, the bytes of the program's own
+# formulas where it has them, and the refusals.
 support=$(cd "$(dirname "$0")/../support" && pwd)
 surfaces=$(cd "$(dirname "$0")/../../demo/surfaces" && pwd) spec=$(cd "$(dirname "$0")/../../spec" && pwd)
 . "$(dirname "$0")/harness.sh"
@@ -64,6 +64,37 @@ has out 'Escena.inv.1 ok'
 run 0 check "$surfaces/torus.json" --with "$surfaces/torus.tex" --format json
 has out '"triangulo":0,"toro":1}'
 refused "$surfaces/torus.json:9:21: tipo is \"toro\"; " check "$surfaces/torus.json"
+
+# Edits: the text has the last word, and what is written is read again.
+small='Agregar_Toro e?=small centro?=(0,2,0) mayor?=1 menor?=0.25'
+run 0 edit "$surfaces/torus.json" --with "$surfaces/torus.tex" --op "$small" -o edited.json
+is out '{"line":1,"ok":true,"r":"elemento_agregado"}'
+has edited.json '{"id":"small","tipo":"toro","centro":[0,2,0],"mayor":1,"menor":0.25}'
+run 0 check edited.json --with "$surfaces/torus.tex"
+has out ' 2 toro'
+echo '0 2 0 1 0 0' >inside.txt
+run 0 trace edited.json inside.txt --with "$surfaces/torus.tex"
+has out '"elementos":["small"],"t":0.75,'
+run 1 edit edited.json --with "$surfaces/torus.tex" --op 'Agregar_Toro e?=fat centro?=(0,0,0) mayor?=1 menor?=2' \
+  --op 'Eliminar_Esfera e?=small' --op 'Eliminar_Toro e?=small' -o again.json
+is out '{"line":1,"ok":false,"r":"not_in_domain","violated":"puntos_toro.dom","predicate":"menor < mayor"}
+{"line":2,"ok":false,"r":"tipo_incorrecto","violated":"Eliminar_Esfera.pre.1","predicate":"de_que_tipo(e?) = soy_esfera"}
+{"line":3,"ok":true,"r":"elemento_eliminado"}'
+grep -q small again.json && fail 'small is still there'
+refused '--op:1:1: unknown operation "Agregar_Toro"; ' edit scene.json --op "$small"
+refused '--op:1:1: Agregar_Toro lacks menor?; ' edit "$surfaces/torus.json" --with "$surfaces/torus.tex" \
+  --op 'Agregar_Toro e?=a centro?=(0,0,0) mayor?=1' -o bad.json.out
+absent bad.json.out
+refused 'edit: --by-spec excludes --with; ' edit scene.json --with "$spec/puntos.tex" --by-spec --op 'Eliminar_Elemento e=s1'
+
+# The text of spec/ agrees with points that know no equation; the printed one, whose cylinder has the radius √radio, not.
+run 0 agree scene.json --rays 300 --with "$spec/puntos.tex"
+has out 'unexplained: 0'
+run 1 agree "$spec/impresa/dibujo/E10.json" --rays 300 --with "$spec/impresa/dibujo/superficies.tex" --format json
+has out 'superficies.tex","seed":1,'
+refused "$surfaces/torus.json:9:1: ring is of the type toro; expected one that the program has samples of" \
+  agree "$surfaces/torus.json" --with "$surfaces/torus.tex"
+refused 'agree: --engine excludes --with; ' agree scene.json --with "$spec/puntos.tex" --engine exact
 
 # A union: a can with its lids, from within and from its own lid.
 cat >can.tex <<'TEX'

@@ -27,7 +27,7 @@ const model::Operation& operation(const io::Step& step) { return std::get<scene:
 std::string answers(scene::Scene& scene, const std::string& script) {
   std::string all;
   for (const auto& [line, edit] : io::read_script(io::Source("f", script), scene.stage())) {
-    all += io::answer_text(line, scene.apply_total(std::get<scene::Edit>(edit))) + "\n";
+    all += io::answer_text(line, io::edit_answer(scene.apply_total(std::get<scene::Edit>(edit)))) + "\n";
   }
   return all;
 }
@@ -89,7 +89,7 @@ Eliminar_Esfera e?=s1)";
   CHECK(wrong("group g=a elementos=(1,2,3)").find("elementos? is no list of names") != std::string::npos);
   CHECK(wrong("group g=\"\"").find("expected a name") != std::string::npos);
   CHECK(wrong("ungroup g=a groups=b").find("unknown input") != std::string::npos);
-  CHECK(io::answer_text(3, scene::Outcome{"no_such_group", &scene::ungroup_pre_1}) ==
+  CHECK(io::answer_text(3, io::edit_answer(scene::Outcome{"no_such_group", &scene::ungroup_pre_1})) ==
         R"({"line":3,"ok":false,"r":"no_such_group","violated":"ungroup.pre.1","predicate":"g? ∈ dom groups"})");
 }
 

@@ -232,3 +232,77 @@ def unfiltered(rows: npt.NDArray[np.uint8]) -> npt.NDArray[np.uint8]:
 
 def test_the_repository_has_one_version() -> None:
     assert f"project(durero VERSION {durero.__version__} " in (ROOT / "CMakeLists.txt").read_text()
+
+
+SURFACES = ROOT / "demo" / "surfaces"
+TORUS = SURFACES / "torus.tex"
+
+
+def torus_scene() -> durero.Scene:
+    return durero.Scene.load(SURFACES / "torus.json", surfaces=TORUS)
+
+
+def test_a_text_says_what_elements_are() -> None:
+    scene = torus_scene()
+    assert scene.surfaces == str(TORUS) and durero.Scene().surfaces is None
+    ring = scene["ring"]
+    assert ring == durero.Written("toro", {"centro": (0.0, 0.0, 0.0), "mayor": 2.0, "menor": 0.75}, "brass")
+    assert isinstance(scene["ball"], durero.Esfera)
+    rays = np.array([[-5, 0, 0, 1, 0, 0], [0, 9, 0, 0, 1, 0]], float)
+    hits = scene.trace(rays)
+    assert hits["t"][0] == 2.25 and scene.names[hits["element"][0]] == "ring"
+    assert scene.occluded(rays).tolist() == [True, False]
+    start = np.array([[-2.75, 0, 0, 1, 0, 0]], float)
+    on_ring = np.array([scene.names.index("ring")])
+    assert scene.trace(start, en=on_ring)["t"][0] == 1.5
+    assert scene.render((12, 8)).shape == (8, 12, 3)
+
+
+def test_edits_are_held_against_the_text() -> None:
+    scene = torus_scene()
+    before = scene.dumps()
+    with pytest.raises(durero.Refused) as refused:
+        scene.add("wide", durero.Written("toro", {"centro": (0, 0, 0), "mayor": 1, "menor": 2}))
+    assert (refused.value.label, refused.value.predicate) == ("puntos_toro.dom", "menor < mayor")
+    assert (refused.value.r, refused.value.operation) == ("not_in_domain", "Agregar_Toro")
+    assert refused.value.values == {"e": "wide", "centro": (0, 0, 0), "mayor": 1, "menor": 2}
+    with pytest.raises(durero.Refused) as refused:
+        scene.apply("Eliminar_Toro e?=ball")
+    assert (refused.value.label, refused.value.operation) == ("Eliminar_Toro.pre.1", "Eliminar_Toro")
+    with pytest.raises(durero.Refused):
+        scene.apply_all(["Eliminar_Toro e?=ring", "Eliminar_Toro e?=ring"])
+    assert scene.dumps() == before
+    rays = np.array([[-5, 0, 0, 1, 0, 0]], float)
+    assert scene.trace(rays)["t"][0] == 2.25
+    red = durero.Written("toro", {"centro": (0, 0, 0), "mayor": 3, "menor": 0.5}, "brass")
+    assert scene.add("outer", red) == "elemento_agregado"
+    assert scene["outer"] == red
+    assert scene.trace(rays)["t"][0] == 1.5
+    assert scene.remove("outer") == "elemento_eliminado"
+    assert scene.dumps() == before and durero.Scene.loads(before, surfaces=TORUS).dumps() == before
+
+
+def test_copies_and_pickles_keep_the_text() -> None:
+    scene = torus_scene()
+    other = copy.copy(scene)
+    other.remove("ring")
+    assert "ring" in scene and "ring" not in other
+    again = pickle.loads(pickle.dumps(scene))
+    assert again == scene and again.surfaces == scene.surfaces
+
+
+def test_what_knows_the_types_of_the_specification_alone_refuses_a_text() -> None:
+    scene = torus_scene()
+    ray = (0, 0, 0, 1, 0, 0)
+    for ask in (
+        lambda: scene.exact(ray),
+        lambda: durero.spec.eval("#elementos", scene),
+        lambda: durero.conform.explain(scene, ray),
+        lambda: scene.trace(np.array([ray], float), "exact"),
+    ):
+        with pytest.raises(ValueError, match="the scene was read by .*torus.tex"):
+            ask()
+    with pytest.raises(durero.InputError, match='tipo is "toro"'):
+        durero.Scene.load(SURFACES / "torus.json")
+    with pytest.raises(OSError):
+        durero.Scene.load(SURFACES / "torus.json", surfaces="none.tex")

@@ -96,10 +96,10 @@ TEST_CASE("Two equations are a curve, which a ray meets in points of both") {
 
 TEST_CASE("What no point satisfies is met nowhere, and an equation must be a conjunct") {
   CHECK(is_nowhere(Surface(always(false)).first(ray({-3, 0, 0}, {1, 0, 0}), false)));
-  CHECK(Surface::has_equation(always(false)));
-  CHECK(Surface::has_equation(both(compared(x, is_positive), ball)));
-  CHECK_FALSE(Surface::has_equation(always(true)));
-  CHECK_FALSE(Surface::has_equation(compared(x, not_negative)));
+  CHECK(Surface::pieces(always(false)) == 1);
+  CHECK(Surface::pieces(both(compared(x, is_positive), ball)) == 1);
+  CHECK(Surface::pieces(always(true)) == 0);
+  CHECK(Surface::pieces(compared(x, not_negative)) == 0);
 }
 
 TEST_CASE("A surface hides what lies behind it before t = 1, and not at it") {
@@ -150,18 +150,18 @@ TEST_CASE("A ray that starts on a union starts on the pieces that its origin may
   CHECK(at(surface.first(ray({-3, 0, 0}, {1, 0, 0}), true)) == 2);
 }
 
-TEST_CASE("What satisfies no equation on some side is no union of surfaces, nor is one of too many") {
+TEST_CASE("What satisfies no equation on some side is no union of surfaces; the pieces of one are counted") {
   const Condition inside = compared(x, not_negative);
-  CHECK(Surface::has_equation(either(ball, plane)));
-  CHECK(Surface::has_equation(both(either(ball, plane), inside)));
-  CHECK_FALSE(Surface::has_equation(either(ball, inside)));
-  CHECK_FALSE(Surface::has_equation(both(inside, either(inside, plane))));
+  CHECK(Surface::pieces(either(ball, plane)) == 2);
+  CHECK(Surface::pieces(both(either(ball, plane), inside)) == 2);
+  CHECK(Surface::pieces(either(ball, inside)) == 0);
+  CHECK(Surface::pieces(both(inside, either(inside, plane))) == 0);
   Condition many = plane;
   for (int i = 1; i <= static_cast<int>(Surface::most_pieces); ++i) {
-    CHECK(Surface::has_equation(many));
+    CHECK(Surface::pieces(many) == static_cast<std::size_t>(i));
     many = either(std::move(many), compared(y - Formula(i), is_zero));
   }
-  CHECK_FALSE(Surface::has_equation(many));
+  CHECK(Surface::pieces(many) == Surface::most_pieces + 1);
   CHECK(at(Surface(both(either(ball, plane), inside)).first(ray({-3, 0.5, 0}, {1, 0, 0}), false)) == Approx(3.8660254));
 }
 

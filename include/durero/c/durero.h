@@ -52,7 +52,7 @@ durero_scene *durero_scene_new(void);
 /** Reads a scene file, with its groups; NULL where it is none, with its file, line and column. */
 durero_scene *durero_scene_read(const char *path);
 /** Reads a scene file by a Z text, another file, that says what the points of each element are, as `durero trace --with`
- * does. Such a scene is asked and no more: to edit it or to write it is DURERO_FAILED. NULL where a file is wrong. */
+ * does. Edits of such a scene are those of `durero edit --with`. NULL where a file is wrong. */
 durero_scene *durero_scene_read_with(const char *path, const char *text);
 /** Writes a scene file, which appears whole or not at all. DURERO_FAILED where it cannot be written. */
 durero_answer durero_scene_write(const durero_scene *scene, const char *path);
@@ -64,7 +64,7 @@ size_t durero_scene_size(const durero_scene *scene);
 /** Runs one operation, as `durero edit` reads it: "Agregar_Esfera e?=s1 centro?=(0,0,5) radio?=1", or an edit of the
  * scene's groups: "group g?=pair elementos?=s1,s2", "ungroup g?=pair". DURERO_REFUSED where
  * a precondition does not hold: the scene is as it was, and durero_error() is "LABEL: PREDICATE", the clause of the
- * specification. DURERO_FAILED where the text is no operation. */
+ * specification, or of a text that the scene was read by. DURERO_FAILED where the text is no operation. */
 durero_answer durero_apply(durero_scene *scene, const char *operation);
 
 /** Makes the engine of that name ready for the scene (`durero engines` lists them; NULL is the usual one). The scene must

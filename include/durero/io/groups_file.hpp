@@ -4,6 +4,7 @@
 #include <string>
 
 #include "durero/io/source.hpp"
+#include "durero/io/written_elements.hpp"
 #include "durero/scene/grouped_scene.hpp"
 
 namespace durero::io {
@@ -18,5 +19,7 @@ scene::GroupedScene read_grouped_scene(const Source& source);
 /// The canonical text of a scene and of groups of its elements: the same bytes for the same scene and groups. Without
 /// groups that of scene_text(scene).
 std::string scene_text(const scene::Scene& scene, const scene::Groups& groups);
+/// The same of a scene whose elements are in part of types that a Z text declares: those are written as they are read.
+std::string scene_text(const scene::Scene& scene, const scene::Groups& groups, const WrittenPart& written);
 
 }  // namespace durero::io

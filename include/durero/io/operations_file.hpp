@@ -7,15 +7,20 @@
 ///   group g?=pair elementos?=s1,s2 groups?=others        an edit of the groups
 ///   ungroup g?=pair
 ///
+///   Agregar_Toro e?=ring centro?=(0,0,0) mayor?=2 menor?=1   of a type that a Z text declares: its word with a capital
+///   Eliminar_Toro e?=ring
+///
 /// The additions also take `material`, a name among the scene's materials, which the new element gets. Numbers are
 /// decimal or, as text, C's hexadecimal. What an operation refuses (radius 0, a name that is taken) is no error of the
 /// text: it is answered. An error is what no operation could be made of.
 
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "durero/io/source.hpp"
+#include "durero/io/written_elements.hpp"
 #include "durero/scene/edit.hpp"
 #include "durero/scene/groups.hpp"
 #include "durero/scene/scene.hpp"
@@ -26,15 +31,27 @@ namespace durero::io {
 struct Step {
   std::size_t line;  ///< from 1
   /// A material is a place in the stage that the script was read with.
-  std::variant<scene::Edit, scene::GroupEdit> edit;
+  std::variant<scene::Edit, scene::GroupEdit, WrittenEdit> edit;
 };
 
-/// Reads a whole script, so that a malformed line stops it before anything is done. Throws InputError.
-std::vector<Step> read_script(const Source& source, const scene::Stage& stage);
-
-/// @{ `{"line":1,"ok":true,"r":"esfera_agregada"}`, or with what was violated; without line end.
-std::string answer_text(std::size_t line, const model::Answer& answer);
-std::string answer_text(std::size_t line, const scene::Outcome& answer);
+/// What an edit answers. Of a type that a Z text declares, what does not hold is a predicate of that text.
+struct EditAnswer {
+  std::string r;            ///< r!, or a word
+  std::string violated{};   ///< the label of what does not hold; empty where the edit is done
+  std::string predicate{};  ///< that
+  /// Whether the edit is done.
+  bool ok() const noexcept { return violated.empty(); }
+};
+/// @{ What those answers say.
+EditAnswer edit_answer(const model::Answer& answer);
+EditAnswer edit_answer(const scene::Outcome& answer);
 /// @}
+
+/// Reads a whole script, so that a malformed line stops it before anything is done. Throws InputError. Of a WrittenEdit
+/// there is none where there are no types.
+std::vector<Step> read_script(const Source& source, const scene::Stage& stage, std::span<const WrittenType> types = {});
+
+/// `{"line":1,"ok":true,"r":"esfera_agregada"}`, or with what was violated; without line end.
+std::string answer_text(std::size_t line, const EditAnswer& answer);
 
 }  // namespace durero::io

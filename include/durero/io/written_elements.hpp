@@ -4,7 +4,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <glm/vec3.hpp>
+#include <map>
+#include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -34,13 +38,42 @@ struct WrittenType {
   std::vector<WrittenAttribute> attributes;  ///< all of them are required
 };
 
-/// An element of such a type, as it stands in a file.
+/// An element of such a type, as it stands in a file, or in a script that adds it.
 struct WrittenElement {
   std::string id;                    ///< its name
   std::size_t type;                  ///< its place among the types
   std::size_t offset;                ///< where the element stands
   std::vector<WrittenValue> values;  ///< in step with the attributes of its type
-  std::vector<std::size_t> offsets;  ///< where these stand
+  std::vector<std::size_t> offsets;  ///< where these stand; none in a script
 };
+/// Elements by their names.
+using WrittenByName = std::map<std::string, WrittenElement, std::less<>>;
+
+/// The elements of such types that a scene has, and the types.
+struct WrittenPart {
+  std::span<const WrittenType> types{};    ///< what WrittenElement::type is a place of
+  const WrittenByName* by_name = nullptr;  ///< not null where there are types
+};
+
+/// The operation that gives such an element its name and its place in a scene: it stands there as a sphere.
+model::Operation stand_in(std::string_view name);
+
+/// An addition of such an element, `Agregar_Toro`.
+struct WrittenAddition {
+  WrittenElement element;                   ///< what is added
+  std::optional<std::uint32_t> material{};  ///< a place in the stage's materials
+};
+/// The removal of an element of one such type, `Eliminar_Toro`.
+struct WrittenRemoval {
+  std::string e;     ///< its name
+  std::size_t type;  ///< which type it is to be of
+};
+/// An edit of elements of such types.
+using WrittenEdit = std::variant<WrittenAddition, WrittenRemoval>;
+
+/// @{ The names of these, of the type of that word.
+std::string addition_name(std::string_view word);
+std::string removal_name(std::string_view word);
+/// @}
 
 }  // namespace durero::io

@@ -14,12 +14,21 @@ namespace durero::written {
 /// it.
 struct Written {
   scene::Scene scene;                            ///< read by io::read_scene(source, types, elements)
+  io::WrittenByName elements;                    ///< those of them that are of types of the text
   std::unique_ptr<const engine::Engine> engine;  ///< exact, and honours origins; it does not refer to the scene
 };
 
 /// What answers rays on a scene by the text, where the program has shapes for all its elements; it does not refer to
 /// the scene. Throws NotInDomain, and io::InputError at what is wrong in the text.
 std::unique_ptr<const engine::Engine> prepared(const scene::Scene& scene, const Text& text);
+/// The same where these elements of the scene are of types that the text declares.
+std::unique_ptr<const engine::Engine> prepared(const scene::Scene& scene, const io::WrittenByName& elements,
+                                               const Text& text);
+
+/// The points of an element that the program has a shape for, by the text. Throws as prepared(scene, text) does.
+Surface surface_of(const Text& text, const scene::Scene& scene, scene::ElementRef element);
+/// The points of an element of a type of the text. Throws as Text::surface does.
+Surface surface_of(const Text& text, const io::WrittenElement& element);
 
 /// Reads a scene by the text. Throws io::InputError at the first thing that is wrong, in the scene or in the text.
 Written read(const io::Source& source, const Text& text);

@@ -87,11 +87,11 @@ class Surface {
   /// No condition is followed that comes to more of them.
   static constexpr std::size_t most_pieces = 64;
 
-  /// Precondition: has_equation(of).
+  /// Precondition: 0 < pieces(of) ≤ most_pieces.
   explicit Surface(const Condition& of);
-  /// Whether every point satisfies an equation: one is a conjunct of it, or of each side of an ∨ among the conjuncts,
-  /// which makes most_pieces at most.
-  static bool has_equation(const Condition& of);
+  /// How many pieces it comes to; 0 where it comes to none. A piece is what has an equation among its conjuncts, or is
+  /// true of no point; a conjunction without comes to those of the first ∨ in it each of whose sides comes to some.
+  static std::size_t pieces(const Condition& of);
 
   /// Where the ray meets it first. A ray that starts on the surface starts on every piece whose equations may be true
   /// of the point that its origin is the rounding of; of one piece alone, on that.

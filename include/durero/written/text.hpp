@@ -15,7 +15,7 @@
 
 namespace durero::written {
 
-/// A Z text with types of elements. Not for use by two threads at once.
+/// A Z text with types of elements. Any number of threads may ask it.
 class Text {
  public:
   /// Reads a file, and its parents: from its folder, or the program's own text. Throws io::FileError, and
@@ -43,6 +43,7 @@ class Text {
 
 /// The attributes of an element are not in the domain of its function.
 struct NotInDomain {
+  std::string type;       ///< of puntos_TYPE
   std::string attribute;  ///< which of them; empty where it is several together
   std::string expected;   ///< what is to hold, in Z
 };

@@ -1,0 +1,63 @@
+#pragma once
+/// A scene that is edited, with its groups. Where a Z text says what its elements are, the text is asked of each
+/// addition, too: what is not in the domain of puntos_TIPO is refused with the predicate that does not hold.
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "durero/io/operations_file.hpp"
+#include "durero/scene/grouped_scene.hpp"
+#include "durero/written/engine.hpp"
+
+namespace durero::written {
+
+/// Such a scene. A copy shares the text.
+class Edited {
+ public:
+  /// Of the program's own shapes; no text is asked.
+  explicit Edited(scene::GroupedScene scene = {}) : of_(std::move(scene)) {}
+  /// Reads a scene by the text. Throws io::InputError at the first thing that is wrong, in the scene or in the text.
+  Edited(const io::Source& source, std::shared_ptr<const Text> text);
+
+  /// The scene and its groups. Elements of types of the text stand in it as spheres, under their names.
+  const scene::GroupedScene& of() const noexcept { return of_; }
+  /// The text; null where none is asked.
+  const Text* text() const noexcept { return text_.get(); }
+  /// The types that the text declares.
+  std::span<const io::WrittenType> types() const;
+  /// The element of that name, where it is of a type of the text; otherwise null.
+  const io::WrittenElement* written(std::string_view name) const;
+
+  /// @{ The total edits: where something does not hold they change nothing, and answer so. io::InputError where the
+  /// text is wrong; the scene is then as it was.
+  io::EditAnswer apply_total(const scene::Edit& edit);
+  io::EditAnswer apply_total(const scene::GroupEdit& edit) { return io::edit_answer(of_.apply_total(edit)); }
+  io::EditAnswer apply_total(const io::WrittenEdit& edit);
+  io::EditAnswer apply_total(const io::Step& step) {
+    return std::visit([&](const auto& edit) { return apply_total(edit); }, step.edit);
+  }
+  /// @}
+
+  /// The edit of the program's own shapes, with the clause that it breaks. Precondition: no text is asked.
+  model::Answer apply_own(const scene::Edit& edit) { return of_.apply_total(edit); }
+
+  /// What answers rays, by the text. Precondition: there is one. Refers to nothing here.
+  std::unique_ptr<const engine::Engine> engine() const;
+
+  /// The canonical text of its scene file.
+  std::string scene_text() const;
+
+ private:
+  io::EditAnswer add(const io::WrittenAddition& in);
+  io::EditAnswer remove(const io::WrittenRemoval& in);
+  /// Carries out an addition, and then makes the surface: where the text does not give it one, as if nothing had been.
+  template <class MakeSurface>
+  io::EditAnswer add_if_given(const scene::Edit& edit, MakeSurface make);
+
+  scene::GroupedScene of_;
+  std::shared_ptr<const Text> text_{};
+  io::WrittenByName elements_{};
+};
+
+}  // namespace durero::written
