@@ -6,12 +6,13 @@
 
     reach_of e             == the exact first hit of an element
     rounds ray out t       == out is t and the point at t, each number rounded once
-    says s s' ray en a     == the answer a is the text's *)
+    says s s' ray en a     == the answer a is the text's
+    exactly_printed S p v x == the exact parameter x and the point there, each the nearest binary64 *)
 From Durero Require Acceleration Lattice Grid.
 From Coq Require Import ZArith Reals List Bool Lra.
 From Flocq Require Import Core BinarySingleNaN.
 From Durero Require Import Toolkit Especificacion Escena Puntos Trazador Interseccion Surd Quadratic Exacto ExactoEscena
-  Walk Limits Search Boxes.
+  Walk Limits Search Boxes Nearest.
 Import ListNotations.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -24,6 +25,34 @@ Definition rounds (ray : Rayo) (out : printed) (t : R) : Prop :=
   let w := point_at ray t in
   rounded_once (printed_t out) t /\ rounded_once (printed_x out) (Punto_x w)
   /\ rounded_once (printed_y out) (Punto_y w) /\ rounded_once (printed_z out) (Punto_z w).
+
+(** What is printed of an exact parameter: an executable function, with hints that change nothing. *)
+Definition exactly_printed (guess : Z -> Z) (at_t at_x at_y at_z : Z) (S : Z) (p v : vec3) (x : surd) : printed :=
+  Printed (nearest guess at_t x) (nearest guess at_x (coordinate S (vx p) (vx v) x))
+    (nearest guess at_y (coordinate S (vy p) (vy v) x)) (nearest guess at_z (coordinate S (vz p) (vz v) x)).
+
+Theorem exactly_printed_is_rounded_once guess at_t at_x at_y at_z S p v x : (0 < S)%Z -> valid x ->
+  rounds (the_ray S p v) (exactly_printed guess at_t at_x at_y at_z S p v x) (val x).
+Proof.
+  intros HS Hx.
+  assert (Hc : forall at_c a b, rounded_once (nearest guess at_c (coordinate S a b x)) (over S a + val x * over S b)).
+  { intros at_c a b. destruct (coordinate_correct S a b x HS Hx) as [Hv <-]. now apply nearest_is_rounded_once. }
+  split; [now apply nearest_is_rounded_once |]. exact (conj (Hc _ _ _) (conj (Hc _ _ _) (Hc _ _ _))).
+Qed.
+
+(** So where an answer has the bits of these, its parameter and its point are the text's, rounded once. *)
+Theorem judged_bytes_are_the_texts Elemento (s s' : Especificacion.Escena Elemento) S en p v es guess at_t at_x at_y at_z :
+  (0 < S)%Z -> Escena_ok s -> Rayo_ok (the_ray S p v) -> describes Elemento S s en es -> Xi_Escena s s' ->
+  en ⊆ elementos s -> forall x l, first_hit S p v es = Exacto.Hit x l ->
+  exists t, Hay_Interseccion s s' (the_ray S p v) en hit (fun e => In e l) t (point_at (the_ray S p v) t)
+  /\ rounds (the_ray S p v) (exactly_printed guess at_t at_x at_y at_z S p v x) t.
+Proof.
+  intros HS ok ray_ok Hd same known x l E. exists (val x). split.
+  - pose proof (first_hit_is_Primera_Interseccion Elemento S HS s ok en p v es ray_ok Hd s' same known) as H.
+    now rewrite E in H.
+  - apply exactly_printed_is_rounded_once; [exact HS |]. pose proof (first_hit_correct S p v es HS) as H.
+    rewrite E in H. apply H.
+Qed.
 
 Section Text.
 Variable Elemento : Type.

@@ -1450,4 +1450,92 @@ Definition first_of_linear_on (f : quadratic twofold) (limit : R) : answer twofo
     Miss
   else Undecided.
 
+Record improved := Improved { known_slope : bool; better : twofold; better_error : R }.
+Record once := Once { rounded : R; certain : bool }.
+Record once_point := Once_point { of_t : R; of_x : R; of_y : R; of_z : R; all_certain : bool }.
+
+Definition newton (t slope A : known R) (f : known twofold) : improved :=
+  let x1 := rnd ((4503600077730459 * bpow radix2 (-52)) * rnd (rnd (2 * error slope) + rnd (rnd (Rabs (value A) + error
+      A) * error t))) in
+  let x2 := rnd (2 * value slope) in
+  let x3 := Rabs x2 in
+  let x4 := rnd (hi (value f) + lo (value f)) in
+  let x5 := rnd ((- x4) / x2) in
+  let x6 := rnd (value t + x5) in
+  let x7 := rnd (x6 - value t) in
+  let x8 := Rabs x5 in
+  Improved (Rlt_bool (rnd (2 * x1)) x3) (Twofold x6 (rnd (rnd (value t - rnd (x6 - x7)) + rnd (x5 - x7)))) (rnd (rnd
+      (rnd (rnd (rnd (error f + rnd (bpow radix2 (-52) * Rabs x4)) + rnd (x8 * x1)) / rnd (x3 - x1)) * (4503600077730459
+      * bpow radix2 (-52))) + rnd (bpow radix2 (-51) * x8))).
+
+Definition round_once (t : twofold) (error : R) : once :=
+  let x1 := rnd (rnd ((4503600077730459 * bpow radix2 (-52)) * error) + rnd (bpow radix2 (-52) * Rabs (lo t))) in
+  let x2 := rnd (hi t + rnd (lo t - x1)) in
+  let x3 := Rabs x2 in
+  Once x2 (andb (andb (Req_bool x2 (rnd (hi t + rnd (lo t + x1)))) (Rlt_bool (bpow radix2 (-900)) x3)) (Rlt_bool x3
+      (bpow radix2 900))).
+
+Definition coordinate (p v : R) (t : twofold) (error : R) : known twofold :=
+  let x1 := rnd (hi t * v) in
+  let x2 := rnd (x1 + p) in
+  let x3 := rnd (x2 - x1) in
+  Known (Twofold x2 (rnd (rnd (rnd (x1 - rnd (x2 - x3)) + rnd (p - x3)) + rnd (rnd (rnd (hi t * v - x1) + rnd (lo t *
+      v)) + 0)))) (rnd (rnd (Rabs v * error) + rnd (bpow radix2 (-102) * rnd (Rabs x1 + Rabs p)))).
+
+Definition round_coordinate (p v : R) (t : twofold) (error : R) : once :=
+  let x1 := Req_bool v 0 in
+  let x2 := rnd (hi t * v) in
+  let x3 := rnd (x2 + p) in
+  let x4 := rnd (x3 - x2) in
+  let x5 := rnd (rnd (rnd (x2 - rnd (x3 - x4)) + rnd (p - x4)) + rnd (rnd (rnd (hi t * v - x2) + rnd (lo t * v)) + 0))
+      in
+  let x6 := rnd (rnd ((4503600077730459 * bpow radix2 (-52)) * rnd (rnd (Rabs v * error) + rnd (bpow radix2 (-102) * rnd
+      (Rabs x2 + Rabs p)))) + rnd (bpow radix2 (-52) * Rabs x5)) in
+  let x7 := rnd (x3 + rnd (x5 - x6)) in
+  let x8 := Rabs x7 in
+  Once (if x1 then rnd (p + 0) else x7) (orb x1 (andb (andb (Req_bool x7 (rnd (x3 + rnd (x5 + x6)))) (Rlt_bool (bpow
+      radix2 (-900)) x8)) (Rlt_bool x8 (bpow radix2 900)))).
+
+Definition round_point (p v : vec) (t : twofold) (error : R) : once_point :=
+  let x1 := rnd (rnd ((4503600077730459 * bpow radix2 (-52)) * error) + rnd (bpow radix2 (-52) * Rabs (lo t))) in
+  let x2 := rnd (hi t + rnd (lo t - x1)) in
+  let x3 := Req_bool (cx v) 0 in
+  let x4 := rnd (hi t * cx v) in
+  let x5 := rnd (x4 + cx p) in
+  let x6 := rnd (x5 - x4) in
+  let x7 := rnd (rnd (rnd (x4 - rnd (x5 - x6)) + rnd (cx p - x6)) + rnd (rnd (rnd (hi t * cx v - x4) + rnd (lo t * cx
+      v)) + 0)) in
+  let x8 := rnd (rnd ((4503600077730459 * bpow radix2 (-52)) * rnd (rnd (Rabs (cx v) * error) + rnd (bpow radix2 (-102)
+      * rnd (Rabs x4 + Rabs (cx p))))) + rnd (bpow radix2 (-52) * Rabs x7)) in
+  let x9 := rnd (x5 + rnd (x7 - x8)) in
+  let x10 := Req_bool (cy v) 0 in
+  let x11 := rnd (hi t * cy v) in
+  let x12 := rnd (x11 + cy p) in
+  let x13 := rnd (x12 - x11) in
+  let x14 := rnd (rnd (rnd (x11 - rnd (x12 - x13)) + rnd (cy p - x13)) + rnd (rnd (rnd (hi t * cy v - x11) + rnd (lo t *
+      cy v)) + 0)) in
+  let x15 := rnd (rnd ((4503600077730459 * bpow radix2 (-52)) * rnd (rnd (Rabs (cy v) * error) + rnd (bpow radix2 (-102)
+      * rnd (Rabs x11 + Rabs (cy p))))) + rnd (bpow radix2 (-52) * Rabs x14)) in
+  let x16 := rnd (x12 + rnd (x14 - x15)) in
+  let x17 := Req_bool (cz v) 0 in
+  let x18 := rnd (hi t * cz v) in
+  let x19 := rnd (x18 + cz p) in
+  let x20 := rnd (x19 - x18) in
+  let x21 := rnd (rnd (rnd (x18 - rnd (x19 - x20)) + rnd (cz p - x20)) + rnd (rnd (rnd (hi t * cz v - x18) + rnd (lo t *
+      cz v)) + 0)) in
+  let x22 := rnd (rnd ((4503600077730459 * bpow radix2 (-52)) * rnd (rnd (Rabs (cz v) * error) + rnd (bpow radix2 (-102)
+      * rnd (Rabs x18 + Rabs (cz p))))) + rnd (bpow radix2 (-52) * Rabs x21)) in
+  let x23 := rnd (x19 + rnd (x21 - x22)) in
+  let x24 := Rabs x2 in
+  let x25 := Rabs x9 in
+  let x26 := Rabs x16 in
+  let x27 := Rabs x23 in
+  Once_point x2 (if x3 then rnd (cx p + 0) else x9) (if x10 then rnd (cy p + 0) else x16) (if x17 then rnd (cz p + 0)
+      else x23) (andb (andb (andb (andb (andb (Req_bool x2 (rnd (hi t + rnd (lo t + x1)))) (Rlt_bool (bpow radix2
+      (-900)) x24)) (Rlt_bool x24 (bpow radix2 900))) (orb x3 (andb (andb (Req_bool x9 (rnd (x5 + rnd (x7 + x8))))
+      (Rlt_bool (bpow radix2 (-900)) x25)) (Rlt_bool x25 (bpow radix2 900))))) (orb x10 (andb (andb (Req_bool x16 (rnd
+      (x12 + rnd (x14 + x15)))) (Rlt_bool (bpow radix2 (-900)) x26)) (Rlt_bool x26 (bpow radix2 900))))) (orb x17 (andb
+      (andb (Req_bool x23 (rnd (x19 + rnd (x21 + x22)))) (Rlt_bool (bpow radix2 (-900)) x27)) (Rlt_bool x27 (bpow radix2
+      900))))).
+
 End Pairs.

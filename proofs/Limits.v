@@ -4,7 +4,8 @@
     rounded_once x r       == x is the real r rounded to the nearest binary64, ties to even, +∞ or -∞ beyond the largest:
                               all but the sign of a zero
     less_excludes, less_at_least == what x < y, with its infinities, says of the reals that they are ends of
-    least_by less x l      == the least of x and l, as std::min_element finds it *)
+    least_by less x l      == the least of x and l, as std::min_element finds it
+    several l              == l has two or more *)
 From Coq Require Import ZArith Reals List Bool Lra.
 From Flocq Require Import Core BinarySingleNaN.
 Import ListNotations.
@@ -76,6 +77,14 @@ Proof.
   pose proof (K m (or_introl eq_refl)) as Km.
   destruct Ha as [<- | [<- | Ha]]; [lra | lra | apply K; now right].
 Qed.
+
+(** Those that are not farther than the nearest, by two comparisons: of what comes first, and of what is farther. *)
+Definition not_farther {A} (first farther : A -> A -> bool) (l : list A) : list A :=
+  match l with
+  | [] => []
+  | c :: l' => filter (fun d => negb (farther (least_by first c l') d)) l
+  end.
+Definition several {A} (l : list A) : bool := match l with _ :: _ :: _ => true | _ => false end.
 
 (** ** Lists that name each once *)
 

@@ -39,9 +39,10 @@ Proof.
   - apply Rmult_le_compat; auto using bpow_ge_0.
 Qed.
 
-Theorem quotient_bound_any x x_fl x_error y y_fl y_error :
+(** What is lost in computing the error of x may be a little part of it. *)
+Theorem quotient_bound_any_with_slack x x_fl x_error y y_fl y_error :
   format x_error -> format y_fl -> format y_error -> bpow radix2 (-900) <= x_error -> bpow radix2 (-900) * Rabs y_fl <= x_error ->
-  Rabs (x_fl - x) <= x_error -> Rabs (y_fl - y) <= y_error -> 2 * y_error < Rabs y_fl ->
+  Rabs (x_fl - x) <= (1 + / 1000000000) * x_error -> Rabs (y_fl - y) <= y_error -> 2 * y_error < Rabs y_fl ->
   let t := Formas.quotient x_fl x_error y_fl y_error in
   Rabs (Formas.value t - x / y) <= Formas.error t /\ bpow radix2 (-900) <= Formas.error t /\ format (Formas.value t) /\
   format (Formas.error t).
@@ -78,7 +79,7 @@ Proof.
     apply Rmult_le_compat_l; [apply bpow_ge_0 | unfold g; lra]. }
   pose proof (least_below (-900) W ltac:(lia) HW) as HzW; fold z e in HzW.
   assert (HW0 : 0 < W) by (pose proof (bpow_gt_0 radix2 (-900)); lra).
-  assert (Hexact : Rabs (T - x / y) <= (1 + 2 * e) * W + 2 * z).
+  assert (Hexact : Rabs (T - x / y) <= (1 + 2 * e + / 1000000000) * W + 2 * z).
   { apply Rmult_le_reg_r with g; [assumption|].
     apply Rle_trans with (Rabs (T - x / y) * Rabs y); [apply Rmult_le_compat_l; [apply Rabs_pos | assumption]|].
     rewrite <- Rabs_mult; replace ((T - x / y) * y) with ((x_fl - x) + T * (y - y_fl)) by (unfold T; field; auto).
@@ -86,7 +87,8 @@ Proof.
     assert (Rabs T * Rabs (y_fl - y) <= ((1 + 2 * e) * Rabs t + 2 * z) * y_error)
       by (apply Rmult_le_compat; auto using Rabs_pos).
     assert (z * y_error <= z * g) by (apply Rmult_le_compat_l; lra).
-    replace (((1 + 2 * e) * W + 2 * z) * g) with ((1 + 2 * e) * (W * g) + 2 * (z * g)) by ring; rewrite HWg.
+    replace (((1 + 2 * e + / 1000000000) * W + 2 * z) * g)
+      with ((1 + 2 * e + / 1000000000) * (W * g) + 2 * (z * g)) by ring; rewrite HWg.
     assert (0 <= e * x_error) by (apply Rmult_le_pos; lra); lra. }
   (* The computed bound is no less. *)
   pose proof (rnd_low_any _ Hty) as E1; fold e z in E1.
@@ -152,17 +154,40 @@ Proof.
   - apply Rle_trans with (1 := HW), Rle_trans with (2 := Hbound); lra.
 Qed.
 
+(** Nothing is lost there. *)
+Corollary quotient_bound_any x x_fl x_error y y_fl y_error :
+  format x_error -> format y_fl -> format y_error -> bpow radix2 (-900) <= x_error -> bpow radix2 (-900) * Rabs y_fl <= x_error ->
+  Rabs (x_fl - x) <= x_error -> Rabs (y_fl - y) <= y_error -> 2 * y_error < Rabs y_fl ->
+  let t := Formas.quotient x_fl x_error y_fl y_error in
+  Rabs (Formas.value t - x / y) <= Formas.error t /\ bpow radix2 (-900) <= Formas.error t /\ format (Formas.value t) /\
+  format (Formas.error t).
+Proof.
+  intros Fx Fy Fye Hleast Hratio Hx; apply quotient_bound_any_with_slack; auto.
+  pose proof (bpow_gt_0 radix2 (-900)); lra.
+Qed.
+
 (** As the curved shapes need it. *)
-Theorem quotient_bound x x_fl x_error y y_fl y_error :
+Corollary quotient_bound_with_slack x x_fl x_error y y_fl y_error :
+  format x_error -> format y_fl -> format y_error -> bpow radix2 (-360) <= x_error ->
+  Rabs (x_fl - x) <= (1 + / 1000000000) * x_error -> Rabs (y_fl - y) <= y_error -> 2 * y_error < Rabs y_fl <= bpow radix2 450 ->
+  let t := Formas.quotient x_fl x_error y_fl y_error in
+  Rabs (Formas.value t - x / y) <= Formas.error t /\ bpow radix2 (-900) <= Formas.error t /\ format (Formas.value t) /\
+  format (Formas.error t).
+Proof.
+  intros Fx Fy Fye Hleast Hx Hy [Hbig Hlarge]; apply quotient_bound_any_with_slack; auto.
+  - apply Rle_trans with (2 := Hleast), bpow_le; lia.
+  - apply Rle_trans with (bpow radix2 (-900) * bpow radix2 450).
+    + apply Rmult_le_compat_l; [apply bpow_ge_0 | assumption].
+    + rewrite <- bpow_plus; apply Rle_trans with (2 := Hleast), bpow_le; lia.
+Qed.
+
+Corollary quotient_bound x x_fl x_error y y_fl y_error :
   format x_error -> format y_fl -> format y_error -> bpow radix2 (-360) <= x_error ->
   Rabs (x_fl - x) <= x_error -> Rabs (y_fl - y) <= y_error -> 2 * y_error < Rabs y_fl <= bpow radix2 450 ->
   let t := Formas.quotient x_fl x_error y_fl y_error in
   Rabs (Formas.value t - x / y) <= Formas.error t /\ bpow radix2 (-900) <= Formas.error t /\ format (Formas.value t) /\
   format (Formas.error t).
 Proof.
-  intros Fx Fy Fye Hleast Hx Hy [Hbig Hlarge]; apply quotient_bound_any; auto.
-  - apply Rle_trans with (2 := Hleast), bpow_le; lia.
-  - apply Rle_trans with (bpow radix2 (-900) * bpow radix2 450).
-    + apply Rmult_le_compat_l; [apply bpow_ge_0 | assumption].
-    + rewrite <- bpow_plus; apply Rle_trans with (2 := Hleast), bpow_le; lia.
+  intros Fx Fy Fye Hleast Hx; apply quotient_bound_with_slack; auto.
+  pose proof (bpow_gt_0 radix2 (-360)); lra.
 Qed.

@@ -128,18 +128,10 @@ Definition by_finding (less : Finding -> Finding -> bool) (c d : candidate) : bo
   match snd c, snd d with By_stable f, By_stable g => less f g | _, _ => false end.
 Definition by_exact (c d : candidate) : bool :=
   match snd c, snd d with By_exact x, By_exact y => (cmp x y <? 0)%Z | _, _ => false end.
-
-(** Those that are not farther than the nearest, by two comparisons: of what comes first, and of what is farther. *)
-Definition not_farther (first farther : candidate -> candidate -> bool) (l : list candidate) : list candidate :=
-  match l with
-  | [] => []
-  | c :: l' => filter (fun d => negb (farther (least_by first c l') d)) l
-  end.
 Definition nearest_by_stable (l : list candidate) : list candidate :=
   let refined := map refine l in
   if forallb is_stable refined then not_farther (by_finding ahead) (by_finding certainly_less) refined else refined.
 Definition nearest_by_exact (l : list candidate) : list candidate := not_farther by_exact by_exact (map exactly l).
-Definition several {A} (l : list A) : bool := match l with _ :: _ :: _ => true | _ => false end.
 Definition nearest (l : list candidate) : list candidate :=
   let l' := if several l then nearest_by_stable l else l in if several l' then nearest_by_exact l' else l'.
 
@@ -170,14 +162,6 @@ Definition published (st : found) : answer :=
 
 Hypothesis right : steps_right.
 
-Lemma first_met e : In e es ->
-  (exists t, is_least (met e) t) \/ (forall t, ~ met e t) \/ starts_in (met e).
-Proof.
-  intros He. pose proof (exact_step e He) as H. destruct (reach_of e) as [| x |]; cbn in H.
-  - right; now left.
-  - left. exists (val x). now split.
-  - right; right. destruct H as [eps [Hpos H]]. exists eps. split; [exact Hpos |]. intros t Ht. apply H. lra.
-Qed.
 Lemma no_start e t : is_least (met e) t -> ~ starts_in (met e).
 Proof. intros H S. apply (starts_in_no_least (met e) S); [apply met_positive | now exists t]. Qed.
 
@@ -484,7 +468,9 @@ Proof.
   assert (NoStart : forall e, In e es -> ~ starts_in (met e)).
   { intros e He S. destruct (proj2 (W1 e) (conj (Begun e He S) S)). }
   assert (Firsts : forall e, In e es -> (exists t, is_least (met e) t) \/ forall t, ~ met e t).
-  { intros e He. destruct (first_met e He) as [F | [F | F]]; [now left | now right | now destruct (NoStart e He)]. }
+  { intros e He. pose proof (exact_step e He) as F. destruct (reach_of e) as [| x |]; cbn in F; [now right | |].
+    - left. exists (val x). now split.
+    - destruct (NoStart e He), F as [eps [Hpos F]]. exists eps. split; [exact Hpos |]. intros t Ht. apply F. lra. }
   destruct (least_of_finite E es met Firsts) as [[m [[e1 [He1 Hm1]] Hm]] | None_].
   - assert (M : forall e t, In e es -> met e t -> m <= t) by (intros e t He Ht; apply Hm; now exists e).
     assert (Hm1' : is_least (met e1) m) by (split; [exact Hm1 | intros t Ht; now apply (M e1)]).

@@ -15,7 +15,8 @@
      ray ... = hit NAME,NAME... t x y z        the names in any order
    A ray without a claim is answered on stdout, in one line:
      miss | no_minimum NAME,NAME... | hit NAME,NAME... num coef rad den     with t = (num + coef * sqrt rad) / den
-   A claim is judged: t and the coordinates must be the exact ones rounded once to the nearest binary64, ties to even.
+   A claim is judged: the bits of t and of the coordinates must be those of the exact ones rounded once to the nearest
+   binary64, ties to even; a zero has the sign of what was rounded.
    A wrong claim is a line on stdout. Exit status: 0, 1 if some claim is wrong, 2 if the input is bad. *)
 
 module E = Exacto
@@ -83,34 +84,21 @@ let shapes_at scene k =
       Hashtbl.replace scene.shapes k shapes;
       shapes
 
-(* Rounding: x lies between the midpoints around f, or on one of them and f is even. *)
+(* The bits of what is printed of an exact parameter: t, x, y and z, each rounded once by the extracted procedure. The
+   claim gives it hints of where to look, which change no result: roots from Zarith, and where the claimed bits end. *)
 
-let rational num den : E.surd = { num; coef = Z.zero; rad = Z.zero; den }
+let bits_of_float f = Z.extract (Z.of_int64 (Int64.bits_of_float f)) 0 64
 
-let surd_of_dyadic { mantissa; exponent } =
-  if exponent >= 0 then rational (Z.shift_left mantissa exponent) Z.one
-  else rational mantissa (Z.shift_left Z.one (-exponent))
+let place f =
+  if f = 0. then -1074 else if Float.abs f = infinity then 900 else snd (Float.frexp f) - 64
 
-(* 2^1024 stands where the next binary64 after the largest would be. *)
-let beyond f = if f = infinity then { mantissa = Z.one; exponent = 1024 }
-  else if f = neg_infinity then { mantissa = Z.minus_one; exponent = 1024 }
-  else dyadic_of_float f
+let exact_bits s p v exact claimed =
+  let guess n = if Z.sign n < 0 then Z.zero else Z.sqrt n in
+  let at i = Z.of_int (place claimed.(i)) in
+  let out = E.exactly_printed guess (at 0) (at 1) (at 2) (at 3) s p v exact in
+  Array.map E.bits [| out.printed_t; out.printed_x; out.printed_y; out.printed_z |]
 
-let midpoint f g =
-  let a = beyond f and b = beyond g in
-  let e = min a.exponent b.exponent in
-  let at x = Z.shift_left x.mantissa (x.exponent - e) in
-  surd_of_dyadic { mantissa = Z.add (at a) (at b); exponent = e - 1 }
-
-let is_even f = Float.abs f = infinity || Int64.logand (Int64.bits_of_float f) 1L = 0L
-
-let rounds_to (x : E.surd) f =
-  let against bound = Z.sign (E.cmp x bound) in
-  let above = f = neg_infinity || (let s = against (midpoint (Float.pred f) f) in s > 0 || (s = 0 && is_even f)) in
-  let below = f = infinity || (let s = against (midpoint f (Float.succ f)) in s < 0 || (s = 0 && is_even f)) in
-  above && below
-
-type claim = None_claimed | Miss | No_minimum of string list | Hit of string list * float * float array
+type claim = None_claimed | Miss | No_minimum of string list | Hit of string list * float array
 
 let names word = List.sort compare (String.split_on_char ',' word)
 
@@ -118,7 +106,7 @@ let read_claim = function
   | [] -> None_claimed
   | [ "="; "miss" ] -> Miss
   | [ "="; "no_minimum"; elements ] -> No_minimum (names elements)
-  | [ "="; "hit"; elements; t; x; y; z ] -> Hit (names elements, read_float t, Array.map read_float [| x; y; z |])
+  | [ "="; "hit"; elements; t; x; y; z ] -> Hit (names elements, Array.map read_float [| t; x; y; z |])
   | words -> bad ("not a claim: " ^ String.concat " " words)
 
 let print_surd ({ num; coef; rad; den } : E.surd) = String.concat " " (List.map Z.to_string [ num; coef; rad; den ])
@@ -132,12 +120,9 @@ let holds s (p : E.vec3) (v : E.vec3) claim answer =
   match (claim, answer) with
   | Miss, E.Miss -> true
   | No_minimum claimed, E.NoMin elements -> claimed = List.sort compare elements
-  | Hit (claimed, t, point), E.Hit (exact, elements) ->
+  | Hit (claimed, numbers), E.Hit (exact, elements) ->
       claimed = List.sort compare elements
-      && rounds_to exact t
-      && rounds_to (E.coordinate s p.vx v.vx exact) point.(0)
-      && rounds_to (E.coordinate s p.vy v.vy exact) point.(1)
-      && rounds_to (E.coordinate s p.vz v.vz exact) point.(2)
+      && Array.for_all2 Z.equal (Array.map bits_of_float numbers) (exact_bits s p v exact numbers)
   | _ -> false
 
 let rec split_origin scene on = function

@@ -1,5 +1,5 @@
 /// A root improved by one step of Newton's, and numbers rounded once where that is certain: one ray or several in
-/// lanes.
+/// lanes. What is certain is rounded right: proofs/Once.v.
 
 #if defined(DURERO_TRACE_ROUNDING_INL_HPP_) == defined(HWY_TARGET_TOGGLE)
 #ifdef DURERO_TRACE_ROUNDING_INL_HPP_
@@ -78,6 +78,22 @@ HWY_INLINE Once<R> round_coordinate(R p, R v, const Pair<R>& t, R t_error) {
   const Once<R> x = round_once(at.value, at.error);
   const Truth<R> still = v == 0, certain = still | x.certain;
   return {choose(still, R(p + 0.0), x.value), certain};
+}
+
+/// The parameter and the point there, each rounded once where all of them are certain.
+template <class R>
+struct OncePoint {
+  R t, x, y, z;
+  Truth<R> certain;
+};
+template <class R, class Ray>
+HWY_INLINE OncePoint<R> round_point(const Ray& ray, const Pair<R>& t, R t_error) {
+  const Once<R> of_t = round_once(t, t_error);
+  const Once<R> x = round_coordinate<R>(ray.p.x, ray.v.x, t, t_error);
+  const Once<R> y = round_coordinate<R>(ray.p.y, ray.v.y, t, t_error);
+  const Once<R> z = round_coordinate<R>(ray.p.z, ray.v.z, t, t_error);
+  const Truth<R> certain = of_t.certain & x.certain & y.certain & z.certain;
+  return {of_t.value, x.value, y.value, z.value, certain};
 }
 
 }  // namespace HWY_NAMESPACE

@@ -19,11 +19,8 @@ using model::Tipo;
 
 Rounded rounded_of(const Ray& ray, const Finding& finding) {
   const Pair<double> t(finding.hi, finding.lo);
-  const Once<double> of_t = round_once(t, finding.error);
-  const Once<double> x = round_coordinate(ray.p.x, ray.v.x, t, finding.error);
-  const Once<double> y = round_coordinate(ray.p.y, ray.v.y, t, finding.error);
-  const Once<double> z = round_coordinate(ray.p.z, ray.v.z, t, finding.error);
-  return {of_t.certain && x.certain && y.certain && z.certain, of_t.value, {x.value, y.value, z.value}};
+  const OncePoint<double> once = round_point(ray, t, finding.error);
+  return {once.certain, once.t, {once.x, once.y, once.z}};
 }
 
 Finding improved_of(scene::ShapeView element, const Ray& ray, bool on, const Finding& finding) {
@@ -48,15 +45,12 @@ void round_lanes(const Packet& packet, const Findings& findings, RoundedPacket& 
     const Improved<Lanes> better =
         newton<Lanes>({t, load(findings.error)}, {load(findings.at_root), load(findings.at_root_error)},
                       {load(findings.A), load(findings.A_error)}, power_at(t, e, ray));
-    const Once<Lanes> of_t = round_once(better.t, better.error);
-    const Once<Lanes> x = round_coordinate(ray.p.x, ray.v.x, better.t, better.error);
-    const Once<Lanes> y = round_coordinate(ray.p.y, ray.v.y, better.t, better.error);
-    const Once<Lanes> z = round_coordinate(ray.p.z, ray.v.z, better.t, better.error);
-    of_t.value.store(&result.t[at]);
-    x.value.store(&result.x[at]);
-    y.value.store(&result.y[at]);
-    z.value.store(&result.z[at]);
-    result.certain |= bits(better.known & of_t.certain & x.certain & y.certain & z.certain) << at;
+    const OncePoint<Lanes> once = round_point(ray, better.t, better.error);
+    once.t.store(&result.t[at]);
+    once.x.store(&result.x[at]);
+    once.y.store(&result.y[at]);
+    once.z.store(&result.z[at]);
+    result.certain |= bits(better.known & once.certain) << at;
   }
 }
 

@@ -66,7 +66,7 @@ missing() { comm -23 "$1" "$2" | sed "s|\$|: $3|"; }
       sed -n "${place##*:}p" "${place%:*}" | grep -qw "$statement" ||
         echo "$place: $theorem is to prove $named, and does not state $statement"
     done <"$tmp/conjectures.index"
-    sed 's/(\*.*\*)//' proofs/Main.v >"$tmp/main"
+    sed 's/(\*.*\*)//' proofs/Main*.v >"$tmp/main"
     cat "$tmp/axioms" "$tmp/conjectures" | while read -r named; do
       statement=$(echo "$named" | tr . _)
       grep -q "^Definition $statement : Prop :=" proofs/Especificacion.v proofs/Tablas.v ||

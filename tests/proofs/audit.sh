@@ -1,5 +1,6 @@
 #!/bin/sh
 # The audit of the proofs: what could make a theorem of proofs/Main.v mean less than it says.
+# The statements are those of Main.v and of the files that it continues, Main*.v; below, Main.v stands for all of them.
 #   audit.sh CHECK PROOFS [BUILD_DIRECTORY]
 #     text         no proof is left open, nothing is assumed outside a section or a module type, no check of Coq's is
 #                  switched off, and Main.v holds statements and nothing that they could be bent with
@@ -78,12 +79,12 @@ audit_text() {
       first = 1
       while (word[first] ~ /^([-+*{}:,!]|\[|\]|[0-9]+)$/) first++  # bullets, braces, and which goals
       if (word[first] ~ /^([a-z(]|[A-Z][A-Za-z_]*\.[a-z])/) next  # a tactic
-      if (file !~ /\/Main\.v$/ && (word[first] == "Local" || word[first] == "Global")) first++
+      if (file !~ /\/Main[A-Za-z]*\.v$/ && (word[first] == "Local" || word[first] == "Global")) first++
       if (word[first] == "Local" && word[first + 1] ~ /^(Open|Notation)$/) first++
       kind = word[first]; sub(/\.$/, "", kind)
       two = kind " " word[first + 1]
       if (two == "Open Scope" || two == "Declare Scope" || two == "Delimit Scope" || two == "Set Implicit") next
-      if (file ~ /\/Main\.v$/ && !(kind in in_main)) wrong("no sentence for Main.v, which states and refers only")
+      if (file ~ /\/Main[A-Za-z]*\.v$/ && !(kind in in_main)) wrong("no sentence for Main.v, which states and refers only")
       else if (!(kind in in_any)) wrong("a kind of sentence that the audit does not know: it may assume anything")
       else if (kind ~ /^(Variable|Hypothes|Context)/ && room[depth] != "Section") wrong("assumed outside a section")
       else if (kind == "Parameter" && room[depth] != "Module Type") wrong("assumed outside a module type")
@@ -111,8 +112,12 @@ audit_reachable() {
       exit bad }'
 }
 
-# The theorems of Main.v, in its order.
-theorems() { sentences "$proofs/Main.v" | sed -n 's/^[^:]*:[0-9]*:Theorem \([A-Za-z0-9_]*\).*/\1/p'; }
+# The theorems of Main.v, in its order, each as FILE.NAME. MainText.v comes first, Main.v last.
+theorems() {
+  for file in $(printf '%s\n' "$proofs"/Main*.v | sort -r); do
+    sentences "$file" | sed -n 's/^.*\/\(Main[A-Za-z]*\)\.v:[0-9]*:Theorem \([A-Za-z0-9_]*\).*/\1.\2/p'
+  done
+}
 
 # ask FILE: Coq's answers to the commands of that file, with Main.v loaded and nothing imported: then a name is printed
 # with its file, whatever notations and coercions say.
@@ -126,13 +131,13 @@ ask() {
 
 # One line a theorem of Main.v: its name and the axioms that it rests on, sorted.
 assumptions() {
-  theorems | sed "s|.*|Redirect \"$tmp/&\" Print Assumptions Main.&.|" >"$tmp/questions"
+  theorems | sed "s|.*|Redirect \"$tmp/&\" Print Assumptions &.|" >"$tmp/questions"
   ask "$tmp/questions" >&2 || return 1
   for theorem in $(theorems); do  # an axiom begins its line; its type is indented, or follows a colon
     found=$(sed -n 's/^Closed under the global context$/none/; /^Axioms:$/d; s/ *:.*//; /^[^ ]/p' \
       "$tmp/$theorem.out" | sort -u | tr '\n' ' ')
     [ -n "$found" ] || { echo "Main.v: no assumptions found of $theorem" >&2; return 1; }
-    echo "$theorem: ${found% }"
+    echo "${theorem#*.}: ${found% }"
   done
 }
 
@@ -150,12 +155,12 @@ audit_assumptions() {
 # of what Coq's libraries define.
 statements() {
   own=$(cd "$proofs" && printf '%s\n' ./*.v | sed 's|^\./||; s|\.v$||' | tr '\n' '|')
-  theorems | sed 's/^/Main./' >"$tmp/new"
+  theorems >"$tmp/new"
   : >"$tmp/known"
   round=0
   while [ -s "$tmp/new" ]; do
     round=$((round + 1))
-    awk -v out="$tmp/$round" '{ say = $0 ~ /^(Durero\.)?Main\./ ? "Check @" : "Print "
+    awk -v out="$tmp/$round" '{ say = $0 ~ /^(Durero\.)?Main[A-Za-z]*\./ ? "Check @" : "Print "
       printf "Redirect \"%s.%04d.is\" About %s.\nRedirect \"%s.%04d.says\" %s%s.\n", out, NR, $0, out, NR, say, $0 }' \
       "$tmp/new" >"$tmp/questions"
     ask "$tmp/questions" >&2 || return 1

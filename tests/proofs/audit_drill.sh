@@ -119,12 +119,12 @@ sed -i 's/^\(Theorem a_certified_miss_is_a_miss t :\) Formas/\1 False -> Formas/
   s/^Hypothesis ray_ok : .*/& Hypothesis ray_still : Rayo_v ray = mk_Vector 0 0 0./
   /^Theorem the_segment_is_of_a_generator/,/^Proof/ s/^Proof\./& pose proof ray_still./
   s/^Theorem first_hit_of_an_element/Let proper f : Prop := or (Trazador.proper f) False.\n&/
-  s/^Proof\. exact (first_correct f)\. Qed\./Proof. intros [H | []]. now apply first_correct. Qed./' "$proofs/Main.v"
+  s/^Proof\. exact (first_correct f)\. Qed\./Proof. intros [H | []]. now apply first_correct. Qed./' "$proofs"/Main*.v
 printf 'Lemma alone : True.\nProof. exact I. Qed.\n' >"$proofs/Alone.v"
 builds "three statements with another meaning, and a file beside the point"
 saw statements "a premise that is false" '^+ .*_ : False'
 saw statements "a hypothesis that nothing satisfies" '^+ .*eq (Especificacion.Rayo_v ray)'
-saw statements "another notion under a name of a statement" '^+.Constant Durero.Main.proper'
+saw statements "another notion under a name of a statement" '^+.Constant Durero.MainText.proper'
 saw reachable "a file that Main.v does not depend on" 'Alone.v'
 
 # small: proofs of two files that pass the audit. The theorem names two definitions, and the second of them a third.

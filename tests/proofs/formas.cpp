@@ -7,6 +7,7 @@
 #include "durero/scene/attributes.hpp"
 #include "durero/scene/shapes.hpp"
 #include "proofs/recorder.hpp"
+#include "trace/rounding-inl.hpp"
 
 namespace durero::trace::HWY_NAMESPACE {
 namespace {
@@ -232,6 +233,41 @@ void twofold() {
   define("", "root_of (x : twofold) : twofold", [&] { return built(sqrt(x)); });
 }
 
+/// A root improved, and what is rounded once.
+void once() {
+  const Twofold<Term> t{real("hi t"), real("lo t")}, at{real("hi (value f)"), real("lo (value f)")};
+  const Term p = real("p"), v = real("v"), error = real("error");
+  const auto pair = [](const Twofold<Term>& x) {
+    return trace::HWY_NAMESPACE::built("Twofold", {x.hi.node, x.lo.node});
+  };
+  std::printf(
+      "\nRecord improved := Improved { known_slope : bool; better : twofold; better_error : R }.\n"
+      "Record once := Once { rounded : R; certain : bool }.\n"
+      "Record once_point := Once_point { of_t : R; of_x : R; of_y : R; of_z : R; all_certain : bool }.\n");
+  define("", "newton (t slope A : known R) (f : known twofold) : improved", [&] {
+    const Improved<Term> found =
+        newton<Term>({real("value t"), real("error t")}, {real("value slope"), real("error slope")},
+                     {real("value A"), real("error A")}, {at, real("error f")});
+    return Built{"Improved", {found.known.node, pair(found.t), found.error.node}};
+  });
+  define("", "round_once (t : twofold) (error : R) : once", [&] {
+    const Once<Term> found = round_once(t, error);
+    return Built{"Once", {found.value.node, found.certain.node}};
+  });
+  define("", "coordinate (p v : R) (t : twofold) (error : R) : known twofold", [&] {
+    const Coordinate<Term> found = coordinate(p, v, t, error);
+    return Built{"Known", {pair(found.value), found.error.node}};
+  });
+  define("", "round_coordinate (p v : R) (t : twofold) (error : R) : once", [&] {
+    const Once<Term> found = round_coordinate(p, v, t, error);
+    return Built{"Once", {found.value.node, found.certain.node}};
+  });
+  define("", "round_point (p v : vec) (t : twofold) (error : R) : once_point", [&] {
+    const OncePoint<Term> found = round_point(ray(), t, error);
+    return Built{"Once_point", {found.t.node, found.x.node, found.y.node, found.z.node, found.certain.node}};
+  });
+}
+
 void write() {
   std::fputs(head, stdout);
   std::printf("\n(** * Binary64 *)\n");
@@ -243,6 +279,7 @@ void write() {
   of_shapes<PairTerm>("twofold");
   steps<PairTerm>("twofold");
   for_one_ray<PairTerm>("twofold");
+  once();
   std::printf("\nEnd Pairs.\n");
 }
 

@@ -222,11 +222,19 @@ scene::Query ray_of(const Family& family, test::Random& random, const scene::Sce
 }
 
 /// The ways of being wrong. A claim that cannot be wrong in one way is so in the next that it can.
-enum class Fault { parameter, x, y, z, element_more, element_less, another_outcome };
-constexpr int faults = 7;
+enum class Fault { parameter, x, y, z, zero, element_more, element_less, another_outcome };
+constexpr int faults = 8;
 
 /// A neighbour of x, which is rounded correctly and so has no right neighbour.
 void nudge(double& x) { x = std::nextafter(x, x == 0 ? 1 : 0); }
+
+/// Whether there was a coordinate that is 0, whose sign is now another.
+bool turn_zero(glm::dvec3& point) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (point[axis] == 0) return point[axis] = -point[axis], true;
+  }
+  return false;
+}
 
 /// Whether there was an element to add.
 bool add_element(scene::Hit& hit, const scene::Scene& scene) {
@@ -267,6 +275,8 @@ bool spoil(scene::Hit& hit, const scene::Scene& scene, Fault fault) {
       return point && (nudge(hit.punto.y), true);
     case Fault::z:
       return point && (nudge(hit.punto.z), true);
+    case Fault::zero:
+      return point && turn_zero(hit.punto);
     case Fault::element_more:
       return !hit.elementos.empty() && add_element(hit, scene);
     case Fault::element_less:

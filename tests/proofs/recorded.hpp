@@ -90,6 +90,7 @@ inline Term abs(Term a) { return {{"Rabs %0", Tightness::application}, {a.node}}
 inline Term sqrt(Term a) { return {{"rnd (sqrt %0)", Tightness::application}, {a.node}}; }
 inline Condition operator<(Term a, Term b) { return {{"Rlt_bool %0 %1", Tightness::application}, {a.node, b.node}}; }
 inline Condition operator<=(Term a, Term b) { return {{"Rle_bool %0 %1", Tightness::application}, {a.node, b.node}}; }
+inline Condition operator==(Term a, Term b) { return {{"Req_bool %0 %1", Tightness::application}, {a.node, b.node}}; }
 inline Condition operator>(Term a, Term b) { return b < a; }
 inline Condition operator>=(Term a, Term b) { return b <= a; }
 inline Node choice(Condition condition, Node yes, Node no) {

@@ -299,6 +299,7 @@ def test_what_knows_the_types_of_the_specification_alone_refuses_a_text() -> Non
         lambda: durero.spec.eval("#elementos", scene),
         lambda: durero.conform.explain(scene, ray),
         lambda: scene.trace(np.array([ray], float), "exact"),
+        lambda: scene.trace(np.array([ray], float), hierarchy="hand"),
     ):
         with pytest.raises(ValueError, match="the scene was read by .*torus.tex"):
             ask()
