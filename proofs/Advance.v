@@ -121,7 +121,8 @@ Definition advance_error (t e : R) : R :=
 Lemma error_low t e : format t -> format e -> 0 <= e ->
   157 / 10 * (u * (Q + h)) + 157 / 10 * (u * ((Rabs t + e) * V)) + Rabs s1_fl * e - 4 * z <= advance_error t e.
 Proof.
-  intros Ft Fe He; pose proof u_bounds as Hu; destruct reach_near as (R1 & R2 & R3), speed_near as [V1 _], s1_near as (_ & _ & G1).
+  intros Ft Fe He; pose proof u_bounds as Hu; destruct reach_near as (R1 & R2 & R3), speed_near as [V1 _], s1_near as (_
+    & _ & G1).
   pose proof HQ as HQ0; pose proof HV as HV0; destruct z_small as [Z0 _]; set (c := / 1000000000000) in *.
   assert (Hc : 0 < c <= / 1000000) by (unfold c; lra).
   set (T := Rabs t + e); pose proof (Rabs_pos t) as Ht0; assert (HT : 0 <= T) by (unfold T; lra).
@@ -151,7 +152,8 @@ Proof.
   pose proof (rnd_nonneg (16 * u * g) ltac:(lra)) as N5; set (first := rnd (16 * u * g)) in *.
   assert (Hw : 1 + / 16777216 <= 4503600077730459 * bpow radix2 (-52)).
   { replace (bpow radix2 (-52)) with (/ 4503599627370496) by reflexivity; lra. }
-  set (w := 4503600077730459 * bpow radix2 (-52)) in *; set (a := Rabs s1_fl) in *; pose proof (Rabs_pos s1_fl : 0 <= a) as Ha.
+  set (w := 4503600077730459 * bpow radix2 (-52)) in *; set (a := Rabs s1_fl) in *;
+    pose proof (Rabs_pos s1_fl : 0 <= a) as Ha.
   assert (Haw : (1 + / 16777216) * a <= a * w) by (rewrite Rmult_comm; apply Rmult_le_compat_l; lra).
   assert (Naw : normal (a * w)).
   { destruct (Req_dec s1_fl 0) as [Z1|N1]; [left; unfold a; rewrite Z1, Rabs_R0; ring|].
@@ -178,9 +180,11 @@ Lemma advance_near root t : is_near root t -> format (Formas.value root) -> form
   let x := advance_fl (Formas.value root) in
   Rabs (x - (s0 + t * s1)) + u * Rabs (h - x) <= advance_error (Formas.value root) (Formas.error root) /\ format x.
 Proof.
-  destruct root as [t_fl e]; unfold is_near; cbn [Formas.value Formas.error]; intros N Ft Fe; cbv zeta; split; [|apply format_rnd].
+  destruct root as [t_fl e]; unfold is_near; cbn [Formas.value Formas.error]; intros N Ft Fe; cbv zeta; split;
+    [|apply format_rnd].
   assert (He : 0 <= e) by (apply Rle_trans with (2 := N), Rabs_pos); pose proof (error_low t_fl e Ft Fe He) as Hlow.
-  destruct s0_near as [N0 S0], s1_near as (N1 & S1 & _), z_small as [Z0 Z1]; pose proof u_bounds as Hu; pose proof HQ as HQ0; pose proof HV as HV0.
+  destruct s0_near as [N0 S0], s1_near as (N1 & S1 & _), z_small as [Z0 Z1]; pose proof u_bounds as Hu;
+    pose proof HQ as HQ0; pose proof HV as HV0.
   set (T := Rabs t_fl + e) in *; pose proof (Rabs_pos t_fl) as Ht0; assert (HT : 0 <= T) by (unfold T; lra).
   assert (HtT : Rabs t <= T).
   { pose proof (Rabs_triang t_fl (- (t_fl - t))) as Htr; rewrite Rabs_Ropp in Htr.
@@ -211,7 +215,8 @@ Proof.
   { apply Rabs_le_inv in Hs, Hsum; apply Rabs_le; lra. }
   assert (Hhx : Rabs (h - x) <= h + (1002 / 1000 * Q + 1003 / 1000 * M + 2 * z)).
   { unfold Rminus; apply Rle_trans with (1 := Rabs_triang _ _); rewrite Rabs_Ropp, (Rabs_pos_eq h) by lra; lra. }
-  assert (Huhx : u * Rabs (h - x) <= u * (h + (1002 / 1000 * Q + 1003 / 1000 * M + 2 * z))) by (apply Rmult_le_compat_l; lra).
+  assert (Huhx : u * Rabs (h - x) <= u * (h + (1002 / 1000 * Q + 1003 / 1000 * M + 2 * z))) by (apply Rmult_le_compat_l;
+    lra).
   assert (Hall : Rabs (x - (s0 + t * s1)) <= Rabs s1_fl * e + 61 / 10 * (u * Q) + 61 / 10 * (u * M) + 2 * z).
   { apply Rabs_le_inv in Hs, Hr, Hyt, N0; apply Rabs_le; lra. }
   unfold M in *; lra.
@@ -241,11 +246,14 @@ Qed.
 (** ** A root at least so far away is not within the stretch *)
 
 Lemma far_from_stretch least t : ends -> 0 <= least <= Rabs t ->
-  Rlt_bool (rnd (2 * Formas.reach f)) (rnd (least * rnd (Rabs (Formas.s1 f) - rnd (bpow radix2 (-51) * Formas.speed f)))) = true ->
+  Rlt_bool (rnd (2 * Formas.reach f)) (rnd (least * rnd (Rabs (Formas.s1 f) - rnd (bpow radix2 (-51) * Formas.speed
+    f)))) = true ->
   ~ on_stretch t.
 Proof.
-  intros (E0 & E1 & Eh & Er & Es) [L0 Lt]; rewrite E1, Er, Es; destruct reach_near as (R1 & R2 & R3); rewrite (rnd_double _ R3).
-  destruct speed_near as [V1 _], s1_near as (N1 & S1 & _), s0_near as [N0 S0], z_small as [Z0 Z1]; pose proof u_bounds as Hu; pose proof HQ as HQ0; pose proof HV as HV0.
+  intros (E0 & E1 & Eh & Er & Es) [L0 Lt]; rewrite E1, Er, Es; destruct reach_near as (R1 & R2 & R3);
+    rewrite (rnd_double _ R3).
+  destruct speed_near as [V1 _], s1_near as (N1 & S1 & _), s0_near as [N0 S0], z_small as [Z0 Z1];
+    pose proof u_bounds as Hu; pose proof HQ as HQ0; pose proof HV as HV0.
   assert (H51 : bpow radix2 (-51) = 4 * u) by (replace 4 with (bpow radix2 2) by reflexivity; now rewrite <- bpow_plus).
   rewrite H51; assert (HuV : u * (999999 / 1000000 * V) <= u * V_fl) by (apply Rmult_le_compat_l; lra).
   assert (HuVV : 0 < u * V <= / 1000000 * V) by (split; [apply Rmult_lt_0_compat | apply Rmult_le_compat_r]; lra).
@@ -259,7 +267,8 @@ Proof.
   set (rate := rnd (Rabs s1_fl - w)).
   intros Hlt; destruct (Rlt_bool_spec (2 * reach_fl) (rnd (least * rate))) as [Hfar|]; [clear Hlt | discriminate].
   assert (Hrate : rate <= (1 + / 1000000) * Rabs s1).
-  { pose proof (rnd_plus (Rabs s1_fl) (- w) (generic_format_abs _ _ _ (format_rnd _)) (generic_format_opp _ _ _ (format_rnd _))) as Hr.
+  { pose proof (rnd_plus (Rabs s1_fl) (- w) (generic_format_abs _ _ _ (format_rnd _)) (generic_format_opp _ _ _
+    (format_rnd _))) as Hr.
     fold (Rabs s1_fl - w) in Hr; fold rate in Hr.
     pose proof (Rabs_triang s1 (s1_fl - s1)) as Htr; replace (s1 + (s1_fl - s1)) with s1_fl in Htr by ring.
     pose proof (Rabs_pos s1); destruct (Rle_lt_dec (Rabs s1_fl - w) 0) as [Hneg|Hpos].
@@ -288,7 +297,8 @@ Lemma past_stretch_right A B C F H limit : sound f A B C F H -> ends -> Formas.B
 Proof.
   intros S E HF Hq only; unfold past_stretch; pose proof (fun t => least_of_A_right f A B C F H S t HF Hq) as Hleast.
   destruct (Rlt_bool_spec limit (least_of_A f)) as [Hl|_].
-  - right; split; [reflexivity|]; intros t Ht [Ht0 _]; destruct (Hleast t Ht) as [_ Hle]; rewrite Rabs_pos_eq in Hle by lra; lra.
+  - right; split; [reflexivity|]; intros t Ht [Ht0 _]; destruct (Hleast t Ht) as [_ Hle];
+    rewrite Rabs_pos_eq in Hle by lra; lra.
   - match goal with |- context [if ?b then _ else _] => destruct b eqn:Hfar end; [right | now left].
     split; [reflexivity|]; intros t Ht On; elim (far_from_stretch (least_of_A f) t E (Hleast t Ht) Hfar On).
 Qed.

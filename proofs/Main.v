@@ -276,3 +276,53 @@ Proof.
       taken1 st1 right1 Ha Hl Hr).
 Qed.
 End Chain.
+
+(** * 11. What the tracer decides of one element, in binary64
+
+    Triage.shape has the numbers of an element, Triage.stands s e sh that e has them in s. The decisions are the recorded
+    terms of Formas.v: Triage.lanes_of for rays in a batch, Triage.alone_of for one ray up to a limit, each for a ray that
+    starts on the element (on) or does not. *)
+From Durero Require Verdict Steps Triage.
+Section Decisions.
+Variable Elemento : Type.
+Variables (s : Escena Elemento) (en : set Elemento) (p v : Vectors.vec).
+Notation ray := (Steps.ray_of p v).
+Hypothesis ok : Escena_ok s.
+Hypothesis ray_ok : Rayo_ok ray.
+Hypothesis p_ordinary : Flotante.ordinary_vec p.
+Hypothesis v_ordinary : Flotante.ordinary_vec v.
+Notation met := (met ray Elemento s en).
+
+(** In lanes: a hit is within its error of the least parameter at which the ray meets the element, and a miss is one. *)
+Theorem the_decisions_in_lanes_are_right e sh on :
+  Triage.stands Elemento s e sh -> Triage.ordinary_shape sh -> (on = true <-> en e) ->
+  let d := Triage.lanes_of p v sh on in
+  (Formas.hit d = true ->
+   exists t, is_least (met e) t /\ Rabs (Formas.value (Formas.root d) - t) <= Formas.error (Formas.root d))
+  /\ (Formas.hit d = false -> Formas.undecided d = false -> forall t, ~ met e t).
+Proof. exact (Triage.lanes_are_right Elemento s ok en p v ray_ok p_ordinary v_ordinary e sh on). Qed.
+
+(** For one ray: as well, where a miss is one up to the limit. *)
+Theorem the_decisions_up_to_a_limit_are_right e sh on limit :
+  Triage.stands Elemento s e sh -> Triage.ordinary_shape sh -> (on = true <-> en e) ->
+  match Triage.alone_of p v sh on limit with
+  | Formas.Miss => forall t, met e t -> limit < t
+  | Formas.Undecided => True
+  | Formas.Hit root _ _ => exists t, is_least (met e) t /\ Rabs (Formas.value root - t) <= Formas.error root
+  end.
+Proof. exact (Triage.alone_is_right Elemento s ok en p v ray_ok p_ordinary v_ordinary e sh on limit). Qed.
+
+(** So the triage of the search is right: the first sentence of [Search.steps_right], where the elements in range have
+    numbers in the range of the bounds, and the triage of an element is that decision up to the limit. *)
+Theorem the_triage_says_nothing_false elements (shape_of : Elemento -> Triage.shape) on in_range triage :
+  (forall e, In e elements -> Triage.stands Elemento s e (shape_of e) /\ (on e = true <-> en e)) ->
+  (forall e, In e elements -> in_range e = true -> Triage.ordinary_shape (shape_of e)) ->
+  (forall e x, In e elements -> in_range e = true ->
+   exists a, Triage.answered (Triage.alone_of p v (shape_of e) (on e)) x a /\ triage e x = Triage.verdict_of a) ->
+  Search.decides Elemento (Formas.known R) met elements in_range Verdict.is_near triage.
+Proof.
+  intros described range computed.
+  exact (Triage.triage_decides Elemento s ok en p v ray_ok p_ordinary v_ordinary elements shape_of on in_range described range
+    triage computed).
+Qed.
+End Decisions.

@@ -51,8 +51,10 @@ Qed.
 Lemma half_computed : computed 4 (-305) half_fl (s1 * / 2) (size_of_dot v d * / 2).
 Proof.
   apply (computed_mult 3 0 (-304) (-1)); [lia | |].
-  - exact (dot_computed 0 0 (-152) (-152) v d v d ltac:(lia) (v_close v v_ordinary) (close_exact _ _ (ordinary_on_grid d d_ordinary))).
-  - replace (/ 2) with (bpow radix2 (-1)) by reflexivity; rewrite <- (Rabs_pos_eq (bpow radix2 (-1))) at 3 by apply bpow_ge_0.
+  - exact (dot_computed 0 0 (-152) (-152) v d v d ltac:(lia) (v_close v v_ordinary) (close_exact _ _ (ordinary_on_grid d
+    d_ordinary))).
+  - replace (/ 2) with (bpow radix2 (-1)) by reflexivity; rewrite <- (Rabs_pos_eq (bpow radix2 (-1))) at 3 by apply
+    bpow_ge_0.
     apply computed_exact; [apply format_bpow; lia | exists 1%Z; ring].
 Qed.
 
@@ -71,7 +73,8 @@ Theorem plane_sound f : along f -> sound_flat f (s1 / 2) s0.
 Proof.
   intros (EB & EC & EBe & ECe); pose proof u_bounds as Hu; pose proof uV_small as HuV; pose proof size_of_s1 as HS1.
   pose proof half_computed as Hh; pose proof Q_near as NQ; destruct (s0_near p centro d) as [N0 S0]; auto.
-  destruct (speed_near v v_ordinary v_not_zero) as [V1 V2]; fold V in V1, V2; change (extent (minus p centro)) with Q in N0, S0;
+  destruct (speed_near v v_ordinary v_not_zero) as [V1 V2]; fold V in V1, V2;
+    change (extent (minus p centro)) with Q in N0, S0;
     change (dot (minus p centro) d) with s0 in N0.
   assert (HB : Rabs (half_fl - s1 / 2) <= 201 / 100 * (u * V)).
   { pose proof (computed_error_near 4 _ _ _ _ ltac:(lia) Hh) as He; simpl INR in He; apply Rle_trans with (1 := He).
@@ -116,7 +119,8 @@ Variable r : R.
 Hypothesis r_ordinary : ordinary r.
 Hypothesis r_positive : 0 < r.
 Let S_fl := rnd (half_fl + half_fl).
-Let out_fl : vec := Vec (rnd (rnd (S_fl * cx q_fl) + rnd (- s0_fl * cx v))) (rnd (rnd (S_fl * cy q_fl) + rnd (- s0_fl * cy v)))
+Let out_fl : vec := Vec (rnd (rnd (S_fl * cx q_fl) + rnd (- s0_fl * cx v))) (rnd (rnd (S_fl * cy q_fl) + rnd (- s0_fl *
+  cy v)))
   (rnd (rnd (S_fl * cz q_fl) + rnd (- s0_fl * cz v))).
 Definition margin_fl : R := rnd ((if Rlt_bool S_fl 0 then - rnd (r * S_fl) else rnd (r * S_fl)) - norm_fl out_fl).
 Definition margin_error : R := rnd (rnd (bpow radix2 (-48) * V_fl) * rnd (Q_fl + r)).
@@ -135,7 +139,8 @@ Proof.
   now replace (size_of_dot v d * / 2 + size_of_dot v d * / 2) with (size_of_dot v d) in Hc by field.
 Qed.
 
-Lemma radius_near : Rabs ((if Rlt_bool S_fl 0 then - rnd (r * S_fl) else rnd (r * S_fl)) - r * Rabs s1) <= 61 / 10 * (u * (r * V)) /\
+Lemma radius_near : Rabs ((if Rlt_bool S_fl 0 then - rnd (r * S_fl) else rnd (r * S_fl)) - r * Rabs s1) <= 61 / 10 * (u
+  * (r * V)) /\
   Rabs s1 <= 1000001 / 1000000 * V.
 Proof.
   pose proof S_computed as Hc; pose proof size_of_s1 as HS; pose proof u_bounds as Hu; pose proof uV_small as HuV.
@@ -158,9 +163,11 @@ Proof.
   { rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq r) by lra.
     replace (502 / 100 * (u * (r * V))) with (r * (502 / 100 * (u * V))) by ring; apply Rmult_le_compat_l; [lra|].
     apply Rle_trans with (2 := Hs), Rabs_triang_inv2. }
-  assert (Hsel : Rabs ((if Rlt_bool S_fl 0 then - rnd (r * S_fl) else rnd (r * S_fl)) - r * Rabs S_fl) <= u * (r * Rabs S_fl)).
+  assert (Hsel : Rabs ((if Rlt_bool S_fl 0 then - rnd (r * S_fl) else rnd (r * S_fl)) - r * Rabs S_fl) <= u * (r * Rabs
+    S_fl)).
   { destruct (Rlt_bool_spec S_fl 0).
-    - rewrite (Rabs_left S_fl) at 1 by lra; replace (- rnd (r * S_fl) - r * - S_fl) with (- (rnd (r * S_fl) - r * S_fl)) by ring.
+    - rewrite (Rabs_left S_fl) at 1 by lra; replace (- rnd (r * S_fl) - r * - S_fl) with (- (rnd (r * S_fl) - r * S_fl))
+      by ring.
       rewrite Rabs_Ropp; exact Hrr.
     - rewrite (Rabs_pos_eq S_fl) at 1 by lra; exact Hrr. }
   assert (0 <= u * (r * V)) by (apply Rmult_le_pos; lra).
@@ -182,7 +189,8 @@ Proof.
     - apply (computed_coarser _ _ (-456)); [lia|]; apply (computed_more 5); [lia|].
       exact (computed_mult 4 0 (-304) (-152) _ _ _ _ _ _ ltac:(lia) (computed_opp _ _ _ _ _ H0) Hb). }
   pose proof (Hone _ _ _ QX VX) as CX; pose proof (Hone _ _ _ QY VY) as CY; pose proof (Hone _ _ _ QZ VZ) as CZ.
-  pose proof (computed_error_near 8 _ _ _ _ ltac:(lia) CX) as EX; pose proof (computed_error_near 8 _ _ _ _ ltac:(lia) CY) as EY;
+  pose proof (computed_error_near 8 _ _ _ _ ltac:(lia) CX) as EX;
+    pose proof (computed_error_near 8 _ _ _ _ ltac:(lia) CY) as EY;
     pose proof (computed_error_near 8 _ _ _ _ ltac:(lia) CZ) as EZ; simpl INR in EX, EY, EZ.
   pose proof (norm_le_extent q : _ <= Q) as NQ; pose proof (norm_le_extent v : _ <= V) as NV.
   pose proof (norm_nonneg q); pose proof (norm_nonneg v); assert (HQV : 0 <= Q * V) by (apply Rmult_le_pos; lra).
@@ -192,12 +200,14 @@ Proof.
   set (k := 801 / 100 * u); assert (Hk : 0 <= k) by (unfold k; lra).
   assert (Hoff : norm (minus out_fl out) <= 1603 / 100 * (u * (Q * V))).
   { apply Rle_trans with (norm (scale k (plus (scale i (magnitudes q)) (scale j (magnitudes v))))).
-    - assert (Hone' : forall a x b e, Rabs (a - (s1 * x + - s0 * b)) <= 1001 / 1000 * e * u * (i * Rabs x + j * Rabs b) -> e = 8 ->
+    - assert (Hone' : forall a x b e, Rabs (a - (s1 * x + - s0 * b)) <= 1001 / 1000 * e * u * (i * Rabs x + j * Rabs b)
+      -> e = 8 ->
         0 <= i * Rabs x + j * Rabs b -> Rabs (a - (s1 * x - s0 * b)) <= k * (i * Rabs x + j * Rabs b)).
       { intros a x b e He -> Hp; replace (s1 * x - s0 * b) with (s1 * x + - s0 * b) by ring; apply Rle_trans with (1 := He).
         apply Rmult_le_compat_r; [exact Hp | unfold k; lra]. }
       assert (Hp : forall x b, 0 <= i * Rabs x + j * Rabs b).
-      { intros x b; pose proof (Rmult_le_pos i (Rabs x) ltac:(lra) (Rabs_pos x)); pose proof (Rmult_le_pos j (Rabs b) ltac:(lra) (Rabs_pos b)); lra. }
+      { intros x b; pose proof (Rmult_le_pos i (Rabs x) ltac:(lra) (Rabs_pos x));
+        pose proof (Rmult_le_pos j (Rabs b) ltac:(lra) (Rabs_pos b)); lra. }
       apply norm_mono; cbn; (eapply Hone'; [eassumption | lra | apply Hp]).
     - rewrite norm_scale, (Rabs_pos_eq k Hk); apply Rle_trans with (k * (i * norm q + j * norm v)).
       + apply Rmult_le_compat_l; [exact Hk|]; apply Rle_trans with (1 := norm_plus _ _).
@@ -205,7 +215,8 @@ Proof.
       + apply Rle_trans with (k * (2000002 / 1000000 * (Q * V))); [apply Rmult_le_compat_l; lra|].
         assert (0 <= u * (Q * V)) by (apply Rmult_le_pos; lra); unfold k; lra. }
   assert (Hout : norm out <= 2000002 / 1000000 * (Q * V)).
-  { apply Rle_trans with (2 := Hsum); unfold out; replace (minus (scale s1 q) (scale s0 v)) with (plus (scale s1 q) (scale (- s0) v))
+  { apply Rle_trans with (2 := Hsum); unfold out; replace (minus (scale s1 q) (scale s0 v)) with (plus (scale s1 q)
+    (scale (- s0) v))
       by (unfold minus, plus, scale; cbn; f_equal; ring).
     apply Rle_trans with (1 := norm_plus _ _); rewrite !norm_scale, Rabs_Ropp.
     assert (Rabs s1 <= i) by exact (proj2 (proj1 Hc)); assert (Rabs s0 <= j) by exact (proj2 (proj1 H0)).
@@ -231,9 +242,11 @@ Proof.
   set (X := r * V) in *; assert (HX : 0 < X) by (apply Rmult_lt_0_compat; lra).
   assert (HuX : 0 < u * X <= / 1000000 * X) by (split; [apply Rmult_lt_0_compat | apply Rmult_le_compat_r]; lra).
   assert (H490 : bpow radix2 (-490) <= / 1000000 * (u * X)).
-  { assert (Hr100 : bpow radix2 (-100) <= r) by (destruct r_ordinary as [_ [Z0|[Hr0 _]]]; [lra | now rewrite Rabs_pos_eq in Hr0 by lra]).
+  { assert (Hr100 : bpow radix2 (-100) <= r) by (destruct r_ordinary as [_ [Z0|[Hr0 _]]];
+    [lra | now rewrite Rabs_pos_eq in Hr0 by lra]).
     destruct (speed_near v v_ordinary v_not_zero) as [V1 V2]; fold V in V1, V2.
-    pose proof (grid_at_least _ _ (proj2 (proj2 (V_computed v v_ordinary)))) as HV152; change (Flotante.V_fl v) with V_fl in HV152.
+    pose proof (grid_at_least _ _ (proj2 (proj2 (V_computed v v_ordinary)))) as HV152;
+      change (Flotante.V_fl v) with V_fl in HV152.
     specialize (HV152 ltac:(lra)); rewrite Rabs_pos_eq in HV152 by lra.
     assert (HV153 : bpow radix2 (-153) <= V).
     { change (-153)%Z with (-1 + -152)%Z; rewrite bpow_plus; replace (bpow radix2 (-1)) with (/ 2) by reflexivity; lra. }
@@ -244,24 +257,31 @@ Proof.
       + apply Rmult_le_compat_l; [lra|]; unfold X; apply Rmult_le_compat; auto using bpow_ge_0. }
   assert (Herr : 319 / 10 * (u * (X + W)) <= margin_error).
   { assert (H48 : computed 0 (-48) (bpow radix2 (-48)) (bpow radix2 (-48)) (bpow radix2 (-48))).
-    { rewrite <- (Rabs_pos_eq (bpow radix2 (-48))) at 3 by apply bpow_ge_0; apply computed_exact; [apply format_bpow; lia | exists 1%Z; ring]. }
-    pose proof (computed_plus 3 (-152) _ _ _ _ _ _ ltac:(lia) Q_computed (computed_more 0 3 _ _ _ _ ltac:(lia) (r_computed r r_ordinary r_positive))) as HE.
-    pose proof (computed_mult 3 4 (-200) (-152) _ _ _ _ _ _ ltac:(lia) (computed_mult 0 2 (-48) (-152) _ _ _ _ _ _ ltac:(lia) H48
+    { rewrite <- (Rabs_pos_eq (bpow radix2 (-48))) at 3 by apply bpow_ge_0; apply computed_exact; [apply format_bpow;
+      lia | exists 1%Z; ring]. }
+    pose proof (computed_plus 3 (-152) _ _ _ _ _ _ ltac:(lia) Q_computed (computed_more 0 3 _ _ _ _ ltac:(lia)
+      (r_computed r r_ordinary r_positive))) as HE.
+    pose proof (computed_mult 3 4 (-200) (-152) _ _ _ _ _ _ ltac:(lia) (computed_mult 0 2 (-48) (-152) _ _ _ _ _ _
+      ltac:(lia) H48
       (V_computed v v_ordinary)) HE) as Hm; change (Flotante.V_fl v) with V_fl in Hm; fold V in Hm.
     pose proof (computed_error_near 8 _ _ _ _ ltac:(lia) Hm) as He; simpl INR in He; fold margin_error in He.
-    replace (bpow radix2 (-48)) with (32 * u) in He by (replace 32 with (bpow radix2 5) by reflexivity; now rewrite <- bpow_plus).
+    replace (bpow radix2 (-48)) with (32 * u) in He by (replace 32 with (bpow radix2 5) by reflexivity;
+      now rewrite <- bpow_plus).
     replace (32 * u * V * (Q + r)) with (32 * (u * (X + W))) in He by (unfold X, W; ring).
     assert (H0 : 0 <= u * (X + W)) by (apply Rmult_le_pos; lra).
     assert (u * (u * (X + W)) <= / 1000000 * (u * (X + W))) by (apply Rmult_le_compat_r; lra).
     apply Rabs_le_inv in He; lra. }
   assert (HR1 : Rabs R1 <= 1001 / 1000 * X).
   { assert (0 <= r * Rabs s1 <= 1000001 / 1000000 * X).
-    { split; [apply Rmult_le_pos; [lra | apply Rabs_pos] | unfold X; apply Rle_trans with (r * (1000001 / 1000000 * V)); [apply Rmult_le_compat_l; lra | lra]]. }
+    { split; [apply Rmult_le_pos; [lra | apply Rabs_pos] | unfold X; apply Rle_trans with (r * (1000001 / 1000000 * V));
+      [apply Rmult_le_compat_l; lra | lra]]. }
     apply Rabs_le_inv in NR; apply Rabs_le; lra. }
-  assert (Hn : Rabs (norm_fl out_fl) <= 2002 / 1000 * W + bpow radix2 (-490)) by (apply Rabs_le_inv in NO; apply Rabs_le; lra).
+  assert (Hn : Rabs (norm_fl out_fl) <= 2002 / 1000 * W + bpow radix2 (-490)) by (apply Rabs_le_inv in NO; apply Rabs_le;
+    lra).
   assert (Hd : Rabs (R1 - norm_fl out_fl) <= 1001 / 1000 * X + (2002 / 1000 * W + bpow radix2 (-490))).
   { unfold Rminus; apply Rle_trans with (1 := Rabs_triang _ _); rewrite Rabs_Ropp; lra. }
-  assert (u * Rabs (R1 - norm_fl out_fl) <= u * (1001 / 1000 * X + (2002 / 1000 * W + bpow radix2 (-490)))) by (apply Rmult_le_compat_l; lra).
+  assert (u * Rabs (R1 - norm_fl out_fl) <= u * (1001 / 1000 * X + (2002 / 1000 * W + bpow radix2 (-490)))) by (apply
+    Rmult_le_compat_l; lra).
   assert (u * bpow radix2 (-490) <= 1 * bpow radix2 (-490)) by (apply Rmult_le_compat_r; [apply bpow_ge_0 | lra]).
   apply Rle_trans with (2 := Herr); apply Rabs_le_inv in Hr, NR, NO; apply Rabs_le; lra.
 Qed.

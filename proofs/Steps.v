@@ -7,7 +7,7 @@
     Decisions, decisions_right f == the four, and that they are right for the coefficients f *)
 From Coq Require Import Reals List Lra.
 From Durero Require Import Toolkit Especificacion Puntos Trazador.
-From Durero Require Tipos Certified Cylinder Formas.
+From Durero Require Tipos Certified Cylinder Formas Flat Triangle.
 From Durero Require Import Vectors Across Decision Flotante Verdict Advance Linear Plane.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -27,7 +27,8 @@ Definition axial (f : Formas.quadratic R) : decisions :=
 
 (** Of what is flat, without an edge and with one. *)
 Definition flat (f : Formas.quadratic R) : decisions :=
-  Decisions (Formas.linear_in_lanes f) (Formas.linear_in_lanes_on f) (Formas.first_of_linear f) (Formas.first_of_linear_on f).
+  Decisions (Formas.linear_in_lanes f) (Formas.linear_in_lanes_on f) (Formas.first_of_linear f)
+    (Formas.first_of_linear_on f).
 Definition edged (f : Formas.quadratic R) : decisions :=
   Decisions (Formas.linear_in_lanes_edged f) (Formas.linear_in_lanes_on f) (Formas.first_of_linear_edged f)
     (Formas.first_of_linear_on f).
@@ -53,7 +54,8 @@ Proof. intros E; unfold points_from, reach; rewrite same_from, E; unfold within,
 
 Lemma unbounded_right : (forall t, within text t) -> decisions_right text (unbounded f).
 Proof.
-  intros W; pose proof (place_right f) as P; assert (On : forall t, 0 < t <-> 0 < t /\ within text t) by (intros t; pose proof (W t); tauto).
+  intros W; pose proof (place_right f) as P; assert (On : forall t, 0 < t <-> 0 < t /\ within text t) by (intros t;
+    pose proof (W t); tauto).
   pose proof (fun t => points_are_reached (fun t => 0 < t) t (On t)) as E.
   pose proof (fun t => points_from_are_reached (fun t => 0 < t) t (On t)) as E0.
   split; [|split; [|intros limit; split]]; cbn [in_lanes in_lanes_from alone alone_from unbounded].
@@ -94,7 +96,8 @@ Proof.
     exact (right_in_lanes_equal _ _ _ E0 (lanes_from_right f A B C F H f_sound _ _ P Pos)).
   - rewrite single_axial_is_recorded; apply (right_up_to_equal _ _ limit _ E).
     apply (single_right f A B C F H f_sound _ _ _ limit P Pos); intros HF Hq.
-    exact (past_stretch_right p v centro d h p_ordinary v_ordinary centro_ordinary d_ordinary h_ordinary h_positive v_not_zero
+    exact (past_stretch_right p v centro d h p_ordinary v_ordinary centro_ordinary d_ordinary h_ordinary h_positive
+      v_not_zero
       d_unit f A B C F H limit f_sound Ends HF Hq).
   - destruct (from_is_recorded f limit) as (_ & -> & _); apply (right_up_to_equal _ _ limit _ E0).
     exact (single_from_right f A B C F H f_sound _ _ limit P Pos).
@@ -115,10 +118,12 @@ Proof. unfold flat_points, reach; rewrite same; tauto. Qed.
 Lemma flat_from_is_reached t : flat_points_from B (fun t => 0 < t /\ within text t) t <-> reach (launched text) t.
 Proof. unfold flat_points_from, reach; rewrite same_from; unfold within, launched; cbn; tauto. Qed.
 
-Lemma of_placed lanes from alone_one place : (forall t, flat_known f = true -> 2 * B * t + C = 0 -> is_near (only_root f) t ->
+Lemma of_placed lanes from alone_one place : (forall t, flat_known f = true -> 2 * B * t + C = 0 -> is_near (only_root
+  f) t ->
    (Formas.outside (place (only_root f)) = true -> ~ (0 < t /\ within text t)) /\
    (Formas.inside (place (only_root f)) = true -> 0 < t /\ within text t)) ->
-  lanes = flat_in_lanes f place -> from = Formas.linear_in_lanes_on f -> (forall limit, alone_one limit = flat_alone f place limit) ->
+  lanes = flat_in_lanes f place -> from = Formas.linear_in_lanes_on f -> (forall limit, alone_one limit = flat_alone f
+    place limit) ->
   decisions_right text (Decisions lanes from alone_one (Formas.first_of_linear_on f)).
 Proof.
   intros P El Ef Ea; pose proof (fun t (On : 0 < t /\ within text t) => proj1 On) as Pos.
@@ -180,17 +185,22 @@ Lemma within_stretch centro d h t :
     (Tipos.dot (direction v) (direction d)) h) <-> 0 <= dot (minus p centro) d + t * dot v d <= h.
 Proof. rewrite between_holds; reflexivity. Qed.
 
-Theorem cylinder_right centro r d h : ordinary_vec centro -> ordinary r -> 0 < r -> ordinary_vec d -> direction d ∈ Unitario ->
+Theorem cylinder_right centro r d h : ordinary_vec centro -> ordinary r -> 0 < r -> ordinary_vec d -> direction d ∈
+  Unitario ->
   ordinary h -> 0 < h ->
   decisions_right (of_cilindro ray (point centro) r (direction d) h) (axial (Formas.cilindro p v V centro r d h)).
 Proof.
   intros Hc Hr Hr0 Hd Hu Hh Hh0; pose proof (Certified.axis_unit d Hu) as Hdd.
-  apply (axial_right _ _ _ _ _ _ (Cylinder.cylinder_sound p v centro d r h p_ordinary v_ordinary Hc Hd Hr Hr0 v_not_zero Hdd) _
-    (fun t => Certified.cylinder_root_value p v centro d r h t)) with (p := p) (v := v) (centro := centro) (d := d) (h := h); auto.
+  apply (axial_right _ _ _ _ _ _ (Cylinder.cylinder_sound p v centro d r h p_ordinary v_ordinary Hc Hd Hr Hr0 v_not_zero
+    Hdd) _
+    (fun t => Certified.cylinder_root_value p v centro d r h t)) with (p := p) (v := v) (centro := centro) (d := d) (h
+      := h); auto.
   - intros t; unfold is_root.
-    replace (dot (Across.across v d) (Across.across v d) * t * t + 2 * dot (Across.across (minus p centro) d) (Across.across v d) * t + 0)
+    replace (dot (Across.across v d) (Across.across v d) * t * t + 2 * dot (Across.across (minus p centro) d)
+      (Across.across v d) * t + 0)
       with (value (launched (of_cilindro ray (point centro) r (direction d) h)) t); [reflexivity|].
-    unfold ray_of, point, direction, value, launched, of_cilindro, Across.across, Across.scale, Tipos.sq, Tipos.dot, from, dot, minus; cbn; ring.
+    unfold ray_of, point, direction, value, launched, of_cilindro, Across.across, Across.scale, Tipos.sq, Tipos.dot,
+      from, dot, minus; cbn; ring.
   - repeat split.
   - intros t; apply within_stretch.
 Qed.
@@ -221,5 +231,25 @@ Proof.
     unfold within; cbn [clip of_disco]; rewrite Forall_cons_iff.
     unfold excess, ray_of, point, direction, Tipos.sq, Tipos.dot, from, dot, minus; cbn.
     split; [intros Hle; split; [exact Hle | constructor] | intros [Hle _]; exact Hle].
+Qed.
+
+Definition vertices (a b c : vec) : Terna := mk_Terna (point a) (point b) (point c).
+
+Theorem triangle_right a b c : ordinary_vec a -> ordinary_vec b -> ordinary_vec c ->
+  decisions_right (of_triangulo ray (vertices a b c)) (edged (Formas.triangulo p v V a b c)).
+Proof.
+  intros Ha Hb Hc; pose proof (Triangle.triangle_sound p v a b c p_ordinary v_ordinary Ha Hb Hc v_not_zero) as S.
+  apply (edged_right _ _ _ S).
+  - intros t; unfold Triangle.det, Triangle.crossing, vertices, ray_of, point, direction, value, of_triangulo, normal,
+      Puntos.cross, Tipos.dot, from, dot, cross, minus; cbn; field.
+  - intros t; unfold Triangle.det, vertices, ray_of, point, direction, value, launched, of_triangulo, normal,
+      Puntos.cross, Tipos.dot, from, dot, cross, minus; cbn; field.
+  - intros K; exists (Triangle.margin p v a b c).
+    split; [exact (Triangle.margin_near p v a b c p_ordinary v_ordinary Ha Hb Hc v_not_zero)|]; intros t Ht.
+    destruct (Triangle.margin_tells p v a b c p_ordinary v_ordinary Ha Hb Hc v_not_zero K) as [Hd ->].
+    rewrite <- (prisma_along ray (vertices a b c) t).
+    assert (E : t = Triangle.crossing p a b c / Triangle.det v a b c).
+    { apply Rmult_eq_reg_l with (Triangle.det v a b c); [field_simplify; lra | exact Hd]. }
+    pose proof (Flat.clip_of_the_program ray (vertices a b c) Hd) as Hclip; symmetry in Hclip; rewrite E; exact Hclip.
 Qed.
 End Shapes.

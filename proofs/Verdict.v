@@ -33,7 +33,8 @@ Definition right_up_to (T : R -> Prop) (limit : R) (a : Formas.answer R) : Prop 
 Lemma right_in_lanes_equal T T' d : (forall t, T t <-> T' t) -> right_in_lanes T d -> right_in_lanes T' d.
 Proof.
   intros E [Hh Hm]; split.
-  - intros H; destruct (Hh H) as (t & [Ht Hl] & N); exists t; split; [split; [now apply E | intros t' H'; now apply Hl, E] | exact N].
+  - intros H; destruct (Hh H) as (t & [Ht Hl] & N); exists t; split; [split; [now apply E | intros t' H';
+    now apply Hl, E] | exact N].
   - intros H U t Ht; now apply (Hm H U t), E.
 Qed.
 
@@ -45,9 +46,11 @@ Qed.
 
 (** ** One root *)
 
-Lemma beyond_right root limit t : is_near root t -> format (Formas.error root) -> Formas.beyond root limit = true -> limit < t.
+Lemma beyond_right root limit t : is_near root t -> format (Formas.error root) -> Formas.beyond root limit = true ->
+  limit < t.
 Proof.
-  unfold is_near, Formas.beyond; intros N Fe H; destruct (Rlt_bool_spec (Formas.error root) (rnd (Formas.value root - limit)))
+  unfold is_near, Formas.beyond; intros N Fe H; destruct (Rlt_bool_spec (Formas.error root) (rnd (Formas.value root -
+    limit)))
     as [Hlt|]; [|discriminate].
   assert (Formas.error root < Formas.value root - limit).
   { apply Rnot_le_lt; intros Hle; apply rnd_le in Hle; rewrite (rnd_format _ Fe) in Hle; lra. }
@@ -156,8 +159,10 @@ Proof. reflexivity. Qed.
 Lemma q_exact_facts : B_error < F_fl -> 2 * q_error < Rabs q ->
   x <> 0 /\ x * x + 2 * B * x + A * C = 0 /\ (if Rle_bool 0 B_fl then x < 0 /\ 0 < - (x + B) else 0 < x /\ 0 < x + B).
 Proof.
-  intros HF Hq; destruct (meets f A B C F H f_sound HF) as (HD & _); destruct (q_bound f A B C F H f_sound HF) as (Hx & _ & _ & _ & _ & Hl).
-  pose proof (sqrt_lt_R0 _ HD) as Hs; pose proof (sqrt_sqrt _ (Rlt_le _ _ HD)) as Hss; pose proof (B_near f A B C F H f_sound) as HB.
+  intros HF Hq; destruct (meets f A B C F H f_sound HF) as (HD & _);
+    destruct (q_bound f A B C F H f_sound HF) as (Hx & _ & _ & _ & _ & Hl).
+  pose proof (sqrt_lt_R0 _ HD) as Hs; pose proof (sqrt_sqrt _ (Rlt_le _ _ HD)) as Hss;
+    pose proof (B_near f A B C F H f_sound) as HB.
   destruct (errors_least f A B C F H f_sound) as (_ & He & _); pose proof (bpow_gt_0 radix2 (-360)).
   unfold q_exact in *; set (r := sqrt (B * B - A * C)) in *; apply Rabs_le_inv in HB, Hx.
   assert (Hbig : q < - (2 * q_error) \/ 2 * q_error < q) by (unfold Rabs in Hq; destruct Rcase_abs in Hq; lra).
@@ -205,7 +210,8 @@ Proof.
     assert (51 / 100 * g' <= w * g') by (apply Rmult_le_compat_r; lra); lra. }
   pose proof (bpow_gt_0 radix2 (-361)) as H361.
   assert (E3 : Rabs (rnd (w * g') - w * g') <= u * (w * g')).
-  { rewrite <- (Rabs_pos_eq (w * g')) at 3 by lra; apply rnd_rel, (at_least_normal (-361)); [lia | rewrite Rabs_pos_eq; lra]. }
+  { rewrite <- (Rabs_pos_eq (w * g')) at 3 by lra; apply rnd_rel, (at_least_normal (-361)); [lia | rewrite Rabs_pos_eq;
+    lra]. }
   apply Rabs_le_inv in E3; assert (u * (w * g') <= e * (w * g')) by (apply Rmult_le_compat_r; lra).
   set (top := rnd (w * g')) in *; assert (Hwg2 : w * g' <= (1 - / 16777216) * ((1 + e) * g)).
   { apply Rmult_le_compat; lra. }
@@ -223,7 +229,8 @@ Proof.
       replace (A_fl + - (A_fl - A)) with A in Htr by ring; unfold l; lra. }
     assert (Hgx : g <= Rabs x).
     { pose proof (Rabs_triang_inv q (q - x)) as Htr; replace (q - (q - x)) with x in Htr by ring; unfold g; lra. }
-    apply Rle_trans with (1 := Hgx); rewrite <- Ht, Rabs_mult, Rmult_comm; apply Rmult_le_compat_l; [apply Rabs_pos | exact Ha]. }
+    apply Rle_trans with (1 := Hgx); rewrite <- Ht, Rabs_mult, Rmult_comm; apply Rmult_le_compat_l;
+      [apply Rabs_pos | exact Ha]. }
   assert (Hd0 : 0 < top / l') by (apply Rdiv_lt_0_compat; lra).
   pose proof (A_error_size f A B C F H f_sound) as HAe450.
   assert (Hl452 : l' <= bpow radix2 452).
@@ -237,7 +244,8 @@ Proof.
     - apply Rmult_le_compat_l; [apply bpow_ge_0 | assumption].
     - rewrite <- bpow_plus; apply bpow_le; lia. }
   assert (E4 : Rabs (rnd (top / l') - top / l') <= u * (top / l')).
-  { rewrite <- (Rabs_pos_eq (top / l')) at 3 by lra; apply rnd_rel, (at_least_normal (-814)); [lia | rewrite Rabs_pos_eq; lra]. }
+  { rewrite <- (Rabs_pos_eq (top / l')) at 3 by lra; apply rnd_rel, (at_least_normal (-814)); [lia | rewrite Rabs_pos_eq;
+    lra]. }
   apply Rabs_le_inv in E4; assert (u * (top / l') <= e * (top / l')) by (apply Rmult_le_compat_r; lra).
   split; [apply rnd_nonneg; lra|].
   apply Rle_trans with (2 := Hgl); assert (0 < g / l) by (apply Rdiv_lt_0_compat; lra); unfold e in *; lra.
@@ -264,7 +272,8 @@ Proof.
     destruct (Hnear (farther f) t1 (or_intror (conj eq_refl eq_refl))) as (N1 & F1 & G1 & L1).
     assert (Hturns : forall s0 s1, right_up_to (points on) limit (turn place limit (Formas.Known A_fl A_error) (nearer f) s0
       (turn place limit (Formas.Known A_fl A_error) (farther f) s1 Formas.Miss))).
-    { intros s0 s1; destruct (Hplace (nearer f) t0 N0 F0 G0 L0) as [Out0 In0], (Hplace (farther f) t1 N1 F1 G1 L1) as [Out1 In1].
+    { intros s0 s1; destruct (Hplace (nearer f) t0 N0 F0 G0 L0) as [Out0 In0], (Hplace (farther f) t1 N1 F1 G1 L1) as
+      [Out1 In1].
       apply (turn_right place limit _ (points on) on _ _ _ t0 N0 G0 Out0 In0).
       - intros On; split; [split; [apply Hall; tauto | exact On] | intros t' [Ht' _]; apply Hall in Ht'; lra].
       - intros Hb t' [Ht' _]; apply Hall in Ht'; lra.
@@ -282,7 +291,8 @@ Proof.
       with (by_C place limit Formas.Miss) by now destruct (A_root_first f).
     destruct (Hpast HF Hq (by_C place limit Formas.Miss)) as [-> | [-> Hfar]]; [exact I|].
     destruct (errors_least f A B C F H f_sound) as (_ & _ & HC360).
-    destruct (quotient_bound _ _ _ _ _ _ FCe Fq Fqe HC360 (C_near f A B C F H f_sound) Hqb (conj Hq Hq450)) as (N & L & Ft & Fe).
+    destruct (quotient_bound _ _ _ _ _ _ FCe Fq Fqe HC360 (C_near f A B C F H f_sound) Hqb (conj Hq Hq450)) as (N & L &
+      Ft & Fe).
     fold (from_C f) in N, L, Ft, Fe; destruct (Hplace (from_C f) (C / x) N Ft Fe L) as [Out In].
     assert (Hcase : forall t, points on t -> t = C / x \/ (A * t = x /\ on t)).
     { intros t [Ht On]; apply (roots_are t Hx0 HxE) in Ht as [Ht|Ht]; auto. }
@@ -296,14 +306,16 @@ Proof.
       apply Rnot_lt_le; intros Hlt; destruct (Rle_bool 0 B_fl).
       * assert (HA0 : A < 0) by (apply Rnot_le_lt; intros Hle; pose proof (Rmult_le_pos A t' Hle ltac:(lra)); lra).
         pose proof (Rmult_le_compat_neg_l A (t' - C / x) 0 ltac:(lra) ltac:(lra)); lra.
-      * assert (HA0 : 0 < A) by (apply Rnot_le_lt; intros Hle; pose proof (Rmult_le_compat_neg_l A 0 t' Hle ltac:(lra)); lra).
+      * assert (HA0 : 0 < A) by (apply Rnot_le_lt; intros Hle; pose proof (Rmult_le_compat_neg_l A 0 t' Hle ltac:(lra));
+        lra).
         pose proof (Rmult_le_compat_l A (t' - C / x) 0 ltac:(lra) ltac:(lra)); lra.
     + intros Hb t' Ht'; destruct (Hcase t' Ht') as [-> | [HA On']]; [exact Hb | now apply Hfar].
     + intros Off t' Ht'; destruct (Hcase t' Ht') as [E | [HA On']]; [|now apply Hfar].
       destruct Ht' as [_ On]; rewrite E in On; now elim Off.
 Qed.
 
-Lemma past_limit_right (on : R -> Prop) limit : (forall t, on t -> 0 < t) -> B_error < F_fl -> 2 * q_error < Rabs q -> forall only,
+Lemma past_limit_right (on : R -> Prop) limit : (forall t, on t -> 0 < t) -> B_error < F_fl -> 2 * q_error < Rabs q ->
+  forall only,
   past_limit limit only = Formas.Undecided \/ past_limit limit only = only /\ forall t, A * t = x -> on t -> limit < t.
 Proof.
   intros Hon HF Hq only; unfold past_limit; destruct (Rlt_bool_spec limit least_of_A) as [Hl|]; [right | now left].
@@ -346,7 +358,8 @@ Proof.
   destruct (errors_least f A B C F H f_sound) as (HAe & HBe & _), (sizes f A B C F H f_sound) as (HA450 & _).
   rewrite (rnd_double _ FAe) in HA; destruct (Rlt_bool_spec (2 * A_error) (Rabs A_fl)) as [HA2|]; [|discriminate].
   pose proof (A_near f A B C F H f_sound) as NA; pose proof (B_near f A B C F H f_sound) as NB.
-  assert (E2 : - rnd (B_fl + B_fl) = - (2 * B_fl)) by (replace (B_fl + B_fl) with (2 * B_fl) by ring; now rewrite rnd_double).
+  assert (E2 : - rnd (B_fl + B_fl) = - (2 * B_fl)) by (replace (B_fl + B_fl) with (2 * B_fl) by ring;
+    now rewrite rnd_double).
   assert (NB2 : Rabs (- rnd (B_fl + B_fl) - - (2 * B)) <= rnd (2 * B_error)).
   { rewrite E2, (rnd_double _ FBe); apply Rabs_le_inv in NB; apply Rabs_le; lra. }
   destruct (quotient_bound (- (2 * B)) (- rnd (B_fl + B_fl)) (rnd (2 * B_error)) A A_fl A_error (format_rnd _) FA FAe

@@ -19,7 +19,7 @@ missing() { # missing PAGE: what it names and nobody has
 }
 missing docs/refinement.md | { ! grep .; }
 tmp=$(mktemp) && trap 'rm -f "$tmp"' EXIT
-for fault in 's/total_operations_are_total/all_operations_are_total/' 's/retrieve_test/retrieved_test/' 's/| `certified_roots` |/| |/; s/, `certified_roots`//; s/`a_certified_miss_is_a_miss`//; s/, `the_decision_on_a_sphere_is_right`//; s/, `certified_roots_of_a_cylinder`//'; do
+for fault in 's/total_operations_are_total/all_operations_are_total/' 's/retrieve_test/retrieved_test/' 's/| `certified_roots` |/| |/; s/, `certified_roots`//; s/`a_certified_miss_is_a_miss`//; s/, `the_decision_on_a_sphere_is_right`//; s/, `certified_roots_of_a_cylinder`//; s/, `the_decisions_up_to_a_limit_are_right`//'; do
   sed "$fault" docs/refinement.md >"$tmp"
   [ -n "$(missing "$tmp")" ] || { echo "not seen: $fault"; exit 1; }
 done

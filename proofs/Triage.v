@@ -1,0 +1,166 @@
+(** * Triage: the first step of the search is right on a scene
+
+    The first step computes, of an element and the ray, the quadratic of Formas.v and the decision over it: for a ray in a
+    batch without a limit, for one ray up to the limit that it is asked. Both say nothing false of what the ray meets of
+    the element, whether it starts on it or not: which is the first sentence of [Search.steps_right].
+
+    shape                  == the numbers of an element, in binary64; stands s e sh == e has them in the scene s
+    decisions_of p v sh    == the four decisions on it, for the ray from p along v
+    answered step x a      == a is the answer of the step up to x; up to infinity, that of every limit large enough
+    verdict_of a           == the answer a, as the search takes it: a finding is a root with its error *)
+From Coq Require Import Reals List Lra.
+From Flocq Require Import Core BinarySingleNaN.
+From Durero Require Import Toolkit Especificacion Escena Puntos Trazador Interseccion.
+From Durero Require Tipos Search Limits Formas.
+From Durero Require Import Vectors Flotante Verdict Steps.
+Local Open Scope R_scope.
+Local Open Scope zed_scope.
+
+Inductive shape :=
+  | Sphere (centro : vec) (radio : R)
+  | Cylinder (centro : vec) (radio : R) (vector : vec) (altura : R)
+  | Plane (centro vector : vec)
+  | Disc (centro : vec) (radio : R) (vector : vec)
+  | Triangle (a b c : vec).
+
+Definition ordinary_shape (sh : shape) : Prop :=
+  match sh with
+  | Sphere c r => ordinary_vec c /\ ordinary r
+  | Cylinder c r d h => ordinary_vec c /\ ordinary r /\ ordinary_vec d /\ ordinary h
+  | Plane c d => ordinary_vec c /\ ordinary_vec d
+  | Disc c r d => ordinary_vec c /\ ordinary r /\ ordinary_vec d
+  | Triangle a b c => ordinary_vec a /\ ordinary_vec b /\ ordinary_vec c
+  end.
+
+Definition decisions_of (p v : vec) (sh : shape) : decisions :=
+  let V := extent_fl v in
+  match sh with
+  | Sphere c r => unbounded (Formas.esfera p v V c r)
+  | Cylinder c r d h => axial (Formas.cilindro p v V c r d h)
+  | Plane c d => flat (Formas.plano p v V c d)
+  | Disc c r d => edged (Formas.disco p v V c r d)
+  | Triangle a b c => edged (Formas.triangulo p v V a b c)
+  end.
+
+Definition lanes_of (p v : vec) (sh : shape) (on : bool) : Formas.in_lanes :=
+  let d := decisions_of p v sh in if on then in_lanes_from d else in_lanes d.
+Definition alone_of (p v : vec) (sh : shape) (on : bool) : R -> Formas.answer R :=
+  let d := decisions_of p v sh in if on then alone_from d else alone d.
+
+Definition answered (step : R -> Formas.answer R) (x : Limits.binary64) (a : Formas.answer R) : Prop :=
+  if is_finite x then a = step (B2R x) else exists low, forall limit, low <= limit -> a = step limit.
+Definition verdict_of (a : Formas.answer R) : Search.verdict (Formas.known R) :=
+  match a with
+  | Formas.Miss => Search.Miss _
+  | Formas.Undecided => Search.Undecided _
+  | Formas.Hit root _ _ => Search.Hit _ root
+  end.
+
+Section Scene.
+Variable Elemento : Type.
+Notation Escena := (Especificacion.Escena Elemento).
+Variable s : Escena.
+Hypothesis ok : Escena_ok s.
+Variable en : set Elemento.
+Variables p v : vec.
+Notation ray := (ray_of p v).
+Hypothesis ray_ok : Rayo_ok ray.
+Hypothesis p_ordinary : ordinary_vec p.
+Hypothesis v_ordinary : ordinary_vec v.
+Notation met := (met ray Elemento s en).
+
+Definition stands (e : Elemento) (sh : shape) : Prop :=
+  match sh with
+  | Sphere c r => is_esfera _ s e (point c) r
+  | Cylinder c r d h => is_cilindro _ s e (point c) r (direction d) h
+  | Plane c d => is_plano _ s e (point c) (direction d)
+  | Disc c r d => is_disco _ s e (point c) r (direction d)
+  | Triangle a b c => is_triangulo _ s e (vertices a b c)
+  end.
+
+Definition text_of (sh : shape) : coefficients :=
+  match sh with
+  | Sphere c r => of_esfera ray (point c) r
+  | Cylinder c r d h => of_cilindro ray (point c) r (direction d) h
+  | Plane c d => of_plano ray (point c) (direction d)
+  | Disc c r d => of_disco ray (point c) r (direction d)
+  | Triangle a b c => of_triangulo ray (vertices a b c)
+  end.
+
+Lemma direction_not_zero : 0 < norm v.
+Proof.
+  pose proof (Tipos.ray_direction_positive ray ray_ok) as H.
+  apply sqrt_lt_R0; unfold dot; cbn in H; exact H.
+Qed.
+
+Lemma stands_equation e sh : stands e sh -> e ∈ elementos s /\ equation ray Elemento s e (text_of sh).
+Proof.
+  intros H; split; [destruct sh; exact (element_of_type _ _ ok _ _ (proj1 H))|]; unfold equation; destruct sh; cbn in *.
+  - left; eauto.
+  - right; left; eauto 6.
+  - do 4 right; left; eauto.
+  - do 5 right; left; eauto 6.
+  - do 6 right; eauto.
+Qed.
+
+Theorem decisions_are_right e sh : stands e sh -> ordinary_shape sh -> decisions_right (text_of sh) (decisions_of p v sh).
+Proof.
+  assert (HR : forall r, (e, r) ∈ mi_radio s -> 0 < r) by (intros; apply (Escena_decl_mi_radio ok); now exists e).
+  assert (HH : forall r, (e, r) ∈ mi_altura s -> 0 < r) by (intros; apply (Escena_decl_mi_altura ok); now exists e).
+  assert (HD : forall d, (e, d) ∈ mi_vector s -> d ∈ Unitario) by (intros; apply (Escena_inv_8 ok); now exists e).
+  pose proof direction_not_zero as Hv; destruct sh; cbn [stands text_of decisions_of ordinary_shape];
+    unfold is_esfera, is_cilindro, is_plano, is_disco, is_triangulo; intros H O; decompose [and] H; decompose [and] O.
+  - apply sphere_right; auto.
+  - apply cylinder_right; auto.
+  - apply plane_right; auto.
+  - apply disc_right; auto.
+  - apply triangle_right; auto.
+Qed.
+
+Lemma met_of_shape e sh on : stands e sh -> (on = true <-> en e) ->
+  forall t, reach (if on then launched (text_of sh) else text_of sh) t <-> met e t.
+Proof.
+  intros H Hon t; destruct (stands_equation e sh H) as [He Hq].
+  destruct (met_is_reach ray Elemento s ok en e He) as (f & g & Hf & Hseen & _ & Hmet).
+  rewrite (equation_unique ray Elemento s ok e _ _ Hf Hq) in Hseen; rewrite (Hmet t).
+  destruct Hseen as [[Hen ->]|[Hen ->]], on; try tauto.
+  assert (false = true) by tauto; discriminate.
+Qed.
+
+Theorem lanes_are_right e sh on : stands e sh -> ordinary_shape sh -> (on = true <-> en e) ->
+  right_in_lanes (met e) (lanes_of p v sh on).
+Proof.
+  intros H O Hon; apply (right_in_lanes_equal _ _ _ (met_of_shape e sh on H Hon)).
+  destruct (decisions_are_right e sh H O) as (L & Lf & _); unfold lanes_of; destruct on; assumption.
+Qed.
+
+Theorem alone_is_right e sh on limit : stands e sh -> ordinary_shape sh -> (on = true <-> en e) ->
+  right_up_to (met e) limit (alone_of p v sh on limit).
+Proof.
+  intros H O Hon; apply (right_up_to_equal _ _ _ _ (met_of_shape e sh on H Hon)).
+  destruct (decisions_are_right e sh H O) as (_ & _ & A); destruct (A limit); unfold alone_of; destruct on; assumption.
+Qed.
+
+(** *** The first sentence of what the search asks of its steps *)
+
+Variable elements : list Elemento.
+Variables (shape_of : Elemento -> shape) (on in_range : Elemento -> bool).
+Hypothesis described : forall e, In e elements -> stands e (shape_of e) /\ (on e = true <-> en e).
+Hypothesis range : forall e, In e elements -> in_range e = true -> ordinary_shape (shape_of e).
+Variable triage : Elemento -> Limits.binary64 -> Search.verdict (Formas.known R).
+Hypothesis computed : forall e x, In e elements -> in_range e = true ->
+  exists a, answered (alone_of p v (shape_of e) (on e)) x a /\ triage e x = verdict_of a.
+
+Theorem triage_decides : Search.decides Elemento (Formas.known R) met elements in_range is_near triage.
+Proof.
+  intros e x He Hr; destruct (described e He) as [Hs Hon]; destruct (computed e x He Hr) as (a & Ha & ->).
+  pose proof (fun limit => alone_is_right e (shape_of e) (on e) limit Hs (range e He Hr) Hon) as R1; unfold answered in Ha.
+  destruct (is_finite x) eqn:Fx.
+  - specialize (R1 (B2R x)); rewrite <- Ha in R1; destruct a; cbn in *; [|exact I | exact R1].
+    intros t Ht [-> | [_ Hle]]; [discriminate Fx | specialize (R1 t Ht); lra].
+  - destruct Ha as (low & Ha); pose proof (R1 low) as R0; rewrite <- (Ha low) in R0 by lra; destruct a; cbn in *;
+    [|exact I | exact R0].
+    intros t Ht _; specialize (R1 (Rmax low t)); rewrite <- (Ha (Rmax low t)) in R1 by apply Rmax_l; cbn in R1.
+    specialize (R1 t Ht); pose proof (Rmax_r low t); lra.
+Qed.
+End Scene.
