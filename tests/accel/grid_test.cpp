@@ -5,6 +5,8 @@
 
 #include "accel/both_ways.hpp"
 #include "accel/counted.hpp"
+#include "durero/accel/bsp.hpp"
+#include "durero/accel/bvh.hpp"
 #include "durero/accel/structure.hpp"
 #include "durero/model/operaciones.hpp"
 #include "durero/surface/exact.hpp"
@@ -104,6 +106,48 @@ TEST_CASE("the U of the grid for its figure", "[long]") {
     std::cout << "{\"cells_per_element\":" << at.cells_per_element << ",\"cells\":" << at.cells
               << ",\"bytes\":" << at.bytes << ",\"rays\":1000,\"crossed\":" << at.work.cells
               << ",\"tested\":" << at.work.candidates << "}\n";
+}
+
+namespace {
+
+/// Tests of volumes and planes, cells looked through and elements tested, for first hits of rays towards small balls.
+template <class S>
+double steps_of(const scene::Scene& scene, std::size_t small) {
+  const S structure(scene);
+  Random random(13);
+  Work work;
+  for (int i = 0; i < 300; ++i) {
+    const scene::Sphere& at = scene.shapes<scene::Sphere>()[random.below(small)];
+    const glm::dvec3 from = random.in_cube(3), aside = random.in_cube(0.01);
+    counted_first_hit(structure, ray(from, at.centro + aside - from), work);
+  }
+  return static_cast<double>(work.volumes + work.cells + work.candidates) / 300;
+}
+
+}  // namespace
+
+// The teapot in the stadium: all that is small lies in one of the cubes.
+TEST_CASE("where elements lie evenly a grid takes fewest steps, and where they lie in a heap it takes most") {
+  Random random(14);
+  scene::Scene even, stadium;
+  for (int i = 0; i < 1000; ++i) {
+    const glm::dvec3 centre = random.in_cube(0.5);
+    for (scene::Scene* const scene : {&even, &stadium}) add(*scene, scene::Sphere{centre, 0.02});
+  }
+  for (int i = 0; i < 200; ++i) {
+    const double turn = i * 0.0314159265;
+    add(stadium, scene::Sphere{{150 * std::cos(turn), 100 * std::sin(turn), i % 20}, 5});
+  }
+  const double grid = steps_of<Grid>(even, 1000), bvh = steps_of<accel::Bvh>(even, 1000),
+               bsp = steps_of<accel::Bsp>(even, 1000);
+  INFO("evenly: grid " << grid << ", bvh " << bvh << ", bsp " << bsp);
+  CHECK(grid < bvh);
+  CHECK(grid < bsp);
+  const double grid_there = steps_of<Grid>(stadium, 1000), bvh_there = steps_of<accel::Bvh>(stadium, 1000),
+               bsp_there = steps_of<accel::Bsp>(stadium, 1000);
+  INFO("in the stadium: grid " << grid_there << ", bvh " << bvh_there << ", bsp " << bsp_there);
+  CHECK(grid_there > 5 * bvh_there);
+  CHECK(grid_there > 5 * bsp_there);
 }
 
 TEST_CASE("every element that a ray meets is visited, once") {
