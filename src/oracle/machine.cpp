@@ -186,27 +186,41 @@ std::vector<zed::Finding> Machine::preconditions(const Given& before, const Mach
 
 namespace {
 
-/// The names that the text before the • declares, where it includes schemas and no more.
+/// The names of the schemas that the text before the • includes, where it includes any and each is one of a state or a
+/// step: no name of them is another of the text, which a set that is declared from might mean.
 std::optional<std::vector<Name>> included_names(const zed::Typing& typing, const zed::Term& claim) {
-  if (claim->kind != zed::Kind::forall || claim->text->declarations.empty()) return std::nullopt;
+  if (claim->kind != zed::Kind::forall) return std::nullopt;
   std::vector<Name> names;
   for (const zed::Declaration& declaration : claim->text->declarations) {
-    if (declaration.form != zed::Declaration::Form::included) return std::nullopt;
+    if (declaration.form != zed::Declaration::Form::included) continue;
     const auto type = typing.type_of(declaration.term);
     if (!type || !type->is_schema_set()) return std::nullopt;
     const auto& fields = type->parts()[0].fields();
     names.insert(names.end(), fields.begin(), fields.end());
   }
-  return names;
+  const bool free = std::none_of(names.begin(), names.end(), [&](const Name& name) {
+    return typing.find(Machine::Parts::section_name, name) != nullptr;
+  });
+  return names.empty() || !free ? std::nullopt : std::optional(std::move(names));
 }
 
-/// ∀ S | P • Q of names that have values: S ∧ P ⇒ Q.
+/// ∀ S; D | P • Q of names of S that have values: S ⇒ (∀ D | P • Q).
 zed::Term instance(const zed::Term& claim) {
-  zed::Term left = zed::node(zed::Kind::truth, {});
-  const auto add = [&](const zed::Term& part) { left = zed::node(zed::Kind::conjunction, {left, part}); };
-  for (const zed::Declaration& declaration : claim->text->declarations) add(declaration.term);
-  for (const zed::Predicate& predicate : claim->text->predicates) add(predicate.term);
-  return zed::node(zed::Kind::implication, {left, claim->children[0]});
+  zed::Term schemas = zed::node(zed::Kind::truth, {});
+  zed::SchemaText rest = *claim->text;
+  rest.declarations.clear();
+  for (const zed::Declaration& declaration : claim->text->declarations) {
+    if (declaration.form == zed::Declaration::Form::included)
+      schemas = zed::node(zed::Kind::conjunction, {schemas, declaration.term});
+    else
+      rest.declarations.push_back(declaration);
+  }
+  if (!rest.declarations.empty())
+    return zed::node(zed::Kind::implication, {schemas, zed::quantified(zed::Kind::forall, std::move(rest),
+                                                                       {claim->children[0]}, claim->place)});
+  for (const zed::Predicate& predicate : rest.predicates)
+    schemas = zed::node(zed::Kind::conjunction, {schemas, predicate.term});
+  return zed::node(zed::Kind::implication, {schemas, claim->children[0]});
 }
 
 }  // namespace
@@ -227,16 +241,11 @@ std::vector<Tried> Machine::conjectures(const Given& before, const Transition& t
                                          [&](const Name& name) { return value_of(locals, name) != nullptr; });
       if (!all_known) continue;  // it speaks of another transition
     }
-    if (!names && claim.truth) {
-      tried.truth = *claim.truth;
-    } else {
-      parts_->begin_question();
-      try {
-        tried.truth = parts_->evaluator->holds(names ? instance(claim.term) : claim.term, locals);
-      } catch (const zed::EvaluationError&) {
-        tried.truth = Truth::open;
-      }
+    if (!claim.truth) {
+      tried.truth = parts_->truth(names ? instance(claim.term) : claim.term, locals, claim);
       if (!names) claim.truth = tried.truth;
+    } else {
+      tried.truth = *claim.truth;
     }
     all.push_back(std::move(tried));
   }

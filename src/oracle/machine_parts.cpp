@@ -246,6 +246,18 @@ std::vector<Value> some_subsets(const std::vector<Value>& of) {
 
 }  // namespace
 
+zed::Truth Machine::Parts::truth(const zed::Term& term, const zed::Given& locals, Claim& claim) const {
+  begin_question();
+  try {
+    return evaluator->holds(term, locals);
+  } catch (const zed::EvaluationError&) {
+    return zed::Truth::open;
+  } catch (const zed::StepsSpent&) {
+    claim.truth = zed::Truth::open;  // in another state it would take as many
+    return zed::Truth::open;
+  }
+}
+
 std::vector<Value> Machine::Parts::samples(const Type& type) const {
   if (type.is(Type::Kind::power)) return some_subsets(samples(type.parts()[0]));
   if (type.is(Type::Kind::product) || type.is(Type::Kind::schema)) {

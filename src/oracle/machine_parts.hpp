@@ -17,7 +17,8 @@ struct Machine::Parts {
   struct Claim {
     zed::Term term;
     std::string text, place;
-    std::optional<zed::Truth> truth{};  ///< of one that speaks of no state, once it was tried
+    /// Of one that speaks of no state, once it was tried; and open, of one that takes too many steps.
+    std::optional<zed::Truth> truth{};
   };
 
   Parts(const zed::Specification& text, Setup how);
@@ -44,6 +45,8 @@ struct Machine::Parts {
   zed::Given named(const zed::Given& before, const Transition& transition) const;
   /// Whether values of the type have numbers in them, of which there is no end.
   bool has_numbers(const zed::Type& type) const;
+  /// The truth of a claim, or of its instance with these names; open where it cannot be decided.
+  zed::Truth truth(const zed::Term& term, const zed::Given& locals, Claim& claim) const;
   /// Some values of the type, the same each time.
   std::vector<zed::Value> samples(const zed::Type& type) const;
 

@@ -1,4 +1,4 @@
-"""spec_run_own.py DURERO: thirty-four commands of a session with the program's own text, as a terminal sees them."""
+"""spec_run_own.py DURERO: thirty-five commands of a session with the program's own text, as a terminal sees them."""
 import sys
 
 from spec_run import Terminal
@@ -12,6 +12,7 @@ SESSION = [
     ("show", ["0. Init"]),
     (f"Agregar_Esfera {BALL}1", ["1. Agregar_Esfera", "→  {bola ↦ 1}", "invariant: "]),
     ("show", ["1. Agregar_Esfera"]),
+    ("try", ["true   spec/operaciones.tex", "pre Eliminar_Esfera_Total  (here)", "pre Eliminar_Elemento_Total  (here)"]),
     (f"Agregar_Esfera {BALL}1", ["Agregar_Esfera cannot go on here"]),
     (f"why Agregar_Esfera {BALL}1", ["false  e? ∉ elementos  % Agregar_Elemento.pre.1"]),
     (f"Agregar_Esfera_Total {BALL}1", ["2. Agregar_Esfera_Total", "r! = elemento_ya_existe"]),

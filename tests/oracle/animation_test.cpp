@@ -195,6 +195,31 @@ TEST_CASE("all states are explored, and a false conjecture is shown with the way
   CHECK(few.bounded == std::vector<std::string>{"states: --states"});
 }
 
+TEST_CASE("a conjecture of a state and of more is tried in the state, for all that the more may be") {
+  const auto claims = [](const std::string& text, std::uint64_t steps) {
+    Setup setup = two_people();
+    setup.steps = steps;
+    const Machine machine(zed::read_text(book_text() + "\\begin{zed} " + text + " \\end{zed}\n", "book.tex"), setup);
+    Animation way(machine);
+    way.take(machine.initial(1).transitions[0]);
+    way.take(machine.steps(*way.now(), *machine.find("AddBirthday"), {}, 1).transitions[0]);
+    return machine.conjectures(*way.before(), way.way().back());
+  };
+  for (const auto& [claim, truth] :
+       {std::pair("\\vdash? \\forall BirthdayBook; n, m : NAME | n \\in known @ m \\in known \\lor n \\neq m",
+                  Truth::yes),
+        std::pair("\\vdash? \\forall BirthdayBook; n : NAME @ n \\in known", Truth::no),
+        std::pair("\\vdash? \\forall BirthdayBook; k : \\nat @ k * k * k \\geq k", Truth::open)}) {
+    INFO(claim);
+    const Tried last = claims(claim, 1000000).back();
+    CHECK(last.of_states);
+    CHECK(last.truth == truth);
+  }
+  const std::string all_of_many = "\\vdash? \\forall BirthdayBook; i, j, k : 1 \\upto 50 @ i + j + k \\geq 3";
+  CHECK(claims(all_of_many, 1000000).back().truth == Truth::yes);
+  CHECK(claims(all_of_many, 10000).back().truth == Truth::open);
+}
+
 TEST_CASE("the program's own text is a machine too") {
   Setup setup;
   setup.given["Elemento"] = {"bola"};

@@ -84,6 +84,9 @@ class Compiler {
   /// may be known of that one that it satisfies S.
   Value binding_of(const Signature& names, std::vector<Value> values);
   void remember(const BindingPtr& binding);
+  /// Applies the function. The last sets that functions gave are kept, as to list one may take long: to the same
+  /// argument the function gives the same set.
+  Value applied(const Value& function, const Value& argument, Context& context);
 
  private:
   // Expressions are compiled in expressions.cpp, names.cpp and binders.cpp.
@@ -123,10 +126,6 @@ class Compiler {
                           const Scope& scope);
   Property declaration(const Declaration& declaration, const Scope& scope);
   Property inclusion(const Declaration& included, unsigned whole, const Scope& scope, const Scope& inner);
-  /// Adds what an equation says of names, and of the parts of tuples, bindings and θ S.
-  void equations(const Term& left, const Term& right, const Scope& scope, Property& into);
-  /// The parts of two tuples, two bindings or θ S and θ S ′ that are equal where these are.
-  std::vector<std::pair<Term, Term>> parts_of(const Term& left, const Term& right) const;
 
   // Paragraphs are compiled in axiomatic.cpp.
   Value axiomatic(const Meaning& global, Context& context);
@@ -138,11 +137,15 @@ class Compiler {
   Local component(const Name& name, const Scope& scope);
 
   Definitions& definitions_;
-  std::deque<BindingPtr> bindings_;  // those of the last θ; an evaluation has few states at once
-  std::deque<Value> constants_;      // closed expressions have these values, each computed when first asked for
-  std::vector<unsigned> reads_;      // the code that is being compiled reads these slots, in order of compilation
-  std::string label_;                // the definition that is being compiled has this label
-  std::string strokes_;              // the decorations around what is being compiled have these strokes
+  struct Application {
+    Value function, argument, result;
+  };
+  std::deque<BindingPtr> bindings_;       // those of the last θ; an evaluation has few states at once
+  std::deque<Application> applications_;  // those that gave a set, the last one first
+  std::deque<Value> constants_;           // closed expressions have these values, each computed when first asked for
+  std::vector<unsigned> reads_;           // the code that is being compiled reads these slots, in order of compilation
+  std::string label_;                     // the definition that is being compiled has this label
+  std::string strokes_;                   // the decorations around what is being compiled have these strokes
 };
 
 /// Takes slots for a scope, and gives them back at its end.

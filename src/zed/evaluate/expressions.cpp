@@ -158,6 +158,28 @@ Value Compiler::binding_of(const Signature& names, std::vector<Value> values) {
   return made;
 }
 
+namespace {
+
+/// Says whether two arguments are one: identical, or tuples of identical parts.
+bool same_argument(const Value& a, const Value& b) {
+  const TupleValue *s = a.tuple(), *t = b.tuple();
+  if (!s || !t) return identical(a, b);
+  return s == t || std::equal(s->parts.begin(), s->parts.end(), t->parts.begin(), t->parts.end(), identical);
+}
+
+}  // namespace
+
+Value Compiler::applied(const Value& function, const Value& argument, Context& context) {
+  constexpr std::size_t most = 64;  // a scene of the tests has ten elements, and each some sets
+  for (const Application& known : applications_)
+    if (identical(known.function, function) && same_argument(known.argument, argument)) return known.result;
+  Value result = apply_value(function, argument, context);
+  if (!result.set() || !zed::closed(argument)) return result;
+  if (applications_.size() == most) applications_.pop_back();
+  applications_.push_front({function, argument, result});
+  return result;
+}
+
 Code Compiler::theta(const Node& node, const Scope& scope) {
   const Term& schema = node.children[0];
   auto names = components(schema, definitions_);
@@ -211,10 +233,13 @@ Code Compiler::application(const Node& node, const Scope& scope) {
       return counted(compute, frame.context, left, b(frame));
     };
   }
-  return [f = expression(function, scope), a = expression(argument, scope)](Frame& frame) {
+  const auto gives_sets = std::make_shared<bool>(false);  // what has given no set yet is not looked for among the kept
+  return [this, f = expression(function, scope), a = expression(argument, scope), gives_sets](Frame& frame) {
     frame.context.steps.take();
-    const Value left = f(frame);
-    return apply_value(left, a(frame), frame.context);
+    const Value left = f(frame), right = a(frame);
+    Value result = *gives_sets ? applied(left, right, frame.context) : apply_value(left, right, frame.context);
+    *gives_sets = *gives_sets || result.set();
+    return result;
   };
 }
 

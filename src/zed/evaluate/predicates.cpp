@@ -131,19 +131,6 @@ Property Compiler::predicate(const Term& term, const Scope& scope) {
   }
 }
 
-std::vector<std::pair<Term, Term>> Compiler::parts_of(const Term& left, const Term& right) const {
-  std::vector<std::pair<Term, Term>> pairs;
-  if (left->kind != right->kind || left->children.size() != right->children.size()) return pairs;
-  if (left->kind == Kind::tuple)
-    for (std::size_t i = 0; i < left->children.size(); ++i) pairs.emplace_back(left->children[i], right->children[i]);
-  if (left->kind == Kind::binding_extension && left->names == right->names)
-    for (std::size_t i = 0; i < left->children.size(); ++i) pairs.emplace_back(left->children[i], right->children[i]);
-  if (left->kind != Kind::theta) return pairs;
-  for (const Name& name : components(left->children[0], definitions_).value_or(Components{}))
-    pairs.emplace_back(reference(decorated(name, left->name.strokes)), reference(decorated(name, right->name.strokes)));
-  return pairs;
-}
-
 Property Compiler::relation(const Term& term, const Scope& scope) {
   const Node& node = *term;
   std::vector<Code> operands;

@@ -10,7 +10,7 @@ namespace {
 bool is_result(const Name& name) { return name.strokes.find_first_of("'!") != std::string::npos; }
 
 /// So many states may be looked at to find which names conjuncts make of others.
-constexpr std::size_t most_narrowings = 4;
+constexpr std::size_t most_narrowings = 32;
 
 void refute(Trial& trial, const std::vector<Name>& names, const std::vector<Value>& state) {
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -202,10 +202,10 @@ bool Attempt::complete(const State& drawn, std::vector<Value>& found) {
     std::vector<Name> fewer = all;
     fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
     make(std::move(fewer));
-    if (completed(drawn, found) != Truth::open || !found.empty()) {
-      narrowings_ = 0;
-      return !found.empty();
-    }
+    completed(drawn, found);
+    if (found.empty()) continue;
+    narrowings_ = 0;
+    return true;
   }
   make(all);
   return false;

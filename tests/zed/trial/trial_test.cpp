@@ -93,4 +93,30 @@ TEST_CASE("samples stand for what they are named after, and the states are the s
   CHECK(trial("\\forall S @ n = 0").counterexample == trial("\\forall S @ n = 0").counterexample);
 }
 
+TEST_CASE("what conjuncts do not make is drawn, where it cannot be said what they make") {
+  CHECK(trial("\\forall a, b : \\num; s : \\power Cosa | a = b + 70 \\land "
+              "(a, s) \\in \\{~ k : \\num; t : \\power Cosa | \\# t \\leq 9 ~\\} @ a \\geq 60")
+            .tried == TrialBounds{}.states);
+}
+
+TEST_CASE("a sample that is no member, or is not taken whole, is no state") {
+  const Specification read = read_text(before +
+                                           "\\begin{zed} T == [~ n : \\nat | n = 7 ~] \\end{zed}\n"
+                                           "\\begin{zed} \\vdash? \\forall k : \\nat @ k \\geq 0 \\end{zed}\n"
+                                           "\\begin{zed} \\vdash? \\forall S; T @ n = 7 \\end{zed}\n",
+                                       "here");
+  const Typing typing = check(read);
+  REQUIRE(typing.ok());
+  const Value thing = Value::atom("Cosa", "mesa");
+  const Samples samples = {
+      {"ℕ", {Real(-7)}},
+      {"S", {Value::binding(signature({{"cosas", ""}, {"n", ""}}), {Value::set({thing}), Real(1)})}},
+      {"T", {Value::binding(signature({{"n", ""}}), {Real(7)})}},
+  };
+  for (const Trial& found : try_conjectures(read, typing, samples)) {
+    CHECK(found.counterexample.empty());
+    CHECK(found.why_not == "none of the values drawn are a state");
+  }
+}
+
 }  // namespace durero::zed
