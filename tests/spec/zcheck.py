@@ -42,13 +42,21 @@ def formals(c, names, line):
     return {n: power(("given", FORMAL + n)) for n in names}
 
 
+def declare(c, line, types):
+    """Names that a paragraph declares; a section declares each once."""
+    for name in sorted(c.own & set(types)):
+        c.error(line, f"{name} is declared already")
+    c.own |= set(types)
+    c.names.update(types)
+
+
 def free_type(c, p, name, line):
     own = ("given", name)
-    c.names[name] = power(own)
+    declare(c, line, {name: power(own)})
     while True:
         if p.next.kind != "name":
             raise ZError(p.next.line, f"{name} ::= introduces a new type by naming its values; found {p.next.text}")
-        c.names[p.name()] = own
+        declare(c, p.next.line, {p.name(): own})
         if not p.accept("|"):
             break
 
@@ -61,33 +69,37 @@ def zed(c, p):
     if p.accept(r"\vdash?"):
         return c.predicate(formals(c, names, line), p.predicate())
     if names:
-        return c.names.update({name: power(("given", name)) for name in names})
+        return declare(c, line, {name: power(("given", name)) for name in names})
     name = p.operator_name(names) or p.name()
     if p.accept("::="):
         return free_type(c, p, name, line)
     if p.accept("["):
         names = listed(p)
     p.take("==")
-    c.names[name] = c.unknown()  # if the right side fails, uses of the name add no further errors
+    declare(c, line, {name: c.unknown()})  # if the right side fails, uses of the name add no further errors
     scope = formals(c, names, line)
     c.names[name] = generic(names, c.type(scope, p.predicate()))
 
 
 def box(c, p, paragraph):
     schema, names = paragraph.kind == "schema", []
+    if schema and not paragraph.head:
+        raise ZError(paragraph.line, "a box of a schema has its name")
+    if paragraph.kind == "gendef" and not p.sees("["):
+        raise ZError(p.next.line, "a generic box has formals")
     if p.sees("[") and paragraph.kind in ("schema", "gendef"):
         line = p.take().line
         names = listed(p)
         p.newline()
     scope = formals(c, names, line if names else 0)
     if schema:
-        c.names[paragraph.head] = c.unknown()
+        declare(c, paragraph.line, {paragraph.head: c.unknown()})
     decls = Node("text", (p.declarations(), None), paragraph.line)
     inner, _, declared = c.text(scope, decls)
     if schema:
         c.names[paragraph.head] = generic(names, power(("schema", tuple(sorted(declared.items())))))
     else:
-        c.names.update({n: generic(names, t) for n, t in declared.items()})
+        declare(c, paragraph.line, {n: generic(names, t) for n, t in declared.items()})
     if p.accept("where"):
         for predicate in p.predicates():
             c.predicate(inner, predicate)
@@ -96,7 +108,7 @@ def box(c, p, paragraph):
 def check(names, templates, paragraphs):
     """The errors of a section's paragraphs, (line, message); names and templates gain what they declare."""
     c = Checker(names)
-    c.templates = templates
+    c.templates, c.own = templates, set()
     for paragraph in paragraphs:
         p = Parser(paragraph.tokens, templates)
         try:

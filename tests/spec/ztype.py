@@ -197,4 +197,6 @@ class Checker(Types):
         from zexpr import RULES  # the rules, an operator each; they call back here
         if node.op in LINKS | {r"\lnot"} and node.op not in RULES:
             raise ZError(node.line, "an expression is expected, not a predicate")
+        if node.op not in RULES:
+            raise ZError(node.line, f"{node.op} is not read here")
         return RULES[node.op](self, scope, node)

@@ -38,7 +38,8 @@ std::string edit(Edited& edited, const std::string& script) {
 }
 
 double first_t(const Edited& edited) {
-  return engine::first_hit(*edited.engine(), {{model::Punto({-5, 0, 0}), model::Vector({1, 0, 0})}}).t;
+  return engine::first_hit(*edited.engine(), {{model::Punto(glm::dvec3(-5, 0, 0)), model::Vector(glm::dvec3(1, 0, 0))}})
+      .t;
 }
 
 TEST_CASE("An element of a type of the text is added, met, removed and written back") {
