@@ -12,6 +12,7 @@
 #include "durero/io/lines.hpp"
 #include "durero/io/operations_file.hpp"
 #include "durero/io/output_file.hpp"
+#include "durero/io/picture_file.hpp"
 #include "durero/io/scene_file.hpp"
 #include "durero/io/standard_output.hpp"
 #include "durero/oracle/spec.hpp"
@@ -98,6 +99,7 @@ int edit(const EditOptions& options) {
     progress.add();
   }
   if (out) {
+    io::rename_pictures(edited.of.scene.stage(), options.scene, options.out);
     out->write(io::scene_text(edited.of.scene, edited.of.groups));
     out->commit();
   }

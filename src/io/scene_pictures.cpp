@@ -82,7 +82,32 @@ class PictureReader {
   std::filesystem::path folder_;
 };
 
+/// The folder that a file is in, without symbolic links, so that its parent is that of its name.
+std::filesystem::path folder_of(const std::string& file) {
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(file).parent_path());
+}
+
 }  // namespace
+
+void rename_pictures(scene::Stage& stage, const std::string& from, const std::string& to) {
+  const std::filesystem::path old_folder = folder_of(from), folder = folder_of(to);
+  if (old_folder == folder) return;
+  const auto rename = [&](PictureFile& picture) {
+    const std::filesystem::path name = picture.file;
+    if (name.empty() || name.is_absolute()) return;
+    std::filesystem::path above = old_folder;
+    auto part = name.begin();
+    for (; part != name.end() && *part == ".."; ++part) above = above.parent_path();
+    std::filesystem::path renamed = above.lexically_relative(folder);
+    if (renamed == ".") renamed.clear();
+    for (; part != name.end(); ++part) renamed /= *part;
+    picture.file = renamed.string();
+  };
+  for (Texture& texture : stage.textures)
+    if (texture.pattern == scene::Pattern::image) rename(texture.image);
+  if (!stage.environment) return;
+  for (PictureFile& picture : stage.environment->pictures) rename(picture);
+}
 
 void read_pictures(const Source& source, scene::Stage& stage) {
   PictureReader reader(source);

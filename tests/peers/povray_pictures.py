@@ -20,7 +20,7 @@ from png import png_pixels  # noqa: E402
 
 OFF, FEW = 2, 0.01
 WIDTH, HEIGHT = 320, 180
-SCENES = ["mirrors", "still-life"]
+SCENES = ["demo/mirrors.json", "demo/still-life.json", "demo/gallery/whitted.json", "tests/peers/worn.json"]
 
 
 def ppm_pixels(data):
@@ -46,7 +46,7 @@ def compare(name, here, there, into):
     for i in off[:8]:
         print(f"  ({i % WIDTH}, {i // WIDTH}): here {tuple(here[3 * i : 3 * i + 3])}, POV-Ray {tuple(there[3 * i : 3 * i + 3])}")
     if into:
-        pathlib.Path(into, f"{name}.pgm").write_bytes(b"P5 %d %d 255\n" % (WIDTH, HEIGHT) + bytes(steps))
+        pathlib.Path(into, f"{pathlib.Path(name).stem}.pgm").write_bytes(b"P5 %d %d 255\n" % (WIDTH, HEIGHT) + bytes(steps))
     return share < FEW and len(set(here)) > 50
 
 
@@ -57,7 +57,7 @@ def main():
     alike = True
     for name in SCENES:
         with tempfile.TemporaryDirectory() as folder:
-            here, there = drawn(sys.argv[1], pathlib.Path(sys.argv[2], "demo", name + ".json"), pathlib.Path(folder))
+            here, there = drawn(sys.argv[1], pathlib.Path(sys.argv[2], name), pathlib.Path(folder))
         alike &= compare(name, here, there, sys.argv[3] if len(sys.argv) > 3 else None)
     sys.exit(0 if alike else 1)
 
