@@ -1,6 +1,7 @@
 // The pictures that a scene names.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <system_error>
@@ -87,6 +88,11 @@ std::filesystem::path folder_of(const std::string& file) {
   return std::filesystem::weakly_canonical(std::filesystem::absolute(file).parent_path());
 }
 
+/// Whether a folder is above another, or is it.
+bool leads_to(const std::filesystem::path& above, const std::filesystem::path& folder) {
+  return std::mismatch(above.begin(), above.end(), folder.begin(), folder.end()).first == above.end();
+}
+
 }  // namespace
 
 void rename_pictures(scene::Stage& stage, const std::string& from, const std::string& to) {
@@ -98,6 +104,7 @@ void rename_pictures(scene::Stage& stage, const std::string& from, const std::st
     std::filesystem::path above = old_folder;
     auto part = name.begin();
     for (; part != name.end() && *part == ".."; ++part) above = above.parent_path();
+    for (; part != name.end() && leads_to(above / *part, folder); ++part) above /= *part;
     std::filesystem::path renamed = above.lexically_relative(folder);
     if (renamed == ".") renamed.clear();
     for (; part != name.end(); ++part) renamed /= *part;
