@@ -8,6 +8,7 @@
 #include "durero/io/formats.hpp"
 #include "durero/io/groups_file.hpp"
 #include "durero/io/output_file.hpp"
+#include "durero/io/picture_file.hpp"
 #include "durero/io/scene_file.hpp"
 #include "durero/io/standard_output.hpp"
 #include "durero/text/shown.hpp"
@@ -32,7 +33,8 @@ int import_scene(const ConvertOptions& options) {
   const io::Format& format = io::format_to_read(options.from);
   io::OutputFile out(options.to);
   std::optional<Progress> progress(std::in_place, options.quiet, "import");
-  const io::Imported imported = format.read(io::read_source(options.from));
+  io::Imported imported = format.read(io::read_source(options.from));
+  io::rename_pictures(imported.scene.stage(), options.from, options.to);
   out.write(io::scene_text(imported.scene, imported.groups));
   out.commit();
   progress.reset();
@@ -44,7 +46,8 @@ int export_scene(const ConvertOptions& options) {
   const io::Format& format = io::format_to_write(options.to);
   io::OutputFile out(options.to);
   std::optional<Progress> progress(std::in_place, options.quiet, "export");
-  const auto [scene, groups] = io::read_grouped_scene(io::read_source(options.from));
+  auto [scene, groups] = io::read_grouped_scene(io::read_source(options.from));
+  io::rename_pictures(scene.stage(), options.from, options.to);
   io::Exported exported = format.write(scene);
   if (has_groups(format)) {
     exported.text = io::scene_text(scene, groups);

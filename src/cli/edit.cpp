@@ -13,6 +13,7 @@
 #include "durero/io/lines.hpp"
 #include "durero/io/operations_file.hpp"
 #include "durero/io/output_file.hpp"
+#include "durero/io/picture_file.hpp"
 #include "durero/io/standard_output.hpp"
 #include "durero/model/operaciones.hpp"
 #include "durero/oracle/spec.hpp"
@@ -91,6 +92,7 @@ int edit(const EditOptions& options) {
     progress.add();
   }
   if (out) {
+    io::rename_pictures(edited.stage(), options.scene, options.out);
     out->write(edited.scene_text());
     out->commit();
   }

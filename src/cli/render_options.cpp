@@ -22,8 +22,8 @@ namespace {
 /// The most pixels of a side, as in scene files.
 constexpr std::uint32_t greatest_side = 65535;
 
-/// Statistical sampling that names no number: 2⁸ points of each replica.
-constexpr std::uint32_t statistical_samples = 256 * render::replicas;
+/// Statistical sampling that names no number.
+constexpr std::uint32_t statistical_samples = 1024;
 
 /// Pixels of a side.
 std::optional<std::uint32_t> read_side(std::string_view text) {
@@ -167,9 +167,9 @@ void check_together(const RenderOptions& options) {
   refuse(
       !options.is_statistical() && side != std::floor(side),
       fmt::format("--samples {}: no square number; expected 1, 4, 9, … or --sampling statistical", *options.samples));
-  refuse(options.is_statistical() && *options.samples < render::replicas,
+  refuse(options.is_statistical() && *options.samples < render::least_samples,
          fmt::format("--samples {}: too few to tell anything; expected {} or more with --sampling statistical",
-                     *options.samples, render::replicas));
+                     *options.samples, render::least_samples));
 }
 
 render::Frame frame_of(const RenderOptions& options) {

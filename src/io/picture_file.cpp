@@ -54,15 +54,33 @@ struct Png {
   [[noreturn]] void fail() const { throw PictureError(fmt::format("libpng: {}", image.message)); }
 };
 
+/// libpng reads no further than the last texel. A file that was cut after it is told by its end chunk, which is not
+/// there: from the eighth byte on each chunk is four bytes that hold the length of its data, four of its name, the data
+/// and four more (ISO/IEC 15948, 5.3).
+void require_end(std::string_view bytes) {
+  const auto length_at = [&](std::size_t at) {
+    std::size_t length = 0;
+    for (const char byte : bytes.substr(at, 4)) length = length << 8U | static_cast<std::uint8_t>(byte);
+    return length;
+  };
+  for (std::size_t at = 8; bytes.size() - at >= 12; at += 12 + length_at(at)) {
+    if (bytes.substr(at + 4, 4) == "IEND") return;
+    if (length_at(at) > bytes.size() - at - 12) break;
+  }
+  throw PictureError("it ends before its end chunk, IEND");
+}
+
 Picture picture_of_png(std::string_view bytes, Curve curve) {
   Png png;
   if (!png_image_begin_read_from_memory(&png.image, bytes.data(), bytes.size())) png.fail();
   require_size(png.image.width, png.image.height);
   if ((png.image.format & PNG_FORMAT_FLAG_LINEAR) == 0) {
     const auto rgb = png.samples<std::uint8_t>(PNG_FORMAT_RGB);
+    require_end(bytes);
     return picture_of_bytes(png.image.width, png.image.height, rgb, curve);
   }
   const auto rgb = png.samples<std::uint16_t>(PNG_FORMAT_LINEAR_RGB);
+  require_end(bytes);
   Picture picture{png.image.width, png.image.height};
   picture.texels.reserve(rgb.size() / 3);
   for (std::size_t i = 0; i < rgb.size(); i += 3)

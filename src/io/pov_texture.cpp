@@ -1,13 +1,42 @@
 #include "pov_texture.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <utility>
 #include <vector>
+
+#include "durero/contract/contract.hpp"
 
 namespace durero::io {
 namespace {
 
+using scene::Coefficient;
+
 const glm::dvec3 black(0);
+
+/// Whether a texture multiplies it by its colour; else by the mean of its red, green and blue.
+bool is_color(Coefficient coefficient) {
+  using enum Coefficient;
+  switch (coefficient) {
+    case color:
+    case M_PS:
+    case M_T:
+    case emission:
+    case ambient:
+      return true;
+    case k_a:
+    case k_d:
+    case k_s:
+    case k_ps:
+    case k_t:
+      return false;
+  }
+  contract::unreachable();
+}
 
 std::string rgb(const glm::dvec3& color) { return fmt::format("rgb <{}, {}, {}>", color.x, color.y, color.z); }
 
@@ -39,7 +68,103 @@ std::string of_the_first(const scene::Material& m, double count) {
   return finish;
 }
 
+/// Something that textures multiply: its texture, so many times itself in red, green and blue.
+struct Worn {
+  std::vector<Coefficient> factors;
+  std::function<std::string(const glm::dvec3&)> times;
+};
+
+std::string texture_text(const glm::dvec3& color, std::string_view pigment, std::string_view finish) {
+  return fmt::format("pigment {{ {}{} }} finish {{ ambient 0 {} }}", rgb(color), pigment, finish);
+}
+
+/// All summands, each by itself: highlight and mirror, too.
+std::vector<Worn> worn_by(const scene::Material& m) {
+  using enum Coefficient;
+  std::vector<Worn> parts;
+  const auto add = [&](const glm::dvec3& own, std::vector<Coefficient> factors, std::string pigment,
+                       std::string finish) {
+    if (own == black) return;
+    parts.push_back({std::move(factors), [=](const glm::dvec3& n) { return texture_text(n * own, pigment, finish); }});
+  };
+  add(m.k_d > 0 ? m.color : black, {color, k_d}, "", fmt::format("diffuse {}", m.k_d));
+  add(m.k_a > 0 ? m.color : black, {color, k_a}, "", fmt::format("diffuse {} brilliance 0", m.k_a));
+  add(m.emission, {emission}, "", "diffuse 0 emission 1");
+  add(m.ambient, {ambient}, "", "diffuse 0 emission 1");
+  add(m.k_t > 0 ? m.M_T : black, {M_T, k_t}, fmt::format(" filter {}", m.k_t), "diffuse 0");
+  if (m.k_s > 0)
+    parts.push_back({{k_s}, [=](const glm::dvec3& n) {
+                       return texture_text(black, "",
+                                           fmt::format("diffuse 0 phong {} phong_size {}", n.x * m.k_s, m.e));
+                     }});
+  if (m.k_ps > 0)
+    parts.push_back({{M_PS, k_ps}, [=](const glm::dvec3& n) {
+                       return texture_text(black, "",
+                                           fmt::format("diffuse 0 reflection {{ {} }}", rgb(n * m.k_ps * m.M_PS)));
+                     }});
+  return parts;
+}
+
+/// The product of the textures of some coefficients, in red, green and blue; of a share the mean of its three. Empty
+/// where there are none.
+std::optional<PovChannels> product(const scene::Material& m, const PovPatterns& patterns, const PovCoordinates& at,
+                                   const std::vector<Coefficient>& factors) {
+  std::optional<PovChannels> product;
+  for (const Coefficient factor : factors) {
+    if (m.textures.of(factor).empty()) continue;
+    auto channels = patterns.channels(m.textures.of(factor), at);
+    if (!channels) continue;
+    if (!is_color(factor)) channels->fill(fmt::format("({})/3", fmt::join(*channels, " + ")));
+    if (product)
+      for (std::size_t k = 0; k < 3; ++k) (*product)[k] += "*" + (*channels)[k];
+    else
+      product = channels;
+  }
+  return product;
+}
+
+bool is_share(const scene::Material& m, const std::vector<Coefficient>& factors) {
+  return std::ranges::none_of(factors, [&](Coefficient c) { return is_color(c) && !m.textures.of(c).empty(); });
+}
+
+std::string interior(const scene::Material& m) {
+  return m.k_t > 0 ? fmt::format(" interior {{ ior {} }}", m.index) : "";
+}
+
 }  // namespace
+
+std::string pov_attributes(const scene::Material& m, const PovPatterns& patterns, const PovCoordinates& at) {
+  struct Term {
+    std::string share;  // of itself, from place to place; empty where it is whole
+    glm::dvec3 of;
+    const Worn* part;
+  };
+  const std::vector<Worn> parts = worn_by(m);
+  std::vector<Term> terms;
+  for (const Worn& part : parts) {
+    const auto channels = product(m, patterns, at, part.factors);
+    if (!channels) {
+      terms.push_back({"", glm::dvec3(1), &part});
+    } else if (is_share(m, part.factors)) {
+      terms.push_back({channels->front(), glm::dvec3(1), &part});
+    } else {
+      for (int k = 0; k < 3; ++k) {
+        glm::dvec3 of(0);
+        of[k] = 1;
+        terms.push_back({(*channels)[static_cast<std::size_t>(k)], of, &part});
+      }
+    }
+  }
+  if (terms.empty()) return pov_attributes(m);
+  std::string text;
+  for (const Term& term : terms) {
+    const std::string whole = term.part->times(double(terms.size()) * term.of);
+    text += term.share.empty() ? fmt::format(" [1 {}]", whole)
+                               : fmt::format(" [1 function {{ {} }} texture_map {{ [0 {}] [1 {}] }}]", term.share,
+                                             texture_text(black, "", "diffuse 0"), whole);
+  }
+  return fmt::format("texture {{ average texture_map {{{} }} }}{}", text, interior(m));
+}
 
 std::string pov_attributes(const scene::Material& m) {
   const std::vector<Part> parts = parts_of(m);
@@ -55,8 +180,7 @@ std::string pov_attributes(const scene::Material& m) {
     for (const Part& part : parts) text += fmt::format(" [1 {}]", texture(part));
     text = fmt::format("texture {{ average texture_map {{{} }} }}", text);
   }
-  if (m.k_t > 0) text += fmt::format(" interior {{ ior {} }}", m.index);
-  return text;
+  return text + interior(m);
 }
 
 }  // namespace durero::io

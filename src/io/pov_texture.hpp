@@ -4,10 +4,14 @@
 #include <string>
 
 #include "durero/scene/stage.hpp"
+#include "pov_pattern.hpp"
 
 namespace durero::io {
 
-/// The attributes of an object of that material: texture and, of glass, interior.
+/// The attributes of an object of that material, which wears no texture: texture and, of glass, interior.
 std::string pov_attributes(const scene::Material& material);
+
+/// Those of an object of that material, whose textures stand at these coordinates.
+std::string pov_attributes(const scene::Material& material, const PovPatterns& patterns, const PovCoordinates& at);
 
 }  // namespace durero::io

@@ -24,7 +24,7 @@ constexpr std::uint32_t most_depth = 15;
 
 class PovWriter {
  public:
-  explicit PovWriter(const scene::Scene& scene) : scene_(scene) {}
+  explicit PovWriter(const scene::Scene& scene) : scene_(scene), patterns_(scene.stage().textures) {}
 
   Exported write() {
     const scene::Stage& stage = scene_.stage();
@@ -34,7 +34,11 @@ class PovWriter {
     out_.text += fmt::format("global_settings {{ assumed_gamma 1 max_trace_level {} adc_bailout 0 }}\n",
                              stage.max_depth.value_or(most_depth));
     write_camera(size);
-    if (stage.background) out_.text += fmt::format("background {{ rgb {} }}\n", text(*stage.background));
+    out_.text += patterns_.declarations();
+    if (stage.environment)
+      write_sky(*stage.environment);
+    else if (stage.background)
+      out_.text += fmt::format("background {{ rgb {} }}\n", text(*stage.background));
     write_lights();
     for (const scene::Material& material : stage.materials) looks_.push_back(pov_attributes(material));
     for (const scene::ElementRef element : elements_by_name(scene_)) write_element(element);
@@ -58,6 +62,13 @@ class PovWriter {
                              text(direction(x, -0.5) - direction(x, bottom)));
   }
 
+  void write_sky(const scene::Environment& environment) {
+    const std::string sky = pov_sky(environment);
+    if (sky.empty())
+      out_.lost.emplace_back("1 environment left out: by their names its files are neither PNG nor JPEG");
+    out_.text += sky;
+  }
+
   void write_lights() {
     for (const scene::Light& light : scene_.stage().lights)
       out_.text += fmt::format("light_source {{ {}, rgb {} }}\n", text(light.position), text(light.color));
@@ -75,10 +86,16 @@ class PovWriter {
     if (shape.empty()) return;
     const auto material = scene_.material(element);
     const bool is_glass = material && scene_.stage().materials[*material].k_t > 0;
-    static const std::string plain = pov_attributes({.color = glm::dvec3(0.8)});
-    out_.text += fmt::format("object {{ {} {}{} }}  // {}\n", shape, material ? looks_[*material] : plain,
+    out_.text += fmt::format("object {{ {} {}{} }}  // {}\n", shape, look(element, material),
                              is_glass ? " no_shadow" : "", scene_.name(element).name());
     if (is_glass) out_.text += fmt::format("object {{ {} no_image no_reflection }}  // its shadow\n", shape);
+  }
+
+  std::string look(scene::ElementRef element, std::optional<std::uint32_t> material) const {
+    static const std::string plain = pov_attributes({.color = glm::dvec3(0.8)});
+    if (!material) return plain;
+    const scene::Material& m = scene_.stage().materials[*material];
+    return m.textures.any() ? pov_attributes(m, patterns_, pov_coordinates(scene_, element)) : looks_[*material];
   }
 
   std::string shape_text(const scene::Sphere& s) { return fmt::format("sphere {{ {}, {} }}", text(s.centro), s.radio); }
@@ -117,12 +134,21 @@ class PovWriter {
   void name_losses() {
     add_loss(out_.lost, scene_.stage().directional_lights.size(), "directional light", "directional lights",
              "written as parallel ones, 1000000 away: POV-Ray has none without a place");
-    add_loss(out_.lost, scene_.stage().textures.size(), "texture", "textures", "left out: none is written");
-    if (scene_.stage().environment) out_.lost.emplace_back("1 environment left out: none is written");
+    add_loss(out_.lost, patterns_.unknown(), "texture", "textures",
+             "left out: by its name a file is neither PNG nor JPEG");
+    const auto& textures = scene_.stage().textures;
+    add_loss(out_.lost,
+             static_cast<std::size_t>(std::ranges::count(textures, scene::Filter::mipmap, &scene::Texture::filter)),
+             "mipmap", "mipmaps", "drawn by the picture alone: POV-Ray has no levels");
+    add_loss(out_.lost,
+             static_cast<std::size_t>(std::ranges::count_if(
+                 scene_.stage().materials, [](const scene::Material& m) { return m.bump.has_value(); })),
+             "relief", "reliefs", "left out: those of POV-Ray turn normals by another rule");
     add_loss(out_.lost, too_wide_, "element", "elements", "left out: the radius of its base is beyond binary64");
   }
 
   const scene::Scene& scene_;
+  const PovPatterns patterns_;
   Exported out_;
   std::vector<std::string> looks_;  // of the materials
   std::size_t too_wide_ = 0;

@@ -1,6 +1,7 @@
 // The pictures that a scene names.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <system_error>
@@ -82,7 +83,38 @@ class PictureReader {
   std::filesystem::path folder_;
 };
 
+/// The folder that a file is in, without symbolic links, so that its parent is that of its name.
+std::filesystem::path folder_of(const std::string& file) {
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(file).parent_path());
+}
+
+/// Whether a folder is above another, or is it.
+bool leads_to(const std::filesystem::path& above, const std::filesystem::path& folder) {
+  return std::mismatch(above.begin(), above.end(), folder.begin(), folder.end()).first == above.end();
+}
+
 }  // namespace
+
+void rename_pictures(scene::Stage& stage, const std::string& from, const std::string& to) {
+  const std::filesystem::path old_folder = folder_of(from), folder = folder_of(to);
+  if (old_folder == folder) return;
+  const auto rename = [&](PictureFile& picture) {
+    const std::filesystem::path name = picture.file;
+    if (name.empty() || name.is_absolute()) return;
+    std::filesystem::path above = old_folder;
+    auto part = name.begin();
+    for (; part != name.end() && *part == ".."; ++part) above = above.parent_path();
+    for (; part != name.end() && leads_to(above / *part, folder); ++part) above /= *part;
+    std::filesystem::path renamed = above.lexically_relative(folder);
+    if (renamed == ".") renamed.clear();
+    for (; part != name.end(); ++part) renamed /= *part;
+    picture.file = renamed.string();
+  };
+  for (Texture& texture : stage.textures)
+    if (texture.pattern == scene::Pattern::image) rename(texture.image);
+  if (!stage.environment) return;
+  for (PictureFile& picture : stage.environment->pictures) rename(picture);
+}
 
 void read_pictures(const Source& source, scene::Stage& stage) {
   PictureReader reader(source);

@@ -54,30 +54,33 @@ double read_positive(json::Reader& in, std::string_view what) {
   return x;
 }
 
-std::array<glm::dvec3, 2> read_colors(json::Reader& in, std::string_view what, const Rule<glm::dvec3>& rule) {
+/// An array of two, each by read_one(). `expected` is what is said of one that has more or fewer.
+template <class Item, class ReadOne>
+std::array<Item, 2> read_two(json::Reader& in, std::string_view what, const char* expected, ReadOne&& read_one) {
   const std::size_t at = in.offset();
-  std::array<glm::dvec3, 2> colors{};
+  std::array<Item, 2> items{};
   std::size_t count = 0;
   in.array(what, [&] {
-    if (count == colors.size()) in.fail(in.offset(), fmt::format("{} has a third item", what), "expected two colours");
-    const std::size_t at_color = in.offset();
-    colors[count] = in.vec3(what);
-    check_rule(in, at_color, what, rule, colors[count++]);
+    if (count == items.size()) in.fail(in.offset(), fmt::format("{} has a third item", what), expected);
+    items[count++] = read_one();
   });
-  if (count != colors.size()) in.fail(at, fmt::format("{} has {} items", what, count), "expected two colours");
-  return colors;
+  if (count != items.size()) in.fail(at, fmt::format("{} has {} items", what, count), expected);
+  return items;
+}
+
+std::array<glm::dvec3, 2> read_colors(json::Reader& in, std::string_view what, const Rule<glm::dvec3>& rule) {
+  return read_two<glm::dvec3>(in, what, "expected two colours", [&] {
+    const std::size_t at = in.offset();
+    const glm::dvec3 color = in.vec3(what);
+    check_rule(in, at, what, rule, color);
+    return color;
+  });
 }
 
 glm::dvec2 read_repeat(json::Reader& in) {
-  const std::size_t at = in.offset();
-  double both[2] = {};
-  std::size_t count = 0;
-  in.array("repeat", [&] {
-    if (count == 2) in.fail(in.offset(), "repeat has a third item", "expected two numbers above 0");
-    both[count++] = read_positive(in, "repeat");
-  });
-  if (count != 2) in.fail(at, fmt::format("repeat has {} items", count), "expected two numbers above 0");
-  return {both[0], both[1]};
+  const auto [across, upwards] =
+      read_two<double>(in, "repeat", "expected two numbers above 0", [&] { return read_positive(in, "repeat"); });
+  return {across, upwards};
 }
 
 /// Reads the textures one by one, and holds each to what its keys say together.

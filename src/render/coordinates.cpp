@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "durero/scene/axes_across.hpp"
+
 namespace durero::render {
 namespace {
 
@@ -17,6 +19,11 @@ using scene::Sphere;
 using scene::Triangle;
 using scene::TruncatedCone;
 using std::numbers::pi;
+
+Tangents axes_across(const glm::dvec3& d) {
+  const auto [first, second] = scene::axes_across(d);
+  return {first, second};
+}
 
 /// The part of a whole turn, in [0, 1), from the first of two axes towards the second.
 double turn(double first, double second) {
@@ -129,16 +136,6 @@ Tangents tangents_of(const Triangle& t, const Coordinates&) {
 }
 
 }  // namespace
-
-Tangents axes_across(const glm::dvec3& d) {
-  int least = 0;
-  for (int i = 1; i < 3; ++i)
-    if (std::abs(d[i]) < std::abs(d[least])) least = i;
-  glm::dvec3 axis(0);
-  axis[least] = 1;
-  const glm::dvec3 first = glm::normalize(axis - d[least] * d);
-  return {first, glm::cross(d, first)};
-}
 
 Coordinates coordinates(const scene::Scene& scene, scene::ElementRef element, const glm::dvec3& point) {
   return scene.visit(element, [&](const auto& shape) { return coordinates_of(shape, point); });

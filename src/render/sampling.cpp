@@ -5,11 +5,11 @@
 
 namespace durero::render {
 
-double half_width_factor(double confidence, std::uint32_t looks) {
+double half_width_factor(double confidence, std::uint32_t looks, std::uint32_t blocks) {
   constexpr double components = 3;
   const double each_tail = (1 - confidence) / (2 * components * looks);
-  const boost::math::students_t_distribution<double> t(replicas - 1);
-  return boost::math::quantile(boost::math::complement(t, each_tail)) / std::sqrt(double(replicas));
+  const boost::math::students_t_distribution<double> t(blocks - 1);
+  return boost::math::quantile(boost::math::complement(t, each_tail)) / std::sqrt(double(blocks));
 }
 
 }  // namespace durero::render

@@ -13,29 +13,49 @@
 namespace durero::render {
 namespace {
 
-/// Of each replica, before it is believed that a pixel whose corners differ is even: what the edge cuts off may be
-/// smaller than a few points see.
-constexpr std::uint32_t points_of_an_edge = 8;
+/// Before it is believed that a pixel whose corners differ is even: what the edge cuts off may be smaller than a few
+/// points see.
+constexpr std::uint32_t points_of_an_edge = 32;
+
+/// How often it is asked whether a pixel is settled: at least_samples points and at each power of two up to the most.
+std::uint32_t looks(std::uint32_t most_points) { return std::bit_width(most_points / least_samples); }
 
 bool within(const glm::dvec3& v, double width) { return v.x <= width && v.y <= width && v.z <= width; }
 
 }  // namespace
 
+void Estimate::grow_to(std::uint32_t points_then) {
+  if (points >= most_blocks) {
+    for (std::size_t block = 0; block < most_blocks / 2; ++block) sums[block] = sums[2 * block] + sums[2 * block + 1];
+    std::fill(sums.begin() + most_blocks / 2, sums.end(), glm::dvec3(0));
+  }
+  points = points_then;
+}
+
+void Estimate::take(std::uint32_t i, const Brought& brought) {
+  sums[i / (points / blocks())] += brought.color;
+  add(all, brought);
+}
+
 glm::dvec3 deviation(const Estimate& estimate) {
+  const std::uint32_t blocks = estimate.blocks();
+  const double in_block = double(estimate.points) / blocks;
+  const std::span<const glm::dvec3> sums(estimate.sums.data(), blocks);
   glm::dvec3 mean(0), squares(0);
-  for (const glm::dvec3& sum : estimate.sums) mean += sum / double(estimate.points) / double(replicas);
-  for (const glm::dvec3& sum : estimate.sums) {
-    const glm::dvec3 off = sum / double(estimate.points) - mean;
+  for (const glm::dvec3& sum : sums) mean += sum / in_block / double(blocks);
+  for (const glm::dvec3& sum : sums) {
+    const glm::dvec3 off = sum / in_block - mean;
     squares += off * off;
   }
-  return glm::sqrt(squares / double(replicas - 1));
+  return glm::sqrt(squares / double(blocks - 1));
 }
 
 Statistical::Statistical(const View& view, const Samples& samples)
     : view_(view),
       samples_(samples),
-      most_points_(std::bit_floor(std::max(1U, samples.most / replicas))),
-      factor_(half_width_factor(samples.confidence, std::bit_width(most_points_))),
+      most_points_(std::bit_floor(std::max(least_samples, samples.most))),
+      first_factor_(half_width_factor(samples.confidence, looks(most_points_), least_samples)),
+      factor_(half_width_factor(samples.confidence, looks(most_points_), most_blocks)),
       corners_(std::size_t(view.crop.size.width + 1) * (view.crop.size.height + 1)) {
   const std::uint32_t in_row = view.crop.size.width + 1;
   std::mutex mutex;
@@ -58,26 +78,24 @@ bool Statistical::corners_agree(std::uint32_t x, std::uint32_t y) const {
 
 // NaN, the product of a black material and an infinite light, is not within: such a pixel gets all its rays.
 bool Statistical::is_settled(const Estimate& estimate, bool plain) const {
-  return (plain || estimate.points >= points_of_an_edge) && within(factor_ * deviation(estimate), samples_.width);
+  const double factor = estimate.points < most_blocks ? first_factor_ : factor_;
+  return (plain || estimate.points >= points_of_an_edge) && within(factor * deviation(estimate), samples_.width);
 }
 
-/// Twice as many points of each replica as before, or the first one.
+/// Twice as many points of each pixel as before, or the first ones.
 void Statistical::take_points(std::uint32_t y, std::span<const std::uint32_t> open, std::vector<Estimate>& row) const {
-  const std::uint32_t begin = row[open.front()].points, end = std::max(1U, 2 * begin);
-  std::vector<glm::dvec2> points(open.size() * replicas);
-  for (std::uint32_t i = begin; i < end; ++i) {
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const std::uint32_t x = open[k / replicas], replica = static_cast<std::uint32_t>(k % replicas);
-      points[k] = view_.point(x, y, in_net(i, key_of(view_.crop.x + x, view_.crop.y + y, replica)));
-    }
+  const std::uint32_t begin = row[open.front()].points, end = std::max(least_samples, 2 * begin);
+  for (const std::uint32_t x : open) row[x].grow_to(end);
+  std::vector<glm::dvec2> points(open.size() * least_samples);
+  // So many points of each pixel at a time: neighbours meet the same things, and few rays wait.
+  for (std::uint32_t i = begin; i < end; i += least_samples) {
+    const auto pixel = [&](std::size_t k) { return open[k / least_samples]; };
+    const auto number = [&](std::size_t k) { return i + static_cast<std::uint32_t>(k % least_samples); };
+    for (std::size_t k = 0; k < points.size(); ++k)
+      points[k] = view_.point(pixel(k), y, in_net(number(k), key_of(view_.crop.x + pixel(k), view_.crop.y + y, 0)));
     const std::vector<Brought> found = view_.brought_by(points);
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      Estimate& estimate = row[open[k / replicas]];
-      estimate.sums[k % replicas] += found[k].color;
-      add(estimate.all, found[k]);
-    }
+    for (std::size_t k = 0; k < points.size(); ++k) row[pixel(k)].take(number(k), found[k]);
   }
-  for (const std::uint32_t x : open) row[x].points = end;
 }
 
 Row Statistical::row(std::uint32_t y) const {
@@ -85,14 +103,14 @@ Row Statistical::row(std::uint32_t y) const {
   std::vector<std::uint32_t> open(estimates.size());
   std::iota(open.begin(), open.end(), 0);
   const auto settled = [&](std::uint32_t x) { return is_settled(estimates[x], corners_agree(x, y)); };
-  for (std::uint32_t points = 1; points <= most_points_ && !open.empty(); points *= 2) {
+  for (std::uint32_t points = least_samples; points <= most_points_ && !open.empty(); points *= 2) {
     take_points(y, open, estimates);
     std::erase_if(open, settled);
   }
   Row row{.pixels = {}, .in_doubt = open.size()};
   for (Estimate& estimate : estimates) {
-    row.samples += std::uint64_t{estimate.points} * replicas;
-    divide(estimate.all, estimate.points * replicas);
+    row.samples += estimate.points;
+    divide(estimate.all, estimate.points);
     row.pixels.push_back(estimate.all);
   }
   return row;

@@ -2,6 +2,7 @@
 /// Statistical antialiasing (Lee, Redner and Uselton, 1985): rays are sent through a pixel until what they brought
 /// tells its mean well enough. The tests of the estimate, and what they rest on, are derived in docs/rendering.md.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -15,14 +16,22 @@
 
 namespace durero::render {
 
-/// The mean of a pixel as far as it is known.
+/// The mean of a pixel as far as it is known: of the first points of one net, in blocks of as many that follow each
+/// other, each of which is a net of its own.
 struct Estimate {
-  std::array<glm::dvec3, replicas> sums{};  ///< of each replica
-  std::uint32_t points = 0;                 ///< of each replica, a power of two
-  Brought all{};                            ///< the sums of all rays
+  std::array<glm::dvec3, most_blocks> sums{};  ///< of each block
+  std::uint32_t points = 0;                    ///< 0, or a power of two from least_samples on
+  Brought all{};                               ///< the sums of all rays
+
+  /// How many there are of all points so far.
+  std::uint32_t blocks() const { return std::min(points, most_blocks); }
+  /// So many points are there from now on, twice those of before: two blocks become one where there are enough.
+  void grow_to(std::uint32_t points_then);
+  /// Adds what point i brought. Precondition: i < points.
+  void take(std::uint32_t i, const Brought& brought);
 };
 
-/// The standard deviation of the means of the replicas, by component, estimated without bias of its square.
+/// The standard deviation of the means of the blocks, by component.
 glm::dvec3 deviation(const Estimate& estimate);
 
 /// Draws the rows of a view, which outlives it.
@@ -43,8 +52,9 @@ class Statistical {
 
   const View& view_;
   const Samples samples_;
-  std::uint32_t most_points_;  // of a replica, a power of two
-  double factor_;
+  std::uint32_t most_points_;        // a power of two
+  double first_factor_;              // of half_width_factor, with least_samples blocks
+  double factor_;                    // with most_blocks
   std::vector<glm::dvec3> corners_;  // rows of one more than the width, one more of them than the height
   Reach corner_reach_{};
 };

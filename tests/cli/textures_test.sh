@@ -51,6 +51,18 @@ has kept.json '"environment":{"equirectangular":"odd.png"}'
 has kept.json '"even":{"image":"even.png","repeat":[3,2],"filter":"mipmap","near":2}'
 has kept.json '"textures":{"color":"even"},"bump":{"texture":"odd","height":0.05}'
 
+# From another folder it names the same pictures, and the picture is the same; so do import and export.
+mkdir elsewhere
+run 0 edit pictures/worn.json -o elsewhere/worn.json
+has elsewhere/worn.json '"environment":{"equirectangular":"../pictures/odd.png"}'
+has elsewhere/worn.json '"even":{"image":"../pictures/even.png","repeat":[3,2],"filter":"mipmap","near":2}'
+run 0 render elsewhere/worn.json -o other.png
+same worn.png other.png
+run 0 export elsewhere/worn.json -o worn.json
+has worn.json '"equirectangular":"pictures/odd.png"'
+run 0 import worn.json -o pictures/again.json
+has pictures/again.json '"equirectangular":"odd.png"'
+
 refused 'alone.json:5:17: image is "even.png": No such file or directory; expected' render alone.json -o new.png
 absent new.png
 sed 's/even.png/odd.png/' pictures/worn.json >pictures/bad.json
@@ -61,6 +73,8 @@ refused 'pictures/bad.json:5:17: image is "plain.json": it is no picture' render
 head -c 60 pictures/even.png >pictures/cut.png
 sed 's/even.png/cut.png/' pictures/worn.json >pictures/bad.json
 refused 'pictures/bad.json:5:17: image is "cut.png": libpng: ' render pictures/bad.json -o new.png
+head -c -12 pictures/even.png >pictures/cut.png
+refused 'pictures/bad.json:5:17: image is "cut.png": it ends before its end chunk, IEND' render pictures/bad.json -o new.png
 absent new.png
 
 # A scene without elements is its environment, in another layout; and back it is what it was, but for its texels.

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 
 #include "durero/io/output_file.hpp"
 #include "durero/io/scene_file.hpp"
@@ -121,6 +122,15 @@ TEST_CASE("what is no picture, and what ends early, is refused") {
   for (const std::string& whole : {whole_png, whole_jpeg})
     for (const std::size_t tenths : {3U, 6U})
       CHECK_THROWS_AS(picture_of(whole.substr(0, whole.size() * tenths / 10), Curve::srgb), io::PictureError);
+  // libpng asks for nothing behind the last texel.
+  const std::uint16_t deep[] = {0, 1000, 65535, 32768, 7, 0};
+  for (const std::string& whole : {whole_png, png(2, 1, PNG_FORMAT_LINEAR_RGB, deep)}) {
+    CHECK_THROWS_WITH(picture_of(whole.substr(0, whole.size() - 12), Curve::srgb),
+                      "it ends before its end chunk, IEND");
+    for (std::size_t missing = 1; missing < whole.size(); ++missing)
+      CHECK_THROWS_AS(picture_of(whole.substr(0, whole.size() - missing), Curve::srgb), io::PictureError);
+    CHECK(picture_of(whole + "behind the end", Curve::linear) == picture_of(whole, Curve::linear));
+  }
   // Of the latter libjpeg would make up what is missing, and warn.
   CHECK_THROWS_AS(picture_of(whole_jpeg.substr(0, whole_jpeg.size() - 8), Curve::srgb), io::PictureError);
 }
@@ -159,4 +169,30 @@ TEST_CASE("pictures of a scene: from its folder, with their mipmaps, and errors 
         "s.json:2:43: box is \"text.png\": it is no picture; expected a PNG or JPEG file");
   CHECK(said(folder, R"("environment":{"spherical":"text.png"})") ==
         "s.json:2:28: spherical is \"text.png\": it is no picture; expected a PNG or JPEG file");
+}
+
+TEST_CASE("pictures keep their files when a scene goes into another folder") {
+  const test::Folder folder;
+  for (const char* name : {"a", "a/b", "c", "real", "real/deep"}) std::filesystem::create_directory(folder.file(name));
+  std::filesystem::create_directory_symlink(folder.file("real/deep"), folder.file("link"));
+  const auto renamed = [&](const std::string& picture, const std::string& from, const std::string& to) {
+    scene::Stage stage;
+    stage.textures = {{.name = "t", .pattern = scene::Pattern::image, .image = {picture}}, {.name = "u"}};
+    stage.environment = scene::Environment{.kind = scene::Surroundings::spherical, .pictures = {{picture}}};
+    io::rename_pictures(stage, folder.file(from), folder.file(to));
+    CHECK(stage.environment->pictures[0].file == stage.textures[0].image.file);
+    CHECK(stage.textures[1].image.file.empty());
+    return stage.textures[0].image.file;
+  };
+  CHECK(renamed("p.png", "a/s.json", "a/t.json") == "p.png");
+  CHECK(renamed("../p.png", "a/s.json", "c/../a/t.json") == "../p.png");
+  CHECK(renamed("/p.png", "a/s.json", "c/t.json") == "/p.png");
+  CHECK(renamed("p.png", "a/s.json", "c/t.json") == "../a/p.png");
+  CHECK(renamed("in/p.png", "s.json", "a/b/t.json") == "../../in/p.png");
+  CHECK(renamed("p.png", "a/b/s.json", "t.json") == "a/b/p.png");
+  CHECK(renamed("../p.png", "a/b/s.json", "a/t.json") == "p.png");
+  CHECK(renamed("../../c/p.png", "a/b/s.json", "c/t.json") == "p.png");
+  // Where a folder has another name, what is above it is above the folder itself.
+  CHECK(renamed("p.png", "c/s.json", "link/t.json") == "../../c/p.png");
+  CHECK(renamed("../p.png", "link/s.json", "c/t.json") == "../real/p.png");
 }

@@ -1,5 +1,7 @@
 #include "durero/io/pov.hpp"
 
+#include <tuple>
+
 #include "durero/io/scene_file.hpp"
 #include "support/catch.hpp"
 
@@ -81,9 +83,76 @@ TEST_CASE("a base beyond binary64 is counted, and what POV-Ray has no place for"
   CHECK_FALSE(has(out, "object"));
 }
 
-TEST_CASE("textures and surroundings are counted as left out") {
+TEST_CASE("a texture is a function of the place, and each term that it multiplies goes from black to itself") {
+  const auto of = [&](const std::string& texture, const std::string& material) {
+    return exported(R"("camera":{"eye":[0,0,-5],"look_at":[0,0,0],"up":[0,1,0],"fov_y":90},"textures":{"t":{)" +
+                    texture + R"(}},"materials":{"m":{)" + material +
+                    R"(}},"elementos":[{"id":"p","tipo":"plano","centro":[1,2,3],"vector":[0,1,0],"material":"m"}])");
+  };
+  // The axes across +y are +x and -z.
+  const std::string u = "((1)*(x-(1))+(0)*(y-(2))+(0)*(z-(3)))", v = "((0)*(x-(1))+(0)*(y-(2))+(-1)*(z-(3)))";
+  const std::string black = "[0 pigment { rgb <0, 0, 0> } finish { ambient 0 diffuse 0 }]";
+  const io::Exported squares =
+      of(R"("checker":[[1,0,0],[0.5,1,0]],"repeat":[2,3])", R"("color":[1,0.5,0.25],"textures":{"color":"t"})");
+  CHECK(squares.lost.empty());
+  CHECK(has(squares, "[1 function { (1 + (-0.5)*Odd(floor(2*(" + u + ")) + floor(3*(" + v + ")))) } texture_map { " +
+                         black + " [1 pigment { rgb <3, 0, 0> } finish { ambient 0 diffuse 1 }] }]"));
+  CHECK(has(squares, "[1 function { (0 + (1)*Odd("));
+  CHECK(has(squares, "[1 pigment { rgb <0, 1.5, 0> } finish { ambient 0 diffuse 1 }]"));
+  CHECK(has(squares, "[1 pigment { rgb <0, 0, 0.75> } finish { ambient 0 diffuse 1 }]"));
+  // A share goes by the mean of the three, and what wears nothing stays whole.
+  const io::Exported share =
+      of(R"("stripes":[[1,1,1],[0,0,0]])", R"("color":[1,1,1],"k_ps":0.25,"textures":{"k_ps":"t"})");
+  CHECK(
+      has(share, "average texture_map { [1 pigment { rgb <2, 2, 2> } finish { ambient 0 diffuse 1 }] [1 function { ("));
+  CHECK(
+      has(share, ")/3 } texture_map { " + black +
+                     " [1 pigment { rgb <0, 0, 0> } finish { ambient 0 diffuse 0 reflection { rgb <0.5, 0.5, 0.5> } }] "
+                     "}] } }"));
+  for (const auto& [texture, declared, used] :
+       {std::tuple(
+            R"("image":"a\"b.PNG","edges":"clamp")",
+            "#declare Image0 = function { pigment { image_map { png \"a\\\"b.PNG\" gamma srgb interpolate 2 } } }\n",
+            "Image0(min(max(1*("),
+        {R"("image":"a.jpeg","filter":"nearest","curve":"linear")",
+         "#declare Image0 = function { pigment { image_map { jpeg \"a.jpeg\" gamma 1 } } }\n", "Image0(1*("},
+        {R"("waves":[[1,1,1],[0,0,0]])", "#declare Turn", "(0.5 + 0.5*sin(2*pi*1*("},
+        {R"("p6m":[[1,1,1],[0,0,0]])", "#declare Hexagons", "Hexagons(1*("}}) {
+    CAPTURE(texture);
+    const io::Exported out = of(texture, R"("color":[1,1,1],"textures":{"color":"t"})");
+    CHECK(has(out, declared));
+    CHECK(has(out, used));
+    CHECK(out.lost.empty());
+  }
+}
+
+TEST_CASE("what is around is a sky of the same colours") {
+  const auto of = [](const std::string& environment) {
+    return exported(R"("camera":{"eye":[0,0,-5],"look_at":[0,0,0],"up":[0,1,0],"fov_y":90},"background":[1,0,0],
+      "environment":{)" +
+                    environment + R"(},"elementos":[])");
+  };
+  const io::Exported gradient = of(R"("gradient":[[0.5,0,0],[1,2,3]])");
+  CHECK(has(gradient,
+            "sky_sphere { pigment { function { 0.5 + 0.5*y } color_map { [0 rgb <0.5, 0, 0>] [1 rgb <1, 2, 3>] "
+            "} } }\n"));
+  CHECK_FALSE(has(gradient, "background"));
+  CHECK(has(of(R"("equirectangular":"a.png")"), "Sky0(0.5 + atan2(x, -z)/(2*pi), "));
+  CHECK(has(of(R"("spherical":"a.png")"), "1*Sky0(min(max(0.5 + 0.5*x/max(sqrt("));
+  CHECK(has(of(R"("box":["a.png","b.png","c.png","d.png","e.png","f.png"])"),
+            "select(-z - max(abs(x), abs(y)), 0, 1)*Sky5("));
+}
+
+TEST_CASE("pictures that POV-Ray cannot tell by name, levels and reliefs are counted") {
   const io::Exported out = exported(R"("camera":{"eye":[0,0,-5],"look_at":[0,0,0],"up":[0,1,0],"fov_y":90},
-    "textures":{"squares":{"checker":[[0,0,0],[1,1,1]]}},"environment":{"gradient":[[0,0,0],[1,1,1]]},"elementos":[])");
+    "textures":{"squares":{"image":"squares"},"steps":{"image":"a.png","filter":"mipmap","near":2}},
+    "materials":{"m":{"color":[1,1,1],"textures":{"color":"squares"},"bump":{"texture":"steps"}}},
+    "environment":{"spherical":"sky.gif"},
+    "elementos":[{"id":"p","tipo":"plano","centro":[0,0,0],"vector":[0,1,0],"material":"m"}])");
   CHECK(out.lost ==
-        std::vector<std::string>{"1 texture left out: none is written", "1 environment left out: none is written"});
+        std::vector<std::string>{"1 environment left out: by their names its files are neither PNG nor JPEG",
+                                 "1 texture left out: by its name a file is neither PNG nor JPEG",
+                                 "1 mipmap drawn by the picture alone: POV-Ray has no levels",
+                                 "1 relief left out: those of POV-Ray turn normals by another rule"});
+  CHECK(has(out, "texture { average texture_map { [1 pigment { rgb <1, 1, 1> } finish { ambient 0 diffuse 1 }] } }"));
 }

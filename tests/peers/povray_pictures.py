@@ -9,6 +9,7 @@ So the share of the pixels with a component that is off by more than OFF steps o
 are alike; where they stand is said, and with a third argument drawn there, as a grey PGM. Exit status 77 (skipped) where
 POV-Ray is absent (Debian: povray).
 """
+import json
 import pathlib
 import shutil
 import subprocess
@@ -19,23 +20,22 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from png import png_pixels  # noqa: E402
 
 OFF, FEW = 2, 0.01
-WIDTH, HEIGHT = 320, 180
-SCENES = ["mirrors", "still-life"]
-
-
-def ppm_pixels(data):
-    return data[-3 * WIDTH * HEIGHT :]
+WIDTH = 320
+SCENES = ["demo/mirrors.json", "demo/still-life.json", "demo/gallery/whitted.json", "tests/peers/worn.json"]
 
 
 def drawn(durero, scene, folder):
-    size = f"{WIDTH}x{HEIGHT}"
+    # The camera that is exported has the form of the scene's own picture.
+    across, down = json.loads(scene.read_text())["resolution"]
+    height = WIDTH * down // across
+    size = f"{WIDTH}x{height}"
     subprocess.run([durero, "render", scene, "-o", folder / "here.png", "--size", size], check=True)
     subprocess.run([durero, "export", scene, "-o", folder / "scene.pov"], check=True, capture_output=True)
-    call = ["povray", "+Iscene.pov", "+Othere.ppm", "+FP8", f"+W{WIDTH}", f"+H{HEIGHT}", "-A", "-D", "File_Gamma=sRGB"]
+    call = ["povray", "+Iscene.pov", "+Othere.ppm", "+FP8", f"+W{WIDTH}", f"+H{height}", "-A", "-D", "File_Gamma=sRGB"]
     said = subprocess.run(call, cwd=folder, capture_output=True, text=True)
     if said.returncode != 0:
         sys.exit(f"{scene}: povray refuses what was exported:\n{said.stderr[-3000:]}")
-    return png_pixels((folder / "here.png").read_bytes())[2], ppm_pixels((folder / "there.ppm").read_bytes())
+    return png_pixels((folder / "here.png").read_bytes())[2], (folder / "there.ppm").read_bytes()[-3 * WIDTH * height :]
 
 
 def compare(name, here, there, into):
@@ -46,7 +46,7 @@ def compare(name, here, there, into):
     for i in off[:8]:
         print(f"  ({i % WIDTH}, {i // WIDTH}): here {tuple(here[3 * i : 3 * i + 3])}, POV-Ray {tuple(there[3 * i : 3 * i + 3])}")
     if into:
-        pathlib.Path(into, f"{name}.pgm").write_bytes(b"P5 %d %d 255\n" % (WIDTH, HEIGHT) + bytes(steps))
+        pathlib.Path(into, f"{pathlib.Path(name).stem}.pgm").write_bytes(b"P5 %d %d 255\n" % (WIDTH, len(steps) // WIDTH) + bytes(steps))
     return share < FEW and len(set(here)) > 50
 
 
@@ -57,7 +57,7 @@ def main():
     alike = True
     for name in SCENES:
         with tempfile.TemporaryDirectory() as folder:
-            here, there = drawn(sys.argv[1], pathlib.Path(sys.argv[2], "demo", name + ".json"), pathlib.Path(folder))
+            here, there = drawn(sys.argv[1], pathlib.Path(sys.argv[2], name), pathlib.Path(folder))
         alike &= compare(name, here, there, sys.argv[3] if len(sys.argv) > 3 else None)
     sys.exit(0 if alike else 1)
 

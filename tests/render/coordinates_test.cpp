@@ -94,14 +94,3 @@ TEST_CASE("the seam is at angle 0: u is 0 there, and below 1 just before it") {
   CHECK(u(1, 1e-9) > 0.999);
   CHECK(u(1, 1e-300) == 0);  // its angle rounds to a whole turn
 }
-
-TEST_CASE("axes across a direction: the least component's axis, of equal ones the first, and right-handed") {
-  CHECK(render::axes_across({0, 1, 0}).u == glm::dvec3(1, 0, 0));
-  CHECK(render::axes_across({0, 1, 0}).v == glm::dvec3(0, 0, -1));
-  CHECK(render::axes_across({0, 0, 1}).u == glm::dvec3(1, 0, 0));
-  CHECK(render::axes_across({0, 0, 1}).v == glm::dvec3(0, 1, 0));
-  CHECK(render::axes_across({1, 0, 0}).u == glm::dvec3(0, 1, 0));
-  const auto [a, b] = render::axes_across(tilted);
-  CHECK(std::abs(glm::dot(a, tilted)) < 1e-15);
-  CHECK(glm::distance(glm::cross(a, b), tilted) < 1e-15);
-}

@@ -4,9 +4,11 @@
 #include <set>
 #include <stdexcept>
 
+#include "durero/io/scene_file.hpp"
 #include "durero/model/operaciones.hpp"
 #include "render/lit_ball.hpp"
 #include "support/catch.hpp"
+#include "support/tree.hpp"
 
 using namespace durero;
 using durero::test::lit_ball;
@@ -78,4 +80,27 @@ TEST_CASE("a crop has the pixels that the whole picture has there, whatever its 
                                    {0, 0, {0, 1}},
                                    {1, 1, {0xFFFFFFFF, 1}}})
     CHECK_THROWS_AS(render::render(scene, *engine, {}, {whole.size, crop}), std::out_of_range);
+}
+
+TEST_CASE(
+    "where each ray counts for a twentieth, Whitted's scene has a mean depth below 2 of 15, and the bound holds") {
+  const scene::Scene scene = io::read_scene(io::read_source(test::source_dir() + "/demo/gallery/whitted.json"));
+  const auto engine = engine::find("fast")->prepare(scene);
+  const auto drawn = [&](double min_weight, render::Reach& reach) {
+    const render::Frame frame{.size = scene::Resolution{96, 72}, .max_depth = 15, .min_weight = min_weight};
+    return render::render(scene, *engine, {}, frame, &reach);
+  };
+  render::Reach whole, reach;
+  const render::Picture all = drawn(0, whole), some = drawn(0.05, reach);
+  const double depth = double(reach.depths) / double(reach.pixels);
+  double lost = 0;
+  for (std::size_t i = 0; i < all.rgb.size(); ++i)
+    for (int k = 0; k < 3; ++k) lost = std::max(lost, all.rgb[i][k] - some.rgb[i][k]);
+  INFO("mean depth " << depth << " of " << double(whole.depths) / double(whole.pixels) << ", rays " << reach.rays
+                     << " of " << whole.rays << "; lost " << lost << ", at most " << reach.left_out);
+  CHECK(depth > 1.5);
+  CHECK(depth <= 2);
+  CHECK(50 * reach.rays < whole.rays);
+  CHECK(lost > 0);
+  CHECK(lost <= reach.left_out);
 }

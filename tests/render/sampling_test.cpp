@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <set>
+#include <tuple>
+#include <vector>
 
 #include "durero/model/operaciones.hpp"
 #include "durero/render/render.hpp"
@@ -91,22 +93,86 @@ TEST_CASE("a scrambled point is anywhere: its mean and its spread over the keys 
   }
 }
 
-TEST_CASE("the factor is Student's t of four degrees of freedom over the root of five") {
-  // One look, no more: a tail of 0.05/6 for each component. Tables: t(4, 0.005) = 4.604, t(4, 0.01) = 3.747.
-  const double factor = render::half_width_factor(0.95, 1);
-  CHECK(factor * std::sqrt(5) > 3.747);
-  CHECK(factor * std::sqrt(5) < 4.604);
-  CHECK(render::half_width_factor(1 - 0.06, 1) * std::sqrt(5) == Approx(3.747).epsilon(1e-3));
-  CHECK(render::half_width_factor(1 - 0.06, 2) * std::sqrt(5) == Approx(4.604).epsilon(1e-3));
+TEST_CASE("the factor is Student's t of one less than the blocks over their root") {
+  // Of one look no more than a tail of 0.03/3/2 = 0.005 for each component, of two half of that. Tables: t(3, 0.005) =
+  // 5.841, t(7, 0.005) = 3.499, t(7, 0.0025) = 4.029.
+  CHECK(render::half_width_factor(1 - 0.03, 1, 4) * 2 == Approx(5.841).epsilon(1e-3));
+  CHECK(render::half_width_factor(1 - 0.03, 1, 8) * std::sqrt(8) == Approx(3.499).epsilon(1e-3));
+  CHECK(render::half_width_factor(1 - 0.03, 2, 8) * std::sqrt(8) == Approx(4.029).epsilon(1e-3));
 }
 
-TEST_CASE("the deviation of five means is that of the textbook, by component") {
-  render::Estimate estimate{.points = 2};
-  for (std::uint32_t r = 0; r < render::replicas; ++r) estimate.sums[r] = {2.0 * r, 7, 0.2 * r};
-  // 0, 1, 2, 3, 4: the squares about the mean sum to 10, over 4.
-  CHECK(render::deviation(estimate).x == Approx(std::sqrt(2.5)));
+TEST_CASE("the deviation of the means of blocks is that of the textbook, by component, and blocks are joined") {
+  render::Estimate estimate;
+  const auto take = [&](std::uint32_t begin, const std::vector<double>& brought) {
+    estimate.grow_to(begin + std::uint32_t(brought.size()));
+    for (std::uint32_t i = 0; i < brought.size(); ++i)
+      estimate.take(begin + i, {.color = {brought[i], 7, 0.1 * brought[i]}});
+  };
+  take(0, {0, 1, 2, 3});
+  CHECK(estimate.blocks() == 4);
+  CHECK(render::deviation(estimate).x == Approx(std::sqrt(5.0 / 3)));
   CHECK(render::deviation(estimate).y == 0);
-  CHECK(render::deviation(estimate).z == Approx(0.1 * std::sqrt(2.5)));
+  CHECK(render::deviation(estimate).z == Approx(0.1 * std::sqrt(5.0 / 3)));
+  take(4, {4, 5, 6, 7});
+  CHECK(estimate.blocks() == 8);
+  CHECK(render::deviation(estimate).x == Approx(std::sqrt(6.0)));  // 0 … 7: the squares about 3.5 sum to 42
+  take(8, {10, 2, 6, 6, 3, 9, 12, 0});  // of two points each: 0.5, 2.5, 4.5, 6.5 and four of 6, whose mean is 4.75
+  CHECK(render::deviation(estimate).x ==
+        Approx(std::sqrt((4.25 * 4.25 + 2.25 * 2.25 + 0.0625 + 1.75 * 1.75 + 4 * 1.25 * 1.25) / 7)));
+  CHECK(estimate.all.color.y == 7 * 16);
+}
+
+namespace {
+
+/// Of one net of `points`, over many of them: the mean of s²/R, what statistics estimates the variance of the mean by,
+/// over that variance.
+template <class F>
+double estimated_over_true(std::uint32_t points, F&& of, std::uint32_t keys = 4000) {
+  double sum = 0, squares = 0, estimated = 0;
+  for (std::uint32_t key = 0; key < keys; ++key) {
+    render::Estimate estimate;
+    for (std::uint32_t n = render::least_samples; n <= points; n *= 2) {
+      const std::uint32_t begin = estimate.points;
+      estimate.grow_to(n);
+      for (std::uint32_t i = begin; i < n; ++i)
+        estimate.take(i, {.color = glm::dvec3(of(render::in_net(i, render::key_of(key, 5, 0)), key))});
+    }
+    const double mean = estimate.all.color.x / points, s = render::deviation(estimate).x;
+    sum += mean;
+    squares += mean * mean;
+    estimated += s * s / estimate.blocks();
+  }
+  return estimated / (squares - sum * sum / keys);
+}
+
+}  // namespace
+
+TEST_CASE("the spread of the blocks of a net says no less than how far its mean is off: of edges, and of shades") {
+  for (const std::uint32_t points : {4U, 8U, 32U, 128U})
+    for (const double slant : {0.0, 0.3, 1.0, 2.4}) {
+      CAPTURE(points, slant);
+      CHECK(estimated_over_true(points, [&](auto p, auto) { return double(p.x + slant * p.y > 0.1); }) > 1);
+      CHECK(estimated_over_true(points, [&](auto p, auto) { return p.x * p.x + slant * p.y + p.x * p.y; }) > 1);
+    }
+}
+
+TEST_CASE("of no function does it say less than 3/7 of it, 1/3 of four points") {
+  // Haar's function of the scale on which two points of the net fall together: rectangles of 2^-a by 2^-b, a + b one
+  // less than the net's. Its mean is a sum of products of coins for rows and for columns, whose fourth moment is up to
+  // 9 squares of the second: the standard error of a variance of 10000 is up to √(8/10000), and three of them are
+  // 0.085.
+  const auto haar = [](double x, int digits) {
+    return std::fmod(std::floor(std::ldexp(x + 0.5, digits + 1)), 2) * 2 - 1;
+  };
+  for (const auto& [points, digits, ratio] :
+       {std::tuple(4U, 1, 1.0 / 3), std::tuple(8U, 2, 3.0 / 7), {64U, 5, 3.0 / 7}})
+    for (int a = 0; a <= digits; ++a) {
+      CAPTURE(points, a);
+      const double found = estimated_over_true(
+          points, [&](auto p, auto) { return haar(p.x, a) * haar(p.y, digits - a); }, 10000);
+      CHECK(found > 0.9 * ratio);
+      CHECK(found < 1.1 * ratio);
+    }
 }
 
 TEST_CASE("one sample in a grid is the picture of one ray, and more are the mean of theirs") {
@@ -142,14 +208,14 @@ TEST_CASE("every sampling gives a pixel the same bytes, whatever the threads, th
   }
 }
 
-TEST_CASE("what is even takes one ray of each replica and the corners, and what never settles is in doubt") {
+TEST_CASE("what is even takes four rays and the corners, and what never settles is in doubt") {
   scene::Scene scene = test::lit_ball();
   scene.stage().camera = scene::Camera{{0, 0, -5}, {0, 0, -9}, {0, 1, 0}, 45};  // away from it
   const auto engine = engine::find("analytic")->prepare(scene);
   render::Frame frame{.size = scene::Resolution{8, 4}, .samples = {.sampling = Sampling::statistical, .most = 40}};
   render::Reach reach;
   render::render(scene, *engine, {}, frame, &reach);
-  CHECK(reach.samples == 8 * 4 * render::replicas + 9 * 5);
+  CHECK(reach.samples == 8 * 4 * render::least_samples + 9 * 5);
   CHECK(reach.in_doubt == 0);
   scene.stage().camera = scene::Camera{{0, 2, -5}, {0, 0, 0}, {0, 1, 0}, 45};
   frame.samples.width = 1e-9;
@@ -167,7 +233,7 @@ TEST_CASE("as many pixels as the confidence says are within the width, and it ta
   };
   const render::Picture truth = drawn({.most = 4096});
   const double grid = squared_error(drawn({.most = 64}), truth);
-  const render::Samples samples{.sampling = Sampling::statistical, .most = 1280, .width = 0.12, .confidence = 0.95};
+  const render::Samples samples{.sampling = Sampling::statistical, .most = 1024, .width = 0.12, .confidence = 0.95};
   render::Reach reach;
   const render::Picture picture = drawn(samples, &reach);
   const double rays = double(reach.samples) / double(reach.pixels), error = squared_error(picture, truth);

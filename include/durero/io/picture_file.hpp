@@ -2,6 +2,7 @@
 /// Pictures in files: PNG, by libpng, and JPEG, by libjpeg.
 
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 #include "durero/io/source.hpp"
@@ -32,5 +33,10 @@ scene::Picture picture_of(std::string_view bytes, scene::Curve curve);
 /// in, and makes the mipmaps. Throws InputError at the first name whose file cannot be read or holds no such picture.
 /// Precondition: the stage is what read_scene() read from the source.
 void read_pictures(const Source& source, scene::Stage& stage);
+
+/// Names the pictures of a stage that was read from file `from` as file `to` has to name them, from its own folder.
+/// Where both are in one folder, and where a name starts at the root, it stays as it is. Whether there is such a
+/// picture is not asked. Throws std::filesystem::filesystem_error where a folder cannot be looked up.
+void rename_pictures(scene::Stage& stage, const std::string& from, const std::string& to);
 
 }  // namespace durero::io

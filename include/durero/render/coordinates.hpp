@@ -1,6 +1,6 @@
 #pragma once
 /// The coordinates (u, v) of the points of every surface, f_p of the realism seed (1.2) and its inverse, and the
-/// tangents. What an axis d leaves open, where an angle is 0, axes_across() says; a sphere's axis is +y.
+/// tangents. What an axis d leaves open, where an angle is 0, scene::axes_across() says; a sphere's axis is +y.
 ///
 ///   esfera           u the longitude over 2π, v the latitude from −π/2 to π/2 as 0 to 1; poles at v = 0 and 1
 ///   cilindro, tronco u the angle over 2π, v = s/altura
@@ -29,11 +29,6 @@ struct Tangents {
   glm::dvec3 u;  ///< where u grows
   glm::dvec3 v;  ///< where v grows
 };
-
-/// Two unit vectors across d that make a right-handed frame with it, first the direction of angle 0: of the axes of
-/// space the one that d has the least of, of equal ones the first, freed of its part along d. Precondition: d is a unit
-/// vector.
-Tangents axes_across(const glm::dvec3& d);
 
 /// Of a point of the element.
 Coordinates coordinates(const scene::Scene& scene, scene::ElementRef element, const glm::dvec3& point);

@@ -20,23 +20,25 @@ inline constexpr std::array<std::string_view, 3> sampling_names{"grid", "stratif
 /// The points of each pixel.
 struct Samples {
   Sampling sampling = Sampling::grid;  ///< how they are chosen
-  /// How many: a square number for grid and stratified; for statistical the most, at least replicas.
+  /// How many: a square number for grid and stratified; for statistical the most, at least least_samples.
   std::uint32_t most = 1;
   double width = 0.05;       ///< statistical: of half the confidence interval of each linear component, above 0
   double confidence = 0.95;  ///< statistical: that the three components are within it, above 0 and below 1
 };
 
-/// Statistical sampling takes so many nets of points, each scrambled for itself: their means are what the spread is
-/// estimated from.
-inline constexpr std::uint32_t replicas = 5;
+/// @{ Statistical sampling parts the points of a pixel into so many blocks, whose means tell how far apart they are:
+/// one a point at first, `least_samples` of them, and `most_blocks` from so many points on.
+inline constexpr std::uint32_t least_samples = 4;
+inline constexpr std::uint32_t most_blocks = 8;
+/// @}
 
 /// The greatest number of points of a pixel.
 inline constexpr std::uint32_t greatest_samples = 65536;
 
-/// What an estimate of the mean is in doubt by, above and below, in units of its replicas' standard deviation:
-/// Student's t of their degrees of freedom over √replicas. The doubt 1 − confidence is shared out evenly over three
-/// components and `looks`, the times that the question is asked, so that by the union bound it holds for all of them
-/// together where the means of nets are normal. Preconditions: 0 < confidence < 1, looks ≥ 1.
-double half_width_factor(double confidence, std::uint32_t looks);
+/// What an estimate of the mean is in doubt by, above and below, in units of the standard deviation of the means of its
+/// blocks: Student's t of their degrees of freedom over √blocks. The doubt 1 − confidence is shared out evenly over
+/// three components and `looks`, the times that the question is asked, so that by the union bound it holds for all of
+/// them together where the means of blocks are normal. Preconditions: 0 < confidence < 1, looks ≥ 1, blocks ≥ 2.
+double half_width_factor(double confidence, std::uint32_t looks, std::uint32_t blocks);
 
 }  // namespace durero::render

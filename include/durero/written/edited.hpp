@@ -45,6 +45,9 @@ class Edited {
   /// What answers rays, by the text. Precondition: there is one. Refers to nothing here.
   std::unique_ptr<const engine::Engine> engine() const;
 
+  /// What a picture needs beside the elements, of which no text speaks.
+  scene::Stage& stage() noexcept { return of_.scene.stage(); }
+
   /// The canonical text of its scene file.
   std::string scene_text() const;
 
