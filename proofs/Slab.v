@@ -30,25 +30,41 @@ From Flocq Require Import Core Relative Plus_error BinarySingleNaN.
 Import ListNotations.
 Local Open Scope R_scope.
 
+(** Each power is far less than the one before. *)
+Lemma powers x : 0 < x <= / 256 -> 0 <= x * x <= / 256 * x /\ 0 <= x * x * x <= / 256 * (x * x)
+  /\ 0 <= x * x * x * x <= / 256 * (x * x * x) /\ 0 <= x * x * x * x * x <= / 256 * (x * x * x * x)
+  /\ 0 <= x * x * x * x * x * x <= / 256 * (x * x * x * x * x).
+Proof.
+  intros Hx; assert (H : forall y, 0 <= y -> 0 <= y * x <= / 256 * y).
+  { intros y Hy; split; [apply Rmult_le_pos; lra | rewrite Rmult_comm; apply Rmult_le_compat_r; lra]. }
+  assert (0 <= x) by lra; repeat split; repeat (apply H || apply Rmult_le_pos; try assumption).
+Qed.
+
+Lemma sign_of_product x y : x * y <> 0 -> xorb (Rlt_bool x 0) (Rlt_bool y 0) = Rlt_bool (x * y) 0.
+Proof.
+  intros H; destruct (Rtotal_order x 0) as [X|[Z0|X]], (Rtotal_order y 0) as [Y|[Z0'|Y]];
+    try (exfalso; rewrite ?Z0, ?Z0' in H; apply H; ring);
+    [assert (0 < - x * - y) | assert (0 < - x * y) | assert (0 < x * - y) | assert (0 < x * y)];
+    try (apply Rmult_lt_0_compat; lra); repeat first [rewrite Rlt_bool_true by lra | rewrite Rlt_bool_false by lra]; easy.
+Qed.
+
 (** The three roundings of each side and the two of the last line are within 1 + 16u; the errors n of underflow, within
     the least normal number. *)
 Lemma slack u n t f m g : 0 < u <= / 256 -> 0 < n -> 0 <= t -> 0 <= f ->
   t * ((1 - u) * (1 - u) * (1 - u)) - n <= f -> 128 * n <= m -> f * (1 + 16 * u) * (1 - u) - n <= g -> 0 <= g ->
   t * ((1 + u) * (1 + u) * (1 + u)) + n <= (g + m) * (1 - u) - n.
 Proof.
-  intros [Hu0 Hu] Hn Ht Hf Hlow Hm Hg Hg0.
+  intros Hu Hn Ht Hf Hlow Hm Hg Hg0; destruct (powers u Hu) as (P2 & P3 & P4 & P5 & P6).
   set (c := (1 + 16 * u) * (1 - u) * (1 - u)).
-  assert (Hc2 : 0 <= c <= 2) by (unfold c; split; nra).
-  assert (Hc : (1 + u) * (1 + u) * (1 + u) <= (1 - u) * (1 - u) * (1 - u) * c).
-  { assert (1 - 3 * u <= (1 - u) * (1 - u) * (1 - u)) by nra; assert (1 + 13 * u <= c) by (unfold c; nra).
-    apply Rle_trans with (1 + 4 * u); [nra | apply Rle_trans with ((1 - 3 * u) * (1 + 13 * u)); [nra|]].
-    apply Rmult_le_compat; lra. }
+  assert (Hc2 : 0 <= c <= 2) by (unfold c; lra).
+  assert (Hc : (1 + u) * (1 + u) * (1 + u) <= (1 - u) * (1 - u) * (1 - u) * c) by (unfold c; lra).
   apply (Rmult_le_compat_l t _ _ Ht) in Hc.
   assert (Hmid : (t * ((1 - u) * (1 - u) * (1 - u)) - n) * c <= f * c) by (apply Rmult_le_compat_r; lra).
   assert (n * c <= n * 2) by (apply Rmult_le_compat_l; lra).
   assert ((f * (1 + 16 * u) * (1 - u) - n) * (1 - u) <= g * (1 - u)) by (apply Rmult_le_compat_r; lra).
   replace (f * c) with (f * (1 + 16 * u) * (1 - u) * (1 - u)) in Hmid by (unfold c; ring).
-  nra.
+  assert (0 <= u * n) by (apply Rmult_le_pos; lra); assert (u * m <= / 256 * m) by (apply Rmult_le_compat_r; lra).
+  lra.
 Qed.
 
 Section Slab.
@@ -116,14 +132,14 @@ Lemma rnd_upper y : 0 <= y -> rnd y <= y * (1 + u) + eta.
 Proof.
   intros Hy; destruct (error_N_FLT radix2 emin prec prec_gt_0 (fun n => negb (Z.even n)) y)
     as (e & n & He & Hn & _ & ->).
-  apply Rabs_le_inv in He, Hn; pose proof eta_pos; nra.
+  apply Rabs_le_inv in He, Hn; pose proof eta_pos; pose proof (Rmult_le_compat_l y e u Hy (proj2 He)); lra.
 Qed.
 
 Lemma rnd_lower y : 0 <= y -> y * (1 - u) - eta <= rnd y.
 Proof.
   intros Hy; destruct (error_N_FLT radix2 emin prec prec_gt_0 (fun n => negb (Z.even n)) y)
     as (e & n & He & Hn & _ & ->).
-  apply Rabs_le_inv in He, Hn; pose proof eta_pos; nra.
+  apply Rabs_le_inv in He, Hn; pose proof eta_pos; pose proof (Rmult_le_compat_l y (- u) e Hy (proj1 He)); lra.
 Qed.
 
 (** A bound of an operation's exact result keeps it from overflow. *)
@@ -155,7 +171,8 @@ Proof.
       as (e & He & Heq); [apply generic_format_B2R | apply generic_format_opp, generic_format_B2R |].
     exists e; repeat split; auto; [|rewrite H1; exact Heq].
     apply Rle_trans with (1 := He); unfold u_ro; pose proof u_bounds.
-    apply Rmult_le_reg_r with (1 + u); [lra|]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; nra.
+    destruct (powers u u_bounds) as [P2 _]; apply Rmult_le_reg_r with (1 + u); [lra|]; unfold Rdiv.
+    rewrite Rmult_assoc, Rinv_l; lra.
   - apply (no_overflow _ (emax - 1)); [lia | |]; [unfold Prec_gt_0, Prec_lt_emax in *; lia|].
     apply Rle_trans with (big + big).
     + unfold Rminus; apply Rle_trans with (1 := Rabs_triang _ _); rewrite Rabs_Ropp; lra.
@@ -193,7 +210,7 @@ Proof.
   pose proof (Bmult_correct prec emax _ _ NE (Bminus NE plane p) (Bdiv NE Bone v)) as H; fold (crossing plane p v) in H.
   assert (Hprod : B2R (Bminus NE plane p) * B2R (Bdiv NE Bone v) = q * ((1 + e1) * (1 + e2))).
   { rewrite V1, V2; unfold q, Rdiv; ring. }
-  exists ((1 + e1) * (1 + e2)); apply Rabs_le_inv in He1, He2; pose proof u_bounds; split; [split; nra|].
+  exists ((1 + e1) * (1 + e2)); apply Rabs_le_inv in He1, He2; pose proof u_bounds; split; [split; apply Rmult_le_compat; lra|].
   rewrite Hprod in H; match type of H with if Rlt_bool ?a ?b then _ else _ => destruct (Rlt_bool_spec a b) as [E|E] end.
   - left; destruct H as (H1 & H2 & _); rewrite H1, H2, F1, F2; auto.
   - right; split; [|exact E].
@@ -202,10 +219,7 @@ Proof.
       rewrite rnd_0, Rabs_R0 in E; pose proof (bpow_gt_0 radix2 emax); lra. }
     assert (Hs : xorb (Bsign (Bminus NE plane p)) (Bsign (Bdiv NE Bone v)) = Rlt_bool (q * ((1 + e1) * (1 + e2))) 0).
     { rewrite <- Hprod in *; rewrite !finite_sign by (auto; intros Z0; rewrite Z0 in Hne; apply Hne; ring).
-      destruct (Rtotal_order (B2R (Bminus NE plane p)) 0) as [L|[Z0|L]],
-        (Rtotal_order (B2R (Bdiv NE Bone v)) 0) as [L'|[Z0'|L']];
-        try (exfalso; rewrite ?Z0, ?Z0' in Hne; apply Hne; ring);
-        repeat first [rewrite Rlt_bool_true by nra | rewrite Rlt_bool_false by nra]; reflexivity. }
+      now apply sign_of_product. }
     rewrite Hs in H; unfold binary_overflow in H; cbn in H.
     destruct (crossing plane p v); cbn in H; try discriminate; congruence.
 Qed.
@@ -237,7 +251,9 @@ Proof.
   enough (z = side) as -> by reflexivity.
   assert (Hz : if z then B2R (B754_finite z m k Hk) < 0 else 0 < B2R (B754_finite z m k Hk)).
   { destruct z; simpl; [now apply F2R_lt_0 | now apply F2R_gt_0]. }
-  rewrite V in Hz; destruct z, side; auto; nra.
+  rewrite V in Hz; destruct z, side; auto; exfalso.
+  - pose proof (Rmult_le_pos (B2R plane - B2R p) (1 + e) Hside ltac:(lra)); lra.
+  - pose proof (Rmult_le_pos (- (B2R plane - B2R p)) (1 + e) ltac:(lra) ltac:(lra)); lra.
 Qed.
 
 Lemma zero_value (v : float) : moderate v -> B2R v = 0 -> exists s, v = B754_zero s.
@@ -256,7 +272,9 @@ Proof.
   assert (Hm : forall plane, quotient plane * B2R (dir a) = B2R plane - B2R (origin a)).
   { intros plane; unfold quotient; field; exact Hv0. }
   pose proof (Hm (lo a)); pose proof (Hm (hi a)).
-  rewrite (finite_sign _ F Hv0); destruct (Rlt_bool_spec (B2R (dir a)) 0) as [L|L]; split; apply Rnot_lt_le; nra.
+  rewrite (finite_sign _ F Hv0); destruct (Rlt_bool_spec (B2R (dir a)) 0) as [L|L].
+  - split; apply Rmult_le_reg_r with (- B2R (dir a)); lra.
+  - rewrite Rabs_pos_eq in Hlow by exact L; split; apply Rmult_le_reg_r with (B2R (dir a)); lra.
 Qed.
 
 Lemma near_upper a t : slab_ok a -> 0 <= t -> covers a t -> upper (near a) (t * ((1 + u) * (1 + u) * (1 + u)) + eta).
@@ -269,12 +287,15 @@ Proof.
     set (plane := if Bsign (dir a) then hi a else lo a) in *.
     destruct (crossing_value plane (origin a) (dir a)) as (k & Hk & H'); auto; [unfold plane; now destruct Bsign|].
     set (q := (B2R plane - B2R (origin a)) / B2R (dir a)) in *.
-    assert (0 < k) by nra; assert (0 <= t * ((1 + u) * (1 + u) * (1 + u))) by (repeat apply Rmult_le_pos; lra).
+    assert (0 < k) by (pose proof (Rmult_lt_0_compat (1 - u) (1 - u) ltac:(lra) ltac:(lra)); lra).
+    assert (0 <= t * ((1 + u) * (1 + u) * (1 + u))) by (repeat apply Rmult_le_pos; lra).
     assert (Hr : rnd (q * k) <= t * ((1 + u) * (1 + u) * (1 + u)) + eta).
     { destruct (Rle_or_lt q 0) as [Hq0|Hq0].
-      - apply Rle_trans with 0; [rewrite <- rnd_0; apply rnd_le; nra | lra].
-      - apply Rle_trans with (1 := rnd_upper (q * k) ltac:(nra)).
-        assert (q * k <= t * ((1 + u) * (1 + u))) by (apply Rmult_le_compat; nra); nra. }
+      - apply Rle_trans with 0; [rewrite <- rnd_0; apply rnd_le | lra].
+        pose proof (Rmult_le_pos (- q) k ltac:(lra) ltac:(lra)); lra.
+      - apply Rle_trans with (1 := rnd_upper (q * k) ltac:(apply Rmult_le_pos; lra)).
+        assert (q * k <= t * ((1 + u) * (1 + u))) as Hqk by (apply Rmult_le_compat; lra).
+        pose proof (Rmult_le_compat_r (1 + u) _ _ ltac:(lra) Hqk); lra. }
     destruct H' as [[F V]|[-> Hbig]]; [right; right; left; rewrite V; auto|].
     destruct (Rlt_bool_spec (q * k) 0) as [L|L]; [auto | right; right; right; split; auto].
     rewrite Rabs_pos_eq in Hbig; [lra | rewrite <- rnd_0; now apply rnd_le].
@@ -290,10 +311,12 @@ Proof.
     set (plane := if Bsign (dir a) then lo a else hi a) in *.
     destruct (crossing_value plane (origin a) (dir a)) as (k & Hk & H'); auto; [unfold plane; now destruct Bsign|].
     set (q := (B2R plane - B2R (origin a)) / B2R (dir a)) in *.
-    assert (Hqk : t * ((1 - u) * (1 - u)) <= q * k) by (apply Rmult_le_compat; nra).
-    assert (0 <= q * k) by nra; assert (0 <= rnd (q * k)) by (rewrite <- rnd_0; now apply rnd_le).
+    pose proof (Rmult_lt_0_compat (1 - u) (1 - u) ltac:(lra) ltac:(lra)).
+    assert (Hqk : t * ((1 - u) * (1 - u)) <= q * k) by (apply Rmult_le_compat; lra).
+    pose proof (Rmult_le_compat_r (1 - u) _ _ ltac:(lra) Hqk).
+    assert (0 <= q * k) by (apply Rmult_le_pos; lra); assert (0 <= rnd (q * k)) by (rewrite <- rnd_0; now apply rnd_le).
     destruct H' as [[F V]|[-> Hbig]]; right; [right | left; now rewrite Rlt_bool_false].
-    rewrite V; repeat split; auto; apply Rle_trans with (2 := rnd_lower (q * k) ltac:(nra)); nra.
+    rewrite V; repeat split; auto; apply Rle_trans with (2 := rnd_lower (q * k) ltac:(assumption)); lra.
 Qed.
 
 (** ** All axes *)
@@ -328,8 +351,8 @@ Proof.
   { replace (emin + prec - 1)%Z with ((prec - 1) + emin)%Z by ring; rewrite bpow_plus.
     apply Rmult_le_compat_r; [apply bpow_ge_0|].
     apply Rle_trans with (bpow radix2 7); [simpl; lra | apply bpow_le; lia]. }
-  pose proof (rnd_lower (f * (1 + 16 * u)) ltac:(nra)).
-  assert (0 <= rnd (f * (1 + 16 * u))) by (rewrite <- rnd_0; apply rnd_le; nra).
+  assert (Hwide : 0 <= f * (1 + 16 * u)) by (apply Rmult_le_pos; lra); pose proof (rnd_lower _ Hwide).
+  assert (0 <= rnd (f * (1 + 16 * u))) by (rewrite <- rnd_0; apply rnd_le; lra).
   apply Rle_trans with (2 := rnd_lower (rnd (f * (1 + 16 * u)) + bpow radix2 (emin + prec - 1)) ltac:(lra)).
   now apply (slack _ _ t f).
 Qed.
@@ -387,7 +410,8 @@ Proof.
   intros Ht [->|[F Hle]]; [split; [discriminate | right; now left]|]; pose proof u_bounds; pose proof eta_pos.
   split; [intros ->; discriminate | right; right; split; [assumption|]].
   assert (0 <= rnd t) by (rewrite <- rnd_0; now apply rnd_le).
-  pose proof (rnd_lower t Ht); assert ((1 - u) * (1 - u) * (1 - u) <= 1 - u) by nra; split; nra.
+  pose proof (rnd_lower t Ht); destruct (powers u u_bounds) as (P2 & P3 & _).
+  assert (Hless : (1 - u) * (1 - u) * (1 - u) <= 1 - u) by lra; pose proof (Rmult_le_compat_l t _ _ Ht Hless); split; lra.
 Qed.
 
 Lemma entry_before box t : Forall slab_ok box -> 0 <= t -> Forall (fun a => covers a t) box ->
@@ -429,13 +453,11 @@ End Slab.
 
 (** ** The two formats *)
 
-Definition prec64 : Prec_gt_0 53 := eq_refl.
-Definition less64 : Prec_lt_emax 53 1024 := eq_refl.
+Definition prec64 : Prec_gt_0 53 := eq_refl. Definition less64 : Prec_lt_emax 53 1024 := eq_refl.
 Definition grow64 : binary_float 53 1024 := @B754_finite 53 1024 false (2 ^ 52 + 8) (-52) eq_refl. (* 1 + 2^-49 *)
 Definition tiny64 : binary_float 53 1024 := @B754_finite 53 1024 false (2 ^ 52) (-1074) eq_refl. (* 2^-1022 *)
 
-Definition prec32 : Prec_gt_0 24 := eq_refl.
-Definition less32 : Prec_lt_emax 24 128 := eq_refl.
+Definition prec32 : Prec_gt_0 24 := eq_refl. Definition less32 : Prec_lt_emax 24 128 := eq_refl.
 Definition grow32 : binary_float 24 128 := @B754_finite 24 128 false (2 ^ 23 + 8) (-23) eq_refl. (* 1 + 2^-20 *)
 Definition tiny32 : binary_float 24 128 := @B754_finite 24 128 false (2 ^ 23) (-149) eq_refl. (* 2^-126 *)
 
