@@ -7,7 +7,7 @@
     Decisions, decisions_right f == the four, and that they are right for the coefficients f *)
 From Coq Require Import Reals List Lra.
 From Durero Require Import Toolkit Especificacion Puntos Trazador.
-From Durero Require Tipos Certified Cylinder Formas Flat Triangle.
+From Durero Require Tipos Certified Cylinder Formas Flat Triangle Conical Cone.
 From Durero Require Import Vectors Across Decision Flotante Verdict Advance Linear Plane.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -231,6 +231,45 @@ Proof.
     unfold within; cbn [clip of_disco]; rewrite Forall_cons_iff.
     unfold excess, ray_of, point, direction, Tipos.sq, Tipos.dot, from, dot, minus; cbn.
     split; [intros Hle; split; [exact Hle | constructor] | intros [Hle _]; exact Hle].
+Qed.
+
+Theorem truncated_right centro r k d h : ordinary_vec centro -> ordinary r -> 0 < r -> ordinary k -> 0 < k ->
+  ordinary_vec d ->
+  direction d ∈ Unitario -> ordinary h -> 0 < h ->
+  decisions_right (of_tronco ray (point centro) r k (direction d) h) (axial (Formas.tronco p v V centro r k d h)).
+Proof.
+  intros Hc Hr Hr0 Hk Hk0 Hd Hu Hh Hh0; pose proof (Certified.axis_unit d Hu) as Hdd.
+  pose proof (Cone.truncated_sound p v centro d h k p_ordinary v_ordinary Hc Hd Hh Hh0 Hk Hk0 v_not_zero Hdd r Hr Hr0) as S.
+  refine (axial_right _ _ _ _ _ _ S _ _ _ p v centro d h p_ordinary v_ordinary Hc Hd Hh Hh0 v_not_zero Hdd _ _).
+  - intros t; unfold is_root; match goal with |- ?x = 0 <-> _ =>
+      replace x with (value (of_tronco ray (point centro) r k (direction d) h) t); [reflexivity|] end.
+    unfold Conical.A, Conical.B, Conical.C, Conical.rho, Conical.slope, ray_of, point, direction, value, of_tronco,
+      Across.across, Across.scale, Tipos.sq, Tipos.dot, from, dot, minus; cbn; ring.
+  - intros t; unfold is_root; match goal with |- ?x = 0 <-> _ =>
+      replace x with (value (launched (of_tronco ray (point centro) r k (direction d) h)) t); [reflexivity|] end.
+    unfold Conical.A, Conical.B, Conical.rho, Conical.slope, ray_of, point, direction, value, launched, of_tronco,
+      Across.across, Across.scale, Tipos.sq, Tipos.dot, from, dot, minus; cbn; ring.
+  - repeat split.
+  - intros t; apply within_stretch.
+Qed.
+
+Theorem cone_right centro k d h : ordinary_vec centro -> ordinary k -> 0 < k -> ordinary_vec d -> direction d ∈ Unitario ->
+  ordinary h -> 0 < h ->
+  decisions_right (of_cono ray (point centro) k (direction d) h) (axial (Formas.cono p v V centro k d h)).
+Proof.
+  intros Hc Hk Hk0 Hd Hu Hh Hh0; pose proof (Certified.axis_unit d Hu) as Hdd.
+  pose proof (Cone.cone_sound p v centro d h k p_ordinary v_ordinary Hc Hd Hh Hh0 Hk Hk0 v_not_zero Hdd) as S.
+  refine (axial_right _ _ _ _ _ _ S _ _ _ p v centro d h p_ordinary v_ordinary Hc Hd Hh Hh0 v_not_zero Hdd _ _).
+  - intros t; unfold is_root; match goal with |- ?x = 0 <-> _ =>
+      replace x with (value (of_cono ray (point centro) k (direction d) h) t); [reflexivity|] end.
+    unfold Conical.A, Conical.B, Conical.C, Conical.rho, Conical.slope, ray_of, point, direction, value, of_cono,
+      Across.across, Across.scale, Tipos.sq, Tipos.dot, from, dot, minus; cbn; ring.
+  - intros t; unfold is_root; match goal with |- ?x = 0 <-> _ =>
+      replace x with (value (launched (of_cono ray (point centro) k (direction d) h)) t); [reflexivity|] end.
+    unfold Conical.A, Conical.B, Conical.rho, Conical.slope, ray_of, point, direction, value, launched, of_cono,
+      Across.across, Across.scale, Tipos.sq, Tipos.dot, from, dot, minus; cbn; ring.
+  - repeat split.
+  - intros t; apply within_stretch.
 Qed.
 
 Definition vertices (a b c : vec) : Terna := mk_Terna (point a) (point b) (point c).

@@ -19,6 +19,8 @@ Local Open Scope zed_scope.
 Inductive shape :=
   | Sphere (centro : vec) (radio : R)
   | Cylinder (centro : vec) (radio : R) (vector : vec) (altura : R)
+  | Cone (centro : vec) (proporcion : R) (vector : vec) (altura : R)
+  | Truncated (centro : vec) (radio proporcion : R) (vector : vec) (altura : R)
   | Plane (centro vector : vec)
   | Disc (centro : vec) (radio : R) (vector : vec)
   | Triangle (a b c : vec).
@@ -27,6 +29,8 @@ Definition ordinary_shape (sh : shape) : Prop :=
   match sh with
   | Sphere c r => ordinary_vec c /\ ordinary r
   | Cylinder c r d h => ordinary_vec c /\ ordinary r /\ ordinary_vec d /\ ordinary h
+  | Cone c k d h => ordinary_vec c /\ ordinary k /\ ordinary_vec d /\ ordinary h
+  | Truncated c r k d h => ordinary_vec c /\ ordinary r /\ ordinary k /\ ordinary_vec d /\ ordinary h
   | Plane c d => ordinary_vec c /\ ordinary_vec d
   | Disc c r d => ordinary_vec c /\ ordinary r /\ ordinary_vec d
   | Triangle a b c => ordinary_vec a /\ ordinary_vec b /\ ordinary_vec c
@@ -37,6 +41,8 @@ Definition decisions_of (p v : vec) (sh : shape) : decisions :=
   match sh with
   | Sphere c r => unbounded (Formas.esfera p v V c r)
   | Cylinder c r d h => axial (Formas.cilindro p v V c r d h)
+  | Cone c k d h => axial (Formas.cono p v V c k d h)
+  | Truncated c r k d h => axial (Formas.tronco p v V c r k d h)
   | Plane c d => flat (Formas.plano p v V c d)
   | Disc c r d => edged (Formas.disco p v V c r d)
   | Triangle a b c => edged (Formas.triangulo p v V a b c)
@@ -73,6 +79,8 @@ Definition stands (e : Elemento) (sh : shape) : Prop :=
   match sh with
   | Sphere c r => is_esfera _ s e (point c) r
   | Cylinder c r d h => is_cilindro _ s e (point c) r (direction d) h
+  | Cone c k d h => is_cono _ s e (point c) k (direction d) h
+  | Truncated c r k d h => is_tronco _ s e (point c) r k (direction d) h
   | Plane c d => is_plano _ s e (point c) (direction d)
   | Disc c r d => is_disco _ s e (point c) r (direction d)
   | Triangle a b c => is_triangulo _ s e (vertices a b c)
@@ -82,6 +90,8 @@ Definition text_of (sh : shape) : coefficients :=
   match sh with
   | Sphere c r => of_esfera ray (point c) r
   | Cylinder c r d h => of_cilindro ray (point c) r (direction d) h
+  | Cone c k d h => of_cono ray (point c) k (direction d) h
+  | Truncated c r k d h => of_tronco ray (point c) r k (direction d) h
   | Plane c d => of_plano ray (point c) (direction d)
   | Disc c r d => of_disco ray (point c) r (direction d)
   | Triangle a b c => of_triangulo ray (vertices a b c)
@@ -98,6 +108,8 @@ Proof.
   intros H; split; [destruct sh; exact (element_of_type _ _ ok _ _ (proj1 H))|]; unfold equation; destruct sh; cbn in *.
   - left; eauto.
   - right; left; eauto 6.
+  - do 2 right; left; eauto 6.
+  - do 3 right; left; eauto 7.
   - do 4 right; left; eauto.
   - do 5 right; left; eauto 6.
   - do 6 right; eauto.
@@ -107,11 +119,16 @@ Theorem decisions_are_right e sh : stands e sh -> ordinary_shape sh -> decisions
 Proof.
   assert (HR : forall r, (e, r) ∈ mi_radio s -> 0 < r) by (intros; apply (Escena_decl_mi_radio ok); now exists e).
   assert (HH : forall r, (e, r) ∈ mi_altura s -> 0 < r) by (intros; apply (Escena_decl_mi_altura ok); now exists e).
+  assert (HK : forall r, (e, r) ∈ mi_proporcion s -> 0 < r)
+    by (intros; apply (Escena_decl_mi_proporcion ok); now exists e).
   assert (HD : forall d, (e, d) ∈ mi_vector s -> d ∈ Unitario) by (intros; apply (Escena_inv_8 ok); now exists e).
   pose proof direction_not_zero as Hv; destruct sh; cbn [stands text_of decisions_of ordinary_shape];
-    unfold is_esfera, is_cilindro, is_plano, is_disco, is_triangulo; intros H O; decompose [and] H; decompose [and] O.
+    unfold is_esfera, is_cilindro, is_cono, is_tronco, is_plano, is_disco, is_triangulo; intros H O; decompose [and] H;
+      decompose [and] O.
   - apply sphere_right; auto.
   - apply cylinder_right; auto.
+  - apply cone_right; auto.
+  - apply truncated_right; auto.
   - apply plane_right; auto.
   - apply disc_right; auto.
   - apply triangle_right; auto.

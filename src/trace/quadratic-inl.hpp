@@ -25,8 +25,8 @@
 /// roundings that all go one way, and lengths by the sum of their components. Of double-double it is 1/750 and 1/150,
 /// as its operations are taken to err by 16u² where they mostly err by less than one. A narrower bound would change no
 /// answer, only spare the next step some rays, and of four million ordinary ones none comes there (tests/bench, steps);
-/// and for the sphere and the cylinder it is these 64 that are proved (proofs/Flotante.v, proofs/Cylinder.v), of what
-/// this header computes (proofs/Formas.v).
+/// and it is these 64 that are proved (proofs/Flotante.v, proofs/Cylinder.v, proofs/Conical.v), of what this header and
+/// those of shape/ compute (proofs/Formas.v).
 ///
 /// Range. Every number of the element and of the ray is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰ (`ordinary`), so no value
 /// exceeds 2⁹⁰⁰ and none overflows. An operation that underflows adds at most 2⁻¹⁰⁷⁴, and later factors make that less
