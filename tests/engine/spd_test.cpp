@@ -48,9 +48,12 @@ Queries secondary(const scene::Scene& scene, const Queries& from, std::uint64_t 
   Queries queries;
   for (const scene::Hit& hit : engine::first_hits(*engine::find("analytic")->prepare(scene), from)) {
     if (hit.resultado != model::Resultado::hit) continue;
-    for (const scene::Light& light : scene.stage().lights)
-      queries.push_back({ray(hit.punto, light.position - hit.punto), hit.elementos});
-    queries.push_back({ray(hit.punto, random.direction()), hit.elementos});
+    for (const scene::Light& light : scene.stage().lights) {
+      const scene::Query shadow{ray(hit.punto, light.position - hit.punto), hit.elementos};
+      queries.push_back(shadow);
+    }
+    const scene::Query anywhere{ray(hit.punto, random.direction()), hit.elementos};
+    queries.push_back(anywhere);
   }
   return queries;
 }
