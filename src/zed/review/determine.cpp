@@ -53,7 +53,7 @@ std::map<Name, Term> Determiner::parts(const Term& term) const {
 
 /// Says whether a term mentions an open component, by its name or behind θ.
 bool Determiner::refers(const Term& term, const std::set<Name>& open) const {
-  if (match::mentions(term, open)) return true;
+  if (term->kind == Kind::reference && open.contains(term->name)) return true;
   if (term->kind == Kind::theta) {
     const std::vector<Name> names = bound_by_theta(*term);
     return names.empty() ||

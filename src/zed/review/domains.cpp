@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <ranges>
+#include <set>
 #include <unordered_map>
 
 #include "durero/zed/print/print.hpp"
@@ -69,16 +70,31 @@ class Walker {
     }
   }
 
-  static std::uint64_t bit_of(const Name& name) { return std::uint64_t{1} << (std::hash<Name>()(name) % 64); }
+  std::size_t number_of(const Name& name) { return numbers_.emplace(name, numbers_.size()).first->second; }
 
-  /// Has the bit of each name that the fact mentions, and maybe others. Most facts are asked for again and again.
-  std::uint64_t bits_of(const Term& fact) {
-    auto& [kept, bits] = bits_[fact.get()];
+  /// The numbers of the names that the fact mentions. Most facts are asked for again and again.
+  const std::set<std::size_t>& names_of(const Term& fact) {
+    auto& [kept, names] = names_[fact.get()];
     if (!kept) {
       kept = fact;  // so that no other fact comes to lie where this one does
-      match::each_name(fact, [&bits](const Name& name) { bits |= bit_of(name); });
+      match::each_name(fact, [&](const Name& name) { names.insert(number_of(name)); });
     }
-    return bits;
+    return names;
+  }
+
+  /// Forgets what is said of these names.
+  void forget_facts(const std::set<Name>& bound) {
+    std::vector<bool> is_bound;
+    for (const Name& name : bound) {
+      const std::size_t number = number_of(name);
+      if (number >= is_bound.size()) is_bound.resize(number + 1);
+      is_bound[number] = true;
+    }
+    const auto speaks_of_one = [&](const Term& fact) {
+      return std::ranges::any_of(names_of(fact), [&](std::size_t n) { return n < is_bound.size() && is_bound[n]; });
+    };
+    std::erase_if(context_.facts,
+                  [&](const Term& fact) { return speaks_of_one(fact) && match::mentions(fact, bound); });
   }
 
   /// Walks a term where more holds.
@@ -114,10 +130,7 @@ class Walker {
     std::set<Name> bound;
     for (const auto& [name, set] : whole.declared) bound.insert(name);
     for (const Declaration& declared : text.declarations) bound.insert(declared.names.begin(), declared.names.end());
-    std::uint64_t bits = 0;
-    for (const Name& name : bound) bits |= bit_of(name);
-    std::erase_if(context_.facts,
-                  [&](const Term& fact) { return (bits_of(fact) & bits) != 0 && match::mentions(fact, bound); });
+    forget_facts(bound);
     for (const Name& name : bound) forget(name, before);
     join(whole, before);
     budget_.spend(100 * whole.facts.size());
@@ -167,7 +180,8 @@ class Walker {
   std::vector<Defect>& defects_;
   std::string file_;
   Facts context_;
-  std::unordered_map<const Node*, std::pair<Term, std::uint64_t>> bits_;
+  std::unordered_map<Name, std::size_t> numbers_;
+  std::unordered_map<const Node*, std::pair<Term, std::set<std::size_t>>> names_;
   Budget budget_;
 };
 

@@ -89,7 +89,7 @@ void Attempt::add_sources(const Declaration& declaration, std::size_t number, bo
     for (const Declaration& each : text->declarations) add_sources(each, number, false);
     return;
   }
-  Source source{declaration.term, element_of(declaration.term), samples};
+  Source source{element_of(declaration.term), samples};
   source.declaration = number;
   source.is_declaration = outermost;
   if (included) return add_included(declaration.term, std::move(source));
@@ -104,7 +104,6 @@ void Attempt::add_included(const Term& schema, Source source) {
   const Term before = change ? reference({word.substr(std::string("Δ").size()), ""}) : schema;
   const bool sampled = change && ground_.draw.samples_of(before);
   if (sampled) {
-    source.set = before;
     source.samples = ground_.draw.samples_of(before);
     source.is_declaration = false;
   }
@@ -141,7 +140,7 @@ Attempt::State Attempt::drawn(std::size_t draw) {
 void Attempt::draw_from(const Source& source, Chances& chances, State& state) {
   bool known = source.is_declaration && source.samples;
   const auto one = [&] {
-    if (!source.samples) return ground_.draw.of(source.set, source.element, chances);
+    if (!source.samples) return ground_.draw.of(source.element, chances);
     const std::vector<Value>& samples = ground_.draw.samples(*source.samples);
     const std::size_t index = chances.below(samples.size());
     known = known && ground_.members.knows(*source.samples, index);

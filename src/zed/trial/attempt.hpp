@@ -46,7 +46,6 @@ class Attempt {
   /// The values of a declaration come from samples of a set, or are made up. Each has places among the components of
   /// the claim; a name that two declarations share has the value of the first.
   struct Source {
-    Term set;
     Type element;
     const std::string* samples = nullptr;  ///< the name of the set that has samples
     bool is_binding = false;               ///< one value gives all places, else each place has a value of its own

@@ -60,12 +60,7 @@ const SchemaText* Draw::text(const Term& schema) const {
   return found == texts_.end() ? nullptr : found->second;
 }
 
-Value Draw::of(const Term& set, const Type& element, Chances& chances) const {
-  const std::string* known = samples_of(set);
-  return known ? pick(samples(*known), chances) : of_type(element, chances);
-}
-
-Value Draw::of_type(const Type& type, Chances& chances) const {
+Value Draw::of(const Type& type, Chances& chances) const {
   switch (type.kind()) {
     case Type::Kind::given: {
       static const std::vector<Value> small = {Real(0), Real(1), Real(2), Real(3), Real(-1), Real(0.5)};
@@ -78,12 +73,12 @@ Value Draw::of_type(const Type& type, Chances& chances) const {
       return of_set(type.parts()[0], chances);
     case Type::Kind::product: {
       std::vector<Value> parts;
-      for (const Type& part : type.parts()) parts.push_back(of_type(part, chances));
+      for (const Type& part : type.parts()) parts.push_back(of(part, chances));
       return Value::tuple(std::move(parts));
     }
     case Type::Kind::schema: {
       std::vector<Value> parts;
-      for (const Type& part : type.parts()) parts.push_back(of_type(part, chances));
+      for (const Type& part : type.parts()) parts.push_back(of(part, chances));
       return Value::binding(signature(type.fields()), std::move(parts));
     }
     case Type::Kind::formal:
@@ -97,7 +92,7 @@ Value Draw::of_type(const Type& type, Chances& chances) const {
 Value Draw::of_set(const Type& element, Chances& chances) const {
   std::vector<Value> members;
   for (std::size_t count = chances.below(members_of_a_set + 1); count != 0; --count)
-    members.push_back(of_type(element, chances));
+    members.push_back(of(element, chances));
   return Value::set(std::move(members));
 }
 

@@ -26,8 +26,8 @@ class Chances {
 class Draw {
  public:
   Draw(const Specification& specification, const Samples& samples);
-  /// A member of the set, or a binding of the schema, that a declaration names; of its type where there are no samples.
-  Value of(const Term& set, const Type& element, Chances& chances) const;
+  /// A value of the type.
+  Value of(const Type& type, Chances& chances) const;
   /// The name of the set, or schema, that this term names, where there are samples of it; else null.
   const std::string* samples_of(const Term& set) const;
   /// The samples of the set of this name. Precondition: samples_of() has given it.
@@ -36,7 +36,6 @@ class Draw {
   const SchemaText* text(const Term& schema) const;
 
  private:
-  Value of_type(const Type& type, Chances& chances) const;
   Value of_set(const Type& element, Chances& chances) const;
 
   std::map<std::string, const SchemaText*> texts_;  // of the specification, which outlives it
