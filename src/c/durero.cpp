@@ -95,7 +95,7 @@ const char* durero_error(void) { return last_error.c_str(); }
 const char* durero_version(void) { return DURERO_VERSION; }
 
 durero_scene* durero_scene_new(void) {
-  return guarded<durero_scene*>(nullptr, [] { return new durero_scene{}; });
+  return guarded<durero_scene*>(nullptr, [] { return new durero_scene{written::Edited()}; });
 }
 
 durero_scene* durero_scene_read(const char* path) {

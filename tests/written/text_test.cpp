@@ -203,9 +203,10 @@ TEST_CASE("A text without points of a type is refused, and so is one that is wro
   const Written key(
       "\\begin{axdef}\n  puntos\\_x : Punto \\fun \\power Punto\n\\where\n"
       "  \\forall material : Punto @ puntos\\_x(material) = \\{~ w : Punto | w = material ~\\}\n\\end{axdef}\n");
-  CHECK(error_of(key, [&] {
-          key.text();
-        }).ends_with("a parameter of puntos_x is called material; expected another name: every element has that key"));
+  CHECK(
+      error_of(key, [&] { key.text(); })
+          .ends_with(
+              "a parameter of puntos_x is called material; expected another name: every element has that of its own"));
   const Written points(cosa("w = centro"));
   CHECK(error_of(points, [&] { points.text().surface("nada", {}); }).starts_with("1:1: no equation gives puntos_nada"));
   CHECK(error_of(points, [&] {
