@@ -1,40 +1,58 @@
 #!/usr/bin/env python3
-"""povray.py DURERO SCENE...: how long POV-Ray 3.7 and this program take to draw a scene, without antialiasing.
+"""povray.py DURERO [SCENE...]: how long POV-Ray 3.7 and this program take to draw a scene, without antialiasing.
 
 Equal pixels (1280 by 720), one ray through each, equal depth, the same lights and materials: POV-Ray draws what `durero
-export` writes. Both have all processors; what is compared is the processor time of each process in one run, the least of three,
-reading the scene and writing the picture with it. SCENE is a scene file or NFF.
+export` writes. Both have two threads, take turns in one run, and read the scene and write the picture as PNG; of each
+the least of three is taken, of the time that a clock on the wall shows, and of that of its processors together. The ratio is
+POV-Ray's over Durero's. SCENE is a scene file or NFF; without any, the two of demo/, Whitted's of its gallery, and the
+small Standard Procedural Databases where the folder DURERO_SPD, or shared/data/spd beside the sources, has them.
 """
 import os
 import pathlib
 import subprocess
 import sys
 import tempfile
+import time
 
-WIDTH, HEIGHT, RUNS = 1280, 720, 3
+WIDTH, HEIGHT, THREADS, RUNS = 1280, 720, 2, 3
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def seconds(call, folder):
-    """Of all processors together, as the system counts them for a child that has ended."""
-    before = os.times()
+    """On the wall, and of all processors together as the system counts them for a child that has ended."""
+    before, start = os.times(), time.monotonic()
     subprocess.run(call, cwd=folder, check=True, capture_output=True)
-    after = os.times()
-    return after.children_user + after.children_system - before.children_user - before.children_system
+    wall, after = time.monotonic() - start, os.times()
+    return wall, after.children_user + after.children_system - before.children_user - before.children_system
+
+
+def least(times):
+    return tuple(min(column) for column in zip(*times))
+
+
+def own_scenes():
+    spd = pathlib.Path(os.environ.get("DURERO_SPD", ROOT.parent / "shared" / "data" / "spd"))
+    names = ["mirrors.json", "still-life.json", "gallery/whitted.json"]
+    return [ROOT / "demo" / name for name in names] + sorted(spd.glob("*-small.nff"))
+
+
+def compare(durero, scene, folder):
+    subprocess.run([durero, "import", scene, "-o", folder / "scene.json"], check=True, capture_output=True)
+    subprocess.run([durero, "export", "scene.json", "-o", "scene.pov"], cwd=folder, check=True, capture_output=True)
+    here = [durero, "render", "scene.json", "-o", "here.png", "--size", f"{WIDTH}x{HEIGHT}", "--threads", str(THREADS), "--quiet"]
+    there = ["povray", "+Iscene.pov", "+Othere.png", f"+W{WIDTH}", f"+H{HEIGHT}", f"+WT{THREADS}", "-A", "-D", "File_Gamma=sRGB"]
+    turns = [(seconds(here, folder), seconds(there, folder)) for _ in range(RUNS)]
+    return (least(times) for times in zip(*turns))
 
 
 def main():
     durero = str(pathlib.Path(sys.argv[1]).resolve())
-    for scene in sys.argv[2:]:
+    print(f"{WIDTH} by {HEIGHT}, {THREADS} threads, the least of {RUNS}; on the wall and of the processors, in seconds")
+    for scene in map(pathlib.Path, sys.argv[2:] or own_scenes()):
         with tempfile.TemporaryDirectory() as name:
-            folder = pathlib.Path(name)
-            call = [durero, "import", scene, "-o", folder / "scene.json"]
-            subprocess.run(call, check=True, capture_output=True)
-            subprocess.run([durero, "export", "scene.json", "-o", "scene.pov"], cwd=folder, check=True, capture_output=True)
-            size = f"{WIDTH}x{HEIGHT}"
-            here = [durero, "render", "scene.json", "-o", "here.png", "--size", size]
-            there = ["povray", "+Iscene.pov", "+Othere.png", f"+W{WIDTH}", f"+H{HEIGHT}", "-A", "-D", "File_Gamma=sRGB"]
-            ours, theirs = (min(seconds(c, folder) for _ in range(RUNS)) for c in (here, there))
-        print(f"{pathlib.Path(scene).name}: POV-Ray {theirs:.2f} s, durero {ours:.2f} s, ratio {theirs / ours:.2f}", flush=True)
+            ours, theirs = compare(durero, scene, pathlib.Path(name))
+        said = ", ".join(f"{b:.2f} : {a:.2f} = {b / a:.2f}" for a, b in zip(ours, theirs))
+        print(f"{scene.name}: POV-Ray : durero {said}", flush=True)
 
 
 main()

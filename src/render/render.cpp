@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <mutex>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "by_rows.hpp"
 #include "durero/contract/contract.hpp"
 #include "row.hpp"
 #include "statistical.hpp"
+#include "tiles.hpp"
 #include "view.hpp"
 
 namespace durero::render {
@@ -23,30 +27,45 @@ void add_row(Reach& reach, const Row& row) {
   reach.in_doubt += row.in_doubt;
 }
 
-/// Each row of the view by row_of(y).
-template <class RowOf>
-Picture drawn(const View& view, const Progress& progress, Reach& reach, RowOf&& row_of) {
-  Picture picture(view.crop.size);
-  std::mutex mutex;
-  by_rows(view.crop.size.height, progress, [&](std::uint32_t y) {
-    const Row row = row_of(y);
-    auto* const pixels = &picture.rgb[std::size_t(y) * view.crop.size.width];
-    for (std::size_t x = 0; x < row.pixels.size(); ++x) pixels[x] = row.pixels[x].color;
-    const std::lock_guard lock(mutex);
+/// A picture, and how far its rays were followed, to which many threads add.
+class Drawn {
+ public:
+  explicit Drawn(scene::Resolution size) : picture(size) {}
+
+  /// What the rays of these pixels brought.
+  void add(std::span<const scene::Pixel> pixels, const Row& row) {
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+      picture.rgb[std::size_t(pixels[i].y) * picture.resolution.width + pixels[i].x] = row.pixels[i].color;
+    const std::lock_guard lock(mutex_);
     add_row(reach, row);
-  });
-  return picture;
+  }
+
+  Picture picture;
+  Reach reach{};
+
+ private:
+  std::mutex mutex_;
+};
+
+std::vector<scene::Pixel> pixels_of_row(std::uint32_t width, std::uint32_t y) {
+  std::vector<scene::Pixel> pixels(width);
+  for (std::uint32_t x = 0; x < width; ++x) pixels[x] = {x, y};
+  return pixels;
 }
 
-Picture drawn(const View& view, const Samples& samples, const Progress& progress, Reach& reach) {
+void draw(const View& view, const Samples& samples, const Progress& progress, Drawn& drawn) {
+  const scene::Resolution size = view.crop.size;
   switch (samples.sampling) {
     case Sampling::grid:
     case Sampling::stratified:
-      return drawn(view, progress, reach, [&](std::uint32_t y) { return sampled_row(view, samples, y); });
+      by_tiles(size, progress, [&](const auto& pixels) { drawn.add(pixels, sampled(view, samples, pixels)); });
+      return;
     case Sampling::statistical: {
       const Statistical statistical(view, samples);
-      reach = statistical.reach_of_corners();
-      return drawn(view, progress, reach, [&](std::uint32_t y) { return statistical.row(y); });
+      drawn.reach = statistical.reach_of_corners();
+      by_rows(size.height, progress,
+              [&](std::uint32_t y) { drawn.add(pixels_of_row(size.width, y), statistical.row(y)); });
+      return;
     }
   }
   contract::unreachable();
@@ -57,11 +76,11 @@ Picture drawn(const View& view, const Samples& samples, const Progress& progress
 Picture render(const scene::Scene& scene, const engine::Engine& engine, const Progress& progress, const Frame& frame,
                Reach* reach) {
   const View view(scene, engine, frame);
-  Reach found;
-  Picture picture = drawn(view, frame.samples, progress, found);
-  found.max_depth = view.limits.max_depth;
-  if (reach) *reach = found;
-  return picture;
+  Drawn drawn(view.crop.size);
+  draw(view, frame.samples, progress, drawn);
+  drawn.reach.max_depth = view.limits.max_depth;
+  if (reach) *reach = drawn.reach;
+  return std::move(drawn.picture);
 }
 
 }  // namespace durero::render

@@ -19,19 +19,19 @@ void divide(Brought& sum, std::uint32_t rays) {
   sum.left_out /= double(rays);
 }
 
-Row sampled_row(const View& view, const Samples& samples, std::uint32_t y) {
-  const std::uint32_t width = view.crop.size.width;
+Row sampled(const View& view, const Samples& samples, std::span<const scene::Pixel> pixels) {
   const auto side = static_cast<std::uint32_t>(std::lround(std::sqrt(samples.most)));
-  Row row{.pixels = std::vector<Brought>(width), .samples = std::uint64_t{samples.most} * width};
-  std::vector<glm::dvec2> points(width);
+  Row row{.pixels = std::vector<Brought>(pixels.size()), .samples = std::uint64_t{samples.most} * pixels.size()};
+  std::vector<glm::dvec2> points(pixels.size());
   // A ray of each pixel at a time: neighbours meet the same things, and few rays wait.
   for (std::uint32_t i = 0; i < samples.most; ++i) {
-    for (std::uint32_t x = 0; x < width; ++x) {
+    for (std::size_t k = 0; k < pixels.size(); ++k) {
+      const auto [x, y] = pixels[k];
       const auto key = [&] { return key_of(view.crop.x + x, view.crop.y + y, 0); };
-      points[x] = view.point(x, y, samples.sampling == Sampling::grid ? in_grid(side, i) : in_strata(side, i, key()));
+      points[k] = view.point(x, y, samples.sampling == Sampling::grid ? in_grid(side, i) : in_strata(side, i, key()));
     }
     const std::vector<Brought> more = view.brought_by(points);
-    for (std::uint32_t x = 0; x < width; ++x) add(row.pixels[x], more[x]);
+    for (std::size_t k = 0; k < pixels.size(); ++k) add(row.pixels[k], more[k]);
   }
   for (Brought& pixel : row.pixels) divide(pixel, samples.most);
   return row;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "by_rows.hpp"
 #include "durero/contract/contract.hpp"
 
 namespace durero::render {
@@ -20,9 +21,10 @@ double greatest(const Picture& picture) {
 template <class Map>
 Image mapped(const Picture& picture, Map&& map) {
   Image image(picture.resolution);
-  for (std::uint32_t y = 0; y < picture.resolution.height; ++y)
+  by_rows(picture.resolution.height, {}, [&](std::uint32_t y) {
     for (std::uint32_t x = 0; x < picture.resolution.width; ++x)
       image.set(x, y, map(picture.rgb[std::size_t(y) * picture.resolution.width + x]));
+  });
   return image;
 }
 

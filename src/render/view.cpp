@@ -28,13 +28,14 @@ View::View(const scene::Scene& drawn, const engine::Engine& asked, const Frame& 
       engine(asked),
       rays(rays_of(drawn.stage(), frame)),
       crop(crop_of(frame, rays.resolution())),
-      limits{frame.max_depth.value_or(depth_of(drawn.stage())), frame.min_weight} {}
+      limits{frame.max_depth.value_or(depth_of(drawn.stage())), frame.min_weight},
+      follower(scene, engine, limits) {}
 
 std::vector<Brought> View::brought_by(std::span<const glm::dvec2> points) const {
   std::vector<scene::Query> queries;
   queries.reserve(points.size());
   for (const glm::dvec2& point : points) queries.push_back({rays.ray_at(point.x, point.y)});
-  return brought(scene, engine, queries, limits);
+  return follower.brought(queries);
 }
 
 }  // namespace durero::render

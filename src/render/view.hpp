@@ -10,6 +10,7 @@
 #include "durero/render/whitted.hpp"
 #include "durero/scene/camera.hpp"
 #include "durero/scene/scene.hpp"
+#include "follower.hpp"
 
 namespace durero::render {
 
@@ -30,6 +31,7 @@ struct View {
   scene::PrimaryRays rays;  ///< of the whole picture
   Crop crop;                ///< of it, what is drawn
   Limits limits;
+  Follower follower;
 };
 
 }  // namespace durero::render

@@ -1,29 +1,38 @@
 #include "durero/trace/certified.hpp"
 
 #include "durero/trace/search.hpp"
+#include "trace/own_rounding.hpp"
 
 namespace durero::trace {
 
-void Certified::finish() {
-  for (Hits& hits : waiting_) round(hits);
+void Certified::hit_own(std::uint32_t number, const Ray& ray, scene::ElementRef e, const Point& point) {
+  Hits& hits = waiting_own_[static_cast<std::size_t>(e.tipo)];
+  hits.findings.set(hits.queue.count, point.finding);
+  hits.queue.push(scene_, number, ray, e);
+  if (hits.queue.full()) round(hits, improve_and_round_from);
 }
 
-void Certified::round(Hits& hits) {
+void Certified::finish() {
+  for (Hits& hits : waiting_) round(hits, improve_and_round);
+  for (Hits& hits : waiting_own_) round(hits, improve_and_round_from);
+}
+
+void Certified::round(Hits& hits, Rounding rounding) {
   if (hits.queue.count == 0) return;
-  improve_and_round(hits.queue.packet, hits.queue.elements[0].tipo, hits.findings, rounded_);
-  for (std::size_t lane = 0; lane < hits.queue.count; ++lane) write(hits, lane);
+  rounding(hits.queue.packet, hits.queue.elements[0].tipo, hits.findings, rounded_);
+  for (std::size_t lane = 0; lane < hits.queue.count; ++lane)
+    write(hits.queue.numbers[lane], hits.queue.elements[lane], rounded(hits, lane));
   hits.queue.count = 0;
 }
 
-void Certified::write(const Hits& hits, std::size_t lane) {
+void Certified::write(std::uint32_t number, scene::ElementRef e, const Rounded& rounded) {
   ++counts_.order[0];
-  const Rounded r = rounded(hits, lane);
-  scene::Hit& hit = hits_[hits.queue.numbers[lane]];
+  scene::Hit& hit = hits_[number];
   hit.resultado = model::Resultado::hit;
-  hit.t = r.t;
-  hit.punto = r.punto;
+  hit.t = rounded.t;
+  hit.punto = rounded.punto;
   hit.elementos.clear();
-  hit.elementos.push_back(hits.queue.elements[lane]);
+  hit.elementos.push_back(e);
 }
 
 /// What the lanes found; where they are not certain, the steps after them for this ray and element alone.

@@ -17,6 +17,13 @@ HWY_BEFORE_NAMESPACE();
 namespace durero::trace {
 namespace HWY_NAMESPACE {
 
+/// quadratic_at of rays that start on the element, one or several.
+template <class R, class Element, class Ray>
+HWY_INLINE Power<R> own_quadratic_at(R t, const Element& element, const Ray& ray) {
+  const Power<R> there = power_at(t, element, ray), here = power_at(R(0.0), element, ray);
+  return {difference(there.value, here.value), there.error + 2 * here.error};
+}
+
 /// t = hi + lo within the error, where the slope is known not to be 0.
 template <class R>
 struct Improved {
@@ -80,20 +87,78 @@ HWY_INLINE Once<R> round_coordinate(R p, R v, const Pair<R>& t, R t_error) {
   return {choose(still, R(p + 0.0), x.value), certain};
 }
 
+/// The coordinates of a point, each rounded once.
+template <class R>
+struct Coordinates {
+  Once<R> x, y, z;
+};
+template <class R, class Ray>
+HWY_INLINE Coordinates<R> round_coordinates(const Ray& ray, const Pair<R>& t, R t_error) {
+  const Once<R> x = round_coordinate<R>(ray.p.x, ray.v.x, t, t_error);
+  const Once<R> y = round_coordinate<R>(ray.p.y, ray.v.y, t, t_error);
+  const Once<R> z = round_coordinate<R>(ray.p.z, ray.v.z, t, t_error);
+  return {x, y, z};
+}
+
 /// The parameter and the point there, each rounded once where all of them are certain.
 template <class R>
 struct OncePoint {
   R t, x, y, z;
   Truth<R> certain;
 };
+template <class R>
+HWY_INLINE OncePoint<R> joined(const Once<R>& t, const Coordinates<R>& at) {
+  const Truth<R> certain = t.certain & at.x.certain & at.y.certain & at.z.certain;
+  return {t.value, at.x.value, at.y.value, at.z.value, certain};
+}
 template <class R, class Ray>
 HWY_INLINE OncePoint<R> round_point(const Ray& ray, const Pair<R>& t, R t_error) {
   const Once<R> of_t = round_once(t, t_error);
-  const Once<R> x = round_coordinate<R>(ray.p.x, ray.v.x, t, t_error);
-  const Once<R> y = round_coordinate<R>(ray.p.y, ray.v.y, t, t_error);
-  const Once<R> z = round_coordinate<R>(ray.p.z, ray.v.z, t, t_error);
-  const Truth<R> certain = of_t.certain & x.certain & y.certain & z.certain;
-  return {of_t.value, x.value, y.value, z.value, certain};
+  return joined(of_t, round_coordinates<R>(ray, t, t_error));
+}
+
+/// A coordinate that all points of a plane have in common, where it stands at a right angle to that axis: the one of
+/// its centre, where its normal has no component along the others, for of n·(x − c) = 0 is left n.x·(x − c.x) = 0; the
+/// one of the corners of a triangle, where they are alike. No interval about a computed one tells the sign of a floor
+/// at 0.
+template <class R>
+HWY_INLINE Once<R> level_of_corners(R a, R b, R c) {
+  const Truth<R> known = (a == b) & (a == c);
+  return {a + 0.0, known};
+}
+template <class R>
+HWY_INLINE Once<R> level_of_centre(R c, R other, R another) {
+  const Truth<R> known = (other == 0.0) & (another == 0.0);
+  return {c + 0.0, known};
+}
+template <class R, class Element>
+HWY_INLINE Coordinates<R> levels(const Element& element) {
+  if constexpr (Element::tipo == model::Tipo::soy_triangulo) {
+    const auto &a = element.vertices[0], &b = element.vertices[1], &c = element.vertices[2];
+    return {level_of_corners<R>(a.x, b.x, c.x), level_of_corners<R>(a.y, b.y, c.y), level_of_corners<R>(a.z, b.z, c.z)};
+  } else {
+    const auto &c = element.centro, &n = element.vector;
+    return {level_of_centre<R>(c.x, n.y, n.z), level_of_centre<R>(c.y, n.z, n.x), level_of_centre<R>(c.z, n.x, n.y)};
+  }
+}
+
+/// The first, where it is certain.
+template <class R>
+HWY_INLINE Once<R> either(const Once<R>& first, const Once<R>& second) {
+  const Truth<R> certain = first.certain | second.certain;
+  return {choose(first.certain, first.value, second.value), certain};
+}
+
+/// The same of a ray that meets the element at t.
+template <class R, class Element, class Ray>
+HWY_INLINE OncePoint<R> round_point_on(const Element& element, const Ray& ray, const Pair<R>& t, R t_error) {
+  if constexpr (!is_linear(Element::tipo)) {
+    return round_point(ray, t, t_error);
+  } else {
+    const Once<R> of_t = round_once(t, t_error);
+    const Coordinates<R> at = round_coordinates<R>(ray, t, t_error), level = levels<R>(element);
+    return joined(of_t, Coordinates<R>{either(level.x, at.x), either(level.y, at.y), either(level.z, at.z)});
+  }
 }
 
 }  // namespace HWY_NAMESPACE

@@ -5,6 +5,7 @@
 #include <hwy/foreach_target.h>
 //
 #include "trace/optimised.hpp"
+#include "trace/own_rounding.hpp"
 #include "trace/packet_lanes-inl.hpp"
 #include "trace/rounding-inl.hpp"
 #include "trace/shapes-inl.hpp"
@@ -17,9 +18,10 @@ namespace {
 
 using model::Tipo;
 
-Rounded rounded_of(const Ray& ray, const Finding& finding) {
+Rounded rounded_of(scene::ShapeView element, const Ray& ray, const Finding& finding) {
   const Pair<double> t(finding.hi, finding.lo);
-  const OncePoint<double> once = round_point(ray, t, finding.error);
+  const OncePoint<double> once =
+      element.visit([&](const auto& shape) HWY_ATTR { return round_point_on(shape, ray, t, finding.error); });
   return {once.certain, once.t, {once.x, once.y, once.z}};
 }
 
@@ -33,7 +35,8 @@ Finding improved_of(scene::ShapeView element, const Ray& ray, bool on, const Fin
   return {Verdict::hit, better.t.hi, better.t.lo, better.error, slope};
 }
 
-template <Tipo tipo>
+/// own: the rays start on the elements.
+template <Tipo tipo, bool own>
 void round_lanes(const Packet& packet, const Findings& findings, RoundedPacket& result) {
   using Column = Packet::Column;
   result.certain = 0;
@@ -42,10 +45,11 @@ void round_lanes(const Packet& packet, const Findings& findings, RoundedPacket& 
     const LaneElement<tipo> e = element<tipo>(packet, at);
     const auto load = [at](const Column& column) HWY_ATTR { return Lanes::load(&column[at]); };
     const Lanes t = load(findings.t);
+    const Power<Lanes> f = own ? own_quadratic_at(t, e, ray) : power_at(t, e, ray);
     const Improved<Lanes> better =
         newton<Lanes>({t, load(findings.error)}, {load(findings.at_root), load(findings.at_root_error)},
-                      {load(findings.A), load(findings.A_error)}, power_at(t, e, ray));
-    const OncePoint<Lanes> once = round_point(ray, better.t, better.error);
+                      {load(findings.A), load(findings.A_error)}, f);
+    const OncePoint<Lanes> once = round_point_on(e, ray, better.t, better.error);
     once.t.store(&result.t[at]);
     once.x.store(&result.x[at]);
     once.y.store(&result.y[at]);
@@ -56,7 +60,12 @@ void round_lanes(const Packet& packet, const Findings& findings, RoundedPacket& 
 
 void round_packet(const Packet& packet, Tipo tipo, const Findings& findings, RoundedPacket& result) {
   scene::with_shape(tipo, [&]<class Shape>(std::type_identity<Shape>)
-                              HWY_ATTR { round_lanes<Shape::tipo>(packet, findings, result); });
+                              HWY_ATTR { round_lanes<Shape::tipo, false>(packet, findings, result); });
+}
+
+void round_packet_from(const Packet& packet, Tipo tipo, const Findings& findings, RoundedPacket& result) {
+  scene::with_shape(tipo, [&]<class Shape>(std::type_identity<Shape>)
+                              HWY_ATTR { round_lanes<Shape::tipo, true>(packet, findings, result); });
 }
 
 }  // namespace
@@ -71,16 +80,22 @@ namespace {
 HWY_EXPORT(improved_of);
 HWY_EXPORT(rounded_of);
 HWY_EXPORT(round_packet);
+HWY_EXPORT(round_packet_from);
 
 }  // namespace
 
 Finding improved(scene::ShapeView element, const Ray& ray, bool on, const Finding& finding) {
   return HWY_DYNAMIC_DISPATCH(improved_of)(element, ray, on, finding);
 }
-Rounded rounded(const Ray& ray, const Finding& finding) { return HWY_DYNAMIC_DISPATCH(rounded_of)(ray, finding); }
+Rounded rounded(scene::ShapeView element, const Ray& ray, const Finding& finding) {
+  return HWY_DYNAMIC_DISPATCH(rounded_of)(element, ray, finding);
+}
 
 void improve_and_round(const Packet& packet, model::Tipo tipo, const Findings& findings, RoundedPacket& result) {
   HWY_DYNAMIC_DISPATCH(round_packet)(packet, tipo, findings, result);
+}
+void improve_and_round_from(const Packet& packet, model::Tipo tipo, const Findings& findings, RoundedPacket& result) {
+  HWY_DYNAMIC_DISPATCH(round_packet_from)(packet, tipo, findings, result);
 }
 
 }  // namespace durero::trace

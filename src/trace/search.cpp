@@ -185,7 +185,8 @@ Rounded Search::round(const Candidate& nearest) const {
   const bool on = en_.contains(nearest.e);
   const auto count = [&](Step step) { ++counts_.rounding[static_cast<std::size_t>(step)]; };
   const auto attempt = [&](const Finding& finding) {
-    return finding.verdict == Verdict::hit ? rounded(ray_, finding) : Rounded{};
+    if (finding.verdict != Verdict::hit) return Rounded{};
+    return scene_.visit(nearest.e, [&](const auto& e) { return rounded(e, ray_, finding); });
   };
   Rounded r{};
   if (nearest.at.step == Step::triage) {

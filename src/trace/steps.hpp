@@ -15,7 +15,7 @@ Finding stable(scene::ShapeView element, const Ray& ray, bool on, double limit =
 /// slope may be 0. Precondition: the finding is a hit of this element by triage, for the same `on`.
 Finding improved(scene::ShapeView element, const Ray& ray, bool on, const Finding& finding);
 
-/// t and the point of a finding. Precondition: the finding is a hit by stable or improved.
-Rounded rounded(const Ray& ray, const Finding& finding);
+/// t and the point of a finding. Precondition: the finding is a hit of this element by stable or improved.
+Rounded rounded(scene::ShapeView element, const Ray& ray, const Finding& finding);
 
 }  // namespace durero::trace

@@ -53,6 +53,18 @@ TEST_CASE("every byte is that whose step holds the value: no linear component is
   }
 }
 
+TEST_CASE("bytes that are looked up are those that the curve gives, on either side of what is looked up") {
+  const auto by_the_curve = [](double c) {
+    const double value = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055;
+    return static_cast<int>(std::floor(value * 255 + 0.5));
+  };
+  constexpr int parts = 1 << 16;
+  for (int i = 1; i < parts; ++i)
+    for (const double c : {double(i) / parts, std::nextafter(double(i) / parts, 0), (i - 0.5) / parts})
+      if (render::srgb_byte(c) != by_the_curve(c)) FAIL(c);
+  CHECK(render::srgb_byte(std::nextafter(0.0031308, 1)) == by_the_curve(std::nextafter(0.0031308, 1)));
+}
+
 TEST_CASE("a PNG says that its pixels are sRGB") {
   const std::string bytes = render::encode_png(render::Image({1, 1}));
   const std::size_t chunk = bytes.find("sRGB");

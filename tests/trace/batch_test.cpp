@@ -37,8 +37,28 @@ struct Recorder {
   std::map<std::uint32_t, ElementRef> elements;
 };
 
+/// Takes rays that start on an element too.
+struct Starting : Recorder {
+  static void triage_from(const trace::Packet& packet, model::Tipo tipo, Findings& findings) {
+    trace::triage_from(packet, tipo, findings);
+  }
+  void hit(std::uint32_t number, const trace::Ray&, const trace::Tables& tables, ElementRef own, const Point& point) {
+    CHECK(rays.insert(number).second);
+    elements[number] = tables.element(own);
+    at[number] = point.t;
+  }
+  void hit_own(std::uint32_t number, const trace::Ray&, ElementRef e, const Point& point) {
+    CHECK(rays.insert(number).second);
+    own[number] = e;
+    at[number] = point.t;
+  }
+  std::map<std::uint32_t, ElementRef> own;
+  std::map<std::uint32_t, double> at;
+};
+
+template <class Told = Recorder>
 struct Block {
-  Recorder told;
+  Told told;
   std::set<std::uint32_t> alone;
   std::uint64_t decided = 0;
   Block(const scene::Scene& scene, const std::vector<scene::Query>& queries) {
@@ -65,7 +85,7 @@ TEST_CASE("a batch finds the nearest element of every ray that the lanes can ans
   queries.push_back({ray({9, 0, 0}, {0, 0, 1}), {}});        // 15: two elements at one point
   queries.push_back({ray({-3, 0, 4}, {0, 0, 1}), {left}});   // 16: starts on an element
   queries.push_back({ray({3, 0, 0}, {0, 0, 0x1p200}), {}});  // 17: out of the ordinary
-  const Block block(scene, queries);
+  const Block<> block(scene, queries);
   CHECK(block.alone == std::set<std::uint32_t>{15, 16, 17});
   REQUIRE(block.told.rays.size() == 14);
   for (std::uint32_t i = 0; i < 14; ++i) CHECK(block.told.elements.at(i) == (i < 7 ? left : right));
@@ -77,7 +97,36 @@ TEST_CASE("where elements are out of the ordinary every ray is left alone") {
   scene::Scene scene;
   add(scene, scene::Sphere{{0, 0, 0}, 0x1p200});
   add(scene, scene::Sphere{{0, 0, 5}, 1});
-  const Block block(scene, {{ray({0, 0, 0}, {0, 0, 1}), {}}, {ray({0, 0, 1}, {0, 0, 1}), {}}});
+  const Block<> block(scene, {{ray({0, 0, 0}, {0, 0, 1}), {}}, {ray({0, 0, 1}, {0, 0, 1}), {}}});
   CHECK(block.alone == std::set<std::uint32_t>{0, 1});
   CHECK(block.told.rays.empty());
+}
+
+TEST_CASE("a ray that starts on an element meets it where it leaves it, what is nearer, and what is beyond") {
+  scene::Scene scene;
+  const ElementRef ball = add(scene, scene::Sphere{{0, 0, 5}, 1}),
+                   inside = add(scene, scene::Sphere{{0.5, 0, 5}, 0.25});
+  const ElementRef floor = add(scene, scene::Plane{{0, 0, -2}, {0, 0, 1}});
+  const ElementRef large = add(scene, scene::Sphere{{0, 0, 0}, 0x1p5});
+  std::vector<scene::Query> queries;
+  for (int i = 0; i < 9; ++i) queries.push_back({ray({0, 0, 4}, {0, 0, 1.0 + i}), {ball}});  // through it
+  queries.push_back({ray({0, 0, 4}, {0, 0, -1}), {ball}});                                   // 9: away from it
+  queries.push_back({ray({0, 0, 4}, {0.5, 0, 1}), {ball}});   // 10: something is nearer than where it leaves it
+  queries.push_back({ray({1, 2, -2}, {0, 0, -1}), {floor}});  // 11: from a plane
+  queries.push_back({ray({0, 0, 4}, {1, 0, 0}), {ball}});     // 12: touches it where it starts
+  queries.push_back({ray({0, 0, 4}, {0, 1, 1}), {}});         // 13: does not start on it, as far as it says
+  queries.push_back({ray({0, 0, 4}, {0, 0, 1}), {ball, inside}});
+  const Block<Starting> block(scene, queries);
+  for (std::uint32_t i = 0; i < 9; ++i) {
+    REQUIRE(block.told.own.contains(i));
+    CHECK(block.told.own.at(i) == ball);
+    CHECK(std::abs(block.told.at.at(i) - 2.0 / (1.0 + i)) < 1e-9);
+  }
+  CHECK(block.told.elements.at(9) == floor);
+  CHECK(std::abs(block.told.at.at(9) - 6) < 1e-9);
+  CHECK(block.told.elements.at(10) == inside);
+  CHECK(block.told.elements.at(11) == large);
+  CHECK(block.alone.contains(13));
+  CHECK(block.alone.contains(14));
+  for (const std::uint32_t number : block.alone) CHECK(!block.told.rays.contains(number));
 }

@@ -148,8 +148,9 @@ void check_rounding(const Lanes<Element>& lanes, const trace::Findings& findings
     const Finding found = findings[lane];
     if (found.verdict != Verdict::hit) continue;
     const Finding better = trace::improved(lanes.elements[lane], lanes.traced[lane], false, found);
-    const trace::Rounded one =
-        better.verdict == Verdict::hit ? trace::rounded(lanes.traced[lane], better) : trace::Rounded{};
+    const trace::Rounded one = better.verdict == Verdict::hit
+                                   ? trace::rounded(lanes.elements[lane], lanes.traced[lane], better)
+                                   : trace::Rounded{};
     const bool certain = (rounded.certain >> lane & 1) != 0;
     RC_ASSERT(certain == one.certain);
     tally.certain += certain;

@@ -1,11 +1,12 @@
 #pragma once
 /// The first hits of a block of rays, eight pairs of a ray and an element at a time in lanes. A ray that needs more
-/// than that (numbers out of the ordinary, a start on elements, doubt about one element, or two elements whose points
-/// are not told apart) is left to be answered alone, from the beginning.
+/// than that (numbers out of the ordinary, a start on several elements, doubt about one element, or two elements whose
+/// points are not told apart) is left to be answered alone, from the beginning.
 
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -21,18 +22,27 @@ namespace durero::trace {
 ///   triage(columns, which, shape, findings by eights) too, for a source that takes rays in columns;
 ///   hit(number, ray, source, own, point), told the nearest point of a ray, by its number in the block, and the
 ///   source's name of the element; or miss(number).
+/// Rays that start on one element are left alone too, unless it has
+///   triage_from(packet, tipo, findings), of rays that start on their elements, and
+///   hit_own(number, ray, e, point), told in place of hit where the nearest point is one of that element of the scene.
 template <class Source, class Kernel>
 class Batch {
  public:
   /// All of these must outlive it.
   Batch(const Source& source, Picked<const scene::Query> queries, Kernel& kernel)
       : source_(source), kernel_(kernel), rays_(rays_of(queries)), nearest_(queries.size()) {
-    for (std::size_t i = 0; i < queries.size(); ++i)
-      nearest_[i].alone = !rays_[i].ordinary || !queries[i].en.empty() || !source.extraordinary().empty();
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      const scene::ElementSet& en = queries[i].en;
+      nearest_[i].alone = !rays_[i].ordinary || en.size() > most_starts || !source.extraordinary().empty();
+      if (nearest_[i].alone || en.empty()) continue;
+      nearest_[i].start = en[0];
+      some_start_ = true;
+    }
   }
 
   /// Tells the kernel of all rays but those that are left alone.
   void answer() {
+    if constexpr (most_starts > 0) test_starts();
     source_.pairs(
         rays_, [&](std::uint32_t number) { return nearest_[number].alone ? 0 : nearest_[number].point.high(); },
         Take{*this}, [&] { flush(); });
@@ -42,7 +52,7 @@ class Batch {
       if (nearest.alone) continue;
       decided_ += nearest.tested;
       if (nearest.point.low() < no_limit) {
-        kernel_.hit(number, rays_[number], source_, nearest.own, nearest.point);
+        tell_hit(number, nearest);
       } else {
         kernel_.miss(number);
       }
@@ -61,13 +71,51 @@ class Batch {
   std::uint64_t decided() const noexcept { return decided_; }
 
  private:
+  static constexpr std::size_t most_starts = requires { &Kernel::triage_from; } ? 1 : 0;  // of a ray in lanes
+  static constexpr scene::ElementRef no_element{{}, std::numeric_limits<std::uint32_t>::max()};
+
   /// Of one ray, so far.
   struct Nearest {
     typename Kernel::Point point{};
     scene::ElementRef own{};
+    scene::ElementRef start = no_element;  // of the scene, that it starts on
     std::uint32_t tested = 0;
-    bool alone = false;
+    bool alone = false, on_start = false;
   };
+
+  void tell_hit(std::uint32_t number, const Nearest& nearest) {
+    if constexpr (most_starts > 0)
+      if (nearest.on_start) return kernel_.hit_own(number, rays_[number], nearest.start, nearest.point);
+    kernel_.hit(number, rays_[number], source_, nearest.own, nearest.point);
+  }
+
+  /// Each ray against the element that it starts on, which the source does not know of.
+  void test_starts() {
+    if (!some_start_) return;
+    for (std::uint32_t number = 0; number < nearest_.size(); ++number) {
+      const scene::ElementRef start = nearest_[number].start;
+      if (start == no_element) continue;
+      Queue& queue = queues_[static_cast<std::size_t>(start.tipo)];
+      queue.push(source_.scene(), number, rays_[number], start);
+      if (queue.full()) test_start(queue);
+    }
+    for (Queue& queue : queues_) test_start(queue);
+  }
+  void test_start(Queue& queue) {
+    if (queue.count == 0) return;
+    kernel_.triage_from(queue.packet, queue.elements[0].tipo, findings_);
+    for (std::size_t lane = 0; lane < queue.count; ++lane) {
+      Nearest& nearest = nearest_[queue.numbers[lane]];
+      ++nearest.tested;
+      nearest.alone = (findings_.undecided >> lane & 1) != 0;
+      nearest.on_start = (findings_.hit >> lane & 1) != 0;
+      if (nearest.on_start) nearest.point = kernel_.point(findings_, lane);
+    }
+    queue.count = 0;
+  }
+  bool starts_on(std::uint32_t number, scene::ElementRef own) const {
+    return some_start_ && nearest_[number].start == source_.element(own);
+  }
 
   /// What is taken, one by one or of rays in columns.
   struct Take {
@@ -81,6 +129,7 @@ class Batch {
   };
 
   void take(std::uint32_t number, scene::ElementRef own) {
+    if (starts_on(number, own)) return;
     Queue& queue = queues_[static_cast<std::size_t>(own.tipo)];
     queue.push(source_, number, rays_[number], own);
     if (queue.full()) test(queue);
@@ -102,6 +151,8 @@ class Batch {
   /// The rays that have a bit against one element, eight by eight. A bit for each whose limit may have changed.
   std::uint64_t test(const RayColumns& rays, std::span<const std::uint32_t> numbers, std::uint64_t which,
                      scene::ElementRef own) {
+    if (some_start_) which &= ~that_start_on(numbers, which, own);
+    if (which == 0) return 0;
     source_.visit(own, [&](const auto& shape) { kernel_.triage(rays, which, shape, of_columns_); });
     std::uint64_t changed = 0;
     for (std::size_t at = 0; at < RayColumns::size; at += Packet::size) {
@@ -114,6 +165,15 @@ class Batch {
       changed |= std::uint64_t{(findings.hit | findings.undecided) & used} << at;
     }
     return changed;
+  }
+
+  std::uint64_t that_start_on(std::span<const std::uint32_t> numbers, std::uint64_t which,
+                              scene::ElementRef own) const {
+    const scene::ElementRef e = source_.element(own);
+    std::uint64_t found = 0;
+    for (std::uint64_t left = which; left != 0; left &= left - 1)
+      if (nearest_[numbers[static_cast<std::size_t>(std::countr_zero(left))]].start == e) found |= left & -left;
+    return found;
   }
 
   /// Of the lanes that are used, what was found of the rays of those numbers and the elements of that name.
@@ -132,12 +192,14 @@ class Batch {
     if (!(point.high() < nearest.point.low())) nearest.alone = true;
     nearest.point = point;
     nearest.own = own;
+    nearest.on_start = false;
   }
 
   const Source& source_;
   Kernel& kernel_;
   std::vector<Ray> rays_;
   std::vector<Nearest> nearest_;
+  bool some_start_ = false;  // on an element, of those not left alone
   Queues queues_{};
   typename Kernel::Findings findings_{};
   std::array<typename Kernel::Findings, RayColumns::size / Packet::size> of_columns_{};

@@ -39,6 +39,9 @@ class Certified {
   static void triage(const RayColumns& rays, std::uint64_t which, scene::ShapeView shape, ColumnFindings& findings) {
     trace::triage(rays, which, shape, findings);
   }
+  static void triage_from(const Packet& packet, model::Tipo tipo, Findings& findings) {
+    trace::triage_from(packet, tipo, findings);
+  }
   static Point point(const Findings& findings, std::size_t lane) { return {findings[lane]}; }
 
   void miss(std::uint32_t number) { hits_[number] = {}; }
@@ -48,8 +51,9 @@ class Certified {
     hits.findings.set(hits.queue.count, point.finding);
     hits.queue.push(source, number, ray, own);
     hits.queue.elements[hits.queue.count - 1] = source.element(own);
-    if (hits.queue.full()) round(hits);
+    if (hits.queue.full()) round(hits, improve_and_round);
   }
+  void hit_own(std::uint32_t number, const Ray& ray, scene::ElementRef e, const Point& point);
   /// @}
 
   /// To be called last: the hits that still wait for a packet to fill are written.
@@ -62,8 +66,10 @@ class Certified {
     Findings findings;
   };
 
-  void round(Hits& hits);
-  void write(const Hits& hits, std::size_t lane);
+  using Rounding = void (*)(const Packet&, model::Tipo, const Findings&, RoundedPacket&);
+
+  void round(Hits& hits, Rounding rounding);
+  void write(std::uint32_t number, scene::ElementRef e, const Rounded& rounded);
   Rounded rounded(const Hits& hits, std::size_t lane);
 
   const scene::Scene& scene_;
@@ -71,6 +77,7 @@ class Certified {
   Picked<scene::Hit> hits_;
   Counts& counts_;
   std::array<Hits, scene::shape_count> waiting_{};
+  std::array<Hits, scene::shape_count> waiting_own_{};  // of elements that their rays start on
   RoundedPacket rounded_;
 };
 

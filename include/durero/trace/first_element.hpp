@@ -53,11 +53,17 @@ class FirstElements {
   static void triage(const RayColumns& rays, std::uint64_t which, scene::ShapeView shape, ColumnFindings& findings) {
     trace::triage(rays, which, shape, findings);
   }
+  static void triage_from(const Packet& packet, model::Tipo tipo, Findings& findings) {
+    trace::triage_from(packet, tipo, findings);
+  }
   static Point point(const Findings& findings, std::size_t lane) { return Point(findings[lane]); }
   void miss(std::uint32_t number) { elements_[number] = {}; }
   template <class Source>
   void hit(std::uint32_t number, const Ray&, const Source& source, scene::ElementRef own, const Point&) {
     elements_[number] = {model::Resultado::hit, 1, source.element(own)};
+  }
+  void hit_own(std::uint32_t number, const Ray&, scene::ElementRef e, const Point&) {
+    elements_[number] = {model::Resultado::hit, 1, e};
   }
   /// @}
 

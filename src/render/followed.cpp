@@ -1,0 +1,53 @@
+#include "followed.hpp"
+
+#include <algorithm>
+#include <glm/common.hpp>
+
+#include "durero/render/environment.hpp"
+
+namespace durero::render {
+namespace {
+
+/// The shares of what comes from beyond that a material sends on, at most.
+glm::dvec3 sent_on(const scene::Material& m) { return m.k_ps * m.M_PS + m.k_t * m.M_T; }
+
+/// What a ray brings at most that may have so many in a row, itself the first. No cosine is above one: where it meets a
+/// surface, the sum of the terms of its material with all lights seen, and what is sent on of as much as a shorter row
+/// brings. Both that and the colour are sums of numbers that are not negative, of fewer than 2²⁰ terms, so that the
+/// rounding of each is below 2⁻³² of it: 2⁻³⁰ more than the sum is above what is computed.
+std::vector<glm::dvec3> most_brought(const scene::Stage& stage, const Limits& limits) {
+  glm::dvec3 lights(0), own = default_color, on(0);
+  for (const scene::Light& light : stage.lights) lights += light.color;
+  for (const scene::DirectionalLight& light : stage.directional_lights) lights += light.color;
+  own *= lights;
+  for (const scene::Material& m : stage.materials) {
+    own = glm::max(own, m.emission + m.ambient + lights * (m.color * (m.k_a + m.k_d) + m.k_s));
+    on = glm::max(on, sent_on(m));
+  }
+  const glm::dvec3 background =
+      stage.environment ? most_of(*stage.environment) : stage.background.value_or(default_background);
+  std::vector<glm::dvec3> most{glm::dvec3(0)};
+  while (most.size() <= limits.max_depth) most.push_back((1 + 0x1p-30) * glm::max(background, own + on * most.back()));
+  return most;
+}
+
+}  // namespace
+
+Followed::Followed(const scene::Scene& of, const engine::Engine& by, const Limits& to)
+    : scene(of), engine(by), limits(to), looks(of.stage()), most(most_brought(of.stage(), to)) {}
+
+std::uint32_t depth_of(const scene::Stage& stage) {
+  if (stage.max_depth) return *stage.max_depth;
+  constexpr std::uint32_t most = 15;
+  constexpr double half_a_step = 1.0 / 510;
+  double share = 0;  // the greatest that one meeting hands on
+  for (const scene::Material& m : stage.materials) {
+    const glm::dvec3 on = sent_on(m);
+    share = std::max({share, on.x, on.y, on.z});
+  }
+  std::uint32_t depth = 1;
+  for (double weight = share; weight >= half_a_step && depth < most; weight *= share) ++depth;
+  return depth;
+}
+
+}  // namespace durero::render

@@ -1,0 +1,36 @@
+#pragma once
+/// The tiles of a picture, shared among threads.
+
+#include <algorithm>
+#include <vector>
+
+#include "by_rows.hpp"
+#include "durero/scene/camera.hpp"
+
+namespace durero::render {
+
+/// The pixels of one tile: square by square, as rays that go the same way are answered by so many together.
+inline std::vector<scene::Pixel> pixels_of_tile(scene::Resolution picture, scene::Pixel tile, std::uint32_t side) {
+  constexpr std::uint32_t square = 8;
+  std::vector<scene::Pixel> pixels;
+  pixels.reserve(std::size_t(side) * side);
+  for (std::uint32_t i = 0; i < side * side; ++i) {
+    const std::uint32_t in_square = i % (square * square), number = i / (square * square);
+    const std::uint32_t x = tile.x * side + number % (side / square) * square + in_square % square;
+    const std::uint32_t y = tile.y * side + number / (side / square) * square + in_square / square;
+    if (x < picture.width && y < picture.height) pixels.push_back({x, y});
+  }
+  return pixels;
+}
+
+/// draw(pixels) for each tile, as by_rows has it.
+template <class Draw>
+void by_tiles(scene::Resolution picture, const Progress& progress, Draw&& draw) {
+  constexpr std::uint32_t side = 16;  // so that what is kept for its rays fits the nearer memory
+  const std::uint32_t across = (picture.width + side - 1) / side, down = (picture.height + side - 1) / side;
+  by_rows(across * down, progress, [&](std::uint32_t i) {
+    draw(pixels_of_tile(picture, {i % across, i / across}, side));
+  });
+}
+
+}  // namespace durero::render
