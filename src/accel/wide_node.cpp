@@ -4,6 +4,8 @@
 //
 #include "accel/wide_lanes-inl.hpp"
 //
+#include <bit>
+
 #include "durero/accel/wide_node.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -76,23 +78,37 @@ unsigned met_by_bundle(const WideNode& node, const WideBundle& bundle, double li
   return met;
 }
 
-std::uint64_t met_by_each(const WideNode& node, std::size_t child, const WideBundle& bundle) {
+void met_by_each(const WideNode& node, unsigned children, const WideBundle& bundle, WideMeetings& met) {
   const Tag tag;
-  std::uint64_t met = 0;
-  for (std::size_t at = bundle.begin; at < bundle.end; at += hn::Lanes(tag)) {
-    Lanes entry = hn::Zero(tag), exit = hn::LoadU(tag, &bundle.limit[at]);
-    for (std::size_t low = 0; low < 3; ++low) {
-      const std::size_t high = low + 3;
-      const bool backwards = bundle.inverse_high[low] < 0;
-      const Lanes near = hn::Set(tag, static_cast<double>(node.planes[backwards ? high : low][child]));
-      const Lanes far = hn::Set(tag, static_cast<double>(node.planes[backwards ? low : high][child]));
-      const Lanes p = hn::LoadU(tag, &bundle.rays.p[low][at]), inverse = hn::LoadU(tag, &bundle.inverse[low][at]);
-      entry = later(entry, hn::Mul(hn::Sub(near, p), inverse));
-      exit = sooner(exit, hn::Mul(hn::Sub(far, p), inverse));
+  alignas(64) double near[3][WideNode::width], far[3][WideNode::width];
+  for (std::size_t low = 0; low < 3; ++low) {
+    const std::size_t high = low + 3;
+    const bool backwards = bundle.inverse_high[low] < 0;
+    for (std::size_t at = 0; at < WideNode::width; at += hn::Lanes(tag)) {
+      hn::StoreU(planes(node, backwards ? high : low, at), tag, &near[low][at]);
+      hn::StoreU(planes(node, backwards ? low : high, at), tag, &far[low][at]);
     }
-    met |= std::uint64_t{bits(meets(entry, exit))} << at;
   }
-  return met;
+  met.fill(0);
+  for (std::size_t at = bundle.begin; at < bundle.end; at += hn::Lanes(tag)) {
+    const auto column = [&](const std::array<WideBundle::Column, 3>& of, std::size_t axis)
+                            HWY_ATTR { return hn::LoadU(tag, &of[axis][at]); };
+    const auto crossing = [&](double plane, Lanes p, Lanes inverse)
+                              HWY_ATTR { return hn::Mul(hn::Sub(hn::Set(tag, plane), p), inverse); };
+    const Lanes x = column(bundle.rays.p, 0), y = column(bundle.rays.p, 1), z = column(bundle.rays.p, 2);
+    const Lanes ix = column(bundle.inverse, 0), iy = column(bundle.inverse, 1), iz = column(bundle.inverse, 2);
+    const Lanes limit = hn::LoadU(tag, &bundle.limit[at]);
+    for (unsigned left = children; left != 0; left &= left - 1) {
+      const auto child = static_cast<std::size_t>(std::countr_zero(left));
+      Lanes entry = later(hn::Zero(tag), crossing(near[0][child], x, ix));
+      entry = later(entry, crossing(near[1][child], y, iy));
+      entry = later(entry, crossing(near[2][child], z, iz));
+      Lanes exit = sooner(limit, crossing(far[0][child], x, ix));
+      exit = sooner(exit, crossing(far[1][child], y, iy));
+      exit = sooner(exit, crossing(far[2][child], z, iz));
+      met[child] |= std::uint64_t{bits(meets(entry, exit))} << at;
+    }
+  }
 }
 
 }  // namespace
@@ -118,8 +134,8 @@ double farthest(const WideBundle& bundle) { return HWY_DYNAMIC_DISPATCH(farthest
 unsigned met(const WideNode& node, const WideBundle& bundle, double limit, WideNode::Entries& entries) {
   return HWY_DYNAMIC_DISPATCH(met_by_bundle)(node, bundle, limit, entries);
 }
-std::uint64_t met_by(const WideNode& node, std::size_t child, const WideBundle& bundle) {
-  return HWY_DYNAMIC_DISPATCH(met_by_each)(node, child, bundle);
+void met_by(const WideNode& node, unsigned children, const WideBundle& bundle, WideMeetings& met) {
+  HWY_DYNAMIC_DISPATCH(met_by_each)(node, children, bundle, met);
 }
 
 }  // namespace durero::accel

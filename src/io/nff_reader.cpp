@@ -11,7 +11,7 @@
 #include "axis.hpp"
 #include "durero/io/nff.hpp"
 #include "durero/io/whole_number.hpp"
-#include "durero/model/operaciones.hpp"
+#include "durero/scene/edit.hpp"
 #include "durero/text/shown.hpp"
 #include "losses.hpp"
 #include "nff_words.hpp"

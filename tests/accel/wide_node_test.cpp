@@ -84,6 +84,8 @@ TEST_CASE("a bundle tests as its rays do, or passes more") {
     for (const WideNode& node : nodes) {
       WideNode::Entries entries{};
       const unsigned met = accel::met(node, bundle, infinity, entries);
+      accel::WideMeetings together{};
+      met_by(node, 0b11101111, bundle, together);
       for (std::size_t child = 0; child < WideNode::width; ++child) {
         std::uint64_t of_each = 0;
         for (std::size_t place = bundle.begin; place < bundle.end; ++place) {
@@ -93,12 +95,39 @@ TEST_CASE("a bundle tests as its rays do, or passes more") {
           of_each |= std::uint64_t{1} << place;
           CHECK(entries[child] <= own.entry);
         }
-        CHECK(met_by(node, child, bundle) == of_each);
+        accel::WideMeetings alone{};
+        met_by(node, 1u << child, bundle, alone);
+        CHECK(alone[child] == of_each);
+        if (child != 4) CHECK(together[child] == of_each);
         if (of_each != 0) CHECK((met >> child & 1) != 0);
       }
     }
   }
   CHECK(gathered > fewer_when_sanitized(50));
+}
+
+TEST_CASE("a ray of a bundle that moves to another place is tested there as it was") {
+  Random random(7);
+  const WideNode node = random_node(random);
+  accel::WideBundle bundle;
+  std::size_t moved = 0;
+  for (std::size_t turn = 0; turn < fewer_when_sanitized(3000); ++turn) {
+    fill(bundle, 16, random);
+    if (!gather(bundle, 0, 16)) continue;
+    accel::WideMeetings before{}, after{};
+    met_by(node, 0xff, bundle, before);
+    const double speed = bundle.rays.speed[13];
+    bundle.move(13, 2);
+    CHECK(bundle.rays.speed[2] == speed);
+    invert(bundle, 16);
+    REQUIRE(gather(bundle, 0, 16));
+    met_by(node, 0xff, bundle, after);
+    for (std::size_t child = 0; child < WideNode::width; ++child) {
+      CHECK((after[child] >> 2 & 1) == (before[child] >> 13 & 1));
+      moved += before[child] >> 13 & 1;
+    }
+  }
+  CHECK(moved > fewer_when_sanitized(10));
 }
 
 TEST_CASE("rays of other signs, or along a plane of the axes, walk in no bundle") {

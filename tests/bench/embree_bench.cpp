@@ -2,7 +2,8 @@
 // times Embree's rate is Durero's. Durero's `fast` is right, and gives what it is asked for: the elements that are met
 // first, or these with t and the point rounded; Embree's answers are binary32, or its callbacks' binary64, and are not
 // judged here.
-//   embree_bench [--size SIZE] [ELEMENTS...]    size² rays, 1024², on 10, 1000 and 100000 elements, unless told
+//   embree_bench [--size SIZE] [--rays KIND] [ELEMENTS...]
+//                    size² rays, 1024², of every kind, on 10, 1000 and 100000 elements, unless told
 //
 // The scene is that of trace_bench: n elements in the unit cube, a third of each of spheres, cylinders and cones.
 // Primary rays leave a pinhole, in Morton order; incoherent ones have uniform origins and directions; shadow rays go
@@ -369,7 +370,14 @@ void compare(std::size_t n, const char* kind, std::size_t rays, std::size_t firs
   std::fflush(stdout);
 }
 
-void run(RTCDevice device, std::size_t n, std::uint32_t size_of_picture) {
+/// What to compare: size² rays of this kind, or of every kind.
+struct Asking {
+  std::uint32_t size = 1024;
+  std::string kind{};
+  bool wants(const char* one) const { return kind.empty() || kind == one; }
+};
+
+void run(RTCDevice device, std::size_t n, const Asking& asking) {
   Scenes scenes = made(n);
   std::unique_ptr<const engine::Engine> fast;
   const engine::Row* row = engine::find("fast");
@@ -400,6 +408,10 @@ void run(RTCDevice device, std::size_t n, std::uint32_t size_of_picture) {
     rtcInitIntersectContext(&context);
     if (std::strcmp(kind, "primary") == 0) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     const Asked asked{rays, hits32, context};
+    if (!asking.wants(kind)) {
+      fast->first_hits(queries, hits);
+      return hits;
+    }
     compare(n, kind, queries.size(), 2,
             {{"Durero fast, elements", [&] { fast->first_elements(queries, elements); }},
              {"Durero fast, rounded", [&] { fast->first_hits(queries, hits); }},
@@ -408,8 +420,10 @@ void run(RTCDevice device, std::size_t n, std::uint32_t size_of_picture) {
              {"Embree callbacks, single", [&] { first_hits_single(callbacks->scene(), asked); }}});
     return hits;
   };
-  first_hits("incoherent", incoherent(std::size_t{size_of_picture} * size_of_picture));
-  const std::vector<scene::Hit> hits = first_hits("primary", primary(size_of_picture));
+  if (asking.wants("incoherent")) first_hits("incoherent", incoherent(std::size_t{asking.size} * asking.size));
+  if (!asking.wants("primary") && !asking.wants("shadow")) return;
+  const std::vector<scene::Hit> hits = first_hits("primary", primary(asking.size));
+  if (!asking.wants("shadow")) return;
 
   const Queries queries = shadow(hits);
   boost::container::vector<bool> blocked(queries.size());
@@ -435,15 +449,17 @@ int main(int argc, char** argv) {
   const oneapi::tbb::global_control one(oneapi::tbb::global_control::max_allowed_parallelism, 1);
   const RTCDevice device = rtcNewDevice("threads=1,user_threads=1");
   std::vector<std::size_t> sizes;
-  std::uint32_t size_of_picture = 1024;
+  Asking asking;
   for (int i = 1; i < argc; ++i) {
     if (std::strcmp(argv[i], "--size") == 0 && i + 1 < argc) {
-      size_of_picture = static_cast<std::uint32_t>(std::strtoul(argv[++i], nullptr, 10));
+      asking.size = static_cast<std::uint32_t>(std::strtoul(argv[++i], nullptr, 10));
+    } else if (std::strcmp(argv[i], "--rays") == 0 && i + 1 < argc) {
+      asking.kind = argv[++i];
     } else {
       sizes.push_back(std::strtoull(argv[i], nullptr, 10));
     }
   }
   if (sizes.empty()) sizes = {10, 1000, 100000};
-  for (const std::size_t n : sizes) run(device, n, size_of_picture);
+  for (const std::size_t n : sizes) run(device, n, asking);
   rtcReleaseDevice(device);
 }

@@ -8,13 +8,17 @@
 #include <tuple>
 
 #include "durero/accel/large_pages.hpp"
+#include "durero/accel/wide_node.hpp"
 #include "durero/scene/scene.hpp"
+#include "durero/trace/picked.hpp"
 
 namespace durero::accel {
 
 /// Rows of elements of every type. A leaf is a type and a row of its column, written as an ElementRef of these columns.
 class WideLeaves {
  public:
+  static constexpr std::size_t nearby = 1 << 18;  ///< bytes of nodes whose elements need no waiting for
+
   /// Makes room for every element of a scene.
   void reserve(const scene::Scene& scene) {
     scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
@@ -76,5 +80,11 @@ class WideLeaves {
 
   typename ColumnsOf<scene::Shapes>::type columns_;
 };
+
+/// Asks memory for what a child is. Precondition: it is something.
+inline void ask_for(std::span<const WideNode> nodes, const WideLeaves& leaves, const WideChild& child) {
+  if (child.kind == WideChild::Kind::node) return trace::ask_for(nodes[child.index]);
+  trace::ask_for(leaves.row(child.element()));
+}
 
 }  // namespace durero::accel

@@ -61,6 +61,16 @@ struct WideBundle {
     limit[place] = limit_of;
   }
 
+  /// What stands at a place to another, but for the inverse.
+  void move(std::size_t from, std::size_t to) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      rays.p[axis][to] = rays.p[axis][from];
+      rays.v[axis][to] = rays.v[axis][from];
+    }
+    rays.speed[to] = rays.speed[from];
+    limit[to] = limit[from];
+  }
+
   trace::RayColumns rays;                       ///< all of them
   alignas(64) std::array<Column, 3> inverse{};  ///< as in Beam, by axis
   Column limit{};                               ///< of each ray; below 0 of one that takes no part
@@ -87,8 +97,11 @@ double farthest(const WideBundle& bundle);
 /// wherever that of some ray does.
 unsigned met(const WideNode& node, const WideBundle& bundle, double limit, WideNode::Entries& entries);
 
-/// A bit for each place of the bundle, of those that walk, whose ray may meet the box of one child up to its own limit,
-/// as `stretch` finds it of each.
-std::uint64_t met_by(const WideNode& node, std::size_t child, const WideBundle& bundle);
+/// A number for each child of a node.
+using WideMeetings = std::array<std::uint64_t, WideNode::width>;
+
+/// Of each child that has a bit, one for each place of the bundle, of those that walk, whose ray may meet its box up to
+/// the ray's own limit, as `stretch` finds it. What the other children get means nothing.
+void met_by(const WideNode& node, unsigned children, const WideBundle& bundle, WideMeetings& met);
 
 }  // namespace durero::accel

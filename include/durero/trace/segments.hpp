@@ -91,8 +91,9 @@ class SegmentBatch {
     open_[number] = false;
   }
 
-  /// As of Batch.
+  /// As of Batch. A ray is open with the same limit, or not any more.
   struct Take {
+    static constexpr bool any_hit = true;
     SegmentBatch& batch;
     void operator()(std::uint32_t number, scene::ElementRef own) const { batch.take(number, own); }
     template <class Numbers>
@@ -129,14 +130,10 @@ class SegmentBatch {
     });
   }
 
-  /// The rays that have a bit and do not start on the element against it, eight by eight. A bit for each that it
-  /// blocks.
+  /// The rays that have a bit against one element, eight by eight. A bit for each that it blocks. Which element of the
+  /// scene it is, is asked where some ray may meet it: most do not.
   std::uint64_t test_columns(const RayColumns& rays, std::span<const std::uint32_t> numbers, std::uint64_t which,
                              scene::ElementRef own) {
-    const scene::ElementRef e = source_.element(own);
-    for (std::uint64_t left = which; left != 0; left &= left - 1)
-      if (starts_on(numbers[static_cast<std::size_t>(std::countr_zero(left))], e)) which &= ~(left & -left);
-    if (which == 0) return 0;
     source_.visit(own, [&](const auto& shape) { triage(rays, which, shape, of_columns_); });
     std::uint64_t blocked = 0;
     for (std::size_t at = 0; at < RayColumns::size; at += Packet::size) {
@@ -145,8 +142,10 @@ class SegmentBatch {
       const Findings& findings = of_columns_[at / Packet::size];
       for (unsigned left = (findings.hit | findings.undecided) & used; left != 0; left &= left - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-        decide(findings, lane, numbers[at + lane], e);
-        blocked |= std::uint64_t{!open_[numbers[at + lane]]} << (at + lane);
+        const std::uint32_t number = numbers[at + lane];
+        const scene::ElementRef e = source_.element(own);
+        if (!starts_on(number, e)) decide(findings, lane, number, e);
+        blocked |= std::uint64_t{!open_[number]} << (at + lane);
       }
     }
     return blocked;

@@ -1,0 +1,293 @@
+#pragma once
+/// Rays that follow each other and stay close together, on their way through the wide hierarchy as one bundle: a node
+/// is opened once for all of them, and each is tested against the boxes of the elements that the bundle reaches. Which
+/// rays are bundled costs time only: the tests of bundles pass over nothing that those of single rays do not
+/// (wide_node.hpp).
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <concepts>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "durero/accel/wide_leaves.hpp"
+#include "durero/accel/wide_node.hpp"
+#include "durero/accel/wide_run.hpp"
+#include "durero/accel/wide_stack.hpp"
+
+namespace durero::accel {
+
+/// PairCandidates::pairs of the rays that find company, over a tree that has nodes(), leaves() and spacing().
+template <class Tree, class Limit, class Take, class Flush>
+class WideBundles {
+ public:
+  using Numbers = std::array<std::uint32_t, WideBundle::size>;  ///< of rays
+
+  /// @{ What is taken of rays in columns may be told together: take(columns, numbers, which, element) answers a bit for
+  /// each ray whose limit has changed.
+  static constexpr bool takes_many =
+      requires(Take& take, const trace::RayColumns& rays, const Numbers& numbers, scene::ElementRef element) {
+        { take(rays, numbers, std::uint64_t{}, element) } -> std::same_as<std::uint64_t>;
+      };
+  /// And its limit can have changed to 0 alone, as where any hit is an answer.
+  static constexpr bool takes_any = [] {
+    if constexpr (requires { Take::any_hit; }) return takes_many && Take::any_hit;
+    return false;
+  }();
+  /// @}
+
+  /// All of these must outlive it. Precondition: the tree has a node.
+  WideBundles(const Tree& tree, std::span<const trace::Ray> rays, Limit& limit, Take& take, Flush& flush)
+      : nodes_(tree.nodes()),
+        leaves_(tree.leaves()),
+        waits_for_leaves_(nodes_.size_bytes() > WideLeaves::nearby),
+        narrow_(widest * tree.spacing()),
+        rays_(rays),
+        limit_(limit),
+        take_(take),
+        flush_(flush) {
+    const std::size_t root = 0;
+    for (int i = 0; i < 3; ++i) {
+      const auto& low = nodes_[root].planes[static_cast<std::size_t>(i)];
+      const auto& high = nodes_[root].planes[static_cast<std::size_t>(i) + 3];
+      all_.low[i] = static_cast<double>(*std::ranges::min_element(low));
+      all_.high[i] = static_cast<double>(*std::ranges::max_element(high));
+    }
+  }
+
+  /// The next ray, and its limit. Precondition: that is not 0.
+  void add(std::uint32_t number, double limit) {
+    coming_.set(number, rays_[number], limit);
+    if (coming_.count == WideBundle::size) part(false);
+  }
+  /// No ray comes any more. Those that found no company are appended to `alone`.
+  void finish(std::vector<std::uint32_t>& alone) {
+    if (coming_.count > 0) part(true);
+    alone.insert(alone.end(), alone_.begin(), alone_.end());
+  }
+
+ private:
+  static constexpr double widest = 2;                            // of a bundle, in spacings of the elements
+  static constexpr std::size_t least_worth = takes_any ? 3 : 6;  // rays of a bundle that is worth it
+  static constexpr std::size_t patience = 32;                    // pairs, until the limits are brought up to date
+  static constexpr int dense_from = 2;                           // bits of an eight
+  static constexpr std::size_t eight = WideBundle::eight;
+
+  /// Some rays, and their numbers.
+  struct Some {
+    void set(std::uint32_t number, const trace::Ray& ray, double limit) {
+      numbers[count] = number;
+      bundle.set(count++, ray, limit);
+    }
+    /// Whether they walk together. The last eight is filled up by rays that take no part.
+    bool gathered() {
+      const std::size_t places = whole_eights(count);
+      for (std::size_t place = count; place < places; ++place) bundle.move(0, place), bundle.limit[place] = -1;
+      invert(bundle, places);
+      return gather(bundle, 0, places);
+    }
+    WideBundle bundle;
+    Numbers numbers;  // the first `count`
+    std::size_t count = 0;
+  };
+  static constexpr std::size_t whole_eights(std::size_t count) { return (count + eight - 1) / eight * eight; }
+
+  /// Those that have come as one where they stay narrow, or those that follow each other and do. The last of these wait
+  /// for more, unless these are all.
+  void part(bool all) {
+    if (coming_.count >= least_worth && coming_.gathered() && narrow(coming_.bundle)) {
+      walk(coming_);
+      coming_.count = 0;
+      return;
+    }
+    std::size_t begin = 0;
+    while (begin < coming_.count) {
+      WideRun run(ray(begin), all_, coming_.bundle.limit[begin]);
+      std::size_t end = begin + 1;
+      while (end < coming_.count && run.join(ray(end), narrow_)) ++end;
+      if (end == coming_.count && begin > 0 && !all) break;
+      walk_apart(begin, end);
+      begin = end;
+    }
+    const std::size_t left = coming_.count - begin;
+    for (std::size_t i = 0; i < left; ++i)
+      coming_.bundle.move(begin + i, i), coming_.numbers[i] = coming_.numbers[begin + i];
+    coming_.count = left;
+  }
+  const trace::Ray& ray(std::size_t place) const { return rays_[coming_.numbers[place]]; }
+
+  /// Those at begin … end, as one or alone.
+  void walk_apart(std::size_t begin, std::size_t end) {
+    apart_.count = 0;
+    if (end - begin >= least_worth)
+      for (std::size_t place = begin; place < end; ++place)
+        apart_.set(coming_.numbers[place], ray(place), coming_.bundle.limit[place]);
+    if (apart_.count > 0 && apart_.gathered()) return walk(apart_);
+    for (std::size_t place = begin; place < end; ++place) alone_.push_back(coming_.numbers[place]);
+  }
+
+  /// As WideRun has it.
+  bool narrow(const WideBundle& bundle) const {
+    const double reach = std::max(stretch(all_, Beam(ray(0)), bundle.limit[0]).exit, 0.0);
+    bool narrow = true;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double apart = bundle.p_high[axis] - bundle.p_low[axis];
+      narrow &= apart + reach * (bundle.v_high[axis] - bundle.v_low[axis]) <= narrow_;
+    }
+    return narrow;
+  }
+
+  void walk(Some& some) {
+    if constexpr (takes_any) {
+      walk_any(some);
+    } else {
+      walk_nearest(some);
+    }
+  }
+
+  /// The nearest first. What lies beyond the limits is passed over.
+  void walk_nearest(Some& some) {
+    std::uint64_t taken = 0;
+    std::size_t pending = 0;
+    double limit = farthest(some.bundle);
+    WideStack waiting;
+    open(waiting, some.bundle, 0, limit);
+    while (!waiting.empty()) {
+      const auto [entry, node, place] = waiting.pop();
+      if (entry > latest_entry(limit)) continue;
+      const WideChild& child = nodes_[node].children[place];
+      if (child.kind == WideChild::Kind::node) {
+        open(waiting, some.bundle, child.index, limit);
+        continue;
+      }
+      WideMeetings meeting;
+      met_by(nodes_[node], 1u << place, some.bundle, meeting);
+      if (meeting[place] == 0) continue;
+      if constexpr (takes_many) {
+        if (dense(meeting[place])) {
+          const std::uint64_t changed = take_(some.bundle.rays, some.numbers, meeting[place], child.element());
+          if (changed == 0) continue;
+          bring_up_to_date(some, changed);
+          limit = farthest(some.bundle);
+          continue;
+        }
+      }
+      for (std::uint64_t left = meeting[place]; left != 0; left &= left - 1)
+        take_(some.numbers[static_cast<std::size_t>(std::countr_zero(left))], child.element());
+      taken |= meeting[place];
+      pending += static_cast<std::size_t>(std::popcount(meeting[place]));
+      if (pending < patience) continue;
+      flush_();
+      bring_up_to_date(some, taken);
+      taken = 0;
+      pending = 0;
+      limit = farthest(some.bundle);
+    }
+  }
+
+  void open(WideStack& waiting, const WideBundle& bundle, std::uint32_t node, double limit) const {
+    WideNode::Entries entries;
+    const unsigned bits = met(nodes_[node], bundle, limit, entries);
+    ask_for(nodes_[node], bits);
+    waiting.push(node, bits, entries);
+  }
+  void ask_for(const WideNode& node, unsigned children) const {
+    if (!waits_for_leaves_) return;
+    for (; children != 0; children &= children - 1)
+      accel::ask_for(nodes_, leaves_, node.children[static_cast<std::size_t>(std::countr_zero(children))]);
+  }
+
+  /// So many bits in each eight that has some that their rays are better tested where they stand.
+  static bool dense(std::uint64_t which) {
+    std::uint64_t eights = which | which >> 4;
+    eights |= eights >> 2;
+    eights = (eights | eights >> 1) & 0x0101010101010101;
+    return std::popcount(which) >= dense_from * std::popcount(eights);
+  }
+
+  /// The limits of those that have a bit.
+  void bring_up_to_date(Some& some, std::uint64_t which) {
+    for (; which != 0; which &= which - 1) {
+      const auto place = static_cast<std::size_t>(std::countr_zero(which));
+      const double limit = limit_(some.numbers[place]);
+      some.bundle.limit[place] = limit > 0 ? limit : -1;
+    }
+  }
+
+  /// In any order, the elements of a node at once, until nothing is left to be found of any ray.
+  void walk_any(Some& some) {
+    std::array<std::uint32_t, most_waiting> waiting;
+    std::size_t size = 1;
+    waiting[0] = 0;
+    const double limit = farthest(some.bundle);
+    std::uint64_t open = ~std::uint64_t{} >> (WideBundle::size - some.count);
+    while (size > 0) {
+      const WideNode& node = nodes_[waiting[--size]];
+      WideNode::Entries entries;
+      const unsigned bits = met(node, some.bundle, limit, entries);
+      ask_for(node, bits);
+      unsigned elements = 0;
+      for (unsigned left = bits; left != 0; left &= left - 1) {
+        const auto place = static_cast<std::size_t>(std::countr_zero(left));
+        if (node.children[place].kind == WideChild::Kind::element) {
+          elements |= 1u << place;
+        } else {
+          waiting[size++] = node.children[place].index;
+        }
+      }
+      if (elements == 0) continue;
+      const std::uint64_t still = take_elements(some, node, elements, open);
+      if (still == 0) return;
+      if (still == open) continue;
+      open = still;
+      close_up(some, open);
+    }
+  }
+
+  /// Which of the rays that are open still are, once they are tested against some elements of a node.
+  std::uint64_t take_elements(Some& some, const WideNode& node, unsigned elements, std::uint64_t open) {
+    WideMeetings meeting;
+    met_by(node, elements, some.bundle, meeting);
+    for (; elements != 0; elements &= elements - 1) {
+      const auto place = static_cast<std::size_t>(std::countr_zero(elements));
+      const std::uint64_t which = meeting[place] & open;
+      if (which != 0) open &= ~take_(some.bundle.rays, some.numbers, which, node.children[place].element());
+    }
+    return open;
+  }
+
+  /// Those that are still open come to the front where that saves a quarter of the eights, and what is between them
+  /// with it; else the others take part no more.
+  void close_up(Some& some, std::uint64_t& open) {
+    const auto count = static_cast<std::size_t>(std::popcount(open));
+    if (4 * whole_eights(count) > 3 * (some.bundle.end - some.bundle.begin)) {
+      for (std::size_t place = 0; place < some.count; ++place)
+        if ((open >> place & 1) == 0) some.bundle.limit[place] = -1;
+      return;
+    }
+    some.count = 0;
+    for (std::uint64_t left = open; left != 0; left &= left - 1) {
+      const auto place = static_cast<std::size_t>(std::countr_zero(left));
+      some.numbers[some.count] = some.numbers[place];
+      some.bundle.move(place, some.count++);
+    }
+    some.gathered();
+    open = ~std::uint64_t{} >> (WideBundle::size - count);
+  }
+
+  std::span<const WideNode> nodes_;
+  const WideLeaves& leaves_;
+  bool waits_for_leaves_;
+  double narrow_;
+  std::span<const trace::Ray> rays_;
+  Limit& limit_;
+  Take& take_;
+  Flush& flush_;
+  surface::Box all_{};
+  Some coming_, apart_;
+  std::vector<std::uint32_t> alone_;
+};
+
+}  // namespace durero::accel

@@ -1,0 +1,90 @@
+#include "durero/accel/wide_bundles.hpp"
+
+#include <set>
+
+#include "durero/accel/wide_bvh.hpp"
+#include "support/catch.hpp"
+#include "support/scenes.hpp"
+#include "support/shapes.hpp"
+
+using namespace durero;
+using namespace durero::test;
+
+namespace {
+
+using Pair = std::pair<std::uint32_t, scene::ElementRef>;
+
+/// Closes a ray at an element where a rule says so.
+template <class Closes>
+struct Closing {
+  static constexpr bool any_hit = true;
+  std::set<Pair>& taken;
+  std::vector<bool>& open;
+  Closes closes;
+
+  void operator()(std::uint32_t number, scene::ElementRef own) const {
+    if (!open[number]) return;
+    CHECK(taken.emplace(number, own).second);
+    if (closes(number, own)) open[number] = false;
+  }
+  template <class Numbers>
+  std::uint64_t operator()(const trace::RayColumns& rays, const Numbers& numbers, std::uint64_t which,
+                           scene::ElementRef own) const {
+    std::uint64_t closed = 0;
+    for (std::size_t place = 0; place < trace::RayColumns::size; ++place) {
+      if ((which >> place & 1) == 0) continue;
+      CHECK(open[numbers[place]]);
+      CHECK(rays.speed[place] > 0);
+      (*this)(numbers[place], own);
+      closed |= std::uint64_t{!open[numbers[place]]} << place;
+    }
+    return closed;
+  }
+};
+
+/// From about some points, each for a while, towards one.
+std::vector<trace::Ray> towards_one_point(Random& random, std::size_t count, double apart) {
+  std::vector<trace::Ray> rays;
+  glm::dvec3 about{};
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i % 37 == 0) about = random.in_cube(1);
+    const glm::dvec3 from = about + random.in_cube(apart);
+    rays.emplace_back(ray(from, glm::dvec3(3, 9, -4) - from));
+  }
+  return rays;
+}
+
+}  // namespace
+
+TEST_CASE("of rays that any hit decides, each takes all that it may meet, once, until it is closed") {
+  Random random(3);
+  for (const int elements : {1, 9, 60, 700}) {
+    scene::Scene scene;
+    for (int i = 0; i < elements; ++i) add(scene, scene::Sphere{random.in_cube(1), 0.6 / std::cbrt(elements)});
+    const accel::WideBvh tree(scene);
+    for (const double apart : {0.0, 0.02, 0.3}) {
+      for (const std::uint32_t one_in : {1u, 3u, 40u}) {
+        const std::vector<trace::Ray> rays = towards_one_point(random, 500, apart);
+        std::set<Pair> taken;
+        std::vector<bool> open(rays.size(), true);
+        const auto closes = [&](std::uint32_t number, scene::ElementRef own) {
+          return (number + 7 * own.index) % one_in == 0;
+        };
+        tree.pairs(
+            rays, [&](std::uint32_t number) { return open[number] ? 1.0 : 0.0; }, Closing{taken, open, closes}, [] {});
+        for (std::uint32_t number = 0; number < rays.size(); ++number) {
+          if (!open[number]) continue;
+          tree.any(
+              rays[number], [] { return 1.0; },
+              [&](scene::ElementRef e) {
+                bool found = false;
+                for (std::uint32_t leaf = 0; leaf < scene.size(); ++leaf)
+                  found |= taken.contains({number, {e.tipo, leaf}}) && tree.element({e.tipo, leaf}) == e;
+                CHECK(found);
+                return false;
+              });
+        }
+      }
+    }
+  }
+}
