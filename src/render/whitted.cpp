@@ -223,8 +223,8 @@ class Tracer {
 /// What a follower holds.
 struct Follower::Held {
   Followed followed;
-  std::mutex mutex;
-  std::vector<std::unique_ptr<Tracer>> idle;  ///< whose memory is used again
+  std::mutex mutex{};
+  std::vector<std::unique_ptr<Tracer>> idle{};  ///< whose memory is used again
 
   /// A tracer that nobody else has: a thread that waits within one call may begin another.
   std::unique_ptr<Tracer> taken() {
