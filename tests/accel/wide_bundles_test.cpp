@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "accel/each_alone.hpp"
 #include "durero/accel/wide_bvh.hpp"
 #include "support/catch.hpp"
 #include "support/scenes.hpp"
@@ -87,4 +88,14 @@ TEST_CASE("of rays that any hit decides, each takes all that it may meet, once, 
       }
     }
   }
+}
+
+TEST_CASE("what rays of a bundle start on is met by its other point alone, far as their origins may lie from it") {
+  scene::Scene scene;
+  add(scene, scene::Sphere{{0, 0, 0}, 1});
+  const accel::WideBvh tree(scene);
+  std::vector<scene::Query> queries;  // as starts, met again at t = 1.5; if the origin lay on nothing, at 0.25
+  for (int i = 0; i < 20; ++i)
+    queries.push_back({ray({1e-3 * i, 0.01, -1.5}, {0.01, 0.01, 2}), {{model::Tipo::soy_esfera, 0}}});
+  check_each_alone(tree, queries);
 }
