@@ -10,6 +10,7 @@
 #include "durero/io/output_file.hpp"
 #include "durero/render/render.hpp"
 #include "durero/render/tone.hpp"
+#include "durero/scene/attributes.hpp"
 #include "errors.hpp"
 #include "state.hpp"
 

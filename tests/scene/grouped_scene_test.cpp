@@ -1,6 +1,6 @@
 #include "durero/scene/grouped_scene.hpp"
 
-#include "durero/model/operaciones.hpp"
+#include "durero/scene/edit.hpp"
 #include "support/catch.hpp"
 
 using namespace durero;
