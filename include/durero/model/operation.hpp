@@ -1,6 +1,6 @@
 #pragma once
-/// The operations of spec/operaciones.tex by their names alone, for whoever hands them on and looks into none. What each
-/// is, stands in model/operaciones.hpp; whoever makes one or looks into one includes that.
+/// The operations of spec/operaciones.tex by their names alone, for whoever hands them on and looks into none. What
+/// each is, stands in model/operaciones.hpp; whoever makes one or looks into one includes that.
 
 #include <variant>
 
@@ -35,7 +35,7 @@ struct Eliminar_Elemento;
 /// has no line here, model/operaciones.hpp does not compile.
 using Operation =
     std::variant<Agregar_Esfera, Agregar_Cilindro, Agregar_Cono, Agregar_Tronco, Agregar_Plano, Agregar_Disco,
-                 Agregar_Triangulo, Agregar_Elemento, Eliminar_Esfera, Eliminar_Cilindro, Eliminar_Cono, Eliminar_Tronco,
-                 Eliminar_Plano, Eliminar_Disco, Eliminar_Triangulo, Eliminar_Elemento>;
+                 Agregar_Triangulo, Agregar_Elemento, Eliminar_Esfera, Eliminar_Cilindro, Eliminar_Cono,
+                 Eliminar_Tronco, Eliminar_Plano, Eliminar_Disco, Eliminar_Triangulo, Eliminar_Elemento>;
 
 }  // namespace durero::model
