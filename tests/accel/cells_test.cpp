@@ -7,6 +7,7 @@
 #include "durero/accel/bsp.hpp"
 #include "durero/accel/grid.hpp"
 #include "durero/accel/octree.hpp"
+#include "durero/model/operaciones.hpp"
 #include "support/catch.hpp"
 #include "support/sanitized.hpp"
 #include "support/scenes.hpp"

@@ -177,7 +177,7 @@ class Measurement {
           steps::coordinate<double>(traced_.p[axis], traced_.v[axis], {finding.hi, finding.lo}, finding.error);
       note(step, "point", t.linear(traced_.p[axis], traced_.v[axis]).ratio(exact(at.value), at.error));
     }
-    const trace::Rounded once = rounded(traced_, finding);
+    const trace::Rounded once = rounded(shape_, traced_, finding);
     if (once.certain) rounded_right(step, once.t, once.punto);
   }
 

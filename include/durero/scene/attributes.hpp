@@ -49,7 +49,8 @@ constexpr void for_each_attribute_of_all(Visit&& visit) {
 /// The geometry that an addition describes.
 template <class Shape>
 Shape shape_of(const typename Shape::Addition& in) {
-  return std::apply([&](const auto&... attribute) { return Shape{stored(in.*attribute.input)...}; }, attributes_of<Shape>);
+  return std::apply([&](const auto&... attribute) { return Shape{stored(in.*attribute.input)...}; },
+                    attributes_of<Shape>);
 }
 
 /// The addition that puts this geometry under a name.
