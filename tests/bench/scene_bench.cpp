@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "durero/accel/bvh.hpp"
-#include "durero/model/operaciones.hpp"
+#include "durero/scene/edit.hpp"
 #include "durero/scene/scene.hpp"
 
 using namespace durero;
