@@ -7,6 +7,7 @@ import pathlib
 import pickle
 import struct
 import zlib
+from collections.abc import Callable
 from fractions import Fraction
 
 import numpy as np
@@ -72,7 +73,8 @@ def test_groups_are_kept_and_edited_as_the_program_does(tmp_path: pathlib.Path) 
 def test_engines_that_follow_groups_search_by_them() -> None:
     scene = durero.Scene.load(ROOT / "demo" / "groups.json")
     rays = np.array([[0, 0, -50, x / 8, y / 8, 9] for x in range(-8, 9) for y in range(-8, 9)], float)
-    for ask in (scene.trace, scene.occluded, scene.occluded_segment):
+    asks: tuple[Callable[..., npt.NDArray[np.generic]], ...] = (scene.trace, scene.occluded, scene.occluded_segment)
+    for ask in asks:
         answers = ask(rays, "bvh", hierarchy="hand")
         assert answers.tobytes() == ask(rays, "bvh").tobytes() == ask(rays).tobytes()
         with pytest.raises(ValueError, match="hierarchy hand: fast follows no groups; expected engine bvh"):

@@ -185,6 +185,20 @@ void check_ways(const std::string& name, Scene scene, std::uint32_t side, int go
 
 }  // namespace
 
+TEST_CASE(
+    "the ways that are compared follow as many rays, and no more where those that count for little are left out") {
+  Scene scene = balls(30);
+  scene.stage().materials.push_back({.name = "mirror", .color = glm::dvec3(0.5), .k_ps = 0.2});
+  scene.for_each([&](scene::ElementRef e, const auto&) { scene.set_material(e, 0); });
+  scene.stage().resolution = scene::Resolution{24, 24};
+  const std::vector<Way> ways = drawn(scene, 5, 1);
+  CHECK(ways[0].rays > 24 * 24);
+  CHECK(ways[1].rays == ways[0].rays);
+  CHECK(ways[3].rays == ways[0].rays);
+  CHECK(ways[2].rays < ways[0].rays);
+  CHECK(ways[4].rays == ways[2].rays);
+}
+
 // The text has about one half for all three together, on scenes of its time.
 TEST_CASE("with a hierarchy, an item buffer and adaptive depth a picture takes about half the time, or less",
           "[long]") {
