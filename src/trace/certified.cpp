@@ -1,7 +1,6 @@
 #include "durero/trace/certified.hpp"
 
 #include "durero/trace/search.hpp"
-#include "trace/own_rounding.hpp"
 
 namespace durero::trace {
 

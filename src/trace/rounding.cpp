@@ -5,7 +5,6 @@
 #include <hwy/foreach_target.h>
 //
 #include "trace/optimised.hpp"
-#include "trace/own_rounding.hpp"
 #include "trace/packet_lanes-inl.hpp"
 #include "trace/rounding-inl.hpp"
 #include "trace/shapes-inl.hpp"

@@ -4,7 +4,7 @@
 set -u
 while read -r header unseen; do
   ${CXX:-c++} -std=c++20 -Iinclude -MM "include/durero/$header" | tr -s ' \\' '\n' | grep -qxF "include/durero/$unseen" &&
-    echo "include/durero/$header:1: includes durero/$unseen, if not itself; expected durero/model/operation.hpp, the names alone"
+    echo "include/durero/$header:1: includes durero/$unseen, itself or by another header; expected the names alone, durero/model/operation.hpp"
 done <<'EOF' | { ! grep .; }
 scene/scene.hpp model/operaciones.hpp
 scene/scene.hpp model/escena.hpp

@@ -148,5 +148,8 @@ struct RoundedPacket {
 /// rounded(improved) in every lane. Precondition: the findings are hits by triage, of rays that do not start on the
 /// element.
 void improve_and_round(const Packet& packet, model::Tipo tipo, const Findings& findings, RoundedPacket& result);
+/// The same of rays that start on their elements. Precondition: the findings are hits by triage_from of these rays and
+/// elements.
+void improve_and_round_from(const Packet& packet, model::Tipo tipo, const Findings& findings, RoundedPacket& result);
 
 }  // namespace durero::trace
