@@ -89,7 +89,7 @@ printf '%s\n' '% A comment that goes on and on, well beyond the measure of a hun
 sees z_text "a line beyond the measure"
 printf '%s\n' '\begin{zed}' '  [ Nada ]' '\end{zed}' >>spec/tipos.tex
 sees z_text "a box without prose"
-sed -i 's/^| `Escena` | 9 /| `Escena` | 8 /' README.md
+sed -i 's/^| `Escena` | 9 /| `Escena` | 8 /' spec/README.md
 sees specified "a table that says what is not so"
 sed -i 's/"Escena\.inv\.8"/"Escena.inv.88"/' include/durero/model/escena.hpp
 sees specified "a table from before a clause went"

@@ -1,7 +1,7 @@
 #!/bin/sh
-# README's table of what is specified: one row a schema, set or function of the Z text, with how many of its predicates
-# have a clause (or, for a definition, a function), a test and a theorem. `--write` puts it in place; without it, a
-# README that says otherwise fails.
+# The table in spec/README.md: one row a schema, set or function of the Z text, with how many of its predicates have a
+# clause (or, for a definition, a function), a test and a theorem. `--write` puts it in place; without it, a table that
+# says otherwise fails.
 set -u
 tmp=$(mktemp -d) && trap 'rm -rf "$tmp"' EXIT
 sh cmake/label_index.sh | awk -F '\t' '$1 !~ /\.conj\./' >"$tmp/index"  # a conjecture is carried out by nobody
@@ -25,13 +25,13 @@ table() {
 }
 table >"$tmp/table"
 {
-  sed '/<!-- specified:begin -->/q' README.md
+  sed '/<!-- specified:begin -->/q' spec/README.md
   cat "$tmp/table"
-  sed -n '/<!-- specified:end -->/,$p' README.md
+  sed -n '/<!-- specified:end -->/,$p' spec/README.md
 } >"$tmp/README.md"
 if [ "${1-}" = --write ]; then
-  cp "$tmp/README.md" README.md
-elif ! cmp -s "$tmp/README.md" README.md; then
-  echo 'README.md: its table of what is specified is stale; sh tests/lint/specified.sh --write puts it right'
+  cp "$tmp/README.md" spec/README.md
+elif ! cmp -s "$tmp/README.md" spec/README.md; then
+  echo 'spec/README.md: its table of what is specified is stale; sh tests/lint/specified.sh --write puts it right'
   exit 1
 fi
