@@ -21,7 +21,7 @@ echo "the wheel has $size bytes"
 
 "$bin/pip" install --quiet "$work"/durero-*.whl >"$work/log" 2>&1 || fail "the wheel does not install"
 module=$(echo "$work"/venv/lib/python3*/site-packages/durero/_durero.*.so)
-! nm -D --defined-only --demangle "$module" | grep ' durero::' || fail "the module shows the layers to others"
+sh "$root/tests/python/exports.sh" "$module" || fail "the module shows the layers to others"
 cd "$work"
 "$bin/python" -c 'import doctest, durero, durero.scene, sys; print(durero.__version__)
 sys.exit(sum(doctest.testmod(m).failed for m in (durero, durero.scene, durero.spec, durero.conform)))'
