@@ -34,6 +34,9 @@ while read -r command; do says said "$command"; done <commands
 x 2 tset; says complaint 'expected test'; one_line
 x 2 tarce scene.json; says complaint 'expected trace'; one_line
 x 2 frobnicate; says complaint 'expected one of demo gallery test'; one_line
+x 2 --hlep; says complaint 'expected --help'; one_line
+x 2 -q; says complaint 'expected one of --help, --version'; one_line
+x 2 lint --quick; says complaint './x lint takes nothing'; one_line
 x 2 test --lnog; says complaint '--no-proofs'; one_line
 [ ! -e tree/build ] || fail "something was built"
 ln -s ../tree/x bin/front-door
