@@ -1,7 +1,6 @@
 #include "element_reader.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <optional>
 #include <variant>
@@ -9,6 +8,7 @@
 
 #include "attribute_words.hpp"
 #include "durero/scene/attributes.hpp"
+#include "durero/text/nearest.hpp"
 #include "durero/text/shown.hpp"
 #include "field.hpp"
 
@@ -59,7 +59,7 @@ Tipo read_tipo(json::Reader& in, std::span<const WrittenType> written) {
   for (const WrittenType& type : written) words.push_back(type.word);
   if (!known) {
     in.fail(at, fmt::format("tipo is {}", text::shown(name)),
-            fmt::format("expected one of {}", fmt::join(words, ", ")));
+            "expected " + text::expected_of(name, {words.begin(), words.end()}));
   }
   return *known;
 }

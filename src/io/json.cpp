@@ -1,13 +1,13 @@
 #include "durero/io/json.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <rapidjson/error/en.h>
 #include <rapidjson/reader.h>
 
 #include <algorithm>
 
 #include "durero/io/number_text.hpp"
+#include "durero/text/nearest.hpp"
 #include "durero/text/shown.hpp"
 #include "durero/text/utf8.hpp"
 #include "json_stream.hpp"
@@ -223,7 +223,7 @@ std::size_t Reader::known_key(std::string_view what, std::span<const std::string
   while (i < keys.size() && keys[i] != key.name) ++i;
   if (i == keys.size()) {
     fail(key.offset, fmt::format("unknown key {} in {}", text::shown(key.name), what),
-         fmt::format("expected one of {}", fmt::join(keys, ", ")));
+         "expected " + text::expected_of(key.name, {keys.begin(), keys.end()}));
   }
   if ((seen >> i & 1U) != 0)
     fail(key.offset, fmt::format("key {} stands twice", text::shown(key.name)), "expected it once");

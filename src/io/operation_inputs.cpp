@@ -1,13 +1,13 @@
 #include "operation_inputs.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <ranges>
 
 #include "durero/io/number_text.hpp"
 #include "durero/scene/shapes.hpp"
+#include "durero/text/nearest.hpp"
 #include "durero/text/shown.hpp"
 
 namespace durero::io {
@@ -22,7 +22,7 @@ void Inputs::check_known(const CallInput& input, const Signature& signature) con
   known.insert(known.end(), signature.optional.begin(), signature.optional.end());
   if (std::ranges::find(known, input.name) == known.end()) {
     source_.fail(input.name_offset, fmt::format("unknown input {} of {}", text::shown(input.name), signature.name),
-                 fmt::format("expected one of {}", fmt::join(known, ", ")));
+                 "expected " + text::expected_of(input.name, {known.begin(), known.end()}));
   }
   if (find(input.name) != &input) {
     source_.fail(input.name_offset, fmt::format("{}? stands twice", input.name), "expected it once");
@@ -80,7 +80,7 @@ model::Tipo Inputs::tipo() const {
   });
   if (!known) {
     fail("t", fmt::format("t? is {}", text::shown(word("t"))),
-         fmt::format("expected one of {}", fmt::join(names, ", ")));
+         "expected " + text::expected_of(word("t"), {names.begin(), names.end()}));
   }
   return *known;
 }

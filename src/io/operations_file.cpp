@@ -1,7 +1,6 @@
 #include "durero/io/operations_file.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -10,6 +9,7 @@
 #include "durero/io/json_writer.hpp"
 #include "durero/io/lines.hpp"
 #include "durero/scene/attributes.hpp"
+#include "durero/text/nearest.hpp"
 #include "durero/text/shown.hpp"
 #include "operation_inputs.hpp"
 #include "texture_fields.hpp"
@@ -172,7 +172,7 @@ class WrittenSchemas {
   for (const Schema& schema : schemas()) known.push_back(schema.signature.name);
   for (const WrittenSchemas& of : written) of.list(known);
   source.fail(call.offset, fmt::format("unknown operation {}", text::shown(call.schema)),
-              fmt::format("expected one of {}", fmt::join(known, ", ")));
+              "expected " + text::expected_of(call.schema, {known.begin(), known.end()}));
 }
 
 AnyEdit edit_of(const Source& source, const Call& call, const scene::Stage& stage,

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "durero/text/nearest.hpp"
 #include "durero/text/shown.hpp"
 #include "stage_fields.hpp"
 
@@ -32,7 +33,7 @@ std::size_t read_word(json::Reader& in, std::string_view what, std::span<const s
   const auto found = std::ranges::find(words, word);
   if (found == words.end())
     in.fail(at, fmt::format("{} is {}", what, text::shown(word)),
-            fmt::format("expected one of {}", fmt::join(words, ", ")));
+            "expected " + text::expected_of(word, {words.begin(), words.end()}));
   return static_cast<std::size_t>(found - words.begin());
 }
 

@@ -190,8 +190,9 @@ TEST_CASE("Errors of the other parts stand at their value or key") {
        "version 2 of durero-scene; expected 1 (written by a newer durero?)"},
       {R"({"format":"durero-scene","version":^"1"})", "version is a string; expected a number"},
       {R"({"format":"durero-scene","version":1,"elementos":^{}})", "elementos is an object; expected an array"},
-      {with_part(R"(^"elements":[])"),
-       "unknown key \"elements\" in a scene; expected one of format, version, elementos, camera, resolution, "
+      {with_part(R"(^"elements":[])"), "unknown key \"elements\" in a scene; expected elementos"},
+      {with_part(R"(^"layers":[])"),
+       "unknown key \"layers\" in a scene; expected one of format, version, elementos, camera, resolution, "
        "background, lights, directional_lights, materials, max_depth, groups, textures, environment"},
       {with_part(camera + "^180}"), "fov_y is 180; expected an angle in degrees, above 0 and below 180"},
       {with_part(camera + "^0}"), "fov_y is 0; expected an angle in degrees, above 0 and below 180"},

@@ -51,8 +51,9 @@ TEST_CASE("What is wrong in such an element is told at its place") {
   CHECK(error_at(R"({"id":"t","tipo":"prisma","base":[[0,0,0],[1,0,0],[0,1,0]]},
                     {"id":^"t","tipo":"toro","centro":[1,2,3],"mayor":1})")
             .starts_with("id is \"t\": elemento_ya_existe; expected e? ∉ elementos"));
-  CHECK(error_at(R"({"id":"t","tipo":^"tora","centro":[1,2,3],"mayor":1})") ==
-        "tipo is \"tora\"; expected one of esfera, cilindro, cono, tronco, plano, disco, triangulo, toro, prisma");
+  CHECK(error_at(R"({"id":"t","tipo":^"tora","centro":[1,2,3],"mayor":1})") == "tipo is \"tora\"; expected toro");
+  CHECK(error_at(R"({"id":"t","tipo":^"donut","centro":[1,2,3],"mayor":1})") ==
+        "tipo is \"donut\"; expected one of esfera, cilindro, cono, tronco, plano, disco, triangulo, toro, prisma");
   CHECK(error_at(R"({"id":"t","tipo":"toro","centro":[1,2,3],"mayor":1,"material":^"blue"})") ==
         "unknown material \"blue\"; expected one of the scene's materials");
 }
