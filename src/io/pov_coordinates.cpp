@@ -39,8 +39,8 @@ template <class Shape>
 PovCoordinates narrowing(const Shape& c, double base) {
   const scene::AxesAcross axes = scene::axes_across(c.vector);
   const double slope = c.proporcion * c.altura, length = c.altura * c.altura + slope * slope;
-  const std::string across = fmt::format("sqrt(pow({}, 2) + pow({}, 2))", advance(axes.first, c.centro),
-                                         advance(axes.second, c.centro));
+  const std::string across =
+      fmt::format("sqrt(pow({}, 2) + pow({}, 2))", advance(axes.first, c.centro), advance(axes.second, c.centro));
   return {turn(axes, c.centro), fmt::format("({}*{}-({})*({}-({})))/({})", c.altura, advance(c.vector, c.centro), slope,
                                             across, base, length)};
 }

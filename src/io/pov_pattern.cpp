@@ -162,9 +162,9 @@ std::optional<PovChannels> PovPatterns::channels(const std::string& name, const 
   return channels;
 }
 
-/// POV-Ray adds to the unit normal the values of a function at the corners of a tetrahedron of the size of its accuracy,
-/// each times the direction there, −0.1·size/accuracy of them: in the limit −0.4/3·size times its gradient, which for
-/// half the grey, within 0 and 1, is to be the slope of the relief.
+/// POV-Ray adds to the unit normal the values of a function at the corners of a tetrahedron of the size of its
+/// accuracy, each times the direction there, −0.1·size/accuracy of them: in the limit −0.4/3·size times its gradient,
+/// which for half the grey, within 0 and 1, is to be the slope of the relief.
 std::string PovPatterns::normal(const scene::Bump& relief, const PovCoordinates& at) const {
   const auto found = std::ranges::find(textures_, relief.texture, &Texture::name);
   const auto grey = channels(relief.texture, at);

@@ -86,7 +86,8 @@ std::vector<Worn> worn_by(const scene::Material& m, const std::string& normal) {
   const auto add = [&](const glm::dvec3& own, std::vector<Coefficient> factors, std::string pigment,
                        std::string finish) {
     if (own == black) return;
-    parts.push_back({std::move(factors), [=](const glm::dvec3& n) { return texture_text(n * own, pigment, finish, normal); }});
+    parts.push_back(
+        {std::move(factors), [=](const glm::dvec3& n) { return texture_text(n * own, pigment, finish, normal); }});
   };
   add(m.k_d > 0 ? m.color : black, {color, k_d}, "", fmt::format("diffuse {}", m.k_d));
   add(m.k_a > 0 ? m.color : black, {color, k_a}, "", fmt::format("diffuse {} brilliance 0", m.k_a));
@@ -95,14 +96,13 @@ std::vector<Worn> worn_by(const scene::Material& m, const std::string& normal) {
   add(m.k_t > 0 ? m.M_T : black, {M_T, k_t}, fmt::format(" filter {}", m.k_t), "diffuse 0");
   if (m.k_s > 0)
     parts.push_back({{k_s}, [=](const glm::dvec3& n) {
-                       return texture_text(black, "",
-                                           fmt::format("diffuse 0 phong {} phong_size {}", n.x * m.k_s, m.e), normal);
+                       return texture_text(black, "", fmt::format("diffuse 0 phong {} phong_size {}", n.x * m.k_s, m.e),
+                                           normal);
                      }});
   if (m.k_ps > 0)
     parts.push_back({{M_PS, k_ps}, [=](const glm::dvec3& n) {
-                       return texture_text(black, "",
-                                           fmt::format("diffuse 0 reflection {{ {} }}", rgb(n * m.k_ps * m.M_PS)),
-                                           normal);
+                       return texture_text(
+                           black, "", fmt::format("diffuse 0 reflection {{ {} }}", rgb(n * m.k_ps * m.M_PS)), normal);
                      }});
   return parts;
 }

@@ -17,7 +17,8 @@ glm::dvec3 bumped(const Tangents& t, const glm::dvec3& n, const glm::dvec2& slop
   const glm::dvec3 relief = normal_of_relief(t, n, slope);
   const bool is_finite = std::isfinite(relief.x) && std::isfinite(relief.y) && std::isfinite(relief.z);
   if (!is_finite || relief == glm::dvec3(0)) return n;
-  return unit(glm::dot(plain, n) < 0 ? -relief : relief);  // a mirrored texture turns its tangents over, not the surface
+  // A mirrored texture turns its tangents over, and not the surface.
+  return unit(glm::dot(plain, n) < 0 ? -relief : relief);
 }
 
 }  // namespace durero::render

@@ -193,7 +193,8 @@ auto visit(const scene::Scene& scene, scene::ElementRef element, OfWrapped&& of_
 
 Coordinates coordinates(const scene::Scene& scene, scene::ElementRef element, const glm::dvec3& point) {
   return visit(
-      scene, element, [&](const Wrapped& wrapped, const auto& shape) { return wrapped.at(coordinates_of(shape, point)); },
+      scene, element,
+      [&](const Wrapped& wrapped, const auto& shape) { return wrapped.at(coordinates_of(shape, point)); },
       [&](const auto& shape) { return coordinates_of(shape, point); });
 }
 

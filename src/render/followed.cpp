@@ -31,8 +31,8 @@ std::vector<glm::dvec3> most_brought(const scene::Stage& stage, const Limits& li
   while (most.size() <= limits.max_depth) {
     glm::dvec3 next = glm::max(beyond, default_color * lights);
     for (const scene::Material& m : stage.materials)
-      next = glm::max(next, m.emission + m.ambient + lights * (m.color * (m.k_a + m.k_d) + m.k_s) +
-                                sent_on(m) * most.back());
+      next = glm::max(next,
+                      m.emission + m.ambient + lights * (m.color * (m.k_a + m.k_d) + m.k_s) + sent_on(m) * most.back());
     most.push_back((1 + 0x1p-30) * next);
   }
   return most;

@@ -192,9 +192,8 @@ class Tracer {
   /// Whether all that was met is flat, and met for the first time.
   static bool is_sheet(const Meeting& at) {
     const scene::Origin start(at.query.en);
-    return std::ranges::all_of(at.hit.elementos, [&](scene::ElementRef e) {
-      return surface::is_flat(e.tipo) && !start.contains(e);
-    });
+    return std::ranges::all_of(at.hit.elementos,
+                               [&](scene::ElementRef e) { return surface::is_flat(e.tipo) && !start.contains(e); });
   }
 
   /// The ray itself, behind a sheet that does not bend it. Told that it starts on the sheet too, it meets it no more

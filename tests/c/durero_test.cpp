@@ -4,8 +4,10 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -73,7 +75,8 @@ TEST_CASE("a scene that is written into another folder names its pictures from t
   std::filesystem::create_directories(folder / "other");
   std::filesystem::copy_file(durero::test::source_dir() + "/docs/mirrors.png", folder / "one" / "wood.png");
   const auto first = (folder / "one" / "scene.json").string(), second = (folder / "other" / "scene.json").string();
-  std::ofstream(first) << R"({"format":"durero-scene","version":1,"textures":{"wood":{"image":"wood.png"}},"elementos":[]})";
+  std::ofstream(first)
+      << R"({"format":"durero-scene","version":1,"textures":{"wood":{"image":"wood.png"}},"elementos":[]})";
   const auto names = [](const std::string& path) {
     std::ostringstream text;
     text << std::ifstream(path).rdbuf();

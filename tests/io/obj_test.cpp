@@ -51,12 +51,13 @@ TEST_CASE("The faces of an OBJ become triangles, named by file and number") {
 )");
   const scene::Names all{"sheet.obj:1", "sheet.obj:2", "sheet.obj:3", "sheet.obj:4", "sheet.obj:5"};
   CHECK(i.groups.table() == scene::Groups::Table{{"sheet", {all, {}}}});
-  CHECK(i.lost == std::vector<std::string>{
-                      "1 normal left out: a triangle has its own", "2 texture coordinates left out: no face has them at all of its corners",
-                      "2 weights or colours of vertices left out: a scene has none",
-                      "2 uses of materials left out: OBJ keeps them in another file",
-                      "1 other statement left out: no vertex, no face",
-                      "1 triangle left out: the vertices lie on one line", "1 polygon left out: edges touch or cross"});
+  CHECK(i.lost == std::vector<std::string>{"1 normal left out: a triangle has its own",
+                                           "2 texture coordinates left out: no face has them at all of its corners",
+                                           "2 weights or colours of vertices left out: a scene has none",
+                                           "2 uses of materials left out: OBJ keeps them in another file",
+                                           "1 other statement left out: no vertex, no face",
+                                           "1 triangle left out: the vertices lie on one line",
+                                           "1 polygon left out: edges touch or cross"});
 }
 
 TEST_CASE("OBJ is read alike however its lines end and its words stand apart") {
@@ -204,8 +205,10 @@ TEST_CASE("A malformed OBJ file is an error with its place") {
       {vertices + "vt ^x\nf 1 2 3", "\"x\" in vt; expected a finite number"},
       {vertices + "vt ^\nf 1 2 3", "\"\" in vt; expected a finite number"},
       {vertices + "vt 1 2 3 ^4\nf 1 2 3", "a fourth number in vt; expected u, v and a third at most"},
-      {vertices + "vt 0 0\nf 1/1 2/1 ^3/2", "\"3/2\" names no texture coordinate; expected 1 to 1, or a distance back to one above"},
-      {vertices + "vt 0 0\nf 1/1 2/1 ^3/-2", "\"3/-2\" names no texture coordinate; expected 1 to 1, or a distance back to one above"},
+      {vertices + "vt 0 0\nf 1/1 2/1 ^3/2",
+       "\"3/2\" names no texture coordinate; expected 1 to 1, or a distance back to one above"},
+      {vertices + "vt 0 0\nf 1/1 2/1 ^3/-2",
+       "\"3/-2\" names no texture coordinate; expected 1 to 1, or a distance back to one above"},
       {vertices + "f 1 2 ^0\nv 0 0 0\n", "\"0\" in f; expected v, v/vt, v//vn or v/vt/vn"},
       {vertices + "f 1 2 ^x", "\"x\" in f; expected v, v/vt, v//vn or v/vt/vn"},
       {vertices + "f 1 2 3 ^x", "\"x\" in f; expected v, v/vt, v//vn or v/vt/vn"},

@@ -61,8 +61,10 @@ Eliminar_Elemento e?=k2)") ==
 }
 
 TEST_CASE("A script may close elements, and names what closes them where it does not") {
-  const auto steps = io::read_script(
-      io::Source("f", "close e?=can\nclose e=can base=bottom top?=lid\n" R"({"op":"close","e":"hat","base":"b"})"), {});
+  const auto steps = io::read_script(io::Source("f",
+                                                "close e?=can\nclose e=can base=bottom top?=lid\n"
+                                                R"({"op":"close","e":"hat","base":"b"})"),
+                                     {});
   REQUIRE(steps.size() == 3);
   const auto closing = [&](std::size_t i) {
     const auto& [e, base, top] = std::get<scene::Closing>(steps[i].edit);

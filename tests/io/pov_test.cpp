@@ -126,12 +126,15 @@ TEST_CASE("a texture is a function of the place, and each term that it multiplie
   }
 }
 
-TEST_CASE("a relief of waves is a normal of the same slopes, and turned over where a flat element is seen from behind") {
+TEST_CASE(
+    "a relief of waves is a normal of the same slopes, and turned over where a flat element is seen from behind") {
   const auto of = [&](const std::string& eye, const std::string& bump) {
-    return exported(R"("camera":{"eye":)" + eye +
-                    R"(,"look_at":[0,0,0],"up":[0,1,0],"fov_y":90},"textures":{"t":{"waves":[[0,0,0],[1,1,1]],"repeat":[1,4]}},
+    return exported(
+        R"("camera":{"eye":)" + eye +
+        R"(,"look_at":[0,0,0],"up":[0,1,0],"fov_y":90},"textures":{"t":{"waves":[[0,0,0],[1,1,1]],"repeat":[1,4]}},
       "materials":{"m":{"color":[1,1,1],"bump":{"texture":"t")" +
-                    bump + R"(}}},"elementos":[{"id":"d","tipo":"disco","centro":[0,0,0],"radio":2,"vector":[0,0,1],"material":"m"}])");
+        bump +
+        R"(}}},"elementos":[{"id":"d","tipo":"disco","centro":[0,0,0],"radio":2,"vector":[0,0,1],"material":"m"}])");
   };
   const io::Exported before = of("[0,0,5]", R"(,"height":0.5)"), behind = of("[0,0,-5]", R"(,"height":0.5)");
   CHECK(has(before, " pigment { rgb <1, 1, 1> } normal { function { 0.25 + ("));

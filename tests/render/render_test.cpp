@@ -106,7 +106,8 @@ TEST_CASE(
 }
 
 // Fourteen panes, each of which mirrors less than a hundredth of one lamp.
-TEST_CASE("rays that count for less than a hundredth each are more than a tenth of a pixel together, and the bound says so") {
+TEST_CASE(
+    "rays that count for less than a hundredth each are more than a tenth of a pixel together, and the bound says so") {
   const scene::Scene scene = io::read_scene(io::read_source(test::source_dir() + "/demo/gallery/ghosts.json"));
   const auto engine = engine::find("fast")->prepare(scene);
   const auto drawn = [&](double min_weight, render::Reach& reach) {

@@ -219,7 +219,8 @@ TEST_CASE("total reflection: what would shine through goes the mirror's way, in 
 namespace {
 
 /// A lit ball, a mirror and glass over a checker that is seen from (0, 1, -9), and a material that is no more than a
-/// sheet. Nothing is on the near side of one before the eye: it would be in its shadow. No meeting sends on two rays, so that colours are added in one order, with the sheet and without.
+/// sheet. Nothing is on the near side of one before the eye: it would be in its shadow. No meeting sends on two rays,
+/// so that colours are added in one order, with the sheet and without.
 scene::Scene behind_a_sheet() {
   scene::Scene scene = lit_ball();
   scene::Stage& stage = scene.stage();

@@ -26,8 +26,8 @@ struct Coordinates {
 };
 
 /// ∂f_p/∂u and ∂f_p/∂v: tangent and bitangent. Their cross product is null at a pole, and on a triangle whose vertices
-/// have coordinates without an area; it is on the outer side, but where those go round the other way. Where the vertices
-/// have tangents too, these are what is linear between them, freed of its part along the normal.
+/// have coordinates without an area; it is on the outer side, but where those go round the other way. Where the
+/// vertices have tangents too, these are what is linear between them, freed of its part along the normal.
 struct Tangents {
   glm::dvec3 u;  ///< where u grows
   glm::dvec3 v;  ///< where v grows

@@ -21,9 +21,11 @@ struct Closing {
 
 /// @{ Its preconditions. What else an addition of a disc asks, it asks of these as well.
 inline constexpr contract::clause close_pre_1{"close.pre.1", "e? ∈ elementos"};
-inline constexpr contract::clause close_pre_2{"close.pre.2", "de_que_tipo(e?) ∈ { soy_cilindro, soy_cono, soy_tronco }"};
+inline constexpr contract::clause close_pre_2{"close.pre.2",
+                                              "de_que_tipo(e?) ∈ { soy_cilindro, soy_cono, soy_tronco }"};
 inline constexpr contract::clause close_pre_3{"close.pre.3", "base? ≠ top?"};
-inline constexpr contract::clause close_pre_4{"close.pre.4", "centro + altura * vector < 2¹⁰²⁴, each coordinate rounded"};
+inline constexpr contract::clause close_pre_4{"close.pre.4",
+                                              "centro + altura * vector < 2¹⁰²⁴, each coordinate rounded"};
 /// @}
 
 /// What closes an element.
