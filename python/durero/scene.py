@@ -144,6 +144,20 @@ class Scene(Mapping[str, Element]):
         """Takes a group away, what was in it is then in the group around it, and answers its r!. Raises Refused."""
         return self._operate({"op": "ungroup", "g": g})
 
+    def close(self, e: str, base: str | None = None, top: str | None = None) -> str:
+        """Closes a cylinder, a cone or a truncated cone by discs of its material, all or none, and answers `closed`, or
+        `closed_but_for_rounding` where a number of a disc had to be rounded. Raises Refused.
+
+        >>> import durero
+        >>> scene = durero.Scene()
+        >>> scene.add("can", durero.Cilindro(centro=(0, 0, 0), radio=1, vector=(0, 1, 0), altura=2))
+        'cilindro_agregado'
+        >>> scene.close("can"), sorted(scene)
+        ('closed', ['can', 'can:base', 'can:top'])
+        """
+        names = {"base": base, "top": top}
+        return self._operate({"op": "close", "e": e, **{k: name for k, name in names.items() if name is not None}})
+
     @property
     def groups(self) -> dict[str, Group]:
         """The groups by their names: no answer depends on them, and what is in no group is just that."""

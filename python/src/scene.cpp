@@ -79,6 +79,14 @@ Asked asked(const scene::Edit& edit, const written::Edited&) {
 
 Asked asked(const scene::GroupEdit& edit, const written::Edited&) { return {operation_name(edit), inputs_of(edit)}; }
 
+Asked asked(const scene::Closing& in, const written::Edited&) {
+  py::dict inputs;
+  inputs["e"] = in.e;
+  inputs["base"] = in.base;
+  inputs["top"] = in.top;
+  return {"close", inputs};
+}
+
 py::dict attributes_of(const io::WrittenElement& element, const io::WrittenType& type) {
   py::dict attributes;
   for (std::size_t i = 0; i < type.attributes.size(); ++i)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 #include <new>
 #include <stdexcept>
@@ -15,6 +16,7 @@
 #include "durero/io/groups_file.hpp"
 #include "durero/io/operations_file.hpp"
 #include "durero/io/output_file.hpp"
+#include "durero/io/picture_file.hpp"
 #include "durero/model/operaciones.hpp"
 #include "durero/model/tipos.hpp"
 #include "durero/scene/grouped_scene.hpp"
@@ -24,6 +26,7 @@ using namespace durero;
 
 struct durero_scene {
   written::Edited value;
+  std::string file{};  // that it was read from, from the root; empty where there was none
 };
 
 struct durero_engine {
@@ -81,6 +84,16 @@ durero_engine* ready(const durero_scene& scene, std::string_view name, std::stri
   return new durero_engine{&scene.value.of().scene, engine::prepared(*row, hierarchy, scene.value.of())};
 }
 
+std::string from_root(const char* path) { return std::filesystem::absolute(path).string(); }
+
+/// The text of a scene file of that name: pictures are named from its folder.
+std::string text_for(const durero_scene& scene, const char* path) {
+  if (scene.file.empty()) return scene.value.scene_text();
+  written::Edited moved = scene.value;
+  io::rename_pictures(moved.stage(), scene.file, path);
+  return moved.scene_text();
+}
+
 durero_hit published(const scene::Hit& hit) {
   return {outcome(hit.resultado),
           static_cast<std::uint32_t>(hit.elementos.size()),
@@ -99,19 +112,21 @@ durero_scene* durero_scene_new(void) {
 }
 
 durero_scene* durero_scene_read(const char* path) {
-  return guarded<durero_scene*>(
-      nullptr, [&] { return new durero_scene{written::Edited(io::read_grouped_scene(io::read_source(path)))}; });
+  return guarded<durero_scene*>(nullptr, [&] {
+    return new durero_scene{written::Edited(io::read_grouped_scene(io::read_source(path))), from_root(path)};
+  });
 }
 
 durero_scene* durero_scene_read_with(const char* path, const char* text) {
   return guarded<durero_scene*>(nullptr, [&] {
-    return new durero_scene{written::Edited(io::read_source(path), std::make_shared<const written::Text>(text))};
+    return new durero_scene{written::Edited(io::read_source(path), std::make_shared<const written::Text>(text)),
+                            from_root(path)};
   });
 }
 
 durero_answer durero_scene_write(const durero_scene* scene, const char* path) {
   return guarded(DURERO_FAILED, [&] {
-    io::write_file(path, scene->value.scene_text());
+    io::write_file(path, text_for(*scene, path));
     return DURERO_DONE;
   });
 }

@@ -124,13 +124,6 @@ bool has_apex(Tipo tipo) {
       tipo, []<class Shape>(std::type_identity<Shape>) { return has_proporcion<Shape> && !has_radio<Shape>; });
 }
 
-bool is_flat(Tipo tipo) {
-  using Along = surface::Linear<double>;
-  return scene::with_shape(tipo, []<class Shape>(std::type_identity<Shape>) {
-    return std::is_same_v<decltype(potencia(std::declval<Shape>(), std::declval<surface::Point<Along>>())), Along>;
-  });
-}
-
 Tipo any_type(Draws& random) {
   static const std::vector<Tipo> types = types_that([](Tipo tipo) { return !is_flat(tipo); });
   return random.any_type_of(types);

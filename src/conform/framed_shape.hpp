@@ -12,6 +12,7 @@
 
 #include "conform/draws.hpp"
 #include "durero/scene/shapes.hpp"
+#include "durero/surface/surfaces.hpp"
 
 namespace durero::conform {
 
@@ -55,7 +56,7 @@ bool has_constant_radius(model::Tipo tipo);
 bool has_apex(model::Tipo tipo);
 
 /// Whether shapes of the type are a plane across d, or part of it.
-bool is_flat(model::Tipo tipo);
+using surface::is_flat;
 
 /// Of those that are not flat.
 model::Tipo any_type(Draws& random);

@@ -57,7 +57,7 @@ class Members {
 }  // namespace
 
 Imported mesh_scene(const Source& source, const PolygonSoup& soup, std::vector<std::string> lost,
-                    const FaceGroups& groups) {
+                    const FaceGroups& groups, const FaceTextures& textures) {
   scene::Scene scene;
   scene.put_off_audits();
   Polygons polygons(scene, prefix_of(source, lost));
@@ -67,7 +67,7 @@ Imported mesh_scene(const Source& source, const PolygonSoup& soup, std::vector<s
     polygon.clear();
     for (const std::int64_t vertex : soup.faces[i]) polygon.push_back(soup.vertices[static_cast<std::size_t>(vertex)]);
     const std::size_t before = polygons.number();
-    polygons.add(polygon);
+    polygons.add(polygon, {}, textures.at_corners(i));
     members.add(i, polygons, before);
   }
   scene.audit();

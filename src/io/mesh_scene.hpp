@@ -6,14 +6,15 @@
 
 #include "durero/io/formats.hpp"
 #include "face_groups.hpp"
+#include "face_textures.hpp"
 #include "polygon_soup.hpp"
 
 namespace durero::io {
 
 /// The triangles of all faces, named by the file, and those groups of faces that have some; what is left out is
-/// appended to what is lost. Precondition: each face has at least three vertices, which are there; the names are those
-/// of groups.
+/// appended to what is lost. Textures lie on them as on the faces. Precondition: each face has at least three vertices,
+/// which are there; the names are those of groups.
 Imported mesh_scene(const Source& source, const PolygonSoup& soup, std::vector<std::string> lost,
-                    const FaceGroups& groups = {});
+                    const FaceGroups& groups = {}, const FaceTextures& textures = {});
 
 }  // namespace durero::io

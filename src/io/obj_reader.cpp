@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 #include "cursor.hpp"
@@ -26,8 +27,10 @@ class ObjLines {
  public:
   ObjLines(const Source& source, const PolygonSoup& soup) : source_(source), soup_(soup) {}
 
-  /// The groups of the faces, after read().
+  /// @{ The groups of the faces, and how textures lie on them, after read().
   const FaceGroups& groups() const { return groups_; }
+  const FaceTextures& textures() const { return textures_; }
+  /// @}
 
   /// What is lost. Throws InputError.
   std::vector<std::string> read() {
@@ -37,6 +40,7 @@ class ObjLines {
       if (!in.done()) read_statement(in);
     }
     if (!soup_.whole) source_.fail(soup_.end, "no mesh", "expected vertices (v) and faces (f)");
+    if (late_ && late_->number >= static_cast<std::int64_t>(textures_.uv.size())) fail_texture(*late_);
     return losses();
   }
 
@@ -52,7 +56,7 @@ class ObjLines {
     } else if (statement == "vn") {
       ++normals_;
     } else if (statement == "vt") {
-      ++texture_coordinates_;
+      read_texture_coordinate(in);
     } else if (statement == "usemtl" || statement == "mtllib") {
       ++materials_;
     } else if (statement == "o" || statement == "g") {
@@ -84,6 +88,18 @@ class ObjLines {
     }
   }
 
+  // u, and perhaps v and a third, which a surface has no use for.
+  void read_texture_coordinate(Cursor& in) {
+    std::array<double, 3> numbers{};
+    std::size_t count = 0;
+    do {
+      if (count == numbers.size()) in.fail(in.offset(), "a fourth number in vt", "expected u, v and a third at most");
+      numbers[count++] = in.number("#", "vt");
+      in.skip_blanks();
+    } while (!in.done());
+    textures_.uv.emplace_back(numbers[0], numbers[1]);
+  }
+
   // The faces that follow are in the group of the first name, whatever was named before; in none where there is none,
   // or none that a group can have.
   void read_group(Cursor& in) {
@@ -102,14 +118,19 @@ class ObjLines {
 
   void read_face(Cursor& in, std::size_t at) {
     const Face& face = faces_ < soup_.faces.size() ? soup_.faces[faces_] : none_;
+    Face textures;
     std::size_t corners = 0;
     for (; !in.done(); ++corners) {
       const std::size_t corner_at = in.offset();
-      const std::string_view corner = in.word("#");
-      const auto vertex = vertex_of(corner);
-      if (!vertex || corners >= face.size() || face[corners] != *vertex)
-        in.fail(corner_at, fmt::format("{} in f", text::shown(corner)), "expected v, v/vt, v//vn or v/vt/vn");
-      check_vertex(in, corner_at, corner, *vertex);
+      const std::string_view word = in.word("#");
+      const auto corner = corner_of(word);
+      if (!corner || corners >= face.size() || face[corners] != corner->vertex)
+        in.fail(corner_at, fmt::format("{} in f", text::shown(word)), "expected v, v/vt, v//vn or v/vt/vn");
+      check_vertex(in, corner_at, word, corner->vertex);
+      if (corner->texture) {
+        check_texture({corner_at, word, *corner->texture});
+        textures.push_back(*corner->texture);
+      }
       in.skip_blanks();
     }
     if (corners < 3) in.fail(at, fmt::format("a face of {} vertices", corners), "expected 3 or more");
@@ -117,6 +138,8 @@ class ObjLines {
       in.fail(at, "f with numbers in a comment or too long", "expected spaces before a comment");
     ++faces_;
     groups_.of_face.push_back(group_);
+    if (textures.size() != corners) textures.clear();
+    textures_.of_face.push_back(std::move(textures));
   }
 
   void check_vertex(const Cursor& in, std::size_t at, std::string_view corner, std::int64_t vertex) const {
@@ -127,27 +150,61 @@ class ObjLines {
     }
   }
 
-  /// The number, from 0, of the vertex that a corner of a face names. A negative one counts back from the last vertex
-  /// above. Nothing where it is no corner.
-  std::optional<std::int64_t> vertex_of(std::string_view corner) const {
-    std::optional<std::int64_t> vertex;
+  /// What the corner of a face names of the texture coordinates, and where.
+  struct NamedTexture {
+    std::size_t at;
+    std::string_view word;
+    std::int64_t number;
+  };
+  /// The file may say it below; the greatest of those is looked for at the end.
+  void check_texture(const NamedTexture& named) {
+    if (named.number < 0) fail_texture(named);
+    const bool is_below = named.number >= static_cast<std::int64_t>(textures_.uv.size());
+    if (is_below && (!late_ || late_->number < named.number)) late_ = named;
+  }
+  [[noreturn]] void fail_texture(const NamedTexture& named) const {
+    source_.fail(named.at, fmt::format("{} names no texture coordinate", text::shown(named.word)),
+                 fmt::format("expected 1 to {}, or a distance back to one above", textures_.uv.size()));
+  }
+
+  /// The numbers, from 0, of what a corner of a face names.
+  struct Corner {
+    std::int64_t vertex = 0;
+    std::optional<std::int64_t> texture{};
+  };
+  /// A negative number counts back from the last one above. Nothing where it is no corner.
+  std::optional<Corner> corner_of(std::string_view word) const {
+    Corner corner;
     for (int part = 0; part < 3; ++part) {
-      const std::size_t length = std::min(corner.find('/'), corner.size());
+      const std::size_t length = std::min(word.find('/'), word.size());
       std::int32_t number = 0;
-      const auto [end, error] = std::from_chars(corner.data(), corner.data() + length, number);
-      const bool left_out = part == 1 && length == 0 && corner.size() > 1;
-      if (!left_out && (error != std::errc() || end != corner.data() + length || number == 0)) return std::nullopt;
-      if (part == 0) vertex = number > 0 ? number - 1 : static_cast<std::int64_t>(vertices_) + number;
-      if (length == corner.size()) return vertex;
-      corner.remove_prefix(length + 1);
+      const auto [end, error] = std::from_chars(word.data(), word.data() + length, number);
+      const bool left_out = part == 1 && length == 0 && word.size() > 1;
+      if (!left_out && (error != std::errc() || end != word.data() + length || number == 0)) return std::nullopt;
+      const auto from_0 = [&](std::size_t above) {
+        return number > 0 ? number - 1 : static_cast<std::int64_t>(above) + number;
+      };
+      if (part == 0) corner.vertex = from_0(vertices_);
+      if (part == 1 && !left_out) corner.texture = from_0(textures_.uv.size());
+      if (length == word.size()) return corner;
+      word.remove_prefix(length + 1);
     }
     return std::nullopt;
+  }
+
+  /// The texture coordinates that no face keeps.
+  std::size_t unused_textures() const {
+    std::vector<bool> used(textures_.uv.size());
+    for (const Face& face : textures_.of_face)
+      for (const std::int64_t number : face) used[static_cast<std::size_t>(number)] = true;
+    return static_cast<std::size_t>(std::ranges::count(used, false));
   }
 
   std::vector<std::string> losses() const {
     std::vector<std::string> lost;
     add_loss(lost, normals_, "normal", "normals", "left out: a triangle has its own");
-    add_loss(lost, texture_coordinates_, "texture coordinate", "texture coordinates", "left out: a scene has none");
+    add_loss(lost, unused_textures(), "texture coordinate", "texture coordinates",
+             "left out: no face has them at all of its corners");
     add_loss(lost, weighted_, "weight or colour of a vertex", "weights or colours of vertices",
              "left out: a scene has none");
     add_loss(lost, materials_, "use of a material", "uses of materials", "left out: OBJ keeps them in another file");
@@ -163,8 +220,10 @@ class ObjLines {
   const PolygonSoup& soup_;
   const Face none_;
   std::size_t vertices_ = 0, faces_ = 0;  // passed
-  std::size_t normals_ = 0, texture_coordinates_ = 0, weighted_ = 0, materials_ = 0, others_ = 0;
+  std::size_t normals_ = 0, weighted_ = 0, materials_ = 0, others_ = 0;
   std::size_t no_names_ = 0, further_names_ = 0;  // of groups
+  FaceTextures textures_;
+  std::optional<NamedTexture> late_{};
   FaceGroups groups_;
   FaceGroups::Number group_{FaceGroups::none};  // of the faces that follow
 };
@@ -178,7 +237,7 @@ Imported read_obj(const Source& source) {
   const PolygonSoup soup = obj_soup(plain);
   ObjLines lines(source, soup);
   std::vector<std::string> lost = lines.read();
-  return mesh_scene(source, soup, std::move(lost), lines.groups());
+  return mesh_scene(source, soup, std::move(lost), lines.groups(), lines.textures());
 }
 
 }  // namespace durero::io

@@ -91,6 +91,19 @@ AnyEdit read_grouping(const Inputs& in, const scene::Stage&) {
 
 AnyEdit read_ungrouping(const Inputs& in, const scene::Stage&) { return scene::Ungrouping{in.name("g")}; }
 
+/// Without names of their own the discs are called after the element.
+AnyEdit read_closing(const Inputs& in, const scene::Stage&) {
+  const std::string e = in.element().name();
+  const auto name = [&](std::string_view input) {
+    if (in.has(input)) return in.name(input);
+    const std::string after = fmt::format("{}:{}", e, input);
+    if (!model::Elemento::is_name(after))
+      in.fail("e", fmt::format("{} is too long a name", text::shown(after)), "expected base and top");
+    return after;
+  };
+  return scene::Closing{e, name("base"), name("top")};
+}
+
 // The additions and removals of each shape, each followed by the general one, as the text has them.
 std::vector<Schema> all_schemas() {
   std::vector<Schema> all;
@@ -108,6 +121,7 @@ std::vector<Schema> all_schemas() {
   all.push_back({{"Eliminar_Elemento", {"e"}, {}}, read_edit<read_removal<model::Eliminar_Elemento>>});
   all.push_back({{"group", {"g"}, {"elementos", "groups"}}, read_grouping});
   all.push_back({{"ungroup", {"g"}, {}}, read_ungrouping});
+  all.push_back({{"close", {"e"}, {"base", "top"}}, read_closing});
   return all;
 }
 

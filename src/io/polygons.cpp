@@ -7,7 +7,8 @@
 
 namespace durero::io {
 
-void Polygons::add(std::span<const glm::dvec3> polygon, std::optional<std::uint32_t> material) {
+void Polygons::add(std::span<const glm::dvec3> polygon, std::optional<std::uint32_t> material,
+                   std::span<const glm::dvec2> uv) {
   const auto triangles = triangulated(polygon);
   if (!triangles) {
     ++uncut_;
@@ -17,7 +18,10 @@ void Polygons::add(std::span<const glm::dvec3> polygon, std::optional<std::uint3
     const model::Answer answer = scene_.apply_total(scene::Edit{
         scene::addition(model::Elemento{name(++number_)}, scene::Triangle{{polygon[a], polygon[b], polygon[c]}}),
         material});
-    if (!answer.ok()) ++aligned_;  // the name is new, so that nothing else can be wrong
+    if (!answer.ok())
+      ++aligned_;  // the name is new, so that nothing else can be wrong
+    else if (!uv.empty())
+      scene_.set_wrap(scene_.find(name(number_)).value(), {.uv = {uv[a], uv[b], uv[c]}});
   }
 }
 

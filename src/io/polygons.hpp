@@ -2,6 +2,7 @@
 /// Polygons become triangles of a scene.
 
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
@@ -18,8 +19,10 @@ class Polygons {
  public:
   Polygons(scene::Scene& scene, std::string prefix) : scene_(scene), prefix_(std::move(prefix)) {}
 
-  /// Precondition: three vertices or more, finite; the material is one of the stage's.
-  void add(std::span<const glm::dvec3> polygon, std::optional<std::uint32_t> material = {});
+  /// uv: the coordinates of the vertices. Precondition: three vertices or more, finite; the material is one of the
+  /// stage's; as many uv, or none.
+  void add(std::span<const glm::dvec3> polygon, std::optional<std::uint32_t> material = {},
+           std::span<const glm::dvec2> uv = {});
   /// How many triangles have been added or left out: the number of the last one.
   std::size_t number() const noexcept { return number_; }
   /// The name that a triangle has, were it left out.

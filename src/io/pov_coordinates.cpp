@@ -1,6 +1,11 @@
 // (u, v) of the points of each surface, in POV-Ray's language.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
 #include "durero/scene/axes_across.hpp"
 #include "pov_pattern.hpp"
 
@@ -24,14 +29,23 @@ PovCoordinates coordinates_of(const scene::Sphere& s) {
                                             advance({0, 1, 0}, s.centro), advance(axes.second, s.centro))};
 }
 
-template <class Round>
-PovCoordinates coordinates_round(const Round& c) {
+PovCoordinates coordinates_of(const scene::Cylinder& c) {
   return {turn(scene::axes_across(c.vector), c.centro), fmt::format("{}/{}", advance(c.vector, c.centro), c.altura)};
 }
 
-PovCoordinates coordinates_of(const scene::Cylinder& c) { return coordinates_round(c); }
-PovCoordinates coordinates_of(const scene::Cone& c) { return coordinates_round(c); }
-PovCoordinates coordinates_of(const scene::TruncatedCone& c) { return coordinates_round(c); }
+/// With s = altura·v and the distance from the axis base − slope·v, v is also the advance along the generator, whose
+/// gradient lies in the surface.
+template <class Shape>
+PovCoordinates narrowing(const Shape& c, double base) {
+  const scene::AxesAcross axes = scene::axes_across(c.vector);
+  const double slope = c.proporcion * c.altura, length = c.altura * c.altura + slope * slope;
+  const std::string across =
+      fmt::format("sqrt(pow({}, 2) + pow({}, 2))", advance(axes.first, c.centro), advance(axes.second, c.centro));
+  return {turn(axes, c.centro), fmt::format("({}*{}-({})*({}-({})))/({})", c.altura, advance(c.vector, c.centro), slope,
+                                            across, base, length)};
+}
+PovCoordinates coordinates_of(const scene::Cone& c) { return narrowing(c, c.proporcion * c.altura); }
+PovCoordinates coordinates_of(const scene::TruncatedCone& c) { return narrowing(c, c.radio + c.proporcion * c.altura); }
 
 PovCoordinates coordinates_of(const scene::Plane& p) {
   const auto [first, second] = scene::axes_across(p.vector);
@@ -51,10 +65,34 @@ PovCoordinates coordinates_of(const scene::Triangle& t) {
   return {advance(glm::cross(f, n) / area, t.vertices[0]), advance(glm::cross(n, e) / area, t.vertices[0])};
 }
 
+/// How long a unit of v is on a surface.
+double length_of(const scene::Sphere& s) { return std::numbers::pi * s.radio; }
+double length_of(const scene::Cylinder& c) { return c.altura; }
+double length_of(const scene::Cone& c) { return std::hypot(c.altura, c.proporcion * c.altura); }
+double length_of(const scene::TruncatedCone& c) { return std::hypot(c.altura, c.proporcion * c.altura); }
+double length_of(const scene::Plane&) { return 1; }
+double length_of(const scene::Disc& d) { return 2 * d.radio; }
+double length_of(const scene::Triangle& t) { return glm::distance(t.vertices[0], t.vertices[2]); }
+
+/// Of a triangle whose vertices have coordinates: linear in its own.
+PovCoordinates wrapped(const PovCoordinates& own, const scene::Wrap& wrap) {
+  const auto& [a, b, c] = wrap.uv;
+  const auto linear = [&](int k) {
+    return fmt::format("({})+({})*{}+({})*{}", a[k], b[k] - a[k], own.u, c[k] - a[k], own.v);
+  };
+  return {linear(0), linear(1), own.length / std::max(std::abs(c[1] - a[1]), 1e-6)};
+}
+
 }  // namespace
 
 PovCoordinates pov_coordinates(const scene::Scene& scene, scene::ElementRef element) {
-  return scene.visit(element, [](const auto& shape) { return coordinates_of(shape); });
+  const PovCoordinates own = scene.visit(element, [](const auto& shape) {
+    PovCoordinates at = coordinates_of(shape);
+    at.length = length_of(shape);
+    return at;
+  });
+  const scene::Wrap* const wrap = scene.wrap(element);
+  return wrap == nullptr ? own : wrapped(own, *wrap);
 }
 
 }  // namespace durero::io

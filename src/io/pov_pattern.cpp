@@ -1,6 +1,7 @@
 #include "pov_pattern.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -159,6 +160,21 @@ std::optional<PovChannels> PovPatterns::channels(const std::string& name, const 
     channels[static_cast<std::size_t>(k)] =
         fmt::format("({} + ({})*{})", texture.colors[0][k], texture.colors[1][k] - texture.colors[0][k], share);
   return channels;
+}
+
+/// POV-Ray adds to the unit normal the values of a function at the corners of a tetrahedron of the size of its
+/// accuracy, each times the direction there, −0.1·size/accuracy of them: in the limit −0.4/3·size times its gradient,
+/// which for half the grey, within 0 and 1, is to be the slope of the relief.
+std::string PovPatterns::normal(const scene::Bump& relief, const PovCoordinates& at) const {
+  const auto found = std::ranges::find(textures_, relief.texture, &Texture::name);
+  const auto grey = channels(relief.texture, at);
+  if (!grey) return "";
+  constexpr double of_waves = 1e-5, of_a_rule = 1.0 / 64, of_an_image = 1.0 / 256;  // steps, in units of the texture
+  const double step = found->pattern == Pattern::waves   ? of_waves
+                      : found->pattern == Pattern::image ? relief.delta.value_or(of_an_image)
+                                                         : relief.delta.value_or(of_a_rule);
+  return fmt::format(" normal {{ function {{ 0.25 + ({})/6 }} bump_size {} accuracy {} }}", fmt::join(*grey, " + "),
+                     15 * relief.height, step * at.length / found->repeat.y);
 }
 
 std::string pov_sky(const scene::Environment& environment) {

@@ -13,10 +13,12 @@
 
 namespace durero::io {
 
-/// The expressions of x, y and z that are the (u, v) of a point of an element (render/coordinates.hpp).
+/// The expressions of x, y and z that are the (u, v) of a point of an element (render/coordinates.hpp). Their gradients
+/// lie in the surface.
 struct PovCoordinates {
   std::string u;
   std::string v;
+  double length = 1;  ///< of a unit of v on it, about
 };
 
 /// Of one element.
@@ -35,6 +37,8 @@ class PovPatterns {
   /// Of the texture of that name at u and v, two expressions; nothing of one whose file is of no kind that POV-Ray
   /// knows by its name.
   std::optional<PovChannels> channels(const std::string& name, const PovCoordinates& at) const;
+  /// A normal that this relief turns; empty where its texture cannot be written.
+  std::string normal(const scene::Bump& relief, const PovCoordinates& at) const;
   /// How many textures are left out.
   std::size_t unknown() const { return unknown_; }
 

@@ -74,18 +74,20 @@ struct Worn {
   std::function<std::string(const glm::dvec3&)> times;
 };
 
-std::string texture_text(const glm::dvec3& color, std::string_view pigment, std::string_view finish) {
-  return fmt::format("pigment {{ {}{} }} finish {{ ambient 0 {} }}", rgb(color), pigment, finish);
+std::string texture_text(const glm::dvec3& color, std::string_view pigment, std::string_view finish,
+                         std::string_view normal) {
+  return fmt::format("pigment {{ {}{} }}{} finish {{ ambient 0 {} }}", rgb(color), pigment, normal, finish);
 }
 
 /// All summands, each by itself: highlight and mirror, too.
-std::vector<Worn> worn_by(const scene::Material& m) {
+std::vector<Worn> worn_by(const scene::Material& m, const std::string& normal) {
   using enum Coefficient;
   std::vector<Worn> parts;
   const auto add = [&](const glm::dvec3& own, std::vector<Coefficient> factors, std::string pigment,
                        std::string finish) {
     if (own == black) return;
-    parts.push_back({std::move(factors), [=](const glm::dvec3& n) { return texture_text(n * own, pigment, finish); }});
+    parts.push_back(
+        {std::move(factors), [=](const glm::dvec3& n) { return texture_text(n * own, pigment, finish, normal); }});
   };
   add(m.k_d > 0 ? m.color : black, {color, k_d}, "", fmt::format("diffuse {}", m.k_d));
   add(m.k_a > 0 ? m.color : black, {color, k_a}, "", fmt::format("diffuse {} brilliance 0", m.k_a));
@@ -94,13 +96,13 @@ std::vector<Worn> worn_by(const scene::Material& m) {
   add(m.k_t > 0 ? m.M_T : black, {M_T, k_t}, fmt::format(" filter {}", m.k_t), "diffuse 0");
   if (m.k_s > 0)
     parts.push_back({{k_s}, [=](const glm::dvec3& n) {
-                       return texture_text(black, "",
-                                           fmt::format("diffuse 0 phong {} phong_size {}", n.x * m.k_s, m.e));
+                       return texture_text(black, "", fmt::format("diffuse 0 phong {} phong_size {}", n.x * m.k_s, m.e),
+                                           normal);
                      }});
   if (m.k_ps > 0)
     parts.push_back({{M_PS, k_ps}, [=](const glm::dvec3& n) {
-                       return texture_text(black, "",
-                                           fmt::format("diffuse 0 reflection {{ {} }}", rgb(n * m.k_ps * m.M_PS)));
+                       return texture_text(
+                           black, "", fmt::format("diffuse 0 reflection {{ {} }}", rgb(n * m.k_ps * m.M_PS)), normal);
                      }});
   return parts;
 }
@@ -139,7 +141,8 @@ std::string pov_attributes(const scene::Material& m, const PovPatterns& patterns
     glm::dvec3 of;
     const Worn* part;
   };
-  const std::vector<Worn> parts = worn_by(m);
+  const std::string normal = m.bump ? patterns.normal(*m.bump, at) : "";
+  const std::vector<Worn> parts = worn_by(m, normal);
   std::vector<Term> terms;
   for (const Worn& part : parts) {
     const auto channels = product(m, patterns, at, part.factors);
@@ -161,7 +164,7 @@ std::string pov_attributes(const scene::Material& m, const PovPatterns& patterns
     const std::string whole = term.part->times(double(terms.size()) * term.of);
     text += term.share.empty() ? fmt::format(" [1 {}]", whole)
                                : fmt::format(" [1 function {{ {} }} texture_map {{ [0 {}] [1 {}] }}]", term.share,
-                                             texture_text(black, "", "diffuse 0"), whole);
+                                             texture_text(black, "", "diffuse 0", normal), whole);
   }
   return fmt::format("texture {{ average texture_map {{{} }} }}{}", text, interior(m));
 }

@@ -95,7 +95,29 @@ class PovWriter {
     static const std::string plain = pov_attributes({.color = glm::dvec3(0.8)});
     if (!material) return plain;
     const scene::Material& m = scene_.stage().materials[*material];
-    return m.textures.any() ? pov_attributes(m, patterns_, pov_coordinates(scene_, element)) : looks_[*material];
+    if (!m.textures.any() && !m.bump) return looks_[*material];
+    const PovCoordinates at = pov_coordinates(scene_, element);
+    if (!m.bump || !is_seen_from_behind(element)) return pov_attributes(m, patterns_, at);
+    scene::Material turned = m;
+    turned.bump->height = -m.bump->height;
+    return pov_attributes(turned, patterns_, at);
+  }
+
+  /// Of a flat element, by the eye. POV-Ray turns a normal to whoever looks before a relief turns it, so that what is
+  /// high in front would be high behind.
+  bool is_seen_from_behind(scene::ElementRef element) const {
+    if (!scene_.stage().camera) return false;
+    const glm::dvec3& eye = scene_.stage().camera->eye;
+    return scene_.visit(element, [&]<class Shape>(const Shape& shape) {
+      if constexpr (std::is_same_v<Shape, scene::Triangle>) {
+        const auto& [a, b, c] = shape.vertices;
+        return glm::dot(glm::cross(b - a, c - a), eye - a) < 0;
+      } else if constexpr (std::is_same_v<Shape, scene::Plane> || std::is_same_v<Shape, scene::Disc>) {
+        return glm::dot(shape.vector, eye - shape.centro) < 0;
+      } else {
+        return false;
+      }
+    });
   }
 
   std::string shape_text(const scene::Sphere& s) { return fmt::format("sphere {{ {}, {} }}", text(s.centro), s.radio); }
@@ -131,6 +153,12 @@ class PovWriter {
                        narrow);
   }
 
+  bool is_exact(const scene::Bump& relief) const {
+    const auto& textures = scene_.stage().textures;
+    const auto found = std::ranges::find(textures, relief.texture, &scene::Texture::name);
+    return found->pattern == scene::Pattern::waves && !relief.delta;
+  }
+
   void name_losses() {
     add_loss(out_.lost, scene_.stage().directional_lights.size(), "directional light", "directional lights",
              "written as parallel ones, 1000000 away: POV-Ray has none without a place");
@@ -142,8 +170,8 @@ class PovWriter {
              "mipmap", "mipmaps", "drawn by the picture alone: POV-Ray has no levels");
     add_loss(out_.lost,
              static_cast<std::size_t>(std::ranges::count_if(
-                 scene_.stage().materials, [](const scene::Material& m) { return m.bump.has_value(); })),
-             "relief", "reliefs", "left out: those of POV-Ray turn normals by another rule");
+                 scene_.stage().materials, [&](const scene::Material& m) { return m.bump && !is_exact(*m.bump); })),
+             "relief", "reliefs", "drawn by the differences of POV-Ray: only those of waves are slopes");
     add_loss(out_.lost, too_wide_, "element", "elements", "left out: the radius of its base is beyond binary64");
   }
 

@@ -4,6 +4,7 @@
 #include "durero/scene/attributes.hpp"
 #include "scene_elements.hpp"
 #include "stage_fields.hpp"
+#include "wrap_fields.hpp"
 
 namespace durero::io {
 namespace {
@@ -95,6 +96,7 @@ void write_element(json::Writer& out, const scene::Scene& scene, const WrittenPa
   if (const auto material = scene.material(element)) {
     out.member("material", scene.stage().materials[*material].name);
   }
+  if (const scene::Wrap* const wrap = scene.wrap(element)) write_wrap(out, *wrap);
   out.end_object();
 }
 

@@ -10,6 +10,7 @@
 #include "durero/text/nearest.hpp"
 #include "durero/text/shown.hpp"
 #include "stage_fields.hpp"
+#include "two.hpp"
 
 namespace durero::io {
 namespace {
@@ -53,20 +54,6 @@ double read_positive(json::Reader& in, std::string_view what) {
   const double x = in.number(what);
   check_rule(in, at, what, positive, x);
   return x;
-}
-
-/// An array of two, each by read_one(). `expected` is what is said of one that has more or fewer.
-template <class Item, class ReadOne>
-std::array<Item, 2> read_two(json::Reader& in, std::string_view what, const char* expected, ReadOne&& read_one) {
-  const std::size_t at = in.offset();
-  std::array<Item, 2> items{};
-  std::size_t count = 0;
-  in.array(what, [&] {
-    if (count == items.size()) in.fail(in.offset(), fmt::format("{} has a third item", what), expected);
-    items[count++] = read_one();
-  });
-  if (count != items.size()) in.fail(at, fmt::format("{} has {} items", what, count), expected);
-  return items;
 }
 
 std::array<glm::dvec3, 2> read_colors(json::Reader& in, std::string_view what, const Rule<glm::dvec3>& rule) {

@@ -12,10 +12,13 @@ glm::dvec3 normal_of_relief(const Tangents& t, const glm::dvec3& n, const glm::d
 }
 
 glm::dvec3 bumped(const Tangents& t, const glm::dvec3& n, const glm::dvec2& slope) {
-  if (slope == glm::dvec2(0) || glm::cross(t.u, t.v) == glm::dvec3(0)) return n;
+  const glm::dvec3 plain = glm::cross(t.u, t.v);
+  if (slope == glm::dvec2(0) || plain == glm::dvec3(0)) return n;
   const glm::dvec3 relief = normal_of_relief(t, n, slope);
   const bool is_finite = std::isfinite(relief.x) && std::isfinite(relief.y) && std::isfinite(relief.z);
-  return is_finite && relief != glm::dvec3(0) ? unit(relief) : n;
+  if (!is_finite || relief == glm::dvec3(0)) return n;
+  // A mirrored texture turns its tangents over, and not the surface.
+  return unit(glm::dot(plain, n) < 0 ? -relief : relief);
 }
 
 }  // namespace durero::render

@@ -11,23 +11,30 @@ namespace {
 /// The shares of what comes from beyond that a material sends on, at most.
 glm::dvec3 sent_on(const scene::Material& m) { return m.k_ps * m.M_PS + m.k_t * m.M_T; }
 
+/// All lights together.
+glm::dvec3 all_lights(const scene::Stage& stage) {
+  glm::dvec3 sum(0);
+  for (const scene::Light& light : stage.lights) sum += light.color;
+  for (const scene::DirectionalLight& light : stage.directional_lights) sum += light.color;
+  return sum;
+}
+
 /// What a ray brings at most that may have so many in a row, itself the first. No cosine is above one: where it meets a
-/// surface, the sum of the terms of its material with all lights seen, and what is sent on of as much as a shorter row
-/// brings. Both that and the colour are sums of numbers that are not negative, of fewer than 2²⁰ terms, so that the
+/// surface, the sum of the terms of its material with all lights seen, and what that sends on of as much as a shorter
+/// row brings. Both that and the colour are sums of numbers that are not negative, of fewer than 2²⁰ terms, so that the
 /// rounding of each is below 2⁻³² of it: 2⁻³⁰ more than the sum is above what is computed.
 std::vector<glm::dvec3> most_brought(const scene::Stage& stage, const Limits& limits) {
-  glm::dvec3 lights(0), own = default_color, on(0);
-  for (const scene::Light& light : stage.lights) lights += light.color;
-  for (const scene::DirectionalLight& light : stage.directional_lights) lights += light.color;
-  own *= lights;
-  for (const scene::Material& m : stage.materials) {
-    own = glm::max(own, m.emission + m.ambient + lights * (m.color * (m.k_a + m.k_d) + m.k_s));
-    on = glm::max(on, sent_on(m));
-  }
-  const glm::dvec3 background =
+  const glm::dvec3 lights = all_lights(stage);
+  const glm::dvec3 beyond =
       stage.environment ? most_of(*stage.environment) : stage.background.value_or(default_background);
   std::vector<glm::dvec3> most{glm::dvec3(0)};
-  while (most.size() <= limits.max_depth) most.push_back((1 + 0x1p-30) * glm::max(background, own + on * most.back()));
+  while (most.size() <= limits.max_depth) {
+    glm::dvec3 next = glm::max(beyond, default_color * lights);
+    for (const scene::Material& m : stage.materials)
+      next = glm::max(next,
+                      m.emission + m.ambient + lights * (m.color * (m.k_a + m.k_d) + m.k_s) + sent_on(m) * most.back());
+    most.push_back((1 + 0x1p-30) * next);
+  }
   return most;
 }
 

@@ -5,6 +5,7 @@
 
 #include "durero/render/bump.hpp"
 #include "durero/render/texture.hpp"
+#include "durero/render/whitted.hpp"
 
 namespace durero::render {
 namespace {
@@ -18,7 +19,7 @@ const scene::Texture* find(const scene::Stage& stage, const std::string& name) {
   return &*found;
 }
 
-void multiply(scene::Material& m, Coefficient coefficient, const glm::dvec3& by) {
+void multiply(Look& m, Coefficient coefficient, const glm::dvec3& by) {
   switch (coefficient) {
     case Coefficient::color:
       m.color *= by;
@@ -54,31 +55,43 @@ void multiply(scene::Material& m, Coefficient coefficient, const glm::dvec3& by)
 
 }  // namespace
 
-scene::Material Worn::look(const Coordinates& at, double distance) const {
-  scene::Material m = plain;
+Look::Look(const scene::Material& m)
+    : color(m.color),
+      k_a(m.k_a),
+      k_d(m.k_d),
+      k_s(m.k_s),
+      e(m.e),
+      k_ps(m.k_ps),
+      M_PS(m.M_PS),
+      k_t(m.k_t),
+      M_T(m.M_T),
+      index(m.index),
+      emission(m.emission),
+      ambient(m.ambient) {}
+
+Worn::Worn(const scene::Material& m, const scene::Stage& stage) : plain(m), varies(m.textures.any()) {
+  for (std::size_t c = 0; c < textures.size(); ++c) textures[c] = find(stage, m.textures.names[c]);
+  if (!m.bump) return;
+  relief = find(stage, m.bump->texture);
+  height = m.bump->height;
+  delta = m.bump->delta;
+}
+
+Look Worn::look(const Coordinates& at, double distance) const {
+  Look look = plain;
   for (std::size_t i = 0; i < textures.size(); ++i)
-    if (textures[i] != nullptr) multiply(m, static_cast<Coefficient>(i), texture_at(*textures[i], at, distance));
-  return m;
+    if (textures[i] != nullptr) multiply(look, static_cast<Coefficient>(i), texture_at(*textures[i], at, distance));
+  return look;
 }
 
 glm::dvec3 Worn::normal(const Tangents& tangents, const glm::dvec3& n, const Coordinates& at) const {
-  return relief == nullptr ? n : bumped(tangents, n, height * slopes(*relief, at, delta));
+  return bumped(tangents, n, height * slopes(*relief, at, delta));
 }
 
 Looks::Looks(const scene::Stage& stage) {
-  for (std::size_t i = 0; i < stage.materials.size(); ++i) {
-    const scene::Material& m = stage.materials[i];
-    if (!m.textures.any() && !m.bump) continue;
-    Worn& worn = worn_[static_cast<std::uint32_t>(i)];
-    worn.plain = m;
-    worn.plain.textures = {};
-    worn.plain.bump.reset();
-    for (std::size_t c = 0; c < worn.textures.size(); ++c) worn.textures[c] = find(stage, m.textures.names[c]);
-    if (!m.bump) continue;
-    worn.relief = find(stage, m.bump->texture);
-    worn.height = m.bump->height;
-    worn.delta = m.bump->delta;
-  }
+  worn_.reserve(stage.materials.size() + 1);
+  worn_.emplace_back(scene::Material{.color = default_color}, stage);
+  for (const scene::Material& m : stage.materials) worn_.emplace_back(m, stage);
 }
 
 }  // namespace durero::render

@@ -3,43 +3,61 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
+#include <glm/vec3.hpp>
 #include <optional>
+#include <vector>
 
 #include "durero/render/coordinates.hpp"
 #include "durero/scene/scene.hpp"
 
 namespace durero::render {
 
-/// A material with textures. It refers to the stage.
+/// The coefficients of a material at a point, by their names in scene::Material.
+struct Look {
+  explicit Look(const scene::Material& m);
+
+  glm::dvec3 color;
+  double k_a, k_d, k_s, e, k_ps;
+  glm::dvec3 M_PS;
+  double k_t;
+  glm::dvec3 M_T;
+  double index;
+  glm::dvec3 emission, ambient;
+
+  /// As of a material.
+  bool sends_rays_on() const noexcept { return k_ps > 0 || k_t > 0; }
+};
+
+/// A material, and its textures. It refers to the stage.
 struct Worn {
-  scene::Material plain;  ///< without them
+  /// Throws std::domain_error where the material names a texture that the stage has not.
+  Worn(const scene::Material& m, const scene::Stage& stage);
+
+  Look plain;  ///< without them
   std::array<const scene::Texture*, scene::coefficient_words.size()> textures{};
+  bool varies = false;  ///< whether there is any
   const scene::Texture* relief = nullptr;
   double height = 0;
   std::optional<double> delta{};
 
+  /// Whether it is the same at each point.
+  bool is_bare() const noexcept { return !varies && relief == nullptr; }
   /// At a point that is seen from that distance: each coefficient times its texture.
-  scene::Material look(const Coordinates& at, double distance) const;
-  /// The outer unit normal n, as the relief turns it there.
+  Look look(const Coordinates& at, double distance) const;
+  /// The outer unit normal n, as the relief turns it there. Precondition: there is one.
   glm::dvec3 normal(const Tangents& tangents, const glm::dvec3& n, const Coordinates& at) const;
 };
 
 class Looks {
  public:
-  /// Of the materials of the stage, which must outlive it and keep its textures where they are. Throws
-  /// std::domain_error where a material names a texture that it has not.
+  /// Of the materials of the stage, which must outlive it and keep its textures where they are. Throws as Worn does.
   explicit Looks(const scene::Stage& stage);
 
-  /// Of a material, by its place; null where it has no textures.
-  const Worn* of(std::optional<std::uint32_t> material) const {
-    if (!material || worn_.empty()) return nullptr;
-    const auto found = worn_.find(*material);
-    return found == worn_.end() ? nullptr : &found->second;
-  }
+  /// Of a material, by its place; or of what has none.
+  const Worn& of(std::optional<std::uint32_t> material) const { return worn_[material ? *material + 1 : 0]; }
 
  private:
-  std::map<std::uint32_t, Worn> worn_;
+  std::vector<Worn> worn_;
 };
 
 }  // namespace durero::render

@@ -2,9 +2,9 @@
 /// The media that a ray is in, one within the other.
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <cstdint>
 #include <iterator>
-#include <vector>
 
 #include "durero/scene/stage.hpp"
 
@@ -28,7 +28,7 @@ class Media {
   }
 
  private:
-  std::vector<std::uint32_t> entered_;
+  boost::container::small_vector<std::uint32_t, 4> entered_;  // mostly so few, and so no memory is asked for
 };
 
 }  // namespace durero::render

@@ -4,12 +4,14 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <memory>
 #include <mutex>
 
 #include "durero/model/tipos.hpp"
 #include "durero/render/directions.hpp"
 #include "durero/render/environment.hpp"
+#include "durero/surface/surfaces.hpp"
 #include "followed.hpp"
 #include "follower.hpp"
 #include "paths.hpp"
@@ -21,8 +23,9 @@ namespace {
 /// Where a path meets a surface.
 struct Meeting {
   const Path& path;
+  const scene::Query& query;
   const scene::Hit& hit;
-  const scene::Material& material;
+  const Look& look;
   glm::dvec3 normal;  ///< the unit normal on the side of the ray
   glm::dvec3 facing;  ///< the same, as a relief turns it
   glm::dvec3 d;       ///< the unit direction of the ray
@@ -35,15 +38,10 @@ scene::ElementRef front(const scene::Scene& scene, const scene::ElementSet& elem
                            [&](auto a, auto b) { return scene.name(a) < scene.name(b); });
 }
 
-const scene::Material& material_of(const scene::Scene& scene, std::optional<std::uint32_t> index) {
-  static const scene::Material plain{.color = default_color};
-  return index ? scene.stage().materials[*index] : plain;
-}
-
 /// S's factor in the local model: what of a light of that unit direction is sent towards the ray. No relief sees a
 /// light that the surface has its back to.
 glm::dvec3 sent(const Meeting& at, const glm::dvec3& l, double cosine) {
-  const scene::Material& m = at.material;
+  const Look& m = at.look;
   if (!(glm::dot(l, at.normal) > 0)) cosine = 0;
   glm::dvec3 sum = m.color * (m.k_a + m.k_d * std::max(0.0, cosine));
   if (m.k_s > 0 && cosine > 0) {
@@ -131,19 +129,20 @@ class Tracer {
     const glm::dvec3 d = unit(query.rayo.v().xyz());
     const bool enters = !(glm::dot(n, d) > 0);
     const double way = path.way + glm::distance(query.rayo.p().xyz(), hit.punto);
-    std::optional<scene::Material> look;
+    const Worn& worn = followed_.looks.of(index);
+    std::optional<Look> varied;
     glm::dvec3 facing = n;
-    if (const Worn* worn = followed_.looks.of(index)) {
+    if (!worn.is_bare()) {
       const Coordinates coordinates = render::coordinates(scene_, element, hit.punto);
-      look = worn->look(coordinates, way);
-      facing = worn->normal(tangents(scene_, element, coordinates), n, coordinates);
+      if (worn.varies) varied = worn.look(coordinates, way);
+      if (worn.relief) facing = worn.normal(tangents(scene_, element, coordinates), n, coordinates);
     }
     if (!enters) n = -n, facing = -facing;       // the side that the ray sees: cylinders and cones are open
     if (!(glm::dot(facing, d) < 0)) facing = n;  // a slope that is turned away is not seen
-    const Meeting at{path, hit, look ? *look : material_of(scene_, index), n, facing, d, way};
-    sum.color += path.weight * (at.material.emission + at.material.ambient);
+    const Meeting at{path, query, hit, varied ? *varied : worn.plain, n, facing, d, way};
+    sum.color += path.weight * (at.look.emission + at.look.ambient);
     ask_lights(at);
-    if (path.depth == limits_.max_depth || !at.material.sends_rays_on()) return;
+    if (path.depth == limits_.max_depth || !at.look.sends_rays_on()) return;
     send_on(at, *index, enters);
   }
 
@@ -171,7 +170,7 @@ class Tracer {
   }
 
   void send_on(const Meeting& at, std::uint32_t material, bool enters) {
-    const scene::Material& m = at.material;
+    const Look& m = at.look;
     glm::dvec3 mirror = m.k_ps * m.M_PS;
     if (m.k_t > 0) {
       Media beyond = at.path.media;
@@ -179,13 +178,30 @@ class Tracer {
       const bool was_in = enters || beyond.leave(material);
       if (enters) beyond.enter(material);
       const double ratio = (was_in ? here : m.index) / beyond.index(scene_.stage());
-      if (const auto t = through(at, ratio))
+      if (ratio == 1 && is_sheet(at))
+        go_on(at, m.k_t * m.M_T, std::move(beyond));
+      else if (const auto t = through(at, ratio))
         send(at, m.k_t * m.M_T, *t, std::move(beyond));
       else
         mirror += m.k_t * m.M_T;
     }
     const glm::dvec3 r = mirrored(at.d, at.facing);
     send(at, mirror, glm::dot(r, at.normal) > 0 ? r : mirrored(at.d, at.normal), at.path.media);
+  }
+
+  /// Whether all that was met is flat, and met for the first time.
+  static bool is_sheet(const Meeting& at) {
+    const scene::Origin start(at.query.en);
+    return std::ranges::all_of(at.hit.elementos,
+                               [&](scene::ElementRef e) { return surface::is_flat(e.tipo) && !start.contains(e); });
+  }
+
+  /// The ray itself, behind a sheet that does not bend it. Told that it starts on the sheet too, it meets it no more
+  /// (puntos_desde.def.1); and since no new start is rounded, it meets what lies behind as if there were no sheet.
+  void go_on(const Meeting& at, const glm::dvec3& share, Media media) {
+    scene::Query on{at.query.rayo, {}};
+    std::ranges::set_union(at.query.en, at.hit.elementos, std::back_inserter(on.en));
+    send(at, share, std::move(on), std::move(media), at.path.way);
   }
 
   /// The refracted direction. Where a relief sends it back through the surface, as the surface alone has it; likewise
@@ -195,15 +211,18 @@ class Tracer {
     return t && !(glm::dot(*t, at.normal) < 0) ? refracted(at.d, at.normal, ratio) : t;
   }
 
+  /// In a direction, from the point of the meeting.
   void send(const Meeting& at, const glm::dvec3& share, const glm::dvec3& v, Media media) {
+    send(at, share, {{model::Punto(at.hit.punto), model::Vector(v)}, at.hit.elementos}, std::move(media), at.way);
+  }
+  void send(const Meeting& at, const glm::dvec3& share, scene::Query query, Media media, double way) {
     const glm::dvec3 weight = at.path.weight * share;
     if (weight == glm::dvec3(0)) return;
     if (std::max({weight.x, weight.y, weight.z}) < limits_.min_weight) {
       sums_[at.path.ray].left_out += weight * followed_.most[limits_.max_depth - at.path.depth];
       return;
     }
-    born_.push({at.path.ray, weight, at.path.depth + 1, std::move(media), at.way},
-               {{model::Punto(at.hit.punto), model::Vector(v)}, at.hit.elementos});
+    born_.push({at.path.ray, weight, at.path.depth + 1, std::move(media), way}, std::move(query));
   }
 
   const Followed& followed_;

@@ -37,6 +37,11 @@ void Scene::set_material(ElementRef element, std::optional<std::uint32_t> materi
   label(element).material = material.value_or(no_material);
 }
 
+void Scene::set_wrap(ElementRef element, const Wrap& wrap) {
+  if (element.tipo != model::Tipo::soy_triangulo) throw std::domain_error("textures are laid on triangles alone");
+  label(element).wrap = std::make_shared<const Wrap>(wrap);
+}
+
 void Scene::audit() {
   audits_are_put_off_ = false;
   if (!contract::evaluated(contract::cost::audit)) return;

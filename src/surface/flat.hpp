@@ -7,11 +7,6 @@
 
 namespace durero::surface::exact {
 
-/// A shape whose potencia is linear.
-template <class Shape>
-concept Flat =
-    std::is_same_v<decltype(potencia(std::declval<Shape>(), std::declval<Point<Linear<double>>>())), Linear<double>>;
-
 /// The potencia along the line, and what is not negative where the line crosses the plane on the element or at its
 /// edge. The margins mean nothing for a line that does not cross it: where the slope is 0.
 template <class N, std::size_t count>

@@ -7,8 +7,9 @@
 namespace durero::surface {
 namespace {
 
+/// Asked for every point of a picture: all that it calls is compiled into it.
 template <class Shape>
-glm::dvec3 normal_of(const Shape& shape, const glm::dvec3& w) {
+[[gnu::flatten]] glm::dvec3 normal_of(const Shape& shape, const glm::dvec3& w) {
   using D = Dual<double>;
   const D power = potencia(shape, Point<D>{{w.x, 1, 0, 0}, {w.y, 0, 1, 0}, {w.z, 0, 0, 1}});
   const glm::dvec3 gradient(power.dx, power.dy, power.dz);

@@ -62,6 +62,29 @@ io::EditAnswer Edited::apply_total(const scene::Edit& edit) {
   return add_if_given(edit, [&] { surface_of(*text_, of_.scene, of_.scene.find(name).value()); });
 }
 
+io::EditAnswer Edited::apply_total(const scene::Closing& in) {
+  const scene::Lids lids = scene::lids(of_.scene, in);
+  if (lids.violated != nullptr) return io::edit_answer(scene::Outcome{"not_closed", lids.violated});
+  std::size_t added = 0;
+  const auto undo = [&] {
+    while (added > 0) of_.apply_total(removal_of(scene::name_of(lids.additions[--added].operation).name()));
+  };
+  try {
+    for (const scene::Edit& lid : lids.additions) {
+      io::EditAnswer answer = apply_total(lid);
+      if (!answer.ok()) {
+        undo();
+        return answer;
+      }
+      ++added;
+    }
+  } catch (...) {
+    undo();
+    throw;
+  }
+  return {lids.exact ? "closed" : "closed_but_for_rounding"};
+}
+
 io::EditAnswer Edited::apply_total(const io::WrittenEdit& edit) {
   if (const auto* const in = std::get_if<io::WrittenAddition>(&edit)) return add(*in);
   return remove(std::get<io::WrittenRemoval>(edit));

@@ -4,8 +4,10 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -65,6 +67,30 @@ TEST_CASE("groups are edited under contract, written and read") {
   CHECK(durero_apply(again.get(), "group g?=new elementos?=near") == DURERO_DONE);
   CHECK(durero_scene_write(again.get(), "no/such/folder/scene.json") == DURERO_FAILED);
   CHECK(std::string(durero_error()).starts_with("no/such/folder/scene.json: "));
+}
+
+TEST_CASE("a scene that is written into another folder names its pictures from there") {
+  const auto folder = std::filesystem::temp_directory_path() / fmt::format("durero_test_{}", getpid());
+  std::filesystem::create_directories(folder / "one");
+  std::filesystem::create_directories(folder / "other");
+  std::filesystem::copy_file(durero::test::source_dir() + "/docs/mirrors.png", folder / "one" / "wood.png");
+  const auto first = (folder / "one" / "scene.json").string(), second = (folder / "other" / "scene.json").string();
+  std::ofstream(first)
+      << R"({"format":"durero-scene","version":1,"textures":{"wood":{"image":"wood.png"}},"elementos":[]})";
+  const auto names = [](const std::string& path) {
+    std::ostringstream text;
+    text << std::ifstream(path).rdbuf();
+    return text.str();
+  };
+  const Scene scene(durero_scene_read(first.c_str()), durero_scene_free);
+  REQUIRE(scene);
+  CHECK(durero_scene_write(scene.get(), second.c_str()) == DURERO_DONE);
+  CHECK(names(second).find(R"("../one/wood.png")") != std::string::npos);
+  CHECK(durero_scene_write(scene.get(), first.c_str()) == DURERO_DONE);  // nothing of the scene itself has changed
+  CHECK(names(first).find(R"("wood.png")") != std::string::npos);
+  const Scene again(durero_scene_read(second.c_str()), durero_scene_free);
+  CHECK(again);
+  std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("an engine that follows groups searches by them, and no other does") {

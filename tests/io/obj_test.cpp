@@ -51,12 +51,13 @@ TEST_CASE("The faces of an OBJ become triangles, named by file and number") {
 )");
   const scene::Names all{"sheet.obj:1", "sheet.obj:2", "sheet.obj:3", "sheet.obj:4", "sheet.obj:5"};
   CHECK(i.groups.table() == scene::Groups::Table{{"sheet", {all, {}}}});
-  CHECK(i.lost == std::vector<std::string>{
-                      "1 normal left out: a triangle has its own", "2 texture coordinates left out: a scene has none",
-                      "2 weights or colours of vertices left out: a scene has none",
-                      "2 uses of materials left out: OBJ keeps them in another file",
-                      "1 other statement left out: no vertex, no face",
-                      "1 triangle left out: the vertices lie on one line", "1 polygon left out: edges touch or cross"});
+  CHECK(i.lost == std::vector<std::string>{"1 normal left out: a triangle has its own",
+                                           "2 texture coordinates left out: no face has them at all of its corners",
+                                           "2 weights or colours of vertices left out: a scene has none",
+                                           "2 uses of materials left out: OBJ keeps them in another file",
+                                           "1 other statement left out: no vertex, no face",
+                                           "1 triangle left out: the vertices lie on one line",
+                                           "1 polygon left out: edges touch or cross"});
 }
 
 TEST_CASE("OBJ is read alike however its lines end and its words stand apart") {
@@ -152,6 +153,34 @@ o Nothing_of_it
                   });
 }
 
+TEST_CASE("Where each corner of a face names a texture coordinate, so do the vertices of its triangles") {
+  const io::Imported i = import_text(R"(v 0 0 0
+v 2 0 0
+v 2 1 0
+v 0 1 0
+vt 0 0
+vt 1
+f 1/1 2/2 3/3 4/4  # which stand below, two of them
+vt 1 0.5 7
+vt 0 0.5
+f 1/-4/1 2/-3 3/3
+f 1/1 2 3/3
+vt 9 9
+)",
+                                     "sheet.obj");
+  const auto uv = [&](const char* name) {
+    const scene::Wrap* const wrap = i.scene.wrap(*i.scene.find(name));
+    return wrap == nullptr ? std::array<glm::dvec2, 3>() : wrap->uv;
+  };
+  // Of a rectangle of half the height (u, v) of a point is half of x, and half of y, whichever way it is cut.
+  for (const char* const name : {"sheet.obj:1", "sheet.obj:2", "sheet.obj:3"}) {
+    const auto& vertices = i.scene.shapes<scene::Triangle>()[i.scene.find(name)->index].vertices;
+    for (std::size_t k = 0; k < 3; ++k) CHECK(uv(name)[k] == glm::dvec2(vertices[k].x / 2, vertices[k].y / 2));
+  }
+  CHECK(i.scene.wrap(*i.scene.find("sheet.obj:4")) == nullptr);
+  CHECK(i.lost == std::vector<std::string>{"1 texture coordinate left out: no face has them at all of its corners"});
+}
+
 TEST_CASE("A malformed OBJ file is an error with its place") {
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   using Case = std::pair<std::string, std::string>;
@@ -173,6 +202,13 @@ TEST_CASE("A malformed OBJ file is an error with its place") {
       {vertices + "^f", "a face of 0 vertices; expected 3 or more"},
       {vertices + "f 1 2 ^4", "\"4\" names no vertex; expected 1 to 3, or a distance back to one above"},
       {vertices + "f 1 2 ^-4", "\"-4\" names no vertex; expected 1 to 3, or a distance back to one above"},
+      {vertices + "vt ^x\nf 1 2 3", "\"x\" in vt; expected a finite number"},
+      {vertices + "vt ^\nf 1 2 3", "\"\" in vt; expected a finite number"},
+      {vertices + "vt 1 2 3 ^4\nf 1 2 3", "a fourth number in vt; expected u, v and a third at most"},
+      {vertices + "vt 0 0\nf 1/1 2/1 ^3/2",
+       "\"3/2\" names no texture coordinate; expected 1 to 1, or a distance back to one above"},
+      {vertices + "vt 0 0\nf 1/1 2/1 ^3/-2",
+       "\"3/-2\" names no texture coordinate; expected 1 to 1, or a distance back to one above"},
       {vertices + "f 1 2 ^0\nv 0 0 0\n", "\"0\" in f; expected v, v/vt, v//vn or v/vt/vn"},
       {vertices + "f 1 2 ^x", "\"x\" in f; expected v, v/vt, v//vn or v/vt/vn"},
       {vertices + "f 1 2 3 ^x", "\"x\" in f; expected v, v/vt, v//vn or v/vt/vn"},

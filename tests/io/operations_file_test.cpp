@@ -60,6 +60,24 @@ Eliminar_Elemento e?=k2)") ==
   CHECK(scene.size() == 1);
 }
 
+TEST_CASE("A script may close elements, and names what closes them where it does not") {
+  const auto steps = io::read_script(io::Source("f",
+                                                "close e?=can\nclose e=can base=bottom top?=lid\n"
+                                                R"({"op":"close","e":"hat","base":"b"})"),
+                                     {});
+  REQUIRE(steps.size() == 3);
+  const auto closing = [&](std::size_t i) {
+    const auto& [e, base, top] = std::get<scene::Closing>(steps[i].edit);
+    return std::array{e, base, top};
+  };
+  CHECK(closing(0) == std::array<std::string, 3>{"can", "can:base", "can:top"});
+  CHECK(closing(1) == std::array<std::string, 3>{"can", "bottom", "lid"});
+  CHECK(closing(2) == std::array<std::string, 3>{"hat", "b", "hat:top"});
+  const std::string longest(128, 'a');
+  CHECK_THROWS_AS(io::read_script(io::Source("f", "close e?=" + longest), {}), io::InputError);
+  CHECK(io::read_script(io::Source("f", "close e?=" + longest + " base?=b top?=t"), {}).size() == 1);
+}
+
 TEST_CASE("A script may edit groups too, in both syntaxes") {
   const std::string script = R"(group g?=pair elementos?=s1,s2
 group g=row groups=pair,other elementos=s3

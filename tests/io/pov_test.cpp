@@ -126,6 +126,24 @@ TEST_CASE("a texture is a function of the place, and each term that it multiplie
   }
 }
 
+TEST_CASE(
+    "a relief of waves is a normal of the same slopes, and turned over where a flat element is seen from behind") {
+  const auto of = [&](const std::string& eye, const std::string& bump) {
+    return exported(
+        R"("camera":{"eye":)" + eye +
+        R"(,"look_at":[0,0,0],"up":[0,1,0],"fov_y":90},"textures":{"t":{"waves":[[0,0,0],[1,1,1]],"repeat":[1,4]}},
+      "materials":{"m":{"color":[1,1,1],"bump":{"texture":"t")" +
+        bump +
+        R"(}}},"elementos":[{"id":"d","tipo":"disco","centro":[0,0,0],"radio":2,"vector":[0,0,1],"material":"m"}])");
+  };
+  const io::Exported before = of("[0,0,5]", R"(,"height":0.5)"), behind = of("[0,0,-5]", R"(,"height":0.5)");
+  CHECK(has(before, " pigment { rgb <1, 1, 1> } normal { function { 0.25 + ("));
+  CHECK(has(before, ")/6 } bump_size 7.5 accuracy 1e-05 } finish { ambient 0 diffuse 1 }"));
+  CHECK(has(behind, "bump_size -7.5 "));
+  CHECK(before.lost.empty());
+  CHECK(of("[0,0,5]", R"(,"delta":0.5)").lost.size() == 1);
+}
+
 TEST_CASE("what is around is a sky of the same colours") {
   const auto of = [](const std::string& environment) {
     return exported(R"("camera":{"eye":[0,0,-5],"look_at":[0,0,0],"up":[0,1,0],"fov_y":90},"background":[1,0,0],
@@ -153,6 +171,6 @@ TEST_CASE("pictures that POV-Ray cannot tell by name, levels and reliefs are cou
         std::vector<std::string>{"1 environment left out: by their names its files are neither PNG nor JPEG",
                                  "1 texture left out: by its name a file is neither PNG nor JPEG",
                                  "1 mipmap drawn by the picture alone: POV-Ray has no levels",
-                                 "1 relief left out: those of POV-Ray turn normals by another rule"});
+                                 "1 relief drawn by the differences of POV-Ray: only those of waves are slopes"});
   CHECK(has(out, "texture { average texture_map { [1 pigment { rgb <1, 1, 1> } finish { ambient 0 diffuse 1 }] } }"));
 }

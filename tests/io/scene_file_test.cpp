@@ -125,6 +125,35 @@ TEST_CASE("Errors of value stand at the value and name the label that is broken"
         "id is \"a\": elemento_ya_existe; expected e? ∉ elementos (Agregar_Elemento.pre.1)");
 }
 
+namespace {
+
+std::string triangle(const std::string& rest) {
+  return R"({"id":"a","tipo":"triangulo","vertices":[[0,0,0],[1,2,3],[2,4,7]],)" + rest + "}";
+}
+
+}  // namespace
+
+TEST_CASE("How textures lie on a triangle is read, written and kept by edits of others") {
+  const std::string text = R"({"format":"durero-scene","version":1,
+"elementos":[
+{"id":"a","tipo":"triangulo","vertices":[[0,0,0],[1,2,3],[2,4,7]]},
+{"id":"b","tipo":"triangulo","vertices":[[0,0,0],[1,2,3],[2,4,7]],"uv":[[0,0.5],[-1,0],[0,3]]},
+{"id":"c","tipo":"triangulo","vertices":[[0,0,0],[1,2,3],[2,4,7]],"uv":[[0,0],[1,0],[0,1]],"tangents":[[[1,0,0],[0,1,0]],[[2,0,0],[0,1,0]],[[1,0,0],[0,1,3]]]}
+]}
+)";
+  scene::Scene scene = io::read_scene(io::Source("scene.json", text));
+  CHECK(io::scene_text(scene) == text);
+  CHECK(scene.wrap(*scene.find("a")) == nullptr);
+  REQUIRE(scene.wrap(*scene.find("b")) != nullptr);
+  CHECK(scene.wrap(*scene.find("b"))->uv[2] == glm::dvec2(0, 3));
+  scene.apply(model::Eliminar_Triangulo{model::Elemento("a")});  // the last row comes into the gap
+  REQUIRE(scene.wrap(*scene.find("c")) != nullptr);
+  CHECK(scene.wrap(*scene.find("c"))->tangents->at(2)[1] == glm::dvec3(0, 1, 3));
+  CHECK_FALSE(scene.wrap(*scene.find("b"))->tangents.has_value());
+  scene.apply(model::Agregar_Esfera{model::Elemento("s"), {0, 0, 0}, 1});
+  CHECK_THROWS_AS(scene.set_wrap(*scene.find("s"), {}), std::domain_error);
+}
+
 TEST_CASE("Errors of an element stand at its value or key") {
   using Case = std::pair<std::string, std::string>;
   const Case cases[] = {
@@ -133,7 +162,7 @@ TEST_CASE("Errors of an element stand at its value or key") {
       {sphere(R"("radio":^null)"), "radio is null; expected a number"},
       {sphere(R"("radio":1,^"color":2)"),
        "unknown key \"color\" in an element; expected one of id, tipo, centro, radio, vector, altura, proporcion, "
-       "vertices, material"},
+       "vertices, material, uv, tangents"},
       {sphere(R"("radio":1,^"radio":1)"), "key \"radio\" stands twice; expected it once"},
       {sphere(R"("radio":1,^"altura":1)"),
        "unknown key \"altura\" in an element of tipo esfera; expected the attributes of its tipo only"},
@@ -160,6 +189,15 @@ TEST_CASE("Errors of an element stand at its value or key") {
        "vertices is three points on one line; expected the corners of a triangle (Vertices.inv.1)"},
       {R"({"id":"a","tipo":"triangulo","vertices":[[0,0,0],[1,2,3],[2,4,7]],^"centro":[0,0,0]})",
        "unknown key \"centro\" in an element of tipo triangulo; expected the attributes of its tipo only"},
+      {sphere(R"("radio":1,^"uv":[[0,0],[1,0],[0,1]])"),
+       "unknown key \"uv\" in an element of tipo esfera; expected the attributes of its tipo only"},
+      {triangle(R"("uv":^[[0,0],[1,0]])"), "uv has 2 items; expected [u,v] of three vertices"},
+      {triangle(R"("uv":[[0,0],[1,0],^[0]])"), "uv has 1 items; expected two numbers, u and v"},
+      {triangle(R"("uv":[[0,0],[1,0],[0,^true]])"), "uv is true or false; expected a number"},
+      {triangle(R"(^"tangents":[[[1,0,0],[0,1,0]],[[1,0,0],[0,1,0]],[[1,0,0],[0,1,0]]])"),
+       "tangents without uv; expected uv too"},
+      {triangle(R"("uv":[[0,0],[1,0],[0,1]],"tangents":[^[[1,0,0]],[[1,0,0],[0,1,0]],[[1,0,0],[0,1,0]]])"),
+       "tangents has 1 items; expected two tangents, along u and v"},
       {R"(^{"id":"a","tipo":"disco","centro":[0,0,0],"vector":[0,0,1]})",
        "key \"radio\" is missing in an element of tipo disco; expected it"},
       {"^3", "an element is a number; expected an object"},

@@ -48,3 +48,10 @@ TEST_CASE("no slope, no tangents or no finite n'': n as it stands, to the last b
   CHECK(bumped({{1, 0, 0}, {2, 0, 0}}, z, {0.5, 0.5}) == z);
   CHECK(bumped(axes, z, {INFINITY, 0}) == z);
 }
+
+TEST_CASE("a texture that is turned over tilts the normal to where it rises no less: n' stays on the outer side") {
+  const render::Tangents mirrored{axes.v, axes.u};
+  const glm::dvec3 n = bumped(mirrored, z, {0.5, 0.25});
+  CHECK(n.z > 0);
+  CHECK(glm::distance(n, bumped(axes, z, {0.25, 0.5})) < 1e-15);
+}

@@ -1,7 +1,9 @@
 #include "durero/render/coordinates.hpp"
 
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "durero/model/operaciones.hpp"
 #include "durero/surface/normal.hpp"
@@ -93,4 +95,80 @@ TEST_CASE("the seam is at angle 0: u is 0 there, and below 1 just before it") {
   CHECK(u(1, 1e-9) < 1);
   CHECK(u(1, 1e-9) > 0.999);
   CHECK(u(1, 1e-300) == 0);  // its angle rounds to a whole turn
+}
+
+namespace {
+
+const std::array<glm::dvec2, 3> some_uv{{{0.25, 1}, {1.5, 0.75}, {0.5, -2}}};
+
+/// The triangle of one_of_each with coordinates of its vertices.
+scene::ElementRef wrapped(scene::Scene& scene, const scene::Wrap& wrap) {
+  const scene::ElementRef element = *scene.find("triangulo");
+  scene.set_wrap(element, wrap);
+  return element;
+}
+
+}  // namespace
+
+TEST_CASE("a triangle whose vertices have (u, v) has those there, and what is linear between them") {
+  scene::Scene scene = one_of_each();
+  const scene::ElementRef element = wrapped(scene, {some_uv});
+  const auto& [a, b, c] = scene.shapes<scene::Triangle>()[element.index].vertices;
+  const auto at = [&](const glm::dvec3& p) {
+    const Coordinates found = render::coordinates(scene, element, p);
+    return glm::dvec2(found.u, found.v);
+  };
+  CHECK(glm::distance(at(a), some_uv[0]) < 1e-14);
+  CHECK(glm::distance(at(b), some_uv[1]) < 1e-14);
+  CHECK(glm::distance(at(c), some_uv[2]) < 1e-14);
+  CHECK(glm::distance(at((a + 2.0 * b + 5.0 * c) / 8.0), (some_uv[0] + 2.0 * some_uv[1] + 5.0 * some_uv[2]) / 8.0) <
+        1e-14);
+  const glm::dvec3 p = render::point_at(scene, element, {0.75, 0});
+  CHECK(glm::distance(at(p), glm::dvec2(0.75, 0)) < 1e-14);
+}
+
+TEST_CASE("its tangents are the slopes of that, one for the whole triangle, and turned over where (u, v) are") {
+  for (const bool mirrored : {false, true}) {
+    scene::Scene scene = one_of_each();
+    std::array<glm::dvec2, 3> uv = some_uv;
+    if (mirrored) std::swap(uv[1], uv[2]);
+    const scene::ElementRef element = wrapped(scene, {uv});
+    const auto p = [&](double u, double v) { return render::point_at(scene, element, {u, v}); };
+    const auto [t_u, t_v] = render::tangents(scene, element, {0.7, 0.1});
+    CHECK(glm::distance(t_u, p(1, 0) - p(0, 0)) < 1e-13);
+    CHECK(glm::distance(t_v, p(0, 1) - p(0, 0)) < 1e-13);
+    // some_uv go round clockwise: determinant 1.25·(−3) + 0.25·0.25 < 0.
+    CHECK((glm::dot(glm::cross(t_u, t_v), surface::normal(scene, element, p(0, 0))) > 0) == mirrored);
+  }
+}
+
+TEST_CASE("tangents of vertices are theirs there, linear in between, and none leaves the plane") {
+  scene::Scene scene = one_of_each();
+  const scene::ElementRef element = *scene.find("triangulo");
+  const auto [e, f] = render::tangents(scene, element, {0, 0});
+  const glm::dvec3 n = surface::normal(scene, element, {1, 0, 0});
+  const std::array<scene::VertexTangents, 3> tangents{{{e, f}, {2.0 * e + f, f - 3.0 * n}, {e + 7.0 * n, 0.5 * f}}};
+  scene.set_wrap(element, {some_uv, tangents});
+  const auto at = [&](const glm::dvec3& weights) {
+    const glm::dvec2 uv = weights.x * some_uv[0] + weights.y * some_uv[1] + weights.z * some_uv[2];
+    return render::tangents(scene, element, {uv.x, uv.y});
+  };
+  CHECK(glm::distance(at({1, 0, 0}).u, e) < 1e-13);
+  CHECK(glm::distance(at({0, 1, 0}).u, 2.0 * e + f) < 1e-13);
+  CHECK(glm::distance(at({0, 1, 0}).v, f) < 1e-13);
+  CHECK(glm::distance(at({0, 0, 1}).u, e) < 1e-13);
+  CHECK(glm::distance(at({0.25, 0.25, 0.5}).u, 1.25 * e + 0.25 * f) < 1e-13);
+  CHECK(glm::distance(at({0.25, 0.25, 0.5}).v, 0.75 * f) < 1e-13);
+}
+
+TEST_CASE("where the (u, v) of a triangle have no area it has no tangents") {
+  scene::Scene scene = one_of_each();
+  for (const auto& uv : {std::array<glm::dvec2, 3>{{{1, 2}, {1, 2}, {1, 2}}},
+                         {{{0, 0}, {1, 2}, {2, 4}}},
+                         {{{0, 0}, {1e300, 0}, {0, 1e300}}}}) {
+    const scene::ElementRef element = wrapped(scene, {uv, std::array<scene::VertexTangents, 3>{}});
+    const auto t = render::tangents(scene, element, {1, 2});
+    CHECK(t.u == glm::dvec3(0));
+    CHECK(t.v == glm::dvec3(0));
+  }
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <glm/common.hpp>
+#include <iostream>
 
 #include "durero/io/picture_file.hpp"
 #include "durero/model/operaciones.hpp"
@@ -108,6 +110,69 @@ TEST_CASE("a mirror ball among things that are far shows what a map of them show
     CHECK(share < before / 2);
     before = share;
   }
+}
+
+namespace {
+
+/// A pot in the shape of a teapot, of truncated cones that make up its belly, with spout, lid and knob: all mirrors.
+void add_pot(scene::Scene& scene) {
+  const auto silver = static_cast<std::uint32_t>(scene.stage().materials.size());
+  scene.stage().materials.push_back({.name = "silver", .color = {0, 0, 0}, .k_d = 0, .k_ps = 1});
+  const auto add = [&](const char* name, const auto& operation) {
+    scene.apply(operation);
+    scene.set_material(*scene.find(name), silver);
+  };
+  const model::Vector up(0, 1, 0), down(0, -1, 0);
+  using model::Elemento;
+  add("foot", model::Agregar_Tronco{Elemento("foot"), {0, -0.6, 0}, 0.5, 1, down, 0.2});
+  add("belly", model::Agregar_Cilindro{Elemento("belly"), {0, -0.6, 0}, 0.7, up, 0.4});
+  add("shoulder", model::Agregar_Tronco{Elemento("shoulder"), {0, -0.2, 0}, 0.4, 0.5, up, 0.6});
+  add("lid", model::Agregar_Esfera{Elemento("lid"), {0, 0.3, 0}, 0.4});
+  add("knob", model::Agregar_Esfera{Elemento("knob"), {0, 0.8, 0}, 0.12});
+  add("spout", model::Agregar_Tronco{Elemento("spout"), {0.5, -0.4, 0}, 0.08, 0.15, {0.8, 0.6, 0}, 0.8});
+  add("handle", model::Agregar_Tronco{Elemento("handle"), {-0.5, 0.3, 0}, 0.05, 0.05, {-0.8, -0.6, 0}, 0.7});
+}
+
+/// The pot, drawn among what there is, of width 160.
+render::Picture pot_among(scene::Scene scene) {
+  add_pot(scene);
+  scene.stage().camera = scene::Camera{{0.4, 0.9, -3.4}, {0, 0.1, 0}, {0, 1, 0}, 36};
+  const auto engine = engine::find("fast")->prepare(scene);
+  return render::render(scene, *engine, {}, {.size = scene::Resolution{160, 120}, .max_depth = 5});
+}
+
+/// The share of the pixels that are off by more than 0.02.
+double off(const render::Picture& a, const render::Picture& b) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) {
+    const glm::dvec3 by = glm::abs(a.rgb[i] - b.rgb[i]);
+    count += std::max({by.x, by.y, by.z}) > 0.02;
+  }
+  return double(count) / double(a.rgb.size());
+}
+
+}  // namespace
+
+// What is at 10⁹ is a map without texels: no point of the pot sees it in another direction.
+TEST_CASE("a pot mirrors what is around it as a map of it shows, and the better the farther that is") {
+  const render::Picture mapped = pot_among(crowd(1e9));
+  double before = 1;
+  for (const double distance : {10.0, 100.0, 1000.0}) {
+    const double share = off(pot_among(crowd(distance)), mapped);
+    std::cout << "mapped and traced at " << distance << ": " << 100 * share << " % of the pixels differ\n";
+    CHECK(share < before / 4);
+    before = share;
+  }
+  CHECK(before > 0);
+  // And what the texels of a real map take away.
+  const scene::Scene far = crowd(1e9);
+  scene::Scene none;
+  none.stage().environment = read(render::environment_map(far, *engine::find("fast")->prepare(far),
+                                                          Surroundings::equirectangular, 2048, glm::dvec3(0), {1}),
+                                  Surroundings::equirectangular);
+  const double by_texels = off(pot_among(none), mapped);
+  std::cout << "of 2048 by 1024 texels: " << 100 * by_texels << " %\n";
+  CHECK(by_texels < 0.03);
 }
 
 TEST_CASE("sizes, and what has no pictures") {

@@ -104,3 +104,29 @@ TEST_CASE(
   CHECK(lost > 0);
   CHECK(lost <= reach.left_out);
 }
+
+// Fourteen panes, each of which mirrors less than a hundredth of one lamp.
+TEST_CASE(
+    "rays that count for less than a hundredth each are more than a tenth of a pixel together, and the bound says so") {
+  const scene::Scene scene = io::read_scene(io::read_source(test::source_dir() + "/demo/gallery/ghosts.json"));
+  const auto engine = engine::find("fast")->prepare(scene);
+  const auto drawn = [&](double min_weight, render::Reach& reach) {
+    const render::Frame frame{.size = scene::Resolution{64, 48}, .min_weight = min_weight};
+    return render::render(scene, *engine, {}, frame, &reach);
+  };
+  render::Reach whole, reach;
+  const render::Picture all = drawn(0, whole), some = drawn(0.01, reach);
+  CHECK(whole.left_out == 0);
+  double lost = 0, share = 0;
+  for (std::size_t i = 0; i < all.rgb.size(); ++i)
+    for (int k = 0; k < 3; ++k) {
+      const double by = all.rgb[i][k] - some.rgb[i][k];
+      lost = std::max(lost, by);
+      share = std::max(share, by / all.rgb[i][k]);
+    }
+  INFO("lost " << lost << ", " << share << " of a pixel; at most " << reach.left_out << " by the bound");
+  CHECK(lost > 0.1);
+  CHECK(share > 0.5);
+  CHECK(lost <= reach.left_out);
+  CHECK(reach.left_out < 1.2 * lost);  // no ray brings more than the lamp
+}

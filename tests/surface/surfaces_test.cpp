@@ -23,3 +23,9 @@ TEST_CASE("every shape has a surface, and a list with one that has none is refus
   CHECK_FALSE(surface::all_are_surfaces<std::tuple<scene::Sphere, Bare>>);
   CHECK_FALSE(surface::all_are_surfaces<scene::Sphere>);  // no list
 }
+
+TEST_CASE("flat are the shapes that lie in a plane") {
+  using enum model::Tipo;
+  for (const model::Tipo flat : {soy_plano, soy_disco, soy_triangulo}) CHECK(surface::is_flat(flat));
+  for (const model::Tipo round : {soy_esfera, soy_cilindro, soy_cono, soy_tronco}) CHECK_FALSE(surface::is_flat(round));
+}

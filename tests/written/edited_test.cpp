@@ -42,6 +42,31 @@ double first_t(const Edited& edited) {
       .t;
 }
 
+TEST_CASE("An element is closed by all of its discs, or by none") {
+  Edited edited;
+  CHECK(edit(edited,
+             "Agregar_Cilindro e?=can centro?=(0,0,0) radio?=1 vector?=(0,1,0) altura?=2\n"
+             "Agregar_Cono e?=hat centro?=(0,0,9) proporcion?=1e200 vector?=(0,1,0) altura?=1e200\n"
+             "Agregar_Esfera e?=taken centro?=(5,0,0) radio?=1\n"
+             "close e?=can top?=taken\n"
+             "close e?=hat\n"
+             "close e?=can\n"
+             "close e?=can\n"
+             "close e?=nothing\n"
+             "close e?=taken\n") ==
+        "cilindro_agregado\ncono_agregado\nesfera_agregada\n"
+        "elemento_ya_existe Agregar_Elemento.pre.1: e? ∉ elementos\n"
+        "valor_incorrecto Rmas.inv.1: r > 0\n"
+        "closed\n"
+        "elemento_ya_existe Agregar_Elemento.pre.1: e? ∉ elementos\n"
+        "not_closed close.pre.1: e? ∈ elementos\n"
+        "not_closed close.pre.2: de_que_tipo(e?) ∈ { soy_cilindro, soy_cono, soy_tronco }\n");
+  CHECK(edited.of().scene.size() == 5);  // the base of the first attempt is gone with its top
+  CHECK(edited.of().scene.find("can:base").has_value());
+  Edited tori = with_tori();
+  CHECK(edit(tori, "close e?=ring\n").starts_with("not_closed close.pre.2"));
+}
+
 TEST_CASE("An element of a type of the text is added, met, removed and written back") {
   Edited edited = with_tori();
   CHECK(first_t(edited) == 2.25);

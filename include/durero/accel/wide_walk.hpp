@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -74,17 +75,24 @@ class WideWalk {
     bool arrived = false;  // at an element, which memory was asked for
   };
 
+  static std::size_t octant_of(const glm::dvec3& v) {
+    return static_cast<std::size_t>(std::signbit(v.x) + 2 * std::signbit(v.y) + 4 * std::signbit(v.z));
+  }
+
   /// The rays alone, those of each octant together.
   void walk_streams() {
-    std::array<std::vector<WideStreamRay>, 8> octants;
-    for (const std::uint32_t number : alone_) {
-      const Beam beam(rays_[number]);
-      const int octant =
-          std::signbit(beam.inverse.x) + 2 * std::signbit(beam.inverse.y) + 4 * std::signbit(beam.inverse.z);
-      octants[static_cast<std::size_t>(octant)].push_back({beam, trace::no_limit, number});
-    }
+    std::array<std::size_t, 9> begin{};  // of each octant, and the end of the last
+    for (const std::uint32_t number : alone_) ++begin[octant_of(rays_[number].v) + 1];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::array<std::size_t, 9> next = begin;
+    std::vector<std::uint32_t> numbers(alone_.size());
+    for (const std::uint32_t number : alone_) numbers[next[octant_of(rays_[number].v)]++] = number;
+    std::vector<WideStreamRay> streams;
+    streams.reserve(numbers.size());
+    for (const std::uint32_t number : numbers) streams.push_back({Beam(rays_[number]), trace::no_limit, number});
     WideStream stream(nodes_, limit_, take_);
-    for (std::vector<WideStreamRay>& octant : octants) stream.walk(octant);
+    for (std::size_t octant = 0; octant < 8; ++octant)
+      stream.walk(std::span(streams).subspan(begin[octant], begin[octant + 1] - begin[octant]));
   }
 
   /// The rays alone: one by one where the nodes fit the cache, and else several in turns.

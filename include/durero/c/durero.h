@@ -54,7 +54,8 @@ durero_scene *durero_scene_read(const char *path);
 /** Reads a scene file by a Z text, another file, that says what the points of each element are, as `durero trace --with`
  * does. Edits of such a scene are those of `durero edit --with`. NULL where a file is wrong. */
 durero_scene *durero_scene_read_with(const char *path, const char *text);
-/** Writes a scene file, which appears whole or not at all. DURERO_FAILED where it cannot be written. */
+/** Writes a scene file, which appears whole or not at all. Pictures that the scene names stay where they are: in another
+ * folder than it was read from the file names them from there. DURERO_FAILED where it cannot be written. */
 durero_answer durero_scene_write(const durero_scene *scene, const char *path);
 /** Nothing may use the scene any more, no engine either. NULL is permitted. */
 void durero_scene_free(durero_scene *scene);

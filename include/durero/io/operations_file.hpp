@@ -7,6 +7,8 @@
 ///   group g?=pair elementos?=s1,s2 groups?=others        an edit of the groups
 ///   ungroup g?=pair
 ///
+///   close e?=c1 base?=b1 top?=t1                         discs close an element; without names c1:base and c1:top
+///
 ///   Agregar_Toro e?=ring centro?=(0,0,0) mayor?=2 menor?=1   of a type that a Z text declares: its word with a capital
 ///   Eliminar_Toro e?=ring
 ///
@@ -21,6 +23,7 @@
 
 #include "durero/io/source.hpp"
 #include "durero/io/written_elements.hpp"
+#include "durero/scene/closing.hpp"
 #include "durero/scene/edit.hpp"
 #include "durero/scene/groups.hpp"
 #include "durero/scene/scene.hpp"
@@ -31,7 +34,7 @@ namespace durero::io {
 struct Step {
   std::size_t line;  ///< from 1
   /// A material is a place in the stage that the script was read with.
-  std::variant<scene::Edit, scene::GroupEdit, WrittenEdit> edit;
+  std::variant<scene::Edit, scene::GroupEdit, scene::Closing, WrittenEdit> edit;
 };
 
 /// What an edit answers. Of a type that a Z text declares, what does not hold is a predicate of that text.

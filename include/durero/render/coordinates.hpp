@@ -7,7 +7,8 @@
 ///   cono             likewise; its apex, v = 1, is a pole
 ///   plano            u and v in units of length along the two axes, from centro
 ///   disco            (½, ½) in the centre, the rim at the distance ½ from it
-///   triangulo        a + u·(b − a) + v·(c − a)
+///   triangulo        a + u·(b − a) + v·(c − a); where its vertices have coordinates (scene::Wrap), what is linear
+///                    between those
 ///
 /// Round surfaces have a seam at angle 0, where u, in [0, 1), steps from 1 to 0. At a pole u is 0.
 
@@ -24,7 +25,9 @@ struct Coordinates {
   bool operator==(const Coordinates&) const = default;
 };
 
-/// ∂f_p/∂u and ∂f_p/∂v: tangent and bitangent. Their cross product is on the outer side, and null at a pole.
+/// ∂f_p/∂u and ∂f_p/∂v: tangent and bitangent. Their cross product is null at a pole, and on a triangle whose vertices
+/// have coordinates without an area; it is on the outer side, but where those go round the other way. Where the
+/// vertices have tangents too, these are what is linear between them, freed of its part along the normal.
 struct Tangents {
   glm::dvec3 u;  ///< where u grows
   glm::dvec3 v;  ///< where v grows

@@ -53,9 +53,11 @@ struct Brought {
 /// A material's textures multiply its coefficients, and its relief turns n: towards the lights, in r, and for the rays
 /// sent on; but no light is seen through the surface, nor a ray sent through it the wrong way.
 ///
-/// Rays start on the elements hit, so a surface neither shadows nor mirrors itself by rounding. Of several elements at
-/// one point the first by name gives colour and normal. Throws std::domain_error where a picture of the stage has not
-/// been read. Precondition: the engine honours origins.
+/// Rays start on the elements hit, so a surface neither shadows nor mirrors itself by rounding. A ray that goes
+/// straight on through a flat element is the same ray, which has that element behind it: a sheet that takes nothing and
+/// bends nothing changes no bit of what is seen through it, where the depth allows for one ray more. Of several
+/// elements at one point the first by name gives colour and normal. Throws std::domain_error where a picture of the
+/// stage has not been read. Precondition: the engine honours origins.
 std::vector<Brought> brought(const scene::Scene& scene, const engine::Engine& engine,
                              std::span<const scene::Query> rays, const Limits& limits);
 

@@ -91,6 +91,11 @@ class Scene {
   /// Throws std::out_of_range where the index names no material.
   void set_material(ElementRef element, std::optional<std::uint32_t> material);
 
+  /// How textures lie on a triangle; null where they follow its own (u, v), as on every other shape.
+  const Wrap* wrap(ElementRef element) const noexcept { return label(element).wrap.get(); }
+  /// Throws std::domain_error where the element is no triangle.
+  void set_wrap(ElementRef element, const Wrap& wrap);
+
  private:
   friend class Editor;
 

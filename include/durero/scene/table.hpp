@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -11,6 +12,7 @@
 
 #include "durero/model/tipos.hpp"
 #include "durero/scene/name_index.hpp"
+#include "durero/scene/wrap.hpp"
 
 namespace durero::scene {
 
@@ -22,6 +24,7 @@ struct Label {
   model::Elemento name;                  ///< what it is called
   NameIndex::hash_type hash;             ///< of the name
   std::uint32_t material = no_material;  ///< an index into the materials of the stage
+  std::shared_ptr<const Wrap> wrap{};    ///< of a triangle; null where it has none
 };
 
 /// One element, out of the table.

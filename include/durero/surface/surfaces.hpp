@@ -3,6 +3,8 @@
 
 #include <concepts>
 #include <tuple>
+#include <type_traits>
+#include <utility>
 
 #include "durero/surface/shape/cone.hpp"
 #include "durero/surface/shape/cylinder.hpp"
@@ -28,5 +30,15 @@ inline constexpr bool all_are_surfaces = false;
 template <class... Shape>
 inline constexpr bool all_are_surfaces<std::tuple<Shape...>> = (Surface<Shape> && ...);
 static_assert(all_are_surfaces<scene::Shapes>);
+
+/// A shape whose potencia is linear: a plane, or part of one. A ray that is not in its plane meets it at most once.
+template <class Shape>
+concept Flat =
+    std::same_as<decltype(potencia(std::declval<Shape>(), std::declval<Point<Linear<double>>>())), Linear<double>>;
+
+/// Whether shapes of the type are.
+constexpr bool is_flat(model::Tipo tipo) {
+  return scene::with_shape(tipo, []<class Shape>(std::type_identity<Shape>) { return Flat<Shape>; });
+}
 
 }  // namespace durero::surface

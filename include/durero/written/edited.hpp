@@ -33,6 +33,8 @@ class Edited {
   /// text is wrong; the scene is then as it was.
   io::EditAnswer apply_total(const scene::Edit& edit);
   io::EditAnswer apply_total(const scene::GroupEdit& edit) { return io::edit_answer(of_.apply_total(edit)); }
+  /// All discs of a closing, or none: `closed`, or `closed_but_for_rounding` where they are not lids().exact.
+  io::EditAnswer apply_total(const scene::Closing& in);
   io::EditAnswer apply_total(const io::WrittenEdit& edit);
   io::EditAnswer apply_total(const io::Step& step) {
     return std::visit([&](const auto& edit) { return apply_total(edit); }, step.edit);
