@@ -211,6 +211,15 @@ Proof.
       * destruct Size as [Size | Size]; [now left | right]. now repeat split.
 Qed.
 
+(** A crossing is computed of one moment only. *)
+Lemma stands_one c m m' : stands64 c (At m) -> stands64 c (At m') -> m = m'.
+Proof.
+  intros H H'. apply stands_value in H, H'. destruct m as [t b], m' as [t' b'].
+  destruct H as [_ [_ [<- H]]], H' as [_ [_ [<- H']]]. f_equal. pose proof (bpow_gt_0 radix2 (-400)).
+  destruct H as [[-> N] | [[N _] [_ ->]]], H' as [[-> N'] | [[N' _] [_ ->]]]; try reflexivity;
+    rewrite ?N, ?N', Rabs_R0 in *; lra.
+Qed.
+
 (** ** The comparison *)
 
 Lemma never_is : B2R never64 = bpow radix2 300.

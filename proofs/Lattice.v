@@ -20,6 +20,12 @@ Definition plane (i : axis) (n : Z) : R := low i + IZR n * h.
 Notation at_ := (Moments.at_ p v).
 Notation above := (Moments.above p v).
 Notation crossing := (Moments.crossing p v).
+Notation above_stays := (Moments.above_stays p v).
+Notation below_stays := (Moments.below_stays p v).
+Notation crossing_forwards := (Moments.crossing_forwards p v).
+Notation crossing_backwards := (Moments.crossing_backwards p v).
+Notation crossing_never := (Moments.crossing_never p v).
+Notation crossing_at := (Moments.crossing_at p v).
 
 Lemma plane_next i n : plane i (n + 1) = plane i n + h.
 Proof. unfold plane. rewrite plus_IZR. ring. Qed.
