@@ -8,7 +8,7 @@
     rounds ray out t       == out is t and the point at t, each number rounded once
     says s s' ray en a     == the answer a is the text's
     exactly_printed S p v x == the exact parameter x and the point there, each the nearest binary64 *)
-From Durero Require Acceleration Lattice Grid.
+From Durero Require Acceleration Moments Lattice Grid.
 From Coq Require Import ZArith Reals List Bool Lra.
 From Flocq Require Import Core BinarySingleNaN.
 From Durero Require Import Toolkit Especificacion Escena Puntos Trazador Interseccion Surd Quadratic Exacto ExactoEscena

@@ -7,7 +7,7 @@
     in_cube c t            == it is in the closed cube c
     cell_of lists k        == the cell of the walk, entered at a moment
     prunable st k          == k is passed over, since from its entry on nothing in the box of all lies up to the limit *)
-From Durero Require Import Acceleration Lattice.
+From Durero Require Import Acceleration Moments Lattice.
 From Coq Require Import Reals ZArith List Lra.
 From Durero Require Import Toolkit Walk Limits.
 Import ListNotations.
@@ -23,7 +23,7 @@ Variable whole : set R.
 Variable lists : Lattice.cell -> list E.
 
 Definition in_cube (c : Lattice.cell) (t : R) : Prop :=
-  forall i, plane low h i (c i) <= at_ p v i t <= plane low h i (c i + 1).
+  forall i, plane low h i (c i) <= Moments.at_ p v i t <= plane low h i (c i + 1).
 Definition cell_of (k : moment * Lattice.cell) : Walk.cell E :=
   Cell (fun t => fst (fst k) <= t /\ in_cube (snd k) t /\ whole t) (lists (snd k)) [].
 Definition prunable (st : State) (k : Walk.cell E) : Prop :=
