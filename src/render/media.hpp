@@ -1,10 +1,8 @@
 #pragma once
 /// The media that a ray is in, one within the other.
 
-#include <algorithm>
-#include <boost/container/small_vector.hpp>
 #include <cstdint>
-#include <iterator>
+#include <string>
 
 #include "durero/scene/stage.hpp"
 
@@ -21,14 +19,14 @@ class Media {
   void enter(std::uint32_t material) { entered_.push_back(material); }
   /// Out of the last of that material. Whether there was one.
   bool leave(std::uint32_t material) {
-    const auto last = std::find(entered_.rbegin(), entered_.rend(), material);
-    if (last == entered_.rend()) return false;
-    entered_.erase(std::next(last).base());
+    const auto last = entered_.rfind(material);
+    if (last == entered_.npos) return false;
+    entered_.erase(last, 1);
     return true;
   }
 
  private:
-  boost::container::small_vector<std::uint32_t, 4> entered_;  // mostly so few, and so no memory is asked for
+  std::u32string entered_;  // their places; a few stand in the string itself, and no memory is asked for
 };
 
 }  // namespace durero::render

@@ -92,4 +92,10 @@ run 0 export grouped.json -o same.json
 same grouped.json same.json
 run 0 export grouped.json -o grouped.nff
 has err '2 groups left out'
+# A solid: both of its discs or none, by the text too.
+run 1 edit scene.json --by-spec --op 'close e?=k1' --op 'close e?=k1' --op 'close e?=s1' -o closed.json
+has out '{"line":1,"ok":true,"r":"closed"}'
+has out '{"line":2,"ok":false,"r":"elemento_ya_existe","violated":"Agregar_Elemento.pre.1",'
+has out '{"line":3,"ok":false,"r":"not_closed","violated":"close.pre.2",'
+has closed.json '"id":"k1:base"'
 finish

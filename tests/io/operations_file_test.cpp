@@ -197,7 +197,7 @@ TEST_CASE("A malformed operation is an error with its place") {
        "Agregar_Tronco, Agregar_Plano, Agregar_Disco, Agregar_Triangulo, Agregar_Elemento, Eliminar_Esfera, "
        "Eliminar_Cilindro, Eliminar_Cono, "
        "Eliminar_Tronco, "
-       "Eliminar_Plano, Eliminar_Disco, Eliminar_Triangulo, Eliminar_Elemento, group, ungroup"},
+       "Eliminar_Plano, Eliminar_Disco, Eliminar_Triangulo, Eliminar_Elemento, group, ungroup, close"},
       {"^Agregar_Esfera e?=a radio?=1", "Agregar_Esfera lacks centro?; expected it"},
       {"Eliminar_Esfera e?=a ^radio?=1", "unknown input \"radio\" of Eliminar_Esfera; expected one of e"},
       {"Agregar_Esfera e?=a ^t?=soy_esfera centro?=(0,0,0) radio?=1",

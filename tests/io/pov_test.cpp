@@ -172,5 +172,5 @@ TEST_CASE("pictures that POV-Ray cannot tell by name, levels and reliefs are cou
                                  "1 texture left out: by its name a file is neither PNG nor JPEG",
                                  "1 mipmap drawn by the picture alone: POV-Ray has no levels",
                                  "1 relief drawn by the differences of POV-Ray: only those of waves are slopes"});
-  CHECK(has(out, "texture { average texture_map { [1 pigment { rgb <1, 1, 1> } finish { ambient 0 diffuse 1 }] } }"));
+  CHECK(has(out, "texture { average texture_map { [1 pigment { rgb <1, 1, 1> } normal { function { 0.25 + (Image1("));
 }

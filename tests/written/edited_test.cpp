@@ -56,7 +56,7 @@ TEST_CASE("An element is closed by all of its discs, or by none") {
              "close e?=taken\n") ==
         "cilindro_agregado\ncono_agregado\nesfera_agregada\n"
         "elemento_ya_existe Agregar_Elemento.pre.1: e? ∉ elementos\n"
-        "valor_incorrecto Rmas.inv.1: r > 0\n"
+        "radio_no_positivo Agregar_Disco.pre.2: radio? ∈ Rmas\n"
         "closed\n"
         "elemento_ya_existe Agregar_Elemento.pre.1: e? ∉ elementos\n"
         "not_closed close.pre.1: e? ∈ elementos\n"

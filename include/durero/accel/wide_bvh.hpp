@@ -66,6 +66,8 @@ class WideBvh {
   Size size() const;
 
  private:
+  template <class Flush, class Limit, class Take>
+  void pairs_of_unbounded(std::span<const trace::Ray> rays, Limit& limit, Take& take) const;
   template <class Limit, class Visit, class Count>
   bool walk(const trace::Ray& ray, Limit limit, Visit visit, Count count) const;
 
@@ -100,13 +102,41 @@ bool WideBvh::walk(const trace::Ray& ray, Limit limit, Visit visit, Count count)
   return answered;
 }
 
+/// As many rays as columns have room for against one element after another, where they may be told together.
+template <class Flush, class Limit, class Take>
+void WideBvh::pairs_of_unbounded(std::span<const trace::Ray> rays, Limit& limit, Take& take) const {
+  using Bundles = WideBundles<WideBvh, Limit, Take, Flush>;
+  if constexpr (Bundles::takes_many) {
+    trace::RayColumns columns;
+    typename Bundles::Numbers numbers{};
+    std::size_t count = 0;
+    const auto take_all = [&] {
+      std::uint64_t which = ~std::uint64_t{} >> (columns.size - count);
+      for (const scene::ElementRef leaf : unbounded_leaves_) {
+        const std::uint64_t changed = which == 0 ? 0 : take(columns, numbers, which, leaf);
+        if constexpr (Bundles::takes_any) which &= ~changed;
+      }
+      count = 0;
+    };
+    for (std::uint32_t number = 0; number < rays.size(); ++number) {
+      if (!(limit(number) > 0)) continue;
+      columns.set(count, rays[number]);
+      numbers[count++] = number;
+      if (count == columns.size) take_all();
+    }
+    if (count > 0) take_all();
+  } else {
+    for (std::uint32_t number = 0; number < rays.size(); ++number)
+      if (limit(number) > 0)
+        for (const scene::ElementRef leaf : unbounded_leaves_) take(number, leaf);
+  }
+}
+
 template <class Limit, class Take, class Flush>
 void WideBvh::pairs(std::span<const trace::Ray> rays, Limit limit, Take take, Flush flush) const {
-  const auto of_each = [&](std::uint32_t number) { return limit(number) > 0; };
-  for (std::uint32_t number = 0; !unbounded_.empty() && number < rays.size(); ++number)
-    if (of_each(number))
-      for (const scene::ElementRef leaf : unbounded_leaves_) take(number, leaf);
-  if (nodes_.empty() || rays.empty()) return;
+  if (rays.empty()) return;
+  if (!unbounded_.empty()) pairs_of_unbounded<Flush>(rays, limit, take);
+  if (nodes_.empty()) return;
   WideWalk walk(*this, rays, limit, take, flush);
   walk.all();
 }
