@@ -8,7 +8,7 @@ From Flocq Require Raux Zaux Generic_fmt FLT.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require MainText MainModels.
 From Durero Require Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion
-  Surd Exacto ExactoEscena Slab Bundles Rounding Vectors Formas Decision Flotante Certified Twofold Products Once Newton Walk Limits
+  Surd Exacto ExactoEscena Slab Bundles Beams Rounding Vectors Formas Decision Flotante Certified Twofold Products Once Newton Walk Limits
   Search Boxes Lattice Grid Chain Occlusion.
 Import Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion.
 Local Open Scope R_scope.
@@ -40,6 +40,26 @@ Theorem a_bundle_is_left_no_earlier plane p0 p1 a b p i : p0 <= p <= p1 -> a <= 
   (0 < a -> Bundles.crossed 53 1024 plane p i <= Rmax (Bundles.crossed 53 1024 plane p0 a) (Bundles.crossed 53 1024 plane p0 b)) /\
   (b < 0 -> Bundles.crossed 53 1024 plane p i <= Rmax (Bundles.crossed 53 1024 plane p1 a) (Bundles.crossed 53 1024 plane p1 b)).
 Proof. exact (Bundles.bundle_exit 53 1024 Slab.prec64 plane p0 p1 a b p i). Qed.
+
+(** Segments that are tested together, by the half-spaces that hold the ends of each, one computed (cx, cy): a box that
+    holds a point between the ends is not passed over. *)
+Theorem a_beam_keeps_what_its_low_side_holds px py qx qy cx cy t x0 x1 y0 y1 b X Y A :
+  Rabs px <= X /\ Rabs py <= Y /\ Rabs cx <= X /\ Rabs cy <= Y ->
+  Rabs (cx - qx) <= 4 * Raux.bpow Zaux.radix2 (-53) * X /\ Rabs (cy - qy) <= 4 * Raux.bpow Zaux.radix2 (-53) * Y ->
+  Rabs x0 <= X /\ Rabs x1 <= X /\ Rabs y0 <= Y /\ Rabs y1 <= Y ->
+  0 <= t <= 1 /\ x0 <= px + t * (qx - px) <= x1 /\ y0 <= py + t * (qy - py) <= y1 ->
+  A <= Beams.side 53 1024 px b py - Beams.slack64 b X Y -> A <= Beams.side 53 1024 cx b cy - Beams.slack64 b X Y ->
+  A <= Beams.side 53 1024 x1 b (Beams.near_corner b y0 y1).
+Proof. exact (Beams.low_side64_keeps px py qx qy cx cy t x0 x1 y0 y1 b X Y A). Qed.
+
+Theorem a_beam_keeps_what_its_high_side_holds px py qx qy cx cy t x0 x1 y0 y1 b X Y C :
+  Rabs px <= X /\ Rabs py <= Y /\ Rabs cx <= X /\ Rabs cy <= Y ->
+  Rabs (cx - qx) <= 4 * Raux.bpow Zaux.radix2 (-53) * X /\ Rabs (cy - qy) <= 4 * Raux.bpow Zaux.radix2 (-53) * Y ->
+  Rabs x0 <= X /\ Rabs x1 <= X /\ Rabs y0 <= Y /\ Rabs y1 <= Y ->
+  0 <= t <= 1 /\ x0 <= px + t * (qx - px) <= x1 /\ y0 <= py + t * (qy - py) <= y1 ->
+  Beams.side 53 1024 px b py + Beams.slack64 b X Y <= C -> Beams.side 53 1024 cx b cy + Beams.slack64 b X Y <= C ->
+  Beams.side 53 1024 x0 b (Beams.far_corner b y0 y1) <= C.
+Proof. exact (Beams.high_side64_keeps px py qx qy cx cy t x0 x1 y0 y1 b X Y C). Qed.
 
 (** What the certified tracer decides on a sphere, in binary64. Formas.v has what its C++ templates compute, written by
     them: recorded is the quadratic of the ray and the sphere, first_in_lanes the decision for rays in a batch. *)

@@ -3,8 +3,11 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <numeric>
 
 #include "accel/wide_split.hpp"
 #include "durero/surface/surfaces.hpp"
@@ -16,12 +19,14 @@ using ChildKind = WideChild::Kind;
 using wide::Box32;
 using wide::Item;
 using wide::Part;
-using wide::parts_of;
 
-/// The greatest number of binary32 that is not above x, and the least that is not below it.
+/// The greatest number of binary32 that is not above x, and the least that is not below it. Without a branch: the
+/// nearest is above x or not as chance has it. Numbers of one sign follow each other as their bits do, away from 0.
 float below(double x) {
   const auto nearest = static_cast<float>(x);
-  return static_cast<double>(nearest) > x ? std::nextafterf(nearest, -HUGE_VALF) : nearest;
+  const auto bits = std::bit_cast<std::int32_t>(nearest);
+  const std::int32_t step = bits < 0 ? 1 : -1;
+  return std::bit_cast<float>(bits + (static_cast<double>(nearest) > x ? step : 0));
 }
 float above(double x) { return -below(-x); }
 
@@ -36,52 +41,76 @@ constexpr std::size_t last_level_by_area = most_levels - 12;
 /// Above this number the parts of a node are built by several threads.
 constexpr std::size_t alone = 4096;
 
-void build(std::vector<WideNode>& nodes, const Part& whole, std::size_t level);
+/// A tree: its nodes, each before its children, which it refers to by their places; or the root of a large one alone,
+/// and the trees below it in their order.
+struct Tree {
+  std::vector<WideNode> nodes;
+  std::vector<Tree> below;
 
-void place(WideNode& node, std::size_t at, const Part& part) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    node.planes[i][at] = part.box.low[i];
-    node.planes[i + 3][at] = part.box.high[i];
+  std::size_t size() const {
+    return std::accumulate(below.begin(), below.end(), nodes.size(),
+                           [](std::size_t sum, const Tree& tree) { return sum + tree.size(); });
   }
-  const scene::ElementRef e = part.items[0].e;
-  if (part.items.size() == 1) node.children[at] = {e.index, e.tipo, ChildKind::element};
-}
+};
 
-/// The trees of the parts that are more than an element, each as if it stood alone.
-std::vector<std::vector<WideNode>> built_apart(std::span<const Part> parts, std::size_t level) {
-  std::vector<std::vector<WideNode>> trees(parts.size());
-  oneapi::tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
-    if (parts[i].items.size() > 1) build(trees[i], parts[i], level + 1);
-  });
-  return trees;
-}
-
-void append(std::vector<WideNode>& nodes, const std::vector<WideNode>& tree) {
-  const auto before = static_cast<std::uint32_t>(nodes.size());
-  nodes.insert(nodes.end(), tree.begin(), tree.end());
-  for (WideNode& node : std::span(nodes).subspan(before))
-    for (WideChild& child : node.children)
-      if (child.kind == ChildKind::node) child.index += before;
+/// The node of some parts; those that are more than an element are nodes, wherever they will stand.
+WideNode node_of(const wide::Parts& parts) {
+  WideNode node;
+  for (std::size_t plane = 0; plane < 6; ++plane) node.planes[plane].fill(plane < 3 ? HUGE_VALF : -HUGE_VALF);
+  for (std::size_t at = 0; at < parts.size(); ++at) {
+    const Part& part = parts[at];
+    for (std::size_t i = 0; i < 3; ++i) {
+      node.planes[i][at] = part.box.low[i];
+      node.planes[i + 3][at] = part.box.high[i];
+    }
+    const scene::ElementRef e = part.items[0].e;
+    node.children[at] =
+        part.is_item() ? WideChild{e.index, e.tipo, ChildKind::element} : WideChild{0, {}, ChildKind::node};
+  }
+  return node;
 }
 
 /// Appends the node of a part, and all below it.
 void build(std::vector<WideNode>& nodes, const Part& whole, std::size_t level) {
-  const std::vector<Part> parts = parts_of(whole, level > last_level_by_area);
+  const wide::Parts parts = parts_of(whole, level > last_level_by_area);
   const std::size_t own = nodes.size();
-  nodes.emplace_back();
-  for (std::size_t plane = 0; plane < 6; ++plane) nodes[own].planes[plane].fill(plane < 3 ? HUGE_VALF : -HUGE_VALF);
-  for (std::size_t i = 0; i < parts.size(); ++i) place(nodes[own], i, parts[i]);
-  std::vector<std::vector<WideNode>> trees;
-  if (whole.items.size() > alone) trees = built_apart(parts, level);
+  nodes.push_back(node_of(parts));
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (parts[i].items.size() == 1) continue;
-    nodes[own].children[i] = {static_cast<std::uint32_t>(nodes.size()), {}, ChildKind::node};
-    if (trees.empty()) {
-      build(nodes, parts[i], level + 1);
-    } else {
-      append(nodes, trees[i]);
-      trees[i] = {};
-    }
+    if (parts[i].is_item()) continue;
+    nodes[own].children[i].index = static_cast<std::uint32_t>(nodes.size());
+    build(nodes, parts[i], level + 1);
+  }
+}
+
+/// Those below a large node as if each stood alone.
+Tree built(const Part& whole, std::size_t level) {
+  Tree tree;
+  if (whole.size() <= alone) {
+    tree.nodes.reserve(whole.size() / 4);
+    build(tree.nodes, whole, level);
+    return tree;
+  }
+  wide::Parts parts = parts_of(whole, level > last_level_by_area);
+  tree.nodes.push_back(node_of(parts));
+  parts.erase(std::remove_if(parts.begin(), parts.end(), [](const Part& part) { return part.is_item(); }), parts.end());
+  tree.below.resize(parts.size());
+  oneapi::tbb::parallel_for(std::size_t{0}, parts.size(),
+                            [&](std::size_t i) { tree.below[i] = built(parts[i], level + 1); });
+  return tree;
+}
+
+void append(LargeVector<WideNode>& nodes, const Tree& tree) {
+  const auto before = static_cast<std::uint32_t>(nodes.size());
+  nodes.insert(nodes.end(), tree.nodes.begin(), tree.nodes.end());
+  for (WideNode& node : std::span(nodes).subspan(before))
+    for (WideChild& child : node.children)
+      if (child.kind == ChildKind::node) child.index += before;
+  auto below = tree.below.begin();
+  for (std::size_t at = 0; below != tree.below.end(); ++at) {
+    WideChild& child = nodes[before].children[at];
+    if (child.kind != ChildKind::node) continue;
+    child.index = static_cast<std::uint32_t>(nodes.size());
+    append(nodes, *below++);
   }
 }
 
@@ -105,7 +134,7 @@ std::size_t depth(std::span<const WideNode> nodes, std::size_t at) {
 }  // namespace
 
 WideBvh::WideBvh(const scene::Scene& scene) : scene_(&scene) {
-  std::vector<Item> items;
+  LargeVector<Item> items;
   items.reserve(scene.size());
   scene.for_each([&](scene::ElementRef e, const auto& shape) {
     if (!trace::ordinary(shape)) return extraordinary_.push_back(e);
@@ -114,12 +143,13 @@ WideBvh::WideBvh(const scene::Scene& scene) : scene_(&scene) {
     items.push_back({box, e});
   });
   if (!items.empty()) {
-    const Box32 all = wide::box_of(items);
-    const double extent = std::max({all.width(0), all.width(1), all.width(2)});
+    LargeVector<Item> room(items.size());
+    const Part all = wide::part_of(items, room);
+    const double extent = std::max({all.box.width(0), all.box.width(1), all.box.width(2)});
     spacing_ = extent / std::cbrt(static_cast<double>(items.size()));
-    std::vector<WideNode> nodes;
-    build(nodes, {items, all}, 0);
-    nodes_.assign(nodes.begin(), nodes.end());
+    const Tree tree = built(all, 0);
+    nodes_.reserve(tree.size());
+    append(nodes_, tree);
   }
   leaves_.reserve(scene);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {

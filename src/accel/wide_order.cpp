@@ -15,7 +15,7 @@ namespace {
 /// Bytes of nodes; with less an order costs more than it gains. Segments in order stay together in bundles.
 constexpr std::size_t least_of_segments = 1 << 20, least_of_rays = 1 << 23;
 constexpr std::size_t least_rays = 1 << 10;
-constexpr std::size_t few = 1 << 16;  // keys
+constexpr std::size_t few = 1 << 13;  // keys
 
 /// Segments come in an order already where each leaves so near the one before it, in spacings of the elements: what is
 /// left to do is done for each block of them (WideWalk).
@@ -75,13 +75,41 @@ WideKeys::WideKeys(const WideNode& root, double spacing) {
   if (widest > 0) scale_ = cells / widest;
 }
 
-void sort_by_key(const WideKeys& key_of, std::span<const trace::Ray> rays, std::vector<std::uint32_t>& numbers) {
+namespace {
+
+/// By key(ray); those of one key stay in the order in which they are.
+template <class Key>
+void sort_by_key(Key key, unsigned bits, std::span<const trace::Ray> rays, std::vector<std::uint32_t>& numbers) {
   std::vector<Keyed> keyed(numbers.size());
   std::ranges::transform(numbers, keyed.begin(), [&](std::uint32_t number) {
-    return Keyed{key_of(rays[number].p, rays[number].v), number};
+    return Keyed{key(rays[number]), number};
   });
-  sort(keyed, key_of.bits());
+  sort(keyed, bits);
   std::ranges::transform(keyed, numbers.begin(), &Keyed::number);
+}
+
+/// Whether some of them end within an eighth of where they begin.
+bool end_together(std::span<const trace::Ray> rays, std::span<const std::uint32_t> numbers) {
+  constexpr std::size_t asked = 64;
+  glm::dvec3 p_low(HUGE_VAL), p_high(-HUGE_VAL), end_low(HUGE_VAL), end_high(-HUGE_VAL);
+  for (std::size_t i = 0; i < numbers.size(); i += numbers.size() / asked + 1) {
+    const trace::Ray& ray = rays[numbers[i]];
+    const glm::dvec3 end = ray.p + ray.v;
+    p_low = glm::min(p_low, ray.p), p_high = glm::max(p_high, ray.p);
+    end_low = glm::min(end_low, end), end_high = glm::max(end_high, end);
+  }
+  const glm::dvec3 of_p = p_high - p_low, of_end = end_high - end_low;
+  return 8 * (of_end.x + of_end.y + of_end.z) <= of_p.x + of_p.y + of_p.z;
+}
+
+}  // namespace
+
+void sort_segments(const WideKeys& key_of, std::span<const trace::Ray> rays, std::vector<std::uint32_t>& numbers) {
+  if (end_together(rays, numbers)) {
+    sort_by_key([](const trace::Ray& ray) { return WideWays()(ray.v); }, WideWays::bits(), rays, numbers);
+  } else {
+    sort_by_key([&](const trace::Ray& ray) { return key_of(ray.p, ray.v); }, key_of.bits(), rays, numbers);
+  }
 }
 
 std::vector<std::uint32_t> WideBvh::order(std::span<const scene::Query> queries, trace::Asked asked) const {

@@ -28,6 +28,8 @@ Lanes high_of(const Item& item) { return lanes_at(item, sizeof(Corner)); }
 /// The middle of its box, about: it tells items apart, and bounds nothing. It does not overflow.
 Lanes middle_of(const Item& item) { return 0.5F * low_of(item) + 0.5F * high_of(item); }
 
+using Doubles [[gnu::vector_size(32)]] = double;
+
 /// A box that grows; of nothing at first, as Box32.
 struct LaneBox {
   Lanes low = Lanes{} + HUGE_VALF, high = Lanes{} - HUGE_VALF;
@@ -37,23 +39,22 @@ struct LaneBox {
     high = greatest(high, other_high);
   }
   Box32 box() const { return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}; }
+  /// As of Box32; of something.
+  double area() const {
+    const Doubles width = __builtin_convertvector(high, Doubles) - __builtin_convertvector(low, Doubles);
+    return width[0] * width[1] + width[1] * width[2] + width[2] * width[0];
+  }
 };
 
-/// Where the middles of some items lie along each axis, in equal bins.
+/// Equal bins along each axis, between the middles of some items.
 class Bins {
  public:
   static constexpr std::size_t count = 16;
 
-  explicit Bins(std::span<const Item> items) {
-    LaneBox middles;
-    for (const Item& item : items) {
-      const Lanes middle = middle_of(item);
-      middles.join(middle, middle);
-    }
-    const Box32 box = middles.box();
+  explicit Bins(const Box32& middles) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      low_[axis] = box.low[axis];
-      const float scale = count * (1 - 0x1p-18F) / (box.high[axis] - box.low[axis]);
+      low_[axis] = middles.low[axis];
+      const float scale = count * (1 - 0x1p-18F) / (middles.high[axis] - middles.low[axis]);
       scale_[axis] = std::isfinite(scale) ? scale : 0;
     }
   }
@@ -74,15 +75,16 @@ struct Bin {
   LaneBox box{};
   std::size_t count = 0;
 
-  void join(const Item& item) {
-    box.join(low_of(item), high_of(item));
+  void join(Lanes low, Lanes high) {
+    box.join(low, high);
     ++count;
   }
   void join(const Bin& other) {
     box.join(other.box.low, other.box.high);
     count += other.count;
   }
-  double cost() const { return count == 0 ? HUGE_VAL : box.box().area() * static_cast<double>(count); }
+  /// Of some items.
+  double cost() const { return box.area() * static_cast<double>(count); }
 };
 using Row = std::array<Bin, Bins::count>;
 
@@ -90,87 +92,119 @@ using Row = std::array<Bin, Bins::count>;
 struct Split {
   double cost = HUGE_VAL;  ///< the sum of area times number; ∞ where there is no way
   std::size_t axis = 0, bin = 0;
-  Bin first{}, second{};
 };
 
+/// A bin without items is none to begin the second part with: so are they parted at the next one too.
 void keep_best(Split& best, const Row& row, std::size_t axis) {
-  Row first;  // of the bins before each
+  std::array<double, Bins::count> before;  // each bin with items: the cost of those in front
+  Bin first = row[0];
   for (std::size_t bin = 1; bin < Bins::count; ++bin) {
-    first[bin] = first[bin - 1];
-    first[bin].join(row[bin - 1]);
+    if (row[bin].count == 0) continue;
+    before[bin] = first.cost();
+    first.join(row[bin]);
   }
   Bin second;
   for (std::size_t bin = Bins::count - 1; bin > 0; --bin) {
+    if (row[bin].count == 0) continue;
     second.join(row[bin]);
-    const double cost = first[bin].cost() + second.cost();
-    if (cost < best.cost) best = {cost, axis, bin, first[bin], second};
+    const double cost = before[bin] + second.cost();
+    if (cost < best.cost) best = {cost, axis, bin};
   }
 }
 
-std::pair<Part, Part> in_the_middle(Items items) {
-  const Items first = items.first(items.size() / 2), second = items.subspan(items.size() / 2);
-  return {{first, box_of(first)}, {second, box_of(second)}};
+std::pair<Part, Part> in_the_middle(const Part& part) {
+  const std::size_t half = part.size() / 2;
+  return {part_of(part.items.first(half), part.room.first(half)),
+          part_of(part.items.subspan(half), part.room.subspan(half))};
+}
+
+/// Which of two, by a mask.
+Lanes either(Wholes mask, Lanes yes, Lanes no) { return mask != 0 ? yes : no; }
+
+/// Each item to one end of the room or the other. It is written to both, and where it does not belong the next one is
+/// written over it: which way it goes, no processor foretells.
+std::pair<Part, Part> parted(const Part& part, const Bins& bins, const Row& row, const Split& split) {
+  Item *begin = part.room.data(), *end = begin + part.room.size();
+  LaneBox first_middles, second_middles;
+  const LaneBox nothing;
+  for (const Item& item : part.items) {
+    const bool first = bins.of(item)[split.axis] < static_cast<std::int32_t>(split.bin);
+    *begin = item, end[-1] = item;
+    begin += first, end -= !first;
+    const Wholes mask = Wholes{} - static_cast<std::int32_t>(first);
+    const Lanes middle = middle_of(item);
+    first_middles.join(either(mask, middle, nothing.low), either(mask, middle, nothing.high));
+    second_middles.join(either(mask, nothing.low, middle), either(mask, nothing.high, middle));
+  }
+  LaneBox first, second;
+  for (std::size_t bin = 0; bin < Bins::count; ++bin)
+    (bin < split.bin ? first : second).join(row[bin].box.low, row[bin].box.high);
+  const auto size = static_cast<std::size_t>(begin - part.room.data());
+  return {{part.room.first(size), part.items.first(size), first.box(), first_middles.box()},
+          {part.room.subspan(size), part.items.subspan(size), second.box(), second_middles.box()}};
 }
 
 /// The items in two, neither empty: where the surface areas promise least work; in the middle where the middles of all
 /// boxes are one, or where nothing but the depth matters any more. Precondition: two items or more.
-std::pair<Part, Part> split(Items items, bool evenly) {
-  if (evenly) return in_the_middle(items);
-  const Bins bins(items);
+std::pair<Part, Part> split(const Part& part, bool evenly) {
+  if (evenly) return in_the_middle(part);
+  const Bins bins(part.middles);
   std::array<Row, 3> rows;
-  for (const Item& item : items) {
+  for (const Item& item : part.items) {
     const auto bin = bins.of(item);
-    for (std::size_t axis = 0; axis < 3; ++axis) rows[axis][static_cast<std::size_t>(bin[axis])].join(item);
+    const Lanes low = low_of(item), high = high_of(item);
+    rows[0][static_cast<std::size_t>(bin[0])].join(low, high);
+    rows[1][static_cast<std::size_t>(bin[1])].join(low, high);
+    rows[2][static_cast<std::size_t>(bin[2])].join(low, high);
   }
   Split best;
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (bins.differ(axis)) keep_best(best, rows[axis], axis);
-  if (best.bin == 0) return in_the_middle(items);
-  const auto limit = static_cast<std::int32_t>(best.bin);
-  std::ranges::partition(items, [&](const Item& item) { return bins.of(item)[best.axis] < limit; });
-  return {{items.first(best.first.count), best.first.box.box()},
-          {items.subspan(best.first.count), best.second.box.box()}};
+  return best.bin == 0 ? in_the_middle(part) : parted(part, bins, rows[best.axis], best);
 }
 
 /// The greatest of some parts by rank(part), of which 0 takes none; null where all take none.
 template <class Rank>
-Part* greatest(std::vector<Part>& parts, Rank rank) {
+Part* greatest(Parts& parts, Rank rank) {
   const auto found = std::ranges::max_element(parts, {}, rank);
   return rank(*found) > 0 ? &*found : nullptr;
 }
 
 }  // namespace
 
-Box32 box_of(std::span<const Item> items) {
-  Box32 box;
-  for (const Item& item : items) box.join(item.box);
-  return box;
+Part part_of(Items items, Items room) {
+  LaneBox all, middles;
+  for (const Item& item : items) {
+    const Lanes middle = middle_of(item);
+    all.join(low_of(item), high_of(item));
+    middles.join(middle, middle);
+  }
+  return {items, room, all.box(), middles.box()};
 }
 
-std::vector<Part> parts_of(const Part& whole, bool evenly) {
+Parts parts_of(const Part& whole, bool evenly) {
   constexpr std::size_t width = WideNode::width;
-  std::vector<Part> parts;
-  parts.reserve(width);
+  Parts parts;
   parts.push_back(whole);
   const auto too_large = [&](const Part& part) {
-    if (part.items.size() <= width) return 0.0;
-    return evenly ? static_cast<double>(part.items.size()) : part.area + 0x1p-1000;
+    if (part.size() <= width) return 0.0;
+    return evenly ? static_cast<double>(part.size()) : part.area + 0x1p-1000;
   };
   while (parts.size() < width) {
     Part* const largest = greatest(parts, too_large);
     if (largest == nullptr) break;
-    auto [first, second] = split(largest->items, evenly);
+    const auto [first, second] = split(*largest, evenly);
     *largest = first;
     parts.push_back(second);
   }
   const auto fits = [&](const Part& part) {
-    const std::size_t n = part.items.size();
+    const std::size_t n = part.size();
     return n > 1 && parts.size() + n - 1 <= width ? part.area + 0x1p-1000 : 0.0;
   };
   while (Part* const fitting = greatest(parts, fits)) {
     const Items items = fitting->items;
-    *fitting = {items.first(1), items[0].box};
-    for (std::size_t i = 1; i < items.size(); ++i) parts.push_back({items.subspan(i, 1), items[i].box});
+    *fitting = part_of(items.first(1), {});
+    for (std::size_t i = 1; i < items.size(); ++i) parts.push_back(part_of(items.subspan(i, 1), {}));
   }
   return parts;
 }

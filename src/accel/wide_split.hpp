@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/container/static_vector.hpp>
 #include <cmath>
 #include <span>
-#include <vector>
 
 #include "durero/accel/wide_node.hpp"
 
@@ -42,17 +42,25 @@ struct Item {
 };
 using Items = std::span<Item>;
 
-Box32 box_of(std::span<const Item> items);
-
-/// Some items and their box.
+/// Some items, room for as many, to which they come when they are parted, and their box.
 struct Part {
-  Items items;
+  Items items, room;
   Box32 box;
+  Box32 middles;  ///< the box of the middles of their boxes
   double area = box.area();
+
+  std::size_t size() const { return items.size(); }
+  bool is_item() const { return items.size() == 1; }
 };
+
+/// Precondition: as much room as items, elsewhere.
+Part part_of(Items items, Items room);
+
+/// The parts of a node.
+using Parts = boost::container::static_vector<Part, WideNode::width>;
 
 /// Eight parts of a part or fewer, none empty: the one with the greatest surface is split again and again, or where
 /// `evenly` that of most items, until none is left that a node could not hold; then such as fit go to their items.
-std::vector<Part> parts_of(const Part& whole, bool evenly);
+Parts parts_of(const Part& whole, bool evenly);
 
 }  // namespace durero::accel::wide

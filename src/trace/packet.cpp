@@ -41,6 +41,13 @@ void triage_packet(const Packet& packet, model::Tipo tipo, Findings& findings) {
   });
 }
 
+/// The lanes of some rays that the line may meet the surface in: the others miss it, as first_in_lanes has it.
+template <model::Tipo tipo>
+HWY_INLINE unsigned not_missed(const Quadratic<Lanes>& f, unsigned some) {
+  if constexpr (is_linear(tipo)) return some;
+  return some & ~bits(f.F < -f.B_error);
+}
+
 void triage_columns(const RayColumns& rays, std::uint64_t which, scene::ShapeView of, ColumnFindings& findings) {
   of.visit([&]<class Shape>(const Shape& shape) HWY_ATTR {
     const LaneElement<Shape::tipo> element = in_every_lane(shape);
@@ -50,8 +57,10 @@ void triage_columns(const RayColumns& rays, std::uint64_t which, scene::ShapeVie
       own.hit = own.undecided = 0;
       for (std::size_t at = 0; at < Packet::size; at += lanes()) {
         const std::size_t place = eight * Packet::size + at;
+        const auto used = static_cast<unsigned>(which >> at & ((1u << lanes()) - 1));
         const LaneRay some{load(rays.p, place), load(rays.v, place), Lanes::load(&rays.speed[place])};
         const Quadratic<Lanes> f = quadratic<Lanes>(element, some);
+        if (not_missed<Shape::tipo>(f, used) == 0) continue;
         keep(f, found_in_lanes<Shape::tipo>(f), at, own);
       }
     }

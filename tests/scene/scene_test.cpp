@@ -295,14 +295,6 @@ TEST_CASE("a copy of a scene is a scene of its own") {
 
 namespace {
 
-/// How many allocations an action makes.
-template <class Action>
-long allocations_of(Action&& action) {
-  allocations_left = plenty - 1;
-  action();
-  return plenty - 1 - std::exchange(allocations_left, plenty);
-}
-
 /// Adds so many spheres of long names, one after the other.
 void add_spheres(Scene& scene, int count) {
   for (int i = 0; i < count; ++i)

@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "durero/accel/wide_beam.hpp"
 #include "durero/accel/wide_leaves.hpp"
 #include "durero/accel/wide_node.hpp"
 #include "durero/accel/wide_run.hpp"
@@ -31,7 +32,7 @@ class WideBundles {
       requires(Take& take, const trace::RayColumns& rays, const Numbers& numbers, scene::ElementRef element) {
         { take(rays, numbers, std::uint64_t{}, element) } -> std::same_as<std::uint64_t>;
       };
-  /// And its limit can have changed to 0 alone, as where any hit is an answer.
+  /// And its limit is 1, until it is 0, as where any hit on a segment is an answer.
   static constexpr bool takes_any = [] {
     if constexpr (requires { Take::any_hit; }) return takes_many && Take::any_hit;
     return false;
@@ -69,7 +70,7 @@ class WideBundles {
   }
 
  private:
-  static constexpr double widest = 2;                            // of a bundle, in spacings of the elements
+  static constexpr double widest = takes_any ? 3 : 2;            // of a bundle, in spacings of the elements
   static constexpr std::size_t least_worth = takes_any ? 3 : 6;  // rays of a bundle that is worth it
   static constexpr std::size_t patience = 32;                    // pairs, until the limits are brought up to date
   static constexpr int dense_from = 2;                           // bits of an eight
@@ -97,6 +98,13 @@ class WideBundles {
   /// Those that have come as one where they stay narrow, or those that follow each other and do. The last of these wait
   /// for more, unless these are all.
   void part(bool all) {
+    if constexpr (takes_any) {
+      part_segments(all);
+    } else {
+      part_rays(all);
+    }
+  }
+  void part_rays(bool all) {
     if (coming_.count >= least_worth && coming_.gathered() && narrow(coming_.bundle)) {
       walk(coming_);
       coming_.count = 0;
@@ -111,11 +119,43 @@ class WideBundles {
       walk_apart(begin, end);
       begin = end;
     }
+    leave(begin);
+  }
+  /// The first of those that have come, up to some, go.
+  void leave(std::size_t begin) {
     const std::size_t left = coming_.count - begin;
     for (std::size_t i = 0; i < left; ++i)
       coming_.bundle.move(begin + i, i), coming_.numbers[i] = coming_.numbers[begin + i];
     coming_.count = left;
   }
+
+  /// As many of the first as stay narrow, by halves of them, while so many have come or all; the others wait for more.
+  void part_segments(bool all) {
+    while (coming_.count == WideBundle::size || (all && coming_.count > 0)) {
+      const std::size_t come = coming_.count;
+      std::size_t count = come;
+      while (count >= least_worth && !walk_first(count)) count = (count + 1) / 2;
+      if (count < least_worth) alone_.insert(alone_.end(), coming_.numbers.begin(), coming_.numbers.begin() + count);
+      coming_.count = come;  // those that closed up were fewer in the end
+      leave(count);
+    }
+  }
+  /// Whether they are narrow together, so that they walk.
+  bool walk_first(std::size_t count) {
+    Some* some = &coming_;
+    if (count < coming_.count) {
+      some = &apart_;
+      apart_.count = 0;
+      for (std::size_t place = 0; place < count; ++place)
+        apart_.set(coming_.numbers[place], ray(place), coming_.bundle.limit[place]);
+    }
+    if (!some->gathered()) return false;
+    const WideBeam beam = beam_of(some->bundle, all_);
+    if (!(beam.width <= narrow_)) return false;
+    walk_any(*some, beam);
+    return true;
+  }
+
   const trace::Ray& ray(std::size_t place) const { return rays_[coming_.numbers[place]]; }
 
   /// Those at begin … end, as one or alone.
@@ -139,16 +179,8 @@ class WideBundles {
     return narrow;
   }
 
-  void walk(Some& some) {
-    if constexpr (takes_any) {
-      walk_any(some);
-    } else {
-      walk_nearest(some);
-    }
-  }
-
   /// The nearest first. What lies beyond the limits is passed over.
-  void walk_nearest(Some& some) {
+  void walk(Some& some) {
     std::uint64_t taken = 0;
     std::size_t pending = 0;
     double limit = farthest(some.bundle);
@@ -217,16 +249,14 @@ class WideBundles {
   }
 
   /// In any order, the elements of a node at once, until nothing is left to be found of any ray.
-  void walk_any(Some& some) {
+  void walk_any(Some& some, WideBeam beam) {
     std::array<std::uint32_t, most_waiting> waiting;
     std::size_t size = 1;
     waiting[0] = 0;
-    const double limit = farthest(some.bundle);
     std::uint64_t open = ~std::uint64_t{} >> (WideBundle::size - some.count);
     while (size > 0) {
       const WideNode& node = nodes_[waiting[--size]];
-      WideNode::Entries entries;
-      const unsigned bits = met(node, some.bundle, limit, entries);
+      const unsigned bits = met(node, beam);
       ask_for(node, bits);
       unsigned elements = 0;
       for (unsigned left = bits; left != 0; left &= left - 1) {
@@ -242,7 +272,7 @@ class WideBundles {
       if (still == 0) return;
       if (still == open) continue;
       open = still;
-      close_up(some, open);
+      if (close_up(some, open)) beam = beam_of(some.bundle, all_);
     }
   }
 
@@ -259,13 +289,13 @@ class WideBundles {
   }
 
   /// Those that are still open come to the front where that saves a quarter of the eights, and what is between them
-  /// with it; else the others take part no more.
-  void close_up(Some& some, std::uint64_t& open) {
+  /// with it; else the others take part no more. Whether they did.
+  static bool close_up(Some& some, std::uint64_t& open) {
     const auto count = static_cast<std::size_t>(std::popcount(open));
     if (4 * whole_eights(count) > 3 * (some.bundle.end - some.bundle.begin)) {
       for (std::size_t place = 0; place < some.count; ++place)
         if ((open >> place & 1) == 0) some.bundle.limit[place] = -1;
-      return;
+      return false;
     }
     some.count = 0;
     for (std::uint64_t left = open; left != 0; left &= left - 1) {
@@ -275,6 +305,7 @@ class WideBundles {
     }
     some.gathered();
     open = ~std::uint64_t{} >> (WideBundle::size - count);
+    return true;
   }
 
   std::span<const WideNode> nodes_;

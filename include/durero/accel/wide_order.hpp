@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/common.hpp>
 #include <span>
 #include <vector>
 
@@ -50,7 +51,42 @@ class WideKeys {
   unsigned bits_ = 0;
 };
 
-/// Orders numbers of rays by their keys; those of one key stay in the order in which they are.
-void sort_by_key(const WideKeys& key_of, std::span<const trace::Ray> rays, std::vector<std::uint32_t>& numbers);
+/// Numbers of segments by which they are ordered where they go to one point, as of shadows: those that pass the same
+/// places on their way there have numbers that mostly lie close together.
+class WideWays {
+ public:
+  /// No key has more bits.
+  static constexpr unsigned bits() { return 2 * bits_across + 3; }
+  /// Of the direction: by the face of a cube that it goes to, and where.
+  std::uint32_t operator()(const glm::dvec3& v) const {
+    const glm::dvec3 size = glm::abs(v);
+    const int along = size.x < size.y ? (size.y < size.z ? 2 : 1) : (size.x < size.z ? 2 : 0);
+    const std::uint32_t face = 2 * static_cast<std::uint32_t>(along) + (v[along] < 0 ? 1 : 0);
+    const double inverse = 1 / v[along];
+    return face << (2 * bits_across) | apart(cell(v[(along + 1) % 3] * inverse)) |
+           apart(cell(v[(along + 2) % 3] * inverse)) << 1;
+  }
+
+ private:
+  static constexpr unsigned bits_across = 10;  // of a place across a face
+  static constexpr double cells = 1 << bits_across;
+
+  /// In which cell a slope between −1 and 1 lies.
+  static std::uint32_t cell(double slope) {
+    const double at = (slope + 1) * (cells / 2);
+    return at > 0 ? static_cast<std::uint32_t>(at < cells - 1 ? at : cells - 1) : 0;
+  }
+  /// The ten bits of a number, one of 0 between each.
+  static std::uint32_t apart(std::uint32_t x) {
+    x = (x | x << 8) & 0x00ff00ff;
+    x = (x | x << 4) & 0x0f0f0f0f;
+    x = (x | x << 2) & 0x33333333;
+    return (x | x << 1) & 0x55555555;
+  }
+};
+
+/// The numbers of segments in the order in which they find company: of those that end much closer together than they
+/// begin by the way to there, of others by where they begin.
+void sort_segments(const WideKeys& key_of, std::span<const trace::Ray> rays, std::vector<std::uint32_t>& numbers);
 
 }  // namespace durero::accel

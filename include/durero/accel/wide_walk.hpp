@@ -57,14 +57,18 @@ class WideWalk {
   static constexpr std::size_t at_a_time = 16;      // rays alone
   static constexpr std::size_t in_cache = 1 << 14;  // bytes of nodes that need no waiting for
 
-  /// In a large tree those that start close together follow each other.
+  /// In a large tree those that find company follow each other.
   void add_in_order() {
     std::vector<std::uint32_t> numbers;
     numbers.reserve(rays_.size());
     for (std::uint32_t number = 0; number < rays_.size(); ++number)
       if (limit_(number) > 0) numbers.push_back(number);
-    if (waits_for_leaves_) sort_by_key(WideKeys(nodes_[0], spacing_), rays_, numbers);
-    for (const std::uint32_t number : numbers) bundles_.add(number, limit_(number));
+    sort_segments(WideKeys(nodes_[0], spacing_), rays_, numbers);
+    constexpr std::size_t ahead = 16;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (i + ahead < numbers.size()) trace::ask_for(rays_[numbers[i + ahead]]);
+      bundles_.add(numbers[i], limit_(numbers[i]));
+    }
   }
 
   /// A walker, and the number of its ray.

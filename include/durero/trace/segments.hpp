@@ -35,10 +35,11 @@ class SegmentBatch {
 
   /// Writes every answer.
   void answer() {
-    for (std::size_t number = 0; number < queries_.size(); ++number)
-      for (const scene::ElementRef e : queries_[number].en)
-        source_.scene().visit(e, [](const auto& shape) { ask_for(shape); });
-    for (std::uint32_t number = 0; number < queries_.size(); ++number) begin(number);
+    constexpr std::uint32_t ahead = 24;
+    for (std::uint32_t number = 0; number < queries_.size(); ++number) {
+      if (number + ahead < queries_.size()) ask_for_starts(queries_[number + ahead]);
+      begin(number);
+    }
     for (Queue& queue : starts_) test_starts(queue);
     source_.pairs(
         rays_, [&](std::uint32_t number) { return open_[number] ? 1.0 : 0.0; }, Take{*this}, [&] { flush(); });
@@ -57,6 +58,10 @@ class SegmentBatch {
   bool starts_on(std::uint32_t number, scene::ElementRef e) const {
     const Start& start = start_[number];
     return start.first == e || (start.more && Origin(queries_[number].en).contains(e));
+  }
+
+  void ask_for_starts(const scene::Query& query) const {
+    for (const scene::ElementRef e : query.en) source_.scene().visit(e, [](const auto& shape) { ask_for(shape); });
   }
 
   /// Rays out of the ordinary are answered alone; the elements that a ray starts on, the source does not know of.
@@ -192,9 +197,13 @@ class SegmentBatch {
 template <PairCandidates Source>
 void occluded_segments_in_lanes(const Source& source, std::span<const scene::Query> queries, std::span<bool> occluded) {
   const std::vector<std::uint32_t> order = order_of(source, queries, Asked::segment);
-  for_each_block(queries.size(), [&](std::size_t begin, std::size_t count) {
-    SegmentBatch(source, picked(queries, order, begin, count), picked(occluded, order, begin, count)).answer();
-  });
+  constexpr std::size_t most = 1 << 14;
+  for_each_block(
+      queries.size(),
+      [&](std::size_t begin, std::size_t count) {
+        SegmentBatch(source, picked(queries, order, begin, count), picked(occluded, order, begin, count)).answer();
+      },
+      most);
 }
 
 }  // namespace durero::trace
