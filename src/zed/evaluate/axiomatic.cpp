@@ -1,12 +1,14 @@
 /// Compiles paragraphs to values. An axiomatic description gives a name a value where one of its predicates is an
-/// equation for it: `f(x) = e` under ∀ and its guard, `dom f = S`, `c = e`, a linear equation, `f(x) * f(x) = x` for
-/// the root, or the laws of a power (powers.hpp).
+/// equation for it: `f(x) = e` under ∀ and its guard, or for some arguments each (cases.hpp), `f = λ …`, `dom f = S`,
+/// `c = e`, a linear equation, `f(x) * f(x) = x` for the root, or the laws of a power (powers.hpp).
 
 #include <algorithm>
 
+#include "zed/evaluate/cases.hpp"
 #include "zed/evaluate/compiler.hpp"
 #include "zed/evaluate/intensional.hpp"
 #include "zed/evaluate/powers.hpp"
+#include "zed/operators.hpp"
 #include "zed/syntax/match.hpp"
 #include "zed/value/functions.hpp"
 #include "zed/value/sets.hpp"
@@ -63,8 +65,8 @@ std::optional<std::vector<Group>> in_order(const std::vector<Name>& names, const
 }
 
 /// Returns what the equation in `body` says of f, as a clause under the head of `forall`.
-std::optional<Closure> clause(Compiler& compiler, const Name& function, const std::vector<Name>& formals,
-                              const Node& forall) {
+std::optional<Closure> clause(Compiler& compiler, const Name& function, std::vector<Name> formals, const Node& forall) {
+  formals.push_back(any_value);
   const Term& body = forall.children[0];
   if (!is_equation(body)) return std::nullopt;
   const Term &left = body->children[0], &right = body->children[1];
@@ -117,12 +119,48 @@ std::optional<Value> stated_domain(Compiler& compiler, const Name& function, con
   return std::nullopt;
 }
 
+/// Says whether the box has an equation for applications of a function, or for the square of one.
 bool defines_function(const Name& name, const Axiomatic& form) {
-  return std::any_of(form.text.predicates.begin(), form.text.predicates.end(), [&](const Predicate& predicate) {
-    if (predicate.term->kind != Kind::forall || !is_equation(predicate.term->children[0])) return false;
-    const Term& left = predicate.term->children[0]->children[0];
-    return left->kind == Kind::application && mentions(left, name);
-  });
+  const bool squared =
+      std::any_of(form.text.predicates.begin(), form.text.predicates.end(), [&](const Predicate& each) {
+        if (each.term->kind != Kind::forall || !is_equation(each.term->children[0])) return false;
+        const Term& left = each.term->children[0]->children[0];
+        return left->kind == Kind::application && mentions(left, name);
+      });
+  return squared || !cases_of_function(form.text.predicates, name).clauses.empty();
+}
+
+void add_clauses(Clauses& to, Compiler& compiler, const Name& name, const std::vector<Name>& formals,
+                 const Cases& cases) {
+  to.all_said = to.all_said && cases.all_said;
+  for (const Term& each : cases.clauses) {
+    auto compiled = clause(compiler, name, formals, *each);
+    to.all_said = to.all_said && compiled;
+    if (compiled) to.clauses.push_back(std::move(*compiled));
+  }
+}
+
+/// Returns what the predicates of the box say of a function, each in its order.
+Clauses function_clauses(Compiler& compiler, const Name& name, const Axiomatic& form) {
+  Clauses clauses;
+  for (const Predicate& predicate : form.text.predicates) {
+    auto equation =
+        predicate.term->kind == Kind::forall ? clause(compiler, name, form.formals, *predicate.term) : std::nullopt;
+    if (equation)
+      clauses.clauses.push_back(std::move(*equation));
+    else
+      add_clauses(clauses, compiler, name, form.formals, cases_of_function({predicate}, name));
+  }
+  return clauses;
+}
+
+/// Returns the λ of an equation f = λ D | P • E, or null.
+const Term* stated_lambda(const Name& name, const Axiomatic& form) {
+  for (const Predicate& predicate : form.text.predicates)
+    if (is_equation(predicate.term) && match::is_reference(predicate.term->children[0], name) &&
+        predicate.term->children[1]->kind == Kind::lambda)
+      return &predicate.term->children[1];
+  return nullptr;
 }
 
 const Term* declared_set(const Name& name, const Axiomatic& form) {
@@ -131,6 +169,15 @@ const Term* declared_set(const Name& name, const Axiomatic& form) {
       return &declaration.term;
   }
   return nullptr;
+}
+
+/// Returns the set S of a function that is declared from S → T, or from another set of total functions.
+std::optional<Value> source(Compiler& compiler, const Name& name, const Axiomatic& form, Context& context) {
+  const Term* set = declared_set(name, form);
+  if (!set || (*set)->kind != Kind::reference || (*set)->children.size() != 2) return std::nullopt;
+  const OperatorRow* row = operator_row((*set)->name.word);
+  if (!row || !row->arrow || !row->arrow->function || !row->arrow->total) return std::nullopt;
+  return evaluated(compiler, (*set)->children[0], context);
 }
 
 /// Returns the value that the predicates determine, by the search for it, as μ would.
@@ -161,16 +208,19 @@ Value Compiler::axiomatic(const Meaning& global, Context& context) {
   }
   if (defines_function(name, form)) {
     return axiomatic_function(name.text(), [this, &form, name](Context& inside) {
-      Clauses clauses;
-      for (const Predicate& predicate : form.text.predicates) {
-        if (predicate.term->kind != Kind::forall) continue;
-        if (auto equation = clause(*this, name, form.formals, *predicate.term))
-          clauses.clauses.push_back(std::move(*equation));
-      }
+      Clauses clauses = function_clauses(*this, name, form);
       clauses.domain = stated_domain(*this, name, form, inside);
+      if (form.formals.empty()) clauses.source = source(*this, name, form, inside);
       return clauses;
     });
   }
+  if (const Term* lambda = stated_lambda(name, form)) return evaluated(*this, *lambda, context);
+  if (!cases_of_set(form.text.predicates, name).clauses.empty())
+    return axiomatic_set(name.text(), [this, &form, name](Context&) {
+      Clauses clauses;
+      add_clauses(clauses, *this, name, form.formals, cases_of_set(form.text.predicates, name));
+      return clauses;
+    });
   if (!form.formals.empty()) throw EvaluationError(name.text() + " is generic, and no function: it is not evaluated");
   Value value = determined(*this, name, form, context);
   if (value.is_open() || value.is_undefined()) {

@@ -216,6 +216,7 @@ class AxiomaticFunction : public Set {
       Value value = applied(clause, argument, context, &admitted);
       if (admitted != Truth::no) return value;
     }
+    refuse_unsaid(argument, context);
     return {};
   }
 
@@ -227,7 +228,7 @@ class AxiomaticFunction : public Set {
       const Truth here = admits(clause, argument, context);
       if (here != Truth::no) return here;
     }
-    return Truth::no;
+    return known.source ? contains_value(*known.source, argument, context) : Truth::no;
   }
 
   Truth contains(const Value& pair, Context& context) const override {
@@ -242,9 +243,36 @@ class AxiomaticFunction : public Set {
     if (!clauses_) clauses_ = compile_(context);
     return *clauses_;
   }
+
+  // Where no clause gives a value there may still be one: of a total function, and where the box says more.
+  void refuse_unsaid(const Value& argument, Context& context) const {
+    const Clauses& known = clauses(context);
+    const bool outside = known.source ? contains_value(*known.source, argument, context) == Truth::no : known.all_said;
+    if (!outside) throw EvaluationError("no equation gives " + name_ + " a value at " + argument.text());
+  }
   std::string name_;
   std::function<Clauses(Context&)> compile_;
   mutable std::optional<Clauses> clauses_;
+};
+
+/// Its clauses are those of a function that is 1 at its members, and 0 elsewhere.
+class AxiomaticSet : public Set {
+ public:
+  AxiomaticSet(const std::string& name, std::function<Clauses(Context&)> compile)
+      : truth_of_(name, [compile = std::move(compile)](Context& context) {
+          Clauses clauses = compile(context);
+          clauses.all_said = false;  // of what no clause speaks nobody says that it is no member
+          return clauses;
+        }) {}
+
+  Truth contains(const Value& value, Context& context) const override {
+    const Value one = truth_of_.apply(value, context);
+    return one.real() ? truth(sign(*one.real()) != 0) : lost(context);
+  }
+  std::string spelled(Wording wording) const override { return truth_of_.spelled(wording); }
+
+ private:
+  AxiomaticFunction truth_of_;
 };
 
 }  // namespace
@@ -282,6 +310,10 @@ Value lambda_function(Closure closure, Steps& steps) {
 
 Value axiomatic_function(std::string name, std::function<Clauses(Context&)> compile) {
   return SetPtr(std::make_shared<const AxiomaticFunction>(std::move(name), std::move(compile)));
+}
+
+Value axiomatic_set(std::string name, std::function<Clauses(Context&)> compile) {
+  return SetPtr(std::make_shared<const AxiomaticSet>(name, std::move(compile)));
 }
 
 }  // namespace durero::zed

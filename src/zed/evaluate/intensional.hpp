@@ -35,8 +35,12 @@ Value lambda_function(Closure closure, Steps& steps);
 struct Clauses {
   std::vector<Closure> clauses;
   std::optional<Value> domain;  ///< the box may state it
+  std::optional<Value> source;  ///< of a total function, the set that it is declared from
+  bool all_said = true;         ///< these clauses are all that the box says of it
 };
 /// Makes a function that is compiled when it is first applied, as its clauses may name it.
 Value axiomatic_function(std::string name, std::function<Clauses(Context&)> compile);
+/// Makes a set whose clauses have the value 1 for members, and else 0.
+Value axiomatic_set(std::string name, std::function<Clauses(Context&)> compile);
 
 }  // namespace durero::zed

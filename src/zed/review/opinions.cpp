@@ -1,8 +1,10 @@
-/// Looks for what ISO Z takes and the house would not write: an operation as a state, and a parent named twice.
+/// Looks for what ISO Z takes and the house would not write, an operation as a state and a parent named twice, and for
+/// what older Z takes and ISO Z does not, a predicate behind let.
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "durero/zed/review/review.hpp"
 
@@ -62,6 +64,42 @@ std::vector<Defect> doubled_operations(const Specification& specification, const
   std::vector<Defect> defects;
   Doubled doubled(typing, defects);
   for (const Section& section : specification.sections) doubled.section(section);
+  return defects;
+}
+
+namespace {
+
+/// Calls `visit` for each term in a text, those inside others too.
+void each_term(const Term& term, const std::function<void(const Term&)>& visit);
+void each_term(const SchemaText& text, const std::function<void(const Term&)>& visit) {
+  for (const Declaration& declaration : text.declarations) each_term(declaration.term, visit);
+  for (const Predicate& predicate : text.predicates) each_term(predicate.term, visit);
+}
+void each_term(const Term& term, const std::function<void(const Term&)>& visit) {
+  visit(term);
+  if (term->text) each_term(*term->text, visit);
+  for (const Term& child : term->children) each_term(child, visit);
+}
+
+}  // namespace
+
+// A predicate has no type, so that the types know where let stands before one.
+std::vector<Defect> predicates_of_let(const Specification& specification, const Typing& typing) {
+  std::vector<Defect> defects;
+  for (const Section& section : specification.sections) {
+    const auto look = [&](const Term& term) {
+      if (term->kind == Kind::let && !typing.type_of(term))
+        defects.push_back({section.file, term->place, "let stands before a predicate, which ISO Z does not take",
+                           "expected ∃ with the same definitions, or let before an expression",
+                           Defect::Severity::warning});
+    };
+    for (const Paragraph& paragraph : section.paragraphs) {
+      if (const auto* box = std::get_if<Schema>(&paragraph.form)) each_term(box->text, look);
+      if (const auto* box = std::get_if<Axiomatic>(&paragraph.form)) each_term(box->text, look);
+      if (const auto* definition = std::get_if<Definition>(&paragraph.form)) each_term(definition->value, look);
+      if (const auto* claim = std::get_if<Conjecture>(&paragraph.form)) each_term(claim->claim.term, look);
+    }
+  }
   return defects;
 }
 

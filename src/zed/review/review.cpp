@@ -9,8 +9,9 @@ std::vector<Defect> review(const Specification& specification, const Typing& typ
   defects.insert(defects.end(), typing.defects.begin(), typing.defects.end());
   const bool right = defects.empty();
   defects.insert(defects.end(), specification.warnings.begin(), specification.warnings.end());
-  for (const auto& check : {doubled_operations, open_frames, repeated_parents, unused_names, partial_applications})
-    if (right || check != partial_applications)
+  for (const auto& check :
+       {doubled_operations, open_frames, repeated_parents, predicates_of_let, unused_names, partial_applications})
+    if (right || (check != partial_applications && check != predicates_of_let))
       for (Defect& defect : check(specification, typing)) defects.push_back(std::move(defect));
   return defects;
 }

@@ -210,7 +210,13 @@ bool Attempt::complete(const State& drawn, std::vector<Value>& found) {
   return false;
 }
 
+bool Attempt::Before::operator()(const std::vector<Value>& a, const std::vector<Value>& b) const {
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(),
+                                      [](const Value& x, const Value& y) { return compare(x, y) < 0; });
+}
+
 void Attempt::on(const State& drawn, Trial& trial) {
+  if (!drawn_.insert(drawn.values).second) return;
   const SchemaCheck::Apart truth = check_.apart(drawn.values, drawn.known);
   if (truth.before == Truth::yes) return judge(drawn.values, truth.last, trial);
   if (truth.before == Truth::open) note("a variable is not determined");
@@ -225,7 +231,7 @@ void Attempt::on(const State& drawn, Trial& trial) {
 void Attempt::judge(const std::vector<Value>& values, Truth last, Trial& trial) {
   if (last == Truth::open) return note("a variable is not determined");
   if (last == Truth::no && !claim_.wants_witness) return refute(trial, check_.components(), values);
-  ++trial.tried;
+  if (met_.insert(values).second) ++trial.tried;
   witness_ = claim_.wants_witness && last == Truth::yes;
 }
 

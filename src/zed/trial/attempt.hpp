@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -84,7 +85,11 @@ class Attempt {
   std::optional<Completion> results_;     // gives these, once it is asked
   std::size_t narrowings_ = 0;            // so often fewer names may still be tried to be made of the rest
   std::map<const Node*, Type> elements_;  // the types of the members of sets that declarations name
-  std::string undecided_;                 // the first reason why some state decided nothing
+  struct Before {
+    bool operator()(const std::vector<Value>& a, const std::vector<Value>& b) const;
+  };
+  std::set<std::vector<Value>, Before> drawn_, met_;  // each draw is looked at once, and each state counts once
+  std::string undecided_;                             // the first reason why some state decided nothing
   bool witness_ = false;
 };
 

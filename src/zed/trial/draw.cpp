@@ -9,7 +9,7 @@ constexpr std::size_t names_of_a_given_set = 3, members_of_a_set = 3;
 
 Value pick(const std::vector<Value>& from, Chances& chances) { return from[chances.below(from.size())]; }
 
-/// The constants of a free type. Its constructors are left out, so that no draw goes on for ever.
+/// The constants of a free type.
 std::vector<Value> constants(const FreeType& form) {
   std::vector<Value> found;
   for (std::size_t i = 0; i < form.branches.size(); ++i)
@@ -36,17 +36,29 @@ std::size_t Chances::below(std::size_t end) {
   return (z ^ (z >> 31U)) % end;
 }
 
-Draw::Draw(const Specification& specification, const Samples& samples) : samples_(samples) {
+Draw::Draw(const Specification& specification, const Typing& typing, const Samples& samples, const Evaluator& evaluator)
+    : evaluator_(evaluator), samples_(samples) {
   for (const Section& section : specification.sections)
     for (const Paragraph& paragraph : section.paragraphs) {
-      if (const auto* form = std::get_if<FreeType>(&paragraph.form))
-        samples_.try_emplace(form->name.text(), constants(*form));
+      if (const auto* form = std::get_if<FreeType>(&paragraph.form)) add(*form, typing);
       if (const auto* form = std::get_if<GivenTypes>(&paragraph.form))
         for (const Name& name : form->names) samples_.try_emplace(name.text(), members(name));
       if (const auto* form = std::get_if<Schema>(&paragraph.form)) texts_[form->name.text()] = &form->text;
       if (const auto* form = std::get_if<Definition>(&paragraph.form); form && form->value->kind == Kind::schema_text)
         texts_[form->name.text()] = form->value->text.get();
     }
+}
+
+void Draw::add(const FreeType& form, const Typing& typing) {
+  Free free{constants(form), {}};
+  for (const Branch& branch : form.branches) {
+    const auto set = branch.argument ? typing.type_of(branch.argument) : std::nullopt;
+    if (set && set->is(Type::Kind::power)) free.constructors.push_back({branch.name, set->settled().parts()[0]});
+  }
+  if (free.constructors.empty())
+    samples_.try_emplace(form.name.text(), std::move(free.constants));
+  else
+    free_.try_emplace(form.name.text(), std::move(free));
 }
 
 const std::string* Draw::samples_of(const Term& set) const {
@@ -60,25 +72,27 @@ const SchemaText* Draw::text(const Term& schema) const {
   return found == texts_.end() ? nullptr : found->second;
 }
 
-Value Draw::of(const Type& type, Chances& chances) const {
+Value Draw::of(const Type& type, Chances& chances, unsigned nested) const {
   switch (type.kind()) {
     case Type::Kind::given: {
       static const std::vector<Value> small = {Real(0), Real(1), Real(2), Real(3), Real(-1), Real(0.5)};
       const auto known = samples_.find(type.name().text());
       if (known != samples_.end() && !known->second.empty()) return pick(known->second, chances);
       if (type.name().text() == "𝔸") return pick(small, chances);
+      if (const auto free = free_.find(type.name().text()); free != free_.end())
+        return of_free(free->first, free->second, chances, nested);
       throw EvaluationError("no member of " + type.text() + " is known to try it on");
     }
     case Type::Kind::power:
-      return of_set(type.parts()[0], chances);
+      return of_set(type.parts()[0], chances, nested);
     case Type::Kind::product: {
       std::vector<Value> parts;
-      for (const Type& part : type.parts()) parts.push_back(of(part, chances));
+      for (const Type& part : type.parts()) parts.push_back(of(part, chances, nested));
       return Value::tuple(std::move(parts));
     }
     case Type::Kind::schema: {
       std::vector<Value> parts;
-      for (const Type& part : type.parts()) parts.push_back(of(part, chances));
+      for (const Type& part : type.parts()) parts.push_back(of(part, chances, nested));
       return Value::binding(signature(type.fields()), std::move(parts));
     }
     case Type::Kind::formal:
@@ -89,10 +103,25 @@ Value Draw::of(const Type& type, Chances& chances) const {
   throw EvaluationError("values of the type " + type.text() + " are not known");
 }
 
-Value Draw::of_set(const Type& element, Chances& chances) const {
+// A constructor is for members of a set that need not be all of its type: of arguments that are none it has no value.
+Value Draw::of_free(const std::string& name, const Free& free, Chances& chances, unsigned nested) const {
+  constexpr int attempts = 8;
+  for (int i = 0; i < attempts && nested > 0; ++i) {
+    const std::size_t branch = chances.below(free.constants.size() + free.constructors.size());
+    if (branch < free.constants.size()) return free.constants[branch];
+    const Constructor& constructor = free.constructors[branch - free.constants.size()];
+    const Value made =
+        evaluator_.apply(evaluator_.value(constructor.name), of(constructor.argument, chances, nested - 1));
+    if (!made.is_undefined()) return made;
+  }
+  if (free.constants.empty()) throw EvaluationError("no member of " + name + " is found to try it on");
+  return pick(free.constants, chances);
+}
+
+Value Draw::of_set(const Type& element, Chances& chances, unsigned nested) const {
   std::vector<Value> members;
   for (std::size_t count = chances.below(members_of_a_set + 1); count != 0; --count)
-    members.push_back(of(element, chances));
+    members.push_back(of(element, chances, nested));
   return Value::set(std::move(members));
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "durero/zed/evaluate/evaluate.hpp"
 #include "durero/zed/trial/trial.hpp"
 
 namespace durero::zed {
@@ -22,12 +23,14 @@ class Chances {
   bool first_ = true;
 };
 
-/// Makes values of types: of a given set some names, of numbers small ones, of sets small ones.
+/// Makes values of types: of a given set some names, of numbers small ones, of sets small ones, of a free type with
+/// constructors such that they are not nested deep.
 class Draw {
  public:
-  Draw(const Specification& specification, const Samples& samples);
+  /// The evaluator applies the constructors; it outlives this.
+  Draw(const Specification& specification, const Typing& typing, const Samples& samples, const Evaluator& evaluator);
   /// A value of the type.
-  Value of(const Type& type, Chances& chances) const;
+  Value of(const Type& type, Chances& chances) const { return of(type, chances, most_nested); }
   /// The name of the set, or schema, that this term names, where there are samples of it; else null.
   const std::string* samples_of(const Term& set) const;
   /// The samples of the set of this name. Precondition: samples_of() has given it.
@@ -36,8 +39,23 @@ class Draw {
   const SchemaText* text(const Term& schema) const;
 
  private:
-  Value of_set(const Type& element, Chances& chances) const;
+  static constexpr unsigned most_nested = 3;  // constructors in each other
+  struct Constructor {
+    Name name;
+    Type argument;
+  };
+  struct Free {
+    std::vector<Value> constants;
+    std::vector<Constructor> constructors;
+  };
 
+  void add(const FreeType& form, const Typing& typing);
+  Value of(const Type& type, Chances& chances, unsigned nested) const;
+  Value of_set(const Type& element, Chances& chances, unsigned nested) const;
+  Value of_free(const std::string& name, const Free& free, Chances& chances, unsigned nested) const;
+
+  const Evaluator& evaluator_;
+  std::map<std::string, Free> free_;                // free types with constructors
   std::map<std::string, const SchemaText*> texts_;  // of the specification, which outlives it
   Samples samples_;                                 // by type too: the constants of free types, the names of given sets
 };

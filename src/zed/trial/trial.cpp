@@ -9,10 +9,12 @@ namespace {
 
 /// One evaluator serves all, as what the text's own names stand for is the same for each; every conjecture has the
 /// steps for itself.
-void try_claims(std::vector<Section> sections, const Draw& draw, const std::vector<Claim>& claims, const Typing& typing,
-                const TrialBounds& bounds, std::vector<Trial>& trials) {
+void try_claims(std::vector<Section> sections, const Specification& specification, const Samples& samples,
+                const std::vector<Claim>& claims, const Typing& typing, const TrialBounds& bounds,
+                std::vector<Trial>& trials) {
   Steps steps(bounds.steps);
   const Evaluator evaluator(std::move(sections), Given{}, &steps);
+  const Draw draw(specification, typing, samples, evaluator);
   Members members(evaluator, draw);
   const Ground ground{typing, draw, evaluator, bounds, members};
   for (std::size_t i = 0; i < claims.size(); ++i) {
@@ -48,7 +50,7 @@ std::vector<Trial> try_conjectures(const Specification& specification, const Typ
   if (bounds.states == 0)
     for (Trial& trial : trials) trial.why_not = "no state is asked for";
   if (bounds.states > 0 && !trials.empty())
-    try_claims(std::move(sections), Draw(specification, samples), claims, typing, bounds, trials);
+    try_claims(std::move(sections), specification, samples, claims, typing, bounds, trials);
   return trials;
 }
 

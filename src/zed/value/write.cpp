@@ -45,7 +45,9 @@ struct Writer {
   }
   /// The constructor says the type of its argument to whoever reads it.
   std::string operator()(const ConstructedPtr& value) const {
-    return spelling(*value->constructor) + "(" + write(value->argument, nullptr) + ")";
+    const std::string argument = write(value->argument, nullptr);
+    const bool pair = value->argument.tuple() && argument.starts_with("(");
+    return spelling(*value->constructor) + (pair ? argument : "(" + argument + ")");
   }
   std::string operator()(const SetPtr& set) const {
     const std::vector<Value>* members = set->members();

@@ -29,7 +29,7 @@ Trial trial(const std::string& claim, const TrialBounds& bounds = {}) {
 }  // namespace
 
 TEST_CASE("a conjecture is tried on states that satisfy what its quantifier asks, so many and no more") {
-  const Trial found = trial("\\forall S @ n \\leq 3 % S.conj.1");
+  const Trial found = trial("\\forall S; k : \\nat @ n \\leq 3 % S.conj.1", {.states = 8, .draws = 256});
   CHECK(found.counterexample.empty());
   CHECK(found.why_not.empty());
   CHECK(found.tried == TrialBounds{}.states);
@@ -89,8 +89,20 @@ TEST_CASE("samples stand for what they are named after, and the states are the s
   const Typing typing = check(read);
   const Samples samples = {{"Cosa", {Value::atom("Cosa", "mesa")}}, {"ℕ", {Real(7)}}};
   const Trial found = try_conjectures(read, typing, samples).at(0);
-  CHECK(found.tried == TrialBounds{}.states);
+  CHECK(found.tried == 1);  // there is one state, however often it is drawn
+  CHECK(trial("\\forall c : Color @ c \\in Color").tried == 2);
   CHECK(trial("\\forall S @ n = 0").counterexample == trial("\\forall S @ n = 0").counterexample);
+}
+
+TEST_CASE("members of a free type are nested, and none is what its constructor does not take") {
+  const std::string tree =
+      "[X] \\\\ T ::= tip | fork \\ldata \\nat \\cross T \\cross T \\rdata \\end{zed}\n\\begin{zed} ";
+  const Trial found = trials(tree + "\\vdash? \\forall t : T @ t = tip").at(0);
+  CHECK_THAT(found.counterexample, Contains("fork("));
+  const std::string loop = "L ::= more \\ldata L \\rdata \\end{zed}\n\\begin{zed} ";
+  CHECK(trials(loop + "\\vdash? \\forall l : L @ l = l").at(0).why_not == "no member of L is found to try it on");
+  const std::string none = "N ::= of \\ldata \\{~ n : \\nat | n > 90 ~\\} \\rdata \\end{zed}\n\\begin{zed} ";
+  CHECK(trials(none + "\\vdash? \\forall n : N @ n = n").at(0).why_not == "no member of N is found to try it on");
 }
 
 TEST_CASE("what conjuncts do not make is drawn, where it cannot be said what they make") {

@@ -45,6 +45,9 @@ std::vector<Defect> partial_applications(const Specification& specification, con
 /// Gives the opinions of E04: ΔS or ΞS, declared nowhere, where S has a component with strokes, as an operation has.
 std::vector<Defect> doubled_operations(const Specification& specification, const Typing& typing);
 
+/// Gives a warning for each let before a predicate: older Z has it, ISO Z has let before expressions only.
+std::vector<Defect> predicates_of_let(const Specification& specification, const Typing& typing);
+
 /// Gives a warning where a section names a parent twice.
 std::vector<Defect> repeated_parents(const Specification& specification, const Typing& typing);
 
