@@ -11,7 +11,7 @@
     first_of on t    == t is the least root that is [on] the ray and the element *)
 From Coq Require Import Reals ZArith Lra Lia Psatz Bool.
 From Flocq Require Import Core.
-From Durero Require Import Rounding Quotient.
+From Durero Require Import Rounding Quotient Roots.
 From Durero Require Formas.
 Local Open Scope R_scope.
 Local Opaque bpow.
@@ -101,34 +101,42 @@ Qed.
 
 (** ** Second decision: two roots, and S is the root of the discriminant up to S_error *)
 
-(** S as a number: e stands for B_error, X for F_fl·H_fl. *)
-Lemma root_of_product e a h d X P s : 0 < e -> 0 <= d -> e < a -> a <= h ->
-  X = a * h -> Rabs (X - d) <= 237 / 100 * (e * h) -> Rabs (P - X) <= u * X -> Rabs (s - sqrt P) <= u * sqrt P ->
-  0 < s /\ s <= 2 * h /\ Rabs (s - sqrt d) <= 24 / 10 * (e * h / s) + 3 * u * s.
+(** S as a number: e stands for B_error, X for F_fl·H_fl, eps for the unit roundoff. *)
+Lemma root_of_product eps e a h d X P s : 0 < eps <= / 1000000000000 -> 0 < e -> 0 <= d -> e < a -> a <= (1 + / 1000) * h ->
+  X = a * h -> Rabs (X - d) <= 237 / 100 * (e * h) -> Rabs (P - X) <= eps * X -> Rabs (s - sqrt P) <= eps * sqrt P ->
+  0 < s /\ s <= 2 * h /\ Rabs (s - sqrt d) <= 24 / 10 * (e * h / s) + 3 * eps * s.
 Proof.
-  intros He Hd Hf Hh HX Hd' HP HS; pose proof u_bounds.
+  intros Heps He Hd Hf Hh HX Hd' HP HS; assert (Hh0 : 0 < h) by lra.
   assert (HX0 : 0 < X) by (rewrite HX; apply Rmult_lt_0_compat; lra); pose proof (sqrt_lt_R0 X HX0) as HsX.
-  apply Rabs_le_inv in HP as HP'; assert (HP0 : 0 <= P) by nra.
-  assert (H1 : Rabs (sqrt X - sqrt P) <= u * sqrt X).
+  assert (HuX : 0 <= eps * X <= / 1000000000000 * X) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_r]; lra).
+  apply Rabs_le_inv in HP as HP'; assert (HP0 : 0 <= P) by lra.
+  assert (H1 : Rabs (sqrt X - sqrt P) <= eps * sqrt X).
   { apply Rle_trans with (1 := sqrt_distance X P HX0 HP0); apply Rmult_le_reg_r with (sqrt X); [assumption|].
     unfold Rdiv; rewrite Rmult_assoc, Rinv_l, Rmult_assoc, sqrt_sqrt, Rabs_minus_sym by lra; lra. }
   pose proof (sqrt_distance X d HX0 Hd) as H2.
   apply Rabs_le_inv in H1, HS; set (x := sqrt X) in *; set (w := sqrt P) in *.
-  assert (Hs : (1 - u) * x <= w <= (1 + u) * x) by lra.
-  assert (HSx : (1 - 3 * u) * x <= s <= (1 + 3 * u) * x) by (split; nra).
-  assert (HS0 : 0 < s) by nra; split; [assumption|].
-  assert (Hxh : x <= h) by (unfold x; rewrite <- (sqrt_square h) by lra; apply sqrt_le_1_alt; nra).
-  split; [nra|].
+  assert (Hux : 0 <= eps * x <= / 1000000000000 * x) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_r]; lra).
+  assert (Huux : eps * (eps * x) <= / 1000000000000 * (eps * x)) by (apply Rmult_le_compat_r; lra).
+  assert (Hs : (1 - eps) * x <= w <= (1 + eps) * x) by lra.
+  assert (Huw : eps * w <= eps * ((1 + eps) * x)) by (apply Rmult_le_compat_l; lra).
+  assert (HSx : (1 - 3 * eps) * x <= s <= (1 + 3 * eps) * x) by lra.
+  assert (HS0 : 0 < s) by lra; split; [assumption|].
+  assert (Hxh : x <= (1 + / 1000) * h).
+  { unfold x; rewrite <- (sqrt_square ((1 + / 1000) * h)) by lra; apply sqrt_le_1_alt; rewrite HX.
+    apply Rmult_le_compat; lra. }
+  split; [lra|].
   assert (H3 : Rabs (X - d) / x <= 239 / 100 * (e * h / s)).
   { apply Rle_trans with (237 / 100 * (e * h) / x); [apply Rmult_le_compat_r; [apply Rlt_le, Rinv_0_lt_compat|]; assumption|].
     replace (239 / 100 * (e * h / s)) with (e * h * (239 / 100 * / s)) by (unfold Rdiv; ring).
     replace (237 / 100 * (e * h) / x) with (e * h * (237 / 100 * / x)) by (unfold Rdiv; ring).
-    apply Rmult_le_compat_l; [nra|]; apply Rmult_le_reg_r with (x * s); [nra|].
+    apply Rmult_le_compat_l; [apply Rmult_le_pos; lra|]; apply Rmult_le_reg_r with (x * s); [now apply Rmult_lt_0_compat|].
     replace (237 / 100 * / x * (x * s)) with (237 / 100 * s) by (field; lra);
-      replace (239 / 100 * / s * (x * s)) with (239 / 100 * x) by (field; lra); nra. }
-  assert (0 < e * h / s) by (apply Rdiv_lt_0_compat; [nra | assumption]).
+      replace (239 / 100 * / s * (x * s)) with (239 / 100 * x) by (field; lra); lra. }
+  assert (0 < e * h / s) by (apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat; lra | assumption]).
+  assert (Hus : eps * x <= (1 + / 1000) * (eps * s)).
+  { replace ((1 + / 1000) * (eps * s)) with (eps * ((1 + / 1000) * s)) by ring; apply Rmult_le_compat_l; lra. }
   replace (s - sqrt d) with ((s - x) + (x - sqrt d)) by ring.
-  apply Rle_trans with (1 := Rabs_triang _ _); assert (Rabs (s - x) <= 3 * u * s) by (apply Rabs_le; nra); lra.
+  apply Rle_trans with (1 := Rabs_triang _ _); assert (Rabs (s - x) <= 3 * eps * s) by (apply Rabs_le; lra); lra.
 Qed.
 
 Lemma meets : B_error < F_fl ->
@@ -161,7 +169,7 @@ Proof.
   assert (Hroot : bpow radix2 (-360) <= sqrt (rnd (F_fl * H_fl))).
   { rewrite <- (sqrt_square (bpow radix2 (-360))) by lra; apply sqrt_le_1_alt; now rewrite <- bpow_plus. }
   pose proof (Hnormal _ (Hmore _ Hroot)) as HS.
-  destruct (root_of_product B_error F_fl H_fl D _ _ _ ltac:(lra) ltac:(lra) HF Hfh eq_refl HX HP HS) as (HS0 & HSh & Hb).
+  destruct (root_of_product u B_error F_fl H_fl D _ _ _ u_bounds ltac:(lra) ltac:(lra) HF ltac:(lra) eq_refl HX HP HS) as (HS0 & HSh & Hb).
   change (rnd (sqrt (rnd (F_fl * H_fl)))) with S in Hroot, HS, HS0, HSh, Hb |- *.
   change S_error with (rnd (rnd (rnd (rnd (3 * B_error) * H_fl) / S) + rnd (bpow radix2 (-51) * S))).
   assert (Hlow : forall x, bpow radix2 (-720) <= x -> (1 - / 1000000) * x <= rnd x).
@@ -290,31 +298,10 @@ Proof.
   assert (HA0 : A <> 0) by (intros Z0; rewrite Z0 in *; unfold Rabs in HA; destruct Rcase_abs in HA; lra).
   assert (HAs : Rlt_bool 0 A_fl = Rlt_bool 0 A).
   { unfold Rabs in HA; destruct Rcase_abs in HA; destruct (Rlt_bool_spec 0 A_fl), (Rlt_bool_spec 0 A); trivial; lra. }
-  pose proof (sqrt_sqrt D (Rlt_le _ _ HD)) as Hss; set (r := sqrt D) in *.
-  assert (Hroots : q_exact * q_exact + 2 * B * q_exact + A * C = 0).
-  { assert (r * r = B * B - A * C) by (rewrite Hss; reflexivity); unfold q_exact; fold r; destruct Rle_bool; lra. }
+  destruct (exact_roots A B C (sqrt D) q_exact (Rle_bool 0 B_fl) (sqrt_sqrt D (Rlt_le _ _ HD)) Hs eq_refl Hqx HA0)
+    as [Hboth Horder]; rewrite <- HAs in Horder; change (eqb (Rlt_bool 0 A_fl) (Rle_bool 0 B_fl)) with A_root_first in Horder.
   set (x := q_exact / A) in *; set (y := C / q_exact) in *.
-  assert (Hxy : x * y = C / A) by (unfold x, y; field; auto).
-  assert (Hsum : x + y = - (2 * B) / A).
-  { unfold x, y; replace (- (2 * B) / A) with ((q_exact * q_exact + A * C) / (A * q_exact)).
-    - field; auto.
-    - replace (q_exact * q_exact + A * C) with (- (2 * B) * q_exact) by lra; field; auto. }
-  assert (Hall : forall t, is_root t <-> t = x \/ t = y).
-  { intros t; unfold is_root; replace (A * t * t + 2 * B * t + C) with (A * ((t - x) * (t - y))).
-    - split; [|intros [-> | ->]; ring]; intros Ht; apply Rmult_integral in Ht as [Ht|Ht]; [contradiction|].
-      apply Rmult_integral in Ht as [Ht|Ht]; [left | right]; lra.
-    - replace ((t - x) * (t - y)) with (t * t - (x + y) * t + x * y) by ring; rewrite Hxy, Hsum; field; auto. }
-  assert (Hdiff : A * (y - x) = 2 * (if Rle_bool 0 B_fl then r else - r)).
-  { replace (A * (y - x)) with (A * (x + y) - 2 * (A * x)) by ring; rewrite Hsum.
-    replace (A * (- (2 * B) / A)) with (- (2 * B)) by (field; auto).
-    replace (A * x) with q_exact by (unfold x; field; auto); unfold q_exact; fold r; destruct Rle_bool; lra. }
-  assert (Horder : if A_root_first then x < y else y < x).
-  { unfold A_root_first; change (Formas.positive total) with (Rle_bool 0 B_fl); rewrite HAs.
-    destruct (Rlt_bool_spec 0 A), (Rle_bool 0 B_fl); cbn [eqb].
-    - apply Rnot_le_lt; intros Hle; pose proof (Rmult_le_compat_l A (y - x) 0 ltac:(lra) ltac:(lra)); lra.
-    - apply Rnot_le_lt; intros Hle; pose proof (Rmult_le_compat_l A 0 (y - x) ltac:(lra) ltac:(lra)); lra.
-    - apply Rnot_le_lt; intros Hle; pose proof (Rmult_le_compat_neg_l A 0 (y - x) ltac:(lra) ltac:(lra)); lra.
-    - apply Rnot_le_lt; intros Hle; pose proof (Rmult_le_compat_neg_l A (y - x) 0 ltac:(lra) ltac:(lra)); lra. }
+  assert (Hall : forall t, is_root t <-> t = x \/ t = y) by exact Hboth.
   unfold nearer, farther, choose; destruct A_root_first.
   - exists x, y; split; [assumption|]; split; [assumption|].
     intros root t [[-> ->]|[-> ->]]; cbn [Formas.value Formas.error]; tauto.

@@ -8,7 +8,7 @@ From Flocq Require Raux Zaux Generic_fmt FLT.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require MainText MainModels.
 From Durero Require Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion
-  Surd Exacto ExactoEscena Slab Bundles Beams Rounding Vectors Formas Decision Flotante Certified Twofold Products Once Newton Walk Limits
+  Surd Exacto ExactoEscena Slab Bundles Beams Rounding Vectors Formas Decision Flotante Certified Twofold Sums Products Words Quick Once Newton Walk Limits
   Search Boxes Lattice Grid Chain Occlusion.
 Import Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion.
 Local Open Scope R_scope.
@@ -160,12 +160,20 @@ Theorem double_double_keeps_sums_and_products_whole a b : format a -> format b -
      /\ Formas.Pairs.two_prod_of_halves a b = Formas.Pairs.two_prod a b).
 Proof. exact (Twofold.sums_and_products_whole a b). Qed.
 
-(** What a product of double-doubles loses, where no part of it underflows: less than 2^-102 of it. *)
-Theorem a_product_of_double_doubles_is_near x y : Twofold.pair x -> Twofold.pair y -> Products.products_kept x y ->
-  Twofold.pair (Formas.Pairs.product x y)
-  /\ Rabs (Twofold.whole (Formas.Pairs.product x y) - Twofold.whole x * Twofold.whole y)
-     <= Raux.bpow Zaux.radix2 (-102) * Rabs (Twofold.whole x * Twofold.whole y).
-Proof. exact (Products.product_near x y). Qed.
+(** What a sum, a difference, a product, a quotient and a square root of double-doubles lose: less than 2^-102 of it. Each
+    is a double-double whose first part is the whole, rounded once. A sum never underflows; a product, where the leading
+    parts' product is 0 or not below 2^-960; a quotient and a root, where they and what is divided are not below 2^-900. *)
+Theorem double_doubles_are_within_their_bounds x y : Sums.double_word x -> Sums.double_word y ->
+  Words.within_bound (Formas.Pairs.sum x y) (Twofold.whole x + Twofold.whole y)
+  /\ Words.within_bound (Formas.Pairs.difference x y) (Twofold.whole x - Twofold.whole y)
+  /\ (Products.worthy (Formas.Pairs.hi x * Formas.Pairs.hi y) ->
+     Words.within_bound (Formas.Pairs.product x y) (Twofold.whole x * Twofold.whole y))
+  /\ (Raux.bpow Zaux.radix2 (-900) <= Rabs (Formas.Pairs.hi x) -> Formas.Pairs.hi y <> 0 ->
+     Raux.bpow Zaux.radix2 (-900) <= Rabs (Formas.Pairs.hi x / Formas.Pairs.hi y) ->
+     Words.within_bound (Formas.Pairs.ratio x y) (Twofold.whole x / Twofold.whole y))
+  /\ (Raux.bpow Zaux.radix2 (-900) <= Formas.Pairs.hi x ->
+     Words.within_bound (Formas.Pairs.root_of x) (sqrt (Twofold.whole x))).
+Proof. exact (Words.operations_near x y). Qed.
 
 (** A root that a step of Newton's improved is within the error that is computed with it. *)
 Theorem an_improved_root_is_within_its_error t slope a at_t A B C T : Newton.binary64s t slope a at_t ->
@@ -187,6 +195,14 @@ Theorem what_is_certain_is_rounded_right p v t error T out : Flotante.ordinary_v
   Chain.rounds (mk_Rayo (mk_Punto (Vectors.cx p) (Vectors.cy p) (Vectors.cz p))
     (mk_Vector (Vectors.cx v) (Vectors.cy v) (Vectors.cz v))) out T.
 Proof. exact (Once.certain_is_rounded_right p v t error T out). Qed.
+
+(** The exact rounding in integers of 128 bits: where it says anything, it is what the number (x + y√delta)/w rounds to, under
+    any rounding that does not decrease. Quick.v has number/quick_round step by step. *)
+Theorem the_quick_rounding_says_nothing_false round mx ex my ey md ed mw ew out :
+  (forall a b, a <= b -> round a <= round b) -> BinInt.Z.le 0 md -> mw <> 0%Z -> ((my = 0 \/ md = 0)%Z -> mx <> 0%Z) ->
+  Quick.quick round mx ex my ey md ed mw ew = Some out ->
+  out = round ((Quick.dyadic mx ex + Quick.dyadic my ey * sqrt (Quick.dyadic md ed)) / Quick.dyadic mw ew).
+Proof. exact (Quick.quick_is_right round mx ex my ey md ed mw ew out). Qed.
 
 (** * 10. From the Z text to what is printed: the search as it runs *)
 Section Chain.
@@ -302,7 +318,7 @@ End Chain.
     Triage.shape has the numbers of an element, Triage.stands s e sh that e has them in s. The decisions are the recorded
     terms of Formas.v: Triage.lanes_of for rays in a batch, Triage.alone_of for one ray up to a limit, each for a ray that
     starts on the element (on) or does not. *)
-From Durero Require Verdict Steps Triage.
+From Durero Require Verdict Steps Triage Doubled StableSphere Running.
 Section Decisions.
 Variable Elemento : Type.
 Variables (s : Escena Elemento) (en : set Elemento) (p v : Vectors.vec).
@@ -344,5 +360,40 @@ Proof.
   intros described range computed.
   exact (Triage.triage_decides Elemento s ok en p v ray_ok p_ordinary v_ordinary elements shape_of on in_range described range
     triage computed).
+Qed.
+
+(** The second step, in double-double, of a ray and a sphere: the same of the parameter; and where the rounding of what it
+    finds is certain, what is stored are the parameter and the point of the text, each rounded once. *)
+Theorem the_second_step_on_a_sphere_is_right e centro r on limit :
+  Triage.stands Elemento s e (Triage.Sphere centro r) -> Triage.ordinary_shape (Triage.Sphere centro r) ->
+  (on = true <-> en e) -> format limit ->
+  match StableSphere.stable_of_sphere p v centro r on limit with
+  | Formas.Miss => forall t, met e t -> limit < t
+  | Formas.Undecided => True
+  | Formas.Hit root _ _ => exists t, is_least (met e) t
+      /\ Rabs (t - Twofold.whole (Formas.value root)) <= Formas.error root
+      /\ forall out, let once := Formas.Pairs.round_point p v (Formas.value root) (Formas.error root) in
+        Formas.Pairs.all_certain once = true -> Once.stores out once -> Chain.rounds ray out t
+  end.
+Proof.
+  exact (StableSphere.stable_of_sphere_right Elemento s en p v e centro r on limit ok ray_ok p_ordinary v_ordinary).
+Qed.
+
+(** So the steps of the search as they run are right, [Search.steps_right]: of Running.steps_run, which says that its triage,
+    its second step on spheres and its rounding are the recorded terms, and of Running.steps_assumed, which is what is left:
+    the second step on other shapes, the Newton step's error, the ends around a parameter, what is certainly less, and the
+    exact rounding. *)
+Theorem the_steps_that_run_are_right elements (shape_of : Elemento -> Triage.shape) on in_range triage stable improved low high
+  certainly_less rounded round_exact :
+  (forall e, In e elements -> Triage.stands Elemento s e (shape_of e) /\ (on e = true <-> en e)) ->
+  (forall e, In e elements -> in_range e = true -> Triage.ordinary_shape (shape_of e)) ->
+  Running.steps_run Elemento p v elements shape_of on in_range triage stable rounded ->
+  Running.steps_assumed Elemento s en p v elements shape_of in_range stable improved low high certainly_less round_exact ->
+  Search.steps_right Elemento Running.finding Chain.printed met elements (Chain.rounds ray) in_range triage stable improved
+    Running.near low high certainly_less rounded round_exact.
+Proof.
+  intros described range.
+  exact (Running.steps_are_right Elemento s en p v ok ray_ok p_ordinary v_ordinary elements shape_of on in_range described
+    range triage stable improved low high certainly_less rounded round_exact).
 Qed.
 End Decisions.

@@ -12,7 +12,7 @@
 From Coq Require Import Reals ZArith Lra Lia Psatz Bool.
 From Flocq Require Import Core.
 From Durero Require Import Trazador.
-From Durero Require Import Rounding Quotient Decision.
+From Durero Require Import Rounding Quotient Roots Decision.
 From Durero Require Formas.
 Local Open Scope R_scope.
 Local Opaque bpow.
@@ -172,83 +172,22 @@ Proof.
 Qed.
 
 (** The roots are q/A, where A is not 0, and C/q. *)
-Lemma roots_are t : x <> 0 -> x * x + 2 * B * x + A * C = 0 -> (root t <-> A * t = x \/ t = C / x).
+Lemma roots_of t : B_error < F_fl -> x <> 0 -> (root t <-> A * t = x \/ t = C / x).
 Proof.
-  intros Hx E; unfold is_root; assert (P : (A * t - x) * (x * t - C) = x * (A * t * t + 2 * B * t + C)).
-  { replace ((A * t - x) * (x * t - C)) with (x * (A * t * t) - (x * x + A * C) * t + x * C) by ring.
-    replace (x * x + A * C) with (- (2 * B * x)) by lra; ring. }
-  split.
-  - intros R0; rewrite R0, Rmult_0_r in P; apply Rmult_integral in P as [P|P]; [left; lra | right].
-    apply Rmult_eq_reg_l with x; [field_simplify; lra | exact Hx].
-  - intros R0; assert (Z0 : (A * t - x) * (x * t - C) = 0).
-    { destruct R0 as [R0| ->]; [rewrite R0; ring|]; replace (x * (C / x)) with C by (field; exact Hx); ring. }
-    rewrite Z0 in P; apply Rmult_eq_reg_l with x; [lra | exact Hx].
+  intros HF Hx; destruct (meets f A B C F H f_sound HF) as (HD & _).
+  exact (roots_are A B C _ x (Rle_bool 0 B_fl) (sqrt_sqrt _ (Rlt_le _ _ HD)) eq_refl Hx t).
 Qed.
 
 Lemma least_of_A_right t : B_error < F_fl -> 2 * q_error < Rabs q -> A * t = x -> 0 <= least_of_A <= Rabs t.
 Proof.
-  intros HF Hq Ht; destruct (q_bound f A B C F H f_sound HF) as (Hx & He & Hq450 & Fq & Fqe & _); pose proof u_bounds as Hu.
+  intros HF Hq Ht; destruct (q_bound f A B C F H f_sound HF) as (Hx & He & Hq450 & Fq & Fqe & _).
   destruct (binary64 f A B C F H f_sound) as (FA & _ & FAe & _), (errors_least f A B C F H f_sound) as (HAe & _).
   destruct (sizes f A B C F H f_sound) as (HA450 & _); pose proof (A_near f A B C F H f_sound) as HA.
-  pose proof (bpow_gt_0 radix2 (-360)) as H360; set (e := / 1000000000000) in *.
-  assert (Hw : 1 - / 8388608 <= 9007198354021067 * bpow radix2 (-53) <= 1 - / 16777216).
-  { replace (bpow radix2 (-53)) with (/ 9007199254740992) by reflexivity; lra. }
-  set (w := 9007198354021067 * bpow radix2 (-53)) in *; unfold least_of_A; fold w.
-  set (g := Rabs q - q_error); assert (Hg : bpow radix2 (-360) <= g) by (unfold g; lra).
-  pose proof (rnd_plus (Rabs q) (- q_error) (generic_format_abs _ _ _ Fq) (generic_format_opp _ _ _ Fqe)) as E1.
-  fold (Rabs q - q_error) in E1; fold g in E1; rewrite (Rabs_pos_eq g) in E1 by lra; apply Rabs_le_inv in E1.
-  assert (Hug : u * g <= e * g) by (apply Rmult_le_compat_r; lra); set (g' := rnd g) in *.
-  set (l := Rabs A_fl + A_error); pose proof (Rabs_pos A_fl) as HA0; assert (Hl : 0 < l) by (unfold l; lra).
-  pose proof (rnd_plus (Rabs A_fl) A_error (generic_format_abs _ _ _ FA) FAe) as E2; fold l in E2.
-  rewrite (Rabs_pos_eq l) in E2 by lra; apply Rabs_le_inv in E2.
-  assert (Hul : u * l <= e * l) by (apply Rmult_le_compat_r; lra); set (l' := rnd l) in *.
-  assert (Hg' : 0 < g' <= (1 + e) * g) by (unfold e in *; lra); assert (Hl' : (1 - e) * l <= l') by lra.
-  assert (Hl'0 : 0 < l') by (unfold e in *; lra).
-  assert (Hwg : bpow radix2 (-361) <= w * g').
-  { change (-361)%Z with (-1 + -360)%Z; rewrite bpow_plus; replace (bpow radix2 (-1)) with (/ 2) by reflexivity.
-    apply Rle_trans with (/ 2 * (101 / 100 * g')); [unfold e in *; lra|].
-    assert (51 / 100 * g' <= w * g') by (apply Rmult_le_compat_r; lra); lra. }
-  pose proof (bpow_gt_0 radix2 (-361)) as H361.
-  assert (E3 : Rabs (rnd (w * g') - w * g') <= u * (w * g')).
-  { rewrite <- (Rabs_pos_eq (w * g')) at 3 by lra; apply rnd_rel, (at_least_normal (-361)); [lia | rewrite Rabs_pos_eq;
-    lra]. }
-  apply Rabs_le_inv in E3; assert (u * (w * g') <= e * (w * g')) by (apply Rmult_le_compat_r; lra).
-  set (top := rnd (w * g')) in *; assert (Hwg2 : w * g' <= (1 - / 16777216) * ((1 + e) * g)).
-  { apply Rmult_le_compat; lra. }
-  assert (Htop : 0 < top <= (1 - / 20000000) * g) by (unfold e in *; lra).
-  assert (Hdiv : top / l' <= (1 - / 30000000) * (g / l)).
-  { apply Rmult_le_reg_r with l'; [assumption|]; replace (top / l' * l') with top by (field; lra).
-    apply Rle_trans with (1 := proj2 Htop); apply Rle_trans with ((1 - / 30000000) * (g / l) * ((1 - e) * l)).
-    - replace ((1 - / 30000000) * (g / l) * ((1 - e) * l)) with ((1 - / 30000000) * (1 - e) * g) by (field; lra).
-      apply Rmult_le_compat_r; unfold e; lra.
-    - apply Rmult_le_compat_l; [|assumption]; apply Rmult_le_pos; [lra|]; apply Rlt_le, Rdiv_lt_0_compat; lra. }
-  assert (Hgl : g / l <= Rabs t).
-  { apply Rmult_le_reg_r with l; [assumption|]; replace (g / l * l) with g by (field; lra).
-    assert (Ha : Rabs A <= l).
-    { pose proof (Rabs_triang A_fl (- (A_fl - A))) as Htr; rewrite Rabs_Ropp in Htr.
-      replace (A_fl + - (A_fl - A)) with A in Htr by ring; unfold l; lra. }
-    assert (Hgx : g <= Rabs x).
-    { pose proof (Rabs_triang_inv q (q - x)) as Htr; replace (q - (q - x)) with x in Htr by ring; unfold g; lra. }
-    apply Rle_trans with (1 := Hgx); rewrite <- Ht, Rabs_mult, Rmult_comm; apply Rmult_le_compat_l;
-      [apply Rabs_pos | exact Ha]. }
-  assert (Hd0 : 0 < top / l') by (apply Rdiv_lt_0_compat; lra).
-  pose proof (A_error_size f A B C F H f_sound) as HAe450.
-  assert (Hl452 : l' <= bpow radix2 452).
-  { change 452%Z with (2 + 450)%Z; rewrite bpow_plus; replace (bpow radix2 2) with 4 by reflexivity; unfold l, e in *; lra. }
-  assert (Htop362 : bpow radix2 (-362) <= top).
-  { change (-362)%Z with (-1 + -361)%Z; rewrite bpow_plus; replace (bpow radix2 (-1)) with (/ 2) by reflexivity.
-    unfold e in *; lra. }
-  assert (Hdn : bpow radix2 (-814) <= top / l').
-  { apply Rmult_le_reg_r with l'; [assumption|]; replace (top / l' * l') with top by (field; lra).
-    apply Rle_trans with (2 := Htop362); apply Rle_trans with (bpow radix2 (-814) * bpow radix2 452).
-    - apply Rmult_le_compat_l; [apply bpow_ge_0 | assumption].
-    - rewrite <- bpow_plus; apply bpow_le; lia. }
-  assert (E4 : Rabs (rnd (top / l') - top / l') <= u * (top / l')).
-  { rewrite <- (Rabs_pos_eq (top / l')) at 3 by lra; apply rnd_rel, (at_least_normal (-814)); [lia | rewrite Rabs_pos_eq;
-    lra]. }
-  apply Rabs_le_inv in E4; assert (u * (top / l') <= e * (top / l')) by (apply Rmult_le_compat_r; lra).
-  split; [apply rnd_nonneg; lra|].
-  apply Rle_trans with (2 := Hgl); assert (0 < g / l) by (apply Rdiv_lt_0_compat; lra); unfold e in *; lra.
+  pose proof (A_error_size f A B C F H f_sound) as HAe450; pose proof (bpow_gt_0 radix2 (-360)).
+  apply (computed_least q q_error A_fl A_error x A t); auto.
+  - pose proof (Rabs_triang_inv q (q - x)) as Htr; replace (q - (q - x)) with x in Htr by ring; lra.
+  - pose proof (Rabs_triang A_fl (- (A_fl - A))) as Htr; rewrite Rabs_Ropp in Htr.
+    replace (A_fl + - (A_fl - A)) with A in Htr by ring; pose proof (Rabs_pos A_fl); lra.
 Qed.
 
 Definition points (on : R -> Prop) (t : R) : Prop := root t /\ on t.
@@ -295,20 +234,13 @@ Proof.
       Ft & Fe).
     fold (from_C f) in N, L, Ft, Fe; destruct (Hplace (from_C f) (C / x) N Ft Fe L) as [Out In].
     assert (Hcase : forall t, points on t -> t = C / x \/ (A * t = x /\ on t)).
-    { intros t [Ht On]; apply (roots_are t Hx0 HxE) in Ht as [Ht|Ht]; auto. }
+    { intros t [Ht On]; apply (roots_of t HF Hx0) in Ht as [Ht|Ht]; auto. }
     apply (turn_right place limit _ (points on) on _ _ _ (C / x) N Fe Out In).
-    + intros On; split; [split; [apply (roots_are _ Hx0 HxE); now right | exact On]|].
+    + intros On; split; [split; [apply (roots_of _ HF Hx0); now right | exact On]|].
       intros t' Ht'; destruct (Hcase t' Ht') as [-> | [HA On']]; [lra|]; pose proof (Hon t' On') as Hpos.
-      assert (HAC : A * (C / x) = - x - 2 * B).
-      { replace (A * (C / x)) with (A * C / x) by (unfold Rdiv; ring); replace (A * C) with ((- x - 2 * B) * x) by lra.
-        field; exact Hx0. }
-      assert (Hd : A * (t' - C / x) = 2 * (x + B)) by (rewrite Rmult_minus_distr_l, HA, HAC; ring).
-      apply Rnot_lt_le; intros Hlt; destruct (Rle_bool 0 B_fl).
-      * assert (HA0 : A < 0) by (apply Rnot_le_lt; intros Hle; pose proof (Rmult_le_pos A t' Hle ltac:(lra)); lra).
-        pose proof (Rmult_le_compat_neg_l A (t' - C / x) 0 ltac:(lra) ltac:(lra)); lra.
-      * assert (HA0 : 0 < A) by (apply Rnot_le_lt; intros Hle; pose proof (Rmult_le_compat_neg_l A 0 t' Hle ltac:(lra));
-        lra).
-        pose proof (Rmult_le_compat_l A (t' - C / x) 0 ltac:(lra) ltac:(lra)); lra.
+      destruct (meets f A B C F H f_sound HF) as (HD & _).
+      apply (root_of_C_first A B C _ x (Rle_bool 0 B_fl) (sqrt_sqrt _ (Rlt_le _ _ HD)) (sqrt_lt_R0 _ HD) eq_refl Hx0 t'); auto.
+      destruct (Rle_bool 0 B_fl); lra.
     + intros Hb t' Ht'; destruct (Hcase t' Ht') as [-> | [HA On']]; [exact Hb | now apply Hfar].
     + intros Off t' Ht'; destruct (Hcase t' Ht') as [E | [HA On']]; [|now apply Hfar].
       destruct Ht' as [_ On]; rewrite E in On; now elim Off.

@@ -3,9 +3,9 @@
 /// seventeen where there is none; the results are the same bits.
 ///
 /// Each operation below errs by at most 2⁻¹⁰² of its result, which is 16u² with u = 2⁻⁵³, as long as nothing overflows
-/// or underflows. In units of u², relative to the result:
+/// or underflows (proofs/Sums.v, proofs/Products.v, proofs/Ratios.v). In units of u², relative to the result:
 ///   sum         3, since both halves are added exactly before anything is rounded (Joldes, Muller and Popescu, 2017);
-///   product     9: the two mixed products and their sum lose 4, lo·lo added to them 2, the last sum 3 (Products.v);
+///   product     9: the two mixed products and their sum lose 4, lo·lo added to them 2, the last sum 3;
 ///   quotient    13: the rest a − b·high is at most 3u·|a| and is known to 3u²·|a|; dividing its leading part by b's
 ///               leading part loses three roundings of it, 9; the last sum 1;
 ///   square root 6: Newton's step from a root with error 1.5u leaves 1.2, the rest's division 4, the last sum 1.

@@ -1,0 +1,198 @@
+(** * Doubled: what the tracer decides of a quadratic in double-double, and that it is right
+
+    The second step of trace/closed_form-inl.hpp: the decision of Verdict.v over pairs. Formas.Pairs has it as one term of
+    f, the computed quadratic; f is within its bounds of an exact one, A t² + 2B t + C with B² - AC = F·H. A leading part is
+    its pair rounded once, so that where it is beside a binary64, the whole is there too; the rest is as in binary64, with
+    uu in place of u.
+
+    sound2           == f is within its bounds of A, B, C, F and H, and of the magnitudes that the bounds ask for
+    near_word r t    == the root r, a pair, is within its error of t
+    right_pair T x a == the answer a is right of the parameters T: as Verdict.right_up_to *)
+From Coq Require Import Reals ZArith Lra Lia Psatz Bool.
+From Flocq Require Import Core Plus_error.
+From Durero Require Import Trazador.
+From Durero Require Import Rounding Quotient Roots Decision Twofold Sums Products Ratios Words.
+From Durero Require Formas.
+Import Formas.Pairs.
+Local Open Scope R_scope.
+Local Opaque bpow.
+
+Definition near_word (root : Formas.known twofold) (t : R) : Prop :=
+  Rabs (whole (Formas.value root) - t) <= (1 - e12) * Formas.error root /\ double_word (Formas.value root) /\
+  format (Formas.error root) /\ bpow radix2 (-900) <= Formas.error root.
+
+Definition right_pair (T : R -> Prop) (limit : R) (a : Formas.answer twofold) : Prop :=
+  match a with
+  | Formas.Miss => forall t, T t -> limit < t
+  | Formas.Undecided => True
+  | Formas.Hit root _ _ => exists t, is_least T t /\ near_word root t
+  end.
+
+Lemma right_pair_equal T T' limit a : (forall t, T t <-> T' t) -> right_pair T limit a -> right_pair T' limit a.
+Proof.
+  intros E; destruct a as [| | root slope curvature]; cbn [right_pair]; [intros Hm t Ht; now apply Hm, E | auto |].
+  intros (t & [Ht Hl] & N); exists t; split; [split; [now apply E | intros t' H'; now apply Hl, E] | exact N].
+Qed.
+
+(** ** A quotient of two, each within its error *)
+
+Definition sizeable (x : twofold) : Prop := hi x = 0 \/ bpow radix2 (-400) <= Rabs (hi x).
+
+Theorem quotient_near x X x_error y Y y_error : double_word x -> double_word y -> format x_error -> format y_error ->
+  bpow radix2 (-360) <= x_error -> sizeable x -> Rabs (whole x - X) <= x_error -> Rabs (whole y - Y) <= y_error ->
+  2 * y_error < Rabs (hi y) <= bpow radix2 450 -> near_word (quotient x x_error y y_error) (X / Y).
+Proof.
+  intros Wx Wy Fx Fy Hleast Sx Hx Hy [Hbig Hlarge]; unfold near_word, quotient; cbn [Formas.value Formas.error].
+  assert (Hy0 : 0 <= y_error) by (apply Rle_trans with (2 := Hy), Rabs_pos); pose proof uu_bounds as Huu.
+  assert (Hy_fl : hi y <> 0) by (intros Z0; rewrite Z0, Rabs_R0 in Hbig; lra).
+  assert (Hratio : bpow radix2 (-900) * Rabs (hi y) <= x_error).
+  { apply Rle_trans with (bpow radix2 (-900) * bpow radix2 450); [apply Rmult_le_compat_l; [apply bpow_ge_0 | exact Hlarge]|].
+    rewrite <- bpow_plus; apply Rle_trans with (2 := Hleast), bpow_le; lia. }
+  set (t := ratio x y); set (T := whole x / whole y).
+  assert (Ht : double_word t /\ Rabs (whole t - T) <= uu * Rabs T).
+  { destruct Sx as [Z0|Sx].
+    - assert (Et : t = Twofold 0 0) by now apply ratio_of_zero.
+      assert (ZT : T = 0).
+      { unfold T, Rdiv; destruct (double_word_is_pair x Wx) as (_ & _ & L); rewrite Z0, Rabs_R0, Rmult_0_r in L.
+        unfold whole; rewrite Z0; destruct (Req_dec (lo x) 0) as [->|Nl]; [ring | pose proof (Rabs_pos_lt _ Nl); lra]. }
+      rewrite Et, ZT; unfold double_word, whole; cbn [hi lo]; rewrite Rplus_0_r, rnd_0, Rminus_0_r, Rabs_R0.
+      repeat split; try apply generic_format_0; lra.
+    - apply ratio_near; auto; [apply Rle_trans with (2 := Sx), bpow_le; lia|].
+      pose proof (Rabs_pos_lt _ Hy_fl); unfold Rdiv; rewrite Rabs_mult, Rabs_inv.
+      apply Rmult_le_reg_r with (Rabs (hi y)); [lra|]; rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
+      apply Rle_trans with (2 := Sx), Rle_trans with (bpow radix2 (-900) * bpow radix2 450).
+      + apply Rmult_le_compat_l; [apply bpow_ge_0 | exact Hlarge].
+      + rewrite <- bpow_plus; apply bpow_le; lia. }
+  destruct Ht as [Wt Ht].
+  destruct (computed_quotient_error (Rabs (hi t)) (bpow radix2 (-100)) x_error (hi y) y_error Fx (proj1 Wy) Fy (Rabs_pos _)
+    (bpow_ge_0 _ _) ltac:(apply Rle_trans with (2 := Hleast), bpow_le; lia) Hratio Hy0 Hbig) as [HW Hbound].
+  set (W := (x_error + Rabs (hi t) * y_error) / _) in *; set (error := rnd (_ + rnd (bpow radix2 (-100) * Rabs (hi t)))) in *.
+  pose proof (bpow_gt_0 radix2 (-900)); set (e := e12) in *; assert (He : 0 < e < / 1000000) by (unfold e; lra).
+  replace (bpow radix2 (-100)) with (4 * uu) in Hbound by (replace 4 with (bpow radix2 2) by reflexivity; now rewrite <- bpow_plus).
+  (* The size of the quotient, and of the exact divisor. *)
+  pose proof (Rabs_pos T) as HT0; pose proof (Rabs_pos (hi t)) as Ht0.
+  assert (HuT : uu * Rabs T <= e30 * Rabs T) by (apply Rmult_le_compat_r; lra).
+  assert (HT : Rabs T <= (1 + 2 * e) * Rabs (hi t)).
+  { destruct (word_near t Wt) as [_ Hh]; pose proof (u_part _ Ht0) as Hu; fold e in Hu.
+    pose proof (size_least (whole t) T); pose proof (size_least (hi t) (whole t)); unfold e in *; lra. }
+  set (g := Rabs (hi y) - y_error) in *; assert (Hg : 0 < g) by (unfold g; lra).
+  assert (HgY : (1 - 2 * e) * g <= Rabs Y).
+  { destruct (word_near y Wy) as [_ Hh]; pose proof (u_part _ (Rabs_pos (hi y))) as Hu; fold e in Hu.
+    pose proof (size_least Y (whole y)) as Hl; rewrite Rabs_minus_sym in Hl.
+    pose proof (size_least (whole y) (hi y)) as Hl'; rewrite Rabs_minus_sym in Hl'.
+    assert (e * Rabs (hi y) <= e * (2 * g)) by (apply Rmult_le_compat_l; unfold g; lra); unfold g in *; lra. }
+  assert (HY0 : 0 < Rabs Y) by (assert (0 < (1 - 2 * e) * g) by (apply Rmult_lt_0_compat; lra); lra).
+  assert (HY : Y <> 0) by (intros Z0; rewrite Z0, Rabs_R0 in HY0; lra).
+  assert (Hwy : whole y <> 0).
+  { intros Z0; destruct (word_near y Wy) as [Hh _]; rewrite Z0, Rabs_R0, Rmult_0_r, Rminus_0_r in Hh.
+    pose proof (Rabs_pos_lt _ Hy_fl); lra. }
+  assert (HWg : W * g = x_error + Rabs (hi t) * y_error) by (unfold W; field; lra).
+  assert (HW0 : 0 < W) by lra; assert (HW1 : 0 < W * g) by (apply Rmult_lt_0_compat; lra).
+  assert (Hexact : Rabs (T - X / Y) <= (1 + 5 * e) * W).
+  { apply Rmult_le_reg_r with ((1 - 2 * e) * g); [apply Rmult_lt_0_compat; lra|].
+    apply Rle_trans with (Rabs (T - X / Y) * Rabs Y); [apply Rmult_le_compat_l; [apply Rabs_pos | exact HgY]|].
+    rewrite <- Rabs_mult; replace ((T - X / Y) * Y) with ((whole x - X) + T * (Y - whole y)) by (unfold T; field; auto).
+    apply Rle_trans with (1 := Rabs_triang _ _); rewrite Rabs_mult, (Rabs_minus_sym Y).
+    assert (Rabs T * Rabs (whole y - Y) <= (1 + 2 * e) * Rabs (hi t) * y_error)
+      by (apply Rmult_le_compat; auto using Rabs_pos).
+    apply Rle_trans with ((1 + 2 * e) * (W * g)).
+    - rewrite HWg; assert (0 <= e * x_error) by (apply Rmult_le_pos; [lra | pose proof (bpow_gt_0 radix2 (-360)); lra]); lra.
+    - replace ((1 + 5 * e) * W * ((1 - 2 * e) * g)) with ((1 + 5 * e) * (1 - 2 * e) * (W * g)) by ring.
+      apply Rmult_le_compat_r; [lra | unfold e; lra]. }
+  assert (Hut : 0 <= uu * Rabs (hi t)) by (apply Rmult_le_pos; lra).
+  assert (HuT2 : uu * Rabs T <= uu * ((1 + 2 * e) * Rabs (hi t))) by (apply Rmult_le_compat_l; lra).
+  assert (Heu : e * (uu * Rabs (hi t)) <= / 1000000 * (uu * Rabs (hi t))) by (apply Rmult_le_compat_r; lra).
+  split; [|split; [exact Wt | split; [apply format_rnd | lra]]].
+  replace (whole t - X / Y) with ((whole t - T) + (T - X / Y)) by ring; apply Rle_trans with (1 := Rabs_triang _ _).
+  apply Rle_trans with ((1 - e) * ((1 + / 33554432) * W + 3 / 4 * (4 * uu * Rabs (hi t)))); [unfold e in *; lra|].
+  apply Rmult_le_compat_l; [lra | exact Hbound].
+Qed.
+
+(** A pair beyond a limit. *)
+Lemma beyond_pair root limit t : near_word root t -> format limit -> beyond root limit = true -> limit < t.
+Proof.
+  intros (N & W & Fe & Hl) Fl; unfold beyond; destruct (exactly_word limit Fl) as [We Ee].
+  destruct (difference_near _ _ W We) as [Wd Hd]; rewrite Ee in Hd; set (d := difference _ _) in *.
+  set (gap := whole (Formas.value root) - limit) in *.
+  destruct (Rlt_bool_spec (Formas.error root) (hi d)) as [Hlt|]; [intros _ | discriminate].
+  apply (word_above d _ Wd Fe) in Hlt; pose proof (bpow_gt_0 radix2 (-900)).
+  pose proof (u_part _ (Rabs_pos gap)) as Hu; pose proof (u_part _ (proj1 Hu)) as Huu.
+  assert (Hgap : 0 < gap).
+  { apply Rnot_le_lt; intros Hle; rewrite (Rabs_left1 gap) in Hd, Hu, Huu by lra; apply Rabs_le_inv in Hd; lra. }
+  rewrite (Rabs_pos_eq gap) in Hd, Hu, Huu by lra; apply Rabs_le_inv in Hd, N; unfold gap in *; lra.
+Qed.
+
+Section Turn.
+Variable place : Formas.known twofold -> Formas.placed.
+Variables (limit : R) (curvature : Formas.known R).
+Hypothesis limit_binary64 : format limit.
+
+Definition turn (root : Formas.known twofold) (slope : Formas.known R) (next : Formas.answer twofold) : Formas.answer twofold :=
+  if beyond root limit then Formas.Miss
+  else if Formas.inside (place root) then Formas.Hit root slope curvature
+  else if Formas.outside (place root) then next
+  else Formas.Undecided.
+
+Lemma turn_right (T on : R -> Prop) root slope next t : near_word root t ->
+  (Formas.outside (place root) = true -> ~ on t) -> (Formas.inside (place root) = true -> on t) ->
+  (on t -> is_least T t) -> (limit < t -> forall t', T t' -> limit < t') -> (~ on t -> right_pair T limit next) ->
+  right_pair T limit (turn root slope next).
+Proof.
+  intros N Hout Hin Hleast Hbeyond Hnext; unfold turn.
+  destruct (beyond root limit) eqn:E; [cbn; now apply Hbeyond, (beyond_pair root)|].
+  destruct (Formas.inside (place root)); [cbn; exists t; split; [now apply Hleast, Hin | exact N]|].
+  destruct (Formas.outside (place root)); [now apply Hnext, Hout | exact I].
+Qed.
+End Turn.
+
+(** Where the element is all of its surface, a place is the sign of the parameter. *)
+Definition places (on : R -> Prop) (place : Formas.known twofold -> Formas.placed) : Prop :=
+  forall root t, near_word root t ->
+  (Formas.outside (place root) = true -> ~ on t) /\ (Formas.inside (place root) = true -> on t).
+
+Lemma place_right f : places (fun t => 0 < t) (place f).
+Proof.
+  intros root t (N & W & Fe & Hl); unfold place; cbn [Formas.outside Formas.inside]; apply Rabs_le_inv in N.
+  pose proof (bpow_gt_0 radix2 (-900)); split; intros H0.
+  - destruct (Rlt_bool_spec (hi (Formas.value root)) (- Formas.error root)) as [Hlt|]; [|discriminate].
+    apply (word_below _ _ W (generic_format_opp _ _ _ Fe)) in Hlt; lra.
+  - destruct (Rlt_bool_spec (Formas.error root) (hi (Formas.value root))) as [Hlt|]; [|discriminate].
+    apply (word_above _ _ W Fe) in Hlt; lra.
+Qed.
+
+(** Twice a sum is rounded to twice what it is rounded to. *)
+Lemma rnd_twice a b : format a -> format b -> rnd (2 * (a + b)) = 2 * rnd (a + b).
+Proof.
+  intros Fa Fb; destruct (Req_dec (rnd (a + b)) (a + b)) as [E|N].
+  { rewrite E; apply rnd_double; rewrite <- E; apply format_rnd. }
+  assert (Hbig : bpow radix2 (-1021) < Rabs (a + b)).
+  { apply Rnot_le_lt; intros H; apply N, rnd_format, FLT_format_plus_small; auto with typeclass_instances; reflexivity. }
+  set (w := a + b) in *; assert (Nw : w <> 0).
+  { intros Z0; rewrite Z0, Rabs_R0 in Hbig; pose proof (bpow_gt_0 radix2 (-1021)); lra. }
+  assert (Hm : (-1020 <= mag radix2 w)%Z).
+  { pose proof (mag_ge_bpow radix2 w (-1020)) as H; change (-1020 - 1)%Z with (-1021)%Z in H; apply H; lra. }
+  assert (Hc : cexp radix2 fexp (w * bpow radix2 1) = (cexp radix2 fexp w + 1)%Z).
+  { unfold cexp, FLT_exp; rewrite mag_mult_bpow by exact Nw; lia. }
+  replace (2 * w) with (w * bpow radix2 1) by (replace (bpow radix2 1) with 2 by reflexivity; ring).
+  unfold round, F2R; cbn [Fnum Fexp]; unfold scaled_mantissa; rewrite Hc.
+  replace (w * bpow radix2 1 * bpow radix2 (- (cexp radix2 fexp w + 1))) with (w * bpow radix2 (- cexp radix2 fexp w)).
+  - rewrite bpow_plus; replace (bpow radix2 1) with 2 by reflexivity; ring.
+  - rewrite Rmult_assoc, <- bpow_plus; do 2 f_equal; ring.
+Qed.
+
+Lemma sum_of_self x : double_word x -> sum x x = Twofold (2 * hi x) (2 * lo x).
+Proof.
+  intros (Fh & Fl & E); assert (E2 : forall a, format a -> two_sum a a = Twofold (2 * a) 0).
+  { intros a Fa; rewrite two_sum_is by assumption; replace (a + a) with (2 * a) by ring; rewrite rnd_double by assumption.
+    f_equal; ring. }
+  change (sum x x) with (let high := two_sum (hi x) (hi x) in let low := two_sum (lo x) (lo x) in
+    let z := fast_two_sum (hi high) (rnd (lo high + hi low)) in fast_two_sum (hi z) (rnd (lo low + lo z))).
+  rewrite !E2 by assumption; cbv zeta; cbn [hi lo]; rewrite Rplus_0_l.
+  assert (F2 : forall a, format a -> format (2 * a)) by (intros a Fa; rewrite <- (rnd_double a Fa); apply format_rnd).
+  assert (Ef : fast_two_sum (2 * hi x) (2 * lo x) = Twofold (2 * hi x) (2 * lo x)).
+  { assert (Es : rnd (2 * hi x + 2 * lo x) = 2 * hi x).
+    { rewrite <- Rmult_plus_distr_l, (rnd_twice _ _ Fh Fl); f_equal; symmetry; exact E. }
+    unfold fast_two_sum; rewrite Es; replace (2 * hi x - 2 * hi x) with 0 by ring.
+    now rewrite rnd_0, Rminus_0_r, (rnd_format (2 * lo x)) by auto. }
+  rewrite (rnd_format (2 * lo x)) by auto; rewrite Ef; cbn [hi lo]; rewrite Rplus_0_l, (rnd_format (2 * lo x)) by auto; exact Ef.
+Qed.

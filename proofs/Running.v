@@ -1,0 +1,151 @@
+(** * Running: the steps of the search, as they run, say nothing false
+
+    The record Search.steps_right, of the steps that are proved: the triage of every element, the second step on spheres,
+    and the rounding of what is found. What is assumed of the others stands in the theorem.
+
+    finding          == what a step has found: in binary64, or in double-double
+    near f t         == t is within its error; of a pair, that it is one, and its error no less than what rounding asks
+    answered_pair    == as Triage.answered, of the second step: limits are binary64 *)
+From Coq Require Import Reals List Lra Lia ZArith.
+From Flocq Require Import Core BinarySingleNaN.
+From Durero Require Import Toolkit Especificacion Escena Puntos Trazador Interseccion.
+From Durero Require Search Limits Chain Formas Once.
+From Durero Require Import Rounding Vectors Flotante Verdict Steps Triage Twofold Sums Doubled StableSphere.
+Import Formas.Pairs.
+Local Open Scope R_scope.
+Local Open Scope zed_scope.
+Local Opaque bpow.
+
+Inductive finding := Single (root : Formas.known R) | Double (root : Formas.known twofold).
+Definition near (f : finding) (t : R) : Prop :=
+  match f with
+  | Single root => is_near root t
+  | Double root => Rabs (whole (Formas.value root) - t) <= Formas.error root /\ pair (Formas.value root) /\
+      format (Formas.error root) /\ bpow radix2 (-900) <= Formas.error root
+  end.
+
+Definition found_single (a : Formas.answer R) : Search.verdict finding :=
+  match a with
+  | Formas.Miss => Search.Miss _
+  | Formas.Undecided => Search.Undecided _
+  | Formas.Hit root _ _ => Search.Hit _ (Single root)
+  end.
+Definition found_double (a : Formas.answer twofold) : Search.verdict finding :=
+  match a with
+  | Formas.Miss => Search.Miss _
+  | Formas.Undecided => Search.Undecided _
+  | Formas.Hit root _ _ => Search.Hit _ (Double root)
+  end.
+
+Definition answered_pair (step : R -> Formas.answer twofold) (x : Limits.binary64) (a : Formas.answer twofold) : Prop :=
+  if is_finite x then a = step (B2R x) else exists low, forall limit, format limit -> low <= limit -> a = step limit.
+
+(** What a step may say of one element up to x. *)
+Definition says_right (T : R -> Prop) (x : Limits.binary64) (a : Search.verdict finding) : Prop :=
+  match a with
+  | Search.Miss => forall t, T t -> ~ Limits.at_least x t
+  | Search.Hit f => exists t, is_least T t /\ near f t
+  | Search.Undecided => True
+  end.
+
+Lemma format_above low : exists limit, format limit /\ low <= limit.
+Proof.
+  exists (bpow radix2 (Z.max 0 (mag radix2 low))); split; [apply format_bpow; lia|].
+  apply Rle_trans with (1 := Rle_abs low), Rlt_le, Rlt_le_trans with (1 := bpow_mag_gt radix2 low), bpow_le; lia.
+Qed.
+
+Lemma double_says_right T step x a : (forall limit, format limit -> right_pair T limit (step limit)) -> answered_pair step x a ->
+  says_right T x (found_double a).
+Proof.
+  intros R0 Ha; unfold answered_pair in Ha.
+  assert (N : forall root t, near_word root t -> near (Double root) t).
+  { intros root t (H & W & Fe & He); pose proof (bpow_gt_0 radix2 (-900)); split; [lra|].
+    split; [now apply double_word_is_pair | now split]. }
+  destruct (is_finite x) eqn:Fx.
+  - specialize (R0 (B2R x) (generic_format_B2R 53 1024 x)); rewrite <- Ha in R0; destruct a; cbn in *; auto.
+    + intros t Ht [-> | [_ Hle]]; [discriminate Fx | specialize (R0 t Ht); lra].
+    + destruct R0 as (t & Ht & Hn); exists t; split; [exact Ht | now apply N].
+  - destruct Ha as (low & Ha); destruct (format_above low) as (l0 & F0 & H0); pose proof (R0 l0 F0) as R1.
+    rewrite <- (Ha l0 F0 H0) in R1; destruct a; cbn in *; auto.
+    + intros t Ht _; destruct (format_above (Rmax low t)) as (l & Fl & Hl).
+      pose proof (Rmax_l low t); pose proof (Rmax_r low t); pose proof (R0 l Fl) as R2; rewrite <- (Ha l Fl) in R2 by lra.
+      cbn in R2; specialize (R2 t Ht); lra.
+    + destruct R1 as (t & Ht & Hn); exists t; split; [exact Ht | now apply N].
+Qed.
+
+Section Running.
+Variable Elemento : Type.
+Variable s : Especificacion.Escena Elemento.
+Variable en : set Elemento.
+Variables p v : vec.
+Notation ray := (ray_of p v).
+Notation met := (met ray Elemento s en).
+Hypothesis ok : Escena_ok s.
+Hypothesis ray_ok : Rayo_ok ray.
+Hypothesis p_ordinary : ordinary_vec p.
+Hypothesis v_ordinary : ordinary_vec v.
+
+Variable elements : list Elemento.
+Variables (shape_of : Elemento -> shape) (on in_range : Elemento -> bool).
+Hypothesis described : forall e, In e elements -> stands Elemento s e (shape_of e) /\ (on e = true <-> en e).
+Hypothesis range : forall e, In e elements -> in_range e = true -> ordinary_shape (shape_of e).
+
+Variables triage stable : Elemento -> Limits.binary64 -> Search.verdict finding.
+Variable improved : Elemento -> finding -> Search.verdict finding.
+Variables low high : Search.evidence finding -> Limits.binary64.
+Variables certainly_less : finding -> finding -> bool.
+Variable rounded : finding -> option Chain.printed.
+Variable round_exact : Surd.surd -> Chain.printed.
+
+(** What the steps compute. *)
+Record steps_run : Prop := {
+  triage_runs : forall e x, In e elements -> in_range e = true ->
+    exists a, answered (alone_of p v (shape_of e) (on e)) x a /\ triage e x = found_single a;
+  stable_runs_on_spheres : forall e c r x, In e elements -> in_range e = true -> shape_of e = Sphere c r ->
+    exists a, answered_pair (stable_of_sphere p v c r (on e)) x a /\ stable e x = found_double a;
+  rounding_runs : forall f out, rounded f = Some out -> exists root, f = Double root /\
+    let once := round_point p v (Formas.value root) (Formas.error root) in
+    all_certain once = true /\ Once.stores out once }.
+
+(** What is assumed of the rest. *)
+Record steps_assumed : Prop := {
+  stable_of_others : forall e x, In e elements -> in_range e = true -> (forall c r, shape_of e <> Sphere c r) ->
+    says_right (met e) x (stable e x);
+  improved_is_near : forall e f g t, In e elements -> in_range e = true -> improved e f = Search.Hit _ g ->
+    is_least (met e) t -> near f t -> near g t;
+  ends_are_around : forall e v t, In e elements -> is_least (met e) t ->
+    Search.tells Elemento finding in_range near e v t -> Limits.at_most (low v) t /\ Limits.at_least (high v) t;
+  less_is_less : forall f g a b, certainly_less f g = true -> near f a -> near g b -> a < b;
+  exact_is_rounded : forall x, Surd.valid x -> Chain.rounds ray (round_exact x) (Surd.val x) }.
+
+Theorem steps_are_right : steps_run -> steps_assumed ->
+  Search.steps_right Elemento finding Chain.printed met elements (Chain.rounds ray) in_range triage stable improved near low high
+    certainly_less rounded round_exact.
+Proof.
+  intros Runs Rest; constructor.
+  - intros e x He Hr; destruct (described e He) as [Hs Hon]; destruct (triage_runs Runs e x He Hr) as (a & Ha & ->).
+    pose (verdict := fun (_ : Elemento) (_ : Limits.binary64) => verdict_of a).
+    destruct (is_finite x) eqn:Fx; unfold answered in Ha; rewrite Fx in Ha.
+    + pose proof (alone_is_right Elemento s ok en p v ray_ok p_ordinary v_ordinary e _ (on e) (B2R x) Hs (range e He Hr) Hon) as R1.
+      rewrite <- Ha in R1; destruct a; cbn in *; auto.
+      intros t Ht [-> | [_ Hle]]; [discriminate Fx | specialize (R1 t Ht); lra].
+    + destruct Ha as (l & Ha).
+      pose proof (fun limit => alone_is_right Elemento s ok en p v ray_ok p_ordinary v_ordinary e _ (on e) limit Hs (range e He Hr) Hon) as R1.
+      pose proof (R1 l) as R0; rewrite <- (Ha l) in R0 by lra; destruct a; cbn in *; auto.
+      intros t Ht _; specialize (R1 (Rmax l t)); rewrite <- (Ha (Rmax l t)) in R1 by apply Rmax_l; cbn in R1.
+      specialize (R1 t Ht); pose proof (Rmax_r l t); lra.
+  - intros e x He Hr; destruct (described e He) as [Hs Hon].
+    assert (Hcase : (exists c r, shape_of e = Sphere c r) \/ forall c r, shape_of e <> Sphere c r).
+    { destruct (shape_of e); [left; eauto | right; discriminate..]. }
+    destruct Hcase as [(c & r & Es)|Hother]; [|exact (stable_of_others Rest e x He Hr Hother)].
+    destruct (stable_runs_on_spheres Runs e c r x He Hr Es) as (a & Ha & ->); pose proof (range e He Hr) as Ho.
+    rewrite Es in Hs, Ho; refine (double_says_right _ _ _ _ _ Ha); intros limit Fl.
+    exact (stable_of_sphere_pair Elemento s en p v e c r (on e) limit ok ray_ok p_ordinary v_ordinary Hs Ho Hon Fl).
+  - exact (improved_is_near Rest).
+  - exact (ends_are_around Rest).
+  - exact (less_is_less Rest).
+  - intros f out t Hf Hn; destruct (rounding_runs Runs f out Hf) as (root & -> & Hc & Hst); destruct Hn as (H & P & Fe & He).
+    apply (Once.certain_is_rounded_right p v (Formas.value root) (Formas.error root)); auto; now rewrite Rabs_minus_sym.
+  - exact (exact_is_rounded Rest).
+Qed.
+End Running.
