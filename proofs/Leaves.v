@@ -8,7 +8,7 @@
     cell_of k              == the leaf k, with its entry, as Walk.v visits it
     passed_over st c       == c is passed over in the state st
     half_holds w n a       == the point w is in the closed leaf n of the tree a;  eighth_holds: of an octree
-    found_by e t w         == the leaves of the walk w lead to the element e at the parameter t *)
+    listed_by holds e      == each point of e is in the box of all, and in leaves that list e *)
 From Durero Require Import Acceleration Moments Line Crossings Trees.
 From Coq Require Import ZArith Reals List Bool Lra Sorted.
 From Flocq Require Import Core BinarySingleNaN.
@@ -155,3 +155,54 @@ Proof.
     rewrite (stands_one _ _ ordinary_ray _ _ _ Hmk Hmk'). exact (not_later_trans _ _ _ Hs H1).
 Qed.
 End Leaves.
+
+(** ** Joined to the text *)
+Section Text.
+Variable Elemento : Type.
+Variable s : Especificacion.Escena Elemento.
+Variable en : set Elemento.
+Variables (elements apart : list Elemento) (State Leaf : Type) (limit_of : State -> binary64) (lists : Leaf -> list Elemento).
+Variable r : beam.
+Hypothesis ordinary_ray : ordinary (p_of r) (v_of r).
+Variables (all : box64) (low high : axis -> binary64).
+Hypothesis low_usable : forall i, usable64 (low i).
+Hypothesis high_usable : forall i, usable64 (high i).
+Notation met := (met (of_beam r) Elemento s en).
+
+Definition listed_by (holds : (axis -> R) -> Leaf -> Prop) (e : Elemento) : Prop :=
+  forall w, puntos_de_elemento s e w -> Boxes.holds all w /\ (forall i, B2R (low i) <= along w i < B2R (high i))
+    /\ forall n, holds (along w) n -> In e (lists n).
+Hypothesis starts_apart : forall e, In e elements -> en e -> In e apart.
+
+(** What is passed over does not matter, and what is met is led to. *)
+Definition well_walked (walked : list (crossing64 * Leaf)) : Prop :=
+  (forall st c, passed_over r Leaf Elemento State limit_of lists all walked st c ->
+   forall e t, leads c e t -> met e t -> ~ at_least (limit_of st) t)
+  /\ forall e t, In e elements -> ~ In e apart -> met e t ->
+     exists k, In k (map (cell_of r Leaf Elemento lists all) walked) /\ leads k e t.
+
+Theorem halves_are_well_walked a : planes_usable _ _ _ _ a ->
+  (forall e, In e elements -> ~ In e apart -> listed_by (fun w n => half_holds r ordinary_ray Leaf w n a) e) ->
+  well_walked (tree_walk r ordinary_ray Leaf low high (walk_halves _ _ _ Leaf a)).
+Proof.
+  intros Ha Hl. destruct (tree_is_walked r ordinary_ray Leaf Elemento State limit_of lists all low high low_usable high_usable
+    (walk_halves _ _ _ Leaf a) (fun m n => in_half _ _ _ _ m n a)
+    (halves_are_covered _ _ (line64 (p_of r) (v_of r) ordinary_ray) Leaf a Ha) met) as [H1 H2].
+  split; [exact H1 |]. intros e t He Hn Ht.
+  destruct (met_of_another _ _ _ _ _ _ (fun N => Hn (starts_apart e He N)) Ht) as [Hpos Hpoint].
+  destruct (Hl e He Hn _ Hpoint) as [Hall [Hbox Hlists]].
+  apply H2; [now split | exact Hbox |]. intros n Hin. now apply Hlists, in_half_holds.
+Qed.
+Theorem eighths_are_well_walked a : middles_usable _ _ _ _ a ->
+  (forall e, In e elements -> ~ In e apart -> listed_by (fun w n => eighth_holds r ordinary_ray Leaf w n a) e) ->
+  well_walked (tree_walk r ordinary_ray Leaf low high (walk_eighths _ _ _ Leaf a)).
+Proof.
+  intros Ha Hl. destruct (tree_is_walked r ordinary_ray Leaf Elemento State limit_of lists all low high low_usable high_usable
+    (walk_eighths _ _ _ Leaf a) (fun m n => in_eighth _ _ _ _ m n a)
+    (eighths_are_covered _ _ (line64 (p_of r) (v_of r) ordinary_ray) Leaf a Ha) met) as [H1 H2].
+  split; [exact H1 |]. intros e t He Hn Ht.
+  destruct (met_of_another _ _ _ _ _ _ (fun N => Hn (starts_apart e He N)) Ht) as [Hpos Hpoint].
+  destruct (Hl e He Hn _ Hpoint) as [Hall [Hbox Hlists]].
+  apply H2; [now split | exact Hbox |]. intros n Hin. now apply Hlists, in_eighth_holds.
+Qed.
+End Text.

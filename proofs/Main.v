@@ -6,10 +6,10 @@
 From Coq Require Import Reals List.
 From Flocq Require Raux Zaux Generic_fmt FLT.
 From Durero Require Import Toolkit Especificacion.
-From Durero Require MainText MainModels.
+From Durero Require MainText MainModels Moments.
 From Durero Require Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion
-  Surd Exacto ExactoEscena Slab Bundles Beams Rounding Vectors Formas Decision Flotante Certified Twofold Sums Products Words Quick Once Newton Walk Limits
-  Search Boxes Lattice Grid Chain Occlusion.
+  Surd Exacto ExactoEscena Slab Bundles Beams Rounding Vectors Formas Decision Flotante Certified Twofold Sums Products
+  Words Quick Once Newton Walk Limits Search Boxes Lattice Grid Chain Line Crossings Trees Leaves Occlusion.
 Import Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -175,6 +175,24 @@ Theorem double_doubles_are_within_their_bounds x y : Sums.double_word x -> Sums.
      Words.within_bound (Formas.Pairs.root_of x) (sqrt (Twofold.whole x))).
 Proof. exact (Words.operations_near x y). Qed.
 
+(** Two crossings of planes across the axes are compared as their exact moments are: by the computed parameters where these
+    are far enough apart, and else by exact numbers. And what is entered beyond the limit lies beyond it. *)
+Theorem crossings_are_in_the_order_of_their_moments p v : Crossings.ordinary p v ->
+  forall a b A B, Crossings.stands64 p v a A -> Crossings.stands64 p v b B ->
+  match Crossings.order64 p v a b with
+  | Lt => Moments.sooner A B
+  | Eq => ~ Moments.sooner A B /\ ~ Moments.sooner B A
+  | Gt => Moments.sooner B A
+  end.
+Proof.
+  intros H a b A B Ha Hb. pose proof (Crossings.order64_right p v H a b A B Ha Hb) as K.
+  destruct (Crossings.order64 p v a b); [exact (conj (proj2 K) (proj1 K)) | exact K | exact K].
+Qed.
+Theorem what_is_entered_beyond_the_limit_lies_beyond p v : Crossings.ordinary p v ->
+  forall c m limit t, Crossings.stands64 p v c (Moments.At m) -> 0 <= fst m -> Crossings.beyond64 c limit = true -> fst m <= t ->
+  ~ Limits.at_least limit t.
+Proof. exact (Crossings.beyond64_right p v). Qed.
+
 (** A root that a step of Newton's improved is within the error that is computed with it. *)
 Theorem an_improved_root_is_within_its_error t slope a at_t A B C T : Newton.binary64s t slope a at_t ->
   A * T * T + 2 * B * T + C = 0 -> Rabs (T - Formas.value t) <= Formas.error t ->
@@ -290,6 +308,42 @@ Theorem grids_as_they_run corner h count lists (whole : set R) apart m c l :
   /\ forall e t, In e elements -> ~ In e apart -> met e t ->
      exists k, In k (map (Grid.cell_of p v corner h Elemento whole lists) l) /\ Walk.leads k e t.
 Proof. exact (Chain.grid_is_walked Elemento s ray en elements found limit corner h count lists whole apart m c l). Qed.
+
+(** In an octree, and in a tree of planes, by the walks of the headers in binary64: each leaf lists what has a point in it,
+    closed; what is passed over is all, where the box of all is rejected, or what comes from a leaf on that is entered
+    beyond the limit. The same premises again. *)
+Theorem octrees_as_they_run r (in_order : Crossings.ordinary (Leaves.p_of r) (Leaves.v_of r)) Leaf lists all corner far
+  apart a :
+  Boxes.of_beam r = ray -> (forall i, Crossings.usable64 (corner i)) -> (forall i, Crossings.usable64 (far i)) ->
+  Trees.middles_usable _ _ _ _ a -> (forall e, In e elements -> en e -> In e apart) ->
+  (forall e, In e elements -> ~ In e apart -> Leaves.listed_by Elemento s Leaf lists all corner far
+     (fun w n => Leaves.eighth_holds r in_order Leaf w n a) e) ->
+  let walked := Leaves.tree_walk r in_order Leaf corner far (Trees.walk_eighths _ _ _ Leaf a) in
+  (forall st k, Leaves.passed_over r Leaf Elemento found limit lists all walked st k ->
+   forall e t, Walk.leads k e t -> met e t -> ~ Limits.at_least (limit st) t)
+  /\ forall e t, In e elements -> ~ In e apart -> met e t ->
+     exists k, In k (map (Leaves.cell_of r Leaf Elemento lists all) walked) /\ Walk.leads k e t.
+Proof.
+  intros <- Hlow Hhigh Ha Hen Hl.
+  exact (Leaves.eighths_are_well_walked Elemento s en elements apart found Leaf limit lists r in_order all corner far Hlow Hhigh
+    Hen a Ha Hl).
+Qed.
+Theorem bsp_trees_as_they_run r (in_order : Crossings.ordinary (Leaves.p_of r) (Leaves.v_of r)) Leaf lists all corner far
+  apart a :
+  Boxes.of_beam r = ray -> (forall i, Crossings.usable64 (corner i)) -> (forall i, Crossings.usable64 (far i)) ->
+  Trees.planes_usable _ _ _ _ a -> (forall e, In e elements -> en e -> In e apart) ->
+  (forall e, In e elements -> ~ In e apart -> Leaves.listed_by Elemento s Leaf lists all corner far
+     (fun w n => Leaves.half_holds r in_order Leaf w n a) e) ->
+  let walked := Leaves.tree_walk r in_order Leaf corner far (Trees.walk_halves _ _ _ Leaf a) in
+  (forall st k, Leaves.passed_over r Leaf Elemento found limit lists all walked st k ->
+   forall e t, Walk.leads k e t -> met e t -> ~ Limits.at_least (limit st) t)
+  /\ forall e t, In e elements -> ~ In e apart -> met e t ->
+     exists k, In k (map (Leaves.cell_of r Leaf Elemento lists all) walked) /\ Walk.leads k e t.
+Proof.
+  intros <- Hlow Hhigh Ha Hen Hl.
+  exact (Leaves.halves_are_well_walked Elemento s en elements apart found Leaf limit lists r in_order all corner far Hlow Hhigh
+    Hen a Ha Hl).
+Qed.
 
 (** A shadow ray: over a walk that may end once something blocks, or pass over what is met at or beyond the other end. *)
 Theorem the_answer_to_a_shadow_ray_is_the_texts (prunable prunable1 : bool -> Walk.cell Elemento -> Prop) apart cs taken st
