@@ -1,7 +1,8 @@
 // Durero and Embree on the same scenes and rays, interleaved, on one thread: how long a build takes, millions of rays a
 // second, and how many times Embree's rate is Durero's; then how many times its own rate Durero's is on two threads, of
 // the time that passes. Durero's `fast` is right, and gives what it is asked for: the elements that are met first, or
-// these with t and the point rounded; Embree's answers are binary32, or its callbacks' binary64, and are not judged here.
+// these with t and the point rounded; Embree's answers are binary32, or its callbacks' binary64, and are not judged
+// here.
 //   embree_bench [--size SIZE] [--rays KIND] [ELEMENTS...]
 //                    size² rays, 1024², of every kind, on 10, 1000 and 100000 elements, unless told
 //

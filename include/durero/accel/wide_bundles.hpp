@@ -70,7 +70,7 @@ class WideBundles {
   }
 
  private:
-  static constexpr double widest = takes_any ? 3 : 2;            // of a bundle, in spacings of the elements
+  static constexpr double widest = takes_any ? 4 : 2;            // of a bundle, in spacings of the elements
   static constexpr std::size_t least_worth = takes_any ? 3 : 6;  // rays of a bundle that is worth it
   static constexpr std::size_t patience = 32;                    // pairs, until the limits are brought up to date
   static constexpr int dense_from = 2;                           // bits of an eight

@@ -113,11 +113,11 @@ bool occluded_segment_among(const Source& source, const model::Rayo& rayo, Origi
 }
 
 /// answer(begin, count) for blocks that make up `size` queries, on as many threads as the calling one may use: the more
-/// queries the larger up to a number, as more rays find company in a larger one, and so many that threads have some
-/// each.
+/// queries the larger up to a number, as more rays find company in a larger one, and not fewer than so many, that
+/// threads have some each.
 template <class Answer>
-void for_each_block(std::size_t size, Answer answer, std::size_t most = 4096) {
-  const std::size_t block_size = std::clamp<std::size_t>(size / 64, 256, most);
+void for_each_block(std::size_t size, Answer answer, std::size_t most = 4096, std::size_t not_fewer = 64) {
+  const std::size_t block_size = std::clamp<std::size_t>(size / not_fewer, 256, most);
   const std::size_t blocks = (size + block_size - 1) / block_size;
   const auto answer_block = [&](std::size_t block) {
     const std::size_t begin = block * block_size;

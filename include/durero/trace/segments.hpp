@@ -3,6 +3,9 @@
 /// and an element at a time in lanes. As any point at t < 1 decides, nothing is rounded; what the triage leaves open is
 /// asked of the search.
 
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <limits>
@@ -197,13 +200,15 @@ class SegmentBatch {
 template <PairCandidates Source>
 void occluded_segments_in_lanes(const Source& source, std::span<const scene::Query> queries, std::span<bool> occluded) {
   const std::vector<std::uint32_t> order = order_of(source, queries, Asked::segment);
-  constexpr std::size_t most = 1 << 14;
+  // In a larger scene company is farther off.
+  const std::size_t most = std::clamp<std::size_t>(source.scene().size() / 8, 1 << 12, 1 << 16);
+  const auto threads = static_cast<std::size_t>(oneapi::tbb::this_task_arena::max_concurrency());
   for_each_block(
       queries.size(),
       [&](std::size_t begin, std::size_t count) {
         SegmentBatch(source, picked(queries, order, begin, count), picked(occluded, order, begin, count)).answer();
       },
-      most);
+      most, 8 * threads);
 }
 
 }  // namespace durero::trace
