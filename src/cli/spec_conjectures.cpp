@@ -34,7 +34,7 @@ TriedConjectures tried(const zed::Specification& text, const zed::Typing& typing
   const oracle::spec::LabelIndex index(own ? embedded::labels().begin()->second : "");
   TriedConjectures all;
   for (const zed::Trial& trial :
-       zed::try_conjectures(text, typing, own ? oracle::spec::samples() : zed::Samples(), bounds)) {
+       zed::try_conjectures(text, typing, own && states > 0 ? oracle::spec::samples() : zed::Samples(), bounds)) {
     const std::string theorem = trial.label.empty() ? "" : index.theorem(trial.label);
     std::string said = verdict(trial);
     if (!theorem.empty() && trial.counterexample.empty()) said = fmt::format("proved as {}; {}", theorem, said);

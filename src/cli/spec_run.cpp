@@ -101,7 +101,10 @@ class Runner {
     io::complain(std::string("durero: ") + error.what() + "\n");
   }
 
-  void begin() { go_on(machine_.initial(call_.choices), "no initial state is found"); }
+  void begin() {
+    go_on(machine_.initial(call_.choices), "no initial state is found",
+          "expected an initial schema whose equations give each component a value");
+  }
 
   void obey(const std::string& command) {
     const std::size_t blank = command.find(' ');
@@ -137,7 +140,8 @@ class Runner {
                   "expected " + text::nearest(word, names).value_or("an operation; help lists the commands")};
   }
 
-  void go_on(Found ways, const std::string& none) {
+  void go_on(Found ways, const std::string& none,
+             const char* expected = "expected an operation that may; why OPERATION says its predicates") {
     listed_ = std::move(ways.transitions);
     const std::string left_out =
         ways.bounded.empty() ? "" : fmt::format("  more may be found with a greater {}\n", ways.bounded);
@@ -145,7 +149,7 @@ class Runner {
     if (listed_.empty())
       throw Refused{none + (ways.undecided ? ", as far as equations give it" : "") +
                         (ways.bounded.empty() ? "" : ", as far as " + ways.bounded + " goes"),
-                    "expected an operation that may; why OPERATION says its predicates"};
+                    expected};
     if (listed_.size() == 1) {
       take(listed_.front());
       return io::print(left_out + open);

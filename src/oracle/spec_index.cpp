@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
 #include <string_view>
 
 #include "durero/oracle/calculator.hpp"
@@ -53,16 +52,15 @@ std::string change_text(const zed::Specification& specification, const std::stri
 }  // namespace
 
 LabelIndex::LabelIndex(const std::string& table) {
-  std::istringstream lines(table);
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream cells(line);
-    std::string label;
-    Entry entry;
-    std::getline(cells, label, '\t');
-    std::getline(cells, entry.kind, '\t');
-    std::getline(cells, entry.place, '\t');
-    std::getline(cells, entry.name, '\t');
-    entries_.emplace(label, entry);
+  const auto taken = [](std::string_view& rest, char end) {
+    const std::string_view cell = rest.substr(0, rest.find(end));
+    rest.remove_prefix(std::min(cell.size() + 1, rest.size()));
+    return cell;
+  };
+  for (std::string_view rest = table; !rest.empty();) {
+    std::string_view line = taken(rest, '\n');
+    const std::string_view label = taken(line, '\t'), kind = taken(line, '\t'), place = taken(line, '\t');
+    entries_.emplace(label, Entry{std::string(kind), std::string(place), std::string(taken(line, '\t'))});
   }
 }
 

@@ -94,4 +94,10 @@ printf '\\begin{zed}\n  x == 1 + \\{ 1 \\}\n\\end{zed}\n' >wrong.tex
 refused 'wrong.tex:2:' spec eval x wrong.tex
 refused 'wrong.tex:2:' spec run wrong.tex
 refused 'wrong.tex:2:' spec show x wrong.tex
+# An initial schema that leaves a component open begins nowhere, and it is said which way out there is.
+printf '%s\n' '\begin{schema}{S} n : \nat; m : \nat \end{schema}' "\\begin{schema}{Init} S~' \\where n' = 0 \\end{schema}" \
+  "\\begin{zed} Op == [ \\Delta S | n' = n + 1 \\land m' = m ] \\end{zed}" >open.tex
+run 2 spec run open.tex </dev/null
+has err 'no initial state is found'
+has err 'expected an initial schema whose equations give each component a value'
 finish

@@ -5,6 +5,7 @@
 #include <ranges>
 #include <set>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "durero/zed/print/print.hpp"
 #include "durero/zed/review/review.hpp"
@@ -22,9 +23,53 @@ bool is_partial_arrow(const Term& set) {
   return row && row->arrow && row->arrow->function && !row->arrow->total;
 }
 
+/// Knows the words of all names that a partial function is declared by. Strokes may be put to these, and no other name
+/// is ever written out to have such a set: what applies none of them needs no proof.
+class PartialFunctions {
+ public:
+  explicit PartialFunctions(const Specification& specification) {
+    for (const Section& section : specification.sections)
+      for (const Paragraph& paragraph : section.paragraphs) {
+        if (const auto* box = std::get_if<Schema>(&paragraph.form)) declared_in(box->text);
+        if (const auto* box = std::get_if<Axiomatic>(&paragraph.form)) declared_in(box->text);
+        if (const auto* definition = std::get_if<Definition>(&paragraph.form)) declared_in(definition->value);
+        if (const auto* claim = std::get_if<Conjecture>(&paragraph.form)) declared_in(claim->claim.term);
+      }
+  }
+
+  bool applied_in(const Term& term) const {
+    if (term->kind == Kind::application && term->children[0]->kind == Kind::reference &&
+        words_.contains(term->children[0]->name.word))
+      return true;
+    const auto here = [this](const Term& part) { return applied_in(part); };
+    return (term->text && applied_in(*term->text)) || std::ranges::any_of(term->children, here);
+  }
+  bool applied_in(const SchemaText& text) const {
+    return std::ranges::any_of(text.declarations, [this](const Declaration& each) { return applied_in(each.term); }) ||
+           std::ranges::any_of(text.predicates, [this](const Predicate& each) { return applied_in(each.term); });
+  }
+
+ private:
+  void declared_in(const SchemaText& text) {
+    for (const Declaration& declaration : text.declarations) {
+      if (is_partial_arrow(declaration.term))
+        for (const Name& name : declaration.names) words_.insert(name.word);
+      declared_in(declaration.term);
+    }
+    for (const Predicate& predicate : text.predicates) declared_in(predicate.term);
+  }
+  void declared_in(const Term& term) {
+    if (term->text) declared_in(*term->text);
+    for (const Term& child : term->children) declared_in(child);
+  }
+
+  std::unordered_set<std::string> words_;
+};
+
 class Walker {
  public:
-  Walker(const Expander& expander, std::vector<Defect>& defects) : expander_(expander), defects_(defects) {
+  Walker(const Specification& specification, const Expander& expander, std::vector<Defect>& defects)
+      : partial_(specification), expander_(expander), defects_(defects) {
     Before none;
     join(expander.axioms(), none);
   }
@@ -32,8 +77,10 @@ class Walker {
   void section(const Section& section) {
     file_ = section.file;
     for (const Paragraph& paragraph : section.paragraphs) {
-      if (const auto* box = std::get_if<Schema>(&paragraph.form)) text(box->text, {});
-      if (const auto* box = std::get_if<Axiomatic>(&paragraph.form)) text(box->text, {});
+      if (const auto* box = std::get_if<Schema>(&paragraph.form); box && partial_.applied_in(box->text))
+        text(box->text, {});
+      if (const auto* box = std::get_if<Axiomatic>(&paragraph.form); box && partial_.applied_in(box->text))
+        text(box->text, {});
       if (const auto* definition = std::get_if<Definition>(&paragraph.form)) term(definition->value);
       if (const auto* claim = std::get_if<Conjecture>(&paragraph.form)) term(claim->claim.term);
     }
@@ -73,11 +120,13 @@ class Walker {
   std::size_t number_of(const Name& name) { return numbers_.emplace(name, numbers_.size()).first->second; }
 
   /// The numbers of the names that the fact mentions. Most facts are asked for again and again.
-  const std::set<std::size_t>& names_of(const Term& fact) {
+  const std::vector<std::size_t>& names_of(const Term& fact) {
     auto& [kept, names] = names_[fact.get()];
     if (!kept) {
       kept = fact;  // so that no other fact comes to lie where this one does
-      match::each_name(fact, [&](const Name& name) { names.insert(number_of(name)); });
+      match::each_name(fact, [&, &of_fact = names](const Name& name) { of_fact.push_back(number_of(name)); });
+      std::ranges::sort(names);
+      names.erase(std::ranges::unique(names).begin(), names.end());
     }
     return names;
   }
@@ -141,6 +190,7 @@ class Walker {
   }
 
   void term(const Term& term) {
+    if (!partial_.applied_in(term)) return;
     const Node& node = *term;
     if (node.text) return text(*node.text, node.children);
     const auto& parts = node.children;
@@ -176,12 +226,13 @@ class Walker {
                         "expected an invariant or a guard that gives it", Defect::Severity::opinion});
   }
 
+  PartialFunctions partial_;
   const Expander& expander_;
   std::vector<Defect>& defects_;
   std::string file_;
   Facts context_;
   std::unordered_map<Name, std::size_t> numbers_;
-  std::unordered_map<const Node*, std::pair<Term, std::set<std::size_t>>> names_;
+  std::unordered_map<const Node*, std::pair<Term, std::vector<std::size_t>>> names_;
   Budget budget_;
 };
 
@@ -190,7 +241,7 @@ class Walker {
 std::vector<Defect> partial_applications(const Specification& specification, const Typing& typing) {
   std::vector<Defect> defects;
   const Expander expander(specification, typing);
-  Walker walker(expander, defects);
+  Walker walker(specification, expander, defects);
   try {
     for (const Section& section : specification.sections) walker.section(section);
   } catch (const Budget::Spent&) {

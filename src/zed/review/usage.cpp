@@ -46,9 +46,9 @@ class Usage {
 
   /// A schema mentions its components where it is a predicate, the body of a schema quantifier, or behind θ.
   void mention_components(const Term& schema, const std::string& strokes = {}) {
-    const auto type = typing_.type_of(schema);
-    if (!type || !type->is_schema_set()) return;
-    for (const Name& name : type->parts()[0].fields()) mention({name.word, name.strokes + strokes});
+    const auto type = typing_.types.find(schema.get());
+    if (type == typing_.types.end() || !type->second.is_schema_set()) return;
+    for (const Name& name : type->second.parts()[0].fields()) mention({name.word, name.strokes + strokes});
   }
 
   /// A text that declares components has no variables to report: they are for others, and hide those of that name

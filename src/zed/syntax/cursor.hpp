@@ -18,7 +18,10 @@ struct Cursor {
   Place place{1, 1};
 
   bool done() const { return at >= text.size(); }
-  bool sees(std::string_view what) const { return text.substr(at, what.size()) == what; }
+  /// Says whether this stands here. Precondition: it is not empty.
+  bool sees(std::string_view what) const {
+    return !done() && text[at] == what.front() && text.substr(at, what.size()) == what;
+  }
   void step() {
     if (text[at] == '\n') {
       ++place.line;

@@ -36,21 +36,23 @@ std::vector<Trial> try_conjectures(const Specification& specification, const Typ
                                    const TrialBounds& bounds) {
   std::vector<Trial> trials;
   std::vector<Claim> claims;
-  std::vector<Section> sections = specification.sections;
+  std::vector<Section> sections;
+  if (bounds.states > 0) sections = specification.sections;
   for (const Section& section : specification.sections) {
     Section own{section.file, "trial of " + section.name, {section.name}, {}, section.place, {}};
     for (const Paragraph& paragraph : section.paragraphs)
       if (const auto* conjecture = std::get_if<Conjecture>(&paragraph.form)) {
         trials.push_back({section.file, paragraph.place, conjecture->claim.label, 0, {}, {}});
+        if (bounds.states == 0) {
+          trials.back().why_not = "no state is asked for";
+          continue;
+        }
         const Claim& claim = claims.emplace_back(conjecture->claim.term, claims.size());
         for (Paragraph& schema : claim.definitions()) own.paragraphs.push_back(std::move(schema));
       }
     sections.push_back(std::move(own));
   }
-  if (bounds.states == 0)
-    for (Trial& trial : trials) trial.why_not = "no state is asked for";
-  if (bounds.states > 0 && !trials.empty())
-    try_claims(std::move(sections), specification, samples, claims, typing, bounds, trials);
+  if (!claims.empty()) try_claims(std::move(sections), specification, samples, claims, typing, bounds, trials);
   return trials;
 }
 

@@ -59,7 +59,8 @@ const Specification& text() {
 \where
   \forall a, b : \nat @ a~divides~b \iff (\exists k : \nat @ b = k * a)
 \also
-  0 \in low
+  0 \in low \\
+  \lnot 3 \in low
 \end{axdef})",
                                               "cases");
   return read;
@@ -95,6 +96,7 @@ TEST_CASE("a set, or a relation, is what its cases say of membership") {
   CHECK(holds("fork(1, leaf, leaf) ∈ odd"));
   CHECK_FALSE(holds("fork(1, fork(2, leaf, leaf), leaf) ∈ odd"));
   CHECK(holds("0 ∈ low ∪ {2}"));
+  CHECK_FALSE(holds("3 ∈ low"));
 }
 
 TEST_CASE("where no case gives a value of a total function, it is not said to have none") {

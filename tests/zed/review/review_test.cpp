@@ -201,6 +201,8 @@ TEST_CASE("E07: a partial function is applied where its domain is given, by inva
   CHECK(with("\\IF g(e) = k1 \\THEN f(e) \\ELSE 0") == Said{});
   CHECK(with("\\IF g(e) = k3 \\THEN 0 \\ELSE f(e)") == Said{});
   CHECK(with("\\IF e \\in \\dom f \\THEN f(e) \\ELSE 0") == Said{});
+  CHECK(said(state + "\\begin{zed} h == \\lambda \\Delta S; e : E | e \\in es @ f'(e) \\end{zed}") ==
+        Said{"f' is applied to e, where nothing says e ∈ dom f'"});
   CHECK(with("\\{~ x : \\num | e \\in \\dom f \\land x = f(e) ~\\}") == Said{});
   CHECK(with("\\{~ x : \\num | g(e) \\in \\{k1\\} \\land x > 0 ~\\}") == Said{});
   CHECK(with("f(e)") == refused);

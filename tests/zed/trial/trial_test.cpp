@@ -91,6 +91,8 @@ TEST_CASE("samples stand for what they are named after, and the states are the s
   const Trial found = try_conjectures(read, typing, samples).at(0);
   CHECK(found.tried == 1);  // there is one state, however often it is drawn
   CHECK(trial("\\forall c : Color @ c \\in Color").tried == 2);
+  CHECK(trial("\\forall S @ n \\leq 3", {.states = 64, .draws = 512}).tried == 8);  // so many sets of three names
+  CHECK(trial("\\forall c : Cosa; k : \\nat | k = 1 @ k > 0", {.states = 64, .draws = 512}).tried == 3);
   CHECK(trial("\\forall S @ n = 0").counterexample == trial("\\forall S @ n = 0").counterexample);
 }
 
