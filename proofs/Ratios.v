@@ -160,12 +160,26 @@ Qed.
 End Ratio.
 
 (** A quotient of 0 is 0. *)
+Lemma fast_of_zeros : fast_two_sum 0 0 = Twofold 0 0.
+Proof. unfold fast_two_sum; repeat (rewrite ?Rplus_0_r, ?Rminus_0_r, ?rnd_0); reflexivity. Qed.
+
 Lemma ratio_of_zero x y : double_word x -> hi x = 0 -> ratio x y = Twofold 0 0.
 Proof.
   intros Wx Z0; destruct (double_word_is_pair x Wx) as (_ & _ & L); rewrite Z0, Rabs_R0, Rmult_0_r in L.
-  assert (Zl : lo x = 0) by (pose proof (Rabs_pos (lo x)); destruct (Req_dec (lo x) 0) as [|N]; [assumption | pose proof (Rabs_pos_lt _ N); lra]).
-  unfold ratio; rewrite Z0, Zl; unfold Rdiv.
-  repeat (rewrite ?Rmult_0_l, ?Rmult_0_r, ?Rplus_0_l, ?Rplus_0_r, ?Rminus_0_r, ?Ropp_0, ?rnd_0); reflexivity.
+  assert (Zl : lo x = 0).
+  { pose proof (Rabs_pos (lo x)); destruct (Req_dec (lo x) 0) as [|N]; [assumption | pose proof (Rabs_pos_lt _ N); lra]. }
+  rewrite ratio_is; replace (rnd (hi x / hi y)) with 0 by (rewrite Z0; unfold Rdiv; now rewrite Rmult_0_l, rnd_0).
+  assert (Em : product_by y 0 = Twofold 0 0).
+  { unfold product_by, two_prod; cbn [hi lo]; repeat (rewrite ?Rmult_0_r, ?Rplus_0_r, ?Rminus_0_r, ?rnd_0); exact fast_of_zeros. }
+  assert (Ed : hi (difference x (product_by y 0)) = 0).
+  { rewrite Em; pose proof (difference_near x (Twofold 0 0) Wx) as Hd.
+    assert (Ww : double_word (Twofold 0 0)).
+    { unfold double_word, whole; cbn [hi lo]; rewrite Rplus_0_r, rnd_0; repeat split; apply generic_format_0. }
+    destruct (Hd Ww) as [(_ & _ & ->) Hn]; unfold whole in Hn at 2 3 4 5; cbn [hi lo] in Hn; rewrite Z0, Zl in Hn.
+    replace (0 + 0 - (0 + 0)) with 0 in Hn by ring; rewrite Rminus_0_r, Rabs_R0, !Rmult_0_r in Hn.
+    set (d := whole _) in *; replace d with 0; [apply rnd_0|]; pose proof (Rabs_pos d).
+    destruct (Req_dec d 0) as [|N]; [auto | pose proof (Rabs_pos_lt _ N); lra]. }
+  rewrite Ed; unfold Rdiv; rewrite Rmult_0_l, rnd_0; exact fast_of_zeros.
 Qed.
 
 (** ** Square roots *)

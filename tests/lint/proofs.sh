@@ -3,12 +3,11 @@
 # writes; and a step in nonlinear arithmetic names the products that it needs. The tactic that guesses them (nra, nia) is
 # left where a number below says how often it still is: the numbers only fall.
 set -u
-left='Decision 10
+left='Decision 1
 Exacto 7
 Flotante 11
 Luz 1
 Quadratic 1
-Quotient 1
 Rounding 2
 Surd 7
 Vectors 11'
