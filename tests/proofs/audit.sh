@@ -161,9 +161,13 @@ statements() {
   while [ -s "$tmp/new" ]; do
     round=$((round + 1))
     awk -v out="$tmp/$round" '{ say = $0 ~ /^(Durero\.)?Main[A-Za-z]*\./ ? "Check @" : "Print "
-      printf "Redirect \"%s.%04d.is\" About %s.\nRedirect \"%s.%04d.says\" %s%s.\n", out, NR, $0, out, NR, say, $0 }' \
-      "$tmp/new" >"$tmp/questions"
+      printf "Redirect \"%s.%04d.is\" About %s.\nRedirect \"%s.%04d.says\" %s%s.\n", out, NR, $0, out, NR, say, $0
+      printf "Redirect \"%s.%04d.type\" Check @%s.\n", out, NR, $0 }' "$tmp/new" >"$tmp/questions"
     ask "$tmp/questions" >&2 || return 1
+    # Of a proof that a definition carries nothing matters but what it proves: no other proof can look into it.
+    for is in "$tmp/$round".*.is.out; do
+      if grep -q ' is opaque$' "$is"; then mv "${is%.is.out}.type.out" "${is%.is.out}.says.out"; fi
+    done
     cat "$tmp/new" >>"$tmp/known"
     # What Coq says of a definition's arguments is left out, up to a blank line or the end of the answer.
     awk 'FNR == 1 { skip = 0 } /^Arguments / { skip = 1 } /^$/ { skip = 0 } !skip' "$tmp/$round".*.says.out >"$tmp/said"
