@@ -13,8 +13,8 @@
 
 namespace durero::render {
 
-/// Called now and then, from one thread at a time, with the share of rows that are done, 0 to 1. What it throws ends
-/// the work, and leaves it.
+/// Called now and then, from one thread at a time, with the share of the picture that is done, 0 to 1. What it throws
+/// ends the work, and leaves it.
 using Progress = std::function<void(double)>;
 
 /// Of a stage that names none.
