@@ -148,7 +148,7 @@ First first(const Quadratic& f) {
   if (f.D < 0) return miss;
   if (f.A == 0 && f.B == 0) return f.C == 0 && !f.margin ? first_of_line(f) : miss;
   // Both terms of q have one sign, so nothing cancels; the roots are q/A and, as their product is C/A, C/q.
-  const double q = -(f.B + std::copysign(std::sqrt(f.D), f.B));
+  const double S = std::sqrt(f.D), q = -(f.B + (f.B < 0 ? -S : S));
   if (f.A == 0) return first_of_roots(f, f.C / q, f.C / q);
   if (q == 0) return first_of_roots(f, 0, 0);
   return first_of_roots(f, q / f.A, f.C / q);
