@@ -4,7 +4,7 @@
 // these with t and the point rounded; Embree's answers are binary32, or its callbacks' binary64, and are not judged
 // here.
 //   embree_bench [--size SIZE] [--rays KIND] [ELEMENTS...]
-//                    size² rays, 1024², of every kind, on 10, 1000 and 100000 elements, unless told
+//                    size² rays, 1024², of every kind, on 10, 10³, 10⁵ and 10⁶ elements, unless told
 //
 // The scene is that of trace_bench: n elements in the unit cube, a third of each of spheres, cylinders and cones.
 // Primary rays leave a pinhole, in Morton order; incoherent ones have uniform origins and directions; shadow rays go
@@ -16,6 +16,7 @@
 #include <oneapi/tbb/info.h>
 
 #include <boost/container/vector.hpp>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -26,6 +27,8 @@
 #include <glm/geometric.hpp>
 #include <map>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "durero/engine/engine.hpp"
@@ -483,20 +486,32 @@ void run(RTCDevice device, std::size_t n, const Asking& asking) {
 
 }  // namespace
 
+/// A whole number above 0, which is the whole text; else the program ends.
+std::uint32_t whole_number(std::string_view text) {
+  std::uint32_t value = 0;
+  const auto [end, error] = std::from_chars(text.begin(), text.end(), value);
+  if (error == std::errc() && end == text.end() && value > 0) return value;
+  std::fprintf(stderr, "embree_bench: %s: expected [--size SIZE] [--rays primary|incoherent|shadow] [ELEMENTS...]\n",
+               text.data());
+  std::exit(2);
+}
+
 int main(int argc, char** argv) {
-  const RTCDevice device = rtcNewDevice(nullptr);
   std::vector<std::size_t> sizes;
   Asking asking;
   for (int i = 1; i < argc; ++i) {
-    if (std::strcmp(argv[i], "--size") == 0 && i + 1 < argc) {
-      asking.size = static_cast<std::uint32_t>(std::strtoul(argv[++i], nullptr, 10));
-    } else if (std::strcmp(argv[i], "--rays") == 0 && i + 1 < argc) {
+    const std::string_view word = argv[i];
+    if (word == "--size" && i + 1 < argc) {
+      asking.size = whole_number(argv[++i]);
+    } else if (word == "--rays" && i + 1 < argc) {
       asking.kind = argv[++i];
+      if (asking.kind != "primary" && asking.kind != "incoherent" && asking.kind != "shadow") whole_number(asking.kind);
     } else {
-      sizes.push_back(std::strtoull(argv[i], nullptr, 10));
+      sizes.push_back(whole_number(word));
     }
   }
-  if (sizes.empty()) sizes = {10, 1000, 100000};
+  if (sizes.empty()) sizes = {10, 1000, 100000, 1000000};
+  const RTCDevice device = rtcNewDevice(nullptr);
   for (const std::size_t n : sizes) run(device, n, asking);
   rtcReleaseDevice(device);
 }
