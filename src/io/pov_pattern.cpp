@@ -144,14 +144,17 @@ PovPatterns::PovPatterns(const std::vector<Texture>& textures) : textures_(textu
   }
 }
 
+const Texture& PovPatterns::named(const std::string& name) const {
+  return *std::ranges::find(textures_, name, &Texture::name);
+}
+
 std::optional<PovChannels> PovPatterns::channels(const std::string& name, const PovCoordinates& at) const {
-  const auto found = std::ranges::find(textures_, name, &Texture::name);
-  const Texture& texture = *found;
+  const Texture& texture = named(name);
   const std::string x = fmt::format("{}*({})", texture.repeat.x, at.u),
                     y = fmt::format("{}*({})", texture.repeat.y, at.v);
   if (texture.pattern == Pattern::image) {
     if (image_map(texture).empty()) return std::nullopt;
-    return of_image(fmt::format("Image{}", found - textures_.begin()), bounded(x, texture.edges),
+    return of_image(fmt::format("Image{}", &texture - textures_.data()), bounded(x, texture.edges),
                     bounded(y, texture.edges));
   }
   const std::string share = rule(texture.pattern, x, y);
@@ -166,15 +169,19 @@ std::optional<PovChannels> PovPatterns::channels(const std::string& name, const 
 /// accuracy, each times the direction there, −0.1·size/accuracy of them: in the limit −0.4/3·size times its gradient,
 /// which for half the grey, within 0 and 1, is to be the slope of the relief.
 std::string PovPatterns::normal(const scene::Bump& relief, const PovCoordinates& at) const {
-  const auto found = std::ranges::find(textures_, relief.texture, &Texture::name);
+  const Texture& texture = named(relief.texture);
   const auto grey = channels(relief.texture, at);
   if (!grey) return "";
   constexpr double of_waves = 1e-5, of_a_rule = 1.0 / 64, of_an_image = 1.0 / 256;  // steps, in units of the texture
-  const double step = found->pattern == Pattern::waves   ? of_waves
-                      : found->pattern == Pattern::image ? relief.delta.value_or(of_an_image)
-                                                         : relief.delta.value_or(of_a_rule);
+  const double step = texture.pattern == Pattern::waves   ? of_waves
+                      : texture.pattern == Pattern::image ? relief.delta.value_or(of_an_image)
+                                                          : relief.delta.value_or(of_a_rule);
   return fmt::format(" normal {{ function {{ 0.25 + ({})/6 }} bump_size {} accuracy {} }}", fmt::join(*grey, " + "),
-                     15 * relief.height, step * at.length / found->repeat.y);
+                     15 * relief.height, step * at.length / texture.repeat.y);
+}
+
+bool PovPatterns::is_exact(const scene::Bump& relief) const {
+  return named(relief.texture).pattern == Pattern::waves && !relief.delta;
 }
 
 std::string pov_sky(const scene::Environment& environment) {

@@ -39,10 +39,14 @@ class PovPatterns {
   std::optional<PovChannels> channels(const std::string& name, const PovCoordinates& at) const;
   /// A normal that this relief turns; empty where its texture cannot be written.
   std::string normal(const scene::Bump& relief, const PovCoordinates& at) const;
+  /// Whether that normal is, in the limit, the one that is drawn here.
+  bool is_exact(const scene::Bump& relief) const;
   /// How many textures are left out.
   std::size_t unknown() const { return unknown_; }
 
  private:
+  const scene::Texture& named(const std::string& name) const;
+
   const std::vector<scene::Texture>& textures_;
   std::string declarations_;
   std::size_t unknown_ = 0;

@@ -153,12 +153,6 @@ class PovWriter {
                        narrow);
   }
 
-  bool is_exact(const scene::Bump& relief) const {
-    const auto& textures = scene_.stage().textures;
-    const auto found = std::ranges::find(textures, relief.texture, &scene::Texture::name);
-    return found->pattern == scene::Pattern::waves && !relief.delta;
-  }
-
   void name_losses() {
     add_loss(out_.lost, scene_.stage().directional_lights.size(), "directional light", "directional lights",
              "written as parallel ones, 1000000 away: POV-Ray has none without a place");
@@ -170,7 +164,8 @@ class PovWriter {
              "mipmap", "mipmaps", "drawn by the picture alone: POV-Ray has no levels");
     add_loss(out_.lost,
              static_cast<std::size_t>(std::ranges::count_if(
-                 scene_.stage().materials, [&](const scene::Material& m) { return m.bump && !is_exact(*m.bump); })),
+                 scene_.stage().materials,
+                 [&](const scene::Material& m) { return m.bump && !patterns_.is_exact(*m.bump); })),
              "relief", "reliefs", "drawn by the differences of POV-Ray: only those of waves are slopes");
     add_loss(out_.lost, too_wide_, "element", "elements", "left out: the radius of its base is beyond binary64");
   }
