@@ -10,7 +10,7 @@
 #include "durero/io/output_file.hpp"
 #include "durero/render/render.hpp"
 #include "durero/render/tone.hpp"
-#include "durero/scene/attributes.hpp"
+#include "durero/scene/addition.hpp"
 #include "errors.hpp"
 #include "state.hpp"
 
@@ -43,7 +43,7 @@ py::dict inputs_of(const model::Operation& operation) {
         set("e", py::str(in.e.name()));
         using Shape = scene::ShapeAddedBy<In>;
         if constexpr (!std::is_void_v<Shape>) {
-          scene::for_each_attribute<Shape>(
+          scene::for_each_input<Shape>(
               [&](const auto& attribute) { set(attribute.word, as_python(scene::stored(in.*attribute.input))); });
         } else if constexpr (std::is_same_v<In, model::Agregar_Elemento>) {
           set("t", py::str(std::string(model::name(in.t))));

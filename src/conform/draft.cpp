@@ -6,7 +6,7 @@
 #include "conform/allowance.hpp"
 #include "conform/solids.hpp"
 #include "durero/number/quotient.hpp"
-#include "durero/scene/attributes.hpp"
+#include "durero/scene/addition.hpp"
 #include "durero/surface/surfaces.hpp"
 
 namespace durero::conform {

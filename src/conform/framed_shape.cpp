@@ -8,7 +8,7 @@
 #include "conform/binary32_axis.hpp"
 #include "conform/lattice.hpp"
 #include "durero/number/dyadic.hpp"
-#include "durero/scene/attributes.hpp"
+#include "durero/scene/addition.hpp"
 #include "durero/surface/surfaces.hpp"
 
 namespace durero::conform {

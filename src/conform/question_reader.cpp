@@ -8,7 +8,7 @@
 #include "durero/conform/question.hpp"
 #include "durero/io/number_text.hpp"
 #include "durero/io/source.hpp"
-#include "durero/scene/attributes.hpp"
+#include "durero/scene/addition.hpp"
 #include "durero/text/shown.hpp"
 
 namespace durero::conform {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "attribute_words.hpp"
-#include "durero/scene/attributes.hpp"
+#include "durero/scene/addition.hpp"
 #include "durero/text/nearest.hpp"
 #include "durero/text/shown.hpp"
 #include "field.hpp"

@@ -8,7 +8,7 @@
 #include "attribute_words.hpp"
 #include "durero/io/json_writer.hpp"
 #include "durero/io/lines.hpp"
-#include "durero/scene/attributes.hpp"
+#include "durero/scene/addition.hpp"
 #include "durero/text/nearest.hpp"
 #include "durero/text/shown.hpp"
 #include "operation_inputs.hpp"

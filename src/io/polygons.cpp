@@ -1,6 +1,6 @@
 #include "polygons.hpp"
 
-#include "durero/scene/attributes.hpp"
+#include "durero/scene/addition.hpp"
 #include "durero/scene/edit.hpp"
 #include "losses.hpp"
 #include "triangulation.hpp"

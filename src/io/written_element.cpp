@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "durero/scene/attributes.hpp"
+#include "durero/scene/addition.hpp"
 #include "durero/text/shown.hpp"
 #include "element_reader.hpp"
 #include "field.hpp"

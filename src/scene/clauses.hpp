@@ -10,7 +10,7 @@
 
 #include "durero/model/operaciones.hpp"
 #include "durero/model/operaciones_clauses.hpp"
-#include "durero/scene/attributes.hpp"
+#include "durero/scene/addition.hpp"
 #include "durero/scene/element_ref.hpp"
 #include "durero/scene/shapes.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "durero/model/operaciones.hpp"
 #include "durero/number/rational.hpp"
-#include "durero/scene/attributes.hpp"
+#include "durero/scene/addition.hpp"
 
 namespace durero::scene {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "clauses.hpp"
 #include "durero/model/operaciones_clauses.hpp"
-#include "durero/scene/attributes.hpp"
+#include "durero/scene/addition.hpp"
 #include "durero/scene/retrieve.hpp"
 #include "durero/scene/scene.hpp"
 

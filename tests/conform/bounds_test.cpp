@@ -9,7 +9,7 @@
 #include "bounds_widths.hpp"
 #include "conform/drawn_ray.hpp"
 #include "durero/conform/families.hpp"
-#include "durero/scene/attributes.hpp"
+#include "durero/scene/addition.hpp"
 #include "durero/trace/analytic.hpp"
 #include "support/catch.hpp"
 #include "support/sanitized.hpp"

@@ -14,7 +14,7 @@
 
 #include "conform/candidate.hpp"
 #include "conform/family_table.hpp"
-#include "durero/scene/attributes.hpp"
+#include "durero/scene/addition.hpp"
 #include "durero/surface/equation.hpp"
 #include "durero/surface/exact.hpp"
 #include "support/catch.hpp"

@@ -5,7 +5,7 @@
 #include <array>
 #include <map>
 
-#include "durero/scene/attributes.hpp"
+#include "durero/scene/addition.hpp"
 #include "hits.hpp"
 #include "perturbed.hpp"
 #include "support/catch.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "durero/scene/attributes.hpp"
+#include "durero/scene/addition.hpp"
 #include "durero/scene/scene.hpp"
 #include "support/doubles.hpp"
 

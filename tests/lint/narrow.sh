@@ -8,6 +8,7 @@ while read -r header unseen; do
 done <<'EOF' | { ! grep .; }
 scene/scene.hpp model/operaciones.hpp
 scene/scene.hpp model/escena.hpp
+scene/attributes.hpp model/operaciones.hpp
 scene/groups.hpp model/operaciones.hpp
 scene/hit.hpp model/operaciones.hpp
 surface/equation.hpp model/escena.hpp

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "durero/scene/attributes.hpp"
+#include "durero/scene/addition.hpp"
 #include "durero/surface/exact.hpp"
 #include "durero/trace/analytic.hpp"
 #include "support/scenes.hpp"

@@ -1,7 +1,7 @@
 #include "durero/scene/closing.hpp"
 
 #include "durero/model/operaciones.hpp"
-#include "durero/scene/attributes.hpp"
+#include "durero/scene/addition.hpp"
 #include "support/catch.hpp"
 
 using namespace durero;

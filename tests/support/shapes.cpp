@@ -1,6 +1,6 @@
 #include "support/shapes.hpp"
 
-#include "durero/scene/attributes.hpp"
+#include "durero/scene/addition.hpp"
 
 namespace durero::test {
 

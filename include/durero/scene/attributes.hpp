@@ -1,5 +1,7 @@
 #pragma once
 /// The attributes of the shapes: what a table stores of the inputs of an addition, and walks over the rows of a shape.
+/// The additions themselves stand in scene/addition.hpp: whoever walks words, fields and components alone is not
+/// compiled again when an operation changes.
 
 #include <cstddef>
 #include <string_view>
@@ -7,14 +9,24 @@
 #include <type_traits>
 
 #include "durero/model/escena.hpp"
-#include "durero/model/operaciones.hpp"
 #include "durero/scene/shapes.hpp"
 
 namespace durero::scene {
 
+/// An input of each name that some addition has: it stands where a table of attributes asks for an addition, and the
+/// inputs are not looked at.
+struct AnyInputs {
+  model::Punto centro;    ///< centro?
+  double radio;           ///< radio?
+  model::Vector vector;   ///< vector?
+  double altura;          ///< altura?
+  double proporcion;      ///< proporcion?
+  model::Terna vertices;  ///< vertices?
+};
+
 /// The table of a shape's attributes.
 template <class Shape>
-inline constexpr auto attributes_of = Shape::template attributes<typename Shape::Addition, model::Escena>;
+inline constexpr auto attributes_of = Shape::template attributes<AnyInputs, model::Escena>;
 
 /// @{ What a table stores of an input.
 inline double stored(double x) { return x; }
@@ -44,26 +56,6 @@ constexpr void for_each_attribute(Visit&& visit) {
 template <class Visit>
 constexpr void for_each_attribute_of_all(Visit&& visit) {
   for_each_shape([&]<class Shape>(std::type_identity<Shape>) { for_each_attribute<Shape>(visit); });
-}
-
-/// The geometry that an addition describes.
-template <class Shape>
-Shape shape_of(const typename Shape::Addition& in) {
-  return std::apply([&](const auto&... attribute) { return Shape{stored(in.*attribute.input)...}; },
-                    attributes_of<Shape>);
-}
-
-/// The addition that puts this geometry under a name.
-template <class Shape>
-typename Shape::Addition addition(const model::Elemento& e, const Shape& shape) {
-  const auto input = [&]<class Row>(const Row& attribute) {
-    return input_of<typename Row::Input>(shape.*attribute.field);
-  };
-  return std::apply(
-      [&](const auto&... attribute) {
-        return typename Shape::Addition{e, input(attribute)...};
-      },
-      attributes_of<Shape>);
 }
 
 /// The place in the shape's table of the attribute that this component of the specification holds, such as

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "durero/model/operaciones.hpp"
-#include "durero/scene/attributes.hpp"
+#include "durero/scene/addition.hpp"
 #include "durero/scene/shape/attribute.hpp"
 
 namespace durero::test {

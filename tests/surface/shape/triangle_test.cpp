@@ -1,7 +1,7 @@
 #include "durero/surface/shape/triangle.hpp"
 
 #include "durero/number/rational.hpp"
-#include "durero/scene/attributes.hpp"
+#include "durero/scene/addition.hpp"
 #include "durero/surface/normal.hpp"
 #include "support/catch.hpp"
 #include "support/elements.hpp"

@@ -16,7 +16,7 @@ struct Cone {
   using Removal = model::Eliminar_Cono;
   static constexpr model::Tipo tipo = model::Tipo::soy_cono;
   static constexpr std::string_view word = "cono";
-  /// Whoever looks into them names their types, which are complete in model/operaciones.hpp (scene/attributes.hpp).
+  /// Whoever looks into them names their types, which are complete in model/operaciones.hpp (scene/addition.hpp).
   template <class Addition, class Escena>
   static constexpr auto attributes =
       std::tuple{Attribute{"centro", &Cone::centro, &Addition::centro, &Escena::mi_centro},

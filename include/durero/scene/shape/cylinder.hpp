@@ -16,7 +16,7 @@ struct Cylinder {
   using Removal = model::Eliminar_Cilindro;
   static constexpr model::Tipo tipo = model::Tipo::soy_cilindro;
   static constexpr std::string_view word = "cilindro";
-  /// Whoever looks into them names their types, which are complete in model/operaciones.hpp (scene/attributes.hpp).
+  /// Whoever looks into them names their types, which are complete in model/operaciones.hpp (scene/addition.hpp).
   template <class Addition, class Escena>
   static constexpr auto attributes =
       std::tuple{Attribute{"centro", &Cylinder::centro, &Addition::centro, &Escena::mi_centro},

@@ -15,7 +15,7 @@ struct Disc {
   using Removal = model::Eliminar_Disco;
   static constexpr model::Tipo tipo = model::Tipo::soy_disco;
   static constexpr std::string_view word = "disco";
-  /// Whoever looks into them names their types, which are complete in model/operaciones.hpp (scene/attributes.hpp).
+  /// Whoever looks into them names their types, which are complete in model/operaciones.hpp (scene/addition.hpp).
   template <class Addition, class Escena>
   static constexpr auto attributes =
       std::tuple{Attribute{"centro", &Disc::centro, &Addition::centro, &Escena::mi_centro},

@@ -14,7 +14,7 @@ struct Plane {
   using Removal = model::Eliminar_Plano;
   static constexpr model::Tipo tipo = model::Tipo::soy_plano;
   static constexpr std::string_view word = "plano";
-  /// Whoever looks into them names their types, which are complete in model/operaciones.hpp (scene/attributes.hpp).
+  /// Whoever looks into them names their types, which are complete in model/operaciones.hpp (scene/addition.hpp).
   template <class Addition, class Escena>
   static constexpr auto attributes =
       std::tuple{Attribute{"centro", &Plane::centro, &Addition::centro, &Escena::mi_centro},

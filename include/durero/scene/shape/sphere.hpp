@@ -14,7 +14,7 @@ struct Sphere {
   using Removal = model::Eliminar_Esfera;
   static constexpr model::Tipo tipo = model::Tipo::soy_esfera;
   static constexpr std::string_view word = "esfera";
-  /// Whoever looks into them names their types, which are complete in model/operaciones.hpp (scene/attributes.hpp).
+  /// Whoever looks into them names their types, which are complete in model/operaciones.hpp (scene/addition.hpp).
   template <class Addition, class Escena>
   static constexpr auto attributes =
       std::tuple{Attribute{"centro", &Sphere::centro, &Addition::centro, &Escena::mi_centro},

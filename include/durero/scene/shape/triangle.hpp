@@ -13,7 +13,7 @@ struct Triangle {
   using Removal = model::Eliminar_Triangulo;
   static constexpr model::Tipo tipo = model::Tipo::soy_triangulo;
   static constexpr std::string_view word = "triangulo";
-  /// Whoever looks into them names their types, which are complete in model/operaciones.hpp (scene/attributes.hpp).
+  /// Whoever looks into them names their types, which are complete in model/operaciones.hpp (scene/addition.hpp).
   template <class Addition, class Escena>
   static constexpr auto attributes =
       std::tuple{Attribute{"vertices", &Triangle::vertices, &Addition::vertices, &Escena::mi_vertices}};

@@ -18,7 +18,7 @@ struct TruncatedCone {
   using Removal = model::Eliminar_Tronco;
   static constexpr model::Tipo tipo = model::Tipo::soy_tronco;
   static constexpr std::string_view word = "tronco";
-  /// Whoever looks into them names their types, which are complete in model/operaciones.hpp (scene/attributes.hpp).
+  /// Whoever looks into them names their types, which are complete in model/operaciones.hpp (scene/addition.hpp).
   template <class Addition, class Escena>
   static constexpr auto attributes =
       std::tuple{Attribute{"centro", &TruncatedCone::centro, &Addition::centro, &Escena::mi_centro},
