@@ -78,36 +78,32 @@ unsigned met_by_bundle(const WideNode& node, const WideBundle& bundle, double li
   return met;
 }
 
+/// A child at a time, so that its bits gather in a register: most often few children are asked about.
 void met_by_each(const WideNode& node, unsigned children, const WideBundle& bundle, WideMeetings& met) {
   const Tag tag;
-  alignas(64) double near[3][WideNode::width], far[3][WideNode::width];
-  for (std::size_t low = 0; low < 3; ++low) {
-    const std::size_t high = low + 3;
-    const bool backwards = bundle.inverse_high[low] < 0;
-    for (std::size_t at = 0; at < WideNode::width; at += hn::Lanes(tag)) {
-      hn::StoreU(planes(node, backwards ? high : low, at), tag, &near[low][at]);
-      hn::StoreU(planes(node, backwards ? low : high, at), tag, &far[low][at]);
+  const auto first = [&](std::size_t axis) { return bundle.inverse_high[axis] < 0 ? axis + 3 : axis; };
+  const std::size_t x_first = first(0), y_first = first(1), z_first = first(2);
+  const auto& p = bundle.rays.p;
+  const auto& inverse = bundle.inverse;
+  for (unsigned left = children; left != 0; left &= left - 1) {
+    const auto child = static_cast<std::size_t>(std::countr_zero(left));
+    const auto plane = [&](std::size_t which) HWY_ATTR { return hn::Set(tag, double{node.planes[which][child]}); };
+    const Lanes near_x = plane(x_first), near_y = plane(y_first), near_z = plane(z_first);
+    const Lanes far_x = plane(3 - x_first), far_y = plane(5 - y_first), far_z = plane(7 - z_first);
+    std::uint64_t of_child = 0;
+    for (std::size_t at = bundle.begin; at < bundle.end; at += hn::Lanes(tag)) {
+      const Lanes x = hn::LoadU(tag, &p[0][at]), ix = hn::LoadU(tag, &inverse[0][at]);
+      const Lanes y = hn::LoadU(tag, &p[1][at]), iy = hn::LoadU(tag, &inverse[1][at]);
+      const Lanes z = hn::LoadU(tag, &p[2][at]), iz = hn::LoadU(tag, &inverse[2][at]);
+      Lanes entry = later(hn::Zero(tag), hn::Mul(hn::Sub(near_x, x), ix));
+      entry = later(entry, hn::Mul(hn::Sub(near_y, y), iy));
+      entry = later(entry, hn::Mul(hn::Sub(near_z, z), iz));
+      Lanes exit = sooner(hn::LoadU(tag, &bundle.limit[at]), hn::Mul(hn::Sub(far_x, x), ix));
+      exit = sooner(exit, hn::Mul(hn::Sub(far_y, y), iy));
+      exit = sooner(exit, hn::Mul(hn::Sub(far_z, z), iz));
+      of_child |= std::uint64_t{bits(meets(entry, exit))} << at;
     }
-  }
-  met.fill(0);
-  for (std::size_t at = bundle.begin; at < bundle.end; at += hn::Lanes(tag)) {
-    const auto column = [&](const std::array<WideBundle::Column, 3>& of, std::size_t axis)
-                            HWY_ATTR { return hn::LoadU(tag, &of[axis][at]); };
-    const auto crossing = [&](double plane, Lanes p, Lanes inverse)
-                              HWY_ATTR { return hn::Mul(hn::Sub(hn::Set(tag, plane), p), inverse); };
-    const Lanes x = column(bundle.rays.p, 0), y = column(bundle.rays.p, 1), z = column(bundle.rays.p, 2);
-    const Lanes ix = column(bundle.inverse, 0), iy = column(bundle.inverse, 1), iz = column(bundle.inverse, 2);
-    const Lanes limit = hn::LoadU(tag, &bundle.limit[at]);
-    for (unsigned left = children; left != 0; left &= left - 1) {
-      const auto child = static_cast<std::size_t>(std::countr_zero(left));
-      Lanes entry = later(hn::Zero(tag), crossing(near[0][child], x, ix));
-      entry = later(entry, crossing(near[1][child], y, iy));
-      entry = later(entry, crossing(near[2][child], z, iz));
-      Lanes exit = sooner(limit, crossing(far[0][child], x, ix));
-      exit = sooner(exit, crossing(far[1][child], y, iy));
-      exit = sooner(exit, crossing(far[2][child], z, iz));
-      met[child] |= std::uint64_t{bits(meets(entry, exit))} << at;
-    }
+    met[child] = of_child;
   }
 }
 

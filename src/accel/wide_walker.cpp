@@ -32,18 +32,22 @@ struct LaneBeam {
   Lanes x, y, z, ix, iy, iz;
 };
 
-/// The children pushed last, the nearest to the end.
+/// The children pushed last, the nearest to the end. Each is carried from the end to the beginning and left where a
+/// farther one stands, which is carried on in its place: without a branch, as which is nearer is as chance has it.
 HWY_INLINE void sort(WideWalker& walker, std::uint32_t begin) {
   for (std::uint32_t i = begin + 1; i < walker.size; ++i) {
-    const double entry = walker.entries[i];
-    const std::uint64_t child = walker.children[i];
-    std::uint32_t at = i;
-    for (; at > begin && walker.entries[at - 1] < entry; --at) {
-      walker.entries[at] = walker.entries[at - 1];
-      walker.children[at] = walker.children[at - 1];
+    double entry = walker.entries[i];
+    std::uint64_t child = walker.children[i];
+    for (std::uint32_t at = i; at > begin; --at) {
+      const double before = walker.entries[at - 1];
+      const std::uint64_t other = (child ^ walker.children[at - 1]) & -std::uint64_t{before < entry};
+      walker.children[at] = child ^ other;
+      child = walker.children[at - 1] ^ other;
+      walker.entries[at] = before < entry ? before : entry;
+      entry = before < entry ? entry : before;
     }
-    walker.entries[at] = entry;
-    walker.children[at] = child;
+    walker.entries[begin] = entry;
+    walker.children[begin] = child;
   }
 }
 

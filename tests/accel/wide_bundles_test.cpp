@@ -1,5 +1,6 @@
 #include "durero/accel/wide_bundles.hpp"
 
+#include <bit>
 #include <set>
 
 #include "accel/each_alone.hpp"
@@ -98,4 +99,42 @@ TEST_CASE("what rays of a bundle start on is met by its other point alone, far a
   for (int i = 0; i < 20; ++i)
     queries.push_back({ray({1e-3 * i, 0.01, -1.5}, {0.01, 0.01, 2}), {{model::Tipo::soy_esfera, 0}}});
   check_each_alone(tree, queries);
+}
+
+namespace {
+
+/// What is taken of rays in columns, and alone.
+struct Counting {
+  std::uint64_t &together, &alone;
+
+  void operator()(std::uint32_t, scene::ElementRef) const { ++alone; }
+  template <class Numbers>
+  std::uint64_t operator()(const trace::RayColumns&, const Numbers&, std::uint64_t which, scene::ElementRef) const {
+    together += static_cast<std::uint64_t>(std::popcount(which));
+    return 0;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("rays that stay together are bundled and others are not, and either way all come to what they may meet") {
+  Random random(21);
+  scene::Scene scene;
+  for (int i = 0; i < 300; ++i) add(scene, scene::Sphere{random.in_cube(1), 0.15});
+  const accel::WideBvh tree(scene);
+  const auto no_limit = [](std::uint32_t) { return trace::no_limit; };
+  for (const bool close : {true, false}) {
+    std::vector<trace::Ray> rays;
+    for (int i = 0; i < 1000; ++i) {
+      const glm::dvec3 v = close ? glm::dvec3(0.1 + 1e-5 * i, 0.2, 1) : random.direction();
+      rays.emplace_back(close ? ray({0, 0, -3}, v) : ray(random.in_cube(1), v));
+    }
+    std::uint64_t together = 0, alone = 0, expected = 0;
+    tree.pairs(rays, no_limit, Counting{together, alone}, [] {});
+    for (const trace::Ray& each : rays)
+      tree.any(
+          each, [] { return trace::no_limit; }, [&](scene::ElementRef) { return ++expected, false; });
+    CHECK(together + alone == expected);
+    CHECK((together > 0) == close);
+  }
 }

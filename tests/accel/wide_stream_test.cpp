@@ -1,6 +1,7 @@
 // Streams of rays find what each of their rays finds alone.
 #include "durero/accel/wide_stream.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -86,10 +87,22 @@ TEST_CASE("a stream meets the boxes that its rays meet, and enters them where th
         for (std::size_t place = 0; place < WideNode::width; ++place)
           if (stretch(box_of(node, place), rays[ray].beam, rays[ray].limit).meets()) expected.emplace(ray, place);
       CHECK(found == expected);
+      for (std::size_t place = 0; place < WideNode::width; ++place) {
+        std::size_t count = 0;
+        double soonest = trace::no_limit;
+        for (std::size_t i = 0; i < met.size; ++i) {
+          if (accel::WideMet::place(met.whose[i]) != place) continue;
+          ++count;
+          soonest = std::min(soonest, met.entries[i]);
+        }
+        CHECK(met.count[place] == count);
+        CHECK(met.soonest[place] == soonest);
+      }
     }
   }
   accel::meet(tree.nodes()[0], {}, {}, met);
   CHECK(met.size == 0);
+  CHECK(met.count == decltype(met.count){});
 }
 
 TEST_CASE("a stream comes to the elements that its rays come to alone, each once") {

@@ -39,6 +39,23 @@ TEST_CASE("an element is of an origin by its type and its place") {
   CHECK_FALSE(Origin().contains(sphere));
 }
 
+TEST_CASE("an origin of many elements holds these and no other, ascending or not") {
+  for (const std::uint32_t size : {1u, 7u, 8u, 9u, 10u, 33u, 1000u}) {
+    scene::ElementSet set;
+    for (std::uint32_t i = 0; i < size; ++i)
+      set.push_back({i < size / 2 ? Tipo::soy_esfera : Tipo::soy_cono, 2 * i + 1});
+    const std::vector<ElementRef> backwards(set.rbegin(), set.rend());
+    for (const Origin& origin : {Origin(set), Origin(backwards)}) {
+      for (const ElementRef e : set) {
+        CHECK(origin.contains(e));
+        CHECK_FALSE(origin.contains({e.tipo, e.index - 1}));
+        CHECK_FALSE(origin.contains({e.tipo, e.index + 1}));
+        CHECK_FALSE(origin.contains({Tipo::soy_cilindro, e.index}));
+      }
+    }
+  }
+}
+
 TEST_CASE("an origin refers to the elements, and sees what becomes of them") {
   std::vector<ElementRef> elements{sphere};
   const Origin origin(elements);

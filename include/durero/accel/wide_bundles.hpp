@@ -58,6 +58,16 @@ class WideBundles {
     }
   }
 
+  /// Whether it is worth while to look for company: some of the rays, all over, may walk with the one after them.
+  bool some_company() const {
+    if (rays_.size() <= 4 * asked) return true;
+    for (std::size_t i = 0; i < asked; ++i) {
+      const std::size_t at = i * (rays_.size() - 1) / asked;
+      const double limit = limit_(static_cast<std::uint32_t>(at));
+      if (limit > 0 && WideRun(rays_[at], all_, limit).join(rays_[at + 1], narrow_)) return true;
+    }
+    return false;
+  }
   /// The next ray, and its limit. Precondition: that is not 0.
   void add(std::uint32_t number, double limit) {
     coming_.set(number, rays_[number], limit);
@@ -72,6 +82,7 @@ class WideBundles {
  private:
   static constexpr double widest = takes_any ? 4 : 2;            // of a bundle, in spacings of the elements
   static constexpr std::size_t least_worth = takes_any ? 3 : 6;  // rays of a bundle that is worth it
+  static constexpr std::size_t asked = 64;                       // rays, whether they have company
   static constexpr std::size_t patience = 32;                    // pairs, until the limits are brought up to date
   static constexpr int dense_from = 2;                           // bits of an eight
   static constexpr std::size_t eight = WideBundle::eight;

@@ -28,6 +28,10 @@ struct WideMet {
   std::vector<double> entries;       ///< not less than 0
   std::vector<std::uint64_t> whose;  ///< the ray, and 2³² times the place
   std::size_t size = 0;              ///< how many
+  /// @{ Of each child: how many rays meet its box, and where the first of them enters it; ∞ for none.
+  std::array<std::uint64_t, WideNode::width> count{};
+  std::array<double, WideNode::width> soonest{};
+  /// @}
 
   static std::size_t place(std::uint64_t whose) { return whose >> 32; }               ///< among the children
   static auto ray(std::uint64_t whose) { return static_cast<std::uint32_t>(whose); }  ///< its place among the rays
@@ -88,38 +92,21 @@ class WideStream {
     waiting_size_ = begin;
   }
 
-  /// Of the boxes that are met, those of each child: how many, and where the first is entered.
-  struct Counted {
-    std::array<std::size_t, WideNode::width> count{};
-    std::array<double, WideNode::width> soonest{};
-  };
-  Counted counted() const {
-    Counted of;
-    of.soonest.fill(trace::no_limit);
-    for (std::size_t i = 0; i < met_.size; ++i) {
-      const std::size_t place = WideMet::place(met_.whose[i]);
-      ++of.count[place];
-      of.soonest[place] = std::min(of.soonest[place], met_.entries[i]);
-    }
-    return of;
-  }
-
   /// Those that are here go on to the children that they meet; where the first of them comes soonest is next.
   void open(const WideNode& node) {
     meet(node, rays_, here_, met_);
-    const Counted of = counted();
     std::array<std::uint8_t, WideNode::width> order{};
     std::size_t children = 0;
     for (std::uint8_t place = 0; place < WideNode::width; ++place) {
-      if (of.count[place] == 0) continue;
+      if (met_.count[place] == 0) continue;
       std::size_t at = children++;
-      for (; at > 0 && of.soonest[order[at - 1]] < of.soonest[place]; --at) order[at] = order[at - 1];
+      for (; at > 0 && met_.soonest[order[at - 1]] < met_.soonest[place]; --at) order[at] = order[at - 1];
       order[at] = place;
     }
     std::array<std::size_t, WideNode::width> end{};  // of those that wait at each, once all of them do
     for (std::size_t i = 0; i < children; ++i) {
       children_.push_back({node.children[order[i]], end[order[i]] = waiting_size_});
-      waiting_size_ += of.count[order[i]];
+      waiting_size_ += met_.count[order[i]];
     }
     if (waiting_.size() < waiting_size_) waiting_.resize(2 * waiting_size_);
     for (std::size_t i = 0; i < met_.size; ++i)

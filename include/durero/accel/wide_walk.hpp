@@ -39,9 +39,15 @@ class WideWalk {
     if constexpr (Bundles::takes_any) {
       add_in_order();
     } else {
+      const bool some_company = bundles_.some_company();
       for (std::uint32_t number = 0; number < rays_.size(); ++number) {
         const double limit = limit_(number);
-        if (limit > 0) bundles_.add(number, limit);
+        if (!(limit > 0)) continue;
+        if (some_company) {
+          bundles_.add(number, limit);
+        } else {
+          alone_.push_back(number);
+        }
       }
     }
     bundles_.finish(alone_);

@@ -2,6 +2,7 @@
 /// The inputs of Primera_Interseccion: a ray, and the elements that its origin lies on.
 
 #include <algorithm>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -18,7 +19,8 @@ class Origin {
   Origin(const ElementRef& element) noexcept : elements_(&element, 1) {}
   Origin(std::span<const ElementRef> elements) noexcept : elements_(elements) {}
   Origin(const std::vector<ElementRef>& elements) noexcept : elements_(elements) {}
-  Origin(const ElementSet& elements) noexcept : elements_(elements.data(), elements.size()) {}
+  Origin(const ElementSet& elements) noexcept
+      : elements_(elements.data(), elements.size()), ascending_(elements.size() > few) {}
   /// @}
 
   /// @{ As of a range of ElementRef.
@@ -26,11 +28,18 @@ class Origin {
   auto end() const noexcept { return elements_.end(); }
   bool empty() const noexcept { return elements_.empty(); }
   /// @}
-  /// Whether the element is one of them.
-  bool contains(ElementRef element) const noexcept { return !empty() && std::find(begin(), end(), element) != end(); }
+  /// Whether the element is one of them. Of an ElementSet O(log n): where a ray starts on many, each of them is asked
+  /// about.
+  bool contains(ElementRef element) const noexcept {
+    if (ascending_) return std::binary_search(begin(), end(), element);
+    return !empty() && std::find(begin(), end(), element) != end();
+  }
 
  private:
+  static constexpr std::size_t few = 8;  // elements, which are looked through
+
   std::span<const ElementRef> elements_;
+  bool ascending_ = false;  // and not few
 };
 
 /// rayo? and en? (Pregunta). Precondition of those who answer it: the elements of en are in the scene.

@@ -4,6 +4,7 @@
 /// the source, as long as it passes over nothing that the ray meets.
 
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/partitioner.h>
 
 #include <algorithm>
 #include <concepts>
@@ -114,7 +115,8 @@ bool occluded_segment_among(const Source& source, const model::Rayo& rayo, Origi
 
 /// answer(begin, count) for blocks that make up `size` queries, on as many threads as the calling one may use: the more
 /// queries the larger up to a number, as more rays find company in a larger one, and not fewer than so many, that
-/// threads have some each.
+/// threads have some each. A thread that is free takes blocks one by one, so that none waits long for another at the
+/// end.
 template <class Answer>
 void for_each_block(std::size_t size, Answer answer, std::size_t most = 4096, std::size_t not_fewer = 64) {
   const std::size_t block_size = std::clamp<std::size_t>(size / not_fewer, 256, most);
@@ -124,7 +126,7 @@ void for_each_block(std::size_t size, Answer answer, std::size_t most = 4096, st
     answer(begin, std::min(block_size, size - begin));
   };
   if (blocks == 1) return answer_block(0);
-  oneapi::tbb::parallel_for(std::size_t{0}, blocks, answer_block);
+  oneapi::tbb::parallel_for(std::size_t{0}, blocks, answer_block, oneapi::tbb::simple_partitioner());
 }
 
 /// first_hit_among of every query, in order, by eight in lanes: for more than a few rays the fastest way to the same
