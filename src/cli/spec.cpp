@@ -132,10 +132,14 @@ void add_run(CLI::App& spec, const std::shared_ptr<SpecOptions>& options, int& s
   command->add_option("--members", run.setup.members, "How many members other given sets have")
       ->check(whole_number(1, 20))
       ->capture_default_str();
-  command->add_option("--numbers", run.setup.numbers, "Inputs are looked for among the numbers from -N to N")
+  command
+      ->add_option("--numbers", run.setup.numbers,
+                   "Numbers are looked for from -N to N, and from N below to N above the one before")
       ->check(whole_number(0, 1000))
       ->capture_default_str();
-  command->add_option("--inputs", run.setup.inputs, "How many choices of such inputs are tried")
+  command
+      ->add_option("--inputs", run.setup.inputs,
+                   "How many choices of inputs, and of what equations leave open, are tried")
       ->check(whole_number(1, 1'000'000))
       ->capture_default_str();
   command->add_option("--choices", run.choices, "How many ways to go on are listed")

@@ -28,6 +28,20 @@ using zed::Truth;
 
 namespace {
 
+/// What may be beside the ways that were found, and what kept them from being found.
+std::string left_open(const Found& ways) {
+  if (!ways.undecided) return {};
+  if (ways.tried.empty()) return "  there may be other ways: equations do not give them\n";
+  return fmt::format("  there may be other ways: some values of {} were tried, as --numbers bounds them\n",
+                     oracle::spec::name_list(ways.tried));
+}
+
+std::string how_far(const Found& ways) {
+  if (!ways.undecided) return {};
+  if (ways.tried.empty()) return ", as far as equations give it";
+  return fmt::format(", as far as some values of {} were tried: --numbers", oracle::spec::name_list(ways.tried));
+}
+
 constexpr const char* help_text =
     "  OPERATION [x? = VALUE; y? = VALUE]   goes on; inputs that are not given are looked for\n"
     "  N            goes on by number N of the ways that were listed last\n"
@@ -145,10 +159,9 @@ class Runner {
     listed_ = std::move(ways.transitions);
     const std::string left_out =
         ways.bounded.empty() ? "" : fmt::format("  more may be found with a greater {}\n", ways.bounded);
-    const std::string open = ways.undecided ? "  there may be other ways: equations do not give them\n" : "";
+    const std::string open = left_open(ways);
     if (listed_.empty())
-      throw Refused{none + (ways.undecided ? ", as far as equations give it" : "") +
-                        (ways.bounded.empty() ? "" : ", as far as " + ways.bounded + " goes"),
+      throw Refused{none + how_far(ways) + (ways.bounded.empty() ? "" : ", as far as " + ways.bounded + " goes"),
                     expected};
     if (listed_.size() == 1) {
       take(listed_.front());

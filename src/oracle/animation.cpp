@@ -24,6 +24,12 @@ Name with_stroke(Name name) {
 
 }  // namespace
 
+std::string name_list(const std::set<Name>& names) {
+  std::string said;
+  for (const Name& name : names) said += (said.empty() ? "" : ", ") + name.text();
+  return said;
+}
+
 bool Animation::back() {
   if (way_.size() < 2) return false;
   way_.pop_back();
@@ -223,7 +229,10 @@ class Explorer {
 
   void note(const Found& found, const std::string& what) {
     if (!found.bounded.empty()) bounded_.insert(what + ": " + found.bounded);
-    if (found.undecided) bounded_.insert(what + ": no equation gives all that it leaves open");
+    if (!found.tried.empty())
+      bounded_.insert(what + ": some values of " + name_list(found.tried) + " were tried: --numbers");
+    else if (found.undecided)
+      bounded_.insert(what + ": no equation gives all that it leaves open");
   }
 
   Exploration finish() {

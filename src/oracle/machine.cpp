@@ -5,6 +5,7 @@
 #include "durero/oracle/animation.hpp"
 #include "durero/oracle/calculator.hpp"
 #include "machine_parts.hpp"
+#include "ways.hpp"
 
 namespace durero::oracle::spec {
 
@@ -68,96 +69,25 @@ std::vector<std::string> Machine::carriers() const {
   return said;
 }
 
-namespace {
-
-/// The transition that values of the components make; `after` is named as the state's components are.
-class Gatherer {
- public:
-  Gatherer(const std::string& operation, const std::vector<Name>& components) {
-    transition_.operation = operation;
-    for (const Name& name : components) transition_.after.emplace_back(name, Value());
-  }
-  void give(const Name& name, const Value& value, bool plain_is_after) {
-    for (auto& [component, after] : transition_.after)
-      if (name == after_stroke(component) || (plain_is_after && name == component)) after = value;
-    if (name.strokes.ends_with("?")) transition_.inputs.emplace_back(name, value);
-    if (name.strokes.ends_with("!")) transition_.outputs.emplace_back(name, value);
-  }
-  Transition take() {
-    const auto by_name = [](const auto& a, const auto& b) { return a.first < b.first; };
-    std::sort(transition_.inputs.begin(), transition_.inputs.end(), by_name);
-    std::sort(transition_.outputs.begin(), transition_.outputs.end(), by_name);
-    return std::move(transition_);
-  }
-
- private:
-  Transition transition_;
-};
-
-/// Adds to `found` what the schema admits with these values; says whether to go on.
-bool add_completions(const Machine::Parts& parts, const std::string& schema, const Given& known, std::size_t most,
-                     Found& found) {
-  std::vector<Name> names;
-  std::vector<Value> values;
-  for (const auto& [name, value] : known) {
-    names.push_back(name);
-    values.push_back(value);
-  }
-  const zed::Completion& completion = parts.completion(schema, names);
-  const bool plain_is_after = !has_name(names, parts.components.front());
-  const Truth all = completion.each(values, [&](std::span<const Value> sought) {
-    Gatherer gatherer(schema, parts.components);
-    for (const auto& [name, value] : known) gatherer.give(name, value, false);
-    for (std::size_t i = 0; i < sought.size(); ++i) gatherer.give(completion.sought()[i], sought[i], plain_is_after);
-    Transition transition = gatherer.take();
-    if (std::find(found.transitions.begin(), found.transitions.end(), transition) != found.transitions.end())
-      return true;
-    if (found.transitions.size() == most) {
-      found.bounded = "--choices";
-      return false;
-    }
-    found.transitions.push_back(std::move(transition));
-    return true;
-  });
-  if (all == Truth::open) found.undecided = true;
-  return found.bounded != "--choices";
-}
-
-}  // namespace
-
 Found Machine::initial(std::size_t most) const {
   parts_->begin_question();
-  Found found;
-  add_completions(*parts_, init().empty() ? state() : init(), {}, most, found);
-  return found;
+  const Given none;
+  Ways ways(*parts_, init().empty() ? state() : init(), none, most);
+  ways.add(none);
+  return ways.found();
 }
 
 Found Machine::steps(const Given& before, const MachineOperation& operation, const Given& inputs,
                      std::size_t most) const {
   parts_->begin_question();
-  Found found;
+  Ways ways(*parts_, operation.name, before, most);
   Given known = before;
   known.insert(known.end(), inputs.begin(), inputs.end());
   std::vector<Name> looked_for;  // of the inputs that are not given, those that no finite set has
   for (const Name& input : operation.inputs)
     if (!value_of(inputs, input) && parts_->has_numbers(parts_->types.at(input))) looked_for.push_back(input);
-  std::vector<std::vector<Value>> samples;
-  for (const Name& input : looked_for) samples.push_back(parts_->samples(parts_->types.at(input)));
-  if (!samples.empty()) found.bounded = "--numbers";
-  std::size_t tried = 0;
-  std::vector<std::size_t> at(samples.size(), 0);
-  for (;;) {
-    if (tried++ == parts_->setup.inputs) {
-      found.bounded = "--inputs";
-      return found;
-    }
-    Given all = known;
-    for (std::size_t i = 0; i < samples.size(); ++i) all.emplace_back(looked_for[i], samples[i][at[i]]);
-    if (!add_completions(*parts_, operation.name, all, most, found)) return found;
-    std::size_t digit = samples.size();
-    while (digit > 0 && ++at[digit - 1] == samples[digit - 1].size()) at[--digit] = 0;
-    if (digit == 0) return found;
-  }
+  ways.add_each(known, looked_for);
+  return ways.found();
 }
 
 Truth Machine::is_step(const Given& before, const Transition& transition) const {

@@ -23,10 +23,26 @@ std::string paragraph_text(const zed::Section& section, const zed::Paragraph& pa
   return said;
 }
 
-/// What declares the name; else the first schema with a component of that name; else nothing.
+/// The name without the places of operands at its ends, in either mark-up: `divides` of `_ divides _`.
+std::string operator_word(std::string name) {
+  std::erase_if(name, [](char c) { return c == ' ' || c == '\\'; });
+  const std::size_t first = name.find_first_not_of('_');
+  return first == name.npos ? "" : name.substr(first, name.find_last_not_of('_') + 1 - first);
+}
+
+bool is_operator_of(const zed::Paragraph& paragraph, const std::string& name) {
+  const std::string word = operator_word(name);
+  const std::vector<zed::Name> names = zed::names_of(paragraph);
+  return !word.empty() && std::any_of(names.begin(), names.end(), [&](const zed::Name& declared) {
+    return operator_word(declared.text()) == word;
+  });
+}
+
+/// What declares the name; else the first schema with a component of that name; else an operator of that word; else
+/// nothing.
 std::string declaration_text(const zed::Specification& specification, const std::string& name,
                              const LabelIndex& index) {
-  for (const auto& declares : {zed::is_named, zed::has_component}) {
+  for (const auto& declares : {zed::is_named, zed::has_component, is_operator_of}) {
     for (const zed::Section& section : specification.sections) {
       for (const zed::Paragraph& paragraph : section.paragraphs) {
         if (declares(paragraph, name)) return paragraph_text(section, paragraph, name, index);
@@ -93,7 +109,10 @@ std::vector<std::string> names_and_labels(const zed::Specification& specificatio
   std::vector<std::string> names;
   for (const zed::Section& section : specification.sections) {
     for (const zed::Paragraph& paragraph : section.paragraphs) {
-      for (const zed::Name& name : zed::names_of(paragraph)) names.push_back(name.text());
+      for (const zed::Name& name : zed::names_of(paragraph)) {
+        names.push_back(name.text());
+        if (const std::string word = operator_word(name.text()); word != name.text()) names.push_back(word);
+      }
       const auto labels = zed::labels_of(paragraph);
       names.insert(names.end(), labels.begin(), labels.end());
     }

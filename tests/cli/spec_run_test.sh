@@ -94,10 +94,29 @@ printf '\\begin{zed}\n  x == 1 + \\{ 1 \\}\n\\end{zed}\n' >wrong.tex
 refused 'wrong.tex:2:' spec eval x wrong.tex
 refused 'wrong.tex:2:' spec run wrong.tex
 refused 'wrong.tex:2:' spec show x wrong.tex
-# An initial schema that leaves a component open begins nowhere, and it is said which way out there is.
+# What equations leave open is looked for among some values, and it is said which bound that has.
 printf '%s\n' '\begin{schema}{S} n : \nat; m : \nat \end{schema}' "\\begin{schema}{Init} S~' \\where n' = 0 \\end{schema}" \
-  "\\begin{zed} Op == [ \\Delta S | n' = n + 1 \\land m' = m ] \\end{zed}" >open.tex
-run 2 spec run open.tex </dev/null
-has err 'no initial state is found'
+  "\\begin{zed} Op == [ \\Delta S | n' > n \\land m' = m ] \\end{zed}" >open.tex
+printf '2\nOp\n' | "$durero" spec run open.tex >out 2>err || fail 'spec run open.tex'
+has out '3 ways:'
+has out "  there may be other ways: some values of m', n' were tried, as --numbers bounds them"
+has out '  * n == 0  →  1'
+has out "some values of m', n' were tried"
+printf '1\nexplore 5\n' | "$durero" spec run open.tex >out 2>err || fail 'spec run open.tex: explore'
+has out "  bounded: Op: some values of n' were tried: --numbers"
+# Where none of these will do, it is said which way out there is.
+sed "s/n' = 0/n' = 0 \\\\land m' > 9/" open.tex >far.tex
+run 2 spec run far.tex </dev/null
+has err "no initial state is found, as far as some values of m', n' were tried: --numbers"
 has err 'expected an initial schema whose equations give each component a value'
+run 0 spec run far.tex --numbers 10 </dev/null
+has out '  m == 10'
+# An operator is shown by its word too, with or without the places of its operands, and is the near word of others.
+printf '%s\n' '\begin{zed} \relation (\_~divides~\_) \end{zed}' '\begin{axdef} \_~divides~\_ : \nat \rel \nat' \
+  '\where \forall a, b : \nat @ a~divides~b \iff (\exists c : \nat @ a * c = b) \end{axdef}' >divides.tex
+for spelled in divides _divides_ '_ divides _' '\_ divides \_'; do
+  run 0 spec show "$spelled" divides.tex
+  has out '_ divides _ : ℕ ↔ ℕ'
+done
+refused 'NAME:1:1: the text declares no divdes; expected divides' spec show divdes divides.tex
 finish

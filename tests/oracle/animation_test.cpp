@@ -80,6 +80,48 @@ TEST_CASE("an operation goes on by its text, and finds the inputs that are not g
   CHECK(machine.steps(empty, add, {}, 3).bounded == "--choices");
 }
 
+/// A counter whose operation leaves the number after it open, and may say a number too.
+zed::Specification loose(const std::string& predicates) {
+  const std::string schema = "\\begin{schema}";
+  auto read =
+      zed::read_text(schema + "{S} x : \\num \\end{schema}\n" + schema + "{Init} S~' \\where x' = 10 \\end{schema}\n" +
+                         schema + "{Op} \\Delta S \\\\ n! : \\nat \\where " + predicates + "\\end{schema}\n",
+                     "loose.tex");
+  REQUIRE(read.ok());
+  return read;
+}
+
+TEST_CASE("what equations leave open is tried near the state before, and judged by the text") {
+  const Machine machine(loose("x' > x \\land n! = x'"), {});
+  const zed::Given ten = machine.initial(1).transitions[0].after;
+  const Found found = machine.steps(ten, *machine.find("Op"), {}, 9);
+  CHECK(found.undecided);  // there are 13, 14 and so on
+  CHECK(name_list(found.tried) == "x'");
+  REQUIRE(found.transitions.size() == 2);
+  for (const Transition& step : found.transitions) CHECK(machine.is_step(ten, step) == Truth::yes);
+  CHECK(component(machine, found.transitions[1].after, "x") == "12");
+  CHECK(machine.steps(ten, *machine.find("Op"), {}, 1).bounded == "--choices");
+  const Machine none(loose("x' > x + 2 \\land n! = x'"), {});
+  CHECK(none.steps(ten, *none.find("Op"), {}, 9).transitions.empty());
+  Setup further;
+  further.numbers = 3;
+  const Machine some(loose("x' > x + 2 \\land n! = x'"), further);
+  CHECK(some.steps(ten, *some.find("Op"), {}, 9).transitions.size() == 1);
+}
+
+TEST_CASE("what is tried of a loose operation is bounded") {
+  Setup few;
+  few.inputs = 3;
+  const Machine machine(loose("x' > x \\land n! < x'"), few);
+  const zed::Given ten = machine.initial(1).transitions[0].after;
+  const Found found = machine.steps(ten, *machine.find("Op"), {}, 1000);
+  CHECK(found.bounded == "--inputs");
+  few.inputs = 1000;
+  few.steps = 40;
+  const Machine short_of_steps(loose("x' > x \\land n! < x'"), few);
+  CHECK(short_of_steps.steps(ten, *short_of_steps.find("Op"), {}, 1000).bounded == "--steps");
+}
+
 TEST_CASE("a total operation goes on by whichever side of the disjunction holds") {
   const Machine machine(book(), two_people());
   const zed::Given empty = machine.initial(1).transitions[0].after;

@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,8 @@ struct Setup {
   std::string state, init;                                ///< the names of these schemas; empty: as the conventions say
   std::map<std::string, std::vector<std::string>> given;  ///< the members of given sets, by the names of the sets
   std::size_t members = 3;                                ///< how many the other given sets have: NAME1, NAME2, …
-  int numbers = 2;                  ///< inputs that are numbers are looked for in −numbers‥numbers
-  std::size_t inputs = 1000;        ///< so many choices of inputs are tried for an operation
+  int numbers = 2;                  ///< numbers are looked for in −numbers‥numbers, and so far from that before
+  std::size_t inputs = 1000;        ///< so many choices of inputs, and of what is left open, are tried for an operation
   std::uint64_t steps = 1'000'000;  ///< one question may take so many (zed::Steps)
 };
 
@@ -46,8 +47,12 @@ struct Transition {
 struct Found {
   std::vector<Transition> transitions;  ///< each once
   bool undecided = false;               ///< there may be others: equations do not give them
+  std::set<zed::Name> tried{};          ///< some values of these were tried, as equations leave something open
   std::string bounded;                  ///< the flag that kept it from being looked further; empty: none did
 };
+
+/// The names, with commas between them.
+std::string name_list(const std::set<zed::Name>& names);
 
 /// A conjecture of the text, and whether it holds where it was tried.
 struct Tried {

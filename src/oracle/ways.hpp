@@ -1,0 +1,36 @@
+#pragma once
+/// The ways that a schema admits.
+
+#include "machine_parts.hpp"
+
+namespace durero::oracle::spec {
+
+/// The ways that a schema admits with some values: those that its equations give and its sets list; and where these
+/// leave a name open, those with some values of that name that are tried in turn. What is tried is judged by the schema
+/// alone, so a way that is found is one, and what is not found may yet be.
+class Ways {
+ public:
+  /// Of the schema of this name, `most` at most; numbers are looked for about those of `before` too. Both outlive it.
+  Ways(const Machine::Parts& parts, const std::string& schema, const zed::Given& before, std::size_t most)
+      : parts_(parts), schema_(schema), before_(before), most_(most) {}
+  /// Adds those with these values. Says whether to go on: a bound was met where not.
+  bool add(const zed::Given& known);
+  /// Adds those with these values and each choice of samples for the inputs.
+  void add_each(const zed::Given& known, const std::vector<zed::Name>& inputs);
+  /// Returns what was found. Throws the EvaluationError that kept it from finding anything.
+  Found found();
+
+ private:
+  std::optional<zed::Truth> complete(const zed::Given& known);
+  bool look(zed::Given& known);
+  std::vector<zed::Value> values(const zed::Name& name) const;
+
+  const Machine::Parts& parts_;
+  const std::string& schema_;
+  const zed::Given& before_;
+  std::size_t most_, tried_ = 0;
+  Found found_{};
+  std::optional<zed::EvaluationError> error_{};
+};
+
+}  // namespace durero::oracle::spec
