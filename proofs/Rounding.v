@@ -14,9 +14,6 @@ Notation rnd := (round radix2 fexp ZnearestE).
 Notation format := (generic_format radix2 fexp).
 Notation u := (bpow radix2 (-53)).
 
-(** Of two terms that are compared, what is rounded is looked at before rounding is unfolded: it doubles the terms. *)
-Strategy 1000 [round].
-
 Definition normal (x : R) : Prop := x = 0 \/ bpow radix2 (-1022) <= Rabs x.
 Definition grid (k : Z) (x : R) : Prop := exists n : Z, x = IZR n * bpow radix2 k.
 Definition near (n : nat) (a x m : R) : Prop := Rabs (a - x) <= ((1 + u) ^ n - 1) * m /\ Rabs x <= m.
