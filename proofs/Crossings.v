@@ -283,7 +283,8 @@ Proof.
     assert (16 * u * rnd64 S <= 16 * u * (2 * S + bpow radix2 (-1074))) by (apply Rmult_le_compat_l; lra).
     assert (16 * u * bpow radix2 (-1074) <= 1 * bpow radix2 (-1074)) by (apply Rmult_le_compat_r; lra). lra. }
   assert (Pus : 0 <= u * S <= / 64 * S) by (split; [apply Rmult_le_pos; lra | apply Rmult_le_compat_r; lra]).
-  rewrite fits in Hq by (rewrite Rabs_pos_eq; lra). destruct Hq as [Vq [Fq _]]. rewrite Fp in Fq. cbn in Fq.
+  rewrite fits in Hq by (rewrite Rabs_pos_eq; lra). destruct Hq as [Vq [Fq _]]. rewrite Fp in Fq.
+  change (is_finite (Bmult64 apart64 (Bplus64 (Babs x) (Babs y))) = true) in Fq.
   rewrite Bltb_correct by (try rewrite is_finite_Babs; assumption). rewrite Vq, B2R_Babs, Vm.
   assert (Hw0 : 0 <= rnd64 w) by (rewrite <- Zero; apply Mono; lra).
   destruct (Rlt_bool_spec (rnd64 w) (Rabs (rnd64 d))) as [L | L].

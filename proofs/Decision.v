@@ -78,12 +78,14 @@ Definition decided (place : Formas.known R -> Formas.placed) : Formas.in_lanes :
      Formas.slope := Formas.Known (if eqb A_root_first far_one then Formas.signed_root total
        else - Formas.signed_root total) S_error |}.
 
-(** The recorded terms are this: Qed compares them, and once is long enough. *)
+(** The recorded terms are this: Qed compares them, with rounding folded, since it doubles a term to unfold it. *)
+Local Opaque round.
 Theorem free_is_recorded : Formas.first_in_lanes f = decided (Formas.place f).
 Proof. exact_no_check (eq_refl (decided (Formas.place f))). Qed.
 
 Theorem axial_is_recorded : Formas.first_in_lanes_axial f = decided (Formas.place_axial f).
 Proof. exact_no_check (eq_refl (decided (Formas.place_axial f))). Qed.
+Local Transparent round.
 
 (** ** First decision: no root *)
 

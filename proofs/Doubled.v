@@ -38,16 +38,15 @@ Qed.
 
 Definition sizeable (x : twofold) : Prop := hi x = 0 \/ bpow radix2 (-400) <= Rabs (hi x).
 
-Theorem quotient_near x X x_error y Y y_error : double_word x -> double_word y -> format x_error -> format y_error ->
-  bpow radix2 (-360) <= x_error -> sizeable x -> Rabs (whole x - X) <= x_error -> Rabs (whole y - Y) <= y_error ->
-  2 * y_error < Rabs (hi y) <= bpow radix2 450 -> near_word (quotient x x_error y y_error) (X / Y).
+Theorem quotient_near_any x X x_error y Y y_error : double_word x -> double_word y -> format x_error -> format y_error ->
+  bpow radix2 (-900) <= x_error -> bpow radix2 (-900) * Rabs (hi y) <= x_error ->
+  hi x = 0 \/ bpow radix2 (-900) <= Rabs (hi x) /\ bpow radix2 (-900) * Rabs (hi y) <= Rabs (hi x) ->
+  Rabs (whole x - X) <= x_error -> Rabs (whole y - Y) <= y_error -> 2 * y_error < Rabs (hi y) ->
+  near_word (quotient x x_error y y_error) (X / Y).
 Proof.
-  intros Wx Wy Fx Fy Hleast Sx Hx Hy [Hbig Hlarge]; unfold near_word, quotient; cbn [Formas.value Formas.error].
+  intros Wx Wy Fx Fy Hleast Hratio Sx Hx Hy Hbig; unfold near_word, quotient; cbn [Formas.value Formas.error].
   assert (Hy0 : 0 <= y_error) by (apply Rle_trans with (2 := Hy), Rabs_pos); pose proof uu_bounds as Huu.
   assert (Hy_fl : hi y <> 0) by (intros Z0; rewrite Z0, Rabs_R0 in Hbig; lra).
-  assert (Hratio : bpow radix2 (-900) * Rabs (hi y) <= x_error).
-  { apply Rle_trans with (bpow radix2 (-900) * bpow radix2 450); [apply Rmult_le_compat_l; [apply bpow_ge_0 | exact Hlarge]|].
-    rewrite <- bpow_plus; apply Rle_trans with (2 := Hleast), bpow_le; lia. }
   set (t := ratio x y); set (T := whole x / whole y).
   assert (Ht : double_word t /\ Rabs (whole t - T) <= uu * Rabs T).
   { destruct Sx as [Z0|Sx].
@@ -57,15 +56,12 @@ Proof.
         unfold whole; rewrite Z0; destruct (Req_dec (lo x) 0) as [->|Nl]; [ring | pose proof (Rabs_pos_lt _ Nl); lra]. }
       rewrite Et, ZT; unfold double_word, whole; cbn [hi lo]; rewrite Rplus_0_r, rnd_0, Rminus_0_r, Rabs_R0.
       repeat split; try apply generic_format_0; lra.
-    - apply ratio_near; auto; [apply Rle_trans with (2 := Sx), bpow_le; lia|].
+    - destruct Sx as [Sx1 Sx2]; apply ratio_near; auto.
       pose proof (Rabs_pos_lt _ Hy_fl); unfold Rdiv; rewrite Rabs_mult, Rabs_inv.
-      apply Rmult_le_reg_r with (Rabs (hi y)); [lra|]; rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
-      apply Rle_trans with (2 := Sx), Rle_trans with (bpow radix2 (-900) * bpow radix2 450).
-      + apply Rmult_le_compat_l; [apply bpow_ge_0 | exact Hlarge].
-      + rewrite <- bpow_plus; apply bpow_le; lia. }
+      apply Rmult_le_reg_r with (Rabs (hi y)); [lra|]; rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra; exact Sx2. }
   destruct Ht as [Wt Ht].
   destruct (computed_quotient_error (Rabs (hi t)) (bpow radix2 (-100)) x_error (hi y) y_error Fx (proj1 Wy) Fy (Rabs_pos _)
-    (bpow_ge_0 _ _) ltac:(apply Rle_trans with (2 := Hleast), bpow_le; lia) Hratio Hy0 Hbig) as [HW Hbound].
+    (bpow_ge_0 _ _) Hleast Hratio Hy0 Hbig) as [HW Hbound].
   set (W := (x_error + Rabs (hi t) * y_error) / _) in *; set (error := rnd (_ + rnd (bpow radix2 (-100) * Rabs (hi t)))) in *.
   pose proof (bpow_gt_0 radix2 (-900)); set (e := e12) in *; assert (He : 0 < e < / 1000000) by (unfold e; lra).
   replace (bpow radix2 (-100)) with (4 * uu) in Hbound by (replace 4 with (bpow radix2 2) by reflexivity; now rewrite <- bpow_plus).
@@ -96,7 +92,7 @@ Proof.
     assert (Rabs T * Rabs (whole y - Y) <= (1 + 2 * e) * Rabs (hi t) * y_error)
       by (apply Rmult_le_compat; auto using Rabs_pos).
     apply Rle_trans with ((1 + 2 * e) * (W * g)).
-    - rewrite HWg; assert (0 <= e * x_error) by (apply Rmult_le_pos; [lra | pose proof (bpow_gt_0 radix2 (-360)); lra]); lra.
+    - rewrite HWg; assert (0 <= e * x_error) by (apply Rmult_le_pos; [lra | pose proof (bpow_gt_0 radix2 (-900)); lra]); lra.
     - replace ((1 + 5 * e) * W * ((1 - 2 * e) * g)) with ((1 + 5 * e) * (1 - 2 * e) * (W * g)) by ring.
       apply Rmult_le_compat_r; [lra | unfold e; lra]. }
   assert (Hut : 0 <= uu * Rabs (hi t)) by (apply Rmult_le_pos; lra).
@@ -106,6 +102,20 @@ Proof.
   replace (whole t - X / Y) with ((whole t - T) + (T - X / Y)) by ring; apply Rle_trans with (1 := Rabs_triang _ _).
   apply Rle_trans with ((1 - e) * ((1 + / 33554432) * W + 3 / 4 * (4 * uu * Rabs (hi t)))); [unfold e in *; lra|].
   apply Rmult_le_compat_l; [lra | exact Hbound].
+Qed.
+
+Theorem quotient_near x X x_error y Y y_error : double_word x -> double_word y -> format x_error -> format y_error ->
+  bpow radix2 (-360) <= x_error -> sizeable x -> Rabs (whole x - X) <= x_error -> Rabs (whole y - Y) <= y_error ->
+  2 * y_error < Rabs (hi y) <= bpow radix2 450 -> near_word (quotient x x_error y y_error) (X / Y).
+Proof.
+  intros Wx Wy Fx Fy Hleast Sx Hx Hy [Hbig Hlarge].
+  assert (Hy450 : bpow radix2 (-900) * Rabs (hi y) <= bpow radix2 (-450)).
+  { change (-450)%Z with (-900 + 450)%Z; rewrite bpow_plus; apply Rmult_le_compat_l; [apply bpow_ge_0 | exact Hlarge]. }
+  apply quotient_near_any; auto.
+  - apply Rle_trans with (2 := Hleast), bpow_le; lia.
+  - apply Rle_trans with (1 := Hy450), Rle_trans with (2 := Hleast), bpow_le; lia.
+  - destruct Sx as [Z0|Sx]; [now left | right; split]; apply Rle_trans with (2 := Sx); [apply bpow_le; lia|].
+    apply Rle_trans with (1 := Hy450), bpow_le; lia.
 Qed.
 
 (** A pair beyond a limit. *)

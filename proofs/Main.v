@@ -372,7 +372,7 @@ End Chain.
     Triage.shape has the numbers of an element, Triage.stands s e sh that e has them in s. The decisions are the recorded
     terms of Formas.v: Triage.lanes_of for rays in a batch, Triage.alone_of for one ray up to a limit, each for a ray that
     starts on the element (on) or does not. *)
-From Durero Require Verdict Steps Triage Doubled StableSphere Running.
+From Durero Require Verdict Steps Triage Doubled Second Running.
 Section Decisions.
 Variable Elemento : Type.
 Variables (s : Escena Elemento) (en : set Elemento) (p v : Vectors.vec).
@@ -416,12 +416,12 @@ Proof.
     triage computed).
 Qed.
 
-(** The second step, in double-double, of a ray and a sphere: the same of the parameter; and where the rounding of what it
-    finds is certain, what is stored are the parameter and the point of the text, each rounded once. *)
-Theorem the_second_step_on_a_sphere_is_right e centro r on limit :
-  Triage.stands Elemento s e (Triage.Sphere centro r) -> Triage.ordinary_shape (Triage.Sphere centro r) ->
-  (on = true <-> en e) -> format limit ->
-  match StableSphere.stable_of_sphere p v centro r on limit with
+(** The second step, in double-double, on a shape of [Second.proved], a sphere, a plane or a disc: the same of the parameter; and
+    where the rounding of what it finds is certain, what is stored are the parameter and the point of the text, each rounded
+    once. *)
+Theorem the_second_step_is_right e sh on limit :
+  Second.proved sh -> Triage.stands Elemento s e sh -> Triage.ordinary_shape sh -> (on = true <-> en e) -> format limit ->
+  match Second.second_of p v sh on limit with
   | Formas.Miss => forall t, met e t -> limit < t
   | Formas.Undecided => True
   | Formas.Hit root _ _ => exists t, is_least (met e) t
@@ -430,11 +430,11 @@ Theorem the_second_step_on_a_sphere_is_right e centro r on limit :
         Formas.Pairs.all_certain once = true -> Once.stores out once -> Chain.rounds ray out t
   end.
 Proof.
-  exact (StableSphere.stable_of_sphere_right Elemento s en p v e centro r on limit ok ray_ok p_ordinary v_ordinary).
+  exact (Second.second_right Elemento s en p v ok ray_ok p_ordinary v_ordinary e sh on limit).
 Qed.
 
 (** So the steps of the search as they run are right, [Search.steps_right]: of Running.steps_run, which says that its triage,
-    its second step on spheres and its rounding are the recorded terms, and of Running.steps_assumed, which is what is left:
+    its second step on spheres, planes and discs, and its rounding are the recorded terms, and of Running.steps_assumed, which is what is left:
     the second step on other shapes, the Newton step's error, the ends around a parameter, what is certainly less, and the
     exact rounding. *)
 Theorem the_steps_that_run_are_right elements (shape_of : Elemento -> Triage.shape) on in_range triage stable improved low high

@@ -127,12 +127,14 @@ Definition margin_error : R := rnd (rnd (bpow radix2 (-48) * V_fl) * rnd (Q_fl +
 Let out : vec := minus (scale s1 q) (scale s0 v).
 Definition margin : R := r * Rabs s1 - norm out.
 
+Local Opaque round.
 Theorem disc_recorded : along (Formas.disco p v V_fl centro r d) /\
   Formas.margin (Formas.disco p v V_fl centro r d) = margin_fl /\
   Formas.margin_error (Formas.disco p v V_fl centro r d) = margin_error.
-Proof. (* compared by Qed, once *)
+Proof. (* compared by Qed, once, with rounding folded *)
   unfold along. repeat apply conj; match goal with |- _ = ?b => exact_no_check (eq_refl b) end.
 Qed.
+Local Transparent round.
 
 Lemma S_computed : computed 5 (-305) S_fl s1 (size_of_dot v d).
 Proof.

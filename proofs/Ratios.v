@@ -187,7 +187,7 @@ Qed.
 Section Root.
 Variable x : twofold.
 Hypothesis x_word : double_word x.
-Hypothesis x_size : bpow radix2 (-900) <= hi x.
+Hypothesis x_size : bpow radix2 (-920) <= hi x.
 
 Let high := rnd (sqrt (hi x)).
 Let rest := difference x (two_prod high high).
@@ -197,7 +197,7 @@ Let s := sqrt (hi x).
 
 Lemma root_is : root_of x = fast_two_sum high low.
 Proof.
-  pose proof (bpow_gt_0 radix2 (-900)).
+  pose proof (bpow_gt_0 radix2 (-920)).
   change (root_of x) with (if Rle_bool (hi x) 0 then Twofold 0 0 else fast_two_sum high low).
   destruct (Rle_bool_spec (hi x) 0); [lra | reflexivity].
 Qed.
@@ -205,12 +205,12 @@ Qed.
 Theorem root_kept : double_word (root_of x) /\ Rabs (whole (root_of x) - sqrt (whole x)) <= 8 * (u * (u * sqrt (whole x)))
   /\ / 2 * sqrt (hi x) <= hi (root_of x).
 Proof.
-  pose proof (bpow_gt_0 radix2 (-900)) as H900; pose proof u_bounds as Hu; assert (Ha : 0 < alpha) by (unfold alpha; lra).
+  pose proof (bpow_gt_0 radix2 (-920)) as H920; pose proof u_bounds as Hu; assert (Ha : 0 < alpha) by (unfold alpha; lra).
   destruct (double_word_is_pair x x_word) as (_ & _ & Lx); rewrite (Rabs_pos_eq (hi x)) in Lx by lra; fold alpha in Lx.
-  assert (Hs0 : bpow radix2 (-450) <= s).
-  { unfold s; rewrite <- (sqrt_square (bpow radix2 (-450))) by apply bpow_ge_0; apply sqrt_le_1_alt; rewrite <- bpow_plus.
+  assert (Hs0 : bpow radix2 (-460) <= s).
+  { unfold s; rewrite <- (sqrt_square (bpow radix2 (-460))) by apply bpow_ge_0; apply sqrt_le_1_alt; rewrite <- bpow_plus.
     exact x_size. }
-  pose proof (bpow_gt_0 radix2 (-450)) as H450; assert (Hss : s * s = alpha) by (apply sqrt_sqrt; lra).
+  pose proof (bpow_gt_0 radix2 (-460)) as H460; assert (Hss : s * s = alpha) by (apply sqrt_sqrt; lra).
   assert (Hh : Rabs (high - s) <= u * s).
   { rewrite <- (Rabs_pos_eq s) at 2 by lra; apply rnd_rel; right; rewrite Rabs_pos_eq by (fold s; lra).
     apply Rle_trans with (2 := Hs0), bpow_le; lia. }
@@ -224,7 +224,7 @@ Proof.
     apply Rmult_le_compat; [apply Rabs_pos | lra | apply Rabs_le; lra | lra]. }
   assert (HPw : bpow radix2 (-960) <= Rabs (high * high)).
   { apply Rabs_le_inv in HP; rewrite Rabs_pos_eq by (apply Rmult_le_pos; lra).
-    apply Rle_trans with (/ 2 * bpow radix2 (-900)); [|unfold alpha in *; lra].
+    apply Rle_trans with (/ 2 * bpow radix2 (-920)); [|unfold alpha in *; lra].
     replace (/ 2) with (bpow radix2 (-1)) by reflexivity; rewrite <- bpow_plus; apply bpow_le; lia. }
   destruct (worthy_kept high high (format_rnd _) (format_rnd _) (or_intror HPw)) as (Fe & _ & Ee).
   assert (Wm : double_word (two_prod high high) /\ whole (two_prod high high) = high * high).
@@ -296,7 +296,7 @@ Proof.
   pose proof (u_part _ (Rabs_pos (whole x / whole y))) as HU; pose proof (u_part _ (proj1 HU)); lra.
 Qed.
 
-Theorem root_near x : double_word x -> bpow radix2 (-900) <= hi x -> double_word (root_of x) /\
+Theorem root_near x : double_word x -> bpow radix2 (-920) <= hi x -> double_word (root_of x) /\
   Rabs (whole (root_of x) - sqrt (whole x)) <= bpow radix2 (-102) * sqrt (whole x).
 Proof.
   intros Wx Hx; destruct (root_kept x Wx Hx) as (W & H & _); split; [exact W|]; rewrite sixteen_u_u, Rmult_assoc.

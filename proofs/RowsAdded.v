@@ -256,12 +256,21 @@ Ltac applicable R H e T computed after :=
   assert (new : ~ dom (lugar T) e) by (let N := fresh in intros N; apply (the_index_knows_the_elements _ _ R) in N; tauto);
   decompose [and] H; subst;
   assert (K : Tablas_ok after) by
-    (apply tables_with_ok; auto using single_at_most_one, empty_at_most_one; try apply R; try easy;
-     try (let v := fresh in now intros v ->);
-     first [apply exists_single; cbv; tauto | apply exists_empty; cbv; intuition discriminate]);
+    (apply tables_with_ok;
+     lazymatch goal with
+     | |- Tablas_ok _ => exact (Retrieve_Tablas _ _ R)
+     | |- at_most_one _ => first [apply single_at_most_one | apply empty_at_most_one]
+     | |- _ ⊆ _ => let v := fresh in intros v; first [now intros -> | now intros []]
+     | |- _ <-> _ => first [apply exists_single; cbv; tauto | apply exists_empty; cbv; intuition discriminate]
+     | |- _ => exact new
+     end);
   exists after; eexists; hnf; repeat match goal with |- _ /\ _ => split end;
-  first [ now apply tables_with_Agregar_Fila; [apply R | ..] | apply row_grows | apply at_one_empty | assumption
-        | reflexivity ].
+  lazymatch goal with
+  | |- Agregar_Fila _ _ _ _ => exact (tables_with_Agregar_Fila T e _ (Retrieve_Tablas _ _ R) new _ _ _ _ _ _ K)
+  | |- grown _ _ _ _ _ => apply row_grows
+  | |- _ ≡ _ => apply at_one_empty
+  | |- _ => first [assumption | reflexivity]
+  end.
 (** What the grown tables stand for is the scene with the element. *)
 Ltac correct R H s e T after with_ok computed :=
   let A := fresh "A" in let new := fresh "new" in let oks := fresh "ok" in

@@ -28,12 +28,14 @@ Lemma clause_fails s e t r d h k abc : Escena_ok s -> e ∉ elementos s -> ~ add
   \/ (h ∉ Rmas /\ Con_Altura t) \/ (abc ∉ Vertices /\ Con_Vertices t).
 Proof.
   intros ok He P.
+  apply NNPP; intros N; apply P.
+  assert (HR : Con_Radio t -> r ∈ Rmas) by (intros C; apply NNPP; tauto).
+  assert (HK : Con_Proporcion t -> k ∈ Rmas) by (intros C; apply NNPP; tauto).
+  assert (HD : Con_Vector t -> d ∈ Unitario) by (intros C; apply NNPP; tauto).
+  assert (HH : Con_Altura t -> h ∈ Rmas) by (intros C; apply NNPP; tauto).
+  assert (HV : Con_Vertices t -> abc ∈ Vertices) by (intros C; apply NNPP; tauto).
   unfold addition_possible, Con_Radio, Con_Vector, Con_Altura, Con_Proporcion, Con_Vertices, union, single in *.
-  destruct t; destruct (classic (r ∈ Rmas)), (classic (k ∈ Rmas)), (classic (d ∈ Unitario)), (classic (h ∈ Rmas)),
-    (classic (abc ∈ Vertices));
-    first [left; split; [assumption | now auto] | right; left; split; [assumption | now auto]
-      | do 2 right; left; split; [assumption | now auto] | do 3 right; left; split; [assumption | now auto]
-      | do 4 right; split; [assumption | now auto] | destruct P; auto 8].
+  destruct t; (split; [exact ok | split; [exact He | auto 12]]).
 Qed.
 
 (** Every total operation answers every call on a scene that satisfies the invariant.

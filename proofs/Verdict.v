@@ -147,7 +147,8 @@ Definition past_stretch (limit : R) (only : Formas.answer R) : Formas.answer R :
     (rnd (least_of_A * rnd (Rabs (Formas.s1 f) - rnd (bpow radix2 (-51) * Formas.speed f)))) then only
   else Formas.Undecided.
 
-(** The recorded terms are this: Qed compares them, and once is long enough. *)
+(** The recorded terms are this: Qed compares them, with rounding folded, since it doubles a term to unfold it. *)
+Local Opaque round.
 Theorem single_is_recorded limit :
   Formas.first_of_curved f limit = single (Formas.place f) (past_limit limit) limit.
 Proof. exact_no_check (eq_refl (single (Formas.place f) (past_limit limit) limit)). Qed.
@@ -155,6 +156,7 @@ Proof. exact_no_check (eq_refl (single (Formas.place f) (past_limit limit) limit
 Theorem single_axial_is_recorded limit :
   Formas.first_of_curved_axial f limit = single (Formas.place_axial f) (past_stretch limit) limit.
 Proof. exact_no_check (eq_refl (single (Formas.place_axial f) (past_stretch limit) limit)). Qed.
+Local Transparent round.
 
 Lemma q_exact_facts : B_error < F_fl -> 2 * q_error < Rabs q ->
   x <> 0 /\ x * x + 2 * B * x + A * C = 0 /\ (if Rle_bool 0 B_fl then x < 0 /\ 0 < - (x + B) else 0 < x /\ 0 < x + B).

@@ -231,7 +231,7 @@ Proof.
 Qed.
 
 (** Eight units for a computed length, as in binary64. *)
-Lemma norm2_near k a : (-450 <= k)%Z -> words_on k a -> let s := norm (wholes a) in
+Lemma norm2_near k a : (-460 <= k)%Z -> words_on k a -> let s := norm (wholes a) in
   Rabs (whole (norm2 a) - s) <= 8 * uu * s /\ double_word (norm2 a) /\ (0 < s -> bpow radix2 (k - 2) <= hi (norm2 a)).
 Proof.
   intros Hk Ha s; pose proof uu_bounds as Hu; pose proof (norm_nonneg (wholes a)) as Hn; fold s in Hn.
@@ -293,5 +293,6 @@ Proof.
   intros Wx Wy; destruct (sum_near x y Wx Wy) as [W1 H1], (difference_near x y Wx Wy) as [W2 H2].
   split; [split; [exact W1 | exact (six_in_uu _ _ H1)]|]; split; [split; [exact W2 | exact (six_in_uu _ _ H2)]|].
   split; [exact (product_near x y Wx Wy)|]; split; [exact (ratio_near x y Wx Wy)|].
-  intros Hx; unfold within_bound; rewrite (Rabs_pos_eq (sqrt (whole x))) by apply sqrt_pos; exact (root_near x Wx Hx).
+  intros Hx; unfold within_bound; rewrite (Rabs_pos_eq (sqrt (whole x))) by apply sqrt_pos.
+  apply root_near; [exact Wx | apply Rle_trans with (2 := Hx), bpow_le; lia].
 Qed.

@@ -1,0 +1,65 @@
+(** * Second: the second step of the search on a shape of a scene
+
+    second_of p v sh on == what the second step computes of the shape sh, for the ray from p along v
+    proved sh           == its decision is proved right here *)
+From Coq Require Import Reals Lra.
+From Flocq Require Import Core.
+From Durero Require Import Toolkit Especificacion Escena Puntos Trazador.
+From Durero Require Interseccion Formas.
+From Durero Require Import Rounding Vectors Flotante Steps Triage Twofold Doubled StableSphere StablePlane StableDisc.
+Import Formas.Pairs.
+Local Open Scope R_scope.
+Local Open Scope zed_scope.
+
+Definition second_of (p v : vec) (sh : shape) (on : bool) : R -> Formas.answer twofold :=
+  let V := extent_fl v in
+  let curved f := if on then first_of_curved_on f else first_of_curved f in
+  let axial f := if on then first_of_curved_on_axial f else first_of_curved_axial f in
+  let edged f := if on then first_of_linear_on f else first_of_linear_edged f in
+  match sh with
+  | Sphere c r => curved (esfera p v V c r)
+  | Cylinder c r d h => axial (cilindro p v V c r d h)
+  | Cone c k d h => axial (cono p v V c k d h)
+  | Truncated c r k d h => axial (tronco p v V c r k d h)
+  | Plane c d => if on then first_of_linear_on (plano p v V c d) else first_of_linear (plano p v V c d)
+  | Disc c r d => edged (disco p v V c r d)
+  | Triangle a b c => edged (triangulo p v V a b c)
+  end.
+
+Definition proved (sh : shape) : Prop := match sh with Sphere _ _ | Plane _ _ | Disc _ _ _ => True | _ => False end.
+
+Lemma proved_or_not sh : proved sh \/ ~ proved sh.
+Proof. destruct sh; cbn; tauto. Qed.
+
+Section Scene.
+Variable Elemento : Type.
+Variable s : Especificacion.Escena Elemento.
+Variable en : set Elemento.
+Variables p v : vec.
+Hypothesis ok : Escena_ok s.
+Hypothesis ray_ok : Rayo_ok (ray_of p v).
+Hypothesis p_ordinary : ordinary_vec p.
+Hypothesis v_ordinary : ordinary_vec v.
+
+Theorem second_pair e sh on limit : proved sh -> stands Elemento s e sh -> ordinary_shape sh -> (on = true <-> en e) ->
+  format limit -> right_pair (Interseccion.met (ray_of p v) Elemento s en e) limit (second_of p v sh on limit).
+Proof.
+  intros Hp Hs Ho Hon Fl; destruct sh; try contradiction.
+  - exact (stable_of_sphere_pair Elemento s en p v e _ _ on limit ok ray_ok p_ordinary v_ordinary Hs Ho Hon Fl).
+  - apply (right_pair_equal _ _ _ _ (met_of_shape Elemento s ok en p v e _ on Hs Hon)).
+    destruct Ho as [Hc Hd]; assert (Hu : direction vector ∈ Unitario).
+    { destruct Hs as [_ [_ Hv]]; apply (Escena_inv_8 ok); now exists e. }
+    destruct (stable_plane_right p v p_ordinary v_ordinary (direction_not_zero p v ray_ok) _ _ limit Hc Hd Hu Fl).
+    unfold second_of; destruct on; assumption.
+  - apply (right_pair_equal _ _ _ _ (met_of_shape Elemento s ok en p v e _ on Hs Hon)).
+    destruct Ho as (Hc & Hr & Hd), Hs as (_ & _ & Hrad & Hv).
+    assert (Hu : direction vector ∈ Unitario) by (apply (Escena_inv_8 ok); now exists e).
+    assert (Hr0 : 0 < radio) by (apply (Escena_decl_mi_radio ok); now exists e).
+    destruct (stable_disc_right p v _ _ _ limit p_ordinary v_ordinary (direction_not_zero p v ray_ok) Hc Hr Hr0 Hd Hu Fl).
+    unfold second_of; destruct on; assumption.
+Qed.
+
+Theorem second_right e sh on limit : proved sh -> stands Elemento s e sh -> ordinary_shape sh -> (on = true <-> en e) ->
+  format limit -> right_when_rounded p v (Interseccion.met (ray_of p v) Elemento s en e) limit (second_of p v sh on limit).
+Proof. intros; apply right_and_rounded; auto; now apply second_pair. Qed.
+End Scene.
