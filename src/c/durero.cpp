@@ -5,13 +5,11 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
-#include <new>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "durero/contract/contract.hpp"
-#include "durero/engine/engine.hpp"
+#include "c/handles.hpp"
 #include "durero/engine/prepared.hpp"
 #include "durero/io/groups_file.hpp"
 #include "durero/io/operations_file.hpp"
@@ -20,40 +18,12 @@
 #include "durero/model/operaciones.hpp"
 #include "durero/model/tipos.hpp"
 #include "durero/scene/grouped_scene.hpp"
-#include "durero/written/edited.hpp"
 
 using namespace durero;
-
-struct durero_scene {
-  written::Edited value;
-  std::string file{};  // that it was read from, from the root; empty where there was none
-};
-
-struct durero_engine {
-  const scene::Scene* scene;
-  std::shared_ptr<const engine::Engine> value;
-};
+using c::guarded;
+using c::last_error;
 
 namespace {
-
-thread_local std::string last_error;
-
-/// What `call` answers, or `failed` where it throws: no exception leaves the library.
-template <class Result, class Call>
-Result guarded(Result failed, Call call) noexcept {
-  try {
-    return call();
-  } catch (const std::exception& error) {
-    try {
-      last_error = error.what();
-    } catch (...) {
-      last_error.clear();  // there is no memory for it
-    }
-  } catch (...) {
-    last_error.clear();
-  }
-  return failed;
-}
 
 scene::Query query(const durero_ray& ray, std::size_t number) {
   const glm::dvec3 p{ray.p[0], ray.p[1], ray.p[2]}, v{ray.v[0], ray.v[1], ray.v[2]};
@@ -64,18 +34,6 @@ scene::Query query(const durero_ray& ray, std::size_t number) {
     throw std::invalid_argument("ray " + std::to_string(number) +
                                 ": no ray; expected finite numbers and v other than 0");
   return {{model::Punto(p), model::Vector(v)}, {}};
-}
-
-durero_outcome outcome(model::Resultado resultado) {
-  switch (resultado) {
-    case model::Resultado::hit:
-      return DURERO_HIT;
-    case model::Resultado::miss:
-      return DURERO_MISS;
-    case model::Resultado::no_minimum:
-      return DURERO_NO_MINIMUM;
-  }
-  contract::unreachable();
 }
 
 durero_engine* ready(const durero_scene& scene, std::string_view name, std::string_view hierarchy) {
@@ -95,7 +53,7 @@ std::string text_for(const durero_scene& scene, const char* path) {
 }
 
 durero_hit published(const scene::Hit& hit) {
-  return {outcome(hit.resultado),
+  return {c::outcome(hit.resultado),
           static_cast<std::uint32_t>(hit.elementos.size()),
           hit.t,
           {hit.punto.x, hit.punto.y, hit.punto.z}};

@@ -11,6 +11,7 @@
 
 #include "durero/io/scene_file.hpp"
 #include "durero/io/standard_output.hpp"
+#include "durero/model/escena.hpp"
 #include "durero/number/memory.hpp"
 #include "durero/oracle/calculator.hpp"
 #include "durero/scene/retrieve.hpp"

@@ -6,6 +6,7 @@
 
 #include "durero/model/operaciones.hpp"
 #include "durero/oracle/spec.hpp"
+#include "durero/scene/tablas.hpp"
 
 namespace durero::oracle::spec {
 namespace {

@@ -8,6 +8,7 @@
 #include "durero/model/operaciones.hpp"
 #include "durero/oracle/spec.hpp"
 #include "durero/scene/retrieve.hpp"
+#include "durero/scene/tablas.hpp"
 #include "support/catch.hpp"
 #include "support/model_gen.hpp"
 #include "support/property.hpp"

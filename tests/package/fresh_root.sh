@@ -40,7 +40,9 @@ says 'embree'
 inside apt-get install -y --no-install-recommends g++ cmake make $(cd "$fresh" && ls ./libdurero-dev_*.deb)
 inside cmake -S /usr/share/doc/libdurero-dev/examples -B /consume -DCMAKE_BUILD_TYPE=Release
 inside cmake --build /consume
-for program in edit batch predicate first_hit; do chroot "$fresh" "/consume/$program" >"$work/$program.said"; done
+for program in $(sed -n 's/^==> .\/\(.*\)\.said <==$/\1/p' "$root/tests/consume/expected.txt"); do
+  chroot "$fresh" "/consume/$program" >"$work/$program.said"
+done
 (cd "$work" && head -n 9 ./*.said) | diff "$root/tests/consume/expected.txt" - ||
   fail "the examples answer otherwise"
 inside sh -c 'eval "c++ -O2 /usr/share/doc/libdurero-dev/examples/edit.cpp -o /edit $(pkg-config --cflags --libs durero)" && /edit'

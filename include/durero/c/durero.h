@@ -82,6 +82,43 @@ void durero_engine_free(durero_engine *engine);
  * finite or a v is 0. */
 durero_answer durero_first_hits(const durero_engine *engine, const durero_ray *rays, size_t count, durero_hit *hits);
 
+/** No element of a scene has this number. */
+#define DURERO_NO_ELEMENT UINT32_MAX
+
+/** Rays in plain arrays of the caller's: at one place of each what is of one ray. */
+typedef struct durero_ray_arrays {
+  const double *p[3]; /**< x, y and z of the origins */
+  const double *v[3]; /**< of the directions, not 0, and of any other length */
+  const uint32_t *start; /**< the element that each starts on, or DURERO_NO_ELEMENT; NULL where none starts on one */
+} durero_ray_arrays;
+
+/** Where answers go, each in the place of its ray. An array that is NULL is not written; where t and point are all NULL
+ * they are not found out either, which takes less time. */
+typedef struct durero_hit_arrays {
+  uint8_t *outcome; /**< a durero_outcome */
+  uint32_t *elements; /**< how many elements the first point lies on; 0 of a miss */
+  uint32_t *element; /**< the least of them by number; DURERO_NO_ELEMENT of a miss */
+  double *t; /**< the parameter of the first point, rounded once; 0 where none is hit */
+  double *point[3]; /**< x, y and z of that point, each rounded once */
+} durero_hit_arrays;
+
+/** The first hits of count rays, in order, on every processor, in memory that does not grow with their number. The
+ * start of a ray lies on the surface of its element exactly, however its numbers were rounded. DURERO_FAILED, and nothing
+ * written, where a number is not finite, a v is 0 or a start is no element. */
+durero_answer durero_first_hits_of_arrays(const durero_engine *engine, const durero_ray_arrays *rays, size_t count,
+                                          const durero_hit_arrays *hits);
+
+/** Whether something lies on each ray between its start and p + v: 1 where some element is met at 0 < t < 1, and 0 where
+ * none is, in the place of the ray. Otherwise as durero_first_hits_of_arrays(). */
+durero_answer durero_occluded_segments(const durero_engine *engine, const durero_ray_arrays *rays, size_t count,
+                                       uint8_t *occluded);
+
+/** The name of an element by its number, 0 to durero_scene_size() − 1; NULL where it is none. It is valid as long as the
+ * scene is not edited, and so is the number. */
+const char *durero_element_name(const durero_engine *engine, uint32_t element);
+/** The number of the element of a name; DURERO_NO_ELEMENT where there is none. */
+uint32_t durero_element_number(const durero_engine *engine, const char *name);
+
 /** The names of the elements that the first point of a ray lies on, each ended by a 0, in order, in a buffer of size
  * bytes; a name that has no room is left out. The number of elements, or -1 where the ray is none. */
 int durero_elements(const durero_engine *engine, const durero_ray *ray, char *names, size_t size);

@@ -14,7 +14,7 @@
 #include "durero/io/source.hpp"
 #include "durero/io/stage_check.hpp"
 #include "durero/io/written_elements.hpp"
-#include "durero/model/escena.hpp"
+#include "durero/model/operation.hpp"
 #include "durero/scene/scene.hpp"
 
 namespace durero::io {

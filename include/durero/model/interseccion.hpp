@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "durero/model/judgement.hpp"
 #include "durero/model/on_ray.hpp"
 #include "durero/model/puntos.hpp"
 #include "durero/model/resultado.hpp"

@@ -7,9 +7,10 @@
 #include <span>
 #include <vector>
 
-#include "durero/model/escena.hpp"
 #include "durero/model/iluminacion.hpp"
 #include "durero/model/judgement.hpp"
+#include "durero/model/operation.hpp"
+#include "durero/model/tipos.hpp"
 
 namespace durero::model {
 

@@ -7,8 +7,9 @@
 #include <random>
 #include <vector>
 
-#include "durero/model/escena.hpp"
 #include "durero/model/exact_point.hpp"
+#include "durero/model/operation.hpp"
+#include "durero/model/tipos.hpp"
 
 namespace durero::model {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <unordered_set>
 
-#include "durero/model/escena.hpp"
+#include "durero/model/operation.hpp"
 #include "durero/oracle/spec.hpp"
 #include "durero/zed/syntax/defect.hpp"
 #include "durero/zed/types/typecheck.hpp"

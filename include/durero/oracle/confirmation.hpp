@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "durero/model/escena.hpp"
 #include "durero/oracle/spec_ray.hpp"
 #include "durero/scene/hit.hpp"
 #include "durero/scene/query.hpp"

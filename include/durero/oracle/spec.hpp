@@ -10,11 +10,15 @@
 #include <string>
 #include <vector>
 
-#include "durero/model/escena.hpp"
 #include "durero/model/exact_point.hpp"
 #include "durero/model/operation.hpp"
-#include "durero/scene/tablas.hpp"
+#include "durero/model/tipos.hpp"
+#include "durero/scene/element_ref.hpp"
 #include "durero/zed/evaluate/evaluate.hpp"
+
+namespace durero::scene {
+struct Tablas;
+}  // namespace durero::scene
 
 namespace durero::oracle::spec {
 

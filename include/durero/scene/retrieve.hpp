@@ -1,7 +1,7 @@
 #pragma once
 /// The retrieve function: which scene of the specification a table-held scene stands for.
 
-#include "durero/model/escena.hpp"
+#include "durero/model/operation.hpp"
 #include "durero/scene/scene.hpp"
 
 namespace durero::scene {

@@ -1,0 +1,60 @@
+#pragma once
+/// What the handles of durero.h own, and how a call ends.
+
+#include <exception>
+#include <memory>
+#include <string>
+
+#include "durero/c/durero.h"
+#include "durero/contract/contract.hpp"
+#include "durero/engine/engine.hpp"
+#include "durero/model/resultado.hpp"
+#include "durero/scene/scene.hpp"
+#include "durero/written/edited.hpp"
+
+struct durero_scene {
+  durero::written::Edited value;
+  std::string file{};  // that it was read from, from the root; empty where there was none
+};
+
+struct durero_engine {
+  const durero::scene::Scene* scene;
+  std::shared_ptr<const durero::engine::Engine> value;
+};
+
+namespace durero::c {
+
+/// durero_error() of this thread.
+inline thread_local std::string last_error;
+
+/// What `call` answers, or `failed` where it throws: no exception leaves the library.
+template <class Result, class Call>
+Result guarded(Result failed, Call call) noexcept {
+  try {
+    return call();
+  } catch (const std::exception& error) {
+    try {
+      last_error = error.what();
+    } catch (...) {
+      last_error.clear();  // there is no memory for it
+    }
+  } catch (...) {
+    last_error.clear();
+  }
+  return failed;
+}
+
+/// As C has it.
+inline durero_outcome outcome(model::Resultado resultado) {
+  switch (resultado) {
+    case model::Resultado::hit:
+      return DURERO_HIT;
+    case model::Resultado::miss:
+      return DURERO_MISS;
+    case model::Resultado::no_minimum:
+      return DURERO_NO_MINIMUM;
+  }
+  contract::unreachable();
+}
+
+}  // namespace durero::c
