@@ -6,7 +6,8 @@ From Coq Require Import Reals Lra.
 From Flocq Require Import Core.
 From Durero Require Import Toolkit Especificacion Escena Puntos Trazador.
 From Durero Require Interseccion Formas.
-From Durero Require Import Rounding Vectors Flotante Steps Triage Twofold Doubled StableSphere StablePlane StableDisc.
+From Durero Require Import Rounding Vectors Flotante Steps Triage Twofold Doubled StableSphere StablePlane StableDisc
+  StableTriangle.
 Import Formas.Pairs.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -26,7 +27,8 @@ Definition second_of (p v : vec) (sh : shape) (on : bool) : R -> Formas.answer t
   | Triangle a b c => edged (triangulo p v V a b c)
   end.
 
-Definition proved (sh : shape) : Prop := match sh with Sphere _ _ | Plane _ _ | Disc _ _ _ => True | _ => False end.
+Definition proved (sh : shape) : Prop :=
+  match sh with Sphere _ _ | Plane _ _ | Disc _ _ _ | Triangle _ _ _ => True | _ => False end.
 
 Lemma proved_or_not sh : proved sh \/ ~ proved sh.
 Proof. destruct sh; cbn; tauto. Qed.
@@ -56,6 +58,9 @@ Proof.
     assert (Hu : direction vector ∈ Unitario) by (apply (Escena_inv_8 ok); now exists e).
     assert (Hr0 : 0 < radio) by (apply (Escena_decl_mi_radio ok); now exists e).
     destruct (stable_disc_right p v _ _ _ limit p_ordinary v_ordinary (direction_not_zero p v ray_ok) Hc Hr Hr0 Hd Hu Fl).
+    unfold second_of; destruct on; assumption.
+  - apply (right_pair_equal _ _ _ _ (met_of_shape Elemento s ok en p v e _ on Hs Hon)); destruct Ho as (Ha & Hb & Hc).
+    destruct (stable_triangle_right p v _ _ _ limit p_ordinary v_ordinary (direction_not_zero p v ray_ok) Ha Hb Hc Fl).
     unfold second_of; destruct on; assumption.
 Qed.
 
