@@ -356,20 +356,25 @@ Proof.
       destruct Ht' as [_ On]; rewrite E in On; now elim Off.
 Qed.
 
-Lemma past_limit_right (on : R -> Prop) limit : (forall t, on t -> 0 < t) -> B_error < hi F_w -> 2 * q_error < Rabs (hi q) ->
-  forall only,
-  past_limit limit only = Formas.Undecided \/ past_limit limit only = only /\ forall t, A * t = x -> on t -> limit < t.
+Lemma least_of_A_right t : B_error < hi F_w -> 2 * q_error < Rabs (hi q) -> A * t = x -> 0 <= least_of_A <= Rabs t.
 Proof.
-  intros Hon HF Hq only; unfold past_limit; destruct (Rlt_bool_spec limit least_of_A) as [Hl|]; [right | now left].
-  split; [reflexivity|]; intros t Ht On; pose proof (Hon t On).
+  intros HF Hq Ht; pose proof (A_near f_sound) as HA.
   destruct (q_bound HF) as (Hx & He & _ & Wq & Fqe & _), (words f_sound) as (WA & _), (errors_binary64 f_sound) as (FAe & _).
-  destruct (errors_least f_sound) as (HAe & _), (sizes f_sound) as (HA450 & _); pose proof (A_near f_sound) as HA.
-  enough (Hle : 0 <= least_of_A <= Rabs t) by (rewrite Rabs_pos_eq in Hle by lra; lra).
+  destruct (errors_least f_sound) as (HAe & _), (sizes f_sound) as (HA450 & _).
   apply (computed_least (hi q) q_error (hi A_w) A_error x A t); auto; try apply Wq; try apply WA.
   - pose proof (leading _ Wq) as Lq; pose proof (size_least x (whole q)) as Hs; rewrite Rabs_minus_sym in Hs.
     pose proof (bpow_gt_0 radix2 (-360)); lra.
   - pose proof (leading _ WA) as LA; pose proof (size_least (whole A_w) A) as Hs; pose proof (Rabs_pos (hi A_w)).
     pose proof (bpow_gt_0 radix2 (-360)); lra.
+Qed.
+
+Lemma past_limit_right (on : R -> Prop) limit : (forall t, on t -> 0 < t) -> B_error < hi F_w -> 2 * q_error < Rabs (hi q) ->
+  forall only,
+  past_limit limit only = Formas.Undecided \/ past_limit limit only = only /\ forall t, A * t = x -> on t -> limit < t.
+Proof.
+  intros Hon HF Hq only; unfold past_limit; destruct (Rlt_bool_spec limit least_of_A) as [Hl|]; [right | now left].
+  split; [reflexivity|]; intros t Ht On; pose proof (Hon t On); destruct (least_of_A_right t HF Hq Ht) as [_ Hle].
+  rewrite Rabs_pos_eq in Hle by lra; lra.
 Qed.
 
 (** ** The ray starts on the element: C is 0, and so is one root *)
