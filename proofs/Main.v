@@ -416,7 +416,7 @@ Proof.
     triage computed).
 Qed.
 
-(** The second step, in double-double, on a shape of [Second.proved], a sphere, a cylinder, a plane or a disc: the same of the parameter; and
+(** The second step, in double-double, on a shape of [Second.proved], all but a triangle: the same of the parameter; and
     where the rounding of what it finds is certain, what is stored are the parameter and the point of the text, each rounded
     once. *)
 Theorem the_second_step_is_right e sh on limit :
@@ -434,8 +434,8 @@ Proof.
 Qed.
 
 (** So the steps of the search as they run are right, [Search.steps_right]: of Running.steps_run, which says that its triage,
-    its second step on spheres, cylinders, planes and discs, and its rounding are the recorded terms, and of Running.steps_assumed, which is what is left:
-    the second step on other shapes, the Newton step's error, the ends around a parameter, what is certainly less, and the
+    its second step on all shapes but triangles, and its rounding are the recorded terms, and of
+    Running.steps_assumed, which is what is left: the second step on triangles, the Newton step's error, the ends around a parameter, what is certainly less, and the
     exact rounding. *)
 Theorem the_steps_that_run_are_right elements (shape_of : Elemento -> Triage.shape) on in_range triage stable improved low high
   certainly_less rounded round_exact :

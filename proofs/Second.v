@@ -6,7 +6,8 @@ From Coq Require Import Reals Lra.
 From Flocq Require Import Core.
 From Durero Require Import Toolkit Especificacion Escena Puntos Trazador.
 From Durero Require Certified Interseccion Formas.
-From Durero Require Import Rounding Vectors Flotante Steps Triage Twofold Doubled StableSphere StablePlane StableDisc StableCylinder.
+From Durero Require Import Rounding Vectors Flotante Steps Triage Twofold Doubled StableSphere StablePlane StableDisc
+  StableCylinder StableCone.
 Import Formas.Pairs.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -26,7 +27,7 @@ Definition second_of (p v : vec) (sh : shape) (on : bool) : R -> Formas.answer t
   | Triangle a b c => edged (triangulo p v V a b c)
   end.
 
-Definition proved (sh : shape) : Prop := match sh with Sphere _ _ | Cylinder _ _ _ _ | Plane _ _ | Disc _ _ _ => True | _ => False end.
+Definition proved (sh : shape) : Prop := match sh with Triangle _ _ _ => False | _ => True end.
 
 Lemma proved_or_not sh : proved sh \/ ~ proved sh.
 Proof. destruct sh; cbn; tauto. Qed.
@@ -55,6 +56,21 @@ Proof.
     assert (Hh0 : 0 < altura) by (apply (Escena_decl_mi_altura ok); now exists e).
     destruct (stable_cylinder_right p v _ _ _ _ p_ordinary v_ordinary Hc Hd Hr Hr0 v_not_zero (Certified.axis_unit _ Hu) Hh Hh0
       limit Fl); unfold second_of; destruct on; assumption.
+  - apply (right_pair_equal _ _ _ _ (met_of_shape Elemento s ok en p v e _ on Hs Hon)).
+    destruct Ho as (Hc & Hk & Hd & Hh), Hs as (_ & _ & Hprop & Hv & Halt).
+    assert (Hu : direction vector ∈ Unitario) by (apply (Escena_inv_8 ok); now exists e).
+    assert (Hk0 : 0 < proporcion) by (apply (Escena_decl_mi_proporcion ok); now exists e).
+    assert (Hh0 : 0 < altura) by (apply (Escena_decl_mi_altura ok); now exists e).
+    destruct (stable_cone_right p v _ _ _ _ p_ordinary v_ordinary Hc Hd Hh Hh0 Hk Hk0 v_not_zero (Certified.axis_unit _ Hu) limit Fl).
+    unfold second_of; destruct on; assumption.
+  - apply (right_pair_equal _ _ _ _ (met_of_shape Elemento s ok en p v e _ on Hs Hon)).
+    destruct Ho as (Hc & Hr & Hk & Hd & Hh), Hs as (_ & _ & Hrad & Hprop & Hv & Halt).
+    assert (Hu : direction vector ∈ Unitario) by (apply (Escena_inv_8 ok); now exists e).
+    assert (Hr0 : 0 < radio) by (apply (Escena_decl_mi_radio ok); now exists e).
+    assert (Hk0 : 0 < proporcion) by (apply (Escena_decl_mi_proporcion ok); now exists e).
+    assert (Hh0 : 0 < altura) by (apply (Escena_decl_mi_altura ok); now exists e).
+    destruct (stable_truncated_right p v _ _ _ _ _ p_ordinary v_ordinary Hc Hd Hh Hh0 Hk Hk0 v_not_zero (Certified.axis_unit _ Hu)
+      Hr Hr0 limit Fl); unfold second_of; destruct on; assumption.
   - apply (right_pair_equal _ _ _ _ (met_of_shape Elemento s ok en p v e _ on Hs Hon)).
     destruct Ho as [Hc Hd]; assert (Hu : direction vector ∈ Unitario).
     { destruct Hs as [_ [_ Hv]]; apply (Escena_inv_8 ok); now exists e. }

@@ -94,7 +94,8 @@ Proof.
       assert (Z1 : c1 = 0) by (apply rnd_vanishes; lra); assert (Z2 : c2 = 0) by (apply rnd_vanishes; lra).
       assert (Z4 : c4 = 0) by (apply rnd_vanishes; lra).
       assert (Zr : rest = 0) by (apply rnd_vanishes; rewrite Rabs_minus_sym; now apply lost_below).
-      left; unfold low, c5, c3; rewrite Z1, Z2, Z4, Zr; repeat (rewrite ?Rplus_0_r, ?rnd_0); rewrite Rabs_R0; apply Rabs_pos.
+      left; unfold low, c5, c3; rewrite Z1, Z2, Z4, Zr; repeat (rewrite ?Rplus_0_r, ?rnd_0); rewrite Rabs_R0;
+        apply Rabs_pos.
     - left; pose proof (tiny_in P Hn) as Hz; set (z := tiny) in *; pose proof (bpow_gt_0 radix2 (-1074) : 0 < z) as Hz0.
       assert (Any : forall t m, Rabs t <= m * (u * P) -> 0 <= m <= 1000 -> Rabs (rnd t) <= (m + 3) * (u * P)).
       { intros t m Ht Hm; pose proof (rnd_any t) as Hr; fold z in Hr; pose proof (u_part _ (Rabs_pos t)).
@@ -108,7 +109,8 @@ Proof.
       pose proof (Any _ _ (Both _ _ _ _ S1 S2) ltac:(lra)) as S3; fold c3 in S3.
       pose proof (Any _ _ (Both _ _ _ _ S4 S3) ltac:(lra)) as S5; fold c5 in S5.
       assert (Hr0 : Rabs (top - hi x * hi y) <= u * P) by (apply rnd_rel; right; exact Hn).
-      pose proof (Any (hi x * hi y - top) 1 ltac:(rewrite Rmult_1_l, Rabs_minus_sym; exact Hr0) ltac:(lra)) as Sr; fold rest in Sr.
+      pose proof (Any (hi x * hi y - top) 1 ltac:(rewrite Rmult_1_l, Rabs_minus_sym; exact Hr0) ltac:(lra)) as Sr;
+        fold rest in Sr.
       pose proof (Any _ _ (Both _ _ _ _ Sr S5) ltac:(lra)) as S6; fold low in S6.
       pose proof (size_least top (hi x * hi y)) as Hl; fold P in Hl; lra. }
   assert (Hroom : top = 0 \/ Rabs low <= Rabs top) by tauto.
@@ -140,7 +142,8 @@ Proof.
     { replace 4 with (bpow radix2 2) by reflexivity; now rewrite <- bpow_plus. }
     apply Rabs_le_inv in H1, Hxy; pose proof (bpow_gt_0 radix2 (-959)); apply Rle_trans with (bpow radix2 (-957)); [|lra].
     apply Rabs_le; lra.
-  - destruct (product_near x y Wx Wy (or_intror Hb)) as [W Hn]; split; [exact W|]; pose proof (bpow_ge_0 radix2 (-957)); lra.
+  - destruct (product_near x y Wx Wy (or_intror Hb)) as [W Hn]; split; [exact W|]; pose proof (bpow_ge_0 radix2 (-957));
+    lra.
 Qed.
 
 (** ** Quotients *)
@@ -148,7 +151,8 @@ Qed.
 Lemma ratio_any x y : double_word x -> double_word y -> bpow radix2 (-912) <= Rabs (hi x) -> hi y <> 0 ->
   double_word (ratio x y) /\ Rabs (whole (ratio x y)) <= 4 * Rabs (hi x / hi y) + 4 * tiny.
 Proof.
-  intros Wx Wy Hx Hy; destruct (double_word_is_pair x Wx) as (Fhx & Flx & Lx), (double_word_is_pair y Wy) as (Fhy & Fly & Ly).
+  intros Wx Wy Hx Hy; destruct (double_word_is_pair x Wx) as (Fhx & Flx & Lx), (double_word_is_pair y Wy) as
+    (Fhy & Fly & Ly).
   rewrite ratio_is; set (high := rnd (hi x / hi y)); set (rest := difference x (product_by y high)).
   set (low := rnd (hi rest / hi y)); set (Q := Rabs (hi x / hi y)); set (X := Rabs (hi x)) in *.
   pose proof (Rabs_pos_lt _ Hy) as Hy0; pose proof (bpow_gt_0 radix2 (-1074)) as Hz.
@@ -170,12 +174,14 @@ Proof.
       repeat (rewrite ?Rmult_0_r, ?Rplus_0_r, ?Rminus_0_r, ?rnd_0); exact fast_of_zeros. }
     assert (W0 : double_word (Twofold 0 0) /\ whole (Twofold 0 0) = 0) by now apply exactly_word, generic_format_0.
     destruct W0 as [W0 E0]; destruct (difference_near x (Twofold 0 0) Wx W0) as [Wr Hr].
-    rewrite <- Em in Wr, Hr at 1; rewrite E0, Rminus_0_r in Hr; fold rest in Wr, Hr; apply six_in_uu in Hr; pose proof uu_bounds.
+    rewrite <- Em in Wr, Hr at 1; rewrite E0, Rminus_0_r in Hr; fold rest in Wr, Hr; apply six_in_uu in Hr;
+      pose proof uu_bounds.
     destruct (word_near x Wx) as [_ Nx], (word_near _ Wr) as [Nr _]; rewrite Rabs_minus_sym in Nx; fold X in Nx.
     pose proof (size_near _ _ _ X Nx (Rle_refl _)) as Sx; pose proof (Rabs_pos (whole x)) as Hwx.
     assert (uu * Rabs (whole x) <= e30 * Rabs (whole x)) by (apply Rmult_le_compat_r; lra).
     pose proof (size_near _ _ _ _ Hr (Rle_refl _)); pose proof (u_part _ (Rabs_pos (whole rest))).
-    pose proof (size_near _ _ _ _ Nr (Rle_refl _)); assert (Hrest : Rabs (hi rest / hi y) <= (1 + / 100) * Q) by (apply By; lra).
+    pose proof (size_near _ _ _ _ Nr (Rle_refl _)); assert (Hrest : Rabs (hi rest / hi y) <= (1 + / 100) * Q) by (apply By;
+      lra).
     pose proof (rnd_any (hi rest / hi y)) as Hl; fold low in Hl; pose proof (u_part _ (Rabs_pos (hi rest / hi y))).
     pose proof (size_near _ _ _ _ Hl (Rle_refl _)); lra.
   - assert (Hq : Rabs (high - hi x / hi y) <= / 2 * Rabs high).
@@ -187,14 +193,16 @@ Proof.
         fold Q in Hl; lra. }
     set (P := hi y * high); assert (HP : Rabs (P - hi x) <= / 2 * Rabs P).
     { replace (P - hi x) with (hi y * (high - hi x / hi y)) by (unfold P; field; exact Hy).
-      unfold P; rewrite !Rabs_mult; replace (/ 2 * (Rabs (hi y) * Rabs high)) with (Rabs (hi y) * (/ 2 * Rabs high)) by ring.
+      unfold P; rewrite !Rabs_mult; replace (/ 2 * (Rabs (hi y) * Rabs high)) with (Rabs (hi y) * (/ 2 * Rabs high))
+        by ring.
       apply Rmult_le_compat_l; [lra | exact Hq]. }
     assert (HPX : X <= 3 / 2 * Rabs P) by (pose proof (size_least P (hi x)) as Hl; fold X in Hl; lra).
     assert (Hworthy : bpow radix2 (-960) <= Rabs P).
     { apply Rle_trans with (/ 2 * bpow radix2 (-912)); [|lra].
       replace (/ 2) with (bpow radix2 (-1)) by reflexivity; rewrite <- bpow_plus; apply bpow_le; lia. }
     destruct (product_by_near y high Wy (format_rnd _) Hworthy) as [Wm Hm]; fold P in Hm.
-    destruct (difference_near x _ Wx Wm) as [Wr Hr]; fold rest in Wr, Hr; apply six_in_uu in Hr; pose proof uu_bounds as Huu.
+    destruct (difference_near x _ Wx Wm) as [Wr Hr]; fold rest in Wr, Hr; apply six_in_uu in Hr;
+      pose proof uu_bounds as Huu.
     pose proof (u_part _ (Rabs_pos P)) as HuP; pose proof (u_part _ (proj1 HuP)) as HuuP.
     assert (Hly : Rabs (lo y * high) <= u * Rabs P).
     { unfold P; rewrite !Rabs_mult, <- Rmult_assoc; apply Rmult_le_compat_r; [apply Rabs_pos | exact Ly]. }
@@ -244,12 +252,19 @@ Proof.
   assert (Fw : format w) by apply format_rnd; pose proof (Two _ _ _ Fv Fw (Plus _ _ _ _ Sv (Rle_refl _))); lra.
 Qed.
 
+Local Opaque round.
+Lemma root_of_is x : let high := rnd (sqrt (hi x)) in
+  root_of x = if Rle_bool (hi x) 0 then Twofold 0 0
+    else fast_two_sum high (rnd (hi (difference x (two_prod high high)) / rnd (2 * high))).
+Proof. reflexivity. Qed.
+Local Transparent round.
+
 Lemma root_small x : double_word x -> hi x < bpow radix2 (-920) ->
   double_word (root_of x) /\ 0 <= whole (root_of x) <= bpow radix2 (-458).
 Proof.
   intros Wx Hx; destruct (double_word_is_pair x Wx) as (Fhx & Flx & Lx).
   set (high := rnd (sqrt (hi x))); set (m := two_prod high high); set (low := rnd (hi (difference x m) / rnd (2 * high))).
-  change (root_of x) with (if Rle_bool (hi x) 0 then Twofold 0 0 else fast_two_sum high low).
+  rewrite root_of_is; fold high; fold m; fold low.
   destruct (Rle_bool_spec (hi x) 0) as [_|Hpos].
   { destruct (exactly_word 0 (generic_format_0 _ _)) as [W0 E0]; unfold exactly in W0, E0; split; [exact W0|].
     rewrite E0; split; [apply Rle_refl | apply bpow_ge_0]. }
@@ -327,8 +342,10 @@ Proof.
   destruct (sum_near (sum X Y) Z Ws Pz) as [Wd Hd]; apply six_in_uu in Hd; split; [exact Wd|].
   assert (Sq : forall t, Rabs (t * t) = t * t) by (intros t; apply Rabs_pos_eq, Rle_0_sqr); rewrite Sq in Hx, Hy, Hz.
   set (x := whole (dx a) * whole (dx a)) in *; set (y := whole (dy a) * whole (dy a)) in *.
-  set (z := whole (dz a) * whole (dz a)) in *; unfold s; rewrite norm_square; change (dot (wholes a) (wholes a)) with (x + y + z).
-  assert (Hx0 : 0 <= x) by apply Rle_0_sqr; assert (Hy0 : 0 <= y) by apply Rle_0_sqr; assert (Hz0 : 0 <= z) by apply Rle_0_sqr.
+  set (z := whole (dz a) * whole (dz a)) in *; unfold s; rewrite norm_square;
+    change (dot (wholes a) (wholes a)) with (x + y + z).
+  assert (Hx0 : 0 <= x) by apply Rle_0_sqr; assert (Hy0 : 0 <= y) by apply Rle_0_sqr;
+    assert (Hz0 : 0 <= z) by apply Rle_0_sqr.
   assert (H954 : bpow radix2 (-954) = 8 * bpow radix2 (-957)).
   { replace 8 with (bpow radix2 3) by reflexivity; now rewrite <- bpow_plus. }
   rewrite H954; pose proof (bpow_gt_0 radix2 (-957)) as H957; set (l := bpow radix2 (-957)) in *.
@@ -347,7 +364,8 @@ Lemma norm2_any a : double_word (dx a) -> double_word (dy a) -> double_word (dz 
   double_word (norm2 a) /\ Rabs (whole (norm2 a) - s) <= 8 * uu * s + bpow radix2 (-450) /\ 0 <= whole (norm2 a).
 Proof.
   intros Wx Wy Wz s; destruct (dot2_any a Wx Wy Wz) as [W H]; fold s in H; unfold norm2; set (P := dot2 a a) in *.
-  pose proof (norm_nonneg (wholes a) : 0 <= s) as Hs; pose proof uu_bounds as Hu; pose proof (Rmult_le_pos s s Hs Hs) as Hss.
+  pose proof (norm_nonneg (wholes a) : 0 <= s) as Hs; pose proof uu_bounds as Hu;
+    pose proof (Rmult_le_pos s s Hs Hs) as Hss.
   assert (Hus : 0 <= uu * (s * s) <= e30 * (s * s)) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_r]; lra).
   assert (Hus1 : 0 <= uu * s <= e30 * s) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_r]; lra).
   assert (Lift : forall k j, (k <= j)%Z -> bpow radix2 k <= bpow radix2 j) by (intros; now apply bpow_le).
@@ -365,7 +383,8 @@ Proof.
       pose proof (Lift (-954)%Z (-904)%Z ltac:(lia)); pose proof (Lift (-920)%Z (-904)%Z ltac:(lia)).
       assert (H902 : bpow radix2 (-902) = 4 * bpow radix2 (-904)).
       { replace 4 with (bpow radix2 2) by reflexivity; now rewrite <- bpow_plus. }
-      pose proof (bpow_gt_0 radix2 (-904)); destruct (word_near P W) as [Nw _]; rewrite (Rabs_pos_eq (whole P)) in Nw by lra.
+      pose proof (bpow_gt_0 radix2 (-904)); destruct (word_near P W) as [Nw _];
+        rewrite (Rabs_pos_eq (whole P)) in Nw by lra.
       pose proof (u_part (whole P) ltac:(lra)); apply Rabs_le_inv in Nw; lra. }
     split; [exact Wr|]; split; [apply Rabs_le|]; lra.
   - destruct (root_near P W Hbig) as [Wr Hr]; split; [exact Wr|]; pose proof (bpow_gt_0 radix2 (-920)) as H920.
@@ -385,7 +404,8 @@ Proof.
     assert (Hd : Rabs (sqrt (whole P) - s) <= 303 / 100 * (uu * s) + bpow radix2 (-460)).
     { replace s with (sqrt (s * s)) at 1 by (apply sqrt_square; lra); rewrite Rabs_minus_sym.
       apply Rle_trans with (1 := sqrt_distance (s * s) (whole P) ltac:(apply Rmult_lt_0_compat; lra) ltac:(lra)).
-      rewrite (sqrt_square s) by lra; apply Rmult_le_reg_r with s; [lra|]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
+      rewrite (sqrt_square s) by lra; apply Rmult_le_reg_r with s; [lra|]; unfold Rdiv;
+        rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
       apply Rabs_le; lra. }
     pose proof (Lift (-460)%Z (-453)%Z ltac:(lia)) as H460; pose proof (bpow_gt_0 radix2 (-460)).
     assert (H450' : bpow radix2 (-450) = 8 * bpow radix2 (-453)).

@@ -9,7 +9,7 @@
 From Coq Require Import Reals ZArith Lra Lia Psatz Bool.
 From Flocq Require Import Core.
 From Durero Require Import Toolkit Especificacion Puntos Trazador.
-From Durero Require Import Rounding Vectors Across Quotient Flotante Advance Twofold Sums Products Ratios Words Small
+From Durero Require Import Rounding Vectors Across Quotient Flotante Advance Steps Twofold Sums Products Ratios Words Small
   Doubled Stable.
 From Durero Require Formas.
 Import Formas.Pairs.
@@ -81,7 +81,8 @@ Lemma advance_near2 root t : near_word root t ->
   Rabs (whole x - (s0 + t * s1)) + uu * Rabs (h - whole x) <=
     advance_error_of p v centro h (-98) (Rabs (hi s1_2)) (hi (Formas.value root)) (Formas.error root) /\ double_word x.
 Proof.
-  destruct root as [tw e]; cbn [Formas.value Formas.error]; intros (N & Wt & Fe & He900); cbn [Formas.value Formas.error] in *.
+  destruct root as [tw e]; cbn [Formas.value Formas.error]; intros (N & Wt & Fe & He900);
+    cbn [Formas.value Formas.error] in *.
   pose proof (bpow_gt_0 radix2 (-900)) as H900; pose proof s0_worded as C0; pose proof s1_worded as C1; cbv zeta.
   destruct (near_along q _ _ Q C0 (norm_le_extent q) HQ) as (N0 & S0 & S0').
   destruct (near_along v _ _ V C1 (norm_le_extent v) (Rlt_le _ _ HV)) as (N1 & S1 & S1').
@@ -89,7 +90,8 @@ Proof.
   pose proof (error_low_of p v centro h p_ordinary v_ordinary centro_ordinary h_ordinary h_positive v_not_zero (-98)
     (Rabs (hi s1_2)) (hi tw) e ltac:(lia) (Rabs_pos _) (grid_abs _ _ G1) (proj1 Wt) Fe ltac:(lra)) as Hlow.
   fold q in Hlow; fold Q V in Hlow; pose proof uu_bounds as Hu.
-  replace (bpow radix2 (-98)) with (16 * uu) in Hlow by (replace 16 with (bpow radix2 4) by reflexivity; now rewrite <- bpow_plus).
+  replace (bpow radix2 (-98)) with (16 * uu) in Hlow by (replace 16 with (bpow radix2 4) by reflexivity;
+    now rewrite <- bpow_plus).
   set (T := Rabs (hi tw) + e) in *; pose proof (Rabs_pos (hi tw)) as Ht0; assert (HT : 0 <= T) by (unfold T; lra).
   destruct (word_near tw Wt) as [_ Ntw], (word_near s1_2 W1) as [_ Ns1]; rewrite Rabs_minus_sym in Ntw, Ns1.
   pose proof (u_part _ Ht0) as Hut; pose proof (size_near _ _ _ _ Ntw (Rle_refl _)) as Stw.
@@ -137,9 +139,7 @@ Proof.
   intros (E0 & E1 & Eh & Er & Es) root t N; destruct (advance_near2 root t N) as [Hx Wx]; cbv zeta in Hx, Wx.
   unfold place_axial; rewrite E0, E1, Eh, Er, Es; cbn [Formas.outside Formas.inside].
   set (x := sum s0_2 (product (Formas.value root) s1_2)) in *.
-  change (rnd (rnd (bpow radix2 (-98) * rnd (reach_fl + rnd (rnd (Rabs (hi (Formas.value root)) + Formas.error root) * V_fl))) +
-    rnd (rnd (Rabs (hi s1_2) * (4503600077730459 * bpow radix2 (-52))) * Formas.error root)))
-    with (advance_error_of p v centro h (-98) (Rabs (hi s1_2)) (hi (Formas.value root)) (Formas.error root)).
+  fold (advance_error_of p v centro h (-98) (Rabs (hi s1_2)) (hi (Formas.value root)) (Formas.error root)).
   set (e := advance_error_of _ _ _ _ _ _ _ _) in *; assert (Fe : format e) by apply format_rnd.
   destruct (ordinary_grid h h_ordinary) as [Fh _]; destruct (exactly_word h Fh) as [Wh Eh'].
   destruct (difference_near _ x Wh Wx) as [Wr Hr]; apply six_in_uu in Hr; rewrite Eh' in Hr.
@@ -162,14 +162,18 @@ Qed.
 Notation least := (least_of_A f).
 Definition past_stretch (limit : R) (only : Formas.answer twofold) : Formas.answer twofold :=
   if Rlt_bool limit least then only
-  else if Rlt_bool (rnd (2 * Formas.reach f)) (rnd (least * rnd (Rabs (hi (Formas.s1 f)) - rnd (bpow radix2 (-100) * Formas.speed f))))
+  else if Rlt_bool (rnd (2 * Formas.reach f)) (rnd (least * rnd (Rabs (hi (Formas.s1 f)) - rnd (bpow radix2
+    (-100) * Formas.speed f))))
     then only else Formas.Undecided.
 
-Local Opaque sum difference product ratio root_of opposite exactly.
-Theorem axial_is_recorded limit : first_of_curved_axial f limit = single f (place_axial f) (past_stretch limit) limit /\
-  first_of_curved_on_axial f limit = single_from f (place_axial f) limit.
-Proof. split; reflexivity. Qed.
-Local Transparent sum difference product ratio root_of opposite exactly.
+Local Opaque round sum difference product ratio root_of opposite exactly.
+Theorem axial_is_recorded limit :
+  first_of_curved_axial f limit = single f (place_axial f) (past_stretch limit) limit.
+Proof. exact_no_check (eq_refl (single f (place_axial f) (past_stretch limit) limit)). Qed.
+
+Theorem axial_from_is_recorded limit : first_of_curved_on_axial f limit = single_from f (place_axial f) limit.
+Proof. exact_no_check (eq_refl (single_from f (place_axial f) limit)). Qed.
+Local Transparent round sum difference product ratio root_of opposite exactly.
 
 Variables A B C F H : R.
 Hypothesis f_sound : sound2 f A B C F H.
@@ -187,35 +191,37 @@ Proof.
     rewrite Rabs_pos_eq in Hle by lra; lra.
   - destruct (Rlt_bool _ _) eqn:Hfar; [right | now left]; split; [reflexivity|]; intros t Ht On.
     pose proof s1_worded as C1; destruct (near_along v _ _ V C1 (norm_le_extent v) (Rlt_le _ _ HV)) as (N1 & _ & _).
-    destruct C1 as (_ & W1 & _); assert (S1 : Rabs (hi s1_2) <= (1 + / 10000000) * Rabs s1 + 7 / 8 * (bpow radix2 (-100) * V)).
+    destruct C1 as (_ & W1 & _); assert (S1 : Rabs (hi s1_2) <= (1 + / 10000000) * Rabs s1 + 7 / 8 * (bpow radix2
+      (-100) * V)).
     { destruct (word_near s1_2 W1) as [Nh _]; pose proof (u_part _ (Rabs_pos (whole s1_2))); pose proof (Rabs_pos s1).
       pose proof (size_near _ _ _ _ Nh (Rle_refl _)); pose proof (size_near _ _ _ _ N1 (Rle_refl _)); pose proof uu_bounds.
       assert (0 <= uu * V) by (apply Rmult_le_pos; lra).
-      replace (bpow radix2 (-100)) with (4 * uu) by (replace 4 with (bpow radix2 2) by reflexivity; now rewrite <- bpow_plus).
+      replace (bpow radix2 (-100)) with (4 * uu) by (replace 4 with (bpow radix2 2) by reflexivity;
+        now rewrite <- bpow_plus).
       lra. }
-    exfalso; exact (far_from_stretch_of p v centro d h p_ordinary v_ordinary centro_ordinary h_ordinary h_positive v_not_zero d_unit
-      (-100) (hi s1_2) least t ltac:(lia) (proj1 W1) S1 (Hleast t Ht) Hfar On).
+    exfalso; exact (far_from_stretch_of p v centro d h p_ordinary v_ordinary centro_ordinary h_ordinary h_positive
+      v_not_zero d_unit (-100) (hi s1_2) least t ltac:(lia) (proj1 W1) S1 (Hleast t Ht) Hfar On).
 Qed.
 
 (** ** What the text says *)
 
 Variable text : coefficients.
-Hypothesis same : forall t, A * t * t + 2 * B * t + C = 0 <-> value text t = 0.
-Hypothesis same_from : forall t, A * t * t + 2 * B * t + 0 = 0 <-> value (launched text) t = 0.
+Hypothesis same : same_quadratic A B C text.
 Hypothesis stretch : forall t, within text t <-> 0 <= s0 + t * s1 <= h.
 
 Theorem axial_pair limit : format limit ->
   right_pair (reach text) limit (first_of_curved_axial f limit) /\
   right_pair (reach (launched text)) limit (first_of_curved_on_axial f limit).
 Proof.
-  intros Fl; destruct (axial_is_recorded limit) as [-> ->]; pose proof (axial_places2 f_ends) as P.
+  intros Fl; rewrite axial_is_recorded, axial_from_is_recorded; pose proof (axial_places2 f_ends) as P.
   assert (Pos : forall t, on_stretch t -> 0 < t) by (intros t [Ht _]; exact Ht); split.
   - apply (right_pair_equal (points A B C on_stretch)).
-    + intros t; unfold points, reach; rewrite same, stretch; unfold Advance.on_stretch; fold q s0 s1; tauto.
+    + intros t; unfold points, reach; destruct (same_values A B C text t same) as [-> _]; rewrite stretch.
+      unfold Advance.on_stretch; fold q s0 s1; tauto.
     + apply (single_right _ _ _ _ _ _ f_sound); auto; intros HF Hq; exact (past_stretch_right limit HF Hq).
   - apply (right_pair_equal (points_from A B on_stretch)).
-    + intros t; unfold points_from, reach; rewrite same_from; assert (E : within (launched text) t <-> within text t) by reflexivity.
-      rewrite E, stretch; unfold Advance.on_stretch; fold q s0 s1; tauto.
+    + intros t; unfold points_from, reach; destruct (same_values A B C text t same) as [_ ->].
+      change (within (launched text) t) with (within text t); rewrite stretch; unfold Advance.on_stretch; fold q s0 s1; tauto.
     + apply (single_from_right _ _ _ _ _ _ f_sound); auto.
 Qed.
 End Advance.
