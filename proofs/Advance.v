@@ -118,13 +118,21 @@ Definition advance_error (t e : R) : R :=
   rnd (rnd (bpow radix2 (-49) * rnd (reach_fl + rnd (rnd (Rabs t + e) * V_fl))) +
     rnd (rnd (Rabs s1_fl * (4503600077730459 * bpow radix2 (-52))) * e)).
 
-Lemma error_low t e : format t -> format e -> 0 <= e ->
-  157 / 10 * (u * (Q + h)) + 157 / 10 * (u * ((Rabs t + e) * V)) + Rabs s1_fl * e - 4 * z <= advance_error t e.
+(** The bound as it is computed with 16 units 2^j, of a rate a of the advance. *)
+Definition advance_error_of (j : Z) (a t e : R) : R :=
+  rnd (rnd (bpow radix2 j * rnd (reach_fl + rnd (rnd (Rabs t + e) * V_fl))) +
+    rnd (rnd (a * (4503600077730459 * bpow radix2 (-52))) * e)).
+
+Lemma error_low_of j a t e : (j <= -49)%Z -> 0 <= a -> grid (-304) a -> format t -> format e -> 0 <= e ->
+  157 / 160 * (bpow radix2 j * (Q + h)) + 157 / 160 * (bpow radix2 j * ((Rabs t + e) * V)) + a * e - 4 * z <=
+    advance_error_of j a t e.
 Proof.
-  intros Ft Fe He; pose proof u_bounds as Hu; destruct reach_near as (R1 & R2 & R3), speed_near as [V1 _], s1_near as (_
-    & _ & G1).
+  intros Hj Ha G1 Ft Fe He; destruct reach_near as (R1 & R2 & R3), speed_near as [V1 _].
   pose proof HQ as HQ0; pose proof HV as HV0; destruct z_small as [Z0 _]; set (c := / 1000000000000) in *.
-  assert (Hc : 0 < c <= / 1000000) by (unfold c; lra).
+  assert (Hc : 0 < c <= / 1000000) by (unfold c; lra); set (m := bpow radix2 j).
+  assert (Hm : 0 < m <= c).
+  { split; [apply bpow_gt_0|]; apply Rle_trans with (bpow radix2 (-49)); [now apply bpow_le|].
+    replace (bpow radix2 (-49)) with (/ 562949953421312) by reflexivity; unfold c; lra. }
   set (T := Rabs t + e); pose proof (Rabs_pos t) as Ht0; assert (HT : 0 <= T) by (unfold T; lra).
   pose proof (rnd_low_sum (Rabs t) e (generic_format_abs _ _ _ Ft) Fe HT) as E1; fold c T in E1.
   assert (HTV : 0 <= T * V) by (apply Rmult_le_pos; lra).
@@ -139,25 +147,23 @@ Proof.
   pose proof (rnd_low_sum reach_fl M R3 (format_rnd _) ltac:(lra)) as E4; fold c in E4.
   assert (E4' : 998 / 1000 * (Q + h + T * V) - z <= rnd (reach_fl + M)).
   { assert (c * (reach_fl + M) <= / 1000000 * (reach_fl + M)) by (apply Rmult_le_compat_r; lra); lra. }
-  assert (H49 : bpow radix2 (-49) = 16 * u) by (replace 16 with (bpow radix2 4) by reflexivity; now rewrite <- bpow_plus).
-  unfold advance_error; fold T M; rewrite H49; set (g := rnd (reach_fl + M)) in *.
+  unfold advance_error_of; fold T M m; set (g := rnd (reach_fl + M)) in *.
   assert (N4 : 0 <= g) by (apply rnd_nonneg; lra).
-  assert (Hug : 0 <= u * g <= c * g) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_r]; lra).
-  pose proof (rnd_low_any (16 * u * g) ltac:(lra)) as E5; fold c z in E5.
-  assert (E5' : 158 / 10 * (u * (Q + h + T * V)) - 2 * z <= rnd (16 * u * g)).
-  { assert (u * (998 / 1000 * (Q + h + T * V) - z) <= u * g) by (apply Rmult_le_compat_l; lra).
-    assert (c * (16 * u * g) <= / 1000000 * (16 * u * g)) by (apply Rmult_le_compat_r; lra).
-    assert (u * z <= / 1000000 * z) by (apply Rmult_le_compat_r; unfold c in *; lra).
-    assert (0 <= u * (Q + h + T * V)) by (apply Rmult_le_pos; lra); lra. }
-  pose proof (rnd_nonneg (16 * u * g) ltac:(lra)) as N5; set (first := rnd (16 * u * g)) in *.
+  assert (Hmg : 0 <= m * g <= c * g) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_r]; lra).
+  pose proof (rnd_low_any (m * g) ltac:(lra)) as E5; fold c z in E5.
+  assert (E5' : 158 / 160 * (m * (Q + h + T * V)) - 2 * z <= rnd (m * g)).
+  { assert (m * (998 / 1000 * (Q + h + T * V) - z) <= m * g) by (apply Rmult_le_compat_l; lra).
+    assert (c * (m * g) <= / 1000000 * (m * g)) by (apply Rmult_le_compat_r; lra).
+    assert (m * z <= / 1000000 * z) by (apply Rmult_le_compat_r; lra).
+    assert (0 <= m * (Q + h + T * V)) by (apply Rmult_le_pos; lra); lra. }
+  pose proof (rnd_nonneg (m * g) ltac:(lra)) as N5; set (first := rnd (m * g)) in *.
   assert (Hw : 1 + / 16777216 <= 4503600077730459 * bpow radix2 (-52)).
   { replace (bpow radix2 (-52)) with (/ 4503599627370496) by reflexivity; lra. }
-  set (w := 4503600077730459 * bpow radix2 (-52)) in *; set (a := Rabs s1_fl) in *;
-    pose proof (Rabs_pos s1_fl : 0 <= a) as Ha.
+  set (w := 4503600077730459 * bpow radix2 (-52)) in *.
   assert (Haw : (1 + / 16777216) * a <= a * w) by (rewrite Rmult_comm; apply Rmult_le_compat_l; lra).
   assert (Naw : normal (a * w)).
-  { destruct (Req_dec s1_fl 0) as [Z1|N1]; [left; unfold a; rewrite Z1, Rabs_R0; ring|].
-    pose proof (grid_at_least _ _ G1 N1) as Hl; fold a in Hl; apply (at_least_normal (-304)); [lia|].
+  { destruct (Req_dec a 0) as [Z1|N1]; [left; rewrite Z1; ring|].
+    pose proof (grid_at_least _ _ G1 N1) as Hl; rewrite Rabs_pos_eq in Hl by exact Ha; apply (at_least_normal (-304)); [lia|].
     rewrite Rabs_pos_eq by lra; lra. }
   pose proof (rnd_low (a * w) ltac:(lra) Naw) as E6; fold c in E6.
   assert (E6' : (1 + / 18000000) * a <= rnd (a * w)) by (unfold c in *; lra).
@@ -171,9 +177,18 @@ Proof.
   pose proof (rnd_nonneg (rnd (a * w) * e) ltac:(lra)) as N8; set (second := rnd (rnd (a * w) * e)) in *.
   pose proof (rnd_low_sum first second (format_rnd _) (format_rnd _) ltac:(lra)) as E9; fold c in E9.
   apply Rle_trans with (2 := E9).
-  apply Rle_trans with ((1 - c) * (158 / 10 * (u * (Q + h + T * V)) - 2 * z + ((1 + / 19000000) * (a * e) - z)));
+  apply Rle_trans with ((1 - c) * (158 / 160 * (m * (Q + h + T * V)) - 2 * z + ((1 + / 19000000) * (a * e) - z)));
     [|apply Rmult_le_compat_l; lra].
-  assert (0 <= u * (Q + h + T * V)) by (apply Rmult_le_pos; lra); unfold c in *; lra.
+  assert (0 <= m * (Q + h + T * V)) by (apply Rmult_le_pos; lra); unfold c in *; lra.
+Qed.
+
+Lemma error_low t e : format t -> format e -> 0 <= e ->
+  157 / 10 * (u * (Q + h)) + 157 / 10 * (u * ((Rabs t + e) * V)) + Rabs s1_fl * e - 4 * z <= advance_error t e.
+Proof.
+  intros Ft Fe He; destruct s1_near as (_ & _ & G1).
+  pose proof (error_low_of (-49) (Rabs s1_fl) t e ltac:(lia) (Rabs_pos _) (grid_abs _ _ G1) Ft Fe He) as H.
+  replace (bpow radix2 (-49)) with (16 * u) in H by (replace 16 with (bpow radix2 4) by reflexivity; now rewrite <- bpow_plus).
+  apply Rle_trans with (2 := H); lra.
 Qed.
 
 Lemma advance_near root t : is_near root t -> format (Formas.value root) -> format (Formas.error root) ->
@@ -245,36 +260,30 @@ Qed.
 
 (** ** A root at least so far away is not within the stretch *)
 
-Lemma far_from_stretch least t : ends -> 0 <= least <= Rabs t ->
-  Rlt_bool (rnd (2 * Formas.reach f)) (rnd (least * rnd (Rabs (Formas.s1 f) - rnd (bpow radix2 (-51) * Formas.speed
-    f)))) = true ->
-  ~ on_stretch t.
+Lemma far_from_stretch_of j s1_hi least t : (-500 <= j <= -51)%Z -> format s1_hi ->
+  Rabs s1_hi <= (1 + / 10000000) * Rabs s1 + 7 / 8 * (bpow radix2 j * V) -> 0 <= least <= Rabs t ->
+  Rlt_bool (rnd (2 * reach_fl)) (rnd (least * rnd (Rabs s1_hi - rnd (bpow radix2 j * V_fl)))) = true -> ~ on_stretch t.
 Proof.
-  intros (E0 & E1 & Eh & Er & Es) [L0 Lt]; rewrite E1, Er, Es; destruct reach_near as (R1 & R2 & R3);
-    rewrite (rnd_double _ R3).
-  destruct speed_near as [V1 _], s1_near as (N1 & S1 & _), s0_near as [N0 S0], z_small as [Z0 Z1];
-    pose proof u_bounds as Hu; pose proof HQ as HQ0; pose proof HV as HV0.
-  assert (H51 : bpow radix2 (-51) = 4 * u) by (replace 4 with (bpow radix2 2) by reflexivity; now rewrite <- bpow_plus).
-  rewrite H51; assert (HuV : u * (999999 / 1000000 * V) <= u * V_fl) by (apply Rmult_le_compat_l; lra).
-  assert (HuVV : 0 < u * V <= / 1000000 * V) by (split; [apply Rmult_lt_0_compat | apply Rmult_le_compat_r]; lra).
-  assert (HuQ : 0 <= u * Q <= / 1000000 * Q) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_r]; lra).
+  intros Hj F1 S1 [L0 Lt]; destruct reach_near as (R1 & R2 & R3); rewrite (rnd_double _ R3).
+  destruct speed_near as [V1 _], z_small as [Z0 Z1]; pose proof u_bounds as Hu; pose proof HQ as HQ0; pose proof HV as HV0.
+  set (m := bpow radix2 j) in *; pose proof (bpow_gt_0 radix2 j : 0 < m) as Hm.
+  assert (HmV : m * (999999 / 1000000 * V) <= m * V_fl) by (apply Rmult_le_compat_l; lra).
+  assert (HmVV : 0 < m * V) by (apply Rmult_lt_0_compat; lra).
   assert (Huh : 0 <= u * h <= / 1000000 * h) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_r]; lra).
-  set (w := rnd (4 * u * V_fl)); assert (Hw : 37 / 10 * (u * V) <= w).
-  { assert (Hn : normal (4 * u * V_fl)).
-    { destruct (V_computed v v_ordinary) as (_ & _ & G); change (Flotante.V_fl v) with V_fl in G; rewrite <- H51.
-      apply (grid_normal (-51 + -152)); [lia | apply grid_mult; [exists 1%Z; ring | exact G]]. }
-    pose proof (rnd_low (4 * u * V_fl) ltac:(lra) Hn) as Hl; fold w in Hl; lra. }
-  set (rate := rnd (Rabs s1_fl - w)).
+  set (w := rnd (m * V_fl)); assert (Hw : 37 / 40 * (m * V) <= w).
+  { assert (Hn : normal (m * V_fl)).
+    { destruct (V_computed v v_ordinary) as (_ & _ & G); change (Flotante.V_fl v) with V_fl in G.
+      apply (grid_normal (j + -152)); [lia | apply grid_mult; [exists 1%Z; unfold m; ring | exact G]]. }
+    pose proof (rnd_low (m * V_fl) ltac:(lra) Hn) as Hl; fold w in Hl; lra. }
+  set (rate := rnd (Rabs s1_hi - w)).
   intros Hlt; destruct (Rlt_bool_spec (2 * reach_fl) (rnd (least * rate))) as [Hfar|]; [clear Hlt | discriminate].
   assert (Hrate : rate <= (1 + / 1000000) * Rabs s1).
-  { pose proof (rnd_plus (Rabs s1_fl) (- w) (generic_format_abs _ _ _ (format_rnd _)) (generic_format_opp _ _ _
-    (format_rnd _))) as Hr.
-    fold (Rabs s1_fl - w) in Hr; fold rate in Hr.
-    pose proof (Rabs_triang s1 (s1_fl - s1)) as Htr; replace (s1 + (s1_fl - s1)) with s1_fl in Htr by ring.
-    pose proof (Rabs_pos s1); destruct (Rle_lt_dec (Rabs s1_fl - w) 0) as [Hneg|Hpos].
+  { pose proof (rnd_plus (Rabs s1_hi) (- w) (generic_format_abs _ _ _ F1) (generic_format_opp _ _ _ (format_rnd _))) as Hr.
+    fold (Rabs s1_hi - w) in Hr; fold rate in Hr.
+    pose proof (Rabs_pos s1); destruct (Rle_lt_dec (Rabs s1_hi - w) 0) as [Hneg|Hpos].
     - apply rnd_le in Hneg; rewrite rnd_0 in Hneg; fold rate in Hneg; lra.
-    - rewrite (Rabs_pos_eq (Rabs s1_fl - w)) in Hr by lra; apply Rabs_le_inv in Hr.
-      assert (u * (Rabs s1_fl - w) <= / 1000000 * (Rabs s1_fl - w)) by (apply Rmult_le_compat_r; lra); lra. }
+    - rewrite (Rabs_pos_eq (Rabs s1_hi - w)) in Hr by lra; apply Rabs_le_inv in Hr.
+      assert (u * (Rabs s1_hi - w) <= / 10000000 * (Rabs s1_hi - w)) by (apply Rmult_le_compat_r; lra); lra. }
   assert (Hprod : least * rate <= (1 + / 1000000) * Rabs (t * s1)).
   { rewrite Rabs_mult; apply Rle_trans with (least * ((1 + / 1000000) * Rabs s1)); [apply Rmult_le_compat_l; assumption|].
     replace ((1 + / 1000000) * (Rabs t * Rabs s1)) with (Rabs t * ((1 + / 1000000) * Rabs s1)) by ring.
@@ -285,9 +294,23 @@ Proof.
     { apply Rnot_le_lt; intros Hle; apply rnd_le in Hle; rewrite rnd_0 in Hle; lra. }
     rewrite (Rabs_pos_eq (least * rate)) in Hr by lra.
     assert (u * (least * rate) <= / 1000000 * (least * rate)) by (apply Rmult_le_compat_r; lra); lra. }
-  assert (Hs0 : Rabs s0 <= 1002 / 1000 * Q) by (apply Rabs_le_inv in N0, S0; apply Rabs_le; lra).
+  assert (Hs0 : Rabs s0 <= 1002 / 1000 * Q).
+  { pose proof (dot_le q d) as Hd; pose proof norm_of_d as Nd; pose proof (norm_le_extent q : _ <= Q) as Nq.
+    pose proof (Rmult_le_compat _ _ _ _ (norm_nonneg q) (norm_nonneg d) Nq Nd); unfold s0; lra. }
   unfold on_stretch; intros [_ [A1 A2]]; apply Rabs_le_inv in Hs0.
   unfold Rabs in Hbig; destruct (Rcase_abs (t * s1)); lra.
+Qed.
+
+Lemma far_from_stretch least t : ends -> 0 <= least <= Rabs t ->
+  Rlt_bool (rnd (2 * Formas.reach f)) (rnd (least * rnd (Rabs (Formas.s1 f) - rnd (bpow radix2 (-51) * Formas.speed
+    f)))) = true ->
+  ~ on_stretch t.
+Proof.
+  intros (E0 & E1 & Eh & Er & Es) Hleast; rewrite E1, Er, Es; apply (far_from_stretch_of (-51)); auto; [lia | apply format_rnd|].
+  destruct s1_near as (N1 & _ & _); pose proof HV as HV0; pose proof u_bounds as Hu; pose proof (Rabs_pos s1).
+  replace (bpow radix2 (-51)) with (4 * u) by (replace 4 with (bpow radix2 2) by reflexivity; now rewrite <- bpow_plus).
+  pose proof (Rmult_le_pos u V ltac:(lra) ltac:(lra)); pose proof (Rabs_triang s1 (s1_fl - s1)) as Htr.
+  replace (s1 + (s1_fl - s1)) with s1_fl in Htr by ring; lra.
 Qed.
 
 Lemma past_stretch_right A B C F H limit : sound f A B C F H -> ends -> Formas.B_error f < Formas.F f ->

@@ -11,7 +11,7 @@
 From Coq Require Import Reals ZArith Lra Lia Psatz Bool.
 From Flocq Require Import Core Plus_error.
 From Durero Require Import Trazador.
-From Durero Require Import Rounding Quotient Roots Decision Twofold Sums Products Ratios Words.
+From Durero Require Import Rounding Quotient Roots Decision Twofold Sums Products Ratios Words Small.
 From Durero Require Formas.
 Import Formas.Pairs.
 Local Open Scope R_scope.
@@ -36,30 +36,18 @@ Qed.
 
 (** ** A quotient of two, each within its error *)
 
-Definition sizeable (x : twofold) : Prop := hi x = 0 \/ bpow radix2 (-400) <= Rabs (hi x).
-
-Theorem quotient_near_any x X x_error y Y y_error : double_word x -> double_word y -> format x_error -> format y_error ->
+(** What is lost of the quotient itself is slack, besides what is counted, where that is nothing beside x's error. *)
+Lemma quotient_near_if slack x X x_error y Y y_error : double_word x -> double_word y -> format x_error -> format y_error ->
   bpow radix2 (-900) <= x_error -> bpow radix2 (-900) * Rabs (hi y) <= x_error ->
-  hi x = 0 \/ bpow radix2 (-900) <= Rabs (hi x) /\ bpow radix2 (-900) * Rabs (hi y) <= Rabs (hi x) ->
+  0 <= slack -> slack * Rabs (hi y) <= e12 * x_error ->
+  double_word (ratio x y) /\ Rabs (whole (ratio x y) - whole x / whole y) <= uu * Rabs (whole x / whole y) + slack ->
   Rabs (whole x - X) <= x_error -> Rabs (whole y - Y) <= y_error -> 2 * y_error < Rabs (hi y) ->
   near_word (quotient x x_error y y_error) (X / Y).
 Proof.
-  intros Wx Wy Fx Fy Hleast Hratio Sx Hx Hy Hbig; unfold near_word, quotient; cbn [Formas.value Formas.error].
+  intros Wx Wy Fx Fy Hleast Hratio Hslack Hsmall Ht Hx Hy Hbig; unfold near_word, quotient; cbn [Formas.value Formas.error].
   assert (Hy0 : 0 <= y_error) by (apply Rle_trans with (2 := Hy), Rabs_pos); pose proof uu_bounds as Huu.
   assert (Hy_fl : hi y <> 0) by (intros Z0; rewrite Z0, Rabs_R0 in Hbig; lra).
-  set (t := ratio x y); set (T := whole x / whole y).
-  assert (Ht : double_word t /\ Rabs (whole t - T) <= uu * Rabs T).
-  { destruct Sx as [Z0|Sx].
-    - assert (Et : t = Twofold 0 0) by now apply ratio_of_zero.
-      assert (ZT : T = 0).
-      { unfold T, Rdiv; destruct (double_word_is_pair x Wx) as (_ & _ & L); rewrite Z0, Rabs_R0, Rmult_0_r in L.
-        unfold whole; rewrite Z0; destruct (Req_dec (lo x) 0) as [->|Nl]; [ring | pose proof (Rabs_pos_lt _ Nl); lra]. }
-      rewrite Et, ZT; unfold double_word, whole; cbn [hi lo]; rewrite Rplus_0_r, rnd_0, Rminus_0_r, Rabs_R0.
-      repeat split; try apply generic_format_0; lra.
-    - destruct Sx as [Sx1 Sx2]; apply ratio_near; auto.
-      pose proof (Rabs_pos_lt _ Hy_fl); unfold Rdiv; rewrite Rabs_mult, Rabs_inv.
-      apply Rmult_le_reg_r with (Rabs (hi y)); [lra|]; rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra; exact Sx2. }
-  destruct Ht as [Wt Ht].
+  set (t := ratio x y) in *; set (T := whole x / whole y) in *; destruct Ht as [Wt Ht].
   destruct (computed_quotient_error (Rabs (hi t)) (bpow radix2 (-100)) x_error (hi y) y_error Fx (proj1 Wy) Fy (Rabs_pos _)
     (bpow_ge_0 _ _) Hleast Hratio Hy0 Hbig) as [HW Hbound].
   set (W := (x_error + Rabs (hi t) * y_error) / _) in *; set (error := rnd (_ + rnd (bpow radix2 (-100) * Rabs (hi t)))) in *.
@@ -68,7 +56,7 @@ Proof.
   (* The size of the quotient, and of the exact divisor. *)
   pose proof (Rabs_pos T) as HT0; pose proof (Rabs_pos (hi t)) as Ht0.
   assert (HuT : uu * Rabs T <= e30 * Rabs T) by (apply Rmult_le_compat_r; lra).
-  assert (HT : Rabs T <= (1 + 2 * e) * Rabs (hi t)).
+  assert (HT : Rabs T <= (1 + 2 * e) * (Rabs (hi t) + slack)).
   { destruct (word_near t Wt) as [_ Hh]; pose proof (u_part _ Ht0) as Hu; fold e in Hu.
     pose proof (size_least (whole t) T); pose proof (size_least (hi t) (whole t)); unfold e in *; lra. }
   set (g := Rabs (hi y) - y_error) in *; assert (Hg : 0 < g) by (unfold g; lra).
@@ -84,24 +72,66 @@ Proof.
     pose proof (Rabs_pos_lt _ Hy_fl); lra. }
   assert (HWg : W * g = x_error + Rabs (hi t) * y_error) by (unfold W; field; lra).
   assert (HW0 : 0 < W) by lra; assert (HW1 : 0 < W * g) by (apply Rmult_lt_0_compat; lra).
-  assert (Hexact : Rabs (T - X / Y) <= (1 + 5 * e) * W).
+  assert (Hslack_g : slack * g <= e * (W * g)).
+  { rewrite HWg; assert (slack * g <= slack * Rabs (hi y)) by (apply Rmult_le_compat_l; unfold g; lra).
+    assert (0 <= e * (Rabs (hi t) * y_error)) by (repeat apply Rmult_le_pos; lra); unfold e in *; lra. }
+  assert (Hslack_W : slack <= e * W).
+  { apply Rmult_le_reg_r with g; [exact Hg|]; now rewrite Rmult_assoc. }
+  assert (Hexact : Rabs (T - X / Y) <= (1 + 7 * e) * W).
   { apply Rmult_le_reg_r with ((1 - 2 * e) * g); [apply Rmult_lt_0_compat; lra|].
     apply Rle_trans with (Rabs (T - X / Y) * Rabs Y); [apply Rmult_le_compat_l; [apply Rabs_pos | exact HgY]|].
     rewrite <- Rabs_mult; replace ((T - X / Y) * Y) with ((whole x - X) + T * (Y - whole y)) by (unfold T; field; auto).
     apply Rle_trans with (1 := Rabs_triang _ _); rewrite Rabs_mult, (Rabs_minus_sym Y).
-    assert (Rabs T * Rabs (whole y - Y) <= (1 + 2 * e) * Rabs (hi t) * y_error)
+    assert (Rabs T * Rabs (whole y - Y) <= (1 + 2 * e) * (Rabs (hi t) + slack) * y_error)
       by (apply Rmult_le_compat; auto using Rabs_pos).
-    apply Rle_trans with ((1 + 2 * e) * (W * g)).
-    - rewrite HWg; assert (0 <= e * x_error) by (apply Rmult_le_pos; [lra | pose proof (bpow_gt_0 radix2 (-900)); lra]); lra.
-    - replace ((1 + 5 * e) * W * ((1 - 2 * e) * g)) with ((1 + 5 * e) * (1 - 2 * e) * (W * g)) by ring.
+    assert (slack * y_error <= slack * g) by (apply Rmult_le_compat_l; unfold g; lra).
+    apply Rle_trans with ((1 + 2 * e) * (1 + e) * (W * g)).
+    - apply Rle_trans with ((1 + 2 * e) * (W * g + slack * g)); [|rewrite Rmult_assoc; apply Rmult_le_compat_l; lra].
+      rewrite HWg; assert (0 <= e * x_error) by (apply Rmult_le_pos; [lra | pose proof (bpow_gt_0 radix2 (-900)); lra]).
+      assert (0 <= (1 + 2 * e) * (slack * g - slack * y_error)) by (apply Rmult_le_pos; lra); lra.
+    - replace ((1 + 7 * e) * W * ((1 - 2 * e) * g)) with ((1 + 7 * e) * (1 - 2 * e) * (W * g)) by ring.
       apply Rmult_le_compat_r; [lra | unfold e; lra]. }
   assert (Hut : 0 <= uu * Rabs (hi t)) by (apply Rmult_le_pos; lra).
-  assert (HuT2 : uu * Rabs T <= uu * ((1 + 2 * e) * Rabs (hi t))) by (apply Rmult_le_compat_l; lra).
+  assert (HuT2 : uu * Rabs T <= uu * ((1 + 2 * e) * (Rabs (hi t) + slack))) by (apply Rmult_le_compat_l; lra).
+  assert (Hus : uu * slack <= e30 * slack) by (apply Rmult_le_compat_r; lra).
   assert (Heu : e * (uu * Rabs (hi t)) <= / 1000000 * (uu * Rabs (hi t))) by (apply Rmult_le_compat_r; lra).
   split; [|split; [exact Wt | split; [apply format_rnd | lra]]].
   replace (whole t - X / Y) with ((whole t - T) + (T - X / Y)) by ring; apply Rle_trans with (1 := Rabs_triang _ _).
   apply Rle_trans with ((1 - e) * ((1 + / 33554432) * W + 3 / 4 * (4 * uu * Rabs (hi t)))); [unfold e in *; lra|].
   apply Rmult_le_compat_l; [lra | exact Hbound].
+Qed.
+
+Lemma ratio_of_nothing x y : double_word x -> hi x = 0 ->
+  double_word (ratio x y) /\ Rabs (whole (ratio x y) - whole x / whole y) <= uu * Rabs (whole x / whole y) + 0.
+Proof.
+  intros Wx Z0; rewrite (ratio_of_zero x y Wx Z0); destruct (double_word_is_pair x Wx) as (_ & _ & L).
+  rewrite Z0, Rabs_R0, Rmult_0_r in L; pose proof uu_bounds; assert (ZT : whole x / whole y = 0).
+  { unfold Rdiv, whole at 1; rewrite Z0; destruct (Req_dec (lo x) 0) as [->|Nl]; [ring | pose proof (Rabs_pos_lt _ Nl); lra]. }
+  rewrite ZT; unfold double_word, whole; cbn [hi lo]; rewrite Rplus_0_r, rnd_0, Rminus_0_r, Rabs_R0.
+  repeat split; try apply generic_format_0; lra.
+Qed.
+
+Theorem quotient_near_any x X x_error y Y y_error : double_word x -> double_word y -> format x_error -> format y_error ->
+  bpow radix2 (-900) <= x_error -> bpow radix2 (-900) * Rabs (hi y) <= x_error ->
+  hi x = 0 \/ bpow radix2 (-900) <= Rabs (hi x) /\ bpow radix2 (-900) * Rabs (hi y) <= Rabs (hi x) ->
+  Rabs (whole x - X) <= x_error -> Rabs (whole y - Y) <= y_error -> 2 * y_error < Rabs (hi y) ->
+  near_word (quotient x x_error y y_error) (X / Y).
+Proof.
+  intros Wx Wy Fx Fy Hleast Hratio Sx Hx Hy Hbig; assert (Hy0 : 0 <= y_error) by (apply Rle_trans with (2 := Hy), Rabs_pos).
+  assert (Hy_fl : hi y <> 0) by (intros Z0; rewrite Z0, Rabs_R0 in Hbig; lra).
+  pose proof (bpow_gt_0 radix2 (-900)); apply (quotient_near_if 0); auto; [lra | lra|].
+  destruct Sx as [Z0|[Sx1 Sx2]]; [now apply ratio_of_nothing|]; rewrite Rplus_0_r; apply ratio_near; auto.
+  pose proof (Rabs_pos_lt _ Hy_fl); unfold Rdiv; rewrite Rabs_mult, Rabs_inv.
+  apply Rmult_le_reg_r with (Rabs (hi y)); [lra|]; rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra; exact Sx2.
+Qed.
+
+(** Whatever underflows in the quotient. *)
+Definition sizeable (x : twofold) : Prop := hi x = 0 \/ bpow radix2 (-912) <= Rabs (hi x).
+
+Lemma sizeable_on_grid k x : (-912 <= k)%Z -> parts_on k x -> sizeable x.
+Proof.
+  intros Hk [G _]; destruct (Req_dec (hi x) 0) as [Z0|N]; [now left | right].
+  apply Rle_trans with (2 := grid_at_least _ _ G N); now apply bpow_le.
 Qed.
 
 Theorem quotient_near x X x_error y Y y_error : double_word x -> double_word y -> format x_error -> format y_error ->
@@ -111,11 +141,37 @@ Proof.
   intros Wx Wy Fx Fy Hleast Sx Hx Hy [Hbig Hlarge].
   assert (Hy450 : bpow radix2 (-900) * Rabs (hi y) <= bpow radix2 (-450)).
   { change (-450)%Z with (-900 + 450)%Z; rewrite bpow_plus; apply Rmult_le_compat_l; [apply bpow_ge_0 | exact Hlarge]. }
-  apply quotient_near_any; auto.
-  - apply Rle_trans with (2 := Hleast), bpow_le; lia.
-  - apply Rle_trans with (1 := Hy450), Rle_trans with (2 := Hleast), bpow_le; lia.
-  - destruct Sx as [Z0|Sx]; [now left | right; split]; apply Rle_trans with (2 := Sx); [apply bpow_le; lia|].
-    apply Rle_trans with (1 := Hy450), bpow_le; lia.
+  assert (Hx900 : bpow radix2 (-900) <= x_error) by (apply Rle_trans with (2 := Hleast), bpow_le; lia).
+  assert (Hxy900 : bpow radix2 (-900) * Rabs (hi y) <= x_error).
+  { apply Rle_trans with (1 := Hy450), Rle_trans with (2 := Hleast), bpow_le; lia. }
+  destruct Sx as [Z0|Sx]; [apply quotient_near_any; auto|].
+  destruct (Rle_lt_dec (bpow radix2 (-450)) (Rabs (hi x))) as [Hbig_x|Hsmall_x].
+  { apply quotient_near_any; auto; right; split; apply Rle_trans with (2 := Hbig_x); [apply bpow_le; lia|].
+    apply Rle_trans with (1 := Hy450), bpow_le; lia. }
+  assert (Hy0 : 0 <= y_error) by (apply Rle_trans with (2 := Hy), Rabs_pos).
+  assert (Hy_fl : hi y <> 0) by (intros N; rewrite N, Rabs_R0 in Hbig; lra); pose proof (Rabs_pos_lt _ Hy_fl) as Hyp.
+  destruct (ratio_any x y Wx Wy Sx Hy_fl) as [Wt St]; set (Q := Rabs (hi x / hi y)) in *; pose proof uu_bounds as Huu.
+  assert (EQ : Q * Rabs (hi y) = Rabs (hi x)) by (unfold Q; rewrite <- Rabs_mult; f_equal; field; exact Hy_fl).
+  pose proof (bpow_gt_0 radix2 (-1074)) as Hz; assert (HQ0 : 0 <= Q) by apply Rabs_pos.
+  assert (HT : Rabs (whole x / whole y) <= 2 * Q).
+  { destruct (word_near x Wx) as [_ Nx], (word_near y Wy) as [_ Ny]; pose proof (u_part _ (Rabs_pos (hi x))).
+    pose proof (u_part _ (Rabs_pos (hi y))); rewrite Rabs_minus_sym in Nx; pose proof (size_near _ _ _ _ Nx (Rle_refl _)).
+    pose proof (size_least (whole y) (hi y)); rewrite Rabs_minus_sym in Ny; assert (Hwy : 0 < Rabs (whole y)) by lra.
+    unfold Rdiv; rewrite Rabs_mult, Rabs_inv; apply Rmult_le_reg_r with (Rabs (whole y)); [exact Hwy|].
+    rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
+    assert (Q * ((1 - / 1000) * Rabs (hi y)) <= Q * Rabs (whole y)) by (apply Rmult_le_compat_l; lra); lra. }
+  apply (quotient_near_if (6 * Q + 4 * tiny)); auto; [lra | | split; [exact Wt|]].
+  - rewrite Rmult_plus_distr_r, !Rmult_assoc, EQ.
+    assert (Hz450 : tiny * Rabs (hi y) <= bpow radix2 (-624)).
+    { change (-624)%Z with (-1074 + 450)%Z; rewrite bpow_plus; apply Rmult_le_compat_l; [apply bpow_ge_0 | exact Hlarge]. }
+    assert (H624 : bpow radix2 (-624) <= bpow radix2 (-450)) by (apply bpow_le; lia).
+    assert (H450 : 10 * bpow radix2 (-450) <= e12 * bpow radix2 (-360)).
+    { pose proof (bpow_gt_0 radix2 (-360)); change (-450)%Z with (-90 + -360)%Z; rewrite bpow_plus.
+      replace (bpow radix2 (-90)) with (/ 1237940039285380274899124224) by reflexivity; lra. }
+    lra.
+  - pose proof (Rabs_triang (whole (ratio x y)) (- (whole x / whole y))) as Ht; rewrite Rabs_Ropp in Ht.
+    fold (whole (ratio x y) - whole x / whole y) in Ht.
+    pose proof (Rmult_le_pos uu _ ltac:(lra) (Rabs_pos (whole x / whole y))); lra.
 Qed.
 
 (** A pair beyond a limit. *)

@@ -416,11 +416,10 @@ Proof.
     triage computed).
 Qed.
 
-(** The second step, in double-double, on a shape of [Second.proved], a sphere, a plane, a disc or a triangle: the same
-    of the parameter; and where the rounding of what it finds is certain, what is stored are the parameter and the point of
-    the text, each rounded once. *)
+(** The second step, in double-double, on every shape: the same of the parameter; and where the rounding of what it finds is
+    certain, what is stored are the parameter and the point of the text, each rounded once. *)
 Theorem the_second_step_is_right e sh on limit :
-  Second.proved sh -> Triage.stands Elemento s e sh -> Triage.ordinary_shape sh -> (on = true <-> en e) -> format limit ->
+  Triage.stands Elemento s e sh -> Triage.ordinary_shape sh -> (on = true <-> en e) -> format limit ->
   match Second.second_of p v sh on limit with
   | Formas.Miss => forall t, met e t -> limit < t
   | Formas.Undecided => True
@@ -434,9 +433,8 @@ Proof.
 Qed.
 
 (** So the steps of the search as they run are right, [Search.steps_right]: of Running.steps_run, which says that its triage,
-    its second step on spheres, planes, discs and triangles, and its rounding are the recorded terms, and of Running.steps_assumed, which is what is left:
-    the second step on other shapes, the Newton step's error, the ends around a parameter, what is certainly less, and the
-    exact rounding. *)
+    its second step and its rounding are the recorded terms, and of Running.steps_assumed, which is what is left: the Newton
+    step's error, the ends around a parameter, what is certainly less, and the exact rounding. *)
 Theorem the_steps_that_run_are_right elements (shape_of : Elemento -> Triage.shape) on in_range triage stable improved low high
   certainly_less rounded round_exact :
   (forall e, In e elements -> Triage.stands Elemento s e (shape_of e) /\ (on e = true <-> en e)) ->

@@ -1,7 +1,7 @@
 (** * Running: the steps of the search, as they run, say nothing false
 
-    The record Search.steps_right, of the steps that are proved: the triage of every element, the second step on the shapes
-    of Second.proved, and the rounding of what is found. What is assumed of the others stands in the theorem.
+    The record Search.steps_right, of the steps that are proved: the triage of every element, the second step on
+    every element, and the rounding of what is found. What is assumed of the others stands in the theorem.
 
     finding          == what a step has found: in binary64, or in double-double
     near f t         == t is within its error; of a pair, that it is one, and its error no less than what rounding asks
@@ -101,7 +101,7 @@ Variable round_exact : Surd.surd -> Chain.printed.
 Record steps_run : Prop := {
   triage_runs : forall e x, In e elements -> in_range e = true ->
     exists a, answered (alone_of p v (shape_of e) (on e)) x a /\ triage e x = found_single a;
-  stable_runs_on_proved : forall e x, In e elements -> in_range e = true -> proved (shape_of e) ->
+  stable_runs : forall e x, In e elements -> in_range e = true ->
     exists a, answered_pair (second_of p v (shape_of e) (on e)) x a /\ stable e x = found_double a;
   rounding_runs : forall f out, rounded f = Some out -> exists root, f = Double root /\
     let once := round_point p v (Formas.value root) (Formas.error root) in
@@ -109,8 +109,6 @@ Record steps_run : Prop := {
 
 (** What is assumed of the rest. *)
 Record steps_assumed : Prop := {
-  stable_of_others : forall e x, In e elements -> in_range e = true -> ~ proved (shape_of e) ->
-    says_right (met e) x (stable e x);
   improved_is_near : forall e f g t, In e elements -> in_range e = true -> improved e f = Search.Hit _ g ->
     is_least (met e) t -> near f t -> near g t;
   ends_are_around : forall e v t, In e elements -> is_least (met e) t ->
@@ -135,10 +133,9 @@ Proof.
       intros t Ht _; specialize (R1 (Rmax l t)); rewrite <- (Ha (Rmax l t)) in R1 by apply Rmax_l; cbn in R1.
       specialize (R1 t Ht); pose proof (Rmax_r l t); lra.
   - intros e x He Hr; destruct (described e He) as [Hs Hon].
-    destruct (proved_or_not (shape_of e)) as [Hproved|Hother]; [|exact (stable_of_others Rest e x He Hr Hother)].
-    destruct (stable_runs_on_proved Runs e x He Hr Hproved) as (a & Ha & ->).
+    destruct (stable_runs Runs e x He Hr) as (a & Ha & ->).
     refine (double_says_right _ _ _ _ _ Ha); intros limit Fl.
-    exact (second_pair Elemento s en p v ok ray_ok p_ordinary v_ordinary e _ (on e) limit Hproved Hs (range e He Hr) Hon Fl).
+    exact (second_pair Elemento s en p v ok ray_ok p_ordinary v_ordinary e _ (on e) limit Hs (range e He Hr) Hon Fl).
   - exact (improved_is_near Rest).
   - exact (ends_are_around Rest).
   - exact (less_is_less Rest).

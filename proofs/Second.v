@@ -5,9 +5,9 @@
 From Coq Require Import Reals Lra.
 From Flocq Require Import Core.
 From Durero Require Import Toolkit Especificacion Escena Puntos Trazador.
-From Durero Require Interseccion Formas.
+From Durero Require Certified Interseccion Formas.
 From Durero Require Import Rounding Vectors Flotante Steps Triage Twofold Doubled StableSphere StablePlane StableDisc
-  StableTriangle.
+  StableTriangle StableCylinder StableCone.
 Import Formas.Pairs.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -27,12 +27,6 @@ Definition second_of (p v : vec) (sh : shape) (on : bool) : R -> Formas.answer t
   | Triangle a b c => edged (triangulo p v V a b c)
   end.
 
-Definition proved (sh : shape) : Prop :=
-  match sh with Sphere _ _ | Plane _ _ | Disc _ _ _ | Triangle _ _ _ => True | _ => False end.
-
-Lemma proved_or_not sh : proved sh \/ ~ proved sh.
-Proof. destruct sh; cbn; tauto. Qed.
-
 Section Scene.
 Variable Elemento : Type.
 Variable s : Especificacion.Escena Elemento.
@@ -43,11 +37,35 @@ Hypothesis ray_ok : Rayo_ok (ray_of p v).
 Hypothesis p_ordinary : ordinary_vec p.
 Hypothesis v_ordinary : ordinary_vec v.
 
-Theorem second_pair e sh on limit : proved sh -> stands Elemento s e sh -> ordinary_shape sh -> (on = true <-> en e) ->
+Let v_not_zero : 0 < norm v := direction_not_zero p v ray_ok.
+
+Theorem second_pair e sh on limit : stands Elemento s e sh -> ordinary_shape sh -> (on = true <-> en e) ->
   format limit -> right_pair (Interseccion.met (ray_of p v) Elemento s en e) limit (second_of p v sh on limit).
 Proof.
-  intros Hp Hs Ho Hon Fl; destruct sh; try contradiction.
+  intros Hs Ho Hon Fl; destruct sh.
   - exact (stable_of_sphere_pair Elemento s en p v e _ _ on limit ok ray_ok p_ordinary v_ordinary Hs Ho Hon Fl).
+  - apply (right_pair_equal _ _ _ _ (met_of_shape Elemento s ok en p v e _ on Hs Hon)).
+    destruct Ho as (Hc & Hr & Hd & Hh), Hs as (_ & _ & Hrad & Hv & Halt).
+    assert (Hu : direction vector ∈ Unitario) by (apply (Escena_inv_8 ok); now exists e).
+    assert (Hr0 : 0 < radio) by (apply (Escena_decl_mi_radio ok); now exists e).
+    assert (Hh0 : 0 < altura) by (apply (Escena_decl_mi_altura ok); now exists e).
+    destruct (stable_cylinder_right p v _ _ _ _ p_ordinary v_ordinary Hc Hd Hr Hr0 v_not_zero (Certified.axis_unit _ Hu) Hh Hh0
+      limit Fl); unfold second_of; destruct on; assumption.
+  - apply (right_pair_equal _ _ _ _ (met_of_shape Elemento s ok en p v e _ on Hs Hon)).
+    destruct Ho as (Hc & Hk & Hd & Hh), Hs as (_ & _ & Hprop & Hv & Halt).
+    assert (Hu : direction vector ∈ Unitario) by (apply (Escena_inv_8 ok); now exists e).
+    assert (Hk0 : 0 < proporcion) by (apply (Escena_decl_mi_proporcion ok); now exists e).
+    assert (Hh0 : 0 < altura) by (apply (Escena_decl_mi_altura ok); now exists e).
+    destruct (stable_cone_right p v _ _ _ _ p_ordinary v_ordinary Hc Hd Hh Hh0 Hk Hk0 v_not_zero (Certified.axis_unit _ Hu) limit Fl).
+    unfold second_of; destruct on; assumption.
+  - apply (right_pair_equal _ _ _ _ (met_of_shape Elemento s ok en p v e _ on Hs Hon)).
+    destruct Ho as (Hc & Hr & Hk & Hd & Hh), Hs as (_ & _ & Hrad & Hprop & Hv & Halt).
+    assert (Hu : direction vector ∈ Unitario) by (apply (Escena_inv_8 ok); now exists e).
+    assert (Hr0 : 0 < radio) by (apply (Escena_decl_mi_radio ok); now exists e).
+    assert (Hk0 : 0 < proporcion) by (apply (Escena_decl_mi_proporcion ok); now exists e).
+    assert (Hh0 : 0 < altura) by (apply (Escena_decl_mi_altura ok); now exists e).
+    destruct (stable_truncated_right p v _ _ _ _ _ p_ordinary v_ordinary Hc Hd Hh Hh0 Hk Hk0 v_not_zero (Certified.axis_unit _ Hu)
+      Hr Hr0 limit Fl); unfold second_of; destruct on; assumption.
   - apply (right_pair_equal _ _ _ _ (met_of_shape Elemento s ok en p v e _ on Hs Hon)).
     destruct Ho as [Hc Hd]; assert (Hu : direction vector ∈ Unitario).
     { destruct Hs as [_ [_ Hv]]; apply (Escena_inv_8 ok); now exists e. }
@@ -64,7 +82,7 @@ Proof.
     unfold second_of; destruct on; assumption.
 Qed.
 
-Theorem second_right e sh on limit : proved sh -> stands Elemento s e sh -> ordinary_shape sh -> (on = true <-> en e) ->
+Theorem second_right e sh on limit : stands Elemento s e sh -> ordinary_shape sh -> (on = true <-> en e) ->
   format limit -> right_when_rounded p v (Interseccion.met (ray_of p v) Elemento s en e) limit (second_of p v sh on limit).
 Proof. intros; apply right_and_rounded; auto; now apply second_pair. Qed.
 End Scene.

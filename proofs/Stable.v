@@ -1,5 +1,6 @@
 (** * Stable: the second step's decision on a quadratic, over what Doubled.v has of pairs
 
+    factors_near      == the difference and the sum of two distances, which are F and H
     sound2            == f is within its bounds of A, B, C, F and H, and of the magnitudes that the bounds ask for
     S, q, from_A, …   == what is computed on the way, by the names of closed_form-inl.hpp
     single, single_from, single_linear == the decisions for one ray, which are the recorded terms *)
@@ -11,6 +12,33 @@ From Durero Require Formas.
 Import Formas.Pairs.
 Local Open Scope R_scope.
 Local Opaque bpow.
+
+(** The sum and the difference of two computed distances, which lack d together. *)
+Lemma factors_near S2 S L2 L d : double_word S2 -> double_word L2 -> 0 <= S -> 0 <= L -> 0 <= whole L2 ->
+  Rabs (whole S2 - S) + Rabs (whole L2 - L) <= d ->
+  let F2 := difference S2 L2 in let H2 := sum S2 L2 in
+  double_word F2 /\ double_word H2 /\ Rabs (whole F2 - (S - L)) <= d + uu * (S + L + d) /\
+  Rabs (whole H2 - (S + L)) <= d + uu * (S + L + d) /\ (0 < whole F2 -> whole F2 <= (1 + / 2000) * whole H2).
+Proof.
+  intros WS WL HS HL HL2 Hd; destruct (difference_near _ _ WS WL) as [WF HF], (sum_near _ _ WS WL) as [WH HH].
+  apply six_in_uu in HF, HH; pose proof uu_bounds as Hu; split; [exact WF | split; [exact WH|]].
+  set (F2 := difference S2 L2) in *; set (H2 := sum S2 L2) in *.
+  pose proof (Rabs_pos (whole S2 - S)); pose proof (Rabs_pos (whole L2 - L)).
+  pose proof (Rle_abs (whole S2 - S)); pose proof (Rle_abs (- (whole S2 - S))); rewrite Rabs_Ropp in *.
+  pose proof (Rle_abs (whole L2 - L)); pose proof (Rle_abs (- (whole L2 - L))); rewrite Rabs_Ropp in *.
+  assert (Size : forall t, - (S + L + d) <= t <= S + L + d -> uu * Rabs t <= uu * (S + L + d)).
+  { intros t Ht; apply Rmult_le_compat_l; [lra | now apply Rabs_le]. }
+  pose proof (Size (whole S2 - whole L2) ltac:(split; lra)); pose proof (Size (whole S2 + whole L2) ltac:(split; lra)).
+  split; [|split].
+  - apply Rabs_le_inv in HF; apply Rabs_le; lra.
+  - apply Rabs_le_inv in HH; apply Rabs_le; lra.
+  - intros Hpos; set (t := whole S2 - whole L2) in *; pose proof (Rabs_pos t) as Ht0.
+    assert (Hut : uu * Rabs t <= e30 * Rabs t) by (apply Rmult_le_compat_r; lra); apply Rabs_le_inv in HF.
+    assert (Ht : 0 < t) by (apply Rnot_le_lt; intros Hle; rewrite (Rabs_left1 t Hle) in *; lra).
+    rewrite (Rabs_pos_eq t) in * by lra; set (s := whole S2 + whole L2) in *; assert (Hts : t <= s) by (unfold t, s; lra).
+    assert (Hus : uu * Rabs s <= e30 * Rabs s) by (apply Rmult_le_compat_r; [apply Rabs_pos | lra]).
+    rewrite (Rabs_pos_eq s) in * by lra; apply Rabs_le_inv in HH; lra.
+Qed.
 
 Section Stable.
 Variable f : Formas.quadratic twofold.
@@ -296,9 +324,9 @@ Definition past_limit (limit : R) (only : Formas.answer twofold) : Formas.answer
   if Rlt_bool limit least_of_A then only else Formas.Undecided.
 
 (** The recorded terms are these: operations on pairs are the same by their names. *)
-Local Opaque sum difference product ratio root_of opposite exactly.
+Local Opaque round sum difference product ratio root_of opposite exactly.
 Theorem single_is_recorded limit : first_of_curved f limit = single (place f) (past_limit limit) limit.
-Proof. reflexivity. Qed.
+Proof. exact_no_check (eq_refl (single (place f) (past_limit limit) limit)). Qed.
 
 Definition points_from (on : R -> Prop) (t : R) : Prop := A * t * t + 2 * B * t + 0 = 0 /\ on t.
 Definition from_start : Formas.known twofold := quotient (opposite (sum B_w B_w)) (rnd (2 * B_error)) A_w A_error.
@@ -307,8 +335,8 @@ Definition single_from (place : Formas.known twofold -> Formas.placed) (limit : 
     turn place limit (Formas.Known (hi A_w) A_error) from_start (Formas.Known (hi (opposite B_w)) B_error) Formas.Miss
   else Formas.Undecided.
 Theorem from_is_recorded limit : first_of_curved_on f limit = single_from (place f) limit.
-Proof. reflexivity. Qed.
-Local Transparent sum difference product ratio root_of opposite exactly.
+Proof. exact_no_check (eq_refl (single_from (place f) limit)). Qed.
+Local Transparent round sum difference product ratio root_of opposite exactly.
 
 Definition points (on : R -> Prop) (t : R) : Prop := is_root t /\ on t.
 
@@ -356,20 +384,25 @@ Proof.
       destruct Ht' as [_ On]; rewrite E in On; now elim Off.
 Qed.
 
-Lemma past_limit_right (on : R -> Prop) limit : (forall t, on t -> 0 < t) -> B_error < hi F_w -> 2 * q_error < Rabs (hi q) ->
-  forall only,
-  past_limit limit only = Formas.Undecided \/ past_limit limit only = only /\ forall t, A * t = x -> on t -> limit < t.
+Lemma least_of_A_right t : B_error < hi F_w -> 2 * q_error < Rabs (hi q) -> A * t = x -> 0 <= least_of_A <= Rabs t.
 Proof.
-  intros Hon HF Hq only; unfold past_limit; destruct (Rlt_bool_spec limit least_of_A) as [Hl|]; [right | now left].
-  split; [reflexivity|]; intros t Ht On; pose proof (Hon t On).
+  intros HF Hq Ht; pose proof (A_near f_sound) as HA.
   destruct (q_bound HF) as (Hx & He & _ & Wq & Fqe & _), (words f_sound) as (WA & _), (errors_binary64 f_sound) as (FAe & _).
-  destruct (errors_least f_sound) as (HAe & _), (sizes f_sound) as (HA450 & _); pose proof (A_near f_sound) as HA.
-  enough (Hle : 0 <= least_of_A <= Rabs t) by (rewrite Rabs_pos_eq in Hle by lra; lra).
+  destruct (errors_least f_sound) as (HAe & _), (sizes f_sound) as (HA450 & _).
   apply (computed_least (hi q) q_error (hi A_w) A_error x A t); auto; try apply Wq; try apply WA.
   - pose proof (leading _ Wq) as Lq; pose proof (size_least x (whole q)) as Hs; rewrite Rabs_minus_sym in Hs.
     pose proof (bpow_gt_0 radix2 (-360)); lra.
   - pose proof (leading _ WA) as LA; pose proof (size_least (whole A_w) A) as Hs; pose proof (Rabs_pos (hi A_w)).
     pose proof (bpow_gt_0 radix2 (-360)); lra.
+Qed.
+
+Lemma past_limit_right (on : R -> Prop) limit : (forall t, on t -> 0 < t) -> B_error < hi F_w -> 2 * q_error < Rabs (hi q) ->
+  forall only,
+  past_limit limit only = Formas.Undecided \/ past_limit limit only = only /\ forall t, A * t = x -> on t -> limit < t.
+Proof.
+  intros Hon HF Hq only; unfold past_limit; destruct (Rlt_bool_spec limit least_of_A) as [Hl|]; [right | now left].
+  split; [reflexivity|]; intros t Ht On; pose proof (Hon t On); destruct (least_of_A_right t HF Hq Ht) as [_ Hle].
+  rewrite Rabs_pos_eq in Hle by lra; lra.
 Qed.
 
 (** ** The ray starts on the element: C is 0, and so is one root *)

@@ -14,9 +14,6 @@ Local Open Scope R_scope.
 Local Open Scope zed_scope.
 Local Opaque bpow.
 
-Lemma worded_coarser n j k a x m : (j <= k)%Z -> worded n k a x m -> worded n j a x m.
-Proof. intros Hj (N & W & Gh & Gl); split; [exact N | split; [exact W | split; now apply (grid_coarser j k)]]. Qed.
-
 Section Disc.
 Variables p v centro d : vec.
 Variable r : R.

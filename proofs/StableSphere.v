@@ -188,31 +188,19 @@ Lemma F_H_near : let F2 := difference S2 L2 in let H2 := sum S2 L2 in double_wor
   (0 < whole F2 -> whole F2 <= (1 + / 2000) * whole H2) /\ Rabs H <= 2 * (V * E).
 Proof.
   destruct of_line_near as (WL & Hl & HL0), of_surface_near as [WS Hs]; pose proof uu_bounds as Hu.
-  destruct (difference_near _ _ WS WL) as [WF HF], (sum_near _ _ WS WL) as [WH HH]; apply six_in_uu in HF, HH.
   pose proof V_size2; pose proof (bpow_gt_0 radix2 (-100)); pose proof (extent_nonneg qv : 0 <= Q) as HQ.
   pose proof (cross_norm p v centro : _ <= Q * V) as Hn; fold qv in Hn; pose proof (norm_nonneg (cross qv v)) as Hn0.
   pose proof (Rmult_le_compat_l r _ _ (Rlt_le _ _ r_positive) (norm_le_extent v : _ <= V)) as Hrv.
   pose proof (Rmult_le_pos r (norm v) ltac:(lra) (norm_nonneg v)) as Hrv0.
   assert (HVE : V * E = r * V + Q * V) by (unfold E, Q; ring); set (W := V * E) in *.
   pose proof (Rmult_le_pos r V ltac:(lra) ltac:(lra)) as HrV; pose proof (Rmult_le_pos Q V HQ ltac:(lra)) as HQV.
-  assert (HuW : 0 <= uu * W <= e30 * W) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_r]; lra).
-  assert (HuWW : uu * W = uu * (r * V) + uu * (Q * V)) by (rewrite HVE; ring).
-  assert (Hu1 : 0 <= uu * (r * V)) by (apply Rmult_le_pos; lra); assert (Hu2 : 0 <= uu * (Q * V)) by (apply Rmult_le_pos; lra).
-  apply Rabs_le_inv in Hl, Hs.
-  assert (Hsize : forall x, - (2 * W) <= x <= 2 * W -> uu * Rabs x <= 2 * (uu * W)).
-  { intros x Hx; replace (2 * (uu * W)) with (uu * (2 * W)) by ring; apply Rmult_le_compat_l; [lra | now apply Rabs_le]. }
-  pose proof (Hsize (whole S2 - whole L2) ltac:(split; lra)) as HsF.
-  pose proof (Hsize (whole S2 + whole L2) ltac:(split; lra)) as HsH.
-  split; [exact WF | split; [exact WH|]]; split; [|split; [|split]].
-  - apply Rabs_le_inv in HF; unfold F; apply Rabs_le; lra.
-  - apply Rabs_le_inv in HH; unfold H; apply Rabs_le; lra.
-  - intros Hpos; set (d := whole S2 - whole L2) in *; pose proof (Rabs_pos d) as Hd0.
-    assert (Hud : uu * Rabs d <= e30 * Rabs d) by (apply Rmult_le_compat_r; lra); apply Rabs_le_inv in HF.
-    assert (Hd : 0 < d) by (apply Rnot_le_lt; intros Hle; rewrite (Rabs_left1 d Hle) in *; lra).
-    rewrite (Rabs_pos_eq d) in * by lra; set (a := whole S2 + whole L2) in *; assert (Hda : d <= a) by (unfold d, a; lra).
-    assert (Hua : uu * Rabs a <= e30 * Rabs a) by (apply Rmult_le_compat_r; [apply Rabs_pos | lra]).
-    rewrite (Rabs_pos_eq a) in * by lra; apply Rabs_le_inv in HH; lra.
-  - unfold H; rewrite Rabs_pos_eq by lra; lra.
+  pose proof (uu_part W ltac:(lra)) as HuW; assert (HuWW : uu * W = uu * (r * V) + uu * (Q * V)) by (rewrite HVE; ring).
+  pose proof (uu_part _ HrV); pose proof (uu_part _ HQV).
+  destruct (factors_near S2 (r * norm v) L2 (norm (cross qv v)) (16 * (uu * W)) WS WL Hrv0 Hn0 HL0 ltac:(lra))
+    as (WF & WH & HF & HH & Hbelow).
+  assert (Hsum : uu * (r * norm v + norm (cross qv v) + 16 * (uu * W)) <= uu * (2 * W)) by (apply Rmult_le_compat_l; lra).
+  cbv zeta; split; [exact WF | split; [exact WH|]]; split; [unfold F; lra | split; [unfold H; lra|]].
+  split; [exact Hbelow | unfold H; rewrite Rabs_pos_eq; lra].
 Qed.
 
 Theorem stable_sphere_sound : sound2 (esfera p v V_fl centro r) A B C F H.
@@ -309,7 +297,7 @@ Definition right_when_rounded (p v : vec) (T : R -> Prop) (limit : R) (a : Forma
 
 Lemma right_and_rounded p v T limit a : ordinary_vec p -> ordinary_vec v -> right_pair T limit a -> right_when_rounded p v T limit a.
 Proof.
-  intros Hp Hv; destruct a as [| | root slope curvature]; cbn; auto.
+  intros Hp Hv; destruct a as [| | root slope curvature]; cbn [right_pair right_when_rounded]; auto.
   intros (t & Ht & N & W & Fe & He); exists t; split; [exact Ht|].
   pose proof (bpow_gt_0 radix2 (-900)); rewrite Rabs_minus_sym; split; [lra|]; intros out Hc Hs.
   apply (Once.certain_is_rounded_right p v (Formas.value root) (Formas.error root)); auto.

@@ -37,20 +37,31 @@ Definition decisions_right (f : coefficients) (d : decisions) : Prop :=
   right_in_lanes (reach f) (in_lanes d) /\ right_in_lanes (reach (launched f)) (in_lanes_from d) /\
   forall limit, right_up_to (reach f) limit (alone d limit) /\ right_up_to (reach (launched f)) limit (alone_from d limit).
 
+(** The quadratic of the text, coefficient by coefficient. *)
+Definition same_quadratic (A B C : R) (f : coefficients) : Prop := A = cA f /\ B = cB f /\ C = cC f.
+
+Lemma same_values A B C f t : same_quadratic A B C f ->
+  A * t * t + 2 * B * t + C = value f t /\ A * t * t + 2 * B * t + 0 = value (launched f) t.
+Proof. intros (-> & -> & ->); unfold value, launched; cbn; split; ring. Qed.
+
 Section Curved.
 Variable f : Formas.quadratic R.
 Variables A B C F H : R.
 Hypothesis f_sound : sound f A B C F H.
 Variable text : coefficients.
-Hypothesis same : forall t, is_root A B C t <-> value text t = 0.
-Hypothesis same_from : forall t, is_root A B 0 t <-> value (launched text) t = 0.
+Hypothesis same : same_quadratic A B C text.
 
 Lemma points_are_reached (on : R -> Prop) t : (on t <-> 0 < t /\ within text t) -> (points A B C on t <-> reach text t).
-Proof. intros E; unfold points, reach; rewrite same, E; tauto. Qed.
+Proof.
+  intros E; unfold points, reach, is_root; destruct (same_values A B C text t same) as [-> _]; rewrite E; tauto.
+Qed.
 
 Lemma points_from_are_reached (on : R -> Prop) t : (on t <-> 0 < t /\ within text t) ->
   (points_from A B on t <-> reach (launched text) t).
-Proof. intros E; unfold points_from, reach; rewrite same_from, E; unfold within, launched; cbn; tauto. Qed.
+Proof.
+  intros E; unfold points_from, reach, is_root; destruct (same_values A B C text t same) as [_ ->]; rewrite E.
+  unfold within, launched; cbn; tauto.
+Qed.
 
 Lemma unbounded_right : (forall t, within text t) -> decisions_right text (unbounded f).
 Proof.
@@ -168,16 +179,41 @@ Hypothesis v_not_zero : 0 < norm v.
 Notation ray := (ray_of p v).
 Notation V := (extent_fl v).
 
+Lemma sphere_same centro r : let q := minus p centro in
+  same_quadratic (dot v v) (dot q v) (dot q q - r * r) (of_esfera ray (point centro) r).
+Proof.
+  unfold same_quadratic, ray_of, point, direction, of_esfera, Tipos.sq, Tipos.dot, from, dot, minus; cbn.
+  repeat apply conj; ring.
+Qed.
+
 Theorem sphere_right centro r : ordinary_vec centro -> ordinary r -> 0 < r ->
   decisions_right (of_esfera ray (point centro) r) (unbounded (Formas.esfera p v V centro r)).
 Proof.
   intros Hc Hr Hr0.
   apply (unbounded_right _ _ _ _ _ _ (sphere_sound p v centro r p_ordinary v_ordinary Hc Hr Hr0 v_not_zero)).
-  - intros t; exact (Certified.root_value p v centro r t).
-  - intros t; unfold is_root; replace (dot v v * t * t + 2 * dot (minus p centro) v * t + 0)
-      with (value (launched (of_esfera ray (point centro) r)) t); [reflexivity|].
-    unfold ray_of, point, direction, value, launched, of_esfera, Tipos.sq, Tipos.dot, from, dot, minus; cbn; ring.
+  - apply sphere_same.
   - constructor.
+Qed.
+
+Lemma cylinder_same centro r d h : let a := Across.across v d in let b := Across.across (minus p centro) d in
+  same_quadratic (dot a a) (dot b a) (dot b b - r * r) (of_cilindro ray (point centro) r (direction d) h).
+Proof.
+  unfold same_quadratic, ray_of, point, direction, of_cilindro, Across.across, Across.scale, Tipos.sq, Tipos.dot, from, dot,
+    minus; cbn; repeat apply conj; ring.
+Qed.
+
+Lemma truncated_same centro r k d h : same_quadratic (Conical.A v d k) (Conical.B p v centro d h k r)
+  (Conical.C p centro d h k r) (of_tronco ray (point centro) r k (direction d) h).
+Proof.
+  unfold same_quadratic, Conical.A, Conical.B, Conical.C, Conical.rho, Conical.slope, ray_of, point, direction, of_tronco,
+    Across.across, Across.scale, Tipos.sq, Tipos.dot, from, dot, minus; cbn; repeat apply conj; ring.
+Qed.
+
+Lemma cone_same centro k d h : same_quadratic (Conical.A v d k) (Conical.B p v centro d h k 0)
+  (Conical.C p centro d h k 0) (of_cono ray (point centro) k (direction d) h).
+Proof.
+  unfold same_quadratic, Conical.A, Conical.B, Conical.C, Conical.rho, Conical.slope, ray_of, point, direction, of_cono,
+    Across.across, Across.scale, Tipos.sq, Tipos.dot, from, dot, minus; cbn; repeat apply conj; ring.
 Qed.
 
 Lemma within_stretch centro d h t :
@@ -191,16 +227,8 @@ Theorem cylinder_right centro r d h : ordinary_vec centro -> ordinary r -> 0 < r
   decisions_right (of_cilindro ray (point centro) r (direction d) h) (axial (Formas.cilindro p v V centro r d h)).
 Proof.
   intros Hc Hr Hr0 Hd Hu Hh Hh0; pose proof (Certified.axis_unit d Hu) as Hdd.
-  apply (axial_right _ _ _ _ _ _ (Cylinder.cylinder_sound p v centro d r h p_ordinary v_ordinary Hc Hd Hr Hr0 v_not_zero
-    Hdd) _
-    (fun t => Certified.cylinder_root_value p v centro d r h t)) with (p := p) (v := v) (centro := centro) (d := d) (h
-      := h); auto.
-  - intros t; unfold is_root.
-    replace (dot (Across.across v d) (Across.across v d) * t * t + 2 * dot (Across.across (minus p centro) d)
-      (Across.across v d) * t + 0)
-      with (value (launched (of_cilindro ray (point centro) r (direction d) h)) t); [reflexivity|].
-    unfold ray_of, point, direction, value, launched, of_cilindro, Across.across, Across.scale, Tipos.sq, Tipos.dot,
-      from, dot, minus; cbn; ring.
+  apply (axial_right _ _ _ _ _ _ (Cylinder.cylinder_sound p v centro d r h p_ordinary v_ordinary Hc Hd Hr Hr0 v_not_zero Hdd)
+    _ (cylinder_same centro r d h)) with (p := p) (v := v) (centro := centro) (d := d) (h := h); auto.
   - repeat split.
   - intros t; apply within_stretch.
 Qed.
@@ -240,15 +268,7 @@ Theorem truncated_right centro r k d h : ordinary_vec centro -> ordinary r -> 0 
 Proof.
   intros Hc Hr Hr0 Hk Hk0 Hd Hu Hh Hh0; pose proof (Certified.axis_unit d Hu) as Hdd.
   pose proof (Cone.truncated_sound p v centro d h k p_ordinary v_ordinary Hc Hd Hh Hh0 Hk Hk0 v_not_zero Hdd r Hr Hr0) as S.
-  refine (axial_right _ _ _ _ _ _ S _ _ _ p v centro d h p_ordinary v_ordinary Hc Hd Hh Hh0 v_not_zero Hdd _ _).
-  - intros t; unfold is_root; match goal with |- ?x = 0 <-> _ =>
-      replace x with (value (of_tronco ray (point centro) r k (direction d) h) t); [reflexivity|] end.
-    unfold Conical.A, Conical.B, Conical.C, Conical.rho, Conical.slope, ray_of, point, direction, value, of_tronco,
-      Across.across, Across.scale, Tipos.sq, Tipos.dot, from, dot, minus; cbn; ring.
-  - intros t; unfold is_root; match goal with |- ?x = 0 <-> _ =>
-      replace x with (value (launched (of_tronco ray (point centro) r k (direction d) h)) t); [reflexivity|] end.
-    unfold Conical.A, Conical.B, Conical.rho, Conical.slope, ray_of, point, direction, value, launched, of_tronco,
-      Across.across, Across.scale, Tipos.sq, Tipos.dot, from, dot, minus; cbn; ring.
+  refine (axial_right _ _ _ _ _ _ S _ (truncated_same centro r k d h) p v centro d h p_ordinary v_ordinary Hc Hd Hh Hh0 v_not_zero Hdd _ _).
   - repeat split.
   - intros t; apply within_stretch.
 Qed.
@@ -259,15 +279,7 @@ Theorem cone_right centro k d h : ordinary_vec centro -> ordinary k -> 0 < k -> 
 Proof.
   intros Hc Hk Hk0 Hd Hu Hh Hh0; pose proof (Certified.axis_unit d Hu) as Hdd.
   pose proof (Cone.cone_sound p v centro d h k p_ordinary v_ordinary Hc Hd Hh Hh0 Hk Hk0 v_not_zero Hdd) as S.
-  refine (axial_right _ _ _ _ _ _ S _ _ _ p v centro d h p_ordinary v_ordinary Hc Hd Hh Hh0 v_not_zero Hdd _ _).
-  - intros t; unfold is_root; match goal with |- ?x = 0 <-> _ =>
-      replace x with (value (of_cono ray (point centro) k (direction d) h) t); [reflexivity|] end.
-    unfold Conical.A, Conical.B, Conical.C, Conical.rho, Conical.slope, ray_of, point, direction, value, of_cono,
-      Across.across, Across.scale, Tipos.sq, Tipos.dot, from, dot, minus; cbn; ring.
-  - intros t; unfold is_root; match goal with |- ?x = 0 <-> _ =>
-      replace x with (value (launched (of_cono ray (point centro) k (direction d) h)) t); [reflexivity|] end.
-    unfold Conical.A, Conical.B, Conical.rho, Conical.slope, ray_of, point, direction, value, launched, of_cono,
-      Across.across, Across.scale, Tipos.sq, Tipos.dot, from, dot, minus; cbn; ring.
+  refine (axial_right _ _ _ _ _ _ S _ (cone_same centro k d h) p v centro d h p_ordinary v_ordinary Hc Hd Hh Hh0 v_not_zero Hdd _ _).
   - repeat split.
   - intros t; apply within_stretch.
 Qed.

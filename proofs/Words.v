@@ -20,6 +20,9 @@ Proof.
   split; [apply bpow_gt_0|]; replace (bpow radix2 (-102)) with (/ 5070602400912917605986812821504) by reflexivity; lra.
 Qed.
 
+Lemma uu_part x : 0 <= x -> 0 <= uu * x <= e30 * x.
+Proof. intros Hx; pose proof uu_bounds; split; [apply Rmult_le_pos | apply Rmult_le_compat_r]; lra. Qed.
+
 (** A bound in units of u², in those of uu. *)
 Lemma in_uu k x : 0 <= x -> k * (u * (u * x)) = k / 16 * (uu * x).
 Proof. intros _; rewrite sixteen_u_u; field. Qed.
@@ -129,6 +132,9 @@ Qed.
 
 Lemma worded_more n n' k a x m : (n <= n')%nat -> worded n k a x m -> worded n' k a x m.
 Proof. intros Hn (N & W); split; [now apply (near2_more n) | exact W]. Qed.
+
+Lemma worded_coarser n j k a x m : (j <= k)%Z -> worded n k a x m -> worded n j a x m.
+Proof. intros Hj (N & W & Gh & Gl); split; [exact N | split; [exact W | split; now apply (grid_coarser j k)]]. Qed.
 
 Lemma worded_mult i j k l a b x y m m' : (-960 <= k + l)%Z -> worded i k a x m -> worded j l b y m' ->
   worded (S (i + j)) (k + l) (product a b) (x * y) (m * m').
