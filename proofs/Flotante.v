@@ -271,9 +271,11 @@ Qed.
 
 (** ** The recorded term *)
 
+Local Opaque round.
 Theorem recorded : Formas.esfera p v V_fl centro r =
   Formas.Quadratic A_fl B_fl C_fl F_fl H_fl A_error B_error C_error 0 0 0 0 0 0 0.
-Proof. reflexivity. Qed.
+Proof. match goal with |- _ = ?b => exact_no_check (eq_refl b) end. Qed.
+Local Transparent round.
 
 Lemma ordinary_size x : ordinary x -> Rabs x <= bpow radix2 100.
 Proof. intros [_ [->|[_ H0]]]; [rewrite Rabs_R0; apply bpow_ge_0 | assumption]. Qed.

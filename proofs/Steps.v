@@ -160,6 +160,11 @@ Definition point (a : vec) : Punto := mk_Punto (cx a) (cy a) (cz a).
 Definition direction (a : vec) : Vector := mk_Vector (cx a) (cy a) (cz a).
 Definition ray_of (p v : vec) : Rayo := mk_Rayo (point p) (direction v).
 
+Lemma text_from p c : from (point c) (point p) = direction (minus p c).
+Proof. reflexivity. Qed.
+Lemma text_dot a b : Tipos.dot (direction a) (direction b) = dot a b.
+Proof. reflexivity. Qed.
+
 Section Shapes.
 Variables p v : vec.
 Hypothesis p_ordinary : ordinary_vec p.
@@ -167,6 +172,10 @@ Hypothesis v_ordinary : ordinary_vec v.
 Hypothesis v_not_zero : 0 < norm v.
 Notation ray := (ray_of p v).
 Notation V := (extent_fl v).
+
+(** The text's coefficients and the tracer's, of the same products of the same vectors. *)
+Local Ltac by_products := cbv zeta; cbn [cA cB cC Rayo_p Rayo_v ray_of]; unfold Tipos.sq;
+  rewrite ?text_from, ?text_dot, ?Across.across_dot; ring.
 
 Theorem sphere_right centro r : ordinary_vec centro -> ordinary r -> 0 < r ->
   decisions_right (of_esfera ray (point centro) r) (unbounded (Formas.esfera p v V centro r)).
@@ -199,8 +208,7 @@ Proof.
     replace (dot (Across.across v d) (Across.across v d) * t * t + 2 * dot (Across.across (minus p centro) d)
       (Across.across v d) * t + 0)
       with (value (launched (of_cilindro ray (point centro) r (direction d) h)) t); [reflexivity|].
-    unfold ray_of, point, direction, value, launched, of_cilindro, Across.across, Across.scale, Tipos.sq, Tipos.dot,
-      from, dot, minus; cbn; ring.
+    unfold value, launched, of_cilindro; by_products.
   - repeat split.
   - intros t; apply within_stretch.
 Qed.
@@ -243,12 +251,10 @@ Proof.
   refine (axial_right _ _ _ _ _ _ S _ _ _ p v centro d h p_ordinary v_ordinary Hc Hd Hh Hh0 v_not_zero Hdd _ _).
   - intros t; unfold is_root; match goal with |- ?x = 0 <-> _ =>
       replace x with (value (of_tronco ray (point centro) r k (direction d) h) t); [reflexivity|] end.
-    unfold Conical.A, Conical.B, Conical.C, Conical.rho, Conical.slope, ray_of, point, direction, value, of_tronco,
-      Across.across, Across.scale, Tipos.sq, Tipos.dot, from, dot, minus; cbn; ring.
+    unfold value, of_tronco, Conical.A, Conical.B, Conical.C, Conical.rho, Conical.slope; by_products.
   - intros t; unfold is_root; match goal with |- ?x = 0 <-> _ =>
       replace x with (value (launched (of_tronco ray (point centro) r k (direction d) h)) t); [reflexivity|] end.
-    unfold Conical.A, Conical.B, Conical.rho, Conical.slope, ray_of, point, direction, value, launched, of_tronco,
-      Across.across, Across.scale, Tipos.sq, Tipos.dot, from, dot, minus; cbn; ring.
+    unfold value, launched, of_tronco, Conical.A, Conical.B, Conical.rho, Conical.slope; by_products.
   - repeat split.
   - intros t; apply within_stretch.
 Qed.
@@ -262,12 +268,10 @@ Proof.
   refine (axial_right _ _ _ _ _ _ S _ _ _ p v centro d h p_ordinary v_ordinary Hc Hd Hh Hh0 v_not_zero Hdd _ _).
   - intros t; unfold is_root; match goal with |- ?x = 0 <-> _ =>
       replace x with (value (of_cono ray (point centro) k (direction d) h) t); [reflexivity|] end.
-    unfold Conical.A, Conical.B, Conical.C, Conical.rho, Conical.slope, ray_of, point, direction, value, of_cono,
-      Across.across, Across.scale, Tipos.sq, Tipos.dot, from, dot, minus; cbn; ring.
+    unfold value, of_cono, Conical.A, Conical.B, Conical.C, Conical.rho, Conical.slope; by_products.
   - intros t; unfold is_root; match goal with |- ?x = 0 <-> _ =>
       replace x with (value (launched (of_cono ray (point centro) k (direction d) h)) t); [reflexivity|] end.
-    unfold Conical.A, Conical.B, Conical.rho, Conical.slope, ray_of, point, direction, value, launched, of_cono,
-      Across.across, Across.scale, Tipos.sq, Tipos.dot, from, dot, minus; cbn; ring.
+    unfold value, launched, of_cono, Conical.A, Conical.B, Conical.rho, Conical.slope; by_products.
   - repeat split.
   - intros t; apply within_stretch.
 Qed.
