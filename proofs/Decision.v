@@ -153,7 +153,8 @@ Proof.
   assert (HX : Rabs (F_fl * H_fl - D) <= 237 / 100 * (B_error * H_fl)).
   { unfold D; rewrite (F_times_H f_sound).
     replace (F_fl * H_fl - F * H) with (F_fl * (H_fl - H) + H * (F_fl - F)) by ring.
-    assert (Hm : forall a b c, 0 <= a -> - c <= b <= c -> - (a * c) <= a * b <= a * c) by (intros; split; nra).
+    assert (Hm : forall a b c, 0 <= a -> - c <= b <= c -> - (a * c) <= a * b <= a * c) 
+      by (intros a b c Ha [Hl Hu]; split; [rewrite <- Ropp_mult_distr_r_reverse | ]; now apply Rmult_le_compat_l).
     pose proof (Hm F_fl (H_fl - H) (5 / 6 * B_error) ltac:(lra) HbH).
     pose proof (Hm H (F_fl - F) (5 / 6 * B_error) ltac:(lra) HbF).
     assert (F_fl * (5 / 6 * B_error) <= H_fl * (5 / 6 * B_error)) by (apply Rmult_le_compat_r; lra).

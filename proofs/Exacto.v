@@ -248,28 +248,30 @@ Lemma between_over S c d l p v t : (0 < S)%Z ->
   inside (between (dot q d) (dot v d) (S * l)) t <->
   0 <= avance (ray_at S p v t) (point S c) (direction S d) <= over S l.
 Proof.
-  intros HS q; apply IZR_lt in HS as HR; assert (HS2 : 0 < IZR S ^ 2) by nra.
+  intros HS q; apply IZR_lt in HS as HR; assert (HS2 : 0 < IZR S ^ 2) by now apply pow_lt.
   assert (IZR (dot q d) + t * IZR (dot v d) = IZR S ^ 2 * avance (ray_at S p v t) (point S c) (direction S d)) as E.
   { change (ray_at S p v) with (Puntos.point_at (ray_from S p v)); rewrite Puntos.avance_along; unfold q.
     by_dots S HS; cbn [ray_from Rayo_p Rayo_v]; ring. }
   assert (IZR (S * l) = IZR S ^ 2 * over S l) as El by (rewrite mult_IZR, (IZR_over S l HS); ring).
   unfold inside, between, Puntos.excess; cbn [map]; rewrite !Forall_cons_iff; unfold over_R;
     cbn [Puntos.bA Puntos.bB Puntos.bC gA gB gC]; rewrite !opp_IZR, !mult_IZR, !minus_IZR, El.
-  set (a := avance _ _ _) in *; split; [intros (H1 & H2 & _); split; nra|].
-  intros [H1 H2]; split; [nra | split; [nra | constructor]].
+  set (a := avance _ _ _) in *; split.
+  - intros (H1 & H2 & _); split; apply Rmult_le_reg_l with (1 := HS2); lra.
+  - intros [H1 H2]; apply (Rmult_le_compat_l _ _ _ (Rlt_le _ _ HS2)) in H1, H2.
+    split; [lra | split; [lra | constructor]].
 Qed.
 
 Lemma ball_over S c r p v t : (0 < S)%Z ->
   (Puntos.excess (over_R (ball c r p v)) t <= 0 <-> potencia_esfera (ray_at S p v t) (point S c) (over S r) <= 0).
 Proof.
-  intros HS; apply IZR_lt in HS as HR; assert (HS2 : 0 < IZR S ^ 2) by nra.
+  intros HS; apply IZR_lt in HS as HR; assert (HS2 : 0 < IZR S ^ 2) by now apply pow_lt.
   assert (Puntos.excess (over_R (ball c r p v)) t
     = IZR S ^ 2 * potencia_esfera (ray_at S p v t) (point S c) (over S r)) as ->.
   { change (ray_at S p v) with (Puntos.point_at (ray_from S p v)); rewrite Puntos.potencia_esfera_along.
     unfold Puntos.excess, over_R, ball, Puntos.value, Puntos.of_esfera;
       cbn [Puntos.bA Puntos.bB Puntos.bC gA gB gC Puntos.cA Puntos.cB Puntos.cC ray_from Rayo_p Rayo_v].
     by_dots S HS; unfold Tipos.sq; ring. }
-  split; nra.
+  split; intros H; [apply Rmult_le_reg_l with (1 := HS2) | apply (Rmult_le_compat_l _ _ _ (Rlt_le _ _ HS2)) in H]; lra.
 Qed.
 
 Lemma side_over S a b c p v t : (0 < S)%Z ->
@@ -282,7 +284,7 @@ Proof.
     unfold Puntos.excess, over_R, side, Puntos.side;
       cbn [Puntos.bA Puntos.bB Puntos.bC gA gB gC ray_from Rayo_p Rayo_v].
     by_dots S HS; unfold Tipos.sq; field. }
-  split; nra.
+  split; intros H; [apply Rmult_le_reg_l with (1 := HS4) | apply (Rmult_le_compat_l _ _ _ (Rlt_le _ _ HS4)) in H]; lra.
 Qed.
 
 Lemma quad_clip S sh on p v t : (0 < S)%Z -> (inside (bounds (quad S sh on p v)) t <-> clip S sh (ray_at S p v t)).
@@ -296,7 +298,10 @@ Proof.
 Qed.
 
 Lemma dot_nonneg v : (0 <= dot v v)%Z.
-Proof. unfold dot; nia. Qed.
+Proof.
+  unfold dot; pose proof (Z.square_nonneg (vx v)); pose proof (Z.square_nonneg (vy v)); pose proof (Z.square_nonneg (vz v)).
+  lia.
+Qed.
 Lemma quad_proper S sh on p v : proper (quad S sh on p v).
 Proof.
   destruct sh; repeat apply Forall_cons; try apply Forall_nil; first [apply dot_nonneg | apply Z.le_refl].
