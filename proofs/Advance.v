@@ -139,7 +139,7 @@ Proof.
   pose proof (rnd_low_sum reach_fl M R3 (format_rnd _) ltac:(lra)) as E4; fold c in E4.
   assert (E4' : 998 / 1000 * (Q + h + T * V) - z <= rnd (reach_fl + M)).
   { assert (c * (reach_fl + M) <= / 1000000 * (reach_fl + M)) by (apply Rmult_le_compat_r; lra); lra. }
-  assert (H49 : bpow radix2 (-49) = 16 * u) by (replace 16 with (bpow radix2 4) by reflexivity; now rewrite <- bpow_plus).
+  assert (H49 : bpow radix2 (-49) = 16 * u) by apply multiples_of_u.
   unfold advance_error; fold T M; rewrite H49; set (g := rnd (reach_fl + M)) in *.
   assert (N4 : 0 <= g) by (apply rnd_nonneg; lra).
   assert (Hug : 0 <= u * g <= c * g) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_r]; lra).
@@ -254,7 +254,7 @@ Proof.
     rewrite (rnd_double _ R3).
   destruct speed_near as [V1 _], s1_near as (N1 & S1 & _), s0_near as [N0 S0], z_small as [Z0 Z1];
     pose proof u_bounds as Hu; pose proof HQ as HQ0; pose proof HV as HV0.
-  assert (H51 : bpow radix2 (-51) = 4 * u) by (replace 4 with (bpow radix2 2) by reflexivity; now rewrite <- bpow_plus).
+  assert (H51 : bpow radix2 (-51) = 4 * u) by apply multiples_of_u.
   rewrite H51; assert (HuV : u * (999999 / 1000000 * V) <= u * V_fl) by (apply Rmult_le_compat_l; lra).
   assert (HuVV : 0 < u * V <= / 1000000 * V) by (split; [apply Rmult_lt_0_compat | apply Rmult_le_compat_r]; lra).
   assert (HuQ : 0 <= u * Q <= / 1000000 * Q) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_r]; lra).

@@ -92,6 +92,14 @@ Qed.
 
 (** ** Counting roundings *)
 
+(** The powers of two that are a few u. *)
+Lemma multiples_of_u : bpow radix2 (-52) = 2 * u /\ bpow radix2 (-51) = 4 * u /\ bpow radix2 (-50) = 8 * u /\
+  bpow radix2 (-49) = 16 * u /\ bpow radix2 (-47) = 64 * u.
+Proof.
+  assert (H : forall k e, (e + -53 = k)%Z -> bpow radix2 k = bpow radix2 e * u) by (intros k e <-; apply bpow_plus).
+  repeat split; [apply (H _ 1%Z) | apply (H _ 2%Z) | apply (H _ 3%Z) | apply (H _ 4%Z) | apply (H _ 6%Z)]; reflexivity.
+Qed.
+
 Lemma pow_ge_1 n : 1 <= (1 + u) ^ n.
 Proof. apply pow_R1_Rle; pose proof u_bounds; lra. Qed.
 
