@@ -17,6 +17,10 @@ Definition across_fl (x d : vec) : vec :=
   let s := dot_fl x d in
   Vec (rnd (cx x - rnd (s * cx d))) (rnd (cy x - rnd (s * cy d))) (rnd (cz x - rnd (s * cz d))).
 
+(** A product of two parts across is that of the wholes less that along: for any axis, unit or not. *)
+Lemma across_dot a b d : dot (across a d) (across b d) = dot a b - (2 - dot d d) * (dot a d * dot b d).
+Proof. unfold across, scale, minus, dot; cbn; ring. Qed.
+
 (** ** Lengths *)
 
 Lemma square_le a b : 0 <= b -> a * a <= b * b -> a <= b.

@@ -103,7 +103,8 @@ Proof.
   apply Rle_trans with (1 := Rplus_le_compat _ _ _ _ H (Rabs_triang _ _)); rewrite Rabs_Ropp; lra.
 Qed.
 
-(** What a bound less than both ends by the slack keeps: a box with a point of the segment passes. *)
+(** What a bound less than both ends by the slack keeps: a box with a point of the segment passes. A bound that is greater
+    is one that is less, seen from the other side. *)
 Theorem low_side_keeps A : A <= side px b py - slack -> A <= side cx b cy - slack ->
   A <= side x1 b (near_corner b y0 y1).
 Proof.
@@ -120,22 +121,16 @@ Proof.
   unfold Rmin in Hm; destruct (Rle_dec (px - b * py) (qx - b * qy)); lra.
 Qed.
 
-Theorem high_side_keeps C : side px b py + slack <= C -> side cx b cy + slack <= C ->
-  side x0 b (far_corner b y0 y1) <= C.
-Proof.
-  intros Hp Hc; destruct ends as (Px & Py & _), box as (X0 & _ & Y0 & Y1), held as (Ht & Hx & Hy).
-  pose proof (Rabs_le_inv _ _ (side_error px b py X Y Px Py)); pose proof (Rabs_le_inv _ _ far_end).
-  assert (Hcorner : Rabs (far_corner b y0 y1) <= Y) by (unfold far_corner; now destruct (Rle_dec 0 b)).
-  pose proof (Rabs_le_inv _ _ (side_error x0 b _ X Y X0 Hcorner)).
-  pose proof (proj2 (between (px - b * py) (qx - b * qy) t Ht)) as Hm.
-  pose proof (corners b y0 y1 _ Hy) as [_ Hn].
-  pose proof (Rabs_pos b); pose proof (bpow_gt_0 radix2 emin).
-  pose proof u_bounds; assert (0 <= X) by (apply Rle_trans with (2 := Px); apply Rabs_pos).
-  assert (0 <= Y) by (apply Rle_trans with (2 := Py); apply Rabs_pos).
-  assert (0 <= u * (X + Rabs b * Y)) by (apply Rmult_le_pos; [lra | assert (0 <= Rabs b * Y) by (apply Rmult_le_pos; lra); lra]).
-  unfold Rmax in Hm; destruct (Rle_dec (px - b * py) (qx - b * qy)); lra.
-Qed.
 End Segment.
+
+(** A side seen from the other: what is low there is high here. *)
+Lemma side_opp x b y : side (- x) b (- y) = - side x b y.
+Proof.
+  unfold side; replace (b * - y) with (- (b * y)) by ring; rewrite round_NE_opp.
+  replace (- x - - rnd (b * y)) with (- (x - rnd (b * y))) by ring; apply round_NE_opp.
+Qed.
+Lemma corner_opp b y0 y1 : near_corner b (- y1) (- y0) = - far_corner b y0 y1.
+Proof. unfold near_corner, far_corner; now destruct (Rle_dec 0 b). Qed.
 End Beams.
 
 (** ** In binary64 *)
@@ -167,6 +162,8 @@ Theorem high_side64_keeps px py qx qy cx cy t x0 x1 y0 y1 b X Y C :
   side 53 1024 px b py + slack64 b X Y <= C -> side 53 1024 cx b cy + slack64 b X Y <= C ->
   side 53 1024 x0 b (far_corner b y0 y1) <= C.
 Proof.
-  unfold slack64; rewrite <- half_ulp; intros He Hc Hb Hh H1 H2.
-  now apply (high_side_keeps 53 1024 prec64 px py qx qy cx cy t x0 x1 y0 y1 b X Y).
+  intros He Hc Hb Hh H1 H2; assert (Opp : forall x x', - x - - x' = - (x - x')) by (intros; ring).
+  enough (H : - C <= side 53 1024 (- x0) b (near_corner b (- y1) (- y0))) by (rewrite corner_opp, side_opp in H; lra).
+  apply (low_side64_keeps (- px) (- py) (- qx) (- qy) (- cx) (- cy) t (- x1) (- x0) (- y1) (- y0) b X Y);
+    rewrite ?Opp, ?Rabs_Ropp, ?side_opp; tauto || lra.
 Qed.

@@ -107,7 +107,10 @@ Lemma cylinder_root_value t : root t <-> value f t = 0.
 Proof.
   unfold root, is_root.
   replace (dot a a * t * t + 2 * dot b a * t + (dot b b - r * r)) with (value f t); [reflexivity|].
-  unfold value, f, of_cilindro, a, b, q, across, scale, Tipos.sq, Tipos.dot, from, dot, minus; cbn; ring.
+  unfold a, b, q; rewrite !across_dot.
+  change (value f t) with (let n := dot d d in let s0 := dot q d in let s1 := dot v d in
+    (dot v v - (2 - n) * (s1 * s1)) * (t * t) + 2 * (dot q v - (2 - n) * (s0 * s1)) * t
+      + (dot q q - (2 - n) * (s0 * s0) - r * r)); unfold q; cbv zeta; ring.
 Qed.
 
 Lemma cylinder_miss t : Formas.F recorded < - Formas.B_error recorded ->

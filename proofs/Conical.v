@@ -203,7 +203,7 @@ Qed.
 
 Lemma unit_computed : computed 3 (-351) unit_fl (64 * u * K) (64 * u * K).
 Proof.
-  assert (H47 : bpow radix2 (-47) = 64 * u) by (replace 64 with (bpow radix2 6) by reflexivity; now rewrite <- bpow_plus).
+  assert (H47 : bpow radix2 (-47) = 64 * u) by apply multiples_of_u.
   rewrite <- H47; destruct (ordinary_grid k k_ordinary) as [Fk Gk]; pose proof (computed_exact (-152) k Fk Gk) as Ck.
   rewrite (Rabs_pos_eq k) in Ck by lra.
   apply (computed_mult 0 2 (-47) (-304)); [lia | apply Triangle.power_computed; lia|].

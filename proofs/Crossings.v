@@ -197,7 +197,8 @@ Definition value_of (c : crossing64) (A : event) : Prop :=
 Lemma stands_value c A : stands64 c A -> value_of c A.
 Proof.
   intros [[-> ->] | [i [x [Hx [-> ->]]]]].
-  - split; [reflexivity |]. cbn. rewrite Rminus_0_r, Rabs_R0. repeat split; [lra | now left].
+  - split; [reflexivity |]. unfold start64, start. cbn [parameter goes_back zero]. change (B2R zero) with 0.
+    rewrite Rminus_0_r, Rabs_R0. repeat split; [lra | now left].
   - unfold crosses64, Moments.event_of, Moments.crossing. cbn. destruct (Req_EM_T (B2R (v i)) 0) as [E | E].
     + rewrite (proj2 (still_is i) E). destruct Hx as [Fx _]. destruct (in_order i) as [[Fp _] _].
       rewrite Bleb_correct by assumption. unfold value_of.

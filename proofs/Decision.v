@@ -153,7 +153,8 @@ Proof.
   assert (HX : Rabs (F_fl * H_fl - D) <= 237 / 100 * (B_error * H_fl)).
   { unfold D; rewrite (F_times_H f_sound).
     replace (F_fl * H_fl - F * H) with (F_fl * (H_fl - H) + H * (F_fl - F)) by ring.
-    assert (Hm : forall a b c, 0 <= a -> - c <= b <= c -> - (a * c) <= a * b <= a * c) by (intros; split; nra).
+    assert (Hm : forall a b c, 0 <= a -> - c <= b <= c -> - (a * c) <= a * b <= a * c) 
+      by (intros a b c Ha [Hl Hu]; split; [rewrite <- Ropp_mult_distr_r_reverse | ]; now apply Rmult_le_compat_l).
     pose proof (Hm F_fl (H_fl - H) (5 / 6 * B_error) ltac:(lra) HbH).
     pose proof (Hm H (F_fl - F) (5 / 6 * B_error) ltac:(lra) HbF).
     assert (F_fl * (5 / 6 * B_error) <= H_fl * (5 / 6 * B_error)) by (apply Rmult_le_compat_r; lra).
@@ -191,7 +192,7 @@ Proof.
       by (field; lra); apply Rmult_le_compat_l; lra. }
   pose proof (Hlow (e2 / S) (Hmore (e2 / S) ltac:(lra))) as E3; set (e3 := rnd (e2 / S)) in *.
   assert (HS360 : bpow radix2 (-360) <= S) by (apply rnd_ge_bpow; [lia | exact Hroot]).
-  assert (H51 : bpow radix2 (-51) = 4 * u) by (replace 4 with (bpow radix2 2) by reflexivity; now rewrite <- bpow_plus).
+  assert (H51 : bpow radix2 (-51) = 4 * u) by apply multiples_of_u.
   assert (H4u : bpow radix2 (-720) <= bpow radix2 (-51) * S).
   { apply Rle_trans with (bpow radix2 (-51) * bpow radix2 (-360)); [rewrite <- bpow_plus; apply bpow_le; lia|].
     apply Rmult_le_compat_l; [apply bpow_ge_0 | assumption]. }
@@ -244,7 +245,7 @@ Proof.
   assert (Hlow : forall x, 0 <= x -> Rabs (rnd x - x) <= u * Rabs x -> 99 / 100 * x <= rnd x).
   { intros x Hx Hrx; rewrite (Rabs_pos_eq x Hx) in Hrx; apply Rabs_le_inv in Hrx.
     assert (u * x <= / 1000000000000 * x) by (apply Rmult_le_compat_r; lra); lra. }
-  assert (H52 : bpow radix2 (-52) = 2 * u) by (replace 2 with (bpow radix2 1) by reflexivity; now rewrite <- bpow_plus).
+  assert (H52 : bpow radix2 (-52) = 2 * u) by apply multiples_of_u.
   assert (E1 : 99 / 100 * (2 * u * Rabs (rnd y)) <= rnd (bpow radix2 (-52) * Rabs (rnd y))).
   { rewrite <- H52; apply Hlow; [apply Rmult_le_pos; [apply bpow_ge_0 | assumption]|].
     apply rnd_rel, (grid_normal (-52 + -912)); [lia | apply grid_mult; [exists 1%Z; ring | now apply grid_abs]]. }

@@ -168,13 +168,33 @@ Proof. intros HS; apply IZR_lt in HS; unfold over; field; lra. Qed.
 Lemma over_0 S : over S 0 = 0.
 Proof. apply Rmult_0_l. Qed.
 
-(** A quadratic over the integers is that over the reals, each integer n standing for S times what n is over S. *)
+(** An integer n stands for S times what n is over S. *)
 Local Ltac in_units S HS :=
-  cbn [point direction vertices ray_at Punto_x Punto_y Punto_z Vector_x Vector_y Vector_z Terna_a Terna_b Terna_c vx vy
-    vz];
-  repeat rewrite ?plus_IZR, ?minus_IZR, ?mult_IZR, ?opp_IZR;
+  cbn [point direction Punto_x Punto_y Punto_z Vector_x Vector_y Vector_z vx vy vz];
+  repeat rewrite ?plus_IZR, ?minus_IZR, ?mult_IZR;
   repeat match goal with |- context [IZR ?n] => is_var n; tryif constr_eq n S then fail else rewrite (IZR_over S n HS) end;
   ring.
+
+(** So products of integer vectors are those of the vectors that they stand for, but for powers of S. *)
+Definition ray_from S p v : Rayo := mk_Rayo (point S p) (direction S v).
+
+Lemma dot_over S a b : (0 < S)%Z -> IZR (dot a b) = IZR S ^ 2 * Tipos.dot (direction S a) (direction S b).
+Proof. intros HS; destruct a, b; unfold dot, Tipos.dot; in_units S HS. Qed.
+Lemma triple_over S a b c : (0 < S)%Z ->
+  IZR (dot a (cross b c)) = IZR S ^ 3 * Tipos.dot (direction S a) (Puntos.cross (direction S b) (direction S c)).
+Proof. intros HS; destruct a, b, c; unfold dot, cross, Tipos.dot, Puntos.cross; in_units S HS. Qed.
+Lemma minus_over S a b : direction S (minus a b) = Puntos.from (point S b) (point S a).
+Proof.
+  unfold direction, minus, Puntos.from, point; cbn; unfold over; f_equal; rewrite minus_IZR; unfold Rdiv; ring.
+Qed.
+Lemma at_start S p v : ray_at S p v 0 = point S p.
+Proof. unfold ray_at, point; f_equal; ring. Qed.
+
+(** A quadratic over the integers is that over the reals: dots, and the numbers r, k, l, are over S. *)
+Local Ltac by_dots S HS :=
+  repeat rewrite ?plus_IZR, ?minus_IZR, ?mult_IZR, ?opp_IZR;
+  rewrite ?(triple_over S _ _ _ HS), ?(dot_over S _ _ HS), ?minus_over;
+  repeat match goal with |- context [IZR ?n] => is_var n; tryif constr_eq n S then fail else rewrite (IZR_over S n HS) end.
 
 Lemma profile_power S c r k d l on p v t : (0 < S)%Z ->
   let q := profile S c r k d l on p v in
@@ -182,8 +202,10 @@ Lemma profile_power S c r k d l on p v t : (0 < S)%Z ->
   IZR (qA q) * t * t + 2 * IZR (qB q) * t + IZR (qC q)
   = IZR S ^ 6 * (power (ray_at S p v t) - if on then power (point S p) else 0).
 Proof.
-  intros HS; destruct p as [px py pz], v as [ux uy uz], c as [cx cy cz], d as [dx dy dz], on;
-    cbn [profile qA qB qC]; unfold potencia_tronco, alejamiento, avance, cuadrado, dot, minus; in_units S HS.
+  intros HS q power; unfold q, power; rewrite <- (at_start S p v).
+  change (ray_at S p v) with (Puntos.point_at (ray_from S p v)); rewrite !Puntos.potencia_tronco_along.
+  unfold Puntos.value, Puntos.of_tronco; cbn [profile qA qB qC Puntos.cA Puntos.cB Puntos.cC ray_from Rayo_p Rayo_v].
+  destruct on; by_dots S HS; unfold Tipos.sq; ring.
 Qed.
 
 (** The quadratic is the power of the ray's point, times S² for a sphere, 2S² for a plane and a disc, 2S³ for a triangle
@@ -201,13 +223,23 @@ Lemma quad_power S sh on p v t : (0 < S)%Z ->
   IZR (qA q) * t * t + 2 * IZR (qB q) * t + IZR (qC q)
   = scale S sh * (power S sh (ray_at S p v t) - if on then power S sh (point S p) else 0).
 Proof.
-  intros HS; destruct sh as [[cx cy cz] r|c r d l|c k d l|c r k d l|[cx cy cz] [dx dy dz]|[cx cy cz] r [dx dy dz]
-      |[ax ay az] [bx by' bz] [cx cy cz]]; cbn [quad scale power];
+  intros HS; destruct sh as [c r|c r d l|c k d l|c r k d l|c d|c r d|a b c]; cbn [quad scale power];
     [| rewrite !(Puntos.potencia_cilindro_is_tronco _ _ _ _ (over S l)) | rewrite !Puntos.potencia_cono_is_tronco
       | | | |].
   2-4: etransitivity; [now apply profile_power | rewrite ?over_0; reflexivity].
-  all: destruct p as [px py pz], v as [ux uy uz], on; cbn [qA qB qC];
-    unfold potencia_esfera, potencia_plano, potencia_triangulo, avance, cuadrado, dot, minus, cross; in_units S HS.
+  all: cbv zeta; rewrite <- (at_start S p v); change (ray_at S p v) with (Puntos.point_at (ray_from S p v)).
+  - rewrite !Puntos.potencia_esfera_along; unfold Puntos.value, Puntos.of_esfera;
+      cbn [qA qB qC Puntos.cA Puntos.cB Puntos.cC ray_from Rayo_p Rayo_v].
+    destruct on; by_dots S HS; unfold Tipos.sq; ring.
+  - rewrite !Puntos.potencia_plano_along; unfold Puntos.value, Puntos.of_plano;
+      cbn [qA qB qC Puntos.cA Puntos.cB Puntos.cC ray_from Rayo_p Rayo_v].
+    destruct on; by_dots S HS; field.
+  - rewrite !Puntos.potencia_plano_along; unfold Puntos.value, Puntos.of_plano;
+      cbn [qA qB qC Puntos.cA Puntos.cB Puntos.cC ray_from Rayo_p Rayo_v].
+    destruct on; by_dots S HS; field.
+  - rewrite !Puntos.potencia_triangulo_along; unfold Puntos.value, Puntos.of_triangulo, Puntos.normal;
+      cbn [qA qB qC Puntos.cA Puntos.cB Puntos.cC ray_from Rayo_p Rayo_v vertices Terna_a Terna_b Terna_c].
+    destruct on; by_dots S HS; field.
 Qed.
 
 (** The bounds of the clip. *)
@@ -216,25 +248,30 @@ Lemma between_over S c d l p v t : (0 < S)%Z ->
   inside (between (dot q d) (dot v d) (S * l)) t <->
   0 <= avance (ray_at S p v t) (point S c) (direction S d) <= over S l.
 Proof.
-  intros HS q; apply IZR_lt in HS as HR; assert (HS2 : 0 < IZR S ^ 2) by nra.
+  intros HS q; apply IZR_lt in HS as HR; assert (HS2 : 0 < IZR S ^ 2) by now apply pow_lt.
   assert (IZR (dot q d) + t * IZR (dot v d) = IZR S ^ 2 * avance (ray_at S p v t) (point S c) (direction S d)) as E.
-  { destruct p, v, c, d; unfold q, avance, dot, minus; in_units S HS. }
+  { change (ray_at S p v) with (Puntos.point_at (ray_from S p v)); rewrite Puntos.avance_along; unfold q.
+    by_dots S HS; cbn [ray_from Rayo_p Rayo_v]; ring. }
   assert (IZR (S * l) = IZR S ^ 2 * over S l) as El by (rewrite mult_IZR, (IZR_over S l HS); ring).
   unfold inside, between, Puntos.excess; cbn [map]; rewrite !Forall_cons_iff; unfold over_R;
     cbn [Puntos.bA Puntos.bB Puntos.bC gA gB gC]; rewrite !opp_IZR, !mult_IZR, !minus_IZR, El.
-  set (a := avance _ _ _) in *; split; [intros (H1 & H2 & _); split; nra|].
-  intros [H1 H2]; split; [nra | split; [nra | constructor]].
+  set (a := avance _ _ _) in *; split.
+  - intros (H1 & H2 & _); split; apply Rmult_le_reg_l with (1 := HS2); lra.
+  - intros [H1 H2]; apply (Rmult_le_compat_l _ _ _ (Rlt_le _ _ HS2)) in H1, H2.
+    split; [lra | split; [lra | constructor]].
 Qed.
 
 Lemma ball_over S c r p v t : (0 < S)%Z ->
   (Puntos.excess (over_R (ball c r p v)) t <= 0 <-> potencia_esfera (ray_at S p v t) (point S c) (over S r) <= 0).
 Proof.
-  intros HS; apply IZR_lt in HS as HR; assert (HS2 : 0 < IZR S ^ 2) by nra.
+  intros HS; apply IZR_lt in HS as HR; assert (HS2 : 0 < IZR S ^ 2) by now apply pow_lt.
   assert (Puntos.excess (over_R (ball c r p v)) t
     = IZR S ^ 2 * potencia_esfera (ray_at S p v t) (point S c) (over S r)) as ->.
-  { destruct p, v, c; unfold Puntos.excess, over_R, ball, potencia_esfera, cuadrado, dot, minus;
-      cbn [Puntos.bA Puntos.bB Puntos.bC gA gB gC]; in_units S HS. }
-  split; nra.
+  { change (ray_at S p v) with (Puntos.point_at (ray_from S p v)); rewrite Puntos.potencia_esfera_along.
+    unfold Puntos.excess, over_R, ball, Puntos.value, Puntos.of_esfera;
+      cbn [Puntos.bA Puntos.bB Puntos.bC gA gB gC Puntos.cA Puntos.cB Puntos.cC ray_from Rayo_p Rayo_v].
+    by_dots S HS; unfold Tipos.sq; ring. }
+  split; intros H; [apply Rmult_le_reg_l with (1 := HS2) | apply (Rmult_le_compat_l _ _ _ (Rlt_le _ _ HS2)) in H]; lra.
 Qed.
 
 Lemma side_over S a b c p v t : (0 < S)%Z ->
@@ -243,9 +280,11 @@ Proof.
   intros HS; apply IZR_lt in HS as HR; assert (HS4 : 0 < IZR S ^ 4) by now apply pow_lt.
   assert (Puntos.excess (over_R (side p v a b c)) t
     = - (2 * (IZR S ^ 4 * lado (ray_at S p v t) (point S a) (point S b) (point S c)))) as ->.
-  { destruct p, v, a, b, c; unfold Puntos.excess, over_R, side, lado, escalar, dot, minus;
-      cbn [Puntos.bA Puntos.bB Puntos.bC gA gB gC]; in_units S HS. }
-  split; nra.
+  { change (ray_at S p v) with (Puntos.point_at (ray_from S p v)); rewrite Puntos.lado_along.
+    unfold Puntos.excess, over_R, side, Puntos.side;
+      cbn [Puntos.bA Puntos.bB Puntos.bC gA gB gC ray_from Rayo_p Rayo_v].
+    by_dots S HS; unfold Tipos.sq; field. }
+  split; intros H; [apply Rmult_le_reg_l with (1 := HS4) | apply (Rmult_le_compat_l _ _ _ (Rlt_le _ _ HS4)) in H]; lra.
 Qed.
 
 Lemma quad_clip S sh on p v t : (0 < S)%Z -> (inside (bounds (quad S sh on p v)) t <-> clip S sh (ray_at S p v t)).
@@ -259,7 +298,10 @@ Proof.
 Qed.
 
 Lemma dot_nonneg v : (0 <= dot v v)%Z.
-Proof. unfold dot; nia. Qed.
+Proof.
+  unfold dot; pose proof (Z.square_nonneg (vx v)); pose proof (Z.square_nonneg (vy v)); pose proof (Z.square_nonneg (vz v)).
+  lia.
+Qed.
 Lemma quad_proper S sh on p v : proper (quad S sh on p v).
 Proof.
   destruct sh; repeat apply Forall_cons; try apply Forall_nil; first [apply dot_nonneg | apply Z.le_refl].

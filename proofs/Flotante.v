@@ -114,7 +114,8 @@ Proof.
     apply (computed_mult 0 4 (-47) (-152)); [lia | exact unit_computed | assumption]. }
   split; [|exact Hc]; pose proof (computed_error 10 _ _ _ _ ltac:(lia) Hc) as He; simpl INR in He.
   apply Rabs_le_inv in He; pose proof u_bounds.
-  assert (0 <= 64 * u * x * y) by (repeat apply Rmult_le_pos; lra); nra.
+  assert (0 <= 64 * u * x * y) by (repeat apply Rmult_le_pos; lra).
+  assert (20 * u * (64 * u * x * y) <= / 64 * (64 * u * x * y)) by (apply Rmult_le_compat_r; lra); lra.
 Qed.
 
 (** ** A, B and C *)
@@ -139,7 +140,7 @@ Proof.
   pose proof (dot_computed 1 0 (-152) (-152) q_fl v q v ltac:(lia) q_close v_close) as Hc.
   pose proof (computed_error 4 _ _ _ _ ltac:(lia) Hc) as He; simpl INR in He;
     pose proof (size_of_dot_le q v : _ <= extent q * V).
-  assert (size_of_dot q v <= V * E) by (unfold E; nra).
+  assert (size_of_dot q v <= V * E) by (pose proof (Rmult_le_pos V r ltac:(lra) ltac:(lra)); unfold E; lra).
   assert (0 <= u * (V * E)) by (repeat apply Rmult_le_pos; lra).
   assert (u * size_of_dot q v <= u * (V * E)) by (apply Rmult_le_compat_l; lra).
   split; [apply Rle_trans with (1 := He) |]; lra.
@@ -154,7 +155,7 @@ Proof.
   pose proof (computed_minus 5 (-304) _ _ _ _ _ _ ltac:(lia) Hc (computed_more 1 5 (-304) _ _ _ ltac:(lia) Hr)) as Hd.
   pose proof (computed_error 6 _ _ _ _ ltac:(lia) Hd) as He; simpl INR in He.
   apply Rle_trans with (1 := He); pose proof (size_of_dot_le q q).
-  assert (size_of_dot q q + r * r <= E * E) by (unfold E; nra).
+  assert (size_of_dot q q + r * r <= E * E) by (pose proof (Rmult_le_pos (extent q) r ltac:(lra) ltac:(lra)); unfold E; lra).
   assert (0 <= u * (E * E)) by (repeat apply Rmult_le_pos; lra).
   assert (u * (size_of_dot q q + r * r) <= u * (E * E)) by (apply Rmult_le_compat_l; lra); lra.
 Qed.
@@ -175,11 +176,10 @@ Proof.
   split; [destruct X as (_ & ? & ?), Y as (_ & ? & ?), Z as (_ & ? & ?); repeat split; assumption|].
   apply (computed_error 3 _ _ _ _ ltac:(lia)) in X, Y, Z; simpl INR in X, Y, Z.
   unfold extent at 1, minus; simpl; apply Rle_trans with (1 := Rplus_le_compat _ _ _ _ (Rplus_le_compat _ _ _ _ X Y) Z).
-  unfold V, extent; pose proof (Rabs_pos (cx q)); pose proof (Rabs_pos (cy q)); pose proof (Rabs_pos (cz q)).
-  pose proof (Rabs_pos (cx v)); pose proof (Rabs_pos (cy v)); pose proof (Rabs_pos (cz v)).
+  assert (P : forall x y, 0 <= Rabs x * Rabs y) by (intros; apply Rmult_le_pos; apply Rabs_pos); unfold V, extent.
   match goal with |- ?a <= 6 * u * ?b => replace a with (6 * u * (b - Rabs (cx q) * Rabs (cx v)
     - Rabs (cy q) * Rabs (cy v) - Rabs (cz q) * Rabs (cz v))) by ring end.
-  apply Rmult_le_compat_l; [lra | nra].
+  pose proof (P (cx q) (cx v)); pose proof (P (cy q) (cy v)); pose proof (P (cz q) (cz v)); apply Rmult_le_compat_l; lra.
 Qed.
 
 Lemma cross_norm : norm (cross q v) <= extent q * V.
@@ -191,7 +191,8 @@ Proof.
     pose proof (Rle_0_sqr (dot q v)) as Hs; unfold Rsqr in Hs; lra. }
   apply Rle_trans with (norm q * norm v).
   - apply Rnot_lt_le; intros Hlt.
-    pose proof (Rmult_le_pos _ _ (norm_nonneg q) (norm_nonneg v)); nra.
+    pose proof (Rmult_le_pos _ _ (norm_nonneg q) (norm_nonneg v)) as Hn.
+    pose proof (Rmult_le_0_lt_compat _ _ _ _ Hn Hn Hlt Hlt); lra.
   - apply Rmult_le_compat; try apply norm_nonneg; apply norm_le_extent.
 Qed.
 
@@ -218,7 +219,8 @@ Proof.
   pose proof u_bounds; pose proof r_least as Hr; pose proof (norm_le_extent v : _ <= V) as Hv.
   destruct (norm_computed (-152) v ltac:(lia) (ordinary_on_grid v v_ordinary)) as [Hl Hlow].
   assert (Hpos : bpow radix2 (-152) <= norm_fl v).
-  { destruct Hlow as [Z0|?]; [exfalso; rewrite Z0 in Hl; apply Rabs_le_inv in Hl; nra | assumption]. }
+  { destruct Hlow as [Z0|?]; [exfalso; rewrite Z0 in Hl; apply Rabs_le_inv in Hl | assumption].
+    assert (8 * u * norm v <= / 2 * norm v) by (apply Rmult_le_compat_r; lra); lra. }
   pose proof (bpow_gt_0 radix2 (-152)); pose proof (bpow_gt_0 radix2 (-100)).
   assert (Hprod : bpow radix2 (-252) <= r * norm_fl v).
   { change (-252)%Z with (-100 + -152)%Z; rewrite bpow_plus; apply Rmult_le_compat; lra. }
@@ -235,8 +237,9 @@ Proof.
   { rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq r) by lra; apply Rmult_le_compat_l; lra. }
   pose proof (Rmult_le_compat_l r _ _ (Rlt_le _ _ r_positive) Hv) as Hrv; pose proof V_positive.
   apply Rabs_le_inv in Hrnd, Hl2; pose proof (Rmult_le_pos r (norm v) ltac:(lra) (norm_nonneg v)).
-  assert (r * (8 * u * norm v) <= 8 * u * (r * V)) by nra.
-  assert (u * (r * norm_fl v) <= u * (2 * (r * V))) by (apply Rmult_le_compat_l; [lra | nra]).
+  assert (8 * u * (r * norm v) <= 8 * u * (r * V)) by (apply Rmult_le_compat_l; lra).
+  assert (u * (r * norm_fl v) <= u * (2 * (r * V))) by (apply Rmult_le_compat_l; [lra|];
+    assert (8 * u * (r * norm v) <= 1 * (r * norm v)) by (apply Rmult_le_compat_r; lra); lra).
   apply Rabs_le; lra.
 Qed.
 
@@ -249,6 +252,8 @@ Proof.
   assert (HVE : V * E = r * V + extent q * V) by (unfold E; ring); set (W := V * E) in *.
   assert (0 <= r * V) by (apply Rmult_le_pos; lra); assert (0 <= extent q * V) by (apply Rmult_le_pos; lra).
   assert (u * W <= / 1000000 * W) by (apply Rmult_le_compat_r; lra).
+  assert (HuW : u * W = u * (r * V) + u * (extent q * V)) by (rewrite HVE; ring).
+  assert (0 <= u * (r * V)) by (apply Rmult_le_pos; lra); assert (0 <= u * (extent q * V)) by (apply Rmult_le_pos; lra).
   assert (Hf1 : format of_surface) by apply format_rnd; assert (Hf2 : format of_line) by apply format_rnd.
   pose proof (rnd_plus of_surface (- of_line) Hf1 (generic_format_opp _ _ _ Hf2)) as HF.
   pose proof (rnd_plus of_surface of_line Hf1 Hf2) as HH; fold H_fl in HH; fold (of_surface - of_line) in HF;
@@ -256,9 +261,8 @@ Proof.
   assert (Hsize : forall x, - (2 * W) <= x <= 2 * W -> u * Rabs x <= 2 * u * W).
   { intros x Hx; replace (2 * u * W) with (u * (2 * W)) by ring; apply Rmult_le_compat_l; [lra | now apply Rabs_le]. }
   apply Rabs_le_inv in Hl, Hs.
-  pose proof (Hsize (of_surface - of_line) ltac:(split; nra)); pose proof (Hsize (of_surface + of_line) ltac:(split;
-    nra)).
-  apply Rabs_le_inv in HF, HH; unfold F, H; split; apply Rabs_le; nra.
+  pose proof (Hsize (of_surface - of_line) ltac:(split; lra)); pose proof (Hsize (of_surface + of_line) ltac:(split; lra)).
+  apply Rabs_le_inv in HF, HH; unfold F, H; split; apply Rabs_le; lra.
 Qed.
 
 (** Lagrange's identity. *)
@@ -271,9 +275,11 @@ Qed.
 
 (** ** The recorded term *)
 
+Local Opaque round.
 Theorem recorded : Formas.esfera p v V_fl centro r =
   Formas.Quadratic A_fl B_fl C_fl F_fl H_fl A_error B_error C_error 0 0 0 0 0 0 0.
-Proof. reflexivity. Qed.
+Proof. match goal with |- _ = ?b => exact_no_check (eq_refl b) end. Qed.
+Local Transparent round.
 
 Lemma ordinary_size x : ordinary x -> Rabs x <= bpow radix2 100.
 Proof. intros [_ [->|[_ H0]]]; [rewrite Rabs_R0; apply bpow_ge_0 | assumption]. Qed.

@@ -457,9 +457,12 @@ Proof.
   { intros t L [e [He S]]. apply (starts_in_no_least met_scene (starts_in_scene e He S) met_scene_positive). now exists t. }
   assert (X2 : (forall t, ~ met_scene t) -> (exists e, e ∈ elementos s /\ starts_in (met e)) -> False).
   { intros N [e [He S]]. destruct (starts_in_scene e He S) as [eps [Hpos H]]. apply (N (eps / 2)), H. lra. }
-  intros [H1 | [H1 | H1]] [H2 | [H2 | H2]];
-    first [apply hit_computed in H1 | apply miss_computed in H1 | apply no_minimum_computed in H1];
-    first [apply hit_computed in H2 | apply miss_computed in H2 | apply no_minimum_computed in H2].
+  intros [H1 | [H1 | H1]];
+    [apply hit_computed in H1 | apply miss_computed in H1 | apply no_minimum_computed in H1];
+    intros [H2 | [H2 | H2]];
+    [apply hit_computed in H2 | apply miss_computed in H2 | apply no_minimum_computed in H2 | apply hit_computed in H2
+    | apply miss_computed in H2 | apply no_minimum_computed in H2 | apply hit_computed in H2 | apply miss_computed in H2
+    | apply no_minimum_computed in H2].
   - destruct H1 as [L1 [-> [E1 ->]]], H2 as [L2 [-> [E2 ->]]]. pose proof (least_unique _ _ _ L1 L2) as ->.
     split; [reflexivity | split; [now rewrite E1, E2 | now split]].
   - destruct H1 as [[H1 _] _], H2 as [N _]. now destruct (N t1).

@@ -181,28 +181,34 @@ Definition well_walked (walked : list (crossing64 * Leaf)) : Prop :=
   /\ forall e t, In e elements -> ~ In e apart -> met e t ->
      exists k, In k (map (cell_of r Leaf Elemento lists all) walked) /\ leads k e t.
 
+Theorem a_covered_walk_is_well_walked walk inside (holds : (axis -> R) -> Leaf -> Prop) :
+  (forall enter leave m A, stands64 (p_of r) (v_of r) enter (At m) -> stands64 (p_of r) (v_of r) leave A -> At m ≼ A ->
+   covers _ _ (line64 (p_of r) (v_of r) ordinary_ray) Leaf inside m A (walk enter leave)) ->
+  (forall t n, inside (t, false) n -> holds (along (point_at (of_beam r) t)) n) ->
+  (forall e, In e elements -> ~ In e apart -> listed_by holds e) ->
+  well_walked (tree_walk r ordinary_ray Leaf low high walk).
+Proof.
+  intros covered in_holds listed.
+  destruct (tree_is_walked r ordinary_ray Leaf Elemento State limit_of lists all low high low_usable high_usable
+    walk inside covered met) as [H1 H2].
+  split; [exact H1 |]. intros e t He Hn Ht.
+  destruct (met_of_another _ _ _ _ _ _ (fun N => Hn (starts_apart e He N)) Ht) as [Hpos Hpoint].
+  destruct (listed e He Hn _ Hpoint) as [Hall [Hbox Hlists]].
+  apply H2; [now split | exact Hbox |]. intros n Hin. now apply Hlists, in_holds.
+Qed.
+
 Theorem halves_are_well_walked a : planes_usable _ _ _ _ a ->
   (forall e, In e elements -> ~ In e apart -> listed_by (fun w n => half_holds r ordinary_ray Leaf w n a) e) ->
   well_walked (tree_walk r ordinary_ray Leaf low high (walk_halves _ _ _ Leaf a)).
 Proof.
-  intros Ha Hl. destruct (tree_is_walked r ordinary_ray Leaf Elemento State limit_of lists all low high low_usable high_usable
-    (walk_halves _ _ _ Leaf a) (fun m n => in_half _ _ _ _ m n a)
-    (halves_are_covered _ _ (line64 (p_of r) (v_of r) ordinary_ray) Leaf a Ha) met) as [H1 H2].
-  split; [exact H1 |]. intros e t He Hn Ht.
-  destruct (met_of_another _ _ _ _ _ _ (fun N => Hn (starts_apart e He N)) Ht) as [Hpos Hpoint].
-  destruct (Hl e He Hn _ Hpoint) as [Hall [Hbox Hlists]].
-  apply H2; [now split | exact Hbox |]. intros n Hin. now apply Hlists, in_half_holds.
+  intros Ha. apply a_covered_walk_is_well_walked with (1 := halves_are_covered _ _ _ Leaf a Ha).
+  intros t n. apply in_half_holds.
 Qed.
 Theorem eighths_are_well_walked a : middles_usable _ _ _ _ a ->
   (forall e, In e elements -> ~ In e apart -> listed_by (fun w n => eighth_holds r ordinary_ray Leaf w n a) e) ->
   well_walked (tree_walk r ordinary_ray Leaf low high (walk_eighths _ _ _ Leaf a)).
 Proof.
-  intros Ha Hl. destruct (tree_is_walked r ordinary_ray Leaf Elemento State limit_of lists all low high low_usable high_usable
-    (walk_eighths _ _ _ Leaf a) (fun m n => in_eighth _ _ _ _ m n a)
-    (eighths_are_covered _ _ (line64 (p_of r) (v_of r) ordinary_ray) Leaf a Ha) met) as [H1 H2].
-  split; [exact H1 |]. intros e t He Hn Ht.
-  destruct (met_of_another _ _ _ _ _ _ (fun N => Hn (starts_apart e He N)) Ht) as [Hpos Hpoint].
-  destruct (Hl e He Hn _ Hpoint) as [Hall [Hbox Hlists]].
-  apply H2; [now split | exact Hbox |]. intros n Hin. now apply Hlists, in_eighth_holds.
+  intros Ha. apply a_covered_walk_is_well_walked with (1 := eighths_are_covered _ _ _ Leaf a Ha).
+  intros t n. apply in_eighth_holds.
 Qed.
 End Text.

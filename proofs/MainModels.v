@@ -7,7 +7,7 @@ From Flocq Require Raux BinarySingleNaN Binary Bits.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve TotalTables
   Tablas RowsAdded RowsRemoved TablasOfRows ClosedForm Iluminacion Recorrido Acceleration Firsts Surd Quadratic Exacto ExactoEscena
-  Limits Nearest Chain.
+  Limits Nearest Chain Quick Exactly.
 Import Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -47,6 +47,13 @@ Theorem the_judged_bytes_are_the_texts_rounded_once Elemento (s s' : Escena Elem
   let out := Chain.exactly_printed guess at_t at_x at_y at_z S p v x in
   exists t, Hay_Interseccion s s' ray en hit (fun e => In e l) t (point_at ray t) /\ Chain.rounds ray out t.
 Proof. exact (Chain.judged_bytes_are_the_texts Elemento s s' S en p v es guess at_t at_x at_y at_z). Qed.
+
+(** What rounds in the program, after its quick path: if it ends, in however many turns, what it stores is the number
+    (x + y√delta)/w rounded once. Exactly.v has number/dyadic_surd step by step. *)
+Theorem the_exact_rounding_says_nothing_false turns mx ex my ey md ed mw ew out x :
+  BinInt.Z.le 0 md -> mw <> 0%Z -> Exactly.exactly turns mx ex my ey md ed mw ew = Some out -> Exactly.stored x out ->
+  Limits.rounded_once x ((Quick.dyadic mx ex + Quick.dyadic my ey * sqrt (Quick.dyadic md ed)) / Quick.dyadic mw ew).
+Proof. exact (Exactly.exact_rounding_right turns mx ex my ey md ed mw ew out x). Qed.
 
 (** * 7. The compact scene refines the model *)
 Section Refinement.

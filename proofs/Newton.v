@@ -43,9 +43,11 @@ Let value_fl := rnd (hi (Formas.value at_t) + lo (Formas.value at_t)).
 Let value_error := rnd (Formas.error at_t + rnd (bpow radix2 (-52) * Rabs value_fl)).
 Let step := Formas.quotient (- value_fl) value_error divisor_fl divisor_error.
 
+Local Opaque round.
 Lemma newton_is : newton t slope a at_t =
   Improved (Rlt_bool (rnd (2 * divisor_error)) (Rabs divisor_fl)) (two_sum T_fl (Formas.value step)) (Formas.error step).
 Proof. reflexivity. Qed.
+Local Transparent round.
 
 Lemma divisor_near : Rabs (divisor_fl - divisor) <= divisor_error.
 Proof.

@@ -21,7 +21,7 @@ Lemma widening : 1 + / 16777216 <= 4503600077730459 * bpow radix2 (-52).
 Proof. replace (bpow radix2 (-52)) with (/ 4503599627370496) by reflexivity; lra. Qed.
 
 Lemma two_u : bpow radix2 (-52) = 2 * u.
-Proof. replace 2 with (bpow radix2 1) by reflexivity; now rewrite <- bpow_plus. Qed.
+Proof. apply multiples_of_u. Qed.
 
 Lemma sixteen_u_u : bpow radix2 (-102) = 16 * (u * u).
 Proof. replace 16 with (bpow radix2 4) by reflexivity; now rewrite <- !bpow_plus. Qed.

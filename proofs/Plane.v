@@ -91,7 +91,7 @@ Proof.
     + assert (Q = 0) as ZQ by lra; rewrite Z0, Rmult_0_r, rnd_0; rewrite ZQ, Rmult_0_r, Rmult_0_r in N0; exact N0.
     + assert (Hn : normal (bpow radix2 (-50) * Q_fl)).
       { apply (grid_normal (-50 + -152)); [lia | apply grid_mult; [exists 1%Z; ring | exact (proj2 (proj2 Q_computed))]]. }
-      assert (H50 : bpow radix2 (-50) = 8 * u) by (replace 8 with (bpow radix2 3) by reflexivity; now rewrite <- bpow_plus).
+      assert (H50 : bpow radix2 (-50) = 8 * u) by apply multiples_of_u.
       rewrite H50 in *; assert (HuQ : u * (999999 / 1000000 * Q) <= u * Q_fl) by (apply Rmult_le_compat_l; lra).
       assert (0 <= u * Q) by (apply Rmult_le_pos; lra).
       assert (Hpos : 0 <= 8 * u * Q_fl) by lra; pose proof (rnd_low _ Hpos Hn); lra.

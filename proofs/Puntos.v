@@ -136,6 +136,15 @@ Proof. unfold of_cilindro, of_tronco; cbn; f_equal; ring. Qed.
 Lemma of_cono_is_tronco ray c k d h : of_cono ray c k d h = of_tronco ray c 0 k d h.
 Proof. unfold of_cono, of_tronco; cbn; f_equal; ring. Qed.
 
+(** What lies across an axis, unit or not, of a point and of one of the ray, by products. *)
+Lemma alejamiento_is w c d :
+  alejamiento w c d = sq (from c w) - (2 - sq d) * (dot (from c w) d * dot (from c w) d).
+Proof. coordinates. ring. Qed.
+Lemma products_along ray c d t : let v := Rayo_v ray in let q := from c (Rayo_p ray) in
+  sq (from c (point_at ray t)) = sq q + 2 * t * dot q v + t * t * sq v
+  /\ dot (from c (point_at ray t)) d = dot q d + t * dot v d.
+Proof. coordinates. split; ring. Qed.
+
 (** The power of a point of the ray is A·t² + 2B·t + C, for every type and every axis.
     Discharges cuadrado.def.1, alejamiento.def.1, potencia_esfera.def.1, potencia_cilindro.def.1,
     potencia_cono.def.1, potencia_tronco.def.1, potencia_plano.def.1, potencia_triangulo.def.1. *)
@@ -143,7 +152,10 @@ Theorem potencia_esfera_along ray c r t : potencia_esfera (point_at ray t) c r =
 Proof. coordinates. ring. Qed.
 Theorem potencia_tronco_along ray c r k d h t :
   potencia_tronco (point_at ray t) c r k d h = value (of_tronco ray c r k d h) t.
-Proof. coordinates. ring. Qed.
+Proof.
+  unfold potencia_tronco, cuadrado, value, of_tronco. rewrite alejamiento_is, avance_along.
+  destruct (products_along ray c d t) as [-> ->]. cbn. ring.
+Qed.
 Theorem potencia_cilindro_along ray c r d h t :
   potencia_cilindro (point_at ray t) c r d = value (of_cilindro ray c r d h) t.
 Proof. rewrite of_cilindro_is_tronco, (potencia_cilindro_is_tronco _ c r d h). apply potencia_tronco_along. Qed.

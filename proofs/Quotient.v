@@ -156,7 +156,7 @@ Proof.
     replace (((1 + 2 * e + / 1000000000) * W + 2 * z) * g)
       with ((1 + 2 * e + / 1000000000) * (W * g) + 2 * (z * g)) by ring; rewrite HWg.
     assert (0 <= e * x_error) by (apply Rmult_le_pos; lra); lra. }
-  assert (H51 : bpow radix2 (-51) = 4 * u) by (replace 4 with (bpow radix2 2) by reflexivity; now rewrite <- bpow_plus).
+  assert (H51 : bpow radix2 (-51) = 4 * u) by apply multiples_of_u.
   rewrite H51 in Hbound at 1; assert (Hut : 0 <= u * Rabs t) by (apply Rmult_le_pos; lra).
   split; [|split; [|split; apply format_rnd]].
   - apply Rle_trans with (2 := Hbound); replace (t - x / y) with ((t - T) + (T - x / y)) by ring.

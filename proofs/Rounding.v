@@ -50,7 +50,7 @@ Proof.
   replace ((x + y) * (1 + e) - (x + y)) with (e * (x + y)) by ring; rewrite Rabs_mult.
   apply Rmult_le_compat_r; [apply Rabs_pos|]; apply Rle_trans with (1 := He).
   unfold u_ro; rewrite half_ulp; pose proof u_bounds.
-  apply Rmult_le_reg_r with (1 + u); [lra|]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l; nra.
+  apply Rmult_le_reg_r with (1 + u); [lra|]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra; apply Rmult_le_compat_l; lra.
 Qed.
 
 (** ** Grids: what is computed from multiples of 2^k does not underflow *)
@@ -91,6 +91,14 @@ Proof.
 Qed.
 
 (** ** Counting roundings *)
+
+(** The powers of two that are a few u. *)
+Lemma multiples_of_u : bpow radix2 (-52) = 2 * u /\ bpow radix2 (-51) = 4 * u /\ bpow radix2 (-50) = 8 * u /\
+  bpow radix2 (-49) = 16 * u /\ bpow radix2 (-47) = 64 * u.
+Proof.
+  assert (H : forall k e, (e + -53 = k)%Z -> bpow radix2 k = bpow radix2 e * u) by (intros k e <-; apply bpow_plus).
+  repeat split; [apply (H _ 1%Z) | apply (H _ 2%Z) | apply (H _ 3%Z) | apply (H _ 4%Z) | apply (H _ 6%Z)]; reflexivity.
+Qed.
 
 Lemma pow_ge_1 n : 1 <= (1 + u) ^ n.
 Proof. apply pow_R1_Rle; pose proof u_bounds; lra. Qed.
@@ -179,7 +187,7 @@ Proof.
   assert (Hone : forall x y, sqrt (x * x + b) <= Rabs (x - y) + sqrt (y * y + b)).
   { clear x y; intros x y; pose proof (Rabs_pos (x - y)); pose proof (sqrt_pos (y * y + b)).
     rewrite <- (sqrt_square (Rabs (x - y) + sqrt (y * y + b))) by lra; apply sqrt_le_1_alt.
-    assert (Hs : sqrt (y * y + b) * sqrt (y * y + b) = y * y + b) by (apply sqrt_sqrt; nra).
+    assert (Hs : sqrt (y * y + b) * sqrt (y * y + b) = y * y + b) by (apply sqrt_sqrt, Rplus_le_le_0_compat; [apply Rle_0_sqr | exact Hb]).
     assert (Hy : Rabs y <= sqrt (y * y + b)).
     { rewrite <- (sqrt_square (Rabs y)) by apply Rabs_pos; apply sqrt_le_1_alt.
       rewrite <- Rabs_mult, Rabs_pos_eq by apply Rle_0_sqr; lra. }

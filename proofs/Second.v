@@ -1,7 +1,6 @@
 (** * Second: the second step of the search on a shape of a scene
 
-    second_of p v sh on == what the second step computes of the shape sh, for the ray from p along v
-    proved sh           == its decision is proved right here *)
+    second_of p v sh on == what the second step computes of the shape sh, for the ray from p along v *)
 From Coq Require Import Reals Lra.
 From Flocq Require Import Core.
 From Durero Require Import Toolkit Especificacion Escena Puntos Trazador.

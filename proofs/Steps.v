@@ -171,6 +171,11 @@ Definition point (a : vec) : Punto := mk_Punto (cx a) (cy a) (cz a).
 Definition direction (a : vec) : Vector := mk_Vector (cx a) (cy a) (cz a).
 Definition ray_of (p v : vec) : Rayo := mk_Rayo (point p) (direction v).
 
+Lemma text_from p c : from (point c) (point p) = direction (minus p c).
+Proof. reflexivity. Qed.
+Lemma text_dot a b : Tipos.dot (direction a) (direction b) = dot a b.
+Proof. reflexivity. Qed.
+
 Section Shapes.
 Variables p v : vec.
 Hypothesis p_ordinary : ordinary_vec p.

@@ -276,7 +276,7 @@ Proof.
       apply (grid_coarser _ (cexp radix2 fexp z)); [|now apply own_grid]; unfold cexp, FLT_exp.
       enough (mag radix2 t <= mag radix2 z + -50)%Z by lia; rewrite <- (mag_mult_bpow radix2 z (-50) Nz).
       apply mag_le_abs; [exact Nt|]; rewrite Rabs_mult, (Rabs_pos_eq (bpow _ _)) by apply bpow_ge_0; lra. }
-    assert (H50 : bpow radix2 (-50) = 8 * u) by (replace 8 with (bpow radix2 3) by reflexivity; now rewrite <- bpow_plus).
+    assert (H50 : bpow radix2 (-50) = 8 * u) by apply multiples_of_u.
     assert (Hts : Rabs t <= (1 + / 100) * (Rabs (lo x) + Rabs (lo y))).
     { assert (Rabs t <= Rabs (lo x + lo y) + Rabs t_lost).
       { replace t with ((lo x + lo y) + - t_lost) by (unfold t_lost; ring).

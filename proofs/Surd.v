@@ -92,7 +92,10 @@ Proof.
 Qed.
 
 Lemma is_sign_scale s d r : 0 < d -> is_sign s (d * r) -> is_sign s r.
-Proof. unfold is_sign; intros Hd [[-> H]|[[-> H]|[-> H]]]; [left | right; left | right; right]; split; auto; nra. Qed.
+Proof.
+  unfold is_sign; intros Hd [[-> H]|[[-> H]|[-> H]]]; [left | right; left | right; right]; split; auto;
+    [apply (Rmult_lt_reg_l d) | apply (Rmult_eq_reg_l d) | apply (Rmult_lt_reg_l d)]; lra.
+Qed.
 
 Lemma den_pos x : valid x -> 0 < IZR (den x).
 Proof. intros [_ H]; now apply IZR_lt. Qed.
@@ -103,7 +106,7 @@ Proof. intros H; pose proof (den_pos x H); unfold val; field; lra. Qed.
 Theorem cmp_correct x y : valid x -> valid y -> is_sign (cmp x y) (val x - val y).
 Proof.
   intros Hx Hy; pose proof (den_pos x Hx); pose proof (den_pos y Hy).
-  apply (is_sign_scale _ (IZR (den x) * IZR (den y))); [nra|].
+  apply (is_sign_scale _ (IZR (den x) * IZR (den y))); [now apply Rmult_lt_0_compat|].
   pose proof (sign2_correct (num x * den y - num y * den x) (coef x * den y) (rad x) (- (coef y * den x)) (rad y)
     (proj1 Hx) (proj1 Hy)) as H1.
   rewrite minus_IZR, opp_IZR, !mult_IZR in H1.
@@ -116,7 +119,7 @@ Qed.
 Lemma sign_square_correct a b c x : valid x ->
   is_sign (sign_square a b c x) (IZR a * (val x * val x) + 2 * IZR b * val x + IZR c).
 Proof.
-  intros Hx; pose proof (den_pos x Hx); apply (is_sign_scale _ (IZR (den x) * IZR (den x))); [nra|].
+  intros Hx; pose proof (den_pos x Hx); apply (is_sign_scale _ (IZR (den x) * IZR (den x))); [now apply Rmult_lt_0_compat|].
   unfold sign_square; match goal with |- is_sign (sign1 ?p ?q ?r) _ =>
     pose proof (sign1_correct p q r (proj1 Hx)) as H1 end.
   repeat rewrite ?plus_IZR, ?mult_IZR in H1; rewrite <- (sqrt_square (rad x) (proj1 Hx)) in H1 at 1.

@@ -60,8 +60,12 @@ Proof.
   - apply (computed_more n); [lia|]; now apply computed_abs.
 Qed.
 
+Lemma square_nonneg x : 0 <= x * x.
+Proof. exact (Rle_0_sqr x). Qed.
+Lemma sum_squares_nonneg x y : 0 <= x * x + y * y.
+Proof. apply Rplus_le_le_0_compat; apply square_nonneg. Qed.
 Lemma abs_sum_squares x y z : 0 <= x * x + y * y + z * z.
-Proof. nra. Qed.
+Proof. apply Rplus_le_le_0_compat; [apply sum_squares_nonneg | apply square_nonneg]. Qed.
 
 Lemma norm_nonneg a : 0 <= norm a. Proof. apply sqrt_pos. Qed.
 Lemma norm_square a : norm a * norm a = dot a a. Proof. apply sqrt_sqrt, abs_sum_squares. Qed.
@@ -74,9 +78,9 @@ Proof. unfold extent; pose proof (Rabs_pos (cx a)); pose proof (Rabs_pos (cy a))
 Lemma norm_lipschitz a b : Rabs (norm a - norm b) <= extent (minus a b).
 Proof.
   destruct a as [x y z], b as [x' y' z']; unfold norm, dot, extent, minus; simpl.
-  pose proof (sqrt_lipschitz x x' (y * y + z * z) ltac:(nra)) as H1.
-  pose proof (sqrt_lipschitz y y' (x' * x' + z * z) ltac:(nra)) as H2.
-  pose proof (sqrt_lipschitz z z' (x' * x' + y' * y') ltac:(nra)) as H3.
+  pose proof (sqrt_lipschitz x x' (y * y + z * z) (sum_squares_nonneg y z)) as H1.
+  pose proof (sqrt_lipschitz y y' (x' * x' + z * z) (sum_squares_nonneg x' z)) as H2.
+  pose proof (sqrt_lipschitz z z' (x' * x' + y' * y') (sum_squares_nonneg x' y')) as H3.
   replace (x * x + (y * y + z * z)) with (x * x + y * y + z * z) in H1 by ring.
   replace (y * y + (x' * x' + z * z)) with (x' * x' + (y * y + z * z)) in H2 by ring.
   replace (y' * y' + (x' * x' + z * z)) with (z * z + (x' * x' + y' * y')) in H2 by ring.
@@ -93,8 +97,9 @@ Qed.
 
 Lemma size_of_dot_le a b : size_of_dot a b <= extent a * extent b.
 Proof.
-  unfold size_of_dot, extent; pose proof (Rabs_pos (cx a)); pose proof (Rabs_pos (cy a)); pose proof (Rabs_pos (cz a)).
-  pose proof (Rabs_pos (cx b)); pose proof (Rabs_pos (cy b)); pose proof (Rabs_pos (cz b)); nra.
+  unfold size_of_dot, extent; assert (P : forall x y, 0 <= Rabs x * Rabs y) by (intros; apply Rmult_le_pos; apply Rabs_pos).
+  pose proof (P (cx a) (cy b)); pose proof (P (cx a) (cz b)); pose proof (P (cy a) (cx b)); pose proof (P (cy a) (cz b)).
+  pose proof (P (cz a) (cx b)); pose proof (P (cz a) (cy b)); lra.
 Qed.
 
 (** Eight units for a computed length: six for the square's three roundings, one for the root's, one to spare. *)
@@ -104,32 +109,39 @@ Proof.
   intros Hk Ha; pose proof u_bounds; pose proof (norm_nonneg a) as Hn.
   pose proof (dot_computed 0 0 k k a a a a ltac:(lia) (close_exact k a Ha) (close_exact k a Ha)) as Hc.
   replace (size_of_dot a a) with (norm a * norm a) in Hc.
-  2: { rewrite norm_square; unfold size_of_dot, dot; rewrite <- !Rabs_mult, !Rabs_pos_eq; [reflexivity | nra..]. }
+  2: { rewrite norm_square; unfold size_of_dot, dot; rewrite <- !Rabs_mult, !Rabs_pos_eq;
+         [reflexivity | apply square_nonneg ..]. }
   pose proof (computed_error 3 _ _ _ _ ltac:(lia) Hc) as He; rewrite <- norm_square in He; simpl INR in He.
   destruct Hc as (_ & _ & HG); unfold norm_fl; set (G := dot_fl a a) in *.
-  assert (HG0 : 0 <= G) by (apply Rabs_le_inv in He; nra).
+  pose proof (square_nonneg (norm a)) as Hnn.
+  assert (Hunn : u * (norm a * norm a) <= / 1000000000000 * (norm a * norm a)) by (apply Rmult_le_compat_r; lra).
+  assert (HG0 : 0 <= G) by (apply Rabs_le_inv in He; lra).
   assert (HGk : G = 0 \/ bpow radix2 k * bpow radix2 k <= G).
   { destruct HG as [m Hm]; rewrite <- bpow_plus; destruct (Z_lt_le_dec 0 m) as [Hp|Hp]; [right | left].
     - rewrite Hm; rewrite <- (Rmult_1_l (bpow radix2 (k + k))) at 1.
       apply Rmult_le_compat_r; [apply bpow_ge_0 | apply IZR_le; lia].
-    - apply IZR_le in Hp; pose proof (bpow_gt_0 radix2 (k + k)); nra. }
+    - apply IZR_le in Hp; pose proof (Rmult_le_compat_r _ _ _ (bpow_ge_0 radix2 (k + k)) Hp); lra. }
   assert (Hroot : sqrt G = 0 \/ bpow radix2 k <= sqrt G).
   { destruct HGk as [->|HGk]; [left; apply sqrt_0 | right].
     rewrite <- (sqrt_square (bpow radix2 k)) by apply bpow_ge_0; now apply sqrt_le_1_alt. }
   split.
   - assert (Hd : Rabs (sqrt G - norm a) <= 6 * u * norm a).
     { destruct (Req_dec (norm a) 0) as [Z0|N0].
-      - rewrite Z0 in *; assert (G = 0) as -> by (apply Rabs_le_inv in He; nra).
+      - rewrite Z0 in *; assert (G = 0) as -> by (apply Rabs_le_inv in He; lra).
         rewrite sqrt_0, Rminus_0_r, Rabs_R0; lra.
       - rewrite Rabs_minus_sym; unfold norm at 1.
-        apply Rle_trans with (1 := sqrt_distance (dot a a) G ltac:(rewrite <- norm_square; nra) HG0).
+        apply Rle_trans with (1 := sqrt_distance (dot a a) G ltac:(rewrite <- norm_square; apply Rmult_lt_0_compat; lra) HG0).
         fold (norm a); rewrite Rabs_minus_sym, <- norm_square; apply Rmult_le_reg_r with (norm a); [lra|].
         unfold Rdiv; rewrite Rmult_assoc, Rinv_l by lra; lra. }
     assert (Hr : Rabs (rnd (sqrt G) - sqrt G) <= u * Rabs (sqrt G)).
     { apply rnd_rel; destruct Hroot as [->|Hroot]; [now left | right].
       rewrite Rabs_pos_eq by apply sqrt_pos; apply Rle_trans with (2 := Hroot), bpow_le; lia. }
     rewrite (Rabs_pos_eq (sqrt G)) in Hr by apply sqrt_pos.
-    apply Rabs_le_inv in Hd, Hr; apply Rabs_le; nra.
+    apply Rabs_le_inv in Hd, Hr; assert (0 <= u * norm a <= / 1000000000000 * norm a).
+    { split; [apply Rmult_le_pos | apply Rmult_le_compat_r]; lra. }
+    assert (u * sqrt G <= u * (norm a + 6 * u * norm a)) by (apply Rmult_le_compat_l; lra).
+    assert (u * (u * norm a) <= / 1000000000000 * (u * norm a)) by (apply Rmult_le_compat_r; lra).
+    apply Rabs_le; lra.
   - destruct Hroot as [->|Hroot]; [left; apply rnd_0 | right].
     replace (bpow radix2 k) with (rnd (bpow radix2 k)); [now apply rnd_le|].
     apply round_generic; [auto with typeclass_instances | apply generic_format_bpow; unfold FLT_exp; lia].

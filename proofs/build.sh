@@ -18,4 +18,6 @@ for file in "$here"/*.v "$here/_CoqProject"; do
 done
 cd "$build"
 coq_makefile -f _CoqProject ./*.v -o Makefile
+# Little of what Coq allots lives on, and no file needs much: it is collected seldom.
+export OCAMLRUNPARAM="${OCAMLRUNPARAM:-s=4M,o=1000}"
 exec make --no-print-directory -j "$jobs"

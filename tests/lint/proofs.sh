@@ -3,14 +3,9 @@
 # writes; and a step in nonlinear arithmetic names the products that it needs. The tactic that guesses them (nra, nia) is
 # left where a number below says how often it still is: the numbers only fall.
 set -u
-left='Decision 1
-Exacto 7
-Flotante 11
-Luz 1
+left='Luz 1
 Quadratic 1
-Rounding 2
-Surd 7
-Vectors 11'
+Surd 4'
 for file in proofs/*.v; do
   stem=${file#proofs/} stem=${stem%.v}
   case $stem in Especificacion | Formas) continue ;; esac  # written by durero spec export and by tests/proofs/formas.cpp

@@ -2,14 +2,16 @@
 // in binary64 and double-double, each verdict held to the exact points. Random samples do not meet the ties, the
 // tangents, the rims and the limits that stand here side by side.
 //
-// An input has two to seven bits of significand and an exponent from −1 to 1. What is computed of it has 12 to 24: with
-// fewer, 64ε is no small part of 1 and hardly anything is decided. Bounds are binary64, as they are of double-double.
+// An input has two to seven bits of significand and an exponent from −1 to 1. What is computed of it has 12 to 24, or is
+// the sum of two numbers of 8 to 14: with fewer, 64ε is no small part of 1 and hardly anything is decided. Bounds are
+// binary64, as they are of double-double.
 #include <fmt/core.h>
 
 #include <array>
-#include <bit>
 #include <cmath>
-#include <map>
+#include <string>
+#include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include "durero/model/operaciones.hpp"
@@ -17,59 +19,15 @@
 #include "support/catch.hpp"
 #include "support/shapes.hpp"
 #include "trace/closed_form-inl.hpp"
+#include "trace/small.hpp"
 
 using namespace durero;
 namespace exact = surface::exact;
 
 namespace {
 
-/// A number of so many bits of significand, and of any exponent. Each operation is binary64's, rounded to these bits:
-/// that is their own correct rounding, as 53 ≥ 2·24 + 2 (Figueroa, 1995).
-template <int digits>
-struct Small {
-  static_assert(53 >= 2 * digits + 2);
-  double value = 0;
-
-  Small() = default;
-  Small(double x) : value(rounded(x)) {}
-
-  // To nearest, ties to even: adding the half below the last bit kept carries into it where that is right.
-  static double rounded(double x) {
-    if (x == 0 || !std::isfinite(x)) return x;
-    constexpr int dropped = 53 - digits;
-    const auto bits = std::bit_cast<std::uint64_t>(x);
-    const std::uint64_t even = bits >> dropped & 1, below = (std::uint64_t{1} << (dropped - 1)) - 1;
-    return std::bit_cast<double>((bits + below + even) >> dropped << dropped);
-  }
-
-  friend Small operator+(Small a, Small b) { return a.value + b.value; }
-  friend Small operator-(Small a, Small b) { return a.value - b.value; }
-  friend Small operator*(Small a, Small b) { return a.value * b.value; }
-  friend Small operator/(Small a, Small b) { return a.value / b.value; }
-  friend Small operator-(Small a) { return -a.value; }
-  friend Small sqrt(Small a) { return std::sqrt(a.value); }
-  friend Small abs(Small a) { return std::abs(a.value); }
-  friend bool operator<(Small a, Small b) { return a.value < b.value; }
-  friend bool operator>(Small a, Small b) { return a.value > b.value; }
-};
-
-}  // namespace
-
-namespace durero::trace::HWY_NAMESPACE {
-
-template <int digits>
-struct Numbers<Small<digits>> {
-  using Bound = double;
-  static constexpr double roundoff = 1.0 / (1 << digits);
-  static double leading(Small<digits> a) { return a.value; }
-  static Small<digits> difference(double a, double b) { return a - b; }
-};
-
-}  // namespace durero::trace::HWY_NAMESPACE
-
-namespace {
-
 namespace steps = trace::HWY_NAMESPACE;
+using test::Doubled, test::Small;
 using trace::Verdict;
 
 /// 0 and every ±m·2^e of so many bits, 1/2 ≤ |x| < 4.
@@ -93,8 +51,8 @@ struct Truth {
   exact::Reach reach;
   bool on;
 
-  bool within(double error, double t) const {
-    const number::Dyadic at(t), off(error);
+  bool within(double error, const number::Dyadic& at) const {
+    const number::Dyadic off(error);
     return exact::Parameter{at - off} <= reach.first() && reach.first() <= exact::Parameter{at + off};
   }
   bool none_up_to(double limit) const {
@@ -103,33 +61,34 @@ struct Truth {
 };
 
 /// Whether what a step says is true.
-bool holds(Verdict verdict, double t, double error, const Truth& truth, double limit) {
+template <class Root>
+bool holds(Verdict verdict, const Root& root, const Truth& truth, double limit) {
   switch (verdict) {
     case Verdict::undecided:
       return true;
     case Verdict::miss:
       return truth.none_up_to(limit);
     case Verdict::hit:
-      return !truth.reach.empty() && !truth.reach.segment && truth.within(error, t);
+      return !truth.reach.empty() && !truth.reach.segment && truth.within(root.error, whole(root.t));
   }
   return false;
 }
 
-template <int digits, class Shape>
+template <class T, class Shape>
 bool alone_holds(const Shape& shape, const trace::Ray& ray, const Truth& truth, double limit, Said& said) {
-  const auto found = steps::closed_form<Small<digits>>(shape, ray, truth.on, limit);
+  const auto found = steps::closed_form<T>(shape, ray, truth.on, limit);
   said.note(found.verdict);
-  return holds(found.verdict, found.root.t.value, found.root.error, truth, limit);
+  return holds(found.verdict, found.root, truth, limit);
 }
 
 /// What a lane says, of rays that do not start on the element.
-template <int digits, class Shape>
+template <class T, class Shape>
 bool in_lanes_holds(const Shape& shape, const trace::Ray& ray, const Truth& truth, Said& said) {
   if (truth.on) return true;
-  const auto found = steps::found_in_lanes<Shape::tipo>(steps::quadratic<Small<digits>>(shape, ray));
+  const auto found = steps::found_in_lanes<Shape::tipo>(steps::quadratic<T>(shape, ray));
   const Verdict verdict = found.hit ? Verdict::hit : found.undecided ? Verdict::undecided : Verdict::miss;
   said.note(verdict);
-  return holds(verdict, found.root.t.value, found.root.error, truth, trace::no_limit);
+  return holds(verdict, found.root, truth, trace::no_limit);
 }
 
 /// The elements of the worlds: rays in the plane z = 0 or z = 1/2 see each from the side, along its axis, or edge on.
@@ -197,11 +156,34 @@ World oblique(int bits) {
   return world;
 }
 
-/// How often each format decided, over a world.
-using Counts = std::map<int, Said>;
+template <int digits>
+std::string name(std::type_identity<Small<digits>>) {
+  return fmt::format("{} bits", digits);
+}
+template <int digits>
+std::string name(std::type_identity<Doubled<digits>>) {
+  return fmt::format("twice {} bits", digits);
+}
 
-template <class Shape, int... digits>
-std::size_t wrong_in(const World& world, const Shape& shape, Counts& said) {
+/// Whether lanes are made of it: not of what is summed of two.
+template <class T>
+constexpr bool in_lanes = requires { T() > T(); };
+
+/// How often each format decided, over a world.
+template <class T>
+struct SaidIn : Said {};
+template <class... T>
+using Counts = std::tuple<SaidIn<T>...>;
+
+template <class T, class Shape>
+bool format_holds(const Shape& shape, const trace::Ray& ray, const Truth& truth, double limit, Said& said) {
+  if (!alone_holds<T>(shape, ray, truth, limit, said)) return false;
+  if constexpr (in_lanes<T>) return in_lanes_holds<T>(shape, ray, truth, said);
+  return true;
+}
+
+template <class Shape, class... T>
+std::size_t wrong_in(const World& world, const Shape& shape, Counts<T...>& said) {
   std::size_t wrong = 0;
   for (const glm::dvec3& p : world.origins)
     for (const glm::dvec3& v : world.directions) {
@@ -211,9 +193,7 @@ std::size_t wrong_in(const World& world, const Shape& shape, Counts& said) {
       const Truth truth{exact::reach(shape, rayo, on), on};
       const trace::Ray ray(rayo);
       for (const double limit : {trace::no_limit, 1.0, 0.5}) {
-        const bool alone = (alone_holds<digits>(shape, ray, truth, limit, said[digits]) && ...);
-        const bool in_lanes = (in_lanes_holds<digits>(shape, ray, truth, said[digits]) && ...);
-        if (alone && in_lanes) continue;
+        if ((format_holds<T>(shape, ray, truth, limit, std::get<SaidIn<T>>(said)) && ...)) continue;
         if (++wrong > 3) continue;
         fmt::print("wrong: p = ({}, {}, {}), v = ({}, {}, {}), limit {}\n", p.x, p.y, p.z, v.x, v.y, v.z, limit);
       }
@@ -221,28 +201,34 @@ std::size_t wrong_in(const World& world, const Shape& shape, Counts& said) {
   return wrong;
 }
 
-template <class Shape, int... digits>
+/// Of 64ε little is lost where ε is 2⁻²⁴.
+template <class Shape, class T>
+void check_decided(const Said& said) {
+  const std::size_t hits = said.at(Verdict::hit), misses = said.at(Verdict::miss);
+  const std::size_t undecided = said.at(Verdict::undecided);
+  fmt::print("{:17} in {:13}: {:8} hits, {:8} misses, {:8} undecided\n", Shape::Addition::schema,
+             name(std::type_identity<T>()), hits, misses, undecided);
+  CHECK(hits > 0);
+  CHECK(misses > 0);
+  if (steps::Numbers<T>::roundoff <= 0x1p-24) CHECK(hits + misses > 2 * undecided);
+}
+
+template <class Shape, class... T>
 void try_all(const World& world) {
-  Counts said;
+  Counts<T...> said;
   std::size_t wrong = 0;
   for (const Shape& shape : elements<Shape>()) {
     REQUIRE(trace::ordinary(scene::ShapeView(shape)));
-    wrong += wrong_in<Shape, digits...>(world, shape, said);
+    wrong += wrong_in<Shape, T...>(world, shape, said);
   }
   CHECK(wrong == 0);
-  for (const auto& [of, counts] : said) {
-    const std::size_t hits = counts.at(Verdict::hit), misses = counts.at(Verdict::miss);
-    const std::size_t undecided = counts.at(Verdict::undecided);
-    fmt::print("{:17} in {} bits: {:8} hits, {:8} misses, {:8} undecided\n", Shape::Addition::schema, of, hits, misses,
-               undecided);
-    CHECK(hits > 0);
-    CHECK(misses > 0);
-    if (of == 24) CHECK(hits + misses > 2 * undecided);
-  }
+  (check_decided<Shape, T>(std::get<SaidIn<T>>(said)), ...);
 }
 
 void try_every_shape(const World& world) {
-  scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) { try_all<Shape, 12, 14, 24>(world); });
+  scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
+    try_all<Shape, Small<12>, Small<14>, Small<24>, Doubled<8>, Doubled<9>, Doubled<14>>(world);
+  });
 }
 
 }  // namespace
@@ -255,6 +241,15 @@ TEST_CASE("Small numbers are rounded to nearest, ties to even") {
   CHECK(Four(2 - 0x1p-4).value == 2);
   CHECK((Four(1) / Four(3)).value == 0x1.6p-2);
   CHECK(sqrt(Four(2)).value == 1.375);
+}
+
+TEST_CASE("A number of two small ones has twice their bits") {
+  const Doubled<8> three(3), third = Doubled<8>(1) / three, root = sqrt(three);
+  const number::Dyadic one(1), unit(16 * 0x1p-16);
+  const auto size = [](const number::Dyadic& a) { return number::sign(a) < 0 ? -a : a; };
+  CHECK(size(whole(third) * whole(three) - one) <= unit);
+  CHECK(size(number::square(whole(root)) - whole(three)) <= whole(three) * (unit + unit));
+  CHECK(whole(Doubled<8>(1) + Doubled<8>(0x1p-12)) == one + number::Dyadic(0x1p-12));
 }
 
 TEST_CASE("What the closed forms decide is so of every flat ray of two bits") {
