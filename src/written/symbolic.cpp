@@ -241,7 +241,8 @@ Value Symbolic::theta(const Term& term, const ScopePtr& scope) {
   const auto type = typing_.type_of(term);
   Fields fields;
   if (type && type->is(zed::Type::Kind::schema)) {
-    for (const Name& name : type->settled().fields()) {
+    const zed::Type settled = type->settled();  // which holds the names
+    for (const Name& name : settled.fields()) {
       const Value* const local = find(scope, {name.word, name.strokes + term->name.strokes});
       if (local == nullptr) refuse(scope, term->place, name.text() + " has no value here", "expected one");
       fields.emplace(name, *local);

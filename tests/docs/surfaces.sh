@@ -12,7 +12,7 @@ drawn() {
   cmp "$tmp/picture.png" "$root/$1" || { echo "$1 is stale: ./x render $2 -o $1 --with $3"; status=1; }
 }
 
-for name in torus ellipsoid hyperboloid cubic; do
+for name in torus ellipsoid hyperboloid cubic instances; do
   drawn "docs/surfaces/$name.png" "demo/surfaces/$name.json" "demo/surfaces/$name.tex"
 done
 for name in E10 E11; do
