@@ -440,7 +440,7 @@ Theorem the_steps_that_run_are_right elements (shape_of : Elemento -> Triage.sha
   (forall e, In e elements -> Triage.stands Elemento s e (shape_of e) /\ (on e = true <-> en e)) ->
   (forall e, In e elements -> in_range e = true -> Triage.ordinary_shape (shape_of e)) ->
   Running.steps_run Elemento p v elements shape_of on in_range triage stable rounded ->
-  Running.steps_assumed Elemento s en p v elements shape_of in_range stable improved low high certainly_less round_exact ->
+  Running.steps_assumed Elemento s en p v elements in_range improved low high certainly_less round_exact ->
   Search.steps_right Elemento Running.finding Chain.printed met elements (Chain.rounds ray) in_range triage stable improved
     Running.near low high certainly_less rounded round_exact.
 Proof.

@@ -1,5 +1,5 @@
-/// Floating formats so small that every input of a plane can be tried, alone and two to a number, as double-double is two
-/// binary64: number types for the templates of src/trace.
+/// Floating formats so small that every input of a plane can be tried, alone and two to a number, as double-double is
+/// two binary64: number types for the templates of src/trace.
 #pragma once
 
 #include <bit>

@@ -2,9 +2,9 @@
 // in binary64 and double-double, each verdict held to the exact points. Random samples do not meet the ties, the
 // tangents, the rims and the limits that stand here side by side.
 //
-// An input has two to seven bits of significand and an exponent from −1 to 1. What is computed of it has 12 to 24, or is
-// the sum of two numbers of 8 to 14: with fewer, 64ε is no small part of 1 and hardly anything is decided. Bounds are
-// binary64, as they are of double-double.
+// An input has two to seven bits of significand and an exponent from −1 to 1. What is computed of it has 12 to 24, or
+// is the sum of two numbers of 8 to 14: with fewer, 64ε is no small part of 1 and hardly anything is decided. Bounds
+// are binary64, as they are of double-double.
 #include <fmt/core.h>
 
 #include <array>
