@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <optional>
 
 #include "commands.hpp"
@@ -70,8 +71,15 @@ std::vector<std::pair<std::string, std::string>> sources(const std::vector<std::
   return texts;
 }
 
-zed::Specification read_texts_of(const std::vector<std::string>& files) {
-  return files.empty() ? oracle::spec::text() : zed::read_sources(sources(files));
+/// Keeps what a command has read until the program ends, and does not take it apart then, which takes long.
+template <class T>
+const T& kept(T value) {
+  static std::vector<std::unique_ptr<T>>& all = *new std::vector<std::unique_ptr<T>>;
+  return *all.emplace_back(std::make_unique<T>(std::move(value)));
+}
+
+const zed::Specification& read_texts_of(const std::vector<std::string>& files) {
+  return files.empty() ? oracle::spec::text() : kept(zed::read_sources(sources(files)));
 }
 
 void refuse_error(const std::vector<zed::Defect>& defects) {
@@ -98,8 +106,8 @@ zed::Specification specification_of(const std::vector<std::string>& files) {
 int spec_check(const CheckCall& call) {
   std::optional<Progress> progress(std::in_place, call.quiet, "spec check");
   const bool own = call.files.empty();
-  const zed::Specification read = read_texts_of(call.files);
-  const zed::Typing typing = zed::check(read);
+  const zed::Specification& read = read_texts_of(call.files);
+  const zed::Typing& typing = kept(zed::check(read));
   std::vector<zed::Defect> defects = zed::review(read, typing);
   for (zed::Defect& defect : defects)
     if (call.strict && defect.severity == zed::Defect::Severity::opinion)

@@ -46,7 +46,7 @@ constexpr const char* help_text =
     "  OPERATION [x? = VALUE; y? = VALUE]   goes on; inputs that are not given are looked for\n"
     "  N            goes on by number N of the ways that were listed last\n"
     "  ops          which operations there are, and one way to go on by each\n"
-    "  why OPERATION [x? = VALUE]   each of its predicates here, with its truth\n"
+    "  why OPERATION [x? = VALUE]   each of its predicates here, with its truth; (after): of what comes after\n"
     "  show         the state, beside the one before\n"
     "  back         takes the last step back\n"
     "  trace        the way so far\n"
@@ -156,13 +156,13 @@ class Runner {
 
   void go_on(Found ways, const std::string& none,
              const char* expected = "expected an operation that may; why OPERATION says its predicates") {
-    listed_ = std::move(ways.transitions);
     const std::string left_out =
         ways.bounded.empty() ? "" : fmt::format("  more may be found with a greater {}\n", ways.bounded);
     const std::string open = left_open(ways);
-    if (listed_.empty())
+    if (ways.transitions.empty())  // what is listed may still be chosen from
       throw Refused{none + how_far(ways) + (ways.bounded.empty() ? "" : ", as far as " + ways.bounded + " goes"),
                     expected};
+    listed_ = std::move(ways.transitions);
     if (listed_.size() == 1) {
       take(listed_.front());
       return io::print(left_out + open);

@@ -62,9 +62,11 @@ std::string step_line(const Machine& machine, const Transition& step) {
 
 std::string findings_list(const std::vector<zed::Finding>& findings) {
   std::string said;
-  for (const zed::Finding& finding : findings)
-    said += fmt::format("  {}  {}{}{}\n", word_of(finding.truth), finding.predicate,
+  for (const zed::Finding& finding : findings) {
+    const bool of_after = finding.strokes == "'" && finding.predicate.find('\'') == finding.predicate.npos;
+    said += fmt::format("  {}  {}{}{}{}\n", word_of(finding.truth), finding.predicate, of_after ? "  (after)" : "",
                         finding.label.empty() ? "" : "  % ", finding.label);
+  }
   return said;
 }
 

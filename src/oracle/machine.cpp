@@ -83,10 +83,10 @@ Found Machine::steps(const Given& before, const MachineOperation& operation, con
   Ways ways(*parts_, operation.name, before, most);
   Given known = before;
   known.insert(known.end(), inputs.begin(), inputs.end());
-  std::vector<Name> looked_for;  // of the inputs that are not given, those that no finite set has
+  std::vector<Name> looked_for;  // of the inputs that are not given, those that may come from a set without end
   for (const Name& input : operation.inputs)
     if (!value_of(inputs, input) && parts_->has_numbers(parts_->types.at(input))) looked_for.push_back(input);
-  ways.add_each(known, looked_for);
+  if (looked_for.empty() || !ways.add_listed(known)) ways.add_each(known, looked_for);
   return ways.found();
 }
 

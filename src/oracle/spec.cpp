@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <stdexcept>
 
 #include "durero/model/operaciones.hpp"
@@ -35,10 +36,10 @@ bool decided(Truth truth, const std::string& what) {
 const std::map<std::string, std::string>& files() { return embedded::z_text(); }
 
 const zed::Specification& text() {
-  static const zed::Specification read = [] {
-    zed::Specification own = zed::read_texts(files());
-    if (!own.ok()) throw std::logic_error("the program's own Z text: " + own.defects[0].text());
-    return own;
+  static const zed::Specification& read = [&]() -> const zed::Specification& {  // no end of the program takes it apart
+    auto own = std::make_unique<zed::Specification>(zed::read_texts(files()));
+    if (!own->ok()) throw std::logic_error("the program's own Z text: " + own->defects[0].text());
+    return *own.release();
   }();
   return read;
 }

@@ -112,7 +112,39 @@ std::vector<Value> Ways::values(const Name& name) const {
   return values;
 }
 
-/// Says whether to go on. Numbers are tried before what is made of several: the fewer there are to try, the better.
+/// How many of its first values are not refuted: an equation refutes all but one, or all.
+std::size_t Ways::possible(Given& known, const Name& name) const {
+  constexpr std::size_t most_asked = 16;
+  std::size_t count = 0;
+  std::vector<Value> all = values(name);
+  for (std::size_t i = 0; i < std::min(all.size(), most_asked); ++i) {
+    known.emplace_back(name, all[i]);
+    const auto [names, given] = apart(known);
+    known.pop_back();
+    try {
+      const auto stop = [](std::span<const Value>) { return false; };
+      count += parts_.completion(schema_, names).each(given, stop) == Truth::no ? 0 : 1;
+    } catch (const zed::EvaluationError&) {
+      ++count;
+    }
+  }
+  return count;
+}
+
+/// Of the names that are sought, the one to try values of: that which the rest leaves the most, so that none is tried
+/// that an equation gives. Of several numbers come before what is made of several: the fewer there are to try, the
+/// better. Nothing where no name has values.
+std::optional<Name> Ways::next_to_try(Given& known) const {
+  std::vector<Name> names = parts_.completion(schema_, apart(known).first).sought();
+  std::erase_if(names, [&](const Name& name) { return values(name).empty(); });
+  std::stable_partition(names.begin(), names.end(), [&](const Name& name) { return is_number(parts_.types.at(name)); });
+  if (names.empty()) return std::nullopt;
+  std::vector<std::size_t> counts;
+  for (const Name& name : names) counts.push_back(names.size() == 1 ? 1 : possible(known, name));
+  return names[static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) - counts.begin())];
+}
+
+/// Says whether to go on.
 bool Ways::look(Given& known) {
   std::optional<Truth> all = Truth::open;
   try {
@@ -122,11 +154,8 @@ bool Ways::look(Given& known) {
   }
   if (all != Truth::open) return all.has_value();
   found_.undecided = true;
-  std::vector<Name> sought = parts_.completion(schema_, apart(known).first).sought();
-  std::stable_partition(sought.begin(), sought.end(),
-                        [&](const Name& name) { return is_number(parts_.types.at(name)); });
-  const auto next = std::find_if(sought.begin(), sought.end(), [&](const Name& name) { return !values(name).empty(); });
-  if (next == sought.end()) return true;
+  const std::optional<Name> next = next_to_try(known);
+  if (!next) return true;
   found_.tried.insert(*next);
   for (const Value& value : values(*next)) {
     if (++tried_ > parts_.setup.inputs) {
@@ -141,12 +170,21 @@ bool Ways::look(Given& known) {
   return true;
 }
 
+bool Ways::add_listed(const Given& known) {
+  try {
+    return complete(known) != Truth::open;
+  } catch (const zed::EvaluationError& error) {
+    error_ = error;
+    return false;
+  }
+}
+
 bool Ways::add(const Given& known) {
   try {
     Given all = known;
     return look(all);
   } catch (const zed::StepsSpent&) {
-    if (found_.tried.empty()) throw;
+    if (!found_.undecided) throw;
     found_.bounded = "--steps";
     return false;
   }

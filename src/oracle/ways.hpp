@@ -15,6 +15,9 @@ class Ways {
       : parts_(parts), schema_(schema), before_(before), most_(most) {}
   /// Adds those with these values. Says whether to go on: a bound was met where not.
   bool add(const zed::Given& known);
+  /// Adds those with these values that equations give and finite sets list. Says whether these are all, or all that a
+  /// bound admits.
+  bool add_listed(const zed::Given& known);
   /// Adds those with these values and each choice of samples for the inputs.
   void add_each(const zed::Given& known, const std::vector<zed::Name>& inputs);
   /// Returns what was found. Throws the EvaluationError that kept it from finding anything.
@@ -23,6 +26,8 @@ class Ways {
  private:
   std::optional<zed::Truth> complete(const zed::Given& known);
   bool look(zed::Given& known);
+  std::optional<zed::Name> next_to_try(zed::Given& known) const;
+  std::size_t possible(zed::Given& known, const zed::Name& name) const;
   std::vector<zed::Value> values(const zed::Name& name) const;
 
   const Machine::Parts& parts_;

@@ -57,6 +57,7 @@ def steps_through_the_book(durero, book):
     for command, answers in [
             ("FindBirthday", ["FindBirthday cannot go on here"]),
             ("AddBirthday name? = ann", ["2 ways:", "2. AddBirthday"]),
+            ("FindBirthday", ["FindBirthday cannot go on here"]),  # what is listed may still be chosen
             ("2", ["1. AddBirthday", "→  {ann ↦ DATE2}", "invariant: 3 of 3"]),
             ("FindBirthday", ["date! = DATE2"]),
             ("back", ["1. AddBirthday"]),

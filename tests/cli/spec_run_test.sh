@@ -30,6 +30,7 @@ has out '  no   FindBirthday'
 has out '  yes  AddBirthday  date? = DATE1; name? = ann'
 play 0 'why FindBirthday name? = ann'
 has out '  false  name? ∈ known  % FindBirthday.pre.1'
+has out '  open   known = dom birthday  (after)  % BirthdayBook.inv.1'
 play 0 'AddBirthday name? = ann; date? = DATE1' 'Remind today? = DATE1' back trace 'save way.txt'
 has out 'cards! = {ann}'
 has out '0. InitBirthdayBook'
@@ -99,9 +100,9 @@ printf '%s\n' '\begin{schema}{S} n : \nat; m : \nat \end{schema}' "\\begin{schem
   "\\begin{zed} Op == [ \\Delta S | n' > n \\land m' = m ] \\end{zed}" >open.tex
 printf '2\nOp\n' | "$durero" spec run open.tex >out 2>err || fail 'spec run open.tex'
 has out '3 ways:'
-has out "  there may be other ways: some values of m', n' were tried, as --numbers bounds them"
+has out "  there may be other ways: some values of m' were tried, as --numbers bounds them"
 has out '  * n == 0  →  1'
-has out "some values of m', n' were tried"
+has out "some values of m' were tried"
 printf '1\nexplore 5\n' | "$durero" spec run open.tex >out 2>err || fail 'spec run open.tex: explore'
 has out "  bounded: Op: some values of n' were tried: --numbers"
 # Where none of these will do, it is said which way out there is.

@@ -44,6 +44,8 @@ cat >good.tex <<'TEX'
 TEX
 run 0 spec check good.tex
 has out 'good.tex: section Specification ok, 2 paragraphs'
+cat good.tex | "$durero" spec check /dev/stdin >out 2>err || fail 'spec check of a pipe'
+has out '/dev/stdin: section Specification ok, 2 paragraphs'
 sed 's/a \\neq b/a = 1/' good.tex >bad.tex
 run 1 spec check bad.tex
 has out 'bad.tex:7:3: '

@@ -109,6 +109,35 @@ TEST_CASE("what equations leave open is tried near the state before, and judged 
   CHECK(some.steps(ten, *some.find("Op"), {}, 9).transitions.size() == 1);
 }
 
+TEST_CASE("an input from a finite set of numbers has all of them") {
+  const std::string schema = "\\begin{schema}";
+  auto read =
+      zed::read_text(schema + "{S} x : \\num \\end{schema}\n" + schema + "{Init} S~' \\where x' = 0 \\end{schema}\n" +
+                         schema + "{Op} \\Delta S \\\\ n? : 5 \\upto 8 \\where x' = n? \\end{schema}\n",
+                     "finite.tex");
+  REQUIRE(read.ok());
+  const Machine machine(read, {});
+  const Found found = machine.steps(machine.initial(1).transitions[0].after, *machine.find("Op"), {}, 9);
+  CHECK(found.transitions.size() == 4);
+  CHECK(found.bounded.empty());
+}
+
+TEST_CASE("of what is left open no name is tried that an equation gives") {
+  const std::string schema = "\\begin{schema}";
+  auto read = zed::read_text(schema + "{S} given, left, other : \\num \\end{schema}\n" + schema +
+                                 "{Init} S~' \\where given' = left' = other' = 0 \\end{schema}\n" + schema +
+                                 "{Op} \\Delta S \\where given' = 1000 \\land left' > left \\land other' < other "
+                                 "\\end{schema}\n",
+                             "loose.tex");
+  REQUIRE(read.ok());
+  const Machine machine(read, {});
+  const zed::Given begun = machine.initial(1).transitions[0].after;
+  const Found found = machine.steps(begun, *machine.find("Op"), {}, 9);
+  CHECK(name_list(found.tried) == "left', other'");
+  REQUIRE(found.transitions.size() == 4);
+  for (const Transition& step : found.transitions) CHECK(component(machine, step.after, "given") == "1000");
+}
+
 TEST_CASE("what is tried of a loose operation is bounded") {
   Setup few;
   few.inputs = 3;

@@ -68,6 +68,11 @@ def closure(c, scope, node):
     return t
 
 
+def iterate(c, scope, node):
+    c.same(node.line, c.type(scope, node.kids[1]), ARITHMOS, "how often a relation is iterated")
+    return closure(c, scope, node)
+
+
 def composition(c, scope, node):
     x, y, z = c.unknown(), c.unknown(), c.unknown()
     c.same(node.line, c.type(scope, node.kids[0]), relation(x, y), "composition")
@@ -231,6 +236,7 @@ RULES = {
     r"\cup": alike, r"\cap": alike, r"\setminus": alike, r"\oplus": alike,
     r"\dres": restrict_domain, r"\ndres": restrict_domain, r"\rres": restrict_range, r"\nrres": restrict_range,
     "instance": instance, "sequence": sequence, r"prefix\seq": sequences, "binding": binding, "closure": closure,
+    "iterate": iterate, r"prefix\negate": negative,
     r"\comp": composition, "inverse": inverse, "image": image, "if": choice, "display": display, "set": comprehension,
     r"\lambda": function, r"\mu": description, "schema": schema, "hide": hiding,
     r"\land": connective, r"\lor": connective, r"\implies": connective, r"\iff": connective, r"\lnot": connective,

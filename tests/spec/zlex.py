@@ -51,7 +51,9 @@ TOKEN = re.compile(
     r"|(?P<number>[0-9](?:\s*[0-9])*)"
     r"|(?P<command>\\t[0-9]|\\vdash\?|\\[A-Za-z]+(?:_1)?|\\.)"
     r"|(?P<symbol>::=|==|[=<>+\-*()\[\],;:|@.'])"
-    r"|(?P<space>[\s~{}]+)"
+    r"|(?P<raise>\^\{)"  # behind a ~ or a bracket: an iteration r~^{~n~}
+    r"|(?P<brace>[{}])"
+    r"|(?P<space>[\s~]+)"
 )
 
 
@@ -78,7 +80,7 @@ def paragraphs(text):
 def tokens(body):
     """The tokens of numbered lines that follow one another, soft newlines dropped."""
     whole = "\n".join(re.sub(r"(?<!\\)%.*", "", line) for _, line in body)
-    out, at, prefix, number = [], 0, "", body[0][0]
+    out, at, prefix, number, braces = [], 0, "", body[0][0], []
     while at < len(whole):
         match = TOKEN.match(whole, at)
         if not match:
@@ -95,6 +97,11 @@ def tokens(body):
             out.append(Token("newline", "", number))
         elif text == r"\where":
             out.append(Token("symbol", "where", number))
+        elif kind == "raise" or text == "{":
+            braces.append(kind == "raise")
+            out += [Token("symbol", text, number)] * braces[-1]
+        elif text == "}":
+            out += [Token("symbol", "^}", number)] * (braces and braces.pop())
         elif kind != "space" and text not in SPACES:
             out.append(Token("symbol", text, number))
         number += text.count("\n")

@@ -11,8 +11,9 @@ BINARY = {
     r"\rres": (60, False), r"\nrres": (60, False), r"\dres": (65, False), r"\ndres": (65, False),
 }
 ARITHMETIC = {"+", "-", "*"}
-PREFIX = {r"\seq", r"\id", r"\power", r"\power_1", r"\finset", r"\finset_1", "-"}
-CONSTANTS = {r"\emptyset", r"\num", r"\nat", r"\arithmos", r"\real", r"\dom", r"\ran", r"\bigcup", r"\bigcap", r"\#"}
+PREFIX_WORDS = {"min", "max", "succ"}  # operators of the standard's toolkit
+PREFIX = {r"\negate", r"\seq", r"\id", r"\power", r"\power_1", r"\finset", r"\finset_1", "-"}
+CONSTANTS = set(r"\emptyset \num \num_1 \nat \nat_1 \arithmos \real \dom \ran \bigcup \bigcap \#".split())
 
 
 class Terms(Operators):
@@ -77,19 +78,30 @@ class Terms(Operators):
         if self.next.text in PREFIX:
             op = self.take()
             return Node("prefix" + op.text, (self.prefix(),), op.line)
+        if self.next.kind == "name" and self.next.text in PREFIX_WORDS and self.begins(self.tokens[self.at + 1]):
+            word = self.take()
+            return Node("apply", (Node("name", (word.text,), word.line), self.prefix()), word.line)
         return self.application()
+
+    @staticmethod
+    def begins(token):
+        """Whether an operand of an application begins with it."""
+        return token.kind in ("name", "number") or token.text in CONSTANTS | {"(", r"\{", r"\theta"}
 
     def application(self):
         """f a \inv: applications go on to the left, and bind tighter than what stands behind them."""
         left = self.selection()
-        while self.next.kind in ("name", "number") or self.next.text in CONSTANTS or self.sees("(", r"\{", r"\theta"):
+        while self.begins(self.next):
             left = Node("apply", (left, self.selection()), left.line)
-        while op := self.accept(r"\inv", r"\limg", r"\plus", r"\star"):
+        while op := self.accept(r"\inv", r"\limg", r"\plus", r"\star", "^{"):
             if op.text == r"\inv":
                 left = Node("inverse", (left,), op.line)
             elif op.text == r"\limg":
                 left = Node("image", (left, self.expression()), op.line)
                 self.take(r"\rimg")
+            elif op.text == "^{":
+                left = Node("iterate", (left, self.expression()), op.line)
+                self.take("^}")
             else:
                 left = Node("closure", (left,), op.line)
         return left
@@ -119,10 +131,11 @@ class Terms(Operators):
             return Node("theta", (name, strokes), token.line)
         if token.text == "(":
             own = self.operator_name()
-            if own or self.next.text == "succ" and self.tokens[self.at + 1].text == r"\_":
+            word = self.next.text
+            if own or word in PREFIX_WORDS and self.tokens[self.at + 1].text == r"\_":
                 self.at += 0 if own else 2
                 self.take(")")
-                return Node("name", (own or "succ",), token.line)
+                return Node("name", (own or word,), token.line)
         if token.text == "(" and self.sees(r"\_"):
             return self.operator(token)
         if token.text == r"\lblot":
@@ -150,9 +163,13 @@ class Terms(Operators):
         """(\_ + \_): the function that an infix operator is."""
         self.take(r"\_")
         op = self.take()
-        if op.text not in ARITHMETIC:
+        if op.text not in ARITHMETIC | {"^{"}:
             raise ZError(op.line, f"expected one of {' '.join(sorted(ARITHMETIC))} as an operator, found {op.text}")
         self.take(r"\_")
+        if op.text == "^{":
+            self.take("^}")
+            self.take(")")
+            return Node("name", ("_^_",), opening.line)
         self.take(")")
         return Node("operator", (op.text,), opening.line)
 

@@ -31,11 +31,15 @@ class Checker(Types):
         x, y = self.unknown(), self.unknown()
         return {
             r"\arithmos": power(ARITHMOS), r"\num": power(ARITHMOS), r"\nat": power(ARITHMOS),
+            r"\num_1": power(ARITHMOS), r"\nat_1": power(ARITHMOS),
             r"\emptyset": power(x), r"\dom": relation(relation(x, y), power(x)),
             r"\ran": relation(relation(x, y), power(y)),
             r"\bigcup": relation(power(power(x)), power(x)), r"\bigcap": relation(power(power(x)), power(x)),
             r"\#": relation(power(x), ARITHMOS), "min": relation(power(ARITHMOS), ARITHMOS),
-            "succ": relation(ARITHMOS, ARITHMOS),
+            "max": relation(power(ARITHMOS), ARITHMOS), "succ": relation(ARITHMOS, ARITHMOS),
+            "iter": relation(ARITHMOS, relation(relation(x, x), relation(x, x))),
+            "_^_": relation(pair(relation(x, x), ARITHMOS), relation(x, x)),
+            "first": relation(pair(x, y), x), "second": relation(pair(x, y), y),
         }.get(name)
 
     def instance(self, t, actuals=None):

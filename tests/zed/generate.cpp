@@ -12,9 +12,9 @@ using rc::gen::inRange;
 const std::vector<std::string> words = {"x", "S", "mi_radio", "ΔEscena", "f2",  "dom",
                                         "∅", "⋃", "ℕ₁",       "ΞS",      "min", "u_"};
 const std::vector<std::string> strokes = {"", "", "", "'", "?", "!", "₁", "'!"};
-const std::vector<std::string> infix_functions = {"_+_", "_-_", "_∪_",   "_∩_", "_↦_", "_◁_",
-                                                  "_⩤_", "_▷_", "_div_", "_⊕_", "_⦇_⦈"};
-const std::vector<std::string> unary_functions = {"-_", "#_", "_∼", "_⁺"};
+const std::vector<std::string> infix_functions = {"_+_", "_-_", "_∪_",   "_∩_", "_↦_",  "_◁_",
+                                                  "_⩤_", "_▷_", "_div_", "_⊕_", "_⦇_⦈", "_↗_↙"};
+const std::vector<std::string> unary_functions = {"-_", "#_", "_∼", "_⁺", "_∗"};
 const std::vector<std::string> infix_generics = {"_⇸_", "_→_", "_↔_", "_⤔_"};
 const std::vector<std::string> prefix_generics = {"𝔽_", "ℙ₁_", "seq_", "seq₁_", "id_"};
 const std::vector<std::string> relations = {"_=_", "_∈_", "_≤_", "_⊆_", "_∉_", "_partition_"};

@@ -176,8 +176,31 @@ class Unfolder {
     return whole;
   }
 
+  /// θS ′ = θS says that x ′ = x of each component x; nothing of any other predicate.
+  std::vector<Term> equal_components(const Term& predicate) const {
+    if (!match::is_equation(predicate)) return {};
+    const Node &left = *predicate->children[0], &right = *predicate->children[1];
+    if (left.kind != Kind::theta || right.kind != Kind::theta) return {};
+    auto names = components(left.children[0], definitions_), others = components(right.children[0], definitions_);
+    if (!names || !others) return {};
+    std::sort(names->begin(), names->end());
+    std::sort(others->begin(), others->end());
+    if (*names != *others) return {};
+    std::vector<Term> equations;
+    for (const Name& name : *names)
+      equations.push_back(relation({{"_=_", {}}}, {reference(decorated(name, left.name.strokes)),
+                                                   reference(decorated(name, right.name.strokes))}));
+    return equations;
+  }
+
   /// A predicate in which no schema stands in the place of one.
   std::optional<Term> written_out(const Term& predicate) {
+    if (const std::vector<Term> equations = equal_components(predicate); !equations.empty())
+      return all_of_facts(equations);
+    if (predicate->kind == Kind::conjunction && !components(predicate, definitions_)) {
+      const auto left = written_out(predicate->children[0]), right = written_out(predicate->children[1]);
+      return left && right ? std::optional(node(Kind::conjunction, {*left, *right})) : std::nullopt;
+    }
     if (components(predicate, definitions_)) {
       const Result schema = flat(predicate);
       if (!schema) return std::nullopt;

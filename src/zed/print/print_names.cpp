@@ -75,7 +75,7 @@ void Printer::name(const Name& name) {
     while (!rest.empty()) {
       const bool hole = rest[0] == '_';
       const std::string_view part = hole ? rest.substr(0, 1) : rest.substr(0, rest.find('_'));
-      symbol(part);
+      part == "↗" || part == "↙" ? enclosing(part) : symbol(part);
       rest.remove_prefix(part.size());
     }
     out_ += ')';

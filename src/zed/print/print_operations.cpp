@@ -12,6 +12,14 @@ void Printer::infix(const Node& node, std::string_view sign, int left, int right
   term(node.children[1], right, last);
 }
 
+/// In LaTeX ↗ would be the index of a name before it, were it not for the ~ around.
+void Printer::enclosing(std::string_view sign) {
+  const bool raised = latex_ && (sign == "↗" || sign == "↙");
+  if (raised) out_ += '~';
+  symbol(sign);
+  if (raised && sign == "↗") out_ += '~';
+}
+
 void Printer::application(const Node& node, bool last) {
   if (const Node* pairs = sequence_of(node)) {
     symbol("⟨");
@@ -39,11 +47,11 @@ void Printer::application(const Node& node, bool last) {
     term(node.children[1], binding::postfix, false);
     return symbol(op->symbol);
   }
-  if (is_image(node)) {
+  if (const auto [open, close] = enclosing_signs(node); !open.empty()) {
     term(node.children[1]->children[0], binding::postfix, false);
-    symbol("⦇");
+    enclosing(open);
     term(node.children[1]->children[1], binding::weakest);
-    return symbol("⦈");
+    return enclosing(close);
   }
   term(node.children[0], binding::application, false);
   const std::size_t behind = out_.size();

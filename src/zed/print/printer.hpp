@@ -37,6 +37,7 @@ class Printer {
   void quantified(const Node& node, std::string_view sign, bool last);
   void infix(const Node& node, std::string_view symbol, int left, int right, bool last);
   void application(const Node& node, bool last);
+  void enclosing(std::string_view sign);
   void reference(const Node& node, bool last);
   void relation(const Node& node, bool last);
   void conditional(const Node& node, bool last);

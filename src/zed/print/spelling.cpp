@@ -59,6 +59,7 @@ bool Spelling::is_command(const Token& token) const {
 
 bool Spelling::joins(const Token& left, const Token& right) const {
   using Type = Token::Type;
+  if (left.is("↗") || right.is("↗") || right.is("↙")) return true;  // else an index, of what stands before or inside
   const bool goes_on = left.type == Type::numeral || (left.type == Type::word && !is_command(left));
   return goes_on && (right.type == Type::numeral || right.type == Type::stroke || right.is("_") ||
                      (right.type == Type::word && !is_command(right)));

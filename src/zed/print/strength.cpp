@@ -19,10 +19,12 @@ const Operator* operator_of(const Node& node) {
   return argument.kind == Kind::tuple && argument.children.size() == 2 ? op : nullptr;
 }
 
-bool is_image(const Node& node) {
-  return node.kind == Kind::application && match::is_reference(node.children[0], {"_⦇_⦈", {}}) &&
-         node.children[0]->children.empty() && node.children[1]->kind == Kind::tuple &&
-         node.children[1]->children.size() == 2;
+std::pair<std::string_view, std::string_view> enclosing_signs(const Node& node) {
+  const bool two = node.kind == Kind::application && node.children[0]->children.empty() &&
+                   node.children[1]->kind == Kind::tuple && node.children[1]->children.size() == 2;
+  if (two && match::is_reference(node.children[0], {"_⦇_⦈", {}})) return {"⦇", "⦈"};
+  if (two && match::is_reference(node.children[0], {"_↗_↙", {}})) return {"↗", "↙"};
+  return {};
 }
 
 int operator_strength(const Operator& op) {
@@ -53,7 +55,10 @@ int strength(const Node& node) {
       return binding::infix + product_precedence;
     case Kind::application:
       if (sequence_of(node)) return binding::primary;
-      return is_image(node) ? binding::postfix : binding::application;
+      if (node.children[0]->kind == Kind::reference && node.children[0]->name.strokes.empty() &&
+          is_prefix_word(node.children[0]->name.word))
+        return binding::prefix;
+      return enclosing_signs(node).first.empty() ? binding::application : binding::postfix;
     case Kind::schema_text:  // behind a name, its bracket would begin generic actuals
       return binding::application;
     default:

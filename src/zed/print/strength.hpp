@@ -2,6 +2,7 @@
 /// Says how the printer sees a node: by which operator it is printed, and how tightly that binds.
 
 #include <string_view>
+#include <utility>
 
 #include "durero/zed/syntax/ast.hpp"
 #include "zed/syntax/symbols.hpp"
@@ -12,8 +13,8 @@ namespace durero::zed {
 const Operator* operator_of(const Node& node);
 int operator_strength(const Operator& op);
 
-/// Says whether the node is an application f ⦇ S ⦈.
-bool is_image(const Node& node);
+/// Returns the signs around the right operand where the node is an application R ⦇ S ⦈ or R ↗ n ↙; else empty ones.
+std::pair<std::string_view, std::string_view> enclosing_signs(const Node& node);
 
 /// Returns the pairs of the sequence that an application of ⟨,,⟩ stands for, or null. The elements are the second parts
 /// of the pairs.

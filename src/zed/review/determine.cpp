@@ -27,11 +27,19 @@ bool are_cases(const Term& p, const Term& q) {
 
 }  // namespace
 
+/// Returns the components of S, or S ⧹ (x), of a schema with a name; nothing of any other.
+std::set<Name> Determiner::components(const Term& schema) const {
+  if (schema->kind == Kind::reference) return expander_.components(schema->name);
+  std::set<Name> names;
+  if (schema->kind == Kind::hiding) names = components(schema->children[0]);
+  for (const Name& hidden : schema->names) names.erase(hidden);
+  return names;
+}
+
 /// Returns the names that θS ′ takes its components from.
 std::vector<Name> Determiner::bound_by_theta(const Node& theta) const {
   std::vector<Name> names;
-  if (theta.children[0]->kind != Kind::reference) return names;
-  for (const Name& name : expander_.components(theta.children[0]->name))
+  for (const Name& name : components(theta.children[0]))
     names.push_back({name.word, name.strokes + theta.name.strokes});
   return names;
 }

@@ -23,6 +23,7 @@ class Determiner {
   void by_cases(std::set<Name>& open, const std::vector<Term>& facts);
   void by_body(std::set<Name>& open, const Node& node);
   void by_schema(std::set<Name>& open, const Term& schema);
+  std::set<Name> components(const Term& schema) const;
   std::vector<Name> bound_by_theta(const Node& theta) const;
   std::map<Name, Term> parts(const Term& term) const;
   bool refers(const Term& term, const std::set<Name>& open) const;

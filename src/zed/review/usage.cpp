@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
-#include <ranges>
+#include <algorithm>
+#include <unordered_set>
 
 #include "durero/zed/review/review.hpp"
 #include "zed/review/expand.hpp"
@@ -11,7 +12,11 @@ namespace {
 /// Knows what a specification mentions, and which bound variables it does not.
 class Usage {
  public:
-  Usage(const Typing& typing, std::vector<Defect>& defects) : typing_(typing), defects_(defects) {}
+  /// It is asked of the names that `looked_at` says.
+  Usage(const Typing& typing, std::vector<Defect>& defects, const std::unordered_set<Name>& looked_at)
+      : typing_(typing), defects_(defects) {
+    for (const Name& name : looked_at) known_[name];
+  }
 
   void section(const Section& section) {
     file_ = section.file;
@@ -25,23 +30,41 @@ class Usage {
           if (branch.argument) term(branch.argument);
     }
   }
-  bool mentioned(const Name& name) const { return mentioned_.contains(name); }
+  bool mentioned(const Name& name) const { return known_.at(name).mentioned; }
 
  private:
   struct Variable {
     Place place;
     bool used = false;
   };
-  using Scope = std::unordered_map<Name, Variable>;
+  /// What a name stands for: the variables of that name in the scopes around, the innermost last, or else a global.
+  struct Meanings {
+    std::vector<Variable> variables{};
+    bool mentioned = false;
+  };
 
   void mention(const Name& name) {
-    for (Scope& scope : std::views::reverse(scopes_)) {
-      const auto entry = scope.find(name);
-      if (entry == scope.end()) continue;
-      entry->second.used = true;
-      return;
-    }
-    mentioned_.insert(name);
+    const auto entry = known_.find(name);
+    if (entry == known_.end()) return;
+    Meanings& known = entry->second;
+    (known.variables.empty() ? known.mentioned : known.variables.back().used) = true;
+  }
+
+  /// Opens a scope with what the text declares; a name twice in it is one variable.
+  std::vector<Meanings*> scope(const SchemaText& text, bool used) {
+    std::vector<Meanings*> own;
+    for (const Declaration& declaration : text.declarations)
+      for (std::size_t i = 0; i < declaration.names.size(); ++i) {
+        Meanings& known = known_[declaration.names[i]];
+        const Variable variable{i < declaration.places.size() ? declaration.places[i] : declaration.place, used};
+        if (std::ranges::find(own, &known) != own.end()) {
+          known.variables.back() = variable;
+        } else {
+          known.variables.push_back(variable);
+          own.push_back(&known);
+        }
+      }
+    return own;
   }
 
   /// A schema mentions its components where it is a predicate, the body of a schema quantifier, or behind θ.
@@ -54,30 +77,20 @@ class Usage {
   /// A text that declares components has no variables to report: they are for others, and hide those of that name
   /// outside.
   void components(const SchemaText& text) {
-    Scope own;
-    for (const Declaration& declaration : text.declarations) {
-      term(declaration.term);
-      for (const Name& name : declaration.names) own[name] = {{}, true};
-    }
-    scopes_.push_back(std::move(own));
+    for (const Declaration& declaration : text.declarations) term(declaration.term);
+    const auto own = scope(text, true);
     for (const Predicate& predicate : text.predicates) term(predicate.term);
-    scopes_.pop_back();
+    for (Meanings* known : own) known->variables.pop_back();
   }
 
   void quantified(const Node& node) {
-    Scope own;
-    for (const Declaration& declaration : node.text->declarations) {
-      term(declaration.term);
-      for (std::size_t i = 0; i < declaration.names.size(); ++i)
-        own[declaration.names[i]] = {i < declaration.places.size() ? declaration.places[i] : declaration.place,
-                                     node.children.empty()};
-    }
-    scopes_.push_back(std::move(own));
+    for (const Declaration& declaration : node.text->declarations) term(declaration.term);
+    const auto own = scope(*node.text, node.children.empty());
     for (const Predicate& predicate : node.text->predicates) term(predicate.term);
     for (const Term& child : node.children) term(child);
     for (const Declaration& declared : node.text->declarations)
-      for (const Name& name : declared.names) report(name, scopes_.back().at(name));
-    scopes_.pop_back();
+      for (const Name& name : declared.names) report(name, known_.at(name).variables.back());
+    for (Meanings* known : own) known->variables.pop_back();
   }
 
   void report(const Name& name, const Variable& variable) {
@@ -99,24 +112,30 @@ class Usage {
   const Typing& typing_;
   std::vector<Defect>& defects_;
   std::string file_;
-  std::vector<Scope> scopes_;
-  std::set<Name> mentioned_;
+  std::unordered_map<Name, Meanings> known_;  // what is no key is no variable around, nor is it looked at
 };
+
+bool is_looked_at(const Global& global) {
+  return global.form == Global::Form::given || global.form == Global::Form::free_type ||
+         global.form == Global::Form::branch;
+}
 
 }  // namespace
 
 std::vector<Defect> unused_names(const Specification& specification, const Typing& typing) {
   std::vector<Defect> defects;
-  Usage usage(typing, defects);
+  std::unordered_set<Name> looked_at;
+  for (const auto& [section, scope] : typing.scopes)
+    for (const auto& [name, global] : scope)
+      if (is_looked_at(*global)) looked_at.insert(name);
+  Usage usage(typing, defects, looked_at);
   for (const Section& section : specification.sections) usage.section(section);
   for (const Section& section : specification.sections) {
     const auto scope = typing.scopes.find(section.name);
     if (scope == typing.scopes.end()) continue;
     std::map<std::pair<std::uint32_t, std::uint32_t>, const Global*> unused;  // they stand in the order of the text
     for (const auto& [name, global] : scope->second) {
-      const bool looked_at = global->form == Global::Form::given || global->form == Global::Form::free_type ||
-                             global->form == Global::Form::branch;
-      if (global->section == section.name && looked_at && !usage.mentioned(name))
+      if (global->section == section.name && is_looked_at(*global) && !usage.mentioned(name))
         unused[{global->place.line, global->place.column}] = global.get();
     }
     for (const auto& [place, global] : unused)

@@ -29,6 +29,7 @@ std::vector<Paragraph> parse_block(std::string_view environment, const std::vect
 struct ReadTemplate {
   OperatorTemplate read;
   Place place;
+  std::vector<Token> tokens;  ///< it was read from these
 };
 
 /// Returns the templates in the tokens of a `zed` block, which its section needs to be read. One that cannot be

@@ -18,6 +18,10 @@ inline constexpr int weakest = 0, equivalence = 10, implication = 20, disjunctio
                      precondition = 110, infix = 200, prefix = 400, postfix = 410, application = 420, primary = 430;
 }
 
+/// Says whether the toolkit writes a function before its operand, as an operator, that is a name here all the same:
+/// `max ran f` is max (ran f).
+constexpr bool is_prefix_word(std::string_view word) { return word == "succ" || word == "min" || word == "max"; }
+
 /// A connective stands before the one child of a node, or between the two.
 struct Connective {
   Kind kind;

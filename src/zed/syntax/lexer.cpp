@@ -19,7 +19,7 @@ bool ends(const Token& token) {
   if (token.own) return token.own->last() && !token.own->of->has_right();
   if (token.type == Type::numeral || token.type == Type::stroke) return true;
   if (token.type == Type::newline || token.type == Type::end) return false;
-  if (find_operator(token.text, Fixity::postfix) || token.text == "⦈") return true;
+  if (find_operator(token.text, Fixity::postfix) || token.text == "⦈" || token.text == "↙") return true;
   if (token.type == Type::symbol) return among(token.text, closing);
   if (!token.strokes.empty() || token.text == "true" || token.text == "false") return true;
   return may_be_name(token.text);

@@ -141,6 +141,7 @@ class Lexer {
   /// Calls `token`, which takes what the next token is made of, to the end of the text, and gives the tokens.
   template <class TakeToken>
   std::vector<Token> tokens(TakeToken&& token) {
+    tokens_.reserve(text_.size() / 4 + 1);  // as many as spec/ has, so that none is moved
     try {
       while (!done()) {
         start_ = at_;

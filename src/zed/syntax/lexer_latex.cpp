@@ -20,8 +20,10 @@ class Latex : Lexer {
  private:
   void token() {
     const char c = here();
-    if (is_space(c) || c == '~' || c == '{' || c == '}') {  // braces only group, in TeX
+    if (is_space(c) || c == '~') {
       take();
+    } else if (c == '{' || c == '}' || (c == '^' && here(1) == '{')) {
+      brace();
     } else if (c == '%') {
       comment();
     } else if (is_letter(c)) {
@@ -36,6 +38,22 @@ class Latex : Lexer {
     } else {
       plain();
     }
+  }
+
+  /// Takes a brace: those of ^{ } are the signs of an iteration where the ^ is no word's, and others only group, in
+  /// TeX.
+  void brace() {
+    const Place place = place_;
+    if (here() == '}') {
+      const bool raises = !braces_.empty() && braces_.back();
+      if (!braces_.empty()) braces_.pop_back();
+      take();
+      if (raises) emit("↙", place);
+      return;
+    }
+    braces_.push_back(here() == '^');
+    take(braces_.back() ? 2 : 1);
+    if (braces_.back()) emit("↗", place);
   }
 
   void plain() {
@@ -89,7 +107,9 @@ class Latex : Lexer {
     while ((braced || inside.empty()) && more_inside(inside)) {
     }
     if (inside.empty() || (braced && here() != '}'))
-      refuse(place, "this index is not read", "expected letters and digits in { } behind _ or ^");
+      refuse(place, "this index is not read",
+             std::string("expected letters and digits in { } behind _ or ^") +
+                 (below ? "" : ", or ~ before ^ for an iteration: R~^{~n~}"));
     if (braced) take();
     return (below ? "↘" : "↗") + inside + (below ? "↖" : "↙");
   }
@@ -225,6 +245,7 @@ class Latex : Lexer {
 
   const Markup& markup_;
   bool named_ = true;
+  std::vector<bool> braces_;  // those that are open: whether each is of a ^{
 };
 
 }  // namespace

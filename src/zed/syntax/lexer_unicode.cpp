@@ -103,6 +103,7 @@ class Unicode : Lexer {
     const Place place = place_;
     std::string letters;
     while (is_letter(here()) || is_digit(here()) || here() == '_' || is_word_character()) letters += take();
+    if (letters == "↗" || letters == "↙") return emit(letters, place);  // those of R ↗ n ↙ stand alone
     emit_with_strokes(std::move(letters), place);
   }
 

@@ -247,7 +247,8 @@ std::vector<ReadTemplate> templates_in(const std::vector<Token>& tokens) {
     line.push_back({Token::Type::end, {}, {}, line.back().place, {}, nullptr, false});
     ParagraphParser parser(line);
     try {
-      found.push_back({parser.operator_template(), line[0].place});
+      OperatorTemplate read = parser.operator_template();
+      found.push_back({std::move(read), line[0].place, line});
     } catch (const ZError&) {  // it is reported where the block is parsed
     }
   }

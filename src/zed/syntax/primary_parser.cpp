@@ -7,8 +7,8 @@
 
 namespace durero::zed {
 
-bool TermParser::begins_primary() const {
-  const Token& token = in_.peek();
+bool TermParser::begins_primary(std::size_t ahead) const {
+  const Token& token = in_.peek(ahead);
   if (token.type == Token::Type::numeral || TokenStream::is_name(token)) return true;
   if (token.own) return false;
   if (token.type == Token::Type::word) return token.is("true") || token.is("false") || token.is("θ");
@@ -17,7 +17,7 @@ bool TermParser::begins_primary() const {
   return false;
 }
 
-/// In f a b ∼ ⦇ S ⦈ the applications associate to the left, then come the postfix operators.
+/// In f a b ∼ ⦇ S ⦈ ↗ n ↙ the applications associate to the left, then come the postfix operators.
 Term TermParser::application() {
   Term term = primary();
   while (begins_primary()) {
@@ -34,19 +34,22 @@ Term TermParser::application() {
       const Place place = term->place;
       term = checked(operation(op->name(), {std::move(term)}, place));
     } else if (token.is("⦇")) {
-      term = image(std::move(term));
+      term = enclosing("_⦇_⦈", std::move(term));
+    } else if (token.is("↗")) {
+      term = enclosing("_↗_↙", std::move(term));
     } else {
       return term;
     }
   }
 }
 
-Term TermParser::image(Term left) {
+/// Takes the rest of R ⦇ S ⦈ or R ↗ n ↙, whose name ends in the closing sign.
+Term TermParser::enclosing(std::string_view name, Term left) {
   in_.next();
-  Term set = term();
-  in_.expect("⦈");
+  Term inside = term();
+  in_.expect(name.substr(name.rfind('_') + 1));
   const Place place = left->place;
-  return checked(operation("_⦇_⦈", {std::move(left), std::move(set)}, place));
+  return checked(operation(std::string(name), {std::move(left), std::move(inside)}, place));
 }
 
 Term TermParser::primary() {
@@ -162,7 +165,7 @@ Term TermParser::parenthesis() {
     in_.expect(")");
     return reference(*own, {}, place);
   }
-  const bool prefix = in_.sees("succ") || find_operator(in_.peek().text, Fixity::prefix);
+  const bool prefix = is_prefix_word(in_.peek().text) || find_operator(in_.peek().text, Fixity::prefix);
   if (in_.sees("_") || (in_.peek(1).is("_") && prefix)) return word_or_operator();
   const bool mu = in_.sees("μ");
   std::vector<Term> parts = {mu ? quantifier(Kind::mu, false) : term()};
@@ -175,7 +178,7 @@ Term TermParser::parenthesis() {
   return checked(node(Kind::tuple, std::move(parts), place));
 }
 
-/// Reads an operator as a name: (_ ∪ _), (# _), (_ ∼), (_ ⦇ _ ⦈).
+/// Reads an operator as a name: (_ ∪ _), (# _), (_ ∼), (_ ⦇ _ ⦈), (_ ↗ _ ↙).
 Term TermParser::word_or_operator() {
   std::string name;
   const Place place = in_.peek().place;
@@ -184,8 +187,8 @@ Term TermParser::word_or_operator() {
     name += in_.next().text;
   }
   in_.next();
-  if (name == "succ_") name = "succ";  // the standard writes the toolkit's prefix function so
-  if (name != "succ" && !is_operator_name(name))
+  if (name.ends_with('_') && is_prefix_word(name.substr(0, name.size() - 1))) name.pop_back();
+  if (!is_prefix_word(name) && !is_operator_name(name))
     throw ZError(place, "unknown operator " + name,
                  "expected an operator of the standard toolkit, or of a template above");
   return reference({name, {}}, {}, place);

@@ -12,6 +12,7 @@
 
 #include "durero/text/file.hpp"
 #include "zed/syntax/block_parser.hpp"
+#include "zed/syntax/characters.hpp"
 #include "zed/syntax/lexer.hpp"
 
 namespace durero::zed {
@@ -36,8 +37,7 @@ class Reader {
   void index(const std::string& path) {
     const auto& read = contents(path);
     if (!read) return;
-    std::vector<Defect> later;
-    for (const Block& block : cut(*read, path, later)) {
+    for (const Block& block : pieces(*read, path).blocks) {
       if (block.environment != "zsection") continue;
       try {
         where_.emplace(parse_header(lex(block, {}, {})).name, path);
@@ -47,8 +47,9 @@ class Reader {
   }
 
   void file(const std::string& path) {
-    const std::string canonical = std::filesystem::weakly_canonical(path).string();
-    if (!files_.insert(canonical).second) return;
+    std::error_code none;  // a pipe has no other name
+    const std::string canonical = std::filesystem::weakly_canonical(path, none).string();
+    if (!files_.insert(none ? path : canonical).second) return;
     if (const auto& read = contents(path)) return text(*read, path);
     specification_.defects.push_back({path, {1, 1}, "the file cannot be read", "expected a file of Z text", {}});
   }
@@ -59,7 +60,8 @@ class Reader {
       return;
     }
     std::optional<Section> open;
-    const std::vector<Block> blocks = cut(source, path, specification_.defects);
+    const auto& [blocks, defects] = pieces(source, path);
+    specification_.defects.insert(specification_.defects.end(), defects.begin(), defects.end());
     for (std::size_t i = 0; i < blocks.size(); ++i) {
       const Block& block = blocks[i];
       try {
@@ -91,6 +93,17 @@ class Reader {
   }
 
  private:
+  struct Pieces {
+    std::vector<Block> blocks;
+    std::vector<Defect> defects;
+  };
+  /// Cuts the text of a file, once.
+  const Pieces& pieces(const std::string& text, const std::string& path) {
+    const auto [at, added] = pieces_.try_emplace(path);
+    if (added) at->second.blocks = cut(text, path, at->second.defects);
+    return at->second;
+  }
+
   /// Returns the text of a file, which is read once; nothing where it cannot be read.
   const std::optional<std::string>& contents(const std::string& file) {
     if (const auto known = texts_.find(file); known != texts_.end()) return known->second;
@@ -173,13 +186,35 @@ class Reader {
 
   void add_templates(const Block& block, const Markup& markup, const Section& section) {
     Operators& operators = specification_.operators[section.name];
-    for (const ReadTemplate& found : templates_in(lex(block, markup, operators)))
+    for (const ReadTemplate& found : templates_in(lex(block, markup, operators))) {
+      warn_of_joined_operands(found, block, section);
       if (const std::string taken = add_operator(operators, found.read); !taken.empty())
         specification_.defects.push_back({section.file,
                                           found.place,
                                           "the word " + taken + " of an operator has a meaning already",
                                           "expected a word that is no operator's",
                                           {}});
+    }
+  }
+
+  /// Where no ~ stands beside \_ in LaTeX, nor a blank beside _ in Unicode, it is a letter of the operator's word.
+  void warn_of_joined_operands(const ReadTemplate& found, const Block& block, const Section& section) {
+    for (const Token& token : found.tokens) {
+      if (token.type != Token::Type::word || !has_joined_operand(block.body.substr(token.from, token.to - token.from)))
+        continue;
+      const std::string word = token.text.substr(0, token.text.find('_'));
+      specification_.warnings.push_back(
+          {section.file, token.place, "the _ in " + token.text + " is a letter of this operator's word, and no operand",
+           block.unicode ? "expected a blank before an operand: " + word + " _"
+                         : "expected ~ before an operand, as LaTeX joins what blanks separate: " + word + "~\\_",
+           Defect::Severity::warning});
+    }
+  }
+
+  static bool has_joined_operand(std::string_view word) {
+    const std::size_t at = word.find("\\_");
+    const std::size_t behind = at == word.npos ? at : at + 2;
+    return word.ends_with('_') || (at != word.npos && (is_space(word[at - 1]) || is_space(word[behind])));
   }
 
   void paragraphs(const Block& block, Section& into) {
@@ -208,6 +243,7 @@ class Reader {
   }
 
   std::map<std::string, std::optional<std::string>> texts_;  // a file that cannot be read has no contents
+  std::map<std::string, Pieces> pieces_;                     // of these
   Specification specification_;
   std::set<std::string> files_, started_;
   std::map<std::string, std::string> where_;  // a section leads to its file

@@ -44,8 +44,13 @@ class UnicodeCutter {
     Block block;
     block.unicode = true;
     block.begin = cursor_.place;
-    while (cursor_.sees("─") || cursor_.sees("═") || cursor_.sees("╷") || cursor_.sees("┌") || cursor_.sees(" "))
+    Cursor sign_end = cursor_;
+    while (cursor_.sees("─") || cursor_.sees("═") || cursor_.sees("╷") || cursor_.sees("┌") || cursor_.sees(" ")) {
+      const bool blank = cursor_.sees(" ");
       cursor_.step();
+      if (!blank) sign_end = cursor_;
+    }
+    if (cursor_.sees("%")) cursor_ = sign_end;  // the blanks before a comment are its own
     std::string_view title = cursor_.rest_of_line();
     title.remove_prefix(std::min(title.find_first_not_of(" \r"), title.size()));
     block.environment = environment(sign, title);

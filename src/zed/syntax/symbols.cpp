@@ -148,6 +148,7 @@ std::optional<std::string_view> latex_of(std::string_view unicode) {
 }
 
 bool is_letter_symbol(std::string_view unicode) {
+  if (!unicode.starts_with('\xCE') && !unicode.starts_with('\xCF')) return false;  // all are Greek
   static constexpr std::string_view letters[] = {"Δ", "Ξ", "Γ", "Θ", "Λ", "Π", "Σ", "Υ", "Φ", "Ψ", "Ω",
                                                  "α", "β", "γ", "δ", "ϵ", "ζ", "η", "ι", "κ", "ν", "ξ",
                                                  "π", "ρ", "σ", "τ", "υ", "ϕ", "χ", "ψ", "ω"};
@@ -205,7 +206,7 @@ bool has_indexed(std::string_view word) {
 }
 
 bool is_operator_name(std::string_view name) {
-  return name == "_⦇_⦈" || is_template_name(name) || operator_of_name(name);
+  return name == "_⦇_⦈" || name == "_↗_↙" || is_template_name(name) || operator_of_name(name);
 }
 
 bool is_reserved(std::string_view word) {

@@ -135,6 +135,11 @@ Term TermParser::leading() {
     if (sign.prefix && in_.accept(sign.symbol)) return checked(node(sign.kind, {term(sign.strength)}, place));
   if (token.own && token.own->first() && !token.own->of->has_left()) return own_operation({});
   const Operator* op = token.strokes.empty() ? find_operator(token.text, Fixity::prefix) : nullptr;
+  const bool prefix_word = token.type == Token::Type::word && token.strokes.empty() && is_prefix_word(token.text);
+  if (prefix_word && begins_primary(1) && !in_.peek(1).is("[")) {
+    const Term function = reference(in_.name(), {}, place);
+    return checked(apply(function, term(binding::prefix), place));
+  }
   if (!op) return application();
   if (token.only_infix) in_.fail("expected \\negate for the sign, or a term before -");
   in_.next();

@@ -45,13 +45,13 @@ class TermParser {
   Term relations(const Term& left);
   Term product(const Term& left);
   Term hiding(Term left);
-  Term image(Term left);
+  Term enclosing(std::string_view name, Term left);
   Term own_operation(std::vector<Term> operands);  // takes an operator of a template, behind its left operand if any
   Term own_operand(const OperatorTemplate& of, std::size_t part);
   Term own_relation(Term left, Term& right);
   bool suffix(Term& so_far);  // takes one selection, decoration, renaming or list of actuals
   Term actuals_or_renaming(Term of);
-  bool begins_primary() const;
+  bool begins_primary(std::size_t ahead = 0) const;
   bool begins_declaration() const;
   std::size_t operator_ahead(std::size_t ahead, std::vector<Name>* formals) const;
   void refuse_list() const;

@@ -73,12 +73,28 @@ void Attempt::run(Trial& trial) {
       note(error.what());
     }
   }
-  if (claim_.wants_witness && !witness_) {
-    trial.why_not = "none of " + std::to_string(trial.tried) + " states is a witness";
-    trial.tried = 0;
-  }
+  if (claim_.wants_witness && !witness_) return ask_for_witness(trial);
   if (trial.tried == 0 && trial.why_not.empty())
     trial.why_not = undecided_.empty() ? "none of the values drawn are a state" : undecided_;
+}
+
+/// Where no values drawn are a witness, equations may give one, or say that there is none.
+void Attempt::ask_for_witness(Trial& trial) {
+  Truth some = Truth::open;
+  try {
+    some = ground_.evaluator.holds(claim_.whole);
+  } catch (const EvaluationError& error) {
+    note(error.what());
+  }
+  if (some == Truth::no) trial.counterexample = "  there is no witness\n";
+  if (some == Truth::yes) {
+    trial.tried = 1;
+  } else if (trial.tried > 0) {
+    trial.why_not = "none of " + std::to_string(trial.tried) + " states is a witness";
+    trial.tried = 0;
+  } else {
+    trial.why_not = undecided_.empty() ? "none of the values drawn are a state" : undecided_;
+  }
 }
 
 // A schema without samples is drawn declaration by declaration, so that each input comes from the set that is named.

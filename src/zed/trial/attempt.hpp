@@ -72,6 +72,7 @@ class Attempt {
   bool complete(const State& drawn, std::vector<Value>& found);
   Truth completed(const State& drawn, std::vector<Value>& found);
   void make(std::vector<Name> names);
+  void ask_for_witness(Trial& trial);
   void note(const std::string& undecided);
   void judge(const std::vector<Value>& values, Truth last, Trial& trial);
 

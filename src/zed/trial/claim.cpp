@@ -26,7 +26,9 @@ void add_names(const Term& term, std::vector<Name>& to) {
 }  // namespace
 
 Claim::Claim(const Term& term, std::size_t number)
-    : assumed_name{" assumed " + std::to_string(number), ""}, claimed_name{" claimed " + std::to_string(number), ""} {
+    : whole(term),
+      assumed_name{" assumed " + std::to_string(number), ""},
+      claimed_name{" claimed " + std::to_string(number), ""} {
   const bool quantified = term->kind == Kind::forall || term->kind == Kind::exists;
   if (quantified) assumed = *term->text;
   wants_witness = term->kind == Kind::exists;

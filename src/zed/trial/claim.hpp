@@ -15,6 +15,7 @@ struct Claim {
   /// Their definitions, under names that no text can write.
   std::vector<Paragraph> definitions() const;
 
+  Term whole;
   SchemaText assumed, claimed;
   bool wants_witness = false;
   Name assumed_name, claimed_name;

@@ -2,6 +2,7 @@
 /// limits of the type-checker.
 
 #include <algorithm>
+#include <map>
 #include <ranges>
 
 #include "durero/text/nearest.hpp"
@@ -9,6 +10,36 @@
 #include "zed/types/checker.hpp"
 
 namespace durero::zed {
+namespace {
+
+/// The words that names have, and whether each is one of an operator.
+using Words = std::map<std::string, bool, std::less<>>;
+
+void add_words(const std::string& name, Words& to) {
+  for (std::size_t at = 0; at <= name.size();) {
+    const std::size_t end = std::min(name.find(' ', at), name.size());
+    const std::string word = name.substr(at, end - at);
+    if (word != "_" && word != ",,") to[word] = is_template_name(name);
+    at = end + 1;
+  }
+}
+
+/// Returns the word as two or three of these with blanks between them, which LaTeX mark-up joins, or as an operator and
+/// a numeral; nothing where it is not made of such.
+std::string taken_apart(std::string_view word, const Words& words, int most = 3) {
+  for (std::size_t length = word.size() - 1; most > 1 && length > 0; --length) {
+    const auto first = words.find(word.substr(0, length));
+    if (first == words.end()) continue;
+    const std::string_view rest = word.substr(length);
+    const bool numeral = first->second && rest.find_first_not_of("0123456789") == rest.npos;
+    if (numeral || words.contains(rest)) return first->first + " " + std::string(rest);
+    if (const std::string behind = taken_apart(rest, words, most - 1); !behind.empty())
+      return first->first + " " + behind;
+  }
+  return {};
+}
+
+}  // namespace
 
 void Checker::error(Place place, std::string what, std::string expected) {
   if (into_.defects.size() - errors_at_start_ >= max_errors)
@@ -48,6 +79,8 @@ Type Checker::reference(const Node& node) {
 
 /// In ISO Z a name with strokes is a name like others. The decoration of a schema has a space before its stroke.
 std::string Checker::expected_name(const Name& name) const {
+  if (name.word.find("↗") != name.word.npos)
+    return "expected a declared name; an iteration has blanks, R ↗ n ↙ (R~^{~n~} in LaTeX)";
   Name base = name;
   while (!base.strokes.empty() && text::continues(base.strokes.back())) base.strokes.pop_back();
   if (base.strokes.empty()) return nearest_name(name);
@@ -66,6 +99,19 @@ std::string Checker::nearest_name(const Name& name) const {
   for (const auto& [global, meaning] : globals_) known.push_back(global.text());
   for (const auto& [own, scheme] : sees_toolkit_ ? toolkit() : prelude()) known.push_back(own.text());
   std::sort(known.begin(), known.end());  // of several as near the first is named, whatever the tables' order
+  Words words;
+  for (const std::string& each : known) add_words(each, words);
+  if (const std::string apart = taken_apart(name.text(), words); !apart.empty()) {
+    std::string in_latex = apart;
+    std::replace(in_latex.begin(), in_latex.end(), ' ', '~');
+    return fmt::format("expected a declared name; did you mean {} ({} in LaTeX)?", apart, in_latex);
+  }
+  const auto is_decorated = [&](const std::string& each) {
+    return each.size() > name.word.size() && each.starts_with(name.word) &&
+           each.find_first_not_of("'?!", name.word.size()) == each.npos;
+  };
+  if (const auto other = std::find_if(known.begin(), known.end(), is_decorated); other != known.end())
+    return fmt::format("expected a declared name, such as {}", *other);
   std::string sign;
   for (const std::string_view doubling : {"Δ", "Ξ"})
     if (name.word.starts_with(doubling)) sign = doubling;

@@ -98,6 +98,7 @@ Value overriding(const Value& a, const Value& b, Context& context) {
 Value image(const Value& relation, const Value& set, Context& context) {
   return with(relation, set, [&]() -> Value {
     Values reached;
+    if (const auto* by_images = dynamic_cast<const ImageSet*>(relation.set())) return by_images->image(set, context);
     if (relation.set() && !relation.set()->members()) {  // the function is known by its values
       for (const Value& argument : enumerated(set, "the image of")) {
         Value result = relation.set()->apply(argument, context);
@@ -119,7 +120,13 @@ Value forward_composition(const Value& a, const Value& b, Context& context) {
     Values pairs;
     for (const Value& from : enumerated(a, "the composition of")) {
       context.steps.take(1 + steps_for(b));
-      for (const Value& to : enumerated(b, "the composition with")) {
+      if (!b.set()->members()) {  // b is known by its images
+        const Value reached = image(b, Value::set({second(from)}), context);
+        for (const Value& to : enumerated(reached, "the composition with"))
+          pairs.push_back(Value::pair(first(from), to));
+        continue;
+      }
+      for (const Value& to : *b.set()->members()) {
         if (same(second(from), first(to))) pairs.push_back(Value::pair(first(from), second(to)));
       }
     }
@@ -129,17 +136,6 @@ Value forward_composition(const Value& a, const Value& b, Context& context) {
 
 Value backward_composition(const Value& a, const Value& b, Context& context) {
   return forward_composition(b, a, context);
-}
-
-Value closure(const Value& relation, Context& context) {
-  return with(relation, [&]() -> Value {
-    Value closed = relation;
-    for (;;) {
-      Value more = set_union(closed, forward_composition(closed, relation, context), context);
-      if (same(more, closed)) return closed;
-      closed = std::move(more);
-    }
-  });
 }
 
 Value domain_restriction(const Value& set, const Value& relation, Context& context) {

@@ -12,6 +12,16 @@ namespace {
 constexpr int greatest_exponent = 1 << 20;    // of a power: a greater one would fill the memory
 constexpr int most_listed_numbers = 1 << 20;  // an interval with more members is not listed
 
+class NonzeroIntegers : public Set {
+ public:
+  Truth contains(const Value& value, Context& context) const override {
+    const Truth here = contains_value(functions::all_integers(), value, context);
+    return here == Truth::no ? here : both(here, relations::unequal(value, Real(), context));
+  }
+  Numbers numbers() const override { return Numbers::integers; }
+  std::string spelled(Wording) const override { return "ℤ₁"; }
+};
+
 /// Returns the least or the greatest member of a set of numbers; undefined for the empty set.
 Value extreme(const Value& set, bool greatest) {
   return with(set, [&]() -> Value {
@@ -53,6 +63,7 @@ Value all_numbers() { return everything("𝔸"); }
 Value all_integers() { return integers("ℤ", std::nullopt); }
 Value naturals() { return integers("ℕ", 0); }
 Value positive_naturals() { return integers("ℕ₁", 1); }
+Value nonzero_integers() { return SetPtr(std::make_shared<const NonzeroIntegers>()); }
 
 Value addition(const Value& a, const Value& b, Context&) { return sum(a, b); }
 Value subtraction(const Value& a, const Value& b, Context&) { return difference(a, b); }

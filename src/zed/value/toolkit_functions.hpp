@@ -11,6 +11,7 @@ Value all_numbers();
 Value all_integers();
 Value naturals();
 Value positive_naturals();
+Value nonzero_integers();
 Value addition(const Value& a, const Value& b, Context& context);
 Value subtraction(const Value& a, const Value& b, Context& context);
 Value multiplication(const Value& a, const Value& b, Context& context);
@@ -42,7 +43,6 @@ Value second_of(const Value& pair, Context& context);
 Value identity(const Value& set, Context& context);
 Value range(const Value& relation, Context& context);
 Value inverse(const Value& relation, Context& context);
-Value closure(const Value& relation, Context& context);
 Value image(const Value& relation, const Value& set, Context& context);
 Value overriding(const Value& a, const Value& b, Context& context);
 Value forward_composition(const Value& a, const Value& b, Context& context);
@@ -51,6 +51,13 @@ Value domain_restriction(const Value& set, const Value& relation, Context& conte
 Value domain_subtraction(const Value& set, const Value& relation, Context& context);
 Value range_restriction(const Value& relation, const Value& set, Context& context);
 Value range_subtraction(const Value& relation, const Value& set, Context& context);
+
+// Closures and iterations are in iteration.cpp.
+Value closure(const Value& relation, Context& context);
+Value reflexive_closure(const Value& relation, Context& context);
+/// Returns R composed so many times with itself, R ↗ n ↙, and iter n, which does that to a relation.
+Value iterated(const Value& relation, const Value& times, Context& context);
+Value iteration(const Value& times, Context& context);
 
 // Sequences are in sequences.cpp.
 Value sequence_of_pairs(const Value& pairs, Context& context);

@@ -27,9 +27,14 @@ constexpr Row numbers[] = {
     {"max {3, 2, 9}", "9"},
     {"min (∅ ∩ {1})", "undefined"},
     {"succ 3", "4"},
+    {"max ran {1 ↦ 5, 2 ↦ 3}", "5"},
+    {"min dom {3 ↦ 1} + 1", "4"},
+    {"(min _) {4, 2}", "2"},
     {"2‥4", "{2, 3, 4}"},
     {"3 ∈ ℕ₁ ∧ 0 ∈ ℕ ∧ - 1 ∈ ℤ", "true"},
     {"- 1 ∈ ℕ ∨ 0 ∈ ℕ₁", "false"},
+    {"- 1 ∈ ℤ₁ ∧ 0 ∉ ℤ₁", "true"},
+    {"{x : ℤ₁ | x * x ≤ 4}", "{-2, -1, 1, 2}"},
 };
 
 constexpr Row sets[] = {
@@ -71,6 +76,23 @@ constexpr Row relations[] = {
     {"{1 ↦ 2} ⨾ {2 ↦ 3}", "⟨3⟩"},
     {"{2 ↦ 3} ∘ {1 ↦ 2}", "⟨3⟩"},
     {"{1 ↦ 2, 2 ↦ 3} ⁺", "{1 ↦ 2, 1 ↦ 3, 2 ↦ 3}"},
+    {"{1 ↦ 2, 2 ↦ 3} ∗ ⦇ {1, 9} ⦈", "{1, 2, 3, 9}"},
+    {"(7, 7) ∈ {1 ↦ 2} ∗ ∧ (1, 2) ∈ {1 ↦ 2} ∗", "true"},
+    {"(2, 1) ∈ {1 ↦ 2} ∗", "false"},
+    {"({1 ↦ 2} ∗) 5", "5"},
+    {"({1 ↦ 2} ∗) 1", "undefined"},
+    {"{1 ↦ 2} ∗", "({(1, 2)} ∗)"},
+    {"{1 ↦ 2, 2 ↦ 3} ⨾ {2 ↦ 3} ∗", "{1 ↦ 2, 1 ↦ 3, 2 ↦ 3}"},
+    {"{1 ↦ 2, 2 ↦ 3} ↗ 2 ↙", "⟨3⟩"},
+    {"{1 ↦ 2, 2 ↦ 3} ↗ - 1 ↙", "{2 ↦ 1, 3 ↦ 2}"},
+    {"{1 ↦ 2, 2 ↦ 3, 3 ↦ 1} ↗ 1000001 ↙", "⟨3, 1, 2⟩"},
+    {"(1, 1) ∈ {1 ↦ 2} ↗ 0 ↙ ∧ (1, 2) ∉ {1 ↦ 2} ↗ 0 ↙", "true"},
+    {"(iter 3) {1 ↦ 2, 2 ↦ 1}", "⟨2, 1⟩"},
+    {"(succ ↗ 3 ↙) 4", "7"},
+    {"succ ↗ 2 ↙ ⦇ {1, 5} ⦈", "{3, 7}"},
+    {"(4, 6) ∈ succ ↗ 2 ↙ ∧ (4, 7) ∉ succ ↗ 2 ↙", "true"},
+    {"{1 ↦ 2} ∗ ↗ 2 ↙ ⦇ {1} ⦈", "{1, 2}"},
+    {"(_ ↗ _ ↙) ({1 ↦ 2, 2 ↦ 1}, 2)", "⟨1, 2⟩"},
     {"id {1, 2}", "⟨1, 2⟩"},
     {"first (1, 2) + second (1, 2)", "3"},
     {"(1, 2) ∈ (_ < _)", "true"},
@@ -220,7 +242,8 @@ TEST_CASE("what the evaluator does not know, or cannot list, it says") {
       return error.what();
     }
   };
-  CHECK(why("{1 ↦ 2} ∗") == "the evaluator knows no _∗, at line 1, column 1");
+  CHECK(why("(_ < _) ↗ 2 ↙ ⦇ {1} ⦈") == "(_<_) cannot be applied");
+  CHECK(why("(_ < _) ∗") == "the composition of (_<_): its members cannot be enumerated");
   CHECK(why("# ℕ") == "the size of ℕ: its members cannot be enumerated");
   CHECK(why("# (seq {1})") == "the size of (seq {1}): its members cannot be enumerated");
   CHECK(why("# (1‥20 → 1‥20)") == "the size of (this finite set → this finite set): its members cannot be enumerated");

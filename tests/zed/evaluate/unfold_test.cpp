@@ -69,6 +69,9 @@ std::string unfolded_text(const std::string& typed) {
 TEST_CASE("a precondition is calculated: what equations give is put in its place") {
   CHECK(unfolded_text("pre Inc") == "[n, most, by? : ℕ | n ≤ most; n + by? ≤ most; n + by? ∈ ℕ; most ∈ ℕ]");
   CHECK(unfolded_text("pre Some") == "[n, most : ℕ | n ≤ most; most ∈ ℕ; ∃ n' : ℕ • n' ≤ most ∧ n' > n]");
+  CHECK(unfolded_text("pre [ΔCounter; by? : ℕ | n' = by? ∧ θ (Counter ⧹ (n)) = θ (Counter ⧹ (n)) ']") ==
+        "[n, most, by? : ℕ | n ≤ most; by? ≤ most; by? ∈ ℕ; most ∈ ℕ]");
+  CHECK(unfolded_text("pre [ΔCounter | θ Counter ' = θ Counter]") == "[n, most : ℕ | n ≤ most; most ∈ ℕ; n ∈ ℕ]");
   CHECK(unfolded_text("Counter '") == "[n', most' : ℕ | n' ≤ most']");
   CHECK(unfolded_text("ΞCounter") == "[n, most, n', most' : ℕ | n ≤ most; n' ≤ most'; n' = n; most' = most]");
   CHECK(unfolded_text("Counter[m/n] ⧹ (m)") == "[most : ℕ | ∃ m : ℕ • m ≤ most]");
@@ -130,6 +133,8 @@ TEST_CASE("what is written out has the bindings of the schema") {
                             "pre Some",
                             "TInc",
                             "pre TInc",
+                            "[ΔCounter | θ Counter ' = θ Counter]",
+                            "[ΔCounter | n' = 1 ∧ θ (Counter ⧹ (n)) = θ (Counter ⧹ (n)) ']",
                             "¬ Counter",
                             "Inc ⇒ Full",
                             "Inc ⧹ (by?)",

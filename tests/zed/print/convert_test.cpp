@@ -111,6 +111,21 @@ TEST_CASE("blanks stand where a mark-up would join two words, or part them") {
   CHECK(in_latex_of("─\nx₁ == ΔS′\n└") == "\\begin{zed}\n  x_1 == \\Delta S'\n\\end{zed}");
 }
 
+TEST_CASE("the blanks between the sign of a box and a comment are kept") {
+  const std::string unicode = "╷  % why\nx : ℕ\n└";
+  CHECK(in_latex_of(unicode) == "\\begin{axdef}  % why\n  x : \\nat\n\\end{axdef}");
+  CHECK(in_unicode_of(in_latex_of(unicode)) == unicode);
+}
+
+TEST_CASE("an iteration keeps its signs apart from the names around") {
+  const std::string latex =
+      "\\begin{zed}\n  \\vdash? f~^{~n + 1~} = (g)~^{~2~} \\cup (\\_~^{~\\_~})~(f, x^{2})\n\\end{zed}";
+  const std::string unicode = "─\n⊢? f ↗ n + 1 ↙ = (g) ↗ 2 ↙ ∪ (_ ↗ _ ↙) (f, x↗2↙)\n└";
+  CHECK(in_unicode_of(latex) == unicode);
+  CHECK(in_latex_of("─\n⊢? f↗n↙ = f ↗ n ↙\n└") == "\\begin{zed}\n  \\vdash? f^{n} = f~^{~n~}\n\\end{zed}");
+  CHECK(in_unicode_of(in_latex_of(unicode)) == unicode);
+}
+
 TEST_CASE("directives in the prose hold in Unicode as in LaTeX, and give the commands") {
   const std::string latex = "%%Zchar \\real U+211D\n\\begin{zed}\n  [ \\real, A ]\n\\end{zed}\n";
   const std::string unicode = "%%Zchar \\real U+211D\n─\n[ ℝ, A ]\n└\n";

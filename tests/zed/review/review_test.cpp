@@ -124,6 +124,8 @@ TEST_CASE("E06: bindings, tuples, sums and schemas as predicates determine what 
   CHECK(with("\\theta S~' = \\theta S") == Said{});
   CHECK(with("\\theta S = \\theta S~'") == Said{});
   CHECK(with("\\theta S~' = \\theta S~'") == Said{"O leaves a', b' open"});
+  CHECK(with("a' = 1 \\land \\theta (S \\hide (a)) = \\theta (S \\hide (a))~'") == Said{});
+  CHECK(with("\\theta (S \\hide (a))~' = \\theta (S \\hide (a))") == Said{"O leaves a' open"});
   CHECK(with("(a', b') = (b, a)") == Said{});
   CHECK(with("(a', b') = (b', a)") == Said{});
   CHECK(with("(a', b') = (b', a')") == Said{"O leaves a', b' open"});
@@ -172,6 +174,7 @@ TEST_CASE("a parent named twice, and braces that only group, are warnings") {
         Said{"1:1 set_toolkit is named twice as a parent"});
   CHECK(warned(head + "set\\_toolkit, standard\\_toolkit \\end{zsection}\n") == Said{});
   CHECK(warned("\\begin{zed}\n  s == {1}\n\\end{zed}") == Said{"2:8 these braces only group, as in TeX"});
+  CHECK(warned("\\begin{zed}\n  s == (\\id \\num)~^{~2~}\n\\end{zed}") == Said{});
   CHECK(warned("\\begin{schema}{S}\n x_{12} : \\{1\\} % {\n\\end{schema}") == Said{});
 }
 

@@ -126,6 +126,22 @@ TEST_CASE("a template holds in all of its section and in its children, and nowhe
   CHECK(apart.operators.at("a").size() == 1);
 }
 
+TEST_CASE("an operand that is joined to an operator's word is warned of, with its right spelling") {
+  const auto warned = [](const std::string& templates) {
+    std::string said;
+    for (const Defect& warning : read_text(templates, "t").warnings) said += warning.text() + "\n";
+    return said;
+  };
+  CHECK(warned("\\begin{zed}\n  \\relation (\\_ divides \\_)\n\\end{zed}") ==
+        "t:2:17: warning: the _ in divides_ is a letter of this operator's word, and no operand; expected ~ before an "
+        "operand, as LaTeX joins what blanks separate: divides~\\_\n");
+  CHECK_THAT(warned("\\begin{zed}\n  \\function (low \\_ high)\n\\end{zed}"), Catch::Matchers::Contains("low~\\_"));
+  CHECK_THAT(warned("─\nrelation (_ divides_)\n└\n"),
+             Catch::Matchers::Contains("a blank before an operand: divides _"));
+  CHECK(warned("\\begin{zed}\n  \\relation (\\_ is\\_in~\\_)\n\\end{zed}").empty());
+  CHECK(warned("─\nrelation (_ is_in _)\n└\n").empty());
+}
+
 TEST_CASE("sources are read in their order, each from what is given") {
   const auto text = [](const std::string& name) {
     return "\\begin{zsection}\n\\SECTION " + name + "\n\\end{zsection}\n\\begin{zed}[" + name + "x]\\end{zed}\n";

@@ -63,6 +63,16 @@ TEST_CASE("of what exists a witness is looked for, and that none was met refutes
   CHECK(none.counterexample.empty());
   CHECK(none.tried == 0);
   CHECK_THAT(none.why_not, Contains("is a witness"));
+  CHECK(trial("\\exists k : \\nat @ k * k = 50").counterexample == "  there is no witness\n");
+}
+
+TEST_CASE("of an initial state equations give the witness, where none is drawn") {
+  const std::string state =
+      "State == [~ f, g, h, k : Cosa \\pfun \\nat | \\dom f = \\dom g \\land h = k ~] "
+      "\\end{zed}\n\\begin{zed} ";
+  const Trial found = trials(state + "\\vdash? \\exists State~' @ f' = \\emptyset \\land h' = \\emptyset").at(0);
+  CHECK(found.tried >= 1);
+  CHECK(found.why_not.empty());
 }
 
 TEST_CASE("what cannot be tried says why") {

@@ -81,6 +81,18 @@ TEST_CASE("an error says what may be meant") {
         "expected a function before its argument, or a new line \\\\ between the two");
   CHECK(expected("\\begin{axdef} a, b : \\nat \\where a = 1~b \\end{axdef}") ==
         "expected a function before its argument");
+  const std::string divides =
+      "\\begin{zed} \\relation (\\_ ~divides~ \\_) \\end{zed}\n"
+      "\\begin{axdef} \\_ ~divides~ \\_ : \\nat \\rel \\nat; a : \\nat \\where ";
+  CHECK(expected(divides + "a divides a \\end{axdef}") ==
+        "expected a declared name; did you mean a divides a (a~divides~a in LaTeX)?");
+  CHECK(expected(divides + "(a divides 6, 1) = (1, 1) \\end{axdef}") ==
+        "expected a declared name; did you mean a divides 6 (a~divides~6 in LaTeX)?");
+  CHECK(expected("\\begin{schema}{Op} y? : \\nat \\where y = 1 \\end{schema}") ==
+        "expected a declared name, such as y?");
+  CHECK(expected(divides + "a6 = 1 \\end{axdef}") == "expected a declared name");
+  CHECK(expected(divides + "a^{2} = 1 \\end{axdef}") ==
+        "expected a declared name; an iteration has blanks, R ↗ n ↙ (R~^{~n~} in LaTeX)");
 }
 
 TEST_CASE("several errors are reported, not only the first") {
