@@ -42,29 +42,30 @@ glm::dvec3 color(const scene::Scene& scene, const engine::Engine& engine, const 
   return render::brought(scene, engine, {&query, 1}, {max_depth}).at(0).color;
 }
 
-/// The colour by the exact engine, and how many rays it was asked.
+/// The colour by the exact engine, and how many rays it was asked, and how many of them to point lights.
 struct Traced {
   glm::dvec3 color;
-  std::size_t rays;
+  std::size_t rays, shadow_rays;
 };
 
 Traced traced(const scene::Scene& scene, const model::Rayo& ray, std::uint32_t max_depth) {
   struct Counting : engine::Engine {
     const engine::Engine& of;
-    mutable std::size_t asked = 0;
+    mutable std::size_t asked = 0, asked_to_lights = 0;
     explicit Counting(const engine::Engine& engine) : of(engine) {}
     void first_hits(std::span<const scene::Query> queries, std::span<scene::Hit> hits) const override {
       asked += queries.size();
       of.first_hits(queries, hits);
     }
     void occluded_segments(std::span<const scene::Query> queries, std::span<bool> occluded) const override {
+      asked_to_lights += queries.size();
       of.occluded_segments(queries, occluded);
     }
   };
   const auto exact = engine::find("exact")->prepare(scene);
   const Counting counting(*exact);
   const glm::dvec3 seen = color(scene, counting, ray, max_depth);
-  return {seen, counting.asked};
+  return {seen, counting.asked, counting.asked_to_lights};
 }
 
 /// A plane through a point of the x axis, across it, with that material.
@@ -190,6 +191,16 @@ TEST_CASE("with no light, one and three, the mirror is asked once") {
     CHECK(at.rays == 2);
     CHECK(at.color == glm::dvec3(0.25, 0.125, 0));
   }
+}
+
+TEST_CASE("from every meeting one ray goes to each light, and no more") {
+  scene::Scene scene;
+  scene.stage().lights.assign(3, {{0.5, 10, 0}, {1, 1, 1}});
+  add_wall(scene, "mirror", 1, -1, {.color = {1, 1, 1}, .k_ps = 0.5});
+  add_wall(scene, "facing", 0, 1, {.color = {1, 1, 1}, .k_ps = 0.5});
+  const Traced at = traced(scene, along, 5);
+  CHECK(at.rays == 5);
+  CHECK(at.shadow_rays == 3 * 5);
 }
 
 TEST_CASE("what mirrors and lets through sends two rays at every meeting") {
@@ -391,6 +402,17 @@ TEST_CASE("what was left out is never more than was said") {
   CHECK(lost > 200);
 }
 
+TEST_CASE("what may be left out counts a background that is brighter than all that is lit") {
+  scene::Scene scene;
+  scene.stage().background = glm::dvec3(2, 4, 8);
+  add_wall(scene, "mirror", 1, -1, {.k_d = 0, .k_ps = 0.5});
+  const auto engine = engine::find("exact")->prepare(scene);
+  const scene::Query query{along};
+  const render::Brought at = render::brought(scene, *engine, {&query, 1}, {9, 0.75}).at(0);
+  CHECK(at.color == black);
+  for (int k = 0; k < 3; ++k) CHECK(at.left_out[k] == Approx(0.5 * (*scene.stage().background)[k]).epsilon(1e-8));
+}
+
 TEST_CASE("the depth that the materials need") {
   scene::Stage stage;
   CHECK(render::depth_of(stage) == 1);
@@ -516,6 +538,8 @@ TEST_CASE("a relief turns the normal: by 45 degrees it is lit by what stands 45 
   // Twice as high, twice as steep: tan α = 2.
   scene.stage().materials[0].bump->height = 8;
   CHECK(at(2) == Approx((2 + 1) / std::sqrt(5.0) / std::sqrt(2.0)).epsilon(1e-12));
+  scene.stage().materials[0].bump->height = -8;
+  CHECK(at(2) == 0);  // the light, which the surface sees, is behind the relief
 }
 
 TEST_CASE("no relief sees a light behind its surface, nor does it mirror through it") {

@@ -28,8 +28,8 @@ struct Samples {
 
 /// @{ Statistical sampling parts the points of a pixel into so many blocks, whose means tell how far apart they are:
 /// one a point at first, `least_samples` of them, and `most_blocks` from so many points on.
-inline constexpr std::uint32_t least_samples = 4;
-inline constexpr std::uint32_t most_blocks = 8;
+inline constexpr std::uint32_t least_samples = 8;
+inline constexpr std::uint32_t most_blocks = 16;
 /// @}
 
 /// The greatest number of points of a pixel.
