@@ -54,6 +54,34 @@ HWY_INLINE unsigned bits(hn::Mask<Tag> mask) {
   return stored[0];
 }
 
+/// A child of a node as rays of a bundle come to it, in every lane.
+struct LaneBox {
+  HWY_INLINE LaneBox(const WideNode& node, std::size_t child, const WideBundle& bundle) {
+    const auto plane = [&](std::size_t which) HWY_ATTR { return hn::Set(Tag(), double{node.planes[which][child]}); };
+    const auto first = [&](std::size_t axis) { return bundle.inverse_high[axis] < 0 ? axis + 3 : axis; };
+    const std::size_t x_first = first(0), y_first = first(1), z_first = first(2);
+    near_x = plane(x_first), near_y = plane(y_first), near_z = plane(z_first);
+    far_x = plane(3 - x_first), far_y = plane(5 - y_first), far_z = plane(7 - z_first);
+  }
+  /// A bit for each ray from one on that fills a lane, whether it may meet the box.
+  HWY_INLINE unsigned met_from(const WideBundle& bundle, std::size_t at) const {
+    const Tag tag;
+    const auto& p = bundle.rays.p;
+    const auto& inverse = bundle.inverse;
+    const Lanes x = hn::LoadU(tag, &p[0][at]), ix = hn::LoadU(tag, &inverse[0][at]);
+    const Lanes y = hn::LoadU(tag, &p[1][at]), iy = hn::LoadU(tag, &inverse[1][at]);
+    const Lanes z = hn::LoadU(tag, &p[2][at]), iz = hn::LoadU(tag, &inverse[2][at]);
+    Lanes entry = later(hn::Zero(tag), hn::Mul(hn::Sub(near_x, x), ix));
+    entry = later(entry, hn::Mul(hn::Sub(near_y, y), iy));
+    entry = later(entry, hn::Mul(hn::Sub(near_z, z), iz));
+    Lanes exit = sooner(hn::LoadU(tag, &bundle.limit[at]), hn::Mul(hn::Sub(far_x, x), ix));
+    exit = sooner(exit, hn::Mul(hn::Sub(far_y, y), iy));
+    exit = sooner(exit, hn::Mul(hn::Sub(far_z, z), iz));
+    return bits(meets(entry, exit));
+  }
+  Lanes near_x, near_y, near_z, far_x, far_y, far_z;
+};
+
 /// For each set of places, those that are in it, the first lowest, in four bits each. (Highway's Compress copies its
 /// table at every call.)
 inline constexpr std::array<std::uint64_t, 256> first_places = [] {

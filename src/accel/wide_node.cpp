@@ -80,29 +80,12 @@ unsigned met_by_bundle(const WideNode& node, const WideBundle& bundle, double li
 
 /// A child at a time, so that its bits gather in a register: most often few children are asked about.
 void met_by_each(const WideNode& node, unsigned children, const WideBundle& bundle, WideMeetings& met) {
-  const Tag tag;
-  const auto first = [&](std::size_t axis) { return bundle.inverse_high[axis] < 0 ? axis + 3 : axis; };
-  const std::size_t x_first = first(0), y_first = first(1), z_first = first(2);
-  const auto& p = bundle.rays.p;
-  const auto& inverse = bundle.inverse;
   for (unsigned left = children; left != 0; left &= left - 1) {
     const auto child = static_cast<std::size_t>(std::countr_zero(left));
-    const auto plane = [&](std::size_t which) HWY_ATTR { return hn::Set(tag, double{node.planes[which][child]}); };
-    const Lanes near_x = plane(x_first), near_y = plane(y_first), near_z = plane(z_first);
-    const Lanes far_x = plane(3 - x_first), far_y = plane(5 - y_first), far_z = plane(7 - z_first);
+    const LaneBox box(node, child, bundle);
     std::uint64_t of_child = 0;
-    for (std::size_t at = bundle.begin; at < bundle.end; at += hn::Lanes(tag)) {
-      const Lanes x = hn::LoadU(tag, &p[0][at]), ix = hn::LoadU(tag, &inverse[0][at]);
-      const Lanes y = hn::LoadU(tag, &p[1][at]), iy = hn::LoadU(tag, &inverse[1][at]);
-      const Lanes z = hn::LoadU(tag, &p[2][at]), iz = hn::LoadU(tag, &inverse[2][at]);
-      Lanes entry = later(hn::Zero(tag), hn::Mul(hn::Sub(near_x, x), ix));
-      entry = later(entry, hn::Mul(hn::Sub(near_y, y), iy));
-      entry = later(entry, hn::Mul(hn::Sub(near_z, z), iz));
-      Lanes exit = sooner(hn::LoadU(tag, &bundle.limit[at]), hn::Mul(hn::Sub(far_x, x), ix));
-      exit = sooner(exit, hn::Mul(hn::Sub(far_y, y), iy));
-      exit = sooner(exit, hn::Mul(hn::Sub(far_z, z), iz));
-      of_child |= std::uint64_t{bits(meets(entry, exit))} << at;
-    }
+    for (std::size_t at = bundle.begin; at < bundle.end; at += hn::Lanes(Tag()))
+      of_child |= std::uint64_t{box.met_from(bundle, at)} << at;
     met[child] = of_child;
   }
 }

@@ -138,3 +138,36 @@ TEST_CASE("rays that stay together are bundled and others are not, and either wa
     CHECK((together > 0) == close);
   }
 }
+
+namespace {
+
+/// What rays in columns take closes them for all that lies beyond the middle of it.
+struct Nearest {
+  std::vector<double>& limits;
+  std::uint64_t& taken;
+
+  void operator()(std::uint32_t, scene::ElementRef) const { FAIL("they walk together"); }
+  template <class Numbers>
+  std::uint64_t operator()(const trace::RayColumns&, const Numbers& numbers, std::uint64_t which,
+                           scene::ElementRef) const {
+    for (std::uint64_t left = which; left != 0; left &= left - 1)
+      limits[numbers[static_cast<std::size_t>(std::countr_zero(left))]] = 5;
+    taken += static_cast<std::uint64_t>(std::popcount(which));
+    return which;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("what a bundle has found is known before it comes to the next element, for however few of its rays") {
+  scene::Scene scene;
+  for (const double z : {5.0, 9.0, 13.0}) add(scene, scene::Sphere{{0, 0, z}, 1});
+  const accel::WideBvh tree(scene);
+  std::vector<trace::Ray> rays;  // of eight in a row one meets the spheres
+  for (int i = 0; i < 64; ++i) rays.emplace_back(ray({i % 8 == 3 ? 0.1 : 1.5, 1e-3 * i, 0}, {1e-6, 1e-6, 1}));
+  std::vector<double> limits(rays.size(), trace::no_limit);
+  std::uint64_t taken = 0;
+  tree.pairs(
+      rays, [&](std::uint32_t number) { return limits[number]; }, Nearest{limits, taken}, [] {});
+  CHECK(taken == 8);
+}

@@ -33,3 +33,15 @@ TEST_CASE("segments in lanes are occluded as they are one by one") {
     CHECK(in_lanes == alone);
   }
 }
+
+TEST_CASE("of several elements that a segment starts on, each is met at its other point") {
+  scene::Scene scene;
+  for (const double x : {0.0, 2.0}) add(scene, scene::Sphere{{x, 0, 0}, 1});
+  const scene::ElementSet both{{model::Tipo::soy_esfera, 0}, {model::Tipo::soy_esfera, 1}};
+  const trace::Tables tables(scene);
+  std::vector<scene::Query> queries;
+  for (const double way : {4.0, -4.0, 0.5, -0.5}) queries.push_back({ray({1, 0, 0}, {way, 0, 0}), both});
+  boost::container::vector<bool> occluded(queries.size());
+  trace::occluded_segments_in_lanes(tables, queries, {occluded.data(), occluded.size()});
+  CHECK(occluded == boost::container::vector<bool>{true, true, false, false});
+}

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "durero/accel/wide_beam.hpp"
+#include "durero/accel/wide_eights.hpp"
 #include "durero/accel/wide_leaves.hpp"
 #include "durero/accel/wide_node.hpp"
 #include "durero/accel/wide_run.hpp"
@@ -43,7 +44,7 @@ class WideBundles {
   WideBundles(const Tree& tree, std::span<const trace::Ray> rays, Limit& limit, Take& take, Flush& flush)
       : nodes_(tree.nodes()),
         leaves_(tree.leaves()),
-        waits_for_leaves_(nodes_.size_bytes() > WideLeaves::nearby),
+        large_(nodes_.size_bytes() > WideLeaves::nearby),
         narrow_(widest * tree.spacing()),
         rays_(rays),
         limit_(limit),
@@ -83,8 +84,6 @@ class WideBundles {
   static constexpr double widest = takes_any ? 4 : 2;            // of a bundle, in spacings of the elements
   static constexpr std::size_t least_worth = takes_any ? 3 : 6;  // rays of a bundle that is worth it
   static constexpr std::size_t asked = 64;                       // rays, whether they have company
-  static constexpr std::size_t patience = 32;                    // pairs, until the limits are brought up to date
-  static constexpr int dense_from = 2;                           // bits of an eight
   static constexpr std::size_t eight = WideBundle::eight;
 
   /// Some rays, and their numbers.
@@ -96,7 +95,7 @@ class WideBundles {
     /// Whether they walk together. The last eight is filled up by rays that take no part.
     bool gathered() {
       const std::size_t places = whole_eights(count);
-      for (std::size_t place = count; place < places; ++place) bundle.move(0, place), bundle.limit[place] = -1;
+      for (std::size_t place = count; place < places; ++place) bundle.move(count - 1, place), bundle.limit[place] = -1;
       invert(bundle, places);
       return gather(bundle, 0, places);
     }
@@ -190,10 +189,10 @@ class WideBundles {
     return narrow;
   }
 
-  /// The nearest first. What lies beyond the limits is passed over.
+  /// The nearest first. What lies beyond the limits is passed over. An element is tested as the bundle comes to it, for
+  /// however few of the rays: so the limits fall at once, and with them what is left to be done.
   void walk(Some& some) {
-    std::uint64_t taken = 0;
-    std::size_t pending = 0;
+    if (large_) gather(eights_, some.bundle);
     double limit = farthest(some.bundle);
     WideStack waiting;
     open(waiting, some.bundle, 0, limit);
@@ -205,29 +204,30 @@ class WideBundles {
         open(waiting, some.bundle, child.index, limit);
         continue;
       }
-      WideMeetings meeting;
-      met_by(nodes_[node], 1u << place, some.bundle, meeting);
-      if (meeting[place] == 0) continue;
-      if constexpr (takes_many) {
-        if (dense(meeting[place])) {
-          const std::uint64_t changed = take_(some.bundle.rays, some.numbers, meeting[place], child.element());
-          if (changed == 0) continue;
-          bring_up_to_date(some, changed);
-          limit = farthest(some.bundle);
-          continue;
-        }
-      }
-      for (std::uint64_t left = meeting[place]; left != 0; left &= left - 1)
-        take_(some.numbers[static_cast<std::size_t>(std::countr_zero(left))], child.element());
-      taken |= meeting[place];
-      pending += static_cast<std::size_t>(std::popcount(meeting[place]));
-      if (pending < patience) continue;
-      flush_();
-      bring_up_to_date(some, taken);
-      taken = 0;
-      pending = 0;
-      limit = farthest(some.bundle);
+      const std::uint64_t which = met_by_now(nodes_[node], place, some.bundle);
+      if (which == 0) continue;
+      const std::uint64_t changed = take(some, which, child.element());
+      if (changed != 0) limit = brought_up_to_date(some, changed);
     }
+  }
+
+  /// Takes an element for the rays that have a bit. A bit for each whose limit may have changed.
+  std::uint64_t take(Some& some, std::uint64_t which, scene::ElementRef own) {
+    if constexpr (takes_many) {
+      return take_(some.bundle.rays, some.numbers, which, own);
+    } else {
+      for (std::uint64_t left = which; left != 0; left &= left - 1)
+        take_(some.numbers[static_cast<std::size_t>(std::countr_zero(left))], own);
+      flush_();
+      return which;
+    }
+  }
+
+  std::uint64_t met_by_now(const WideNode& node, std::size_t child, const WideBundle& bundle) const {
+    if (large_) return met_by(node, child, bundle, eights_);
+    WideMeetings meeting;
+    met_by(node, 1u << child, bundle, meeting);
+    return meeting[child];
   }
 
   void open(WideStack& waiting, const WideBundle& bundle, std::uint32_t node, double limit) const {
@@ -237,26 +237,19 @@ class WideBundles {
     waiting.push(node, bits, entries);
   }
   void ask_for(const WideNode& node, unsigned children) const {
-    if (!waits_for_leaves_) return;
+    if (!large_) return;
     for (; children != 0; children &= children - 1)
       accel::ask_for(nodes_, leaves_, node.children[static_cast<std::size_t>(std::countr_zero(children))]);
   }
 
-  /// So many bits in each eight that has some that their rays are better tested where they stand.
-  static bool dense(std::uint64_t which) {
-    std::uint64_t eights = which | which >> 4;
-    eights |= eights >> 2;
-    eights = (eights | eights >> 1) & 0x0101010101010101;
-    return std::popcount(which) >= dense_from * std::popcount(eights);
-  }
-
-  /// The limits of those that have a bit.
-  void bring_up_to_date(Some& some, std::uint64_t which) {
-    for (; which != 0; which &= which - 1) {
-      const auto place = static_cast<std::size_t>(std::countr_zero(which));
+  /// The limits of those that have a bit, and the greatest of all.
+  double brought_up_to_date(Some& some, std::uint64_t which) {
+    for (std::uint64_t left = which; left != 0; left &= left - 1) {
+      const auto place = static_cast<std::size_t>(std::countr_zero(left));
       const double limit = limit_(some.numbers[place]);
       some.bundle.limit[place] = limit > 0 ? limit : -1;
     }
+    return large_ ? bring_up_to_date(eights_, some.bundle, which) : farthest(some.bundle);
   }
 
   /// In any order, the elements of a node at once, until nothing is left to be found of any ray.
@@ -321,7 +314,7 @@ class WideBundles {
 
   std::span<const WideNode> nodes_;
   const WideLeaves& leaves_;
-  bool waits_for_leaves_;
+  bool large_;  // so that leaves are waited for, and so many are come to that it pays to test them by eights
   double narrow_;
   std::span<const trace::Ray> rays_;
   Limit& limit_;
@@ -329,6 +322,7 @@ class WideBundles {
   Flush& flush_;
   surface::Box all_{};
   Some coming_, apart_;
+  WideEights eights_;  // of the bundle that walks, the nearest first
   std::vector<std::uint32_t> alone_;
 };
 

@@ -30,14 +30,15 @@ class Batch {
  public:
   /// All of these must outlive it.
   Batch(const Source& source, Picked<const scene::Query> queries, Kernel& kernel)
-      : source_(source), kernel_(kernel), rays_(rays_of(queries)), nearest_(queries.size()) {
-    for (std::size_t i = 0; i < queries.size(); ++i) {
-      const scene::ElementSet& en = queries[i].en;
-      nearest_[i].alone = !rays_[i].ordinary || en.size() > most_starts || !source.extraordinary().empty();
-      if (nearest_[i].alone || en.empty()) continue;
+      : source_(source), kernel_(kernel), nearest_(queries.size()) {
+    const bool none_apart = source.extraordinary().empty();
+    rays_ = rays_of(queries, [&](std::size_t i, const scene::Query& query, const Ray& ray) {
+      const scene::ElementSet& en = query.en;
+      nearest_[i].alone = !ray.ordinary || en.size() > most_starts || !none_apart;
+      if (nearest_[i].alone || en.empty()) return;
       nearest_[i].start = en[0];
       some_start_ = true;
-    }
+    });
   }
 
   /// Tells the kernel of all rays but those that are left alone.

@@ -71,14 +71,17 @@ void ask_for(const T& object) {
 }
 /// @}
 
-/// The rays of some queries, in order. Memory is asked for each query some time before its turn.
-inline std::vector<Ray> rays_of(Picked<const scene::Query> queries) {
+/// The rays of some queries, in order, with also(number, query, ray) of each while they are at hand. Memory is asked
+/// for each query some time before its turn.
+template <class Also>
+std::vector<Ray> rays_of(Picked<const scene::Query> queries, Also also) {
   constexpr std::size_t ahead = 16;
   std::vector<Ray> rays;
   rays.reserve(queries.size());
   for (std::size_t i = 0; i < queries.size(); ++i) {
     if (i + ahead < queries.size()) ask_for(queries[i + ahead]);
-    rays.emplace_back(queries[i].rayo);
+    const scene::Query& query = queries[i];
+    also(i, query, rays.emplace_back(query.rayo));
   }
   return rays;
 }

@@ -29,18 +29,17 @@ class SegmentBatch {
  public:
   /// All of these must outlive it. Precondition: a place in `occluded` for each query.
   SegmentBatch(const Source& source, Picked<const scene::Query> queries, Picked<bool> occluded)
-      : source_(source),
-        queries_(queries),
-        occluded_(occluded),
-        open_(queries.size(), true),
-        rays_(rays_of(queries)),
-        start_(queries.size()) {}
+      : source_(source), queries_(queries), occluded_(occluded), open_(queries.size(), true), start_(queries.size()) {
+    rays_ = rays_of(queries, [&](std::size_t i, const scene::Query& query, const Ray&) {
+      if (!query.en.empty()) start_[i] = {query.en[0], query.en.size() > 1};
+    });
+  }
 
   /// Writes every answer.
   void answer() {
     constexpr std::uint32_t ahead = 24;
     for (std::uint32_t number = 0; number < queries_.size(); ++number) {
-      if (number + ahead < queries_.size()) ask_for_starts(queries_[number + ahead]);
+      if (number + ahead < queries_.size()) ask_for_start(start_[number + ahead]);
       begin(number);
     }
     for (Queue& queue : starts_) test_starts(queue);
@@ -53,9 +52,11 @@ class SegmentBatch {
   }
 
  private:
+  static constexpr scene::ElementRef no_element{{}, std::numeric_limits<std::uint32_t>::max()};
+
   /// What a ray starts on: mostly one element, which is at hand.
   struct Start {
-    scene::ElementRef first{{}, std::numeric_limits<std::uint32_t>::max()};
+    scene::ElementRef first = no_element;
     bool more = false;  // the others are asked of the query
   };
   bool starts_on(std::uint32_t number, scene::ElementRef e) const {
@@ -63,22 +64,24 @@ class SegmentBatch {
     return start.first == e || (start.more && Origin(queries_[number].en).contains(e));
   }
 
-  void ask_for_starts(const scene::Query& query) const {
-    for (const scene::ElementRef e : query.en) source_.scene().visit(e, [](const auto& shape) { ask_for(shape); });
+  void ask_for_start(const Start& start) const {
+    if (start.first == no_element) return;
+    source_.scene().visit(start.first, [](const auto& shape) { ask_for(shape); });
   }
 
   /// Rays out of the ordinary are answered alone; the elements that a ray starts on, the source does not know of.
   void begin(std::uint32_t number) {
-    const scene::Query& query = queries_[number];
-    if (!query.en.empty()) start_[number] = {query.en[0], query.en.size() > 1};
     occluded_[number] = false;
     if (!rays_[number].ordinary) {
+      const scene::Query& query = queries_[number];
       Counts unseen;
       occluded_[number] = occluded_segment_among(source_, query.rayo, query.en, unseen);
       open_[number] = false;
-      return;
+    } else if (start_[number].more) {
+      for (const scene::ElementRef e : queries_[number].en) begin_on(number, e);
+    } else if (start_[number].first != no_element) {
+      begin_on(number, start_[number].first);
     }
-    for (const scene::ElementRef e : query.en) begin_on(number, e);
   }
 
   /// In lanes where the element is ordinary: all are where none is known to be extraordinary.
