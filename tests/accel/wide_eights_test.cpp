@@ -36,7 +36,8 @@ void fill(WideBundle& bundle, std::size_t count, Random& random) {
   for (std::size_t place = 0; place < count; ++place) {
     if (place % 8 == 0) about = random.in_cube(1);
     const double limit = place % 3 == 0 ? 9 : place % 7 == 0 || place / 8 == 2 ? -1 : place % 5 == 0 ? infinity : 6;
-    bundle.set(place, trace::Ray(ray(p + about + random.in_cube(0.1), v + random.in_cube(0.1))), limit);
+    const glm::dvec3 from = p + about + random.in_cube(0.1), along = v + random.in_cube(0.1);
+    bundle.set(place, trace::Ray(ray(from, along)), limit);
   }
   invert(bundle, count);
 }
