@@ -284,7 +284,7 @@ Qed.
 
 (** Where there are roots, the two computed ones are near the exact ones, in their order. *)
 Lemma two_roots : has_roots = true -> exists t0 t1, t0 < t1 /\ (forall t, is_root t <-> t = t0 \/ t = t1) /\
-  (forall root t, root = nearer /\ t = t0 \/ root = farther /\ t = t1 -> Rabs (Formas.value root - t) <= Formas.error root /\
+  (forall root t, root = nearer /\ t = t0 \/ root = farther /\ t = t1 -> is_near root t /\
    format (Formas.value root) /\ format (Formas.error root) /\ bpow radix2 (-900) <= Formas.error root).
 Proof.
   intros HR; destruct (has_roots_spec HR) as (HF & Hq & HA); destruct (meets HF) as (HD & _).
@@ -315,7 +315,7 @@ Qed.
 Theorem the_decision_is_right on place : places on place ->
   let d := decided place in
   (Formas.hit d = true ->
-   exists t, first_of on t /\ Rabs (Formas.value (Formas.root d) - t) <= Formas.error (Formas.root d)) /\
+   exists t, first_of on t /\ is_near (Formas.root d) t) /\
   (Formas.hit d = false -> Formas.undecided d = false -> forall t, is_root t -> ~ on t).
 Proof.
   intros Hplace d; unfold d, decided; cbn [Formas.hit Formas.undecided Formas.root].
@@ -323,7 +323,7 @@ Proof.
   - rewrite andb_true_iff; intros [HR Hin]; destruct (two_roots HR) as (t0 & t1 & Hlt & Hall & Hnear).
     destruct (Hnear nearer t0 (or_introl (conj eq_refl eq_refl))) as (N0 & F0 & G0 & L0).
     destruct (Hnear farther t1 (or_intror (conj eq_refl eq_refl))) as (N1 & F1 & G1 & L1).
-    destruct (Hplace nearer t0 N0 F0 G0 L0) as [Out0 In0], (Hplace farther t1 N1 F1 G1 L1) as [Out1 In1].
+    destruct (Hplace nearer t0 (near_within _ _ N0) F0 G0 L0) as [Out0 In0], (Hplace farther t1 (near_within _ _ N1) F1 G1 L1) as [Out1 In1].
     destruct (Formas.outside (place nearer)) eqn:O, (Formas.inside (place farther)) eqn:I; cbn [andb] in *;
       try (rewrite orb_false_r in Hin; exists t0; split; [|exact N0]; split; [apply Hall; tauto|]; split;
         [now apply In0 | intros t' Ht' _; apply Hall in Ht'; lra]).
@@ -335,7 +335,7 @@ Proof.
     + destruct (two_roots HR) as (t0 & t1 & Hlt & Hall & Hnear).
       destruct (Hnear nearer t0 (or_introl (conj eq_refl eq_refl))) as (N0 & F0 & G0 & L0).
       destruct (Hnear farther t1 (or_intror (conj eq_refl eq_refl))) as (N1 & F1 & G1 & L1).
-      destruct (Hplace nearer t0 N0 F0 G0 L0) as [Out0 In0], (Hplace farther t1 N1 F1 G1 L1) as [Out1 In1].
+      destruct (Hplace nearer t0 (near_within _ _ N0) F0 G0 L0) as [Out0 In0], (Hplace farther t1 (near_within _ _ N1) F1 G1 L1) as [Out1 In1].
       destruct (proj1 (Hall t) Ht) as [E0|E1]; [rewrite E0 | rewrite E1]; auto.
 Qed.
 

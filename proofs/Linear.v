@@ -63,10 +63,13 @@ Proof.
   assert (E2 : rnd (B_fl + B_fl) = 2 * B_fl) by (replace (B_fl + B_fl) with (2 * B_fl) by ring; now apply rnd_double).
   destruct L as [[Z0 ZC]|[L1 L2]].
   - assert (HC : C = 0) by (rewrite Z0, ZC in NC; apply Rabs_le_inv in NC; lra).
-    unfold is_near, only_root, Formas.quotient; rewrite E2, Z0, ZC; cbn [Formas.value Formas.error].
-    replace (rnd (- 0 / (2 * B_fl))) with 0 by (unfold Rdiv; rewrite Ropp_0, Rmult_0_l; symmetry; apply rnd_0).
-    rewrite HC, Rabs_R0, !Rmult_0_l, !Rmult_0_r, rnd_0, Rplus_0_l, rnd_0; unfold Rdiv.
-    rewrite Ropp_0, !Rmult_0_l, rnd_0, Rmult_0_l, rnd_0, Rplus_0_l, rnd_0, Rminus_0_r, Rabs_R0; lra.
+    assert (Ev : Formas.value only_root = 0 /\ Formas.error only_root = 0).
+    { unfold only_root, Formas.quotient; rewrite E2, Z0, ZC; cbn [Formas.value Formas.error].
+      replace (rnd (- 0 / (2 * B_fl))) with 0 by (unfold Rdiv; rewrite Ropp_0, Rmult_0_l; symmetry; apply rnd_0).
+      split; [reflexivity|]; rewrite Rabs_R0, !Rmult_0_l, !Rmult_0_r, rnd_0, Rplus_0_l, rnd_0; unfold Rdiv.
+      now rewrite Rmult_0_l, rnd_0, Rmult_0_l, rnd_0, Rplus_0_l, rnd_0. }
+    destruct Ev as [Ev Ee]; unfold is_near, Rdiv; split; [apply format_rnd | split; [apply format_rnd|]].
+    rewrite Ev, Ee, HC, Ropp_0, Rmult_0_l, Rminus_0_r, Rplus_0_r, Rabs_R0, Rmult_0_r; lra.
   - unfold only_root; rewrite E2; apply quotient_bound_any; rewrite ?(rnd_double _ FBe); auto.
     + rewrite <- (rnd_double _ FB); apply format_rnd.
     + rewrite <- (rnd_double _ FBe); apply format_rnd.
@@ -128,7 +131,7 @@ Lemma edged_placed (inside : R -> Prop) m t : Rabs (Formas.margin f - m) <= Form
   (Formas.outside (Formas.place_edged f only_root) = true -> ~ (0 < t /\ inside t)) /\
   (Formas.inside (Formas.place_edged f only_root) = true -> 0 < t /\ inside t).
 Proof.
-  unfold is_near, Formas.place_edged; intros Hm Hin N; apply Rabs_le_inv in Hm, N; cbn [Formas.outside Formas.inside]; split.
+  unfold Formas.place_edged; intros Hm Hin N%near_within; apply Rabs_le_inv in Hm, N; cbn [Formas.outside Formas.inside]; split.
   - rewrite orb_true_iff; intros [O|O] [Ht I]; apply Hin in I;
       match type of O with Rlt_bool ?a ?b = true => destruct (Rlt_bool_spec a b); [lra | discriminate] end.
   - rewrite andb_true_iff; intros [I1 I2]; rewrite <- Hin.
@@ -139,7 +142,7 @@ Qed.
 Lemma free_placed t : is_near only_root t -> (Formas.outside (Formas.place f only_root) = true -> ~ 0 < t) /\
   (Formas.inside (Formas.place f only_root) = true -> 0 < t).
 Proof.
-  unfold is_near, Formas.place; intros N; apply Rabs_le_inv in N; cbn [Formas.outside Formas.inside]; split; intros O;
+  unfold Formas.place; intros N%near_within; apply Rabs_le_inv in N; cbn [Formas.outside Formas.inside]; split; intros O;
     match type of O with Rlt_bool ?a ?b = true => destruct (Rlt_bool_spec a b); [lra | discriminate] end.
 Qed.
 End Linear.

@@ -114,7 +114,7 @@ Proof.
   { intros Z0; pose proof divisor_near as Hn; rewrite Z0, Rminus_0_r in Hn.
     pose proof (Rabs_pos divisor_fl); assert (0 <= divisor_error) by (apply Rle_trans with (2 := Hn), Rabs_pos); lra. }
   rewrite Hw; replace (T - (T_fl + Formas.value step)) with (- (Formas.value step - delta)) by (unfold delta; ring).
-  rewrite Rabs_Ropp; replace delta with (- (A * T_fl * T_fl + 2 * B * T_fl + C) / divisor); [exact Hq|].
+  rewrite Rabs_Ropp; replace delta with (- (A * T_fl * T_fl + 2 * B * T_fl + C) / divisor); [exact (near_within _ _ Hq)|].
   apply Rmult_eq_reg_r with divisor; [|exact Hd]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l, Rmult_1_r by exact Hd.
   unfold divisor, delta; replace C with (- (A * T * T + 2 * B * T)) by lra; ring.
 Qed.

@@ -3,26 +3,39 @@
     The record Search.steps_right, of the steps that are proved: the triage of every element, the second step on the shapes
     of Second.proved, and the rounding of what is found. What is assumed of the others stands in the theorem.
 
-    finding          == what a step has found: in binary64, or in double-double
-    near f t         == t is within its error; of a pair, that it is one, and its error no less than what rounding asks
+    finding          == what a step has found: in binary64, in double-double, or by improving the first
+    near f t         == t is within its error, with the room that its ends and comparisons ask for
+    close root t     == the pair root is within its error of t, which is no less than what rounding asks
     answered_pair    == as Triage.answered, of the second step: limits are binary64 *)
 From Coq Require Import Reals List Lra Lia ZArith.
 From Flocq Require Import Core BinarySingleNaN.
 From Durero Require Import Toolkit Especificacion Escena Puntos Trazador Interseccion.
-From Durero Require Search Limits Chain Formas Once.
-From Durero Require Import Rounding Vectors Flotante Verdict Steps Triage Twofold Sums Doubled Second.
+From Durero Require Search Limits Chain Formas Once Ends.
+From Durero Require Import Rounding Vectors Quotient Flotante Verdict Steps Triage Twofold Sums Doubled Second.
 Import Formas.Pairs.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
 Local Opaque bpow.
 
-Inductive finding := Single (root : Formas.known R) | Double (root : Formas.known twofold).
+Inductive finding :=
+  | Single (root : Formas.known R)
+  | Double (root : Formas.known twofold)
+  | Improved (root : Formas.known twofold).
+Definition close (root : Formas.known twofold) (t : R) : Prop :=
+  Rabs (whole (Formas.value root) - t) <= Formas.error root /\ pair (Formas.value root) /\
+  format (Formas.error root) /\ bpow radix2 (-900) <= Formas.error root.
 Definition near (f : finding) (t : R) : Prop :=
   match f with
   | Single root => is_near root t
-  | Double root => Rabs (whole (Formas.value root) - t) <= Formas.error root /\ pair (Formas.value root) /\
-      format (Formas.error root) /\ bpow radix2 (-900) <= Formas.error root
+  | Double root => near_pair root t
+  | Improved root => close root t
   end.
+
+Lemma near_pair_close root t : near_pair root t -> close root t.
+Proof.
+  intros [(H & W & Fe & He) _]; pose proof (bpow_gt_0 radix2 (-900)); split; [lra|].
+  split; [now apply double_word_is_pair | now split].
+Qed.
 
 Definition found_single (a : Formas.answer R) : Search.verdict finding :=
   match a with
@@ -58,19 +71,14 @@ Lemma double_says_right T step x a : (forall limit, format limit -> right_pair T
   says_right T x (found_double a).
 Proof.
   intros R0 Ha; unfold answered_pair in Ha.
-  assert (N : forall root t, near_word root t -> near (Double root) t).
-  { intros root t (H & W & Fe & He); pose proof (bpow_gt_0 radix2 (-900)); split; [lra|].
-    split; [now apply double_word_is_pair | now split]. }
   destruct (is_finite x) eqn:Fx.
   - specialize (R0 (B2R x) (generic_format_B2R 53 1024 x)); rewrite <- Ha in R0; destruct a; cbn in *; auto.
-    + intros t Ht [-> | [_ Hle]]; [discriminate Fx | specialize (R0 t Ht); lra].
-    + destruct R0 as (t & Ht & Hn); exists t; split; [exact Ht | now apply N].
+    intros t Ht [-> | [_ Hle]]; [discriminate Fx | specialize (R0 t Ht); lra].
   - destruct Ha as (low & Ha); destruct (format_above low) as (l0 & F0 & H0); pose proof (R0 l0 F0) as R1.
     rewrite <- (Ha l0 F0 H0) in R1; destruct a; cbn in *; auto.
-    + intros t Ht _; destruct (format_above (Rmax low t)) as (l & Fl & Hl).
-      pose proof (Rmax_l low t); pose proof (Rmax_r low t); pose proof (R0 l Fl) as R2; rewrite <- (Ha l Fl) in R2 by lra.
-      cbn in R2; specialize (R2 t Ht); lra.
-    + destruct R1 as (t & Ht & Hn); exists t; split; [exact Ht | now apply N].
+    intros t Ht _; destruct (format_above (Rmax low t)) as (l & Fl & Hl).
+    pose proof (Rmax_l low t); pose proof (Rmax_r low t); pose proof (R0 l Fl) as R2; rewrite <- (Ha l Fl) in R2 by lra.
+    cbn in R2; specialize (R2 t Ht); lra.
 Qed.
 
 Section Running.
@@ -93,7 +101,7 @@ Hypothesis range : forall e, In e elements -> in_range e = true -> ordinary_shap
 Variables triage stable : Elemento -> Limits.binary64 -> Search.verdict finding.
 Variable improved : Elemento -> finding -> Search.verdict finding.
 Variables low high : Search.evidence finding -> Limits.binary64.
-Variables certainly_less : finding -> finding -> bool.
+Variables less : finding -> finding -> bool.
 Variable rounded : finding -> option Chain.printed.
 Variable round_exact : Surd.surd -> Chain.printed.
 
@@ -103,7 +111,19 @@ Record steps_run : Prop := {
     exists a, answered (alone_of p v (shape_of e) (on e)) x a /\ triage e x = found_single a;
   stable_runs_on_proved : forall e x, In e elements -> in_range e = true -> proved (shape_of e) ->
     exists a, answered_pair (second_of p v (shape_of e) (on e)) x a /\ stable e x = found_double a;
-  rounding_runs : forall f out, rounded f = Some out -> exists root, f = Double root /\
+  stable_finds : forall e x f, In e elements -> in_range e = true -> stable e x = Search.Hit _ f -> exists root, f = Double root;
+  ends_run : forall w,
+    match w with
+    | Search.By_triage (Single root) =>
+        Once.stored (low w) (Formas.low (Formas.ends_of root)) /\ Once.stored (high w) (Formas.high (Formas.ends_of root))
+    | Search.By_stable (Double root) =>
+        Once.stored (low w) (Formas.low (ends_of root)) /\ Once.stored (high w) (Formas.high (ends_of root))
+    | Search.By_exact x => let nearest := Chain.printed_t (round_exact x) in
+        low w = Ends.next_below nearest /\ high w = Ends.next_above nearest
+    | _ => True
+    end;
+  less_runs : forall f g, less f g = true -> exists a b, f = Double a /\ g = Double b /\ certainly_less a b = true;
+  rounding_runs : forall f out, rounded f = Some out -> exists root, (f = Double root \/ f = Improved root) /\
     let once := round_point p v (Formas.value root) (Formas.error root) in
     all_certain once = true /\ Once.stores out once }.
 
@@ -111,16 +131,13 @@ Record steps_run : Prop := {
 Record steps_assumed : Prop := {
   stable_of_others : forall e x, In e elements -> in_range e = true -> ~ proved (shape_of e) ->
     says_right (met e) x (stable e x);
-  improved_is_near : forall e f g t, In e elements -> in_range e = true -> improved e f = Search.Hit _ g ->
-    is_least (met e) t -> near f t -> near g t;
-  ends_are_around : forall e v t, In e elements -> is_least (met e) t ->
-    Search.tells Elemento finding in_range near e v t -> Limits.at_most (low v) t /\ Limits.at_least (high v) t;
-  less_is_less : forall f g a b, certainly_less f g = true -> near f a -> near g b -> a < b;
+  improved_is_near : forall e f g t, In e elements -> in_range e = true -> (exists x, triage e x = Search.Hit _ f) ->
+    improved e f = Search.Hit _ g -> is_least (met e) t -> near f t -> near g t;
   exact_is_rounded : forall x, Surd.valid x -> Chain.rounds ray (round_exact x) (Surd.val x) }.
 
 Theorem steps_are_right : steps_run -> steps_assumed ->
   Search.steps_right Elemento finding Chain.printed met elements (Chain.rounds ray) in_range triage stable improved near low high
-    certainly_less rounded round_exact.
+    less rounded round_exact.
 Proof.
   intros Runs Rest; constructor.
   - intros e x He Hr; destruct (described e He) as [Hs Hon]; destruct (triage_runs Runs e x He Hr) as (a & Ha & ->).
@@ -140,10 +157,18 @@ Proof.
     refine (double_says_right _ _ _ _ _ Ha); intros limit Fl.
     exact (second_pair Elemento s en p v ok ray_ok p_ordinary v_ordinary e _ (on e) limit Hproved Hs (range e He Hr) Hon Fl).
   - exact (improved_is_near Rest).
-  - exact (ends_are_around Rest).
-  - exact (less_is_less Rest).
-  - intros f out t Hf Hn; destruct (rounding_runs Runs f out Hf) as (root & -> & Hc & Hst); destruct Hn as (H & P & Fe & He).
-    apply (Once.certain_is_rounded_right p v (Formas.value root) (Formas.error root)); auto; now rewrite Rabs_minus_sym.
+  - intros e w t He _ Hv; pose proof (ends_run Runs w) as E; destruct w as [f | f | x].
+    + destruct Hv as (Hr & [x Hx] & Hn); destruct (triage_runs Runs e x He Hr) as (a & _ & Ea); rewrite Ea in Hx.
+      destruct a as [| | root slope curvature]; try discriminate; injection Hx as <-; destruct E as [El Eh].
+      exact (Ends.stored_between _ _ _ t (Ends.ends_of_near root t Hn) El Eh).
+    + destruct Hv as (Hr & [x Hx] & Hn); destruct (stable_finds Runs e x f He Hr Hx) as [root ->]; destruct E as [El Eh].
+      exact (Ends.stored_between _ _ _ t (Ends.ends_of_near_word root t (proj1 Hn)) El Eh).
+    + destruct Hv as [Hx <-], E as [-> ->]; apply Ends.nearest_between, (exact_is_rounded Rest x Hx).
+  - intros f g a b Hless Ha Hb; destruct (less_runs Runs f g Hless) as (x & y & -> & -> & Hxy).
+    exact (Ends.certainly_less_near x y a b Ha Hb Hxy).
+  - intros f out t Hf Hn; destruct (rounding_runs Runs f out Hf) as (root & Hroot & Hc & Hst).
+    assert (Hclose : close root t) by (destruct Hroot as [-> | ->]; [now apply near_pair_close | exact Hn]).
+    destruct Hclose as (H & P & Fe & He); apply (Once.certain_is_rounded_right p v (Formas.value root) (Formas.error root)); auto; now rewrite Rabs_minus_sym.
   - exact (exact_is_rounded Rest).
 Qed.
 End Running.

@@ -8,7 +8,7 @@
 From Coq Require Import Reals List Lra.
 From Durero Require Import Toolkit Especificacion Puntos Trazador.
 From Durero Require Tipos Certified Cylinder Formas Flat Triangle Conical Cone.
-From Durero Require Import Vectors Across Decision Flotante Verdict Advance Linear Plane.
+From Durero Require Import Vectors Across Quotient Decision Flotante Verdict Advance Linear Plane.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
 

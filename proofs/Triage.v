@@ -12,7 +12,7 @@ From Coq Require Import Reals List Lra.
 From Flocq Require Import Core BinarySingleNaN.
 From Durero Require Import Toolkit Especificacion Escena Puntos Trazador Interseccion.
 From Durero Require Tipos Search Limits Formas.
-From Durero Require Import Vectors Flotante Verdict Steps.
+From Durero Require Import Vectors Quotient Flotante Verdict Steps.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
 
@@ -156,6 +156,27 @@ Theorem alone_is_right e sh on limit : stands e sh -> ordinary_shape sh -> (on =
 Proof.
   intros H O Hon; apply (right_up_to_equal _ _ _ _ (met_of_shape e sh on H Hon)).
   destruct (decisions_are_right e sh H O) as (_ & _ & A); destruct (A limit); unfold alone_of; destruct on; assumption.
+Qed.
+
+(** The same, where the room beside the error does not matter. *)
+Corollary lanes_within e sh on : stands e sh -> ordinary_shape sh -> (on = true <-> en e) -> let d := lanes_of p v sh on in
+  (Formas.hit d = true ->
+   exists t, is_least (met e) t /\ Rabs (Formas.value (Formas.root d) - t) <= Formas.error (Formas.root d))
+  /\ (Formas.hit d = false -> Formas.undecided d = false -> forall t, ~ met e t).
+Proof.
+  intros H O Hon; destruct (lanes_are_right e sh on H O Hon) as [Hh Hm]; split; [|exact Hm].
+  intros E; destruct (Hh E) as (t & Ht & N); exists t; split; [exact Ht | now apply near_within].
+Qed.
+
+Corollary alone_within e sh on limit : stands e sh -> ordinary_shape sh -> (on = true <-> en e) ->
+  match alone_of p v sh on limit with
+  | Formas.Miss => forall t, met e t -> limit < t
+  | Formas.Undecided => True
+  | Formas.Hit root _ _ => exists t, is_least (met e) t /\ Rabs (Formas.value root - t) <= Formas.error root
+  end.
+Proof.
+  intros H O Hon; pose proof (alone_is_right e sh on limit H O Hon) as R1; destruct (alone_of p v sh on limit); auto.
+  destruct R1 as (t & Ht & N); exists t; split; [exact Ht | now apply near_within].
 Qed.
 
 (** *** The first sentence of what the search asks of its steps *)

@@ -17,8 +17,6 @@ From Durero Require Formas.
 Local Open Scope R_scope.
 Local Opaque bpow.
 
-Definition is_near (root : Formas.known R) (t : R) : Prop := Rabs (Formas.value root - t) <= Formas.error root.
-
 Definition right_in_lanes (T : R -> Prop) (d : Formas.in_lanes) : Prop :=
   (Formas.hit d = true -> exists t, is_least T t /\ is_near (Formas.root d) t) /\
   (Formas.hit d = false -> Formas.undecided d = false -> forall t, ~ T t).
@@ -49,7 +47,7 @@ Qed.
 Lemma beyond_right root limit t : is_near root t -> format (Formas.error root) -> Formas.beyond root limit = true ->
   limit < t.
 Proof.
-  unfold is_near, Formas.beyond; intros N Fe H; destruct (Rlt_bool_spec (Formas.error root) (rnd (Formas.value root -
+  unfold Formas.beyond; intros N%near_within Fe H; destruct (Rlt_bool_spec (Formas.error root) (rnd (Formas.value root -
     limit)))
     as [Hlt|]; [|discriminate].
   assert (Formas.error root < Formas.value root - limit).
@@ -213,8 +211,8 @@ Proof.
     destruct (Hnear (farther f) t1 (or_intror (conj eq_refl eq_refl))) as (N1 & F1 & G1 & L1).
     assert (Hturns : forall s0 s1, right_up_to (points on) limit (turn place limit (Formas.Known A_fl A_error) (nearer f) s0
       (turn place limit (Formas.Known A_fl A_error) (farther f) s1 Formas.Miss))).
-    { intros s0 s1; destruct (Hplace (nearer f) t0 N0 F0 G0 L0) as [Out0 In0], (Hplace (farther f) t1 N1 F1 G1 L1) as
-      [Out1 In1].
+    { intros s0 s1; destruct (Hplace (nearer f) t0 (near_within _ _ N0) F0 G0 L0) as [Out0 In0].
+      destruct (Hplace (farther f) t1 (near_within _ _ N1) F1 G1 L1) as [Out1 In1].
       apply (turn_right place limit _ (points on) on _ _ _ t0 N0 G0 Out0 In0).
       - intros On; split; [split; [apply Hall; tauto | exact On] | intros t' [Ht' _]; apply Hall in Ht'; lra].
       - intros Hb t' [Ht' _]; apply Hall in Ht'; lra.
@@ -234,7 +232,7 @@ Proof.
     destruct (errors_least f A B C F H f_sound) as (_ & _ & HC360).
     destruct (quotient_bound _ _ _ _ _ _ FCe Fq Fqe HC360 (C_near f A B C F H f_sound) Hqb (conj Hq Hq450)) as (N & L &
       Ft & Fe).
-    fold (from_C f) in N, L, Ft, Fe; destruct (Hplace (from_C f) (C / x) N Ft Fe L) as [Out In].
+    fold (from_C f) in N, L, Ft, Fe; destruct (Hplace (from_C f) (C / x) (near_within _ _ N) Ft Fe L) as [Out In].
     assert (Hcase : forall t, points on t -> t = C / x \/ (A * t = x /\ on t)).
     { intros t [Ht On]; apply (roots_of t HF Hx0) in Ht as [Ht|Ht]; auto. }
     apply (turn_right place limit _ (points on) on _ _ _ (C / x) N Fe Out In).
@@ -312,14 +310,14 @@ Theorem lanes_from_right (on : R -> Prop) place : places on place -> (forall t, 
   right_in_lanes (points_from on) (lanes_from place).
 Proof.
   intros Hplace Hon; apply (alone_right _ on); intros HA; destruct (from_start_near on Hon HA) as (t & N & Ft & Fe & L & HT).
-  destruct (Hplace from_start t N Ft Fe L) as [Out In]; exists t; auto.
+  destruct (Hplace from_start t (near_within _ _ N) Ft Fe L) as [Out In]; exists t; auto.
 Qed.
 
 Theorem single_from_right (on : R -> Prop) place limit : places on place -> (forall t, on t -> 0 < t) ->
   right_up_to (points_from on) limit (single_from place limit).
 Proof.
   intros Hplace Hon; unfold single_from; destruct (Rlt_bool (rnd (2 * A_error)) (Rabs A_fl)) eqn:HA; [|exact I].
-  destruct (from_start_near on Hon HA) as (t & N & Ft & Fe & L & HT), (Hplace from_start t N Ft Fe L) as [Out In].
+  destruct (from_start_near on Hon HA) as (t & N & Ft & Fe & L & HT), (Hplace from_start t (near_within _ _ N) Ft Fe L) as [Out In].
   apply (turn_right place limit _ _ on _ _ _ t N Fe Out In).
   - intros On; split; [now apply HT | intros t' Ht'; apply HT in Ht' as [-> _]; lra].
   - intros Hb t' Ht'; apply HT in Ht' as [-> _]; exact Hb.
