@@ -283,7 +283,8 @@ Proof.
 Qed.
 
 (** Where there are roots, the two computed ones are near the exact ones, in their order. *)
-Lemma two_roots : has_roots = true -> exists t0 t1, t0 < t1 /\ (forall t, is_root t <-> t = t0 \/ t = t1) /\
+Lemma two_roots_by : has_roots = true -> exists t0 t1, (if A_root_first then A * t0 = q_exact /\ t1 = C / q_exact
+   else t0 = C / q_exact /\ A * t1 = q_exact) /\ t0 < t1 /\ (forall t, is_root t <-> t = t0 \/ t = t1) /\
   (forall root t, root = nearer /\ t = t0 \/ root = farther /\ t = t1 -> is_near root t /\
    format (Formas.value root) /\ format (Formas.error root) /\ bpow radix2 (-900) <= Formas.error root).
 Proof.
@@ -305,11 +306,17 @@ Proof.
   set (x := q_exact / A) in *; set (y := C / q_exact) in *.
   assert (Hall : forall t, is_root t <-> t = x \/ t = y) by exact Hboth.
   unfold nearer, farther, choose; destruct A_root_first.
-  - exists x, y; split; [assumption|]; split; [assumption|].
+  - exists x, y; split; [split; [unfold x; field; exact HA0 | reflexivity]|]; split; [assumption|]; split; [assumption|].
     intros root t [[-> ->]|[-> ->]]; cbn [Formas.value Formas.error]; tauto.
-  - exists y, x; split; [assumption|]; split; [intros t; rewrite Hall; tauto|].
+  - exists y, x; split; [split; [reflexivity | unfold x; field; exact HA0]|]; split; [assumption|].
+    split; [intros t; rewrite Hall; tauto|].
     intros root t [[-> ->]|[-> ->]]; cbn [Formas.value Formas.error]; tauto.
 Qed.
+
+Corollary two_roots : has_roots = true -> exists t0 t1, t0 < t1 /\ (forall t, is_root t <-> t = t0 \/ t = t1) /\
+  (forall root t, root = nearer /\ t = t0 \/ root = farther /\ t = t1 -> is_near root t /\
+   format (Formas.value root) /\ format (Formas.error root) /\ bpow radix2 (-900) <= Formas.error root).
+Proof. intros HR; destruct (two_roots_by HR) as (t0 & t1 & _ & K); now exists t0, t1. Qed.
 
 (** The verdict: a hit is within its error of the first point, and a miss is one. *)
 Theorem the_decision_is_right on place : places on place ->
