@@ -191,11 +191,11 @@ Proof.
   apply Rle_trans with (2 := H); lra.
 Qed.
 
-Lemma advance_near root t : is_near root t -> format (Formas.value root) -> format (Formas.error root) ->
+Lemma advance_near root t : Rabs (Formas.value root - t) <= Formas.error root -> format (Formas.value root) -> format (Formas.error root) ->
   let x := advance_fl (Formas.value root) in
   Rabs (x - (s0 + t * s1)) + u * Rabs (h - x) <= advance_error (Formas.value root) (Formas.error root) /\ format x.
 Proof.
-  destruct root as [t_fl e]; unfold is_near; cbn [Formas.value Formas.error]; intros N Ft Fe; cbv zeta; split;
+  destruct root as [t_fl e]; cbn [Formas.value Formas.error]; intros N Ft Fe; cbv zeta; split;
     [|apply format_rnd].
   assert (He : 0 <= e) by (apply Rle_trans with (2 := N), Rabs_pos); pose proof (error_low t_fl e Ft Fe He) as Hlow.
   destruct s0_near as [N0 S0], s1_near as (N1 & S1 & _), z_small as [Z0 Z1]; pose proof u_bounds as Hu;
@@ -250,7 +250,7 @@ Proof.
   assert (Hs : Rabs (x - (s0 + t * s1)) <= e) by lra; assert (Hh : Rabs (rest - (h - (s0 + t * s1))) <= e).
   { replace (rest - (h - (s0 + t * s1))) with ((rest - (h - x)) + - (x - (s0 + t * s1))) by ring.
     apply Rle_trans with (1 := Rabs_triang _ _); rewrite Rabs_Ropp; lra. }
-  unfold is_near in N; apply Rabs_le_inv in N, Hs, Hh; unfold on_stretch; split.
+  apply Rabs_le_inv in N, Hs, Hh; unfold on_stretch; split.
   - rewrite !orb_true_iff; intros [[Ho|Ho]|Ho];
       match type of Ho with Rlt_bool ?a ?b = true => destruct (Rlt_bool_spec a b); [lra | discriminate] end.
   - rewrite !andb_true_iff; intros [[I1 I2] I3].

@@ -3,7 +3,7 @@
     Flotante.v, Cylinder.v and Decision.v speak of a quadratic; here its roots are points of the ray on an element of the
     text: on a sphere, and on the unbounded surface of a cylinder. *)
 From Coq Require Import Reals Lra.
-From Durero Require Import Toolkit Especificacion Puntos Trazador Interseccion Vectors Across Decision Flotante.
+From Durero Require Import Toolkit Especificacion Puntos Trazador Interseccion Vectors Across Quotient Decision Flotante.
 From Durero Require Formas Tipos Cylinder.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -56,7 +56,7 @@ Lemma certified_roots : has_roots recorded = true ->
 Proof.
   intros H; destruct (two_roots _ _ _ _ _ _ is_sound H) as (t0 & t1 & Hlt & Hall & Hnear).
   exists t0, t1; split; [exact Hlt|]; split; [intros t; rewrite <- root_value; apply Hall|].
-  split; [apply (Hnear (nearer recorded) t0) | apply (Hnear (farther recorded) t1)]; tauto.
+  split; apply near_within; [apply (Hnear (nearer recorded) t0) | apply (Hnear (farther recorded) t1)]; tauto.
 Qed.
 
 Lemma decision_in_lanes :
@@ -69,7 +69,7 @@ Proof.
   cbv zeta; unfold recorded.
   destruct (sphere_in_lanes p v centro r p_ordinary v_ordinary centro_ordinary r_ordinary r_positive v_not_zero) as [Hh Hm].
   split.
-  - intros H; destruct (Hh H) as (t & (Hr & H0 & Hl) & Hb); exists t; split; [|exact Hb].
+  - intros H; destruct (Hh H) as (t & (Hr & H0 & Hl) & Hb); exists t; split; [|exact (near_within _ _ Hb)].
     split; [split; [exact H0 | apply root_on_sphere, Hr]|].
     intros t' [H0' H']; apply Hl; [apply root_on_sphere, H' | exact H0'].
   - intros H U t [H0 H']; apply (Hm H U t); [apply root_on_sphere, H' | exact H0].
@@ -127,6 +127,6 @@ Lemma cylinder_roots : has_roots recorded = true ->
 Proof.
   intros H; destruct (two_roots _ _ _ _ _ _ is_sound H) as (t0 & t1 & Hlt & Hall & Hnear).
   exists t0, t1; split; [exact Hlt|]; split; [intros t; rewrite <- cylinder_root_value; apply Hall|].
-  split; [apply (Hnear (nearer recorded) t0) | apply (Hnear (farther recorded) t1)]; tauto.
+  split; apply near_within; [apply (Hnear (nearer recorded) t0) | apply (Hnear (farther recorded) t1)]; tauto.
 Qed.
 End Cylinder.

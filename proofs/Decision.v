@@ -284,8 +284,9 @@ Proof.
 Qed.
 
 (** Where there are roots, the two computed ones are near the exact ones, in their order. *)
-Lemma two_roots : has_roots = true -> exists t0 t1, t0 < t1 /\ (forall t, is_root t <-> t = t0 \/ t = t1) /\
-  (forall root t, root = nearer /\ t = t0 \/ root = farther /\ t = t1 -> Rabs (Formas.value root - t) <= Formas.error root /\
+Lemma two_roots_by : has_roots = true -> exists t0 t1, (if A_root_first then A * t0 = q_exact /\ t1 = C / q_exact
+   else t0 = C / q_exact /\ A * t1 = q_exact) /\ t0 < t1 /\ (forall t, is_root t <-> t = t0 \/ t = t1) /\
+  (forall root t, root = nearer /\ t = t0 \/ root = farther /\ t = t1 -> is_near root t /\
    format (Formas.value root) /\ format (Formas.error root) /\ bpow radix2 (-900) <= Formas.error root).
 Proof.
   intros HR; destruct (has_roots_spec HR) as (HF & Hq & HA); destruct (meets HF) as (HD & _).
@@ -306,17 +307,23 @@ Proof.
   set (x := q_exact / A) in *; set (y := C / q_exact) in *.
   assert (Hall : forall t, is_root t <-> t = x \/ t = y) by exact Hboth.
   unfold nearer, farther, choose; destruct A_root_first.
-  - exists x, y; split; [assumption|]; split; [assumption|].
+  - exists x, y; split; [split; [unfold x; field; exact HA0 | reflexivity]|]; split; [assumption|]; split; [assumption|].
     intros root t [[-> ->]|[-> ->]]; cbn [Formas.value Formas.error]; tauto.
-  - exists y, x; split; [assumption|]; split; [intros t; rewrite Hall; tauto|].
+  - exists y, x; split; [split; [reflexivity | unfold x; field; exact HA0]|]; split; [assumption|].
+    split; [intros t; rewrite Hall; tauto|].
     intros root t [[-> ->]|[-> ->]]; cbn [Formas.value Formas.error]; tauto.
 Qed.
+
+Corollary two_roots : has_roots = true -> exists t0 t1, t0 < t1 /\ (forall t, is_root t <-> t = t0 \/ t = t1) /\
+  (forall root t, root = nearer /\ t = t0 \/ root = farther /\ t = t1 -> is_near root t /\
+   format (Formas.value root) /\ format (Formas.error root) /\ bpow radix2 (-900) <= Formas.error root).
+Proof. intros HR; destruct (two_roots_by HR) as (t0 & t1 & _ & K); now exists t0, t1. Qed.
 
 (** The verdict: a hit is within its error of the first point, and a miss is one. *)
 Theorem the_decision_is_right on place : places on place ->
   let d := decided place in
   (Formas.hit d = true ->
-   exists t, first_of on t /\ Rabs (Formas.value (Formas.root d) - t) <= Formas.error (Formas.root d)) /\
+   exists t, first_of on t /\ is_near (Formas.root d) t) /\
   (Formas.hit d = false -> Formas.undecided d = false -> forall t, is_root t -> ~ on t).
 Proof.
   intros Hplace d; unfold d, decided; cbn [Formas.hit Formas.undecided Formas.root].
@@ -324,7 +331,7 @@ Proof.
   - rewrite andb_true_iff; intros [HR Hin]; destruct (two_roots HR) as (t0 & t1 & Hlt & Hall & Hnear).
     destruct (Hnear nearer t0 (or_introl (conj eq_refl eq_refl))) as (N0 & F0 & G0 & L0).
     destruct (Hnear farther t1 (or_intror (conj eq_refl eq_refl))) as (N1 & F1 & G1 & L1).
-    destruct (Hplace nearer t0 N0 F0 G0 L0) as [Out0 In0], (Hplace farther t1 N1 F1 G1 L1) as [Out1 In1].
+    destruct (Hplace nearer t0 (near_within _ _ N0) F0 G0 L0) as [Out0 In0], (Hplace farther t1 (near_within _ _ N1) F1 G1 L1) as [Out1 In1].
     destruct (Formas.outside (place nearer)) eqn:O, (Formas.inside (place farther)) eqn:I; cbn [andb] in *;
       try (rewrite orb_false_r in Hin; exists t0; split; [|exact N0]; split; [apply Hall; tauto|]; split;
         [now apply In0 | intros t' Ht' _; apply Hall in Ht'; lra]).
@@ -336,7 +343,7 @@ Proof.
     + destruct (two_roots HR) as (t0 & t1 & Hlt & Hall & Hnear).
       destruct (Hnear nearer t0 (or_introl (conj eq_refl eq_refl))) as (N0 & F0 & G0 & L0).
       destruct (Hnear farther t1 (or_intror (conj eq_refl eq_refl))) as (N1 & F1 & G1 & L1).
-      destruct (Hplace nearer t0 N0 F0 G0 L0) as [Out0 In0], (Hplace farther t1 N1 F1 G1 L1) as [Out1 In1].
+      destruct (Hplace nearer t0 (near_within _ _ N0) F0 G0 L0) as [Out0 In0], (Hplace farther t1 (near_within _ _ N1) F1 G1 L1) as [Out1 In1].
       destruct (proj1 (Hall t) Ht) as [E0|E1]; [rewrite E0 | rewrite E1]; auto.
 Qed.
 

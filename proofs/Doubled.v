@@ -7,6 +7,7 @@
 
     sound2           == f is within its bounds of A, B, C, F and H, and of the magnitudes that the bounds ask for
     near_word r t    == the root r, a pair, is within its error of t
+    near_pair r t    == so it is, with room for what is lost where two such are compared
     right_pair T x a == the answer a is right of the parameters T: as Verdict.right_up_to *)
 From Coq Require Import Reals ZArith Lra Lia Psatz Bool.
 From Flocq Require Import Core Plus_error.
@@ -21,11 +22,14 @@ Definition near_word (root : Formas.known twofold) (t : R) : Prop :=
   Rabs (whole (Formas.value root) - t) <= (1 - e12) * Formas.error root /\ double_word (Formas.value root) /\
   format (Formas.error root) /\ bpow radix2 (-900) <= Formas.error root.
 
+Definition near_pair (root : Formas.known twofold) (t : R) : Prop := near_word root t /\
+  Rabs (whole (Formas.value root) - t) + uu * Rabs (hi (Formas.value root)) <= (1 - e12) * Formas.error root.
+
 Definition right_pair (T : R -> Prop) (limit : R) (a : Formas.answer twofold) : Prop :=
   match a with
   | Formas.Miss => forall t, T t -> limit < t
   | Formas.Undecided => True
-  | Formas.Hit root _ _ => exists t, is_least T t /\ near_word root t
+  | Formas.Hit root _ _ => exists t, is_least T t /\ near_pair root t
   end.
 
 Lemma right_pair_equal T T' limit a : (forall t, T t <-> T' t) -> right_pair T limit a -> right_pair T' limit a.
@@ -42,9 +46,10 @@ Lemma quotient_near_if slack x X x_error y Y y_error : double_word x -> double_w
   0 <= slack -> slack * Rabs (hi y) <= e12 * x_error ->
   double_word (ratio x y) /\ Rabs (whole (ratio x y) - whole x / whole y) <= uu * Rabs (whole x / whole y) + slack ->
   Rabs (whole x - X) <= x_error -> Rabs (whole y - Y) <= y_error -> 2 * y_error < Rabs (hi y) ->
-  near_word (quotient x x_error y y_error) (X / Y).
+  near_pair (quotient x x_error y y_error) (X / Y).
 Proof.
-  intros Wx Wy Fx Fy Hleast Hratio Hslack Hsmall Ht Hx Hy Hbig; unfold near_word, quotient; cbn [Formas.value Formas.error].
+  intros Wx Wy Fx Fy Hleast Hratio Hslack Hsmall Ht Hx Hy Hbig; unfold near_pair, near_word, quotient.
+  cbn [Formas.value Formas.error].
   assert (Hy0 : 0 <= y_error) by (apply Rle_trans with (2 := Hy), Rabs_pos); pose proof uu_bounds as Huu.
   assert (Hy_fl : hi y <> 0) by (intros Z0; rewrite Z0, Rabs_R0 in Hbig; lra).
   set (t := ratio x y) in *; set (T := whole x / whole y) in *; destruct Ht as [Wt Ht].
@@ -95,10 +100,12 @@ Proof.
   assert (HuT2 : uu * Rabs T <= uu * ((1 + 2 * e) * (Rabs (hi t) + slack))) by (apply Rmult_le_compat_l; lra).
   assert (Hus : uu * slack <= e30 * slack) by (apply Rmult_le_compat_r; lra).
   assert (Heu : e * (uu * Rabs (hi t)) <= / 1000000 * (uu * Rabs (hi t))) by (apply Rmult_le_compat_r; lra).
-  split; [|split; [exact Wt | split; [apply format_rnd | lra]]].
-  replace (whole t - X / Y) with ((whole t - T) + (T - X / Y)) by ring; apply Rle_trans with (1 := Rabs_triang _ _).
-  apply Rle_trans with ((1 - e) * ((1 + / 33554432) * W + 3 / 4 * (4 * uu * Rabs (hi t)))); [unfold e in *; lra|].
-  apply Rmult_le_compat_l; [lra | exact Hbound].
+  enough (Room : Rabs (whole t - X / Y) + uu * Rabs (hi t) <= (1 - e) * error).
+  { split; [split; [lra | split; [exact Wt | split; [apply format_rnd | lra]]] | exact Room]. }
+  apply Rle_trans with ((1 - e) * ((1 + / 33554432) * W + 3 / 4 * (4 * uu * Rabs (hi t)))); [|apply Rmult_le_compat_l; lra].
+  apply Rle_trans with (Rabs (whole t - T) + Rabs (T - X / Y) + uu * Rabs (hi t)); [apply Rplus_le_compat_r|].
+  { replace (whole t - X / Y) with ((whole t - T) + (T - X / Y)) by ring; apply Rabs_triang. }
+  unfold e in *; lra.
 Qed.
 
 Lemma ratio_of_nothing x y : double_word x -> hi x = 0 ->
@@ -115,7 +122,7 @@ Theorem quotient_near_any x X x_error y Y y_error : double_word x -> double_word
   bpow radix2 (-900) <= x_error -> bpow radix2 (-900) * Rabs (hi y) <= x_error ->
   hi x = 0 \/ bpow radix2 (-900) <= Rabs (hi x) /\ bpow radix2 (-900) * Rabs (hi y) <= Rabs (hi x) ->
   Rabs (whole x - X) <= x_error -> Rabs (whole y - Y) <= y_error -> 2 * y_error < Rabs (hi y) ->
-  near_word (quotient x x_error y y_error) (X / Y).
+  near_pair (quotient x x_error y y_error) (X / Y).
 Proof.
   intros Wx Wy Fx Fy Hleast Hratio Sx Hx Hy Hbig; assert (Hy0 : 0 <= y_error) by (apply Rle_trans with (2 := Hy), Rabs_pos).
   assert (Hy_fl : hi y <> 0) by (intros Z0; rewrite Z0, Rabs_R0 in Hbig; lra).
@@ -136,7 +143,7 @@ Qed.
 
 Theorem quotient_near x X x_error y Y y_error : double_word x -> double_word y -> format x_error -> format y_error ->
   bpow radix2 (-360) <= x_error -> sizeable x -> Rabs (whole x - X) <= x_error -> Rabs (whole y - Y) <= y_error ->
-  2 * y_error < Rabs (hi y) <= bpow radix2 450 -> near_word (quotient x x_error y y_error) (X / Y).
+  2 * y_error < Rabs (hi y) <= bpow radix2 450 -> near_pair (quotient x x_error y y_error) (X / Y).
 Proof.
   intros Wx Wy Fx Fy Hleast Sx Hx Hy [Hbig Hlarge].
   assert (Hy450 : bpow radix2 (-900) * Rabs (hi y) <= bpow radix2 (-450)).
@@ -199,13 +206,13 @@ Definition turn (root : Formas.known twofold) (slope : Formas.known R) (next : F
   else if Formas.outside (place root) then next
   else Formas.Undecided.
 
-Lemma turn_right (T on : R -> Prop) root slope next t : near_word root t ->
+Lemma turn_right (T on : R -> Prop) root slope next t : near_pair root t ->
   (Formas.outside (place root) = true -> ~ on t) -> (Formas.inside (place root) = true -> on t) ->
   (on t -> is_least T t) -> (limit < t -> forall t', T t' -> limit < t') -> (~ on t -> right_pair T limit next) ->
   right_pair T limit (turn root slope next).
 Proof.
   intros N Hout Hin Hleast Hbeyond Hnext; unfold turn.
-  destruct (beyond root limit) eqn:E; [cbn; now apply Hbeyond, (beyond_pair root)|].
+  destruct (beyond root limit) eqn:E; [cbn; now apply Hbeyond, (beyond_pair root _ _ (proj1 N))|].
   destruct (Formas.inside (place root)); [cbn; exists t; split; [now apply Hleast, Hin | exact N]|].
   destruct (Formas.outside (place root)); [now apply Hnext, Hout | exact I].
 Qed.

@@ -12,7 +12,7 @@
     X_fl, X_error == the computed X and its computed bound, for the names above *)
 From Coq Require Import Reals ZArith Lra Lia Psatz.
 From Flocq Require Import Core.
-From Durero Require Import Rounding Vectors Decision.
+From Durero Require Import Rounding Vectors Quotient Decision.
 From Durero Require Formas.
 Local Open Scope R_scope.
 Local Opaque bpow.
@@ -375,8 +375,7 @@ Qed.
 
 (** The decision in lanes on a sphere: a hit is within its error of the first point, and a miss is one. *)
 Theorem sphere_in_lanes : let d := Formas.first_in_lanes (Formas.esfera p v V_fl centro r) in
-  (Formas.hit d = true -> exists t, first_of A B C (fun t => 0 < t) t /\
-   Rabs (Formas.value (Formas.root d) - t) <= Formas.error (Formas.root d)) /\
+  (Formas.hit d = true -> exists t, first_of A B C (fun t => 0 < t) t /\ is_near (Formas.root d) t) /\
   (Formas.hit d = false -> Formas.undecided d = false -> forall t, is_root A B C t -> ~ 0 < t).
 Proof. rewrite free_is_recorded; exact (the_decision_is_right _ _ _ _ _ _ sphere_sound _ _ (place_right _)). Qed.
 

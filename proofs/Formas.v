@@ -8,6 +8,7 @@
     X_axial, X_edged   == X where the element is bounded by a stretch of its axis, by the edge of a part of a plane
     X_in_lanes         == the decision for many rays, without branches; first_of_X: for one ray, up to a limit
     X_on               == X of a ray that starts on the element
+    ends_of            == the ends between which a root lies, of ends.hpp
     Pairs              == the same over double-double, the second step, and its operations over binary64 *)
 From Coq Require Import Reals ZArith Bool.
 From Flocq Require Import Core.
@@ -24,6 +25,7 @@ Arguments Known {T}. Arguments value {T}. Arguments error {T}.
 Record stable (T : Type) := Stable { positive : bool; signed_root : T; q : known T }.
 Arguments Stable {T}. Arguments positive {T}. Arguments signed_root {T}. Arguments q {T}.
 Record placed := Placed { outside : bool; inside : bool }.
+Record ends := Ends { low : R; high : R }.
 Record in_lanes := In_lanes { hit : bool; undecided : bool; root : known R; slope : known R }.
 Inductive answer (T : Type) := Miss | Undecided | Hit (root : known T) (slope : known R) (curvature : known R).
 Arguments Miss {T}. Arguments Undecided {T}. Arguments Hit {T}.
@@ -719,6 +721,9 @@ Definition first_of_linear_on (f : quadratic R) (limit : R) : answer R :=
   if Rlt_bool (rnd (2 * B_error f)) (Rabs (B f)) then
     Miss
   else Undecided.
+
+Definition ends_of (t : known R) : ends :=
+  Ends (rnd (value t - error t)) (rnd (value t + error t)).
 
 (** * Double-double *)
 
@@ -1449,6 +1454,14 @@ Definition first_of_linear_on (f : quadratic twofold) (limit : R) : answer twofo
   if Rlt_bool (rnd (2 * B_error f)) (Rabs (hi (B f))) then
     Miss
   else Undecided.
+
+Definition ends_of (a : known twofold) : ends :=
+  let x1 := rnd (error a + rnd (bpow radix2 (-51) * Rabs (hi (value a)))) in
+  Ends (rnd (hi (value a) - x1)) (rnd (hi (value a) + x1)).
+
+Definition certainly_less (a b : known twofold) : bool :=
+  (Rlt_bool (rnd ((4503600077730459 * bpow radix2 (-52)) * rnd (error a + error b))) (rnd (rnd (hi (value b) - hi (value
+      a)) + rnd (lo (value b) - lo (value a))))).
 
 Record improved := Improved { known_slope : bool; better : twofold; better_error : R }.
 Record once := Once { rounded : R; certain : bool }.

@@ -27,6 +27,7 @@ Record sound_flat : Prop := Sound_flat {
   flat_B_near : Rabs (B_fl - B) <= B_error;
   flat_C_near : Rabs (C_fl - C) <= C_error;
   flat_binary64 : format B_fl /\ format C_fl /\ format B_error /\ format C_error;
+  flat_slope : Formas.A f = 0 /\ Formas.A_error f = 0 /\ (B_fl = 0 \/ bpow radix2 (-900) <= B_error);
   flat_least : C_error = 0 /\ C_fl = 0 \/ bpow radix2 (-900) <= C_error /\ bpow radix2 (-900) * Rabs (2 * B_fl) <= C_error }.
 Hypothesis f_sound : sound_flat.
 
@@ -51,22 +52,35 @@ Definition flat_points_from (on : R -> Prop) (t : R) : Prop := 2 * B * t + 0 = 0
 
 Lemma known_means : flat_known = true -> 2 * B_error < Rabs B_fl /\ B <> 0.
 Proof.
-  destruct f_sound as [NB _ (_ & _ & Fe & _) _]; unfold flat_known; rewrite (rnd_double _ Fe); intros K.
+  destruct f_sound as [NB _ (_ & _ & Fe & _) _ _]; unfold flat_known; rewrite (rnd_double _ Fe); intros K.
   destruct (Rlt_bool_spec (2 * B_error) (Rabs B_fl)) as [Hlt|]; [|discriminate]; split; [exact Hlt|].
   intros Z0; rewrite Z0, Rminus_0_r in NB; pose proof (Rabs_pos B_fl); lra.
 Qed.
 
+Lemma flat_graded t : flat_known = true ->
+  graded 0 B t (Formas.Known B_fl B_error) (Formas.Known (Formas.A f) (Formas.A_error f)).
+Proof.
+  intros K; destruct (known_means K) as [Hbig _], f_sound as [NB _ (FB & _ & FBe & _) (EA & EAe & Least) _].
+  unfold graded; cbn [Formas.value Formas.error]; rewrite EA, EAe, Rmult_0_l, Rplus_0_l, Rminus_0_r, Rabs_R0, Rabs_minus_sym.
+  repeat split; auto using generic_format_0; [apply Rle_refl|].
+  destruct Least as [Z0|Least]; [|exact Least]; rewrite Z0, Rabs_R0 in Hbig.
+  apply Rabs_le_inv in NB; lra.
+Qed.
+
 Lemma only_root_near : flat_known = true -> is_near only_root (- C / (2 * B)) /\ format (Formas.error only_root).
 Proof.
-  intros K; destruct (known_means K) as [Hbig HB]; destruct f_sound as [NB NC (FB & FC & FBe & FCe) L].
+  intros K; destruct (known_means K) as [Hbig HB]; destruct f_sound as [NB NC (FB & FC & FBe & FCe) _ L].
   split; [|apply format_rnd].
   assert (E2 : rnd (B_fl + B_fl) = 2 * B_fl) by (replace (B_fl + B_fl) with (2 * B_fl) by ring; now apply rnd_double).
   destruct L as [[Z0 ZC]|[L1 L2]].
   - assert (HC : C = 0) by (rewrite Z0, ZC in NC; apply Rabs_le_inv in NC; lra).
-    unfold is_near, only_root, Formas.quotient; rewrite E2, Z0, ZC; cbn [Formas.value Formas.error].
-    replace (rnd (- 0 / (2 * B_fl))) with 0 by (unfold Rdiv; rewrite Ropp_0, Rmult_0_l; symmetry; apply rnd_0).
-    rewrite HC, Rabs_R0, !Rmult_0_l, !Rmult_0_r, rnd_0, Rplus_0_l, rnd_0; unfold Rdiv.
-    rewrite Ropp_0, !Rmult_0_l, rnd_0, Rmult_0_l, rnd_0, Rplus_0_l, rnd_0, Rminus_0_r, Rabs_R0; lra.
+    assert (Ev : Formas.value only_root = 0 /\ Formas.error only_root = 0).
+    { unfold only_root, Formas.quotient; rewrite E2, Z0, ZC; cbn [Formas.value Formas.error].
+      replace (rnd (- 0 / (2 * B_fl))) with 0 by (unfold Rdiv; rewrite Ropp_0, Rmult_0_l; symmetry; apply rnd_0).
+      split; [reflexivity|]; rewrite Rabs_R0, !Rmult_0_l, !Rmult_0_r, rnd_0, Rplus_0_l, rnd_0; unfold Rdiv.
+      now rewrite Rmult_0_l, rnd_0, Rmult_0_l, rnd_0, Rplus_0_l, rnd_0. }
+    destruct Ev as [Ev Ee]; unfold is_near, Rdiv; split; [apply format_rnd | split; [apply format_rnd|]].
+    rewrite Ev, Ee, HC, Ropp_0, Rmult_0_l, Rminus_0_r, Rplus_0_r, Rabs_R0, Rmult_0_r; lra.
   - unfold only_root; rewrite E2; apply quotient_bound_any; rewrite ?(rnd_double _ FBe); auto.
     + rewrite <- (rnd_double _ FB); apply format_rnd.
     + rewrite <- (rnd_double _ FBe); apply format_rnd.
@@ -97,10 +111,10 @@ Proof.
   apply (alone_right _ on); intros K; destruct (flat_root K) as (t & N & _ & Out & In & HT); exists t; auto.
 Qed.
 
-Theorem flat_alone_right limit : right_up_to (flat_points on) limit (flat_alone place limit).
+Theorem flat_alone_right limit : right_up_to 0 B (flat_points on) limit (flat_alone place limit).
 Proof.
   unfold flat_alone; case_eq flat_known; intros K; [|exact I]; destruct (flat_root K) as (t & N & Fe & Out & In & HT).
-  apply (turn_right place limit _ _ on _ _ _ t N Fe Out In).
+  apply (turn_right place 0 B limit _ _ on _ _ _ t N Fe Out In (flat_graded t K)).
   - intros On; split; [now apply HT | intros t' Ht'; apply HT in Ht' as [-> _]; lra].
   - intros Hb t' Ht'; apply HT in Ht' as [-> _]; exact Hb.
   - intros Off t' Ht'; apply HT in Ht' as [-> On]; now elim Off.
@@ -110,7 +124,7 @@ End Deciding.
 (** A ray that starts on it: the only root is 0, which is no point of the ray. *)
 Theorem flat_from_right (on : R -> Prop) limit : (forall t, on t -> 0 < t) ->
   right_in_lanes (flat_points_from on) (Formas.linear_in_lanes_on f) /\
-  right_up_to (flat_points_from on) limit (Formas.first_of_linear_on f limit).
+  right_up_to 0 B (flat_points_from on) limit (Formas.first_of_linear_on f limit).
 Proof.
   intros Pos; assert (None : flat_known = true -> forall t, ~ flat_points_from on t).
   { intros K t [Ht On]; destruct (known_means K) as [_ HB]; pose proof (Pos t On).
@@ -128,7 +142,7 @@ Lemma edged_placed (inside : R -> Prop) m t : Rabs (Formas.margin f - m) <= Form
   (Formas.outside (Formas.place_edged f only_root) = true -> ~ (0 < t /\ inside t)) /\
   (Formas.inside (Formas.place_edged f only_root) = true -> 0 < t /\ inside t).
 Proof.
-  unfold is_near, Formas.place_edged; intros Hm Hin N; apply Rabs_le_inv in Hm, N; cbn [Formas.outside Formas.inside]; split.
+  unfold Formas.place_edged; intros Hm Hin N%near_within; apply Rabs_le_inv in Hm, N; cbn [Formas.outside Formas.inside]; split.
   - rewrite orb_true_iff; intros [O|O] [Ht I]; apply Hin in I;
       match type of O with Rlt_bool ?a ?b = true => destruct (Rlt_bool_spec a b); [lra | discriminate] end.
   - rewrite andb_true_iff; intros [I1 I2]; rewrite <- Hin.
@@ -139,7 +153,7 @@ Qed.
 Lemma free_placed t : is_near only_root t -> (Formas.outside (Formas.place f only_root) = true -> ~ 0 < t) /\
   (Formas.inside (Formas.place f only_root) = true -> 0 < t).
 Proof.
-  unfold is_near, Formas.place; intros N; apply Rabs_le_inv in N; cbn [Formas.outside Formas.inside]; split; intros O;
+  unfold Formas.place; intros N%near_within; apply Rabs_le_inv in N; cbn [Formas.outside Formas.inside]; split; intros O;
     match type of O with Rlt_bool ?a ?b = true => destruct (Rlt_bool_spec a b); [lra | discriminate] end.
 Qed.
 End Linear.

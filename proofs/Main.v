@@ -390,7 +390,7 @@ Theorem the_decisions_in_lanes_are_right e sh on :
   (Formas.hit d = true ->
    exists t, is_least (met e) t /\ Rabs (Formas.value (Formas.root d) - t) <= Formas.error (Formas.root d))
   /\ (Formas.hit d = false -> Formas.undecided d = false -> forall t, ~ met e t).
-Proof. exact (Triage.lanes_are_right Elemento s ok en p v ray_ok p_ordinary v_ordinary e sh on). Qed.
+Proof. exact (Triage.lanes_within Elemento s ok en p v ray_ok p_ordinary v_ordinary e sh on). Qed.
 
 (** For one ray: as well, where a miss is one up to the limit. *)
 Theorem the_decisions_up_to_a_limit_are_right e sh on limit :
@@ -400,7 +400,7 @@ Theorem the_decisions_up_to_a_limit_are_right e sh on limit :
   | Formas.Undecided => True
   | Formas.Hit root _ _ => exists t, is_least (met e) t /\ Rabs (Formas.value root - t) <= Formas.error root
   end.
-Proof. exact (Triage.alone_is_right Elemento s ok en p v ray_ok p_ordinary v_ordinary e sh on limit). Qed.
+Proof. exact (Triage.alone_within Elemento s ok en p v ray_ok p_ordinary v_ordinary e sh on limit). Qed.
 
 (** So the triage of the search is right: the first sentence of [Search.steps_right], where the elements in range have
     numbers in the range of the bounds, and the triage of an element is that decision up to the limit. *)
@@ -409,7 +409,7 @@ Theorem the_triage_says_nothing_false elements (shape_of : Elemento -> Triage.sh
   (forall e, In e elements -> in_range e = true -> Triage.ordinary_shape (shape_of e)) ->
   (forall e x, In e elements -> in_range e = true ->
    exists a, Triage.answered (Triage.alone_of p v (shape_of e) (on e)) x a /\ triage e x = Triage.verdict_of a) ->
-  Search.decides Elemento (Formas.known R) met elements in_range Verdict.is_near triage.
+  Search.decides Elemento (Formas.known R) met elements in_range Quotient.is_near triage.
 Proof.
   intros described range computed.
   exact (Triage.triage_decides Elemento s ok en p v ray_ok p_ordinary v_ordinary elements shape_of on in_range described range
@@ -433,19 +433,21 @@ Proof.
 Qed.
 
 (** So the steps of the search as they run are right, [Search.steps_right]: of Running.steps_run, which says that its triage,
-    its second step and its rounding are the recorded terms, and of Running.steps_assumed, which is what is left: the Newton
-    step's error, the ends around a parameter, what is certainly less, and the exact rounding. *)
-Theorem the_steps_that_run_are_right elements (shape_of : Elemento -> Triage.shape) on in_range triage stable improved low high
-  certainly_less rounded round_exact :
+    its second step, the ends around a parameter, the Newton step, what is certainly less and its rounding are the recorded
+    terms, and of Running.steps_assumed, which is what is left: the error of the quadratic that the Newton step asks at a root,
+    and the exact rounding. *)
+Theorem the_steps_that_run_are_right elements (shape_of : Elemento -> Triage.shape) on in_range triage stable improved
+  quadratic_at low high certainly_less rounded round_exact :
   (forall e, In e elements -> Triage.stands Elemento s e (shape_of e) /\ (on e = true <-> en e)) ->
   (forall e, In e elements -> in_range e = true -> Triage.ordinary_shape (shape_of e)) ->
-  Running.steps_run Elemento p v elements shape_of on in_range triage stable rounded ->
-  Running.steps_assumed Elemento s en p v elements in_range improved low high certainly_less round_exact ->
+  Running.steps_run Elemento p v elements shape_of on in_range triage stable improved quadratic_at low high certainly_less
+    rounded round_exact ->
+  Running.steps_assumed Elemento p v elements shape_of on in_range triage quadratic_at round_exact ->
   Search.steps_right Elemento Running.finding Chain.printed met elements (Chain.rounds ray) in_range triage stable improved
     Running.near low high certainly_less rounded round_exact.
 Proof.
   intros described range.
   exact (Running.steps_are_right Elemento s en p v ok ray_ok p_ordinary v_ordinary elements shape_of on in_range described
-    range triage stable improved low high certainly_less rounded round_exact).
+    range triage stable improved quadratic_at low high certainly_less rounded round_exact).
 Qed.
 End Decisions.

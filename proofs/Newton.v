@@ -22,8 +22,8 @@ Record binary64s : Prop := {
   slope_binary64 : format (Formas.value slope) /\ format (Formas.error slope);
   a_binary64 : format (Formas.value a) /\ format (Formas.error a);
   at_binary64 : format (hi (Formas.value at_t)) /\ format (lo (Formas.value at_t)) /\ format (Formas.error at_t);
-  slope_size : Rabs (Formas.value slope) <= bpow radix2 449;
-  errors_least : bpow radix2 (-900) <= Formas.error slope /\ bpow radix2 (-360) <= Formas.error at_t /\ 0 <= Formas.error a }.
+  errors_least : bpow radix2 (-900) <= Formas.error slope /\ bpow radix2 (-900) <= Formas.error at_t /\
+    bpow radix2 (-900) * Rabs (2 * Formas.value slope) <= Formas.error at_t /\ 0 <= Formas.error a }.
 Hypothesis binary : binary64s.
 
 (** The quadratic, its root T, and what is known of them. *)
@@ -51,7 +51,7 @@ Local Transparent round.
 
 Lemma divisor_near : Rabs (divisor_fl - divisor) <= divisor_error.
 Proof.
-  destruct (slope_binary64 binary) as [Fs Fse], (a_binary64 binary) as [Fa Fae], (errors_least binary) as (Hs & _ & Ha).
+  destruct (slope_binary64 binary) as [Fs Fse], (a_binary64 binary) as [Fa Fae], (errors_least binary) as (Hs & _ & _ & Ha).
   pose proof widening as Hc; unfold divisor_error; set (c := 4503600077730459 * _) in *.
   unfold divisor_fl; rewrite !rnd_double by assumption; set (S := Formas.error slope) in *.
   pose proof (bpow_gt_0 radix2 (-900)); assert (HS : bpow radix2 (-1000) <= S) by (apply Rle_trans with (2 := Hs), bpow_le; lia).
@@ -80,18 +80,20 @@ Proof.
 Qed.
 
 Lemma value_near : Rabs (- value_fl - - (A * T_fl * T_fl + 2 * B * T_fl + C)) <= slack * value_error
-  /\ bpow radix2 (-360) <= value_error.
+  /\ bpow radix2 (-900) <= value_error /\ bpow radix2 (-900) * Rabs divisor_fl <= value_error.
 Proof.
-  destruct (at_binary64 binary) as (Fh & Fl & Fe), (errors_least binary) as (_ & He & _).
+  destruct (at_binary64 binary) as (Fh & Fl & Fe), (errors_least binary) as (_ & He & Hr' & _), (slope_binary64 binary) as [Fs _].
   destruct (sum_lacks _ _ Fh Fl) as [_ Hlost]; fold value_fl in Hlost; unfold value_error; set (E := Formas.error at_t) in *.
   set (r := Rabs value_fl) in *; assert (Hr : 0 <= r) by apply Rabs_pos; pose proof (u_part r Hr) as Hur.
   pose proof (u_part _ (proj1 Hur)) as Huur.
-  pose proof (bpow_gt_0 radix2 (-360)); pose proof (least_below (-360) E ltac:(lia) He) as Hz; set (z := tiny) in *.
+  pose proof (bpow_gt_0 radix2 (-900)); pose proof (least_below (-900) E ltac:(lia) He) as Hz; set (z := tiny) in *.
   pose proof (rnd_low_any (bpow radix2 (-52) * r) ltac:(rewrite two_u; lra)) as E1; rewrite two_u in E1 at 1; fold z in E1.
   pose proof (rnd_nonneg (bpow radix2 (-52) * r) ltac:(rewrite two_u; lra)) as H1.
   pose proof (rnd_low_sum E (rnd (bpow radix2 (-52) * r)) Fe (format_rnd _) ltac:(lra)) as E2; split.
   - pose proof at_near as Hn; unfold whole in Hn; fold E in Hn; apply Rabs_le_inv in Hn, Hlost; apply Rabs_le; lra.
-  - apply rnd_ge_bpow; [lia | lra].
+  - assert (HE : E <= rnd (E + rnd (bpow radix2 (-52) * r))).
+    { rewrite <- (rnd_format E Fe) at 1; apply rnd_le; lra. }
+    split; [lra|]; unfold divisor_fl; rewrite (rnd_double _ Fs); lra.
 Qed.
 
 (** The pair is within its error of the root. *)
@@ -104,19 +106,15 @@ Proof.
   { rewrite <- (rnd_double divisor_error) by apply format_rnd.
     destruct (Rlt_bool_spec (rnd (2 * divisor_error)) (Rabs divisor_fl)); [assumption | discriminate]. }
   destruct (slope_binary64 binary) as [Fs _].
-  assert (Hlarge : Rabs divisor_fl <= bpow radix2 450).
-  { unfold divisor_fl; rewrite rnd_double, Rabs_mult, Rabs_pos_eq by (assumption || lra).
-    change 450%Z with (1 + 449)%Z; rewrite bpow_plus; replace (bpow radix2 1) with 2 by reflexivity.
-    apply Rmult_le_compat_l; [lra | exact (slope_size binary)]. }
-  destruct value_near as [Hv Hleast].
-  destruct (quotient_bound_with_slack _ _ value_error divisor divisor_fl divisor_error (format_rnd _) (format_rnd _) (format_rnd _)
-    Hleast Hv divisor_near (conj Hknown Hlarge)) as (Hq & Hq0 & Fq & Fqe); fold step in Hq, Hq0, Fq, Fqe.
+  destruct value_near as (Hv & Hleast & Hratio).
+  destruct (quotient_bound_any_with_slack _ _ value_error divisor divisor_fl divisor_error (format_rnd _) (format_rnd _) (format_rnd _)
+    Hleast Hratio Hv divisor_near Hknown) as (Hq & Hq0 & Fq & Fqe); fold step in Hq, Hq0, Fq, Fqe.
   destruct (two_sum_exact _ _ (t_binary64 binary) Fq) as [Hp Hw]; split; [|now split].
   assert (Hd : divisor <> 0).
   { intros Z0; pose proof divisor_near as Hn; rewrite Z0, Rminus_0_r in Hn.
     pose proof (Rabs_pos divisor_fl); assert (0 <= divisor_error) by (apply Rle_trans with (2 := Hn), Rabs_pos); lra. }
   rewrite Hw; replace (T - (T_fl + Formas.value step)) with (- (Formas.value step - delta)) by (unfold delta; ring).
-  rewrite Rabs_Ropp; replace delta with (- (A * T_fl * T_fl + 2 * B * T_fl + C) / divisor); [exact Hq|].
+  rewrite Rabs_Ropp; replace delta with (- (A * T_fl * T_fl + 2 * B * T_fl + C) / divisor); [exact (near_within _ _ Hq)|].
   apply Rmult_eq_reg_r with divisor; [|exact Hd]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l, Rmult_1_r by exact Hd.
   unfold divisor, delta; replace C with (- (A * T * T + 2 * B * T)) by lra; ring.
 Qed.

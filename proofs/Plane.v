@@ -33,7 +33,8 @@ Notation s0_fl := (dot_fl q_fl d).
 Definition half_fl : R := rnd (dot_fl v d * bpow radix2 (-1)).
 
 Definition along (f : Formas.quadratic R) : Prop := Formas.B f = half_fl /\ Formas.C f = s0_fl /\
-  Formas.B_error f = rnd ((3 * bpow radix2 (-53)) * V_fl) /\ Formas.C_error f = rnd (bpow radix2 (-50) * Q_fl).
+  Formas.B_error f = rnd ((3 * bpow radix2 (-53)) * V_fl) /\ Formas.C_error f = rnd (bpow radix2 (-50) * Q_fl) /\
+  Formas.A f = 0 /\ Formas.A_error f = 0.
 
 Let HQ : 0 <= Q := extent_nonneg q.
 Let HV : 0 < V := V_positive v v_not_zero.
@@ -71,7 +72,7 @@ Proof. pose proof u_bounds; split; [apply Rmult_lt_0_compat | apply Rmult_le_com
 
 Theorem plane_sound f : along f -> sound_flat f (s1 / 2) s0.
 Proof.
-  intros (EB & EC & EBe & ECe); pose proof u_bounds as Hu; pose proof uV_small as HuV; pose proof size_of_s1 as HS1.
+  intros (EB & EC & EBe & ECe & EA & EAe); pose proof u_bounds as Hu; pose proof uV_small as HuV; pose proof size_of_s1 as HS1.
   pose proof half_computed as Hh; pose proof Q_near as NQ; destruct (s0_near p centro d) as [N0 S0]; auto.
   destruct (speed_near v v_ordinary v_not_zero) as [V1 V2]; fold V in V1, V2;
     change (extent (minus p centro)) with Q in N0, S0;
@@ -96,6 +97,11 @@ Proof.
       assert (0 <= u * Q) by (apply Rmult_le_pos; lra).
       assert (Hpos : 0 <= 8 * u * Q_fl) by lra; pose proof (rnd_low _ Hpos Hn); lra.
   - repeat split; apply format_rnd.
+  - split; [exact EA | split; [exact EAe | right]].
+    assert (N : V_fl <> 0) by lra; pose proof (grid_at_least _ _ GV N) as Hl; rewrite Rabs_pos_eq in Hl by lra.
+    apply Rle_trans with (bpow radix2 (-205)); [apply bpow_le; lia|]; apply rnd_ge_bpow; [lia|].
+    change (-205)%Z with (-53 + -152)%Z; rewrite bpow_plus; pose proof (bpow_gt_0 radix2 (-53)).
+    apply Rmult_le_compat; try apply bpow_ge_0; lra.
   - destruct (Req_dec Q_fl 0) as [Z0|N]; [left | right].
     + assert (Q = 0) as ZQ by lra; rewrite Z0, Rmult_0_r, rnd_0; split; [reflexivity|].
       rewrite ZQ, Rmult_0_r in S0; pose proof (Rabs_pos s0_fl); apply Rabs_le_inv in S0; lra.

@@ -112,15 +112,27 @@ Proof.
   unfold e in *; lra.
 Qed.
 
+(** A root within its error of t, both binary64, with room to round the ends: the root less the error, and more. *)
+Definition is_near (root : Formas.known R) (t : R) : Prop := format (Formas.value root) /\ format (Formas.error root) /\
+  Rabs (Formas.value root - t) + u * (Rabs (Formas.value root) + Formas.error root) <= Formas.error root.
+
+Lemma near_within root t : is_near root t -> Rabs (Formas.value root - t) <= Formas.error root.
+Proof.
+  intros (_ & _ & N); revert N; pose proof u_bounds; pose proof (Rabs_pos (Formas.value root)) as Hr; pose proof (Rabs_pos (Formas.value root - t)).
+  set (r := Rabs (Formas.value root)) in *; set (e := Formas.error root); intros N; pose proof (Rmult_le_pos u r ltac:(lra) Hr).
+  destruct (Rle_or_lt 0 e) as [He|He]; [pose proof (Rmult_le_pos u e ltac:(lra) He); lra|].
+  pose proof (Rmult_lt_compat_r (- e) u 1 ltac:(lra) ltac:(lra)); lra.
+Qed.
+
 (** What is lost in computing the error of x may be a little part of it. *)
 Theorem quotient_bound_any_with_slack x x_fl x_error y y_fl y_error :
   format x_error -> format y_fl -> format y_error -> bpow radix2 (-900) <= x_error -> bpow radix2 (-900) * Rabs y_fl <= x_error ->
   Rabs (x_fl - x) <= (1 + / 1000000000) * x_error -> Rabs (y_fl - y) <= y_error -> 2 * y_error < Rabs y_fl ->
   let t := Formas.quotient x_fl x_error y_fl y_error in
-  Rabs (Formas.value t - x / y) <= Formas.error t /\ bpow radix2 (-900) <= Formas.error t /\ format (Formas.value t) /\
+  is_near t (x / y) /\ bpow radix2 (-900) <= Formas.error t /\ format (Formas.value t) /\
   format (Formas.error t).
 Proof.
-  intros Fx Fy Fye Hleast Hratio Hx Hy Hbig; unfold Formas.quotient; cbn [Formas.value Formas.error]; set (t := rnd (x_fl / y_fl)).
+  intros Fx Fy Fye Hleast Hratio Hx Hy Hbig; unfold Formas.quotient, is_near; cbn [Formas.value Formas.error]; set (t := rnd (x_fl / y_fl)).
   assert (Hy0 : 0 <= y_error) by (apply Rle_trans with (2 := Hy), Rabs_pos).
   destruct (computed_quotient_error (Rabs t) (bpow radix2 (-51)) x_error y_fl y_error Fx Fy Fye (Rabs_pos t) (bpow_ge_0 _ _)
     Hleast Hratio Hy0 Hbig) as [HW Hbound]; set (W := (x_error + Rabs t * y_error) / _) in *.
@@ -158,9 +170,13 @@ Proof.
     assert (0 <= e * x_error) by (apply Rmult_le_pos; lra); lra. }
   assert (H51 : bpow radix2 (-51) = 4 * u) by apply multiples_of_u.
   rewrite H51 in Hbound at 1; assert (Hut : 0 <= u * Rabs t) by (apply Rmult_le_pos; lra).
-  split; [|split; [|split; apply format_rnd]].
-  - apply Rle_trans with (2 := Hbound); replace (t - x / y) with ((t - T) + (T - x / y)) by ring.
-    apply Rle_trans with (1 := Rabs_triang _ _).
+  split; [split; [apply format_rnd | split; [apply format_rnd|]]|split; [|split; apply format_rnd]].
+  - set (error := rnd (_ + rnd (bpow radix2 (-51) * Rabs t))) in *.
+    enough (Rabs (t - x / y) + u * Rabs t <= (1 - e) * error).
+    { assert (0 <= error) by (pose proof (Rabs_pos (t - x / y)); apply Rmult_le_reg_l with (1 - e); lra).
+      assert (u * error <= e * error) by (apply Rmult_le_compat_r; [assumption | exact (proj2 Hu)]); lra. }
+    apply Rle_trans with ((1 - e) * ((1 + / 33554432) * W + 3 / 4 * (4 * u * Rabs t))); [|apply Rmult_le_compat_l; lra].
+    replace (t - x / y) with ((t - T) + (T - x / y)) by ring; pose proof (Rabs_triang (t - T) (T - x / y)).
     assert (u * Rabs T <= u * ((1 + 2 * e) * Rabs t + 2 * z)) by (apply Rmult_le_compat_l; lra).
     assert (u * z <= 1 * z) by (apply Rmult_le_compat_r; lra).
     assert (e * (u * Rabs t) <= 1 * (u * Rabs t)) by (apply Rmult_le_compat_r; lra).
@@ -173,7 +189,7 @@ Corollary quotient_bound_any x x_fl x_error y y_fl y_error :
   format x_error -> format y_fl -> format y_error -> bpow radix2 (-900) <= x_error -> bpow radix2 (-900) * Rabs y_fl <= x_error ->
   Rabs (x_fl - x) <= x_error -> Rabs (y_fl - y) <= y_error -> 2 * y_error < Rabs y_fl ->
   let t := Formas.quotient x_fl x_error y_fl y_error in
-  Rabs (Formas.value t - x / y) <= Formas.error t /\ bpow radix2 (-900) <= Formas.error t /\ format (Formas.value t) /\
+  is_near t (x / y) /\ bpow radix2 (-900) <= Formas.error t /\ format (Formas.value t) /\
   format (Formas.error t).
 Proof.
   intros Fx Fy Fye Hleast Hratio Hx; apply quotient_bound_any_with_slack; auto.
@@ -185,7 +201,7 @@ Corollary quotient_bound_with_slack x x_fl x_error y y_fl y_error :
   format x_error -> format y_fl -> format y_error -> bpow radix2 (-360) <= x_error ->
   Rabs (x_fl - x) <= (1 + / 1000000000) * x_error -> Rabs (y_fl - y) <= y_error -> 2 * y_error < Rabs y_fl <= bpow radix2 450 ->
   let t := Formas.quotient x_fl x_error y_fl y_error in
-  Rabs (Formas.value t - x / y) <= Formas.error t /\ bpow radix2 (-900) <= Formas.error t /\ format (Formas.value t) /\
+  is_near t (x / y) /\ bpow radix2 (-900) <= Formas.error t /\ format (Formas.value t) /\
   format (Formas.error t).
 Proof.
   intros Fx Fy Fye Hleast Hx Hy [Hbig Hlarge]; apply quotient_bound_any_with_slack; auto.
@@ -199,7 +215,7 @@ Corollary quotient_bound x x_fl x_error y y_fl y_error :
   format x_error -> format y_fl -> format y_error -> bpow radix2 (-360) <= x_error ->
   Rabs (x_fl - x) <= x_error -> Rabs (y_fl - y) <= y_error -> 2 * y_error < Rabs y_fl <= bpow radix2 450 ->
   let t := Formas.quotient x_fl x_error y_fl y_error in
-  Rabs (Formas.value t - x / y) <= Formas.error t /\ bpow radix2 (-900) <= Formas.error t /\ format (Formas.value t) /\
+  is_near t (x / y) /\ bpow radix2 (-900) <= Formas.error t /\ format (Formas.value t) /\
   format (Formas.error t).
 Proof.
   intros Fx Fy Fye Hleast Hx; apply quotient_bound_with_slack; auto.

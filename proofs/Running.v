@@ -1,34 +1,48 @@
 (** * Running: the steps of the search, as they run, say nothing false
 
-    The record Search.steps_right, of the steps that are proved: the triage of every element, the second step on
-    every element, and the rounding of what is found. What is assumed of the others stands in the theorem.
+    The record Search.steps_right, of the steps that are proved: the triage and the second step on every element, the ends
+    around a parameter, what is certainly less, and the rounding of what is found; and the Newton step, if the quadratic at
+    the root is within its error. That, and the exact rounding, is assumed in the theorem.
 
-    finding          == what a step has found: in binary64, or in double-double
-    near f t         == t is within its error; of a pair, that it is one, and its error no less than what rounding asks
+    finding          == what a step has found: in binary64, in double-double, or by improving the first
+    near f t         == t is within its error, with the room that its ends and comparisons ask for
+    close root t     == the pair root is within its error of t, which is no less than what rounding asks
     answered_pair    == as Triage.answered, of the second step: limits are binary64 *)
 From Coq Require Import Reals List Lra Lia ZArith.
 From Flocq Require Import Core BinarySingleNaN.
 From Durero Require Import Toolkit Especificacion Escena Puntos Trazador Interseccion.
-From Durero Require Search Limits Chain Formas Once.
-From Durero Require Import Rounding Vectors Flotante Verdict Steps Triage Twofold Sums Doubled Second.
+From Durero Require Search Limits Chain Formas Once Newton Ends.
+From Durero Require Import Rounding Vectors Quotient Flotante Verdict Steps Triage Twofold Sums Doubled Second.
 Import Formas.Pairs.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
 Local Opaque bpow.
 
-Inductive finding := Single (root : Formas.known R) | Double (root : Formas.known twofold).
+Inductive finding :=
+  | Single (root slope curvature : Formas.known R)
+  | Double (root : Formas.known twofold)
+  | Improved (root : Formas.known twofold).
+Definition close (root : Formas.known twofold) (t : R) : Prop :=
+  Rabs (whole (Formas.value root) - t) <= Formas.error root /\ pair (Formas.value root) /\
+  format (Formas.error root) /\ bpow radix2 (-900) <= Formas.error root.
 Definition near (f : finding) (t : R) : Prop :=
   match f with
-  | Single root => is_near root t
-  | Double root => Rabs (whole (Formas.value root) - t) <= Formas.error root /\ pair (Formas.value root) /\
-      format (Formas.error root) /\ bpow radix2 (-900) <= Formas.error root
+  | Single root _ _ => is_near root t
+  | Double root => near_pair root t
+  | Improved root => close root t
   end.
+
+Lemma near_pair_close root t : near_pair root t -> close root t.
+Proof.
+  intros [(H & W & Fe & He) _]; pose proof (bpow_gt_0 radix2 (-900)); split; [lra|].
+  split; [now apply double_word_is_pair | now split].
+Qed.
 
 Definition found_single (a : Formas.answer R) : Search.verdict finding :=
   match a with
   | Formas.Miss => Search.Miss _
   | Formas.Undecided => Search.Undecided _
-  | Formas.Hit root _ _ => Search.Hit _ (Single root)
+  | Formas.Hit root slope curvature => Search.Hit _ (Single root slope curvature)
   end.
 Definition found_double (a : Formas.answer twofold) : Search.verdict finding :=
   match a with
@@ -58,19 +72,14 @@ Lemma double_says_right T step x a : (forall limit, format limit -> right_pair T
   says_right T x (found_double a).
 Proof.
   intros R0 Ha; unfold answered_pair in Ha.
-  assert (N : forall root t, near_word root t -> near (Double root) t).
-  { intros root t (H & W & Fe & He); pose proof (bpow_gt_0 radix2 (-900)); split; [lra|].
-    split; [now apply double_word_is_pair | now split]. }
   destruct (is_finite x) eqn:Fx.
   - specialize (R0 (B2R x) (generic_format_B2R 53 1024 x)); rewrite <- Ha in R0; destruct a; cbn in *; auto.
-    + intros t Ht [-> | [_ Hle]]; [discriminate Fx | specialize (R0 t Ht); lra].
-    + destruct R0 as (t & Ht & Hn); exists t; split; [exact Ht | now apply N].
+    intros t Ht [-> | [_ Hle]]; [discriminate Fx | specialize (R0 t Ht); lra].
   - destruct Ha as (low & Ha); destruct (format_above low) as (l0 & F0 & H0); pose proof (R0 l0 F0) as R1.
     rewrite <- (Ha l0 F0 H0) in R1; destruct a; cbn in *; auto.
-    + intros t Ht _; destruct (format_above (Rmax low t)) as (l & Fl & Hl).
-      pose proof (Rmax_l low t); pose proof (Rmax_r low t); pose proof (R0 l Fl) as R2; rewrite <- (Ha l Fl) in R2 by lra.
-      cbn in R2; specialize (R2 t Ht); lra.
-    + destruct R1 as (t & Ht & Hn); exists t; split; [exact Ht | now apply N].
+    intros t Ht _; destruct (format_above (Rmax low t)) as (l & Fl & Hl).
+    pose proof (Rmax_l low t); pose proof (Rmax_r low t); pose proof (R0 l Fl) as R2; rewrite <- (Ha l Fl) in R2 by lra.
+    cbn in R2; specialize (R2 t Ht); lra.
 Qed.
 
 Section Running.
@@ -92,10 +101,15 @@ Hypothesis range : forall e, In e elements -> in_range e = true -> ordinary_shap
 
 Variables triage stable : Elemento -> Limits.binary64 -> Search.verdict finding.
 Variable improved : Elemento -> finding -> Search.verdict finding.
+Variable quadratic_at : Elemento -> R -> Formas.known twofold.
 Variables low high : Search.evidence finding -> Limits.binary64.
-Variables certainly_less : finding -> finding -> bool.
+Variables less : finding -> finding -> bool.
 Variable rounded : finding -> option Chain.printed.
 Variable round_exact : Surd.surd -> Chain.printed.
+
+(** The text's quadratic along the ray; where the ray starts on the element, without its constant term. *)
+Definition quadratic_of (e : Elemento) : coefficients :=
+  if on e then launched (text_of p v (shape_of e)) else text_of p v (shape_of e).
 
 (** What the steps compute. *)
 Record steps_run : Prop := {
@@ -103,44 +117,105 @@ Record steps_run : Prop := {
     exists a, answered (alone_of p v (shape_of e) (on e)) x a /\ triage e x = found_single a;
   stable_runs : forall e x, In e elements -> in_range e = true ->
     exists a, answered_pair (second_of p v (shape_of e) (on e)) x a /\ stable e x = found_double a;
-  rounding_runs : forall f out, rounded f = Some out -> exists root, f = Double root /\
+  ends_run : forall w,
+    match w with
+    | Search.By_triage (Single root _ _) =>
+        Once.stored (low w) (Formas.low (Formas.ends_of root)) /\ Once.stored (high w) (Formas.high (Formas.ends_of root))
+    | Search.By_stable (Double root) =>
+        Once.stored (low w) (Formas.low (ends_of root)) /\ Once.stored (high w) (Formas.high (ends_of root))
+    | Search.By_exact x => let nearest := Chain.printed_t (round_exact x) in
+        low w = Ends.next_below nearest /\ high w = Ends.next_above nearest
+    | _ => True
+    end;
+  improved_runs : forall e root slope curvature g, In e elements -> in_range e = true ->
+    improved e (Single root slope curvature) = Search.Hit _ g ->
+    let better_root := newton root slope curvature (quadratic_at e (Formas.value root)) in
+    known_slope better_root = true /\ g = Improved (Formas.Known (better better_root) (better_error better_root));
+  less_runs : forall f g, less f g = true -> exists a b, f = Double a /\ g = Double b /\ certainly_less a b = true;
+  rounding_runs : forall f out, rounded f = Some out -> exists root, (f = Double root \/ f = Improved root) /\
     let once := round_point p v (Formas.value root) (Formas.error root) in
     all_certain once = true /\ Once.stores out once }.
 
 (** What is assumed of the rest. *)
 Record steps_assumed : Prop := {
-  improved_is_near : forall e f g t, In e elements -> in_range e = true -> improved e f = Search.Hit _ g ->
-    is_least (met e) t -> near f t -> near g t;
-  ends_are_around : forall e v t, In e elements -> is_least (met e) t ->
-    Search.tells Elemento finding in_range near e v t -> Limits.at_most (low v) t /\ Limits.at_least (high v) t;
-  less_is_less : forall f g a b, certainly_less f g = true -> near f a -> near g b -> a < b;
+  quadratic_is_near : forall e x root slope curvature, In e elements -> in_range e = true ->
+    triage e x = Search.Hit _ (Single root slope curvature) -> let at_root := quadratic_at e (Formas.value root) in
+    Rabs (value (quadratic_of e) (Formas.value root) - whole (Formas.value at_root)) <= Formas.error at_root /\
+    (format (hi (Formas.value at_root)) /\ format (lo (Formas.value at_root)) /\ format (Formas.error at_root)) /\
+    bpow radix2 (-900) <= Formas.error at_root /\
+    bpow radix2 (-900) * Rabs (2 * Formas.value slope) <= Formas.error at_root;
   exact_is_rounded : forall x, Surd.valid x -> Chain.rounds ray (round_exact x) (Surd.val x) }.
+
+Lemma triage_finds e x : steps_run -> In e elements -> in_range e = true -> exists a, triage e x = found_single a /\
+  match a with
+  | Formas.Miss => forall t, met e t -> ~ Limits.at_least x t
+  | Formas.Undecided => True
+  | Formas.Hit root slope curvature => exists t, is_least (met e) t /\ is_near root t /\
+      graded (cA (quadratic_of e)) (cB (quadratic_of e)) t slope curvature
+  end.
+Proof.
+  intros Runs He Hr; destruct (described e He) as [Hs Hon]; destruct (triage_runs Runs e x He Hr) as (a & Ha & E); exists a.
+  split; [exact E|]; unfold answered in Ha.
+  replace (cA (quadratic_of e)) with (cA (text_of p v (shape_of e))) by (unfold quadratic_of; now destruct (on e)).
+  replace (cB (quadratic_of e)) with (cB (text_of p v (shape_of e))) by (unfold quadratic_of; now destruct (on e)).
+  pose proof (fun limit => alone_is_right Elemento s ok en p v ray_ok p_ordinary v_ordinary e _ (on e) limit Hs (range e He Hr) Hon) as R1.
+  destruct (is_finite x) eqn:Fx.
+  - specialize (R1 (B2R x)); rewrite <- Ha in R1; destruct a; cbn in *; auto.
+    intros t Ht [-> | [_ Hle]]; [discriminate Fx | specialize (R1 t Ht); lra].
+  - destruct Ha as (l & Ha); pose proof (R1 l) as R0; rewrite <- (Ha l) in R0 by lra; destruct a; cbn in *; auto.
+    intros t Ht _; specialize (R1 (Rmax l t)); rewrite <- (Ha (Rmax l t)) in R1 by apply Rmax_l; cbn in R1.
+    specialize (R1 t Ht); pose proof (Rmax_r l t); lra.
+Qed.
+
+(** A step of Newton's from what the triage has found. *)
+Lemma improved_is_close e x f g t : steps_run -> steps_assumed -> In e elements -> in_range e = true ->
+  triage e x = Search.Hit _ f -> improved e f = Search.Hit _ g -> is_least (met e) t -> near g t.
+Proof.
+  intros Runs Rest He Hr Hx Hg Ht; destruct (triage_finds e x Runs He Hr) as (a & Ea & Ra); rewrite Ea in Hx.
+  destruct a as [| | root slope curvature]; try discriminate; injection Hx as <-.
+  destruct Ra as (t' & Ht' & N & Gs & Gc & Fs & Fc & Ls); rewrite (least_unique _ _ _ Ht' Ht) in *.
+  destruct (quadratic_is_near Rest e x root slope curvature He Hr Ea) as (Na & Fa & La & Ra).
+  destruct (improved_runs Runs e root slope curvature g He Hr Hg) as [Known ->].
+  assert (Root : value (quadratic_of e) t = 0).
+  { destruct (described e He) as [Hs Hon]; destruct Ht as [Ht _].
+    apply (met_of_shape Elemento s ok en p v e _ (on e) Hs Hon) in Ht; exact (proj1 (proj2 Ht)). }
+  assert (Binary : Newton.binary64s root slope curvature (quadratic_at e (Formas.value root))).
+  { constructor; auto; [apply N | repeat split; auto]; apply Rle_trans with (2 := Gc), Rabs_pos. }
+  unfold value in Root, Na; cbn [near]; unfold close; cbn [Formas.value Formas.error].
+  destruct (Newton.newton_near root slope curvature (quadratic_at e (Formas.value root)) Binary (cA (quadratic_of e))
+    (cB (quadratic_of e)) (cC (quadratic_of e)) t) as (Close & P & Fe & Le); auto.
+  - rewrite <- Root; ring.
+  - rewrite Rabs_minus_sym; exact (near_within _ _ N).
+  - replace (cA (quadratic_of e) * Formas.value root * Formas.value root) with
+      (cA (quadratic_of e) * (Formas.value root * Formas.value root)) by ring; exact Na.
+  - rewrite Rabs_minus_sym; auto.
+Qed.
 
 Theorem steps_are_right : steps_run -> steps_assumed ->
   Search.steps_right Elemento finding Chain.printed met elements (Chain.rounds ray) in_range triage stable improved near low high
-    certainly_less rounded round_exact.
+    less rounded round_exact.
 Proof.
   intros Runs Rest; constructor.
-  - intros e x He Hr; destruct (described e He) as [Hs Hon]; destruct (triage_runs Runs e x He Hr) as (a & Ha & ->).
-    pose (verdict := fun (_ : Elemento) (_ : Limits.binary64) => verdict_of a).
-    destruct (is_finite x) eqn:Fx; unfold answered in Ha; rewrite Fx in Ha.
-    + pose proof (alone_is_right Elemento s ok en p v ray_ok p_ordinary v_ordinary e _ (on e) (B2R x) Hs (range e He Hr) Hon) as R1.
-      rewrite <- Ha in R1; destruct a; cbn in *; auto.
-      intros t Ht [-> | [_ Hle]]; [discriminate Fx | specialize (R1 t Ht); lra].
-    + destruct Ha as (l & Ha).
-      pose proof (fun limit => alone_is_right Elemento s ok en p v ray_ok p_ordinary v_ordinary e _ (on e) limit Hs (range e He Hr) Hon) as R1.
-      pose proof (R1 l) as R0; rewrite <- (Ha l) in R0 by lra; destruct a; cbn in *; auto.
-      intros t Ht _; specialize (R1 (Rmax l t)); rewrite <- (Ha (Rmax l t)) in R1 by apply Rmax_l; cbn in R1.
-      specialize (R1 t Ht); pose proof (Rmax_r l t); lra.
+  - intros e x He Hr; destruct (triage_finds e x Runs He Hr) as (a & -> & Ra); destruct a; cbn in *; auto.
+    destruct Ra as (t & Ht & N & _); now exists t.
   - intros e x He Hr; destruct (described e He) as [Hs Hon].
     destruct (stable_runs Runs e x He Hr) as (a & Ha & ->).
     refine (double_says_right _ _ _ _ _ Ha); intros limit Fl.
     exact (second_pair Elemento s en p v ok ray_ok p_ordinary v_ordinary e _ (on e) limit Hs (range e He Hr) Hon Fl).
-  - exact (improved_is_near Rest).
-  - exact (ends_are_around Rest).
-  - exact (less_is_less Rest).
-  - intros f out t Hf Hn; destruct (rounding_runs Runs f out Hf) as (root & -> & Hc & Hst); destruct Hn as (H & P & Fe & He).
-    apply (Once.certain_is_rounded_right p v (Formas.value root) (Formas.error root)); auto; now rewrite Rabs_minus_sym.
+  - intros e f g t He Hr [x Hx] Hg Ht _; exact (improved_is_close e x f g t Runs Rest He Hr Hx Hg Ht).
+  - intros e w t He _ Hv; pose proof (ends_run Runs w) as E; destruct w as [f | f | x].
+    + destruct Hv as (Hr & [x Hx] & Hn); destruct (triage_runs Runs e x He Hr) as (a & _ & Ea); rewrite Ea in Hx.
+      destruct a as [| | root slope curvature]; try discriminate; injection Hx as <-; destruct E as [El Eh].
+      exact (Ends.stored_between _ _ _ t (Ends.ends_of_near root t Hn) El Eh).
+    + destruct Hv as (Hr & [x Hx] & Hn); destruct (stable_runs Runs e x He Hr) as (a & _ & Ea); rewrite Ea in Hx.
+      destruct a as [| | root slope curvature]; try discriminate; injection Hx as <-; destruct E as [El Eh].
+      exact (Ends.stored_between _ _ _ t (Ends.ends_of_near_word root t (proj1 Hn)) El Eh).
+    + destruct Hv as [Hx <-], E as [-> ->]; apply Ends.nearest_between, (exact_is_rounded Rest x Hx).
+  - intros f g a b Hless Ha Hb; destruct (less_runs Runs f g Hless) as (x & y & -> & -> & Hxy).
+    exact (Ends.certainly_less_near x y a b Ha Hb Hxy).
+  - intros f out t Hf Hn; destruct (rounding_runs Runs f out Hf) as (root & Hroot & Hc & Hst).
+    assert (Hclose : close root t) by (destruct Hroot as [-> | ->]; [now apply near_pair_close | exact Hn]).
+    destruct Hclose as (H & P & Fe & He); apply (Once.certain_is_rounded_right p v (Formas.value root) (Formas.error root)); auto; now rewrite Rabs_minus_sym.
   - exact (exact_is_rounded Rest).
 Qed.
 End Running.

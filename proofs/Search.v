@@ -12,7 +12,7 @@
     near f t               == the parameter t is within the error of the finding f
     evidence               == what a meeting rests on: a finding by triage or by double-double, or an exact parameter
     low v, high v          == the ends around the parameter
-    tells e v t            == v is right evidence that e is first met at t
+    tells e v t            == v is right evidence, found by its step, that e is first met at t
     meeting e x            == where e is first met, by the first step that can tell; none also beyond the limit x
     take e st              == the state of the search once e has been tested
     published st           == the answer
@@ -50,7 +50,8 @@ Variable round_exact : surd -> Printed.
 
 Definition tells (e : E) (v : evidence) (t : R) : Prop :=
   match v with
-  | By_triage f | By_stable f => in_range e = true /\ near f t
+  | By_triage f => in_range e = true /\ (exists x, triage e x = Hit f) /\ near f t
+  | By_stable f => in_range e = true /\ (exists x, stable e x = Hit f) /\ near f t
   | By_exact x => valid x /\ val x = t
   end.
 
@@ -68,7 +69,7 @@ Definition decides (step : E -> binary64 -> verdict) : Prop :=
 Record steps_right : Prop := {
   triage_decides : decides triage;
   stable_decides : decides stable;
-  improved_near : forall e f g t, In e es -> in_range e = true -> improved e f = Hit g ->
+  improved_near : forall e f g t, In e es -> in_range e = true -> (exists x, triage e x = Hit f) -> improved e f = Hit g ->
     is_least (met e) t -> near f t -> near g t;
   ends_around : forall e v t, In e es -> is_least (met e) t -> tells e v t -> at_most (low v) t /\ at_least (high v) t;
   certainly_less_is_less : forall f g a b, certainly_less f g = true -> near f a -> near g b -> a < b;
@@ -182,10 +183,10 @@ Proof.
     - destruct H as [Hv [Hy Hl]]. exists (val y). split; [now split | now split].
     - destruct H as [eps [Hpos H]]. exists eps. split; [exact Hpos |]. intros t Ht. apply H. lra. }
   unfold meeting. destruct (in_range e) eqn:Hr; [| exact X].
-  pose proof (triage_decides right e x He Hr) as H1. destruct (triage e x) as [| f |]; [exact H1 | |].
-  - destruct H1 as [t [Ht Hf]]. exists t. split; [exact Ht | now split].
-  - pose proof (stable_decides right e x He Hr) as H2. destruct (stable e x) as [| f |]; [exact H2 | | exact X].
-    destruct H2 as [t [Ht Hf]]. exists t. split; [exact Ht | now split].
+  pose proof (triage_decides right e x He Hr) as H1. destruct (triage e x) as [| f |] eqn:E1; [exact H1 | |].
+  - destruct H1 as [t [Ht Hf]]. exists t. split; [exact Ht | split; [exact Hr | split; [now exists x | exact Hf]]].
+  - pose proof (stable_decides right e x He Hr) as H2. destruct (stable e x) as [| f |] eqn:E2; [exact H2 | | exact X].
+    destruct H2 as [t [Ht Hf]]. exists t. split; [exact Ht | split; [exact Hr | split; [now exists x | exact Hf]]].
 Qed.
 
 (** *** What holds after each element *)
@@ -347,8 +348,8 @@ Lemma refine_right e v t : In e es -> is_least (met e) t -> tells e v t ->
 Proof.
   intros He Ht Hv. unfold refine. cbn [fst snd]. destruct v as [f | f | x]; [| now split | now split].
   pose proof Hv as [Hr _]. pose proof (stable_decides right e infinite He Hr) as D.
-  destruct (stable e infinite) as [| g |]; [now split | | now split]. cbn. split; [reflexivity |].
-  destruct D as [u [Hu Hg]]. rewrite (least_unique _ _ _ Ht Hu). now split.
+  destruct (stable e infinite) as [| g |] eqn:E1; [now split | | now split]. cbn. split; [reflexivity |].
+  destruct D as [u [Hu Hg]]. rewrite (least_unique _ _ _ Ht Hu). split; [exact Hr | split; [now exists infinite | exact Hg]].
 Qed.
 Lemma exactly_right e v t : In e es -> is_least (met e) t -> tells e v t ->
   fst (exactly (e, v)) = e /\ tells e (snd (exactly (e, v))) t /\ exists x, snd (exactly (e, v)) = By_exact x.
@@ -414,7 +415,7 @@ Proof.
     destruct (forallb is_stable (map refine l)); [| exact Gr]. apply good_not_farther; [| exact Gr].
     intros e v t e' v' t' _ _ Hv Hv' Hless. unfold by_finding in Hless. cbn [snd] in Hless.
     destruct v as [f | f | x], v' as [g | g | y]; try discriminate.
-    destruct Hv as [_ Hv], Hv' as [_ Hv']. now apply (certainly_less_is_less right f g). }
+    destruct Hv as [_ [_ Hv]], Hv' as [_ [_ Hv']]. now apply (certainly_less_is_less right f g). }
   destruct (several l') eqn:Hs; [now apply exact_leaves_nearest | split; [exact G' | now apply Alone]].
 Qed.
 End Nearest.
@@ -430,7 +431,7 @@ Proof.
   { intros Hr out H. pose proof (stable_decides right e infinite He Hr) as D.
     destruct (stable e infinite) as [| g |]; cbn in H; try discriminate. destruct D as [u [Hu Hg]].
     rewrite (least_unique _ _ _ Ht Hu). now apply (rounded_is_certain right g). }
-  destruct v as [f | f | y]; [destruct Hv as [Hr Hf] | destruct Hv as [Hr Hf] |].
+  destruct v as [f | f | y]; [destruct Hv as [Hr [Hby Hf]] | destruct Hv as [Hr [_ Hf]] |].
   - assert (Last : reach_of e = At x) by (destruct (reach_of e) as [| z |]; cbn in Hx; congruence). rewrite Last.
     destruct (attempt (improved e f)) as [out |] eqn:A1.
     + exists out. split; [reflexivity |]. destruct (improved e f) as [| g |] eqn:I; cbn in A1; try discriminate.

@@ -275,7 +275,7 @@ Proof.
   intros He Hq; right; pose proof (bpow_gt_0 radix2 (-360)); apply Rle_trans with (bpow radix2 (-360)); [apply bpow_le; lia | lra].
 Qed.
 
-Lemma from_C_near : B_error < hi F_w -> 2 * q_error < Rabs (hi q) -> near_word from_C (C / x).
+Lemma from_C_near : B_error < hi F_w -> 2 * q_error < Rabs (hi q) -> near_pair from_C (C / x).
 Proof.
   intros HF Hq; destruct (q_bound HF) as (Hqb & _ & Hq450 & Wq & Fqe & _), (words f_sound) as (_ & _ & WC & _).
   destruct (errors_binary64 f_sound) as (_ & _ & FC), (errors_least f_sound) as (_ & _ & HC360), (sizeable_B_C f_sound) as [_ SC].
@@ -290,7 +290,7 @@ Proof.
   destruct (Rcase_abs (hi A_w)); (split; [lra|]); destruct (Rlt_bool_spec 0 (hi A_w)), (Rlt_bool_spec 0 A); trivial; lra.
 Qed.
 
-Lemma from_A_near : B_error < hi F_w -> 2 * q_error < Rabs (hi q) -> 2 * A_error < Rabs (hi A_w) -> near_word from_A (x / A).
+Lemma from_A_near : B_error < hi F_w -> 2 * q_error < Rabs (hi q) -> 2 * A_error < Rabs (hi A_w) -> near_pair from_A (x / A).
 Proof.
   intros HF Hq HA; destruct (q_bound HF) as (Hqb & Hqe & _ & Wq & Fqe & _), (words f_sound) as (WA & _).
   destruct (errors_binary64 f_sound) as (FA & _), (sizes f_sound) as (HA450 & _).
@@ -351,15 +351,15 @@ Proof.
   destruct (meets HF) as (HD & _); pose proof (sqrt_lt_R0 _ HD) as Hs; pose proof (sqrt_sqrt _ (Rlt_le _ _ HD)) as Hss.
   destruct (q_bound HF) as (_ & _ & _ & _ & Fqe & _), (errors_binary64 f_sound) as (FAe & _); rewrite !rnd_double by assumption.
   destruct (Rlt_bool_spec (2 * q_error) (Rabs (hi q))) as [Hq|]; [|exact I].
-  destruct (q_exact_facts HF Hq) as [Hx0 Hsign]; pose proof (from_C_near HF Hq) as NC; destruct (Hplace _ _ NC) as [OutC InC].
+  destruct (q_exact_facts HF Hq) as [Hx0 Hsign]; pose proof (from_C_near HF Hq) as NC; destruct (Hplace _ _ (proj1 NC)) as [OutC InC].
   destruct (Rlt_bool_spec (2 * A_error) (Rabs (hi A_w))) as [HA|_].
-  - destruct (A_known HA) as [HA0 HAs]; pose proof (from_A_near HF Hq HA) as NA; destruct (Hplace _ _ NA) as [OutA InA].
+  - destruct (A_known HA) as [HA0 HAs]; pose proof (from_A_near HF Hq HA) as NA; destruct (Hplace _ _ (proj1 NA)) as [OutA InA].
     destruct (exact_roots A B C (sqrt D) x plus Hss Hs eq_refl Hx0 HA0) as [Hall Horder]; rewrite <- HAs in Horder.
     change (eqb (Rlt_bool 0 (hi A_w)) plus) with A_root_first in Horder.
-    assert (Hturns : forall r0 t0 r1 t1 s0 s1, t0 < t1 -> (forall t, is_root t <-> t = t0 \/ t = t1) -> near_word r0 t0 ->
-      near_word r1 t1 -> right_pair (points on) limit (turn place limit (Formas.Known (hi A_w) A_error) r0 s0
+    assert (Hturns : forall r0 t0 r1 t1 s0 s1, t0 < t1 -> (forall t, is_root t <-> t = t0 \/ t = t1) -> near_pair r0 t0 ->
+      near_pair r1 t1 -> right_pair (points on) limit (turn place limit (Formas.Known (hi A_w) A_error) r0 s0
       (turn place limit (Formas.Known (hi A_w) A_error) r1 s1 Formas.Miss))).
-    { intros r0 t0 r1 t1 s0 s1 Hlt Hboth N0 N1; destruct (Hplace _ _ N0) as [Out0 In0], (Hplace _ _ N1) as [Out1 In1].
+    { intros r0 t0 r1 t1 s0 s1 Hlt Hboth N0 N1; destruct (Hplace _ _ (proj1 N0)) as [Out0 In0], (Hplace _ _ (proj1 N1)) as [Out1 In1].
       apply (turn_right place limit _ Fl (points on) on _ _ _ t0 N0 Out0 In0).
       - intros On; split; [split; [apply Hboth; tauto | exact On] | intros t' [Ht' _]; apply Hboth in Ht'; lra].
       - intros Hb t' [Ht' _]; apply Hboth in Ht'; lra.
@@ -415,14 +415,14 @@ Proof.
   destruct (A_known HA) as [HA0 _], (sizes f_sound) as (HA450 & _), (sizeable_B_C f_sound) as [SB _].
   destruct (errors_least f_sound) as (_ & HBe & _); pose proof (B_near f_sound) as NB; pose proof (bpow_gt_0 radix2 (-360)).
   destruct (sum_near _ _ WB WB) as [Wsum _]; destruct (opposite_word _ Wsum) as [Wq Eq].
-  assert (N : near_word from_start (- (2 * B) / A)).
+  assert (N : near_pair from_start (- (2 * B) / A)).
   { pose proof (sum_of_self _ WB) as Es; apply quotient_near; auto using format_rnd.
     - rewrite (rnd_double _ FBe); lra.
     - rewrite Es; destruct SB as [Z0|SB]; [left; cbn; rewrite Z0; ring | right; cbn [hi opposite]].
       rewrite Rabs_Ropp, Rabs_mult, (Rabs_pos_eq 2) by lra; pose proof (Rabs_pos (hi B_w)); lra.
     - rewrite Eq, Es, (rnd_double _ FBe); unfold whole in *; cbn [hi lo]; apply Rabs_le_inv in NB; apply Rabs_le; lra.
     - apply (A_near f_sound). }
-  destruct (Hplace _ _ N) as [Out In].
+  destruct (Hplace _ _ (proj1 N)) as [Out In].
   assert (HT : forall t', points_from on t' <-> t' = - (2 * B) / A /\ on t').
   { intros t'; unfold points_from; split.
     - intros [Hr On]; split; [|exact On]; pose proof (Hon t' On).

@@ -63,7 +63,7 @@ Proof.
   pose proof (Rabs_pos_lt _ N); lra.
 Qed.
 
-Lemma only_root_near : flat_known = true -> C_error <> 0 -> near_word only_root (- C / (2 * B)).
+Lemma only_root_near : flat_known = true -> C_error <> 0 -> near_pair only_root (- C / (2 * B)).
 Proof.
   intros K HC; destruct (known_means K) as [Hbig HB]; destruct f_sound as [[WB WC] NB NC (FBe & FCe) L S].
   destruct (sum_near _ _ WB WB) as [Wsum _]; destruct (opposite_word _ WC) as [Wo Eo]; pose proof (sum_of_self _ WB) as Es.
@@ -111,7 +111,7 @@ Proof.
     destruct (beyond only_root limit); [intros t Ht; now elim (None t)|].
     destruct (Formas.inside (place only_root)) eqn:I0; [apply ahead in I0; lra|].
     destruct (Formas.outside (place only_root)); [intros t Ht; now elim (None t) | exact I].
-  - pose proof (only_root_near K N) as Near; destruct (placed _ K (proj2 (Honly _) eq_refl) Near) as [Out In].
+  - pose proof (only_root_near K N) as Near; destruct (placed _ K (proj2 (Honly _) eq_refl) (proj1 Near)) as [Out In].
     apply (turn_right place limit _ Fl _ on _ _ _ _ Near Out In).
     + intros On; split; [split; [now apply Honly | exact On] | intros t' [Ht' _]; apply Honly in Ht' as ->; lra].
     + intros Hb t' [Ht' _]; apply Honly in Ht' as ->; exact Hb.

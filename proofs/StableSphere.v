@@ -298,7 +298,7 @@ Definition right_when_rounded (p v : vec) (T : R -> Prop) (limit : R) (a : Forma
 Lemma right_and_rounded p v T limit a : ordinary_vec p -> ordinary_vec v -> right_pair T limit a -> right_when_rounded p v T limit a.
 Proof.
   intros Hp Hv; destruct a as [| | root slope curvature]; cbn [right_pair right_when_rounded]; auto.
-  intros (t & Ht & N & W & Fe & He); exists t; split; [exact Ht|].
+  intros (t & Ht & (N & W & Fe & He) & _); exists t; split; [exact Ht|].
   pose proof (bpow_gt_0 radix2 (-900)); rewrite Rabs_minus_sym; split; [lra|]; intros out Hc Hs.
   apply (Once.certain_is_rounded_right p v (Formas.value root) (Formas.error root)); auto.
   - now apply double_word_is_pair.

@@ -8,7 +8,7 @@
 From Coq Require Import Reals List Lra.
 From Durero Require Import Toolkit Especificacion Puntos Trazador.
 From Durero Require Tipos Certified Cylinder Formas Flat Triangle Conical Cone.
-From Durero Require Import Vectors Across Decision Flotante Verdict Advance Linear Plane.
+From Durero Require Import Vectors Across Quotient Decision Flotante Verdict Advance Linear Plane.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
 
@@ -35,7 +35,8 @@ Definition edged (f : Formas.quadratic R) : decisions :=
 
 Definition decisions_right (f : coefficients) (d : decisions) : Prop :=
   right_in_lanes (reach f) (in_lanes d) /\ right_in_lanes (reach (launched f)) (in_lanes_from d) /\
-  forall limit, right_up_to (reach f) limit (alone d limit) /\ right_up_to (reach (launched f)) limit (alone_from d limit).
+  forall limit, right_up_to (cA f) (cB f) (reach f) limit (alone d limit) /\
+    right_up_to (cA f) (cB f) (reach (launched f)) limit (alone_from d limit).
 
 (** The quadratic of the text, coefficient by coefficient. *)
 Definition same_quadratic (A B C : R) (f : coefficients) : Prop := A = cA f /\ B = cB f /\ C = cC f.
@@ -50,6 +51,9 @@ Variables A B C F H : R.
 Hypothesis f_sound : sound f A B C F H.
 Variable text : coefficients.
 Hypothesis same : same_quadratic A B C text.
+
+Lemma same_slope : cA text = A /\ cB text = B.
+Proof. destruct same as (EA & EB & _); now split. Qed.
 
 Lemma points_are_reached (on : R -> Prop) t : (on t <-> 0 < t /\ within text t) -> (points A B C on t <-> reach text t).
 Proof.
@@ -69,14 +73,15 @@ Proof.
     pose proof (W t); tauto).
   pose proof (fun t => points_are_reached (fun t => 0 < t) t (On t)) as E.
   pose proof (fun t => points_from_are_reached (fun t => 0 < t) t (On t)) as E0.
-  split; [|split; [|intros limit; split]]; cbn [in_lanes in_lanes_from alone alone_from unbounded].
+  destruct same_slope as [EA EB].
+  split; [|split; [|intros limit; split; rewrite EA, EB]]; cbn [in_lanes in_lanes_from alone alone_from unbounded].
   - rewrite free_is_recorded; exact (right_in_lanes_equal _ _ _ E (lanes_right f A B C F H f_sound _ _ P)).
   - destruct (from_is_recorded f 0) as (_ & _ & -> & _).
     exact (right_in_lanes_equal _ _ _ E0 (lanes_from_right f A B C F H f_sound _ _ P (fun t Ht => Ht))).
-  - rewrite single_is_recorded; apply (right_up_to_equal _ _ limit _ E).
+  - rewrite single_is_recorded; apply (right_up_to_equal _ _ _ _ limit _ E).
     apply (single_right f A B C F H f_sound _ _ _ limit P (fun t Ht => Ht)).
     intros HF Hq; exact (past_limit_right f A B C F H f_sound _ limit (fun t Ht => Ht) HF Hq).
-  - destruct (from_is_recorded f limit) as (-> & _); apply (right_up_to_equal _ _ limit _ E0).
+  - destruct (from_is_recorded f limit) as (-> & _); apply (right_up_to_equal _ _ _ _ limit _ E0).
     exact (single_from_right f A B C F H f_sound _ _ limit P (fun t Ht => Ht)).
 Qed.
 
@@ -101,16 +106,17 @@ Proof.
   assert (Pos : forall t, on_stretch p v centro d h t -> 0 < t) by (intros t [Ht _]; exact Ht).
   pose proof (fun t => points_are_reached (on_stretch p v centro d h) t (On t)) as E.
   pose proof (fun t => points_from_are_reached (on_stretch p v centro d h) t (On t)) as E0.
-  split; [|split; [|intros limit; split]]; cbn [in_lanes in_lanes_from alone alone_from axial].
+  destruct same_slope as [EA EB].
+  split; [|split; [|intros limit; split; rewrite EA, EB]]; cbn [in_lanes in_lanes_from alone alone_from axial].
   - rewrite axial_is_recorded; exact (right_in_lanes_equal _ _ _ E (lanes_right f A B C F H f_sound _ _ P)).
   - destruct (from_is_recorded f 0) as (_ & _ & _ & ->).
     exact (right_in_lanes_equal _ _ _ E0 (lanes_from_right f A B C F H f_sound _ _ P Pos)).
-  - rewrite single_axial_is_recorded; apply (right_up_to_equal _ _ limit _ E).
+  - rewrite single_axial_is_recorded; apply (right_up_to_equal _ _ _ _ limit _ E).
     apply (single_right f A B C F H f_sound _ _ _ limit P Pos); intros HF Hq.
     exact (past_stretch_right p v centro d h p_ordinary v_ordinary centro_ordinary d_ordinary h_ordinary h_positive
       v_not_zero
       d_unit f A B C F H limit f_sound Ends HF Hq).
-  - destruct (from_is_recorded f limit) as (_ & -> & _); apply (right_up_to_equal _ _ limit _ E0).
+  - destruct (from_is_recorded f limit) as (_ & -> & _); apply (right_up_to_equal _ _ _ _ limit _ E0).
     exact (single_from_right f A B C F H f_sound _ _ limit P Pos).
 Qed.
 End Curved.
@@ -129,6 +135,9 @@ Proof. unfold flat_points, reach; rewrite same; tauto. Qed.
 Lemma flat_from_is_reached t : flat_points_from B (fun t => 0 < t /\ within text t) t <-> reach (launched text) t.
 Proof. unfold flat_points_from, reach; rewrite same_from; unfold within, launched; cbn; tauto. Qed.
 
+Lemma flat_slope_same : cA text = 0 /\ cB text = B.
+Proof. pose proof (same 0) as E0; pose proof (same 1) as E1; pose proof (same (-1)) as E2; unfold value in *; lra. Qed.
+
 Lemma of_placed lanes from alone_one place : (forall t, flat_known f = true -> 2 * B * t + C = 0 -> is_near (only_root
   f) t ->
    (Formas.outside (place (only_root f)) = true -> ~ (0 < t /\ within text t)) /\
@@ -138,11 +147,12 @@ Lemma of_placed lanes from alone_one place : (forall t, flat_known f = true -> 2
   decisions_right text (Decisions lanes from alone_one (Formas.first_of_linear_on f)).
 Proof.
   intros P El Ef Ea; pose proof (fun t (On : 0 < t /\ within text t) => proj1 On) as Pos.
-  split; [|split; [|intros limit; split]]; cbn [in_lanes in_lanes_from alone alone_from].
+  destruct flat_slope_same as [EA EB].
+  split; [|split; [|intros limit; split; rewrite EA, EB]]; cbn [in_lanes in_lanes_from alone alone_from].
   - rewrite El; exact (right_in_lanes_equal _ _ _ flat_is_reached (flat_in_lanes_right f B C f_sound _ _ P)).
   - rewrite Ef; apply (right_in_lanes_equal _ _ _ flat_from_is_reached), (flat_from_right f B C f_sound _ 0 Pos).
-  - rewrite Ea; exact (right_up_to_equal _ _ _ _ flat_is_reached (flat_alone_right f B C f_sound _ _ P limit)).
-  - apply (right_up_to_equal _ _ _ _ flat_from_is_reached), (flat_from_right f B C f_sound _ limit Pos).
+  - rewrite Ea; exact (right_up_to_equal _ _ _ _ _ _ flat_is_reached (flat_alone_right f B C f_sound _ _ P limit)).
+  - apply (right_up_to_equal _ _ _ _ _ _ flat_from_is_reached), (flat_from_right f B C f_sound _ limit Pos).
 Qed.
 
 Lemma flat_right : (forall t, within text t) -> decisions_right text (flat f).

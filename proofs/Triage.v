@@ -12,7 +12,7 @@ From Coq Require Import Reals List Lra.
 From Flocq Require Import Core BinarySingleNaN.
 From Durero Require Import Toolkit Especificacion Escena Puntos Trazador Interseccion.
 From Durero Require Tipos Search Limits Formas.
-From Durero Require Import Vectors Flotante Verdict Steps.
+From Durero Require Import Vectors Quotient Flotante Verdict Steps.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
 
@@ -152,10 +152,31 @@ Proof.
 Qed.
 
 Theorem alone_is_right e sh on limit : stands e sh -> ordinary_shape sh -> (on = true <-> en e) ->
-  right_up_to (met e) limit (alone_of p v sh on limit).
+  right_up_to (cA (text_of sh)) (cB (text_of sh)) (met e) limit (alone_of p v sh on limit).
 Proof.
-  intros H O Hon; apply (right_up_to_equal _ _ _ _ (met_of_shape e sh on H Hon)).
+  intros H O Hon; apply (right_up_to_equal _ _ _ _ _ _ (met_of_shape e sh on H Hon)).
   destruct (decisions_are_right e sh H O) as (_ & _ & A); destruct (A limit); unfold alone_of; destruct on; assumption.
+Qed.
+
+(** The same, where the room beside the error does not matter. *)
+Corollary lanes_within e sh on : stands e sh -> ordinary_shape sh -> (on = true <-> en e) -> let d := lanes_of p v sh on in
+  (Formas.hit d = true ->
+   exists t, is_least (met e) t /\ Rabs (Formas.value (Formas.root d) - t) <= Formas.error (Formas.root d))
+  /\ (Formas.hit d = false -> Formas.undecided d = false -> forall t, ~ met e t).
+Proof.
+  intros H O Hon; destruct (lanes_are_right e sh on H O Hon) as [Hh Hm]; split; [|exact Hm].
+  intros E; destruct (Hh E) as (t & Ht & N); exists t; split; [exact Ht | now apply near_within].
+Qed.
+
+Corollary alone_within e sh on limit : stands e sh -> ordinary_shape sh -> (on = true <-> en e) ->
+  match alone_of p v sh on limit with
+  | Formas.Miss => forall t, met e t -> limit < t
+  | Formas.Undecided => True
+  | Formas.Hit root _ _ => exists t, is_least (met e) t /\ Rabs (Formas.value root - t) <= Formas.error root
+  end.
+Proof.
+  intros H O Hon; pose proof (alone_is_right e sh on limit H O Hon) as R1; destruct (alone_of p v sh on limit); auto.
+  destruct R1 as (t & Ht & N & _); exists t; split; [exact Ht | now apply near_within].
 Qed.
 
 (** *** The first sentence of what the search asks of its steps *)
@@ -173,10 +194,10 @@ Proof.
   intros e x He Hr; destruct (described e He) as [Hs Hon]; destruct (computed e x He Hr) as (a & Ha & ->).
   pose proof (fun limit => alone_is_right e (shape_of e) (on e) limit Hs (range e He Hr) Hon) as R1; unfold answered in Ha.
   destruct (is_finite x) eqn:Fx.
-  - specialize (R1 (B2R x)); rewrite <- Ha in R1; destruct a; cbn in *; [|exact I | exact R1].
+  - specialize (R1 (B2R x)); rewrite <- Ha in R1; destruct a; cbn in *; [|exact I | destruct R1 as (t & Ht & N & _); now exists t].
     intros t Ht [-> | [_ Hle]]; [discriminate Fx | specialize (R1 t Ht); lra].
   - destruct Ha as (low & Ha); pose proof (R1 low) as R0; rewrite <- (Ha low) in R0 by lra; destruct a; cbn in *;
-    [|exact I | exact R0].
+    [|exact I | destruct R0 as (t & Ht & N & _); now exists t].
     intros t Ht _; specialize (R1 (Rmax low t)); rewrite <- (Ha (Rmax low t)) in R1 by apply Rmax_l; cbn in R1.
     specialize (R1 t Ht); pose proof (Rmax_r low t); lra.
 Qed.

@@ -165,15 +165,17 @@ Proof.
   pose proof (grid_at_least _ _ G N) as Hl; rewrite Rabs_pos_eq in Hl by lra; exact Hl.
 Qed.
 
-Lemma B_error_low : 799 / 100 * (u * (V * (L1 * L2))) <= B_error.
+Lemma B_error_low : 799 / 100 * (u * (V * (L1 * L2))) <= B_error /\ (B_error = 0 -> V * (L1 * L2) = 0) /\
+  (B_error <> 0 -> bpow radix2 (-506) <= B_error).
 Proof.
   pose proof (computed_mult 3 3 (-202) (-152) _ _ _ _ _ _ ltac:(lia) (computed_mult 0 2 (-50) (-152) _ _ _ _ _ _ ltac:(lia)
     (power_computed (-50) ltac:(lia)) V_fl_computed) L1_computed) as Hc.
   pose proof (computed_mult 7 3 (-354) (-152) _ _ _ _ _ _ ltac:(lia) Hc L2_computed) as Hm;
-    destruct (bound_low 11 _ _ _ ltac:(lia) Hm) as [Hl _].
-  fold B_error in Hl; replace (bpow radix2 (-50)) with (8 * u) in Hl by (replace 8 with (bpow radix2 3) by reflexivity;
+    destruct (bound_low 11 _ _ _ ltac:(lia) Hm) as (Hl & Hz & Hn).
+  fold B_error in Hl, Hz, Hn; replace (bpow radix2 (-50)) with (8 * u) in Hl, Hz by (replace 8 with (bpow radix2 3) by reflexivity;
     now rewrite <- bpow_plus).
-  assert (0 <= u * (V * (L1 * L2))) by (pose proof u_bounds; repeat apply Rmult_le_pos; lra); lra.
+  assert (0 <= u * (V * (L1 * L2))) by (pose proof u_bounds; repeat apply Rmult_le_pos; lra); pose proof u_bounds.
+  split; [lra|]; split; [|exact Hn]; intros Z0; specialize (Hz Z0); apply Rmult_eq_reg_l with (8 * u); lra.
 Qed.
 
 Lemma C_error_low : 159 / 10 * (u * (Q * (L1 * L2))) <= C_error /\ (C_error = 0 -> Q * (L1 * L2) = 0) /\
@@ -236,8 +238,8 @@ Qed.
 
 Theorem triangle_sound : sound_flat f (- det / 2) crossing.
 Proof.
-  destruct recorded as (EB & EC & EBe & ECe & _); pose proof u_bounds as Hu; pose proof B_error_low as LB;
-    destruct C_error_low as (LC & ZC & NC).
+  destruct recorded as (EB & EC & EBe & ECe & _); pose proof u_bounds as Hu; destruct B_error_low as (LB & ZB & NB),
+    C_error_low as (LC & ZC & NC).
   pose proof (triple_size_le e1 v e2 : _ <= L1 * (V * L2)) as S1;
     pose proof (triple_size_le e2 q e1 : _ <= L2 * (Q * L1)) as S2.
   assert (Hh : computed 8 (-457) (rnd (det_fl * - bpow radix2 (-1))) (- det * / 2) (triple_size e1 v e2 * / 2)).
@@ -247,6 +249,7 @@ Proof.
     apply power_computed; lia. }
   assert (HVL : 0 <= V * (L1 * L2)) by (repeat apply Rmult_le_pos; lra);
     assert (HQL : 0 <= Q * (L1 * L2)) by (repeat apply Rmult_le_pos; lra).
+  pose proof (computed_size 8 _ _ _ _ ltac:(lia) Hh) as Hs.
   constructor; rewrite ?EB, ?EC, ?EBe, ?ECe.
   - pose proof (computed_error_near 8 _ _ _ _ ltac:(lia) Hh) as He; simpl INR in He.
     assert (u * triple_size e1 v e2 <= u * (L1 * (V * L2))) by (apply Rmult_le_compat_l; lra).
@@ -257,11 +260,15 @@ Proof.
     assert (0 <= u * (Q * (L1 * L2))) by (apply Rmult_le_pos; lra).
     apply Rle_trans with (2 := LC); apply Rle_trans with (1 := He); lra.
   - repeat split; apply format_rnd.
+  - split; [reflexivity | split; [reflexivity|]].
+    destruct (Req_dec B_error 0) as [Z0|N]; [left | right; apply Rle_trans with (2 := NB N), bpow_le; lia].
+    specialize (ZB Z0); set (half := rnd (det_fl * - bpow radix2 (-1))) in *; pose proof (Rabs_pos half).
+    destruct (Req_dec half 0) as [|N]; [assumption | pose proof (Rabs_pos_lt _ N); lra].
   - destruct (Req_dec C_error 0) as [Z0|N]; [left | right].
-    + split; [exact Z0|]; specialize (ZC Z0); pose proof (computed_size 8 _ _ _ _ ltac:(lia) crossing_computed) as Hs.
+    + split; [exact Z0|]; specialize (ZC Z0); pose proof (computed_size 8 _ _ _ _ ltac:(lia) crossing_computed) as Hsc.
       pose proof (Rabs_pos crossing_fl); assert (Hz : Rabs crossing_fl <= 0) by lra; apply Rabs_le_inv in Hz; lra.
     + specialize (NC N); split; [apply Rle_trans with (2 := NC), bpow_le; lia|]; apply Rle_trans with (2 := NC).
-      pose proof (computed_size 8 _ _ _ _ ltac:(lia) Hh) as Hs; rewrite Rabs_mult, (Rabs_pos_eq 2) by lra.
+      rewrite Rabs_mult, (Rabs_pos_eq 2) by lra.
       pose proof (V_size v v_ordinary : V <= _) as V102; pose proof (proj2 (extent_of_difference b a b_ordinary
         a_ordinary) : L1 <= _) as L103.
       pose proof (proj2 (extent_of_difference c a c_ordinary a_ordinary) : L2 <= _) as L103'.

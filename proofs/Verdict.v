@@ -7,7 +7,8 @@
     to be is asked here and shown in other files, of each shape.
 
     right_in_lanes T d   == d says hit only within its error of the least of T, and miss only where T is empty
-    right_up_to T x a    == the answer a says so as well, where a miss is one up to x
+    right_up_to A B T x a == the answer a says so as well, where a miss is one up to x; of a hit also the slope
+    graded A B t s a     == the slope A·t + B at t and the curvature A are within their errors, s and a
     turn, single         == what is decided of one root, and of one ray *)
 From Coq Require Import Reals ZArith Lra Lia Psatz Bool.
 From Flocq Require Import Core.
@@ -17,17 +18,20 @@ From Durero Require Formas.
 Local Open Scope R_scope.
 Local Opaque bpow.
 
-Definition is_near (root : Formas.known R) (t : R) : Prop := Rabs (Formas.value root - t) <= Formas.error root.
-
 Definition right_in_lanes (T : R -> Prop) (d : Formas.in_lanes) : Prop :=
   (Formas.hit d = true -> exists t, is_least T t /\ is_near (Formas.root d) t) /\
   (Formas.hit d = false -> Formas.undecided d = false -> forall t, ~ T t).
 
-Definition right_up_to (T : R -> Prop) (limit : R) (a : Formas.answer R) : Prop :=
+Definition graded (A B t : R) (slope curvature : Formas.known R) : Prop :=
+  Rabs (A * t + B - Formas.value slope) <= Formas.error slope /\ Rabs (A - Formas.value curvature) <= Formas.error curvature /\
+  (format (Formas.value slope) /\ format (Formas.error slope)) /\
+  (format (Formas.value curvature) /\ format (Formas.error curvature)) /\ bpow radix2 (-900) <= Formas.error slope.
+
+Definition right_up_to (A B : R) (T : R -> Prop) (limit : R) (a : Formas.answer R) : Prop :=
   match a with
   | Formas.Miss => forall t, T t -> limit < t
   | Formas.Undecided => True
-  | Formas.Hit root _ _ => exists t, is_least T t /\ is_near root t
+  | Formas.Hit root slope curvature => exists t, is_least T t /\ is_near root t /\ graded A B t slope curvature
   end.
 
 Lemma right_in_lanes_equal T T' d : (forall t, T t <-> T' t) -> right_in_lanes T d -> right_in_lanes T' d.
@@ -38,7 +42,7 @@ Proof.
   - intros H U t Ht; now apply (Hm H U t), E.
 Qed.
 
-Lemma right_up_to_equal T T' limit a : (forall t, T t <-> T' t) -> right_up_to T limit a -> right_up_to T' limit a.
+Lemma right_up_to_equal A B T T' limit a : (forall t, T t <-> T' t) -> right_up_to A B T limit a -> right_up_to A B T' limit a.
 Proof.
   intros E; destruct a as [| | root slope curvature]; cbn [right_up_to]; [intros Hm t Ht; now apply Hm, E | auto |].
   intros (t & [Ht Hl] & N); exists t; split; [split; [now apply E | intros t' H'; now apply Hl, E] | exact N].
@@ -49,7 +53,7 @@ Qed.
 Lemma beyond_right root limit t : is_near root t -> format (Formas.error root) -> Formas.beyond root limit = true ->
   limit < t.
 Proof.
-  unfold is_near, Formas.beyond; intros N Fe H; destruct (Rlt_bool_spec (Formas.error root) (rnd (Formas.value root -
+  unfold Formas.beyond; intros N%near_within Fe H; destruct (Rlt_bool_spec (Formas.error root) (rnd (Formas.value root -
     limit)))
     as [Hlt|]; [|discriminate].
   assert (Formas.error root < Formas.value root - limit).
@@ -59,7 +63,7 @@ Qed.
 
 Section Turn.
 Variable place : Formas.known R -> Formas.placed.
-Variables (limit : R) (curvature : Formas.known R).
+Variables (A B limit : R) (curvature : Formas.known R).
 
 Definition turn (root slope : Formas.known R) (next : Formas.answer R) : Formas.answer R :=
   if Formas.beyond root limit then Formas.Miss
@@ -69,12 +73,12 @@ Definition turn (root slope : Formas.known R) (next : Formas.answer R) : Formas.
 
 Lemma turn_right (T on : R -> Prop) root slope next t : is_near root t -> format (Formas.error root) ->
   (Formas.outside (place root) = true -> ~ on t) -> (Formas.inside (place root) = true -> on t) ->
-  (on t -> is_least T t) -> (limit < t -> forall t', T t' -> limit < t') -> (~ on t -> right_up_to T limit next) ->
-  right_up_to T limit (turn root slope next).
+  graded A B t slope curvature -> (on t -> is_least T t) -> (limit < t -> forall t', T t' -> limit < t') ->
+  (~ on t -> right_up_to A B T limit next) -> right_up_to A B T limit (turn root slope next).
 Proof.
-  intros N Fe Hout Hin Hleast Hbeyond Hnext; unfold turn.
+  intros N Fe Hout Hin G Hleast Hbeyond Hnext; unfold turn.
   destruct (Formas.beyond root limit) eqn:E; [cbn; now apply Hbeyond, (beyond_right root)|].
-  destruct (Formas.inside (place root)); [cbn; exists t; split; [now apply Hleast, Hin | exact N]|].
+  destruct (Formas.inside (place root)); [cbn; exists t; split; [now apply Hleast, Hin | now split]|].
   destruct (Formas.outside (place root)); [now apply Hnext, Hout | exact I].
 Qed.
 End Turn.
@@ -194,10 +198,51 @@ Qed.
 
 Definition points (on : R -> Prop) (t : R) : Prop := root t /\ on t.
 
+(** The slope at each root is √D or its opposite, with the sign of B. *)
+Lemma graded_root t s : B_error < F_fl -> Rabs (A * t + B - s) <= S_error -> s = S \/ s = - S ->
+  graded A B t (Formas.Known s S_error) (Formas.Known A_fl A_error).
+Proof.
+  intros HF N Hs; destruct (meets f A B C F H f_sound HF) as (HD & S360 & _ & _ & SH).
+  destruct (binary64 f A B C F H f_sound) as (FA & _ & FAe & _).
+  assert (Fs : format s).
+  { assert (F0 : format (Formas.value (root_of_D f))) by apply format_rnd.
+    change S with (if Rle_bool 0 B_fl then Formas.value (root_of_D f) else - Formas.value (root_of_D f)) in Hs.
+    destruct (Rle_bool 0 B_fl), Hs as [-> | ->]; repeat apply generic_format_opp; exact F0. }
+  unfold graded; cbn [Formas.value Formas.error].
+  split; [exact N|]; split; [rewrite Rabs_minus_sym; exact (A_near f A B C F H f_sound)|].
+  split; [split; [exact Fs | apply format_rnd]|]; split; [now split|].
+  assert (Low : bpow radix2 (-411) <= bpow radix2 (-51) * Formas.value (root_of_D f)).
+  { change (-411)%Z with (-51 + -360)%Z; rewrite bpow_plus; apply Rmult_le_compat_l; [apply bpow_ge_0 | exact S360]. }
+  apply Rle_trans with (bpow radix2 (-411)); [apply bpow_le; lia|]; apply rnd_ge_bpow; [lia|].
+  apply rnd_ge_bpow in Low; [|lia]; set (bound := rnd (bpow radix2 (-51) * _)) in *.
+  change (bpow radix2 (-411) <= rnd (rnd (rnd (3 * B_error) * Formas.H f) / Formas.value (root_of_D f)) + bound).
+  destruct (errors_least f A B C F H f_sound) as (_ & He & _); pose proof (bpow_gt_0 radix2 (-360)).
+  assert (0 <= Formas.H f) by lra; enough (0 <= rnd (rnd (rnd (3 * B_error) * Formas.H f) / Formas.value (root_of_D f))) by lra.
+  apply rnd_nonneg, Rmult_le_pos; [|apply Rlt_le, Rinv_0_lt_compat; lra].
+  apply rnd_nonneg, Rmult_le_pos; [apply rnd_nonneg; lra | assumption].
+Qed.
+
+Lemma graded_by_A t : B_error < F_fl -> A * t = x -> graded A B t (Formas.Known (- S) S_error) (Formas.Known A_fl A_error).
+Proof.
+  intros HF Ht; apply graded_root; auto; destruct (meets f A B C F H f_sound HF) as (_ & _ & HS & HS0 & _).
+  change S with (if Rle_bool 0 B_fl then Formas.value (root_of_D f) else - Formas.value (root_of_D f)).
+  rewrite Ht; unfold q_exact; apply Rabs_le_inv in HS; destruct (Rle_bool 0 B_fl); apply Rabs_le; lra.
+Qed.
+
+Lemma graded_by_C t : B_error < F_fl -> 2 * q_error < Rabs q -> t = C / x ->
+  graded A B t (Formas.Known S S_error) (Formas.Known A_fl A_error).
+Proof.
+  intros HF Hq ->; apply graded_root; auto; destruct (meets f A B C F H f_sound HF) as (_ & _ & HS & HS0 & _).
+  destruct (q_exact_facts HF Hq) as (Hx & E & _).
+  change S with (if Rle_bool 0 B_fl then Formas.value (root_of_D f) else - Formas.value (root_of_D f)).
+  replace (A * (C / x) + B) with (- (x + B)) by (apply Rmult_eq_reg_r with x; [field_simplify; lra | exact Hx]).
+  unfold q_exact; apply Rabs_le_inv in HS; destruct (Rle_bool 0 B_fl); apply Rabs_le; lra.
+Qed.
+
 Theorem single_right (on : R -> Prop) place past limit : places on place -> (forall t, on t -> 0 < t) ->
   (B_error < F_fl -> 2 * q_error < Rabs q -> forall only,
    past only = Formas.Undecided \/ past only = only /\ forall t, A * t = x -> on t -> limit < t) ->
-  right_up_to (points on) limit (single place past limit).
+  right_up_to A B (points on) limit (single place past limit).
 Proof.
   intros Hplace Hon Hpast; unfold single.
   destruct (Rlt_bool_spec F_fl (- B_error)) as [Hmiss|_].
@@ -208,24 +253,26 @@ Proof.
   destruct (Rlt_bool (rnd (2 * q_error)) (Rabs q)) eqn:Eq; [|exact I].
   destruct (Rlt_bool (rnd (2 * A_error)) (Rabs A_fl)) eqn:EA.
   - assert (HR : has_roots f = true) by (unfold has_roots; rewrite Eq, EA, Rlt_bool_true by exact HF; reflexivity).
-    destruct (two_roots f A B C F H f_sound HR) as (t0 & t1 & Hlt & Hall & Hnear).
+    destruct (has_roots_spec f A B C F H f_sound HR) as (_ & Hq & _).
+    destruct (two_roots_by f A B C F H f_sound HR) as (t0 & t1 & Hby & Hlt & Hall & Hnear).
     destruct (Hnear (nearer f) t0 (or_introl (conj eq_refl eq_refl))) as (N0 & F0 & G0 & L0).
     destruct (Hnear (farther f) t1 (or_intror (conj eq_refl eq_refl))) as (N1 & F1 & G1 & L1).
-    assert (Hturns : forall s0 s1, right_up_to (points on) limit (turn place limit (Formas.Known A_fl A_error) (nearer f) s0
+    assert (Hturns : forall s0 s1, graded A B t0 s0 (Formas.Known A_fl A_error) ->
+      graded A B t1 s1 (Formas.Known A_fl A_error) -> right_up_to A B (points on) limit (turn place limit (Formas.Known A_fl A_error) (nearer f) s0
       (turn place limit (Formas.Known A_fl A_error) (farther f) s1 Formas.Miss))).
-    { intros s0 s1; destruct (Hplace (nearer f) t0 N0 F0 G0 L0) as [Out0 In0], (Hplace (farther f) t1 N1 F1 G1 L1) as
-      [Out1 In1].
-      apply (turn_right place limit _ (points on) on _ _ _ t0 N0 G0 Out0 In0).
+    { intros s0 s1 Gr0 Gr1; destruct (Hplace (nearer f) t0 (near_within _ _ N0) F0 G0 L0) as [Out0 In0].
+      destruct (Hplace (farther f) t1 (near_within _ _ N1) F1 G1 L1) as [Out1 In1].
+      apply (turn_right place A B limit _ (points on) on _ _ _ t0 N0 G0 Out0 In0 Gr0).
       - intros On; split; [split; [apply Hall; tauto | exact On] | intros t' [Ht' _]; apply Hall in Ht'; lra].
       - intros Hb t' [Ht' _]; apply Hall in Ht'; lra.
       - intros Off0; assert (Honly : forall t', points on t' -> t' = t1).
         { intros t' [Ht' On]; destruct (proj1 (Hall t') Ht') as [-> | ->]; [now elim Off0 | reflexivity]. }
-        apply (turn_right place limit _ (points on) on _ _ _ t1 N1 G1 Out1 In1).
+        apply (turn_right place A B limit _ (points on) on _ _ _ t1 N1 G1 Out1 In1 Gr1).
         + intros On; split; [split; [apply Hall; tauto | exact On] | intros t' Ht'; rewrite (Honly t' Ht'); lra].
         + intros Hb t' Ht'; now rewrite (Honly t' Ht').
         + intros Off1 t' Ht'; pose proof (Honly t' Ht') as E; destruct Ht' as [_ On]; subst t'; now elim Off1. }
     unfold by_A, by_C; unfold nearer, farther, choose in Hturns.
-    destruct (A_root_first f); apply Hturns.
+    destruct (A_root_first f), Hby as [H0 H1]; apply Hturns; auto using graded_by_A, graded_by_C.
   - rewrite (rnd_double _ Fqe) in Eq; destruct (Rlt_bool_spec (2 * q_error) (Rabs q)) as [Hq|]; [|discriminate].
     destruct (q_exact_facts HF Hq) as (Hx0 & HxE & Hsign).
     replace (if A_root_first f then by_C place limit Formas.Miss else by_C place limit Formas.Miss)
@@ -234,10 +281,10 @@ Proof.
     destruct (errors_least f A B C F H f_sound) as (_ & _ & HC360).
     destruct (quotient_bound _ _ _ _ _ _ FCe Fq Fqe HC360 (C_near f A B C F H f_sound) Hqb (conj Hq Hq450)) as (N & L &
       Ft & Fe).
-    fold (from_C f) in N, L, Ft, Fe; destruct (Hplace (from_C f) (C / x) N Ft Fe L) as [Out In].
+    fold (from_C f) in N, L, Ft, Fe; destruct (Hplace (from_C f) (C / x) (near_within _ _ N) Ft Fe L) as [Out In].
     assert (Hcase : forall t, points on t -> t = C / x \/ (A * t = x /\ on t)).
     { intros t [Ht On]; apply (roots_of t HF Hx0) in Ht as [Ht|Ht]; auto. }
-    apply (turn_right place limit _ (points on) on _ _ _ (C / x) N Fe Out In).
+    apply (turn_right place A B limit _ (points on) on _ _ _ (C / x) N Fe Out In (graded_by_C _ HF Hq eq_refl)).
     + intros On; split; [split; [apply (roots_of _ HF Hx0); now right | exact On]|].
       intros t' Ht'; destruct (Hcase t' Ht') as [-> | [HA On']]; [lra|]; pose proof (Hon t' On') as Hpos.
       destruct (meets f A B C F H f_sound HF) as (HD & _).
@@ -285,7 +332,7 @@ Theorem from_is_recorded limit :
 Proof. repeat split. Qed.
 
 Lemma from_start_near (on : R -> Prop) : (forall t, on t -> 0 < t) -> Rlt_bool (rnd (2 * A_error)) (Rabs A_fl) = true ->
-  exists t, is_near from_start t /\ format (Formas.value from_start) /\ format (Formas.error from_start) /\
+  exists t, A * t = - (2 * B) /\ is_near from_start t /\ format (Formas.value from_start) /\ format (Formas.error from_start) /\
   bpow radix2 (-900) <= Formas.error from_start /\ forall t', points_from on t' <-> t' = t /\ on t'.
 Proof.
   intros Hon HA; destruct (binary64 f A B C F H f_sound) as (FA & FB & FAe & FBe & _); pose proof (bpow_gt_0 radix2 (-360)).
@@ -298,9 +345,9 @@ Proof.
   { rewrite E2, (rnd_double _ FBe); apply Rabs_le_inv in NB; apply Rabs_le; lra. }
   destruct (quotient_bound (- (2 * B)) (- rnd (B_fl + B_fl)) (rnd (2 * B_error)) A A_fl A_error (format_rnd _) FA FAe
     ltac:(rewrite (rnd_double _ FBe); lra) NB2 NA (conj HA2 HA450)) as (N & L & Ft & Fe).
-  exists (- (2 * B) / A); split; [exact N|]; split; [exact Ft|]; split; [exact Fe|]; split; [exact L|].
   assert (HA0 : A <> 0).
   { intros Z0; rewrite Z0, Rminus_0_r in NA; lra. }
+  exists (- (2 * B) / A); split; [field; exact HA0|]; split; [exact N|]; split; [exact Ft|]; split; [exact Fe|]; split; [exact L|].
   intros t'; unfold points_from, is_root; split.
   - intros [Hr On]; split; [|exact On]; pose proof (Hon t' On).
     replace (A * t' * t' + 2 * B * t' + 0) with (t' * (A * t' + 2 * B)) in Hr by ring.
@@ -311,16 +358,24 @@ Qed.
 Theorem lanes_from_right (on : R -> Prop) place : places on place -> (forall t, on t -> 0 < t) ->
   right_in_lanes (points_from on) (lanes_from place).
 Proof.
-  intros Hplace Hon; apply (alone_right _ on); intros HA; destruct (from_start_near on Hon HA) as (t & N & Ft & Fe & L & HT).
-  destruct (Hplace from_start t N Ft Fe L) as [Out In]; exists t; auto.
+  intros Hplace Hon; apply (alone_right _ on); intros HA; destruct (from_start_near on Hon HA) as (t & At & N & Ft & Fe & L & HT).
+  destruct (Hplace from_start t (near_within _ _ N) Ft Fe L) as [Out In]; exists t; auto.
 Qed.
 
 Theorem single_from_right (on : R -> Prop) place limit : places on place -> (forall t, on t -> 0 < t) ->
-  right_up_to (points_from on) limit (single_from place limit).
+  right_up_to A B (points_from on) limit (single_from place limit).
 Proof.
   intros Hplace Hon; unfold single_from; destruct (Rlt_bool (rnd (2 * A_error)) (Rabs A_fl)) eqn:HA; [|exact I].
-  destruct (from_start_near on Hon HA) as (t & N & Ft & Fe & L & HT), (Hplace from_start t N Ft Fe L) as [Out In].
-  apply (turn_right place limit _ _ on _ _ _ t N Fe Out In).
+  destruct (from_start_near on Hon HA) as (t & At & N & Ft & Fe & L & HT), (Hplace from_start t (near_within _ _ N) Ft Fe L) as [Out In].
+  assert (G : graded A B t (Formas.Known (- B_fl) B_error) (Formas.Known A_fl A_error)).
+  { destruct (binary64 f A B C F H f_sound) as (FA & FB & FAe & FBe & _).
+    destruct (errors_least f A B C F H f_sound) as (_ & HBe & _); pose proof (bpow_gt_0 radix2 (-360)).
+    pose proof (B_near f A B C F H f_sound) as NB; unfold graded; cbn [Formas.value Formas.error].
+    split; [rewrite At; apply Rabs_le_inv in NB; apply Rabs_le; lra|].
+    split; [rewrite Rabs_minus_sym; exact (A_near f A B C F H f_sound)|].
+    split; [split; [now apply generic_format_opp | exact FBe]|]; split; [now split|].
+    apply Rle_trans with (2 := HBe), bpow_le; lia. }
+  apply (turn_right place A B limit _ _ on _ _ _ t N Fe Out In G).
   - intros On; split; [now apply HT | intros t' Ht'; apply HT in Ht' as [-> _]; lra].
   - intros Hb t' Ht'; apply HT in Ht' as [-> _]; exact Hb.
   - intros Off t' Ht'; apply HT in Ht' as [-> On]; now elim Off.

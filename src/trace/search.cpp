@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "trace/ends.hpp"
 #include "trace/steps.hpp"
 #include "trace/triage.hpp"
 
@@ -13,11 +14,9 @@ namespace {
 using Kind = Meeting::Kind;
 using surface::exact::Parameter;
 
-/// t is within error of hi + lo. In the triage the error is more than three roundings of t more than needed
-/// (`quotient`), so the ends may be rounded; otherwise |lo| ≤ ulp(hi)/2 and the last term pays.
 Meeting point_of(Step step, const Finding& found) {
-  const double wide = step == Step::triage ? found.error : found.error + 0x1p-51 * std::abs(found.hi);
-  return {Kind::point, step, found.hi - wide, found.hi + wide, found};
+  const auto [low, high] = step == Step::triage ? ends_of(found.hi, found.error) : ends_of_pair(found.hi, found.error);
+  return {Kind::point, step, low, high, found};
 }
 
 Meeting point_of(Parameter t) {
@@ -55,12 +54,6 @@ Meeting meeting_of(const Element& element, const model::Rayo& rayo, const Ray& r
     if (auto met = certified_meeting_of(element, ray, on, limit)) return *std::move(met);
   }
   return exact_meeting(surface::exact::reach(scene::ShapeView(element), rayo, on));
-}
-
-/// a is certainly less than b. The leading parts' difference is exact where it matters, where they are close; both
-/// errors are more than a rounding of the lower parts more than needed.
-bool certainly_less(const Finding& a, const Finding& b) {
-  return (b.hi - a.hi) + (b.lo - a.lo) > 1.0000001 * (a.error + b.error);
 }
 
 }  // namespace

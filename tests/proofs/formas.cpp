@@ -7,6 +7,7 @@
 #include "durero/scene/attributes.hpp"
 #include "durero/scene/shapes.hpp"
 #include "proofs/recorder.hpp"
+#include "trace/ends.hpp"
 #include "trace/rounding-inl.hpp"
 
 namespace durero::trace::HWY_NAMESPACE {
@@ -22,6 +23,7 @@ constexpr const char* head = R"((** * Formas: the formulas of the tracer, as its
     X_axial, X_edged   == X where the element is bounded by a stretch of its axis, by the edge of a part of a plane
     X_in_lanes         == the decision for many rays, without branches; first_of_X: for one ray, up to a limit
     X_on               == X of a ray that starts on the element
+    ends_of            == the ends between which a root lies, of ends.hpp
     Pairs              == the same over double-double, the second step, and its operations over binary64 *)
 From Coq Require Import Reals ZArith Bool.
 From Flocq Require Import Core.
@@ -38,6 +40,7 @@ Arguments Known {T}. Arguments value {T}. Arguments error {T}.
 Record stable (T : Type) := Stable { positive : bool; signed_root : T; q : known T }.
 Arguments Stable {T}. Arguments positive {T}. Arguments signed_root {T}. Arguments q {T}.
 Record placed := Placed { outside : bool; inside : bool }.
+Record ends := Ends { low : R; high : R }.
 Record in_lanes := In_lanes { hit : bool; undecided : bool; root : known R; slope : known R }.
 Inductive answer (T : Type) := Miss | Undecided | Hit (root : known T) (slope : known R) (curvature : known R).
 Arguments Miss {T}. Arguments Undecided {T}. Arguments Hit {T}.
@@ -233,6 +236,18 @@ void twofold() {
   define("", "root_of (x : twofold) : twofold", [&] { return built(sqrt(x)); });
 }
 
+/// The ends around a root, and which root is certainly less.
+Built of_ends(const Ends<Term>& at) { return {"Ends", {at.low.node, at.high.node}}; }
+void order() {
+  struct Root {
+    Term hi, lo, error;
+  };
+  const Root a{real("hi (value a)"), real("lo (value a)"), real("error a")};
+  const Root b{real("hi (value b)"), real("lo (value b)"), real("error b")};
+  define("", "ends_of (a : known twofold) : ends", [&] { return of_ends(ends_of_pair(a.hi, a.error)); });
+  define("", "certainly_less (a b : known twofold) : bool", [&] { return Built{"", {certainly_less(a, b).node}}; });
+}
+
 /// A root improved, and what is rounded once.
 void once() {
   const Twofold<Term> t{real("hi t"), real("lo t")}, at{real("hi (value f)"), real("lo (value f)")};
@@ -275,10 +290,12 @@ void write() {
   steps<Term>("R");
   in_lanes();
   for_one_ray<Term>("R");
+  define("", "ends_of (t : known R) : ends", [] { return of_ends(ends_of(real("value t"), real("error t"))); });
   twofold();
   of_shapes<PairTerm>("twofold");
   steps<PairTerm>("twofold");
   for_one_ray<PairTerm>("twofold");
+  order();
   once();
   std::printf("\nEnd Pairs.\n");
 }
