@@ -37,10 +37,10 @@ inline double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std
 /// Whether what this component of the specification holds is a position or a length, and not a unit vector or a ratio.
 template <class Component>
 constexpr bool is_length(Component component) {
-  if constexpr (std::is_same_v<Component, decltype(&model::Escena::mi_vector)>)
-    return component != &model::Escena::mi_vector;
-  else if constexpr (std::is_same_v<Component, decltype(&model::Escena::mi_proporcion)>)
-    return component != &model::Escena::mi_proporcion;
+  if constexpr (std::is_same_v<Component, decltype(&scene::AnyEscena::mi_vector)>)
+    return component != &scene::AnyEscena::mi_vector;
+  else if constexpr (std::is_same_v<Component, decltype(&scene::AnyEscena::mi_proporcion)>)
+    return component != &scene::AnyEscena::mi_proporcion;
   else
     return true;
 }
@@ -63,7 +63,7 @@ double largest_length(const Shape& shape) {
 /// k, which is 0 where the shape does not narrow.
 template <class Shape>
 double proportion(const Shape& shape) {
-  if constexpr (scene::has_attribute<Shape, &model::Escena::mi_proporcion>())
+  if constexpr (scene::has_attribute<Shape, &scene::AnyEscena::mi_proporcion>())
     return shape.proporcion;
   else
     return 0;
@@ -73,7 +73,7 @@ double proportion(const Shape& shape) {
 template <class Shape>
 Dyadic radius_at_centre(const Shape& shape) {
   Dyadic radius = Dyadic(proportion(shape)) * Dyadic(shape.altura);
-  if constexpr (scene::has_attribute<Shape, &model::Escena::mi_radio>()) radius += Dyadic(shape.radio);
+  if constexpr (scene::has_attribute<Shape, &scene::AnyEscena::mi_radio>()) radius += Dyadic(shape.radio);
   return radius;
 }
 
@@ -81,7 +81,7 @@ Dyadic radius_at_centre(const Shape& shape) {
 template <class Shape>
 Dyadic magnitude(const Shape& shape, const model::Rayo& rayo, const Dyadic& way) {
   Dyadic most = std::max(Dyadic(std::max(largest_length(shape), largest(rayo.p().xyz()))), way);
-  if constexpr (scene::has_attribute<Shape, &model::Escena::mi_altura>())
+  if constexpr (scene::has_attribute<Shape, &scene::AnyEscena::mi_altura>())
     most = std::max(most, radius_at_centre(shape));
   return most;
 }

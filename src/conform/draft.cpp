@@ -19,7 +19,7 @@ std::optional<scene::Disc> closing_disc(const Shape& wall, bool at_base) {
   if (at_base) return disc;
   disc.centro += wall.altura * wall.vector;
   disc.radio = 0;
-  if constexpr (scene::has_attribute<Shape, &model::Escena::mi_radio>()) disc.radio = wall.radio;
+  if constexpr (scene::has_attribute<Shape, &scene::AnyEscena::mi_radio>()) disc.radio = wall.radio;
   return disc.radio > 0 ? std::optional(disc) : std::nullopt;
 }
 
@@ -93,7 +93,7 @@ Places places(AnyShape& any) {
       } else if constexpr (std::is_same_v<typename Row::Input, model::Vector>) {
         all.axes.push_back(&stored);
       } else {
-        const bool is_ratio = attribute.component == &model::Escena::mi_proporcion;
+        const bool is_ratio = attribute.component == &scene::AnyEscena::mi_proporcion;
         (is_ratio ? all.ratios : all.lengths).push_back(&stored);
       }
     });

@@ -41,15 +41,15 @@ void set_tilted_frame(Draws& random, FramedShape& shape) {
 }
 
 template <class Shape>
-constexpr bool has_centro = scene::has_attribute<Shape, &model::Escena::mi_centro>();
+constexpr bool has_centro = scene::has_attribute<Shape, &scene::AnyEscena::mi_centro>();
 template <class Shape>
-constexpr bool has_vector = scene::has_attribute<Shape, &model::Escena::mi_vector>();
+constexpr bool has_vector = scene::has_attribute<Shape, &scene::AnyEscena::mi_vector>();
 template <class Shape>
-constexpr bool has_radio = scene::has_attribute<Shape, &model::Escena::mi_radio>();
+constexpr bool has_radio = scene::has_attribute<Shape, &scene::AnyEscena::mi_radio>();
 template <class Shape>
-constexpr bool has_proporcion = scene::has_attribute<Shape, &model::Escena::mi_proporcion>();
+constexpr bool has_proporcion = scene::has_attribute<Shape, &scene::AnyEscena::mi_proporcion>();
 template <class Shape>
-constexpr bool has_vertices = scene::has_attribute<Shape, &model::Escena::mi_vertices>();
+constexpr bool has_vertices = scene::has_attribute<Shape, &scene::AnyEscena::mi_vertices>();
 
 FramedShape lattice_triangle(Random& random) {
   for (;;) {

@@ -61,7 +61,7 @@ SurfacePoint sphere_point(Random& random, const FramedShape& shape) {
 /// Whether e1 and e2 are across d as nearly as doubles allow, and no nearer.
 bool has_rounded_frame(const FramedShape& shape) {
   return !shape.lattice && scene::with_shape(shape.tipo, []<class Shape>(std::type_identity<Shape>) {
-    return scene::has_attribute<Shape, &model::Escena::mi_vector>();
+    return scene::has_attribute<Shape, &scene::AnyEscena::mi_vector>();
   });
 }
 

@@ -90,7 +90,7 @@ class NffWriter {
   /// A shape along an axis, by the radii of its ends: radio + proporcion·(altura − s) at the advance s, as far as it
   /// has them.
   template <class Shape>
-    requires(scene::has_attribute<Shape, &model::Escena::mi_altura>())
+    requires(scene::has_attribute<Shape, &scene::AnyEscena::mi_altura>())
   void write_shape(const Shape& shape) {
     double narrow = 0;
     if constexpr (requires { shape.radio; }) narrow = shape.radio;

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "durero/model/escena.hpp"
 #include "durero/scene/attributes.hpp"
 
 namespace durero::scene {
@@ -24,7 +25,7 @@ model::Escena retrieve(const Scene& scene) {
       escena.elementos.insert(escena.elementos.end(), e);
       escena.tipos.insert(Shape::tipo);
       escena.de_que_tipo.emplace_hint(escena.de_que_tipo.end(), e, Shape::tipo);
-      for_each_attribute<Shape>([&]<class Row>(const Row& attribute) {
+      for_each_attribute<Shape, model::Escena>([&]<class Row>(const Row& attribute) {
         auto& component = escena.*attribute.component;
         component.emplace_hint(component.end(), e, input_of<typename Row::Input>(shape.*attribute.field));
       });

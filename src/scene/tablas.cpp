@@ -15,7 +15,7 @@ Tablas tablas(const Scene& scene) {
     const model::Elemento& e = scene.name(place);
     tables.nombres.emplace(place, e);
     if (const auto known = scene.find(e.name())) tables.lugar.emplace(e, *known);
-    for_each_attribute<Shape>([&]<class Row>(const Row& attribute) {
+    for_each_attribute<Shape, model::Escena>([&]<class Row>(const Row& attribute) {
       for_each_column([&](const auto& column) {
         if constexpr (std::is_same_v<decltype(column.component), decltype(attribute.component)>)
           if (column.component == attribute.component)

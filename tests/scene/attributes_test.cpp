@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "durero/model/escena.hpp"
 #include "durero/scene/shapes.hpp"
 #include "support/catch.hpp"
 
@@ -40,6 +41,21 @@ TEST_CASE("a shape has the attributes of its table, by the components of the spe
   CHECK(attribute_value<&Escena::mi_altura>(shape) == 6);
 }
 
+TEST_CASE("what stands for the scene of the specification has its components, for every attribute") {
+  for_each_shape([]<class Shape>(std::type_identity<Shape>) {
+    const auto alike = []<class... Any, class... Row>(const std::tuple<Any...>&, const std::tuple<Row...>&) {
+      return (std::is_same_v<typename Any::Value, typename Row::Value> && ...);
+    };
+    CHECK(alike(attributes_of<Shape>, attributes_of<Shape, Escena>));
+  });
+  CHECK(has_attribute<Sphere, &AnyEscena::mi_radio>());
+  CHECK_FALSE(has_attribute<Sphere, &AnyEscena::mi_altura>());
+  CHECK(has_attribute<Cone, &AnyEscena::mi_proporcion>());
+  CHECK_FALSE(has_attribute<Cone, &AnyEscena::mi_radio>());
+  CHECK(has_attribute<Cylinder, &AnyEscena::mi_altura>());
+  CHECK_FALSE(has_attribute<Triangle, &AnyEscena::mi_centro>());
+}
+
 TEST_CASE("the word of an attribute is the letters of the component that holds it") {
   const auto is_named = [](std::string_view word, const auto& component, const auto& expected) {
     using Component = std::remove_cvref_t<decltype(component)>;
@@ -49,11 +65,13 @@ TEST_CASE("the word of an attribute is the letters of the component that holds i
     else
       return false;
   };
-  for_each_attribute_of_all([&](const auto& attribute) {
-    const auto is = [&](const auto& expected) { return is_named(attribute.word, attribute.component, expected); };
-    INFO(attribute.word);
-    CHECK((is(std::pair("centro", &Escena::mi_centro)) || is(std::pair("radio", &Escena::mi_radio)) ||
-           is(std::pair("proporcion", &Escena::mi_proporcion)) || is(std::pair("vector", &Escena::mi_vector)) ||
-           is(std::pair("altura", &Escena::mi_altura)) || is(std::pair("vertices", &Escena::mi_vertices))));
+  for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
+    for_each_attribute<Shape, Escena>([&](const auto& attribute) {
+      const auto is = [&](const auto& expected) { return is_named(attribute.word, attribute.component, expected); };
+      INFO(attribute.word);
+      CHECK((is(std::pair("centro", &Escena::mi_centro)) || is(std::pair("radio", &Escena::mi_radio)) ||
+             is(std::pair("proporcion", &Escena::mi_proporcion)) || is(std::pair("vector", &Escena::mi_vector)) ||
+             is(std::pair("altura", &Escena::mi_altura)) || is(std::pair("vertices", &Escena::mi_vertices))));
+    });
   });
 }

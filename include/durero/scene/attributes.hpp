@@ -1,14 +1,14 @@
 #pragma once
 /// The attributes of the shapes: what a table stores of the inputs of an addition, and walks over the rows of a shape.
-/// The additions themselves stand in scene/addition.hpp: whoever walks words, fields and components alone is not
-/// compiled again when an operation changes.
+/// The additions themselves stand in scene/addition.hpp, and scenes of the specification in model/escena.hpp: whoever
+/// walks words and fields alone is not compiled again when these change.
 
 #include <cstddef>
+#include <map>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
 
-#include "durero/model/escena.hpp"
 #include "durero/scene/shapes.hpp"
 
 namespace durero::scene {
@@ -24,9 +24,20 @@ struct AnyInputs {
   model::Terna vertices;  ///< vertices?
 };
 
-/// The table of a shape's attributes.
-template <class Shape>
-inline constexpr auto attributes_of = Shape::template attributes<AnyInputs, model::Escena>;
+/// A component of each name that holds an attribute: it stands where a table of attributes asks for a scene of the
+/// specification, and its components are told apart, not looked at.
+struct AnyEscena {
+  std::map<model::Elemento, model::Punto> mi_centro;       ///< as Escena::mi_centro
+  std::map<model::Elemento, model::Rmas> mi_radio;         ///< as Escena::mi_radio
+  std::map<model::Elemento, model::Vector> mi_vector;      ///< as Escena::mi_vector
+  std::map<model::Elemento, model::Rmas> mi_altura;        ///< as Escena::mi_altura
+  std::map<model::Elemento, model::Rmas> mi_proporcion;    ///< as Escena::mi_proporcion
+  std::map<model::Elemento, model::Vertices> mi_vertices;  ///< as Escena::mi_vertices
+};
+
+/// The table of a shape's attributes, with the components of the specification where `Escena` is model::Escena.
+template <class Shape, class Escena = AnyEscena>
+inline constexpr auto attributes_of = Shape::template attributes<AnyInputs, Escena>;
 
 /// @{ What a table stores of an input.
 inline double stored(double x) { return x; }
@@ -47,9 +58,9 @@ inline model::Terna input_of(const Corners& value) {
 }
 
 /// visit(attribute) for each attribute of the shape, in the order of the text.
-template <class Shape, class Visit>
+template <class Shape, class Escena = AnyEscena, class Visit>
 constexpr void for_each_attribute(Visit&& visit) {
-  std::apply([&](const auto&... attribute) { (visit(attribute), ...); }, attributes_of<Shape>);
+  std::apply([&](const auto&... attribute) { (visit(attribute), ...); }, attributes_of<Shape, Escena>);
 }
 
 /// visit(attribute) for each attribute of each shape; one that several shapes have is visited for each.
@@ -58,12 +69,16 @@ constexpr void for_each_attribute_of_all(Visit&& visit) {
   for_each_shape([&]<class Shape>(std::type_identity<Shape>) { for_each_attribute<Shape>(visit); });
 }
 
-/// The place in the shape's table of the attribute that this component of the specification holds, such as
-/// &Escena::mi_radio; the size of the table where the shape has none such.
+/// The class of a component, Escena of &Escena::mi_radio.
+template <class Escena, class Component>
+Escena escena_of(Component Escena::*);
+
+/// The place in the shape's table of the attribute that this component holds, such as &AnyEscena::mi_radio; the size of
+/// the table where the shape has none such.
 template <class Shape, auto component>
 consteval std::size_t place_of_attribute() {
   std::size_t place = std::tuple_size_v<decltype(attributes_of<Shape>)>, at = 0;
-  for_each_attribute<Shape>([&]<class Row>(const Row& attribute) {
+  for_each_attribute<Shape, decltype(escena_of(component))>([&]<class Row>(const Row& attribute) {
     if constexpr (std::is_same_v<decltype(attribute.component), std::remove_const_t<decltype(component)>>)
       if (attribute.component == component) place = at;
     ++at;

@@ -18,22 +18,22 @@ namespace durero::scene {
 using Corners = std::array<glm::dvec3, 3>;
 
 /// One attribute of a shape, by all its names.
-template <class ShapeType, class StoredType, class Addition, class InputType, class ValueType>
+template <class ShapeType, class StoredType, class Addition, class InputType, class Escena, class ValueType>
 struct Attribute {
   using Stored = StoredType;  ///< of the compact table: double, glm::dvec3 or Corners
   using Input = InputType;    ///< of the addition: double, Punto, Vector or Terna
   using Value = ValueType;    ///< of the specification: Rmas, Punto, Vector or Vertices
 
-  std::string_view word;                                       ///< in files, scripts and messages
-  Stored ShapeType::*field;                                    ///< in the compact table
-  Input Addition::*input;                                      ///< radio? and the like
-  std::map<model::Elemento, Value> model::Escena::*component;  ///< mi_radio and the like
+  std::string_view word;                                ///< in files, scripts and messages
+  Stored ShapeType::*field;                             ///< in the compact table
+  Input Addition::*input;                               ///< radio? and the like
+  std::map<model::Elemento, Value> Escena::*component;  ///< mi_radio and the like
 };
 
 /// As the standard deduces them of an aggregate; Clang 16 does not.
-template <class ShapeType, class StoredType, class Addition, class InputType, class ValueType>
+template <class ShapeType, class StoredType, class Addition, class InputType, class Escena, class ValueType>
 Attribute(std::string_view, StoredType ShapeType::*, InputType Addition::*,
-          std::map<model::Elemento, ValueType> model::Escena::*)
-    -> Attribute<ShapeType, StoredType, Addition, InputType, ValueType>;
+          std::map<model::Elemento, ValueType> Escena::*)
+    -> Attribute<ShapeType, StoredType, Addition, InputType, Escena, ValueType>;
 
 }  // namespace durero::scene
