@@ -434,15 +434,15 @@ Qed.
 
 (** So the steps of the search as they run are right, [Search.steps_right]: of Running.steps_run, which says that its triage,
     its second step, the ends around a parameter, the Newton step, what is certainly less and its rounding are the recorded
-    terms, and of Running.steps_assumed, which is what is left: the error of the quadratic that the Newton step asks at a root,
-    and the exact rounding. *)
+    terms, and its exact rounding ExactHit.rounding of the exact parameter and of the point there, and of
+    Running.steps_assumed, which is what is left: the error of the quadratic that the Newton step asks at a root. *)
 Theorem the_steps_that_run_are_right elements (shape_of : Elemento -> Triage.shape) on in_range triage stable improved
   quadratic_at low high certainly_less rounded round_exact :
   (forall e, In e elements -> Triage.stands Elemento s e (shape_of e) /\ (on e = true <-> en e)) ->
   (forall e, In e elements -> in_range e = true -> Triage.ordinary_shape (shape_of e)) ->
   Running.steps_run Elemento p v elements shape_of on in_range triage stable improved quadratic_at low high certainly_less
     rounded round_exact ->
-  Running.steps_assumed Elemento p v elements shape_of on in_range triage quadratic_at round_exact ->
+  Running.steps_assumed Elemento p v elements shape_of on in_range triage quadratic_at ->
   Search.steps_right Elemento Running.finding Chain.printed met elements (Chain.rounds ray) in_range triage stable improved
     Running.near low high certainly_less rounded round_exact.
 Proof.

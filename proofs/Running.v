@@ -1,8 +1,8 @@
 (** * Running: the steps of the search, as they run, say nothing false
 
     The record Search.steps_right, of the steps that are proved: the triage and the second step on every element, the ends
-    around a parameter, what is certainly less, and the rounding of what is found; and the Newton step, if the quadratic at
-    the root is within its error. That, and the exact rounding, is assumed in the theorem.
+    around a parameter, what is certainly less, and the rounding of what is found, or of an exact parameter; and the Newton
+    step, if the quadratic at the root is within its error. That is assumed in the theorem.
 
     finding          == what a step has found: in binary64, in double-double, or by improving the first
     near f t         == t is within its error, with the room that its ends and comparisons ask for
@@ -11,7 +11,7 @@
 From Coq Require Import Reals List Lra Lia ZArith.
 From Flocq Require Import Core BinarySingleNaN.
 From Durero Require Import Toolkit Especificacion Escena Puntos Trazador Interseccion.
-From Durero Require Search Limits Chain Formas Once Newton Ends.
+From Durero Require Search Limits Chain Formas Once Newton Ends ExactHit.
 From Durero Require Import Rounding Vectors Quotient Flotante Verdict Steps Triage Twofold Sums Doubled Second.
 Import Formas.Pairs.
 Local Open Scope R_scope.
@@ -134,7 +134,9 @@ Record steps_run : Prop := {
   less_runs : forall f g, less f g = true -> exists a b, f = Double a /\ g = Double b /\ certainly_less a b = true;
   rounding_runs : forall f out, rounded f = Some out -> exists root, (f = Double root \/ f = Improved root) /\
     let once := round_point p v (Formas.value root) (Formas.error root) in
-    all_certain once = true /\ Once.stores out once }.
+    all_certain once = true /\ Once.stores out once;
+  exact_runs : forall x, Surd.valid x -> exists t, ExactHit.sound t /\ ExactHit.denotes t = Surd.val x /\
+    ExactHit.hit_into p v t (round_exact x) }.
 
 (** What is assumed of the rest. *)
 Record steps_assumed : Prop := {
@@ -143,8 +145,12 @@ Record steps_assumed : Prop := {
     Rabs (value (quadratic_of e) (Formas.value root) - whole (Formas.value at_root)) <= Formas.error at_root /\
     (format (hi (Formas.value at_root)) /\ format (lo (Formas.value at_root)) /\ format (Formas.error at_root)) /\
     bpow radix2 (-900) <= Formas.error at_root /\
-    bpow radix2 (-900) * Rabs (2 * Formas.value slope) <= Formas.error at_root;
-  exact_is_rounded : forall x, Surd.valid x -> Chain.rounds ray (round_exact x) (Surd.val x) }.
+    bpow radix2 (-900) * Rabs (2 * Formas.value slope) <= Formas.error at_root }.
+
+Lemma exact_is_rounded x : steps_run -> Surd.valid x -> Chain.rounds ray (round_exact x) (Surd.val x).
+Proof.
+  intros Runs Hx; destruct (exact_runs Runs x Hx) as (t & Ht & <- & Hit); exact (ExactHit.hit_is_rounded_once p v t _ Ht Hit).
+Qed.
 
 Lemma triage_finds e x : steps_run -> In e elements -> in_range e = true -> exists a, triage e x = found_single a /\
   match a with
@@ -210,12 +216,12 @@ Proof.
     + destruct Hv as (Hr & [x Hx] & Hn); destruct (stable_runs Runs e x He Hr) as (a & _ & Ea); rewrite Ea in Hx.
       destruct a as [| | root slope curvature]; try discriminate; injection Hx as <-; destruct E as [El Eh].
       exact (Ends.stored_between _ _ _ t (Ends.ends_of_near_word root t (proj1 Hn)) El Eh).
-    + destruct Hv as [Hx <-], E as [-> ->]; apply Ends.nearest_between, (exact_is_rounded Rest x Hx).
+    + destruct Hv as [Hx <-], E as [-> ->]; apply Ends.nearest_between, (exact_is_rounded x Runs Hx).
   - intros f g a b Hless Ha Hb; destruct (less_runs Runs f g Hless) as (x & y & -> & -> & Hxy).
     exact (Ends.certainly_less_near x y a b Ha Hb Hxy).
   - intros f out t Hf Hn; destruct (rounding_runs Runs f out Hf) as (root & Hroot & Hc & Hst).
     assert (Hclose : close root t) by (destruct Hroot as [-> | ->]; [now apply near_pair_close | exact Hn]).
     destruct Hclose as (H & P & Fe & He); apply (Once.certain_is_rounded_right p v (Formas.value root) (Formas.error root)); auto; now rewrite Rabs_minus_sym.
-  - exact (exact_is_rounded Rest).
+  - intros x Hx; exact (exact_is_rounded x Runs Hx).
 Qed.
 End Running.
