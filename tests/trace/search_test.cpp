@@ -30,8 +30,8 @@ TEST_CASE("parameters closer than the sum of their errors are ordered exactly") 
 }
 
 TEST_CASE("what no step in floating point is certain of is rounded from the exact parameter") {
-  // A sphere met at 1 + 2⁻⁵³ and at 1 + 3·2⁻⁵³, each halfway between two binary64: the even one is told. Both are met at 1
-  // along the axis, which is rounded of p + t·v and not of p and the rounded t.
+  // A sphere met at 1 + 2⁻⁵³ and at 1 + 3·2⁻⁵³, each halfway between two binary64: the even one is told. Both are met
+  // at 1 along the axis, which is rounded of p + t·v and not of p and the rounded t.
   const auto first = [](double centre, double p) {
     scene::Scene scene;
     add(scene, scene::Sphere{{centre, 0, 0}, 1});
