@@ -9,7 +9,8 @@
     X_in_lanes         == the decision for many rays, without branches; first_of_X: for one ray, up to a limit
     X_on               == X of a ray that starts on the element
     ends_of            == the ends between which a root lies, of ends.hpp
-    Pairs              == the same over double-double, the second step, and its operations over binary64 *)
+    Pairs              == the same over double-double, the second step, and its operations over binary64
+    Powers             == potencia at the parameter t of a ray, and a bound on its error *)
 From Coq Require Import Reals ZArith Bool.
 From Flocq Require Import Core.
 From Durero Require Import Rounding Vectors.
@@ -1552,3 +1553,133 @@ Definition round_point (p v : vec) (t : twofold) (error : R) : once_point :=
       900))))).
 
 End Pairs.
+
+(** * Potencia at a point of a ray, in pairs that need not be normalised *)
+
+Module Powers.
+Import Pairs.
+
+Definition square (x : twofold) : twofold :=
+  let x1 := rnd (hi x * hi x) in
+  Twofold x1 (rnd (rnd (hi x * hi x - x1) + rnd (rnd (rnd (2 * hi x) + lo x) * lo x))).
+
+Definition sum (x y : twofold) : twofold :=
+  let x1 := rnd (hi x + hi y) in
+  let x2 := rnd (x1 - hi x) in
+  Twofold x1 (rnd (rnd (rnd (hi x - rnd (x1 - x2)) + rnd (hi y - x2)) + rnd (lo x + lo y))).
+
+Definition difference (x y : twofold) : twofold :=
+  let x1 := - hi y in
+  let x2 := rnd (hi x + x1) in
+  let x3 := rnd (x2 - hi x) in
+  Twofold x2 (rnd (rnd (rnd (hi x - rnd (x2 - x3)) + rnd (x1 - x3)) + rnd (lo x + (- lo y)))).
+
+Definition product (x y : twofold) : twofold :=
+  let x1 := rnd (hi x * hi y) in
+  Twofold x1 (rnd (rnd (hi x * hi y - x1) + rnd (rnd (hi x * lo y) + rnd (lo x * hi y)))).
+
+Definition product_by (x : twofold) (a : R) : twofold :=
+  let x1 := rnd (hi x * a) in
+  Twofold x1 (rnd (rnd (hi x * a - x1) + rnd (lo x * a))).
+
+Definition esfera (t : R) (p v : vec) (speed : R) (centro : vec) (radio : R) : known twofold :=
+  let x1 := two_sum (cx p) (- cx centro) in
+  let x2 := two_sum (cy p) (- cy centro) in
+  let x3 := two_sum (cz p) (- cz centro) in
+  let x4 := rnd (rnd (rnd (rnd (Rabs (hi x1) + Rabs (hi x2)) + Rabs (hi x3)) + rnd (Rabs t * speed)) + radio) in
+  Known (difference (sum (sum (square (sum x1 (two_prod t (cx v)))) (square (sum x2 (two_prod t (cy v))))) (square (sum
+      x3 (two_prod t (cz v))))) (two_prod radio radio)) (rnd (rnd (bpow radix2 (-95) * x4) * x4)).
+
+Definition cilindro (t : R) (p v : vec) (speed : R) (centro : vec) (radio : R) (vector : vec) (altura : R) : known
+    twofold :=
+  let x1 := two_sum (cx p) (- cx centro) in
+  let x2 := sum x1 (two_prod t (cx v)) in
+  let x3 := two_sum (cy p) (- cy centro) in
+  let x4 := sum x3 (two_prod t (cy v)) in
+  let x5 := two_sum (cz p) (- cz centro) in
+  let x6 := sum x5 (two_prod t (cz v)) in
+  let x7 := sum (sum (product_by x2 (cx vector)) (product_by x4 (cy vector))) (product_by x6 (cz vector)) in
+  let x8 := difference (sum (sum (square x2) (square x4)) (square x6)) (square x7) in
+  let x9 := sum (sum (two_prod (cx vector) (cx vector)) (two_prod (cy vector) (cy vector))) (two_prod (cz vector) (cz
+      vector)) in
+  let x10 := hi x7 in
+  let x11 := rnd (rnd (rnd (rnd (Rabs (hi x1) + Rabs (hi x3)) + Rabs (hi x5)) + rnd (Rabs t * speed)) + radio) in
+  Known (difference (Twofold (hi x8) (rnd (lo x8 + rnd (rnd (rnd (hi x9 - 1) + lo x9) * rnd (x10 * x10))))) (two_prod
+      radio radio)) (rnd (rnd (bpow radix2 (-95) * x11) * x11)).
+
+Definition cono (t : R) (p v : vec) (speed : R) (centro : vec) (proporcion : R) (vector : vec) (altura : R) : known
+    twofold :=
+  let x1 := two_sum (cx p) (- cx centro) in
+  let x2 := sum x1 (two_prod t (cx v)) in
+  let x3 := two_sum (cy p) (- cy centro) in
+  let x4 := sum x3 (two_prod t (cy v)) in
+  let x5 := two_sum (cz p) (- cz centro) in
+  let x6 := sum x5 (two_prod t (cz v)) in
+  let x7 := sum (sum (product_by x2 (cx vector)) (product_by x4 (cy vector))) (product_by x6 (cz vector)) in
+  let x8 := difference (sum (sum (square x2) (square x4)) (square x6)) (square x7) in
+  let x9 := sum (sum (two_prod (cx vector) (cx vector)) (two_prod (cy vector) (cy vector))) (two_prod (cz vector) (cz
+      vector)) in
+  let x10 := hi x7 in
+  let x11 := rnd (rnd (rnd (rnd (Rabs (hi x1) + Rabs (hi x3)) + Rabs (hi x5)) + rnd (Rabs t * speed)) + altura) in
+  Known (difference (Twofold (hi x8) (rnd (lo x8 + rnd (rnd (rnd (hi x9 - 1) + lo x9) * rnd (x10 * x10))))) (square
+      (product_by (difference (Twofold altura 0) x7) proporcion))) (rnd (rnd (rnd (bpow radix2 (-95) * rnd (1 + rnd
+      (proporcion * proporcion))) * x11) * x11)).
+
+Definition tronco (t : R) (p v : vec) (speed : R) (centro : vec) (radio : R) (proporcion : R) (vector : vec) (altura :
+    R) : known twofold :=
+  let x1 := two_sum (cx p) (- cx centro) in
+  let x2 := sum x1 (two_prod t (cx v)) in
+  let x3 := two_sum (cy p) (- cy centro) in
+  let x4 := sum x3 (two_prod t (cy v)) in
+  let x5 := two_sum (cz p) (- cz centro) in
+  let x6 := sum x5 (two_prod t (cz v)) in
+  let x7 := sum (sum (product_by x2 (cx vector)) (product_by x4 (cy vector))) (product_by x6 (cz vector)) in
+  let x8 := difference (sum (sum (square x2) (square x4)) (square x6)) (square x7) in
+  let x9 := sum (sum (two_prod (cx vector) (cx vector)) (two_prod (cy vector) (cy vector))) (two_prod (cz vector) (cz
+      vector)) in
+  let x10 := hi x7 in
+  let x11 := rnd (rnd (rnd (rnd (rnd (Rabs (hi x1) + Rabs (hi x3)) + Rabs (hi x5)) + rnd (Rabs t * speed)) + altura) +
+      radio) in
+  Known (difference (Twofold (hi x8) (rnd (lo x8 + rnd (rnd (rnd (hi x9 - 1) + lo x9) * rnd (x10 * x10))))) (square (sum
+      (product_by (difference (Twofold altura 0) x7) proporcion) (Twofold radio 0)))) (rnd (rnd (rnd (bpow radix2 (-95)
+      * rnd (1 + rnd (proporcion * proporcion))) * x11) * x11)).
+
+Definition plano (t : R) (p v : vec) (speed : R) (centro : vec) (vector : vec) : known twofold :=
+  let x1 := two_sum (cx p) (- cx centro) in
+  let x2 := two_sum (cy p) (- cy centro) in
+  let x3 := two_sum (cz p) (- cz centro) in
+  Known (sum (sum (product_by (sum x1 (two_prod t (cx v))) (cx vector)) (product_by (sum x2 (two_prod t (cy v))) (cy
+      vector))) (product_by (sum x3 (two_prod t (cz v))) (cz vector))) (rnd (bpow radix2 (-95) * rnd (rnd (rnd (Rabs (hi
+      x1) + Rabs (hi x2)) + Rabs (hi x3)) + rnd (Rabs t * speed)))).
+
+Definition disco (t : R) (p v : vec) (speed : R) (centro : vec) (radio : R) (vector : vec) : known twofold :=
+  let x1 := two_sum (cx p) (- cx centro) in
+  let x2 := two_sum (cy p) (- cy centro) in
+  let x3 := two_sum (cz p) (- cz centro) in
+  Known (sum (sum (product_by (sum x1 (two_prod t (cx v))) (cx vector)) (product_by (sum x2 (two_prod t (cy v))) (cy
+      vector))) (product_by (sum x3 (two_prod t (cz v))) (cz vector))) (rnd (bpow radix2 (-95) * rnd (rnd (rnd (Rabs (hi
+      x1) + Rabs (hi x2)) + Rabs (hi x3)) + rnd (Rabs t * speed)))).
+
+Definition triangulo (t : R) (p v : vec) (speed : R) (a b c : vec) : known twofold :=
+  let x1 := - cx a in
+  let x2 := two_sum (cx p) x1 in
+  let x3 := - cy a in
+  let x4 := two_sum (cy b) x3 in
+  let x5 := - cz a in
+  let x6 := two_sum (cz c) x5 in
+  let x7 := two_sum (cz b) x5 in
+  let x8 := two_sum (cy c) x3 in
+  let x9 := two_sum (cy p) x3 in
+  let x10 := two_sum (cx c) x1 in
+  let x11 := two_sum (cx b) x1 in
+  let x12 := two_sum (cz p) x5 in
+  Known (sum (sum (product (sum x2 (two_prod t (cx v))) (difference (product x4 x6) (product x7 x8))) (product (sum x9
+      (two_prod t (cy v))) (difference (product x7 x10) (product x11 x6)))) (product (sum x12 (two_prod t (cz v)))
+      (difference (product x11 x8) (product x4 x10)))) (rnd (rnd (rnd (bpow radix2 (-95) * rnd (rnd (rnd (Rabs (hi x2) +
+      Rabs (hi x9)) + Rabs (hi x12)) + rnd (Rabs t * speed))) * rnd (rnd (Rabs (hi x11) + Rabs (hi x4)) + Rabs (hi x7)))
+      * rnd (rnd (Rabs (hi x10) + Rabs (hi x8)) + Rabs (hi x6)))).
+
+Definition launched (there here : known twofold) : known twofold :=
+  Known (difference (value there) (value here)) (rnd (error there + rnd (2 * error here))).
+
+End Powers.

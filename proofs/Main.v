@@ -372,7 +372,7 @@ End Chain.
     Triage.shape has the numbers of an element, Triage.stands s e sh that e has them in s. The decisions are the recorded
     terms of Formas.v: Triage.lanes_of for rays in a batch, Triage.alone_of for one ray up to a limit, each for a ray that
     starts on the element (on) or does not. *)
-From Durero Require Verdict Steps Triage Doubled Second Running.
+From Durero Require Verdict Steps Triage Doubled Second AtRoot AtRootText Running.
 Section Decisions.
 Variable Elemento : Type.
 Variables (s : Escena Elemento) (en : set Elemento) (p v : Vectors.vec).
@@ -432,22 +432,31 @@ Proof.
   exact (Second.second_right Elemento s en p v ok ray_ok p_ordinary v_ordinary e sh on limit).
 Qed.
 
+(** The quadratic that a step of Newton's asks, at a root T with a slope: at any parameter t, what is computed of it is within
+    its bound, beside which nothing that follows underflows. *)
+Theorem the_quadratic_at_a_root_is_within_its_error e sh (on : bool) t T :
+  Triage.stands Elemento s e sh -> Triage.ordinary_shape sh -> format t ->
+  let f := if on then Puntos.launched (Triage.text_of p v sh) else Triage.text_of p v sh in
+  0 < T -> value f T = 0 -> cA f * T + cB f <> 0 ->
+  let q := AtRootText.at_root p v sh on t in
+  AtRoot.within_error q (value f t) /\ Raux.bpow Zaux.radix2 (-900) <= Formas.error q
+  /\ Raux.bpow Zaux.radix2 (-900) * (4 * Rabs (cA f * T + cB f)) <= Formas.error q.
+Proof. exact (AtRootText.at_root_right Elemento s ok p v p_ordinary v_ordinary e sh on t T). Qed.
+
 (** So the steps of the search as they run are right, [Search.steps_right]: of Running.steps_run, which says that its triage,
     its second step, the ends around a parameter, the Newton step, what is certainly less and its rounding are the recorded
-    terms, and of Running.steps_assumed, which is what is left: the error of the quadratic that the Newton step asks at a root,
-    and the exact rounding. *)
+    terms, and its exact rounding ExactHit.rounding of the exact parameter and of the point there. *)
 Theorem the_steps_that_run_are_right elements (shape_of : Elemento -> Triage.shape) on in_range triage stable improved
-  quadratic_at low high certainly_less rounded round_exact :
+  low high certainly_less rounded round_exact :
   (forall e, In e elements -> Triage.stands Elemento s e (shape_of e) /\ (on e = true <-> en e)) ->
   (forall e, In e elements -> in_range e = true -> Triage.ordinary_shape (shape_of e)) ->
-  Running.steps_run Elemento p v elements shape_of on in_range triage stable improved quadratic_at low high certainly_less
+  Running.steps_run Elemento p v elements shape_of on in_range triage stable improved low high certainly_less
     rounded round_exact ->
-  Running.steps_assumed Elemento p v elements shape_of on in_range triage quadratic_at round_exact ->
   Search.steps_right Elemento Running.finding Chain.printed met elements (Chain.rounds ray) in_range triage stable improved
     Running.near low high certainly_less rounded round_exact.
 Proof.
   intros described range.
   exact (Running.steps_are_right Elemento s en p v ok ray_ok p_ordinary v_ordinary elements shape_of on in_range described
-    range triage stable improved quadratic_at low high certainly_less rounded round_exact).
+    range triage stable improved low high certainly_less rounded round_exact).
 Qed.
 End Decisions.

@@ -7,7 +7,7 @@ From Flocq Require Raux BinarySingleNaN Binary Bits.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve TotalTables
   Tablas RowsAdded RowsRemoved TablasOfRows ClosedForm Iluminacion Recorrido Acceleration Firsts Surd Quadratic Exacto ExactoEscena
-  Limits Nearest Chain Quick Exactly.
+  Limits Nearest Chain Quick Exactly ExactHit.
 Import Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -54,6 +54,11 @@ Theorem the_exact_rounding_says_nothing_false turns mx ex my ey md ed mw ew out 
   BinInt.Z.le 0 md -> mw <> 0%Z -> Exactly.exactly turns mx ex my ey md ed mw ew = Some out -> Exactly.stored x out ->
   Limits.rounded_once x ((Quick.dyadic mx ex + Quick.dyadic my ey * sqrt (Quick.dyadic md ed)) / Quick.dyadic mw ew).
 Proof. exact (Exactly.exact_rounding_right turns mx ex my ey md ed mw ew out x). Qed.
+
+(** And it ends. *)
+Theorem the_exact_rounding_ends mx ex my ey md ed mw ew : BinInt.Z.le 0 md -> mw <> 0%Z ->
+  exists turns out, Exactly.exactly turns mx ex my ey md ed mw ew = Some out.
+Proof. exact (ExactHit.exactly_ends mx ex my ey md ed mw ew). Qed.
 
 (** * 7. The compact scene refines the model *)
 Section Refinement.

@@ -11,6 +11,26 @@ Import Formas.Pairs.
 Local Open Scope R_scope.
 Local Opaque bpow.
 
+(** Where the slope is known not to be 0, it is more than twice its error. *)
+Lemma known_slope_steep t slope a at_t : format (Formas.value slope) -> format (Formas.error slope) ->
+  bpow radix2 (-900) <= Formas.error slope -> 0 <= Formas.error a -> 0 <= Formas.error t ->
+  known_slope (newton t slope a at_t) = true -> 2 * Formas.error slope < Rabs (Formas.value slope).
+Proof.
+  intros Fs Fe He Ha Ht; set (E := Formas.error slope) in *; pose proof (bpow_gt_0 radix2 (-900)).
+  change (known_slope (newton t slope a at_t)) with (Rlt_bool (rnd (2 * rnd (4503600077730459 * bpow radix2 (-52) *
+    rnd (rnd (2 * E) + rnd (rnd (Rabs (Formas.value a) + Formas.error a) * Formas.error t))))) (Rabs (rnd (2 * Formas.value slope)))).
+  rewrite !(rnd_double _ Fs), (rnd_double _ Fe), (rnd_double (rnd _)) by apply format_rnd; rewrite Rabs_mult, (Rabs_pos_eq 2) by lra.
+  set (w := rnd (rnd (Rabs (Formas.value a) + Formas.error a) * Formas.error t)).
+  assert (Hw : 0 <= w).
+  { apply rnd_nonneg, Rmult_le_pos; [apply rnd_nonneg; pose proof (Rabs_pos (Formas.value a)); lra | exact Ht]. }
+  assert (F2 : format (2 * E)) by (rewrite <- (rnd_double E Fe); apply format_rnd).
+  assert (H1 : 2 * E <= rnd (2 * E + w)) by (rewrite <- (rnd_format _ F2) at 1; apply rnd_le; lra).
+  pose proof widening as Hc; set (c := 4503600077730459 * _) in *.
+  assert (H2 : 2 * E <= rnd (c * rnd (2 * E + w))).
+  { rewrite <- (rnd_format _ F2) at 1; apply rnd_le; assert (1 * rnd (2 * E + w) <= c * rnd (2 * E + w)) by (apply Rmult_le_compat_r; lra); lra. }
+  destruct (Rlt_bool_spec (2 * rnd (c * rnd (2 * E + w))) (2 * Rabs (Formas.value slope))); [intros _; lra | discriminate].
+Qed.
+
 Section Newton.
 Variables t slope a : Formas.known R.
 Variable at_t : Formas.known twofold.

@@ -1,8 +1,7 @@
 (** * Running: the steps of the search, as they run, say nothing false
 
     The record Search.steps_right, of the steps that are proved: the triage and the second step on every element, the ends
-    around a parameter, what is certainly less, and the rounding of what is found; and the Newton step, if the quadratic at
-    the root is within its error. That, and the exact rounding, is assumed in the theorem.
+    around a parameter, the Newton step, what is certainly less, and the rounding of what is found, or of an exact parameter.
 
     finding          == what a step has found: in binary64, in double-double, or by improving the first
     near f t         == t is within its error, with the room that its ends and comparisons ask for
@@ -11,8 +10,8 @@
 From Coq Require Import Reals List Lra Lia ZArith.
 From Flocq Require Import Core BinarySingleNaN.
 From Durero Require Import Toolkit Especificacion Escena Puntos Trazador Interseccion.
-From Durero Require Search Limits Chain Formas Once Newton Ends.
-From Durero Require Import Rounding Vectors Quotient Flotante Verdict Steps Triage Twofold Sums Doubled Second.
+From Durero Require Search Limits Chain Formas Once Newton Ends ExactHit.
+From Durero Require Import Rounding Vectors Quotient Flotante Verdict Steps Triage Twofold Sums Doubled Second AtRoot AtRootText.
 Import Formas.Pairs.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -101,7 +100,6 @@ Hypothesis range : forall e, In e elements -> in_range e = true -> ordinary_shap
 
 Variables triage stable : Elemento -> Limits.binary64 -> Search.verdict finding.
 Variable improved : Elemento -> finding -> Search.verdict finding.
-Variable quadratic_at : Elemento -> R -> Formas.known twofold.
 Variables low high : Search.evidence finding -> Limits.binary64.
 Variables less : finding -> finding -> bool.
 Variable rounded : finding -> option Chain.printed.
@@ -129,22 +127,19 @@ Record steps_run : Prop := {
     end;
   improved_runs : forall e root slope curvature g, In e elements -> in_range e = true ->
     improved e (Single root slope curvature) = Search.Hit _ g ->
-    let better_root := newton root slope curvature (quadratic_at e (Formas.value root)) in
+    let better_root := newton root slope curvature (at_root p v (shape_of e) (on e) (Formas.value root)) in
     known_slope better_root = true /\ g = Improved (Formas.Known (better better_root) (better_error better_root));
   less_runs : forall f g, less f g = true -> exists a b, f = Double a /\ g = Double b /\ certainly_less a b = true;
   rounding_runs : forall f out, rounded f = Some out -> exists root, (f = Double root \/ f = Improved root) /\
     let once := round_point p v (Formas.value root) (Formas.error root) in
-    all_certain once = true /\ Once.stores out once }.
+    all_certain once = true /\ Once.stores out once;
+  exact_runs : forall x, Surd.valid x -> exists t, ExactHit.sound t /\ ExactHit.denotes t = Surd.val x /\
+    ExactHit.hit_into p v t (round_exact x) }.
 
-(** What is assumed of the rest. *)
-Record steps_assumed : Prop := {
-  quadratic_is_near : forall e x root slope curvature, In e elements -> in_range e = true ->
-    triage e x = Search.Hit _ (Single root slope curvature) -> let at_root := quadratic_at e (Formas.value root) in
-    Rabs (value (quadratic_of e) (Formas.value root) - whole (Formas.value at_root)) <= Formas.error at_root /\
-    (format (hi (Formas.value at_root)) /\ format (lo (Formas.value at_root)) /\ format (Formas.error at_root)) /\
-    bpow radix2 (-900) <= Formas.error at_root /\
-    bpow radix2 (-900) * Rabs (2 * Formas.value slope) <= Formas.error at_root;
-  exact_is_rounded : forall x, Surd.valid x -> Chain.rounds ray (round_exact x) (Surd.val x) }.
+Lemma exact_is_rounded x : steps_run -> Surd.valid x -> Chain.rounds ray (round_exact x) (Surd.val x).
+Proof.
+  intros Runs Hx; destruct (exact_runs Runs x Hx) as (t & Ht & <- & Hit); exact (ExactHit.hit_is_rounded_once p v t _ Ht Hit).
+Qed.
 
 Lemma triage_finds e x : steps_run -> In e elements -> in_range e = true -> exists a, triage e x = found_single a /\
   match a with
@@ -168,21 +163,30 @@ Proof.
 Qed.
 
 (** A step of Newton's from what the triage has found. *)
-Lemma improved_is_close e x f g t : steps_run -> steps_assumed -> In e elements -> in_range e = true ->
+Lemma improved_is_close e x f g t : steps_run -> In e elements -> in_range e = true ->
   triage e x = Search.Hit _ f -> improved e f = Search.Hit _ g -> is_least (met e) t -> near g t.
 Proof.
-  intros Runs Rest He Hr Hx Hg Ht; destruct (triage_finds e x Runs He Hr) as (a & Ea & Ra); rewrite Ea in Hx.
+  intros Runs He Hr Hx Hg Ht; destruct (triage_finds e x Runs He Hr) as (a & Ea & Ra); rewrite Ea in Hx.
   destruct a as [| | root slope curvature]; try discriminate; injection Hx as <-.
   destruct Ra as (t' & Ht' & N & Gs & Gc & Fs & Fc & Ls); rewrite (least_unique _ _ _ Ht' Ht) in *.
-  destruct (quadratic_is_near Rest e x root slope curvature He Hr Ea) as (Na & Fa & La & Ra).
-  destruct (improved_runs Runs e root slope curvature g He Hr Hg) as [Known ->].
-  assert (Root : value (quadratic_of e) t = 0).
-  { destruct (described e He) as [Hs Hon]; destruct Ht as [Ht _].
-    apply (met_of_shape Elemento s ok en p v e _ (on e) Hs Hon) in Ht; exact (proj1 (proj2 Ht)). }
-  assert (Binary : Newton.binary64s root slope curvature (quadratic_at e (Formas.value root))).
-  { constructor; auto; [apply N | repeat split; auto]; apply Rle_trans with (2 := Gc), Rabs_pos. }
+  destruct (improved_runs Runs e root slope curvature g He Hr Hg) as [Known ->]; destruct (described e He) as [Hs Hon].
+  assert (Root : 0 < t /\ value (quadratic_of e) t = 0).
+  { destruct Ht as [Ht _]; apply (met_of_shape Elemento s ok en p v e _ (on e) Hs Hon) in Ht.
+    split; [exact (proj1 Ht) | exact (proj1 (proj2 Ht))]. }
+  destruct Root as [Pos Root].
+  assert (Ec : 0 <= Formas.error curvature) by (apply Rle_trans with (2 := Gc), Rabs_pos).
+  assert (Et : 0 <= Formas.error root) by (apply Rle_trans with (2 := near_within _ _ N), Rabs_pos).
+  pose proof (Newton.known_slope_steep _ _ _ _ (proj1 Fs) (proj2 Fs) Ls Ec Et Known) as Steep; pose proof (bpow_gt_0 radix2 (-900)).
+  assert (Near : Rabs (Formas.value slope) <= 2 * Rabs (cA (quadratic_of e) * t + cB (quadratic_of e))).
+  { rewrite Rabs_minus_sym in Gs; pose proof (Rabs_triang_inv (Formas.value slope) (cA (quadratic_of e) * t + cB (quadratic_of e))); lra. }
+  assert (Slope : cA (quadratic_of e) * t + cB (quadratic_of e) <> 0) by (intros Z0; rewrite Z0, Rabs_R0 in Near; lra).
+  destruct (at_root_right Elemento s ok p v p_ordinary v_ordinary e (shape_of e) (on e) (Formas.value root) t Hs (range e He Hr) (proj1 N) Pos
+    Root Slope) as ((Na & Fa) & La & Sa); fold (quadratic_of e) in Na, Sa.
+  assert (Binary : Newton.binary64s root slope curvature (at_root p v (shape_of e) (on e) (Formas.value root))).
+  { constructor; auto; [apply N | repeat split; auto]; apply Rle_trans with (2 := Sa), Rmult_le_compat_l; [lra|].
+    rewrite Rabs_mult, (Rabs_pos_eq 2); lra. }
   unfold value in Root, Na; cbn [near]; unfold close; cbn [Formas.value Formas.error].
-  destruct (Newton.newton_near root slope curvature (quadratic_at e (Formas.value root)) Binary (cA (quadratic_of e))
+  destruct (Newton.newton_near root slope curvature _ Binary (cA (quadratic_of e))
     (cB (quadratic_of e)) (cC (quadratic_of e)) t) as (Close & P & Fe & Le); auto.
   - rewrite <- Root; ring.
   - rewrite Rabs_minus_sym; exact (near_within _ _ N).
@@ -191,18 +195,18 @@ Proof.
   - rewrite Rabs_minus_sym; auto.
 Qed.
 
-Theorem steps_are_right : steps_run -> steps_assumed ->
+Theorem steps_are_right : steps_run ->
   Search.steps_right Elemento finding Chain.printed met elements (Chain.rounds ray) in_range triage stable improved near low high
     less rounded round_exact.
 Proof.
-  intros Runs Rest; constructor.
+  intros Runs; constructor.
   - intros e x He Hr; destruct (triage_finds e x Runs He Hr) as (a & -> & Ra); destruct a; cbn in *; auto.
     destruct Ra as (t & Ht & N & _); now exists t.
   - intros e x He Hr; destruct (described e He) as [Hs Hon].
     destruct (stable_runs Runs e x He Hr) as (a & Ha & ->).
     refine (double_says_right _ _ _ _ _ Ha); intros limit Fl.
     exact (second_pair Elemento s en p v ok ray_ok p_ordinary v_ordinary e _ (on e) limit Hs (range e He Hr) Hon Fl).
-  - intros e f g t He Hr [x Hx] Hg Ht _; exact (improved_is_close e x f g t Runs Rest He Hr Hx Hg Ht).
+  - intros e f g t He Hr [x Hx] Hg Ht _; exact (improved_is_close e x f g t Runs He Hr Hx Hg Ht).
   - intros e w t He _ Hv; pose proof (ends_run Runs w) as E; destruct w as [f | f | x].
     + destruct Hv as (Hr & [x Hx] & Hn); destruct (triage_runs Runs e x He Hr) as (a & _ & Ea); rewrite Ea in Hx.
       destruct a as [| | root slope curvature]; try discriminate; injection Hx as <-; destruct E as [El Eh].
@@ -210,12 +214,12 @@ Proof.
     + destruct Hv as (Hr & [x Hx] & Hn); destruct (stable_runs Runs e x He Hr) as (a & _ & Ea); rewrite Ea in Hx.
       destruct a as [| | root slope curvature]; try discriminate; injection Hx as <-; destruct E as [El Eh].
       exact (Ends.stored_between _ _ _ t (Ends.ends_of_near_word root t (proj1 Hn)) El Eh).
-    + destruct Hv as [Hx <-], E as [-> ->]; apply Ends.nearest_between, (exact_is_rounded Rest x Hx).
+    + destruct Hv as [Hx <-], E as [-> ->]; apply Ends.nearest_between, (exact_is_rounded x Runs Hx).
   - intros f g a b Hless Ha Hb; destruct (less_runs Runs f g Hless) as (x & y & -> & -> & Hxy).
     exact (Ends.certainly_less_near x y a b Ha Hb Hxy).
   - intros f out t Hf Hn; destruct (rounding_runs Runs f out Hf) as (root & Hroot & Hc & Hst).
     assert (Hclose : close root t) by (destruct Hroot as [-> | ->]; [now apply near_pair_close | exact Hn]).
     destruct Hclose as (H & P & Fe & He); apply (Once.certain_is_rounded_right p v (Formas.value root) (Formas.error root)); auto; now rewrite Rabs_minus_sym.
-  - exact (exact_is_rounded Rest).
+  - intros x Hx; exact (exact_is_rounded x Runs Hx).
 Qed.
 End Running.

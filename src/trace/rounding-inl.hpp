@@ -20,8 +20,7 @@ namespace HWY_NAMESPACE {
 /// quadratic_at of rays that start on the element, one or several.
 template <class R, class Element, class Ray>
 HWY_INLINE Power<R> own_quadratic_at(R t, const Element& element, const Ray& ray) {
-  const Power<R> there = power_at(t, element, ray), here = power_at(R(0.0), element, ray);
-  return {difference(there.value, here.value), there.error + 2 * here.error};
+  return launched(power_at(t, element, ray), power_at(R(0.0), element, ray));
 }
 
 /// t = hi + lo within the error, where the slope is known not to be 0.

@@ -35,13 +35,17 @@ HWY_INLINE Power<R> power_at(R t, const Element& element, const Ray& ray) {
     return power(element.centro);
 }
 
+/// The quadratic of a ray that starts on the element: potencia there, less that here, at the origin.
+template <class R>
+HWY_INLINE Power<R> launched(const Power<R>& there, const Power<R>& here) {
+  return {difference(there.value, here.value), there.error + 2 * here.error};
+}
+
 /// The quadratic at t: potencia, less that at the origin where the ray starts on the element.
 template <class Element>
 HWY_INLINE Power<double> quadratic_at(double t, const Element& element, const Ray& ray, bool on) {
   const Power<double> there = power_at(t, element, ray);
-  if (!on) return there;
-  const Power<double> here = power_at(0.0, element, ray);
-  return {difference(there.value, here.value), there.error + 2 * here.error};
+  return on ? launched(there, power_at(0.0, element, ray)) : there;
 }
 
 }  // namespace HWY_NAMESPACE

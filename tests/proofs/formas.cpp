@@ -6,7 +6,7 @@
 
 #include "durero/scene/attributes.hpp"
 #include "durero/scene/shapes.hpp"
-#include "proofs/recorder.hpp"
+#include "proofs/written.hpp"
 #include "trace/ends.hpp"
 #include "trace/rounding-inl.hpp"
 
@@ -24,7 +24,8 @@ constexpr const char* head = R"((** * Formas: the formulas of the tracer, as its
     X_in_lanes         == the decision for many rays, without branches; first_of_X: for one ray, up to a limit
     X_on               == X of a ray that starts on the element
     ends_of            == the ends between which a root lies, of ends.hpp
-    Pairs              == the same over double-double, the second step, and its operations over binary64 *)
+    Pairs              == the same over double-double, the second step, and its operations over binary64
+    Powers             == potencia at the parameter t of a ray, and a bound on its error *)
 From Coq Require Import Reals ZArith Bool.
 From Flocq Require Import Core.
 From Durero Require Import Rounding Vectors.
@@ -45,38 +46,6 @@ Record in_lanes := In_lanes { hit : bool; undecided : bool; root : known R; slop
 Inductive answer (T : Type) := Miss | Undecided | Hit (root : known T) (slope : known R) (curvature : known R).
 Arguments Miss {T}. Arguments Undecided {T}. Arguments Hit {T}.
 )";
-
-/// A part of what is defined, by a form without operands.
-Node built(const std::string& constructor, const std::vector<Node>& parts) {
-  Form form{constructor, Tightness::application};
-  for (std::size_t i = 0; i < parts.size(); ++i) form.text += " %" + std::to_string(i);
-  return record(form, parts);
-}
-template <class T>
-Node known(const T& value, Term error) {
-  return built("Known", {value.node, error.node});
-}
-
-// Names of what the definitions are of.
-
-Term real(const std::string& name) { return Term(name); }
-template <class T>
-T variable(const std::string& name) {
-  return T(called(name), {});
-}
-Vec<Term> vector(const std::string& name) { return {real("cx " + name), real("cy " + name), real("cz " + name)}; }
-
-template <model::Tipo tipo>
-LaneElement<tipo, Term> element() {
-  return {vector("centro"), real("radio"),  real("proporcion"),
-          vector("vector"), real("altura"), {vector("a"), vector("b"), vector("c")}};
-}
-RayIn<Term> ray() { return {vector("p"), vector("v"), real("speed")}; }
-
-/// What a shape is stored as, as the variables of a definition.
-std::string variables(std::string_view word, double) { return " (" + std::string(word) + " : R)"; }
-std::string variables(std::string_view word, const glm::dvec3&) { return " (" + std::string(word) + " : vec)"; }
-std::string variables(std::string_view, const scene::Corners&) { return " (a b c : vec)"; }
 
 /// Any quadratic of that kind, its parts by their names.
 enum class Kind { free, axial, edged };
@@ -218,22 +187,21 @@ void for_one_ray(const std::string& type) {
 
 /// Double-double: its operations, over binary64.
 void twofold() {
-  const auto built = [](const Twofold<Term>& x) { return Built{"Twofold", {x.hi.node, x.lo.node}}; };
-  const Twofold<Term> x{real("hi x"), real("lo x")}, y{real("hi y"), real("lo y")};
+  const Twofold<Term> x = pair_of("x"), y = pair_of("y");
   const Term a = real("a"), b = real("b");
   std::printf("\n(** * Double-double *)\n\nModule Pairs.\n\nRecord twofold := Twofold { hi : R; lo : R }.\n");
-  define("", "exactly (a : R) : twofold", [&] { return built(a); });
-  define("", "two_sum (a b : R) : twofold", [&] { return built(two_sum(a, b)); });
-  define("", "fast_two_sum (a b : R) : twofold", [&] { return built(fast_two_sum(a, b)); });
+  define("", "exactly (a : R) : twofold", [&] { return built_pair(a); });
+  define("", "two_sum (a b : R) : twofold", [&] { return built_pair(two_sum(a, b)); });
+  define("", "fast_two_sum (a b : R) : twofold", [&] { return built_pair(fast_two_sum(a, b)); });
   define("A product and what it lacks: where the hardware multiplies and subtracts in one, and where not.",
-         "two_prod (a b : R) : twofold", [&] { return built(two_prod(a, b)); });
-  define("", "two_prod_of_halves (a b : R) : twofold", [&] { return built(two_prod_of_halves(a, b)); });
-  define("", "opposite (x : twofold) : twofold", [&] { return built(-x); });
-  define("", "sum (x y : twofold) : twofold", [&] { return built(x + y); });
-  define("", "difference (x y : twofold) : twofold", [&] { return built(x - y); });
-  define("", "product (x y : twofold) : twofold", [&] { return built(x * y); });
-  define("", "ratio (x y : twofold) : twofold", [&] { return built(x / y); });
-  define("", "root_of (x : twofold) : twofold", [&] { return built(sqrt(x)); });
+         "two_prod (a b : R) : twofold", [&] { return built_pair(two_prod(a, b)); });
+  define("", "two_prod_of_halves (a b : R) : twofold", [&] { return built_pair(two_prod_of_halves(a, b)); });
+  define("", "opposite (x : twofold) : twofold", [&] { return built_pair(-x); });
+  define("", "sum (x y : twofold) : twofold", [&] { return built_pair(x + y); });
+  define("", "difference (x y : twofold) : twofold", [&] { return built_pair(x - y); });
+  define("", "product (x y : twofold) : twofold", [&] { return built_pair(x * y); });
+  define("", "ratio (x y : twofold) : twofold", [&] { return built_pair(x / y); });
+  define("", "root_of (x : twofold) : twofold", [&] { return built_pair(sqrt(x)); });
 }
 
 /// The ends around a root, and which root is certainly less.
@@ -250,11 +218,9 @@ void order() {
 
 /// A root improved, and what is rounded once.
 void once() {
-  const Twofold<Term> t{real("hi t"), real("lo t")}, at{real("hi (value f)"), real("lo (value f)")};
+  const Twofold<Term> t = pair_of("t"), at = pair_of("(value f)");
   const Term p = real("p"), v = real("v"), error = real("error");
-  const auto pair = [](const Twofold<Term>& x) {
-    return trace::HWY_NAMESPACE::built("Twofold", {x.hi.node, x.lo.node});
-  };
+  const auto pair = [](const Twofold<Term>& x) { return built("Twofold", {x.hi.node, x.lo.node}); };
   std::printf(
       "\nRecord improved := Improved { known_slope : bool; better : twofold; better_error : R }.\n"
       "Record once := Once { rounded : R; certain : bool }.\n"
@@ -298,6 +264,7 @@ void write() {
   order();
   once();
   std::printf("\nEnd Pairs.\n");
+  write_powers();
 }
 
 }  // namespace

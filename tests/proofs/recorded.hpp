@@ -32,6 +32,9 @@ Node record(double constant);
 /// a·b of two that are constants, if that is a binary64; else the product, rounded.
 Node record_product(Node a, Node b);
 
+/// The pair of both, which are the parts of one if they are.
+Node record_pair(Node hi, Node lo);
+
 /// A real number that is computed, or a name of one.
 struct Term {
   Node node = record(0.0);
@@ -106,6 +109,7 @@ template <>
 struct Numbers<Term> : Binary64<Term> {};
 
 /// a·b and what it lacks, as where the hardware multiplies and subtracts in one.
+template <>
 inline Twofold<Term> two_prod(Term a, Term b) {
   const Term product = a * b;
   return {product,

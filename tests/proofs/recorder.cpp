@@ -185,6 +185,13 @@ Node record_product(Node a, Node b) {
   return record({"rnd (%0 * %1)", Tightness::application, Tightness::application}, {a, b});
 }
 
+Node record_pair(Node hi, Node lo) {
+  const Recorded &first = all().nodes[hi], &second = all().nodes[lo];
+  if (first.form.text == "hi %0" && second.form.text == "lo %0" && first.operands == second.operands)
+    return first.operands.front();
+  return record({"Twofold %0 %1", Tightness::application}, {hi, lo});
+}
+
 bool settled(Node condition) {
   const Recorded& term = all().nodes[condition];
   if (term.form.text == "negb %0") return !settled(term.operands[0]);
