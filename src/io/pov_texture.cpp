@@ -79,21 +79,22 @@ std::string texture_text(const glm::dvec3& color, std::string_view pigment, std:
   return fmt::format("pigment {{ {}{} }}{} finish {{ ambient 0 {} }}", rgb(color), pigment, normal, finish);
 }
 
-/// All summands, each by itself: highlight and mirror, too.
+/// All summands, each by itself: highlight and mirror, too. That of k_a has the normal of the surface, since a relief
+/// that is turned away from a light is lit by it all the same.
 std::vector<Worn> worn_by(const scene::Material& m, const std::string& normal) {
   using enum Coefficient;
   std::vector<Worn> parts;
-  const auto add = [&](const glm::dvec3& own, std::vector<Coefficient> factors, std::string pigment,
-                       std::string finish) {
+  const auto add = [&](const glm::dvec3& own, std::vector<Coefficient> factors, std::string finish,
+                       std::string turned = "", std::string pigment = "") {
     if (own == black) return;
     parts.push_back(
-        {std::move(factors), [=](const glm::dvec3& n) { return texture_text(n * own, pigment, finish, normal); }});
+        {std::move(factors), [=](const glm::dvec3& n) { return texture_text(n * own, pigment, finish, turned); }});
   };
-  add(m.k_d > 0 ? m.color : black, {color, k_d}, "", fmt::format("diffuse {}", m.k_d));
-  add(m.k_a > 0 ? m.color : black, {color, k_a}, "", fmt::format("diffuse {} brilliance 0", m.k_a));
-  add(m.emission, {emission}, "", "diffuse 0 emission 1");
-  add(m.ambient, {ambient}, "", "diffuse 0 emission 1");
-  add(m.k_t > 0 ? m.M_T : black, {M_T, k_t}, fmt::format(" filter {}", m.k_t), "diffuse 0");
+  add(m.k_d > 0 ? m.color : black, {color, k_d}, fmt::format("diffuse {}", m.k_d), normal);
+  add(m.k_a > 0 ? m.color : black, {color, k_a}, fmt::format("diffuse {} brilliance 0", m.k_a));
+  add(m.emission, {emission}, "diffuse 0 emission 1");
+  add(m.ambient, {ambient}, "diffuse 0 emission 1");
+  add(m.k_t > 0 ? m.M_T : black, {M_T, k_t}, "diffuse 0", normal, fmt::format(" filter {}", m.k_t));
   if (m.k_s > 0)
     parts.push_back({{k_s}, [=](const glm::dvec3& n) {
                        return texture_text(black, "", fmt::format("diffuse 0 phong {} phong_size {}", n.x * m.k_s, m.e),

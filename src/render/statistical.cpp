@@ -13,12 +13,24 @@
 namespace durero::render {
 namespace {
 
-/// Before it is believed that a pixel whose corners differ is even: what the edge cuts off may be smaller than a few
-/// points see.
-constexpr std::uint32_t points_of_an_edge = 32;
+/// @{ Before it is believed that a pixel is even whose corners differ, or one of those around: what an edge cuts off
+/// may be smaller than fewer points see.
+constexpr std::uint32_t points_of_an_edge = 32, points_near_an_edge = 8;
+/// @}
 
 /// How often it is asked whether a pixel is settled: at least_samples points and at each power of two up to the most.
 std::uint32_t looks(std::uint32_t most_points) { return std::bit_width(most_points / least_samples); }
+
+/// What a deviation of 1 makes of half the confidence interval at each look, over the part of the width that is asked
+/// for there. Of the last look the whole width is asked, since nothing comes after it.
+std::vector<double> half_widths(double confidence, std::uint32_t most_points) {
+  std::vector<double> all;
+  for (std::uint32_t points = least_samples; points <= most_points; points *= 2) {
+    const double factor = half_width_factor(confidence, looks(most_points), std::min(points, most_blocks));
+    all.push_back(factor / (points == most_points ? 1 : part_of_width(points)));
+  }
+  return all;
+}
 
 bool within(const glm::dvec3& v, double width) { return v.x <= width && v.y <= width && v.z <= width; }
 
@@ -54,32 +66,43 @@ Statistical::Statistical(const View& view, const Samples& samples)
     : view_(view),
       samples_(samples),
       most_points_(std::bit_floor(std::max(least_samples, samples.most))),
-      first_factor_(half_width_factor(samples.confidence, looks(most_points_), least_samples)),
-      factor_(half_width_factor(samples.confidence, looks(most_points_), most_blocks)),
-      corners_(std::size_t(view.crop.size.width + 1) * (view.crop.size.height + 1)) {
-  const std::uint32_t in_row = view.crop.size.width + 1;
+      half_widths_(half_widths(samples.confidence, most_points_)),
+      corners_in_row_(view.crop.size.width + 3),
+      corners_(std::size_t(corners_in_row_) * (view.crop.size.height + 3)) {
   std::mutex mutex;
-  by_rows(view.crop.size.height + 1, {}, [&](std::uint32_t y) {
-    std::vector<glm::dvec2> points(in_row);
-    for (std::uint32_t x = 0; x < in_row; ++x) points[x] = view.point(x, y, {-0.5, -0.5});
+  by_rows(view.crop.size.height + 3, {}, [&](std::uint32_t y) {
+    std::vector<glm::dvec2> points(corners_in_row_);
+    for (std::uint32_t x = 0; x < corners_in_row_; ++x) points[x] = view.point(x, y, {-1.5, -1.5});
     const std::vector<Brought> found = view.brought_by(points);
-    for (std::uint32_t x = 0; x < in_row; ++x) corners_[std::size_t(y) * in_row + x] = found[x].color;
+    for (std::uint32_t x = 0; x < corners_in_row_; ++x) corners_[std::size_t(y) * corners_in_row_ + x] = found[x].color;
     const std::lock_guard lock(mutex);
     corner_reach_.samples += found.size();
     for (const Brought& one : found) corner_reach_.rays += one.rays;
   });
 }
 
-bool Statistical::corners_agree(std::uint32_t x, std::uint32_t y) const {
-  const std::size_t in_row = view_.crop.size.width + 1, at = y * in_row + x;
-  const glm::dvec3 &a = corners_[at], &b = corners_[at + 1], &c = corners_[at + in_row], &d = corners_[at + in_row + 1];
-  return within(glm::max(glm::max(a, b), glm::max(c, d)) - glm::min(glm::min(a, b), glm::min(c, d)), samples_.width);
+/// Those of a pixel, and of so many pixels around it.
+bool Statistical::corners_agree(std::uint32_t x, std::uint32_t y, std::uint32_t around) const {
+  const std::uint32_t first = 1 - around, count = 2 + 2 * around;
+  const glm::dvec3* const upper_left = &corners_[std::size_t(y + first) * corners_in_row_ + x + first];
+  glm::dvec3 least = *upper_left, most = least;
+  for (std::uint32_t i = 0; i < count * count; ++i) {
+    const glm::dvec3& corner = upper_left[std::size_t(i / count) * corners_in_row_ + i % count];
+    least = glm::min(least, corner);
+    most = glm::max(most, corner);
+  }
+  return within(most - least, samples_.width);
+}
+
+/// Whether so many points of a pixel see what its corners show of edges.
+bool Statistical::is_believed(std::uint32_t x, std::uint32_t y, std::uint32_t points) const {
+  return points >= points_of_an_edge || corners_agree(x, y, points < points_near_an_edge ? 1 : 0);
 }
 
 // NaN, the product of a black material and an infinite light, is not within: such a pixel gets all its rays.
-bool Statistical::is_settled(const Estimate& estimate, bool plain) const {
-  const double factor = estimate.points < most_blocks ? first_factor_ : factor_;
-  return (plain || estimate.points >= points_of_an_edge) && within(factor * deviation(estimate), samples_.width);
+bool Statistical::is_settled(const Estimate& estimate) const {
+  const double half_width = half_widths_[std::bit_width(estimate.points / least_samples) - 1];
+  return within(half_width * deviation(estimate), samples_.width);
 }
 
 /// Twice as many points of each pixel as before, or the first ones.
@@ -102,7 +125,9 @@ Row Statistical::row(std::uint32_t y) const {
   std::vector<Estimate> estimates(view_.crop.size.width);
   std::vector<std::uint32_t> open(estimates.size());
   std::iota(open.begin(), open.end(), 0);
-  const auto settled = [&](std::uint32_t x) { return is_settled(estimates[x], corners_agree(x, y)); };
+  const auto settled = [&](std::uint32_t x) {
+    return is_settled(estimates[x]) && is_believed(x, y, estimates[x].points);
+  };
   for (std::uint32_t points = least_samples; points <= most_points_ && !open.empty(); points *= 2) {
     take_points(y, open, estimates);
     std::erase_if(open, settled);

@@ -46,16 +46,17 @@ class Statistical {
   const Reach& reach_of_corners() const { return corner_reach_; }
 
  private:
-  bool corners_agree(std::uint32_t x, std::uint32_t y) const;
+  bool corners_agree(std::uint32_t x, std::uint32_t y, std::uint32_t around) const;
+  bool is_believed(std::uint32_t x, std::uint32_t y, std::uint32_t points) const;
+  bool is_settled(const Estimate& estimate) const;
   void take_points(std::uint32_t y, std::span<const std::uint32_t> open, std::vector<Estimate>& row) const;
-  bool is_settled(const Estimate& estimate, bool plain) const;
 
   const View& view_;
   const Samples samples_;
   std::uint32_t most_points_;        // a power of two
-  double first_factor_;              // of half_width_factor, with least_samples blocks
-  double factor_;                    // with most_blocks
-  std::vector<glm::dvec3> corners_;  // rows of one more than the width, one more of them than the height
+  std::vector<double> half_widths_;  // at each look, of a deviation of 1, over the part of the width that is asked for
+  std::uint32_t corners_in_row_;
+  std::vector<glm::dvec3> corners_;  // of the pixels of the crop, and of those around it
   Reach corner_reach_{};
 };
 

@@ -156,7 +156,7 @@ lines out 1
 has out ' rays from the eye a pixel; '
 has out ' of 48 pixels not known within 0.2 with confidence 0.95'
 refused '--samples 5: no square number; expected 1, 4, 9' render scene.json -o new.png --samples 5
-refused '--samples 1: too few to tell anything; expected 8 or more' \
+refused '--samples 1: too few to tell anything; expected 4 or more' \
   render scene.json -o new.png --samples 1 --sampling statistical
 refused '--width: of one sampling alone; expected --sampling statistical' render scene.json -o new.png --width 0.1
 refused '--confidence: of one sampling alone' render scene.json -o new.png --confidence 0.9

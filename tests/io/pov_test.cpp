@@ -144,6 +144,16 @@ TEST_CASE(
   CHECK(of("[0,0,5]", R"(,"delta":0.5)").lost.size() == 1);
 }
 
+TEST_CASE("no relief turns the term of k_a, nor what shines of itself") {
+  const io::Exported out = exported(R"("textures":{"t":{"waves":[[0,0,0],[1,1,1]]}},
+    "materials":{"m":{"color":[1,1,1],"k_a":0.5,"k_s":0.25,"ambient":[1,0,0],"bump":{"texture":"t"}}},
+    "elementos":[{"id":"d","tipo":"disco","centro":[0,0,0],"radio":2,"vector":[0,0,1],"material":"m"}])");
+  CHECK(has(out, "[1 pigment { rgb <4, 4, 4> } finish { ambient 0 diffuse 0.5 brilliance 0 }]"));
+  CHECK(has(out, "[1 pigment { rgb <4, 0, 0> } finish { ambient 0 diffuse 0 emission 1 }]"));
+  CHECK(has(out, "[1 pigment { rgb <4, 4, 4> } normal {"));
+  CHECK(has(out, "[1 pigment { rgb <0, 0, 0> } normal {"));
+}
+
 TEST_CASE("what is around is a sky of the same colours") {
   const auto of = [](const std::string& environment) {
     return exported(R"("camera":{"eye":[0,0,-5],"look_at":[0,0,0],"up":[0,1,0],"fov_y":90},"background":[1,0,0],

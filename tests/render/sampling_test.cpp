@@ -148,7 +148,7 @@ double estimated_over_true(std::uint32_t points, F&& of, std::uint32_t keys = 40
 }  // namespace
 
 TEST_CASE("the spread of the blocks of a net says no less than how far its mean is off: of edges, and of shades") {
-  for (const std::uint32_t points : {8U, 16U, 32U, 128U})
+  for (const std::uint32_t points : {4U, 8U, 16U, 32U, 128U})
     for (const double slant : {0.0, 0.3, 1.0, 2.4}) {
       CAPTURE(points, slant);
       CHECK(estimated_over_true(points, [&](auto p, auto) { return double(p.x + slant * p.y > 0.1); }) > 1);
@@ -156,7 +156,7 @@ TEST_CASE("the spread of the blocks of a net says no less than how far its mean 
     }
 }
 
-TEST_CASE("of no function does it say less than 7/15 of it, 3/7 of eight points") {
+TEST_CASE("of no function does it say less than 7/15 of it, 3/7 of eight points, a third of four") {
   // Haar's function of the scale on which two points of the net fall together: rectangles of 2^-a by 2^-b, a + b one
   // less than the net's. Its mean is a sum of products of coins for rows and for columns, whose fourth moment is up to
   // 9 squares of the second: the standard error of a variance of 10000 is up to √(8/10000), and three of them are
@@ -165,7 +165,7 @@ TEST_CASE("of no function does it say less than 7/15 of it, 3/7 of eight points"
     return std::fmod(std::floor(std::ldexp(x + 0.5, digits + 1)), 2) * 2 - 1;
   };
   for (const auto& [points, digits, ratio] :
-       {std::tuple(8U, 2, 3.0 / 7), std::tuple(16U, 3, 7.0 / 15), {64U, 5, 7.0 / 15}})
+       {std::tuple(4U, 1, 1.0 / 3), std::tuple(8U, 2, 3.0 / 7), {16U, 3, 7.0 / 15}, {64U, 5, 7.0 / 15}})
     for (int a = 0; a <= digits; ++a) {
       CAPTURE(points, a);
       const double found = estimated_over_true(
@@ -208,40 +208,81 @@ TEST_CASE("every sampling gives a pixel the same bytes, whatever the threads, th
   }
 }
 
-TEST_CASE("what is even takes eight rays and the corners, and what never settles is in doubt") {
+TEST_CASE("what is even takes four rays and the corners, and what never settles is in doubt") {
   scene::Scene scene = test::lit_ball();
   scene.stage().camera = scene::Camera{{0, 0, -5}, {0, 0, -9}, {0, 1, 0}, 45};  // away from it
   const auto engine = engine::find("analytic")->prepare(scene);
   render::Frame frame{.size = scene::Resolution{8, 4}, .samples = {.sampling = Sampling::statistical, .most = 40}};
   render::Reach reach;
   render::render(scene, *engine, {}, frame, &reach);
-  CHECK(reach.samples == 8 * 4 * render::least_samples + 9 * 5);
+  CHECK(reach.samples == 8 * 4 * 4 + 11 * 7);
   CHECK(reach.in_doubt == 0);
   scene.stage().camera = scene::Camera{{0, 2, -5}, {0, 0, 0}, {0, 1, 0}, 45};
   frame.samples.width = 1e-9;
   render::render(scene, *engine, {}, frame, &reach);
   CHECK(reach.in_doubt > 0);
   CHECK(reach.in_doubt < reach.pixels);
-  CHECK(reach.samples <= reach.pixels * 40 + 9 * 5);
+  CHECK(reach.samples <= reach.pixels * 32 + 11 * 7);
 }
 
-TEST_CASE("a pixel of which something bright cuts off a corner is not believed before its 32nd point") {
-  scene::Scene scene;
-  scene.stage().materials = {{.name = "lamp", .color = glm::dvec3(0), .emission = {1, 1, 1}}};
-  scene.apply(model::Agregar_Esfera{model::Elemento("lamp"), {1, 1, 1}, 0.01});  // which no point of the pixel sees
-  scene.set_material(*scene.find("lamp"), 0);
-  scene.stage().camera = scene::Camera{{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 90};
+namespace {
+
+/// How a scene with that stage is seen in one pixel of 90°, whose corners are (±1, ±1, 1) from the eye.
+render::Reach seen_in_one_pixel(const scene::Scene& scene, const render::Samples& samples) {
   const auto engine = engine::find("exact")->prepare(scene);
-  const auto samples_at = [&](const glm::dvec3& background) {
+  render::Reach reach;
+  render::render(scene, *engine, {}, {.size = scene::Resolution{1, 1}, .samples = samples}, &reach);
+  return reach;
+}
+
+constexpr std::uint64_t corners = 4 * 4;  // of one pixel, and of those around it
+
+}  // namespace
+
+TEST_CASE(
+    "a pixel of which something bright cuts off a corner is not believed before its 32nd point, nor one beside it "
+    "before its eighth") {
+  const auto samples_at = [&](const glm::dvec3& lamp, const glm::dvec3& background) {
+    scene::Scene scene;
+    scene.stage().materials = {{.name = "lamp", .color = glm::dvec3(0), .emission = {1, 1, 1}}};
+    scene.apply(
+        model::Agregar_Esfera{model::Elemento("lamp"), model::Punto(lamp), 0.01});  // which no point of the pixel sees
+    scene.set_material(*scene.find("lamp"), 0);
+    scene.stage().camera = scene::Camera{{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 90};
     scene.stage().background = background;
-    render::Reach reach;
-    const render::Frame frame{.size = scene::Resolution{1, 1},
-                              .samples = {.sampling = Sampling::statistical, .most = 1024}};
-    render::render(scene, *engine, {}, frame, &reach);
-    return reach.samples;
+    return seen_in_one_pixel(scene, {.sampling = Sampling::statistical, .most = 1024}).samples;
   };
-  CHECK(samples_at({1, 1, 1}) == 8 + 4);
-  CHECK(samples_at({0, 0, 0}) == 32 + 4);
+  for (const glm::dvec3& lamp : {glm::dvec3(1, 1, 1), glm::dvec3(-1, 1, 1), glm::dvec3(-1, -1, 1)}) {
+    CHECK(samples_at(lamp, {1, 1, 1}) == 4 + corners);
+    CHECK(samples_at(lamp, {0, 0, 0}) == 32 + corners);
+  }
+  for (const glm::dvec3& beside : {glm::dvec3(3, 1, 1), glm::dvec3(-3, -3, 1), glm::dvec3(1, -3, 1)})
+    CHECK(samples_at(beside, {0, 0, 0}) == 8 + corners);
+  CHECK(samples_at({5, 1, 1}, {0, 0, 0}) == 4 + corners);
+}
+
+TEST_CASE("few points are held to a part of the width, the last ones to all of it") {
+  CHECK(render::part_of_width(8) == 0.25);
+  CHECK(render::part_of_width(128) == 1);
+  CHECK(render::part_of_width(1024) == 1);
+  scene::Scene scene;
+  scene.stage().environment =
+      scene::Environment{.kind = scene::Surroundings::gradient, .colors = {glm::dvec3(0), glm::dvec3(1)}};
+  scene.stage().camera = scene::Camera{{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 1};
+  // From its lower to its upper side the pixel goes from 0.5 − r/2 to 0.5 + r/2, with a deviation of about r/√12. With
+  // nine looks, t(3) is 10.5, t(7) 4.9 and t(15) 3.8: half the interval is 1.5·r of four points, which are held to
+  // 0.18 of the width; of eight 0.5·r and 0.25; of sixteen 0.28·r and 0.35. From r on, corners differ by more than the
+  // width.
+  const double r = std::sin(0.5 * 3.14159265358979 / 180);
+  const auto seen = [&](double width, std::uint32_t most = 1024) {
+    return seen_in_one_pixel(scene, {.sampling = Sampling::statistical, .most = most, .width = width});
+  };
+  CHECK(seen(r / 0.05).samples == 4 + corners);
+  CHECK(seen(r / 0.3).samples == 8 + corners);
+  CHECK(seen(r / 0.85).samples == 16 + corners);
+  CHECK(seen(r / 1.5).samples == 32 + corners);
+  CHECK(seen(r / 0.85, 8).in_doubt == 0);
+  CHECK(seen(r / 1.5, 8).in_doubt == 1);
 }
 
 TEST_CASE("as many pixels as the confidence says are within the width, and it takes less than four tenths of a grid") {
@@ -252,7 +293,7 @@ TEST_CASE("as many pixels as the confidence says are within the width, and it ta
   };
   const render::Picture truth = drawn({.most = 4096});
   const double grid = squared_error(drawn({.most = 64}), truth);
-  const render::Samples samples{.sampling = Sampling::statistical, .most = 1024, .width = 0.12, .confidence = 0.95};
+  const render::Samples samples{.sampling = Sampling::statistical, .most = 1024, .width = 0.25, .confidence = 0.95};
   render::Reach reach;
   const render::Picture picture = drawn(samples, &reach);
   const double rays = double(reach.samples) / double(reach.pixels), error = squared_error(picture, truth);
