@@ -14,7 +14,6 @@ namespace HWY_NAMESPACE {
 namespace {
 
 using Next = WideWalker::Next;
-using Pace = WideWalker::Pace;
 
 /// A ray in every lane.
 struct LaneBeam {
@@ -32,9 +31,11 @@ struct LaneBeam {
   Lanes x, y, z, ix, iy, iz;
 };
 
-/// The children pushed last, the nearest to the end. Each is carried from the end to the beginning and left where a
-/// farther one stands, which is carried on in its place: without a branch, as which is nearer is as chance has it.
-HWY_INLINE void sort(WideWalker& walker, std::uint32_t begin) {
+/// The children that are not in order, the nearest to the end. Each is carried from the end to the beginning and left
+/// where a farther one stands, which is carried on in its place: without a branch, as which is nearer is as chance has
+/// it.
+HWY_INLINE void sort(WideWalker& walker) {
+  const std::uint32_t begin = walker.sorted;
   for (std::uint32_t i = begin + 1; i < walker.size; ++i) {
     double entry = walker.entries[i];
     std::uint64_t child = walker.children[i];
@@ -51,10 +52,11 @@ HWY_INLINE void sort(WideWalker& walker, std::uint32_t begin) {
   }
 }
 
-HWY_INLINE void open(WideWalker& walker, const WideNode& node, const LaneBeam& beam, double limit) {
+/// What is met of a node waits, not in order yet.
+HWY_INLINE void meet(WideWalker& walker, const WideNode& node, const LaneBeam& beam) {
   const Tag tag;
   const hn::Rebind<std::uint64_t, Tag> tag_of_children;
-  const std::uint32_t begin = walker.size;
+  walker.sorted = walker.size;
   const auto* children = reinterpret_cast<const std::uint64_t*>(node.children.data());
   for (std::size_t at = 0; at < WideNode::width; at += hn::Lanes(tag)) {
     const auto crossing = [&](std::size_t plane, Lanes p, Lanes inverse)
@@ -62,7 +64,7 @@ HWY_INLINE void open(WideWalker& walker, const WideNode& node, const LaneBeam& b
     Lanes entry = later(hn::Zero(tag), crossing(beam.near[0], beam.x, beam.ix));
     entry = later(entry, crossing(beam.near[1], beam.y, beam.iy));
     entry = later(entry, crossing(beam.near[2], beam.z, beam.iz));
-    Lanes exit = sooner(hn::Set(tag, limit), crossing(beam.far[0], beam.x, beam.ix));
+    Lanes exit = sooner(hn::Set(tag, walker.limit), crossing(beam.far[0], beam.x, beam.ix));
     exit = sooner(exit, crossing(beam.far[1], beam.y, beam.iy));
     exit = sooner(exit, crossing(beam.far[2], beam.z, beam.iz));
     const unsigned places = bits(meets(entry, exit));
@@ -74,37 +76,23 @@ HWY_INLINE void open(WideWalker& walker, const WideNode& node, const LaneBeam& b
     walker.size += static_cast<std::uint32_t>(std::popcount(places));
   }
   ++walker.nodes;
-  walker.met += walker.size - begin;
-  if (walker.size > begin + 1) sort(walker, begin);
+  walker.met += walker.size - walker.sorted;
 }
 
-HWY_INLINE void prefetch(const WideNode& node) {
-  const auto* line = reinterpret_cast<const char*>(&node);
-  for (std::size_t at = 0; at < sizeof(WideNode); at += 64) __builtin_prefetch(line + at);
-}
-
-Next advance_walker(WideWalker& walker, const WideNode* nodes, double limit, Pace pace) {
+Next advance_walker(WideWalker& walker, const WideNode* nodes, double limit) {
   const LaneBeam beam(walker.beam);
-  const double latest = latest_entry(limit);
-  while (walker.size > 0) {
-    --walker.size;
-    if (walker.entries[walker.size] > latest) {
-      ++walker.late;
-      continue;
-    }
-    const auto child = std::bit_cast<WideChild>(walker.children[walker.size]);
-    if (child.kind == WideChild::Kind::element) {
-      walker.element = child.element();
-      return Next::element;
-    }
-    open(walker, nodes[child.index], beam, limit);
-    if (pace == Pace::steady || walker.size == 0) continue;
-    const auto next = std::bit_cast<WideChild>(walker.children[walker.size - 1]);
-    if (next.kind == WideChild::Kind::element) continue;
-    prefetch(nodes[next.index]);
-    return Next::node;
+  Next next = walker.next(limit);
+  for (; next == Next::node; next = walker.next(limit)) {
+    meet(walker, nodes[walker.node], beam);
+    if (walker.size > walker.sorted + 1) sort(walker);
   }
-  return Next::end;
+  return next;
+}
+
+void open_walkers(const WideNode* nodes, std::span<WideWalker* const> walkers) {
+  for (WideWalker* const walker : walkers) meet(*walker, nodes[walker->node], LaneBeam(walker->beam));
+  for (WideWalker* const walker : walkers)
+    if (walker->size > walker->sorted + 1) sort(*walker);
 }
 
 }  // namespace
@@ -116,6 +104,7 @@ HWY_AFTER_NAMESPACE();
 namespace durero::accel {
 namespace {
 HWY_EXPORT(advance_walker);
+HWY_EXPORT(open_walkers);
 }  // namespace
 
 void WideWalker::restart(const trace::Ray& ray) {
@@ -125,8 +114,12 @@ void WideWalker::restart(const trace::Ray& ray) {
   children[0] = std::bit_cast<std::uint64_t>(WideChild{0, {}, WideChild::Kind::node});
 }
 
-WideWalker::Next WideWalker::advance(const WideNode* all, double limit, Pace pace) {
-  return HWY_DYNAMIC_DISPATCH(advance_walker)(*this, all, limit, pace);
+WideWalker::Next WideWalker::advance(const WideNode* all, double greatest) {
+  return HWY_DYNAMIC_DISPATCH(advance_walker)(*this, all, greatest);
+}
+
+void open(const WideNode* nodes, std::span<WideWalker* const> walkers) {
+  HWY_DYNAMIC_DISPATCH(open_walkers)(nodes, walkers);
 }
 
 }  // namespace durero::accel

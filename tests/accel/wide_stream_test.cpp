@@ -57,7 +57,7 @@ Pairs alone(std::span<const WideNode> nodes, std::span<const WideStreamRay> rays
   Pairs pairs;
   for (const WideStreamRay& ray : rays) {
     accel::WideWalker walker(whole[ray.number]);
-    while (walker.advance(nodes.data(), ray.limit, accel::WideWalker::Pace::steady) != accel::WideWalker::Next::end)
+    while (walker.advance(nodes.data(), ray.limit) != accel::WideWalker::Next::end)
       pairs.emplace(ray.number, walker.element);
   }
   return pairs;

@@ -36,30 +36,52 @@ std::vector<WideNode> two_nodes() {
   return nodes;
 }
 
-std::vector<std::uint32_t> walked(const glm::dvec3& v, double limit, WideWalker::Pace pace,
-                                  const glm::dvec3& p = {0, 0, 0}) {
+std::vector<std::uint32_t> walked(const glm::dvec3& v, double limit, const glm::dvec3& p = {0, 0, 0}) {
   const std::vector<WideNode> nodes = two_nodes();
   WideWalker walker{trace::Ray(ray(p, v))};
   std::vector<std::uint32_t> elements;
-  for (;;) {
-    const Next next = walker.advance(nodes.data(), limit, pace);
-    if (next == Next::end) return elements;
-    if (next == Next::element) elements.push_back(walker.element.index);
-  }
+  while (walker.advance(nodes.data(), limit) != Next::end) elements.push_back(walker.element.index);
+  return elements;
 }
 
 }  // namespace
 
-TEST_CASE("the nearest box comes first, and none beyond the limit, at either pace") {
-  for (const auto pace : {WideWalker::Pace::steady, WideWalker::Pace::by_nodes}) {
-    CHECK(walked({1, 0, 0}, trace::no_limit, pace) == std::vector<std::uint32_t>{1, 2, 0});
-    CHECK(walked({1, 0, 0}, 8, pace) == std::vector<std::uint32_t>{1, 2, 0});
-    CHECK(walked({1, 0, 0}, 7.5, pace) == std::vector<std::uint32_t>{1, 2});
-    CHECK(walked({2, 0, 0}, 1, pace) == std::vector<std::uint32_t>{1});
-    CHECK(walked({-1, 0, 0}, trace::no_limit, pace).empty());
-    CHECK(walked({1, 1, 0}, trace::no_limit, pace).empty());
-    CHECK(walked({2, 1, 0}, trace::no_limit, pace) == std::vector<std::uint32_t>{1});
-  }
+TEST_CASE("the nearest box comes first, and none beyond the limit") {
+  CHECK(walked({1, 0, 0}, trace::no_limit) == std::vector<std::uint32_t>{1, 2, 0});
+  CHECK(walked({1, 0, 0}, 8) == std::vector<std::uint32_t>{1, 2, 0});
+  CHECK(walked({1, 0, 0}, 7.5) == std::vector<std::uint32_t>{1, 2});
+  CHECK(walked({2, 0, 0}, 1) == std::vector<std::uint32_t>{1});
+  CHECK(walked({-1, 0, 0}, trace::no_limit).empty());
+  CHECK(walked({-1, 0, 0}, trace::no_limit, {20, 0, 0}) == std::vector<std::uint32_t>{0, 2, 1});
+  CHECK(walked({1, 1, 0}, trace::no_limit).empty());
+  CHECK(walked({2, 1, 0}, trace::no_limit) == std::vector<std::uint32_t>{1});
+}
+
+TEST_CASE("walkers that open their nodes side by side go on as each alone") {
+  const std::vector<WideNode> nodes = two_nodes();
+  std::vector<WideWalker> walkers;
+  const std::vector<glm::dvec3> from{{0, 0, 0}, {4, 0, 0}, {0, 5, 0}, {1, 0, 0}, {2.25, 0, 0}, {9.5, 0, 0}};
+  const auto v = [&](std::size_t i) { return glm::dvec3(i + 1 < from.size() ? 1 : -1, 0, 0); };
+  for (std::size_t i = 0; i < from.size(); ++i) walkers.emplace_back(trace::Ray(ray(from[i], v(i))));
+  std::vector<std::vector<std::uint32_t>> elements(walkers.size());
+  const double limit = 7;
+  std::vector<WideWalker*> at_nodes{&walkers[0]};  // which is one node ahead of the others
+  CHECK(walkers[0].next(limit) == Next::node);
+  open(nodes.data(), at_nodes);
+  do {
+    at_nodes.clear();
+    for (std::size_t i = 0; i < walkers.size(); ++i) {
+      Next next = walkers[i].next(limit);
+      for (; next == Next::element; next = walkers[i].next(limit)) elements[i].push_back(walkers[i].element.index);
+      if (next == Next::node) at_nodes.push_back(&walkers[i]);
+    }
+    open(nodes.data(), at_nodes);
+  } while (!at_nodes.empty());
+  for (std::size_t i = 0; i < walkers.size(); ++i) CHECK(elements[i] == walked(v(i), limit, from[i]));
+  CHECK(elements[0] == std::vector<std::uint32_t>{1, 2});
+  CHECK(elements[1] == std::vector<std::uint32_t>{0});
+  CHECK(elements[2].empty());
+  CHECK(elements[5] == std::vector<std::uint32_t>{0, 2, 1});
 }
 
 TEST_CASE("a ray in the plane of a face, or along an edge, meets the box") {
@@ -67,18 +89,18 @@ TEST_CASE("a ray in the plane of a face, or along an edge, meets the box") {
   for (const double zero : {0.0, -0.0})
     for (const glm::dvec3 p : {glm::dvec3(0, 1, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1),
                                glm::dvec3(0, 1, -1), glm::dvec3(0, -1, 1)})
-      CHECK(walked({1, zero, zero}, trace::no_limit, WideWalker::Pace::steady, p) == all);
+      CHECK(walked({1, zero, zero}, trace::no_limit, p) == all);
 }
 
 TEST_CASE("a walker counts, and starts again") {
   const std::vector<WideNode> nodes = two_nodes();
   WideWalker walker{trace::Ray(ray({0, 0, 0}, {1, 0, 0}))};
-  while (walker.advance(nodes.data(), trace::no_limit, WideWalker::Pace::steady) != Next::end) continue;
+  while (walker.advance(nodes.data(), trace::no_limit) != Next::end) continue;
   CHECK(walker.nodes == 2);
   CHECK(walker.met == 4);
   walker.restart(trace::Ray(ray({20, 0, 0}, {-1, 0, 0})));
-  CHECK(walker.advance(nodes.data(), trace::no_limit, WideWalker::Pace::steady) == Next::element);
+  CHECK(walker.advance(nodes.data(), trace::no_limit) == Next::element);
   CHECK(walker.element.index == 0);
-  CHECK(walker.advance(nodes.data(), 12, WideWalker::Pace::steady) == Next::end);
+  CHECK(walker.advance(nodes.data(), 12) == Next::end);
   CHECK(walker.late == 1);
 }

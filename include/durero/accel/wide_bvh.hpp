@@ -89,7 +89,7 @@ bool WideBvh::walk(const trace::Ray& ray, Limit limit, Visit visit, Count count)
   if (nodes_.empty()) return false;
   WideWalker walker(ray);
   bool answered = false;
-  while (!answered && walker.advance(nodes_.data(), limit(), WideWalker::Pace::steady) == WideWalker::Next::element) {
+  while (!answered && walker.advance(nodes_.data(), limit()) == WideWalker::Next::element) {
     count([](Work& work) { ++work.cells, ++work.candidates; });
     answered = visit(element(walker.element));
   }

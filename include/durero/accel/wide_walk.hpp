@@ -1,7 +1,6 @@
 #pragma once
 /// Many rays through the wide hierarchy. Those that stay close together walk it as bundles (wide_bundles.hpp). The
-/// others walk in streams, an octant of directions in each, or alone, several in turns, so that the memory which one
-/// waits for comes while the others walk.
+/// others walk in streams, an octant of directions in each (wide_stream.hpp), or alone in turns (wide_turns.hpp).
 
 #include <array>
 #include <cmath>
@@ -14,7 +13,7 @@
 #include "durero/accel/wide_leaves.hpp"
 #include "durero/accel/wide_order.hpp"
 #include "durero/accel/wide_stream.hpp"
-#include "durero/accel/wide_walker.hpp"
+#include "durero/accel/wide_turns.hpp"
 #include "durero/trace/finding.hpp"
 
 namespace durero::accel {
@@ -27,7 +26,6 @@ class WideWalk {
   WideWalk(const Tree& tree, std::span<const trace::Ray> rays, Limit& limit, Take& take, Flush& flush)
       : nodes_(tree.nodes()),
         leaves_(tree.leaves()),
-        waits_for_leaves_(nodes_.size_bytes() > WideLeaves::nearby),
         spacing_(tree.spacing()),
         rays_(rays),
         limit_(limit),
@@ -51,17 +49,15 @@ class WideWalk {
       }
     }
     bundles_.finish(alone_);
-    // In a large tree too few of the rays come to the same node, and none is asked of memory ahead.
-    if (alone_.size() < least_stream || nodes_.size_bytes() > WideLeaves::nearby) return walk_alone();
-    walk_streams();
+    // In a large tree too few of the rays come to the same node.
+    if (alone_.size() >= least_stream && nodes_.size_bytes() <= WideLeaves::nearby) return walk_streams();
+    WideTurns(nodes_, leaves_, rays_, limit_, take_).walk(alone_);
   }
 
  private:
   using Bundles = WideBundles<Tree, Limit, Take, Flush>;
 
-  static constexpr std::size_t least_stream = 64;   // rays alone that walk as streams
-  static constexpr std::size_t at_a_time = 16;      // rays alone
-  static constexpr std::size_t in_cache = 1 << 14;  // bytes of nodes that need no waiting for
+  static constexpr std::size_t least_stream = 64;  // rays alone that walk as streams
 
   /// In a large tree those that find company follow each other.
   void add_in_order() {
@@ -76,14 +72,6 @@ class WideWalk {
       bundles_.add(numbers[i], limit_(numbers[i]));
     }
   }
-
-  /// A walker, and the number of its ray.
-  struct Walking {
-    explicit Walking(const trace::Ray& ray) : walker(ray) {}
-    WideWalker walker;
-    std::uint32_t number = 0;
-    bool arrived = false;  // at an element, which memory was asked for
-  };
 
   static std::size_t octant_of(const glm::dvec3& v) {
     return static_cast<std::size_t>(std::signbit(v.x) + 2 * std::signbit(v.y) + 4 * std::signbit(v.z));
@@ -105,63 +93,8 @@ class WideWalk {
       stream.walk(std::span(streams).subspan(begin[octant], begin[octant + 1] - begin[octant]));
   }
 
-  /// The rays alone: one by one where the nodes fit the cache, and else several in turns.
-  void walk_alone() {
-    const bool few = nodes_.size_bytes() <= in_cache;
-    std::vector<Walking> walking;
-    std::size_t next = 0;
-    const auto start = [&](Walking& one) {
-      one.number = alone_[next++];
-      one.walker.restart(rays_[one.number]);
-    };
-    walking.reserve(few ? 1 : at_a_time);
-    while (next < alone_.size() && walking.size() < (few ? 1 : at_a_time))
-      start(walking.emplace_back(rays_[alone_[next]]));
-    std::array<std::uint32_t, at_a_time> active{};
-    std::size_t count = walking.size();
-    for (std::uint32_t i = 0; i < count; ++i) active[i] = i;
-    const auto pace = few ? WideWalker::Pace::steady : WideWalker::Pace::by_nodes;
-    while (count > 0) {
-      for (std::size_t i = 0; i < count;) {
-        Walking& one = walking[active[i]];
-        if (goes_on(one, pace)) {
-          ++i;
-        } else if (next < alone_.size()) {
-          start(one);
-          ++i;
-        } else {
-          active[i] = active[--count];
-        }
-      }
-    }
-  }
-
-  /// Goes on to the next node, and in a large tree to the next element, of which memory is asked for before another's
-  /// turn. Whether there is more.
-  bool goes_on(Walking& one, WideWalker::Pace pace) {
-    if (one.arrived) take_(one.number, one.walker.element);
-    one.arrived = false;
-    for (;;) {
-      switch (one.walker.advance(nodes_.data(), limit_(one.number), pace)) {
-        case WideWalker::Next::element:
-          if (waits_for_leaves_) {
-            accel::ask_for(nodes_, leaves_,
-                           {one.walker.element.index, one.walker.element.tipo, WideChild::Kind::element});
-            return one.arrived = true;
-          }
-          take_(one.number, one.walker.element);
-          break;
-        case WideWalker::Next::node:
-          return true;
-        case WideWalker::Next::end:
-          return false;
-      }
-    }
-  }
-
   std::span<const WideNode> nodes_;
   const WideLeaves& leaves_;
-  bool waits_for_leaves_;
   double spacing_;
   std::span<const trace::Ray> rays_;
   Limit& limit_;

@@ -1,0 +1,99 @@
+#pragma once
+/// Rays that walk the wide hierarchy alone, several in turns: in each turn those that have come to a node open it side
+/// by side (wide_walker.hpp), and the memory that one asks for comes while the others go on.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "durero/accel/wide_leaves.hpp"
+#include "durero/accel/wide_walker.hpp"
+
+namespace durero::accel {
+
+/// limit(number) and take(number, element) as in PairCandidates::pairs.
+template <class Limit, class Take>
+class WideTurns {
+ public:
+  /// All of these must outlive it. Precondition: there is a node.
+  WideTurns(std::span<const WideNode> nodes, const WideLeaves& leaves, std::span<const trace::Ray> rays, Limit& limit,
+            Take& take)
+      : nodes_(nodes), leaves_(leaves), rays_(rays), limit_(limit), take_(take) {}
+
+  /// The rays of these numbers.
+  void walk(std::span<const std::uint32_t> numbers) {
+    coming_ = numbers;
+    std::vector<Walking> walking;
+    walking.reserve(std::min(numbers.size(), at_a_time));
+    std::array<Walking*, at_a_time> active{};
+    std::size_t count = 0;
+    for (; count < at_a_time && !coming_.empty(); ++count) {
+      active[count] = &walking.emplace_back(rays_[coming_.front()]);
+      start(*active[count]);
+    }
+    while (count > 0) {
+      std::array<WideWalker*, at_a_time> at_nodes{};
+      std::size_t nodes = 0;
+      for (std::size_t i = 0; i < count;) {
+        Walking& one = *active[i];
+        if (goes_on(one)) {
+          if (!one.arrived) at_nodes[nodes++] = &one.walker;
+          ++i;
+        } else {
+          active[i] = active[--count];
+        }
+      }
+      open(nodes_.data(), std::span(at_nodes).first(nodes));
+    }
+  }
+
+ private:
+  static constexpr std::size_t at_a_time = 24;  // rays
+
+  /// A walker, and the number of its ray.
+  struct Walking {
+    explicit Walking(const trace::Ray& ray) : walker(ray) {}
+    WideWalker walker;
+    std::uint32_t number = 0;
+    bool arrived = false;  // at an element, which memory was asked for
+  };
+
+  /// With the next ray.
+  void start(Walking& one) {
+    one.number = coming_.front();
+    one.walker.restart(rays_[one.number]);
+    coming_ = coming_.subspan(1);
+  }
+
+  /// Takes what it has arrived at, and goes on to the next node or element, of which memory is asked for before
+  /// another's turn; at the end of its way with another ray. Whether there is more.
+  bool goes_on(Walking& one) {
+    if (one.arrived) take_(one.number, one.walker.element);
+    one.arrived = false;
+    for (;;) {
+      switch (one.walker.next(limit_(one.number))) {
+        case WideWalker::Next::element:
+          trace::ask_for(leaves_.row(one.walker.element));
+          return one.arrived = true;
+        case WideWalker::Next::node:
+          trace::ask_for(nodes_[one.walker.node]);
+          return true;
+        case WideWalker::Next::end:
+          if (coming_.empty()) return false;
+          start(one);
+      }
+    }
+  }
+
+  std::span<const WideNode> nodes_;
+  const WideLeaves& leaves_;
+  std::span<const trace::Ray> rays_;
+  Limit& limit_;
+  Take& take_;
+  std::span<const std::uint32_t> coming_;  // rays that have not started
+};
+
+}  // namespace durero::accel
