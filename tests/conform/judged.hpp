@@ -41,7 +41,7 @@ inline conform::Claims claims_blind_to_small(const conform::SuiteCase& of) {
   for (std::size_t ray = 0; ray < claims.size(); ++ray) {
     if (!claims[ray].element) continue;
     const bool is_small = of.the_case.scene.visit(*claims[ray].element, []<class Shape>(const Shape& shape) {
-      if constexpr (scene::has_attribute<Shape, &model::Escena::mi_radio>())
+      if constexpr (scene::has_attribute<Shape, &scene::AnyEscena::mi_radio>())
         return shape.radio < 0.5;
       else
         return false;

@@ -8,6 +8,7 @@
 #include "durero/model/tipos.hpp"
 #include "durero/scene/shapes.hpp"
 #include "support/doubles.hpp"
+#include "support/shapes.hpp"
 
 namespace durero::test {
 
@@ -70,6 +71,26 @@ inline rc::Gen<scene::Triangle> triangles(const Reals& x) {
     const auto& [a, b, c] = t.vertices;
     return model::Vertices::contains({model::Punto(a), model::Punto(b), model::Punto(c)});
   });
+}
+
+/// visit(shape) for one of each.
+template <class Visit>
+void for_one_of_each(const Reals& x, Visit visit) {
+  static_assert(scene::shape_count == 7, "another shape is one more below");
+  visit(*spheres(x));
+  visit(*cylinders(x));
+  visit(*cones(x));
+  visit(*planes(x));
+  visit(*discs(x));
+  visit(*triangles(x));
+  visit(*truncated_cones(x));
+}
+
+/// A scene of so many of each.
+inline scene::Scene some_of_each(const Reals& x, int count) {
+  scene::Scene scene;
+  for (int i = 0; i < count; ++i) for_one_of_each(x, [&](const auto& shape) { add(scene, shape); });
+  return scene;
 }
 
 }  // namespace durero::test

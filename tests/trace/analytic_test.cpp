@@ -14,20 +14,6 @@ using model::Resultado;
 
 namespace {
 
-scene::Scene scene_of(const Reals& numbers) {
-  scene::Scene scene;
-  for (int i = 0; i < 2; ++i) {
-    add(scene, *spheres(numbers));
-    add(scene, *cylinders(numbers));
-    add(scene, *cones(numbers));
-    add(scene, *planes(numbers));
-    add(scene, *discs(numbers));
-    add(scene, *triangles(numbers));
-    add(scene, *truncated_cones(numbers));
-  }
-  return scene;
-}
-
 /// Every entry point against the oracle, with and without tables.
 scene::Hit check_ray(const scene::Scene& scene, const trace::Tables& tables, const model::Rayo& ray, scene::Origin en) {
   namespace exact = surface::exact;
@@ -45,7 +31,7 @@ bool finite(const glm::dvec3& x) { return std::isfinite(x.x) && std::isfinite(x.
 
 /// A ray, then another from its hit, which starts on the elements hit.
 void check_path(const Reals& numbers) {
-  const scene::Scene scene = scene_of(numbers);
+  const scene::Scene scene = some_of_each(numbers, 2);
   const trace::Tables tables(scene);
   for (int i = 0; i < 10; ++i) {
     const scene::Hit hit = check_ray(scene, tables, *rays(numbers), {});
@@ -57,7 +43,7 @@ void check_path(const Reals& numbers) {
 
 /// Also of the uncertified tracer, where it has tables of all elements.
 void check_many(const Reals& numbers) {
-  const scene::Scene scene = scene_of(numbers);
+  const scene::Scene scene = some_of_each(numbers, 2);
   const trace::Tables tables(scene);
   std::vector<scene::Query> queries;
   for (int i = 0; i < 100; ++i) {
@@ -89,7 +75,7 @@ TEST_CASE("many rays at once have the answers of each") {
 
 TEST_CASE("the answers to many rays do not depend on the number of threads") {
   property("1, 2 and all threads", [] {
-    const scene::Scene scene = scene_of(moderate());
+    const scene::Scene scene = some_of_each(moderate(), 2);
     const trace::Tables tables(scene);
     std::vector<scene::Query> queries;
     for (int i = 0; i < 1000; ++i) {

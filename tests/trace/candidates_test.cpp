@@ -61,20 +61,6 @@ static_assert(trace::Candidates<Shuffled>);
 static_assert(trace::Candidates<trace::Tables>);
 static_assert(!trace::Candidates<scene::Scene>);
 
-scene::Scene scene_of(const Reals& numbers) {
-  scene::Scene scene;
-  for (int i = 0; i < 3; ++i) {
-    add(scene, *spheres(numbers));
-    add(scene, *cylinders(numbers));
-    add(scene, *cones(numbers));
-    add(scene, *planes(numbers));
-    add(scene, *discs(numbers));
-    add(scene, *triangles(numbers));
-    add(scene, *truncated_cones(numbers));
-  }
-  return scene;
-}
-
 bool finite(const glm::dvec3& x) { return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z); }
 
 /// Rays, and rays from their hits that start on the elements hit.
@@ -90,7 +76,7 @@ std::vector<scene::Query> queries_of(const scene::Scene& scene, const Reals& num
 }
 
 void check_source(const Reals& numbers) {
-  const scene::Scene scene = scene_of(numbers);
+  const scene::Scene scene = some_of_each(numbers, 3);
   const Shuffled source(scene);
   const std::vector<scene::Query> queries = queries_of(scene, numbers);
   std::vector<scene::Hit> hits(queries.size(), {.resultado = model::Resultado::no_minimum, .elementos = {{}}});

@@ -16,16 +16,7 @@ using scene::ElementRef;
 TEST_CASE("hits that the kernel is told of are written in their places, rounded once") {
   int hits = 0;
   property("packets of every size, of all types", [&] {
-    scene::Scene scene;
-    for (int i = 0; i < 3; ++i) {
-      add(scene, *spheres(moderate()));
-      add(scene, *cylinders(moderate()));
-      add(scene, *cones(moderate()));
-      add(scene, *planes(moderate()));
-      add(scene, *discs(moderate()));
-      add(scene, *triangles(moderate()));
-      add(scene, *truncated_cones(moderate()));
-    }
+    const scene::Scene scene = some_of_each(moderate(), 3);
     std::vector<scene::Query> queries;
     const int count = *rc::gen::inRange(1, 60);
     for (int i = 0; i < count; ++i) queries.push_back({*rays(moderate()), {}});

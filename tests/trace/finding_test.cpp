@@ -48,13 +48,7 @@ void check_steps(const Shape& shape, const model::Rayo& rayo, int& hits) {
 
 void check_shapes(const Reals& numbers, int& hits) {
   const model::Rayo rayo = *rays(numbers);
-  check_steps(*spheres(numbers), rayo, hits);
-  check_steps(*cylinders(numbers), rayo, hits);
-  check_steps(*cones(numbers), rayo, hits);
-  check_steps(*planes(numbers), rayo, hits);
-  check_steps(*discs(numbers), rayo, hits);
-  check_steps(*triangles(numbers), rayo, hits);
-  check_steps(*truncated_cones(numbers), rayo, hits);
+  for_one_of_each(numbers, [&](const auto& shape) { check_steps(shape, rayo, hits); });
 }
 
 }  // namespace

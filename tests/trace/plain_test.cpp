@@ -10,28 +10,10 @@
 using namespace durero;
 using namespace durero::test;
 
-namespace {
-
-scene::Scene random_scene() {
-  scene::Scene scene;
-  for (int i = 0; i < 3; ++i) {
-    add(scene, *spheres(moderate()));
-    add(scene, *cylinders(moderate()));
-    add(scene, *cones(moderate()));
-    add(scene, *planes(moderate()));
-    add(scene, *discs(moderate()));
-    add(scene, *triangles(moderate()));
-    add(scene, *truncated_cones(moderate()));
-  }
-  return scene;
-}
-
-}  // namespace
-
 TEST_CASE("plain closed forms agree with the exact answer on ordinary rays") {
   int compared = 0, hits = 0;
   property("outcome, elements and t to 2⁻³⁰", [&] {
-    const scene::Scene scene = random_scene();
+    const scene::Scene scene = some_of_each(moderate(), 3);
     const model::Rayo ray = *rays(moderate());
     const scene::Hit exact = surface::exact::first_hit(scene, ray);
     const scene::Hit plain = trace::plain::first_hit(scene, ray);
