@@ -173,7 +173,7 @@ Variable improved : Elemento -> Finding -> verdict Finding.
 Variable near : Finding -> set R.
 Variables low high : evidence Finding -> binary64.
 Variables certainly_less ahead : Finding -> Finding -> bool.
-Variable rounded : Finding -> option printed.
+Variable rounded : Elemento -> Finding -> option printed.
 Variable round_exact : surd -> printed.
 Hypothesis right : steps_right Elemento Finding printed met elements (rounds ray) in_range triage stable improved near
   low high certainly_less rounded round_exact.

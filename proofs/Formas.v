@@ -1552,6 +1552,150 @@ Definition round_point (p v : vec) (t : twofold) (error : R) : once_point :=
       (andb (Req_bool x23 (rnd (x19 + rnd (x21 + x22)))) (Rlt_bool (bpow radix2 (-900)) x27)) (Rlt_bool x27 (bpow radix2
       900))))).
 
+Definition round_plano (p v : vec) (t : twofold) (error : R) (centro : vec) (vector : vec) : once_point :=
+  let x1 := rnd (rnd ((4503600077730459 * bpow radix2 (-52)) * error) + rnd (bpow radix2 (-52) * Rabs (lo t))) in
+  let x2 := rnd (hi t + rnd (lo t - x1)) in
+  let x3 := Req_bool (cy vector) 0 in
+  let x4 := Req_bool (cz vector) 0 in
+  let x5 := andb x3 x4 in
+  let x6 := Req_bool (cx v) 0 in
+  let x7 := rnd (hi t * cx v) in
+  let x8 := rnd (x7 + cx p) in
+  let x9 := rnd (x8 - x7) in
+  let x10 := rnd (rnd (rnd (x7 - rnd (x8 - x9)) + rnd (cx p - x9)) + rnd (rnd (rnd (hi t * cx v - x7) + rnd (lo t * cx
+      v)) + 0)) in
+  let x11 := rnd (rnd ((4503600077730459 * bpow radix2 (-52)) * rnd (rnd (Rabs (cx v) * error) + rnd (bpow radix2 (-102)
+      * rnd (Rabs x7 + Rabs (cx p))))) + rnd (bpow radix2 (-52) * Rabs x10)) in
+  let x12 := rnd (x8 + rnd (x10 - x11)) in
+  let x13 := Req_bool (cx vector) 0 in
+  let x14 := andb x4 x13 in
+  let x15 := Req_bool (cy v) 0 in
+  let x16 := rnd (hi t * cy v) in
+  let x17 := rnd (x16 + cy p) in
+  let x18 := rnd (x17 - x16) in
+  let x19 := rnd (rnd (rnd (x16 - rnd (x17 - x18)) + rnd (cy p - x18)) + rnd (rnd (rnd (hi t * cy v - x16) + rnd (lo t *
+      cy v)) + 0)) in
+  let x20 := rnd (rnd ((4503600077730459 * bpow radix2 (-52)) * rnd (rnd (Rabs (cy v) * error) + rnd (bpow radix2 (-102)
+      * rnd (Rabs x16 + Rabs (cy p))))) + rnd (bpow radix2 (-52) * Rabs x19)) in
+  let x21 := rnd (x17 + rnd (x19 - x20)) in
+  let x22 := andb x13 x3 in
+  let x23 := Req_bool (cz v) 0 in
+  let x24 := rnd (hi t * cz v) in
+  let x25 := rnd (x24 + cz p) in
+  let x26 := rnd (x25 - x24) in
+  let x27 := rnd (rnd (rnd (x24 - rnd (x25 - x26)) + rnd (cz p - x26)) + rnd (rnd (rnd (hi t * cz v - x24) + rnd (lo t *
+      cz v)) + 0)) in
+  let x28 := rnd (rnd ((4503600077730459 * bpow radix2 (-52)) * rnd (rnd (Rabs (cz v) * error) + rnd (bpow radix2 (-102)
+      * rnd (Rabs x24 + Rabs (cz p))))) + rnd (bpow radix2 (-52) * Rabs x27)) in
+  let x29 := rnd (x25 + rnd (x27 - x28)) in
+  let x30 := Rabs x2 in
+  let x31 := Rabs x12 in
+  let x32 := Rabs x21 in
+  let x33 := Rabs x29 in
+  Once_point x2 (if x5 then rnd (cx centro + 0) else if x6 then rnd (cx p + 0) else x12) (if x14 then rnd (cy centro +
+      0) else if x15 then rnd (cy p + 0) else x21) (if x22 then rnd (cz centro + 0) else if x23 then rnd (cz p + 0) else
+      x29) (andb (andb (andb (andb (andb (Req_bool x2 (rnd (hi t + rnd (lo t + x1)))) (Rlt_bool (bpow radix2 (-900))
+      x30)) (Rlt_bool x30 (bpow radix2 900))) (orb x5 (orb x6 (andb (andb (Req_bool x12 (rnd (x8 + rnd (x10 + x11))))
+      (Rlt_bool (bpow radix2 (-900)) x31)) (Rlt_bool x31 (bpow radix2 900)))))) (orb x14 (orb x15 (andb (andb (Req_bool
+      x21 (rnd (x17 + rnd (x19 + x20)))) (Rlt_bool (bpow radix2 (-900)) x32)) (Rlt_bool x32 (bpow radix2 900)))))) (orb
+      x22 (orb x23 (andb (andb (Req_bool x29 (rnd (x25 + rnd (x27 + x28)))) (Rlt_bool (bpow radix2 (-900)) x33))
+      (Rlt_bool x33 (bpow radix2 900)))))).
+
+Definition round_disco (p v : vec) (t : twofold) (error : R) (centro : vec) (radio : R) (vector : vec) : once_point :=
+  let x1 := rnd (rnd ((4503600077730459 * bpow radix2 (-52)) * error) + rnd (bpow radix2 (-52) * Rabs (lo t))) in
+  let x2 := rnd (hi t + rnd (lo t - x1)) in
+  let x3 := Req_bool (cy vector) 0 in
+  let x4 := Req_bool (cz vector) 0 in
+  let x5 := andb x3 x4 in
+  let x6 := Req_bool (cx v) 0 in
+  let x7 := rnd (hi t * cx v) in
+  let x8 := rnd (x7 + cx p) in
+  let x9 := rnd (x8 - x7) in
+  let x10 := rnd (rnd (rnd (x7 - rnd (x8 - x9)) + rnd (cx p - x9)) + rnd (rnd (rnd (hi t * cx v - x7) + rnd (lo t * cx
+      v)) + 0)) in
+  let x11 := rnd (rnd ((4503600077730459 * bpow radix2 (-52)) * rnd (rnd (Rabs (cx v) * error) + rnd (bpow radix2 (-102)
+      * rnd (Rabs x7 + Rabs (cx p))))) + rnd (bpow radix2 (-52) * Rabs x10)) in
+  let x12 := rnd (x8 + rnd (x10 - x11)) in
+  let x13 := Req_bool (cx vector) 0 in
+  let x14 := andb x4 x13 in
+  let x15 := Req_bool (cy v) 0 in
+  let x16 := rnd (hi t * cy v) in
+  let x17 := rnd (x16 + cy p) in
+  let x18 := rnd (x17 - x16) in
+  let x19 := rnd (rnd (rnd (x16 - rnd (x17 - x18)) + rnd (cy p - x18)) + rnd (rnd (rnd (hi t * cy v - x16) + rnd (lo t *
+      cy v)) + 0)) in
+  let x20 := rnd (rnd ((4503600077730459 * bpow radix2 (-52)) * rnd (rnd (Rabs (cy v) * error) + rnd (bpow radix2 (-102)
+      * rnd (Rabs x16 + Rabs (cy p))))) + rnd (bpow radix2 (-52) * Rabs x19)) in
+  let x21 := rnd (x17 + rnd (x19 - x20)) in
+  let x22 := andb x13 x3 in
+  let x23 := Req_bool (cz v) 0 in
+  let x24 := rnd (hi t * cz v) in
+  let x25 := rnd (x24 + cz p) in
+  let x26 := rnd (x25 - x24) in
+  let x27 := rnd (rnd (rnd (x24 - rnd (x25 - x26)) + rnd (cz p - x26)) + rnd (rnd (rnd (hi t * cz v - x24) + rnd (lo t *
+      cz v)) + 0)) in
+  let x28 := rnd (rnd ((4503600077730459 * bpow radix2 (-52)) * rnd (rnd (Rabs (cz v) * error) + rnd (bpow radix2 (-102)
+      * rnd (Rabs x24 + Rabs (cz p))))) + rnd (bpow radix2 (-52) * Rabs x27)) in
+  let x29 := rnd (x25 + rnd (x27 - x28)) in
+  let x30 := Rabs x2 in
+  let x31 := Rabs x12 in
+  let x32 := Rabs x21 in
+  let x33 := Rabs x29 in
+  Once_point x2 (if x5 then rnd (cx centro + 0) else if x6 then rnd (cx p + 0) else x12) (if x14 then rnd (cy centro +
+      0) else if x15 then rnd (cy p + 0) else x21) (if x22 then rnd (cz centro + 0) else if x23 then rnd (cz p + 0) else
+      x29) (andb (andb (andb (andb (andb (Req_bool x2 (rnd (hi t + rnd (lo t + x1)))) (Rlt_bool (bpow radix2 (-900))
+      x30)) (Rlt_bool x30 (bpow radix2 900))) (orb x5 (orb x6 (andb (andb (Req_bool x12 (rnd (x8 + rnd (x10 + x11))))
+      (Rlt_bool (bpow radix2 (-900)) x31)) (Rlt_bool x31 (bpow radix2 900)))))) (orb x14 (orb x15 (andb (andb (Req_bool
+      x21 (rnd (x17 + rnd (x19 + x20)))) (Rlt_bool (bpow radix2 (-900)) x32)) (Rlt_bool x32 (bpow radix2 900)))))) (orb
+      x22 (orb x23 (andb (andb (Req_bool x29 (rnd (x25 + rnd (x27 + x28)))) (Rlt_bool (bpow radix2 (-900)) x33))
+      (Rlt_bool x33 (bpow radix2 900)))))).
+
+Definition round_triangulo (p v : vec) (t : twofold) (error : R) (a b c : vec) : once_point :=
+  let x1 := rnd (rnd ((4503600077730459 * bpow radix2 (-52)) * error) + rnd (bpow radix2 (-52) * Rabs (lo t))) in
+  let x2 := rnd (hi t + rnd (lo t - x1)) in
+  let x3 := andb (Req_bool (cx a) (cx b)) (Req_bool (cx a) (cx c)) in
+  let x4 := Req_bool (cx v) 0 in
+  let x5 := rnd (hi t * cx v) in
+  let x6 := rnd (x5 + cx p) in
+  let x7 := rnd (x6 - x5) in
+  let x8 := rnd (rnd (rnd (x5 - rnd (x6 - x7)) + rnd (cx p - x7)) + rnd (rnd (rnd (hi t * cx v - x5) + rnd (lo t * cx
+      v)) + 0)) in
+  let x9 := rnd (rnd ((4503600077730459 * bpow radix2 (-52)) * rnd (rnd (Rabs (cx v) * error) + rnd (bpow radix2 (-102)
+      * rnd (Rabs x5 + Rabs (cx p))))) + rnd (bpow radix2 (-52) * Rabs x8)) in
+  let x10 := rnd (x6 + rnd (x8 - x9)) in
+  let x11 := andb (Req_bool (cy a) (cy b)) (Req_bool (cy a) (cy c)) in
+  let x12 := Req_bool (cy v) 0 in
+  let x13 := rnd (hi t * cy v) in
+  let x14 := rnd (x13 + cy p) in
+  let x15 := rnd (x14 - x13) in
+  let x16 := rnd (rnd (rnd (x13 - rnd (x14 - x15)) + rnd (cy p - x15)) + rnd (rnd (rnd (hi t * cy v - x13) + rnd (lo t *
+      cy v)) + 0)) in
+  let x17 := rnd (rnd ((4503600077730459 * bpow radix2 (-52)) * rnd (rnd (Rabs (cy v) * error) + rnd (bpow radix2 (-102)
+      * rnd (Rabs x13 + Rabs (cy p))))) + rnd (bpow radix2 (-52) * Rabs x16)) in
+  let x18 := rnd (x14 + rnd (x16 - x17)) in
+  let x19 := andb (Req_bool (cz a) (cz b)) (Req_bool (cz a) (cz c)) in
+  let x20 := Req_bool (cz v) 0 in
+  let x21 := rnd (hi t * cz v) in
+  let x22 := rnd (x21 + cz p) in
+  let x23 := rnd (x22 - x21) in
+  let x24 := rnd (rnd (rnd (x21 - rnd (x22 - x23)) + rnd (cz p - x23)) + rnd (rnd (rnd (hi t * cz v - x21) + rnd (lo t *
+      cz v)) + 0)) in
+  let x25 := rnd (rnd ((4503600077730459 * bpow radix2 (-52)) * rnd (rnd (Rabs (cz v) * error) + rnd (bpow radix2 (-102)
+      * rnd (Rabs x21 + Rabs (cz p))))) + rnd (bpow radix2 (-52) * Rabs x24)) in
+  let x26 := rnd (x22 + rnd (x24 - x25)) in
+  let x27 := Rabs x2 in
+  let x28 := Rabs x10 in
+  let x29 := Rabs x18 in
+  let x30 := Rabs x26 in
+  Once_point x2 (if x3 then rnd (cx a + 0) else if x4 then rnd (cx p + 0) else x10) (if x11 then rnd (cy a + 0) else if
+      x12 then rnd (cy p + 0) else x18) (if x19 then rnd (cz a + 0) else if x20 then rnd (cz p + 0) else x26) (andb
+      (andb (andb (andb (andb (Req_bool x2 (rnd (hi t + rnd (lo t + x1)))) (Rlt_bool (bpow radix2 (-900)) x27))
+      (Rlt_bool x27 (bpow radix2 900))) (orb x3 (orb x4 (andb (andb (Req_bool x10 (rnd (x6 + rnd (x8 + x9)))) (Rlt_bool
+      (bpow radix2 (-900)) x28)) (Rlt_bool x28 (bpow radix2 900)))))) (orb x11 (orb x12 (andb (andb (Req_bool x18 (rnd
+      (x14 + rnd (x16 + x17)))) (Rlt_bool (bpow radix2 (-900)) x29)) (Rlt_bool x29 (bpow radix2 900)))))) (orb x19 (orb
+      x20 (andb (andb (Req_bool x26 (rnd (x22 + rnd (x24 + x25)))) (Rlt_bool (bpow radix2 (-900)) x30)) (Rlt_bool x30
+      (bpow radix2 900)))))).
+
 End Pairs.
 
 (** * Potencia at a point of a ray, in pairs that need not be normalised *)

@@ -247,7 +247,7 @@ Variables (Finding : Type) (in_range : Elemento -> bool)
   (triage stable : Elemento -> Limits.binary64 -> Search.verdict Finding)
   (improved : Elemento -> Finding -> Search.verdict Finding) (near : Finding -> set R)
   (low high : Search.evidence Finding -> Limits.binary64) (certainly_less ahead : Finding -> Finding -> bool)
-  (rounded : Finding -> option Chain.printed) (round_exact : Surd.surd -> Chain.printed).
+  (rounded : Elemento -> Finding -> option Chain.printed) (round_exact : Surd.surd -> Chain.printed).
 Hypothesis right : Search.steps_right Elemento Finding Chain.printed met elements (Chain.rounds ray) in_range triage stable
   improved near low high certainly_less rounded round_exact.
 
@@ -372,7 +372,7 @@ End Chain.
     Triage.shape has the numbers of an element, Triage.stands s e sh that e has them in s. The decisions are the recorded
     terms of Formas.v: Triage.lanes_of for rays in a batch, Triage.alone_of for one ray up to a limit, each for a ray that
     starts on the element (on) or does not. *)
-From Durero Require Verdict Steps Triage Doubled Second AtRoot AtRootText Running.
+From Durero Require Verdict Steps Triage Doubled Second AtRoot AtRootText Levels Running.
 Section Decisions.
 Variable Elemento : Type.
 Variables (s : Escena Elemento) (en : set Elemento) (p v : Vectors.vec).
@@ -442,6 +442,16 @@ Theorem the_quadratic_at_a_root_is_within_its_error e sh (on : bool) t T :
   AtRoot.within_error q (value f t) /\ Raux.bpow Zaux.radix2 (-900) <= Formas.error q
   /\ Raux.bpow Zaux.radix2 (-900) * (4 * Rabs (cA f * T + cB f)) <= Formas.error q.
 Proof. exact (AtRootText.at_root_right Elemento s ok p v p_ordinary v_ordinary e sh on t T). Qed.
+
+(** What is rounded of a hit of an element: where its plane stands at a right angle to an axis, the coordinate that all its
+    points have, and else as above. *)
+Theorem what_is_certain_on_an_element_is_rounded_right e sh t error T out :
+  Triage.stands Elemento s e sh -> Triage.ordinary_shape sh ->
+  (Levels.is_flat sh = true -> value (Triage.text_of p v sh) T = 0) ->
+  Twofold.pair t -> format error -> Raux.bpow Zaux.radix2 (-900) <= error -> Rabs (T - Twofold.whole t) <= error ->
+  let once := Levels.round_on p v sh t error in
+  Formas.Pairs.all_certain once = true -> Once.stores out once -> Chain.rounds ray out T.
+Proof. exact (Levels.round_on_right Elemento s p v e sh t error T out ok p_ordinary v_ordinary). Qed.
 
 (** So the steps of the search as they run are right, [Search.steps_right]: of Running.steps_run, which says that its triage,
     its second step, the ends around a parameter, the Newton step, what is certainly less and its rounding are the recorded

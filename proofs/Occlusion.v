@@ -123,7 +123,7 @@ Hypothesis described : describes Elemento S s en (map (fun e => (e, shape_of e, 
 Notation met := (met ray Elemento s en).
 Variables (Finding : Type) (in_range : Elemento -> bool) (triage stable : Elemento -> binary64 -> verdict Finding)
   (improved : Elemento -> Finding -> verdict Finding) (near : Finding -> set R) (low high : evidence Finding -> binary64)
-  (certainly_less : Finding -> Finding -> bool) (rounded : Finding -> option printed) (round_exact : surd -> printed).
+  (certainly_less : Finding -> Finding -> bool) (rounded : Elemento -> Finding -> option printed) (round_exact : surd -> printed).
 Hypothesis right : steps_right Elemento Finding printed met elements (rounds ray) in_range triage stable improved near
   low high certainly_less rounded round_exact.
 Notation reach_of := (reach_of Elemento S p v shape_of on).

@@ -11,7 +11,7 @@ From Coq Require Import Reals List Lra Lia ZArith.
 From Flocq Require Import Core BinarySingleNaN.
 From Durero Require Import Toolkit Especificacion Escena Puntos Trazador Interseccion.
 From Durero Require Search Limits Chain Formas Once Newton Ends ExactHit.
-From Durero Require Import Rounding Vectors Quotient Flotante Verdict Steps Triage Twofold Sums Doubled Second AtRoot AtRootText.
+From Durero Require Import Rounding Vectors Quotient Flotante Verdict Steps Triage Twofold Sums Doubled Second AtRoot AtRootText Levels.
 Import Formas.Pairs.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -102,7 +102,7 @@ Variables triage stable : Elemento -> Limits.binary64 -> Search.verdict finding.
 Variable improved : Elemento -> finding -> Search.verdict finding.
 Variables low high : Search.evidence finding -> Limits.binary64.
 Variables less : finding -> finding -> bool.
-Variable rounded : finding -> option Chain.printed.
+Variable rounded : Elemento -> finding -> option Chain.printed.
 Variable round_exact : Surd.surd -> Chain.printed.
 
 (** The text's quadratic along the ray; where the ray starts on the element, without its constant term. *)
@@ -130,8 +130,8 @@ Record steps_run : Prop := {
     let better_root := newton root slope curvature (at_root p v (shape_of e) (on e) (Formas.value root)) in
     known_slope better_root = true /\ g = Improved (Formas.Known (better better_root) (better_error better_root));
   less_runs : forall f g, less f g = true -> exists a b, f = Double a /\ g = Double b /\ certainly_less a b = true;
-  rounding_runs : forall f out, rounded f = Some out -> exists root, (f = Double root \/ f = Improved root) /\
-    let once := round_point p v (Formas.value root) (Formas.error root) in
+  rounding_runs : forall e f out, In e elements -> rounded e f = Some out -> exists root, (f = Double root \/ f = Improved root) /\
+    let once := round_on p v (shape_of e) (Formas.value root) (Formas.error root) in
     all_certain once = true /\ Once.stores out once;
   exact_runs : forall x, Surd.valid x -> exists t, ExactHit.sound t /\ ExactHit.denotes t = Surd.val x /\
     ExactHit.hit_into p v t (round_exact x) }.
@@ -195,6 +195,33 @@ Proof.
   - rewrite Rabs_minus_sym; auto.
 Qed.
 
+(** Of a flat surface nothing is found by a ray that starts on it. *)
+Lemma flat_never_found sh limit : is_flat sh = true ->
+  (forall root slope curvature, alone_of p v sh true limit <> Formas.Hit root slope curvature) /\
+  (forall root slope curvature, second_of p v sh true limit <> Formas.Hit root slope curvature).
+Proof.
+  intros Flat.
+  assert (A : exists q, alone_of p v sh true limit = Formas.first_of_linear_on q limit) by (destruct sh; try discriminate; eexists; reflexivity).
+  assert (B : exists q, second_of p v sh true limit = first_of_linear_on q limit) by (destruct sh; try discriminate; eexists; reflexivity).
+  destruct A as [q ->], B as [q' ->]; unfold Formas.first_of_linear_on, first_of_linear_on; do 2 destruct Rlt_bool; split; discriminate.
+Qed.
+
+Lemma reports_off_flat e f : steps_run -> In e elements -> Search.reports Elemento finding in_range triage stable improved e f ->
+  in_range e = true /\ (is_flat (shape_of e) = true -> on e = false).
+Proof.
+  intros Runs He [Hr Hf]; split; [exact Hr|]; intros Flat; destruct (on e) eqn:On; [exfalso | reflexivity].
+  destruct Hf as [[x Hx] | (g & x & Hx & _)].
+  - destruct (stable_runs Runs e x He Hr) as (a & Ha & E); rewrite On in Ha; rewrite Hx in E; unfold answered_pair in Ha.
+    destruct a as [| | root slope curvature]; try discriminate; destruct (is_finite x).
+    + exact (proj2 (flat_never_found (shape_of e) (B2R x) Flat) _ _ _ (eq_sym Ha)).
+    + destruct Ha as (low0 & Ha); destruct (format_above low0) as (l & Fl & Hl).
+      exact (proj2 (flat_never_found (shape_of e) l Flat) _ _ _ (eq_sym (Ha l Fl Hl))).
+  - destruct (triage_runs Runs e x He Hr) as (a & Ha & E); rewrite On in Ha; rewrite Hx in E; unfold answered in Ha.
+    destruct a as [| | root slope curvature]; try discriminate; destruct (is_finite x).
+    + exact (proj1 (flat_never_found (shape_of e) (B2R x) Flat) _ _ _ (eq_sym Ha)).
+    + destruct Ha as (low0 & Ha); exact (proj1 (flat_never_found (shape_of e) low0 Flat) _ _ _ (eq_sym (Ha low0 (Rle_refl _)))).
+Qed.
+
 Theorem steps_are_right : steps_run ->
   Search.steps_right Elemento finding Chain.printed met elements (Chain.rounds ray) in_range triage stable improved near low high
     less rounded round_exact.
@@ -217,9 +244,13 @@ Proof.
     + destruct Hv as [Hx <-], E as [-> ->]; apply Ends.nearest_between, (exact_is_rounded x Runs Hx).
   - intros f g a b Hless Ha Hb; destruct (less_runs Runs f g Hless) as (x & y & -> & -> & Hxy).
     exact (Ends.certainly_less_near x y a b Ha Hb Hxy).
-  - intros f out t Hf Hn; destruct (rounding_runs Runs f out Hf) as (root & Hroot & Hc & Hst).
+  - intros e f out t He Hrep Ht Hf Hn; destruct (rounding_runs Runs e f out He Hf) as (root & Hroot & Hc & Hst).
     assert (Hclose : close root t) by (destruct Hroot as [-> | ->]; [now apply near_pair_close | exact Hn]).
-    destruct Hclose as (H & P & Fe & He); apply (Once.certain_is_rounded_right p v (Formas.value root) (Formas.error root)); auto; now rewrite Rabs_minus_sym.
+    destruct Hclose as (H & P & Fe & Le), (described e He) as [Hs Hon], (reports_off_flat e f Runs He Hrep) as [Hr Off].
+    apply (round_on_right Elemento s p v e (shape_of e) (Formas.value root) (Formas.error root)); auto.
+    + intros Flat; destruct Ht as [Ht _]; apply (met_of_shape Elemento s ok en p v e _ (on e) Hs Hon) in Ht.
+      rewrite (Off Flat) in Ht; exact (proj1 (proj2 Ht)).
+    + now rewrite Rabs_minus_sym.
   - intros x Hx; exact (exact_is_rounded x Runs Hx).
 Qed.
 End Running.

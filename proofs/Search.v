@@ -25,9 +25,7 @@ Local Open Scope R_scope.
 
 Section Search.
 Variables E Finding Printed : Type.
-Variable met : E -> set R.
-Variable es : list E.
-Variable reach_of : E -> reach.
+Variables (met : E -> set R) (es : list E) (reach_of : E -> reach).
 Hypothesis met_positive : forall e t, met e t -> 0 < t.
 Hypothesis exact_step : forall e, In e es -> reaches (met e) (reach_of e).
 
@@ -39,14 +37,10 @@ Variable rounds : Printed -> set R.
 Inductive verdict := Miss | Hit (f : Finding) | Undecided.
 Inductive evidence := By_triage (f : Finding) | By_stable (f : Finding) | By_exact (x : surd).
 
-Variable in_range : E -> bool.
-Variables triage stable : E -> binary64 -> verdict.
-Variable improved : E -> Finding -> verdict.
-Variable near : Finding -> set R.
-Variables low high : evidence -> binary64.
+Variables (in_range : E -> bool) (triage stable : E -> binary64 -> verdict) (improved : E -> Finding -> verdict).
+Variables (near : Finding -> set R) (low high : evidence -> binary64).
 Variables certainly_less ahead : Finding -> Finding -> bool.
-Variable rounded : Finding -> option Printed.
-Variable round_exact : surd -> Printed.
+Variables (rounded : E -> Finding -> option Printed) (round_exact : surd -> Printed).
 
 Definition tells (e : E) (v : evidence) (t : R) : Prop :=
   match v with
@@ -65,6 +59,10 @@ Definition decides (step : E -> binary64 -> verdict) : Prop :=
   | Undecided => True
   end.
 
+(** What is rounded: a finding of the second step, or of the first, improved. *)
+Definition reports (e : E) (f : Finding) : Prop :=
+  in_range e = true /\ ((exists x, stable e x = Hit f) \/ exists g x, triage e x = Hit g /\ improved e g = Hit f).
+
 (** All that is assumed of the floating-point steps. *)
 Record steps_right : Prop := {
   triage_decides : decides triage;
@@ -73,7 +71,8 @@ Record steps_right : Prop := {
     is_least (met e) t -> near f t -> near g t;
   ends_around : forall e v t, In e es -> is_least (met e) t -> tells e v t -> at_most (low v) t /\ at_least (high v) t;
   certainly_less_is_less : forall f g a b, certainly_less f g = true -> near f a -> near g b -> a < b;
-  rounded_is_certain : forall f out t, rounded f = Some out -> near f t -> rounds out t;
+  rounded_is_certain : forall e f out t, In e es -> reports e f -> is_least (met e) t -> rounded e f = Some out -> near f t ->
+    rounds out t;
   round_exact_right : forall x, valid x -> rounds (round_exact x) (val x)
 }.
 
@@ -136,7 +135,7 @@ Definition nearest_by_exact (l : list candidate) : list candidate := not_farther
 Definition nearest (l : list candidate) : list candidate :=
   let l' := if several l then nearest_by_stable l else l in if several l' then nearest_by_exact l' else l'.
 
-Definition attempt (v : verdict) : option Printed := match v with Hit f => rounded f | _ => None end.
+Definition attempt (e : E) (v : verdict) : option Printed := match v with Hit f => rounded e f | _ => None end.
 Definition round_candidate (c : candidate) : option Printed :=
   let (e, v) := c in
   let last := match v, reach_of e with
@@ -146,8 +145,8 @@ Definition round_candidate (c : candidate) : option Printed :=
     end in
   let or_else a b := match a with Some out => Some out | None => b end in
   match v with
-  | By_triage f => or_else (attempt (improved e f)) (or_else (attempt (stable e infinite)) last)
-  | By_stable f => or_else (rounded f) last
+  | By_triage f => or_else (attempt e (improved e f)) (or_else (attempt e (stable e infinite)) last)
+  | By_stable f => or_else (rounded e f) last
   | By_exact _ => last
   end.
 
@@ -427,20 +426,23 @@ Proof.
   intros He Ht Hv. destruct (exactly_right e v t He Ht Hv) as [_ [Htell [x Hx]]]. rewrite Hx in Htell.
   destruct Htell as [Hvalid Hval]. pose proof (round_exact_right right x Hvalid) as Rx. rewrite Hval in Rx.
   unfold round_candidate. unfold exactly in Hx. cbn [fst snd] in Hx.
-  assert (S : in_range e = true -> forall out, attempt (stable e infinite) = Some out -> rounds out t).
+  assert (S : in_range e = true -> forall out, attempt e (stable e infinite) = Some out -> rounds out t).
   { intros Hr out H. pose proof (stable_decides right e infinite He Hr) as D.
-    destruct (stable e infinite) as [| g |]; cbn in H; try discriminate. destruct D as [u [Hu Hg]].
-    rewrite (least_unique _ _ _ Ht Hu). now apply (rounded_is_certain right g). }
-  destruct v as [f | f | y]; [destruct Hv as [Hr [Hby Hf]] | destruct Hv as [Hr [_ Hf]] |].
+    destruct (stable e infinite) as [| g |] eqn:Hs; cbn in H; try discriminate. destruct D as [u [Hu Hg]].
+    rewrite <- (least_unique _ _ _ Ht Hu) in Hg.
+    exact (rounded_is_certain right e g out t He (conj Hr (or_introl (ex_intro _ _ Hs))) Ht H Hg). }
+  destruct v as [f | f | y]; [destruct Hv as [Hr [Hby Hf]] | destruct Hv as [Hr [Hby Hf]] |].
   - assert (Last : reach_of e = At x) by (destruct (reach_of e) as [| z |]; cbn in Hx; congruence). rewrite Last.
-    destruct (attempt (improved e f)) as [out |] eqn:A1.
+    destruct (attempt e (improved e f)) as [out |] eqn:A1.
     + exists out. split; [reflexivity |]. destruct (improved e f) as [| g |] eqn:I; cbn in A1; try discriminate.
-      apply (rounded_is_certain right g); [exact A1 |]. now apply (improved_near right e f g t).
-    + destruct (attempt (stable e infinite)) as [out |] eqn:A2; [exists out; split; [reflexivity | now apply S] |].
+      destruct Hby as [b Hb]. apply (rounded_is_certain right e g out t He); auto.
+      * split; [exact Hr | right; now exists f, b].
+      * apply (improved_near right e f g t); auto. now exists b.
+    + destruct (attempt e (stable e infinite)) as [out |] eqn:A2; [exists out; split; [reflexivity | now apply S] |].
       now exists (round_exact x).
   - assert (Last : reach_of e = At x) by (destruct (reach_of e) as [| z |]; cbn in Hx; congruence). rewrite Last.
-    destruct (rounded f) as [out |] eqn:A1; [| now exists (round_exact x)].
-    exists out. split; [reflexivity | now apply (rounded_is_certain right f)].
+    destruct (rounded e f) as [out |] eqn:A1; [| now exists (round_exact x)]. exists out.
+    split; [reflexivity | exact (rounded_is_certain right e f out t He (conj Hr (or_introl Hby)) Ht A1 Hf)].
   - injection Hx as ->. now exists (round_exact x).
 Qed.
 

@@ -108,10 +108,7 @@ Built of_found(const Found<T>& found) {
 template <class T>
 void of_shapes(const std::string& type) {
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
-    std::string given = " (p v : vec) (speed : R)";
-    scene::for_each_attribute<Shape>(
-        [&](const auto& attribute) { given += variables(attribute.word, Shape().*attribute.field); });
-    define("", std::string(Shape::word) + given + " : quadratic " + type,
+    define("", std::string(Shape::word) + " (p v : vec) (speed : R)" + attributes<Shape>() + " : quadratic " + type,
            [&] { return of_quadratic(quadratic<T>(element<Shape::tipo>(), ray())); });
   });
 }
@@ -243,9 +240,16 @@ void once() {
     const Once<Term> found = round_coordinate(p, v, t, error);
     return Built{"Once", {found.value.node, found.certain.node}};
   });
-  define("", "round_point (p v : vec) (t : twofold) (error : R) : once_point", [&] {
-    const OncePoint<Term> found = round_point(ray(), t, error);
+  const auto whole = [](const OncePoint<Term>& found) {
     return Built{"Once_point", {found.t.node, found.x.node, found.y.node, found.z.node, found.certain.node}};
+  };
+  const std::string of_ray = " (p v : vec) (t : twofold) (error : R)", result = " : once_point";
+  define("", "round_point" + of_ray + result, [&] { return whole(round_point(ray(), t, error)); });
+  scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
+    if constexpr (is_linear(Shape::tipo)) {
+      define("", "round_" + std::string(Shape::word) + of_ray + attributes<Shape>() + result,
+             [&] { return whole(round_point_on(element<Shape::tipo>(), ray(), t, error)); });
+    }
   });
 }
 

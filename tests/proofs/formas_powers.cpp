@@ -2,7 +2,6 @@
 /// operation on a sum of two binary64 is named, and recorded by itself.
 #include <cstdio>
 
-#include "durero/scene/attributes.hpp"
 #include "proofs/written.hpp"
 #include "trace/shapes-inl.hpp"
 
@@ -77,10 +76,7 @@ void write_powers() {
   define("", "product (x y : twofold) : twofold", [&] { return built_pair(product(x, y)); });
   define("", "product_by (x : twofold) (a : R) : twofold", [&] { return built_pair(product(x, real("a"))); });
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
-    std::string given = " (t : R) (p v : vec) (speed : R)";
-    scene::for_each_attribute<Shape>(
-        [&](const auto& attribute) { given += variables(attribute.word, Shape().*attribute.field); });
-    define("", std::string(Shape::word) + given + " : known twofold",
+    define("", std::string(Shape::word) + " (t : R) (p v : vec) (speed : R)" + attributes<Shape>() + " : known twofold",
            [&] { return of_power(power_at(Named(real("t")), element<Shape::tipo, Named>(), ray<Named>())); });
   });
   define("", "launched (there here : known twofold) : known twofold",

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "durero/scene/attributes.hpp"
 #include "durero/scene/shapes.hpp"
 #include "proofs/recorder.hpp"
 
@@ -50,6 +51,14 @@ RayIn<L> ray() {
 inline std::string variables(std::string_view word, double) { return " (" + std::string(word) + " : R)"; }
 inline std::string variables(std::string_view word, const glm::dvec3&) { return " (" + std::string(word) + " : vec)"; }
 inline std::string variables(std::string_view, const scene::Corners&) { return " (a b c : vec)"; }
+
+template <class Shape>
+std::string attributes() {
+  std::string given;
+  scene::for_each_attribute<Shape>(
+      [&](const auto& attribute) { given += variables(attribute.word, Shape().*attribute.field); });
+  return given;
+}
 
 /// The module Powers, of power-inl.hpp.
 void write_powers();
