@@ -64,6 +64,8 @@ bool written(Writing& to, const Image& image) {
   if (setjmp(png_jmpbuf(to.png))) return false;
   png_set_IHDR(to.png, to.info, image.resolution.width, image.resolution.height, 8, PNG_COLOR_TYPE_RGB,
                PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  // The filters of PNG take two thirds of the time that is spent on it, and most pictures of rays become no smaller.
+  png_set_filter(to.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
   png_set_sRGB_gAMA_and_cHRM(to.png, to.info, PNG_sRGB_INTENT_PERCEPTUAL);
   png_set_text(to.png, to.info, to.texts.data(), static_cast<int>(to.texts.size()));
   png_write_info(to.png, to.info);
