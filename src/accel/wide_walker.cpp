@@ -84,15 +84,14 @@ Next advance_walker(WideWalker& walker, const WideNode* nodes, double limit) {
   Next next = walker.next(limit);
   for (; next == Next::node; next = walker.next(limit)) {
     meet(walker, nodes[walker.node], beam);
-    if (walker.size > walker.sorted + 1) sort(walker);
+    sort(walker);
   }
   return next;
 }
 
 void open_walkers(const WideNode* nodes, std::span<WideWalker* const> walkers) {
   for (WideWalker* const walker : walkers) meet(*walker, nodes[walker->node], LaneBeam(walker->beam));
-  for (WideWalker* const walker : walkers)
-    if (walker->size > walker->sorted + 1) sort(*walker);
+  for (WideWalker* const walker : walkers) sort(*walker);
 }
 
 }  // namespace

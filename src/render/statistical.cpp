@@ -18,8 +18,8 @@ namespace {
 constexpr std::uint32_t points_of_an_edge = 32, points_near_an_edge = 8;
 /// @}
 
-/// How often it is asked whether a pixel is settled: at least_samples points and at each power of two up to the most.
-std::uint32_t looks(std::uint32_t most_points) { return std::bit_width(most_points / least_samples); }
+/// How often it is asked whether a pixel is settled, up to so many points: at least_samples and at each power of two.
+std::uint32_t looks(std::uint32_t points) { return std::bit_width(points / least_samples); }
 
 /// What a deviation of 1 makes of half the confidence interval at each look, over the part of the width that is asked
 /// for there. Of the last look the whole width is asked, since nothing comes after it.
@@ -101,7 +101,7 @@ bool Statistical::is_believed(std::uint32_t x, std::uint32_t y, std::uint32_t po
 
 // NaN, the product of a black material and an infinite light, is not within: such a pixel gets all its rays.
 bool Statistical::is_settled(const Estimate& estimate) const {
-  const double half_width = half_widths_[std::bit_width(estimate.points / least_samples) - 1];
+  const double half_width = half_widths_[looks(estimate.points) - 1];
   return within(half_width * deviation(estimate), samples_.width);
 }
 

@@ -217,7 +217,6 @@ void order() {
 void once() {
   const Twofold<Term> t = pair_of("t"), at = pair_of("(value f)");
   const Term p = real("p"), v = real("v"), error = real("error");
-  const auto pair = [](const Twofold<Term>& x) { return built("Twofold", {x.hi.node, x.lo.node}); };
   std::printf(
       "\nRecord improved := Improved { known_slope : bool; better : twofold; better_error : R }.\n"
       "Record once := Once { rounded : R; certain : bool }.\n"
@@ -226,7 +225,7 @@ void once() {
     const Improved<Term> found =
         newton<Term>({real("value t"), real("error t")}, {real("value slope"), real("error slope")},
                      {real("value A"), real("error A")}, {at, real("error f")});
-    return Built{"Improved", {found.known.node, pair(found.t), found.error.node}};
+    return Built{"Improved", {found.known.node, node_of(found.t), found.error.node}};
   });
   define("", "round_once (t : twofold) (error : R) : once", [&] {
     const Once<Term> found = round_once(t, error);
@@ -234,7 +233,7 @@ void once() {
   });
   define("", "coordinate (p v : R) (t : twofold) (error : R) : known twofold", [&] {
     const Coordinate<Term> found = coordinate(p, v, t, error);
-    return Built{"Known", {pair(found.value), found.error.node}};
+    return Built{"Known", {node_of(found.value), found.error.node}};
   });
   define("", "round_coordinate (p v : R) (t : twofold) (error : R) : once", [&] {
     const Once<Term> found = round_coordinate(p, v, t, error);

@@ -21,7 +21,6 @@ Twofold<Named> pair(const std::string& operation, std::vector<Node> operands) {
   const auto part = [&](const char* of) { return Named(Term({of, Tightness::application}, {node})); };
   return {part("hi %0"), part("lo %0")};
 }
-Node node_of(const Twofold<Named>& x) { return record_pair(x.hi.node, x.lo.node); }
 
 }  // namespace
 

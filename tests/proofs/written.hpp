@@ -22,6 +22,11 @@ template <class T>
 Node known(const T& value, Term error) {
   return built("Known", {value.node, error.node});
 }
+/// A pair as a part.
+template <class T>
+Node node_of(const Twofold<T>& x) {
+  return record_pair(x.hi.node, x.lo.node);
+}
 inline Built built_pair(const Twofold<Term>& x) { return Built{"Twofold", {x.hi.node, x.lo.node}}; }
 
 // Names of what the definitions are of.

@@ -31,8 +31,8 @@ class WideTurns {
     std::array<Walking*, at_a_time> active{};
     std::size_t count = 0;
     for (; count < at_a_time && !coming_.empty(); ++count) {
-      active[count] = &walking.emplace_back(rays_[coming_.front()]);
-      start(*active[count]);
+      const std::uint32_t number = next_number();
+      active[count] = &walking.emplace_back(rays_[number], number);
     }
     while (count > 0) {
       std::array<WideWalker*, at_a_time> at_nodes{};
@@ -55,17 +55,17 @@ class WideTurns {
 
   /// A walker, and the number of its ray.
   struct Walking {
-    explicit Walking(const trace::Ray& ray) : walker(ray) {}
+    Walking(const trace::Ray& ray, std::uint32_t number_of_it) : walker(ray), number(number_of_it) {}
     WideWalker walker;
-    std::uint32_t number = 0;
+    std::uint32_t number;
     bool arrived = false;  // at an element, which memory was asked for
   };
 
-  /// With the next ray.
-  void start(Walking& one) {
-    one.number = coming_.front();
-    one.walker.restart(rays_[one.number]);
+  /// Of the next ray, which is on its way then.
+  std::uint32_t next_number() {
+    const std::uint32_t number = coming_.front();
     coming_ = coming_.subspan(1);
+    return number;
   }
 
   /// Takes what it has arrived at, and goes on to the next node or element, of which memory is asked for before
@@ -83,7 +83,8 @@ class WideTurns {
           return true;
         case WideWalker::Next::end:
           if (coming_.empty()) return false;
-          start(one);
+          one.number = next_number();
+          one.walker.restart(rays_[one.number]);
       }
     }
   }
