@@ -14,6 +14,11 @@
 #include <utility>
 #include <vector>
 
+/// @{ For `durero version`: that none is there.
+#define TBB_VERSION_MAJOR 0
+#define TBB_VERSION_MINOR 0
+/// @}
+
 namespace tbb {
 
 inline namespace stand_in {
@@ -63,6 +68,13 @@ void parallel_for(Index begin, Index end, const Body& body) {
   on_threads(static_cast<std::size_t>(end - begin), [&](std::size_t i) { body(static_cast<Index>(begin + i)); });
 }
 
+/// How TBB is to cut a range: here each index is one call, whatever is asked.
+struct simple_partitioner {};
+template <class Index, class Body>
+void parallel_for(Index begin, Index end, const Body& body, const simple_partitioner&) {
+  parallel_for(begin, end, body);
+}
+
 /// One call for each index: TBB may cut a range so far.
 template <class Index, class Body>
 void parallel_for(const blocked_range<Index>& range, const Body& body) {
@@ -90,6 +102,10 @@ class task_arena {
   };
   int threads_;
 };
+
+namespace this_task_arena {
+inline int max_concurrency() { return loop_threads; }
+}  // namespace this_task_arena
 
 /// A bound on threads changes no answer, and fewer would show less.
 class global_control {
