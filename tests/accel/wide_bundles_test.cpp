@@ -123,11 +123,15 @@ TEST_CASE("rays that stay together are bundled and others are not, and either wa
   for (int i = 0; i < 300; ++i) add(scene, scene::Sphere{random.in_cube(1), 0.15});
   const accel::WideBvh tree(scene);
   const auto no_limit = [](std::uint32_t) { return trace::no_limit; };
-  for (const bool close : {true, false}) {
+  enum class Kind { close, scattered, opposed };  // of what is opposed, no ray asked may walk with the next
+  for (const Kind kind : {Kind::close, Kind::scattered, Kind::opposed}) {
+    CAPTURE(static_cast<int>(kind));
+    const bool close = kind == Kind::close;
     std::vector<trace::Ray> rays;
     for (int i = 0; i < 1000; ++i) {
       const glm::dvec3 v = close ? glm::dvec3(0.1 + 1e-5 * i, 0.2, 1) : random.direction();
-      rays.emplace_back(close ? ray({0, 0, -3}, v) : ray(random.in_cube(1), v));
+      const double side = kind == Kind::opposed && (v.x > 0) == (i % 2 == 0) ? -1 : 1;
+      rays.emplace_back(close ? ray({0, 0, -3}, v) : ray(random.in_cube(1), v * side));
     }
     std::uint64_t together = 0, alone = 0, expected = 0;
     tree.pairs(rays, no_limit, Counting{together, alone}, [] {});
