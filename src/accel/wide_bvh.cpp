@@ -157,7 +157,10 @@ WideBvh::WideBvh(const scene::Scene& scene) : scene_(&scene) {
     for (WideChild& child : nodes_[i].children)
       if (child.kind == ChildKind::element) child.index = leaves_.push_back(scene, child.element()).index;
   }
-  for (const scene::ElementRef e : unbounded_) unbounded_leaves_.push_back(leaves_.push_back(scene, e));
+  for (const scene::ElementRef e : unbounded_) every_rays_leaves_.push_back(leaves_.push_back(scene, e));
+  if (nodes_.size() == 1)
+    for (const WideChild& child : nodes_[0].children)
+      if (child.kind == ChildKind::element) every_rays_leaves_.push_back(child.element());
 }
 
 Size WideBvh::size() const {
@@ -170,7 +173,7 @@ Size WideBvh::size() const {
   size.depth = nodes_.empty() ? 0 : depth(nodes_, 0);
   size.bytes =
       sizeof *this + nodes_.capacity() * sizeof(WideNode) +
-      (unbounded_.capacity() + unbounded_leaves_.capacity() + extraordinary_.capacity()) * sizeof(scene::ElementRef);
+      (unbounded_.capacity() + every_rays_leaves_.capacity() + extraordinary_.capacity()) * sizeof(scene::ElementRef);
   size.bytes += leaves_.bytes();
   return size;
 }

@@ -6,7 +6,7 @@
 #include "conform/allowance.hpp"
 #include "conform/solids.hpp"
 #include "durero/number/quotient.hpp"
-#include "durero/scene/addition.hpp"
+#include "durero/scene/attributes.hpp"
 #include "durero/surface/surfaces.hpp"
 
 namespace durero::conform {
@@ -23,10 +23,6 @@ std::optional<scene::Disc> closing_disc(const Shape& wall, bool at_base) {
   return disc.radio > 0 ? std::optional(disc) : std::nullopt;
 }
 
-bool add(scene::Scene& scene, const std::string& name, const auto& shape) {
-  return scene.apply_total(scene::addition(model::Elemento(name), shape)).ok();
-}
-
 /// Adds the discs of an element with an axis. Whether the model takes them.
 bool close(SuiteCase& of, const Draft::Element& element) {
   scene::Scene& scene = of.the_case.scene;
@@ -36,7 +32,7 @@ bool close(SuiteCase& of, const Draft::Element& element) {
       for (const bool at_base : {true, false}) {
         const std::optional<scene::Disc> disc = closing_disc(wall, at_base);
         const std::string name = element.name + (at_base ? ".base" : ".top");
-        if (disc && !add(scene, name, *disc)) return false;
+        if (disc && !scene.add(model::Elemento(name), *disc).ok()) return false;
         if (disc) solid.discs.push_back(*scene.find(name));
       }
     }
@@ -64,9 +60,8 @@ std::optional<SuiteCase> Draft::built(const SuiteCase& like) const {
   if (!is_finite(p) || !is_finite(v) || v == glm::dvec3(0)) return std::nullopt;
   SuiteCase of{.family = like.family, .number = like.number, .parameter = like.parameter, .the_case = {}};
   for (const Element& element : elements) {
-    const bool is_added =
-        std::visit([&](const auto& shape) { return add(of.the_case.scene, element.name, shape); }, element.shape);
-    if (!is_added) return std::nullopt;
+    const auto add = [&](const auto& shape) { return of.the_case.scene.add(model::Elemento(element.name), shape); };
+    if (!std::visit(add, element.shape).ok()) return std::nullopt;
   }
   for (const Element& element : elements) {
     if (are_closed && !close(of, element)) return std::nullopt;

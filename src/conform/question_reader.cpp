@@ -8,7 +8,7 @@
 #include "durero/conform/question.hpp"
 #include "durero/io/number_text.hpp"
 #include "durero/io/source.hpp"
-#include "durero/scene/addition.hpp"
+#include "durero/scene/attributes.hpp"
 #include "durero/text/shown.hpp"
 
 namespace durero::conform {
@@ -66,7 +66,7 @@ class Numbers {
 };
 
 template <class Shape>
-model::Operation read_addition(const QuestionLine& line) {
+model::Answer add(const QuestionLine& line, scene::Scene& scene) {
   if (line.words.size() < 2 || !model::Elemento::is_name(line.words[1])) line.fail(1, "no name", "expected a name");
   Shape shape{};
   Numbers numbers(line, 2);
@@ -76,17 +76,16 @@ model::Operation read_addition(const QuestionLine& line) {
     });
   }
   numbers.end();
-  return scene::addition(model::Elemento(std::string(line.words[1])), shape);
+  return scene.add(model::Elemento(std::string(line.words[1])), shape);
 }
 
 void read_element(const QuestionLine& line, scene::Scene& scene) {
-  std::optional<model::Operation> operation;
+  std::optional<model::Answer> answer;
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
-    if (line.words.front() == Shape::word) operation = read_addition<Shape>(line);
+    if (line.words.front() == Shape::word) answer = add<Shape>(line, scene);
   });
-  if (!operation) line.fail(0, text::shown(line.words.front()), "expected an element, or rays and their number");
-  const model::Answer answer = scene.apply_total(*operation);
-  if (!answer.ok()) line.fail(0, std::string(model::name(answer.r)), *answer.violated);
+  if (!answer) line.fail(0, text::shown(line.words.front()), "expected an element, or rays and their number");
+  if (!answer->ok()) line.fail(0, std::string(model::name(answer->r)), *answer->violated);
 }
 
 scene::Query read_ray(const QuestionLine& line) {

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "attribute_words.hpp"
-#include "durero/scene/addition.hpp"
+#include "durero/model/escena.hpp"
+#include "durero/scene/attributes.hpp"
 #include "durero/text/nearest.hpp"
 #include "durero/text/shown.hpp"
 #include "field.hpp"
@@ -212,8 +213,7 @@ void read_element(json::Reader& in, scene::Scene& scene, std::vector<MaterialUse
   scene::with_shape(f.tipo, [&]<class Shape>(std::type_identity<Shape>) {
     check_attributes<Shape>(in, f);
     check_wrap<Shape>(in, f);
-    const model::Answer answer = scene.apply_total(
-        model::Operation(scene::addition(model::Elemento{std::string(f.id.value)}, shape_of<Shape>(f))));
+    const model::Answer answer = scene.add(model::Elemento{std::string(f.id.value)}, shape_of<Shape>(f));
     if (!answer.ok()) refuse<Shape>(in, f, answer);
   });
   set_wrap(scene, f);

@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "durero/io/scene_file.hpp"
-#include "durero/model/operaciones.hpp"
 #include "durero/model/tipos.hpp"
 #include "durero/text/shown.hpp"
 #include "groups_reader.hpp"

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "durero/model/operaciones.hpp"
 #include "losses.hpp"
 #include "polygons.hpp"
 

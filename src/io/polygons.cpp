@@ -1,7 +1,5 @@
 #include "polygons.hpp"
 
-#include "durero/scene/addition.hpp"
-#include "durero/scene/edit.hpp"
 #include "losses.hpp"
 #include "triangulation.hpp"
 
@@ -15,9 +13,8 @@ void Polygons::add(std::span<const glm::dvec3> polygon, std::optional<std::uint3
     return;
   }
   for (const auto& [a, b, c] : *triangles) {
-    const model::Answer answer = scene_.apply_total(scene::Edit{
-        scene::addition(model::Elemento{name(++number_)}, scene::Triangle{{polygon[a], polygon[b], polygon[c]}}),
-        material});
+    const model::Answer answer =
+        scene_.add(model::Elemento{name(++number_)}, scene::Triangle{{polygon[a], polygon[b], polygon[c]}}, material);
     if (!answer.ok())
       ++aligned_;  // the name is new, so that nothing else can be wrong
     else if (!uv.empty())

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "durero/scene/addition.hpp"
 #include "durero/text/shown.hpp"
 #include "element_reader.hpp"
 #include "field.hpp"
@@ -14,17 +13,13 @@ namespace {
 constexpr std::size_t id = 0, tipo = 1, first_attribute = 2;
 
 void add_name(const json::Reader& in, scene::Scene& scene, const Placed<std::string_view>& name) {
-  const model::Answer answer = scene.apply_total(stand_in(name.value));
+  const model::Answer answer = scene.add(model::Elemento{std::string(name.value)}, stand_in);
   if (answer.ok()) return;
   in.fail(name.offset, fmt::format("id is {}: {}", text::shown(name.value), model::name(answer.r)),
           fmt::format("expected {} ({})", answer.violated->predicate, answer.violated->label), answer.violated);
 }
 
 }  // namespace
-
-model::Operation stand_in(std::string_view name) {
-  return scene::addition(model::Elemento{std::string(name)}, scene::Sphere{{}, 1});
-}
 
 std::optional<std::size_t> written_type(const json::Reader& in, std::span<const WrittenType> types) {
   auto tipo_here = in.member("tipo");

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <utility>
 
-#include "durero/model/operaciones.hpp"
+#include "durero/model/escena.hpp"
 #include "durero/zed/evaluate/unfold.hpp"
 #include "durero/zed/print/print.hpp"
 #include "durero/zed/syntax/parser.hpp"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "durero/model/operaciones.hpp"
 #include "durero/zed/value/roots.hpp"
 
 namespace durero::oracle::spec {

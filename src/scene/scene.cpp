@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "durero/scene/addition.hpp"
 #include "durero/scene/edit.hpp"
 #include "durero/scene/retrieve.hpp"
 
@@ -56,5 +57,19 @@ model::Answer Scene::apply_total(const Edit& edit) {
   if (answer.ok() && edit.material) set_material(find(name_of(edit.operation).name()).value(), edit.material);
   return answer;
 }
+
+template <class Shape>
+model::Answer Scene::add(const model::Elemento& e, const Shape& shape, std::optional<std::uint32_t> material) {
+  return apply_total(Edit{addition(e, shape), material});
+}
+
+using OfMaterial = std::optional<std::uint32_t>;
+template model::Answer Scene::add(const model::Elemento&, const Sphere&, OfMaterial);
+template model::Answer Scene::add(const model::Elemento&, const Cylinder&, OfMaterial);
+template model::Answer Scene::add(const model::Elemento&, const Cone&, OfMaterial);
+template model::Answer Scene::add(const model::Elemento&, const TruncatedCone&, OfMaterial);
+template model::Answer Scene::add(const model::Elemento&, const Plane&, OfMaterial);
+template model::Answer Scene::add(const model::Elemento&, const Disc&, OfMaterial);
+template model::Answer Scene::add(const model::Elemento&, const Triangle&, OfMaterial);
 
 }  // namespace durero::scene

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "durero/io/groups_file.hpp"
-#include "durero/model/tipo/esfera.hpp"
+#include "durero/scene/addition.hpp"
 
 namespace durero::written {
 namespace {
@@ -95,7 +95,8 @@ io::EditAnswer Edited::add(const io::WrittenAddition& in) {
     surface_of(*text_, in.element);
     elements_.emplace(in.element.id, in.element);
   };
-  io::EditAnswer answer = add_if_given({io::stand_in(in.element.id), in.material}, make);
+  io::EditAnswer answer =
+      add_if_given({scene::addition(model::Elemento{in.element.id}, io::stand_in), in.material}, make);
   if (answer.ok()) answer.r = answer_word(model::Respuesta::elemento_agregado);
   return answer;
 }

@@ -143,6 +143,25 @@ TEST_CASE("rays that stay together are bundled and others are not, and either wa
   }
 }
 
+TEST_CASE("in a tree of one node every open ray is tested in columns, against its elements and those without a box") {
+  Random random(5);
+  scene::Scene scene;
+  add(scene, scene::Plane{{0, 0, 0}, {0, 0, 1}});
+  for (int i = 0; i < 5; ++i) add(scene, scene::Sphere{random.in_cube(1), 0.15});
+  const accel::WideBvh tree(scene);
+  REQUIRE(tree.nodes().size() == 1);
+  std::vector<trace::Ray> rays;
+  for (int i = 0; i < 150; ++i) {
+    const glm::dvec3 p = random.in_cube(1);
+    rays.emplace_back(ray(p, random.direction()));
+  }
+  const auto limit = [](std::uint32_t number) { return number % 3 == 0 ? 0 : trace::no_limit; };
+  std::uint64_t together = 0, alone = 0;
+  tree.pairs(rays, limit, Counting{together, alone}, [] {});
+  CHECK(together == 100 * scene.size());
+  CHECK(alone == 0);
+}
+
 namespace {
 
 /// What rays in columns take closes them for all that lies beyond the middle of it.
@@ -166,6 +185,7 @@ struct Nearest {
 TEST_CASE("what a bundle has found is known before it comes to the next element, for however few of its rays") {
   scene::Scene scene;
   for (const double z : {5.0, 9.0, 13.0}) add(scene, scene::Sphere{{0, 0, z}, 1});
+  for (int i = 0; i < 9; ++i) add(scene, scene::Sphere{{50, 50, 5 * i}, 1});  // so that a bundle walks
   const accel::WideBvh tree(scene);
   std::vector<trace::Ray> rays;  // of eight in a row one meets the spheres
   for (int i = 0; i < 64; ++i) rays.emplace_back(ray({i % 8 == 3 ? 0.1 : 1.5, 1e-3 * i, 0}, {1e-6, 1e-6, 1}));

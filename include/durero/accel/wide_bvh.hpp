@@ -1,6 +1,7 @@
 #pragma once
 /// The wide hierarchy: boxes of eight children a node, in binary32 and rounded outwards, down to single elements. One
-/// ray walks it alone, nearest box first; many walk it together (wide_walk.hpp).
+/// ray walks it alone, nearest box first; many walk it together (wide_walk.hpp), or are tested in columns against each
+/// element where these are so few that they are one node.
 ///
 /// Apart from it are kept the elements that are not ordinary, and those without a finite box in binary32, as planes.
 
@@ -66,8 +67,8 @@ class WideBvh {
   Size size() const;
 
  private:
-  template <class Flush, class Limit, class Take>
-  void pairs_of_unbounded(std::span<const trace::Ray> rays, Limit& limit, Take& take) const;
+  template <class Bundles, class Limit, class Take>
+  void pairs_in_columns(std::span<const trace::Ray> rays, Limit& limit, Take& take) const;
   template <class Limit, class Visit, class Count>
   bool walk(const trace::Ray& ray, Limit limit, Visit visit, Count count) const;
 
@@ -76,7 +77,8 @@ class WideBvh {
   WideLeaves leaves_;  // of the nodes, then those of unbounded_
   double spacing_ = 0;
   std::vector<scene::ElementRef> unbounded_, extraordinary_;
-  std::vector<scene::ElementRef> unbounded_leaves_;  // in the order of unbounded_
+  // Those of unbounded_ in their order, then those of a tree of one node: what every ray may be tested against.
+  std::vector<scene::ElementRef> every_rays_leaves_;
 };
 
 /// count(f) adds up by f(work), where work is counted. All eight boxes of a node are tested, empty ones with them.
@@ -102,43 +104,43 @@ bool WideBvh::walk(const trace::Ray& ray, Limit limit, Visit visit, Count count)
   return answered;
 }
 
-/// As many rays as columns have room for against one element after another, where they may be told together.
-template <class Flush, class Limit, class Take>
-void WideBvh::pairs_of_unbounded(std::span<const trace::Ray> rays, Limit& limit, Take& take) const {
-  using Bundles = WideBundles<WideBvh, Limit, Take, Flush>;
-  if constexpr (Bundles::takes_many) {
-    trace::RayColumns columns;
-    typename Bundles::Numbers numbers{};
-    std::size_t count = 0;
-    const auto take_all = [&] {
-      std::uint64_t which = ~std::uint64_t{} >> (columns.size - count);
-      for (const scene::ElementRef leaf : unbounded_leaves_) {
-        const std::uint64_t changed = which == 0 ? 0 : take(columns, numbers, which, leaf);
-        if constexpr (Bundles::takes_any) which &= ~changed;
-      }
-      count = 0;
-    };
-    for (std::uint32_t number = 0; number < rays.size(); ++number) {
-      if (!(limit(number) > 0)) continue;
-      columns.set(count, rays[number]);
-      numbers[count++] = number;
-      if (count == columns.size) take_all();
+/// As many rays as columns have room for against one of every ray's leaves after another.
+template <class Bundles, class Limit, class Take>
+void WideBvh::pairs_in_columns(std::span<const trace::Ray> rays, Limit& limit, Take& take) const {
+  trace::RayColumns columns;
+  typename Bundles::Numbers numbers{};
+  std::size_t count = 0;
+  const auto take_all = [&] {
+    std::uint64_t which = ~std::uint64_t{} >> (columns.size - count);
+    for (const scene::ElementRef leaf : every_rays_leaves_) {
+      const std::uint64_t changed = which == 0 ? 0 : take(columns, numbers, which, leaf);
+      if constexpr (Bundles::takes_any) which &= ~changed;
     }
-    if (count > 0) take_all();
-  } else {
-    for (std::uint32_t number = 0; number < rays.size(); ++number)
-      if (limit(number) > 0)
-        for (const scene::ElementRef leaf : unbounded_leaves_) take(number, leaf);
+    count = 0;
+  };
+  for (std::uint32_t number = 0; number < rays.size(); ++number) {
+    if (!(limit(number) > 0)) continue;
+    columns.set(count, rays[number]);
+    numbers[count++] = number;
+    if (count == columns.size) take_all();
   }
+  if (count > 0) take_all();
 }
 
 template <class Limit, class Take, class Flush>
 void WideBvh::pairs(std::span<const trace::Ray> rays, Limit limit, Take take, Flush flush) const {
   if (rays.empty()) return;
-  if (!unbounded_.empty()) pairs_of_unbounded<Flush>(rays, limit, take);
-  if (nodes_.empty()) return;
-  WideWalk walk(*this, rays, limit, take, flush);
-  walk.all();
+  using Bundles = WideBundles<WideBvh, Limit, Take, Flush>;
+  if constexpr (Bundles::takes_many) {
+    if (!every_rays_leaves_.empty()) pairs_in_columns<Bundles>(rays, limit, take);
+    if (nodes_.size() == 1) return;
+  } else {
+    const auto unbounded = std::span(every_rays_leaves_).first(unbounded_.size());
+    for (std::uint32_t number = 0; number < rays.size() && !unbounded.empty(); ++number)
+      if (limit(number) > 0)
+        for (const scene::ElementRef leaf : unbounded) take(number, leaf);
+  }
+  if (!nodes_.empty()) WideWalk(*this, rays, limit, take, flush).all();
 }
 
 }  // namespace durero::accel

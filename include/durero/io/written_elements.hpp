@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "durero/scene/shape/attribute.hpp"
+#include "durero/scene/shape/sphere.hpp"
 
 namespace durero::io {
 
@@ -55,8 +56,8 @@ struct WrittenPart {
   const WrittenByName* by_name = nullptr;  ///< not null where there are types
 };
 
-/// The operation that gives such an element its name and its place in a scene: it stands there as a sphere.
-model::Operation stand_in(std::string_view name);
+/// What gives such an element its name and its place in a scene: it stands there as a sphere.
+inline constexpr scene::Sphere stand_in{{}, 1};
 
 /// An addition of such an element, `Agregar_Toro`.
 struct WrittenAddition {

@@ -71,16 +71,6 @@ Addition specific(const Agregar_Elemento& general);
 /// The removal of its type that a general removal stands for. Precondition: Eliminar_Elemento.pre.1.
 Removal specific(const Escena& escena, const Eliminar_Elemento& general);
 
-/// What a total operation answers: r!, and where it is an error, the precondition of the partial operation that
-/// does not hold.
-struct Answer {
-  Respuesta r;                                 ///< r!
-  const contract::clause* violated = nullptr;  ///< null where the operation is done
-  /// Whether the operation is done.
-  bool ok() const noexcept { return violated == nullptr; }
-  bool operator==(const Answer&) const = default;
-};
-
 /// The partial operation. Throws contract_violation where a clause does not hold; the scene is then as it was.
 Respuesta apply(Escena& escena, const Operation& operation);
 

@@ -1,13 +1,14 @@
 #pragma once
-/// The operations of spec/operaciones.tex by their names alone, for whoever hands them on and looks into none. What
-/// each is, stands in model/operaciones.hpp; whoever makes one or looks into one includes that.
+/// The operations of spec/operaciones.tex by their names alone, and what a total one answers: for whoever hands them on
+/// and looks into none. What each is, stands in model/operaciones.hpp, which whoever makes one or looks into one includes.
 
 #include <variant>
+
+#include "durero/model/tipos.hpp"
 
 namespace durero::model {
 
 struct Escena;
-struct Answer;
 
 /// @{ The additions, a type each, and the general one.
 struct Agregar_Esfera;
@@ -37,5 +38,15 @@ using Operation =
     std::variant<Agregar_Esfera, Agregar_Cilindro, Agregar_Cono, Agregar_Tronco, Agregar_Plano, Agregar_Disco,
                  Agregar_Triangulo, Agregar_Elemento, Eliminar_Esfera, Eliminar_Cilindro, Eliminar_Cono,
                  Eliminar_Tronco, Eliminar_Plano, Eliminar_Disco, Eliminar_Triangulo, Eliminar_Elemento>;
+
+/// What a total operation answers: r!, and where it is an error, the precondition of the partial operation that
+/// does not hold.
+struct Answer {
+  Respuesta r;                                 ///< r!
+  const contract::clause* violated = nullptr;  ///< null where the operation is done
+  /// Whether the operation is done.
+  bool ok() const noexcept { return violated == nullptr; }
+  bool operator==(const Answer&) const = default;
+};
 
 }  // namespace durero::model

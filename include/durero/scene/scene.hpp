@@ -74,6 +74,9 @@ class Scene {
   /// The same of an edit: a new element gets the edit's material. Throws std::out_of_range, and changes nothing, where
   /// the edit's material is none of the stage's.
   model::Answer apply_total(const Edit& edit);
+  /// The total addition of an element of that geometry, for whoever reads no operations. Of every shape.
+  template <class Shape>
+  model::Answer add(const model::Elemento& e, const Shape& shape, std::optional<std::uint32_t> material = {});
 
   /// Puts the audits of edits off until audit(): for a reader, whose additions are audited together.
   void put_off_audits() noexcept { audits_are_put_off_ = true; }
