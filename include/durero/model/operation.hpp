@@ -1,6 +1,7 @@
 #pragma once
 /// The operations of spec/operaciones.tex by their names alone, and what a total one answers: for whoever hands them on
-/// and looks into none. What each is, stands in model/operaciones.hpp, which whoever makes one or looks into one includes.
+/// and looks into none. What each is, stands in model/operaciones.hpp; whoever makes one or looks into one includes
+/// that.
 
 #include <variant>
 
