@@ -307,7 +307,8 @@ Theorem the_steps_that_run_are_right elements (shape_of : Elemento -> Triage.sha
     Running.near low high certainly_less rounded round_exact.
 Proof.
   intros described range.
-  exact (Running.steps_are_right Elemento s en p v ok ray_ok elements shape_of on in_range described range triage stable improved low high certainly_less rounded round_exact).
+  exact (Running.steps_are_right Elemento s en p v ok ray_ok elements shape_of on in_range described range triage stable
+    improved low high certainly_less rounded round_exact).
 Qed.
 End Decisions.
 
