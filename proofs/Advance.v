@@ -106,7 +106,7 @@ Qed.
 
 Lemma z_small : 0 < z <= u * h.
 Proof.
-  split; [apply bpow_gt_0|]; destruct h_ordinary as [_ [Z0|[Hh _]]]; [lra|]; rewrite Rabs_pos_eq in Hh by lra.
+  split; [apply bpow_gt_0|]; pose proof (r_least h h_ordinary h_positive) as Hh.
   apply Rle_trans with (u * bpow radix2 (-100)); [unfold z; rewrite <- bpow_plus; apply bpow_le; lia|].
   apply Rmult_le_compat_l; [apply bpow_ge_0 | exact Hh].
 Qed.

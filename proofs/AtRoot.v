@@ -233,9 +233,6 @@ Qed.
 Lemma square_below a b : 0 <= a <= b -> a * a <= b * b.
 Proof. intros [Ha Hb]; apply Rmult_le_compat; lra. Qed.
 
-Lemma positive_size r : ordinary r -> 0 < r -> bpow radix2 (-100) <= r.
-Proof. intros [_ [Z0|[H _]]] Hr; [lra | rewrite Rabs_pos_eq in H; lra]. Qed.
-
 Lemma uu_positive : 0 < u * u.
 Proof. apply Rmult_lt_0_compat; apply bpow_gt_0. Qed.
 
@@ -329,7 +326,7 @@ Proof. apply (reached_sizes p v t v_ordinary c c_ordinary). Qed.
 Theorem sphere_powered r : ordinary r -> 0 < r -> let f := Formas.Powers.esfera t p v (extent_fl v) c r in
   powered f (dot e e - r * r) /\ 1 * bpow radix2 (-300) <= Formas.error f.
 Proof.
-  intros Hr Hr0; pose proof (positive_size r Hr Hr0) as Lr; pose proof (proj1 Hr) as Fr; pose proof reached_nonneg as HW.
+  intros Hr Hr0; pose proof (r_least r Hr Hr0) as Lr; pose proof (proj1 Hr) as Fr; pose proof reached_nonneg as HW.
   change (Formas.Powers.esfera t p v (extent_fl v) c r) with (let m := rnd (W + r) in
     Formas.Known (Formas.Powers.difference (squared q) (two_prod r r)) (rnd (rnd (bpow radix2 (-95) * m) * m))); cbv zeta.
   set (M := W + r); assert (EM : M = W + r) by reflexivity; set (m := rnd M).

@@ -145,7 +145,7 @@ End Axis.
 Lemma kappa_low k : ordinary k -> 0 < k ->
   (1 - 4 * e12) * (2048 * (u * u) * (1 + k * k)) <= rnd (bpow radix2 (-95) * rnd (1 + rnd (k * k))).
 Proof.
-  intros Hk Hk0; pose proof (positive_size k Hk Hk0) as Lk; pose proof (bpow_gt_0 radix2 (-100)).
+  intros Hk Hk0; pose proof (r_least k Hk Hk0) as Lk; pose proof (bpow_gt_0 radix2 (-100)).
   assert (L1 : bpow radix2 (-1000) <= k * k).
   { apply Rle_trans with (bpow radix2 (-100) * bpow radix2 (-100)); [rewrite <- bpow_plus; apply bpow_le; lia|].
     apply Rmult_le_compat; lra. }
@@ -197,7 +197,7 @@ Qed.
 Theorem cylinder_powered r h : ordinary r -> 0 < r -> let f := Formas.Powers.cilindro t p v (extent_fl v) c r d h in
   powered f (apart2 - r * r) /\ 1 * bpow radix2 (-300) <= Formas.error f.
 Proof.
-  intros Hr Hr0; pose proof (positive_size r Hr Hr0) as Lr; pose proof (proj1 Hr) as Fr.
+  intros Hr Hr0; pose proof (r_least r Hr Hr0) as Lr; pose proof (proj1 Hr) as Fr.
   pose proof (reached_nonneg p v t v_ordinary c c_ordinary) as HW; fold W in HW.
   change (Formas.Powers.cilindro t p v (extent_fl v) c r d h) with (let m := rnd (W + r) in
     Formas.Known (Formas.Powers.difference (apart_fl q d) (two_prod r r)) (rnd (rnd (bpow radix2 (-95) * m) * m))); cbv zeta.
@@ -232,7 +232,7 @@ Lemma height_loose h N k : ordinary h -> 0 < h -> ordinary k -> 0 < k -> 0 < N -
   loose ((h + N) * k) (7 + / 4) 54 (Formas.Powers.product_by (Formas.Powers.difference (Twofold h 0) (along q d)) k) ((h - dot e d) * k)
   /\ bpow radix2 (-200) <= (h + N) * k.
 Proof.
-  intros Hh Hh0 Hk Hk0 HN A; pose proof (positive_size h Hh Hh0) as Lh; pose proof (positive_size k Hk Hk0) as Lk.
+  intros Hh Hh0 Hk Hk0 HN A; pose proof (r_least h Hh Hh0) as Lh; pose proof (r_least k Hk Hk0) as Lk.
   assert (L : bpow radix2 (-200) <= (h + N) * k).
   { replace (-200)%Z with (-100 + -100)%Z by reflexivity; rewrite bpow_plus; apply Rmult_le_compat; auto using bpow_ge_0; lra. }
   split; [|exact L].
@@ -246,7 +246,7 @@ Qed.
 Theorem cone_powered k h : ordinary k -> 0 < k -> ordinary h -> 0 < h -> let f := Formas.Powers.cono t p v (extent_fl v) c k d h in
   powered f (apart2 - (h - dot e d) * k * ((h - dot e d) * k)) /\ (1 + k * k) * bpow radix2 (-300) <= Formas.error f.
 Proof.
-  intros Hk Hk0 Hh Hh0; pose proof (positive_size h Hh Hh0) as Lh; pose proof (proj1 Hh) as Fh.
+  intros Hk Hk0 Hh Hh0; pose proof (r_least h Hh Hh0) as Lh; pose proof (proj1 Hh) as Fh.
   pose proof (reached_nonneg p v t v_ordinary c c_ordinary) as HW; fold W in HW.
   change (Formas.Powers.cono t p v (extent_fl v) c k d h) with (let m := rnd (W + h) in Formas.Known (Formas.Powers.difference (apart_fl q d)
     (Formas.Powers.square (Formas.Powers.product_by (Formas.Powers.difference (Twofold h 0) (along q d)) k)))
@@ -272,8 +272,8 @@ Theorem truncated_powered r k h : ordinary r -> 0 < r -> ordinary k -> 0 < k -> 
   let f := Formas.Powers.tronco t p v (extent_fl v) c r k d h in let rho := (h - dot e d) * k + r in
   powered f (apart2 - rho * rho) /\ (1 + k * k) * bpow radix2 (-300) <= Formas.error f.
 Proof.
-  intros Hr Hr0 Hk Hk0 Hh Hh0; pose proof (positive_size h Hh Hh0) as Lh; pose proof (proj1 Hh) as Fh.
-  pose proof (positive_size r Hr Hr0) as Lr; pose proof (proj1 Hr) as Fr.
+  intros Hr Hr0 Hk Hk0 Hh Hh0; pose proof (r_least h Hh Hh0) as Lh; pose proof (proj1 Hh) as Fh.
+  pose proof (r_least r Hr Hr0) as Lr; pose proof (proj1 Hr) as Fr.
   pose proof (reached_nonneg p v t v_ordinary c c_ordinary) as HW; fold W in HW.
   change (Formas.Powers.tronco t p v (extent_fl v) c r k d h) with (let m := rnd (rnd (W + h) + r) in
     Formas.Known (Formas.Powers.difference (apart_fl q d) (Formas.Powers.square (Formas.Powers.sum

@@ -445,7 +445,7 @@ Proof.
     { change (-153)%Z with (-1 + -152)%Z; rewrite bpow_plus; replace (bpow radix2 (-1)) with (/ 2) by reflexivity; lra. }
     apply Rle_trans with (u * (bpow radix2 (-153) * bpow radix2 (-153))); [rewrite <- !bpow_plus; apply bpow_le; lia|].
     apply Rmult_le_compat_l; [apply bpow_ge_0|]; apply Rmult_le_compat; auto using bpow_ge_0.
-  - destruct h_ordinary as [_ [Z0|[L _]]]; [lra|]; rewrite Rabs_pos_eq in L by lra.
+  - pose proof (r_least h h_ordinary h_positive) as L.
     apply Rle_trans with (u * (bpow radix2 (-100) * bpow radix2 (-100))); [rewrite <- !bpow_plus; apply bpow_le; lia|].
     apply Rmult_le_compat_l; [apply bpow_ge_0|]; apply Rmult_le_compat; try apply bpow_ge_0; lra.
 Qed.

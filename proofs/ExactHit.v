@@ -16,7 +16,6 @@ From Durero Require Especificacion Chain.
 Local Open Scope R_scope.
 
 Local Instance prec53 : Prec_gt_0 53 := eq_refl.
-Notation tiny := (bpow radix2 (-1074)).
 
 (** ** The turns end *)
 

@@ -303,6 +303,19 @@ Proof.
     now rewrite <- bpow_plus); pose proof (bpow_gt_0 radix2 100); lra.
 Qed.
 
+Lemma V_range : bpow radix2 (-100) <= V <= bpow radix2 103.
+Proof.
+  split; [|apply Rle_trans with (1 := V_size), bpow_le; lia].
+  destruct v_ordinary as ((_ & X) & (_ & Y) & (_ & Z)); unfold V, extent.
+  pose proof (Rabs_pos (cx v)); pose proof (Rabs_pos (cy v)); pose proof (Rabs_pos (cz v)).
+  destruct X as [X|X], Y as [Y|Y], Z as [Z|Z]; try lra.
+  exfalso; unfold norm, dot in v_not_zero; rewrite X, Y, Z in v_not_zero.
+  replace (0 * 0 + 0 * 0 + 0 * 0) with 0 in v_not_zero by ring; rewrite sqrt_0 in v_not_zero; lra.
+Qed.
+
+Lemma E_range : bpow radix2 (-100) <= E <= bpow radix2 103.
+Proof. split; [pose proof r_least; pose proof E_positive; lra | exact E_size]. Qed.
+
 Lemma products_size : V * V <= bpow radix2 204 /\ V * E <= bpow radix2 205 /\ E * E <= bpow radix2 206.
 Proof.
   pose proof V_size; pose proof E_size; pose proof V_positive; pose proof E_positive.

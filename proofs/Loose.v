@@ -14,7 +14,6 @@ Import Formas.Pairs.
 Local Open Scope R_scope.
 Local Opaque bpow.
 
-Notation tiny := (bpow radix2 (-1074)).
 Definition roomy (s : R) : Prop := bpow radix2 (-900) <= s.
 Definition loose (s l e : R) (a : twofold) (x : R) : Prop :=
   roomy s /\ format (hi a) /\ format (lo a) /\ Rabs x <= s /\ Rabs (lo a) <= l * (u * s) /\

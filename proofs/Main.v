@@ -9,7 +9,8 @@ From Durero Require Import Toolkit Especificacion.
 From Durero Require MainText MainModels Moments.
 From Durero Require Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion
   Surd Exacto ExactoEscena Slab Bundles Beams Rounding Vectors Formas Decision Flotante Certified Twofold Sums Products
-  Words Quick Once Newton Walk Limits Search Boxes Lattice Grid Chain Line Crossings Trees Leaves Occlusion.
+  Words Quick Once Newton Verdict Steps Triage Doubled Second AtRoot AtRootText Levels Running Walk Limits Search Boxes Lattice
+  Grid Chain Line Crossings Trees Leaves Occlusion Whole.
 Import Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -80,26 +81,20 @@ Let recorded := Formas.esfera p v (Vectors.extent_fl v) centro r.
 (** A certified miss is one: no point of the line lies on the sphere. *)
 Theorem a_certified_miss_is_a_miss t : Formas.F recorded < - Formas.B_error recorded ->
   point_at ray t ∉ puntos_esfera (point centro) r.
-Proof.
-  exact (Certified.certified_miss p v centro r p_ordinary v_ordinary centro_ordinary r_ordinary r_positive v_not_zero t).
-Qed.
+Proof. now apply Certified.certified_miss. Qed.
 
 (** A certified pair of points is one, and the computed root of the discriminant is within its bound. *)
 Theorem a_certified_root_of_the_discriminant : Formas.B_error recorded < Formas.F recorded ->
   let S := Formas.root_of_discriminant recorded in
   0 < discriminant f /\ Rabs (Formas.value S - sqrt (discriminant f)) <= Formas.error S.
-Proof.
-  exact (Certified.certified_discriminant p v centro r p_ordinary v_ordinary centro_ordinary r_ordinary r_positive v_not_zero).
-Qed.
+Proof. now apply Certified.certified_discriminant. Qed.
 
 (** Where both roots are computed, they are the two there are, in their order, each within its bound. *)
 Theorem certified_roots : Decision.has_roots recorded = true ->
   exists t0 t1, t0 < t1 /\ (forall t, value f t = 0 <-> t = t0 \/ t = t1)
   /\ Rabs (Formas.value (Decision.nearer recorded) - t0) <= Formas.error (Decision.nearer recorded)
   /\ Rabs (Formas.value (Decision.farther recorded) - t1) <= Formas.error (Decision.farther recorded).
-Proof.
-  exact (Certified.certified_roots p v centro r p_ordinary v_ordinary centro_ordinary r_ordinary r_positive v_not_zero).
-Qed.
+Proof. now apply Certified.certified_roots. Qed.
 
 (** The whole decision: a hit is within its error of the least parameter of a point, and a miss is one. *)
 Theorem the_decision_on_a_sphere_is_right :
@@ -108,9 +103,7 @@ Theorem the_decision_on_a_sphere_is_right :
   (Formas.hit d = true ->
    exists t, is_least met t /\ Rabs (Formas.value (Formas.root d) - t) <= Formas.error (Formas.root d))
   /\ (Formas.hit d = false -> Formas.undecided d = false -> forall t, ~ met t).
-Proof.
-  exact (Certified.decision_in_lanes p v centro r p_ordinary v_ordinary centro_ordinary r_ordinary r_positive v_not_zero).
-Qed.
+Proof. now apply Certified.decision_in_lanes. Qed.
 End Sphere.
 
 (** The same of a cylinder, up to its clip: recorded is the quadratic of the ray and its unbounded surface. *)
@@ -133,20 +126,14 @@ Let recorded := Formas.cilindro p v (Vectors.extent_fl v) centro r d h.
 (** A certified miss is one: no point of the line lies on the surface. *)
 Theorem a_certified_miss_of_a_cylinder_is_a_miss t : Formas.F recorded < - Formas.B_error recorded ->
   potencia_cilindro (point_at ray t) (point centro) r (direction d) <> 0.
-Proof.
-  exact (Certified.cylinder_miss p v centro d r h p_ordinary v_ordinary centro_ordinary d_ordinary r_ordinary r_positive
-    v_not_zero d_unit t).
-Qed.
+Proof. now apply Certified.cylinder_miss. Qed.
 
 (** Where both roots are computed, they are the two there are, in their order, each within its bound. *)
 Theorem certified_roots_of_a_cylinder : Decision.has_roots recorded = true ->
   exists t0 t1, t0 < t1 /\ (forall t, value f t = 0 <-> t = t0 \/ t = t1)
   /\ Rabs (Formas.value (Decision.nearer recorded) - t0) <= Formas.error (Decision.nearer recorded)
   /\ Rabs (Formas.value (Decision.farther recorded) - t1) <= Formas.error (Decision.farther recorded).
-Proof.
-  exact (Certified.cylinder_roots p v centro d r h p_ordinary v_ordinary centro_ordinary d_ordinary r_ordinary r_positive
-    v_not_zero d_unit).
-Qed.
+Proof. now apply Certified.cylinder_roots. Qed.
 End Cylinder.
 
 (** The numbers of 53 bits, from 2^-1074 up. *)
@@ -222,157 +209,11 @@ Theorem the_quick_rounding_says_nothing_false round mx ex my ey md ed mw ew out 
   out = round ((Quick.dyadic mx ex + Quick.dyadic my ey * sqrt (Quick.dyadic md ed)) / Quick.dyadic mw ew).
 Proof. exact (Quick.quick_is_right round mx ex my ey md ed mw ew out). Qed.
 
-(** * 10. From the Z text to what is printed: the search as it runs *)
-Section Chain.
-Variable Elemento : Type.
-Hypothesis Elemento_dec : forall e e' : Elemento, {e = e'} + {e <> e'}.
-Notation Escena := (Escena Elemento).
-
-(** The scene, its numbers integers over S; the question; and the elements, each with its shape and whether the ray is said
-    to start on it. *)
-Variables (S : BinNums.Z) (s s' : Escena) (en : set Elemento) (p v : Exacto.vec3).
-Notation ray := (ExactoEscena.the_ray S p v).
-Hypothesis S_positive : (0 < S)%Z.
-Hypothesis ok : Escena_ok s.
-Hypothesis ray_ok : Rayo_ok ray.
-Hypothesis same : Xi_Escena s s'.
-Hypothesis known : en ⊆ elementos s.
-Variables (elements : list Elemento) (shape_of : Elemento -> Exacto.shape) (on : Elemento -> bool).
-Hypothesis described : ExactoEscena.describes Elemento S s en (map (fun e => (e, shape_of e, on e)) elements).
-Notation met := (met ray Elemento s en).
-
-(** The steps in floating point, of which nothing is assumed but [Search.steps_right]: a miss is one, a hit has the first
-    parameter within its error, the ends lie around it, and what is certain is rounded. *)
-Variables (Finding : Type) (in_range : Elemento -> bool)
-  (triage stable : Elemento -> Limits.binary64 -> Search.verdict Finding)
-  (improved : Elemento -> Finding -> Search.verdict Finding) (near : Finding -> set R)
-  (low high : Search.evidence Finding -> Limits.binary64) (certainly_less ahead : Finding -> Finding -> bool)
-  (rounded : Elemento -> Finding -> option Chain.printed) (round_exact : Surd.surd -> Chain.printed).
-Hypothesis right : Search.steps_right Elemento Finding Chain.printed met elements (Chain.rounds ray) in_range triage stable
-  improved near low high certainly_less rounded round_exact.
-
-Notation found := (Search.found Elemento Finding).
-Notation limit := (Search.limit Elemento Finding).
-Notation reach_of := (Chain.reach_of Elemento S p v shape_of on).
-Notation take := (Search.take Elemento Finding reach_of in_range triage stable low high).
-Notation start := (Search.start Elemento Finding).
-Notation published := (Search.published Elemento Finding Chain.printed reach_of stable improved certainly_less ahead rounded
-  round_exact).
-Notation says := (Chain.says Elemento s s' ray en).
-Notation blocks := (Occlusion.blocks Elemento Finding reach_of in_range triage stable).
-Notation blocks_segment := (Occlusion.blocks_segment Elemento Finding reach_of in_range triage stable low high).
-
-(** Whatever walks over the elements: cells passed over by any rule that passes over nothing that the ray meets up to the
-    limit, in any order; some elements apart. What is published at the end is Primera_Interseccion: outcome, elements, and
-    the parameter and the point rounded once. *)
-Theorem the_printed_hit_is_the_texts_hit (prunable : found -> Walk.cell Elemento -> Prop) apart cs taken st :
-  (forall st c, prunable st c -> forall e t, Walk.leads c e t -> met e t -> ~ Limits.at_least (limit st) t) ->
-  incl apart elements -> Forall (Walk.lists_from elements) cs ->
-  (forall e t, In e elements -> ~ In e apart -> met e t -> exists c, In c cs /\ Walk.leads c e t) ->
-  Walk.walks Elemento found Elemento_dec take prunable (Walk.plan apart cs, (nil, start)) (nil, (taken, st)) ->
-  says (published st).
-Proof.
-  intros prunable_right. exact (Chain.search_is_Primera_Interseccion Elemento Elemento_dec S S_positive s s' ok same en known p
-    v ray_ok elements shape_of on described Finding in_range triage stable improved near low high certainly_less ahead rounded
-    round_exact right prunable prunable_right apart cs taken st).
-Qed.
-
-(** In a tree of boxes under the tests of Slab.v, in IEEE 754 arithmetic: the elements that the ray starts on are tested
-    apart, and of each of the others the boxes above it contain its points. *)
-Theorem bounding_volumes_as_they_run r apart a taken st : Boxes.of_beam r = ray ->
-  incl apart elements -> (forall e, In e elements -> en e -> In e apart) ->
-  Walk.lists_from elements (Boxes.cell_of Elemento r a) ->
-  (forall e, In e elements -> ~ In e apart -> Boxes.under Elemento (puntos_de_elemento s) e a) ->
-  Walk.walks Elemento found Elemento_dec take (Boxes.prunable Elemento found limit r)
-    (Walk.plan apart (Boxes.cell_of Elemento r a :: nil), (nil, start)) (nil, (taken, st)) ->
-  says (published st).
-Proof.
-  exact (Chain.boxes_find_Primera_Interseccion Elemento Elemento_dec S S_positive s s' ok same en known p
-    v ray_ok elements shape_of on described Finding in_range triage stable improved near low high certainly_less ahead rounded
-    round_exact right r apart a taken st).
-Qed.
-
-(** In a grid: what is walked are the cells that hold a point of the ray, each with its entry, by crossings that are ordered
-    exactly; what is passed over lies beyond the limit, or outside the box of all. These are the premises above, where every
-    cube lists what has a point in it. *)
-Theorem grids_as_they_run corner h count lists (whole : set R) apart m c l :
-  let p i := Chain.along (Rayo_p ray) i in let v i := Chain.component (Rayo_v ray) i in
-  0 < h -> (forall e, In e elements -> en e -> In e apart) ->
-  (forall e t, In e elements -> ~ In e apart -> puntos_de_elemento s e (point_at ray t) ->
-   whole t /\ Lattice.in_box p v corner h count (t, false)
-   /\ forall d, Lattice.in_range count d -> Grid.in_cube p v corner h d t -> In e (lists d)) ->
-  Lattice.way_in p v corner h count m -> Lattice.in_cell p v corner h c m -> Lattice.in_range count c ->
-  Lattice.path p v corner h count m c l ->
-  (forall st k, Grid.prunable p v corner h Elemento found limit whole lists st k ->
-   forall e t, Walk.leads k e t -> met e t -> ~ Limits.at_least (limit st) t)
-  /\ forall e t, In e elements -> ~ In e apart -> met e t ->
-     exists k, In k (map (Grid.cell_of p v corner h Elemento whole lists) l) /\ Walk.leads k e t.
-Proof. exact (Chain.grid_is_walked Elemento s ray en elements found limit corner h count lists whole apart m c l). Qed.
-
-(** In an octree, and in a tree of planes, by the walks of the headers in binary64: each leaf lists what has a point in it,
-    closed; what is passed over is all, where the box of all is rejected, or what comes from a leaf on that is entered
-    beyond the limit. The same premises again. *)
-Theorem octrees_as_they_run r (in_order : Crossings.ordinary (Leaves.p_of r) (Leaves.v_of r)) Leaf lists all corner far
-  apart a :
-  Boxes.of_beam r = ray -> (forall i, Crossings.usable64 (corner i)) -> (forall i, Crossings.usable64 (far i)) ->
-  Trees.middles_usable _ _ _ _ a -> (forall e, In e elements -> en e -> In e apart) ->
-  (forall e, In e elements -> ~ In e apart -> Leaves.listed_by Elemento s Leaf lists all corner far
-     (fun w n => Leaves.eighth_holds r in_order Leaf w n a) e) ->
-  let walked := Leaves.tree_walk r in_order Leaf corner far (Trees.walk_eighths _ _ _ Leaf a) in
-  (forall st k, Leaves.passed_over r Leaf Elemento found limit lists all walked st k ->
-   forall e t, Walk.leads k e t -> met e t -> ~ Limits.at_least (limit st) t)
-  /\ forall e t, In e elements -> ~ In e apart -> met e t ->
-     exists k, In k (map (Leaves.cell_of r Leaf Elemento lists all) walked) /\ Walk.leads k e t.
-Proof.
-  intros <- Hlow Hhigh Ha Hen Hl.
-  exact (Leaves.eighths_are_well_walked Elemento s en elements apart found Leaf limit lists r in_order all corner far Hlow Hhigh
-    Hen a Ha Hl).
-Qed.
-Theorem bsp_trees_as_they_run r (in_order : Crossings.ordinary (Leaves.p_of r) (Leaves.v_of r)) Leaf lists all corner far
-  apart a :
-  Boxes.of_beam r = ray -> (forall i, Crossings.usable64 (corner i)) -> (forall i, Crossings.usable64 (far i)) ->
-  Trees.planes_usable _ _ _ _ a -> (forall e, In e elements -> en e -> In e apart) ->
-  (forall e, In e elements -> ~ In e apart -> Leaves.listed_by Elemento s Leaf lists all corner far
-     (fun w n => Leaves.half_holds r in_order Leaf w n a) e) ->
-  let walked := Leaves.tree_walk r in_order Leaf corner far (Trees.walk_halves _ _ _ Leaf a) in
-  (forall st k, Leaves.passed_over r Leaf Elemento found limit lists all walked st k ->
-   forall e t, Walk.leads k e t -> met e t -> ~ Limits.at_least (limit st) t)
-  /\ forall e t, In e elements -> ~ In e apart -> met e t ->
-     exists k, In k (map (Leaves.cell_of r Leaf Elemento lists all) walked) /\ Walk.leads k e t.
-Proof.
-  intros <- Hlow Hhigh Ha Hen Hl.
-  exact (Leaves.halves_are_well_walked Elemento s en elements apart found Leaf limit lists r in_order all corner far Hlow Hhigh
-    Hen a Ha Hl).
-Qed.
-
-(** A shadow ray: over a walk that may end once something blocks, or pass over what is met at or beyond the other end. *)
-Theorem the_answer_to_a_shadow_ray_is_the_texts (prunable prunable1 : bool -> Walk.cell Elemento -> Prop) apart cs taken st
-  taken1 st1 :
-  (forall c e t, prunable false c -> Walk.leads c e t -> ~ met e t) ->
-  (forall c e t, prunable1 false c -> Walk.leads c e t -> met e t -> 1 <= t) ->
-  incl apart elements -> Forall (Walk.lists_from elements) cs ->
-  (forall e t, In e elements -> ~ In e apart -> met e t -> exists c, In c cs /\ Walk.leads c e t) ->
-  (Walk.walks Elemento bool Elemento_dec (Occlusion.take Elemento blocks) prunable (Walk.plan apart cs, (nil, false))
-     (nil, (taken, st)) -> st = true <-> occluded s ray en)
-  /\ (Walk.walks Elemento bool Elemento_dec (Occlusion.take Elemento blocks_segment) prunable1
-     (Walk.plan apart cs, (nil, false)) (nil, (taken1, st1)) -> st1 = true <-> occluded_segment s ray en).
-Proof.
-  intros right0 right1 Ha Hl Hr. split.
-  - exact (Occlusion.blocked_is_occluded Elemento Elemento_dec S S_positive s ok en p v elements shape_of on described
-      Finding in_range triage stable improved near low high certainly_less rounded round_exact right prunable apart cs
-      taken st right0 Ha Hl Hr).
-  - exact (Occlusion.blocked_segment_is_occluded Elemento Elemento_dec S S_positive s ok en p v elements shape_of on described
-      Finding in_range triage stable improved near low high certainly_less rounded round_exact right prunable1 apart cs
-      taken1 st1 right1 Ha Hl Hr).
-Qed.
-End Chain.
-
-(** * 11. What the tracer decides of one element, in binary64
+(** * 10. What the tracer decides of one element, in binary64
 
     Triage.shape has the numbers of an element, Triage.stands s e sh that e has them in s. The decisions are the recorded
     terms of Formas.v: Triage.lanes_of for rays in a batch, Triage.alone_of for one ray up to a limit, each for a ray that
     starts on the element (on) or does not. *)
-From Durero Require Verdict Steps Triage Doubled Second AtRoot AtRootText Levels Running.
 Section Decisions.
 Variable Elemento : Type.
 Variables (s : Escena Elemento) (en : set Elemento) (p v : Vectors.vec).
@@ -402,17 +243,17 @@ Theorem the_decisions_up_to_a_limit_are_right e sh on limit :
   end.
 Proof. exact (Triage.alone_within Elemento s ok en p v ray_ok p_ordinary v_ordinary e sh on limit). Qed.
 
-(** So the triage of the search is right: the first sentence of [Search.steps_right], where the elements in range have
-    numbers in the range of the bounds, and the triage of an element is that decision up to the limit. *)
+(** So the triage of the search is right: the first sentence of [Search.steps_right], where what is in range has
+    ordinary numbers, the ray's and the element's, and the triage of an element is that decision up to the limit. *)
 Theorem the_triage_says_nothing_false elements (shape_of : Elemento -> Triage.shape) on in_range triage :
   (forall e, In e elements -> Triage.stands Elemento s e (shape_of e) /\ (on e = true <-> en e)) ->
-  (forall e, In e elements -> in_range e = true -> Triage.ordinary_shape (shape_of e)) ->
+  (forall e, In e elements -> in_range e = true -> Triage.in_bounds p v (shape_of e)) ->
   (forall e x, In e elements -> in_range e = true ->
    exists a, Triage.answered (Triage.alone_of p v (shape_of e) (on e)) x a /\ triage e x = Triage.verdict_of a) ->
   Search.decides Elemento (Formas.known R) met elements in_range Quotient.is_near triage.
 Proof.
   intros described range computed.
-  exact (Triage.triage_decides Elemento s ok en p v ray_ok p_ordinary v_ordinary elements shape_of on in_range described range
+  exact (Triage.triage_decides Elemento s ok en p v ray_ok elements shape_of on in_range described range
     triage computed).
 Qed.
 
@@ -459,14 +300,191 @@ Proof. exact (Levels.round_on_right Elemento s p v e sh t error T out ok p_ordin
 Theorem the_steps_that_run_are_right elements (shape_of : Elemento -> Triage.shape) on in_range triage stable improved
   low high certainly_less rounded round_exact :
   (forall e, In e elements -> Triage.stands Elemento s e (shape_of e) /\ (on e = true <-> en e)) ->
-  (forall e, In e elements -> in_range e = true -> Triage.ordinary_shape (shape_of e)) ->
+  (forall e, In e elements -> in_range e = true -> Triage.in_bounds p v (shape_of e)) ->
   Running.steps_run Elemento p v elements shape_of on in_range triage stable improved low high certainly_less
     rounded round_exact ->
   Search.steps_right Elemento Running.finding Chain.printed met elements (Chain.rounds ray) in_range triage stable improved
     Running.near low high certainly_less rounded round_exact.
 Proof.
   intros described range.
-  exact (Running.steps_are_right Elemento s en p v ok ray_ok p_ordinary v_ordinary elements shape_of on in_range described
-    range triage stable improved low high certainly_less rounded round_exact).
+  exact (Running.steps_are_right Elemento s en p v ok ray_ok elements shape_of on in_range described range triage stable
+    improved low high certainly_less rounded round_exact).
 Qed.
 End Decisions.
+
+(** * 11. From the Z text to what is printed: the search as it runs *)
+Section Chain.
+Variable Elemento : Type.
+Hypothesis Elemento_dec : forall e e' : Elemento, {e = e'} + {e <> e'}.
+Notation Escena := (Escena Elemento).
+
+(** The scene, its numbers integers over S; the question; and the elements, each with its shape and whether the ray is said
+    to start on it. *)
+Variables (S : BinNums.Z) (s s' : Escena) (en : set Elemento) (p v : Exacto.vec3).
+Notation ray := (ExactoEscena.the_ray S p v).
+Hypothesis S_positive : (0 < S)%Z.
+Hypothesis ok : Escena_ok s.
+Hypothesis ray_ok : Rayo_ok ray.
+Hypothesis same : Xi_Escena s s'.
+Hypothesis known : en ⊆ elementos s.
+Variables (elements : list Elemento) (shape_of : Elemento -> Exacto.shape) (on : Elemento -> bool).
+Hypothesis described : ExactoEscena.describes Elemento S s en (map (fun e => (e, shape_of e, on e)) elements).
+Notation met := (met ray Elemento s en).
+
+Notation reach_of := (Chain.reach_of Elemento S p v shape_of on).
+Notation says := (Chain.says Elemento s s' ray en).
+
+Section Steps.
+(** The steps in floating point, of which nothing is assumed but [Search.steps_right]: a miss is one, a hit has the first
+    parameter within its error, the ends lie around it, and what is certain is rounded. *)
+Variables (Finding : Type) (in_range : Elemento -> bool)
+  (triage stable : Elemento -> Limits.binary64 -> Search.verdict Finding)
+  (improved : Elemento -> Finding -> Search.verdict Finding) (near : Finding -> set R)
+  (low high : Search.evidence Finding -> Limits.binary64) (certainly_less ahead : Finding -> Finding -> bool)
+  (rounded : Elemento -> Finding -> option Chain.printed) (round_exact : Surd.surd -> Chain.printed).
+Hypothesis right : Search.steps_right Elemento Finding Chain.printed met elements (Chain.rounds ray) in_range triage stable
+  improved near low high certainly_less rounded round_exact.
+
+Notation found := (Search.found Elemento Finding).
+Notation limit := (Search.limit Elemento Finding).
+Notation take := (Search.take Elemento Finding reach_of in_range triage stable low high).
+Notation start := (Search.start Elemento Finding).
+Notation published := (Search.published Elemento Finding Chain.printed reach_of stable improved certainly_less ahead rounded
+  round_exact).
+Notation blocks := (Occlusion.blocks Elemento Finding reach_of in_range triage stable).
+Notation blocks_segment := (Occlusion.blocks_segment Elemento Finding reach_of in_range triage stable low high).
+
+(** Whatever walks over the elements: cells passed over by any rule that passes over nothing that the ray meets up to the
+    limit, in any order; some elements apart. What is published at the end is Primera_Interseccion: outcome, elements, and
+    the parameter and the point rounded once. *)
+Theorem the_printed_hit_is_the_texts_hit (prunable : found -> Walk.cell Elemento -> Prop) apart cs taken st :
+  (forall st c, prunable st c -> forall e t, Walk.leads c e t -> met e t -> ~ Limits.at_least (limit st) t) ->
+  incl apart elements -> Forall (Walk.lists_from elements) cs ->
+  (forall e t, In e elements -> ~ In e apart -> met e t -> exists c, In c cs /\ Walk.leads c e t) ->
+  Walk.walks Elemento found Elemento_dec take prunable (Walk.plan apart cs, (nil, start)) (nil, (taken, st)) ->
+  says (published st).
+Proof. intros. eapply Chain.search_is_Primera_Interseccion; eassumption. Qed.
+
+(** In a tree of boxes under the tests of Slab.v, in IEEE 754 arithmetic: the elements that the ray starts on are tested
+    apart, and of each of the others the boxes above it contain its points. *)
+Theorem bounding_volumes_as_they_run r apart a taken st : Boxes.of_beam r = ray ->
+  incl apart elements -> (forall e, In e elements -> en e -> In e apart) ->
+  Walk.lists_from elements (Boxes.cell_of Elemento r a) ->
+  (forall e, In e elements -> ~ In e apart -> Boxes.under Elemento (puntos_de_elemento s) e a) ->
+  Walk.walks Elemento found Elemento_dec take (Boxes.prunable Elemento found limit r)
+    (Walk.plan apart (Boxes.cell_of Elemento r a :: nil), (nil, start)) (nil, (taken, st)) ->
+  says (published st).
+Proof. intros. eapply Chain.boxes_find_Primera_Interseccion; eassumption. Qed.
+
+(** In a grid: what is walked are the cells that hold a point of the ray, each with its entry, by crossings that are ordered
+    exactly; what is passed over lies beyond the limit, or outside the box of all. These are the premises above, where every
+    cube lists what has a point in it. *)
+Theorem grids_as_they_run corner h count lists (whole : set R) apart m c l :
+  let p i := Chain.along (Rayo_p ray) i in let v i := Chain.component (Rayo_v ray) i in
+  0 < h -> (forall e, In e elements -> en e -> In e apart) ->
+  (forall e t, In e elements -> ~ In e apart -> puntos_de_elemento s e (point_at ray t) ->
+   whole t /\ Lattice.in_box p v corner h count (t, false)
+   /\ forall d, Lattice.in_range count d -> Grid.in_cube p v corner h d t -> In e (lists d)) ->
+  Lattice.way_in p v corner h count m -> Lattice.in_cell p v corner h c m -> Lattice.in_range count c ->
+  Lattice.path p v corner h count m c l ->
+  (forall st k, Grid.prunable p v corner h Elemento found limit whole lists st k ->
+   forall e t, Walk.leads k e t -> met e t -> ~ Limits.at_least (limit st) t)
+  /\ forall e t, In e elements -> ~ In e apart -> met e t ->
+     exists k, In k (map (Grid.cell_of p v corner h Elemento whole lists) l) /\ Walk.leads k e t.
+Proof. exact (Chain.grid_is_walked Elemento s ray en elements found limit corner h count lists whole apart m c l). Qed.
+
+(** In an octree, and in a tree of planes, by the walks of the headers in binary64: each leaf lists what has a point in it,
+    closed; what is passed over is all, where the box of all is rejected, or what comes from a leaf on that is entered
+    beyond the limit. The same premises again. *)
+Theorem octrees_as_they_run r (in_order : Crossings.ordinary (Leaves.p_of r) (Leaves.v_of r)) Leaf lists all corner far
+  apart a :
+  Boxes.of_beam r = ray -> (forall i, Crossings.usable64 (corner i)) -> (forall i, Crossings.usable64 (far i)) ->
+  Trees.middles_usable _ _ _ _ a -> (forall e, In e elements -> en e -> In e apart) ->
+  (forall e, In e elements -> ~ In e apart -> Leaves.listed_by Elemento s Leaf lists all corner far
+     (fun w n => Leaves.eighth_holds r in_order Leaf w n a) e) ->
+  let walked := Leaves.tree_walk r in_order Leaf corner far (Trees.walk_eighths _ _ _ Leaf a) in
+  (forall st k, Leaves.passed_over r Leaf Elemento found limit lists all walked st k ->
+   forall e t, Walk.leads k e t -> met e t -> ~ Limits.at_least (limit st) t)
+  /\ forall e t, In e elements -> ~ In e apart -> met e t ->
+     exists k, In k (map (Leaves.cell_of r Leaf Elemento lists all) walked) /\ Walk.leads k e t.
+Proof. intros <- **. now apply Leaves.eighths_are_well_walked. Qed.
+Theorem bsp_trees_as_they_run r (in_order : Crossings.ordinary (Leaves.p_of r) (Leaves.v_of r)) Leaf lists all corner far
+  apart a :
+  Boxes.of_beam r = ray -> (forall i, Crossings.usable64 (corner i)) -> (forall i, Crossings.usable64 (far i)) ->
+  Trees.planes_usable _ _ _ _ a -> (forall e, In e elements -> en e -> In e apart) ->
+  (forall e, In e elements -> ~ In e apart -> Leaves.listed_by Elemento s Leaf lists all corner far
+     (fun w n => Leaves.half_holds r in_order Leaf w n a) e) ->
+  let walked := Leaves.tree_walk r in_order Leaf corner far (Trees.walk_halves _ _ _ Leaf a) in
+  (forall st k, Leaves.passed_over r Leaf Elemento found limit lists all walked st k ->
+   forall e t, Walk.leads k e t -> met e t -> ~ Limits.at_least (limit st) t)
+  /\ forall e t, In e elements -> ~ In e apart -> met e t ->
+     exists k, In k (map (Leaves.cell_of r Leaf Elemento lists all) walked) /\ Walk.leads k e t.
+Proof. intros <- **. now apply Leaves.halves_are_well_walked. Qed.
+
+(** A shadow ray: over a walk that may end once something blocks, or pass over what is met at or beyond the other end. *)
+Theorem the_answer_to_a_shadow_ray_is_the_texts (prunable prunable1 : bool -> Walk.cell Elemento -> Prop) apart cs taken st
+  taken1 st1 :
+  (forall c e t, prunable false c -> Walk.leads c e t -> ~ met e t) ->
+  (forall c e t, prunable1 false c -> Walk.leads c e t -> met e t -> 1 <= t) ->
+  incl apart elements -> Forall (Walk.lists_from elements) cs ->
+  (forall e t, In e elements -> ~ In e apart -> met e t -> exists c, In c cs /\ Walk.leads c e t) ->
+  (Walk.walks Elemento bool Elemento_dec (Occlusion.take Elemento blocks) prunable (Walk.plan apart cs, (nil, false))
+     (nil, (taken, st)) -> st = true <-> occluded s ray en)
+  /\ (Walk.walks Elemento bool Elemento_dec (Occlusion.take Elemento blocks_segment) prunable1
+     (Walk.plan apart cs, (nil, false)) (nil, (taken1, st1)) -> st1 = true <-> occluded_segment s ray en).
+Proof.
+  intros right0 right1 Ha Hl Hr. split.
+  - now eapply Occlusion.blocked_is_occluded; eauto.
+  - now eapply Occlusion.blocked_segment_is_occluded; eauto.
+Qed.
+End Steps.
+
+(** The whole, from the text to what is published: the same, of the steps that run. Of these nothing is assumed but what they
+    compute, as in section 10, over the reals that the integers stand for; and that floating point is asked only where the
+    numbers of the ray and the element are ordinary. Where they are not, exact numbers answer, so that a scene may have any. *)
+Notation finding := Running.finding.
+Notation real := (Whole.vec_over S).
+Notation real_shape e := (Whole.shape_over S (shape_of e)).
+Variables (in_range : Elemento -> bool) (triage stable : Elemento -> Limits.binary64 -> Search.verdict finding)
+  (improved : Elemento -> finding -> Search.verdict finding) (low high : Search.evidence finding -> Limits.binary64)
+  (certainly_less ahead : finding -> finding -> bool) (rounded : Elemento -> finding -> option Chain.printed)
+  (round_exact : Surd.surd -> Chain.printed).
+Hypothesis ordinary : forall e, In e elements -> in_range e = true -> Triage.in_bounds (real p) (real v) (real_shape e).
+Hypothesis run : Running.steps_run Elemento (real p) (real v) elements (fun e => real_shape e) on in_range triage stable
+  improved low high certainly_less rounded round_exact.
+Notation right := (Whole.steps_are_right Elemento S s en p v ok ray_ok elements shape_of on in_range described ordinary triage
+  stable improved low high certainly_less rounded round_exact run).
+Notation found := (Search.found Elemento finding).
+Notation take := (Search.take Elemento finding reach_of in_range triage stable low high).
+Notation published := (Search.published Elemento finding Chain.printed reach_of stable improved certainly_less ahead rounded
+  round_exact).
+
+Theorem the_search_that_runs_publishes_the_texts_hit (prunable : found -> Walk.cell Elemento -> Prop) apart cs taken st :
+  (forall st c, prunable st c -> forall e t, Walk.leads c e t -> met e t -> ~ Limits.at_least (Search.limit _ _ st) t) ->
+  incl apart elements -> Forall (Walk.lists_from elements) cs ->
+  (forall e t, In e elements -> ~ In e apart -> met e t -> exists c, In c cs /\ Walk.leads c e t) ->
+  Walk.walks Elemento found Elemento_dec take prunable (Walk.plan apart cs, (nil, Search.start _ _)) (nil, (taken, st)) ->
+  says (published st).
+Proof.
+  exact (the_printed_hit_is_the_texts_hit finding in_range triage stable improved Running.near low high certainly_less ahead
+    rounded round_exact right prunable apart cs taken st).
+Qed.
+
+(** And so it answers a shadow ray. *)
+Notation blocks := (Occlusion.blocks Elemento finding reach_of in_range triage stable).
+Notation blocks_segment := (Occlusion.blocks_segment Elemento finding reach_of in_range triage stable low high).
+Theorem the_search_that_runs_answers_shadow_rays_as_the_text (prunable prunable1 : bool -> Walk.cell Elemento -> Prop) apart cs
+  taken st taken1 st1 :
+  (forall c e t, prunable false c -> Walk.leads c e t -> ~ met e t) ->
+  (forall c e t, prunable1 false c -> Walk.leads c e t -> met e t -> 1 <= t) ->
+  incl apart elements -> Forall (Walk.lists_from elements) cs ->
+  (forall e t, In e elements -> ~ In e apart -> met e t -> exists c, In c cs /\ Walk.leads c e t) ->
+  (Walk.walks Elemento bool Elemento_dec (Occlusion.take Elemento blocks) prunable (Walk.plan apart cs, (nil, false))
+     (nil, (taken, st)) -> st = true <-> occluded s ray en)
+  /\ (Walk.walks Elemento bool Elemento_dec (Occlusion.take Elemento blocks_segment) prunable1
+     (Walk.plan apart cs, (nil, false)) (nil, (taken1, st1)) -> st1 = true <-> occluded_segment s ray en).
+Proof.
+  exact (the_answer_to_a_shadow_ray_is_the_texts finding in_range triage stable improved Running.near low high certainly_less
+    rounded round_exact right prunable prunable1 apart cs taken st taken1 st1).
+Qed.
+End Chain.

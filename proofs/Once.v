@@ -12,7 +12,6 @@ Import Formas.Pairs.
 Local Open Scope R_scope.
 Local Opaque bpow.
 
-Notation tiny := (bpow radix2 (-1074)).
 Notation e12 := (/ 1000000000000).
 (** What is lost in computing an error is a part of it that the tracer's factor 1.0000001 pays for. *)
 Notation slack := (1 + / 1000000000).

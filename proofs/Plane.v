@@ -252,9 +252,7 @@ Proof.
   set (X := r * V) in *; assert (HX : 0 < X) by (apply Rmult_lt_0_compat; lra).
   assert (HuX : 0 < u * X <= / 1000000 * X) by (split; [apply Rmult_lt_0_compat | apply Rmult_le_compat_r]; lra).
   assert (H490 : bpow radix2 (-490) <= / 1000000 * (u * X)).
-  { assert (Hr100 : bpow radix2 (-100) <= r) by (destruct r_ordinary as [_ [Z0|[Hr0 _]]];
-    [lra | now rewrite Rabs_pos_eq in Hr0 by lra]).
-    destruct (speed_near v v_ordinary v_not_zero) as [V1 V2]; fold V in V1, V2.
+  { pose proof (r_least r r_ordinary r_positive) as Hr100; destruct (speed_near v v_ordinary v_not_zero) as [V1 V2]; fold V in V1, V2.
     pose proof (grid_at_least _ _ (proj2 (proj2 (V_computed v v_ordinary)))) as HV152;
       change (Flotante.V_fl v) with V_fl in HV152.
     specialize (HV152 ltac:(lra)); rewrite Rabs_pos_eq in HV152 by lra.

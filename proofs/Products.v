@@ -13,7 +13,6 @@ Import Formas.Pairs.
 Local Open Scope R_scope.
 Local Opaque bpow.
 
-Notation tiny := (bpow radix2 (-1074)).
 Definition worthy (x : R) : Prop := x = 0 \/ bpow radix2 (-960) <= Rabs x.
 
 Lemma sixteen_u_u : bpow radix2 (-102) = 16 * (u * u).

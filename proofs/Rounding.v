@@ -13,6 +13,7 @@ Notation fexp := (FLT_exp (-1074) 53).
 Notation rnd := (round radix2 fexp ZnearestE).
 Notation format := (generic_format radix2 fexp).
 Notation u := (bpow radix2 (-53)).
+Notation tiny := (bpow radix2 (-1074)). (* the least positive binary64 *)
 
 Definition normal (x : R) : Prop := x = 0 \/ bpow radix2 (-1022) <= Rabs x.
 Definition grid (k : Z) (x : R) : Prop := exists n : Z, x = IZR n * bpow radix2 k.

@@ -417,3 +417,21 @@ Proof.
     assert (uu * sqrt (whole P) <= e30 * sqrt (whole P)) by (apply Rmult_le_compat_r; [apply sqrt_pos | lra]).
     pose proof (sqrt_pos (whole P)); apply Rabs_le_inv in Hr; split; [apply Rabs_le|]; lra.
 Qed.
+
+(** What underflows is nothing beside the bounds: x is a number of the element, W a product of two bounds. *)
+Lemma nothing_beside x W : Rabs x <= bpow radix2 100 -> bpow radix2 (-200) <= W ->
+  (1 + x) * bpow radix2 (-450) <= / 1000 * (uu * W) /\ bpow radix2 (-957) <= / 1000 * (uu * W).
+Proof.
+  intros Hx HW; apply Rabs_le_inv in Hx.
+  assert (Hs : bpow radix2 (-320) <= / 1000 * (uu * W)).
+  { apply Rle_trans with (bpow radix2 (-18) * (uu * bpow radix2 (-200))); [rewrite <- !bpow_plus; apply bpow_le; lia|].
+    pose proof uu_bounds; apply Rmult_le_compat; try apply bpow_ge_0.
+    - apply Rmult_le_pos; [lra | apply bpow_ge_0].
+    - replace (bpow radix2 (-18)) with (/ 262144) by reflexivity; lra.
+    - apply Rmult_le_compat_l; lra. }
+  split; apply Rle_trans with (2 := Hs); [|apply bpow_le; lia].
+  apply Rle_trans with (bpow radix2 101 * bpow radix2 (-450)); [|rewrite <- bpow_plus; apply bpow_le; lia].
+  apply Rmult_le_compat_r; [apply bpow_ge_0|]; change 101%Z with (1 + 100)%Z; rewrite bpow_plus.
+  replace (bpow radix2 1) with 2 by reflexivity; assert (1 <= bpow radix2 100); [|lra].
+  replace 1 with (bpow radix2 0) by reflexivity; apply bpow_le; lia.
+Qed.

@@ -16,15 +16,6 @@ Local Opaque bpow.
 Definition across2 (x : vec2) (s : twofold) (d : vec2) : vec2 :=
   Vec2 (difference (dx x) (product s (dx d))) (difference (dy x) (product s (dy d))) (difference (dz x) (product s (dz d))).
 
-Lemma on_words k a : words_on k a -> double_word (dx a) /\ double_word (dy a) /\ double_word (dz a).
-Proof. intros ((X & _) & (Y & _) & (Z & _)); tauto. Qed.
-
-Lemma worded_self k w : double_word w -> parts_on k w -> worded 0 k w (whole w) (Rabs (whole w)).
-Proof.
-  intros W P; split; [|now split]; unfold near2; simpl; rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; split;
-    [lra | apply Rle_refl].
-Qed.
-
 Lemma norm_symmetric s t : norm (minus s t) = norm (minus t s).
 Proof. unfold norm, dot, minus; cbn; f_equal; ring. Qed.
 
@@ -96,24 +87,6 @@ Proof.
   - replace (whole (dot2 x2 y2) - dot x y) with ((whole (dot2 x2 y2) - dot x' y') + (dot x' y' - dot x y)) by ring.
     apply Rle_trans with (1 := Rabs_triang _ _); lra.
   - apply Rle_trans with (1 := dot_le _ _); apply Rmult_le_compat; auto using norm_nonneg.
-Qed.
-
-(** What underflows is nothing beside the bounds: x is a number of the element, W a product of two bounds. *)
-Lemma nothing_beside x W : ordinary x -> 0 < x -> bpow radix2 (-200) <= W ->
-  (1 + x) * bpow radix2 (-450) <= / 1000 * (uu * W) /\ bpow radix2 (-957) <= / 1000 * (uu * W).
-Proof.
-  intros Ox Px HW; pose proof (ordinary_size x Ox) as Hx; rewrite Rabs_pos_eq in Hx by lra.
-  assert (Hs : bpow radix2 (-320) <= / 1000 * (uu * W)).
-  { apply Rle_trans with (bpow radix2 (-18) * (uu * bpow radix2 (-200))); [rewrite <- !bpow_plus; apply bpow_le; lia|].
-    pose proof uu_bounds; apply Rmult_le_compat; try apply bpow_ge_0.
-    - apply Rmult_le_pos; [lra | apply bpow_ge_0].
-    - replace (bpow radix2 (-18)) with (/ 262144) by reflexivity; lra.
-    - apply Rmult_le_compat_l; lra. }
-  split; apply Rle_trans with (2 := Hs); [|apply bpow_le; lia].
-  apply Rle_trans with (bpow radix2 101 * bpow radix2 (-450)); [|rewrite <- bpow_plus; apply bpow_le; lia].
-  apply Rmult_le_compat_r; [apply bpow_ge_0|]; change 101%Z with (1 + 100)%Z; rewrite bpow_plus.
-  replace (bpow radix2 1) with 2 by reflexivity; assert (1 <= bpow radix2 100); [|lra].
-  replace 1 with (bpow radix2 0) by reflexivity; apply bpow_le; lia.
 Qed.
 
 Section Across.

@@ -69,7 +69,7 @@ Qed.
 
 Lemma nothing_beside_h : 0 <= bpow radix2 (-957) /\ bpow radix2 (-957) + 4 * bpow radix2 (-1074) <= uu * h.
 Proof.
-  split; [apply bpow_ge_0|]; destruct h_ordinary as [_ [Z0|[Hh _]]]; [lra|]; rewrite Rabs_pos_eq in Hh by lra.
+  split; [apply bpow_ge_0|]; pose proof (r_least h h_ordinary h_positive) as Hh.
   apply Rle_trans with (uu * bpow radix2 (-100)); [|apply Rmult_le_compat_l; [apply bpow_ge_0 | exact Hh]].
   rewrite <- bpow_plus; apply Rle_trans with (8 * bpow radix2 (-957)).
   - pose proof (bpow_gt_0 radix2 (-1074)); pose proof (bpow_le radix2 (-1074) (-957) ltac:(lia)); lra.

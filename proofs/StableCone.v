@@ -81,7 +81,7 @@ Proof.
   assert (EW : norm (Conical.wall p v centro d h k 0) = k * norm w).
   { replace (Conical.wall p v centro d h k 0) with (scale k w); [rewrite norm_scale, Rabs_pos_eq; lra|].
     unfold w, Conical.wall, Conical.rho, Conical.slope, plus, scale, a, b, q; cbn; f_equal; ring. }
-  destruct (W_least p v centro h k v_ordinary h_ordinary h_positive k_ordinary k_positive v_not_zero) as (_ & L1 & L2).
+  destruct (W_least p v centro h k v_ordinary h_ordinary h_positive k_ordinary v_not_zero) as (_ & L1 & L2).
   fold q in L1, L2; fold V Q in L1, L2; change (V * (Q + h)) with W in L1, L2; set (y := bpow radix2 (-450)) in *.
   pose proof (bpow_gt_0 radix2 (-450) : 0 < y) as Hy0; pose proof (bpow_gt_0 radix2 (-957)) as Hz0.
   destruct (ordinary_grid k k_ordinary) as [Fk _], (exactly_word k Fk) as [Wk Ek], (product_any _ _ Wk WN) as [WH HH].
@@ -236,7 +236,7 @@ Proof.
     (Conical.rho p centro d h k r) rho2 (Conical.slope v d k) slope2 P (k * S) WR GR WS GS) as (WN & HN & HW);
       try assumption; try lra.
   fold wall2 in WN, HN; fold q in HN, HW; fold V Q in HN, HW.
-  destruct (W_least p v centro h k v_ordinary h_ordinary h_positive k_ordinary k_positive v_not_zero) as (_ & L1 & _).
+  destruct (W_least p v centro h k v_ordinary h_ordinary h_positive k_ordinary v_not_zero) as (_ & L1 & _).
   fold q in L1; fold V Q in L1; change (V * (Q + h)) with W in L1; pose proof (bpow_gt_0 radix2 (-450)) as Hy0.
   assert (0 <= k * bpow radix2 (-450)) by (apply Rmult_le_pos; lra).
   pose proof (extent_nonneg v : 0 <= V) as HV0; pose proof (extent_nonneg q : 0 <= Q) as HQ0.

@@ -59,10 +59,10 @@ Let HQ : 0 <= Q := extent_nonneg q.
 Lemma W_least : bpow radix2 (-200) <= W /\ (1 + k) * bpow radix2 (-450) <= / 1000 * (uu * W) /\
   bpow radix2 (-957) <= / 1000 * (uu * W).
 Proof.
-  pose proof (V_size2 v v_ordinary v_not_zero) as SV; fold V in SV; pose proof (bpow_gt_0 radix2 (-100)) as H100.
-  destruct h_ordinary as [_ [Z0|[Hh _]]]; [lra|]; rewrite Rabs_pos_eq in Hh by lra; assert (HW : bpow radix2 (-200) <= W).
+  pose proof (V_range v v_ordinary v_not_zero) as SV; fold V in SV; pose proof (bpow_gt_0 radix2 (-100)) as H100.
+  pose proof (r_least h h_ordinary h_positive) as Hh; assert (HW : bpow radix2 (-200) <= W).
   { change (-200)%Z with (-100 + -100)%Z; rewrite bpow_plus; unfold W; apply Rmult_le_compat; lra. }
-  split; [exact HW | now apply nothing_beside].
+  split; [exact HW | apply nothing_beside; [now apply ordinary_size | apply HW]].
 Qed.
 
 (** The length of what two computed numbers make of a and b: x and y of sizes M and N, off by i and j units. *)
@@ -397,8 +397,8 @@ Proof.
   destruct (Conical.sizes_of_bounds p v centro h k r p_ordinary v_ordinary centro_ordinary h_ordinary h_positive k_ordinary
     k_positive r_ordinary r_nonneg v_not_zero) as (S405 & S407 & _); change (K * (V * V) <= bpow radix2 405) in S405;
       change (K * (V * E) <= bpow radix2 407) in S407.
-  pose proof (V_size2 v v_ordinary v_not_zero) as [SV _]; fold V in SV; destruct h_ordinary as [_ [Z0|[Sh _]]]; [lra|].
-  rewrite Rabs_pos_eq in Sh by lra; pose proof (bpow_gt_0 radix2 (-100)) as H100.
+  pose proof (V_range v v_ordinary v_not_zero) as [SV _]; fold V in SV; pose proof (r_least h h_ordinary h_positive) as Sh.
+  pose proof (bpow_gt_0 radix2 (-100)) as H100.
   assert (Least : forall x y, bpow radix2 (-100) <= x -> bpow radix2 (-100) <= y -> bpow radix2 (-302) <= uu * (K *
     (x * y))).
   { intros x y Hx Hy; change (-302)%Z with (-102 + (-100 + -100))%Z; rewrite !bpow_plus; apply Rmult_le_compat_l; [lra|].

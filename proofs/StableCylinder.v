@@ -62,8 +62,8 @@ Let HQ : 0 <= Q := extent_nonneg q.
 
 Lemma W_parts : W = Q * V + r * V /\ 0 <= Q * V /\ 0 < r * V /\ bpow radix2 (-200) <= W <= bpow radix2 206.
 Proof.
-  pose proof (V_size2 v v_ordinary v_not_zero) as SV;
-    pose proof (E_size2 p centro r p_ordinary centro_ordinary r_ordinary r_positive) as SE.
+  pose proof (V_range v v_ordinary v_not_zero) as SV;
+    pose proof (E_range p centro r p_ordinary centro_ordinary r_ordinary r_positive) as SE.
   change (bpow radix2 (-100) <= V <= bpow radix2 103) in SV; change (bpow radix2 (-100) <= E <= bpow radix2 103) in SE.
   pose proof (bpow_gt_0 radix2 (-100)); split; [unfold W, E; ring|]; split; [apply Rmult_le_pos; lra|].
   split; [apply Rmult_lt_0_compat; lra|]; change (-200)%Z with (-100 + -100)%Z; change 206%Z with (103 + 103)%Z.
@@ -71,7 +71,7 @@ Proof.
 Qed.
 
 Lemma W_least : (1 + r) * bpow radix2 (-450) <= / 1000 * (uu * W) /\ bpow radix2 (-957) <= / 1000 * (uu * W).
-Proof. destruct W_parts as (_ & _ & _ & [HW _]); now apply nothing_beside. Qed.
+Proof. destruct W_parts as (_ & _ & _ & [HW _]); apply nothing_beside; [exact (ordinary_size r r_ordinary) | exact HW]. Qed.
 
 Lemma surface_near2 : double_word surface2 /\ Rabs (whole surface2 - r * norm a) <= 192 / 10 * (uu * (r * V)) + / 400 *
   (uu * W) /\
@@ -129,8 +129,8 @@ Proof.
     v_not_zero d_unit) as ((NA & WA & GA & SA) & (NB & WB & GB & SB) & (NC & WC & GC & SC)).
   fold q in NB, SB, NC, SC; fold a in NA, SA; fold a b in NB, SB; fold b in NC, SC; fold V in NA, SA; fold Q V in NB, SB;
     fold Q in NC, SC.
-  pose proof (V_size2 v v_ordinary v_not_zero) as SV;
-    pose proof (E_size2 p centro r p_ordinary centro_ordinary r_ordinary r_positive) as SE.
+  pose proof (V_range v v_ordinary v_not_zero) as SV;
+    pose proof (E_range p centro r p_ordinary centro_ordinary r_ordinary r_positive) as SE.
   change (bpow radix2 (-100) <= V <= bpow radix2 103) in SV; change (bpow radix2 (-100) <= E <= bpow radix2 103) in SE.
   pose proof (bpow_gt_0 radix2 (-100)); pose proof (V_computed2 v v_ordinary) as CV;
     pose proof (E_computed2 p centro r p_ordinary centro_ordinary r_ordinary r_positive) as CE.

@@ -8,7 +8,7 @@ From Flocq Require Import Core.
 From Durero Require Import Toolkit Especificacion Puntos Trazador.
 From Durero Require Tipos Certified Formas.
 From Durero Require Import Rounding Vectors Across Quotient Decision Flotante Verdict Advance Linear Plane Steps Twofold Sums
-  Products Ratios Words Doubled StableFlat StablePlane.
+  Products Ratios Words Small Doubled StableFlat StablePlane.
 Import Formas.Pairs.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -97,7 +97,7 @@ Proof.
   apply Rabs_le_inv in Hd, Hrim; apply Rabs_le; lra.
 Qed.
 
-Lemma out_near2 : double_word (norm2 out2) /\ Rabs (whole (norm2 out2) - norm out) <= 301 / 10 * (uu * (Q * V)) /\
+Lemma out_near2 : double_word (norm2 out2) /\ Rabs (whole (norm2 out2) - norm out) <= 301 / 10 * (uu * (Q * V)) + bpow radix2 (-450) /\
   0 <= norm out <= 2001 / 1000 * (Q * V).
 Proof.
   pose proof S_worded as Hc; pose proof (size_of_s1 v d v_not_zero d_unit) as HS; pose proof uu_bounds as Hu.
@@ -112,9 +112,7 @@ Proof.
     - apply (worded_coarser _ _ (-456)); [lia|]; apply (worded_more 4); [lia|].
       exact (worded_mult 3 0 (-304) (-152) _ _ _ _ _ _ ltac:(lia) H0 Hb). }
   pose proof (Hone _ _ _ _ QX VX) as CX; pose proof (Hone _ _ _ _ QY VY) as CY; pose proof (Hone _ _ _ _ QZ VZ) as CZ.
-  assert (On : words_on (-457) out2).
-  { destruct CX as (_ & ? & ?), CY as (_ & ? & ?), CZ as (_ & ? & ?); unfold words_on, out2; cbn [dx dy dz]; tauto. }
-  destruct (norm2_near (-457) out2 ltac:(lia) On) as (Hn & Wn & _); split; [exact Wn|].
+  destruct (norm2_any out2 (proj1 (proj2 CX)) (proj1 (proj2 CY)) (proj1 (proj2 CZ))) as (Wn & Hn & _); split; [exact Wn|].
   pose proof (worded_error 7 _ _ _ _ ltac:(lia) CX) as EX; pose proof (worded_error 7 _ _ _ _ ltac:(lia) CY) as EY;
     pose proof (worded_error 7 _ _ _ _ ltac:(lia) CZ) as EZ; simpl INR in EX, EY, EZ.
   pose proof (norm_le_extent q : _ <= Q) as NQ; pose proof (norm_le_extent v : _ <= V) as NV.
@@ -162,6 +160,12 @@ Proof.
   set (X := r * V) in *; assert (HX : 0 < X) by (apply Rmult_lt_0_compat; lra).
   assert (HuW : 0 <= uu * W <= e30 * W) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_r]; lra).
   assert (HuX : 0 < uu * X <= e30 * X) by (split; [apply Rmult_lt_0_compat | apply Rmult_le_compat_r]; lra).
+  assert (HX200 : bpow radix2 (-200) <= X).
+  { change (-200)%Z with (-100 + -100)%Z; rewrite bpow_plus; apply Rmult_le_compat; try apply bpow_ge_0.
+    - exact (r_least r r_ordinary r_positive).
+    - exact (proj1 (V_range v v_ordinary v_not_zero)). }
+  destruct (nothing_beside r X (ordinary_size r r_ordinary) HX200) as [Ny _]; pose proof (bpow_gt_0 radix2 (-450)) as Hy.
+  set (y := bpow radix2 (-450)) in *; pose proof (Rmult_le_pos r y ltac:(lra) ltac:(lra)).
   assert (Herr : 319 / 10 * (uu * (X + W)) <= error).
   { assert (H97 : computed 0 (-97) (bpow radix2 (-97)) (bpow radix2 (-97)) (bpow radix2 (-97))).
     { rewrite <- (Rabs_pos_eq (bpow radix2 (-97))) at 3 by apply bpow_ge_0; apply computed_exact; [apply format_bpow; lia|].

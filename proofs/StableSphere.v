@@ -7,7 +7,7 @@ From Flocq Require Import Core.
 From Durero Require Import Toolkit Especificacion Puntos Trazador.
 From Durero Require Tipos Certified Formas Chain.
 From Durero Require Import Rounding Quotient Vectors Decision Flotante Verdict Steps Triage Twofold Sums Products Ratios Words
-  Doubled Stable.
+  Small Doubled Stable.
 From Durero Require Once Interseccion Escena.
 Import Formas.Pairs.
 Local Open Scope R_scope.
@@ -87,21 +87,8 @@ Proof. now apply words_exactly, ordinary_on_grid. Qed.
 Lemma r_word : worded 0 (-152) r2 r r.
 Proof. destruct (ordinary_grid r r_ordinary); rewrite <- (Rabs_pos_eq r) at 2 by lra; now apply worded_exactly. Qed.
 
-Lemma V_size2 : bpow radix2 (-100) <= V <= bpow radix2 103.
-Proof.
-  split; [|apply Rle_trans with (1 := V_size v v_ordinary), bpow_le; lia].
-  destruct v_ordinary as ((_ & X) & (_ & Y) & (_ & Z0)); unfold V, extent.
-  pose proof (Rabs_pos (cx v)); pose proof (Rabs_pos (cy v)); pose proof (Rabs_pos (cz v)).
-  destruct X as [X|X], Y as [Y|Y], Z0 as [Z0|Z0]; try lra.
-  exfalso; unfold norm, dot in v_not_zero; rewrite X, Y, Z0 in v_not_zero.
-  replace (0 * 0 + 0 * 0 + 0 * 0) with 0 in v_not_zero by ring; rewrite sqrt_0 in v_not_zero; lra.
-Qed.
-
-Lemma E_size2 : bpow radix2 (-100) <= E <= bpow radix2 103.
-Proof.
-  split; [|exact (E_size p centro r p_ordinary centro_ordinary r_ordinary r_positive)].
-  pose proof (r_least r r_ordinary r_positive); pose proof (extent_nonneg qv); unfold E; lra.
-Qed.
+Let V_size2 : bpow radix2 (-100) <= V <= bpow radix2 103 := V_range v v_ordinary v_not_zero.
+Let E_size2 : bpow radix2 (-100) <= E <= bpow radix2 103 := E_range p centro r p_ordinary centro_ordinary r_ordinary r_positive.
 
 Lemma V_computed2 : computed 4 (-152) V_fl V V.
 Proof. apply (computed_more 2); [lia | exact (V_computed v v_ordinary)]. Qed.
@@ -111,31 +98,34 @@ Proof. exact (E_computed p centro r p_ordinary centro_ordinary r_ordinary r_posi
 
 (** ** The distances of the surface and of the line, times |v| *)
 
+(** What underflows is nothing beside them. *)
+Let nothing : (1 + r) * bpow radix2 (-450) <= / 1000 * (uu * (r * V)) /\ bpow radix2 (-957) <= / 1000 * (uu * (r * V)).
+Proof.
+  apply nothing_beside; [exact (ordinary_size r r_ordinary)|]; change (-200)%Z with (-100 + -100)%Z; rewrite bpow_plus.
+  apply Rmult_le_compat; try apply bpow_ge_0; [exact (r_least r r_ordinary r_positive) | apply V_size2].
+Qed.
+
 Lemma of_surface_near : double_word S2 /\ Rabs (whole S2 - r * norm v) <= 10 * uu * (r * V).
 Proof.
-  pose proof uu_bounds as Hu; destruct v_close2 as ((Nx & Wx & Gx) & (Ny & Wy & Gy) & (Nz & Wz & Gz)).
-  assert (On : words_on (-152) v2) by (unfold words_on; tauto).
-  destruct (norm2_near (-152) v2 ltac:(lia) On) as (Hn & Wn & Hleast); assert (Ew : wholes v2 = v).
+  pose proof uu_bounds as Hu; destruct v_close2 as ((Nx & Wx & _) & (Ny & Wy & _) & (Nz & Wz & _)).
+  destruct (norm2_any v2 Wx Wy Wz) as (Wn & Hn & Hn0); assert (Ew : wholes v2 = v).
   { assert (Ex : forall a x m, near2 0 a x m -> whole a = x).
     { intros a x m [Hx _]; simpl in Hx; replace ((1 - 1) * m) with 0 in Hx by ring.
       pose proof (Rabs_pos (whole a - x)); destruct (Req_dec (whole a - x) 0) as [|N]; [lra | pose proof (Rabs_pos_lt _ N); lra]. }
     unfold wholes; rewrite (Ex _ _ _ Nx), (Ex _ _ _ Ny), (Ex _ _ _ Nz); now destruct v. }
-  rewrite Ew in Hn, Hleast; specialize (Hleast v_not_zero); change (-152 - 2)%Z with (-154)%Z in Hleast.
-  destruct r_word as (_ & Wr & _); pose proof (r_least r r_ordinary r_positive) as Hr; destruct (ordinary_grid r r_ordinary) as [Fr _].
-  destruct (exactly_word r Fr) as [_ Er].
-  destruct (product_near r2 (norm2 v2) Wr Wn) as [WS HS].
-  { right; change (hi r2) with r; pose proof (bpow_gt_0 radix2 (-154)); pose proof (bpow_gt_0 radix2 (-100)).
-    rewrite Rabs_pos_eq by (apply Rmult_le_pos; lra); apply Rle_trans with (bpow radix2 (-100) * bpow radix2 (-154)).
-    - rewrite <- bpow_plus; apply bpow_le; lia.
-    - apply Rmult_le_compat; lra. }
+  rewrite Ew in Hn; destruct r_word as (_ & Wr & _), (ordinary_grid r r_ordinary) as [Fr _], (exactly_word r Fr) as [_ Er].
+  pose proof (r_least r r_ordinary r_positive) as Hr.
+  destruct (product_any r2 (norm2 v2) Wr Wn) as [WS HS]; destruct nothing as [N450 N957]; pose proof (bpow_gt_0 radix2 (-450)) as Hy.
+  set (y := bpow radix2 (-450)) in *.
   split; [exact WS|]; fold S2 in HS; change (whole r2 = r) in Er; rewrite Er in HS; set (n := whole (norm2 v2)) in *.
   pose proof (norm_nonneg v) as Hv0; pose proof (norm_le_extent v : _ <= V) as Hv; apply Rabs_le_inv in Hn.
-  assert (Huv : 0 <= uu * norm v <= e30 * norm v) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_r]; lra).
   rewrite (Rabs_pos_eq (r * n)) in HS by (apply Rmult_le_pos; lra).
-  assert (Hrn : r * (norm v - 8 * uu * norm v) <= r * n <= r * (norm v + 8 * uu * norm v)) by (split; apply Rmult_le_compat_l; lra).
-  assert (Hu1 : uu * (r * n) <= uu * (r * (2 * V))) by (apply Rmult_le_compat_l; [lra|]; apply Rmult_le_compat_l; lra).
-  assert (Hu2 : 0 <= uu * (r * norm v) <= uu * (r * V)).
-  { split; [repeat apply Rmult_le_pos; lra|]; apply Rmult_le_compat_l; [lra|]; apply Rmult_le_compat_l; lra. }
+  assert (Hrn : r * (norm v - 8 * uu * norm v - y) <= r * n <= r * (norm v + 8 * uu * norm v + y))
+    by (split; apply Rmult_le_compat_l; lra).
+  assert (Hrv : 0 <= r * norm v <= r * V) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_l]; lra).
+  pose proof (uu_part _ (proj1 Hrv)); pose proof (uu_part (r * V) ltac:(lra)).
+  assert (Hu1 : uu * (r * norm v) <= uu * (r * V)) by (apply Rmult_le_compat_l; lra).
+  assert (Hu2 : uu * (r * n) <= uu * (3 / 2 * (r * V))) by (apply Rmult_le_compat_l; lra).
   apply Rabs_le_inv in HS; apply Rabs_le; lra.
 Qed.
 
@@ -169,10 +159,11 @@ Proof.
   unfold s in *; lra.
 Qed.
 
-Lemma of_line_near : double_word L2 /\ Rabs (whole L2 - norm (cross qv v)) <= 12 * uu * (Q * V) /\ 0 <= whole L2.
+Lemma of_line_near : double_word L2 /\ Rabs (whole L2 - norm (cross qv v)) <= 12 * uu * (Q * V) + bpow radix2 (-450) /\ 0 <= whole L2.
 Proof.
   destruct cross_near as [On He]; pose proof uu_bounds as Hu; pose proof (cross_norm p v centro : _ <= Q * V) as Hn.
-  fold qv in Hn; destruct (norm2_near (-304) _ ltac:(lia) On) as (Hl & WL & _); fold L2 in Hl, WL.
+  fold qv in Hn; destruct On as ((Wx & _) & (Wy & _) & (Wz & _)), (norm2_any _ Wx Wy Wz) as (WL & Hl & HL0).
+  fold L2 in Hl, WL, HL0.
   pose proof (norm_lipschitz (wholes (cross2 q2 v2)) (cross qv v)) as Hd; pose proof (norm_nonneg (wholes (cross2 q2 v2))) as Hn0.
   set (n := norm (wholes (cross2 q2 v2))) in *; pose proof V_size2; pose proof (bpow_gt_0 radix2 (-100)).
   pose proof (Rmult_le_pos Q V (extent_nonneg qv) ltac:(lra)) as HQV.
@@ -180,14 +171,15 @@ Proof.
   apply Rabs_le_inv in Hd, Hl; assert (Hn1 : n <= (1 + / 1000) * (Q * V)) by lra.
   assert (Hu2 : 0 <= uu * n <= uu * ((1 + / 1000) * (Q * V))) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_l]; lra).
   assert (Hu3 : uu * n <= e30 * n) by (apply Rmult_le_compat_r; lra).
-  split; [exact WL | split; [apply Rabs_le; lra | lra]].
+  split; [exact WL | split; [apply Rabs_le; lra | exact HL0]].
 Qed.
 
 Lemma F_H_near : let F2 := difference S2 L2 in let H2 := sum S2 L2 in double_word F2 /\ double_word H2 /\
   Rabs (whole F2 - F) <= 20 * (uu * (V * E)) /\ Rabs (whole H2 - H) <= 20 * (uu * (V * E)) /\
   (0 < whole F2 -> whole F2 <= (1 + / 2000) * whole H2) /\ Rabs H <= 2 * (V * E).
 Proof.
-  destruct of_line_near as (WL & Hl & HL0), of_surface_near as [WS Hs]; pose proof uu_bounds as Hu.
+  destruct of_line_near as (WL & Hl & HL0), of_surface_near as [WS Hs], nothing as [N450 _]; pose proof (bpow_gt_0 radix2 (-450)) as Hy.
+  set (y := bpow radix2 (-450)) in *; pose proof uu_bounds as Hu; pose proof (Rmult_le_pos r y ltac:(lra) ltac:(lra)).
   pose proof V_size2; pose proof (bpow_gt_0 radix2 (-100)); pose proof (extent_nonneg qv : 0 <= Q) as HQ.
   pose proof (cross_norm p v centro : _ <= Q * V) as Hn; fold qv in Hn; pose proof (norm_nonneg (cross qv v)) as Hn0.
   pose proof (Rmult_le_compat_l r _ _ (Rlt_le _ _ r_positive) (norm_le_extent v : _ <= V)) as Hrv.

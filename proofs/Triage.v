@@ -5,6 +5,7 @@
     the element, whether it starts on it or not: which is the first sentence of [Search.steps_right].
 
     shape                  == the numbers of an element, in binary64; stands s e sh == e has them in the scene s
+    in_bounds p v sh       == they and the ray's are ordinary: the tracer computes in floating point with no others
     decisions_of p v sh    == the four decisions on it, for the ray from p along v
     answered step x a      == a is the answer of the step up to x; up to infinity, that of every limit large enough
     verdict_of a           == the answer a, as the search takes it: a finding is a root with its error *)
@@ -35,6 +36,8 @@ Definition ordinary_shape (sh : shape) : Prop :=
   | Disc c r d => ordinary_vec c /\ ordinary r /\ ordinary_vec d
   | Triangle a b c => ordinary_vec a /\ ordinary_vec b /\ ordinary_vec c
   end.
+
+Definition in_bounds (p v : vec) (sh : shape) : Prop := ordinary_vec p /\ ordinary_vec v /\ ordinary_shape sh.
 
 Definition decisions_of (p v : vec) (sh : shape) : decisions :=
   let V := extent_fl v in
@@ -179,20 +182,31 @@ Proof.
   destruct R1 as (t & Ht & N & _); exists t; split; [exact Ht | now apply near_within].
 Qed.
 
-(** *** The first sentence of what the search asks of its steps *)
+End Scene.
+
+(** ** The first sentence of what the search asks of its steps *)
+Section Search.
+Variable Elemento : Type.
+Variable s : Especificacion.Escena Elemento.
+Hypothesis ok : Escena_ok s.
+Variable en : set Elemento.
+Variables p v : vec.
+Notation ray := (ray_of p v).
+Hypothesis ray_ok : Rayo_ok ray.
+Notation met := (met ray Elemento s en).
 
 Variable elements : list Elemento.
 Variables (shape_of : Elemento -> shape) (on in_range : Elemento -> bool).
-Hypothesis described : forall e, In e elements -> stands e (shape_of e) /\ (on e = true <-> en e).
-Hypothesis range : forall e, In e elements -> in_range e = true -> ordinary_shape (shape_of e).
+Hypothesis described : forall e, In e elements -> stands Elemento s e (shape_of e) /\ (on e = true <-> en e).
+Hypothesis range : forall e, In e elements -> in_range e = true -> in_bounds p v (shape_of e).
 Variable triage : Elemento -> Limits.binary64 -> Search.verdict (Formas.known R).
 Hypothesis computed : forall e x, In e elements -> in_range e = true ->
   exists a, answered (alone_of p v (shape_of e) (on e)) x a /\ triage e x = verdict_of a.
 
 Theorem triage_decides : Search.decides Elemento (Formas.known R) met elements in_range is_near triage.
 Proof.
-  intros e x He Hr; destruct (described e He) as [Hs Hon]; destruct (computed e x He Hr) as (a & Ha & ->).
-  pose proof (fun limit => alone_is_right e (shape_of e) (on e) limit Hs (range e He Hr) Hon) as R1; unfold answered in Ha.
+  intros e x He Hr; destruct (described e He) as [Hs Hon], (range e He Hr) as (Hp & Hv & Ho), (computed e x He Hr) as (a & Ha & ->).
+  pose proof (fun limit => alone_is_right Elemento s ok en p v ray_ok Hp Hv e (shape_of e) (on e) limit Hs Ho Hon) as R1; unfold answered in Ha.
   destruct (is_finite x) eqn:Fx.
   - specialize (R1 (B2R x)); rewrite <- Ha in R1; destruct a; cbn in *; [|exact I | destruct R1 as (t & Ht & N & _); now exists t].
     intros t Ht [-> | [_ Hle]]; [discriminate Fx | specialize (R1 t Ht); lra].
@@ -201,4 +215,4 @@ Proof.
     intros t Ht _; specialize (R1 (Rmax low t)); rewrite <- (Ha (Rmax low t)) in R1 by apply Rmax_l; cbn in R1.
     specialize (R1 t Ht); pose proof (Rmax_r low t); lra.
 Qed.
-End Scene.
+End Search.

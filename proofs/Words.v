@@ -215,12 +215,17 @@ Definition words_close (n : nat) (k : Z) (a : vec2) (x : vec) : Prop :=
 Definition words_on (k : Z) (a : vec2) : Prop :=
   (double_word (dx a) /\ parts_on k (dx a)) /\ (double_word (dy a) /\ parts_on k (dy a)) /\ (double_word (dz a) /\ parts_on k (dz a)).
 
-Lemma words_close_self k a : words_on k a -> words_close 0 k a (wholes a).
+Lemma on_words k a : words_on k a -> double_word (dx a) /\ double_word (dy a) /\ double_word (dz a).
+Proof. intros ((X & _) & (Y & _) & (Z & _)); tauto. Qed.
+
+Lemma worded_self k w : double_word w -> parts_on k w -> worded 0 k w (whole w) (Rabs (whole w)).
 Proof.
-  assert (H : forall w, double_word w /\ parts_on k w -> worded 0 k w (whole w) (Rabs (whole w))).
-  { intros w [W P]; split; [|now split]; unfold near2; simpl; rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; split; lra. }
-  intros (X & Y & Z0); repeat split; now apply H.
+  intros W P; split; [|now split]; unfold near2; simpl; rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; split;
+    [lra | apply Rle_refl].
 Qed.
+
+Lemma words_close_self k a : words_on k a -> words_close 0 k a (wholes a).
+Proof. intros ([? ?] & [? ?] & [? ?]); split; [|split]; now apply worded_self. Qed.
 
 Lemma words_exactly k a : on_grid k a -> words_close 0 k (exactly2 a) a.
 Proof. intros (? & ? & ? & ? & ? & ?); split; [|split]; now apply worded_exactly. Qed.
@@ -234,55 +239,6 @@ Proof.
   intros Hk (Ax & Ay & Az) (Bx & By & Bz); apply worded_plus; [lia | |].
   - apply worded_plus; [lia | |]; now apply worded_mult.
   - apply (worded_more (S (i + j))); [lia|]; now apply worded_mult.
-Qed.
-
-(** Eight units for a computed length, as in binary64. *)
-Lemma norm2_near k a : (-460 <= k)%Z -> words_on k a -> let s := norm (wholes a) in
-  Rabs (whole (norm2 a) - s) <= 8 * uu * s /\ double_word (norm2 a) /\ (0 < s -> bpow radix2 (k - 2) <= hi (norm2 a)).
-Proof.
-  intros Hk Ha s; pose proof uu_bounds as Hu; pose proof (norm_nonneg (wholes a)) as Hn; fold s in Hn.
-  pose proof (dot2_worded 0 0 k k a a _ _ ltac:(lia) (words_close_self k a Ha) (words_close_self k a Ha)) as Hc.
-  replace (size_of_dot (wholes a) (wholes a)) with (s * s) in Hc.
-  2: { unfold s; rewrite norm_square; unfold size_of_dot, dot; rewrite <- !Rabs_mult.
-       rewrite !Rabs_pos_eq by apply Rle_0_sqr; reflexivity. }
-  pose proof (worded_error 3 _ _ _ _ ltac:(lia) Hc) as He; rewrite <- norm_square in He; fold s in He; simpl INR in He.
-  destruct Hc as (_ & W & G & _); unfold norm2; set (P := dot2 a a) in *.
-  pose proof (Rmult_le_pos _ _ Hn Hn) as Hss; assert (Hus : 0 <= uu * (s * s) <= e30 * (s * s)).
-  { split; [apply Rmult_le_pos; lra | apply Rmult_le_compat_r; lra]. }
-  apply Rabs_le_inv in He; destruct (Req_dec (hi P) 0) as [Z0|N].
-  - assert (Hz : whole P = 0).
-    { destruct (double_word_is_pair P W) as (_ & _ & L); rewrite Z0, Rabs_R0, Rmult_0_r in L; unfold whole; rewrite Z0.
-      pose proof (Rabs_pos (lo P)); destruct (Req_dec (lo P) 0) as [|Nl]; [lra | pose proof (Rabs_pos_lt _ Nl); lra]. }
-    assert (Hs0 : s = 0).
-    { rewrite Hz in He; destruct (Req_dec s 0) as [|Ns]; [assumption|].
-      assert (0 < s * s) by (apply Rmult_lt_0_compat; lra); lra. }
-    assert (Er : root_of P = Twofold 0 0).
-    { unfold root_of; destruct (Rle_bool_spec (hi P) 0); [reflexivity | lra]. }
-    rewrite Er, Hs0; unfold double_word, whole; cbn [hi lo]; rewrite Rplus_0_r, rnd_0, Rminus_0_r, Rabs_R0.
-    repeat split; try apply generic_format_0; lra.
-  - assert (HP : 0 < hi P).
-    { assert (Hw : 0 <= whole P) by lra; destruct W as (_ & _ & E); pose proof (rnd_nonneg _ Hw); rewrite <- E in *; lra. }
-    pose proof (grid_at_least _ _ G N) as Hleast; rewrite Rabs_pos_eq in Hleast by lra.
-    destruct (root_near P W) as [Wr Hr]; [apply Rle_trans with (2 := Hleast), bpow_le; lia|].
-    destruct (root_kept P W) as (_ & _ & Hlow); [apply Rle_trans with (2 := Hleast), bpow_le; lia|].
-    split; [|split; [exact Wr|]].
-    + assert (Hw0 : 0 < whole P) by (apply word_above; auto; apply generic_format_0).
-      assert (Hs0 : 0 < s).
-      { destruct (Req_dec s 0) as [Zs|Ns]; [rewrite Zs in He; lra | lra]. }
-      assert (Hd : Rabs (sqrt (whole P) - s) <= 4 * uu * s).
-      { replace s with (sqrt (s * s)) at 1 by (apply sqrt_square; lra).
-        rewrite Rabs_minus_sym; apply Rle_trans with (1 := sqrt_distance (s * s) (whole P) ltac:(apply Rmult_lt_0_compat; lra)
-          ltac:(lra)); rewrite (sqrt_square s) by lra.
-        apply Rmult_le_reg_r with s; [exact Hs0|]; unfold Rdiv; rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
-        apply Rabs_le; lra. }
-      apply Rabs_le_inv in Hd, Hr; pose proof (Rmult_le_pos uu s ltac:(lra) Hn).
-      assert (uu * sqrt (whole P) <= uu * (2 * s)).
-      { apply Rmult_le_compat_l; [lra|]; assert (uu * s <= e30 * s) by (apply Rmult_le_compat_r; lra); lra. }
-      apply Rabs_le; lra.
-    + intros _; apply Rle_trans with (2 := Hlow).
-      assert (Hroot : bpow radix2 k <= sqrt (hi P)).
-      { rewrite <- (sqrt_square (bpow radix2 k)) by apply bpow_ge_0; apply sqrt_le_1_alt; now rewrite <- bpow_plus. }
-      unfold Zminus; rewrite bpow_plus; replace (bpow radix2 (- (2))) with (/ 4) by reflexivity; pose proof (bpow_gt_0 radix2 k); lra.
 Qed.
 
 (** ** Every operation is within the bound beside its definition *)
