@@ -37,7 +37,10 @@ Lists Lists::made(std::span<const Reference> references, std::size_t rows, RowOf
   std::partial_sum(lists.begins_.begin(), lists.begins_.end(), lists.begins_.begin());
   lists.items_.resize(references.size());
   std::vector<std::uint32_t> next = lists.begins_;
-  for (const Reference& reference : references) lists.items_[next[row_of(reference)]++] = item_of(reference);
+  for (const Reference& reference : references) {
+    std::uint32_t& place = next[row_of(reference)];
+    lists.items_[place++] = item_of(reference);
+  }
   return lists;
 }
 
