@@ -38,8 +38,9 @@ Lists Lists::made(std::span<const Reference> references, std::size_t rows, RowOf
   lists.items_.resize(references.size());
   std::vector<std::uint32_t> next = lists.begins_;
   for (const Reference& reference : references) {
-    std::uint32_t& place = next[row_of(reference)];
-    lists.items_[place++] = item_of(reference);
+    const std::size_t row = row_of(reference);
+    const std::uint32_t place = next[row]++;
+    lists.items_[place] = item_of(reference);
   }
   return lists;
 }

@@ -74,7 +74,7 @@ Slab Outline::extent(const glm::dvec3& n) const {
   const double share = std::sqrt(std::max(0.0, squared - along * along) + 0x1p-47 * squared) * (1 + 0x1p-40);
   const double slack = 0x1p-46 * norm_1(n) * size;
   Slab slab{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (int i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     const double at = glm::dot(n, centre[i]), reach = radius[i] * share + slack;
     slab.low = std::min(slab.low, at - reach);
     slab.high = std::max(slab.high, at + reach);

@@ -44,11 +44,11 @@ Ellipsoid ellipsoid_around(const Outline& outline) {
   Ellipsoid result{outline.centre[0], outline.axis, 1, outline.radius[0]};
   if (outline.ball) return result;
   glm::dvec3 low = outline.centre[0], high = low;
-  for (int i = 1; i < outline.count; ++i)
+  for (std::size_t i = 1; i < outline.count; ++i)
     low = glm::min(low, outline.centre[i]), high = glm::max(high, outline.centre[i]);
   result.centre = 0.5 * low + 0.5 * high;
   const auto each = [&](auto take) {
-    for (int i = 0; i < outline.count; ++i) {
+    for (std::size_t i = 0; i < outline.count; ++i) {
       const glm::dvec3 x = outline.centre[i] - result.centre;
       const double along = glm::dot(x, outline.axis);
       take(std::abs(along), glm::length(x - along * outline.axis) + outline.radius[i]);

@@ -152,7 +152,7 @@ constexpr std::array all_kinds = {
 /// share is not asked for: it takes long to tell for many slabs.
 template <class Share>
 const Kind& cheapest_by(Share share) {
-  const Kind* best = nullptr;
+  const Kind* best = all_kinds.data();
   double least = std::numeric_limits<double>::infinity();
   for (const Kind& kind : all_kinds) {
     if (kind.B >= least) continue;

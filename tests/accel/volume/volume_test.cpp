@@ -69,7 +69,7 @@ std::size_t check_holds(Random& random, std::size_t elements, std::size_t rays) 
       const std::vector<Simple> volumes = all_around(shape);
       const Outline around = accel::outline(shape);
       for (std::size_t i = 0; i < rays; ++i) {
-        const std::size_t c = random.below(std::size_t(around.count));
+        const std::size_t c = random.below(around.count);
         const double reach = random.chance(1, 2) ? 1 : random.uniform(0, 1);  // at a rim, a vertex, or within
         const glm::dvec3 aside = glm::normalize(glm::cross(around.axis, random.direction()));
         const glm::dvec3 target = around.centre[c] + reach * around.radius[c] * aside;

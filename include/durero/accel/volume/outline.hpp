@@ -23,7 +23,7 @@ struct Slab {
 struct Outline {
   std::array<glm::dvec3, 3> centre;  ///< of each disc, or of the ball
   std::array<double, 3> radius;      ///< of each
-  int count;                         ///< how many
+  std::size_t count;                 ///< how many
   glm::dvec3 axis;                   ///< across which they lie: a unit vector up to 2⁻⁵⁰; of a ball any
   bool ball;                         ///< a ball, and no disc
   double size;  ///< no less than any coordinate, radius or length that went into it: errors are shares of it
