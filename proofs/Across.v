@@ -1,7 +1,5 @@
 (** * Across: what is left of a vector across an axis, computed
 
-    plus, scale    == the sum of two vectors, a multiple of one
-    magnitudes a   == the vector of the magnitudes of a's components
     across x d     == x - (x·d)·d, for any d, unit or not;  X_fl == the same, each operation rounded once *)
 From Coq Require Import Reals ZArith Lra Lia Psatz.
 From Flocq Require Import Core.
@@ -9,9 +7,6 @@ From Durero Require Import Rounding Vectors.
 Local Open Scope R_scope.
 Local Opaque bpow.
 
-Definition plus (a b : vec) : vec := Vec (cx a + cx b) (cy a + cy b) (cz a + cz b).
-Definition scale (s : R) (a : vec) : vec := Vec (s * cx a) (s * cy a) (s * cz a).
-Definition magnitudes (a : vec) : vec := Vec (Rabs (cx a)) (Rabs (cy a)) (Rabs (cz a)).
 Definition across (x d : vec) : vec := minus x (scale (dot x d) d).
 Definition across_fl (x d : vec) : vec :=
   let s := dot_fl x d in
@@ -21,81 +16,6 @@ Definition across_fl (x d : vec) : vec :=
 Lemma across_dot a b d : dot (across a d) (across b d) = dot a b - (2 - dot d d) * (dot a d * dot b d).
 Proof. unfold across, scale, minus, dot; cbn; ring. Qed.
 
-(** ** Lengths *)
-
-Lemma square_le a b : 0 <= b -> a * a <= b * b -> a <= b.
-Proof. intros Hb H; apply Rnot_lt_le; intros Hlt; pose proof (Rmult_le_0_lt_compat b a b a Hb Hb Hlt Hlt); lra. Qed.
-
-Lemma norm_of_square a m : 0 <= m -> dot a a <= m * m -> norm a <= m.
-Proof. intros Hm H; apply square_le; [assumption | now rewrite norm_square]. Qed.
-
-(** Lagrange's identity, for products and their lengths. *)
-Lemma cross_and_dot a b : dot (cross a b) (cross a b) + dot a b * dot a b = dot a a * dot b b.
-Proof. unfold dot, cross; simpl; ring. Qed.
-
-Lemma norms_square a b : norm a * norm b * (norm a * norm b) = dot a a * dot b b.
-Proof. rewrite <- !norm_square; ring. Qed.
-
-Lemma norms_nonneg a b : 0 <= norm a * norm b.
-Proof. apply Rmult_le_pos; apply norm_nonneg. Qed.
-
-Lemma dot_le a b : Rabs (dot a b) <= norm a * norm b.
-Proof.
-  apply square_le; [apply norms_nonneg|]; rewrite norms_square, <- cross_and_dot.
-  pose proof (abs_sum_squares (cx (cross a b)) (cy (cross a b)) (cz (cross a b)) : 0 <= dot (cross a b) (cross a b)).
-  rewrite <- Rabs_mult, Rabs_pos_eq by apply Rle_0_sqr; lra.
-Qed.
-
-Lemma cross_le a b : norm (cross a b) <= norm a * norm b.
-Proof.
-  apply norm_of_square; [apply norms_nonneg|]; rewrite norms_square, <- cross_and_dot.
-  pose proof (Rle_0_sqr (dot a b)) as H; unfold Rsqr in H; lra.
-Qed.
-
-Lemma norm_plus a b : norm (plus a b) <= norm a + norm b.
-Proof.
-  pose proof (norm_nonneg a); pose proof (norm_nonneg b); apply norm_of_square; [lra|].
-  pose proof (dot_le a b) as H1; apply Rabs_le_inv in H1.
-  replace (dot (plus a b) (plus a b)) with (dot a a + dot b b + 2 * dot a b) by (unfold dot, plus; simpl; ring).
-  rewrite <- !norm_square; lra.
-Qed.
-
-Lemma norm_scale s a : norm (scale s a) = Rabs s * norm a.
-Proof.
-  unfold norm; replace (dot (scale s a) (scale s a)) with (s * s * dot a a) by (unfold dot, scale; simpl; ring).
-  rewrite sqrt_mult; [|apply Rle_0_sqr | apply abs_sum_squares]; f_equal; apply sqrt_Rsqr_abs.
-Qed.
-
-Lemma norm_magnitudes a : norm (magnitudes a) = norm a.
-Proof. unfold norm, dot, magnitudes; simpl; f_equal; rewrite <- !Rabs_mult, !Rabs_pos_eq by apply Rle_0_sqr; ring. Qed.
-
-Lemma size_le a b : size_of_dot a b <= norm a * norm b.
-Proof.
-  rewrite <- (norm_magnitudes a), <- (norm_magnitudes b); apply Rle_trans with (2 := dot_le _ _), Rle_abs.
-Qed.
-
-Lemma size_nonneg a b : 0 <= size_of_dot a b.
-Proof.
-  unfold size_of_dot; pose proof (Rmult_le_pos _ _ (Rabs_pos (cx a)) (Rabs_pos (cx b)));
-    pose proof (Rmult_le_pos _ _ (Rabs_pos (cy a)) (Rabs_pos (cy b)));
-    pose proof (Rmult_le_pos _ _ (Rabs_pos (cz a)) (Rabs_pos (cz b))); lra.
-Qed.
-
-Lemma norm_mono a b : Rabs (cx a) <= cx b -> Rabs (cy a) <= cy b -> Rabs (cz a) <= cz b -> norm a <= norm b.
-Proof.
-  intros X Y Z; apply sqrt_le_1_alt; unfold dot.
-  assert (S : forall s t, Rabs s <= t -> s * s <= t * t).
-  { intros s t H; replace (s * s) with (Rabs s * Rabs s) by (rewrite <- Rabs_mult; apply Rabs_pos_eq, Rle_0_sqr).
-    apply Rmult_le_compat; auto using Rabs_pos. }
-  pose proof (S _ _ X); pose proof (S _ _ Y); pose proof (S _ _ Z); lra.
-Qed.
-
-Lemma norm_between a b : norm a <= norm b + norm (minus a b).
-Proof.
-  replace a with (plus b (minus a b)) at 1 by (destruct a, b; unfold plus, minus; simpl; f_equal; ring).
-  apply norm_plus.
-Qed.
-
 (** What lies across an axis is no longer than the whole, unless the axis is longer than √2. *)
 Lemma across_le x d : dot d d <= 2 -> norm (across x d) <= norm x.
 Proof.
@@ -104,6 +24,21 @@ Proof.
     by (unfold across, dot, minus, scale; simpl; ring).
   pose proof (Rle_0_sqr (dot x d)) as H; unfold Rsqr in H.
   pose proof (Rmult_le_pos (2 - dot d d) (dot x d * dot x d) ltac:(lra) H); lra.
+Qed.
+
+(** A direction that is a unit vector but for what rounding it leaves. *)
+Lemma unit_square d : Rabs (dot d d - 1) <= / 1000000 -> dot d d <= 1 + / 1000000.
+Proof. intros Hd; apply Rabs_le_inv in Hd; lra. Qed.
+Lemma norm_of_unit d : Rabs (dot d d - 1) <= / 1000000 -> norm d <= 1 + / 1000000.
+Proof. intros Hd; apply norm_of_square; [lra|]; pose proof (unit_square d Hd); lra. Qed.
+Lemma size_along x d X : Rabs (dot d d - 1) <= / 1000000 -> norm x <= X -> 0 <= X -> size_of_dot x d <= (1 + / 1000000) * X.
+Proof.
+  intros Hd Hx HX; apply Rle_trans with (1 := size_le _ _); rewrite (Rmult_comm (norm x)).
+  apply Rmult_le_compat; try apply norm_nonneg; [exact (norm_of_unit d Hd) | exact Hx].
+Qed.
+Lemma across_size x d : Rabs (dot d d - 1) <= / 1000000 -> norm (across x d) <= extent x.
+Proof.
+  intros Hd; apply Rle_trans with (norm x); [apply across_le; pose proof (unit_square d Hd); lra | apply norm_le_extent].
 Qed.
 
 (** ** Computed *)

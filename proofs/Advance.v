@@ -17,14 +17,10 @@ Local Opaque bpow.
 Section Advance.
 Variables p v centro d : vec.
 Variable h : R.
-Hypothesis p_ordinary : ordinary_vec p.
-Hypothesis v_ordinary : ordinary_vec v.
-Hypothesis centro_ordinary : ordinary_vec centro.
-Hypothesis d_ordinary : ordinary_vec d.
+Hypothesis ray_fits : fit_ray p v.
+Hypothesis axis_fits : fit_axis centro d.
 Hypothesis h_ordinary : ordinary h.
 Hypothesis h_positive : 0 < h.
-Hypothesis v_not_zero : 0 < norm v.
-Hypothesis d_unit : Rabs (dot d d - 1) <= / 1000000.
 Notation q_fl := (q_fl p centro).
 Let q := minus p centro.
 Let Q := extent q.
@@ -45,23 +41,15 @@ Let z := bpow radix2 (-1074).
 
 (** ** What is computed on the way *)
 
-Lemma norm_of_d : norm d <= 1 + / 1000000.
-Proof. apply norm_of_square; [lra|]; apply Rabs_le_inv in d_unit; lra. Qed.
-
 Lemma HQ : 0 <= Q. Proof. apply extent_nonneg. Qed.
-Lemma HV : 0 < V. Proof. exact (V_positive v v_not_zero). Qed.
-
-Lemma size_along x X : norm x <= X -> 0 <= X -> size_of_dot x d <= (1 + / 1000000) * X.
-Proof.
-  intros Hx HX; apply Rle_trans with (1 := size_le _ _); rewrite (Rmult_comm (norm x)).
-  apply Rmult_le_compat; try apply norm_nonneg; [exact norm_of_d | exact Hx].
-Qed.
+Lemma HV : 0 < V. Proof. exact (V_positive v (v_not_zero ray_fits)). Qed.
 
 Lemma s0_near : Rabs (s0_fl - s0) <= 402 / 100 * (u * Q) /\ Rabs s0_fl <= 1001 / 1000 * Q.
 Proof.
-  pose proof (dot_computed 1 0 (-152) (-152) q_fl d q d ltac:(lia) (q_close p centro p_ordinary centro_ordinary)
-    (close_exact _ _ (ordinary_on_grid d d_ordinary))) as Hc.
-  pose proof (size_along q Q (norm_le_extent q) HQ) as Hs; pose proof u_bounds as Hu; pose proof HQ as HQ0.
+  pose proof (dot_computed 1 0 (-152) (-152) q_fl d q d ltac:(lia) (q_close p centro (p_ordinary ray_fits) (centro_ordinary
+    axis_fits))
+    (close_exact _ _ (ordinary_on_grid d (d_ordinary axis_fits)))) as Hc.
+  pose proof (size_along q d Q (d_unit axis_fits) (norm_le_extent q) HQ) as Hs; pose proof u_bounds as Hu; pose proof HQ as HQ0.
   pose proof (computed_error_near 4 _ _ _ _ ltac:(lia) Hc) as He; simpl INR in He.
   assert (Hus : u * size_of_dot q d <= u * ((1 + / 1000000) * Q)) by (apply Rmult_le_compat_l; lra).
   assert (HuQ : 0 <= u * Q <= / 1000000 * Q) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_r]; lra).
@@ -73,9 +61,9 @@ Qed.
 
 Lemma s1_near : Rabs (s1_fl - s1) <= 301 / 100 * (u * V) /\ Rabs s1_fl <= 1001 / 1000 * V /\ grid (-304) s1_fl.
 Proof.
-  pose proof (dot_computed 0 0 (-152) (-152) v d v d ltac:(lia) (v_close v v_ordinary)
-    (close_exact _ _ (ordinary_on_grid d d_ordinary))) as Hc; pose proof HV as HV0.
-  pose proof (size_along v V (norm_le_extent v) (Rlt_le _ _ HV)) as Hs; pose proof u_bounds as Hu.
+  pose proof (dot_computed 0 0 (-152) (-152) v d v d ltac:(lia) (v_close v (v_ordinary ray_fits))
+    (close_exact _ _ (ordinary_on_grid d (d_ordinary axis_fits)))) as Hc; pose proof HV as HV0.
+  pose proof (size_along v d V (d_unit axis_fits) (norm_le_extent v) (Rlt_le _ _ HV)) as Hs; pose proof u_bounds as Hu.
   pose proof (computed_error_near 3 _ _ _ _ ltac:(lia) Hc) as He; simpl INR in He.
   assert (Hus : u * size_of_dot v d <= u * ((1 + / 1000000) * V)) by (apply Rmult_le_compat_l; lra).
   assert (HuV : 0 <= u * V <= / 1000000 * V) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_r]; lra).
@@ -87,7 +75,8 @@ Qed.
 
 Lemma reach_near : 999 / 1000 * (Q + h) <= reach_fl /\ 0 < reach_fl /\ format reach_fl.
 Proof.
-  pose proof (extent_computed 1 (-152) q_fl q ltac:(lia) (q_close p centro p_ordinary centro_ordinary)) as Hc.
+  pose proof (extent_computed 1 (-152) q_fl q ltac:(lia) (q_close p centro (p_ordinary ray_fits) (centro_ordinary axis_fits)))
+    as Hc.
   destruct (ordinary_grid h h_ordinary) as [Fh Gh]; pose proof (computed_exact (-152) h Fh Gh) as Hh.
   rewrite (Rabs_pos_eq h) in Hh by lra.
   pose proof (computed_plus 3 (-152) _ _ _ _ _ _ ltac:(lia) Hc (computed_more 0 3 _ _ _ _ ltac:(lia) Hh)) as Hr.
@@ -98,7 +87,8 @@ Qed.
 
 Lemma speed_near : 999999 / 1000000 * V <= V_fl <= 1000001 / 1000000 * V.
 Proof.
-  pose proof (computed_error_near 2 _ _ _ _ ltac:(lia) (V_computed v v_ordinary)) as He; simpl INR in He; fold V in He.
+  pose proof (computed_error_near 2 _ _ _ _ ltac:(lia) (V_computed v (v_ordinary ray_fits))) as He; simpl INR in He;
+  fold V in He.
   change (Flotante.V_fl v) with V_fl in He; pose proof HV as HV0.
   pose proof u_bounds as Hu; assert (u * V <= / 1000000000000 * V) by (apply Rmult_le_compat_r; lra).
   apply Rabs_le_inv in He; lra.
@@ -272,7 +262,7 @@ Proof.
   assert (Huh : 0 <= u * h <= / 1000000 * h) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_r]; lra).
   set (w := rnd (m * V_fl)); assert (Hw : 37 / 40 * (m * V) <= w).
   { assert (Hn : normal (m * V_fl)).
-    { destruct (V_computed v v_ordinary) as (_ & _ & G); change (Flotante.V_fl v) with V_fl in G.
+    { destruct (V_computed v (v_ordinary ray_fits)) as (_ & _ & G); change (Flotante.V_fl v) with V_fl in G.
       apply (grid_normal (j + -152)); [lia | apply grid_mult; [exists 1%Z; unfold m; ring | exact G]]. }
     pose proof (rnd_low (m * V_fl) ltac:(lra) Hn) as Hl; fold w in Hl; lra. }
   set (rate := rnd (Rabs s1_hi - w)).
@@ -295,7 +285,8 @@ Proof.
     rewrite (Rabs_pos_eq (least * rate)) in Hr by lra.
     assert (u * (least * rate) <= / 1000000 * (least * rate)) by (apply Rmult_le_compat_r; lra); lra. }
   assert (Hs0 : Rabs s0 <= 1002 / 1000 * Q).
-  { pose proof (dot_le q d) as Hd; pose proof norm_of_d as Nd; pose proof (norm_le_extent q : _ <= Q) as Nq.
+  { pose proof (dot_le q d) as Hd; pose proof (norm_of_unit d (d_unit axis_fits)) as Nd;
+  pose proof (norm_le_extent q : _ <= Q) as Nq.
     pose proof (Rmult_le_compat _ _ _ _ (norm_nonneg q) (norm_nonneg d) Nq Nd); unfold s0; lra. }
   unfold on_stretch; intros [_ [A1 A2]]; apply Rabs_le_inv in Hs0.
   unfold Rabs in Hbig; destruct (Rcase_abs (t * s1)); lra.

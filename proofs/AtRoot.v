@@ -49,8 +49,7 @@ Qed.
 Section Place.
 Variables p v : vec.
 Variable t : R.
-Hypothesis p_ordinary : ordinary_vec p.
-Hypothesis v_ordinary : ordinary_vec v.
+Hypothesis ray_ordinary : ordinary_ray p v.
 Hypothesis t_binary64 : format t.
 
 Record offsets := Offsets { ox : twofold; oy : twofold; oz : twofold }.
@@ -97,7 +96,7 @@ Qed.
 Lemma reached_sizes c : ordinary_vec c -> let d := away c in let a := Rabs (hi (ox d)) + Rabs (hi (oy d)) + Rabs (hi (oz d)) in
   a + Rabs t * extent v <= (1 + / 100000000000) * reached c + 2 * tiny /\ 0 <= reached c.
 Proof.
-  intros Hc d a; destruct (formats_of v v_ordinary) as (Vx & Vy & Vz).
+  intros Hc d a; destruct (formats_of v (v_ordinary ray_ordinary)) as (Vx & Vy & Vz).
   assert (Fd : format (hi (ox d)) /\ format (hi (oy d)) /\ format (hi (oz d))) by (repeat split; apply format_rnd).
   destruct Fd as (Dx & Dy & Dz); apply generic_format_abs in Dx, Dy, Dz, Vx, Vy, Vz.
   pose proof (Rabs_pos (hi (ox d))); pose proof (Rabs_pos (hi (oy d))); pose proof (Rabs_pos (hi (oz d))).
@@ -124,8 +123,9 @@ Theorem placed_loose c M : ordinary_vec c -> bpow radix2 (-800) <= M -> reached 
   loose z (2 + / 10) (4 + / 10) (oz q) (cz e) /\ / 10000000 * M <= x /\ / 10000000 * M <= y /\ / 10000000 * M <= z /\
   x + y + z <= reached c + / 100000 * M.
 Proof.
-  intros Hc HM HW; destruct (reached_sizes c Hc) as [Hs H0]; destruct (formats_of p p_ordinary) as (Px & Py & Pz).
-  destruct (formats_of v v_ordinary) as (Vx & Vy & Vz), (formats_of c Hc) as (Cx & Cy & Cz).
+  intros Hc HM HW; destruct (reached_sizes c Hc) as [Hs H0]; destruct (formats_of p (p_ordinary ray_ordinary)) as (Px & Py &
+    Pz).
+  destruct (formats_of v (v_ordinary ray_ordinary)) as (Vx & Vy & Vz), (formats_of c Hc) as (Cx & Cy & Cz).
   assert (HM0 : 0 < M) by (apply Rlt_le_trans with (2 := HM), bpow_gt_0).
   assert (Hz : tiny <= / 1000000 * M).
   { apply Rle_trans with (/ 1000000 * bpow radix2 (-800)); [|apply Rmult_le_compat_l; lra].
@@ -298,8 +298,7 @@ Qed.
 Section Shapes.
 Variables p v : vec.
 Variable t : R.
-Hypothesis p_ordinary : ordinary_vec p.
-Hypothesis v_ordinary : ordinary_vec v.
+Hypothesis ray_ordinary : ordinary_ray p v.
 Hypothesis t_binary64 : format t.
 Variable c : vec.
 Hypothesis c_ordinary : ordinary_vec c.
@@ -311,7 +310,8 @@ Let W := reached p v t c.
 Lemma placed_beside M : bpow radix2 (-400) <= M -> W <= M -> exists x y z, at_place x y z q e /\
   bpow radix2 (-450) <= x /\ bpow radix2 (-450) <= y /\ bpow radix2 (-450) <= z /\ x + y + z <= W + / 100000 * M.
 Proof.
-  intros HM HW; destruct (placed_loose p v t p_ordinary v_ordinary t_binary64 c M c_ordinary) as (x & y & z & X & Y & Z0 & Hx & Hy & Hz & S);
+  intros HM HW; destruct (placed_loose p v t ray_ordinary t_binary64 c M c_ordinary) as (x & y & z & X & Y & Z0 & Hx & Hy & Hz
+    & S);
     [apply Rle_trans with (2 := HM), bpow_le; lia | exact HW|].
   assert (L : bpow radix2 (-450) <= / 10000000 * M).
   { apply Rle_trans with (/ 10000000 * bpow radix2 (-400)); [|apply Rmult_le_compat_l; lra].
@@ -321,7 +321,7 @@ Proof.
 Qed.
 
 Lemma reached_nonneg : 0 <= W.
-Proof. apply (reached_sizes p v t v_ordinary c c_ordinary). Qed.
+Proof. apply (reached_sizes p v t ray_ordinary c c_ordinary). Qed.
 
 Theorem sphere_powered r : ordinary r -> 0 < r -> let f := Formas.Powers.esfera t p v (extent_fl v) c r in
   powered f (dot e e - r * r) /\ 1 * bpow radix2 (-300) <= Formas.error f.
@@ -360,7 +360,8 @@ Qed.
 
 Lemma reached_far : minus p c <> Vec 0 0 0 -> bpow radix2 (-153) <= W.
 Proof.
-  intros N; pose proof (away_far p c p_ordinary c_ordinary N) as L; destruct (reached_sizes p v t v_ordinary c c_ordinary) as [H _].
+  intros N; pose proof (away_far p c (p_ordinary ray_ordinary) c_ordinary N) as L;
+  destruct (reached_sizes p v t ray_ordinary c c_ordinary) as [H _].
   pose proof (Rmult_le_pos _ _ (Rabs_pos t) (extent_nonneg v)); cbv zeta in H; fold W in H; pose proof reached_nonneg.
   pose proof (bpow_gt_0 radix2 (-153)); assert (Hz : tiny <= / 100 * bpow radix2 (-153)).
   { replace (-1074)%Z with (-921 + -153)%Z by reflexivity; rewrite bpow_plus; apply Rmult_le_compat_r; [lra|].

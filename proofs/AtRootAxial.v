@@ -164,8 +164,7 @@ Qed.
 Section Shapes.
 Variables p v : vec.
 Variable t : R.
-Hypothesis p_ordinary : ordinary_vec p.
-Hypothesis v_ordinary : ordinary_vec v.
+Hypothesis ray_ordinary : ordinary_ray p v.
 Hypothesis t_binary64 : format t.
 Variables c d : vec.
 Hypothesis c_ordinary : ordinary_vec c.
@@ -179,9 +178,10 @@ Let apart2 := dot e e - (2 - dot d d) * (dot e d * dot e d).
 Lemma apart_beside M : bpow radix2 (-100) <= M -> W <= M -> exists N D, 0 < N /\ N <= W + / 50000 * M /\ D <= (2 + / 1000) * ((W + / 50000 * M) * (W + / 50000 * M)) /\
   loose N (5 + / 5) 27 (along q d) (dot e d) /\ loose D 21 272 (apart_fl q d) apart2.
 Proof.
-  intros HM HW; destruct (placed_loose p v t p_ordinary v_ordinary t_binary64 c M c_ordinary) as (x & y & z & X & Y & Z0 & Hx & Hy & Hz & S);
+  intros HM HW; destruct (placed_loose p v t ray_ordinary t_binary64 c M c_ordinary) as (x & y & z & X & Y & Z0 & Hx & Hy & Hz
+    & S);
     [apply Rle_trans with (2 := HM), bpow_le; lia | exact HW|].
-  pose proof (reached_nonneg p v t v_ordinary c c_ordinary) as HW0; fold W in HW0, S; pose proof (bpow_gt_0 radix2 (-100)).
+  pose proof (reached_nonneg p v t ray_ordinary c c_ordinary) as HW0; fold W in HW0, S; pose proof (bpow_gt_0 radix2 (-100)).
   assert (L : bpow radix2 (-440) <= / 10000000 * M).
   { apply Rle_trans with (/ 10000000 * bpow radix2 (-100)); [|apply Rmult_le_compat_l; lra].
     replace (-440)%Z with (-340 + -100)%Z by reflexivity; rewrite bpow_plus; apply Rmult_le_compat_r; [apply bpow_ge_0|].
@@ -198,7 +198,7 @@ Theorem cylinder_powered r h : ordinary r -> 0 < r -> let f := Formas.Powers.cil
   powered f (apart2 - r * r) /\ 1 * bpow radix2 (-300) <= Formas.error f.
 Proof.
   intros Hr Hr0; pose proof (r_least r Hr Hr0) as Lr; pose proof (proj1 Hr) as Fr.
-  pose proof (reached_nonneg p v t v_ordinary c c_ordinary) as HW; fold W in HW.
+  pose proof (reached_nonneg p v t ray_ordinary c c_ordinary) as HW; fold W in HW.
   change (Formas.Powers.cilindro t p v (extent_fl v) c r d h) with (let m := rnd (W + r) in
     Formas.Known (Formas.Powers.difference (apart_fl q d) (two_prod r r)) (rnd (rnd (bpow radix2 (-95) * m) * m))); cbv zeta.
   set (M := W + r); assert (EM : M = W + r) by reflexivity; set (m := rnd M); pose proof (bpow_gt_0 radix2 (-100)).
@@ -247,7 +247,7 @@ Theorem cone_powered k h : ordinary k -> 0 < k -> ordinary h -> 0 < h -> let f :
   powered f (apart2 - (h - dot e d) * k * ((h - dot e d) * k)) /\ (1 + k * k) * bpow radix2 (-300) <= Formas.error f.
 Proof.
   intros Hk Hk0 Hh Hh0; pose proof (r_least h Hh Hh0) as Lh; pose proof (proj1 Hh) as Fh.
-  pose proof (reached_nonneg p v t v_ordinary c c_ordinary) as HW; fold W in HW.
+  pose proof (reached_nonneg p v t ray_ordinary c c_ordinary) as HW; fold W in HW.
   change (Formas.Powers.cono t p v (extent_fl v) c k d h) with (let m := rnd (W + h) in Formas.Known (Formas.Powers.difference (apart_fl q d)
     (Formas.Powers.square (Formas.Powers.product_by (Formas.Powers.difference (Twofold h 0) (along q d)) k)))
     (rnd (rnd (rnd (bpow radix2 (-95) * rnd (1 + rnd (k * k))) * m) * m))); cbv zeta.
@@ -274,7 +274,7 @@ Theorem truncated_powered r k h : ordinary r -> 0 < r -> ordinary k -> 0 < k -> 
 Proof.
   intros Hr Hr0 Hk Hk0 Hh Hh0; pose proof (r_least h Hh Hh0) as Lh; pose proof (proj1 Hh) as Fh.
   pose proof (r_least r Hr Hr0) as Lr; pose proof (proj1 Hr) as Fr.
-  pose proof (reached_nonneg p v t v_ordinary c c_ordinary) as HW; fold W in HW.
+  pose proof (reached_nonneg p v t ray_ordinary c c_ordinary) as HW; fold W in HW.
   change (Formas.Powers.tronco t p v (extent_fl v) c r k d h) with (let m := rnd (rnd (W + h) + r) in
     Formas.Known (Formas.Powers.difference (apart_fl q d) (Formas.Powers.square (Formas.Powers.sum
       (Formas.Powers.product_by (Formas.Powers.difference (Twofold h 0) (along q d)) k) (Twofold r 0))))

@@ -60,8 +60,7 @@ Qed.
 
 Section Text.
 Variables p v : vec.
-Hypothesis p_ordinary : ordinary_vec p.
-Hypothesis v_ordinary : ordinary_vec v.
+Hypothesis ray_ordinary : ordinary_ray p v.
 Notation ray := (ray_of p v).
 Notation big := (bpow radix2 100).
 
@@ -76,7 +75,8 @@ Lemma axial_sizes c r k d h : ordinary_vec c -> ordinary_vec d -> Rabs (dot d d 
   let f := of_tronco ray (point c) r k (direction d) h in let b := 64 * (big * big) in
   Rabs (cA f) <= 3 * (1 + k * k) * b /\ Rabs (cB f) <= 7 * (1 + k * k) * b /\ Rabs (cC f) <= 11 * (1 + k * k) * b.
 Proof.
-  intros Hc Hd Hdd Hr Hk Hh f b; destruct (sizes_of p p_ordinary) as (Px & Py & Pz), (sizes_of v v_ordinary) as (Vx & Vy & Vz).
+  intros Hc Hd Hdd Hr Hk Hh f b; destruct (sizes_of p (p_ordinary ray_ordinary)) as (Px & Py & Pz), (sizes_of v (v_ordinary
+    ray_ordinary)) as (Vx & Vy & Vz).
   destruct (sizes_of c Hc) as (Cx & Cy & Cz), (axis_components d Hdd) as (Dx & Dy & Dz); pose proof big_size as HG; set (G := big) in *.
   assert (Two : forall x y, Rabs x <= G -> Rabs y <= G -> Rabs (x - y) <= 2 * G).
   { intros x y Hx Hy; apply Rabs_le_inv in Hx, Hy; apply Rabs_le; lra. }
@@ -119,7 +119,8 @@ Qed.
 Lemma sphere_sizes c r : ordinary_vec c -> 0 <= r <= big -> let f := of_esfera ray (point c) r in let b := 64 * (big * big) in
   Rabs (cA f) <= 3 * 1 * b /\ Rabs (cB f) <= 7 * 1 * b /\ Rabs (cC f) <= 11 * 1 * b.
 Proof.
-  intros Hc Hr f b; destruct (sizes_of p p_ordinary) as (Px & Py & Pz), (sizes_of v v_ordinary) as (Vx & Vy & Vz).
+  intros Hc Hr f b; destruct (sizes_of p (p_ordinary ray_ordinary)) as (Px & Py & Pz), (sizes_of v (v_ordinary ray_ordinary))
+    as (Vx & Vy & Vz).
   destruct (sizes_of c Hc) as (Cx & Cy & Cz); pose proof big_size as HG; set (G := big) in *.
   assert (Two : forall x y, Rabs x <= G -> Rabs y <= G -> Rabs (x - y) <= 2 * G).
   { intros x y Hx Hy; apply Rabs_le_inv in Hx, Hy; apply Rabs_le; lra. }
@@ -196,8 +197,7 @@ Variable Elemento : Type.
 Variable s : Especificacion.Escena Elemento.
 Hypothesis ok : Escena_ok s.
 Variables p v : vec.
-Hypothesis p_ordinary : ordinary_vec p.
-Hypothesis v_ordinary : ordinary_vec v.
+Hypothesis ray_ordinary : ordinary_ray p v.
 Notation ray := (ray_of p v).
 
 Lemma text_value_curved sh t : match sh with Plane _ _ | Disc _ _ _ | Triangle _ _ _ => True | _ => 
@@ -237,7 +237,7 @@ Qed.
 
 Lemma slope_of_axis d : Rabs (dot d d - 1) <= / 1000000 -> Rabs (dot v d / 2) <= bpow radix2 320.
 Proof.
-  intros Hd; destruct (sizes_of v v_ordinary) as (Vx & Vy & Vz), (axis_components d Hd) as (Dx & Dy & Dz).
+  intros Hd; destruct (sizes_of v (v_ordinary ray_ordinary)) as (Vx & Vy & Vz), (axis_components d Hd) as (Dx & Dy & Dz).
   pose proof (dot_size v d _ _ Vx Vy Vz Dx Dy Dz) as H; unfold Rdiv; rewrite Rabs_mult, (Rabs_pos_eq (/ 2)) by lra.
   replace 320%Z with (220 + 100)%Z by reflexivity; rewrite bpow_plus; pose proof (bpow_le radix2 2 220 ltac:(lia)) as H2.
   replace (bpow radix2 2) with 4 in H2 by reflexivity; pose proof (bpow_gt_0 radix2 100).
@@ -247,7 +247,7 @@ Qed.
 Lemma slope_of_normal a b c : ordinary_vec a -> ordinary_vec b -> ordinary_vec c ->
   Rabs (dot v (cross (minus b a) (minus c a)) / 2) <= bpow radix2 320.
 Proof.
-  intros Ha Hb Hc; destruct (sizes_of v v_ordinary) as (Vx & Vy & Vz), (sizes_of a Ha) as (Ax & Ay & Az).
+  intros Ha Hb Hc; destruct (sizes_of v (v_ordinary ray_ordinary)) as (Vx & Vy & Vz), (sizes_of a Ha) as (Ax & Ay & Az).
   destruct (sizes_of b Hb) as (Bx & By & Bz), (sizes_of c Hc) as (Cx & Cy & Cz); set (G := bpow radix2 100) in *.
   assert (HG : 1 <= G) by exact (bpow_le radix2 0 100 ltac:(lia)).
   assert (Two : forall x y, Rabs x <= G -> Rabs y <= G -> Rabs (x - y) <= 2 * G).
@@ -281,22 +281,25 @@ Proof.
   pose proof (text_value_curved sh) as V.
   destruct sh as [c r | c r d h | c k d h | c r k d h | c d | c r d | a b c]; cbn [ordinary_shape] in Ho.
   - destruct Hs as (_ & _ & Hr), Ho as [Oc Or]; apply HR in Hr.
-    apply (curved_sure p v (Sphere c r) f T 1 (Rle_refl 1) (sphere_sizes p v p_ordinary v_ordinary c r Oc (Size r Or Hr)) Ef); [|exact Hroot].
+    apply (curved_sure p v (Sphere c r) f T 1 (Rle_refl 1) (sphere_sizes p v ray_ordinary c r Oc (Size r Or Hr)) Ef);
+    [|exact Hroot].
     intros t Ft; rewrite V; now apply sphere_powered.
   - destruct Hs as (_ & _ & Hr & Hd & Hh), Ho as (Oc & Or & Od & Oh); apply HR in Hr; apply HH in Hh; apply HD, axis_exact in Hd.
-    pose proof (axial_sizes p v p_ordinary v_ordinary c r 0 d h Oc Od (unit_enough d Hd) (Size r Or Hr) (Rle_refl 0) (Size h Oh Hh)) as Sz.
+    pose proof (axial_sizes p v ray_ordinary c r 0 d h Oc Od (unit_enough d Hd) (Size r Or Hr) (Rle_refl 0) (Size h Oh Hh)) as
+      Sz.
     cbv zeta in Sz; rewrite <- of_cilindro_is_tronco, Rmult_0_l, Rplus_0_r in Sz.
     apply (curved_sure p v (Cylinder c r d h) f T 1 (Rle_refl 1) Sz Ef); [|exact Hroot].
     intros t Ft; rewrite V; now apply cylinder_powered.
   - destruct Hs as (_ & _ & Hk & Hd & Hh), Ho as (Oc & Ok & Od & Oh); apply HK in Hk; apply HH in Hh; apply HD, axis_exact in Hd.
     assert (Z0 : 0 <= 0 <= bpow radix2 100) by (split; [lra | apply bpow_ge_0]).
-    pose proof (axial_sizes p v p_ordinary v_ordinary c 0 k d h Oc Od (unit_enough d Hd) Z0 (Rlt_le _ _ Hk) (Size h Oh Hh)) as Sz.
+    pose proof (axial_sizes p v ray_ordinary c 0 k d h Oc Od (unit_enough d Hd) Z0 (Rlt_le _ _ Hk) (Size h Oh Hh)) as Sz.
     cbv zeta in Sz; rewrite <- of_cono_is_tronco in Sz; pose proof (Rmult_lt_0_compat k k Hk Hk).
     apply (curved_sure p v (Cone c k d h) f T (1 + k * k) ltac:(lra) Sz Ef); [|exact Hroot].
     intros t Ft; rewrite V; now apply cone_powered.
   - destruct Hs as (_ & _ & Hr & Hk & Hd & Hh), Ho as (Oc & Or & Ok & Od & Oh); apply HR in Hr; apply HK in Hk; apply HH in Hh.
     apply HD, axis_exact in Hd; pose proof (Rmult_lt_0_compat k k Hk Hk).
-    pose proof (axial_sizes p v p_ordinary v_ordinary c r k d h Oc Od (unit_enough d Hd) (Size r Or Hr) (Rlt_le _ _ Hk) (Size h Oh Hh)) as Sz.
+    pose proof (axial_sizes p v ray_ordinary c r k d h Oc Od (unit_enough d Hd) (Size r Or Hr) (Rlt_le _ _ Hk) (Size h Oh Hh))
+      as Sz.
     apply (curved_sure p v (Truncated c r k d h) f T (1 + k * k) ltac:(lra) Sz Ef); [|exact Hroot].
     intros t Ft; rewrite V; now apply truncated_powered.
   - destruct Hs as (_ & _ & Hd), Ho as [Oc Od]; apply HD, axis_exact, unit_enough in Hd.

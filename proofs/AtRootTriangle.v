@@ -64,8 +64,7 @@ Qed.
 Section Triangle.
 Variables p v : vec.
 Variable t : R.
-Hypothesis p_ordinary : ordinary_vec p.
-Hypothesis v_ordinary : ordinary_vec v.
+Hypothesis ray_ordinary : ordinary_ray p v.
 Hypothesis t_binary64 : format t.
 Variables a b c : vec.
 Hypothesis a_ordinary : ordinary_vec a.
@@ -79,10 +78,10 @@ Theorem triangle_powered : minus p a <> Vec 0 0 0 -> minus b a <> Vec 0 0 0 -> m
   let f := Formas.Powers.triangulo t p v (extent_fl v) a b c in
   powered f (dot e (cross (minus b a) (minus c a))) /\ bpow radix2 (-560) <= Formas.error f.
 Proof.
-  intros Np Nb Nc; pose proof (reached_far p v t p_ordinary v_ordinary a a_ordinary Np) as HW; fold W in HW.
+  intros Np Nb Nc; pose proof (reached_far p v t ray_ordinary a a_ordinary Np) as HW; fold W in HW.
   destruct (edge_loose a b a_ordinary b_ordinary Nb) as (x1 & y1 & z1 & X1 & Y1 & Z1 & Hx1 & Hy1 & Hz1 & S1 & L1).
   destruct (edge_loose a c a_ordinary c_ordinary Nc) as (x2 & y2 & z2 & X2 & Y2 & Z2 & Hx2 & Hy2 & Hz2 & S2 & L2).
-  destruct (placed_beside p v t p_ordinary v_ordinary t_binary64 a a_ordinary W) as (x & y & z & (X & Y & Z0) & Hx & Hy & Hz & S);
+  destruct (placed_beside p v t ray_ordinary t_binary64 a a_ordinary W) as (x & y & z & (X & Y & Z0) & Hx & Hy & Hz & S);
     [apply Rle_trans with (2 := HW), bpow_le; lia | unfold W; lra|]; fold W in S.
   change (Formas.Powers.triangulo t p v (extent_fl v) a b c) with (Formas.Known (dot_fl q (normal_fl (away b a) (away c a)))
     (rnd (rnd (rnd (bpow radix2 (-95) * W) * size_fl (away b a)) * size_fl (away c a)))).

@@ -100,8 +100,9 @@ Lemma axis_unit : Rabs (dot d d - 1) <= / 1000000.
 Proof. destruct d_unit as [L H]; unfold tolerancia_unidad in *; cbn in L, H; unfold dot; apply Rabs_le; lra. Qed.
 
 Let is_sound : sound recorded (dot a a) (dot b a) (dot b b - r * r) (r * norm a - norm (cross b a))
-  (r * norm a + norm (cross b a)) := Cylinder.cylinder_sound p v centro d r h p_ordinary v_ordinary centro_ordinary
-  d_ordinary r_ordinary r_positive v_not_zero axis_unit.
+  (r * norm a + norm (cross b a)) := Cylinder.cylinder_sound p v centro d r h
+  (Fit_ray p v (Ordinary_ray p v p_ordinary v_ordinary) v_not_zero)
+  (Fit_axis centro d centro_ordinary d_ordinary axis_unit) r_ordinary r_positive.
 
 Lemma cylinder_root_value t : root t <-> value f t = 0.
 Proof.

@@ -5,23 +5,19 @@
 From Coq Require Import Reals ZArith Lra Lia Psatz.
 From Flocq Require Import Core.
 From Durero Require Import Rounding Vectors Across Decision Flotante Conical.
-From Durero Require Triangle Formas.
+From Durero Require Formas.
 Local Open Scope R_scope.
 Local Opaque bpow.
 
 Section Cone.
 Variables p v centro d : vec.
 Variables h k : R.
-Hypothesis p_ordinary : ordinary_vec p.
-Hypothesis v_ordinary : ordinary_vec v.
-Hypothesis centro_ordinary : ordinary_vec centro.
-Hypothesis d_ordinary : ordinary_vec d.
+Hypothesis ray_fits : fit_ray p v.
+Hypothesis axis_fits : fit_axis centro d.
 Hypothesis h_ordinary : ordinary h.
 Hypothesis h_positive : 0 < h.
 Hypothesis k_ordinary : ordinary k.
 Hypothesis k_positive : 0 < k.
-Hypothesis v_not_zero : 0 < norm v.
-Hypothesis d_unit : Rabs (dot d d - 1) <= / 1000000.
 Notation q_fl := (q_fl p centro).
 Notation V_fl := (extent_fl v).
 Let q := minus p centro.
@@ -46,14 +42,16 @@ Proof.
   apply (computed_minus 4); [lia | |].
   - apply (computed_coarser _ _ (-152)); [lia|]; apply (computed_more 0); [lia | apply exact_number;
     [exact h_ordinary | lra]].
-  - exact (dot_computed 1 0 (-152) (-152) q_fl d q d ltac:(lia) (q_close p centro p_ordinary centro_ordinary)
-      (close_exact _ _ (ordinary_on_grid d d_ordinary))).
+  - exact (dot_computed 1 0 (-152) (-152) q_fl d q d ltac:(lia) (q_close p centro (p_ordinary ray_fits) (centro_ordinary
+    axis_fits))
+      (close_exact _ _ (ordinary_on_grid d (d_ordinary axis_fits)))).
 Qed.
 
 Lemma s1_computed : computed 3 (-304) (dot_fl v d) s1 S.
 Proof.
-  exact (dot_computed 0 0 (-152) (-152) v d v d ltac:(lia) (v_close v v_ordinary) (close_exact _ _ (ordinary_on_grid d
-    d_ordinary))).
+  exact (dot_computed 0 0 (-152) (-152) v d v d ltac:(lia) (v_close v (v_ordinary ray_fits)) (close_exact _ _
+    (ordinary_on_grid d
+    (d_ordinary axis_fits)))).
 Qed.
 
 Lemma k_computed : computed 0 (-152) k k k.
@@ -61,8 +59,8 @@ Proof. apply exact_number; [exact k_ordinary | lra]. Qed.
 
 Lemma reach_computed : computed 4 (-152) (rnd (extent_fl q_fl + h)) (Q + h) (Q + h).
 Proof.
-  apply (computed_plus 3); [lia | exact (extent_computed 1 (-152) q_fl q ltac:(lia) (q_close p centro p_ordinary
-    centro_ordinary))|].
+  apply (computed_plus 3); [lia | exact (extent_computed 1 (-152) q_fl q ltac:(lia) (q_close p centro (p_ordinary ray_fits)
+    (centro_ordinary axis_fits)))|].
   apply (computed_more 0); [lia | apply exact_number; [exact h_ordinary | lra]].
 Qed.
 
@@ -98,12 +96,11 @@ Proof.
   pose proof (computed_error_near 7 _ _ _ _ ltac:(lia) rho_computed) as HR; simpl INR in HR.
   assert (HkS : 0 <= k * S) by (apply Rle_trans with (2 := MS), Rabs_pos);
     assert (HP : 0 <= P) by (apply Rle_trans with (2 := MR), Rabs_pos).
-  destruct (combined p v centro d p_ordinary v_ordinary centro_ordinary d_ordinary v_not_zero d_unit (701 / 100) (401 / 100)
+  destruct (combined p v centro d ray_fits axis_fits (701 / 100) (401 / 100)
     (rho p centro d h k r) rho_fl (slope v d k) slope_fl P (k * S) FR GR FS GS) as [HN HW]; try lra.
   - assert (0 <= u * P) by (apply Rmult_le_pos; [apply bpow_ge_0 | exact HP]); apply Rle_trans with (1 := HR); lra.
   - assert (0 <= u * (k * S)) by (apply Rmult_le_pos; [apply bpow_ge_0 | exact HkS]); apply Rle_trans with (1 := HS); lra.
-  - split; [|exact HW]; destruct (uW_least p v centro h p_ordinary v_ordinary centro_ordinary h_ordinary h_positive
-    v_not_zero) as [_ L].
+  - split; [|exact HW]; destruct (uW_least p v centro d h ray_fits axis_fits h_ordinary h_positive) as [_ L].
     change (bpow radix2 (-390) <= / 1000000 * (u * W)) in L;
       assert (bpow radix2 (-490) <= bpow radix2 (-390)) by (apply bpow_le; lia).
     assert (0 <= u * (P * V)) by (repeat apply Rmult_le_pos; try apply bpow_ge_0; try exact HP; apply extent_nonneg).
@@ -129,8 +126,8 @@ Theorem truncated_sound : sound (Formas.tronco p v V_fl centro r k d h) (A v d k
   (F p v centro d h k r) (H p v centro d h k r).
 Proof.
   rewrite recorded_truncated; destruct wall_of_truncated as [Hn Hs].
-  apply (conical_sound p v centro d h k r p_ordinary v_ordinary centro_ordinary d_ordinary h_ordinary h_positive k_ordinary
-    k_positive r_ordinary (Rlt_le _ _ r_positive) v_not_zero d_unit (rnd (slope_fl * slope_fl)) (rnd (rho_fl * slope_fl))
+  apply (conical_sound p v centro d h k r ray_fits axis_fits h_ordinary h_positive k_ordinary k_positive r_ordinary
+    (Rlt_le _ _ r_positive) (rnd (slope_fl * slope_fl)) (rnd (rho_fl * slope_fl))
     (rnd (rho_fl * rho_fl)) (norm_fl wall_fl) E_fl); try reflexivity.
   - exact (computed_mult 4 4 (-456) (-456) _ _ _ _ _ _ ltac:(lia) slope_computed slope_computed).
   - exact (computed_mult 7 4 (-456) (-456) _ _ _ _ _ _ ltac:(lia) rho_computed slope_computed).
@@ -164,7 +161,7 @@ Proof.
   pose proof (extent_nonneg v : 0 <= V) as HV0; pose proof (extent_nonneg q : 0 <= Q) as HQ0.
   assert (HGV : 0 <= G * V) by (apply Rmult_le_pos; lra); assert (HSQ : 0 <= S * Q) by (apply Rmult_le_pos; lra).
   assert (HuG : 0 <= u * G) by (apply Rmult_le_pos; lra); assert (HuS : 0 <= u * S) by (apply Rmult_le_pos; lra).
-  destruct (combined p v centro d p_ordinary v_ordinary centro_ordinary d_ordinary v_not_zero d_unit (501 / 100) (301 / 100)
+  destruct (combined p v centro d ray_fits axis_fits (501 / 100) (301 / 100)
     g g_fl s1 (dot_fl v d) G S FG (grid_coarser (-456) (-304) _ ltac:(lia) GG) F1 (grid_coarser (-456) (-304) _
       ltac:(lia) G1))
     as [HN HW]; try lra.
@@ -174,7 +171,7 @@ Proof.
   { replace (wall p v centro d h k 0) with (scale k w); [rewrite norm_scale, Rabs_pos_eq; lra|].
     unfold w, wall, rho, slope, plus, scale, g, s1, q; cbn; f_equal; ring. }
   rewrite EW; set (n := norm_fl wall_of_cone) in *; pose proof (norm_nonneg w) as Hw0.
-  destruct (uW_least p v centro h p_ordinary v_ordinary centro_ordinary h_ordinary h_positive v_not_zero) as [_ L].
+  destruct (uW_least p v centro d h ray_fits axis_fits h_ordinary h_positive) as [_ L].
   change (bpow radix2 (-390) <= / 1000000 * (u * W)) in L; destruct (k_facts k k_ordinary k_positive) as ([_ Hk] & _).
   set (y := bpow radix2 (-490)) in *; pose proof (bpow_gt_0 radix2 (-490) : 0 < y) as Hy0.
   assert (Hky : k * y <= bpow radix2 (-390)).
@@ -230,8 +227,8 @@ Proof.
     ltac:(lia) Cg C1)) as HB.
   pose proof (computed_mult 1 11 (-304) (-608) _ _ _ _ _ _ ltac:(lia) K2 (computed_mult 5 5 (-304) (-304) _ _ _ _ _ _
     ltac:(lia) Cg Cg)) as HC.
-  apply (conical_sound p v centro d h k 0 p_ordinary v_ordinary centro_ordinary d_ordinary h_ordinary h_positive k_ordinary
-    k_positive no_radius (Rle_refl 0) v_not_zero d_unit (rnd (rnd (k * k) * rnd (dot_fl v d * dot_fl v d)))
+  apply (conical_sound p v centro d h k 0 ray_fits axis_fits h_ordinary h_positive k_ordinary k_positive no_radius
+    (Rle_refl 0) (rnd (rnd (k * k) * rnd (dot_fl v d * dot_fl v d)))
     (rnd (rnd (k * k) * rnd (g_fl * dot_fl v d))) (rnd (rnd (k * k) * rnd (g_fl * g_fl))) height_fl
     (rnd (extent_fl q_fl + h))); try reflexivity.
   - replace (slope v d k * slope v d k) with (k * k * (s1 * s1)) by (unfold slope, s1; ring).

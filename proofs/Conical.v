@@ -18,18 +18,14 @@ Local Opaque bpow.
 Section Conical.
 Variables p v centro d : vec.
 Variables h k r : R.
-Hypothesis p_ordinary : ordinary_vec p.
-Hypothesis v_ordinary : ordinary_vec v.
-Hypothesis centro_ordinary : ordinary_vec centro.
-Hypothesis d_ordinary : ordinary_vec d.
+Hypothesis ray_fits : fit_ray p v.
+Hypothesis axis_fits : fit_axis centro d.
 Hypothesis h_ordinary : ordinary h.
 Hypothesis h_positive : 0 < h.
 Hypothesis k_ordinary : ordinary k.
 Hypothesis k_positive : 0 < k.
 Hypothesis r_ordinary : ordinary r.
 Hypothesis r_nonneg : 0 <= r.
-Hypothesis v_not_zero : 0 < norm v.
-Hypothesis d_unit : Rabs (dot d d - 1) <= / 1000000.
 
 Notation q_fl := (q_fl p centro).
 Notation V_fl := (extent_fl v).
@@ -55,34 +51,34 @@ Definition F : R := norm wall - norm (cross b a).
 Definition H : R := norm wall + norm (cross b a).
 Let W := V * (Q + h).
 
-Let HV : 0 < V := V_positive v v_not_zero.
+Let HV : 0 < V := V_positive v (v_not_zero ray_fits).
 Let HQ : 0 <= Q := extent_nonneg q.
 
 Lemma a_facts : on_grid (-456) a_fl /\ norm (minus a_fl a) <= 1006 / 100 * u * V /\ norm a <= V /\ norm a_fl <= 1001 /
   1000 * V.
 Proof.
-  destruct (Cylinder.a_computed v d v_ordinary d_ordinary d_unit) as [G0 N0]; split; [exact G0|]; split; [exact N0|].
-  split; [exact (Cylinder.a_size v d d_unit) | exact (Cylinder.a_fl_size v d v_ordinary d_ordinary d_unit)].
+  destruct (Cylinder.a_computed p v centro d ray_fits axis_fits) as [G0 N0]; split; [exact G0|]; split; [exact N0|].
+  split; [exact (Cylinder.a_size v centro d axis_fits) | exact (Cylinder.a_fl_size p v centro d ray_fits axis_fits)].
 Qed.
 
 Lemma b_facts : on_grid (-456) b_fl /\ norm (minus b_fl b) <= 1207 / 100 * u * Q /\ norm b <= Q /\ norm b_fl <= 1001 /
   1000 * Q.
 Proof.
-  destruct (Cylinder.b_computed p centro d p_ordinary centro_ordinary d_ordinary d_unit) as [G0 N0]; split; [exact G0|].
-  split; [exact N0|]; split; [exact (Cylinder.b_size p centro d d_unit)|].
-  exact (Cylinder.b_fl_size p centro d p_ordinary centro_ordinary d_ordinary d_unit).
+  destruct (Cylinder.b_computed p v centro d ray_fits axis_fits) as [G0 N0]; split; [exact G0|].
+  split; [exact N0|]; split; [exact (Cylinder.b_size p centro d axis_fits)|].
+  exact (Cylinder.b_fl_size p v centro d ray_fits axis_fits).
 Qed.
 
 Lemma sizes_of_axis : 0 <= S <= 1000001 / 1000000 * V /\ h <= G <= 1000001 / 1000000 * (h + Q).
 Proof.
   pose proof (size_nonneg v d : 0 <= S) as S0; pose proof (size_nonneg q d) as G0.
-  pose proof (Advance.size_along d d_unit v V (norm_le_extent v) (Rlt_le _ _ HV)) as S1; fold S in S1.
-  pose proof (Advance.size_along d d_unit q Q (norm_le_extent q) HQ) as G1; unfold G; lra.
+  pose proof (size_along v d V (d_unit axis_fits) (norm_le_extent v) (Rlt_le _ _ HV)) as S1; fold S in S1.
+  pose proof (size_along q d Q (d_unit axis_fits) (norm_le_extent q) HQ) as G1; unfold G; lra.
 Qed.
 
 Lemma uW_least : bpow radix2 (-360) <= u * W /\ bpow radix2 (-390) <= / 1000000 * (u * W).
 Proof.
-  destruct (Cylinder.bounds_low p v centro h p_ordinary v_ordinary centro_ordinary h_ordinary h_positive v_not_zero)
+  destruct (Cylinder.bounds_low p v centro d h ray_fits axis_fits h_ordinary h_positive)
     as (_ & _ & _ & _ & _ & _ & L & _); fold q in L; fold V Q in L; fold W in L; split; [exact L|].
   apply Rle_trans with (bpow radix2 (-30) * bpow radix2 (-360)); [rewrite <- bpow_plus; apply bpow_le; lia|].
   apply Rmult_le_compat; try apply bpow_ge_0; [|exact L].
@@ -212,7 +208,7 @@ Proof.
   replace 1 with (bpow radix2 0) by reflexivity; apply Triangle.power_computed; lia.
 Qed.
 
-Lemma V_fl_computed : computed 2 (-152) V_fl V V. Proof. exact (V_computed v v_ordinary). Qed.
+Lemma V_fl_computed : computed 2 (-152) V_fl V V. Proof. exact (V_computed v (v_ordinary ray_fits)). Qed.
 
 Lemma HE : h <= E /\ Q + h <= E /\ 0 < E. Proof. unfold E; lra. Qed.
 Lemma HK : 1 <= K /\ k * k <= K. Proof. destruct k_facts as (_ & Hk & _); unfold K; lra. Qed.
@@ -251,7 +247,7 @@ Qed.
 
 Lemma A_near : Rabs (A_fl - A) <= 40 * (u * (K * (V * V))) /\ Rabs A_fl <= 6 * (K * (V * V)).
 Proof.
-  pose proof u_bounds as Hu; destruct (Cylinder.A_near v d v_ordinary d_ordinary v_not_zero d_unit) as [N0 S0].
+  pose proof u_bounds as Hu; destruct (Cylinder.A_near p v centro d ray_fits axis_fits) as [N0 S0].
   change (Cylinder.A_fl v d) with (dot_fl a_fl a_fl) in N0, S0; fold V in N0, S0;
     change (dot (across v d) (across v d)) with (dot a a) in N0.
   pose proof (computed_error_near 9 _ _ _ _ ltac:(lia) square_computed) as N1; simpl INR in N1.
@@ -288,7 +284,7 @@ Qed.
 Lemma B_near : Rabs (B_fl - B) <= 50 * (u * (K * (V * E))) /\ Rabs B_fl <= 6 * (K * (V * E)) /\ grid (-912) B_fl.
 Proof.
   pose proof u_bounds as Hu.
-  destruct (Cylinder.B_near p v centro d p_ordinary v_ordinary centro_ordinary d_ordinary v_not_zero d_unit) as (N0 & S0
+  destruct (Cylinder.B_near p v centro d ray_fits axis_fits) as (N0 & S0
     & G0).
   change (Cylinder.B_fl p v centro d) with (dot_fl b_fl a_fl) in N0, S0, G0; fold q in N0, S0; fold V Q in N0, S0.
   change (dot (across q d) (across v d)) with (dot b a) in N0; replace (Q * V) with X1 in N0, S0 by (unfold X1; ring).
@@ -375,8 +371,7 @@ Lemma F_H_near : Rabs (rnd (wall_fl - line_fl) - F) <= 5 / 6 * B_error /\ Rabs (
 Proof.
   pose proof u_bounds as Hu; destruct walls_of_VE as (Hall & Hsmall & PV0 & SQ0), errors_low as (_ & LB & _ & _).
   assert (NL : Rabs (line_fl - norm (cross b a)) <= 36 * (u * X1) + / 100000 * (u * W)).
-  { apply Rle_trans with (1 := Cylinder.line_near p v centro d h p_ordinary v_ordinary centro_ordinary d_ordinary h_ordinary
-      h_positive v_not_zero d_unit).
+  { apply Rle_trans with (1 := Cylinder.line_near p v centro d h ray_fits axis_fits h_ordinary h_positive).
     change (36 * u * (Q * V) + / 100000 * (u * W) <= 36 * (u * X1) + / 100000 * (u * W)); unfold X1; lra. }
   destruct a_facts as (_ & _ & Sa & _), b_facts as (_ & _ & Sb & _), VE_parts as (Y1 & Y2 & Y3 & EY).
   pose proof wall_near as NW; pose proof wall_size as SW.
@@ -418,9 +413,9 @@ Qed.
 Lemma sizes_of_bounds : K * (V * V) <= bpow radix2 405 /\ K * (V * E) <= bpow radix2 407 /\
   bpow radix2 (-360) <= u * (V * V) /\ bpow radix2 (-360) <= u * (E * E).
 Proof.
-  destruct k_facts as ([_ Hk] & Hkk & _); pose proof (V_size v v_ordinary : V <= _) as HV102;
+  destruct k_facts as ([_ Hk] & Hkk & _); pose proof (V_size v (v_ordinary ray_fits) : V <= _) as HV102;
     pose proof HE as (HE1 & HE2 & HE3).
-  pose proof (proj2 (Triangle.extent_of_difference p centro p_ordinary centro_ordinary) : Q <= _) as HQ103;
+  pose proof (proj2 (extent_of_difference p centro (p_ordinary ray_fits) (centro_ordinary axis_fits)) : Q <= _) as HQ103;
     pose proof HK as [HK1 _].
   pose proof (ordinary_size h h_ordinary) as Hh; rewrite Rabs_pos_eq in Hh by lra.
   pose proof (ordinary_size r r_ordinary) as Hr; rewrite Rabs_pos_eq in Hr by lra.
@@ -439,7 +434,7 @@ Proof.
   split; [|split; [|split]].
   - change 405%Z with (201 + (102 + 102))%Z; rewrite !bpow_plus; repeat apply Rmult_le_compat; try apply Rmult_le_pos; lra.
   - change 407%Z with (201 + (102 + 104))%Z; rewrite !bpow_plus; repeat apply Rmult_le_compat; try apply Rmult_le_pos; lra.
-  - destruct (Advance.speed_near v v_ordinary v_not_zero) as [V1 V2]; fold V in V1, V2.
+  - destruct (Advance.speed_near p v ray_fits) as [V1 V2]; fold V in V1, V2.
     pose proof (grid_at_least _ _ (proj2 (proj2 V_fl_computed)) ltac:(lra)) as L; rewrite Rabs_pos_eq in L by lra.
     assert (L153 : bpow radix2 (-153) <= V).
     { change (-153)%Z with (-1 + -152)%Z; rewrite bpow_plus; replace (bpow radix2 (-1)) with (/ 2) by reflexivity; lra. }

@@ -14,14 +14,10 @@ Local Opaque bpow.
 Section Cylinder.
 Variables p v centro d : vec.
 Variables r h : R.
-Hypothesis p_ordinary : ordinary_vec p.
-Hypothesis v_ordinary : ordinary_vec v.
-Hypothesis centro_ordinary : ordinary_vec centro.
-Hypothesis d_ordinary : ordinary_vec d.
+Hypothesis ray_fits : fit_ray p v.
+Hypothesis axis_fits : fit_axis centro d.
 Hypothesis r_ordinary : ordinary r.
 Hypothesis r_positive : 0 < r.
-Hypothesis v_not_zero : 0 < norm v.
-Hypothesis d_unit : Rabs (dot d d - 1) <= / 1000000.
 
 Let q := minus p centro.
 Let a := across v d.
@@ -53,24 +49,15 @@ Theorem recorded : Formas.cilindro p v V_fl centro r d h =
     (dot_fl q_fl d) (dot_fl v d) h (rnd (extent_fl q_fl + h)) V_fl 0 0.
 Proof. exact_no_check (eq_refl (Formas.cilindro p v V_fl centro r d h)). Qed. (* compared by Qed, once *)
 
-Lemma square_of_d : dot d d <= 1 + / 1000000.
-Proof. apply Rabs_le_inv in d_unit; lra. Qed.
-
 (** ** The vectors across the axis, exact and computed *)
 
-Lemma a_size : norm a <= V.
-Proof.
-  apply Rle_trans with (norm v); [apply across_le; pose proof square_of_d; lra | apply norm_le_extent].
-Qed.
-
-Lemma b_size : norm b <= extent q.
-Proof.
-  apply Rle_trans with (norm q); [apply across_le; pose proof square_of_d; lra | apply norm_le_extent].
-Qed.
+Lemma a_size : norm a <= V. Proof. exact (across_size v d (d_unit axis_fits)). Qed.
+Lemma b_size : norm b <= extent q. Proof. exact (across_size q d (d_unit axis_fits)). Qed.
 
 Lemma a_computed : on_grid (-456) a_fl /\ norm (minus a_fl a) <= 1006 / 100 * u * V.
 Proof.
-  destruct (across_computed 0 v v d ltac:(lia) (v_close v v_ordinary) (ordinary_on_grid d d_ordinary) square_of_d) as [G N].
+  destruct (across_computed 0 v v d ltac:(lia) (v_close v (v_ordinary ray_fits)) (ordinary_on_grid d (d_ordinary axis_fits))
+    (unit_square d (d_unit axis_fits))) as [G N].
   split; [exact G|]; apply Rle_trans with (1 := N); simpl INR; pose proof u_bounds; pose proof (norm_le_extent v : _ <= V).
   assert (u * norm v <= u * V) by (apply Rmult_le_compat_l; lra).
   pose proof (Rmult_le_pos u V ltac:(lra) (extent_nonneg v)); lra.
@@ -78,8 +65,8 @@ Qed.
 
 Lemma b_computed : on_grid (-456) b_fl /\ norm (minus b_fl b) <= 1207 / 100 * u * extent q.
 Proof.
-  destruct (across_computed 1 q_fl q d ltac:(lia) (q_close p centro p_ordinary centro_ordinary)
-    (ordinary_on_grid d d_ordinary) square_of_d) as [G N].
+  destruct (across_computed 1 q_fl q d ltac:(lia) (q_close p centro (p_ordinary ray_fits) (centro_ordinary axis_fits))
+    (ordinary_on_grid d (d_ordinary axis_fits)) (unit_square d (d_unit axis_fits))) as [G N].
   split; [exact G|]; apply Rle_trans with (1 := N); simpl INR; pose proof u_bounds; pose proof (norm_le_extent q).
   assert (u * norm q <= u * extent q) by (apply Rmult_le_compat_l; lra).
   pose proof (Rmult_le_pos u (extent q) ltac:(lra) (extent_nonneg q)); lra.
@@ -131,7 +118,7 @@ Qed.
 
 (** ** The coefficients *)
 
-Let HV : 0 < V := V_positive v v_not_zero.
+Let HV : 0 < V := V_positive v (v_not_zero ray_fits).
 Let HE : r <= E := E_positive p centro r.
 Let HQ : 0 <= extent q := extent_nonneg q.
 
@@ -187,8 +174,8 @@ Lemma bounds_low : 63 * u * (V * V) <= A_error /\ 63 * u * W <= B_error /\ 63 * 
   bpow radix2 (-360) <= u * W /\ format A_error /\ format B_error /\ format C_error.
 Proof.
   pose proof u_bounds as Hu; assert (HE0 : 0 < E) by lra.
-  pose proof (computed_more 2 4 _ _ _ _ ltac:(lia) (V_computed v v_ordinary)) as HVc.
-  pose proof (E_computed p centro r p_ordinary centro_ordinary r_ordinary r_positive) as HEc.
+  pose proof (computed_more 2 4 _ _ _ _ ltac:(lia) (V_computed v (v_ordinary ray_fits))) as HVc.
+  pose proof (E_computed p centro r (p_ordinary ray_fits) (centro_ordinary axis_fits) r_ordinary r_positive) as HEc.
   destruct (error_bound A_error (64 * u * V * V) V V_fl V V_fl) as (HA & _ & FA & GA); auto; try lra.
   destruct (error_bound B_error (64 * u * V * E) V V_fl E E_fl) as (HB & CB & FB & GB); auto; try lra.
   destruct (error_bound C_error (64 * u * E * E) E E_fl E E_fl) as (HC & _ & FC & GC); auto; try lra.
@@ -325,7 +312,8 @@ Proof.
   destruct bounds_low as (LA & LB & LC & MA & MB & MC & _ & FA & FB & FC).
   pose proof surface_near as NS; pose proof line_near as NL; pose proof (norm_nonneg a) as Ha0.
   pose proof (norm_nonneg (cross b a)) as Hc0; pose proof a_size as Sa; pose proof b_size as Sb.
-  destruct (products_size p v centro r p_ordinary v_ordinary centro_ordinary r_ordinary r_positive v_not_zero) as (PA & PB & PC).
+  destruct (products_size p v centro r (p_ordinary ray_fits) (v_ordinary ray_fits) (centro_ordinary axis_fits) r_ordinary
+    r_positive (v_not_zero ray_fits)) as (PA & PB & PC).
   fold q V E in PA, PB, PC; fold W in PB.
   pose proof (Rmult_le_pos r V ltac:(lra) ltac:(lra)) as HrV; pose proof (Rmult_le_pos _ V HQ ltac:(lra)) as HQV.
   assert (Hra : 0 <= r * norm a <= r * V) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_l]; lra).
@@ -366,7 +354,8 @@ Proof.
     + apply (Hlift 204%Z); [lia | lra].
     + apply (Hlift 205%Z); [lia | rewrite W_sum in PB; lra].
     + apply (Hlift 205%Z); [lia | rewrite W_sum in *; lra].
-  - exact (A_error_computed p v centro r p_ordinary v_ordinary centro_ordinary r_ordinary r_positive v_not_zero).
+  - exact (A_error_computed p v centro r (p_ordinary ray_fits) (v_ordinary ray_fits) (centro_ordinary axis_fits) r_ordinary
+    r_positive (v_not_zero ray_fits)).
 Qed.
 
 End Cylinder.

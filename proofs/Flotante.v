@@ -9,6 +9,8 @@
     them is Decision.v's, and the slab test is in Slab.v.
 
     ordinary x    == x is a binary64, 0 or of magnitude 2^-100 to 2^100
+    fit_ray p v   == what is asked of a ray by what is proved of any surface; ordinary_ray, by what needs no direction
+    fit_axis c d  == what is asked of an axis from c along d, or of a normal d at c
     X_fl, X_error == the computed X and its computed bound, for the names above *)
 From Coq Require Import Reals ZArith Lra Lia Psatz.
 From Flocq Require Import Core.
@@ -17,11 +19,24 @@ From Durero Require Formas.
 Local Open Scope R_scope.
 Local Opaque bpow.
 
-(** ** The sphere *)
+(** ** What is asked of numbers *)
 
 Definition ordinary (x : R) : Prop :=
   format x /\ (x = 0 \/ bpow radix2 (-100) <= Rabs x <= bpow radix2 100).
 Definition ordinary_vec (a : vec) : Prop := ordinary (cx a) /\ ordinary (cy a) /\ ordinary (cz a).
+
+Record ordinary_ray (p v : vec) : Prop := Ordinary_ray { p_ordinary : ordinary_vec p; v_ordinary : ordinary_vec v }.
+Record fit_ray (p v : vec) : Prop := Fit_ray { ray_ordinary :> ordinary_ray p v; v_not_zero : 0 < norm v }.
+Record fit_axis (centro d : vec) : Prop := Fit_axis {
+  centro_ordinary : ordinary_vec centro; d_ordinary : ordinary_vec d; d_unit : Rabs (dot d d - 1) <= / 1000000 }.
+Arguments p_ordinary {p v}.
+Arguments v_ordinary {p v}.
+Arguments v_not_zero {p v}.
+Arguments centro_ordinary {centro d}.
+Arguments d_ordinary {centro d}.
+Arguments d_unit {centro d}.
+
+(** ** The sphere *)
 
 Section Sphere.
 
@@ -393,3 +408,17 @@ Theorem sphere_in_lanes : let d := Formas.first_in_lanes (Formas.esfera p v V_fl
 Proof. rewrite free_is_recorded; exact (the_decision_is_right _ _ _ _ _ _ sphere_sound _ _ (place_right _)). Qed.
 
 End Sphere.
+
+(** How far apart two points are, as it is computed. *)
+Lemma extent_of_difference x y : ordinary_vec x -> ordinary_vec y ->
+  computed 3 (-152) (extent_fl (minus_fl x y)) (extent (minus x y)) (extent (minus x y)) /\ extent (minus x y) <= bpow
+    radix2 103.
+Proof.
+  intros Hx Hy; split; [apply (extent_computed 1); [lia | now apply q_close]|].
+  destruct Hx as (X1 & X2 & X3), Hy as (Y1 & Y2 & Y3); apply ordinary_size in X1, X2, X3, Y1, Y2, Y3.
+  assert (Hd : forall s t, Rabs (s - t) <= Rabs s + Rabs t).
+  { intros; unfold Rminus; apply Rle_trans with (1 := Rabs_triang _ _); rewrite Rabs_Ropp; lra. }
+  unfold extent, minus; cbn; pose proof (Hd (cx x) (cx y)); pose proof (Hd (cy x) (cy y)); pose proof (Hd (cz x) (cz y)).
+  change 103%Z with (3 + 100)%Z; rewrite bpow_plus; replace (bpow radix2 3) with 8 by reflexivity;
+    pose proof (bpow_gt_0 radix2 100); lra.
+Qed.

@@ -1602,53 +1602,7 @@ Definition round_plano (p v : vec) (t : twofold) (error : R) (centro : vec) (vec
       (Rlt_bool x33 (bpow radix2 900)))))).
 
 Definition round_disco (p v : vec) (t : twofold) (error : R) (centro : vec) (radio : R) (vector : vec) : once_point :=
-  let x1 := rnd (rnd ((4503600077730459 * bpow radix2 (-52)) * error) + rnd (bpow radix2 (-52) * Rabs (lo t))) in
-  let x2 := rnd (hi t + rnd (lo t - x1)) in
-  let x3 := Req_bool (cy vector) 0 in
-  let x4 := Req_bool (cz vector) 0 in
-  let x5 := andb x3 x4 in
-  let x6 := Req_bool (cx v) 0 in
-  let x7 := rnd (hi t * cx v) in
-  let x8 := rnd (x7 + cx p) in
-  let x9 := rnd (x8 - x7) in
-  let x10 := rnd (rnd (rnd (x7 - rnd (x8 - x9)) + rnd (cx p - x9)) + rnd (rnd (rnd (hi t * cx v - x7) + rnd (lo t * cx
-      v)) + 0)) in
-  let x11 := rnd (rnd ((4503600077730459 * bpow radix2 (-52)) * rnd (rnd (Rabs (cx v) * error) + rnd (bpow radix2 (-102)
-      * rnd (Rabs x7 + Rabs (cx p))))) + rnd (bpow radix2 (-52) * Rabs x10)) in
-  let x12 := rnd (x8 + rnd (x10 - x11)) in
-  let x13 := Req_bool (cx vector) 0 in
-  let x14 := andb x4 x13 in
-  let x15 := Req_bool (cy v) 0 in
-  let x16 := rnd (hi t * cy v) in
-  let x17 := rnd (x16 + cy p) in
-  let x18 := rnd (x17 - x16) in
-  let x19 := rnd (rnd (rnd (x16 - rnd (x17 - x18)) + rnd (cy p - x18)) + rnd (rnd (rnd (hi t * cy v - x16) + rnd (lo t *
-      cy v)) + 0)) in
-  let x20 := rnd (rnd ((4503600077730459 * bpow radix2 (-52)) * rnd (rnd (Rabs (cy v) * error) + rnd (bpow radix2 (-102)
-      * rnd (Rabs x16 + Rabs (cy p))))) + rnd (bpow radix2 (-52) * Rabs x19)) in
-  let x21 := rnd (x17 + rnd (x19 - x20)) in
-  let x22 := andb x13 x3 in
-  let x23 := Req_bool (cz v) 0 in
-  let x24 := rnd (hi t * cz v) in
-  let x25 := rnd (x24 + cz p) in
-  let x26 := rnd (x25 - x24) in
-  let x27 := rnd (rnd (rnd (x24 - rnd (x25 - x26)) + rnd (cz p - x26)) + rnd (rnd (rnd (hi t * cz v - x24) + rnd (lo t *
-      cz v)) + 0)) in
-  let x28 := rnd (rnd ((4503600077730459 * bpow radix2 (-52)) * rnd (rnd (Rabs (cz v) * error) + rnd (bpow radix2 (-102)
-      * rnd (Rabs x24 + Rabs (cz p))))) + rnd (bpow radix2 (-52) * Rabs x27)) in
-  let x29 := rnd (x25 + rnd (x27 - x28)) in
-  let x30 := Rabs x2 in
-  let x31 := Rabs x12 in
-  let x32 := Rabs x21 in
-  let x33 := Rabs x29 in
-  Once_point x2 (if x5 then rnd (cx centro + 0) else if x6 then rnd (cx p + 0) else x12) (if x14 then rnd (cy centro +
-      0) else if x15 then rnd (cy p + 0) else x21) (if x22 then rnd (cz centro + 0) else if x23 then rnd (cz p + 0) else
-      x29) (andb (andb (andb (andb (andb (Req_bool x2 (rnd (hi t + rnd (lo t + x1)))) (Rlt_bool (bpow radix2 (-900))
-      x30)) (Rlt_bool x30 (bpow radix2 900))) (orb x5 (orb x6 (andb (andb (Req_bool x12 (rnd (x8 + rnd (x10 + x11))))
-      (Rlt_bool (bpow radix2 (-900)) x31)) (Rlt_bool x31 (bpow radix2 900)))))) (orb x14 (orb x15 (andb (andb (Req_bool
-      x21 (rnd (x17 + rnd (x19 + x20)))) (Rlt_bool (bpow radix2 (-900)) x32)) (Rlt_bool x32 (bpow radix2 900)))))) (orb
-      x22 (orb x23 (andb (andb (Req_bool x29 (rnd (x25 + rnd (x27 + x28)))) (Rlt_bool (bpow radix2 (-900)) x33))
-      (Rlt_bool x33 (bpow radix2 900)))))).
+  round_plano p v t error centro vector.
 
 Definition round_triangulo (p v : vec) (t : twofold) (error : R) (a b c : vec) : once_point :=
   let x1 := rnd (rnd ((4503600077730459 * bpow radix2 (-52)) * error) + rnd (bpow radix2 (-52) * Rabs (lo t))) in
@@ -1797,12 +1751,7 @@ Definition plano (t : R) (p v : vec) (speed : R) (centro : vec) (vector : vec) :
       x1) + Rabs (hi x2)) + Rabs (hi x3)) + rnd (Rabs t * speed)))).
 
 Definition disco (t : R) (p v : vec) (speed : R) (centro : vec) (radio : R) (vector : vec) : known twofold :=
-  let x1 := two_sum (cx p) (- cx centro) in
-  let x2 := two_sum (cy p) (- cy centro) in
-  let x3 := two_sum (cz p) (- cz centro) in
-  Known (sum (sum (product_by (sum x1 (two_prod t (cx v))) (cx vector)) (product_by (sum x2 (two_prod t (cy v))) (cy
-      vector))) (product_by (sum x3 (two_prod t (cz v))) (cz vector))) (rnd (bpow radix2 (-95) * rnd (rnd (rnd (Rabs (hi
-      x1) + Rabs (hi x2)) + Rabs (hi x3)) + rnd (Rabs t * speed)))).
+  plano t p v speed centro vector.
 
 Definition triangulo (t : R) (p v : vec) (speed : R) (a b c : vec) : known twofold :=
   let x1 := - cx a in

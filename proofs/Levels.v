@@ -78,8 +78,7 @@ End Flat.
 
 Section Ray.
 Variables p v : vec.
-Hypothesis p_ordinary : ordinary_vec p.
-Hypothesis v_ordinary : ordinary_vec v.
+Hypothesis ray_ordinary : ordinary_ray p v.
 Notation ray := (ray_of p v).
 
 Variables (t : twofold) (error T : R).
@@ -106,7 +105,8 @@ Lemma coordinates_right : rounds_to (round_coordinate (cx p) (cx v) t error) (cx
   rounds_to (round_coordinate (cy p) (cy v) t error) (cy p + T * cy v) /\
   rounds_to (round_coordinate (cz p) (cz v) t error) (cz p + T * cz v).
 Proof.
-  destruct p_ordinary as (Px & Py & Pz), v_ordinary as (Vx & Vy & Vz); split; [|split]; intros H; now apply round_coordinate_right.
+  destruct (p_ordinary ray_ordinary) as (Px & Py & Pz), (v_ordinary ray_ordinary) as (Vx & Vy & Vz); split; [|split];
+  intros H; now apply round_coordinate_right.
 Qed.
 
 Lemma plane_is c n : round_plano p v t error c n = joined (round_once t error)
@@ -164,22 +164,26 @@ Proof.
   intros H E; apply H; unfold cross, minus in E; cbn in E; injection E as Ex Ey Ez; cbn; repeat split; lra.
 Qed.
 
-Theorem round_on_right Elemento (s : Especificacion.Escena Elemento) p v e sh t error T out : Escena_ok s -> ordinary_vec p -> ordinary_vec v ->
+Theorem round_on_right Elemento (s : Especificacion.Escena Elemento) p v e sh t error T out :
+  Escena_ok s -> ordinary_ray p v ->
   stands Elemento s e sh -> ordinary_shape sh -> (is_flat sh = true -> value (text_of p v sh) T = 0) ->
   pair t -> format error -> bpow radix2 (-900) <= error -> Rabs (T - whole t) <= error ->
   all_certain (round_on p v sh t error) = true -> stores out (round_on p v sh t error) -> Chain.rounds (ray_of p v) out T.
 Proof.
-  intros ok Hp Hv Hs Ho Hflat Ht Fe Le HT.
+  intros ok Ray Hs Ho Hflat Ht Fe Le HT.
   assert (HD : forall d, (e, d) ∈ mi_vector s -> d ∈ Unitario) by (intros; apply (Escena_inv_8 ok); now exists e).
   assert (In_plane : forall c n, value (text_of p v sh) T = dot (exact_place p v T c) n -> value (text_of p v sh) T = 0 ->
     dot (minus (Vec (cx p + T * cx v) (cy p + T * cy v) (cz p + T * cz v)) c) n = 0).
   { intros c n E V; rewrite E in V; rewrite <- V; unfold dot, exact_place, minus; cbn; ring. }
   destruct sh as [c r | c r d h | c k d h | c r k d h | c d | c r d | a b c]; cbn [is_flat round_on ordinary_shape] in *;
-    try exact (certain_is_rounded_right p v t error T out Hp Hv Ht Fe Le HT).
-  - destruct Hs as (_ & _ & Hd), Ho as [Oc _]; apply (plane_right p v Hp Hv t error T Ht Fe Le HT c d out Oc (axis_not_zero d (HD _ Hd))).
+    try exact (certain_is_rounded_right p v t error T out (p_ordinary Ray) (v_ordinary Ray) Ht Fe Le HT).
+  - destruct Hs as (_ & _ & Hd), Ho as [Oc _].
+    apply (plane_right p v Ray t error T Ht Fe Le HT c d out Oc (axis_not_zero d (HD _ Hd))).
     apply In_plane; [now apply flat_value | auto].
-  - destruct Hs as (_ & _ & _ & Hd), Ho as (Oc & _ & _); apply (plane_right p v Hp Hv t error T Ht Fe Le HT c d out Oc (axis_not_zero d (HD _ Hd))).
+  - destruct Hs as (_ & _ & _ & Hd), Ho as (Oc & _ & _).
+    apply (plane_right p v Ray t error T Ht Fe Le HT c d out Oc (axis_not_zero d (HD _ Hd))).
     apply In_plane; [now apply flat_value | auto].
   - destruct Hs as (_ & Hv'), Ho as (Oa & _ & _); assert (HV : vertices a b c ∈ Vertices) by (apply (Escena_decl_mi_vertices ok); now exists e).
-    apply (triangle_right p v Hp Hv t error T Ht Fe Le HT a b c out Oa (normal_not_zero a b c HV)); apply In_plane; [now apply flat_value | auto].
+    apply (triangle_right p v Ray t error T Ht Fe Le HT a b c out Oa (normal_not_zero a b c HV)); apply In_plane;
+    [now apply flat_value | auto].
 Qed.

@@ -220,8 +220,7 @@ Variables (s : Escena Elemento) (en : set Elemento) (p v : Vectors.vec).
 Notation ray := (Steps.ray_of p v).
 Hypothesis ok : Escena_ok s.
 Hypothesis ray_ok : Rayo_ok ray.
-Hypothesis p_ordinary : Flotante.ordinary_vec p.
-Hypothesis v_ordinary : Flotante.ordinary_vec v.
+Hypothesis ray_ordinary : Flotante.ordinary_ray p v.
 Notation met := (met ray Elemento s en).
 
 (** In lanes: a hit is within its error of the least parameter at which the ray meets the element, and a miss is one. *)
@@ -231,7 +230,7 @@ Theorem the_decisions_in_lanes_are_right e sh on :
   (Formas.hit d = true ->
    exists t, is_least (met e) t /\ Rabs (Formas.value (Formas.root d) - t) <= Formas.error (Formas.root d))
   /\ (Formas.hit d = false -> Formas.undecided d = false -> forall t, ~ met e t).
-Proof. exact (Triage.lanes_within Elemento s ok en p v ray_ok p_ordinary v_ordinary e sh on). Qed.
+Proof. exact (Triage.lanes_within Elemento s ok en p v ray_ok ray_ordinary e sh on). Qed.
 
 (** For one ray: as well, where a miss is one up to the limit. *)
 Theorem the_decisions_up_to_a_limit_are_right e sh on limit :
@@ -241,7 +240,7 @@ Theorem the_decisions_up_to_a_limit_are_right e sh on limit :
   | Formas.Undecided => True
   | Formas.Hit root _ _ => exists t, is_least (met e) t /\ Rabs (Formas.value root - t) <= Formas.error root
   end.
-Proof. exact (Triage.alone_within Elemento s ok en p v ray_ok p_ordinary v_ordinary e sh on limit). Qed.
+Proof. exact (Triage.alone_within Elemento s ok en p v ray_ok ray_ordinary e sh on limit). Qed.
 
 (** So the triage of the search is right: the first sentence of [Search.steps_right], where what is in range has
     ordinary numbers, the ray's and the element's, and the triage of an element is that decision up to the limit. *)
@@ -270,7 +269,7 @@ Theorem the_second_step_is_right e sh on limit :
         Formas.Pairs.all_certain once = true -> Once.stores out once -> Chain.rounds ray out t
   end.
 Proof.
-  exact (Second.second_right Elemento s en p v ok ray_ok p_ordinary v_ordinary e sh on limit).
+  exact (Second.second_right Elemento s en p v ok ray_ok ray_ordinary e sh on limit).
 Qed.
 
 (** The quadratic that a step of Newton's asks, at a root T with a slope: at any parameter t, what is computed of it is within
@@ -282,7 +281,7 @@ Theorem the_quadratic_at_a_root_is_within_its_error e sh (on : bool) t T :
   let q := AtRootText.at_root p v sh on t in
   AtRoot.within_error q (value f t) /\ Raux.bpow Zaux.radix2 (-900) <= Formas.error q
   /\ Raux.bpow Zaux.radix2 (-900) * (4 * Rabs (cA f * T + cB f)) <= Formas.error q.
-Proof. exact (AtRootText.at_root_right Elemento s ok p v p_ordinary v_ordinary e sh on t T). Qed.
+Proof. exact (AtRootText.at_root_right Elemento s ok p v ray_ordinary e sh on t T). Qed.
 
 (** What is rounded of a hit of an element: where its plane stands at a right angle to an axis, the coordinate that all its
     points have, and else as above. *)
@@ -292,7 +291,7 @@ Theorem what_is_certain_on_an_element_is_rounded_right e sh t error T out :
   Twofold.pair t -> format error -> Raux.bpow Zaux.radix2 (-900) <= error -> Rabs (T - Twofold.whole t) <= error ->
   let once := Levels.round_on p v sh t error in
   Formas.Pairs.all_certain once = true -> Once.stores out once -> Chain.rounds ray out T.
-Proof. exact (Levels.round_on_right Elemento s p v e sh t error T out ok p_ordinary v_ordinary). Qed.
+Proof. exact (Levels.round_on_right Elemento s p v e sh t error T out ok ray_ordinary). Qed.
 
 (** So the steps of the search as they run are right, [Search.steps_right]: of Running.steps_run, which says that its triage,
     its second step, the ends around a parameter, the Newton step, what is certainly less and its rounding are the recorded

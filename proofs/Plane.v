@@ -15,12 +15,8 @@ Local Opaque bpow.
 
 Section Plane.
 Variables p v centro d : vec.
-Hypothesis p_ordinary : ordinary_vec p.
-Hypothesis v_ordinary : ordinary_vec v.
-Hypothesis centro_ordinary : ordinary_vec centro.
-Hypothesis d_ordinary : ordinary_vec d.
-Hypothesis v_not_zero : 0 < norm v.
-Hypothesis d_unit : Rabs (dot d d - 1) <= / 1000000.
+Hypothesis ray_fits : fit_ray p v.
+Hypothesis axis_fits : fit_axis centro d.
 Notation q_fl := (q_fl p centro).
 Let q := minus p centro.
 Let Q := extent q.
@@ -37,10 +33,10 @@ Definition along (f : Formas.quadratic R) : Prop := Formas.B f = half_fl /\ Form
   Formas.A f = 0 /\ Formas.A_error f = 0.
 
 Let HQ : 0 <= Q := extent_nonneg q.
-Let HV : 0 < V := V_positive v v_not_zero.
+Let HV : 0 < V := V_positive v (v_not_zero ray_fits).
 
 Lemma Q_computed : computed 3 (-152) Q_fl Q Q.
-Proof. apply (extent_computed 1); [lia | exact (q_close p centro p_ordinary centro_ordinary)]. Qed.
+Proof. exact (proj1 (extent_of_difference p centro (p_ordinary ray_fits) (centro_ordinary axis_fits))). Qed.
 
 Lemma Q_near : 999999 / 1000000 * Q <= Q_fl <= 1000001 / 1000000 * Q.
 Proof.
@@ -52,8 +48,9 @@ Qed.
 Lemma half_computed : computed 4 (-305) half_fl (s1 * / 2) (size_of_dot v d * / 2).
 Proof.
   apply (computed_mult 3 0 (-304) (-1)); [lia | |].
-  - exact (dot_computed 0 0 (-152) (-152) v d v d ltac:(lia) (v_close v v_ordinary) (close_exact _ _ (ordinary_on_grid d
-    d_ordinary))).
+  - exact (dot_computed 0 0 (-152) (-152) v d v d ltac:(lia) (v_close v (v_ordinary ray_fits)) (close_exact _ _
+    (ordinary_on_grid d
+    (d_ordinary axis_fits)))).
   - replace (/ 2) with (bpow radix2 (-1)) by reflexivity; rewrite <- (Rabs_pos_eq (bpow radix2 (-1))) at 3 by apply
     bpow_ge_0.
     apply computed_exact; [apply format_bpow; lia | exists 1%Z; ring].
@@ -61,11 +58,13 @@ Qed.
 
 Lemma size_of_s1 : 0 <= size_of_dot v d <= 1000001 / 1000000 * V.
 Proof.
-  split; [apply size_nonneg|]; apply Rle_trans with (1 := size_along d d_unit v V (norm_le_extent v) (Rlt_le _ _ HV)); lra.
+  split; [apply size_nonneg|]; apply Rle_trans with (1 := size_along v d V (d_unit axis_fits) (norm_le_extent v) (Rlt_le _ _
+    HV)); lra.
 Qed.
 
 Lemma size_of_s0 : 0 <= size_of_dot q d <= 1000001 / 1000000 * Q.
-Proof. split; [apply size_nonneg|]; apply Rle_trans with (1 := size_along d d_unit q Q (norm_le_extent q) HQ); lra. Qed.
+Proof. split; [apply size_nonneg|]; apply Rle_trans with (1 := size_along q d Q (d_unit axis_fits) (norm_le_extent q) HQ);
+lra. Qed.
 
 Lemma uV_small : 0 < u * V <= / 1000000 * V.
 Proof. pose proof u_bounds; split; [apply Rmult_lt_0_compat | apply Rmult_le_compat_r]; lra. Qed.
@@ -73,14 +72,14 @@ Proof. pose proof u_bounds; split; [apply Rmult_lt_0_compat | apply Rmult_le_com
 Theorem plane_sound f : along f -> sound_flat f (s1 / 2) s0.
 Proof.
   intros (EB & EC & EBe & ECe & EA & EAe); pose proof u_bounds as Hu; pose proof uV_small as HuV; pose proof size_of_s1 as HS1.
-  pose proof half_computed as Hh; pose proof Q_near as NQ; destruct (s0_near p centro d) as [N0 S0]; auto.
-  destruct (speed_near v v_ordinary v_not_zero) as [V1 V2]; fold V in V1, V2;
+  pose proof half_computed as Hh; pose proof Q_near as NQ; destruct (s0_near p v centro d ray_fits axis_fits) as [N0 S0].
+  destruct (speed_near p v ray_fits) as [V1 V2]; fold V in V1, V2;
     change (extent (minus p centro)) with Q in N0, S0;
     change (dot (minus p centro) d) with s0 in N0.
   assert (HB : Rabs (half_fl - s1 / 2) <= 201 / 100 * (u * V)).
   { pose proof (computed_error_near 4 _ _ _ _ ltac:(lia) Hh) as He; simpl INR in He; apply Rle_trans with (1 := He).
     assert (u * size_of_dot v d <= u * (1000001 / 1000000 * V)) by (apply Rmult_le_compat_l; lra); lra. }
-  assert (GV : grid (-152) V_fl) by exact (proj2 (proj2 (V_computed v v_ordinary))).
+  assert (GV : grid (-152) V_fl) by exact (proj2 (proj2 (V_computed v (v_ordinary ray_fits)))).
   assert (HBe : 299 / 100 * (u * V) <= rnd ((3 * bpow radix2 (-53)) * V_fl)).
   { assert (Hn : normal ((3 * bpow radix2 (-53)) * V_fl)).
     { apply (grid_normal (-53 + -152)); [lia | apply grid_mult; [exists 3%Z; ring | exact GV]]. }
@@ -111,7 +110,7 @@ Proof.
         apply Rmult_le_compat_l; [apply bpow_ge_0 | exact HQ152]. }
       assert (HB2 : Rabs (2 * half_fl) <= bpow radix2 104).
       { pose proof (computed_size 4 _ _ _ _ ltac:(lia) Hh) as Hs; rewrite Rabs_mult, (Rabs_pos_eq 2) by lra.
-        pose proof (V_size v v_ordinary) as HV102; fold V in HV102.
+        pose proof (V_size v (v_ordinary ray_fits)) as HV102; fold V in HV102.
         change 104%Z with (2 + 102)%Z; rewrite bpow_plus; replace (bpow radix2 2) with 4 by reflexivity; lra. }
       split; [apply Rle_trans with (2 := HC), bpow_le; lia|]; apply Rle_trans with (2 := HC).
       apply Rle_trans with (bpow radix2 (-900) * bpow radix2 104).
@@ -188,9 +187,11 @@ Lemma out_near : Rabs (norm_fl out_fl - norm out) <= 281 / 10 * (u * (Q * V)) + 
   0 <= norm out <= 2001 / 1000 * (Q * V).
 Proof.
   pose proof S_computed as Hc; pose proof size_of_s1 as HS; pose proof size_of_s0 as HS0; pose proof u_bounds as Hu.
-  pose proof (dot_computed 1 0 (-152) (-152) q_fl d q d ltac:(lia) (q_close p centro p_ordinary centro_ordinary)
-    (close_exact _ _ (ordinary_on_grid d d_ordinary))) as H0.
-  destruct (q_close p centro p_ordinary centro_ordinary) as (QX & QY & QZ), (v_close v v_ordinary) as (VX & VY & VZ).
+  pose proof (dot_computed 1 0 (-152) (-152) q_fl d q d ltac:(lia) (q_close p centro (p_ordinary ray_fits) (centro_ordinary
+    axis_fits))
+    (close_exact _ _ (ordinary_on_grid d (d_ordinary axis_fits)))) as H0.
+  destruct (q_close p centro (p_ordinary ray_fits) (centro_ordinary axis_fits)) as (QX & QY & QZ), (v_close v (v_ordinary
+    ray_fits)) as (VX & VY & VZ).
   set (i := size_of_dot v d) in *; set (j := size_of_dot q d) in *.
   assert (Hone : forall a x b, computed 1 (-152) a x (Rabs x) -> computed 0 (-152) b b (Rabs b) ->
     computed 8 (-457) (rnd (rnd (S_fl * a) + rnd (- s0_fl * b))) (s1 * x + - s0 * b) (i * Rabs x + j * Rabs b)).
@@ -252,8 +253,8 @@ Proof.
   set (X := r * V) in *; assert (HX : 0 < X) by (apply Rmult_lt_0_compat; lra).
   assert (HuX : 0 < u * X <= / 1000000 * X) by (split; [apply Rmult_lt_0_compat | apply Rmult_le_compat_r]; lra).
   assert (H490 : bpow radix2 (-490) <= / 1000000 * (u * X)).
-  { pose proof (r_least r r_ordinary r_positive) as Hr100; destruct (speed_near v v_ordinary v_not_zero) as [V1 V2]; fold V in V1, V2.
-    pose proof (grid_at_least _ _ (proj2 (proj2 (V_computed v v_ordinary)))) as HV152;
+  { pose proof (r_least r r_ordinary r_positive) as Hr100; destruct (speed_near p v ray_fits) as [V1 V2]; fold V in V1, V2.
+    pose proof (grid_at_least _ _ (proj2 (proj2 (V_computed v (v_ordinary ray_fits))))) as HV152;
       change (Flotante.V_fl v) with V_fl in HV152.
     specialize (HV152 ltac:(lra)); rewrite Rabs_pos_eq in HV152 by lra.
     assert (HV153 : bpow radix2 (-153) <= V).
@@ -271,7 +272,7 @@ Proof.
       (r_computed r r_ordinary r_positive))) as HE.
     pose proof (computed_mult 3 4 (-200) (-152) _ _ _ _ _ _ ltac:(lia) (computed_mult 0 2 (-48) (-152) _ _ _ _ _ _
       ltac:(lia) H48
-      (V_computed v v_ordinary)) HE) as Hm; change (Flotante.V_fl v) with V_fl in Hm; fold V in Hm.
+      (V_computed v (v_ordinary ray_fits))) HE) as Hm; change (Flotante.V_fl v) with V_fl in Hm; fold V in Hm.
     pose proof (computed_error_near 8 _ _ _ _ ltac:(lia) Hm) as He; simpl INR in He; fold margin_error in He.
     replace (bpow radix2 (-48)) with (32 * u) in He by (replace 32 with (bpow radix2 5) by reflexivity;
       now rewrite <- bpow_plus).

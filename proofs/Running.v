@@ -147,11 +147,11 @@ Lemma triage_finds e x : steps_run -> In e elements -> in_range e = true -> exis
       graded (cA (quadratic_of e)) (cB (quadratic_of e)) t slope curvature
   end.
 Proof.
-  intros Runs He Hr; destruct (described e He) as [Hs Hon], (range e He Hr) as (Hp & Hv & Ho).
+  intros Runs He Hr; destruct (described e He) as [Hs Hon], (range e He Hr) as [Ray Ho].
   destruct (triage_runs Runs e x He Hr) as (a & Ha & E); exists a; split; [exact E|]; unfold answered in Ha.
   replace (cA (quadratic_of e)) with (cA (text_of p v (shape_of e))) by (unfold quadratic_of; now destruct (on e)).
   replace (cB (quadratic_of e)) with (cB (text_of p v (shape_of e))) by (unfold quadratic_of; now destruct (on e)).
-  pose proof (fun limit => alone_is_right Elemento s ok en p v ray_ok Hp Hv e _ (on e) limit Hs Ho Hon) as R1.
+  pose proof (fun limit => alone_is_right Elemento s ok en p v ray_ok Ray e _ (on e) limit Hs Ho Hon) as R1.
   destruct (is_finite x) eqn:Fx.
   - specialize (R1 (B2R x)); rewrite <- Ha in R1; destruct a; cbn in *; auto.
     intros t Ht [-> | [_ Hle]]; [discriminate Fx | specialize (R1 t Ht); lra].
@@ -168,7 +168,7 @@ Proof.
   destruct a as [| | root slope curvature]; try discriminate; injection Hx as <-.
   destruct Ra as (t' & Ht' & N & Gs & Gc & Fs & Fc & Ls); rewrite (least_unique _ _ _ Ht' Ht) in *.
   destruct (improved_runs Runs e root slope curvature g He Hr Hg) as [Known ->].
-  destruct (described e He) as [Hs Hon], (range e He Hr) as (Hp & Hv & Ho).
+  destruct (described e He) as [Hs Hon], (range e He Hr) as [Ray Ho].
   assert (Root : 0 < t /\ value (quadratic_of e) t = 0).
   { destruct Ht as [Ht _]; apply (met_of_shape Elemento s ok en p v e _ (on e) Hs Hon) in Ht.
     split; [exact (proj1 Ht) | exact (proj1 (proj2 Ht))]. }
@@ -179,7 +179,7 @@ Proof.
   assert (Near : Rabs (Formas.value slope) <= 2 * Rabs (cA (quadratic_of e) * t + cB (quadratic_of e))).
   { rewrite Rabs_minus_sym in Gs; pose proof (Rabs_triang_inv (Formas.value slope) (cA (quadratic_of e) * t + cB (quadratic_of e))); lra. }
   assert (Slope : cA (quadratic_of e) * t + cB (quadratic_of e) <> 0) by (intros Z0; rewrite Z0, Rabs_R0 in Near; lra).
-  destruct (at_root_right Elemento s ok p v Hp Hv e (shape_of e) (on e) (Formas.value root) t Hs Ho (proj1 N) Pos Root Slope)
+  destruct (at_root_right Elemento s ok p v Ray e (shape_of e) (on e) (Formas.value root) t Hs Ho (proj1 N) Pos Root Slope)
     as ((Na & Fa) & La & Sa); fold (quadratic_of e) in Na, Sa.
   assert (Binary : Newton.binary64s root slope curvature (at_root p v (shape_of e) (on e) (Formas.value root))).
   { constructor; auto; [apply N | repeat split; auto]; apply Rle_trans with (2 := Sa), Rmult_le_compat_l; [lra|].
@@ -228,10 +228,10 @@ Proof.
   intros Runs; constructor.
   - intros e x He Hr; destruct (triage_finds e x Runs He Hr) as (a & -> & Ra); destruct a; cbn in *; auto.
     destruct Ra as (t & Ht & N & _); now exists t.
-  - intros e x He Hr; destruct (described e He) as [Hs Hon], (range e He Hr) as (Hp & Hv & Ho).
+  - intros e x He Hr; destruct (described e He) as [Hs Hon], (range e He Hr) as [Ray Ho].
     destruct (stable_runs Runs e x He Hr) as (a & Ha & ->).
     refine (double_says_right _ _ _ _ _ Ha); intros limit Fl.
-    exact (second_pair Elemento s en p v ok ray_ok Hp Hv e _ (on e) limit Hs Ho Hon Fl).
+    exact (second_pair Elemento s en p v ok ray_ok Ray e _ (on e) limit Hs Ho Hon Fl).
   - intros e f g t He Hr [x Hx] Hg Ht _; exact (improved_is_close e x f g t Runs He Hr Hx Hg Ht).
   - intros e w t He _ Hv; pose proof (ends_run Runs w) as E; destruct w as [f | f | x].
     + destruct Hv as (Hr & [x Hx] & Hn); destruct (triage_runs Runs e x He Hr) as (a & _ & Ea); rewrite Ea in Hx.
@@ -246,7 +246,7 @@ Proof.
   - intros e f out t He Hrep Ht Hf Hn; destruct (rounding_runs Runs e f out He Hf) as (root & Hroot & Hc & Hst).
     assert (Hclose : close root t) by (destruct Hroot as [-> | ->]; [now apply near_pair_close | exact Hn]).
     destruct Hclose as (H & P & Fe & Le), (described e He) as [Hs Hon], (reports_off_flat e f Runs He Hrep) as [Hr Off].
-    destruct (range e He Hr) as (Hp & Hv & Ho).
+    destruct (range e He Hr) as [Ray Ho].
     apply (round_on_right Elemento s p v e (shape_of e) (Formas.value root) (Formas.error root)); auto.
     + intros Flat; destruct Ht as [Ht _]; apply (met_of_shape Elemento s ok en p v e _ (on e) Hs Hon) in Ht.
       rewrite (Off Flat) in Ht; exact (proj1 (proj2 Ht)).

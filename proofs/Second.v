@@ -4,8 +4,8 @@
 From Coq Require Import Reals Lra.
 From Flocq Require Import Core.
 From Durero Require Import Toolkit Especificacion Escena Puntos Trazador.
-From Durero Require Certified Interseccion Formas.
-From Durero Require Import Rounding Vectors Flotante Steps Triage Twofold Doubled StableSphere StablePlane StableDisc
+From Durero Require Interseccion Formas Once Chain.
+From Durero Require Import Rounding Vectors Flotante Steps Triage Twofold Sums Doubled StableSphere StablePlane StableDisc
   StableTriangle StableCylinder StableCone.
 Import Formas.Pairs.
 Local Open Scope R_scope.
@@ -26,6 +26,26 @@ Definition second_of (p v : vec) (sh : shape) (on : bool) : R -> Formas.answer t
   | Triangle a b c => edged (triangulo p v V a b c)
   end.
 
+(** A hit is within its error of the least of T, and is rounded right where that is certain. *)
+Definition right_when_rounded (p v : vec) (T : R -> Prop) (limit : R) (a : Formas.answer twofold) : Prop :=
+  match a with
+  | Formas.Miss => forall t, T t -> limit < t
+  | Formas.Undecided => True
+  | Formas.Hit root _ _ => exists t, is_least T t /\ Rabs (t - whole (Formas.value root)) <= Formas.error root /\
+      forall out, let once := round_point p v (Formas.value root) (Formas.error root) in
+      all_certain once = true -> Once.stores out once -> Chain.rounds (ray_of p v) out t
+  end.
+
+Lemma right_and_rounded p v T limit a : ordinary_ray p v -> right_pair T limit a -> right_when_rounded p v T limit a.
+Proof.
+  intros [Hp Hv]; destruct a as [| | root slope curvature]; cbn [right_pair right_when_rounded]; auto.
+  intros (t & Ht & (N & W & Fe & He) & _); exists t; split; [exact Ht|].
+  pose proof (bpow_gt_0 radix2 (-900)); rewrite Rabs_minus_sym; split; [lra|]; intros out Hc Hs.
+  apply (Once.certain_is_rounded_right p v (Formas.value root) (Formas.error root)); auto.
+  - now apply double_word_is_pair.
+  - rewrite Rabs_minus_sym; lra.
+Qed.
+
 Section Scene.
 Variable Elemento : Type.
 Variable s : Especificacion.Escena Elemento.
@@ -33,52 +53,24 @@ Variable en : set Elemento.
 Variables p v : vec.
 Hypothesis ok : Escena_ok s.
 Hypothesis ray_ok : Rayo_ok (ray_of p v).
-Hypothesis p_ordinary : ordinary_vec p.
-Hypothesis v_ordinary : ordinary_vec v.
-
-Let v_not_zero : 0 < norm v := direction_not_zero p v ray_ok.
+Hypothesis ray_ordinary : ordinary_ray p v.
 
 Theorem second_pair e sh on limit : stands Elemento s e sh -> ordinary_shape sh -> (on = true <-> en e) ->
   format limit -> right_pair (Interseccion.met (ray_of p v) Elemento s en e) limit (second_of p v sh on limit).
 Proof.
-  intros Hs Ho Hon Fl; destruct sh.
-  - exact (stable_of_sphere_pair Elemento s en p v e _ _ on limit ok ray_ok p_ordinary v_ordinary Hs Ho Hon Fl).
-  - apply (right_pair_equal _ _ _ _ (met_of_shape Elemento s ok en p v e _ on Hs Hon)).
-    destruct Ho as (Hc & Hr & Hd & Hh), Hs as (_ & _ & Hrad & Hv & Halt).
-    assert (Hu : direction vector ∈ Unitario) by (apply (Escena_inv_8 ok); now exists e).
-    assert (Hr0 : 0 < radio) by (apply (Escena_decl_mi_radio ok); now exists e).
-    assert (Hh0 : 0 < altura) by (apply (Escena_decl_mi_altura ok); now exists e).
-    destruct (stable_cylinder_right p v _ _ _ _ p_ordinary v_ordinary Hc Hd Hr Hr0 v_not_zero (Certified.axis_unit _ Hu) Hh Hh0
-      limit Fl); unfold second_of; destruct on; assumption.
-  - apply (right_pair_equal _ _ _ _ (met_of_shape Elemento s ok en p v e _ on Hs Hon)).
-    destruct Ho as (Hc & Hk & Hd & Hh), Hs as (_ & _ & Hprop & Hv & Halt).
-    assert (Hu : direction vector ∈ Unitario) by (apply (Escena_inv_8 ok); now exists e).
-    assert (Hk0 : 0 < proporcion) by (apply (Escena_decl_mi_proporcion ok); now exists e).
-    assert (Hh0 : 0 < altura) by (apply (Escena_decl_mi_altura ok); now exists e).
-    destruct (stable_cone_right p v _ _ _ _ p_ordinary v_ordinary Hc Hd Hh Hh0 Hk Hk0 v_not_zero (Certified.axis_unit _ Hu) limit Fl).
-    unfold second_of; destruct on; assumption.
-  - apply (right_pair_equal _ _ _ _ (met_of_shape Elemento s ok en p v e _ on Hs Hon)).
-    destruct Ho as (Hc & Hr & Hk & Hd & Hh), Hs as (_ & _ & Hrad & Hprop & Hv & Halt).
-    assert (Hu : direction vector ∈ Unitario) by (apply (Escena_inv_8 ok); now exists e).
-    assert (Hr0 : 0 < radio) by (apply (Escena_decl_mi_radio ok); now exists e).
-    assert (Hk0 : 0 < proporcion) by (apply (Escena_decl_mi_proporcion ok); now exists e).
-    assert (Hh0 : 0 < altura) by (apply (Escena_decl_mi_altura ok); now exists e).
-    destruct (stable_truncated_right p v _ _ _ _ _ p_ordinary v_ordinary Hc Hd Hh Hh0 Hk Hk0 v_not_zero (Certified.axis_unit _ Hu)
-      Hr Hr0 limit Fl); unfold second_of; destruct on; assumption.
-  - apply (right_pair_equal _ _ _ _ (met_of_shape Elemento s ok en p v e _ on Hs Hon)).
-    destruct Ho as [Hc Hd]; assert (Hu : direction vector ∈ Unitario).
-    { destruct Hs as [_ [_ Hv]]; apply (Escena_inv_8 ok); now exists e. }
-    destruct (stable_plane_right p v p_ordinary v_ordinary (direction_not_zero p v ray_ok) _ _ limit Hc Hd Hu Fl).
-    unfold second_of; destruct on; assumption.
-  - apply (right_pair_equal _ _ _ _ (met_of_shape Elemento s ok en p v e _ on Hs Hon)).
-    destruct Ho as (Hc & Hr & Hd), Hs as (_ & _ & Hrad & Hv).
-    assert (Hu : direction vector ∈ Unitario) by (apply (Escena_inv_8 ok); now exists e).
-    assert (Hr0 : 0 < radio) by (apply (Escena_decl_mi_radio ok); now exists e).
-    destruct (stable_disc_right p v _ _ _ limit p_ordinary v_ordinary (direction_not_zero p v ray_ok) Hc Hr Hr0 Hd Hu Fl).
-    unfold second_of; destruct on; assumption.
-  - apply (right_pair_equal _ _ _ _ (met_of_shape Elemento s ok en p v e _ on Hs Hon)); destruct Ho as (Ha & Hb & Hc).
-    destruct (stable_triangle_right p v _ _ _ limit p_ordinary v_ordinary (direction_not_zero p v ray_ok) Ha Hb Hc Fl).
-    unfold second_of; destruct on; assumption.
+  intros Hs Ho Hon Fl; apply (right_pair_equal _ _ _ _ (met_of_shape Elemento s ok en p v e sh on Hs Hon)).
+  pose proof (ray_fits p v ray_ok ray_ordinary) as Hray; pose proof (stands_fit Elemento s ok e sh Hs Ho) as Fit.
+  assert (Right : right_pair (reach (text_of p v sh)) limit (second_of p v sh false limit) /\
+    right_pair (reach (launched (text_of p v sh))) limit (second_of p v sh true limit)).
+  { destruct sh; cbn in Fit; decompose [and] Fit; unfold second_of.
+    - now apply stable_sphere_right.
+    - now apply stable_cylinder_right.
+    - now apply stable_cone_right.
+    - now apply stable_truncated_right.
+    - now apply stable_plane_right.
+    - now apply stable_disc_right.
+    - now apply stable_triangle_right. }
+  destruct on; apply Right.
 Qed.
 
 Theorem second_right e sh on limit : stands Elemento s e sh -> ordinary_shape sh -> (on = true <-> en e) ->

@@ -7,17 +7,15 @@
     near_by i w x m        == w is a pair within i units of x, and x at most m *)
 From Coq Require Import Reals ZArith Lra Lia Psatz.
 From Flocq Require Import Core.
-From Durero Require Import Rounding Vectors Across Flotante Twofold Sums Products Ratios Words Small Stable StableAdvance.
-From Durero Require Cylinder Formas.
+From Durero Require Import Rounding Vectors Across Flotante Twofold Sums Products Ratios Words Small Stable StableVectors
+  StableAdvance.
+From Durero Require Formas.
 Import Formas.Pairs.
 Local Open Scope R_scope.
 Local Opaque bpow.
 
 Definition across2 (x : vec2) (s : twofold) (d : vec2) : vec2 :=
   Vec2 (difference (dx x) (product s (dx d))) (difference (dy x) (product s (dy d))) (difference (dz x) (product s (dz d))).
-
-Lemma norm_symmetric s t : norm (minus s t) = norm (minus t s).
-Proof. unfold norm, dot, minus; cbn; f_equal; ring. Qed.
 
 (** x is exact; what is left of it is off by 10 units of x, to first order. *)
 Lemma across2_computed x2 x d : words_close 0 (-152) x2 x -> on_grid (-152) d -> dot d d <= 1 + / 1000000 ->
@@ -91,12 +89,8 @@ Qed.
 
 Section Across.
 Variables p v centro d : vec.
-Hypothesis p_ordinary : ordinary_vec p.
-Hypothesis v_ordinary : ordinary_vec v.
-Hypothesis centro_ordinary : ordinary_vec centro.
-Hypothesis d_ordinary : ordinary_vec d.
-Hypothesis v_not_zero : 0 < norm v.
-Hypothesis d_unit : Rabs (dot d d - 1) <= / 1000000.
+Hypothesis ray_fits : fit_ray p v.
+Hypothesis axis_fits : fit_axis centro d.
 Let q := minus p centro.
 Let a := across v d.
 Let b := across q d.
@@ -106,33 +100,26 @@ Definition a2 : vec2 := across2 (exactly2 v) (s1_2 v d) (exactly2 d).
 Definition b2 : vec2 := across2 (minus2 p centro) (s0_2 p centro d) (exactly2 d).
 Definition line2 : twofold := norm2 (cross2 b2 a2).
 
-Let HV : 0 < V := V_positive v v_not_zero.
+Let HV : 0 < V := V_positive v (v_not_zero ray_fits).
 Let HQ : 0 <= Q := extent_nonneg q.
 
-Lemma a_facts2 : words_on (-456) a2 /\ norm (minus (wholes a2) a) <= 1002 / 100 * (uu * V) /\ norm a <= V /\
-  norm (wholes a2) <= 10001 / 10000 * V.
+Lemma facts2 x2 x : words_close 0 (-152) x2 x -> let y := across2 x2 (dot2 x2 (exactly2 d)) (exactly2 d) in
+  words_on (-456) y /\ norm (minus (wholes y) (across x d)) <= 1002 / 100 * (uu * extent x) /\ norm (across x d) <= extent x /\
+  norm (wholes y) <= 10001 / 10000 * extent x.
 Proof.
-  pose proof (Cylinder.square_of_d d d_unit) as Hdd; pose proof (Cylinder.a_size v d d_unit) as Sa; pose proof uu_bounds.
-  destruct (across2_computed (exactly2 v) v d (words_exactly _ _ (ordinary_on_grid v v_ordinary))
-    (ordinary_on_grid d d_ordinary) Hdd)
-    as [On N]; fold (s1_2 v d) in On, N; fold a2 in On, N; fold a in N, Sa; change (norm a <= V) in Sa.
-  assert (uu * norm v <= uu * V) by (apply Rmult_le_compat_l; [lra | apply norm_le_extent]).
-  assert (uu * V <= e30 * V) by (apply Rmult_le_compat_r; lra); pose proof (norm_between (wholes a2) a).
+  intros Hx y; pose proof (unit_square d (d_unit axis_fits)) as Hdd; pose proof (across_size x d (d_unit axis_fits)) as Sa.
+  destruct (across2_computed x2 x d Hx (ordinary_on_grid d (d_ordinary axis_fits)) Hdd) as [On N]; fold y in On, N.
+  pose proof uu_bounds; pose proof (extent_nonneg x); pose proof (norm_between (wholes y) (across x d)).
+  assert (uu * norm x <= uu * extent x) by (apply Rmult_le_compat_l; [lra | apply norm_le_extent]).
+  assert (uu * extent x <= e30 * extent x) by (apply Rmult_le_compat_r; lra).
   split; [exact On|]; split; [lra|]; split; [exact Sa | lra].
 Qed.
-
+Lemma a_facts2 : words_on (-456) a2 /\ norm (minus (wholes a2) a) <= 1002 / 100 * (uu * V) /\ norm a <= V /\
+  norm (wholes a2) <= 10001 / 10000 * V.
+Proof. exact (facts2 _ v (words_of v (v_ordinary ray_fits))). Qed.
 Lemma b_facts2 : words_on (-456) b2 /\ norm (minus (wholes b2) b) <= 1002 / 100 * (uu * Q) /\ norm b <= Q /\
   norm (wholes b2) <= 10001 / 10000 * Q.
-Proof.
-  pose proof (Cylinder.square_of_d d d_unit) as Hdd; pose proof (Cylinder.b_size p centro d d_unit) as Sb;
-    pose proof uu_bounds.
-  assert (Hq : words_close 0 (-152) (minus2 p centro) q) by (apply words_minus; [lia | now apply ordinary_on_grid..]).
-  destruct (across2_computed _ q d Hq (ordinary_on_grid d d_ordinary) Hdd) as [On N].
-  fold (s0_2 p centro d) in On, N; fold b2 in On, N; fold b in N; fold q b in Sb; fold Q in Sb.
-  assert (uu * norm q <= uu * Q) by (apply Rmult_le_compat_l; [lra | apply norm_le_extent]).
-  assert (uu * Q <= e30 * Q) by (apply Rmult_le_compat_r; lra); pose proof (norm_between (wholes b2) b).
-  split; [exact On|]; split; [lra|]; split; [exact Sb | lra].
-Qed.
+Proof. exact (facts2 _ q (words_between p centro (p_ordinary ray_fits) (centro_ordinary axis_fits))). Qed.
 
 Definition near_by (i : R) (w : twofold) (x m : R) : Prop :=
   Rabs (whole w - x) <= i * (uu * m) /\ double_word w /\ parts_on (-912) w /\ Rabs x <= m.

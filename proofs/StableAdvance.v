@@ -10,7 +10,7 @@ From Coq Require Import Reals ZArith Lra Lia Psatz Bool.
 From Flocq Require Import Core.
 From Durero Require Import Toolkit Especificacion Puntos Trazador.
 From Durero Require Import Rounding Vectors Across Quotient Flotante Advance Steps Twofold Sums Products Ratios Words Small
-  Doubled Stable.
+  Doubled Stable StableVectors.
 From Durero Require Formas.
 Import Formas.Pairs.
 Local Open Scope R_scope.
@@ -19,14 +19,10 @@ Local Opaque bpow.
 Section Advance.
 Variables p v centro d : vec.
 Variable h : R.
-Hypothesis p_ordinary : ordinary_vec p.
-Hypothesis v_ordinary : ordinary_vec v.
-Hypothesis centro_ordinary : ordinary_vec centro.
-Hypothesis d_ordinary : ordinary_vec d.
+Hypothesis ray_fits : fit_ray p v.
+Hypothesis axis_fits : fit_axis centro d.
 Hypothesis h_ordinary : ordinary h.
 Hypothesis h_positive : 0 < h.
-Hypothesis v_not_zero : 0 < norm v.
-Hypothesis d_unit : Rabs (dot d d - 1) <= / 1000000.
 Let q := minus p centro.
 Let Q := extent q.
 Let V := extent v.
@@ -43,23 +39,18 @@ Definition ends2 : Prop := Formas.s0 f = s0_2 /\ Formas.s1 f = s1_2 /\ Formas.al
   Formas.speed f = V_fl.
 
 Let HQ : 0 <= Q := extent_nonneg q.
-Let HV : 0 < V := V_positive v v_not_zero.
-
-Lemma axis_close : words_close 0 (-152) (exactly2 d) d.
-Proof. now apply words_exactly, ordinary_on_grid. Qed.
+Let HV : 0 < V := V_positive v (v_not_zero ray_fits).
 
 Lemma s0_worded : worded 3 (-304) s0_2 s0 (size_of_dot q d).
-Proof.
-  apply (dot2_worded 0 0 (-152) (-152)); [lia | apply words_minus; [lia | now apply ordinary_on_grid..] | exact axis_close].
-Qed.
-
+Proof. exact (worded_along d _ _ (d_ordinary axis_fits) (words_between p centro (p_ordinary ray_fits) (centro_ordinary
+  axis_fits))). Qed.
 Lemma s1_worded : worded 3 (-304) s1_2 s1 (size_of_dot v d).
-Proof. apply (dot2_worded 0 0 (-152) (-152)); [lia | now apply words_exactly, ordinary_on_grid | exact axis_close]. Qed.
+Proof. exact (worded_along d _ _ (d_ordinary axis_fits) (words_of v (v_ordinary ray_fits))). Qed.
 
 Lemma near_along x w y X : worded 3 (-304) w y (size_of_dot x d) -> norm x <= X -> 0 <= X ->
   Rabs (whole w - y) <= 302 / 100 * (uu * X) /\ Rabs y <= 1000001 / 1000000 * X /\ Rabs (whole w) <= 1001 / 1000 * X.
 Proof.
-  intros Hw Hx HX; pose proof (size_along d d_unit x X Hx HX) as Hs; pose proof uu_bounds as Hu.
+  intros Hw Hx HX; pose proof (size_along x d X (d_unit axis_fits) Hx HX) as Hs; pose proof uu_bounds as Hu.
   pose proof (worded_error 3 _ _ _ _ ltac:(lia) Hw) as He; simpl INR in He; destruct Hw as ((_ & Hm) & _).
   assert (Hus : uu * size_of_dot x d <= uu * ((1 + / 1000000) * X)) by (apply Rmult_le_compat_l; lra).
   assert (HuX : 0 <= uu * X <= e30 * X) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_r]; lra).
@@ -87,7 +78,7 @@ Proof.
   destruct (near_along q _ _ Q C0 (norm_le_extent q) HQ) as (N0 & S0 & S0').
   destruct (near_along v _ _ V C1 (norm_le_extent v) (Rlt_le _ _ HV)) as (N1 & S1 & S1').
   destruct C0 as (_ & W0 & _), C1 as (_ & W1 & G1 & _), nothing_beside_h as [Hl0 Hl].
-  pose proof (error_low_of p v centro h p_ordinary v_ordinary centro_ordinary h_ordinary h_positive v_not_zero (-98)
+  pose proof (error_low_of p v centro d h ray_fits axis_fits h_ordinary h_positive (-98)
     (Rabs (hi s1_2)) (hi tw) e ltac:(lia) (Rabs_pos _) (grid_abs _ _ G1) (proj1 Wt) Fe ltac:(lra)) as Hlow.
   fold q in Hlow; fold Q V in Hlow; pose proof uu_bounds as Hu.
   replace (bpow radix2 (-98)) with (16 * uu) in Hlow by (replace 16 with (bpow radix2 4) by reflexivity;
@@ -199,8 +190,8 @@ Proof.
       replace (bpow radix2 (-100)) with (4 * uu) by (replace 4 with (bpow radix2 2) by reflexivity;
         now rewrite <- bpow_plus).
       lra. }
-    exfalso; exact (far_from_stretch_of p v centro d h p_ordinary v_ordinary centro_ordinary h_ordinary h_positive
-      v_not_zero d_unit (-100) (hi s1_2) least t ltac:(lia) (proj1 W1) S1 (Hleast t Ht) Hfar On).
+    exfalso; exact (far_from_stretch_of p v centro d h ray_fits axis_fits h_ordinary h_positive (-100) (hi s1_2) least t
+      ltac:(lia) (proj1 W1) S1 (Hleast t Ht) Hfar On).
 Qed.
 
 (** ** What the text says *)

@@ -18,16 +18,12 @@ Local Opaque bpow.
 Section Cone.
 Variables p v centro d : vec.
 Variables h k : R.
-Hypothesis p_ordinary : ordinary_vec p.
-Hypothesis v_ordinary : ordinary_vec v.
-Hypothesis centro_ordinary : ordinary_vec centro.
-Hypothesis d_ordinary : ordinary_vec d.
+Hypothesis ray_fits : fit_ray p v.
+Hypothesis axis_fits : fit_axis centro d.
 Hypothesis h_ordinary : ordinary h.
 Hypothesis h_positive : 0 < h.
 Hypothesis k_ordinary : ordinary k.
 Hypothesis k_positive : 0 < k.
-Hypothesis v_not_zero : 0 < norm v.
-Hypothesis d_unit : Rabs (dot d d - 1) <= / 1000000.
 Let q := minus p centro.
 Let a := across v d.
 Let b := across q d.
@@ -63,16 +59,16 @@ Lemma wall_of_cone_near2 : double_word height2 /\
     262 / 10 * (uu * ((0 + k * G) * V)) + 242 / 10 * (uu * (k * S * Q)) + / 100 * (uu * W) /\
   norm (Conical.wall p v centro d h k 0) <= (0 + k * G) * V + k * S * Q.
 Proof.
-  pose proof (g_worded p centro d h p_ordinary centro_ordinary d_ordinary h_ordinary h_positive) as Cg; fold q in Cg;
+  pose proof (g_worded p v centro d h ray_fits axis_fits h_ordinary h_positive) as Cg; fold q in Cg;
     fold G in Cg.
-  pose proof (s1_worded v d v_ordinary d_ordinary) as C1; fold S in C1; pose proof uu_bounds as Hu.
+  pose proof (s1_worded p v centro d ray_fits axis_fits) as C1; fold S in C1; pose proof uu_bounds as Hu.
   pose proof (worded_error 4 _ _ _ _ ltac:(lia) Cg) as Ng; simpl INR in Ng;
     pose proof (worded_error 3 _ _ _ _ ltac:(lia) C1) as N1.
   simpl INR in N1; destruct Cg as ((_ & Mg) & Wg & Gg & Gg'), C1 as ((_ & M1) & W1 & G1 & G1').
   assert (HG0 : 0 <= G) by (apply Rle_trans with (2 := Mg), Rabs_pos);
     assert (HS0 : 0 <= S) by (apply Rle_trans with (2 := M1), Rabs_pos).
   destruct (uu_part G HG0) as [HuG _], (uu_part S HS0) as [HuS _].
-  destruct (combined2 p v centro d p_ordinary v_ordinary centro_ordinary d_ordinary v_not_zero d_unit (401 / 100)
+  destruct (combined2 p v centro d ray_fits axis_fits (401 / 100)
     (301 / 100)
     (h - dot q d) g2 (dot v d) s1_2 G S Wg) as (WN & HN & HW); auto; try lra; try (split;
       apply (grid_coarser (-456) (-304)); lia || assumption).
@@ -81,7 +77,7 @@ Proof.
   assert (EW : norm (Conical.wall p v centro d h k 0) = k * norm w).
   { replace (Conical.wall p v centro d h k 0) with (scale k w); [rewrite norm_scale, Rabs_pos_eq; lra|].
     unfold w, Conical.wall, Conical.rho, Conical.slope, plus, scale, a, b, q; cbn; f_equal; ring. }
-  destruct (W_least p v centro h k v_ordinary h_ordinary h_positive k_ordinary v_not_zero) as (_ & L1 & L2).
+  destruct (W_least p v centro h k ray_fits h_ordinary h_positive k_ordinary) as (_ & L1 & L2).
   fold q in L1, L2; fold V Q in L1, L2; change (V * (Q + h)) with W in L1, L2; set (y := bpow radix2 (-450)) in *.
   pose proof (bpow_gt_0 radix2 (-450) : 0 < y) as Hy0; pose proof (bpow_gt_0 radix2 (-957)) as Hz0.
   destruct (ordinary_grid k k_ordinary) as [Fk _], (exactly_word k Fk) as [Wk Ek], (product_any _ _ Wk WN) as [WH HH].
@@ -116,17 +112,17 @@ Proof.
   rewrite cone_recorded2; destruct wall_of_cone_near2 as (WH & HN & HW);
     pose proof (number_worded k k_ordinary (Rlt_le _ _ k_positive)) as Ck.
   pose proof (worded_mult 0 0 (-152) (-152) _ _ _ _ _ _ ltac:(lia) Ck Ck) as K2; fold k_square2 in K2.
-  pose proof (g_worded p centro d h p_ordinary centro_ordinary d_ordinary h_ordinary h_positive) as Cg; fold q in Cg;
+  pose proof (g_worded p v centro d h ray_fits axis_fits h_ordinary h_positive) as Cg; fold q in Cg;
     fold G in Cg.
-  pose proof (s1_worded v d v_ordinary d_ordinary) as C1; fold S in C1.
+  pose proof (s1_worded p v centro d ray_fits axis_fits) as C1; fold S in C1.
   pose proof (worded_mult 1 7 (-304) (-608) _ _ _ _ _ _ ltac:(lia) K2 (worded_mult 3 3 (-304) (-304) _ _ _ _ _ _
     ltac:(lia) C1 C1)) as HA.
   pose proof (worded_mult 1 8 (-304) (-608) _ _ _ _ _ _ ltac:(lia) K2 (worded_mult 4 3 (-304) (-304) _ _ _ _ _ _
     ltac:(lia) Cg C1)) as HB.
   pose proof (worded_mult 1 9 (-304) (-608) _ _ _ _ _ _ ltac:(lia) K2 (worded_mult 4 4 (-304) (-304) _ _ _ _ _ _
     ltac:(lia) Cg Cg)) as HC.
-  apply (conical_sound2 p v centro d h k 0 p_ordinary v_ordinary centro_ordinary d_ordinary h_ordinary h_positive k_ordinary
-    k_positive Cone.no_radius (Rle_refl 0) v_not_zero d_unit (product k_square2 (product s1_2 s1_2))
+  apply (conical_sound2 p v centro d h k 0 ray_fits axis_fits h_ordinary h_positive k_ordinary k_positive Cone.no_radius
+    (Rle_refl 0) (product k_square2 (product s1_2 s1_2))
     (product k_square2 (product g2 s1_2)) (product k_square2 (product g2 g2)) height2 reach_fl); try reflexivity.
   - replace (Conical.slope v d k * Conical.slope v d k) with (k * k * (dot v d * dot v d)) by (unfold Conical.slope; ring).
     fold S; replace (k * S * (k * S)) with (k * k * (S * S)) by ring; exact HA.
@@ -140,7 +136,7 @@ Proof.
   - exact HN.
   - exact HW.
   - fold q Q; replace (Q + h + 0) with (Q + h) by ring; apply (computed_more 4); [lia|].
-    exact (Cone.reach_computed p centro h p_ordinary centro_ordinary h_ordinary h_positive).
+    exact (Cone.reach_computed p v centro d h ray_fits axis_fits h_ordinary h_positive).
 Qed.
 
 (** ** What the text says *)
@@ -151,7 +147,7 @@ Theorem stable_cone_right limit : format limit ->
   right_pair (reach text) limit (first_of_curved_axial (cono p v V_fl centro k d h) limit) /\
   right_pair (reach (launched text)) limit (first_of_curved_on_axial (cono p v V_fl centro k d h) limit).
 Proof.
-  apply (axial_pair p v centro d h p_ordinary v_ordinary centro_ordinary d_ordinary h_ordinary h_positive v_not_zero d_unit
+  apply (axial_pair p v centro d h ray_fits axis_fits h_ordinary h_positive
     _ _ _ _ _ _ stable_cone_sound).
   - repeat split.
   - exact (cone_same p v centro k d h).
@@ -164,16 +160,12 @@ End Cone.
 Section Truncated.
 Variables p v centro d : vec.
 Variables h k r : R.
-Hypothesis p_ordinary : ordinary_vec p.
-Hypothesis v_ordinary : ordinary_vec v.
-Hypothesis centro_ordinary : ordinary_vec centro.
-Hypothesis d_ordinary : ordinary_vec d.
+Hypothesis ray_fits : fit_ray p v.
+Hypothesis axis_fits : fit_axis centro d.
 Hypothesis h_ordinary : ordinary h.
 Hypothesis h_positive : 0 < h.
 Hypothesis k_ordinary : ordinary k.
 Hypothesis k_positive : 0 < k.
-Hypothesis v_not_zero : 0 < norm v.
-Hypothesis d_unit : Rabs (dot d d - 1) <= / 1000000.
 Hypothesis r_ordinary : ordinary r.
 Hypothesis r_positive : 0 < r.
 Let q := minus p centro.
@@ -208,7 +200,7 @@ Local Transparent sum difference product ratio root_of opposite exactly two_sum.
 Lemma slope_worded : worded 4 (-456) slope2 (Conical.slope v d k) (k * S).
 Proof.
   exact (worded_mult 0 3 (-152) (-304) _ _ _ _ _ _ ltac:(lia) (number_worded k k_ordinary (Rlt_le _ _ k_positive))
-    (s1_worded v d v_ordinary d_ordinary)).
+    (s1_worded p v centro d ray_fits axis_fits)).
 Qed.
 
 Lemma rho_worded : worded 6 (-456) rho2 (Conical.rho p centro d h k r) P.
@@ -216,7 +208,7 @@ Proof.
   apply (worded_plus 5); [lia | |].
   - apply (worded_coarser _ _ (-152)); [lia|]; apply (worded_more 0); [lia | apply number_worded; [exact r_ordinary | lra]].
   - exact (worded_mult 0 4 (-152) (-304) _ _ _ _ _ _ ltac:(lia) (number_worded k k_ordinary (Rlt_le _ _ k_positive))
-      (g_worded p centro d h p_ordinary centro_ordinary d_ordinary h_ordinary h_positive)).
+      (g_worded p v centro d h ray_fits axis_fits h_ordinary h_positive)).
 Qed.
 
 Lemma wall_of_truncated2 : double_word (norm2 wall2) /\
@@ -231,12 +223,12 @@ Proof.
   assert (HkS : 0 <= k * S) by (apply Rle_trans with (2 := MS), Rabs_pos);
     assert (HP : 0 <= P) by (apply Rle_trans with (2 := MR), Rabs_pos).
   destruct (uu_part _ HkS) as [HuS _], (uu_part P HP) as [HuP _].
-  destruct (combined2 p v centro d p_ordinary v_ordinary centro_ordinary d_ordinary v_not_zero d_unit (601 / 100)
+  destruct (combined2 p v centro d ray_fits axis_fits (601 / 100)
     (401 / 100)
     (Conical.rho p centro d h k r) rho2 (Conical.slope v d k) slope2 P (k * S) WR GR WS GS) as (WN & HN & HW);
       try assumption; try lra.
   fold wall2 in WN, HN; fold q in HN, HW; fold V Q in HN, HW.
-  destruct (W_least p v centro h k v_ordinary h_ordinary h_positive k_ordinary v_not_zero) as (_ & L1 & _).
+  destruct (W_least p v centro h k ray_fits h_ordinary h_positive k_ordinary) as (_ & L1 & _).
   fold q in L1; fold V Q in L1; change (V * (Q + h)) with W in L1; pose proof (bpow_gt_0 radix2 (-450)) as Hy0.
   assert (0 <= k * bpow radix2 (-450)) by (apply Rmult_le_pos; lra).
   pose proof (extent_nonneg v : 0 <= V) as HV0; pose proof (extent_nonneg q : 0 <= Q) as HQ0.
@@ -249,8 +241,8 @@ Theorem stable_truncated_sound : sound2 (tronco p v V_fl centro r k d h) (Conica
   (Conical.C p centro d h k r) (Conical.F p v centro d h k r) (Conical.H p v centro d h k r).
 Proof.
   rewrite truncated_recorded2; destruct wall_of_truncated2 as (WN & HN & HW).
-  apply (conical_sound2 p v centro d h k r p_ordinary v_ordinary centro_ordinary d_ordinary h_ordinary h_positive k_ordinary
-    k_positive r_ordinary (Rlt_le _ _ r_positive) v_not_zero d_unit (product slope2 slope2) (product rho2 slope2)
+  apply (conical_sound2 p v centro d h k r ray_fits axis_fits h_ordinary h_positive k_ordinary k_positive r_ordinary (Rlt_le _
+    _ r_positive) (product slope2 slope2) (product rho2 slope2)
       (product rho2 rho2)
     (norm2 wall2) (rnd (reach_fl + r))); try reflexivity.
   - exact (worded_mult 4 4 (-456) (-456) _ _ _ _ _ _ ltac:(lia) slope_worded slope_worded).
@@ -259,7 +251,7 @@ Proof.
   - exact WN.
   - exact HN.
   - exact HW.
-  - apply (computed_plus 4); [lia | exact (Cone.reach_computed p centro h p_ordinary centro_ordinary h_ordinary h_positive)|].
+  - apply (computed_plus 4); [lia | exact (Cone.reach_computed p v centro d h ray_fits axis_fits h_ordinary h_positive)|].
     apply (computed_more 0); [lia | apply Cone.exact_number; [exact r_ordinary | lra]].
 Qed.
 
@@ -271,7 +263,7 @@ Theorem stable_truncated_right limit : format limit ->
   right_pair (reach text) limit (first_of_curved_axial (tronco p v V_fl centro r k d h) limit) /\
   right_pair (reach (launched text)) limit (first_of_curved_on_axial (tronco p v V_fl centro r k d h) limit).
 Proof.
-  apply (axial_pair p v centro d h p_ordinary v_ordinary centro_ordinary d_ordinary h_ordinary h_positive v_not_zero d_unit
+  apply (axial_pair p v centro d h ray_fits axis_fits h_ordinary h_positive
     _ _ _ _ _ _ stable_truncated_sound).
   - repeat split.
   - exact (truncated_same p v centro r k d h).

@@ -16,18 +16,14 @@ Local Opaque bpow.
 Section Conical.
 Variables p v centro d : vec.
 Variables h k r : R.
-Hypothesis p_ordinary : ordinary_vec p.
-Hypothesis v_ordinary : ordinary_vec v.
-Hypothesis centro_ordinary : ordinary_vec centro.
-Hypothesis d_ordinary : ordinary_vec d.
+Hypothesis ray_fits : fit_ray p v.
+Hypothesis axis_fits : fit_axis centro d.
 Hypothesis h_ordinary : ordinary h.
 Hypothesis h_positive : 0 < h.
 Hypothesis k_ordinary : ordinary k.
 Hypothesis k_positive : 0 < k.
 Hypothesis r_ordinary : ordinary r.
 Hypothesis r_nonneg : 0 <= r.
-Hypothesis v_not_zero : 0 < norm v.
-Hypothesis d_unit : Rabs (dot d d - 1) <= / 1000000.
 Let q := minus p centro.
 Let a := across v d.
 Let b := across q d.
@@ -52,14 +48,15 @@ Notation b2 := (b2 p centro d).
 Notation line2 := (line2 p v centro d).
 Notation V_fl := (extent_fl v).
 
-Let HV : 0 < V := V_positive v v_not_zero.
+Let HV : 0 < V := V_positive v (v_not_zero ray_fits).
 Let HQ : 0 <= Q := extent_nonneg q.
 
 (** What underflows is nothing beside the bounds. *)
 Lemma W_least : bpow radix2 (-200) <= W /\ (1 + k) * bpow radix2 (-450) <= / 1000 * (uu * W) /\
   bpow radix2 (-957) <= / 1000 * (uu * W).
 Proof.
-  pose proof (V_range v v_ordinary v_not_zero) as SV; fold V in SV; pose proof (bpow_gt_0 radix2 (-100)) as H100.
+  pose proof (V_range v (v_ordinary ray_fits) (v_not_zero ray_fits)) as SV; fold V in SV;
+  pose proof (bpow_gt_0 radix2 (-100)) as H100.
   pose proof (r_least h h_ordinary h_positive) as Hh; assert (HW : bpow radix2 (-200) <= W).
   { change (-200)%Z with (-100 + -100)%Z; rewrite bpow_plus; unfold W; apply Rmult_le_compat; lra. }
   split; [exact HW | apply nothing_beside; [now apply ordinary_size | apply HW]].
@@ -79,9 +76,9 @@ Lemma combined2 i j x x2 y y2 M N : double_word x2 -> parts_on (-456) x2 -> doub
   norm w <= M * V + N * Q.
 Proof.
   intros Wx Gx Wy Gy Hi Hj HM HN Hx Hy Sx Sy w2 w; pose proof uu_bounds as Hu.
-  destruct (a_facts2 v d v_ordinary d_ordinary v_not_zero d_unit) as (Oa & Na & Sa & Sa'); fold a in Na, Sa;
+  destruct (a_facts2 p v centro d ray_fits axis_fits) as (Oa & Na & Sa & Sa'); fold a in Na, Sa;
     fold V in Na, Sa, Sa'.
-  destruct (b_facts2 p centro d p_ordinary centro_ordinary d_ordinary d_unit) as (Ob & Nb & Sb & Sb').
+  destruct (b_facts2 p v centro d ray_fits axis_fits) as (Ob & Nb & Sb & Sb').
   fold q in Nb, Sb, Sb'; fold b in Nb, Sb; fold Q in Nb, Sb, Sb'.
   pose proof (uu_part M HM) as HuM; pose proof (uu_part N HN) as HuN.
   assert (HiM : i * (uu * M) <= 16 * (uu * M)) by (apply Rmult_le_compat_r; lra).
@@ -164,7 +161,7 @@ Qed.
 
 Lemma g_worded : worded 4 (-304) g2 (h - dot q d) G.
 Proof.
-  apply (worded_minus 3); [lia | | exact (s0_worded p centro d p_ordinary centro_ordinary d_ordinary)].
+  apply (worded_minus 3); [lia | | exact (s0_worded p v centro d ray_fits axis_fits)].
   apply (worded_coarser _ _ (-152)); [lia|]; apply (worded_more 0); [lia | apply number_worded; [exact h_ordinary | lra]].
 Qed.
 
@@ -203,7 +200,7 @@ Lemma errors_low2 : 6399 / 100 * (uu * (K * (V * V))) <= A_error2 /\ 6399 / 100 
   6399 / 100 * (uu * (K * (E * E))) <= C_error2 /\ A_error2 <= 130 * (uu * (K * (V * V))).
 Proof.
   destruct HE as (HE1 & HE2 & HE3), HK as [HK1 _];
-    assert (CV : computed 2 (-152) V_fl V V) by exact (V_computed v v_ordinary).
+    assert (CV : computed 2 (-152) V_fl V V) by exact (V_computed v (v_ordinary ray_fits)).
   pose proof (computed_mult 3 2 (-400) (-152) _ _ _ _ _ _ ltac:(lia) unit_computed2 CV) as HUV.
   pose proof (computed_mult 6 2 (-552) (-152) _ _ _ _ _ _ ltac:(lia) HUV CV) as HA.
   pose proof (computed_mult 6 5 (-552) (-152) _ _ _ _ _ _ ltac:(lia) HUV E_computed) as HB.
@@ -222,10 +219,10 @@ Let X1 := V * Q.
 Let X2 := V * h.
 Let X3 := V * r.
 Let X_parts : 0 <= X1 /\ 0 <= X2 /\ 0 <= X3 /\ K * (V * E) = X1 + X2 + X3 + k * k * (X1 + X2 + X3) :=
-  Conical.VE_parts p v centro h k r h_positive r_nonneg v_not_zero.
+  Conical.VE_parts p v centro h k r ray_fits h_positive r_nonneg.
 Let k_facts := Conical.k_facts k k_ordinary k_positive.
 Let parts_small : 0 <= k * S <= 1000001 / 1000000 * (k * V) /\ 0 <= P <= 1000001 / 1000000 * (r + k * (h + Q)) :=
-  Conical.parts_small p v centro d h k r h_positive k_positive r_nonneg v_not_zero d_unit.
+  Conical.parts_small p v centro d h k r ray_fits axis_fits h_positive k_positive r_nonneg.
 
 (** A difference or a sum of two computed numbers, of sizes m and n, both within Y. *)
 Lemma sum_of_near x2 x i m y2 y j n Y : double_word x2 -> double_word y2 -> Rabs (whole x2 - x) <= i * (uu * m) ->
@@ -251,7 +248,7 @@ Proof.
   apply Rabs_le_inv in Hx, Hy, Hs, Hd; split; (split; [assumption | apply Rabs_le; lra]).
 Qed.
 
-Let near3 := products_near p v centro d p_ordinary v_ordinary centro_ordinary d_ordinary v_not_zero d_unit.
+Let near3 := products_near p v centro d ray_fits axis_fits.
 
 Lemma worded_near n k' w x m : (n <= 13)%nat -> worded n k' w x m -> Rabs (whole w - x) <= 1302 / 100 * (uu * m).
 Proof.
@@ -344,7 +341,7 @@ Lemma F_H_near2 : let F2 := difference wall2 line2 in let H2 := sum wall2 line2 
   (0 < whole F2 -> whole F2 <= (1 + / 2000) * whole H2) /\ 0 <= norm (cross b a) /\
   Rabs H <= 3 * (K * (V * E)) /\ Rabs (whole H2 - H) <= K * (V * E).
 Proof.
-  destruct (line_near2 p v centro d p_ordinary v_ordinary centro_ordinary d_ordinary v_not_zero d_unit) as
+  destruct (line_near2 p v centro d ray_fits axis_fits) as
     (HL & WL & HL0 & HL1).
   fold q in HL, HL1; fold Q V a b in HL, HL1; replace (Q * V) with X1 in HL, HL1 by (unfold X1; ring).
   destruct errors_low2 as (_ & LB & _), W_least as (_ & L1 & _), X_parts as (Y1 & Y2 & Y3 & EY), k_facts as (_ & Hkk & Hk).
@@ -394,10 +391,11 @@ Proof.
   destruct F_H_near2 as (WF & WH & NF & NH & Hbelow & HL & SH & NH'), errors_low2 as (LA & LB & LC & UA), W_least as
     (HW & _).
   destruct HE as (HE1 & HE2 & HE3), HK as [HK1 _]; pose proof uu_bounds as Hu; pose proof (norm_nonneg wall) as HN0.
-  destruct (Conical.sizes_of_bounds p v centro h k r p_ordinary v_ordinary centro_ordinary h_ordinary h_positive k_ordinary
-    k_positive r_ordinary r_nonneg v_not_zero) as (S405 & S407 & _); change (K * (V * V) <= bpow radix2 405) in S405;
+  destruct (Conical.sizes_of_bounds p v centro d h k r ray_fits axis_fits h_ordinary h_positive k_ordinary k_positive
+    r_ordinary r_nonneg) as (S405 & S407 & _); change (K * (V * V) <= bpow radix2 405) in S405;
       change (K * (V * E) <= bpow radix2 407) in S407.
-  pose proof (V_range v v_ordinary v_not_zero) as [SV _]; fold V in SV; pose proof (r_least h h_ordinary h_positive) as Sh.
+  pose proof (V_range v (v_ordinary ray_fits) (v_not_zero ray_fits)) as [SV _]; fold V in SV;
+  pose proof (r_least h h_ordinary h_positive) as Sh.
   pose proof (bpow_gt_0 radix2 (-100)) as H100.
   assert (Least : forall x y, bpow radix2 (-100) <= x -> bpow radix2 (-100) <= y -> bpow radix2 (-302) <= uu * (K *
     (x * y))).

@@ -9,7 +9,7 @@ From Flocq Require Import Core.
 From Durero Require Import Toolkit Especificacion Puntos Trazador.
 From Durero Require Cylinder Formas.
 From Durero Require Import Rounding Vectors Across Flotante Steps Twofold Sums Products Ratios Words Small Doubled Stable
-  StableSphere StableAdvance StableAcross.
+  StableVectors StableSphere StableAdvance StableAcross.
 Import Formas.Pairs.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -18,14 +18,10 @@ Local Opaque bpow.
 Section Cylinder.
 Variables p v centro d : vec.
 Variables r h : R.
-Hypothesis p_ordinary : ordinary_vec p.
-Hypothesis v_ordinary : ordinary_vec v.
-Hypothesis centro_ordinary : ordinary_vec centro.
-Hypothesis d_ordinary : ordinary_vec d.
+Hypothesis ray_fits : fit_ray p v.
+Hypothesis axis_fits : fit_axis centro d.
 Hypothesis r_ordinary : ordinary r.
 Hypothesis r_positive : 0 < r.
-Hypothesis v_not_zero : 0 < norm v.
-Hypothesis d_unit : Rabs (dot d d - 1) <= / 1000000.
 Let q := minus p centro.
 Let a := across v d.
 Let b := across q d.
@@ -57,13 +53,13 @@ Lemma recorded : cilindro p v V_fl centro r d h =
 Proof. reflexivity. Qed.
 Local Transparent sum difference product ratio root_of opposite exactly two_sum.
 
-Let HV : 0 < V := V_positive v v_not_zero.
+Let HV : 0 < V := V_positive v (v_not_zero ray_fits).
 Let HQ : 0 <= Q := extent_nonneg q.
 
 Lemma W_parts : W = Q * V + r * V /\ 0 <= Q * V /\ 0 < r * V /\ bpow radix2 (-200) <= W <= bpow radix2 206.
 Proof.
-  pose proof (V_range v v_ordinary v_not_zero) as SV;
-    pose proof (E_range p centro r p_ordinary centro_ordinary r_ordinary r_positive) as SE.
+  pose proof (V_range v (v_ordinary ray_fits) (v_not_zero ray_fits)) as SV;
+    pose proof (E_range p centro r (p_ordinary ray_fits) (centro_ordinary axis_fits) r_ordinary r_positive) as SE.
   change (bpow radix2 (-100) <= V <= bpow radix2 103) in SV; change (bpow radix2 (-100) <= E <= bpow radix2 103) in SE.
   pose proof (bpow_gt_0 radix2 (-100)); split; [unfold W, E; ring|]; split; [apply Rmult_le_pos; lra|].
   split; [apply Rmult_lt_0_compat; lra|]; change (-200)%Z with (-100 + -100)%Z; change 206%Z with (103 + 103)%Z.
@@ -77,7 +73,7 @@ Lemma surface_near2 : double_word surface2 /\ Rabs (whole surface2 - r * norm a)
   (uu * W) /\
   0 <= r * norm a <= r * V.
 Proof.
-  destruct (a_facts2 v d v_ordinary d_ordinary v_not_zero d_unit) as (Oa & Na & Sa & Sa'); fold a in Na, Sa;
+  destruct (a_facts2 p v centro d ray_fits axis_fits) as (Oa & Na & Sa & Sa'); fold a in Na, Sa;
     fold V in Na, Sa, Sa'.
   destruct (on_words _ _ Oa) as (Wx & Wy & Wz), (norm2_any _ Wx Wy Wz) as (Wn & Hn & _), (ordinary_grid r r_ordinary)
     as [Fr _].
@@ -106,8 +102,8 @@ Lemma F_H_near2 : let F2 := difference surface2 line2 in let H2 := sum surface2 
   Rabs (whole F2 - F) <= 40 * (uu * W) /\ Rabs (whole H2 - H) <= 40 * (uu * W) /\
   (0 < whole F2 -> whole F2 <= (1 + / 2000) * whole H2) /\ 0 <= r * norm a /\ 0 <= norm (cross b a) /\ H <= 2 * W.
 Proof.
-  destruct surface_near2 as (WS & HS & Hra), (line_near2 p v centro d p_ordinary v_ordinary centro_ordinary d_ordinary
-    v_not_zero d_unit) as (HL & WL & HL0 & HL1); fold q in HL, HL1; fold Q V a b in HL, HL1; pose proof (norm_nonneg (cross b a)) as HL2.
+  destruct surface_near2 as (WS & HS & Hra), (line_near2 p v centro d ray_fits axis_fits) as (HL & WL & HL0 & HL1);
+  fold q in HL, HL1; fold Q V a b in HL, HL1; pose proof (norm_nonneg (cross b a)) as HL2.
   destruct W_parts as (EW & HQV & HrV & _), W_least as [L1 _]; pose proof uu_bounds as Hu;
     pose proof (bpow_gt_0 radix2 (-450)).
   assert (0 <= r * bpow radix2 (-450)) by (apply Rmult_le_pos; lra).
@@ -125,21 +121,20 @@ Qed.
 Theorem stable_cylinder_sound : sound2 (cilindro p v V_fl centro r d h) A B C F H.
 Proof.
   rewrite recorded; destruct F_H_near2 as (WF & WH & HF & HH & Hbelow & Hra & Hcr & Hsize); pose proof uu_bounds as Hu.
-  destruct (products_near p v centro d p_ordinary v_ordinary centro_ordinary d_ordinary
-    v_not_zero d_unit) as ((NA & WA & GA & SA) & (NB & WB & GB & SB) & (NC & WC & GC & SC)).
+  destruct (products_near p v centro d ray_fits axis_fits) as ((NA & WA & GA & SA) & (NB & WB & GB & SB) & (NC & WC & GC & SC)).
   fold q in NB, SB, NC, SC; fold a in NA, SA; fold a b in NB, SB; fold b in NC, SC; fold V in NA, SA; fold Q V in NB, SB;
     fold Q in NC, SC.
-  pose proof (V_range v v_ordinary v_not_zero) as SV;
-    pose proof (E_range p centro r p_ordinary centro_ordinary r_ordinary r_positive) as SE.
+  pose proof (V_range v (v_ordinary ray_fits) (v_not_zero ray_fits)) as SV;
+    pose proof (E_range p centro r (p_ordinary ray_fits) (centro_ordinary axis_fits) r_ordinary r_positive) as SE.
   change (bpow radix2 (-100) <= V <= bpow radix2 103) in SV; change (bpow radix2 (-100) <= E <= bpow radix2 103) in SE.
-  pose proof (bpow_gt_0 radix2 (-100)); pose proof (V_computed2 v v_ordinary) as CV;
-    pose proof (E_computed2 p centro r p_ordinary centro_ordinary r_ordinary r_positive) as CE.
+  pose proof (bpow_gt_0 radix2 (-100)); pose proof (V_computed2 p v ray_fits) as CV;
+    pose proof (E_computed2 p v centro r ray_fits (centro_ordinary axis_fits) r_ordinary r_positive) as CE.
   destruct (error_bound2 V V_fl V V_fl CV CV SV SV) as (MA & LA & UA).
   destruct (error_bound2 V V_fl E E_fl CV CE SV SE) as (MB & LB & UB);
     destruct (error_bound2 E E_fl E E_fl CE CE SE SE) as (MC & LC & UC).
   destruct W_parts as (EW & HQV & HrV & HW); fold W in MB.
-  pose proof (worded_mult 0 0 (-152) (-152) _ _ _ _ _ _ ltac:(lia) (r_word r r_ordinary r_positive)
-    (r_word r r_ordinary r_positive)) as Rc.
+  pose proof (worded_mult 0 0 (-152) (-152) _ _ _ _ _ _ ltac:(lia) (word_of r r_ordinary r_positive)
+    (word_of r r_ordinary r_positive)) as Rc.
   pose proof (worded_error 1 _ _ _ _ ltac:(lia) Rc) as ER; simpl INR in ER; destruct Rc as (_ & WR & GR & GR').
   destruct (difference_near _ _ WC WR) as [WD HD]; apply six_in_uu in HD; set (C2 := difference _ _) in *.
   assert (Hsmall : forall X, 0 <= X -> 0 <= uu * X <= e30 * X) by (intros; split;
@@ -191,7 +186,7 @@ Theorem stable_cylinder_right limit : format limit ->
   right_pair (reach text) limit (first_of_curved_axial (cilindro p v V_fl centro r d h) limit) /\
   right_pair (reach (launched text)) limit (first_of_curved_on_axial (cilindro p v V_fl centro r d h) limit).
 Proof.
-  apply (axial_pair p v centro d h p_ordinary v_ordinary centro_ordinary d_ordinary h_ordinary h_positive v_not_zero d_unit
+  apply (axial_pair p v centro d h ray_fits axis_fits h_ordinary h_positive
     _ A B C F H stable_cylinder_sound).
   - repeat split.
   - exact (cylinder_same p v centro r d h).

@@ -6,9 +6,9 @@
 From Coq Require Import Reals ZArith List Lra Lia Psatz.
 From Flocq Require Import Core.
 From Durero Require Import Toolkit Especificacion Puntos Trazador.
-From Durero Require Tipos Certified Formas.
+From Durero Require Tipos Formas.
 From Durero Require Import Rounding Vectors Across Quotient Decision Flotante Verdict Advance Linear Plane Steps Twofold Sums
-  Products Ratios Words Small Doubled StableFlat StablePlane.
+  Products Ratios Words Small Doubled StableVectors StableFlat StablePlane.
 Import Formas.Pairs.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -17,12 +17,8 @@ Local Opaque bpow.
 Section Disc.
 Variables p v centro d : vec.
 Variable r : R.
-Hypothesis p_ordinary : ordinary_vec p.
-Hypothesis v_ordinary : ordinary_vec v.
-Hypothesis centro_ordinary : ordinary_vec centro.
-Hypothesis d_ordinary : ordinary_vec d.
-Hypothesis v_not_zero : 0 < norm v.
-Hypothesis d_unit : Rabs (dot d d - 1) <= / 1000000.
+Hypothesis ray_fits : fit_ray p v.
+Hypothesis axis_fits : fit_axis centro d.
 Hypothesis r_ordinary : ordinary r.
 Hypothesis r_positive : 0 < r.
 Let q := minus p centro.
@@ -52,11 +48,11 @@ Proof. repeat split. Qed.
 Local Transparent sum difference product ratio root_of opposite exactly two_sum.
 
 Let HQ : 0 <= Q := extent_nonneg q.
-Let HV : 0 < V := V_positive v v_not_zero.
+Let HV : 0 < V := V_positive v (v_not_zero ray_fits).
 
 Lemma S_worded : worded 5 (-305) S2 s1 (size_of_dot v d).
 Proof.
-  pose proof (half_worded v d v_ordinary d_ordinary) as H.
+  pose proof (half_worded p v centro d ray_fits axis_fits) as H.
   pose proof (worded_plus 4 (-305) _ _ _ _ _ _ ltac:(lia) H H) as Hc.
   replace (dot v d * / 2 + dot v d * / 2) with s1 in Hc by (unfold s1; field).
   now replace (size_of_dot v d * / 2 + size_of_dot v d * / 2) with (size_of_dot v d) in Hc by field.
@@ -65,7 +61,8 @@ Qed.
 Lemma rim_near : double_word rim /\ Rabs (whole rim - r * Rabs s1) <= 61 / 10 * (uu * (r * V)) /\
   Rabs s1 <= 1000001 / 1000000 * V.
 Proof.
-  pose proof S_worded as Hc; pose proof (size_of_s1 v d v_not_zero d_unit) as HS; pose proof uu_bounds as Hu; fold V in HS.
+  pose proof S_worded as Hc; pose proof (size_of_s1 p v centro d ray_fits axis_fits) as HS; pose proof uu_bounds as Hu;
+  fold V in HS.
   pose proof (worded_error 5 _ _ _ _ ltac:(lia) Hc) as He; simpl INR in He.
   assert (HuV : 0 < uu * V <= e30 * V) by (split; [apply Rmult_lt_0_compat | apply Rmult_le_compat_r]; lra).
   assert (Hsu : uu * size_of_dot v d <= uu * (1000001 / 1000000 * V)) by (apply Rmult_le_compat_l; lra).
@@ -100,10 +97,11 @@ Qed.
 Lemma out_near2 : double_word (norm2 out2) /\ Rabs (whole (norm2 out2) - norm out) <= 301 / 10 * (uu * (Q * V)) + bpow radix2 (-450) /\
   0 <= norm out <= 2001 / 1000 * (Q * V).
 Proof.
-  pose proof S_worded as Hc; pose proof (size_of_s1 v d v_not_zero d_unit) as HS; pose proof uu_bounds as Hu.
-  pose proof (size_of_s0 p centro d d_unit) as HS0; fold V in HS; fold q Q in HS0.
-  pose proof (worded_opposite _ _ _ _ _ (s0_worded p centro d p_ordinary centro_ordinary d_ordinary)) as H0; fold back q s0 in H0.
-  destruct (q_words p centro p_ordinary centro_ordinary) as (QX & QY & QZ), (v_words v v_ordinary) as (VX & VY & VZ).
+  pose proof S_worded as Hc; pose proof (size_of_s1 p v centro d ray_fits axis_fits) as HS; pose proof uu_bounds as Hu.
+  pose proof (size_of_s0 p centro d axis_fits) as HS0; fold V in HS; fold q Q in HS0.
+  pose proof (worded_opposite _ _ _ _ _ (s0_worded p v centro d ray_fits axis_fits)) as H0; fold back q s0 in H0.
+  destruct (words_between p centro (p_ordinary ray_fits) (centro_ordinary axis_fits)) as (QX & QY & QZ), (words_of v
+    (v_ordinary ray_fits)) as (VX & VY & VZ).
   fold q2 q in QX, QY, QZ; fold v2 in VX, VY, VZ; set (i := size_of_dot v d) in *; set (j := size_of_dot q d) in *.
   assert (Hone : forall a x b y, worded 0 (-152) a x (Rabs x) -> worded 0 (-152) b y (Rabs y) ->
     worded 7 (-457) (sum (product S2 a) (product back b)) (s1 * x + - s0 * y) (i * Rabs x + j * Rabs y)).
@@ -145,7 +143,7 @@ Proof.
     assert (Rabs (- s0) * norm v <= j * norm v) by (apply Rmult_le_compat_r; lra); lra. }
   split; [|split; [apply norm_nonneg | lra]].
   pose proof (norm_between w out) as B1; pose proof (norm_between out w) as B2.
-  replace (norm (minus out w)) with (norm (minus w out)) in B2 by (unfold norm, dot, minus; cbn; f_equal; ring).
+  rewrite norm_symmetric in B2.
   assert (HuQV : 0 <= uu * (Q * V) <= e30 * (Q * V)) by (split; [apply Rmult_le_pos | apply Rmult_le_compat_r]; lra).
   assert (uu * norm w <= uu * (2001 / 1000 * (Q * V))) by (apply Rmult_le_compat_l; lra).
   apply Rabs_le_inv in Hn; apply Rabs_le; lra.
@@ -163,17 +161,17 @@ Proof.
   assert (HX200 : bpow radix2 (-200) <= X).
   { change (-200)%Z with (-100 + -100)%Z; rewrite bpow_plus; apply Rmult_le_compat; try apply bpow_ge_0.
     - exact (r_least r r_ordinary r_positive).
-    - exact (proj1 (V_range v v_ordinary v_not_zero)). }
+    - exact (proj1 (V_range v (v_ordinary ray_fits) (v_not_zero ray_fits))). }
   destruct (nothing_beside r X (ordinary_size r r_ordinary) HX200) as [Ny _]; pose proof (bpow_gt_0 radix2 (-450)) as Hy.
   set (y := bpow radix2 (-450)) in *; pose proof (Rmult_le_pos r y ltac:(lra) ltac:(lra)).
   assert (Herr : 319 / 10 * (uu * (X + W)) <= error).
   { assert (H97 : computed 0 (-97) (bpow radix2 (-97)) (bpow radix2 (-97)) (bpow radix2 (-97))).
     { rewrite <- (Rabs_pos_eq (bpow radix2 (-97))) at 3 by apply bpow_ge_0; apply computed_exact; [apply format_bpow; lia|].
       exists 1%Z; ring. }
-    pose proof (computed_plus 3 (-152) _ _ _ _ _ _ ltac:(lia) (Q_computed p centro p_ordinary centro_ordinary)
+    pose proof (computed_plus 3 (-152) _ _ _ _ _ _ ltac:(lia) (Q_computed p v centro d ray_fits axis_fits)
       (computed_more 0 3 _ _ _ _ ltac:(lia) (r_computed r r_ordinary r_positive))) as HE.
     pose proof (computed_mult 3 4 (-249) (-152) _ _ _ _ _ _ ltac:(lia) (computed_mult 0 2 (-97) (-152) _ _ _ _ _ _
-      ltac:(lia) H97 (V_computed v v_ordinary)) HE) as Hm.
+      ltac:(lia) H97 (V_computed v (v_ordinary ray_fits))) HE) as Hm.
     change (Flotante.V_fl v) with V_fl in Hm; fold V q Q in Hm.
     pose proof (computed_error_near 8 _ _ _ _ ltac:(lia) Hm) as He; simpl INR in He; fold error in He.
     replace (bpow radix2 (-97)) with (32 * uu) in He by (replace 32 with (bpow radix2 5) by reflexivity;
@@ -201,16 +199,14 @@ Proof.
 Qed.
 End Disc.
 
-Theorem stable_disc_right p v centro r d limit : ordinary_vec p -> ordinary_vec v -> 0 < norm v -> ordinary_vec centro ->
-  ordinary r -> 0 < r -> ordinary_vec d -> direction d ∈ Unitario -> format limit ->
+Theorem stable_disc_right p v centro r d limit : fit_ray p v -> fit_axis centro d -> ordinary r -> 0 < r -> format limit ->
   let f := disco p v (extent_fl v) centro r d in let text := of_disco (ray_of p v) (point centro) r (direction d) in
   right_pair (reach text) limit (first_of_linear_edged f limit) /\
   right_pair (reach (launched text)) limit (first_of_linear_on f limit).
 Proof.
-  intros Hp Hv Hv0 Hc Hr Hr0 Hd Hu Fl f text; pose proof (Certified.axis_unit d Hu) as Hdd.
-  destruct (disc_recorded2 p v centro d r) as (Ha & Em & Ee).
-  pose proof (plane_sound2 p v centro d Hp Hv Hc Hd Hv0 Hdd _ Ha) as S.
-  destruct (margin_signs p v centro d r Hp Hv Hc Hd Hv0 Hdd Hr Hr0) as [Low High].
+  intros Hray Haxis Hr Hr0 Fl f text; destruct (disc_recorded2 p v centro d r) as (Ha & Em & Ee).
+  pose proof (plane_sound2 p v centro d Hray Haxis _ Ha) as S;
+  destruct (margin_signs p v centro d r Hray Haxis Hr Hr0) as [Low High].
   apply (edged_pair _ (dot v d / 2) (dot (minus p centro) d) S) with (m := margin p v centro d r);
     [| | exact Fl | | |].
   - intros t; unfold text, ray_of, point, direction, value, of_disco, Tipos.dot, from, dot, minus; cbn; ring.

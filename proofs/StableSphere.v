@@ -1,14 +1,14 @@
 (** * StableSphere: the second step on a sphere
 
     Formas.Pairs.esfera is what is computed in double-double of a ray and a sphere: it is sound in the sense of Stable.v,
-    so that the decision over it is right; and where the rounding of what it finds is certain, it is right as well. *)
+    so that the decision over it is right. *)
 From Coq Require Import Reals ZArith List Lra Lia Psatz.
 From Flocq Require Import Core.
 From Durero Require Import Toolkit Especificacion Puntos Trazador.
 From Durero Require Tipos Certified Formas Chain.
 From Durero Require Import Rounding Quotient Vectors Decision Flotante Verdict Steps Triage Twofold Sums Products Ratios Words
-  Small Doubled Stable.
-From Durero Require Once Interseccion Escena.
+  Small Doubled Stable StableVectors.
+From Durero Require Escena.
 Import Formas.Pairs.
 Local Open Scope R_scope.
 Local Opaque bpow.
@@ -45,12 +45,10 @@ Qed.
 Section Sphere.
 Variables p v centro : vec.
 Variable r : R.
-Hypothesis p_ordinary : ordinary_vec p.
-Hypothesis v_ordinary : ordinary_vec v.
+Hypothesis ray_fits : fit_ray p v.
 Hypothesis centro_ordinary : ordinary_vec centro.
 Hypothesis r_ordinary : ordinary r.
 Hypothesis r_positive : 0 < r.
-Hypothesis v_not_zero : 0 < norm v.
 
 Let qv := minus p centro.
 Let A := dot v v.
@@ -78,23 +76,18 @@ Lemma recorded : esfera p v V_fl centro r =
 Proof. reflexivity. Qed.
 Local Transparent sum difference product ratio root_of opposite exactly two_sum.
 
-Lemma q_close2 : words_close 0 (-152) q2 qv.
-Proof. apply words_minus; [lia | now apply ordinary_on_grid..]. Qed.
-
-Lemma v_close2 : words_close 0 (-152) v2 v.
-Proof. now apply words_exactly, ordinary_on_grid. Qed.
-
-Lemma r_word : worded 0 (-152) r2 r r.
-Proof. destruct (ordinary_grid r r_ordinary); rewrite <- (Rabs_pos_eq r) at 2 by lra; now apply worded_exactly. Qed.
-
-Let V_size2 : bpow radix2 (-100) <= V <= bpow radix2 103 := V_range v v_ordinary v_not_zero.
-Let E_size2 : bpow radix2 (-100) <= E <= bpow radix2 103 := E_range p centro r p_ordinary centro_ordinary r_ordinary r_positive.
+Let q_close2 : words_close 0 (-152) q2 qv := words_between p centro (p_ordinary ray_fits) centro_ordinary.
+Let v_close2 : words_close 0 (-152) v2 v := words_of v (v_ordinary ray_fits).
+Let r_word : worded 0 (-152) r2 r r := word_of r r_ordinary r_positive.
+Let V_size2 : bpow radix2 (-100) <= V <= bpow radix2 103 := V_range v (v_ordinary ray_fits) (v_not_zero ray_fits).
+Let E_size2 : bpow radix2 (-100) <= E <= bpow radix2 103 := E_range p centro r (p_ordinary ray_fits) centro_ordinary
+  r_ordinary r_positive.
 
 Lemma V_computed2 : computed 4 (-152) V_fl V V.
-Proof. apply (computed_more 2); [lia | exact (V_computed v v_ordinary)]. Qed.
+Proof. apply (computed_more 2); [lia | exact (V_computed v (v_ordinary ray_fits))]. Qed.
 
 Lemma E_computed2 : computed 4 (-152) E_fl E E.
-Proof. exact (E_computed p centro r p_ordinary centro_ordinary r_ordinary r_positive). Qed.
+Proof. exact (E_computed p centro r (p_ordinary ray_fits) centro_ordinary r_ordinary r_positive). Qed.
 
 (** ** The distances of the surface and of the line, times |v| *)
 
@@ -271,47 +264,3 @@ Proof.
     + apply (single_from_right _ _ _ _ _ _ stable_sphere_sound); auto using place_right.
 Qed.
 End Sphere.
-
-(** ** Of a scene, with what is rounded of it *)
-
-Definition stable_of_sphere (p v centro : vec) (r : R) (on : bool) : R -> Formas.answer twofold :=
-  let f := esfera p v (extent_fl v) centro r in if on then first_of_curved_on f else first_of_curved f.
-
-(** A hit is within its error of the least of T, and is rounded right where that is certain. *)
-Definition right_when_rounded (p v : vec) (T : R -> Prop) (limit : R) (a : Formas.answer twofold) : Prop :=
-  match a with
-  | Formas.Miss => forall t, T t -> limit < t
-  | Formas.Undecided => True
-  | Formas.Hit root _ _ => exists t, is_least T t /\ Rabs (t - whole (Formas.value root)) <= Formas.error root /\
-      forall out, let once := round_point p v (Formas.value root) (Formas.error root) in
-      all_certain once = true -> Once.stores out once -> Chain.rounds (ray_of p v) out t
-  end.
-
-Lemma right_and_rounded p v T limit a : ordinary_vec p -> ordinary_vec v -> right_pair T limit a -> right_when_rounded p v T limit a.
-Proof.
-  intros Hp Hv; destruct a as [| | root slope curvature]; cbn [right_pair right_when_rounded]; auto.
-  intros (t & Ht & (N & W & Fe & He) & _); exists t; split; [exact Ht|].
-  pose proof (bpow_gt_0 radix2 (-900)); rewrite Rabs_minus_sym; split; [lra|]; intros out Hc Hs.
-  apply (Once.certain_is_rounded_right p v (Formas.value root) (Formas.error root)); auto.
-  - now apply double_word_is_pair.
-  - rewrite Rabs_minus_sym; lra.
-Qed.
-
-Theorem stable_of_sphere_pair Elemento (s : Especificacion.Escena Elemento) en p v e centro r on limit :
-  Escena_ok s -> Rayo_ok (ray_of p v) -> ordinary_vec p -> ordinary_vec v ->
-  stands Elemento s e (Sphere centro r) -> ordinary_shape (Sphere centro r) -> (on = true <-> en e) -> format limit ->
-  right_pair (Interseccion.met (ray_of p v) Elemento s en e) limit (stable_of_sphere p v centro r on limit).
-Proof.
-  intros ok ray_ok Hp Hv Hs [Hc Hr] Hon Fl.
-  apply (right_pair_equal _ _ _ _ (met_of_shape Elemento s ok en p v e _ on Hs Hon)).
-  assert (Hr0 : 0 < r).
-  { destruct Hs as [_ [_ Hr0]]; apply (Escena_decl_mi_radio ok); now exists e. }
-  destruct (stable_sphere_right p v centro r Hp Hv Hc Hr Hr0 (direction_not_zero p v ray_ok) limit Fl) as [H1 H2].
-  unfold stable_of_sphere; destruct on; assumption.
-Qed.
-
-Theorem stable_of_sphere_right Elemento (s : Especificacion.Escena Elemento) en p v e centro r on limit :
-  Escena_ok s -> Rayo_ok (ray_of p v) -> ordinary_vec p -> ordinary_vec v ->
-  stands Elemento s e (Sphere centro r) -> ordinary_shape (Sphere centro r) -> (on = true <-> en e) -> format limit ->
-  right_when_rounded p v (Interseccion.met (ray_of p v) Elemento s en e) limit (stable_of_sphere p v centro r on limit).
-Proof. intros; apply right_and_rounded; auto; now apply stable_of_sphere_pair. Qed.

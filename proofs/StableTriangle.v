@@ -11,7 +11,7 @@ From Flocq Require Import Core.
 From Durero Require Import Toolkit Especificacion Puntos Trazador.
 From Durero Require Tipos Formas Flat.
 From Durero Require Import Rounding Vectors Across Quotient Decision Flotante Verdict Linear Triangle Steps Twofold Sums
-  Products Ratios Words Doubled StableFlat.
+  Products Ratios Words Doubled StableVectors StableFlat.
 Import Formas.Pairs.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -57,12 +57,10 @@ Qed.
 
 Section Triangle.
 Variables p v a b c : vec.
-Hypothesis p_ordinary : ordinary_vec p.
-Hypothesis v_ordinary : ordinary_vec v.
+Hypothesis ray_fits : fit_ray p v.
 Hypothesis a_ordinary : ordinary_vec a.
 Hypothesis b_ordinary : ordinary_vec b.
 Hypothesis c_ordinary : ordinary_vec c.
-Hypothesis v_not_zero : 0 < norm v.
 
 Let e1 := minus b a.
 Let e2 := minus c a.
@@ -101,27 +99,25 @@ Theorem recorded2 : Formas.B f = half_det2 /\ Formas.C f = crossing2 /\ Formas.B
 Proof. repeat split. Qed.
 Local Transparent sum difference product ratio root_of opposite exactly.
 
-Let HV : 0 < V := V_positive v v_not_zero.
+Let HV : 0 < V := V_positive v (v_not_zero ray_fits).
 Let H1 : 0 <= L1 := extent_nonneg e1.
 Let H2 : 0 <= L2 := extent_nonneg e2.
 Let HQ : 0 <= Q := extent_nonneg q.
 Let HVL : 0 <= V * (L1 * L2) := Rmult_le_pos _ _ (Rlt_le _ _ HV) (Rmult_le_pos _ _ H1 H2).
 Let HQL : 0 <= Q * (L1 * L2) := Rmult_le_pos _ _ HQ (Rmult_le_pos _ _ H1 H2).
 
-Lemma way_words x : ordinary_vec x -> words_close 0 (-152) (minus2 x a) (minus x a).
-Proof. intros Hx; apply words_minus; [lia | now apply ordinary_on_grid..]. Qed.
-
-Lemma ray_words : words_close 0 (-152) (exactly2 v) v.
-Proof. now apply words_exactly, ordinary_on_grid. Qed.
+Let way_words x (Hx : ordinary_vec x) : words_close 0 (-152) (minus2 x a) (minus x a) := words_between x a Hx a_ordinary.
+Let ray_words : words_close 0 (-152) (exactly2 v) v := words_of v (v_ordinary ray_fits).
 
 Lemma det_worded : worded 5 (-456) det2 det (triple_size e1 v e2).
 Proof. exact (triple_worded _ _ _ _ _ _ (way_words b b_ordinary) ray_words (way_words c c_ordinary)). Qed.
 Lemma ab_worded : worded 5 (-456) ab2 ab (triple_size v q e1).
-Proof. exact (triple_worded _ _ _ _ _ _ ray_words (way_words p p_ordinary) (way_words b b_ordinary)). Qed.
+Proof. exact (triple_worded _ _ _ _ _ _ ray_words (way_words p (p_ordinary ray_fits)) (way_words b b_ordinary)). Qed.
 Lemma ca_worded : worded 5 (-456) ca2 ca (triple_size q v e2).
-Proof. exact (triple_worded _ _ _ _ _ _ (way_words p p_ordinary) ray_words (way_words c c_ordinary)). Qed.
+Proof. exact (triple_worded _ _ _ _ _ _ (way_words p (p_ordinary ray_fits)) ray_words (way_words c c_ordinary)). Qed.
 Lemma crossing_worded : worded 5 (-456) crossing2 crossing (triple_size e2 q e1).
-Proof. exact (triple_worded _ _ _ _ _ _ (way_words c c_ordinary) (way_words p p_ordinary) (way_words b b_ordinary)). Qed.
+Proof. exact (triple_worded _ _ _ _ _ _ (way_words c c_ordinary) (way_words p (p_ordinary ray_fits)) (way_words b
+  b_ordinary)). Qed.
 Lemma bc_worded : worded 7 (-456) bc2 (det - ca - ab) (triple_size e1 v e2 + triple_size q v e2 + triple_size v q e1).
 Proof.
   apply (worded_minus 6); [lia | apply (worded_minus 5); [lia | exact det_worded | exact ca_worded]|].
@@ -140,7 +136,7 @@ Qed.
 Lemma B_error_low2 : 799 / 100 * (uu * (V * (L1 * L2))) <= B_error2.
 Proof.
   pose proof (computed_mult 3 3 (-251) (-152) _ _ _ _ _ _ ltac:(lia) (computed_mult 0 2 (-99) (-152) _ _ _ _ _ _ ltac:(lia)
-    (power_computed (-99) ltac:(lia)) (V_fl_computed v v_ordinary)) (L1_computed a b a_ordinary b_ordinary)) as Hc.
+    (power_computed (-99) ltac:(lia)) (V_fl_computed p v ray_fits)) (L1_computed a b a_ordinary b_ordinary)) as Hc.
   pose proof (computed_mult 7 3 (-403) (-152) _ _ _ _ _ _ ltac:(lia) Hc (L2_computed a c a_ordinary c_ordinary)) as Hm.
   destruct (bound_low 11 _ _ _ ltac:(lia) Hm) as [Hl _]; fold B_error2 e1 e2 V L1 L2 in Hl.
   replace (bpow radix2 (-99)) with (8 * uu) in Hl by (replace 8 with (bpow radix2 3) by reflexivity; now rewrite <- bpow_plus).
@@ -151,7 +147,7 @@ Lemma C_error_low2 : 159 / 10 * (uu * (Q * (L1 * L2))) <= C_error2 /\ (C_error2 
   (C_error2 <> 0 -> bpow radix2 (-554) <= C_error2).
 Proof.
   pose proof (computed_mult 4 3 (-250) (-152) _ _ _ _ _ _ ltac:(lia) (computed_mult 0 3 (-98) (-152) _ _ _ _ _ _ ltac:(lia)
-    (power_computed (-98) ltac:(lia)) (Q_computed p a p_ordinary a_ordinary)) (L1_computed a b a_ordinary b_ordinary)) as Hc.
+    (power_computed (-98) ltac:(lia)) (Q_computed p v a ray_fits a_ordinary)) (L1_computed a b a_ordinary b_ordinary)) as Hc.
   pose proof (computed_mult 8 3 (-402) (-152) _ _ _ _ _ _ ltac:(lia) Hc (L2_computed a c a_ordinary c_ordinary)) as Hm.
   destruct (bound_low 12 _ _ _ ltac:(lia) Hm) as (Hl & Hz & Hn); fold C_error2 e1 e2 q Q L1 L2 in Hl, Hz, Hn.
   pose proof uu_bounds as Hu.
@@ -174,9 +170,9 @@ Proof.
     rewrite !bpow_plus; replace (bpow radix2 3) with 8 by reflexivity; replace (bpow radix2 4) with 16 by reflexivity; lra. }
   pose proof (L1_computed a b a_ordinary b_ordinary) as C1; pose proof (L2_computed a c a_ordinary c_ordinary) as C2.
   pose proof (computed_mult 0 2 (-101) (-152) _ _ _ _ _ _ ltac:(lia) (constant_computed 9 (-101) ltac:(lia) F9 ltac:(lia))
-    (V_fl_computed v v_ordinary)) as HU.
+    (V_fl_computed p v ray_fits)) as HU.
   pose proof (computed_mult 3 3 (-152) (-152) _ _ _ _ _ _ ltac:(lia) C1 C2) as HLL.
-  pose proof (computed_mult 3 4 (-152) (-152) _ _ _ _ _ _ ltac:(lia) (Q_computed p a p_ordinary a_ordinary)
+  pose proof (computed_mult 3 4 (-152) (-152) _ _ _ _ _ _ ltac:(lia) (Q_computed p v a ray_fits a_ordinary)
     (computed_plus 3 (-152) _ _ _ _ _ _ ltac:(lia) C1 C2)) as HQL'.
   pose proof (computed_plus 8 (-304) _ _ _ _ _ _ ltac:(lia) (computed_more 7 8 _ _ _ _ ltac:(lia) HLL) HQL') as HM'.
   pose proof (computed_mult 3 9 (-253) (-304) _ _ _ _ _ _ ltac:(lia) HU HM') as Hm.
@@ -198,7 +194,7 @@ Qed.
 Lemma half_det_size : Rabs (2 * hi half_det2) <= bpow radix2 310.
 Proof.
   pose proof (worded_size 6 _ _ _ _ ltac:(lia) half_worded) as Hs; rewrite Rabs_mult, (Rabs_pos_eq 2) by lra.
-  pose proof (triple_size_le e1 v e2 : _ <= L1 * (V * L2)) as S1; pose proof (V_size v v_ordinary : V <= _) as V102.
+  pose proof (triple_size_le e1 v e2 : _ <= L1 * (V * L2)) as S1; pose proof (V_size v (v_ordinary ray_fits) : V <= _) as V102.
   pose proof (proj2 (extent_of_difference b a b_ordinary a_ordinary) : L1 <= _) as L103.
   pose proof (proj2 (extent_of_difference c a c_ordinary a_ordinary) : L2 <= _) as L103'.
   assert (Hprod : L1 * (V * L2) <= bpow radix2 308).
@@ -309,20 +305,20 @@ Proof.
 Qed.
 End Triangle.
 
-Theorem stable_triangle_right p v a b c limit : ordinary_vec p -> ordinary_vec v -> 0 < norm v -> ordinary_vec a ->
-  ordinary_vec b -> ordinary_vec c -> format limit ->
+Theorem stable_triangle_right p v a b c limit : fit_ray p v -> ordinary_vec a -> ordinary_vec b -> ordinary_vec c ->
+  format limit ->
   let f := triangulo p v (extent_fl v) a b c in let text := of_triangulo (ray_of p v) (vertices a b c) in
   right_pair (reach text) limit (first_of_linear_edged f limit) /\
   right_pair (reach (launched text)) limit (first_of_linear_on f limit).
 Proof.
-  intros Hp Hv Hv0 Ha Hb Hc Fl f text; pose proof (triangle_sound2 p v a b c Hp Hv Ha Hb Hc Hv0) as S.
-  destruct (margin_signs2 p v a b c Hp Hv Ha Hb Hc Hv0) as [Low High].
+  intros Hray Ha Hb Hc Fl f text; pose proof (triangle_sound2 p v a b c Hray Ha Hb Hc) as S.
+  destruct (margin_signs2 p v a b c Hray Ha Hb Hc) as [Low High].
   apply (edged_pair _ (- det v a b c / 2) (crossing p a b c) S) with (m := margin2 p v a b c); auto.
   - intros t; unfold text, det, crossing, vertices, ray_of, point, direction, value, of_triangulo, normal, Puntos.cross,
       Tipos.dot, from, dot, cross, minus; cbn; field.
   - intros t; unfold text, det, vertices, ray_of, point, direction, value, launched, of_triangulo, normal, Puntos.cross,
       Tipos.dot, from, dot, cross, minus; cbn; field.
-  - intros K t Ht; destruct (margin_tells2 p v a b c Hp Hv Ha Hb Hc Hv0 K) as [Hd ->].
+  - intros K t Ht; destruct (margin_tells2 p v a b c Hray Ha Hb Hc K) as [Hd ->].
     unfold text; rewrite <- (prisma_along (ray_of p v) (vertices a b c) t).
     assert (E : t = crossing p a b c / det v a b c).
     { apply Rmult_eq_reg_l with (det v a b c); [field_simplify; lra | exact Hd]. }

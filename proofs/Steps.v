@@ -7,7 +7,7 @@
     Decisions, decisions_right f == the four, and that they are right for the coefficients f *)
 From Coq Require Import Reals List Lra.
 From Durero Require Import Toolkit Especificacion Puntos Trazador.
-From Durero Require Tipos Certified Cylinder Formas Flat Triangle Conical Cone.
+From Durero Require Tipos Cylinder Formas Flat Triangle Conical Cone.
 From Durero Require Import Vectors Across Quotient Decision Flotante Verdict Advance Linear Plane.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -87,21 +87,16 @@ Qed.
 
 Variables p v centro d : vec.
 Variable h : R.
-Hypothesis p_ordinary : ordinary_vec p.
-Hypothesis v_ordinary : ordinary_vec v.
-Hypothesis centro_ordinary : ordinary_vec centro.
-Hypothesis d_ordinary : ordinary_vec d.
+Hypothesis ray_fits : fit_ray p v.
+Hypothesis axis_fits : fit_axis centro d.
 Hypothesis h_ordinary : ordinary h.
 Hypothesis h_positive : 0 < h.
-Hypothesis v_not_zero : 0 < norm v.
-Hypothesis d_unit : Rabs (dot d d - 1) <= / 1000000.
 
 Lemma axial_right : ends p v centro d h f ->
   (forall t, within text t <-> 0 <= dot (minus p centro) d + t * dot v d <= h) -> decisions_right text (axial f).
 Proof.
   intros Ends W.
-  pose proof (axial_places p v centro d h p_ordinary v_ordinary centro_ordinary d_ordinary h_ordinary h_positive v_not_zero
-    d_unit f Ends) as P.
+  pose proof (axial_places p v centro d h ray_fits axis_fits h_ordinary h_positive f Ends) as P.
   assert (On : forall t, on_stretch p v centro d h t <-> 0 < t /\ within text t) by (intros t; rewrite W; reflexivity).
   assert (Pos : forall t, on_stretch p v centro d h t -> 0 < t) by (intros t [Ht _]; exact Ht).
   pose proof (fun t => points_are_reached (on_stretch p v centro d h) t (On t)) as E.
@@ -113,9 +108,7 @@ Proof.
     exact (right_in_lanes_equal _ _ _ E0 (lanes_from_right f A B C F H f_sound _ _ P Pos)).
   - rewrite single_axial_is_recorded; apply (right_up_to_equal _ _ _ _ limit _ E).
     apply (single_right f A B C F H f_sound _ _ _ limit P Pos); intros HF Hq.
-    exact (past_stretch_right p v centro d h p_ordinary v_ordinary centro_ordinary d_ordinary h_ordinary h_positive
-      v_not_zero
-      d_unit f A B C F H limit f_sound Ends HF Hq).
+    exact (past_stretch_right p v centro d h ray_fits axis_fits h_ordinary h_positive f A B C F H limit f_sound Ends HF Hq).
   - destruct (from_is_recorded f limit) as (_ & -> & _); apply (right_up_to_equal _ _ _ _ limit _ E0).
     exact (single_from_right f A B C F H f_sound _ _ limit P Pos).
 Qed.
@@ -181,16 +174,9 @@ Definition point (a : vec) : Punto := mk_Punto (cx a) (cy a) (cz a).
 Definition direction (a : vec) : Vector := mk_Vector (cx a) (cy a) (cz a).
 Definition ray_of (p v : vec) : Rayo := mk_Rayo (point p) (direction v).
 
-Lemma text_from p c : from (point c) (point p) = direction (minus p c).
-Proof. reflexivity. Qed.
-Lemma text_dot a b : Tipos.dot (direction a) (direction b) = dot a b.
-Proof. reflexivity. Qed.
-
 Section Shapes.
 Variables p v : vec.
-Hypothesis p_ordinary : ordinary_vec p.
-Hypothesis v_ordinary : ordinary_vec v.
-Hypothesis v_not_zero : 0 < norm v.
+Hypothesis ray_fits : fit_ray p v.
 Notation ray := (ray_of p v).
 Notation V := (extent_fl v).
 
@@ -205,7 +191,8 @@ Theorem sphere_right centro r : ordinary_vec centro -> ordinary r -> 0 < r ->
   decisions_right (of_esfera ray (point centro) r) (unbounded (Formas.esfera p v V centro r)).
 Proof.
   intros Hc Hr Hr0.
-  apply (unbounded_right _ _ _ _ _ _ (sphere_sound p v centro r p_ordinary v_ordinary Hc Hr Hr0 v_not_zero)).
+  apply (unbounded_right _ _ _ _ _ _ (sphere_sound p v centro r (p_ordinary ray_fits) (v_ordinary ray_fits) Hc Hr Hr0
+    (v_not_zero ray_fits))).
   - apply sphere_same.
   - constructor.
 Qed.
@@ -213,7 +200,7 @@ Qed.
 Lemma cylinder_same centro r d h : let a := Across.across v d in let b := Across.across (minus p centro) d in
   same_quadratic (dot a a) (dot b a) (dot b b - r * r) (of_cilindro ray (point centro) r (direction d) h).
 Proof.
-  unfold same_quadratic, ray_of, point, direction, of_cilindro, Across.across, Across.scale, Tipos.sq, Tipos.dot, from, dot,
+  unfold same_quadratic, ray_of, point, direction, of_cilindro, Across.across, Vectors.scale, Tipos.sq, Tipos.dot, from, dot,
     minus; cbn; repeat apply conj; ring.
 Qed.
 
@@ -221,14 +208,14 @@ Lemma truncated_same centro r k d h : same_quadratic (Conical.A v d k) (Conical.
   (Conical.C p centro d h k r) (of_tronco ray (point centro) r k (direction d) h).
 Proof.
   unfold same_quadratic, Conical.A, Conical.B, Conical.C, Conical.rho, Conical.slope, ray_of, point, direction, of_tronco,
-    Across.across, Across.scale, Tipos.sq, Tipos.dot, from, dot, minus; cbn; repeat apply conj; ring.
+    Across.across, Vectors.scale, Tipos.sq, Tipos.dot, from, dot, minus; cbn; repeat apply conj; ring.
 Qed.
 
 Lemma cone_same centro k d h : same_quadratic (Conical.A v d k) (Conical.B p v centro d h k 0)
   (Conical.C p centro d h k 0) (of_cono ray (point centro) k (direction d) h).
 Proof.
   unfold same_quadratic, Conical.A, Conical.B, Conical.C, Conical.rho, Conical.slope, ray_of, point, direction, of_cono,
-    Across.across, Across.scale, Tipos.sq, Tipos.dot, from, dot, minus; cbn; repeat apply conj; ring.
+    Across.across, Vectors.scale, Tipos.sq, Tipos.dot, from, dot, minus; cbn; repeat apply conj; ring.
 Qed.
 
 Lemma within_stretch centro d h t :
@@ -236,65 +223,56 @@ Lemma within_stretch centro d h t :
     (Tipos.dot (direction v) (direction d)) h) <-> 0 <= dot (minus p centro) d + t * dot v d <= h.
 Proof. rewrite between_holds; reflexivity. Qed.
 
-Theorem cylinder_right centro r d h : ordinary_vec centro -> ordinary r -> 0 < r -> ordinary_vec d -> direction d ∈
-  Unitario ->
-  ordinary h -> 0 < h ->
+Theorem cylinder_right centro r d h : fit_axis centro d -> ordinary r -> 0 < r -> ordinary h -> 0 < h ->
   decisions_right (of_cilindro ray (point centro) r (direction d) h) (axial (Formas.cilindro p v V centro r d h)).
 Proof.
-  intros Hc Hr Hr0 Hd Hu Hh Hh0; pose proof (Certified.axis_unit d Hu) as Hdd.
-  apply (axial_right _ _ _ _ _ _ (Cylinder.cylinder_sound p v centro d r h p_ordinary v_ordinary Hc Hd Hr Hr0 v_not_zero Hdd)
-    _ (cylinder_same centro r d h)) with (p := p) (v := v) (centro := centro) (d := d) (h := h); auto.
+  intros Ha Hr Hr0 Hh Hh0; apply (axial_right _ _ _ _ _ _ (Cylinder.cylinder_sound p v centro d r h ray_fits Ha Hr Hr0) _
+    (cylinder_same centro r d h)) with (p := p) (v := v) (centro := centro) (d := d) (h := h); auto.
   - repeat split.
   - intros t; apply within_stretch.
 Qed.
 
-Theorem plane_right centro d : ordinary_vec centro -> ordinary_vec d -> direction d ∈ Unitario ->
+Theorem plane_right centro d : fit_axis centro d ->
   decisions_right (of_plano ray (point centro) (direction d)) (flat (Formas.plano p v V centro d)).
 Proof.
-  intros Hc Hd Hu; pose proof (Certified.axis_unit d Hu) as Hdd.
-  apply (flat_right _ (dot v d / 2) (dot (minus p centro) d)).
-  - apply (plane_sound p v centro d p_ordinary v_ordinary Hc Hd v_not_zero Hdd); repeat split.
+  intros Ha; apply (flat_right _ (dot v d / 2) (dot (minus p centro) d)).
+  - apply (plane_sound p v centro d ray_fits Ha); repeat split.
   - intros t; unfold ray_of, point, direction, value, of_plano, Tipos.dot, from, dot, minus; cbn; ring.
   - intros t; unfold ray_of, point, direction, value, launched, of_plano, Tipos.dot, from, dot, minus; cbn; ring.
   - constructor.
 Qed.
 
-Theorem disc_right centro r d : ordinary_vec centro -> ordinary r -> 0 < r -> ordinary_vec d -> direction d ∈ Unitario ->
+Theorem disc_right centro r d : fit_axis centro d -> ordinary r -> 0 < r ->
   decisions_right (of_disco ray (point centro) r (direction d)) (edged (Formas.disco p v V centro r d)).
 Proof.
-  intros Hc Hr Hr0 Hd Hu; pose proof (Certified.axis_unit d Hu) as Hdd.
-  destruct (disc_recorded p v centro d r) as (Ha & Em & Ee).
-  pose proof (plane_sound p v centro d p_ordinary v_ordinary Hc Hd v_not_zero Hdd _ Ha) as S.
+  intros Ha Hr Hr0; destruct (disc_recorded p v centro d r) as (Along & Em & Ee).
+  pose proof (plane_sound p v centro d ray_fits Ha _ Along) as S.
   apply (edged_right _ (dot v d / 2) (dot (minus p centro) d) S).
   - intros t; unfold ray_of, point, direction, value, of_disco, Tipos.dot, from, dot, minus; cbn; ring.
   - intros t; unfold ray_of, point, direction, value, launched, of_disco, Tipos.dot, from, dot, minus; cbn; ring.
   - intros K; destruct (known_means _ _ _ S K) as [_ HB]; exists (margin p v centro d r); rewrite Em, Ee.
-    split; [exact (margin_near p v centro d p_ordinary v_ordinary Hc Hd v_not_zero Hdd r Hr Hr0)|]; intros t Ht.
+    split; [exact (margin_near p v centro d ray_fits Ha r Hr Hr0)|]; intros t Ht.
     rewrite (margin_tells p v centro d r Hr0 t) by lra.
     unfold within; cbn [clip of_disco]; rewrite Forall_cons_iff.
     unfold excess, ray_of, point, direction, Tipos.sq, Tipos.dot, from, dot, minus; cbn.
     split; [intros Hle; split; [exact Hle | constructor] | intros [Hle _]; exact Hle].
 Qed.
 
-Theorem truncated_right centro r k d h : ordinary_vec centro -> ordinary r -> 0 < r -> ordinary k -> 0 < k ->
-  ordinary_vec d ->
-  direction d ∈ Unitario -> ordinary h -> 0 < h ->
+Theorem truncated_right centro r k d h : fit_axis centro d -> ordinary r -> 0 < r -> ordinary k -> 0 < k ->
+  ordinary h -> 0 < h ->
   decisions_right (of_tronco ray (point centro) r k (direction d) h) (axial (Formas.tronco p v V centro r k d h)).
 Proof.
-  intros Hc Hr Hr0 Hk Hk0 Hd Hu Hh Hh0; pose proof (Certified.axis_unit d Hu) as Hdd.
-  pose proof (Cone.truncated_sound p v centro d h k p_ordinary v_ordinary Hc Hd Hh Hh0 Hk Hk0 v_not_zero Hdd r Hr Hr0) as S.
-  refine (axial_right _ _ _ _ _ _ S _ (truncated_same centro r k d h) p v centro d h p_ordinary v_ordinary Hc Hd Hh Hh0 v_not_zero Hdd _ _).
+  intros Ha Hr Hr0 Hk Hk0 Hh Hh0; pose proof (Cone.truncated_sound p v centro d h k ray_fits Ha Hh Hh0 Hk Hk0 r Hr Hr0) as S.
+  refine (axial_right _ _ _ _ _ _ S _ (truncated_same centro r k d h) p v centro d h ray_fits Ha Hh Hh0 _ _).
   - repeat split.
   - intros t; apply within_stretch.
 Qed.
 
-Theorem cone_right centro k d h : ordinary_vec centro -> ordinary k -> 0 < k -> ordinary_vec d -> direction d ∈ Unitario ->
-  ordinary h -> 0 < h ->
+Theorem cone_right centro k d h : fit_axis centro d -> ordinary k -> 0 < k -> ordinary h -> 0 < h ->
   decisions_right (of_cono ray (point centro) k (direction d) h) (axial (Formas.cono p v V centro k d h)).
 Proof.
-  intros Hc Hk Hk0 Hd Hu Hh Hh0; pose proof (Certified.axis_unit d Hu) as Hdd.
-  pose proof (Cone.cone_sound p v centro d h k p_ordinary v_ordinary Hc Hd Hh Hh0 Hk Hk0 v_not_zero Hdd) as S.
-  refine (axial_right _ _ _ _ _ _ S _ (cone_same centro k d h) p v centro d h p_ordinary v_ordinary Hc Hd Hh Hh0 v_not_zero Hdd _ _).
+  intros Ha Hk Hk0 Hh Hh0; pose proof (Cone.cone_sound p v centro d h k ray_fits Ha Hh Hh0 Hk Hk0) as S.
+  refine (axial_right _ _ _ _ _ _ S _ (cone_same centro k d h) p v centro d h ray_fits Ha Hh Hh0 _ _).
   - repeat split.
   - intros t; apply within_stretch.
 Qed.
@@ -304,15 +282,15 @@ Definition vertices (a b c : vec) : Terna := mk_Terna (point a) (point b) (point
 Theorem triangle_right a b c : ordinary_vec a -> ordinary_vec b -> ordinary_vec c ->
   decisions_right (of_triangulo ray (vertices a b c)) (edged (Formas.triangulo p v V a b c)).
 Proof.
-  intros Ha Hb Hc; pose proof (Triangle.triangle_sound p v a b c p_ordinary v_ordinary Ha Hb Hc v_not_zero) as S.
+  intros Ha Hb Hc; pose proof (Triangle.triangle_sound p v a b c ray_fits Ha Hb Hc) as S.
   apply (edged_right _ _ _ S).
   - intros t; unfold Triangle.det, Triangle.crossing, vertices, ray_of, point, direction, value, of_triangulo, normal,
       Puntos.cross, Tipos.dot, from, dot, cross, minus; cbn; field.
   - intros t; unfold Triangle.det, vertices, ray_of, point, direction, value, launched, of_triangulo, normal,
       Puntos.cross, Tipos.dot, from, dot, cross, minus; cbn; field.
   - intros K; exists (Triangle.margin p v a b c).
-    split; [exact (Triangle.margin_near p v a b c p_ordinary v_ordinary Ha Hb Hc v_not_zero)|]; intros t Ht.
-    destruct (Triangle.margin_tells p v a b c p_ordinary v_ordinary Ha Hb Hc v_not_zero K) as [Hd ->].
+    split; [exact (Triangle.margin_near p v a b c ray_fits Ha Hb Hc)|]; intros t Ht.
+    destruct (Triangle.margin_tells p v a b c ray_fits Ha Hb Hc K) as [Hd ->].
     rewrite <- (prisma_along ray (vertices a b c) t).
     assert (E : t = Triangle.crossing p a b c / Triangle.det v a b c).
     { apply Rmult_eq_reg_l with (Triangle.det v a b c); [field_simplify; lra | exact Hd]. }

@@ -5,14 +5,15 @@
     the element, whether it starts on it or not: which is the first sentence of [Search.steps_right].
 
     shape                  == the numbers of an element, in binary64; stands s e sh == e has them in the scene s
-    in_bounds p v sh       == they and the ray's are ordinary: the tracer computes in floating point with no others
+    fit_shape sh           == its numbers are ordinary, its sizes positive, its axis a unit vector but for rounding
+    in_bounds p v sh       == its numbers and the ray's are ordinary: the tracer computes in floating point with no others
     decisions_of p v sh    == the four decisions on it, for the ray from p along v
     answered step x a      == a is the answer of the step up to x; up to infinity, that of every limit large enough
     verdict_of a           == the answer a, as the search takes it: a finding is a root with its error *)
 From Coq Require Import Reals List Lra.
 From Flocq Require Import Core BinarySingleNaN.
 From Durero Require Import Toolkit Especificacion Escena Puntos Trazador Interseccion.
-From Durero Require Tipos Search Limits Formas.
+From Durero Require Tipos Certified Search Limits Formas.
 From Durero Require Import Vectors Quotient Flotante Verdict Steps.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -37,7 +38,17 @@ Definition ordinary_shape (sh : shape) : Prop :=
   | Triangle a b c => ordinary_vec a /\ ordinary_vec b /\ ordinary_vec c
   end.
 
-Definition in_bounds (p v : vec) (sh : shape) : Prop := ordinary_vec p /\ ordinary_vec v /\ ordinary_shape sh.
+Definition fit_shape (sh : shape) : Prop :=
+  match sh with
+  | Sphere c r => ordinary_vec c /\ ordinary r /\ 0 < r
+  | Cylinder c r d h => fit_axis c d /\ ordinary r /\ 0 < r /\ ordinary h /\ 0 < h
+  | Cone c k d h => fit_axis c d /\ ordinary k /\ 0 < k /\ ordinary h /\ 0 < h
+  | Truncated c r k d h => fit_axis c d /\ ordinary r /\ 0 < r /\ ordinary k /\ 0 < k /\ ordinary h /\ 0 < h
+  | Plane c d => fit_axis c d
+  | Disc c r d => fit_axis c d /\ ordinary r /\ 0 < r
+  | Triangle a b c => ordinary_vec a /\ ordinary_vec b /\ ordinary_vec c
+  end.
+Definition in_bounds (p v : vec) (sh : shape) : Prop := ordinary_ray p v /\ ordinary_shape sh.
 
 Definition decisions_of (p v : vec) (sh : shape) : decisions :=
   let V := extent_fl v in
@@ -74,8 +85,7 @@ Variable en : set Elemento.
 Variables p v : vec.
 Notation ray := (ray_of p v).
 Hypothesis ray_ok : Rayo_ok ray.
-Hypothesis p_ordinary : ordinary_vec p.
-Hypothesis v_ordinary : ordinary_vec v.
+Hypothesis ray_ordinary : ordinary_ray p v.
 Notation met := (met ray Elemento s en).
 
 Definition stands (e : Elemento) (sh : shape) : Prop :=
@@ -105,6 +115,8 @@ Proof.
   pose proof (Tipos.ray_direction_positive ray ray_ok) as H.
   apply sqrt_lt_R0; unfold dot; cbn in H; exact H.
 Qed.
+Lemma ray_fits : fit_ray p v.
+Proof. exact (Fit_ray p v ray_ordinary direction_not_zero). Qed.
 
 Lemma stands_equation e sh : stands e sh -> e ∈ elementos s /\ equation ray Elemento s e (text_of sh).
 Proof.
@@ -118,23 +130,30 @@ Proof.
   - do 6 right; eauto.
 Qed.
 
-Theorem decisions_are_right e sh : stands e sh -> ordinary_shape sh -> decisions_right (text_of sh) (decisions_of p v sh).
+(** What an element that stands in the scene has besides: its sizes are positive, and its axis is one. *)
+Lemma stands_fit e sh : stands e sh -> ordinary_shape sh -> fit_shape sh.
 Proof.
   assert (HR : forall r, (e, r) ∈ mi_radio s -> 0 < r) by (intros; apply (Escena_decl_mi_radio ok); now exists e).
   assert (HH : forall r, (e, r) ∈ mi_altura s -> 0 < r) by (intros; apply (Escena_decl_mi_altura ok); now exists e).
   assert (HK : forall r, (e, r) ∈ mi_proporcion s -> 0 < r)
     by (intros; apply (Escena_decl_mi_proporcion ok); now exists e).
   assert (HD : forall d, (e, d) ∈ mi_vector s -> d ∈ Unitario) by (intros; apply (Escena_inv_8 ok); now exists e).
-  pose proof direction_not_zero as Hv; destruct sh; cbn [stands text_of decisions_of ordinary_shape];
-    unfold is_esfera, is_cilindro, is_cono, is_tronco, is_plano, is_disco, is_triangulo; intros H O; decompose [and] H;
-      decompose [and] O.
-  - apply sphere_right; auto.
-  - apply cylinder_right; auto.
-  - apply cone_right; auto.
-  - apply truncated_right; auto.
-  - apply plane_right; auto.
-  - apply disc_right; auto.
-  - apply triangle_right; auto.
+  destruct sh; cbn [stands ordinary_shape fit_shape]; unfold is_esfera, is_cilindro, is_cono, is_tronco, is_plano, is_disco;
+    intros H O; decompose [and] H; decompose [and] O;
+    repeat match goal with |- _ /\ _ => split | |- fit_axis _ _ => constructor end; auto; apply Certified.axis_unit; auto.
+Qed.
+
+Theorem decisions_are_right e sh : stands e sh -> ordinary_shape sh -> decisions_right (text_of sh) (decisions_of p v sh).
+Proof.
+  intros H O; pose proof (stands_fit e sh H O) as Fit; pose proof ray_fits as Hray; destruct sh; cbn in Fit;
+  decompose [and] Fit.
+  - now apply sphere_right.
+  - now apply cylinder_right.
+  - now apply cone_right.
+  - now apply truncated_right.
+  - now apply plane_right.
+  - now apply disc_right.
+  - now apply triangle_right.
 Qed.
 
 Lemma met_of_shape e sh on : stands e sh -> (on = true <-> en e) ->
@@ -205,8 +224,9 @@ Hypothesis computed : forall e x, In e elements -> in_range e = true ->
 
 Theorem triage_decides : Search.decides Elemento (Formas.known R) met elements in_range is_near triage.
 Proof.
-  intros e x He Hr; destruct (described e He) as [Hs Hon], (range e He Hr) as (Hp & Hv & Ho), (computed e x He Hr) as (a & Ha & ->).
-  pose proof (fun limit => alone_is_right Elemento s ok en p v ray_ok Hp Hv e (shape_of e) (on e) limit Hs Ho Hon) as R1; unfold answered in Ha.
+  intros e x He Hr; destruct (described e He) as [Hs Hon], (range e He Hr) as [Ray Ho], (computed e x He Hr) as (a & Ha & ->).
+  pose proof (fun limit => alone_is_right Elemento s ok en p v ray_ok Ray e (shape_of e) (on e) limit Hs Ho Hon) as R1;
+  unfold answered in Ha.
   destruct (is_finite x) eqn:Fx.
   - specialize (R1 (B2R x)); rewrite <- Ha in R1; destruct a; cbn in *; [|exact I | destruct R1 as (t & Ht & N & _); now exists t].
     intros t Ht [-> | [_ Hle]]; [discriminate Fx | specialize (R1 t Ht); lra].

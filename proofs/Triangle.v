@@ -61,12 +61,10 @@ Qed.
 
 Section Triangle.
 Variables p v a b c : vec.
-Hypothesis p_ordinary : ordinary_vec p.
-Hypothesis v_ordinary : ordinary_vec v.
+Hypothesis ray_fits : fit_ray p v.
 Hypothesis a_ordinary : ordinary_vec a.
 Hypothesis b_ordinary : ordinary_vec b.
 Hypothesis c_ordinary : ordinary_vec c.
-Hypothesis v_not_zero : 0 < norm v.
 
 Let e1 := minus b a.
 Let e2 := minus c a.
@@ -107,23 +105,7 @@ Proof. (* compared by Qed, once, with rounding folded *)
 Qed.
 Local Transparent round.
 
-Lemma difference_close x y : ordinary_vec x -> ordinary_vec y -> close 1 (-152) (minus_fl x y) (minus x y).
-Proof. exact (q_close x y). Qed.
-
-Lemma extent_of_difference x y : ordinary_vec x -> ordinary_vec y ->
-  computed 3 (-152) (extent_fl (minus_fl x y)) (extent (minus x y)) (extent (minus x y)) /\ extent (minus x y) <= bpow
-    radix2 103.
-Proof.
-  intros Hx Hy; split; [apply (extent_computed 1); [lia | now apply difference_close]|].
-  destruct Hx as (X1 & X2 & X3), Hy as (Y1 & Y2 & Y3); apply ordinary_size in X1, X2, X3, Y1, Y2, Y3.
-  assert (Hd : forall s t, Rabs (s - t) <= Rabs s + Rabs t).
-  { intros; unfold Rminus; apply Rle_trans with (1 := Rabs_triang _ _); rewrite Rabs_Ropp; lra. }
-  unfold extent, minus; cbn; pose proof (Hd (cx x) (cx y)); pose proof (Hd (cy x) (cy y)); pose proof (Hd (cz x) (cz y)).
-  change 103%Z with (3 + 100)%Z; rewrite bpow_plus; replace (bpow radix2 3) with 8 by reflexivity;
-    pose proof (bpow_gt_0 radix2 100); lra.
-Qed.
-
-Let HV : 0 < V := V_positive v v_not_zero.
+Let HV : 0 < V := V_positive v (v_not_zero ray_fits).
 Let H1 : 0 <= L1 := extent_nonneg e1.
 Let H2 : 0 <= L2 := extent_nonneg e2.
 Let HQ : 0 <= Q := extent_nonneg q.
@@ -133,8 +115,8 @@ Lemma L1_computed : computed 3 (-152) (extent_fl e1_fl) L1 L1. Proof.
 Lemma L2_computed : computed 3 (-152) (extent_fl e2_fl) L2 L2. Proof.
   exact (proj1 (extent_of_difference c a c_ordinary a_ordinary)). Qed.
 Lemma Q_computed : computed 3 (-152) (extent_fl q_fl) Q Q. Proof.
-  exact (proj1 (extent_of_difference p a p_ordinary a_ordinary)). Qed.
-Lemma V_fl_computed : computed 2 (-152) V_fl V V. Proof. exact (V_computed v v_ordinary). Qed.
+  exact (proj1 (extent_of_difference p a (p_ordinary ray_fits) a_ordinary)). Qed.
+Lemma V_fl_computed : computed 2 (-152) V_fl V V. Proof. exact (V_computed v (v_ordinary ray_fits)). Qed.
 
 Lemma constant_computed m k : (-1074 <= k)%Z -> format (IZR m * bpow radix2 k) -> (0 <= m)%Z ->
   computed 0 k (IZR m * bpow radix2 k) (IZR m * bpow radix2 k) (IZR m * bpow radix2 k).
@@ -219,17 +201,17 @@ Proof.
 Qed.
 
 Lemma det_computed : computed 7 (-456) det_fl det (triple_size e1 v e2).
-Proof. exact (triple_computed 1 0 1 _ _ _ _ _ _ (difference_close b a b_ordinary a_ordinary) (v_close v v_ordinary)
-  (difference_close c a c_ordinary a_ordinary)). Qed.
+Proof. exact (triple_computed 1 0 1 _ _ _ _ _ _ (q_close b a b_ordinary a_ordinary) (v_close v (v_ordinary ray_fits))
+  (q_close c a c_ordinary a_ordinary)). Qed.
 Lemma ab_computed : computed 7 (-456) ab_fl ab (triple_size v q e1).
-Proof. exact (triple_computed 0 1 1 _ _ _ _ _ _ (v_close v v_ordinary) (difference_close p a p_ordinary a_ordinary)
-  (difference_close b a b_ordinary a_ordinary)). Qed.
+Proof. exact (triple_computed 0 1 1 _ _ _ _ _ _ (v_close v (v_ordinary ray_fits)) (q_close p a (p_ordinary ray_fits) a_ordinary)
+  (q_close b a b_ordinary a_ordinary)). Qed.
 Lemma ca_computed : computed 7 (-456) ca_fl ca (triple_size q v e2).
-Proof. exact (triple_computed 1 0 1 _ _ _ _ _ _ (difference_close p a p_ordinary a_ordinary) (v_close v v_ordinary)
-  (difference_close c a c_ordinary a_ordinary)). Qed.
+Proof. exact (triple_computed 1 0 1 _ _ _ _ _ _ (q_close p a (p_ordinary ray_fits) a_ordinary) (v_close v (v_ordinary ray_fits))
+  (q_close c a c_ordinary a_ordinary)). Qed.
 Lemma crossing_computed : computed 8 (-456) crossing_fl crossing (triple_size e2 q e1).
-Proof. exact (triple_computed 1 1 1 _ _ _ _ _ _ (difference_close c a c_ordinary a_ordinary) (difference_close p a
-  p_ordinary a_ordinary) (difference_close b a b_ordinary a_ordinary)). Qed.
+Proof. exact (triple_computed 1 1 1 _ _ _ _ _ _ (q_close c a c_ordinary a_ordinary) (q_close p a
+  (p_ordinary ray_fits) a_ordinary) (q_close b a b_ordinary a_ordinary)). Qed.
 Lemma bc_computed : computed 9 (-456) bc_fl (det - ca - ab) (triple_size e1 v e2 + triple_size q v e2 + triple_size v q e1).
 Proof.
   apply (computed_minus 8); [lia | |]; [|apply (computed_more 7); [lia | exact ab_computed]].
@@ -269,7 +251,7 @@ Proof.
       pose proof (Rabs_pos crossing_fl); assert (Hz : Rabs crossing_fl <= 0) by lra; apply Rabs_le_inv in Hz; lra.
     + specialize (NC N); split; [apply Rle_trans with (2 := NC), bpow_le; lia|]; apply Rle_trans with (2 := NC).
       rewrite Rabs_mult, (Rabs_pos_eq 2) by lra.
-      pose proof (V_size v v_ordinary : V <= _) as V102; pose proof (proj2 (extent_of_difference b a b_ordinary
+      pose proof (V_size v (v_ordinary ray_fits) : V <= _) as V102; pose proof (proj2 (extent_of_difference b a b_ordinary
         a_ordinary) : L1 <= _) as L103.
       pose proof (proj2 (extent_of_difference c a c_ordinary a_ordinary) : L2 <= _) as L103'.
       assert (Hprod : L1 * (V * L2) <= bpow radix2 308).

@@ -1,6 +1,7 @@
 (** * Vectors: of real numbers, exact and computed, with bounds on what is computed of them
 
     vec, minus, dot, cross, norm == exact vectors;  extent == the sum of the components' sizes
+    plus, scale, magnitudes      == the sum of two, a multiple of one, the magnitudes of the components
     X_fl                         == the same, each operation rounded once, as src/trace/numbers-inl.hpp computes it
     on_grid k a                  == each component is a binary64 and an integer times 2^k
     close n k a x                == each component of a is computed for x's, with at most n roundings *)
@@ -18,6 +19,9 @@ Definition cross (a b : vec) : vec :=
 Definition norm (a : vec) : R := sqrt (dot a a).
 Definition extent (a : vec) : R := Rabs (cx a) + Rabs (cy a) + Rabs (cz a).
 Definition minus (a b : vec) : vec := Vec (cx a - cx b) (cy a - cy b) (cz a - cz b).
+Definition plus (a b : vec) : vec := Vec (cx a + cx b) (cy a + cy b) (cz a + cz b).
+Definition scale (s : R) (a : vec) : vec := Vec (s * cx a) (s * cy a) (s * cz a).
+Definition magnitudes (a : vec) : vec := Vec (Rabs (cx a)) (Rabs (cy a)) (Rabs (cz a)).
 
 Definition dot_fl (a b : vec) : R := rnd (rnd (rnd (cx a * cx b) + rnd (cy a * cy b)) + rnd (cz a * cz b)).
 Definition cross_fl (a b : vec) : vec :=
@@ -101,6 +105,86 @@ Proof.
   pose proof (P (cx a) (cy b)); pose proof (P (cx a) (cz b)); pose proof (P (cy a) (cx b)); pose proof (P (cy a) (cz b)).
   pose proof (P (cz a) (cx b)); pose proof (P (cz a) (cy b)); lra.
 Qed.
+
+(** ** Lengths *)
+
+Lemma square_le a b : 0 <= b -> a * a <= b * b -> a <= b.
+Proof. intros Hb H; apply Rnot_lt_le; intros Hlt; pose proof (Rmult_le_0_lt_compat b a b a Hb Hb Hlt Hlt); lra. Qed.
+
+Lemma norm_of_square a m : 0 <= m -> dot a a <= m * m -> norm a <= m.
+Proof. intros Hm H; apply square_le; [assumption | now rewrite norm_square]. Qed.
+
+(** Lagrange's identity, for products and their lengths. *)
+Lemma cross_and_dot a b : dot (cross a b) (cross a b) + dot a b * dot a b = dot a a * dot b b.
+Proof. unfold dot, cross; simpl; ring. Qed.
+
+Lemma norms_square a b : norm a * norm b * (norm a * norm b) = dot a a * dot b b.
+Proof. rewrite <- !norm_square; ring. Qed.
+
+Lemma norms_nonneg a b : 0 <= norm a * norm b.
+Proof. apply Rmult_le_pos; apply norm_nonneg. Qed.
+
+Lemma dot_le a b : Rabs (dot a b) <= norm a * norm b.
+Proof.
+  apply square_le; [apply norms_nonneg|]; rewrite norms_square, <- cross_and_dot.
+  pose proof (abs_sum_squares (cx (cross a b)) (cy (cross a b)) (cz (cross a b)) : 0 <= dot (cross a b) (cross a b)).
+  rewrite <- Rabs_mult, Rabs_pos_eq by apply Rle_0_sqr; lra.
+Qed.
+
+Lemma cross_le a b : norm (cross a b) <= norm a * norm b.
+Proof.
+  apply norm_of_square; [apply norms_nonneg|]; rewrite norms_square, <- cross_and_dot.
+  pose proof (Rle_0_sqr (dot a b)) as H; unfold Rsqr in H; lra.
+Qed.
+
+Lemma norm_plus a b : norm (plus a b) <= norm a + norm b.
+Proof.
+  pose proof (norm_nonneg a); pose proof (norm_nonneg b); apply norm_of_square; [lra|].
+  pose proof (dot_le a b) as H1; apply Rabs_le_inv in H1.
+  replace (dot (plus a b) (plus a b)) with (dot a a + dot b b + 2 * dot a b) by (unfold dot, plus; simpl; ring).
+  rewrite <- !norm_square; lra.
+Qed.
+
+Lemma norm_scale s a : norm (scale s a) = Rabs s * norm a.
+Proof.
+  unfold norm; replace (dot (scale s a) (scale s a)) with (s * s * dot a a) by (unfold dot, scale; simpl; ring).
+  rewrite sqrt_mult; [|apply Rle_0_sqr | apply abs_sum_squares]; f_equal; apply sqrt_Rsqr_abs.
+Qed.
+
+Lemma norm_magnitudes a : norm (magnitudes a) = norm a.
+Proof. unfold norm, dot, magnitudes; simpl; f_equal; rewrite <- !Rabs_mult, !Rabs_pos_eq by apply Rle_0_sqr; ring. Qed.
+
+Lemma size_le a b : size_of_dot a b <= norm a * norm b.
+Proof.
+  rewrite <- (norm_magnitudes a), <- (norm_magnitudes b); apply Rle_trans with (2 := dot_le _ _), Rle_abs.
+Qed.
+
+Lemma size_nonneg a b : 0 <= size_of_dot a b.
+Proof.
+  unfold size_of_dot; pose proof (Rmult_le_pos _ _ (Rabs_pos (cx a)) (Rabs_pos (cx b)));
+    pose proof (Rmult_le_pos _ _ (Rabs_pos (cy a)) (Rabs_pos (cy b)));
+    pose proof (Rmult_le_pos _ _ (Rabs_pos (cz a)) (Rabs_pos (cz b))); lra.
+Qed.
+
+Lemma norm_mono a b : Rabs (cx a) <= cx b -> Rabs (cy a) <= cy b -> Rabs (cz a) <= cz b -> norm a <= norm b.
+Proof.
+  intros X Y Z; apply sqrt_le_1_alt; unfold dot.
+  assert (S : forall s t, Rabs s <= t -> s * s <= t * t).
+  { intros s t H; replace (s * s) with (Rabs s * Rabs s) by (rewrite <- Rabs_mult; apply Rabs_pos_eq, Rle_0_sqr).
+    apply Rmult_le_compat; auto using Rabs_pos. }
+  pose proof (S _ _ X); pose proof (S _ _ Y); pose proof (S _ _ Z); lra.
+Qed.
+
+Lemma norm_between a b : norm a <= norm b + norm (minus a b).
+Proof.
+  replace a with (plus b (minus a b)) at 1 by (destruct a, b; unfold plus, minus; simpl; f_equal; ring).
+  apply norm_plus.
+Qed.
+
+Lemma norm_symmetric s t : norm (minus s t) = norm (minus t s).
+Proof. unfold norm, dot, minus; cbn; f_equal; ring. Qed.
+
+(** ** Lengths as they are computed *)
 
 (** Eight units for a computed length: six for the square's three roundings, one for the root's, one to spare. *)
 Lemma norm_computed k a : (-511 <= k)%Z -> on_grid k a ->

@@ -1,5 +1,6 @@
 #include "proofs/recorder.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -121,25 +122,25 @@ struct Uses {
 };
 
 /// In lines of at most 120 characters, later ones indented further.
-void print_wrapped(const std::string& text, std::size_t indent) {
+std::string wrapped(const std::string& text, std::size_t indent) {
   std::istringstream words(text);
-  std::string line(indent, ' '), word;
+  std::string lines, line(indent, ' '), word;
   bool first = true;
   while (words >> word) {
     if (!first && line.size() + 1 + word.size() > 120) {
-      std::printf("%s\n", line.c_str());
+      lines += line + "\n";
       line.assign(indent + 4, ' ');
       first = true;
     }
     line += (first ? "" : " ") + word;
     first = false;
   }
-  std::printf("%s\n", line.c_str());
+  return lines + line + "\n";
 }
 
-void print(const Writer& writer, const Built& built, std::size_t indent, const std::string& before,
-           const std::string& after) {
-  std::string written = before + built.constructor;
+std::string text_of(const Writer& writer, const Built& built, std::size_t indent, const std::string& before,
+                    const std::string& after) {
+  std::string lines, written = before + built.constructor;
   for (std::size_t i = 0; i < built.parts.size(); ++i) {
     if (built.names.empty()) {
       written += (written.empty() ? "" : " ") + writer.operand(built.parts[i], Tightness::name);
@@ -147,21 +148,79 @@ void print(const Writer& writer, const Built& built, std::size_t indent, const s
       written =
           (i == 0 ? before + "{| " : "") + built.names[i] + " := " + writer.operand(built.parts[i], Tightness::other);
       if (i + 1 == built.parts.size()) break;
-      print_wrapped(written + ";", i == 0 ? indent : indent + 3);
+      lines += wrapped(written + ";", i == 0 ? indent : indent + 3);
     }
   }
-  print_wrapped(written + (built.names.empty() ? "" : " |}") + after, built.names.empty() ? indent : indent + 3);
+  return lines +
+         wrapped(written + (built.names.empty() ? "" : " |}") + after, built.names.empty() ? indent : indent + 3);
 }
 
-void print(const Writer& writer, const Way& way, std::size_t indent, const std::string& before,
-           const std::string& after) {
-  if (!way.yes) {
-    print(writer, way.built, indent, before, after);
-    return;
+std::string text_of(const Writer& writer, const Way& way, std::size_t indent, const std::string& before,
+                    const std::string& after) {
+  if (!way.yes) return text_of(writer, way.built, indent, before, after);
+  return wrapped(before + "if " + writer.operand(way.condition, Tightness::other) + " then", indent) +
+         text_of(writer, *way.yes, indent + 2, "", "") + text_of(writer, *way.no, indent, "else ", after);
+}
+
+/// The text of what is built, with a name for each term that is used more than once.
+std::string text_of(const Way& way) {
+  std::vector<Node> nodes;
+  named(way, nodes);
+  const Uses uses(nodes);
+  Writer writer;
+  std::string lines;
+  for (const Node node : uses.order) {
+    if (uses.times.at(node) == 1 || all().nodes[node].operands.empty()) continue;
+    const std::string name = "x" + std::to_string(writer.names.size() + 1);
+    lines += wrapped("let " + name + " := " + writer.text(node) + " in", 2);
+    writer.names[node] = name;
   }
-  print_wrapped(before + "if " + writer.operand(way.condition, Tightness::other) + " then", indent);
-  print(writer, *way.yes, indent + 2, "", "");
-  print(writer, *way.no, indent, "else ", after);
+  return lines + text_of(writer, way, 2, "", ".");
+}
+
+/// The head of a definition, NAME (x y : T) (z : U) : RESULT, in parts.
+struct Head {
+  std::string name, result;
+  std::vector<std::pair<std::string, std::string>> arguments;  // each with its type
+
+  explicit Head(const std::string& text) {
+    std::size_t at = text.find_first_of(" (");
+    name = text.substr(0, at);
+    while ((at = text.find_first_not_of(' ', at)) != std::string::npos && text[at] == '(') {
+      const std::size_t colon = text.find(" :", at), end = text.find(')', at);
+      std::istringstream names(text.substr(at + 1, colon - at - 1));
+      for (std::string argument; names >> argument;) arguments.emplace_back(argument, text.substr(colon, end - colon));
+      at = end + 1;
+    }
+    result = text.substr(at);
+  }
+  /// What has these arguments says the same as what has those of the other, where both are written alike.
+  bool covers(const Head& other) const {
+    const auto mine = [this](const auto& argument) { return std::ranges::count(arguments, argument) != 0; };
+    return result == other.result && std::ranges::all_of(other.arguments, mine);
+  }
+  std::string call() const {
+    std::string text = name;
+    for (const auto& [argument, type] : arguments) text += " " + argument;
+    return text;
+  }
+};
+
+/// What was written, by its text, so that none is written twice.
+std::map<std::string, std::vector<Head>>& written() {
+  static std::map<std::string, std::vector<Head>> heads;
+  return heads;
+}
+
+/// A call of what has that text already, or that text. A name that is written again means the later.
+std::string written_once(const std::string& head, const std::string& text) {
+  const Head mine(head);
+  for (auto& [of, heads] : written()) std::erase_if(heads, [&](const Head& other) { return other.name == mine.name; });
+  std::vector<Head>& alike = written()[text];
+  const auto same = std::ranges::find_if(alike, [&](const Head& other) { return mine.covers(other); });
+  const std::string once = same == alike.end() ? text : wrapped(same->call() + ".", 2);
+  alike.push_back(mine);
+  return once;
 }
 
 }  // namespace
@@ -201,21 +260,9 @@ bool settled(Node condition) {
 }
 
 void define(const std::string& comment, const std::string& head, const std::function<Built()>& build) {
-  const Way way = ways(build);
-  std::vector<Node> nodes;
-  named(way, nodes);
-  Writer writer;
+  const std::string text = text_of(ways(build));
   if (!comment.empty()) std::printf("\n(** %s *)", comment.c_str());
-  std::printf("\n");
-  print_wrapped("Definition " + head + " :=", 0);
-  Uses uses(nodes);
-  for (const Node node : uses.order) {
-    if (uses.times[node] == 1 || all().nodes[node].operands.empty()) continue;
-    const std::string name = "x" + std::to_string(writer.names.size() + 1);
-    print_wrapped("let " + name + " := " + writer.text(node) + " in", 2);
-    writer.names[node] = name;
-  }
-  print(writer, way, 2, "", ".");
+  std::printf("\n%s%s", wrapped("Definition " + head + " :=", 0).c_str(), written_once(head, text).c_str());
 }
 
 }  // namespace durero::trace::HWY_NAMESPACE

@@ -19,6 +19,7 @@ struct Built {
 
 /// Prints `Definition HEAD := …` of what `build` gives, with a `let` for each term that it uses more than once. Where
 /// `build` branches on conditions, it is called for each way through it.
+/// Where an earlier definition in reach has the same text, of the same arguments, it is called in place of it.
 void define(const std::string& comment, const std::string& head, const std::function<Built()>& build);
 
 }  // namespace durero::trace::HWY_NAMESPACE
