@@ -65,10 +65,10 @@ class Bisection {
   }
 
   /// Precondition: one simple root lies between the two.
-  void take(Dyadic low, Dyadic high) {
+  void take(const Dyadic& low, Dyadic high) {
     // Where the low end is a root too, a simple one, the sign behind it is that of the slope.
     const int at_low = simple_->sign_at(low);
-    Isolated root{simple_, low, high, at_low != 0 ? at_low : derivative_.sign_at(low)};
+    Isolated root{simple_, low, std::move(high), at_low != 0 ? at_low : derivative_.sign_at(low)};
     while (simple_->sign_at(root.low) == 0 || simple_->sign_at(root.high) == 0) {
       if (halve(root)) return void(found_.emplace_back(number::DyadicSurd{root.low}));
     }
