@@ -67,6 +67,16 @@ void triage_columns(const RayColumns& rays, std::uint64_t which, scene::ShapeVie
   });
 }
 
+std::uint64_t starting_in_columns(const RayColumns& rays, std::uint64_t which, std::uint64_t start) {
+  const hn::Rebind<std::uint64_t, LaneTag> tag;
+  std::uint64_t found = 0;
+  for (std::size_t at = 0; at < RayColumns::size; at += lanes()) {
+    const auto same = hn::Eq(hn::Load(tag, &rays.start[at]), hn::Set(tag, start));
+    found |= std::uint64_t{bits({hn::RebindMask(LaneTag(), same)})} << at;
+  }
+  return found & which;
+}
+
 void triage_packet_from(const Packet& packet, model::Tipo tipo, Findings& findings) {
   scene::with_shape(tipo, [&]<class Shape>(std::type_identity<Shape>) HWY_ATTR {
     find_in<Shape::tipo>(packet, findings,
@@ -86,11 +96,15 @@ namespace {
 HWY_EXPORT(triage_packet);
 HWY_EXPORT(triage_columns);
 HWY_EXPORT(triage_packet_from);
+HWY_EXPORT(starting_in_columns);
 
 }  // namespace
 
 void triage(const Packet& packet, model::Tipo tipo, Findings& findings) {
   HWY_DYNAMIC_DISPATCH(triage_packet)(packet, tipo, findings);
+}
+std::uint64_t starting_on(const RayColumns& rays, std::uint64_t which, scene::ElementRef own) {
+  return HWY_DYNAMIC_DISPATCH(starting_in_columns)(rays, which, RayColumns::number(own));
 }
 void triage(const RayColumns& rays, std::uint64_t which, scene::ShapeView element, ColumnFindings& findings) {
   HWY_DYNAMIC_DISPATCH(triage_columns)(rays, which, element, findings);

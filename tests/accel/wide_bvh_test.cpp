@@ -52,6 +52,7 @@ bool all_within(const WideBvh& tree, std::size_t at, const surface::Box& box, st
     }
     const ElementRef e = tree.element(child.element());
     found.insert(e);
+    good = good && tree.own(e) == child.element();
     const surface::Box of_element = tree.scene().visit(e, [](const auto& e) { return surface::box(e); });
     const surface::Box of_leaf = tree.visit(child.element(), [](const auto& leaf) { return surface::box(leaf); });
     good = good && of_leaf.low == of_element.low && of_leaf.high == of_element.high;
@@ -68,7 +69,9 @@ bool holds_all(const WideBvh& tree) {
   std::multiset<ElementRef> found(tree.unbounded().begin(), tree.unbounded().end());
   found.insert(tree.extraordinary().begin(), tree.extraordinary().end());
   const bool boxed = tree.nodes().empty() || all_within(tree, 0, everywhere, found);
-  return boxed && found.size() == tree.scene().size() &&
+  const bool named =
+      std::ranges::all_of(tree.unbounded(), [&](ElementRef e) { return tree.element(tree.own(e)) == e; });
+  return boxed && named && found.size() == tree.scene().size() &&
          std::set<ElementRef>(found.begin(), found.end()).size() == found.size();
 }
 

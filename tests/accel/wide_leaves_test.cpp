@@ -20,6 +20,7 @@ TEST_CASE("each leaf is its element, whatever the order in which they came") {
   for (const ElementRef e : elements) {
     const ElementRef leaf = leaves.push_back(scene, e);
     CHECK(leaf.tipo == e.tipo);
+    CHECK(leaves.leaf(e) == leaf);
     CHECK(leaves.element(leaf) == e);
     leaves.visit(leaf, [&]<class Shape>(const Shape& shape) {
       CHECK(leaves.row(leaf).data() == reinterpret_cast<const std::byte*>(&shape));
@@ -28,6 +29,7 @@ TEST_CASE("each leaf is its element, whatever the order in which they came") {
           [&](const auto& attribute) { CHECK(shape.*attribute.field == own.*attribute.field); });
     });
   }
+  for (const ElementRef e : elements) CHECK(leaves.element(leaves.leaf(e)) == e);
   CHECK(leaves.bytes() == bytes);
-  CHECK(bytes >= 100 * (sizeof(scene::Sphere) + sizeof(std::uint32_t)));
+  CHECK(bytes >= 100 * (sizeof(scene::Sphere) + 2 * sizeof(std::uint32_t)));
 }

@@ -117,9 +117,11 @@ TEST_CASE("a ray of a bundle that moves to another place is tested there as it w
     accel::WideMeetings before{}, after{};
     met_by(node, 0xff, bundle, before);
     const double speed = bundle.rays.speed[13];
+    const std::uint64_t start = bundle.rays.start[13] = turn;
     bundle.limit[2] = -1;  // what stood there took part no more
     bundle.move(13, 2);
     CHECK(bundle.rays.speed[2] == speed);
+    CHECK(bundle.rays.start[2] == start);
     invert(bundle, 16);
     REQUIRE(gather(bundle, 0, 16));
     met_by(node, 0xff, bundle, after);

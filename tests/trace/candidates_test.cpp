@@ -52,6 +52,8 @@ class Shuffled {
 
   void visit(ElementRef own, auto visit) const { scene_->visit(own, visit); }
   ElementRef element(ElementRef own) const { return own; }
+  ElementRef own(ElementRef e) const { return e; }
+  void ask_for_own(ElementRef) const {}
 
  private:
   const scene::Scene* scene_;
@@ -113,6 +115,8 @@ struct Nothing {
   void pairs(std::span<const trace::Ray>, auto, auto, auto) const {}
   void visit(ElementRef own, auto visit) const { of.visit(own, visit); }
   ElementRef element(ElementRef own) const { return own; }
+  ElementRef own(ElementRef e) const { return e; }
+  void ask_for_own(ElementRef) const {}
 };
 static_assert(trace::Candidates<Nothing>);
 

@@ -2,8 +2,10 @@
 #include "durero/trace/packet.hpp"
 
 #include <bit>
+#include <span>
 #include <vector>
 
+#include "durero/trace/tables.hpp"
 #include "plain/plain.hpp"
 #include "support/catch.hpp"
 #include "support/elements.hpp"
@@ -16,6 +18,7 @@
 
 using namespace durero;
 using namespace durero::test;
+using scene::ElementRef;
 using trace::Finding;
 using trace::Packet;
 using trace::Verdict;
@@ -223,6 +226,44 @@ TEST_CASE("steps in lanes are the steps one by one, over the whole ordinary rang
   if (sanitized) return;  // too few for shares
   CHECK(tally.decided > tally.all / 2);
   CHECK(tally.hits > tally.all / 50);
+}
+
+TEST_CASE("rays in columns start on an element where type and row are those that they were told") {
+  const ElementRef sphere{model::Tipo::soy_esfera, 7}, cone{model::Tipo::soy_cono, 7}, other{model::Tipo::soy_cono, 8};
+  trace::RayColumns rays;
+  std::uint64_t on_cone = 0;
+  for (std::size_t place = 0; place < trace::RayColumns::size; ++place) {
+    trace::Ray told(ray({0, 0, 0}, {0, 0, 1}));
+    if (place % 4 != 0) told.start_on(place % 4 == 1 ? sphere : place % 4 == 2 ? cone : other);
+    rays.set(place, told);
+    if (place % 4 == 2) on_cone |= std::uint64_t{1} << place;
+  }
+  for (const std::int64_t target : machine_targets()) {
+    const Only_Target only(target);
+    CHECK(trace::starting_on(rays, ~std::uint64_t{}, cone) == on_cone);
+    CHECK(trace::starting_on(rays, std::uint64_t{0xf0f} << 40, cone) == (on_cone & std::uint64_t{0xf0f} << 40));
+    CHECK(trace::starting_on(rays, ~std::uint64_t{}, {model::Tipo::soy_disco, 7}) == 0);
+  }
+}
+
+TEST_CASE("rays that follow each other come into a queue with one element while there is room") {
+  scene::Scene scene;
+  const ElementRef first = add(scene, scene::Sphere{{0, 0, 5}, 1}), second = add(scene, scene::Sphere{{0, 0, 6}, 2});
+  std::vector<trace::Ray> rays;
+  for (int i = 0; i < 9; ++i) rays.emplace_back(ray({0, 0, 0.25 * i}, {0, 0, 1}));
+  const trace::Tables tables(scene);
+  trace::Queue queue;
+  CHECK(queue.push(tables, 40, std::span(rays).first(3), first) == 3);
+  CHECK_FALSE(queue.full());
+  CHECK(queue.push(tables, 43, std::span(rays).subspan(3), second) == 5);
+  CHECK(queue.full());
+  for (std::size_t lane = 0; lane < Packet::size; ++lane) {
+    CHECK(queue.numbers[lane] == 40 + lane);
+    CHECK(queue.elements[lane] == (lane < 3 ? first : second));
+    CHECK(queue.packet.p[2][lane] == 0.25 * static_cast<double>(lane));
+    CHECK(queue.packet.centro[2][lane] == (lane < 3 ? 5 : 6));
+    CHECK(queue.packet.radio[lane] == (lane < 3 ? 1 : 2));
+  }
 }
 
 TEST_CASE("what touches is undecided in its lane alone") {

@@ -45,3 +45,25 @@ TEST_CASE("of several elements that a segment starts on, each is met at its othe
   trace::occluded_segments_in_lanes(tables, queries, {occluded.data(), occluded.size()});
   CHECK(occluded == boost::container::vector<bool>{true, true, false, false});
 }
+
+TEST_CASE("of rays that follow each other from one element, each is tested against it, however many they are") {
+  scene::Scene scene;
+  for (const double x : {0.0, 8.0}) add(scene, scene::Sphere{{x, 0, 0}, 1});
+  add(scene, scene::Cylinder{{16, 0, 0}, 1, {0, 0, 1}, 1});
+  const trace::Tables tables(scene);
+  for (const int run : {1, 2, 3, 7, 8, 9, 30}) {
+    std::vector<scene::Query> queries;
+    boost::container::vector<bool> through;
+    for (int i = 0; i < 100; ++i) {
+      const int which = i / run % 3;
+      const double x = which * 8 + 1, way = i % 5 == 2 || i % 5 == 3 ? -4 : 4;
+      queries.push_back({ray({x, 0, 0.5}, {way, 0, 0}), {{}}});
+      queries.back().en[0] = which == 2 ? scene::ElementRef{model::Tipo::soy_cilindro, 0}
+                                        : scene::ElementRef{model::Tipo::soy_esfera, static_cast<std::uint32_t>(which)};
+      through.push_back(way < 0);
+    }
+    boost::container::vector<bool> occluded(queries.size());
+    trace::occluded_segments_in_lanes(tables, queries, {occluded.data(), occluded.size()});
+    CHECK(occluded == through);
+  }
+}

@@ -54,6 +54,8 @@ class WideBvh {
     return leaves_.visit(leaf, visit);
   }
   scene::ElementRef element(scene::ElementRef leaf) const { return leaves_.element(leaf); }
+  scene::ElementRef own(scene::ElementRef e) const { return leaves_.leaf(e); }
+  void ask_for_own(scene::ElementRef e) const { leaves_.ask_for_leaf(e); }
   /// @}
   /// The order in which many rays are answered faster, as trace::order_of has it: those into one octant and from one
   /// part of space together, where the tree is too large for the nearer memory, and else as they come.

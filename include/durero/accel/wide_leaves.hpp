@@ -1,7 +1,9 @@
 #pragma once
 /// The elements of a wide hierarchy once more, a column for each type in the order of the tree: what lies side by side
 /// in space lies side by side in memory, and a ray that reaches an element needs no other page of the scene's tables.
+/// And which leaf each element is, so that what a ray starts on is known by the name that its walk comes to.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -19,9 +21,13 @@ class WideLeaves {
  public:
   static constexpr std::size_t nearby = 1 << 18;  ///< bytes of nodes whose elements need no waiting for
 
-  /// Makes room for every element of a scene.
+  /// Makes room for every element of a scene, which is the one whose elements are added.
   void reserve(const scene::Scene& scene) {
+    rows_.resize(scene.size());
+    std::size_t first = 0;
     scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
+      first_[static_cast<std::size_t>(Shape::tipo)] = first;
+      first += scene.shapes<Shape>().size();
       Column<Shape>& column = std::get<Column<Shape>>(columns_);
       column.shapes.reserve(scene.shapes<Shape>().size());
       column.elements.reserve(scene.shapes<Shape>().size());
@@ -33,7 +39,8 @@ class WideLeaves {
       Column<Shape>& column = std::get<Column<Shape>>(columns_);
       column.shapes.push_back(shape);
       column.elements.push_back(e.index);
-      return scene::ElementRef{e.tipo, static_cast<std::uint32_t>(column.shapes.size() - 1)};
+      rows_[place(e)] = static_cast<std::uint32_t>(column.shapes.size() - 1);
+      return leaf(e);
     });
   }
 
@@ -54,9 +61,13 @@ class WideLeaves {
       return scene::ElementRef{leaf.tipo, std::get<Column<Shape>>(columns_).elements[leaf.index]};
     });
   }
-  /// What the columns hold.
+  /// The leaf of an element of the scene. Precondition: it was added.
+  scene::ElementRef leaf(scene::ElementRef e) const { return {e.tipo, rows_[place(e)]}; }
+  /// Asks memory for what leaf(e) reads.
+  void ask_for_leaf(scene::ElementRef e) const { trace::ask_for(rows_[place(e)]); }
+  /// What it holds.
   std::size_t bytes() const {
-    std::size_t sum = 0;
+    std::size_t sum = rows_.capacity() * sizeof(std::uint32_t);
     scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
       const Column<Shape>& column = std::get<Column<Shape>>(columns_);
       sum += column.shapes.capacity() * sizeof(Shape) + column.elements.capacity() * sizeof(std::uint32_t);
@@ -78,7 +89,11 @@ class WideLeaves {
     using type = std::tuple<Column<Shape>...>;
   };
 
+  std::size_t place(scene::ElementRef e) const { return first_[static_cast<std::size_t>(e.tipo)] + e.index; }
+
   typename ColumnsOf<scene::Shapes>::type columns_;
+  LargeVector<std::uint32_t> rows_;                      // of the leaves of all elements, in the scene's order
+  std::array<std::size_t, scene::shape_count> first_{};  // where those of each type begin there
 };
 
 /// Asks memory for what a child is. Precondition: it is something.

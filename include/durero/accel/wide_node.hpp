@@ -68,6 +68,7 @@ struct WideBundle {
       rays.v[axis][to] = rays.v[axis][from];
     }
     rays.speed[to] = rays.speed[from];
+    rays.start[to] = rays.start[from];
     limit[to] = limit[from];
   }
 

@@ -6,7 +6,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -32,12 +31,9 @@ class Batch {
   Batch(const Source& source, Picked<const scene::Query> queries, Kernel& kernel)
       : source_(source), kernel_(kernel), nearest_(queries.size()) {
     const bool none_apart = source.extraordinary().empty();
-    rays_ = rays_of(queries, [&](std::size_t i, const scene::Query& query, const Ray& ray) {
-      const scene::ElementSet& en = query.en;
-      nearest_[i].alone = !ray.ordinary || en.size() > most_starts || !none_apart;
-      if (nearest_[i].alone || en.empty()) return;
-      nearest_[i].start = en[0];
-      some_start_ = true;
+    rays_ = rays_of(source, queries, [&](std::size_t i, const scene::Query& query, const Ray& ray) {
+      nearest_[i].alone = !ray.ordinary || query.en.size() > most_starts || !none_apart;
+      some_start_ |= !nearest_[i].alone && ray.start() != nothing;
     });
   }
 
@@ -73,20 +69,21 @@ class Batch {
 
  private:
   static constexpr std::size_t most_starts = requires { &Kernel::triage_from; } ? 1 : 0;  // of a ray in lanes
-  static constexpr scene::ElementRef no_element{{}, std::numeric_limits<std::uint32_t>::max()};
 
   /// Of one ray, so far.
   struct Nearest {
     typename Kernel::Point point{};
     scene::ElementRef own{};
-    scene::ElementRef start = no_element;  // of the scene, that it starts on
     std::uint32_t tested = 0;
     bool alone = false, on_start = false;
   };
 
   void tell_hit(std::uint32_t number, const Nearest& nearest) {
     if constexpr (most_starts > 0)
-      if (nearest.on_start) return kernel_.hit_own(number, rays_[number], nearest.start, nearest.point);
+      if (nearest.on_start) {
+        const scene::ElementRef e = source_.element(rays_[number].start());
+        return kernel_.hit_own(number, rays_[number], e, nearest.point);
+      }
     kernel_.hit(number, rays_[number], source_, nearest.own, nearest.point);
   }
 
@@ -94,10 +91,10 @@ class Batch {
   void test_starts() {
     if (!some_start_) return;
     for (std::uint32_t number = 0; number < nearest_.size(); ++number) {
-      const scene::ElementRef start = nearest_[number].start;
-      if (start == no_element) continue;
+      const scene::ElementRef start = rays_[number].start();
+      if (start == nothing || nearest_[number].alone) continue;
       Queue& queue = queues_[static_cast<std::size_t>(start.tipo)];
-      queue.push(source_.scene(), number, rays_[number], start);
+      queue.push(source_, number, rays_[number], start);
       if (queue.full()) test_start(queue);
     }
     for (Queue& queue : queues_) test_start(queue);
@@ -114,9 +111,6 @@ class Batch {
     }
     queue.count = 0;
   }
-  bool starts_on(std::uint32_t number, scene::ElementRef own) const {
-    return some_start_ && nearest_[number].start == source_.element(own);
-  }
 
   /// What is taken, one by one or of rays in columns.
   struct Take {
@@ -130,7 +124,7 @@ class Batch {
   };
 
   void take(std::uint32_t number, scene::ElementRef own) {
-    if (starts_on(number, own)) return;
+    if (rays_[number].start() == own) return;
     Queue& queue = queues_[static_cast<std::size_t>(own.tipo)];
     queue.push(source_, number, rays_[number], own);
     if (queue.full()) test(queue);
@@ -152,7 +146,7 @@ class Batch {
   /// The rays that have a bit against one element, eight by eight. A bit for each whose limit may have changed.
   std::uint64_t test(const RayColumns& rays, std::span<const std::uint32_t> numbers, std::uint64_t which,
                      scene::ElementRef own) {
-    if (some_start_) which &= ~that_start_on(numbers, which, own);
+    if (some_start_) which &= ~starting_on(rays, which, own);
     if (which == 0) return 0;
     source_.visit(own, [&](const auto& shape) { kernel_.triage(rays, which, shape, of_columns_); });
     std::uint64_t changed = 0;
@@ -166,15 +160,6 @@ class Batch {
       changed |= std::uint64_t{(findings.hit | findings.undecided) & used} << at;
     }
     return changed;
-  }
-
-  std::uint64_t that_start_on(std::span<const std::uint32_t> numbers, std::uint64_t which,
-                              scene::ElementRef own) const {
-    const scene::ElementRef e = source_.element(own);
-    std::uint64_t found = 0;
-    for (std::uint64_t left = which; left != 0; left &= left - 1)
-      if (nearest_[numbers[static_cast<std::size_t>(std::countr_zero(left))]].start == e) found |= left & -left;
-    return found;
   }
 
   /// Of the lanes that are used, what was found of the rays of those numbers and the elements of that name.

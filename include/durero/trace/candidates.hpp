@@ -43,6 +43,8 @@ concept Candidates =
 ///                     limit(number) is 0 is passed over. After flush() the limits take account of all that was taken.
 ///   visit(own, f)     f(shape) with the geometry of what was taken
 ///   element(own)      which element of the scene that is; of the same type.
+///   own(e)            as what an element is taken that is not one of extraordinary(): element(own(e)) = e.
+///   ask_for_own(e)    asks memory for what own(e) reads.
 /// Precondition: rays whose limit is not 0 are ordinary.
 template <class Source>
 concept PairCandidates =
@@ -52,6 +54,8 @@ concept PairCandidates =
       source.pairs(rays, limit_of, take, flush);
       source.visit(own, [](const auto&) {});
       { source.element(own) } -> std::same_as<scene::ElementRef>;
+      { source.own(own) } -> std::same_as<scene::ElementRef>;
+      source.ask_for_own(own);
     };
 
 /// visit(e, range) for every element of the scene, until it answers true. Whether it did.

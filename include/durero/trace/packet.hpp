@@ -2,9 +2,11 @@
 /// Eight rays side by side, each against one element of the same type, or many of them against the same element: what
 /// steps over lanes take and give.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "durero/scene/scene.hpp"
 #include "durero/scene/shape_view.hpp"
@@ -70,6 +72,17 @@ struct Queue {
     elements[count] = e;
     ++count;
   }
+  /// Adds the first of some rays with the same element, as many as find room; their numbers count from one on. How
+  /// many.
+  template <class Shapes>
+  std::size_t push(const Shapes& shapes, std::uint32_t number, std::span<const Ray> rays, scene::ElementRef e) {
+    const std::span<const Ray> some = rays.first(std::min(rays.size(), Packet::size - count));
+    shapes.visit(e, [&](const auto& shape) {
+      for (std::size_t i = 0; i < some.size(); ++i) packet.set(count + i, some[i], shape);
+    });
+    for (std::size_t i = 0; i < some.size(); ++i) numbers[count] = number++, elements[count++] = e;
+    return some.size();
+  }
   /// Whether every lane is filled.
   bool full() const { return count == Packet::size; }
 };
@@ -118,14 +131,23 @@ struct RayColumns {
   std::array<Column, 3> v{};
   Column speed{};
   /// @}
+  std::array<std::uint64_t, size> start{};  ///< what each starts on, as one number
 
+  /// An element of a source of candidates as one number.
+  static constexpr std::uint64_t number(scene::ElementRef own) {
+    return std::uint64_t{static_cast<std::uint8_t>(own.tipo)} << 32 | own.index;
+  }
   /// Fills a place.
   void set(std::size_t place, const Ray& ray) {
     p[0][place] = ray.p.x, p[1][place] = ray.p.y, p[2][place] = ray.p.z;
     v[0][place] = ray.v.x, v[1][place] = ray.v.y, v[2][place] = ray.v.z;
     speed[place] = ray.speed;
+    start[place] = number(ray.start());
   }
 };
+
+/// Those of the rays that have a bit which start on this element.
+std::uint64_t starting_on(const RayColumns& rays, std::uint64_t which, scene::ElementRef own);
 
 /// What the triage finds of rays in columns, by eights.
 using ColumnFindings = std::array<Findings, RayColumns::size / Packet::size>;

@@ -71,17 +71,22 @@ void ask_for(const T& object) {
 }
 /// @}
 
-/// The rays of some queries, in order, with also(number, query, ray) of each while they are at hand. Memory is asked
-/// for each query some time before its turn.
-template <class Also>
-std::vector<Ray> rays_of(Picked<const scene::Query> queries, Also also) {
+/// The rays of some queries, in order, with also(number, query, ray) of each while they are at hand. Where no element
+/// is extraordinary for the source, an ordinary ray that starts on one alone is told. Memory is asked for each query
+/// some time before its turn, and for what it starts on when the query has come.
+template <class Source, class Also>
+std::vector<Ray> rays_of(const Source& source, Picked<const scene::Query> queries, Also also) {
   constexpr std::size_t ahead = 16;
+  const bool none_apart = source.extraordinary().empty();
   std::vector<Ray> rays;
   rays.reserve(queries.size());
   for (std::size_t i = 0; i < queries.size(); ++i) {
-    if (i + ahead < queries.size()) ask_for(queries[i + ahead]);
+    if (i + 2 * ahead < queries.size()) ask_for(queries[i + 2 * ahead]);
+    if (i + ahead < queries.size() && !queries[i + ahead].en.empty()) source.ask_for_own(queries[i + ahead].en[0]);
     const scene::Query& query = queries[i];
-    also(i, query, rays.emplace_back(query.rayo));
+    Ray& ray = rays.emplace_back(query.rayo);
+    if (none_apart && ray.ordinary && query.en.size() == 1) ray.start_on(source.own(query.en[0]));
+    also(i, query, ray);
   }
   return rays;
 }

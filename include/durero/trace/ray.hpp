@@ -2,14 +2,20 @@
 /// A ray in the numbers that the steps of the tracer use, and the range of numbers within which their bounds hold.
 
 #include <cmath>
+#include <cstdint>
 #include <glm/vec3.hpp>
+#include <limits>
 
 #include "durero/model/tipos.hpp"
+#include "durero/scene/element_ref.hpp"
 #include "durero/scene/shape_view.hpp"
 
 namespace durero::trace {
 
-/// A ray and what each element would compute of it again. A line of the cache.
+/// What no element is named.
+inline constexpr scene::ElementRef nothing{{}, std::numeric_limits<std::uint32_t>::max()};
+
+/// A ray, what each element would compute of it again, and what it starts on. A line of the cache.
 struct alignas(64) Ray {
   /// Of a ray of the specification.
   explicit Ray(const model::Rayo& rayo);
@@ -24,7 +30,18 @@ struct alignas(64) Ray {
   glm::dvec3 p, v;  ///< origin and direction, as they are
   double speed;     ///< V ≥ |v|
   bool ordinary;    ///< every component is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰
+
+  /// @{ What it starts on, by the name that a source of candidates has for it; nothing unless told.
+  scene::ElementRef start() const { return {start_tipo_, start_index_}; }
+  void start_on(scene::ElementRef own) { start_tipo_ = own.tipo, start_index_ = own.index; }
+  /// @}
+
+ private:
+  // Apart, as the two of them together find no room in the line.
+  model::Tipo start_tipo_ = nothing.tipo;
+  std::uint32_t start_index_ = nothing.index;
 };
+static_assert(sizeof(Ray) == 64);
 
 /// Every number of the element is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰: the bounds hold, and nothing over- or underflows.
 bool ordinary(scene::ShapeView element);

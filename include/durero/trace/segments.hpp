@@ -8,8 +8,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <limits>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,68 +27,82 @@ class SegmentBatch {
  public:
   /// All of these must outlive it. Precondition: a place in `occluded` for each query.
   SegmentBatch(const Source& source, Picked<const scene::Query> queries, Picked<bool> occluded)
-      : source_(source), queries_(queries), occluded_(occluded), open_(queries.size(), true), start_(queries.size()) {
-    rays_ = rays_of(queries, [&](std::size_t i, const scene::Query& query, const Ray&) {
-      if (!query.en.empty()) start_[i] = {query.en[0], query.en.size() > 1};
+      : source_(source), queries_(queries), occluded_(occluded), open_(queries.size(), true) {
+    rays_ = rays_of(source, queries, [&](std::size_t, const scene::Query& query, const Ray& ray) {
+      if (query.en.empty()) return;
+      (ray.start() == nothing ? some_start_untold_ : some_start_) = true;
     });
   }
 
   /// Writes every answer.
   void answer() {
-    constexpr std::uint32_t ahead = 24;
-    for (std::uint32_t number = 0; number < queries_.size(); ++number) {
-      if (number + ahead < queries_.size()) ask_for_start(start_[number + ahead]);
-      begin(number);
-    }
+    for (std::uint32_t number = 0; number < queries_.size();) number = begin(number);
     for (Queue& queue : starts_) test_starts(queue);
     source_.pairs(
         rays_, [&](std::uint32_t number) { return open_[number] ? 1.0 : 0.0; }, Take{*this}, [&] { flush(); });
     flush();
     for (const scene::ElementRef e : source_.extraordinary())
       for (std::uint32_t number = 0; number < queries_.size(); ++number)
-        if (open_[number] && !starts_on(number, e)) test(number, e);
+        if (open_[number] && !Origin(queries_[number].en).contains(e)) test(number, e);
   }
 
  private:
-  static constexpr scene::ElementRef no_element{{}, std::numeric_limits<std::uint32_t>::max()};
-
-  /// What a ray starts on: mostly one element, which is at hand.
-  struct Start {
-    scene::ElementRef first = no_element;
-    bool more = false;  // the others are asked of the query
-  };
-  bool starts_on(std::uint32_t number, scene::ElementRef e) const {
-    const Start& start = start_[number];
-    return start.first == e || (start.more && Origin(queries_[number].en).contains(e));
+  /// The rays from one on that are known to start on the same element are tested against it, or that one against what
+  /// it starts on; the source does not know of it. The number of the next.
+  std::uint32_t begin(std::uint32_t number) {
+    const scene::ElementRef start = rays_[number].start();
+    std::uint32_t end = number;
+    do {
+      occluded_[end] = false;
+      ask_for_start(end + std::size_t{24});
+    } while (++end < rays_.size() && start != nothing && rays_[end].start() == start);
+    if (start != nothing) {
+      begin_on(start, number, end);
+    } else {
+      begin_alone(number);
+    }
+    return end;
   }
 
-  void ask_for_start(const Start& start) const {
-    if (start.first == no_element) return;
-    source_.scene().visit(start.first, [](const auto& shape) { ask_for(shape); });
+  /// Of what the ray before starts on too it was asked for.
+  void ask_for_start(std::size_t number) const {
+    if (number >= rays_.size()) return;
+    const scene::ElementRef start = rays_[number].start();
+    if (start != nothing && start != rays_[number - 1].start())
+      source_.visit(start, [](const auto& shape) { ask_for(shape); });
   }
 
-  /// Rays out of the ordinary are answered alone; the elements that a ray starts on, the source does not know of.
-  void begin(std::uint32_t number) {
-    occluded_[number] = false;
-    if (!rays_[number].ordinary) {
-      const scene::Query& query = queries_[number];
-      Counts unseen;
-      occluded_[number] = occluded_segment_among(source_, query.rayo, query.en, unseen);
-      open_[number] = false;
-    } else if (start_[number].more) {
-      for (const scene::ElementRef e : queries_[number].en) begin_on(number, e);
-    } else if (start_[number].first != no_element) {
-      begin_on(number, start_[number].first);
+  /// In lanes, as the element is ordinary.
+  void begin_on(scene::ElementRef own, std::uint32_t begin, std::uint32_t end) {
+    Queue& queue = starts_[static_cast<std::size_t>(own.tipo)];
+    for (std::span<const Ray> left = std::span(rays_).subspan(begin, end - begin); !left.empty();) {
+      const auto number = static_cast<std::uint32_t>(end - left.size());
+      left = left.subspan(queue.push(source_, number, left, own));
+      if (queue.full()) test_starts(queue);
     }
   }
 
-  /// In lanes where the element is ordinary: all are where none is known to be extraordinary.
-  void begin_on(std::uint32_t number, scene::ElementRef e) {
-    if (!open_[number]) return;
-    if (!source_.extraordinary().empty()) return test(number, e);
-    Queue& queue = starts_[static_cast<std::size_t>(e.tipo)];
-    queue.push(source_.scene(), number, rays_[number], e);
-    if (queue.full()) test_starts(queue);
+  /// Rays out of the ordinary are answered alone.
+  void begin_alone(std::uint32_t number) {
+    const scene::Query& query = queries_[number];
+    if (!rays_[number].ordinary) {
+      Counts unseen;
+      occluded_[number] = occluded_segment_among(source_, query.rayo, query.en, unseen);
+      open_[number] = false;
+      return;
+    }
+    for (const scene::ElementRef e : query.en) {
+      if (source_.extraordinary().empty()) {
+        begin_on(source_.own(e), number, number + 1);
+      } else if (open_[number]) {
+        test(number, e);
+      }
+    }
+  }
+
+  /// Precondition: what the ray starts on, if that is known, is another.
+  bool starts_on_it_too(std::uint32_t number, scene::ElementRef own) const {
+    return some_start_untold_ && Origin(queries_[number].en).contains(source_.element(own));
   }
 
   void test(std::uint32_t number, scene::ElementRef e) {
@@ -115,7 +127,7 @@ class SegmentBatch {
   };
 
   void take(std::uint32_t number, scene::ElementRef own) {
-    if (!open_[number]) return;
+    if (!open_[number] || rays_[number].start() == own || starts_on_it_too(number, own)) return;
     Queue& queue = queues_[static_cast<std::size_t>(own.tipo)];
     queue.push(source_, number, rays_[number], own);
     if (queue.full()) test_taken(queue);
@@ -128,23 +140,20 @@ class SegmentBatch {
   void test_starts(Queue& queue) {
     if (queue.count == 0) return;
     triage_from(queue.packet, queue.elements[0].tipo, findings_);
-    decide(queue, [&](std::uint32_t, scene::ElementRef e) { return std::optional(e); });
+    decide(queue);
   }
-
-  /// What a ray starts on is known already; that it was tested as if it did not means nothing.
   void test_taken(Queue& queue) {
     if (queue.count == 0) return;
     triage(queue.packet, queue.elements[0].tipo, findings_);
-    decide(queue, [&](std::uint32_t number, scene::ElementRef own) {
-      const scene::ElementRef e = source_.element(own);
-      return starts_on(number, e) ? std::nullopt : std::optional(e);
-    });
+    decide(queue);
   }
 
-  /// The rays that have a bit against one element, eight by eight. A bit for each that it blocks. Which element of the
-  /// scene it is, is asked where some ray may meet it: most do not.
+  /// The rays that have a bit against one element, eight by eight, but for those that start on it. A bit for each that
+  /// it blocks. Whether it is one of several that a ray starts on is asked where the ray may meet it: most do not.
   std::uint64_t test_columns(const RayColumns& rays, std::span<const std::uint32_t> numbers, std::uint64_t which,
                              scene::ElementRef own) {
+    if (some_start_) which &= ~starting_on(rays, which, own);
+    if (which == 0) return 0;
     source_.visit(own, [&](const auto& shape) { triage(rays, which, shape, of_columns_); });
     std::uint64_t blocked = 0;
     for (std::size_t at = 0; at < RayColumns::size; at += Packet::size) {
@@ -154,37 +163,31 @@ class SegmentBatch {
       for (unsigned left = (findings.hit | findings.undecided) & used; left != 0; left &= left - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(left));
         const std::uint32_t number = numbers[at + lane];
-        const scene::ElementRef e = source_.element(own);
-        if (!starts_on(number, e)) decide(findings, lane, number, e);
+        if (!starts_on_it_too(number, own)) decide(findings, lane, number, own);
         blocked |= std::uint64_t{!open_[number]} << (at + lane);
       }
     }
     return blocked;
   }
 
-  /// Of what the findings do not exclude, element(number, name) says which one it is, or nothing where it does not
-  /// count.
-  template <class Element>
-  void decide(Queue& queue, Element element) {
+  void decide(Queue& queue) {
     for (unsigned left = (findings_.hit | findings_.undecided) & ((1u << queue.count) - 1); left != 0;
          left &= left - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(left));
       const std::uint32_t number = queue.numbers[lane];
-      if (!open_[number]) continue;
-      const std::optional<scene::ElementRef> e = element(number, queue.elements[lane]);
-      if (e) decide(findings_, lane, number, *e);
+      if (open_[number]) decide(findings_, lane, number, queue.elements[lane]);
     }
     queue.count = 0;
   }
 
   /// Precondition: the lane is hit or undecided. The ends of where the parameter lies may be rounded
   /// (Certified::Point).
-  void decide(const Findings& findings, std::size_t lane, std::uint32_t number, scene::ElementRef e) {
+  void decide(const Findings& findings, std::size_t lane, std::uint32_t number, scene::ElementRef own) {
     const bool hit = (findings.hit >> lane & 1) != 0;
     if (hit && findings.t[lane] + findings.error[lane] < 1) {
       block(number);
     } else if (!(hit && findings.t[lane] - findings.error[lane] > 1)) {
-      test(number, e);
+      test(number, source_.element(own));
     }
   }
 
@@ -193,8 +196,8 @@ class SegmentBatch {
   Picked<bool> occluded_;
   std::vector<std::uint8_t> open_;  // not known to be occluded
   std::vector<Ray> rays_;
-  std::vector<Start> start_;
-  Queues starts_{}, queues_{};  // of the elements that rays start on, by the scene's names; of what was taken
+  bool some_start_ = false, some_start_untold_ = false;  // on an element, which the ray is told, or on some
+  Queues starts_{}, queues_{};                           // of the elements that rays start on; of what was taken
   Findings findings_{};
   ColumnFindings of_columns_{};
 };

@@ -62,6 +62,8 @@ class Tables {
     return scene_->visit(own, visit);
   }
   scene::ElementRef element(scene::ElementRef own) const { return own; }
+  scene::ElementRef own(scene::ElementRef e) const { return e; }
+  void ask_for_own(scene::ElementRef) const {}
   /// @}
 
  private:
