@@ -41,9 +41,10 @@ TEST_CASE("of several elements that a segment starts on, each is met at its othe
   const trace::Tables tables(scene);
   std::vector<scene::Query> queries;
   for (const double way : {4.0, -4.0, 0.5, -0.5}) queries.push_back({ray({1, 0, 0}, {way, 0, 0}), both});
+  queries.push_back({ray({-1.5, 0.01, 0}, {1, 0, 0}), both});  // as starts at t = 3 and 7; if it lay on neither, at 0.5
   boost::container::vector<bool> occluded(queries.size());
   trace::occluded_segments_in_lanes(tables, queries, {occluded.data(), occluded.size()});
-  CHECK(occluded == boost::container::vector<bool>{true, true, false, false});
+  CHECK(occluded == boost::container::vector<bool>{true, true, false, false, false});
 }
 
 TEST_CASE("of rays that follow each other from one element, each is tested against it, however many they are") {
