@@ -115,7 +115,7 @@ done
 # Main.v with another meaning under the same names: a premise that is false, a hypothesis that no scene satisfies, and a
 # definition.
 sed -i 's/^\(Theorem a_certified_miss_is_a_miss t :\) Formas/\1 False -> Formas/
-  /^Theorem a_certified_miss_is_a_miss/,/^Qed/ s/^  exact /  intros _; exact /
+  /^Theorem a_certified_miss_is_a_miss/,/^Proof/ s/^Proof\. /Proof. intros _. /
   s/^Hypothesis ray_ok : .*/& Hypothesis ray_still : Rayo_v ray = mk_Vector 0 0 0./
   /^Theorem the_segment_is_of_a_generator/,/^Proof/ s/^Proof\./& pose proof ray_still./
   s/^Theorem first_hit_of_an_element/Let proper f : Prop := or (Trazador.proper f) False.\n&/
