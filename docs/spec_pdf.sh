@@ -9,7 +9,7 @@ for text in "$sources"/spec/*.tex; do
   grep -qF "\\input{$(basename "$text" .tex)}" "$sources/docs/spec.tex" ||
     { echo "docs/spec.tex has no section of $(basename "$text")" >&2; exit 1; }
   # The label in the comment that ends a line becomes one that is seen; what a box declares goes into the index. A box is
-  # of the paragraph before it, so that no page ends between the two.
+  # of the paragraph before it, so that no page ends between the two; where a box does not fit, its paragraph starts a page.
   awk '
     function plain(name) { gsub(/\\/, "", name); return name }
     function declares(name,   shown) {
@@ -17,7 +17,8 @@ for text in "$sources"/spec/*.tex; do
       printf "\\zname{%s}{%s}", shown, plain(name)
     }
     NF == 0 { empty = 1; next }
-    empty { if (!/^\\begin\{(schema|axdef|zed)\}/) print ""; empty = 0 }
+    empty { if (!/^\\begin\{(schema|axdef|zed)\}/) { print ""; if (!heading) print "\\filbreak" } empty = 0 }
+    { heading = /^\\end\{zsection\}/ }
     /^\\begin\{schema\}/ { name = $0; sub(/^\\begin\{schema\}\{/, "", name); sub(/\}.*/, "", name); declares(name); printf "%%\n" }
     /^\\begin\{axdef\}/ { axdef = 1 } /^\\where/ { axdef = 0 } /^\\end\{/ { axdef = 0; zed = 0 } /^\\begin\{zed\}/ { zed = 1 }
     { line = $0; found = ""
