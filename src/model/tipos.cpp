@@ -15,11 +15,6 @@ namespace {
 using number::exact;
 using number::Rational;
 
-void require_reals(const char* type, const glm::dvec3& xyz) {
-  if (std::isfinite(xyz.x) && std::isfinite(xyz.y) && std::isfinite(xyz.z)) return;
-  throw std::domain_error(fmt::format("{} ({}, {}, {}): a component is no real number", type, xyz.x, xyz.y, xyz.z));
-}
-
 Rational squared_length(const Vector& d) {
   const Rational x = exact(d.x()), y = exact(d.y()), z = exact(d.z());
   return x * x + y * y + z * z;
@@ -27,15 +22,15 @@ Rational squared_length(const Vector& d) {
 
 }  // namespace
 
+void detail::refuse(const char* type, const glm::dvec3& xyz) {
+  throw std::domain_error(fmt::format("{} ({}, {}, {}): a component is no real number", type, xyz.x, xyz.y, xyz.z));
+}
+
 Rmas::Rmas(double value) : value_(value) {
   contract::require(Rmas_inv_1, contains(value), [&] { return fmt::format("r = {}", value); });
 }
 
 bool Rmas::contains(double value) noexcept { return value > 0 && std::isfinite(value); }
-
-Punto::Punto(double x, double y, double z) : xyz_(x, y, z) { require_reals("Punto", xyz_); }
-
-Vector::Vector(double x, double y, double z) : xyz_(x, y, z) { require_reals("Vector", xyz_); }
 
 Unitario::Unitario(const Vector& d) : d_(d) {
   contract::require(Unitario_inv_1, contains(d), [&] { return fmt::format("d = ({}, {}, {})", d.x(), d.y(), d.z()); });
@@ -78,10 +73,6 @@ bool Vertices::contains(const Terna& v) {
     if (difference(v.b, j) * difference(v.c, k) != difference(v.b, k) * difference(v.c, j)) return true;
   }
   return false;
-}
-
-Rayo::Rayo(const Punto& p, const Vector& v) : p_(p), v_(v) {
-  contract::require(Rayo_inv_1, !(v.x() == 0 && v.y() == 0 && v.z() == 0));
 }
 
 Elemento::Elemento(std::string name) : name_(std::move(name)) {

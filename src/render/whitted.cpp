@@ -7,6 +7,7 @@
 #include <iterator>
 #include <memory>
 #include <mutex>
+#include <optional>
 
 #include "durero/model/tipos.hpp"
 #include "durero/render/directions.hpp"
@@ -130,16 +131,16 @@ class Tracer {
     const bool enters = !(glm::dot(n, d) > 0);
     const double way = path.way + glm::distance(query.rayo.p().xyz(), hit.punto);
     const Worn& worn = followed_.looks.of(index);
-    std::optional<Look> varied;
+    const Look* look = &worn.plain;
     glm::dvec3 facing = n;
     if (!worn.is_bare()) {
       const Coordinates coordinates = render::coordinates(scene_, element, hit.punto);
-      if (worn.varies) varied = worn.look(coordinates, way);
+      if (worn.varies) look = &varied_.emplace(worn.look(coordinates, way));
       if (worn.relief) facing = worn.normal(tangents(scene_, element, coordinates), n, coordinates);
     }
     if (!enters) n = -n, facing = -facing;       // the side that the ray sees: cylinders and cones are open
     if (!(glm::dot(facing, d) < 0)) facing = n;  // a slope that is turned away is not seen
-    const Meeting at{path, query, hit, varied ? *varied : worn.plain, n, facing, d, way};
+    const Meeting at{path, query, hit, *look, n, facing, d, way};
     sum.color += path.weight * (at.look.emission + at.look.ambient);
     ask_lights(at);
     if (path.depth == limits_.max_depth || !at.look.sends_rays_on()) return;
@@ -234,6 +235,7 @@ class Tracer {
   std::vector<Paths> waiting_;  ///< of each ray, the next ones last
   std::size_t held_ = 0;        ///< how many those are
   std::vector<scene::Hit> hits_;
+  std::optional<Look> varied_;  ///< where the last meeting's material has textures
   Shadows shadows_;
 };
 

@@ -2,6 +2,7 @@
 /// A scene by its shapes: elements named e0, e1, … in the order of their addition.
 
 #include <glm/geometric.hpp>
+#include <stdexcept>
 #include <string>
 
 #include "durero/model/operation.hpp"
@@ -19,9 +20,13 @@ inline scene::ElementRef added(scene::Scene& scene, const model::Operation& oper
   return *scene.find(name);
 }
 
-/// Of every shape: shapes.cpp. A test that adds shapes need not read the operations.
+/// Throws std::invalid_argument, with the broken clause's label, where the addition is refused.
 template <class Shape>
-scene::ElementRef add(scene::Scene& scene, const model::Elemento& name, const Shape& shape);
+scene::ElementRef add(scene::Scene& scene, const model::Elemento& name, const Shape& shape) {
+  const model::Answer answer = scene.add(name, shape);
+  if (!answer.ok()) throw std::invalid_argument(std::string(answer.violated->label));
+  return *scene.find(name.name());
+}
 
 template <class Shape>
 scene::ElementRef add(scene::Scene& scene, const Shape& shape) {

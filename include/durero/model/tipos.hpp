@@ -3,6 +3,7 @@
 /// a wrong value cannot be built.
 
 #include <array>
+#include <cmath>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
@@ -41,11 +42,21 @@ class Rmas {
   double value_;
 };
 
+namespace detail {
+/// Throws std::domain_error, which names the type and the three numbers, one of which is no real.
+[[noreturn, gnu::cold]] void refuse(const char* type, const glm::dvec3& xyz);
+
+/// Written where it is used, as the constructors are that call it: rays are made by the million.
+inline void require_reals(const char* type, const glm::dvec3& xyz) {
+  if (!(std::isfinite(xyz.x) && std::isfinite(xyz.y) && std::isfinite(xyz.z))) refuse(type, xyz);
+}
+}  // namespace detail
+
 /// A position: three finite binary64 (Punto). Throws std::domain_error on ∞ and NaN, which are no reals.
 class Punto {
  public:
   /// @{ Of three numbers. Throws std::domain_error where one is not finite.
-  Punto(double x, double y, double z);
+  Punto(double x, double y, double z) : xyz_(x, y, z) { detail::require_reals("Punto", xyz_); }
   explicit Punto(const glm::dvec3& xyz) : Punto(xyz.x, xyz.y, xyz.z) {}
   /// @}
   /// @{ The numbers, as they were given.
@@ -65,7 +76,7 @@ class Punto {
 class Vector {
  public:
   /// @{ Of three numbers. Throws std::domain_error where one is not finite.
-  Vector(double x, double y, double z);
+  Vector(double x, double y, double z) : xyz_(x, y, z) { detail::require_reals("Vector", xyz_); }
   explicit Vector(const glm::dvec3& xyz) : Vector(xyz.x, xyz.y, xyz.z) {}
   /// @}
   /// @{ The numbers, as they were given.
@@ -101,7 +112,9 @@ class Unitario {
 class Rayo {
  public:
   /// Precondition: v ≠ 0; throws otherwise.
-  Rayo(const Punto& p, const Vector& v);
+  Rayo(const Punto& p, const Vector& v) : p_(p), v_(v) {
+    contract::require(Rayo_inv_1, !(v.x() == 0 && v.y() == 0 && v.z() == 0));
+  }
   /// The origin, which is no point of the ray.
   const Punto& p() const noexcept { return p_; }
   /// The direction, of any length.
