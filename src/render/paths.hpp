@@ -25,9 +25,11 @@ struct Paths {
   std::vector<Path> paths;
   std::vector<scene::Query> queries;  ///< in their order; none of the first ones, which are asked
 
-  void push(Path path, scene::Query query) {
+  /// Of a path, and its query or what that is made of.
+  template <class... Of>
+  void push(Path path, Of&&... query) {
     paths.push_back(std::move(path));
-    queries.push_back(std::move(query));
+    queries.emplace_back(std::forward<Of>(query)...);
   }
   void clear() {
     paths.clear();

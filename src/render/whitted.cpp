@@ -152,8 +152,8 @@ class Tracer {
     return stage.environment ? environment_at(*stage.environment, v) : stage.background.value_or(default_background);
   }
 
-  /// What this and send_on call is compiled into them: a ray whose numbers pass through memory on their way to where it
-  /// waits is stalled there (the mirrors of demo/ took 5 % longer).
+  /// What this and send call is compiled into them: a ray whose numbers pass through memory on their way to where it waits is
+  /// stalled there (the mirrors of demo/ took 5 % longer).
   [[gnu::flatten]] void ask_lights(const Meeting& at) {
     const scene::Stage& stage = scene_.stage();
     for (std::size_t i = 0; i < stage.lights.size(); ++i) {
@@ -172,7 +172,7 @@ class Tracer {
     }
   }
 
-  [[gnu::flatten]] void send_on(const Meeting& at, std::uint32_t material, bool enters) {
+  void send_on(const Meeting& at, std::uint32_t material, bool enters) {
     const Look& m = at.look;
     glm::dvec3 mirror = m.k_ps * m.M_PS;
     if (m.k_t > 0) {
@@ -202,9 +202,9 @@ class Tracer {
   /// The ray itself, behind a sheet that does not bend it. Told that it starts on the sheet too, it meets it no more
   /// (puntos_desde.def.1); and since no new start is rounded, it meets what lies behind as if there were no sheet.
   void go_on(const Meeting& at, const glm::dvec3& share, Media media) {
-    scene::Query on{at.query.rayo, {}};
-    std::ranges::set_union(at.query.en, at.hit.elementos, std::back_inserter(on.en));
-    send(at, share, std::move(on), std::move(media), at.path.way);
+    scene::ElementSet on;
+    std::ranges::set_union(at.query.en, at.hit.elementos, std::back_inserter(on));
+    send(at, share, at.query.rayo, on, std::move(media), at.path.way);
   }
 
   /// The refracted direction. Where a relief sends it back through the surface, as the surface alone has it; likewise
@@ -215,17 +215,18 @@ class Tracer {
   }
 
   /// In a direction, from the point of the meeting.
-  void send(const Meeting& at, const glm::dvec3& share, const glm::dvec3& v, Media media) {
-    send(at, share, {{model::Punto(at.hit.punto), model::Vector(v)}, at.hit.elementos}, std::move(media), at.way);
+  [[gnu::flatten]] void send(const Meeting& at, const glm::dvec3& share, const glm::dvec3& v, Media media) {
+    send(at, share, {model::Punto(at.hit.punto), model::Vector(v)}, at.hit.elementos, std::move(media), at.way);
   }
-  void send(const Meeting& at, const glm::dvec3& share, scene::Query query, Media media, double way) {
+  void send(const Meeting& at, const glm::dvec3& share, const model::Rayo& ray, const scene::ElementSet& en,
+            Media media, double way) {
     const glm::dvec3 weight = at.path.weight * share;
     if (weight == glm::dvec3(0)) return;
     if (std::max({weight.x, weight.y, weight.z}) < limits_.min_weight) {
       sums_[at.path.ray].left_out += weight * followed_.most[limits_.max_depth - at.path.depth];
       return;
     }
-    born_.push({at.path.ray, weight, at.path.depth + 1, std::move(media), way}, std::move(query));
+    born_.push({at.path.ray, weight, at.path.depth + 1, std::move(media), way}, ray, en);
   }
 
   const Followed& followed_;
