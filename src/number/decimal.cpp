@@ -34,10 +34,10 @@ std::string written(std::string digits, int exponent) {
   digits.erase(digits.find_last_not_of('0') + 1);
   const int count = static_cast<int>(digits.size());
   if (exponent >= 0 && exponent < 21) {
-    if (count <= exponent + 1) return digits + std::string(static_cast<std::size_t>(exponent + 1 - count), '0');
-    return digits.insert(static_cast<std::size_t>(exponent + 1), ".");
+    if (count <= exponent + 1) return digits + std::string(static_cast<std::size_t>(exponent) + 1 - digits.size(), '0');
+    return digits.insert(static_cast<std::size_t>(exponent) + 1, ".");
   }
-  if (exponent < 0 && exponent >= -6) return "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + digits;
+  if (exponent < 0 && exponent >= -6) return "0." + std::string(static_cast<std::size_t>(-exponent) - 1, '0') + digits;
   if (count > 1) digits.insert(1, ".");
   return digits + "e" + std::to_string(exponent);
 }

@@ -114,7 +114,7 @@ std::optional<Curve> Comprehension::curve(Context& context) const {
   frame.slots[slot] = t;
   const Value at_t = term(frame);
   if (!at_t.set()) return std::nullopt;
-  Value member = at_t.set()->unknown(context);
+  const Value member = at_t.set()->unknown(context);
   const Necessary must(context, t.id + 1);
   context.parameter = t.id;
   const Truth some = contains_value(at_t, member, context);
@@ -258,8 +258,8 @@ class AxiomaticFunction : public Set {
 /// Its clauses are those of a function that is 1 at its members, and 0 elsewhere.
 class AxiomaticSet : public Set {
  public:
-  AxiomaticSet(const std::string& name, std::function<Clauses(Context&)> compile)
-      : truth_of_(name, [compile = std::move(compile)](Context& context) {
+  AxiomaticSet(std::string name, std::function<Clauses(Context&)> compile)
+      : truth_of_(std::move(name), [compile = std::move(compile)](Context& context) {
           Clauses clauses = compile(context);
           clauses.all_said = false;  // of what no clause speaks nobody says that it is no member
           return clauses;
@@ -313,7 +313,7 @@ Value axiomatic_function(std::string name, std::function<Clauses(Context&)> comp
 }
 
 Value axiomatic_set(std::string name, std::function<Clauses(Context&)> compile) {
-  return SetPtr(std::make_shared<const AxiomaticSet>(name, std::move(compile)));
+  return SetPtr(std::make_shared<const AxiomaticSet>(std::move(name), std::move(compile)));
 }
 
 }  // namespace durero::zed

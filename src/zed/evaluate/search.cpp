@@ -112,6 +112,7 @@ Search::Search(std::vector<Variable> variables, Property goal, std::vector<unsig
   }
   order_ = ordered(variables_, equations);
   std::vector<unsigned> slots;
+  slots.reserve(variables_.size());
   for (const Variable& variable : variables_) slots.push_back(variable.slot);
   add_apart(goal_, slots, apart_);
   collect_spans(goal_, spans_);

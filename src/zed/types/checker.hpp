@@ -96,7 +96,7 @@ class Checker {
   /// Adds more fields to those of the table; a name in both must have one type.
   void merge(FieldTable& table, const Fields& more, Place place, const std::string& what);
   /// Returns both signatures as one.
-  Fields merged(Fields left, const Fields& right, Place place);
+  Fields merged(const Fields& left, const Fields& right, Place place);
   Type schema_set(Fields fields) { return limited(Type::power(Type::schema(std::move(fields)))); }
 
   /// Returns the type of the elements of a set expression.

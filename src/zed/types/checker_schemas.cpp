@@ -61,7 +61,7 @@ void Checker::merge(FieldTable& table, const Fields& more, Place place, const st
   }
 }
 
-Fields Checker::merged(Fields left, const Fields& right, Place place) {
+Fields Checker::merged(const Fields& left, const Fields& right, Place place) {
   FieldTable table;
   merge(table, left, place, "declared");
   merge(table, right, place, "declared");
@@ -127,7 +127,7 @@ Type Checker::decoration(const Type& schema, const std::string& strokes) {
 Type Checker::doubled(const Type& schema, Place place) {
   Fields fields = fields_of(schema.parts()[0]);
   const Type after = decoration(schema, "'");
-  return schema_set(merged(std::move(fields), fields_of(after.parts()[0]), place));
+  return schema_set(merged(fields, fields_of(after.parts()[0]), place));
 }
 
 Type Checker::renaming(const Node& node) {
@@ -183,7 +183,7 @@ Type Checker::joined(const Node& node, const char* what, const std::string& left
             "expected one type");
     right->erase(match);
   }
-  return schema_set(merged(std::move(kept), *right, node.place));
+  return schema_set(merged(kept, *right, node.place));
 }
 
 /// pre S hides the after-state and the outputs.

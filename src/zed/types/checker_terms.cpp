@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "durero/zed/print/print.hpp"
 #include "zed/syntax/symbols.hpp"
 #include "zed/types/checker.hpp"
@@ -201,8 +203,7 @@ Type Checker::selected_later(const Node& node, const Type& of) {
 void Checker::solve() {
   for (std::size_t before = selections_.size() + 1; selections_.size() < before;) {
     before = selections_.size();
-    std::vector<Selection> open = std::move(selections_);
-    selections_.clear();
+    const std::vector<Selection> open = std::exchange(selections_, {});
     spend(open.size());
     for (const Selection& selection : open) {
       if (selection.of.is(Type::Kind::variable)) {
