@@ -152,8 +152,8 @@ class Tracer {
     return stage.environment ? environment_at(*stage.environment, v) : stage.background.value_or(default_background);
   }
 
-  /// What this and send call is compiled into them: a ray whose numbers pass through memory on their way to where it waits is
-  /// stalled there (the mirrors of demo/ took 5 % longer).
+  /// What this and send call is compiled into them: a ray whose numbers pass through memory on their way to where it
+  /// waits is stalled there (the mirrors of demo/ took 5 % longer).
   [[gnu::flatten]] void ask_lights(const Meeting& at) {
     const scene::Stage& stage = scene_.stage();
     for (std::size_t i = 0; i < stage.lights.size(); ++i) {
