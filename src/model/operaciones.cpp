@@ -124,7 +124,7 @@ Respuesta perform(Escena& escena, const Op& in) {
 /// \hide (t?): the name of a specific addition says the type, so some t? will do, and its own does.
 template <class Op>
 Op hide_t(Op in) {
-  if constexpr (requires { in.t = Op::tipo; }) in.t = Op::tipo;
+  if constexpr (requires { in.t; }) in.t = Op::tipo;
   return in;
 }
 

@@ -37,6 +37,7 @@ std::vector<Operation> edits() {
 template <class T>
 std::vector<zed::Value> values(const std::vector<T>& from) {
   std::vector<zed::Value> found;
+  found.reserve(from.size());
   for (const T& each : from) found.push_back(value(each));
   return found;
 }

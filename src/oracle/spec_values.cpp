@@ -79,12 +79,14 @@ void in_name_order(Named& parts) {
 }
 std::vector<Name> names_of(const Named& parts) {
   std::vector<Name> names;
+  names.reserve(parts.size());
   for (const auto& [name, part] : parts) names.push_back(name);
   return names;
 }
 std::vector<Value> values_of(Named parts) {
   std::vector<Value> values;
-  for (auto& [name, part] : parts) values.push_back(std::move(part));
+  values.reserve(parts.size());
+  for (auto& part : parts) values.push_back(std::move(part.second));
   return values;
 }
 

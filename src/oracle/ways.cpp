@@ -140,6 +140,7 @@ std::optional<Name> Ways::next_to_try(Given& known) const {
   std::stable_partition(names.begin(), names.end(), [&](const Name& name) { return is_number(parts_.types.at(name)); });
   if (names.empty()) return std::nullopt;
   std::vector<std::size_t> counts;
+  counts.reserve(names.size());
   for (const Name& name : names) counts.push_back(names.size() == 1 ? 1 : possible(known, name));
   return names[static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) - counts.begin())];
 }
@@ -192,6 +193,7 @@ bool Ways::add(const Given& known) {
 
 void Ways::add_each(const Given& known, const std::vector<Name>& inputs) {
   std::vector<std::vector<Value>> samples;
+  samples.reserve(inputs.size());
   for (const Name& input : inputs) samples.push_back(parts_.samples(parts_.types.at(input)));
   if (!samples.empty()) found_.bounded = "--numbers";
   std::size_t choices = 0;
