@@ -84,8 +84,8 @@ std::string texture_text(const glm::dvec3& color, std::string_view pigment, std:
 std::vector<Worn> worn_by(const scene::Material& m, const std::string& normal) {
   using enum Coefficient;
   std::vector<Worn> parts;
-  const auto add = [&](const glm::dvec3& own, std::vector<Coefficient> factors, std::string finish,
-                       std::string turned = "", std::string pigment = "") {
+  const auto add = [&](const glm::dvec3& own, std::vector<Coefficient> factors, const std::string& finish,
+                       const std::string& turned = "", const std::string& pigment = "") {
     if (own == black) return;
     parts.push_back(
         {std::move(factors), [=](const glm::dvec3& n) { return texture_text(n * own, pigment, finish, turned); }});

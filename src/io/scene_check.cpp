@@ -20,6 +20,7 @@ constexpr std::string_view sends_on_too_much = "conserva.def.1";
 /// Of errors in the order of the file; none of a text that is no JSON.
 std::vector<std::string> pointers_of(const Source& file, const std::vector<InputError>& errors) {
   std::vector<std::size_t> offsets;
+  offsets.reserve(errors.size());
   for (const InputError& error : errors) offsets.push_back(error.offset());
   try {
     return json::pointers(json::Document(file), offsets);

@@ -42,7 +42,7 @@ class PictureReader {
     for (std::size_t i = 0; i < environment.pictures.size(); ++i) {
       PictureFile& file = environment.pictures[i];
       const auto at = [&](const json::Reader& scene) {
-        json::Reader in = scene.member("environment").value().member(kind).value();
+        const json::Reader in = scene.member("environment").value().member(kind).value();
         return environment.kind == scene::Surroundings::box ? item(in, i) : in.offset();
       };
       file.levels = std::make_shared<const std::vector<Picture>>(

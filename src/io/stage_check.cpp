@@ -34,7 +34,7 @@ model::Judgement judged(const glm::dvec3& color) {
 
 std::optional<Warning> warning(const scene::Material& material) {
   for (glm::length_t i = 0; i < 3; ++i) {
-    model::Material m = material_of(material, i);
+    const model::Material m = material_of(material, i);
     if (conserva(m)) continue;
     const double sent = number::round_to_binary64(m.k_ps * m.M_PS + m.k_t * m.M_T);
     if (sent <= 1 + as_stored) continue;

@@ -157,8 +157,10 @@ std::string_view name(Verdict verdict) noexcept {
 Oracle::Oracle(const scene::Scene& scene, double fineness) {
   elements_.reserve(scene.size());
   scene.for_each([&]<class Shape>(scene::ElementRef e, const Shape& shape) {
-    double patch = 0;
-    if constexpr (std::is_same_v<Shape, scene::Plane>) patch = patch_about(scene, shape.centro);
+    const double patch = [&] {
+      if constexpr (std::is_same_v<Shape, scene::Plane>) return patch_about(scene, shape.centro);
+      return 0.0;
+    }();
     const Parametrisation surface(scene::ShapeView(shape), patch);
     require_range(surface, scene.name(e));
     elements_.push_back({e, surface, cover(surface, fineness)});
