@@ -121,10 +121,14 @@ Respuesta perform(Escena& escena, const Op& in) {
   return in.answer;
 }
 
-/// \hide (t?): the name of a specific addition says the type, so some t? will do, and its own does.
+/// A specific addition: its name says the type.
+template <class Op>
+concept SaysItsType = requires(Op in) { in.t = Op::tipo; };
+
+/// \hide (t?): some t? will do, and that of the name does.
 template <class Op>
 Op hide_t(Op in) {
-  if constexpr (requires { in.t; }) in.t = Op::tipo;
+  if constexpr (SaysItsType<Op>) in.t = Op::tipo;
   return in;
 }
 

@@ -63,7 +63,6 @@ Machine::Parts::Parts(const zed::Specification& text, Setup how) : setup(std::mo
 
 void Machine::Parts::declare_carriers() {
   zed::Axiomatic box;
-  std::vector<std::pair<Name, zed::Given>> members;
   for (const zed::Section& section : specification.sections)
     for (const zed::Paragraph& paragraph : section.paragraphs) {
       const auto* sets = std::get_if<zed::GivenTypes>(&paragraph.form);
