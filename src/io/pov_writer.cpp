@@ -154,7 +154,9 @@ class PovWriter {
     return fmt::format("triangle {{ {}, {}, {} }}", text(t.vertices[0]), text(t.vertices[1]), text(t.vertices[2]));
   }
   std::string shape_text(const scene::Cylinder& c) {
-    if (!written_axis(c)) return "";
+    const auto axis = written_axis(c);
+    if (!axis) return "";
+    if (*axis != axis_of(c)) ++rounded_axes_;
     return fmt::format("cylinder {{ {}, {}, {} open }}", text(c.centro), text(end_of(c)), c.radio);
   }
   std::string shape_text(const scene::Cone& c) { return cone_text(c, 0, c.proporcion * c.altura); }
@@ -176,6 +178,7 @@ class PovWriter {
       ++endless_;
       return "";
     }
+    if (*axis != axis_of(c)) ++rounded_axes_;
     if (is_straight) ++straight_;
     if (proportion != c.proporcion) ++rounded_radii_;
     return fmt::format("cone {{ {}, {}, {}, {} open }}", text(c.centro), wide, text(end_of(c)), narrow);
@@ -194,10 +197,7 @@ class PovWriter {
   template <class Shape>
   std::optional<Axis> written_axis(const Shape& shape) {
     const auto written = axis_between(shape.centro, end_of(shape));
-    if (!written)
-      ++endless_;
-    else if (*written != axis_of(shape))
-      ++rounded_axes_;
+    if (!written) ++endless_;
     return written;
   }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <set>
 
 #include "durero/io/groups_file.hpp"
@@ -163,6 +164,7 @@ TEST_CASE("A camera that is told where to look has the same rays, and one that a
   CHECK(camera("angle 90 look_at <1, 0, 0>") ==
         scene::Camera{{1, 2, -7}, {1, 0, 0}, {0, 1, 0}, camera("angle 90").fov_y});
   CHECK(std::abs(camera("up <0, 4, 0> angle 90").fov_y - 90) < 1e-12);
+  CHECK(std::abs(std::tan(glm::radians(camera("up <0, 2, 0> angle 90").fov_y / 2)) - 0.5) < 1e-15);
   CHECK(camera("sky <0, 1, 1> look_at <1, 0, 0>").up == glm::dvec3(0, 1, 1));
 }
 
