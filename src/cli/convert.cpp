@@ -26,9 +26,6 @@ void name_losses(const std::string& path, const std::vector<std::string>& lost) 
   for (const std::string& line : lost) io::complain(fmt::format("durero: {}: {}\n", text::escaped(path), line));
 }
 
-/// Of the formats that are written JSON alone has groups.
-bool has_groups(const io::Format& format) { return format.ending == ".json"; }
-
 int import_scene(const ConvertOptions& options) {
   const io::Format& format = io::format_to_read(options.from);
   io::OutputFile out(options.to);
@@ -48,12 +45,7 @@ int export_scene(const ConvertOptions& options) {
   std::optional<Progress> progress(std::in_place, options.quiet, "export");
   auto [scene, groups] = io::read_grouped_scene(io::read_source(options.from));
   io::rename_pictures(scene.stage(), options.from, options.to);
-  io::Exported exported = format.write(scene);
-  if (has_groups(format)) {
-    exported.text = io::scene_text(scene, groups);
-  } else if (const std::size_t count = groups.table().size(); count > 0) {
-    exported.lost.push_back(fmt::format("{} group{} left out: it has none", count, count == 1 ? "" : "s"));
-  }
+  const io::Exported exported = format.write(scene, groups);
   out.write(exported.text);
   out.commit();
   progress.reset();

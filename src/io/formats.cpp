@@ -17,13 +17,13 @@ Imported read_json(const Source& source) {
   scene::GroupedScene read = read_grouped_scene(source);
   return {std::move(read.scene), {}, std::move(read.groups)};
 }
-Exported write_json(const scene::Scene& scene) { return {scene_text(scene), {}}; }
+Exported write_json(const scene::Scene& scene, const scene::Groups& groups) { return {scene_text(scene, groups), {}}; }
 
 constexpr Format all[] = {{".json", read_json, write_json},
                           {".nff", read_nff, nff_text},
                           {".obj", read_obj},
                           {".ply", read_ply},
-                          {".pov", nullptr, pov_text}};
+                          {".pov", read_pov, pov_text}};
 
 bool is_read(const Format& format) { return format.read != nullptr; }
 bool is_written(const Format& format) { return format.write != nullptr; }

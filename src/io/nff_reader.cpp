@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <set>
 #include <tuple>
 
@@ -15,8 +14,8 @@
 #include "durero/text/shown.hpp"
 #include "losses.hpp"
 #include "nff_words.hpp"
+#include "numbered_materials.hpp"
 #include "polygons.hpp"
-#include "scene_elements.hpp"
 #include "stage_fields.hpp"
 
 namespace durero::io {
@@ -29,14 +28,11 @@ class NffReader {
   Imported read() {
     while (!in_.done()) read_entity();
     finish_lights();
-    finish_materials();
+    materials_.finish();
     return {std::move(scene_), losses()};
   }
 
  private:
-  /// Colour · Kd, Ks, Shine, T and index.
-  using Fill = std::tuple<double, double, double, double, double, double, double>;
-
   struct Counts {
     std::size_t smooth = 0, inward = 0, near_planes = 0;
   };
@@ -146,14 +142,7 @@ class NffReader {
     look.k_t = read_ruled("T", share_of_all);
     const double index = look.k_t > 0 ? read_ruled("the index of refraction", refractive_index) : in_.number("f");
     if (look.k_t > 0) look.index = index;
-    const auto [known, is_new] =
-        fills_.try_emplace(Fill{look.color.x, look.color.y, look.color.z, look.k_s, look.e, look.k_t, look.index},
-                           static_cast<std::uint32_t>(fills_.size()));
-    if (is_new) {
-      look.name = fmt::format("f{}", fills_.size());
-      scene_.stage().materials.push_back(std::move(look));
-    }
-    fill_ = known->second;
+    fill_ = materials_.number(std::move(look));
   }
 
   double read_ruled(std::string_view what, const Rule<double>& rule) {
@@ -232,20 +221,6 @@ class NffReader {
     for (const std::size_t i : colorless_) lights[i].color = {share, share, share};
   }
 
-  // A stage's materials ascend by name; until here they are in the order of the fills.
-  void finish_materials() {
-    auto& materials = scene_.stage().materials;
-    const auto by_fill = materials;
-    std::ranges::sort(materials, {}, &scene::Material::name);
-    const auto place = [&](std::uint32_t fill) {
-      const auto found = std::ranges::lower_bound(materials, by_fill[fill].name, {}, &scene::Material::name);
-      return static_cast<std::uint32_t>(found - materials.begin());
-    };
-    for (const scene::ElementRef element : elements_by_name(scene_)) {
-      if (const auto fill = scene_.material(element)) scene_.set_material(element, place(*fill));
-    }
-  }
-
   std::vector<std::string> losses() const {
     std::vector<std::string> lost;
     polygons_.name_losses(lost);
@@ -259,9 +234,9 @@ class NffReader {
   scene::Scene scene_;
   Polygons polygons_{scene_, "p"};
   Counts counts_;
-  std::vector<std::size_t> colorless_;   // lights
-  std::map<Fill, std::uint32_t> fills_;  // to their order
-  std::optional<std::uint32_t> fill_;    // of what follows
+  std::vector<std::size_t> colorless_;  // lights
+  NumberedMaterials materials_{scene_};
+  std::optional<std::uint32_t> fill_;  // of what follows
   std::array<std::size_t, 4> numbered_{};
 };
 

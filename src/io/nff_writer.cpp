@@ -141,6 +141,10 @@ class NffWriter {
 
 }  // namespace
 
-Exported nff_text(const scene::Scene& scene) { return NffWriter(scene).write(); }
+Exported nff_text(const scene::Scene& scene, const scene::Groups& groups) {
+  Exported out = NffWriter(scene).write();
+  add_loss(out.lost, groups.table().size(), "group", "groups", "left out: NFF has none");
+  return out;
+}
 
 }  // namespace durero::io

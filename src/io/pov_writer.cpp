@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
 
 #include "axis.hpp"
 #include "durero/io/pov.hpp"
@@ -24,7 +25,8 @@ constexpr std::uint32_t most_depth = 15;
 
 class PovWriter {
  public:
-  explicit PovWriter(const scene::Scene& scene) : scene_(scene), patterns_(scene.stage().textures) {}
+  PovWriter(const scene::Scene& scene, const scene::Groups& groups)
+      : scene_(scene), groups_(groups), patterns_(scene.stage().textures) {}
 
   Exported write() {
     const scene::Stage& stage = scene_.stage();
@@ -41,7 +43,7 @@ class PovWriter {
       out_.text += fmt::format("background {{ rgb {} }}\n", text(*stage.background));
     write_lights();
     for (const scene::Material& material : stage.materials) looks_.push_back(pov_attributes(material));
-    for (const scene::ElementRef element : elements_by_name(scene_)) write_element(element);
+    write_elements();
     name_losses();
     return std::move(out_);
   }
@@ -81,14 +83,35 @@ class PovWriter {
     }
   }
 
-  void write_element(scene::ElementRef element) {
+  /// Those that are in no group, then groups: each is made once all that are in it are.
+  void write_elements() {
+    for (const scene::ElementRef element : elements_by_name(scene_))
+      if (groups_.of_element(scene_.name(element).name()).empty()) out_.text += object_text(element);
+    std::map<std::string_view, std::string> unions;
+    for (const std::string_view name : groups_.bottom_up()) unions.emplace(name, union_text(name, unions));
+    for (const auto& [name, text] : unions) out_.text += text;
+  }
+
+  /// Takes the groups that are in it from those that are made. Empty where nothing is in it.
+  std::string union_text(std::string_view name, std::map<std::string_view, std::string>& made) {
+    const scene::Group& group = groups_.table().find(name)->second;
+    std::string members;
+    for (const std::string& e : group.elementos) members += object_text(scene_.find(e).value());
+    for (const std::string& g : group.groups) members += std::move(made.extract(g).mapped());
+    if (members.empty()) ++empty_groups_;
+    return members.empty() ? "" : fmt::format("union {{\n{}}}  // {}\n", members, name);
+  }
+
+  /// A line, or two; empty where the element is left out.
+  std::string object_text(scene::ElementRef element) {
     const std::string shape = scene_.visit(element, [&](const auto& geometry) { return shape_text(geometry); });
-    if (shape.empty()) return;
+    if (shape.empty()) return "";
     const auto material = scene_.material(element);
     const bool is_glass = material && scene_.stage().materials[*material].k_t > 0;
-    out_.text += fmt::format("object {{ {} {}{} }}  // {}\n", shape, look(element, material),
-                             is_glass ? " no_shadow" : "", scene_.name(element).name());
-    if (is_glass) out_.text += fmt::format("object {{ {} no_image no_reflection }}  // its shadow\n", shape);
+    std::string text = fmt::format("object {{ {} {}{} }}  // {}\n", shape, look(element, material),
+                                   is_glass ? " no_shadow" : "", scene_.name(element).name());
+    if (is_glass) text += fmt::format("object {{ {} no_image no_reflection }}  // its shadow\n", shape);
+    return text;
   }
 
   std::string look(scene::ElementRef element, std::optional<std::uint32_t> material) const {
@@ -131,16 +154,14 @@ class PovWriter {
     return fmt::format("triangle {{ {}, {}, {} }}", text(t.vertices[0]), text(t.vertices[1]), text(t.vertices[2]));
   }
   std::string shape_text(const scene::Cylinder& c) {
-    return fmt::format("cylinder {{ {}, {}, {} open }}", text(c.centro), text(end_of(c.centro, axis_of(c))), c.radio);
+    const auto axis = written_axis(c);
+    if (!axis) return "";
+    if (*axis != axis_of(c)) ++rounded_axes_;
+    return fmt::format("cylinder {{ {}, {}, {} open }}", text(c.centro), text(end_of(c)), c.radio);
   }
   std::string shape_text(const scene::Cone& c) { return cone_text(c, 0, c.proporcion * c.altura); }
   std::string shape_text(const scene::TruncatedCone& c) {
     return cone_text(c, c.radio, c.radio + c.proporcion * c.altura);
-  }
-
-  template <class Shape>
-  static Axis axis_of(const Shape& shape) {
-    return {shape.vector, shape.altura};
   }
 
   template <class Shape>
@@ -149,8 +170,35 @@ class PovWriter {
       ++too_wide_;
       return "";
     }
-    return fmt::format("cone {{ {}, {}, {}, {} open }}", text(c.centro), wide, text(end_of(c.centro, axis_of(c))),
-                       narrow);
+    const auto axis = written_axis(c);
+    if (!axis) return "";
+    const double proportion = proportion_between(wide, narrow, axis->altura);
+    const bool is_straight = wide == narrow;
+    if (is_straight ? narrow == 0 : !(proportion > 0 && std::isfinite(proportion))) {
+      ++endless_;
+      return "";
+    }
+    if (*axis != axis_of(c)) ++rounded_axes_;
+    if (is_straight) ++straight_;
+    if (proportion != c.proporcion) ++rounded_radii_;
+    return fmt::format("cone {{ {}, {}, {}, {} open }}", text(c.centro), wide, text(end_of(c)), narrow);
+  }
+
+  template <class Shape>
+  static Axis axis_of(const Shape& shape) {
+    return {shape.vector, shape.altura};
+  }
+  template <class Shape>
+  static glm::dvec3 end_of(const Shape& shape) {
+    return io::end_of(shape.centro, axis_of(shape));
+  }
+
+  /// The axis that both ends give, once they are rounded; nothing where that is none.
+  template <class Shape>
+  std::optional<Axis> written_axis(const Shape& shape) {
+    const auto written = axis_between(shape.centro, end_of(shape));
+    if (!written) ++endless_;
+    return written;
   }
 
   void name_losses() {
@@ -168,17 +216,24 @@ class PovWriter {
                  [&](const scene::Material& m) { return m.bump && !patterns_.is_exact(*m.bump); })),
              "relief", "reliefs", "drawn by the differences of POV-Ray: only those of waves are slopes");
     add_loss(out_.lost, too_wide_, "element", "elements", "left out: the radius of its base is beyond binary64");
+    add_loss(out_.lost, endless_, "element", "elements", "left out: no ends in binary64 give it");
+    add_loss(out_.lost, empty_groups_, "group", "groups", "left out: nothing is in it");
+    add_loss(out_.lost, straight_, "truncated cone", "truncated cones",
+             "written as a cylinder: its radii round to one");
+    add_loss(out_.lost, rounded_axes_, "axis", "axes", "rounded: POV-Ray holds end points");
+    add_loss(out_.lost, rounded_radii_, "proportion", "proportions", "rounded: POV-Ray holds the radii of the ends");
   }
 
   const scene::Scene& scene_;
+  const scene::Groups& groups_;
   const PovPatterns patterns_;
   Exported out_;
   std::vector<std::string> looks_;  // of the materials
-  std::size_t too_wide_ = 0;
+  std::size_t empty_groups_ = 0, too_wide_ = 0, endless_ = 0, straight_ = 0, rounded_axes_ = 0, rounded_radii_ = 0;
 };
 
 }  // namespace
 
-Exported pov_text(const scene::Scene& scene) { return PovWriter(scene).write(); }
+Exported pov_text(const scene::Scene& scene, const scene::Groups& groups) { return PovWriter(scene, groups).write(); }
 
 }  // namespace durero::io

@@ -106,6 +106,30 @@ printf 'solid' >bad.ply
 refused 'bad.ply:1:1: "solid" stands here; expected ply: no PLY file begins otherwise' import bad.ply -o bad.json
 absent bad.json
 
+# POV-Ray: a union is a group, there and back, and a hierarchy beside the automatic one.
+cat >table.pov <<'TEXT'
+union {
+  cylinder { <0, 0, 0>, <0, 0.5, 0>, 2 }
+  union { sphere { <-1, 2, 0>, 0.25 } sphere { <1, 2, 0>, 0.25 } }
+  pigment { rgb <0.5, 0.25, 0> }
+}
+TEXT
+run 0 import table.pov -o table.json
+empty err
+has table.json '"c1":{"elementos":["c1","c1:base","c1:top"]}'
+has table.json '"u2":{"groups":["c1","u1"]}'
+run 0 stats table.json --engine bvh --no-times
+has out 'bvh                      '
+has out 'bvh by hand              '
+run 0 export table.json -o again.pov
+run 0 import again.pov -o again.json
+has again.json '"u1":{"elementos":["c1","d1","d2"]}'
+has again.json '"u3":{"groups":["u1","u2"]}'
+run 0 stats again.json --engine bvh --hierarchy hand --no-times
+printf 'sphere { 0, 1 }\ndifference { }\n' >bad.pov
+refused 'bad.pov:2:1: "difference" is not read; expected one of sphere, cylinder, ' import bad.pov -o bad.json
+absent bad.json
+
 printf 's 0 0 0 1\ns 0 0 0 0\n' >bad.nff
 refused 'bad.nff:2:9: radio_no_positivo; expected radio? ∈ Rmas (Agregar_Esfera.pre.2)' import bad.nff -o bad.json
 absent bad.json

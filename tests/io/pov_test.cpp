@@ -83,6 +83,28 @@ TEST_CASE("a base beyond binary64 is counted, and what POV-Ray has no place for"
   CHECK_FALSE(has(out, "object"));
 }
 
+TEST_CASE("what ends in binary64 do not give is left out; what they round is counted") {
+  const auto lost = [](const std::string& elemento) {
+    auto lines = exported(R"("elementos":[{"id":"e",)" + elemento + "}]").lost;
+    lines.erase(lines.begin());  // there is no camera
+    return lines;
+  };
+  using Lines = std::vector<std::string>;
+  const std::string left_out = "1 element left out: no ends in binary64 give it",
+                    rounded = "1 axis rounded: POV-Ray holds end points";
+  CHECK(lost(R"("tipo":"cilindro","centro":[0,0,1e300],"radio":1,"vector":[0,0,1],"altura":1)") == Lines{left_out});
+  CHECK(lost(R"("tipo":"cilindro","centro":[0,0,1.7e308],"radio":1,"vector":[0,0,1],"altura":1e308)") ==
+        Lines{left_out});
+  CHECK(lost(R"("tipo":"cono","centro":[0,0,0],"proporcion":5e-324,"vector":[0,0,1],"altura":0.25)") ==
+        Lines{left_out});
+  CHECK(lost(R"("tipo":"cono","centro":[0,0,9007199254740992],"proporcion":5e-324,"vector":[0,0,1],"altura":1.2)") ==
+        Lines{left_out});
+  CHECK(lost(R"("tipo":"tronco","centro":[0,0,0],"radio":1,"proporcion":1e-17,"vector":[0,0,1],"altura":1)") ==
+        Lines{"1 truncated cone written as a cylinder: its radii round to one",
+              "1 proportion rounded: POV-Ray holds the radii of the ends"});
+  CHECK(lost(R"("tipo":"cilindro","centro":[0,1000,0],"radio":1,"vector":[0,0.6,0.8],"altura":0.3)") == Lines{rounded});
+}
+
 TEST_CASE("a texture is a function of the place, and each term that it multiplies goes from black to itself") {
   const auto of = [&](const std::string& texture, const std::string& material) {
     return exported(R"("camera":{"eye":[0,0,-5],"look_at":[0,0,0],"up":[0,1,0],"fov_y":90},"textures":{"t":{)" +

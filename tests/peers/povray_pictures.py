@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""povray_pictures.py DURERO ROOT: POV-Ray draws what `durero export` writes for it as `durero render` draws the scene.
+"""povray_pictures.py DURERO ROOT: POV-Ray draws what `durero export` writes for it as `durero render` draws the scene, and
+a text of its own as `durero render` draws what `durero import` reads of it.
 
 Both draw one ray a pixel through its centre and go through the curve of sRGB. What may differ, and does:
 - a pixel whose ray comes near an edge, in sight, in a mirror or in glass, or whose shadow ray does: POV-Ray's rays have other
@@ -23,20 +24,25 @@ from png import png_pixels  # noqa: E402
 
 OFF, FEW = 2, 0.01
 WIDTH = 320
-SCENES = ["demo/mirrors.json", "demo/still-life.json", "demo/gallery/whitted.json", "demo/gallery/everything.json", "tests/peers/worn.json", "tests/peers/relief.json"]
+SCENES = ["demo/mirrors.json", "demo/still-life.json", "demo/gallery/whitted.json", "demo/gallery/everything.json", "tests/peers/worn.json", "tests/peers/relief.json", "tests/peers/unions.pov"]
 
 
 def drawn(durero, scene, folder):
+    text = folder / "scene.pov"
+    if scene.suffix == ".pov":
+        shutil.copy(scene, text)
+        scene = folder / "scene.json"
+        subprocess.run([durero, "import", text, "-o", scene], check=True, capture_output=True)
+    else:
+        subprocess.run([durero, "export", scene, "-o", text], check=True, capture_output=True)
     # The camera that is exported has the form of the scene's own picture.
     across, down = json.loads(scene.read_text())["resolution"]
     height = WIDTH * down // across
-    size = f"{WIDTH}x{height}"
-    subprocess.run([durero, "render", scene, "-o", folder / "here.png", "--size", size], check=True)
-    subprocess.run([durero, "export", scene, "-o", folder / "scene.pov"], check=True, capture_output=True)
+    subprocess.run([durero, "render", scene, "-o", folder / "here.png", "--size", f"{WIDTH}x{height}"], check=True)
     call = ["povray", "+Iscene.pov", "+Othere.ppm", "+FP8", f"+W{WIDTH}", f"+H{height}", "-A", "-D", "File_Gamma=sRGB"]
     said = subprocess.run(call, cwd=folder, capture_output=True, text=True)
     if said.returncode != 0:
-        sys.exit(f"{scene}: povray refuses what was exported:\n{said.stderr[-3000:]}")
+        sys.exit(f"{scene}: povray refuses the text:\n{said.stderr[-3000:]}")
     return png_pixels((folder / "here.png").read_bytes())[2], (folder / "there.ppm").read_bytes()[-3 * WIDTH * height :]
 
 

@@ -16,7 +16,7 @@ namespace durero::io {
 struct Imported {
   scene::Scene scene;             ///< what could be kept
   std::vector<std::string> lost;  ///< to be shown to the user; empty where all was kept
-  scene::Groups groups = {};      ///< of its elements; JSON and OBJ have some
+  scene::Groups groups = {};      ///< of its elements; JSON, OBJ and POV-Ray have some
 };
 
 /// A text in a format, and one line for each kind of thing of the scene that it does not keep.
@@ -30,8 +30,8 @@ struct Format {
   std::string_view ending;  ///< of the file's name: ".nff"
   /// Throws InputError. Null where the format is only written.
   Imported (*read)(const Source& source);
-  /// Null where the format is only read.
-  Exported (*write)(const scene::Scene&){};
+  /// Writes a scene and groups of its elements. Null where the format is only read.
+  Exported (*write)(const scene::Scene&, const scene::Groups&){};
 };
 
 /// The table, which lives as long as the program.

@@ -15,8 +15,8 @@ namespace durero::io {
 /// Throws InputError.
 Imported read_nff(const Source& source);
 
-/// Writes NFF; planes and discs are left out, and counted; a triangle is a polygon. Elements follow the fill of their
-/// material, those without one come before all fills.
-Exported nff_text(const scene::Scene& scene);
+/// Writes NFF; planes, discs and groups are left out, and counted; a triangle is a polygon. Elements follow the fill of
+/// their material, those without one come before all fills.
+Exported nff_text(const scene::Scene& scene, const scene::Groups& groups = {});
 
 }  // namespace durero::io

@@ -1,15 +1,24 @@
 #pragma once
-/// The scene description language of POV-Ray 3.7, written. What one side holds and the other cannot is counted and
-/// named, never dropped silently.
+/// The scene description language of POV-Ray 3.7: written, and read where it describes such scenes by literal numbers.
+/// What one side holds and the other cannot is counted and named, never dropped silently.
 
 #include "durero/io/formats.hpp"
 
 namespace durero::io {
 
+/// Reads sphere, cylinder, cone, disc, plane, triangle, smooth_triangle (without its normals) and object; what is not
+/// open has caps, discs that are a group with it. mesh and union are groups, of what stands in them. A pigment of one
+/// colour with a finish, an average of such and an ior are a material; another texture is left out. camera,
+/// light_source, background, global_settings and a first line with the size are the stage. Elements are named s1, c1,
+/// k1, t1, p1, d1, v1, … by type, materials f1, …, groups u1, … and m1, …, and of an object with caps as its first
+/// element. Throws InputError, at the word, where the text needs more of the language: another object, a
+/// transformation, an expression, a name or a directive.
+Imported read_pov(const Source& source);
+
 /// Writes a scene that POV-Ray draws by the same model of light, in linear light: camera, background, lights, materials
 /// and elements. What a texture of POV-Ray has one of (a colour, a finish) and a material several is an average of
-/// textures. Glass casts the full shadow of a stone: it has no shadow itself, and an opaque twin that nothing but a
-/// shadow shows.
-Exported pov_text(const scene::Scene& scene);
+/// textures; a group is a union. Glass casts the full shadow of a stone: it has no shadow itself, and an opaque twin
+/// that nothing but a shadow shows.
+Exported pov_text(const scene::Scene& scene, const scene::Groups& groups = {});
 
 }  // namespace durero::io

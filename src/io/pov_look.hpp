@@ -1,0 +1,55 @@
+#pragma once
+/// The looks of POV-Ray's objects as materials: pigments of one colour with a finish, averages of such, and an index of
+/// refraction. It is pov_texture.hpp, backwards.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "durero/scene/stage.hpp"
+#include "pov_words.hpp"
+
+namespace durero::io {
+
+/// A pigment of one colour, and what a finish makes of it. What a text leaves out is as here, POV-Ray's defaults.
+struct PovLayer {
+  PovColor pigment{};
+  glm::dvec3 ambient{0.1}, emission{0}, reflection{0};
+  double diffuse = 0.6, brilliance = 1, phong = 0, phong_size = 40;
+};
+
+/// What the attributes of an object say of its look, one after another.
+struct PovLook {
+  std::optional<std::size_t> at{};  ///< where the first of its texture stands; nothing where it has none
+  std::vector<PovLayer> layers{};   ///< that are averaged
+  bool is_other = false;            ///< of what is not read
+  double index = 1;
+};
+
+/// Reads looks, and counts what of them is lost.
+class PovLooks {
+ public:
+  explicit PovLooks(PovWords& in) : in_(in) {}
+
+  /// Reads the attribute that stands here into a look. False where none does.
+  bool read(PovLook& look);
+  /// The material of a whole look; nothing where it has no texture, or one that is not read. Throws InputError where a
+  /// number is none that a material can have.
+  std::optional<scene::Material> material(const PovLook& look);
+  void name_losses(std::vector<std::string>& lost) const;
+
+ private:
+  void read_texture(PovLook& look);
+  void read_average(PovLook& look);
+  bool read_layer(PovLayer& layer, bool& is_other);
+  void read_pigment(PovLayer& layer, bool& is_other);
+  void read_finish(PovLayer& layer);
+  void read_reflection(PovLayer& layer);
+  void read_interior(PovLook& look);
+  void leave_out_value();
+
+  PovWords& in_;
+  std::size_t textures_ = 0, reliefs_ = 0, values_ = 0;
+};
+
+}  // namespace durero::io
