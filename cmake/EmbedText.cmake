@@ -8,10 +8,10 @@ foreach(file IN LISTS FILES)
   string(REGEX REPLACE "\\\\" "\\\\\\\\" text "${text}")
   string(REPLACE "\"" "\\\"" text "${text}")
   string(REPLACE "\n" "\\n\"\n     \"" text "${text}")
-  string(APPEND entries "    {\"${name}\",\n     \"${text}\"},\n")
+  string(APPEND entries "    all.emplace(\"${name}\",\n     \"${text}\");\n")
 endforeach()
 file(WRITE "${OUT}" "#include <map>\n#include <string>\n\nnamespace durero::embedded {\n
 const std::map<std::string, std::string>& ${FUNCTION}();
 const std::map<std::string, std::string>& ${FUNCTION}() {
-  static const std::map<std::string, std::string> files = {\n${entries}  };
+  static const auto files = [] {\n    std::map<std::string, std::string> all;\n${entries}    return all;\n  }();
   return files;\n}\n\n}  // namespace durero::embedded\n")

@@ -75,16 +75,17 @@ bool Determiner::refers(const Term& term, const std::set<Name>& open) const {
          std::any_of(predicates.begin(), predicates.end(), [&](const auto& part) { return below(part.term); });
 }
 
-/// Where the pattern has one known value, its components have: those of tuples and bindings, and an operand of a sum or
-/// difference whose other operand is known.
-void Determiner::by_value(std::set<Name>& open, const Term& pattern) {
-  if (pattern->kind == Kind::reference) open.erase(pattern->name);
-  for (const auto& [name, part] : parts(pattern)) by_value(open, part);
-  if (const Term* negated = match::argument_of(pattern, "-_")) by_value(open, *negated);
+/// Where the pattern is a value that is known, its components have one: those of tuples and bindings, and an operand of
+/// a sum or difference whose other operand is known.
+void Determiner::by_value(std::set<Name>& open, const Term& pattern, const Term& value) {
+  if (pattern->kind == Kind::reference && open.contains(pattern->name) && !refers(value, open))
+    open.erase(pattern->name);
+  for (const auto& [name, part] : parts(pattern)) by_value(open, part, value);
+  if (const Term* negated = match::argument_of(pattern, "-_")) by_value(open, *negated, value);
   for (const std::string_view sum : {"_+_", "_-_"})
     if (const Node* both = match::operands(pattern, sum))
       for (const std::size_t side : {0U, 1U})
-        if (!refers(both->children[1 - side], open)) by_value(open, both->children[side]);
+        if (!refers(both->children[1 - side], open)) by_value(open, both->children[side], value);
 }
 
 /// x' = e determines x', either way round; equal tuples and bindings have equal parts.
@@ -95,8 +96,8 @@ void Determiner::by_equation(std::set<Name>& open, const Term& left, const Term&
     for (const auto& [name, part] : a) by_equation(open, part, b.at(name));
     return;
   }
-  if (!refers(right, open)) by_value(open, left);
-  if (!refers(left, open)) by_value(open, right);
+  by_value(open, left, right);
+  by_value(open, right, left);
 }
 
 /// A disjunction determines what each of its sides does, as one of them holds.
@@ -164,9 +165,10 @@ void Determiner::by_fact(std::set<Name>& open, const Term& fact) {
 }
 
 void Determiner::determine(std::set<Name>& open, const std::vector<Term>& conjunctions) {
+  if (open.empty()) return;
   std::vector<Term> facts;
   for (const Term& term : conjunctions) conjuncts(term, facts);
-  for (std::size_t before = open.size() + 1; open.size() < before;) {
+  for (std::size_t before = open.size() + 1; !open.empty() && open.size() < before;) {
     before = open.size();
     budget_.spend(10 * facts.size());
     for (const Term& part : facts) by_fact(open, part);

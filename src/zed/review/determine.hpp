@@ -18,7 +18,7 @@ class Determiner {
  private:
   void by_fact(std::set<Name>& open, const Term& fact);
   void by_equation(std::set<Name>& open, const Term& left, const Term& right);
-  void by_value(std::set<Name>& open, const Term& pattern);
+  void by_value(std::set<Name>& open, const Term& pattern, const Term& value);
   void by_sides(std::set<Name>& open, const std::vector<Term>& sides);
   void by_cases(std::set<Name>& open, const std::vector<Term>& facts);
   void by_body(std::set<Name>& open, const Node& node);

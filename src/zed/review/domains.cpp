@@ -117,7 +117,7 @@ class Walker {
     }
   }
 
-  std::size_t number_of(const Name& name) { return numbers_.emplace(name, numbers_.size()).first->second; }
+  std::size_t number_of(const Name& name) { return numbers_.try_emplace(name, numbers_.size()).first->second; }
 
   /// The numbers of the names that the fact mentions. Most facts are asked for again and again.
   const std::vector<std::size_t>& names_of(const Term& fact) {

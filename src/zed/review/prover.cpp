@@ -9,8 +9,6 @@ namespace {
 
 constexpr std::size_t max_sets = 64;  // no more sets tied to a domain are looked at
 
-Term equation(const Term& a, const Term& b) { return relation({{"_=_", {}}}, {a, b}); }
-
 using match::is_relation;
 using match::mentions;
 using match::operands;
@@ -28,16 +26,24 @@ const Term* first_of_pair(const Term& pair) {
 class Prover {
  public:
   Prover(const Expander& expander, const Facts& facts, Budget& budget)
-      : expander_(expander), facts_(facts), budget_(budget) {}
+      : expander_(expander), facts_(facts), budget_(budget) {
+    for (const Term& fact : facts.facts) {
+      if (fact->kind == Kind::negation) negations_.push_back(&fact->children[0]);
+      if (fact->kind != Kind::relation || fact->children.size() != 2) continue;
+      const std::string& word = fact->names[0].word;
+      if (word == "_∈_") memberships_.push_back(fact.get());
+      if (word == "_=_") equations_.push_back(fact.get());
+      if (word == "_⊆_") inclusions_.push_back(fact.get());
+      if (word == "_≠_") inequations_.push_back(fact.get());
+    }
+  }
 
   /// Says whether x ∈ S, or y ∈ S for a y that is x.
   bool holds_for(const Term& x, const Term& set) {
     if (member(x, set)) return true;
-    for (const Term& fact : facts_.facts) {
-      if (!is_relation(fact, "_=_")) continue;
+    for (const Node* fact : equations_)
       for (const std::size_t side : {0u, 1u})
         if (fact->children[side] == x && member(fact->children[1 - side], set)) return true;
-    }
     return false;
   }
 
@@ -47,18 +53,22 @@ class Prover {
     for (std::size_t i = 0; i < sets.size() && i < max_sets; ++i) {
       budget_.spend(4 * facts_.facts.size());
       if (at_once(x, sets[i])) return true;
-      for (const Term& fact : facts_.facts) {
-        for (const std::size_t side : {0u, 1u}) {
-          const bool tied = is_relation(fact, "_=_") || (side == 1 && is_relation(fact, "_⊆_"));
-          if (tied && fact->children[side] == sets[i]) insert(sets, fact->children[1 - side]);
-          const Term* function = of_domain(sets[i]);
-          if (function && is_relation(fact, "_=_") && fact->children[side] == *function &&
-              !about(fact->children[1 - side], *function))
-            insert(sets, domain_of(fact->children[1 - side]));
-        }
-      }
+      tied_to(Term(sets[i]), sets);
     }
     return false;
+  }
+
+  /// Puts in the sets of which one fact says that all their members are in this one.
+  void tied_to(const Term& set, std::vector<Term>& sets) const {
+    const Term* function = of_domain(set);
+    for (const Node* fact : equations_)
+      for (const std::size_t side : {0u, 1u}) {
+        const Term &here = fact->children[side], &other = fact->children[1 - side];
+        if (here == set) insert(sets, other);
+        if (function && here == *function && !about(other, *function)) insert(sets, domain_of(other));
+      }
+    for (const Node* fact : inclusions_)
+      if (fact->children[1] == set) insert(sets, fact->children[0]);
   }
 
   /// Says whether the term speaks of f, as (e, f e) ∈ f does: the domain of f cannot be known by it.
@@ -68,13 +78,14 @@ class Prover {
     if (std::find(sets.begin(), sets.end(), set) == sets.end()) sets.push_back(set);
   }
 
-  bool holds(const Term& fact) const {
-    return std::find(facts_.facts.begin(), facts_.facts.end(), fact) != facts_.facts.end();
+  static bool is_between(const Node& fact, const Term& a, const Term& b) {
+    return fact.children[0] == a && fact.children[1] == b;
   }
 
   bool at_once(const Term& x, const Term& set) {
-    if (holds(relation({{"_∈_", {}}}, {x, set}))) return true;
-    if (holds(node(Kind::negation, {relation({{"_∉_", {}}}, {x, set})}))) return true;
+    if (std::ranges::any_of(memberships_, [&](const Node* fact) { return is_between(*fact, x, set); })) return true;
+    for (const Term* denied : negations_)
+      if (is_relation(*denied, "_∉_") && is_between(**denied, x, set)) return true;
     if (set->kind == Kind::set_extension)
       return std::find(set->children.begin(), set->children.end(), x) != set->children.end();
     if (depth_ > 8) return false;  // unions may stand in unions
@@ -98,9 +109,8 @@ class Prover {
     for (const std::string_view joined : {"_∪_", "_⊕_"})
       if (const Node* both = operands(f, joined))
         return member(x, domain_of(both->children[0])) || member(x, domain_of(both->children[1]));
-    return std::any_of(facts_.facts.begin(), facts_.facts.end(), [&](const Term& fact) {
-      return is_relation(fact, "_∈_") && fact->children[1] == f && begins(fact->children[0]) &&
-             !about(fact->children[0], f);
+    return std::ranges::any_of(memberships_, [&](const Node* fact) {
+      return fact->children[1] == f && begins(fact->children[0]) && !about(fact->children[0], f);
     });
   }
 
@@ -118,14 +128,13 @@ class Prover {
     };
     const auto equals_smaller = [&](const Term& set) {
       budget_.spend(facts_.facts.size());
-      return is_smaller(set) || std::any_of(facts_.facts.begin(), facts_.facts.end(), [&](const Term& fact) {
-               return is_relation(fact, "_=_") && ((fact->children[0] == set && is_smaller(fact->children[1])) ||
-                                                   (fact->children[1] == set && is_smaller(fact->children[0])));
+      return is_smaller(set) || std::ranges::any_of(equations_, [&](const Node* fact) {
+               return (fact->children[0] == set && is_smaller(fact->children[1])) ||
+                      (fact->children[1] == set && is_smaller(fact->children[0]));
              });
     };
-    return std::any_of(facts_.facts.begin(), facts_.facts.end(), [&](const Term& fact) {
-      return is_relation(fact, "_∈_") && fact->children[0] == x && equals_smaller(fact->children[1]);
-    });
+    return std::ranges::any_of(
+        memberships_, [&](const Node* fact) { return fact->children[0] == x && equals_smaller(fact->children[1]); });
   }
 
   /// x ∈ g ∼ ⦇ {a, b} ⦈ holds where x ∈ dom g and g x is a or b.
@@ -148,15 +157,24 @@ class Prover {
     return std::all_of(others.begin(), others.end(), [&](const Name& name) { return differs(value, reference(name)); });
   }
 
-  bool equals(const Term& a, const Term& b) const { return holds(equation(a, b)) || holds(equation(b, a)); }
+  /// Says whether the fact has a and b on its sides, either way round.
+  static bool relates(const Node& fact, const Term& a, const Term& b) {
+    return is_between(fact, a, b) || is_between(fact, b, a);
+  }
+  bool equals(const Term& a, const Term& b) const {
+    return std::ranges::any_of(equations_, [&](const Node* fact) { return relates(*fact, a, b); });
+  }
   bool differs(const Term& a, const Term& b) const {
-    return holds(node(Kind::negation, {equation(a, b)})) || holds(node(Kind::negation, {equation(b, a)})) ||
-           holds(relation({{"_≠_", {}}}, {a, b})) || holds(relation({{"_≠_", {}}}, {b, a}));
+    return std::ranges::any_of(inequations_, [&](const Node* fact) { return relates(*fact, a, b); }) ||
+           std::ranges::any_of(
+               negations_, [&](const Term* denied) { return match::is_equation(*denied) && relates(**denied, a, b); });
   }
 
   const Expander& expander_;
   const Facts& facts_;
   Budget& budget_;
+  std::vector<const Node*> memberships_, equations_, inclusions_, inequations_;  // facts x ∈ S, a = b, S ⊆ T, a ≠ b
+  std::vector<const Term*> negations_;                                           // P of facts ¬ P
   unsigned depth_ = 0;
 };
 

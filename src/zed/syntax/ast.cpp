@@ -93,7 +93,11 @@ Term number(std::string digits, Place place) {
 }
 
 Term apply(Term function, Term argument, Place place) {
-  return node(Kind::application, {std::move(function), std::move(argument)}, place);
+  std::vector<Term> parts;
+  parts.reserve(2);
+  parts.push_back(std::move(function));
+  parts.push_back(std::move(argument));
+  return node(Kind::application, std::move(parts), place);
 }
 
 Term operation(std::string f, std::vector<Term> arguments, Place place) {

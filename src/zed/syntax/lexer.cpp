@@ -19,21 +19,19 @@ bool ends(const Token& token) {
   if (token.own) return token.own->last() && !token.own->of->has_right();
   if (token.type == Type::numeral || token.type == Type::stroke) return true;
   if (token.type == Type::newline || token.type == Type::end) return false;
-  if (find_operator(token.text, Fixity::postfix) || token.text == "⦈" || token.text == "↙") return true;
+  if (token.symbol->postfix || token.text == "⦈" || token.text == "↙") return true;
   if (token.type == Type::symbol) return among(token.text, closing);
   if (!token.strokes.empty() || token.text == "true" || token.text == "false") return true;
-  return may_be_name(token.text);
+  return token.symbol->may_be_name();
 }
 
 namespace {
 
 /// Says whether a sign stands before all of its operands.
-bool leads(std::string_view sign) {
-  const auto is_sign = [sign](const auto& row) { return row.symbol == sign; };
-  return sign == "θ" || sign == "if" || sign == "⊢?" ||
-         std::any_of(std::begin(quantifiers), std::end(quantifiers), is_sign) ||
-         std::any_of(std::begin(connectives), std::end(connectives),
-                     [&](const Connective& row) { return row.prefix && is_sign(row); });
+bool leads(const Token& sign) {
+  const Symbol& known = *sign.symbol;
+  return known.quantifier || (known.connective && known.connective->prefix) || sign.text == "θ" || sign.text == "if" ||
+         sign.text == "⊢?";
 }
 
 }  // namespace
@@ -42,9 +40,8 @@ bool begins(const Token& token) {
   if (token.type == Type::numeral) return true;
   if (token.type != Type::word && token.type != Type::symbol) return false;
   if (token.own) return token.own->first() && !token.own->of->has_left();
-  if (find_operator(token.text, Fixity::infix) && token.strokes.empty()) return false;
-  if (among(token.text, opening) || leads(token.text)) return true;
-  if (find_operator(token.text, Fixity::prefix)) return true;
+  if (token.symbol->infix) return false;
+  if (among(token.text, opening) || leads(token) || token.symbol->prefix) return true;
   return token.type == Type::word && token.text != "then" && token.text != "else";
 }
 

@@ -53,14 +53,15 @@ class Lexer {
 
   bool done() const { return at_ >= text_.size(); }
   char here(std::size_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
-  bool sees(std::string_view what) const { return text_.substr(at_, what.size()) == what; }
+  bool sees(std::string_view what) const { return here() == what.front() && text_.substr(at_, what.size()) == what; }
 
   /// Takes one character, and returns it.
   std::string_view take() {
-    const std::string_view character = text::first(text_.substr(at_));
+    if (here() == '\n') place_ = {place_.line + 1, 0};
+    const bool is_ascii = static_cast<unsigned char>(here()) < 0x80;
+    const std::string_view character = is_ascii ? text_.substr(at_, 1) : text::first(text_.substr(at_));
     at_ += character.size();
     ++place_.column;
-    if (character == "\n") place_ = {place_.line + 1, 1};
     return character;
   }
   std::string_view take(std::size_t bytes) {
@@ -70,19 +71,38 @@ class Lexer {
   }
 
   void spaces() {
-    while (!done() && is_space(here())) take();
+    while (is_space(here())) take();
+  }
+
+  /// Takes the letters and digits here.
+  std::string_view letters() {
+    const std::size_t start = at_;
+    while (is_letter(here()) || is_digit(here())) take();
+    return text_.substr(start, at_ - start);
   }
 
   void emit(Type type, std::string text, Place place, std::string strokes = {}) {
     if (strokes.size() > max_strokes) refuse(place, "a name with too many strokes", "expected a few");
-    Token token{type, std::move(text), std::move(strokes), place, {}, nullptr, false};
-    if (token.strokes.empty() && (type == Type::word || type == Type::symbol)) token.own = own(token.text);
-    if (newline_ && !tokens_.empty() && ends(tokens_.back()) && begins(token))
-      tokens_.push_back({Type::newline, "\n", {}, *newline_, {}, nullptr, false});
-    newline_.reset();
+    Token& token = tokens_.emplace_back();
+    token.type = type;
+    token.text = std::move(text);
+    token.strokes = std::move(strokes);
+    token.place = place;
     token.from = static_cast<std::uint32_t>(start_);
-    tokens_.push_back(std::move(token));
+    if (token.strokes.empty() && (type == Type::word || type == Type::symbol)) {
+      token.own = own(token.text);
+      token.symbol = &symbol_of(token.text);
+    }
     ends_here();
+    if (newline_) separate();
+  }
+
+  /// Puts the line break that was seen before the last token, where it separates that from the one before.
+  void separate() {
+    const auto last = tokens_.end() - 1;
+    if (last != tokens_.begin() && ends(last[-1]) && begins(*last))
+      tokens_.insert(last, {Type::newline, "\n", {}, *newline_, {}, nullptr, false});
+    newline_.reset();
   }
 
   /// The last token goes to here, but for blanks, which TeX takes behind a command.
@@ -95,7 +115,8 @@ class Lexer {
 
   /// Emits a word or symbol by its Unicode text.
   void emit(std::string_view text, Place place) {
-    const bool word = is_symbol_name(text) || is_reserved(text) || is_letter(text[0]) || is_letter_symbol(text);
+    const Symbol& known = symbol_of(text);
+    const bool word = known.named || known.reserved || is_letter(text[0]) || is_letter_symbol(text);
     emit(word ? Type::word : Type::symbol, std::string(text), place);
   }
 
@@ -118,8 +139,9 @@ class Lexer {
 
   /// Returns `::=`, `==`, `,,` or one ASCII character, whichever is here; nothing where it means nothing in Z.
   std::string_view ascii_symbol() const {
-    for (const std::string_view longer : {"::=", "==", ",,"})
-      if (sees(longer)) return longer;
+    static constexpr std::array<std::string_view, 3> longer = {"::=", "==", ",,"};
+    for (const std::string_view symbol : longer)
+      if (sees(symbol)) return symbol;
     static constexpr std::string_view singles = ":;,.()[]|=<>+-*/&";
     return singles.find(here()) != singles.npos && here() != '\0' ? text_.substr(at_, 1) : std::string_view();
   }
@@ -141,7 +163,7 @@ class Lexer {
   /// Calls `token`, which takes what the next token is made of, to the end of the text, and gives the tokens.
   template <class TakeToken>
   std::vector<Token> tokens(TakeToken&& token) {
-    tokens_.reserve(text_.size() / 4 + 1);  // as many as spec/ has, so that none is moved
+    tokens_.reserve(text_.size() / 4 + 8);  // as many as spec/ has, so that none is moved
     try {
       while (!done()) {
         start_ = at_;

@@ -150,8 +150,9 @@ class Latex : Lexer {
 
   /// Takes the letters of a word; `begun` has those that are taken already.
   void word(std::string begun, Place place) {
-    while (over_blanks([&] { return more_of_word(begun); })) {
-    }
+    do {
+      begun += letters();
+    } while (over_blanks([&] { return more_of_word(begun); }));
     std::string behind = strokes(begun);
     emit(Type::word, std::move(begun), place, std::move(behind));
   }
@@ -165,8 +166,10 @@ class Latex : Lexer {
       begun += '_';
     } else if (!begun.empty() && (here() == '^' || here() == '_') && sees_raised()) {
       begun += raised();
-    } else if (const auto letter = letter_command()) {
-      begun += *letter;
+    } else if (here() == '\\') {
+      const auto letter = letter_command(command_here());
+      if (letter) begun += *letter;
+      return letter.has_value();
     } else {
       return false;
     }
@@ -182,21 +185,24 @@ class Latex : Lexer {
     return name == "vdash" && here(length) == '?' ? text_.substr(at_ + 1, length) : name;
   }
 
-  /// Takes a command for a letter that joins with others, and the spaces that TeX drops behind it.
-  std::optional<std::string> letter_command() {
+  /// A command has a meaning by a directive of the text, or else by ISO Z; or it has none.
+  struct Command {
+    std::string_view name;
+    std::optional<std::string_view> meaning;
+    bool own = false;
+  };
+  Command command_here() const {
     const std::string_view name = command_name();
-    std::string letter;
-    if (const auto own = markup_.find(name); own != markup_.end()) {
-      if (!is_one_letter(own->second)) return {};
-      letter = own->second;
-    } else if (const auto known = unicode_of_command(name); known && is_letter_symbol(*known)) {
-      letter = *known;
-    } else {
-      return {};
-    }
-    take(1 + name.size());
+    if (const auto own = markup_.find(name); own != markup_.end()) return {name, own->second, true};
+    return {name, unicode_of_command(name)};
+  }
+
+  /// Takes a command for a letter that joins with others, and the spaces that TeX drops behind it.
+  std::optional<std::string_view> letter_command(const Command& here) {
+    if (!here.meaning || !(here.own ? is_one_letter(*here.meaning) : is_letter_symbol(*here.meaning))) return {};
+    take(1 + here.name.size());
     spaces();
-    return letter;
+    return here.meaning;
   }
 
   /// Says whether the text of a command is one character that joins with letters, and no operator's word.
@@ -206,8 +212,9 @@ class Latex : Lexer {
 
   void command() {
     const Place place = place_;
-    if (auto letter = letter_command()) return word(std::move(*letter), place);
-    const std::string_view name = command_name();
+    const Command command = command_here();
+    if (const auto letter = letter_command(command)) return word(std::string(*letter), place);
+    const std::string_view name = command.name;
     take(1 + name.size());
     static constexpr std::array<std::string_view, 7> blanks = {",", ";", ":", "!", " ", "quad", "qquad"};
     static constexpr std::array<std::string_view, 4> breaks = {"\\", "also", "znewpage", "zbreak"};
@@ -221,25 +228,24 @@ class Latex : Lexer {
     } else if (name == "&") {
       emit("&", place);
     } else {
-      known(name, place);
+      known(command, place);
     }
   }
 
-  void known(std::string_view name, Place place) {
-    const auto own = markup_.find(name);
-    const auto unicode = own != markup_.end() ? std::optional<std::string_view>(own->second) : unicode_of_command(name);
-    if (!unicode)
-      refuse(place, "unknown command \\" + std::string(name), "expected a command of ISO Z or of a %%Z directive");
-    if (name == "negate" && continues()) {
+  void known(const Command& command, Place place) {
+    if (!command.meaning)
+      refuse(place, "unknown command \\" + std::string(command.name),
+             "expected a command of ISO Z or of a %%Z directive");
+    if (command.name == "negate" && continues()) {
       if (!newline_) refuse(place, "\\negate takes no left operand", "expected - for the difference");
       tokens_.push_back({Type::newline, "\n", {}, *newline_, {}, nullptr, false});
     }
-    std::string text(*unicode);
+    std::string text(*command.meaning);
     if (here() == '_' || (is_stroke(here()) && bears_strokes(text))) {
       std::string after = strokes(text);
       if (!after.empty()) return emit(Type::word, std::move(text), place, std::move(after));
     }
-    if (own != markup_.end()) return emit(Type::word, std::move(text), place);
+    if (command.own) return emit(Type::word, std::move(text), place);
     emit(text, place);
   }
 

@@ -1,6 +1,7 @@
 /// Parses what binds tightest: applications, and the terms between brackets.
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "zed/syntax/term_parser.hpp"
@@ -12,9 +13,8 @@ bool TermParser::begins_primary(std::size_t ahead) const {
   if (token.type == Token::Type::numeral || TokenStream::is_name(token)) return true;
   if (token.own) return false;
   if (token.type == Token::Type::word) return token.is("true") || token.is("false") || token.is("θ");
-  for (const std::string_view sign : {"(", "{", "⟨", "⦉", "[", "θ"})
-    if (token.is(sign)) return true;
-  return false;
+  static constexpr std::array<std::string_view, 6> signs = {"(", "{", "⟨", "⦉", "[", "θ"};
+  return std::ranges::any_of(signs, [&token](std::string_view sign) { return token.is(sign); });
 }
 
 /// In f a b ∼ ⦇ S ⦈ ↗ n ↙ the applications associate to the left, then come the postfix operators.
@@ -27,7 +27,7 @@ Term TermParser::application() {
   }
   for (;;) {
     const Token& token = in_.peek();
-    const Operator* op = token.type == Token::Type::symbol ? find_operator(token.text, Fixity::postfix) : nullptr;
+    const Operator* op = token.type == Token::Type::symbol ? token.symbol->postfix : nullptr;
     if (token.own) return term;
     if (op) {
       in_.next();

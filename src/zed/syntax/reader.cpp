@@ -271,16 +271,24 @@ Specification read_files(const std::vector<std::string>& files) {
   return reader.take();
 }
 
-Specification read_sources(const std::vector<std::pair<std::string, std::string>>& sources) {
-  Reader reader({sources.begin(), sources.end()});
-  for (const auto& [file, text] : sources) reader.index(file);
-  for (const auto& [file, text] : sources) reader.file(file);
+namespace {
+
+/// Reads texts of files, which it keeps, or whatever they name.
+template <class Texts>
+Specification read_each(const Texts& texts) {
+  Reader reader({texts.begin(), texts.end()});
+  for (const auto& [file, text] : texts) reader.index(file);
+  for (const auto& [file, text] : texts) reader.file(file);
   return reader.take();
 }
 
-Specification read_texts(const std::map<std::string, std::string>& texts) {
-  return read_sources({texts.begin(), texts.end()});
+}  // namespace
+
+Specification read_sources(const std::vector<std::pair<std::string, std::string>>& sources) {
+  return read_each(sources);
 }
+
+Specification read_texts(const std::map<std::string, std::string>& texts) { return read_each(texts); }
 
 Specification read_text(const std::string& text, const std::string& file) {
   Reader reader;

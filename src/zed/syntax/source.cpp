@@ -51,11 +51,11 @@ void directive(std::string_view line, Place place, Markup& into) {
 
 }  // namespace
 
-void take_directive(const Cursor& at, const std::string& file, Markup& into, std::vector<Defect>& defects) {
+void take_directive(Cursor& at, const std::string& file, Markup& into, std::vector<Defect>& defects) {
   const std::string_view line = at.rest_of_line();
   if (!line.starts_with("%%Z")) return;
   try {
-    directive(line, at.place, into);
+    directive(line, at.place(), into);
   } catch (const ZError& error) {
     defects.push_back(error.in(file));
   }
@@ -66,7 +66,7 @@ namespace {
 class Cutter {
  public:
   Cutter(std::string_view text, const std::string& file, std::vector<Defect>& defects)
-      : cursor_{text}, file_(file), defects_(defects) {}
+      : cursor_(text), file_(file), defects_(defects) {}
 
   /// Says whether a paragraph began, be it that it did not end.
   bool began() const { return began_; }
@@ -77,37 +77,41 @@ class Cutter {
         comment();
       } else if (cursor_.sees("\\begin{")) {
         begin();
-      } else if (cursor_.sees("\\")) {
-        cursor_.skip(2);
       } else {
-        cursor_.step();
+        skip();
       }
     }
     return std::move(blocks_);
   }
 
  private:
+  /// Goes on to where a command or a comment may begin: what stands behind a backslash begins none.
+  void skip() {
+    if (cursor_.sees("\\")) cursor_.skip(2);
+    cursor_.skip_to([](char c) { return c == '\\' || c == '%'; });
+  }
+
   void comment() {
     const std::string_view line = cursor_.rest_of_line();
-    if (cursor_.place.column == 1) take_directive(cursor_, file_, pending_, defects_);
+    if (cursor_.place().column == 1) take_directive(cursor_, file_, pending_, defects_);
     cursor_.skip(line.size());
   }
 
   void begin() {
     Block block;
-    block.begin = cursor_.place;
+    block.begin = cursor_.place();
     cursor_.skip(7);
     const std::string_view rest = cursor_.rest_of_line();
     block.environment = rest.substr(0, rest.find('}'));
     if (std::find(environments.begin(), environments.end(), block.environment) == environments.end()) return;
     began_ = true;
     cursor_.skip(block.environment.size() + 1);
-    block.place = cursor_.place;
+    block.place = cursor_.place();
     const std::size_t start = cursor_.at;
     const std::string closing = "\\end{" + block.environment + "}";
     while (!cursor_.done() && !cursor_.sees(closing) && !cursor_.sees("\\begin{")) inside(block);
     block.body = cursor_.text.substr(start, cursor_.at - start);
-    block.end = cursor_.place;
+    block.end = cursor_.place();
     block.directives = std::move(pending_);
     pending_.clear();
     if (!cursor_.sees(closing)) {
@@ -119,18 +123,16 @@ class Cutter {
   }
 
   void inside(const Block& block) {
-    if (cursor_.sees("%%Z") && cursor_.place.column == 1)
+    if (cursor_.sees("%%Z") && cursor_.place().column == 1)
       defects_.push_back({file_,
-                          cursor_.place,
+                          cursor_.place(),
                           "a directive inside a paragraph",
                           "expected it before the \\begin{" + block.environment + "}",
                           {}});
     if (cursor_.sees("%")) {
       cursor_.skip(cursor_.rest_of_line().size());
-    } else if (cursor_.sees("\\\\") || cursor_.sees("\\%")) {
-      cursor_.skip(2);
     } else {
-      cursor_.step();
+      skip();
     }
   }
 
@@ -158,15 +160,17 @@ std::vector<Block> cut(std::string_view text, const std::string& file, std::vect
 
 std::vector<Place> grouping_braces(const Block& block) {
   std::vector<Place> places;
-  Cursor cursor{block.body, 0, block.place};
+  Cursor cursor(block.body, block.place);
   bool belongs = block.environment == "schema";  // to its name, to _ or ^, or to a command
-  while (!block.unicode && !cursor.done()) {
+  while (!block.unicode) {
+    if (!belongs) cursor.skip_to([](char c) { return c == '%' || c == '{' || c == '\\' || c == '_' || c == '^'; });
+    if (cursor.done()) break;
     const char c = cursor.text[cursor.at];
     if (c == '%') {
       cursor.skip(cursor.rest_of_line().size());
       continue;
     }
-    if (c == '{' && !belongs) places.push_back(cursor.place);
+    if (c == '{' && !belongs) places.push_back(cursor.place());
     const bool escaped = c == '\\';
     if (escaped) cursor.step();
     const bool command = escaped && !cursor.done() && is_letter(cursor.text[cursor.at]);

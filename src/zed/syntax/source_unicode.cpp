@@ -9,6 +9,7 @@ namespace {
 constexpr std::array<std::string_view, 4> openers = {"─", "╷", "═", "┌"};
 
 std::string_view opener(std::string_view line) {
+  if (!line.starts_with(openers[0][0])) return {};  // all have this first byte, and few lines do
   for (const std::string_view sign : openers)
     if (line.starts_with(sign)) return sign;
   return {};
@@ -17,7 +18,7 @@ std::string_view opener(std::string_view line) {
 class UnicodeCutter {
  public:
   UnicodeCutter(std::string_view text, const std::string& file, std::vector<Defect>& defects)
-      : cursor_{text}, file_(file), defects_(defects) {}
+      : cursor_(text), file_(file), defects_(defects) {}
 
   std::vector<Block> run() {
     while (!cursor_.done()) {
@@ -43,7 +44,7 @@ class UnicodeCutter {
   void paragraph(std::string_view sign) {
     Block block;
     block.unicode = true;
-    block.begin = cursor_.place;
+    block.begin = cursor_.place();
     Cursor sign_end = cursor_;
     while (cursor_.sees("─") || cursor_.sees("═") || cursor_.sees("╷") || cursor_.sees("┌") || cursor_.sees(" ")) {
       const bool blank = cursor_.sees(" ");
@@ -54,13 +55,13 @@ class UnicodeCutter {
     std::string_view title = cursor_.rest_of_line();
     title.remove_prefix(std::min(title.find_first_not_of(" \r"), title.size()));
     block.environment = environment(sign, title);
-    block.place = cursor_.place;
+    block.place = cursor_.place();
     const std::size_t start = cursor_.at;
     next_line();
     while (!cursor_.done() && !cursor_.sees("└") && opener(cursor_.rest_of_line()).empty()) next_line();
     block.body = cursor_.text.substr(start, cursor_.at - start);
     if (block.environment == "zed" && is_header(block.body)) block.environment = "zsection";
-    block.end = cursor_.place;
+    block.end = cursor_.place();
     block.directives = std::move(pending_);
     pending_.clear();
     if (cursor_.sees("└")) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "zed/operators.hpp"
+#include "zed/syntax/connectives.hpp"
 
 namespace durero::zed {
 namespace {
@@ -162,15 +163,32 @@ std::string Operator::name() const {
   return text;
 }
 
-const Operator* find_operator(std::string_view symbol, Fixity fixity) {
+namespace {
+
+const Operator*& of_fixity(Symbol& symbol, Fixity fixity) {
+  return fixity == Fixity::prefix ? symbol.prefix : fixity == Fixity::infix ? symbol.infix : symbol.postfix;
+}
+
+}  // namespace
+
+const Symbol& symbol_of(std::string_view text) {
   static const auto table = [] {
-    std::array<std::unordered_map<std::string_view, const Operator*>, 3> by_fixity;
-    for (const Operator& op : operators()) by_fixity[static_cast<std::size_t>(op.fixity)].emplace(op.symbol, &op);
-    return by_fixity;
+    std::unordered_map<std::string_view, Symbol> symbols;
+    for (const Operator& op : operators()) of_fixity(symbols[op.symbol], op.fixity) = &op;
+    for (const Connective& sign : connectives) symbols[sign.symbol].connective = &sign;
+    for (const Quantifier& sign : quantifiers) symbols[sign.symbol].quantifier = &sign;
+    for (const std::string_view word : reserved) symbols[word].reserved = true;
+    for (const OperatorRow& row : operator_rows())
+      if (!row.binding.role && static_cast<unsigned char>(row.name[0]) >= 0x80) symbols[row.name].named = true;
+    return symbols;
   }();
-  const auto& by_symbol = table[static_cast<std::size_t>(fixity)];
-  const auto at = by_symbol.find(symbol);
-  return at == by_symbol.end() ? nullptr : at->second;
+  const auto at = table.find(text);
+  return at == table.end() ? no_symbol : at->second;
+}
+
+const Operator* find_operator(std::string_view symbol, Fixity fixity) {
+  Symbol known = symbol_of(symbol);
+  return of_fixity(known, fixity);
 }
 
 const Operator* operator_of_name(std::string_view name) {
@@ -182,16 +200,6 @@ const Operator* operator_of_name(std::string_view name) {
   }();
   const auto at = table.find(std::string(name));
   return at == table.end() ? nullptr : at->second;
-}
-
-bool is_symbol_name(std::string_view symbol) {
-  static const auto table = [] {
-    std::unordered_set<std::string_view> names;
-    for (const OperatorRow& row : operator_rows())
-      if (!row.binding.role && static_cast<unsigned char>(row.name[0]) >= 0x80) names.insert(row.name);
-    return names;
-  }();
-  return table.contains(symbol);
 }
 
 bool has_indexed(std::string_view word) {
@@ -207,15 +215,6 @@ bool has_indexed(std::string_view word) {
 
 bool is_operator_name(std::string_view name) {
   return name == "_⦇_⦈" || name == "_↗_↙" || is_template_name(name) || operator_of_name(name);
-}
-
-bool is_reserved(std::string_view word) {
-  static const std::unordered_set<std::string_view> table(std::begin(reserved), std::end(reserved));
-  return table.contains(word);
-}
-
-bool may_be_name(std::string_view word) {
-  return !is_reserved(word) && !find_operator(word, Fixity::infix) && !find_operator(word, Fixity::prefix);
 }
 
 }  // namespace durero::zed

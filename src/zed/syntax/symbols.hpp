@@ -35,6 +35,25 @@ struct Operator {
   std::string name() const;  ///< it is known by this: `_∪_`, `#_`, `_∼`
 };
 
+struct Connective;
+struct Quantifier;
+
+/// What the language and its toolkit know of a word or symbol: most words are names, of which they know nothing.
+struct Symbol {
+  const Operator *prefix = nullptr, *infix = nullptr, *postfix = nullptr;
+  const Connective* connective = nullptr;
+  const Quantifier* quantifier = nullptr;
+  bool reserved = false;  ///< by the language, and so it is never a name
+  bool named = false;     ///< it is a name by itself: `∅`, `ℕ₁`, `⋃`
+
+  /// Says whether it may be a name: it is neither reserved nor an infix or prefix operator.
+  constexpr bool may_be_name() const { return !reserved && !infix && !prefix; }
+};
+inline constexpr Symbol no_symbol;
+
+/// Returns what is known of a word or symbol; of most words that is `no_symbol`.
+const Symbol& symbol_of(std::string_view text);
+
 /// Returns the operator of this symbol and fixity, or null.
 const Operator* find_operator(std::string_view symbol, Fixity fixity);
 
@@ -45,7 +64,7 @@ const Operator* operator_of_name(std::string_view name);
 bool is_operator_name(std::string_view name);
 
 /// Says whether a symbol is a name by itself: `∅`, `ℕ₁`, `⋃`.
-bool is_symbol_name(std::string_view symbol);
+inline bool is_symbol_name(std::string_view symbol) { return symbol_of(symbol).named; }
 
 /// Says whether a word or symbol is with a subscript 1 another word of the language, as `seq`, `ℙ` and `∃` are. There
 /// the subscript is no stroke.
@@ -54,10 +73,7 @@ bool has_indexed(std::string_view word);
 /// This is the precedence of × among the infix operators (ISO/IEC 13568, 8.3).
 inline constexpr int product_precedence = 8;
 
-/// Says whether a word or symbol is reserved by the language, and so is never a name.
-bool is_reserved(std::string_view word);
-
 /// Says whether a word may be a name: it is neither reserved nor an infix or prefix operator.
-bool may_be_name(std::string_view word);
+inline bool may_be_name(std::string_view word) { return symbol_of(word).may_be_name(); }
 
 }  // namespace durero::zed

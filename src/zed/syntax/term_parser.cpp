@@ -24,12 +24,6 @@ class Deeper {
   unsigned& depth_;
 };
 
-const Connective* infix_connective(const Token& token) {
-  for (const Connective& connective : connectives)
-    if (!connective.prefix && token.is(connective.symbol)) return &connective;
-  return nullptr;
-}
-
 /// An operator of a template binds like those of its kind in the toolkit.
 int own_strength(const OperatorTemplate& op) {
   if (op.role == Role::relation) return binding::relation;
@@ -51,7 +45,7 @@ Term TermParser::term(int least) {
   for (;;) {
     const Token& token = in_.peek();
     if (token.type != Token::Type::symbol && token.type != Token::Type::word) return left;
-    if (const Connective* connective = infix_connective(token)) {
+    if (const Connective* connective = token.symbol->connective; connective && !connective->prefix) {
       if (connective->strength < least) return left;
       in_.next();
       const Term right = term(connective->right_strength());
@@ -63,7 +57,7 @@ Term TermParser::term(int least) {
     } else if (token.own) {
       if (!token.own->first() || !token.own->of->has_left() || own_strength(*token.own->of) < least) return left;
       left = token.own->of->role == Role::relation ? relations(left) : own_operation({left});
-    } else if (const Operator* op = find_operator(token.text, Fixity::infix); op && token.strokes.empty()) {
+    } else if (const Operator* op = token.symbol->infix) {
       const int strength = op->role == Role::relation ? binding::relation : binding::infix + op->precedence;
       if (strength < least) return left;
       left = op->role == Role::relation ? relations(left) : infix(left, strength, *op);
@@ -94,8 +88,8 @@ Term TermParser::relations(const Term& left) {
       own = true;
       links.push_back(own_relation(operands.back(), right));
     } else {
-      const Operator* op = find_operator(token.text, Fixity::infix);
-      if (token.own || !op || op->role != Role::relation || !token.strokes.empty()) break;
+      const Operator* op = token.symbol->infix;
+      if (token.own || !op || op->role != Role::relation) break;
       in_.next();
       names.push_back({op->name(), {}});
       right = term(binding::relation + 1);
@@ -128,13 +122,15 @@ Term TermParser::hiding(Term left) {
 Term TermParser::leading() {
   const Token& token = in_.peek();
   const Place place = token.place;
-  for (const Quantifier& sign : quantifiers)
-    if (token.is(sign.symbol)) return sign.kind == Kind::let ? let() : quantifier(sign.kind, true);
+  if (const Quantifier* sign = token.symbol->quantifier)
+    return sign->kind == Kind::let ? let() : quantifier(sign->kind, true);
   if (token.is("if")) return conditional();
-  for (const Connective& sign : connectives)
-    if (sign.prefix && in_.accept(sign.symbol)) return checked(node(sign.kind, {term(sign.strength)}, place));
+  if (const Connective* sign = token.symbol->connective; sign && sign->prefix) {
+    in_.next();
+    return checked(node(sign->kind, {term(sign->strength)}, place));
+  }
   if (token.own && token.own->first() && !token.own->of->has_left()) return own_operation({});
-  const Operator* op = token.strokes.empty() ? find_operator(token.text, Fixity::prefix) : nullptr;
+  const Operator* op = token.symbol->prefix;
   const bool prefix_word = token.type == Token::Type::word && token.strokes.empty() && is_prefix_word(token.text);
   if (prefix_word && begins_primary(1) && !in_.peek(1).is("[")) {
     const Term function = reference(in_.name(), {}, place);

@@ -6,6 +6,7 @@
 
 #include "durero/zed/syntax/ast.hpp"
 #include "durero/zed/syntax/operators.hpp"
+#include "zed/syntax/symbols.hpp"
 
 namespace durero::zed {
 
@@ -27,6 +28,7 @@ struct Token {
   const OperatorWord* own = nullptr;  ///< a template in scope makes the word one of an operator
   bool only_infix = false;            ///< LaTeX mark-up reserves such a `-` for the difference; the sign is \negate
   std::uint32_t from = 0, to = 0;     ///< its bytes in the text that was read, but for blanks behind it
+  const Symbol* symbol = &no_symbol;  ///< what is known of a word or symbol without strokes
 
   bool is(std::string_view symbol) const {
     return (type == Type::symbol || (type == Type::word && strokes.empty())) && text == symbol;

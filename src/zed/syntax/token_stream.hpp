@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "durero/zed/syntax/defect.hpp"
-#include "zed/syntax/symbols.hpp"
 #include "zed/syntax/token.hpp"
 
 namespace durero::zed {
@@ -48,7 +47,7 @@ class TokenStream {
 
   /// Says whether a token can be a name: it is a word, but no keyword and no operator.
   static bool is_name(const Token& token) {
-    return !token.own && token.type == Token::Type::word && (!token.strokes.empty() || may_be_name(token.text));
+    return !token.own && token.type == Token::Type::word && token.symbol->may_be_name();
   }
   bool sees_name() const { return is_name(peek()); }
   Name name() {

@@ -17,10 +17,16 @@ namespace durero::zed {
 /// The fields of a signature stand in the order of declaration.
 using Fields = std::vector<std::pair<Name, Type>>;
 
-/// The table holds a signature that grows, and where each name stands in it.
+/// The table holds a signature that grows, or a scope, and where each name stands in it.
 struct FieldTable {
   Fields fields;
   std::unordered_map<Name, std::size_t> positions{};
+
+  /// Returns the type of a name, or null.
+  const Type* find(const Name& name) const {
+    const auto at = positions.find(name);
+    return at == positions.end() ? nullptr : &fields[at->second].second;
+  }
 };
 
 /// These limit what one section may ask for, so that no text makes the checker hang or run out of stack: the longest
@@ -39,12 +45,13 @@ class Checker {
   Type expression(const Term& term);
   void predicate(const Term& term);
 
-  // Opens a scope with these names, or closes the innermost one.
-  void push(const Fields& fields);
-  void pop() { scopes_.pop_back(); }
+  // Opens a scope with these names, or closes the innermost one and returns its names.
+  void push(Fields fields);
+  void push(FieldTable table) { scopes_.push_back(std::move(table)); }
+  Fields pop();
 
   /// Returns what the declarations of a schema text declare; its predicates are left to predicates().
-  Fields signature(const SchemaText& text);
+  FieldTable signature(const SchemaText& text);
   void predicates(const SchemaText& text);
 
   void error(Place place, std::string what, std::string expected);
@@ -86,23 +93,25 @@ class Checker {
 
   Type schema_expression(const Node& node);
   Type schema_quantifier(const Node& node);
-  Type decoration(const Type& schema, const std::string& strokes);
   Type renaming(const Node& node);
   Type hiding(const Node& node);
   Type joined(const Node& node, const char* what, const std::string& left_stroke, const std::string& right_stroke);
   Type precondition(const Node& node);
   Type doubled(const Type& schema, Place place);
   std::optional<Fields> schema_fields(const Term& term, const char* role);
-  /// Adds more fields to those of the table; a name in both must have one type.
-  void merge(FieldTable& table, const Fields& more, Place place, const std::string& what);
+  /// Adds fields, or one, to those of the table; a name in both must have one type.
+  void merge(FieldTable& table, const Fields& more, Place place, const char* what);
+  void merge(FieldTable& table, const Name& name, const Type& type, Place place, const char* what);
   /// Returns both signatures as one.
   Fields merged(const Fields& left, const Fields& right, Place place);
   Type schema_set(Fields fields) { return limited(Type::power(Type::schema(std::move(fields)))); }
 
+  /// Returns X and Y where a type is that of a relation, ℙ (X × Y), or may be; nothing where it is another.
+  std::optional<std::pair<Type, Type>> sides_of(const Type& type);
   /// Returns the type of the elements of a set expression.
   Type element(const Term& set, const char* role);
-  /// Returns the type of the characteristic tuple of a schema text (ISO/IEC 13568, 9.2).
-  Type characteristic(const SchemaText& text, const Fields& fields);
+  /// Returns the type of the characteristic tuple of a schema text (ISO/IEC 13568, 9.2), of which the scope is open.
+  Type characteristic(const SchemaText& text);
   /// Returns the type; where it is too large it reports an error and returns unknown.
   Type limited(Type type);
 
@@ -122,7 +131,7 @@ class Checker {
   Globals& globals_;
   bool sees_toolkit_;
   Typing& into_;
-  std::vector<std::unordered_map<Name, Type>> scopes_;
+  std::vector<FieldTable> scopes_;
   std::vector<std::pair<Name, std::pair<Place, Type>>> generics_;  // these instances are to be determined
   std::vector<Selection> selections_;
   Place at_;  // the node being checked stands here

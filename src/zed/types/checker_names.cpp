@@ -95,7 +95,7 @@ std::string Checker::expected_name(const Name& name) const {
 std::string Checker::nearest_name(const Name& name) const {
   std::vector<std::string> known;
   for (const auto& scope : scopes_)
-    for (const auto& [local, type] : scope) known.push_back(local.text());
+    for (const auto& [local, type] : scope.fields) known.push_back(local.text());
   for (const auto& [global, meaning] : globals_) known.push_back(global.text());
   for (const auto& [own, scheme] : sees_toolkit_ ? toolkit() : prelude()) known.push_back(own.text());
   std::sort(known.begin(), known.end());  // of several as near the first is named, whatever the tables' order
@@ -121,10 +121,10 @@ std::string Checker::nearest_name(const Name& name) const {
 
 std::optional<Type> Checker::lookup(const Name& name, const std::vector<Type>* actuals, Place place) {
   for (const auto& scope : std::views::reverse(scopes_)) {
-    const auto entry = scope.find(name);
-    if (entry == scope.end()) continue;
+    const Type* type = scope.find(name);
+    if (!type) continue;
     if (actuals) error(place, name.text() + " is a variable", "expected no generic actuals after it");
-    return entry->second;
+    return *type;
   }
   if (const auto at = globals_.find(name); at != globals_.end()) {
     if (at->second->form == Global::Form::lost) return Type::unknown();
@@ -170,9 +170,16 @@ std::optional<Type> Checker::implied_schema(const Name& name, const std::vector<
   return schema->is_schema_set() ? std::optional(doubled(*schema, place)) : std::nullopt;
 }
 
-void Checker::push(const Fields& fields) {
-  auto& scope = scopes_.emplace_back();
-  for (const auto& [name, type] : fields) scope.insert_or_assign(name, type);
+void Checker::push(Fields fields) {
+  FieldTable table{std::move(fields)};
+  for (std::size_t i = 0; i < table.fields.size(); ++i) table.positions[table.fields[i].first] = i;
+  push(std::move(table));
+}
+
+Fields Checker::pop() {
+  Fields fields = std::move(scopes_.back().fields);
+  scopes_.pop_back();
+  return fields;
 }
 
 void Checker::finish_paragraph() {

@@ -8,9 +8,15 @@ namespace {
 
 Fields fields_of(const Type& schema) {
   Fields signature;
+  signature.reserve(schema.fields().size());
   for (std::size_t i = 0; i < schema.fields().size(); ++i)
     signature.emplace_back(schema.fields()[i], schema.parts()[i]);
   return signature;
+}
+
+Fields decorated(Fields fields, const std::string& strokes) {
+  for (auto& [name, type] : fields) name.strokes += strokes;
+  return fields;
 }
 
 auto find(Fields& fields, const Name& name) {
@@ -23,7 +29,7 @@ void remove(Fields& fields, const Name& name) {
 
 }  // namespace
 
-Fields Checker::signature(const SchemaText& text) {
+FieldTable Checker::signature(const SchemaText& text) {
   FieldTable table;
   for (const Declaration& declaration : text.declarations) {
     if (declaration.form == Declaration::Form::included) {
@@ -35,30 +41,33 @@ Fields Checker::signature(const SchemaText& text) {
                           ? element(declaration.term, "the range of a variable")
                           : expression(declaration.term);
     for (std::size_t i = 0; i < declaration.names.size(); ++i)
-      merge(table, {{declaration.names[i], type}},
+      merge(table, declaration.names[i], type,
             i < declaration.places.size() ? declaration.places[i] : declaration.place, "declared");
   }
-  return std::move(table.fields);
+  return table;
 }
 
 void Checker::predicates(const SchemaText& text) {
   for (const Predicate& conjunct : text.predicates) predicate(conjunct.term);
 }
 
-void Checker::merge(FieldTable& table, const Fields& more, Place place, const std::string& what) {
-  spend(more.size());
-  for (const auto& [name, type] : more) {
-    const auto [known, is_new] = table.positions.emplace(name, table.fields.size());
-    if (is_new) {
-      table.fields.emplace_back(name, type);
-      continue;
-    }
-    const Type& before = table.fields[known->second].second;
-    if (!unify(before, type))
-      error(place,
-            fmt::format("{} is {} with the type {}, and is {} already", name.text(), what, type.text(), before.text()),
-            "expected one type for one name");
+void Checker::merge(FieldTable& table, const Fields& more, Place place, const char* what) {
+  table.fields.reserve(table.fields.size() + more.size());
+  for (const auto& [name, type] : more) merge(table, name, type, place, what);
+}
+
+void Checker::merge(FieldTable& table, const Name& name, const Type& type, Place place, const char* what) {
+  spend(1);
+  const auto [known, is_new] = table.positions.try_emplace(name, table.fields.size());
+  if (is_new) {
+    table.fields.emplace_back(name, type);
+    return;
   }
+  const Type& before = table.fields[known->second].second;
+  if (!unify(before, type))
+    error(place,
+          fmt::format("{} is {} with the type {}, and is {} already", name.text(), what, type.text(), before.text()),
+          "expected one type for one name");
 }
 
 Fields Checker::merged(const Fields& left, const Fields& right, Place place) {
@@ -78,16 +87,13 @@ std::optional<Fields> Checker::schema_fields(const Term& term, const char* role)
 
 Type Checker::schema_expression(const Node& node) {
   switch (node.kind) {
-    case Kind::schema_text: {
-      const Fields fields = signature(*node.text);
-      push(fields);
+    case Kind::schema_text:
+      push(signature(*node.text));
       predicates(*node.text);
-      pop();
-      return schema_set(fields);
-    }
+      return schema_set(pop());
     case Kind::decoration: {
-      const auto fields = schema_fields(node.children[0], "before a stroke");
-      return fields ? decoration(schema_set(*fields), node.name.strokes) : Type::unknown();
+      auto fields = schema_fields(node.children[0], "before a stroke");
+      return fields ? schema_set(decorated(std::move(*fields), node.name.strokes)) : Type::unknown();
     }
     case Kind::renaming:
       return renaming(node);
@@ -117,17 +123,10 @@ Type Checker::schema_expression(const Node& node) {
   return schema_set(node.kind == Kind::projection ? *right : both);
 }
 
-Type Checker::decoration(const Type& schema, const std::string& strokes) {
-  Fields fields = fields_of(schema.parts()[0]);
-  for (auto& [name, type] : fields) name.strokes += strokes;
-  return schema_set(std::move(fields));
-}
-
 /// ΔS and ΞS declare the components of S and of S ′.
 Type Checker::doubled(const Type& schema, Place place) {
-  Fields fields = fields_of(schema.parts()[0]);
-  const Type after = decoration(schema, "'");
-  return schema_set(merged(fields, fields_of(after.parts()[0]), place));
+  const Fields fields = fields_of(schema.parts()[0]);
+  return schema_set(merged(fields, decorated(fields, "'"), place));
 }
 
 Type Checker::renaming(const Node& node) {
@@ -143,7 +142,7 @@ Type Checker::renaming(const Node& node) {
     Name now = name;
     for (std::size_t i = 0; i + 1 < node.names.size(); i += 2)
       if (node.names[i + 1] == name) now = node.names[i];
-    merge(renamed, {{now, type}}, node.place, "declared");
+    merge(renamed, now, type, node.place, "declared");
   }
   return schema_set(std::move(renamed.fields));
 }
@@ -197,11 +196,10 @@ Type Checker::precondition(const Node& node) {
 }
 
 Type Checker::schema_quantifier(const Node& node) {
-  const Fields bound = signature(*node.text);
-  push(bound);
+  push(signature(*node.text));
   predicates(*node.text);
   auto fields = schema_fields(node.children[0], "behind the • of a schema quantifier");
-  pop();
+  const Fields bound = pop();
   if (!fields) return Type::unknown();
   spend(fields->size() * bound.size());
   for (const auto& [name, type] : bound) {

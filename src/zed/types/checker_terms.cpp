@@ -106,14 +106,26 @@ Type Checker::set_extension(const Node& node) {
   return Type::power(element);
 }
 
+std::optional<std::pair<Type, Type>> Checker::sides_of(const Type& type) {
+  if (type.is(Type::Kind::power)) {
+    const Type& element = type.parts()[0];
+    if (element.is(Type::Kind::product) && element.parts().size() == 2)
+      return std::pair(element.parts()[0], element.parts()[1]);
+  }
+  const std::pair sides{fresh(), fresh()};
+  if (!unify(type, Type::power(pair(sides.first, sides.second)))) return std::nullopt;
+  return sides;
+}
+
 Type Checker::application(const Node& node) {
   const Type function = expression(node.children[0]), argument = expression(node.children[1]);
-  const Type taken = fresh(), given = fresh();
-  if (!unify(function, Type::power(pair(taken, given))))
+  const auto sides = sides_of(function);
+  if (!sides)
     return wrong(node.place, fmt::format("{} has the type {}", named(node.children[0]), function.text()),
                  node.children[1]->place.line > node.children[0]->place.line
                      ? "expected a function before its argument, or a new line \\\\ between the two"
                      : "expected a function before its argument");
+  const auto& [taken, given] = *sides;
   if (unify(taken, argument)) return given;
   const Term& named_function = node.children[0];
   const Operator* op = named_function->kind == Kind::reference ? operator_of_name(named_function->name.word) : nullptr;
@@ -125,10 +137,9 @@ Type Checker::application(const Node& node) {
 }
 
 Type Checker::quantified(const Node& node) {
-  const Fields fields = signature(*node.text);
-  push(fields);
+  push(signature(*node.text));
   predicates(*node.text);
-  const Type tuple = characteristic(*node.text, fields);
+  const Type tuple = characteristic(*node.text);
   const Type value = node.children.empty() ? tuple : expression(node.children[0]);
   pop();
   if (node.kind == Kind::comprehension) return Type::power(value);
@@ -136,10 +147,8 @@ Type Checker::quantified(const Node& node) {
   return value;
 }
 
-Type Checker::characteristic(const SchemaText& text, const Fields& fields) {
+Type Checker::characteristic(const SchemaText& text) {
   std::vector<Type> parts;
-  std::unordered_map<Name, Type> of;
-  for (const auto& [name, type] : fields) of.insert_or_assign(name, type);
   for (const Declaration& declaration : text.declarations) {
     if (declaration.form == Declaration::Form::included) {
       Term schema = declaration.term;
@@ -148,7 +157,7 @@ Type Checker::characteristic(const SchemaText& text, const Fields& fields) {
       const bool known = type != into_.types.end() && type->second.is_schema_set();
       parts.push_back(known ? type->second.parts()[0] : Type::unknown());
     }
-    for (const Name& name : declaration.names) parts.push_back(of.at(name));
+    for (const Name& name : declaration.names) parts.push_back(*scopes_.back().find(name));
   }
   if (text.declarations.empty()) return Type::schema({});  // that of no declaration is the empty binding
   if (parts.empty()) return wrong(at_, "nothing is declared", "expected a declaration");
@@ -156,8 +165,7 @@ Type Checker::characteristic(const SchemaText& text, const Fields& fields) {
 }
 
 Type Checker::let(const Node& node, Mode mode) {
-  const Fields fields = signature(*node.text);
-  push(fields);
+  push(signature(*node.text));
   Type type = Type::unknown();
   if (mode == Mode::value) {
     type = expression(node.children[0]);

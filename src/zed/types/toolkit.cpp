@@ -22,18 +22,21 @@ Type element_type(const Term& set) {
   throw std::logic_error("a set of the toolkit's table is not in its notation");
 }
 
-Scheme scheme(std::string_view formals, std::string_view set) {
+std::vector<Name> names_of(std::string_view formals) {
   std::vector<Name> names;
   for (const char letter : formals) names.push_back({std::string(1, letter), {}});
-  return {std::move(names), element_type(parse_unicode(set))};
+  return names;
 }
 
-/// Returns the names with the types of their rows.
+/// Returns the names with the types of their rows. Many rows have one type, which is read once.
 std::unordered_map<Name, Scheme> schemes(const std::vector<std::string_view>& names) {
   std::unordered_map<Name, Scheme> typed;
+  std::unordered_map<std::string_view, Type> types;
   for (const std::string_view name : names) {
     const OperatorRow& row = *operator_row(name);
-    typed.emplace(Name{std::string(name), {}}, scheme(row.formals, row.type));
+    const auto [type, is_new] = types.try_emplace(row.type, Type::unknown());
+    if (is_new) type->second = element_type(parse_unicode(row.type));
+    typed.emplace(Name{std::string(name), {}}, Scheme{names_of(row.formals), type->second});
   }
   return typed;
 }

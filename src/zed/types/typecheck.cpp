@@ -100,7 +100,7 @@ class SectionChecker {
           names.begin() + static_cast<std::ptrdiff_t>(i))
         terms_.error(place, names[i].text() + " is a generic formal twice", "expected distinct formals");
     for (const Name& name : names) fields.emplace_back(name, Type::power(Type::formal(name)));
-    terms_.push(fields);
+    terms_.push(std::move(fields));
   }
 
   void paragraph(const Definition& definition, Place place) {
@@ -113,10 +113,9 @@ class SectionChecker {
   /// Checks the declarations and predicates of a box with its formals in scope, and returns what it declares.
   Fields signature_of_box(const std::vector<Name>& generic_formals, const SchemaText& text, Place place) {
     formals(generic_formals, place);
-    const Fields fields = terms_.signature(text);
-    terms_.push(fields);
+    terms_.push(terms_.signature(text));
     terms_.predicates(text);
-    terms_.pop();
+    Fields fields = terms_.pop();
     terms_.pop();
     return fields;
   }

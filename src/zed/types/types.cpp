@@ -20,35 +20,49 @@ Type::Type(Node node) {
     size += part.size();
     node.depth = std::max(node.depth, part.depth() + 1);
     node.generic = node.generic || part.node().generic;
+    node.open = node.open || part.node().open;
   }
   node.size = static_cast<std::uint32_t>(std::min<std::uint64_t>(size, max_size + 1));
   node.generic = node.generic || node.kind == Kind::formal;
+  node.open = node.open || node.kind == Kind::variable;
   node_ = std::make_shared<const Node>(std::move(node));
 }
 
-Type Type::given(Name name) {
-  return Type({.kind = Kind::given, .name = std::move(name), .parts = {}, .fields = {}, .same = {}});
-}
+Type Type::given(Name name) { return Type({.kind = Kind::given, .names = {std::move(name)}, .parts = {}, .same = {}}); }
 Type Type::formal(Name name) {
-  return Type({.kind = Kind::formal, .name = std::move(name), .parts = {}, .fields = {}, .same = {}});
+  return Type({.kind = Kind::formal, .names = {std::move(name)}, .parts = {}, .same = {}});
 }
 Type Type::power(Type element) {
-  return Type({.kind = Kind::power, .name = {}, .parts = {std::move(element)}, .fields = {}, .same = {}});
+  return Type({.kind = Kind::power, .names = {}, .parts = {std::move(element)}, .same = {}});
 }
 Type Type::product(std::vector<Type> parts) {
-  return Type({.kind = Kind::product, .name = {}, .parts = std::move(parts), .fields = {}, .same = {}});
+  return Type({.kind = Kind::product, .names = {}, .parts = std::move(parts), .same = {}});
 }
 Type Type::schema(std::vector<std::pair<Name, Type>> fields) {
   std::sort(fields.begin(), fields.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  Node node{.kind = Kind::schema, .name = {}, .parts = {}, .fields = {}, .same = {}};
+  Node node{.kind = Kind::schema, .names = {}, .parts = {}, .same = {}};
+  node.names.reserve(fields.size());
+  node.parts.reserve(fields.size());
   for (auto& [name, type] : fields) {
-    node.fields.push_back(std::move(name));
+    node.names.push_back(std::move(name));
     node.parts.push_back(std::move(type));
   }
   return Type(std::move(node));
 }
-Type Type::variable() { return Type({.kind = Kind::variable, .name = {}, .parts = {}, .fields = {}, .same = {}}); }
-Type Type::unknown() { return Type({.kind = Kind::unknown, .name = {}, .parts = {}, .fields = {}, .same = {}}); }
+Type Type::variable() { return Type({.kind = Kind::variable, .names = {}, .parts = {}, .same = {}}); }
+Type Type::unknown() { return Type({.kind = Kind::unknown, .names = {}, .parts = {}, .same = {}}); }
+
+const Name& Type::name() const {
+  static const Name none;
+  const Node& mine = node();
+  return mine.kind == Kind::given || mine.kind == Kind::formal ? mine.names[0] : none;
+}
+
+const std::vector<Name>& Type::fields() const {
+  static const std::vector<Name> none;
+  const Node& mine = node();
+  return mine.kind == Kind::schema ? mine.names : none;
+}
 
 const Type::Node& Type::node() const {
   const Node* at = node_.get();
@@ -63,15 +77,17 @@ std::shared_ptr<const Type::Node> Type::resolved() const {
 }
 
 const Type* Type::field(const Name& wanted) const {
-  const Node& mine = node();
-  const auto at = std::lower_bound(mine.fields.begin(), mine.fields.end(), wanted);
-  if (at == mine.fields.end() || *at != wanted) return nullptr;
-  return &mine.parts[static_cast<std::size_t>(at - mine.fields.begin())];
+  const std::vector<Name>& names = fields();
+  const auto at = std::lower_bound(names.begin(), names.end(), wanted);
+  if (at == names.end() || *at != wanted) return nullptr;
+  return &parts()[static_cast<std::size_t>(at - names.begin())];
 }
 
-/// Says whether some node of the type passes the test; a node that stands in it twice is tested once.
-template <class Test>
-bool Type::any_node(const Type& in, Test&& test) {
+/// Says whether some node of the type passes the test; a node that stands in it twice is tested once. What is behind a
+/// node that is not `looked_into` passes it nowhere.
+template <class LookedInto, class Test>
+bool Type::any_node(const Type& in, LookedInto&& looked_into, Test&& test) {
+  if (!looked_into(in.node())) return false;
   std::unordered_set<const Node*> seen;
   std::vector<const Node*> left = {&in.node()};
   while (!left.empty()) {
@@ -79,23 +95,26 @@ bool Type::any_node(const Type& in, Test&& test) {
     left.pop_back();
     if (!seen.insert(node).second) continue;
     if (test(*node)) return true;
-    for (const Type& part : node->parts) left.push_back(&part.node());
+    for (const Type& part : node->parts)
+      if (looked_into(part.node())) left.push_back(&part.node());
   }
   return false;
 }
 
 bool Type::has_variables() const {
-  return any_node(*this, [](const Node& node) { return node.kind == Kind::variable; });
+  return any_node(*this, is_open, [](const Node& node) { return node.kind == Kind::variable; });
 }
 
 bool Type::is_known() const {
-  return !any_node(*this, [](const Node& node) {
-    return node.kind == Kind::variable || node.kind == Kind::unknown || node.kind == Kind::formal;
-  });
+  return !any_node(
+      *this, [](const Node&) { return true; },
+      [](const Node& node) {
+        return node.kind == Kind::variable || node.kind == Kind::unknown || node.kind == Kind::formal;
+      });
 }
 
 bool Type::occurs(const Node* variable, const Type& in) {
-  return any_node(in, [variable](const Node& node) { return &node == variable; });
+  return any_node(in, is_open, [variable](const Node& node) { return &node == variable; });
 }
 
 bool Type::unify_at(const Type& a, const Type& b, unsigned depth, std::uint32_t& steps) {
@@ -112,9 +131,7 @@ bool Type::unify_at(const Type& a, const Type& b, unsigned depth, std::uint32_t&
     return true;
   }
   if (right.kind == Kind::variable) return unify_at(b, a, depth + 1, steps);
-  if (left.kind != right.kind || left.name != right.name || left.fields != right.fields ||
-      left.parts.size() != right.parts.size())
-    return false;
+  if (left.kind != right.kind || left.names != right.names || left.parts.size() != right.parts.size()) return false;
   for (std::size_t i = 0; i < left.parts.size(); ++i)
     if (!unify_at(left.parts[i], right.parts[i], depth + 1, steps)) return false;
   return true;
@@ -140,9 +157,10 @@ Type Type::settled() const {
 Type Type::settled_at(std::uint32_t depth, std::unordered_map<const Node*, Type>& done) const {
   const Node& mine = node();
   if (mine.kind == Kind::variable || depth > max_depth) return unknown();
-  if (mine.parts.empty()) return Type(resolved());
+  if (!mine.open && depth + mine.depth <= max_depth) return Type(resolved());
   if (const auto entry = done.find(&mine); entry != done.end()) return entry->second;
-  Node node{.kind = mine.kind, .name = mine.name, .parts = {}, .fields = mine.fields, .same = {}};
+  Node node{.kind = mine.kind, .names = mine.names, .parts = {}, .same = {}};
+  node.parts.reserve(mine.parts.size());
   for (const Type& part : mine.parts) node.parts.push_back(part.settled_at(depth + 1, done));
   return done.emplace(&mine, Type(std::move(node))).first->second;
 }
@@ -156,10 +174,11 @@ Type Type::substitute(const std::vector<Name>& formals, const std::vector<Type>&
   const Node& mine = node();
   if (!mine.generic) return *this;
   if (mine.kind == Kind::formal) {
-    const auto entry = std::find(formals.begin(), formals.end(), mine.name);
+    const auto entry = std::find(formals.begin(), formals.end(), mine.names[0]);
     return entry == formals.end() ? *this : actuals[static_cast<std::size_t>(entry - formals.begin())];
   }
-  Node node{.kind = mine.kind, .name = mine.name, .parts = {}, .fields = mine.fields, .same = {}};
+  Node node{.kind = mine.kind, .names = mine.names, .parts = {}, .same = {}};
+  node.parts.reserve(mine.parts.size());
   for (const Type& part : mine.parts) node.parts.push_back(part.substitute(formals, actuals));
   return Type(std::move(node));
 }
@@ -177,7 +196,7 @@ void Type::append(std::string& out, bool tight, int& budget) const {
   }
   const Node& mine = node();
   if (mine.kind == Kind::given || mine.kind == Kind::formal) {
-    out += mine.name.text();
+    out += mine.names[0].text();
   } else if (mine.kind == Kind::power) {
     out += "ℙ ";
     mine.parts[0].append(out, true, budget);
@@ -191,7 +210,7 @@ void Type::append(std::string& out, bool tight, int& budget) const {
   } else if (mine.kind == Kind::schema) {
     out += "[";
     for (std::size_t i = 0; i < mine.parts.size() && budget > 0; ++i) {
-      out += (i > 0 ? "; " : "") + mine.fields[i].text() + " : ";
+      out += (i > 0 ? "; " : "") + mine.names[i].text() + " : ";
       mine.parts[i].append(out, false, budget);
     }
     out += "]";

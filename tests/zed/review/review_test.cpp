@@ -202,7 +202,9 @@ TEST_CASE("E07: a partial function is applied where its domain is given, by inva
   };
   const Said refused = {"f is applied to e, where nothing says e ∈ dom f"};
   CHECK(with("\\IF g(e) = k1 \\THEN f(e) \\ELSE 0") == Said{});
+  CHECK(with("\\IF k1 = g(e) \\THEN f(e) \\ELSE 0") == Said{});
   CHECK(with("\\IF g(e) = k3 \\THEN 0 \\ELSE f(e)") == Said{});
+  CHECK(with("\\IF k3 \\neq g(e) \\THEN f(e) \\ELSE 0") == Said{});
   CHECK(with("\\IF e \\in \\dom f \\THEN f(e) \\ELSE 0") == Said{});
   CHECK(said(state + "\\begin{zed} h == \\lambda \\Delta S; e : E | e \\in es @ f'(e) \\end{zed}") ==
         Said{"f' is applied to e, where nothing says e ∈ dom f'"});

@@ -250,6 +250,8 @@ template <>
 struct std::hash<durero::zed::Name> {
   /// Hashes word and strokes: centro and centro' are two keys.
   std::size_t operator()(const durero::zed::Name& name) const noexcept {
-    return std::hash<std::string>()(name.word) * 31 + std::hash<std::string>()(name.strokes);
+    std::size_t mixed = std::hash<std::string>()(name.word);
+    for (const char stroke : name.strokes) mixed = mixed * 31 + static_cast<unsigned char>(stroke);
+    return mixed;
   }
 };

@@ -47,11 +47,11 @@ class Type {
   /// Says whether it is made of this.
   bool is(Kind what) const { return kind() == what; }
   /// Returns the name of a given set, a free type or a formal; an empty one for another kind.
-  const Name& name() const { return node().name; }
+  const Name& name() const;
   /// Returns T of ℙ T, the factors of a product, or the types of components, in step with fields(); or nothing.
   const std::vector<Type>& parts() const { return node().parts; }
   /// Returns the names of the components of a schema type, sorted; nothing for another kind.
-  const std::vector<Name>& fields() const { return node().fields; }
+  const std::vector<Name>& fields() const;
   /// Returns the type of a component of a schema type, or null.
   const Type* field(const Name& name) const;
 
@@ -84,15 +84,15 @@ class Type {
   friend bool unify(const Type& a, const Type& b);
 
  private:
-  struct Node {
+  struct Node {  // its members leave no holes, as a text has many thousands of types
     Kind kind = Kind::unknown;
-    Name name;
-    std::vector<Type> parts;
-    std::vector<Name> fields;
+    bool generic = false;            // says whether a formal is in it
+    bool open = false;               // and whether a variable was, when it was made
+    mutable std::uint32_t rank = 0;  // the rank of a variable keeps chains of them logarithmic
     std::uint32_t size = 1, depth = 1;
-    bool generic = false;                      // says whether a formal is in it
+    std::vector<Name> names;  // the name of a given set, a free type or a formal, or the fields of a schema
+    std::vector<Type> parts;
     mutable std::shared_ptr<const Node> same;  // the variable has been found to be this
-    mutable std::uint32_t rank = 0;            // the rank of a variable keeps chains of them logarithmic
   };
   explicit Type(Node node);
   explicit Type(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
@@ -102,8 +102,9 @@ class Type {
   static bool unify_at(const Type& a, const Type& b, unsigned depth, std::uint32_t& steps);
   static void join(const Type& a, const Type& b);
   Type settled_at(std::uint32_t depth, std::unordered_map<const Node*, Type>& done) const;
-  template <class Test>
-  static bool any_node(const Type& in, Test&& test);
+  static bool is_open(const Node& node) { return node.open; }
+  template <class LookedInto, class Test>
+  static bool any_node(const Type& in, LookedInto&& looked_into, Test&& test);
   static bool occurs(const Node* variable, const Type& in);
   void append(std::string& out, bool tight, int& budget) const;
 
