@@ -169,7 +169,10 @@ void PovLooks::leave_out_value() {
 }
 
 std::optional<scene::Material> PovLooks::material(const PovLook& look) {
-  if (!look.at) return std::nullopt;
+  if (!look.at) {
+    if (look.index != 1) ++values_;  // it is of another's texture
+    return std::nullopt;
+  }
   scene::Material m{.k_d = 0};
   bool is_other = look.is_other;
   for (const PovLayer& layer : look.layers) is_other |= !add_layer(layer, static_cast<double>(look.layers.size()), m);
@@ -191,7 +194,7 @@ void PovLooks::name_losses(std::vector<std::string>& lost) const {
            "left out: read are pigments of one colour with a finish, and averages of such");
   add_loss(lost, reliefs_, "relief", "reliefs", "(normal) left out");
   add_loss(lost, values_, "value of a finish or an interior", "values of finishes or interiors",
-           "left out: a material has none such");
+           "left out: a material has no place for it");
 }
 
 }  // namespace durero::io

@@ -93,7 +93,7 @@ class PovReader {
 
   Object read_object(int depth) {
     Object object{.at = in_.offset(), .word = in_.word()};
-    if (depth > deepest) in_.fail(object.at, "objects in objects, deeper than 200", "expected less");
+    if (depth > deepest) in_.fail(object.at, "objects in objects, deeper than 200", "expected 200 at most");
     in_.pass();
     in_.expect("{", fmt::format("behind {}", object.word));
     const bool is_shape = is_of(PovShapes::words, object.word);
@@ -196,6 +196,7 @@ class PovReader {
     return "";
   }
 
+  /// Its name is new, and so is whatever is in it, so that none is refused.
   void add_group(std::string name, scene::Group own, scene::Group& into) {
     if (own == scene::Group()) {
       ++counts_.empty;

@@ -97,7 +97,7 @@ class PovWriter {
     const scene::Group& group = groups_.table().find(name)->second;
     std::string members;
     for (const std::string& e : group.elementos) members += object_text(scene_.find(e).value());
-    for (const std::string& g : group.groups) members += std::move(made.extract(g).mapped());
+    for (const std::string& g : group.groups) members += made.extract(g).mapped();
     if (members.empty()) ++empty_groups_;
     return members.empty() ? "" : fmt::format("union {{\n{}}}  // {}\n", members, name);
   }

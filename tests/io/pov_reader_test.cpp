@@ -183,22 +183,22 @@ TEST_CASE("Terms of a material come back from an average; what a material has no
   CHECK(material("pigment { rgb <1, 3, 0> } finish { ambient 0 diffuse 0 emission 1 }") ==
         scene::Material{.name = "f1", .emission = {1, 3, 0}});
   const std::string other = "1 texture left out: read are pigments of one colour with a finish, and averages of such";
-  for (const char* texture : {"texture { T_Gold }", "pigment { checker rgb 1, rgb 0 }", "pigment { color White }",
-                              "texture { pigment { rgb 1 } scale 2 }",
-                              "texture { pigment { rgb 1 } } texture { pigment { rgbt <0, 0, 0, 0.5> } }",
-                              "pigment { rgb <1, 0, 0> filter 0.25 transmit 0.25 }",
-                              "texture { average texture_map { [1 function { x } texture_map { [0 pigment { rgb 0 }] "
-                              "[1 pigment { rgb 1 }] }] } }",
-                              "texture { average texture_map { [2 pigment { rgb 1 }] [1 pigment { rgb 0 }] } }",
-                              "texture { average texture_map { [1 pigment { rgb x }] [1 pigment { rgb y }] } }"}) {
+  for (const char* texture :
+       {"texture { T_Gold }", "pigment { checker rgb 1, rgb 0 }", "pigment { color White }",
+        "texture { pigment { rgb 1 } scale 2 }",
+        "texture { pigment { rgb 1 } } texture { pigment { rgbt <0, 0, 0, 0.5> } }",
+        "pigment { rgb <1, 0, 0> filter 0.25 transmit 0.25 }",
+        "texture { average texture_map { [1 function { x } texture_map { [0 pigment { rgb 0 }] }] } }",
+        "texture { average texture_map { [2 pigment { rgb 1 }] [1 pigment { rgb 0 }] } }",
+        "texture { average texture_map { [1 pigment { rgb x }] [1 pigment { rgb y }] } }"}) {
     CAPTURE(texture);
     CHECK(looks(texture).lost == Lines{other});
     CHECK(looks(texture).scene.stage().materials.empty());
   }
   CHECK(looks("pigment { rgb 0.5 } finish { specular 0.5 metallic brilliance 2 irid { 0.25 thickness 1 } } normal { "
               "bumps 0.5 }")
-            .lost ==
-        Lines{"1 relief (normal) left out", "4 values of finishes or interiors left out: a material has none such"});
+            .lost == Lines{"1 relief (normal) left out",
+                           "4 values of finishes or interiors left out: a material has no place for it"});
 }
 
 TEST_CASE("Glass with the shadow of a stone is one element; other shadows are told of") {
@@ -213,6 +213,11 @@ TEST_CASE("Glass with the shadow of a stone is one element; other shadows are to
   CHECK(lost("sphere { 0, 1 " + glass + " }") ==
         Lines{"1 object that light goes through: its shadow is that of a stone"});
   CHECK(lost("sphere { 0, 1 pigment { rgb 1 } no_image }") == Lines{"1 object not seen everywhere: kept, and seen"});
+}
+
+TEST_CASE("An index that stands apart from the texture is told of") {
+  CHECK(import_text("object { sphere { 0, 1 pigment { rgb 1 } } interior { ior 1.5 } }").lost ==
+        Lines{"1 value of a finish or an interior left out: a material has no place for it"});
 }
 
 TEST_CASE("Settings that a scene does not have are counted") {
@@ -456,7 +461,7 @@ TEST_CASE("A malformed POV-Ray text is an error with its place") {
   }
   std::string nested;
   for (int depth = 0; depth < 200; ++depth) nested += "union { ";
-  CHECK(error_at(nested + "^sphere { 0, 1 }") == "objects in objects, deeper than 200; expected less");
+  CHECK(error_at(nested + "^sphere { 0, 1 }") == "objects in objects, deeper than 200; expected 200 at most");
 }
 
 TEST_CASE("No damage to a POV-Ray text does worse than an error") {
