@@ -8,7 +8,7 @@ namespace durero::zed {
 /// The facts are what holds at a place of the text.
 struct Facts {
   std::vector<Term> facts;
-  std::map<Name, Term> declared;  // each name has the set that it is declared from
+  std::unordered_map<Name, Term> declared;  // each name has the set that it is declared from
 };
 
 /// Makes the term dom f.

@@ -71,7 +71,12 @@ class Usage {
   void mention_components(const Term& schema, const std::string& strokes = {}) {
     const auto type = typing_.types.find(schema.get());
     if (type == typing_.types.end() || !type->second.is_schema_set()) return;
-    for (const Name& name : type->second.parts()[0].fields()) mention({name.word, name.strokes + strokes});
+    for (const Name& name : type->second.parts()[0].fields())
+      if (strokes.empty()) {
+        mention(name);
+      } else {
+        mention({name.word, name.strokes + strokes});
+      }
   }
 
   /// A text that declares components has no variables to report: they are for others, and hide those of that name

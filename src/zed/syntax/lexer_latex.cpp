@@ -218,7 +218,9 @@ class Latex : Lexer {
     take(1 + name.size());
     static constexpr std::array<std::string_view, 7> blanks = {",", ";", ":", "!", " ", "quad", "qquad"};
     static constexpr std::array<std::string_view, 4> breaks = {"\\", "also", "znewpage", "zbreak"};
-    if (among(name, blanks) || name == "\n") {
+    if (command.meaning && !command.own) {  // the others, which ISO Z gives no meaning, are layout
+      known(command, place);
+    } else if (among(name, blanks) || name == "\n") {
     } else if (among(name, breaks)) {
       newline(place);
     } else if (name == "t" && is_digit(here())) {

@@ -78,29 +78,32 @@ Term TermParser::infix(const Term& left, int strength, const Operator& op) {
 /// Takes a chain a ≤ b < c. Where an operator of a template is in it, each link is a conjunct.
 Term TermParser::relations(const Term& left) {
   const Place place = left->place;
-  std::vector<Term> operands = {left}, links;
+  std::vector<Term> operands = {left}, links;  // null where a link is one of the names
   std::vector<Name> names;
-  bool own = false;
   for (;;) {
     const Token& token = in_.peek();
-    Term right;
+    Term link, right;
     if (token.own && token.own->first() && token.own->of->has_left() && token.own->of->role == Role::relation) {
-      own = true;
-      links.push_back(own_relation(operands.back(), right));
+      link = own_relation(operands.back(), right);
     } else {
       const Operator* op = token.symbol->infix;
       if (token.own || !op || op->role != Role::relation) break;
       in_.next();
       names.push_back({op->name(), {}});
       right = term(binding::relation + 1);
-      links.push_back(relation({names.back()}, {operands.back(), right}, operands.back()->place));
     }
+    links.push_back(std::move(link));
     operands.push_back(right);
     if (!right) break;  // a postfix relation ends the chain
   }
-  if (!own) return checked(relation(std::move(names), std::move(operands), place));
-  Term all = links[0];
-  for (std::size_t i = 1; i < links.size(); ++i) all = checked(node(Kind::conjunction, {all, links[i]}, place));
+  if (names.size() == links.size()) return checked(relation(std::move(names), std::move(operands), place));
+  Term all;
+  auto name = names.begin();
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const Term& from = operands[i];
+    const Term link = links[i] ? links[i] : relation({*name++}, {from, operands[i + 1]}, from->place);
+    all = all ? checked(node(Kind::conjunction, {all, link}, place)) : link;
+  }
   return checked(all);
 }
 

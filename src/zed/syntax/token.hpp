@@ -30,8 +30,8 @@ struct Token {
   std::uint32_t from = 0, to = 0;     ///< its bytes in the text that was read, but for blanks behind it
   const Symbol* symbol = &no_symbol;  ///< what is known of a word or symbol without strokes
 
-  bool is(std::string_view symbol) const {
-    return (type == Type::symbol || (type == Type::word && strokes.empty())) && text == symbol;
+  bool is(std::string_view sign) const {
+    return (type == Type::symbol || (type == Type::word && strokes.empty())) && text == sign;
   }
 };
 

@@ -109,7 +109,8 @@ Type Checker::set_extension(const Node& node) {
 std::optional<std::pair<Type, Type>> Checker::sides_of(const Type& type) {
   if (type.is(Type::Kind::power)) {
     const Type& element = type.parts()[0];
-    if (element.is(Type::Kind::product) && element.parts().size() == 2)
+    const bool pairs = element.is(Type::Kind::product) && element.parts().size() == 2;
+    if (pairs && !element.parts()[1].is(Type::Kind::unknown))  // which would leave its variable open
       return std::pair(element.parts()[0], element.parts()[1]);
   }
   const std::pair sides{fresh(), fresh()};

@@ -61,6 +61,7 @@ TEST_CASE("operators of templates bind by their precedence, beside those of the 
            {"a below b = c", "a below b ∧ b = c"},
            {"a ≤ b below c", "a ≤ b ∧ b below c"},
            {"a below b below c", "a below b ∧ b below c"},
+           {"a ≤ b below c < d", "a ≤ b ∧ b below c ∧ c < d"},
            {"A onto B onto C", "A onto (B onto C)"},
            {"a below b", "(a, b) ∈ (_ below _)"},
            {"even a", "a ∈ (even _)"},

@@ -103,6 +103,15 @@ TEST_CASE("several errors are reported, not only the first") {
   CHECK(typing.defects[1].place.line == 3);
 }
 
+TEST_CASE("what is selected from a value of a function that is in error is not known") {
+  const Typing typing =
+      check(text("\\begin{zed} [X] \\end{zed}\n\\begin{schema}{S} f : X \\pfun Missing; x : X \\end{schema}\n"
+                 "\\begin{schema}{T} S \\where (f(x)).b = 1 \\end{schema}\n"));
+  REQUIRE(typing.defects.size() == 2);
+  CHECK(typing.defects[0].what == "Missing is not declared");
+  CHECK(typing.defects[1].what == "f x has the type ?");
+}
+
 TEST_CASE("every expression of spec/ gets a type without variables") {
   const Specification spec = read_files(files_in("spec"));
   const Typing typing = check(spec);
