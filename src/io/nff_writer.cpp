@@ -1,12 +1,11 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <vector>
 
-#include "axis.hpp"
 #include "durero/io/nff.hpp"
 #include "durero/io/number_text.hpp"
 #include "durero/scene/attributes.hpp"
+#include "ends.hpp"
 #include "losses.hpp"
 #include "scene_elements.hpp"
 #include "stage_fields.hpp"
@@ -87,30 +86,11 @@ class NffWriter {
     for (const glm::dvec3& vertex : triangle.vertices) out_.text += text(vertex) + "\n";
   }
 
-  /// A shape along an axis, by the radii of its ends: radio + proporcion·(altura − s) at the advance s, as far as it
-  /// has them.
   template <class Shape>
     requires(scene::has_attribute<Shape, &scene::AnyEscena::mi_altura>())
   void write_shape(const Shape& shape) {
-    double narrow = 0;
-    if constexpr (requires { shape.radio; }) narrow = shape.radio;
-    double wide = narrow;
-    if constexpr (requires { shape.proporcion; }) {
-      wide += shape.proporcion * shape.altura;
-      if (!std::isfinite(wide)) {
-        ++too_wide_;
-        return;
-      }
-      if (proportion_between(wide, narrow, shape.altura) != shape.proporcion) ++rounded_radii_;
-      if (wide == narrow) ++straight_;
-    }
-    write_cone(shape.centro, {shape.vector, shape.altura}, wide, narrow);
-  }
-
-  void write_cone(const glm::dvec3& base, const Axis& axis, double base_radius, double apex_radius) {
-    const glm::dvec3 apex = end_of(base, axis);
-    if (axis_between(base, apex) != axis) ++rounded_axes_;
-    out_.text += fmt::format("c {} {} {} {}\n", text(base), base_radius, text(apex), apex_radius);
+    if (const auto ends = ends_.of(shape))
+      out_.text += fmt::format("c {} {} {} {}\n", text(ends->base), ends->wide, text(ends->top), ends->narrow);
   }
 
   void name_losses() {
@@ -126,17 +106,13 @@ class NffWriter {
     if (scene_.stage().max_depth) out_.lost.emplace_back("1 max_depth left out: NFF has none");
     add_loss(out_.lost, planes_, "plane", "planes", "left out: NFF has none");
     add_loss(out_.lost, discs_, "disc", "discs", "left out: NFF has none");
-    add_loss(out_.lost, too_wide_, "element", "elements", "left out: the radius of its base is beyond binary64");
-    add_loss(out_.lost, straight_, "truncated cone", "truncated cones",
-             "written as a cylinder: its radii round to one");
-    add_loss(out_.lost, rounded_axes_, "axis", "axes", "rounded: NFF holds end points");
-    add_loss(out_.lost, rounded_radii_, "proportion", "proportions", "rounded: NFF holds the radii of the ends");
+    ends_.name_losses(out_.lost, "NFF");
   }
 
   const scene::Scene& scene_;
   Exported out_;
-  std::size_t planes_ = 0, discs_ = 0, too_wide_ = 0, straight_ = 0, rounded_axes_ = 0, rounded_radii_ = 0;
-  std::size_t other_looks_ = 0;
+  WrittenEnds ends_;
+  std::size_t planes_ = 0, discs_ = 0, other_looks_ = 0;
 };
 
 }  // namespace

@@ -65,8 +65,10 @@ glm::dvec3 PovWords::triple(std::string_view what) {
   const std::string_view axis = word_.substr(is_signed ? 1 : 0);
   if (axis != "x" && axis != "y" && axis != "z") return glm::dvec3(number(what));
   glm::dvec3 v{};
-  v[axis.front() - 'x'] = word_.starts_with('-') ? -1 : 1;
+  double& length = v[axis.front() - 'x'];
+  length = word_.starts_with('-') ? -1 : 1;
   pass();
+  if (take("*")) length *= number(what);
   return v;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 /// The words of a POV-Ray text: numbers and names up to a blank or a sign, texts in quotes, and signs, one byte each.
-/// Comments are left out. Of the language's expressions the literal ones are read: a number, <x, y, z> of numbers, and
-/// the axes x, y and z.
+/// Comments are left out. Of the language's expressions the literal ones are read: a number, <x, y, z> of numbers,
+/// and the axes x, y and z, or one times a number.
 
 #include <glm/vec3.hpp>
 #include <string>

@@ -5,9 +5,9 @@
 #include <glm/geometric.hpp>
 #include <map>
 
-#include "axis.hpp"
 #include "durero/io/pov.hpp"
 #include "durero/scene/camera.hpp"
+#include "ends.hpp"
 #include "losses.hpp"
 #include "pov_texture.hpp"
 #include "scene_elements.hpp"
@@ -154,51 +154,15 @@ class PovWriter {
     return fmt::format("triangle {{ {}, {}, {} }}", text(t.vertices[0]), text(t.vertices[1]), text(t.vertices[2]));
   }
   std::string shape_text(const scene::Cylinder& c) {
-    const auto axis = written_axis(c);
-    if (!axis) return "";
-    if (*axis != axis_of(c)) ++rounded_axes_;
-    return fmt::format("cylinder {{ {}, {}, {} open }}", text(c.centro), text(end_of(c)), c.radio);
+    const auto ends = ends_.of(c);
+    return ends ? fmt::format("cylinder {{ {}, {}, {} open }}", text(ends->base), text(ends->top), ends->wide) : "";
   }
-  std::string shape_text(const scene::Cone& c) { return cone_text(c, 0, c.proporcion * c.altura); }
-  std::string shape_text(const scene::TruncatedCone& c) {
-    return cone_text(c, c.radio, c.radio + c.proporcion * c.altura);
-  }
-
-  template <class Shape>
-  std::string cone_text(const Shape& c, double narrow, double wide) {
-    if (!std::isfinite(wide)) {
-      ++too_wide_;
-      return "";
-    }
-    const auto axis = written_axis(c);
-    if (!axis) return "";
-    const double proportion = proportion_between(wide, narrow, axis->altura);
-    const bool is_straight = wide == narrow;
-    if (is_straight ? narrow == 0 : !(proportion > 0 && std::isfinite(proportion))) {
-      ++endless_;
-      return "";
-    }
-    if (*axis != axis_of(c)) ++rounded_axes_;
-    if (is_straight) ++straight_;
-    if (proportion != c.proporcion) ++rounded_radii_;
-    return fmt::format("cone {{ {}, {}, {}, {} open }}", text(c.centro), wide, text(end_of(c)), narrow);
-  }
-
-  template <class Shape>
-  static Axis axis_of(const Shape& shape) {
-    return {shape.vector, shape.altura};
-  }
-  template <class Shape>
-  static glm::dvec3 end_of(const Shape& shape) {
-    return io::end_of(shape.centro, axis_of(shape));
-  }
-
-  /// The axis that both ends give, once they are rounded; nothing where that is none.
-  template <class Shape>
-  std::optional<Axis> written_axis(const Shape& shape) {
-    const auto written = axis_between(shape.centro, end_of(shape));
-    if (!written) ++endless_;
-    return written;
+  std::string shape_text(const scene::Cone& c) { return cone_text(ends_.of(c)); }
+  std::string shape_text(const scene::TruncatedCone& c) { return cone_text(ends_.of(c)); }
+  static std::string cone_text(const std::optional<Ends>& ends) {
+    return ends ? fmt::format("cone {{ {}, {}, {}, {} open }}", text(ends->base), ends->wide, text(ends->top),
+                              ends->narrow)
+                : "";
   }
 
   void name_losses() {
@@ -215,13 +179,8 @@ class PovWriter {
                  scene_.stage().materials,
                  [&](const scene::Material& m) { return m.bump && !patterns_.is_exact(*m.bump); })),
              "relief", "reliefs", "drawn by the differences of POV-Ray: only those of waves are slopes");
-    add_loss(out_.lost, too_wide_, "element", "elements", "left out: the radius of its base is beyond binary64");
-    add_loss(out_.lost, endless_, "element", "elements", "left out: no ends in binary64 give it");
+    ends_.name_losses(out_.lost, "POV-Ray");
     add_loss(out_.lost, empty_groups_, "group", "groups", "left out: nothing is in it");
-    add_loss(out_.lost, straight_, "truncated cone", "truncated cones",
-             "written as a cylinder: its radii round to one");
-    add_loss(out_.lost, rounded_axes_, "axis", "axes", "rounded: POV-Ray holds end points");
-    add_loss(out_.lost, rounded_radii_, "proportion", "proportions", "rounded: POV-Ray holds the radii of the ends");
   }
 
   const scene::Scene& scene_;
@@ -229,7 +188,8 @@ class PovWriter {
   const PovPatterns patterns_;
   Exported out_;
   std::vector<std::string> looks_;  // of the materials
-  std::size_t empty_groups_ = 0, too_wide_ = 0, endless_ = 0, straight_ = 0, rounded_axes_ = 0, rounded_radii_ = 0;
+  WrittenEnds ends_;
+  std::size_t empty_groups_ = 0;
 };
 
 }  // namespace

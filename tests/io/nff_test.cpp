@@ -172,7 +172,7 @@ TEST_CASE("What was exported reads back, up to names, where no loss is named for
     const io::Exported exported = io::nff_text(scene);
     const auto loses_geometry = [](const std::string& loss) {
       return loss.find("rounded") != loss.npos || loss.find("plane") != loss.npos || loss.find("disc") != loss.npos ||
-             loss.find("beyond") != loss.npos;
+             loss.find("left out: no ends") != loss.npos || loss.find("beyond") != loss.npos;
     };
     const bool kept = std::ranges::none_of(exported.lost, loses_geometry);
     RC_PRE(kept);
@@ -215,7 +215,21 @@ TEST_CASE("What NFF cannot hold of a scene is counted and named") {
         std::vector<std::string>{
             "no camera in the scene: no view was written", "1 resolution left out: it is part of a view",
             "3 names of elements left out: NFF has none", "1 name of a material left out: NFF has none",
-            "1 plane left out: NFF has none", "1 axis rounded: NFF holds end points"});
+            "1 plane left out: NFF has none", "1 axis rounded: NFF holds end points",
+            "1 proportion rounded: NFF holds the radii of the ends"});
+}
+
+TEST_CASE("What ends in binary64 do not give is left out, so that what is written is read again") {
+  scene::Scene scene;
+  const auto add = [&](const char* name, const auto& shape) { REQUIRE(scene.add(model::Elemento{name}, shape).ok()); };
+  add("beyond", scene::Cylinder{{0, 0, 1.7e308}, 1, {0, 0, 1}, 1e308});
+  add("flat", scene::Cylinder{{0, 0, 1e300}, 1, {0, 0, 1}, 1});
+  add("thin", scene::Cone{{0, 0, 0}, 5e-324, {0, 0, 1}, 0.25});
+  add("whole", scene::Cone{{0, 0, 0}, 0.5, {0, 0, 1}, 2});
+  const io::Exported exported = io::nff_text(scene);
+  CHECK(exported.text == "c 0 0 0 1 0 0 2 0\n");
+  CHECK(std::ranges::count(exported.lost, "3 elements left out: no ends in binary64 give it") == 1);
+  CHECK(import_text(exported.text).scene.size() == 1);
 }
 
 TEST_CASE("Shine and transparency come back from NFF as they were; another look is named") {
