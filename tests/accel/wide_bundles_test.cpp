@@ -24,6 +24,7 @@ struct Closing {
   std::vector<bool>& open;
   Closes closes;
 
+  static bool starts() { return false; }
   void operator()(std::uint32_t number, scene::ElementRef own) const {
     if (!open[number]) return;
     CHECK(taken.emplace(number, own).second);
@@ -93,11 +94,11 @@ TEST_CASE("of rays that any hit decides, each takes all that it may meet, once, 
 
 TEST_CASE("what rays of a bundle start on is met by its other point alone, far as their origins may lie from it") {
   scene::Scene scene;
-  add(scene, scene::Sphere{{0, 0, 0}, 1});
+  const scene::ElementRef cylinder = add(scene, scene::Cylinder{{-5, 0, 0}, 1, {1, 0, 0}, 10});
   const accel::WideBvh tree(scene);
+  REQUIRE(trace::RayColumns::number(tree.own(cylinder)) > 0);  // no column of zeros says that they start on it
   std::vector<scene::Query> queries;  // as starts, met again at t = 1.5; if the origin lay on nothing, at 0.25
-  for (int i = 0; i < 20; ++i)
-    queries.push_back({ray({1e-3 * i, 0.01, -1.5}, {0.01, 0.01, 2}), {{model::Tipo::soy_esfera, 0}}});
+  for (int i = 0; i < 20; ++i) queries.push_back({ray({1e-3 * i, 0.01, -1.5}, {0.01, 0.01, 2}), {cylinder}});
   check_each_alone(tree, queries);
 }
 
@@ -107,6 +108,7 @@ namespace {
 struct Counting {
   std::uint64_t &together, &alone;
 
+  static bool starts() { return false; }
   void operator()(std::uint32_t, scene::ElementRef) const { ++alone; }
   template <class Numbers>
   std::uint64_t operator()(const trace::RayColumns&, const Numbers&, std::uint64_t which, scene::ElementRef) const {
@@ -143,6 +145,26 @@ TEST_CASE("rays that stay together are bundled and others are not, and either wa
   }
 }
 
+TEST_CASE("company is looked for where a quarter of the rays may walk with the next") {
+  Random random(22);
+  scene::Scene scene;
+  for (int i = 0; i < 300; ++i) add(scene, scene::Sphere{random.in_cube(1), 0.15});
+  const accel::WideBvh tree(scene);
+  const auto together_of = [&](int in_a_row) {  // of every forty, so many are close
+    std::vector<trace::Ray> rays;
+    for (int i = 0; i < 4000; ++i) {
+      const glm::dvec3 p = random.in_cube(1), v = random.direction();
+      rays.emplace_back(i % 40 < in_a_row ? ray({0, 0, -3}, {0.1 + 1e-5 * i, 0.2, 1}) : ray(p, v));
+    }
+    std::uint64_t together = 0, alone = 0;
+    tree.pairs(
+        rays, [](std::uint32_t) { return trace::no_limit; }, Counting{together, alone}, [] {});
+    return together;
+  };
+  CHECK(together_of(7) == 0);
+  CHECK(together_of(20) > 0);
+}
+
 TEST_CASE("in a tree of one node every open ray is tested in columns, against its elements and those without a box") {
   Random random(5);
   scene::Scene scene;
@@ -169,6 +191,7 @@ struct Nearest {
   std::vector<double>& limits;
   std::uint64_t& taken;
 
+  static bool starts() { return false; }
   void operator()(std::uint32_t, scene::ElementRef) const { FAIL("they walk together"); }
   template <class Numbers>
   std::uint64_t operator()(const trace::RayColumns&, const Numbers& numbers, std::uint64_t which,

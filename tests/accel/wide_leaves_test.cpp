@@ -23,7 +23,8 @@ TEST_CASE("each leaf is its element, whatever the order in which they came") {
     CHECK(leaves.leaf(e) == leaf);
     CHECK(leaves.element(leaf) == e);
     leaves.visit(leaf, [&]<class Shape>(const Shape& shape) {
-      CHECK(leaves.row(leaf).data() == reinterpret_cast<const std::byte*>(&shape));
+      const std::span<const std::byte> row = std::as_bytes(std::span(&shape, 1));
+      CHECK(leaves.rows().ends(leaf) == std::pair(&row.front(), &row.back()));
       const Shape& own = scene.shapes<Shape>()[e.index];
       scene::for_each_attribute<Shape>(
           [&](const auto& attribute) { CHECK(shape.*attribute.field == own.*attribute.field); });

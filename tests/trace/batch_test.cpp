@@ -22,6 +22,7 @@ struct Recorder {
     double low() const { return t - error; }
     double high() const { return t + error; }
   };
+  static constexpr bool counted = true;
   static void triage(const trace::Packet& packet, model::Tipo tipo, Findings& findings) {
     trace::triage(packet, tipo, findings);
   }

@@ -236,6 +236,7 @@ TEST_CASE("rays in columns start on an element where type and row are those that
     trace::Ray told(ray({0, 0, 0}, {0, 0, 1}));
     if (place % 4 != 0) told.start_on(place % 4 == 1 ? sphere : place % 4 == 2 ? cone : other);
     rays.set(place, told);
+    rays.set_start(place, told.start());
     if (place % 4 == 2) on_cone |= std::uint64_t{1} << place;
   }
   for (const std::int64_t target : machine_targets()) {
@@ -243,6 +244,15 @@ TEST_CASE("rays in columns start on an element where type and row are those that
     CHECK(trace::starting_on(rays, ~std::uint64_t{}, cone) == on_cone);
     CHECK(trace::starting_on(rays, std::uint64_t{0xf0f} << 40, cone) == (on_cone & std::uint64_t{0xf0f} << 40));
     CHECK(trace::starting_on(rays, ~std::uint64_t{}, {model::Tipo::soy_disco, 7}) == 0);
+  }
+}
+
+TEST_CASE("of rays in columns, the eights that have a bit are found by their first places") {
+  CHECK(trace::eights_of(0) == 0);
+  for (std::size_t place = 0; place < trace::RayColumns::size; ++place) {
+    const std::uint64_t one = std::uint64_t{1} << place, first = std::uint64_t{1} << place / 8 * 8;
+    CHECK(trace::eights_of(one) == first);
+    CHECK(trace::eights_of(one | 0x8001) == (first | 0x0101));
   }
 }
 

@@ -28,10 +28,11 @@ class WideBundles {
   using Numbers = std::array<std::uint32_t, WideBundle::size>;  ///< of rays
 
   /// @{ What is taken of rays in columns may be told together: take(columns, numbers, which, element) answers a bit for
-  /// each ray whose limit has changed.
+  /// each ray whose limit has changed; take.starts(), whether the columns are to say what the rays start on.
   static constexpr bool takes_many =
       requires(Take& take, const trace::RayColumns& rays, const Numbers& numbers, scene::ElementRef element) {
         { take(rays, numbers, std::uint64_t{}, element) } -> std::same_as<std::uint64_t>;
+        { take.starts() } -> std::same_as<bool>;
       };
   /// And its limit is 1, until it is 0, as where any hit on a segment is an answer.
   static constexpr bool takes_any = [] {
@@ -43,13 +44,14 @@ class WideBundles {
   /// All of these must outlive it. Precondition: the tree has a node.
   WideBundles(const Tree& tree, std::span<const trace::Ray> rays, Limit& limit, Take& take, Flush& flush)
       : nodes_(tree.nodes()),
-        leaves_(tree.leaves()),
+        rows_(tree.leaves().rows()),
         large_(nodes_.size_bytes() > WideLeaves::nearby),
         narrow_(widest * tree.spacing()),
         rays_(rays),
         limit_(limit),
         take_(take),
         flush_(flush) {
+    if constexpr (takes_many) starts_ = take.starts();
     const std::size_t root = 0;
     for (int i = 0; i < 3; ++i) {
       const auto& low = nodes_[root].planes[static_cast<std::size_t>(i)];
@@ -59,19 +61,21 @@ class WideBundles {
     }
   }
 
-  /// Whether it is worth while to look for company: some of the rays, all over, may walk with the one after them.
+  /// Whether it is worth while to look for company: of some rays, all over, a quarter may walk with the one after them.
+  /// Where fewer do, the runs that are long enough to be worth it are few.
   bool some_company() const {
     if (rays_.size() <= 4 * asked) return true;
-    for (std::size_t i = 0; i < asked; ++i) {
+    std::size_t joined = 0;
+    for (std::size_t i = 0; i < asked && 4 * joined < asked; ++i) {
       const std::size_t at = i * (rays_.size() - 1) / asked;
       const double limit = limit_(static_cast<std::uint32_t>(at));
-      if (limit > 0 && WideRun(rays_[at], all_, limit).join(rays_[at + 1], narrow_)) return true;
+      if (limit > 0 && WideRun(rays_[at], all_, limit).join(rays_[at + 1], narrow_)) ++joined;
     }
-    return false;
+    return 4 * joined >= asked;
   }
   /// The next ray, and its limit. Precondition: that is not 0.
   void add(std::uint32_t number, double limit) {
-    coming_.set(number, rays_[number], limit);
+    coming_.set(number, rays_[number], limit, starts_);
     if (coming_.count == WideBundle::size) part(false);
   }
   /// No ray comes any more. Those that found no company are appended to `alone`.
@@ -88,8 +92,9 @@ class WideBundles {
 
   /// Some rays, and their numbers.
   struct Some {
-    void set(std::uint32_t number, const trace::Ray& ray, double limit) {
+    void set(std::uint32_t number, const trace::Ray& ray, double limit, bool starts) {
       numbers[count] = number;
+      if (starts) bundle.rays.set_start(count, ray.start());
       bundle.set(count++, ray, limit);
     }
     /// Whether they walk together. The last eight is filled up by rays that take no part.
@@ -157,7 +162,7 @@ class WideBundles {
       some = &apart_;
       apart_.count = 0;
       for (std::size_t place = 0; place < count; ++place)
-        apart_.set(coming_.numbers[place], ray(place), coming_.bundle.limit[place]);
+        apart_.set(coming_.numbers[place], ray(place), coming_.bundle.limit[place], starts_);
     }
     if (!some->gathered()) return false;
     const WideBeam beam = beam_of(some->bundle, all_);
@@ -173,7 +178,7 @@ class WideBundles {
     apart_.count = 0;
     if (end - begin >= least_worth)
       for (std::size_t place = begin; place < end; ++place)
-        apart_.set(coming_.numbers[place], ray(place), coming_.bundle.limit[place]);
+        apart_.set(coming_.numbers[place], ray(place), coming_.bundle.limit[place], starts_);
     if (apart_.count > 0 && apart_.gathered()) return walk(apart_);
     for (std::size_t place = begin; place < end; ++place) alone_.push_back(coming_.numbers[place]);
   }
@@ -238,8 +243,14 @@ class WideBundles {
   }
   void ask_for(const WideNode& node, unsigned children) const {
     if (!large_) return;
-    for (; children != 0; children &= children - 1)
-      accel::ask_for(nodes_, leaves_, node.children[static_cast<std::size_t>(std::countr_zero(children))]);
+    for (; children != 0; children &= children - 1) {
+      const WideChild& child = node.children[static_cast<std::size_t>(std::countr_zero(children))];
+      if (child.kind == WideChild::Kind::node) {
+        trace::ask_for(nodes_[child.index]);
+      } else {
+        rows_.ask_for(child.element());
+      }
+    }
   }
 
   /// The limits of those that have a bit, and the greatest of all.
@@ -313,8 +324,9 @@ class WideBundles {
   }
 
   std::span<const WideNode> nodes_;
-  const WideLeaves& leaves_;
-  bool large_;  // so that leaves are waited for, and so many are come to that it pays to test them by eights
+  WideLeaves::Rows rows_;
+  bool starts_ = false;  // some ray starts on something, and the columns say on what
+  bool large_;           // so that leaves are waited for, and so many are come to that it pays to test them by eights
   double narrow_;
   std::span<const trace::Ray> rays_;
   Limit& limit_;

@@ -112,6 +112,7 @@ void WideBvh::pairs_in_columns(std::span<const trace::Ray> rays, Limit& limit, T
   trace::RayColumns columns;
   typename Bundles::Numbers numbers{};
   std::size_t count = 0;
+  const bool starts = take.starts();
   const auto take_all = [&] {
     std::uint64_t which = ~std::uint64_t{} >> (columns.size - count);
     for (const scene::ElementRef leaf : every_rays_leaves_) {
@@ -123,6 +124,7 @@ void WideBvh::pairs_in_columns(std::span<const trace::Ray> rays, Limit& limit, T
   for (std::uint32_t number = 0; number < rays.size(); ++number) {
     if (!(limit(number) > 0)) continue;
     columns.set(count, rays[number]);
+    if (starts) columns.set_start(count, rays[number].start());
     numbers[count++] = number;
     if (count == columns.size) take_all();
   }

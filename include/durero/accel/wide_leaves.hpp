@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 #include <tuple>
+#include <utility>
 
 #include "durero/accel/large_pages.hpp"
 #include "durero/accel/wide_node.hpp"
@@ -51,9 +52,41 @@ class WideLeaves {
       return visit(std::get<Column<Shape>>(columns_).shapes[leaf.index]);
     });
   }
-  /// The bytes of a leaf's row, to ask memory for them ahead of time.
-  std::span<const std::byte> row(scene::ElementRef leaf) const {
-    return visit(leaf, [](const auto& shape) { return std::as_bytes(std::span(&shape, 1)); });
+  /// Where the rows of every type lie, to ask memory for them ahead of time. It is asked for nearly each that a walk
+  /// comes to, and of which type that is the processor could not foresee: so nothing branches on it.
+  class Rows {
+   public:
+    /// The first byte of a leaf's row, and the last.
+    std::pair<const std::byte*, const std::byte*> ends(scene::ElementRef leaf) const {
+      const auto [first, size] = of_type_[static_cast<std::size_t>(leaf.tipo)];
+      const std::byte* const row = first + leaf.index * size;
+      return {row, row + size - 1};
+    }
+    /// Asks memory for it: no row is longer than two lines of the cache.
+    void ask_for(scene::ElementRef leaf) const {
+      const auto [first, last] = ends(leaf);
+      __builtin_prefetch(first);
+      __builtin_prefetch(last);
+      asm volatile("" : : "r"(first));  // as of trace::ask_for
+    }
+
+   private:
+    friend class WideLeaves;
+    struct OfType {
+      const std::byte* first;
+      std::size_t size;
+    };
+    std::array<OfType, scene::shape_count> of_type_{};
+  };
+  /// Those of the leaves, while none is added.
+  Rows rows() const {
+    Rows rows;
+    scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
+      static_assert(sizeof(Shape) <= 2 * cache_line);
+      const std::span<const Shape> shapes = std::get<Column<Shape>>(columns_).shapes;
+      rows.of_type_[static_cast<std::size_t>(Shape::tipo)] = {std::as_bytes(shapes).data(), sizeof(Shape)};
+    });
+    return rows;
   }
   /// The element of the scene that a leaf is.
   scene::ElementRef element(scene::ElementRef leaf) const {
@@ -95,11 +128,5 @@ class WideLeaves {
   LargeVector<std::uint32_t> rows_;                      // of the leaves of all elements, in the scene's order
   std::array<std::size_t, scene::shape_count> first_{};  // where those of each type begin there
 };
-
-/// Asks memory for what a child is. Precondition: it is something.
-inline void ask_for(std::span<const WideNode> nodes, const WideLeaves& leaves, const WideChild& child) {
-  if (child.kind == WideChild::Kind::node) return trace::ask_for(nodes[child.index]);
-  trace::ask_for(leaves.row(child.element()));
-}
 
 }  // namespace durero::accel

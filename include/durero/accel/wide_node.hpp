@@ -55,7 +55,7 @@ struct WideBundle {
   using Column = trace::RayColumns::Column;                     ///< a number of each ray
   using Ends = std::array<double, 3>;                           ///< a number of each axis
 
-  /// Fills a place.
+  /// Fills a place but for what the ray starts on.
   void set(std::size_t place, const trace::Ray& ray, double limit_of) {
     rays.set(place, ray);
     limit[place] = limit_of;

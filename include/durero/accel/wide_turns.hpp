@@ -21,7 +21,7 @@ class WideTurns {
   /// All of these must outlive it. Precondition: there is a node.
   WideTurns(std::span<const WideNode> nodes, const WideLeaves& leaves, std::span<const trace::Ray> rays, Limit& limit,
             Take& take)
-      : nodes_(nodes), leaves_(leaves), rays_(rays), limit_(limit), take_(take) {}
+      : nodes_(nodes), rows_(leaves.rows()), rays_(rays), limit_(limit), take_(take) {}
 
   /// The rays of these numbers.
   void walk(std::span<const std::uint32_t> numbers) {
@@ -76,7 +76,7 @@ class WideTurns {
     for (;;) {
       switch (one.walker.next(limit_(one.number))) {
         case WideWalker::Next::element:
-          trace::ask_for(leaves_.row(one.walker.element));
+          rows_.ask_for(one.walker.element);
           return one.arrived = true;
         case WideWalker::Next::node:
           trace::ask_for(nodes_[one.walker.node]);
@@ -90,7 +90,7 @@ class WideTurns {
   }
 
   std::span<const WideNode> nodes_;
-  const WideLeaves& leaves_;
+  WideLeaves::Rows rows_;
   std::span<const trace::Ray> rays_;
   Limit& limit_;
   Take& take_;

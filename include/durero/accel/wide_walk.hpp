@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <span>
 #include <vector>
 
@@ -79,18 +78,14 @@ class WideWalk {
 
   /// The rays alone, those of each octant together.
   void walk_streams() {
-    std::array<std::size_t, 9> begin{};  // of each octant, and the end of the last
-    for (const std::uint32_t number : alone_) ++begin[octant_of(rays_[number].v) + 1];
-    std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    std::array<std::size_t, 9> next = begin;
-    std::vector<std::uint32_t> numbers(alone_.size());
-    for (const std::uint32_t number : alone_) numbers[next[octant_of(rays_[number].v)]++] = number;
-    std::vector<WideStreamRay> streams;
-    streams.reserve(numbers.size());
-    for (const std::uint32_t number : numbers) streams.push_back({Beam(rays_[number]), trace::no_limit, number});
-    WideStream stream(nodes_, limit_, take_);
-    for (std::size_t octant = 0; octant < 8; ++octant)
-      stream.walk(std::span(streams).subspan(begin[octant], begin[octant + 1] - begin[octant]));
+    std::array<std::vector<WideStreamRay>, 8> streams;
+    for (std::vector<WideStreamRay>& stream : streams) stream.reserve(alone_.size() / 4);
+    for (const std::uint32_t number : alone_) {
+      const trace::Ray& ray = rays_[number];
+      streams[octant_of(ray.v)].push_back({Beam(ray), trace::no_limit, number});
+    }
+    WideStream walk(nodes_, limit_, take_);
+    for (std::vector<WideStreamRay>& stream : streams) walk.walk(stream);
   }
 
   std::span<const WideNode> nodes_;

@@ -19,6 +19,7 @@ namespace durero::trace {
 ///   Findings, the result of its triage(packet, tipo, findings) in lanes, with the bits hit and undecided;
 ///   Point, what it keeps of a hit, by point(findings, lane): its parameter is between low() and high(), ∞ by default;
 ///   triage(columns, which, shape, findings by eights) too, for a source that takes rays in columns;
+///   counted, true, if it is to be known how many pairs were tested;
 ///   hit(number, ray, source, own, point), told the nearest point of a ray, by its number in the block, and the
 ///   source's name of the element; or miss(number).
 /// Rays that start on one element are left alone too, unless it has
@@ -26,6 +27,8 @@ namespace durero::trace {
 ///   hit_own(number, ray, e, point), told in place of hit where the nearest point is one of that element of the scene.
 template <class Source, class Kernel>
 class Batch {
+  static constexpr bool counted = requires { Kernel::counted; };
+
  public:
   /// All of these must outlive it.
   Batch(const Source& source, Picked<const scene::Query> queries, Kernel& kernel)
@@ -64,8 +67,12 @@ class Batch {
     }
   }
 
-  /// How many pairs of a ray and an element the lanes decided, for the rays not left alone.
-  std::uint64_t decided() const noexcept { return decided_; }
+  /// As the kernel wants it: how many pairs of a ray and an element the lanes decided, for the rays not left alone.
+  std::uint64_t decided() const noexcept
+    requires(counted)
+  {
+    return decided_;
+  }
 
  private:
   static constexpr std::size_t most_starts = requires { &Kernel::triage_from; } ? 1 : 0;  // of a ray in lanes
@@ -77,6 +84,10 @@ class Batch {
     std::uint32_t tested = 0;
     bool alone = false, on_start = false;
   };
+
+  static void count(Nearest& nearest) {
+    if constexpr (counted) ++nearest.tested;
+  }
 
   void tell_hit(std::uint32_t number, const Nearest& nearest) {
     if constexpr (most_starts > 0)
@@ -104,7 +115,7 @@ class Batch {
     kernel_.triage_from(queue.packet, queue.elements[0].tipo, findings_);
     for (std::size_t lane = 0; lane < queue.count; ++lane) {
       Nearest& nearest = nearest_[queue.numbers[lane]];
-      ++nearest.tested;
+      count(nearest);
       nearest.alone = (findings_.undecided >> lane & 1) != 0;
       nearest.on_start = (findings_.hit >> lane & 1) != 0;
       if (nearest.on_start) nearest.point = kernel_.point(findings_, lane);
@@ -115,6 +126,7 @@ class Batch {
   /// What is taken, one by one or of rays in columns.
   struct Take {
     Batch& batch;
+    bool starts() const { return batch.some_start_; }
     void operator()(std::uint32_t number, scene::ElementRef own) const { batch.take(number, own); }
     template <class Numbers>
     std::uint64_t operator()(const RayColumns& rays, const Numbers& numbers, std::uint64_t which,
@@ -138,7 +150,7 @@ class Batch {
     if (queue.count == 0) return;
     kernel_.triage(queue.packet, queue.elements[0].tipo, findings_);
     const unsigned used = (1u << queue.count) - 1;
-    for (std::size_t lane = 0; lane < queue.count; ++lane) ++nearest_[queue.numbers[lane]].tested;
+    for (std::size_t lane = 0; lane < queue.count; ++lane) count(nearest_[queue.numbers[lane]]);
     keep(findings_, used, queue.numbers.data(), [&](std::size_t lane) { return queue.elements[lane]; });
     queue.count = 0;
   }
@@ -150,11 +162,11 @@ class Batch {
     if (which == 0) return 0;
     source_.visit(own, [&](const auto& shape) { kernel_.triage(rays, which, shape, of_columns_); });
     std::uint64_t changed = 0;
-    for (std::size_t at = 0; at < RayColumns::size; at += Packet::size) {
+    for (std::uint64_t eights = eights_of(which); eights != 0; eights &= eights - 1) {
+      const auto at = static_cast<std::size_t>(std::countr_zero(eights));
       const auto used = static_cast<unsigned>(which >> at & ((1u << Packet::size) - 1));
-      if (used == 0) continue;
       for (unsigned left = used; left != 0; left &= left - 1)
-        ++nearest_[numbers[at + static_cast<std::size_t>(std::countr_zero(left))]].tested;
+        count(nearest_[numbers[at + static_cast<std::size_t>(std::countr_zero(left))]]);
       const auto& findings = of_columns_[at / Packet::size];
       keep(findings, used, &numbers[at], [&](std::size_t) { return own; });
       changed |= std::uint64_t{(findings.hit | findings.undecided) & used} << at;

@@ -17,7 +17,8 @@ namespace durero::trace {
 /// A kernel of Batch. It writes the hits that the batch finds, each in its place, and counts what decided.
 class Certified {
  public:
-  using Findings = trace::Findings;  ///< of its triage
+  static constexpr bool counted = true;  ///< all pairs, in `counts`
+  using Findings = trace::Findings;      ///< of its triage
   /// What it keeps of a hit.
   struct Point {
     Finding finding{Verdict::miss, no_limit};  ///< by triage

@@ -131,22 +131,33 @@ struct RayColumns {
   std::array<Column, 3> v{};
   Column speed{};
   /// @}
-  std::array<std::uint64_t, size> start{};  ///< what each starts on, as one number
+  std::array<std::uint64_t, size> start{};  ///< what each starts on, as one number, where that is set
 
   /// An element of a source of candidates as one number.
   static constexpr std::uint64_t number(scene::ElementRef own) {
     return std::uint64_t{static_cast<std::uint8_t>(own.tipo)} << 32 | own.index;
   }
-  /// Fills a place.
+  /// Fills a place but for what the ray starts on.
   void set(std::size_t place, const Ray& ray) {
     p[0][place] = ray.p.x, p[1][place] = ray.p.y, p[2][place] = ray.p.z;
     v[0][place] = ray.v.x, v[1][place] = ray.v.y, v[2][place] = ray.v.z;
     speed[place] = ray.speed;
-    start[place] = number(ray.start());
   }
+  /// Apart, as most rays start on nothing, and no column of it is read then.
+  void set_start(std::size_t place, scene::ElementRef own) { start[place] = number(own); }
 };
 
-/// Those of the rays that have a bit which start on this element.
+/// Of rays in columns that have a bit: a bit for each eight of some, that of its first place. Who goes through these
+/// passes over the others without a branch for each, which would go one way or the other as chance has it.
+constexpr std::uint64_t eights_of(std::uint64_t which) {
+  static_assert(Packet::size == 8);
+  which |= which >> 4;
+  which |= which >> 2;
+  which |= which >> 1;
+  return which & 0x0101010101010101;
+}
+
+/// Those of the rays that have a bit which start on this element. Precondition: what they start on is set.
 std::uint64_t starting_on(const RayColumns& rays, std::uint64_t which, scene::ElementRef own);
 
 /// What the triage finds of rays in columns, by eights.

