@@ -93,13 +93,28 @@ TEST_CASE("of rays that any hit decides, each takes all that it may meet, once, 
 }
 
 TEST_CASE("what rays of a bundle start on is met by its other point alone, far as their origins may lie from it") {
+  for (const int others : {0, 20}) {  // few elements are tested against every ray, and many are come to in a tree
+    scene::Scene scene;
+    const scene::ElementRef cylinder = add(scene, scene::Cylinder{{-5, 0, 0}, 1, {1, 0, 0}, 10});
+    for (int i = 0; i < others; ++i) add(scene, scene::Cylinder{{-5, 100.0 + 3 * i, 0}, 1, {1, 0, 0}, 10});
+    const accel::WideBvh tree(scene);
+    REQUIRE(trace::RayColumns::number(tree.own(cylinder)) > 0);  // no column of zeros says that they start on it
+    std::vector<scene::Query> queries;  // as starts, met again at t = 1.5; if the origin lay on nothing, at 0.25
+    for (int i = 0; i < 20; ++i) queries.push_back({ray({1e-3 * i, 0.01, -1.5}, {0.01, 0.01, 2}), {cylinder}});
+    check_each_alone(tree, queries);
+  }
+}
+
+TEST_CASE("of few elements each is tested against each ray, and all pairs are counted") {
   scene::Scene scene;
-  const scene::ElementRef cylinder = add(scene, scene::Cylinder{{-5, 0, 0}, 1, {1, 0, 0}, 10});
+  for (int i = 0; i < 3; ++i) add(scene, scene::Sphere{{2.5 * i, 0, 0}, 1});
   const accel::WideBvh tree(scene);
-  REQUIRE(trace::RayColumns::number(tree.own(cylinder)) > 0);  // no column of zeros says that they start on it
-  std::vector<scene::Query> queries;  // as starts, met again at t = 1.5; if the origin lay on nothing, at 0.25
-  for (int i = 0; i < 20; ++i) queries.push_back({ray({1e-3 * i, 0.01, -1.5}, {0.01, 0.01, 2}), {cylinder}});
-  check_each_alone(tree, queries);
+  std::vector<scene::Query> queries;
+  for (int i = 0; i < 100; ++i) queries.push_back({ray({0.009 * i, 0.02, -5}, {0.001, 0.002, 1}), {}});
+  std::vector<scene::Hit> hits(queries.size());
+  trace::Counts counts;
+  trace::first_hits_among(tree, queries, hits, &counts);
+  CHECK(counts.element[0] == 3 * queries.size());
 }
 
 namespace {
