@@ -333,19 +333,6 @@ Notation met := (met ray Elemento s en).
 Notation reach_of := (Chain.reach_of Elemento S p v shape_of on).
 Notation says := (Chain.says Elemento s s' ray en).
 
-(** What it is to answer a shadow ray as the text does, with two tests of an element, for a ray without end and for a
-    segment: over a walk that may end once something blocks, or pass over what is met at or beyond the other end. *)
-Definition answers_shadow_rays (blocks blocks_segment : Elemento -> bool) :=
-  forall (prunable prunable1 : bool -> Walk.cell Elemento -> Prop) apart cs taken st taken1 st1,
-  (forall c e t, prunable false c -> Walk.leads c e t -> ~ met e t) ->
-  (forall c e t, prunable1 false c -> Walk.leads c e t -> met e t -> 1 <= t) ->
-  incl apart elements -> Forall (Walk.lists_from elements) cs ->
-  (forall e t, In e elements -> ~ In e apart -> met e t -> exists c, In c cs /\ Walk.leads c e t) ->
-  (Walk.walks Elemento bool Elemento_dec (Occlusion.take Elemento blocks) prunable (Walk.plan apart cs, (nil, false))
-     (nil, (taken, st)) -> st = true <-> occluded s ray en)
-  /\ (Walk.walks Elemento bool Elemento_dec (Occlusion.take Elemento blocks_segment) prunable1
-     (Walk.plan apart cs, (nil, false)) (nil, (taken1, st1)) -> st1 = true <-> occluded_segment s ray en).
-
 Section Steps.
 (** The steps in floating point, of which nothing is assumed but [Search.steps_right]: a miss is one, a hit has the first
     parameter within its error, the ends lie around it, and what is certain is rounded. *)
@@ -433,10 +420,19 @@ Theorem bsp_trees_as_they_run r (in_order : Crossings.ordinary (Leaves.p_of r) (
      exists k, In k (map (Leaves.cell_of r Leaf Elemento lists all) walked) /\ Walk.leads k e t.
 Proof. intros <- **. now apply Leaves.halves_are_well_walked. Qed.
 
-(** So a shadow ray is answered. *)
-Theorem the_answer_to_a_shadow_ray_is_the_texts : answers_shadow_rays blocks blocks_segment.
+(** A shadow ray: over a walk that may end once something blocks, or pass over what is met at or beyond the other end. *)
+Theorem the_answer_to_a_shadow_ray_is_the_texts (prunable prunable1 : bool -> Walk.cell Elemento -> Prop) apart cs taken st
+  taken1 st1 :
+  (forall c e t, prunable false c -> Walk.leads c e t -> ~ met e t) ->
+  (forall c e t, prunable1 false c -> Walk.leads c e t -> met e t -> 1 <= t) ->
+  incl apart elements -> Forall (Walk.lists_from elements) cs ->
+  (forall e t, In e elements -> ~ In e apart -> met e t -> exists c, In c cs /\ Walk.leads c e t) ->
+  (Walk.walks Elemento bool Elemento_dec (Occlusion.take Elemento blocks) prunable (Walk.plan apart cs, (nil, false))
+     (nil, (taken, st)) -> st = true <-> occluded s ray en)
+  /\ (Walk.walks Elemento bool Elemento_dec (Occlusion.take Elemento blocks_segment) prunable1
+     (Walk.plan apart cs, (nil, false)) (nil, (taken1, st1)) -> st1 = true <-> occluded_segment s ray en).
 Proof.
-  intros prunable prunable1 apart cs taken st taken1 st1 right0 right1 Ha Hl Hr. split.
+  intros right0 right1 Ha Hl Hr. split.
   - now eapply Occlusion.blocked_is_occluded; eauto.
   - now eapply Occlusion.blocked_segment_is_occluded; eauto.
 Qed.
@@ -476,9 +472,18 @@ Qed.
 (** And so it answers a shadow ray. *)
 Notation blocks := (Occlusion.blocks Elemento finding reach_of in_range triage stable).
 Notation blocks_segment := (Occlusion.blocks_segment Elemento finding reach_of in_range triage stable low high).
-Theorem the_search_that_runs_answers_shadow_rays_as_the_text : answers_shadow_rays blocks blocks_segment.
+Theorem the_search_that_runs_answers_shadow_rays_as_the_text (prunable prunable1 : bool -> Walk.cell Elemento -> Prop) apart cs
+  taken st taken1 st1 :
+  (forall c e t, prunable false c -> Walk.leads c e t -> ~ met e t) ->
+  (forall c e t, prunable1 false c -> Walk.leads c e t -> met e t -> 1 <= t) ->
+  incl apart elements -> Forall (Walk.lists_from elements) cs ->
+  (forall e t, In e elements -> ~ In e apart -> met e t -> exists c, In c cs /\ Walk.leads c e t) ->
+  (Walk.walks Elemento bool Elemento_dec (Occlusion.take Elemento blocks) prunable (Walk.plan apart cs, (nil, false))
+     (nil, (taken, st)) -> st = true <-> occluded s ray en)
+  /\ (Walk.walks Elemento bool Elemento_dec (Occlusion.take Elemento blocks_segment) prunable1
+     (Walk.plan apart cs, (nil, false)) (nil, (taken1, st1)) -> st1 = true <-> occluded_segment s ray en).
 Proof.
   exact (the_answer_to_a_shadow_ray_is_the_texts finding in_range triage stable improved Running.near low high certainly_less
-    rounded round_exact right).
+    rounded round_exact right prunable prunable1 apart cs taken st taken1 st1).
 Qed.
 End Chain.
