@@ -76,7 +76,7 @@ std::optional<SuiteCase> Draft::built(const SuiteCase& like) const {
   return of;
 }
 
-Places places(AnyShape& any) {
+Places places(scene::AnyShape& any) {
   Places all;
   const auto add = [&]<class Shape>(Shape& shape) {
     scene::for_each_attribute<Shape>([&]<class Row>(const Row& attribute) {
@@ -109,7 +109,7 @@ void scale(Draft& draft, int k) {
 }
 
 double size_of(const Draft& draft) {
-  AnyShape first = draft.elements.front().shape;
+  scene::AnyShape first = draft.elements.front().shape;
   const Places of = places(first);
   if (!of.lengths.empty()) return *of.lengths.front();
   double size = 0;

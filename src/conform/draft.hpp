@@ -3,26 +3,17 @@
 
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "durero/conform/suite.hpp"
-#include "durero/scene/shapes.hpp"
+#include "durero/scene/any_shape.hpp"
 
 namespace durero::conform {
-
-template <class List>
-struct VariantOf;
-template <class... Shape>
-struct VariantOf<std::tuple<Shape...>> {
-  using type = std::variant<Shape...>;
-};
-using AnyShape = VariantOf<scene::Shapes>::type;
 
 struct Draft {
   struct Element {
     std::string name;
-    AnyShape shape;
+    scene::AnyShape shape;
   };
   std::vector<Element> elements;
   glm::dvec3 p{}, v{};
@@ -44,7 +35,7 @@ struct Places {
   std::vector<double*> lengths;
   std::vector<double*> ratios;
 };
-Places places(AnyShape& shape);
+Places places(scene::AnyShape& shape);
 
 /// The scene and the origin times 2^k, and v with them: the same crossings at the same t.
 void scale(Draft& draft, int k);

@@ -112,7 +112,7 @@ void PovLooks::read_pigment(PovLayer& layer, bool& is_other) {
   constexpr std::array<std::string_view, 4> colors{"rgb", "rgbf", "rgbt", "<"};  // others are declared by name
   in_.expect("{", "behind pigment");
   while (in_.take("color") || in_.take("colour")) continue;
-  if (std::ranges::find(colors, in_.word()) != colors.end()) {
+  if (is_one_of(colors, in_.word())) {
     layer.pigment = in_.color("pigment");
     if (in_.take("}")) return;
   }

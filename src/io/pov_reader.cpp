@@ -27,8 +27,7 @@ constexpr std::string_view looks[] = {"texture", "pigment", "finish", "normal", 
                            flags[] = {"no_shadow", "no_image", "no_reflection"},
                            unseen[] = {"hollow", "split_union", "double_illuminate", "bounded_by"};
 
-bool is_of(Words words, std::string_view word) { return std::ranges::find(words, word) != words.end(); }
-bool is_object(std::string_view word) { return is_of(PovShapes::words, word) || is_of(holders, word); }
+bool is_object(std::string_view word) { return is_one_of(PovShapes::words, word) || is_one_of(holders, word); }
 
 std::string expected_of(std::string_view word, std::initializer_list<Words> lists) {
   std::vector<std::string> all;
@@ -96,7 +95,7 @@ class PovReader {
     if (depth > deepest) in_.fail(object.at, "objects in objects, deeper than 200", "expected 200 at most");
     in_.pass();
     in_.expect("{", fmt::format("behind {}", object.word));
-    const bool is_shape = is_of(PovShapes::words, object.word);
+    const bool is_shape = is_one_of(PovShapes::words, object.word);
     const std::size_t from = is_shape ? object.at : in_.offset();
     if (is_shape)
       object.shape = shapes_.read(object.word);
@@ -111,7 +110,7 @@ class PovReader {
   void read_parts(Object& object, int depth) {
     const bool is_mesh = object.word == "mesh", is_one = object.word == "object";
     if (is_one && !is_object(in_.word())) fail_unknown("object", {PovShapes::words, holders});
-    while (is_mesh ? is_of(meshes, in_.word()) : is_object(in_.word())) {
+    while (is_mesh ? is_one_of(meshes, in_.word()) : is_object(in_.word())) {
       object.parts.push_back(read_object(depth + 1));
       if (is_one) break;
     }
@@ -124,7 +123,7 @@ class PovReader {
       if (flag != std::end(flags)) {
         object.flags[static_cast<std::size_t>(flag - flags)] = true;
         in_.pass();
-      } else if (is_of(unseen, in_.word())) {
+      } else if (is_one_of(unseen, in_.word())) {
         ++counts_.attributes;
         in_.pass();
         in_.skip_value();

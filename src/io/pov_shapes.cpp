@@ -55,13 +55,13 @@ PovShape PovShapes::along_axis(std::string_view word, std::size_t at, const End&
     in_.fail(at, fmt::format("the ends of {} give no axis", word), "expected two points, a finite distance apart");
   if (end_of(wide.at, *axis) != narrow.at) ++axes_;
   PovShape shape{wide.radius == narrow.radius
-                     ? PovSurface(scene::Cylinder{wide.at, wide.radius, axis->vector, axis->altura})
+                     ? scene::AnyShape(scene::Cylinder{wide.at, wide.radius, axis->vector, axis->altura})
                      : narrowing(*axis, wide, narrow)};
   shape.is_closed = !in_.take("open");
   return shape;
 }
 
-PovSurface PovShapes::narrowing(const Axis& axis, const End& wide, const End& narrow) {
+scene::AnyShape PovShapes::narrowing(const Axis& axis, const End& wide, const End& narrow) {
   const double proportion = proportion_between(wide.radius, narrow.radius, axis.altura);
   if (narrow.radius + proportion * axis.altura != wide.radius) ++proportions_;
   if (narrow.radius == 0) return scene::Cone{wide.at, proportion, axis.vector, axis.altura};

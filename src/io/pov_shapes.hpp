@@ -4,27 +4,17 @@
 #include <array>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "axis.hpp"
-#include "durero/scene/shapes.hpp"
+#include "durero/scene/any_shape.hpp"
 #include "pov_words.hpp"
 
 namespace durero::io {
 
-template <class List>
-struct AnyOf;
-template <class... Shape>
-struct AnyOf<std::tuple<Shape...>> {
-  using type = std::variant<Shape...>;
-};
-/// An element without its name.
-using PovSurface = AnyOf<scene::Shapes>::type;
-
 /// What a shape describes: a surface, and whether it has caps where its axis ends.
 struct PovShape {
-  PovSurface surface;
+  scene::AnyShape surface;
   bool is_closed = false;
 };
 
@@ -55,7 +45,7 @@ class PovShapes {
   PovShape triangle();
   PovShape smooth_triangle();
   PovShape along_axis(std::string_view word, std::size_t at, const End& wide, const End& narrow);
-  PovSurface narrowing(const Axis& axis, const End& wide, const End& narrow);
+  scene::AnyShape narrowing(const Axis& axis, const End& wide, const End& narrow);
   glm::dvec3 vertex(std::string_view what);
   glm::dvec3 direction(std::string_view what);
 

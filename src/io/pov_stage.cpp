@@ -215,9 +215,9 @@ void PovStage::read_declaration() {
   in_.pass();
   in_.expect("=", "behind the name of a declaration");
   const std::string_view kind = in_.word();
-  if (std::ranges::find(colors, kind) != colors.end()) {
+  if (is_one_of(colors, kind)) {
     in_.color("#declare");
-  } else if (std::ranges::find(blocks, kind) != blocks.end()) {
+  } else if (is_one_of(blocks, kind)) {
     in_.pass();
     if (in_.take("("))
       while (!in_.done() && !in_.take(")")) in_.pass();

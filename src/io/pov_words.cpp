@@ -19,9 +19,11 @@ constexpr std::string_view ends = " \t\v\f\r\n<>{}[]();,=*/?:!&|\"#";
 constexpr std::array<std::string_view, 3> colored{"color", "colour", "rgb"};
 constexpr std::array<std::string_view, 6> switches{"on", "off", "true", "false", "yes", "no"};
 
-bool stands_in(const auto& words, std::string_view word) { return std::ranges::find(words, word) != std::end(words); }
-
 }  // namespace
+
+bool is_one_of(std::span<const std::string_view> words, std::string_view word) {
+  return std::ranges::find(words, word) != words.end();
+}
 
 void PovWords::pass() {
   end_ = at_ + word_.size();
@@ -74,7 +76,7 @@ glm::dvec3 PovWords::triple(std::string_view what) {
 
 PovColor PovWords::color(std::string_view what) {
   PovColor color;
-  while (stands_in(colored, word_)) pass();
+  while (is_one_of(colored, word_)) pass();
   const std::string_view fourth = word_;
   if (take("rgbf") || take("rgbt")) {
     expect("<", fmt::format("in {}", what));
@@ -115,8 +117,8 @@ void PovWords::skip_value() {
 }
 
 bool PovWords::is_value() const {
-  return word_ == "<" || word_ == "," || word_.starts_with('"') || read_finite(word_) || stands_in(colored, word_) ||
-         stands_in(switches, word_);
+  return word_ == "<" || word_ == "," || word_.starts_with('"') || read_finite(word_) || is_one_of(colored, word_) ||
+         is_one_of(switches, word_);
 }
 
 std::string PovWords::here() const { return done() ? "the text ends" : text::shown(word_) + " stands here"; }

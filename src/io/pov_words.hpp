@@ -4,12 +4,16 @@
 /// and the axes x, y and z, or one times a number.
 
 #include <glm/vec3.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "durero/io/source.hpp"
 
 namespace durero::io {
+
+/// Whether the word is one of these.
+bool is_one_of(std::span<const std::string_view> words, std::string_view word);
 
 /// A colour, and the shares that go through it: of the colour, and of all light alike.
 struct PovColor {

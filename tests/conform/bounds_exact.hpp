@@ -4,20 +4,15 @@
 /// bound.
 
 #include <algorithm>
-#include <variant>
 
+#include "durero/scene/any_shape.hpp"
 #include "durero/surface/exact_element.hpp"
 #include "support/exact_vector.hpp"
 #include "trace/steps.hpp"
 
 namespace durero::test {
 
-/// Any shape.
-template <class Shapes>
-struct AnyOf;
-template <class... Shape>
-struct AnyOf<std::tuple<Shape...>> : std::type_identity<std::variant<Shape...>> {};
-using Element = AnyOf<scene::Shapes>::type;
+using Element = scene::AnyShape;
 
 /// on: the ray starts on the element.
 struct Specimen {

@@ -165,8 +165,8 @@ std::string Operator::name() const {
 
 namespace {
 
-const Operator*& of_fixity(Symbol& symbol, Fixity fixity) {
-  return fixity == Fixity::prefix ? symbol.prefix : fixity == Fixity::infix ? symbol.infix : symbol.postfix;
+constexpr const Operator* Symbol::*of_fixity(Fixity fixity) {
+  return fixity == Fixity::prefix ? &Symbol::prefix : fixity == Fixity::infix ? &Symbol::infix : &Symbol::postfix;
 }
 
 }  // namespace
@@ -174,7 +174,7 @@ const Operator*& of_fixity(Symbol& symbol, Fixity fixity) {
 const Symbol& symbol_of(std::string_view text) {
   static const auto table = [] {
     std::unordered_map<std::string_view, Symbol> symbols;
-    for (const Operator& op : operators()) of_fixity(symbols[op.symbol], op.fixity) = &op;
+    for (const Operator& op : operators()) symbols[op.symbol].*of_fixity(op.fixity) = &op;
     for (const Connective& sign : connectives) symbols[sign.symbol].connective = &sign;
     for (const Quantifier& sign : quantifiers) symbols[sign.symbol].quantifier = &sign;
     for (const std::string_view word : reserved) symbols[word].reserved = true;
@@ -186,10 +186,7 @@ const Symbol& symbol_of(std::string_view text) {
   return at == table.end() ? no_symbol : at->second;
 }
 
-const Operator* find_operator(std::string_view symbol, Fixity fixity) {
-  Symbol known = symbol_of(symbol);
-  return of_fixity(known, fixity);
-}
+const Operator* find_operator(std::string_view symbol, Fixity fixity) { return symbol_of(symbol).*of_fixity(fixity); }
 
 const Operator* operator_of_name(std::string_view name) {
   if (name.find('_') == name.npos) return nullptr;
