@@ -14,7 +14,7 @@ durero, root = os.path.abspath(sys.argv[1]), pathlib.Path(os.path.abspath(sys.ar
 schemas = Schemas(root)
 checked, bad = {}, 0
 WRONG_SYSTEM = """import sys
-print("system wrong 1")
+print("system wrong 1", flush=True)
 for line in sys.stdin:
     if line.startswith("rays"):
         print("miss\\nhit - nan\\n" * (int(line.split()[1]) // 2), end="", flush=True)
