@@ -5,7 +5,8 @@ set -eu
 durero=$1 root=$2
 tmp=$(mktemp -d)
 trap 'rm -rf "$tmp"' EXIT
-mkdir "$tmp/tree" "$tmp/bin"
+mkdir "$tmp/tree" "$tmp/bin" "$tmp/temporary"
+export TMPDIR="$tmp/temporary"  # of ./x
 cp "$root/x" "$tmp/tree/x"
 cd "$tmp"
 bad=0 checks=0
@@ -44,10 +45,22 @@ door=./bin/front-door x 0 help
 says said 'The front door'
 rm bin/front-door
 
+# Every word of its own says its help before anything is installed or built, and so does ./x help WORD.
+for word in demo gallery test bench lint build package reference spec-pdf; do
+  x 0 $word --help; says said "./x $word "; [ "$(grep -c '^./x ' said)" = 1 ] || fail "it says other words, too"
+  cp said by_option
+  x 0 help $word
+  cmp -s said by_option || fail "another help than ./x $word --help"
+done
+x 0 bench --vs -h; says said './x bench '
+x 0 help test; says said '--systems'
+x 2 help tset; says complaint 'expected test'; one_line
+[ ! -e tree/build ] || fail "something was built"
+
 # Programs that write their arguments. No Debian: dpkg-query is absent. A stub takes the place of a link: written through
 # it, the program of the machine would be lost.
 stub() { rm -f "bin/$1"; printf '#!/bin/sh\n%s\n' "$2" >"bin/$1"; chmod +x "bin/$1"; }
-for program in sh wc chmod sed awk tr dirname readlink cat grep tail head mkdir rm id nproc setsid sleep mktemp; do
+for program in sh wc chmod sed awk tr dirname readlink cat env grep tail head mkdir rm id nproc setsid sleep mktemp; do
   ln -sf "$(command -v $program)" "bin/$program"
 done
 PATH=$tmp/bin
@@ -62,6 +75,16 @@ x 2 build; says complaint 'there is no ninja'; one_line
 stub ninja ''
 x 0 build
 says called '--target durero'
+mkdir tree/build/release
+printf '#!/bin/sh\necho "durero $*"\n' >tree/build/release/durero
+chmod +x tree/build/release/durero
+for words in 'render --help' 'help render'; do
+  # shellcheck disable=SC2086  # words are meant to split
+  x 0 $words; says said 'durero render --help'
+  [ "$(tail -n 1 called)" = 'cmake --build --preset release --target durero' ] || fail "more was built than the program"
+done
+x 0 help conform run; says said 'durero conform run --help'
+rm -r tree/build/release
 
 # What a test asks of packages and of ctest.
 stub ctest 'echo "ctest $*" >called'
@@ -95,11 +118,19 @@ echo "After this operation, 17.2 MB of additional disk space will be used."'
 x 0 build
 says complaint 'installing libpng-dev (12 newly installed, 3456 kB to fetch, 17.2 MB of additional disk space will be used)'
 
-# Packages that cannot be installed.
+# Packages that cannot be installed: the network is asked about where apt-get could not fetch, and only there.
 stub dpkg-query 'echo'
-stub apt-get 'echo "E: Could not resolve host" >&2; exit 100'
+stub apt-get 'case $1 in update) echo "W: Failed to fetch InRelease" >&2 ;; *) echo "E: Unable to locate package g++" >&2; exit 100 ;; esac'
 x 2 build
-says complaint 'is there a network? apt-get said: E: Could not resolve host'
+says complaint 'is there a network? apt-get said: E: Unable to locate package g++'
+stub apt-get 'echo "E: Failed to fetch libpng-dev: Could not resolve a name" >&2; echo "E: Unable to fetch some archives" >&2; exit 100'
+x 2 build
+says complaint 'is there a network? apt-get said: E: Failed to fetch libpng-dev'
+stub apt-get '[ "$1" = update ] || { echo "E: dpkg was interrupted, run dpkg --configure -a" >&2; echo "E: Sub-process" >&2; exit 100; }'
+x 2 build
+says complaint '; apt-get said: E: dpkg was interrupted, run dpkg --configure -a'
+grep -q network complaint && fail "it asks about the network"
+for left in temporary/*; do [ ! -e "$left" ] || fail "it leaves $left"; done
 stub id 'echo 1000'
 x 2 build; says complaint 'neither root nor sudo: run, as root, apt-get install'; one_line
 
