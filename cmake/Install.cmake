@@ -12,6 +12,9 @@ set_target_properties(durero_all PROPERTIES EXPORT_NAME durero)
 
 install(TARGETS durero)
 install(TARGETS durero_all durero_options ${layer_targets} EXPORT durero)
+
+# `./x build` builds this target: every target that cmake --install installs, and no test.
+add_custom_target(durero_installation DEPENDS durero ${layer_targets})
 install(DIRECTORY include/durero TYPE INCLUDE FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
 install(DIRECTORY systems DESTINATION ${CMAKE_INSTALL_DATADIR}/durero PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY schemas DESTINATION ${CMAKE_INSTALL_DATADIR}/durero)
@@ -47,5 +50,19 @@ foreach(layer IN LISTS layers)
   endif()
 endforeach()
 file(RELATIVE_PATH pc_to_include /${CMAKE_INSTALL_LIBDIR}/pkgconfig /${CMAKE_INSTALL_INCLUDEDIR})
+# A compiler of C links no library of C++ by itself: these are named for it.
+set(pc_runtime "")
+foreach(library IN LISTS CMAKE_CXX_IMPLICIT_LINK_LIBRARIES)
+  if(library MATCHES "^(stdc[+][+]|c[+][+]|m)$")
+    string(APPEND pc_runtime " -l${library}")
+  endif()
+endforeach()
+# durero is for programs in C++, durero-c for programs in C, whose compiler refuses flags of C++.
+set(pc_name durero)
+set(pc_flags " -std=c++20 -ffp-contract=off -fno-fast-math")
 configure_file(cmake/durero.pc.in durero.pc @ONLY)
-install(FILES ${PROJECT_BINARY_DIR}/durero.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+set(pc_name durero-c)
+set(pc_flags "")
+configure_file(cmake/durero.pc.in durero-c.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/durero.pc ${PROJECT_BINARY_DIR}/durero-c.pc
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -1,8 +1,9 @@
 #!/bin/sh
-# consume.sh ROOT BUILD installed|subdirectory|shared|headers: whether others can use the library. `installed` installs
-# BUILD into a prefix with a space in its name and builds programs/ against it by CMake, one of them by
-# pkg-config too; `subdirectory` builds them with the sources as a part of their project; `shared` as `installed`, with
-# shared libraries built anew; `headers` compiles each installed header alone.
+# consume.sh ROOT BUILD installed|targets|subdirectory|shared|headers: whether others can use the library. `installed`
+# installs BUILD into a prefix with a space in its name and builds programs/ against it by CMake, some of them by
+# pkg-config too; `targets` asks whether ./x build builds each file that is installed; `subdirectory` builds programs/ with
+# the sources as a part of their project; `shared` as `installed`, with shared libraries built anew; `headers` compiles
+# each installed header alone.
 set -eu
 root=$1 build=$2 way=$3
 here=$root/tests/consume
@@ -24,11 +25,7 @@ case $way in
   installed)
     installed "$build"
     programs -DCMAKE_PREFIX_PATH="$prefix"
-    export PKG_CONFIG_PATH="$prefix/lib/pkgconfig"
-    # pkg-config answers words of the shell.
-    eval "c++ -O2 $here/programs/edit.cpp -o $work/edit $(pkg-config --cflags --libs durero)" >"$work/log" 2>&1 ||
-      fail "no program by pkg-config"
-    "$work/edit" | cmp -s - "$work/edit.said" || fail "another answer by pkg-config"
+    sh "$here/by_pkg_config.sh" "$root" "$prefix" "$work/by_pkg_config"
     # The installed program has the systems that were installed with it.
     (cd "$work" && "$prefix/bin/durero" conform setup nothing) >"$work/log" 2>&1 || true
     grep -q 'expected one of .*embree' "$work/log" || fail "no systems installed"
@@ -37,6 +34,12 @@ case $way in
       zsh/site-functions/_durero fish/vendor_completions.d/durero.fish; do
       grep -q durero "$prefix/share/$file" || fail "no $file installed"
     done ;;
+  targets)
+    sed -nE 's/.*TYPE (STATIC_LIBRARY|SHARED_LIBRARY|EXECUTABLE) FILES "([^"]*)".*/\2/p' "$build/cmake_install.cmake" |
+      sed 's/.*\///' | sort >"$work/installed"
+    ninja -C "$build" -t query durero_installation | sed -n 's/^    //p' | sort >"$work/built"
+    [ "$(wc -l <"$work/installed")" -ge 10 ] || { echo "consume: nearly nothing is installed"; exit 1; }
+    comm -23 "$work/installed" "$work/built" | sed 's/$/: it is installed, and .\/x build does not build it/' | { ! grep .; } ;;
   subdirectory) programs -DDURERO_SOURCE="$root" ;;
   shared)
     { cmake -S "$root" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=ON -DDURERO_TESTS=OFF \

@@ -74,7 +74,7 @@ stub cmake 'echo cmake version 3.25.1; [ "$1" = --version ] || echo "cmake $*" >
 x 2 build; says complaint 'there is no ninja'; one_line
 stub ninja ''
 x 0 build
-says called '--target durero'
+[ "$(tail -n 1 called)" = 'cmake --build --preset release --target durero_installation' ] || fail "$(cat called)"
 mkdir tree/build/release
 printf '#!/bin/sh\necho "durero $*"\n' >tree/build/release/durero
 chmod +x tree/build/release/durero
