@@ -4,7 +4,7 @@
     page.py BUILD_DIRECTORY <ANSWERS        the page, on standard output
 
 The build directory holds the proofs, built. ANSWERS are Coq's own words for all that is reached (audit.sh), a block to
-each name: [KIND Durero.FILE.NAME], its lines, and at last the block [the libraries].
+each name: [KIND Durero.FILE.NAME] and its lines; of a theorem also [Proof Durero.FILE.NAME]; at last [the libraries].
 
 The page has the source as it is written: of Main*.v all but the proofs; of another file each sentence that is reached,
 with what it names of its section, in the order of the file. A file stands before those that need it. With each goes a
@@ -23,7 +23,6 @@ from sources import Source
 
 WRITTEN = {"Especificacion": "`durero spec export --coq` writes it from `spec/*.tex`",
            "Formas": "`tests/proofs/formas.cpp` writes it from the headers of `src/trace`"}
-MAIN = "MainText", "MainModels", "Main"
 AROUND = re.compile(r"(Local |Global )?(Variable|Hypothes|Context|Let\b|Notation|Implicit)")  # what is said around a sentence
 TITLE = """# What is proved
 
@@ -96,7 +95,7 @@ class Page:
             if stem not in WRITTEN:
                 self.wanted.setdefault(self.source(stem).defining(rest), []).append(name)
         self.around = set()
-        self.main = [stem for stem in MAIN if (build / f"{stem}.v").exists()]
+        self.main = sorted((file.stem for file in build.glob("Main*.v")), reverse=True)  # MainText.v first, Main.v last
         for sentence in [s for stem in self.main for s in self.source(stem).sentences] + list(self.wanted):
             self.surround(sentence)
 
@@ -120,7 +119,7 @@ class Page:
 
     def stems(self):
         """The files that are reached, each before those that need it."""
-        files = sorted({s.source.stem for s in [*self.wanted, *self.around]} - set(MAIN) - set(WRITTEN))
+        files = sorted({s.source.stem for s in [*self.wanted, *self.around]} - {*self.main, *WRITTEN})
         told = subprocess.run(["coqdep", "-Q", ".", "Durero", "-sort", *(stem + ".v" for stem in files)],
                               cwd=self.build, capture_output=True, text=True, check=True).stdout
         order = [pathlib.Path(file).stem for file in told.split()]
@@ -139,7 +138,8 @@ class Page:
         names = self.wanted.get(sentence)
         if not names:
             return ""
-        total = check_sum([line for name in names for line in self.blocks[name]])
+        types = [name for name in names if self.blocks[name][0].startswith("[Inductive")]  # they have their fields in them
+        total = check_sum([line for name in sorted(types or names) for line in self.blocks[name]])
         under = self.rests_on(sentence, names[0])
         if not under:
             return f"  (* {total} *)"
