@@ -6,13 +6,14 @@
 #                  switched off, and Main.v holds statements and nothing that they could be bent with
 #     reachable    Main.v depends on every file, so that none is proved beside the point
 #     assumptions  each theorem of Main.v rests on the axioms that assumptions.txt says, and those are of classical reals
-#     statements   each theorem of Main.v says what statements.txt says, and so does each definition that it reaches
+#     statements   each theorem of Main.v says what statements.md says, and so does each definition that it reaches
 #     kernel       coqchk, which shares no code with the tactics, accepts Main.v and all below it
 #     all          each of these
-# Except for `text` the build directory holds the proofs, built. `update` writes assumptions.txt and statements.txt anew:
+# Except for `text` the build directory holds the proofs, built. `update` writes assumptions.txt and statements.md anew:
 # their difference is then for a reader to judge.
 set -eu
 export LC_ALL=C
+here=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
 check=$1 proofs=$2 build=${3-}
 tmp=$(mktemp -d) && trap 'rm -rf "$tmp"' EXIT
 
@@ -150,10 +151,10 @@ audit_assumptions() {
   diff -u "$proofs/assumptions.txt" "$tmp/now" || { echo 'assumptions.txt does not say what Main.v rests on'; return 1; }
 }
 
-# What each theorem of Main.v says, and then, round by round, the definitions of what was named in the round before:
-# sections are closed, so that their hypotheses show. A block begins with the full name; the last one has the full names
-# of what Coq's libraries define.
-statements() {
+# What Coq says of each theorem of Main.v, and then, round by round, of what was named in the round before: sections are
+# closed, so that their hypotheses show. A block begins with the full name; that of a theorem is followed by one with its
+# proof; the last one has the full names of what Coq's libraries define.
+answers() {
   own=$(cd "$proofs" && printf '%s\n' ./*.v | sed 's|^\./||; s|\.v$||' | tr '\n' '|')
   theorems >"$tmp/new"
   : >"$tmp/known"
@@ -162,7 +163,8 @@ statements() {
     round=$((round + 1))
     awk -v out="$tmp/$round" '{ say = $0 ~ /^(Durero\.)?Main[A-Za-z]*\./ ? "Check @" : "Print "
       printf "Redirect \"%s.%04d.is\" About %s.\nRedirect \"%s.%04d.says\" %s%s.\n", out, NR, $0, out, NR, say, $0
-      printf "Redirect \"%s.%04d.type\" Check @%s.\n", out, NR, $0 }' "$tmp/new" >"$tmp/questions"
+      printf "Redirect \"%s.%04d.type\" Check @%s.\n", out, NR, $0
+      if (say != "Print ") printf "Redirect \"%s.%04d.says.proof\" Print %s.\n", out, NR, $0 }' "$tmp/new" >"$tmp/questions"
     ask "$tmp/questions" >&2 || return 1
     # Of a proof that a definition carries nothing matters but what it proves: no other proof can look into it.
     for is in "$tmp/$round".*.is.out; do
@@ -178,17 +180,21 @@ statements() {
   ask "$tmp/questions" >"$tmp/libraries" || return 1
   awk '
     FILENAME ~ /\.is\.out$/ { if (sub(/^Expands to: /, "")) full = $0; next }
-    FNR == 1 { if (full ~ /^Constructor /) skip = 2; else { skip = 0; print "[" full "]" } }  # its type is printed
+    FNR == 1 && FILENAME ~ /\.proof\.out$/ { skip = 0; sub(/^[A-Za-z]*/, "Proof", full); print "[" full "]" }
+    FNR == 1 && FILENAME ~ /\.says\.out$/ { if (full ~ /^Constructor /) skip = 2; else { skip = 0; print "[" full "]" } }  # its type is printed
     /^Arguments / { if (!skip) skip = 1 } /^$/ { if (skip == 1) skip = 0; next }
-    !skip' $(printf '%s\n' "$tmp"/*.out | grep -E '/[0-9]+\.[0-9]+\.(is|says)\.out$')
+    !skip' $(printf '%s\n' "$tmp"/*.out | grep -E '/[0-9]+\.[0-9]+\.(is|says|says\.proof)\.out$')
   echo '[the libraries]'
   sed -n 's/^Expands to: //p' "$tmp/libraries" | sort -u
 }
 
+# The same as a page for a person.
+statements() { answers >"$tmp/answers" && python3 "$here/page.py" "$build" <"$tmp/answers"; }
+
 audit_statements() {
-  statements >"$tmp/now"
-  diff -u "$proofs/statements.txt" "$tmp/now" || {
-    echo 'statements.txt does not say what Main.v states; if it should, sh tests/proofs/run.sh build/proofs update'
+  statements >"$tmp/now" || return 1
+  diff -u "$proofs/statements.md" "$tmp/now" || {
+    echo 'statements.md does not say what Main.v states; if it should, sh tests/proofs/run.sh build/proofs update'
     return 1
   }
 }
@@ -204,7 +210,7 @@ case $check in
   text | reachable | assumptions | statements | kernel) "audit_$check" ;;
   update)
     assumptions >"$tmp/assumptions" && statements >"$tmp/statements"
-    cp "$tmp/assumptions" "$proofs/assumptions.txt" && cp "$tmp/statements" "$proofs/statements.txt" ;;
+    cp "$tmp/assumptions" "$proofs/assumptions.txt" && cp "$tmp/statements" "$proofs/statements.md" ;;
   all) audit_text && audit_reachable && audit_assumptions && audit_statements && audit_kernel ;;
   *) echo "audit.sh does not know $check"; exit 2 ;;
 esac

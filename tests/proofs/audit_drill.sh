@@ -122,9 +122,9 @@ sed -i 's/^\(Theorem a_certified_miss_is_a_miss t :\) Formas/\1 False -> Formas/
   s/^Proof\. exact (first_correct f)\. Qed\./Proof. intros [H | []]. now apply first_correct. Qed./' "$proofs"/Main*.v
 printf 'Lemma alone : True.\nProof. exact I. Qed.\n' >"$proofs/Alone.v"
 builds "three statements with another meaning, and a file beside the point"
-saw statements "a premise that is false" '^+ .*_ : False'
-saw statements "a hypothesis that nothing satisfies" '^+ .*eq (Especificacion.Rayo_v ray)'
-saw statements "another notion under a name of a statement" '^+.Constant Durero.MainText.proper'
+saw statements "a premise that is false" '^+Theorem a_certified_miss_is_a_miss t : False ->'
+saw statements "a hypothesis that nothing satisfies" '^+.* rests on .*ray_still'
+saw statements "another notion under a name of a statement" '^+Let proper f : Prop := or'
 saw reachable "a file that Main.v does not depend on" 'Alone.v'
 
 # small: proofs of two files that pass the audit. The theorem names two definitions, and the second of them a third.
@@ -181,11 +181,14 @@ printf 'Unset\n Guard Checking.\nFixpoint loop (n : nat) : False := loop n.\n' >
 rebuilt kernel "a function that does not end" 'loop'
 small
 sed -i 's/:= sum n n/& + 0/' "$proofs/Base.v"
-rebuilt statements "another definition" '^+Base.double = fun n : nat => Nat.add (Base.sum n n) 0'
+rebuilt statements "another definition" '^+Definition double (n : nat) := sum n n + 0\.'
 small
 sed -i 's/:= m + n/& + 0/' "$proofs/Base.v"
 rebuilt statements "another definition below the definitions that a theorem names" \
-  '^+Base.sum = fun m n : nat => Nat.add (Nat.add m n) 0'
+  '^+Definition sum (m n : nat) := m + n + 0\.'
+small
+sed -i '1i Local Notation "m + n" := (Nat.mul m n) : nat_scope.' "$proofs/Base.v"
+rebuilt statements "another meaning of the same text" '^+Definition sum (m n : nat) := m + n\.  (\* [0-9a-f]* \*)$'
 small
 echo '-arg -type-in-type' >>"$proofs/_CoqProject"
 rebuilt kernel "every file compiled with -type-in-type, by a change of _CoqProject alone" 'type-in-type: *[^<]*$'

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Builds the proofs and runs a check on them; 77, which CTest reports as skipped, where Coq is absent.
 #   run.sh BUILD_DIRECTORY build | audit | drill
-#   run.sh BUILD_DIRECTORY update     writes proofs/assumptions.txt and proofs/statements.txt; read their difference
+#   run.sh BUILD_DIRECTORY update     writes proofs/assumptions.txt and proofs/statements.md; read their difference
 set -eu
 here=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
 proofs=$here/../../proofs build=$1 check=$2
