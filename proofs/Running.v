@@ -6,7 +6,9 @@
     finding          == what a step has found: in binary64, in double-double, or by improving the first
     near f t         == t is within its error, with the room that its ends and comparisons ask for
     close root t     == the pair root is within its error of t, which is no less than what rounding asks
-    answered_pair    == as Triage.answered, of the second step: limits are binary64 *)
+    answered_pair    == as Triage.answered, of the second step: limits are binary64
+    found_by e w     == what w rests on was found of e, by a step that was asked of it
+    steps_run        == what the steps compute; Instances.v has steps of which it holds *)
 From Coq Require Import Reals List Lra Lia ZArith.
 From Flocq Require Import Core BinarySingleNaN.
 From Durero Require Import Toolkit Especificacion Escena Puntos Trazador Interseccion.
@@ -107,13 +109,21 @@ Variable round_exact : Surd.surd -> Chain.printed.
 Definition quadratic_of (e : Elemento) : coefficients :=
   if on e then launched (text_of p v (shape_of e)) else text_of p v (shape_of e).
 
+(** The evidence w was found of e, by its step: only of such are the ends asked, since no binary64 is an end of every real. *)
+Definition found_by (e : Elemento) (w : Search.evidence finding) : Prop :=
+  match w with
+  | Search.By_triage f => in_range e = true /\ exists x, triage e x = Search.Hit _ f
+  | Search.By_stable f => in_range e = true /\ exists x, stable e x = Search.Hit _ f
+  | Search.By_exact x => Surd.valid x
+  end.
+
 (** What the steps compute. *)
 Record steps_run : Prop := {
   triage_runs : forall e x, In e elements -> in_range e = true ->
     exists a, answered (alone_of p v (shape_of e) (on e)) x a /\ triage e x = found_single a;
   stable_runs : forall e x, In e elements -> in_range e = true ->
     exists a, answered_pair (second_of p v (shape_of e) (on e)) x a /\ stable e x = found_double a;
-  ends_run : forall w,
+  ends_run : forall e w, In e elements -> found_by e w ->
     match w with
     | Search.By_triage (Single root _ _) =>
         Once.stored (low w) (Formas.low (Formas.ends_of root)) /\ Once.stored (high w) (Formas.high (Formas.ends_of root))
@@ -233,7 +243,8 @@ Proof.
     refine (double_says_right _ _ _ _ _ Ha); intros limit Fl.
     exact (second_pair Elemento s en p v ok ray_ok Ray e _ (on e) limit Hs Ho Hon Fl).
   - intros e f g t He Hr [x Hx] Hg Ht _; exact (improved_is_close e x f g t Runs He Hr Hx Hg Ht).
-  - intros e w t He _ Hv; pose proof (ends_run Runs w) as E; destruct w as [f | f | x].
+  - intros e w t He _ Hv; assert (E : found_by e w) by (destruct w; cbn in *; tauto).
+    apply (ends_run Runs e w He) in E; destruct w as [f | f | x].
     + destruct Hv as (Hr & [x Hx] & Hn); destruct (triage_runs Runs e x He Hr) as (a & _ & Ea); rewrite Ea in Hx.
       destruct a as [| | root slope curvature]; try discriminate; injection Hx as <-; destruct E as [El Eh].
       exact (Ends.stored_between _ _ _ t (Ends.ends_of_near root t Hn) El Eh).
