@@ -23,7 +23,7 @@ sees() {
 clean=$(git write-tree)  # the tree without any fault
 
 for rule in layers edges independence stems house labels mutants z_text specified draws requirements standard_output packages \
-  versions reference optimised narrow flush; do
+  versions reference optimised narrow flush commits; do
   sh "$here/$rule.sh" >/dev/null 2>&1 || { echo "drill: $rule.sh fails before any fault is planted"; missed=$((missed + 1)); }
 done
 
@@ -149,6 +149,24 @@ sed -i 's/^print("system wrong 1", flush=True)/print("system wrong 1")/' tests/s
 sees flush "a system whose first line waits in a buffer"
 sed -i '/sys.stdout.flush()/d' tests/conform/flaky_system.py
 sees flush "a system whose answers wait in a buffer"
+# committed SUBJECT [BODY]: the tree has a history of one commit; uncommitted, it has none.
+committed() { git -c user.name=nobody -c user.email=nobody commit -q --allow-empty -m "$1" ${2:+-m "$2"}; }
+uncommitted() { git update-ref -d HEAD; }
+while IFS='|' read -r subject body what; do
+  committed "$subject" "$body"
+  sees commits "$what"
+  uncommitted
+done <<'END'
+Ten cells, not eight|They are more.|a subject without an area
+lattice: ten cells are made, where eight were, of each side of a box that holds it|They are more.|a subject of more than 72 characters
+lattice: makes ten cells|They are more.|a subject that is no imperative
+lattice: making ten cells|They are more.|a subject that says what goes on
+lattice: Make ten cells|They are more.|a subject that begins with a capital
+lattice: make ten cells||a commit without a reason
+END
+committed 'lattice: make ten cells' 'Eight were too few for a box that holds one more.'
+sh "$here/commits.sh" || { echo "drill: commits.sh complains of a good commit"; missed=$((missed + 1)); }
+uncommitted
 if command -v doxygen >/dev/null 2>&1; then
   sed -i 's/^  \/\/\/ #elementos$//' include/durero/scene/scene.hpp
   sees reference "a public name without a sentence"
