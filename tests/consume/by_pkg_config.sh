@@ -16,7 +16,7 @@ right() { # right PROGRAM: ./a.out prints what it should
 }
 
 sh "$root/tests/docs/install_lines.sh" "$root" | grep '^eval c' >calls
-grep -q '^eval c++ .*[.]cpp ' calls && grep -q '^eval cc .*[.]c ' calls || fail "docs/library.md shows no call for C++ or none for C"
+grep -q '^eval c++ .*\.cpp ' calls && grep -q '^eval cc .*\.c ' calls || fail "docs/library.md shows no call for C++ or none for C"
 while IFS= read -r call; do
   rm -f a.out
   sh -c "$call" >log 2>&1 || fail "$call: status $?"

@@ -39,7 +39,7 @@ trap 'exit 130' INT TERM HUP
 
 # inside COMMAND...: in the bare root, in a clean environment; its output goes to the log.
 inside() {
-  env -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 \
+  env -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin HOME=/newcomer LANG=C.UTF-8 \
     ${http_proxy:+"http_proxy=$http_proxy"} ${https_proxy:+"https_proxy=$https_proxy"} \
     chroot "$fresh" "$@" </dev/null >>"$log" 2>&1
 }
@@ -70,31 +70,32 @@ fresh_root() {
   [ ! -f /etc/pip.conf ] || cp /etc/pip.conf "$fresh/etc/pip.conf"
   mount -t proc proc "$fresh/proc"
   mount --bind /dev/pts "$fresh/dev/pts"
-  git -C "$root" bundle create -q "$fresh/root/durero.bundle" HEAD
+  mkdir "$fresh/newcomer"
+  git -C "$root" bundle create -q "$fresh/newcomer/durero.bundle" HEAD
 }
 
-clone() { [ -d "$fresh/root/$1" ] || inside git clone -q /root/durero.bundle "/root/$1" || fail "no clone"; }
+clone() { [ -d "$fresh/newcomer/$1" ] || inside git clone -q /newcomer/durero.bundle "/newcomer/$1" || fail "no clone"; }
 
 demo() {
   clone durero
-  inside sh -c 'cd /root/durero && ./x demo' || fail "./x demo: status $?"
-  [ -s "$fresh/root/durero/durero-demo.png" ] || fail "./x demo leaves no picture"
+  inside sh -c 'cd /newcomer/durero && ./x demo' || fail "./x demo: status $?"
+  [ -s "$fresh/newcomer/durero/durero-demo.png" ] || fail "./x demo leaves no picture"
 }
 
 install() {
   clone installed
   # The programs that docs/library.md compiles lie where its lines are typed.
-  cp "$root"/tests/consume/programs/*.c "$root"/tests/consume/programs/*.cpp "$fresh/root/installed/"
-  sh "$root/tests/docs/install_lines.sh" "$root" >"$fresh/root/lines"
-  cat "$fresh/root/lines" >>"$log"
-  inside sh -ec 'cd /root/installed && . /root/lines && python3 -c "import durero; print(durero.__version__)"' ||
+  cp "$root"/tests/consume/programs/*.c "$root"/tests/consume/programs/*.cpp "$fresh/newcomer/installed/"
+  sh "$root/tests/docs/install_lines.sh" "$root" >"$fresh/newcomer/lines"
+  cat "$fresh/newcomer/lines" >>"$log"
+  inside sh -ec 'cd /newcomer/installed && . /newcomer/lines && python3 -c "import durero; print(durero.__version__)"' ||
     fail "the documented lines do not install: status $?"
   [ -x "$fresh/opt/durero/bin/durero" ] || fail "no program is installed"
 }
 
 test_all() {
   clone durero
-  inside sh -c 'cd /root/durero && ./x test' || fail "./x test: status $?"
+  inside sh -c 'cd /newcomer/durero && ./x test' || fail "./x test: status $?"
   tail -n 30 "$log" | sed -n '/tests passed/p; /^Total Test time/p'
 }
 
