@@ -8,6 +8,7 @@
 
 #include "conform/allowance.hpp"
 #include "conform/draft.hpp"
+#include "conform/limits.hpp"
 #include "conform/trial.hpp"
 #include "durero/conform/question.hpp"
 #include "durero/io/number_text.hpp"
@@ -40,10 +41,11 @@ bool is_right(const SuiteCase& of, const Claim& claim, const Profile& profile) {
   return verdict == Verdict::exact || verdict == Verdict::right;
 }
 
-/// Whether it is the answer of these data: a miss exactly, and of a hit, which is rounded, the number nearly.
+/// Whether it is the answer of these data: a miss exactly, also where all hits are beyond the limits of the profile,
+/// and of a hit, which is rounded, the number nearly.
 bool has_answer(const SuiteCase& of, const Claim& claim, const Profile& profile) {
-  return claim.outcome == Claim::Outcome::miss ? of.truths[0].hit.resultado == model::Resultado::miss
-                                               : is_right(of, claim, profile);
+  if (claim.outcome != Claim::Outcome::miss) return is_right(of, claim, profile);
+  return outside(of, 0, without_limits(profile)).empty() && is_all_beyond_limits(Trial(of, 0, profile));
 }
 
 /// Whether the claim is right of some data off by that length besides, as far as exact arithmetic can tell.
@@ -129,8 +131,7 @@ class Search {
     const double off = candidate.off / unit_;
     if (!(off > 0) || (nearest_ && off >= nearest_->off)) return;
     std::optional<SuiteCase> of = candidate.draft.built(finding_->of);
-    if (of && outside(*of, 0, *profile_).empty() && has_answer(*of, finding_->claim, *profile_))
-      nearest_ = {std::move(*of), off};
+    if (of && has_answer(*of, finding_->claim, *profile_)) nearest_ = {std::move(*of), off};
   }
 
   /// One number is another by 2^k units.

@@ -6,6 +6,7 @@
 
 #include "conform/allowance.hpp"
 #include "conform/error_of.hpp"
+#include "conform/limits.hpp"
 #include "conform/robust.hpp"
 #include "conform/trial.hpp"
 #include "durero/contract/contract.hpp"
@@ -42,15 +43,22 @@ Elements solids_around_origin(const Trial& trial) {
   return around;
 }
 
-/// What a system must not pass by on the way to the limit: every zone, of a closed mesh as well where it claims to be
-/// watertight, but those of solids that a ray from inside does not meet by its profile.
+/// Whether a ray from inside a solid may pass by its surface: where the profile says so, and where the system answers
+/// the origin, which is nearer than its limit.
+bool may_leave_unseen(const Profile& profile) {
+  return profile.inside == Inside::nothing || (profile.inside == Inside::origin && profile.least_t > 0);
+}
+
+/// What a system must not pass by on the way to the limit: every zone within the limits of its profile, of a closed
+/// mesh as well where it claims to be watertight, but those of solids that a ray from inside may leave unseen.
 std::vector<Zone> walls(const Trial& trial, double limit) {
   std::vector<Zone> all = zones(trial.scene, trial.ray, trial.precision(), limit);
   if (trial.profile.watertight) {
     if (const std::optional<Zone> mesh = zone_of_mesh(trial.scene, trial.ray.rayo, trial.precision()))
       all.push_back(*mesh);
   }
-  if (trial.profile.inside != Inside::nothing) return all;
+  std::erase_if(all, [&](const Zone& zone) { return !is_within_limits(trial, zone); });
+  if (!may_leave_unseen(trial.profile)) return all;
   const Elements around = solids_around_origin(trial);
   std::erase_if(all, [&](const Zone& zone) {
     return std::find(around.begin(), around.end(), trial.body(zone.element)) != around.end();
@@ -178,6 +186,14 @@ Judgement inside_profile(const Trial& trial, const Claim& claim) {
   contract::unreachable();
 }
 
+/// Of a ray outside the profile. Limits that its first hit is beyond would leave nothing to say of it.
+Verdict otherwise(const SuiteCase& of, std::size_t ray, const Claim& claim, const Profile& profile) {
+  const Trial trial(of, ray, profile);
+  if (!is_truth_beyond_limits(trial)) return inside_profile(trial, claim).verdict;
+  const Profile unlimited = without_limits(profile);
+  return inside_profile(Trial(of, ray, unlimited), claim).verdict;
+}
+
 }  // namespace
 
 Judgement judge(const SuiteCase& of, std::size_t ray, const Claim& claim, const Profile& profile) {
@@ -185,7 +201,7 @@ Judgement judge(const SuiteCase& of, std::size_t ray, const Claim& claim, const 
   std::string clause = outside(of, ray, profile);
   if (clause.empty()) return inside_profile(trial, claim);
   Judgement skipped{.clause = std::move(clause)};
-  if (claim.outcome != Claim::Outcome::unanswered) skipped.otherwise = inside_profile(trial, claim).verdict;
+  if (claim.outcome != Claim::Outcome::unanswered) skipped.otherwise = otherwise(of, ray, claim, profile);
   return skipped;
 }
 

@@ -12,7 +12,8 @@ namespace durero::conform {
 /// Lengths are measured in ε·M: ε the unit of rounding of the system's format, M the largest magnitude among the
 /// coordinates and lengths of the elements, the origin and the first point (expected, or claimed).
 struct ExplainingData {
-  /// Data with the claim as their answer: a miss exactly; a hit, which is rounded, within the declared error.
+  /// Data with the claim as their answer: a miss exactly, also where all hits are beyond the limits of the profile; a
+  /// hit, which is rounded, within the declared error.
   struct Nearest {
     SuiteCase of;    ///< those data: one element, or the origin, is moved, or one length is another
     double off = 0;  ///< by how much, in ε·M

@@ -7,8 +7,14 @@
 /// data meets its element, and that of all meets no other before; no number was claimed, so it is never `exact`. A miss
 /// is right where no element is met by the rays of all such data, and the origin lies in no closed mesh of a system
 /// that claims to be watertight. So whoever computes an exact answer from data that are off by no more is right; that a
-/// claim is off is a theorem on every such answer, proved beside conform/shell.hpp and conform/zones.hpp with exact
-/// arithmetic.
+/// claim is off is a theorem on every such answer, proved beside conform/shell.hpp, conform/zones.hpp and
+/// conform/limits.hpp with exact arithmetic.
+///
+/// The limits least_t and greatest_t of a profile say what the system need not see. Which rays are judged is decided by
+/// the data given: those whose exact first hit is not beyond a limit, or that hit nothing. What is right is decided by
+/// all data within the declared backward error: of each the hits beyond a limit may be seen or passed by, so that
+/// another hit, or a miss, is right where all that is nearer may be beyond a limit. A hit within the error of a limit
+/// is permitted on either side of it; a hit beyond one is right where it is right without the limits.
 
 #include "durero/conform/claim.hpp"
 #include "durero/conform/profile.hpp"

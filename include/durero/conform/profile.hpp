@@ -71,7 +71,7 @@ struct Profile {
   Directions directions = Directions::any;  ///< what it asks of v
   Inside inside = Inside::exit_point;       ///< undefined: a ray that may start inside a solid is outside the profile
   double thickness = 0;  ///< a length that is nothing to the system: what is no farther off may be off for it
-  double least_t = 0;    ///< a first hit at less is outside the profile: t, or t·|v| by `measure`
+  double least_t = 0;    ///< what is nearer need not be seen, a first hit there is outside: t, or t·|v| by `measure`
   double greatest_t = std::numeric_limits<double>::infinity();           ///< the same, at more
   double least_size = 0;                                                 ///< of a radius or an altura
   double greatest_size = std::numeric_limits<double>::infinity();        ///< of the same
