@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <stdexcept>
 
 #include "description.hpp"
 #include "durero/text/nearest.hpp"
@@ -14,6 +15,12 @@ namespace {
 
 std::string all_of(const std::vector<std::string>& words) {
   return words.size() == 1 ? words.front() : fmt::format("one of {}", fmt::join(words, ", "));
+}
+
+/// `check — did you mean it?` where a word is near, or else all of them.
+std::string expected_of(const std::string& word, const std::vector<std::string>& known) {
+  const auto meant = text::nearest(word, known);
+  return meant ? *meant + " — did you mean it?" : all_of(known);
 }
 
 std::vector<std::string> option_names(const CLI::App& command) {
@@ -47,10 +54,9 @@ std::string name_in(const std::string& argument) {
 std::string no_such_option(const CLI::App& command, const std::string& argument) {
   const std::string name = name_in(argument);
   const auto known = option_names(command);
-  if (const auto meant = text::nearest(name, known))
-    return fmt::format("{}: no such option; expected {}", name, *meant);
   const auto others = that_have(program(command), name);
-  if (others.empty()) return fmt::format("{}: no such option; expected one of {}", name, fmt::join(known, ", "));
+  if (text::nearest(name, known) || others.empty())
+    return fmt::format("{}: no such option; expected {}", name, expected_of(name, known));
   return fmt::format("{}: no option of this command; expected it with {}", name, all_of(others));
 }
 
@@ -61,7 +67,7 @@ std::string no_such_command(const CLI::App& command, const std::string& word) {
     if (other->get_name() == word) deeper.push_back("durero " + path_of(*other));
   if (!text::nearest(word, known) && !deeper.empty())
     return fmt::format("{}: no such command here; expected {}", word, all_of(deeper));
-  return fmt::format("{}: no such command; expected {}", word, text::expected_of(word, known));
+  return fmt::format("{}: no such command; expected {}", word, expected_of(word, known));
 }
 
 /// What no command and no option took. Behind `--` nothing is an option.
@@ -163,6 +169,24 @@ std::string call_error(const CLI::App& app, const CLI::ParseError& error) {
   if (what.find("; expected ") == what.npos)
     what += fmt::format("; expected what durero {}--help shows", path.empty() ? "" : path + " ");
   return path.empty() ? what : path + ": " + what;
+}
+
+const CLI::App& command_of(const CLI::App& app, const std::vector<std::string>& words, std::string_view asking) {
+  const CLI::App* command = &app;
+  for (const std::string& word : words) {
+    std::vector<std::string> known;
+    const CLI::App* next = nullptr;
+    for (const CLI::App* below : subcommands(*command)) {
+      known.push_back(below->get_name());
+      if (below->get_name() == word) next = below;
+    }
+    if (next == nullptr)
+      throw std::runtime_error(
+          fmt::format("{}: {}: no such command; expected {}", asking, word,
+                      known.empty() ? "none below " + path_of(*command) : expected_of(word, known)));
+    command = next;
+  }
+  return *command;
 }
 
 }  // namespace durero::cli

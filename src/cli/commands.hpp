@@ -45,6 +45,7 @@ void add_spec(CLI::App& app, int& status);
 void add_spec_export(CLI::App& spec, int& status);   ///< of spec: export
 void add_spec_convert(CLI::App& spec, int& status);  ///< of spec: convert
 void add_version(CLI::App& app, int& status);
+void add_help(CLI::App& app, int& status);
 void add_man(CLI::App& app, int& status);
 void add_completion(CLI::App& app, int& status);
 

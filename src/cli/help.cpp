@@ -3,7 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <memory>
+
+#include "call_error.hpp"
+#include "commands.hpp"
 #include "description.hpp"
+#include "durero/io/standard_output.hpp"
 
 namespace durero::cli {
 namespace {
@@ -77,6 +82,18 @@ std::string Help::make_help(const CLI::App* command, std::string, CLI::AppFormat
   text += commands_text(*command) + arguments_text(*command) + options_text(*command);
   const std::string footer = command->get_footer();
   return text + (footer.empty() ? "" : "\n" + footer + "\n");
+}
+
+void add_help(CLI::App& app, int& status) {
+  auto* command = app.add_subcommand("help", "Print what --help prints of a command");
+  const auto words = std::make_shared<std::vector<std::string>>();
+  command->add_option("COMMAND", *words, "The command that is told of; without it, durero and all its commands");
+  command->footer(exit_status("it is printed", "the call is bad") +
+                  examples({"help", "help render", "help conform run"}));
+  command->callback([&app, words, &status] {
+    io::print(Help().make_help(&command_of(app, *words, "help"), "", CLI::AppFormatMode::Normal));
+    status = 0;
+  });
 }
 
 }  // namespace durero::cli

@@ -48,7 +48,7 @@ void add_commands(CLI::App& app, int& status) {
   for (const auto add : {add_trace, add_render, add_environment, add_engines, add_stats, add_voxelise, add_agree})
     add(app, status);
   for (const auto add : {add_conform, add_spec}) add(app, status);
-  for (const auto add : {add_version, add_man, add_completion}) add(app, status);
+  for (const auto add : {add_help, add_version, add_man, add_completion}) add(app, status);
 }
 
 /// The groups that help shows commands in.
@@ -59,7 +59,7 @@ void group_commands(CLI::App& app) {
   group("Scenes", {"check", "edit", "import", "export"});
   group("Rays and pictures", {"trace", "render", "environment", "engines", "stats", "voxelise", "agree"});
   group("Other programs, and the specification", {"conform", "spec"});
-  group("This program", {"version", "man", "completion"});
+  group("This program", {"help", "version", "man", "completion"});
 }
 
 /// A flag is given or not: `--json=no` is no way to say so.

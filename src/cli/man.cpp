@@ -8,11 +8,11 @@
 #include <filesystem>
 #include <memory>
 
+#include "call_error.hpp"
 #include "commands.hpp"
 #include "description.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/io/standard_output.hpp"
-#include "durero/text/nearest.hpp"
 #include "durero/text/utf8.hpp"
 #include "help.hpp"
 
@@ -130,31 +130,13 @@ struct ManOptions {
   std::string directory;
 };
 
-const CLI::App& command_of(const CLI::App& app, const std::vector<std::string>& words) {
-  const CLI::App* command = &app;
-  for (const std::string& word : words) {
-    std::vector<std::string> known;
-    const CLI::App* next = nullptr;
-    for (const CLI::App* below : subcommands(*command)) {
-      known.push_back(below->get_name());
-      if (below->get_name() == word) next = below;
-    }
-    if (next == nullptr)
-      throw std::runtime_error(
-          fmt::format("man: {}: no such command; expected {}", word,
-                      known.empty() ? "none below " + path_of(*command) : text::expected_of(word, known)));
-    command = next;
-  }
-  return *command;
-}
-
 int run(const CLI::App& app, const ManOptions& options) {
   if (options.directory.empty()) {
-    io::print(page(command_of(app, options.words)));
+    io::print(page(command_of(app, options.words, "man")));
     return 0;
   }
   std::filesystem::create_directories(options.directory);
-  for (const CLI::App* command : with_subcommands(command_of(app, options.words)))
+  for (const CLI::App* command : with_subcommands(command_of(app, options.words, "man")))
     io::write_file(fmt::format("{}/{}.1", options.directory, page_name(*command)), page(*command));
   return 0;
 }

@@ -3,10 +3,21 @@
 sample >scene.json
 
 run 0 --help
-for command in check edit trace render stats voxelise import export version man completion; do has out "  $command "; done
+for command in check edit trace render stats voxelise import export version man completion help; do has out "  $command "; done
 empty err
 run 0 edit --help
 has out --script
+# help is --help, of the program and of every command.
+run 0 --help
+cp out program
+run 0 help
+same out program
+run 0 conform run --help
+cp out command
+run 0 help conform run
+same out command
+refused 'help: tarce: no such command; expected trace — did you mean it?' help tarce
+refused 'help: more: no such command; expected none below trace' help trace more
 run 0 --version
 lines out 1
 has out 'durero '
@@ -14,12 +25,12 @@ has out 'durero '
 # Every bad call is told by what is wrong in it, and what is expected there: the near word where one is near.
 refused 'no command; expected one of check, edit, ' 
 refused 'frobnicate: no such command; expected one of check, edit, ' frobnicate
-refused 'tarce: no such command; expected trace' tarce scene.json rays
+refused 'tarce: no such command; expected trace — did you mean it?' tarce scene.json rays
 refused 'conform: jugde: no such command; expected judge' conform jugde suite hits
 refused 'conform: no command; expected one of list, make, ' conform
 refused 'conform: trace: no such command here; expected durero trace' conform trace
 refused 'judge: no such command here; expected durero conform judge' judge suite hits
-refused 'trace: --enginee: no such option; expected --engine' trace scene.json rays --enginee exact
+refused 'trace: --enginee: no such option; expected --engine — did you mean it?' trace scene.json rays --enginee exact
 refused 'trace: --enginee: no such option; expected --engine' trace --enginee=exact
 refused 'conform run: --timeuot: no such option; expected --timeout' conform run glm --timeuot 3
 refused 'check: --frobnicate: no such option; expected one of -h, --help' check scene.json --frobnicate
