@@ -1,5 +1,6 @@
 #!/bin/sh
-# library.sh DURERO ROOT: the programs that docs/library.md shows are those that tests/consume builds.
+# library.sh DURERO ROOT: the programs that docs/library.md shows are those that tests/consume builds, and the commands by
+# which README and docs/*.md install something are found by install_lines.sh, whose lines the long tests run.
 set -eu
 cd "$2"
 shown=$(mktemp -d)
@@ -10,3 +11,7 @@ awk -v folder="$shown" '
   inside { print >file }
   /^```c/ && file { inside = 1 }' docs/library.md
 diff -r tests/consume/programs "$shown" -x CMakeLists.txt
+sh tests/docs/install_lines.sh . >"$shown/lines"
+for line in './x build' 'cmake --install build/release --prefix /opt/durero' 'pip install .'; do
+  grep -qxF -e "$line" "$shown/lines" || { echo "no page installs by: $line"; exit 1; }
+done

@@ -9,11 +9,16 @@
 # a setting `Acquire` are copied; the variables http_proxy and https_proxy are handed on. Status 77: not root, or no
 # debootstrap, no unshare or no git history here.
 set -eu
-# In a mount namespace of its own no mount outlives the test, however that ends.
-if [ -z "${BARE_ROOT_NAMESPACE-}" ]; then
+# A namespace of its own takes mounts and processes along, however the test ends; then the root holds files alone.
+if [ -z "${BARE_ROOT_INSIDE-}" ]; then
   [ "$(id -u)" = 0 ] || { echo "bare root: not root"; exit 77; }
-  unshare --mount true 2>/dev/null || { echo "bare root: no mount namespaces here"; exit 77; }
-  BARE_ROOT_NAMESPACE=yes exec unshare --mount --propagation private sh "$0" "$@"
+  unshare --mount --pid --fork true 2>/dev/null || { echo "bare root: no namespaces here"; exit 77; }
+  BARE_ROOT_INSIDE=yes unshare --mount --propagation private --pid --fork --kill-child sh "$0" "$@" &
+  child=$!
+  trap 'kill -KILL "$child"; status=130' INT TERM HUP
+  wait "$child" && status=${status-0} || status=${status-$?}
+  rm -rf --one-file-system "$2/bare_root/root"
+  exit "$status"
 fi
 root=$1 work=$2/bare_root
 shift 2
@@ -28,15 +33,6 @@ git -C "$root" rev-parse --verify -q HEAD >/dev/null || { echo "bare root: no gi
 fresh=$work/root
 fail() { tail -n 40 "$log"; echo "bare root: $*; the whole log is $log"; exit 1; }
 
-# Files are removed only where nothing is mounted below them.
-discard() {
-  for folder in dev/pts proc; do umount "$fresh/$folder" 2>/dev/null || :; done
-  ! grep -qF " $fresh/" /proc/self/mounts || { echo "bare root: $fresh is still mounted, and stays"; return; }
-  rm -rf --one-file-system "$fresh"
-}
-trap 'status=$?; discard; exit $status' EXIT
-trap 'exit 130' INT TERM HUP
-
 # inside COMMAND...: in the bare root, in a clean environment; its output goes to the log.
 inside() {
   env -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin HOME=/newcomer LANG=C.UTF-8 \
@@ -44,16 +40,16 @@ inside() {
     chroot "$fresh" "$@" </dev/null >>"$log" 2>&1
 }
 
-# timed STEP: runs the function STEP and says how long it took.
+# timed STEP: runs the function do_STEP and says how long it took.
 timed() {
   log=$work/$1.log
   : >"$log"
   begin=$(date +%s)
-  "$1"
+  "do_$1"
   echo "bare root: $1 took $(($(date +%s) - begin)) s"
 }
 
-fresh_root() {
+do_root() {
   mirror=${DEBIAN_MIRROR:-$(sed -nE 's/^URIs: *([^ ]*).*/\1/p; s/^deb +(\[[^]]*\] +)?([^ ]*).*/\2/p' \
     /etc/apt/sources.list.d/debian.sources /etc/apt/sources.list 2>/dev/null | head -n 1)}
   debootstrap --variant=minbase --include=git,ca-certificates bookworm "$fresh" ${mirror:+"$mirror"} >"$log" 2>&1 ||
@@ -76,32 +72,30 @@ fresh_root() {
 
 clone() { [ -d "$fresh/newcomer/$1" ] || inside git clone -q /newcomer/durero.bundle "/newcomer/$1" || fail "no clone"; }
 
-demo() {
+do_demo() {
   clone durero
   inside sh -c 'cd /newcomer/durero && ./x demo' || fail "./x demo: status $?"
   [ -s "$fresh/newcomer/durero/durero-demo.png" ] || fail "./x demo leaves no picture"
 }
 
-install() {
+do_install() {
   clone installed
   # The programs that docs/library.md compiles lie where its lines are typed.
   cp "$root"/tests/consume/programs/*.c "$root"/tests/consume/programs/*.cpp "$fresh/newcomer/installed/"
   sh "$root/tests/docs/install_lines.sh" "$root" >"$fresh/newcomer/lines"
   cat "$fresh/newcomer/lines" >>"$log"
-  inside sh -ec 'cd /newcomer/installed && . /newcomer/lines && python3 -c "import durero; print(durero.__version__)"' ||
+  inside sh -ec 'cd /newcomer/installed; . /newcomer/lines; python3 -c "import durero; print(durero.__version__)"' ||
     fail "the documented lines do not install: status $?"
   [ -x "$fresh/opt/durero/bin/durero" ] || fail "no program is installed"
 }
 
-test_all() {
+do_test() {
   clone durero
   inside sh -c 'cd /newcomer/durero && ./x test' || fail "./x test: status $?"
   tail -n 30 "$log" | sed -n '/tests passed/p; /^Total Test time/p'
 }
 
+rm -rf --one-file-system "$fresh"
 mkdir -p "$work"
-discard
-timed fresh_root
-for step in "$@"; do
-  case $step in test) timed test_all ;; *) timed "$step" ;; esac
-done
+timed root
+for step in "$@"; do timed "$step"; done

@@ -46,6 +46,7 @@ done
 (cd "$work" && head -n 9 ./*.said) | diff "$root/tests/consume/expected.txt" - ||
   fail "the examples answer otherwise"
 inside sh -c 'eval "c++ -O2 /usr/share/doc/libdurero-dev/examples/edit.cpp -o /edit $(pkg-config --cflags --libs durero)" && /edit'
+inside sh -c 'eval "cc /usr/share/doc/libdurero-dev/examples/first_hit.c -o /first_hit $(pkg-config --cflags --libs durero-c)" && /first_hit'
 
 inside apt-get purge -y durero libdurero-dev
 [ ! -e "$fresh/usr/bin/durero" ] && [ ! -e "$fresh/usr/share/durero" ] || fail "something is left once they are purged"

@@ -7,13 +7,33 @@ import inspect
 import pkgutil
 import pydoc
 import re
+import sys
 
+import numpy as np
 import pytest
 from support import ROOT
 
 import durero
 
 MODULES = ["durero"] + [f"durero.{module.name}" for module in pkgutil.iter_modules(durero.__path__)]
+
+
+def has_scalar(value: object) -> bool:
+    """Whether it is a scalar of NumPy, or a list or tuple with one: NumPy 1 and NumPy 2 show it differently."""
+    return isinstance(value, np.generic) or (isinstance(value, (list, tuple)) and any(map(has_scalar, value)))
+
+
+@pytest.fixture(autouse=True)
+def scalars_are_told_of(monkeypatch: pytest.MonkeyPatch) -> None:
+    """An example that shows a scalar of NumPy fails by every NumPy."""
+    show = sys.__displayhook__
+
+    def told(value: object) -> None:
+        if has_scalar(value):
+            print("a scalar of NumPy; expected bool(…), float(…) or int(…) of it:", end=" ")
+        show(value)
+
+    monkeypatch.setattr(sys, "__displayhook__", told)
 
 
 @pytest.mark.parametrize("name", MODULES)

@@ -22,6 +22,12 @@ echo "the wheel has $size bytes"
 "$bin/pip" install --quiet "$work"/durero-*.whl >"$work/log" 2>&1 || fail "the wheel does not install"
 module=$(echo "$work"/venv/lib/python3*/site-packages/durero/_durero.*.so)
 sh "$root/tests/python/exports.sh" "$module" || fail "the module shows the layers to others"
+# The examples of the pages and of the docstrings, by the NumPy of PyPI: the tests of the build tree have Debian's, which
+# is of another series.
+"$bin/pip" install --quiet pytest 'numpy>=2' >"$work/log" 2>&1 || fail "no NumPy 2"
+DURERO=$root/x DURERO_ROOT=$root sh "$root/tests/python/run.sh" "$bin/python" "$root/tests/python/docs_test.py" >"$work/log" 2>&1 ||
+  fail "an example that is not so by NumPy 2"
+"$bin/python" -c 'import numpy; print("examples by NumPy", numpy.__version__)'
 cd "$work"
 "$bin/python" -c 'import doctest, durero, durero.scene, sys; print(durero.__version__)
 sys.exit(sum(doctest.testmod(m).failed for m in (durero, durero.scene, durero.spec, durero.conform)))'
