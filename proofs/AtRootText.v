@@ -15,7 +15,7 @@ Local Open Scope zed_scope.
 Local Opaque bpow.
 
 Definition power_of (p v : vec) (sh : shape) (t : R) : Formas.known Formas.Pairs.twofold :=
-  let V := extent_fl v in
+  let V := Formas.speed_of v in
   match sh with
   | Sphere c r => Formas.Powers.esfera t p v V c r
   | Cylinder c r d h => Formas.Powers.cilindro t p v V c r d h

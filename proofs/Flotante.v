@@ -36,6 +36,25 @@ Arguments centro_ordinary {centro d}.
 Arguments d_ordinary {centro d}.
 Arguments d_unit {centro d}.
 
+(** The recorded test of a number's range asks just that. *)
+Lemma in_range_ordinary x : format x -> Formas.in_range x = true <-> ordinary x.
+Proof.
+  intros Fx; unfold Formas.in_range, ordinary; cbv zeta; rewrite Bool.orb_true_iff, Bool.andb_true_iff.
+  assert (Zero : Req_bool (Rabs x) 0 = true <-> x = 0).
+  { destruct (Req_bool_spec (Rabs x) 0) as [E|E]; split; intros H; try easy.
+    - destruct (Req_dec x 0) as [X|X]; [exact X | now apply Rabs_no_R0 in X].
+    - now rewrite H, Rabs_R0 in E. }
+  assert (Le : forall a b, Rle_bool a b = true <-> a <= b).
+  { intros a b; destruct (Rle_bool_spec a b); split; intros; (easy || lra). }
+  rewrite Zero, !Le; tauto.
+Qed.
+Lemma ray_in_range_ordinary p v : format (cx p) -> format (cy p) -> format (cz p) ->
+  format (cx v) -> format (cy v) -> format (cz v) -> Formas.ray_in_range p v = true <-> ordinary_ray p v.
+Proof.
+  intros Px Py Pz Vx Vy Vz; unfold Formas.ray_in_range; rewrite !Bool.andb_true_iff, !in_range_ordinary by assumption.
+  split; [intros (((? & ?) & ?) & (? & ?) & ?); now constructor | intros [(? & ? & ?) (? & ? & ?)]; tauto].
+Qed.
+
 (** ** The sphere *)
 
 Section Sphere.

@@ -9,6 +9,7 @@
     X_in_lanes         == the decision for many rays, without branches; first_of_X: for one ray, up to a limit
     X_on               == X of a ray that starts on the element
     ends_of            == the ends between which a root lies, of ends.hpp
+    speed_of, X_in_range == of range.hpp: how fast a ray is at most, and whether every number of X lies in range
     Pairs              == the same over double-double, the second step, and its operations over binary64
     Powers             == potencia at the parameter t of a ray, and a bound on its error *)
 From Coq Require Import Reals ZArith Bool.
@@ -32,6 +33,108 @@ Inductive answer (T : Type) := Miss | Undecided | Hit (root : known T) (slope : 
 Arguments Miss {T}. Arguments Undecided {T}. Arguments Hit {T}.
 
 (** * Binary64 *)
+
+(** How fast a ray is at most, and whether its numbers and those of an element are in range. *)
+Definition speed_of (v : vec) : R :=
+  (rnd (rnd (Rabs (cx v) + Rabs (cy v)) + Rabs (cz v))).
+
+Definition in_range (x : R) : bool :=
+  let x1 := Rabs x in
+  (orb (andb (Rle_bool (bpow radix2 (-100)) x1) (Rle_bool x1 (bpow radix2 100))) (Req_bool x1 0)).
+
+Definition ray_in_range (p v : vec) : bool :=
+  (andb (andb (andb (in_range (cx p)) (in_range (cz p))) (in_range (cy v))) (andb (andb (in_range (cy p)) (in_range (cx
+      v))) (in_range (cz v)))).
+
+Definition esfera_in_range (centro : vec) (radio : R) : bool :=
+  let x1 := in_range (cz centro) in
+  let x2 := in_range radio in
+  if andb (andb (in_range (cx centro)) x1) (andb (in_range (cy centro)) x1) then
+    if andb x2 x2 then
+      true
+    else false
+  else false.
+
+Definition cilindro_in_range (centro : vec) (radio : R) (vector : vec) (altura : R) : bool :=
+  let x1 := in_range (cz centro) in
+  let x2 := in_range radio in
+  let x3 := in_range (cz vector) in
+  let x4 := in_range altura in
+  if andb (andb (in_range (cx centro)) x1) (andb (in_range (cy centro)) x1) then
+    if andb x2 x2 then
+      if andb (andb (in_range (cx vector)) x3) (andb (in_range (cy vector)) x3) then
+        if andb x4 x4 then
+          true
+        else false
+      else false
+    else false
+  else false.
+
+Definition cono_in_range (centro : vec) (proporcion : R) (vector : vec) (altura : R) : bool :=
+  let x1 := in_range (cz centro) in
+  let x2 := in_range proporcion in
+  let x3 := in_range (cz vector) in
+  let x4 := in_range altura in
+  if andb (andb (in_range (cx centro)) x1) (andb (in_range (cy centro)) x1) then
+    if andb x2 x2 then
+      if andb (andb (in_range (cx vector)) x3) (andb (in_range (cy vector)) x3) then
+        if andb x4 x4 then
+          true
+        else false
+      else false
+    else false
+  else false.
+
+Definition tronco_in_range (centro : vec) (radio : R) (proporcion : R) (vector : vec) (altura : R) : bool :=
+  let x1 := in_range (cz centro) in
+  let x2 := in_range radio in
+  let x3 := in_range proporcion in
+  let x4 := in_range (cz vector) in
+  let x5 := in_range altura in
+  if andb (andb (in_range (cx centro)) x1) (andb (in_range (cy centro)) x1) then
+    if andb x2 x2 then
+      if andb x3 x3 then
+        if andb (andb (in_range (cx vector)) x4) (andb (in_range (cy vector)) x4) then
+          if andb x5 x5 then
+            true
+          else false
+        else false
+      else false
+    else false
+  else false.
+
+Definition plano_in_range (centro : vec) (vector : vec) : bool :=
+  let x1 := in_range (cz centro) in
+  let x2 := in_range (cz vector) in
+  if andb (andb (in_range (cx centro)) x1) (andb (in_range (cy centro)) x1) then
+    if andb (andb (in_range (cx vector)) x2) (andb (in_range (cy vector)) x2) then
+      true
+    else false
+  else false.
+
+Definition disco_in_range (centro : vec) (radio : R) (vector : vec) : bool :=
+  let x1 := in_range (cz centro) in
+  let x2 := in_range radio in
+  let x3 := in_range (cz vector) in
+  if andb (andb (in_range (cx centro)) x1) (andb (in_range (cy centro)) x1) then
+    if andb x2 x2 then
+      if andb (andb (in_range (cx vector)) x3) (andb (in_range (cy vector)) x3) then
+        true
+      else false
+    else false
+  else false.
+
+Definition triangulo_in_range (a b c : vec) : bool :=
+  let x1 := in_range (cz a) in
+  let x2 := in_range (cz b) in
+  let x3 := in_range (cz c) in
+  if andb (andb (in_range (cx a)) x1) (andb (in_range (cy a)) x1) then
+    if andb (andb (in_range (cx b)) x2) (andb (in_range (cy b)) x2) then
+      if andb (andb (in_range (cx c)) x3) (andb (in_range (cy c)) x3) then
+        true
+      else false
+    else false
+  else false.
 
 Definition esfera (p v : vec) (speed : R) (centro : vec) (radio : R) : quadratic R :=
   let x1 := rnd (rnd (rnd (cx v * cx v) + rnd (cy v * cy v)) + rnd (cz v * cz v)) in

@@ -76,7 +76,7 @@ Let point (a : Vectors.vec) := mk_Punto (Vectors.cx a) (Vectors.cy a) (Vectors.c
 Let direction (a : Vectors.vec) := mk_Vector (Vectors.cx a) (Vectors.cy a) (Vectors.cz a).
 Let ray := mk_Rayo (point p) (direction v).
 Let f := of_esfera ray (point centro) r.
-Let recorded := Formas.esfera p v (Vectors.extent_fl v) centro r.
+Let recorded := Formas.esfera p v (Formas.speed_of v) centro r.
 
 (** A certified miss is one: no point of the line lies on the sphere. *)
 Theorem a_certified_miss_is_a_miss t : Formas.F recorded < - Formas.B_error recorded ->
@@ -121,7 +121,7 @@ Let direction (a : Vectors.vec) := mk_Vector (Vectors.cx a) (Vectors.cy a) (Vect
 Hypothesis d_unit : direction d ∈ Unitario.
 Let ray := mk_Rayo (point p) (direction v).
 Let f := of_cilindro ray (point centro) r (direction d) h.
-Let recorded := Formas.cilindro p v (Vectors.extent_fl v) centro r d h.
+Let recorded := Formas.cilindro p v (Formas.speed_of v) centro r d h.
 
 (** A certified miss is one: no point of the line lies on the surface. *)
 Theorem a_certified_miss_of_a_cylinder_is_a_miss t : Formas.F recorded < - Formas.B_error recorded ->
@@ -214,6 +214,12 @@ Proof. exact (Quick.quick_is_right round mx ex my ey md ed mw ew out). Qed.
     Triage.shape has the numbers of an element, Triage.stands s e sh that e has them in s. The decisions are the recorded
     terms of Formas.v: Triage.lanes_of for rays in a batch, Triage.alone_of for one ray up to a limit, each for a ray that
     starts on the element (on) or does not. *)
+
+(** They are for numbers within bounds. The program asks for that, by the recorded test, of numbers that are binary64. *)
+Theorem the_range_that_is_asked_is_that_of_the_bounds p v sh : Triage.binary64s p v sh ->
+  Triage.asked_in_range p v sh = true <-> Triage.in_bounds p v sh.
+Proof. exact (Triage.asked_in_range_in_bounds p v sh). Qed.
+
 Section Decisions.
 Variable Elemento : Type.
 Variables (s : Escena Elemento) (en : set Elemento) (p v : Vectors.vec).
@@ -439,8 +445,8 @@ Qed.
 End Steps.
 
 (** The whole, from the text to what is published: the same, of the steps that run. Of these nothing is assumed but what they
-    compute, as in section 10, over the reals that the integers stand for; and that floating point is asked only where the
-    numbers of the ray and the element are ordinary. Where they are not, exact numbers answer, so that a scene may have any. *)
+    compute, as in section 10, over the reals that the integers stand for; that these are binary64; and that floating point is
+    asked only where the recorded test finds them in range. Where it does not, exact numbers answer. *)
 Notation finding := Running.finding.
 Notation real := (Whole.vec_over S).
 Notation real_shape e := (Whole.shape_over S (shape_of e)).
@@ -448,7 +454,11 @@ Variables (in_range : Elemento -> bool) (triage stable : Elemento -> Limits.bina
   (improved : Elemento -> finding -> Search.verdict finding) (low high : Search.evidence finding -> Limits.binary64)
   (certainly_less ahead : finding -> finding -> bool) (rounded : Elemento -> finding -> option Chain.printed)
   (round_exact : Surd.surd -> Chain.printed).
-Hypothesis ordinary : forall e, In e elements -> in_range e = true -> Triage.in_bounds (real p) (real v) (real_shape e).
+Hypothesis numbers : forall e, In e elements -> Triage.binary64s (real p) (real v) (real_shape e).
+Hypothesis asked : forall e, In e elements -> in_range e = true ->
+  Triage.asked_in_range (real p) (real v) (real_shape e) = true.
+Notation ordinary := (fun e He asks => proj1 (the_range_that_is_asked_is_that_of_the_bounds (real p) (real v) (real_shape e)
+  (numbers e He)) (asked e He asks)).
 Hypothesis run : Running.steps_run Elemento (real p) (real v) elements (fun e => real_shape e) on in_range triage stable
   improved low high certainly_less rounded round_exact.
 Notation right := (Whole.steps_are_right Elemento S s en p v ok ray_ok elements shape_of on in_range described ordinary triage

@@ -12,7 +12,7 @@ Local Open Scope R_scope.
 Local Open Scope zed_scope.
 
 Definition second_of (p v : vec) (sh : shape) (on : bool) : R -> Formas.answer twofold :=
-  let V := extent_fl v in
+  let V := Formas.speed_of v in
   let curved f := if on then first_of_curved_on f else first_of_curved f in
   let axial f := if on then first_of_curved_on_axial f else first_of_curved_axial f in
   let edged f := if on then first_of_linear_on f else first_of_linear_edged f in

@@ -7,14 +7,15 @@
     shape                  == the numbers of an element, in binary64; stands s e sh == e has them in the scene s
     fit_shape sh           == its numbers are ordinary, its sizes positive, its axis a unit vector but for rounding
     in_bounds p v sh       == its numbers and the ray's are ordinary: the tracer computes in floating point with no others
+    binary64s p v sh       == they are binary64;  asked_in_range p v sh == the program's test of their range, as recorded
     decisions_of p v sh    == the four decisions on it, for the ray from p along v
     answered step x a      == a is the answer of the step up to x; up to infinity, that of every limit large enough
     verdict_of a           == the answer a, as the search takes it: a finding is a root with its error *)
-From Coq Require Import Reals List Lra.
+From Coq Require Import Reals List Bool Lra.
 From Flocq Require Import Core BinarySingleNaN.
 From Durero Require Import Toolkit Especificacion Escena Puntos Trazador Interseccion.
 From Durero Require Tipos Certified Search Limits Formas.
-From Durero Require Import Vectors Quotient Flotante Verdict Steps.
+From Durero Require Import Rounding Vectors Quotient Flotante Verdict Steps.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
 
@@ -50,8 +51,50 @@ Definition fit_shape (sh : shape) : Prop :=
   end.
 Definition in_bounds (p v : vec) (sh : shape) : Prop := ordinary_ray p v /\ ordinary_shape sh.
 
+Definition binary64_vec (a : vec) : Prop := format (cx a) /\ format (cy a) /\ format (cz a).
+Definition binary64_shape (sh : shape) : Prop :=
+  match sh with
+  | Sphere c r => binary64_vec c /\ format r
+  | Cylinder c r d h => binary64_vec c /\ format r /\ binary64_vec d /\ format h
+  | Cone c k d h => binary64_vec c /\ format k /\ binary64_vec d /\ format h
+  | Truncated c r k d h => binary64_vec c /\ format r /\ format k /\ binary64_vec d /\ format h
+  | Plane c d => binary64_vec c /\ binary64_vec d
+  | Disc c r d => binary64_vec c /\ format r /\ binary64_vec d
+  | Triangle a b c => binary64_vec a /\ binary64_vec b /\ binary64_vec c
+  end.
+Definition binary64s (p v : vec) (sh : shape) : Prop := binary64_vec p /\ binary64_vec v /\ binary64_shape sh.
+
+Definition shape_in_range (sh : shape) : bool :=
+  match sh with
+  | Sphere c r => Formas.esfera_in_range c r
+  | Cylinder c r d h => Formas.cilindro_in_range c r d h
+  | Cone c k d h => Formas.cono_in_range c k d h
+  | Truncated c r k d h => Formas.tronco_in_range c r k d h
+  | Plane c d => Formas.plano_in_range c d
+  | Disc c r d => Formas.disco_in_range c r d
+  | Triangle a b c => Formas.triangulo_in_range a b c
+  end.
+Definition asked_in_range (p v : vec) (sh : shape) : bool := Formas.ray_in_range p v && shape_in_range sh.
+
+(** Of numbers that are binary64, the test that the program asks holds of those that are in bounds, and of no others. *)
+Lemma shape_in_range_ordinary sh : binary64_shape sh -> shape_in_range sh = true <-> ordinary_shape sh.
+Proof.
+  assert (If : forall a b : bool, (if a then b else false) = true <-> a = true /\ b = true).
+  { intros [] b; split; [now split | tauto | easy | now intros []]. }
+  unfold binary64_shape, binary64_vec, ordinary_shape, ordinary_vec.
+  destruct sh; cbn [shape_in_range]; intros H; repeat match goal with K : _ /\ _ |- _ => destruct K end;
+    unfold Formas.esfera_in_range, Formas.cilindro_in_range, Formas.cono_in_range, Formas.tronco_in_range,
+      Formas.plano_in_range, Formas.disco_in_range, Formas.triangulo_in_range; cbv zeta;
+    rewrite !If, !andb_true_iff, !in_range_ordinary by assumption; tauto.
+Qed.
+Theorem asked_in_range_in_bounds p v sh : binary64s p v sh -> asked_in_range p v sh = true <-> in_bounds p v sh.
+Proof.
+  intros ((Px & Py & Pz) & (Vx & Vy & Vz) & Hs); unfold asked_in_range, in_bounds.
+  now rewrite andb_true_iff, ray_in_range_ordinary, shape_in_range_ordinary.
+Qed.
+
 Definition decisions_of (p v : vec) (sh : shape) : decisions :=
-  let V := extent_fl v in
+  let V := Formas.speed_of v in
   match sh with
   | Sphere c r => unbounded (Formas.esfera p v V c r)
   | Cylinder c r d h => axial (Formas.cilindro p v V c r d h)

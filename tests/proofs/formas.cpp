@@ -24,6 +24,7 @@ constexpr const char* head = R"((** * Formas: the formulas of the tracer, as its
     X_in_lanes         == the decision for many rays, without branches; first_of_X: for one ray, up to a limit
     X_on               == X of a ray that starts on the element
     ends_of            == the ends between which a root lies, of ends.hpp
+    speed_of, X_in_range == of range.hpp: how fast a ray is at most, and whether every number of X lies in range
     Pairs              == the same over double-double, the second step, and its operations over binary64
     Powers             == potencia at the parameter t of a ray, and a bound on its error *)
 From Coq Require Import Reals ZArith Bool.
@@ -255,6 +256,7 @@ void once() {
 void write() {
   std::fputs(head, stdout);
   std::printf("\n(** * Binary64 *)\n");
+  write_range();
   of_shapes<Term>("R");
   steps<Term>("R");
   in_lanes();

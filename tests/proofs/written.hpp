@@ -65,6 +65,8 @@ std::string attributes() {
   return given;
 }
 
+/// What range.hpp computes.
+void write_range();
 /// The module Powers, of power-inl.hpp.
 void write_powers();
 
