@@ -14,7 +14,8 @@ using Along = Shell<Linear<Dyadic>>;
 /// The shell of an element along the whole ray, its ends moved outwards; nothing where the allowance is no small part
 /// of the element. With m the largest length and coordinate of element and origin, each coordinate of a point of the
 /// moved element is at most 3m + (7 + 2k)·δ: m + δ for the centre, m + 4δ along the axis, m + (2 + 2k)·δ across it,
-/// and less of the other types. So t·v is at most 4m + (8 + 2k)·δ there, and M at most 5m where (8 + 2k)·δ ≤ m.
+/// and less of the other types; of a disc that closes a solid its wall counts in m, and m + 4δ and m + (2 + k + g)·δ.
+/// So t·v is at most 4m + (8 + 2k)·δ there, and M at most 5m where (8 + 2k)·δ ≤ m.
 template <class Shape>
 std::optional<Along> shell_along(const Shape& shape, const model::Rayo& rayo, const Precision& precision) {
   const Dyadic m = magnitude(shape, rayo, {});
@@ -58,9 +59,9 @@ std::vector<Parameter> beginnings(const Along& shell) {
 }  // namespace
 
 /// The conditions of a shell are closed: where they hold at all, the first such t ≥ 0 is the origin's or a root of one.
-std::optional<Parameter> earliest(const scene::Scene& scene, scene::ElementRef element, const model::Rayo& rayo,
+std::optional<Parameter> earliest(const AskedElements& elements, scene::ElementRef element, const model::Rayo& rayo,
                                   const Precision& precision) {
-  return scene.visit(element, [&](const auto& shape) -> std::optional<Parameter> {
+  return elements.visit(element, [&](const auto& shape) -> std::optional<Parameter> {
     const std::optional<Along> around = shell_along(shape, rayo, precision);
     if (!around) return Parameter{};
     const std::vector<Parameter> all = beginnings(*around);

@@ -52,7 +52,7 @@ bool may_leave_unseen(const Profile& profile) {
 /// What a system must not pass by on the way to the limit: every zone within the limits of its profile, of a closed
 /// mesh as well where it claims to be watertight, but those of solids that a ray from inside may leave unseen.
 std::vector<Zone> walls(const Trial& trial, double limit) {
-  std::vector<Zone> all = zones(trial.scene, trial.ray, trial.precision(), limit);
+  std::vector<Zone> all = zones(trial.elements(), trial.ray, trial.precision(), limit);
   if (trial.profile.watertight) {
     if (const std::optional<Zone> mesh = zone_of_mesh(trial.scene, trial.ray.rayo, trial.precision()))
       all.push_back(*mesh);
@@ -82,7 +82,7 @@ bool is_at_origin_inside(const Trial& trial, const Claim& claim, const Place& pl
 
 /// Whether the place may lie on the element, at a place of the ray.
 bool may_be_of(const Trial& trial, ElementRef element, const Place& place) {
-  return may_lie_on(trial.scene, element, place, trial.ray.rayo, trial.precision()) &&
+  return may_lie_on(trial.elements(), element, place, trial.ray.rayo, trial.precision()) &&
          may_lie_on_ray(trial, element, place);
 }
 
@@ -93,7 +93,7 @@ bool may_be_of_any(const Trial& trial, const Place& place) {
 /// The zones that end before the place, where it is of that element.
 std::vector<Zone> passed_by(const Trial& trial, const Place& place, ElementRef element, std::vector<Zone> zones) {
   const model::Rayo& rayo = trial.ray.rayo;
-  const Dyadic own = Dyadic(place.deviation) * delta(trial.scene, element, place, rayo, trial.precision());
+  const Dyadic own = Dyadic(place.deviation) * delta(trial.elements(), element, place, rayo, trial.precision());
   std::erase_if(zones, [&](const Zone& zone) { return !is_behind(place, own, zone, rayo); });
   return zones;
 }
@@ -138,7 +138,7 @@ Verdict of_place(const Trial& trial, const Claim& claim, const Place& place) {
 /// The ray may meet the element for some data, and no zone of another body certainly ends before.
 bool may_be_first(const Trial& trial, ElementRef element, const std::vector<Zone>& zones) {
   const model::Rayo& rayo = trial.ray.rayo;
-  const auto t = earliest(trial.scene, element, rayo, trial.precision());
+  const auto t = earliest(trial.elements(), element, rayo, trial.precision());
   return t && std::none_of(zones.begin(), zones.end(), [&](const Zone& zone) {
            return trial.body(zone.element) != trial.body(element) &&
                   is_behind({.t = *t, .punto = {}, .way = {}}, {}, zone, rayo);

@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-#include "conform/allowance.hpp"
+#include "conform/asked_elements.hpp"
 #include "durero/number/dyadic_surd.hpp"
 #include "durero/number/quotient.hpp"
 #include "durero/surface/surfaces.hpp"
@@ -118,18 +118,34 @@ Shell<T> shell(const scene::Plane& e, const Point<T>& w, const Allowance& allowe
   return {bound(value - eta), bound(value - (-eta))};
 }
 
-/// As of a plane, but |q| ≤ M up to a small part: 5.42·δ + 1.74·δ. In the plane |q| is off by the ray's share and the
-/// radius by δ: 6.42·δ. That leaves room for a disc that closes a solid: its numbers were rounded where the solid ends,
-/// by δ/16 each, and |vector|² = 1 ± 2⁻⁵⁰ puts it half a δ away at most.
+/// Its walls η from its plane, and its rim.
 template <class T>
-Shell<T> shell(const scene::Disc& e, const Point<T>& w, const Allowance& allowed, Ends ends) {
-  const Dyadic eta = allowed.times(8), rim = Dyadic(e.radio) + moved(allowed.times(7), ends);
+Shell<T> shell_of_disc(const scene::Disc& e, const Point<T>& w, const Dyadic& eta, const Dyadic& rim) {
   const T value = potencia(e, w);
   Shell<T> result{bound(value - eta), bound(value - (-eta))};
   // A radius moved in to nothing leaves nothing between the ends.
   const Dyadic reach = number::sign(rim) < 0 ? Dyadic(-1) : square(rim);
   result.bounds.push_back(negated(squared_length(from(e.centro, w)) - reach));
   return result;
+}
+
+/// As of a plane, but |q| ≤ M up to a small part: 5.42·δ + 1.74·δ. In the plane |q| is off by the ray's share and the
+/// radius by δ: 6.42·δ.
+template <class T>
+Shell<T> shell(const scene::Disc& e, const Point<T>& w, const Allowance& allowed, Ends ends) {
+  return shell_of_disc(e, w, allowed.times(8), Dyadic(e.radio) + moved(allowed.times(7), ends));
+}
+
+/// What the wall is off by moves it besides. The far end, centro + altura·d, is off by δ along the axis for altura and
+/// by altura·√3·u ≤ 1.74·δ in any direction for d: from the plane of a disc 5.42·δ + 1.74·δ + 2.74·δ = 9.9·δ, and
+/// across 5.42·δ + 1.74·δ; its radius by δ. At the base the centre is the wall's, and the radius, radio + k·altura, off
+/// by δ for radio, k·δ for altura, and for k, which is off by u·max(1, k), by altura·u·max(1, k) ≤ δ (and g·δ where
+/// altura is off as well, g = u·k): 5.42·δ + (2 + k + g)·δ. The disc's own numbers were rounded where the solid ends,
+/// by δ/16 each, and |vector|² = 1 ± 2⁻⁵⁰ puts it half a δ away at most: 0.61·δ more.
+template <class T>
+Shell<T> shell(const DiscOfSolid& e, const Point<T>& w, const Allowance& allowed, Ends ends) {
+  const Dyadic k(e.proporcion), across = Dyadic(9) + k + allowed.u * k;
+  return shell_of_disc(e.disc, w, allowed.times(11), Dyadic(e.disc.radio) + moved(allowed.times(across), ends));
 }
 
 inline Point<Dyadic> cross(const Point<Dyadic>& a, const Point<Dyadic>& b) {

@@ -51,7 +51,7 @@ Place place_of(const model::Rayo& rayo, const glm::dvec3& punto) {
 
 /// (4δ)² of the element.
 Dyadic squared_deviation(const Trial& trial, scene::ElementRef element, const Place& place) {
-  return square(Dyadic(4) * delta(trial.scene, element, place, trial.ray.rayo, trial.precision()));
+  return square(Dyadic(4) * delta(trial.elements(), element, place, trial.ray.rayo, trial.precision()));
 }
 
 }  // namespace
@@ -71,7 +71,7 @@ bool Trial::is_solid(scene::ElementRef element) const {
 bool Trial::may_start_inside(scene::ElementRef element) const {
   const glm::dvec3& p = ray.rayo.p().xyz();
   const Place origin{.t = {}, .punto = {p.x, p.y, p.z}, .way = {}};
-  return is_solid(element) && may_lie_inside(scene, element, origin, ray.rayo, precision());
+  return is_solid(element) && may_lie_inside(elements(), element, origin, ray.rayo, precision());
 }
 
 double rounded(double x, Format format) {

@@ -25,6 +25,10 @@ struct Trial {
         profile(asked) {}
 
   Precision precision() const { return {profile.format, profile.thickness}; }
+  /// As the system is asked of them.
+  AskedElements elements() const {
+    return {scene, profile.caps == Caps::solid ? std::span<const Solid>(solids) : std::span<const Solid>()};
+  }
   bool has_hit() const { return truth.hit.resultado == model::Resultado::hit; }
   /// What a system knows the element as: a disc that closes a solid of one with solids is its wall.
   scene::ElementRef body(scene::ElementRef element) const;

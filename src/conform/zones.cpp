@@ -89,9 +89,11 @@ Shell<Dyadic> shell_at(const Shape& shape, const Place& place, const model::Rayo
 
 }  // namespace
 
-std::vector<Zone> zones(const scene::Scene& scene, const scene::Query& ray, const Precision& precision, double limit) {
+std::vector<Zone> zones(const AskedElements& elements, const scene::Query& ray, const Precision& precision,
+                        double limit) {
   std::vector<Zone> all;
   trace::Counts counts;
+  const scene::Scene& scene = elements.scene();
   const trace::Search search(scene, ray.rayo, ray.en, counts);
   scene.for_each([&](scene::ElementRef element, const auto& shape) {
     const std::optional<trace::Meeting> met = search.certified_meeting(element, limit);
@@ -101,16 +103,17 @@ std::vector<Zone> zones(const scene::Scene& scene, const scene::Query& ray, cons
     const surface::exact::Roots crossings = surface::exact::roots(f);
     for (const Parameter& t : crossings.values()) {
       if (number::sign(t) <= 0) continue;
-      const std::optional<Zone> zone = zone_around(element, shape, ray.rayo, t, precision);
+      const std::optional<Zone> zone = elements.visit(
+          element, [&](const auto& asked) { return zone_around(element, asked, ray.rayo, t, precision); });
       if (zone && (!starts_on_it || is_crossed_from_it(f, *zone))) all.push_back(*zone);
     }
   });
   return all;
 }
 
-Dyadic delta(const scene::Scene& scene, scene::ElementRef element, const Place& place, const model::Rayo& rayo,
+Dyadic delta(const AskedElements& elements, scene::ElementRef element, const Place& place, const model::Rayo& rayo,
              const Precision& precision) {
-  return scene.visit(
+  return elements.visit(
       element, [&](const auto& shape) { return Allowance(precision, magnitude(shape, rayo, place.way), rayo).delta; });
 }
 
@@ -122,15 +125,15 @@ bool is_behind(const Place& place, const Dyadic& own, const Zone& zone, const mo
   return order(zone.end, least) < 0;
 }
 
-bool may_lie_on(const scene::Scene& scene, scene::ElementRef element, const Place& place, const model::Rayo& rayo,
+bool may_lie_on(const AskedElements& elements, scene::ElementRef element, const Place& place, const model::Rayo& rayo,
                 const Precision& precision) {
-  return scene.visit(element, [&](const auto& shape) { return may_hold(shell_at(shape, place, rayo, precision)); });
+  return elements.visit(element, [&](const auto& shape) { return may_hold(shell_at(shape, place, rayo, precision)); });
 }
 
-bool may_lie_inside(const scene::Scene& scene, scene::ElementRef element, const Place& place, const model::Rayo& rayo,
-                    const Precision& precision) {
-  return scene.visit(element,
-                     [&](const auto& shape) { return may_hold_inside(shell_at(shape, place, rayo, precision)); });
+bool may_lie_inside(const AskedElements& elements, scene::ElementRef element, const Place& place,
+                    const model::Rayo& rayo, const Precision& precision) {
+  return elements.visit(element,
+                        [&](const auto& shape) { return may_hold_inside(shell_at(shape, place, rayo, precision)); });
 }
 
 }  // namespace durero::conform

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "conform/allowance.hpp"
+#include "conform/asked_elements.hpp"
 #include "durero/scene/query.hpp"
 #include "durero/scene/scene.hpp"
 #include "durero/surface/equation.hpp"
@@ -23,7 +23,8 @@ struct Zone {
 /// Every such stretch of the elements that the ray first meets at a parameter ≤ limit; it may leave out, of those, what
 /// lies behind the limit. An exact crossing within the ends of the element lies in each, also where the origin is taken
 /// to lie on the elements of en.
-std::vector<Zone> zones(const scene::Scene& scene, const scene::Query& ray, const Precision& precision, double limit);
+std::vector<Zone> zones(const AskedElements& elements, const scene::Query& ray, const Precision& precision,
+                        double limit);
 
 /// That of the triangles of the scene, named by the first, where they are a closed mesh around the origin: every edge
 /// is one of two triangles with the very same vertices, or of an even number. Here vertices that triangles share move
@@ -41,7 +42,7 @@ std::optional<Zone> zone_of_mesh(const scene::Scene& scene, const model::Rayo& r
 
 /// The least t ≥ 0 at which the ray of some data within the allowance may meet the element, as far as shells tell;
 /// nothing where the ray of no such data meets it.
-std::optional<surface::exact::Parameter> earliest(const scene::Scene& scene, scene::ElementRef element,
+std::optional<surface::exact::Parameter> earliest(const AskedElements& elements, scene::ElementRef element,
                                                   const model::Rayo& rayo, const Precision& precision);
 
 /// A place on a ray as a claim gives it. Its t is that of moved data but where it was computed from a length or a
@@ -56,8 +57,8 @@ struct Place {
 };
 
 /// δ of an element at the place.
-number::Dyadic delta(const scene::Scene& scene, scene::ElementRef element, const Place& place, const model::Rayo& rayo,
-                     const Precision& precision);
+number::Dyadic delta(const AskedElements& elements, scene::ElementRef element, const Place& place,
+                     const model::Rayo& rayo, const Precision& precision);
 
 /// Whether the zone ends before the place, whatever the data, where t is off by `own`/|v| for those of the element that
 /// is claimed: with the data of the zone's element its end is off by 2δ/|v|, which is √3·δ for v and 0.22·δ for
@@ -65,9 +66,9 @@ number::Dyadic delta(const scene::Scene& scene, scene::ElementRef element, const
 bool is_behind(const Place& place, const number::Dyadic& own, const Zone& zone, const model::Rayo& rayo);
 
 /// Whether the place lies on the element, or inside it where the element is filled and closed, for some data.
-bool may_lie_on(const scene::Scene& scene, scene::ElementRef element, const Place& place, const model::Rayo& rayo,
+bool may_lie_on(const AskedElements& elements, scene::ElementRef element, const Place& place, const model::Rayo& rayo,
                 const Precision& precision);
-bool may_lie_inside(const scene::Scene& scene, scene::ElementRef element, const Place& place, const model::Rayo& rayo,
-                    const Precision& precision);
+bool may_lie_inside(const AskedElements& elements, scene::ElementRef element, const Place& place,
+                    const model::Rayo& rayo, const Precision& precision);
 
 }  // namespace durero::conform

@@ -405,6 +405,29 @@ TEST_CASE("of a solid its discs and its wall are one, and from inside the profil
   CHECK(outside(of, 0, profile).empty());
 }
 
+TEST_CASE("a disc that closes a solid is off by what its wall is off, and one of its own by less") {
+  scene::Scene scene;
+  const scene::ElementRef wall = add(scene, scene::Cone{{0, 0, 0}, 8, {0, 0, -1}, 0.5});
+  const scene::ElementRef base = add(scene, scene::Disc{{0, 0, 0}, 4, {0, 0, -1}});
+  const double delta = 16 * 0x1p-53 * 8;
+  const auto down = [&](double x) {
+    SuiteCase of = one_ray(scene, ray({x, 0, 8}, {0, 0, -1}));
+    of.solids.push_back({wall, {base}});
+    return of;
+  };
+  Profile open = wide_profile(Format::binary64), solid = open;
+  solid.caps = Caps::solid;
+  CHECK(verdict_of(down(0), hit(8 - 9 * delta, base), open) == Verdict::off);
+  CHECK(verdict_of(down(0), hit(8 - 10.5 * delta, wall), solid) == Verdict::right);
+  CHECK(verdict_of(down(0), hit(8 - 11.5 * delta, wall), solid) == Verdict::off);
+  // Beyond the rim, which altura moves by k = 8 times as much.
+  CHECK(verdict_of(down(4 + 16 * delta), hit(8, base), open) == Verdict::phantom);
+  CHECK(verdict_of(down(4 + 16 * delta), hit(8, wall), solid) == Verdict::right);
+  CHECK(verdict_of(down(4 - 16 * delta), miss(), solid) == Verdict::right);
+  CHECK(verdict_of(down(4 - 19 * delta), miss(), solid) == Verdict::missed);
+  CHECK(verdict_of(down(4 - 8 * delta), miss(), open) == Verdict::missed);
+}
+
 TEST_CASE("whatever the truth permits is right, in a suite of both kinds") {
   std::map<Ambiguity, std::size_t> ambiguities;
   std::size_t permitted = 0;

@@ -1,20 +1,17 @@
 #pragma once
-/// Data off by no more than the declared backward error, drawn at random and at the corners of what is allowed, and
-/// their exact answer. Of the judge's code nothing is used: what it allows is said here once more.
+/// The exact answers of data off by no more than the declared backward error (mover.hpp).
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
-#include <string_view>
 
 #include "durero/conform/claim.hpp"
 #include "durero/conform/profile.hpp"
 #include "durero/conform/suite.hpp"
-#include "durero/scene/attributes.hpp"
 #include "durero/surface/exact.hpp"
-#include "support/shapes.hpp"
+#include "mover.hpp"
 
 namespace durero::test {
 
@@ -34,34 +31,22 @@ inline conform::Profile wide_profile(conform::Format format) {
   return profile;
 }
 
-inline double narrowed(double x, conform::Format format) {
-  return format == conform::Format::binary32 ? static_cast<double>(static_cast<float>(x)) : x;
-}
-
-/// How a number may be moved: anywhere, or to an end of what is allowed.
-enum class Draw { anywhere, ends, one };
-
 class Perturbation {
  public:
-  Perturbation(std::uint64_t seed, conform::Format format)
-      : random_(seed), u_(format == conform::Format::binary32 ? 0x1p-20 : 0x1p-49), format_(format) {}
+  Perturbation(std::uint64_t seed, conform::Format format) : random_(seed), format_(format) {}
 
   /// The claim that is the exact answer of moved data; nothing where the draw left no element or ray, or left what is
   /// allowed since its answer lies before the distance that it was drawn for.
   std::optional<conform::Claim> answer(const scene::Scene& scene, const scene::Query& query, double t,
                                        conform::Measure measure) {
-    draw_ = static_cast<Draw>(random_.below(3));
+    Mover mover(random_, format_, static_cast<Draw>(random_.below(3)));
     std::optional<Nearest> nearest;
     bool is_whole = true;
     scene.for_each([&](scene::ElementRef element, const auto& shape) {
-      auto moved = shape;
       const glm::dvec3 &p = query.rayo.p().xyz(), &v = query.rayo.v().xyz();
       const double M = std::max({longest(shape), longest(p), t * longest(v)});
-      scene::for_each_attribute<std::decay_t<decltype(shape)>>(
-          [&](const auto& attribute) { move(attribute.word, moved.*attribute.field, M); });
-      glm::dvec3 from = p, along = v;
-      move(from, u_ * M);
-      move(along, u_ * longest(v));
+      const auto moved = mover.moved(shape, M);
+      const glm::dvec3 from = mover.moved_point(p, M), along = mover.moved_direction(v);
       is_whole = is_whole && is_shape(moved) && along != glm::dvec3(0) && std::isfinite(longest(from));
       if (!is_whole) return;
       const model::Rayo rayo = ray(from, along);
@@ -79,7 +64,7 @@ class Perturbation {
   /// by as much as each of its triangles allows, or, where M is given, by that much for all.
   std::optional<conform::Claim> answer_of_mesh(const scene::Scene& scene, const scene::Query& query,
                                                std::optional<double> M = {}) {
-    draw_ = static_cast<Draw>(random_.below(3));
+    Mover mover(random_, format_, static_cast<Draw>(random_.below(3)));
     const glm::dvec3 &p = query.rayo.p().xyz(), &v = query.rayo.v().xyz();
     using Key = std::array<double, 3>;
     const auto key = [](const glm::dvec3& vertex) { return Key{vertex.x, vertex.y, vertex.z}; };
@@ -95,13 +80,9 @@ class Perturbation {
     }
     std::map<Key, glm::dvec3> moved;
     for (const auto& [vertex, most] : allowed) {
-      glm::dvec3 place(vertex[0], vertex[1], vertex[2]);
-      move(place, u_ * most);
-      moved[vertex] = place;
+      moved[vertex] = mover.moved_point({vertex[0], vertex[1], vertex[2]}, most);
     }
-    glm::dvec3 from = p, along = v;
-    move(from, u_ * least);
-    move(along, u_ * longest(v));
+    const glm::dvec3 from = mover.moved_point(p, least), along = mover.moved_direction(v);
     scene::Scene mesh;
     for (const scene::Triangle& triangle : scene.shapes<scene::Triangle>()) {
       const auto& [a, b, c] = triangle.vertices;
@@ -150,61 +131,8 @@ class Perturbation {
     return static_cast<double>(t * std::sqrt(x * x + y * y + z * z));
   }
 
-  /// A part of what is allowed, less the rounding of the sum that it is for.
-  double part() {
-    switch (draw_) {
-      case Draw::anywhere:
-        return random_.uniform(-0.875, 0.875);
-      case Draw::ends:
-        return 0.875 * random_.sign();
-      case Draw::one:
-        return random_.chance(1, 6) ? 0.875 * random_.sign() : 0;
-    }
-    return 0;
-  }
-  void move(double& x, double by) { x += part() * by; }
-  void move(glm::dvec3& v, double by) {
-    for (int i = 0; i < 3; ++i) move(v[i], by);
-  }
-  void move(std::string_view word, double& x, double M) {
-    move(x, word == "proporcion" ? u_ * std::max(1.0, x) : u_ * M);
-  }
-  void move(std::string_view word, glm::dvec3& v, double M) { move(v, word == "vector" ? u_ : u_ * M); }
-  void move(std::string_view, scene::Corners& corners, double M) {
-    for (glm::dvec3& corner : corners) move(corner, u_ * M);
-  }
-
-  static double longest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-  template <class Shape>
-  static double longest(const Shape& shape) {
-    double most = 0;
-    if constexpr (std::is_same_v<Shape, scene::Triangle>) {
-      for (const glm::dvec3& corner : shape.vertices) most = std::max(most, longest(corner));
-    } else {
-      most = longest(shape.centro);
-    }
-    if constexpr (requires { shape.radio; }) most = std::max(most, shape.radio);
-    if constexpr (requires { shape.altura; }) most = std::max(most, shape.altura);
-    return most;
-  }
-
-  static bool is_shape(const scene::Triangle& e) {
-    return model::Vertices::contains(
-        {model::Punto(e.vertices[0]), model::Punto(e.vertices[1]), model::Punto(e.vertices[2])});
-  }
-  template <class Shape>
-  static bool is_shape(const Shape& shape) {
-    bool is = std::isfinite(longest(shape.centro));
-    if constexpr (requires { shape.radio; }) is = is && model::Rmas::contains(shape.radio);
-    if constexpr (requires { shape.altura; }) is = is && model::Rmas::contains(shape.altura);
-    if constexpr (requires { shape.proporcion; }) is = is && model::Rmas::contains(shape.proporcion);
-    return is;
-  }
-
   conform::Random random_;
-  double u_;
   conform::Format format_;
-  Draw draw_ = Draw::anywhere;
 };
 
 }  // namespace durero::test

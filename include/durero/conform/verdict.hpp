@@ -6,9 +6,10 @@
 /// is 16ε, with ε = 2⁻²⁴ or 2⁻⁵³, the unit of rounding of the system's format: every coordinate and every length of an
 /// element, every coordinate of the origin, and every coordinate of t·v may be off by 16ε·M, where M is the largest
 /// magnitude among them; every coordinate of a unit vector by 16ε; a proportion by 16ε of itself or of 1, whichever is
-/// the greater. Each element may be off in its own way; but of a system that claims to be watertight, in a closed mesh
-/// the vertices that triangles share are off together, and the ray is one for all of it. A system that declares a
-/// thickness of its surfaces may be off by that besides.
+/// the greater. A disc that closes a solid is off by what its wall is off, from which it follows. Each element may be
+/// off in its own way; but of a system that claims to be watertight, in a closed mesh the vertices that triangles share
+/// are off together, and the ray is one for all of it. A system that declares a thickness of its surfaces may be off by
+/// that besides.
 
 #include <optional>
 #include <string>

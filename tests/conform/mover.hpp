@@ -1,0 +1,105 @@
+#pragma once
+/// Numbers moved by no more than the declared backward error, at random and to the corners of what is allowed. Of the
+/// judge's code nothing is used: what it allows is said here once more.
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "durero/conform/profile.hpp"
+#include "durero/conform/random.hpp"
+#include "durero/model/tipos.hpp"
+#include "durero/scene/attributes.hpp"
+#include "support/shapes.hpp"
+
+namespace durero::test {
+
+inline double narrowed(double x, conform::Format format) {
+  return format == conform::Format::binary32 ? static_cast<double>(static_cast<float>(x)) : x;
+}
+
+inline double longest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+/// The largest of its coordinates and lengths.
+template <class Shape>
+double longest(const Shape& shape) {
+  double most = 0;
+  if constexpr (requires { shape.vertices; })
+    for (const glm::dvec3& corner : shape.vertices) most = std::max(most, longest(corner));
+  if constexpr (requires { shape.centro; }) most = longest(shape.centro);
+  if constexpr (requires { shape.radio; }) most = std::max(most, shape.radio);
+  if constexpr (requires { shape.altura; }) most = std::max(most, shape.altura);
+  return most;
+}
+
+/// Whether the model has such a shape, its unit vector aside.
+inline bool is_shape(const scene::Triangle& e) {
+  return model::Vertices::contains(
+      {model::Punto(e.vertices[0]), model::Punto(e.vertices[1]), model::Punto(e.vertices[2])});
+}
+template <class Shape>
+bool is_shape(const Shape& shape) {
+  bool is = std::isfinite(longest(shape.centro));
+  if constexpr (requires { shape.radio; }) is = is && model::Rmas::contains(shape.radio);
+  if constexpr (requires { shape.altura; }) is = is && model::Rmas::contains(shape.altura);
+  if constexpr (requires { shape.proporcion; }) is = is && model::Rmas::contains(shape.proporcion);
+  return is;
+}
+
+/// How numbers are moved: anywhere, all to an end of what is allowed, or one in six to such an end.
+enum class Draw { anywhere, ends, one };
+
+/// Moves numbers by parts of what is allowed, less the rounding of the sum that each is for.
+class Mover {
+ public:
+  Mover(conform::Random& random, conform::Format format, Draw draw, double thickness = 0)
+      : random_(&random),
+        draw_(draw),
+        u_(format == conform::Format::binary32 ? 0x1p-20 : 0x1p-49),
+        thickness_(thickness) {}
+
+  /// Where M is the largest magnitude.
+  template <class Shape>
+  Shape moved(const Shape& shape, double M) {
+    Shape result = shape;
+    scene::for_each_attribute<Shape>([&](const auto& attribute) { move(attribute.word, result.*attribute.field, M); });
+    return result;
+  }
+  glm::dvec3 moved_point(glm::dvec3 p, double M) {
+    move(p, u_ * M + thickness_);
+    return p;
+  }
+  glm::dvec3 moved_direction(glm::dvec3 v) {
+    move(v, u_ * longest(v));
+    return v;
+  }
+
+ private:
+  double part() {
+    switch (draw_) {
+      case Draw::anywhere:
+        return random_->uniform(-0.875, 0.875);
+      case Draw::ends:
+        return 0.875 * random_->sign();
+      case Draw::one:
+        return random_->chance(1, 6) ? 0.875 * random_->sign() : 0;
+    }
+    return 0;
+  }
+  void move(double& x, double by) { x += part() * by; }
+  void move(glm::dvec3& v, double by) {
+    for (int i = 0; i < 3; ++i) move(v[i], by);
+  }
+  void move(std::string_view word, double& x, double M) {
+    move(x, word == "proporcion" ? u_ * std::max(1.0, x) : u_ * M + thickness_);
+  }
+  void move(std::string_view word, glm::dvec3& v, double M) { move(v, word == "vector" ? u_ : u_ * M + thickness_); }
+  void move(std::string_view, scene::Corners& corners, double M) {
+    for (glm::dvec3& corner : corners) move(corner, u_ * M + thickness_);
+  }
+
+  conform::Random* random_;
+  Draw draw_;
+  double u_, thickness_;
+};
+
+}  // namespace durero::test

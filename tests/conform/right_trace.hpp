@@ -1,0 +1,220 @@
+#pragma once
+/// What a right tracer meets on a ray: its data, and every crossing of them, by exact arithmetic.
+
+#include <array>
+#include <map>
+
+#include "right_tracers.hpp"
+
+namespace durero::test {
+
+/// One ray of a case for one tracer. Draws what it moves from the stream.
+class RightTrace {
+ public:
+  RightTrace(const RightTracer& tracer, const conform::SuiteCase& of, std::size_t ray, conform::Random& random)
+      : tracer_(&tracer),
+        of_(&of),
+        rayo_(of.the_case.rays[ray].rayo),
+        mover_(random, tracer.profile.format, tracer.draw, tracer.profile.thickness) {}
+
+  /// In no order; nothing where a draw left no element or ray.
+  std::optional<std::vector<Met>> all_met() {
+    if (moves_meshes()) move_mesh();
+    of_->the_case.scene.for_each([&](scene::ElementRef e, const auto& shape) {
+      if (is_whole_ && !is_left_out(e)) meet(e, shape);
+    });
+    return is_whole_ ? std::optional(std::move(all_)) : std::nullopt;
+  }
+
+ private:
+  template <class Shape>
+  struct Computed {
+    Shape shape;
+    model::Rayo rayo;
+  };
+
+  bool has_solids() const { return tracer_->profile.caps == conform::Caps::solid; }
+  bool moves_meshes() const { return tracer_->profile.watertight && tracer_->data == Data::moved; }
+
+  /// A disc that closes a solid is none of the question's.
+  bool is_left_out(scene::ElementRef e) const {
+    return has_solids() && std::any_of(of_->solids.begin(), of_->solids.end(), [&](const conform::Solid& solid) {
+             return std::find(solid.discs.begin(), solid.discs.end(), e) != solid.discs.end();
+           });
+  }
+  bool is_closed(scene::ElementRef e) const {
+    return has_solids() && std::any_of(of_->solids.begin(), of_->solids.end(),
+                                       [&](const conform::Solid& solid) { return solid.wall == e; });
+  }
+
+  template <class Shape>
+  void meet(scene::ElementRef e, const Shape& shape) {
+    if constexpr (std::is_same_v<Shape, scene::Triangle>) {
+      if (moves_meshes()) return take(e, Computed<Shape>{triangle_of_mesh(shape), rayo_of_mesh_.value()});
+    }
+    const surface::exact::Reach given = surface::exact::reach(shape, rayo_);
+    const double t = given.empty() || given.no_minimum() ? 0 : 0.99 * number::round_to_binary64(given.first());
+    const std::size_t before = all_.size();
+    take(e, computed(shape, std::isfinite(t) ? t : 0));
+    // M was of that distance: an answer before it may be off by less.
+    const bool is_before = std::any_of(all_.begin() + static_cast<std::ptrdiff_t>(before), all_.end(),
+                                       [&](const Met& met) { return met.parameter() < t; });
+    if (!is_before || tracer_->data != Data::moved) return;
+    all_.erase(all_.begin() + static_cast<std::ptrdiff_t>(before), all_.end());
+    take(e, computed(shape, 0));
+  }
+
+  /// What the tracer computes with, where t·v may be as far as that.
+  template <class Shape>
+  Computed<Shape> computed(const Shape& shape, double t) {
+    const glm::dvec3 &p = rayo_.p().xyz(), &v = rayo_.v().xyz();
+    const double M = std::max({longest(shape), longest(p), t * longest(v)});
+    switch (tracer_->data) {
+      case Data::given:
+        return checked(shape, p, direction());
+      case Data::rounded:
+        return checked(rounded(shape), rounded(p), direction());
+      case Data::ends:
+        return checked(by_ends(shape, M), rounded(p), direction());
+      case Data::moved: {
+        const Shape moved = mover_.moved(shape, M);
+        const glm::dvec3 from = mover_.moved_point(p, M);
+        return checked(moved, from, mover_.moved_direction(v));
+      }
+    }
+    throw std::logic_error("no such data");
+  }
+
+  template <class Shape>
+  Computed<Shape> checked(const Shape& shape, const glm::dvec3& p, const glm::dvec3& v) {
+    is_whole_ = is_whole_ && is_shape(shape) && std::isfinite(longest(p)) && v != glm::dvec3(0);
+    return is_whole_ ? Computed<Shape>{shape, ray(p, v)} : Computed<Shape>{shape, rayo_};
+  }
+
+  double rounded(double x) const { return narrowed(x, tracer_->profile.format); }
+  glm::dvec3 rounded(const glm::dvec3& v) const { return {rounded(v.x), rounded(v.y), rounded(v.z)}; }
+  scene::Corners rounded(const scene::Corners& c) const { return {rounded(c[0]), rounded(c[1]), rounded(c[2])}; }
+  template <class Shape>
+    requires requires { Shape::word; }
+  Shape rounded(Shape shape) const {
+    scene::for_each_attribute<Shape>(
+        [&](const auto& attribute) { shape.*attribute.field = rounded(shape.*attribute.field); });
+    return shape;
+  }
+
+  /// v, or v/|v| times |v|, with the roundings of both.
+  glm::dvec3 direction() const {
+    const glm::dvec3 v = tracer_->data == Data::given ? rayo_.v().xyz() : rounded(rayo_.v().xyz());
+    const double length = rounded(length_of(1, v));
+    const bool is_possible = tracer_->makes_unit && length > 0 && std::isfinite(length);
+    return is_possible ? rounded(v / length) * length : v;
+  }
+
+  /// Where the ends are so far apart that their roundings are small against the unit vector.
+  template <class Shape>
+  Shape by_ends(const Shape& shape, double M) const {
+    const Shape plain = rounded(shape);
+    if constexpr (requires { shape.altura; }) {
+      const double most = 0.875 * (tracer_->profile.format == conform::Format::binary32 ? 0x1p-20 : 0x1p-49);
+      Shape result = plain;
+      const glm::dvec3 along = rounded(shape.centro + shape.altura * shape.vector) - result.centro;
+      result.altura = length_of(1, along);
+      result.vector = along / result.altura;
+      const bool is_near = std::abs(result.altura - shape.altura) <= most * M &&
+                           longest(result.vector - shape.vector) <= most && result.altura > 0;
+      return is_near ? result : plain;
+    }
+    return plain;
+  }
+
+  using Key = std::array<double, 3>;
+  static Key key(const glm::dvec3& vertex) { return {vertex.x, vertex.y, vertex.z}; }
+
+  /// Vertices that triangles share move together, as far as each of its triangles allows; the ray is one for all.
+  void move_mesh() {
+    const glm::dvec3 &p = rayo_.p().xyz(), &v = rayo_.v().xyz();
+    std::map<Key, double> allowed;
+    double least = std::numeric_limits<double>::infinity();
+    for (const scene::Triangle& triangle : of_->the_case.scene.shapes<scene::Triangle>()) {
+      const double M = std::max(longest(triangle), longest(p));
+      least = std::min(least, M);
+      for (const glm::dvec3& vertex : triangle.vertices) {
+        double& most = allowed.try_emplace(key(vertex), M).first->second;
+        most = std::min(most, M);
+      }
+    }
+    for (const auto& [vertex, M] : allowed)
+      vertices_[vertex] = mover_.moved_point({vertex[0], vertex[1], vertex[2]}, M);
+    if (allowed.empty()) return;
+    const glm::dvec3 from = mover_.moved_point(p, least), along = mover_.moved_direction(v);
+    is_whole_ = is_whole_ && along != glm::dvec3(0) && std::isfinite(longest(from));
+    rayo_of_mesh_ = is_whole_ ? ray(from, along) : rayo_;
+  }
+  scene::Triangle triangle_of_mesh(const scene::Triangle& given) {
+    const auto& [a, b, c] = given.vertices;
+    const scene::Triangle moved{{vertices_.at(key(a)), vertices_.at(key(b)), vertices_.at(key(c))}};
+    is_whole_ = is_whole_ && is_shape(moved);
+    return is_whole_ ? moved : given;
+  }
+
+  template <class Shape>
+  void take(scene::ElementRef e, const Computed<Shape>& of) {
+    if (!is_whole_) return;
+    const bool has_inside = std::is_same_v<Shape, scene::Sphere> || is_closed(e);
+    if (has_inside && starts_inside(of)) {
+      const conform::Inside inside = tracer_->profile.inside;
+      if (inside == conform::Inside::nothing) return;
+      if (inside == conform::Inside::origin) all_.push_back({e, of.rayo, {}});
+    }
+    add(e, of.shape, of.rayo);
+    if constexpr (requires { of.shape.altura; }) {
+      if (is_closed(e)) add_discs(e, of);
+    }
+  }
+
+  template <class Shape>
+  static bool starts_inside(const Computed<Shape>& of) {
+    const auto f = surface::exact::coefficients(of.shape, of.rayo);
+    const bool is_between = !f.altura || (number::sign(f.s0) >= 0 && f.s0 <= *f.altura);
+    return number::sign(f.C) < 0 && is_between;
+  }
+
+  template <class Shape>
+  void add_discs(scene::ElementRef e, const Computed<Shape>& of) {
+    const Shape& wall = of.shape;
+    double top = 0, base = 0;
+    if constexpr (requires { wall.radio; }) base = top = wall.radio;
+    if constexpr (requires { wall.proporcion; }) base += wall.proporcion * wall.altura;
+    const auto close = [&](const glm::dvec3& centro, double radio) {
+      const scene::Disc disc{centro, radio, wall.vector};
+      is_whole_ = is_whole_ && is_shape(disc);
+      if (is_whole_) add(e, disc, of.rayo);
+    };
+    close(wall.centro, base);
+    if (top > 0) close(wall.centro + wall.altura * wall.vector, top);
+  }
+
+  template <class Shape>
+  void add(scene::ElementRef e, const Shape& shape, const model::Rayo& rayo) {
+    const surface::exact::Reach reach = surface::exact::reach(shape, rayo);
+    for (const Parameter& t : reach.points()) all_.push_back({e, rayo, t});
+    if (reach.segment) {
+      all_.push_back({e, rayo, reach.segment->begin});
+      if (reach.segment->end) all_.push_back({e, rayo, reach.segment->end});
+    } else if (tracer_->counts_origin) {
+      const auto f = surface::exact::coefficients(shape, rayo);
+      if (number::sign(f.C) == 0 && within_clip(f, Parameter{})) all_.push_back({e, rayo, {}});
+    }
+  }
+
+  const RightTracer* tracer_;
+  const conform::SuiteCase* of_;
+  model::Rayo rayo_;
+  Mover mover_;
+  std::map<Key, glm::dvec3> vertices_{};
+  std::optional<model::Rayo> rayo_of_mesh_{};
+  bool is_whole_ = true;
+  std::vector<Met> all_{};
+};
+
+}  // namespace durero::test

@@ -1,0 +1,121 @@
+#pragma once
+/// Right tracers: values that say what each claims of itself and how it computes, and their answers, which are exact
+/// ones of data moved by no more than is declared. Nothing of the judge's code is used.
+
+#include <fmt/format.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "durero/conform/claim.hpp"
+#include "durero/conform/suite.hpp"
+#include "durero/scene/any_shape.hpp"
+#include "durero/surface/exact.hpp"
+#include "mover.hpp"
+
+namespace durero::test {
+
+using surface::exact::Parameter;
+
+/// What data a tracer computes with.
+enum class Data {
+  given,    ///< those of the question
+  rounded,  ///< each number rounded to the tracer's format
+  ends,     ///< the ends of an axis, rounded so, in the place of its centre, unit vector and length
+  moved     ///< each number moved, of each element in its own way
+};
+inline constexpr std::array<std::string_view, 4> data_words = {"given", "rounded", "ends", "moved"};
+
+/// A tracer and what it claims. Its answer is exact but for what stands here.
+struct RightTracer {
+  conform::Profile profile;
+  Data data = Data::given;
+  Draw draw = Draw::anywhere;      ///< of moved data
+  bool makes_unit = false;         ///< traces v/|v|, and multiplies
+  bool counts_origin = false;      ///< t ≥ 0 for t > 0: what the origin lies on exactly is met there
+  bool sees_beyond_least = false;  ///< answers a hit beyond a limit, which it need not
+  bool sees_beyond_greatest = false;
+  bool excludes_limits = false;  ///< a number that is a limit is beyond it
+  bool answers_element = false;  ///< no number, where it names elements
+};
+
+/// What a tracer claims, clause by clause. A new clause of a profile does not compile here until it is one of these.
+inline std::map<std::string, std::string> clauses(const conform::Profile& profile) {
+  const auto& [system, format, tipos, caps, measure, directions, inside, thickness, least_t, greatest_t, least_size,
+               greatest_size, greatest_coordinate, names_elements, watertight, sources] = profile;
+  const auto claimed = [](bool is) { return std::string(is ? "claimed" : "none"); };
+  return {{"format", std::string(word(format))},
+          {"tipos", claimed(tipos.size() < model::tipo_count)},
+          {"caps", std::string(word(caps))},
+          {"measure", std::string(word(measure))},
+          {"directions", std::string(word(directions))},
+          {"inside", std::string(word(inside))},
+          {"thickness", claimed(thickness > 0)},
+          {"least_t", claimed(least_t > 0)},
+          {"greatest_t", claimed(std::isfinite(greatest_t))},
+          {"least_size", claimed(least_size > 0)},
+          {"greatest_size", claimed(std::isfinite(greatest_size))},
+          {"greatest_coordinate", claimed(std::isfinite(greatest_coordinate))},
+          {"names_elements", claimed(names_elements)},
+          {"watertight", claimed(watertight)}};
+}
+
+/// Something that a tracer meets.
+struct Met {
+  scene::ElementRef element;
+  model::Rayo rayo;
+  std::optional<Parameter> t;  ///< nothing at the origin
+
+  double parameter() const { return t ? number::round_to_binary64(*t) : 0; }
+};
+
+inline bool is_earlier(const Met& a, const Met& b) {
+  return a.t && b.t ? surface::exact::order(*a.t, *b.t) < 0 : !a.t && b.t;
+}
+
+/// t·|v|, where long double has room for squares of small numbers.
+inline double length_of(double t, const glm::dvec3& v) {
+  const long double x = v.x, y = v.y, z = v.z;
+  return static_cast<double>(t * std::sqrt(x * x + y * y + z * z));
+}
+
+/// The distance that the tracer gives, or compares with its limits.
+inline double distance(const RightTracer& tracer, const Met& met) {
+  const double t = met.parameter();
+  const bool is_length = tracer.profile.measure == conform::Measure::length;
+  return narrowed(is_length ? length_of(t, met.rayo.v().xyz()) : t, tracer.profile.format);
+}
+
+/// Whether the tracer passes it by. Its limits are numbers of its format, too.
+inline bool passes_by(const RightTracer& tracer, const Met& met) {
+  const double x = distance(tracer, met), least = narrowed(tracer.profile.least_t, tracer.profile.format),
+               greatest = narrowed(tracer.profile.greatest_t, tracer.profile.format);
+  const bool is_limit = tracer.excludes_limits && ((least > 0 && x == least) || x == greatest);
+  return (!tracer.sees_beyond_least && x < least) || (!tracer.sees_beyond_greatest && x > greatest) || is_limit;
+}
+
+/// Of what is met, what it says; nothing where a number is none of its format: then the tracer is not right.
+inline std::optional<conform::Claim> claim_of(const RightTracer& tracer, std::vector<Met> all) {
+  const auto is_number = [&](const Met& met) { return std::isfinite(distance(tracer, met)); };
+  if (!std::all_of(all.begin(), all.end(), is_number)) return std::nullopt;
+  std::erase_if(all, [&](const Met& met) { return passes_by(tracer, met); });
+  const auto first = std::min_element(all.begin(), all.end(), is_earlier);
+  if (first == all.end()) return conform::Claim{.outcome = conform::Claim::Outcome::miss};
+  conform::Claim claim{.outcome = conform::Claim::Outcome::hit};
+  if (tracer.profile.names_elements) claim.element = first->element;
+  if (tracer.answers_element && claim.element) return claim;
+  const conform::Format format = tracer.profile.format;
+  if (tracer.profile.measure == conform::Measure::point) {
+    const glm::dvec3 w =
+        first->t ? surface::exact::rounded_hit(first->rayo, *first->t, {first->element}).punto : first->rayo.p().xyz();
+    claim.punto = glm::dvec3(narrowed(w.x, format), narrowed(w.y, format), narrowed(w.z, format));
+    return std::isfinite(longest(*claim.punto)) ? std::optional(claim) : std::nullopt;
+  }
+  claim.t = distance(tracer, *first);
+  return claim;
+}
+
+}  // namespace durero::test

@@ -1,0 +1,206 @@
+// A population of right tracers against the judge: whatever they claim of themselves, however their data are moved
+// within what is allowed and wherever their limits lie, none of their answers is off.
+#include "right_tracers.hpp"
+
+#include <fmt/core.h>
+
+#include <cstdlib>
+#include <set>
+
+#include "durero/conform/judge.hpp"
+#include "hits.hpp"
+#include "right_trace.hpp"
+#include "support/catch.hpp"
+#include "support/sanitized.hpp"
+
+using namespace durero;
+using namespace durero::conform;
+using namespace durero::test;
+
+namespace {
+
+/// A number of some kind, or its neighbour in one of the formats.
+double near(Random& random, double x) {
+  const double to = random.sign() * std::numeric_limits<double>::infinity();
+  switch (random.below(4)) {
+    case 0:
+      return x;
+    case 1:
+      return std::nextafter(x, to);
+    case 2:
+      return static_cast<double>(std::nextafter(static_cast<float>(x), static_cast<float>(to)));
+    default:
+      return x * (1 + random.signed_power(-52, -1));
+  }
+}
+
+/// The sizes and coordinates of the elements.
+std::vector<double> sizes(const scene::Scene& scene) {
+  std::vector<double> all;
+  scene.for_each([&](scene::ElementRef, const auto& shape) {
+    all.push_back(longest(shape));
+    if constexpr (requires { shape.radio; }) all.push_back(shape.radio);
+  });
+  return all;
+}
+
+std::vector<model::Tipo> tipos_of(const scene::Scene& scene, bool all) {
+  std::set<model::Tipo> tipos;
+  for (std::size_t i = 0; i < model::tipo_count && all; ++i) tipos.insert(static_cast<model::Tipo>(i));
+  scene.for_each([&](scene::ElementRef e, const auto&) { tipos.insert(e.tipo); });
+  return {tipos.begin(), tipos.end()};
+}
+
+/// Each clause of a profile is drawn, but for the limits on the distance.
+Profile drawn_profile(Random& random, const SuiteCase& of) {
+  const scene::Scene& scene = of.the_case.scene;
+  const std::vector<double> lengths = sizes(scene);
+  Profile profile{.system = "right"};
+  profile.format = static_cast<Format>(random.below(2));
+  profile.tipos = tipos_of(scene, random.chance(1, 2));
+  profile.caps = random.chance(7, 8) == !of.solids.empty() ? Caps::solid : Caps::open;
+  profile.measure = static_cast<Measure>(random.below(3));
+  profile.directions = static_cast<Directions>(random.below(3));
+  profile.inside = static_cast<Inside>(random.below(4));
+  if (random.chance(1, 4)) profile.thickness = std::ldexp(random.any_of(lengths), -random.integer(8, 40));
+  if (random.chance(1, 10)) profile.least_size = near(random, random.any_of(lengths));
+  if (random.chance(1, 10)) profile.greatest_size = near(random, random.any_of(lengths));
+  if (random.chance(1, 10)) profile.greatest_coordinate = near(random, random.any_of(lengths));
+  profile.names_elements = random.chance(5, 6);
+  profile.watertight = random.chance(1, 2);
+  return profile;
+}
+
+RightTracer drawn_tracer(Random& random, const SuiteCase& of) {
+  RightTracer tracer{.profile = drawn_profile(random, of)};
+  tracer.data = static_cast<Data>(random.below(data_words.size()));
+  if (random.chance(1, 3)) tracer.data = Data::moved;
+  tracer.draw = static_cast<Draw>(random.below(3));
+  tracer.makes_unit = tracer.profile.directions != Directions::any || random.chance(1, 2);
+  tracer.counts_origin = random.chance(1, 4);
+  tracer.sees_beyond_least = random.chance(1, 4);
+  tracer.sees_beyond_greatest = random.chance(1, 4);
+  tracer.excludes_limits = random.chance(1, 2);
+  tracer.answers_element = random.chance(1, 8);
+  return tracer;
+}
+
+/// Limits at something that is met by the tracer, or by the data given, or beside it, or anywhere.
+void draw_limits(Random& random, RightTracer& tracer, const std::vector<Met>& all, const Truth& truth) {
+  std::vector<double> numbers{std::abs(random.number(-30, 30))};
+  for (const Met& met : all) numbers.push_back(distance(tracer, met));
+  if (truth.hit.resultado == model::Resultado::hit) numbers.push_back(truth.hit.t);
+  for (const scene::Hit& hit : truth.permissible) numbers.push_back(hit.t);
+  const auto limit = [&] { return std::abs(near(random, random.any_of(numbers))); };
+  if (random.chance(1, 3)) tracer.profile.least_t = limit();
+  if (random.chance(1, 2)) tracer.profile.greatest_t = limit();
+  if (tracer.profile.least_t > tracer.profile.greatest_t) std::swap(tracer.profile.least_t, tracer.profile.greatest_t);
+}
+
+std::string shown(const RightTracer& tracer, const Claim& claim) {
+  std::string text =
+      fmt::format("{} data, unit {}, origin {}, sees least {}, greatest {}, excludes {}",
+                  data_words[static_cast<std::size_t>(tracer.data)], tracer.makes_unit, tracer.counts_origin,
+                  tracer.sees_beyond_least, tracer.sees_beyond_greatest, tracer.excludes_limits);
+  for (const auto& [clause, value] : clauses(tracer.profile)) text += fmt::format(", {} {}", clause, value);
+  text += fmt::format("\nleast_t {:a}, greatest_t {:a}, thickness {:a}\n", tracer.profile.least_t,
+                      tracer.profile.greatest_t, tracer.profile.thickness);
+  text += claim.outcome == Claim::Outcome::hit ? "hit" : "miss";
+  if (claim.element) text += fmt::format(" {}#{}", model::name(claim.element->tipo), claim.element->index);
+  if (claim.t) text += fmt::format(" t={:a}", *claim.t);
+  if (claim.punto) text += fmt::format(" ({:a}, {:a}, {:a})", claim.punto->x, claim.punto->y, claim.punto->z);
+  return text;
+}
+
+/// What was judged: how many rays, of each clause and value, and of each kind of data.
+struct Judged {
+  std::size_t rays = 0, failures = 0, beyond = 0;
+  std::map<std::string, std::map<std::string, std::size_t>> clauses{};
+  std::map<Data, std::size_t> data{};
+};
+
+/// One ray for one tracer of that seed. `beyond` are rays that end otherwise by their limits.
+void judge_one(Judged& judged, const SuiteCase& of, std::size_t ray, std::uint64_t seed) {
+  Random random(seed);
+  RightTracer tracer = drawn_tracer(random, of);
+  const auto all = RightTrace(tracer, of, ray, random).all_met();
+  if (!all) return;
+  const std::optional<Claim> unlimited = claim_of(tracer, *all);
+  draw_limits(random, tracer, *all, of.truths[ray]);
+  const std::optional<Claim> claim = claim_of(tracer, *all);
+  if (!claim) return;
+  const Verdict verdict = judge(of, ray, *claim, tracer.profile).verdict;
+  if (verdict == Verdict::skipped) return;
+  ++judged.rays;
+  ++judged.data[tracer.data];
+  judged.beyond += unlimited != claim;
+  for (const auto& [clause, value] : clauses(tracer.profile)) ++judged.clauses[clause][value];
+  if (verdict == Verdict::exact || verdict == Verdict::right || judged.failures > 20) return;
+  ++judged.failures;
+  FAIL_CHECK(of.name() << " ray " << ray << ", tracer " << seed << ": " << name(verdict) << "\n"
+                       << text(of.the_case.rays[ray]) << "\ntruth " << text(of.truths[ray].hit) << "\n"
+                       << shown(tracer, *claim));
+}
+
+/// Of each family some cases of either format, open and with solids; of each ray some tracers.
+Judged judge_population(std::uint64_t suite_seed, std::uint64_t cases_of_each, std::size_t tracers) {
+  Judged judged;
+  std::uint64_t seed = suite_seed << 32U;
+  for (const Format numbers : {Format::binary32, Format::binary64}) {
+    for (const Caps caps : {Caps::open, Caps::solid}) {
+      const SuiteOptions options{
+          .seed = suite_seed, .rays = cases_of_each * rays_of_a_case, .caps = caps, .numbers = numbers};
+      for (const Family& family : families()) {
+        for (std::uint64_t number = 0; number < cases(options, family); ++number) {
+          INFO("suite seed " << suite_seed << ", " << word(numbers) << ", " << word(caps));
+          SuiteCase of = suite_case(options, family, number);
+          answer(of);
+          for (std::size_t ray = 0; ray < of.truths.size(); ++ray)
+            for (std::size_t i = 0; i < tracers; ++i) judge_one(judged, of, ray, ++seed);
+        }
+      }
+    }
+  }
+  return judged;
+}
+
+/// Every clause was claimed, in each of its values, by tracers whose answers were judged.
+void check_members(const Judged& judged, std::size_t least) {
+  for (const auto& [clause, values] : judged.clauses) {
+    for (const auto& [value, rays] : values) {
+      INFO(clause << " " << value << ": " << rays);
+      CHECK(rays > least);
+    }
+    CHECK(values.size() >= 2);
+  }
+  const auto count = [&](const char* clause) { return judged.clauses.at(clause).size(); };
+  CHECK(count("measure") == measure_words.size());
+  CHECK(count("directions") == directions_words.size());
+  CHECK(count("inside") == inside_words.size());
+  CHECK(judged.data.size() == data_words.size());
+  CHECK(judged.beyond > judged.rays / 50);
+  CHECK(judged.failures == 0);
+}
+
+}  // namespace
+
+TEST_CASE("no answer of a right tracer is off, whatever it claims and wherever its limits lie") {
+  const Judged judged = judge_population(1, 1, fewer_when_sanitized(10) / 2);
+  INFO(judged.rays << " rays, " << judged.beyond << " end otherwise by their limits");
+  CHECK(judged.rays > fewer_when_sanitized(20'000));
+  check_members(judged, fewer_when_sanitized(100));
+}
+
+TEST_CASE("nor of ten million rays", "[long]") {
+  // RIGHT_TRACERS_SUITES: how many of the suites, each of some 200,000 rays.
+  const char* asked = std::getenv("RIGHT_TRACERS_SUITES");
+  const std::uint64_t suites = asked == nullptr ? 60 : std::strtoull(asked, nullptr, 10);
+  std::size_t rays = 0;
+  for (std::uint64_t suite = 2; suite < 2 + suites; ++suite) {
+    const Judged judged = judge_population(suite, 2, 12);
+    rays += judged.rays;
+    CHECK(judged.failures == 0);
+  }
+  fmt::print("{} rays of right tracers were judged\n", rays);
+  CHECK(rays > suites * 150'000);
+}
