@@ -72,6 +72,7 @@ class PovReader {
       add(read_object(1), {}, all);
     }
     materials_.finish();
+    stage_.make_linear();
     scene_.audit();
     std::vector<std::string> lost = losses();
     return {std::move(scene_), std::move(lost), std::move(groups_)};

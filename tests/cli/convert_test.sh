@@ -108,6 +108,7 @@ absent bad.json
 
 # POV-Ray: a union is a group, there and back, and a hierarchy beside the automatic one.
 cat >table.pov <<'TEXT'
+#version 3.7;
 union {
   cylinder { <0, 0, 0>, <0, 0.5, 0>, 2 }
   union { sphere { <-1, 2, 0>, 0.25 } sphere { <1, 2, 0>, 0.25 } }
