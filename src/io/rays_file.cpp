@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cursor.hpp"
+#include "durero/io/file_name.hpp"
 #include "durero/io/lines.hpp"
 #include "durero/io/number_text.hpp"
 #include "durero/text/shown.hpp"
@@ -83,7 +84,7 @@ std::size_t whole_lines(Input& input) {
 }  // namespace
 
 RayReader::RayReader(Input& input, const scene::Scene& scene) : input_(input), scene_(scene) {
-  if (is_npy(input) || input.name().ends_with(".npy")) table_.emplace(input, numbers_in_ray);
+  if (is_npy(input) || ends_in(input.name(), ".npy")) table_.emplace(input, numbers_in_ray);
 }
 
 bool RayReader::next(std::vector<Ray>& rays) {
