@@ -64,9 +64,9 @@ io::EditAnswer carry_out(written::Edited& edited, const io::Step& step, const or
   const auto* const edit = std::get_if<scene::Edit>(&step.edit);
   if (edit == nullptr) return edited.apply_total(step);
   const model::Escena before = scene::retrieve(edited.of().scene);
-  const model::Answer answer = edited.apply_own(*edit);
+  const auto [answer, told] = edited.apply_own(*edit);
   agree_by_text(judge, before, step.line, edit->operation, answer, scene::retrieve(edited.of().scene));
-  return io::edit_answer(answer);
+  return told;
 }
 
 written::Edited read(const EditOptions& options) {

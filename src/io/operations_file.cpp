@@ -231,6 +231,7 @@ std::string answer_text(std::size_t line, const EditAnswer& answer) {
   std::string text;
   json::Writer out(text);
   out.begin_object().member("line", line).member("ok", answer.ok()).member("r", answer.r);
+  if (!answer.left_group.empty()) out.member("left_group", answer.left_group);
   if (!answer.ok()) out.member("violated", answer.violated).member("predicate", answer.predicate);
   out.end_object();
   return text;
