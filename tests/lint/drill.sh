@@ -23,7 +23,7 @@ sees() {
 clean=$(git write-tree)  # the tree without any fault
 
 for rule in layers edges independence stems house labels mutants z_text specified draws requirements standard_output packages \
-  versions reference optimised narrow; do
+  versions reference optimised narrow rooms; do
   sh "$here/$rule.sh" >/dev/null 2>&1 || { echo "drill: $rule.sh fails before any fault is planted"; missed=$((missed + 1)); }
 done
 
@@ -145,6 +145,12 @@ echo 'void f() { fmt::print("lost where nobody reads"); }' >>src/cli/check.cpp
 sees standard_output "a command that prints what may be lost"
 echo 'void f() { std::cout << 1; }' >>src/cli/check.cpp
 sees standard_output "a command that prints through iostreams"
+sed -i 's/`src\/accel\/touch.cpp`, //' docs/adding-a-surface.md
+sees rooms "a room of surfaces that no page names"
+echo 'bool f(const scene::TruncatedCone& cone);' >>src/io/lines.cpp
+sees rooms "a new room of surfaces"
+sed -i 's/^| `src\/render\/coordinates.cpp`/| `src\/render\/bump.cpp`, `src\/render\/coordinates.cpp`/' docs/adding-a-surface.md
+sees rooms "a room that names no surface"
 if command -v doxygen >/dev/null 2>&1; then
   sed -i 's/^  \/\/\/ #elementos$//' include/durero/scene/scene.hpp
   sees reference "a public name without a sentence"
