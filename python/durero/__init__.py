@@ -36,7 +36,7 @@ spec            help(durero.spec): the Z text evaluates and checks
 conform         help(durero.conform): judges the hits of other programs
 Refused …       what goes wrong: Refused, InputError, Undecided
 """
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from . import _durero, conform, spec
 from .elements import Cilindro, Cono, Disco, Element, Esfera, Plano, Triangulo, Tronco, Written

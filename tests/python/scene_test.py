@@ -79,6 +79,13 @@ def test_groups_are_kept_and_edited_as_the_program_does(tmp_path: pathlib.Path) 
         scene.ungroup(3)  # type: ignore[arg-type]
 
 
+def test_an_english_name_is_answered_by_that_of_the_specification() -> None:
+    with pytest.raises(AttributeError, match="has no attribute 'Sphere'; expected Esfera, as the specification has it"):
+        getattr(durero, "Sphere")
+    with pytest.raises(AttributeError, match="has no attribute 'Torus'$"):
+        getattr(durero, "Torus")
+
+
 def test_engines_that_follow_groups_search_by_them() -> None:
     scene = durero.Scene.load(ROOT / "demo" / "groups.json")
     rays = np.array([[0, 0, -50, x / 8, y / 8, 9] for x in range(-8, 9) for y in range(-8, 9)], float)
