@@ -134,6 +134,16 @@ std::vector<Ray> read_rays(const Source& source, const scene::Scene& scene) {
   return all;
 }
 
+bool begins_as_rays(const Source& source) {
+  if (is_npy(source.text())) return true;
+  Lines lines(source.text());
+  while (const auto line = lines.next()) {
+    Cursor in(source, *line);
+    if (!in.done()) return read_finite(in.word("#")).has_value();
+  }
+  return false;
+}
+
 std::string rays_text(std::span<const Ray> rays, const scene::Scene& scene) {
   std::string out;
   for (const Ray& ray : rays) {

@@ -150,6 +150,7 @@ done
 refused 'cubes.ply: ".ply" is no ending of a mosaic; expected a name that ends in .json' voxelise scene.json --depth 2 -o cubes.ply
 refused 'hits.csv: ".csv" is no ending of hits; expected a name that ends in .jsonl or .ndjson or .json or .txt or .npy, or has no' \
   trace scene.json rays.txt -o hits.csv
+refused 'rays.txt:1:1: rays stand here; expected a scene (JSON), which is named before the rays' trace rays.txt scene.json
 absent hits.csv
 
 printf 's 0 0 0 1\ns 0 0 0 0\n' >bad.nff
