@@ -36,14 +36,14 @@ spec            help(durero.spec): the Z text evaluates and checks
 conform         help(durero.conform): judges the hits of other programs
 Refused …       what goes wrong: Refused, InputError, Undecided
 """
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from . import _durero, conform, spec
 from .elements import Cilindro, Cono, Disco, Element, Esfera, Plano, Triangulo, Tronco, Written
 from .errors import InputError, Refused, Undecided
 from .exact import ExactHit, Surd
 from .hits import HIT, Resultado
-from .scene import Group, HitsWithElements, Scene
+from .scene import Answer, Group, HitsWithElements, Scene
 
 __version__ = _durero.version
 
@@ -68,7 +68,20 @@ def engines() -> list[Engine]:
     return [Engine(*row) for row in _durero.engines()]
 
 
+_ENGLISH = {"Sphere": "Esfera", "Cylinder": "Cilindro", "Cone": "Cono", "TruncatedCone": "Tronco", "Plane": "Plano",
+            "Disc": "Disco", "Disk": "Disco", "Triangle": "Triangulo"}
+
+
+if not TYPE_CHECKING:  # to whom every name would be an attribute
+
+    def __getattr__(name: str) -> object:
+        """Says how the specification, whose names these are, calls what English does otherwise."""
+        hint = f"; expected {_ENGLISH[name]}, as the specification has it" if name in _ENGLISH else ""
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}{hint}")
+
+
 __all__ = [
+    "Answer",
     "Cilindro",
     "Cono",
     "Disco",

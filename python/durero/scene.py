@@ -39,6 +39,28 @@ class Group(NamedTuple):
     groups: Tuple[str, ...]
 
 
+class Answer(str):
+    """r! of an edit that was done, and what it tells of groups.
+
+    >>> import durero
+    >>> scene = durero.Scene()
+    >>> ball = durero.Esfera(centro=(0, 0, 5), radio=1)
+    >>> scene.add("s1", ball), scene.group("alone", ["s1"])
+    ('esfera_agregada', 'grouped')
+    >>> scene.remove("s1").left_group, scene.add("s1", ball).left_group
+    ('alone', 'alone')
+    """
+
+    left_group: Optional[str]
+    """Of a removal, the group that the element left; of an addition, the one that an element of its name left before,
+    and that the new one is not in. None where there is none."""
+
+    def __new__(cls, r: str, left_group: str = "") -> Answer:
+        self = super().__new__(cls, r)
+        self.left_group = left_group or None
+        return self
+
+
 class Scene(Mapping[str, Element]):
     """A scene of the specification: a mapping from names to elements, which operations edit.
 
@@ -91,7 +113,7 @@ class Scene(Mapping[str, Element]):
         """The text of a scene file: the same scene gives the same text."""
         return self._scene.text()
 
-    def apply(self, operation: str) -> str:
+    def apply(self, operation: str) -> Answer:
         """Carries out one operation as text, and answers its r!. Raises Refused or InputError, and changes nothing.
 
         >>> Scene().apply("Agregar_Esfera e?=s1 centro?=(0,0,5) radio?=1")
@@ -100,9 +122,9 @@ class Scene(Mapping[str, Element]):
         answers = self._scene.apply(_single(operation), "operation")
         if not answers:
             raise ValueError("the operation is blank; expected one operation")
-        return answers[0]
+        return Answer(*answers[0])
 
-    def apply_all(self, operations: Union[str, Iterable[str]]) -> list[str]:
+    def apply_all(self, operations: Union[str, Iterable[str]]) -> list[Answer]:
         """Carries out every operation of a script, or of a sequence of lines, or none of them: where one is malformed
         or refused it raises InputError or Refused, which know the line, and the scene is as it was.
 
@@ -111,9 +133,9 @@ class Scene(Mapping[str, Element]):
         ['esfera_agregada', 'esfera_eliminada']
         """
         text = operations if isinstance(operations, str) else "\n".join(map(_single, operations))
-        return self._scene.apply(text, "operations")
+        return [Answer(*answer) for answer in self._scene.apply(text, "operations")]
 
-    def add(self, e: str, element: Element) -> str:
+    def add(self, e: str, element: Element) -> Answer:
         """Adds an element under a name, by the operation of its type, and answers its r!. Raises Refused."""
         if isinstance(element, Written):
             inputs: dict[str, object] = {**element.attributes}
@@ -124,11 +146,13 @@ class Scene(Mapping[str, Element]):
         tipo = element.tipo
         return self._operate({"op": f"Agregar_{tipo[:1].upper()}{tipo[1:]}", "e": e, **inputs})
 
-    def remove(self, e: str) -> str:
-        """Removes the element of that name, by the general operation, and answers its r!. Raises Refused."""
+    def remove(self, e: str) -> Answer:
+        """Removes the element of that name, by the general operation, and answers its r!. Raises Refused.
+
+        It leaves its group, which the answer names: left_group."""
         return self._operate({"op": "Eliminar_Elemento", "e": e})
 
-    def group(self, g: str, elementos: Iterable[str] = (), groups: Iterable[str] = ()) -> str:
+    def group(self, g: str, elementos: Iterable[str] = (), groups: Iterable[str] = ()) -> Answer:
         """Makes a group of elements and groups that are in none yet, and answers its r!. Raises Refused.
 
         >>> import durero
@@ -140,11 +164,11 @@ class Scene(Mapping[str, Element]):
         """
         return self._operate({"op": "group", "g": g, "elementos": list(elementos), "groups": list(groups)})
 
-    def ungroup(self, g: str) -> str:
+    def ungroup(self, g: str) -> Answer:
         """Takes a group away, what was in it is then in the group around it, and answers its r!. Raises Refused."""
         return self._operate({"op": "ungroup", "g": g})
 
-    def close(self, e: str, base: str | None = None, top: str | None = None) -> str:
+    def close(self, e: str, base: str | None = None, top: str | None = None) -> Answer:
         """Closes a cylinder, a cone or a truncated cone by discs of its material, all or none, and answers `closed`, or
         `closed_but_for_rounding` where a number of a disc had to be rounded. Raises Refused.
 
@@ -163,11 +187,11 @@ class Scene(Mapping[str, Element]):
         """The groups by their names: no answer depends on them, and what is in no group is just that."""
         return {name: Group(tuple(elementos), tuple(groups)) for name, (elementos, groups) in self._scene.groups().items()}
 
-    def _operate(self, operation: dict[str, object]) -> str:
+    def _operate(self, operation: dict[str, object]) -> Answer:
         named = "e" if "e" in operation else "g"
         if not isinstance(operation[named], str):
             raise TypeError(f"{named} is {operation[named]!r}; expected a name")
-        return self._scene.apply(json.dumps(operation), "operation")[0]
+        return Answer(*self._scene.apply(json.dumps(operation), "operation")[0])
 
     def __len__(self) -> int:
         return self._scene.size()

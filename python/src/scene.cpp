@@ -108,18 +108,21 @@ Asked asked(const io::WrittenEdit& edit, const written::Edited& scene) {
   return {io::addition_name(type.word), inputs};
 }
 
-std::string done(written::Edited& scene, const io::Step& step) {
+/// r!, and the group that is left.
+using Done = std::pair<std::string, std::string>;
+
+Done done(written::Edited& scene, const io::Step& step) {
   const io::EditAnswer answer = scene.apply_total(step);
-  if (answer.ok()) return answer.r;
+  if (answer.ok()) return {answer.r, answer.left_group};
   const auto [operation, inputs] = std::visit([&](const auto& edit) { return asked(edit, scene); }, step.edit);
   raise("Refused", answer.violated, answer.predicate, answer.r, operation, inputs, step.line);
 }
 
 /// Every operation of the text, or none of them.
-std::vector<std::string> apply(Scene& scene, const std::string& text, const std::string& name) {
+std::vector<Done> apply(Scene& scene, const std::string& text, const std::string& name) {
   const auto script = io::read_script(io::Source(name, text), scene.value().stage(), scene.whole().types());
   if (script.size() == 1) return {done(scene.edited(), script.front())};
-  std::vector<std::string> answers;
+  std::vector<Done> answers;
   written::Edited edited = scene.whole();
   for (const io::Step& step : script) answers.push_back(done(edited, step));
   scene.assign(std::move(edited));

@@ -98,12 +98,15 @@ durero_answer durero_apply(durero_scene* scene, const char* operation) {
     const auto script =
         io::read_script(io::Source("operation", operation), scene->value.of().scene.stage(), scene->value.types());
     if (script.size() != 1) throw std::invalid_argument("operation: no single operation; expected one");
-    const io::EditAnswer answer = scene->value.apply_total(script.front());
+    io::EditAnswer answer = scene->value.apply_total(script.front());
+    scene->left_group = std::move(answer.left_group);
     if (answer.ok()) return DURERO_DONE;
     last_error.assign(answer.violated).append(": ").append(answer.predicate);
     return DURERO_REFUSED;
   });
 }
+
+const char* durero_left_group(const durero_scene* scene) { return scene->left_group.c_str(); }
 
 durero_engine* durero_engine_new(const durero_scene* scene, const char* name) {
   return guarded<durero_engine*>(nullptr, [&] {

@@ -14,7 +14,8 @@
 
 struct durero_scene {
   durero::written::Edited value;
-  std::string file{};  // that it was read from, from the root; empty where there was none
+  std::string file{};        // that it was read from, from the root; empty where there was none
+  std::string left_group{};  // by the last operation
 };
 
 struct durero_engine {

@@ -4,13 +4,14 @@
 
 #include "conform.hpp"
 #include "conform_system.hpp"
+#include "durero/io/file_name.hpp"
 
 namespace durero::cli {
 namespace {
 
 /// A file that a campaign names is looked for from its folder; a name is no file.
 std::string beside(const std::string& campaign, const std::string& name_or_file) {
-  if (name_or_file.find('/') == name_or_file.npos && !name_or_file.ends_with(".json")) return name_or_file;
+  if (name_or_file.find('/') == name_or_file.npos && !io::ends_in(name_or_file, ".json")) return name_or_file;
   return std::filesystem::path(campaign).parent_path() / name_or_file;
 }
 

@@ -10,6 +10,7 @@
 #include "conform.hpp"
 #include "durero/conform/campaign.hpp"
 #include "durero/conform/setup.hpp"
+#include "durero/io/file_name.hpp"
 
 namespace durero::cli {
 
@@ -17,7 +18,7 @@ using namespace conform;
 
 System system_of(const std::string& name, const std::string& profile, const std::string& systems) {
   if (!name.starts_with(of_command)) {
-    const bool is_file = name.ends_with(".json") || name.find('/') != name.npos;
+    const bool is_file = io::ends_in(name, ".json") || name.find('/') != name.npos;
     return is_file ? read_system(io::read_source(name), default_setups())
                    : find_system(name, systems, default_setups());
   }

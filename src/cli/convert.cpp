@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "description.hpp"
+#include "durero/io/file_name.hpp"
 #include "durero/io/formats.hpp"
 #include "durero/io/groups_file.hpp"
 #include "durero/io/output_file.hpp"
@@ -28,6 +29,7 @@ void name_losses(const std::string& path, const std::vector<std::string>& lost) 
 
 int import_scene(const ConvertOptions& options) {
   const io::Format& format = io::format_to_read(options.from);
+  io::require_ending(options.to, io::json_endings, "a scene");
   io::OutputFile out(options.to);
   std::optional<Progress> progress(std::in_place, options.quiet, "import");
   io::Imported imported = format.read(io::read_source(options.from));
@@ -59,7 +61,7 @@ void add_import(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("import", fmt::format("Read a scene in any format ({})", io::endings_to_read()));
   const auto options = std::make_shared<ConvertOptions>();
   command->add_option("FILE", options->from, "File to read; its name tells the format")->required();
-  command->add_option("-o,--output", options->to, "Scene file (JSON) to write")->required();
+  command->add_option("-o,--output", options->to, "Scene file (JSON) to write, NAME.json")->required();
   add_quiet(*command, options->quiet);
   command->footer(
       exit_status("it is written; what is left out is named on the standard error", "the call or the file is bad") +

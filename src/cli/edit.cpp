@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "description.hpp"
 #include "durero/contract/contract.hpp"
+#include "durero/io/file_name.hpp"
 #include "durero/io/groups_file.hpp"
 #include "durero/io/lines.hpp"
 #include "durero/io/operations_file.hpp"
@@ -63,9 +64,9 @@ io::EditAnswer carry_out(written::Edited& edited, const io::Step& step, const or
   const auto* const edit = std::get_if<scene::Edit>(&step.edit);
   if (edit == nullptr) return edited.apply_total(step);
   const model::Escena before = scene::retrieve(edited.of().scene);
-  const model::Answer answer = edited.apply_own(*edit);
+  const auto [answer, told] = edited.apply_own(*edit);
   agree_by_text(judge, before, step.line, edit->operation, answer, scene::retrieve(edited.of().scene));
-  return io::edit_answer(answer);
+  return told;
 }
 
 written::Edited read(const EditOptions& options) {
@@ -77,7 +78,10 @@ written::Edited read(const EditOptions& options) {
 int edit(const EditOptions& options) {
   if (options.audit) contract::set_semantic(contract::cost::audit, contract::evaluation_semantic::enforce);
   std::optional<io::OutputFile> out;
-  if (!options.out.empty()) out.emplace(options.out);
+  if (!options.out.empty()) {
+    io::require_ending(options.out, io::json_endings, "a scene");
+    out.emplace(options.out);
+  }
   written::Edited edited = read(options);
   const std::vector<io::Step> script = read_script(options, edited);
   std::optional<oracle::spec::Judge> judge;
@@ -108,7 +112,8 @@ void add_edit(CLI::App& app, int& status) {
   command->add_option("SCENE", options->scene, "Scene file (JSON)")->required();
   command->add_option("--script", options->script, "File of operations, one a line; - is the standard input");
   command->add_option("--op", options->operations, "An operation; may be given again")->allow_extra_args(false);
-  command->add_option("-o,--output", options->out, "Where the edited scene goes; without it nothing is written");
+  command->add_option("-o,--output", options->out,
+                      "Where the edited scene goes, NAME.json; without it nothing is written");
   command->add_flag("--audit", options->audit, "Check whole predicates, with a copy of the old state");
   auto* const by_spec =
       command->add_flag("--by-spec", options->by_spec, "Let the Z text decide each step too; a difference is a defect");

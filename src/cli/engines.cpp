@@ -13,6 +13,7 @@
 #include "durero/engine/prepared.hpp"
 #include "durero/io/groups_file.hpp"
 #include "durero/io/picture_file.hpp"
+#include "durero/io/rays_file.hpp"
 #include "durero/io/scene_file.hpp"
 #include "durero/io/standard_output.hpp"
 #include "numbers.hpp"
@@ -126,6 +127,8 @@ Asked asked_of(const std::string& file, std::string_view engine, std::string_vie
                std::optional<scene::Resolution> resolution, Pictures pictures) {
   Asked asked;
   const io::Source source = io::read_source(file);
+  if (io::begins_as_rays(source))
+    source.fail(0, "rays stand here", "expected a scene (JSON), which is named before the rays");
   const auto read_pictures = [&](scene::Scene& scene) {
     if (pictures == Pictures::read) io::read_pictures(source, scene.stage());
   };

@@ -10,6 +10,7 @@
 
 #include "commands.hpp"
 #include "description.hpp"
+#include "durero/io/file_name.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/render/environment_map.hpp"
 #include "engines.hpp"
@@ -57,7 +58,7 @@ std::vector<std::string> names_of_pictures(const std::string& out, scene::Surrou
 }
 
 int run(const EnvironmentOptions& options) {
-  if (!options.out.ends_with(".png"))
+  if (!io::ends_in(options.out, ".png"))
     throw std::invalid_argument(fmt::format("{}: not a picture's name; expected OUT.png", options.out));
   const ThreadLimit limit(options.threads);
   const scene::Surroundings kind = kind_of(options.kind);

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "commands.hpp"
+#include "durero/io/file_name.hpp"
 #include "durero/render/sampling.hpp"
 #include "durero/render/whitted.hpp"
 #include "durero/text/shown.hpp"
@@ -153,7 +154,7 @@ void check_together(const RenderOptions& options) {
   const auto refuse = [](bool wrong, const std::string& what) {
     if (wrong) throw std::invalid_argument(what);
   };
-  refuse(!options.out.ends_with(".png") && !options.is_exr(),
+  refuse(!io::ends_in(options.out, ".png") && !options.is_exr(),
          fmt::format("{}: not a picture's name; expected OUT.png or OUT.exr", options.out));
   refuse(options.is_exr() && !options.tone.empty(),
          fmt::format("--tone {}: {} holds linear light; expected OUT.png", options.tone, options.out));

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "durero/engine/engine.hpp"
+#include "durero/io/file_name.hpp"
 #include "durero/render/image.hpp"
 #include "durero/render/render.hpp"
 #include "durero/render/tone.hpp"
@@ -24,7 +25,7 @@ struct RenderOptions {
   std::size_t threads = 0;
   bool aov = false, preview = false, quiet = false;
 
-  bool is_exr() const { return out.ends_with(".exr"); }
+  bool is_exr() const { return io::ends_in(out, ".exr"); }
   bool is_statistical() const { return sampling == "statistical"; }
 };
 

@@ -8,6 +8,7 @@
 #include "description.hpp"
 #include "durero/accel/mosaic.hpp"
 #include "durero/conform/format_versions.hpp"
+#include "durero/io/file_name.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/io/scene_file.hpp"
 #include "durero/text/shown.hpp"
@@ -62,6 +63,7 @@ void write_names(io::json::Writer& out, const char* key, std::span<const std::ui
 }
 
 int run(const VoxeliseOptions& options) {
+  io::require_ending(options.out, io::json_endings, "a mosaic");
   io::OutputFile file(options.out);
   const scene::Scene scene = io::read_scene(io::read_source(options.scene));
   const Mosaic mosaic(scene, options.depth, options.is_solid ? accel::Filling::solid : accel::Filling::surface);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "conform/claim_rows.hpp"
+#include "durero/io/file_name.hpp"
 #include "durero/io/json_writer.hpp"
 #include "durero/io/npy.hpp"
 #include "durero/io/whole_number.hpp"
@@ -72,9 +73,9 @@ void check_claim(const io::Source& source, std::size_t offset, const Claim& clai
 
 std::vector<Claims> read_claims(const io::Source& source, std::span<const SuiteCase> cases) {
   ClaimRows rows(source, cases);
-  if (io::is_npy(source.text()) || source.name().ends_with(".npy"))
+  if (io::is_npy(source.text()) || io::ends_in(source.name(), ".npy"))
     read_claims_npy(rows);
-  else if (source.name().ends_with(".csv"))
+  else if (io::ends_in(source.name(), ".csv"))
     read_claims_csv(rows);
   else
     read_claims_json(rows);

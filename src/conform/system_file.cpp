@@ -10,6 +10,7 @@
 
 #include "conform/profile_reader.hpp"
 #include "durero/conform/format_versions.hpp"
+#include "durero/io/file_name.hpp"
 #include "durero/text/nearest.hpp"
 #include "durero/text/shown.hpp"
 
@@ -206,7 +207,7 @@ System find_system(std::string_view name, const std::string& systems, const std:
 }
 
 Profile read_profile(const std::string& name_or_file, const std::string& systems) {
-  if (name_or_file.find('/') == name_or_file.npos && !name_or_file.ends_with(".json"))
+  if (name_or_file.find('/') == name_or_file.npos && !io::ends_in(name_or_file, ".json"))
     return find_system(name_or_file, systems, "").profile;
   return read_profile(io::read_source(name_or_file));
 }

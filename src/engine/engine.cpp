@@ -86,8 +86,10 @@ constexpr std::array rows = {
     Row{"exact", "exact arithmetic throughout: slow, and what all others are held against", true, true, exact},
     Row{"analytic", "closed forms in binary64, certified, exact where they cannot tell", true, true, analytic, "A §1.2",
         measured<accel::Linear>},
-    Row{"volumes", "each element in the bounding volume of the kind that costs least", true, true,
-        structured<accel::Volumes>, "A §1.2", measured<accel::Volumes>},
+    Row{"volumes",
+        "each element in the bounding volume of the kind that costs least: slower than analytic, which scans eight at "
+        "once",
+        true, true, structured<accel::Volumes>, "A §1.2", measured<accel::Volumes>},
     Row{"bvh-glassner", "a hierarchy of boxes, searched as the text has it: to be read", true, true,
         structured<accel::BvhGlassner>, "A §1.3.1", measured<accel::BvhGlassner>},
     Row{"bvh", "a hierarchy of boxes by surface area, the nearest first", true, true, structured<accel::Bvh>, "A §1.3",
@@ -106,8 +108,11 @@ constexpr std::array rows = {
         structured<accel::ItemBuffer>, "A §1.5", measured_item_buffer},
     Row{"light-buffer", "lists about each light, for shadow rays; other rays as analytic", true, true, light_buffer,
         "A §1.6.1", measured_light_buffer},
-    Row{"classification", "lists of what the rays of a box and a direction may meet, made when asked for", true, true,
-        structured<accel::Classification>, "A §1.6", measured<accel::Classification>},
+    Row{"classification",
+        "lists of what the rays of a box and a direction may meet, made when asked for: slower than analytic where "
+        "rays have "
+        "little in common",
+        true, true, structured<accel::Classification>, "A §1.6", measured<accel::Classification>},
     Row{"fast", "analytic over a wide tree of boxes, many rays together", true, true, fast, "A §1.3",
         measured<accel::WideBvh>},
 };

@@ -15,8 +15,8 @@ constexpr std::string_view blanks = " \t\v\f";
 
 }  // namespace
 
-Cursor::Cursor(const Source& source, const Line& line)
-    : source_(&source), text_(source.text().substr(0, line.end)), next_(line.begin) {
+Cursor::Cursor(const Source& source, std::string_view text, const Line& line)
+    : source_(&source), text_(text.substr(0, line.end)), next_(line.begin) {
   skip_blanks();
 }
 

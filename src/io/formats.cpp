@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "durero/io/file_name.hpp"
 #include "durero/io/groups_file.hpp"
 #include "durero/io/nff.hpp"
 #include "durero/io/obj.hpp"
@@ -37,7 +38,7 @@ std::string endings(bool (*is_meant)(const Format&)) {
 
 const Format& format_of(const std::string& path, bool (*is_meant)(const Format&)) {
   for (const Format& format : all)
-    if (is_meant(format) && path.ends_with(format.ending)) return format;
+    if (is_meant(format) && ends_in(path, format.ending)) return format;
   throw FileError(path, "a format that is not known by this name",
                   fmt::format("expected one that ends in {}", endings(is_meant)));
 }

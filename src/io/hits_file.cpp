@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
+#include "durero/io/file_name.hpp"
 #include "durero/io/json.hpp"
 #include "durero/io/json_writer.hpp"
 #include "durero/io/lines.hpp"
@@ -138,6 +140,13 @@ void read_hit(const json::Document& document, std::size_t at, const scene::Scene
   }
 }
 
+/// The name, which says no other format than one of those that hits are written in.
+const std::string& with_ending(const std::string& path) {
+  static constexpr std::array<std::string_view, 5> endings{".jsonl", ".ndjson", ".json", ".txt", ".npy"};
+  require_ending(path, endings, "hits");
+  return path;
+}
+
 }  // namespace
 
 void write_hit(json::Writer& out, const scene::Hit& hit, const scene::Scene& scene) {
@@ -164,8 +173,8 @@ std::string hits_npy(std::span<const scene::Hit> hits, const scene::Scene& scene
   return out;
 }
 
-HitWriter::HitWriter(const std::string& path) : out_(path), width_(least_width) {
-  if (path.ends_with(".npy")) rows_.emplace(path);
+HitWriter::HitWriter(const std::string& path) : out_(with_ending(path)), width_(least_width) {
+  if (ends_in(path, ".npy")) rows_.emplace(path);
 }
 
 void HitWriter::write(std::span<const scene::Hit> hits, const scene::Scene& scene) {

@@ -7,25 +7,22 @@
 #include "cursor.hpp"
 #include "durero/io/number_text.hpp"
 #include "durero/io/obj.hpp"
+#include "durero/text/nearest.hpp"
 #include "durero/text/shown.hpp"
 #include "losses.hpp"
 #include "mesh_scene.hpp"
+#include "obj_words.hpp"
 
 namespace durero::io {
 namespace {
-
-/// Statements that the library passes over and a scene has no place for, but for those that are counted by themselves.
-constexpr std::string_view others[] = {
-    "vp",        "s",      "p",   "bevel", "lod",    "ctech", "c_interp", "stech",    "d_interp", "shadow_obj",
-    "trace_obj", "cstype", "deg", "step",  "bmat",   "con",   "curv",     "surf",     "parm",     "trim",
-    "hole",      "scrv",   "sp",  "end",   "surf_1", "q0_1",  "q1_1",     "curv2d_1", "surf_2",   "q0_2",
-    "q1_2",      "bsp",    "bzp", "cdc",   "cdp",    "res",   "usemap"};
 
 /// Looks at each line beside the library, which takes a line that it does not understand for a shorter one: every
 /// number that stands there must be the library's.
 class ObjLines {
  public:
-  ObjLines(const Source& source, const PolygonSoup& soup) : source_(source), soup_(soup) {}
+  /// The lines are of the joined text.
+  ObjLines(const Source& source, std::string_view joined, const PolygonSoup& soup)
+      : source_(source), joined_(joined), soup_(soup) {}
 
   /// @{ The groups of the faces, and how textures lie on them, after read().
   const FaceGroups& groups() const { return groups_; }
@@ -34,9 +31,9 @@ class ObjLines {
 
   /// What is lost. Throws InputError.
   std::vector<std::string> read() {
-    Lines lines(source_.text());
+    Lines lines(joined_);
     while (const auto line = lines.next()) {
-      Cursor in(source_, *line);
+      Cursor in(source_, joined_, *line);
       if (!in.done()) read_statement(in);
     }
     if (!soup_.whole) source_.fail(soup_.end, "no mesh", "expected vertices (v) and faces (f)");
@@ -49,23 +46,34 @@ class ObjLines {
     const std::size_t at = in.offset();
     const std::string_view statement = in.word("#");
     in.skip_blanks();
-    if (statement == "v") {
-      read_vertex(in, at);
-    } else if (statement == "f") {
-      read_face(in, at);
-    } else if (statement == "vn") {
-      ++normals_;
-    } else if (statement == "vt") {
-      read_texture_coordinate(in);
-    } else if (statement == "usemtl" || statement == "mtllib") {
-      ++materials_;
-    } else if (statement == "o" || statement == "g") {
-      read_group(in);
-    } else if (std::ranges::find(others, statement) != std::end(others)) {
-      ++others_;
-    } else {
-      in.fail(at, fmt::format("unknown statement {}", text::shown(statement)), "expected one of v, f, vn, vt, o, g, …");
+    const ObjWord* const row = obj_word(statement);
+    if (row == nullptr) fail_unknown(in, at, statement);
+    switch (row->kind) {
+      case ObjKind::vertex:
+        return read_vertex(in, at);
+      case ObjKind::face:
+        return read_face(in, at);
+      case ObjKind::normal:
+        ++normals_;
+        return;
+      case ObjKind::texture_coordinate:
+        return read_texture_coordinate(in);
+      case ObjKind::group:
+        return read_group(in);
+      case ObjKind::material:
+        ++materials_;
+        return;
+      case ObjKind::other:
+        ++others_;
+        return;
     }
+  }
+
+  [[noreturn]] static void fail_unknown(const Cursor& in, std::size_t at, std::string_view statement) {
+    std::vector<std::string> known;
+    for (const ObjWord& row : obj_words) known.emplace_back(row.word);
+    in.fail(at, fmt::format("unknown statement {}", text::shown(statement)),
+            "expected " + text::expected_of(statement, known));
   }
 
   // x y z, and perhaps a weight or a colour or both.
@@ -83,9 +91,16 @@ class ObjLines {
     ++weighted_;
     for (int more = 0; !in.done(); ++more) {
       if (more == 4) in.fail(in.offset(), "an eighth number in v", "expected x y z, a weight and a colour at most");
-      in.number("#", "v");
-      in.skip_blanks();
+      read_left_out(in);
     }
+  }
+
+  // A number that no triangle keeps, which may be none of binary64: inf, nan.
+  static void read_left_out(Cursor& in) {
+    const std::size_t at = in.offset();
+    const std::string_view digits = in.word("#");
+    if (!read_number(digits)) in.fail(at, fmt::format("{} in v", text::shown(digits)), "expected a number");
+    in.skip_blanks();
   }
 
   // u, and perhaps v and a third, which a surface has no use for.
@@ -125,7 +140,8 @@ class ObjLines {
       const std::string_view word = in.word("#");
       const auto corner = corner_of(word);
       if (!corner || corners >= face.size() || face[corners] != corner->vertex)
-        in.fail(corner_at, fmt::format("{} in f", text::shown(word)), "expected v, v/vt, v//vn or v/vt/vn");
+        in.fail(corner_at, fmt::format("{} in f", text::shown(word)),
+                "expected v, v/vt, v//vn or v/vt/vn, of whole numbers other than 0");
       check_vertex(in, corner_at, word, corner->vertex);
       if (corner->texture) {
         check_texture({corner_at, word, *corner->texture});
@@ -145,9 +161,13 @@ class ObjLines {
   void check_vertex(const Cursor& in, std::size_t at, std::string_view corner, std::int64_t vertex) const {
     const std::size_t count = soup_.vertices.size();
     if (vertex < 0 || static_cast<std::size_t>(vertex) >= count) {
-      in.fail(at, fmt::format("{} names no vertex", text::shown(corner)),
-              fmt::format("expected 1 to {}, or a distance back to one above", count));
+      in.fail(at, fmt::format("{} names no vertex", text::shown(corner)), expected_number(count, "v"));
     }
+  }
+
+  static std::string expected_number(std::size_t count, std::string_view statement) {
+    if (count == 0) return fmt::format("expected a {} before it: there is none", statement);
+    return fmt::format("expected 1 to {}, or a distance back to one above", count);
   }
 
   /// What the corner of a face names of the texture coordinates, and where.
@@ -164,7 +184,7 @@ class ObjLines {
   }
   [[noreturn]] void fail_texture(const NamedTexture& named) const {
     source_.fail(named.at, fmt::format("{} names no texture coordinate", text::shown(named.word)),
-                 fmt::format("expected 1 to {}, or a distance back to one above", textures_.uv.size()));
+                 expected_number(textures_.uv.size(), "vt"));
   }
 
   /// The numbers, from 0, of what a corner of a face names.
@@ -172,14 +192,15 @@ class ObjLines {
     std::int64_t vertex = 0;
     std::optional<std::int64_t> texture{};
   };
-  /// A negative number counts back from the last one above. Nothing where it is no corner.
+  /// A negative number counts back from the last one above; behind a / there may be none. Nothing where it is no
+  /// corner.
   std::optional<Corner> corner_of(std::string_view word) const {
     Corner corner;
     for (int part = 0; part < 3; ++part) {
       const std::size_t length = std::min(word.find('/'), word.size());
       std::int32_t number = 0;
       const auto [end, error] = std::from_chars(word.data(), word.data() + length, number);
-      const bool left_out = part == 1 && length == 0 && word.size() > 1;
+      const bool left_out = part > 0 && length == 0;
       if (!left_out && (error != std::errc() || end != word.data() + length || number == 0)) return std::nullopt;
       const auto from_0 = [&](std::size_t above) {
         return number > 0 ? number - 1 : static_cast<std::int64_t>(above) + number;
@@ -217,6 +238,7 @@ class ObjLines {
   }
 
   const Source& source_;
+  const std::string_view joined_;
   const PolygonSoup& soup_;
   const Face none_;
   std::size_t vertices_ = 0, faces_ = 0;  // passed
@@ -231,11 +253,9 @@ class ObjLines {
 }  // namespace
 
 Imported read_obj(const Source& source) {
-  std::string plain;
-  plain.reserve(source.text().size());
-  append_plain(plain, source.text());
-  const PolygonSoup soup = obj_soup(plain);
-  ObjLines lines(source, soup);
+  const std::string joined = obj_joined(source.text());
+  const PolygonSoup soup = obj_soup(obj_meshes(joined));
+  ObjLines lines(source, joined, soup);
   std::vector<std::string> lost = lines.read();
   return mesh_scene(source, soup, std::move(lost), lines.groups(), lines.textures());
 }

@@ -1,6 +1,7 @@
 #include "durero/io/operations_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -185,8 +186,10 @@ class WrittenSchemas {
   std::vector<std::string_view> known;
   for (const Schema& schema : schemas()) known.push_back(schema.signature.name);
   for (const WrittenSchemas& of : written) of.list(known);
+  const std::vector<std::string> all(known.begin(), known.end());
+  const auto near = text::nearest(call.schema, all);
   source.fail(call.offset, fmt::format("unknown operation {}", text::shown(call.schema)),
-              "expected " + text::expected_of(call.schema, {known.begin(), known.end()}));
+              fmt::format("expected {}one of {}", near ? *near + ", or " : "", fmt::join(all, ", ")));
 }
 
 AnyEdit edit_of(const Source& source, const Call& call, const scene::Stage& stage,
@@ -228,6 +231,7 @@ std::string answer_text(std::size_t line, const EditAnswer& answer) {
   std::string text;
   json::Writer out(text);
   out.begin_object().member("line", line).member("ok", answer.ok()).member("r", answer.r);
+  if (!answer.left_group.empty()) out.member("left_group", answer.left_group);
   if (!answer.ok()) out.member("violated", answer.violated).member("predicate", answer.predicate);
   out.end_object();
   return text;

@@ -1,11 +1,13 @@
 #include "ply_header.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
-#include <initializer_list>
 #include <optional>
+#include <span>
+#include <string>
 
 #include "cursor.hpp"
 #include "durero/text/shown.hpp"
@@ -13,9 +15,25 @@
 namespace durero::io {
 namespace {
 
-using Words = std::initializer_list<std::string_view>;
+using Words = std::span<const std::string_view>;
+
+constexpr std::string_view ply_beginning[] = {"ply"}, ply_first_statement[] = {"format"}, ply_versions[] = {"1.0"};
+constexpr std::string_view ply_encodings[] = {"ascii", "binary_little_endian", "binary_big_endian"};
+constexpr std::string_view ply_statements[] = {"comment", "obj_info", "element", "property", "end_header"};
+constexpr std::string_view ply_counts[] = {"uchar", "uint8", "ushort", "uint16"};
+constexpr std::string_view ply_list_or_types[] = {"list",   "char",   "int8",    "uchar",  "uint8",  "short",
+                                                  "int16",  "ushort", "uint16",  "int",    "int32",  "uint",
+                                                  "uint32", "float",  "float32", "double", "float64"};
+constexpr Words ply_types = Words(ply_list_or_types).subspan(1);
+constexpr std::string_view ply_vertices[] = {"vertex", "vertices"}, ply_faces[] = {"face", "faces"},
+                           ply_axes[] = {"x", "y", "z"};
+constexpr std::string_view ply_coordinates[] = {"float", "float32", "double", "float64"};
+constexpr std::string_view ply_numbers[] = {"int", "int32", "uint", "uint32"};
+constexpr std::string_view ply_lists[] = {"vertex_indices", "vertex_index"};
 
 bool among(std::string_view word, Words words) { return std::ranges::find(words, word) != words.end(); }
+
+std::string one_of_words(Words words) { return fmt::format("one of {}", fmt::join(words, ", ")); }
 
 class HeaderReader {
  public:
@@ -23,18 +41,17 @@ class HeaderReader {
 
   PlyHeader read() {
     next_line();
-    word({"ply"}, "expected ply: no PLY file begins otherwise");
+    word(ply_beginning, "expected ply: no PLY file begins otherwise");
     end_line();
     next_line();
-    word({"format"}, "expected format");
-    header_.is_text = word({"ascii", "binary_little_endian", "binary_big_endian"},
-                           "expected ascii, binary_little_endian or binary_big_endian") == "ascii";
-    word({"1.0"}, "expected 1.0");
+    word(ply_first_statement, "expected format");
+    header_.is_text = word(ply_encodings, "expected " + one_of_words(ply_encodings)) == "ascii";
+    word(ply_versions, "expected 1.0");
     end_line();
     while (read_statement()) {
     }
-    header_.vertex = element_named({"vertex", "vertices"}, "vertex");
-    header_.face = element_named({"face", "faces"}, "face");
+    header_.vertex = element_named(ply_vertices);
+    header_.face = element_named(ply_faces);
     for (const PlyElement& element : header_.elements) check_repetition(element);
     check_vertex(header_.elements[header_.vertex]);
     check_face(header_.elements[header_.face]);
@@ -44,8 +61,7 @@ class HeaderReader {
  private:
   bool read_statement() {
     next_line();
-    const std::string_view statement = word({"comment", "obj_info", "element", "property", "end_header"},
-                                            "expected one of comment, obj_info, element, property, end_header");
+    const std::string_view statement = word(ply_statements, "expected " + one_of_words(ply_statements));
     if (statement == "element") {
       read_element();
     } else if (statement == "property") {
@@ -73,37 +89,34 @@ class HeaderReader {
   void read_property() {
     if (header_.elements.empty()) source_.fail(begin_, "a property of no element", "expected element before it");
     PlyProperty property;
-    property.type = type_or({"list"});
+    property.type = type_of(ply_list_or_types);
     if (property.type == "list") {
-      property.counted_by =
-          word({"uchar", "uint8", "ushort", "uint16"}, "expected a list that is counted by uchar or ushort");
-      property.type = type_or({});
+      property.counted_by = word(ply_counts, fmt::format("expected {}, which count a list", one_of_words(ply_counts)));
+      property.type = type_of(ply_types);
     }
     property.name = word();
     end_line();
     header_.elements.back().properties.push_back(property);
   }
 
-  std::string_view type_or(Words others) {
+  std::string_view type_of(Words known) {
     const std::size_t at = line_->offset();
     const std::string_view type = word();
-    if (!among(type, others) &&
-        !among(type, {"char", "int8", "uchar", "uint8", "short", "int16", "ushort", "uint16", "int", "int32", "uint",
-                      "uint32", "float", "float32", "double", "float64"})) {
-      source_.fail(at, fmt::format("unknown type {}", text::shown(type)), "expected one from char to double");
-    }
+    if (!among(type, known))
+      source_.fail(at, fmt::format("unknown type {}", text::shown(type)), "expected " + one_of_words(known));
     return type;
   }
 
   /// Which element has one of these names. There must be one.
-  std::size_t element_named(Words names, std::string_view name) const {
+  std::size_t element_named(Words names) const {
     std::optional<std::size_t> which;
     for (std::size_t i = 0; i < header_.elements.size(); ++i) {
       if (!among(header_.elements[i].name, names)) continue;
-      if (which) source_.fail(header_.elements[i].at, fmt::format("a second element {}", name), "expected one");
+      if (which) source_.fail(header_.elements[i].at, fmt::format("a second element {}", names[0]), "expected one");
       which = i;
     }
-    if (!which) source_.fail(begin_, fmt::format("no element {} in the header", name), "expected vertex and face");
+    if (!which)
+      source_.fail(begin_, fmt::format("no element {} in the header", names[0]), "expected " + one_of_words(names));
     return *which;
   }
 
@@ -119,23 +132,22 @@ class HeaderReader {
   }
 
   void check_vertex(const PlyElement& vertex) const {
-    for (const std::string_view axis : {"x", "y", "z"}) {
+    for (const std::string_view axis : ply_axes) {
       const auto p = std::ranges::find(vertex.properties, axis, &PlyProperty::name);
-      if (p == vertex.properties.end() || !p->counted_by.empty() ||
-          !among(p->type, {"float", "float32", "double", "float64"})) {
+      if (p == vertex.properties.end() || !p->counted_by.empty() || !among(p->type, ply_coordinates)) {
         source_.fail(vertex.at, fmt::format("a vertex without a coordinate {}", axis),
-                     "expected float or double x, y, z");
+                     "expected x, y and z, each " + one_of_words(ply_coordinates));
       }
     }
   }
 
   void check_face(const PlyElement& face) const {
     const auto is_list_of_vertices = [](const PlyProperty& p) {
-      return among(p.name, {"vertex_indices", "vertex_index"}) && !p.counted_by.empty() &&
-             among(p.type, {"int", "int32", "uint", "uint32"});
+      return among(p.name, ply_lists) && !p.counted_by.empty() && among(p.type, ply_numbers);
     };
     if (std::ranges::count_if(face.properties, is_list_of_vertices) != 1)
-      source_.fail(face.at, "a face without a list of vertices", "expected a list vertex_indices of int or uint");
+      source_.fail(face.at, "a face without a list of vertices",
+                   fmt::format("expected {}, a list of {}", one_of_words(ply_lists), one_of_words(ply_numbers)));
   }
 
   void next_line() {
@@ -152,7 +164,7 @@ class HeaderReader {
     return word;
   }
 
-  std::string_view word(Words expected, const char* sentence) {
+  std::string_view word(Words expected, const std::string& sentence) {
     const std::size_t at = line_->offset();
     const std::string_view word = this->word();
     if (!among(word, expected)) source_.fail(at, fmt::format("{} stands here", text::shown(word)), sentence);

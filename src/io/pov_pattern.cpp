@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "durero/contract/contract.hpp"
+#include "durero/io/file_name.hpp"
 
 namespace durero::io {
 namespace {
@@ -34,9 +35,8 @@ constexpr std::string_view helpers =
 
 /// How POV-Ray is told of a file; empty where its name does not say what it is.
 std::string image_map(const scene::PictureFile& picture, std::string_view options) {
-  std::string ending = picture.file.substr(std::min(picture.file.size(), picture.file.rfind('.') + 1));
-  std::ranges::transform(ending, ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-  const std::string_view kind = ending == "png" ? "png" : ending == "jpg" || ending == "jpeg" ? "jpeg" : "";
+  const auto is = [&](std::string_view ending) { return ends_in(picture.file, ending); };
+  const std::string_view kind = is(".png") ? "png" : is(".jpg") || is(".jpeg") ? "jpeg" : "";
   if (kind.empty()) return "";
   std::string name;
   for (const char c : picture.file) {

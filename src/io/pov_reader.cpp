@@ -72,6 +72,7 @@ class PovReader {
       add(read_object(1), {}, all);
     }
     materials_.finish();
+    stage_.make_linear();
     scene_.audit();
     std::vector<std::string> lost = losses();
     return {std::move(scene_), std::move(lost), std::move(groups_)};
@@ -118,7 +119,7 @@ class PovReader {
 
   void read_attributes(Object& object) {
     PovLook look;
-    while (!in_.take("}")) {
+    for (bool is_first = true; !in_.take("}"); is_first = false) {
       const auto* const flag = std::ranges::find(flags, in_.word());
       if (flag != std::end(flags)) {
         object.flags[static_cast<std::size_t>(flag - flags)] = true;
@@ -128,18 +129,18 @@ class PovReader {
         in_.pass();
         in_.skip_value();
       } else if (!looks_.read(look)) {
-        fail_in(object);
+        fail_in(object, is_first);
       }
     }
     object.look.is_told = look.at.has_value();
     if (auto material = looks_.material(look)) object.look.material = materials_.number(*std::move(material));
   }
 
-  [[noreturn]] void fail_in(const Object& object) const {
-    const Words first = object.word == "mesh"    ? Words(meshes)
-                        : object.word == "union" ? Words(PovShapes::words)
-                                                 : Words();
-    const Words second = object.word == "union" ? Words(holders) : Words();
+  /// Its parts stand before its attributes.
+  [[noreturn]] void fail_in(const Object& object, bool may_be_part) const {
+    const bool is_union = may_be_part && object.word == "union", is_mesh = may_be_part && object.word == "mesh";
+    const Words first = is_mesh ? Words(meshes) : is_union ? Words(PovShapes::words) : Words();
+    const Words second = is_union ? Words(holders) : Words();
     fail_unknown(std::string(object.word), {first, second, looks, flags, unseen});
   }
 

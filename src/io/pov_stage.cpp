@@ -2,56 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
-#include <stdexcept>
 
 #include "cursor.hpp"
 #include "durero/io/number_text.hpp"
 #include "durero/io/whole_number.hpp"
-#include "durero/scene/camera.hpp"
 #include "durero/text/shown.hpp"
 #include "losses.hpp"
 #include "stage_fields.hpp"
 
 namespace durero::io {
-namespace {
-
-struct CameraPart {
-  std::string_view word;
-  glm::dvec3 PovCamera::*member;
-};
-constexpr CameraPart camera_parts[] = {{"location", &PovCamera::location},
-                                       {"direction", &PovCamera::direction},
-                                       {"right", &PovCamera::right},
-                                       {"up", &PovCamera::up},
-                                       {"sky", &PovCamera::sky}};
-
-/// Whether the pixels of a scene's camera have the rays of this one, to a thousandth of a pixel: for a line that tells
-/// of it, and no more.
-bool has_rays_of(const scene::Camera& made, const PovCamera& camera, scene::Resolution size) {
-  const scene::PrimaryRays rays(made, size);
-  const double distance = glm::length(camera.direction), pixel = glm::length(camera.up) / distance / size.height;
-  const auto is_at = [&](double x, double y) {
-    const glm::dvec3 there = (camera.direction + x * camera.right - y * camera.up) / distance;
-    const glm::dvec3 here = rays.ray_at((x + 0.5) * size.width - 0.5, (y + 0.5) * size.height - 0.5).v().xyz();
-    return glm::distance(here, there) < pixel / 1000;
-  };
-  return is_at(-0.5, -0.5) && is_at(0.5, -0.5) && is_at(-0.5, 0.5);
-}
-
-/// So far ahead that the place keeps the direction: the sum is rounded by no more than the numbers of both are.
-glm::dvec3 ahead(const PovCamera& camera) {
-  const auto greatest = [](const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
-  const double from = greatest(camera.location), by = greatest(camera.direction);
-  const int doublings = from > by && by > 0 ? std::ilogb(from) - std::ilogb(by) + 1 : 0;
-  return camera.location + std::ldexp(1, doublings) * camera.direction;
-}
-
-}  // namespace
 
 std::optional<scene::Resolution> pov_size(const Source& source) {
   const auto line = Lines(source.text()).next();
@@ -91,62 +51,10 @@ bool PovStage::read() {
 }
 
 void PovStage::read_camera() {
-  const std::size_t at = in_.offset();
-  if (stage_.camera) in_.fail(at, "a second camera", "expected one");
-  in_.pass();
-  in_.expect("{", "behind camera");
-  PovCamera camera;
-  while (!in_.take("}")) read_camera_part(camera);
-  if (camera.look_at == camera.location) in_.fail(at, "the camera looks at its own eye", "expected look_at elsewhere");
-  if (camera.look_at) look_at(camera);
-  take_camera(at, camera);
-}
-
-void PovStage::read_camera_part(PovCamera& camera) {
-  const std::size_t at = in_.offset();
-  const std::string_view word = in_.word();
-  const auto* const part = std::ranges::find(camera_parts, word, &CameraPart::word);
-  if (part != std::end(camera_parts)) {
-    if (camera.is_turned && word != "location") in_.fail_here("expected it before look_at and angle, which turn it");
-    in_.pass();
-    camera.*part->member = in_.triple(word);
-  } else if (in_.take("angle")) {
-    const double angle = in_.number("angle");
-    check_rule(in_, at, "angle", view_angle, angle);
-    const double distance = glm::length(camera.right) / 2 / std::tan(glm::radians(angle) / 2);
-    camera.direction *= distance / glm::length(camera.direction);
-    camera.is_turned = true;
-  } else if (in_.take("look_at")) {
-    camera.look_at = in_.triple("look_at");
-    camera.is_turned = true;
-  } else if (!in_.take("perspective")) {
-    in_.fail_here("expected one of location, direction, right, up, sky, angle, look_at, or }: no other camera is read");
-  }
-}
-
-/// Turns it to that point, as POV-Ray does: all keep their lengths, and what is right of the way stays there.
-void PovStage::look_at(PovCamera& camera) {
-  const double hand = glm::dot(glm::cross(camera.up, camera.direction), camera.right) < 0 ? -1 : 1;
-  const auto along = [](const glm::dvec3& way, const glm::dvec3& of) {
-    return glm::length(of) / glm::length(way) * way;
-  };
-  camera.direction = along(*camera.look_at - camera.location, camera.direction);
-  camera.right = along(hand * glm::cross(camera.sky, camera.direction), camera.right);
-  camera.up = along(hand * glm::cross(camera.direction, camera.right), camera.up);
-}
-
-void PovStage::take_camera(std::size_t at, const PovCamera& camera) {
-  const double fov_y = glm::degrees(2 * std::atan(glm::length(camera.up) / 2 / glm::length(camera.direction)));
-  const scene::Camera made{camera.location, camera.look_at.value_or(ahead(camera)),
-                           camera.look_at ? camera.sky : camera.up, fov_y};
-  try {
-    camera_changed_ = !has_rays_of(made, camera, stage_.resolution.value_or(scene::default_resolution));
-  } catch (const std::domain_error& error) {
-    const std::string what = error.what();  // X; expected Y
-    const std::size_t middle = what.find("; ");
-    in_.fail(at, what.substr(0, middle), what.substr(middle + 2));
-  }
-  stage_.camera = made;
+  if (stage_.camera) in_.fail(in_.offset(), "a second camera", "expected one");
+  const auto [camera, is_exact] = read_pov_camera(in_, version_, stage_.resolution);
+  camera_changed_ = !is_exact;
+  stage_.camera = camera;
 }
 
 void PovStage::read_light() {
@@ -190,7 +98,7 @@ void PovStage::read_setting() {
       in_.fail(at, fmt::format("max_trace_level is {}", level), "expected a whole number of rays in a row, 1 to 1000");
     stage_.max_depth = static_cast<std::uint32_t>(level);
   } else if (in_.take("assumed_gamma")) {
-    if (in_.number("assumed_gamma") != 1) ++settings_;
+    read_gamma(at);
   } else if (in_.take("adc_bailout")) {
     if (in_.number("adc_bailout") != 0) ++settings_;
   } else {
@@ -201,9 +109,37 @@ void PovStage::read_setting() {
   }
 }
 
+/// Of two POV-Ray takes the first.
+void PovStage::read_gamma(std::size_t at) {
+  const std::size_t number_at = in_.offset();
+  PovGamma gamma;
+  if (!in_.take("srgb")) {
+    gamma.power = in_.number("assumed_gamma");
+    if (!(*gamma.power > 0))
+      in_.fail(number_at, fmt::format("assumed_gamma is {}", *gamma.power), "expected a number above 0, or srgb");
+  }
+  if (gamma_) {
+    ++settings_;
+    return;
+  }
+  gamma_ = gamma;
+  gamma_at_ = at;
+}
+
+/// The last one is that of the whole text, as POV-Ray has it.
 void PovStage::read_version() {
-  if (in_.number("#version") != 3.7) ++versions_;
+  in_.take("unofficial");
+  version_ = in_.number("#version");
+  if (*version_ != 3.7) ++versions_;
   in_.take(";");
+}
+
+void PovStage::make_linear() {
+  const PovGamma gamma = gamma_.value_or(default_gamma(version_));
+  const auto changed = io::make_linear(gamma, stage_);
+  if (!changed) in_.fail(gamma_at_, "the light of a colour is beyond binary64", "expected colours of finite light");
+  numbers_ = *changed;
+  gamma_ = gamma;
 }
 
 void PovStage::read_declaration() {
@@ -243,6 +179,11 @@ void PovStage::name_losses(std::vector<std::string>& lost) const {
            "read as directional: a scene has none that some things stand behind");
   add_loss(lost, skies_, "sky_sphere", "sky_spheres", "left out");
   add_loss(lost, settings_, "global setting", "global settings", "left out: a scene has none such");
+  const bool is_told = gamma_ && gamma_->power;
+  add_loss(lost, numbers_, "colour or share of light", "colours and shares of light",
+           (is_told ? fmt::format("made linear from assumed_gamma {}", *gamma_->power)
+                    : std::string("made linear from sRGB, which POV-Ray shows as they stand here")) +
+               ": sums and slopes of light are other than its own");
   add_loss(lost, versions_, "#version", "#versions", "read as 3.7");
   add_loss(lost, declarations_, "declaration", "declarations", "left out, of textures and their parts");
 }

@@ -8,16 +8,11 @@
 #include <vector>
 
 #include "durero/scene/stage.hpp"
+#include "pov_camera.hpp"
+#include "pov_gamma.hpp"
 #include "pov_words.hpp"
 
 namespace durero::io {
-
-/// A camera as the language has it.
-struct PovCamera {
-  glm::dvec3 location{0}, direction{0, 0, 1}, right{4.0 / 3, 0, 0}, up{0, 1, 0}, sky{0, 1, 0};
-  std::optional<glm::dvec3> look_at{};
-  bool is_turned = false;  ///< by look_at or angle
-};
 
 /// Reads a stage, and counts what of it is lost.
 class PovStage {
@@ -29,17 +24,17 @@ class PovStage {
       "camera", "light_source", "background", "global_settings", "sky_sphere", "#version", "#declare", "#local"};
   /// Reads the statement that stands here. False where it is none of the above.
   bool read();
+  /// Once the whole text is read, and its materials are the stage's: makes their light linear, by the gamma that holds.
+  void make_linear();
   void name_losses(std::vector<std::string>& lost) const;
 
  private:
   void read_camera();
-  void read_camera_part(PovCamera& camera);
-  static void look_at(PovCamera& camera);
-  void take_camera(std::size_t at, const PovCamera& camera);
   void read_light();
   void read_background();
   void read_settings();
   void read_setting();
+  void read_gamma(std::size_t at);
   void read_version();
   void read_declaration();
   void read_sky();
@@ -47,6 +42,10 @@ class PovStage {
   PovWords& in_;
   scene::Stage& stage_;
   bool camera_changed_ = false;
+  std::optional<double> version_{};
+  std::optional<PovGamma> gamma_{};
+  std::size_t gamma_at_ = 0;  // where the text tells of it; its beginning where it does not
+  std::size_t numbers_ = 0;   // that were made linear
   std::size_t parallels_ = 0, settings_ = 0, versions_ = 0, declarations_ = 0, skies_ = 0;
 };
 

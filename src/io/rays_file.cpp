@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cursor.hpp"
+#include "durero/io/file_name.hpp"
 #include "durero/io/lines.hpp"
 #include "durero/io/number_text.hpp"
 #include "durero/text/shown.hpp"
@@ -83,7 +84,7 @@ std::size_t whole_lines(Input& input) {
 }  // namespace
 
 RayReader::RayReader(Input& input, const scene::Scene& scene) : input_(input), scene_(scene) {
-  if (is_npy(input) || input.name().ends_with(".npy")) table_.emplace(input, numbers_in_ray);
+  if (is_npy(input) || ends_in(input.name(), ".npy")) table_.emplace(input, numbers_in_ray);
 }
 
 bool RayReader::next(std::vector<Ray>& rays) {
@@ -131,6 +132,16 @@ std::vector<Ray> read_rays(const Source& source, const scene::Scene& scene) {
   std::vector<Ray> all, rays;
   while (reader.next(rays)) std::ranges::move(rays, std::back_inserter(all));
   return all;
+}
+
+bool begins_as_rays(const Source& source) {
+  if (is_npy(source.text())) return true;
+  Lines lines(source.text());
+  while (const auto line = lines.next()) {
+    Cursor in(source, *line);
+    if (!in.done()) return read_finite(in.word("#")).has_value();
+  }
+  return false;
 }
 
 std::string rays_text(std::span<const Ray> rays, const scene::Scene& scene) {

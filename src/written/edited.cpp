@@ -12,6 +12,16 @@ scene::Edit removal_of(const std::string& name) { return {model::Eliminar_Elemen
 
 std::string answer_word(model::Respuesta r) { return std::string(model::name(r)); }
 
+/// @{ The element that an edit is of; null where it is of none.
+const std::string* element_of(const scene::Edit& edit) { return &scene::name_of(edit.operation).name(); }
+const std::string* element_of(const io::WrittenEdit& edit) {
+  const auto* const in = std::get_if<io::WrittenAddition>(&edit);
+  return in == nullptr ? &std::get<io::WrittenRemoval>(edit).e : &in->element.id;
+}
+const std::string* element_of(const scene::GroupEdit&) { return nullptr; }
+const std::string* element_of(const scene::Closing&) { return nullptr; }
+/// @}
+
 }  // namespace
 
 Edited::Edited(const io::Source& source, std::shared_ptr<const Text> text) : text_(std::move(text)) {
@@ -60,6 +70,37 @@ io::EditAnswer Edited::apply_total(const scene::Edit& edit) {
     return io::edit_answer(answer);
   }
   return add_if_given(edit, [&] { surface_of(*text_, of_.scene, of_.scene.find(name).value()); });
+}
+
+io::EditAnswer Edited::apply_total(const io::Step& step) {
+  return std::visit(
+      [&](const auto& edit) {
+        const std::string* const name = element_of(edit);
+        if (name == nullptr) return apply_total(edit);
+        std::string was_in(of_.groups.of_element(*name));
+        io::EditAnswer answer = apply_total(edit);
+        if (answer.ok()) answer.left_group = left_group(*name, std::move(was_in));
+        return answer;
+      },
+      step.edit);
+}
+
+std::pair<model::Answer, io::EditAnswer> Edited::apply_own(const scene::Edit& edit) {
+  const std::string& name = *element_of(edit);
+  std::string was_in(of_.groups.of_element(name));
+  const model::Answer answer = of_.apply_total(edit);
+  std::pair told(answer, io::edit_answer(answer));
+  if (answer.ok()) told.second.left_group = left_group(name, std::move(was_in));
+  return told;
+}
+
+std::string Edited::left_group(const std::string& name, std::string was_in) {
+  if (!of_.scene.find(name)) {
+    if (!was_in.empty()) left_.insert_or_assign(name, was_in);
+    return was_in;
+  }
+  const auto left = left_.extract(name);
+  return left.empty() || !of_.groups.table().contains(left.mapped()) ? "" : left.mapped();
 }
 
 io::EditAnswer Edited::apply_total(const scene::Closing& in) {

@@ -54,7 +54,11 @@ TEST_CASE("groups are edited under contract, written and read") {
   CHECK(durero_apply(scene.get(), "group g?=pair elementos?=") == DURERO_FAILED);
   CHECK(durero_apply(scene.get(), "group g?=pair groups?=pair") == DURERO_REFUSED);
   CHECK(std::string(durero_error()) == "group.pre.1: g? ∉ dom groups");
+  CHECK(std::string(durero_left_group(scene.get())).empty());
   CHECK(durero_apply(scene.get(), "Eliminar_Esfera e?=same") == DURERO_DONE);
+  CHECK(std::string(durero_left_group(scene.get())) == "pair");
+  CHECK(durero_apply(scene.get(), "Eliminar_Esfera e?=same") == DURERO_REFUSED);
+  CHECK(std::string(durero_left_group(scene.get())).empty());
   const std::string path = std::filesystem::temp_directory_path() / fmt::format("durero_test_{}.json", getpid());
   REQUIRE(durero_scene_write(scene.get(), path.c_str()) == DURERO_DONE);
   const Scene again(durero_scene_read(path.c_str()), durero_scene_free);

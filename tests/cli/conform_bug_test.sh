@@ -107,5 +107,5 @@ refused 'command: without --profile' conform bug command:cat generic/0000
 refused 'command: without --profile' conform minimise command:cat --case generic/0000 --ray 0
 refused 'bullet is absent: it is not set up' conform bug bullet generic/0000
 refused 'durero has no template of a reproducer' conform bug durero tiny/0000 --reproducer x
-refused 'no case "generic/x"; expected FAMILY/NUMBER' conform bug durero generic/x
+refused 'no case "generic/x"; expected FAMILY/NUMBER, such as rim/0000' conform bug durero generic/x
 finish

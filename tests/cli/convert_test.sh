@@ -108,6 +108,7 @@ absent bad.json
 
 # POV-Ray: a union is a group, there and back, and a hierarchy beside the automatic one.
 cat >table.pov <<'TEXT'
+#version 3.7;
 union {
   cylinder { <0, 0, 0>, <0, 0.5, 0>, 2 }
   union { sphere { <-1, 2, 0>, 0.25 } sphere { <1, 2, 0>, 0.25 } }
@@ -129,6 +130,28 @@ run 0 stats again.json --engine bvh --hierarchy hand --no-times
 printf 'sphere { 0, 1 }\ndifference { }\n' >bad.pov
 refused 'bad.pov:2:1: "difference" is not read; expected one of sphere, cylinder, ' import bad.pov -o bad.json
 absent bad.json
+
+# Names that end in great letters are those of formats too; what is written ends as its format does, or not at all.
+cp meshes/solid.obj SOLID.OBJ
+run 0 import SOLID.OBJ -o solid.JSON
+has solid.JSON '"id":"SOLID.OBJ:1"'
+cp scene.nff UPPER.NFF
+run 0 import UPPER.NFF -o upper
+run 0 export upper -o UPPER.POV
+run 0 import UPPER.POV -o - # by its name the standard output
+for name in y.stl z.nff back.json.old; do
+  refused "$name: " import scene.nff -o "$name"
+  has err 'is no ending of a scene; expected a name that ends in .json, or has no ending'
+  absent "$name"
+  refused "$name: " edit scene.json --op 'Eliminar_Esfera e?=s1' -o "$name"
+  has err 'is no ending of a scene; expected a name that ends in .json, or has no ending'
+  absent "$name"
+done
+refused 'cubes.ply: ".ply" is no ending of a mosaic; expected a name that ends in .json' voxelise scene.json --depth 2 -o cubes.ply
+refused 'hits.csv: ".csv" is no ending of hits; expected a name that ends in .jsonl or .ndjson or .json or .txt or .npy, or has no' \
+  trace scene.json rays.txt -o hits.csv
+refused 'rays.txt:1:1: rays stand here; expected a scene (JSON), which is named before the rays' trace rays.txt scene.json
+absent hits.csv
 
 printf 's 0 0 0 1\ns 0 0 0 0\n' >bad.nff
 refused 'bad.nff:2:9: radio_no_positivo; expected radio? ∈ Rmas (Agregar_Esfera.pre.2)' import bad.nff -o bad.json

@@ -36,6 +36,16 @@ has out.json '"radio":1,"material":"red"}'
 run 0 check out.json
 has out '3 elementos: 2 esfera, 1 cilindro, 0 cono, 0 tronco, 0 plano, 0 disco, 0 triangulo'
 
+# Whoever removes an element from a group and adds it again is told so in both answers, and by the Z text too.
+for by in --quiet --by-spec; do
+  run 0 edit scene.json --op 'group g=pair elementos=s1,k1' --op 'Eliminar_Esfera e=s1' \
+    --op 'Agregar_Esfera e=s1 centro=(0,0,5) radio=1' --op 'Eliminar_Cono e=k1' $by
+  is out '{"line":1,"ok":true,"r":"grouped"}
+{"line":2,"ok":true,"r":"esfera_eliminada","left_group":"pair"}
+{"line":3,"ok":true,"r":"esfera_agregada","left_group":"pair"}
+{"line":4,"ok":true,"r":"cono_eliminado","left_group":"pair"}'
+done
+
 # The operations of --op follow the script's lines; each may check whole predicates.
 run 1 edit scene.json --audit --script script --op 'Eliminar_Elemento e=c1' --op 'Eliminar_Elemento e=c1'
 has out '{"line":6,"ok":true,"r":"elemento_eliminado"}'

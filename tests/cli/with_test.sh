@@ -83,8 +83,8 @@ is out '{"line":1,"ok":false,"r":"not_in_domain","violated":"puntos_toro.dom","p
 grep -q small again.json && fail 'small is still there'
 refused '--op:1:1: unknown operation "Agregar_Toro"; ' edit scene.json --op "$small"
 refused '--op:1:1: Agregar_Toro lacks menor?; ' edit "$surfaces/torus.json" --with "$surfaces/torus.tex" \
-  --op 'Agregar_Toro e?=a centro?=(0,0,0) mayor?=1' -o bad.json.out
-absent bad.json.out
+  --op 'Agregar_Toro e?=a centro?=(0,0,0) mayor?=1' -o unfinished.json
+absent unfinished.json
 refused 'edit: --by-spec excludes --with; ' edit scene.json --with "$spec/puntos.tex" --by-spec --op 'Eliminar_Elemento e=s1'
 
 # The text of spec/ agrees with points that know no equation; the printed one, whose cylinder has the radius √radio, not.

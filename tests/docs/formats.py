@@ -8,6 +8,9 @@ prints and refuses. A comment before a block or a table says what it is:
   <!-- errors NAME COMMAND… -->    a row of the table is a text of the file, what stands there instead, the error;
                                    the file itself is none
   <!-- defects NAME COMMAND… -->   the same, where the line goes to standard output and the status is 1
+  <!-- words [PREFIX.] NAME OLD NEW COMMAND… -->   the words in the first column are those that the reader knows: in the file
+                                   NEW stands for OLD, with a word for its @. Where it is none of them, the error lists
+                                   all of them, and no others. Several such comments may stand before one table
 
 --write puts what the program says into the pages."""
 import os
@@ -21,9 +24,10 @@ import tempfile
 durero, root, writes = os.path.abspath(sys.argv[1]), pathlib.Path(os.path.abspath(sys.argv[2])), "--write" in sys.argv
 PAGES = ["docs/formats.md", "docs/formats/scene.md", "docs/formats/conform.md", "docs/formats/others.md",
          "docs/spec-tool.md"]
-PART = re.compile(r"<!-- (file|run|prints|refused|errors|defects)( [^\n]*)? -->\n"
+PART = re.compile(r"((?:<!-- words [^\n]* -->\n)*)<!-- (file|run|prints|refused|errors|defects|words)( [^\n]*)? -->\n"
                   r"(```\w*\n(.*?)```\n|((?:\|[^\n]*\n)+))", re.S)
-counts, bad = {}, 0
+NO_WORD = "zqxj"
+counts, bad, known_words, probes = {}, 0, set(), 0
 
 
 def fail(what):
@@ -77,11 +81,60 @@ def check_table(kind, table, file, command):
     return "".join([*head, *(check_row(kind, row, file, command) for row in rows)])
 
 
+def listed(said):
+    """The words that an error expects, as a set."""
+    expected = said.split("; expected ", 1)[-1]
+    expected = re.sub(r"^.*?\b(one|each) of ", "", expected)
+    expected = re.split(r",? or \}|,? which | once$", expected)[0]
+    return set(re.split(r", | or ", expected))
+
+
+def check_words(table, arguments):
+    """The table, the list of the error and what the reader takes are the same words."""
+    global probes
+    prefix, (name, old, new, *command) = "", arguments
+    if name.endswith("."):
+        prefix, name, old, new, *command = arguments
+    first = " ".join(row[2:].split(" | ", 1)[0] for row in table.splitlines()[2:])
+    on_page = {word.removeprefix(prefix) for word in re.findall(r"`([^`]+)`", first)
+               if word.startswith(prefix) and "." not in word.removeprefix(prefix)}
+    text = pathlib.Path(name).read_text()
+    if old not in text:
+        return fail(f"{name} has no {old}")
+
+    def said(word):
+        nonlocal text
+        pathlib.Path(name).write_text(text.replace(old, new.replace("@", word), 1))
+        done = run(" ".join(map(shlex.quote, command)))
+        return done.stderr.removeprefix("durero: ") if done.returncode == 2 else ""
+
+    unknown = said(NO_WORD)
+    by_reader = listed(unknown.rstrip("\n"))
+    for what, more in (("the page does not list", by_reader - on_page), ("the reader does not name", on_page - by_reader)):
+        if more:
+            fail(f"{name} with {new}: {what} {sorted(more)}: {unknown}")
+    known_words.update(by_reader)
+    wrong = unknown.split("; ", 1)[0]
+    if NO_WORD not in wrong:
+        fail(f"{name} with {new}: {unknown}")
+    for word in sorted(known_words | on_page):
+        probes += 1
+        is_refused = said(word).split("; ", 1)[0] == wrong.replace(NO_WORD, word)
+        if is_refused == (word in on_page):
+            fail(f"{name} with {new} and {word}: {'refused, and listed' if is_refused else 'not refused, and not listed'}")
+    pathlib.Path(name).write_text(text)
+
+
 def check_part(match):
     global last
-    kind, words, part, block, table = match.groups()
+    more, kind, words, part, block, table = match.groups()
     words = (words or "").strip()
     text = match.group(0)
+    if kind == "words":
+        for arguments in [*re.findall(r"<!-- words ([^\n]*) -->", more), words]:
+            check_words(table, shlex.split(arguments))
+            counts["words"] = counts.get("words", 0) + 1
+        return text
     if kind == "file":
         pathlib.Path(words).write_text(block)
     elif kind == "run":
@@ -106,12 +159,13 @@ with tempfile.TemporaryDirectory() as folder:
     for name in PAGES:
         page = (root / name).read_text(encoding="utf-8")
         checked = PART.sub(check_part, page)
-        if page.count("<!-- ") - page.count("<!-- differences") != len(PART.findall(page)):
+        stacked = sum(more.count("<!-- ") for more, *_ in PART.findall(page))
+        if page.count("<!-- ") - page.count("<!-- differences") - stacked != len(PART.findall(page)):
             fail(f"{name}: a comment stands before no block and no table, or says what nobody knows")
         for block in re.findall(r"(.*)\n```\w+\n", page):
             if not block.startswith("<!-- "):
                 fail(f"{name}: a block that nothing runs, behind {block!r}")
         if writes:
             (root / name).write_text(checked, encoding="utf-8")
-print(f"docs/formats: {counts}, {bad} failures")
-sys.exit(bad > 0 or counts.get("errors", 0) < 80 or counts.get("file", 0) < 15 or counts.get("prints", 0) < 6)
+print(f"docs/formats: {counts}, {probes} words tried, {bad} failures")
+sys.exit(bad > 0 or counts.get("errors", 0) < 80 or counts.get("file", 0) < 15 or counts.get("prints", 0) < 6 or counts.get("words", 0) < 12)

@@ -18,6 +18,8 @@ TEST_CASE("A file's name tells its format") {
                     ".obj or .ply or .pov");
   CHECK_THROWS_AS(io::format_to_read("json"), io::FileError);
   CHECK(io::format_to_read("a.pov").ending == ".pov");
+  CHECK(io::format_to_read("folder/A.POV").ending == ".pov");
+  CHECK(io::format_to_write("A.Nff").ending == ".nff");
   CHECK(io::format_to_write("a.pov").ending == ".pov");
   CHECK_THROWS_WITH(io::format_to_write("a.ply"),
                     "a.ply: a format that is not known by this name; expected one that ends in .json or .nff or .pov");

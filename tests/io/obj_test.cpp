@@ -181,8 +181,46 @@ vt 9 9
   CHECK(i.lost == std::vector<std::string>{"1 texture coordinate left out: no face has them at all of its corners"});
 }
 
+TEST_CASE("What OBJ says besides faces is left out, line by line, and counted") {
+  // As programs of modelling, of animation and of subdivision write it.
+  const io::Imported i = import_text(R"(v 0 0 0 nan inf -nan
+v 1 0 0
+v 0 1 0
+fo 1 2 3
+l 1 2 3
+l 1/1 2/2
+p 1 2
+mg 1 0.5
+maplib textures.map
+vw 0 1 0.5
+t crease 2/1/0 0 1 4.0
+curv2 1 2 3
+f 1 3 2
+)");
+  CHECK(i.scene.size() == 2);
+  CHECK(i.lost == std::vector<std::string>{"1 weight or colour of a vertex left out: a scene has none",
+                                           "8 other statements left out: no vertex, no face"});
+}
+
+TEST_CASE("A line of OBJ goes on behind a backslash at its end, and a corner need not name what it leaves open") {
+  const std::string wanted = io::scene_text(import_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\nf 3 2 1\n").scene);
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    std::string
+        text = "v 0 0 \\\n0\nv 1 \\\n  0\\\n 0\n# C:\\meshes\\\nv 1 1 0 # no more \\\nf 1// \\\n2// 3//\nf 3/ 2/ 1/\n",
+        lines;
+    for (const char c : text) lines += c == '\n' ? end : std::string(1, c);
+    const io::Imported i = import_text(lines);
+    CHECK(io::scene_text(i.scene) == wanted);
+    CHECK(i.lost.empty());
+  }
+}
+
 TEST_CASE("A malformed OBJ file is an error with its place") {
-  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n",
+                    statements =
+                        "v, f, fo, vn, vt, o, g, usemtl, mtllib, p, l, s, mg, vp, vw, t, bevel, c_interp, d_interp, "
+                        "lod, maplib, usemap, shadow_obj, trace_obj, ctech, stech, cstype, deg, bmat, step, curv, "
+                        "curv2, surf, parm, trim, hole, scrv, sp, end, con, bsp, bzp, cdc, cdp, res";
   using Case = std::pair<std::string, std::string>;
   const Case cases[] = {
       {"^", "no mesh; expected vertices (v) and faces (f)"},
@@ -195,7 +233,7 @@ TEST_CASE("A malformed OBJ file is an error with its place") {
       {vertices + "^v 0x1p3 0 0\nf 1 2 3", "v of no decimal numbers; expected x y z"},
       {vertices + "v 0 0 ^1e999\nf 1 2 3", "\"1e999\" in v; expected a finite decimal number"},
       {vertices + "v 0 0 ^nan\nf 1 2 3", "\"nan\" in v; expected a finite decimal number"},
-      {vertices + "v 0 0 0 1 1 1 ^x\nf 1 2 3", "\"x\" in v; expected a finite number"},
+      {vertices + "v 0 0 0 1 1 1 ^x\nf 1 2 3", "\"x\" in v; expected a number"},
       {vertices + "v 0 0 0 1 1 1 1 ^1\nf 1 2 3",
        "an eighth number in v; expected x y z, a weight and a colour at most"},
       {vertices + "^f 1 2", "a face of 2 vertices; expected 3 or more"},
@@ -209,17 +247,34 @@ TEST_CASE("A malformed OBJ file is an error with its place") {
        "\"3/2\" names no texture coordinate; expected 1 to 1, or a distance back to one above"},
       {vertices + "vt 0 0\nf 1/1 2/1 ^3/-2",
        "\"3/-2\" names no texture coordinate; expected 1 to 1, or a distance back to one above"},
-      {vertices + "f 1 2 ^0\nv 0 0 0\n", "\"0\" in f; expected v, v/vt, v//vn or v/vt/vn"},
-      {vertices + "f 1 2 ^x", "\"x\" in f; expected v, v/vt, v//vn or v/vt/vn"},
-      {vertices + "f 1 2 3 ^x", "\"x\" in f; expected v, v/vt, v//vn or v/vt/vn"},
-      {vertices + "f 1 2 ^3.5", "\"3.5\" in f; expected v, v/vt, v//vn or v/vt/vn"},
-      {vertices + "f 1 2 ^3/", "\"3/\" in f; expected v, v/vt, v//vn or v/vt/vn"},
-      {vertices + "f 1 2 ^3/1/1/1", "\"3/1/1/1\" in f; expected v, v/vt, v//vn or v/vt/vn"},
-      {vertices + "f 1 2 ^99999999999", "\"99999999999\" in f; expected v, v/vt, v//vn or v/vt/vn"},
-      {vertices + "f 1 2 ^\\\n3", "\"\\\" in f; expected v, v/vt, v//vn or v/vt/vn"},
-      {vertices + "f 1/" + std::string(300, '0') + "1 ^2 3", "\"2\" in f; expected v, v/vt, v//vn or v/vt/vn"},
+      {vertices + "f 1 2 ^0\nv 0 0 0\n",
+       "\"0\" in f; expected v, v/vt, v//vn or v/vt/vn, of whole numbers other than 0"},
+      {vertices + "f 1 2 ^x", "\"x\" in f; expected v, v/vt, v//vn or v/vt/vn, of whole numbers other than 0"},
+      {vertices + "f 1 2 3 ^x", "\"x\" in f; expected v, v/vt, v//vn or v/vt/vn, of whole numbers other than 0"},
+      {vertices + "f 1 2 ^3.5", "\"3.5\" in f; expected v, v/vt, v//vn or v/vt/vn, of whole numbers other than 0"},
+      {vertices + "f 1 2 ^/3", "\"/3\" in f; expected v, v/vt, v//vn or v/vt/vn, of whole numbers other than 0"},
+      {vertices + "f 1 2 ^3///", "\"3///\" in f; expected v, v/vt, v//vn or v/vt/vn, of whole numbers other than 0"},
+      {vertices + "f 1 2 ^3/1/1/1",
+       "\"3/1/1/1\" in f; expected v, v/vt, v//vn or v/vt/vn, of whole numbers other than 0"},
+      {vertices + "f 1 2 ^99999999999",
+       "\"99999999999\" in f; expected v, v/vt, v//vn or v/vt/vn, of whole numbers other than 0"},
+      {vertices + "f 1 2 ^\\ 3", "\"\\\" in f; expected v, v/vt, v//vn or v/vt/vn, of whole numbers other than 0"},
+      {vertices + "f 1 2 3 ^\\", "\"\\\" in f; expected v, v/vt, v//vn or v/vt/vn, of whole numbers other than 0"},
+      {vertices + "f \\\n1 \\\r\n2 \\\r^x",
+       "\"x\" in f; expected v, v/vt, v//vn or v/vt/vn, of whole numbers other than 0"},
+      {vertices + "f 1 2 3\nv 1 \\\n1 \\\n^x", "\"x\" in v; expected a finite decimal number"},
+      {vertices + "# \\\n^face", "unknown statement \"face\"; expected one of " + statements},
+      {vertices + "f 1/" + std::string(300, '0') + "1 ^2 3",
+       "\"2\" in f; expected v, v/vt, v//vn or v/vt/vn, of whole numbers other than 0"},
       {vertices + "^f 1 2 3#c 1", "f with numbers in a comment or too long; expected spaces before a comment"},
-      {vertices + "f 1 2 3\n^face 1 2 3", "unknown statement \"face\"; expected one of v, f, vn, vt, o, g, …"},
+      {vertices + "f 1 2 3\n^face 1 2 3", "unknown statement \"face\"; expected one of " + statements},
+      {vertices + "f 1 2 3\n^usemtll red", "unknown statement \"usemtll\"; expected usemtl"},
+      {vertices + "f 1 2 3\n^call other.obj", "unknown statement \"call\"; expected one of " + statements},
+      {"f ^1 2 3", "\"1\" names no vertex; expected a v before it: there is none"},
+      {"f ^-1 2 3", "\"-1\" names no vertex; expected a v before it: there is none"},
+      {vertices + "f ^1/-1 2/-1 3/-1\nvt 0 0",
+       "\"1/-1\" names no texture coordinate; expected a vt before it: there is none"},
+      {vertices + "f ^1/1 2/1 3/1", "\"1/1\" names no texture coordinate; expected a vt before it: there is none"},
   };
   for (const auto& [text, expected] : cases) {
     INFO(text);

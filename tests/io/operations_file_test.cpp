@@ -191,13 +191,13 @@ TEST_CASE("Three points are read in either syntax") {
 
 TEST_CASE("A malformed operation is an error with its place") {
   using Case = std::pair<std::string, std::string>;
+  const std::string operations =
+      "one of Agregar_Esfera, Agregar_Cilindro, Agregar_Cono, Agregar_Tronco, Agregar_Plano, Agregar_Disco, "
+      "Agregar_Triangulo, Agregar_Elemento, Eliminar_Esfera, Eliminar_Cilindro, Eliminar_Cono, Eliminar_Tronco, "
+      "Eliminar_Plano, Eliminar_Disco, Eliminar_Triangulo, Eliminar_Elemento, group, ungroup, close";
   const Case cases[] = {
-      {"\n ^Agregar e?=a",
-       "unknown operation \"Agregar\"; expected one of Agregar_Esfera, Agregar_Cilindro, Agregar_Cono, "
-       "Agregar_Tronco, Agregar_Plano, Agregar_Disco, Agregar_Triangulo, Agregar_Elemento, Eliminar_Esfera, "
-       "Eliminar_Cilindro, Eliminar_Cono, "
-       "Eliminar_Tronco, "
-       "Eliminar_Plano, Eliminar_Disco, Eliminar_Triangulo, Eliminar_Elemento, group, ungroup, close"},
+      {"\n ^Agregar e?=a", "unknown operation \"Agregar\"; expected " + operations},
+      {"^Agregar_Sphere e?=a", "unknown operation \"Agregar_Sphere\"; expected Agregar_Esfera, or " + operations},
       {"^Agregar_Esfera e?=a radio?=1", "Agregar_Esfera lacks centro?; expected it"},
       {"Eliminar_Esfera e?=a ^radio?=1", "unknown input \"radio\" of Eliminar_Esfera; expected one of e"},
       {"Agregar_Esfera e?=a ^t?=soy_esfera centro?=(0,0,0) radio?=1",

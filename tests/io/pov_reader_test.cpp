@@ -24,7 +24,9 @@ namespace {
 
 const auto reading = [](const io::Source& s) { return io::read_pov(s); };
 std::string error_at(const std::string& with_mark) { return test::error_at_mark(with_mark, reading); }
-io::Imported import_text(const std::string& text) { return io::read_pov(io::Source("f", text)); }
+io::Imported import_as_it_stands(const std::string& text) { return io::read_pov(io::Source("f", text)); }
+/// Of a text whose numbers are linear: a version holds for the whole text, wherever it stands.
+io::Imported import_text(const std::string& text) { return import_as_it_stands(text + "\n#version 3.7;"); }
 std::string json_of(const io::Imported& i) { return io::scene_text(i.scene, i.groups); }
 
 const std::string sample = R"(// povray +W640 +H480 -A
@@ -169,6 +171,109 @@ TEST_CASE("A camera that is told where to look has the same rays, and one that a
   CHECK(camera("sky <0, 1, 1> look_at <1, 0, 0>").up == glm::dvec3(0, 1, 1));
 }
 
+TEST_CASE("The words of a camera say the same in any order") {
+  std::vector<std::string> words{"location <1, 2, -7>",   "look_at <0.5, 0.25, 0>", "angle 42",
+                                 "right <-16, 1, 0>",     "up <0, 9, 1>",           "sky <0.25, 1, 0>",
+                                 "direction <0, 0.25, 2>"};
+  const auto read = [&](const std::string& before) {
+    std::string text;
+    for (const std::string& word : words) text += word + " ";
+    const io::Imported i = import_as_it_stands(before + "camera { " + text + "}");
+    return std::pair(i.scene.stage().camera.value(), i.lost);
+  };
+  const auto as_written = read("");
+  CHECK(std::abs(as_written.first.fov_y - 24.468) < 0.001);
+  CHECK(as_written.second.size() == 1);  // no right angles
+  std::ranges::sort(words);
+  do {
+    INFO(words.front() << words[1] << words[2]);
+    REQUIRE(read("") == as_written);
+  } while (std::ranges::next_permutation(words).found);
+  // Before version 3.5 they were carried out one by one.
+  CHECK(error_at("#version 3.1; camera { look_at x ^location y }") ==
+        "\"location\" stands here; expected it before look_at, which turns the camera where it stands by #version 3.1");
+  CHECK(error_at("#version 3.1; camera { location y look_at x right -x } ^}").starts_with("\"}\" is not read"));
+  CHECK(error_at("#version 3.5; camera { look_at x location y } ^}").starts_with("\"}\" is not read"));
+}
+
+namespace {
+
+constexpr auto sums = ": sums and slopes of light are other than its own";
+
+/// The background of a text that says this of its gamma.
+glm::dvec3 background_by(const std::string& before, const std::string& after = "") {
+  return import_as_it_stands(before + " background { rgb <0.5, 0.25, 0.03> } " + after)
+      .scene.stage()
+      .background.value();
+}
+
+}  // namespace
+
+TEST_CASE("The numbers of colours are the light that POV-Ray shows, by the version and the gamma of the text") {
+  const auto is = [](const glm::dvec3& c, const glm::dvec3& wanted) { return glm::distance(c, wanted) < 1e-8; };
+  const glm::dvec3 plain(0.5, 0.25, 0.03), srgb(0.21404114, 0.05087609, 0.03 / 12.92),
+      power(0.21763764, 0.04736614, 0.00044634098);
+  CHECK(is(background_by(""), srgb));
+  CHECK(is(background_by("#version 3.6;"), srgb));
+  CHECK(is(background_by("#version 3.69;"), srgb));
+  CHECK(background_by("#version 3.7;") == plain);
+  CHECK(background_by("#version unofficial 3.7;") == plain);
+  CHECK(background_by("#version 3.8;") == plain);
+  for (const char* const version : {"", "#version 3.6; ", "#version 3.7; "}) {
+    const auto by = [&](const std::string& gamma) {
+      return background_by(fmt::format("{}global_settings {{ assumed_gamma {} }}", version, gamma));
+    };
+    CHECK(by("1") == plain);
+    CHECK(is(by("2.2"), power));
+    CHECK(is(by("srgb"), srgb));
+  }
+  // The last version and the first gamma hold, wherever they stand.
+  CHECK(is(background_by("#version 3.7;", "#version 3.6;"), srgb));
+  CHECK(background_by("#version 3.6;", "#version 3.7;") == plain);
+  CHECK(background_by("", "global_settings { assumed_gamma 1 }") == plain);
+  CHECK(is(background_by("global_settings { assumed_gamma 2.2 assumed_gamma 1 }", "#version 3.7;"), power));
+  CHECK(error_at("global_settings { assumed_gamma ^0 }") == "assumed_gamma is 0; expected a number above 0, or srgb");
+  CHECK(error_at("global_settings { assumed_gamma ^-1 }") == "assumed_gamma is -1; expected a number above 0, or srgb");
+  CHECK(error_at("#version 3.7; global_settings { ^assumed_gamma 3 } background { rgb 1e200 }") ==
+        "the light of a colour is beyond binary64; expected colours of finite light");
+  CHECK(error_at("^background { rgb 1e200 }") ==
+        "the light of a colour is beyond binary64; expected colours of finite light");
+}
+
+TEST_CASE("All colours and shares of light become linear, and how many is said") {
+  const io::Imported i = import_as_it_stands(R"(global_settings { assumed_gamma 2 }
+background { rgb <0.5, 1, 0> }
+light_source { <1, 2, 3>, rgb <0.5, 0.25, 1> }
+light_source { <0, 8, 0>, rgb 0.5 parallel }
+sphere { 0, 1 pigment { rgb <0.5, 0.25, 1> }
+  finish { ambient 0.5 diffuse 0.5 phong 0.25 phong_size 20 reflection rgb <0.5, 0.25, 0.5> } }
+sphere { 0, 2 pigment { rgb <1, 0.5, 1> filter 0.5 } finish { ambient 0 diffuse 0 } interior { ior 1.5 } no_shadow }
+sphere { 0, 3 pigment { rgb <0, 1, 0> } finish { ambient 0 diffuse 0.5 brilliance 0 emission 0.5 } })");
+  const scene::Stage& stage = i.scene.stage();
+  CHECK(stage.background == glm::dvec3(0.25, 1, 0));
+  CHECK(stage.lights.at(0).color == glm::dvec3(0.25, 0.0625, 1));
+  CHECK(stage.directional_lights.at(0).color == glm::dvec3(0.25));
+  CHECK(stage.materials.at(0) == scene::Material{.name = "f1",
+                                                 .color = {0.25, 0.0625, 1},
+                                                 .k_d = 0.25,
+                                                 .k_s = 0.0625,
+                                                 .e = 20,
+                                                 .k_ps = 0.25,
+                                                 .M_PS = {1, 0.25, 1},
+                                                 .ambient = {0.0625, 0.015625, 0.25}});
+  CHECK(stage.materials.at(1) == scene::Material{.name = "f2", .k_t = 0.25, .M_T = {1, 0.25, 1}, .index = 1.5});
+  CHECK(stage.materials.at(2) ==
+        scene::Material{.name = "f3", .color = {0, 1, 0}, .k_a = 0.25, .k_d = 0, .emission = {0, 0.25, 0}});
+  CHECK(std::ranges::count(i.lost,
+                           std::string("12 colours and shares of light made linear from assumed_gamma 2") + sums) == 1);
+  CHECK(import_as_it_stands("background { rgb <0.5, 1, 0> }").lost ==
+        Lines{std::string("1 colour or share of light made linear from sRGB, which POV-Ray shows as they stand here") +
+              sums});
+  CHECK(import_as_it_stands("background { rgb <0, 1, 0> }").lost.empty());
+  CHECK(import_as_it_stands("#version 3.7; background { rgb 0.5 }").lost.empty());
+  CHECK(import_as_it_stands("global_settings { assumed_gamma 1 } background { rgb 0.5 }").lost.empty());
+}
+
 TEST_CASE("Terms of a material come back from an average; what a material has no place for is left out and counted") {
   const auto looks = [](const std::string& attributes) { return import_text("sphere { 0, 1 " + attributes + " }"); };
   const auto material = [&](const std::string& attributes) { return looks(attributes).scene.stage().materials.at(0); };
@@ -222,9 +327,9 @@ TEST_CASE("An index that stands apart from the texture is told of") {
 }
 
 TEST_CASE("Settings that a scene does not have are counted") {
-  CHECK(import_text(
-            "#version 3.6; global_settings { assumed_gamma 2.2 ambient_light rgb <1, 1, 1> radiosity { count 100 } "
-            "charset utf8 adc_bailout 0.01 } sky_sphere { pigment { rgb 1 } } union { hollow }")
+  CHECK(import_as_it_stands("#version 3.6; global_settings { assumed_gamma 2.2 assumed_gamma 1 ambient_light rgb <1, "
+                            "1, 1> radiosity { count 100 } "
+                            "charset utf8 adc_bailout 0.01 } sky_sphere { pigment { rgb 1 } } union { hollow }")
             .lost == Lines{"1 sky_sphere left out", "6 global settings left out: a scene has none such",
                            "1 #version read as 3.7", "1 group left out: nothing is in it",
                            "1 attribute left out: no picture shows it"});
@@ -395,6 +500,10 @@ TEST_CASE("A malformed POV-Ray text is an error with its place") {
        "\"merge\" is not read in union; expected one of " + objects + ", " + attributes},
       {"mesh { triangle { 0, x, y } ^sphere { 0, 1 } }",
        "\"sphere\" is not read in mesh; expected one of triangle, smooth_triangle, " + attributes},
+      {"union { sphere { 0, 1 } hollow ^sphere { 0, 1 } }",
+       "\"sphere\" is not read in union; expected one of " + attributes},
+      {"mesh { triangle { 0, x, y } hollow ^triangle { 0, x, y } }",
+       "\"triangle\" is not read in mesh; expected one of " + attributes},
       {"object { ^Ball }", "\"Ball\" is not read in object; expected one of " + objects},
       {"sphere { 0, 1 ^rotate 90*x }", "\"rotate\" is not read in sphere; expected one of " + attributes},
       {"sphere { 0, 1 ^textur { } }", "\"textur\" is not read in sphere; expected texture"},
@@ -425,10 +534,10 @@ TEST_CASE("A malformed POV-Ray text is an error with its place") {
        "the text ends; expected } behind texture_map"},
       {"camera { }\n^camera { }", "a second camera; expected one"},
       {"camera { ^orthographic }",
-       "\"orthographic\" stands here; expected one of location, direction, right, up, sky, angle, look_at, or }: no "
-       "other camera is read"},
+       "\"orthographic\" stands here; expected one of location, direction, right, up, sky, angle, look_at, "
+       "perspective, or "
+       "}: no other camera is read"},
       {"camera { right x*^wide }", "\"wide\" in right; expected a finite number"},
-      {"camera { angle 40 ^up y }", "\"up\" stands here; expected it before look_at and angle, which turn it"},
       {"camera { ^angle 180 }", "angle is 180; expected an angle in degrees, above 0 and below 180"},
       {"^camera { look_at 0 }", "the camera looks at its own eye; expected look_at elsewhere"},
       {"^camera { direction y }", "up is parallel to the view; expected another direction"},
@@ -450,7 +559,8 @@ TEST_CASE("A malformed POV-Ray text is an error with its place") {
        "\"sphere\" stands here; expected a colour, a function, a texture, or what is part of one: no other declaration "
        "is read"},
       {"#declare R ^", "the text ends; expected = behind the name of a declaration"},
-      {"#version ^unofficial", "\"unofficial\" in #version; expected a finite number"},
+      {"#version ^official", "\"official\" in #version; expected a finite number"},
+      {"#version unofficial^", "the text ends in #version; expected a number"},
       {"^/* /* */ sphere", "a comment that does not end; expected */"},
       {"sphere { 0, 1 } ^\"a\\\"", "a text that does not end; expected \""},
   };

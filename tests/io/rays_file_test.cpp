@@ -141,6 +141,18 @@ TEST_CASE(
   CHECK(broken("f.npy", table.substr(1)) == nullptr);
 }
 
+TEST_CASE("A file of rays is known by its beginning, so that no one takes it for a scene") {
+  const auto begins = [](const std::string& text) { return io::begins_as_rays(io::Source("f", text)); };
+  CHECK(begins("0 0 0 0 0 1\n"));
+  CHECK(begins("# rays\n\n  -0x1p3 0 0 0 0 1\n"));
+  CHECK(begins("1e3#"));
+  CHECK(begins(io::rays_npy({})));
+  for (const char* const text : {"", "\n", "# 1 2 3", "{\"format\":1}", " \n{", "[1]", "x 1", "\xEF\xBB\xBF{}"}) {
+    CAPTURE(text);
+    CHECK_FALSE(begins(text));
+  }
+}
+
 TEST_CASE("No damage to rays does worse than an error") {
   const auto reading = [](const io::Source& s) { return io::read_rays(s, three_spheres()); };
   const std::string text = "# rays\n0 1.5 -2e3 0x1.8p3 0 1 @a @b\n1 2 3 4 5 6\n";

@@ -23,7 +23,7 @@ sees() {
 clean=$(git write-tree)  # the tree without any fault
 
 for rule in layers edges independence stems house labels mutants z_text specified draws requirements standard_output packages \
-  versions reference optimised narrow flush commits; do
+  versions reference optimised narrow flush commits rooms; do
   sh "$here/$rule.sh" >/dev/null 2>&1 || { echo "drill: $rule.sh fails before any fault is planted"; missed=$((missed + 1)); }
 done
 
@@ -167,6 +167,12 @@ END
 committed 'lattice: make ten cells' 'Eight were too few for a box that holds one more.'
 sh "$here/commits.sh" || { echo "drill: commits.sh complains of a good commit"; missed=$((missed + 1)); }
 uncommitted
+sed -i 's/`src\/accel\/touch.cpp`, //' docs/adding-a-surface.md
+sees rooms "a room of surfaces that no page names"
+echo 'bool f(const scene::TruncatedCone& cone);' >>src/io/lines.cpp
+sees rooms "a new room of surfaces"
+sed -i 's/^| `src\/render\/coordinates.cpp`/| `src\/render\/bump.cpp`, `src\/render\/coordinates.cpp`/' docs/adding-a-surface.md
+sees rooms "a room that names no surface"
 if command -v doxygen >/dev/null 2>&1; then
   sed -i 's/^  \/\/\/ #elementos$//' include/durero/scene/scene.hpp
   sees reference "a public name without a sentence"

@@ -55,6 +55,15 @@ def test_groups_are_kept_and_edited_as_the_program_does(tmp_path: pathlib.Path) 
     assert scene.group("pair", [other, one]) == "grouped"
     assert scene.group("outer", groups=["pair"]) == "grouped"
     assert scene.groups == {"outer": ((), ("pair",)), "pair": ((one, other), ())}
+    element = scene[one]
+    assert scene.remove(one) == "elemento_eliminado"
+    assert scene.add(one, element).left_group == "pair" and scene.groups["pair"].elementos == (other,)
+    answers = scene.apply_all([f"Eliminar_Elemento e?={other}", f"Eliminar_Elemento e?={one}"])
+    assert [answer.left_group for answer in answers] == ["pair", None]
+    scene = durero.Scene.load(path)
+    for name in list(scene.groups):
+        assert scene.ungroup(name).left_group is None
+    assert scene.group("pair", [other, one]) == scene.group("outer", groups=["pair"]) == "grouped"
     before = copy.copy(scene)
     with pytest.raises(durero.Refused) as refused:
         scene.group("again", [one])
@@ -68,6 +77,13 @@ def test_groups_are_kept_and_edited_as_the_program_does(tmp_path: pathlib.Path) 
     assert scene.groups["pair"].elementos == (other,) and before.groups["pair"].elementos == (one, other)
     with pytest.raises(TypeError):
         scene.ungroup(3)  # type: ignore[arg-type]
+
+
+def test_an_english_name_is_answered_by_that_of_the_specification() -> None:
+    with pytest.raises(AttributeError, match="has no attribute 'Sphere'; expected Esfera, as the specification has it"):
+        getattr(durero, "Sphere")
+    with pytest.raises(AttributeError, match="has no attribute 'Torus'$"):
+        getattr(durero, "Torus")
 
 
 def test_engines_that_follow_groups_search_by_them() -> None:

@@ -69,6 +69,10 @@ def check_scenes_and_hits():
     scene, rays = root / "demo/still-life.json", root / "demo/rays.txt"
     answers = run("edit", scene, "--script", root / "demo/edits.txt", "-o", "edited.json", status=1)
     check_lines("answer", answers, "an answer")
+    groups = run("edit", scene, "--op", "group g=g elementos=jug", "--op", "Eliminar_Elemento e=jug")
+    if '"left_group":"g"' not in groups:
+        fail(f"a removal from a group says nothing of it: {groups}")
+    check_lines("answer", groups, "an answer of groups")
     check("scene", pathlib.Path("edited.json").read_text(), "an edited scene")
     pathlib.Path("hits").write_text(run("trace", scene, rays))
     check_lines("hit", pathlib.Path("hits").read_text(), "a hit")

@@ -63,10 +63,15 @@ void durero_scene_free(durero_scene *scene);
 size_t durero_scene_size(const durero_scene *scene);
 
 /** Runs one operation, as `durero edit` reads it: "Agregar_Esfera e?=s1 centro?=(0,0,5) radio?=1", or an edit of the
- * scene's groups: "group g?=pair elementos?=s1,s2", "ungroup g?=pair". DURERO_REFUSED where
+ * scene's groups: "group g?=pair elementos?=s1,s2", "ungroup g?=pair". An element that is removed leaves its group, and one
+ * that is added is in none, whatever its name: durero_left_group() names the group. DURERO_REFUSED where
  * a precondition does not hold: the scene is as it was, and durero_error() is "LABEL: PREDICATE", the clause of the
  * specification, or of a text that the scene was read by. DURERO_FAILED where the text is no operation. */
 durero_answer durero_apply(durero_scene *scene, const char *operation);
+/** Of the operation that the scene did last: where it was a removal, the group that the element left; where it was an
+ * addition, the one that an element of its name left before, and that the new one is not in. "" where there is none.
+ * Valid until the next operation. */
+const char *durero_left_group(const durero_scene *scene);
 
 /** Makes the engine of that name ready for the scene (`durero engines` lists them; NULL is the usual one). The scene must
  * outlive it, unedited. NULL where there is no such engine. A scene that was read by a Z text has the text answer, and

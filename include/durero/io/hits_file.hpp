@@ -34,12 +34,13 @@ std::string hit_text(std::size_t ray, const scene::Hit& hit, const scene::Scene&
 /// The .npy file of the hits of all rays.
 std::string hits_npy(std::span<const scene::Hit> hits, const scene::Scene& scene);
 
-/// Writes the hits of rays as they come: .npy where the name of the file ends so, else JSON lines. Memory does not grow
+/// Writes the hits of rays as they come: .npy where the name of the file ends so, else JSON lines (.jsonl, .ndjson,
+/// .json, .txt, or no ending). Memory does not grow
 /// with their number. The file appears at commit(); where JSON lines go to the standard output, a pipe or a device,
 /// they are there at once. All members throw FileError.
 class HitWriter {
  public:
-  /// Finds out whether the file can be written.
+  /// Finds out whether the file can be written, and whether its name is that of another format.
   explicit HitWriter(const std::string& path);
 
   /// The hits of the next rays of the scene.

@@ -42,6 +42,9 @@ struct EditAnswer {
   std::string r;            ///< r!, or a word
   std::string violated{};   ///< the label of what does not hold; empty where the edit is done
   std::string predicate{};  ///< that
+  /// Of a removal, the group that the element left; of an addition, the one that an element of its name left before,
+  /// and that the new one is not in. Empty where there is none.
+  std::string left_group{};
   /// Whether the edit is done.
   bool ok() const noexcept { return violated.empty(); }
 };
@@ -54,7 +57,8 @@ EditAnswer edit_answer(const scene::Outcome& answer);
 /// there is none where there are no types.
 std::vector<Step> read_script(const Source& source, const scene::Stage& stage, std::span<const WrittenType> types = {});
 
-/// `{"line":1,"ok":true,"r":"esfera_agregada"}`, or with what was violated; without line end.
+/// `{"line":1,"ok":true,"r":"esfera_agregada"}`, perhaps with a left_group, or with what was violated; without line
+/// end.
 std::string answer_text(std::size_t line, const EditAnswer& answer);
 
 }  // namespace durero::io

@@ -48,6 +48,9 @@ class RayReader {
 /// Reads all rays of a text that is held whole.
 std::vector<Ray> read_rays(const Source& source, const scene::Scene& scene);
 
+/// Whether a text begins as files of rays do, and no scene does: as a .npy file, or with a number.
+bool begins_as_rays(const Source& source);
+
 /// The text of rays; reads back to the same rays.
 std::string rays_text(std::span<const Ray> rays, const scene::Scene& scene);
 

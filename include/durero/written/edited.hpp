@@ -2,9 +2,11 @@
 /// A scene that is edited, with its groups. Where a Z text says what its elements are, the text is asked of each
 /// addition, too: what is not in the domain of puntos_TIPO is refused with the predicate that does not hold.
 
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "durero/io/operations_file.hpp"
 #include "durero/scene/grouped_scene.hpp"
@@ -36,13 +38,13 @@ class Edited {
   /// All discs of a closing, or none: `closed`, or `closed_but_for_rounding` where they are not lids().exact.
   io::EditAnswer apply_total(const scene::Closing& in);
   io::EditAnswer apply_total(const io::WrittenEdit& edit);
-  io::EditAnswer apply_total(const io::Step& step) {
-    return std::visit([&](const auto& edit) { return apply_total(edit); }, step.edit);
-  }
+  /// This one tells of groups, too.
+  io::EditAnswer apply_total(const io::Step& step);
   /// @}
 
-  /// The edit of the program's own shapes, with the clause that it breaks. Precondition: no text is asked.
-  model::Answer apply_own(const scene::Edit& edit) { return of_.apply_total(edit); }
+  /// The edit of the program's own shapes: its answer with the clause that it breaks, and what apply_total(Step) says.
+  /// Precondition: no text is asked.
+  std::pair<model::Answer, io::EditAnswer> apply_own(const scene::Edit& edit);
 
   /// What answers rays, by the text. Precondition: there is one. Refers to nothing here.
   std::unique_ptr<const engine::Engine> engine() const;
@@ -60,9 +62,13 @@ class Edited {
   template <class MakeSurface>
   io::EditAnswer add_if_given(const scene::Edit& edit, MakeSurface make);
 
+  /// What an edit of the element of that name tells of groups, once it is carried out; it was in this group before.
+  std::string left_group(const std::string& name, std::string was_in);
+
   scene::GroupedScene of_;
   std::shared_ptr<const Text> text_{};
   io::WrittenByName elements_{};
+  std::map<std::string, std::string> left_{};  // of elements that were removed: the group that each was in
 };
 
 }  // namespace durero::written
