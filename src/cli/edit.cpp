@@ -36,7 +36,7 @@ std::vector<io::Step> read_script(const EditOptions& options, const written::Edi
   std::vector<io::Step> steps;
   std::size_t lines = 0;
   if (!options.script.empty() || options.operations.empty()) {
-    const io::Source script = io::read_source(options.script.empty() ? "-" : options.script);
+    const io::Source script = io::read_lines(options.script.empty() ? "-" : options.script);
     steps = io::read_script(script, stage, edited.types());
     lines = io::count_lines(script.text());
   }

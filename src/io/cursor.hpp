@@ -9,7 +9,7 @@ namespace durero::io {
 
 class Cursor {
  public:
-  /// Stands on the first word of the line.
+  /// Stands on the first word of the line. Throws InputError where it is longer than longest_line.
   Cursor(const Source& source, const Line& line);
 
   /// True at the end of the line and at a comment.
