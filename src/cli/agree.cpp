@@ -86,14 +86,12 @@ int run(const AgreeOptions& options) {
   written::Written asked = read(options, file);
   const scene::Scene& scene = asked.scene;
   try {
+    std::optional<Progress> progress(std::in_place, options.quiet, "agree", "rays", options.rays);
     const oracle::sampled::Oracle oracle(scene, options.fineness);
     const auto engine = asked.engine ? std::move(asked.engine) : engine::find(options.engine)->prepare(scene);
-    std::optional<Progress> progress(std::in_place, options.quiet, "agree", "rays", options.rays);
-    const auto first_hits = [&](std::span<const scene::Query> queries) {
-      progress->add(queries.size());
-      return engine::first_hits(*engine, queries);
-    };
-    const Agreement agreement = conform::agreement(oracle, first_hits, options.rays, options.seed);
+    const auto first_hits = [&](std::span<const scene::Query> queries) { return engine::first_hits(*engine, queries); };
+    const Agreement agreement = conform::agreement(oracle, first_hits, options.rays, options.seed,
+                                                   [&](std::uint64_t more) { progress->add(more); });
     progress.reset();
     return report(agreement, options, file, scene);
   } catch (const std::domain_error& error) {  // the range of the oracle
@@ -126,10 +124,12 @@ void add_agree(CLI::App& app, int& status) {
       ->capture_default_str();
   command->footer(fmt::format(
       "The oracle knows each surface as points. It takes elements with lengths from {} to {}, and centres\n"
-      "with coordinates up to {}; other scenes are refused. With --with it is the text\n"
+      "with coordinates up to {}; other scenes are refused. Each ray is held against each element, so that time\n"
+      "grows with their product, and no more than {} MiB of points are held at once. With --with it is the text\n"
       "that is held against the points: the types are the program's, their surfaces what the text says of "
       "them.\n\n{}{}",
       oracle::sampled::least_length, oracle::sampled::greatest_length, oracle::sampled::greatest_length,
+      oracle::sampled::Oracle::usual_bytes >> 20U,
       exit_status("no hit is wrong", "some hit is, and the first such ray is printed", "the call or the scene is bad"),
       examples({"agree demo/still-life.json --rays 10000",
                 "agree demo/still-life.json --rays 1000 --with spec/puntos.tex"})));

@@ -27,7 +27,7 @@ int run(const ConformJudgeOptions& options) {
   if (!options.report.empty()) require_room_for_reports(options.report);
   std::optional<Progress> progress(std::in_place, options.quiet, "judge: reading");
   const Suite suite = read_suite(options.directory);
-  const std::vector<Claims> claims = read_claims(io::read_source(options.hits), suite.cases);
+  const std::vector<Claims> claims = read_claims(io::read_lines(options.hits), suite.cases);
   progress.emplace(options.quiet, "judge", "scenes", suite.cases.size());
   Report report{.title = profile.system, .profile = profile, .options = suite.options};
   for (std::size_t i = 0; i < suite.cases.size(); ++i) {

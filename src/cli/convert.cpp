@@ -32,7 +32,7 @@ int import_scene(const ConvertOptions& options) {
   io::require_ending(options.to, io::json_endings, "a scene");
   io::OutputFile out(options.to);
   std::optional<Progress> progress(std::in_place, options.quiet, "import");
-  io::Imported imported = format.read(io::read_source(options.from));
+  io::Imported imported = format.read(format.has_lines ? io::read_lines(options.from) : io::read_source(options.from));
   io::rename_pictures(imported.scene.stage(), options.from, options.to);
   out.write(io::scene_text(imported.scene, imported.groups));
   out.commit();

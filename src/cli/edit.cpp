@@ -37,7 +37,7 @@ std::vector<io::Step> read_script(const EditOptions& options, const written::Edi
   std::vector<io::Step> steps;
   std::size_t lines = 0;
   if (!options.script.empty() || options.operations.empty()) {
-    const io::Source script = io::read_source(options.script.empty() ? "-" : options.script);
+    const io::Source script = io::read_lines(options.script.empty() ? "-" : options.script);
     steps = io::read_script(script, stage, edited.types());
     lines = io::count_lines(script.text());
   }
@@ -123,7 +123,10 @@ void add_edit(CLI::App& app, int& status) {
   command->footer(
       "Without --script and --op, operations are read from the standard input. With --with, the types that the text\n"
       "declares have operations too: puntos_toro gives Agregar_Toro and Eliminar_Toro; what the text gives\n"
-      "no points is refused with the predicate that does not hold.\n\n" +
+      "no points is refused with the predicate that does not hold.\n\n"
+      "An operation takes no longer in a large scene than in a small one. With --audit or --by-spec it does: each "
+      "then\n"
+      "looks at every element, before and after, so that time grows with the operations times the elements.\n\n" +
       exit_status("every operation was carried out", "one was refused",
                   "the call or a file is bad, and nothing is written") +
       examples({"edit demo/still-life.json --op \"Agregar_Esfera e?=moon centro?=(0,3,4) radio?=0.5\" -o "

@@ -30,8 +30,8 @@ std::string line(std::size_t ray, const std::optional<std::string>& objection) {
 int spec_confirm(const std::string& scene_path, const std::string& rays_path, const std::string& hits_path,
                  bool quiet) {
   const scene::Scene scene = io::read_scene(io::read_source(scene_path));
-  const std::vector<io::Ray> rays = io::read_rays(io::read_source(rays_path), scene);
-  const auto hits = io::read_hits_of_rays(io::read_source(hits_path), scene, rays.size());
+  const std::vector<io::Ray> rays = io::read_rays(io::read_lines(rays_path), scene);
+  const auto hits = io::read_hits_of_rays(io::read_lines(hits_path), scene, rays.size());
   const oracle::spec::Confirmation confirmation(scene);
   std::size_t confirmed = 0, missing = 0;
   std::string lines;

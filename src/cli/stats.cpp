@@ -57,7 +57,7 @@ std::vector<std::string> measurable() {
 
 std::vector<scene::Query> rays_of(const StatsOptions& options, const scene::Scene& scene) {
   if (options.rays.empty()) return conform::rays_towards(scene, own_rays, own_seed);
-  return io::read_rays(io::read_source(options.rays), scene);
+  return io::read_rays(io::read_lines(options.rays), scene);
 }
 
 /// How many rays it takes until the time to build it has been won back: of each ray it saves what the other takes more.

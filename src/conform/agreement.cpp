@@ -1,8 +1,7 @@
 #include "durero/conform/agreement.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
+#include <atomic>
 #include <numeric>
 
 namespace durero::conform {
@@ -25,12 +24,18 @@ void Agreement::add(const scene::Query& query, const scene::Hit& claimed, oracle
 }
 
 Agreement agreement(const oracle::sampled::Oracle& oracle, const FirstHits& first_hits, std::uint64_t rays,
-                    std::uint64_t seed) {
+                    std::uint64_t seed, const std::function<void(std::uint64_t)>& judged) {
   constexpr std::uint64_t block = std::uint64_t{1} << 16U;  // so that memory does not grow with the number of rays
   Agreement agreement;
   const std::vector<oracle::Ball> balls = oracle.bounds();
   if (balls.empty()) return agreement;
   RaysTowards stream(balls, seed);
+  // A ray is judged when all pairs with it are; as many pairs as elements are told of as one.
+  std::atomic<std::uint64_t> pairs = 0;
+  const auto in_rays = [&](std::uint64_t more) {
+    const std::uint64_t before = pairs.fetch_add(more);
+    judged((before + more) / balls.size() - before / balls.size());
+  };
   for (std::uint64_t done = 0; done < rays; done += block) {
     std::vector<scene::Query> queries;
     while (queries.size() < std::min(block, rays - done)) {
@@ -38,9 +43,7 @@ Agreement agreement(const oracle::sampled::Oracle& oracle, const FirstHits& firs
       queries.push_back(query);
     }
     const std::vector<scene::Hit> hits = first_hits(queries);
-    std::vector<oracle::sampled::Verdict> verdicts(queries.size());
-    oneapi::tbb::parallel_for(std::size_t{0}, queries.size(),
-                              [&](std::size_t i) { verdicts[i] = oracle.judge(queries[i].rayo, hits[i]); });
+    const auto verdicts = oracle.judge(queries, hits, in_rays);
     for (std::size_t i = 0; i < queries.size(); ++i) agreement.add(queries[i], hits[i], verdicts[i]);
   }
   return agreement;

@@ -6,6 +6,7 @@
 
 #include "conform/words.hpp"
 #include "durero/conform/question.hpp"
+#include "durero/io/lines.hpp"
 #include "durero/io/number_text.hpp"
 #include "durero/io/source.hpp"
 #include "durero/scene/attributes.hpp"
@@ -113,7 +114,10 @@ std::optional<std::string> QuestionReader::next_line() {
   std::string line;
   int c = std::getc(from_);
   if (c == EOF) return std::nullopt;
-  for (; c != EOF && c != '\n'; c = std::getc(from_)) line += static_cast<char>(c);
+  for (; c != EOF && c != '\n'; c = std::getc(from_)) {
+    line += static_cast<char>(c);
+    if (line.size() > io::longest_line) io::refuse_long_line({"question", std::move(line), lines_}, 0);
+  }
   ++lines_;
   return line;
 }

@@ -29,14 +29,24 @@ using scene::Scene;
 
 /// A sample stands for all points within its covering radius, so it cannot tell a ray's start on an element from a hit
 /// of that element nearby: it does not know origins.
-std::unique_ptr<const Engine> sampled(const Scene& scene) {
-  const auto oracle = std::make_shared<const oracle::sampled::Oracle>(scene);
-  return one_by_one([oracle](const Query& query) { return oracle->first_hit(query.rayo); },
-                    [oracle](const Query& query) {
-                      const scene::Hit hit = oracle->first_hit(query.rayo);
-                      return hit.resultado == model::Resultado::hit && hit.t < 1;
-                    });
-}
+class Sampled final : public Engine {
+ public:
+  explicit Sampled(const Scene& scene) : oracle_(scene) {}
+
+  void first_hits(std::span<const Query> queries, std::span<scene::Hit> hits) const override {
+    oracle_.first_hits(queries, hits);
+  }
+  void occluded_segments(std::span<const Query> queries, std::span<bool> occluded) const override {
+    const std::vector<scene::Hit> hits = engine::first_hits(*this, queries);
+    std::ranges::transform(hits, occluded.begin(),
+                           [](const scene::Hit& hit) { return hit.resultado == model::Resultado::hit && hit.t < 1; });
+  }
+
+ private:
+  oracle::sampled::Oracle oracle_;
+};
+
+std::unique_ptr<const Engine> sampled(const Scene& scene) { return std::make_unique<const Sampled>(scene); }
 
 std::unique_ptr<const Engine> exact(const Scene& scene) {
   return one_by_one(

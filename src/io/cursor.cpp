@@ -17,6 +17,7 @@ constexpr std::string_view blanks = " \t\v\f";
 
 Cursor::Cursor(const Source& source, std::string_view text, const Line& line)
     : source_(&source), text_(text.substr(0, line.end)), next_(line.begin) {
+  if (line.end - line.begin > longest_line) refuse_long_line(source, line.begin);
   skip_blanks();
 }
 

@@ -21,8 +21,8 @@ Imported read_json(const Source& source) {
 Exported write_json(const scene::Scene& scene, const scene::Groups& groups) { return {scene_text(scene, groups), {}}; }
 
 constexpr Format all[] = {{".json", read_json, write_json},
-                          {".nff", read_nff, nff_text},
-                          {".obj", read_obj},
+                          {".nff", read_nff, nff_text, true},
+                          {".obj", read_obj, nullptr, true},
                           {".ply", read_ply},
                           {".pov", read_pov, pov_text}};
 

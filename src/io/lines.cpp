@@ -12,6 +12,18 @@ std::optional<Line> Lines::next() noexcept {
   return Line{++number_, begin, end};
 }
 
+/// Between two line ends among the bytes there are too few of them for a line that is too long, so the first alone and
+/// what is behind the last are looked at.
+std::optional<std::size_t> LineLengths::pass(std::string_view bytes) noexcept {
+  constexpr std::string_view ends = "\r\n";
+  const std::size_t before = count_;
+  count_ += bytes.size();
+  const std::size_t first = std::min(bytes.find_first_of(ends), bytes.size());
+  if (before + first - begin_ > longest_) return begin_ + longest_;
+  if (first < bytes.size()) begin_ = before + bytes.find_last_of(ends) + 1;
+  return std::nullopt;
+}
+
 std::size_t count_lines(std::string_view text) noexcept {
   std::size_t count = 0;
   for (Lines lines(text); lines.next();) ++count;

@@ -15,6 +15,10 @@ namespace {
 
 constexpr std::string_view magic = "\x93NUMPY";
 
+/// How many bytes the dictionary of a head has at most. NumPy writes 118 where the numbers are binary64, and reads no
+/// more than 10 000 unless it is told otherwise.
+constexpr std::size_t longest_dictionary = std::size_t{1} << 20U;
+
 constexpr std::size_t rows_at_once = std::size_t{1} << 14U;
 
 std::uint64_t little_endian(std::string_view bytes) {
@@ -49,12 +53,12 @@ std::size_t width_of_length(std::size_t version) {
   return version == 1 ? 2 : 4;
 }
 
-// How many bytes tell all that the head has, as far as these tell it.
+// How many bytes tell all that the head has, as far as these tell it, or that it is too long.
 std::size_t head_size(std::string_view text) {
   if (text.size() < 7) return 7;
   const std::size_t width = width_of_length(static_cast<unsigned char>(text[6]));
   if (width == 0 || text.size() < 8 + width) return 8 + width;
-  return 8 + width + little_endian(text.substr(8, width));
+  return 8 + width + std::min<std::size_t>(little_endian(text.substr(8, width)), longest_dictionary);
 }
 
 Head read_head(const Source& source) {
@@ -65,6 +69,8 @@ Head read_head(const Source& source) {
   if (width == 0) refuse(source, fmt::format(".npy version {}", version), "expected 1, 2 or 3");
   const std::size_t start = 8 + width;
   const std::size_t length = text.size() < start ? 0 : little_endian(text.substr(8, width));
+  if (length > longest_dictionary)
+    refuse(source, fmt::format("a head of {} bytes", length), fmt::format("expected at most {}", longest_dictionary));
   if (text.size() < start || length > text.size() - start)
     refuse(source, "the head is cut", "expected a whole .npy file");
   return {text.substr(start, length), start + length};
@@ -142,9 +148,11 @@ NpyReader::NpyReader(Input& input, std::size_t columns) : input_(input), columns
   if (shape.second != columns) refuse(source, "another shape", fmt::format("expected (n, {})", columns));
   rows_ = shape.first;
   input.take(head.data);
-  while (is_fortran_ && !input.left() && input.read()) {  // the first row has its last number near the end
+  // In Fortran order the first row has its last number near the end.
+  while (is_fortran_ && !input.left() && input.waiting().size() / width() <= rows_ && input.read()) {
   }
   const auto bytes = input.left();
+  if (is_fortran_ && !bytes) refuse_data(input.waiting().size());
   if (bytes && (*bytes % width() != 0 || *bytes / width() != rows_)) refuse_data(*bytes);
 }
 

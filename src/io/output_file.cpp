@@ -82,7 +82,7 @@ void OutputFile::commit() {
   if (::close(std::exchange(file_, -1)) != 0) refuse("be written", errno);
   if (!temporary_) return;
   try {
-    temporary_->replace(target_);
+    temporary_->replace();
   } catch (const std::system_error& error) {
     refuse("be put in place", error.code().value());
   }

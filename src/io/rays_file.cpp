@@ -70,14 +70,15 @@ Ray row_ray(const std::string& name, const double* n, std::size_t row) {
   return {make_ray(n)};
 }
 
-// How many of the bytes that wait are whole lines; at the end all are.
+// How many of the bytes that wait are whole lines; at the end all are, and so is a line that is too long already, which
+// its Cursor refuses.
 std::size_t whole_lines(Input& input) {
   std::size_t searched = 0;
   for (;;) {
     const std::size_t last = input.waiting().substr(searched).find_last_of("\r\n");
     if (last != std::string_view::npos) return searched + last + 1;
     searched = input.waiting().size();
-    if (!input.read()) return searched;
+    if (searched > longest_line || !input.read()) return searched;
   }
 }
 

@@ -6,7 +6,9 @@
 #include <system_error>
 
 #include "descriptor.hpp"
+#include "durero/io/input.hpp"
 #include "durero/io/lines.hpp"
+#include "durero/io/npy.hpp"
 #include "durero/text/file.hpp"
 #include "durero/text/shown.hpp"
 #include "durero/text/utf8.hpp"
@@ -59,6 +61,26 @@ Source read_source(const std::string& path) {
   } catch (const std::system_error& error) {
     refuse_to_read(name, error.code().value());
   }
+}
+
+Source read_lines(const std::string& path) {
+  Input input(path);
+  const bool has_lines = !is_npy(input);
+  std::string text;
+  LineLengths lengths;
+  do {
+    const std::string_view more = input.waiting();
+    const auto too_many = has_lines ? lengths.pass(more) : std::nullopt;
+    text.append(more);
+    input.take(more.size());
+    if (too_many) refuse_long_line({input.name(), std::move(text)}, *too_many - longest_line);
+  } while (input.read());
+  return {input.name(), std::move(text)};
+}
+
+void refuse_long_line(const Source& source, std::size_t begin) {
+  source.fail(begin + longest_line, fmt::format("a line of more than {} bytes", longest_line),
+              "expected a shorter one: no line that means something is so long");
 }
 
 }  // namespace durero::io

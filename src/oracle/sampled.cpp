@@ -1,6 +1,7 @@
 #include "durero/oracle/sampled.hpp"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -12,82 +13,15 @@
 #include <string>
 
 #include "crossing.hpp"
+#include "nearest.hpp"
 
 namespace durero::oracle::sampled {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The first candidate of one element: distance of its foot from the origin, and the sample.
-struct Candidate {
-  double distance;
-  glm::dvec3 sample;
-};
-
-/// The sample within δ of the ray whose foot is nearest to the origin.
-class Nearest {
- public:
-  Nearest(const Cover& cover, const Line& line) : cover_(cover), line_(line) { visit(0); }
-
-  std::optional<Candidate> candidate() const {
-    if (foot_ == infinity) return std::nullopt;
-    return Candidate{foot_, cover_.samples[which_]};
-  }
-
- private:
-  /// False where no sample of the ball is a candidate nearer than the one found.
-  bool may_improve(const Ball& ball) const {
-    const glm::dvec3 to_center = ball.center - line_.p;
-    const double along = glm::dot(to_center, line_.direction);
-    const glm::dvec3 apart = to_center - line_.direction * std::max(0.0, along);
-    const double reach = (ball.radius + cover_.delta) * (1 + 0x1p-40) + 0x1p-40 * glm::length(to_center);
-    return glm::dot(apart, apart) <= reach * reach && along - reach < foot_;
-  }
-
-  void visit(std::uint32_t index) {
-    const Ball& ball = cover_.balls[index];
-    if (!may_improve(ball)) return;
-    if (ball.right == 0) return look(ball.first, ball.last);
-    visit(index + 1);
-    visit(ball.right);
-  }
-
-  void look(std::uint32_t first, std::uint32_t last) {
-    const double limit = cover_.delta * cover_.delta;
-    for (std::uint32_t i = first; i < last; ++i) {
-      const glm::dvec3 q = cover_.samples[i] - line_.p;
-      const double foot = std::max(0.0, glm::dot(q, line_.direction));
-      const glm::dvec3 apart = q - line_.direction * foot;
-      if (foot >= foot_ || glm::dot(apart, apart) > limit) continue;
-      foot_ = foot;
-      which_ = i;
-    }
-  }
-
-  const Cover& cover_;
-  const Line& line_;
-  double foot_ = infinity;
-  std::uint32_t which_ = 0;
-};
-
-std::optional<Candidate> nearest(const Cover& cover, const Line& line) { return Nearest(cover, line).candidate(); }
-
-/// True when some sample lies within δ of the point. `slack` is for the rounding of the point.
-bool near_sample(const Cover& cover, const glm::dvec3& point, double slack, std::uint32_t index = 0) {
-  const Ball& ball = cover.balls[index];
-  const double limit = cover.delta + slack;
-  if (glm::length(ball.center - point) > ball.radius + limit) return false;
-  if (ball.right != 0)
-    return near_sample(cover, point, slack, index + 1) || near_sample(cover, point, slack, ball.right);
-  return std::any_of(cover.samples.begin() + ball.first, cover.samples.begin() + ball.last,
-                     [&](const glm::dvec3& sample) { return glm::length(sample - point) <= limit; });
-}
-
 /// The slack for the rounding of distances: 2⁻⁴⁰ of the lengths at hand, which a few dozen roundings do not reach.
-double rounding(const Cover& cover, const Line& line) {
-  const Ball& all = cover.balls.front();
-  return 0x1p-40 * (glm::length(line.p - all.center) + all.radius);
-}
+double rounding(const Ball& all, const Line& line) { return 0x1p-40 * (glm::length(line.p - all.center) + all.radius); }
 
 /// The point that a claim speaks of: of a segment that starts at the origin, the origin.
 glm::dvec3 claimed_point(const Line& line, const scene::Hit& claim) {
@@ -126,16 +60,31 @@ Line checked_line(const model::Rayo& ray) {
 /// How much wider than what stands about it a patch is.
 constexpr double patch_width = 8;
 
-/// The radius of the patch of a plane about this point: far enough for every other element of the scene, and their
-/// shadows from most directions.
-double patch_about(const scene::Scene& scene, const glm::dvec3& centro) {
-  double farthest = 0;
-  scene.for_each([&](scene::ElementRef, const auto& shape) {
-    const Parametrisation other = shape;
-    if (!other.is_patch()) farthest = std::max(farthest, glm::length(other.center() - centro) + other.size());
-  });
-  return farthest == 0 ? Parametrisation::default_patch : std::min(patch_width * farthest, greatest_length);
-}
+/// Radii of the patches of a scene's planes.
+class PatchWidths {
+ public:
+  explicit PatchWidths(const scene::Scene& scene) {
+    scene.for_each([&](scene::ElementRef, const auto& shape) {
+      const Parametrisation other = shape;
+      if (!other.is_patch()) others_.push_back({other.center(), other.size()});
+    });
+  }
+
+  /// Of the patch about this point: far enough for every other element of the scene, and their shadows from most
+  /// directions.
+  double about(const glm::dvec3& centro) const {
+    double farthest = 0;
+    for (const auto& [center, size] : others_) farthest = std::max(farthest, glm::length(center - centro) + size);
+    return farthest == 0 ? Parametrisation::default_patch : std::min(patch_width * farthest, greatest_length);
+  }
+
+ private:
+  struct Other {
+    glm::dvec3 center;
+    double size;
+  };
+  std::vector<Other> others_;
+};
 
 /// Whether the point is one of a plane beyond its patch, which has no samples.
 bool beyond_patch(const Parametrisation& surface, const glm::dvec3& point, double slack) {
@@ -146,6 +95,14 @@ bool names(const scene::Hit& claim, scene::ElementRef element) {
   return std::find(claim.elementos.begin(), claim.elementos.end(), element) != claim.elementos.end();
 }
 
+/// Whether one of these has a line that samples of the element may be near.
+template <class Element, class WithLine>
+bool is_near_any(const Element& element, const std::vector<WithLine>& all) {
+  return std::ranges::any_of(all, [&](const WithLine& one) {
+    return may_hold_candidate(element.outline.ball, element.outline.delta, one.line);
+  });
+}
+
 }  // namespace
 
 std::string_view name(Verdict verdict) noexcept {
@@ -154,56 +111,159 @@ std::string_view name(Verdict verdict) noexcept {
   return names[static_cast<std::size_t>(verdict)];
 }
 
-Oracle::Oracle(const scene::Scene& scene, double fineness) {
+struct Oracle::Part {
+  std::span<const Element> elements;
+  std::span<const Cover> covers;
+};
+
+struct Oracle::Judged {
+  Judged(const model::Rayo& ray, const scene::Hit& claimed)
+      : line(checked_line(ray)),
+        claim(&claimed),
+        point(claimed_point(line, claimed)),
+        distance(claimed.resultado == model::Resultado::miss ? infinity : glm::length(point - line.p)) {}
+
+  void hold_against(const Part& part) {
+    for (std::size_t i = 0; i < part.elements.size() && agrees(verdict); ++i)
+      verdict = std::max(verdict, verdict_of(part.elements[i], part.covers[i]));
+  }
+
+  Verdict verdict_of(const Element& element, const Cover& cover) const {
+    const bool is_named = names(*claim, element.ref);
+    const bool is_near = may_hold_candidate(element.outline.ball, element.outline.delta, line);
+    if (!is_named && !is_near) return Verdict::agrees;
+    const double slack = rounding(element.outline.ball, line);
+    const bool is_covered = !beyond_patch(element.surface, point, slack);
+    if (is_named && is_covered && !near_sample(cover, point, slack)) return Verdict::incomplete;
+    const auto candidate = nearest(cover, line);
+    if (!candidate || distance <= candidate->distance + 8 * cover.delta + slack) return Verdict::agrees;
+    return crossing(element.surface, line, distance, cover.delta / 1024, slack);
+  }
+
+  Line line;
+  const scene::Hit* claim;
+  glm::dvec3 point;
+  double distance;
+  Verdict verdict = Verdict::agrees;
+};
+
+struct Oracle::First {
+  explicit First(const model::Rayo& ray) : line(checked_line(ray)) {}
+
+  void look_among(const Part& part) {
+    for (std::size_t i = 0; i < part.elements.size(); ++i) {
+      const Element& element = part.elements[i];
+      if (!may_hold_candidate(element.outline.ball, element.outline.delta, line, distance)) continue;
+      const auto candidate = nearest(part.covers[i], line);
+      if (!candidate || candidate->distance >= distance) continue;
+      distance = candidate->distance;
+      hit = {model::Resultado::hit, line.parameter(distance), candidate->sample, {element.ref}};
+    }
+  }
+
+  Line line;
+  double distance = infinity;
+  scene::Hit hit;
+};
+
+Oracle::Oracle(const scene::Scene& scene, double fineness, std::size_t most_bytes)
+    : fineness_(fineness), most_bytes_(most_bytes) {
   elements_.reserve(scene.size());
+  const PatchWidths widths(scene);
   scene.for_each([&]<class Shape>(scene::ElementRef e, const Shape& shape) {
     const double patch = [&] {
-      if constexpr (std::is_same_v<Shape, scene::Plane>) return patch_about(scene, shape.centro);
+      if constexpr (std::is_same_v<Shape, scene::Plane>) return widths.about(shape.centro);
       return 0.0;
     }();
     const Parametrisation surface(scene::ShapeView(shape), patch);
     require_range(surface, scene.name(e));
-    elements_.push_back({e, surface, cover(surface, fineness)});
+    elements_.push_back({e, surface, outline(surface, fineness)});
   });
+  if (end_of_part(0) < elements_.size()) return;
+  kept_ = covers(elements_, [](const Element&) { return true; });
 }
 
 std::vector<Ball> Oracle::bounds() const {
   std::vector<Ball> balls;
   balls.reserve(elements_.size());
-  for (const Element& element : elements_) balls.push_back(element.cover.balls.front());
+  for (const Element& element : elements_) balls.push_back(element.outline.ball);
   return balls;
 }
 
-scene::Hit Oracle::first_hit(const model::Rayo& ray) const {
-  const Line line = checked_line(ray);
-  scene::Hit hit;
-  double best = infinity;
-  for (const Element& element : elements_) {
-    const auto candidate = nearest(element.cover, line);
-    if (!candidate || candidate->distance >= best) continue;
-    best = candidate->distance;
-    hit = {model::Resultado::hit, line.parameter(best), candidate->sample, {element.ref}};
+std::size_t Oracle::end_of_part(std::size_t first) const {
+  std::size_t last = first, bytes = 0;
+  while (last < elements_.size() && (last == first || elements_[last].outline.bytes <= most_bytes_ - bytes))
+    bytes += elements_[last++].outline.bytes;
+  return last;
+}
+
+template <class IsWanted>
+std::vector<Cover> Oracle::covers(std::span<const Element> of, IsWanted is_wanted) const {
+  std::vector<Cover> made(of.size());
+  tbb::parallel_for(std::size_t{0}, of.size(), [&](std::size_t i) {
+    if (is_wanted(of[i])) made[i] = cover(of[i].surface, fineness_);
+  });
+  return made;
+}
+
+template <class Visit, class IsWanted>
+void Oracle::for_each_part(Visit visit, IsWanted is_wanted) const {
+  if (!kept_.empty()) return visit(Part{elements_, kept_});
+  for (std::size_t first = 0; first < elements_.size();) {
+    const std::size_t last = end_of_part(first);
+    const auto elements = std::span(elements_).subspan(first, last - first);
+    const std::vector<Cover> made = covers(elements, is_wanted);
+    visit(Part{elements, made});
+    first = last;
   }
+}
+
+void Oracle::first_hits(std::span<const scene::Query> queries, std::span<scene::Hit> hits) const {
+  std::vector<First> first;
+  first.reserve(queries.size());
+  for (const scene::Query& query : queries) first.emplace_back(query.rayo);
+  const auto look = [&](const Part& part) {
+    tbb::parallel_for(std::size_t{0}, first.size(), [&](std::size_t i) { first[i].look_among(part); });
+  };
+  for_each_part(look, [&](const Element& element) { return is_near_any(element, first); });
+  for (std::size_t i = 0; i < first.size(); ++i) hits[i] = std::move(first[i].hit);
+}
+
+std::vector<Verdict> Oracle::judge(std::span<const scene::Query> queries, std::span<const scene::Hit> claimed,
+                                   const Done& done) const {
+  std::vector<Judged> judged;
+  judged.reserve(queries.size());
+  std::vector<scene::ElementRef> named;
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    judged.emplace_back(queries[i].rayo, claimed[i]);
+    named.insert(named.end(), claimed[i].elementos.begin(), claimed[i].elementos.end());
+  }
+  std::ranges::sort(named);
+  const auto hold = [&](const Part& part) {
+    const auto some = [&](const tbb::blocked_range<std::size_t>& of) {
+      for (std::size_t i = of.begin(); i < of.end(); ++i) judged[i].hold_against(part);
+      done(of.size() * part.elements.size());
+    };
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, judged.size()), some);
+  };
+  for_each_part(hold, [&](const Element& element) {
+    return std::ranges::binary_search(named, element.ref) || is_near_any(element, judged);
+  });
+  std::vector<Verdict> verdicts;
+  for (const Judged& one : judged) verdicts.push_back(one.verdict);
+  return verdicts;
+}
+
+scene::Hit Oracle::first_hit(const model::Rayo& ray) const {
+  const scene::Query query{ray, {}};
+  scene::Hit hit;
+  first_hits({&query, 1}, {&hit, 1});
   return hit;
 }
 
 Verdict Oracle::judge(const model::Rayo& ray, const scene::Hit& claimed) const {
-  const Line line = checked_line(ray);
-  const glm::dvec3 point = claimed_point(line, claimed);
-  const double claim = claimed.resultado == model::Resultado::miss ? infinity : glm::length(point - line.p);
-  Verdict verdict = Verdict::agrees;
-  for (const Element& element : elements_) {
-    const Cover& cover = element.cover;
-    const double slack = rounding(cover, line);
-    const bool is_covered = !beyond_patch(element.surface, point, slack);
-    if (names(claimed, element.ref) && is_covered && !near_sample(cover, point, slack)) return Verdict::incomplete;
-    const auto candidate = nearest(cover, line);
-    if (!candidate || claim <= candidate->distance + 8 * cover.delta + slack) continue;
-    const Verdict reason = crossing(element.surface, line, claim, cover.delta / 1024, slack);
-    if (reason == Verdict::unsound) return reason;
-    verdict = std::max(verdict, reason);
-  }
-  return verdict;
+  const scene::Query query{ray, {}};
+  return judge({&query, 1}, {&claimed, 1}).front();
 }
 
 }  // namespace durero::oracle::sampled

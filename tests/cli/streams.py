@@ -6,9 +6,11 @@ import contextlib
 import errno
 import os
 import pty
+import random
 import re
 import select
 import signal
+import stat
 import struct
 import subprocess
 import sys
@@ -63,6 +65,16 @@ def wait_for(what, true):
     while not true():
         assert time.monotonic() < end, f"{what} does not come"
         time.sleep(0.01)
+
+
+def writes_here(process):
+    """Whether the process has opened a file to write in this folder, though it may have no name."""
+    with contextlib.suppress(OSError):
+        for file in os.listdir(f"/proc/{process.pid}/fd"):
+            link = f"/proc/{process.pid}/fd/{file}"
+            if os.readlink(link).startswith(os.getcwd() + "/") and os.lstat(link).st_mode & stat.S_IWUSR:
+                return True
+    return False
 
 
 # Dialogues.
@@ -201,7 +213,7 @@ def test_a_signal_leaves_no_file_and_its_own_status():
             # Python starts with SIGINT as it is; a shell ignores it for what it starts in the background.
             process = start("trace", "scene.json", "-", "-o", out, stdin=subprocess.PIPE,
                             preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
-            wait_for("the temporary file", lambda: sorted(os.listdir()) != before)
+            wait_for("the temporary file", lambda: writes_here(process))
             process.stdin.write(TEXT)
             process.send_signal(number)
             assert process.wait(PATIENCE) == -number, process.returncode
@@ -210,10 +222,48 @@ def test_a_signal_leaves_no_file_and_its_own_status():
             assert sorted(os.listdir()) == before, os.listdir()
 
 
+def kills(number):
+    """Kills `edit` at any instant: the scene is whole, and after the next run nothing else is there."""
+    rng = random.Random(7)
+    write("old.json", SCENE)
+    ops = "".join("Agregar_Esfera e=n%d centro=(%d,0,0) radio=1\n" % (i, i) for i in range(300))
+    write("ops", ops)
+    edit = ["edit", "old.json", "--script", "ops", "-o", "out.json"]
+    longest = 0
+    for _ in range(3):
+        begin = time.monotonic()
+        assert run(*edit).returncode == 0
+        longest = max(longest, time.monotonic() - begin)
+    whole = open("out.json", "rb").read()
+    write("out.json", SCENE)
+    old, before = open("out.json", "rb").read(), sorted(os.listdir())
+    found = set()
+    for kill in range(number):
+        process = start(*edit, stdout=subprocess.DEVNULL)
+        time.sleep(rng.uniform(0, 2 * longest))
+        process.kill()
+        process.wait(PATIENCE)
+        text = open("out.json", "rb").read()
+        assert text in (old, whole), f"kill {kill}: {len(text)} bytes"
+        found.add(text)
+        assert run("edit", "old.json", "--op", "Eliminar_Esfera e=s1", "-o", "out.json").returncode == 0
+        assert sorted(os.listdir()) == before, f"kill {kill}: {os.listdir()}"
+        write("out.json", old)
+    assert len(found) == 2, "it was always killed before it wrote, or never"
+
+
+def test_a_kill_leaves_the_old_or_the_new_and_nothing_else():
+    kills(60)
+
+
+def long_kills():
+    kills(2000)
+
+
 def test_a_hangup_that_is_ignored_stays_ignored():
     process = start("trace", "scene.json", "-", "-o", "hits", stdin=subprocess.PIPE,
                     preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
-    wait_for("the temporary file", lambda: any(name.startswith("hits.") for name in os.listdir()))
+    wait_for("the temporary file", lambda: writes_here(process))
     process.send_signal(signal.SIGHUP)
     process.stdin.write(b"0 0 -5 0 0 2\n")
     process.stdin.close()

@@ -1,6 +1,8 @@
 // Right hits agree with the samples; an engine that errs on one ray in many is found out, by number and ray.
 #include "durero/conform/agreement.hpp"
 
+#include <atomic>
+
 #include "durero/io/scene_file.hpp"
 #include "durero/trace/analytic.hpp"
 #include "support/catch.hpp"
@@ -68,6 +70,16 @@ TEST_CASE("one wrong hit is found: its number, its ray and why") {
   CHECK(all.first->query == spoiled);
   CHECK_FALSE(agrees(all.first->verdict));
   CHECK(all.of(Verdict::incomplete) + all.of(Verdict::unsound) == 1);
+}
+
+TEST_CASE("every ray that is judged is told of, and none twice") {
+  const scene::Scene scene = some_scene();
+  for (const std::size_t bytes : {std::size_t{0}, oracle::sampled::Oracle::usual_bytes}) {
+    std::atomic<std::uint64_t> told = 0;
+    conform::agreement(oracle::sampled::Oracle(scene, oracle::sampled::default_fineness, bytes), analytic(scene), 1234,
+                       1, [&](std::uint64_t more) { told += more; });
+    CHECK(told == 1234);
+  }
 }
 
 TEST_CASE("an engine that misses everything is wrong on most of its rays") {

@@ -1,8 +1,17 @@
 #include "durero/io/lines.hpp"
 
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "durero/io/nff.hpp"
+#include "durero/io/operations_file.hpp"
+#include "durero/io/ply.hpp"
+#include "durero/io/rays_file.hpp"
 #include "durero/io/source.hpp"
+#include "malformed.hpp"
 #include "support/catch.hpp"
 #include "support/property.hpp"
 
@@ -50,4 +59,42 @@ TEST_CASE("Lines and places count alike") {
       RC_ASSERT(source.place(line.end).line == line.number);
     }
   });
+}
+
+TEST_CASE("A line is too long from the byte on that is one too many, in whatever blocks it comes") {
+  constexpr std::size_t longest = 10;
+  const std::string full(longest, ' ');
+  for (const std::string before : {"", "a\n", "a\r\n", "\n\nab\r", "0123456789\n"}) {
+    for (std::size_t block = 1; block <= longest; ++block) {
+      const auto too_many = [&](const std::string& text) {
+        io::LineLengths lengths(longest);
+        std::optional<std::size_t> found;
+        for (std::size_t at = 0; at < text.size() && !found; at += block)
+          found = lengths.pass(std::string_view(text).substr(at, block));
+        return found;
+      };
+      CHECK_FALSE(too_many(before + full));
+      CHECK_FALSE(too_many(before + full + "\n" + full + "\r\n"));
+      CHECK(too_many(before + full + " ") == before.size() + longest);
+      CHECK(too_many(before + full + " \nb") == before.size() + longest);
+    }
+  }
+}
+
+TEST_CASE("Each reader of lines refuses one that is too long, at its place, and reads one that is as long as may be") {
+  const auto longest = [](char filled, std::size_t more = 0) { return std::string(io::longest_line + more, filled); };
+  const auto refused = [](const std::string& text, const auto& read) { return test::error_of(text, read); };
+  const scene::Scene scene;
+  const auto rays = [&](const io::Source& source) { io::read_rays(source, scene); };
+  const auto script = [&](const io::Source& source) { io::read_script(source, scene.stage(), {}); };
+  const std::string wrong =
+      fmt::format("a line of more than {0} bytes; expected a shorter one: no line that means ", io::longest_line);
+  const std::string place = fmt::format("f:2:{}: ", io::longest_line + 1);
+  const std::string head = "# a comment\n";
+  CHECK_THAT(refused(head + longest(' ', 1), rays), Catch::StartsWith(place + wrong));
+  CHECK(refused(head + longest(' '), rays).empty());
+  CHECK_THAT(refused(head + longest(' ', 1) + "\n", script), Catch::StartsWith(place + wrong));
+  CHECK(refused(head + longest(' ') + "\n", script).empty());
+  CHECK_THAT(refused(head + longest(' ', 1), io::read_nff), Catch::StartsWith(place + wrong));
+  CHECK_THAT(refused("ply\n" + longest(' ', 1), io::read_ply), Catch::StartsWith(place + wrong));
 }

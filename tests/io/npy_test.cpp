@@ -186,3 +186,17 @@ TEST_CASE("A head of no known version is refused though its length never comes")
   pipe.write("\1\2\3\4\5");
   CHECK_THROWS_WITH(io::NpyReader(input, 3), "f.npy:1:1: .npy version 9; expected 1, 2 or 3");
 }
+
+TEST_CASE("Of a head or a table that does not end no more is read than it may have") {
+  const std::string too_long = "\x93NUMPY" + std::string("\2\0\xFF\xFF\xFF\xFF", 6);
+  const std::string fortran = file("{'descr': '<f8', 'fortran_order': True, 'shape': (2, 3)}", "");
+  for (const auto& [before, wrong] : {std::pair{too_long, "f.npy:1:1: a head of 4294967295 bytes; expected at most"},
+                                      std::pair{fortran, " bytes of data; expected 2 rows of 3 float64"}}) {
+    test::Blanks endless(before);
+    {
+      io::Input input("f.npy", endless.out());
+      CHECK_THROWS_WITH(io::NpyReader(input, 3), Catch::Contains(wrong));
+    }
+    CHECK(endless.count() < 4 * io::Input::usual_block);
+  }
+}

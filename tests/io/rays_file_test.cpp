@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "arriving.hpp"
+#include "durero/io/lines.hpp"
 #include "durero/io/npy.hpp"
 #include "durero/model/operaciones.hpp"
 #include "malformed.hpp"
@@ -228,4 +229,16 @@ TEST_CASE("A ray is read when its line has come, whatever ends the line") {
   CHECK(rays == read("2 0 0 0 0 1 @a"));
   pipe.write("3 0 0 0 0 x\r\n");
   CHECK_THROWS_WITH(reader.next(rays), "p:4:11: \"x\" in a ray; expected a finite number");
+}
+
+TEST_CASE("Of a line that does not end no more is read than a line may have") {
+  const scene::Scene scene = three_spheres();
+  test::Blanks endless("0 0 0 1 0 0\n");
+  {
+    io::Input input("p", endless.out());
+    const Arrived all = arrived(input, scene);
+    CHECK(all.rays == read("0 0 0 1 0 0"));
+    CHECK_THAT(all.error, Catch::StartsWith("p:2:16777217: a line of more than 16777216 bytes; expected"));
+  }
+  CHECK(endless.count() < io::longest_line + 2 * io::Input::usual_block);
 }

@@ -1,7 +1,15 @@
 #include "durero/io/source.hpp"
 
+#include <unistd.h>
+
+#include <fstream>
+
+#include "arriving.hpp"
 #include "durero/contract/contract.hpp"
+#include "durero/io/input.hpp"
+#include "durero/io/lines.hpp"
 #include "support/catch.hpp"
+#include "support/folder.hpp"
 
 using namespace durero::io;
 
@@ -53,4 +61,28 @@ TEST_CASE("Whatever a name or a text holds, an error is one line that a terminal
                     "a\\x1b[2J\\x0a\\xff.json:1:1: \\x07 stands here; expected ∉");
   CHECK_THROWS_WITH(read_source("/nowhere/\x1B[2J"),
                     "/nowhere/\\x1b[2J: cannot be read: No such file or directory; expected a readable file");
+}
+
+TEST_CASE("A file of lines is read whole, and a .npy file, which has none") {
+  const durero::test::Folder folder;
+  const std::string path = folder.file("f"), long_line(longest_line + 1, ' ');
+  for (const std::string& text : {std::string(), std::string("a\r\nb"), "\x93NUMPY" + long_line}) {
+    std::ofstream(path, std::ios::binary) << text;
+    CHECK(read_lines(path).text() == text);
+    CHECK(read_lines(path).name() == path);
+  }
+  std::ofstream(path, std::ios::binary) << "a\n\xC3\xB1" << long_line << "\nb";
+  CHECK_THROWS_WITH(read_lines(path),
+                    path +
+                        ":2:16777216: a line of more than 16777216 bytes; expected a shorter one: no line that "
+                        "means something is so long");
+  CHECK_THROWS_WITH(read_lines("/nowhere/at/all"),
+                    "/nowhere/at/all: cannot be read: No such file or directory; expected a readable file");
+}
+
+TEST_CASE("Of a file of lines no more is read than the first line that is too long") {
+  durero::test::Blanks endless("a\n");
+  CHECK_THROWS_AS(read_lines("/dev/fd/" + std::to_string(endless.out())), InputError);
+  ::close(endless.out());
+  CHECK(endless.count() < longest_line + 2 * Input::usual_block);
 }

@@ -123,3 +123,24 @@ TEST_CASE("delta and the balls pay for the rounding of the samples, 2^-45 of whe
   CHECK(cover.delta >= fineness + rounding * (1 - 0x1p-20));
   CHECK(cover.balls.front().radius >= rounding * (1 - 0x1p-20) + std::cos(pi / 52));  // of 26 rings, the outermost
 }
+
+TEST_CASE("an outline says of a cover what it is before it is made") {
+  test::Random random(15);
+  for (int round = 0; round < 20; ++round) {
+    const scene::Scene scene = test::random_scene(random, 6);
+    scene.for_each([](scene::ElementRef, const auto& shape) {
+      const oracle::Parametrisation surface{scene::ShapeView(shape)};
+      const oracle::Outline outline = oracle::outline(surface, fineness);
+      const oracle::Cover cover = oracle::cover(surface, fineness);
+      const oracle::Ball& all = cover.balls.front();
+      CHECK(outline.ball.center == all.center);
+      CHECK(outline.ball.radius == all.radius);
+      CHECK(outline.ball.first == 0);
+      CHECK(outline.ball.last == cover.samples.size());
+      CHECK(outline.delta == cover.delta);
+      CHECK(outline.bytes ==
+            cover.samples.capacity() * sizeof(glm::dvec3) + cover.balls.capacity() * sizeof(oracle::Ball));
+    });
+  }
+  CHECK_THROWS_AS(oracle::outline(scene::Sphere{{0, 0, 0}, 1}, 1e-9), std::length_error);
+}

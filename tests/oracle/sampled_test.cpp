@@ -1,9 +1,12 @@
 #include "durero/oracle/sampled.hpp"
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "durero/model/operaciones.hpp"
 #include "durero/surface/exact.hpp"
@@ -206,4 +209,53 @@ TEST_CASE("a claimed point has delta and 2^-40 of the lengths at hand, no more a
   };
   CHECK(judged(0.9) != Verdict::incomplete);
   CHECK(judged(1.1) == Verdict::incomplete);
+}
+
+TEST_CASE("samples that are made part by part judge as those that are kept, many rays at once and one by one") {
+  test::Random random(17);
+  scene::Scene scene = test::random_scene(random, 12);
+  scene.apply(model::Agregar_Plano{model::Elemento("p"), {0, 0, -2}, {0, 0, 1}});
+  std::vector<scene::Query> rays;
+  std::vector<scene::Hit> claims;
+  for (int i = 0; i < 400; ++i) {
+    const scene::Query ray{test::random_ray(random), {}};
+    rays.push_back(ray);
+    claims.push_back(surface::exact::first_hit(scene, ray.rayo));
+    if (i % 5 == 1) claims.back() = {};
+    if (i % 5 == 2) claims.back().punto += glm::dvec3(0.5);
+    if (i % 5 == 3) claims.back().elementos = {{model::Tipo::soy_plano, 0}};
+  }
+  const double fineness = oracle::sampled::default_fineness;
+  const oracle::sampled::Oracle kept(scene);
+  const std::vector<Verdict> verdicts = kept.judge(rays, claims);
+  std::vector<scene::Hit> hits(rays.size()), others(rays.size());
+  kept.first_hits(rays, hits);
+  for (const Verdict verdict : {Verdict::agrees, Verdict::incomplete, Verdict::unsound})
+    CHECK(std::ranges::count(verdicts, verdict) > 10);
+  for (const std::size_t bytes : {std::size_t{0}, std::size_t{200'000}, std::size_t{500'000}}) {
+    const oracle::sampled::Oracle parts(scene, fineness, bytes);
+    CHECK(parts.judge(rays, claims) == verdicts);
+    parts.first_hits(rays, others);
+    CHECK(others == hits);
+  }
+  const oracle::sampled::Oracle parts(scene, fineness, 0);
+  for (std::size_t i = 0; i < 40; ++i) {
+    CHECK(parts.judge(rays[i].rayo, claims[i]) == verdicts[i]);
+    CHECK(kept.judge(rays[i].rayo, claims[i]) == verdicts[i]);
+    CHECK(parts.first_hit(rays[i].rayo) == hits[i]);
+  }
+}
+
+TEST_CASE("all pairs of a ray and an element are told of, whether samples are kept or not") {
+  test::Random random(18);
+  const scene::Scene scene = test::random_scene(random, 7);
+  std::vector<scene::Query> rays;
+  for (int i = 0; i < 50; ++i) rays.push_back({test::random_ray(random), {}});
+  const std::vector<scene::Hit> misses(rays.size());
+  for (const std::size_t bytes : {std::size_t{0}, oracle::sampled::Oracle::usual_bytes}) {
+    std::atomic<std::uint64_t> pairs = 0;
+    oracle::sampled::Oracle(scene, oracle::sampled::default_fineness, bytes)
+        .judge(rays, misses, [&](std::uint64_t more) { pairs += more; });
+    CHECK(pairs == 7 * 50);
+  }
 }

@@ -327,6 +327,25 @@ TEST_CASE("an audited edit retrieves one state: the state before is what the aud
   CHECK(violated([&] { scene.apply(Eliminar_Esfera{Elemento("unseen")}); }) == "none");
 }
 
+TEST_CASE("an audited edit of twice as many elements costs twice as much, and one that is not audited no more") {
+  const auto allocations = [](int elements) {
+    Scene scene;
+    add_spheres(scene, elements);
+    const auto remove = [&](const char* number) {
+      scene.apply(Eliminar_Esfera{Elemento(std::string("a-sphere-of-a-long-name-") + number)});
+    };
+    const long plain = allocations_of([&] { remove("7"); });
+    const scoped_semantic audited(cost::audit, evaluation_semantic::enforce);
+    remove("8");
+    return std::pair{plain, allocations_of([&] { remove("9"); })};
+  };
+  const auto [plain, audited] = allocations(400);
+  const auto [plain_twice, audited_twice] = allocations(800);
+  CHECK(plain_twice == plain);
+  CHECK(double(audited_twice) / double(audited) > 1.8);
+  CHECK(double(audited_twice) / double(audited) < 2.2);
+}
+
 TEST_CASE("audits that are put off are one audit") {
   const auto read = [](Scene& scene) {
     scene.put_off_audits();

@@ -58,9 +58,10 @@ struct Agreement {
 using FirstHits = std::function<std::vector<scene::Hit>(std::span<const scene::Query>)>;
 
 /// Asks for the first hits of the first `rays` rays of a seed, many at once, and judges them. A scene without elements
-/// has no rays.
-Agreement agreement(const oracle::sampled::Oracle& oracle, const FirstHits& first_hits, std::uint64_t rays,
-                    std::uint64_t seed);
+/// has no rays. `judged` is told of how many rays more, by any thread; the sum is `rays`.
+Agreement agreement(
+    const oracle::sampled::Oracle& oracle, const FirstHits& first_hits, std::uint64_t rays, std::uint64_t seed,
+    const std::function<void(std::uint64_t)>& judged = [](std::uint64_t) {});
 
 /// What was asked.
 struct AgreementCall {

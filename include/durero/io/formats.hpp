@@ -32,6 +32,8 @@ struct Format {
   Imported (*read)(const Source& source);
   /// Writes a scene and groups of its elements. Null where the format is only read.
   Exported (*write)(const scene::Scene&, const scene::Groups&){};
+  /// Whether its texts are lines, none of which is longer than longest_line.
+  bool has_lines = false;
 };
 
 /// The table, which lives as long as the program.

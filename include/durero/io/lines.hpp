@@ -36,6 +36,27 @@ constexpr bool ends_line(std::string_view text, std::size_t at) noexcept {
   return text[at] == '\n' || (text[at] == '\r' && text.substr(at + 1, 1) != "\n");
 }
 
+/// How many bytes a line has at most, without its end. The longest that means something names elements: a ray has six
+/// numbers, which no one has to write with more than 1077 characters (of the least binary64 in full a sign, "0." and
+/// 1074 digits), and " @name" of up to 130 bytes for each element that it starts on; a hit and an operation take up to
+/// 131 bytes a name. A corner of an OBJ face takes 63. So there is room for 128 000 of the longest names on a line.
+inline constexpr std::size_t longest_line = std::size_t{1} << 24U;
+
+/// Watches how long lines grow while their bytes come.
+class LineLengths {
+ public:
+  explicit LineLengths(std::size_t longest = longest_line) noexcept : longest_(longest) {}
+
+  /// The bytes behind those of before, at most as many as a line may have. Where a line has become too long: which
+  /// byte, of all that came, is the first too many.
+  std::optional<std::size_t> pass(std::string_view bytes) noexcept;
+
+ private:
+  std::size_t longest_;
+  std::size_t begin_ = 0;  // of the line that has not ended
+  std::size_t count_ = 0;
+};
+
 /// How many lines a text has.
 std::size_t count_lines(std::string_view text) noexcept;
 

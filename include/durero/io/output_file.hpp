@@ -9,11 +9,11 @@
 
 namespace durero::io {
 
-/// Writes beside its target under a temporary name, and takes the target's name at commit(): until then, and if
-/// commit() is never reached, the target is as it was and no other file is left. A target that is a symbolic link keeps
-/// being one. "-" and /dev/stdout are the standard output; it, and a target that exists and is no regular file (a pipe,
-/// a device), are streams: what is written to them is there at once. All members throw FileError, one line that names
-/// the target.
+/// Writes a Temporary beside its target, which takes the target's name at commit(): until then, and if commit() is
+/// never reached, the target is as it was and no other file is left, as temporary.hpp says. A target that is a symbolic
+/// link keeps being one. "-" and /dev/stdout are the standard output; it, and a target that exists and is no regular
+/// file (a pipe, a device), are streams: what is written to them is there at once. All members throw FileError, one
+/// line that names the target.
 class OutputFile {
  public:
   /// Finds out whether the target can be written, so it is for the beginning of a work.

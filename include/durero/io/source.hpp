@@ -78,4 +78,11 @@ class Source {
 /// Reads a whole file; "-" is the standard input. Throws FileError.
 Source read_source(const std::string& path);
 
+/// Reads a whole file of lines, or a .npy file, which has none. Throws also InputError where a line is longer than
+/// longest_line, without reading on.
+Source read_lines(const std::string& path);
+
+/// The error of a line of the source that is longer than longest_line, and begins at that byte.
+[[noreturn]] void refuse_long_line(const Source& source, std::size_t begin);
+
 }  // namespace durero::io

@@ -31,6 +31,16 @@ struct Cover {
   std::vector<Ball> balls;          ///< a tree over the samples; the first ball holds them all
 };
 
+/// A cover before it is made.
+struct Outline {
+  Ball ball;          ///< the first ball; its `right` is 0
+  double delta;       ///< covering radius δ, a length
+  std::size_t bytes;  ///< of the samples and the balls
+};
+
+/// What cover() makes of the same surface with the same fineness, and throws.
+Outline outline(const Parametrisation& surface, double fineness);
+
 /// Covers a surface with a covering radius of `fineness` times its widest radius, before rounding. Precondition:
 /// 0 < fineness ≤ 1. Throws std::length_error where that would take more than 2²⁴ samples.
 Cover cover(const Parametrisation& surface, double fineness);

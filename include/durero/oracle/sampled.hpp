@@ -28,6 +28,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -36,6 +37,7 @@
 #include "durero/model/tipos.hpp"
 #include "durero/oracle/cover.hpp"
 #include "durero/scene/hit.hpp"
+#include "durero/scene/query.hpp"
 #include "durero/scene/scene.hpp"
 
 namespace durero::oracle::sampled {
@@ -66,30 +68,60 @@ std::string_view name(Verdict verdict) noexcept;
 /// Whether the claim is not shown to be wrong.
 constexpr bool agrees(Verdict verdict) noexcept { return verdict < Verdict::incomplete; }
 
+/// Is told of how many pairs of a ray and an element more is known, by any thread.
+using Done = std::function<void(std::uint64_t)>;
+
 /// The samples of every element of a scene. They are copies: the scene may be edited or end.
+///
+/// The samples of a usual element take 90 kB, and those of a needle 2 GB. Where all take more than most_bytes, none are
+/// kept: each call makes those of some elements at a time, of what it asks for, and holds all its rays against them. So
+/// of such a scene many rays are to be asked at once.
 class Oracle {
  public:
+  /// How many bytes of samples are held at once, and those of one element where they are more.
+  static constexpr std::size_t usual_bytes = std::size_t{1} << 28U;
+
   /// Throws std::domain_error where a length or coordinate of an element is not one that it takes.
-  explicit Oracle(const scene::Scene& scene, double fineness = default_fineness);
+  explicit Oracle(const scene::Scene& scene, double fineness = default_fineness, std::size_t most_bytes = usual_bytes);
 
   /// A ball around each element.
   std::vector<Ball> bounds() const;
 
-  // Both throw std::domain_error where the ray starts beyond greatest_origin.
+  // All throw std::domain_error where a ray starts beyond greatest_origin.
 
   /// The nearest candidate over all elements, as a hit: t and punto (the sample) are approximate, within δ.
   scene::Hit first_hit(const model::Rayo& ray) const;
+  /// The same of each ray. Precondition: as many hits as queries.
+  void first_hits(std::span<const scene::Query> queries, std::span<scene::Hit> hits) const;
 
   /// Judges a claimed closest intersection of the ray against the samples, in both directions.
   Verdict judge(const model::Rayo& ray, const scene::Hit& claimed) const;
+  /// The same of each ray. Precondition: as many claims as queries.
+  std::vector<Verdict> judge(
+      std::span<const scene::Query> queries, std::span<const scene::Hit> claimed,
+      const Done& done = [](std::uint64_t) {}) const;
 
  private:
   struct Element {
     scene::ElementRef ref;
     Parametrisation surface;
-    Cover cover;
+    Outline outline;
   };
+  struct Part;    // some elements that follow each other, and their covers
+  struct Judged;  // a ray and its claim
+  struct First;   // a ray and its first hit
+
+  /// Behind the last element of the part that begins with that one.
+  std::size_t end_of_part(std::size_t first) const;
+  template <class IsWanted>
+  std::vector<Cover> covers(std::span<const Element> of, IsWanted is_wanted) const;
+  template <class Visit, class IsWanted>
+  void for_each_part(Visit visit, IsWanted is_wanted) const;
+
+  double fineness_;
+  std::size_t most_bytes_;
   std::vector<Element> elements_;
+  std::vector<Cover> kept_{};  // of all elements, or of none
 };
 
 }  // namespace durero::oracle::sampled
