@@ -138,11 +138,7 @@ Definition nearest (l : list candidate) : list candidate :=
 Definition attempt (e : E) (v : verdict) : option Printed := match v with Hit f => rounded e f | _ => None end.
 Definition round_candidate (c : candidate) : option Printed :=
   let (e, v) := c in
-  let last := match v, reach_of e with
-    | By_exact x, _ => Some (round_exact x)
-    | _, At x => Some (round_exact x)
-    | _, _ => None
-    end in
+  let last := match v, reach_of e with By_exact x, _ | _, At x => Some (round_exact x) | _, _ => None end in
   let or_else a b := match a with Some out => Some out | None => b end in
   match v with
   | By_triage f => or_else (attempt e (improved e f)) (or_else (attempt e (stable e infinite)) last)
