@@ -10,7 +10,7 @@ From Durero Require MainText MainModels Moments.
 From Durero Require Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion
   Surd Exacto ExactoEscena Slab Bundles Beams Rounding Vectors Formas Decision Flotante Certified Twofold Sums Products
   Words Quick Once Newton Verdict Steps Triage Doubled Second AtRoot AtRootText Levels Running Walk Limits Search Boxes Lattice
-  Grid Chain Line Crossings Trees Leaves Occlusion Whole.
+  Grid Chain Line Crossings Trees Leaves Occlusion Whole Recorded.
 Import Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -444,12 +444,23 @@ Proof.
 Qed.
 End Steps.
 
+Notation finding := Running.finding. Notation real := (Whole.vec_over S). Notation real_shape e := (Whole.shape_over S (shape_of e)).
+
+(** There are steps of which all that is asked of steps that run holds: the terms as they are recorded. *)
+Theorem the_recorded_terms_are_steps_that_run in_range : (exists k, (0 <= k)%Z /\ S = (2 ^ k)%Z) ->
+  (forall e, In e elements -> in_range e = true -> Triage.in_bounds (real p) (real v) (real_shape e)) ->
+  let shapes e := real_shape e in
+  Running.steps_run Elemento (real p) (real v) elements shapes on in_range (Recorded.triage Elemento S p v shapes on)
+    (Recorded.stable Elemento S p v shapes on) (Recorded.improved Elemento S p v shapes on) (Recorded.low S p v)
+    (Recorded.high S p v) Recorded.less (Recorded.rounded Elemento S p v shapes) (Recorded.round_exact S p v).
+Proof.
+  intros power. exact (Recorded.steps_by_the_recorded_terms_run Elemento S p v _ on power s en elements in_range ok ray_ok
+    (Whole.described_over Elemento S s en elements shape_of on described)).
+Qed.
+
 (** The whole, from the text to what is published: the same, of the steps that run. Of these nothing is assumed but what they
     compute, as in section 10, over the reals that the integers stand for; that these are binary64; and that floating point is
     asked only where the recorded test finds them in range. Where it does not, exact numbers answer. *)
-Notation finding := Running.finding.
-Notation real := (Whole.vec_over S).
-Notation real_shape e := (Whole.shape_over S (shape_of e)).
 Variables (in_range : Elemento -> bool) (triage stable : Elemento -> Limits.binary64 -> Search.verdict finding)
   (improved : Elemento -> finding -> Search.verdict finding) (low high : Search.evidence finding -> Limits.binary64)
   (certainly_less ahead : finding -> finding -> bool) (rounded : Elemento -> finding -> option Chain.printed)

@@ -93,6 +93,15 @@ Proof.
   now rewrite andb_true_iff, ray_in_range_ordinary, shape_in_range_ordinary.
 Qed.
 
+Lemma ordinary_vec_binary64 a : ordinary_vec a -> binary64_vec a.
+Proof. intros ([X _] & [Y _] & [Z _]); now repeat split. Qed.
+Lemma bounds_are_of_binary64 p v sh : in_bounds p v sh -> binary64s p v sh.
+Proof.
+  intros [[Hp Hv] Hs]; split; [now apply ordinary_vec_binary64 | split; [now apply ordinary_vec_binary64|]].
+  destruct sh; cbn in *; repeat match goal with H : _ /\ _ |- _ => destruct H end; repeat split;
+    try (now apply ordinary_vec_binary64); match goal with H : ordinary ?x |- format ?x => exact (proj1 H) end.
+Qed.
+
 Definition decisions_of (p v : vec) (sh : shape) : decisions :=
   let V := Formas.speed_of v in
   match sh with

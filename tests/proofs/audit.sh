@@ -4,10 +4,12 @@
 #   audit.sh CHECK PROOFS [BUILD_DIRECTORY]
 #     text         no proof is left open, nothing is assumed outside a section or a module type, no check of Coq's is
 #                  switched off, and Main.v holds statements and nothing that they could be bent with
-#     reachable    Main.v depends on every file, so that none is proved beside the point
+#     reachable    Main.v or Instances.v depends on every file, so that none is proved beside the point
 #     assumptions  each theorem of Main.v rests on the axioms that assumptions.txt says, and those are of classical reals
 #     statements   each theorem of Main.v says what statements.md says, and so does each definition that it reaches
-#     kernel       coqchk, which shares no code with the tactics, accepts Main.v and all below it
+#     instances    each theorem of Main.v with premises has an instance in Instances.v, which has none and rests on it; those
+#                  of without_instance.txt have none yet
+#     kernel       coqchk, which shares no code with the tactics, accepts Main.v, Instances.v and all below them
 #     all          each of these
 # Except for `text` the build directory holds the proofs, built. `update` writes assumptions.txt and statements.md anew:
 # their difference is then for a reader to judge.
@@ -22,6 +24,8 @@ allowed='Coq.Reals.ClassicalDedekindReals.sig_forall_dec
 Coq.Reals.ClassicalDedekindReals.sig_not_dec
 Coq.Logic.FunctionalExtensionality.functional_extensionality_dep
 Coq.Logic.Classical_Prop.classic'
+
+printf '%s\n' "$allowed" | sed 's/.*\.\([^.]*\.[^.]*\)$/\1/' >"$tmp/allowed"  # as Coq prints them; `kernel` has the full ones
 
 # The options that every file is compiled with, and no others: some of Coq's make it prove anything.
 options='-Q . Durero
@@ -103,13 +107,13 @@ audit_reachable() {
       if (from == "") next
       m = split(sides[2], need, " ")
       for (i = 1; i <= m; i++) if (need[i] ~ /\.vo$/) edges[from] = edges[from] " " need[i] }
-    END { todo = "./Main.vo"; if (!(todo in all)) todo = "Main.vo"
+    END { for (file in all) if (file ~ /^(\.\/)?(Main|Instances)\.vo$/) todo = todo " " file
       while (todo != "") {
         n = split(todo, queue, " "); todo = ""
         for (i = 1; i <= n; i++) if (!(queue[i] in seen)) { seen[queue[i]] = 1; todo = todo " " edges[queue[i]] }
       }
       for (file in all) if (!(file in seen)) { sub(/^\.\//, "", file); sub(/\.vo$/, ".v", file)
-        print "proofs/" file ": Main.v does not depend on it"; bad = 1 }
+        print "proofs/" file ": neither Main.v nor Instances.v depends on it"; bad = 1 }
       exit bad }'
 }
 
@@ -146,7 +150,6 @@ audit_assumptions() {
   assumptions >"$tmp/now"
   [ -s "$tmp/now" ] || { echo "Main.v states no theorem"; return 1; }
   cut -d: -f2- "$tmp/now" | tr ' ' '\n' | grep -v '^$' | sort -u | grep -vxF 'none' >"$tmp/axioms" || true
-  printf '%s\n' "$allowed" | sed 's/.*\.\([^.]*\.[^.]*\)$/\1/' >"$tmp/allowed"  # as Coq prints them; `kernel` has the full ones
   if grep -vxFf "$tmp/allowed" "$tmp/axioms"; then echo 'these are not axioms of the classical reals'; return 1; fi
   diff -u "$proofs/assumptions.txt" "$tmp/now" || { echo 'assumptions.txt does not say what Main.v rests on'; return 1; }
 }
@@ -199,18 +202,69 @@ audit_statements() {
   }
 }
 
+# What has a premise: after a theorem's name, one line for each. A binder of which the type is a proposition is one, also
+# behind a variable or a name for a term.
+heads='Ltac heads := lazymatch goal with
+  | |- forall x : ?A, _ => (lazymatch type of A with Prop => idtac "premise" | _ => idtac end); let y := fresh in intro y; heads
+  | |- let x := _ in _ => let y := fresh in intro y; heads
+  | |- _ => idtac end.'
+premises() {  # NAMES: the file of names; each that has a premise
+  { echo "From Durero Require Instances."; echo "$heads"
+    sed 's/.*/Goal ltac:(let T := type of Durero.& in exact T). idtac "of" "&". heads. Abort./' "$1"; } >"$tmp/questions"
+  ask "$tmp/questions" >"$tmp/premises" || return 1
+  awk '$1 == "of" { name = $2 } $1 == "premise" && !seen[name]++ { print name }' "$tmp/premises"
+}
+
+# How many theorems are without an instance at most: the number only falls.
+without=73
+audit_instances() {
+  files=$(printf '%s\n' "$proofs"/Instance*.v)
+  theorems >"$tmp/theorems"
+  premises "$tmp/theorems" >"$tmp/asked" || return 1
+  sentences $files | sed -n 's/^.*\/\(Instance[A-Za-z]*\)\.v:[0-9]*:\(Theorem\|Lemma\|Definition\|Fixpoint\) \([A-Za-z0-9_]*\).*/\1.\3/p' >"$tmp/there"
+  grep '\.instance_of_' "$tmp/there" >"$tmp/instances" || true
+  touch "$tmp/none"; [ ! -f "$proofs/without_instance.txt" ] || cp "$proofs/without_instance.txt" "$tmp/none"
+  sed 's/.*\.instance_of_//' "$tmp/instances" | sort >"$tmp/with"
+  # Each theorem with premises is in one of the two lists, and nothing else is.
+  { cat "$tmp/with" "$tmp/none"; } | sort >"$tmp/listed"
+  sed 's/.*\.//' "$tmp/asked" | sort >"$tmp/needed"
+  diff "$tmp/needed" "$tmp/listed" | sed -n 's/^< \(.*\)/\1: a theorem with premises and no instance/p
+    s/^> \(.*\)/\1: twice, or no theorem with premises/p' >"$tmp/wrong"
+  [ "$(wc -l <"$tmp/none")" -le "$without" ] || echo "without_instance.txt: $without at most" >>"$tmp/wrong"
+  # An instance has no premise, rests on its theorem, and on the axioms of the classical reals.
+  premises "$tmp/instances" | sed 's/$/: an instance with a premise/' >>"$tmp/wrong"
+  { echo "From Durero Require Instances."
+    sed "s|.*|Redirect \"$tmp/body.&\" Print Durero.&.|" "$tmp/there"
+    sed "s|.*|Redirect \"$tmp/rests.&\" Print Assumptions Durero.&.|" "$tmp/instances"; } >"$tmp/questions"
+  ask "$tmp/questions" >"$tmp/log" 2>&1 || { cat "$tmp/log"; return 1; }
+  while read -r instance; do
+    name=${instance#*.instance_of_} todo=$instance seen=
+    theorem=$(grep "\.$name\$" "$tmp/theorems") || continue
+    while [ -n "$todo" ]; do
+      bodies=$(printf "$tmp/body.%s.out " $todo) seen="$seen $todo"
+      if grep -qwF "$theorem" $bodies; then break; fi
+      todo=$(grep -ohE 'Instance[A-Za-z]*\.[A-Za-z0-9_]+' $bodies | sort -u | grep -xFf "$tmp/there" |
+        grep -vxF "$(printf '%s\n' $seen)" | tr '\n' ' ') || true
+    done
+    [ -n "$todo" ] || echo "$instance: does not rest on $theorem" >>"$tmp/wrong"
+    sed -n '/^Closed under/d; /^Axioms:$/d; s/ *:.*//; /^[^ ]/p' "$tmp/rests.$instance.out" |
+      grep -vxFf "$tmp/allowed" | sed "s/^/$instance: rests on /" >>"$tmp/wrong" || true
+  done <"$tmp/instances"
+  if [ -s "$tmp/wrong" ]; then cat "$tmp/wrong"; return 1; fi
+}
+
 audit_kernel() {
-  coqchk -silent -o -Q "$build" Durero Durero.Main >"$tmp/chk" 2>&1 || { cat "$tmp/chk"; return 1; }
+  coqchk -silent -o -Q "$build" Durero Durero.Main Durero.Instances >"$tmp/chk" 2>&1 || { cat "$tmp/chk"; return 1; }
   sed -n '/^\* Axioms:/,/^\* Constants/p' "$tmp/chk" | sed -n 's/^    *//p' >"$tmp/axioms"
   if printf '%s\n' "$allowed" | grep -vxFf - "$tmp/axioms"; then echo 'coqchk finds these other axioms'; return 1; fi
   [ "$(grep -v '^\* Axioms:' "$tmp/chk" | grep -c ': <none>$')" = 3 ] || { cat "$tmp/chk"; return 1; }
 }
 
 case $check in
-  text | reachable | assumptions | statements | kernel) "audit_$check" ;;
+  text | reachable | assumptions | statements | instances | kernel) "audit_$check" ;;
   update)
     assumptions >"$tmp/assumptions" && statements >"$tmp/statements"
     cp "$tmp/assumptions" "$proofs/assumptions.txt" && cp "$tmp/statements" "$proofs/statements.md" ;;
-  all) audit_text && audit_reachable && audit_assumptions && audit_statements && audit_kernel ;;
+  all) audit_text && audit_reachable && audit_assumptions && audit_statements && audit_instances && audit_kernel ;;
   *) echo "audit.sh does not know $check"; exit 2 ;;
 esac
