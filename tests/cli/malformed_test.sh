@@ -6,12 +6,13 @@ echo kept >old
 # malformed PLACE-AND-TEXT: bad.json is refused so, by every command. (Not through a pipe: that would count in a subshell.)
 malformed() {
   refused "bad.json:$1" check bad.json
-  for out in new.png old; do
+  for out in new.json old; do
     refused "bad.json:$1" edit bad.json --op 'Eliminar_Elemento e=a' -o $out
     refused "bad.json:$1" trace bad.json rays -o $out
-    case $out in *.png) refused "bad.json:$1" render bad.json -o $out ;; esac
   done
+  refused "bad.json:$1" render bad.json -o new.png
   refused "bad.json:$1" export bad.json -o new.nff
+  absent new.json
   absent new.png
   absent new.nff
   [ "$(cat old)" = kept ] || fail "$1: the old file was changed"
