@@ -5,14 +5,16 @@ sample >scene.json
 checks=$((checks + 1))
 python3 "$(dirname "$0")/streams.py" "$durero" || fail streams.py
 
-# at_once ARGUMENT...: the output is refused, though the input is not there either.
+# at_once OUT ARGUMENT...: the output is refused, though the input is not there either.
 at_once() {
-  refused '/nowhere/out.png: cannot be written: No such file or directory' "$@" /nowhere/out.png
+  out=/nowhere/$1
+  shift
+  refused "$out: cannot be written: No such file or directory" "$@" -o "$out"
 }
-at_once trace nowhere.json rays -o
-at_once render nowhere.json -o
-at_once edit nowhere.json --op 'Eliminar_Elemento e=a' -o
-at_once spec export --coq nowhere.tex -o
+at_once out.jsonl trace nowhere.json rays
+at_once out.png render nowhere.json
+at_once out.json edit nowhere.json --op 'Eliminar_Elemento e=a'
+at_once out.v spec export --coq nowhere.tex
 refused '/nowhere/s.json: cannot be written: ' import nowhere.obj -o /nowhere/s.json
 refused '/nowhere/s.nff: cannot be written: ' export nowhere.json -o /nowhere/s.nff
 refused '/nowhere/suite: cannot be written: ' conform make /nowhere/suite
