@@ -19,7 +19,7 @@ git rev-list --no-merges --since="$since" HEAD | while read -r commit; do
   [ "$area" != "$subject" ] && printf '%s\n' "$area" | grep -qE '^[A-Za-z0-9_./+-]+((, | and )[A-Za-z0-9_./+-]+)*$' ||
     { said "no area; expected area: imperative"; continue; }
   word=${subject#*: }
-  word=${word%%[ ,:]*}
+  word=$(printf %s "${word%%[ ,:]*}" | tr '[:upper:]' '[:lower:]')
   case $word in
     embed | feed | need | seed | speed | shed | proceed | exceed | succeed | bring | string | ring | bias) ;;
     *ss | *us) ;;

@@ -161,7 +161,7 @@ Ten cells, not eight|They are more.|a subject without an area
 lattice: ten cells are made, where eight were, of each side of a box that holds it|They are more.|a subject of more than 72 characters
 lattice: makes ten cells|They are more.|a subject that is no imperative
 lattice: making ten cells|They are more.|a subject that says what goes on
-lattice: Make ten cells|They are more.|a subject that begins with a capital
+lattice: A box is made of ten cells|They are more.|a subject that is a sentence
 lattice: make ten cells||a commit without a reason
 END
 committed 'lattice: make ten cells' 'Eight were too few for a box that holds one more.'

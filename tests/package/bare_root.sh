@@ -20,7 +20,8 @@ if [ -z "${BARE_ROOT_INSIDE-}" ]; then
   rm -rf --one-file-system "$2/bare_root/root"
   exit "$status"
 fi
-root=$1 work=$2/bare_root
+root=$(CDPATH='' cd -- "$1" && pwd)
+work=$(CDPATH='' cd -- "$2" && pwd)/bare_root
 shift 2
 [ $# -gt 0 ] || set -- demo install test
 for step in "$@"; do
