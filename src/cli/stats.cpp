@@ -249,7 +249,10 @@ void add_stats(CLI::App& app, int& status) {
       "Salmon, the tests of a line that meets its root; arity is the mean number of children. Of bounding volumes B "
       "and\n"
       "I are what a test of a volume and of an element takes, T is n·B + m·I for a ray; void area is what the volume\n"
-      "covers and the element's hull does not, in the mean over directions of the rays, mean fit over all.\n\n{}{}",
+      "covers and the element's hull does not, in the mean over directions of the rays, mean fit over all.\n\n"
+      "Of many elements the choice of volumes takes longest, some tenths of a millisecond each. Where many share a\n"
+      "corner, every structure tries most of them on a ray that comes there, so that time grows with their number\n"
+      "times the rays.\n\n{}{}",
       own_rays, own_seed, without, exit_status("the figures are printed", "the call or a file is bad"),
       examples({"stats demo/still-life.json", "stats demo/still-life.json demo/rays.txt --format json --no-times"})));
   command->callback([options, &status] { status = run(*options); });

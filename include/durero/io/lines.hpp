@@ -45,7 +45,7 @@ inline constexpr std::size_t longest_line = std::size_t{1} << 24U;
 /// Watches how long lines grow while their bytes come.
 class LineLengths {
  public:
-  /// Before the first byte of a text, whose lines have `longest` bytes at most.
+  /// Of lines that have at most so many bytes.
   explicit LineLengths(std::size_t longest = longest_line) noexcept : longest_(longest) {}
 
   /// The bytes behind those of before, at most as many as a line may have. Where a line has become too long: which

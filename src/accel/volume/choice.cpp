@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 namespace durero::accel {
 namespace {
@@ -65,20 +66,28 @@ class Trial {
     return *known;
   }
   Met met(const Simple& volume) {
-    static const std::array<Chord, line_count> lines = isotropic_lines();
     const auto* const slabs = std::get_if<Slabs>(&volume);
     const std::size_t directions = slabs == nullptr ? 0 : slabs->along.size();
+    const std::vector<trace::Ray>& lines = this->lines();
     Met result;
-    for (std::size_t i = 0; i < line_count; ++i) {
-      const auto& [along, aside] = lines[i];
-      const glm::dvec3 from = ball().centre + reach * ball().radius * (aside - 2.0 * along);
-      const trace::Ray line(model::Rayo{model::Punto(from), model::Vector(along)});
-      result[i] = verdict(volume, Asked(line, directions), never) == Verdict::met;
-    }
+    for (std::size_t i = 0; i < line_count; ++i)
+      result[i] = verdict(volume, Asked(lines[i], directions), never) == Verdict::met;
     return result;
   }
 
  private:
+  /// The isotropic lines about the element.
+  const std::vector<trace::Ray>& lines() {
+    static const std::array<Chord, line_count> chords = isotropic_lines();
+    if (!lines_.empty()) return lines_;
+    lines_.reserve(line_count);
+    for (const auto& [along, aside] : chords) {
+      const glm::dvec3 from = ball().centre + reach * ball().radius * (aside - 2.0 * along);
+      lines_.emplace_back(model::Rayo{model::Punto(from), model::Vector(along)});
+    }
+    return lines_;
+  }
+
   /// Of the ball that the lines go through, in radii of the ball about the element: no kind reaches beyond √3 of them.
   static constexpr double reach = 1.75;
 
@@ -90,6 +99,7 @@ class Trial {
   std::array<std::optional<Simple>, kind_count> volumes_;
   std::array<std::optional<double>, kind_count> rays_;
   std::array<std::optional<Met>, kind_count> met_;
+  std::vector<trace::Ray> lines_;
 };
 
 /// The least so far. What can save less than a hundredth is not tried: the lines do not tell it.
