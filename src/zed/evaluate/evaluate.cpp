@@ -45,7 +45,8 @@ struct SchemaCheck::State {
                             std::to_string(values.size()));
     }
     Frame frame(unit->size, context);
-    std::copy(values.begin(), values.end(), frame.slots.begin());
+    for (std::size_t i = 0; i < values.size(); ++i)  // what is not given is a value all the same
+      frame.slots[i] = values[i].is_open() ? Value(Unknown{context.fresh()}) : values[i];
     return frame;
   }
 

@@ -102,7 +102,7 @@ Code Compiler::selection(const Node& node, const Scope& scope) {
     return [whole, position = std::stoul(node.name.word) - 1](Frame& frame) -> Value {
       const Value value = whole(frame);
       if (value.is_undefined()) return {};
-      if (!value.tuple()) return Open{};
+      if (!value.tuple() || may_be_undefined(value)) return Open{};
       return value.tuple()->parts.at(position);
     };
   }
@@ -114,7 +114,7 @@ Code Compiler::selection(const Node& node, const Scope& scope) {
     const Value value = whole(frame);
     if (value.is_undefined()) return {};
     const BindingValue* binding = value.binding();
-    if (!binding) return Open{};
+    if (!binding || may_be_undefined(value)) return Open{};
     if (last->names == binding->names) return binding->values[last->position];
     const Value* member = binding->component(name);
     if (!member) throw EvaluationError(value.text() + " has no component " + name.text());
@@ -216,6 +216,7 @@ Code Compiler::application(const Node& node, const Scope& scope) {
   const bool generic = row && row->binding.role == Role::generic;
   if (row && !generic && row->evaluation.unary) {
     return [compute = row->evaluation.unary, a = expression(argument, scope)](Frame& frame) {
+      const Computing value(frame.context);
       return counted(compute, frame.context, a(frame));
     };
   }
@@ -223,18 +224,21 @@ Code Compiler::application(const Node& node, const Scope& scope) {
     const Term& through = argument->children[0];
     if (const Term* relation = match::argument_of(through, "_∼"); relation && function->name.word == "_⦇_⦈") {
       return [r = expression(*relation, scope), s = expression(argument->children[1], scope)](Frame& frame) {
+        const Computing value(frame.context);
         const Value inverted = r(frame);
         return counted(inverse_image, frame.context, inverted, s(frame));
       };
     }
     return [compute = row->evaluation.binary, a = expression(argument->children[0], scope),
             b = expression(argument->children[1], scope)](Frame& frame) {
+      const Computing value(frame.context);
       const Value left = a(frame);
       return counted(compute, frame.context, left, b(frame));
     };
   }
   const auto gives_sets = std::make_shared<bool>(false);  // what has given no set yet is not looked for among the kept
   return [this, f = expression(function, scope), a = expression(argument, scope), gives_sets](Frame& frame) {
+    const Computing value(frame.context);
     frame.context.steps.take();
     const Value left = f(frame), right = a(frame);
     Value result = *gives_sets ? applied(left, right, frame.context) : apply_value(left, right, frame.context);

@@ -45,7 +45,7 @@ class Comprehension : public Set {
     if (!total_) {
       Context context(steps_);
       Frame frame = closure_.frame(context);
-      total_ = !closure_.term && closure_.head.search->total(frame);
+      total_ = !closure_.term && closed() && closure_.head.search->total(frame);
     }
     return *total_;
   }
@@ -156,6 +156,7 @@ class Lambda : public Set {
   Value apply(const Value& argument, Context& context) const override {
     if (whole_unknown(argument, closure_.head.groups)) return Open{};
     const Deeper deeper(context);
+    const Computing value_of_f(context);
     Truth admitted = Truth::no;
     return applied(closure_, argument, context, &admitted);
   }
@@ -176,9 +177,7 @@ class Lambda : public Set {
   const std::vector<Value>* members() const override {
     if (!enumerated_) {
       enumerated_ = true;
-      Context context(steps_);
-      Frame frame = closure_.frame(context);
-      if (closure_.head.search->enumerable(frame)) enumerate(frame);
+      if (closed()) list();
     }
     return pairs_ ? pairs_->set()->members() : nullptr;
   }
@@ -187,7 +186,10 @@ class Lambda : public Set {
   std::string spelled(Wording wording) const override { return closure_.spelled(wording); }
 
  private:
-  void enumerate(Frame& frame) const {
+  void list() const {
+    Context context(steps_);
+    Frame frame = closure_.frame(context);
+    if (!closure_.head.search->enumerable(frame)) return;
     std::vector<Value> pairs;
     const Truth some = closure_.head.search->each(frame, [&](Frame& inside) {
       pairs.push_back(Value::pair(characteristic(inside, closure_.head.groups), closure_.term(inside)));
@@ -208,8 +210,10 @@ class AxiomaticFunction : public Set {
   AxiomaticFunction(std::string name, std::function<Clauses(Context&)> compile)
       : name_(std::move(name)), compile_(std::move(compile)) {}
 
+  // Which clause is the argument's is asked, and not stated.
   Value apply(const Value& argument, Context& context) const override {
     const Deeper deeper(context);
+    const Computing value_of_f(context);
     for (const Closure& clause : clauses(context).clauses) {
       if (whole_unknown(argument, clause.head.groups)) return Open{};
       Truth admitted = Truth::no;
@@ -223,6 +227,7 @@ class AxiomaticFunction : public Set {
   Truth in_domain(const Value& argument, Context& context) const override {
     const Clauses& known = clauses(context);
     if (known.domain) return contains_value(*known.domain, argument, context);
+    const Necessary one_of_several(context, false);
     for (const Closure& clause : known.clauses) {
       if (whole_unknown(argument, clause.head.groups)) return lost(context);
       const Truth here = admits(clause, argument, context);

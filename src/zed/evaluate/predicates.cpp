@@ -16,9 +16,11 @@ using ToolkitRelation = decltype(Evaluation::relation);
 /// Asks a relation of the toolkit. Membership is asked of a set as it is; other relations may go through their
 /// operands.
 Truth asked(ToolkitRelation holds, const Value& a, const Value& b, Context& context) {
-  if (holds != relations::element_of && holds != relations::no_element_of) return counted(holds, context, a, b);
-  context.steps.take();
-  return holds(a, b, context);
+  const bool membership = holds == relations::element_of || holds == relations::no_element_of;
+  if (membership) context.steps.take();
+  const Truth here = membership ? holds(a, b, context) : counted(holds, context, a, b);
+  // Of what has no value no relation holds.
+  return here == Truth::yes && (may_be_undefined(a) || may_be_undefined(b)) ? lost(context) : here;
 }
 
 Truth negated(const Property& property, Frame& frame) {

@@ -10,7 +10,9 @@ namespace {
 class FiniteSet : public Set {
  public:
   explicit FiniteSet(std::vector<Value> sorted)
-      : members_(std::move(sorted)), family_(std::any_of(members_.begin(), members_.end(), has_intensional)) {}
+      : members_(std::move(sorted)),
+        family_(std::any_of(members_.begin(), members_.end(), has_intensional)),
+        of_sets_(family_ && std::any_of(members_.begin(), members_.end(), has_intensional_argument)) {}
 
   const std::vector<Value>* members() const override { return &members_; }
   std::size_t listed() const override { return members_.size(); }
@@ -40,6 +42,7 @@ class FiniteSet : public Set {
   // there, and its application has no value.
   Value apply(const Value& argument, Context&) const override {
     if (has_open(argument)) return Open{};
+    refuse_sets(argument);
     const auto first = at(argument);
     if (first == members_.end() || !same(first->tuple()->parts[0], argument)) return {};
     const auto next = first + 1;
@@ -49,11 +52,21 @@ class FiniteSet : public Set {
 
   Truth in_domain(const Value& argument, Context& context) const override {
     if (has_open(argument)) return lost(context);
+    refuse_sets(argument);
     const auto first = at(argument);
     return truth(first != members_.end() && same(first->tuple()->parts[0], argument));
   }
 
  private:
+  static bool has_intensional_argument(const Value& pair) {
+    return pair.tuple() && has_intensional(pair.tuple()->parts[0]);
+  }
+  // Whether sets that nobody can list are the same is not said by the order in which they stand.
+  void refuse_sets(const Value& argument) const {
+    if (of_sets_ || (family_ && has_intensional(argument)))
+      throw EvaluationError("whether " + text() + " has a value at " + argument.text() +
+                            " cannot be decided: it depends on sets whose members cannot be enumerated");
+  }
   std::vector<Value>::const_iterator at(const Value& argument) const {
     if (!members_.empty() && (!members_[0].tuple() || members_[0].tuple()->parts.size() != 2)) {
       throw EvaluationError(text() + " is no function");
@@ -70,6 +83,7 @@ class FiniteSet : public Set {
 
   std::vector<Value> members_;
   bool family_;
+  bool of_sets_;  // some pair's first part cannot be compared
 };
 
 class Everything : public Set {

@@ -61,6 +61,13 @@ class Necessary {
   std::uint32_t before_;
 };
 
+/// Says for a scope that a value is computed: what it depends on need not be so, and nothing is found out by it of what
+/// is not known.
+class Computing : public Necessary {
+ public:
+  explicit Computing(Context& context) : Necessary(context, false) {}
+};
+
 /// Bounds the depth of applications, for definitions that use themselves without end.
 class Deeper {
  public:
@@ -110,6 +117,10 @@ Value resolved(const Value& value, const Context& context);
 Value sum(const Value& a, const Value& b);
 Value difference(const Value& a, const Value& b);
 Value product(const Value& a, const Value& b);
+
+/// Says whether it may be that there is no value: what an application comes to that nobody can tell yet may have none,
+/// and then nothing that is made of it has one. An unknown is a value.
+bool may_be_undefined(const Value& value);
 
 /// Says whether a number, or a value of another type as a whole, is not known.
 inline bool waiting(const Value& a) { return a.is_open() || a.get<Unknown>() || a.get<PolynomialPtr>(); }

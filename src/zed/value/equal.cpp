@@ -181,7 +181,7 @@ Truth equal(const Value& a, const Value& b, Context& context) {
 Truth contains_value(const Value& set, const Value& value, Context& context) {
   if (set.is_undefined() || value.is_undefined()) return Truth::no;
   if (const Set* known_set = set.set()) {
-    if (known_set->total()) return Truth::yes;
+    if (known_set->total()) return may_be_undefined(value) ? lost(context) : Truth::yes;
     if (value.is_open() && !known_set->members()) return lost(context);
     return known_set->contains(value, context);
   }

@@ -11,8 +11,16 @@ namespace {
 constexpr std::size_t most_listed_functions =
     1 << 16;  // sets of functions with more members are known by membership only
 
+void refuse_uncomparable(const std::vector<Value>& pairs, std::size_t part) {
+  for (const Value& pair : pairs)
+    if (has_intensional(pair.tuple()->parts[part]))
+      throw EvaluationError("whether it is a function cannot be decided: the members of " +
+                            pair.tuple()->parts[part].text() + " cannot be enumerated");
+}
+
 /// Pairs are sorted by their first parts, so in a function no two neighbours agree in them.
 bool is_function(const std::vector<Value>& pairs) {
+  if (pairs.size() > 1) refuse_uncomparable(pairs, 0);
   return std::adjacent_find(pairs.begin(), pairs.end(), [](const Value& a, const Value& b) {
            return same(a.tuple()->parts[0], b.tuple()->parts[0]);
          }) == pairs.end();
@@ -38,6 +46,7 @@ class FunctionSet : public Set {
     if (form_.function && !is_function(pairs)) return Truth::no;
     const Truth inside = both(each_in(pairs, 0, from_, context), each_in(pairs, 1, to_, context));
     if (inside != Truth::yes) return inside;
+    if (form_.injective && pairs.size() > 1) refuse_uncomparable(pairs, 1);
     const Value image = form_.injective || form_.surjective ? Value::set(seconds(pairs)) : Value();
     if (form_.injective && image.set()->members()->size() != pairs.size()) return Truth::no;
     Truth result = Truth::yes;

@@ -14,7 +14,7 @@ using Values = std::vector<Value>;
 
 Value part_of(const Value& pair, std::size_t part) {
   if (pair.is_undefined()) return {};
-  if (!pair.tuple()) return Open{};
+  if (!pair.tuple() || may_be_undefined(pair)) return Open{};
   return pair.tuple()->parts[part];
 }
 
@@ -120,6 +120,8 @@ Value forward_composition(const Value& a, const Value& b, Context& context) {
     Values pairs;
     for (const Value& from : enumerated(a, "the composition of")) {
       context.steps.take(1 + steps_for(b));
+      if (has_intensional(second(from)))
+        throw EvaluationError("the composition through " + second(from).text() + ": its members cannot be enumerated");
       if (!b.set()->members()) {  // b is known by its images
         const Value reached = image(b, Value::set({second(from)}), context);
         for (const Value& to : enumerated(reached, "the composition with"))
@@ -160,6 +162,7 @@ class FunctionValue : public Set {
   explicit FunctionValue(const OperatorRow& row) : row_(row) {}
   Value apply(const Value& argument, Context& context) const override {
     if (argument.is_undefined()) return {};
+    const Computing value(context);
     if (row_.evaluation.unary) return row_.evaluation.unary(argument, context);
     if (!argument.tuple()) return Open{};
     return row_.evaluation.binary(first(argument), second(argument), context);

@@ -55,6 +55,7 @@ Truth is_disjoint(const Value& family, Context& context) {
   if (family.is_undefined()) return Truth::no;
   if (waiting(family)) return lost(context);
   const auto& indexed = enumerated(family, "whether this family is disjoint:");
+  const Computing intersections(context);
   for (std::size_t i = 0; i < indexed.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       context.steps.take(1 + steps_for(second(indexed[i])) + steps_for(second(indexed[j])));

@@ -11,18 +11,18 @@ using number::Surd;
 
 bool is_rational(const Real& value) { return value.is_surd() && value.surd().y.is_zero(); }
 
-Real whole(const Integer& value) { return Real(Surd(Rational(value))); }
+Real real_of(const Integer& value) { return Real(Surd(Rational(value))); }
 
 }  // namespace
 
 Integer floor_of(const Real& value) {
   Integer low = -1, high = 1;
-  while (whole(low) > value) low *= 2;
-  while (whole(high) <= value) high *= 2;
+  while (real_of(low) > value) low *= 2;
+  while (real_of(high) <= value) high *= 2;
   while (high - low > 1) {  // low ≤ value < high
     Integer middle = (low + high) / 2;
     if (middle <= low) middle = low + 1;
-    (whole(middle) <= value ? low : high) = middle;
+    (real_of(middle) <= value ? low : high) = middle;
   }
   return low;
 }
@@ -48,8 +48,8 @@ std::optional<Cuts> roots(std::span<const Polynomial> polynomials) {
   return cuts;
 }
 
-Real below(const Real& high) { return whole(floor_of(high) - 1); }
-Real above(const Real& low) { return whole(floor_of(low) + 1); }
+Real below(const Real& high) { return real_of(floor_of(high) - 1); }
+Real above(const Real& low) { return real_of(floor_of(low) + 1); }
 
 Real between(const Real& low, const Real& high) {
   Rational from = floor_of(low), to = floor_of(high) + 1;

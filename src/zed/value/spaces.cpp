@@ -133,6 +133,7 @@ class ConstructorFunction : public Set {
  public:
   ConstructorFunction(Atom name, Value arguments) : name_(std::move(name)), arguments_(std::move(arguments)) {}
   Value apply(const Value& argument, Context& context) const override {
+    const Computing value(context);
     if (in_domain(argument, context) == Truth::no) return {};
     // Of what is not known the constructor is: so an equation finds x of `leaf x`, which is what it was applied to.
     return ConstructedPtr(std::make_shared<const Constructed>(Constructed{name_, argument}));

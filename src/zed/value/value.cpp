@@ -151,6 +151,10 @@ bool has_open(const Value& value) {
   return any_part(value, has_open);
 }
 
+bool may_be_undefined(const Value& value) {
+  return value.is_undefined() || value.is_open() || any_part(value, may_be_undefined);
+}
+
 bool has_intensional(const Value& value) {
   if (const Set* set = value.set()) return !set->members() || set->family();
   return any_part(value, has_intensional);

@@ -107,5 +107,103 @@ TEST_CASE("where no case gives a value of a total function, it is not said to ha
   CHECK_THROWS_WITH(holds("1 ∈ low"), "no equation gives low a value at 1");
 }
 
+const Specification& looked_for() {
+  static const Specification read = read_text(R"(
+\begin{zed} TREE ::= leaf | fork \ldata TREE \cross TREE \rdata \end{zed}
+\begin{axdef} f, fact, fib, v : \nat \fun \nat \\ p : \nat \cross \nat \fun \nat \\ even : \power \nat \where
+  f~0 = 5 \\ \forall n : \nat @ f(n+1) = 7 \\
+  fact~0 = 1 \\ \forall n : \nat @ fact(n+1) = (n+1) * fact(n) \\
+  fib~0 = 0 \\ fib~1 = 1 \\ \forall n : \nat @ fib(n+2) = fib(n+1) + fib(n) \\
+  \forall n : \nat @ (n = 0 \implies v~n = 5) \land (n > 0 \implies v~n = 7) \\
+  \forall n : \nat @ p(0,n) = 5 \\ \forall m, n : \nat @ p(m+1,n) = 7 \\
+  0 \in even \\ 1 \notin even \\ \forall n : \nat @ n + 2 \in even \iff n \in even
+\end{axdef}
+\begin{axdef} s : \seq \nat \fun \nat \\ size : TREE \fun \nat \where
+  s \langle \rangle = 0 \\ \forall x : \nat; t : \seq \nat @ s(\langle x \rangle \cat t) = x + s~t \\
+  size~leaf = 0 \\ \forall l, r : TREE @ size(fork(l,r)) = 1 + size~l + size~r
+\end{axdef}
+\begin{schema}{S} x : \nat \end{schema}
+\begin{schema}{Pay} \Delta S; p? : \nat \where f~p? = 7 \\ x' = p? \end{schema}
+\begin{schema}{Pick} \Delta S; p! : \nat \where f~p! = 7 \\ x' = x + 1 \end{schema})",
+                                              "looked for");
+  return read;
+}
+
+/// What is so, or `open` where that is not decided.
+std::string asked(const std::string& typed) {
+  REQUIRE(looked_for().defects.empty());
+  const Evaluator evaluator(looked_for().sections);
+  const Term term = parse_unicode(typed);
+  try {
+    const bool is_value = typed.starts_with("{") || typed.starts_with("(μ");
+    if (is_value) {
+      const Value value = evaluator.value(term);
+      return value.is_open() || (value.set() && !value.set()->members()) ? "open" : value.text();
+    }
+    const Truth truth = evaluator.holds(term);
+    return truth == Truth::open ? "open" : truth == Truth::yes ? "true" : "false";
+  } catch (const EvaluationError&) {
+    return "open";
+  }
+}
+
+TEST_CASE("what is looked for is not the first form of an argument that a function has a case for") {
+  CHECK(asked("∃ x : ℕ • f x = 7") == "true");
+  CHECK(asked("{x : ℕ | f x = 7}") == "open");
+  CHECK(asked("∀ x : ℕ | f x = 7 • x = 99") == "false");
+  CHECK(asked("∃ x : ℕ • x < 5 ∧ f x = 7") == "true");
+  CHECK(asked("∃ x : 0 ‥ 5 • f x = 7") == "true");
+  CHECK(asked("{x : ℕ | x ∈ even ∧ x < 9}") == "{0, 2, 4, 6, 8}");
+  CHECK(asked("¬ {x : ℕ | x ∈ even ∧ x < 9} = {0}") == "true");
+  CHECK(asked("∃ x : ℕ • fact x = 6") == "true");
+  CHECK(asked("{x : ℕ | fact x = 6}") == "open");
+  CHECK(asked("{x : ℕ | x ≤ 9 ∧ fact x = 6}") == "{3}");
+  CHECK(asked("(μ x : ℕ | x < 9 ∧ fact x = 24)") == "4");
+  CHECK(asked("(μ x : ℕ | fact x = 24)") == "open");
+  CHECK(asked("∃₁ x : ℕ • fact x = 1") == "open");
+  CHECK(asked("∃₁ x : ℕ • x < 9 ∧ fact x = 1") == "false");
+  CHECK(asked("∃ x : ℕ • fib x = 1") == "true");
+  CHECK(asked("∃ t : TREE • size t = 2") == "open");
+  CHECK(asked("∀ t : TREE | size t = 1 • false") == "open");
+  CHECK(asked("∃ q : seq ℕ • s q = 3") == "open");
+  CHECK(asked("∃ x : ℕ • v x = 7") == "true");
+  CHECK(asked("∃ x : ℕ • p(x,1) = 7") == "true");
+  CHECK(asked("∃ x : ℕ • (x, 7) ∈ f") == "true");
+  CHECK(asked("∃ x : ℕ • x ∈ dom f ∧ x = 3") == "true");
+}
+
+// A value that an application may not have is none that anything can be said of.
+TEST_CASE("of what may be undefined nothing is known") {
+  CHECK(asked("{x : ℕ | ∃ y : ℕ • y = first (4, {0 ↦ 4, 2 ↦ 2} x)} ∩ (0 ‥ 4)") == "{0, 2}");
+  CHECK(asked("{x : ℕ | (4, {0 ↦ 4, 2 ↦ 2} x) ∈ {a, b : 𝔸 | a = 4}} ∩ (0 ‥ 4)") == "{0, 2}");
+  CHECK(asked("{x : ℕ | {0 ↦ 4, 2 ↦ 2} x ∉ ∅} ∩ (0 ‥ 4)") == "{0, 2}");
+  CHECK(asked("{x : ℕ | (1, {0 ↦ 4, 2 ↦ 2} x) ≠ (2, 3)} ∩ (0 ‥ 4)") == "{0, 2}");
+  CHECK(asked("{x : ℕ | ⦉a == 4, b == {0 ↦ 4, 2 ↦ 2} x⦊.a = 4} ∩ (0 ‥ 4)") == "{0, 2}");
+}
+
+TEST_CASE("what is found with one member of a set is not so with the next") {
+  CHECK(asked("∃ x : ℕ; y : {1, 2} • x + 1 = y + y ∧ y > 1") == "true");
+  CHECK(asked("{x : ℕ; y : {1, 2} | x + 1 = y + y}") == "{1 ↦ 1, 3 ↦ 2}");
+}
+
+TEST_CASE("the value at a set that nobody can list is not said to be none") {
+  CHECK(asked("¬ {ℕ ↦ 1} ℕ = 1") == "open");
+  CHECK(asked("¬ {ℕ ↦ 1, ℤ ↦ 2} ∈ ℙ ℤ ⇸ ℕ") == "open");
+  CHECK(asked("¬ {1 ↦ ℕ} ⨾ {ℕ ↦ 2} = ∅") == "open");
+  CHECK(asked("5 ∈ {1 ↦ ℕ} 1") == "true");
+}
+
+TEST_CASE("an operation whose input a function has cases for may go on") {
+  const Evaluator evaluator(looked_for().sections);
+  const Value three = Real(3), zero = Real(0);
+  for (const auto& [input, truth] : {std::pair{three, Truth::yes}, std::pair{zero, Truth::no}}) {
+    const Given locals = {{{"x", ""}, zero}, {{"p", "?"}, input}};
+    CHECK(evaluator.holds(parse_unicode("pre Pay"), locals) == truth);
+  }
+  const Value here[] = {zero};
+  const Truth all = evaluator.completion({"Pick", ""}, {{"x", ""}}).each(here, [](auto) { return true; });
+  CHECK(all == Truth::open);  // any p! of 1, 2, 3, … does, and nothing lists them
+}
+
 }  // namespace
 }  // namespace durero::zed

@@ -1,0 +1,213 @@
+/// Goes through the ways to make a goal hold: members of finite sets, what equations determine, and numbers that are
+/// bounded or tried.
+
+#include <algorithm>
+
+#include "zed/evaluate/search.hpp"
+
+namespace durero::zed {
+namespace {
+
+/// What holds under a supposition, for a scope: at its end the slots, and what was found, are as before.
+class Supposed {
+ public:
+  explicit Supposed(Frame& frame) : frame_(frame), slots_(frame.slots), found_(frame.context.values_found) {}
+  ~Supposed() {
+    frame_.slots = slots_;
+    frame_.context.values_found = found_;
+  }
+  Supposed(const Supposed&) = delete;
+  Supposed& operator=(const Supposed&) = delete;
+
+ private:
+  Frame& frame_;
+  decltype(Frame::slots) slots_;
+  decltype(Context::values_found) found_;
+};
+
+constexpr int greatest_tried = 16;  // of numbers that nothing bounds
+constexpr int most_tries = 300;     // of such numbers, for all variables of a search together
+
+}  // namespace
+
+/// A run is one call of each(), and knows where it is in the nest of finite sets.
+struct Search::Run {
+  const Search& search;
+  Frame& frame;
+  const Visit& visit;
+  const Test& extra;
+  std::vector<Value> sets{};
+  std::uint32_t first_unknown = 0;
+  bool unknowns = false, enumerated = false, stopped = false;
+  int tries = 0;
+  Truth result = Truth::no;
+
+  void from(std::size_t i) {
+    if (stopped) return;
+    frame.context.steps.take();
+    if (i == search.variables_.size()) return complete();
+    const Variable& variable = search.variables_[i];
+    if (variable.value) return from(i + 1);
+    Value& slot = frame.slots[variable.slot];
+    const Set* set = sets[i].set();
+    const auto* members = set ? set->members() : nullptr;
+    if (!members) {
+      unknowns = true;
+      slot = set ? set->unknown(frame.context) : Value(Unknown{frame.context.fresh()});
+      return from(i + 1);
+    }
+    enumerated = enumerated || members->size() > 1;
+    for (const Value& member : *members) {
+      slot = member;
+      from(i + 1);
+      if (stopped) return;
+    }
+  }
+
+  // Every variable that is not determined has a value, or is unknown.
+  void complete() {
+    std::vector<Value> start;
+    if (unknowns) {
+      for (const Variable& variable : search.variables_) start.push_back(frame.slots[variable.slot]);
+    }
+    settle();
+    for (std::size_t i = 0; i < start.size(); ++i) frame.slots[search.variables_[i].slot] = start[i];
+    // What was found with these members of the finite sets need not be so with the next.
+    auto& found = frame.context.values_found;
+    std::fill(found.begin() + static_cast<std::ptrdiff_t>(first_unknown), found.end(), std::nullopt);
+  }
+
+  void settle() {
+    Context& context = frame.context;
+    const std::uint32_t outer = enumerated ? Context::none : context.necessary;
+    const Necessary must(context, std::min(outer, unknowns ? first_unknown : Context::none));
+    for (;;) {
+      search.determine(frame);
+      Truth here = search.holds(frame);
+      if (here != Truth::no && extra) here = both(here, extra(frame));
+      if (here == Truth::no) return;
+      if (!unknowns || known()) return judge(here);
+      if (!found_more()) return undecided(here);
+    }
+  }
+
+  // What equations do not give may be a number that the goal bounds; and of a last number it may be said where on the
+  // line the goal is true.
+  void undecided(Truth here) {
+    if (here == Truth::yes && !visit) return judge(here);
+    if (search.determine_empty(frame)) return settle();
+    const Variable* last = nullptr;
+    std::size_t open = 0;
+    for (std::size_t i = 0; i < search.variables_.size(); ++i) {
+      const Variable& variable = search.variables_[i];
+      if (!has_open(frame.slots[variable.slot])) continue;
+      ++open;
+      if (!is_number(i)) continue;
+      last = &variable;
+      if (const auto numbers = search.candidates(variable, *sets[i].set(), frame)) return each_of(variable, *numbers);
+    }
+    if (!visit && open == 1 && last) {
+      const Set& set = *sets[static_cast<std::size_t>(last - search.variables_.data())].set();
+      if (const auto some = search.some_number(*last, set, frame, extra)) {
+        if (*some == Truth::no) return;
+        if (*some == Truth::yes) return judge(*some);
+      }
+    }
+    if (last && !visit && is_alone()) try_some(*last);
+    if (!stopped) judge(lost(frame.context));
+  }
+
+  /// Says whether nothing but the variables is unknown.
+  bool is_alone() const {
+    const auto& found = frame.context.values_found;
+    return !frame.context.watch && std::all_of(found.begin(), found.begin() + first_unknown,
+                                               [](const auto& value) { return value.has_value(); });
+  }
+
+  /// A number that makes the goal true is a witness; where no small one does, nothing is known.
+  void try_some(const Variable& variable) {
+    const Value& set = sets[static_cast<std::size_t>(&variable - search.variables_.data())];
+    for (int n = 0; n <= greatest_tried && !stopped; ++n)
+      for (const int each : {n, -n})
+        if ((each > 0 || each == n) && !stopped && ++tries <= most_tries) try_one(variable, set, Real(each));
+  }
+
+  void try_one(const Variable& variable, const Value& set, const Real& number) {
+    try {
+      if (contains_value(set, number, frame.context) == Truth::yes) each_of(variable, {number});
+    } catch (const EvaluationError&) {  // of this one it is not known
+    }
+  }
+
+  bool is_number(std::size_t i) const {
+    return frame.slots[search.variables_[i].slot].get<Unknown>() && sets[i].set() &&
+           sets[i].set()->numbers() != Numbers::none;
+  }
+
+  void each_of(const Variable& variable, const std::vector<Real>& numbers) {
+    const std::uint32_t id = frame.slots[variable.slot].get<Unknown>()->id;
+    enumerated = enumerated || numbers.size() > 1;
+    for (std::size_t i = 0; i < numbers.size() && !stopped; ++i) {
+      frame.context.steps.take();
+      const Supposed supposed(frame);
+      frame.slots[variable.slot] = numbers[i];
+      frame.context.values_found[id] = numbers[i];
+      settle();
+    }
+  }
+
+  bool known() const {
+    return std::none_of(search.variables_.begin(), search.variables_.end(),
+                        [&](const Variable& variable) { return has_open(frame.slots[variable.slot]); });
+  }
+
+  bool found_more() {
+    bool more = false;
+    for (const Variable& variable : search.variables_) {
+      Value& slot = frame.slots[variable.slot];
+      if (!has_open(slot)) continue;
+      Value now = resolved(slot, frame.context);
+      more = more || !same(now, slot);
+      slot = std::move(now);
+    }
+    return more;
+  }
+
+  void judge(Truth here) {
+    if (here == Truth::open) {
+      if (visit || result == Truth::no) result = here;
+      return;
+    }
+    if (!visit || result != Truth::open) result = Truth::yes;
+    stopped = !visit || !visit(frame);
+  }
+};
+
+/// Says whether the goal is false whatever the variables are. What cannot be decided refutes nothing here: it is asked
+/// again with the rest of the goal.
+bool Search::refuted(Frame& frame) const {
+  const Necessary not_here(frame.context, false);
+  return std::any_of(apart_.begin(), apart_.end(), [&](const Test& test) {
+    try {
+      return test(frame) == Truth::no;
+    } catch (const EvaluationError&) {
+      return false;
+    }
+  });
+}
+
+Truth Search::each(Frame& frame, const Visit& visit, const Test& extra) const {
+  if (refuted(frame)) return Truth::no;
+  Run run{*this, frame, visit, extra};
+  for (const unsigned slot : wholes_) frame.slots[slot] = Value();
+  run.first_unknown = static_cast<std::uint32_t>(frame.context.values_found.size());
+  for (const Variable& variable : variables_) {
+    run.sets.push_back(variable.set && !variable.value ? variable.set(frame) : Value());
+    if (variable.set && !variable.value && run.sets.back().is_undefined()) return Truth::no;
+  }
+  run.from(0);
+  frame.context.values_found.resize(run.first_unknown);
+  return run.result;
+}
+
+}  // namespace durero::zed
