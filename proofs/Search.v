@@ -1,11 +1,11 @@
 (** * Search: what the certified search publishes, if its floating-point steps say nothing false, is the first hit
 
-    The model of trace::Search (src/trace/search.cpp), step by step: elements are taken one by one in any order; of
-    each, the triage, or double-double, or exact numbers tell where it is first met; the limit is the least upper end so
-    far; what begins beyond it is dropped; what is left is told apart by double-double and then exactly; and the nearest
-    is rounded by the first of three steps that is certain of it. Limits are binary64 and compared as such, with their
-    infinities. What is assumed of the floating-point steps is [steps_right] and nothing else; Chain.v joins the exact
-    step to the Z text.
+    The model of trace::Search (src/trace/search-inl.hpp), step by step, which tests/proofs/search.sh holds against it:
+    elements are taken one by one in any order; of each, the triage, or double-double, or exact numbers tell where it is
+    first met; the limit is the least upper end so far; what begins beyond it is dropped; what is left is told apart by
+    double-double and then exactly; and the nearest is rounded by the first of three steps that is certain of it. Limits
+    are binary64 and compared as such, with their infinities. What is assumed of the floating-point steps is
+    [steps_right] and nothing else; Chain.v joins the exact step to the Z text.
 
     met e, reach_of e      == the parameters at which the ray meets e; the exact first of them
     verdict                == a miss, a hit with its finding, or undecided
@@ -17,7 +17,7 @@
     take e st              == the state of the search once e has been tested
     published st           == the answer
     printed                == t, x, y and z as they are printed *)
-From Coq Require Import ZArith Reals List Bool Lra Lia.
+From Coq Require Import ZArith Reals List Permutation Bool Lra Lia.
 From Flocq Require Import Core BinarySingleNaN.
 From Durero Require Import Toolkit Trazador Interseccion Surd Quadratic Limits.
 Import ListNotations.
@@ -109,8 +109,8 @@ Definition take (e : E) (st : found) : found :=
   | Point v =>
       if Bltb (limit st) (low v) then st
       else if Bltb (high v) (limit st) then
-        Found (high v) (filter (within_limit (high v)) ((e, v) :: candidates st)) (without_minimum st)
-      else Found (limit st) ((e, v) :: candidates st) (without_minimum st)
+        Found (high v) (filter (within_limit (high v)) (candidates st ++ [(e, v)])) (without_minimum st)
+      else Found (limit st) (candidates st ++ [(e, v)]) (without_minimum st)
   end.
 
 Definition refine (c : candidate) : candidate :=
@@ -222,13 +222,8 @@ Qed.
 Lemma start_invariant : invariant [] start.
 Proof.
   split; cbn.
-  - intros e. split; [intros [] | intros [[] _]].
-  - constructor.
-  - intros e v [].
-  - intros e v [].
-  - constructor.
-  - now left.
-  - intros e t [].
+  1: intros e; split; [intros [] | intros [[] _]].
+  all: [> constructor | intros e v [] | intros e v [] | constructor | now left | intros e t []].
 Qed.
 
 (** Nothing to be kept: the element is not first met up to the limit, and does not begin at the origin. *)
@@ -252,23 +247,25 @@ Proof.
     { apply take_nothing; [exact H | | now apply no_start with t].
       intros u Hu. rewrite (least_unique _ _ _ Hu Ht). now apply less_excludes with (low v). }
     pose proof H as [W1 W2 R1 R2 R3 L K].
-    assert (A1 : right_candidates ((e, v) :: candidates st)).
-    { intros x w [[= <- <-] | Hx]; [split; [exact He | now exists t] | now apply R1]. }
-    assert (A2 : forall x w, In (x, w) ((e, v) :: candidates st) -> In x (e :: taken)).
-    { intros x w [[= <- <-] | Hx]; [now left | right; now apply (R2 x w)]. }
-    assert (A3 : NoDup (map fst ((e, v) :: candidates st))).
-    { cbn. apply once_more with taken; [| exact Hnew | exact R3]. intros x Hx. apply in_map_iff in Hx as [[y w] [<- Hy]].
-      now apply (R2 y w). }
+    assert (New : forall x w, In (x, w) (candidates st ++ [(e, v)]) <-> In (x, w) (candidates st) \/ (x, w) = (e, v)).
+    { intros x w. rewrite in_app_iff. cbn. intuition congruence. }
+    assert (A1 : right_candidates (candidates st ++ [(e, v)])).
+    { intros x w Hx. apply New in Hx as [Hx | [= -> ->]]; [now apply R1 | split; [exact He | now exists t]]. }
+    assert (A2 : forall x w, In (x, w) (candidates st ++ [(e, v)]) -> In x (e :: taken)).
+    { intros x w Hx. apply New in Hx as [Hx | [= -> ->]]; [right; now apply (R2 x w) | now left]. }
+    assert (A3 : NoDup (map fst (candidates st ++ [(e, v)]))).
+    { rewrite map_app. apply (Permutation_NoDup (Permutation_cons_append _ _)). apply once_more with taken;
+        [| exact Hnew | exact R3]. intros x Hx. apply in_map_iff in Hx as [[y w] [<- Hy]]. now apply (R2 y w). }
     assert (A4 : forall x, In x (without_minimum st) <-> In x (e :: taken) /\ starts_in (met x)).
     { intros x. rewrite W1. cbn. split; [tauto |]. intros [[<- | Hx] S]; [now destruct (no_start e t Ht) | now split]. }
     assert (A5 : forall x u, In x (e :: taken) -> is_least (met x) u -> at_least (limit st) u ->
-      exists w, In (x, w) ((e, v) :: candidates st)).
-    { intros x u [<- | Hx] Hu Hl; [exists v; now left |]. destruct (K x u Hx Hu Hl) as [w Hw]. exists w. now right. }
+      exists w, In (x, w) (candidates st ++ [(e, v)])).
+    { intros x u [<- | Hx] Hu Hl; [exists v | destruct (K x u Hx Hu Hl) as [w Hw]; exists w]; apply New; auto. }
     destruct (Bltb (high v) (limit st)) eqn:Hnear; split; try assumption; cbn [limit candidates without_minimum].
     + intros x w Hx. apply filter_In in Hx as [Hx _]. now apply A1.
     + intros x w Hx. apply filter_In in Hx as [Hx _]. now apply (A2 x w).
     + now apply NoDup_filter.
-    + right. exists e, v, t. split; [apply filter_In; split; [now left |] | now split].
+    + right. exists e, v, t. split; [apply filter_In; split; [apply New; now right |] | now split].
       unfold within_limit; cbn. destruct (Bltb (high v) (low v)) eqn:Hlt; [| reflexivity].
       now destruct (less_excludes _ _ t Hlt Hlow).
     + intros x u Hx Hu Hl. destruct (A5 x u Hx Hu) as [w Hw]; [now apply less_at_least with (high v) |].
@@ -276,7 +273,7 @@ Proof.
       rewrite <- (least_unique _ _ _ Hu Hu') in Htell. destruct (ends_around right x w u Hxs Hu Htell) as [Hlo _].
       unfold within_limit; cbn. destruct (Bltb (high v) (low w)) eqn:Hlt; [| reflexivity].
       now destruct (less_excludes _ _ u Hlt Hlo).
-    + destruct L as [L | [x [w [u [Hx Hu]]]]]; [now left | right; exists x, w, u; split; [now right | exact Hu]].
+    + destruct L as [L | [x [w [u [Hx Hu]]]]]; [now left | right; exists x, w, u; split; [apply New; now left | exact Hu]].
   - destruct (Bltb (limit st) zero) eqn:Hneg.
     { destruct (limit_positive _ _ H) as [t [Ht Hl]]. destruct (less_excludes _ _ t Hneg); [| exact Hl].
       right. split; [reflexivity | cbn; lra]. }

@@ -1,12 +1,21 @@
 // The search orders elements by the errors that the steps state, and leaves what lies within them to the next step.
+// Over steps by tables it is held against its model, proofs/Search.v: here by recorded answers, in
+// tests/proofs/search.sh by new ones.
 #include "durero/trace/search.hpp"
 
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <random>
+#include <string>
 
 #include "durero/trace/analytic.hpp"
 #include "support/catch.hpp"
 #include "support/shapes.hpp"
+#include "support/tree.hpp"
+#include "trace/drawn_step_table.hpp"
 #include "trace/steps.hpp"
+#include "trace/triage.hpp"
 
 using namespace durero;
 using namespace durero::test;
@@ -44,4 +53,116 @@ TEST_CASE("what no step in floating point is certain of is rounded from the exac
   CHECK(first(2, -0x1p-53).punto == glm::dvec3(1, 0, 0));
   CHECK(first(2, -0x1.8p-52).t == 1 + 0x1p-51);
   CHECK(first(2, -0x1.8p-52).punto == glm::dvec3(1, 0, 0));
+}
+
+namespace {
+
+bool same(const trace::Finding& a, const trace::Finding& b) {
+  return a.hi == b.hi && a.lo == b.lo && a.error == b.error;
+}
+bool same(const trace::Rounded& a, const trace::Rounded& b) { return a.t == b.t && a.punto == b.punto; }
+
+/// What the search says of one element is what these steps say, in their order.
+template <class Shape>
+void check_steps(const trace::Search& search, scene::ElementRef e, const Shape& shape, const model::Rayo& rayo, bool on,
+                 double limit) {
+  const trace::Ray& ray = search.ray();
+  const trace::Meeting met = search.meeting(e, limit);
+  const bool in_range = ray.ordinary && trace::ordinary(shape);
+  const auto first = in_range ? trace::triage(shape, ray, on, limit) : trace::Finding{trace::Verdict::undecided};
+  const auto second = in_range ? trace::stable(shape, ray, on, limit) : first;
+  const bool by_triage = first.verdict != trace::Verdict::undecided;
+  const auto& said = by_triage ? first : second;
+  if (said.verdict == trace::Verdict::undecided) {
+    REQUIRE(met.step == trace::Step::exact);
+    const auto reach = surface::exact::reach(shape, rayo, on);
+    REQUIRE((met.kind == trace::Meeting::Kind::none) == reach.empty());
+    REQUIRE((met.kind == trace::Meeting::Kind::no_minimum) == reach.no_minimum());
+    if (met.kind != trace::Meeting::Kind::point) return;
+    REQUIRE(*met.t == reach.first());
+    const double nearest = number::round_to_binary64(reach.first());
+    REQUIRE((met.low < nearest && nearest < met.high));
+    const scene::Hit hit = surface::exact::rounded_hit(rayo, reach.first(), {});
+    REQUIRE(same(search.rounded_hit(e, met), {true, hit.t, hit.punto}));
+    return;
+  }
+  REQUIRE(met.step == (by_triage ? trace::Step::triage : trace::Step::stable));
+  REQUIRE((met.kind == trace::Meeting::Kind::point) == (said.verdict == trace::Verdict::hit));
+  if (met.kind != trace::Meeting::Kind::point) return;
+  REQUIRE(same(met.finding, said));
+  const auto [low, high] = by_triage ? trace::ends_of(said.hi, said.error) : trace::ends_of_pair(said.hi, said.error);
+  REQUIRE((met.low == low && met.high == high));
+  const auto best = by_triage ? trace::improved(shape, ray, on, said) : said;
+  const auto once = best.verdict == trace::Verdict::hit ? trace::rounded(shape, ray, best) : trace::Rounded{};
+  if (once.certain) REQUIRE(same(search.rounded_hit(e, met), once));
+}
+
+}  // namespace
+
+TEST_CASE("the steps of the search are the decisions that are proved, and exact numbers") {
+  Random random(1);
+  trace::Counts counts;
+  for (int i = 0; i < 400; ++i) {
+    scene::Scene scene = random_scene(random, 8);
+    add(scene, scene::Sphere{{0, 0, 5}, 1});
+    model::Rayo rayo = random_ray(random);
+    if (i % 8 == 0) rayo = {model::Punto(rayo.p().xyz()), model::Vector(rayo.v().xyz() * 0x1p101)};  // out of range
+    if (i % 8 == 1) rayo = ray({0, 0, 0}, {0, 0, 1});
+    if (i % 8 == 2) rayo = ray({1 - std::ldexp(1, -40 - i % 100 / 8), 0, 0}, {0, 0, 1});  // which grazes the sphere
+    scene::ElementRef own{};
+    scene.for_each([&](scene::ElementRef e, const auto&) { own = e; });
+    const trace::Search search(scene, rayo, own, counts);
+    scene.for_each([&](scene::ElementRef e, const auto& shape) {
+      for (const double limit : {trace::no_limit, 1.0}) check_steps(search, e, shape, rayo, e == own, limit);
+    });
+  }
+  for (const std::uint64_t decided : counts.element) CHECK(decided > 20);
+}
+
+TEST_CASE("over the steps of a table the search answers as the model extracted from its proofs") {
+  std::ifstream recorded(source_dir() + "/tests/trace/search_answers.txt");
+  std::string line;
+  std::uint64_t number = 0;
+  for (; std::getline(recorded, line); ++number) {
+    INFO("table " << number << " of seed 1");
+    REQUIRE(answer(DrawnStepTable(1, number).table()) == line);
+  }
+  CHECK(number == 1000);
+}
+
+namespace {
+
+/// What is met first, by the exact step alone.
+std::string first_by_exact(const StepTable& table) {
+  const auto parameter = [&](const TableElement& e) {
+    return TableSteps::parameter(table.parameters[static_cast<std::size_t>(e.reach)]);
+  };
+  std::string begun, first;
+  const TableElement* least = nullptr;
+  for (std::size_t i = 0; i < table.elements.size(); ++i) {
+    const TableElement& e = table.elements[i];
+    if (e.reach == no_minimum) begun += ' ' + std::to_string(i);
+    if (e.reach < 0) continue;
+    const auto side = least ? surface::exact::order(parameter(e), parameter(*least)) : std::strong_ordering::less;
+    if (side < 0) least = &e, first.clear();
+    if (side <= 0) first += ' ' + std::to_string(i);
+  }
+  if (!begun.empty()) return "none" + begun;
+  if (!least) return "miss";
+  return "hit " + std::to_string(table.parameters[static_cast<std::size_t>(least->reach)].rounded) + first;
+}
+
+}  // namespace
+
+TEST_CASE("over steps that say nothing false the search publishes what is first by exact numbers") {
+  const char* given = std::getenv("SEARCH_SEED");
+  const std::uint64_t seed = given ? std::strtoull(given, nullptr, 10) : std::random_device{}();
+  INFO("replay with SEARCH_SEED=" << seed);
+  for (std::uint64_t number = 0; number < 4000; ++number) {
+    INFO("table " << number);
+    const DrawnStepTable drawn(seed, number);
+    if (!drawn.right()) continue;
+    const std::string line = answer(drawn.table()), first = first_by_exact(drawn.table());
+    REQUIRE(line.find("; " + first + "; ") != std::string::npos);
+  }
 }

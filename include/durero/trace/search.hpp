@@ -28,6 +28,19 @@ struct Meeting {
   std::shared_ptr<const surface::exact::Parameter> t{};  ///< by exact
 };
 
+/// An element, and where the ray first meets it.
+struct Candidate {
+  scene::ElementRef e;  ///< what is met
+  Meeting at;           ///< its first point
+};
+
+/// What a search has found in the elements tested so far.
+struct Found {
+  double limit = no_limit;                                  ///< no point beyond it is the first
+  boost::container::small_vector<Candidate, 4> candidates;  ///< in the order of their tests, none beyond the limit
+  scene::ElementSet without_minimum;                        ///< met as near to the origin as one likes
+};
+
 /// One ray against one scene, both of which must outlive it.
 class Search {
  public:
@@ -38,7 +51,7 @@ class Search {
   const Ray& ray() const noexcept { return ray_; }
 
   /// No point beyond this parameter is the first: at least the first parameter among the elements tested so far.
-  double limit() const noexcept { return limit_; }
+  double limit() const noexcept { return found_.limit; }
 
   /// What the caller knows of the numbers of an element: that they are `ordinary`, or nothing.
   enum class Range : std::uint8_t { unknown, ordinary };
@@ -66,27 +79,12 @@ class Search {
   std::optional<Meeting> certified_meeting(scene::ElementRef e, double limit) const;
 
  private:
-  struct Candidate {
-    scene::ElementRef e;
-    Meeting at;
-  };
-
-  void drop_beyond_limit();
-  void refine(Candidate& candidate) const;
-  const surface::exact::Parameter& exact(Candidate& candidate) const;
-  void keep_nearest_by_stable();
-  void keep_nearest_by_exact();
-  void keep_nearest();
-  Rounded round(const Candidate& nearest) const;
-
   const scene::Scene& scene_;
   const model::Rayo& rayo_;
   Origin en_;
   Counts& counts_;
   Ray ray_;
-  double limit_ = no_limit;
-  boost::container::small_vector<Candidate, 4> candidates_;
-  scene::ElementSet without_minimum_;
+  Found found_;
 };
 
 }  // namespace durero::trace
