@@ -4,17 +4,22 @@
 ///
 /// What Steps has, where `element` is what visit hands to its function, and `on` whether the ray starts on it:
 ///   on(e), visit(e, use)                           of an ElementRef
-///   in_range(element, range)                       floating point may be asked
-///   triage(element, on, limit), stable(element, on, limit), improved(element, on, finding)    as in steps.hpp
-///   reach(element, on), order(t, u)                exact
-///   ends(step, finding), ends(t)                   around the parameter
-///   ahead(f, g), certainly_less(f, g)              of two findings by stable: the first is to be tried, is nearer
-///   rounded(element, finding), rounded(t)          t and the point, rounded once
+///   order_of_numbers(e, f)                         of two; equal where both are the same numbers, and start on both or
+///   none in_range(element, range)                       floating point may be asked triage(element, on, limit),
+///   stable(element, on, limit), improved(element, on, finding)    as in steps.hpp reach(element, on), order(t, u)
+///   exact ends(step, finding), ends(t)                   around the parameter ahead(f, g), certainly_less(f, g) of two
+///   findings by stable: the first is to be tried, is nearer rounded(element, finding), rounded(t)          t and the
+///   point, rounded once
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
+#include <compare>
+#include <cstdint>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "durero/trace/search.hpp"
 
@@ -146,18 +151,80 @@ void keep_nearest_by_exact(const Steps& steps, Found& found) {
       [&](const Meeting& a, const Meeting& b) { return steps.order(*a.t, *b.t) < 0; });
 }
 
+/// An element, and the one of equal numbers that stands for it: as they were found alike, too, every step says the same
+/// of both.
+struct Alike {
+  scene::ElementRef as, e;
+};
+
+/// Equal where elements of equal numbers were found alike.
+template <class Steps>
+std::strong_ordering order_of_kinds(const Steps& steps, const Candidate& a, const Candidate& b) {
+  const Finding &f = a.at.finding, &g = b.at.finding;
+  auto side = steps.order_of_numbers(a.e, b.e);
+  if (side == 0) side = a.at.step <=> b.at.step;
+  if (side == 0) side = std::strong_order(f.hi, g.hi);
+  if (side == 0) side = std::strong_order(f.lo, g.lo);
+  return side == 0 ? std::strong_order(f.error, g.error) : side;
+}
+
+/// Of candidates that are alike leaves the first, and says for which it stands: none of them is computed again.
+/// O(n log n) comparisons of stored numbers for n candidates.
+template <class Steps>
+std::vector<Alike> set_alike_apart(const Steps& steps, Found& found) {
+  auto& all = found.candidates;
+  boost::container::small_vector<std::uint32_t, 16> order(all.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+    const auto side = order_of_kinds(steps, all[i], all[j]);
+    return side == 0 ? i < j : side < 0;
+  });
+  std::vector<Alike> alike;
+  std::size_t first = 0, kept = 1;  // of those alike, and how many stay
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    if (order_of_kinds(steps, all[order[first]], all[order[i]]) == 0) {
+      alike.push_back({all[order[first]].e, all[order[i]].e});
+    } else {
+      first = i;
+      order[kept++] = order[i];
+    }
+  }
+  if (alike.empty()) return alike;
+  std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(kept));
+  for (std::size_t i = 0; i < kept; ++i)
+    if (order[i] != i) all[i] = std::move(all[order[i]]);
+  all.erase(all.begin() + static_cast<std::ptrdiff_t>(kept), all.end());
+  return alike;
+}
+
+/// Drops those for which no candidate stands any more.
+inline void drop_alike(std::vector<Alike>& alike, const Found& found) {
+  if (alike.empty()) return;
+  std::vector<scene::ElementRef> left;
+  for (const Candidate& candidate : found.candidates) left.push_back(candidate.e);
+  std::sort(left.begin(), left.end());
+  const auto dropped = [&](const Alike& a) { return !std::binary_search(left.begin(), left.end(), a.as); };
+  alike.erase(std::remove_if(alike.begin(), alike.end(), dropped), alike.end());
+}
+
 template <class Steps>
 void keep_nearest(const Steps& steps, Found& found, Counts& counts) {
   Step step = Step::triage;
-  if (found.candidates.size() > 1) {
+  std::vector<Alike> alike;
+  const auto several = [&] { return found.candidates.size() + alike.size() > 1; };
+  if (several()) {
     step = Step::stable;
+    alike = set_alike_apart(steps, found);
     keep_nearest_by_stable(steps, found);
+    drop_alike(alike, found);
   }
-  if (found.candidates.size() > 1) {
+  if (several()) {
     step = Step::exact;
     keep_nearest_by_exact(steps, found);
+    drop_alike(alike, found);
   }
   ++counts.order[static_cast<std::size_t>(step)];
+  for (const Alike& a : alike) found.candidates.push_back({a.e, {}});
 }
 
 template <class Steps>

@@ -1,6 +1,8 @@
 #include "durero/trace/search.hpp"
 
 #include <cmath>
+#include <compare>
+#include <cstring>
 
 #include "trace/ends.hpp"
 #include "trace/search-inl.hpp"
@@ -21,6 +23,15 @@ struct CertifiedSteps {
   template <class Use>
   auto visit(scene::ElementRef e, Use&& use) const {
     return scene.visit(e, std::forward<Use>(use));
+  }
+  /// Of what the tables store, byte by byte: 0 is not −0.
+  std::strong_ordering order_of_numbers(scene::ElementRef a, scene::ElementRef b) const {
+    if (a.tipo != b.tipo) return a.tipo <=> b.tipo;
+    if (on(a) != on(b)) return on(a) <=> on(b);
+    return scene.visit(a, [&]<class Shape>(const Shape& shape) {
+      static_assert(sizeof(Shape) % sizeof(double) == 0, "its bytes are those of its numbers");
+      return std::memcmp(&shape, &scene.shapes<Shape>()[b.index], sizeof shape) <=> 0;
+    });
   }
   template <class Element>
   bool in_range(const Element& element, Search::Range range) const {

@@ -66,7 +66,15 @@ class DrawnStepTable {
     const std::size_t findings = 1 + random_.below(6), elements = random_.below(7);
     for (std::size_t i = 0; i < findings; ++i) of_finding_.push_back(random_.below(table_.parameters.size()));
     for (std::size_t i = 0; i < findings; ++i) draw_finding(i);
-    for (std::size_t i = 0; i < elements; ++i) draw_element();
+    for (std::size_t i = 0; i < elements; ++i) {
+      const bool again = random_.chance(1, 4);  // an element of equal numbers
+      if (again && i > 0) {
+        const std::size_t before = random_.below(i);
+        table_.elements.push_back(TableElement(table_.elements[before]));
+      } else {
+        draw_element();
+      }
+    }
   }
 
   /// The table.

@@ -38,6 +38,16 @@ TEST_CASE("parameters closer than the sum of their errors are ordered exactly") 
   CHECK(ordered_by(2 * error * 4)[2] == 0);
 }
 
+TEST_CASE("elements that floating point finds alike are no tie unless they are equal") {
+  scene::Scene scene;
+  const scene::ElementRef first = add(scene, scene::Sphere{{2, 0, 0}, 1});
+  add(scene, scene::Sphere{{2, 0x1p-30, 0}, 1});  // met 2⁻⁶¹ later
+  const model::Rayo along_x = ray({0, 0, 0}, {1, 0, 0});
+  CHECK(first_hit(trace::Tables(scene), along_x, {}, nullptr).elementos == scene::ElementSet{first});
+  const scene::ElementRef again = add(scene, scene::Sphere{{2, 0, 0}, 1});
+  CHECK(first_hit(trace::Tables(scene), along_x, {}, nullptr).elementos == scene::ElementSet{first, again});
+}
+
 TEST_CASE("what no step in floating point is certain of is rounded from the exact parameter") {
   // A sphere met at 1 + 2⁻⁵³ and at 1 + 3·2⁻⁵³, each halfway between two binary64: the even one is told. Both are met
   // at 1 along the axis, which is rounded of p + t·v and not of p and the rounded t.
@@ -165,4 +175,57 @@ TEST_CASE("over steps that say nothing false the search publishes what is first 
     const std::string line = answer(drawn.table()), first = first_by_exact(drawn.table());
     REQUIRE(line.find("; " + first + "; ") != std::string::npos);
   }
+}
+
+namespace {
+
+/// The steps of a table, counted.
+struct CountedSteps : TableSteps {
+  explicit CountedSteps(const StepTable& table) : TableSteps{table} {}
+  mutable std::size_t stables = 0, reaches = 0, exact_orders = 0, orders = 0;
+
+  trace::Finding stable(const Element& e, bool on, double limit) const {
+    return ++stables, TableSteps::stable(e, on, limit);
+  }
+  surface::exact::Reach reach(const Element& e, bool on) const { return ++reaches, TableSteps::reach(e, on); }
+  std::strong_ordering order(const Parameter& a, const Parameter& b) const {
+    return ++exact_orders, TableSteps::order(a, b);
+  }
+  std::strong_ordering order_of_numbers(scene::ElementRef a, scene::ElementRef b) const {
+    return ++orders, TableSteps::order_of_numbers(a, b);
+  }
+};
+
+/// n elements of equal numbers, in two kinds that take turns, all met at 1.
+StepTable ties(std::size_t n) {
+  StepTable table;
+  table.parameters = some_parameters();
+  constexpr int one = 5;
+  table.parameters[one].low = limit_of(0.5), table.parameters[one].high = limit_of(1.5);
+  const Limit low = limit_of(0.5), high = limit_of(1.5);
+  table.findings = {{low, high, low, high, 0, {false}}};
+  TableElement e{};
+  e.in_range = true, e.improved = {0}, e.rounded = {uncertain}, e.reach = one;
+  e.triage.fill(0), e.stable.fill(0);
+  for (std::size_t i = 0; i < n; ++i) table.elements.push_back(e), table.elements.back().on = i % 2 == 1;
+  return table;
+}
+
+}  // namespace
+
+TEST_CASE("ties of equal elements are told by as many steps as one of each kind needs") {
+  const auto counted = [](std::size_t n) {
+    const StepTable table = ties(n);
+    const CountedSteps steps(table);
+    trace::Counts counts;
+    trace::Found found;
+    for (std::size_t i = 0; i < n; ++i) take(steps, found, element_at(i), trace::Search::Range::unknown, counts);
+    CHECK(published(steps, found, counts).elementos.size() == n);
+    CHECK(counts.order[2] == 1);
+    return std::array{steps.stables, steps.reaches, steps.exact_orders, steps.orders};
+  };
+  const auto few = counted(100), many = counted(10'000);
+  for (const std::size_t step : {0, 1, 2}) CHECK(many[step] == few[step]);
+  CHECK(few[1] == 2);
+  CHECK(many[3] < 250 * few[3]);  // n log n: a hundredfold and twice the logarithm; n² would be 10000-fold
 }

@@ -54,6 +54,7 @@ struct TableElement {
   std::vector<Answer> improved;                      ///< by finding
   std::vector<int> rounded;                          ///< by finding
   int reach;
+  auto operator<=>(const TableElement&) const = default;
 };
 struct TableFinding {
   Limit triage_low, triage_high, stable_low, stable_high;
@@ -100,6 +101,9 @@ struct TableSteps {
   }
 
   bool on(scene::ElementRef e) const { return element(e).on; }
+  std::strong_ordering order_of_numbers(scene::ElementRef a, scene::ElementRef b) const {
+    return element(a) <=> element(b);
+  }
   template <class Use>
   auto visit(scene::ElementRef e, Use use) const {
     return use(element(e));
