@@ -218,13 +218,8 @@ Qed.
 Lemma start_invariant : invariant [] start.
 Proof.
   split; cbn.
-  - intros e. split; [intros [] | intros [[] _]].
-  - constructor.
-  - intros e v [].
-  - intros e v [].
-  - constructor.
-  - now left.
-  - intros e t [].
+  1: intros e; split; [intros [] | intros [[] _]].
+  all: [> constructor | intros e v [] | intros e v [] | constructor | now left | intros e t []].
 Qed.
 
 (** Nothing to be kept: the element is not first met up to the limit, and does not begin at the origin. *)
@@ -261,8 +256,7 @@ Proof.
     { intros x. rewrite W1. cbn. split; [tauto |]. intros [[<- | Hx] S]; [now destruct (no_start e t Ht) | now split]. }
     assert (A5 : forall x u, In x (e :: taken) -> is_least (met x) u -> at_least (limit st) u ->
       exists w, In (x, w) (candidates st ++ [(e, v)])).
-    { intros x u [<- | Hx] Hu Hl; [exists v; apply New; now right |]. destruct (K x u Hx Hu Hl) as [w Hw]. exists w.
-      apply New. now left. }
+    { intros x u [<- | Hx] Hu Hl; [exists v | destruct (K x u Hx Hu Hl) as [w Hw]; exists w]; apply New; auto. }
     destruct (Bltb (high v) (limit st)) eqn:Hnear; split; try assumption; cbn [limit candidates without_minimum].
     + intros x w Hx. apply filter_In in Hx as [Hx _]. now apply A1.
     + intros x w Hx. apply filter_In in Hx as [Hx _]. now apply (A2 x w).

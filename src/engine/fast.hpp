@@ -1,0 +1,29 @@
+#pragma once
+/// The engine over the wide tree, many rays together.
+
+#include "durero/accel/wide_bvh.hpp"
+#include "durero/engine/engine.hpp"
+#include "durero/trace/first_element.hpp"
+#include "durero/trace/segments.hpp"
+
+namespace durero::engine {
+
+class Fast final : public Engine {
+ public:
+  explicit Fast(const scene::Scene& scene) : tree_(scene) {}
+
+  void first_hits(std::span<const scene::Query> queries, std::span<scene::Hit> hits) const override {
+    trace::first_hits_among(tree_, queries, hits, nullptr);
+  }
+  void first_elements(std::span<const scene::Query> queries, std::span<trace::FirstElement> elements) const override {
+    trace::first_elements_among(tree_, queries, elements);
+  }
+  void occluded_segments(std::span<const scene::Query> queries, std::span<bool> occluded) const override {
+    trace::occluded_segments_in_lanes(tree_, queries, occluded);
+  }
+
+ private:
+  accel::WideBvh tree_;
+};
+
+}  // namespace durero::engine

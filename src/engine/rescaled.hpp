@@ -1,0 +1,90 @@
+#pragma once
+/// An engine for a scene that another engine has in another unit of length (unit.hpp).
+
+#include <algorithm>
+#include <boost/container/vector.hpp>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "durero/engine/engine.hpp"
+#include "durero/trace/analytic.hpp"
+#include "unit.hpp"
+
+namespace durero::engine {
+
+/// By Inner, an engine that is made of a scene. A ray that is not exact in the unit is answered element by element.
+template <class Inner>
+class Rescaled final : public Engine {
+ public:
+  Rescaled(const scene::Scene& scene, int unit)
+      : scene_(scene), unit_(unit), scaled_(in_unit(scene, unit)), inner_(scaled_) {}
+
+  void first_hits(std::span<const scene::Query> queries, std::span<scene::Hit> hits) const override {
+    for_each_in_unit(
+        queries, [&](std::span<const scene::Query> asked) { return engine::first_hits(inner_, asked); },
+        [&](std::size_t i, scene::Hit hit, int of_parameter) {
+          hits[i] = out_of_unit(scene_, queries[i], std::move(hit), unit_, of_parameter);
+        },
+        [&](std::size_t i) { hits[i] = trace::first_hit(scene_, queries[i].rayo, queries[i].en); });
+  }
+  void first_elements(std::span<const scene::Query> queries, std::span<trace::FirstElement> elements) const override {
+    for_each_in_unit(
+        queries,
+        [&](std::span<const scene::Query> asked) {
+          std::vector<trace::FirstElement> answers(asked.size());
+          inner_.first_elements(asked, answers);
+          return answers;
+        },
+        [&](std::size_t i, const trace::FirstElement& element, int) { elements[i] = element; },
+        [&](std::size_t i) {
+          elements[i] = trace::first_element(trace::first_hit(scene_, queries[i].rayo, queries[i].en));
+        });
+  }
+  void occluded_segments(std::span<const scene::Query> queries, std::span<bool> occluded) const override {
+    for (std::size_t begin = 0; begin < queries.size(); begin += at_a_time) {
+      const auto some = queries.subspan(begin, std::min(at_a_time, queries.size() - begin));
+      std::vector<scene::Query> asked;
+      std::vector<std::size_t> numbers;
+      for (std::size_t i = 0; i < some.size(); ++i) {
+        if (auto rayo = segment_in_unit(some[i].rayo, unit_)) {
+          asked.push_back({*std::move(rayo), some[i].en}), numbers.push_back(begin + i);
+        } else {
+          occluded[begin + i] = trace::occluded_segment(scene_, some[i].rayo, some[i].en);
+        }
+      }
+      boost::container::vector<bool> answers(asked.size());
+      inner_.occluded_segments(asked, {answers.data(), answers.size()});
+      for (std::size_t i = 0; i < asked.size(); ++i) occluded[numbers[i]] = answers[i];
+    }
+  }
+
+ private:
+  static constexpr std::size_t at_a_time = 1 << 16;  // queries, which are copied
+
+  /// take(number, answer, of_parameter) of what ask(queries) answers in the unit, and alone(number) of the others.
+  template <class Ask, class Take, class Alone>
+  void for_each_in_unit(std::span<const scene::Query> queries, Ask ask, Take take, Alone alone) const {
+    for (std::size_t begin = 0; begin < queries.size(); begin += at_a_time) {
+      const auto some = queries.subspan(begin, std::min(at_a_time, queries.size() - begin));
+      std::vector<scene::Query> asked;
+      std::vector<std::pair<std::size_t, int>> numbers;
+      for (std::size_t i = 0; i < some.size(); ++i) {
+        if (auto ray = in_unit(some[i].rayo, unit_)) {
+          asked.push_back({ray->rayo, some[i].en}), numbers.emplace_back(begin + i, ray->of_parameter);
+        } else {
+          alone(begin + i);
+        }
+      }
+      auto answers = ask(std::span<const scene::Query>(asked));
+      for (std::size_t i = 0; i < asked.size(); ++i) take(numbers[i].first, std::move(answers[i]), numbers[i].second);
+    }
+  }
+
+  const scene::Scene& scene_;
+  int unit_;
+  scene::Scene scaled_;
+  Inner inner_;
+};
+
+}  // namespace durero::engine
