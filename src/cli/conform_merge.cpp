@@ -29,14 +29,21 @@ struct ConformMergeOptions {
   bool quiet = false;
 };
 
-/// The file, or every .json of a folder but the campaign, by name.
-std::vector<std::string> files_of(const std::string& path, const std::string& campaign) {
+bool is_campaign(const std::string& file) {
+  try {
+    read_campaign(io::read_source(file));
+    return true;
+  } catch (const io::InputError&) {
+    return false;
+  }
+}
+
+/// The file, or every .json of a folder but a campaign, such as the copy of one beside its shards; by name.
+std::vector<std::string> files_of(const std::string& path) {
   if (!fs::is_directory(path)) return {path};
   std::vector<std::string> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(path)) {
-    std::error_code none;  // where the campaign is no file, it is none of these
-    const bool is_campaign = fs::equivalent(entry.path(), campaign, none);
-    if (entry.path().extension() == ".json" && !is_campaign) files.push_back(entry.path());
+    if (entry.path().extension() == ".json" && !is_campaign(entry.path())) files.push_back(entry.path());
   }
   std::ranges::sort(files);
   return files;
@@ -56,8 +63,7 @@ int run(const ConformMergeOptions& options) {
   std::optional<io::OutputFile> output;
   if (!options.output.empty()) output.emplace(options.output);
   std::vector<std::string> files;
-  for (const std::string& path : options.paths)
-    std::ranges::copy(files_of(path, options.campaign.file), std::back_inserter(files));
+  for (const std::string& path : options.paths) std::ranges::copy(files_of(path), std::back_inserter(files));
   Shards shards;
   std::optional<Progress> progress(std::in_place, options.quiet, "merge", "files", files.size());
   for (const std::string& file : files) {
@@ -86,7 +92,7 @@ void add_conform_merge(CLI::App& conform, int& status) {
   command->footer(
       "Shards may come in any order, again, and merged before: the file is the same. Of a folder every .json is "
       "taken,\n"
-      "but the campaign. A file of another campaign or another version of the system, one that is truncated or "
+      "but a campaign. A file of another campaign or another version of the system, one that is truncated or "
       "altered,\n"
       "is refused.\n\n" +
       exit_status("they are put together, whatever they found", "a shard was given with different contents",

@@ -6,6 +6,8 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <set>
+#include <stdexcept>
 #include <thread>
 
 #include "conform.hpp"
@@ -64,9 +66,8 @@ struct Plan {
 
 /// What a run must be, to go on with another's claims.
 std::string identity(const System& system, const ConformRunOptions& options) {
-  return fmt::format("durero {} conform run {} --seed {} --rays {} --timeout {} --memory {} {}", DURERO_VERSION,
-                     system.name == "command" ? std::string(of_command) + system.title : system.name,
-                     options.suite.seed, options.suite.rays, options.time, options.memory,
+  return fmt::format("durero {} conform run {}, {}, --seed {} --rays {} --timeout {} --memory {} {}", DURERO_VERSION,
+                     system.name, system.title, options.suite.seed, options.suite.rays, options.time, options.memory,
                      fmt::join(options.suite.families, " "));
 }
 
@@ -111,7 +112,7 @@ std::optional<Report> report_of(const System& system, const std::string& asked, 
 
 Outcome run_one(const System& system, const std::string& asked, const ConformRunOptions& options) {
   if (const std::string why = why_absent(system); !why.empty()) {
-    io::print(fmt::format("{}: absent: {}\n", system.name, why));
+    io::print(fmt::format("{}: absent: {}; expected durero conform setup {}\n", system.name, why, asked));
     return Outcome::not_asked;
   }
   const std::string folder = fmt::format("{}/{}", options.report, system.name);
@@ -128,10 +129,21 @@ Outcome run_one(const System& system, const std::string& asked, const ConformRun
   return report->tally.is_conformant() ? Outcome::conformant : Outcome::not_conformant;
 }
 
+/// Each has a folder of its name for what is found.
+void require_names_of_their_own(const std::vector<System>& systems) {
+  std::set<std::string> names;
+  for (const System& system : systems) {
+    if (!names.insert(system.name).second)
+      throw std::runtime_error(
+          fmt::format("two systems are named {}; expected one of each name in a call with --report", system.name));
+  }
+}
+
 int run(const ConformRunOptions& options) {
   require_use_of_profile(options.names, options.profile);
   std::vector<System> systems;
   for (const std::string& name : options.names) systems.push_back(system_of(name, options.profile, options.systems));
+  if (!options.report.empty()) require_names_of_their_own(systems);
   int status = 0;
   for (std::size_t i = 0; i < systems.size(); ++i)
     status = std::max(status, static_cast<int>(run_one(systems[i], options.names[i], options)));
@@ -161,7 +173,9 @@ void add_conform_run(CLI::App& conform, int& status) {
   add_amounts(*command, *options);
   add_systems(*command, options->systems);
   command->add_option("--profile", options->profile, profile_help);
-  auto* report = command->add_option("--report", options->report, "The folder for what is found and for the claims");
+  auto* report =
+      command->add_option("--report", options->report,
+                          "The folder for the claims, and for what is found: a folder of the system's name in it");
   command->add_flag("--continue", options->goes_on, "Go on where the run of that folder was stopped")->needs(report);
   command->add_flag("--no-minimise", options->is_not_minimised, "The report shows failures as they were found")
       ->needs(report);

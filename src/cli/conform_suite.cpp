@@ -50,7 +50,8 @@ std::pair<std::string, std::uint64_t> parts_of(const std::string& name) {
   const char* const end = name.data() + name.size();
   const auto parsed = std::from_chars(name.data() + std::min(slash, name.size() - 1) + 1, end, number);
   if (slash == name.npos || parsed.ec != std::errc() || parsed.ptr != end)
-    throw std::runtime_error(fmt::format("no case {}; expected FAMILY/NUMBER, such as rim/0000", text::shown(name)));
+    throw std::runtime_error(fmt::format("no case {}; expected FAMILY/NUMBER, such as {}/0000", text::shown(name),
+                                         find_family(name.substr(0, slash)) ? name.substr(0, slash) : "rim"));
   return {name.substr(0, slash), number};
 }
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -16,6 +18,26 @@ namespace durero::cli {
 
 using namespace conform;
 
+namespace {
+
+/// Of a command's words what stands behind the last slash, with - for what is not plain in a file's name:
+/// "python3 ./mine.py" is python3-mine.py.
+std::string name_of_command(const std::string& command) {
+  constexpr std::size_t most = 64;
+  std::istringstream words(command);
+  std::string name;
+  for (std::string word; words >> word;) {
+    word.erase(0, word.rfind('/') + 1);
+    std::ranges::replace_if(
+        word, [](unsigned char c) { return std::isalnum(c) == 0 && c != '.' && c != '_'; }, '-');
+    word.erase(0, std::min(word.find_first_not_of("-."), word.size()));
+    if (!word.empty()) name += (name.empty() ? "" : "-") + word;
+  }
+  return name.empty() ? "command" : name.substr(0, most);
+}
+
+}  // namespace
+
 System system_of(const std::string& name, const std::string& profile, const std::string& systems) {
   if (!name.starts_with(of_command)) {
     const bool is_file = io::ends_in(name, ".json") || name.find('/') != name.npos;
@@ -25,9 +47,9 @@ System system_of(const std::string& name, const std::string& profile, const std:
   if (profile.empty())
     throw std::runtime_error("command: without --profile; expected a system's name or a file that says what it claims");
   System system;
-  system.name = "command";
   system.ask = {"sh", "-c", name.substr(of_command.size())};
   system.title = system.ask.back();
+  system.name = name_of_command(system.title);
   system.profile = read_profile(profile, systems);
   return system;
 }

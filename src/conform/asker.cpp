@@ -50,16 +50,23 @@ void Asker::start() {
   const std::string folder = std::filesystem::exists(system_->setup) ? system_->setup : "";
   child_ = std::make_unique<Child>(system_->ask, ChildLimits{.memory = options_.memory, .folder = folder}, *stop_);
   std::string line;
+  bool is_late = false;
   for (int lines = 0; lines < preamble_lines; ++lines) {
     const Child::Event event = child_->next_line(options_.time_to_start, line);
     if (event == Child::Event::stopped) return;
+    is_late = event == Child::Event::late;
     if (event != Child::Event::line) break;
     if (const auto says = read_system_line(line)) {
       says_ = *says;
       return;
     }
   }
-  const std::string how = child_->end();
+  const std::string ended = child_->end();
+  const std::string how = !is_late ? ended
+                                   : fmt::format(
+                                         "no such line in {} s, though one that was not flushed may wait in its "
+                                         "buffer",
+                                         options_.time_to_start.count());
   const std::string said = last_line(child_->last_words());
   child_.reset();
   throw std::runtime_error(fmt::format("{}: it does not start{}{}; expected a line: system NAME VERSION", system_->name,

@@ -93,8 +93,8 @@ program="python3 systems/tracer/ask.py $durero conform answer --engine exact"
 case_of="${ray%% *}"
 run 1 conform run "command:$program" --profile systems/tracer/tracer.json --family generic --rays 64 --report four
 minimise=$(sed -n 's/^  \(durero conform minimise .*\)/\1/p' out | head -n 1)
-has four/command/report.json "\"minimise\":\"durero conform minimise 'command:python3 "
-has four/command/report.html "durero conform minimise 'command:python3 "
+has four/python3-ask.py-durero-conform-answer-engine-exact/report.json "\"minimise\":\"durero conform minimise 'command:python3 "
+has four/python3-ask.py-durero-conform-answer-engine-exact/report.html "durero conform minimise 'command:python3 "
 called=$minimise
 checks=$((checks + 1))
 (durero() { "$durero" "$@"; }; eval "$minimise") >out 2>err && fail 'it is right'
@@ -107,5 +107,5 @@ refused 'command: without --profile' conform bug command:cat generic/0000
 refused 'command: without --profile' conform minimise command:cat --case generic/0000 --ray 0
 refused 'bullet is absent: it is not set up' conform bug bullet generic/0000
 refused 'durero has no template of a reproducer' conform bug durero tiny/0000 --reproducer x
-refused 'no case "generic/x"; expected FAMILY/NUMBER, such as rim/0000' conform bug durero generic/x
+refused 'no case "generic/x"; expected FAMILY/NUMBER, such as generic/0000' conform bug durero generic/x
 finish

@@ -123,8 +123,10 @@ run 0 conform merge moody.json mood-1.json mood-1.json
 mkdir empty
 campaign empty/c.json durero 0
 for shard in 0 1 2 6; do run 0 conform shard empty/c.json $shard --output empty/$shard.json; done
+cp empty/c.json empty/campaign.json
 run 0 conform merge empty/c.json empty
 has out ': 4 of 7 shards'
+run 0 conform merge empty/campaign.json empty
 has out 'missing: 3-5'
 has out '0 rays: '
 

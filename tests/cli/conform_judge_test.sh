@@ -62,8 +62,8 @@ replay=$(sed -n 's/^  durero \(conform show .*\)/\1/p' out | head -n 1)
 run 0 $replay
 has out 'generic/0000, ray '
 has out 'the exact answer: e'
-refused 'no case "generic"; expected FAMILY/NUMBER, such as rim/0000' conform show --case generic --ray 0
-refused 'no case "generic/x"; expected FAMILY/NUMBER, such as rim/0000' conform show --case generic/x --ray 0
+refused 'no case "generic"; expected FAMILY/NUMBER, such as generic/0000' conform show --case generic --ray 0
+refused 'no case "generic/x"; expected FAMILY/NUMBER, such as generic/0000' conform show --case generic/x --ray 0
 refused 'no family "nothing"; expected' conform show --case nothing/0 --ray 0
 
 # Systems side by side, on the same rays alone.

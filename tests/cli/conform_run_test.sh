@@ -11,7 +11,7 @@ has out 'durero 0.1.0 exact'
 
 # One that is not there is absent, beside others that are.
 run 2 conform run bullet durero --family generic --rays 64
-has out 'bullet: absent: it is not set up'
+has out 'bullet: absent: it is not set up; expected durero conform setup bullet'
 has out 'durero 0.1.0 analytic'
 refused 'no system "nothing"; expected one of ' conform run nothing
 refused 'command: without --profile' conform run command:cat
@@ -29,6 +29,15 @@ has err 'no answer to any ray of 20 scenes in a row'
 printf '#!/bin/sh\necho system liar 2\nwhile read -r w n; do [ "$w" = rays ] || continue; i=0; while [ $i -lt $n ]; do read -r x; echo miss; i=$((i+1)); done; done\n' >liar.sh
 run 1 conform run 'command:sh liar.sh' --profile durero --family generic --rays 64
 has out 'liar 2'
+
+# What is found of each stands in a folder of its own.
+run 1 conform run 'command:sh ./liar.sh' 'command:cat liar' --profile durero --family generic --rays 64 --no-minimise \
+  --report found
+has found/sh-liar.sh/report.json '"title":"sh ./liar.sh"'
+has found/cat-liar/report.json '"title":"cat liar"'
+refused 'two systems are named sh-liar.sh; expected one of each name in a call with --report' \
+  conform run 'command:sh liar.sh' 'command:sh ./liar.sh' --profile durero --report other
+absent other
 
 # Questions are answered; a malformed one is refused at its place.
 printf 'scene a\nesfera e 0 0 5 1\nrays 2\n0 0 0 0 0 2\n0 0 0 0 0 -2\n' >questions
@@ -65,7 +74,7 @@ got=$?
 called='an interrupted run'
 checks=$((checks + 1))
 [ "$got" = 2 ] || fail "$called: status $got, expected 2"
-has out 'command: stopped after'
+has out 'exec-sh-slow.sh: stopped after'
 checks=$((checks + 1))
-[ "$(wc -l <four/command.claims.jsonl)" -ge 2 ] || fail "$called: it kept nothing"
+[ "$(wc -l <four/exec-sh-slow.sh.claims.jsonl)" -ge 2 ] || fail "$called: it kept nothing"
 finish

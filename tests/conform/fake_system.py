@@ -28,6 +28,9 @@ def say(lines):
 
 if how == "silent":
     sys.exit(3)
+if how == "unflushed":
+    sys.stdout.write("system fake 1.0\n")
+    time.sleep(60)
 if how == "complains":
     sys.exit("no licence found")
 if how == "preamble":

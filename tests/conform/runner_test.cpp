@@ -229,6 +229,11 @@ TEST_CASE("a system that does not start, or never answers, is an error that says
                     "/no/such/program: No such file or directory; expected a program");
   RunOptions options = quick();
   options.ask.time = std::chrono::duration<double>(0.1);
+  options.ask.time_to_start = std::chrono::duration<double>(2);
+  CHECK_THROWS_WITH(run("unflushed", cases(1, plain), options),
+                    "fake: it does not start, no such line in 2 s, though one that was not flushed may wait in its "
+                    "buffer; expected a line: system NAME VERSION");
+  options.ask.time_to_start = std::chrono::duration<double>(20);
   options.ask.silent_cases = 2;
   CHECK_THROWS_WITH(run("deaf", cases(5, plain), options),
                     "fake: no answer to any ray of 2 scenes in a row, the last generic/0001; expected some");
