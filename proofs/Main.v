@@ -8,59 +8,14 @@ From Flocq Require Raux Zaux Generic_fmt FLT.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require MainText MainModels Moments.
 From Durero Require Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion
-  Surd Exacto ExactoEscena Slab Bundles Beams Rounding Vectors Formas Decision Flotante Certified Twofold Sums Products
+  Surd Exacto ExactoEscena Rounding Vectors Formas Decision Flotante Certified Twofold Sums Products
   Words Quick Once Newton Verdict Steps Triage Doubled Second AtRoot AtRootText Levels Running Walk Limits Search Boxes Lattice
-  Grid Chain Line Crossings Trees Leaves Occlusion Whole Recorded.
+  Grid Chain Line Crossings Trees Leaves Wide Occlusion Whole Recorded.
 Import Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
 
 (** * 9. Floating point *)
-
-(** The box test with its widened exit, computed in IEEE 754 arithmetic, never rejects a ray that meets the box. *)
-Theorem the_slab_test_never_rejects_in_binary64 box best t :
-  Forall (Slab.slab_ok 53 1024) box -> 0 <= t -> Forall (fun a => Slab.covers 53 1024 a t) box ->
-  Slab.not_before 53 1024 best t ->
-  Slab.visit 53 1024 Slab.prec64 Slab.less64 Slab.grow64 Slab.tiny64 box best = true.
-Proof. exact (Slab.slab64_never_rejects box best t). Qed.
-
-Theorem the_slab_test_never_rejects_in_binary32 box best t :
-  Forall (Slab.slab_ok 24 128) box -> 0 <= t -> Forall (fun a => Slab.covers 24 128 a t) box ->
-  Slab.not_before 24 128 best t ->
-  Slab.visit 24 128 Slab.prec32 Slab.less32 Slab.grow32 Slab.tiny32 box best = true.
-Proof. exact (Slab.slab32_never_rejects box best t). Qed.
-
-(** Rays that are tested together, by the ends between which they lie: none enters earlier, none leaves later, so that the
-    bundle passes where one of them does. *)
-Theorem a_bundle_is_entered_no_later plane p0 p1 a b p i : p0 <= p <= p1 -> a <= i <= b ->
-  (0 < a -> Rmin (Bundles.crossed 53 1024 plane p1 a) (Bundles.crossed 53 1024 plane p1 b) <= Bundles.crossed 53 1024 plane p i) /\
-  (b < 0 -> Rmin (Bundles.crossed 53 1024 plane p0 a) (Bundles.crossed 53 1024 plane p0 b) <= Bundles.crossed 53 1024 plane p i).
-Proof. exact (Bundles.bundle_entry 53 1024 Slab.prec64 plane p0 p1 a b p i). Qed.
-
-Theorem a_bundle_is_left_no_earlier plane p0 p1 a b p i : p0 <= p <= p1 -> a <= i <= b ->
-  (0 < a -> Bundles.crossed 53 1024 plane p i <= Rmax (Bundles.crossed 53 1024 plane p0 a) (Bundles.crossed 53 1024 plane p0 b)) /\
-  (b < 0 -> Bundles.crossed 53 1024 plane p i <= Rmax (Bundles.crossed 53 1024 plane p1 a) (Bundles.crossed 53 1024 plane p1 b)).
-Proof. exact (Bundles.bundle_exit 53 1024 Slab.prec64 plane p0 p1 a b p i). Qed.
-
-(** Segments that are tested together, by the half-spaces that hold the ends of each, one computed (cx, cy): a box that
-    holds a point between the ends is not passed over. *)
-Theorem a_beam_keeps_what_its_low_side_holds px py qx qy cx cy t x0 x1 y0 y1 b X Y A :
-  Rabs px <= X /\ Rabs py <= Y /\ Rabs cx <= X /\ Rabs cy <= Y ->
-  Rabs (cx - qx) <= 4 * Raux.bpow Zaux.radix2 (-53) * X /\ Rabs (cy - qy) <= 4 * Raux.bpow Zaux.radix2 (-53) * Y ->
-  Rabs x0 <= X /\ Rabs x1 <= X /\ Rabs y0 <= Y /\ Rabs y1 <= Y ->
-  0 <= t <= 1 /\ x0 <= px + t * (qx - px) <= x1 /\ y0 <= py + t * (qy - py) <= y1 ->
-  A <= Beams.side 53 1024 px b py - Beams.slack64 b X Y -> A <= Beams.side 53 1024 cx b cy - Beams.slack64 b X Y ->
-  A <= Beams.side 53 1024 x1 b (Beams.near_corner b y0 y1).
-Proof. exact (Beams.low_side64_keeps px py qx qy cx cy t x0 x1 y0 y1 b X Y A). Qed.
-
-Theorem a_beam_keeps_what_its_high_side_holds px py qx qy cx cy t x0 x1 y0 y1 b X Y C :
-  Rabs px <= X /\ Rabs py <= Y /\ Rabs cx <= X /\ Rabs cy <= Y ->
-  Rabs (cx - qx) <= 4 * Raux.bpow Zaux.radix2 (-53) * X /\ Rabs (cy - qy) <= 4 * Raux.bpow Zaux.radix2 (-53) * Y ->
-  Rabs x0 <= X /\ Rabs x1 <= X /\ Rabs y0 <= Y /\ Rabs y1 <= Y ->
-  0 <= t <= 1 /\ x0 <= px + t * (qx - px) <= x1 /\ y0 <= py + t * (qy - py) <= y1 ->
-  Beams.side 53 1024 px b py + Beams.slack64 b X Y <= C -> Beams.side 53 1024 cx b cy + Beams.slack64 b X Y <= C ->
-  Beams.side 53 1024 x0 b (Beams.far_corner b y0 y1) <= C.
-Proof. exact (Beams.high_side64_keeps px py qx qy cx cy t x0 x1 y0 y1 b X Y C). Qed.
 
 (** What the certified tracer decides on a sphere, in binary64. Formas.v has what its C++ templates compute, written by
     them: recorded is the quadratic of the ray and the sphere, first_in_lanes the decision for rays in a batch. *)
@@ -380,6 +335,23 @@ Theorem bounding_volumes_as_they_run r apart a taken st : Boxes.of_beam r = ray 
     (Walk.plan apart (Boxes.cell_of Elemento r a :: nil), (nil, start)) (nil, (taken, st)) ->
   says (published st).
 Proof. intros. eapply Chain.boxes_find_Primera_Interseccion; eassumption. Qed.
+
+(** In a hierarchy of eight boxes a node, in binary32: the box of each element is its bounds, rounded outwards, and each box is
+    within those above it. The planes are taken back to binary64, exactly, where the same tests ask of them, in any order. *)
+Theorem eight_wide_nodes_as_they_run r bounds apart places taken st : Boxes.of_beam r = ray -> Wide.asked r ->
+  incl apart elements -> (forall e, In e elements -> en e -> In e apart) ->
+  Forall (Walk.lists_from elements) (Wide.cells_of Elemento r places) ->
+  (forall e, In e elements -> ~ In e apart ->
+   (forall w, puntos_de_elemento s e w -> Boxes.holds (bounds e) w) /\ Wide.lies_in Elemento e (Wide.Node Elemento places)) ->
+  (forall c a, In (c, a) places -> Wide.nested Elemento bounds c a) ->
+  Walk.walks Elemento found Elemento_dec take (Wide.prunable Elemento found limit r)
+    (Walk.plan apart (Wide.cells_of Elemento r places), (nil, start)) (nil, (taken, st)) ->
+  says (published st).
+Proof.
+  intros Hr Hin Ha Hen Hl He Hn Hw.
+  destruct (Wide.places_are_well_walked Elemento s en elements apart found limit bounds r places Hin Hen He Hn) as [P L].
+  rewrite Hr in L. eapply the_printed_hit_is_the_texts_hit; eauto.
+Qed.
 
 (** In a grid: what is walked are the cells that hold a point of the ray, each with its entry, by crossings that are ordered
     exactly; what is passed over lies beyond the limit, or outside the box of all. These are the premises above, where every

@@ -1,13 +1,13 @@
 (** What is proved of the models beside the text, and nothing else: the executable oracle, the compact tables, and
-    acceleration. As in MainText.v, which has the names, each proof is a reference.
+    acceleration, with the tests of its boxes in floating point. As in MainText.v, which has the names, each proof is a reference.
 
     tables_ok, retrieve  == the compact tables' invariant, and the scene they represent *)
 From Coq Require Import Reals List.
-From Flocq Require Raux BinarySingleNaN Binary Bits.
+From Flocq Require Raux Zaux BinarySingleNaN Binary Bits.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve TotalTables
   Tablas RowsAdded RowsRemoved TablasOfRows ClosedForm Iluminacion Recorrido Acceleration Firsts Surd Quadratic Exacto ExactoEscena
-  Limits Nearest Chain Quick Exactly ExactHit.
+  Limits Nearest Chain Quick Exactly ExactHit Slab Bundles Beams.
 Import Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -298,3 +298,48 @@ Theorem those_parameters_are_totally_ordered :
   /\ (forall a b c, Firsts.le a b = true -> Firsts.le b c = true -> Firsts.le a c = true)
   /\ forall a b, Firsts.le a b = true -> Firsts.le b a = true -> a = b.
 Proof. exact (conj Firsts.le_total (conj Firsts.le_trans Firsts.le_antisym)). Qed.
+
+(** The box test with its widened exit, computed in IEEE 754 arithmetic, never rejects a ray that meets the box. *)
+Theorem the_slab_test_never_rejects_in_binary64 box best t :
+  Forall (Slab.slab_ok 53 1024) box -> 0 <= t -> Forall (fun a => Slab.covers 53 1024 a t) box ->
+  Slab.not_before 53 1024 best t ->
+  Slab.visit 53 1024 Slab.prec64 Slab.less64 Slab.grow64 Slab.tiny64 box best = true.
+Proof. exact (Slab.slab64_never_rejects box best t). Qed.
+
+Theorem the_slab_test_never_rejects_in_binary32 box best t :
+  Forall (Slab.slab_ok 24 128) box -> 0 <= t -> Forall (fun a => Slab.covers 24 128 a t) box ->
+  Slab.not_before 24 128 best t ->
+  Slab.visit 24 128 Slab.prec32 Slab.less32 Slab.grow32 Slab.tiny32 box best = true.
+Proof. exact (Slab.slab32_never_rejects box best t). Qed.
+
+(** Rays that are tested together, by the ends between which they lie: none enters earlier, none leaves later, so that the
+    bundle passes where one of them does. *)
+Theorem a_bundle_is_entered_no_later plane p0 p1 a b p i : p0 <= p <= p1 -> a <= i <= b ->
+  (0 < a -> Rmin (Bundles.crossed 53 1024 plane p1 a) (Bundles.crossed 53 1024 plane p1 b) <= Bundles.crossed 53 1024 plane p i) /\
+  (b < 0 -> Rmin (Bundles.crossed 53 1024 plane p0 a) (Bundles.crossed 53 1024 plane p0 b) <= Bundles.crossed 53 1024 plane p i).
+Proof. exact (Bundles.bundle_entry 53 1024 Slab.prec64 plane p0 p1 a b p i). Qed.
+
+Theorem a_bundle_is_left_no_earlier plane p0 p1 a b p i : p0 <= p <= p1 -> a <= i <= b ->
+  (0 < a -> Bundles.crossed 53 1024 plane p i <= Rmax (Bundles.crossed 53 1024 plane p0 a) (Bundles.crossed 53 1024 plane p0 b)) /\
+  (b < 0 -> Bundles.crossed 53 1024 plane p i <= Rmax (Bundles.crossed 53 1024 plane p1 a) (Bundles.crossed 53 1024 plane p1 b)).
+Proof. exact (Bundles.bundle_exit 53 1024 Slab.prec64 plane p0 p1 a b p i). Qed.
+
+(** Segments that are tested together, by the half-spaces that hold the ends of each, one computed (cx, cy): a box that
+    holds a point between the ends is not passed over. *)
+Theorem a_beam_keeps_what_its_low_side_holds px py qx qy cx cy t x0 x1 y0 y1 b X Y A :
+  Rabs px <= X /\ Rabs py <= Y /\ Rabs cx <= X /\ Rabs cy <= Y ->
+  Rabs (cx - qx) <= 4 * Raux.bpow Zaux.radix2 (-53) * X /\ Rabs (cy - qy) <= 4 * Raux.bpow Zaux.radix2 (-53) * Y ->
+  Rabs x0 <= X /\ Rabs x1 <= X /\ Rabs y0 <= Y /\ Rabs y1 <= Y ->
+  0 <= t <= 1 /\ x0 <= px + t * (qx - px) <= x1 /\ y0 <= py + t * (qy - py) <= y1 ->
+  A <= Beams.side 53 1024 px b py - Beams.slack64 b X Y -> A <= Beams.side 53 1024 cx b cy - Beams.slack64 b X Y ->
+  A <= Beams.side 53 1024 x1 b (Beams.near_corner b y0 y1).
+Proof. exact (Beams.low_side64_keeps px py qx qy cx cy t x0 x1 y0 y1 b X Y A). Qed.
+
+Theorem a_beam_keeps_what_its_high_side_holds px py qx qy cx cy t x0 x1 y0 y1 b X Y C :
+  Rabs px <= X /\ Rabs py <= Y /\ Rabs cx <= X /\ Rabs cy <= Y ->
+  Rabs (cx - qx) <= 4 * Raux.bpow Zaux.radix2 (-53) * X /\ Rabs (cy - qy) <= 4 * Raux.bpow Zaux.radix2 (-53) * Y ->
+  Rabs x0 <= X /\ Rabs x1 <= X /\ Rabs y0 <= Y /\ Rabs y1 <= Y ->
+  0 <= t <= 1 /\ x0 <= px + t * (qx - px) <= x1 /\ y0 <= py + t * (qy - py) <= y1 ->
+  Beams.side 53 1024 px b py + Beams.slack64 b X Y <= C -> Beams.side 53 1024 cx b cy + Beams.slack64 b X Y <= C ->
+  Beams.side 53 1024 x0 b (Beams.far_corner b y0 y1) <= C.
+Proof. exact (Beams.high_side64_keeps px py qx qy cx cy t x0 x1 y0 y1 b X Y C). Qed.

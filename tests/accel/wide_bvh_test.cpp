@@ -37,6 +37,19 @@ bool within(const surface::Box& inner, const surface::Box& outer) {
   return true;
 }
 
+/// Whether a box of binary32 is the other, rounded outwards: by less than a unit in the last place, as proofs/Wide.v
+/// has it.
+bool rounded_outwards(const WideNode& node, std::size_t place, const surface::Box& box) {
+  const auto is_below = [](float y, double x) { return double{y} <= x && double{std::nextafter(y, HUGE_VALF)} > x; };
+  bool good = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto axis = static_cast<int>(i);
+    good =
+        good && is_below(node.planes[i][place], box.low[axis]) && is_below(-node.planes[i + 3][place], -box.high[axis]);
+  }
+  return good;
+}
+
 /// Whether all below a node lies in a box; each element is added to `found`.
 bool all_within(const WideBvh& tree, std::size_t at, const surface::Box& box, std::multiset<ElementRef>& found) {
   bool good = true;
@@ -56,7 +69,7 @@ bool all_within(const WideBvh& tree, std::size_t at, const surface::Box& box, st
     const surface::Box of_element = tree.scene().visit(e, [](const auto& e) { return surface::box(e); });
     const surface::Box of_leaf = tree.visit(child.element(), [](const auto& leaf) { return surface::box(leaf); });
     good = good && of_leaf.low == of_element.low && of_leaf.high == of_element.high;
-    good = good && within(of_element, own);
+    good = good && within(of_element, own) && rounded_outwards(node, place, of_element);
   }
   return good;
 }
@@ -160,6 +173,7 @@ TEST_CASE("boxes are rounded outwards, and what has none in binary32 is kept apa
   add(scene, scene::Sphere{{1 + 0x1p-40, -1 - 0x1p-40, 0x1p-60}, 0.1});
   add(scene, scene::Sphere{{0x1p100, -0x1p100, 0}, 0x1p-100});
   add(scene, scene::Sphere{{0x1p-100, 0, 0}, 0x1p-100});
+  add(scene, scene::Triangle{{glm::dvec3{1, 2, 3}, glm::dvec3{-2, 0.5, 5}, glm::dvec3{0, -0.0, 2}}});  // exactly
   const ElementRef wide = add(scene, scene::Cone{{0, 0, 0}, 0x1p90, {0, 0, 1}, 0x1p90});
   const ElementRef plane = add(scene, scene::Plane{{0, 0, 0}, {0, 0, 1}});
   const ElementRef huge = add(scene, scene::Sphere{{0, 0, 0}, 1e300});

@@ -1,7 +1,9 @@
 #include "durero/accel/wide_walker.hpp"
 
+#include <algorithm>
 #include <vector>
 
+#include "durero/conform/random.hpp"
 #include "durero/trace/finding.hpp"
 #include "support/catch.hpp"
 #include "support/shapes.hpp"
@@ -90,6 +92,39 @@ TEST_CASE("a ray in the plane of a face, or along an edge, meets the box") {
     for (const glm::dvec3 p : {glm::dvec3(0, 1, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1),
                                glm::dvec3(0, 1, -1), glm::dvec3(0, -1, 1)})
       CHECK(walked({1, zero, zero}, trace::no_limit, p) == all);
+}
+
+TEST_CASE("a walker comes to the children whose boxes the test of one box passes, and to no others") {
+  conform::Random random(7);
+  const auto corner = [&] {
+    const int x = random.integer(-3, 3), y = random.integer(-3, 3), z = random.integer(-3, 3);
+    return glm::dvec3(x, y, z);
+  };
+  for (int turn = 0; turn < 3000; ++turn) {
+    std::vector<WideNode> nodes(1);
+    std::vector<surface::Box> boxes;
+    for (std::uint32_t place = 0; place < WideNode::width; ++place) {
+      const glm::dvec3 low = corner(), size = random.chance(1, 2) ? glm::dvec3(1, 0, 2) : glm::dvec3(1.5, 2, 0.25);
+      boxes.push_back({low, low + size});
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        nodes[0].planes[axis][place] = static_cast<float>(boxes[place].low[static_cast<int>(axis)]);
+        nodes[0].planes[axis + 3][place] = static_cast<float>(boxes[place].high[static_cast<int>(axis)]);
+      }
+      nodes[0].children[place] = {place, {}, WideChild::Kind::element};
+    }
+    const glm::dvec3 v = random.lattice_vector(2), p = random.chance(1, 2) ? corner() : random.in_cube(4);
+    const trace::Ray traced(ray(p, random.chance(1, 2) ? v : -v));  // with zeros of either sign
+    for (const double limit : {0.0, 0.5, 1.0, 2.5, trace::no_limit}) {
+      std::vector<std::uint32_t> one_by_one, walked;
+      for (std::uint32_t place = 0; place < WideNode::width; ++place)
+        if (stretch(boxes[place], accel::Beam(traced), limit).meets()) one_by_one.push_back(place);
+      WideWalker walker(traced);
+      while (walker.advance(nodes.data(), limit) != Next::end) walked.push_back(walker.element.index);
+      std::ranges::sort(walked);
+      INFO("turn " << turn << ", up to " << limit);
+      CHECK(walked == one_by_one);
+    }
+  }
 }
 
 TEST_CASE("a walker counts, and starts again") {

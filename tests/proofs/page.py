@@ -118,12 +118,18 @@ class Page:
                 self.surround(other)
 
     def stems(self):
-        """The files that are reached, each before those that need it."""
-        files = sorted({s.source.stem for s in [*self.wanted, *self.around]} - {*self.main, *WRITTEN})
-        told = subprocess.run(["coqdep", "-Q", ".", "Durero", "-sort", *(stem + ".v" for stem in files)],
+        """The files that are reached, each after those that it needs: by how many stand below it, one on the other. So what
+        is added moves little."""
+        told = subprocess.run(["coqdep", "-Q", ".", "Durero", *(file.name for file in self.build.glob("*.v"))],
                               cwd=self.build, capture_output=True, text=True, check=True).stdout
-        order = [pathlib.Path(file).stem for file in told.split()]
-        return [stem for stem in order if stem in files]
+        needs = {}
+        for line in told.splitlines():
+            target, _, needed = line.partition(": ")
+            if re.match(r"(\./)?\w+\.vo\b", target):
+                needs[pathlib.Path(target.split()[0]).stem] = re.findall(r"(?:^| )(?:\./)?(\w+)\.vo\b", needed)
+        height = functools.cache(lambda stem: 1 + max((height(need) for need in needs[stem]), default=0))
+        files = {s.source.stem for s in [*self.wanted, *self.around]} - {*self.main, *WRITTEN}
+        return sorted(files, key=lambda stem: (height(stem), stem))
 
     def rests_on(self, sentence, name):
         """The variables and hypotheses of its section that a theorem rests on."""
