@@ -158,6 +158,12 @@ Proof.
   - exact all_in_range.
 Qed.
 
+Lemma over_two e : In e elements -> Triage.stands nat s e (real_shape e) /\ (on e = true <-> en e).
+Proof. exact (Whole.described_over nat 2 s en elements shape_at on is_described e). Qed.
+
+Definition they_are_right := Main.the_steps_that_run_are_right nat s en (real p) (real v) the_seven_are_a_scene is_ray elements shapes on
+  in_range triage stable improved low high Recorded.less rounded round_exact over_two all_in_range they_run.
+
 Notation reach_of := (Chain.reach_of nat 2 p v shape_at on).
 Notation take := (Search.take nat Running.finding reach_of in_range triage stable low high).
 Notation published := (Search.published nat Running.finding Chain.printed reach_of stable improved Recorded.less Recorded.less rounded

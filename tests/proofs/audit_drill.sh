@@ -25,6 +25,14 @@ builds() {
   "$proofs/build.sh" "$build" >"$tmp/log" 2>&1 || { miss "the proofs do not build with the fault: $1"; tail -n 5 "$tmp/log"; }
 }
 
+# unbuilt WHAT FILE: the proofs do not build with the fault, and stop at that file.
+unbuilt() {
+  drills=$((drills + 1))
+  if "$proofs/build.sh" "$build" >"$tmp/log" 2>&1; then miss "the proofs build with: $1"
+  elif ! grep -q "^File \"./$2\"" "$tmp/log"; then miss "the proofs do not build, but not at $2, with: $1"; tail -n 5 "$tmp/log"
+  fi
+}
+
 # The copy; times are kept, so that only what depends on a fault is compiled again.
 copy() {
   rm -rf "$proofs" "$build"
@@ -121,13 +129,29 @@ sed -i 's/^\(Theorem a_certified_miss_is_a_miss t :\) Formas/\1 False -> Formas/
   s/^Theorem first_hit_of_an_element/Let proper f : Prop := or (Trazador.proper f) False.\n&/
   s/^Proof\. exact (first_correct f)\. Qed\./Proof. intros [H | []]. now apply first_correct. Qed./' "$proofs"/Main*.v
 printf 'Lemma alone : True.\nProof. exact I. Qed.\n' >"$proofs/Alone.v"
+rm "$proofs"/Instance*.v  # of which some would not compile
 builds "three statements with another meaning, and a file beside the point"
 saw statements "a premise that is false" '^+Theorem a_certified_miss_is_a_miss t : False ->'
 saw statements "a hypothesis that nothing satisfies" '^+.* rests on .*ray_still'
 saw statements "another notion under a name of a statement" '^+Let proper f : Prop := or'
 saw reachable "a file that Main.v does not depend on" 'Alone.v'
 
-# small: proofs of two files that pass the audit. The theorem names two definitions, and the second of them a third.
+# What nothing satisfies, planted where the theorems of the whole rest on it: a field of a record, a range that no element has,
+# and a pair of premises of which each alone can hold. Recorded.v or the instances do not compile.
+copy
+sed -i 's/^Record steps_run : Prop := {/&\n  never : False;/' "$proofs/Running.v"
+unbuilt "a field of steps_run that nothing satisfies" Recorded.v
+# premise TEXT NAMES: a premise of the theorem of the whole, which its proof leaves aside by these names.
+premise() {
+  copy
+  sed -i "/^Theorem the_search_that_runs_publishes_the_texts_hit/,/^Proof/ {
+    s/ apart cs taken st :\$/&\n  $1 ->/; s/^Proof\./& intros $2./; }" "$proofs/Main.v"
+  unbuilt "premises that nothing satisfies: $1" InstanceSearch.v
+}
+premise '(forall e, In e elements -> in_range e = true -> 2 < 1)' _
+premise 'S = 1%Z -> S = 2%Z' '_ _'
+
+# small: proofs of three files that pass the audit. The theorem names two definitions, and the second of them a third.
 small() {
   rm -rf "$proofs" "$build"
   mkdir -p "$proofs"
@@ -145,6 +169,10 @@ Hypothesis zero : n = 0.
 Theorem doubled : agree (double n) 0.
 Proof. unfold agree; now rewrite zero. Qed.
 End Numbers.
+V
+  cat >"$proofs/Instances.v" <<'V'
+From Durero Require Main.
+Definition instance_of_doubled := Main.doubled 0 eq_refl.
 V
   builds "none"
   sh "$here/audit.sh" update "$proofs" "$build" || miss "the small proofs are not read"
@@ -171,6 +199,7 @@ V
 rebuilt kernel "an axiom with the last names of one of Coq's" 'Durero.Main.Classical_Prop.classic'
 small
 echo 'Variable classic : forall P : Prop, P.' >"$proofs/Classical_Prop.v"
+echo 'From Durero Require Main.' >"$proofs/Instances.v"  # the theorem has no premise left
 sed -i 's/^From Durero Require/& Classical_Prop. &/; s/now rewrite zero/apply Classical_Prop.classic/' "$proofs/Main.v"
 rebuilt kernel "an axiom in a file with the name of one of Coq's" 'Durero.Classical_Prop.classic'
 small
@@ -179,6 +208,23 @@ rebuilt kernel "a module declared, and used by no theorem" 'Durero.Base.Gift.cho
 small
 printf 'Unset\n Guard Checking.\nFixpoint loop (n : nat) : False := loop n.\n' >>"$proofs/Base.v"
 rebuilt kernel "a function that does not end" 'loop'
+small
+echo 'From Durero Require Main.' >"$proofs/Instances.v"
+rebuilt instances "a theorem without an instance" '^doubled: a theorem with premises and no instance'
+echo 'doubled' >"$proofs/without_instance.txt"
+sh "$here/audit.sh" instances "$proofs" "$build" || miss "the audit asks an instance of what without_instance.txt lists"
+small
+echo 'doubled' >"$proofs/without_instance.txt"
+saw instances "a theorem listed without an instance that has one" '^doubled: twice'
+small
+sed -i 's/:= Main.doubled 0 eq_refl/(n : nat) (zero : n = 0) := Main.doubled n zero/' "$proofs/Instances.v"
+rebuilt instances "an instance with a premise" 'instance_of_doubled: an instance with a premise'
+small
+sed -i 's/^Definition instance_of_doubled.*/Theorem instance_of_doubled : 0 = 0.\nProof. reflexivity. Qed./' "$proofs/Instances.v"
+rebuilt instances "an instance that does not rest on its theorem" 'instance_of_doubled: does not rest on Main.doubled'
+small
+sed -i 's/^Theorem doubled : /&n = 1 -> /; s/^Proof\. unfold/Proof. intros _; unfold/' "$proofs/Main.v"
+rebuilt instances "a premise that contradicts another" 'instance_of_doubled: an instance with a premise'
 small
 sed -i 's/:= sum n n/& + 0/' "$proofs/Base.v"
 rebuilt statements "another definition" '^+Definition double (n : nat) := sum n n + 0\.'
