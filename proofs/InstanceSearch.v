@@ -184,6 +184,20 @@ Proof.
   - intros e t He _ _; exact (cells_lead e t He).
 Qed.
 
+(** And the one before it, of steps that are right. *)
+Theorem the_search_of_right_steps_is_right : exists taken st,
+  Walk.walks nat _ Nat.eq_dec take nothing_passed (Walk.plan [] [all_of], ([], Search.start _ _)) ([], (taken, st)) /\
+  Chain.says nat s s ray en (published st).
+Proof.
+  destruct (some_walk _ take nothing_passed (Search.start nat Running.finding)) as (taken & st & W); exists taken, st; split; [exact W|].
+  refine (Main.the_printed_hit_is_the_texts_hit nat Nat.eq_dec 2 s s en p v eq_refl the_seven_are_a_scene is_ray same_scene is_known
+    elements shape_at on is_described Running.finding in_range triage stable improved Running.near low high Recorded.less Recorded.less
+    rounded round_exact they_are_right nothing_passed [] [all_of] taken st _ _ cells_list _ W).
+  - intros ? ? [].
+  - intros e [].
+  - intros e t He _ _; exact (cells_lead e t He).
+Qed.
+
 (** ** Which it is *)
 
 Definition asked_of : list (nat * shape * bool) := map (fun e => (e, shape_at e, on e)) elements.

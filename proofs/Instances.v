@@ -63,6 +63,7 @@ Proof. exact (Main.the_range_that_is_asked_is_that_of_the_bounds _ _ _ (all_are_
 
 Definition instance_of_the_recorded_terms_are_steps_that_run := they_run _ _ _ from_outside.
 Definition instance_of_the_steps_that_run_are_right := they_are_right _ _ _ from_outside.
+Definition instance_of_the_printed_hit_is_the_texts_hit := the_search_of_right_steps_is_right _ _ _ from_the_sphere.
 Definition instance_of_the_search_that_runs_publishes_the_texts_hit := the_search_is_right _ _ _ from_the_sphere.
 Definition instance_of_the_search_that_runs_answers_shadow_rays_as_the_text := a_segment_that_is_blocked.
 
@@ -96,6 +97,11 @@ Definition instance_of_executable_first_hit_is_right := MainModels.executable_fi
 Definition instance_of_executable_first_hit_is_Primera_Interseccion :=
   MainModels.executable_first_hit_is_Primera_Interseccion nat s s 2 none p v (asked_of nowhere) eq_refl the_seven_are_a_scene is_a_ray
     as_described same_scene are_known.
+Lemma first_from_outside : first_hit 2 p v (asked_of nowhere) = Exacto.Hit (Surd.Surd 127 (-1) 1279 66) [1%nat].
+Proof. vm_compute; reflexivity. Qed.
+Definition instance_of_the_judged_bytes_are_the_texts_rounded_once :=
+  MainModels.the_judged_bytes_are_the_texts_rounded_once nat s s 2 none p v (asked_of nowhere) Z.sqrt 0 0 0 0 eq_refl the_seven_are_a_scene
+    is_a_ray as_described same_scene are_known _ _ first_from_outside.
 Definition instance_of_the_executable_rounding_is_that_of_binary64 :=
   MainModels.the_executable_rounding_is_that_of_binary64 Z.sqrt 0 the_number is_valid.
 Definition instance_of_the_exact_rounding_ends :=
