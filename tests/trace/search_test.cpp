@@ -140,6 +140,10 @@ TEST_CASE("over the steps of a table the search answers as the model extracted f
   CHECK(number == 1000);
 }
 
+TEST_CASE("elements of equal numbers that different steps found are told apart, as the model does") {
+  CHECK(answer(DrawnStepTable(7, 1682).table()) == "3; 0t 3s;; hit 3 0; 1111; 0100");
+}
+
 namespace {
 
 /// What is met first, by the exact step alone.
