@@ -105,7 +105,6 @@ zed::Specification specification_of(const std::vector<std::string>& files) {
 
 int spec_check(const CheckCall& call) {
   std::optional<Progress> progress(std::in_place, call.quiet, "spec check");
-  const bool own = call.files.empty();
   const zed::Specification& read = read_texts_of(call.files);
   const zed::Typing& typing = kept(zed::check(read));
   std::vector<zed::Defect> defects = zed::review(read, typing);
@@ -121,13 +120,18 @@ int spec_check(const CheckCall& call) {
     io::print(defects_text(defects) + empty);
     return 1;
   }
-  const TriedConjectures conjectures = tried(read, typing, own, call.states);
+  const TriedConjectures conjectures = with_constants([&] { return tried(read, typing, call); });
   progress.reset();
   io::print(defects_text(defects) + sections_text(read) + conjectures.said);
   return conjectures.refuted ? 1 : 0;
 }
 
 namespace {
+
+void add_let(CLI::App& command, std::vector<std::string>& to) {
+  command.add_option("--let", to, "The value of a constant that the text leaves open: NAME=VALUE, in Z")
+      ->allow_extra_args(false);
+}
 
 void add_run(CLI::App& spec, const std::shared_ptr<SpecOptions>& options, int& status) {
   RunCall& run = options->run;
@@ -137,6 +141,7 @@ void add_run(CLI::App& spec, const std::shared_ptr<SpecOptions>& options, int& s
                       "The state schema; without it, that of most components with operations");
   command->add_option("--init", run.setup.init, "The initial schema; without it, Init, or Init and the state's name");
   command->add_option("--given", run.given, "A given set's members: NAME=3, or NAME=ann,bob");
+  add_let(*command, run.setup.constants);
   command->add_option("--members", run.setup.members, "How many members other given sets have")
       ->check(whole_number(1, 20))
       ->capture_default_str();
@@ -188,6 +193,7 @@ void add_spec(CLI::App& app, int& status) {
   auto* check = spec->add_subcommand("check", "Read and type-check Z text; each defect at its line");
   check->add_option("FILES", options->check.files,
                     "Z text in LaTeX or Unicode mark-up; without it, the program's own text");
+  add_let(*check, options->check.let);
   check->add_flag("--strict", options->check.strict, "Refuse what is only an opinion, too");
   check->add_option("--states", options->check.states, "On how many states each conjecture is tried, at most")
       ->check(whole_number(0, 1000000))
@@ -209,6 +215,7 @@ void add_spec(CLI::App& app, int& status) {
   eval->add_option("FILES", options->eval.files,
                    "Z text in LaTeX or Unicode mark-up; without it, the program's own text");
   eval->add_option("--scene", options->eval.scene, "Scene file: Escena's components and the elements are then names");
+  add_let(*eval, options->eval.let);
   eval->add_flag("--explain", options->eval.explain)
       ->description("Print each part of it with its value, and what makes a ∀ false or an ∃ true");
   eval->add_option("--steps", options->eval.steps,

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "durero/io/source.hpp"
+#include "durero/oracle/constants.hpp"
 #include "durero/zed/syntax/reader.hpp"
 #include "durero/zed/types/typecheck.hpp"
 
@@ -13,6 +15,7 @@ namespace durero::cli {
 /// Texts, on how many states their conjectures are tried, and what is refused.
 struct CheckCall {
   std::vector<std::string> files;  ///< without one, the program's own text
+  std::vector<std::string> let;    ///< values of constants, NAME=VALUE
   std::size_t states = 8;
   bool strict = false;  ///< opinions are errors
   bool quiet = false;
@@ -22,13 +25,15 @@ struct TriedConjectures {
   std::string said;
   bool refuted = false;
 };
-/// Tries the conjectures of a text without defects; of the program's `own` it names the theorems.
-TriedConjectures tried(const zed::Specification& text, const zed::Typing& typing, bool own, std::size_t states);
+/// Tries the conjectures of a text without defects; of the program's own it names the theorems. Throws
+/// oracle::spec::ConstantError where a constant cannot be what the call says.
+TriedConjectures tried(const zed::Specification& text, const zed::Typing& typing, const CheckCall& call);
 
 /// An expression, and how far its evaluation may go.
 struct EvalCall {
   std::string expression, scene;
   std::vector<std::string> files;  ///< texts; none: the program's own
+  std::vector<std::string> let;    ///< values of constants, NAME=VALUE
   std::uint64_t steps = 100'000'000;
   std::uint64_t memory = 0;  ///< MiB; 0: as default_memory() says
   bool explain = false, quiet = false;
@@ -45,6 +50,18 @@ zed::Specification specification_of(const std::vector<std::string>& files);
 
 /// Throws io::InputError at the first defect that reading found in these files, or where one of them holds no Z.
 void refuse_unread(const std::vector<std::string>& files, const zed::Specification& read);
+
+/// Says of each constant for which a value was taken which, on stderr.
+void note_taken(const std::vector<std::string>& lines);
+/// Runs, and throws io::InputError where a value that --let gives is refused.
+template <class Run>
+auto with_constants(Run&& run) {
+  try {
+    return run();
+  } catch (const oracle::spec::ConstantError& error) {
+    throw io::InputError("--let", {error.place.line, error.place.column}, error.what_is_wrong, error.expected);
+  }
+}
 
 int spec_check(const CheckCall& call);
 int spec_eval(const EvalCall& call);

@@ -2,6 +2,8 @@
 // more.
 #include <fmt/format.h>
 
+#include "durero/io/standard_output.hpp"
+#include "durero/oracle/constants.hpp"
 #include "durero/oracle/samples.hpp"
 #include "durero/oracle/spec_index.hpp"
 #include "durero/text/utf8.hpp"
@@ -27,14 +29,21 @@ std::string verdict(const zed::Trial& trial) {
 
 }  // namespace
 
-TriedConjectures tried(const zed::Specification& text, const zed::Typing& typing, bool own, std::size_t states) {
+void note_taken(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) io::complain("durero: note: " + line + "\n");
+}
+
+TriedConjectures tried(const zed::Specification& text, const zed::Typing& typing, const CheckCall& call) {
+  const bool own = call.files.empty();
   zed::TrialBounds bounds;
-  bounds.states = states;
-  bounds.draws = 16 * states;
+  bounds.states = call.states;
+  bounds.draws = 16 * call.states;
+  if (!call.let.empty()) bounds.constants = oracle::spec::given_constants(text, call.let);
+  zed::Given taken;
   const oracle::spec::LabelIndex index(own ? embedded::labels().begin()->second : "");
   TriedConjectures all;
   for (const zed::Trial& trial :
-       zed::try_conjectures(text, typing, own && states > 0 ? oracle::spec::samples() : zed::Samples(), bounds)) {
+       zed::try_conjectures(text, typing, own && call.states > 0 ? oracle::spec::samples() : zed::Samples(), bounds)) {
     const std::string theorem = trial.label.empty() ? "" : index.theorem(trial.label);
     std::string said = verdict(trial);
     if (!theorem.empty() && trial.counterexample.empty()) said = fmt::format("proved as {}; {}", theorem, said);
@@ -42,7 +51,9 @@ TriedConjectures tried(const zed::Specification& text, const zed::Typing& typing
     all.said += fmt::format("{}:{}:{}: conjecture{} {}", trial.file, trial.place.line, trial.place.column,
                             trial.label.empty() ? "" : " " + trial.label, said);
     all.refuted = all.refuted || !trial.counterexample.empty();
+    taken = trial.taken;
   }
+  note_taken(oracle::spec::taken_lines(taken));
   return all;
 }
 

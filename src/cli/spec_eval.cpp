@@ -32,10 +32,25 @@ std::uint64_t data_now() {
   return statm ? pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) : 0;
 }
 
-oracle::spec::Calculator calculator(const EvalCall& call) {
+oracle::spec::Calculator calculator_of(const EvalCall& call) {
   if (!call.files.empty()) return oracle::spec::Calculator(specification_of(call.files));
   if (call.scene.empty()) return {};
   return oracle::spec::Calculator(scene::retrieve(io::read_scene(io::read_source(call.scene))));
+}
+
+oracle::spec::Calculator calculator(const EvalCall& call) {
+  oracle::spec::Calculator text = calculator_of(call);
+  with_constants([&] { text.let(call.let); });
+  return text;
+}
+
+/// What is expected where a name is not declared: a state gives components of Escena their values.
+std::string expected_name(const zed::ZError& error, const EvalCall& call) {
+  const std::string name = error.what_is_wrong.substr(0, error.what_is_wrong.find(" is not declared"));
+  if (!call.files.empty() || !call.scene.empty()) return error.expected;
+  for (const auto& [component, value] : oracle::spec::components(model::Init()))
+    if (component.text() == name) return fmt::format("expected --scene FILE, whose state has {}", name);
+  return error.expected;
 }
 
 [[noreturn]] void give_up(const char* what, std::uint64_t most, const char* unit, std::uint64_t taken) {
@@ -74,10 +89,18 @@ int spec_eval(const EvalCall& call) {
     const std::string tree = call.explain ? text.explain(call.expression, steps) : "";
     const auto result = text.evaluate(call.expression, steps);
     progress.reset();
+    note_taken(oracle::spec::taken_lines(result.taken));
     io::print(call.explain ? tree : result.text + "\n");
     return result.yes ? 0 : 1;
   } catch (const zed::ZError& error) {
-    throw io::InputError(file_name, {error.place.line, error.place.column}, error.what_is_wrong, error.expected);
+    throw io::InputError(file_name, {error.place.line, error.place.column}, error.what_is_wrong,
+                         expected_name(error, call));
+  } catch (const zed::Undetermined& error) {
+    throw io::InputError(file_name, {1, 1}, std::string("this is not decided: ") + error.what(),
+                         fmt::format("expected one, or --let {}=VALUE", error.constant()));
+  } catch (const zed::Unsatisfied& error) {
+    throw io::InputError(file_name, {1, 1}, std::string("the text cannot be so: ") + error.what(),
+                         "expected a text that some values satisfy, or another --let");
   } catch (const zed::TooManyMembers& error) {
     throw io::InputError(file_name, {1, 1}, std::string("this is not decided: ") + error.what(),
                          "expected a smaller set, whatever --steps and --memory are");

@@ -85,6 +85,9 @@ class Runner {
       complain({"--steps did not do", "expected a smaller question, or a greater --steps"});
     } catch (const std::bad_alloc&) {
       complain({"--memory did not do", "expected a smaller question, or a greater --memory"});
+    } catch (const zed::Undetermined& error) {
+      complain({std::string("this is not decided: ") + error.what(),
+                fmt::format("expected one, or --let {}=VALUE", error.constant())});
     } catch (const zed::EvaluationError& error) {
       complain({std::string("this is not decided: ") + error.what(), "expected inputs, or equations for what is left"});
     }
@@ -94,6 +97,7 @@ class Runner {
     std::string said = fmt::format("state {}, initial schema {}, {} operations", machine_.state(),
                                    machine_.init().empty() ? "none" : machine_.init(), machine_.operations().size());
     for (const std::string& carrier : machine_.carriers()) said += "\n  " + carrier;
+    for (const std::string& constant : machine_.taken()) said += "\n  " + constant;
     io::print(said + "\n");
     if (call_.replay.empty()) {
       begin();
@@ -263,7 +267,7 @@ int spec_run(RunCall call) {
   for (const std::string& typed : call.given) add_typed_members(typed, call.setup);
   std::optional<Machine> machine;
   try {
-    machine.emplace(specification_of(call.files), call.setup);
+    with_constants([&] { machine.emplace(specification_of(call.files), call.setup); });
   } catch (const std::invalid_argument& error) {
     const std::string said = error.what();
     const std::size_t end = said.find("; expected");

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "durero/model/escena.hpp"
+#include "durero/oracle/constants.hpp"
+#include "durero/text/nearest.hpp"
 #include "durero/zed/evaluate/unfold.hpp"
 #include "durero/zed/print/print.hpp"
 #include "durero/zed/syntax/parser.hpp"
@@ -45,6 +47,8 @@ zed::Term schema_of(const zed::Term& term) {
   text.declarations.push_back({zed::Declaration::Form::included, {}, {}, term, term->place});
   return zed::quantified(zed::Kind::schema_text, std::move(text), {}, term->place);
 }
+
+constexpr std::size_t most_names = 8;  // that a message lists
 
 constexpr const char* open_variable =
     "a variable ranges over a set that is not finite, and no equation gives its value";
@@ -108,6 +112,24 @@ void Calculator::declare(const model::Escena& escena) {
   specification_.sections.back().paragraphs.push_back({{}, std::move(box)});
 }
 
+void Calculator::let(const std::vector<std::string>& typed) {
+  const std::string section = section_name;
+  const zed::Given constants = typed_constants(typed, {specification_, typing_, section, given_});
+  given_.insert(given_.end(), constants.begin(), constants.end());
+}
+
+/// Names some that there are, where none is near.
+std::string Calculator::expected(const zed::Defect& defect) const {
+  if (defect.expected != "expected a declared name") return defect.expected;
+  std::vector<std::string> names;
+  for (const auto& [name, global] : typing_.scopes.at(section_name))
+    if (global->form != zed::Global::Form::lost) names.push_back(name.text());
+  std::sort(names.begin(), names.end());
+  std::string some;
+  for (std::size_t i = 0; i < std::min(names.size(), most_names); ++i) some += (i > 0 ? ", " : ", such as ") + names[i];
+  return defect.expected + some;
+}
+
 zed::Typing Calculator::check(zed::Term& term) const {
   zed::Typing typing = zed::check_term(typing_, section_name, term, zed::calculator_names(), file_name);
   if (typing.ok()) return typing;
@@ -115,7 +137,7 @@ zed::Typing Calculator::check(zed::Term& term) const {
   zed::Typing as_schema = zed::check_term(typing_, section_name, schema, zed::calculator_names(), file_name);
   if (!as_schema.ok()) {
     const zed::Defect& first = typing.defects.front();
-    throw zed::ZError(first.place, first.what, first.expected);
+    throw zed::ZError(first.place, first.what, expected(first));
   }
   term = schema;
   return as_schema;
@@ -163,15 +185,15 @@ Calculator::Result Calculator::evaluate(const std::string& typed, zed::Steps& st
   if (!type) {  // it is a predicate
     const zed::Truth truth = evaluator.holds(term);
     if (truth == zed::Truth::open) throw zed::EvaluationError(open_variable);
-    return truth == zed::Truth::yes ? Result{"true", true} : Result{"false", false};
+    return {truth == zed::Truth::yes ? "true" : "false", truth == zed::Truth::yes, evaluator.taken()};
   }
   const zed::Value result = evaluator.value(term);
   if (result.is_open()) throw zed::EvaluationError(open_variable);
   const bool listed = !result.set() || result.set()->members();
   if (!listed && type->is_schema_set())
-    if (auto text = written_out(term, type->settled(), typing)) return {std::move(*text), true};
+    if (auto text = written_out(term, type->settled(), typing)) return {std::move(*text), true, evaluator.taken()};
   const auto spelling = [this](const zed::AtomName& atom) { return spelled(atom); };
-  return {result.text(type->settled(), spelling), !result.is_undefined()};
+  return {result.text(type->settled(), spelling), !result.is_undefined(), evaluator.taken()};
 }
 
 }  // namespace durero::oracle::spec

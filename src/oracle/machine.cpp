@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "durero/oracle/animation.hpp"
-#include "durero/oracle/calculator.hpp"
+#include "durero/oracle/constants.hpp"
 #include "machine_parts.hpp"
 #include "ways.hpp"
 
@@ -68,6 +68,8 @@ std::vector<std::string> Machine::carriers() const {
   }
   return said;
 }
+
+std::vector<std::string> Machine::taken() const { return taken_lines(parts_->evaluator->taken()); }
 
 Found Machine::initial(std::size_t most) const {
   parts_->begin_question();

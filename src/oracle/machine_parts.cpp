@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "durero/oracle/constants.hpp"
 #include "durero/zed/print/print.hpp"
 #include "durero/zed/syntax/paragraphs.hpp"
 
@@ -50,7 +51,11 @@ Machine::Parts::Parts(const zed::Specification& text, Setup how) : setup(std::mo
   if (!typing.ok()) throw std::invalid_argument(typing.defects.front().text());
   declare_carriers();
   typing = zed::check(specification);
+  const std::string section = section_name;
+  const zed::Given constants = typed_constants(setup.constants, {specification, typing, section, given});
+  given.insert(given.end(), constants.begin(), constants.end());
   evaluator = std::make_unique<zed::Evaluator>(specification.sections, given, &steps);
+  take_constants();
   const Fields all = schemas();
   choose_state(all);
   choose_init(all);
@@ -89,6 +94,16 @@ void Machine::Parts::declare_carriers() {
   for (const auto& [set, words] : setup.given)
     if (!carriers.contains(set)) throw std::invalid_argument("the text has no given set " + set + "; expected one");
   if (!box.text.declarations.empty()) specification.sections.back().paragraphs.push_back({{}, std::move(box)});
+}
+
+/// Asks for every constant, so that what is taken for some is known from the beginning.
+void Machine::Parts::take_constants() {
+  for (const Name& constant : evaluator->constants()) try {
+      begin_question();
+      evaluator->value(constant);
+    } catch (const zed::EvaluationError&) {  // who needs it is told so
+    } catch (const zed::StepsSpent&) {
+    }
 }
 
 Machine::Parts::Fields Machine::Parts::schemas() const {

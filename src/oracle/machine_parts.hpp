@@ -53,6 +53,7 @@ struct Machine::Parts {
  private:
   using Fields = std::map<std::string, std::vector<zed::Name>>;
   void declare_carriers();
+  void take_constants();
   Fields schemas() const;
   void choose_state(const Fields& schemas);
   void choose_init(const Fields& schemas);

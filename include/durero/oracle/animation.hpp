@@ -24,6 +24,7 @@ namespace durero::oracle::spec {
 struct Setup {
   std::string state, init;                                ///< the names of these schemas; empty: as the conventions say
   std::map<std::string, std::vector<std::string>> given;  ///< the members of given sets, by the names of the sets
+  std::vector<std::string> constants{};                   ///< the values of constants, `NAME=VALUE` each
   std::size_t members = 3;                                ///< how many the other given sets have: NAME1, NAME2, …
   int numbers = 2;                  ///< numbers are looked for in −numbers‥numbers, and so far from that before
   std::size_t inputs = 1000;        ///< so many choices of inputs, and of what is left open, are tried for an operation
@@ -65,8 +66,8 @@ struct Tried {
 /// The text as a machine. Not for use by two threads at once.
 class Machine {
  public:
-  /// Throws std::invalid_argument where the text has no state schema, or none of the names that the setup says, and
-  /// zed::ZError where it has defects.
+  /// Throws std::invalid_argument where the text has no state schema, or none of the names that the setup says,
+  /// ConstantError (constants.hpp) where a constant cannot be what it says, and zed::ZError where it has defects.
   Machine(const zed::Specification& specification, Setup setup);
   ~Machine();
   Machine(const Machine&) = delete;
@@ -80,6 +81,8 @@ class Machine {
   const MachineOperation* find(const std::string& name) const;
   /// The given sets, with their members, as Z: `NAME == {NAME1, NAME2}`.
   std::vector<std::string> carriers() const;
+  /// A line for each constant for which a value was taken, as nothing gives it one.
+  std::vector<std::string> taken() const;
 
   /// @{ All that follow throw zed::StepsSpent where a question takes more steps than it may.
   /// The initial states, `most` at most.

@@ -36,11 +36,14 @@ class Calculator {
   explicit Calculator(zed::Specification specification);
   /// Of that scene, which it copies.
   explicit Calculator(const model::Escena& escena);
+  /// Gives constants values, `NAME=VALUE` each. Throws ConstantError (constants.hpp).
+  void let(const std::vector<std::string>& typed);
 
   /// What an expression or a predicate comes to.
   struct Result {
-    std::string text;  ///< the value, `undefined`, `true` or `false`; a schema that is not listed is written out
-    bool yes = false;  ///< there is a value, or the predicate holds
+    std::string text;    ///< the value, `undefined`, `true` or `false`; a schema that is not listed is written out
+    bool yes = false;    ///< there is a value, or the predicate holds
+    zed::Given taken{};  ///< what was taken for constants to which nothing gives a value
   };
   /// Counts the steps. Throws zed::ZError where the term cannot be read or has no type, zed::EvaluationError where it
   /// is not decided, zed::StepsSpent where it takes more steps than it may.
@@ -60,6 +63,7 @@ class Calculator {
   /// The term, or, of a connective of schemas whose components are not in scope, the schema; with its typing.
   zed::Typing check(zed::Term& term) const;
   std::string spelled(const zed::AtomName& atom) const;
+  std::string expected(const zed::Defect& defect) const;
   /// The schema as one text without others in it, as `pre Op`; nothing where that cannot be.
   std::optional<std::string> written_out(const zed::Term& schema, const zed::Type& type,
                                          const zed::Typing& typing) const;

@@ -100,20 +100,12 @@ Closure power_clause(Compiler& compiler, const Name& name, const Axiomatic& form
   return closure;
 }
 
-Value evaluated(Compiler& compiler, const Term& term, Context& context) {
-  const auto unit = std::make_shared<Unit>();
-  const Scope scope{.unit = unit};
-  const Code code = compiler.expression(term, scope);
-  Frame frame(unit->size, context);
-  return code(frame);
-}
-
 std::optional<Value> stated_domain(Compiler& compiler, const Name& function, const Axiomatic& form, Context& context) {
   for (const Predicate& predicate : form.text.predicates) {
     if (!is_equation(predicate.term)) continue;
     const Term* of = match::argument_of(predicate.term->children[0], "dom");
     if (of && match::is_reference(*of, function)) {
-      return evaluated(compiler, predicate.term->children[1], context);
+      return compiler.evaluated(predicate.term->children[1], context);
     }
   }
   return std::nullopt;
@@ -163,6 +155,17 @@ const Term* stated_lambda(const Name& name, const Axiomatic& form) {
   return nullptr;
 }
 
+/// Returns the set S of a function that is declared from S → T, or from another set of total functions.
+std::optional<Value> source(Compiler& compiler, const Name& name, const Axiomatic& form, Context& context) {
+  const Term* set = declared_set(name, form);
+  if (!set || (*set)->kind != Kind::reference || (*set)->children.size() != 2) return std::nullopt;
+  const OperatorRow* row = operator_row((*set)->name.word);
+  if (!row || !row->arrow || !row->arrow->function || !row->arrow->total) return std::nullopt;
+  return compiler.evaluated((*set)->children[0], context);
+}
+
+}  // namespace
+
 const Term* declared_set(const Name& name, const Axiomatic& form) {
   for (const Declaration& declaration : form.text.declarations) {
     if (std::find(declaration.names.begin(), declaration.names.end(), name) != declaration.names.end())
@@ -171,34 +174,39 @@ const Term* declared_set(const Name& name, const Axiomatic& form) {
   return nullptr;
 }
 
-/// Returns the set S of a function that is declared from S → T, or from another set of total functions.
-std::optional<Value> source(Compiler& compiler, const Name& name, const Axiomatic& form, Context& context) {
-  const Term* set = declared_set(name, form);
-  if (!set || (*set)->kind != Kind::reference || (*set)->children.size() != 2) return std::nullopt;
-  const OperatorRow* row = operator_row((*set)->name.word);
-  if (!row || !row->arrow || !row->arrow->function || !row->arrow->total) return std::nullopt;
-  return evaluated(compiler, (*set)->children[0], context);
+const Term* other_side(const Term& equation, const Name& name) {
+  if (!is_equation(equation)) return nullptr;
+  for (const std::size_t side : {0U, 1U}) {
+    const Term& other = equation->children[1 - side];
+    if (match::is_reference(equation->children[side], name) && !mentions(other, name)) return &other;
+  }
+  return nullptr;
 }
 
-/// Returns the value that the predicates determine, by the search for it, as μ would.
-Value determined(Compiler& compiler, const Name& name, const Axiomatic& form, Context& context) {
-  SchemaText text;
-  if (const Term* set = declared_set(name, form)) {
-    text.declarations.push_back({Declaration::Form::typed, {name}, {Place{}}, *set, {}});
-  }
-  for (const Predicate& predicate : form.text.predicates) {
-    if (mentions(predicate.term, name)) text.predicates.push_back(predicate);
-  }
-  if (text.declarations.empty() || text.predicates.empty()) return Open{};
-  return evaluated(compiler, quantified(Kind::mu, std::move(text), {}), context);
+bool is_by_cases(const Name& name, const Axiomatic& form) {
+  const auto& predicates = form.text.predicates;
+  const auto gives_all = [&](const Predicate& each) {
+    const Term* whole = other_side(each.term, name);
+    return whole && (*whole)->kind != Kind::lambda;
+  };
+  if (std::any_of(predicates.begin(), predicates.end(), gives_all)) return false;
+  return states_power(name, form) || defines_function(name, form) || stated_lambda(name, form) ||
+         !cases_of_set(predicates, name).clauses.empty();
 }
 
-}  // namespace
+Value Compiler::evaluated(const Term& term, Context& context) {
+  const auto unit = std::make_shared<Unit>();
+  const Scope scope{.unit = unit};
+  const Code code = expression(term, scope);
+  Frame frame(unit->size, context);
+  return code(frame);
+}
 
-Value Compiler::axiomatic(const Meaning& global, Context& context) {
+Value Compiler::axiomatic(Meaning& global, Context& context) {
   const auto& form = std::get<Axiomatic>(global.paragraph->form);
   const Name& name = global.name;
   if (name.text() == "ℝ") return reals("ℝ");  // the axioms of the reals are assumed, not evaluated
+  if (form.formals.empty() && !is_by_cases(name, form)) return of_boxes_.value(global, context);
   if (states_power(name, form)) {
     return axiomatic_function(name.text(), [this, &form, name](Context&) {
       Clauses clauses;
@@ -214,19 +222,14 @@ Value Compiler::axiomatic(const Meaning& global, Context& context) {
       return clauses;
     });
   }
-  if (const Term* lambda = stated_lambda(name, form)) return evaluated(*this, *lambda, context);
+  if (const Term* lambda = stated_lambda(name, form)) return evaluated(*lambda, context);
   if (!cases_of_set(form.text.predicates, name).clauses.empty())
     return axiomatic_set(name.text(), [this, &form, name](Context&) {
       Clauses clauses;
       add_clauses(clauses, *this, name, form.formals, cases_of_set(form.text.predicates, name));
       return clauses;
     });
-  if (!form.formals.empty()) throw EvaluationError(name.text() + " is generic, and no function: it is not evaluated");
-  Value value = determined(*this, name, form, context);
-  if (value.is_open() || value.is_undefined()) {
-    throw EvaluationError("no equation gives " + name.text() + " a value");
-  }
-  return value;
+  throw EvaluationError(name.text() + " is generic, and no function: it is not evaluated");
 }
 
 Value Compiler::schema_value(const Meaning& global, Context& context) {

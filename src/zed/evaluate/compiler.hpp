@@ -6,6 +6,7 @@
 #include <memory>
 #include <unordered_map>
 
+#include "zed/evaluate/constants.hpp"
 #include "zed/evaluate/definitions.hpp"
 #include "zed/evaluate/search.hpp"
 
@@ -79,7 +80,10 @@ class Compiler {
   Scope formals(const std::vector<Name>& formals, const std::vector<Term>& actuals, const Scope& scope);
 
   Value global(Meaning& global, Context& context);
+  /// Returns the value of a term without local names.
+  Value evaluated(const Term& term, Context& context);
   Definitions& definitions() { return definitions_; }
+  Constants& constants() { return of_boxes_; }
   /// Makes a binding that stands for θ S, or gives the one of the same values that was made or remembered before: it
   /// may be known of that one that it satisfies S.
   Value binding_of(const Signature& names, std::vector<Value> values);
@@ -128,7 +132,7 @@ class Compiler {
   Property inclusion(const Declaration& included, unsigned whole, const Scope& scope, const Scope& inner);
 
   // Paragraphs are compiled in axiomatic.cpp.
-  Value axiomatic(const Meaning& global, Context& context);
+  Value axiomatic(Meaning& global, Context& context);
   Value schema_value(const Meaning& global, Context& context);
   Value constructor_arguments(const Meaning& global, Context& context);
   Value definition_value(const Meaning& global, Context& context);
@@ -137,6 +141,7 @@ class Compiler {
   Local component(const Name& name, const Scope& scope);
 
   Definitions& definitions_;
+  Constants of_boxes_{*this};
   struct Application {
     Value function, argument, result;
   };

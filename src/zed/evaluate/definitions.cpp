@@ -82,7 +82,7 @@ const std::string& Meaning::label() const {
   return definition ? definition->label : none;
 }
 
-Definitions::Definitions(const std::vector<Section>& sections) {
+Definitions::Definitions(const std::vector<Section>& sections) : sections_(sections) {
   for (const Section& section : sections) {
     for (const Paragraph& paragraph : section.paragraphs) add(section, paragraph);
   }

@@ -27,14 +27,17 @@ struct Meaning {
 
 class Definitions {
  public:
+  /// The sections outlive it.
   explicit Definitions(const std::vector<Section>& sections);
   /// Returns null where the specification declares no such name.
   Meaning* find(const Name& name);
   const Meaning* find(const Name& name) const;
+  const std::vector<Section>& sections() const { return sections_; }
 
  private:
   void add(Meaning global);
   void add(const Section& section, const Paragraph& paragraph);
+  const std::vector<Section>& sections_;
   std::unordered_map<Name, Meaning> globals_;
 };
 

@@ -248,6 +248,15 @@ Value Evaluator::apply(const Value& function, const Value& argument) const {
   return apply_value(function, argument, context);
 }
 
+std::vector<Name> Evaluator::constants() const { return state_->compiler.constants().names(); }
+
+Given Evaluator::taken() const { return state_->compiler.constants().taken(); }
+
+void Evaluator::check_given(const Name& constant) const {
+  Context context(state_->steps);
+  state_->compiler.constants().check(*state_->definitions.find(constant), context);
+}
+
 SchemaCheck Evaluator::schema(const Name& name) const {
   const auto names = components(reference(name), state_->definitions);
   if (!names) throw EvaluationError(name.text() + " is no schema");

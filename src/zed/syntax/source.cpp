@@ -103,6 +103,7 @@ class Cutter {
     cursor_.skip(7);
     const std::string_view rest = cursor_.rest_of_line();
     block.environment = rest.substr(0, rest.find('}'));
+    if (block.environment == "theorem") warn_of_theorem(block.begin);
     if (std::find(environments.begin(), environments.end(), block.environment) == environments.end()) return;
     began_ = true;
     cursor_.skip(block.environment.size() + 1);
@@ -120,6 +121,14 @@ class Cutter {
     }
     cursor_.skip(closing.size());
     blocks_.push_back(std::move(block));
+  }
+
+  /// CZT and Z/EVES name a conjecture so; prose has theorems too, which say nothing in Z.
+  void warn_of_theorem(Place place) {
+    const std::string_view rest = cursor_.text.substr(cursor_.at);
+    if (rest.substr(0, rest.find("\\end{theorem}")).find("\\vdash?") == rest.npos) return;
+    defects_.push_back({file_, place, "a theorem is not read, and its conjecture is not tried",
+                        "expected \\begin{zed} \\vdash? … \\end{zed}", Defect::Severity::warning});
   }
 
   void inside(const Block& block) {

@@ -13,7 +13,7 @@ void try_claims(std::vector<Section> sections, const Specification& specificatio
                 const std::vector<Claim>& claims, const Typing& typing, const TrialBounds& bounds,
                 std::vector<Trial>& trials) {
   Steps steps(bounds.steps);
-  const Evaluator evaluator(std::move(sections), Given{}, &steps);
+  const Evaluator evaluator(std::move(sections), bounds.constants, &steps);
   const Draw draw(specification, typing, samples, evaluator);
   Members members(evaluator, draw);
   const Ground ground{typing, draw, evaluator, bounds, members};
@@ -27,6 +27,7 @@ void try_claims(std::vector<Section> sections, const Specification& specificatio
     } catch (const StepsSpent&) {
       if (trial.tried == 0) trial.why_not = "it takes more than " + std::to_string(bounds.steps) + " steps";
     }
+    trial.taken = evaluator.taken();
   }
 }
 

@@ -126,6 +126,17 @@ TEST_CASE("a template holds in all of its section and in its children, and nowhe
   CHECK(apart.operators.at("a").size() == 1);
 }
 
+TEST_CASE("a conjecture that stands in a theorem is not left out in silence") {
+  const auto read =
+      read_text("\\begin{zed} [A] \\end{zed}\n\\begin{theorem}{T} \\vdash? 1 = 2 \\end{theorem}\n", "t.tex");
+  REQUIRE(read.defects.size() == 1);
+  CHECK(read.defects[0].text() ==
+        "t.tex:2:1: warning: a theorem is not read, and its conjecture is not tried; expected \\begin{zed} \\vdash? … "
+        "\\end{zed}");
+  CHECK(read_text("\\begin{zed} [A] \\end{zed}\n\\begin{theorem} Of prose. \\end{theorem} \\vdash?\n", "t.tex")
+            .defects.empty());
+}
+
 TEST_CASE("an operand that is joined to an operator's word is warned of, with its right spelling") {
   const auto warned = [](const std::string& templates) {
     std::string said;

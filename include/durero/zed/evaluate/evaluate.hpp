@@ -119,6 +119,14 @@ class Evaluator {
   /// Returns function(argument), which is undefined outside the domain.
   Value apply(const Value& function, const Value& argument) const;
 
+  /// Returns the constants: names of axiomatic boxes that are known by no case, λ or law.
+  std::vector<Name> constants() const;
+  /// Returns the constants for which a value was taken so far, of several that satisfy what is said
+  /// of them: what depends on one was found for that value.
+  Given taken() const;
+  /// Throws Unsatisfied where the value that was given for a constant makes something false that its text says of it.
+  void check_given(const Name& constant) const;
+
   /// Compiles the schema of this name. Throws EvaluationError where the name is no schema's.
   SchemaCheck schema(const Name& name) const;
   /// Compiles it where these components of it are known, and the others sought.

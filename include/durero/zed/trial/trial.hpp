@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "durero/zed/evaluate/evaluate.hpp"
 #include "durero/zed/syntax/reader.hpp"
 #include "durero/zed/types/typecheck.hpp"
 #include "durero/zed/value/value.hpp"
@@ -25,6 +26,7 @@ struct Trial {
   std::size_t tried = 0;  ///< on so many states it was decided, and true; of ∃, so many were looked at for the witness
   std::string counterexample;  ///< a state where it is false, a name and value a line; empty where none was met
   std::string why_not;         ///< where `tried` is 0 and there is no counterexample: the reason
+  Given taken{};               ///< what was taken for constants by then (Evaluator::taken)
 };
 
 /// How far a trial goes.
@@ -32,6 +34,7 @@ struct TrialBounds {
   std::size_t states = 8;         ///< no more states are tried of a conjecture, but for the witness of an ∃
   std::size_t draws = 64;         ///< nor are more values drawn, of which not all need be states
   std::uint64_t steps = 1000000;  ///< nor is it evaluated any longer than so many steps
+  Given constants{};              ///< constants of the text have these values
 };
 
 /// Tries every conjecture, in the order of the text. The states are the same at every call. Precondition: `typing` is

@@ -38,6 +38,25 @@ class TooManyMembers : public EvaluationError {
   explicit TooManyMembers(const std::string& set) : EvaluationError(set + " has more members than can be listed") {}
 };
 
+/// Says that nothing gives a constant of a text its value.
+class Undetermined : public EvaluationError {
+ public:
+  /// The constant, as it is written.
+  explicit Undetermined(std::string constant)
+      : EvaluationError("no equation gives " + constant + " a value"), constant_(std::move(constant)) {}
+  /// Its name.
+  const std::string& constant() const { return constant_; }
+
+ private:
+  std::string constant_;
+};
+
+/// Says that constants of a text cannot be all that the text says of them.
+class Unsatisfied : public EvaluationError {
+ public:
+  using EvaluationError::EvaluationError;
+};
+
 /// The truth of a predicate is `open` where it depends on a value that is not given.
 enum class Truth : std::uint8_t { no, yes, open };
 
