@@ -201,12 +201,14 @@ TEST_CASE("Whenever a signal comes, while threads make temporaries and give them
           ::close(temporary.file());
         }
       };
-      const std::jthread one(make), other(make);
-      std::this_thread::sleep_for(std::chrono::microseconds(100 + 97 * delay));
-      ::kill(::getpid(), SIGTERM);
-      std::this_thread::sleep_for(std::chrono::seconds(60));
+      const std::jthread other(make), killing([delay] {
+        std::this_thread::sleep_for(std::chrono::microseconds(100 + 97 * delay));
+        ::kill(::getpid(), SIGTERM);  // which the first thread gets, as long as it takes signals
+      });
+      ::alarm(20);  // ends what waits for itself
+      make();
     });
-    CHECK(WTERMSIG(status) == SIGTERM);
+    REQUIRE(WTERMSIG(status) == SIGTERM);
     CHECK(folder.files() == 0);
   }
 }
