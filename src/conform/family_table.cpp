@@ -61,7 +61,7 @@ constexpr FamilyRow table[] = {
     {{"near_generator",
       "nearly or exactly along a generator",
       "Geant4 PR#116, OpenMC#143",
-      {"−log2 of the angle", 26, 40}},
+      {"−log2 of the least angle", 24, 40}},
      {0.99, 0.15},
      {r::some_axial, r::near_generator},
      {nearly_generator, generator}},

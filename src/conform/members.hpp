@@ -1,6 +1,6 @@
 #pragma once
 /// Questions about a ray and its exact answer, decided by exact arithmetic: which families it is truly of.
-/// "Nearly" is within one part in 2²⁰ everywhere; it says what a family is about and judges no answer.
+/// "Nearly" is within one part in 2²⁰ where nothing else is said; it says what a family is about and judges no answer.
 
 #include "durero/scene/hit.hpp"
 #include "durero/scene/query.hpp"
@@ -37,7 +37,7 @@ bool on_grid(const AnsweredQuery& q);          ///< every coordinate of the ray 
 bool nearly_axial(const AnsweredQuery& q);      ///< nearly parallel to the axis of some cylinder
 bool axial(const AnsweredQuery& q);             ///< v × vector = 0 for some cylinder
 bool perpendicular(const AnsweredQuery& q);     ///< v·vector = 0 for an element that it hits
-bool nearly_generator(const AnsweredQuery& q);  ///< |A| is nearly 0 for some element with an axis
+bool nearly_generator(const AnsweredQuery& q);  ///< |A| ≤ v·v/8 for some element with an axis
 bool generator(const AnsweredQuery& q);         ///< A = 0 for one
 bool hits_tilted(const AnsweredQuery& q);       ///< an element whose axis is none of the coordinates', or that has none
 bool aligned(const AnsweredQuery& q);           ///< hits, a coordinate of v is 0, −0 or subnormal in binary32

@@ -26,8 +26,9 @@ bool perpendicular(const AnsweredQuery& q) {
 }
 
 bool nearly_generator(const AnsweredQuery& q) {
-  return any_element(
-      q, [&](const Candidate& c) { return c.is_axial() && negligible(c.f.A, squared_length(q.query.rayo.v().xyz())); });
+  return any_element(q, [&](const Candidate& c) {
+    return c.is_axial() && number::shifted(magnitude(c.f.A), 3) <= squared_length(q.query.rayo.v().xyz());
+  });
 }
 
 bool generator(const AnsweredQuery& q) {

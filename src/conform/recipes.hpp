@@ -71,7 +71,7 @@ FramedShapes parked(Draws& random, int units);
 FramedShapes near_axial(Draws& random, int);
 DrawnRay near_axial(Draws& random, int minus_log2_slope, Given shapes);
 DrawnRay perpendicular(Draws& random, int log2_distance, Given shapes);
-DrawnRay near_generator(Draws& random, int minus_log2_angle, Given shapes);
+DrawnRay near_generator(Draws& random, int minus_log2_least_angle, Given shapes);
 DrawnRay second_nappe(Draws& random, int eighths, Given shapes);
 DrawnRay axis_parallel(Draws& random, int log2_distance, Given shapes);
 DrawnRay in_surface(Draws& random, int eighths, Given shapes);

@@ -43,11 +43,17 @@ DrawnRay perpendicular(Draws& random, int log2_distance, Given shapes) {
   return arriving(random, at.position, w, steps(w, shape.radius(), log2_distance));
 }
 
-DrawnRay near_generator(Draws& random, int minus_log2_angle, Given shapes) {
+DrawnRay near_generator(Draws& random, int minus_log2_least_angle, Given shapes) {
+  // Where a quadratic is nearly linear its root loses digits, up to the angle at which a program takes it for linear:
+  // between 2⁻⁹ and 2⁻²⁹ by what was seen. Each ray has an angle of its own, so that few scenes have them all.
+  constexpr int minus_log2_greatest_angle = 6;
   const FramedShape& shape = random.any_of(shapes);
   const SurfacePoint at = surface_point(random, shape);
   glm::dvec3 w = random.sign() * at.along;
-  if (random.chance(1, 2)) w += std::ldexp(1, -minus_log2_angle) * any_vector(random, shape);
+  if (random.chance(1, 2)) {
+    const int minus_log2_angle = random.integer(minus_log2_greatest_angle, minus_log2_least_angle);
+    w += std::ldexp(1, -minus_log2_angle) * any_vector(random, shape);
+  }
   const glm::dvec3 through = random.chance(7, 8) ? surface_point(random, shape).position : at.position;
   return arriving(random, through, w, steps(w, shape.radius(), random.integer(-1, 5)));
 }

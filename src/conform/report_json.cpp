@@ -14,7 +14,8 @@ namespace {
 using io::json::Writer;
 
 void write_suite(Writer& out, const SuiteOptions& options) {
-  out.key("suite").begin_object().member("seed", options.seed).member("rays", std::uint64_t{options.rays});
+  out.key("suite").begin_object().member("version", suite_version).member("seed", options.seed);
+  out.member("rays", std::uint64_t{options.rays});
   out.member("numbers", word(options.numbers)).member("caps", word(options.caps));
   out.member("tipos", type_words(options.tipos)).end_object();
 }

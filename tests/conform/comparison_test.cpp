@@ -1,7 +1,10 @@
 #include "durero/conform/comparison.hpp"
 
+#include <fmt/format.h>
+
 #include "conform/judged.hpp"
 #include "durero/conform/report.hpp"
+#include "durero/conform/suite_file.hpp"
 #include "support/catch.hpp"
 
 using namespace durero;
@@ -62,6 +65,15 @@ TEST_CASE("a share of all rays is written in full") {
 TEST_CASE("what is no report, or of other rays, is refused") {
   CHECK_THROWS_WITH(comparison_text({summary(report_of("a", false)), summary(report_of("b", false, 2))}),
                     "\"a\" and \"b\" were asked other rays; expected reports of one suite");
+  Summary former = summary(report_of("b", false));
+  CHECK(former.suite_version == suite_version);
+  --former.suite_version;
+  CHECK_THROWS_WITH(comparison_text({summary(report_of("a", false)), former}),
+                    Catch::Contains("expected reports of one suite"));
+  std::string unversioned = report_json(report_of("a", false));
+  const std::string version = fmt::format("\"version\":{},\"seed\"", suite_version);
+  unversioned.replace(unversioned.find(version), version.size(), "\"seed\"");
+  CHECK(read_summary(io::Source("f", unversioned)).suite_version == 1);
   CHECK_THROWS_WITH(read_summary(io::Source("f", "{}")),
                     "f:1:1: a report without format; expected what durero conform run --report writes");
   CHECK_THROWS_WITH(read_summary(io::Source("f", R"({"format":"durero-scene"})")),

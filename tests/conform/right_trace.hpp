@@ -87,8 +87,12 @@ class RightTrace {
 
   template <class Shape>
   Computed<Shape> checked(const Shape& shape, const glm::dvec3& p, const glm::dvec3& v) {
-    is_whole_ = is_whole_ && is_shape(shape) && std::isfinite(longest(p)) && v != glm::dvec3(0);
+    is_whole_ = is_whole_ && is_shape(shape) && is_ray(p, v);
     return is_whole_ ? Computed<Shape>{shape, ray(p, v)} : Computed<Shape>{shape, rayo_};
+  }
+
+  static bool is_ray(const glm::dvec3& p, const glm::dvec3& v) {
+    return std::isfinite(longest(p)) && std::isfinite(longest(v)) && v != glm::dvec3(0);
   }
 
   double rounded(double x) const { return narrowed(x, tracer_->profile.format); }
@@ -147,7 +151,7 @@ class RightTrace {
       vertices_[vertex] = mover_.moved_point({vertex[0], vertex[1], vertex[2]}, M);
     if (allowed.empty()) return;
     const glm::dvec3 from = mover_.moved_point(p, least), along = mover_.moved_direction(v);
-    is_whole_ = is_whole_ && along != glm::dvec3(0) && std::isfinite(longest(from));
+    is_whole_ = is_whole_ && is_ray(from, along);
     rayo_of_mesh_ = is_whole_ ? ray(from, along) : rayo_;
   }
   scene::Triangle triangle_of_mesh(const scene::Triangle& given) {

@@ -62,7 +62,8 @@ Profile drawn_profile(Random& random, const SuiteCase& of) {
   profile.measure = static_cast<Measure>(random.below(3));
   profile.directions = static_cast<Directions>(random.below(3));
   profile.inside = static_cast<Inside>(random.below(4));
-  if (random.chance(1, 4)) profile.thickness = std::ldexp(random.any_of(lengths), -random.integer(8, 40));
+  const double length = random.any_of(lengths);
+  if (random.chance(1, 4)) profile.thickness = std::ldexp(length, -random.integer(8, 40));
   if (random.chance(1, 10)) profile.least_size = near(random, random.any_of(lengths));
   if (random.chance(1, 10)) profile.greatest_size = near(random, random.any_of(lengths));
   if (random.chance(1, 10)) profile.greatest_coordinate = near(random, random.any_of(lengths));

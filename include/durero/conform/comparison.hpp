@@ -24,6 +24,7 @@ struct Summary {
   };
 
   std::string system, title, version;  ///< name, title, and what it said of itself, which may be empty
+  std::uint64_t suite_version = 1;     ///< of the suite, 1 where the report says none
   std::uint64_t seed = 0, rays = 0;    ///< of the suite: two reports are of the same rays where these agree
   std::string numbers;                 ///< the format of the suite, binary32 or binary64
   VerdictCounts counts{};              ///< of the rays of all families

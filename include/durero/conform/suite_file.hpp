@@ -1,7 +1,7 @@
 #pragma once
 /// The files of a suite. DIR/suite.json says what it is made of, and of each family what there is to know of it:
 ///
-///   {"format":"durero-suite","version":1,"seed":1,"rays":1024,"numbers":"binary32","caps":"open","tipos":["esfera",…],
+///   {"format":"durero-suite","version":2,"seed":1,"rays":1024,"numbers":"binary32","caps":"open","tipos":["esfera",…],
 ///   "families":[
 ///   {"family":"generic","kind":"…","reason":"…","parameter":{"name":"elements","least":1,"greatest":8},
 ///   "cases":16,"rays":1024,"members":987,"exact":231,"ambiguity":{"none":900,"tangent":20,…}},…]}
@@ -27,7 +27,7 @@
 namespace durero::conform {
 
 /// Of their format: another where the same options make other cases.
-inline constexpr std::uint64_t suite_version = 1;
+inline constexpr std::uint64_t suite_version = 2;
 
 /// How many enumerators Ambiguity has, none among them.
 inline constexpr std::size_t ambiguity_count = 7;
