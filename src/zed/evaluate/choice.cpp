@@ -97,7 +97,7 @@ std::vector<Value> Choice::candidates(std::size_t name) {
                members->begin() + static_cast<std::ptrdiff_t>(std::min(members->size(), most_members_tried)));
   else if (set.set()->numbers() != Numbers::none)
     all = numbers(predicates_);
-  else if (contains_value(set, Real(), context_) != Truth::yes)  // no whole type: of that no member is known
+  else if (set.set()->contains(Real(), context_) != Truth::yes)  // no whole type: of that no member is known
     all = {empty_set()};
   std::erase_if(all, [&](const Value& each) {
     try {
