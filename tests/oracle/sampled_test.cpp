@@ -215,6 +215,7 @@ TEST_CASE("samples that are made part by part judge as those that are kept, many
   test::Random random(17);
   scene::Scene scene = test::random_scene(random, 12);
   scene.apply(model::Agregar_Plano{model::Elemento("p"), {0, 0, -2}, {0, 0, 1}});
+  scene.apply(model::Agregar_Esfera{model::Elemento("far"), {40, 40, 40}, 1});  // which no ray comes near
   std::vector<scene::Query> rays;
   std::vector<scene::Hit> claims;
   for (int i = 0; i < 400; ++i) {
@@ -223,7 +224,7 @@ TEST_CASE("samples that are made part by part judge as those that are kept, many
     claims.push_back(surface::exact::first_hit(scene, ray.rayo));
     if (i % 5 == 1) claims.back() = {};
     if (i % 5 == 2) claims.back().punto += glm::dvec3(0.5);
-    if (i % 5 == 3) claims.back().elementos = {{model::Tipo::soy_plano, 0}};
+    if (i % 5 == 3) claims.back().elementos = {scene.find("far").value()};
   }
   const double fineness = oracle::sampled::default_fineness;
   const oracle::sampled::Oracle kept(scene);
