@@ -33,9 +33,9 @@ constexpr std::array rows = {
     Row{"--case", Kind::text, "CASE"},         Row{"--op", Kind::text, "OPERATION"},
     Row{"--size", Kind::text, "WxH"},          Row{"--crop", Kind::text, "X,Y,W,H"},
     Row{"--state", Kind::text, "SCHEMA"},      Row{"--init", Kind::text, "SCHEMA"},
-    Row{"--given", Kind::text, "SET=MEMBERS"}, Row{"--replay", Kind::file, "TRACE"},
-    Row{"--with", Kind::file, "FILE"},         Row{"--with", Kind::file, "TEXT"},
-    Row{"--from", Kind::text, "X,Y,Z"},
+    Row{"--given", Kind::text, "SET=MEMBERS"}, Row{"--let", Kind::text, "NAME=VALUE"},
+    Row{"--replay", Kind::file, "TRACE"},      Row{"--with", Kind::file, "FILE"},
+    Row{"--with", Kind::file, "TEXT"},         Row{"--from", Kind::text, "X,Y,Z"},
 };
 
 /// What CLI11 says of the option: its type, and behind a colon what each of its checks says.
