@@ -127,12 +127,14 @@ struct Search::Run {
   /// A number that makes the goal true is a witness; where no small one does, nothing is known.
   void try_some(const Variable& variable) {
     const Value& set = sets[static_cast<std::size_t>(&variable - search.variables_.data())];
-    for (int n = 0; n <= greatest_tried && !stopped; ++n)
-      for (const int each : {n, -n})
-        if ((each > 0 || each == n) && !stopped && ++tries <= most_tries) try_one(variable, set, Real(each));
+    for (int n = 0; n <= greatest_tried; ++n) {
+      try_one(variable, set, Real(n));
+      if (n > 0) try_one(variable, set, Real(-n));
+    }
   }
 
   void try_one(const Variable& variable, const Value& set, const Real& number) {
+    if (stopped || ++tries > most_tries) return;
     try {
       if (contains_value(set, number, frame.context) == Truth::yes) each_of(variable, {number});
     } catch (const EvaluationError&) {  // of this one it is not known
