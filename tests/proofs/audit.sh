@@ -4,12 +4,12 @@
 #   audit.sh CHECK PROOFS [BUILD_DIRECTORY]
 #     text         no proof is left open, nothing is assumed outside a section or a module type, no check of Coq's is
 #                  switched off, and Main.v holds statements and nothing that they could be bent with
-#     reachable    Main.v or Instances.v depends on every file, so that none is proved beside the point
+#     reachable    Main.v or an Instances*.v depends on every file, so that none is proved beside the point
 #     assumptions  each theorem of Main.v rests on the axioms that assumptions.txt says, and those are of classical reals
 #     statements   each theorem of Main.v says what statements.md says, and so does each definition that it reaches
-#     instances    each theorem of Main.v with premises has an instance in Instances.v, which has none and rests on it; those
+#     instances    each theorem of Main.v with premises has an instance in Instances*.v, which has none and rests on it; those
 #                  of without_instance.txt have none yet
-#     kernel       coqchk, which shares no code with the tactics, accepts Main.v, Instances.v and all below them
+#     kernel       coqchk, which shares no code with the tactics, accepts Main.v, Instances*.v and all below them
 #     all          each of these
 # Except for `text` the build directory holds the proofs, built. `update` writes assumptions.txt and statements.md anew:
 # their difference is then for a reader to judge.
@@ -105,13 +105,13 @@ audit_reachable() {
       if (from == "") next
       m = split(sides[2], need, " ")
       for (i = 1; i <= m; i++) if (need[i] ~ /\.vo$/) edges[from] = edges[from] " " need[i] }
-    END { for (file in all) if (file ~ /^(\.\/)?(Main|Instances)\.vo$/) todo = todo " " file
+    END { for (file in all) if (file ~ /^(\.\/)?(Main|Instances[A-Za-z]*)\.vo$/) todo = todo " " file
       while (todo != "") {
         n = split(todo, queue, " "); todo = ""
         for (i = 1; i <= n; i++) if (!(queue[i] in seen)) { seen[queue[i]] = 1; todo = todo " " edges[queue[i]] }
       }
       for (file in all) if (!(file in seen)) { sub(/^\.\//, "", file); sub(/\.vo$/, ".v", file)
-        print "proofs/" file ": neither Main.v nor Instances.v depends on it"; bad = 1 }
+        print "proofs/" file ": neither Main.v nor an Instances*.v depends on it"; bad = 1 }
       exit bad }'
 }
 
@@ -201,6 +201,9 @@ audit_statements() {
   }
 }
 
+# The files of instances, Instances*.v, as modules.
+of_instances() { (cd "$proofs" && printf '%s\n' Instances*.v) | sed 's/\.v$//' | tr '\n' ' '; }
+
 # What has a premise: after a theorem's name, one line for each. A binder of which the type is a proposition is one, also
 # behind a variable or a name for a term.
 heads='Ltac heads := lazymatch goal with
@@ -208,14 +211,14 @@ heads='Ltac heads := lazymatch goal with
   | |- let x := _ in _ => let y := fresh in intro y; heads
   | |- _ => idtac end.'
 premises() {  # NAMES: the file of names; each that has a premise
-  { echo "From Durero Require Instances."; echo "$heads"
+  { echo "From Durero Require $(of_instances)."; echo "$heads"
     sed 's/.*/Goal ltac:(let T := type of Durero.& in exact T). idtac "of" "&". heads. Abort./' "$1"; } >"$tmp/questions"
   ask "$tmp/questions" >"$tmp/premises" || return 1
   awk '$1 == "of" { name = $2 } $1 == "premise" && !seen[name]++ { print name }' "$tmp/premises"
 }
 
 # How many theorems are without an instance at most: the number only falls.
-without=49
+without=39
 audit_instances() {
   files=$(printf '%s\n' "$proofs"/Instance*.v)
   theorems >"$tmp/theorems"
@@ -232,7 +235,7 @@ audit_instances() {
   [ "$(wc -l <"$tmp/none")" -le "$without" ] || echo "without_instance.txt: $without at most" >>"$tmp/wrong"
   # An instance has no premise and rests on its theorem; what it rests on besides, `kernel` sees.
   premises "$tmp/instances" | sed 's/$/: an instance with a premise/' >>"$tmp/wrong"
-  { echo "From Durero Require Instances."
+  { echo "From Durero Require $(of_instances)."
     sed "s|.*|Redirect \"$tmp/body.&\" Print Durero.&.|" "$tmp/there"; } >"$tmp/questions"
   ask "$tmp/questions" >"$tmp/log" 2>&1 || { cat "$tmp/log"; return 1; }
   while read -r instance; do
@@ -250,7 +253,7 @@ audit_instances() {
 }
 
 audit_kernel() {
-  coqchk -silent -o -Q "$build" Durero Durero.Main Durero.Instances >"$tmp/chk" 2>&1 || { cat "$tmp/chk"; return 1; }
+  coqchk -silent -o -Q "$build" Durero Durero.Main $(of_instances | sed 's/[^ ][^ ]*/Durero.&/g') >"$tmp/chk" 2>&1 || { cat "$tmp/chk"; return 1; }
   sed -n '/^\* Axioms:/,/^\* Constants/p' "$tmp/chk" | sed -n 's/^    *//p' >"$tmp/axioms"
   if printf '%s\n' "$allowed" | grep -vxFf - "$tmp/axioms"; then echo 'coqchk finds these other axioms'; return 1; fi
   [ "$(grep -v '^\* Axioms:' "$tmp/chk" | grep -c ': <none>$')" = 3 ] || { cat "$tmp/chk"; return 1; }
