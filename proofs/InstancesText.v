@@ -1,0 +1,118 @@
+(** * InstancesText: the theorems of the text and of the models beside it, on the seven shapes
+
+    The instances of MainText.v, and those of MainModels.v about tables and acceleration, as Instances.v has them: each is a
+    theorem with all its premises discharged. The scene is that of InstanceScene.v; what is added to it is named 8.
+
+    not_there e         == e is no element of the seven *)
+From Coq Require Import ZArith Reals List Bool Lia Lra.
+From Durero Require Import Toolkit Especificacion Escena Operaciones Exacto InstanceScene InstanceSearch.
+From Durero Require Puntos Trazador Interseccion Printed ExactoEscena Retrieve Errata MainModels MainText.
+Import ListNotations.
+Local Open Scope R_scope.
+Local Open Scope zed_scope.
+
+Notation s := (scene_of 2 seven).
+Notation ok := the_seven_are_a_scene.
+
+(** ** The scene and its operations *)
+
+Definition instance_of_operations_of_one_type_commute :=
+  fun e t c r d h k abc => MainModels.operations_of_one_type_commute nat Nat.eq_dec (tables_of 2 seven) e t c r d h k abc
+    (tables_are_right 2 seven seven_once seven_valid).
+Definition instance_of_total_operations_are_total :=
+  fun e t c r d h k abc => MainText.total_operations_are_total nat s e t c r d h k abc ok.
+
+Lemma not_there e : (7 < e)%nat -> e ∉ elementos s.
+Proof.
+  intros N [x Hx]; apply rows_of in Hx as (sh & Hin & _); cbn in Hin.
+  repeat destruct Hin as [[= <- _] | Hin]; lia || contradiction.
+Qed.
+
+Notation origin := (mk_Punto 0 0 0).
+Notation up := (mk_Vector 0 0 1).
+Notation corner := (mk_Terna origin (mk_Punto 1 0 0) (mk_Punto 0 1 0)).
+Lemma up_is_unit : up ∈ Unitario.
+Proof. unfold Unitario, tolerancia_unidad; cbn; lra. Qed.
+Lemma positive x : 0 < x -> x ∈ Rmas.
+Proof. intros H; exact H. Qed.
+Lemma corner_is_proper : corner ∈ Vertices.
+Proof. unfold Vertices; cbn; intros (? & ? & ?); lra. Qed.
+
+(** A shape of each type is added, and the cylinder is removed: eight scenes. *)
+Theorem instance_of_operations_preserve_the_invariant :
+  Escena_ok (with_esfera _ s 8%nat origin 1) /\ Escena_ok (with_cilindro _ s 8%nat origin 1 up 1)
+  /\ Escena_ok (with_cono _ s 8%nat origin 1 up 1) /\ Escena_ok (with_tronco _ s 8%nat origin 1 1 up 1)
+  /\ Escena_ok (with_plano _ s 8%nat origin up) /\ Escena_ok (with_disco _ s 8%nat origin 1 up)
+  /\ Escena_ok (with_triangulo _ s 8%nat corner) /\ Escena_ok (scene_without _ s 2%nat).
+Proof.
+  assert (N : 8%nat ∉ elementos s) by (apply not_there; lia).
+  assert (P : 1 ∈ Rmas) by (apply positive; lra). pose proof up_is_unit as U. pose proof corner_is_proper as V.
+  destruct (MainText.operations_preserve_the_invariant nat s 8%nat origin 1 up 1 1 corner ok) as (A & B & C & D & E & F & G & _).
+  pose proof (MainText.operations_preserve_the_invariant nat s 2%nat origin 1 up 1 1 corner ok) as R.
+  exact (conj (A N P) (conj (B N P U P) (conj (C N P U P) (conj (D N P P U P) (conj (E N U) (conj (F N P U) (conj (G N V)
+    (proj2 (proj2 (proj2 (proj2 (proj2 (proj2 (proj2 R)))))))))))))).
+Qed.
+
+Lemma a_cone_is_added : Elemento_Agregado s (with_cono _ s 8%nat origin 1 up 1) 8%nat soy_cono origin 1 up 1 1 corner elemento_agregado.
+Proof.
+  apply Elemento_Agregado_computed; split; [|split; [apply Escena_eq_refl | reflexivity]].
+  split; [exact ok | split; [apply not_there; lia|]].
+  split; [apply positive; lra | split; [exact up_is_unit | apply positive; lra]].
+Qed.
+Definition instance_of_adding_then_removing_is_the_identity :=
+  MainText.adding_then_removing_is_the_identity nat _ _ _ _ _ _ _ _ _ _ _ a_cone_is_added.
+
+(** The sphere is as it was, when a cone is added and when the cylinder is removed. *)
+Lemma the_cylinder_is_removed : Elemento_Eliminado s (scene_without _ s 2%nat) 2%nat elemento_eliminado.
+Proof.
+  apply Elemento_Eliminado_computed; split; [|split; [apply Escena_eq_refl | reflexivity]].
+  split; [exact ok|]; exists (row_of 2 (shape_at 2)); apply rows_of; exists (shape_at 2); split; [right; now left | reflexivity].
+Qed.
+Lemma one_is_not_eight : 1%nat <> 8%nat.
+Proof. discriminate. Qed.
+Lemma one_is_not_two : 1%nat <> 2%nat.
+Proof. discriminate. Qed.
+Definition instance_of_an_edit_touches_one_element :=
+  conj (MainText.an_edit_touches_one_element nat _ _ _ _ _ _ _ _ _ _ _ _ one_is_not_eight (or_introl a_cone_is_added))
+    (MainText.an_edit_touches_one_element nat _ _ _ _ soy_cilindro origin 1 up 1 1 corner _ one_is_not_two
+      (or_intror the_cylinder_is_removed)).
+
+(** ** Defects of the printed text *)
+
+Definition instance_of_E06_another_element_changes :=
+  MainText.E06_another_element_changes nat 1%nat 8%nat origin one_is_not_eight.
+
+(** The cylinder of the seven, removed as a sphere: its centre and its radius go. *)
+Definition removed_as_a_sphere : Escena nat :=
+  let w := scene_without _ s 2%nat in
+  mk_Escena (elementos w) (tipos w) (de_que_tipo w) (mi_centro w) (mi_radio w) (mi_vector s) (mi_altura s) (mi_proporcion s)
+    (mi_vertices s).
+Definition instance_of_E09_wrong_type_leaves_attributes :=
+  MainText.E09_wrong_type_leaves_attributes nat s removed_as_a_sphere 2%nat _ _ _ _ ok
+    (shape_in_scene 2 seven 2%nat _ (or_intror (or_introl eq_refl))) (seteq_refl _) (seteq_refl _) (seteq_refl _).
+
+(** The printed cylinder of radius 4 is that of radius 2, which has points, and none of them is of the one of radius 4. *)
+Theorem instance_of_E10_other_surface :
+  Errata.printed_puntos_cilindro origin 4 up 1 ≡ puntos_cilindro origin (sqrt 4) up 1
+  /\ (forall w, w ∈ Errata.printed_puntos_cilindro origin 4 up 1 -> w ∉ puntos_cilindro origin 4 up 1)
+  /\ exists w, w ∈ puntos_cilindro origin 4 Errata.axis_z 1.
+Proof.
+  assert (P : 4 > 0) by lra. destruct (MainText.E10_other_surface origin 4 up 1 P) as (A & B & C).
+  split; [exact A | split; [apply B; lra | apply C; lra]].
+Qed.
+
+Lemma one_is_positive : 1 > 0.
+Proof. lra. Qed.
+Definition instance_of_E11_plane := MainText.E11_plane origin 1 up 1 one_is_positive one_is_positive.
+
+Theorem instance_of_E14_no_description :
+  ~ exists w, Toolkit.is_mu (fun temp => (temp = mk_Punto 1 0 0 \/ temp = mk_Punto 2 0 0) /\
+    exists t, t ∈ Rmas /\ Trazador.is_least ⦃distancia temp origin⦄ t) w.
+Proof.
+  assert (D : forall x, 0 < x -> 0 < distancia (mk_Punto x 0 0) origin).
+  { intros x Hx; unfold distancia, cuadrado; cbn; apply sqrt_lt_R0.
+    pose proof (Rmult_lt_0_compat _ _ Hx Hx); lra. }
+  refine (MainText.E14_no_description (fun w => w = mk_Punto 1 0 0 \/ w = mk_Punto 2 0 0) origin (mk_Punto 1 0 0) (mk_Punto 2 0 0)
+    _ (or_introl eq_refl) (or_intror eq_refl) (D 1 _) (D 2 _)); try lra.
+  intros [= H]; lra.
+Qed.
