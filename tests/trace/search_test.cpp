@@ -48,6 +48,15 @@ TEST_CASE("elements that floating point finds alike are no tie unless they are e
   CHECK(first_hit(trace::Tables(scene), along_x, {}, nullptr).elementos == scene::ElementSet{first, again});
 }
 
+TEST_CASE("elements with the same bits of a finding are no tie unless their numbers are equal") {
+  scene::Scene scene;
+  add(scene, scene::Sphere{{0x1p20, 0, 0}, 1});
+  const scene::ElementRef nearest = add(scene, scene::Sphere{{0x1p20, 0, 0}, 1 + 0x1p-50});  // by less than t can tell
+  add(scene, scene::Sphere{{0x1p20, 0, 0}, 1 + 0x1p-52});
+  const model::Rayo along_x = ray({0, 0, 0}, {1, 0, 0});
+  CHECK(first_hit(trace::Tables(scene), along_x, {}, nullptr).elementos == scene::ElementSet{nearest});
+}
+
 TEST_CASE("what no step in floating point is certain of is rounded from the exact parameter") {
   // A sphere met at 1 + 2⁻⁵³ and at 1 + 3·2⁻⁵³, each halfway between two binary64: the even one is told. Both are met
   // at 1 along the axis, which is rounded of p + t·v and not of p and the rounded t.
