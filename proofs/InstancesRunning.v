@@ -10,7 +10,7 @@
 From Coq Require Import ZArith Reals List Bool Relations Lia Lra.
 From Flocq Require Import Core BinarySingleNaN.
 From Durero Require Import Toolkit Especificacion Escena Exacto InstanceScene InstanceSearch.
-From Durero Require Slab Boxes Wide Walk Limits Search Chain Occlusion Whole Triage Running Recorded Flotante Vectors Formas
+From Durero Require Reached Acceleration Moments Lattice Grid Crossings Trees Leaves Puntos Slab Boxes Wide Walk Limits Search Chain Occlusion Whole Triage Running Recorded Flotante Vectors Formas
   ExactoEscena Main MainModels Instances.
 Import ListNotations.
 Local Open Scope R_scope.
@@ -174,3 +174,132 @@ Proof.
     + split; [exact (Wide.nested_element nat (fun _ => around_the_sphere) 1%nat the_box_is_finite)|]; intros _; repeat split; apply Rle_refl.
     + split; [constructor | intros N; now destruct N].
 Qed.
+
+(** A shadow ray, in the same tree: the walk ends when something blocks. *)
+Notation blocks := (Occlusion.blocks nat Running.finding reach_of in_range triage stable).
+Notation blocks_segment := (Occlusion.blocks_segment nat Running.finding reach_of in_range triage stable low high).
+Definition once_blocked (b : bool) (c : Walk.cell nat) : Prop := b = true.
+Notation shadow take b := (exists taken, Walk.walks nat bool Nat.eq_dec (Occlusion.take nat take) once_blocked
+  (Walk.plan the_others [Boxes.cell_of nat beam a_tree], ([], false)) ([], (taken, b))).
+Theorem instance_of_the_answer_to_a_shadow_ray_is_the_texts : exists b b1,
+  shadow blocks b /\ shadow blocks_segment b1 /\ (b = true <-> occluded s ray en) /\ (b1 = true <-> occluded_segment s ray en).
+Proof.
+  destruct (opens_all _ (Occlusion.take nat blocks) once_blocked (Walk.plan the_others [Boxes.cell_of nat beam a_tree]) ([], false))
+    as (taken & b & W).
+  destruct (opens_all _ (Occlusion.take nat blocks_segment) once_blocked (Walk.plan the_others [Boxes.cell_of nat beam a_tree])
+    ([], false)) as (taken1 & b1 & W1).
+  destruct (Main.the_answer_to_a_shadow_ray_is_the_texts nat Nat.eq_dec 2%Z s en p v eq_refl the_seven_are_a_scene elements shape_at on
+    (is_described on) Running.finding in_range triage stable improved Running.near low high Recorded.less rounded round_exact
+    (they_are_right _ _ _ right) once_blocked once_blocked the_others [Boxes.cell_of nat beam a_tree] taken b taken1 b1) as [A A1].
+  1-2: intros c e t N; discriminate N.
+  - exact the_others_are.
+  - apply Forall_cons; [|apply Forall_nil]; apply Walk.lists_from_cell; [intros e [] | intros c [<- | []]];
+      apply Walk.lists_from_cell; solve [intros c [] | intros e [<- | []]; now left].
+  - intros e t He N M; rewrite (the_sphere_is e He N) in *; eexists; split; [now left|].
+    apply (Chain.met_of_another nat s ray en 1%nat t) in M; [destruct M as [Pos M] | intros K; discriminate K].
+    rewrite <- beam_is_the_ray in M; apply (Boxes.under_leads nat beam (puntos_de_elemento s)); [|exact Pos | exact M].
+    apply Boxes.under_node with (Boxes.Leaf nat [1%nat]); [now left | constructor; now left | exact the_sphere_is_in_its_box].
+  - exists b, b1; split; [now exists taken | split; [now exists taken1 | split; [exact (A W) | exact (A1 W1)]]].
+Qed.
+
+(** ** Trees and a grid *)
+
+Lemma half_in_range low n : (-150 <= low <= -100)%Z -> small n = true -> Crossings.in_range low (- low) (half n).
+Proof.
+  intros L H; split; [now apply half_is|]; rewrite (proj2 (half_is n H)).
+  destruct (small_is_ordinary n H) as [_ [Z0 | [A B]]]; [now left | right; split].
+  - apply Rle_trans with (2 := A), bpow_le; lia.
+  - apply Rle_trans with (1 := B), bpow_le; lia.
+Qed.
+Lemma half_usable n : small n = true -> Crossings.usable64 (half n).
+Proof. intros H; apply (half_in_range (-150)); [lia | exact H]. Qed.
+
+Lemma beam_in_order : Crossings.ordinary (Leaves.p_of beam) (Leaves.v_of beam).
+Proof. intros []; split; (apply (half_in_range (-150)) || apply (half_in_range (-100))); (lia || reflexivity). Qed.
+
+Notation corner := (fun _ : Acceleration.axis => half (-6)).
+Notation far := (fun _ : Acceleration.axis => half 7).
+Notation lists := (fun _ : nat => [1%nat]).
+Lemma the_sphere_is_listed holds e : In e elements -> ~ In e the_others ->
+  Leaves.listed_by nat s nat lists around_the_sphere corner far holds e.
+Proof.
+  intros He N w Hw; rewrite (the_sphere_is e He N) in *; apply the_sphere_is_in_its_box in Hw; split; [exact Hw|].
+  split; [|intros n _; now left]; destruct Hw as (X & Y & Z0); revert X Y Z0; unfold around_the_sphere.
+  cbn [Boxes.low_x Boxes.high_x Boxes.low_y Boxes.high_y Boxes.low_z Boxes.high_z].
+  rewrite !(fun n H => proj2 (half_is n H)) by reflexivity; unfold over; intros X Y Z0 []; cbn [Chain.along]; lra.
+Qed.
+
+Notation line := (Crossings.line64 (Leaves.p_of beam) (Leaves.v_of beam) beam_in_order).
+Definition an_octree : Trees.eighths _ _ line nat :=
+  Trees.Node _ _ line nat (fun _ => half 0) (fun _ _ _ => Trees.Eighth _ _ line nat 0%nat).
+Definition instance_of_octrees_as_they_run := Main.octrees_as_they_run nat 2 s en p v elements Running.finding beam beam_in_order nat lists
+  around_the_sphere corner far the_others an_octree beam_is_the_ray (fun _ => half_usable (-6) eq_refl) (fun _ => half_usable 7 eq_refl)
+  (conj (fun _ => half_usable 0 eq_refl) (fun _ _ _ => I)) none_starts (the_sphere_is_listed _).
+Definition a_tree_of_planes : Trees.halved _ _ line nat :=
+  Trees.Halved _ _ line nat Acceleration.X (half 0) (Trees.Whole _ _ line nat 0%nat) (Trees.Whole _ _ line nat 1%nat).
+Definition instance_of_bsp_trees_as_they_run := Main.bsp_trees_as_they_run nat 2 s en p v elements Running.finding beam beam_in_order nat
+  lists around_the_sphere corner far the_others a_tree_of_planes beam_is_the_ray (fun _ => half_usable (-6) eq_refl)
+  (fun _ => half_usable 7 eq_refl) (conj (half_usable 0 eq_refl) (conj I I)) none_starts (the_sphere_is_listed _).
+
+(** One cube, from -4 to 4 along each axis. *)
+Notation least := (fun _ : Acceleration.axis => -4).
+Notation one_cube := (fun _ : Acceleration.axis => 1%Z).
+Notation first_cube := (fun _ : Acceleration.axis => 0%Z).
+Ltac by_axis := unfold Lattice.out, Lattice.backwards, Moments.crossing, Lattice.plane; cbn; unfold over; cbn;
+  repeat match goal with
+  | |- context [Rlt_dec ?a ?b] => destruct (Rlt_dec a b); try (exfalso; lra)
+  | |- context [Req_EM_T ?a ?b] => destruct (Req_EM_T a b); try (exfalso; lra)
+  end.
+
+Notation gp := (fun i => Chain.along (Rayo_p ray) i).
+Notation gv := (fun i => Chain.component (Rayo_v ray) i).
+Lemma enters_the_cube : Lattice.way_in gp gv least 8 one_cube (1, false).
+Proof.
+  assert (Start : forall i, i <> Acceleration.X -> Moments.between gp gv (fun j => Lattice.plane least 8 j 0)
+    (fun j => Lattice.plane least 8 j 1) i Moments.start).
+  { intros [] N; [now destruct N | |]; unfold Moments.between, Moments.above, Moments.at_; split; by_axis; lra. }
+  assert (Enters : Moments.enters gp gv (fun j => Lattice.plane least 8 j 0) (fun j => Lattice.plane least 8 j 1) Acceleration.X (1, false)).
+  { right; left; split; [unfold Moments.above, Moments.at_; by_axis; lra | by_axis; do 2 f_equal; lra]. }
+  split; [|split; [right; exists Acceleration.X; exact Enters|]].
+  - intros []; [exists (1, false); split; [exact Enters|] | |]; try (exists Moments.start; split; [left; split; [now apply Start | reflexivity]|]);
+      unfold Moments.before; cbn; intros [K | (K & N & N1)]; (lra || discriminate).
+  - unfold Moments.before; cbn; intros [K | (K & N & N1)]; (lra || discriminate).
+Qed.
+Lemma is_in_the_cube : Lattice.in_cell gp gv least 8 first_cube (1, false).
+Proof. intros []; unfold Lattice.in_place, Moments.above, Moments.at_; split; by_axis; lra. Qed.
+Lemma leaves_the_cube : Lattice.path gp gv least 8 one_cube (1, false) first_cube [((1, false), first_cube)].
+Proof.
+  assert (Out : Lattice.out gp gv least 8 Acceleration.X 0 = Some (3, false)) by (by_axis; do 2 f_equal; lra).
+  apply Lattice.path_ends with (3, false) Acceleration.X; [split; [exists Acceleration.X; exact Out|] | exact Out|].
+  - intros [] o; by_axis; intros [= <-]; unfold Moments.before; cbn; intros [K | (K & N & N1)]; (lra || discriminate).
+  - unfold Lattice.on, Lattice.backwards; by_axis; lia.
+Qed.
+Definition in_the_box (t : R) : Prop := Boxes.holds around_the_sphere (Puntos.point_at ray t).
+Lemma the_cube_holds_the_sphere e t : In e elements -> ~ In e the_others -> puntos_de_elemento s e (Puntos.point_at ray t) ->
+  in_the_box t /\ Lattice.in_box gp gv least 8 one_cube (t, false)
+  /\ forall d, Lattice.in_range one_cube d -> Grid.in_cube gp gv least 8 d t -> In e [1%nat].
+Proof.
+  intros He N Hw; rewrite (the_sphere_is e He N) in *; apply the_sphere_is_in_its_box in Hw; split; [exact Hw|].
+  split; [|intros; now left]; revert Hw; unfold Boxes.holds, around_the_sphere.
+  cbn [Boxes.low_x Boxes.high_x Boxes.low_y Boxes.high_y Boxes.low_z Boxes.high_z].
+  rewrite !(fun n H => proj2 (half_is n H)) by reflexivity; cbn; unfold over; intros (X & Y & Z0).
+  intros []; unfold Moments.between, Moments.above, Moments.at_; split; by_axis; lra.
+Qed.
+Definition instance_of_grids_as_they_run := Main.grids_as_they_run nat 2 s en p v elements Running.finding least 8 one_cube
+  (fun _ => [1%nat]) in_the_box the_others (1, false) first_cube [((1, false), first_cube)] (IZR_lt 0 8 eq_refl) none_starts
+  the_cube_holds_the_sphere enters_the_cube is_in_the_cube (fun _ => conj (Z.le_refl 0) eq_refl) leaves_the_cube.
+
+(** ** The triage *)
+
+Definition triage_of (e : nat) (x : Limits.binary64) : Search.verdict (Formas.known R) :=
+  Triage.verdict_of (Recorded.answer_up_to (Triage.alone_of (real p) (real v) (shapes e) (on e)) x).
+Lemma the_triage_is_that e x : In e elements -> true = true ->
+  exists a, Triage.answered (Triage.alone_of (real p) (real v) (shapes e) (on e)) x a /\ triage_of e x = Triage.verdict_of a.
+Proof.
+  intros He _; eexists; split; [|reflexivity]; apply Recorded.answered_up_to; pose proof (all_in_range _ _ _ right e He eq_refl) as [O Sh].
+  apply Reached.steps_settle.
+  - exact (Triage.ray_fits (real p) (real v) Instances.is_a_ray O).
+  - exact (Triage.stands_fit nat s the_seven_are_a_scene e _ (proj1 (over_two on e He)) Sh).
+Qed.
+Definition instance_of_the_triage_says_nothing_false := Main.the_triage_says_nothing_false nat s en (real p) (real v) the_seven_are_a_scene
+  Instances.is_a_ray elements shapes on in_range triage_of (over_two on) (all_in_range _ _ _ right) the_triage_is_that.

@@ -4,7 +4,7 @@
 #   audit.sh CHECK PROOFS [BUILD_DIRECTORY]
 #     text         no proof is left open, nothing is assumed outside a section or a module type, no check of Coq's is
 #                  switched off, and Main.v holds statements and nothing that they could be bent with
-#     reachable    Main.v or Instances*.v depends on every file, so that none is proved beside the point
+#     reachable    Main.v or an Instances*.v depends on every file, so that none is proved beside the point
 #     assumptions  each theorem of Main.v rests on the axioms that assumptions.txt says, and those are of classical reals
 #     statements   each theorem of Main.v says what statements.md says, and so does each definition that it reaches
 #     instances    each theorem of Main.v with premises has an instance in Instances*.v, which has none and rests on it; those
@@ -69,9 +69,6 @@ in_main="$common Implicit"
 in_any="$common Implicit Lemma Corollary Definition Fixpoint Inductive Record Instance Context Module Parameter Ltac Opaque
   Transparent Arguments Defined Unshelve"
 
-# The files of the instances, in the words of Coq: Instances.v and what goes on from it, Instances*.v.
-of_instances() { printf '%s\n' "$proofs"/Instances*.v | sed 's|.*/||; s|\.v$||' | tr '\n' ' '; }
-
 audit_text() {
   printf '%s\n' "$options" | diff - "$proofs/_CoqProject" || { echo '_CoqProject has other options than it should'; return 1; }
   sentences "$proofs"/*.v | awk -v any="$in_any" -v main="$in_main" '
@@ -114,7 +111,7 @@ audit_reachable() {
         for (i = 1; i <= n; i++) if (!(queue[i] in seen)) { seen[queue[i]] = 1; todo = todo " " edges[queue[i]] }
       }
       for (file in all) if (!(file in seen)) { sub(/^\.\//, "", file); sub(/\.vo$/, ".v", file)
-        print "proofs/" file ": neither Main.v nor Instances*.v depends on it"; bad = 1 }
+        print "proofs/" file ": neither Main.v nor an Instances*.v depends on it"; bad = 1 }
       exit bad }'
 }
 
@@ -256,7 +253,7 @@ audit_instances() {
 }
 
 audit_kernel() {
-  coqchk -silent -o -Q "$build" Durero Durero.Main $(of_instances | sed 's/[A-Za-z][A-Za-z]*/Durero.&/g') >"$tmp/chk" 2>&1 || { cat "$tmp/chk"; return 1; }
+  coqchk -silent -o -Q "$build" Durero Durero.Main $(of_instances | sed 's/[^ ][^ ]*/Durero.&/g') >"$tmp/chk" 2>&1 || { cat "$tmp/chk"; return 1; }
   sed -n '/^\* Axioms:/,/^\* Constants/p' "$tmp/chk" | sed -n 's/^    *//p' >"$tmp/axioms"
   if printf '%s\n' "$allowed" | grep -vxFf - "$tmp/axioms"; then echo 'coqchk finds these other axioms'; return 1; fi
   [ "$(grep -v '^\* Axioms:' "$tmp/chk" | grep -c ': <none>$')" = 3 ] || { cat "$tmp/chk"; return 1; }
