@@ -6,7 +6,7 @@
     not_there e         == e is no element of the seven *)
 From Coq Require Import ZArith Reals List Bool Lia Lra.
 From Durero Require Import Toolkit Especificacion Escena Operaciones Exacto InstanceScene InstanceSearch.
-From Durero Require Puntos Trazador Interseccion Printed ExactoEscena Retrieve Errata MainModels MainText.
+From Durero Require Tipos Surd Puntos Trazador Interseccion Printed ExactoEscena Retrieve Errata MainModels MainText.
 Import ListNotations.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -116,3 +116,82 @@ Proof.
     _ (or_introl eq_refl) (or_intror eq_refl) (D 1 _) (D 2 _)); try lra.
   intros [= H]; lra.
 Qed.
+
+(** ** The closed forms *)
+
+Notation from_outside := (ExactoEscena.the_ray 2 (v3 (-16) 2 1) (v3 8 1 (-1))).
+Notation the_sphere := (Puntos.of_esfera from_outside (point 2 (v3 0 0 0)) (over 2 6)).
+Ltac numbers := cbn; unfold Tipos.sq, Tipos.dot; cbn; unfold over; lra.
+Theorem instance_of_stable_roots_are_the_textbook_ones :
+  let plus := (- Puntos.cB the_sphere + sqrt (Trazador.discriminant the_sphere)) / Puntos.cA the_sphere in
+  let minus := (- Puntos.cB the_sphere - sqrt (Trazador.discriminant the_sphere)) / Puntos.cA the_sphere in
+  (Trazador.stable_sum the_sphere / Puntos.cA the_sphere = plus /\ Puntos.cC the_sphere / Trazador.stable_sum the_sphere = minus)
+  \/ (Trazador.stable_sum the_sphere / Puntos.cA the_sphere = minus /\ Puntos.cC the_sphere / Trazador.stable_sum the_sphere = plus).
+Proof.
+  assert (A : Puntos.cA the_sphere = 33 / 2) by numbers.
+  assert (B : Puntos.cB the_sphere = - (127 / 4)) by numbers.
+  assert (C : Puntos.cC the_sphere = 225 / 4) by numbers.
+  assert (D : 0 <= Trazador.discriminant the_sphere) by (unfold Trazador.discriminant; rewrite A, B, C; lra).
+  apply MainText.stable_roots_are_the_textbook_ones; [rewrite A; lra | exact D|].
+  pose proof (sqrt_pos (Trazador.discriminant the_sphere)); unfold Trazador.stable_sum, Trazador.sgn; rewrite B.
+  destruct Rlt_dec; lra.
+Qed.
+
+Definition instance_of_a_triangle_is_the_convex_combinations_of_its_vertices :=
+  fun w => MainText.a_triangle_is_the_convex_combinations_of_its_vertices corner w corner_is_proper.
+
+(** Two halves of a square, whose vertices are told in other orders. *)
+Notation other_half := (mk_Terna (mk_Punto 0 1 0) (mk_Punto 1 1 0) (mk_Punto 1 0 0)).
+Lemma a_half : 0 <= 1 / 2 <= 1.
+Proof. lra. Qed.
+Definition instance_of_triangles_share_the_edge_between_common_vertices :=
+  MainText.triangles_share_the_edge_between_common_vertices corner other_half (mk_Punto 1 0 0) (mk_Punto 0 1 0) (1 / 2)
+    (or_intror (or_introl eq_refl)) (or_intror (or_intror eq_refl)) (or_intror (or_intror eq_refl)) (or_introl eq_refl) a_half.
+
+(** ** The first hit of the seven *)
+
+Notation none := (∅ : set nat).
+Definition nowhere (e : nat) : bool := false.
+Lemma ray_from_outside : asked (v3 (-16) 2 1) (v3 8 1 (-1)) nowhere.
+Proof. split; [reflexivity | cbn; lia | discriminate]. Qed.
+Notation is_a_ray := (is_ray _ _ _ ray_from_outside).
+Lemma of_the_ray : alcances s from_outside none ⊆ puntos_de_rayo from_outside.
+Proof. intros w (e & _ & _ & Hw & _); exact Hw. Qed.
+Definition instance_of_nearest_point_exists_iff_infimum_attained :=
+  MainText.nearest_point_exists_iff_infimum_attained from_outside is_a_ray _ of_the_ray.
+
+Lemma no_element_is_on (e : nat) (sh : shape) : In (e, sh) seven -> (nowhere e = true <-> none e).
+Proof. intros _; split; [discriminate | intros []]. Qed.
+Notation as_described := (described 2 seven none nowhere no_element_is_on).
+Lemma none_is_known : none ⊆ elementos s.
+Proof. intros e []. Qed.
+Notation the_first := (Surd.Surd 127 (-1) 1279 66).
+Lemma the_sphere_is_hit : Hay_Interseccion s s from_outside none hit (fun e => In e [1%nat]) (Surd.val the_first)
+  (Puntos.point_at from_outside (Surd.val the_first)).
+Proof.
+  pose proof (MainModels.executable_first_hit_is_Primera_Interseccion nat s s 2 none _ _ _ eq_refl ok is_a_ray as_described
+    same_scene none_is_known) as H.
+  replace (first_hit 2 _ _ _) with (Hit the_first [1%nat]) in H by (vm_compute; reflexivity); exact H.
+Qed.
+Definition instance_of_the_elements_of_a_hit_are_de_que_elemento :=
+  MainText.the_elements_of_a_hit_are_de_que_elemento _ _ _ _ _ _ _ _ the_sphere_is_hit.
+
+(** From (10, 0, 0) along the axis of the cylinder, which has the radius 2 about (8, 0): along a generator of it. *)
+Notation inside_p := (v3 20 0 0).
+Notation along_the_cylinder := (ExactoEscena.the_ray 2 inside_p along_z).
+Lemma ray_along_the_cylinder : asked inside_p along_z nowhere.
+Proof. split; [reflexivity | cbn; lia | discriminate]. Qed.
+Lemma it_starts_in_the_cylinder : Trazador.starts_in (Interseccion.met along_the_cylinder nat s none 2%nat).
+Proof.
+  pose proof (MainModels.executable_first_hit_is_right nat 2 inside_p along_z
+    (map (fun a => (fst a, snd a, nowhere (fst a))) seven) eq_refl) as H.
+  replace (first_hit 2 _ _ _) with (NoMin [2%nat]) in H by (vm_compute; reflexivity).
+  destruct H as [_ H]; destruct (proj1 (H 2%nat) (or_introl eq_refl)) as (sh & on & Hin & Starts).
+  apply (ExactoEscena.starts_from_origin _ _ (fun t => ExactoEscena.meets_met nat 2 s ok none _ _ _ as_described 2%nat sh on t Hin)).
+  exact Starts.
+Qed.
+Lemma the_cylinder_is_there : 2%nat ∈ elementos s.
+Proof. exists (row_of 2 (shape_at 2)); apply rows_of; exists (shape_at 2); split; [right; now left | reflexivity]. Qed.
+Definition instance_of_the_segment_is_of_a_generator :=
+  MainText.the_segment_is_of_a_generator along_the_cylinder (is_ray _ _ _ ray_along_the_cylinder) nat s none ok 2%nat
+    the_cylinder_is_there it_starts_in_the_cylinder.
