@@ -220,6 +220,12 @@ small
 sed -i 's/:= Main.doubled 0 eq_refl/(n : nat) (zero : n = 0) := Main.doubled n zero/' "$proofs/Instances.v"
 rebuilt instances "an instance with a premise" 'instance_of_doubled: an instance with a premise'
 small
+echo 'From Durero Require Main.' >"$proofs/Instances.v"
+printf 'From Durero Require Main.\nDefinition instance_of_doubled n (zero : n = 0) := Main.doubled n zero.\n' >"$proofs/InstancesMore.v"
+rebuilt instances "an instance with a premise in another file" 'InstancesMore.instance_of_doubled: an instance with a premise'
+printf 'From Durero Require Main.\nVariable choice : False.\n' >"$proofs/InstancesMore.v"
+rebuilt kernel "what another file of instances assumes" 'Durero.InstancesMore.choice'
+small
 sed -i 's/^Definition instance_of_doubled.*/Theorem instance_of_doubled : 0 = 0.\nProof. reflexivity. Qed./' "$proofs/Instances.v"
 rebuilt instances "an instance that does not rest on its theorem" 'instance_of_doubled: does not rest on Main.doubled'
 small
