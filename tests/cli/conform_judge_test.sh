@@ -1,7 +1,7 @@
 # durero conform judge, show and compare: hits from files, a ray explained, systems side by side.
 . "$(dirname "$0")/harness.sh"
 
-run 0 conform make suite --family generic,rim --rays 96
+run 0 conform make suite --family generic,rim --rays 24
 
 # Exact answers, handed in as JSON lines, as CSV and as .npy, are right.
 python3 - <<'END'
@@ -36,11 +36,11 @@ pathlib.Path("wrong.jsonl").write_text("\n".join(map(json.dumps, wrong)))
 END
 for hits in hits.jsonl hits.csv hits.npy; do
   run 0 conform judge suite $hits --profile durero
-  has out '192 rays: 0 gross, 0 off, '
+  has out '48 rays: 0 gross, 0 off, '
 done
 
 run 1 conform judge suite wrong.jsonl --profile durero --report found
-has out '192 rays: 2 gross, 0 off, '
+has out '48 rays: 2 gross, 0 off, '
 has out 'generic missed: expected e'
 has out '; got a miss'
 has out ': no answer'

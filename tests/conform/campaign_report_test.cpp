@@ -159,7 +159,7 @@ TEST_CASE("where no judged ray failed the share of those that do is bounded") {
   Shards all = shard(0, true);
   CHECK(has(text(all), "95 %: where none of n judged rays failed"));
   CHECK(has(text(all), "\ngeneric                         100           0.03"));
-  CHECK(has(text(all), "\nall                             200          0.015           0.96\n"));
+  CHECK(has(text(all), "\nall                             200          0.015           0.24\n"));
   const std::string of_blind = text(shard(0));
   CHECK(has(of_blind, "\ntiny                 "));  // among the counts
   CHECK_FALSE(has(of_blind.substr(of_blind.find("hits off")), "\ntiny"));
@@ -169,7 +169,7 @@ TEST_CASE("where no judged ray failed the share of those that do is bounded") {
     const double share = failing_share(n), exact = -std::expm1(std::log(0.05) / static_cast<double>(n));
     CHECK(exact <= share);
     if (n >= 1000) CHECK(share <= exact * 1.01);
-    CHECK(failing_share_by_scenes(n) == std::min(1.0, 192 / static_cast<double>(n)));
+    CHECK(failing_share_by_scenes(n) == std::min(1.0, 48 / static_cast<double>(n)));
   }
   CHECK(failing_share(1) == 1);
 }

@@ -186,7 +186,7 @@ void check_members(const Judged& judged, std::size_t least) {
 }  // namespace
 
 TEST_CASE("no answer of a right tracer is off, whatever it claims and wherever its limits lie") {
-  const Judged judged = judge_population(1, 1, fewer_when_sanitized(10) / 2);
+  const Judged judged = judge_population(1, 4, fewer_when_sanitized(10) / 2);
   INFO(judged.rays << " rays, " << judged.beyond << " end otherwise by their limits");
   CHECK(judged.rays > fewer_when_sanitized(20'000));
   check_members(judged, fewer_when_sanitized(100));
@@ -198,7 +198,7 @@ TEST_CASE("nor of ten million rays", "[long]") {
   const std::uint64_t suites = asked == nullptr ? 60 : std::strtoull(asked, nullptr, 10);
   std::size_t rays = 0;
   for (std::uint64_t suite = 2; suite < 2 + suites; ++suite) {
-    const Judged judged = judge_population(suite, 2, 12);
+    const Judged judged = judge_population(suite, 8, 12);
     rays += judged.rays;
     CHECK(judged.failures == 0);
   }

@@ -22,8 +22,8 @@ struct SuiteOptions {
   Format numbers = Format::binary32;      ///< of scenes, but for discs that close solids, and of rays
 };
 
-/// How many rays a case has; the last of a family may have less.
-inline constexpr std::size_t rays_of_a_case = 64;
+/// How many rays a case has; the last of a family may have less. Few, for radii and poses differ between cases alone.
+inline constexpr std::size_t rays_of_a_case = 16;
 
 /// A scene with its rays, where it is from, and the exact answers once answer() has found them.
 struct SuiteCase {
