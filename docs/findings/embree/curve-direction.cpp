@@ -1,17 +1,14 @@
 // Embree 3.13.5 open: misplaced
-// Expected e3 at t = 14.939339828220179, point (-1.0606601717798212, 1.0606601717798212, 1); got e3 at t = 14.5.
+// Expected e1 at t = 27.06713520062746, point (-73.86572959874508, 0, 0); got e1 at t = 26.679790496826172.
 // Cone curves are met at another t where |v| is not 1, though RTCRay says that the direction does not have to be normalized.
-// the exact answer: e3 at t = 14.939339828220179
-// e3:
-//   t = 14.93933982822017871339873345684272644107
-//     = 16 − 1/2·√(9/2)
-// e3:
-//   t = 17.06066017177982128660126654315727355893
-//     = 16 + 1/2·√(9/2)
+// the exact answer: e1 at t = 27.06713520062746
+// e1:
+//   t = 27.06713520062746173226869667341545629454
+//     = 64 − 316912650057057350374175801344/951641845695224870090159381809·√(951641845695224870090159381809/77371252455336267181195264)
 // the first point:
-//   x = -1.060660171779821286601266543157273558927
-//   y = 1.060660171779821286601266543157273558927
-//   z = 1
+//   x = -73.86572959874507653546260665316908741092
+//   y = 0
+//   z = 0
 //
 // c++ -std=c++17 -O2 curve-direction.cpp -lembree3 && ./a.out
 #include <embree3/rtcore.h>
@@ -37,10 +34,10 @@ int main() {
   rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
   const char* names[1];
   {
-    names[0] = "e3";
+    names[0] = "e1";
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE);
-    const double ends[] = {0.0, 0.0, 0.0, 2.0,
-                           0.0, 0.0, 2.0, 1.0};
+    const double ends[] = {0.0, 0.0, 0.0, 64.0,
+                           -127.81732940673828, -157.01571655273438, -156.66778564453125, 64.0};
     copy(ends, 8, floats(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, 4, 2));
     indices(geometry, RTC_FORMAT_UINT, 1)[0] = 0;
     void* flags = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_FLAGS, 0, RTC_FORMAT_UCHAR, 1, 1);
@@ -54,8 +51,8 @@ int main() {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   RTCRayHit rayhit{};
-  rayhit.ray.org_x = float(-16.0), rayhit.ray.org_y = float(16.0), rayhit.ray.org_z = float(1.0);
-  rayhit.ray.dir_x = float(1.0), rayhit.ray.dir_y = float(-1.0), rayhit.ray.dir_z = float(-0.0);
+  rayhit.ray.org_x = float(-128.0), rayhit.ray.org_y = float(0.0), rayhit.ray.org_z = float(0.0);
+  rayhit.ray.dir_x = float(2.0), rayhit.ray.dir_y = float(0.0), rayhit.ray.dir_z = float(0.0);
   rayhit.ray.tfar = std::numeric_limits<float>::infinity();
   rayhit.ray.mask = ~0U;
   rayhit.hit.geomID = rayhit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
@@ -65,5 +62,5 @@ int main() {
     std::puts("got: miss");
   else
     std::printf("got: hit %s %.9g\n", names[rayhit.hit.geomID], rayhit.ray.tfar);
-  std::puts("expected: hit e3 14.939339828220179");
+  std::puts("expected: hit e1 27.06713520062746");
 }

@@ -1,23 +1,23 @@
 // ODE 0.16.2: missed
-// Expected e1, e1.base at t = 64, point (0, 0.9375, -0.390625); got a miss.
-// the exact answer: e1, e1.base at t = 64
-// e1:
-//   t = 64
-//     = 64
-// e1.base:
-//   t = 64
-//     = 64
-// e1:
-//   t = 64.125
-//     = 513/8
+// Expected e0, e0.base at t = 4, point (-0.203125, -1.3125, 0); got a miss.
+// the exact answer: e0, e0.base at t = 4
+// e0:
+//   t = 4
+//     = 4
+// e0.base:
+//   t = 4
+//     = 4
+// e0.top:
+//   t = 5
+//     = 5
 // the first point:
-//   x = 0
-//   y = 0.9375
-//   z = -0.390625
+//   x = -0.203125
+//   y = -1.3125
+//   z = 0
 // ambiguous: rim
-// as good: e1 at t = 64
-// as good: e1.base at t = 64
-// as good: e1 at t = 64.125
+// as good: e0 at t = 4
+// as good: e0.base at t = 4
+// as good: e0.top at t = 5
 //
 // c++ -std=c++17 -O2 rim-missed.cpp -lode && ./a.out
 #include <ode/ode.h>
@@ -28,16 +28,16 @@ int main() {
   dInitODE2(0);
   const char* names[1];
   dGeomID geometries[1];
-  names[0] = "e1";
-  geometries[0] = dCreateCylinder(nullptr, 1.015625, 1.0);
-  dGeomSetPosition(geometries[0], 0.5, 0.0, 0.0);
-  const dMatrix3 rotation0 = {0.0, -0.0, 1.0, 0,
-                             0.0, 1.0, 0.0, 0,
-                             -1.0, 0.0, 0.0, 0};
+  names[0] = "e0";
+  geometries[0] = dCreateCylinder(nullptr, 1.328125, 0.5);
+  dGeomSetPosition(geometries[0], 0.0, 0.0, -0.25);
+  const dMatrix3 rotation0 = {-0.0, 1.0, 0.0, 0,
+                             1.0, 0.0, 0.0, 0,
+                             0.0, 0.0, -1.0, 0};
   dGeomSetRotation(geometries[0], rotation0);
 
   dGeomID ray = dCreateRay(nullptr, 1e30);
-  dGeomRaySet(ray, -64.0, 64.9375, 111.609375, 1.0, -1.0, -1.75);
+  dGeomRaySet(ray, 2.796875, -6.3125, 2.0, -0.75, 1.25, -0.5);
   int nearest = -1;
   double depth = dInfinity;
   for (int i = 0; i < 1; ++i) {
@@ -51,5 +51,5 @@ int main() {
     std::puts("got: miss");
   else
     std::printf("got: hit %s %.17g\n", names[nearest], depth);
-  std::puts("expected: hit e1 144");
+  std::puts("expected: hit e0 6.164414002968976");
 }
