@@ -44,7 +44,7 @@ oracle::spec::Calculator calculator(const EvalCall& call) {
   return text;
 }
 
-/// What is expected where a name is not declared: a state gives components of Escena their values.
+/// The expectation of an error about an undeclared name: a state gives components of Escena their values.
 std::string expected_name(const zed::ZError& error, const EvalCall& call) {
   const std::string name = error.what_is_wrong.substr(0, error.what_is_wrong.find(" is not declared"));
   if (!call.files.empty() || !call.scene.empty()) return error.expected;

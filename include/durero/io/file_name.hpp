@@ -1,5 +1,5 @@
 #pragma once
-/// What the name of a file says of its format: its ending, in letters of either case.
+/// The ending of a file's name tells its format, in letters of either case.
 
 #include <array>
 #include <span>

@@ -14,7 +14,7 @@ class ConstantError : public zed::ZError {
   using zed::ZError::ZError;
 };
 
-/// What a text knows of names and values.
+/// The names and values that a text knows.
 struct Knowledge {
   const zed::Specification& specification;  ///< without defects
   const zed::Typing& typing;                ///< of it
@@ -26,7 +26,7 @@ struct Knowledge {
 /// where there is no such constant, or VALUE has no value of its type, or makes something false that the text says.
 zed::Given typed_constants(const std::vector<std::string>& typed, const Knowledge& known);
 
-/// The same of a whole text without defects, in which no name has a value yet.
+/// The values that typed_constants() returns of a whole text without defects, in which no name has a value yet.
 zed::Given given_constants(const zed::Specification& text, const std::vector<std::string>& typed);
 
 /// Returns a line for each constant for which a value was taken: which, and how one chooses another.

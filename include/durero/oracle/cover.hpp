@@ -38,7 +38,8 @@ struct Outline {
   std::size_t bytes;  ///< of the samples and the balls
 };
 
-/// What cover() makes of the same surface with the same fineness, and throws.
+/// The first ball, the radius and the size of the cover that cover() makes of the surface with this fineness. It throws
+/// what cover() throws.
 Outline outline(const Parametrisation& surface, double fineness);
 
 /// Covers a surface with a covering radius of `fineness` times its widest radius, before rounding. Precondition:

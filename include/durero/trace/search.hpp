@@ -34,7 +34,7 @@ struct Candidate {
   Meeting at;           ///< its first point
 };
 
-/// What a search has found in the elements tested so far.
+/// The findings of a search in the elements tested so far.
 struct Found {
   double limit = no_limit;                                  ///< no point beyond it is the first
   boost::container::small_vector<Candidate, 4> candidates;  ///< in the order of their tests, none beyond the limit

@@ -62,7 +62,7 @@ class Edited {
   template <class MakeSurface>
   io::EditAnswer add_if_given(const scene::Edit& edit, MakeSurface make);
 
-  /// What an edit of the element of that name tells of groups, once it is carried out; it was in this group before.
+  /// The group that the element is no more in after an edit, or none: it left `was_in`, or is back without its group.
   std::string left_group(const std::string& name, std::string was_in);
 
   scene::GroupedScene of_;
