@@ -8,8 +8,8 @@ import os
 import random
 import subprocess
 import sys
-import tempfile
-import traceback
+
+from running import is_sanitized, run_tests
 
 durero = os.path.abspath(sys.argv[1])
 PATIENCE = 300  # seconds, on a machine that does much else
@@ -37,13 +37,6 @@ def fan(name, count):
                                   % (i, corner(i), corner(i + 1)) for i in range(count)) + "]}\n")
 
 
-def is_sanitized():
-    """What a sanitizer adds to a program is no memory of the program."""
-    with open(durero, "rb") as file:
-        text = file.read()
-    return b"__asan_init" in text or b"__tsan_init" in text
-
-
 def usage(status, *arguments):
     """What a call has used when it ends with that status."""
     process = subprocess.Popen([durero, *arguments], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -56,7 +49,7 @@ def usage(status, *arguments):
 # Points that the sampled oracle holds.
 
 def test_agree_holds_no_more_points_of_twice_as_many_elements():
-    if is_sanitized():
+    if is_sanitized(durero):
         return
     sizes = 4000, 8000  # of 360 and 720 MB of points
     memory = []
@@ -112,7 +105,7 @@ def test_a_line_that_does_not_end_is_refused():
         assert f"{LONGEST_LINE + 1}: a line of more than {LONGEST_LINE} bytes; expected a shorter one" in said, said
         assert said.count("\n") == 1, said
         assert count < LONGEST_LINE + (1 << 22), (arguments, count)
-        assert is_sanitized() or memory < 100 << 20, (arguments, memory)
+        assert is_sanitized(durero) or memory < 100 << 20, (arguments, memory)
     assert not os.path.exists("out.json")
 
 
@@ -138,21 +131,4 @@ def test_structures_of_twice_as_many_triangles_of_a_fan_are_twice_as_much():
             assert twice < 2.6 * once, counts
 
 
-def main():
-    tests = sys.argv[2:] or [name for name in globals() if name.startswith("test_")]
-    failures = 0
-    for name in tests:
-        with tempfile.TemporaryDirectory() as folder:
-            os.chdir(folder)
-            print(name.replace("_", " "), flush=True)
-            try:
-                globals()[name]()
-            except Exception:  # whatever it is, the others are tried
-                failures += 1
-                traceback.print_exc(limit=-3, file=sys.stdout)
-            os.chdir("/")
-    print(f"{len(tests)} tests, {failures} failures")
-    return failures > 0
-
-
-sys.exit(main())
+sys.exit(run_tests(globals()))

@@ -14,9 +14,9 @@ import stat
 import struct
 import subprocess
 import sys
-import tempfile
 import time
-import traceback
+
+from running import is_sanitized, run_tests
 
 durero = os.path.abspath(sys.argv[1])
 home = os.path.dirname(os.path.abspath(__file__))
@@ -52,12 +52,6 @@ def numbers_of(rows):
 def npy(rows, fortran=False):
     """Rays as a .npy file."""
     return head_of(len(rows), fortran) + numbers_of(zip(*rows) if fortran else rows)
-
-
-def is_sanitized():
-    """What a sanitizer adds to a program is no memory of the program."""
-    with open(durero, "rb") as file:
-        return re.search(rb"__[at]san_init", file.read()) is not None
 
 
 def wait_for(what, true):
@@ -184,7 +178,7 @@ TABLE = numbers_of([(0, 0, -5, i % 9 - 4, 0.125, 2) for i in range(BLOCK)])
 
 def memory_is_constant(rays, most):
     """Text and .npy, to text and to .npy."""
-    if is_sanitized():
+    if is_sanitized(durero):
         print("  a sanitizer's memory is not measured")
         return
     for head, block in (b"", TEXT), (head_of(rays), TABLE):
@@ -423,22 +417,4 @@ def test_errors_are_red_on_a_terminal_unless_no_color_is_set():
     assert run("check", "nowhere").stderr.decode() == plain.replace("\r", "")
 
 
-def main():
-    tests = sys.argv[2:] or [name for name in globals() if name.startswith("test_")]
-    failures = 0
-    for name in tests:
-        with tempfile.TemporaryDirectory() as folder:
-            os.chdir(folder)
-            write("scene.json", SCENE)
-            print(name.replace("_", " "), flush=True)
-            try:
-                globals()[name]()
-            except Exception:  # whatever it is, the others are tried
-                failures += 1
-                traceback.print_exc(limit=-3, file=sys.stdout)
-            os.chdir("/")
-    print(f"{len(tests)} tests, {failures} failures")
-    return failures > 0
-
-
-sys.exit(main())
+sys.exit(run_tests(globals(), lambda: write("scene.json", SCENE)))
