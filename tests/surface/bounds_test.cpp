@@ -88,6 +88,11 @@ TEST_CASE("the ball and the box of a shape contain its points") {
   });
 }
 
+TEST_CASE("the ball of a short shape far away pays for the rounding of its centre") {
+  // Half of its altura is 7/8 of half a unit in the last place of the centre, which is rounded to centro.
+  property("the far end", [] { contained(scene::Cylinder{{0x1p20, 0, 0}, 0x1p-60, {1, 0, 0}, 0x1.cp-33}); });
+}
+
 TEST_CASE("the box of a shape along an axis of space fits it") {
   const surface::Box of_cylinder = surface::box(scene::Cylinder{{1, 2, 3}, 2, {0, 0, 1}, 5});
   CHECK(of_cylinder.low.x == Approx(-1));
