@@ -186,7 +186,7 @@ void check_members(const Judged& judged, std::size_t least) {
 }  // namespace
 
 TEST_CASE("no answer of a right tracer is off, whatever it claims and wherever its limits lie") {
-  const Judged judged = judge_population(1, 4, fewer_when_sanitized(10) / 2);
+  const Judged judged = judge_population(1, 4, fewer_when_sanitized(5));
   INFO(judged.rays << " rays, " << judged.beyond << " end otherwise by their limits");
   CHECK(judged.rays > fewer_when_sanitized(20'000));
   check_members(judged, fewer_when_sanitized(100));
