@@ -88,6 +88,7 @@ rm -r tree/build/release
 
 # What a test asks of packages and of ctest.
 stub ctest 'echo "ctest $*" >called'
+stub cmake 'echo cmake version 3.25.1; echo "$*" >built'
 stub dpkg-query 'echo "$*" >>packages; echo install ok installed'
 x 0 test
 says packages ' coq'
@@ -97,6 +98,12 @@ x 0 test --no-proofs
 grep -q ' coq' packages && fail "Coq was asked for"
 says called '-LE proofs'
 says complaint 'without Coq'
+rm packages
+x 0 test --asan --program
+grep -q ' coq' packages && fail "Coq was asked for"
+says called 'build/asan --output-on-failure'
+says called '-L cli|fuzz'
+grep -q 'preset asan --target durero replays$' tree/built || fail "it builds $(cat tree/built)"
 
 # How far a build is, on a terminal; and what failed of it.
 stub cmake 'echo cmake version 3.25.1; [ "$1" != --build ] || { echo "@30 300 61.0@ Building"; sleep 3; echo "@31 300 64.0@ Linking"; exit 1; }'
