@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <mutex>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "descriptor.hpp"
 #include "durero/io/input.hpp"
@@ -33,16 +36,39 @@ InputError::InputError(const std::string& file, Place place, const std::string& 
 FileError::FileError(const std::string& file, const std::string& wrong, const std::string& expected)
     : std::runtime_error(text::escaped(fmt::format("{}: {}; {}", file, wrong, expected))) {}
 
-Place Source::place(std::size_t offset) const noexcept {
-  Place place{lines_before_ + 1, 1};
-  for (std::size_t i = 0; i < offset; ++i) {
-    if (ends_line(text_, i)) {
-      ++place.line;
-      place.column = 1;
-    } else if (!text::continues(text_[i])) {
-      ++place.column;
+/// The places of every 4096th byte, as far as they have been asked for.
+struct Source::Counted {
+  static constexpr std::size_t stride = 4096;
+  std::mutex mutex;
+  std::vector<Place> places;
+};
+
+Source::Source(std::string name, std::string text, std::size_t lines_before)
+    : name_(std::move(name)), text_(std::move(text)), counted_(std::make_shared<Counted>()) {
+  counted_->places.push_back({lines_before + 1, 1});
+}
+
+Place Source::place(std::size_t offset) const {
+  constexpr std::size_t stride = Counted::stride;
+  const auto count = [&](Place& place, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      if (ends_line(text_, i)) {
+        ++place.line;
+        place.column = 1;
+      } else if (!text::continues(text_[i])) {
+        ++place.column;
+      }
     }
+  };
+  const std::lock_guard lock(counted_->mutex);
+  std::vector<Place>& places = counted_->places;
+  while (places.size() * stride <= offset) {
+    Place next = places.back();
+    count(next, (places.size() - 1) * stride, places.size() * stride);
+    places.push_back(next);
   }
+  Place place = places[offset / stride];
+  count(place, offset / stride * stride, offset);
   return place;
 }
 

@@ -131,4 +131,20 @@ def test_structures_of_twice_as_many_triangles_of_a_fan_are_twice_as_much():
             assert twice < 2.6 * once, counts
 
 
+# What is told of many errors.
+
+def seconds(*arguments):
+    return min(usage(2, *arguments).ru_utime for _ in range(2))
+
+
+def test_ten_times_as_many_errors_take_about_ten_times_as_long():
+    times = []
+    for count in 2000, 20000:
+        write("scene.json", HEAD + ",\n".join('{"id":"s%d","tipo":"esfera","centro":[0,0,0],"radio":0}' % i
+                                              for i in range(count)) + "]}\n")
+        times.append(seconds("check", "scene.json", "--format", "json"))
+    print(f"  {times[0]:.3f} and {times[1]:.3f} s")
+    assert times[1] < 30 * times[0], times
+
+
 sys.exit(run_tests(globals()))

@@ -3,6 +3,8 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <string>
+#include <vector>
 
 #include "arriving.hpp"
 #include "durero/contract/contract.hpp"
@@ -22,6 +24,26 @@ TEST_CASE("A place counts lines and characters from 1") {
   CHECK(source.place(9) == Place{3, 1});
   CHECK(source.place(10) == Place{4, 1});
   CHECK(source.place(11) == Place{4, 2});  // the end
+}
+
+TEST_CASE("Places of a long text are those of its lines, in whatever order they are asked for") {
+  std::string text;
+  std::vector<std::size_t> begins;
+  while (text.size() < 20'000) {
+    begins.push_back(text.size());
+    text += std::string(begins.size() % 37, 'x') + "ñ" + (begins.size() % 3 == 0 ? "\r\n" : "\n");
+  }
+  const Source source("f", text, 5);
+  for (std::size_t i = 0; i < begins.size(); ++i) {
+    const std::size_t line = i * 7919 % begins.size();
+    CHECK(source.place(begins[line]) == Place{line + 6, 1});
+    CHECK(Source(source).place(begins[line] + (line + 1) % 37 + 2) == Place{line + 6, (line + 1) % 37 + 2});
+  }
+}
+
+TEST_CASE("A hundred thousand places of a line of ten million bytes are told of") {  // counted one by one: an hour
+  const Source source("f", std::string(10'000'000, 'x'));
+  for (std::size_t i = 0; i < 100'000; ++i) REQUIRE(source.place(100 * i) == Place{1, 100 * i + 1});
 }
 
 TEST_CASE("An error is one line: place, what is wrong, what is expected") {

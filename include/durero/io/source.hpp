@@ -2,6 +2,7 @@
 /// A text with its name, and errors that know their place in it: `FILE:LINE:COLUMN: what is wrong; what is expected`.
 
 #include <cstddef>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -56,23 +57,25 @@ class FileError : public std::runtime_error {
 class Source {
  public:
   /// Takes any bytes. `lines_before` whole lines of the file stand before the text.
-  Source(std::string name, std::string text, std::size_t lines_before = 0)
-      : name_(std::move(name)), text_(std::move(text)), lines_before_(lines_before) {}
+  Source(std::string name, std::string text, std::size_t lines_before = 0);
   /// FILE in messages, where it is escaped.
   const std::string& name() const noexcept { return name_; }
   /// Its bytes, as they were given; valid as long as the source.
   std::string_view text() const noexcept { return text_; }
 
-  /// The place of a byte of the text in its file; the end of the text has one too.
-  Place place(std::size_t offset) const noexcept;
+  /// The place of a byte of the text in its file; the end of the text has one too. All bytes before it are counted
+  /// once, however many places are asked for.
+  Place place(std::size_t offset) const;
   /// Throws InputError at the place of that byte, with the clause that is broken, if one is.
   [[noreturn]] void fail(std::size_t offset, const std::string& wrong, const std::string& expected,
                          const contract::clause* broken = nullptr) const;
 
  private:
+  struct Counted;  // some places that are known
+
   std::string name_;
   std::string text_;
-  std::size_t lines_before_;
+  std::shared_ptr<Counted> counted_;
 };
 
 /// Reads a whole file; "-" is the standard input. Throws FileError.
