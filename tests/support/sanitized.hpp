@@ -13,8 +13,8 @@ inline constexpr bool sanitized = __has_feature(address_sanitizer) || __has_feat
 inline constexpr bool sanitized = false;
 #endif
 
-/// How many random cases a test tries: a tenth under the sanitizers, which look for other faults than wrong answers, but one
-/// at least.
+/// How many random cases a test tries: a tenth under the sanitizers, which look for other faults than wrong answers,
+/// but one at least.
 constexpr std::size_t fewer_when_sanitized(std::size_t cases) { return sanitized ? (cases + 9) / 10 : cases; }
 
 }  // namespace durero::test
