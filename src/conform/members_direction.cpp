@@ -10,7 +10,7 @@ using number::sign;
 bool nearly_axial(const AnsweredQuery& q) {
   return any_element(q, [&](const Candidate& c) {
     const ExactVector v = exact(q.query.rayo.v().xyz()), out = cross(v, exact(c.vector));
-    return c.e.tipo == Tipo::soy_cilindro && number::shifted(dot(out, out), 40) <= dot(v, v);
+    return c.e.tipo == Tipo::soy_cilindro && number::shifted(dot(out, out), 9) <= dot(v, v);
   });
 }
 

@@ -59,6 +59,6 @@ bool beside_bound_by(const AnsweredQuery& q, int least, int greatest) {
   });
 }
 
-bool beside_bound(const AnsweredQuery& q) { return beside_bound_by(q, 7, 41); }
+bool beside_bound(const AnsweredQuery& q) { return beside_bound_by(q, 7, 49); }
 
 }  // namespace durero::conform
