@@ -18,11 +18,12 @@ namespace {
 using scene::ElementRef;
 using Elements = std::vector<ElementRef>;
 
-/// Whether the point is so near the truth's, by binary64, that the hit is right: in each coordinate by 7ε·M, where M is
-/// the larger of |p| and |t!·v| only, so no larger than that of any element at its first crossing or behind. With the
-/// roundings of t!, of a length and here it is within √3·(7 + 1 + 1)/16·δ < δ of a point of the element, so it may lie
-/// on it; and since the truth lies before the end of every zone of every element, none ends 2δ/|v| before the claim. A
-/// product that underflows is off by less than what δ has for subnormals.
+/// Whether the claimed point lies so near the truth's that the hit is right; binary64 decides it. The points differ in
+/// each coordinate by at most 7ε·M, where M is the larger of |p| and |t!·v| only, and so no larger than the M of any
+/// element at its first crossing or behind. With the roundings of t!, of a length and here the claimed point is within
+/// √3·(7 + 1 + 1)/16·δ < δ of a point of the element, and may lie on it. The truth lies before the end of every zone of
+/// every element, and so no zone ends 2δ/|v| before the claim. A product that underflows is off by less than the share
+/// of δ for subnormals.
 bool is_near_truth(const Trial& trial, const Claim& claim, const Place& place) {
   const scene::ElementSet& first = trial.truth.hit.elementos;
   if (!trial.has_hit() || std::none_of(first.begin(), first.end(), [&](auto e) { return trial.names(claim, e); }))
@@ -34,7 +35,7 @@ bool is_near_truth(const Trial& trial, const Claim& claim, const Place& place) {
   return std::isfinite(M) && apart <= 7 * unit(trial.profile.format) * M;
 }
 
-/// Solids that the origin may lie inside.
+/// The solids that the origin may lie inside.
 Elements solids_around_origin(const Trial& trial) {
   Elements around;
   trial.scene.for_each([&](ElementRef element, const auto&) {
@@ -43,14 +44,15 @@ Elements solids_around_origin(const Trial& trial) {
   return around;
 }
 
-/// Whether a ray from inside a solid may pass by its surface: where the profile says so, and where the system answers
-/// the origin, which is nearer than its limit.
+/// Whether a ray from inside a solid may pass through its surface without a hit: the profile permits it, or the system
+/// answers the origin, and the origin is nearer than least_t.
 bool may_leave_unseen(const Profile& profile) {
   return profile.inside == Inside::nothing || (profile.inside == Inside::origin && profile.least_t > 0);
 }
 
-/// What a system must not pass by on the way to the limit: every zone within the limits of its profile, of a closed
-/// mesh as well where it claims to be watertight, but those of solids that a ray from inside may leave unseen.
+/// The zones up to `limit` that a hit must not lie behind, and that make a miss wrong: all zones within the limits of
+/// the profile, and the zone of a closed mesh where the system claims to be watertight. Zones of solids that a ray from
+/// inside may leave unseen are left out.
 std::vector<Zone> walls(const Trial& trial, double limit) {
   std::vector<Zone> all = zones(trial.elements(), trial.ray, trial.precision(), limit);
   if (trial.profile.watertight) {
@@ -71,7 +73,8 @@ Verdict of_miss(const Trial& trial) {
   return walls(trial, trace::no_limit).empty() ? Verdict::right : Verdict::missed;
 }
 
-/// The hit is at the origin, which may lie inside a solid that the claim may be of.
+/// Whether the claimed hit may be the origin itself, inside a solid that the claim may name, of a system that answers
+/// the origin there.
 bool is_at_origin_inside(const Trial& trial, const Claim& claim, const Place& place) {
   if (trial.profile.inside != Inside::origin) return false;
   const Elements around = solids_around_origin(trial);
@@ -80,7 +83,7 @@ bool is_at_origin_inside(const Trial& trial, const Claim& claim, const Place& pl
   });
 }
 
-/// Whether the place may lie on the element, at a place of the ray.
+/// Whether the place may lie both on the element and on the ray.
 bool may_be_of(const Trial& trial, ElementRef element, const Place& place) {
   return may_lie_on(trial.elements(), element, place, trial.ray.rayo, trial.precision()) &&
          may_lie_on_ray(trial, element, place);
@@ -90,7 +93,7 @@ bool may_be_of_any(const Trial& trial, const Place& place) {
   return trial.scene.any_of([&](ElementRef element, const auto&) { return may_be_of(trial, element, place); });
 }
 
-/// The zones that end before the place, where it is of that element.
+/// The zones that certainly end before the place, where the place lies on `element`.
 std::vector<Zone> passed_by(const Trial& trial, const Place& place, ElementRef element, std::vector<Zone> zones) {
   const model::Rayo& rayo = trial.ray.rayo;
   const Dyadic own = Dyadic(place.deviation) * delta(trial.elements(), element, place, rayo, trial.precision());
@@ -98,7 +101,7 @@ std::vector<Zone> passed_by(const Trial& trial, const Place& place, ElementRef e
   return zones;
 }
 
-/// Of a place that lies on an element which may be the claimed one, and behind zones, one at least: off.
+/// The verdict on a place that may lie on `element`, which the claim may name, but lies behind at least one zone.
 Verdict of_passed(const Trial& trial, const Place& place, ElementRef element, const std::vector<Zone>& passed) {
   const bool is_later = std::any_of(passed.begin(), passed.end(),
                                     [&](const Zone& zone) { return trial.body(zone.element) == trial.body(element); });
@@ -106,7 +109,7 @@ Verdict of_passed(const Trial& trial, const Place& place, ElementRef element, co
   return is_far(trial, place) ? Verdict::far_root : Verdict::off;
 }
 
-/// Of a place that lies on no element which may be the claimed one: off.
+/// The verdict on a place that lies on no element which the claim may name.
 Verdict of_beside(const Trial& trial, const Claim& claim, const Place& place, bool is_on_another) {
   if (trial.truth.hit.resultado == model::Resultado::miss) return Verdict::phantom;
   if (is_on_another) return Verdict::wrong_element;
@@ -117,7 +120,8 @@ Verdict of_beside(const Trial& trial, const Claim& claim, const Place& place, bo
   return is_of_first ? Verdict::off : Verdict::wrong_element;
 }
 
-/// No zone that ends before the place begins behind it.
+/// The verdict on a hit with a place. It is right at the origin inside a solid, where the system answers that, and
+/// where the place may lie on an element that the claim may name and no zone certainly ends before it.
 Verdict of_place(const Trial& trial, const Claim& claim, const Place& place) {
   if (is_at_origin_inside(trial, claim, place)) return Verdict::right;
   Elements at;
@@ -135,7 +139,7 @@ Verdict of_place(const Trial& trial, const Claim& claim, const Place& place) {
   return *off;
 }
 
-/// The ray may meet the element for some data, and no zone of another body certainly ends before.
+/// Whether the ray of some data may meet the element with no zone of another body certainly before.
 bool may_be_first(const Trial& trial, ElementRef element, const std::vector<Zone>& zones) {
   const model::Rayo& rayo = trial.ray.rayo;
   const auto t = earliest(trial.elements(), element, rayo, trial.precision());
@@ -145,7 +149,7 @@ bool may_be_first(const Trial& trial, ElementRef element, const std::vector<Zone
          });
 }
 
-/// Of a hit without a place, which is right where an element that it may be of is first for some data.
+/// The verdict on a hit without a place, which is right where an element that it may name is first for some data.
 Verdict of_element(const Trial& trial, const Claim& claim) {
   const scene::ElementSet& first = trial.truth.hit.elementos;
   const auto is_named = [&](ElementRef element) { return trial.names(claim, element); };
@@ -186,7 +190,8 @@ Judgement inside_profile(const Trial& trial, const Claim& claim) {
   contract::unreachable();
 }
 
-/// Of a ray outside the profile. Limits that its first hit is beyond would leave nothing to say of it.
+/// The verdict that the claim would get on a ray outside the profile. Limits are lifted where the exact first hit is
+/// beyond them, for within them the ray has no hit to be judged by.
 Verdict otherwise(const SuiteCase& of, std::size_t ray, const Claim& claim, const Profile& profile) {
   const Trial trial(of, ray, profile);
   if (!is_truth_beyond_limits(trial)) return inside_profile(trial, claim).verdict;

@@ -14,7 +14,7 @@ using number::sign;
 using surface::exact::Parameter;
 using Triangles = std::span<const scene::Triangle>;
 
-/// Every edge is one of two triangles, or of any even number of them.
+/// Whether the triangles are a closed mesh: every edge belongs to an even number of them.
 bool is_closed(Triangles triangles) {
   using Vertex = std::array<double, 3>;
   std::map<std::array<Vertex, 2>, int> times;
@@ -29,8 +29,8 @@ bool is_closed(Triangles triangles) {
   return std::all_of(times.begin(), times.end(), [](const auto& edge) { return edge.second % 2 == 0; });
 }
 
-/// Whether the ray crosses an odd number of the triangles; nothing where it meets an edge or lies in a triangle's
-/// plane.
+/// Whether the ray crosses an odd number of the triangles; nothing where it meets an edge or lies in the plane of a
+/// triangle.
 std::optional<bool> crosses_odd_number(Triangles triangles, const model::Rayo& rayo) {
   bool is_odd = false;
   for (const scene::Triangle& triangle : triangles) {
@@ -45,7 +45,8 @@ std::optional<bool> crosses_odd_number(Triangles triangles, const model::Rayo& r
   return is_odd;
 }
 
-/// Strictly, by a ray in one of some directions that are along no edge of a mesh but by design.
+/// Whether p lies strictly inside the closed mesh, by the parity of crossings of a ray from p. The fixed directions lie
+/// along no edge of a mesh but by design; where each of them meets an edge, the answer is no.
 bool is_inside(Triangles triangles, const model::Punto& p) {
   static constexpr std::array<glm::dvec3, 4> directions{
       {{1009, -709, 307}, {-419, 877, 1103}, {641, 211, -1301}, {-953, -547, 773}}};
@@ -55,7 +56,8 @@ bool is_inside(Triangles triangles, const model::Punto& p) {
   return false;
 }
 
-/// Where the ray leaves the box of the triangles, grown by that on every side. Precondition: it starts within.
+/// The parameter at which the ray leaves the box of the triangles, grown by `grown` on every side. Precondition: the
+/// ray starts in that box.
 Parameter leaving(Triangles triangles, const model::Rayo& rayo, const Dyadic& grown) {
   const glm::dvec3 &p = rayo.p().xyz(), &v = rayo.v().xyz();
   std::optional<Parameter> first;

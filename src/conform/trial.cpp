@@ -16,7 +16,8 @@ Dyadic dot(const Point<Dyadic>& a, const Point<Dyadic>& b) { return a.x * b.x + 
 Point<Dyadic> exact(const glm::dvec3& a) { return {a.x, a.y, a.z}; }
 Dyadic absolute(const Dyadic& a) { return number::sign(a) < 0 ? -a : a; }
 
-/// length/|v|, or t·|v|, rounded once; a quotient too large for a number is the largest.
+/// The parameter length/|v|, rounded once; a quotient beyond the range of binary64 becomes the largest finite number.
+/// times_length() is the way back, t·|v|, rounded once.
 double over_length(double length, const glm::dvec3& v) {
   const Dyadic squared = surface::squared_length(exact(v));
   if (squared == Dyadic(1)) return length;
@@ -42,14 +43,14 @@ Place place_at(const model::Rayo& rayo, double t, int deviation) {
           t};
 }
 
-/// At the foot of the point on the ray.
+/// The place of a claimed point. Its t is that of the foot of the perpendicular from the point to the ray's line.
 Place place_of(const model::Rayo& rayo, const glm::dvec3& punto) {
   const Point<Dyadic> v = exact(rayo.v().xyz()), from_p = from(rayo.p().xyz(), exact(punto));
   const Dyadic way = std::max({absolute(from_p.x), absolute(from_p.y), absolute(from_p.z)});
   return {{.x = dot(from_p, v), .w = dot(v, v)}, exact(punto), way, 4, std::nullopt};
 }
 
-/// (4δ)² of the element.
+/// The square of 4δ, with δ of the element at the place.
 Dyadic squared_deviation(const Trial& trial, scene::ElementRef element, const Place& place) {
   return square(Dyadic(4) * delta(trial.elements(), element, place, trial.ray.rayo, trial.precision()));
 }

@@ -18,20 +18,20 @@ using surface::exact::Coefficients;
 using surface::exact::order;
 using surface::exact::Parameter;
 
-/// Between the ends, where the walls are far apart.
+/// Whether t lies between the moved ends of the element, where its walls are far apart.
 bool holds_at(const Shell<Linear<Dyadic>>& shell, const Parameter& t) {
   return std::all_of(shell.bounds.begin(), shell.bounds.end(),
                      [&](const auto& bound) { return sign_at(bound, t) >= 0; }) &&
          (!shell.hollow || sign_at(*shell.hollow, t) >= 0);
 }
 
-/// Where the ray crosses a wall of a shell.
+/// A crossing of the ray with a wall of a shell.
 struct Wall {
   Parameter t;
   bool is_outer;
 };
 
-/// The walls on both sides of a crossing: the last before it, and the first after it.
+/// The walls of a shell on both sides of an exact crossing: the last before it, and the first after it.
 struct Walls {
   std::optional<Wall> before, after;
 
@@ -45,12 +45,12 @@ struct Walls {
       }
     }
   }
-  /// The ray goes from one wall to the other.
+  /// Whether the ray goes from one wall to the other.
   bool are_crossed() const { return before && after && before->is_outer != after->is_outer; }
 };
 
-/// Where the ray starts on the element, the crossing is also one of the equation without its constant,
-/// t·(A·t + 2B) = 0: that changes sign between the ends, or is 0 at one.
+/// Whether the zone holds a crossing also for an origin on the element. The equation without its constant, t·(A·t + 2B)
+/// = 0, then changes sign between the ends of the zone, or is 0 at one.
 bool is_crossed_from_it(const Coefficients& f, const Zone& zone) {
   const auto sign_of = [&](const Parameter& t) {
     return number::sign(t) * number::sign(number::linear(shifted(f.B, 1), f.A, t));
@@ -58,13 +58,14 @@ bool is_crossed_from_it(const Coefficients& f, const Zone& zone) {
   return sign_of(zone.begin) * sign_of(zone.end) <= 0;
 }
 
-/// The stretch around an exact crossing, where it is one for all data.
+/// The zone around an exact crossing, where the rays of all data cross there; nothing where the shell does not prove
+/// it.
 template <class Shape>
 std::optional<Zone> zone_around(scene::ElementRef element, const Shape& shape, const model::Rayo& rayo,
                                 const Parameter& crossing, const Precision& precision) {
   const double t = number::round_to_binary64(crossing);
   if (!std::isfinite(t)) return std::nullopt;
-  // The end of the stretch lies behind the crossing: M has room for a 64th more, and holds for no stretch beyond that.
+  // The end of the zone lies behind the crossing: M has room for a 64th more, and holds for no zone beyond that.
   const Dyadic longest(largest(rayo.v().xyz()));
   const Dyadic M = magnitude(shape, rayo, Dyadic(t) * Dyadic(1 + 0x1p-6) * longest);
   const Allowance allowed(precision, M, rayo);
@@ -81,7 +82,7 @@ std::optional<Zone> zone_around(scene::ElementRef element, const Shape& shape, c
   return zone;
 }
 
-/// The shell, its ends moved outwards, of the element at a place.
+/// The shell of the element at the place, with its ends moved outwards.
 template <class Shape>
 Shell<Dyadic> shell_at(const Shape& shape, const Place& place, const model::Rayo& rayo, const Precision& precision) {
   return shell(shape, place.punto, Allowance(precision, magnitude(shape, rayo, place.way), rayo), Ends::outwards);

@@ -1,5 +1,6 @@
 #pragma once
-/// Where a ray meets an element whatever data within the allowance both have, and where a point may lie on one.
+/// A zone is a stretch of a ray that certainly crosses an element, whatever data within the allowance both have; a
+/// place is a point of a ray that a claim gives. The functions below compare the two exactly.
 
 #include <optional>
 #include <vector>
@@ -12,60 +13,63 @@
 
 namespace durero::conform {
 
-/// A stretch 0 < begin ≤ t ≤ end in which the ray of all data within the allowance meets the element; of a mesh, from 0
-/// on.
+/// A zone is a stretch begin ≤ t ≤ end in which the rays of all data within the allowance meet the element. 0 < begin,
+/// but the zone of a mesh begins at 0.
 struct Zone {
   scene::ElementRef element;
   surface::exact::Parameter begin, end;
-  number::Dyadic delta;  ///< δ of the element, where t ≤ end
+  number::Dyadic delta;  ///< δ of the element, for every t ≤ end
 };
 
-/// Every such stretch of the elements that the ray first meets at a parameter ≤ limit; it may leave out, of those, what
-/// lies behind the limit. An exact crossing within the ends of the element lies in each, also where the origin is taken
-/// to lie on the elements of en.
+/// The zones that shells prove, each around an exact crossing t > 0 of the ray. Elements that the ray first meets
+/// behind `limit` may be left out. Every zone holds an exact crossing between the ends of its element, also where the
+/// origin is taken to lie on the elements of `en`.
 std::vector<Zone> zones(const AskedElements& elements, const scene::Query& ray, const Precision& precision,
                         double limit);
 
-/// That of the triangles of the scene, named by the first, where they are a closed mesh around the origin: every edge
-/// is one of two triangles with the very same vertices, or of an even number. Here vertices that triangles share move
-/// together, and the ray is one for all: what a system claims that is watertight.
+/// The zone of all triangles of the scene, which bears the name of the first. They make one where they are a closed
+/// mesh around the origin: every edge belongs to two triangles with the very same vertices, or to an even number of
+/// them. The vertices that triangles share move together here, and the ray is one for all triangles: this is the claim
+/// of a watertight system.
 ///
-/// How often a point is inside a closed mesh, modulo 2, is the number of crossings of any ray from it that meets no
-/// edge; it changes nowhere but on the mesh. Let vertices and origin move to their places in straight lines: the mesh
-/// stays closed, each of its points moves by at most √3·δ and the origin by as much, so that an origin farther than
-/// 2√3·δ from every triangle never meets the mesh, and stays inside; 6δ is farther. Nothing far away is inside, so the
-/// ray meets the mesh, whatever its direction. There no coordinate of t·v is larger than twice the largest L of
+/// The number of times that a point is inside a closed mesh, modulo 2, is the number of crossings of any ray from it
+/// that meets no edge; it changes nowhere but on the mesh. Let vertices and origin move to their places in straight
+/// lines: the mesh stays closed, each of its points moves by at most √3·δ and the origin by as much. An origin farther
+/// than 2√3·δ from every triangle never meets the mesh, and stays inside; 6δ is farther. Nothing far away is inside, so
+/// the ray meets the mesh, whatever its direction. There no coordinate of t·v is larger than twice the largest L of
 /// vertices and origin by more than 2δ, so M ≤ (2 + 2⁻⁴)·L where 32δ ≤ L. That point lies in the box of the mesh grown
-/// by δ; p is off by δ and t·v by as much, so that p + t·v lies in the box grown by 3δ, which the ray leaves before it
-/// leaves that grown by 4δ: the end of the stretch.
+/// by δ; p is off by δ and t·v by as much, so that p + t·v lies in the box grown by 3δ. The ray leaves this box before
+/// it leaves the box grown by 4δ, where the zone ends.
 std::optional<Zone> zone_of_mesh(const scene::Scene& scene, const model::Rayo& rayo, const Precision& precision);
 
-/// The least t ≥ 0 at which the ray of some data within the allowance may meet the element, as far as shells tell;
-/// nothing where the ray of no such data meets it.
+/// A lower bound, t ≥ 0, on every meeting of the element with the ray of any data within the allowance; nothing where
+/// no such ray meets it. The bound is the first t in the element's shell, and 0 where the allowance is no small part of
+/// the element.
 std::optional<surface::exact::Parameter> earliest(const AskedElements& elements, scene::ElementRef element,
                                                   const model::Rayo& rayo, const Precision& precision);
 
-/// A place on a ray as a claim gives it. Its t is that of moved data but where it was computed from a length or a
-/// point: then of a length, off by √3·δ for v and a rounding, less than 2δ/|v|; of a point, off by 2√3·δ and a
+/// A place is the point of a ray that a claim gives. A t that the system gives is exactly that of some moved data. A t
+/// computed here from a length is off by √3·δ for v and a rounding, less than 2δ/|v|; from a point, by 2√3·δ and a
 /// rounding, less than 4δ/|v|.
 struct Place {
   surface::exact::Parameter t;
   surface::Point<number::Dyadic> punto;
-  number::Dyadic way;             ///< the largest coordinate of t·v, without its sign
-  int deviation = 0;              ///< 0, 2 or 4: by how many δ/|v| t is off
-  std::optional<double> given{};  ///< t, where it is a number of binary64
+  number::Dyadic way;             ///< the largest magnitude of a coordinate of t·v
+  int deviation = 0;              ///< the greatest error of t, in units of δ/|v|: 0, 2 or 4
+  std::optional<double> given{};  ///< t in binary64, where the system gave t or a length
 };
 
-/// δ of an element at the place.
+/// The allowance δ of an element at the place.
 number::Dyadic delta(const AskedElements& elements, scene::ElementRef element, const Place& place,
                      const model::Rayo& rayo, const Precision& precision);
 
-/// Whether the zone ends before the place, whatever the data, where t is off by `own`/|v| for those of the element that
-/// is claimed: with the data of the zone's element its end is off by 2δ/|v|, which is √3·δ for v and 0.22·δ for
+/// Whether the zone ends before the place, whatever the data. The place's t is off by at most `own`/|v| for the data of
+/// the claimed element. The end of the zone is off by 2δ/|v| for the data of its own element: √3·δ for v and 0.22·δ for
 /// roundings.
 bool is_behind(const Place& place, const number::Dyadic& own, const Zone& zone, const model::Rayo& rayo);
 
-/// Whether the place lies on the element, or inside it where the element is filled and closed, for some data.
+/// Whether the place lies on the element for some data within the allowance; may_lie_inside() also counts the inside of
+/// the element, as if filled and closed.
 bool may_lie_on(const AskedElements& elements, scene::ElementRef element, const Place& place, const model::Rayo& rayo,
                 const Precision& precision);
 bool may_lie_inside(const AskedElements& elements, scene::ElementRef element, const Place& place,
