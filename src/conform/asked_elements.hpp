@@ -1,6 +1,6 @@
 #pragma once
-/// Elements as a system is asked of them. A disc that closes a solid is no element of a question to a system with
-/// solids: it follows from its wall, and is off by whatever the wall is.
+/// The elements of a scene as questions to a system see them. A disc that closes a solid is no element of its own for a
+/// system with solids: it follows from its wall, and is off by the errors of the wall.
 
 #include <span>
 
@@ -12,7 +12,7 @@
 
 namespace durero::conform {
 
-/// A disc at an end of a wall.
+/// A disc at an end of a solid's wall.
 struct DiscOfSolid {
   const scene::Disc& disc;
   double proporcion;  ///< k of the wall, 0 where it does not narrow
@@ -24,10 +24,10 @@ inline Dyadic magnitude(const DiscOfSolid& e, const model::Rayo& rayo, const Dya
   return std::max(e.magnitude, magnitude(e.disc, rayo, way));
 }
 
-/// Precondition of each visit: the element is in the scene.
+/// The elements of a scene, some of them discs of solids. Precondition of each visit: the element is in the scene.
 class AskedElements {
  public:
-  /// Without solids every disc is an element of its own. Both must outlive it.
+  /// Without solids every disc is an element of its own. Scene and solids must outlive this object.
   AskedElements(const scene::Scene& scene, std::span<const Solid> solids = {}) : scene_(&scene), solids_(solids) {}
 
   const scene::Scene& scene() const { return *scene_; }

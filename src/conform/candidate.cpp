@@ -21,7 +21,7 @@ Dyadic squared_normal(const scene::Corners& vertices) {
   return dot(n, n);
 }
 
-/// A vertex of a triangle.
+/// The centre of a shape, or the first vertex of a triangle.
 template <class Shape>
 const glm::dvec3& centre(const Shape& shape) {
   if constexpr (requires { shape.centro; })

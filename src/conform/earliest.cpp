@@ -11,11 +11,11 @@ using surface::exact::order;
 using surface::exact::Parameter;
 using Along = Shell<Linear<Dyadic>>;
 
-/// The shell of an element along the whole ray, its ends moved outwards; nothing where the allowance is no small part
-/// of the element. With m the largest length and coordinate of element and origin, each coordinate of a point of the
-/// moved element is at most 3m + (7 + 2k)·δ: m + δ for the centre, m + 4δ along the axis, m + (2 + 2k)·δ across it,
-/// and less of the other types; of a disc that closes a solid its wall counts in m, and m + 4δ and m + (2 + k + g)·δ.
-/// So t·v is at most 4m + (8 + 2k)·δ there, and M at most 5m where (8 + 2k)·δ ≤ m.
+/// The shell of an element along the whole ray, with its ends moved outwards; nothing where the allowance is no small
+/// part of the element. With m the largest length and coordinate of element and origin, each coordinate of a point of
+/// the moved element is at most 3m + (7 + 2k)·δ: m + δ for the centre, m + 4δ along the axis, m + (2 + 2k)·δ across it,
+/// and less for the other types. For a disc that closes a solid its wall counts in m, and the last two are m + 4δ and m
+/// + (2 + k + g)·δ. So t·v is at most 4m + (8 + 2k)·δ there, and M at most 5m where (8 + 2k)·δ ≤ m.
 template <class Shape>
 std::optional<Along> shell_along(const Shape& shape, const model::Rayo& rayo, const Precision& precision) {
   const Dyadic m = magnitude(shape, rayo, {});
@@ -24,7 +24,8 @@ std::optional<Along> shell_along(const Shape& shape, const model::Rayo& rayo, co
   return shell(shape, surface::along<Dyadic>(rayo), allowed, Ends::outwards);
 }
 
-/// A plane is met at any distance: M is at most m + t·|v|, and the walls lie that much further apart.
+/// The shell of a plane, which a ray may meet at any distance. M is at most m + t·L there, with L the largest
+/// coordinate of v, and the walls move apart with t accordingly.
 std::optional<Along> shell_along(const scene::Plane& e, const model::Rayo& rayo, const Precision& precision) {
   const Allowance allowed(precision, magnitude(e, rayo, {}), rayo);
   const Linear<Dyadic> value = potencia(e, surface::along<Dyadic>(rayo));
@@ -39,7 +40,7 @@ bool may_hold_at(const Along& shell, const Parameter& t) {
          std::all_of(shell.bounds.begin(), shell.bounds.end(), [&](const auto& b) { return sign_at(b, t) >= 0; });
 }
 
-/// Where one of its conditions may begin to hold: at the origin, and at the roots behind it.
+/// The parameters t ≥ 0, ascending, where a condition of the shell may begin to hold: the origin, and every root ahead.
 std::vector<Parameter> beginnings(const Along& shell) {
   std::vector<Parameter> all{Parameter{}};
   const auto take = [&](const Quadratic<Dyadic>& f) {
@@ -58,7 +59,7 @@ std::vector<Parameter> beginnings(const Along& shell) {
 
 }  // namespace
 
-/// The conditions of a shell are closed: where they hold at all, the first such t ≥ 0 is the origin's or a root of one.
+/// The conditions of a shell are closed: where all of them hold for some t ≥ 0, the least such t is 0 or a root of one.
 std::optional<Parameter> earliest(const AskedElements& elements, scene::ElementRef element, const model::Rayo& rayo,
                                   const Precision& precision) {
   return elements.visit(element, [&](const auto& shape) -> std::optional<Parameter> {

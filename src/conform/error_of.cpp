@@ -19,7 +19,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Point<Dyadic> exact(const glm::dvec3& a) { return {a.x, a.y, a.z}; }
 
-/// The square of the size. Of a plane, which has none, the way to it.
+/// The square of a shape's size; the square of the way to it stands for that of a plane, which has none.
 template <class Shape>
 Dyadic squared_size(const Shape& shape, const Dyadic& squared_way) {
   if constexpr (std::is_same_v<Shape, scene::Plane>) {
@@ -35,13 +35,13 @@ Dyadic squared_size(const Shape& shape, const Dyadic& squared_way) {
   }
 }
 
-/// a/b in binary64.
+/// The quotient a/b, rounded once to binary64.
 double ratio(const Dyadic& a, const Dyadic& b) { return number::round_quotient(a, b); }
 
-// The distance of a point from a surface in units of M, up to a few roundings of binary64: the potencia is exact
-// before.
+// The functions below return the distance of a point from a surface in units of M, up to a few roundings of binary64:
+// the potencia before them is exact.
 
-/// | √a² − b | of a difference of squares and b, without cancellation.
+/// The difference | √a² − b | in units of M, from a difference of squares and so without cancellation.
 double apart(const Dyadic& squared_a, const Dyadic& b, const Dyadic& M) {
   const double difference = ratio(squared_a - square(b), square(M));
   const double sum = std::sqrt(ratio(squared_a, square(M))) + std::abs(ratio(b, M));
@@ -52,7 +52,8 @@ double distance(const scene::Sphere& e, const Point<Dyadic>& w, const Dyadic& M)
   return apart(squared_length(from(e.centro, w)), e.radio, M);
 }
 
-/// From the surface itself, or from the end that the point is beyond.
+/// The distance of a point from a shape with an axis: from the surface itself, or from the end that the point is
+/// beyond.
 template <surface::Axial Shape>
 double distance(const Shape& e, const Point<Dyadic>& w, const Dyadic& M) {
   const Dyadic s = avance(e, w), k(proportion(e));
@@ -70,7 +71,8 @@ double distance(const scene::Disc& e, const Point<Dyadic>& w, const Dyadic& M) {
   return std::max(std::abs(ratio(value, M)), is_beyond ? apart(squared - square(value), e.radio, M) : 0);
 }
 
-/// From its plane, or from the line of the edge that the point is furthest beyond.
+/// The distance of a point from a triangle: from its plane, or from the line of the edge that the point is furthest
+/// beyond.
 double distance(const scene::Triangle& e, const Point<Dyadic>& w, const Dyadic& M) {
   const auto& [a, b, c] = e.vertices;
   const Point<Dyadic> normal = cross(surface::between<Dyadic>(a, b), surface::between<Dyadic>(a, c));

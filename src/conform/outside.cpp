@@ -15,8 +15,9 @@ namespace {
 
 using scene::ElementRef;
 
-/// Whether a length that is not 0, or the longest coordinate of v or of a triangle, is a normal number of the format: a
-/// smaller one is no length any more. A coordinate may vanish beside others.
+/// Whether x, a length or the largest coordinate of v or of a triangle, is a normal number of the format: a smaller one
+/// is no length any more. The coordinates of a point or a unit vector need only be not too large, for each may vanish
+/// beside the others.
 bool is_of(double x, Format format) {
   return format == Format::binary64 || (std::abs(x) <= static_cast<double>(std::numeric_limits<float>::max()) &&
                                         std::abs(x) >= static_cast<double>(std::numeric_limits<float>::min()));
@@ -34,7 +35,8 @@ std::string beyond(double x, std::string_view what, double least_allowed, double
   return {};
 }
 
-/// Of one element: its type, the format of its numbers, its sizes and coordinates.
+/// The clause of the profile that excludes an element by its type, the format of its numbers, its sizes or its
+/// coordinates; empty where none does.
 template <class Shape>
 std::string clause_of(const Trial& trial, ElementRef element, const Shape& shape) {
   const Profile& profile = trial.profile;

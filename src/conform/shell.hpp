@@ -1,12 +1,12 @@
 #pragma once
-/// Between which two surfaces an element lies, whatever data within the allowance it has: `outer` is what is not
-/// positive inside the surface moved out, `inner` what is not negative outside the surface moved in, and `bounds` what
-/// is not negative between the ends of the element. Over Dyadic they are numbers, of a point; over Linear<Dyadic>,
-/// quadratics, along a ray.
+/// A shell is the space in which an element lies, whatever data within the allowance it has. Its walls are the surface
+/// moved out and moved in: `outer` is not positive inside the surface moved out, `inner` is not negative outside the
+/// surface moved in, and each of `bounds` is not negative between the ends of the element. Over Dyadic these are
+/// numbers, for a point; over Linear<Dyadic> they are quadratics, along a ray.
 ///
-/// In a shell with its ends moved *outwards* lies every point that is the answer of some data within the allowance; a
-/// ray that goes from one wall to the other between its ends moved *inwards* meets the element for all such data. How
-/// far a wall and an end must be is derived beside each shape; u, δ and the ray's share are those of allowance.hpp.
+/// A shell with its ends moved *outwards* holds every point that is the answer of some data within the allowance. A ray
+/// that goes from one wall to the other between ends moved *inwards* meets the element for all such data. The distances
+/// of walls and ends are derived beside each shape; u, δ and the ray's share are those of allowance.hpp.
 
 #include <array>
 #include <optional>
@@ -22,10 +22,10 @@ namespace durero::conform {
 using surface::Linear;
 using surface::Point;
 
-/// Where the ends of an element are moved.
+/// The direction in which the ends of an element are moved.
 enum class Ends { outwards, inwards };
 
-/// A number, or a quadratic along a ray.
+/// The type of a wall or an end: a number for a point, a quadratic for a ray.
 template <class T>
 struct BoundOf {
   using type = T;
@@ -48,13 +48,16 @@ struct Shell {
   using Bound = typename BoundOf<T>::type;
   Bound outer{}, inner{};
   std::vector<Bound> bounds{};
-  /// The surface moved in is no surface any more, at the point: the shell is all that lies within `outer`.
+  /// True where the surface moved in has vanished: the shell is then all that lies within `outer`. Along a ray `hollow`
+  /// tells it of an element with an axis.
   bool filled = false;
-  /// Along a ray, of an element with an axis: positive where the element is so wide that its walls are far apart.
+  /// A quadratic that is positive where the element is so wide that its walls are far apart; only the shell of an
+  /// element with an axis along a ray has it.
   std::optional<Bound> hollow{};
 };
 
-/// Whether the point that the shell is of lies inside the element or on it, for some data; and on it.
+/// Whether the point that the shell was computed for lies inside the element or on it, for some data; may_hold() asks
+/// for a point on it.
 inline bool may_hold_inside(const Shell<Dyadic>& shell) {
   return number::sign(shell.outer) <= 0 && std::all_of(shell.bounds.begin(), shell.bounds.end(),
                                                        [](const Dyadic& bound) { return number::sign(bound) >= 0; });
@@ -63,7 +66,7 @@ inline bool may_hold(const Shell<Dyadic>& shell) {
   return may_hold_inside(shell) && (shell.filled || number::sign(shell.inner) >= 0);
 }
 
-/// The sign of A·t² + 2B·t + C; with t = (x + y√Δ)/w that of the same times w².
+/// The sign of A·t² + 2B·t + C. With t = (x + y√Δ)/w it is the sign of the same times w².
 inline int sign_at(const surface::Quadratic<Dyadic>& f, const number::DyadicSurd& t) {
   if (number::sign(f.A) == 0) return number::sign(number::linear(f.C, number::shifted(f.B, 1), t));
   const auto& [x, y, radicand, w] = t;
@@ -74,7 +77,8 @@ inline int sign_at(const surface::Quadratic<Dyadic>& f, const number::DyadicSurd
 
 inline Dyadic moved(const Dyadic& by, Ends ends) { return ends == Ends::outwards ? by : -by; }
 
-/// The distance from the centre is off by the ray's share, and the radius by δ: 6.42·δ.
+/// The walls of a sphere lie 7δ from it: the distance from the centre is off by the ray's share, and the radius by δ,
+/// together 6.42·δ.
 template <class T>
 Shell<T> shell(const scene::Sphere& e, const Point<T>& w, const Allowance& allowed, Ends) {
   const Dyadic eta = allowed.times(7), r(e.radio);
@@ -82,13 +86,13 @@ Shell<T> shell(const scene::Sphere& e, const Point<T>& w, const Allowance& allow
   return {squared - square(r + eta), squared - square(r - eta), {}, number::sign(r - eta) <= 0};
 }
 
-/// With q = w − centro, s = q·d, k the proportion (0 of a cylinder), g = u·k, R(s) = radio + k·(altura − s):
-/// |q| ≤ √(altura² + R²) < 1.51·M·(1 + g) for the points of the moved element, and for those of the shell between the
-/// ends and where R ≥ 8η, so that d, off by √3·u, moves s by at most 2.62·(1 + g)·δ; with the ray's share s is off by
-/// 8.1·δ + 2.62·g·δ, and altura by δ: the ends by (10 + 3g)·δ. The distance from the axis, |q − s·d|, is off by the
-/// ray's share and, d being off in both places, 2·2.62·(1 + g)·δ: 10.7·δ + 5.3·g·δ; R(s) by δ for radio, δ for k (and
-/// g·δ where altura is off as well), k·δ for altura and k times what s is off: together the walls by
-/// (13 + 7g + k·(10 + 3g))·δ.
+/// The walls and ends of a shape with an axis. With q = w − centro, s = q·d, k the proportion (0 of a cylinder), g =
+/// u·k, R(s) = radio + k·(altura − s): |q| ≤ √(altura² + R²) < 1.51·M·(1 + g) for the points of the moved element, and
+/// for the points of the shell between the ends and where R ≥ 8η. There d, off by √3·u, moves s by at most 2.62·(1 +
+/// g)·δ. With the ray's share s is off by 8.1·δ + 2.62·g·δ, and altura by δ: the ends by (10 + 3g)·δ. The distance from
+/// the axis, |q − s·d|, is off by the ray's share and, since d is off in both places, by 2·2.62·(1 + g)·δ: 10.7·δ +
+/// 5.3·g·δ. R(s) is off by δ for radio, δ for k (and g·δ where altura is off as well), k·δ for altura and k times the
+/// error of s. Together the walls are off by (13 + 7g + k·(10 + 3g))·δ.
 template <class T, surface::Axial Shape>
 Shell<T> shell(const Shape& e, const Point<T>& w, const Allowance& allowed, Ends ends) {
   const Dyadic k(proportion(e)), g = allowed.u * k, altura(e.altura);
@@ -106,11 +110,11 @@ Shell<T> shell(const Shape& e, const Point<T>& w, const Allowance& allowed, Ends
   return result;
 }
 
-/// How many δ a wall of a plane lies from it.
+/// The distance of a plane's walls from it, in δ.
 inline const Dyadic plane_wall(15);
 
-/// q·d is off by the ray's share, and by |q|·√3·u for d: |q| ≤ |p| + |t·v| + |centro| ≤ 3√3·M, so 9·δ; together
-/// 14.5·δ.
+/// The walls of a plane: q·d is off by the ray's share, and by |q|·√3·u for d. |q| ≤ |p| + |t·v| + |centro| ≤ 3√3·M
+/// gives 9·δ; together 14.5·δ.
 template <class T>
 Shell<T> shell(const scene::Plane& e, const Point<T>& w, const Allowance& allowed, Ends) {
   const Dyadic eta = allowed.times(plane_wall);
@@ -118,30 +122,31 @@ Shell<T> shell(const scene::Plane& e, const Point<T>& w, const Allowance& allowe
   return {bound(value - eta), bound(value - (-eta))};
 }
 
-/// Its walls η from its plane, and its rim.
+/// The shell of a disc with walls at the distance eta from its plane and the radius `rim` of its moved rim.
 template <class T>
 Shell<T> shell_of_disc(const scene::Disc& e, const Point<T>& w, const Dyadic& eta, const Dyadic& rim) {
   const T value = potencia(e, w);
   Shell<T> result{bound(value - eta), bound(value - (-eta))};
-  // A radius moved in to nothing leaves nothing between the ends.
+  // A radius moved in below 0 leaves no point between the ends.
   const Dyadic reach = number::sign(rim) < 0 ? Dyadic(-1) : square(rim);
   result.bounds.push_back(negated(squared_length(from(e.centro, w)) - reach));
   return result;
 }
 
-/// As of a plane, but |q| ≤ M up to a small part: 5.42·δ + 1.74·δ. In the plane |q| is off by the ray's share and the
-/// radius by δ: 6.42·δ.
+/// The walls of a disc follow from those of a plane, but |q| ≤ M up to a small part: 5.42·δ + 1.74·δ. In the plane |q|
+/// is off by the ray's share and the radius by δ: 6.42·δ.
 template <class T>
 Shell<T> shell(const scene::Disc& e, const Point<T>& w, const Allowance& allowed, Ends ends) {
   return shell_of_disc(e, w, allowed.times(8), Dyadic(e.radio) + moved(allowed.times(7), ends));
 }
 
-/// What the wall is off by moves it besides. The far end, centro + altura·d, is off by δ along the axis for altura and
-/// by altura·√3·u ≤ 1.74·δ in any direction for d: from the plane of a disc 5.42·δ + 1.74·δ + 2.74·δ = 9.9·δ, and
-/// across 5.42·δ + 1.74·δ; its radius by δ. At the base the centre is the wall's, and the radius, radio + k·altura, off
-/// by δ for radio, k·δ for altura, and for k, which is off by u·max(1, k), by altura·u·max(1, k) ≤ δ (and g·δ where
-/// altura is off as well, g = u·k): 5.42·δ + (2 + k + g)·δ. The disc's own numbers were rounded where the solid ends,
-/// by δ/16 each, and |vector|² = 1 ± 2⁻⁵⁰ puts it half a δ away at most: 0.61·δ more.
+/// A disc that closes a solid moves besides with the errors of its wall. The far end, centro + altura·d, is off by δ
+/// along the axis for altura and by altura·√3·u ≤ 1.74·δ in any direction for d: from the plane of a disc 5.42·δ +
+/// 1.74·δ + 2.74·δ = 9.9·δ, and across 5.42·δ + 1.74·δ; its radius by δ. At the base the centre is the wall's, and the
+/// radius, radio + k·altura, is off by δ for radio, k·δ for altura, and for k, which is off by u·max(1, k), by
+/// altura·u·max(1, k) ≤ δ (and g·δ where altura is off as well, g = u·k): 5.42·δ + (2 + k + g)·δ. The disc's own
+/// numbers were rounded where the solid ends, by δ/16 each, and |vector|² = 1 ± 2⁻⁵⁰ puts it half a δ away at most:
+/// 0.61·δ more.
 template <class T>
 Shell<T> shell(const DiscOfSolid& e, const Point<T>& w, const Allowance& allowed, Ends ends) {
   const Dyadic k(e.proporcion), across = Dyadic(9) + k + allowed.u * k;
@@ -152,7 +157,7 @@ inline Point<Dyadic> cross(const Point<Dyadic>& a, const Point<Dyadic>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// At least |a|, by less than 2⁻³⁰ of it: a wall or an end that is further off is one as well.
+/// An upper bound of |a|, larger by less than 2⁻³⁰ of it: a wall or an end that is further off is one as well.
 inline Dyadic length_above(const Point<Dyadic>& a) {
   const Dyadic squared = squared_length(a);
   if (number::sign(squared) == 0) return {};
@@ -165,11 +170,11 @@ T dot(const Point<T>& a, const Point<Dyadic>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// Its vertices, and so all its points, are off by √3·δ: with the ray 5.42·δ. *Outwards*: a point of the moved triangle
-/// is within 6δ of one of this, hence of its plane, of the inner side of each edge, and of its box. *Inwards*: a
-/// stretch from 6δ on one side of the plane to 6δ on the other, at least 6δ inside each edge, meets every such
-/// triangle: while the vertices move to their places in straight lines, the edge never meets the stretch nor the
-/// triangle its two ends, so the number of crossings stays odd.
+/// The vertices of a triangle, and so all its points, are off by √3·δ: with the ray 5.42·δ. *Outwards*: a point of the
+/// moved triangle is within 6δ of a point of this one, hence of its plane, of the inner side of each edge, and of its
+/// box. *Inwards*: a stretch from 6δ on one side of the plane to 6δ on the other, at least 6δ inside each edge, meets
+/// every such triangle. While the vertices move to their places in straight lines, the edge never meets the stretch nor
+/// the triangle its two ends, and the number of crossings stays odd.
 template <class T>
 Shell<T> shell(const scene::Triangle& e, const Point<T>& w, const Allowance& allowed, Ends ends) {
   const Dyadic eta = allowed.times(6), end = moved(eta, ends);

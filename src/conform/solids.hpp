@@ -1,5 +1,5 @@
 #pragma once
-/// Which solid a disc closes.
+/// A lookup from a disc to the solid that it closes.
 
 #include <algorithm>
 #include <span>

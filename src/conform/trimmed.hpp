@@ -1,5 +1,6 @@
 #pragma once
-/// The counts of shards without what stands for nothing at the ends of their lists: so equal counts are equal values.
+/// The counts of a shard in one form: no list ends in entries that count nothing. Counts that are equal are then equal
+/// values.
 
 #include "durero/conform/shard.hpp"
 
