@@ -10,7 +10,7 @@
 namespace durero::conform {
 namespace {
 
-/// A place where the ray meets an element: a point, or an end of a stretch inside it. Without t it is t → 0⁺.
+/// A place where the ray meets an element: a point, or an end of a stretch inside the surface. Without t it is t → 0⁺.
 struct ElementPlace {
   std::optional<Parameter> t;
   scene::ElementRef e;
@@ -27,7 +27,7 @@ bool earlier(const ElementPlace& a, const ElementPlace& b) {
   return by_t != 0 ? by_t < 0 : a.e < b.e;
 }
 
-/// Of one element. A stretch counts with both its ends.
+/// The places of one element are added to the list; a stretch counts with both its ends.
 void add_places(std::vector<ElementPlace>& to, const Candidate& c) {
   const surface::exact::Reach reach = surface::exact::reach(c.f);
   for (const Parameter& t : reach.points()) to.push_back({t, c.e, weakness(c, t)});
@@ -36,7 +36,8 @@ void add_places(std::vector<ElementPlace>& to, const Candidate& c) {
   if (reach.segment->end) to.push_back({reach.segment->end, c.e, Ambiguity::in_surface});
 }
 
-/// Where some crossing that no small change removes is not beyond this, nothing behind it is permissible.
+/// The limit beyond which nothing is permissible: the nearest crossing that no small change removes, rounded up;
+/// infinity without such a crossing.
 double limit_by(const std::vector<ElementPlace>& places) {
   double limit = trace::no_limit;
   for (const ElementPlace& place : places) {
@@ -45,21 +46,22 @@ double limit_by(const std::vector<ElementPlace>& places) {
   return limit;
 }
 
-/// A ray among the elements: which it first meets how far away, by the steps before the exact one, as far as they tell.
-/// What they find stays where data change a little, so what lies behind the nearest of that is left out.
+/// The view along a ray: the elements that it may meet first, with bounds on the distance as far as the steps before
+/// the exact one tell. A meeting that they certify remains where the data change a little, and so all that lies behind
+/// the nearest such meeting is left out.
 class Sight {
  public:
   Sight(const scene::Scene& scene, const scene::Query& ray) : query_{scene, ray, {}} {
     scene.for_each([&](scene::ElementRef e, const auto&) { look_at(e); });
     std::vector<scene::ElementRef> again;
     std::swap(again, unclear_);
-    for (const scene::ElementRef e : again) look_at(e);  // where it lies behind the limit, that may tell
+    for (const scene::ElementRef e : again) look_at(e);  // the lower limit may exclude it
     leave_out_beyond_limit();
   }
-  Sight(const Sight&) = delete;  // the search refers to what is here
+  Sight(const Sight&) = delete;  // the search refers to members
   Sight& operator=(const Sight&) = delete;
 
-  /// The hit, where it is clear.
+  /// The exact hit, where these steps decide it; otherwise nothing.
   std::optional<scene::Hit> clear_hit() const {
     if (!unclear_.empty() || met_.size() > 1) return std::nullopt;
     if (met_.empty()) return scene::Hit{};
@@ -67,7 +69,7 @@ class Sight {
     return scene::Hit{model::Resultado::hit, rounded.t, rounded.punto, {met_.front().first}};
   }
 
-  /// The exact places on the elements that are left, ascending.
+  /// The exact places, ascending, on the elements that are not excluded.
   std::vector<ElementPlace> places() {
     std::vector<ElementPlace> all;
     for (const scene::ElementRef e : unclear_) add_places(all, candidate(query_, e));
@@ -98,10 +100,10 @@ class Sight {
   std::vector<scene::ElementRef> unclear_{};
 };
 
-/// All that the ray meets at one point.
+/// A meeting is the set of places where the ray meets elements at one point.
 using Meeting = std::span<const ElementPlace>;
 
-/// Takes the meeting that the places begin with from them. Precondition: there are some.
+/// The first meeting, which is removed from the front of the places. Precondition: there are some.
 Meeting take_meeting(std::span<const ElementPlace>& left) {
   const auto beyond = std::find_if(left.begin(), left.end(),
                                    [&](const ElementPlace& place) { return !at_one_point(place, left.front()); });
@@ -114,7 +116,8 @@ bool is_robust(Meeting meeting) {
   return std::any_of(meeting.begin(), meeting.end(), [](const auto& p) { return p.weakness == Ambiguity::none; });
 }
 
-/// The first in this order that one of the meeting's crossings has; a tie where none has any.
+/// The ambiguity of a meeting: the first in this order that one of its crossings has. Several crossings without any are
+/// a tie.
 Ambiguity ambiguity(Meeting meeting) {
   using enum Ambiguity;
   for (const Ambiguity weak : {in_surface, apex, edge, rim, tangent}) {
@@ -124,7 +127,7 @@ Ambiguity ambiguity(Meeting meeting) {
   return meeting.size() > 1 ? tie : none;
 }
 
-/// A stretch from t → 0⁺ begins at the origin.
+/// The hit at a meeting, with all its elements; a stretch from t → 0⁺ begins at the origin.
 scene::Hit hit_at(const model::Rayo& rayo, Meeting meeting) {
   const std::optional<Parameter>& t = meeting.front().t;
   scene::Hit hit{model::Resultado::hit, 0, rayo.p().xyz()};
@@ -133,7 +136,7 @@ scene::Hit hit_at(const model::Rayo& rayo, Meeting meeting) {
   return hit;
 }
 
-/// The exact answer, of the first meeting: a stretch from t → 0⁺ has no nearest point.
+/// The exact answer for the first meeting; a stretch from t → 0⁺ has no nearest point.
 scene::Hit answer_at(const scene::Hit& first, Meeting meeting) {
   if (meeting.front().t) return first;
   return {.resultado = model::Resultado::no_minimum, .elementos = first.elementos};

@@ -1,5 +1,5 @@
 #pragma once
-/// What the shards of a campaign say together, for people.
+/// The report on a campaign sums up its shards for people.
 
 #include <string>
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace durero::conform {
 
-/// What all shards have together, with the worst ray of each family and verdict made and judged again. Of shards of one
-/// number the first in the order of ShardCounts counts. Throws std::runtime_error where a ray is judged otherwise than
-/// it was in its shard.
+/// The tally of all shards together; the worst ray of each family and verdict is made and judged again. Where shards
+/// share a number, the first in the order of ShardCounts counts. Throws std::runtime_error where a ray is judged
+/// otherwise than in its shard.
 Tally totals(const Shards& shards, const Campaign& campaign, const Profile& profile);
 
 /// The numbers of the shards that were given with different contents, ascending.
@@ -23,13 +23,13 @@ std::vector<std::uint64_t> disputed(const Shards& shards);
 /// Where a share p of the rays fails, none of n that are drawn one by one does with probability (1 − p)ⁿ. That is 0.05
 /// or more only where p ≤ 1 − 0.05^(1/n) = 1 − exp(−ln 20 / n) ≤ ln 20 / n < 3/n, as 1 − exp(−x) ≤ x and ln 20 < 3.
 double failing_share(std::uint64_t judged);
-/// The same whatever the rays of a scene have to do with each other. So many rays are of judged/64 scenes at least, and
-/// the scenes are drawn one by one; a scene shows no failure with probability 1 − p at most, where one of its rays is
-/// judged: that is, as if it had that ray alone.
+/// A bound like failing_share() that holds however the rays of a scene depend on each other. `judged` rays come from
+/// judged/rays_of_a_case scenes at least, and the scenes are drawn one by one. A scene where one ray is judged shows no
+/// failure with probability 1 − p at most: that is, as if it had that ray alone. Precondition: judged > 0.
 double failing_share_by_scenes(std::uint64_t judged);
 
-/// Which shards are there and which are missing, those that are disputed, a row a family and the worst rays, as
-/// report_text has them, and the bounds of the families without a failure.
+/// The report in words: the shards that are there, missing or disputed; a row for each family and the worst rays, as
+/// report_text has them; and the bounds of the families without a failure.
 std::string campaign_text(const Shards& shards, const Campaign& campaign, const std::string& identity,
                           const System& system);
 

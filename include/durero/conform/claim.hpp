@@ -1,5 +1,6 @@
 #pragma once
-/// What a system answers to a ray, as it says it: nothing of it is trusted, and no number need be finite.
+/// A claim is the answer of a system to a ray, as the system gives it: nothing of it is trusted, and no number need be
+/// finite.
 
 #include <glm/vec3.hpp>
 #include <optional>
@@ -9,22 +10,22 @@
 
 namespace durero::conform {
 
-/// One answer, or why there is none.
+/// One answer to a ray, or the reason why there is none.
 struct Claim {
-  /// What came of asking.
+  /// The outcome of a question to a system.
   enum class Outcome {
     hit,        ///< the system says that the ray meets something
     miss,       ///< the system says that the ray meets nothing
     crashed,    ///< the system ended while it was asked
-    hung,       ///< it gave no answer in the time that it had
-    unanswered  ///< it was not asked, refused the scene, or wrote what is no answer
+    hung,       ///< the system gave no answer in its time
+    unanswered  ///< the system was not asked, refused the scene, or wrote a malformed line
   };
 
-  Outcome outcome = Outcome::unanswered;       ///< as long as nobody asked: unanswered
-  std::optional<scene::ElementRef> element{};  ///< where the system names one
-  std::optional<double> t{};                   ///< what the system calls the distance: Profile::measure says of what
-  std::optional<glm::dvec3> punto{};           ///< where the system gives the point
-  std::string why{};                           ///< of no hit and no miss: the reason, in a few words of one line
+  Outcome outcome = Outcome::unanswered;       ///< unanswered until somebody asks
+  std::optional<scene::ElementRef> element{};  ///< the element of the hit, where the system names one
+  std::optional<double> t{};          ///< the number that the system calls distance, in the sense of Profile::measure
+  std::optional<glm::dvec3> punto{};  ///< the point, where the system gives it
+  std::string why{};                  ///< the reason for neither hit nor miss, in a few words of one line
 
   bool operator==(const Claim&) const = default;
 };

@@ -1,16 +1,17 @@
 #pragma once
-/// Files of claims: what a program that anyone ran by hand answered to the rays of a suite. Three formats.
+/// A file of claims holds a program's answers to the rays of a suite, for programs that somebody runs by hand. There
+/// are three formats.
 ///
-/// JSON lines, in any order, one a ray:
+/// JSON lines, one for each ray, in any order:
 ///
 ///   {"case":"generic/0000","ray":0,"outcome":"hit","element":"e0","t":4,"point":[0,0,4]}
 ///   {"case":"generic/0000","ray":1,"outcome":"miss"}
 ///
-/// A hit has t or point or both; `element` stands where the program knows it. What is no number is the string "nan",
-/// "inf" or "-inf". `outcome` may also be `crashed` or `hung`, and `why` may say more of it.
+/// A hit has t or point or both; `element` stands where the program knows it. A number that is not finite is the string
+/// "nan", "inf" or "-inf". `outcome` may also be `crashed` or `hung`, and `why` may give the reason.
 ///
-/// CSV: a head that names its columns, `case` and `ray`, then any of `outcome`, `element`, `t`, `x`, `y`, `z`; an empty
-/// field is none. Without an outcome a line with a t or a point is a hit, another a miss.
+/// CSV: a head names the columns, `case` and `ray`, then any of `outcome`, `element`, `t`, `x`, `y`, `z`; an empty
+/// field is absent. Without an outcome a line with a t or a point is a hit, and any other line a miss.
 ///
 /// .npy: float64 of shape (n,), the t of every ray of the suite in its order, or (n, 4), t and the point; t = ∞ is a
 /// miss.
@@ -33,12 +34,12 @@ std::string_view name(Claim::Outcome outcome);
 /// The claims on the rays of one case, in their order.
 using Claims = std::vector<Claim>;
 
-/// Reads a file of any of the three: what starts as .npy does is one, what is named so or `.csv` too, the rest are JSON
-/// lines. Answers the claims on each case, in their order. Throws InputError, also on a case, a ray or an element that
-/// the suite has not, and on a ray with two claims.
+/// Reads a file of any of the three formats: a file that starts as .npy does or has that ending is .npy, a file named
+/// `.csv` is CSV, and any other is JSON lines. Returns the claims on each case, in the order of the cases and their
+/// rays. Throws InputError, also on a case, a ray or an element that the suite has not, and on a ray with two claims.
 std::vector<Claims> read_claims(const io::Source& source, std::span<const SuiteCase> cases);
 
-/// The claim as a line of JSON, without line end. Precondition: it is no unanswered one.
+/// The claim as a line of JSON, without line end. Precondition: the claim is not unanswered.
 std::string claim_json(const SuiteCase& of, std::size_t ray, const Claim& claim);
 
 }  // namespace durero::conform

@@ -1,6 +1,6 @@
 #pragma once
-/// Data that would explain a wrong answer: how far those given must be off for it to be right, and the nearest such
-/// data found. Both are judged by the exact judge.
+/// Explaining data are changed data for which a wrong answer would be right: this finds the nearest, and how far the
+/// data given must be off at least. The exact judge decides both.
 
 #include <optional>
 #include <string>
@@ -9,14 +9,15 @@
 
 namespace durero::conform {
 
-/// Lengths are measured in ε·M: ε the unit of rounding of the system's format, M the largest magnitude among the
-/// coordinates and lengths of the elements, the origin and the first point (expected, or claimed).
+/// The explanation of a wrong answer. Lengths are measured in ε·M: ε is the unit of rounding of the system's format, M
+/// the largest magnitude among the coordinates and lengths of the elements, the origin and the first point (expected,
+/// or claimed).
 struct ExplainingData {
-  /// Data with the claim as their answer: a miss exactly, also where all hits are beyond the limits of the profile; a
-  /// hit, which is rounded, within the declared error.
+  /// Data that have the claim as their answer. A miss is their exact answer, also where all hits are beyond the limits
+  /// of the profile; a hit, which is rounded, is right within the declared error.
   struct Nearest {
-    SuiteCase of;    ///< those data: one element, or the origin, is moved, or one length is another
-    double off = 0;  ///< by how much, in ε·M
+    SuiteCase of;    ///< a case with these data: one element or the origin is moved, or one length changed
+    double off = 0;  ///< the change, in ε·M
   };
 
   double epsilon = 0, M = 0;  ///< ε, which is 2⁻²⁴ or 2⁻⁵³, and M, as above
@@ -24,14 +25,15 @@ struct ExplainingData {
   /// the claim as their answer: proved by the judge with that allowance. Nothing where that is proved of the declared
   /// backward error alone, for which M is each element's own.
   std::optional<int> excluded{};
-  int most = 0;                      ///< data off by more than 2^most ε·M were not looked for
+  int most = 0;                      ///< the search ended at data off by 2^most ε·M
   std::optional<Nearest> nearest{};  ///< the nearest data found, which need not be the nearest there are
 };
 
-/// Of a failure that is a hit with a place, or a miss; nothing of another, such as a crash: no data explain that.
+/// The explaining data of a failure that is a hit with a place, or a miss. Nothing for another failure, such as a
+/// crash, which no data explain.
 std::optional<ExplainingData> explaining_data(const Finding& finding, const Profile& profile);
 
-/// The same in sentences, and the question of the nearest data.
+/// The explanation in sentences, and the question with the nearest data.
 std::string explaining_text(const ExplainingData& data, const Profile& profile);
 
 }  // namespace durero::conform

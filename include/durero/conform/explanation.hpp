@@ -1,5 +1,5 @@
 #pragma once
-/// A ray of a suite and its exact answer, in words and digits for whoever wants to see why.
+/// An explanation shows a ray of a suite and its exact answer in words and digits.
 
 #include <string>
 
@@ -7,14 +7,15 @@
 
 namespace durero::conform {
 
-/// How many digits an exact number is shown with.
+/// The number of digits of an exact number in an explanation.
 inline constexpr int shown_digits = 40;
 
-/// The case, the question, every crossing of the ray with t to 40 digits and as x + y√Δ, the first point, and what
-/// else may be answered. Precondition: the case was answered.
+/// The explanation: the case, the question, every crossing of the ray with t to 40 digits and as x + y√Δ, the first
+/// point, and the permissible answers. Precondition: the case was answered.
 std::string explanation(const SuiteCase& of, std::size_t ray);
 
-/// Of these the exact answer, the crossings, the first point and what else may be answered.
+/// The last part of the explanation: the exact answer, the crossings, the first point and the permissible answers.
+/// Precondition: the case was answered.
 std::string exact_answer(const SuiteCase& of, std::size_t ray);
 
 }  // namespace durero::conform

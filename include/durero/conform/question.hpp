@@ -1,5 +1,6 @@
 #pragma once
-/// How a system is asked: lines of text that some twenty lines of any language read and answer.
+/// A question is text that asks a system about a scene and rays, in lines that some twenty lines of any language read
+/// and answer.
 ///
 ///   scene generic/0003
 ///   esfera e0 CX CY CZ R
@@ -12,7 +13,7 @@
 ///   rays 64
 ///   PX PY PZ VX VY VZ           for each ray
 ///
-/// So an element is its word in files, its name, its points and vectors, then its lengths. A number is the shortest
+/// An element is its word in files, its name, its points and vectors, then its lengths. A number is the shortest
 /// decimal that reads back. The system writes `system NAME VERSION`, then a line for each ray, in order:
 ///
 ///   miss
@@ -20,8 +21,8 @@
 ///   hit ELEMENT T X Y Z
 ///   refused WHY
 ///
-/// and flushes them at least after each scene. Of a system of solids the discs that close an element are left out: the
-/// element is understood as a solid.
+/// It flushes them at least after each scene. A question to a system of solids leaves out the discs that close an
+/// element: the element is understood as a solid.
 
 #include <cstdio>
 #include <optional>
@@ -35,20 +36,20 @@
 
 namespace durero::conform {
 
-/// The question of these rays of the case, by their numbers.
+/// The question about these rays of the case, given by their numbers.
 std::string question_text(const SuiteCase& of, Caps caps, std::span<const std::size_t> rays);
 
-/// The line `system NAME VERSION`: what follows the word, or nothing where the line is none such.
+/// The name and version in a line `system NAME VERSION`, or nothing where the line is malformed.
 std::optional<std::string> read_system_line(std::string_view line);
 
-/// What a system answers, by a line of it without its end. Nothing of a malformed line is believed: it is unanswered,
-/// and Claim::why says what is wrong with it; so is an answer that names an element that the question does not.
+/// The claim in a line of a system without its end. A malformed line, or an answer about an element that the question
+/// does not name, gives an unanswered claim; Claim::why says what is wrong.
 Claim read_answer(std::string_view line, const SuiteCase& of, Caps caps);
 
-/// The line that answers so, without its end. Outcomes that no system writes (crashed, hung, not asked) have lines of
-/// their own, which read_claim reads.
+/// The line that gives this claim, without its end. Outcomes that no system writes (crashed, hung, not asked) have
+/// lines of their own, which read_claim reads.
 std::string claim_text(const Claim& claim, const scene::Scene& scene);
-/// The claim of which that is the text. Throws std::invalid_argument where it is of none.
+/// The claim that claim_text() wrote. Throws std::invalid_argument on any other text.
 Claim read_claim(std::string_view text, const scene::Scene& scene);
 
 /// A question as a system reads it.
@@ -58,10 +59,10 @@ struct Question {
   std::vector<scene::Query> rays{};  ///< in order; they start on no elements
 };
 
-/// Reads questions one by one.
+/// A reader of questions, one by one.
 class QuestionReader {
  public:
-  /// The file is open for reading, and must outlive it.
+  /// A reader of the file. Preconditions: it is open for reading and outlives the reader.
   explicit QuestionReader(std::FILE& from) : from_(&from) {}
 
   /// The next question; nothing at the end. Throws io::InputError, whose place counts lines from the first question.

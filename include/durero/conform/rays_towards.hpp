@@ -1,5 +1,5 @@
 #pragma once
-/// Random rays that have something to say of a scene, whatever is in it.
+/// Random rays that come near the elements of any scene.
 
 #include <cstddef>
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace durero::conform {
 
-/// So many rays as RaysTowards draws them, towards the elements of the scene that have a ball: a plane has none, nor
-/// has what is not trace::ordinary. None where no element has.
+/// The first `count` rays of RaysTowards, towards the elements of the scene that have a finite ball and are
+/// trace::ordinary; a plane has no such ball. Without such an element there are no rays.
 std::vector<scene::Query> rays_towards(const scene::Scene& scene, std::size_t count, std::uint64_t seed);
 
 }  // namespace durero::conform

@@ -1,6 +1,6 @@
 #pragma once
-/// A program in a system's own language that shows a failure and stands alone, made from the template that the system's
-/// file names (System::reproducer). A template is such a program with
+/// A reproducer is a program in a system's own language that shows a failure and stands alone. It is made from the
+/// template that the system's file names (System::reproducer). A template is such a program with
 ///
 ///   @(name)          in place of a number, or of a text
 ///   @esfera LINE     lines that stand for each element of that tipo; of several, @cono,tronco LINE; of any, @each
@@ -17,8 +17,8 @@
 /// System::reproducer. A vector's coordinates stand with commas between, or one by one as @(centro.x). What has
 /// several lines gets what stands before it on each.
 ///
-/// The program writes what the system answers in a line "got: " and, behind it, as a system writes it (question.hpp);
-/// for the reader also a line "expected: @(expected)".
+/// The program writes the system's answer in a line "got: " in the form that question.hpp gives; for the reader it also
+/// writes a line "expected: @(expected)".
 
 #include <atomic>
 #include <string>
@@ -28,19 +28,19 @@
 
 namespace durero::conform {
 
-/// The program. `about` is what @(about) stands for, `file` its name. Throws std::runtime_error, with the line, where
-/// the template asks for what there is none of.
+/// The text of the program. `about` replaces @(about), and `file` is the program's name. Throws std::runtime_error,
+/// with the line, where the template uses a name that has no meaning there.
 std::string reproducer_text(const System& system, const Finding& finding, const std::string& about,
                             const std::string& file);
 
-/// What a program wrote that was run.
+/// The output of a reproducer that was run.
 struct Reproduction {
   std::string output{};                ///< the lines from "got: " on
-  Verdict verdict = Verdict::skipped;  ///< on what it got
-  std::string words{};                 ///< where it got nothing: how it ended, and the end of what it wrote
+  Verdict verdict = Verdict::skipped;  ///< the verdict on the answer it got
+  std::string words{};                 ///< without an answer: how the program ended, and the end of its output
 };
 
-/// Runs the program, in a folder of its own, as System::reproducer says.
+/// Runs the program in a folder of its own, by the commands of System::reproducer.
 Reproduction reproduced(const System& system, const Finding& finding, const std::string& program,
                         const std::string& file, const std::atomic<bool>& stop);
 

@@ -10,15 +10,15 @@
 
 namespace durero::conform {
 
-/// Why the system cannot be asked, such as "it is not set up"; empty where it can.
+/// The reason why the system cannot be asked, such as "it is not set up"; empty where it can.
 std::string why_absent(const System& system);
 
-/// Is told what is done, in a line without its end.
+/// A receiver of progress, a line without its end at a time.
 using Say = std::function<void(std::string_view line)>;
 
-/// Installs what the system names, from Debian, PyPI, crates.io and npm, and builds what asks it. Its folder is then
-/// whole, or is not there: what was in it before is removed. Throws std::runtime_error where a step fails, with the end
-/// of what it said.
+/// Installs the system's packages, from Debian, PyPI, crates.io and npm, and builds the program that asks it. Its
+/// folder is then complete, or is not there: its earlier contents are removed. Throws std::runtime_error where a step
+/// fails, with the end of the step's output.
 void set_up(const System& system, const Say& say, const std::atomic<bool>& stop);
 
 }  // namespace durero::conform

@@ -1,5 +1,5 @@
 #pragma once
-/// Systems, as files tell of them: systems/FOLDER/NAME.json, beside the program that asks the system.
+/// A system's file describes it: systems/FOLDER/NAME.json, beside the program that asks the system.
 ///
 ///   {"format":"durero-system","version":1,"system":"embree","title":"Embree 3",
 ///    "install":{"debian":["libembree-dev"]},
@@ -29,17 +29,17 @@ namespace durero::conform {
 /// A program and its arguments, word by word: no shell reads them.
 using Command = std::vector<std::string>;
 
-/// How a program that shows a failure is made and run.
+/// The plan by which a reproducer is made and run.
 struct ReproducerPlan {
   std::string program{};                       ///< its template, NAME.in; empty: there is none
-  std::map<std::string, std::string> words{};  ///< what else its names stand for
-  std::vector<Command> run{};                  ///< one after the other; {program} and {built} are not filled in
+  std::map<std::string, std::string> words{};  ///< further names of the template, with their texts
+  std::vector<Command> run{};  ///< the commands, one after the other; {program} and {built} are not filled in
 };
 
-/// What is known to fail, and why.
+/// A failure that is known, and its cause.
 struct KnownCause {
-  std::vector<std::string> verdicts;    ///< by name: those that it is the cause of
-  std::vector<std::string> tipos{};     ///< of an element at least; none: any
+  std::vector<std::string> verdicts;    ///< the names of the verdicts that it causes
+  std::vector<std::string> tipos{};     ///< the types of which an element must be; none: any
   std::vector<std::string> families{};  ///< none: any
   std::string cause;                    ///< in sentences, as bug reports say it
 };
@@ -49,16 +49,16 @@ struct System {
   std::string name;   ///< that of its file, which commands and reports call it by
   std::string title;  ///< what people call it, as "Embree 3"
   std::map<std::string, std::vector<std::string>> packages{};  ///< by where they are from: debian, pypi, crates, npm
-  Command build{};                                             ///< empty: nothing is built
-  Command ask;                      ///< runs what answers: questions at its standard input (question.hpp)
-  Profile profile;                  ///< what it claims, and where its documentation does
-  std::string folder;               ///< {here}
-  std::string setup;                ///< {setup}
+  Command build{};                  ///< the command that builds its asker; empty where nothing is built
+  Command ask;                      ///< the command that answers questions at its standard input (question.hpp)
+  Profile profile;                  ///< its claims, with the places in its documentation
+  std::string folder;               ///< the folder of the file, {here}
+  std::string setup;                ///< the folder that `durero conform setup` fills, {setup}
   ReproducerPlan reproducer{};      ///< without a template where the file has none
   std::vector<KnownCause> known{};  ///< the first that fits a failure is its cause (known_cause)
 };
 
-/// The command with {NAME} replaced by what it stands for, for those names.
+/// The command with each {NAME} of `places` replaced by its text.
 Command filled_in(Command command, const std::map<std::string, std::string>& places);
 
 /// Where packages come from, in the order in which they are installed.
@@ -70,14 +70,14 @@ System read_system(const io::Source& source, const std::string& setups);
 /// Every system of a folder, by name. Throws std::runtime_error where it is no folder, and where two files have a name.
 std::map<std::string, std::string> system_files(const std::string& systems);
 
-/// The folder of systems that the variable DURERO_SYSTEMS names; without it, the one that was installed with the
-/// program that runs, or else the one of its sources, which the folder of its build links to as `systems`. Where there
-/// is none: where the installed one would be.
+/// The folder of systems: the one that the variable DURERO_SYSTEMS names; otherwise the one installed with the running
+/// program; otherwise the one of its sources, which the folder of its build links to as `systems`. Where there is none,
+/// the place where the installed one would be.
 std::string default_systems();
-/// $XDG_CACHE_HOME/durero/systems, by default in ~/.cache.
+/// The folder of setups: $XDG_CACHE_HOME/durero/systems, by default in ~/.cache.
 std::string default_setups();
 
-/// The system of a name. Throws std::runtime_error where the folder has none of it.
+/// The system of that name. Throws std::runtime_error where the folder has none of it.
 System find_system(std::string_view name, const std::string& systems, const std::string& setups);
 
 /// The profile of a system of the folder, or of a file: a system's, or a profile alone,

@@ -1,6 +1,6 @@
 #pragma once
-/// The exact answer to a ray, and what else a right program may answer where data that are off by a rounding would
-/// change it.
+/// The truth about a ray is its exact answer, with the other answers that a right program may give where data that are
+/// off by a rounding would change it.
 
 #include <string_view>
 #include <vector>
@@ -11,10 +11,10 @@
 
 namespace durero::conform {
 
-/// Why the exact answer is not the only one: what of the first crossing a change of the data, however small, removes.
-/// Where several elements are at the first point, the last of these in the order tangent, rim, edge, apex, in_surface
-/// that one of them has. A ray that just misses something exactly is not ambiguous by that: its answer is the answer to
-/// other data near enough, and who judges with a backward error sees it.
+/// The reason why the exact answer is not the only one: the property of the first crossing that an arbitrarily small
+/// change of the data removes. Where several elements are at the first point, it is the last property in the order
+/// tangent, rim, edge, apex, in_surface that one of them has. A ray that just misses something exactly is not ambiguous
+/// by that: its answer is the answer to other data near enough, and a judge with a backward error sees it.
 enum class Ambiguity {
   none,
   tangent,    ///< a double root
@@ -27,19 +27,19 @@ enum class Ambiguity {
 /// The word of an ambiguity in files, spelt as its enumerator.
 std::string_view name(Ambiguity ambiguity);
 
-/// The exact answer to a ray, and what may be answered in its place.
+/// The exact answer to a ray, and the answers that are permissible in its place.
 struct Truth {
-  scene::Hit hit;                         ///< of Primera_Interseccion
-  Ambiguity ambiguity = Ambiguity::none;  ///< why `hit` is not the only answer; none where it is
-  /// What may be answered beside `hit`, nearest first: the crossings behind it until the first that no small change
-  /// removes, that one included; then, where there is none, a miss. Of several elements at one point all are answered,
-  /// or each alone. A stretch of the ray inside a surface counts with both its ends, and from t → 0⁺ with t = 0; what
-  /// lies between them is as good.
+  scene::Hit hit;                         ///< the answer of Primera_Interseccion
+  Ambiguity ambiguity = Ambiguity::none;  ///< the reason why `hit` is not the only answer; none where it is
+  /// The answers that are permissible beside `hit`, nearest first: the crossings behind it up to and including the
+  /// first that no small change removes, and a miss where there is no such crossing. Several elements at one point are
+  /// answered all together, or each alone. A stretch of the ray inside a surface counts with both its ends, with t = 0
+  /// where it begins at t → 0⁺; any point between them is as good.
   std::vector<scene::Hit> permissible{};
 };
 
-/// What the tracer's certified steps find is so; of elements where they cannot tell, and where several are left, by
-/// surface::exact. Precondition: the ray is of the scene.
+/// The exact answer and its permissible variants, from the certified steps of the tracer; surface::exact decides the
+/// elements that these steps leave open. Precondition: the ray is of the scene.
 Truth truth(const scene::Scene& scene, const scene::Query& ray);
 
 }  // namespace durero::conform

@@ -1,5 +1,6 @@
 #pragma once
-/// What a failure hangs on, as it is tried and not guessed: variations of its question that change little to the eye.
+/// A variation is a question that differs little from that of a failure; the answers to several show by trial on what
+/// the failure depends.
 
 #include <string>
 #include <vector>
@@ -9,17 +10,18 @@
 
 namespace durero::conform {
 
-/// A question beside that of a failure, and what the system answers to it.
+/// A varied question, and the system's answer to it.
 struct Variation {
   std::string what;  ///< such as "with v/|v| for v"
   Finding answered;  ///< the varied question, the claim on it and its judgement, a failure or not
 };
 
-/// With a v of unit length, with the whole scene of a size near 1, with an origin nearer to the first point: those that
-/// change something, and that the profile covers.
+/// The variations that change something and that the profile covers: v of unit length, the whole scene of a size near
+/// 1, the origin nearer to the first point.
 std::vector<Variation> variations(const Finding& finding, const Profile& profile, const Ask& ask);
 
-/// "With v/|v| for v it is right." or "… it is missed as well.", of a variation of a failure with that verdict.
+/// The variation in a sentence, "With v/|v| for v it is right." or "… it is missed as well.", for a failure with that
+/// verdict.
 std::string variation_text(const Variation& variation, Verdict verdict);
 
 }  // namespace durero::conform
