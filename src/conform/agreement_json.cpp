@@ -10,7 +10,7 @@ namespace {
 
 using io::json::Writer;
 
-/// What the samples say of every right hit, and not of one of this verdict.
+/// The predicate that the samples assert of every right hit, and that a hit with this verdict breaks.
 std::string_view predicate(oracle::sampled::Verdict verdict) {
   return verdict == oracle::sampled::Verdict::incomplete ? "where the ray meets an element, a sample of it is near"
                                                          : "no sample lies on the ray before the hit";

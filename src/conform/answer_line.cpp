@@ -25,7 +25,7 @@ std::optional<glm::dvec3> read_point(std::span<const std::string_view> words) {
   return punto;
 }
 
-/// What is wrong with the numbers of a hit, T and then X Y Z, which go into the claim; empty where nothing is.
+/// The fault in the numbers of a hit, T and then X Y Z, or an empty text. The numbers are stored in the claim.
 std::string_view read_hit_numbers(std::span<const std::string_view> words, Claim& claim) {
   if (words.size() != 1 && words.size() != 4) return form_of_a_hit;
   if (words.front() != "-") {

@@ -1,5 +1,5 @@
 #pragma once
-/// A line that answers a ray, whoever wrote it.
+/// An answer line gives the outcome of one ray; systems and files of claims both have them.
 
 #include <string_view>
 
@@ -8,7 +8,7 @@
 
 namespace durero::conform {
 
-/// A malformed line, as a claim.
+/// The unanswered claim that a malformed line gives.
 Claim malformed(std::string_view line, std::string_view wrong);
 
 /// Reads miss, hit and refused; any element of the scene may be named.

@@ -12,9 +12,9 @@
 namespace durero::conform {
 namespace {
 
-/// Lines that a system may write before it says what it is, as libraries do when they are loaded.
+/// The number of lines that a system may write before its name and version, as libraries do when they are loaded.
 constexpr int preamble_lines = 100;
-/// How long a system has to end when it is told that nothing more comes.
+/// The time that a system has to end after its input was closed.
 constexpr Seconds to_close{5};
 
 /// The last line of a text that is not empty.

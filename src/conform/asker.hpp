@@ -1,5 +1,5 @@
 #pragma once
-/// Asks one system, and starts it again when it ended or hung.
+/// An asker asks one system, and starts it again when it ended or hung.
 
 #include <atomic>
 #include <memory>
@@ -13,31 +13,33 @@
 
 namespace durero::conform {
 
-/// The system wrote what no ray asked for: which of its answers is of which ray cannot be told.
+/// The error of a system that wrote more lines than rays were asked: nobody can tell which of its answers is of which
+/// ray.
 struct ProtocolBreach : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A crash, an abort or a hang costs its ray alone. Which ray it was is seen when it is asked alone: a system may write
-/// its answers when it has all of a scene, so the first ray without one need not be the cause, though mostly it is and
-/// is tried first. Nor are the answers before it believed, of which one may be left out: all others are asked again.
+/// A crash, an abort or a hang costs only the ray that causes it. This ray is found by asking it alone: a system may
+/// write its answers when it has all of a scene, so the first ray without an answer need not be the cause, though
+/// mostly it is, and it is tried first. The answers before it are not believed either, since one of them may have been
+/// left out: all other rays are asked again.
 class Asker {
  public:
   /// `system` and `stop` must outlive it.
   Asker(const System& system, const AskOptions& options, const std::atomic<bool>& stop)
       : system_(&system), options_(options), stop_(&stop) {}
 
-  /// Asks these rays of the case; their claims go to their places. False where `stop` was set before the last answer.
-  /// Throws std::runtime_error where the system does not start, and ProtocolBreach.
+  /// Asks these rays of the case and stores their claims at their places. Returns false where `stop` was set before the
+  /// last answer. Throws std::runtime_error where the system does not start, and ProtocolBreach.
   bool ask(const SuiteCase& of, std::span<const std::size_t> rays, std::span<Claim> claims);
 
   /// Ends the system. Throws ProtocolBreach.
   void close();
 
-  /// What it says of itself; empty while it was never started.
+  /// The system's name and version; empty while it was never started.
   const std::string& says() const { return says_; }
   const std::string& last_words() const { return last_words_; }
-  /// How often it ended or hung.
+  /// The number of times that the system ended or hung.
   std::size_t deaths() const { return deaths_; }
 
  private:

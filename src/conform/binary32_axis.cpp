@@ -22,7 +22,7 @@
 namespace durero::conform {
 namespace {
 
-/// Between the planes, with no direction farther than 8 degrees from one; x ≥ y ≥ z.
+/// The listed axes between the coordinate planes, with no direction farther than 8 degrees from one; x ≥ y ≥ z.
 constexpr std::array<std::array<double, 3>, 32> in_space{{
     {0x1.f278ap-1, 0x1.7e383ep-3, 0x1.0d829p-3},   {0x1.eb0d24p-1, 0x1.a029ap-3, 0x1.93bec2p-3},
     {0x1.e3a88p-1, 0x1.346bbcp-2, 0x1.0a784ep-3},  {0x1.e2c448p-1, 0x1.0eeb3p-2, 0x1.9e5cfcp-3},
@@ -42,7 +42,7 @@ constexpr std::array<std::array<double, 3>, 32> in_space{{
     {0x1.51eacap-1, 0x1.492ef6p-1, 0x1.8df756p-2}, {0x1.3a080cp-1, 0x1.3955e8p-1, 0x1.ff44f2p-2},
 }};
 
-/// All with one coordinate 0 and y > 2⁻¹²: an exhaustive search finds no others with x ≥ y.
+/// All axes with one coordinate 0 and y > 2⁻¹²: an exhaustive search finds no others with x ≥ y.
 constexpr std::array<std::array<double, 3>, 20> in_plane{{
     {0x1.fffffep-1, 0x1.6a09e6p-12, 0}, {0x1.fffffp-1, 0x1.fffffcp-11, 0}, {0x1.ffffe2p-1, 0x1.5e8ad8p-10, 0},
     {0x1.ffffcp-1, 0x1.fffffp-10, 0},   {0x1.ffffp-1, 0x1.ffffcp-9, 0},    {0x1.fffdcp-1, 0x1.7fff94p-8, 0},
@@ -55,7 +55,7 @@ constexpr std::array<std::array<double, 3>, 20> in_plane{{
 
 using Axis = std::array<double, 3>;
 
-/// The one of the list that lies nearest. Precondition: of such an order.
+/// The axis of the list nearest to the given one. Precondition: its coordinates are in the order of the list.
 template <class List>
 Axis nearest(const List& list, const Axis& near) {
   const auto farther = [&](const Axis& a, const Axis& b) {
@@ -68,7 +68,7 @@ Axis nearest(const List& list, const Axis& near) {
 double binary32(double x) { return static_cast<double>(static_cast<float>(x)); }
 double before(double x) { return std::nextafter(static_cast<float>(x), 0.0F); }
 
-/// The third coordinate makes up for what two leave of 1.
+/// An axis near a coordinate plane, whose third coordinate makes up for the rest that two leave of 1.
 Axis near_plane(const Axis& near) {
   for (double x = binary32(near[0]);; x = before(x)) {
     const double rest = 1 - x * x;  // exact, as y·y is

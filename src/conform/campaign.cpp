@@ -35,7 +35,7 @@ constexpr std::string_view keys[] = {"format",  "version",  "system", "seed",   
                                      "profile", "families", "types",  "solids", "numbers",         "time"};
 constexpr std::size_t required = 6;
 
-/// Where what is checked when all is read stands.
+/// The offsets of the values that are checked after all was read.
 struct Places {
   std::size_t system = 0, shards = 0, profile = 0;
 };
@@ -116,10 +116,10 @@ void read_member(Reader& in, Key key, Campaign& read, Places& places) {
   }
 }
 
-/// What no member alone can say.
+/// Checks the conditions that concern several members. Throws io::InputError.
 void check(const io::Source& source, const Campaign& read, const Places& places) {
   if (read.shards == 0) source.fail(places.shards, "shards is 0", "expected one at least");
-  // So many rays, and fewer cases, have numbers that JSON holds exactly.
+  // JSON holds the numbers of so many rays, and of fewer cases, exactly.
   if (read.rays_of_a_shard > (std::uint64_t{1} << 53U) / read.shards)
     source.fail(places.shards, fmt::format("{} shards of {} rays", read.shards, read.rays_of_a_shard),
                 "expected 2^53 rays at most");
@@ -130,7 +130,7 @@ void check(const io::Source& source, const Campaign& read, const Places& places)
     source.fail(places.profile, "profile of a system that has one", "expected it with system command:PROGRAM alone");
 }
 
-/// How many rays of a shard are of family number `place`.
+/// The number of rays of a shard that family number `place` has.
 std::uint64_t share(const Campaign& campaign, std::size_t place) {
   const std::uint64_t families = campaign.families.size();
   return campaign.rays_of_a_shard / families + (place < campaign.rays_of_a_shard % families ? 1 : 0);

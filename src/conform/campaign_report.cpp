@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t shown_ranges = 100;
 
-/// The shards that count: of each number the first.
+/// The shards that count: the first of each number.
 std::vector<const ShardCounts*> counting(const Shards& shards) {
   std::vector<const ShardCounts*> first;
   for (const ShardCounts& counts : shards.counts) {
@@ -46,7 +46,7 @@ Claim claim_of(const FailedRay& failed, const SuiteCase& of) {
   }
 }
 
-/// The ray, made and judged again.
+/// The finding of a failed ray, which is made and judged again.
 Finding finding_of(const FailedRay& failed, const Family& family, Verdict verdict, const SuiteOptions& options,
                    const Profile& profile) {
   SuiteCase of = suite_case(options, {&family, failed.number, failed.ray + 1});
@@ -65,7 +65,7 @@ std::string range_text(std::uint64_t begin, std::uint64_t end) {
   return end - begin == 1 ? fmt::format("{}", begin) : fmt::format("{}-{}", begin, end - 1);
 }
 
-/// `missing: 17, 40-41` and a line end; nothing where none is.
+/// The missing shards as a line, `missing: 17, 40-41`; empty where none is missing.
 std::string missing_text(const std::vector<const ShardCounts*>& there, std::uint64_t shards) {
   std::string text;
   std::size_t ranges = 0;
@@ -95,7 +95,7 @@ std::string disputes_text(const Shards& shards) {
   return text;
 }
 
-/// `hits off by 0 ulps: 850, up to 1: 90, up to 2: 60`
+/// The histogram of ulps in words: `hits off by 0 ulps: 850, up to 1: 90, up to 2: 60`.
 std::string ulps_text(const std::vector<const ShardCounts*>& there) {
   std::array<std::uint64_t, ulp_bins> sums{};
   for (const ShardCounts* counts : there) add(sums, counts->ulps);
@@ -108,7 +108,7 @@ std::string ulps_text(const std::vector<const ShardCounts*>& there) {
   return text + "\n";
 }
 
-/// A row of the bounds; nothing where there is none.
+/// A row of the bounds on failing rays; empty where no ray was judged or one failed.
 template <class Counts>
 std::string bound_row(std::string_view title, const Counts& of) {
   const std::uint64_t judged = of.rays() - of.of(Verdict::skipped);

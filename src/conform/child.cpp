@@ -21,9 +21,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// How long a process that closed its output has to end by itself, so that its own status can be told.
+/// The time that a process has to end by itself after it closed its output, so that its own exit status is seen.
 constexpr Seconds to_end{0.1};
-/// How often a wait looks whether it is to stop.
+/// The interval at which a wait looks whether it is to stop.
 constexpr int slice_milliseconds = 100;
 
 struct Pipe {
@@ -38,13 +38,13 @@ struct Pipe {
   }
   Pipe(const Pipe&) = delete;
   Pipe& operator=(const Pipe&) = delete;
-  /// The end, which whoever takes it closes.
+  /// The file descriptor of an end of the pipe, which the caller closes from now on.
   int take(std::size_t end) { return std::exchange(ends[end], -1); }
 
   std::array<int, 2> ends{-1, -1};  // to read from, to write to
 };
 
-/// Holds SIGPIPE back from this thread: a child that reads no more is an event, and no end of this program.
+/// A guard that blocks SIGPIPE in this thread: a child that reads no more is an event, and does not end this program.
 class WithoutBrokenPipes {
  public:
   WithoutBrokenPipes() {
@@ -108,7 +108,7 @@ std::string how_ended(int status) {
   return fmt::format("signal {} ({})", WTERMSIG(status), ::strsignal(WTERMSIG(status)));
 }
 
-/// What can be read now; nothing at the end of the file.
+/// The bytes that can be read now; nothing at the end of the file.
 std::optional<std::string> read_now(int file) {
   std::string bytes(1 << 16, '\0');
   const ssize_t count = ::read(file, bytes.data(), bytes.size());
@@ -165,7 +165,7 @@ std::string Child::end() {
   close_once(input_);
   int status = 0;
   pid_t ended = 0;
-  // One that is still speaking is not waited for.
+  // A process that still writes is not waited for.
   const Clock::time_point until = Clock::now() + std::chrono::duration_cast<Clock::duration>(to_end);
   while ((ended = ::waitpid(process_, &status, WNOHANG)) == 0 && output_ < 0 && Clock::now() < until)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));

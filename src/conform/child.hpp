@@ -1,6 +1,6 @@
 #pragma once
-/// A child process that is written to and read from by lines, within a time. It leads a process group of its own, so
-/// that whatever it starts ends with it.
+/// A child process exchanges lines with this program, within a time. It leads a process group of its own, and all
+/// processes that it starts end with it.
 
 #include <sys/types.h>
 
@@ -16,10 +16,10 @@ namespace durero::conform {
 
 using Seconds = std::chrono::duration<double>;
 
-/// What a child may use and say.
+/// The limits on a child's memory, folder and output.
 struct ChildLimits {
   std::uint64_t memory = 0;       ///< bytes of data; 0: without limit
-  std::string folder{};           ///< where it works, and may leave files; empty: where this program does
+  std::string folder{};           ///< its working folder, where it may leave files; empty: this program's
   std::size_t line = 4096;        ///< bytes of a line; the rest of a longer one is left out
   std::size_t last_words = 2048;  ///< bytes of its standard error that are kept, the last ones
 };
@@ -33,27 +33,29 @@ class Child {
     stopped  ///< `stop` was set
   };
 
-  /// Starts it. Throws std::runtime_error where there is no such program. `stop` must outlive it.
+  /// Starts the process. Throws std::runtime_error where there is no such program. `stop` must outlive this object.
   Child(const Command& command, const ChildLimits& limits, const std::atomic<bool>& stop);
-  /// Ends it, and all that it started, and waits for it.
+  /// Ends the process and all that it started, and waits for its end.
   ~Child();
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  /// What it is to be told next; it is written while its lines are awaited, as it takes it.
+  /// Appends to the text that the process will read. The text is written while lines are awaited, at the speed at which
+  /// the process reads.
   void tell(std::string_view text) { to_tell_.append(text); }
-  /// It is told nothing more.
+  /// Closes the input of the process: no text follows.
   void close_input();
-  /// Its next line, without the end, into `line`. The time counts from the call.
+  /// Stores the next line of the process, without its end, in `line`. The time counts from the call.
   Event next_line(Seconds time, std::string& line);
-  /// Whether it wrote more than the lines that were read.
+  /// Whether the process wrote more than the lines that were read.
   bool has_more();
-  /// Tells it that nothing more comes, and waits until it ends or the time passes; whether it wrote anything until
+  /// Closes the input, and waits until the process ends or the time passes. Returns whether it wrote anything until
   /// then.
   bool close(Seconds time);
-  /// Ends it now: how it had ended, if it had, such as "exit status 3" or "signal 6 (Aborted)".
+  /// Ends the process now. Returns how it had ended before, such as "exit status 3" or "signal 6 (Aborted)", or an
+  /// empty text.
   std::string end();
-  /// The last of what it wrote to its standard error.
+  /// The end of its standard error.
   const std::string& last_words() const { return last_words_; }
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// Claims as they are read, row by row: each of a case and a ray of the suite that has none yet.
+/// The claims that a reader has stored so far, row by row: each is on a case and a ray of the suite that had none yet.
 
 #include <map>
 #include <string_view>
@@ -30,9 +30,9 @@ class ClaimRows {
   std::vector<Claims> claims_;
 };
 
-/// Throws InputError where the outcome is none of name(Claim::Outcome).
+/// The outcome of that name. Throws InputError where there is none.
 Claim::Outcome read_outcome(const io::Source& source, std::size_t offset, std::string_view text);
-/// Throws InputError where a hit has neither t nor a point, or another outcome has one of them.
+/// Checks that a hit has t or a point, and that no other outcome has one. Throws InputError.
 void check_claim(const io::Source& source, std::size_t offset, const Claim& claim);
 
 void read_claims_json(ClaimRows& rows);

@@ -1,4 +1,4 @@
-// Claims as lines: those that a system answers by, and those of the rays that it did not answer.
+// The lines of claims: the lines that a system writes, and lines for rays that it did not answer.
 #include <fmt/format.h>
 
 #include <algorithm>

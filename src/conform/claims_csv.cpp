@@ -16,7 +16,7 @@ struct Of {
 using Column = Of::Column;
 constexpr std::array<std::string_view, 8> columns = {"case", "ray", "outcome", "element", "t", "x", "y", "z"};
 
-/// A field: where it stands, and its bytes without blanks around them.
+/// A field of a line: its offset, and its bytes without blanks around them.
 struct Field {
   std::size_t offset = 0;
   std::string_view text;

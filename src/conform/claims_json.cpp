@@ -11,7 +11,7 @@ enum Key : std::size_t { in_case, ray, outcome, element, t, point, why };
 constexpr std::string_view keys[] = {"case", "ray", "outcome", "element", "t", "point", "why"};
 constexpr std::size_t required = 3;
 
-/// A line: its claim, and the texts that are looked up when the case is known.
+/// The contents of a line: its claim, and the texts whose meaning depends on the case.
 struct Row {
   std::string_view case_name, element_name;
   std::size_t case_at = 0, ray_at = 0, element_at = 0;

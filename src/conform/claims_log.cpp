@@ -28,7 +28,7 @@ std::vector<io::Line> whole_lines(std::string_view text) {
   return whole;
 }
 
-/// Reads the first line: what the system said.
+/// Reads the first line and returns the system's name and version in it.
 std::string read_head(const io::Source& source, const io::Line& line, const std::string& identity) {
   constexpr std::string_view keys[] = {"format", "version", "run", "system"};
   const io::json::Document document(source, line.begin, line.end);

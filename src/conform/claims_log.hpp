@@ -1,10 +1,10 @@
 #pragma once
-/// The file in which a run keeps its claims, so that it can go on where it was stopped:
+/// The log of a run's claims, from which the run can go on after a stop:
 ///
 ///   {"format":"durero-claims","version":1,"run":"embree --seed 1 --rays 1024","system":"Embree 3.13.5"}
 ///   {"case":"generic/0000","claims":["miss","hit e0 4.5","crashed signal 6 (Aborted)"]}
 ///
-/// a line a case, in their order. What a stop cut off behind the last whole line is left out.
+/// It has a line for each case, in their order. The rest that a stop cut off behind the last whole line is left out.
 
 #include <cstdio>
 #include <memory>
@@ -19,21 +19,22 @@ namespace durero::conform {
 
 class ClaimsLog {
  public:
-  /// Opens the file, which must not be there. Throws io::FileError.
+  /// Begins a log. The file must not exist. Throws io::FileError.
   static ClaimsLog begin(const std::string& path, const std::string& identity);
-  /// Reads what it has, and goes on behind it. Throws io::InputError where it is of another run, or malformed.
+  /// Reads the log and continues behind it. Throws io::InputError where it is of another run, or malformed.
   static ClaimsLog go_on(const std::string& path, const std::string& identity);
 
-  /// How many cases it had.
+  /// The number of cases that the log had when it was opened.
   std::size_t cases() const { return lines_.size(); }
-  /// What the system said of itself when the run began; empty where no case was kept.
+  /// The system's name and version when the run began; empty where no case was kept.
   const std::string& says() const { return says_; }
-  /// The claims that it had of a case. Throws std::runtime_error where they are of another.
+  /// The claims on a case that the log had. Throws std::runtime_error where they are of another case.
   std::vector<Claim> claims(std::size_t place, const SuiteCase& of) const;
 
-  /// Writes the claims of the next case. Throws io::FileError, and std::runtime_error where the system is another now.
+  /// Writes the claims on the next case. Throws io::FileError, and std::runtime_error where the system has another
+  /// version now.
   void add(const SuiteCase& of, std::span<const Claim> claims, const std::string& says);
-  /// Removes the file: what it holds cannot be believed.
+  /// Removes the file, whose contents cannot be believed.
   void remove();
 
  private:

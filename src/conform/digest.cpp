@@ -7,7 +7,8 @@
 namespace durero::conform {
 namespace {
 
-/// What a byte that leaves the register adds to it; the polynomial is that of ECMA-182, its bits reversed.
+/// The table of CRC-64: the summand for each byte that leaves the register. The polynomial is that of ECMA-182, its
+/// bits reversed.
 constexpr auto of_byte = [] {
   std::array<std::uint64_t, 256> table{};
   for (std::uint64_t byte = 0; byte < table.size(); ++byte) {

@@ -1,7 +1,7 @@
 #pragma once
-/// Digests of texts: CRC-64 as xz computes it. A digest tells what happens to files by accident: a text with any bits
-/// within 64 neighbouring ones flipped has another digest, and of other texts one in 2⁶⁴ has the same. It is no defence
-/// against who wants to deceive.
+/// A digest of a text is its CRC-64 as xz computes it. It detects accidents to files: a text with any bits within 64
+/// neighbouring ones flipped has another digest, and one in 2⁶⁴ of all other texts has the same. It is no defence
+/// against deceit.
 
 #include <cstdint>
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace durero::conform {
 
-/// Of the bytes behind those of which `before` is the digest.
+/// The digest of a text that ends in `bytes`; `before` is the digest of the part before them.
 std::uint64_t digest(std::string_view bytes, std::uint64_t before = 0);
 
-/// Sixteen hexadecimal digits.
+/// The digest as sixteen hexadecimal digits.
 std::string digest_text(std::uint64_t digest);
 
 }  // namespace durero::conform

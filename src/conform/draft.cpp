@@ -23,7 +23,7 @@ std::optional<scene::Disc> closing_disc(const Shape& wall, bool at_base) {
   return disc.radio > 0 ? std::optional(disc) : std::nullopt;
 }
 
-/// Adds the discs of an element with an axis. Whether the model takes them.
+/// Adds the discs that close an element with an axis. Returns whether the model takes them.
 bool close(SuiteCase& of, const Draft::Element& element) {
   scene::Scene& scene = of.the_case.scene;
   Solid solid{*scene.find(element.name), {}};

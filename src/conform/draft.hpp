@@ -1,5 +1,5 @@
 #pragma once
-/// A case of one ray whose numbers can be changed at will: what minimise.cpp tries its changes on.
+/// A draft is a case of one ray whose numbers can be changed at will; minimise.cpp tries its changes on it.
 
 #include <optional>
 #include <string>
@@ -17,29 +17,30 @@ struct Draft {
   };
   std::vector<Element> elements;
   glm::dvec3 p{}, v{};
-  std::vector<std::string> on;  ///< the names of what the ray starts on
+  std::vector<std::string> on;  ///< the names of the elements that the ray starts on
   bool are_closed = false;      ///< discs close the elements that have ends
 
-  /// Of the only ray of the case. Discs that close solids are left out; they follow their walls.
+  /// A draft of a case with one ray. Discs that close solids are left out; they follow from their walls.
   explicit Draft(const SuiteCase& of);
 
-  /// Its case, answered, with the family and the number of the given one; nothing where the model refuses an element or
-  /// the ray.
+  /// The answered case that the draft describes, with the family and the number of `like`; nothing where the model
+  /// refuses an element or the ray.
   std::optional<SuiteCase> built(const SuiteCase& like) const;
 };
 
-/// What of a shape a change may touch. An attribute is one of these.
+/// The numbers of a shape that a change may touch. Each attribute is of one of these kinds.
 struct Places {
-  std::vector<glm::dvec3*> points;  ///< its centre, or its vertices
-  std::vector<glm::dvec3*> axes;    ///< its unit vector
+  std::vector<glm::dvec3*> points;  ///< the centre, or the vertices
+  std::vector<glm::dvec3*> axes;    ///< the unit vector
   std::vector<double*> lengths;
   std::vector<double*> ratios;
 };
 Places places(scene::AnyShape& shape);
 
-/// The scene and the origin times 2^k, and v with them: the same crossings at the same t.
+/// Scales the scene, the origin and v by 2^k: the crossings stay at the same t.
 void scale(Draft& draft, int k);
-/// Of its first element, in the first place, a length; where it has none, the largest coordinate of its points.
+/// The size of the draft: the first length of its first element; without one, the largest coordinate of the element's
+/// points, or 1 where that is 0. Precondition: there is an element.
 double size_of(const Draft& draft);
 
 }  // namespace durero::conform

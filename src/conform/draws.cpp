@@ -6,7 +6,7 @@
 namespace durero::conform {
 namespace {
 
-/// To nearest, ties to even; a cast is defined only where the result is finite.
+/// The nearest binary32 number, ties to even; a cast is defined only where the result is finite.
 double rounded_to_binary32(double x) {
   constexpr double rounds_to_infinity = 0x1.ffffffp127;
   if (std::abs(x) >= rounds_to_infinity) return std::copysign(HUGE_VAL, x);

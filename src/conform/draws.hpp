@@ -1,6 +1,5 @@
 #pragma once
-/// What cases are drawn from: a stream of random numbers that knows the format of the numbers and the types of elements
-/// that are asked for.
+/// The random stream that cases are drawn from; it knows the format of the numbers and the types of elements asked for.
 
 #include <limits>
 #include <vector>
@@ -16,10 +15,10 @@ class Draws : public Random {
 
   const CaseOptions& options() const { return options_; }
   bool allows(model::Tipo tipo) const;
-  /// One of them, each as often; of those that are asked for, where any is.
+  /// One of the types, each as often; where some are asked for, one of those.
   model::Tipo any_type_of(const std::vector<model::Tipo>& types);
 
-  /// The nearest number of the format: ±∞ beyond its range.
+  /// The number of the format nearest to x: ±∞ beyond its range.
   double rounded(double x) const;
   glm::dvec3 rounded(const glm::dvec3& v) const;
   scene::Corners rounded(const scene::Corners& vertices) const;

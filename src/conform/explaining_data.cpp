@@ -16,7 +16,7 @@
 namespace durero::conform {
 namespace {
 
-/// The point that the claim names, by binary64: what is built from it is judged.
+/// The point that the claim names, by binary64; the judge decides on the data built from it.
 std::optional<glm::dvec3> claimed_point(const Finding& finding, const Profile& profile) {
   const Claim& claim = finding.claim;
   if (claim.outcome != Claim::Outcome::hit) return std::nullopt;
@@ -41,26 +41,26 @@ bool is_right(const SuiteCase& of, const Claim& claim, const Profile& profile) {
   return verdict == Verdict::exact || verdict == Verdict::right;
 }
 
-/// Whether it is the answer of these data: a miss exactly, also where all hits are beyond the limits of the profile,
-/// and of a hit, which is rounded, the number nearly.
+/// Whether the claim is the answer of these data: a miss exactly, also where all hits are beyond the limits of the
+/// profile; the number of a hit, which is rounded, nearly.
 bool has_answer(const SuiteCase& of, const Claim& claim, const Profile& profile) {
   if (claim.outcome != Claim::Outcome::miss) return is_right(of, claim, profile);
   return outside(of, 0, without_limits(profile)).empty() && is_all_beyond_limits(Trial(of, 0, profile));
 }
 
-/// Whether the claim is right of some data off by that length besides, as far as exact arithmetic can tell.
+/// Whether the claim is right for some data off by that length besides, as far as exact arithmetic can tell.
 bool may_be_explained(const Finding& finding, Profile profile, double length) {
   profile.thickness += length;
   return is_right(finding.of, finding.claim, profile);
 }
 
-/// Changed data, and by how much they are off, as a length.
+/// Changed data, and the size of the change as a length.
 struct ChangedData {
   Draft draft;
   double off = 0;
 };
 
-/// Sets the number; by how much it was changed.
+/// Sets the number and returns the size of the change.
 double changed(double& number, double value) { return std::abs(value - std::exchange(number, value)); }
 
 double along(const glm::dvec3& w, const auto& shape) { return glm::dot(w - shape.centro, shape.vector); }
@@ -69,7 +69,7 @@ double across(const glm::dvec3& w, const auto& shape) {
 }
 double across(const glm::dvec3& w, const scene::Sphere& shape) { return glm::length(w - shape.centro); }
 
-/// Makes the surface go through the point, by its radius where it has one. By how much it is off then.
+/// Makes the surface go through the point, by its radius where it has one. Returns the size of the change.
 template <class Shape>
 double put_through(Shape& shape, const glm::dvec3& w) {
   if constexpr (std::is_same_v<Shape, scene::Triangle>) {
@@ -92,7 +92,8 @@ double put_through(Shape& shape, const glm::dvec3& w) {
   }
 }
 
-/// For each element: it goes through the claimed point, or stands where the first point is the claimed one.
+/// The changed data for each element: it goes through the claimed point, or moves so that the first point is the
+/// claimed one.
 std::vector<ChangedData> with_point(const Finding& finding, const glm::dvec3& claimed) {
   const scene::Hit& hit = finding.of.truths[0].hit;
   const Draft given(finding.of);
@@ -121,7 +122,7 @@ std::vector<double*> lengths(Draft& draft) {
   return all;
 }
 
-/// Looks for data off by as little as they can be.
+/// The search for data with the smallest change that explains the claim.
 class Search {
  public:
   Search(const Finding& finding, const Profile& profile, double unit)
@@ -134,7 +135,7 @@ class Search {
     if (of && has_answer(*of, finding_->claim, *profile_)) nearest_ = {std::move(*of), off};
   }
 
-  /// One number is another by 2^k units.
+  /// Tries changes of one number by 2^k units.
   void attempt_steps(int k) {
     for (std::size_t i = 0; i < count_; ++i) {
       for (const double sign : {1.0, -1.0}) {

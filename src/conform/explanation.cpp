@@ -26,7 +26,7 @@ std::string crossing_text(const scene::Scene& scene, const surface::exact::Cross
   return title + from + (end ? parameter_lines("to t", *end) : "  without end\n");
 }
 
-/// p + t·v, a coordinate a line.
+/// The point p + t·v, a line for each coordinate.
 std::string point_text(const model::Rayo& rayo, const Surd& t) {
   const glm::dvec3 p = rayo.p().xyz(), v = rayo.v().xyz();
   std::string text = "the first point:\n";

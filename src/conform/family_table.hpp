@@ -1,5 +1,5 @@
 #pragma once
-/// The table of the families: one row is all that there is of a family, what is published of it and how it is made.
+/// The table of the families has one row for each: its published description and its recipe.
 
 #include <optional>
 #include <span>
@@ -10,18 +10,19 @@
 
 namespace durero::conform {
 
-/// The least parts of its rays that are members, and exact ones; both hold for each seed of 20 scenes of 100 rays.
+/// The least shares of a family's rays that are members, and exact ones; both hold for each seed of 20 scenes of 100
+/// rays.
 struct Floors {
   double members, exact;
 };
 
-/// How a scene is made, and then each ray for it.
+/// The functions that make a scene, and then each ray for it.
 struct Recipe {
   recipes::FramedShapes (*scene)(Draws&, int parameter);
   DrawnRay (*ray)(Draws&, int parameter, recipes::Given shapes);
 };
 
-/// What makes a ray a member, and an exact one.
+/// The conditions that make a ray a member, and an exact one.
 struct Questions {
   bool (*is_member)(const AnsweredQuery&);
   bool (*is_exact)(const AnsweredQuery&);
@@ -31,7 +32,7 @@ struct Limits {
   int least, greatest;
 };
 
-/// Where cases of binary32 numbers are others: a parameter that the format has room for, and floors.
+/// The exceptions for binary32 numbers: a parameter that fits the format, and other floors.
 struct OfBinary32 {
   std::optional<Limits> parameter{};
   std::optional<Floors> floors{};
@@ -48,7 +49,7 @@ struct FamilyRow {
 /// Every family, in the order in which they are published.
 std::span<const FamilyRow> family_table();
 
-/// The row of a family. Throws std::invalid_argument where it is none of families().
+/// The row of a family. Throws std::invalid_argument where the family is none of families().
 const FamilyRow& row_of(const Family& family);
 
 }  // namespace durero::conform

@@ -16,7 +16,7 @@ namespace {
 
 using model::Tipo;
 
-/// A frame with d = ±x, ±y or ±z.
+/// Sets a frame with d = ±x, ±y or ±z.
 void set_lattice_frame(Random& random, FramedShape& shape) {
   const int first = random.integer(0, 2);
   shape.e1 = shape.e2 = shape.d = glm::dvec3(0);
@@ -25,7 +25,7 @@ void set_lattice_frame(Random& random, FramedShape& shape) {
   shape.d[first] = random.sign();
 }
 
-/// A frame with any d of which Unitario takes; one in four has a coordinate 0.
+/// Sets a frame with any d that Unitario accepts; one in four draws has a coordinate 0.
 void set_tilted_frame(Draws& random, FramedShape& shape) {
   do {
     shape.d = random.direction();
@@ -77,7 +77,7 @@ glm::dvec3 times_power(const glm::dvec3& v, int k) {
   return {std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)};
 }
 
-/// The types of which it holds, in their order.
+/// The types for which the condition holds, in their order.
 std::vector<Tipo> types_that(bool (*holds)(Tipo)) {
   std::vector<Tipo> types;
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {

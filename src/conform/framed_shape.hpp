@@ -1,6 +1,6 @@
 #pragma once
-/// Shapes under construction. A shape is built with points of its surface, and the plane that touches it there, so that
-/// a ray of any kind can be laid through such a point (drawn_ray.hpp).
+/// A framed shape is a shape under construction. It is built with points of its surface and the tangent plane there, so
+/// that a ray of any kind can be laid through such a point (drawn_ray.hpp).
 ///
 /// Lattice shapes have a unit axis ±x, ±y or ±z and integer coordinates: their surface points come from Pythagorean
 /// triples and quadruples (lattice.hpp) and their rays are integer combinations, so every coincidence is exact; a
@@ -16,29 +16,29 @@
 
 namespace durero::conform {
 
-/// A point of a surface. radial: from the axis (or the centre of a sphere) to it, of a flat shape its normal; around
-/// and along are in the plane that touches there, and span it but where a sphere drew them parallel; along is the
-/// direction of the generator.
+/// A point of a surface, with directions. `radial` goes from the axis (or the centre of a sphere) to the point; on a
+/// flat shape it is the normal. `around` and `along` lie in the tangent plane, and span it unless a sphere drew them
+/// parallel; `along` is the direction of the generator.
 struct SurfacePoint {
   glm::dvec3 position, radial, around, along;
 };
 
-/// A shape of any type and an orthonormal frame e1, e2, d of it, exact for lattice shapes; d is vector. An attribute
-/// that the type does not have has no meaning. Where it has a proportion, the radius at the advance s is
-/// radio + proporcion·(altura − s), and without radio proporcion·(altura − s). The frame of a triangle is its edges
+/// A shape of any type with an orthonormal frame e1, e2, d, which is exact for lattice shapes; d is vector. An
+/// attribute that the type does not have has no meaning. A shape with a proportion has the radius radio +
+/// proporcion·(altura − s) at the advance s, where a cone's radio counts as 0. The frame of a triangle is its edges
 /// from the first vertex, and their product.
 struct FramedShape {
   model::Tipo tipo{};
   bool lattice = true;
   glm::dvec3 centro{};
-  double radio = 0;  ///< of a plane: how far from centro its points are drawn; of a triangle: the longer of e1 and e2
+  double radio = 0;  ///< of a plane: the reach of drawn points around centro; of a triangle: the longer of e1 and e2
   double proporcion = 0;
   double altura = 0;
   scene::Corners vertices{};
   glm::dvec3 e1{}, e2{}, d{};
   std::vector<SurfacePoint> shared{};  ///< points of the surface that lie on another shape too
 
-  /// The radius, at the base where it is not the same everywhere.
+  /// The radius, of a narrowing shape at its base.
   double radius() const;
   /// Whether radius() was not rounded.
   bool has_exact_radius() const;
@@ -58,29 +58,29 @@ bool has_apex(model::Tipo tipo);
 /// Whether shapes of the type are a plane across d, or part of it.
 using surface::is_flat;
 
-/// Of those that are not flat.
+/// A random type that is not flat.
 model::Tipo any_type(Draws& random);
-/// Of those without a bound: a plane.
+/// A random type without a bound: the plane.
 model::Tipo any_unbounded_type(Draws& random);
-/// Of those with an axis.
+/// A random type with an axis.
 model::Tipo any_axial_type(Draws& random);
 
-/// Whether the vertices are those of a triangle: they lie on no line, exactly.
+/// Whether the vertices make a triangle: they lie on no line, exactly.
 bool are_corners(const scene::Corners& vertices);
-/// Their triangle. Precondition: are_corners.
+/// The triangle with these vertices. Precondition: are_corners(vertices).
 FramedShape triangle(const scene::Corners& vertices, bool lattice);
 
-/// Of a triangle the edges are multiples of 8, so that eighths of them are of the lattice too.
+/// A random lattice shape. The edges of a triangle are multiples of 8, so that eighths of them are of the lattice too.
 FramedShape lattice_shape(Random& random, model::Tipo tipo);
 FramedShape tilted_shape(Draws& random, model::Tipo tipo);
-/// Of either sort.
+/// A random lattice or tilted shape, two to one.
 FramedShape any_shape(Draws& random, model::Tipo tipo);
 
-/// The disc across the base, or across the other end: its radio and centro may be rounded. Precondition: the shape has
+/// The disc across the base or across the other end; its radio and centro may be rounded. Precondition: the shape has
 /// an axis.
 FramedShape closing_disc(const FramedShape& shape, bool at_base);
 
-/// Gives it another axis, and a frame around that. Precondition: e1 is not along d.
+/// Gives the shape another axis, and a frame around that. Precondition: e1 is not along d.
 void turn_to(FramedShape& shape, const glm::dvec3& d);
 
 /// All lengths times 2^k; the shared points go.

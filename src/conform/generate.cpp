@@ -12,25 +12,25 @@ namespace {
 
 using recipes::FramedShapes;
 
-/// A stream of its own for each family and seed.
+/// The seed of the random stream that each pair of family and seed has for itself.
 std::uint64_t seed_of(const Family& family, std::uint64_t seed) {
   std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a
   for (const char c : family.name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
   return hash ^ (seed * 0x9e3779b97f4a7c15);
 }
 
-/// The place of an element with an axis, and those of the discs that close it.
+/// A solid under construction: the place of an element with an axis, and the places of the discs that close it.
 struct FramedSolid {
   std::size_t wall;
   std::vector<std::size_t> discs;
 };
 
-/// Elements under construction, by their names.
+/// A scene under construction: its elements and their names.
 struct FramedScene {
-  FramedShapes shapes;  ///< those of the recipe, then discs that close them
+  FramedShapes shapes;  ///< the elements of the recipe, then the discs that close them
   std::vector<std::string> names{};
   std::vector<FramedSolid> solids{};
-  std::size_t of_recipe = 0;  ///< how many are the recipe's
+  std::size_t of_recipe = 0;  ///< the number of elements of the recipe
 };
 
 bool is_same_disc(const FramedShape& a, const FramedShape& b) {
@@ -38,15 +38,15 @@ bool is_same_disc(const FramedShape& a, const FramedShape& b) {
          (a.d == b.d || a.d == -b.d);
 }
 
-/// Whether the shape closes a solid.
+/// Whether the shape is a disc that closes a solid.
 bool closes(const FramedScene& scene, std::size_t place) {
   return std::any_of(scene.solids.begin(), scene.solids.end(), [&](const FramedSolid& solid) {
     return std::find(solid.discs.begin(), solid.discs.end(), place) != solid.discs.end();
   });
 }
 
-/// The place of the disc, which stays where it is in the scene already. A disc that closes another solid is another's:
-/// two solids that end in one place have a disc each, for a point there is of both.
+/// The place of the disc in the scene, to which it is added unless the recipe has it already. A disc that closes
+/// another solid is not shared: two solids that end in one place have a disc each, for a point there belongs to both.
 std::size_t placed(FramedScene& scene, const FramedShape& disc, const std::string& name) {
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
     if (is_same_disc(scene.shapes[i], disc) && !closes(scene, i)) return i;
@@ -56,9 +56,9 @@ std::size_t placed(FramedScene& scene, const FramedShape& disc, const std::strin
   return scene.shapes.size() - 1;
 }
 
-/// Discs for every element with an axis. They are of binary64 in either format: no system is told of them, since they
-/// are what it closes a solid with, and one of the format could lie beside the solid's end by more than a system may
-/// be off. False where one is no disc.
+/// Adds discs for every element with an axis; false where one of them is not valid. The discs are of binary64 in either
+/// format: no system is told of them, since it closes a solid itself, and a disc of binary32 numbers could lie beside
+/// the solid's end by more than a system may be off.
 bool close(FramedScene& scene) {
   for (std::size_t i = 0, count = scene.shapes.size(); i < count; ++i) {
     const FramedShape wall = scene.shapes[i];
@@ -75,7 +75,7 @@ bool close(FramedScene& scene) {
   return true;
 }
 
-/// Every shape that closes none is of the types that are asked for.
+/// Whether every shape, except discs that close solids, is of the types asked for.
 bool is_allowed(const Draws& random, const FramedScene& scene) {
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
     if (!random.allows(scene.shapes[i].tipo) && !closes(scene, i)) return false;
@@ -83,7 +83,7 @@ bool is_allowed(const Draws& random, const FramedScene& scene) {
   return true;
 }
 
-/// The shapes as elements of the format, or nothing where they are none, or not of the types that are asked for.
+/// The shapes as elements in numbers of the format; nothing where these are not valid, or not of the types asked for.
 std::optional<FramedScene> framed_scene(const Draws& random, const FramedShapes& shapes) {
   FramedScene scene;
   for (const FramedShape& shape : shapes) {
@@ -98,8 +98,8 @@ std::optional<FramedScene> framed_scene(const Draws& random, const FramedShapes&
   return scene;
 }
 
-/// Scenes are drawn until one is allowed. Where some are, more than one in ten is, so that none among so many says that
-/// there is none.
+/// A scene of the recipe that is allowed; nothing where there is none. Scenes are drawn until one is allowed. Where
+/// some are, more than one in ten is, and so a long series without one shows that there is none.
 std::optional<FramedScene> drawn_scene(Draws& random, const Recipe& recipe, int parameter) {
   constexpr int attempts = 500;
   for (int i = 0; i < attempts; ++i) {
@@ -130,7 +130,8 @@ DrawnRay drawn_ray(Draws& random, const Recipe& recipe, int parameter, const Fra
   return recipes::solid(random, shapes);
 }
 
-/// Ascending by name, as a scene file lists them: who reads it back has every element in the same place.
+/// Adds the elements in ascending order of their names, as a scene file lists them: a reader of the file has every
+/// element in the same place.
 void add_by_name(scene::Scene& scene, const FramedScene& framed) {
   std::vector<std::size_t> order(framed.shapes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

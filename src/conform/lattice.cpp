@@ -39,7 +39,8 @@ auto tables(const std::array<int, n>& radii, Points points_of) {
   return tables;
 }
 
-/// One of the points at the radius that `radius` is a power of two times of, scaled to it; otherwise `other`.
+/// One of the tabulated points, scaled to `radius`, where this is a power of two times a radius of the table; otherwise
+/// `other`.
 template <class Tables, std::size_t n, class Point>
 Point scaled_point(Random& random, double radius, const std::array<int, n>& radii, const Tables& tables, Point other) {
   for (std::size_t i = 0; i < n; ++i) {

@@ -14,10 +14,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The time is over.
+/// The signal that the time for reductions is over.
 struct OutOfTime {};
 
-/// The first finding of each family, then the second of each, and so on.
+/// The findings in turns: the first of each family, then the second of each, and so on.
 std::vector<const Finding*> by_turns(const Tally& tally) {
   std::vector<const Finding*> all;
   for (std::size_t turn = 0; turn < verdict_count; ++turn) {

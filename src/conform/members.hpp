@@ -1,6 +1,6 @@
 #pragma once
-/// Questions about a ray and its exact answer, decided by exact arithmetic: which families it is truly of.
-/// "Nearly" is within one part in 2²⁰ where nothing else is said; it says what a family is about and judges no answer.
+/// Questions about a ray and its exact answer, decided by exact arithmetic, tell of which families the ray truly is.
+/// "Nearly" means within one part in 2²⁰ where nothing else is said; it describes a family and judges no answer.
 
 #include "durero/scene/hit.hpp"
 #include "durero/scene/query.hpp"
@@ -12,13 +12,13 @@ namespace durero::conform {
 struct AnsweredQuery {
   const scene::Scene& scene;
   const scene::Query& query;
-  scene::Hit hit;  ///< of surface::exact
+  scene::Hit hit;  ///< the answer of surface::exact
 };
 
 bool hits(const AnsweredQuery& q);
 bool hits_flat(const AnsweredQuery& q);  ///< hits a plane, or part of one
-/// Any coincidence of the ray with any element: a double root, a linear or a constant quadratic, a coefficient B or C
-/// that is 0, a root exactly at a rim or the apex, a right angle with the axis; or a tie, or no minimum.
+/// Whether the ray has any coincidence with any element: a double root, a linear or a constant quadratic, a coefficient
+/// B or C that is 0, a root exactly at a rim or the apex, a right angle with the axis; or a tie, or no minimum.
 bool coincides(const AnsweredQuery& q);
 
 // Of scale (members_scale.cpp). The element is one that the ray hits.

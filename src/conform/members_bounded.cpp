@@ -6,8 +6,8 @@ namespace {
 using model::Tipo;
 using number::sign;
 
-/// What the bounds of an element, a disc or a triangle, are to be measured by where the ray crosses its plane: the
-/// square of a disc's radius, by that of the slope; the sum of a triangle's lados.
+/// The measure for the bounds of a disc or a triangle where the ray crosses its plane: the square of a disc's radius,
+/// times that of the slope; the sum of a triangle's lados.
 Dyadic whole(const Candidate& c) {
   if (c.e.tipo == Tipo::soy_disco) return square(c.size * number::shifted(c.f.B, 1));
   Dyadic sum;
@@ -39,13 +39,15 @@ bool is_in_plane(const Candidate& c) { return is_bounded(c) && sign(c.f.B) == 0;
 bool is_disc(const Candidate& c) { return c.e.tipo == Tipo::soy_disco; }
 bool is_triangle(const Candidate& c) { return c.e.tipo == Tipo::soy_triangulo; }
 
-/// Its height is 2⁻⁸ of its length or less. |e1 × e2| is their product, and the length at most twice the ball's radius.
+/// Whether the element is a triangle whose height is 2⁻⁸ of its length or less. |e1 × e2| is their product, and the
+/// length at most twice the ball's radius.
 bool is_thin(const Candidate& c) {
   const Dyadic squared_length = number::shifted(square(c.size), 2);
   return is_triangle(c) && number::shifted(c.normal, 16) <= square(squared_length);
 }
 
-/// At most 2⁻¹⁶ of the triangle lies between it and the origin of the ray.
+/// Whether the query hits within 2⁻¹⁶ of the triangle's size: at most so little lies between the point and the origin
+/// of the ray.
 bool is_huge(const AnsweredQuery& q, const Candidate& c) {
   return is_triangle(c) && hits(q) && !travels_at_least(q, number::shifted(c.size, -16));
 }

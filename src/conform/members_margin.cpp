@@ -6,25 +6,25 @@ namespace {
 using model::Tipo;
 using number::shifted;
 
-/// |x| is in 2^−greatest … 2^−least of a whole that is not negative.
+/// Whether |x| is in 2^−greatest … 2^−least of a whole that is not negative.
 bool is_share(const Dyadic& x, const Dyadic& whole, int least, int greatest) {
   return shifted(magnitude(x), greatest) >= whole && shifted(magnitude(x), least) <= whole;
 }
 
-/// Nothing is met before the root.
+/// Whether the ray meets nothing before the root.
 bool is_not_behind_hit(const AnsweredQuery& q, const Parameter& t) {
   return !hits(q) || surface::exact::order(t, candidate(q, q.hit.elementos[0]).first()) <= 0;
 }
 
-/// From the limb of a sphere: r² less the square of the distance from its centre to the line is D/A, 2m·r² where that
-/// distance is (1 − m)·r.
+/// Whether the ray passes the limb of a sphere by such a share m of its radius: r² less the square of the distance from
+/// its centre to the line is D/A, 2m·r² where that distance is (1 − m)·r.
 bool is_beside_limb(const Candidate& c, int least, int greatest) {
   const bool is_ahead = number::sign(c.f.B) < 0;
   return c.e.tipo == Tipo::soy_esfera && is_ahead &&
          is_share(c.discriminant(), c.f.A * square(c.size), least - 1, greatest - 1);
 }
 
-/// From an end of an element with an axis, along it.
+/// Whether the ray passes an end of an element with an axis by such a share, measured along the axis.
 bool is_beside_end(const AnsweredQuery& q, const Candidate& c, int least, int greatest) {
   return c.is_axial() && any_root_ahead(c, [&](const Parameter& t) {
            const auto from = [&](double end) {
@@ -36,9 +36,9 @@ bool is_beside_end(const AnsweredQuery& q, const Candidate& c, int least, int gr
          });
 }
 
-/// From the rim of a disc: r² less the square of the distance from its centre is 2m·r² where that distance is
-/// (1 − m)·r. From an edge of a triangle: a barycentric coordinate is the bound's share of the sum of the three, and no
-/// other is more negative.
+/// Whether the ray passes the rim of a disc or an edge of a triangle by such a share m. For a disc, r² less the square
+/// of the distance from its centre is 2m·r² where that distance is (1 − m)·r. For a triangle, a barycentric coordinate
+/// is the bound's share of the sum of the three, and no other is more negative.
 bool is_beside_edge(const AnsweredQuery& q, const Candidate& c, int least, int greatest) {
   const bool is_disc = c.e.tipo == Tipo::soy_disco;
   return !c.f.bounds.empty() && any_root_ahead(c, [&](const Parameter& t) {

@@ -8,13 +8,13 @@
 namespace durero::conform {
 namespace {
 
-/// The smallest failure so far, and what it takes to be one.
+/// The search for a smaller failure: the smallest so far, and the condition that a smaller one must meet.
 class Search {
  public:
   Search(const Finding& finding, const Profile& profile, const Ask& ask)
       : profile_(profile), ask_(ask), draft_(finding.of), best_(finding) {}
 
-  /// Keeps the change where the system still fails with the same verdict. Whether it did.
+  /// Keeps the change where the system still fails with the same verdict. Returns whether it did.
   template <class Change>
   bool attempt(Change change) {
     Draft changed = draft_;
@@ -53,7 +53,7 @@ void translate(Draft& draft, const glm::dvec3& by) {
     for (glm::dvec3* point : places(element.shape).points) *point += by;
 }
 
-/// To the origin, and to a size near 1.
+/// Moves the scene to the origin, and scales it to a size near 1.
 void move_home(Search& search) {
   search.attempt([](Draft& draft) { translate(draft, -*places(draft.elements.front().shape).points.front()); });
   search.attempt([](Draft& draft) {
@@ -88,7 +88,7 @@ void straighten_axes(Search& search) {
   }
 }
 
-/// Its first bits, nearest.
+/// The number nearest to x with so many significant bits.
 double shortened(double x, int bits) {
   if (x == 0) return x;
   const int unit = std::ilogb(x) - bits + 1;
@@ -128,7 +128,7 @@ bool round_number(Search& search, std::size_t place) {
   return false;
 }
 
-/// Whether some number became rounder.
+/// Tries rounder numbers. Returns whether some number became rounder.
 bool round_numbers(Search& search) {
   Draft draft = search.draft();
   const std::size_t count = numbers(draft).size();

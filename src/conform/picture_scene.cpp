@@ -19,10 +19,10 @@ struct Flat {
   double x, y;
 };
 
-/// From aslant above, so that no axis of the coordinates is a point.
+/// The oblique projection of a point from above, in which no coordinate axis shrinks to a point.
 Flat projected(const glm::dvec3& p) { return {0.8 * p.x - 0.6 * p.y, p.z * 0.9 + 0.26 * p.x + 0.35 * p.y}; }
 
-/// What is looked at: a rectangle that contains points.
+/// The frame of a drawing: a rectangle around the points to show.
 class Frame {
  public:
   void include(const glm::dvec3& p) {
@@ -99,7 +99,7 @@ Frame frame_of(const JudgedCase& judged) {
   return frame;
 }
 
-/// Where a ray should hit; without a hit, where it passes nearest to the middle of what is looked at.
+/// The point at which a ray should hit; without a hit, the point where it passes nearest to the middle of the frame.
 glm::dvec3 shown_point(const scene::Query& ray, const scene::Hit& hit, const glm::dvec3& middle) {
   if (hit.resultado == model::Resultado::hit) return hit.punto;
   const glm::dvec3 p = ray.rayo.p().xyz(), v = glm::normalize(ray.rayo.v().xyz());

@@ -15,7 +15,8 @@ struct Axis {
   double place(double x) const { return from + (x - least) / std::max(greatest - least, 1.0) * (to - from); }
 };
 
-/// log₂ of a backward error, not below a thousandth of ε; what has none stands above all.
+/// The height of a case in the plot: log₂ of its backward error, at least that of 2⁻¹⁰ ε. A case whose worst verdict is
+/// gross though the error is at most 16ε, such as a missed hit, stands above all.
 double level(const Spread& spread, double above) {
   if (is_gross(spread.worst) && spread.backward <= 16) return above;
   return std::log2(std::max(spread.backward, 0x1p-10));

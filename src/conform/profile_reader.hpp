@@ -1,5 +1,5 @@
 #pragma once
-/// Reads profiles, the sources of what they claim, and what other files have in common with them.
+/// Readers of profiles, of their sources, and of parts that other files share with them.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,16 +13,16 @@
 
 namespace durero::conform {
 
-/// The object of a key "profile", into the profile; its name and its sources stay.
+/// Reads the object of a key "profile" into the profile, whose name and sources stay.
 void read_profile_members(io::json::Reader& in, Profile& profile);
 
-/// The array of a key "sources". A claim must be a key of a profile.
+/// Reads the array of a key "sources". Each claim must be a key of a profile.
 std::vector<Source> read_sources(io::json::Reader& in);
 
-/// Words of types of elements, one at least.
+/// Reads the words of types of elements, at least one.
 void read_tipos(io::json::Reader& in, std::string_view what, std::vector<model::Tipo>& read);
 
-/// A word of a closed set, in the order of its enumerators.
+/// Reads a word of a closed set, which lists them in the order of the enumerators.
 template <class Enumeration, std::size_t count>
 Enumeration read_word(io::json::Reader& in, std::string_view what, const std::array<std::string_view, count>& words) {
   const std::size_t at = in.offset();
@@ -34,10 +34,10 @@ Enumeration read_word(io::json::Reader& in, std::string_view what, const std::ar
   return static_cast<Enumeration>(place - words.begin());
 }
 
-/// A whole number up to 2^53, as JSON holds them exactly.
+/// Reads a whole number up to 2^53, as JSON holds them exactly.
 std::uint64_t read_whole(io::json::Reader& in, std::string_view what);
 
-/// A string that must be this one, such as the name of a system.
+/// Reads a string that must be `expected`, such as the name of a system.
 void read_exactly(io::json::Reader& in, std::string_view what, std::string_view expected);
 
 }  // namespace durero::conform

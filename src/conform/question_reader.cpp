@@ -24,14 +24,14 @@ struct QuestionLine {
   std::string_view text;
   std::vector<std::string_view> words;
 
-  /// At the word of that number, or behind the last.
+  /// Throws io::InputError at the word of that number, or behind the last.
   [[noreturn]] void fail(std::size_t word, const std::string& wrong, const std::string& expected,
                          const contract::clause* broken = nullptr) const {
     const std::size_t at =
         word < words.size() ? static_cast<std::size_t>(words[word].data() - text.data()) : text.size();
     throw io::InputError("question", {number, at + 1}, wrong, expected, broken);
   }
-  /// What is wrong breaks a clause of the Z text.
+  /// Throws io::InputError at a word that breaks a clause of the Z text.
   [[noreturn]] void fail(std::size_t word, const std::string& wrong, const contract::clause& broken) const {
     fail(word, wrong, fmt::format("expected {} ({})", broken.predicate, broken.label), &broken);
   }
@@ -44,7 +44,7 @@ struct QuestionLine {
   }
 };
 
-/// Takes the numbers of a line, one after the other.
+/// A cursor over the numbers of a line.
 class Numbers {
  public:
   Numbers(const QuestionLine& line, std::size_t first_word) : line_(&line), next_(first_word) {}

@@ -1,5 +1,5 @@
 #pragma once
-/// How the scenes and the rays of each family are made; family_table.cpp names them.
+/// A recipe makes the scenes or the rays of a family; family_table.cpp names them.
 
 #include <span>
 
@@ -27,7 +27,7 @@ DrawnRay disc(Draws& random, int log2_distance, Given shapes);
 FramedShapes capped(Draws& random, int);
 DrawnRay cap(Draws& random, int log2_distance, Given shapes);
 
-/// To a solid, its wall and then its discs.
+/// A ray to a solid, given by its wall and then its discs.
 DrawnRay solid(Draws& random, Given shapes);
 
 // Of triangles (recipes_triangle.cpp).

@@ -1,5 +1,5 @@
 #pragma once
-/// What the formats of a report share.
+/// The parts that the formats of a report share.
 
 #include <span>
 #include <string>
@@ -18,13 +18,13 @@ inline constexpr Verdict verdicts[verdict_count] = {Verdict::exact,    Verdict::
 /// The words of types in files, with commas between them.
 std::string type_words(std::span<const model::Tipo> tipos);
 
-/// A claim of the profile, as a reader sees it: `directions: any`.
+/// A claim of the profile for the reader of a report: `directions: any`.
 struct ProfileLine {
   std::string claim, value;
 };
 std::vector<ProfileLine> profile_lines(const Profile& profile);
 
-/// "far root" of far_root.
+/// The verdict in words, such as "far root" for far_root.
 std::string verdict_words(Verdict verdict);
 
 /// The question of the finding's ray, as a system would read it.
@@ -34,10 +34,10 @@ std::string question_of(const Finding& finding, const Profile& profile);
 std::string sentence(const Finding& finding);
 /// The call that shows the ray and its exact answer.
 std::string replay(const Report& report, const Finding& finding);
-/// The call that makes the failure as small as it stays one; empty where the system was not asked by this program.
+/// The call that reduces the failure to its smallest case; empty where the system was not asked by this program.
 std::string minimising(const Report& report, const Finding& finding);
 
-/// The same made small, in full; empty where it was not made so.
+/// The reduced finding in full; empty where it was not reduced.
 std::string least_of(const Report& report, const Finding& finding);
 /// "3 worst findings were not made small"; empty where none was left out.
 std::string left_out_words(const Report& report);

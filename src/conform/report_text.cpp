@@ -8,7 +8,7 @@
 namespace durero::conform {
 namespace {
 
-/// The verdicts that some ray has; exact, right and off always.
+/// The verdicts with a column: exact, right and off always, any other where a ray has it.
 std::vector<Verdict> columns_of(const Tally& tally) {
   std::vector<Verdict> columns;
   for (const Verdict verdict : verdicts) {

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The value with what stands before it, where that is on each of its lines.
+/// The value with the text before it repeated on each of its lines.
 std::string on_each_line(const std::string& before, const std::string& value) {
   std::string text;
   std::istringstream lines(value);
@@ -47,7 +47,8 @@ std::string filled(std::string_view line, const Words& words) {
   return text + std::string(line);
 }
 
-/// A line of a template: its own text, and the tipos of the elements that it stands for; of none, it stands once.
+/// A line of a template: its text, and the types of the elements for which it is repeated; without types it stands
+/// once.
 struct Line {
   std::string text;
   std::vector<std::string> tipos{};
@@ -66,7 +67,7 @@ struct Line {
   }
 };
 
-/// Fills in a template line after line.
+/// A template that is filled in line after line.
 class Filling {
  public:
   Filling(Words words, std::vector<ElementWords> elements) : words_(std::move(words)), elements_(std::move(elements)) {
@@ -101,7 +102,7 @@ class Filling {
   std::string text_;
 };
 
-/// A folder that ends with this.
+/// A temporary folder that is removed with this object.
 class Folder {
  public:
   Folder() {

@@ -18,7 +18,7 @@ namespace {
 
 using Quaternion = std::array<double, 4>;  // x, y, z and w
 
-/// As any language reads a number with a fraction: 4.0, not 4.
+/// The number as a literal with a fraction, which any language reads: 4.0, not 4.
 std::string literal(double x) {
   std::string text = io::number_text(x);
   if (text.find_first_of(".en") == text.npos) text += ".0";
@@ -67,7 +67,7 @@ std::array<glm::dvec3, 2> beside(const glm::dvec3& d) {
   return {x, glm::cross(d, x)};
 }
 
-/// Where a rotation that takes the z axis to the unit vector d takes those of x and y.
+/// The images of the x and y axes under a rotation that takes the z axis to the unit vector d.
 std::array<glm::dvec3, 2> turned(const glm::dvec3& d) {
   const double sign = std::copysign(1.0, d.z), a = -1 / (sign + d.z);
   return {glm::dvec3(1 + sign * d.x * d.x * a, sign * d.x * d.y * a, -sign * d.x),
@@ -113,7 +113,8 @@ Words shape_words(const Shape& shape) {
   return words;
 }
 
-/// How far from p the points of the element are at most that have an end; of a plane, the way to it.
+/// An upper bound on the distance from p to the points of an element that has an end; for a plane, the way to it along
+/// v.
 double farthest(const scene::Sphere& e, const glm::dvec3& p, const glm::dvec3&) {
   return glm::distance(p, e.centro) + e.radio;
 }

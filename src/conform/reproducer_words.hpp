@@ -1,5 +1,5 @@
 #pragma once
-/// What the names of a reproducer's template stand for.
+/// The texts that the names of a reproducer's template stand for.
 
 #include <map>
 #include <string>
@@ -21,7 +21,7 @@ struct ElementWords {
 /// The elements in order; of solids, the discs that close them are left out.
 std::vector<ElementWords> element_words(const SuiteCase& of);
 
-/// The ray, and what a template may say of it.
+/// The names that concern the ray and the whole case.
 Words ray_words(const SuiteCase& of);
 
 /// The exact answer as a system with that profile writes it.

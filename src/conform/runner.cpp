@@ -17,7 +17,7 @@
 namespace durero::conform {
 namespace {
 
-/// A case and its claims, which wait for those before them.
+/// A case and its claims that wait for those of earlier cases.
 struct Answered {
   SuiteCase of;
   std::vector<Claim> claims;
@@ -25,7 +25,7 @@ struct Answered {
   std::string says{};
 };
 
-/// Cases that may wait, for each job.
+/// The number of cases that may wait, for each job.
 constexpr std::size_t waiting_of_a_job = 8;
 
 bool is_answer(const Claim& claim) {
@@ -38,7 +38,8 @@ std::optional<ClaimsLog> open_log(const RunOptions& options) {
                          : ClaimsLog::begin(options.claims, options.identity);
 }
 
-/// Jobs take the cases in order; whoever has the next one that is to be handed on hands on all that wait behind it.
+/// A run on several jobs. Jobs take the cases in order; the job that finishes the next case to be handed on also hands
+/// on all finished cases behind it.
 class Run {
  public:
   Run(const System& system, const RunCases& cases, const RunOptions& options, const ClaimSink& sink)
@@ -93,7 +94,8 @@ class Run {
     stop_ = true;
   }
 
-  /// The next case that nobody has taken, when there is room for its claims.
+  /// The place of the next case that no job has taken, once there is room for its claims; nothing at the end or after a
+  /// stop.
   std::optional<std::size_t> take_place() {
     std::unique_lock lock(mutex_);
     const std::size_t room = waiting_of_a_job * std::max<std::size_t>(options_->jobs, 1);
@@ -103,7 +105,7 @@ class Run {
     return next_++;
   }
 
-  /// Nothing where it was stopped.
+  /// The answers to a case; nothing where the run was stopped.
   std::optional<Answered> ask(Asker& asker, std::size_t place) const {
     Answered answered{cases_->make(place), {}};
     if (place < kept_) {

@@ -58,14 +58,14 @@ SurfacePoint sphere_point(Random& random, const FramedShape& shape) {
   }
 }
 
-/// Whether e1 and e2 are across d as nearly as doubles allow, and no nearer.
+/// Whether e1 and e2 are at right angles to d only up to roundings.
 bool has_rounded_frame(const FramedShape& shape) {
   return !shape.lattice && scene::with_shape(shape.tipo, []<class Shape>(std::type_identity<Shape>) {
     return scene::has_attribute<Shape, &scene::AnyEscena::mi_vector>();
   });
 }
 
-/// The radius of the far end, as a part of that of the base. Precondition: the type has a proportion.
+/// The radius of the far end over that of the base. Precondition: the type has a proportion.
 double share_of_far_end(const FramedShape& shape) { return has_apex(shape.tipo) ? 0 : shape.radio / shape.radius(); }
 
 }  // namespace
