@@ -46,8 +46,7 @@ bool is_thin(const Candidate& c) {
   return is_triangle(c) && number::shifted(c.normal, 16) <= square(squared_length);
 }
 
-/// Whether the query hits within 2⁻¹⁶ of the triangle's size: at most so little lies between the point and the origin
-/// of the ray.
+/// Whether the element is a triangle, and the query's hit is nearer to the origin of the ray than 2⁻¹⁶ of its size.
 bool is_huge(const AnsweredQuery& q, const Candidate& c) {
   return is_triangle(c) && hits(q) && !travels_at_least(q, number::shifted(c.size, -16));
 }

@@ -5,7 +5,7 @@
 namespace durero::conform::recipes {
 namespace {
 
-/// The axis itself as direction, and p before, beside or after the element: in its surface, inside or outside it.
+/// A ray along the axis, with p before, beside or after the element: in its surface, inside or outside it.
 DrawnRay parallel(Draws& random, const FramedShape& shape) {
   const SurfacePoint at = surface_point(random, shape);
   const glm::dvec3 aside = (random.integer(-2, 8) / 8.0) * at.radial;  // of the way to the axis

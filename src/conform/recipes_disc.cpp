@@ -13,7 +13,7 @@ using model::Tipo;
 enum class Way : std::uint8_t { across, rim, from_disc, in_plane, touching };
 constexpr std::array ways{Way::across, Way::rim, Way::rim, Way::from_disc, Way::in_plane, Way::touching};
 
-/// From a point of the disc, on it exactly or nearly.
+/// A ray from a point of the disc, on it exactly or nearly.
 DrawnRay from_disc(Draws& random, const FramedShape& disc) {
   const SurfacePoint at = random.chance(1, 2) ? rim_point(random, disc) : surface_point(random, disc);
   const glm::dvec3 w = random.chance(1, 3) ? tangent_vector(random, at) : any_vector(random, disc);
@@ -22,7 +22,8 @@ DrawnRay from_disc(Draws& random, const FramedShape& disc) {
   return ray;
 }
 
-/// From before the disc, from within or from behind; the ends of most such stretches are irrational.
+/// A ray in the plane of the disc, from before it, from within or from behind; the ends of most such stretches are
+/// irrational.
 DrawnRay in_plane(Draws& random, const FramedShape& disc) {
   const SurfacePoint at = random.chance(1, 3) ? rim_point(random, disc) : surface_point(random, disc);
   const glm::dvec3 w = perpendicular_vector(random, disc);
@@ -40,7 +41,7 @@ FramedShape closing(Draws& random, const FramedShape& element, bool at_base) {
 
 }  // namespace
 
-/// A disc, and up to three other elements. Of a tilted one at 0 there are rays exactly in its plane.
+/// A disc, and up to three other elements. A tilted disc at 0 has rays exactly in its plane.
 FramedShapes with_disc(Draws& random, int) {
   FramedShapes shapes{any_shape(random, Tipo::soy_disco)};
   if (!shapes[0].lattice && random.chance(1, 2)) shapes[0].centro = glm::dvec3(0);
@@ -75,7 +76,7 @@ DrawnRay disc(Draws& random, int log2_distance, Given shapes) {
   contract::unreachable();
 }
 
-/// An element with an axis, its base or its far end or both closed exactly.
+/// An element with an axis, whose base or far end or both are closed exactly.
 FramedShapes capped(Draws& random, int) {
   FramedShape element;
   do element = any_shape(random, any_axial_type(random));

@@ -7,15 +7,16 @@ namespace {
 
 using model::Tipo;
 
-/// With its centre, or its first vertex, so near to 0 that a rounding of its place is one of its size.
+/// The shape moved so near to 0, by its centre or its first vertex, that a rounding of its place is no more than one of
+/// its size.
 FramedShape near_zero(Draws& random, FramedShape shape) {
   if (shape.tipo == Tipo::soy_triangulo) return triangle({glm::dvec3(0), shape.e1, shape.e2}, shape.lattice);
   shape.centro = random.lattice_vector(8);
   return shape;
 }
 
-/// At an edge or a vertex of a triangle, and that share of the way inwards: so much is the least of its barycentric
-/// coordinates.
+/// A point of a triangle at an edge or a vertex, moved inwards by the share `inwards`, which becomes the least of its
+/// barycentric coordinates.
 SurfacePoint beside_edge(Draws& random, const FramedShape& shape, double inwards) {
   const std::size_t i = random.below(3);
   const glm::dvec3 &from = shape.vertices[i], &to = shape.vertices[(i + 1) % 3], &other = shape.vertices[(i + 2) % 3];
@@ -25,8 +26,8 @@ SurfacePoint beside_edge(Draws& random, const FramedShape& shape, double inwards
   return {edge + inwards * way, shape.d, shape.e1, shape.e2};
 }
 
-/// A point that lies that share of the size within the bound of the shape, and beyond it where the share is negative:
-/// of altura within an end, of the radius within the rim of a disc or the limb of a sphere.
+/// A point within the bound of the shape by the share `inwards` of its size, beyond it where that is negative: of
+/// altura within an end, of the radius within the rim of a disc or the limb of a sphere.
 SurfacePoint beside_bound(Draws& random, const FramedShape& shape, double inwards) {
   if (shape.tipo == Tipo::soy_triangulo) return beside_edge(random, shape, inwards);
   if (is_axial(shape.tipo)) return surface_point_at(random, shape, random.chance(1, 2) ? inwards : 1 - inwards);
@@ -35,8 +36,8 @@ SurfacePoint beside_bound(Draws& random, const FramedShape& shape, double inward
   return at;
 }
 
-/// Of a sphere in its limb's plane, so that the ray comes no nearer; mostly into a shape with an axis, so that it is
-/// met there first.
+/// The direction of a ray through such a point: for a sphere in its limb's plane, so that the ray comes no nearer; for
+/// a shape with an axis mostly inwards, so that the ray meets it there first.
 glm::dvec3 direction(Draws& random, const FramedShape& shape, const SurfacePoint& at) {
   if (shape.tipo == Tipo::soy_esfera) return tangent_vector(random, at);
   if (!is_axial(shape.tipo)) return any_vector(random, shape);

@@ -11,13 +11,14 @@ namespace {
 
 using model::Tipo;
 
-/// The place of the coordinate of d with the greatest magnitude.
+/// The index of the coordinate of d with the greatest magnitude.
 int longest(const glm::dvec3& d) {
   const glm::dvec3 a(std::abs(d.x), std::abs(d.y), std::abs(d.z));
   return a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
 }
 
-/// At right angles with d exactly, and with the coordinate i = 0: its two products with d are opposite.
+/// A vector exactly at right angles to d, with the coordinate i = 0: the two products of its product with d are
+/// opposite.
 glm::dvec3 across(const glm::dvec3& d, int i) {
   glm::dvec3 u(0);
   u[(i + 1) % 3] = -d[(i + 2) % 3];
@@ -71,7 +72,7 @@ glm::dvec3 entering_both(Draws& random, const FramedShape& shape, const SurfaceP
   return w;
 }
 
-/// How two shapes come to have points in common.
+/// The ways in which two shapes have points in common.
 enum class Tie : std::uint8_t {
   twins,         ///< the same surface twice, one of them longer where it is a cylinder
   cone_on_base,  ///< a cone on the base of a cylinder

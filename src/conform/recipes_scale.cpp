@@ -14,7 +14,7 @@ FramedShapes one_to_three(Draws& random, Type type) {
   return shapes;
 }
 
-/// Elements and rays are made at a moderate scale, where no product overflows, and then scaled.
+/// An ordinary ray at any scale: it is made at a moderate scale, where no product overflows, and then scaled.
 DrawnRay ordinary_scaled(Draws& random, const FramedShape& shape, int k, int e) {
   return scaled(ordinary(random, scaled(shape, -k), e), k);
 }

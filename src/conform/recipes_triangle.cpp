@@ -14,13 +14,13 @@ using model::Tipo;
 constexpr std::array<std::array<std::size_t, 3>, 6> orders{
     {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
 
-/// Their triangle, with the vertices in any order.
+/// The triangle with these vertices in any order.
 FramedShape in_any_order(Draws& random, const scene::Corners& vertices, bool lattice) {
   const auto& [i, j, k] = random.any_of(orders);
   return triangle({vertices[i], vertices[j], vertices[k]}, lattice);
 }
 
-/// Three vectors of the lattice that span the space, or any three.
+/// A basis of space: three vectors, of the lattice or any.
 struct Basis {
   glm::dvec3 u, w, n;
 };
@@ -32,8 +32,8 @@ Basis basis(Draws& random, bool lattice) {
   }
 }
 
-/// Vertices around the hub, in one plane where the height is 0. Seen from it along n each follows on the one before by
-/// less than half a turn.
+/// Vertices around the hub, in one plane where the height is 0. Seen from the hub along n each follows the one before
+/// by less than half a turn.
 std::vector<glm::dvec3> ring(Draws& random, const glm::dvec3& hub, const Basis& in, int count, int height) {
   constexpr std::array<std::array<int, 2>, 8> eighths{
       {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
@@ -47,7 +47,7 @@ std::vector<glm::dvec3> ring(Draws& random, const glm::dvec3& hub, const Basis& 
   return ends;
 }
 
-/// Of a closed fan of three, four or eight triangles; in one plane, or not.
+/// The outer vertices of a closed fan of three, four or eight triangles, in one plane or not.
 std::vector<glm::dvec3> ends_of_spokes(Draws& random, const glm::dvec3& hub, bool lattice) {
   constexpr std::array counts{3, 4, 8};
   const Basis in = basis(random, lattice);
@@ -60,13 +60,13 @@ glm::dvec3 any_hub(Draws& random, bool lattice) {
   return lattice ? glm::floor(anywhere) : random.rounded(anywhere);
 }
 
-/// Eighths of the way along an edge, both vertices among them.
+/// Adds the points at eighths of the way along an edge to the shared points of the shape, both vertices among them.
 void share(FramedShape& shape, const glm::dvec3& from, const glm::dvec3& to) {
   for (int i = 0; i < 8; ++i) shape.shared.push_back({from + i / 8.0 * (to - from), shape.d, shape.e1, shape.e2});
   shape.shared.push_back({to, shape.d, shape.e1, shape.e2});
 }
 
-/// In a coordinate plane, its length along e1: so each height down to 2⁻⁵⁰ of that is exact.
+/// A sliver in a coordinate plane, with its length along e1: each height down to 2⁻⁵⁰ of that is exact.
 FramedShape lattice_sliver(Draws& random, int minus_log2_height) {
   const FramedShape frame = lattice_shape(random, Tipo::soy_plano);
   const double length = std::ldexp(1, random.integer(3, 9)), height = std::ldexp(length, -minus_log2_height);
@@ -91,7 +91,8 @@ FramedShape moved(const FramedShape& shape, const glm::dvec3& by) {
   return are_corners(vertices) ? triangle(vertices, shape.lattice) : shape;
 }
 
-/// Along its length, where a lattice sliver stays exact; a tilted one that would be no triangle any more stays.
+/// The sliver moved far from 0: along its length, where a lattice sliver stays exact. A tilted sliver that would be no
+/// triangle any more is not moved.
 FramedShape far_from_zero(Draws& random, const FramedShape& sliver) {
   const glm::dvec3 way = sliver.lattice ? sliver.e1 : random.lattice_vector(4);
   return moved(sliver, std::ldexp(1, random.integer(10, 30)) * way);
@@ -180,8 +181,8 @@ DrawnRay edge(Draws& random, int log2_distance, Given shapes) {
   return ray;
 }
 
-/// Two fans on one ring: closed, for seen from the hub its triangles fill all directions, each once. Their shared
-/// points are those of all their edges.
+/// Two fans on one ring. They are closed, for seen from the hub their triangles fill all directions, each once. Their
+/// shared points are those of all their edges.
 FramedShapes closed_mesh(Draws& random, int sides) {
   const bool lattice = random.chance(2, 3);
   const glm::dvec3 hub = any_hub(random, lattice);
@@ -203,7 +204,7 @@ FramedShapes closed_mesh(Draws& random, int sides) {
   return shapes;
 }
 
-/// From inside a closed mesh.
+/// A ray from inside a closed mesh to one of its shared points.
 DrawnRay vertex(Draws& random, int, Given shapes) {
   const glm::dvec3 hub = shapes.front().centro;
   const glm::dvec3 side = random.any_of(random.any_of(shapes).vertices);

@@ -9,7 +9,7 @@ namespace {
 
 using model::Tipo;
 
-/// A turn around a unit vector by the angle whose half has this tangent: its sine and cosine without such functions,
+/// A turn around a unit vector by the angle whose half has this tangent. Its sine and cosine need no such functions,
 /// which differ from one platform to another.
 struct Turn {
   glm::dvec3 around;
@@ -21,10 +21,10 @@ struct Turn {
   }
 };
 
-/// Of length 1: rounded seven times at most, its square is off by 7·2⁻⁵³ < 2⁻⁵⁰.
+/// The vector of length 1: it is rounded seven times at most, and its square is off by 7·2⁻⁵³ < 2⁻⁵⁰.
 glm::dvec3 unit(const glm::dvec3& v) { return v / std::sqrt(glm::dot(v, v)); }
 
-/// Precondition: the shape is not flat.
+/// The shape turned about 0. Precondition: the shape is not flat.
 FramedShape turned(FramedShape shape, const Turn& turn) {
   shape.lattice = false;
   shape.centro = turn(shape.centro);
@@ -40,7 +40,7 @@ double& any_number(Draws& random, FramedShape& shape) {
   return random.chance(1, 2) ? length : shape.centro[random.integer(0, 2)];
 }
 
-/// One number of it moved by so many units in its last place; of a triangle a coordinate of every vertex.
+/// The shape with one number moved by so many units in its last place; for a triangle one coordinate of every vertex.
 FramedShape moved(Draws& random, FramedShape shape, int units) {
   const double way = random.sign();
   const auto move = [&](double& x) {

@@ -84,7 +84,7 @@ void install_from_npm(const System& system, const std::vector<std::string>& pack
   require(install, say, stop);
 }
 
-/// Crates are fetched by what builds with them.
+/// Installs the packages and runs the build, which fetches the crates itself.
 void install(const System& system, const Say& say, const std::atomic<bool>& stop) {
   for (const auto& [from, packages] : system.packages) {
     if (from == "debian") install_from_debian(packages, say, stop);
@@ -94,7 +94,7 @@ void install(const System& system, const Say& say, const std::atomic<bool>& stop
   if (!system.build.empty()) require(system.build, say, stop);
 }
 
-/// The last step makes it, so where it is the folder is whole.
+/// The mark of a complete setup. The last step makes it, and where it is the folder is whole.
 std::string mark_of(const System& system) { return system.setup + "/complete"; }
 
 bool is_on_path(const std::string& program) {

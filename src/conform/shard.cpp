@@ -18,13 +18,14 @@
 namespace durero::conform {
 namespace {
 
-/// A clause that is longer is not counted apart.
+/// The length in bytes up to which a clause is counted apart.
 constexpr std::size_t longest_clause = 200;
 
-/// A case has fewer rays than this factor, so no two rays of a family have the same.
+/// The hash of a ray. A case has rays_of_a_case rays at most, so no two rays of a family have the same number here, and
+/// scattered() is a bijection.
 std::uint64_t hash(const FailedRay& ray) { return scattered(ray.number * rays_of_a_case + ray.ray); }
 
-/// Worse is what is farther from the surface; then what is easier to read; then what comes first.
+/// Whether ray a is worse than b: farther from the surface, then easier to read, then earlier.
 bool is_worse(const FailedRay& a, const FailedRay& b) {
   return std::tie(b.backward, a.elements, a.number, a.ray, a.claim) <
          std::tie(a.backward, b.elements, b.number, b.ray, b.claim);
@@ -32,7 +33,8 @@ bool is_worse(const FailedRay& a, const FailedRay& b) {
 
 bool is_less(const FailedRay& a, const FailedRay& b) { return hash(a) != hash(b) ? hash(a) < hash(b) : a < b; }
 
-/// Of an answer: what it says, and not in which words it was refused or how the system died.
+/// The digest of an answer after the answers before it. It covers the content, but neither the words of a refusal nor
+/// the way in which the system died.
 std::uint64_t digest_of(const Claim& claim, std::uint64_t before) {
   std::string bytes(1, static_cast<char>(claim.outcome));
   const auto add = [&](std::uint64_t word) {
@@ -55,7 +57,7 @@ std::vector<std::uint64_t> ulps_of(const Tally& tally) {
   return sums;
 }
 
-/// The clauses that are counted apart, ascending, and the one for the rest where there is one.
+/// The clauses that are counted apart, ascending, with other_clauses where there are others.
 std::vector<std::string> clauses_of(const Tally& tally) {
   std::map<std::string, std::uint64_t> counts;
   for (const FamilyTally& family : tally.families()) {

@@ -1,4 +1,4 @@
-// Files of shards, written.
+// The writer of files of shards.
 #include "conform/shard_text.hpp"
 #include "conform/trimmed.hpp"
 #include "durero/conform/format_versions.hpp"

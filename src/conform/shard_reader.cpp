@@ -1,4 +1,4 @@
-// Files of shards, read.
+// The reader of files of shards.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 using io::json::Reader;
 
-/// The file is whole where its end is the digest of what stands before it.
+/// Checks that the file is whole: it ends in the digest of all bytes before. Throws io::InputError.
 void require_digest(const io::Source& source) {
   const std::string_view text = source.text();
   if (!text.starts_with(R"({"format":"durero-shards",)"))

@@ -1,5 +1,5 @@
 #pragma once
-/// What the writer and the reader of files of shards have in common.
+/// The parts that the writer and the reader of files of shards share.
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@ namespace durero::conform {
 inline constexpr std::span<const Verdict> counted{verdicts, verdict_count - 1};
 static_assert(verdicts[verdict_count - 1] == Verdict::skipped);
 
-/// The end of a file that begins with this text.
+/// The end of a file of shards whose text so far is `text`: its digest.
 inline std::string digest_member(std::string_view text) {
   return fmt::format(",\"digest\":\"{}\"}}\n", digest_text(digest(text)));
 }

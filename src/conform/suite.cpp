@@ -9,7 +9,7 @@
 namespace durero::conform {
 namespace {
 
-/// Of the stream of a case; generate makes one for each family of it.
+/// The seed of a case; generate() derives a stream for each family from it.
 std::uint64_t seed_of_case(std::uint64_t seed, std::uint64_t number) { return scattered(scattered(seed) + number); }
 
 CaseOptions of_cases(const SuiteOptions& options) {

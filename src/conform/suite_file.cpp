@@ -27,8 +27,8 @@ fs::path resolved(const std::string& directory) {
   return plain.has_filename() ? plain : plain.parent_path();
 }
 
-/// A directory beside its target, which takes the target's place at commit(); until then, and if commit() is never
-/// reached, the target is as it was and nothing else is left.
+/// A directory beside its target, which it replaces at commit(). Until then, and if commit() is never reached, the
+/// target is as it was, and nothing else is left behind.
 class OutputDirectory {
  public:
   explicit OutputDirectory(const std::string& directory) : target_(resolved(directory)) {

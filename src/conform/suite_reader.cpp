@@ -1,4 +1,5 @@
-// Suites read: what they hold is taken from the files, and what follows from that must be what the files say.
+// A suite is read from its files: its contents are taken from some, and all others must agree with what follows from
+// these.
 #include <fmt/format.h>
 #include <oneapi/tbb/parallel_for.h>
 
@@ -20,7 +21,7 @@ namespace {
 
 using io::json::Reader;
 
-/// The name alone: the rest follows from it.
+/// Reads the name of a family; the rest follows from it.
 const Family* read_family(Reader& in) {
   const Family* family = nullptr;
   const std::size_t at = in.offset();
@@ -90,7 +91,7 @@ Solid read_solid(Reader& in, const scene::Scene& scene) {
   return solid;
 }
 
-/// The parameter and the solids: the rest follows from the scene and the rays.
+/// Reads the parameter and the solids; the rest follows from the scene and the rays.
 void read_sidecar(const io::Source& source, SuiteCase& of) {
   const io::json::Document document(source);
   Reader in(document);
@@ -106,7 +107,7 @@ void read_sidecar(const io::Source& source, SuiteCase& of) {
   });
 }
 
-/// The text of the file is this, or it is an error at the first byte that differs.
+/// Checks that the text of the file is `expected`. Throws io::InputError at the first byte that differs.
 void require_text(const io::Source& file, std::string_view expected) {
   const std::string_view text = file.text();
   const auto [here, there] = std::mismatch(text.begin(), text.end(), expected.begin(), expected.end());
@@ -116,7 +117,7 @@ void require_text(const io::Source& file, std::string_view expected) {
   file.fail(at, rest(text), fmt::format("expected {}, which follows from the scene and the rays", rest(expected)));
 }
 
-/// A case of its files, answered anew.
+/// A case, read from its files and answered anew.
 SuiteCase read_case(const std::string& directory, const SuiteOptions& options, const Family& family, std::size_t number,
                     FamilySummary& counted) {
   SuiteCase of;

@@ -1,5 +1,5 @@
 #pragma once
-/// The files of a suite as texts.
+/// The texts of a suite's files.
 
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace durero::conform {
 
-/// The ends of the names of a case's files: those that hold it, then those that follow from it.
+/// The endings of the names of a case's files: the files that hold it, then the files that follow from these.
 inline constexpr std::string_view scene_ending = ".scene.json";
 inline constexpr std::string_view rays_ending = ".rays.txt";
 inline constexpr std::string_view sidecar_ending = ".case.json";
@@ -19,13 +19,13 @@ struct File {
   std::string text;
 };
 
-/// Every file of an answered case; `counted` are its rays.
+/// Every file of an answered case; `counted` are the counts of its rays.
 std::vector<File> case_files(const SuiteCase& of, const Count& counted);
 
-/// suite.json
+/// The text of suite.json.
 std::string suite_text(const SuiteOptions& options, const std::vector<FamilySummary>& families);
 
-/// What a case adds to the summary of its family. Precondition: the case was answered.
+/// The summary of one case, to be added to that of its family. Precondition: the case was answered.
 FamilySummary summary(const SuiteCase& of);
 
 }  // namespace durero::conform

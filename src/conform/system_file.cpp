@@ -42,7 +42,7 @@ void read_packages(Reader& in, System& read) {
 
 void read_name(Reader& in, System& read) { read_exactly(in, "system", read.name); }
 
-/// The template's place is filled in after.
+/// Reads the plan of a reproducer; the place of its template is filled in after.
 void read_reproduction(Reader& in, ReproducerPlan& read) {
   constexpr std::string_view parts[] = {"program", "run", "words"};
   in.object("reproduce", parts, 2, [&](std::size_t key) {
@@ -116,7 +116,7 @@ void fill_in_places(System& of) {
   if (!of.reproducer.program.empty()) of.reproducer.program = of.folder + "/" + of.reproducer.program;
 }
 
-/// Beside the files of systems there may be others, as npm's.
+/// Whether the file is of a system; the folder may hold other JSON files, such as npm's.
 bool is_of_system(const io::Source& source) { return source.text().find("\"durero-system\"") != source.text().npos; }
 bool is_system_file(const fs::path& path) {
   return path.extension() == ".json" && fs::is_regular_file(path) && is_of_system(io::read_source(path));

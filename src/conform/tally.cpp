@@ -25,7 +25,7 @@ std::uint64_t sum_of(const std::vector<FamilyTally>& families, Count count) {
   return sum;
 }
 
-/// Worse is what is farther from the surface; then what is easier to read.
+/// Whether a judgement is worse than a finding: farther from the surface, then of a scene that is easier to read.
 bool is_worse(const Judgement& a, std::size_t elements, const Finding& b) {
   if (a.backward != b.judgement.backward) return a.backward > b.judgement.backward;
   return elements < b.of.the_case.scene.size();
@@ -46,7 +46,8 @@ bool has_distance(Verdict verdict) {
   return verdict == Verdict::exact || verdict == Verdict::right || verdict == Verdict::off;
 }
 
-/// Gross is worse than off, off than right.
+/// The rank of a verdict: gross is worse than other failures, these are worse than right, and right is worse than
+/// exact.
 int rank(Verdict verdict) {
   return is_gross(verdict) ? 3 : is_failure(verdict) ? 2 : verdict == Verdict::right ? 1 : 0;
 }

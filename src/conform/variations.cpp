@@ -12,7 +12,7 @@ namespace {
 
 void make_unit(Draft& draft) { draft.v /= std::hypot(draft.v.x, draft.v.y, draft.v.z); }
 
-/// To where seven eighths of the way are gone, rounded.
+/// Moves the origin seven eighths of the way to the point at t, rounded.
 void come_nearer(Draft& draft, double t) { draft.p += 0.875 * t * draft.v; }
 
 class Varying {

@@ -11,7 +11,7 @@
 
 namespace durero::render {
 
-/// draw(y) for each row on as many threads as may be used, and the progress after each of them.
+/// Calls draw(y) for each row, on as many threads as may be used, and the progress after each of them.
 template <class Draw>
 void by_rows(std::uint32_t height, const Progress& progress, Draw&& draw) {
   std::mutex mutex;

@@ -30,14 +30,14 @@ double turn(double first, double second) {
   return u + 1 < 1 ? u + 1 : 0;  // an angle just below 0 rounds to a whole turn
 }
 
-/// A cylinder, a cone and a piece of one are one: round about an axis, with a radius for each advance.
+/// A cylinder, a cone and a truncated cone have one form here: round about an axis, with a radius for each advance.
 template <class Shape>
 concept Round = std::same_as<Shape, Cylinder> || std::same_as<Shape, Cone> || std::same_as<Shape, TruncatedCone>;
 
 double radius(const Cylinder& c, double) { return c.radio; }
 double radius(const Cone& c, double v) { return c.proporcion * (c.altura * std::max(0.0, 1 - v)); }
 double radius(const TruncatedCone& c, double v) { return c.radio + c.proporcion * (c.altura * (1 - v)); }
-/// How much it grows from v = 0 to 1.
+/// The growth of the radius from v = 0 to 1.
 double growth(const Cylinder&) { return 0; }
 double growth(const Cone& c) { return -c.proporcion * c.altura; }
 double growth(const TruncatedCone& c) { return -c.proporcion * c.altura; }
@@ -73,7 +73,7 @@ Coordinates coordinates_of(const Disc& disc, const glm::dvec3& p) {
   return {0.5 + 0.5 * glm::dot(q, first), 0.5 + 0.5 * glm::dot(q, second)};
 }
 
-/// Of q = u·e + v·f: the areas of two triangles over that of the whole, by the normal e × f.
+/// The coordinates of q = u·e + v·f: the areas of two triangles over that of the whole, by the normal e × f.
 Coordinates coordinates_of(const Triangle& t, const glm::dvec3& p) {
   const glm::dvec3 e = t.vertices[1] - t.vertices[0], f = t.vertices[2] - t.vertices[0], q = p - t.vertices[0];
   const glm::dvec3 n = glm::cross(e, f);
@@ -134,7 +134,8 @@ Tangents tangents_of(const Triangle& t, const Coordinates&) {
   return {t.vertices[1] - t.vertices[0], t.vertices[2] - t.vertices[0]};
 }
 
-/// A triangle whose vertices have coordinates. Within it they are linear: (u, v) = a + M·(r, s) with its own (r, s).
+/// A triangle whose vertices have coordinates. Within it they are linear: (u, v) = a + M·(r, s), where (r, s) are the
+/// triangle's own.
 class Wrapped {
  public:
   Wrapped(const Triangle& triangle, const scene::Wrap& wrap)
@@ -148,14 +149,15 @@ class Wrapped {
     const glm::dvec2 uv = wrap_.uv[0] + own.u * first_ + own.v * second_;
     return {uv.x, uv.y};
   }
-  /// Its own coordinates; those of the first vertex where all of them have no area.
+  /// The triangle's own coordinates (r, s); those of the first vertex where the coordinates of the vertices have no
+  /// area.
   Coordinates own(const Coordinates& at) const {
     if (!has_area()) return {0, 0};
     const glm::dvec2 from = glm::dvec2(at.u, at.v) - wrap_.uv[0];
     return {(from.x * second_.y - second_.x * from.y) / determinant_,
             (first_.x * from.y - from.x * first_.y) / determinant_};
   }
-  /// Null where the coordinates of the vertices have no area.
+  /// The tangents; null where the coordinates of the vertices have no area.
   Tangents tangents(const Coordinates& at) const {
     if (!has_area()) return {glm::dvec3(0), glm::dvec3(0)};
     const auto [e, f] = tangents_of(triangle_, at);
@@ -165,7 +167,7 @@ class Wrapped {
 
  private:
   bool has_area() const { return determinant_ != 0 && std::isfinite(determinant_); }
-  /// Those of the vertices, each as much as it is near, freed of their parts along the unit normal.
+  /// The tangents of the vertices, interpolated linearly and freed of their parts along the unit normal.
   Tangents in_between(const Coordinates& own, const glm::dvec3& n) const {
     const auto of = [&](std::size_t which) {
       const auto& [a, b, c] = *wrap_.tangents;
@@ -181,7 +183,7 @@ class Wrapped {
   const double determinant_;
 };
 
-/// of_wrapped(wrapped, triangle) where the vertices have coordinates, else of_shape(shape).
+/// Calls of_wrapped(wrapped, triangle) where the vertices have coordinates, else of_shape(shape).
 template <class OfWrapped, class OfShape>
 auto visit(const scene::Scene& scene, scene::ElementRef element, OfWrapped&& of_wrapped, OfShape&& of_shape) {
   if (const scene::Wrap* const wrap = scene.wrap(element))

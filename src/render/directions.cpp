@@ -9,7 +9,7 @@
 namespace durero::render {
 
 glm::dvec3 unit(const glm::dvec3& v) {
-  // By a power of two, so that no digit is lost. Nearly always there is a binary64 that is that power.
+  // The scale is a power of two, so that no digit is lost. Nearly always it is a binary64 number.
   constexpr int bias = 1023;
   const double greatest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   if (greatest >= 0x1p-1000 && greatest < 0x1p1000) {

@@ -18,7 +18,7 @@ using scene::Environment;
 using scene::Surroundings;
 using std::numbers::pi;
 
-/// What the camera of a face looks at, and its right and upper side.
+/// The camera of a face of the box: the direction of its view, and its right and upper sides.
 struct Face {
   glm::dvec3 forward, right, up;
 };
@@ -62,7 +62,7 @@ const scene::Picture& picture_of(const Environment& environment, std::size_t i) 
   return environment.pictures[i].levels->front();
 }
 
-/// A panorama ends where it begins; nothing else goes on beyond its edge.
+/// The continuation beyond the edges: a panorama ends where it begins, and no other picture goes on.
 Beyond beyond(Surroundings kind) {
   using enum scene::Edges;
   return kind == Surroundings::equirectangular ? Beyond{repeat, clamp} : Beyond{clamp, clamp};

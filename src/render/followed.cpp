@@ -8,10 +8,10 @@
 namespace durero::render {
 namespace {
 
-/// The shares of what comes from beyond that a material sends on, at most.
+/// An upper bound on the shares of the colour from beyond that a material sends on.
 glm::dvec3 sent_on(const scene::Material& m) { return m.k_ps * m.M_PS + m.k_t * m.M_T; }
 
-/// All lights together.
+/// The sum of the colours of all lights.
 glm::dvec3 all_lights(const scene::Stage& stage) {
   glm::dvec3 sum(0);
   for (const scene::Light& light : stage.lights) sum += light.color;
@@ -19,10 +19,11 @@ glm::dvec3 all_lights(const scene::Stage& stage) {
   return sum;
 }
 
-/// What a ray brings at most that may have so many in a row, itself the first. No cosine is above one: where it meets a
-/// surface, the sum of the terms of its material with all lights seen, and what that sends on of as much as a shorter
-/// row brings. Both that and the colour are sums of numbers that are not negative, of fewer than 2²⁰ terms, so that the
-/// rounding of each is below 2⁻³² of it: 2⁻³⁰ more than the sum is above what is computed.
+/// Upper bounds on the colour of a ray, by the number of rays that it may have in a row, itself the first. No cosine is
+/// above one: where the ray meets a surface, it brings at most the sum of the terms of its material with all lights
+/// seen, and the share that this sends on of the bound for a shorter row. Both this bound and the colour are sums of
+/// numbers that are not negative, of fewer than 2²⁰ terms, so that the rounding of each is below 2⁻³² of it: 2⁻³⁰ more
+/// than the sum is above the computed colour.
 std::vector<glm::dvec3> most_brought(const scene::Stage& stage, const Limits& limits) {
   const glm::dvec3 lights = all_lights(stage);
   const glm::dvec3 beyond =
@@ -47,7 +48,7 @@ std::uint32_t depth_of(const scene::Stage& stage) {
   if (stage.max_depth) return *stage.max_depth;
   constexpr std::uint32_t most = 15;
   constexpr double half_a_step = 1.0 / 510;
-  double share = 0;  // the greatest that one meeting hands on
+  double share = 0;  // the greatest share that one meeting sends on
   for (const scene::Material& m : stage.materials) {
     const glm::dvec3 on = sent_on(m);
     share = std::max({share, on.x, on.y, on.z});

@@ -1,5 +1,5 @@
 #pragma once
-/// What all rays of a picture have in common.
+/// The data that all rays of a picture share.
 
 #include <glm/vec3.hpp>
 #include <vector>
@@ -10,16 +10,16 @@
 
 namespace durero::render {
 
-/// Made ready once, of a scene and an engine that outlive it unedited.
+/// The data are prepared once, from a scene and an engine that outlive this object unedited.
 struct Followed {
-  /// Throws as brought() does.
+  /// Prepares the data. Throws as brought() does.
   Followed(const scene::Scene& of, const engine::Engine& by, const Limits& to);
 
   const scene::Scene& scene;
   const engine::Engine& engine;
   const Limits limits;
   const Looks looks;
-  const std::vector<glm::dvec3> most;  ///< that a ray brings, by how many it may still have in a row
+  const std::vector<glm::dvec3> most;  ///< bounds on the colour of a ray, by the number that it may still have in a row
 };
 
 }  // namespace durero::render

@@ -1,5 +1,5 @@
 #pragma once
-/// Rays of one scene, followed to what they bring, with all that they have in common made ready once.
+/// A follower finds the colours that rays of one scene bring, and prepares their shared data once.
 
 #include <memory>
 #include <span>
@@ -9,14 +9,14 @@
 
 namespace durero::render {
 
-/// Any number of threads may ask it.
+/// A follower of a scene's rays, which any number of threads may use at once.
 class Follower {
  public:
-  /// Of a scene and an engine that outlive it unedited. Throws as brought() does.
+  /// A follower for a scene and an engine that outlive it unedited. Throws as brought() does.
   Follower(const scene::Scene& scene, const engine::Engine& engine, const Limits& limits);
   ~Follower();
 
-  /// render::brought of these rays.
+  /// The colours of these rays, as render::brought() gives them.
   std::vector<Brought> brought(std::span<const scene::Query> rays) const;
 
  private:

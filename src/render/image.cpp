@@ -13,7 +13,8 @@
 namespace durero::render {
 namespace {
 
-/// What libpng is writing. Its errors leave by longjmp, so that what has a destructor lives here and not in between.
+/// The state of libpng's writer. Its errors leave by longjmp, so that objects with a destructor live here and not in
+/// between.
 struct Writing {
   explicit Writing(std::span<const Note> notes) {
     for (const Note& note : notes) texts.push_back(text_of(note));
@@ -64,7 +65,7 @@ bool written(Writing& to, const Image& image) {
   if (setjmp(png_jmpbuf(to.png))) return false;
   png_set_IHDR(to.png, to.info, image.resolution.width, image.resolution.height, 8, PNG_COLOR_TYPE_RGB,
                PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  // The filters of PNG take two thirds of the time that is spent on it, and most pictures of rays become no smaller.
+  // PNG's filters take two thirds of the time of the writer, and make most rendered pictures no smaller.
   png_set_filter(to.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
   png_set_sRGB_gAMA_and_cHRM(to.png, to.info, PNG_sRGB_INTENT_PERCEPTUAL);
   png_set_text(to.png, to.info, to.texts.data(), static_cast<int>(to.texts.size()));
@@ -75,15 +76,16 @@ bool written(Writing& to, const Image& image) {
   return true;
 }
 
-/// The value on the curve of a component from 0 to 1, in steps and by half a step more: its byte is the whole part.
+/// The value of the sRGB curve for a component from 0 to 1, in steps of the byte and half a step more: the byte is its
+/// whole part.
 double in_steps(double linear) {
   const double value = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
   return value * 255 + 0.5;
 }
 
-/// The bytes of the equal parts of 0 … 1, where all that lies in one has the same. The curve rises, but for 7.3·10⁻⁶ of
-/// a step where its line ends, and what is computed of it errs by less than 2⁻⁴⁰ of one: so whatever lies between two
-/// components is, in steps, between what is computed of them, but for less than the margin.
+/// The bytes of equal parts of 0 … 1, for the parts in which all components have the same byte. The curve rises, but
+/// for 7.3·10⁻⁶ of a step where its line ends, and its computed value errs by less than 2⁻⁴⁰ of one: the value of any
+/// component between two others is, in steps, between their computed values, up to less than the margin.
 class Parts {
  public:
   Parts() {
@@ -94,7 +96,7 @@ class Parts {
       bytes_[i] = static_cast<std::int16_t>(first == last ? first : -1);
     }
   }
-  /// Of a component from 0 to 1, below 1; less than 0 where more than its part must be known.
+  /// The byte of a component from 0 to 1, below 1; less than 0 where its part does not tell it.
   int byte(double linear) const { return bytes_[static_cast<std::size_t>(linear * count)]; }
 
  private:

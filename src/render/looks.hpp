@@ -1,5 +1,5 @@
 #pragma once
-/// What materials have of textures, made ready once: their look at a point.
+/// The looks of materials combine coefficients and textures; they are prepared once and evaluated at points.
 
 #include <array>
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace durero::render {
 
-/// The coefficients of a material at a point, by their names in scene::Material.
+/// A look is the coefficients of a material at a point, by their names in scene::Material.
 struct Look {
   explicit Look(const scene::Material& m);
 
@@ -24,36 +24,37 @@ struct Look {
   double index;
   glm::dvec3 emission, ambient;
 
-  /// As of a material.
+  /// Whether the look sends rays on, by mirroring or transparency.
   bool sends_rays_on() const noexcept { return k_ps > 0 || k_t > 0; }
 };
 
-/// A material, and its textures. It refers to the stage.
+/// A material with its textures. It refers to the stage.
 struct Worn {
-  /// Throws std::domain_error where the material names a texture that the stage has not.
+  /// A material of the stage. Throws std::domain_error where the material names a texture that the stage has not.
   Worn(const scene::Material& m, const scene::Stage& stage);
 
-  Look plain;  ///< without them
+  Look plain;  ///< the look without textures
   std::array<const scene::Texture*, scene::coefficient_words.size()> textures{};
-  bool varies = false;  ///< whether there is any
+  bool varies = false;  ///< whether a coefficient has a texture
   const scene::Texture* relief = nullptr;
   double height = 0;
   std::optional<double> delta{};
 
-  /// Whether it is the same at each point.
+  /// Whether the look and the normal are the same at each point.
   bool is_bare() const noexcept { return !varies && relief == nullptr; }
-  /// At a point that is seen from that distance: each coefficient times its texture.
+  /// The look at a point that is seen from that distance: each coefficient times its texture.
   Look look(const Coordinates& at, double distance) const;
-  /// The outer unit normal n, as the relief turns it there. Precondition: there is one.
+  /// The outer unit normal n as the relief turns it there. Precondition: the material has a relief.
   glm::dvec3 normal(const Tangents& tangents, const glm::dvec3& n, const Coordinates& at) const;
 };
 
 class Looks {
  public:
-  /// Of the materials of the stage, which must outlive it and keep its textures where they are. Throws as Worn does.
+  /// The looks of the stage's materials. The stage must outlive them and keep its textures where they are. Throws as
+  /// Worn does.
   explicit Looks(const scene::Stage& stage);
 
-  /// Of a material, by its place; or of what has none.
+  /// The look of a material by its number, or of an element without a material.
   const Worn& of(std::optional<std::uint32_t> material) const { return worn_[material ? *material + 1 : 0]; }
 
  private:

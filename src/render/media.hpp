@@ -1,5 +1,5 @@
 #pragma once
-/// The media that a ray is in, one within the other.
+/// The media that a ray is in are nested, one within the other.
 
 #include <cstdint>
 #include <string>
@@ -8,16 +8,16 @@
 
 namespace durero::render {
 
-/// The materials that a ray has entered and not left, the last one last. Empty: the open.
+/// The materials that a ray has entered and not left, the last one last. Without any the ray is in the open.
 class Media {
  public:
-  /// The index of the innermost, which is that of `stage`; 1 in the open.
+  /// The refractive index of the innermost medium, by the materials of `stage`; 1 in the open.
   double index(const scene::Stage& stage) const {
     return entered_.empty() ? 1 : stage.materials[entered_.back()].index;
   }
-  /// Into a material.
+  /// Enters a material.
   void enter(std::uint32_t material) { entered_.push_back(material); }
-  /// Out of the last of that material. Whether there was one.
+  /// Leaves the last entered medium of that material. Returns whether there was one.
   bool leave(std::uint32_t material) {
     const auto last = entered_.rfind(material);
     if (last == entered_.npos) return false;
@@ -26,7 +26,7 @@ class Media {
   }
 
  private:
-  std::u32string entered_;  // their places; a few stand in the string itself, and no memory is asked for
+  std::u32string entered_;  // their numbers; the string holds a few in itself, without an allocation
 };
 
 }  // namespace durero::render

@@ -1,5 +1,5 @@
 #pragma once
-/// Rays on their way through a scene.
+/// A path is a ray on its way through a scene.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -11,21 +11,21 @@
 
 namespace durero::render {
 
-/// A ray that is followed for one of the asked ones, whose colour its own is added to by a weight.
+/// A ray that is followed for one of the rays asked for: its colour, times a weight, is added to that ray's.
 struct Path {
   std::uint32_t ray;
   glm::dvec3 weight;
   std::uint32_t depth = 1;
   Media media{};
-  double way = 0;  ///< how long it is from the eye to where this ray starts
+  double way = 0;  ///< the length from the eye to the start of this ray
 };
 
-/// Paths, and the query of each.
+/// Paths with a query each.
 struct Paths {
   std::vector<Path> paths;
-  std::vector<scene::Query> queries;  ///< in their order; none of the first ones, which are asked
+  std::vector<scene::Query> queries;  ///< one for each path, but none for the rays asked for
 
-  /// Of a path, and its query or what that is made of.
+  /// Adds a path, and its query or the query's parts.
   template <class... Of>
   void push(Path path, Of&&... query) {
     paths.push_back(std::move(path));
@@ -39,7 +39,7 @@ struct Paths {
     paths.erase(paths.begin() + static_cast<std::ptrdiff_t>(size), paths.end());
     queries.erase(queries.begin() + static_cast<std::ptrdiff_t>(size), queries.end());
   }
-  /// Precondition: those of a ray stand together.
+  /// Whether some ray has more than `count` paths. Precondition: the paths of a ray stand together.
   bool has_more_of_a_ray_than(std::size_t count) const {
     for (std::size_t i = count; i < paths.size(); ++i)
       if (paths[i].ray == paths[i - count].ray) return true;

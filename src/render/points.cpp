@@ -13,24 +13,25 @@ std::uint64_t mixed(std::uint64_t key) {
 
 std::uint32_t high(std::uint64_t bits) { return static_cast<std::uint32_t>(bits >> 32); }
 
-/// From −1/2: a fraction of 32 binary digits, in the middle of the interval that it begins.
+/// The coordinate from −1/2 that 32 binary digits give: the middle of the interval that they begin.
 double coordinate(std::uint32_t digits) { return (digits + 0.5) * 0x1p-32 - 0.5; }
 
-/// Owen's scrambling: each digit is turned or not by a coin of its own for the digits before it. No two of fewer than
-/// 2¹⁶ points have the same first 16 digits in one coordinate, so that one draw of coins is for all that follow those.
+/// Owen's scrambling turns each digit or not by a coin of its own for the digits before it. No two of fewer than 2¹⁶
+/// points have the same first 16 digits in one coordinate, so that one draw of coins suffices for all digits after
+/// these.
 std::uint32_t scrambled(std::uint32_t digits, std::uint64_t key) {
   constexpr int apart = 16;
   std::uint32_t turned = 0;
   for (int place = 0; place < apart; ++place) {
     const std::uint32_t before = place == 0 ? 0 : digits >> (32 - place);
-    const std::uint32_t node = (1U << place) | before;  // of the binary tree of all beginnings
+    const std::uint32_t node = (1U << place) | before;  // a node of the binary tree of prefixes
     turned |= (high(mixed(key ^ node)) & 1U) << (31 - place);
   }
   const std::uint32_t leaf = (1U << apart) | (digits >> (32 - apart));
   return digits ^ (turned | (high(mixed(key ^ leaf)) >> apart));
 }
 
-/// Van der Corput's: the binary digits of i behind the point.
+/// Van der Corput's sequence: the binary digits of i behind the point.
 std::uint32_t mirrored_digits(std::uint32_t i) {
   std::uint32_t digits = 0;
   for (std::uint32_t place = 1U << 31; i != 0; i >>= 1, place >>= 1)
@@ -38,7 +39,7 @@ std::uint32_t mirrored_digits(std::uint32_t i) {
   return digits;
 }
 
-/// Those of i times Pascal's triangle modulo 2, the second coordinate of Sobol'.
+/// The second coordinate of Sobol's sequence: the digits of i times Pascal's triangle modulo 2.
 std::uint32_t pascal_digits(std::uint32_t i) {
   std::uint32_t digits = 0;
   for (std::uint32_t column = 1U << 31; i != 0; i >>= 1, column ^= column >> 1)

@@ -1,5 +1,6 @@
 #pragma once
-/// Points of a pixel, from its centre: each coordinate is in [−1/2, 1/2). A key chooses among the random ones.
+/// The points of a pixel are given from its centre: each coordinate is in [−1/2, 1/2). A key chooses among the random
+/// ones.
 
 #include <cstdint>
 #include <glm/vec2.hpp>

@@ -27,12 +27,12 @@ void add_row(Reach& reach, const Row& row) {
   reach.in_doubt += row.in_doubt;
 }
 
-/// A picture, and how far its rays were followed, to which many threads add.
+/// A picture and the counts of its rays, to which many threads add.
 class Drawn {
  public:
   explicit Drawn(scene::Resolution size) : picture(size) {}
 
-  /// What the rays of these pixels brought.
+  /// Adds the colours and counts of these pixels.
   void add(std::span<const scene::Pixel> pixels, const Row& row) {
     for (std::size_t i = 0; i < pixels.size(); ++i)
       picture.rgb[std::size_t(pixels[i].y) * picture.resolution.width + pixels[i].x] = row.pixels[i].color;

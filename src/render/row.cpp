@@ -23,7 +23,7 @@ Row sampled(const View& view, const Samples& samples, std::span<const scene::Pix
   const auto side = static_cast<std::uint32_t>(std::lround(std::sqrt(samples.most)));
   Row row{.pixels = std::vector<Brought>(pixels.size()), .samples = std::uint64_t{samples.most} * pixels.size()};
   std::vector<glm::dvec2> points(pixels.size());
-  // A ray of each pixel at a time: neighbours meet the same things, and few rays wait.
+  // Each turn takes one ray of each pixel: neighbours meet the same elements, and few rays wait.
   for (std::uint32_t i = 0; i < samples.most; ++i) {
     for (std::size_t k = 0; k < pixels.size(); ++k) {
       const auto [x, y] = pixels[k];

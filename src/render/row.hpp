@@ -1,5 +1,5 @@
 #pragma once
-/// Pixels of a picture, of as many rays each as are asked for.
+/// A row is a set of pixels of a picture, each with its samples.
 
 #include <cstdint>
 #include <span>
@@ -12,19 +12,19 @@
 
 namespace durero::render {
 
-/// What the rays of each pixel of a row, or of a tile, brought.
+/// The colours and counts of the pixels of a row or of a tile.
 struct Row {
-  std::vector<Brought> pixels;  ///< color and left_out are the means of its rays, rays all that were followed for it
+  std::vector<Brought> pixels;  ///< color and left_out are means over its samples, rays is a sum
   std::uint64_t samples = 0;    ///< rays from the eye, of all pixels
-  std::uint64_t in_doubt = 0;   ///< pixels whose mean is not known within the width that was asked for
+  std::uint64_t in_doubt = 0;   ///< pixels whose mean is not known within the width asked for
 };
 
-/// Adds what one more ray of a pixel brought.
+/// Adds the result of one more ray of a pixel.
 void add(Brought& sum, const Brought& more);
-/// Makes sums of so many rays their means. Of one they stay as they are.
+/// Turns the sums over so many rays into means. Sums over one ray stay as they are.
 void divide(Brought& sum, std::uint32_t rays);
 
-/// These pixels of the crop by a grid or stratified. Precondition: not statistical.
+/// The row of these pixels of the crop, by grid or stratified samples. Precondition: the samples are not statistical.
 Row sampled(const View& view, const Samples& samples, std::span<const scene::Pixel> pixels);
 
 }  // namespace durero::render

@@ -18,7 +18,7 @@ std::vector<scene::ElementRef> by_name(const scene::Scene& scene) {
   return elements;
 }
 
-/// The numbers of elements, each under its place in the scene.
+/// The number of each element.
 using Numbers = std::map<scene::ElementRef, std::uint32_t>;
 
 Numbers numbers_of(const scene::Scene& scene) {

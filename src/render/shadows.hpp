@@ -1,5 +1,5 @@
 #pragma once
-/// Colours that wait for the answer whether a light is seen.
+/// A shadow query asks whether a point sees a light; a colour waits for the answer.
 
 #include <boost/container/vector.hpp>
 #include <cstdint>
@@ -14,13 +14,14 @@
 
 namespace durero::render {
 
-/// What waits for lights of one kind. An engine is asked light by light, since neighbours have like ways to one light;
-/// colours are added in the order in which they came.
+/// The colours that wait for lights of one kind. An engine is asked light by light, since neighbouring points have
+/// similar ways to one light; colours are added in the order in which they came.
 class AskedLights {
  public:
   explicit AskedLights(std::size_t lights) : queries_(lights), unseen_(lights) {}
 
-  /// The colour of a ray waits for a light, by its number: whether it is seen from the point of a hit.
+  /// Adds a query: whether the light of this number is seen from the point of a hit. The colour of the ray waits for
+  /// the answer.
   void add(std::size_t light, std::uint32_t ray, const glm::dvec3& color, const scene::Hit& from,
            const glm::dvec3& to_light) {
     if (color == glm::dvec3(0)) return;
@@ -28,8 +29,8 @@ class AskedLights {
     queries_[light].emplace_back(model::Rayo(model::Punto(from.punto), model::Vector(to_light)), from.elementos);
   }
 
-  /// Adds each colour to that of its ray where its light is seen, and nothing waits any more: unseen(queries, answers)
-  /// says of which it is not.
+  /// Adds each colour to that of its ray where its light is seen; no query waits after that. unseen(queries, answers)
+  /// tells for which queries the light is not seen.
   template <class Unseen>
   void add_seen(std::span<Brought> sums, Unseen&& unseen) {
     for (std::size_t i = 0; i < queries_.size(); ++i) {
@@ -45,7 +46,7 @@ class AskedLights {
  private:
   struct Waiting {
     std::uint32_t ray, light;
-    std::size_t place;  // among what the light is asked
+    std::size_t place;  // of the query among those of its light
     glm::dvec3 color;
   };
 
@@ -55,18 +56,19 @@ class AskedLights {
   std::vector<boost::container::vector<bool>> unseen_;
 };
 
-/// Those of a stage: a point light stands at the end of a segment, a directional one is seen along the whole ray.
+/// The shadow queries of a stage: a point light stands at the end of a segment, a directional one is seen along the
+/// whole ray.
 struct Shadows {
   explicit Shadows(const scene::Stage& stage)
       : points(stage.lights.size()), directions(stage.directional_lights.size()) {}
 
-  /// Adds the light that is seen to the colours of the rays.
+  /// Adds the colours of the seen lights to the sums of the rays.
   void add_light(const engine::Engine& engine, std::span<Brought> sums) {
     points.add_seen(sums, [&](auto queries, auto unseen) { engine.occluded_segments(queries, unseen); });
     directions.add_seen(sums, [&](auto queries, auto unseen) {
       met.resize(queries.size());
       engine.first_elements(queries, met);
-      // occluded.def.1: something is met, be there a nearest point of it or not.
+      // occluded.def.1: the way meets an element, with or without a nearest point.
       for (std::size_t i = 0; i < met.size(); ++i) unseen[i] = met[i].resultado != model::Resultado::miss;
     });
   }

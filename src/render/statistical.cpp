@@ -13,16 +13,17 @@
 namespace durero::render {
 namespace {
 
-/// @{ Before it is believed that a pixel is even whose corners differ, or one of those around: what an edge cuts off
-/// may be smaller than fewer points see.
+/// @{ The least points of a pixel whose corners differ, or of one near such a pixel, before it is taken for even: the
+/// part that an edge cuts off may be smaller than fewer points see.
 constexpr std::uint32_t points_of_an_edge = 32, points_near_an_edge = 8;
 /// @}
 
-/// How often it is asked whether a pixel is settled, up to so many points: at least_samples and at each power of two.
+/// The number of looks at whether a pixel is settled, up to so many points: one at least_samples and one at each power
+/// of two after it.
 std::uint32_t looks(std::uint32_t points) { return std::bit_width(points / least_samples); }
 
-/// What a deviation of 1 makes of half the confidence interval at each look, over the part of the width that is asked
-/// for there. Of the last look the whole width is asked, since nothing comes after it.
+/// Half the confidence interval for a deviation of 1 at each look, over the part of the width that is asked for there.
+/// The last look asks for the whole width, since none comes after it.
 std::vector<double> half_widths(double confidence, std::uint32_t most_points) {
   std::vector<double> all;
   for (std::uint32_t points = least_samples; points <= most_points; points *= 2) {
@@ -81,7 +82,7 @@ Statistical::Statistical(const View& view, const Samples& samples)
   });
 }
 
-/// Those of a pixel, and of so many pixels around it.
+/// Whether the corners of a pixel, and of so many pixels around it, agree.
 bool Statistical::corners_agree(std::uint32_t x, std::uint32_t y, std::uint32_t around) const {
   const std::uint32_t first = 1 - around, count = 2 + 2 * around;
   const glm::dvec3* const upper_left = &corners_[std::size_t(y + first) * corners_in_row_ + x + first];
@@ -94,23 +95,23 @@ bool Statistical::corners_agree(std::uint32_t x, std::uint32_t y, std::uint32_t 
   return within(most - least, samples_.width);
 }
 
-/// Whether so many points of a pixel see what its corners show of edges.
+/// Whether so many points of a pixel suffice for the edges that its corners show.
 bool Statistical::is_believed(std::uint32_t x, std::uint32_t y, std::uint32_t points) const {
   return points >= points_of_an_edge || corners_agree(x, y, points < points_near_an_edge ? 1 : 0);
 }
 
-// NaN, the product of a black material and an infinite light, is not within: such a pixel gets all its rays.
+// NaN, the product of a black material and an infinite light, is not within the width: such a pixel gets all its rays.
 bool Statistical::is_settled(const Estimate& estimate) const {
   const double half_width = half_widths_[looks(estimate.points) - 1];
   return within(half_width * deviation(estimate), samples_.width);
 }
 
-/// Twice as many points of each pixel as before, or the first ones.
+/// Takes twice as many points of each open pixel as before, or the first ones.
 void Statistical::take_points(std::uint32_t y, std::span<const std::uint32_t> open, std::vector<Estimate>& row) const {
   const std::uint32_t begin = row[open.front()].points, end = std::max(least_samples, 2 * begin);
   for (const std::uint32_t x : open) row[x].grow_to(end);
   std::vector<glm::dvec2> points(open.size() * least_samples);
-  // So many points of each pixel at a time: neighbours meet the same things, and few rays wait.
+  // Each turn takes so many points of each pixel: neighbours meet the same elements, and few rays wait.
   for (std::uint32_t i = begin; i < end; i += least_samples) {
     const auto pixel = [&](std::size_t k) { return open[k / least_samples]; };
     const auto number = [&](std::size_t k) { return i + static_cast<std::uint32_t>(k % least_samples); };

@@ -1,6 +1,6 @@
 #pragma once
-/// Statistical antialiasing (Lee, Redner and Uselton, 1985): rays are sent through a pixel until what they brought
-/// tells its mean well enough. The tests of the estimate, and what they rest on, are derived in docs/rendering.md.
+/// Statistical antialiasing (Lee, Redner and Uselton, 1985) sends rays through a pixel until they tell its mean well
+/// enough. The tests of the estimate are derived in docs/rendering.md.
 
 #include <algorithm>
 #include <array>
@@ -16,33 +16,33 @@
 
 namespace durero::render {
 
-/// The mean of a pixel as far as it is known: of the first points of one net, in blocks of as many that follow each
-/// other, each of which is a net of its own.
+/// The estimate of a pixel's mean from the first points of one net. They form blocks of as many consecutive points,
+/// each of which is a net of its own.
 struct Estimate {
-  std::array<glm::dvec3, most_blocks> sums{};  ///< of each block
+  std::array<glm::dvec3, most_blocks> sums{};  ///< the sum of each block
   std::uint32_t points = 0;                    ///< 0, or a power of two from least_samples on
   Brought all{};                               ///< the sums of all rays
 
-  /// How many there are of all points so far.
+  /// The number of blocks of all points so far.
   std::uint32_t blocks() const { return std::min(points, most_blocks); }
-  /// So many points are there from now on, twice those of before: two blocks become one where there are enough.
+  /// Makes room for so many points, twice those of before: pairs of blocks are joined where there are most_blocks.
   void grow_to(std::uint32_t points_then);
-  /// Adds what point i brought. Precondition: i < points.
+  /// Adds the colour of point i. Precondition: i < points.
   void take(std::uint32_t i, const Brought& brought);
 };
 
 /// The standard deviation of the means of the blocks, by component.
 glm::dvec3 deviation(const Estimate& estimate);
 
-/// Draws the rows of a view, which outlives it.
+/// A drawer of the rows of a view, which must outlive it.
 class Statistical {
  public:
-  /// Looks at the corners of all pixels.
+  /// Takes samples at the corners of all pixels.
   Statistical(const View& view, const Samples& samples);
 
-  /// Row y of the crop.
+  /// The colours of row y of the crop.
   Row row(std::uint32_t y) const;
-  /// What the rays through the corners were: samples and rays.
+  /// The counts of the rays through the corners: samples and rays.
   const Reach& reach_of_corners() const { return corner_reach_; }
 
  private:
@@ -54,7 +54,7 @@ class Statistical {
   const View& view_;
   const Samples samples_;
   std::uint32_t most_points_;        // a power of two
-  std::vector<double> half_widths_;  // at each look, of a deviation of 1, over the part of the width that is asked for
+  std::vector<double> half_widths_;  // at each look, for a deviation of 1, over the part of the width asked for
   std::uint32_t corners_in_row_;
   std::vector<glm::dvec3> corners_;  // of the pixels of the crop, and of those around it
   Reach corner_reach_{};

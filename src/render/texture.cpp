@@ -14,7 +14,8 @@ using scene::Filter;
 using scene::Pattern;
 using scene::Texture;
 
-/// The texel of a row of n that number i is. A double, so that what is far away is not out of range.
+/// The index in a row of n texels that stands for texel number i, by the edges. The number is a double, so that no far
+/// point is out of range.
 std::uint32_t wrapped(double i, std::uint32_t n, Edges edges) {
   switch (edges) {
     case Edges::repeat:
@@ -52,8 +53,8 @@ glm::dvec3 image_at(const Texture& texture, const glm::dvec2& at, double distanc
   return share == 0 ? best : mixed(best, linear_texels(levels[i + 1], at, beyond), share);
 }
 
-/// Stars with twelve points about the centres of the sixfold turns, within hexagons: both told by distances from lines
-/// in the triangle of representatives.
+/// Whether the point is in the first colour of the p6m pattern: stars with twelve points about the centres of the
+/// sixfold turns, within hexagons. Both are told by distances from lines in the triangle of representatives.
 bool is_first_of_p6m(const glm::dvec2& at) {
   const glm::dvec2 p = p6m_representative(at);
   const bool in_star = p.x + 1.5 * p.y < 0.38;
@@ -69,7 +70,7 @@ glm::dvec2 within(const Texture& texture, const Coordinates& at) {
   return {texture.repeat.x * at.u, texture.repeat.y * at.v};
 }
 
-/// Where the texture is level a little to both sides, so is what this says.
+/// The slopes by central differences: they are 0 where the texture is level a little to both sides.
 glm::dvec2 differences(const Texture& texture, const Coordinates& at, const glm::dvec2& delta) {
   const auto height = [&](double u, double v) { return grey(texture_at(texture, {u, v}, 0)); };
   return {(height(at.u + delta.x, at.v) - height(at.u - delta.x, at.v)) / (2 * delta.x),
@@ -101,20 +102,20 @@ double mipmap_level(double distance, double near, std::size_t n) {
 
 glm::dvec2 p6m_representative(glm::dvec2 at) {
   const double half_root = std::numbers::sqrt3 / 2;
-  // To the nearest point of the lattice: of each of its two rectangular halves the nearest, then the nearer one.
+  // The nearest point of the lattice: it has two rectangular halves, and the nearer of their nearest points is taken.
   const auto to_nearest = [&](const glm::dvec2& p) {
     return glm::dvec2(p.x - std::round(p.x), p.y - 2 * half_root * std::round(p.y / (2 * half_root)));
   };
   const glm::dvec2 one = to_nearest(at), other = to_nearest(at - glm::dvec2(0.5, half_root));
   const auto length = [](const glm::dvec2& p) { return p.x * p.x + p.y * p.y; };
   glm::dvec2 p = glm::abs(length(one) <= length(other) ? one : other);
-  // The mirror at 30°, and that of y = 0 once more.
+  // The mirrors at 30° and, once more, at y = 0.
   if (p.y > p.x / std::numbers::sqrt3) p = {0.5 * p.x + half_root * p.y, std::abs(half_root * p.x - 0.5 * p.y)};
   return p;
 }
 
 double grey(const glm::dvec3& color) {
-  return color.x + ((color.y - color.x) + (color.z - color.x)) / 3;  // of three equal ones it is that one, to the bit
+  return color.x + ((color.y - color.x) + (color.z - color.x)) / 3;  // exactly the component where all three are equal
 }
 
 glm::dvec3 texture_at(const Texture& texture, const Coordinates& coordinates, double distance) {

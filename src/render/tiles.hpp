@@ -9,7 +9,7 @@
 
 namespace durero::render {
 
-/// The pixels of one tile: square by square, as rays that go the same way are answered by so many together.
+/// The pixels of one tile, square by square: rays that go the same way are answered together.
 inline std::vector<scene::Pixel> pixels_of_tile(scene::Resolution picture, scene::Pixel tile, std::uint32_t side) {
   constexpr std::uint32_t square = 8;
   std::vector<scene::Pixel> pixels;
@@ -23,10 +23,10 @@ inline std::vector<scene::Pixel> pixels_of_tile(scene::Resolution picture, scene
   return pixels;
 }
 
-/// draw(pixels) for each tile, as by_rows has it.
+/// Calls draw(pixels) for each tile, as by_rows does for rows.
 template <class Draw>
 void by_tiles(scene::Resolution picture, const Progress& progress, Draw&& draw) {
-  constexpr std::uint32_t side = 16;  // so that what is kept for its rays fits the nearer memory
+  constexpr std::uint32_t side = 16;  // the data of its rays fit the nearer caches
   const std::uint32_t across = (picture.width + side - 1) / side, down = (picture.height + side - 1) / side;
   by_rows(across * down, progress, [&](std::uint32_t i) {
     draw(pixels_of_tile(picture, {i % across, i / across}, side));

@@ -9,7 +9,7 @@
 namespace durero::render {
 namespace {
 
-/// The greatest finite component; 0 where none is above it.
+/// The greatest finite component of the picture; 0 where none is above it.
 double greatest(const Picture& picture) {
   double greatest = 0;
   for (const glm::dvec3& color : picture.rgb)

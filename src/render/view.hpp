@@ -1,5 +1,5 @@
 #pragma once
-/// What is drawn, with all that a frame leaves open decided, and rays through any points of it.
+/// A view is a frame with all its open choices decided, and gives rays through any points of it.
 
 #include <glm/vec2.hpp>
 #include <span>
@@ -14,22 +14,22 @@
 
 namespace durero::render {
 
-/// Of a scene and an engine that outlive it.
+/// A view of a scene by an engine, which must outlive it.
 struct View {
-  /// Throws std::domain_error and std::out_of_range, as render does.
+  /// Decides the frame. Throws std::domain_error and std::out_of_range, as render does.
   View(const scene::Scene& drawn, const engine::Engine& asked, const Frame& frame);
 
-  /// The point of the window that lies by `offset` from the centre of pixel (x, y) of the crop.
+  /// The point of the window at `offset` from the centre of pixel (x, y) of the crop.
   glm::dvec2 point(std::uint32_t x, std::uint32_t y, const glm::dvec2& offset) const {
     return {crop.x + x + offset.x, crop.y + y + offset.y};
   }
-  /// What the rays through these points bring, in order.
+  /// The colours that the rays through these points bring, in order.
   std::vector<Brought> brought_by(std::span<const glm::dvec2> points) const;
 
   const scene::Scene& scene;
   const engine::Engine& engine;
-  scene::PrimaryRays rays;  ///< of the whole picture
-  Crop crop;                ///< of it, what is drawn
+  scene::PrimaryRays rays;  ///< the rays of the whole picture
+  Crop crop;                ///< the part of the picture that is drawn
   Limits limits;
   Follower follower;
 };

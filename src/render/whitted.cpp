@@ -21,26 +21,26 @@
 namespace durero::render {
 namespace {
 
-/// Where a path meets a surface.
+/// A meeting of a path with a surface.
 struct Meeting {
   const Path& path;
   const scene::Query& query;
   const scene::Hit& hit;
   const Look& look;
   glm::dvec3 normal;  ///< the unit normal on the side of the ray
-  glm::dvec3 facing;  ///< the same, as a relief turns it
+  glm::dvec3 facing;  ///< that normal as the relief turns it
   glm::dvec3 d;       ///< the unit direction of the ray
-  double way;         ///< how long it is from the eye to here
+  double way;         ///< the length from the eye to here
 };
 
-/// The element whose look a point has: the first by name.
+/// The element that gives a point its look: the first by name.
 scene::ElementRef front(const scene::Scene& scene, const scene::ElementSet& elements) {
   return *std::min_element(elements.begin(), elements.end(),
                            [&](auto a, auto b) { return scene.name(a) < scene.name(b); });
 }
 
-/// S's factor in the local model: what of a light of that unit direction is sent towards the ray. No relief sees a
-/// light that the surface has its back to.
+/// The factor of S in the local model: the share of a light from that unit direction that is sent towards the ray. A
+/// relief sees no light that the surface has its back to.
 glm::dvec3 sent(const Meeting& at, const glm::dvec3& l, double cosine) {
   const Look& m = at.look;
   if (!(glm::dot(l, at.normal) > 0)) cosine = 0;
@@ -53,7 +53,7 @@ glm::dvec3 sent(const Meeting& at, const glm::dvec3& l, double cosine) {
   return sum;
 }
 
-/// Follows rays, some at a time, in memory that it keeps from one time to the next.
+/// A tracer follows rays, some at a time, and keeps its memory from one call to the next.
 class Tracer {
  public:
   explicit Tracer(const Followed& followed)
@@ -73,11 +73,11 @@ class Tracer {
   }
 
  private:
-  /// Of each ray so many paths at once. What is added to its colour, and in which order, depends on no other ray; and
-  /// since the latest come first, those that wait are no more than these times the depth.
+  /// The number of paths of each ray that are followed at once. The summands of its colour and their order depend on no
+  /// other ray; and since the latest paths come first, no more paths wait than this number times the depth.
   static constexpr std::size_t at_once = 16;
 
-  /// The latest paths of each ray that wait, ray by ray. Whether there are any.
+  /// Takes the latest waiting paths of each ray, ray by ray. Returns whether there are any.
   bool next_paths() {
     if (held_ > 0 || born_.has_more_of_a_ray_than(at_once)) {
       hold();
@@ -89,7 +89,7 @@ class Tracer {
     return !now_.paths.empty();
   }
 
-  /// All that were born wait with their ray.
+  /// Makes all new paths wait with their ray.
   void hold() {
     waiting_.resize(sums_.size());
     for (std::size_t i = 0; i < born_.paths.size(); ++i) {
@@ -152,14 +152,14 @@ class Tracer {
     return stage.environment ? environment_at(*stage.environment, v) : stage.background.value_or(default_background);
   }
 
-  /// What this and send call is compiled into them: a ray whose numbers pass through memory on their way to where it
-  /// waits is stalled there (the mirrors of demo/ took 5 % longer).
+  /// flatten compiles into this function and send() all that they call: a ray whose numbers pass through memory on
+  /// their way to where it waits is stalled there (the mirrors of demo/ took 5 % longer).
   [[gnu::flatten]] void ask_lights(const Meeting& at) {
     const scene::Stage& stage = scene_.stage();
     for (std::size_t i = 0; i < stage.lights.size(); ++i) {
       const scene::Light& light = stage.lights[i];
       const glm::dvec3 to_light = light.position - at.hit.punto;
-      if (to_light == glm::dvec3(0)) continue;  // a light in the very point
+      if (to_light == glm::dvec3(0)) continue;  // the light is at the point itself
       const double length = glm::length(to_light);
       const glm::dvec3 seen = sent(at, to_light / length, glm::dot(to_light, at.facing) / length);
       shadows_.points.add(i, at.path.ray, at.path.weight * (light.color * seen), at.hit, to_light);
@@ -192,29 +192,30 @@ class Tracer {
     send(at, mirror, glm::dot(r, at.normal) > 0 ? r : mirrored(at.d, at.normal), at.path.media);
   }
 
-  /// Whether all that was met is flat, and met for the first time.
+  /// Whether all elements met are flat, and met for the first time.
   static bool is_sheet(const Meeting& at) {
     const scene::Origin start(at.query.en);
     return std::ranges::all_of(at.hit.elementos,
                                [&](scene::ElementRef e) { return surface::is_flat(e.tipo) && !start.contains(e); });
   }
 
-  /// The ray itself, behind a sheet that does not bend it. Told that it starts on the sheet too, it meets it no more
-  /// (puntos_desde.def.1); and since no new start is rounded, it meets what lies behind as if there were no sheet.
+  /// Continues the same ray behind a sheet that does not bend it. Its query names the sheet as an origin too, and so it
+  /// meets the sheet no more (puntos_desde.def.1); since no new start is rounded, it meets the elements behind as if
+  /// there were no sheet.
   void go_on(const Meeting& at, const glm::dvec3& share, Media media) {
     scene::ElementSet on;
     std::ranges::set_union(at.query.en, at.hit.elementos, std::back_inserter(on));
     send(at, share, at.query.rayo, on, std::move(media), at.path.way);
   }
 
-  /// The refracted direction. Where a relief sends it back through the surface, as the surface alone has it; likewise
-  /// the mirrored one.
+  /// The refracted direction. Where a relief would send it back through the surface, the direction that the surface
+  /// alone gives; likewise for the mirrored one.
   static std::optional<glm::dvec3> through(const Meeting& at, double ratio) {
     const auto t = refracted(at.d, at.facing, ratio);
     return t && !(glm::dot(*t, at.normal) < 0) ? refracted(at.d, at.normal, ratio) : t;
   }
 
-  /// In a direction, from the point of the meeting.
+  /// Sends a ray in a direction from the point of the meeting.
   [[gnu::flatten]] void send(const Meeting& at, const glm::dvec3& share, const glm::dvec3& v, Media media) {
     send(at, share, {model::Punto(at.hit.punto), model::Vector(v)}, at.hit.elementos, std::move(media), at.way);
   }
@@ -234,23 +235,23 @@ class Tracer {
   const engine::Engine& engine_;
   const Limits limits_;
   std::span<Brought> sums_;
-  Paths now_, born_;            ///< those that are followed, and those that they send on
-  std::vector<Paths> waiting_;  ///< of each ray, the next ones last
-  std::size_t held_ = 0;        ///< how many those are
+  Paths now_, born_;            ///< the paths that are followed, and the paths that these send on
+  std::vector<Paths> waiting_;  ///< the waiting paths of each ray, the next ones last
+  std::size_t held_ = 0;        ///< the number of waiting paths
   std::vector<scene::Hit> hits_;
-  std::optional<Look> varied_;  ///< where the last meeting's material has textures
+  std::optional<Look> varied_;  ///< the look of the last meeting, where its material has textures
   Shadows shadows_;
 };
 
 }  // namespace
 
-/// What a follower holds.
+/// The data of a follower.
 struct Follower::Held {
   Followed followed;
   std::mutex mutex{};
-  std::vector<std::unique_ptr<Tracer>> idle{};  ///< whose memory is used again
+  std::vector<std::unique_ptr<Tracer>> idle{};  ///< tracers whose memory is used again
 
-  /// A tracer that nobody else has: a thread that waits within one call may begin another.
+  /// A tracer that no other call uses: a thread that waits within one call may begin another.
   std::unique_ptr<Tracer> taken() {
     const std::lock_guard lock(mutex);
     if (idle.empty()) return std::make_unique<Tracer>(followed);

@@ -75,10 +75,9 @@ struct Profile {
   double least_t = 0;    ///< a nearer hit need not be seen, a nearer first hit is outside: in t, or t·|v| by `measure`
   double greatest_t = std::numeric_limits<double>::infinity();  ///< the same for a farther hit
   double least_size = 0;  ///< the least size inside the profile, of a radius or an altura
-  double greatest_size = std::numeric_limits<double>::infinity();  ///< the greatest size inside the profile
-  double greatest_coordinate =
-      std::numeric_limits<double>::infinity();  ///< the greatest magnitude of a point's coordinate
-  bool names_elements = true;                   ///< whether its hits name their element
+  double greatest_size = std::numeric_limits<double>::infinity();        ///< the greatest size inside the profile
+  double greatest_coordinate = std::numeric_limits<double>::infinity();  ///< magnitude of a coordinate
+  bool names_elements = true;                                            ///< whether its hits name their element
   bool watertight = false;        ///< no ray leaves a closed mesh between triangles that share an edge or a vertex
   std::vector<Source> sources{};  ///< the sources of its claims: they are shown, and decide nothing
 };

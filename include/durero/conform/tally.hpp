@@ -76,9 +76,7 @@ class Tally {
   /// case was answered, and has as many rays as claims.
   std::vector<Judgement> add(const SuiteCase& of, std::span<const Claim> claims, const Profile& profile);
 
-  const std::vector<FamilyTally>& families() const {
-    return families_;
-  }  ///< the families in the order in which they were added
+  const std::vector<FamilyTally>& families() const { return families_; }  ///< in the order of their first case
   /// @{ The counts of FamilyTally, summed over the families.
   std::uint64_t rays() const;
   std::uint64_t of(Verdict verdict) const;

@@ -1,6 +1,7 @@
 #pragma once
-/// The coordinates (u, v) of the points of every surface, f_p of the realism seed (1.2) and its inverse, and the
-/// tangents. What an axis d leaves open, where an angle is 0, scene::axes_across() says; a sphere's axis is +y.
+/// The coordinates (u, v) of a surface's points are the inverse of f_p of the realism seed (1.2), and the tangents its
+/// derivatives. An axis d leaves the direction of angle 0 open, which scene::axes_across() fixes; a sphere's axis is
+/// +y.
 ///
 ///   esfera           u the longitude over 2π, v the latitude from −π/2 to π/2 as 0 to 1; poles at v = 0 and 1
 ///   cilindro, tronco u the angle over 2π, v = s/altura
@@ -18,28 +19,29 @@
 
 namespace durero::render {
 
-/// Where on its surface a point lies.
+/// The coordinates of a point on its surface.
 struct Coordinates {
   double u;  ///< across, or around
   double v;  ///< upwards, or along
   bool operator==(const Coordinates&) const = default;
 };
 
-/// ∂f_p/∂u and ∂f_p/∂v: tangent and bitangent. Their cross product is null at a pole, and on a triangle whose vertices
-/// have coordinates without an area; it is on the outer side, but where those go round the other way. Where the
-/// vertices have tangents too, these are what is linear between them, freed of its part along the normal.
+/// The tangents ∂f_p/∂u and ∂f_p/∂v: tangent and bitangent. Their cross product is null at a pole, and on a triangle
+/// whose vertices have coordinates without an area; it is on the outer side, unless these coordinates go round the
+/// other way. Where the vertices have tangents too, these are interpolated linearly and freed of their part along the
+/// normal.
 struct Tangents {
-  glm::dvec3 u;  ///< where u grows
-  glm::dvec3 v;  ///< where v grows
+  glm::dvec3 u;  ///< the derivative by u
+  glm::dvec3 v;  ///< the derivative by v
 };
 
-/// Of a point of the element.
+/// The coordinates of a point of the element.
 Coordinates coordinates(const scene::Scene& scene, scene::ElementRef element, const glm::dvec3& point);
 
-/// f_p: the point of the element that has them.
+/// The point f_p(u, v) of the element.
 glm::dvec3 point_at(const scene::Scene& scene, scene::ElementRef element, const Coordinates& at);
 
-/// At the point of the element that has them.
+/// The tangents at the point f_p(u, v) of the element.
 Tangents tangents(const scene::Scene& scene, scene::ElementRef element, const Coordinates& at);
 
 }  // namespace durero::render

@@ -1,5 +1,6 @@
 #pragma once
-/// What stands around a scene: the colour of a direction, and the direction of each texel of its pictures.
+/// An environment surrounds a scene: it has a colour for each direction, and a direction for each texel of its
+/// pictures.
 
 #include <cstddef>
 #include <glm/vec2.hpp>
@@ -11,11 +12,11 @@ namespace durero::render {
 
 /// A place in the pictures of an environment.
 struct PictureSpot {
-  std::size_t picture;  ///< of a box its face, else 0
+  std::size_t picture;  ///< the face of a box; else 0
   glm::dvec2 at;        ///< in the unit square, (0, 0) lower left
 };
 
-/// Where a direction, of any length but 0, is seen.
+/// The spot where a direction, of any length but 0, is seen.
 ///
 ///   box              on the face of the greatest component, of equal ones the first of x, y, z; the camera of ±y has
 ///                    its upper side towards ±z, the others towards +y
@@ -26,15 +27,16 @@ struct PictureSpot {
 /// Precondition: the surroundings have pictures.
 PictureSpot spot_of(scene::Surroundings kind, const glm::dvec3& direction);
 
-/// The unit direction that is seen there. Outside the ball of a spherical one it is that of the rim. Precondition: the
-/// surroundings have pictures.
+/// The unit direction that is seen at a spot. Outside the ball of a spherical picture it is that of the rim.
+/// Precondition: the surroundings have pictures.
 glm::dvec3 direction_of(scene::Surroundings kind, const PictureSpot& spot);
 
-/// The linear colour that comes from a direction, of any length but 0: of a gradient by the sine of its height over the
-/// horizon, of pictures by the four texels around it. Throws std::domain_error where they have not been read.
+/// The linear colour that comes from a direction, of any length but 0: for a gradient by the sine of its height over
+/// the horizon, for pictures by the four texels around it. Throws std::domain_error where the pictures have not been
+/// read.
 glm::dvec3 environment_at(const scene::Environment& environment, const glm::dvec3& direction);
 
-/// No direction brings more, in any component, but by rounding.
+/// An upper bound on the colour of every direction, by component, up to rounding.
 glm::dvec3 most_of(const scene::Environment& environment);
 
 }  // namespace durero::render

@@ -1,5 +1,5 @@
 #pragma once
-/// The OpenEXR file of a picture: linear, of binary32, nothing cut.
+/// The OpenEXR file of a picture holds its linear colours in binary32, without a cut.
 
 #include <optional>
 #include <span>
@@ -12,10 +12,10 @@
 
 namespace durero::render {
 
-/// Channels beside the colour, and what their numbers stand for.
+/// The channels beside the colour, with the names behind their numbers.
 struct Channels {
-  std::vector<Seen> pixels;        ///< as many as the picture has, rows from the top
-  std::vector<std::string> names;  ///< of the elements, that of number 1 first
+  std::vector<Seen> pixels;        ///< one for each pixel of the picture, rows from the top
+  std::vector<std::string> names;  ///< the names of the elements, that of number 1 first
 };
 
 /// The bytes of an OpenEXR file with the primaries of sRGB: channels R, G, B, each component rounded to binary32; with

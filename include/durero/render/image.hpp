@@ -12,13 +12,13 @@
 namespace durero::render {
 
 /// The byte of a component of a linear colour: its value on the sRGB curve (IEC 61966-2-1), which is 12.92·c up to
-/// 0.0031308 and 1.055·c^(1/2.4) − 0.055 above, scaled to 0 … 255 and rounded to the nearest, halves up. What is below
-/// 0 and what is no number (the product of a black material and an infinite light) is 0; what is above 1 is 255.
+/// 0.0031308 and 1.055·c^(1/2.4) − 0.055 above, scaled to 0 … 255 and rounded to the nearest, halves up. A component
+/// below 0, and NaN (the product of a black material and an infinite light), is 0; a component above 1 is 255.
 std::uint8_t srgb_byte(double linear) noexcept;
 
 /// A picture, black at first.
 struct Image {
-  /// Of that size.
+  /// A black image of that size.
   explicit Image(scene::Resolution size) : resolution(size), rgb(std::size_t(size.width) * size.height * 3) {}
 
   /// Sets pixel (x, y), (0, 0) upper left, to a linear colour: each component becomes its srgb_byte.
@@ -28,15 +28,15 @@ struct Image {
   std::vector<std::uint8_t> rgb;  ///< rows from the top, three bytes a pixel
 };
 
-/// A line of text that a file of a picture carries along: in PNG a chunk, in OpenEXR an attribute.
+/// A note is a line of text in a picture's file: a chunk of PNG, an attribute of OpenEXR.
 struct Note {
-  std::string keyword;  ///< as PNG has them: `Software`; 1 to 79 characters of ASCII
+  std::string keyword;  ///< a keyword as in PNG, such as `Software`: 1 to 79 characters of ASCII
   std::string text;     ///< UTF-8
 };
 
-/// The bytes of a PNG file, which declares its pixels to be sRGB: by the chunk sRGB, and for readers that do not know
-/// it by the chunks gAMA and cHRM that come nearest. Notes of ASCII are chunks tEXt, others iTXt. Same image and notes,
-/// same bytes. Throws std::runtime_error when libpng refuses.
+/// The bytes of a PNG file, which declares its pixels to be sRGB: by the chunk sRGB, and for other readers by the
+/// nearest chunks gAMA and cHRM. Notes of ASCII are chunks tEXt, others iTXt. The same image and notes give the same
+/// bytes. Throws std::runtime_error when libpng refuses.
 std::string encode_png(const Image& image, std::span<const Note> notes = {});
 
 }  // namespace durero::render

@@ -1,5 +1,5 @@
 #pragma once
-/// A picture in linear light, before a file of some kind of pixels is made of it.
+/// A picture holds linear light, before a file turns it into pixels of some kind.
 
 #include <glm/vec3.hpp>
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace durero::render {
 
-/// Linear RGB with the primaries of sRGB, as the rays brought it: no component is cut.
+/// A picture in linear RGB with the primaries of sRGB, as the rays brought it: no component is cut.
 struct Picture {
-  /// Of that size, black.
+  /// A black picture of that size.
   explicit Picture(scene::Resolution size) : resolution(size), rgb(std::size_t(size.width) * size.height) {}
 
   scene::Resolution resolution;  ///< in pixels

@@ -1,6 +1,6 @@
 #pragma once
-/// A planar mirror as a second camera (realism seed, 1.5): what is seen in it is what a camera behind it would see,
-/// which is the first one mirrored in its plane.
+/// A planar mirror acts as a second camera (realism seed, 1.5): it shows the view of the first camera mirrored in its
+/// plane.
 
 #include <glm/vec3.hpp>
 #include <optional>
@@ -9,17 +9,17 @@
 
 namespace durero::render {
 
-/// The rays of the camera that a plane makes of another.
+/// The camera that a planar mirror makes of another, and its rays.
 class SecondCamera {
  public:
-  /// Of that camera and picture, in the plane through `point` across `normal`. Precondition: `normal` is a unit vector;
-  /// throws std::domain_error as PrimaryRays does.
+  /// The second camera of a camera and picture, in the plane through `point` across `normal`. Precondition: `normal` is
+  /// a unit vector. Throws std::domain_error as PrimaryRays does.
   SecondCamera(const scene::Camera& camera, scene::Resolution resolution, const glm::dvec3& point,
                const glm::dvec3& normal);
 
-  /// What pixel (x, y) of the first picture sees in the mirror: the ray of the second camera through its pixel in the
-  /// same row, as far from the other edge, from where it passes the plane on, so that what lies behind the mirror is no
-  /// part of it. Nothing where the pixel does not look at the plane.
+  /// The ray that pixel (x, y) of the first picture follows in the mirror: that of the second camera through its pixel
+  /// in the same row, as far from the other edge. It starts where it passes the plane, so that nothing behind the
+  /// mirror is seen. Nothing where the pixel does not look at the plane.
   std::optional<model::Rayo> ray(std::uint32_t x, std::uint32_t y) const;
 
   /// The camera behind the mirror; its picture is turned left to right, as it keeps right-handed.

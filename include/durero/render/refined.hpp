@@ -1,5 +1,5 @@
 #pragma once
-/// A picture that is there soon and becomes finer with each pass.
+/// A refined picture is there after one pass and becomes finer with each further one.
 
 #include <cstdint>
 #include <memory>
@@ -13,24 +13,26 @@ namespace durero::render {
 
 struct View;
 
-/// One more ray through each pixel a pass: first through its centre, then through the points of a scrambled net, so
-/// that the first passes, and all of them together, are spread evenly. The scene and the engine outlive it.
+/// A picture that takes one more ray through each pixel in a pass: first through its centre, then through the points of
+/// a scrambled net, so that the first passes, and all of them together, are spread evenly. The scene and the engine
+/// must outlive it.
 class Refined {
  public:
-  /// The most passes.
+  /// The greatest number of passes.
   static constexpr std::uint32_t most_passes = greatest_samples;
 
-  /// Throws as render does; the frame's samples are not asked for.
+  /// A picture without passes. The samples of the frame are ignored. Throws as render() does.
   Refined(const scene::Scene& scene, const engine::Engine& engine, const Frame& frame);
   ~Refined();
   Refined(const Refined&) = delete;
   Refined& operator=(const Refined&) = delete;
 
-  /// One more pass. Where the progress throws, the pass has not been. Precondition: fewer than most_passes have.
+  /// Makes one more pass. Where the progress throws, the pass does not count. Precondition: fewer than most_passes were
+  /// made.
   void pass(const Progress& progress = {});
-  /// How many there were.
+  /// The number of passes made.
   std::uint32_t passes() const noexcept { return passes_; }
-  /// The mean of the passes. Precondition: there was one.
+  /// The mean of the passes. Precondition: at least one was made.
   Picture picture() const;
 
  private:

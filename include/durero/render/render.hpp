@@ -1,5 +1,6 @@
 #pragma once
-/// Algorithm II.1 of the source paper: for each pixel a ray, its closest intersection, and the colour that it brings.
+/// Rendering is Algorithm II.1 of the source paper: for each pixel a ray, its closest intersection, and the colour that
+/// it brings.
 
 #include <cstdint>
 #include <functional>
@@ -13,44 +14,44 @@
 
 namespace durero::render {
 
-/// Called now and then, from one thread at a time, with the share of the picture that is done, 0 to 1. What it throws
-/// ends the work, and leaves it.
+/// A receiver of the share of the picture that is done, 0 to 1, called now and then from one thread at a time. An
+/// exception that it throws ends the work, and leaves it.
 using Progress = std::function<void(double)>;
 
-/// Of a stage that names none.
+/// The resolution of a stage that names none.
 using scene::default_resolution;
 
 /// A rectangle of pixels.
 struct Crop {
-  std::uint32_t x;         ///< of the upper left pixel, from the left, from 0
-  std::uint32_t y;         ///< of the upper left pixel, from the top, from 0
-  scene::Resolution size;  ///< how many pixels, each way at least 1
+  std::uint32_t x;         ///< column of the upper left pixel, from 0
+  std::uint32_t y;         ///< row of the upper left pixel, from the top, from 0
+  scene::Resolution size;  ///< the size in pixels, each way at least 1
 };
 
-/// What of the scene is drawn.
+/// The frame tells which part of a scene is drawn, and how.
 struct Frame {
-  std::optional<scene::Resolution> size{};   ///< of the whole picture; else the scene's, else default_resolution
-  std::optional<Crop> crop{};                ///< these pixels of the whole picture alone, and as they are in it
-  std::optional<std::uint32_t> max_depth{};  ///< rays in a row; else as depth_of says
-  double min_weight = 0;                     ///< rays that count for less are not followed, as Limits says
-  Samples samples{};                         ///< through which points of a pixel
+  std::optional<scene::Resolution> size{};   ///< the whole picture's; else the scene's, else default_resolution
+  std::optional<Crop> crop{};                ///< the only pixels of the whole picture that are drawn, as they are in it
+  std::optional<std::uint32_t> max_depth{};  ///< the most rays in a row; else depth_of()
+  double min_weight = 0;                     ///< the least weight of a followed ray, as Limits says
+  Samples samples{};                         ///< the points of each pixel
 };
 
-/// How far the rays of a picture were followed.
+/// The counts of a picture's rays.
 struct Reach {
-  std::uint32_t max_depth = 0;  ///< that they might have had
-  std::uint64_t pixels = 0;     ///< that were drawn
+  std::uint32_t max_depth = 0;  ///< the limit on the depth
+  std::uint64_t pixels = 0;     ///< the pixels that were drawn
   std::uint64_t samples = 0;    ///< rays from the eye, for all of them
-  std::uint64_t rays = 0;       ///< that were followed for them, without those to the lights
+  std::uint64_t rays = 0;       ///< the rays that were followed for them, without those to the lights
   std::uint64_t depths = 0;     ///< the sum over the pixels of the depth of the deepest one
   double left_out = 0;          ///< the greatest error of a component of a pixel for min_weight, linear
   std::uint64_t in_doubt = 0;   ///< pixels that had the most samples and are not known within the width
 };
 
-/// Draws the scene. Rows are shared among threads; every pixel is the same whatever their number.
-/// Throws std::domain_error when the scene has no camera, or one that sees nothing, and std::out_of_range when the crop
-/// is empty or not inside the picture. Preconditions: the engine honours origins; the samples are as they say. `reach`,
-/// where it is given, is told how far the rays were followed.
+/// Draws the scene. Rows are shared among threads; every pixel is the same whatever their number. Throws
+/// std::domain_error when the scene has no camera, or one that sees nothing, and std::out_of_range when the crop is
+/// empty or not inside the picture. Preconditions: the engine honours origins; the samples keep to their ranges. Where
+/// `reach` is given, it receives the counts of the rays.
 Picture render(const scene::Scene& scene, const engine::Engine& engine, const Progress& progress = {},
                const Frame& frame = {}, Reach* reach = nullptr);
 

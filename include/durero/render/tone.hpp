@@ -1,5 +1,5 @@
 #pragma once
-/// How colours without a bound become such as a screen shows, from 0 to 1 (the post-process of the realism seed).
+/// A tone maps colours without a bound to those of a screen, from 0 to 1 (the post-process of the realism seed).
 
 #include <array>
 #include <string_view>
@@ -9,10 +9,10 @@
 
 namespace durero::render {
 
-/// What is done with a component c. Each is monotone: of two components the greater one becomes no smaller byte.
+/// The map of a component c. Each is monotone: of two components the greater one becomes no smaller byte.
 enum class Tone {
-  clamp,    ///< c as it is; what is above 1 is cut
-  max,      ///< c over the greatest finite component of the picture, which becomes exactly 1; as it is where all are 0
+  clamp,    ///< c as it is, cut at 1
+  max,      ///< c over the greatest finite component of the picture, which becomes exactly 1; c where all are 0
   reinhard  ///< 1 − 1/(1 + c), that is c/(1 + c): below 1 whatever c is, and an infinite c is 1
 };
 

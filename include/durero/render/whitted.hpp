@@ -1,6 +1,6 @@
 #pragma once
-/// The colour that a ray brings, by the algorithm of Whitted: the local model of the realism seed at each point,
-/// mirrors and what shines through followed by rays of their own.
+/// The colour that a ray brings follows the algorithm of Whitted: the local model of the realism seed at each point,
+/// with rays of their own for mirrors and transparency.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -13,32 +13,32 @@
 
 namespace durero::render {
 
-/// @{ What a stage that leaves something open is drawn with.
+/// @{ The values of a stage that leaves them open.
 inline constexpr glm::dvec3 default_background{0, 0, 0};
 inline constexpr glm::dvec3 default_color{0.8, 0.8, 0.8};
 /// @}
 
-/// The rays in a row that a picture of this stage needs, where it names no number: one where no material sends rays on;
-/// else so many that what comes later weighs less than half a step of a picture's 255, and at most 15.
+/// The number of rays in a row that a picture of this stage needs, where it names none: one where no material sends
+/// rays on; else so many that what comes later weighs less than half a step of a picture's 255, and at most 15.
 std::uint32_t depth_of(const scene::Stage& stage);
 
-/// How far rays are followed.
+/// The limits on the rays that are followed.
 struct Limits {
   std::uint32_t max_depth;  ///< rays in a row, the first one being of depth 1; black where it is 0
   double min_weight = 0;    ///< a ray is not sent where it would count for less than this share of red, green and blue
 };
 
-/// What a ray brings.
+/// The colour that a ray brings, and its counts.
 struct Brought {
   glm::dvec3 color{0};      ///< linear RGB
-  std::uint32_t depth = 0;  ///< of the deepest ray that was followed
-  std::uint64_t rays = 0;   ///< that were followed, itself among them
-  glm::dvec3 left_out{0};   ///< no more than this was lost of its colour for min_weight
+  std::uint32_t depth = 0;  ///< the depth of the deepest ray that was followed
+  std::uint64_t rays = 0;   ///< the rays that were followed, itself among them
+  glm::dvec3 left_out{0};   ///< an upper bound on the colour lost for min_weight
 };
 
-/// What each ray brings, in order. What the environment has in its direction, or the background, where it meets nothing
-/// or where no nearest point exists; otherwise, of the material of the element hit, with n its unit normal on the side
-/// of the ray and v the unit vector against the ray:
+/// The colour that each ray brings, in order. Where a ray meets nothing, or no nearest point exists, it is that of the
+/// environment in its direction, or the background. Otherwise, with the material of the element hit, n its unit normal
+/// on the side of the ray and v the unit vector against the ray, it is
 ///
 ///   M_E + A_G + Σ over the lights of S·(k_a·C + k_d·C·max(0, n·l) + k_s·max(0, r·v)^e, where n·l > 0)
 ///       + k_ps·M_PS·(colour from the mirrored direction) + k_t·M_T·(colour from the refracted direction)
@@ -46,9 +46,10 @@ struct Brought {
 /// l is the unit vector to a light, r is l mirrored, S the light's colour where no element stands between, else 0:
 /// glass too casts a full shadow. In total reflection the share k_t goes the mirrored way.
 ///
-/// Which medium a ray is in follows from the surfaces that it crossed: against the outward normal it enters the
-/// element's material, along it it leaves the last such that it entered. A ray that leaves what it never entered, as
-/// one that starts inside, was in that material. So what an open surface bounds is what lies behind it, for ever.
+/// The medium that a ray is in follows from the surfaces that it crossed: against the outward normal it enters the
+/// element's material, along it it leaves the last such that it entered. A ray that leaves a medium it never entered,
+/// such as a ray that starts inside, was in that material. The medium that an open surface bounds is therefore all that
+/// lies behind it.
 ///
 /// A material's textures multiply its coefficients, and its relief turns n: towards the lights, in r, and for the rays
 /// sent on; but no light is seen through the surface, nor a ray sent through it the wrong way.
