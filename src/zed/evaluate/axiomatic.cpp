@@ -64,7 +64,7 @@ std::optional<std::vector<Group>> in_order(const std::vector<Name>& names, const
   return groups.size() == head.groups.size() ? std::optional(groups) : std::nullopt;
 }
 
-/// Returns what the equation in `body` says of f, as a clause under the head of `forall`.
+/// Returns the equation for f in `body` as a clause under the head of `forall`; nothing where it has another form.
 std::optional<Closure> clause(Compiler& compiler, const Name& function, std::vector<Name> formals, const Node& forall) {
   formals.push_back(any_value);
   const Term& body = forall.children[0];
@@ -132,7 +132,7 @@ void add_clauses(Clauses& to, Compiler& compiler, const Name& name, const std::v
   }
 }
 
-/// Returns what the predicates of the box say of a function, each in its order.
+/// Returns the clauses of a function in the predicates of the box, in their order.
 Clauses function_clauses(Compiler& compiler, const Name& name, const Axiomatic& form) {
   Clauses clauses;
   for (const Predicate& predicate : form.text.predicates) {
@@ -240,7 +240,7 @@ Value Compiler::schema_value(const Meaning& global, Context& context) {
   return code(frame);
 }
 
-// The definition is taken without actuals: those of a generic one are whole types.
+// The definition is compiled without actuals: the formals of a generic one are whole types.
 Value Compiler::definition_value(const Meaning& global, Context& context) {
   const auto& definition = std::get<Definition>(global.paragraph->form);
   const auto unit = std::make_shared<Unit>();
@@ -298,7 +298,7 @@ Value Compiler::constructor_arguments(const Meaning& global, Context& context) {
 Value Compiler::global(Meaning& global, Context& context) {
   if (global.value) return *global.value;
   const Busy busy(global);
-  Context apart(context.steps);  // its value depends on nothing that is looked for
+  Context apart(context.steps);  // its value depends on no unknown
   apart.depth = context.depth;
   switch (global.kind) {
     case Meaning::Kind::given:

@@ -12,7 +12,7 @@ namespace {
 
 const Name the_argument{"the argument", ""};  // no text can write it
 
-/// An equation for an application, and under what it stands.
+/// A case is an equation for an application, and the schema text that it stands under.
 struct Case {
   SchemaText under;
   Term argument, value;
@@ -21,7 +21,7 @@ struct Case {
 Term equation(const Term& a, const Term& b) { return relation({{"_=_", {}}}, {a, b}); }
 Term truth_value(bool value) { return number(value ? "1" : "0", {}); }
 
-/// Adds what says that a value has the form of a pattern, so that equations give the names in it.
+/// Adds the facts that give a value the form of a pattern, so that equations determine the names in the pattern.
 void take_apart(const Term& pattern, const Term& value, std::vector<Predicate>& facts) {
   const auto call = [&](const char* function) { return apply(reference({function, ""}), value); };
   const auto sequence = [](const Term& term) {  // the pairs of ⟨a, b⟩
@@ -81,7 +81,7 @@ bool is_plain(const Term& argument, const SchemaText& under) {
   return true;
 }
 
-/// Says whether the names of a plain argument are all that D declares: then the clause can be as the text has it.
+/// Says whether the names of a plain argument are all that D declares: then the clause can stand as in the text.
 bool names_all(const Term& argument, const SchemaText& under) {
   std::size_t declared = 0;
   for (const Declaration& each : under.declarations)
@@ -121,10 +121,10 @@ bool declares_again(const SchemaText& outer, const SchemaText& inner) {
   return !declares_nothing(outer) && std::any_of(inner.declarations.begin(), inner.declarations.end(), names_one);
 }
 
-/// Says what a predicate without ∀, ⇒ and ∧ is of the name.
+/// Reads a predicate without ∀, ⇒ and ∧ as a case of the name; nothing where it is none.
 using Leaf = std::function<std::optional<Case>(const Term&)>;
 
-/// Finds the cases in a predicate. Of ∀ D • A ⇒ B ∧ C there may be one in B and one in C.
+/// Finds the cases in a predicate. ∀ D • A ⇒ B ∧ C may have one in B and one in C.
 void find(const Term& predicate, const SchemaText& under, const Name& name, const Leaf& leaf, Cases& found) {
   if (!match::mentions(predicate, {name})) return;
   const Node& node = *predicate;

@@ -8,10 +8,10 @@
 namespace durero::zed {
 namespace {
 
-constexpr int most_choices = 2000;              // of values, for all names together
-constexpr int greatest_choice = 20;             // of numbers that no predicate names
-constexpr std::size_t longest_numeral = 9;      // digits of a numeral that is tried, with its neighbours
-constexpr std::size_t most_members_tried = 50;  // of a finite set
+constexpr int most_choices = 2000;              // the most values tried for all names together
+constexpr int greatest_choice = 20;             // the greatest number tried that no predicate names
+constexpr std::size_t longest_numeral = 9;      // the most digits of a numeral whose neighbours are tried
+constexpr std::size_t most_members_tried = 50;  // the most members tried of a finite set
 
 /// Calls `visit` for each term inside, the term itself first.
 void each_term(const Term& term, const std::function<void(const Node&)>& visit) {
@@ -22,8 +22,8 @@ void each_term(const Term& term, const std::function<void(const Node&)>& visit) 
   for (const Predicate& predicate : term->text->predicates) each_term(predicate.term, visit);
 }
 
-/// Numbers that are tried: 3, which is how many members a given set has where nothing is said, the other small ones,
-/// and those that the predicates name, with their neighbours.
+/// Returns the numbers to try: 3, the number of members of a given set without any statement, then the other small
+/// numbers, then the numerals of the predicates with their neighbours.
 std::vector<Value> numbers(const std::vector<Predicate>& predicates) {
   std::vector<Value> all;
   const auto put = [&](int number) { all.emplace_back(Real(number)); };
@@ -58,7 +58,7 @@ Truth Choice::find() {
   return look(tried);
 }
 
-/// Gives the names that are not tried a value each by equations and finite sets.
+/// Gives each name outside `tried` a value by equations and finite sets.
 Truth Choice::complete(const std::vector<std::size_t>& tried) {
   const auto unit = std::make_shared<Unit>();
   Scope outer{.unit = unit};
@@ -97,7 +97,7 @@ std::vector<Value> Choice::candidates(std::size_t name) {
                members->begin() + static_cast<std::ptrdiff_t>(std::min(members->size(), most_members_tried)));
   else if (set.set()->numbers() != Numbers::none)
     all = numbers(predicates_);
-  else if (set.set()->contains(Real(), context_) != Truth::yes)  // no whole type: of that no member is known
+  else if (set.set()->contains(Real(), context_) != Truth::yes)  // a whole type has no known member
     all = {empty_set()};
   std::erase_if(all, [&](const Value& each) {
     try {
@@ -115,7 +115,7 @@ Truth Choice::look(std::vector<std::size_t>& tried) {
     here = complete(tried);
   } catch (const Unsatisfied&) {
     throw;
-  } catch (const EvaluationError&) {  // it may be decided where values are tried
+  } catch (const EvaluationError&) {  // trying values may decide it
   }
   if (here != Truth::open) return here;
   for (std::size_t i = 0; i < names_.size(); ++i) {

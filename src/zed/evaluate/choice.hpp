@@ -1,6 +1,6 @@
 #pragma once
-/// Looks for values of names that make predicates true, together: those that equations give and finite sets list; and
-/// where these leave a choice, the first of a small range.
+/// A choice finds values for several names that make predicates true together. Equations give values, and finite sets
+/// list them; where these leave a choice, it takes the first of a small range that does.
 
 #include <string>
 #include <vector>
@@ -18,11 +18,11 @@ class Choice {
   void require(const Predicate& predicate) { predicates_.push_back(predicate); }
   /// @}
 
-  /// Says whether there are values: open where none that was tried is known to do, no where there are none.
+  /// Says whether there are values: no where there are none, open where none of the values tried is known to do.
   Truth find();
   /// Returns the values, in the order of the names. Precondition: find() says that there are.
   const std::vector<Value>& values() const { return values_; }
-  /// Says of a name whether its value was taken where others may do as well.
+  /// Says whether the value of a name was chosen where others may do as well.
   bool was_taken(std::size_t name) const { return taken_[name]; }
   /// Returns the names, with commas between them.
   std::string names_text() const;

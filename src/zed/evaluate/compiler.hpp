@@ -54,7 +54,7 @@ struct Head {
 
 /// Takes a value apart into its groups' slots.
 void assign(Frame& frame, const std::vector<Group>& groups, const Value& value);
-/// Makes the characteristic tuple of what is in the slots.
+/// Makes the characteristic tuple from the values in the slots.
 Value characteristic(const Frame& frame, const std::vector<Group>& groups);
 /// Makes the characteristic tuple with every part unknown.
 Value unknown_characteristic(Frame& frame, const Head& head);
@@ -84,12 +84,12 @@ class Compiler {
   Value evaluated(const Term& term, Context& context);
   Definitions& definitions() { return definitions_; }
   Constants& constants() { return of_boxes_; }
-  /// Makes a binding that stands for θ S, or gives the one of the same values that was made or remembered before: it
-  /// may be known of that one that it satisfies S.
+  /// Makes a binding that stands for θ S, or returns the binding with the same values that was made or remembered
+  /// before: that one may already be known to satisfy S.
   Value binding_of(const Signature& names, std::vector<Value> values);
   void remember(const BindingPtr& binding);
-  /// Applies the function. The last sets that functions gave are kept, as to list one may take long: to the same
-  /// argument the function gives the same set.
+  /// Applies the function. The last sets that functions returned are kept, as listing one may take long: to the same
+  /// argument a function returns the same set.
   Value applied(const Value& function, const Value& argument, Context& context);
 
  private:
@@ -145,8 +145,8 @@ class Compiler {
   struct Application {
     Value function, argument, result;
   };
-  std::deque<BindingPtr> bindings_;       // those of the last θ; an evaluation has few states at once
-  std::deque<Application> applications_;  // those that gave a set, the last one first
+  std::deque<BindingPtr> bindings_;       // the bindings of the last θ; an evaluation has few states at once
+  std::deque<Application> applications_;  // the applications that returned a set, the last one first
   std::deque<Value> constants_;           // closed expressions have these values, each computed when first asked for
   std::vector<unsigned> reads_;           // the code that is being compiled reads these slots, in order of compilation
   std::string label_;                     // the definition that is being compiled has this label
@@ -171,7 +171,7 @@ class Slots {
   unsigned before_;
 };
 
-/// Computes an operator of the toolkit, and counts the steps that it takes. What operands list they list there.
+/// Computes an operator of the toolkit, and counts the steps that it takes, including the listing of its operands.
 template <class Operator, class... Operands>
 auto counted(Operator&& compute, Context& context, const Operands&... operands) {
   auto result = compute(operands..., context);

@@ -20,8 +20,8 @@ SchemaText declarations_of(const std::vector<std::pair<Name, Term>>& declared) {
   return text;
 }
 
-/// What the sets of its declarations say is a part of what the schema says where it is negated, and where the other
-/// side declares the name otherwise.
+/// Returns the facts of a schema, with the memberships in the sets of its declarations that `declared` does not state:
+/// a negated schema, or one whose component the other side declares otherwise, states these too.
 std::vector<Term> Connectives::said_by(const Flat& flat, const Flat& declared) const {
   std::vector<Term> facts;
   for (const auto& [name, set] : flat.declared) {
@@ -32,7 +32,8 @@ std::vector<Term> Connectives::said_by(const Flat& flat, const Flat& declared) c
   return facts;
 }
 
-/// All values of the type of a component that is declared from this set; null where they are not known.
+/// Returns the set of all values of a component's type, where the component is declared from `set`; null where it is
+/// not known.
 Term Connectives::whole(const Name& name, const Term& set) const {
   return is_whole_type(set, definitions_) ? set : carriers_(name);
 }
@@ -58,7 +59,7 @@ Connectives::Result Connectives::joined(Kind kind, const Flat& left, const Flat&
   return all;
 }
 
-// What both sides say stands before them.
+// The facts that both sides state stand before the disjunction.
 Connectives::Result Connectives::disjunction(const Flat& left, const Flat& right) const {
   Result all = declared_widely(left, right, true);
   if (!all) return all;
@@ -87,7 +88,8 @@ Connectives::Result Connectives::projection(const Flat& left, const Flat& right)
   return hidden(merged(left, right), gone, definitions_);
 }
 
-/// Whether what is bound would mean a component that is left, or the set of a component what is bound.
+/// Says whether a name would be captured: a set of `bound` depends on a component of `of`, a fact of `bound` on such a
+/// component that is not bound, or the set of a component on a bound name.
 bool Connectives::captures(const Flat& bound, const Flat& of) const {
   const auto depends = [this](const Term& term, const Name& name) { return depends_on(term, name, definitions_); };
   for (const auto& [name, set] : of.declared) {
@@ -103,8 +105,8 @@ bool Connectives::captures(const Flat& bound, const Flat& of) const {
   return false;
 }
 
-// Under ∀ nothing is said of the components where nothing is bound, so they are declared from whole types. Under ∃₁
-// they are in their sets, as there is one that makes it so.
+// Under ∀ the remaining components are declared from whole types, for where the bound schema has no binding every value
+// of theirs satisfies the result. Under ∃₁ they keep their sets, for there is a binding that is in them.
 Connectives::Result Connectives::quantified(Kind kind, const Flat& bound, const Flat& of) const {
   if (captures(bound, of)) return std::nullopt;
   if (kind == Kind::exists) {

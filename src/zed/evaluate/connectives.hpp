@@ -1,5 +1,5 @@
 #pragma once
-/// What connectives and quantifiers make of schemas that are written out, for unfold.cpp.
+/// The connectives and quantifiers combine schemas that are written out, for unfold.cpp.
 
 #include <optional>
 
@@ -11,7 +11,8 @@ namespace durero::zed {
 /// Returns declarations of these names; neighbours of one set stand in one of them.
 SchemaText declarations_of(const std::vector<std::pair<Name, Term>>& declared);
 
-/// Each gives nothing where the set of all values of a component's type is not known, or a name would be captured.
+/// The schema connectives. Each returns nothing where the set of all values of a component's type is not known, or a
+/// name would be captured.
 class Connectives {
  public:
   using Result = std::optional<Flat>;

@@ -43,7 +43,7 @@ void Constants::add_facts(const Axiomatic& form) {
   }
 }
 
-/// That a constant is in its set is a fact of those in the set too.
+/// Adds the fact that a constant is in its set, which concerns the constants in the set too.
 void Constants::add_declaration(Meaning& constant) {
   const Term& set = *declared_set(constant.name, box_of(constant));
   Fact fact{{zed::relation({{"_∈_", {}}}, {reference(constant.name, {}, set->place), set}), {}, set->place},
@@ -96,7 +96,7 @@ void Constants::check(const Meaning& constant, Context& context) {
       if (evaluate(property, frame) != Truth::no) return;
     } catch (const Unsatisfied&) {
       throw;
-    } catch (const EvaluationError&) {  // what is not decided refutes nothing
+    } catch (const EvaluationError&) {  // an undecided fact refutes nothing
       return;
     }
     throw Unsatisfied(constant.name.text() + " = " + constant.value->text() + " makes " + text + " false");
@@ -120,19 +120,20 @@ bool Constants::is_given_by_equation(const Meaning& constant) {
                      [&](const Fact& fact) { return other_side(fact.predicate.term, constant.name) != nullptr; });
 }
 
-/// Says whether it has a value without the others that are looked for; asks for that where an equation gives it.
+/// Says whether the constant gets a value without the others that are sought; asks for that value where an equation
+/// gives it.
 bool Constants::is_known_apart(Meaning& constant, Context& context) {
   if (constant.value || constant.busy || !is_given_by_equation(constant)) return constant.value.has_value();
   try {
     compiler_.global(constant, context);
   } catch (const Unsatisfied&) {
     throw;
-  } catch (const EvaluationError&) {  // it may be found with the others
+  } catch (const EvaluationError&) {  // the search for all may find it
   }
   return constant.value.has_value();
 }
 
-/// The constant, and those without a value that facts say something of together with it.
+/// Returns the constant, and all constants without a value that facts relate to it.
 std::vector<Meaning*> Constants::known_together(Meaning& constant, Context& context) {
   std::vector<Meaning*> all{&constant};
   const auto is_there = [&](Meaning* each) { return std::find(all.begin(), all.end(), each) != all.end(); };

@@ -1,7 +1,7 @@
 #pragma once
-/// Constants are the names of axiomatic boxes that are known by no case, λ or law. An equation `c = e` gives one its
-/// value, and whatever else is said of it is then a check. What several are said to be together is looked for; where
-/// that leaves a choice, one is taken from a small range, and it is known that it was.
+/// Constants are the names of axiomatic boxes that no case, λ or law defines. An equation `c = e` gives a constant its
+/// value, and all other facts about it are then checks. Constants that facts relate are sought together; where that
+/// leaves a choice, a value is taken from a small range, and taken() tells so.
 
 #include <utility>
 #include <vector>
@@ -12,7 +12,7 @@ namespace durero::zed {
 
 class Compiler;
 
-/// Says whether predicates of the box say by cases, as a λ or by the laws of a power what the name is.
+/// Says whether predicates of the box define the name by cases, as a λ or by the laws of a power.
 bool is_by_cases(const Name& name, const Axiomatic& form);
 /// Returns e of an equation `name = e`, where the name is not in e; else null.
 const Term* other_side(const Term& equation, const Name& name);
@@ -23,16 +23,16 @@ class Constants {
  public:
   explicit Constants(Compiler& compiler) : compiler_(compiler) {}
 
-  /// Returns the value of a constant, and gives it, and all that are known with it, to the meanings. Throws Unsatisfied
-  /// where something that is said of it is false, Undetermined where nothing gives it a value.
+  /// Returns the value of a constant, and stores it, and the values of all constants found with it, in their meanings.
+  /// Throws Unsatisfied where a fact about it is false, Undetermined where nothing gives it a value.
   Value value(Meaning& constant, Context& context);
-  /// Throws Unsatisfied where the value that the constant has makes something false that is said of it and of others
-  /// whose values equations give. Precondition: it has a value.
+  /// Throws Unsatisfied where the value of the constant makes a fact false that concerns it and constants whose values
+  /// equations give. Precondition: it has a value.
   void check(const Meaning& constant, Context& context);
 
   /// The names of all constants.
   std::vector<Name> names();
-  /// The constants that a value was taken for, as nothing gives them one.
+  /// The constants that no equation determines, with the values that were taken for them.
   const std::vector<std::pair<Name, Value>>& taken() const { return taken_; }
 
  private:

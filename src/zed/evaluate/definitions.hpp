@@ -1,5 +1,5 @@
 #pragma once
-/// The definitions say what the names of a specification stand for.
+/// The definitions give the names of a specification their meanings.
 
 #include <optional>
 #include <string>

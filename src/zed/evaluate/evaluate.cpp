@@ -16,7 +16,7 @@ struct SchemaCheck::State {
   std::vector<Name> names;
   std::shared_ptr<Unit> unit;
   Property property;
-  /// A conjunct before the last predicate, and which declaration or predicate of the schema it is a part of.
+  /// A conjunct before the last predicate, with the number of the declaration or predicate of the schema that has it.
   struct Conjunct {
     const Property* property;
     std::size_t part;

@@ -1,5 +1,5 @@
 #pragma once
-/// What an evaluator owns.
+/// The state that an evaluator owns.
 
 #include "durero/zed/evaluate/evaluate.hpp"
 #include "zed/evaluate/compiler.hpp"

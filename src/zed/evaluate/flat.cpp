@@ -78,7 +78,7 @@ class Hiding {
   }
 
  private:
-  /// ∃ x : T • x = e ∧ P is e ∈ T ∧ P with e for x, where e does not depend on x.
+  /// Replaces ∃ x : T • x = e ∧ P by e ∈ T ∧ P with e for x, where e does not depend on x.
   bool eliminate_one(std::vector<std::pair<Name, Term>>& inside, std::vector<Term>& facts) const {
     for (std::size_t i = 0; i < inside.size(); ++i)
       for (std::size_t j = 0; j < facts.size(); ++j) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Schemas written out, for unfold.cpp: what they declare and what holds of it.
+/// A flat schema is written out, for unfold.cpp: its declarations and facts include no other schema.
 
 #include <utility>
 #include <vector>
@@ -23,7 +23,7 @@ struct Flat {
 /// Returns name ∈ set.
 Term member(const Name& name, const Term& set);
 
-/// Adds a fact that is not there yet; a conjunction is as many.
+/// Adds a fact unless it is there; a conjunction is added as its conjuncts.
 void add_fact(std::vector<Term>& facts, const Term& fact);
 
 /// Returns their conjunction.
@@ -32,11 +32,10 @@ Term all_of_facts(const std::vector<Term>& facts);
 /// Returns the conjunction of two schemas: a name that both declare is in both sets.
 Flat merged(Flat a, const Flat& b);
 
-/// Returns ∃ names • the schema. Those that equations give are eliminated by the one-point rule.
+/// Returns ∃ names • the schema. Names that equations determine are eliminated by the one-point rule.
 Flat hidden(const Flat& of, const Components& names, const Definitions& definitions);
 
-/// Says whether every value of its type is a member: of a given set, of a free type, of 𝔸, and of what ℙ and × make of
-/// these.
+/// Says whether the set has every value of its type: a given set, a free type, 𝔸, and sets made of these by ℙ and ×.
 bool is_whole_type(const Term& set, const Definitions& definitions);
 
 }  // namespace durero::zed

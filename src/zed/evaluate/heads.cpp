@@ -62,7 +62,7 @@ Value unknown_characteristic(Frame& frame, const Head& head) {
   });
 }
 
-/// Compiles an included schema, whose binding is in the slot `whole`. It knows its own components, and none of the
+/// Compiles an included schema, whose binding is in the slot `whole`. It sees its own components, and none of the
 /// variables beside it.
 Property Compiler::inclusion(const Declaration& included, unsigned whole, const Scope& scope, const Scope& inner) {
   Scope own{.outer = &scope, .unit = scope.unit, .thetas = inner.thetas, .declarations = &scope};

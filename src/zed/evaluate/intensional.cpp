@@ -63,7 +63,7 @@ class Comprehension : public Set {
   bool closed() const override { return closure_.closed(); }
   std::size_t listed() const override { return members_ ? members_->set()->listed() : 0; }
 
-  // Where its predicate bounds numbers, the set is finite though what they are declared from is not.
+  // The set is finite where its predicate bounds numbers, even if the sets of its declarations are not.
   const std::vector<Value>* members() const override {
     if (!listed_) {
       listed_ = true;
@@ -99,11 +99,12 @@ void Comprehension::list() const {
     });
     Value set = some == Truth::open ? Value() : Value::set(std::move(values));
     if (set.set()) members_ = std::move(set);
-  } catch (const EvaluationError&) {  // it stays a set that is known by membership
+  } catch (const EvaluationError&) {  // the set stays intensional
   }
 }
 
-/// Of { t : T | P • S }, where T is of reals and equations in S say of each part of its member what it is at t.
+/// Returns the curve of a set { t : T | P • S } where T is of reals and equations in S determine each part of its
+/// member by t.
 std::optional<Curve> Comprehension::curve(Context& context) const {
   const Search& search = *closure_.head.search;
   Frame frame = closure_.frame(context);
@@ -210,7 +211,7 @@ class AxiomaticFunction : public Set {
   AxiomaticFunction(std::string name, std::function<Clauses(Context&)> compile)
       : name_(std::move(name)), compile_(std::move(compile)) {}
 
-  // Which clause is the argument's is asked, and not stated.
+  // The choice of the clause for the argument is a question, and states no fact.
   Value apply(const Value& argument, Context& context) const override {
     const Deeper deeper(context);
     const Computing value_of_f(context);
@@ -249,7 +250,8 @@ class AxiomaticFunction : public Set {
     return *clauses_;
   }
 
-  // Where no clause gives a value there may still be one: of a total function, and where the box says more.
+  // Throws EvaluationError where no clause gives a value but there may still be one: for a total function, and where
+  // the box states more.
   void refuse_unsaid(const Value& argument, Context& context) const {
     const Clauses& known = clauses(context);
     const bool outside = known.source ? contains_value(*known.source, argument, context) == Truth::no : known.all_said;
@@ -260,13 +262,13 @@ class AxiomaticFunction : public Set {
   mutable std::optional<Clauses> clauses_;
 };
 
-/// Its clauses are those of a function that is 1 at its members, and 0 elsewhere.
+/// A set by clauses of a function that is 1 at its members, and 0 elsewhere.
 class AxiomaticSet : public Set {
  public:
   AxiomaticSet(std::string name, std::function<Clauses(Context&)> compile)
       : truth_of_(std::move(name), [compile = std::move(compile)](Context& context) {
           Clauses clauses = compile(context);
-          clauses.all_said = false;  // of what no clause speaks nobody says that it is no member
+          clauses.all_said = false;  // a value without a clause may be a member
           return clauses;
         }) {}
 

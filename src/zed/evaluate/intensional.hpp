@@ -1,5 +1,5 @@
 #pragma once
-/// Sets and functions may be known by what their members satisfy: comprehensions and λ with their environment.
+/// An intensional set or function is known by what its members satisfy: a comprehension or λ with its environment.
 
 #include "zed/evaluate/compiler.hpp"
 
@@ -27,11 +27,11 @@ std::vector<Value> captured(const Frame& frame, unsigned count);
 
 /// Makes the set { D | P • E }, which counts its steps where it is asked without a context.
 Value intensional_set(Closure closure, Steps& steps);
-/// Makes the function λ D | P • E, which counts so too.
+/// Makes the function λ D | P • E, which counts its steps likewise.
 Value lambda_function(Closure closure, Steps& steps);
 
-/// These clauses are what an axiomatic box says of a function: the first one whose head the argument satisfies gives
-/// its value.
+/// The clauses that an axiomatic box states of a function: the first one whose head the argument satisfies gives its
+/// value.
 struct Clauses {
   std::vector<Closure> clauses;
   std::optional<Value> domain;  ///< the box may state it

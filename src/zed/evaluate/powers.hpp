@@ -1,12 +1,12 @@
 #pragma once
-/// An axiomatic box may know a function by the laws of a power.
+/// The laws of a power define a function of an axiomatic box.
 
 #include "durero/zed/syntax/ast.hpp"
 
 namespace durero::zed {
 
-/// Says whether the box states of f that f(x, 0) = 1, f(x, 1) = x, f(1, a) = 1 and f(x, a + b) = f(x, a) * f(x, b),
-/// for all x, a and b of sets that it names, and whether it declares f on pairs of two sets. Of what is not negative
+/// Says whether the box states of f that f(x, 0) = 1, f(x, 1) = x, f(1, a) = 1 and f(x, a + b) = f(x, a) * f(x, b), for
+/// all x, a and b of sets that it names, and whether it declares f on pairs of two sets. For x that are not negative
 /// only one function has these values at the whole exponents and, itself not negative, at their halves.
 bool states_power(const Name& f, const Axiomatic& form);
 

@@ -13,13 +13,12 @@ namespace {
 
 using ToolkitRelation = decltype(Evaluation::relation);
 
-/// Asks a relation of the toolkit. Membership is asked of a set as it is; other relations may go through their
-/// operands.
+/// Asks a relation of the toolkit. Membership takes the set as it is; other relations may list their operands.
 Truth asked(ToolkitRelation holds, const Value& a, const Value& b, Context& context) {
   const bool membership = holds == relations::element_of || holds == relations::no_element_of;
   if (membership) context.steps.take();
   const Truth here = membership ? holds(a, b, context) : counted(holds, context, a, b);
-  // Of what has no value no relation holds.
+  // No relation holds of an undefined value.
   return here == Truth::yes && (may_be_undefined(a) || may_be_undefined(b)) ? lost(context) : here;
 }
 
@@ -28,7 +27,7 @@ Truth negated(const Property& property, Frame& frame) {
   return !evaluate(property, frame);
 }
 
-/// p ⇒ q is ¬ p ∨ q. What q says must hold only where p does.
+/// p ⇒ q is ¬ p ∨ q. The facts of q are required only where p holds.
 Truth implied(const Property& left, const Property& right, Frame& frame) {
   const Truth not_left = negated(left, frame);
   if (not_left == Truth::yes) return not_left;
@@ -66,7 +65,7 @@ Truth for_all(const Search& search, const Property& body, Frame& frame) {
     return here != Truth::no;
   });
   if (result != Truth::yes || some != Truth::open) return result;
-  // Where the ways cannot be gone through, whether there is one that denies the body may still be decided.
+  // Where the ways cannot be enumerated, the existence of one that denies the body may still be decided.
   try {
     return !search.exists(frame, [&](Frame& inside) {
       const Necessary nothing_of_it(inside.context, false);

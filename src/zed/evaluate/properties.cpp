@@ -70,7 +70,7 @@ Truth evaluate(const Property& property, Frame& frame) {
 
 namespace {
 
-// Where ∃ y • x = e ∧ P holds and e does not depend on y, x = e does.
+// Where ∃ y • x = e ∧ P holds and e does not depend on y, the equation x = e holds outside the ∃.
 void collect_outer(const Search& search, std::vector<const Equation*>& equations) {
   std::vector<const Equation*> inside;
   std::vector<const Property*> declared;

@@ -11,9 +11,9 @@ bool contains(const std::vector<unsigned>& slots, unsigned slot) {
   return std::find(slots.begin(), slots.end(), slot) != slots.end();
 }
 
-/// Gives each variable the equation that determines it, where there is one, and says in what order to do so. An
-/// equation may depend on variables determined before it, and (`loose`) on those that their sets give; these are then
-/// determined by no equation themselves.
+/// Gives each variable the equation that determines it, where there is one, and returns the order of determination. An
+/// equation may depend on variables determined before it. A `loose` one may also depend on variables that take their
+/// values from their sets; such variables are determined by no equation themselves.
 std::vector<std::size_t> ordered(std::vector<Variable>& variables, const std::vector<const Equation*>& equations) {
   std::vector<std::size_t> order;
   std::vector<unsigned> open, sources;

@@ -32,7 +32,8 @@ struct Property {
   unsigned declared = 0;                 ///< a declaration declares the variable in this slot
   Code set;                              ///< a declaration has a set, and no other property has
   std::vector<unsigned> reads;           ///< this set depends on these slots
-  /// A relation depends on these slots, those of what its operands bind among them; of no other property is it said.
+  /// The slots that a relation depends on, with those of the variables that its operands bind; other properties leave
+  /// them out.
   std::optional<std::vector<unsigned>> depends{};
 
   /// The property of a whole closed schema names the slot that may hold its binding, and the schema. A binding
@@ -84,25 +85,25 @@ class Search {
   Truth holds(Frame& frame) const;
   /// Says whether every variable is determined or in a finite set, so that each() enumerates.
   bool enumerable(Frame& frame) const;
-  /// Says among which numbers the one variable is; none where there are several, or that is not known.
+  /// Says which numbers the only variable ranges over; none where there are several variables, or it is not known.
   Numbers numbers(Frame& frame) const;
-  /// Says whether it is worth asking for bounds: some variable is a number of a set without end, the others are
-  /// determined or in finite sets, and the goal says more than what sets they are in.
+  /// Says whether a search for bounds is worth while: some variable is a number of an infinite set, the others are
+  /// determined or in finite sets, and the goal states more than memberships in these sets.
   bool bounds_numbers(Frame& frame) const;
   /// Says whether every value of the variables' types makes the goal hold.
   bool total(Frame& frame) const;
   /// Says whether equations give every variable its value, so that determine() sets them all.
   bool determined() const { return order_.size() == variables_.size(); }
   void determine(Frame& frame) const;
-  /// Gives relations of which the goal says that their domain or range is empty that value; says whether there are any.
+  /// Gives the empty relation to each variable whose domain or range is empty by the goal. Says whether there are any.
   bool determine_empty(Frame& frame) const;
 
   const std::vector<Variable>& variables() const { return variables_; }
   const Property& goal() const { return goal_; }
 
-  /// @{ Of a variable that is not known yet, a number in `set`. Returns every number that the conjuncts which depend on
-  /// nothing else that is not known allow; or whether some number makes the goal and `extra` hold. Nothing where that
-  /// cannot be said.
+  /// @{ Looks for numbers in `set` for a variable that is not known yet. candidates() returns every number that is
+  /// allowed by the conjuncts without any other unknown; some_number() tells whether some number makes the goal and
+  /// `extra` hold. Nothing where that cannot be decided.
   std::optional<std::vector<Real>> candidates(const Variable& variable, const Set& set, Frame& frame) const;
   std::optional<Truth> some_number(const Variable& variable, const Set& set, Frame& frame, const Test& extra) const;
   /// @}
@@ -119,7 +120,7 @@ class Search {
   std::vector<unsigned> wholes_;
 };
 
-/// Says whether a property states no more than what sets variables are in.
+/// Says whether a property states memberships of variables in sets and no more.
 bool only_declarations(const Property& property);
 
 /// Adds every equation for the domain or the range of a variable, among the conjuncts of a property.

@@ -1,4 +1,4 @@
-/// Searches what no equation gives: numbers along their line, and relations that are empty.
+/// This part of the search finds values that no equation gives: numbers along their line, and empty relations.
 
 #include <algorithm>
 
@@ -14,7 +14,7 @@ void conjuncts_of(const Property& property, std::vector<const Property*>& to) {
   for (const Property& part : property.parts) conjuncts_of(part, to);
 }
 
-/// Puts numbers in the place of an unknown for a scope.
+/// A trial puts numbers in the place of an unknown for a scope.
 class Trial {
  public:
   Trial(Frame& frame, unsigned slot)
@@ -27,7 +27,7 @@ class Trial {
   Trial& operator=(const Trial&) = delete;
 
   std::uint32_t id() const { return id_; }
-  /// The truth with that number, and open where it cannot be decided.
+  /// Returns the truth with that number; open where it cannot be decided.
   Truth at(const Real& t, const std::function<Truth()>& truth) {
     frame_.slots = slots_;
     frame_.slots[slot_] = t;

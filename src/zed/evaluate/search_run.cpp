@@ -1,5 +1,5 @@
-/// Goes through the ways to make a goal hold: members of finite sets, what equations determine, and numbers that are
-/// bounded or tried.
+/// A run of a search goes through the ways to make a goal hold: members of finite sets, values determined by equations,
+/// and numbers that are bounded or tried.
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@
 namespace durero::zed {
 namespace {
 
-/// What holds under a supposition, for a scope: at its end the slots, and what was found, are as before.
+/// A supposition lasts for a scope: at its end the slots and the values found are as before.
 class Supposed {
  public:
   explicit Supposed(Frame& frame) : frame_(frame), slots_(frame.slots), found_(frame.context.values_found) {}
@@ -25,8 +25,8 @@ class Supposed {
   decltype(Context::values_found) found_;
 };
 
-constexpr int greatest_tried = 16;  // of numbers that nothing bounds
-constexpr int most_tries = 300;     // of such numbers, for all variables of a search together
+constexpr int greatest_tried = 16;  // the greatest number tried where nothing bounds it
+constexpr int most_tries = 300;     // the most such numbers for all variables of a search together
 
 }  // namespace
 
@@ -72,7 +72,7 @@ struct Search::Run {
     }
     settle();
     for (std::size_t i = 0; i < start.size(); ++i) frame.slots[search.variables_[i].slot] = start[i];
-    // What was found with these members of the finite sets need not be so with the next.
+    // Values found with these members of the finite sets need not hold with the next.
     auto& found = frame.context.values_found;
     std::fill(found.begin() + static_cast<std::ptrdiff_t>(first_unknown), found.end(), std::nullopt);
   }
@@ -91,7 +91,7 @@ struct Search::Run {
     }
   }
 
-  // What equations do not give may be a number that the goal bounds; and of a last number it may be said where on the
+  // A value that no equation gives may be a number that the goal bounds; for a last number it may be known where on the
   // line the goal is true.
   void undecided(Truth here) {
     if (here == Truth::yes && !visit) return judge(here);
@@ -185,7 +185,7 @@ struct Search::Run {
   }
 };
 
-/// Says whether the goal is false whatever the variables are. What cannot be decided refutes nothing here: it is asked
+/// Says whether the goal is false whatever the variables are. An undecided conjunct refutes nothing here: it is asked
 /// again with the rest of the goal.
 bool Search::refuted(Frame& frame) const {
   const Necessary not_here(frame.context, false);

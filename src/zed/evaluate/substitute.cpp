@@ -46,7 +46,7 @@ class Substitution {
     return true;
   }
 
-  /// Of a term that binds names: those are left as they are.
+  /// Substitutes in a term that binds names, which stay as they are.
   std::optional<Term> bound(const Term& term) const {
     Node node = *term;
     SchemaText text = *node.text;

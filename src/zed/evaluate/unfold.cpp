@@ -107,7 +107,7 @@ class Unfolder {
     return std::nullopt;
   }
 
-  /// Of a generic schema: the actuals stand for the formals.
+  /// Writes out an instance of a generic schema: the actuals stand for the formals.
   Result instance(const Name& name, const std::vector<Term>& actuals) {
     const Meaning* meaning = definitions_.find(name);
     if (!meaning) return std::nullopt;
@@ -176,7 +176,7 @@ class Unfolder {
     return whole;
   }
 
-  /// θS ′ = θS says that x ′ = x of each component x; nothing of any other predicate.
+  /// Returns x ′ = x for each component x of S where the predicate is θS ′ = θS; nothing for any other predicate.
   std::vector<Term> equal_components(const Term& predicate) const {
     if (!match::is_equation(predicate)) return {};
     const Node &left = *predicate->children[0], &right = *predicate->children[1];
@@ -193,7 +193,7 @@ class Unfolder {
     return equations;
   }
 
-  /// A predicate in which no schema stands in the place of one.
+  /// Returns the predicate with each schema in the place of a predicate written out.
   std::optional<Term> written_out(const Term& predicate) {
     if (const std::vector<Term> equations = equal_components(predicate); !equations.empty())
       return all_of_facts(equations);

@@ -75,8 +75,8 @@ bool Determiner::refers(const Term& term, const std::set<Name>& open) const {
          std::any_of(predicates.begin(), predicates.end(), [&](const auto& part) { return below(part.term); });
 }
 
-/// Where the pattern is a value that is known, its components have one: those of tuples and bindings, and an operand of
-/// a sum or difference whose other operand is known.
+/// A pattern that equals a known value determines its components: those of tuples and bindings, and an operand of a sum
+/// or difference whose other operand is known.
 void Determiner::by_value(std::set<Name>& open, const Term& pattern, const Term& value) {
   if (pattern->kind == Kind::reference && open.contains(pattern->name) && !refers(value, open))
     open.erase(pattern->name);
@@ -141,8 +141,8 @@ void Determiner::by_body(std::set<Name>& open, const Node& node) {
   std::erase_if(open, [&inside](const Name& name) { return !inside.contains(name); });
 }
 
-/// A schema as a predicate says what its text does, and so does Ξ. What cannot be written out of it may determine any
-/// of its components, so that nothing is said of those.
+/// A schema as a predicate determines what its text determines, and so does Ξ. A part that cannot be written out may
+/// determine any component of the schema, and so these count as determined.
 void Determiner::by_schema(std::set<Name>& open, const Term& schema) {
   if (schemas_ == max_schemas) return;
   const Expansion whole = expander_.schema(schema);

@@ -30,7 +30,7 @@ class Determiner {
 
   const Expander& expander_;
   Budget& budget_;
-  unsigned schemas_ = 0;  // so many stand one in the other here
+  unsigned schemas_ = 0;  // the depth of schemas within schemas here
 };
 
 }  // namespace durero::zed

@@ -23,8 +23,8 @@ bool is_partial_arrow(const Term& set) {
   return row && row->arrow && row->arrow->function && !row->arrow->total;
 }
 
-/// Knows the words of all names that a partial function is declared by. Strokes may be put to these, and no other name
-/// is ever written out to have such a set: what applies none of them needs no proof.
+/// The partial functions of a specification: the words of all names that are declared as one. Only such a name, perhaps
+/// with strokes, has such a set in any text written out. A term that applies none of them needs no proof.
 class PartialFunctions {
  public:
   explicit PartialFunctions(const Specification& specification) {
@@ -87,7 +87,7 @@ class Walker {
   }
 
  private:
-  /// What names were declared from before; nothing for those that were not.
+  /// The sets that names were declared from before a scope; nothing for a name that was not declared.
   using Before = std::vector<std::pair<Name, std::optional<Term>>>;
 
   void join(const Expansion& more, Before& before) {
@@ -119,11 +119,11 @@ class Walker {
 
   std::size_t number_of(const Name& name) { return numbers_.try_emplace(name, numbers_.size()).first->second; }
 
-  /// The numbers of the names that the fact mentions. Most facts are asked for again and again.
+  /// The numbers of the names that the fact mentions. Most facts recur, and so their names are kept.
   const std::vector<std::size_t>& names_of(const Term& fact) {
     auto& [kept, names] = names_[fact.get()];
     if (!kept) {
-      kept = fact;  // so that no other fact comes to lie where this one does
+      kept = fact;  // no other fact gets this address while it is kept
       match::each_name(fact, [&, &of_fact = names](const Name& name) { of_fact.push_back(number_of(name)); });
       std::ranges::sort(names);
       names.erase(std::ranges::unique(names).begin(), names.end());
@@ -131,7 +131,7 @@ class Walker {
     return names;
   }
 
-  /// Forgets what is said of these names.
+  /// Forgets the facts about these names.
   void forget_facts(const std::set<Name>& bound) {
     std::vector<bool> is_bound;
     for (const Name& name : bound) {
@@ -146,7 +146,7 @@ class Walker {
                   [&](const Term& fact) { return speaks_of_one(fact) && match::mentions(fact, bound); });
   }
 
-  /// Walks a term where more holds.
+  /// Walks a term under additional facts.
   void with(const std::vector<Term>& more, const Term& then) {
     const std::size_t before = context_.facts.size();
     context_.facts.insert(context_.facts.end(), more.begin(), more.end());

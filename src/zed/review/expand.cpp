@@ -5,9 +5,9 @@
 namespace durero::zed {
 namespace {
 
-// A text is written out at most this far; the longest schema of spec/ has 40 facts. Past it a schema is opaque.
+// The limits of an expansion. The longest schema of spec/ has 40 facts. A schema beyond the limits is opaque.
 constexpr std::size_t max_facts = 2000;
-constexpr unsigned max_inclusions = 100;  // no more stand one inside the other
+constexpr unsigned max_inclusions = 100;  // the greatest depth of inclusions
 
 std::set<Name> bound_names(const SchemaText& text) {
   std::set<Name> bound;

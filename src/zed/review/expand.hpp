@@ -1,5 +1,5 @@
 #pragma once
-/// Writes out what a schema says with all that it includes, for the checks beyond types.
+/// An expansion writes a schema out with all that it includes, for the checks beyond types.
 
 #include <map>
 #include <set>
@@ -37,7 +37,7 @@ class Expander {
   /// constructors.
   std::set<Name> siblings(const Name& constant) const;
 
-  /// Returns what the axiomatic boxes declare and state.
+  /// Returns the declarations and facts of the axiomatic boxes.
   const Expansion& axioms() const { return axioms_; }
 
  private:
@@ -52,7 +52,7 @@ class Expander {
   std::unordered_map<Name, Term> definitions_;
   std::map<Name, std::set<Name>> siblings_;
   Expansion axioms_;
-  /// What schemas say under strokes, S ' by S and the stroke: written out once.
+  /// The expansions of decorated schemas S ', by S and the stroke, each written out once.
   mutable std::map<std::pair<Name, std::string>, Expansion> decorated_;
 };
 

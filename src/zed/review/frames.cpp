@@ -10,7 +10,7 @@
 namespace durero::zed {
 namespace {
 
-/// Knows the schemas that some declaration includes, by name, without Δ, Ξ and strokes.
+/// The schemas that some declaration includes, by name, without Δ, Ξ and strokes.
 class Included {
  public:
   explicit Included(const Specification& specification) {

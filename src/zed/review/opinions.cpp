@@ -1,5 +1,5 @@
-/// Looks for what ISO Z takes and the house would not write, an operation as a state and a parent named twice, and for
-/// what older Z takes and ISO Z does not, a predicate behind let.
+/// Opinions are given on text that ISO Z accepts and the house would not write, an operation as a state and a parent
+/// named twice; and on text that older Z accepts and ISO Z does not, a predicate behind let.
 
 #include <fmt/core.h>
 
@@ -83,7 +83,7 @@ void each_term(const Term& term, const std::function<void(const Term&)>& visit) 
 
 }  // namespace
 
-// A predicate has no type, so that the types know where let stands before one.
+// The types tell where let stands before a predicate, for a predicate has no type.
 std::vector<Defect> predicates_of_let(const Specification& specification, const Typing& typing) {
   std::vector<Defect> defects;
   for (const Section& section : specification.sections) {

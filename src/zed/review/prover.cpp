@@ -7,7 +7,7 @@
 namespace durero::zed {
 namespace {
 
-constexpr std::size_t max_sets = 64;  // no more sets tied to a domain are looked at
+constexpr std::size_t max_sets = 64;  // the most sets tied to a domain that are looked at
 
 using match::is_relation;
 using match::mentions;
@@ -58,7 +58,7 @@ class Prover {
     return false;
   }
 
-  /// Puts in the sets of which one fact says that all their members are in this one.
+  /// Adds the sets whose members are all in this one by a single fact.
   void tied_to(const Term& set, std::vector<Term>& sets) const {
     const Term* function = of_domain(set);
     for (const Node* fact : equations_)
@@ -71,7 +71,7 @@ class Prover {
       if (fact->children[1] == set) insert(sets, fact->children[0]);
   }
 
-  /// Says whether the term speaks of f, as (e, f e) ∈ f does: the domain of f cannot be known by it.
+  /// Says whether the term mentions f, as (e, f e) ∈ f does: the domain of f cannot be found through such a term.
   static bool about(const Term& term, const Term& f) { return f->kind == Kind::reference && mentions(term, {f->name}); }
 
   static void insert(std::vector<Term>& sets, const Term& set) {

@@ -1,11 +1,11 @@
 #pragma once
-/// Proves from the facts at hand that something is a member of a set, for the checks beyond types.
+/// A prover derives memberships from the facts at hand, for the checks beyond types.
 
 #include "zed/review/expand.hpp"
 
 namespace durero::zed {
 
-/// The facts are what holds at a place of the text.
+/// The facts are the predicates that hold at a place of the text.
 struct Facts {
   std::vector<Term> facts;
   std::unordered_map<Name, Term> declared;  // each name has the set that it is declared from

@@ -9,10 +9,10 @@
 namespace durero::zed {
 namespace {
 
-/// Knows what a specification mentions, and which bound variables it does not.
+/// The usage of names in a specification: the names that it mentions, and the bound variables that it does not.
 class Usage {
  public:
-  /// It is asked of the names that `looked_at` says.
+  /// Prepares to answer for the names in `looked_at`.
   Usage(const Typing& typing, std::vector<Defect>& defects, const std::unordered_set<Name>& looked_at)
       : typing_(typing), defects_(defects) {
     for (const Name& name : looked_at) known_[name];
@@ -37,7 +37,7 @@ class Usage {
     Place place;
     bool used = false;
   };
-  /// What a name stands for: the variables of that name in the scopes around, the innermost last, or else a global.
+  /// The meanings of a name: the variables of that name in the scopes around, the innermost last, or else a global.
   struct Meanings {
     std::vector<Variable> variables{};
     bool mentioned = false;
@@ -79,8 +79,8 @@ class Usage {
       }
   }
 
-  /// A text that declares components has no variables to report: they are for others, and hide those of that name
-  /// outside.
+  /// Walks a schema text that declares components. Its components are not reported, for others use them, and they hide
+  /// variables of the same name outside.
   void components(const SchemaText& text) {
     for (const Declaration& declaration : text.declarations) term(declaration.term);
     const auto own = scope(text, true);
@@ -117,7 +117,7 @@ class Usage {
   const Typing& typing_;
   std::vector<Defect>& defects_;
   std::string file_;
-  std::unordered_map<Name, Meanings> known_;  // what is no key is no variable around, nor is it looked at
+  std::unordered_map<Name, Meanings> known_;  // a name without an entry is neither a variable in scope nor looked at
 };
 
 bool is_looked_at(const Global& global) {
