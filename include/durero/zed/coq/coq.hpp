@@ -14,7 +14,7 @@ namespace durero::zed {
 /// rule covers. Precondition: `typing` is check(specification), and both are without defects.
 std::string to_coq(const Specification& specification, const Typing& typing);
 
-/// Says which paragraph no rule covers: `what()` is `FILE:LINE:COLUMN: what is wrong; what is expected`.
+/// The error of a paragraph that no rule covers: `what()` is `FILE:LINE:COLUMN: what is wrong; what is expected`.
 class ExportError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

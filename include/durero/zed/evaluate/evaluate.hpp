@@ -25,7 +25,7 @@
 
 namespace durero::zed {
 
-/// Values for names. Of a name that stands in it twice, the last counts.
+/// Values for names. For a name that stands in the list twice, the last counts.
 using Given = std::vector<std::pair<Name, Value>>;
 
 /// A finding is a conjunct of a schema, which is a predicate or a declaration `x ∈ S`, with its truth.
@@ -45,21 +45,21 @@ class SchemaCheck {
   /// Says whether the values, one for each component, satisfy the schema. A component that is not known is `Open`.
   /// Throws EvaluationError where the values are not as many as the components.
   Truth holds(std::span<const Value> values) const;
-  /// What holds of the last predicate, and of all that stands before it.
+  /// The truth of the last predicate of a schema, and of all conjuncts before it.
   struct Apart {
     Truth before;  ///< the declarations, and the predicates but one
-    Truth last;    ///< asked where these hold, and open elsewhere
+    Truth last;    ///< the last predicate, which is asked only where these hold; open elsewhere
   };
-  /// What is known of the values.
+  /// The facts that are known about the values.
   struct Known {
     std::vector<bool> parts;  ///< which declarations and predicates hold, in their order; none where it is empty
     std::vector<BindingPtr> bindings;  ///< the values of some components are those of this binding
   };
-  /// Says both apart. What was found false last is asked first, as it is likely to be false again. Precondition: the
-  /// schema is a text [ D | P ] with a predicate. Throws as holds() does.
+  /// Returns both truths apart. The conjunct that was last found false is asked first, as it is likely to be false
+  /// again. Precondition: the schema is a text [ D | P ] with a predicate. Throws as holds() does.
   Apart apart(std::span<const Value> values, const Known& known) const;
-  /// Says whether something before the last predicate is false, whatever values stand for those that are open. What
-  /// cannot be decided refutes nothing. Preconditions: those of apart().
+  /// Says whether some conjunct before the last predicate is false, whatever values stand for the open ones. An
+  /// undecided conjunct refutes nothing. Preconditions: those of apart().
   bool refuted(std::span<const Value> values, const Known& known) const;
   /// Returns the truth of the last predicate alone. Precondition and errors: those of apart().
   Truth last(std::span<const Value> values, const Known& known) const;
@@ -98,9 +98,9 @@ class Evaluator {
   /// they take too many.
   explicit Evaluator(std::vector<Section> sections, const Given& given = {}, Steps* steps = nullptr);
   ~Evaluator();
-  /// Takes over the other, which is then for its end or an assignment only. What that gave stays in use.
+  /// Takes over the other evaluator, which is then for its end or an assignment only. Its earlier results stay in use.
   Evaluator(Evaluator&&) noexcept;
-  /// Takes over the other likewise. What this one gave before is not for use any more.
+  /// Takes over the other evaluator likewise. Earlier results of this one are not for use any more.
   Evaluator& operator=(Evaluator&&) noexcept;
 
   /// Returns the value of an expression, or the truth of a predicate, with these local names. All that follow throw
@@ -112,19 +112,19 @@ class Evaluator {
   Value value(const Name& name) const;
   /// Says whether value ∈ set.
   Truth contains(const Value& set, const Value& value) const;
-  /// Returns what `value(t) ∈ set` depends on, for a number t that is not given: polynomials in t of degree two at
-  /// most, of which it asks the sign. Between neighbouring roots of these it is true throughout, or false throughout.
-  /// Throws EvaluationError where it depends on t in any other way.
+  /// Returns the polynomials in t, of degree two at most, whose signs decide `value(t) ∈ set` for a number t that is
+  /// not given. Between neighbouring roots of these it is true throughout, or false throughout. Throws EvaluationError
+  /// where it depends on t in any other way.
   std::vector<Polynomial> comparisons(const Value& set, const std::function<Value(Unknown t)>& value) const;
   /// Returns function(argument), which is undefined outside the domain.
   Value apply(const Value& function, const Value& argument) const;
 
   /// Returns the constants: names of axiomatic boxes that are known by no case, λ or law.
   std::vector<Name> constants() const;
-  /// Returns the constants for which a value was taken so far, of several that satisfy what is said
-  /// of them: what depends on one was found for that value.
+  /// Returns the constants whose value was chosen so far among several that satisfy the facts about them, with these
+  /// values: results that depend on one were found for its value.
   Given taken() const;
-  /// Throws Unsatisfied where the value that was given for a constant makes something false that its text says of it.
+  /// Throws Unsatisfied where the value given for a constant makes a fact of the text about it false.
   void check_given(const Name& constant) const;
 
   /// Compiles the schema of this name. Throws EvaluationError where the name is no schema's.

@@ -1,7 +1,7 @@
 #pragma once
-/// Writes the schema calculus out: what a schema expression says as one schema text [ D | P ], in which no other schema
-/// is included, and its hidden components are eliminated by the one-point rule where equations give them. So `pre Op`
-/// is the precondition of Op, calculated.
+/// Unfolding writes a schema expression as one schema text [ D | P ], in which no other schema is included, and its
+/// hidden components are eliminated by the one-point rule where equations give them. `pre Op` thereby becomes the
+/// precondition of Op, calculated.
 
 #include <functional>
 #include <optional>
@@ -14,8 +14,8 @@ namespace durero::zed {
 /// The set of all values of the type of a component of the schema; a null term where it has no such component.
 using Carriers = std::function<Term(const Name& component)>;
 
-/// The sets that stand for the formals of a generic schema where a reference to it leaves its actuals out: those of all
-/// values of the types that they are found to have. Nothing where they are not known.
+/// The actuals of a reference to a generic schema that leaves them out: the sets of all values of the types that they
+/// are found to have. Nothing where they are not known.
 using Actuals = std::function<std::optional<std::vector<Term>>(const Term& reference)>;
 
 /// Returns the schema as a schema text; nothing where something in it is not written out: generic schemas whose actuals

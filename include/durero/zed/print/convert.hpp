@@ -1,5 +1,5 @@
 #pragma once
-/// Writes a Z text in the other mark-up: what is LaTeX in Unicode, and the other way round.
+/// Conversion writes a Z text in the other mark-up: from LaTeX to Unicode, or back.
 
 #include <string>
 #include <string_view>

@@ -1,7 +1,7 @@
 #pragma once
-/// Checks a Z text beyond its types. Each check says exactly what it looks for, and none of them proves a theorem: what
-/// they find is Z all the same, and so a warning or an opinion. On a text with errors of reading or of types each
-/// judges what it can.
+/// A review checks a Z text beyond its types. Each check states exactly what it looks for, and none of them proves a
+/// theorem: its findings are Z all the same, and so warnings or opinions. On a text with errors of reading or of types
+/// each check judges the parts that it can.
 
 #include <vector>
 

@@ -36,7 +36,7 @@ struct Name {
   bool empty() const { return word.empty(); }
 };
 
-/// What a node is: the notation of Z that it stands for.
+/// The kind of a node is the notation of Z that it stands for.
 enum class Kind : std::uint8_t {
   // These are expressions. Beside each kind stands what `name`, `children`, `names` and `text` hold; those that are not
   // mentioned are empty.

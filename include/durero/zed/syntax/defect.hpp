@@ -1,5 +1,5 @@
 #pragma once
-/// A defect says what is wrong with a Z text, and where.
+/// A defect names a fault in a Z text, and its place.
 
 #include <stdexcept>
 #include <string>
@@ -11,7 +11,7 @@ namespace durero::zed {
 /// An error means that the text is refused. A warning means that it is read, and is suspect; an opinion, that it is Z
 /// and that the house would write it in another way.
 struct Defect {
-  /// How much it weighs.
+  /// The weight of a defect.
   enum class Severity {
     error,    ///< the text is refused
     warning,  ///< the text is read, and is suspect
@@ -21,7 +21,7 @@ struct Defect {
   Place place;                          ///< it is seen here, in that file
   std::string what;                     ///< this is wrong
   std::string expected;                 ///< this is expected instead
-  Severity severity = Severity::error;  ///< all are errors but some of review.hpp
+  Severity severity = Severity::error;  ///< all are errors except some of review.hpp
 
   /// Returns `FILE:LINE:COLUMN: what is wrong; what is expected`, with `warning: ` after the place of a warning and
   /// `opinion: ` after that of an opinion. It is one line of visible characters, whatever the text holds.
@@ -31,13 +31,13 @@ struct Defect {
 /// A ZError is thrown by a step that cannot go on, and caught where the next paragraph begins.
 class ZError : public std::runtime_error {
  public:
-  /// Says what is wrong at a place of the text being read, and what was expected there. what() is `wrong; wanted`.
+  /// Names the fault at a place of the text, and the expectation there. what() is `wrong; wanted`.
   ZError(Place where, const std::string& wrong, const std::string& wanted)
       : std::runtime_error(wrong + "; " + wanted), place(where), what_is_wrong(wrong), expected(wanted) {}
   Place place;                          ///< it is seen here; the file is not known yet
   std::string what_is_wrong, expected;  ///< Defect::what and Defect::expected
 
-  /// Returns it as an error in a file of this name.
+  /// Returns the fault as an error in a file of this name.
   Defect in(const std::string& file) const { return {file, place, what_is_wrong, expected, Defect::Severity::error}; }
 };
 

@@ -7,8 +7,8 @@
 
 namespace durero::zed {
 
-/// The mark-up is what the `%%Zchar` and `%%Zword` directives in scope say: it leads from a command, without its
-/// backslash, to its Unicode text.
+/// The mark-up holds the `%%Zchar` and `%%Zword` directives in scope: it leads from a command, without its backslash,
+/// to its Unicode text.
 using Markup = std::map<std::string, std::string, std::less<>>;
 
 }  // namespace durero::zed

@@ -10,7 +10,7 @@
 
 namespace durero::zed {
 
-/// What an operator makes of its operands: a value, a set, or a predicate.
+/// The role of an operator's result: a value, a set, or a predicate.
 enum class Role : unsigned char { function, generic, relation };
 
 /// An operator template says how one operator is written, and how tightly it binds.

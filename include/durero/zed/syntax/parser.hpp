@@ -9,10 +9,10 @@
 
 namespace durero::zed {
 
-/// This is how deep an expression may nest, and a tree may be: deeper is an error that says so. A chain of n operators
-/// makes a tree n deep, and the deepest predicate of spec/ is some 20 deep, so 500 is ample. It keeps the stack small:
-/// every recursion over a tree of this depth, whatever it is made of, fits 3 MB under AddressSanitizer, the costliest
-/// build (measured with the nests of tests/zed/fuzz_test.cpp), of the 8 MB that a thread has.
+/// The greatest depth of nesting of an expression, and of a tree; deeper is an error that says so. A chain of n
+/// operators makes a tree n deep, and the deepest predicate of spec/ is some 20 deep, so 500 is ample. It keeps the
+/// stack small: every recursion over a tree of this depth, whatever its nodes, fits 3 MB under AddressSanitizer, the
+/// costliest build (measured with the nests of tests/zed/fuzz_test.cpp), of the 8 MB that a thread has.
 inline constexpr unsigned max_depth = 500;
 
 /// Reads one expression or predicate in Unicode, to the end of the text, with the operators of templates in scope.

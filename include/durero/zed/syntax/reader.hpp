@@ -13,14 +13,14 @@
 
 namespace durero::zed {
 
-/// A specification is what reading made of its files: sections where their text could be read, defects where not.
+/// A specification is the result of reading files: sections where their text could be read, defects where not.
 struct Specification {
   std::vector<Section> sections;         ///< parents come first
   std::map<std::string, Markup> markup;  ///< each section has the directives in force in it, its parents' too
   /// Each section has the operators of the templates in it, and of its parents'.
   std::map<std::string, Operators> operators;
   std::vector<Defect> defects;   ///< reading found these; a paragraph that cannot be read is left out
-  std::vector<Defect> warnings;  ///< of what is read, and may be meant otherwise
+  std::vector<Defect> warnings;  ///< warnings about text that is read, and may be meant otherwise
 
   /// Says whether all was read without a defect. Types and the rest are not looked at yet (typecheck.hpp, review.hpp).
   bool ok() const { return defects.empty(); }
@@ -28,7 +28,8 @@ struct Specification {
   const Section* find(const std::string& name) const;
 };
 
-/// No larger file is read; this is forty times spec/. A byte takes at most 400 of memory, as a token and a node.
+/// The size in bytes of the largest file that is read, forty times spec/. A byte takes at most 400 of memory, as a
+/// token and a node.
 inline constexpr std::size_t max_bytes = 1 << 20;
 
 /// Says whether a section is one of the toolkit's, which any section may have as parents; they are built in and not

@@ -39,7 +39,8 @@ struct Global {
   Place place;
 };
 
-/// A typing is what type-checking found. It keeps no syntax tree alive: type_of() is for the trees that were checked.
+/// A typing is the result of type-checking. It keeps no syntax tree alive: type_of() is for the trees that were
+/// checked.
 struct Typing {
   std::vector<Defect> defects;  ///< errors of names and types; those of reading are in the Specification
   /// Each expression has a type, and each schema expression that stands as a predicate. Relations, the connectives and
@@ -47,20 +48,22 @@ struct Typing {
   std::unordered_map<const Node*, Type> types;
   /// Each section sees these names, among them those of its ancestors and not those of the toolkit.
   std::map<std::string, std::unordered_map<Name, std::shared_ptr<const Global>>> scopes;
-  /// Says of each section whether it sees all names of the toolkit, which it does with any section of it but the
+  /// Tells for each section whether it sees all names of the toolkit, which it does with any section of it but the
   /// prelude among its ancestors; 𝔸, ℕ and + it sees anyway.
   std::map<std::string, bool> sees_toolkit;
 
   /// Says whether all that was checked is well-typed. What could not be read was not checked.
   bool ok() const { return defects.empty(); }
-  /// Returns the type of a term of a tree that was checked; nothing for any other, and for what has none (`types`).
+  /// Returns the type of a term of a tree that was checked; nothing for any other, and for a term without a type
+  /// (`types`).
   std::optional<Type> type_of(const Term& term) const;
-  /// Returns what a section sees under this name at its end; null for a name of the toolkit, a bound one, or none.
+  /// Returns the global that a section sees under this name at its end; null for a name of the toolkit, a bound one, or
+  /// none.
   const Global* find(const std::string& section, const Name& name) const;
 };
 
-/// Checks a specification; several defects are reported, in the order of the text. What a paragraph that could not
-/// be read would declare is taken to have any type.
+/// Checks a specification; several defects are reported, in the order of the text. A name of a paragraph that could not
+/// be read is taken to have any type.
 Typing check(const Specification& specification);
 
 /// Returns the names for an expression that is typed by hand and that no section sees: / and √ of numbers, with which

@@ -17,7 +17,7 @@ namespace durero::zed {
 /// share one immutable tree, but for its variables: what unify() finds out of one is so in every type that has it.
 class Type {
  public:
-  /// What a type is made of. Beside each kind stands which of name(), fields() and parts() are not empty.
+  /// The kind of a type. Beside each kind stands which of name(), fields() and parts() are not empty.
   enum class Kind : std::uint8_t {
     given,     ///< name: a given set, a free type, or 𝔸
     formal,    ///< name: a generic formal, in its own paragraph
@@ -25,7 +25,7 @@ class Type {
     product,   ///< parts: two or more
     schema,    ///< fields, in the order of names, and parts: the type of each
     variable,  ///< not determined (yet)
-    unknown,   ///< of what is in error already; agrees with every type
+    unknown,   ///< the type of an expression in error; agrees with every type
   };
 
   /// The type of the members of the given set or free type of this name.
@@ -39,12 +39,12 @@ class Type {
   static Type schema(std::vector<std::pair<Name, Type>> fields);  ///< the names are distinct, in any order
   /// A type that is still to be determined, by unify(); two calls give two.
   static Type variable();
-  /// The type of what is in error already; it agrees with every type, so that one error is not said twice.
+  /// The type of an expression in error; it agrees with every type, so that one error is not reported twice.
   static Type unknown();
 
-  /// Says what it is made of. A variable that has been determined is what it was found to be, in all that follow too.
+  /// Returns the kind of the type. A determined variable counts as the type that it was found to be, here and below.
   Kind kind() const { return node().kind; }
-  /// Says whether it is made of this.
+  /// Says whether the type is of this kind.
   bool is(Kind what) const { return kind() == what; }
   /// Returns the name of a given set, a free type or a formal; an empty one for another kind.
   const Name& name() const;

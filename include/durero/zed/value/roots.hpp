@@ -1,5 +1,6 @@
 #pragma once
-/// Where polynomials in one number change their sign, and numbers between such places.
+/// The roots of polynomials in one number are where these change their sign; rational numbers between roots stand for
+/// the intervals.
 
 #include <optional>
 #include <span>
@@ -9,7 +10,7 @@
 
 namespace durero::zed {
 
-/// Numbers ascend, each once.
+/// A list of numbers in ascending order, each once.
 using Cuts = std::vector<Real>;
 
 /// Returns the real roots of the polynomials, each of degree two at most; a constant has none. Nothing where the

@@ -1,5 +1,5 @@
 #pragma once
-/// What an evaluation has done so far, and how much it may do.
+/// The steps of an evaluation are counted and limited.
 
 #include <cstdint>
 #include <limits>
@@ -7,7 +7,7 @@
 
 namespace durero::zed {
 
-/// Tells that an evaluation has taken all the steps that it may.
+/// The error of an evaluation that has taken all its steps.
 class StepsSpent : public std::runtime_error {
  public:
   StepsSpent() : std::runtime_error("the evaluation takes more steps than it may") {}
@@ -17,20 +17,20 @@ class StepsSpent : public std::runtime_error {
 /// set or number as takes about as long: the time of an evaluation is bounded by that of its steps.
 class Steps {
  public:
-  /// The most steps where there is no bound: no evaluation takes so many.
+  /// The limit that stands for none: no evaluation takes so many steps.
   static constexpr std::uint64_t unbounded = std::numeric_limits<std::uint64_t>::max();
 
-  /// Counts from 0, and allows so many.
+  /// A count from 0 with the limit `most`.
   explicit Steps(std::uint64_t most = unbounded) : most_(most) {}
 
-  /// Throws StepsSpent where there are more than there may be.
+  /// Counts steps. Throws StepsSpent beyond the limit.
   void take(std::uint64_t steps = 1) {
     taken_ += steps;
     if (taken_ > most_) throw StepsSpent();
   }
-  /// Returns how many were asked for so far, with those that were too many.
+  /// Returns the number of steps counted, with those beyond the limit.
   std::uint64_t taken() const { return taken_; }
-  /// Returns how many there may be.
+  /// Returns the limit.
   std::uint64_t most() const { return most_; }
 
  private:

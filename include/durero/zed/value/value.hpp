@@ -25,20 +25,20 @@
 
 namespace durero::zed {
 
-/// Says, in Z notation, what the evaluator cannot do, or must not.
+/// The error of an evaluation that cannot or must not go on; it names the term in Z notation.
 class EvaluationError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Says that a set is finite and has more members than are ever listed, whatever steps and memory there are.
+/// The error of a finite set with more members than are ever listed, whatever steps and memory there are.
 class TooManyMembers : public EvaluationError {
  public:
   /// The set, as a message names it.
   explicit TooManyMembers(const std::string& set) : EvaluationError(set + " has more members than can be listed") {}
 };
 
-/// Says that nothing gives a constant of a text its value.
+/// The error of a constant that nothing in the text gives a value.
 class Undetermined : public EvaluationError {
  public:
   /// The constant, as it is written.
@@ -51,7 +51,7 @@ class Undetermined : public EvaluationError {
   std::string constant_;
 };
 
-/// Says that constants of a text cannot be all that the text says of them.
+/// The error of constants for which the facts of the text cannot all be true.
 class Unsatisfied : public EvaluationError {
  public:
   using EvaluationError::EvaluationError;
@@ -60,7 +60,7 @@ class Unsatisfied : public EvaluationError {
 /// The truth of a predicate is `open` where it depends on a value that is not given.
 enum class Truth : std::uint8_t { no, yes, open };
 
-/// Returns the truth of what is decided: yes or no, never open.
+/// Returns the truth of a decided predicate: yes or no, never open.
 constexpr Truth truth(bool value) { return value ? Truth::yes : Truth::no; }
 
 class Value;
@@ -70,8 +70,8 @@ struct TupleValue;
 struct BindingValue;
 struct Constructed;
 
-/// An expression that has no value is undefined: an application of a function outside its domain, and what is made of
-/// one. The predicate that it stands in directly is false.
+/// An expression that has no value is undefined: an application of a function outside its domain, and any expression
+/// with an undefined part. The predicate that it stands in directly is false.
 struct Undefined {};
 /// A value is open where it depends on a value that is not given.
 struct Open {};
@@ -90,7 +90,7 @@ struct AtomName {
 /// A value shares its name with its copies.
 using Atom = std::shared_ptr<const AtomName>;
 
-/// @{ A value shares what it is made of with its copies, and nobody changes it.
+/// @{ A value shares its parts with its copies, and nobody changes them.
 using TuplePtr = std::shared_ptr<const TupleValue>;
 using BindingPtr = std::shared_ptr<const BindingValue>;
 using ConstructedPtr = std::shared_ptr<const Constructed>;
@@ -103,7 +103,7 @@ using Signature = std::shared_ptr<const std::vector<Name>>;
 /// Makes a signature: sorts the names.
 Signature signature(std::vector<Name> names);
 
-/// A value of Z, or what an expression has in place of one: it is undefined, open or unknown.
+/// A value of Z, or a mark in its place: undefined, open or unknown.
 class Value {
  public:
   /// These forms there are; a number that depends on an unknown is a polynomial.
@@ -148,7 +148,7 @@ class Value {
   const T* get() const {
     return std::get_if<T>(&form_);
   }
-  /// @{ Returns what the value is made of, or null where it has another form; valid as long as the value.
+  /// @{ Returns the contents of the value, or null where it has another form; valid as long as the value.
   const Real* real() const { return get<Real>(); }
   const TupleValue* tuple() const;
   const BindingValue* binding() const;
@@ -173,7 +173,7 @@ struct TupleValue {
   boost::container::small_vector<Value, 2> parts;  ///< none is undefined
 };
 
-/// What a binding is made of.
+/// The contents of a binding.
 struct BindingValue {
   /// Moves the values out of v. Precondition: they are as many as the names, in their order, and none is undefined.
   BindingValue(Signature n, std::span<Value> v)
@@ -182,11 +182,11 @@ struct BindingValue {
   boost::container::small_vector<Value, 3> values;  ///< they are in step with names
   /// Returns the value of that component, or null where there is none.
   const Value* component(const Name& name) const;
-  /// This is the closed schema that the binding was last found to satisfy: a binding never changes, nor does a schema.
+  /// The closed schema that the binding was last found to satisfy: a binding never changes, nor does a schema.
   mutable std::atomic<const void*> satisfies{nullptr};
 };
 
-/// A constructor of a free type makes such a value.
+/// A value that a constructor of a free type makes.
 struct Constructed {
   Atom constructor;  ///< its name
   Value argument;    ///< the constructor was applied to it
@@ -198,7 +198,7 @@ struct Polynomial {
   std::uint32_t unknown;         ///< the id of the unknown
 };
 
-/// The context has what is found out while a predicate is evaluated (Search).
+/// The context holds the findings of an evaluation in progress (Search).
 struct Context;
 
 /// The points of a curve, by the number t that leads to each (Set::curve).
@@ -209,17 +209,17 @@ struct Curve {
   std::function<Truth(const Value& t, const Value& member, Context& context)> admits;
 };
 
-/// Among which numbers the members of a set are known to be.
+/// The kind of numbers that contains all members of a set.
 enum class Numbers : std::uint8_t {
-  none,      ///< they are no numbers, or nobody says which
+  none,      ///< no numbers, or it is not known which
   integers,  ///< whole numbers
   reals      ///< real numbers
 };
 
-/// What is asked of a set, however it is made.
+/// The questions that every set answers, whatever its form.
 class Set {
  public:
-  /// How a set is written: as a message names it, or as a term without free names.
+  /// The wording of a set: as a message names it, or as a term without free names.
   enum class Wording : std::uint8_t {
     message,  ///< short, in the words of the text
     closed    ///< the names of the text that are bound elsewhere stand in a `let` before it, with their values
@@ -229,18 +229,19 @@ class Set {
   virtual Truth contains(const Value& value, Context& context) const = 0;
   /// Returns the members of a finite set, sorted, each once. It is null where the set is intensional.
   virtual const std::vector<Value>* members() const { return nullptr; }
-  /// Returns how many members the set has listed so far: a set that can be listed may be so when first asked to.
+  /// Returns the number of members that the set has listed so far: a set may be listed when it is first asked for its
+  /// members.
   virtual std::size_t listed() const { return 0; }
   /// Says whether every value of the type is known to be a member.
   virtual bool total() const { return false; }
   /// Says whether this is a finite set of intensional sets: members may then repeat, as nobody can compare them.
   virtual bool family() const { return false; }
-  /// Says among which numbers every member is.
+  /// Returns the kind of numbers that every member is.
   virtual Numbers numbers() const { return Numbers::none; }
   /// Says whether nothing in the set depends on an unknown that is looked for.
   virtual bool closed() const { return true; }
-  /// Of a set of sets that one real number t tells apart, each with one member at most: that member for an unknown t.
-  /// Nothing where the set is none, or that is not seen.
+  /// Returns the curve of a set of sets that one real number t tells apart, each with one member at most: that member
+  /// for an unknown t. Nothing where the set is of another kind, or it is not known.
   virtual std::optional<Curve> curve(Context& context) const;
   /// Makes a member with every part unknown.
   virtual Value unknown(Context& context) const;
