@@ -12,7 +12,7 @@ scene::Edit removal_of(const std::string& name) { return {model::Eliminar_Elemen
 
 std::string answer_word(model::Respuesta r) { return std::string(model::name(r)); }
 
-/// @{ The element that an edit is of; null where it is of none.
+/// @{ The element that an edit concerns; null where it concerns none.
 const std::string* element_of(const scene::Edit& edit) { return &scene::name_of(edit.operation).name(); }
 const std::string* element_of(const io::WrittenEdit& edit) {
   const auto* const in = std::get_if<io::WrittenAddition>(&edit);

@@ -20,7 +20,7 @@ struct Element {
   Surface surface;
 };
 
-/// The nearest of the elements that a ray meets, and those that have no nearest point.
+/// The search for the nearest elements that a ray meets, and for elements without a nearest point.
 class Search {
  public:
   explicit Search(const scene::Query& query) : query_(query) {}
@@ -31,7 +31,8 @@ class Search {
     if (auto* const after = std::get_if<After>(&first)) approach(element.place, std::move(after->t));
   }
 
-  /// A point at t is nearest where no stretch begins before t: one that begins behind t, or at t itself, leaves it so.
+  /// The hit of the search. A point at t is nearest where no stretch begins before t: a stretch that begins behind t,
+  /// or at t itself, leaves it so.
   scene::Hit hit() const {
     const bool is_nearest = nearest_ && (without_.empty() || (bound_ && algebra::compare(*nearest_, *bound_) <= 0));
     if (is_nearest) return at(*nearest_);
@@ -102,7 +103,7 @@ class WrittenEngine final : public engine::Engine {
   std::vector<Element> elements_;  // ascending
 };
 
-/// Of an element that the program has a shape for.
+/// The attributes of an element that the program has a shape for.
 std::vector<io::WrittenValue> attributes_of(const scene::Scene& scene, ElementRef element) {
   std::vector<io::WrittenValue> values;
   scene.visit(element, [&]<class Shape>(const Shape& shape) {
@@ -115,7 +116,7 @@ std::string_view word_of(ElementRef element) {
   return scene::with_shape(element.tipo, []<class Shape>(std::type_identity<Shape>) { return Shape::word; });
 }
 
-/// The surface of an element that stands in the file as it is here.
+/// The surface of an element of the file.
 Surface surface_of(const io::Source& source, const Text& text, const io::WrittenElement& element) {
   const io::WrittenType& type = text.types()[element.type];
   try {

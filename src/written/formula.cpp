@@ -86,7 +86,7 @@ Condition compared(Formula formula, Signs signs) {
 
 namespace {
 
-/// Of all, true is neutral and false decides; of any, it is the other way round.
+/// Joins two conditions. For `all`, true is neutral and false decides; for `any`, it is the other way round.
 Condition joined(Condition::Kind kind, Condition a, Condition b) {
   const bool neutral = kind == Condition::Kind::all;
   if (a.is(!neutral) || b.is(neutral)) return a;

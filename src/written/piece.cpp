@@ -22,7 +22,7 @@ Formula first_equation(const Condition& of) {
   return found == all.end() ? Formula() : found->formula;
 }
 
-/// p·(m + n·t) + q
+/// The polynomial p·(m + n·t) + q.
 Polynomial horner_step(const Polynomial& p, const Dyadic& m, const Dyadic& n, const Polynomial& q) {
   Polynomial result(std::max(p.empty() ? 0 : p.size() + 1, q.size()));
   std::ranges::copy(q, result.begin());
@@ -33,7 +33,7 @@ Polynomial horner_step(const Polynomial& p, const Dyadic& m, const Dyadic& n, co
   return result;
 }
 
-/// The same with the magnitude of each coefficient.
+/// The formula with the magnitude of each coefficient.
 Formula magnitude_of(const Formula& formula) {
   Formula sum;
   for (const auto& [exponents, coefficient] : formula.terms()) {
@@ -47,8 +47,8 @@ Formula magnitude_of(const Formula& formula) {
 
 Dyadic magnitude_of(const Dyadic& value) { return sign(value) < 0 ? -value : value; }
 
-/// As much as a number may miss its rounding to binary64 by, or more: half an ulp is 2⁻⁵³ of the number at most where
-/// it is normal, and 2⁻¹⁰⁷⁵ where it is not.
+/// An upper bound on the distance of a number from its rounding to binary64: half an ulp is 2⁻⁵³ of the number at most
+/// where it is normal, and 2⁻¹⁰⁷⁵ where it is not.
 Dyadic rounding_of(const Dyadic& value) {
   return number::shifted(magnitude_of(value), -53) + Dyadic(number::Integer(1), -1075);
 }
@@ -123,8 +123,8 @@ Piece::Clip Piece::clip_of(const Condition& condition) {
   return clip;
 }
 
-// Of p = Σ c·w₁^e₁·w₂^e₂·w₃^e₃ and |dᵢ| ≤ δᵢ, |p(w + d) − p(w)| ≤ P(|w| + δ) − P(|w|) where P has the magnitudes of the
-// coefficients: multiplied out, each product that p(w + d) has and p(w) has not stands in the difference with its
+// For p = Σ c·w₁^e₁·w₂^e₂·w₃^e₃ and |dᵢ| ≤ δᵢ, |p(w + d) − p(w)| ≤ P(|w| + δ) − P(|w|) where P has the magnitudes of
+// the coefficients: multiplied out, each product that p(w + d) has and p(w) has not stands in the difference with its
 // magnitude or more.
 bool Piece::may_hold_near(const glm::dvec3& rounded) const {
   std::array<Dyadic, 3> w, size, beyond;
@@ -172,7 +172,7 @@ class RayOnPiece {
            holds(piece_.clips_, [&](const Polynomial& p) { return algebra::sign_at(p, root); });
   }
 
-  /// Root by root, and what is before it first.
+  /// The first meeting with the piece: at each root in turn, the stretch before it first.
   First first_of_stretches() {
     const std::vector<Root> ends = ends_of_clips();
     const auto holds_at = [&](const auto& t) {
@@ -222,7 +222,7 @@ class RayOnPiece {
 
   const Piece& piece_;
   const model::Rayo& rayo_;
-  std::vector<Polynomial> equations_;  // those that are not 0 = 0, the lowest degree first
+  std::vector<Polynomial> equations_;  // the equations other than 0 = 0, the lowest degree first
   std::vector<std::optional<Polynomial>> comparisons_;
 };
 

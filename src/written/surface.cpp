@@ -11,7 +11,8 @@ using number::DyadicSurd;
 
 namespace {
 
-/// Those whose union it is, each with an equation; nothing where some part has none. They are no more than its parts.
+/// The pieces whose union the condition is, each with an equation; nothing where some part has none. They are no more
+/// than its parts.
 std::optional<std::vector<Condition>> pieces_of(const Condition& of);
 
 std::optional<std::vector<Condition>> pieces_of_each(const std::vector<Condition>& sides) {
@@ -66,14 +67,14 @@ glm::dvec3 gradient_at(const Piece& piece, const glm::dvec3& w) {
   return {value_at(gradient[0], w), value_at(gradient[1], w), value_at(gradient[2], w)};
 }
 
-/// How far the surface is from a point, to the first order and to some digits.
+/// The distance of a point from the piece, to the first order and to some digits.
 double distance(const Piece& piece, const glm::dvec3& w) {
   const double distance = std::abs(value_at(piece.equation(), w)) / glm::length(gradient_at(piece, w));
   return std::isnan(distance) ? HUGE_VAL : distance;
 }
 
-/// Whether the first point of one set is before that of the other. At one t a point is before a stretch that begins
-/// there, as that does not have it.
+/// Whether the first meeting a is before b. At one t a point is before a stretch that begins there, as the stretch does
+/// not contain it.
 bool is_before(const First& a, const First& b) {
   const auto* const root_a = std::get_if<Root>(&a);
   const auto* const root_b = std::get_if<Root>(&b);

@@ -25,7 +25,7 @@ constexpr std::string_view prefix = "puntos_";
   throw io::InputError(defect.file, {defect.place.line, defect.place.column}, defect.what, defect.expected);
 }
 
-/// The file, and those sections of the program's own text that it does not have itself.
+/// The file, and the sections of the program's own text that the file does not have itself.
 zed::Specification read_with_own(const std::string& file) {
   const std::string text(io::read_source(file).text());
   const zed::Specification alone = zed::read_sources({{file, text}});
@@ -114,7 +114,8 @@ struct Text::State {
     types.push_back({word, std::move(*attributes)});
   }
 
-  /// An element of a scene file has keys of its own, and not too many.
+  /// Checks that the names of attributes do not clash with the keys of an element in a scene file, and that they are
+  /// not too many.
   void check_keys(const std::vector<io::WrittenAttribute>& attributes, const Parameters& of, const Name& name) const {
     constexpr std::size_t most = 32;
     const auto refuse = [&](const std::string& what, const std::string& expected) {
@@ -129,7 +130,7 @@ struct Text::State {
                "expected another name: every element has that of its own");
   }
 
-  /// Whether its values are sets of points: its type is ℙ (A × ℙ Punto).
+  /// Whether the values of the function are sets of points: its type is ℙ (A × ℙ Punto).
   bool gives_points(const Name& function) const {
     const Type type = typing.find(section, function)->scheme.type.settled();
     if (!type.is(Type::Kind::power) || !type.parts()[0].is(Type::Kind::product)) return false;
@@ -147,7 +148,7 @@ struct Text::State {
     return type->settled().parts()[0];
   }
 
-  /// Nothing where an attribute would be none that scene files have.
+  /// The attributes of a function; nothing where one is of a type that scene files do not have.
   std::optional<std::vector<io::WrittenAttribute>> attributes_of(const Parameters& function) const {
     std::vector<io::WrittenAttribute> attributes;
     const auto add = [&](const Name& name, const Type& type) {

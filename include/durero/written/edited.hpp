@@ -1,6 +1,6 @@
 #pragma once
-/// A scene that is edited, with its groups. Where a Z text says what its elements are, the text is asked of each
-/// addition, too: what is not in the domain of puntos_TIPO is refused with the predicate that does not hold.
+/// An edited scene holds its groups too. Where a Z text defines the elements, each addition is checked against the text
+/// as well: attributes outside the domain of puntos_TIPO are refused with the predicate that does not hold.
 
 #include <map>
 #include <memory>
@@ -14,42 +14,42 @@
 
 namespace durero::written {
 
-/// Such a scene. A copy shares the text.
+/// An edited scene. A copy shares the text.
 class Edited {
  public:
-  /// Of the program's own shapes; no text is asked.
+  /// A scene of the program's own shapes, without a text.
   explicit Edited(scene::GroupedScene scene = {}) : of_(std::move(scene)) {}
   /// Reads a scene by the text. Throws io::InputError at the first thing that is wrong, in the scene or in the text.
   Edited(const io::Source& source, std::shared_ptr<const Text> text);
 
   /// The scene and its groups. Elements of types of the text stand in it as spheres, under their names.
   const scene::GroupedScene& of() const noexcept { return of_; }
-  /// The text; null where none is asked.
+  /// The text; null without one.
   const Text* text() const noexcept { return text_.get(); }
   /// The types that the text declares.
   std::span<const io::WrittenType> types() const;
   /// The element of that name, where it is of a type of the text; otherwise null.
   const io::WrittenElement* written(std::string_view name) const;
 
-  /// @{ The total edits: where something does not hold they change nothing, and answer so. io::InputError where the
-  /// text is wrong; the scene is then as it was.
+  /// @{ The total edits: where a predicate does not hold they change nothing, and answer so. They throw io::InputError
+  /// where the text is wrong; the scene is then as it was.
   io::EditAnswer apply_total(const scene::Edit& edit);
   io::EditAnswer apply_total(const scene::GroupEdit& edit) { return io::edit_answer(of_.apply_total(edit)); }
-  /// All discs of a closing, or none: `closed`, or `closed_but_for_rounding` where they are not lids().exact.
+  /// Adds all discs of a closing, or none: `closed`, or `closed_but_for_rounding` where they are not lids().exact.
   io::EditAnswer apply_total(const scene::Closing& in);
   io::EditAnswer apply_total(const io::WrittenEdit& edit);
-  /// This one tells of groups, too.
+  /// Applies a step; the answer tells of groups, too.
   io::EditAnswer apply_total(const io::Step& step);
   /// @}
 
-  /// The edit of the program's own shapes: its answer with the clause that it breaks, and what apply_total(Step) says.
-  /// Precondition: no text is asked.
+  /// Applies an edit of the program's own shapes. Returns its answer with the clause that it breaks, and the answer of
+  /// apply_total(Step). Precondition: there is no text.
   std::pair<model::Answer, io::EditAnswer> apply_own(const scene::Edit& edit);
 
-  /// What answers rays, by the text. Precondition: there is one. Refers to nothing here.
+  /// The engine that answers rays by the text. It does not refer to this scene. Precondition: there is a text.
   std::unique_ptr<const engine::Engine> engine() const;
 
-  /// What a picture needs beside the elements, of which no text speaks.
+  /// The stage of the scene, of which no text speaks.
   scene::Stage& stage() noexcept { return of_.scene.stage(); }
 
   /// The canonical text of its scene file.
@@ -58,7 +58,7 @@ class Edited {
  private:
   io::EditAnswer add(const io::WrittenAddition& in);
   io::EditAnswer remove(const io::WrittenRemoval& in);
-  /// Carries out an addition, and then makes the surface: where the text does not give it one, as if nothing had been.
+  /// Carries out an addition, and then makes the surface. The addition is undone where the text does not give it one.
   template <class MakeSurface>
   io::EditAnswer add_if_given(const scene::Edit& edit, MakeSurface make);
 
@@ -68,7 +68,7 @@ class Edited {
   scene::GroupedScene of_;
   std::shared_ptr<const Text> text_{};
   io::WrittenByName elements_{};
-  std::map<std::string, std::string> left_{};  // of elements that were removed: the group that each was in
+  std::map<std::string, std::string> left_{};  // the group of each removed element
 };
 
 }  // namespace durero::written

@@ -1,5 +1,5 @@
 #pragma once
-/// Rays answered by a Z text: each element is the set that its `puntos_…` says.
+/// The engine of a Z text answers rays: each element is the set that its `puntos_…` defines.
 
 #include <memory>
 #include <span>
@@ -10,18 +10,18 @@
 
 namespace durero::written {
 
-/// A scene whose elements are what a Z text says, those too that the program has shapes for, and what answers rays on
-/// it.
+/// A scene whose elements are defined by a Z text, also those with shapes of the program, and the engine that answers
+/// rays on it.
 struct Written {
   scene::Scene scene;                            ///< read by io::read_scene(source, types, elements)
-  io::WrittenByName elements;                    ///< those of them that are of types of the text
+  io::WrittenByName elements;                    ///< the elements that are of types of the text
   std::unique_ptr<const engine::Engine> engine;  ///< exact, and honours origins; it does not refer to the scene
 };
 
-/// What answers rays on a scene by the text, where the program has shapes for all its elements; it does not refer to
-/// the scene. Throws NotInDomain, and io::InputError at what is wrong in the text.
+/// The engine for a scene by the text, where the program has shapes for all its elements; it does not refer to the
+/// scene. Throws NotInDomain, and io::InputError at an error in the text.
 std::unique_ptr<const engine::Engine> prepared(const scene::Scene& scene, const Text& text);
-/// The same where these elements of the scene are of types that the text declares.
+/// The engine for a scene where these elements are of types that the text declares. Throws as the other does.
 std::unique_ptr<const engine::Engine> prepared(const scene::Scene& scene, const io::WrittenByName& elements,
                                                const Text& text);
 

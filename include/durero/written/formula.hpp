@@ -1,6 +1,6 @@
 #pragma once
-/// What a predicate over the coordinates of a point comes to, once its attributes are known: polynomials in x, y and z
-/// over the rationals, of which signs are asked.
+/// A formula is a polynomial in x, y and z over the rationals. A predicate over the coordinates of a point asks the
+/// signs of formulas, once the attributes are known.
 
 #include <array>
 #include <cstdint>
@@ -12,15 +12,15 @@
 
 namespace durero::written {
 
-/// How often x, y and z stand in a product.
+/// The exponents of x, y and z in a product.
 using Exponents = std::array<std::uint8_t, 3>;
 
 /// A polynomial in x, y and z.
 class Formula {
  public:
-  /// No product of more than so many coordinates is followed.
+  /// The greatest degree of a formula.
   static constexpr int max_degree = 24;
-  /// No coefficient of more bits is.
+  /// The most bits of a coefficient.
   static constexpr std::size_t max_bits = 1 << 16;
 
   Formula() = default;  ///< 0
@@ -29,7 +29,7 @@ class Formula {
   /// The coordinate x (0), y (1) or z (2).
   static Formula coordinate(std::size_t axis);
 
-  /// Its coefficients, none of which is 0, by their exponents.
+  /// The coefficients, none of which is 0, by their exponents.
   const std::map<Exponents, number::Rational>& terms() const { return terms_; }
   /// Whether no coordinate stands in it.
   bool is_constant() const { return terms_.empty() || (terms_.size() == 1 && terms_.begin()->first == Exponents{}); }
@@ -52,9 +52,9 @@ class Formula {
   std::map<Exponents, number::Rational> terms_;
 };
 
-/// Some of the signs −1, 0 and 1.
+/// A set of the signs −1, 0 and 1.
 struct Signs {
-  bool negative = false, zero = false, positive = false;  ///< which of them
+  bool negative = false, zero = false, positive = false;  ///< the signs in the set
   /// Whether this one is among them.
   bool contains(int sign) const { return sign < 0 ? negative : sign > 0 ? positive : zero; }
   bool operator==(const Signs&) const = default;
@@ -62,9 +62,9 @@ struct Signs {
 
 /// A predicate without quantifiers: comparisons of formulas with 0, joined.
 struct Condition {
-  /// How it is made.
+  /// The form of a condition.
   enum class Kind : std::uint8_t {
-    constant,    ///< `truth`
+    constant,    ///< the value `truth`
     comparison,  ///< the sign of `formula` is among `signs`
     all,         ///< of `parts`, two or more
     any          ///< of `parts`, two or more

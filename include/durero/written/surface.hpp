@@ -1,11 +1,12 @@
 #pragma once
-/// An algebraic surface with inequalities as clips, and where a ray meets it first.
+/// An algebraic surface is the zero set of polynomials, with inequalities as clips; this finds where a ray meets it
+/// first.
 ///
 /// Along a ray p + t·v each polynomial in x, y and z is one in t. Where an equation p = 0 of the surface is not 0 = 0
-/// along the ray, the ray meets it at roots of that polynomial alone, and each of them is asked for the rest. Where all
-/// its equations are 0 = 0, the ray lies in the surface, and the clips decide: between neighbouring roots of theirs
-/// none changes its sign, so that what they say at one point of such a stretch they say on all of it. A union of such
-/// surfaces is met where one of them is.
+/// along the ray, the ray meets it at roots of that polynomial alone, and the other conditions are tested at each of
+/// them. Where all its equations are 0 = 0, the ray lies in the surface, and the clips decide: between neighbouring
+/// roots of theirs none changes its sign, so that their truth at one point of such a stretch is that on all of it. A
+/// union of such surfaces is met where one of them is.
 
 #include <array>
 #include <glm/vec3.hpp>
@@ -19,19 +20,19 @@
 
 namespace durero::written {
 
-/// The points of a ray on a surface have no least t: they come as near to this one as one likes.
+/// The case of a ray whose points on a surface have no least t: they come as near to this one as one likes.
 struct After {
   std::optional<algebra::Root> t;  ///< nothing: to 0
 };
-/// Where a ray meets a surface first: nowhere, at some t > 0, or at no first t.
+/// The first meeting of a ray with a surface: none, at some t > 0, or without a least t.
 using First = std::variant<std::monostate, algebra::Root, After>;
 
-/// A polynomial in x, y and z with dyadic coefficients, for Horner's rule.
+/// A polynomial in x, y and z with dyadic coefficients, arranged for Horner's rule.
 class AlongRays {
  public:
   /// The formula times a positive number: it has the same signs.
   explicit AlongRays(const Formula& formula);
-  /// The polynomial in t that it is on the ray.
+  /// The polynomial in t along the ray.
   algebra::Polynomial along(const model::Rayo& rayo) const;
   /// Its value at a point.
   number::Dyadic at(const std::array<number::Dyadic, 3>& w) const;
@@ -44,24 +45,24 @@ class AlongRays {
 /// A part of a surface: the set { w : Punto | p₁ = 0 ∧ … ∧ clips }, of which there is at least one equation.
 class Piece {
  public:
-  /// Precondition: an equation is among the conjuncts, or it is nowhere true.
+  /// The piece of a condition. Precondition: an equation is among the conjuncts, or the condition is nowhere true.
   explicit Piece(const Condition& of);
 
-  /// Where the ray meets it first. A ray that starts on it sees the points at which the equations have the value that
-  /// they have at its stored origin (puntos_desde); the clips are those of the piece all the same.
+  /// The first meeting of the ray with the piece. A ray that starts on the piece sees the points at which the equations
+  /// have the value that they have at its stored origin (puntos_desde); the clips stay as they are.
   First first(const model::Rayo& rayo, bool starts_on) const;
-  /// Whether its equations may be true of a point whose rounding this is. False is certain.
+  /// Whether the equations may be true of a point whose rounding this is. False is certain.
   bool may_hold_near(const glm::dvec3& rounded) const;
 
-  /// The first equation: of its points p = 0, for this p.
+  /// The polynomial p of the first equation p = 0.
   const Formula& equation() const { return equation_; }
-  /// The derivatives of that by x, y and z.
+  /// The derivatives of equation() by x, y and z.
   const std::array<Formula, 3>& gradient() const { return gradient_; }
 
  private:
   friend class RayOnPiece;
 
-  /// A condition whose comparisons are known by their numbers.
+  /// A condition whose comparisons are given by their numbers.
   struct Clip {
     Condition::Kind kind;
     bool truth;
@@ -74,29 +75,30 @@ class Piece {
     AlongRays polynomial;
     Signs signs;
   };
-  std::vector<AlongRays> equations_, magnitudes_;  // in step: of the magnitudes all coefficients are positive
+  std::vector<AlongRays> equations_, magnitudes_;  // in step; the magnitudes have positive coefficients
   std::vector<Comparison> comparisons_;
   Clip clips_;
   Formula equation_;
   std::array<Formula, 3> gradient_;
 };
 
-/// A set of points that is a union of pieces, as a solid with its caps is; of most there is one.
+/// A set of points that is a union of pieces, as a solid with its caps is; most surfaces have one.
 class Surface {
  public:
-  /// No condition is followed that comes to more of them.
+  /// The most pieces of a surface.
   static constexpr std::size_t most_pieces = 64;
 
-  /// Precondition: 0 < pieces(of) ≤ most_pieces.
+  /// The surface of a condition. Precondition: 0 < pieces(of) ≤ most_pieces.
   explicit Surface(const Condition& of);
-  /// How many pieces it comes to; 0 where it comes to none. A piece is what has an equation among its conjuncts, or is
-  /// true of no point; a conjunction without comes to those of the first ∨ in it each of whose sides comes to some.
+  /// The number of pieces of a condition; 0 where it is no union of pieces. A piece has an equation among its
+  /// conjuncts, or is true of no point. A conjunction without an equation has the pieces of the first ∨ in it each of
+  /// whose sides has some.
   static std::size_t pieces(const Condition& of);
 
-  /// Where the ray meets it first. A ray that starts on the surface starts on every piece whose equations may be true
-  /// of the point that its origin is the rounding of; of one piece alone, on that.
+  /// The first meeting of the ray with the surface. A ray that starts on the surface starts on every piece whose
+  /// equations may be true of the point that its origin is the rounding of; where there is one piece alone, on that.
   First first(const model::Rayo& rayo, bool starts_on) const;
-  /// Whether the ray meets it at some 0 < t < 1.
+  /// Whether the ray meets the surface at some 0 < t < 1.
   bool hides(const model::Rayo& rayo, bool starts_on) const;
 
   /// The direction in which the first equation of the piece that is nearest to a point grows most there, to some

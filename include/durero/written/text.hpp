@@ -1,5 +1,5 @@
 #pragma once
-/// Types of elements that a Z text declares: `puntos_toro` says what the points of an element of type `toro` are.
+/// A Z text declares types of elements: `puntos_toro` defines the points of an element of type `toro`.
 ///
 /// The parameters of the function are the attributes of the type, by their names: those of the ∀, or λ, that defines
 /// it, or the components of a schema that is its only one. An attribute is a number, a point or vector, or three
@@ -15,7 +15,7 @@
 
 namespace durero::written {
 
-/// A Z text with types of elements. Any number of threads may ask it.
+/// A Z text with types of elements, which any number of threads may use at once.
 class Text {
  public:
   /// Reads a file, and its parents: from its folder, or the program's own text. Throws io::FileError, and
@@ -27,13 +27,13 @@ class Text {
 
   /// The file.
   const std::string& file() const;
-  /// Every type that a section of the file declares, as scene files are to have its elements; those that the program
-  /// has shapes for are not among them.
+  /// Every type that a section of the file declares, as scene files are to have its elements; types with shapes of the
+  /// program are not among them.
   const std::vector<io::WrittenType>& types() const;
 
   /// The points of an element of that type, whose attributes have these values, in the order of the parameters. Throws
-  /// NotInDomain where the text defines none for them, and io::InputError at the place of the text that is no algebraic
-  /// surface, or declares no such function.
+  /// NotInDomain where the text defines none for them, and io::InputError at the place of a definition that is no
+  /// algebraic surface, or where the text declares no such function.
   Surface surface(const std::string& type, const std::vector<io::WrittenValue>& attributes) const;
 
  private:
@@ -41,11 +41,11 @@ class Text {
   std::unique_ptr<State> state_;
 };
 
-/// The attributes of an element are not in the domain of its function.
+/// The error of an element whose attributes are not in the domain of its function.
 struct NotInDomain {
-  std::string type;       ///< of puntos_TYPE
-  std::string attribute;  ///< which of them; empty where it is several together
-  std::string expected;   ///< what is to hold, in Z
+  std::string type;       ///< the TYPE of puntos_TYPE
+  std::string attribute;  ///< the attribute in error; empty where it is several together
+  std::string expected;   ///< the predicate that must hold, in Z
 };
 
 }  // namespace durero::written
