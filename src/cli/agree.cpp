@@ -61,7 +61,7 @@ int report(const Agreement& agreement, const AgreeOptions& options, const io::So
   return agreement.first ? 1 : 0;
 }
 
-/// The samples know the program's shapes, and no text.
+/// Checks that the samples can judge the scene: they know the program's shapes, and no types of a text.
 void require_samples(const io::Source& file, const written::Text& text, const io::WrittenByName& elements) {
   if (elements.empty()) return;
   const auto& [name, element] = *elements.begin();
@@ -71,7 +71,7 @@ void require_samples(const io::Source& file, const written::Text& text, const io
                        "expected one that the program has samples of: no text says where points of a surface are");
 }
 
-/// A scene, and what answers rays on it.
+/// Reads the scene, with the engine that answers rays on it.
 written::Written read(const AgreeOptions& options, const io::Source& file) {
   if (options.with.empty()) return {io::read_scene(file), {}, nullptr};
   const written::Text text(options.with);

@@ -70,7 +70,7 @@ std::string no_such_command(const CLI::App& command, const std::string& word) {
   return fmt::format("{}: no such command; expected {}", word, expected_of(word, known));
 }
 
-/// What no command and no option took. Behind `--` nothing is an option.
+/// The arguments that no command and no option took. Behind `--` nothing is an option.
 struct Surplus {
   const CLI::App* command;
   std::string argument;
@@ -102,7 +102,7 @@ std::string what_of(const Surplus& of) {
   return fmt::format("{}: an argument too many; expected {}", of.argument, usage(*of.command));
 }
 
-/// What the command must have and was not given.
+/// The message about a required argument or command that was not given.
 std::string missing(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     if (!option->get_required() || option->count() > 0) continue;
@@ -113,7 +113,7 @@ std::string missing(const CLI::App& command) {
   return fmt::format("no command; expected {}", all_of(known));
 }
 
-/// An option that has too many values, or too few.
+/// The message about an option with too many values, or too few.
 std::string mismatched(const CLI::App& command, const std::string& said) {
   std::string name = said.substr(0, said.find_first_of(": "));
   const CLI::Option* option = command.get_option_no_throw(name);
@@ -126,7 +126,7 @@ std::string mismatched(const CLI::App& command, const std::string& said) {
   return fmt::format("{}: its value is missing; expected {} {}", name, name, value.name);
 }
 
-/// An option that stands without another that it needs.
+/// The message about an option that needs another, which is missing.
 std::string alone(const CLI::App& command, const std::string& said) {
   for (const CLI::Option* option : options(command)) {
     for (const CLI::Option* needed : option->get_needs())
@@ -136,7 +136,7 @@ std::string alone(const CLI::App& command, const std::string& said) {
   return said;
 }
 
-/// What a check says begins with the value, and CLI11 puts the option's name and a colon before it.
+/// The message of a check. It begins with the value; CLI11 puts the option's name and a colon before it, which go.
 std::string checked(std::string said) {
   const std::size_t colon = said.find(": ");
   if (colon != said.npos && said.find(": ", colon + 2) != said.npos) said.erase(colon, 1);

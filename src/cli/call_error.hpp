@@ -1,5 +1,5 @@
 #pragma once
-/// What is wrong with a call, in the house's form.
+/// The error of a call names the fault in the house's form.
 
 #include <CLI/CLI.hpp>
 #include <string>
@@ -11,13 +11,12 @@ namespace durero::cli {
 /// The command that was called, as deep as the call got: the program itself where it names none.
 const CLI::App& called(const CLI::App& app);
 
-/// One line without an end: the command, what in the call is wrong first, then what is expected. An option that the
-/// command does not have is told before anything else, as the rest of the call may be wrong by it.
+/// The message of an error, one line without an end: the command, the first fault of the call, then the expectation. An
+/// option that the command does not have comes before any other fault, which may follow from it.
 std::string call_error(const CLI::App& app, const CLI::ParseError& error);
 
-/// The command that the words name, each below the one before it; without a word, the program itself. The command that
-/// asks is named where a word names none.
-/// @throws std::runtime_error, whose text is one line as that of call_error
+/// The command that the words name, each below the one before it; without a word, the program itself. Where a word
+/// names none the message names `asking`, the command that asks.
 const CLI::App& command_of(const CLI::App& app, const std::vector<std::string>& words, std::string_view asking);
 
 }  // namespace durero::cli

@@ -23,7 +23,7 @@ struct CheckOptions {
   bool quiet = false;
 };
 
-/// By a Z text, each element is asked whether the text says what its points are.
+/// Checks the scene by a Z text, which must define the points of each element.
 io::SceneCheck checked(const CheckOptions& options) {
   const io::Source source = io::read_source(options.scene);
   if (options.with.empty()) return io::check_scene(source);
@@ -31,7 +31,8 @@ io::SceneCheck checked(const CheckOptions& options) {
   return io::check_scene(source, text.types(), [&] { written::read(source, text); });
 }
 
-/// A file that is wrong is an error whatever the format. For programs, all that is wrong with it is printed before.
+/// Runs the check. A file with an error is refused whatever the format. For programs, all its faults are printed
+/// before.
 int run(const CheckOptions& options) {
   std::optional<Progress> progress(std::in_place, options.quiet, "check");
   const io::SceneCheck check = checked(options);

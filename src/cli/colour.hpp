@@ -6,7 +6,7 @@
 
 namespace durero::cli {
 
-/// A text that says what is wrong, for the file of that number: STDOUT_FILENO or STDERR_FILENO.
+/// The text of an error in red, for the file of that number: STDOUT_FILENO or STDERR_FILENO.
 std::string in_red(std::string_view text, int file);
 
 }  // namespace durero::cli

@@ -12,7 +12,7 @@
 
 namespace durero::cli {
 
-/// Holds the program to a number of threads while it lives; 0: as many as the machine has.
+/// A limit on the number of threads while it lives; 0: as many as the machine has.
 class ThreadLimit {
  public:
   explicit ThreadLimit(std::size_t threads) {

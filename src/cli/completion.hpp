@@ -1,5 +1,5 @@
 #pragma once
-/// What shells read to complete calls of durero, made of what is declared.
+/// Completion scripts, which shells read to complete calls of durero, are made of the declared options.
 
 #include <CLI/CLI.hpp>
 #include <string>
@@ -13,7 +13,8 @@ std::string bash_completion(const CLI::App& app);
 std::string zsh_completion(const CLI::App& app);
 std::string fish_completion(const CLI::App& app);
 
-/// What the option or argument takes, with the names of the systems that come with the program where it may be one.
+/// The value that the option or argument takes, with the names of the systems that come with the program where it may
+/// be one.
 Value completed(const CLI::Option& option);
 
 /// The text as one word of a shell: between single quotes.

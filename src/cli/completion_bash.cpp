@@ -36,7 +36,7 @@ constexpr const char* tail = R"(  esac
 complete -F _durero durero
 )";
 
-/// What completes a value, or nothing.
+/// The command that completes a value, or nothing.
 std::string completing_in_bash(const Value& value) {
   std::string call;
   if (!value.words.empty())

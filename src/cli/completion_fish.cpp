@@ -24,7 +24,7 @@ end
 complete -c durero -f
 )";
 
-/// What completes a value.
+/// The arguments of `complete` that complete a value.
 std::string completing_in_fish(const Value& value) {
   std::string call;
   if (!value.words.empty()) call = " -a " + shell_word(fmt::format("{}", fmt::join(value.words, " ")));

@@ -27,7 +27,7 @@ conform::Claim claim_of(const scene::Hit& hit) {
   __builtin_unreachable();  // a Resultado is one of its enumerators
 }
 
-/// As a system writes it: what has no answer is refused.
+/// The line that a system writes for the claim; a ray without an answer is refused.
 std::string answer_line(const conform::Claim& claim, const scene::Scene& scene) {
   return claim.outcome == conform::Claim::Outcome::unanswered ? "refused " + claim.why
                                                               : conform::claim_text(claim, scene);

@@ -28,7 +28,8 @@ struct ConformBugOptions {
   bool quiet = false;
 };
 
-/// The worst failure of the case, or that of its ray; nothing where the system is right. Fills in what it says it is.
+/// The worst failure of the case, or that of its ray; nothing where the system is right. Fills in the version that the
+/// system gives.
 std::optional<Finding> failure_of(const System& system, const SuiteCase& of, const ConformBugOptions& options,
                                   std::string& version) {
   Tally tally;
@@ -49,7 +50,7 @@ std::optional<Finding> failure_of(const System& system, const SuiteCase& of, con
   return worst;
 }
 
-/// Where the system has a template: the reproducer, run.
+/// Adds the reproducer and its output, where the system has a template.
 void add_reproducer(BugReport& bug, const ConformBugOptions& options) {
   if (bug.system.reproducer.program.empty()) return;
   using Path = std::filesystem::path;

@@ -9,7 +9,7 @@
 namespace durero::cli {
 namespace {
 
-/// A file that a campaign names is looked for from its folder; a name is no file.
+/// The path of a file that a campaign names, from the campaign's folder; a system's name stays as it is.
 std::string beside(const std::string& campaign, const std::string& name_or_file) {
   if (name_or_file.find('/') == name_or_file.npos && !io::ends_in(name_or_file, ".json")) return name_or_file;
   return std::filesystem::path(campaign).parent_path() / name_or_file;

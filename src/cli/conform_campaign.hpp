@@ -14,7 +14,7 @@ struct CampaignCall {
   std::string systems = conform::default_systems();
 };
 
-/// CAMPAIGN and --systems.
+/// Adds the argument CAMPAIGN and the option --systems.
 void add_campaign(CLI::App& command, CampaignCall& call);
 
 struct NamedCampaign {
@@ -23,7 +23,7 @@ struct NamedCampaign {
   std::string identity;
 };
 
-/// Throws std::runtime_error where the campaign or its system is none.
+/// The campaign of the call, and its system. Throws std::runtime_error where there is no such campaign or system.
 NamedCampaign campaign_of(const CampaignCall& call);
 
 }  // namespace durero::cli

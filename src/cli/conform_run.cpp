@@ -64,7 +64,7 @@ struct Plan {
   }
 };
 
-/// What a run must be, to go on with another's claims.
+/// The identity of a run: only a run with the same identity goes on with its claims.
 std::string identity(const System& system, const ConformRunOptions& options) {
   return fmt::format("durero {} conform run {}, {}, --seed {} --rays {} --timeout {} --memory {} {}", DURERO_VERSION,
                      system.name, system.title, options.suite.seed, options.suite.rays, options.time, options.memory,
@@ -84,10 +84,10 @@ RunOptions run_options(const System& system, const ConformRunOptions& options) {
   return run;
 }
 
-/// How a system came off; its number is the exit status.
+/// The outcome for a system; its number is the exit status.
 enum class Outcome { conformant = 0, not_conformant = 1, not_asked = 2 };
 
-/// Asks and judges; nothing where it was stopped.
+/// Asks the system and judges its claims; nothing where the run was stopped.
 std::optional<Report> report_of(const System& system, const std::string& asked, const ConformRunOptions& options) {
   const Plan plan(options.suite, system.profile);
   Report report{.title = system.title,
@@ -129,7 +129,7 @@ Outcome run_one(const System& system, const std::string& asked, const ConformRun
   return report->tally.is_conformant() ? Outcome::conformant : Outcome::not_conformant;
 }
 
-/// Each has a folder of its name for what is found.
+/// Checks that the names differ, for each system has a folder of its name for its findings.
 void require_names_of_their_own(const std::vector<System>& systems) {
   std::set<std::string> names;
   for (const System& system : systems) {

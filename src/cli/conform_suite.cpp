@@ -20,7 +20,7 @@ std::vector<std::string> type_words() {
   return words;
 }
 
-/// Precondition: it is one of type_words().
+/// The type of that word. Precondition: the word is one of type_words().
 model::Tipo type_of(const std::string& word) {
   std::optional<model::Tipo> tipo;
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
@@ -43,7 +43,7 @@ const Family& family_of(const std::string& name) {
   return *family;
 }
 
-/// FAMILY and NUMBER.
+/// The parts FAMILY and NUMBER of a case's name.
 std::pair<std::string, std::uint64_t> parts_of(const std::string& name) {
   const std::size_t slash = name.find('/');
   std::uint64_t number = 0;

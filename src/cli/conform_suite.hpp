@@ -1,5 +1,5 @@
 #pragma once
-/// The options that say which suite: those of every subcommand that makes one.
+/// The options that choose a suite are shared by all subcommands that make one.
 
 #include <CLI/CLI.hpp>
 #include <string>
@@ -18,30 +18,30 @@ struct SuiteCall {
   std::string numbers{word(conform::Format::binary32)};
 };
 
-/// --family, --seed and --rays.
+/// Adds --family, --seed and --rays.
 void add_rays(CLI::App& command, SuiteCall& call);
-/// --types, --solids and --numbers, which a system's profile says of its own suite.
+/// Adds --types, --solids and --numbers, which a system's profile gives for its own suite.
 void add_elements(CLI::App& command, SuiteCall& call);
 
-/// Throws std::runtime_error where a family or a type is none.
+/// The suite of the call. Throws std::runtime_error where there is no such family or type.
 conform::SuiteOptions suite_of(const SuiteCall& call);
-/// With elements that a system of this profile has.
+/// The suite of the call, with elements that a system of this profile has.
 conform::SuiteOptions suite_of(const SuiteCall& call, const conform::Profile& profile);
 
 /// One ray of a suite.
 struct CaseCall {
   SuiteCall suite;
-  std::string name;  ///< of the case: FAMILY/NUMBER
+  std::string name;  ///< the name of the case: FAMILY/NUMBER
   std::size_t ray = 0;
 };
 
-/// --ray, which is handed back, and --seed.
+/// Adds --ray, which is returned, and --seed.
 CLI::Option* add_ray(CLI::App& command, CaseCall& call);
-/// --case, --ray, which must be given, and --seed.
+/// Adds --case and --ray, which must be given, and --seed.
 void add_case(CLI::App& command, CaseCall& call);
 
-/// The case, answered, of a suite with those elements and numbers; it has the ray. Throws std::runtime_error where
-/// there is none such.
+/// The answered case of a suite with those elements and numbers; it has the ray. Throws std::runtime_error where there
+/// is no such case.
 conform::SuiteCase case_of(const CaseCall& call, conform::SuiteOptions suite);
 
 }  // namespace durero::cli

@@ -20,8 +20,8 @@ using namespace conform;
 
 namespace {
 
-/// Of a command's words what stands behind the last slash, with - for what is not plain in a file's name:
-/// "python3 ./mine.py" is python3-mine.py.
+/// The name of a command in files: its words, each from its last slash on, with - for each character that is not plain
+/// in a file's name: "python3 ./mine.py" is python3-mine.py.
 std::string name_of_command(const std::string& command) {
   constexpr std::size_t most = 64;
   std::istringstream words(command);

@@ -12,7 +12,8 @@ namespace {
 
 using Kind = Value::Kind;
 
-/// What is no number and none of a few words, by the name of its option or argument: it means the same everywhere.
+/// A value that is neither a number nor one of a few words, by the name of its option or argument, which means the same
+/// everywhere.
 struct Row {
   std::string_view name;
   Kind kind;
@@ -38,7 +39,7 @@ constexpr std::array rows = {
     Row{"--with", Kind::file, "TEXT"},         Row{"--from", Kind::text, "X,Y,Z"},
 };
 
-/// What CLI11 says of the option: its type, and behind a colon what each of its checks says.
+/// CLI11's description of an option: its type, and behind a colon the descriptions of its checks.
 struct Typed {
   std::string type, checks;
 };

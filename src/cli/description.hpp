@@ -1,6 +1,6 @@
 #pragma once
-/// What the declared options, arguments and footers say of each command. Help, man pages, completions and the errors of
-/// a call all read it here.
+/// The description of each command is read from its declared options, arguments and footer. Help, man pages,
+/// completions and the errors of a call all use it.
 
 #include <CLI/CLI.hpp>
 #include <string>
@@ -8,18 +8,18 @@
 
 namespace durero::cli {
 
-/// What an option or an argument takes.
+/// The value that an option or an argument takes.
 struct Value {
   enum class Kind { none, number, word, file, folder, text };
   Kind kind = Kind::none;
-  std::string name;                ///< as help writes it: FILE, N, ENGINE
-  std::vector<std::string> words;  ///< that are known; of the kind word it is one of them
-  std::string bounds;              ///< of a number: `1 to 1024`
+  std::string name;                ///< the name in help: FILE, N, ENGINE
+  std::vector<std::string> words;  ///< the known words; a value of the kind word is one of them
+  std::string bounds;              ///< the bounds of a number: `1 to 1024`
 };
 
 Value value_of(const CLI::Option& option);
 
-/// `conform run`; nothing of the program itself.
+/// The words of the command, such as `conform run`; empty for the program itself.
 std::string path_of(const CLI::App& command);
 /// The command and all below it, each before its own subcommands.
 std::vector<const CLI::App*> with_subcommands(const CLI::App& command);
@@ -39,7 +39,7 @@ struct Section {
 };
 std::vector<Section> sections(const CLI::App& command);
 
-/// Sections that end a footer, in this order: what the exit statuses of the command say, and calls of it.
+/// The sections that end a footer, in this order: the meaning of the exit statuses of the command, and calls of it.
 std::string exit_status(const std::string& zero, const std::string& one, const std::string& two);
 std::string exit_status(const std::string& zero, const std::string& two);
 std::string examples(const std::vector<std::string>& calls);

@@ -59,7 +59,7 @@ void agree_by_text(const oracle::spec::Judge& judge, const model::Escena& before
                                      line, *difference));
 }
 
-/// Judged by the text of spec/, which does not speak of groups.
+/// Carries out a step, which the text of spec/ judges; it does not speak of groups.
 io::EditAnswer carry_out(written::Edited& edited, const io::Step& step, const oracle::spec::Judge& judge) {
   const auto* const edit = std::get_if<scene::Edit>(&step.edit);
   if (edit == nullptr) return edited.apply_total(step);

@@ -28,8 +28,8 @@ std::vector<std::string> names(bool with_origins_only = false) {
   return names;
 }
 
-/// The seed's classification (A §1.1): what each way to be faster is about, the section that describes it, and what has
-/// it: these engines and options, or, where none is named, the engines of that section and of those below.
+/// A technique of the seed's classification (A §1.1): the idea of each way to be faster, the section that describes it,
+/// and its engines and options; where none is named, the engines of that section and of those below.
 struct Technique {
   std::string_view head, name, section;
   std::string_view by = {};
@@ -61,7 +61,7 @@ std::string promises() {
   return text;
 }
 
-/// What has a technique, in words.
+/// The engines and options with a technique, in words.
 std::string had_by(const Technique& technique) {
   if (!technique.by.empty()) return std::string(technique.by);
   std::vector<std::string_view> names;
@@ -84,7 +84,7 @@ std::string classification() {
   return text;
 }
 
-/// What there is to count of an engine that has a structure.
+/// The counters of an engine with a structure.
 constexpr std::string_view counters =
     "\nof each in this list durero stats counts nodes, cells and bytes held; volumes (n), elements (m), nodes and "
     "cells a "

@@ -13,32 +13,32 @@
 
 namespace durero::cli {
 
-/// Adds the option; what it holds is then the name of an engine.
+/// Adds the option --engine; its value is the name of an engine.
 void add_engine(CLI::App& command, std::string& name);
 /// The option --max-depth of a command that draws.
 void add_max_depth(CLI::App& command, std::optional<std::uint32_t>& max_depth);
 
-/// Adds the option --hierarchy; what it holds is then `automatic` or `hand`.
+/// Adds the option --hierarchy; its value is `automatic` or `hand`.
 void add_hierarchy(CLI::App& command, std::string& hierarchy);
 
-/// Adds the option --with, a Z text by which the scene is read and its rays are answered; behind those of the two above
-/// that the command has, which it excludes.
+/// Adds the option --with, a Z text by which the scene is read and its rays are answered. It must be added after the
+/// two above, which it excludes.
 void add_with(CLI::App& command, std::string& file);
 
-/// What is done with the pictures that a scene names.
+/// The treatment of the pictures that a scene names.
 enum class Pictures : bool {
   left,  ///< nothing: no ray needs them
   read   ///< they are read, for colours
 };
 
-/// A scene, and what answers rays on it: an engine of the table, or a Z text.
+/// A scene, and the engine that answers rays on it: one of the table, or a Z text's.
 class Asked {
  public:
   /// The scene, which the engine is ready for.
   const scene::Scene& scene() const { return written_ ? written_->scene : input_->scene; }
-  /// What answers.
+  /// The engine that answers.
   const engine::Engine& engine() const { return written_ ? *written_->engine : *ready_; }
-  /// Throws std::invalid_argument where the engine knows no origins; `why` it has to.
+  /// Checks that the engine honours origins. Throws std::invalid_argument, where `why` gives the reason that it must.
   void require_origins(std::string_view why) const;
 
  private:
@@ -55,7 +55,7 @@ class Asked {
 Asked asked_of(const std::string& file, std::string_view engine, std::string_view hierarchy, const std::string& with,
                std::optional<scene::Resolution> resolution = {}, Pictures pictures = Pictures::left);
 
-/// What to say where an engine that knows no origins is asked for rays that have one.
+/// The message about an engine that honours no origins and is asked for rays that have one.
 std::string without_origins(const engine::Row& engine, std::string_view why);
 
 }  // namespace durero::cli

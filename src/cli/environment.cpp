@@ -26,7 +26,7 @@ struct EnvironmentOptions {
   std::optional<std::uint32_t> max_depth;
 };
 
-/// The most texels of a row: a panorama of them is the most that a scene reads.
+/// The most texels of a row: the widest panorama that a scene reads.
 constexpr std::uint32_t greatest_width = 8192;
 
 const std::vector<std::string> kinds{"box", "spherical", "equirectangular"};

@@ -1,5 +1,5 @@
 #pragma once
-/// What --help prints, made of what is declared.
+/// The text of --help is made of the declared options.
 
 #include <CLI/CLI.hpp>
 
@@ -10,7 +10,7 @@ class Help : public CLI::Formatter {
   std::string make_help(const CLI::App* command, std::string name, CLI::AppFormatMode mode) const override;
 };
 
-/// What an option or an argument says of itself: its description, then its words or its bounds, and its default.
+/// The text about an option or an argument: its description, then its words or its bounds, and its default.
 std::string said_of(const CLI::Option& option);
 
 }  // namespace durero::cli

@@ -30,7 +30,7 @@ int refuse(const std::string& what) {
   return bad_input;
 }
 
-// What is printed where it is asked for: --help, --version.
+// Prints the text that was asked for: --help, --version.
 int answer(const CLI::App& app, const CLI::Success& asked) {
   if (dynamic_cast<const CLI::CallForHelp*>(&asked) != nullptr) {
     durero::io::print(durero::cli::called(app).help());
@@ -69,8 +69,8 @@ void let_flags_have_no_values(CLI::App& command) {
   for (CLI::App* below : command.get_subcommands([](CLI::App*) { return true; })) let_flags_have_no_values(*below);
 }
 
-// A standard file that is closed stays useless, and its number is taken: no file that is opened gets it, for what is
-// printed would go there.
+// Takes the numbers of closed standard files, which stay useless: no file that is opened gets such a number, for the
+// output of the program would go there.
 void take_numbers_of_closed_files() {
   for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(file, F_GETFD) < 0) ::open("/dev/null", file == STDIN_FILENO ? O_WRONLY : O_RDONLY);
@@ -81,7 +81,7 @@ void take_numbers_of_closed_files() {
 
 int main(int argc, char* argv[]) {
   take_numbers_of_closed_files();
-  std::signal(SIGPIPE, SIG_IGN);  // that nobody reads is an error as others are
+  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error like any other
   durero::io::remove_temporaries_at_signals();
   CLI::App app("Ray and object intersection, formally specified and checked by contract", "durero");
   app.formatter(std::make_shared<durero::cli::Help>());

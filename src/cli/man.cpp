@@ -89,7 +89,7 @@ std::string commands_section(const CLI::App& command) {
   return text.empty() ? "" : heading("Commands") + text;
 }
 
-/// Statuses are a list of terms, and calls stand as they are typed.
+/// The text of a section: exit statuses as a list of terms, calls as they are typed.
 std::string section_text(const Section& section) {
   std::string text = heading(section.title);
   const bool is_list = section.title == "Exit status";

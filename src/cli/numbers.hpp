@@ -1,6 +1,6 @@
 #pragma once
-/// Checks of the values that a call gives. CLI11's own take −1 and 2⁶⁴ for whole numbers, and a NaN for one in range.
-/// What a check says begins with the value, and its description with what help shows of it.
+/// Checks of the values of a call. CLI11's own accept −1 and 2⁶⁴ as whole numbers, and a NaN as in range. The message
+/// of a check begins with the value, and its description with the text that help shows.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,7 +20,7 @@
 
 namespace durero::cli {
 
-/// A whole number in decimal digits alone; nothing where it is none, or 2⁶⁴ or greater.
+/// The whole number in decimal digits alone; nothing for another text, or for 2⁶⁴ or more.
 inline std::optional<std::uint64_t> read_whole_number(std::string_view text) {
   std::uint64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -28,7 +28,7 @@ inline std::optional<std::uint64_t> read_whole_number(std::string_view text) {
   return value;
 }
 
-/// As many numbers, with separators between them, each what read(text) gives; nothing where the text is no such.
+/// The `count` numbers of a text with separators between them, each read by read(text); nothing for another text.
 template <std::size_t count, class Read>
 auto numbers_in(std::string_view text, char separator, const Read& read) {
   using Number = typename decltype(read(text))::value_type;
@@ -43,7 +43,7 @@ auto numbers_in(std::string_view text, char separator, const Read& read) {
   return numbers;
 }
 
-/// A whole number in decimal digits, from least to greatest.
+/// A check for a whole number in decimal digits, from least to greatest.
 inline CLI::Validator whole_number(std::uint64_t least, std::uint64_t greatest) {
   const auto check = [=](const std::string& text) -> std::string {
     const auto value = read_whole_number(text);
@@ -53,7 +53,7 @@ inline CLI::Validator whole_number(std::uint64_t least, std::uint64_t greatest) 
   return {check, fmt::format("{} to {}", least, greatest)};
 }
 
-/// A number from least to greatest.
+/// A check for a number from least to greatest.
 inline CLI::Validator number(double least, double greatest) {
   const auto check = [=](const std::string& text) -> std::string {
     const std::optional<double> value = io::read_number(text);
@@ -63,7 +63,7 @@ inline CLI::Validator number(double least, double greatest) {
   return {check, fmt::format("{} to {}", least, greatest)};
 }
 
-/// One of the words, which are of a kind that `what` names: `engine`.
+/// A check for one of the words, of a kind that `what` names: `engine`.
 inline CLI::Validator one_of(std::string what, std::vector<std::string> words) {
   std::string description = fmt::format("{{{}}}", fmt::join(words, ","));
   const auto check = [what = std::move(what), words = std::move(words)](const std::string& text) -> std::string {

@@ -26,7 +26,7 @@ std::string time_text(double seconds) {
   return fmt::format("{:.1f} h", seconds / 3600);
 }
 
-/// A text that the terminal shows on one line: what is longer than the line would stay when it is written over.
+/// The text cut to one line of the terminal: the rest of a longer one would stay when it is written over.
 std::string cut_to_terminal(std::string text) {
   winsize size{};
   if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0 || text.size() < size.ws_col) return text;

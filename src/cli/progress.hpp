@@ -1,5 +1,5 @@
 #pragma once
-/// How much of a work is done, how fast, and the time that is left: on a terminal, and nowhere else.
+/// The progress of a work shows its share, its speed and the time left, on a terminal and nowhere else.
 
 #include <CLI/CLI.hpp>
 #include <atomic>
@@ -14,20 +14,20 @@ namespace durero::cli {
 /// The option --quiet of a command that shows its progress.
 void add_quiet(CLI::App& command, bool& quiet);
 
-/// A line at the foot of the terminal of the standard error, from two seconds after the beginning on, which is gone at
-/// the end. Any thread may tell what is done.
+/// A progress is a line at the foot of the terminal of the standard error, from two seconds after the beginning to the
+/// end of the work. Any thread may add to it.
 class Progress {
  public:
   static constexpr std::uint64_t unknown = 0;
 
-  /// Of a work, which is done in units such as rays; where it has none, the line tells its time alone.
+  /// The progress of a work in units such as rays; without units the line tells its time alone.
   Progress(bool is_quiet, std::string work, std::string_view units = "", std::uint64_t all = unknown);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// So many units more are done.
+  /// Adds so many units.
   void add(std::uint64_t more = 1) { done_ += more; }
-  /// That much of the work is done, from 0 to 1, where nobody knows how many units it has.
+  /// Sets the share of the work that is done, from 0 to 1, where the number of units is not known.
   void set_share(double share) { share_ = share; }
 
  private:

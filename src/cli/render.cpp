@@ -21,14 +21,14 @@
 namespace durero::cli {
 namespace {
 
-/// What ends a pass that the user does not wait for.
+/// The exception that ends a pass that the user does not wait for.
 struct Stopped {};
 
-/// A picture to be drawn, and into which file.
+/// A drawing: a picture to be rendered, and its file.
 class Drawing {
   const scene::Scene& scene() const { return asked_.scene(); }
 
-  /// draw(), with the name of the scene or the crop in what it refuses.
+  /// Calls draw(), and adds the name of the scene or the crop to its errors.
   template <class Draw>
   auto in_words(Draw&& draw) const {
     try {
@@ -82,7 +82,7 @@ class Drawing {
   }
 
  private:
-  /// Whether it was done to its end.
+  /// Makes a pass. Returns whether it was done to its end.
   bool pass(render::Refined& refined, const std::atomic<bool>& stop) const {
     Progress progress(options_.quiet, fmt::format("render: pass {}", refined.passes() + 1));
     try {

@@ -23,7 +23,7 @@ namespace {
 /// The most pixels of a side, as in scene files.
 constexpr std::uint32_t greatest_side = 65535;
 
-/// Statistical sampling that names no number.
+/// The points of statistical sampling that names no number.
 constexpr std::uint32_t statistical_samples = 1024;
 
 /// Pixels of a side.
@@ -45,7 +45,7 @@ std::string check_crop(const std::string& text) {
   return fmt::format("{}: no rectangle; expected X,Y,W,H, whole numbers up to {}, W and H from 1", text, greatest_side);
 }
 
-/// A number strictly between two.
+/// A check for a number strictly between two.
 CLI::Validator number_between(double low, double high) {
   const auto check = [=](const std::string& text) -> std::string {
     const std::optional<double> value = io::read_number(text);
@@ -60,7 +60,7 @@ std::vector<std::string> words(const std::array<std::string_view, count>& names)
   return {names.begin(), names.end()};
 }
 
-/// The place of a name; the first one's where none is given.
+/// The value with that name; the first one without a name.
 template <class Value, std::size_t count>
 Value value_of_name(const std::array<std::string_view, count>& names, const std::string& name) {
   if (name.empty()) return Value{};

@@ -15,7 +15,7 @@
 
 namespace durero::cli {
 
-/// As they stand in the call.
+/// The options as they stand in the call.
 struct RenderOptions {
   std::string scene, out, size, crop;
   std::string engine{engine::default_engine}, hierarchy{"automatic"}, with;
@@ -29,22 +29,22 @@ struct RenderOptions {
   bool is_statistical() const { return sampling == "statistical"; }
 };
 
-/// Declares them.
+/// Declares the options.
 void add_render_options(CLI::App& command, RenderOptions& options);
 
-/// Throws std::invalid_argument, one line, where one does not go with another.
+/// Checks that the options go together. Throws std::invalid_argument with one line.
 void check_together(const RenderOptions& options);
 
-/// What they ask for.
+/// The frame that the options ask for.
 render::Frame frame_of(const RenderOptions& options);
 render::Tone tone_of(const RenderOptions& options);
 
-/// The size of the whole picture.
+/// The size in pixels of the whole picture.
 scene::Resolution size_of(const RenderOptions& options, const scene::Stage& stage);
 
-/// What a file carries along: the program, and a call that draws the same picture again of a scene of that name. It has
-/// no folder and no time, nor an option that does not change the picture; what it leaves open is as the program has
-/// it. `passes` of a preview.
+/// The notes of a file: the program, and a call that draws the same picture again from a scene of that name. The call
+/// has no folder and no time, nor an option that does not change the picture; the program's defaults stand for the
+/// rest. `passes` are those of a preview.
 std::vector<render::Note> notes_of(const RenderOptions& options, const scene::Stage& stage,
                                    std::optional<std::uint32_t> passes = {});
 

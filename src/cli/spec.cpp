@@ -51,11 +51,11 @@ std::string sections_text(const zed::Specification& specification) {
   return said;
 }
 
-/// What a file is that holds no Z.
+/// The message about a file that holds no Z.
 constexpr const char *no_paragraph = "no Z paragraph",
                      *any_paragraph = "expected \\begin{zed}, axdef, schema, gendef or zsection, or a box of Unicode";
 
-/// The files of which nothing was read: each was meant to hold something.
+/// The files that gave no section: each was meant to hold Z.
 std::vector<std::string> empty_files(const std::vector<std::string>& files, const zed::Specification& read) {
   std::vector<std::string> empty;
   std::ranges::copy_if(files, std::back_inserter(empty), [&](const std::string& file) {
@@ -64,14 +64,14 @@ std::vector<std::string> empty_files(const std::vector<std::string>& files, cons
   return empty;
 }
 
-// Throws where a file cannot be read.
+// Reads the files. Throws where one cannot be read.
 std::vector<std::pair<std::string, std::string>> sources(const std::vector<std::string>& files) {
   std::vector<std::pair<std::string, std::string>> texts;
   for (const std::string& file : files) texts.emplace_back(file, io::read_source(file).text());
   return texts;
 }
 
-/// Keeps what a command has read until the program ends, and does not take it apart then, which takes long.
+/// Keeps the data of a command until the program ends, without the destruction that would take long.
 template <class T>
 const T& kept(T value) {
   static std::vector<std::unique_ptr<T>>& all = *new std::vector<std::unique_ptr<T>>;

@@ -12,7 +12,7 @@
 
 namespace durero::cli {
 
-/// Texts, on how many states their conjectures are tried, and what is refused.
+/// The call of `durero spec check`: texts, the number of states for their conjectures, and the strictness.
 struct CheckCall {
   std::vector<std::string> files;  ///< without one, the program's own text
   std::vector<std::string> let;    ///< values of constants, NAME=VALUE
@@ -20,16 +20,16 @@ struct CheckCall {
   bool strict = false;  ///< opinions are errors
   bool quiet = false;
 };
-/// What came of the conjectures: a line each, and whether one of them is false.
+/// The results of the conjectures: a line each, and whether one of them is false.
 struct TriedConjectures {
   std::string said;
   bool refuted = false;
 };
-/// Tries the conjectures of a text without defects; of the program's own it names the theorems. Throws
-/// oracle::spec::ConstantError where a constant cannot be what the call says.
+/// Tries the conjectures of a text without defects; for those of the program's own it names the theorems. Throws
+/// oracle::spec::ConstantError where a constant cannot have its value from the call.
 TriedConjectures tried(const zed::Specification& text, const zed::Typing& typing, const CheckCall& call);
 
-/// An expression, and how far its evaluation may go.
+/// The call of `durero spec eval`: an expression, and the limits of its evaluation.
 struct EvalCall {
   std::string expression, scene;
   std::vector<std::string> files;  ///< texts; none: the program's own
@@ -38,10 +38,10 @@ struct EvalCall {
   std::uint64_t memory = 0;  ///< MiB; 0: as default_memory() says
   bool explain = false, quiet = false;
 };
-/// MiB that an evaluation may take where nothing is said: 4096, or half of the machine's memory where that is less.
+/// The default for the memory of an evaluation in MiB: 4096, or half of the machine's memory where that is less.
 std::uint64_t default_memory();
-/// From here on what takes so many MiB more throws std::bad_alloc (0: as default_memory() says). A number may take a
-/// 128th of it.
+/// Bounds the memory from here on: an allocation beyond so many MiB more throws std::bad_alloc (0: as default_memory()
+/// says). A number may take a 128th of it.
 void bound_memory(std::uint64_t mebibytes);
 
 /// Reads the texts of these files, or the program's own where there are none: the one way by which every command does.
@@ -51,7 +51,7 @@ zed::Specification specification_of(const std::vector<std::string>& files);
 /// Throws io::InputError at the first defect that reading found in these files, or where one of them holds no Z.
 void refuse_unread(const std::vector<std::string>& files, const zed::Specification& read);
 
-/// Says of each constant for which a value was taken which, on stderr.
+/// Names on stderr each constant for which a value was taken, with the value.
 void note_taken(const std::vector<std::string>& lines);
 /// Runs, and throws io::InputError where a value that --let gives is refused.
 template <class Run>

@@ -1,5 +1,5 @@
-// What `durero spec check` says of the conjectures of a text: that they were tried, that they are proved, and never
-// more.
+// The statements of `durero spec check` about the conjectures of a text: that they were tried, that they are proved,
+// and never more.
 #include <fmt/format.h>
 
 #include "durero/io/standard_output.hpp"

@@ -24,7 +24,7 @@ namespace {
 constexpr const char* file_name = "EXPR";
 constexpr std::uint64_t mib = std::uint64_t{1} << 20U;
 
-/// The bytes that the program's data take now (proc(5): the sixth number of statm, in pages); 0 where nobody says.
+/// The bytes that the program's data take now (proc(5): the sixth number of statm, in pages); 0 where it is not known.
 std::uint64_t data_now() {
   std::ifstream statm("/proc/self/statm");
   std::uint64_t pages = 0;

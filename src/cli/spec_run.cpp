@@ -28,7 +28,7 @@ using zed::Truth;
 
 namespace {
 
-/// What may be beside the ways that were found, and what kept them from being found.
+/// A note on further ways that may exist, and on the reason why they were not found.
 std::string left_open(const Found& ways) {
   if (!ways.undecided) return {};
   if (ways.tried.empty()) return "  there may be other ways: equations do not give them\n";
@@ -60,7 +60,7 @@ class Runner {
  public:
   Runner(const Machine& machine, const RunCall& call) : machine_(machine), call_(call), way_(machine) {}
 
-  /// Runs the commands of the standard input; the exit status.
+  /// Runs the commands of the standard input. Returns the exit status.
   int run() {
     terminal_ = isatty(STDIN_FILENO) != 0;
     attempt([this] { greet(); });
@@ -110,7 +110,8 @@ class Runner {
     if (terminal_) io::print("> ");
   }
 
-  // On a terminal one goes on; a script ends here, as what follows it may mean something else now.
+  // Reports a refused command. A terminal goes on; a script ends here, as the commands that follow may mean something
+  // else now.
   void complain(const Refused& refused) {
     refused_ = !terminal_;
     const io::InputError error("<stdin>", {std::max<std::size_t>(line_, 1), refused.column}, refused.wrong,

@@ -1,5 +1,5 @@
 #pragma once
-/// `durero spec run`: what it is asked, and how it writes states.
+/// The call of `durero spec run`, and its output of states.
 
 #include <string>
 #include <vector>
@@ -19,17 +19,19 @@ struct RunCall {
 };
 int spec_run(RunCall call);
 
-/// The state before beside the state after, a component a line, with * where they differ; `before` may be null.
+/// A table of the state before beside the state after, a component a line, with * where they differ; `before` may be
+/// null.
 std::string state_table(const oracle::spec::Machine& machine, const zed::Given* before, const zed::Given& after);
 /// The operation with its inputs and outputs, on one line.
 std::string step_line(const oracle::spec::Machine& machine, const oracle::spec::Transition& step);
 /// Conjuncts, one a line, with their truth.
 std::string findings_list(const std::vector<zed::Finding>& findings);
-/// Whether the invariant holds, and which operations the state alone refuses, with the first predicate that does.
+/// The outlook from a state: whether the invariant holds, and which operations the state alone refuses, with the first
+/// predicate that does.
 std::string outlook(const oracle::spec::Machine& machine, const zed::Given& state);
 /// Each operation, and one way to go on by it from the state.
 std::string operations_list(const oracle::spec::Machine& machine, const zed::Given& state);
-/// A conjecture, its place, and what came of it.
+/// A conjecture, its place, and its result.
 std::string claim_line(const oracle::spec::Tried& tried);
 /// A way, step by step, each with its state.
 std::string way_story(const oracle::spec::Machine& machine, const std::vector<oracle::spec::Transition>& way);

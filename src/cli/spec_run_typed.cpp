@@ -1,4 +1,4 @@
-// What one types for durero spec run, taken apart.
+// The typed commands of durero spec run are taken apart here.
 #include "spec_run_typed.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ std::string trimmed(const std::string& text) {
 
 namespace {
 
-/// The semicolon that stands in no bracket, or the end.
+/// The offset of the first semicolon outside brackets, or the end.
 std::size_t end_of_input(const std::string& typed, std::size_t from) {
   int depth = 0;
   for (std::size_t at = from; at < typed.size(); ++at) {

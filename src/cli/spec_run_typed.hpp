@@ -1,5 +1,5 @@
 #pragma once
-/// What one types for durero spec run, taken apart.
+/// The typed commands of durero spec run are taken apart here.
 
 #include <string>
 
@@ -7,16 +7,16 @@
 
 namespace durero::cli {
 
-/// What was typed cannot be done; the place is a column of the line.
+/// The error of a command that cannot be done; the place is a column of the line.
 struct Refused {
   std::string wrong, expected;
   std::size_t column = 1;
 };
 
-/// Without the blanks around it.
+/// The text without the blanks around it.
 std::string trimmed(const std::string& text);
 
-/// The inputs of `x? = VALUE; y? = VALUE`. Throws Refused where one is none of the operation, or has no value.
+/// The inputs of `x? = VALUE; y? = VALUE`. Throws Refused where one is no input of the operation, or has no value.
 zed::Given typed_inputs(const oracle::spec::Machine& machine, const oracle::spec::MachineOperation& operation,
                         const std::string& typed);
 

@@ -34,18 +34,18 @@ struct StatsOptions {
   bool bounds = false, no_times = false, quiet = false;
 };
 
-/// Rays of its own, where no file is named.
+/// The number of rays that are drawn where no file is named.
 constexpr std::size_t own_rays = 1000;
 constexpr std::uint64_t own_seed = 1;
 
-/// The engine that has no structure: what the others are held against.
+/// The engine without a structure, with which the others are compared.
 constexpr std::string_view without = "analytic";
 
 struct Measured {
   const engine::Row* engine;
   bool by_hand;  ///< its hierarchy is that of the scene's groups
   Figures figures;
-  std::optional<double> break_even;  ///< rays from which on it pays; none where it never does
+  std::optional<double> break_even;  ///< the number of rays from which on it pays; none where it never does
 };
 
 std::vector<std::string> measurable() {
@@ -60,7 +60,7 @@ std::vector<scene::Query> rays_of(const StatsOptions& options, const scene::Scen
   return io::read_rays(io::read_lines(options.rays), scene);
 }
 
-/// How many rays it takes until the time to build it has been won back: of each ray it saves what the other takes more.
+/// The number of rays that win back the time to build the structure: each saves the difference of the times per ray.
 std::optional<double> break_even(const Figures& own, const Figures& linear) {
   const double saved = own.without_seconds.value_or(linear.answering_seconds) - own.answering_seconds;
   const double built = own.building_seconds - linear.building_seconds;
@@ -68,7 +68,8 @@ std::optional<double> break_even(const Figures& own, const Figures& linear) {
   return std::max(0.0, std::ceil(built / saved * static_cast<double>(own.work.rays)));
 }
 
-/// Where nobody says, the groups of a scene that has some stand beside the automatic hierarchy.
+/// Whether the hierarchy of the groups is measured: without a choice, it stands beside the automatic one where a scene
+/// has groups.
 bool is_wanted_by_hand(const StatsOptions& options, const scene::Groups& groups) {
   return options.hierarchy.empty() ? !groups.empty() : options.hierarchy == engine::by_hand;
 }
@@ -124,7 +125,7 @@ std::string branchings(const std::vector<Measured>& all) {
   return text;
 }
 
-/// Of bounding volumes, where that is asked for.
+/// The figures of bounding volumes, where they are asked for.
 using Bounds = std::optional<engine::BoundsFigures>;
 
 void print_text(const StatsOptions& options, const scene::Scene& scene, std::size_t rays,

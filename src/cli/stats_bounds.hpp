@@ -1,5 +1,5 @@
 #pragma once
-/// What `durero stats --bounds` prints of bounding volumes.
+/// The output of `durero stats --bounds` on bounding volumes.
 
 #include <string>
 
@@ -8,10 +8,10 @@
 
 namespace durero::cli {
 
-/// As tables: of all elements in volumes of each kind, then of each element in its own.
+/// The figures as tables: of all elements in volumes of each kind, then of each element in its own.
 std::string bounds_text(const engine::BoundsFigures& figures, const scene::Scene& scene, bool no_times);
 
-/// The member `bounds` of an object.
+/// Writes the member `bounds` of an object.
 void write_bounds(io::json::Writer& out, const engine::BoundsFigures& figures, const scene::Scene& scene,
                   bool no_times);
 

@@ -23,7 +23,7 @@ struct TraceOptions {
   bool quiet = false;
 };
 
-/// How much of a file has been taken; without its size, that is not known.
+/// Sets the share of the file that has been read; without its size, that is not known.
 void set_share(Progress& progress, const io::Input& input, std::optional<std::uint64_t> size) {
   const auto left = input.left();
   if (size && left && *size > 0) progress.set_share(1 - static_cast<double>(*left) / static_cast<double>(*size));

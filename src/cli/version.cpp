@@ -52,7 +52,7 @@ std::vector<std::string> sanitizers() {
   return names;
 }
 
-/// From the widest.
+/// The names of Highway's targets, from the widest.
 std::vector<std::string> names_of_targets(std::int64_t targets) {
   std::vector<std::string> names;
   for (std::int64_t rest = targets; rest != 0; rest &= rest - 1) names.emplace_back(hwy::TargetName(rest & -rest));
@@ -60,7 +60,7 @@ std::vector<std::string> names_of_targets(std::int64_t targets) {
 }
 
 std::vector<std::string> compiled() { return names_of_targets(HWY_TARGETS); }
-/// Highway takes the widest that the machine has.
+/// The target in use: Highway takes the widest that the machine has.
 std::string in_use() { return names_of_targets(hwy::SupportedTargets() & HWY_TARGETS).front(); }
 
 std::string of_parts(unsigned number, unsigned major, unsigned minor, unsigned most = ~0U) {

@@ -26,10 +26,10 @@ struct VoxeliseOptions {
   bool is_solid = false, quiet = false;
 };
 
-/// So much text is written at a time.
+/// The size of the chunks in which text is written.
 constexpr std::size_t chunk = std::size_t{1} << 20;
 
-/// The types of which more cubes may be there than those in which they have points.
+/// Writes the types for which there may be more cubes than those with points of them.
 void write_conservative(io::json::Writer& out, const Mosaic& mosaic) {
   out.key("conservative").begin_array();
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {

@@ -4,7 +4,8 @@
 ///   {"format":"durero-claims","version":1,"run":"embree --seed 1 --rays 1024","system":"Embree 3.13.5"}
 ///   {"case":"generic/0000","claims":["miss","hit e0 4.5","crashed signal 6 (Aborted)"]}
 ///
-/// It has a line for each case, in their order. The rest that a stop cut off behind the last whole line is left out.
+/// The file has a line for each case, in their order. The rest that a stop cut off behind the last whole line is left
+/// out.
 
 #include <cstdio>
 #include <memory>

@@ -86,7 +86,8 @@ void turn_to(FramedShape& shape, const glm::dvec3& d);
 /// All lengths times 2^k; the shared points go.
 FramedShape scaled(FramedShape shape, int k);
 
-/// With every number rounded to the format, and a unit vector near d in it: nothing where it is no shape any more.
+/// The shape with every number rounded to the format, and a unit vector near d in it; nothing where the result is no
+/// valid shape.
 std::optional<FramedShape> in_format(const Draws& random, FramedShape shape);
 
 }  // namespace durero::conform

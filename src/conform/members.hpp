@@ -21,7 +21,7 @@ bool hits_flat(const AnsweredQuery& q);  ///< hits a plane, or part of one
 /// B or C that is 0, a root exactly at a rim or the apex, a right angle with the axis; or a tie, or no minimum.
 bool coincides(const AnsweredQuery& q);
 
-// Of scale (members_scale.cpp). The element is one that the ray hits.
+// The families of scale (members_scale.cpp) ask about the element that the ray hits.
 bool from_far(const AnsweredQuery& q);         ///< from 10³ of its sizes or more
 bool far_from_zero(const AnsweredQuery& q);    ///< its centre 10³ of its sizes or more from 0, in some coordinate
 bool hits_far(const AnsweredQuery& q);         ///< t|v| ≥ 10⁶
@@ -33,7 +33,7 @@ bool long_and_thin(const AnsweredQuery& q);    ///< altura is 10³ of its radii 
 bool hits_near(const AnsweredQuery& q);        ///< t|v| is 10⁻³ of the size or less
 bool on_grid(const AnsweredQuery& q);          ///< every coordinate of the ray is a multiple of 1/4, up to 8
 
-// Of direction (members_direction.cpp).
+// These are the families of direction (members_direction.cpp).
 bool nearly_axial(const AnsweredQuery& q);      ///< nearly parallel to the axis of some cylinder
 bool axial(const AnsweredQuery& q);             ///< v × vector = 0 for some cylinder
 bool perpendicular(const AnsweredQuery& q);     ///< v·vector = 0 for an element that it hits
@@ -47,7 +47,7 @@ bool parallel(const AnsweredQuery& q);          ///< v·d = 0 for one
 bool nearly_in_surface(const AnsweredQuery& q);
 bool in_surface(const AnsweredQuery& q);  ///< no minimum, or the first point begins a segment
 
-// Of discs and triangles (members_bounded.cpp).
+// These are the families of discs and triangles (members_bounded.cpp).
 bool nearly_disc(const AnsweredQuery& q);      ///< meets a disc, or passes nearly through its rim
 bool bound_of_disc(const AnsweredQuery& q);    ///< meets one at its rim exactly, or in its plane
 bool nearly_cap(const AnsweredQuery& q);       ///< passes nearly through the rim of a disc, or starts inside an element
@@ -59,12 +59,13 @@ bool edge_of_sliver(const AnsweredQuery& q);   ///< meets one at its edge exactl
 bool nearly_coplanar(const AnsweredQuery& q);  ///< hits several at one point, or is nearly parallel to one
 bool coplanar(const AnsweredQuery& q);         ///< hits several at one point, or lies in their plane
 
-// Of the distance from a bound (members_margin.cpp): from the limb of a sphere or the rim of a disc in radii, from an
-// end along the axis in alturas, from an edge of a triangle by barycentric coordinate; where nothing is met before.
+// The family of margins (members_margin.cpp) asks for the distance from a bound: from the limb of a sphere or the rim
+// of a disc in radii, from an end along the axis in alturas, from an edge of a triangle by barycentric coordinate;
+// where the ray meets nothing before.
 bool beside_bound_by(const AnsweredQuery& q, int least, int greatest);  ///< 2^−greatest … 2^−least from one
 bool beside_bound(const AnsweredQuery& q);                              ///< by 2⁻⁴¹ … 2⁻⁷
 
-// Of the place of the points (members_place.cpp).
+// These are the families of the place of the points (members_place.cpp).
 bool mirrored_first(const AnsweredQuery& q);  ///< a root t > 0 on a mirrored nappe, before any hit
 bool nearly_apex(const AnsweredQuery& q);     ///< passes nearly through the apex of a cone
 bool apex(const AnsweredQuery& q);            ///< hits a cone at its apex

@@ -16,12 +16,12 @@ FramedShapes some_axial(Draws& random, int);
 FramedShapes some_cylinders(Draws& random, int);
 FramedShapes some_cones(Draws& random, int);
 
-// Of planes (recipes_flat.cpp).
+// Recipes of planes (recipes_flat.cpp).
 FramedShapes with_plane(Draws& random, int);
 DrawnRay flat(Draws& random, int log2_distance, Given shapes);
 DrawnRay grazing(Draws& random, int minus_log2_angle, Given shapes);
 
-// Of discs (recipes_disc.cpp).
+// Recipes of discs (recipes_disc.cpp).
 FramedShapes with_disc(Draws& random, int);
 DrawnRay disc(Draws& random, int log2_distance, Given shapes);
 FramedShapes capped(Draws& random, int);
@@ -30,7 +30,7 @@ DrawnRay cap(Draws& random, int log2_distance, Given shapes);
 /// A ray to a solid, given by its wall and then its discs.
 DrawnRay solid(Draws& random, Given shapes);
 
-// Of triangles (recipes_triangle.cpp).
+// Recipes of triangles (recipes_triangle.cpp).
 FramedShapes fan(Draws& random, int);
 DrawnRay edge(Draws& random, int log2_distance, Given shapes);
 FramedShapes closed_mesh(Draws& random, int sides);
@@ -40,7 +40,7 @@ DrawnRay sliver(Draws& random, int, Given shapes);
 FramedShapes coplanar(Draws& random, int);
 DrawnRay coplanar(Draws& random, int minus_log2_angle, Given shapes);
 
-// Of scale (recipes_scale.cpp).
+// Recipes of scale (recipes_scale.cpp).
 FramedShapes as_many(Draws& random, int count);
 DrawnRay generic(Draws& random, int, Given shapes);
 DrawnRay far_origin(Draws& random, int log2_distance, Given shapes);
@@ -57,17 +57,17 @@ DrawnRay near_origin(Draws& random, int minus_log2_distance, Given shapes);
 FramedShapes grid(Draws& random, int count);
 DrawnRay grid(Draws& random, int, Given shapes);
 
-// Of one element near 0, past its bound (recipes_margin.cpp).
+// Recipes of one element near 0, with rays past its bound (recipes_margin.cpp).
 FramedShapes bounded(Draws& random, int);
 DrawnRay margin(Draws& random, int minus_log2_margin, Given shapes);
 
-// Of a whole scene scaled or turned, and of one element twice, nearly (recipes_whole.cpp).
+// Recipes of a whole scene scaled or turned, and of one element twice, nearly (recipes_whole.cpp).
 FramedShapes scale(Draws& random, int log2_scale);
 DrawnRay scale(Draws& random, int log2_scale, Given shapes);
 FramedShapes rotation(Draws& random, int tangent_in_64ths);
 FramedShapes parked(Draws& random, int units);
 
-// Of direction (recipes_direction.cpp).
+// Recipes of direction (recipes_direction.cpp).
 FramedShapes near_axial(Draws& random, int);
 DrawnRay near_axial(Draws& random, int minus_log2_slope, Given shapes);
 DrawnRay perpendicular(Draws& random, int log2_distance, Given shapes);
@@ -76,7 +76,7 @@ DrawnRay second_nappe(Draws& random, int eighths, Given shapes);
 DrawnRay axis_parallel(Draws& random, int log2_distance, Given shapes);
 DrawnRay in_surface(Draws& random, int eighths, Given shapes);
 
-// Of the place of the point (recipes_place.cpp).
+// Recipes of the place of the point (recipes_place.cpp).
 DrawnRay apex(Draws& random, int log2_distance, Given shapes);
 FramedShapes rim(Draws& random, int);
 DrawnRay rim(Draws& random, int log2_distance, Given shapes);

@@ -196,13 +196,13 @@ DrawnRay tangent(Draws& random, int log2_distance, Given shapes) {
 
 DrawnRay zero_b(Draws& random, int percent_from_centre, Given shapes) {
   const FramedShape& shape = random.any_of(shapes);
-  // From the centre of a sphere or of a cylinder's base B = 0 whatever the axis.
+  // A ray from the centre of a sphere or of a cylinder's base has B = 0 whatever the axis.
   if (has_constant_radius(shape.tipo) && random.integer(0, 99) < percent_from_centre) {
     glm::dvec3 w = any_vector(random, shape);
     if (glm::dot(w, shape.d) < 0) w = -w;
     return {shape.centro, w};
   }
-  // From the middle of a chord the roots are opposite.
+  // A ray from the middle of a chord has opposite roots.
   const SurfacePoint one = surface_point(random, shape), other = surface_point(random, shape);
   const DrawnRay ray{0.5 * (one.position + other.position),
                      std::ldexp(1, random.integer(-3, 3)) * (other.position - one.position)};

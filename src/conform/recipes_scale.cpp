@@ -99,7 +99,8 @@ DrawnRay degenerate_numbers(Draws& random, int log2_scale, Given shapes) {
 FramedShapes long_thin(Draws& random, int log2_ratio) {
   FramedShapes shapes = some_axial(random, 0);
   for (FramedShape& shape : shapes) {
-    // What a type with a proportion narrows by; the radius of a lattice shape then stays what it was.
+    // The radius here is the part by which the shape narrows; a lattice shape with that part as proporcion·altura keeps
+    // its radii.
     const bool has_top = !has_constant_radius(shape.tipo) && !has_apex(shape.tipo);
     const double radius = shape.radius() - (has_top ? shape.radio : 0);
     shape.altura = std::ldexp(shape.lattice ? radius : std::ldexp(1, std::ilogb(radius) + 1), log2_ratio);

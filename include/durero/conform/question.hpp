@@ -21,8 +21,8 @@
 ///   hit ELEMENT T X Y Z
 ///   refused WHY
 ///
-/// It flushes them at least after each scene. A question to a system of solids leaves out the discs that close an
-/// element: the element is understood as a solid.
+/// The system flushes its lines at least after each scene. A question to a system of solids leaves out the discs that
+/// close an element: the element is understood as a solid.
 
 #include <cstdio>
 #include <optional>

@@ -200,7 +200,7 @@ Property Compiler::hidden(const Components& names, const Scope& scope,
   return exists_property(std::move(variables), inside(inner));
 }
 
-// In S ⨟ T and S ⨠ T, what S leaves under a stroke is what T takes.
+// In S ⨟ T and S ⨠ T, T takes the components that S leaves under a stroke.
 Property Compiler::joined_schemas(const Node& node, const std::string& stroke, const std::string& to_stroke,
                                   const Scope& scope) {
   const Term &left = node.children[0], &right = node.children[1];
