@@ -69,7 +69,8 @@ int run(const ConformShardOptions& options) {
         fmt::format("no shard {}; expected one from 0 to {}", options.shard, named.campaign.shards - 1));
   require_present(named.system);
   const std::string path = options.output.empty() ? fmt::format("shard-{:07}.json", options.shard) : options.output;
-  // Whether it can be written is known at once; a file that is open for hours would be left by what kills a process.
+  // A file that cannot be written is refused at once. It is not kept open for hours, for a killed process would leave
+  // it behind.
   static_cast<void>(io::OutputFile(path));
   io::write_file(path, shards_text(asked(named, options), named.campaign, named.identity));
   return 0;

@@ -1,4 +1,4 @@
-// How durero spec run writes states, steps and predicates.
+// The output of durero spec run: states, steps and predicates.
 #include <fmt/format.h>
 
 #include <algorithm>

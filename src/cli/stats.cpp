@@ -111,7 +111,7 @@ std::string times(const Measured& of) {
 
 std::string name_of(const Measured& of) { return fmt::format("{}{}", of.engine->name, of.by_hand ? " by hand" : ""); }
 
-/// How the hierarchies branch, a line each; nothing where there is none.
+/// The branching of the hierarchies, a line each; empty where there is none.
 std::string branchings(const std::vector<Measured>& all) {
   constexpr auto head = "{:<19}{:>12}{:>8}{:>8}{:>8}\n";
   std::string text;

@@ -83,7 +83,7 @@ FramedShape closing_disc(const FramedShape& shape, bool at_base);
 /// Gives the shape another axis, and a frame around that. Precondition: e1 is not along d.
 void turn_to(FramedShape& shape, const glm::dvec3& d);
 
-/// All lengths times 2^k; the shared points go.
+/// The shape with all lengths times 2^k, and without its shared points.
 FramedShape scaled(FramedShape shape, int k);
 
 /// The shape with every number rounded to the format, and a unit vector near d in it; nothing where the result is no

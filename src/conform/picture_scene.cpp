@@ -129,7 +129,7 @@ std::string scene_svg(const JudgedCase& judged) {
   scene.for_each([&](ElementRef e, const auto&) { svg += element_svg(frame, surface_of(scene, e)); });
   const std::vector<ElementRef> shown = elements_shown(judged);
   const glm::dvec3 middle = surface_of(scene, shown.front()).center();
-  for (const bool failing : {false, true}) {  // what fails is drawn over what does not
+  for (const bool failing : {false, true}) {  // failing rays are drawn over the others
     for (std::size_t ray = 0; ray < judged.claims.size(); ++ray) {
       const Verdict verdict = judged.judgements[ray].verdict;
       if (is_failure(verdict) != failing || verdict == Verdict::skipped) continue;

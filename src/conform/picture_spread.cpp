@@ -48,7 +48,7 @@ std::string spread_svg(const FamilyTally& family) {
   for (const Spread& spread : family.spreads) highest = std::max(highest, level(spread, 0) + 1);
   const Axis up{-10, std::ceil(highest) + 1, height - bottom, top};
   std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\">\n", width, height) + ticks(across, up);
-  for (const bool failing : {false, true}) {  // what fails is drawn over what does not
+  for (const bool failing : {false, true}) {  // failing cases are drawn over the others
     for (const Spread& spread : family.spreads) {
       if (is_failure(spread.worst) != failing) continue;
       svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"{}\"/>\n", across.place(spread.parameter),

@@ -44,8 +44,8 @@ DrawnRay perpendicular(Draws& random, int log2_distance, Given shapes) {
 }
 
 DrawnRay near_generator(Draws& random, int minus_log2_least_angle, Given shapes) {
-  // Where a quadratic is nearly linear its root loses digits, up to the angle at which a program takes it for linear:
-  // between 2⁻⁹ and 2⁻²⁹ by what was seen. Each ray has an angle of its own, so that few scenes have them all.
+  // A nearly linear quadratic loses digits of its root, up to the angle at which a program takes it for linear: between
+  // 2⁻⁹ and 2⁻²⁹ in the programs that were seen. Each ray has an angle of its own, so that few scenes have them all.
   constexpr int minus_log2_greatest_angle = 6;
   const FramedShape& shape = random.any_of(shapes);
   const SurfacePoint at = surface_point(random, shape);

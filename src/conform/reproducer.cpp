@@ -126,7 +126,7 @@ class Folder {
 struct EndedProgram {
   bool well = false;
   std::string text{};   // of its standard output
-  std::string words{};  // how it ended, and the end of its standard error
+  std::string words{};  // the end of the process, and of its standard error
 };
 
 EndedProgram run(const Command& command, const std::string& folder, const std::atomic<bool>& stop) {

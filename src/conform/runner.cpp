@@ -154,7 +154,7 @@ class Run {
   const std::size_t kept_;  // cases that the log had
 
   std::atomic<bool> stop_ = false;  // by the user, or because a job failed
-  std::mutex mutex_;                // of what follows
+  std::mutex mutex_;                // guards the members below
   std::condition_variable changed_;
   std::size_t working_;
   std::size_t next_ = 0, handed_on_ = 0, silent_ = 0;

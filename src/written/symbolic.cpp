@@ -17,7 +17,7 @@ using zed::Term;
 
 namespace {
 
-/// As many as no text needs that anybody wrote by hand.
+/// The limit on steps, which no text written by hand reaches.
 constexpr std::uint64_t most_steps = 1'000'000;
 constexpr unsigned most_depth = 400;
 
@@ -51,7 +51,7 @@ std::optional<Parameters> clause(const zed::Axiomatic& form, const Name& functio
   return std::nullopt;
 }
 
-/// λ D • e, whose argument is the characteristic tuple of D.
+/// The definition λ D • e, whose argument is the characteristic tuple of D.
 Parameters of_lambda(const Term& lambda) {
   Parameters found{*lambda->text, {}, lambda->children[0], ""};
   for (const zed::Declaration& declaration : lambda->text->declarations) {
@@ -122,7 +122,8 @@ Outside Symbolic::outside(const Fields& names, const Term& schema, const ScopePt
   return {{}, zed::to_unicode(schema)};
 }
 
-/// The names of the parameters have the arguments as values, which are in the sets of the head and satisfy it.
+/// The value of a call. The parameters have the arguments as values, which must be in the sets of the head and satisfy
+/// it.
 Value Symbolic::call(const Parameters& function, const Tuple& arguments, const Fields& around) {
   const ScopePtr outer = std::make_shared<const Scope>(Scope{around, nullptr, function.section});
   Fields names;
@@ -188,7 +189,7 @@ Value Symbolic::value(const Term& term, const ScopePtr& scope) {
         refuse(scope, term->place, "which of the two it is depends on the point", "expected one polynomial");
       return value(term->children[which.truth ? 1 : 2], scope);
     }
-    default:  // sets and functions: they are looked into where a member or a value is asked for
+    default:  // sets and functions are evaluated where a member or a value is asked for
       return {Suspended{term, scope}};
   }
 }
@@ -213,7 +214,7 @@ Value Symbolic::reference(const Term& term, const ScopePtr& scope) {
   return is_number ? constant(term, scope) : Value{Suspended{term, global_scope(scope->section)}};
 }
 
-/// What the axioms say of a name that they determine.
+/// The value of a name that the axioms determine.
 Value Symbolic::constant(const Term& term, const ScopePtr& scope) {
   try {
     return converted(evaluator_.value(term->name), term, scope);
@@ -315,7 +316,7 @@ Value Symbolic::application(const Term& term, const ScopePtr& scope) {
   } catch (const Outside& outside) {
     refuse(scope, term->place, fmt::format("{} may be applied outside its domain", zed::to_unicode(of)),
            fmt::format("expected {}", outside.expected));
-  } catch (const Refusal& refusal) {  // in a definition of another file: it is told where this one uses it
+  } catch (const Refusal& refusal) {  // in another file's definition: the error is reported where this one uses it
     if (refusal.defect.file == specification_.find(scope->section)->file) throw;
     refuse(scope, term->place, refusal.defect.what, refusal.defect.expected);
   }

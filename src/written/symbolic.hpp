@@ -1,6 +1,7 @@
 #pragma once
-/// Z terms whose numbers are formulas in the coordinates of a point: an expression is a value made of such, a predicate
-/// a condition on them. What cannot be followed so is an error at its place, and never a guess.
+/// Symbolic evaluation turns Z terms into formulas in the coordinates of a point: an expression becomes a value made of
+/// formulas, a predicate a condition on them. A term that it cannot evaluate is an error at its place, and never a
+/// guess.
 
 #include <map>
 #include <memory>
@@ -40,33 +41,34 @@ struct Scope {
   std::string section;  ///< whose globals they are
 };
 
-/// What is wrong with a text, in a file of it.
+/// The error of a term that cannot be evaluated, with its file.
 struct Refusal {
   zed::Defect defect;
 };
 
-/// Says that a predicate of the head of a function is not true of an argument.
+/// The error of an argument for which a predicate of a function's head is not true.
 struct Outside {
-  zed::Name parameter;   ///< empty: of several together
+  zed::Name parameter;   ///< the parameter in error; empty where it is several together
   std::string expected;  ///< Z, in Unicode
 };
 
-/// What is known of a function of the text: its parameters, in the order in which it takes them.
+/// The definition of a function of the text: its parameters, in the order in which it takes them, and its value.
 struct Parameters {
   zed::SchemaText head;           ///< it declares them, and may state more of them
   std::vector<zed::Term> formal;  ///< the argument, or its parts: references, or θ S of an included S
   zed::Term body;                 ///< its value
-  std::string section;            ///< where this stands
+  std::string section;            ///< the section of the definition
 };
 
 class Symbolic {
  public:
-  /// Both must outlive it.
+  /// An evaluation of this text. Both arguments must outlive it.
   Symbolic(const zed::Specification& specification, const zed::Typing& typing);
 
   /// The parameters of a global that the section sees; nothing where no equation defines it as a function.
   std::optional<Parameters> parameters(const std::string& section, const zed::Name& function) const;
-  /// What f(arguments) is. Throws Outside where an argument is not in its set, Refusal where that cannot be followed.
+  /// The value f(arguments). Throws Outside where an argument is not in its set, Refusal where a term cannot be
+  /// evaluated.
   Value apply(const std::string& section, const zed::Name& function, const Tuple& arguments);
   /// Whether the value is a member of the set. Throws Refusal.
   Condition member(const Value& value, const Suspended& set) { return member_of(value, set.term, set.scope); }
@@ -85,7 +87,7 @@ class Symbolic {
   Value application(const zed::Term& term, const ScopePtr& scope);
   Value arithmetic(const zed::Term& term, const ScopePtr& scope);
   Value call(const Parameters& function, const Tuple& arguments, const Fields& around);
-  /// Which part of a schema the binding does not satisfy.
+  /// The part of a schema that the binding does not satisfy.
   Outside outside(const Fields& names, const zed::Term& schema, const ScopePtr& scope);
   ScopePtr let_scope(const zed::Term& term, const ScopePtr& scope);
   const Formula& formula(const Value& value, const zed::Term& term, const ScopePtr& scope) const;
@@ -97,7 +99,7 @@ class Symbolic {
   Condition member_of(const Value& value, const zed::Term& set, const ScopePtr& scope);
   Condition member_of_name(const Value& value, const zed::Term& set, const ScopePtr& scope);
   Condition member_of_application(const Value& value, const zed::Term& set, const ScopePtr& scope);
-  /// Of the characteristic tuple of a comprehension, or a schema's binding.
+  /// The condition that a value, the characteristic tuple of a comprehension or a schema's binding, satisfies the text.
   Condition satisfies(const Value& value, const zed::SchemaText& text, bool is_schema, const zed::Term& set,
                       const ScopePtr& scope);
   Condition declared(const zed::Declaration& declaration, const Fields& names, const zed::Term& set,

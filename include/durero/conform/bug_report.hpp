@@ -9,7 +9,7 @@ namespace durero::conform {
 /// The contents of the report of one failure.
 struct BugReport {
   System system{};                      ///< the system that fails
-  std::string version{};                ///< as the system says it
+  std::string version{};                ///< the system's version, as it gives it
   std::string asker{};                  ///< the program that asked it, as "durero 0.1.0"
   std::string call{};                   ///< the call of this program that asks it again
   LeastFinding least{};                 ///< the failure, reduced to its smallest case

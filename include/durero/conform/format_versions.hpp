@@ -17,7 +17,7 @@ inline constexpr FormatVersion profile_format{"durero-profile", 1};  ///< a prof
 inline constexpr FormatVersion claims_format{"durero-claims", 1};  ///< the claims that a run keeps (RunOptions::claims)
 inline constexpr FormatVersion report_format{"durero-report", 1};  ///< report.json, by report_json
 inline constexpr FormatVersion campaign_format{"durero-campaign", 1};    ///< a campaign (campaign.hpp)
-inline constexpr FormatVersion shards_format{"durero-shards", 1};        ///< what was found of shards (shard.hpp)
+inline constexpr FormatVersion shards_format{"durero-shards", 1};        ///< a set of shards (shard.hpp)
 inline constexpr FormatVersion agreement_format{"durero-agreement", 1};  ///< by agreement_json
 inline constexpr FormatVersion stats_format{"durero-stats", 1};          ///< by durero stats --format json
 inline constexpr FormatVersion mosaic_format{"durero-mosaic", 1};        ///< by durero voxelise

@@ -13,8 +13,8 @@
 ///    "known":[{"verdicts":["misplaced"],"types":["tronco"],"families":["generic"],"cause":"…"}]}
 ///
 /// {here} is the folder of the file; {setup} the folder that `durero conform setup` fills; {out} is {setup}/ask;
-/// {python} is {setup}/venv/bin/python, or python3 where nothing is installed from PyPI; {durero} is this program.
-/// Where it is reproduced (reproducer.hpp), {program} is the program and {built} a place for what is built of it.
+/// {python} is {setup}/venv/bin/python, or python3 where nothing is installed from PyPI; {durero} is this program. In a
+/// reproducer's commands (reproducer.hpp), {program} is the program and {built} the place for its build.
 
 #include <map>
 #include <string>
@@ -46,9 +46,9 @@ struct KnownCause {
 
 /// A system, and how it is installed, built and asked. Commands have their places filled in.
 struct System {
-  std::string name;   ///< that of its file, which commands and reports call it by
-  std::string title;  ///< what people call it, as "Embree 3"
-  std::map<std::string, std::vector<std::string>> packages{};  ///< by where they are from: debian, pypi, crates, npm
+  std::string name;                                            ///< the name of its file, as commands and reports use it
+  std::string title;                                           ///< its title for people, such as "Embree 3"
+  std::map<std::string, std::vector<std::string>> packages{};  ///< by their source: debian, pypi, crates, npm
   Command build{};                  ///< the command that builds its asker; empty where nothing is built
   Command ask;                      ///< the command that answers questions at its standard input (question.hpp)
   Profile profile;                  ///< its claims, with the places in its documentation
@@ -61,7 +61,7 @@ struct System {
 /// The command with each {NAME} of `places` replaced by its text.
 Command filled_in(Command command, const std::map<std::string, std::string>& places);
 
-/// Where packages come from, in the order in which they are installed.
+/// The sources of packages, in the order in which they are installed.
 inline constexpr std::string_view package_sources[] = {"debian", "pypi", "crates", "npm"};
 
 /// Reads a system's file; its name is that of the file. `setups` is the folder of all setups. Throws io::InputError.

@@ -75,9 +75,9 @@ struct Condition {
   Signs signs{};                   ///< of a comparison
   std::vector<Condition> parts{};  ///< none of them a constant, nor of the same kind
 
-  /// Whether it holds everywhere, or nowhere.
+  /// Whether the condition is known to hold everywhere, or nowhere.
   bool is(bool everywhere) const { return kind == Kind::constant && truth == everywhere; }
-  /// Whether it is a comparison by =.
+  /// Whether the condition is a comparison by =.
   bool is_equation() const { return kind == Kind::comparison && signs == Signs{false, true, false}; }
 };
 

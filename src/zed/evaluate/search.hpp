@@ -41,9 +41,9 @@ struct Property {
   std::optional<unsigned> whole{};
   const void* schema = nullptr;
 
-  // These say where the property comes from, for findings.
+  // The members below give the origin of the property, for findings.
   std::string label;
-  Term term;            ///< it is null for what is not written as a predicate of its own
+  Term term;            ///< it is null for a property that is not written as a predicate of its own
   std::string strokes;  ///< the state that it speaks of has them: `'` under Escena '
   /// A conjunct of a schema is written as its term, or as `declares ∈ term` or `declares = term`.
   enum class Written : std::uint8_t { no, term, member, equal };

@@ -1,5 +1,5 @@
 #pragma once
-/// Tells what paragraphs declare and which labels stand in them.
+/// The names that paragraphs declare, and the labels that stand in them.
 
 #include <string>
 #include <vector>

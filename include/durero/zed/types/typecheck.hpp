@@ -21,7 +21,7 @@ namespace durero::zed {
 
 /// A global is a name that a paragraph declares for the sections that see it.
 struct Global {
-  /// How it is declared.
+  /// The form of a declaration.
   enum class Form {
     given,       ///< A of [ A, B ]
     free_type,   ///< T of T ::= a | b ⟪ E ⟫

@@ -106,7 +106,7 @@ Signature signature(std::vector<Name> names);
 /// A value of Z, or a mark in its place: undefined, open or unknown.
 class Value {
  public:
-  /// These forms there are; a number that depends on an unknown is a polynomial.
+  /// The forms of a value; a number that depends on an unknown is a polynomial.
   using Form =
       std::variant<Undefined, Open, Unknown, PolynomialPtr, Real, Atom, TuplePtr, BindingPtr, ConstructedPtr, SetPtr>;
   Value() = default;  ///< it is undefined
