@@ -10,10 +10,10 @@
 // An axis d needs d·d = 1 up to 2⁻⁵⁰. The squares of binary32 numbers of 1/2 or more are multiples of 2⁻⁴⁸, and those
 // of numbers from 2⁻ᵏ⁻¹ to 2⁻ᵏ of 2⁻⁴⁸⁻²ᵏ; few triples of such squares add up so nearly to 1.
 //
-// A small coordinate y leaves the choice of the two others free, for its grid is finer. Let the two leave the rest r =
-// 1 − x² − z² ≤ 2⁻²⁶. The binary32 number y nearest to √r ≤ 2⁻¹³ is off by half a unit in the last place, 2⁻³⁸ at most,
-// so y² is off r by 2·2⁻¹³·2⁻³⁸ = 2⁻⁵⁰ at most. For any x the greatest z with r ≥ 0 leaves r < 2·2⁻²⁴, evenly spread,
-// so that of a few neighbours x one leaves 2⁻²⁶ or less. These axes lie within 2⁻¹³ of a coordinate plane.
+// A small coordinate y leaves the choice of the two others free, for its grid is finer. Let the two leave the rest
+// r = 1 − x² − z² ≤ 2⁻²⁶. The binary32 number y nearest to √r ≤ 2⁻¹³ is off by half a unit in the last place, 2⁻³⁸ at
+// most, so y² is off r by 2·2⁻¹³·2⁻³⁸ = 2⁻⁵⁰ at most. For any x the greatest z with r ≥ 0 leaves r < 2·2⁻²⁴, evenly
+// spread, so that of a few neighbours x one leaves 2⁻²⁶ or less. These axes lie within 2⁻¹³ of a coordinate plane.
 //
 // The axes that lie in a coordinate plane, and those far from all, were found by a search among all neighbours of a
 // direction, and are listed. Every permutation of an axis, with any signs, is an axis.

@@ -14,8 +14,8 @@ using Along = Shell<Linear<Dyadic>>;
 /// The shell of an element along the whole ray, with its ends moved outwards; nothing where the allowance is no small
 /// part of the element. With m the largest length and coordinate of element and origin, each coordinate of a point of
 /// the moved element is at most 3m + (7 + 2k)·δ: m + δ for the centre, m + 4δ along the axis, m + (2 + 2k)·δ across it,
-/// and less for the other types. For a disc that closes a solid its wall counts in m, and the last two are m + 4δ and m
-/// + (2 + k + g)·δ. So t·v is at most 4m + (8 + 2k)·δ there, and M at most 5m where (8 + 2k)·δ ≤ m.
+/// and less for the other types. For a disc that closes a solid its wall counts in m, and the last two are m + 4δ and
+/// m + (2 + k + g)·δ. So t·v is at most 4m + (8 + 2k)·δ there, and M at most 5m where (8 + 2k)·δ ≤ m.
 template <class Shape>
 std::optional<Along> shell_along(const Shape& shape, const model::Rayo& rayo, const Precision& precision) {
   const Dyadic m = magnitude(shape, rayo, {});

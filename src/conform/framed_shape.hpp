@@ -24,9 +24,9 @@ struct SurfacePoint {
 };
 
 /// A shape of any type with an orthonormal frame e1, e2, d, which is exact for lattice shapes; d is vector. An
-/// attribute that the type does not have has no meaning. A shape with a proportion has the radius radio +
-/// proporcion·(altura − s) at the advance s, where a cone's radio counts as 0. The frame of a triangle is its edges
-/// from the first vertex, and their product.
+/// attribute that the type does not have has no meaning. A shape with a proportion has the radius
+/// radio + proporcion·(altura − s) at the advance s, where a cone's radio counts as 0. The frame of a triangle is its
+/// edges from the first vertex, and their product.
 struct FramedShape {
   model::Tipo tipo{};
   bool lattice = true;

@@ -13,12 +13,13 @@ namespace {
 using surface::exact::Parameter;
 
 /// The sign of the comparison of a distance with a limit: −1, 0 or 1 where the distance of t is less than, equal to or
-/// more than the limit moved by `by`. Where the profile measures lengths, the distance is t·|v| and the limit is limit
-/// + by; otherwise they are t and limit + by/|v|. Where limit + by is negative, a length is more. Precondition: t ≥ 0.
+/// more than the limit moved by `by`. Where the profile measures lengths, the distance is t·|v| and the limit is
+/// limit + by; otherwise they are t and limit + by/|v|. Where limit + by is negative, a length is more. Precondition:
+/// t ≥ 0.
 ///
-/// Lengths are compared by their squares: (t·|v|)² is one number with the root of t. For the parameter, (limit·|v| +
-/// by)² would need a second root; the largest coordinate of v stands for |v| in by/|v|, whose magnitude is larger by
-/// that.
+/// Lengths are compared by their squares: (t·|v|)² is one number with the root of t. For the parameter,
+/// (limit·|v| + by)² would need a second root; the largest coordinate of v stands for |v| in by/|v|, whose magnitude is
+/// larger by that.
 int compared(const Trial& trial, const Parameter& t, double limit, const Dyadic& by) {
   const glm::dvec3& v = trial.ray.rayo.v().xyz();
   if (trial.profile.measure != Measure::length) {

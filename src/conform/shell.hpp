@@ -86,13 +86,13 @@ Shell<T> shell(const scene::Sphere& e, const Point<T>& w, const Allowance& allow
   return {squared - square(r + eta), squared - square(r - eta), {}, number::sign(r - eta) <= 0};
 }
 
-/// The walls and ends of a shape with an axis. With q = w − centro, s = q·d, k the proportion (0 of a cylinder), g =
-/// u·k, R(s) = radio + k·(altura − s): |q| ≤ √(altura² + R²) < 1.51·M·(1 + g) for the points of the moved element, and
-/// for the points of the shell between the ends and where R ≥ 8η. There d, off by √3·u, moves s by at most 2.62·(1 +
-/// g)·δ. With the ray's share s is off by 8.1·δ + 2.62·g·δ, and altura by δ: the ends by (10 + 3g)·δ. The distance from
-/// the axis, |q − s·d|, is off by the ray's share and, since d is off in both places, by 2·2.62·(1 + g)·δ: 10.7·δ +
-/// 5.3·g·δ. R(s) is off by δ for radio, δ for k (and g·δ where altura is off as well), k·δ for altura and k times the
-/// error of s. Together the walls are off by (13 + 7g + k·(10 + 3g))·δ.
+/// The walls and ends of a shape with an axis. With q = w − centro, s = q·d, k the proportion (0 of a cylinder),
+/// g = u·k, R(s) = radio + k·(altura − s): |q| ≤ √(altura² + R²) < 1.51·M·(1 + g) for the points of the moved element,
+/// and for the points of the shell between the ends and where R ≥ 8η. There d, off by √3·u, moves s by at most
+/// 2.62·(1 + g)·δ. With the ray's share s is off by 8.1·δ + 2.62·g·δ, and altura by δ: the ends by (10 + 3g)·δ. The
+/// distance from the axis, |q − s·d|, is off by the ray's share and, since d is off in both places, by
+/// 2·2.62·(1 + g)·δ: 10.7·δ + 5.3·g·δ. R(s) is off by δ for radio, δ for k (and g·δ where altura is off as well), k·δ
+/// for altura and k times the error of s. Together the walls are off by (13 + 7g + k·(10 + 3g))·δ.
 template <class T, surface::Axial Shape>
 Shell<T> shell(const Shape& e, const Point<T>& w, const Allowance& allowed, Ends ends) {
   const Dyadic k(proportion(e)), g = allowed.u * k, altura(e.altura);
@@ -141,9 +141,9 @@ Shell<T> shell(const scene::Disc& e, const Point<T>& w, const Allowance& allowed
 }
 
 /// A disc that closes a solid moves besides with the errors of its wall. The far end, centro + altura·d, is off by δ
-/// along the axis for altura and by altura·√3·u ≤ 1.74·δ in any direction for d: from the plane of a disc 5.42·δ +
-/// 1.74·δ + 2.74·δ = 9.9·δ, and across 5.42·δ + 1.74·δ; its radius by δ. At the base the centre is the wall's, and the
-/// radius, radio + k·altura, is off by δ for radio, k·δ for altura, and for k, which is off by u·max(1, k), by
+/// along the axis for altura and by altura·√3·u ≤ 1.74·δ in any direction for d: from the plane of a disc
+/// 5.42·δ + 1.74·δ + 2.74·δ = 9.9·δ, and across 5.42·δ + 1.74·δ; its radius by δ. At the base the centre is the wall's,
+/// and the radius, radio + k·altura, is off by δ for radio, k·δ for altura, and for k, which is off by u·max(1, k), by
 /// altura·u·max(1, k) ≤ δ (and g·δ where altura is off as well, g = u·k): 5.42·δ + (2 + k + g)·δ. The disc's own
 /// numbers were rounded where the solid ends, by δ/16 each, and |vector|² = 1 ± 2⁻⁵⁰ puts it half a δ away at most:
 /// 0.61·δ more.

@@ -49,8 +49,8 @@ struct Walls {
   bool are_crossed() const { return before && after && before->is_outer != after->is_outer; }
 };
 
-/// Whether the zone holds a crossing also for an origin on the element. The equation without its constant, t·(A·t + 2B)
-/// = 0, then changes sign between the ends of the zone, or is 0 at one.
+/// Whether the zone holds a crossing also for an origin on the element. The equation without its constant,
+/// t·(A·t + 2B) = 0, then changes sign between the ends of the zone, or is 0 at one.
 bool is_crossed_from_it(const Coefficients& f, const Zone& zone) {
   const auto sign_of = [&](const Parameter& t) {
     return number::sign(t) * number::sign(number::linear(shifted(f.B, 1), f.A, t));

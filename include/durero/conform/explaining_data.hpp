@@ -25,7 +25,7 @@ struct ExplainingData {
   /// the claim as their answer: proved by the judge with that allowance. Nothing where that is proved of the declared
   /// backward error alone, for which M is each element's own.
   std::optional<int> excluded{};
-  int most = 0;                      ///< the search ended at data off by 2^most ε·M
+  int most = 0;                      ///< the search tried data off by 2^most ε·M at most
   std::optional<Nearest> nearest{};  ///< the nearest data found, which need not be the nearest there are
 };
 
