@@ -57,30 +57,31 @@ class Type {
 
   /// Says whether this is the type of a set of bindings, which is that of a schema.
   bool is_schema_set() const { return is(Kind::power) && parts()[0].is(Kind::schema); }
-  /// Says whether something in the type is not determined. What is unknown counts as determined.
+  /// Says whether the type has variables that are not determined. An unknown part counts as determined.
   bool has_variables() const;
   /// Says whether all of the type is known, so that its text can be read back as the set of all its values.
   bool is_known() const;
-  /// Writes the type in Z notation: `ℙ (Elemento × 𝔸)`, `[x : 𝔸; y : 𝔸]`. What is not known is written `?`, and what
-  /// comes behind the first `parts` parts is written `…`.
+  /// Writes the type in Z notation: `ℙ (Elemento × 𝔸)`, `[x : 𝔸; y : 𝔸]`. An unknown part is written `?`, and the parts
+  /// behind the first `parts` are written `…`.
   std::string text(int parts = 40) const;
 
-  /// Says how large the type was, written out, when it was made; the count saturates. The type-checker refuses types
-  /// larger than the limits: the largest of spec/ has some 150 parts, and whoever walks a type recurses at most
-  /// max_depth levels.
+  /// Returns the size of the type, written out, when it was made; the count saturates. The type-checker refuses types
+  /// larger than the limits: the largest of spec/ has some 150 parts, and a recursion over a type is at most max_depth
+  /// levels deep.
   std::uint32_t size() const { return node().size; }
-  /// Says how deep the type was, when it was made: 1 without parts, else 1 + the greatest depth of a part.
+  /// Returns the depth of the type when it was made: 1 without parts, else 1 + the greatest depth of a part.
   std::uint32_t depth() const { return node().depth; }
   static constexpr std::uint32_t max_size = 5000, max_depth = 500;  ///< the limits on size() and depth()
 
-  /// Returns the same type without the variables that have been found to be something; what has not is unknown. Unknown
-  /// too is a type that is larger than the limits, once written out.
+  /// Returns the same type with each determined variable replaced by its type, and every other variable by the unknown
+  /// type. A type that is larger than the limits, once written out, becomes unknown too.
   Type settled() const;
 
   /// Puts types for formals, which `actuals` are in step with.
   Type substitute(const std::vector<Name>& formals, const std::vector<Type>& actuals) const;
 
-  /// Makes two types equal by determining variables in them. Where nothing can, it returns false, with some determined.
+  /// Makes two types equal by determining variables in them. Returns false where that is impossible; some variables may
+  /// be determined then.
   friend bool unify(const Type& a, const Type& b);
 
  private:
@@ -96,7 +97,7 @@ class Type {
   };
   explicit Type(Node node);
   explicit Type(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
-  /// Returns the node, behind what its variables have been found to be.
+  /// Returns the node of the type that its variables were determined to be.
   const Node& node() const;
   std::shared_ptr<const Node> resolved() const;
   static bool unify_at(const Type& a, const Type& b, unsigned depth, std::uint32_t& steps);

@@ -2,9 +2,9 @@
 /// The evaluator of Z computes with exact reals: dyadics in a machine word's reach, numbers x + y√Δ over the rationals,
 /// and square roots of those.
 ///
-/// There are three forms, as a stored number and the sums and products of a few of them fit in 127 bits, and a check of
-/// an operation then needs no heap; a coordinate of an intersection is x + y√Δ; a distance between such points is the
-/// root of one, which lies in a further field, but is only ever compared with another, and then the radicands are.
+/// There are three forms. A stored number and the sums and products of a few of them fit in 127 bits, and a check of an
+/// operation then needs no heap. A coordinate of an intersection is x + y√Δ. A distance between such points is the root
+/// of one, which lies in a further field; it is only ever compared with another, and then their radicands are compared.
 
 #include <compare>
 #include <cstdint>
