@@ -1,8 +1,8 @@
 #pragma once
-/// Rays that follow each other and stay close together, on their way through the wide hierarchy as one bundle: a node
-/// is opened once for all of them, and each is tested against the boxes of the elements that the bundle reaches. Which
-/// rays are bundled costs time only: the tests of bundles pass over nothing that those of single rays do not
-/// (wide_node.hpp).
+/// Packet traversal of the wide hierarchy. Consecutive rays that stay close together form a bundle of up to 64. The
+/// traversal opens a node once for the whole bundle, and tests each ray against the box of an element that the bundle
+/// reaches. The choice of bundles affects the time only: a bundle's box test passes wherever the test of one of its
+/// rays does (wide_node.hpp).
 
 #include <algorithm>
 #include <array>
@@ -21,27 +21,29 @@
 
 namespace durero::accel {
 
-/// PairCandidates::pairs of the rays that find company, over a tree that has nodes(), leaves() and spacing().
+/// PairCandidates::pairs for coherent rays, over a tree with nodes(), leaves() and spacing(). Incoherent rays are
+/// handed back.
 template <class Tree, class Limit, class Take, class Flush>
 class WideBundles {
  public:
-  using Numbers = std::array<std::uint32_t, WideBundle::size>;  ///< of rays
+  using Numbers = std::array<std::uint32_t, WideBundle::size>;  ///< of the bundle's rays
 
-  /// @{ What is taken of rays in columns may be told together: take(columns, numbers, which, element) answers a bit for
-  /// each ray whose limit has changed; take.starts(), whether the columns are to say what the rays start on.
+  /// @{ Whether `Take` tests a whole bundle against an element. Then take(columns, numbers, which, element) answers a
+  /// bit for each ray whose limit may have changed, and take.starts() answers whether the columns must hold the
+  /// elements that the rays start on.
   static constexpr bool takes_many =
       requires(Take& take, const trace::RayColumns& rays, const Numbers& numbers, scene::ElementRef element) {
         { take(rays, numbers, std::uint64_t{}, element) } -> std::same_as<std::uint64_t>;
         { take.starts() } -> std::same_as<bool>;
       };
-  /// And its limit is 1, until it is 0, as where any hit on a segment is an answer.
+  /// Whether the query is any-hit: each ray is a segment whose limit is 1 until a hit is found, and 0 from then on.
   static constexpr bool takes_any = [] {
     if constexpr (requires { Take::any_hit; }) return takes_many && Take::any_hit;
     return false;
   }();
   /// @}
 
-  /// All of these must outlive it. Precondition: the tree has a node.
+  /// The traversal keeps references to its arguments, which must outlive it. Precondition: the tree has a node.
   WideBundles(const Tree& tree, std::span<const trace::Ray> rays, Limit& limit, Take& take, Flush& flush)
       : nodes_(tree.nodes()),
         rows_(tree.leaves().rows()),
@@ -61,8 +63,9 @@ class WideBundles {
     }
   }
 
-  /// Whether it is worth while to look for company: of some rays, all over, a quarter may walk with the one after them.
-  /// Where fewer do, the runs that are long enough to be worth it are few.
+  /// Whether the rays are coherent enough to look for bundles. Of 64 pairs of consecutive rays, spread over all, a
+  /// quarter must fit into one bundle; with fewer, few runs reach a bundle's least useful length. True for 256 rays or
+  /// fewer.
   bool some_company() const {
     if (rays_.size() <= 4 * asked) return true;
     std::size_t joined = 0;
@@ -73,31 +76,32 @@ class WideBundles {
     }
     return 4 * joined >= asked;
   }
-  /// The next ray, and its limit. Precondition: that is not 0.
+  /// Adds the next ray, and its limit. Precondition: the limit is not 0.
   void add(std::uint32_t number, double limit) {
     coming_.set(number, rays_[number], limit, starts_);
     if (coming_.count == WideBundle::size) part(false);
   }
-  /// No ray comes any more. Those that found no company are appended to `alone`.
+  /// Traverses with the rays that still wait, and appends the numbers of the incoherent rays to `alone`.
   void finish(std::vector<std::uint32_t>& alone) {
     if (coming_.count > 0) part(true);
     alone.insert(alone.end(), alone_.begin(), alone_.end());
   }
 
  private:
-  static constexpr double widest = takes_any ? 4 : 2;            // of a bundle, in spacings of the elements
-  static constexpr std::size_t least_worth = takes_any ? 3 : 6;  // rays of a bundle that is worth it
-  static constexpr std::size_t asked = 64;                       // rays, whether they have company
+  static constexpr double widest = takes_any ? 4 : 2;            // the greatest width of a bundle, in spacings
+  static constexpr std::size_t least_worth = takes_any ? 3 : 6;  // the least rays of a useful bundle
+  static constexpr std::size_t asked = 64;                       // sampled pairs of consecutive rays
   static constexpr std::size_t eight = WideBundle::eight;
 
-  /// Some rays, and their numbers.
+  /// A bundle and its rays' numbers.
   struct Some {
     void set(std::uint32_t number, const trace::Ray& ray, double limit, bool starts) {
       numbers[count] = number;
       if (starts) bundle.rays.set_start(count, ray.start());
       bundle.set(count++, ray, limit);
     }
-    /// Whether they walk together. The last eight is filled up by rays that take no part.
+    /// Fills the last group of eight with rays that take no part, and bounds the bundle. False where the rays cannot
+    /// share one.
     bool gathered() {
       const std::size_t places = whole_eights(count);
       for (std::size_t place = count; place < places; ++place) bundle.move(count - 1, place), bundle.limit[place] = -1;
@@ -105,13 +109,13 @@ class WideBundles {
       return gather(bundle, 0, places);
     }
     WideBundle bundle;
-    Numbers numbers;  // the first `count`
+    Numbers numbers;  // only the first `count` are set
     std::size_t count = 0;
   };
   static constexpr std::size_t whole_eights(std::size_t count) { return (count + eight - 1) / eight * eight; }
 
-  /// Those that have come as one where they stay narrow, or those that follow each other and do. The last of these wait
-  /// for more, unless these are all.
+  /// Splits the waiting rays into narrow bundles and traverses with each. Rays that may still gain neighbours keep
+  /// waiting, unless `all` says that no more will come.
   void part(bool all) {
     if constexpr (takes_any) {
       part_segments(all);
@@ -136,7 +140,7 @@ class WideBundles {
     }
     leave(begin);
   }
-  /// The first of those that have come, up to some, go.
+  /// Removes the first `begin` waiting rays.
   void leave(std::size_t begin) {
     const std::size_t left = coming_.count - begin;
     for (std::size_t i = 0; i < left; ++i)
@@ -144,18 +148,19 @@ class WideBundles {
     coming_.count = left;
   }
 
-  /// As many of the first as stay narrow, by halves of them, while so many have come or all; the others wait for more.
+  /// Traverses with the longest narrow prefix of the waiting segments, found by halving. The rest waits until 64 are
+  /// there, unless `all` says that no more will come.
   void part_segments(bool all) {
     while (coming_.count == WideBundle::size || (all && coming_.count > 0)) {
       const std::size_t come = coming_.count;
       std::size_t count = come;
       while (count >= least_worth && !walk_first(count)) count = (count + 1) / 2;
       if (count < least_worth) alone_.insert(alone_.end(), coming_.numbers.begin(), coming_.numbers.begin() + count);
-      coming_.count = come;  // those that closed up were fewer in the end
+      coming_.count = come;  // an any-hit traversal may have compacted coming_
       leave(count);
     }
   }
-  /// Whether they are narrow together, so that they walk.
+  /// Traverses with the first `count` waiting segments, if their frustum is narrow. False where it is not.
   bool walk_first(std::size_t count) {
     Some* some = &coming_;
     if (count < coming_.count) {
@@ -173,7 +178,7 @@ class WideBundles {
 
   const trace::Ray& ray(std::size_t place) const { return rays_[coming_.numbers[place]]; }
 
-  /// Those at begin … end, as one or alone.
+  /// Traverses with the waiting rays begin … end as one bundle, or hands them back as incoherent.
   void walk_apart(std::size_t begin, std::size_t end) {
     apart_.count = 0;
     if (end - begin >= least_worth)
@@ -183,7 +188,7 @@ class WideBundles {
     for (std::size_t place = begin; place < end; ++place) alone_.push_back(coming_.numbers[place]);
   }
 
-  /// As WideRun has it.
+  /// Whether the bundle is narrow, by the bound of WideRun::join on all its rays.
   bool narrow(const WideBundle& bundle) const {
     const double reach = std::max(stretch(all_, Beam(ray(0)), bundle.limit[0]).exit, 0.0);
     bool narrow = true;
@@ -194,8 +199,9 @@ class WideBundles {
     return narrow;
   }
 
-  /// The nearest first. What lies beyond the limits is passed over. An element is tested as the bundle comes to it, for
-  /// however few of the rays: so the limits fall at once, and with them what is left to be done.
+  /// Closest-hit traversal, nearest box first, past boxes that are entered beyond the bundle's greatest limit. An
+  /// element is tested as soon as the traversal reaches it, even for few rays, because a limit that falls early prunes
+  /// more.
   void walk(Some& some) {
     if (large_) gather(eights_, some.bundle);
     double limit = farthest(some.bundle);
@@ -216,7 +222,7 @@ class WideBundles {
     }
   }
 
-  /// Takes an element for the rays that have a bit. A bit for each whose limit may have changed.
+  /// Tests an element for the rays in `which`. The answer has a bit for each ray whose limit may have changed.
   std::uint64_t take(Some& some, std::uint64_t which, scene::ElementRef own) {
     if constexpr (takes_many) {
       return take_(some.bundle.rays, some.numbers, which, own);
@@ -253,7 +259,7 @@ class WideBundles {
     }
   }
 
-  /// The limits of those that have a bit, and the greatest of all.
+  /// Reads the limits of the rays in `which` again. The greatest limit of the bundle.
   double brought_up_to_date(Some& some, std::uint64_t which) {
     for (std::uint64_t left = which; left != 0; left &= left - 1) {
       const auto place = static_cast<std::size_t>(std::countr_zero(left));
@@ -263,7 +269,7 @@ class WideBundles {
     return large_ ? bring_up_to_date(eights_, some.bundle, which) : farthest(some.bundle);
   }
 
-  /// In any order, the elements of a node at once, until nothing is left to be found of any ray.
+  /// Any-hit traversal: in no particular order, all elements of a node at once, until every ray has a hit.
   void walk_any(Some& some, WideBeam beam) {
     std::array<std::uint32_t, most_waiting> waiting;
     std::size_t size = 1;
@@ -291,7 +297,7 @@ class WideBundles {
     }
   }
 
-  /// Which of the rays that are open still are, once they are tested against some elements of a node.
+  /// Tests some elements of a node for the rays in `open`, which have no hit yet. The rays that still have none.
   std::uint64_t take_elements(Some& some, const WideNode& node, unsigned elements, std::uint64_t open) {
     WideMeetings meeting;
     met_by(node, elements, some.bundle, meeting);
@@ -303,8 +309,8 @@ class WideBundles {
     return open;
   }
 
-  /// Those that are still open come to the front where that saves a quarter of the eights, and what is between them
-  /// with it; else the others take part no more. Whether they did.
+  /// Compacts the bundle to the rays in `open`, if that saves a quarter of its groups of eight, and narrows its bounds;
+  /// otherwise the rays with a hit are only switched off. Whether the bundle was compacted.
   static bool close_up(Some& some, std::uint64_t& open) {
     const auto count = static_cast<std::size_t>(std::popcount(open));
     if (4 * whole_eights(count) > 3 * (some.bundle.end - some.bundle.begin)) {
@@ -325,8 +331,8 @@ class WideBundles {
 
   std::span<const WideNode> nodes_;
   WideLeaves::Rows rows_;
-  bool starts_ = false;  // some ray starts on something, and the columns say on what
-  bool large_;           // so that leaves are waited for, and so many are come to that it pays to test them by eights
+  bool starts_ = false;  // whether some ray starts on an element, so that the columns must say which
+  bool large_;           // the tree exceeds the cache: leaves are prefetched, and boxes tested by groups of eight
   double narrow_;
   std::span<const trace::Ray> rays_;
   Limit& limit_;
@@ -334,7 +340,7 @@ class WideBundles {
   Flush& flush_;
   surface::Box all_{};
   Some coming_, apart_;
-  WideEights eights_;  // of the bundle that walks, the nearest first
+  WideEights eights_;  // the groups of eight of the bundle in traversal, where large_
   std::vector<std::uint32_t> alone_;
 };
 

@@ -1,9 +1,10 @@
 #pragma once
-/// The wide hierarchy: boxes of eight children a node, in binary32 and rounded outwards, down to single elements. One
-/// ray walks it alone, nearest box first; many walk it together (wide_walk.hpp), or are tested in columns against each
-/// element where these are so few that they are one node.
+/// The wide hierarchy is a BVH with eight children a node, boxes in binary32 that are rounded outwards, and single
+/// elements as leaves. One ray traverses it nearest box first; many rays share a traversal (wide_walk.hpp). A tree of
+/// one node is not traversed by many rays: their columns are tested against each of its elements.
 ///
-/// Apart from it are kept the elements that are not ordinary, and those without a finite box in binary32, as planes.
+/// Two lists stand beside the tree: the elements that are not ordinary, and those without a finite box in binary32,
+/// such as planes.
 
 #include <algorithm>
 #include <array>
@@ -19,24 +20,25 @@
 
 namespace durero::accel {
 
-/// Keeps a reference to the scene, which must outlive it unedited.
+/// A BVH with eight children a node over a scene, which it keeps a reference to and which must outlive it unedited.
 class WideBvh {
  public:
-  /// On as many threads as the calling one may use; the tree does not depend on their number. O(n log n) for n
-  /// elements.
+  /// Builds the tree on as many threads as the calling thread may use; the tree does not depend on their number. O(n
+  /// log n) for n elements.
   explicit WideBvh(const scene::Scene& scene);
 
-  /// The scene, unedited since.
+  /// The scene of the tree.
   const scene::Scene& scene() const noexcept { return *scene_; }
   /// The elements that are not ordinary.
   std::span<const scene::ElementRef> extraordinary() const noexcept { return extraordinary_; }
-  /// The ordinary ones without a finite box, which every ray is tested against.
+  /// The ordinary elements without a finite box. Every ray is tested against them.
   std::span<const scene::ElementRef> unbounded() const noexcept { return unbounded_; }
-  /// The nodes, the root first and each before its children; none where no element is bounded. Their elements are
-  /// leaves.
+  /// The nodes, each before its children and the root first; none where no element is bounded. The elements in them are
+  /// names of leaves().
   std::span<const WideNode> nodes() const noexcept { return nodes_; }
 
-  /// @{ As a source of candidates has it; with `work`, as a structure.
+  /// @{ Candidates::any of a source of candidates (trace/candidates.hpp). The overload with `work` is that of a
+  /// structure.
   template <class Limit, class Visit>
   bool any(const trace::Ray& ray, Limit limit, Visit visit) const {
     return walk(ray, limit, visit, [](auto) {});
@@ -46,7 +48,7 @@ class WideBvh {
     return walk(ray, limit, visit, [&](auto count) { count(work); });
   }
   /// @}
-  /// @{ As a source of candidates has it for many rays.
+  /// @{ The operations of PairCandidates (trace/candidates.hpp).
   template <class Limit, class Take, class Flush>
   void pairs(std::span<const trace::Ray> rays, Limit limit, Take take, Flush flush) const;
   template <class Visit>
@@ -57,15 +59,17 @@ class WideBvh {
   scene::ElementRef own(scene::ElementRef e) const { return leaves_.leaf(e); }
   void ask_for_own(scene::ElementRef e) const { leaves_.ask_for_leaf(e); }
   /// @}
-  /// The order in which many rays are answered faster, as trace::order_of has it: those into one octant and from one
-  /// part of space together, where the tree is too large for the nearer memory, and else as they come.
+  /// The order of the queries that is traversed faster, for trace::order_of: by octant of the direction and by cell of
+  /// the origin where the tree exceeds the cache and the queries are not coherent already; otherwise empty, which keeps
+  /// the queries' own order.
   std::vector<std::uint32_t> order(std::span<const scene::Query> queries, trace::Asked asked) const;
-  /// The leaves of the nodes, and of unbounded().
+  /// The elements of nodes() and unbounded(), copied into the tree's order.
   const WideLeaves& leaves() const noexcept { return leaves_; }
 
-  /// About as far apart as the elements lie: what is narrower among them is narrow.
+  /// The mean distance of neighbouring elements, the unit in which a bundle's width is measured: the longest edge of
+  /// the root's box by the cube root of the number of elements.
   double spacing() const noexcept { return spacing_; }
-  /// What it holds. A leaf is an element alone.
+  /// The tree's size. Each of its leaves is one element.
   Size size() const;
 
  private:
@@ -76,14 +80,15 @@ class WideBvh {
 
   const scene::Scene* scene_;
   LargeVector<WideNode> nodes_;
-  WideLeaves leaves_;  // of the nodes, then those of unbounded_
+  WideLeaves leaves_;  // of the nodes, then of unbounded_
   double spacing_ = 0;
   std::vector<scene::ElementRef> unbounded_, extraordinary_;
-  // Those of unbounded_ in their order, then those of a tree of one node: what every ray may be tested against.
+  // The leaves that any ray may be tested against: of unbounded_, then of a tree of one node.
   std::vector<scene::ElementRef> every_rays_leaves_;
 };
 
-/// count(f) adds up by f(work), where work is counted. All eight boxes of a node are tested, empty ones with them.
+/// Traverses the tree with one ray; count(f) calls f(work) where work is counted. A node's eight boxes are all counted,
+/// because the lanes test empty ones too.
 template <class Limit, class Visit, class Count>
 bool WideBvh::walk(const trace::Ray& ray, Limit limit, Visit visit, Count count) const {
   for (const scene::ElementRef e : unbounded_) {
@@ -106,7 +111,7 @@ bool WideBvh::walk(const trace::Ray& ray, Limit limit, Visit visit, Count count)
   return answered;
 }
 
-/// As many rays as columns have room for against one of every ray's leaves after another.
+/// Tests the rays, in columns of 64, against each leaf of every_rays_leaves_.
 template <class Bundles, class Limit, class Take>
 void WideBvh::pairs_in_columns(std::span<const trace::Ray> rays, Limit& limit, Take& take) const {
   trace::RayColumns columns;

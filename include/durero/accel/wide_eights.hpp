@@ -1,10 +1,10 @@
 #pragma once
-/// The rays of a bundle eight by eight: eight that follow each other are narrower than all, and have found what they
-/// are to find sooner. So the box of an element that the bundle comes to is tested for the eights at once, in lanes,
-/// and then for the rays of those that it does not lie beside, nor beyond what they have found.
+/// A bundle's box test by groups of eight rays. Eight consecutive rays are closer together than the whole bundle, and
+/// their limits fall sooner. The test of an element's box first culls groups of eight, several in lanes, by their
+/// bounds and greatest limits, and then tests the rays of the groups that remain.
 ///
-/// An eight is tested as a bundle is, by the ends between which its numbers lie (wide_node.hpp): what is proved there
-/// of all rays of a bundle (proofs/Bundles.v) holds of those of an eight, up to the greatest of their limits.
+/// A group of eight is tested by the same bounds as a bundle (wide_node.hpp). The theorems on all rays of a bundle
+/// (proofs/Bundles.v) hold for the rays of a group too, up to the greatest of their limits.
 
 #include <array>
 #include <cstddef>
@@ -14,27 +14,29 @@
 
 namespace durero::accel {
 
-/// The eights of a bundle, in columns.
+/// The bounds of a bundle's groups of eight, in columns.
 struct WideEights {
-  static constexpr std::size_t most = WideBundle::size / WideBundle::eight;  ///< how many
-  using Column = std::array<double, most>;                                   ///< a number of each
-  using Columns = std::array<Column, 3>;                                     ///< of each axis
+  static constexpr std::size_t most = WideBundle::size / WideBundle::eight;  ///< groups in a bundle
+  using Column = std::array<double, most>;                                   ///< a number of each group
+  using Columns = std::array<Column, 3>;                                     ///< by axis
 
-  /// @{ As of WideBundle.
+  /// @{ The bounds of that name of WideBundle, for each group.
   alignas(64) Columns p_low{}, p_high{};
   Columns inverse_low{}, inverse_high{};
   /// @}
-  Column limit{};  ///< the greatest of their limits; below 0 where none of their rays takes part
+  Column limit{};  ///< the greatest limit of the group's rays; below 0 where none takes part
 };
 
-/// Those of a bundle that walks together, from its first place on; what stands behind its end takes no part.
+/// Computes the bounds and limits of the groups. Precondition: the bundle is gathered from its first place on. Places
+/// behind its end take no part.
 void gather(WideEights& eights, const WideBundle& bundle);
 
-/// Their limits again, once those of the rays that have a bit have fallen. The greatest of all; 0 where none takes
-/// part.
+/// Computes the limits of the groups anew that hold a ray of `which`. The greatest limit of the bundle, or 0 where no
+/// ray takes part.
 double bring_up_to_date(WideEights& eights, const WideBundle& bundle, std::uint64_t which);
 
-/// As met_by of a child, of rays that are gathered by eights.
+/// met_by for one child of a node, by groups of eight. Precondition: the bounds and limits of `eights` are the
+/// bundle's.
 std::uint64_t met_by(const WideNode& node, std::size_t child, const WideBundle& bundle, const WideEights& eights);
 
 }  // namespace durero::accel

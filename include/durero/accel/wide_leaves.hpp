@@ -1,7 +1,7 @@
 #pragma once
-/// The elements of a wide hierarchy once more, a column for each type in the order of the tree: what lies side by side
-/// in space lies side by side in memory, and a ray that reaches an element needs no other page of the scene's tables.
-/// And which leaf each element is, so that what a ray starts on is known by the name that its walk comes to.
+/// The leaves of a wide hierarchy copy its elements into a column for each type, in the order of the tree. Neighbours
+/// in space are neighbours in memory, and a traversal reads no other page of the scene's tables. A table maps each
+/// element to its leaf, so that the elements that a ray starts on have the names that the traversal uses.
 
 #include <array>
 #include <cstddef>
@@ -17,12 +17,12 @@
 
 namespace durero::accel {
 
-/// Rows of elements of every type. A leaf is a type and a row of its column, written as an ElementRef of these columns.
+/// Columns of elements, one for each type. A leaf is a row of a column, named by an ElementRef whose index is the row.
 class WideLeaves {
  public:
-  static constexpr std::size_t nearby = 1 << 18;  ///< bytes of nodes whose elements need no waiting for
+  static constexpr std::size_t nearby = 1 << 18;  ///< bytes of nodes that stay in the cache: no prefetch of leaves
 
-  /// Makes room for every element of a scene, which is the one whose elements are added.
+  /// Reserves room for every element of the scene. Precondition: push_back adds elements of this scene alone.
   void reserve(const scene::Scene& scene) {
     rows_.resize(scene.size());
     std::size_t first = 0;
@@ -34,7 +34,7 @@ class WideLeaves {
       column.elements.reserve(scene.shapes<Shape>().size());
     });
   }
-  /// Adds an element of a scene. Its leaf.
+  /// Adds an element of the scene, and answers its leaf.
   scene::ElementRef push_back(const scene::Scene& scene, scene::ElementRef e) {
     return scene.visit(e, [&]<class Shape>(const Shape& shape) {
       Column<Shape>& column = std::get<Column<Shape>>(columns_);
@@ -52,8 +52,8 @@ class WideLeaves {
       return visit(std::get<Column<Shape>>(columns_).shapes[leaf.index]);
     });
   }
-  /// Where the rows of every type lie, to ask memory for them ahead of time. It is asked for nearly each that a walk
-  /// comes to, and of which type that is the processor could not foresee: so nothing branches on it.
+  /// The addresses of the rows, for prefetching them without a branch. The traversal prefetches nearly every leaf that
+  /// it reaches, and a branch on the leaf's type would be mispredicted.
   class Rows {
    public:
     /// The first byte of a leaf's row, and the last.
@@ -62,7 +62,7 @@ class WideLeaves {
       const std::byte* const row = first + leaf.index * size;
       return {row, row + size - 1};
     }
-    /// Asks memory for it: no row is longer than two lines of the cache.
+    /// Prefetches the leaf's row, which spans two cache lines at most.
     void ask_for(scene::ElementRef leaf) const {
       const auto [first, last] = ends(leaf);
       __builtin_prefetch(first);
@@ -78,7 +78,7 @@ class WideLeaves {
     };
     std::array<OfType, scene::shape_count> of_type_{};
   };
-  /// Those of the leaves, while none is added.
+  /// The addresses of the rows. They are valid until the next push_back.
   Rows rows() const {
     Rows rows;
     scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
@@ -88,7 +88,7 @@ class WideLeaves {
     });
     return rows;
   }
-  /// The element of the scene that a leaf is.
+  /// The element of the scene that the leaf is a copy of.
   scene::ElementRef element(scene::ElementRef leaf) const {
     return scene::with_shape(leaf.tipo, [&]<class Shape>(std::type_identity<Shape>) {
       return scene::ElementRef{leaf.tipo, std::get<Column<Shape>>(columns_).elements[leaf.index]};
@@ -96,9 +96,9 @@ class WideLeaves {
   }
   /// The leaf of an element of the scene. Precondition: it was added.
   scene::ElementRef leaf(scene::ElementRef e) const { return {e.tipo, rows_[place(e)]}; }
-  /// Asks memory for what leaf(e) reads.
+  /// Prefetches the entry that leaf(e) reads.
   void ask_for_leaf(scene::ElementRef e) const { trace::ask_for(rows_[place(e)]); }
-  /// What it holds.
+  /// The bytes that the columns and the table hold.
   std::size_t bytes() const {
     std::size_t sum = rows_.capacity() * sizeof(std::uint32_t);
     scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
@@ -109,11 +109,11 @@ class WideLeaves {
   }
 
  private:
-  /// The leaves of one type.
+  /// The copies of one type's elements.
   template <class Shape>
   struct Column {
     LargeVector<Shape> shapes;
-    LargeVector<std::uint32_t> elements;  // each one's row in the scene
+    LargeVector<std::uint32_t> elements;  // the row of each in the scene
   };
   template <class List>
   struct ColumnsOf;
@@ -125,8 +125,8 @@ class WideLeaves {
   std::size_t place(scene::ElementRef e) const { return first_[static_cast<std::size_t>(e.tipo)] + e.index; }
 
   typename ColumnsOf<scene::Shapes>::type columns_;
-  LargeVector<std::uint32_t> rows_;                      // of the leaves of all elements, in the scene's order
-  std::array<std::size_t, scene::shape_count> first_{};  // where those of each type begin there
+  LargeVector<std::uint32_t> rows_;                      // the leaf of each element, in the scene's order
+  std::array<std::size_t, scene::shape_count> first_{};  // the place in rows_ where each type begins
 };
 
 }  // namespace durero::accel

@@ -1,11 +1,11 @@
 #pragma once
-/// A node of the wide hierarchy: the boxes of eight children in binary32, tested together.
+/// A wide node has eight children, whose boxes in binary32 are tested together in lanes.
 ///
-/// Each test computes in binary64, to which the planes of binary32 are taken exactly, by the operations of slab.hpp in
-/// their order. So what is proved of those (proofs/Slab.v: slab64_never_rejects, and entry_never_rejects of a box that
-/// has waited) holds in every lane. Its conditions hold: the planes are finite, hence of magnitude below 2¹²⁸, and the
-/// rays ordinary; an empty child alone has infinite planes, and no ray meets it. So a walk over such nodes loses
-/// nothing (proofs/Wide.v: prunable_right, nested_leads).
+/// The box test loses no hit. It widens the planes to binary64, which is exact, and computes the operations of slab.hpp
+/// in their order, so the theorems on those (proofs/Slab.v: slab64_never_rejects, and entry_never_rejects for a box
+/// that has waited on the stack) hold in every lane. Their conditions hold: planes are finite, hence of magnitude below
+/// 2¹²⁸, and rays are ordinary. Only an empty child has infinite planes, and no ray meets it. A traversal of such nodes
+/// therefore visits every element that the ray meets (proofs/Wide.v: prunable_right, nested_leads).
 
 #include <array>
 #include <cstddef>
@@ -18,51 +18,51 @@
 
 namespace durero::accel {
 
-/// What lies in one of the eight places of a node.
+/// One of the eight children of a node.
 struct WideChild {
-  /// Nothing, a node, or an element.
+  /// A child is nothing, a node, or an element.
   enum class Kind : std::uint8_t { none, node, element };
 
-  std::uint32_t index = 0;  ///< of the node, or of the element in the table of its type
-  model::Tipo tipo{};       ///< of an element
-  Kind kind = Kind::none;   ///< what it is
+  std::uint32_t index = 0;  ///< of the node; or of the element, among those of its type
+  model::Tipo tipo{};       ///< the type of an element
+  Kind kind = Kind::none;   ///< which of the three it is
 
-  /// Precondition: it is an element.
+  /// The child as an element. Precondition: kind is element.
   scene::ElementRef element() const { return {tipo, index}; }
 };
 
-/// Eight children and their boxes. Four lines of the cache.
+/// A node of eight children and their boxes, in four cache lines.
 struct alignas(64) WideNode {
-  static constexpr std::size_t width = 8;            ///< how many children
-  using Entries = std::array<double, width>;         ///< a parameter of a ray for each child
-  std::array<std::array<float, width>, 6> planes{};  ///< x, y, z of the low corners, then of the high ones
-  std::array<WideChild, width> children{};           ///< those that are none come last
+  static constexpr std::size_t width = 8;            ///< children of a node
+  using Entries = std::array<double, width>;         ///< the entry parameter of each child's box
+  std::array<std::array<float, width>, 6> planes{};  ///< x, y, z of the low corners, then of the high corners
+  std::array<WideChild, width> children{};           ///< empty children come last
 };
 static_assert(sizeof(WideNode) == 256);
 
-/// No tree has more levels of nodes.
+/// The greatest number of levels of nodes. The builder splits evenly below a level, so that no tree has more.
 inline constexpr std::size_t most_levels = 36;
-/// No walk has more children waiting: seven of each level, and eight of the last.
+/// The greatest number of children on a traversal stack: seven of each level, and eight of the last.
 inline constexpr std::size_t most_waiting = most_levels * (WideNode::width - 1) + 1;
 
-/// The greatest parameter at which a box whose entry waits may still be met, once the limit is this.
+/// The entry parameter beyond which a box on the stack is pruned, for a limit (tmax).
 inline double latest_entry(double limit) { return limit * grow + tiny; }
 
-/// Rays in columns that walk the tree together: ordinary ones, in whose directions no component is 0 and all those
-/// along an axis are of one sign.
+/// A bundle is up to 64 rays in columns that traverse the tree together. Preconditions: the rays are ordinary; no
+/// component of a direction is 0; the components along an axis have one sign.
 struct WideBundle {
-  static constexpr std::size_t size = trace::RayColumns::size;  ///< how many rays at most
-  static constexpr std::size_t eight = trace::Packet::size;     ///< rays that are tested side by side
+  static constexpr std::size_t size = trace::RayColumns::size;  ///< rays at most
+  static constexpr std::size_t eight = trace::Packet::size;     ///< rays that lanes test side by side
   using Column = trace::RayColumns::Column;                     ///< a number of each ray
   using Ends = std::array<double, 3>;                           ///< a number of each axis
 
-  /// Fills a place but for what the ray starts on.
+  /// Sets a ray and its limit. The element that the ray starts on and the inverse are set elsewhere.
   void set(std::size_t place, const trace::Ray& ray, double limit_of) {
     rays.set(place, ray);
     limit[place] = limit_of;
   }
 
-  /// What stands at a place to another, but for the inverse.
+  /// Copies a ray, its start and its limit from one place to another; the inverse is not copied.
   void move(std::size_t from, std::size_t to) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       rays.p[axis][to] = rays.p[axis][from];
@@ -73,37 +73,38 @@ struct WideBundle {
     limit[to] = limit[from];
   }
 
-  trace::RayColumns rays;                       ///< all of them
-  alignas(64) std::array<Column, 3> inverse{};  ///< as in Beam, by axis
-  Column limit{};                               ///< of each ray; below 0 of one that takes no part
-  std::size_t begin = 0, end = 0;               ///< which places walk: whole eights
-  /// @{ Between which their origins, directions and inverses lie.
+  trace::RayColumns rays;                       ///< the rays
+  alignas(64) std::array<Column, 3> inverse{};  ///< the inverses of Beam, by axis
+  Column limit{};                               ///< the limit (tmax) of each ray; below 0 for a ray that takes no part
+  std::size_t begin = 0, end = 0;               ///< the places that traverse: whole groups of eight
+  /// @{ The bounds of the rays' origins, directions and inverses, by axis.
   Ends p_low{}, p_high{}, v_low{}, v_high{}, inverse_low{}, inverse_high{};
   /// @}
 };
 
-/// Computes the inverses of the first rays of a bundle: of whole eights.
+/// Computes the inverses of the first `count` rays. Precondition: `count` is a multiple of eight.
 void invert(WideBundle& bundle, std::size_t count);
 
-/// Makes those at begin … end, whole eights, the ones that walk. Whether they can together; if not, the ends mean
-/// nothing. Precondition: their inverses are computed.
+/// Bounds the rays at begin … end, which are the ones that traverse from then on. False where the rays cannot share a
+/// traversal, since their signs differ or an inverse is infinite; the bounds mean nothing then. Preconditions: begin
+/// and end are multiples of eight; the rays' inverses are computed.
 bool gather(WideBundle& bundle, std::size_t begin, std::size_t end);
 
-/// The greatest limit of those that walk; 0 where none takes part.
+/// The greatest limit of the rays that traverse, or 0 where none takes part.
 double farthest(const WideBundle& bundle);
 
-/// A bit for each child whose box some ray of the bundle may meet at 0 < t ≤ limit, the first child's lowest; `entries`
-/// gets a parameter before which none enters each. Subtraction and multiplication, rounded, are monotonic: so what is
-/// computed of the ends between which origins and inverses lie is no later an entry, and no earlier an exit, than what
-/// `stretch` computes of any ray between them (proofs/Bundles.v: bundle_entry, bundle_exit), and the test passes
-/// wherever that of some ray does.
+/// The children whose boxes some ray of the bundle may meet at 0 < t ≤ limit, a bit each, the first child's lowest.
+/// `entries` gets a lower bound of each box's entry parameters. Rounded subtraction and multiplication are monotonic,
+/// so the entry computed from the bounds of origins and inverses is no later, and the exit no earlier, than `stretch`
+/// computes for any ray within the bounds (proofs/Bundles.v: bundle_entry, bundle_exit). The test therefore passes
+/// wherever the test of some ray does.
 unsigned met(const WideNode& node, const WideBundle& bundle, double limit, WideNode::Entries& entries);
 
-/// A number for each child of a node.
+/// A set of rays of a bundle for each child of a node, a bit for each ray.
 using WideMeetings = std::array<std::uint64_t, WideNode::width>;
 
-/// Of each child that has a bit, one for each place of the bundle, of those that walk, whose ray may meet its box up to
-/// the ray's own limit, as `stretch` finds it. What the other children get means nothing.
+/// For each child in `children`, the rays that traverse and may meet its box up to their own limits, by the test of
+/// `stretch`. The sets of other children mean nothing.
 void met_by(const WideNode& node, unsigned children, const WideBundle& bundle, WideMeetings& met);
 
 }  // namespace durero::accel

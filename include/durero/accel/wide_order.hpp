@@ -1,6 +1,6 @@
 #pragma once
-/// The order in which rays through a wide hierarchy find company: those into one octant and from one part of space
-/// together.
+/// A coherent order of rays for the wide hierarchy: rays of one octant of directions and from one part of space follow
+/// each other, and form bundles.
 
 #include <array>
 #include <cstdint>
@@ -12,15 +12,15 @@
 
 namespace durero::accel {
 
-/// Numbers of rays by which they are ordered: cells that lie close together have numbers that mostly do (Morton), each
-/// octant of directions its own.
+/// The sort key of a ray: the octant of its direction, then the Morton code of its origin's cell. Neighbouring cells
+/// mostly have neighbouring codes.
 class WideKeys {
  public:
-  /// Cells as wide as the elements lie apart, or half that.
+  /// Divides the root's box into cells whose width is the spacing of the elements or half of it.
   WideKeys(const WideNode& root, double spacing);
-  /// No key has more bits.
+  /// The greatest number of bits of a key.
   unsigned bits() const { return 3 * bits_ + 3; }
-  /// Of the ray from a point in a direction.
+  /// The key of a ray with origin p and direction v.
   std::uint32_t operator()(const glm::dvec3& p, const glm::dvec3& v) const {
     std::uint32_t key = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -33,12 +33,12 @@ class WideKeys {
  private:
   static constexpr unsigned most_bits = 9;  // of a cell's place along an axis
 
-  /// In which cell an origin lies; whatever lies in none counts to the first or the last.
+  /// The cell of an origin along an axis. An origin outside the box counts to the first or the last cell.
   std::uint32_t cell(double from_low) const {
     const double at = from_low * scale_;
     return at > 0 ? static_cast<std::uint32_t>(at < last_ ? at : last_) : 0;
   }
-  /// The nine bits of a number, two of 0 between each.
+  /// The nine bits of x, with two zeros between each.
   static std::uint32_t apart(std::uint32_t x) {
     x = (x | x << 16) & 0x030000ff;
     x = (x | x << 8) & 0x0300f00f;
@@ -47,17 +47,17 @@ class WideKeys {
   }
 
   glm::dvec3 low_{};
-  double scale_ = 0, last_ = 0;  // cells by length; the last cell
+  double scale_ = 0, last_ = 0;  // cells per unit of length; the last cell
   unsigned bits_ = 0;
 };
 
-/// Numbers of segments by which they are ordered where they go to one point, as of shadows: those that pass the same
-/// places on their way there have numbers that mostly lie close together.
+/// The sort key of a segment that ends at one point with the others, such as a shadow ray: the direction's place on a
+/// cube. Segments that pass the same elements on their way to the point mostly have neighbouring keys.
 class WideWays {
  public:
-  /// No key has more bits.
+  /// The number of bits of a key.
   static constexpr unsigned bits() { return 2 * bits_across + 3; }
-  /// Of the direction: by the face of a cube that it goes to, and where.
+  /// The key of a direction: the face of the cube, then the Morton code of the place on the face.
   std::uint32_t operator()(const glm::dvec3& v) const {
     const glm::dvec3 size = glm::abs(v);
     const int along = size.x < size.y ? (size.y < size.z ? 2 : 1) : (size.x < size.z ? 2 : 0);
@@ -68,15 +68,15 @@ class WideWays {
   }
 
  private:
-  static constexpr unsigned bits_across = 10;  // of a place across a face
+  static constexpr unsigned bits_across = 10;  // of a place along an edge of a face
   static constexpr double cells = 1 << bits_across;
 
-  /// In which cell a slope between −1 and 1 lies.
+  /// The cell of a slope between −1 and 1.
   static std::uint32_t cell(double slope) {
     const double at = (slope + 1) * (cells / 2);
     return at > 0 ? static_cast<std::uint32_t>(at < cells - 1 ? at : cells - 1) : 0;
   }
-  /// The ten bits of a number, one of 0 between each.
+  /// The ten bits of x, with one zero between each.
   static std::uint32_t apart(std::uint32_t x) {
     x = (x | x << 8) & 0x00ff00ff;
     x = (x | x << 4) & 0x0f0f0f0f;
@@ -85,8 +85,8 @@ class WideWays {
   }
 };
 
-/// The numbers of segments in the order in which they find company: of those that end much closer together than they
-/// begin by the way to there, of others by where they begin.
+/// Sorts the numbers of segments into a coherent order: by direction where their ends lie much closer together than
+/// their origins, by origin and octant otherwise. The sort is stable.
 void sort_segments(const WideKeys& key_of, std::span<const trace::Ray> rays, std::vector<std::uint32_t>& numbers);
 
 }  // namespace durero::accel

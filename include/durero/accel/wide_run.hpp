@@ -1,5 +1,5 @@
 #pragma once
-/// Which rays that follow each other may walk the wide hierarchy as one bundle.
+/// A run is a sequence of consecutive rays that are coherent enough to traverse as one bundle.
 
 #include <algorithm>
 #include <glm/common.hpp>
@@ -8,16 +8,17 @@
 
 namespace durero::accel {
 
-/// Between which the origins and the directions of some rays lie.
+/// The bounds of the origins and the directions of a run's rays.
 class WideRun {
  public:
-  /// Of one ray, as far as the box of the scene, which must outlive it, or to its limit.
+  /// A run of one ray, whose reach is measured to the box of the scene, `all`, or to the limit. `all` must outlive the
+  /// run.
   WideRun(const trace::Ray& ray, const surface::Box& all, double limit)
       : p_low_(ray.p), p_high_(ray.p), v_low_(ray.v), v_high_(ray.v), first_(ray), all_(all), limit_(limit) {}
 
-  /// Takes another one in, if in the directions no component is 0, those along an axis are of one sign, and on the way
-  /// all stay within so much of each other. Whether it did. How far they go is found out where they start together:
-  /// most that find no company do not.
+  /// Adds a ray to the run, if the directions have no component 0, the components along an axis have one sign, and the
+  /// rays stay within `narrow` of each other along each axis, up to the reach of the first. Whether the ray was added.
+  /// The reach is computed only after the origins pass, because most incoherent rays fail there.
   bool join(const trace::Ray& ray, double narrow) {
     const glm::dvec3 p_low = glm::min(p_low_, ray.p), p_high = glm::max(p_high_, ray.p);
     const glm::dvec3 v_low = glm::min(v_low_, ray.v), v_high = glm::max(v_high_, ray.v);
@@ -35,7 +36,7 @@ class WideRun {
   trace::Ray first_;
   const surface::Box& all_;
   double limit_;
-  double reach_ = -1;  // not known yet
+  double reach_ = -1;  // negative until it is computed
 };
 
 }  // namespace durero::accel

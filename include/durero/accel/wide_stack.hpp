@@ -1,5 +1,5 @@
 #pragma once
-/// What waits while a bundle of rays walks the wide hierarchy.
+/// The stack of a bundle's traversal of the wide hierarchy.
 
 #include <array>
 #include <bit>
@@ -9,21 +9,21 @@
 
 namespace durero::accel {
 
-/// The child at a place of a node, and where the first ray enters its box.
+/// A child on the stack: its parent, its place there, and a lower bound of the rays' entry into its box.
 struct WideWaiting {
   double entry;         ///< not less than 0
   std::uint32_t node;   ///< the parent
-  std::uint32_t place;  ///< among its children
+  std::uint32_t place;  ///< among the parent's children
 };
 
-/// The children that wait while a bundle walks, the next one last.
+/// The children that a bundle has still to visit, the next one on top.
 class WideStack {
  public:
-  /// @{ As of a vector.
+  /// @{ The operations of a stack.
   bool empty() const { return size_ == 0; }
   WideWaiting pop() { return waiting_[--size_]; }
   /// @}
-  /// Adds the children of a node that have a bit in `met`, the nearest last.
+  /// Pushes the children of a node in `met`, the nearest on top.
   void push(std::uint32_t node, unsigned met, const WideNode::Entries& entries) {
     const std::size_t begin = size_;
     for (; met != 0; met &= met - 1) {
@@ -35,7 +35,7 @@ class WideStack {
   }
 
  private:
-  std::array<WideWaiting, most_waiting> waiting_;  // only the first size_ mean anything
+  std::array<WideWaiting, most_waiting> waiting_;  // only the first size_ are set
   std::size_t size_ = 0;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
-/// Rays whose directions lie in one octant on their way through the wide hierarchy together: a node is opened once for
-/// all of them that come to it, and each is tested against its eight boxes in lanes. They need not be close together;
-/// no ray waits for another's numbers, so that the tests of many overlap.
+/// Stream traversal of the wide hierarchy, for rays whose directions lie in one octant. The traversal opens a node once
+/// for all rays that reach it, and tests each ray against the node's eight boxes in lanes. The rays need not be close
+/// together. The tests of different rays are independent of each other, so the processor overlaps them.
 
 #include <algorithm>
 #include <array>
@@ -15,40 +15,41 @@
 
 namespace durero::accel {
 
-/// A ray of a stream. A line of the cache.
+/// A ray of a stream, in one cache line.
 struct alignas(64) WideStreamRay {
   Beam beam;             ///< the ray
-  double limit;          ///< beyond which nothing of it matters
-  std::uint32_t number;  ///< the caller's name of it
+  double limit;          ///< the limit (tmax)
+  std::uint32_t number;  ///< the caller's number of the ray
 };
 
-/// Boxes that rays meet, in columns: of each the ray, the place among the children, and the parameter at which it is
-/// entered.
+/// The pairs of a ray and a child whose box the ray meets, in columns.
 struct WideMet {
-  std::vector<double> entries;       ///< not less than 0
-  std::vector<std::uint64_t> whose;  ///< the ray, and 2³² times the place
-  std::size_t size = 0;              ///< how many
-  /// @{ Of each child: how many rays meet its box, and where the first of them enters it; ∞ for none.
+  std::vector<double> entries;       ///< the entry parameter, not less than 0
+  std::vector<std::uint64_t> whose;  ///< the ray, and 2³² times the child's place
+  std::size_t size = 0;              ///< the number of pairs
+  /// @{ For each child: the number of rays that meet its box, and the least of their entry parameters, ∞ where there is
+  /// none.
   std::array<std::uint64_t, WideNode::width> count{};
   std::array<double, WideNode::width> soonest{};
   /// @}
 
-  static std::size_t place(std::uint64_t whose) { return whose >> 32; }               ///< among the children
+  static std::size_t place(std::uint64_t whose) { return whose >> 32; }               ///< of the child
   static auto ray(std::uint64_t whose) { return static_cast<std::uint32_t>(whose); }  ///< its place among the rays
 };
 
-/// Which boxes of a node some of the rays meet at 0 < t ≤ their limits, as `stretch` finds it. Precondition: the
-/// components of all directions have the same signs.
+/// Finds the boxes of a node that the rays in `some` meet at 0 < t ≤ their limits, by the test of `stretch`.
+/// Precondition: the directions' components along an axis have one sign.
 void meet(const WideNode& node, std::span<const WideStreamRay> rays, std::span<const std::uint32_t> some, WideMet& met);
 
-/// Walks of streams. limit(number) and take(number, element) as in PairCandidates::pairs.
+/// A traversal of streams; limit(number) and take(number, element) are those of PairCandidates::pairs.
 template <class Limit, class Take>
 class WideStream {
  public:
-  /// All of these must outlive it.
+  /// The traversal keeps references to its arguments, which must outlive it.
   WideStream(std::span<const WideNode> nodes, Limit& limit, Take& take) : nodes_(nodes), limit_(limit), take_(take) {}
 
-  /// Every ray from the root on. Preconditions: as of `meet`; the limits are not less than 0.
+  /// Traverses the tree from the root with every ray. Preconditions: the directions lie in one octant; limits are not
+  /// less than 0.
   void walk(std::span<WideStreamRay> rays) {
     rays_ = rays;
     waiting_.resize(std::max(waiting_.size(), waiting_size_ = rays.size()));
@@ -68,18 +69,18 @@ class WideStream {
   }
 
  private:
-  /// A ray that waits at a child, whose box it enters there.
+  /// A ray that waits at a child, and its entry parameter into the child's box.
   struct Waiting {
     double entry;
     std::uint32_t ray;
   };
-  /// A child, and where those that wait at it begin: they are the last.
+  /// A child on the stack. Its waiting rays are those from `begin` to the end of waiting_, once the child is on top.
   struct Child {
     WideChild child;
     std::size_t begin;
   };
 
-  /// Those that wait from a place on come here, but for those whose limits have fallen below their entry meanwhile.
+  /// Pops the rays that wait from `begin` on into here_, but for those whose limits have fallen below their entry.
   void arrive(std::size_t begin) {
     here_.resize(waiting_size_ - begin);
     std::size_t come = 0;
@@ -92,7 +93,8 @@ class WideStream {
     waiting_size_ = begin;
   }
 
-  /// Those that are here go on to the children that they meet; where the first of them comes soonest is next.
+  /// Pushes the children of a node that some ray in here_ meets, with their rays; the child with the least entry is on
+  /// top.
   void open(const WideNode& node) {
     meet(node, rays_, here_, met_);
     std::array<std::uint8_t, WideNode::width> order{};
@@ -103,7 +105,7 @@ class WideStream {
       for (; at > 0 && met_.soonest[order[at - 1]] < met_.soonest[place]; --at) order[at] = order[at - 1];
       order[at] = place;
     }
-    std::array<std::size_t, WideNode::width> end{};  // of those that wait at each, once all of them do
+    std::array<std::size_t, WideNode::width> end{};  // the end of the rays written for each child
     for (std::size_t i = 0; i < children; ++i) {
       children_.push_back({node.children[order[i]], end[order[i]] = waiting_size_});
       waiting_size_ += met_.count[order[i]];
@@ -117,10 +119,10 @@ class WideStream {
   Limit& limit_;
   Take& take_;
   std::span<WideStreamRay> rays_;
-  std::vector<Child> children_;   // to be visited, the next one last
-  std::vector<Waiting> waiting_;  // at each of them, in their order: the first waiting_size_
+  std::vector<Child> children_;   // the stack of children
+  std::vector<Waiting> waiting_;  // their rays, in the order of the stack: only the first waiting_size_ are set
   std::size_t waiting_size_ = 0;
-  std::vector<std::uint32_t> here_;  // at the child that is being visited
+  std::vector<std::uint32_t> here_;  // the rays at the child that is visited
   WideMet met_;
 };
 

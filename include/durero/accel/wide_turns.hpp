@@ -1,6 +1,6 @@
 #pragma once
-/// Rays that walk the wide hierarchy alone, several in turns: in each turn those that have come to a node open it side
-/// by side (wide_walker.hpp), and the memory that one asks for comes while the others go on.
+/// Interleaved traversal of the wide hierarchy by single rays. In each turn the rays that have reached a node open it
+/// side by side (wide_walker.hpp), and the prefetches of one ray complete while the others go on.
 
 #include <algorithm>
 #include <array>
@@ -14,16 +14,16 @@
 
 namespace durero::accel {
 
-/// limit(number) and take(number, element) as in PairCandidates::pairs.
+/// A traversal of several rays in turns; limit(number) and take(number, element) are those of PairCandidates::pairs.
 template <class Limit, class Take>
 class WideTurns {
  public:
-  /// All of these must outlive it. Precondition: there is a node.
+  /// The traversal keeps references to its arguments, which must outlive it. Precondition: there is a node.
   WideTurns(std::span<const WideNode> nodes, const WideLeaves& leaves, std::span<const trace::Ray> rays, Limit& limit,
             Take& take)
       : nodes_(nodes), rows_(leaves.rows()), rays_(rays), limit_(limit), take_(take) {}
 
-  /// The rays of these numbers.
+  /// Traverses the tree with the rays of these numbers.
   void walk(std::span<const std::uint32_t> numbers) {
     coming_ = numbers;
     std::vector<Walking> walking;
@@ -51,25 +51,25 @@ class WideTurns {
   }
 
  private:
-  static constexpr std::size_t at_a_time = 24;  // rays
+  static constexpr std::size_t at_a_time = 24;  // rays in flight
 
-  /// A walker, and the number of its ray.
+  /// A ray's traversal, and the ray's number.
   struct Walking {
     Walking(const trace::Ray& ray, std::uint32_t number_of_it) : walker(ray), number(number_of_it) {}
     WideWalker walker;
     std::uint32_t number;
-    bool arrived = false;  // at an element, which memory was asked for
+    bool arrived = false;  // at an element, whose row was prefetched
   };
 
-  /// Of the next ray, which is on its way then.
+  /// Takes the next ray that has not started.
   std::uint32_t next_number() {
     const std::uint32_t number = coming_.front();
     coming_ = coming_.subspan(1);
     return number;
   }
 
-  /// Takes what it has arrived at, and goes on to the next node or element, of which memory is asked for before
-  /// another's turn; at the end of its way with another ray. Whether there is more.
+  /// Tests the element that the traversal has reached, and goes on to the next node or element, which it prefetches
+  /// before the other rays' turns. A traversal that ends restarts with another ray; false where none is left.
   bool goes_on(Walking& one) {
     if (one.arrived) take_(one.number, one.walker.element);
     one.arrived = false;

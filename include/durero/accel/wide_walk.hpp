@@ -1,6 +1,7 @@
 #pragma once
-/// Many rays through the wide hierarchy. Those that stay close together walk it as bundles (wide_bundles.hpp). The
-/// others walk in streams, an octant of directions in each (wide_stream.hpp), or alone in turns (wide_turns.hpp).
+/// Traversal of the wide hierarchy by many rays. Coherent rays traverse in bundles (wide_bundles.hpp). Incoherent rays
+/// traverse in streams, one for each octant of directions (wide_stream.hpp), or interleaved one by one
+/// (wide_turns.hpp).
 
 #include <array>
 #include <cmath>
@@ -17,11 +18,12 @@
 
 namespace durero::accel {
 
-/// PairCandidates::pairs over a tree that has nodes(), leaves() and spacing().
+/// PairCandidates::pairs over a tree with nodes(), leaves() and spacing().
 template <class Tree, class Limit, class Take, class Flush>
 class WideWalk {
  public:
-  /// All of these must outlive it. Preconditions: the tree has a node; there is a ray.
+  /// The traversal keeps references to its arguments, which must outlive it. Preconditions: the tree has a node; there
+  /// is a ray.
   WideWalk(const Tree& tree, std::span<const trace::Ray> rays, Limit& limit, Take& take, Flush& flush)
       : nodes_(tree.nodes()),
         leaves_(tree.leaves()),
@@ -31,7 +33,7 @@ class WideWalk {
         take_(take),
         bundles_(tree, rays, limit, take, flush) {}
 
-  /// Every ray.
+  /// Traverses the tree with every ray whose limit is above 0.
   void all() {
     if constexpr (Bundles::takes_any) {
       add_in_order();
@@ -48,7 +50,7 @@ class WideWalk {
       }
     }
     bundles_.finish(alone_);
-    // In a large tree too few of the rays come to the same node.
+    // Streams serve small trees only: in a large tree too few rays reach the same node.
     if (alone_.size() >= least_stream && nodes_.size_bytes() <= WideLeaves::nearby) return walk_streams();
     WideTurns(nodes_, leaves_, rays_, limit_, take_).walk(alone_);
   }
@@ -56,9 +58,9 @@ class WideWalk {
  private:
   using Bundles = WideBundles<Tree, Limit, Take, Flush>;
 
-  static constexpr std::size_t least_stream = 64;  // rays alone that walk as streams
+  static constexpr std::size_t least_stream = 64;  // incoherent rays that are worth a stream
 
-  /// In a large tree those that find company follow each other.
+  /// Adds the segments in a coherent order.
   void add_in_order() {
     std::vector<std::uint32_t> numbers;
     numbers.reserve(rays_.size());
@@ -76,7 +78,7 @@ class WideWalk {
     return static_cast<std::size_t>(std::signbit(v.x) + 2 * std::signbit(v.y) + 4 * std::signbit(v.z));
   }
 
-  /// The rays alone, those of each octant together.
+  /// Traverses with the incoherent rays, a stream for each octant.
   void walk_streams() {
     std::array<std::vector<WideStreamRay>, 8> streams;
     for (std::vector<WideStreamRay>& stream : streams) stream.reserve(alone_.size() / 4);

@@ -1,5 +1,5 @@
 #pragma once
-/// One ray on its way through the wide hierarchy, nearest box first; or several that open their nodes side by side.
+/// Single-ray traversal of the wide hierarchy, nearest box first. Several rays can open their nodes side by side.
 
 #include <array>
 #include <bit>
@@ -10,20 +10,20 @@
 
 namespace durero::accel {
 
-/// A ray, and the children that it has still to visit. It can be left and taken up again.
+/// A traversal by one ray, and its stack. It can be left and resumed.
 struct WideWalker {
-  /// What a walk has come to: an element to be tested; a node to be opened; or its end.
+  /// A traversal has reached an element to test, a node to open, or its end.
   enum class Next : std::uint8_t { element, node, end };
 
-  static constexpr std::size_t room = most_waiting + WideNode::width;  ///< of the columns; whole lanes are stored
+  static constexpr std::size_t room = most_waiting + WideNode::width;  ///< of the stack: a store fills whole lanes
 
   /// Starts at the root. Precondition: the ray is ordinary.
   explicit WideWalker(const trace::Ray& ray) : beam(ray) { restart(ray); }
-  /// The same with another ray.
+  /// Restarts at the root with another ray. Precondition: the ray is ordinary.
   void restart(const trace::Ray& ray);
 
-  /// Goes on to the next child, past all that lies beyond the limit, which is kept. Precondition: the limit is not less
-  /// than 0, and the node that it came to last, if any, was opened.
+  /// Pops the next child whose entry is not beyond the limit `greatest`, which later box tests use too. Preconditions:
+  /// the limit is not less than 0; the node that the traversal reached last, if any, was opened.
   Next next(double greatest) {
     limit = greatest;
     const double latest = latest_entry(limit);
@@ -42,26 +42,26 @@ struct WideWalker {
     }
     return Next::end;
   }
-  /// The same, opening what it comes to until that is an element: never a node.
+  /// Goes on to the next element or the end, and opens the nodes on the way. Precondition: that of next.
   Next advance(const WideNode* nodes, double greatest);
 
   Beam beam;                    ///< the ray
-  double limit = 0;             ///< beyond which nothing matters
-  scene::ElementRef element{};  ///< the last that it came to
-  std::uint32_t node = 0;       ///< the last that it came to
-  std::uint32_t size = 0;       ///< how many children wait, the next one last
-  std::uint32_t sorted = 0;     ///< how many of them are in order, while the last node lies open
-  /// @{ Counted on the way, for any number of rays.
-  std::uint32_t nodes = 0;  ///< that were opened
-  std::uint32_t met = 0;    ///< boxes of them that were met
-  std::uint32_t late = 0;   ///< children that the limit had fallen below
+  double limit = 0;             ///< the limit (tmax)
+  scene::ElementRef element{};  ///< the last element that was reached
+  std::uint32_t node = 0;       ///< the last node that was reached
+  std::uint32_t size = 0;       ///< of the stack
+  std::uint32_t sorted = 0;     ///< size of the stack before the last node's children, which are unordered until then
+  /// @{ Counters, summed over all rays since construction.
+  std::uint32_t nodes = 0;  ///< nodes opened
+  std::uint32_t met = 0;    ///< boxes met
+  std::uint32_t late = 0;   ///< children that the limit pruned from the stack
   /// @}
-  std::array<double, room> entries;          ///< of the children that wait
-  std::array<std::uint64_t, room> children;  ///< they themselves
+  std::array<double, room> entries;          ///< of the stack's children
+  std::array<std::uint64_t, room> children;  ///< the stack, as the bytes of WideChild
 };
 
-/// Opens the nodes that some walkers have come to. First the boxes of all are tested, without a branch, so that the
-/// tests of one need not wait for what another's come to; then what each met is put in order.
+/// Opens the nodes that some traversals have reached. The boxes of all are tested first, without a branch, so that one
+/// ray's tests need not wait for another's; the children that each ray meets are sorted then.
 void open(const WideNode* nodes, std::span<WideWalker* const> walkers);
 
 }  // namespace durero::accel
