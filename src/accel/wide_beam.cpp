@@ -14,7 +14,7 @@ namespace durero::accel {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The least and the greatest of what lanes have been joined to it.
+/// The range of the numbers that were joined to it, lane by lane.
 struct Extent {
   HWY_INLINE Extent() : least(hn::Set(Tag(), HUGE_VAL)), greatest(hn::Set(Tag(), -HUGE_VAL)) {}
   HWY_INLINE void join(Lanes x) { least = hn::Min(least, x), greatest = hn::Max(greatest, x); }
@@ -24,7 +24,7 @@ struct Extent {
   Lanes least, greatest;
 };
 
-/// An axis of the rays that walk, in lanes. What takes no part in the walk ends where it begins.
+/// An axis of some rays, in lanes. The end of a ray that takes no part is its origin.
 struct Axis {
   HWY_INLINE Axis(const WideBundle& bundle, std::size_t axis, std::size_t at)
       : p(hn::LoadU(Tag(), &bundle.rays.p[axis][at])), v(hn::LoadU(Tag(), &bundle.rays.v[axis][at])) {
@@ -34,7 +34,7 @@ struct Axis {
   Lanes p, v, end;
 };
 
-/// Between which numbers an axis of the rays lies: of their origins, their ends, and their slopes.
+/// The ranges of the origins, the ends and the slopes of the rays, along one axis.
 struct Ranges {
   HWY_INLINE Ranges() {}
   HWY_INLINE double low() const { return std::min(p.low(), end.low()); }

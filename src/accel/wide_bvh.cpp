@@ -20,8 +20,8 @@ using wide::Box32;
 using wide::Item;
 using wide::Part;
 
-/// The greatest number of binary32 that is not above x, and the least that is not below it. Without a branch: the
-/// nearest is above x or not as chance has it. Numbers of one sign follow each other as their bits do, away from 0.
+/// The greatest binary32 number not above x, and the least not below it. The nearest number is stepped by its bits,
+/// which count away from 0 within a sign. The step has no branch, which would be mispredicted every other time.
 float below(double x) {
   const auto nearest = static_cast<float>(x);
   const auto bits = std::bit_cast<std::int32_t>(nearest);
@@ -30,19 +30,19 @@ float below(double x) {
 }
 float above(double x) { return -below(-x); }
 
-/// Rounded outwards: it holds all points of the other.
+/// A box of binary32 that holds every point of a box of binary64.
 Box32 outwards(const surface::Box& box) {
   return {{below(box.low.x), below(box.low.y), below(box.low.z)},
           {above(box.high.x), above(box.high.y), above(box.high.z)}};
 }
 
-/// Beyond this level a node parts its items evenly, so that 2³² of them take eleven levels more.
+/// The last level that splits by surface area. Deeper nodes split evenly, so that 2³² items take eleven levels more.
 constexpr std::size_t last_level_by_area = most_levels - 12;
-/// Above this number the parts of a node are built by several threads.
+/// The greatest part that one thread builds alone.
 constexpr std::size_t alone = 4096;
 
-/// A tree: its nodes, each before its children, which it refers to by their places; or the root of a large one alone,
-/// and the trees below it in their order.
+/// A tree in one of two forms: all nodes, each before its children, whose indices count from the tree's first node; or,
+/// of a large tree, the root alone and the trees below it, in the order of its children.
 struct Tree {
   std::vector<WideNode> nodes;
   std::vector<Tree> below;
@@ -53,7 +53,7 @@ struct Tree {
   }
 };
 
-/// The node of some parts; those that are more than an element are nodes, wherever they will stand.
+/// The node of some parts. A part of several items becomes a child of kind node, whose index is set later.
 WideNode node_of(const wide::Parts& parts) {
   WideNode node;
   for (std::size_t plane = 0; plane < 6; ++plane) node.planes[plane].fill(plane < 3 ? HUGE_VALF : -HUGE_VALF);
@@ -70,7 +70,7 @@ WideNode node_of(const wide::Parts& parts) {
   return node;
 }
 
-/// Appends the node of a part, and all below it.
+/// Appends the nodes of the tree over a part: its root, then all below.
 void build(std::vector<WideNode>& nodes, const Part& whole, std::size_t level) {
   const wide::Parts parts = parts_of(whole, level > last_level_by_area);
   const std::size_t own = nodes.size();
@@ -82,7 +82,7 @@ void build(std::vector<WideNode>& nodes, const Part& whole, std::size_t level) {
   }
 }
 
-/// Those below a large node as if each stood alone.
+/// The tree over a part. The parts of a large node are built in parallel.
 Tree built(const Part& whole, std::size_t level) {
   Tree tree;
   if (whole.size() <= alone) {
@@ -114,7 +114,7 @@ void append(LargeVector<WideNode>& nodes, const Tree& tree) {
   }
 }
 
-/// So many nodes ahead memory is asked for their elements, which lie anywhere in the tables of the scene.
+/// The distance in nodes at which elements are prefetched, because they lie anywhere in the scene's tables.
 constexpr std::size_t nodes_ahead = 4;
 
 void ask_for_elements(const scene::Scene& scene, const WideNode& node) {

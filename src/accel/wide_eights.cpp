@@ -14,7 +14,7 @@ namespace durero::accel {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The greatest limit of an eight.
+/// The greatest limit of the eight rays from `begin` on.
 HWY_INLINE double greatest_limit(const WideBundle& bundle, std::size_t begin) {
   const Tag tag;
   Lanes greatest = hn::LoadU(tag, &bundle.limit[begin]);
@@ -23,7 +23,7 @@ HWY_INLINE double greatest_limit(const WideBundle& bundle, std::size_t begin) {
   return hn::GetLane(hn::MaxOfLanes(tag, greatest));
 }
 
-/// Between which the numbers of each eight lie.
+/// The range of a column in each group of eight.
 HWY_INLINE void enclose(const WideBundle& bundle, const WideBundle::Column& column, WideEights::Column& low,
                         WideEights::Column& high) {
   const Tag tag;
@@ -59,7 +59,7 @@ double bring_eights_up_to_date(WideEights& eights, const WideBundle& bundle, std
   return hn::GetLane(hn::MaxOfLanes(tag, greatest));
 }
 
-/// A bit for each eight of which some ray may meet the box of a child.
+/// The groups of eight of which some ray may meet the box of a child, a bit each.
 HWY_INLINE unsigned met_eights(const WideNode& node, std::size_t child, const WideEights& eights) {
   const Tag tag;
   const auto plane = [&](std::size_t which) HWY_ATTR { return hn::Set(tag, double{node.planes[which][child]}); };

@@ -27,13 +27,13 @@ using Tag = hn::CappedTag<double, WideNode::width>;
 using HalfTag = hn::Rebind<float, Tag>;
 using Lanes = hn::Vec<Tag>;
 
-/// The planes of the children from one on, exactly.
+/// The planes of that index of the children from `at` on, widened exactly to binary64.
 HWY_INLINE Lanes planes(const WideNode& node, std::size_t plane, std::size_t at) {
   return hn::PromoteTo(Tag(), hn::LoadU(HalfTag(), &node.planes[plane][at]));
 }
 
-/// The latest of two entries, the soonest of two exits: the first where the second is NaN. On x86 that is what the
-/// instruction answers whose second operand comes first here.
+/// The later of two entries and the sooner of two exits; the first argument where the second is NaN. On x86 the max and
+/// min instructions answer this when their operands are swapped.
 #if HWY_ARCH_X86
 HWY_INLINE Lanes later(Lanes entry, Lanes near) { return hn::Max(near, entry); }
 HWY_INLINE Lanes sooner(Lanes exit, Lanes far) { return hn::Min(far, exit); }
@@ -42,7 +42,7 @@ HWY_INLINE Lanes later(Lanes entry, Lanes near) { return hn::IfThenElse(hn::Lt(e
 HWY_INLINE Lanes sooner(Lanes exit, Lanes far) { return hn::IfThenElse(hn::Lt(far, exit), far, exit); }
 #endif
 
-/// As Stretch::meets.
+/// Stretch::meets in lanes.
 HWY_INLINE hn::Mask<Tag> meets(Lanes entry, Lanes exit) {
   const Tag tag;
   return hn::Le(entry, hn::Add(hn::Mul(exit, hn::Set(tag, grow)), hn::Set(tag, tiny)));
@@ -54,7 +54,7 @@ HWY_INLINE unsigned bits(hn::Mask<Tag> mask) {
   return stored[0];
 }
 
-/// A child of a node as rays of a bundle come to it, in every lane.
+/// The box of a child in every lane, its near and far planes chosen by the signs of a bundle's directions.
 struct LaneBox {
   HWY_INLINE LaneBox(const WideNode& node, std::size_t child, const WideBundle& bundle) {
     const auto plane = [&](std::size_t which) HWY_ATTR { return hn::Set(Tag(), double{node.planes[which][child]}); };
@@ -63,7 +63,7 @@ struct LaneBox {
     near_x = plane(x_first), near_y = plane(y_first), near_z = plane(z_first);
     far_x = plane(3 - x_first), far_y = plane(5 - y_first), far_z = plane(7 - z_first);
   }
-  /// A bit for each ray from one on that fills a lane, whether it may meet the box.
+  /// The rays that may meet the box, a bit each, of those from `at` on that fill the lanes.
   HWY_INLINE unsigned met_from(const WideBundle& bundle, std::size_t at) const {
     const Tag tag;
     const auto& p = bundle.rays.p;
@@ -82,8 +82,8 @@ struct LaneBox {
   Lanes near_x, near_y, near_z, far_x, far_y, far_z;
 };
 
-/// For each set of places, those that are in it, the first lowest, in four bits each. (Highway's Compress copies its
-/// table at every call.)
+/// For each set of lanes, the indices of its members in ascending order, the first lowest, in four bits each.
+/// (Highway's Compress copies its table at every call.)
 inline constexpr std::array<std::uint64_t, 256> first_places = [] {
   std::array<std::uint64_t, 256> packed{};
   for (std::size_t set = 0; set < packed.size(); ++set) {
@@ -97,7 +97,7 @@ inline constexpr std::array<std::uint64_t, 256> first_places = [] {
   return packed;
 }();
 
-/// Which lane to take for each, so that those of a set stand in front.
+/// A permutation that moves the lanes of a set to the front, in their order.
 HWY_INLINE auto in_front(unsigned set) {
   const hn::Rebind<std::uint64_t, Tag> tag;
   const auto shifts = hn::ShiftLeft<2>(hn::Iota(tag, 0));

@@ -20,7 +20,7 @@ void invert_lanes(WideBundle& bundle, std::size_t count) {
       hn::StoreU(hn::Div(hn::Set(tag, 1), hn::LoadU(tag, &bundle.rays.v[axis][at])), tag, &bundle.inverse[axis][at]);
 }
 
-/// Between which the numbers of a column lie.
+/// The range of a column, over the places that traverse.
 HWY_INLINE void enclose(const WideBundle& bundle, const WideBundle::Column& column, double& low, double& high) {
   const Tag tag;
   Lanes least = hn::LoadU(tag, &column[bundle.begin]), greatest = least;
@@ -78,7 +78,7 @@ unsigned met_by_bundle(const WideNode& node, const WideBundle& bundle, double li
   return met;
 }
 
-/// A child at a time, so that its bits gather in a register: most often few children are asked about.
+/// Children are tested one after another, so that the bits of one gather in a register. Most often few are asked about.
 void met_by_each(const WideNode& node, unsigned children, const WideBundle& bundle, WideMeetings& met) {
   for (unsigned left = children; left != 0; left &= left - 1) {
     const auto child = static_cast<std::size_t>(std::countr_zero(left));

@@ -12,17 +12,17 @@
 namespace durero::accel {
 namespace {
 
-/// Bytes of nodes; with less an order costs more than it gains. Segments in order stay together in bundles.
+/// The least bytes of nodes for which a sort gains more than it costs. Sorted segments gain sooner, by longer bundles.
 constexpr std::size_t least_of_segments = 1 << 20, least_of_rays = 1 << 23;
 constexpr std::size_t least_rays = 1 << 10;
-constexpr std::size_t few = 1 << 13;  // keys
+constexpr std::size_t few = 1 << 13;  // keys that are sorted by 8 bits a pass
 
-/// Segments come in an order already where each leaves so near the one before it, in spacings of the elements: what is
-/// left to do is done for each block of them (WideWalk).
+/// The distance, in spacings of the elements, within which consecutive origins count as coherent for segments. The rest
+/// is sorted within each block (WideWalk).
 constexpr double near_for_segments = 8;
 
-/// Most of some rays leave no farther from where the ray before them does, along each axis, as from an eye or from
-/// what it sees.
+/// Whether most of a sample of rays start within `near` of the ray before them along each axis, as camera rays and
+/// their secondary rays do. Preconditions: at least two queries.
 bool each_near_the_last(std::span<const scene::Query> queries, double near) {
   constexpr std::size_t asked = 32;
   std::size_t count = 0;
@@ -38,7 +38,7 @@ struct Keyed {
   std::uint32_t key, number;
 };
 
-/// By counting some bits of the keys: those of equal bits stay in the order in which they come.
+/// Sorts by some bits of the keys, stably (counting sort).
 void sort_by_bits(std::span<const Keyed> from, std::span<Keyed> to, unsigned shift, unsigned bits,
                   std::vector<std::uint32_t>& next) {
   const std::uint32_t mask = (std::uint32_t{1} << bits) - 1;
@@ -48,7 +48,7 @@ void sort_by_bits(std::span<const Keyed> from, std::span<Keyed> to, unsigned shi
   for (const Keyed& each : from) to[next[each.key >> shift & mask]++] = each;
 }
 
-/// By all bits, some at a time: more where the counting of so many costs little beside the keys.
+/// Sorts by all bits, in passes (radix sort). Many keys pay for wider passes.
 void sort(std::vector<Keyed>& keyed, unsigned bits) {
   const unsigned at_a_time = keyed.size() < few ? 8 : 12;
   std::vector<Keyed> sorted(keyed.size());
@@ -77,7 +77,7 @@ WideKeys::WideKeys(const WideNode& root, double spacing) {
 
 namespace {
 
-/// By key(ray); those of one key stay in the order in which they are.
+/// Sorts by key(ray), stably.
 template <class Key>
 void sort_by_key(Key key, unsigned bits, std::span<const trace::Ray> rays, std::vector<std::uint32_t>& numbers) {
   std::vector<Keyed> keyed(numbers.size());
@@ -88,7 +88,7 @@ void sort_by_key(Key key, unsigned bits, std::span<const trace::Ray> rays, std::
   std::ranges::transform(keyed, numbers.begin(), &Keyed::number);
 }
 
-/// Whether some of them end within an eighth of where they begin.
+/// Whether the ends of a sample of segments spread at most an eighth as far as their origins.
 bool end_together(std::span<const trace::Ray> rays, std::span<const std::uint32_t> numbers) {
   constexpr std::size_t asked = 64;
   glm::dvec3 p_low(HUGE_VAL), p_high(-HUGE_VAL), end_low(HUGE_VAL), end_high(-HUGE_VAL);

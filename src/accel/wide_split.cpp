@@ -7,15 +7,15 @@
 namespace durero::accel::wide {
 namespace {
 
-/// x, y and z side by side; what stands in the last lane means nothing. (Highway's lanes are of one number here, as it
-/// has no SSE2.)
+/// x, y and z in lanes; the last lane means nothing. (Highway has no SSE2 target, so its vectors would have one lane
+/// here.)
 using Lanes [[gnu::vector_size(16)]] = float;
 using Wholes [[gnu::vector_size(16)]] = std::int32_t;
 
 Lanes least(Lanes a, Lanes b) { return a < b ? a : b; }
 Lanes greatest(Lanes a, Lanes b) { return a > b ? a : b; }
 
-/// @{ The corners of an item's box: whole lanes are read, of the item itself.
+/// @{ The corners of an item's box. Whole lanes are read, within the item itself.
 static_assert(offsetof(Item, box) == 0 && offsetof(Box32, high) == sizeof(Corner) && sizeof(Item) >= 7 * sizeof(float));
 Lanes lanes_at(const Item& item, std::size_t byte) {
   Lanes lanes;
@@ -25,12 +25,12 @@ Lanes lanes_at(const Item& item, std::size_t byte) {
 Lanes low_of(const Item& item) { return lanes_at(item, 0); }
 Lanes high_of(const Item& item) { return lanes_at(item, sizeof(Corner)); }
 /// @}
-/// The middle of its box, about: it tells items apart, and bounds nothing. It does not overflow.
+/// The centre of the item's box, rounded. It serves to split items, and bounds nothing. It does not overflow.
 Lanes middle_of(const Item& item) { return 0.5F * low_of(item) + 0.5F * high_of(item); }
 
 using Doubles [[gnu::vector_size(32)]] = double;
 
-/// A box that grows; of nothing at first, as Box32.
+/// A box that grows; empty at first, as Box32 is.
 struct LaneBox {
   Lanes low = Lanes{} + HUGE_VALF, high = Lanes{} - HUGE_VALF;
 
@@ -39,14 +39,14 @@ struct LaneBox {
     high = greatest(high, other_high);
   }
   Box32 box() const { return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}; }
-  /// As of Box32; of something.
+  /// Box32::area. Precondition: the box is not empty.
   double area() const {
     const Doubles width = __builtin_convertvector(high, Doubles) - __builtin_convertvector(low, Doubles);
     return width[0] * width[1] + width[1] * width[2] + width[2] * width[0];
   }
 };
 
-/// Equal bins along each axis, between the middles of some items.
+/// Equal bins along each axis, over the box of some centres (binned SAH).
 class Bins {
  public:
   static constexpr std::size_t count = 16;
@@ -58,9 +58,9 @@ class Bins {
       scale_[axis] = std::isfinite(scale) ? scale : 0;
     }
   }
-  /// Whether the middles differ along an axis, by more than next to nothing and less than overflows.
+  /// Whether the centres differ along an axis, by so much that the bins' scale is finite.
   bool differ(std::size_t axis) const { return scale_[axis] > 0; }
-  /// In which bin of each axis the item is; in the first where they do not differ.
+  /// The item's bin along each axis; the first where the centres do not differ.
   Wholes of(const Item& item) const {
     const Lanes at = scale_ > 0.0F ? (middle_of(item) - low_) * scale_ : Lanes{};
     return __builtin_convertvector(least(at, Lanes{} + static_cast<float>(count - 1)), Wholes);
@@ -70,7 +70,7 @@ class Bins {
   Lanes low_{}, scale_{};
 };
 
-/// A bin of an axis: how many items, and their box.
+/// The items of a bin: their number and their box.
 struct Bin {
   LaneBox box{};
   std::size_t count = 0;
@@ -83,18 +83,18 @@ struct Bin {
     box.join(other.box.low, other.box.high);
     count += other.count;
   }
-  /// Of some items.
+  /// The SAH cost. Precondition: the bin has an item.
   double cost() const { return box.area() * static_cast<double>(count); }
 };
 using Row = std::array<Bin, Bins::count>;
 
-/// A way to part items by the bins of an axis: the first `bin` of them from the rest.
+/// A split of items by the bins of an axis: the bins before `bin`, and the others.
 struct Split {
-  double cost = HUGE_VAL;  ///< the sum of area times number; ∞ where there is no way
+  double cost = HUGE_VAL;  ///< the SAH cost: area times number, summed; ∞ for no split
   std::size_t axis = 0, bin = 0;
 };
 
-/// A bin without items is none to begin the second part with: so are they parted at the next one too.
+/// Keeps the cheapest split between two bins. A bin without items is skipped: the next bin gives the same split.
 void keep_best(Split& best, const Row& row, std::size_t axis) {
   std::array<double, Bins::count> before;  // each bin with items: the cost of those in front
   Bin first = row[0];
@@ -118,11 +118,11 @@ std::pair<Part, Part> in_the_middle(const Part& part) {
           part_of(part.items.subspan(half), part.room.subspan(half))};
 }
 
-/// Which of two, by a mask.
+/// Selects lanes by a mask.
 Lanes either(Wholes mask, Lanes yes, Lanes no) { return mask != 0 ? yes : no; }
 
-/// Each item to one end of the room or the other. It is written to both, and where it does not belong the next one is
-/// written over it: which way it goes, no processor foretells.
+/// Moves the items into the room, the first part from its beginning, the second from its end. Each item is written to
+/// both ends and only one end advances, which spares a branch that would be mispredicted.
 std::pair<Part, Part> parted(const Part& part, const Bins& bins, const Row& row, const Split& split) {
   Item *begin = part.room.data(), *end = begin + part.room.size();
   LaneBox first_middles, second_middles;
@@ -144,8 +144,8 @@ std::pair<Part, Part> parted(const Part& part, const Bins& bins, const Row& row,
           {part.room.subspan(size), part.items.subspan(size), second.box(), second_middles.box()}};
 }
 
-/// The items in two, neither empty: where the surface areas promise least work; in the middle where the middles of all
-/// boxes are one, or where nothing but the depth matters any more. Precondition: two items or more.
+/// Splits a part in two, neither empty, by the least SAH cost. The split halves the items where all centres are one, or
+/// where `evenly` bounds the depth. Precondition: two items at least.
 std::pair<Part, Part> split(const Part& part, bool evenly) {
   if (evenly) return in_the_middle(part);
   const Bins bins(part.middles);
@@ -163,7 +163,7 @@ std::pair<Part, Part> split(const Part& part, bool evenly) {
   return best.bin == 0 ? in_the_middle(part) : parted(part, bins, rows[best.axis], best);
 }
 
-/// The greatest of some parts by rank(part), of which 0 takes none; null where all take none.
+/// The part of the greatest rank; null where no rank is above 0.
 template <class Rank>
 Part* greatest(Parts& parts, Rank rank) {
   const auto found = std::ranges::max_element(parts, {}, rank);

@@ -1,5 +1,5 @@
 #pragma once
-/// Which elements come into the same child of a node of the wide hierarchy.
+/// Splits the elements among the children of a wide node.
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@ namespace durero::accel::wide {
 
 using Corner = std::array<float, 3>;
 
-/// A box of binary32; that of nothing holds no point, and joined to another leaves it as it is.
+/// A box of binary32. The empty box has low above high, and is neutral to join.
 struct Box32 {
   Corner low{HUGE_VALF, HUGE_VALF, HUGE_VALF}, high{-HUGE_VALF, -HUGE_VALF, -HUGE_VALF};
 
@@ -23,7 +23,7 @@ struct Box32 {
       high[i] = std::max(high[i], other.high[i]);
     }
   }
-  /// Half the area of its surface; of nothing, 0. In binary64 none overflows.
+  /// Half the surface area, or 0 for the empty box. It is computed in binary64, which does not overflow.
   double area() const {
     const double x = width(0), y = width(1), z = width(2);
     return x < 0 ? 0 : x * y + y * z + z * x;
@@ -35,32 +35,33 @@ struct Box32 {
   }
 };
 
-/// An element and its box.
+/// An element and its box, which the builder sorts.
 struct Item {
   Box32 box;
   scene::ElementRef e;
 };
 using Items = std::span<Item>;
 
-/// Some items, room for as many, to which they come when they are parted, and their box.
+/// A subtree's items, as much room to partition them into, and their box.
 struct Part {
   Items items, room;
   Box32 box;
-  Box32 middles;  ///< the box of the middles of their boxes
+  Box32 middles;  ///< the box of the centres of the items' boxes
   double area = box.area();
 
   std::size_t size() const { return items.size(); }
   bool is_item() const { return items.size() == 1; }
 };
 
-/// Precondition: as much room as items, elsewhere.
+/// Bounds some items. Precondition: `room` has as many places as `items`, and does not overlap them.
 Part part_of(Items items, Items room);
 
-/// The parts of a node.
+/// The children of a node, as parts.
 using Parts = boost::container::static_vector<Part, WideNode::width>;
 
-/// Eight parts of a part or fewer, none empty: the one with the greatest surface is split again and again, or where
-/// `evenly` that of most items, until none is left that a node could not hold; then such as fit go to their items.
+/// Splits a part into at most eight parts, none empty, for the children of a node. The part of greatest surface is
+/// split again and again, or of most items where `evenly`, until no part has more items than a node holds; then parts
+/// are dissolved into single items where these fit.
 Parts parts_of(const Part& whole, bool evenly);
 
 }  // namespace durero::accel::wide

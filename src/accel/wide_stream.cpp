@@ -14,7 +14,7 @@ namespace durero::accel {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The planes of the children from one on that rays of some signs come to first and last, by axis.
+/// The near and far planes of the children from `at` on, by axis, for rays with the signs of `beam`.
 struct LanePlanes {
   HWY_INLINE LanePlanes(const WideNode& node, const Beam& beam, std::size_t at) {
     const auto of = [&](int axis, bool high) HWY_ATTR {
@@ -77,7 +77,7 @@ namespace {
 HWY_EXPORT(meet_in_lanes);
 }  // namespace
 
-/// Whole lanes are stored, so that there is room for those of one ray more.
+/// The columns have room for one ray more, because a store fills whole lanes.
 void meet(const WideNode& node, std::span<const WideStreamRay> rays, std::span<const std::uint32_t> some,
           WideMet& met) {
   met.size = 0;

@@ -31,9 +31,8 @@ struct LaneBeam {
   Lanes x, y, z, ix, iy, iz;
 };
 
-/// The children that are not in order, the nearest to the end. Each is carried from the end to the beginning and left
-/// where a farther one stands, which is carried on in its place: without a branch, as which is nearer is as chance has
-/// it.
+/// Sorts the last node's children, the nearest on top, by insertion. An insertion carries a child down the stack and
+/// exchanges it for each farther one by a mask, because a branch on which is nearer would be mispredicted.
 HWY_INLINE void sort(WideWalker& walker) {
   const std::uint32_t begin = walker.sorted;
   for (std::uint32_t i = begin + 1; i < walker.size; ++i) {
@@ -52,7 +51,7 @@ HWY_INLINE void sort(WideWalker& walker) {
   }
 }
 
-/// What is met of a node waits, not in order yet.
+/// Pushes the children of a node whose boxes the ray meets, not sorted yet.
 HWY_INLINE void meet(WideWalker& walker, const WideNode& node, const LaneBeam& beam) {
   const Tag tag;
   const hn::Rebind<std::uint64_t, Tag> tag_of_children;
